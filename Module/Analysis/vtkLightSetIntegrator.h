@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkLightSetIntegrator
+ * @brief   the thesis's light loop: the sum over a light set (CPU twin of the mapper's shader)
+ *
+ * L_o = sum_j f(i_j,o) cos(theta_j) E_j (thesis 2.3.2). The light set lives in the environment's
+ * frame; an environment is only needed for its rotation and may be missing.
+ */
+
+#ifndef vtkLightSetIntegrator_h
+#define vtkLightSetIntegrator_h
+
+#include "vtkRadianceIntegrator.h"
+
+class vtkLightSet;
+
+class VTKMEASUREDBRDF_EXPORT vtkLightSetIntegrator : public vtkRadianceIntegrator
+{
+public:
+  static vtkLightSetIntegrator* New();
+  vtkTypeMacro(vtkLightSetIntegrator, vtkRadianceIntegrator);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The lights.
+   */
+  void SetLightSet(vtkLightSet* lights);
+  vtkLightSet* GetLightSet();
+  ///@}
+
+protected:
+  vtkLightSetIntegrator();
+  ~vtkLightSetIntegrator() override;
+
+  bool Begin() override;
+  void IntegrateOne(
+    const double n[3], const double o[3], const double t[3], double radiance[3]) override;
+
+  vtkSmartPointer<vtkLightSet> LightSet;
+
+private:
+  vtkLightSetIntegrator(const vtkLightSetIntegrator&) = delete;
+  void operator=(const vtkLightSetIntegrator&) = delete;
+};
+
+#endif

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkRadianceIntegrator
+ * @brief   outgoing radiance of a BRDF under light, for (normal, view) pairs (abstract)
+ *
+ * L_o = integral of f(i,o) L(i) cos(theta_i) di. Subclasses say how the integral is done. Pairs are
+ * in world coordinates; the environment's rotation applies. Double precision, threads through
+ * vtkSMPTools, ProgressEvent (calldata: double*) from the calling thread, interrupted by
+ * SetAbort(true).
+ */
+
+#ifndef vtkRadianceIntegrator_h
+#define vtkRadianceIntegrator_h
+
+#include "vtkMeasuredBRDFModule.h" // for export macro
+#include "vtkObject.h"
+#include "vtkSmartPointer.h" // for BRDF, Environment
+
+#include <atomic> // for Abort
+
+class vtkBRDF;
+class vtkDataArray;
+class vtkEnvironment;
+
+class VTKMEASUREDBRDF_EXPORT vtkRadianceIntegrator : public vtkObject
+{
+public:
+  vtkAbstractTypeMacro(vtkRadianceIntegrator, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The material.
+   */
+  void SetBRDF(vtkBRDF* brdf);
+  vtkBRDF* GetBRDF();
+  ///@}
+
+  ///@{
+  /**
+   * The light; its rotation applies.
+   */
+  void SetEnvironment(vtkEnvironment* environment);
+  vtkEnvironment* GetEnvironment();
+  ///@}
+
+  /**
+   * Radiance (resized to 3 components, RGB) for each tuple of normals and views (3 components,
+   * directions from the surface, any length but 0). tangents may be null: then any frame about the
+   * normal is used, right for isotropic materials. A view below the horizon gives 0. Returns false
+   * with an error event when arrays do not match, something is missing, a direction is zero or not
+   * finite, or the run was aborted.
+   */
+  bool Integrate(vtkDataArray* normals, vtkDataArray* views, vtkDataArray* radiance,
+    vtkDataArray* tangents = nullptr);
+
+  ///@{
+  /**
+   * Set from an observer or another thread to stop a running Integrate.
+   */
+  void SetAbort(bool abort) { this->Abort = abort; }
+  bool GetAbort() { return this->Abort; }
+  ///@}
+
+protected:
+  vtkRadianceIntegrator();
+  ~vtkRadianceIntegrator() override;
+
+  /// Check and precompute before the threads start; false (after an error event) stops.
+  virtual bool Begin() = 0;
+
+  /// Radiance for one pair: unit n and o (environment frame), t = tangent or zero. Thread safe.
+  virtual void IntegrateOne(
+    const double n[3], const double o[3], const double t[3], double radiance[3]) = 0;
+
+  vtkSmartPointer<vtkBRDF> BRDF;
+  vtkSmartPointer<vtkEnvironment> Environment;
+  std::atomic<bool> Abort{ false };
+
+private:
+  vtkRadianceIntegrator(const vtkRadianceIntegrator&) = delete;
+  void operator=(const vtkRadianceIntegrator&) = delete;
+};
+
+#endif

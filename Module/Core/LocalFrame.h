@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The local frame of a shading point, its one C++ form (GLSL twin: shaders/vtkBRDFFrame.glsl).
+ */
+
+#ifndef LocalFrame_h
+#define LocalFrame_h
+
+#include <glm/glm.hpp>
+
+#include <cmath>
+
+namespace measuredbrdf
+{
+/// Columns: tangent, bitangent, normal.
+using Frame = glm::dmat3;
+
+/**
+ * Any right-handed orthonormal frame about unit n, without a seam except at n.z = 0's sign change.
+ * Duff et al. 2017, "Building an Orthonormal Basis, Revisited".
+ */
+inline Frame FrameAbout(const glm::dvec3& n)
+{
+  const double s = std::copysign(1.0, n.z);
+  const double a = -1.0 / (s + n.z);
+  const double b = n.x * n.y * a;
+  return Frame(
+    glm::dvec3(1.0 + s * n.x * n.x * a, s * b, -s * n.x), glm::dvec3(b, s + n.y * n.y * a, -n.y), n);
+}
+
+/// The frame with its tangent along the part of t perpendicular to n; any frame where t gives none.
+inline Frame FrameAbout(const glm::dvec3& n, const glm::dvec3& t)
+{
+  const glm::dvec3 p = t - n * glm::dot(n, t);
+  const double length = glm::length(p);
+  if (!(length > 1e-6))
+  {
+    return FrameAbout(n);
+  }
+  return Frame(p / length, glm::cross(n, p / length), n);
+}
+
+/// World direction in the frame's coordinates.
+inline glm::dvec3 ToLocal(const Frame& frame, const glm::dvec3& d)
+{
+  return glm::dvec3(glm::dot(frame[0], d), glm::dot(frame[1], d), glm::dot(frame[2], d));
+}
+
+inline glm::dvec3 ToWorld(const Frame& frame, const glm::dvec3& d)
+{
+  return frame * d;
+}
+
+/**
+ * Interpolated normals can turn away from the viewer at silhouettes; there the view is shaded as if
+ * at this cosine (about 0.06 degrees above the horizon).
+ */
+constexpr double MinimumViewCosine = 1e-3;
+
+/// o with its cosine lifted to at least MinimumViewCosine, azimuth kept, unit length.
+inline glm::dvec3 LiftView(const glm::dvec3& o)
+{
+  if (o.z >= MinimumViewCosine)
+  {
+    return o;
+  }
+  const double length = std::hypot(o.x, o.y);
+  const double s = std::sqrt(1.0 - MinimumViewCosine * MinimumViewCosine);
+  return length > 1e-12 ? glm::dvec3(o.x * s / length, o.y * s / length, MinimumViewCosine)
+                        : glm::dvec3(s, 0.0, MinimumViewCosine);
+}
+} // namespace measuredbrdf
+
+#endif

@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkEnvironment
+ * @brief   distant lighting: a lat-long image of linear RGB radiance
+ *
+ * Directions follow VTK's image-based lighting: for a unit direction d in the environment's frame
+ * (y up), u = atan2(d.z, d.x)/(2 pi) + 1/2, v = asin(d.y)/pi + 1/2. Row 0 of the pixels is v = 0,
+ * the bottom (-y), as in vtkImageData. Texel centres lie at (k + 1/2)/N; a texel's solid angle is
+ * exact: dphi (cos theta0 - cos theta1).
+ *
+ * Negative and non-finite values are set to 0 on the way in and counted.
+ */
+
+#ifndef vtkEnvironment_h
+#define vtkEnvironment_h
+
+#include "vtkMeasuredBRDFModule.h" // for export macro
+#include "vtkObject.h"
+
+#include <string> // for Name
+#include <vector> // for pixels
+
+class vtkImageData;
+
+class VTKMEASUREDBRDF_EXPORT vtkEnvironment : public vtkObject
+{
+public:
+  static vtkEnvironment* New();
+  vtkTypeMacro(vtkEnvironment, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * What to call it (a file's name, say); only carried along.
+   */
+  vtkSetMacro(Name, std::string);
+  vtkGetMacro(Name, std::string);
+  ///@}
+
+  /**
+   * Copy a lat-long image: point scalars of any type with 1 (grey), 3 or 4 components (alpha is
+   * dropped), one slice, row 0 at the bottom. Integer types are scaled by their maximum; sRGB says
+   * that they are sRGB-encoded and makes them linear. Returns false with an error event and keeps
+   * the old pixels when there is no such image.
+   */
+  bool SetImage(vtkImageData* image, bool sRGB = false);
+
+  /**
+   * Take width x height RGB triples, row 0 at the bottom. Returns false when sizes do not match.
+   */
+  bool SetPixels(int width, int height, std::vector<float> rgb);
+
+  /**
+   * A built-in sky with a sun, computed on the spot (256 x 128): for when no image is at hand.
+   */
+  void SetToProceduralSky();
+
+  ///@{
+  /**
+   * Size in texels (0 x 0 before anything is set) and values, RGB per texel, row 0 at the bottom.
+   */
+  vtkGetMacro(Width, int);
+  vtkGetMacro(Height, int);
+  const std::vector<float>& GetPixels() const { return this->Pixels; }
+  void GetPixel(int x, int y, double rgb[3]);
+  ///@}
+
+  ///@{
+  /**
+   * How many channel values were negative or not finite in what was last set.
+   */
+  vtkGetMacro(NumberOfNegativeValues, vtkIdType);
+  vtkGetMacro(NumberOfNonFiniteValues, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
+   * Direction of a texel's centre, or of any (u,v) in [0,1]^2, in the environment's frame; and back.
+   */
+  void GetTexelDirection(int x, int y, double direction[3]);
+  static void GetDirection(double u, double v, double direction[3]);
+  static void GetCoordinates(const double direction[3], double& u, double& v);
+  ///@}
+
+  /**
+   * Exact solid angle of a texel of row y, in sr; all texels together: 4 pi.
+   */
+  double GetTexelSolidAngle(int y);
+
+  /**
+   * Radiance of the texel that a direction (environment frame) falls into. No interpolation.
+   */
+  void GetRadiance(const double direction[3], double rgb[3]);
+
+  /**
+   * Integral of the radiance over the sphere, RGB: what light sets must add up to.
+   */
+  void GetTotal(double rgb[3]);
+
+  /**
+   * Luminance of linear Rec. 709 RGB: .2126 R + .7152 G + .0722 B.
+   */
+  static double GetLuminance(const double rgb[3]);
+
+  ///@{
+  /**
+   * World direction -> environment direction, a rotation given by its rows; default identity.
+   * Refused with an error event when it is not orthonormal to 1e-6. SetRotationY turns the
+   * environment by an angle in degrees about +y (world), counterclockwise seen from above.
+   */
+  void SetWorldToEnvironment(const double matrix[9]);
+  void GetWorldToEnvironment(double matrix[9]);
+  void SetRotationY(double degrees);
+  ///@}
+
+  /**
+   * When the pixels last changed. GetMTime also counts rotations; light sets need not be redone
+   * for those.
+   */
+  vtkMTimeType GetPixelsMTime() { return this->PixelsTime.GetMTime(); }
+
+  /**
+   * The pixels as float RGB image data, row 0 at the bottom. A new object the caller owns.
+   */
+  VTK_NEWINSTANCE vtkImageData* NewImageData();
+
+protected:
+  vtkEnvironment();
+  ~vtkEnvironment() override = default;
+
+  std::string Name;
+  int Width = 0;
+  int Height = 0;
+  std::vector<float> Pixels;
+  vtkIdType NumberOfNegativeValues = 0;
+  vtkIdType NumberOfNonFiniteValues = 0;
+  double WorldToEnvironment[9] = { 1, 0, 0, 0, 1, 0, 0, 0, 1 };
+  vtkTimeStamp PixelsTime;
+
+private:
+  vtkEnvironment(const vtkEnvironment&) = delete;
+  void operator=(const vtkEnvironment&) = delete;
+};
+
+#endif

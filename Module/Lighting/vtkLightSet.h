@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkLightSet
+ * @brief   directional lights that stand for an environment
+ *
+ * Each light has a unit direction towards it (environment frame), an irradiance RGB on a surface
+ * that faces it (radiance x solid angle), the solid angle it stands for in sr, and optionally the
+ * region of texels it was made from.
+ */
+
+#ifndef vtkLightSet_h
+#define vtkLightSet_h
+
+#include "vtkMeasuredBRDFModule.h" // for export macro
+#include "vtkObject.h"
+
+#include <vector> // for lights
+
+class vtkPolyData;
+
+class VTKMEASUREDBRDF_EXPORT vtkLightSet : public vtkObject
+{
+public:
+  static vtkLightSet* New();
+  vtkTypeMacro(vtkLightSet, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Edit. Directions are normalized; a light with a zero or non-finite direction, or an irradiance
+   * that is negative or not finite, is refused (returns false, set unchanged).
+   */
+  void RemoveAllLights();
+  bool AddLight(const double direction[3], const double irradiance[3], double solidAngle = 0.0);
+  ///@}
+
+  ///@{
+  /**
+   * Read; index in [0, GetNumberOfLights()).
+   */
+  int GetNumberOfLights();
+  void GetDirection(int index, double direction[3]);
+  void GetIrradiance(int index, double irradiance[3]);
+  double GetSolidAngle(int index);
+  ///@}
+
+  /**
+   * Sum of the irradiances, RGB.
+   */
+  void GetTotal(double rgb[3]);
+
+  ///@{
+  /**
+   * Texels [x0,x1) x [y0,y1) of the last added light, row 0 at the bottom. Get returns false where
+   * none was set.
+   */
+  void SetLastRegion(int x0, int y0, int x1, int y1);
+  bool GetRegion(int index, int region[4]);
+  ///@}
+
+  ///@{
+  /**
+   * As geometry and back: points on the unit sphere with vertices; point arrays "Irradiance" (3
+   * doubles), "SolidAngle". New object the caller owns. SetPolyData returns false (set unchanged)
+   * without points or "Irradiance".
+   */
+  VTK_NEWINSTANCE vtkPolyData* NewPolyData();
+  bool SetPolyData(vtkPolyData* lights);
+  ///@}
+
+protected:
+  vtkLightSet() = default;
+  ~vtkLightSet() override = default;
+
+  struct Light
+  {
+    double Direction[3];
+    double Irradiance[3];
+    double SolidAngle;
+    int Region[4]; // x0 == x1: none
+  };
+  std::vector<Light> Lights;
+
+private:
+  vtkLightSet(const vtkLightSet&) = delete;
+  void operator=(const vtkLightSet&) = delete;
+};
+
+#endif

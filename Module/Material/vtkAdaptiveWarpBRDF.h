@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkAdaptiveWarpBRDF
+ * @brief   RGL's adaptive parameterization of a measured BRDF, exact on the CPU
+ *
+ * Dupuy and Jakob 2018, "An Adaptive Parameterization for Efficient Material Acquisition and
+ * Rendering" (the RGL-EPFL database). Values live on a square warped by the visible normals, so a
+ * fixed grid follows the lobe. The tables hold f cos(theta_o) (i: the tables' incident direction);
+ * Evaluate divides by that cosine. Negative values (colours outside sRGB) are clamped at 0 per
+ * channel after interpolation.
+ *
+ * Not reciprocal in general: measured values keep their asymmetry.
+ *
+ * GPU form: resampled into a vtkTabulatedBRDF over half and difference angles with phi_d over the
+ * full turn (so the asymmetry survives), sizes grown until ResamplingTolerance is met, else the
+ * best with a warning once; see GetRenderable().
+ */
+
+#ifndef vtkAdaptiveWarpBRDF_h
+#define vtkAdaptiveWarpBRDF_h
+
+#include "vtkBRDF.h"
+
+#include <memory> // for warps
+#include <vector> // for tables
+
+class vtkTabulatedBRDF;
+
+class VTKMEASUREDBRDF_EXPORT vtkAdaptiveWarpBRDF : public vtkBRDF
+{
+public:
+  static vtkAdaptiveWarpBRDF* New();
+  vtkTypeMacro(vtkAdaptiveWarpBRDF, vtkBRDF);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * A table and its shape, slowest axis first (the file's order).
+   */
+  struct Table
+  {
+    std::vector<int> Shape;
+    std::vector<float> Values;
+  };
+
+  /**
+   * The fields of the database's tensor files: theta_i [T] and phi_i [P] in radians, ascending; ndf
+   * and sigma [.,.]; vndf [P,T,.,.]; luminance [P,T,R,R]; rgb [P,T,3,R,R]. P <= 2: isotropic.
+   */
+  struct Tables
+  {
+    std::vector<float> ThetaI;
+    std::vector<float> PhiI;
+    Table Ndf;
+    Table Sigma;
+    Table Vndf;
+    Table Luminance;
+    Table Rgb;
+  };
+
+  /**
+   * Take the tables. Returns an empty string, or what is wrong (shapes that do not match, axes not
+   * ascending, values not finite, a warp density that is negative or sums to 0) and then leaves
+   * the material as it was.
+   */
+  std::string SetTables(Tables tables);
+  const Tables& GetTables() const { return this->Data; }
+
+  void GetBounds(double minimumCosine, double lower[3], double upper[3]) override;
+  bool IsIsotropic() override { return this->Data.PhiI.size() <= 2; }
+  bool IsReciprocal() override { return false; }
+  vtkBRDF* GetRenderable() override;
+  void GetGPUForm(vtkBRDFGPUForm& form) override;
+
+protected:
+  vtkAdaptiveWarpBRDF();
+  ~vtkAdaptiveWarpBRDF() override;
+
+  void EvaluateAbove(const double i[3], const double o[3], double f[3]) override;
+  bool SampleAbove(const double o[3], double u1, double u2, double i[3]) override;
+  double PdfAbove(const double i[3], const double o[3]) override;
+
+  Tables Data;
+
+private:
+  vtkAdaptiveWarpBRDF(const vtkAdaptiveWarpBRDF&) = delete;
+  void operator=(const vtkAdaptiveWarpBRDF&) = delete;
+
+  struct Warps;
+  std::unique_ptr<Warps> Warp;
+  vtkSmartPointer<vtkTabulatedBRDF> Resampled;
+  vtkTimeStamp ResampleTime;
+};
+
+#endif

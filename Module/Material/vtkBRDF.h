@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkBRDF
+ * @brief   a material as its bidirectional reflectance distribution function
+ *
+ * A value object without graphics state: the BRDF f(i,o) in 1/sr, linear RGB with Rec. 709
+ * primaries, *without* the cosine. Shareable between mappers; its MTime tells them to refresh.
+ *
+ * Local frame of every direction: z = shading normal, x = tangent; i points to the light, o to the
+ * viewer; both are unit vectors (they are normalized here, so lengths other than 1 do no harm).
+ * theta is the polar angle from z, phi the azimuth from x.
+ *
+ * The const-like queries (Evaluate, Sample, Pdf, ...) may be called from many threads at once as
+ * long as no thread changes the object. Call Prepare() first after a change: it builds what is
+ * built lazily.
+ */
+
+#ifndef vtkBRDF_h
+#define vtkBRDF_h
+
+#include "vtkMeasuredBRDFModule.h" // for export macro
+#include "vtkObject.h"
+#include "vtkSmartPointer.h" // for Renderable
+
+#include <string> // for Name, Source
+
+struct vtkBRDFGPUForm;
+
+class VTKMEASUREDBRDF_EXPORT vtkBRDF : public vtkObject
+{
+public:
+  vtkAbstractTypeMacro(vtkBRDF, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The material's name and where its figures come from (paper, database, file). Both are empty by
+   * default and are only carried along: readers fill them, writers keep them.
+   */
+  vtkSetMacro(Name, std::string);
+  vtkGetMacro(Name, std::string);
+  vtkSetMacro(Source, std::string);
+  vtkGetMacro(Source, std::string);
+  ///@}
+
+  /**
+   * f(i,o) in 1/sr, RGB. Zero when i or o is at or below the horizon (z <= 0). Never negative, NaN
+   * or infinite, whatever the data hold.
+   */
+  void Evaluate(const double i[3], const double o[3], double f[3]);
+
+  /**
+   * Draw i given o from two uniform numbers in [0,1). Returns false, with i = 0, where the draw
+   * fell below the horizon: such a sample counts as zero. E[f(i,o) cos(theta_i) / Pdf(i,o)] over
+   * the draws is the directional albedo.
+   */
+  bool Sample(const double o[3], double u1, double u2, double i[3]);
+
+  /**
+   * Density of Sample in 1/sr (solid angle of i). Integrates over the upper hemisphere to 1 minus
+   * the share of draws that fall below the horizon.
+   */
+  double Pdf(const double i[3], const double o[3]);
+
+  /**
+   * Directional albedo a(o) = integral of f(i,o) cos(theta_i) di over the upper hemisphere, RGB.
+   * Estimated with a fixed set of 2^14 low-discrepancy points, half from Sample and half from the
+   * cosine (the mixture's density is bounded below by both, so a lobe that Sample misses is still
+   * counted); relative error about 1e-3 for smooth data.
+   */
+  virtual void GetDirectionalAlbedo(const double o[3], double albedo[3]);
+
+  /**
+   * Bounds on each channel of f over all pairs whose cosines are both at least minimumCosine (in
+   * (0,1]): lower <= f <= upper. Conservative, not tight.
+   */
+  virtual void GetBounds(double minimumCosine, double lower[3], double upper[3]) = 0;
+
+  /**
+   * Whether f only depends on the difference of the azimuths.
+   */
+  virtual bool IsIsotropic() { return true; }
+
+  /**
+   * Whether f(i,o) = f(o,i) holds by construction. Measured tables may break it.
+   */
+  virtual bool IsReciprocal() { return true; }
+
+  /**
+   * Build whatever Evaluate, Sample and Pdf need and build lazily. Not thread safe.
+   */
+  virtual void Prepare() {}
+
+  ///@{
+  /**
+   * Largest relative L2 error (weighted by both cosines) that a GPU form may add by resampling and
+   * by its texture precision; default 0.01, clamped to [1e-5, 0.5]. Only representations that have
+   * to be resampled or stored in textures use it. What was reached is in the GPU form.
+   */
+  vtkSetClampMacro(ResamplingTolerance, double, 1e-5, 0.5);
+  vtkGetMacro(ResamplingTolerance, double);
+  ///@}
+
+  /**
+   * The BRDF that the GPU form evaluates: this object, unless the representation has no direct
+   * GLSL form and is resampled into one (then that one, cached until this object changes).
+   */
+  virtual vtkBRDF* GetRenderable() { return this; }
+
+  /**
+   * GLSL file, uniforms and textures that evaluate GetRenderable() on the GPU.
+   */
+  virtual void GetGPUForm(vtkBRDFGPUForm& form) = 0;
+
+protected:
+  vtkBRDF() = default;
+  ~vtkBRDF() override = default;
+
+  /**
+   * f(i,o) for unit i, o above the horizon. May return anything for bad data: Evaluate cleans.
+   */
+  virtual void EvaluateAbove(const double i[3], const double o[3], double f[3]) = 0;
+
+  ///@{
+  /**
+   * Sampling for unit o above the horizon; default: cosine-weighted hemisphere.
+   */
+  virtual bool SampleAbove(const double o[3], double u1, double u2, double i[3]);
+  virtual double PdfAbove(const double i[3], const double o[3]);
+  ///@}
+
+  std::string Name;
+  std::string Source;
+  double ResamplingTolerance = 0.01;
+
+private:
+  vtkBRDF(const vtkBRDF&) = delete;
+  void operator=(const vtkBRDF&) = delete;
+};
+
+#endif

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @struct  vtkBRDFGPUForm
+ * @brief   what a shader needs to evaluate a BRDF: a GLSL file's name, uniforms, textures
+ *
+ * Plain data without GL, made by vtkBRDF::GetGPUForm and consumed by the rendering room. Each GLSL
+ * file defines `vec3 brdfTermINSTANCE(vec3 i, vec3 o)`; INSTANCE becomes the term's number, in the
+ * names of uniforms and textures too, so that one shader can hold several terms of one kind.
+ */
+
+#ifndef vtkBRDFGPUForm_h
+#define vtkBRDFGPUForm_h
+
+#include <array>   // for dimensions
+#include <cstddef> // for size_t
+#include <string>  // for names
+#include <vector>  // for data
+
+struct vtkBRDFGPUForm
+{
+  struct Uniform
+  {
+    std::string Name;          // without INSTANCE
+    std::vector<float> Values; // 1, 3 or 4 floats
+  };
+
+  struct Texture
+  {
+    std::string Name;                           // sampler, without INSTANCE
+    std::array<int, 3> Dimensions = { 1, 1, 1 }; // depth 1: a 2D texture
+    int Components = 3;                         // 1, 3 or 4
+    bool HalfFloat = false;                     // stored as 16-bit float on the GPU
+    std::array<bool, 3> Repeat = { false, false, false }; // else clamp to edge
+    std::vector<float> Data;                    // x fastest, components interleaved
+    std::size_t GetBytes() const
+    {
+      return Data.size() * (HalfFloat ? 2 : 4);
+    }
+  };
+
+  struct Term
+  {
+    std::string Shader; // name of the GLSL file, e.g. "vtkBRDFLambert"
+    std::vector<std::string> Defines; // structural switches of that file, part of the shader key
+    std::vector<Uniform> Uniforms;
+    std::vector<Texture> Textures;
+  };
+
+  std::vector<Term> Terms; // summed
+
+  /// Relative L2 error (both cosines as weights) by resampling; 0 where nothing was resampled.
+  double ResamplingError = 0.0;
+  /// Largest relative error of a stored value by texture precision (2^-11 for 16-bit); 0 without textures.
+  double QuantizationError = 0.0;
+  /// One line for people: sizes, precision, why.
+  std::string Description;
+
+  std::size_t GetTextureBytes() const
+  {
+    std::size_t bytes = 0;
+    for (const Term& term : this->Terms)
+    {
+      for (const Texture& texture : term.Textures)
+      {
+        bytes += texture.GetBytes();
+      }
+    }
+    return bytes;
+  }
+
+  /// Same key, same shader text: what differs is in uniforms and textures.
+  std::string GetShaderKey() const
+  {
+    std::string key;
+    for (const Term& term : this->Terms)
+    {
+      key += term.Shader;
+      for (const std::string& define : term.Defines)
+      {
+        key += ":" + define;
+      }
+      key += ";";
+    }
+    return key;
+  }
+};
+
+#endif

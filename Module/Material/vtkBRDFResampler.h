@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkBRDFResampler
+ * @brief   any isotropic BRDF -> a half/difference-angle volume, with the error it costs
+ *
+ * Cells take the value at their centre. With reciprocal output (phi_d over half a turn) a cell
+ * takes the mean of f(i,o) and f(o,i): that is all a reciprocal table can hold of a measurement
+ * that is not; the loss is part of the reported error.
+ *
+ * Cells whose i or o lies below the horizon become invalid (interpolation skips them).
+ */
+
+#ifndef vtkBRDFResampler_h
+#define vtkBRDFResampler_h
+
+#include "vtkMeasuredBRDFModule.h" // for export macro
+#include "vtkNew.h"                // for vtkNew
+#include "vtkObject.h"
+#include "vtkSmartPointer.h" // for Input
+
+#include "vtkTabulatedBRDF.h" // for Output
+
+class VTKMEASUREDBRDF_EXPORT vtkBRDFResampler : public vtkObject
+{
+public:
+  static vtkBRDFResampler* New();
+  vtkTypeMacro(vtkBRDFResampler, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * What to resample.
+   */
+  void SetInput(vtkBRDF* input);
+  vtkBRDF* GetInput();
+  ///@}
+
+  ///@{
+  /**
+   * Relative L2 error to reach (both cosines as weights); default 0.01. Used by Resample(), not by
+   * ResampleTo().
+   */
+  vtkSetClampMacro(Tolerance, double, 1e-6, 1.0);
+  vtkGetMacro(Tolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Largest volume Resample() may choose, in cells; default 2^21 (24 MB as 32-bit RGB).
+   */
+  vtkSetClampMacro(MaximumNumberOfCells, vtkIdType, 64, 1 << 26);
+  vtkGetMacro(MaximumNumberOfCells, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the output is reciprocal by construction; default off.
+   */
+  vtkSetMacro(Reciprocal, bool);
+  vtkGetMacro(Reciprocal, bool);
+  vtkBooleanMacro(Reciprocal, bool);
+  ///@}
+
+  /**
+   * Grow the volume until the tolerance is met, each time along the axis that pays most. Returns
+   * whether it was met; the output then is the smallest volume tried that did, else the best tried.
+   * Raises ProgressEvent (calldata: double*) between tries.
+   */
+  bool Resample();
+
+  /**
+   * Resample to the given size (phi_d, theta_d, theta_h).
+   */
+  void ResampleTo(int nPhiD, int nThetaD, int nThetaH);
+
+  /**
+   * The result; its ResamplingError holds the measured error.
+   */
+  vtkTabulatedBRDF* GetOutput() { return this->Output; }
+
+  /**
+   * Relative L2 distance of b from reference a, sqrt(sum |a-b|^2 / sum |a|^2), over the
+   * hemispheres of i and o weighted by both cosines, all channels; from `pairs` low-discrepancy
+   * pairs drawn half from a's own lobes. maximum, if not null: the largest absolute difference met.
+   */
+  static double GetRelativeL2Error(
+    vtkBRDF* a, vtkBRDF* b, int pairs = 1 << 15, double* maximum = nullptr);
+
+protected:
+  vtkBRDFResampler() = default;
+  ~vtkBRDFResampler() override = default;
+
+  vtkSmartPointer<vtkBRDF> Input;
+  vtkNew<vtkTabulatedBRDF> Output;
+  double Tolerance = 0.01;
+  vtkIdType MaximumNumberOfCells = 1 << 21;
+  bool Reciprocal = false;
+
+private:
+  vtkBRDFResampler(const vtkBRDFResampler&) = delete;
+  void operator=(const vtkBRDFResampler&) = delete;
+};
+
+#endif

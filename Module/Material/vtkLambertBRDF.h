@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkLambertBRDF
+ * @brief   perfectly diffuse reflection: f = albedo / pi
+ *
+ * Lambert 1760. Reciprocal, isotropic; directional albedo = Albedo at every angle.
+ */
+
+#ifndef vtkLambertBRDF_h
+#define vtkLambertBRDF_h
+
+#include "vtkBRDF.h"
+
+class VTKMEASUREDBRDF_EXPORT vtkLambertBRDF : public vtkBRDF
+{
+public:
+  static vtkLambertBRDF* New();
+  vtkTypeMacro(vtkLambertBRDF, vtkBRDF);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Share of the incident light that is reflected, RGB; default 0.8 each. Negative values count as
+   * 0; values above 1 are kept (measured fits have them).
+   */
+  vtkSetVector3Macro(Albedo, double);
+  vtkGetVector3Macro(Albedo, double);
+  ///@}
+
+  void GetDirectionalAlbedo(const double o[3], double albedo[3]) override;
+  void GetBounds(double minimumCosine, double lower[3], double upper[3]) override;
+  void GetGPUForm(vtkBRDFGPUForm& form) override;
+
+protected:
+  vtkLambertBRDF() = default;
+  ~vtkLambertBRDF() override = default;
+
+  void EvaluateAbove(const double i[3], const double o[3], double f[3]) override;
+
+  double Albedo[3] = { 0.8, 0.8, 0.8 };
+
+private:
+  vtkLambertBRDF(const vtkLambertBRDF&) = delete;
+  void operator=(const vtkLambertBRDF&) = delete;
+};
+
+#endif

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSumBRDF
+ * @brief   sum of BRDFs, e.g. a Lambert part and a specular lobe
+ *
+ * Sampling picks a term with probability proportional to its normal-incidence albedo.
+ */
+
+#ifndef vtkSumBRDF_h
+#define vtkSumBRDF_h
+
+#include "vtkBRDF.h"
+
+#include <vector> // for terms
+
+class VTKMEASUREDBRDF_EXPORT vtkSumBRDF : public vtkBRDF
+{
+public:
+  static vtkSumBRDF* New();
+  vtkTypeMacro(vtkSumBRDF, vtkBRDF);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The terms, shared (not copied). Adding null, this sum itself or a sum that holds it is an error.
+   */
+  void AddTerm(vtkBRDF* term);
+  void RemoveAllTerms();
+  int GetNumberOfTerms();
+  vtkBRDF* GetTerm(int index);
+  ///@}
+
+  vtkMTimeType GetMTime() override;
+  void GetDirectionalAlbedo(const double o[3], double albedo[3]) override;
+  void GetBounds(double minimumCosine, double lower[3], double upper[3]) override;
+  bool IsIsotropic() override;
+  bool IsReciprocal() override;
+  void Prepare() override;
+  vtkBRDF* GetRenderable() override;
+  void GetGPUForm(vtkBRDFGPUForm& form) override;
+
+protected:
+  vtkSumBRDF();
+  ~vtkSumBRDF() override;
+
+  void EvaluateAbove(const double i[3], const double o[3], double f[3]) override;
+  bool SampleAbove(const double o[3], double u1, double u2, double i[3]) override;
+  double PdfAbove(const double i[3], const double o[3]) override;
+
+  std::vector<vtkSmartPointer<vtkBRDF>> Terms;
+  std::vector<double> Weights; // probability of each term, from Prepare
+  vtkTimeStamp PrepareTime;
+  vtkSmartPointer<vtkSumBRDF> Renderable;
+  vtkTimeStamp RenderableTime;
+
+private:
+  vtkSumBRDF(const vtkSumBRDF&) = delete;
+  void operator=(const vtkSumBRDF&) = delete;
+};
+
+#endif

@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkTabulatedBRDF
+ * @brief   isotropic BRDF as a volume of values, trilinear in half/difference or in/out angles
+ *
+ * HALF_DIFFERENCE (Rusinkiewicz 1998; MERL's parameters): axes (phi_d, theta_d, theta_h), x = phi_d
+ * fastest. Sample k of n lies at theta_h = (pi/2) ((k+1/2)/n)^2, theta_d = (pi/2)(k+1/2)/n,
+ * phi_d = AzimuthRange (k+1/2)/n, periodic. AzimuthRange pi: f(i,o) = f(o,i) by construction (swapping
+ * them adds pi to phi_d), as MERL has it; 2 pi: not necessarily reciprocal.
+ *
+ * INCIDENT_OUTGOING (MBSDF's parameters): axes (delta phi, theta_o, theta_i), all uniform at cell
+ * centres; AzimuthRange pi: mirror-symmetric in delta phi; 2 pi: periodic.
+ *
+ * Cells may be invalid (not measured). Interpolation skips them: the weights of the valid corners
+ * are renormalized; with none valid the value is 0. theta axes are constant beyond the outermost
+ * samples. Stored values may be negative (measured noise); Evaluate clamps at 0 after interpolation.
+ */
+
+#ifndef vtkTabulatedBRDF_h
+#define vtkTabulatedBRDF_h
+
+#include "vtkBRDF.h"
+
+#include <memory> // for sampling table
+#include <vector> // for the volume
+
+class vtkImageData;
+
+class VTKMEASUREDBRDF_EXPORT vtkTabulatedBRDF : public vtkBRDF
+{
+public:
+  static vtkTabulatedBRDF* New();
+  vtkTypeMacro(vtkTabulatedBRDF, vtkBRDF);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum ParameterizationType
+  {
+    HALF_DIFFERENCE = 0,
+    INCIDENT_OUTGOING = 1
+  };
+
+  enum AzimuthRangeType
+  {
+    HALF_TURN = 0, // [0, pi]
+    FULL_TURN = 1  // [0, 2 pi]
+  };
+
+  enum PrecisionType
+  {
+    AUTOMATIC = 0,
+    FLOAT16 = 1,
+    FLOAT32 = 2
+  };
+
+  /**
+   * Set everything at once. dimensions: samples along (azimuth, second theta, first theta), each
+   * in [1, 2048]; rgb: RGB triples, x fastest; invalid cells hold NaN in any channel. Returns false
+   * and leaves the volume as it was when sizes do not match.
+   */
+  bool SetVolume(int parameterization, int azimuthRange, const int dimensions[3],
+    std::vector<float> rgb);
+
+  ///@{
+  /**
+   * What was set.
+   */
+  vtkGetMacro(Parameterization, int);
+  vtkGetMacro(AzimuthRange, int);
+  vtkGetVector3Macro(Dimensions, int);
+  const std::vector<float>& GetVolume() const { return this->Volume; }
+  vtkIdType GetNumberOfInvalidCells() const { return this->NumberOfInvalidCells; }
+  ///@}
+
+  /**
+   * The volume as image data of the given dimensions with a 3-component float point array "BRDF"
+   * (NaN = invalid): for VTK's filters and writers. A new object the caller owns.
+   */
+  VTK_NEWINSTANCE vtkImageData* NewImageData();
+
+  ///@{
+  /**
+   * Texture precision of the GPU form. AUTOMATIC (default): 16-bit floats where every value fits
+   * their range and their rounding (2^-11 relative) is within a quarter of ResamplingTolerance,
+   * 32-bit else.
+   */
+  vtkSetClampMacro(Precision, int, AUTOMATIC, FLOAT32);
+  vtkGetMacro(Precision, int);
+  ///@}
+
+  ///@{
+  /**
+   * Relative L2 error of this table against what it was resampled from; 0 (default): original data.
+   */
+  vtkSetMacro(ResamplingError, double);
+  vtkGetMacro(ResamplingError, double);
+  ///@}
+
+  /**
+   * Direction pair at the centre of cell (x,y,z) in a canonical azimuth (h or o in the xz plane).
+   * Returns false where i or o lies at or below the horizon: such cells hold no material.
+   */
+  static bool GetCellDirections(int parameterization, int azimuthRange, const int dimensions[3],
+    int x, int y, int z, double i[3], double o[3]);
+
+  void GetBounds(double minimumCosine, double lower[3], double upper[3]) override;
+  bool IsReciprocal() override
+  {
+    return this->Parameterization == HALF_DIFFERENCE && this->AzimuthRange == HALF_TURN;
+  }
+  void Prepare() override;
+  void GetGPUForm(vtkBRDFGPUForm& form) override;
+
+protected:
+  vtkTabulatedBRDF();
+  ~vtkTabulatedBRDF() override;
+
+  void EvaluateAbove(const double i[3], const double o[3], double f[3]) override;
+  bool SampleAbove(const double o[3], double u1, double u2, double i[3]) override;
+  double PdfAbove(const double i[3], const double o[3]) override;
+
+  int Parameterization = HALF_DIFFERENCE;
+  int AzimuthRange = HALF_TURN;
+  int Dimensions[3] = { 0, 0, 0 };
+  int Precision = AUTOMATIC;
+  double ResamplingError = 0.0;
+  std::vector<float> Volume;
+  vtkIdType NumberOfInvalidCells = 0;
+
+private:
+  vtkTabulatedBRDF(const vtkTabulatedBRDF&) = delete;
+  void operator=(const vtkTabulatedBRDF&) = delete;
+
+  struct Sampler;
+  std::unique_ptr<Sampler> HalfVectorSampler;
+};
+
+#endif
