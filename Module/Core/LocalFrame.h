@@ -26,8 +26,8 @@ inline Frame FrameAbout(const glm::dvec3& n)
   const double s = std::copysign(1.0, n.z);
   const double a = -1.0 / (s + n.z);
   const double b = n.x * n.y * a;
-  return Frame(
-    glm::dvec3(1.0 + s * n.x * n.x * a, s * b, -s * n.x), glm::dvec3(b, s + n.y * n.y * a, -n.y), n);
+  return Frame(glm::dvec3(1.0 + s * n.x * n.x * a, s * b, -s * n.x),
+    glm::dvec3(b, s + n.y * n.y * a, -n.y), n);
 }
 
 /// The frame with its tangent along the part of t perpendicular to n; any frame where t gives none.
@@ -48,10 +48,7 @@ inline glm::dvec3 ToLocal(const Frame& frame, const glm::dvec3& d)
   return glm::dvec3(glm::dot(frame[0], d), glm::dot(frame[1], d), glm::dot(frame[2], d));
 }
 
-inline glm::dvec3 ToWorld(const Frame& frame, const glm::dvec3& d)
-{
-  return frame * d;
-}
+inline glm::dvec3 ToWorld(const Frame& frame, const glm::dvec3& d) { return frame * d; }
 
 /**
  * Interpolated normals can turn away from the viewer at silhouettes; there the view is shaded as if

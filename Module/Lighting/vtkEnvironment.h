@@ -76,7 +76,8 @@ public:
 
   ///@{
   /**
-   * Direction of a texel's centre, or of any (u,v) in [0,1]^2, in the environment's frame; and back.
+   * Direction of a texel's centre, or of any (u,v) in [0,1]^2, in the environment's frame; and
+   * back.
    */
   void GetTexelDirection(int x, int y, double direction[3]);
   static void GetDirection(double u, double v, double direction[3]);

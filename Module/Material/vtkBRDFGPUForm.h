@@ -27,21 +27,18 @@ struct vtkBRDFGPUForm
 
   struct Texture
   {
-    std::string Name;                           // sampler, without INSTANCE
-    std::array<int, 3> Dimensions = { 1, 1, 1 }; // depth 1: a 2D texture
-    int Components = 3;                         // 1, 3 or 4
-    bool HalfFloat = false;                     // stored as 16-bit float on the GPU
+    std::string Name;                                     // sampler, without INSTANCE
+    std::array<int, 3> Dimensions = { 1, 1, 1 };          // depth 1: a 2D texture
+    int Components = 3;                                   // 1, 3 or 4
+    bool HalfFloat = false;                               // stored as 16-bit float on the GPU
     std::array<bool, 3> Repeat = { false, false, false }; // else clamp to edge
-    std::vector<float> Data;                    // x fastest, components interleaved
-    std::size_t GetBytes() const
-    {
-      return Data.size() * (HalfFloat ? 2 : 4);
-    }
+    std::vector<float> Data;                              // x fastest, components interleaved
+    std::size_t GetBytes() const { return Data.size() * (HalfFloat ? 2 : 4); }
   };
 
   struct Term
   {
-    std::string Shader; // name of the GLSL file, e.g. "vtkBRDFLambert"
+    std::string Shader;               // name of the GLSL file, e.g. "vtkBRDFLambert"
     std::vector<std::string> Defines; // structural switches of that file, part of the shader key
     std::vector<Uniform> Uniforms;
     std::vector<Texture> Textures;
@@ -51,7 +48,8 @@ struct vtkBRDFGPUForm
 
   /// Relative L2 error (both cosines as weights) by resampling; 0 where nothing was resampled.
   double ResamplingError = 0.0;
-  /// Largest relative error of a stored value by texture precision (2^-11 for 16-bit); 0 without textures.
+  /// Largest relative error of a stored value by texture precision (2^-11 for 16-bit); 0 without
+  /// textures.
   double QuantizationError = 0.0;
   /// One line for people: sizes, precision, why.
   std::string Description;

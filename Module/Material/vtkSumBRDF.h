@@ -23,7 +23,8 @@ public:
 
   ///@{
   /**
-   * The terms, shared (not copied). Adding null, this sum itself or a sum that holds it is an error.
+   * The terms, shared (not copied). Adding null, this sum itself or a sum that holds it is an
+   * error.
    */
   void AddTerm(vtkBRDF* term);
   void RemoveAllTerms();

@@ -6,15 +6,16 @@
  *
  * HALF_DIFFERENCE (Rusinkiewicz 1998; MERL's parameters): axes (phi_d, theta_d, theta_h), x = phi_d
  * fastest. Sample k of n lies at theta_h = (pi/2) ((k+1/2)/n)^2, theta_d = (pi/2)(k+1/2)/n,
- * phi_d = AzimuthRange (k+1/2)/n, periodic. AzimuthRange pi: f(i,o) = f(o,i) by construction (swapping
- * them adds pi to phi_d), as MERL has it; 2 pi: not necessarily reciprocal.
+ * phi_d = AzimuthRange (k+1/2)/n, periodic. AzimuthRange pi: f(i,o) = f(o,i) by construction
+ * (swapping them adds pi to phi_d), as MERL has it; 2 pi: not necessarily reciprocal.
  *
  * INCIDENT_OUTGOING (MBSDF's parameters): axes (delta phi, theta_o, theta_i), all uniform at cell
  * centres; AzimuthRange pi: mirror-symmetric in delta phi; 2 pi: periodic.
  *
  * Cells may be invalid (not measured). Interpolation skips them: the weights of the valid corners
  * are renormalized; with none valid the value is 0. theta axes are constant beyond the outermost
- * samples. Stored values may be negative (measured noise); Evaluate clamps at 0 after interpolation.
+ * samples. Stored values may be negative (measured noise); Evaluate clamps at 0 after
+ * interpolation.
  */
 
 #ifndef vtkTabulatedBRDF_h
@@ -58,8 +59,8 @@ public:
    * in [1, 2048]; rgb: RGB triples, x fastest; invalid cells hold NaN in any channel. Returns false
    * and leaves the volume as it was when sizes do not match.
    */
-  bool SetVolume(int parameterization, int azimuthRange, const int dimensions[3],
-    std::vector<float> rgb);
+  bool SetVolume(
+    int parameterization, int azimuthRange, const int dimensions[3], std::vector<float> rgb);
 
   ///@{
   /**

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkBRDFReader
+ * @brief   a material file of any known format -> vtkBRDF
+ *
+ * The format is told by the file's first bytes, never by its name alone:
+ *
+ * | format | becomes |
+ * |---|---|
+ * | MERL `.binary` (Matusik et al. 2003) | vtkTabulatedBRDF, half/difference, half turn |
+ * | RGL `.bsdf` tensor file, RGB (Dupuy and Jakob 2018) | vtkAdaptiveWarpBRDF |
+ * | NVIDIA `.mbsdf` (MDL specification, appendix B) | vtkTabulatedBRDF, incident/outgoing |
+ * | published fits, text (`name = Aggregate(...)`, as BBM has them) | vtkSumBRDF |
+ * | this project's OpenEXR format | what was written |
+ *
+ * Values are converted to f in 1/sr, linear RGB, without cosine. A file that can't be read gives
+ * one error event that names the file, the byte or field and what was expected; the material that
+ * was read before stays. Memory is bounded by the file's size: sizes are checked against it before
+ * anything is allocated.
+ */
+
+#ifndef vtkBRDFReader_h
+#define vtkBRDFReader_h
+
+#include "vtkBRDF.h"               // for GetBRDF
+#include "vtkMeasuredBRDFModule.h" // for export macro
+#include "vtkObject.h"
+#include "vtkSmartPointer.h" // for BRDF
+
+#include <string> // for names
+#include <vector> // for names
+
+class VTKMEASUREDBRDF_EXPORT vtkBRDFReader : public vtkObject
+{
+public:
+  static vtkBRDFReader* New();
+  vtkTypeMacro(vtkBRDFReader, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The file. `path#name` picks one material of a file of fits.
+   */
+  vtkSetMacro(FileName, std::string);
+  vtkGetMacro(FileName, std::string);
+  ///@}
+
+  /**
+   * Read. Returns whether it worked. Raises ProgressEvent.
+   */
+  bool Read();
+
+  /**
+   * The last material that was read without error; null before.
+   */
+  vtkBRDF* GetBRDF() { return this->BRDF; }
+
+  ///@{
+  /**
+   * About the last Read: empty error message = it worked; the format's name ("MERL binary", "RGL
+   * tensor file", ...); notes for people (what was converted, scaled, clamped); counts of channel
+   * values.
+   */
+  vtkGetMacro(ErrorMessage, std::string);
+  vtkGetMacro(FormatName, std::string);
+  vtkGetMacro(Notes, std::string);
+  vtkGetMacro(NumberOfNegativeValues, vtkIdType);
+  vtkGetMacro(NumberOfInvalidValues, vtkIdType);
+  ///@}
+
+  /**
+   * Names of the materials in a text of published fits (the file FileName without `#name`); empty
+   * where it is not such a file.
+   */
+  std::vector<std::string> GetMaterialNames();
+
+protected:
+  vtkBRDFReader() = default;
+  ~vtkBRDFReader() override = default;
+
+  std::string FileName;
+  std::string ErrorMessage;
+  std::string FormatName;
+  std::string Notes;
+  vtkIdType NumberOfNegativeValues = 0;
+  vtkIdType NumberOfInvalidValues = 0;
+  vtkSmartPointer<vtkBRDF> BRDF;
+
+private:
+  vtkBRDFReader(const vtkBRDFReader&) = delete;
+  void operator=(const vtkBRDFReader&) = delete;
+};
+
+#endif

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkEmbeddedMaterials
+ * @brief   acquired materials that need no download: published fits to MERL measurements
+ *
+ * Figures from Ngan, Durand and Matusik 2005 ("Experimental Analysis of BRDF Models", supplemental
+ * material) and Low, Kronander, Ynnerman and Unger 2012 ("BRDF Models for Accurate and Efficient
+ * Rendering of Glossy Surfaces"). Ngan's were fitted to MERL data without its colour scale, so
+ * their RGB is multiplied by 1.00, 1.15, 1.66 here.
+ */
+
+#ifndef vtkEmbeddedMaterials_h
+#define vtkEmbeddedMaterials_h
+
+#include "vtkMeasuredBRDFModule.h" // for export macro
+#include "vtkObject.h"
+
+#include <string> // for names
+
+class vtkBRDF;
+
+class VTKMEASUREDBRDF_EXPORT vtkEmbeddedMaterials : public vtkObject
+{
+public:
+  static vtkEmbeddedMaterials* New();
+  vtkTypeMacro(vtkEmbeddedMaterials, vtkObject);
+
+  ///@{
+  /**
+   * The materials by index: a name for the command line ("teal-paint"), a kind ("fabric"), and the
+   * source (paper, model, MERL's name of the sample).
+   */
+  static int GetNumberOfMaterials();
+  static std::string GetName(int index);
+  static std::string GetKind(int index);
+  static std::string GetSource(int index);
+  ///@}
+
+  /**
+   * A new BRDF the caller owns, or null where there is no such name.
+   */
+  VTK_NEWINSTANCE static vtkBRDF* NewBRDF(const std::string& name);
+
+protected:
+  vtkEmbeddedMaterials() = default;
+  ~vtkEmbeddedMaterials() override = default;
+
+private:
+  vtkEmbeddedMaterials(const vtkEmbeddedMaterials&) = delete;
+  void operator=(const vtkEmbeddedMaterials&) = delete;
+};
+
+#endif
