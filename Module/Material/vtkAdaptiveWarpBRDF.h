@@ -56,6 +56,7 @@ public:
     Table Vndf;
     Table Luminance;
     Table Rgb;
+    bool Jacobian = true; // whether rgb lacks the factor ndf/(4 sigma): the files' own flag
   };
 
   /**

@@ -38,8 +38,7 @@ struct vtkBRDFGPUForm
 
   struct Term
   {
-    std::string Shader;               // name of the GLSL file, e.g. "vtkBRDFLambert"
-    std::vector<std::string> Defines; // structural switches of that file, part of the shader key
+    std::string Shader; // name of the GLSL file, e.g. "vtkBRDFLambert"
     std::vector<Uniform> Uniforms;
     std::vector<Texture> Textures;
   };
@@ -73,12 +72,7 @@ struct vtkBRDFGPUForm
     std::string key;
     for (const Term& term : this->Terms)
     {
-      key += term.Shader;
-      for (const std::string& define : term.Defines)
-      {
-        key += ":" + define;
-      }
-      key += ";";
+      key += term.Shader + ";";
     }
     return key;
   }

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Half vectors and lobes about them, their one C++ form (GLSL twin: shaders/vtkBRDFCommon.glsl).
+ */
+
+#ifndef HalfVector_h
+#define HalfVector_h
+
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace measuredbrdf
+{
+constexpr double Pi = 3.14159265358979323846;
+
+/// h = (i+o)/|i+o|, the normal where i = -o (which only happens on the horizon).
+inline glm::dvec3 HalfVector(const glm::dvec3& i, const glm::dvec3& o)
+{
+  const glm::dvec3 sum = i + o;
+  const double length = glm::length(sum);
+  return length > 1e-12 ? sum / length : glm::dvec3(0.0, 0.0, 1.0);
+}
+
+/**
+ * ln(cos^2 theta) / sin^2 theta from s = sin^2 theta: cos^n theta = exp(n/2 s LogCosineRatio(s)).
+ * Near the normal 1 - cos cancels, this does not: sharp lobes (n = 1e5) keep their digits.
+ */
+inline double LogCosineRatio(double s)
+{
+  s = std::min(s, 1.0 - 1e-12);
+  return s > 1e-12 ? std::log1p(-s) / s : -1.0;
+}
+
+/// Schlick 1994: F0 + (1-F0)(1-c)^5.
+inline double SchlickFresnel(double f0, double c)
+{
+  const double m = std::clamp(1.0 - c, 0.0, 1.0);
+  const double m2 = m * m;
+  return f0 + (1.0 - f0) * m2 * m2 * m;
+}
+
+/// Unpolarized Fresnel reflectance of a dielectric of relative index eta >= 1 (Cook, Torrance
+/// 1982).
+inline double DielectricFresnel(double eta, double c)
+{
+  const double g = std::sqrt(std::max(eta * eta + c * c - 1.0, 0.0));
+  const double a = g + c > 0.0 ? (g - c) / (g + c) : 0.0;
+  const double b = (c * (g + c) - 1.0) / (c * (g - c) + 1.0);
+  return 0.5 * a * a * (1.0 + b * b);
+}
+
+/// i mirrored about h from o.
+inline glm::dvec3 ReflectAbout(const glm::dvec3& o, const glm::dvec3& h)
+{
+  return 2.0 * glm::dot(o, h) * h - o;
+}
+
+/// Rusinkiewicz 1998: angles of h and of i seen from h. theta_h, theta_d in [0,pi/2], phi_d in
+/// (-pi,pi].
+struct HalfDifference
+{
+  double ThetaH;
+  double ThetaD;
+  double PhiD;
+};
+
+inline HalfDifference ToHalfDifference(const glm::dvec3& i, const glm::dvec3& o)
+{
+  const glm::dvec3 h = HalfVector(i, o);
+  const double s = std::hypot(h.x, h.y);
+  // Frame of h: t in the plane of h and the normal, b perpendicular to both; d = (i.t, i.b, i.h).
+  const double cosPhi = s > 1e-7 ? h.x / s : 1.0;
+  const double sinPhi = s > 1e-7 ? h.y / s : 0.0;
+  const double dx = h.z * (cosPhi * i.x + sinPhi * i.y) - s * i.z;
+  const double dy = cosPhi * i.y - sinPhi * i.x;
+  const double dz = glm::dot(h, i);
+  return { std::atan2(s, h.z), std::atan2(std::hypot(dx, dy), dz), std::atan2(dy, dx) };
+}
+
+/// The pair of directions with these angles, h in the xz plane.
+inline void FromHalfDifference(const HalfDifference& angles, glm::dvec3& i, glm::dvec3& o)
+{
+  const double sh = std::sin(angles.ThetaH), ch = std::cos(angles.ThetaH);
+  const double sd = std::sin(angles.ThetaD), cd = std::cos(angles.ThetaD);
+  const glm::dvec3 d(sd * std::cos(angles.PhiD), sd * std::sin(angles.PhiD), cd);
+  i = glm::dvec3(ch * d.x + sh * d.z, d.y, ch * d.z - sh * d.x);
+  o = ReflectAbout(i, glm::dvec3(sh, 0.0, ch));
+}
+
+/// Table coordinate of theta_h in [0,1]: fine where lobes are sharp (MERL's spacing); and back.
+inline double ThetaHToUnit(double thetaH)
+{
+  return std::sqrt(std::clamp(thetaH * (2.0 / Pi), 0.0, 1.0));
+}
+inline double UnitToThetaH(double u) { return 0.5 * Pi * u * u; }
+} // namespace measuredbrdf
+
+#endif

@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Sampling of reflections by a tabulated density of half vectors, mixed with the cosine so that no
+ * direction is missed. Used by the tabulated representations.
+ */
+
+#ifndef HalfVectorSampler_h
+#define HalfVectorSampler_h
+
+#include "Distribution.h"
+#include "HalfVector.h"
+
+#include <vector>
+
+namespace measuredbrdf
+{
+class HalfVectorSampler
+{
+public:
+  /**
+   * weights: relative density per steradian of h in each cell of a grid nTheta x nPhi (theta
+   * fastest), uniform in ThetaHToUnit(theta_h) and in phi_h. lobeShare: share of the draws that use
+   * it, the rest is cosine-weighted.
+   */
+  HalfVectorSampler(const std::vector<double>& weights, int nTheta, int nPhi, double lobeShare)
+    : NumberOfTheta(nTheta)
+    , NumberOfPhi(nPhi)
+    , LobeShare(lobeShare)
+  {
+    std::vector<double> masses(weights.size());
+    this->SolidAngles.resize(static_cast<std::size_t>(nTheta));
+    for (int t = 0; t < nTheta; ++t)
+    {
+      this->SolidAngles[t] = (this->CosineAt(t) - this->CosineAt(t + 1)) * 2.0 * Pi / nPhi;
+    }
+    for (std::size_t k = 0; k < weights.size(); ++k)
+    {
+      masses[k] = weights[k] * this->SolidAngles[k % static_cast<std::size_t>(nTheta)];
+    }
+    this->Cells =
+      Distribution2D(masses, static_cast<std::size_t>(nTheta), static_cast<std::size_t>(nPhi));
+    if (this->Cells.IsZero())
+    {
+      this->LobeShare = 0.0;
+    }
+  }
+
+  bool Sample(const glm::dvec3& o, double u1, double u2, glm::dvec3& i) const
+  {
+    if (u1 >= this->LobeShare)
+    {
+      u1 = (u1 - this->LobeShare) / (1.0 - this->LobeShare);
+      const double r = std::sqrt(u1);
+      i = glm::dvec3(r * std::cos(2.0 * Pi * u2), r * std::sin(2.0 * Pi * u2), std::sqrt(1.0 - u1));
+      return i.z > 0.0;
+    }
+    std::size_t t = 0, p = 0;
+    double rt = 0.0, rp = 0.0;
+    this->Cells.Invert(u1 / this->LobeShare, u2, t, p, rt, rp);
+    const double c0 = this->CosineAt(static_cast<int>(t));
+    const double c1 = this->CosineAt(static_cast<int>(t) + 1);
+    const double c = c0 + (c1 - c0) * rt;
+    const double s = std::sqrt(std::max(1.0 - c * c, 0.0));
+    const double phi = 2.0 * Pi * (static_cast<double>(p) + rp) / this->NumberOfPhi;
+    i = ReflectAbout(o, glm::dvec3(s * std::cos(phi), s * std::sin(phi), c));
+    return i.z > 0.0;
+  }
+
+  double Pdf(const glm::dvec3& i, const glm::dvec3& o) const
+  {
+    double pdf = (1.0 - this->LobeShare) * i.z / Pi;
+    if (this->LobeShare > 0.0)
+    {
+      const glm::dvec3 h = HalfVector(i, o);
+      const double theta = std::atan2(std::hypot(h.x, h.y), h.z);
+      double phi = std::atan2(h.y, h.x) / (2.0 * Pi);
+      phi -= std::floor(phi);
+      const int t = std::min(
+        static_cast<int>(ThetaHToUnit(theta) * this->NumberOfTheta), this->NumberOfTheta - 1);
+      const int p = std::min(static_cast<int>(phi * this->NumberOfPhi), this->NumberOfPhi - 1);
+      const double density =
+        this->Cells.GetProbability(static_cast<std::size_t>(t), static_cast<std::size_t>(p)) /
+        this->SolidAngles[t];
+      pdf += this->LobeShare * density / (4.0 * std::max(glm::dot(o, h), 1e-9));
+    }
+    return pdf;
+  }
+
+private:
+  double CosineAt(int boundary) const
+  {
+    return std::cos(UnitToThetaH(static_cast<double>(boundary) / this->NumberOfTheta));
+  }
+
+  int NumberOfTheta;
+  int NumberOfPhi;
+  double LobeShare;
+  std::vector<double> SolidAngles;
+  Distribution2D Cells;
+};
+} // namespace measuredbrdf
+
+#endif

@@ -1,0 +1,345 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkAdaptiveWarpBRDF.h"
+
+#include "BilinearWarp.h"
+#include "HalfVector.h"
+#include "vtkBRDFGPUForm.h"
+#include "vtkBRDFResampler.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include <limits>
+
+using namespace measuredbrdf;
+
+vtkStandardNewMacro(vtkAdaptiveWarpBRDF);
+
+struct vtkAdaptiveWarpBRDF::Warps
+{
+  BilinearWarp Ndf;
+  BilinearWarp Sigma;
+  BilinearWarp Vndf;
+  BilinearWarp Luminance;
+  BilinearWarp Rgb[3];
+};
+
+namespace
+{
+// Polar angle without acos: exact for small angles.
+double Elevation(const glm::dvec3& d)
+{
+  return 2.0 * std::asin(std::min(0.5 * std::hypot(d.x, d.y, d.z - 1.0), 1.0));
+}
+
+double ThetaToUnit(double theta) { return std::sqrt(theta * (2.0 / Pi)); }
+
+double PhiToUnit(double phi) { return (phi + Pi) / (2.0 * Pi); }
+
+// A pair in the tables' coordinates.
+struct Coordinates
+{
+  double Incident[2]; // phi_i, theta_i: the slices' parameters
+  glm::dvec2 UnitIncident;
+  glm::dvec2 UnitHalf;
+  glm::dvec3 H;
+};
+
+Coordinates ToCoordinates(const glm::dvec3& incident, const glm::dvec3& outgoing, bool isotropic)
+{
+  Coordinates c;
+  c.H = HalfVector(incident, outgoing);
+  const double theta = Elevation(incident);
+  const double phi = std::atan2(incident.y, incident.x);
+  const double phiH = std::atan2(c.H.y, c.H.x);
+  c.Incident[0] = phi;
+  c.Incident[1] = theta;
+  c.UnitIncident = glm::dvec2(ThetaToUnit(theta), PhiToUnit(phi));
+  c.UnitHalf = glm::dvec2(ThetaToUnit(Elevation(c.H)), PhiToUnit(isotropic ? phiH - phi : phiH));
+  c.UnitHalf.y -= std::floor(c.UnitHalf.y);
+  return c;
+}
+
+// Solid angle of outgoing directions per unit of the (theta_h, phi_h) square.
+double GetJacobian(double unitTheta, const glm::dvec3& h, const glm::dvec3& incident)
+{
+  const double sine = std::hypot(h.x, h.y);
+  return std::max(2.0 * Pi * Pi * unitTheta * sine, 1e-6) * 4.0 * glm::dot(incident, h);
+}
+
+std::string CheckAxis(const char* name, const std::vector<float>& axis)
+{
+  bool ascending = !axis.empty();
+  for (std::size_t k = 0; k < axis.size(); ++k)
+  {
+    ascending = ascending && std::isfinite(axis[k]) && (k == 0 || axis[k] > axis[k - 1]);
+  }
+  return ascending ? "" : std::string(name) + ": expected ascending finite angles";
+}
+
+// prefix: the leading axes' sizes; then two sizes of at least 2.
+std::string CheckTable(
+  const char* name, const vtkAdaptiveWarpBRDF::Table& table, const std::vector<int>& prefix)
+{
+  std::size_t count = 1;
+  for (int n : table.Shape)
+  {
+    if (n < 1 || n > (1 << 20) || count > (std::size_t(1) << 40))
+    {
+      return std::string(name) + ": shape out of range";
+    }
+    count *= static_cast<std::size_t>(n);
+  }
+  if (table.Shape.size() != prefix.size() + 2 ||
+      !std::equal(prefix.begin(), prefix.end(), table.Shape.begin()) ||
+      table.Shape[prefix.size()] < 2 || table.Shape[prefix.size() + 1] < 2 ||
+      table.Values.size() != count)
+  {
+    return std::string(name) + ": shape does not match theta_i, phi_i or its values";
+  }
+  if (!std::all_of(
+        table.Values.begin(), table.Values.end(), [](float v) { return std::isfinite(v); }))
+  {
+    return std::string(name) + ": expected finite values";
+  }
+  return "";
+}
+
+std::string CheckDensity(const char* name, const vtkAdaptiveWarpBRDF::Table& table)
+{
+  const int height = table.Shape[table.Shape.size() - 2];
+  const int width = table.Shape[table.Shape.size() - 1];
+  const std::size_t size = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  if (std::any_of(table.Values.begin(), table.Values.end(), [](float v) { return v < 0.0f; }))
+  {
+    return std::string(name) + ": a density cannot be negative";
+  }
+  for (std::size_t offset = 0; offset < table.Values.size(); offset += size)
+  {
+    if (!(BilinearWarp::GetSum(&table.Values[offset], width, height) > 0.0))
+    {
+      return std::string(name) + ": a density cannot be 0 everywhere";
+    }
+  }
+  return "";
+}
+}
+
+//------------------------------------------------------------------------------
+vtkAdaptiveWarpBRDF::vtkAdaptiveWarpBRDF() = default;
+
+//------------------------------------------------------------------------------
+vtkAdaptiveWarpBRDF::~vtkAdaptiveWarpBRDF() = default;
+
+//------------------------------------------------------------------------------
+void vtkAdaptiveWarpBRDF::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Incident directions: " << this->Data.ThetaI.size() << " theta x "
+     << this->Data.PhiI.size() << " phi\n";
+  if (!this->Data.Rgb.Shape.empty())
+  {
+    os << indent << "Values per direction: " << this->Data.Rgb.Shape[3] << " x "
+       << this->Data.Rgb.Shape[4] << "\n";
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkAdaptiveWarpBRDF::SetTables(Tables tables)
+{
+  const std::vector<int> directions = { static_cast<int>(tables.PhiI.size()),
+    static_cast<int>(tables.ThetaI.size()) };
+  const std::vector<int> channels = { directions[0], directions[1], 3 };
+  const std::vector<std::string> problems = { CheckAxis("theta_i", tables.ThetaI),
+    CheckAxis("phi_i", tables.PhiI), CheckTable("ndf", tables.Ndf, {}),
+    CheckTable("sigma", tables.Sigma, {}), CheckTable("vndf", tables.Vndf, directions),
+    CheckTable("luminance", tables.Luminance, directions),
+    CheckTable("rgb", tables.Rgb, channels) };
+  for (const std::string& problem : problems)
+  {
+    if (!problem.empty())
+    {
+      return problem;
+    }
+  }
+  if (tables.PhiI.size() > 2)
+  {
+    const double span = static_cast<double>(tables.PhiI.back()) - tables.PhiI.front();
+    if (std::abs(span - 2.0 * Pi) > 0.1)
+    {
+      return "phi_i: expected the full turn (files reduced by mirror symmetry are not supported)";
+    }
+  }
+  for (const std::string& problem :
+    { CheckDensity("vndf", tables.Vndf), CheckDensity("luminance", tables.Luminance) })
+  {
+    if (!problem.empty())
+    {
+      return problem;
+    }
+  }
+
+  auto warps = std::make_unique<Warps>();
+  const std::vector<std::vector<float>> axes = { tables.PhiI, tables.ThetaI };
+  const auto build =
+    [](const Table& table, const std::vector<std::vector<float>>& parameters, bool density)
+  {
+    const std::size_t rank = table.Shape.size();
+    return BilinearWarp(
+      table.Values, table.Shape[rank - 1], table.Shape[rank - 2], parameters, density);
+  };
+  warps->Ndf = build(tables.Ndf, {}, false);
+  warps->Sigma = build(tables.Sigma, {}, false);
+  warps->Vndf = build(tables.Vndf, axes, true);
+  warps->Luminance = build(tables.Luminance, axes, true);
+  // One function per channel, so that all three share the slices' weights.
+  const int height = tables.Rgb.Shape[3];
+  const int width = tables.Rgb.Shape[4];
+  const std::size_t size = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    std::vector<float> channel;
+    for (std::size_t offset = c * size; offset < tables.Rgb.Values.size(); offset += 3 * size)
+    {
+      const auto begin = tables.Rgb.Values.begin() + static_cast<std::ptrdiff_t>(offset);
+      channel.insert(channel.end(), begin, begin + static_cast<std::ptrdiff_t>(size));
+    }
+    warps->Rgb[c] = BilinearWarp(channel, width, height, axes, false);
+  }
+  this->Data = std::move(tables);
+  this->Warp = std::move(warps);
+  this->Modified();
+  return "";
+}
+
+//------------------------------------------------------------------------------
+void vtkAdaptiveWarpBRDF::EvaluateAbove(const double i[3], const double o[3], double f[3])
+{
+  if (!this->Warp)
+  {
+    return;
+  }
+  // The tables hold f cos(theta_o) = rgb(s) ndf(h) / (4 sigma(i)), s = vndf^-1(h; i).
+  const Coordinates c =
+    ToCoordinates(glm::make_vec3(i), glm::make_vec3(o), this->Data.PhiI.size() <= 2);
+  const BilinearWarp::Slices none = this->Warp->Ndf.FindSlices(nullptr);
+  const BilinearWarp::Slices slices = this->Warp->Vndf.FindSlices(c.Incident);
+  double density = 0.0;
+  const glm::dvec2 s = this->Warp->Vndf.Invert(c.UnitHalf, slices, density);
+  double scale = 1.0 / o[2];
+  if (this->Data.Jacobian)
+  {
+    scale *= this->Warp->Ndf.Evaluate(c.UnitHalf, none) /
+             (4.0 * this->Warp->Sigma.Evaluate(c.UnitIncident, none));
+  }
+  for (int k = 0; k < 3; ++k)
+  {
+    f[k] = std::max(this->Warp->Rgb[k].Evaluate(s, slices), 0.0) * scale;
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkAdaptiveWarpBRDF::SampleAbove(const double o[3], double u1, double u2, double i[3])
+{
+  if (!this->Warp)
+  {
+    return this->Superclass::SampleAbove(o, u1, u2, i);
+  }
+  // The warps draw the view for a light. Here the view is given, so it plays the light: measured
+  // materials are nearly reciprocal, and f cos / pdf corrects what is left.
+  const glm::dvec3 incident = glm::make_vec3(o);
+  const bool isotropic = this->Data.PhiI.size() <= 2;
+  const double phi = std::atan2(incident.y, incident.x);
+  const double parameters[2] = { phi, Elevation(incident) };
+  const BilinearWarp::Slices slices = this->Warp->Vndf.FindSlices(parameters);
+  double density = 0.0;
+  const glm::dvec2 s = this->Warp->Luminance.Sample(glm::dvec2(u2, u1), slices, density);
+  const glm::dvec2 u = this->Warp->Vndf.Sample(s, slices, density);
+  const double thetaH = 0.5 * Pi * u.x * u.x;
+  const double phiH = (2.0 * u.y - 1.0) * Pi + (isotropic ? phi : 0.0);
+  const glm::dvec3 h(
+    std::sin(thetaH) * std::cos(phiH), std::sin(thetaH) * std::sin(phiH), std::cos(thetaH));
+  const glm::dvec3 direction = ReflectAbout(incident, h);
+  std::copy_n(glm::value_ptr(direction), 3, i);
+  return direction.z > 0.0 && glm::dot(incident, h) > 0.0;
+}
+
+//------------------------------------------------------------------------------
+double vtkAdaptiveWarpBRDF::PdfAbove(const double i[3], const double o[3])
+{
+  if (!this->Warp)
+  {
+    return this->Superclass::PdfAbove(i, o);
+  }
+  const glm::dvec3 incident = glm::make_vec3(o); // the view plays the light, as in SampleAbove
+  const Coordinates c = ToCoordinates(incident, glm::make_vec3(i), this->Data.PhiI.size() <= 2);
+  const BilinearWarp::Slices slices = this->Warp->Vndf.FindSlices(c.Incident);
+  double density = 0.0;
+  const glm::dvec2 s = this->Warp->Vndf.Invert(c.UnitHalf, slices, density);
+  return density * this->Warp->Luminance.Evaluate(s, slices) /
+         GetJacobian(c.UnitHalf.x, c.H, incident);
+}
+
+//------------------------------------------------------------------------------
+void vtkAdaptiveWarpBRDF::GetBounds(double minimumCosine, double lower[3], double upper[3])
+{
+  for (int c = 0; c < 3; ++c)
+  {
+    lower[c] = upper[c] = 0.0;
+  }
+  if (!this->Warp)
+  {
+    return;
+  }
+  double scale = 1.0 / std::clamp(minimumCosine, 1e-6, 1.0);
+  if (this->Data.Jacobian)
+  {
+    scale *= *std::max_element(this->Data.Ndf.Values.begin(), this->Data.Ndf.Values.end()) /
+             (4.0 * std::max(*std::min_element(
+                               this->Data.Sigma.Values.begin(), this->Data.Sigma.Values.end()),
+                      std::numeric_limits<float>::min()));
+  }
+  const std::size_t size = static_cast<std::size_t>(this->Data.Rgb.Shape[3]) *
+                           static_cast<std::size_t>(this->Data.Rgb.Shape[4]);
+  for (std::size_t k = 0; k < this->Data.Rgb.Values.size(); ++k)
+  {
+    double& bound = upper[k / size % 3];
+    bound = std::max(bound, this->Data.Rgb.Values[k] * scale);
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkBRDF* vtkAdaptiveWarpBRDF::GetRenderable()
+{
+  if (!this->Resampled || this->ResampleTime < this->GetMTime())
+  {
+    vtkNew<vtkBRDFResampler> resampler;
+    resampler->SetInput(this);
+    resampler->SetTolerance(this->ResamplingTolerance);
+    if (!this->IsIsotropic())
+    {
+      vtkWarningMacro(<< "'" << this->Name
+                      << "' is anisotropic; its GPU form is isotropic (the view's azimuth 0).");
+    }
+    if (!resampler->Resample())
+    {
+      vtkWarningMacro(<< "'" << this->Name << "': the GPU form keeps a resampling error of "
+                      << resampler->GetOutput()->GetResamplingError() << ", asked for "
+                      << this->ResamplingTolerance << ".");
+    }
+    this->Resampled = resampler->GetOutput();
+    this->Resampled->SetResamplingTolerance(this->ResamplingTolerance);
+    this->Resampled->SetName(this->Name);
+    this->Resampled->SetSource(this->Source);
+    this->ResampleTime.Modified();
+  }
+  return this->Resampled;
+}
+
+//------------------------------------------------------------------------------
+void vtkAdaptiveWarpBRDF::GetGPUForm(vtkBRDFGPUForm& form)
+{
+  this->GetRenderable()->GetGPUForm(form);
+}

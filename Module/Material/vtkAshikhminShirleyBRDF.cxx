@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkAshikhminShirleyBRDF.h"
+
+#include "HalfVector.h"
+#include "vtkBRDFGPUForm.h"
+#include "vtkObjectFactory.h"
+
+#include <glm/gtc/type_ptr.hpp>
+
+using namespace measuredbrdf;
+
+vtkStandardNewMacro(vtkAshikhminShirleyBRDF);
+
+namespace
+{
+// (n.h)^e with e = (nu hx^2 + nv hy^2)/(1 - hz^2), without the division at the normal.
+double Lobe(double nu, double nv, const glm::dvec3& h)
+{
+  const double s = h.x * h.x + h.y * h.y;
+  return std::exp(0.5 * (nu * h.x * h.x + nv * h.y * h.y) * LogCosineRatio(s));
+}
+
+double DiffuseFactor(double c)
+{
+  const double m = 1.0 - 0.5 * c;
+  return 1.0 - m * m * m * m * m;
+}
+
+constexpr double DiffuseScale = 28.0 / (23.0 * Pi);
+}
+
+//------------------------------------------------------------------------------
+void vtkAshikhminShirleyBRDF::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "SpecularScale: " << this->SpecularScale[0] << " " << this->SpecularScale[1]
+     << " " << this->SpecularScale[2] << "\n";
+  os << indent << "Reflectance: " << this->Reflectance[0] << " " << this->Reflectance[1] << " "
+     << this->Reflectance[2] << "\n";
+  os << indent << "Diffuse: " << this->Diffuse[0] << " " << this->Diffuse[1] << " "
+     << this->Diffuse[2] << "\n";
+  os << indent << "ExponentU: " << this->ExponentU << "\n";
+  os << indent << "ExponentV: " << this->ExponentV << "\n";
+  os << indent << "FresnelModel: " << (this->FresnelModel == SCHLICK ? "Schlick" : "Dielectric")
+     << "\n";
+  os << indent << "IndexOfRefraction: " << this->IndexOfRefraction << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkAshikhminShirleyBRDF::EvaluateAbove(const double i[3], const double o[3], double f[3])
+{
+  const glm::dvec3 light = glm::make_vec3(i);
+  const glm::dvec3 view = glm::make_vec3(o);
+  const glm::dvec3 h = HalfVector(light, view);
+  const double hd = glm::dot(h, view);
+  const double specular = std::sqrt((this->ExponentU + 1.0) * (this->ExponentV + 1.0)) /
+                          (8.0 * Pi) * Lobe(this->ExponentU, this->ExponentV, h) /
+                          (hd * std::max(light.z, view.z));
+  const double diffuse = DiffuseScale * DiffuseFactor(light.z) * DiffuseFactor(view.z);
+  for (int c = 0; c < 3; ++c)
+  {
+    const double fresnel = this->FresnelModel == SCHLICK
+                             ? SchlickFresnel(this->Reflectance[c], hd)
+                             : DielectricFresnel(this->IndexOfRefraction, hd);
+    f[c] = this->SpecularScale[c] * specular * fresnel +
+           diffuse * this->Diffuse[c] * (1.0 - this->Reflectance[c]);
+  }
+}
+
+//------------------------------------------------------------------------------
+double vtkAshikhminShirleyBRDF::GetSpecularProbability() const
+{
+  double specular = 0.0;
+  double diffuse = 0.0;
+  for (int c = 0; c < 3; ++c)
+  {
+    specular += std::max(this->SpecularScale[c], 0.0) *
+                (this->FresnelModel == SCHLICK ? this->Reflectance[c]
+                                               : DielectricFresnel(this->IndexOfRefraction, 1.0));
+    diffuse += std::max(this->Diffuse[c] * (1.0 - this->Reflectance[c]), 0.0);
+  }
+  // The specular part grows towards grazing: never less than a quarter of the draws.
+  return diffuse > 0.0 ? std::max(specular / (specular + diffuse), 0.25) : 1.0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkAshikhminShirleyBRDF::SampleAbove(const double o[3], double u1, double u2, double i[3])
+{
+  const double probability = this->GetSpecularProbability();
+  if (u1 >= probability)
+  {
+    return this->Superclass::SampleAbove(o, (u1 - probability) / (1.0 - probability), u2, i);
+  }
+  u1 /= probability;
+  // Azimuth: the paper's first quadrant, repeated around.
+  const double quadrant = std::floor(4.0 * u2);
+  const double first = std::atan(
+    std::sqrt((this->ExponentU + 1.0) / (this->ExponentV + 1.0)) *
+    std::tan(
+      0.5 * Pi *
+      (static_cast<int>(quadrant) % 2 == 0 ? 4.0 * u2 - quadrant : 1.0 - (4.0 * u2 - quadrant))));
+  const double x = (quadrant == 1.0 || quadrant == 2.0 ? -1.0 : 1.0) * std::cos(first);
+  const double y = (quadrant >= 2.0 ? -1.0 : 1.0) * std::sin(first);
+  const double c =
+    std::pow(1.0 - u1, 1.0 / (this->ExponentU * x * x + this->ExponentV * y * y + 1.0));
+  const double s = std::sqrt(std::max(1.0 - c * c, 0.0));
+  const glm::dvec3 direction = ReflectAbout(glm::make_vec3(o), glm::dvec3(s * x, s * y, c));
+  std::copy_n(glm::value_ptr(direction), 3, i);
+  return direction.z > 0.0;
+}
+
+//------------------------------------------------------------------------------
+double vtkAshikhminShirleyBRDF::PdfAbove(const double i[3], const double o[3])
+{
+  const glm::dvec3 view = glm::make_vec3(o);
+  const glm::dvec3 h = HalfVector(glm::make_vec3(i), view);
+  const double half = std::sqrt((this->ExponentU + 1.0) * (this->ExponentV + 1.0)) / (2.0 * Pi) *
+                      Lobe(this->ExponentU, this->ExponentV, h);
+  const double probability = this->GetSpecularProbability();
+  return probability * half / (4.0 * glm::dot(h, view)) +
+         (1.0 - probability) * this->Superclass::PdfAbove(i, o);
+}
+
+//------------------------------------------------------------------------------
+void vtkAshikhminShirleyBRDF::GetBounds(double minimumCosine, double lower[3], double upper[3])
+{
+  // Both cosines >= m: then h.o >= m too (h halves the angle between i and o).
+  const double m = std::clamp(minimumCosine, 1e-6, 1.0);
+  const double peak =
+    std::sqrt((this->ExponentU + 1.0) * (this->ExponentV + 1.0)) / (8.0 * Pi) / (m * m);
+  for (int c = 0; c < 3; ++c)
+  {
+    const double fresnel =
+      this->FresnelModel == SCHLICK
+        ? std::max(SchlickFresnel(this->Reflectance[c], m), this->Reflectance[c])
+        : std::max(DielectricFresnel(this->IndexOfRefraction, m),
+            DielectricFresnel(this->IndexOfRefraction, 1.0));
+    lower[c] = 0.0;
+    upper[c] = std::max(this->SpecularScale[c], 0.0) * peak * fresnel +
+               DiffuseScale * std::max(this->Diffuse[c] * (1.0 - this->Reflectance[c]), 0.0);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkAshikhminShirleyBRDF::GetGPUForm(vtkBRDFGPUForm& form)
+{
+  vtkBRDFGPUForm::Term term;
+  term.Shader = "vtkBRDFAshikhminShirley";
+  const double peak = std::sqrt((this->ExponentU + 1.0) * (this->ExponentV + 1.0)) / (8.0 * Pi);
+  vtkBRDFGPUForm::Uniform scale{ "brdfScale", {} };
+  vtkBRDFGPUForm::Uniform reflectance{ "brdfReflectance", {} };
+  vtkBRDFGPUForm::Uniform diffuse{ "brdfDiffuse", {} };
+  for (int c = 0; c < 3; ++c)
+  {
+    scale.Values.push_back(static_cast<float>(this->SpecularScale[c] * peak));
+    reflectance.Values.push_back(static_cast<float>(this->Reflectance[c]));
+    diffuse.Values.push_back(
+      static_cast<float>(DiffuseScale * this->Diffuse[c] * (1.0 - this->Reflectance[c])));
+  }
+  term.Uniforms = { scale, reflectance, diffuse };
+  term.Uniforms.push_back({ "brdfExponents",
+    { static_cast<float>(this->ExponentU), static_cast<float>(this->ExponentV), 0.0f } });
+  // 0 selects Schlick: a dielectric has an index of at least 1.
+  term.Uniforms.push_back({ "brdfIndex",
+    { this->FresnelModel == SCHLICK ? 0.0f : static_cast<float>(this->IndexOfRefraction) } });
+  form.Terms.push_back(term);
+  form.Description = "Ashikhmin-Shirley, closed form";
+}

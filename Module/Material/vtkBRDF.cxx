@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkBRDF.h"
+
+#include "HalfVector.h"
+#include "LowDiscrepancy.h"
+
+#include <glm/gtc/type_ptr.hpp>
+
+using namespace measuredbrdf;
+
+namespace
+{
+// Unit vector above the horizon, or false. NaN compares false too.
+bool ToUpperUnit(const double in[3], double out[3])
+{
+  const double length = std::sqrt(in[0] * in[0] + in[1] * in[1] + in[2] * in[2]);
+  if (!(in[2] > 0.0) || !(length > 0.0) || !std::isfinite(length))
+  {
+    return false;
+  }
+  for (int c = 0; c < 3; ++c)
+  {
+    out[c] = in[c] / length;
+  }
+  return out[2] > 0.0;
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkBRDF::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Name: " << this->Name << "\n";
+  os << indent << "Source: " << this->Source << "\n";
+  os << indent << "ResamplingTolerance: " << this->ResamplingTolerance << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkBRDF::Evaluate(const double i[3], const double o[3], double f[3])
+{
+  f[0] = f[1] = f[2] = 0.0;
+  double iUnit[3], oUnit[3];
+  if (!ToUpperUnit(i, iUnit) || !ToUpperUnit(o, oUnit))
+  {
+    return;
+  }
+  this->EvaluateAbove(iUnit, oUnit, f);
+  for (int c = 0; c < 3; ++c)
+  {
+    f[c] = std::isfinite(f[c]) ? std::max(f[c], 0.0) : 0.0;
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkBRDF::Sample(const double o[3], double u1, double u2, double i[3])
+{
+  double oUnit[3];
+  if (!ToUpperUnit(o, oUnit) || !this->SampleAbove(oUnit, u1, u2, i))
+  {
+    i[0] = i[1] = i[2] = 0.0;
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+double vtkBRDF::Pdf(const double i[3], const double o[3])
+{
+  double iUnit[3], oUnit[3];
+  if (!ToUpperUnit(i, iUnit) || !ToUpperUnit(o, oUnit))
+  {
+    return 0.0;
+  }
+  const double pdf = this->PdfAbove(iUnit, oUnit);
+  return std::isfinite(pdf) ? std::max(pdf, 0.0) : 0.0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkBRDF::SampleAbove(const double vtkNotUsed(o)[3], double u1, double u2, double i[3])
+{
+  const double r = std::sqrt(u1);
+  i[0] = r * std::cos(2.0 * Pi * u2);
+  i[1] = r * std::sin(2.0 * Pi * u2);
+  i[2] = std::sqrt(std::max(1.0 - u1, 0.0));
+  return i[2] > 0.0;
+}
+
+//------------------------------------------------------------------------------
+double vtkBRDF::PdfAbove(const double i[3], const double vtkNotUsed(o)[3]) { return i[2] / Pi; }
+
+//------------------------------------------------------------------------------
+void vtkBRDF::GetDirectionalAlbedo(const double o[3], double albedo[3])
+{
+  albedo[0] = albedo[1] = albedo[2] = 0.0;
+  double oUnit[3];
+  if (!ToUpperUnit(o, oUnit))
+  {
+    return;
+  }
+  this->Prepare();
+  // Balance heuristic (Veach, Guibas 1995) over two strategies of equal share.
+  constexpr std::uint32_t count = 1 << 14;
+  for (std::uint32_t k = 0; k < count; ++k)
+  {
+    const double u1 = RadicalInverse(k / 2 + 1, 2);
+    const double u2 = RadicalInverse(k / 2 + 1, 3);
+    double i[3];
+    const bool drawn = k % 2 == 0 ? this->SampleAbove(oUnit, u1, u2, i)
+                                  : this->vtkBRDF::SampleAbove(oUnit, u1, u2, i);
+    if (!drawn)
+    {
+      continue;
+    }
+    double f[3];
+    this->Evaluate(i, oUnit, f);
+    const double pdf = 0.5 * (this->Pdf(i, oUnit) + i[2] / Pi);
+    for (int c = 0; c < 3; ++c)
+    {
+      albedo[c] += f[c] * i[2] / (pdf * count);
+    }
+  }
+}

@@ -1,0 +1,223 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkBRDFResampler.h"
+
+#include "HalfVector.h"
+#include "LowDiscrepancy.h"
+#include "vtkCommand.h"
+#include "vtkObjectFactory.h"
+#include "vtkSMPTools.h"
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include <limits>
+#include <numeric>
+
+using namespace measuredbrdf;
+
+vtkStandardNewMacro(vtkBRDFResampler);
+
+namespace
+{
+// Pairs of directions to compare two BRDFs at, with their weights and the reference's values.
+struct Probe
+{
+  double I[3], O[3], F[3];
+  double Weight; // c_i c_o over the density of the draw
+};
+
+// o cosine-weighted; i half by the reference's own sampler (sharp lobes are met), half
+// cosine-weighted (nothing is missed); balance heuristic.
+std::vector<Probe> MakeProbes(vtkBRDF* reference, int count)
+{
+  reference->Prepare();
+  std::vector<Probe> probes;
+  probes.reserve(static_cast<std::size_t>(count));
+  for (int k = 0; k < count; ++k)
+  {
+    const std::uint32_t n = static_cast<std::uint32_t>(k) + 1;
+    const auto cosine = [](double u1, double u2, double d[3])
+    {
+      const double r = std::sqrt(u1);
+      d[0] = r * std::cos(2.0 * Pi * u2);
+      d[1] = r * std::sin(2.0 * Pi * u2);
+      d[2] = std::sqrt(1.0 - u1);
+    };
+    Probe probe;
+    cosine(RadicalInverse(n, 2), RadicalInverse(n, 3), probe.O);
+    const double u1 = RadicalInverse(n, 5), u2 = RadicalInverse(n, 7);
+    if (RadicalInverse(n, 11) < 0.5)
+    {
+      cosine(u1, u2, probe.I);
+    }
+    else if (!reference->Sample(probe.O, u1, u2, probe.I))
+    {
+      continue;
+    }
+    const double density = 0.5 * (reference->Pdf(probe.I, probe.O) + probe.I[2] / Pi);
+    probe.Weight = probe.I[2] / density;
+    reference->Evaluate(probe.I, probe.O, probe.F);
+    probes.push_back(probe);
+  }
+  return probes;
+}
+
+double Compare(const std::vector<Probe>& probes, vtkBRDF* other, double* maximum = nullptr)
+{
+  double difference = 0.0, total = 0.0, largest = 0.0;
+  for (const Probe& probe : probes)
+  {
+    double g[3];
+    other->Evaluate(probe.I, probe.O, g);
+    for (int c = 0; c < 3; ++c)
+    {
+      const double d = g[c] - probe.F[c];
+      difference += probe.Weight * d * d;
+      total += probe.Weight * probe.F[c] * probe.F[c];
+      largest = std::max(largest, std::abs(d));
+    }
+  }
+  if (maximum)
+  {
+    *maximum = largest;
+  }
+  return total > 0.0 ? std::sqrt(difference / total) : (difference > 0.0 ? 1.0 : 0.0);
+}
+
+void Fill(vtkBRDF* input, bool reciprocal, const int dimensions[3], vtkTabulatedBRDF* output)
+{
+  const int range = reciprocal ? vtkTabulatedBRDF::HALF_TURN : vtkTabulatedBRDF::FULL_TURN;
+  const std::size_t slice =
+    static_cast<std::size_t>(dimensions[0]) * static_cast<std::size_t>(dimensions[1]);
+  std::vector<float> rgb(3 * slice * static_cast<std::size_t>(dimensions[2]));
+  input->Prepare();
+  vtkSMPTools::For(0, dimensions[2],
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType z = begin; z < end; ++z)
+      {
+        for (std::size_t k = 0; k < slice; ++k)
+        {
+          float* value = &rgb[3 * (static_cast<std::size_t>(z) * slice + k)];
+          double i[3], o[3], f[3], g[3];
+          if (!vtkTabulatedBRDF::GetCellDirections(vtkTabulatedBRDF::HALF_DIFFERENCE, range,
+                dimensions, static_cast<int>(k) % dimensions[0],
+                static_cast<int>(k) / dimensions[0], static_cast<int>(z), i, o))
+          {
+            std::fill_n(value, 3, std::numeric_limits<float>::quiet_NaN());
+            continue;
+          }
+          input->Evaluate(i, o, f);
+          if (reciprocal && !input->IsReciprocal())
+          {
+            input->Evaluate(o, i, g);
+            for (int c = 0; c < 3; ++c)
+            {
+              f[c] = 0.5 * (f[c] + g[c]);
+            }
+          }
+          for (int c = 0; c < 3; ++c)
+          {
+            value[c] = static_cast<float>(
+              std::min(f[c], static_cast<double>(std::numeric_limits<float>::max())));
+          }
+        }
+      }
+    });
+  output->SetVolume(vtkTabulatedBRDF::HALF_DIFFERENCE, range, dimensions, std::move(rgb));
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkBRDFResampler::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Input: " << this->Input.Get() << "\n";
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "MaximumNumberOfCells: " << this->MaximumNumberOfCells << "\n";
+  os << indent << "Reciprocal: " << (this->Reciprocal ? "On" : "Off") << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkBRDFResampler::SetInput(vtkBRDF* input)
+{
+  if (this->Input != input)
+  {
+    this->Input = input;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkBRDF* vtkBRDFResampler::GetInput() { return this->Input; }
+
+//------------------------------------------------------------------------------
+void vtkBRDFResampler::ResampleTo(int nPhiD, int nThetaD, int nThetaH)
+{
+  if (!this->Input)
+  {
+    vtkErrorMacro("ResampleTo: no input.");
+    return;
+  }
+  const int dimensions[3] = { nPhiD, nThetaD, nThetaH };
+  Fill(this->Input, this->Reciprocal, dimensions, this->Output);
+  this->Output->SetResamplingError(Compare(MakeProbes(this->Input, 1 << 14), this->Output));
+}
+
+//------------------------------------------------------------------------------
+bool vtkBRDFResampler::Resample()
+{
+  if (!this->Input)
+  {
+    vtkErrorMacro("Resample: no input.");
+    return false;
+  }
+  const std::vector<Probe> probes = MakeProbes(this->Input, 1 << 13);
+  int current[3] = { this->Reciprocal ? 8 : 16, 16, 32 };
+  Fill(this->Input, this->Reciprocal, current, this->Output);
+  double error = Compare(probes, this->Output);
+  while (error > this->Tolerance)
+  {
+    // Double the axis that lowers the error most.
+    vtkSmartPointer<vtkTabulatedBRDF> best;
+    double bestError = error;
+    int bestAxis = -1;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      int grown[3] = { current[0], current[1], current[2] };
+      grown[axis] *= 2;
+      if (static_cast<vtkIdType>(grown[0]) * grown[1] * grown[2] > this->MaximumNumberOfCells ||
+          grown[axis] > 2048)
+      {
+        continue;
+      }
+      vtkNew<vtkTabulatedBRDF> candidate;
+      Fill(this->Input, this->Reciprocal, grown, candidate);
+      const double candidateError = Compare(probes, candidate);
+      if (candidateError < bestError)
+      {
+        best = candidate;
+        bestError = candidateError;
+        bestAxis = axis;
+      }
+    }
+    if (!best || bestError > 0.999 * error)
+    {
+      break; // no room, or nothing left to gain (asymmetry in a reciprocal table, say)
+    }
+    current[bestAxis] *= 2;
+    error = bestError;
+    this->Output->SetVolume(
+      vtkTabulatedBRDF::HALF_DIFFERENCE, best->GetAzimuthRange(), current, best->GetVolume());
+    double progress = std::min(this->Tolerance / error, 1.0);
+    this->InvokeEvent(vtkCommand::ProgressEvent, &progress);
+  }
+  this->Output->SetResamplingError(error);
+  return error <= this->Tolerance;
+}
+
+//------------------------------------------------------------------------------
+double vtkBRDFResampler::GetRelativeL2Error(vtkBRDF* a, vtkBRDF* b, int pairs, double* maximum)
+{
+  return Compare(MakeProbes(a, pairs), b, maximum);
+}

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkBlinnPhongBRDF.h"
+
+#include "HalfVector.h"
+#include "vtkBRDFGPUForm.h"
+#include "vtkObjectFactory.h"
+
+#include <glm/gtc/type_ptr.hpp>
+
+using namespace measuredbrdf;
+
+vtkStandardNewMacro(vtkBlinnPhongBRDF);
+
+//------------------------------------------------------------------------------
+void vtkBlinnPhongBRDF::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Specular: " << this->Specular[0] << " " << this->Specular[1] << " "
+     << this->Specular[2] << "\n";
+  os << indent << "Exponent: " << this->Exponent << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkBlinnPhongBRDF::EvaluateAbove(const double i[3], const double o[3], double f[3])
+{
+  const glm::dvec3 h = HalfVector(glm::make_vec3(i), glm::make_vec3(o));
+  const double s = h.x * h.x + h.y * h.y;
+  const double lobe =
+    (this->Exponent + 2.0) / (2.0 * Pi) * std::exp(0.5 * this->Exponent * s * LogCosineRatio(s));
+  for (int c = 0; c < 3; ++c)
+  {
+    f[c] = this->Specular[c] * lobe;
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkBlinnPhongBRDF::SampleAbove(const double o[3], double u1, double u2, double i[3])
+{
+  const double c = std::pow(1.0 - u1, 1.0 / (this->Exponent + 1.0));
+  const double s = std::sqrt(std::max(1.0 - c * c, 0.0));
+  const double phi = 2.0 * Pi * u2;
+  const glm::dvec3 h(s * std::cos(phi), s * std::sin(phi), c);
+  const glm::dvec3 direction = ReflectAbout(glm::make_vec3(o), h);
+  std::copy_n(glm::value_ptr(direction), 3, i);
+  return direction.z > 0.0;
+}
+
+//------------------------------------------------------------------------------
+double vtkBlinnPhongBRDF::PdfAbove(const double i[3], const double o[3])
+{
+  const glm::dvec3 view = glm::make_vec3(o);
+  const glm::dvec3 h = HalfVector(glm::make_vec3(i), view);
+  const double s = h.x * h.x + h.y * h.y;
+  return (this->Exponent + 1.0) / (2.0 * Pi) *
+         std::exp(0.5 * this->Exponent * s * LogCosineRatio(s)) / (4.0 * glm::dot(view, h));
+}
+
+//------------------------------------------------------------------------------
+void vtkBlinnPhongBRDF::GetBounds(
+  double vtkNotUsed(minimumCosine), double lower[3], double upper[3])
+{
+  for (int c = 0; c < 3; ++c)
+  {
+    lower[c] = 0.0;
+    upper[c] = std::max(this->Specular[c], 0.0) * (this->Exponent + 2.0) / (2.0 * Pi);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkBlinnPhongBRDF::GetGPUForm(vtkBRDFGPUForm& form)
+{
+  vtkBRDFGPUForm::Term term;
+  term.Shader = "vtkBRDFBlinnPhong";
+  vtkBRDFGPUForm::Uniform scale{ "brdfScale", {} };
+  for (double k : this->Specular)
+  {
+    scale.Values.push_back(static_cast<float>(k * (this->Exponent + 2.0) / (2.0 * Pi)));
+  }
+  term.Uniforms.push_back(scale);
+  term.Uniforms.push_back({ "brdfExponent", { static_cast<float>(this->Exponent) } });
+  form.Terms.push_back(term);
+  form.Description = "Blinn-Phong, closed form";
+}

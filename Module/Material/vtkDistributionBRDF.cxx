@@ -1,0 +1,235 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkDistributionBRDF.h"
+
+#include "HalfVectorSampler.h"
+#include "vtkBRDFGPUForm.h"
+#include "vtkObjectFactory.h"
+
+#include <glm/gtc/type_ptr.hpp>
+
+using namespace measuredbrdf;
+
+vtkStandardNewMacro(vtkDistributionBRDF);
+
+struct vtkDistributionBRDF::Sampler : public HalfVectorSampler
+{
+  using HalfVectorSampler::HalfVectorSampler;
+};
+
+namespace
+{
+bool IsTable(const std::vector<float>& rgb, std::size_t samples)
+{
+  return rgb.size() == 3 * samples &&
+         std::all_of(rgb.begin(), rgb.end(), [](float v) { return std::isfinite(v) && v >= 0.0f; });
+}
+
+// Sample positions k + 1/2; weights of the two neighbours of coordinate u in [0,1].
+struct Neighbours
+{
+  int First;
+  int Second;
+  double Weight; // of Second
+};
+
+Neighbours Clamped(double u, int n)
+{
+  const double x = std::clamp(u * n - 0.5, 0.0, n - 1.0);
+  const int first = std::min(static_cast<int>(x), std::max(n - 2, 0));
+  return { first, std::min(first + 1, n - 1), x - first };
+}
+
+Neighbours Periodic(double u, int n)
+{
+  const double x = (u - std::floor(u)) * n - 0.5;
+  const double base = std::floor(x);
+  const int first = (static_cast<int>(base) + n) % n;
+  return { first, (first + 1) % n, x - base };
+}
+}
+
+//------------------------------------------------------------------------------
+vtkDistributionBRDF::vtkDistributionBRDF()
+{
+  this->SetBlinnDistribution(50.0);
+  const double f0[3] = { 0.04, 0.04, 0.04 };
+  this->SetSchlickFresnel(f0);
+}
+
+//------------------------------------------------------------------------------
+vtkDistributionBRDF::~vtkDistributionBRDF() = default;
+
+//------------------------------------------------------------------------------
+void vtkDistributionBRDF::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfTheta: " << this->NumberOfTheta << "\n";
+  os << indent << "NumberOfPhi: " << this->NumberOfPhi << "\n";
+  os << indent << "Distribution: " << this->Distribution.size() / 3 << " samples\n";
+  os << indent << "Fresnel: " << this->Fresnel.size() / 3 << " samples\n";
+}
+
+//------------------------------------------------------------------------------
+bool vtkDistributionBRDF::SetDistribution(int nTheta, int nPhi, const std::vector<float>& rgb)
+{
+  if (nTheta < 1 || nPhi < 1 || nTheta > 16384 || nPhi > 16384 ||
+      !IsTable(rgb, static_cast<std::size_t>(nTheta) * static_cast<std::size_t>(nPhi)))
+  {
+    return false;
+  }
+  this->NumberOfTheta = nTheta;
+  this->NumberOfPhi = nPhi;
+  this->Distribution = rgb;
+  this->HalfVectorSampler.reset();
+  this->Modified();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkDistributionBRDF::SetFresnel(int n, const std::vector<float>& rgb)
+{
+  if (n < 1 || n > 16384 || !IsTable(rgb, static_cast<std::size_t>(n)))
+  {
+    return false;
+  }
+  this->Fresnel = rgb;
+  this->Modified();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkDistributionBRDF::SetBlinnDistribution(double exponent)
+{
+  constexpr int n = 256;
+  std::vector<float> rgb;
+  for (int k = 0; k < n; ++k)
+  {
+    const double s = std::sin(UnitToThetaH((k + 0.5) / n));
+    const double p =
+      (exponent + 2.0) / (2.0 * Pi) * std::exp(0.5 * exponent * s * s * LogCosineRatio(s * s));
+    rgb.insert(rgb.end(), 3, static_cast<float>(p));
+  }
+  this->SetDistribution(n, 1, rgb);
+}
+
+//------------------------------------------------------------------------------
+void vtkDistributionBRDF::SetSchlickFresnel(const double f0[3])
+{
+  constexpr int n = 64;
+  std::vector<float> rgb;
+  for (int k = 0; k < n; ++k)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      rgb.push_back(static_cast<float>(SchlickFresnel(f0[c], std::cos(0.5 * Pi * (k + 0.5) / n))));
+    }
+  }
+  this->SetFresnel(n, rgb);
+}
+
+//------------------------------------------------------------------------------
+void vtkDistributionBRDF::EvaluateAbove(const double i[3], const double o[3], double f[3])
+{
+  const glm::dvec3 light = glm::make_vec3(i);
+  const glm::dvec3 view = glm::make_vec3(o);
+  const HalfDifference angles = ToHalfDifference(light, view);
+  const glm::dvec3 h = HalfVector(light, view);
+  const Neighbours t = Clamped(ThetaHToUnit(angles.ThetaH), this->NumberOfTheta);
+  const Neighbours p = Periodic(std::atan2(h.y, h.x) / (2.0 * Pi), this->NumberOfPhi);
+  const Neighbours d =
+    Clamped(angles.ThetaD * (2.0 / Pi), static_cast<int>(this->Fresnel.size() / 3));
+  const double g = 4.0 * (light.z + view.z - light.z * view.z);
+  const auto distribution = [this](int theta, int phi, int c)
+  { return static_cast<double>(this->Distribution[3 * (phi * this->NumberOfTheta + theta) + c]); };
+  for (int c = 0; c < 3; ++c)
+  {
+    const double p0 =
+      glm::mix(distribution(t.First, p.First, c), distribution(t.Second, p.First, c), t.Weight);
+    const double p1 =
+      glm::mix(distribution(t.First, p.Second, c), distribution(t.Second, p.Second, c), t.Weight);
+    const double fresnel = glm::mix(static_cast<double>(this->Fresnel[3 * d.First + c]),
+      static_cast<double>(this->Fresnel[3 * d.Second + c]), d.Weight);
+    f[c] = glm::mix(p0, p1, p.Weight) * fresnel / g;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkDistributionBRDF::Prepare()
+{
+  if (this->HalfVectorSampler)
+  {
+    return;
+  }
+  std::vector<double> weights;
+  for (std::size_t k = 0; k < this->Distribution.size(); k += 3)
+  {
+    const int theta = static_cast<int>(k / 3) % this->NumberOfTheta;
+    const double cosine = std::cos(UnitToThetaH((theta + 0.5) / this->NumberOfTheta));
+    weights.push_back(
+      cosine * (this->Distribution[k] + this->Distribution[k + 1] + this->Distribution[k + 2]));
+  }
+  this->HalfVectorSampler =
+    std::make_unique<Sampler>(weights, this->NumberOfTheta, this->NumberOfPhi, 0.75);
+}
+
+//------------------------------------------------------------------------------
+bool vtkDistributionBRDF::SampleAbove(const double o[3], double u1, double u2, double i[3])
+{
+  this->Prepare();
+  glm::dvec3 direction;
+  const bool above = this->HalfVectorSampler->Sample(glm::make_vec3(o), u1, u2, direction);
+  std::copy_n(glm::value_ptr(direction), 3, i);
+  return above;
+}
+
+//------------------------------------------------------------------------------
+double vtkDistributionBRDF::PdfAbove(const double i[3], const double o[3])
+{
+  this->Prepare();
+  return this->HalfVectorSampler->Pdf(glm::make_vec3(i), glm::make_vec3(o));
+}
+
+//------------------------------------------------------------------------------
+void vtkDistributionBRDF::GetBounds(double minimumCosine, double lower[3], double upper[3])
+{
+  // c_i + c_o - c_i c_o grows with both cosines: least at m, m.
+  const double m = std::clamp(minimumCosine, 1e-6, 1.0);
+  const double g = 4.0 * (2.0 * m - m * m);
+  for (int c = 0; c < 3; ++c)
+  {
+    double p = 0.0;
+    double fresnel = 0.0;
+    for (std::size_t k = static_cast<std::size_t>(c); k < this->Distribution.size(); k += 3)
+    {
+      p = std::max<double>(p, this->Distribution[k]);
+    }
+    for (std::size_t k = static_cast<std::size_t>(c); k < this->Fresnel.size(); k += 3)
+    {
+      fresnel = std::max<double>(fresnel, this->Fresnel[k]);
+    }
+    lower[c] = 0.0;
+    upper[c] = p * fresnel / g;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkDistributionBRDF::GetGPUForm(vtkBRDFGPUForm& form)
+{
+  vtkBRDFGPUForm::Term term;
+  term.Shader = "vtkBRDFDistribution";
+  vtkBRDFGPUForm::Texture p;
+  p.Name = "brdfDistribution";
+  p.Dimensions = { this->NumberOfTheta, this->NumberOfPhi, 1 };
+  p.Repeat = { false, true, false };
+  p.Data = this->Distribution;
+  vtkBRDFGPUForm::Texture fresnel;
+  fresnel.Name = "brdfFresnel";
+  fresnel.Dimensions = { static_cast<int>(this->Fresnel.size() / 3), 1, 1 };
+  fresnel.Data = this->Fresnel;
+  term.Textures = { p, fresnel };
+  form.Terms.push_back(term);
+  form.Description = "D-BRDF, tables of " + std::to_string(this->NumberOfTheta) + " x " +
+                     std::to_string(this->NumberOfPhi) + " and " +
+                     std::to_string(this->Fresnel.size() / 3) + " samples, 32-bit";
+}

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkLambertBRDF.h"
+
+#include "HalfVector.h"
+#include "vtkBRDFGPUForm.h"
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkLambertBRDF);
+
+//------------------------------------------------------------------------------
+void vtkLambertBRDF::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Albedo: " << this->Albedo[0] << " " << this->Albedo[1] << " " << this->Albedo[2]
+     << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkLambertBRDF::EvaluateAbove(
+  const double vtkNotUsed(i)[3], const double vtkNotUsed(o)[3], double f[3])
+{
+  for (int c = 0; c < 3; ++c)
+  {
+    f[c] = this->Albedo[c] / measuredbrdf::Pi;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkLambertBRDF::GetDirectionalAlbedo(const double o[3], double albedo[3])
+{
+  for (int c = 0; c < 3; ++c)
+  {
+    albedo[c] = o[2] > 0.0 ? std::max(this->Albedo[c], 0.0) : 0.0;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkLambertBRDF::GetBounds(double vtkNotUsed(minimumCosine), double lower[3], double upper[3])
+{
+  for (int c = 0; c < 3; ++c)
+  {
+    lower[c] = upper[c] = std::max(this->Albedo[c], 0.0) / measuredbrdf::Pi;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkLambertBRDF::GetGPUForm(vtkBRDFGPUForm& form)
+{
+  vtkBRDFGPUForm::Term term;
+  term.Shader = "vtkBRDFLambert";
+  vtkBRDFGPUForm::Uniform albedo{ "brdfAlbedo", {} };
+  for (double a : this->Albedo)
+  {
+    albedo.Values.push_back(static_cast<float>(a));
+  }
+  term.Uniforms.push_back(albedo);
+  form.Terms.push_back(term);
+  form.Description = "Lambert, closed form";
+}

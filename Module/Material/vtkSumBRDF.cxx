@@ -1,0 +1,242 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSumBRDF.h"
+
+#include "vtkBRDFGPUForm.h"
+#include "vtkObjectFactory.h"
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkSumBRDF);
+
+//------------------------------------------------------------------------------
+vtkSumBRDF::vtkSumBRDF() = default;
+
+//------------------------------------------------------------------------------
+vtkSumBRDF::~vtkSumBRDF() = default;
+
+//------------------------------------------------------------------------------
+void vtkSumBRDF::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Terms: " << this->Terms.size() << "\n";
+  for (vtkBRDF* term : this->Terms)
+  {
+    os << indent << term->GetClassName() << "\n";
+    term->PrintSelf(os, indent.GetNextIndent());
+  }
+}
+
+namespace
+{
+bool Holds(vtkBRDF* haystack, vtkBRDF* needle)
+{
+  if (haystack == needle)
+  {
+    return true;
+  }
+  vtkSumBRDF* sum = vtkSumBRDF::SafeDownCast(haystack);
+  for (int k = 0; sum && k < sum->GetNumberOfTerms(); ++k)
+  {
+    if (Holds(sum->GetTerm(k), needle))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkSumBRDF::AddTerm(vtkBRDF* term)
+{
+  if (!term || Holds(term, this))
+  {
+    vtkErrorMacro("AddTerm: expected a BRDF that does not hold this sum.");
+    return;
+  }
+  this->Terms.emplace_back(term);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkSumBRDF::RemoveAllTerms()
+{
+  this->Terms.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+int vtkSumBRDF::GetNumberOfTerms() { return static_cast<int>(this->Terms.size()); }
+
+//------------------------------------------------------------------------------
+vtkBRDF* vtkSumBRDF::GetTerm(int index)
+{
+  return index >= 0 && index < this->GetNumberOfTerms() ? this->Terms[index] : nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkSumBRDF::GetMTime()
+{
+  vtkMTimeType time = this->Superclass::GetMTime();
+  for (vtkBRDF* term : this->Terms)
+  {
+    time = std::max(time, term->GetMTime());
+  }
+  return time;
+}
+
+//------------------------------------------------------------------------------
+void vtkSumBRDF::EvaluateAbove(const double i[3], const double o[3], double f[3])
+{
+  for (vtkBRDF* term : this->Terms)
+  {
+    double part[3];
+    term->Evaluate(i, o, part);
+    for (int c = 0; c < 3; ++c)
+    {
+      f[c] += part[c];
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSumBRDF::Prepare()
+{
+  if (this->PrepareTime > this->GetMTime() && this->Weights.size() == this->Terms.size())
+  {
+    return;
+  }
+  std::vector<double> weights;
+  double total = 0.0;
+  for (vtkBRDF* term : this->Terms)
+  {
+    term->Prepare();
+    const double normal[3] = { 0.0, 0.0, 1.0 };
+    double albedo[3];
+    term->GetDirectionalAlbedo(normal, albedo);
+    weights.push_back(albedo[0] + albedo[1] + albedo[2]);
+    total += weights.back();
+  }
+  // Lobes can grow towards grazing: no term gets less than a tenth of an even share.
+  const double even = 1.0 / static_cast<double>(std::max<std::size_t>(weights.size(), 1));
+  for (double& w : weights)
+  {
+    w = 0.1 * even + 0.9 * (total > 0.0 ? w / total : even);
+  }
+  this->Weights = weights;
+  this->PrepareTime.Modified();
+}
+
+//------------------------------------------------------------------------------
+bool vtkSumBRDF::SampleAbove(const double o[3], double u1, double u2, double i[3])
+{
+  this->Prepare();
+  for (std::size_t k = 0; k < this->Terms.size(); ++k)
+  {
+    if (u1 < this->Weights[k] || k + 1 == this->Terms.size())
+    {
+      return this->Terms[k]->Sample(
+        o, std::min(u1 / this->Weights[k], 0x1.fffffffffffffp-1), u2, i);
+    }
+    u1 -= this->Weights[k];
+  }
+  return this->Superclass::SampleAbove(o, u1, u2, i);
+}
+
+//------------------------------------------------------------------------------
+double vtkSumBRDF::PdfAbove(const double i[3], const double o[3])
+{
+  this->Prepare();
+  if (this->Terms.empty())
+  {
+    return this->Superclass::PdfAbove(i, o);
+  }
+  double pdf = 0.0;
+  for (std::size_t k = 0; k < this->Terms.size(); ++k)
+  {
+    pdf += this->Weights[k] * this->Terms[k]->Pdf(i, o);
+  }
+  return pdf;
+}
+
+//------------------------------------------------------------------------------
+void vtkSumBRDF::GetDirectionalAlbedo(const double o[3], double albedo[3])
+{
+  albedo[0] = albedo[1] = albedo[2] = 0.0;
+  for (vtkBRDF* term : this->Terms)
+  {
+    double part[3];
+    term->GetDirectionalAlbedo(o, part);
+    for (int c = 0; c < 3; ++c)
+    {
+      albedo[c] += part[c];
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSumBRDF::GetBounds(double minimumCosine, double lower[3], double upper[3])
+{
+  for (int c = 0; c < 3; ++c)
+  {
+    lower[c] = upper[c] = 0.0;
+  }
+  for (vtkBRDF* term : this->Terms)
+  {
+    double low[3], high[3];
+    term->GetBounds(minimumCosine, low, high);
+    for (int c = 0; c < 3; ++c)
+    {
+      lower[c] += low[c];
+      upper[c] += high[c];
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkSumBRDF::IsIsotropic()
+{
+  return std::all_of(
+    this->Terms.begin(), this->Terms.end(), [](vtkBRDF* term) { return term->IsIsotropic(); });
+}
+
+//------------------------------------------------------------------------------
+bool vtkSumBRDF::IsReciprocal()
+{
+  return std::all_of(
+    this->Terms.begin(), this->Terms.end(), [](vtkBRDF* term) { return term->IsReciprocal(); });
+}
+
+//------------------------------------------------------------------------------
+vtkBRDF* vtkSumBRDF::GetRenderable()
+{
+  const bool direct = std::all_of(this->Terms.begin(), this->Terms.end(),
+    [](vtkBRDF* term) { return term->GetRenderable() == term; });
+  if (direct)
+  {
+    return this;
+  }
+  if (!this->Renderable || this->RenderableTime < this->GetMTime())
+  {
+    this->Renderable = vtkSmartPointer<vtkSumBRDF>::New();
+    for (vtkBRDF* term : this->Terms)
+    {
+      this->Renderable->AddTerm(term->GetRenderable());
+    }
+    this->RenderableTime.Modified();
+  }
+  return this->Renderable;
+}
+
+//------------------------------------------------------------------------------
+void vtkSumBRDF::GetGPUForm(vtkBRDFGPUForm& form)
+{
+  std::string description;
+  for (vtkBRDF* term : this->Terms)
+  {
+    term->GetGPUForm(form);
+    description += (description.empty() ? "" : " + ") + form.Description;
+  }
+  form.Description = description.empty() ? "nothing (black)" : description;
+}

@@ -1,0 +1,354 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkTabulatedBRDF.h"
+
+#include "HalfVectorSampler.h"
+#include "vtkBRDFGPUForm.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include <limits>
+#include <sstream>
+
+using namespace measuredbrdf;
+
+vtkStandardNewMacro(vtkTabulatedBRDF);
+
+struct vtkTabulatedBRDF::Sampler : public HalfVectorSampler
+{
+  using HalfVectorSampler::HalfVectorSampler;
+};
+
+namespace
+{
+// With less than this weight on valid corners there is no value. The shader has the same limit.
+constexpr double MinimumValidWeight = 1e-4;
+
+// Two neighbouring samples and their weights, along one axis.
+struct Corner
+{
+  int Index[2];
+  double Weight[2];
+};
+
+Corner FindCorners(double u, int n, bool periodic)
+{
+  double x = u * n - 0.5;
+  if (!periodic)
+  {
+    x = std::clamp(x, 0.0, n - 1.0);
+  }
+  const double base = std::floor(x);
+  const double w = x - base;
+  int k0 = static_cast<int>(base);
+  int k1 = k0 + 1;
+  if (periodic)
+  {
+    k0 = ((k0 % n) + n) % n;
+    k1 = ((k1 % n) + n) % n;
+  }
+  else
+  {
+    k1 = std::min(k1, n - 1);
+  }
+  return { { k0, k1 }, { 1.0 - w, w } };
+}
+
+// Angles of a pair in units of the axes, each in [0,1] (azimuth: any real number, periodic).
+glm::dvec3 ToUnit(int parameterization, int azimuthRange, const glm::dvec3& i, const glm::dvec3& o)
+{
+  const bool half = azimuthRange == vtkTabulatedBRDF::HALF_TURN;
+  if (parameterization == vtkTabulatedBRDF::HALF_DIFFERENCE)
+  {
+    const HalfDifference angles = ToHalfDifference(i, o);
+    return { angles.PhiD / (half ? Pi : 2.0 * Pi), angles.ThetaD * (2.0 / Pi),
+      ThetaHToUnit(angles.ThetaH) };
+  }
+  double phi = std::atan2(i.x * o.y - i.y * o.x, i.x * o.x + i.y * o.y);
+  if (half)
+  {
+    phi = std::abs(phi);
+  }
+  return { phi / (half ? Pi : 2.0 * Pi), std::atan2(std::hypot(o.x, o.y), o.z) * (2.0 / Pi),
+    std::atan2(std::hypot(i.x, i.y), i.z) * (2.0 / Pi) };
+}
+}
+
+//------------------------------------------------------------------------------
+vtkTabulatedBRDF::vtkTabulatedBRDF() = default;
+
+//------------------------------------------------------------------------------
+vtkTabulatedBRDF::~vtkTabulatedBRDF() = default;
+
+//------------------------------------------------------------------------------
+void vtkTabulatedBRDF::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Parameterization: "
+     << (this->Parameterization == HALF_DIFFERENCE ? "half/difference" : "incident/outgoing")
+     << "\n";
+  os << indent << "AzimuthRange: " << (this->AzimuthRange == HALF_TURN ? "pi" : "2 pi") << "\n";
+  os << indent << "Dimensions: " << this->Dimensions[0] << " " << this->Dimensions[1] << " "
+     << this->Dimensions[2] << "\n";
+  os << indent << "Precision: " << this->Precision << "\n";
+  os << indent << "ResamplingError: " << this->ResamplingError << "\n";
+  os << indent << "NumberOfInvalidCells: " << this->NumberOfInvalidCells << "\n";
+}
+
+//------------------------------------------------------------------------------
+bool vtkTabulatedBRDF::SetVolume(
+  int parameterization, int azimuthRange, const int dimensions[3], std::vector<float> rgb)
+{
+  std::size_t cells = 1;
+  for (int a = 0; a < 3; ++a)
+  {
+    if (dimensions[a] < 1 || dimensions[a] > 2048)
+    {
+      return false;
+    }
+    cells *= static_cast<std::size_t>(dimensions[a]);
+  }
+  if (rgb.size() != 3 * cells || parameterization < HALF_DIFFERENCE ||
+      parameterization > INCIDENT_OUTGOING || azimuthRange < HALF_TURN || azimuthRange > FULL_TURN)
+  {
+    return false;
+  }
+  this->Parameterization = parameterization;
+  this->AzimuthRange = azimuthRange;
+  std::copy_n(dimensions, 3, this->Dimensions);
+  this->Volume = std::move(rgb);
+  this->NumberOfInvalidCells = 0;
+  for (std::size_t k = 0; k < this->Volume.size(); k += 3)
+  {
+    float* v = &this->Volume[k];
+    if (!std::isfinite(v[0]) || !std::isfinite(v[1]) || !std::isfinite(v[2]))
+    {
+      v[0] = v[1] = v[2] = std::numeric_limits<float>::quiet_NaN();
+      ++this->NumberOfInvalidCells;
+    }
+  }
+  this->HalfVectorSampler.reset();
+  this->Modified();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkImageData* vtkTabulatedBRDF::NewImageData()
+{
+  vtkImageData* image = vtkImageData::New();
+  image->SetDimensions(this->Dimensions);
+  vtkNew<vtkFloatArray> values;
+  values->SetName("BRDF");
+  values->SetNumberOfComponents(3);
+  values->SetNumberOfTuples(static_cast<vtkIdType>(this->Volume.size() / 3));
+  std::copy(this->Volume.begin(), this->Volume.end(), values->GetPointer(0));
+  image->GetPointData()->SetScalars(values);
+  return image;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTabulatedBRDF::GetCellDirections(int parameterization, int azimuthRange,
+  const int dimensions[3], int x, int y, int z, double i[3], double o[3])
+{
+  const double phi = (azimuthRange == HALF_TURN ? Pi : 2.0 * Pi) * (x + 0.5) / dimensions[0];
+  const double second = 0.5 * Pi * (y + 0.5) / dimensions[1];
+  glm::dvec3 light, view;
+  if (parameterization == HALF_DIFFERENCE)
+  {
+    FromHalfDifference({ UnitToThetaH((z + 0.5) / dimensions[2]), second, phi }, light, view);
+  }
+  else
+  {
+    const double first = 0.5 * Pi * (z + 0.5) / dimensions[2];
+    light = glm::dvec3(std::sin(first), 0.0, std::cos(first));
+    view = glm::dvec3(
+      std::sin(second) * std::cos(phi), std::sin(second) * std::sin(phi), std::cos(second));
+  }
+  std::copy_n(glm::value_ptr(light), 3, i);
+  std::copy_n(glm::value_ptr(view), 3, o);
+  return light.z > 0.0 && view.z > 0.0;
+}
+
+//------------------------------------------------------------------------------
+void vtkTabulatedBRDF::EvaluateAbove(const double i[3], const double o[3], double f[3])
+{
+  if (this->Volume.empty())
+  {
+    return;
+  }
+  const glm::dvec3 u =
+    ToUnit(this->Parameterization, this->AzimuthRange, glm::make_vec3(i), glm::make_vec3(o));
+  // The mirror-symmetric azimuth of incident/outgoing tables ends at 0 and pi, all others close.
+  const bool periodic =
+    this->Parameterization == HALF_DIFFERENCE || this->AzimuthRange == FULL_TURN;
+  const Corner cx = FindCorners(u.x, this->Dimensions[0], periodic);
+  const Corner cy = FindCorners(u.y, this->Dimensions[1], false);
+  const Corner cz = FindCorners(u.z, this->Dimensions[2], false);
+  double sum[3] = { 0.0, 0.0, 0.0 };
+  double valid = 0.0;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const int a = corner & 1, b = (corner >> 1) & 1, c = corner >> 2;
+    const double w = cx.Weight[a] * cy.Weight[b] * cz.Weight[c];
+    const std::size_t cell =
+      static_cast<std::size_t>(cx.Index[a]) +
+      static_cast<std::size_t>(this->Dimensions[0]) *
+        (static_cast<std::size_t>(cy.Index[b]) +
+          static_cast<std::size_t>(this->Dimensions[1]) * static_cast<std::size_t>(cz.Index[c]));
+    const float* v = &this->Volume[3 * cell];
+    if (!std::isnan(v[0]))
+    {
+      valid += w;
+      sum[0] += w * v[0];
+      sum[1] += w * v[1];
+      sum[2] += w * v[2];
+    }
+  }
+  for (int c = 0; c < 3; ++c)
+  {
+    f[c] = valid > MinimumValidWeight ? sum[c] / valid : 0.0;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTabulatedBRDF::Prepare()
+{
+  if (this->HalfVectorSampler || this->Volume.empty())
+  {
+    return;
+  }
+  // Density of h from the table itself: mean over the difference angles.
+  constexpr int nTheta = 90, nThetaD = 16, nPhiD = 8;
+  std::vector<double> weights(nTheta, 0.0);
+  for (int t = 0; t < nTheta; ++t)
+  {
+    for (int d = 0; d < nThetaD; ++d)
+    {
+      for (int p = 0; p < nPhiD; ++p)
+      {
+        glm::dvec3 i, o;
+        FromHalfDifference({ UnitToThetaH((t + 0.5) / nTheta), 0.5 * Pi * (d + 0.5) / nThetaD,
+                             2.0 * Pi * (p + 0.5) / nPhiD },
+          i, o);
+        double f[3];
+        this->Evaluate(glm::value_ptr(i), glm::value_ptr(o), f);
+        weights[t] += (f[0] + f[1] + f[2]) * i.z;
+      }
+    }
+  }
+  this->HalfVectorSampler = std::make_unique<Sampler>(weights, nTheta, 1, 0.5);
+}
+
+//------------------------------------------------------------------------------
+bool vtkTabulatedBRDF::SampleAbove(const double o[3], double u1, double u2, double i[3])
+{
+  this->Prepare();
+  if (!this->HalfVectorSampler)
+  {
+    return this->Superclass::SampleAbove(o, u1, u2, i);
+  }
+  glm::dvec3 direction;
+  const bool above = this->HalfVectorSampler->Sample(glm::make_vec3(o), u1, u2, direction);
+  std::copy_n(glm::value_ptr(direction), 3, i);
+  return above;
+}
+
+//------------------------------------------------------------------------------
+double vtkTabulatedBRDF::PdfAbove(const double i[3], const double o[3])
+{
+  this->Prepare();
+  return this->HalfVectorSampler
+           ? this->HalfVectorSampler->Pdf(glm::make_vec3(i), glm::make_vec3(o))
+           : this->Superclass::PdfAbove(i, o);
+}
+
+//------------------------------------------------------------------------------
+void vtkTabulatedBRDF::GetBounds(double vtkNotUsed(minimumCosine), double lower[3], double upper[3])
+{
+  // Interpolation never leaves the range of the samples. Where no cell is valid f is 0.
+  for (int c = 0; c < 3; ++c)
+  {
+    float low = this->NumberOfInvalidCells > 0 || this->Volume.empty()
+                  ? 0.0f
+                  : std::numeric_limits<float>::max();
+    float high = 0.0f;
+    for (std::size_t k = static_cast<std::size_t>(c); k < this->Volume.size(); k += 3)
+    {
+      if (!std::isnan(this->Volume[k]))
+      {
+        low = std::min(low, this->Volume[k]);
+        high = std::max(high, this->Volume[k]);
+      }
+    }
+    lower[c] = std::max(low, 0.0f);
+    upper[c] = high;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTabulatedBRDF::GetGPUForm(vtkBRDFGPUForm& form)
+{
+  vtkBRDFGPUForm::Term term;
+  vtkBRDFGPUForm::Texture texture;
+  texture.Name = "brdfVolume";
+  texture.Dimensions = { this->Dimensions[0], this->Dimensions[1], this->Dimensions[2] };
+  texture.Components = this->NumberOfInvalidCells > 0 ? 4 : 3;
+  const bool periodic =
+    this->Parameterization == HALF_DIFFERENCE || this->AzimuthRange == FULL_TURN;
+  texture.Repeat = { periodic, false, false };
+
+  float peak = 0.0f;
+  for (float v : this->Volume)
+  {
+    peak = std::max(peak, std::isnan(v) ? 0.0f : std::abs(v));
+  }
+  // Scaled to a peak of 2^15, 16-bit floats keep their 11 bits over nine decades.
+  constexpr double halfRounding = 1.0 / 2048.0;
+  texture.HalfFloat =
+    this->Precision == FLOAT16 ||
+    (this->Precision == AUTOMATIC && 4.0 * halfRounding <= this->ResamplingTolerance);
+  const float scale = texture.HalfFloat && peak > 0.0f ? 32768.0f / peak : 1.0f;
+
+  // Invalid cells are premultiplied away: the filter then skips them as Evaluate does.
+  const std::size_t cells = this->Volume.size() / 3;
+  texture.Data.reserve(cells * static_cast<std::size_t>(texture.Components));
+  for (std::size_t k = 0; k < cells; ++k)
+  {
+    const float* v = &this->Volume[3 * k];
+    const bool valid = !std::isnan(v[0]);
+    for (int c = 0; c < 3; ++c)
+    {
+      texture.Data.push_back(valid ? v[c] * scale : 0.0f);
+    }
+    if (texture.Components == 4)
+    {
+      texture.Data.push_back(valid ? 1.0f : 0.0f);
+    }
+  }
+
+  const bool half = this->AzimuthRange == HALF_TURN;
+  term.Shader =
+    this->Parameterization == HALF_DIFFERENCE ? "vtkBRDFHalfDifference" : "vtkBRDFIncidentOutgoing";
+  term.Uniforms.push_back({ "brdfScale", { 1.0f / scale } });
+  term.Uniforms.push_back({ "brdfTurns", { half ? 2.0f : 1.0f } });
+  std::ostringstream text;
+  text << (this->Parameterization == HALF_DIFFERENCE ? "half/difference" : "incident/outgoing")
+       << " volume " << this->Dimensions[0] << " x " << this->Dimensions[1] << " x "
+       << this->Dimensions[2] << ", " << (texture.HalfFloat ? "16" : "32") << "-bit float, "
+       << texture.GetBytes() << " bytes";
+  if (this->ResamplingError > 0.0)
+  {
+    text << ", resampling error " << this->ResamplingError;
+  }
+  term.Textures.push_back(std::move(texture));
+  form.QuantizationError =
+    std::max(form.QuantizationError, term.Textures[0].HalfFloat ? halfRounding : 1.2e-7);
+  form.ResamplingError = std::max(form.ResamplingError, this->ResamplingError);
+  form.Description = text.str();
+  form.Terms.push_back(std::move(term));
+}
