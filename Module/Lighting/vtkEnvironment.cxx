@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkEnvironment.h"
 
+#include "HalfVector.h" // for Pi
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -19,8 +20,6 @@
 
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
-
 // sRGB-encoded value -> linear (IEC 61966-2-1).
 double DecodeSRGB(double x)
 {
@@ -34,6 +33,8 @@ double SkyShare(double y)
   return t * t * (3.0 - 2.0 * t);
 }
 } // namespace
+
+using measuredbrdf::Pi;
 
 vtkStandardNewMacro(vtkEnvironment);
 

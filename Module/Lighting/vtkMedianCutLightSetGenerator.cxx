@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMedianCutLightSetGenerator.h"
 
+#include "HalfVector.h" // for Pi
 #include "SummedAreaTable.h"
 #include "vtkEnvironment.h"
 #include "vtkLightSet.h"
@@ -13,10 +14,10 @@
 #include <cmath>
 #include <vector>
 
+using measuredbrdf::Pi;
+
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
-
 // Texels [x0,x1) x [y0,y1).
 struct Region
 {
