@@ -61,7 +61,7 @@ public:
     if (count < 0 || static_cast<std::uint64_t>(count) > left)
     {
       throw Iex::InputExc("byte " + std::to_string(this->Place) + ": " + std::to_string(count) +
-        " bytes were expected, but the file ends after " + std::to_string(left));
+                          " bytes were expected, but the file ends after " + std::to_string(left));
     }
     std::memcpy(out, this->File.GetData() + this->Place, static_cast<std::size_t>(count));
     this->Place += static_cast<std::uint64_t>(count);
@@ -73,7 +73,7 @@ public:
     if (place > this->File.GetSize())
     {
       throw Iex::InputExc("an offset points to byte " + std::to_string(place) +
-        ", but the file ends at " + std::to_string(this->File.GetSize()));
+                          ", but the file ends at " + std::to_string(this->File.GetSize()));
     }
     this->Place = place;
   }
@@ -162,8 +162,7 @@ json ToJson(const MaterialArchive& archive, const std::string& prefix, std::vect
   object["terms"] = json::array();
   for (std::size_t k = 0; k < archive.Terms.size(); ++k)
   {
-    object["terms"].push_back(
-      ToJson(archive.Terms[k], prefix + std::to_string(k) + ".", parts));
+    object["terms"].push_back(ToJson(archive.Terms[k], prefix + std::to_string(k) + ".", parts));
   }
   return object;
 }
@@ -198,15 +197,16 @@ public:
     int width = 0;
     int height = 0;
     if (!GetExtent(array.Shape, width, height) || window.min != Imath::V2i(0, 0) ||
-      window.max != Imath::V2i(width - 1, height - 1))
+        window.max != Imath::V2i(width - 1, height - 1))
     {
-      throw std::runtime_error("part '" + name + "': its data window does not hold the shape that " +
-        "attribute '" + AttributeName + "' gives");
+      throw std::runtime_error("part '" + name +
+                               "': its data window does not hold the shape that " + "attribute '" +
+                               AttributeName + "' gives");
     }
     if (header.hasType() && header.type() != Imf::SCANLINEIMAGE)
     {
-      throw std::runtime_error("part '" + name + "': found type " + header.type() +
-        ", expected " + Imf::SCANLINEIMAGE);
+      throw std::runtime_error(
+        "part '" + name + "': found type " + header.type() + ", expected " + Imf::SCANLINEIMAGE);
     }
     int channels = 0;
     for (auto it = header.channels().begin(); it != header.channels().end(); ++it)
@@ -222,7 +222,7 @@ public:
     if (channels != array.Channels)
     {
       throw std::runtime_error("part '" + name + "': found " + std::to_string(channels) +
-        " channels, expected " + std::to_string(array.Channels));
+                               " channels, expected " + std::to_string(array.Channels));
     }
     const std::uint64_t row = std::uint64_t(width) * array.Channels * sizeof(float);
     if (row > this->BytesLeft / height) // row * height may overflow
@@ -241,9 +241,8 @@ public:
       {
         throw std::runtime_error("part '" + name + "': channel " + channel + " is missing");
       }
-      buffer.insert(channel,
-        Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(&array.Values[k]),
-          sizeof(float) * array.Channels, row));
+      buffer.insert(channel, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(&array.Values[k]),
+                               sizeof(float) * array.Channels, row));
     }
     try
     {
@@ -291,8 +290,7 @@ MaterialArchive FromJson(
   std::size_t index = 0;
   for (const json& term : object.at("terms"))
   {
-    archive.Terms.push_back(
-      FromJson(term, prefix + std::to_string(index) + ".", parts, depth + 1));
+    archive.Terms.push_back(FromJson(term, prefix + std::to_string(index) + ".", parts, depth + 1));
     ++index;
   }
   return archive;
@@ -333,7 +331,7 @@ MaterialFile ReadExrMaterial(const FileBytes& file)
     if (!attribute)
     {
       throw std::runtime_error(std::string("string attribute '") + AttributeName +
-        "' is missing: an OpenEXR image, but no material of this project");
+                               "' is missing: an OpenEXR image, but no material of this project");
     }
     const json header = json::parse(attribute->value());
     const std::string format = header.at("format").get<std::string>();
@@ -341,7 +339,8 @@ MaterialFile ReadExrMaterial(const FileBytes& file)
     if (format != JsonFormat || version != JsonVersion)
     {
       throw std::runtime_error("found format '" + format + "' version " + std::to_string(version) +
-        ", expected '" + JsonFormat + "' version " + std::to_string(JsonVersion));
+                               ", expected '" + JsonFormat + "' version " +
+                               std::to_string(JsonVersion));
     }
     PartReader parts(input, file.GetSize());
     MaterialArchive archive = FromJson(header.at("material"), "", parts, 0);

@@ -12,10 +12,7 @@ namespace measuredbrdf
 {
 namespace
 {
-std::string LastError()
-{
-  return std::generic_category().message(errno);
-}
+std::string LastError() { return std::generic_category().message(errno); }
 
 struct FileCloser
 {
@@ -122,7 +119,8 @@ FileBytes::FileBytes(const std::string& path)
   this->Data.reset(new char[this->Size]); // not filled first: it may be large
   if (std::fread(this->Data.get(), 1, this->Size, file.get()) != this->Size)
   {
-    throw FileError(path + ": could not be read whole: " +
+    throw FileError(
+      path + ": could not be read whole: " +
       (std::ferror(file.get()) ? LastError() : std::string("it became shorter meanwhile")));
   }
 }
@@ -131,7 +129,7 @@ FileBytes::FileBytes(const std::string& path)
 void ByteReader::Fail(const std::string& field, const std::string& what) const
 {
   throw FileError(this->File.GetPath() + ": " + this->Format + ", " + field + " at byte " +
-    std::to_string(this->Offset) + ": " + what);
+                  std::to_string(this->Offset) + ": " + what);
 }
 
 //------------------------------------------------------------------------------
@@ -139,9 +137,8 @@ const char* ByteReader::Take(std::uint64_t count, const std::string& field)
 {
   if (count > this->GetRemaining())
   {
-    this->Fail(field,
-      "needs " + std::to_string(count) + " bytes, but the file ends after " +
-        std::to_string(this->GetRemaining()));
+    this->Fail(field, "needs " + std::to_string(count) + " bytes, but the file ends after " +
+                        std::to_string(this->GetRemaining()));
   }
   const char* bytes = this->File.GetData() + this->Offset;
   this->Offset += static_cast<std::size_t>(count);
@@ -155,9 +152,9 @@ const char* ByteReader::At(
   const std::uint64_t size = this->File.GetSize();
   if (offset > size || count > size - offset)
   {
-    this->Fail(field,
-      "its " + std::to_string(count) + " bytes from byte " + std::to_string(offset) +
-        " reach beyond the file's end at " + std::to_string(size));
+    this->Fail(field, "its " + std::to_string(count) + " bytes from byte " +
+                        std::to_string(offset) + " reach beyond the file's end at " +
+                        std::to_string(size));
   }
   return this->File.GetData() + offset;
 }

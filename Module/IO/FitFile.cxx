@@ -120,7 +120,7 @@ private:
   static bool IsNameCharacter(char c)
   {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
-      c == '_' || c == '.';
+           c == '_' || c == '.';
   }
 
   void SkipSpace()
@@ -319,21 +319,20 @@ private:
     }
     if (found->second.size() != count)
     {
-      this->Complain(call,
-        "attribute '" + name + "' has " + std::to_string(found->second.size()) +
-          " numbers, expected " + std::to_string(count));
+      this->Complain(call, "attribute '" + name + "' has " + std::to_string(found->second.size()) +
+                             " numbers, expected " + std::to_string(count));
     }
     return found->second;
   }
 
-  double GetNumber(const FitCall& call, const std::string& name, double lowest, double highest) const
+  double GetNumber(
+    const FitCall& call, const std::string& name, double lowest, double highest) const
   {
     const double value = this->GetAttribute(call, name, 1)[0];
     if (!(value >= lowest && value <= highest))
     {
-      this->Complain(call,
-        "attribute '" + name + "' is " + std::to_string(value) + ", expected " +
-          std::to_string(lowest) + " to " + std::to_string(highest));
+      this->Complain(call, "attribute '" + name + "' is " + std::to_string(value) + ", expected " +
+                             std::to_string(lowest) + " to " + std::to_string(highest));
     }
     return value;
   }
@@ -360,8 +359,8 @@ private:
 bool AnyModel(const FitCall& call, const std::string& start)
 {
   return StartsWith(call.Model, start) ||
-    std::any_of(call.Terms.begin(), call.Terms.end(),
-      [&](const FitCall& term) { return AnyModel(term, start); });
+         std::any_of(call.Terms.begin(), call.Terms.end(),
+           [&](const FitCall& term) { return AnyModel(term, start); });
 }
 }
 
@@ -424,16 +423,17 @@ const FitFile::Entry& FitFile::Find(const std::string& name) const
     some += (k ? ", " : "") + this->Entries[k].Name;
   }
   throw FileError(this->Path + ": " + FitFormat + ": " +
-    (name.empty() ? "choose one with #name" : "no material '" + name + "'") + " among its " +
-    std::to_string(this->Entries.size()) + " materials (" + some +
-    (this->Entries.size() > 3 ? ", ...)" : ")"));
+                  (name.empty() ? "choose one with #name" : "no material '" + name + "'") +
+                  " among its " + std::to_string(this->Entries.size()) + " materials (" + some +
+                  (this->Entries.size() > 3 ? ", ...)" : ")"));
 }
 
 //------------------------------------------------------------------------------
 MaterialFile FitFile::GetMaterial(const std::string& name) const
 {
   const Entry& entry = this->Find(name);
-  const bool ngan = AnyModel(entry.Expression, "Ngan") ||
+  const bool ngan =
+    AnyModel(entry.Expression, "Ngan") ||
     (!AnyModel(entry.Expression, "Low") && this->Comments.find("Ngan") != std::string::npos);
   const bool low = AnyModel(entry.Expression, "Low");
   const double one[3] = { 1.0, 1.0, 1.0 };
@@ -448,10 +448,10 @@ MaterialFile FitFile::GetMaterial(const std::string& name) const
     models += (models.empty() ? "" : " + ") + term.Model;
   }
   sum->SetSource((models.empty() ? entry.Expression.Model : models) + " fit" +
-    (ngan   ? " by Ngan et al. 2005"
-        : low ? " by Low et al. 2012"
-              : "") +
-    ", " + GetFileTitle(this->Path));
+                 (ngan   ? " by Ngan et al. 2005"
+                   : low ? " by Low et al. 2012"
+                         : "") +
+                 ", " + GetFileTitle(this->Path));
 
   MaterialFile result;
   if (ngan)

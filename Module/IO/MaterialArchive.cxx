@@ -54,14 +54,13 @@ public:
   }
 
   template <typename Get, typename Set>
-  void Option(
-    const std::string& name, const std::vector<std::string>& choices, Get get, Set)
+  void Option(const std::string& name, const std::vector<std::string>& choices, Get get, Set)
   {
     this->Archive.Options[name] = choices.at(static_cast<std::size_t>(get()));
   }
 
-  void Array(const std::string& name, std::vector<int> shape, int channels,
-    const std::vector<float>& values)
+  void Array(
+    const std::string& name, std::vector<int> shape, int channels, const std::vector<float>& values)
   {
     std::size_t count = static_cast<std::size_t>(channels);
     for (const int size : shape)
@@ -118,8 +117,8 @@ public:
   {
     const auto found = this->Archive.Options.find(name);
     const auto choice = found == this->Archive.Options.end()
-      ? choices.end()
-      : std::find(choices.begin(), choices.end(), found->second);
+                          ? choices.end()
+                          : std::find(choices.begin(), choices.end(), found->second);
     if (choice == choices.end())
     {
       this->Fail("option '" + name + "' is missing or unknown");
@@ -137,8 +136,8 @@ public:
     if (found->second.Shape.size() != rank || found->second.Channels != channels)
     {
       this->Fail("array '" + name + "' has " + std::to_string(found->second.Shape.size()) +
-        " axes and " + std::to_string(found->second.Channels) + " channels, expected " +
-        std::to_string(rank) + " and " + std::to_string(channels));
+                 " axes and " + std::to_string(found->second.Channels) + " channels, expected " +
+                 std::to_string(rank) + " and " + std::to_string(channels));
     }
     return std::move(found->second);
   }
@@ -163,12 +162,12 @@ private:
 };
 
 // A member of a material as an exchange argument: its getter and its setter.
-#define NUMBER(member)                                                                             \
+#define NUMBER(member) \
   [&]() { return material->Get##member(); }, [&](double value) { material->Set##member(value); }
-#define COLOR(member)                                                                              \
-  [&](double value[3]) { material->Get##member(value); },                                          \
+#define COLOR(member)                                     \
+  [&](double value[3]) { material->Get##member(value); }, \
     [&](const double value[3]) { material->Set##member(value[0], value[1], value[2]); }
-#define OPTION(member)                                                                             \
+#define OPTION(member) \
   [&]() { return material->Get##member(); }, [&](int value) { material->Set##member(value); }
 
 template <typename Exchanger>
@@ -199,18 +198,18 @@ void Exchange(Exchanger& x, vtkAshikhminShirleyBRDF* material)
 //------------------------------------------------------------------------------
 void Exchange(Saver& x, vtkDistributionBRDF* material)
 {
-  x.Array("distribution", { material->GetNumberOfPhiSamples(), material->GetNumberOfThetaSamples() },
-    3, material->GetDistribution());
-  x.Array("fresnel", { static_cast<int>(material->GetFresnel().size() / 3) }, 3,
-    material->GetFresnel());
+  x.Array("distribution",
+    { material->GetNumberOfPhiSamples(), material->GetNumberOfThetaSamples() }, 3,
+    material->GetDistribution());
+  x.Array(
+    "fresnel", { static_cast<int>(material->GetFresnel().size() / 3) }, 3, material->GetFresnel());
 }
 
 void Exchange(Loader& x, vtkDistributionBRDF* material)
 {
   const auto distribution = x.TakeArray("distribution", 2, 3);
   const auto fresnel = x.TakeArray("fresnel", 1, 3);
-  if (!material->SetDistribution(
-        distribution.Shape[1], distribution.Shape[0], distribution.Values))
+  if (!material->SetDistribution(distribution.Shape[1], distribution.Shape[0], distribution.Values))
   {
     x.Fail("array 'distribution' was refused: negative or not finite");
   }
@@ -237,7 +236,8 @@ void Exchange(Saver& x, vtkTabulatedBRDF* material)
   const auto ignore = [](int) {};
   x.Option(
     "parameterization", Parameterizations, [&] { return material->GetParameterization(); }, ignore);
-  x.Option("azimuthRange", AzimuthRanges, [&] { return material->GetAzimuthRange(); }, ignore);
+  x.Option(
+    "azimuthRange", AzimuthRanges, [&] { return material->GetAzimuthRange(); }, ignore);
   const int* size = material->GetDimensions();
   x.Array("volume", { size[2], size[1], size[0] }, 3, material->GetVolume());
 }
@@ -273,7 +273,8 @@ void Exchange(Saver& x, vtkAdaptiveWarpBRDF* material)
 
 void Exchange(Loader& x, vtkAdaptiveWarpBRDF* material)
 {
-  const auto table = [&](const std::string& name, std::size_t rank) {
+  const auto table = [&](const std::string& name, std::size_t rank)
+  {
     auto array = x.TakeArray(name, rank, 1);
     return vtkAdaptiveWarpBRDF::Table{ std::move(array.Shape), std::move(array.Values) };
   };
@@ -344,11 +345,11 @@ MaterialArchive Save(vtkBRDF* brdf, int depth)
     }
   }
   else if (!SaveAs<vtkLambertBRDF>("Lambert", brdf, archive) &&
-    !SaveAs<vtkBlinnPhongBRDF>("BlinnPhong", brdf, archive) &&
-    !SaveAs<vtkAshikhminShirleyBRDF>("AshikhminShirley", brdf, archive) &&
-    !SaveAs<vtkDistributionBRDF>("Distribution", brdf, archive) &&
-    !SaveAs<vtkTabulatedBRDF>("Tabulated", brdf, archive) &&
-    !SaveAs<vtkAdaptiveWarpBRDF>("AdaptiveWarp", brdf, archive))
+           !SaveAs<vtkBlinnPhongBRDF>("BlinnPhong", brdf, archive) &&
+           !SaveAs<vtkAshikhminShirleyBRDF>("AshikhminShirley", brdf, archive) &&
+           !SaveAs<vtkDistributionBRDF>("Distribution", brdf, archive) &&
+           !SaveAs<vtkTabulatedBRDF>("Tabulated", brdf, archive) &&
+           !SaveAs<vtkAdaptiveWarpBRDF>("AdaptiveWarp", brdf, archive))
   {
     throw std::runtime_error(std::string(brdf->GetClassName()) + " has no form in this format");
   }
@@ -376,11 +377,11 @@ vtkSmartPointer<vtkBRDF> Load(MaterialArchive& archive, int depth)
     material = sum;
   }
   else if (!(material = LoadAs<vtkLambertBRDF>("Lambert", archive)) &&
-    !(material = LoadAs<vtkBlinnPhongBRDF>("BlinnPhong", archive)) &&
-    !(material = LoadAs<vtkAshikhminShirleyBRDF>("AshikhminShirley", archive)) &&
-    !(material = LoadAs<vtkDistributionBRDF>("Distribution", archive)) &&
-    !(material = LoadAs<vtkTabulatedBRDF>("Tabulated", archive)) &&
-    !(material = LoadAs<vtkAdaptiveWarpBRDF>("AdaptiveWarp", archive)))
+           !(material = LoadAs<vtkBlinnPhongBRDF>("BlinnPhong", archive)) &&
+           !(material = LoadAs<vtkAshikhminShirleyBRDF>("AshikhminShirley", archive)) &&
+           !(material = LoadAs<vtkDistributionBRDF>("Distribution", archive)) &&
+           !(material = LoadAs<vtkTabulatedBRDF>("Tabulated", archive)) &&
+           !(material = LoadAs<vtkAdaptiveWarpBRDF>("AdaptiveWarp", archive)))
   {
     throw std::runtime_error("unknown representation '" + archive.Representation + "'");
   }
@@ -395,14 +396,8 @@ vtkSmartPointer<vtkBRDF> Load(MaterialArchive& archive, int depth)
 }
 
 //------------------------------------------------------------------------------
-MaterialArchive ToArchive(vtkBRDF* brdf)
-{
-  return Save(brdf, 0);
-}
+MaterialArchive ToArchive(vtkBRDF* brdf) { return Save(brdf, 0); }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkBRDF> FromArchive(MaterialArchive archive)
-{
-  return Load(archive, 0);
-}
+vtkSmartPointer<vtkBRDF> FromArchive(MaterialArchive archive) { return Load(archive, 0); }
 } // namespace measuredbrdf

@@ -67,7 +67,7 @@ Block ReadBlock(ByteReader& reader, const std::string& name)
   block.NumberOfTheta = static_cast<int>(ReadSize(reader, name + " number of theta"));
   block.NumberOfPhi = static_cast<int>(ReadSize(reader, name + " number of phi"));
   block.Values = std::size_t(block.NumberOfTheta) * block.NumberOfTheta * block.NumberOfPhi *
-    block.Channels; // at most 3 * 2^33
+                 block.Channels; // at most 3 * 2^33
   block.Data = reader.Take(std::uint64_t(block.Values) * sizeof(float), name + " values");
   return block;
 }
@@ -111,8 +111,8 @@ MaterialFile ReadMbsdf(const FileBytes& file)
     ReadBlock(reader, "transmission");
     if (reader.GetRemaining() > 0)
     {
-      reader.Fail("end",
-        std::to_string(reader.GetRemaining()) + " bytes follow the transmission values");
+      reader.Fail(
+        "end", std::to_string(reader.GetRemaining()) + " bytes follow the transmission values");
     }
     result.AddNote("The file's transmission is left out.");
   }
@@ -146,13 +146,13 @@ MaterialFile ReadMbsdf(const FileBytes& file)
       value = std::isfinite(value) ? value : std::numeric_limits<float>::quiet_NaN();
     }
     result.AddNote(std::to_string(result.NumberOfInvalidValues) +
-      " values are not finite: their cells are invalid, interpolation skips them.");
+                   " values are not finite: their cells are invalid, interpolation skips them.");
   }
   if (result.NumberOfNegativeValues > 0)
   {
     result.AddNote(std::to_string(result.NumberOfNegativeValues) + " of " +
-      std::to_string(block.Values) +
-      " values are negative: kept, clamped at 0 after interpolation.");
+                   std::to_string(block.Values) +
+                   " values are negative: kept, clamped at 0 after interpolation.");
   }
   result.AddNote("Samples are taken to lie at the centres of their cells, theta over [0, pi/2], "
                  "delta phi over [0, pi] (mirror-symmetric).");

@@ -61,10 +61,10 @@ MaterialFile ReadMerl(const FileBytes& file)
   const std::uint64_t needed = std::uint64_t(cells) * 3 * sizeof(double);
   if (reader.GetRemaining() != needed)
   {
-    reader.Fail("values",
-      std::to_string(sizes[0]) + " x " + std::to_string(sizes[1]) + " x " +
-        std::to_string(sizes[2]) + " RGB values need " + std::to_string(needed) +
-        " bytes, found " + std::to_string(reader.GetRemaining()));
+    reader.Fail("values", std::to_string(sizes[0]) + " x " + std::to_string(sizes[1]) + " x " +
+                            std::to_string(sizes[2]) + " RGB values need " +
+                            std::to_string(needed) + " bytes, found " +
+                            std::to_string(reader.GetRemaining()));
   }
   const char* bytes = reader.Take(needed, "values");
 
@@ -96,8 +96,8 @@ MaterialFile ReadMerl(const FileBytes& file)
 
   const int dimensions[3] = { sizes[2], sizes[1], sizes[0] };
   vtkNew<vtkTabulatedBRDF> table;
-  if (!table->SetVolume(vtkTabulatedBRDF::HALF_DIFFERENCE, vtkTabulatedBRDF::HALF_TURN, dimensions,
-        std::move(rgb)))
+  if (!table->SetVolume(
+        vtkTabulatedBRDF::HALF_DIFFERENCE, vtkTabulatedBRDF::HALF_TURN, dimensions, std::move(rgb)))
   {
     reader.Fail("values", "the table was refused");
   }
@@ -106,7 +106,8 @@ MaterialFile ReadMerl(const FileBytes& file)
   result.AddNote("R, G, B were multiplied by 1/1500, 1.15/1500, 1.66/1500, the format's scale.");
   if (invalidCells > 0)
   {
-    result.AddNote(std::to_string(invalidCells) + " of " + std::to_string(cells) +
+    result.AddNote(
+      std::to_string(invalidCells) + " of " + std::to_string(cells) +
       " cells are invalid (a negative or non-finite channel): interpolation skips them.");
   }
   result.BRDF = table;
@@ -117,9 +118,10 @@ MaterialFile ReadMerl(const FileBytes& file)
 void WriteMerl(vtkTabulatedBRDF* table, const std::string& path)
 {
   if (!table || table->GetParameterization() != vtkTabulatedBRDF::HALF_DIFFERENCE ||
-    table->GetAzimuthRange() != vtkTabulatedBRDF::HALF_TURN)
+      table->GetAzimuthRange() != vtkTabulatedBRDF::HALF_TURN)
   {
-    throw FileError(path +
+    throw FileError(
+      path +
       ": MERL binary holds tables over half and difference angles with phi_d over half a turn "
       "only; resample with vtkBRDFResampler first, or write .exr");
   }
@@ -147,7 +149,8 @@ void WriteMerl(vtkTabulatedBRDF* table, const std::string& path)
   if (refused > 0)
   {
     throw FileError(path + ": MERL binary marks what was not measured by negative values, and " +
-      std::to_string(refused) + " values of this table are negative or infinite; write .exr");
+                    std::to_string(refused) +
+                    " values of this table are negative or infinite; write .exr");
   }
 
   int dimensions[3];

@@ -34,10 +34,7 @@ struct Field
 };
 using Fields = std::map<std::string, Field>;
 
-std::string Quote(const std::string& name)
-{
-  return "field '" + name + "'";
-}
+std::string Quote(const std::string& name) { return "field '" + name + "'"; }
 
 //------------------------------------------------------------------------------
 Fields ReadFields(ByteReader& reader)
@@ -51,8 +48,8 @@ Fields ReadFields(ByteReader& reader)
   const int minor = reader.Read<std::uint8_t>("version");
   if (major != 1 || minor != 0)
   {
-    reader.Fail("version",
-      "found " + std::to_string(major) + "." + std::to_string(minor) + ", expected 1.0");
+    reader.Fail(
+      "version", "found " + std::to_string(major) + "." + std::to_string(minor) + ", expected 1.0");
   }
   const auto count = reader.Read<std::uint32_t>("number of fields");
 
@@ -82,9 +79,9 @@ Fields ReadFields(ByteReader& reader)
       const auto size = reader.Read<std::uint64_t>(Quote(name) + " (shape)");
       if (size != 0 && field.Bytes > std::numeric_limits<std::uint64_t>::max() / size)
       {
-        reader.Fail(Quote(name) + " (shape)",
-          "the product of its sizes overflows (axis " + std::to_string(axis) + " is " +
-            std::to_string(size) + ")");
+        reader.Fail(Quote(name) + " (shape)", "the product of its sizes overflows (axis " +
+                                                std::to_string(axis) + " is " +
+                                                std::to_string(size) + ")");
       }
       field.Bytes *= size;
       field.Shape.push_back(size);
@@ -115,9 +112,8 @@ vtkAdaptiveWarpBRDF::Table GetTable(
   }
   if (field.Shape.size() != rank)
   {
-    reader.Fail(Quote(name),
-      "found " + std::to_string(field.Shape.size()) + " dimensions, expected " +
-        std::to_string(rank));
+    reader.Fail(Quote(name), "found " + std::to_string(field.Shape.size()) +
+                               " dimensions, expected " + std::to_string(rank));
   }
   vtkAdaptiveWarpBRDF::Table table;
   for (const std::uint64_t size : field.Shape)
@@ -166,8 +162,8 @@ MaterialFile ReadTensor(const FileBytes& file)
   tables.Rgb = GetTable(reader, fields, "rgb", 5);
 
   const auto jacobian = fields.find("jacobian");
-  if (jacobian != fields.end() &&
-    (jacobian->second.Type != UInt8 || jacobian->second.Bytes != 1 || *jacobian->second.Data != 1))
+  if (jacobian != fields.end() && (jacobian->second.Type != UInt8 || jacobian->second.Bytes != 1 ||
+                                    *jacobian->second.Data != 1))
   {
     reader.Fail("field 'jacobian'", "expected one byte of value 1");
   }
@@ -192,11 +188,14 @@ MaterialFile ReadTensor(const FileBytes& file)
   }
   material->SetName(GetFileStem(file.GetPath()));
   material->SetSource((description.empty() ? "" : description + "; ") +
-    "RGL-EPFL material database (Dupuy and Jakob 2018), " + GetFileTitle(file.GetPath()));
-  result.AddNote("The file holds f cos(theta_o); evaluation divides by that cosine. Not reciprocal.");
+                      "RGL-EPFL material database (Dupuy and Jakob 2018), " +
+                      GetFileTitle(file.GetPath()));
+  result.AddNote(
+    "The file holds f cos(theta_o); evaluation divides by that cosine. Not reciprocal.");
   if (result.NumberOfNegativeValues > 0)
   {
-    result.AddNote(std::to_string(result.NumberOfNegativeValues) + " of " + std::to_string(values) +
+    result.AddNote(
+      std::to_string(result.NumberOfNegativeValues) + " of " + std::to_string(values) +
       " stored colour values are negative (outside sRGB): clamped at 0 after interpolation.");
   }
   result.BRDF = material;

@@ -54,10 +54,12 @@ bool HasMagic(const FileBytes& file, std::string_view magic)
 bool LooksLikeText(const FileBytes& file)
 {
   const std::string_view start = file.GetView().substr(0, 4096);
-  return std::all_of(start.begin(), start.end(), [](char c) {
-    const auto byte = static_cast<unsigned char>(c);
-    return byte >= 0x20 ? byte != 0x7f : (c == '\n' || c == '\r' || c == '\t');
-  });
+  return std::all_of(start.begin(), start.end(),
+    [](char c)
+    {
+      const auto byte = static_cast<unsigned char>(c);
+      return byte >= 0x20 ? byte != 0x7f : (c == '\n' || c == '\r' || c == '\t');
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -90,9 +92,11 @@ const char* GetFormat(const FileBytes& file)
     std::array<std::int32_t, 3> sizes;
     ByteReader::Copy(sizes.data(), file.GetData(), sizes.size());
     found = "; as MERL's three sizes they read " + std::to_string(sizes[0]) + ", " +
-      std::to_string(sizes[1]) + ", " + std::to_string(sizes[2]) + ", expected 1 to 2048 each";
+            std::to_string(sizes[1]) + ", " + std::to_string(sizes[2]) +
+            ", expected 1 to 2048 each";
   }
-  throw FileError(file.GetPath() +
+  throw FileError(
+    file.GetPath() +
     ": magic at byte 0: the first bytes are of no known format (MERL binary, RGL tensor file, "
     "NVIDIA MBSDF, OpenEXR material, text of published fits)" +
     found);
@@ -107,9 +111,8 @@ bool vtkBRDFReader::Read()
   this->Notes.clear();
   this->NumberOfNegativeValues = 0;
   this->NumberOfInvalidValues = 0;
-  const auto report = [this](double progress) {
-    this->InvokeEvent(vtkCommand::ProgressEvent, &progress);
-  };
+  const auto report = [this](double progress)
+  { this->InvokeEvent(vtkCommand::ProgressEvent, &progress); };
 
   try
   {

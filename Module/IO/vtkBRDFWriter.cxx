@@ -37,8 +37,8 @@ bool vtkBRDFWriter::Write()
     {
       throw FileError(this->FileName + ": there is no material to write");
     }
-    const std::string extension = vtksys::SystemTools::LowerCase(
-      vtksys::SystemTools::GetFilenameLastExtension(this->FileName));
+    const std::string extension =
+      vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(this->FileName));
     if (extension == ".binary")
     {
       WriteMerl(vtkTabulatedBRDF::SafeDownCast(this->BRDF), this->FileName);

@@ -23,13 +23,27 @@ struct Material
 // The first seven stand for the kinds that O'Toole's thesis shows; they are not its samples.
 const std::vector<Material> Materials = {
   { "blue-fabric", "fabric" },
-  { "green-fabric", "silk" },
-  { "two-layer-silver", "foil" },
+  { "pink-fabric2", "silk" },
+  { "nickel", "foil" },
   { "gold-paint", "gold paint" },
   { "green-metallic-paint", "teal paint" },
-  { "violet-rubber", "magenta plastic" },
+  { "violet-acrylic", "magenta plastic" },
   { "red-fabric2", "velvet" },
   { "chrome", "metal" },
+  { "brass", "metal" },
+  { "alum-bronze", "metal" },
+  { "silver-metallic-paint", "metallic paint" },
+  { "gold-metallic-paint", "metallic paint" },
+  { "blue-metallic-paint", "metallic paint" },
+  { "delrin", "plastic" },
+  { "pvc", "plastic" },
+  { "yellow-matte-plastic", "plastic" },
+  { "violet-rubber", "rubber" },
+  { "blue-rubber", "rubber" },
+  { "pink-felt", "felt" },
+  { "white-marble", "stone" },
+  { "hematite", "stone" },
+  { "cherry-235", "wood" },
 };
 
 vtkSmartPointer<vtkBRDF> MakeMaterial(const std::string& name)
@@ -42,10 +56,7 @@ vtkSmartPointer<vtkBRDF> MakeMaterial(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
-int vtkEmbeddedMaterials::GetNumberOfMaterials()
-{
-  return static_cast<int>(Materials.size());
-}
+int vtkEmbeddedMaterials::GetNumberOfMaterials() { return static_cast<int>(Materials.size()); }
 
 //------------------------------------------------------------------------------
 std::string vtkEmbeddedMaterials::GetName(int index)

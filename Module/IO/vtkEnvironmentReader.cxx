@@ -35,7 +35,7 @@ double DecodeSRGB(double value) // IEC 61966-2-1
 bool IsFloatingPoint(const OIIO::TypeDesc& type)
 {
   return type.basetype == OIIO::TypeDesc::HALF || type.basetype == OIIO::TypeDesc::FLOAT ||
-    type.basetype == OIIO::TypeDesc::DOUBLE;
+         type.basetype == OIIO::TypeDesc::DOUBLE;
 }
 
 //------------------------------------------------------------------------------
@@ -64,7 +64,8 @@ void CheckSize(const std::string& path, const OIIO::ImageSpec& spec, std::uintma
   if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.nchannels < 1)
   {
     throw FileError(path + ": image size: found " + size + " x " + std::to_string(spec.depth) +
-      ", " + std::to_string(spec.nchannels) + " channels, expected one slice of at least 1 x 1");
+                    ", " + std::to_string(spec.nchannels) +
+                    " channels, expected one slice of at least 1 x 1");
   }
   if (spec.deep)
   {
@@ -74,12 +75,12 @@ void CheckSize(const std::string& path, const OIIO::ImageSpec& spec, std::uintma
   if (texels > MaximumTexels)
   {
     throw FileError(path + ": image size: found " + size + ", expected at most " +
-      std::to_string(MaximumTexels) + " texels");
+                    std::to_string(MaximumTexels) + " texels");
   }
   if (texels > FreeTexels && (texels - FreeTexels) / MaximumTexelsPerByte > fileSize)
   {
     throw FileError(path + ": image size: found " + size + ", more than a file of " +
-      std::to_string(fileSize) + " bytes can hold");
+                    std::to_string(fileSize) + " bytes can hold");
   }
 }
 
@@ -133,8 +134,8 @@ Image ReadImage(const std::string& path)
   }
   if (std::uint64_t(image.Width) != 2 * std::uint64_t(image.Height))
   {
-    image.AddNote("The size " + std::to_string(image.Width) + " x " +
-      std::to_string(image.Height) + " is not 2:1; it is stretched over the sphere.");
+    image.AddNote("The size " + std::to_string(image.Width) + " x " + std::to_string(image.Height) +
+                  " is not 2:1; it is stretched over the sphere.");
   }
   if (spec.full_width != spec.width || spec.full_height != spec.height)
   {
@@ -163,7 +164,7 @@ bool vtkEnvironmentReader::Read()
     if (negative > 0 || nonFinite > 0)
     {
       image.AddNote(std::to_string(negative) + " negative and " + std::to_string(nonFinite) +
-        " non-finite values were set to 0.");
+                    " non-finite values were set to 0.");
     }
     this->Notes = image.Notes;
     this->Environment = environment;
