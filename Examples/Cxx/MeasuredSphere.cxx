@@ -9,6 +9,7 @@
 #include <vtkActor.h>
 #include <vtkBRDF.h>
 #include <vtkBRDFReader.h>
+#include <vtkCamera.h>
 #include <vtkEmbeddedMaterials.h>
 #include <vtkEnvironment.h>
 #include <vtkEnvironmentReader.h>
@@ -71,6 +72,8 @@ int main(int argc, char* argv[])
   actor->SetMapper(mapper);
   vtkNew<vtkRenderer> renderer;
   renderer->AddActor(actor);
+  renderer->ResetCamera();
+  renderer->GetActiveCamera()->Zoom(1.5);
   renderer->AutomaticLightCreationOff(); // the environment is all the light there is
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(1);

@@ -63,6 +63,8 @@ actor = vtkActor()
 actor.SetMapper(mapper)
 renderer = vtkRenderer()
 renderer.AddActor(actor)
+renderer.ResetCamera()
+renderer.GetActiveCamera().Zoom(1.5)
 renderer.AutomaticLightCreationOff()  # the environment is all the light there is
 window = vtkRenderWindow()
 window.SetOffScreenRendering(1)

@@ -65,6 +65,7 @@ pbr_mapper.SetInputConnection(sphere.GetOutputPort())
 measured_mapper = vtkMeasuredBRDFMapper()  # was: vtkPolyDataMapper
 measured_mapper.SetInputConnection(sphere.GetOutputPort())
 measured_mapper.SetBRDF(brdf)  # new
+measured_mapper.SetNumberOfLights(256)
 
 window = vtkRenderWindow()
 window.SetOffScreenRendering(1)
@@ -82,6 +83,8 @@ for left, mapper in ((0.0, pbr_mapper), (0.5, measured_mapper)):
     renderer.UseImageBasedLightingOn()
     renderer.SetEnvironmentTexture(texture)
     renderer.AddActor(actor)
+    renderer.ResetCamera()
+    renderer.GetActiveCamera().Zoom(1.5)
     window.AddRenderer(renderer)
 window.Render()
 

@@ -26,7 +26,7 @@ def uniform_environment(radiance):
 def centre_pixel(window):
     window.Render()
     pixel = vtkUnsignedCharArray()
-    window.GetPixelData(50, 50, 50, 50, 0, pixel)
+    window.GetPixelData(50, 50, 50, 50, 0, pixel, 0)
     return [pixel.GetValue(k) for k in range(3)]
 
 
