@@ -57,6 +57,8 @@ TEST(BRDFAnalysis, Lambert)
     analysis->GetAlbedo(k, rgb);
     EXPECT_NEAR(rgb[0], 0.2, 1e-3);
     EXPECT_NEAR(rgb[1], 0.4, 1e-3);
+    analysis->GetReflectance(k, rgb);
+    EXPECT_NEAR(rgb[1], 0.4, 1e-3);
   }
   EXPECT_NEAR(analysis->GetLargestAlbedo(), 1.2, 2e-3);
   EXPECT_TRUE(analysis->GetGainsEnergy());
@@ -90,6 +92,10 @@ TEST(BRDFAnalysis, ReciprocityErrorOfAKnownOne)
   double rgb[3];
   analysis->GetAlbedo(0, rgb);
   EXPECT_NEAR(rgb[0], Pi * (1.0 - 0.5 * k), 5e-3);
+  // r(i) = pi (1 + k (cos_i^2 - 1/2)).
+  analysis->GetReflectance(0, rgb);
+  EXPECT_NEAR(rgb[0], Pi * (1.0 + 0.5 * k), 5e-3);
+  EXPECT_NEAR(analysis->GetLargestAlbedo(), Pi * (1.0 + 0.5 * k), 5e-3);
 }
 
 //------------------------------------------------------------------------------
