@@ -27,8 +27,9 @@ protected:
   ~vtkExactIntegrator() override = default;
 
   bool Begin() override;
-  void IntegrateOne(
-    const double n[3], const double o[3], const double t[3], double radiance[3]) override;
+  int GetNumberOfParts() override;
+  void IntegratePart(
+    int part, const double n[3], const double o[3], const double t[3], double radiance[3]) override;
 
 private:
   vtkExactIntegrator(const vtkExactIntegrator&) = delete;

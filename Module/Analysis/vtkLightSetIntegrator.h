@@ -35,8 +35,8 @@ protected:
   ~vtkLightSetIntegrator() override;
 
   bool Begin() override;
-  void IntegrateOne(
-    const double n[3], const double o[3], const double t[3], double radiance[3]) override;
+  void IntegratePart(
+    int part, const double n[3], const double o[3], const double t[3], double radiance[3]) override;
 
   vtkSmartPointer<vtkLightSet> LightSet;
 

@@ -46,18 +46,19 @@ public:
   ///@}
 
   /**
-   * Radiance (resized to 3 components, RGB) for each tuple of normals and views (3 components,
-   * directions from the surface, any length but 0). tangents may be null: then any frame about the
-   * normal is used, right for isotropic materials. A view below the horizon gives 0. Returns false
-   * with an error event when arrays do not match, something is missing, a direction is zero or not
-   * finite, or the run was aborted.
+   * Radiance (resized to 3 components, RGB; unchanged on failure) for each tuple of normals and
+   * views (3 components, directions from the surface, any length but 0). tangents may be null: then
+   * any frame about the normal is used, right for isotropic materials. A view below the horizon
+   * gives 0. Returns false with an error event when arrays do not match, something is missing, a
+   * direction is zero or not finite, or the run was aborted.
    */
   bool Integrate(vtkDataArray* normals, vtkDataArray* views, vtkDataArray* radiance,
     vtkDataArray* tangents = nullptr);
 
   ///@{
   /**
-   * Set from an observer or another thread to stop a running Integrate.
+   * Set from an observer or another thread to stop a running Integrate. Each Integrate starts with
+   * it cleared.
    */
   void SetAbort(bool abort) { this->Abort = abort; }
   bool GetAbort() { return this->Abort; }
@@ -70,9 +71,14 @@ protected:
   /// Check and precompute before the threads start; false (after an error event) stops.
   virtual bool Begin() = 0;
 
-  /// Radiance for one pair: unit n and o (environment frame), t = tangent or zero. Thread safe.
-  virtual void IntegrateOne(
-    const double n[3], const double o[3], const double t[3], double radiance[3]) = 0;
+  /// How many parts the sum of one pair has: threads share pairs and parts alike, so one pair may
+  /// keep all of them busy. The result does not depend on the number of threads.
+  virtual int GetNumberOfParts() { return 1; }
+
+  /// Add one part of one pair's radiance: unit n and o (environment frame), t = unit tangent or
+  /// zero, n.o > 0. Thread safe.
+  virtual void IntegratePart(
+    int part, const double n[3], const double o[3], const double t[3], double radiance[3]) = 0;
 
   vtkSmartPointer<vtkBRDF> BRDF;
   vtkSmartPointer<vtkEnvironment> Environment;

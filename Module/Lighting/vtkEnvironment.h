@@ -59,6 +59,7 @@ public:
   ///@{
   /**
    * Size in texels (0 x 0 before anything is set) and values, RGB per texel, row 0 at the bottom.
+   * GetPixel gives 0 outside.
    */
   vtkGetMacro(Width, int);
   vtkGetMacro(Height, int);

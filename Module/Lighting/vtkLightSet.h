@@ -37,7 +37,7 @@ public:
 
   ///@{
   /**
-   * Read; index in [0, GetNumberOfLights()).
+   * Read; index in [0, GetNumberOfLights()), zeros elsewhere.
    */
   int GetNumberOfLights();
   void GetDirection(int index, double direction[3]);
@@ -80,6 +80,7 @@ protected:
     double SolidAngle;
     int Region[4]; // x0 == x1: none
   };
+  const Light& GetLight(int index) const;
   std::vector<Light> Lights;
 
 private:

@@ -1,0 +1,236 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkBRDFAnalysis.h"
+
+#include "HalfVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkTabulatedBRDF.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+using namespace measuredbrdf;
+
+vtkStandardNewMacro(vtkBRDFAnalysis);
+
+//------------------------------------------------------------------------------
+vtkBRDFAnalysis::vtkBRDFAnalysis()
+  : Angles({ 0.0, 10.0, 20.0, 30.0, 40.0, 50.0, 60.0, 70.0, 80.0, 85.0 })
+{
+}
+
+//------------------------------------------------------------------------------
+vtkBRDFAnalysis::~vtkBRDFAnalysis() = default;
+
+//------------------------------------------------------------------------------
+vtkCxxSetSmartPointerMacro(vtkBRDFAnalysis, BRDF, vtkBRDF);
+
+//------------------------------------------------------------------------------
+void vtkBRDFAnalysis::SetAngles(int count, const double* degrees)
+{
+  if (count < 0 ||
+      !std::all_of(degrees, degrees + count, [](double a) { return a >= 0.0 && a < 90.0; }))
+  {
+    vtkErrorMacro("SetAngles: angles must be in [0,90) degrees.");
+    return;
+  }
+  this->Angles.assign(degrees, degrees + count);
+  this->Albedos.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+double vtkBRDFAnalysis::GetAngle(int index)
+{
+  return index >= 0 && index < this->GetNumberOfAngles()
+           ? this->Angles[static_cast<std::size_t>(index)]
+           : 0.0;
+}
+
+//------------------------------------------------------------------------------
+void vtkBRDFAnalysis::GetAlbedo(int index, double rgb[3])
+{
+  std::fill_n(rgb, 3, 0.0);
+  if (index >= 0 && static_cast<std::size_t>(index) < this->Albedos.size())
+  {
+    std::copy_n(this->Albedos[static_cast<std::size_t>(index)].begin(), 3, rgb);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkBRDFAnalysis::Update()
+{
+  if (!this->BRDF)
+  {
+    vtkErrorMacro("Update: there is no BRDF.");
+    return false;
+  }
+  this->BRDF->Prepare();
+  this->UpdateAlbedos();
+  this->UpdatePairs();
+  this->UpdateNegativeMass();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkBRDFAnalysis::UpdateAlbedos()
+{
+  const int azimuths = this->BRDF->IsIsotropic() ? 1 : 8;
+  this->Albedos.clear();
+  this->LargestAlbedo = 0.0;
+  for (double degrees : this->Angles)
+  {
+    const double theta = degrees * Pi / 180.0;
+    std::array<double, 3> mean = { 0.0, 0.0, 0.0 };
+    for (int k = 0; k < azimuths; ++k)
+    {
+      const double phi = 2.0 * Pi * k / azimuths;
+      const double o[3] = { std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
+        std::cos(theta) };
+      double albedo[3];
+      this->BRDF->GetDirectionalAlbedo(o, albedo);
+      for (int c = 0; c < 3; ++c)
+      {
+        mean[static_cast<std::size_t>(c)] += albedo[c] / azimuths;
+        this->LargestAlbedo = std::max(this->LargestAlbedo, albedo[c]);
+      }
+    }
+    this->Albedos.push_back(mean);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkBRDFAnalysis::UpdatePairs()
+{
+  std::fill_n(this->Minimum, 3, std::numeric_limits<double>::infinity());
+  std::fill_n(this->Maximum, 3, 0.0);
+  double difference = 0.0;
+  double sum = 0.0;
+  double squaredDifference = 0.0;
+  double squaredSum = 0.0;
+  // The engine's bits are fixed by the standard; its distributions are not.
+  std::mt19937 engine(1);
+  const auto random = [&engine]() { return static_cast<double>(engine()) * 0x1p-32; };
+  const auto sampleCosine = [&random](double d[3])
+  {
+    const double z2 = 1.0 - random();
+    const double phi = 2.0 * Pi * random();
+    d[0] = std::sqrt(1.0 - z2) * std::cos(phi);
+    d[1] = std::sqrt(1.0 - z2) * std::sin(phi);
+    d[2] = std::sqrt(z2);
+  };
+  for (int k = 0; k < this->NumberOfPairs; ++k)
+  {
+    double o[3];
+    double i[3];
+    sampleCosine(o);
+    if (k % 2 == 0)
+    {
+      sampleCosine(i);
+    }
+    else
+    {
+      const double u1 = random();
+      if (!this->BRDF->Sample(o, u1, random(), i))
+      {
+        continue; // below the horizon: weight 0
+      }
+    }
+    const double cosine = i[2] / Pi;
+    const double weight = cosine / (0.5 * (cosine + this->BRDF->Pdf(i, o)));
+    double f[3];
+    double swapped[3];
+    this->BRDF->Evaluate(i, o, f);
+    this->BRDF->Evaluate(o, i, swapped);
+    for (int c = 0; c < 3; ++c)
+    {
+      this->Minimum[c] = std::min(this->Minimum[c], f[c]);
+      this->Maximum[c] = std::max(this->Maximum[c], f[c]);
+      const double d = f[c] - swapped[c];
+      difference += weight * std::abs(d);
+      sum += weight * f[c];
+      squaredDifference += weight * d * d;
+      squaredSum += weight * f[c] * f[c];
+    }
+  }
+  this->ReciprocityError = sum > 0.0 ? difference / sum : 0.0;
+  this->ReciprocityRMSError = squaredSum > 0.0 ? std::sqrt(squaredDifference / squaredSum) : 0.0;
+}
+
+//------------------------------------------------------------------------------
+void vtkBRDFAnalysis::UpdateNegativeMass()
+{
+  this->NegativeMass = 0.0;
+  auto* table = vtkTabulatedBRDF::SafeDownCast(this->BRDF);
+  if (!table || table->GetVolume().empty())
+  {
+    return;
+  }
+  const int* size = table->GetDimensions();
+  const bool halfDifference = table->GetParameterization() == vtkTabulatedBRDF::HALF_DIFFERENCE;
+  double negative = 0.0;
+  double total = 0.0;
+  const float* value = table->GetVolume().data();
+  for (int z = 0; z < size[2]; ++z)
+  {
+    for (int y = 0; y < size[1]; ++y)
+    {
+      for (int x = 0; x < size[0]; ++x, value += 3)
+      {
+        double i[3];
+        double o[3];
+        if (!vtkTabulatedBRDF::GetCellDirections(
+              table->GetParameterization(), table->GetAzimuthRange(), size, x, y, z, i, o) ||
+            !std::isfinite(value[0] + value[1] + value[2]))
+        {
+          continue;
+        }
+        // di do = 4 cos(theta_d) dh dd (Rusinkiewicz 1998), theta_h on a quadratic axis; or the
+        // plain solid angles. Factors common to all cells are left out.
+        double weight = i[2] * o[2];
+        if (halfDifference)
+        {
+          const double axis = (z + 0.5) / size[2];
+          const double thetaH = UnitToThetaH(axis);
+          const double thetaD = 0.5 * Pi * (y + 0.5) / size[1];
+          weight *= std::cos(thetaD) * std::sin(thetaD) * std::sin(thetaH) * axis;
+        }
+        else
+        {
+          weight *= std::sqrt((1.0 - i[2] * i[2]) * (1.0 - o[2] * o[2]));
+        }
+        for (int c = 0; c < 3; ++c)
+        {
+          total += weight * std::abs(value[c]);
+          negative += weight * std::max(-value[c], 0.0f);
+        }
+      }
+    }
+  }
+  this->NegativeMass = total > 0.0 ? negative / total : 0.0;
+}
+
+//------------------------------------------------------------------------------
+void vtkBRDFAnalysis::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "BRDF: " << this->BRDF.Get() << "\n";
+  os << indent << "NumberOfPairs: " << this->NumberOfPairs << "\n";
+  for (int k = 0; k < this->GetNumberOfAngles(); ++k)
+  {
+    double rgb[3];
+    this->GetAlbedo(k, rgb);
+    os << indent << "Albedo at " << this->GetAngle(k) << " degrees: " << rgb[0] << " " << rgb[1]
+       << " " << rgb[2] << "\n";
+  }
+  os << indent << "LargestAlbedo: " << this->LargestAlbedo << "\n";
+  os << indent << "ReciprocityError: " << this->ReciprocityError << "\n";
+  os << indent << "ReciprocityRMSError: " << this->ReciprocityRMSError << "\n";
+  os << indent << "Minimum: " << this->Minimum[0] << " " << this->Minimum[1] << " "
+     << this->Minimum[2] << "\n";
+  os << indent << "Maximum: " << this->Maximum[0] << " " << this->Maximum[1] << " "
+     << this->Maximum[2] << "\n";
+  os << indent << "NegativeMass: " << this->NegativeMass << "\n";
+}

@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkBRDFAnalysis
+ * @brief   how physical a material is: albedo, energy, reciprocity, range, negative values
+ *
+ * Measures in the sense of DeYoung 1996 ("Properties of Tabulated Bidirectional Reflectance
+ * Distribution Functions"), relative and without units unless said otherwise. Pairs (i,o) are drawn
+ * with a fixed seed: o by its cosine, i half by the material's own sampling and half by its cosine
+ * (so lobes are hit and nothing is missed), weighted back to the measure c_i c_o di do.
+ *
+ * What holds only by construction and what a measurement breaks differ: compare
+ * vtkBRDF::IsReciprocal().
+ */
+
+#ifndef vtkBRDFAnalysis_h
+#define vtkBRDFAnalysis_h
+
+#include "vtkBRDF.h"               // for BRDF
+#include "vtkMeasuredBRDFModule.h" // for export macro
+#include "vtkObject.h"
+#include "vtkSmartPointer.h" // for BRDF
+
+#include <array>  // for albedos
+#include <vector> // for table
+
+class VTKMEASUREDBRDF_EXPORT vtkBRDFAnalysis : public vtkObject
+{
+public:
+  static vtkBRDFAnalysis* New();
+  vtkTypeMacro(vtkBRDFAnalysis, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The material.
+   */
+  void SetBRDF(vtkBRDF* brdf);
+  vtkBRDF* GetBRDF() { return this->BRDF; }
+  ///@}
+
+  ///@{
+  /**
+   * Polar angles of the albedo table in degrees, each in [0,90); default 0 to 80 by 10, then 85.
+   * Others are refused with an error event.
+   */
+  void SetAngles(int count, const double* degrees) VTK_SIZEHINT(degrees, count);
+  int GetNumberOfAngles() { return static_cast<int>(this->Angles.size()); }
+  double GetAngle(int index);
+  ///@}
+
+  ///@{
+  /**
+   * Number of direction pairs; default 20000, clamped to [100, 1e8].
+   */
+  vtkSetClampMacro(NumberOfPairs, int, 100, 100000000);
+  vtkGetMacro(NumberOfPairs, int);
+  ///@}
+
+  /**
+   * Compute everything below. Returns false with an error event without a material.
+   */
+  bool Update();
+
+  /**
+   * Directional albedo a(o) (RGB, see vtkBRDF::GetDirectionalAlbedo) at GetAngle(index), in the
+   * azimuth 0; of anisotropic materials the mean over 8 azimuths.
+   */
+  void GetAlbedo(int index, double rgb[3]);
+
+  ///@{
+  /**
+   * Largest channel of any directional albedo that was computed, and whether it is above 1 by more
+   * than its estimate's error (0.5 %): the material gives back more light than it gets.
+   */
+  vtkGetMacro(LargestAlbedo, double);
+  bool GetGainsEnergy() { return this->LargestAlbedo > 1.005; }
+  ///@}
+
+  ///@{
+  /**
+   * Reciprocity errors over RGB, f' = f(o,i), integrals with both cosines as weights:
+   * integral |f - f'| / integral f, and the RMS sqrt(integral (f - f')^2 / integral f^2).
+   */
+  vtkGetMacro(ReciprocityError, double);
+  vtkGetMacro(ReciprocityRMSError, double);
+  ///@}
+
+  ///@{
+  /**
+   * Smallest and largest value of each channel over the pairs, in 1/sr.
+   */
+  vtkGetVector3Macro(Minimum, double);
+  vtkGetVector3Macro(Maximum, double);
+  ///@}
+
+  /**
+   * Share of negative values in a table (both cosines and the cells' solid angles as weights):
+   * integral of f's negative part / integral |f|, before Evaluate's clamp. 0 for other
+   * representations: theirs can't be negative, or (RGL) only after interpolation.
+   */
+  vtkGetMacro(NegativeMass, double);
+
+protected:
+  vtkBRDFAnalysis();
+  ~vtkBRDFAnalysis() override;
+
+  vtkSmartPointer<vtkBRDF> BRDF;
+  std::vector<double> Angles;
+  std::vector<std::array<double, 3>> Albedos;
+  int NumberOfPairs = 20000;
+  double LargestAlbedo = 0.0;
+  double ReciprocityError = 0.0;
+  double ReciprocityRMSError = 0.0;
+  double Minimum[3] = { 0.0, 0.0, 0.0 };
+  double Maximum[3] = { 0.0, 0.0, 0.0 };
+  double NegativeMass = 0.0;
+
+private:
+  vtkBRDFAnalysis(const vtkBRDFAnalysis&) = delete;
+  void operator=(const vtkBRDFAnalysis&) = delete;
+
+  void UpdateAlbedos();
+  void UpdatePairs();
+  void UpdateNegativeMass();
+};
+
+#endif

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkLightSetIntegrator.h"
+
+#include "LocalFrame.h"
+#include "vtkBRDF.h"
+#include "vtkEnvironment.h"
+#include "vtkLightSet.h"
+#include "vtkObjectFactory.h"
+
+#include <glm/gtc/type_ptr.hpp>
+
+vtkStandardNewMacro(vtkLightSetIntegrator);
+
+//------------------------------------------------------------------------------
+vtkLightSetIntegrator::vtkLightSetIntegrator() = default;
+
+//------------------------------------------------------------------------------
+vtkLightSetIntegrator::~vtkLightSetIntegrator() = default;
+
+//------------------------------------------------------------------------------
+vtkCxxSetSmartPointerMacro(vtkLightSetIntegrator, LightSet, vtkLightSet);
+
+//------------------------------------------------------------------------------
+vtkLightSet* vtkLightSetIntegrator::GetLightSet() { return this->LightSet; }
+
+//------------------------------------------------------------------------------
+bool vtkLightSetIntegrator::Begin()
+{
+  if (!this->LightSet)
+  {
+    vtkErrorMacro("Integrate: there is no light set.");
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkLightSetIntegrator::IntegratePart(
+  int vtkNotUsed(part), const double n[3], const double o[3], const double t[3], double radiance[3])
+{
+  const measuredbrdf::Frame frame = measuredbrdf::FrameAbout(glm::make_vec3(n), glm::make_vec3(t));
+  const glm::dvec3 view = measuredbrdf::ToLocal(frame, glm::make_vec3(o));
+  for (int k = 0; k < this->LightSet->GetNumberOfLights(); ++k)
+  {
+    glm::dvec3 direction;
+    glm::dvec3 irradiance;
+    this->LightSet->GetDirection(k, &direction.x);
+    this->LightSet->GetIrradiance(k, &irradiance.x);
+    const glm::dvec3 light = measuredbrdf::ToLocal(frame, direction);
+    if (light.z > 0.0)
+    {
+      glm::dvec3 f;
+      this->BRDF->Evaluate(&light.x, &view.x, &f.x);
+      for (int c = 0; c < 3; ++c)
+      {
+        radiance[c] += light.z * f[c] * irradiance[c];
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkLightSetIntegrator::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "LightSet: " << this->LightSet.Get() << "\n";
+}
