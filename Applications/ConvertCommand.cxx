@@ -31,8 +31,8 @@ bool IsMERLTable(vtkBRDF* brdf)
 {
   auto* table = vtkTabulatedBRDF::SafeDownCast(brdf);
   return table && table->GetParameterization() == vtkTabulatedBRDF::HALF_DIFFERENCE &&
-    table->GetAzimuthRange() == vtkTabulatedBRDF::HALF_TURN &&
-    std::equal(MERLSize, MERLSize + 3, table->GetDimensions());
+         table->GetAzimuthRange() == vtkTabulatedBRDF::HALF_TURN &&
+         std::equal(MERLSize, MERLSize + 3, table->GetDimensions());
 }
 
 //------------------------------------------------------------------------------
@@ -44,8 +44,8 @@ vtkSmartPointer<vtkBRDF> ToMERLTable(const tool::Material& material)
   }
   if (!material.BRDF->IsIsotropic())
   {
-    throw tool::Error(material.Name +
-      ": is anisotropic, which a MERL table can't hold; convert it to .exr, which keeps everything");
+    throw tool::Error(material.Name + ": is anisotropic, which a MERL table can't hold; convert it "
+                                      "to .exr, which keeps everything");
   }
   vtkNew<vtkBRDFResampler> resampler;
   resampler->SetInput(material.BRDF);
@@ -95,11 +95,11 @@ void Run(const Options& options)
   }
   reader->GetBRDF()->Prepare();
   double maximum = 0.0;
-  const double relative = vtkBRDFResampler::GetRelativeL2Error(
-    material.BRDF, reader->GetBRDF(), NumberOfPairs, &maximum);
+  const double relative =
+    vtkBRDFResampler::GetRelativeL2Error(material.BRDF, reader->GetBRDF(), NumberOfPairs, &maximum);
 
   std::string text = options.Input + " (" + material.Format + ") -> " + options.Output + " (" +
-    reader->GetFormatName() + ")\n";
+                     reader->GetFormatName() + ")\n";
   text += "relative L2 error, weighted by both cosines: " + tool::FormatNumber(relative) + "\n";
   text += "largest absolute error met: " + tool::FormatNumber(maximum) + " 1/sr\n";
   if (merl && !material.BRDF->IsReciprocal())

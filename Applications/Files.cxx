@@ -75,8 +75,8 @@ std::array<std::size_t, 6> FindColumns(
     const auto found = std::find(names.begin(), names.end(), columns[c]);
     if (found == names.end())
     {
-      throw tool::Error(where + ": no column '" + columns[c] + "' in the header '" +
-        line.substr(0, 80) + "'");
+      throw tool::Error(
+        where + ": no column '" + columns[c] + "' in the header '" + line.substr(0, 80) + "'");
     }
     if (std::find(found + 1, names.end(), columns[c]) != names.end())
     {
@@ -116,17 +116,14 @@ tool::Pair ParsePair(const std::string& line, const tool::PairColumns& columns,
     if (!(length > 0.0) || !std::isfinite(length))
     {
       throw tool::Error(where + ": the direction (" + columns[first] + "," + columns[first + 1] +
-        "," + columns[first + 2] + ") has no usable length");
+                        "," + columns[first + 2] + ") has no usable length");
     }
   }
   return pair;
 }
 
 //------------------------------------------------------------------------------
-std::string Reason()
-{
-  return errno ? std::strerror(errno) : "unknown reason";
-}
+std::string Reason() { return errno ? std::strerror(errno) : "unknown reason"; }
 }
 
 namespace tool
@@ -204,7 +201,7 @@ void WriteResults(const std::string& path, const PairColumns& columns,
       text += FormatNumber(value) + ",";
     }
     text += FormatNumber(rgb[3 * k]) + "," + FormatNumber(rgb[3 * k + 1]) + "," +
-      FormatNumber(rgb[3 * k + 2]) + "\n";
+            FormatNumber(rgb[3 * k + 2]) + "\n";
   }
   if (path.empty())
   {
@@ -233,16 +230,15 @@ void WriteWhole(
     return;
   }
   const fs::path place = fs::is_symlink(target, ignored) && fs::exists(target, ignored)
-    ? fs::canonical(target, ignored)
-    : target;
+                           ? fs::canonical(target, ignored)
+                           : target;
   const fs::path folder = place.has_parent_path() ? place.parent_path() : fs::path(".");
   if (!fs::is_directory(folder, ignored))
   {
     throw Error(path + ": can't be written: there is no folder " + folder.string());
   }
-  const fs::path temporary = folder /
-    ("." + place.stem().string() + ".part" + std::to_string(getpid()) +
-      place.extension().string());
+  const fs::path temporary = folder / ("." + place.stem().string() + ".part" +
+                                        std::to_string(getpid()) + place.extension().string());
   try
   {
     write(temporary.string());

@@ -42,7 +42,8 @@ Material LoadMaterial(const std::string& file)
     std::error_code ignored;
     if (!std::filesystem::exists(file, ignored))
     {
-      throw Error("unknown material '" + file +
+      throw Error(
+        "unknown material '" + file +
         "': no embedded material has that name ('measured-brdf list' names them), and there is no "
         "such file");
     }
@@ -122,8 +123,8 @@ void LightSetOptions::Check() const
       below *= 2;
     }
     throw UsageError(std::to_string(this->Count) +
-      " lights: median cut makes powers of two only; try " + std::to_string(below) + " or " +
-      std::to_string(2 * below) + ", or --light-set importance");
+                     " lights: median cut makes powers of two only; try " + std::to_string(below) +
+                     " or " + std::to_string(2 * below) + ", or --light-set importance");
   }
 }
 

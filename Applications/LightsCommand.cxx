@@ -40,7 +40,7 @@ std::string FormatLights(vtkLightSet* lights)
       text += tool::FormatNumber(direction[c]) + ",";
     }
     text += tool::FormatNumber(irradiance[0]) + "," + tool::FormatNumber(irradiance[1]) + "," +
-      tool::FormatNumber(irradiance[2]) + "\n";
+            tool::FormatNumber(irradiance[2]) + "\n";
   }
   return text;
 }
@@ -200,7 +200,7 @@ void Run(const Options& options)
   if (lights->GetNumberOfLights() < options.Lights.Count)
   {
     tool::PrintNote(std::to_string(lights->GetNumberOfLights()) + " lights instead of " +
-      std::to_string(options.Lights.Count) + ": the environment has no more to give");
+                    std::to_string(options.Lights.Count) + ": the environment has no more to give");
   }
   tool::WriteText(options.Output, FormatLights(lights));
   if (!options.Preview.empty())

@@ -165,9 +165,9 @@ void WriteEXR(const std::string& path, const Picture& picture)
       const OIIO::stride_t row = static_cast<OIIO::stride_t>(picture.Width) * 4 * sizeof(float);
       // EXR has its first row at the top.
       if (!output || !output->open(temporary, spec) ||
-        !output->write_image(OIIO::TypeDesc::FLOAT, picture.At(0, picture.Height - 1),
-          OIIO::AutoStride, -row, OIIO::AutoStride) ||
-        !output->close())
+          !output->write_image(OIIO::TypeDesc::FLOAT, picture.At(0, picture.Height - 1),
+            OIIO::AutoStride, -row, OIIO::AutoStride) ||
+          !output->close())
       {
         throw Error(
           path + ": can't be written: " + (output ? output->geterror() : OIIO::geterror()));
@@ -256,5 +256,14 @@ RGB Backdrop::Look(const std::array<double, 3>& direction) const
     }
   }
   return result;
+}
+
+//------------------------------------------------------------------------------
+void Backdrop::Scale(double factor)
+{
+  for (float& value : this->Pixels)
+  {
+    value = static_cast<float>(value * factor);
+  }
 }
 } // namespace tool

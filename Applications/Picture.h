@@ -85,6 +85,9 @@ public:
   /// Radiance in a direction of the environment's frame, bilinear.
   RGB Look(const std::array<double, 3>& direction) const;
 
+  /// Make it darker or brighter.
+  void Scale(double factor);
+
 private:
   int Width = 0;
   int Height = 0;

@@ -16,10 +16,7 @@ volatile std::sig_atomic_t Interrupted = 0;
 void (*Previous)(int) = SIG_DFL;
 }
 
-extern "C" void MeasuredBRDFToolInterrupt(int)
-{
-  Interrupted = 1;
-}
+extern "C" void MeasuredBRDFToolInterrupt(int) { Interrupted = 1; }
 
 namespace tool
 {
@@ -31,16 +28,10 @@ Interruptible::Interruptible()
 }
 
 //------------------------------------------------------------------------------
-Interruptible::~Interruptible()
-{
-  std::signal(SIGINT, Previous);
-}
+Interruptible::~Interruptible() { std::signal(SIGINT, Previous); }
 
 //------------------------------------------------------------------------------
-bool Interruptible::IsInterrupted()
-{
-  return Interrupted != 0;
-}
+bool Interruptible::IsInterrupted() { return Interrupted != 0; }
 
 //------------------------------------------------------------------------------
 void Interruptible::Check()

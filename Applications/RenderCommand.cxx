@@ -49,14 +49,11 @@ double Median(std::vector<double> values)
 
 //------------------------------------------------------------------------------
 // Encoding of display light as the mapper writes it.
-double EncodeGamma(double linear)
-{
-  return std::pow(linear, 1.0 / 2.2);
-}
+double EncodeGamma(double linear) { return std::pow(linear, 1.0 / 2.2); }
 
 //------------------------------------------------------------------------------
-void WritePicture(const Options& options, tool::Scene& scene, vtkEnvironment* environment,
-  const tool::Size& size)
+void WritePicture(
+  const Options& options, tool::Scene& scene, vtkEnvironment* environment, const tool::Size& size)
 {
   const bool png = tool::Extension(options.Output) == ".png";
   const int factor = png && Smooth * std::max(size.Width, size.Height) <= LargestSize ? Smooth : 1;
@@ -165,7 +162,8 @@ void AddRenderCommand(CLI::App& app)
       "Picture to write: .png (8 bit, as displayed) or .exr (linear float RGBA)")
     ->required();
   command->add_option("--report", options->Report,
-    "JSON file to write: frame_ms (median), setup_ms, texture_bytes, method, lights, renderer, vtk");
+    "JSON file to write: frame_ms (median), setup_ms, texture_bytes, method, lights, renderer, "
+    "vtk");
   command->footer("Example:\n  measured-brdf render teal-paint --environment sky --lights 256 "
                   "-o teal.png\n\nNeeds OpenGL; without a screen, put 'xvfb-run -a' before it.");
   command->callback([options]() { Run(*options); });

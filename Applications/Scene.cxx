@@ -55,16 +55,10 @@ Scene::Scene()
 Scene::~Scene() = default;
 
 //------------------------------------------------------------------------------
-void Scene::SetMesh(vtkPolyData* mesh)
-{
-  this->Mapper->SetInputData(mesh);
-}
+void Scene::SetMesh(vtkPolyData* mesh) { this->Mapper->SetInputData(mesh); }
 
 //------------------------------------------------------------------------------
-void Scene::SetMaterial(vtkBRDF* brdf)
-{
-  this->Mapper->SetBRDF(brdf);
-}
+void Scene::SetMaterial(vtkBRDF* brdf) { this->Mapper->SetBRDF(brdf); }
 
 //------------------------------------------------------------------------------
 void Scene::SetLight(vtkEnvironment* environment, const LightSetOptions& lights)
@@ -114,7 +108,7 @@ void Scene::PlaceCamera(int width, int height)
     std::cos(elevation) * std::cos(azimuth) };
   // A sphere seen under the angle a has the apparent radius tan(a) = R / sqrt(d^2 - R^2).
   const double share = this->Fill * std::min(1.0, static_cast<double>(width) / height) *
-    std::tan(vtkMath::RadiansFromDegrees(0.5 * ViewAngle));
+                       std::tan(vtkMath::RadiansFromDegrees(0.5 * ViewAngle));
   const double distance = radius * std::sqrt(1.0 + 1.0 / (share * share));
 
   vtkCamera* camera = this->Renderer->GetActiveCamera();
@@ -143,10 +137,10 @@ Picture Scene::Render(int width, int height)
 
   vtkTextureObject* texture = this->Pass->GetColorTexture();
   if (!texture || static_cast<int>(texture->GetWidth()) != width ||
-    static_cast<int>(texture->GetHeight()) != height)
+      static_cast<int>(texture->GetHeight()) != height)
   {
     throw Error("rendering: this graphics driver can't render " + std::to_string(width) + "x" +
-      std::to_string(height) + " pixels");
+                std::to_string(height) + " pixels");
   }
   Picture picture(width, height);
   unsigned int size[2] = { static_cast<unsigned int>(width), static_cast<unsigned int>(height) };
@@ -160,7 +154,8 @@ Picture Scene::Render(int width, int height)
   {
     if (k % 4 != 3)
     {
-      picture.Pixels[k] = std::pow(std::max(0.0f, picture.Pixels[k]), static_cast<float>(OutputGamma));
+      picture.Pixels[k] =
+        std::pow(std::max(0.0f, picture.Pixels[k]), static_cast<float>(OutputGamma));
     }
   }
   return picture;

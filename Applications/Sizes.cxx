@@ -32,11 +32,10 @@ Size ParseSize(const std::string& option, const std::string& text, int largest)
 {
   Size size{};
   if (!ParseTwo(text, 'x', size.Width, size.Height) || size.Width < 1 || size.Height < 1 ||
-    size.Width > largest || size.Height > largest)
+      size.Width > largest || size.Height > largest)
   {
-    throw UsageError(option + ": '" + text +
-      "' is not WIDTHxHEIGHT with both between 1 and " + std::to_string(largest) +
-      ", like 800x600");
+    throw UsageError(option + ": '" + text + "' is not WIDTHxHEIGHT with both between 1 and " +
+                     std::to_string(largest) + ", like 800x600");
   }
   return size;
 }
@@ -46,9 +45,10 @@ View ParseView(const std::string& text)
 {
   View view{};
   if (!ParseTwo(text, ',', view.Azimuth, view.Elevation) || !std::isfinite(view.Azimuth) ||
-    !(std::abs(view.Elevation) <= 90.0))
+      !(std::abs(view.Elevation) <= 90.0))
   {
-    throw UsageError("--view: '" + text +
+    throw UsageError(
+      "--view: '" + text +
       "' is not AZIMUTH,ELEVATION in degrees with the elevation between -90 and 90, like 30,20");
   }
   return view;
