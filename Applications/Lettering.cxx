@@ -6,6 +6,7 @@
 
 #include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkStdString.h"
 #include "vtkTextProperty.h"
 #include "vtkTextRenderer.h"
 

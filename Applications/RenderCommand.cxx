@@ -117,7 +117,7 @@ void Run(const Options& options)
     }
     const nlohmann::ordered_json report = { { "frame_ms", Median(frames) }, { "setup_ms", setup },
       { "texture_bytes", scene.GetTextureBytes() }, { "method", options.Method },
-      { "lights", options.Lights.Count }, { "light_set", options.Lights.Method },
+      { "lights", scene.GetNumberOfLights() }, { "light_set", options.Lights.Method },
       { "width", size.Width }, { "height", size.Height }, { "frames", NumberOfFrames },
       { "material", material.Name }, { "environment", environment->GetName() },
       { "renderer", scene.GetRendererName() }, { "vtk", vtkVersion::GetVTKVersion() } };

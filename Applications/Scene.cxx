@@ -33,6 +33,7 @@ namespace tool
 //------------------------------------------------------------------------------
 Scene::Scene()
 {
+  this->Mapper->ScalarVisibilityOff(); // the material alone, whatever else the mesh holds
   this->Actor->SetMapper(this->Mapper);
   this->Renderer->AddActor(this->Actor);
   this->Renderer->AutomaticLightCreationOff(); // all light comes from the environment
@@ -215,6 +216,13 @@ std::string Scene::GetRendererName()
 std::size_t Scene::GetTextureBytes()
 {
   return static_cast<std::size_t>(this->Mapper->GetTextureBytes());
+}
+
+//------------------------------------------------------------------------------
+int Scene::GetNumberOfLights()
+{
+  vtkLightSet* lights = this->Mapper->GetCurrentLightSet();
+  return lights ? lights->GetNumberOfLights() : 0;
 }
 
 //------------------------------------------------------------------------------

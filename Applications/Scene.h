@@ -57,6 +57,7 @@ public:
 
   std::string GetRendererName();
   std::size_t GetTextureBytes();
+  int GetNumberOfLights();
 
 private:
   void PlaceCamera(int width, int height);
