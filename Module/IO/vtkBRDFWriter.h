@@ -4,8 +4,10 @@
  * @class   vtkBRDFWriter
  * @brief   vtkBRDF -> file: MERL `.binary` or this project's OpenEXR format, by extension
  *
- * `.binary`: half/difference tables of 90 x 90 x 180 over half a turn only (resample others with
- * vtkBRDFResampler first); reading it back gives the same floats, invalid cells stay invalid.
+ * `.binary`: tables over half and difference angles with phi_d over half a turn only (resample
+ * others with vtkBRDFResampler first), written with their own sizes; MERL's programs expect 90 x 90
+ * x 180. Reading it back gives the same floats, invalid cells stay invalid. Tables with negative
+ * valid values are refused: the format marks invalid cells by them.
  *
  * `.exr`: any material. Parts hold the tables as 32-bit floats, the header a JSON text with
  * representation, sizes and parameters; reading it back is bit-exact.

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * This project's material format: an OpenEXR file whose first part's string attribute
+ * "measuredBRDF" holds JSON (names, representation, numbers; MaterialArchive), and whose parts hold
+ * the tables as 32-bit floats, ZIP-compressed (lossless). Part "volume" or, in term 1 of a sum,
+ * "1.volume": width = fastest axis, height = product of the others, channels R, G, B or Y. A
+ * material without tables has one part "header" of one texel.
+ */
+
+#ifndef ExrMaterialFile_h
+#define ExrMaterialFile_h
+
+#include "MaterialFile.h"
+
+namespace measuredbrdf
+{
+constexpr const char* ExrFormat = "OpenEXR material";
+constexpr const char ExrMagic[] = "\x76\x2f\x31\x01";
+
+MaterialFile ReadExrMaterial(const FileBytes& file);
+
+void WriteExrMaterial(vtkBRDF* brdf, const std::string& path);
+} // namespace measuredbrdf
+
+#endif

@@ -1,0 +1,403 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MaterialArchive.h"
+
+#include "vtkAdaptiveWarpBRDF.h"
+#include "vtkAshikhminShirleyBRDF.h"
+#include "vtkBlinnPhongBRDF.h"
+#include "vtkDistributionBRDF.h"
+#include "vtkLambertBRDF.h"
+#include "vtkNew.h"
+#include "vtkSumBRDF.h"
+#include "vtkTabulatedBRDF.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace measuredbrdf
+{
+namespace
+{
+constexpr int MaximumDepth = 16; // of sums in sums
+
+/**
+ * One description per representation serves both ways: Exchange functions below name each member
+ * once, with its getter and its setter; a Saver fills an archive, a Loader a material.
+ */
+class Saver
+{
+public:
+  explicit Saver(MaterialArchive& archive)
+    : Archive(archive)
+  {
+  }
+
+  template <typename Get, typename Set>
+  void Number(const std::string& name, Get get, Set)
+  {
+    const double value = get();
+    this->CheckFinite(name, value);
+    this->Archive.Numbers[name] = { value };
+  }
+
+  template <typename Get, typename Set>
+  void Color(const std::string& name, Get get, Set)
+  {
+    double value[3];
+    get(value);
+    for (double channel : value)
+    {
+      this->CheckFinite(name, channel);
+    }
+    this->Archive.Numbers[name].assign(value, value + 3);
+  }
+
+  template <typename Get, typename Set>
+  void Option(const std::string& name, const std::vector<std::string>& choices, Get get, Set)
+  {
+    this->Archive.Options[name] = choices.at(static_cast<std::size_t>(get()));
+  }
+
+  void Array(
+    const std::string& name, std::vector<int> shape, int channels, const std::vector<float>& values)
+  {
+    std::size_t count = static_cast<std::size_t>(channels);
+    for (const int size : shape)
+    {
+      count *= static_cast<std::size_t>(std::max(size, 0));
+    }
+    if (count == 0 || count != values.size())
+    {
+      throw std::runtime_error(this->Archive.Representation + ": array '" + name + "' is empty");
+    }
+    this->Archive.Arrays[name] = { std::move(shape), channels, values };
+  }
+
+private:
+  void CheckFinite(const std::string& name, double value)
+  {
+    if (!std::isfinite(value))
+    {
+      throw std::runtime_error(this->Archive.Representation + ": '" + name + "' is not finite");
+    }
+  }
+
+  MaterialArchive& Archive;
+};
+
+//------------------------------------------------------------------------------
+class Loader
+{
+public:
+  explicit Loader(MaterialArchive& archive)
+    : Archive(archive)
+  {
+  }
+
+  template <typename Get, typename Set>
+  void Number(const std::string& name, Get get, Set set)
+  {
+    const double value = this->GetNumbers(name, 1)[0];
+    set(value);
+    if (static_cast<double>(get()) != value) // it was clamped
+    {
+      this->Fail("number '" + name + "' is out of range: " + std::to_string(value));
+    }
+  }
+
+  template <typename Get, typename Set>
+  void Color(const std::string& name, Get, Set set)
+  {
+    set(this->GetNumbers(name, 3).data());
+  }
+
+  template <typename Get, typename Set>
+  void Option(const std::string& name, const std::vector<std::string>& choices, Get, Set set)
+  {
+    const auto found = this->Archive.Options.find(name);
+    const auto choice = found == this->Archive.Options.end()
+                          ? choices.end()
+                          : std::find(choices.begin(), choices.end(), found->second);
+    if (choice == choices.end())
+    {
+      this->Fail("option '" + name + "' is missing or unknown");
+    }
+    set(static_cast<int>(choice - choices.begin()));
+  }
+
+  MaterialArchive::Array TakeArray(const std::string& name, std::size_t rank, int channels)
+  {
+    const auto found = this->Archive.Arrays.find(name);
+    if (found == this->Archive.Arrays.end())
+    {
+      this->Fail("array '" + name + "' is missing");
+    }
+    if (found->second.Shape.size() != rank || found->second.Channels != channels)
+    {
+      this->Fail("array '" + name + "' has " + std::to_string(found->second.Shape.size()) +
+                 " axes and " + std::to_string(found->second.Channels) + " channels, expected " +
+                 std::to_string(rank) + " and " + std::to_string(channels));
+    }
+    return std::move(found->second);
+  }
+
+  [[noreturn]] void Fail(const std::string& what) const
+  {
+    throw std::runtime_error(this->Archive.Representation + ": " + what);
+  }
+
+private:
+  const std::vector<double>& GetNumbers(const std::string& name, std::size_t count) const
+  {
+    const auto found = this->Archive.Numbers.find(name);
+    if (found == this->Archive.Numbers.end() || found->second.size() != count)
+    {
+      this->Fail("number '" + name + "' is missing or not of " + std::to_string(count) + " values");
+    }
+    return found->second;
+  }
+
+  MaterialArchive& Archive;
+};
+
+// A member of a material as an exchange argument: its getter and its setter.
+#define NUMBER(member) \
+  [&]() { return material->Get##member(); }, [&](double value) { material->Set##member(value); }
+#define COLOR(member)                                     \
+  [&](double value[3]) { material->Get##member(value); }, \
+    [&](const double value[3]) { material->Set##member(value[0], value[1], value[2]); }
+#define OPTION(member) \
+  [&]() { return material->Get##member(); }, [&](int value) { material->Set##member(value); }
+
+template <typename Exchanger>
+void Exchange(Exchanger& x, vtkLambertBRDF* material)
+{
+  x.Color("albedo", COLOR(Albedo));
+}
+
+template <typename Exchanger>
+void Exchange(Exchanger& x, vtkBlinnPhongBRDF* material)
+{
+  x.Color("specular", COLOR(Specular));
+  x.Number("exponent", NUMBER(Exponent));
+}
+
+template <typename Exchanger>
+void Exchange(Exchanger& x, vtkAshikhminShirleyBRDF* material)
+{
+  x.Color("specularScale", COLOR(SpecularScale));
+  x.Color("reflectance", COLOR(Reflectance));
+  x.Color("diffuse", COLOR(Diffuse));
+  x.Number("exponentU", NUMBER(ExponentU));
+  x.Number("exponentV", NUMBER(ExponentV));
+  x.Option("fresnelModel", { "schlick", "dielectric" }, OPTION(FresnelModel));
+  x.Number("indexOfRefraction", NUMBER(IndexOfRefraction));
+}
+
+//------------------------------------------------------------------------------
+void Exchange(Saver& x, vtkDistributionBRDF* material)
+{
+  x.Array("distribution",
+    { material->GetNumberOfPhiSamples(), material->GetNumberOfThetaSamples() }, 3,
+    material->GetDistribution());
+  x.Array(
+    "fresnel", { static_cast<int>(material->GetFresnel().size() / 3) }, 3, material->GetFresnel());
+}
+
+void Exchange(Loader& x, vtkDistributionBRDF* material)
+{
+  const auto distribution = x.TakeArray("distribution", 2, 3);
+  const auto fresnel = x.TakeArray("fresnel", 1, 3);
+  if (!material->SetDistribution(distribution.Shape[1], distribution.Shape[0], distribution.Values))
+  {
+    x.Fail("array 'distribution' was refused: negative or not finite");
+  }
+  if (!material->SetFresnel(fresnel.Shape[0], fresnel.Values))
+  {
+    x.Fail("array 'fresnel' was refused: negative or not finite");
+  }
+}
+
+//------------------------------------------------------------------------------
+const std::vector<std::string> Parameterizations = { "half-difference", "incident-outgoing" };
+const std::vector<std::string> AzimuthRanges = { "half-turn", "full-turn" };
+
+template <typename Exchanger>
+void ExchangeSettings(Exchanger& x, vtkTabulatedBRDF* material)
+{
+  x.Option("precision", { "automatic", "float16", "float32" }, OPTION(Precision));
+  x.Number("resamplingError", NUMBER(ResamplingError));
+}
+
+void Exchange(Saver& x, vtkTabulatedBRDF* material)
+{
+  ExchangeSettings(x, material);
+  const auto ignore = [](int) {};
+  x.Option(
+    "parameterization", Parameterizations, [&] { return material->GetParameterization(); }, ignore);
+  x.Option(
+    "azimuthRange", AzimuthRanges, [&] { return material->GetAzimuthRange(); }, ignore);
+  const int* size = material->GetDimensions();
+  x.Array("volume", { size[2], size[1], size[0] }, 3, material->GetVolume());
+}
+
+void Exchange(Loader& x, vtkTabulatedBRDF* material)
+{
+  ExchangeSettings(x, material);
+  const auto ignore = [] { return 0; };
+  int parameterization = 0;
+  int azimuthRange = 0;
+  x.Option("parameterization", Parameterizations, ignore, [&](int k) { parameterization = k; });
+  x.Option("azimuthRange", AzimuthRanges, ignore, [&](int k) { azimuthRange = k; });
+  auto volume = x.TakeArray("volume", 3, 3);
+  const int dimensions[3] = { volume.Shape[2], volume.Shape[1], volume.Shape[0] };
+  if (!material->SetVolume(parameterization, azimuthRange, dimensions, std::move(volume.Values)))
+  {
+    x.Fail("array 'volume' was refused");
+  }
+}
+
+//------------------------------------------------------------------------------
+void Exchange(Saver& x, vtkAdaptiveWarpBRDF* material)
+{
+  const vtkAdaptiveWarpBRDF::Tables& tables = material->GetTables();
+  x.Array("thetaI", { static_cast<int>(tables.ThetaI.size()) }, 1, tables.ThetaI);
+  x.Array("phiI", { static_cast<int>(tables.PhiI.size()) }, 1, tables.PhiI);
+  x.Array("ndf", tables.Ndf.Shape, 1, tables.Ndf.Values);
+  x.Array("sigma", tables.Sigma.Shape, 1, tables.Sigma.Values);
+  x.Array("vndf", tables.Vndf.Shape, 1, tables.Vndf.Values);
+  x.Array("luminance", tables.Luminance.Shape, 1, tables.Luminance.Values);
+  x.Array("rgb", tables.Rgb.Shape, 1, tables.Rgb.Values);
+}
+
+void Exchange(Loader& x, vtkAdaptiveWarpBRDF* material)
+{
+  const auto table = [&](const std::string& name, std::size_t rank)
+  {
+    auto array = x.TakeArray(name, rank, 1);
+    return vtkAdaptiveWarpBRDF::Table{ std::move(array.Shape), std::move(array.Values) };
+  };
+  vtkAdaptiveWarpBRDF::Tables tables;
+  tables.ThetaI = table("thetaI", 1).Values;
+  tables.PhiI = table("phiI", 1).Values;
+  tables.Ndf = table("ndf", 2);
+  tables.Sigma = table("sigma", 2);
+  tables.Vndf = table("vndf", 4);
+  tables.Luminance = table("luminance", 4);
+  tables.Rgb = table("rgb", 5);
+  const std::string problem = material->SetTables(std::move(tables));
+  if (!problem.empty())
+  {
+    x.Fail("tables: " + problem);
+  }
+}
+
+//------------------------------------------------------------------------------
+MaterialArchive Save(vtkBRDF* brdf, int depth);
+vtkSmartPointer<vtkBRDF> Load(MaterialArchive& archive, int depth);
+
+template <typename Material>
+bool SaveAs(const char* representation, vtkBRDF* brdf, MaterialArchive& archive)
+{
+  Material* material = Material::SafeDownCast(brdf);
+  if (!material)
+  {
+    return false;
+  }
+  archive.Representation = representation;
+  Saver saver(archive);
+  Exchange(saver, material);
+  return true;
+}
+
+template <typename Material>
+vtkSmartPointer<vtkBRDF> LoadAs(const char* representation, MaterialArchive& archive)
+{
+  if (archive.Representation != representation)
+  {
+    return nullptr;
+  }
+  auto material = vtkSmartPointer<Material>::New();
+  Loader loader(archive);
+  Exchange(loader, material.Get());
+  return material;
+}
+
+//------------------------------------------------------------------------------
+MaterialArchive Save(vtkBRDF* brdf, int depth)
+{
+  if (!brdf)
+  {
+    throw std::runtime_error("there is no material");
+  }
+  if (depth > MaximumDepth)
+  {
+    throw std::runtime_error("sums are nested too deeply");
+  }
+  MaterialArchive archive;
+  if (vtkSumBRDF* sum = vtkSumBRDF::SafeDownCast(brdf))
+  {
+    archive.Representation = "Sum";
+    for (int k = 0; k < sum->GetNumberOfTerms(); ++k)
+    {
+      archive.Terms.push_back(Save(sum->GetTerm(k), depth + 1));
+    }
+  }
+  else if (!SaveAs<vtkLambertBRDF>("Lambert", brdf, archive) &&
+           !SaveAs<vtkBlinnPhongBRDF>("BlinnPhong", brdf, archive) &&
+           !SaveAs<vtkAshikhminShirleyBRDF>("AshikhminShirley", brdf, archive) &&
+           !SaveAs<vtkDistributionBRDF>("Distribution", brdf, archive) &&
+           !SaveAs<vtkTabulatedBRDF>("Tabulated", brdf, archive) &&
+           !SaveAs<vtkAdaptiveWarpBRDF>("AdaptiveWarp", brdf, archive))
+  {
+    throw std::runtime_error(std::string(brdf->GetClassName()) + " has no form in this format");
+  }
+  archive.Name = brdf->GetName();
+  archive.Source = brdf->GetSource();
+  archive.Numbers["resamplingTolerance"] = { brdf->GetResamplingTolerance() };
+  return archive;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkBRDF> Load(MaterialArchive& archive, int depth)
+{
+  if (depth > MaximumDepth)
+  {
+    throw std::runtime_error("terms are nested too deeply");
+  }
+  vtkSmartPointer<vtkBRDF> material;
+  if (archive.Representation == "Sum")
+  {
+    auto sum = vtkSmartPointer<vtkSumBRDF>::New();
+    for (MaterialArchive& term : archive.Terms)
+    {
+      sum->AddTerm(Load(term, depth + 1));
+    }
+    material = sum;
+  }
+  else if (!(material = LoadAs<vtkLambertBRDF>("Lambert", archive)) &&
+           !(material = LoadAs<vtkBlinnPhongBRDF>("BlinnPhong", archive)) &&
+           !(material = LoadAs<vtkAshikhminShirleyBRDF>("AshikhminShirley", archive)) &&
+           !(material = LoadAs<vtkDistributionBRDF>("Distribution", archive)) &&
+           !(material = LoadAs<vtkTabulatedBRDF>("Tabulated", archive)) &&
+           !(material = LoadAs<vtkAdaptiveWarpBRDF>("AdaptiveWarp", archive)))
+  {
+    throw std::runtime_error("unknown representation '" + archive.Representation + "'");
+  }
+  material->SetName(archive.Name);
+  material->SetSource(archive.Source);
+  Loader(archive).Number("resamplingTolerance", NUMBER(ResamplingTolerance));
+  return material;
+}
+#undef NUMBER
+#undef COLOR
+#undef OPTION
+}
+
+//------------------------------------------------------------------------------
+MaterialArchive ToArchive(vtkBRDF* brdf) { return Save(brdf, 0); }
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkBRDF> FromArchive(MaterialArchive archive) { return Load(archive, 0); }
+} // namespace measuredbrdf

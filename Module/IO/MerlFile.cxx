@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MerlFile.h"
+
+#include "FileBytes.h"
+#include "vtkNew.h"
+#include "vtkTabulatedBRDF.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace measuredbrdf
+{
+namespace
+{
+constexpr int MaximumSize = 2048; // vtkTabulatedBRDF's
+
+// The database's BRDFRead.cpp: RED_SCALE, GREEN_SCALE, BLUE_SCALE.
+constexpr std::array<double, 3> Scale = { 1.0 / 1500.0, 1.15 / 1500.0, 1.66 / 1500.0 };
+
+// Order in the file; vtkTabulatedBRDF counts them from the fastest.
+constexpr std::array<const char*, 3> SizeNames = { "n_theta_h", "n_theta_d", "n_phi_d" };
+}
+
+//------------------------------------------------------------------------------
+bool LooksLikeMerl(const FileBytes& file)
+{
+  if (file.GetSize() < 12)
+  {
+    return false;
+  }
+  std::array<std::int32_t, 3> sizes;
+  ByteReader::Copy(sizes.data(), file.GetData(), 3);
+  for (const std::int32_t size : sizes)
+  {
+    if (size < 1 || size > MaximumSize)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+MaterialFile ReadMerl(const FileBytes& file)
+{
+  ByteReader reader(file, MerlFormat);
+  std::array<int, 3> sizes;
+  for (int k = 0; k < 3; ++k)
+  {
+    sizes[k] = reader.Read<std::int32_t>(SizeNames[k]);
+    if (sizes[k] < 1 || sizes[k] > MaximumSize)
+    {
+      reader.Fail(SizeNames[k],
+        "found " + std::to_string(sizes[k]) + ", expected 1 to " + std::to_string(MaximumSize));
+    }
+  }
+  const std::size_t cells = std::size_t(sizes[0]) * sizes[1] * sizes[2];
+  const std::uint64_t needed = std::uint64_t(cells) * 3 * sizeof(double);
+  if (reader.GetRemaining() != needed)
+  {
+    reader.Fail("values", std::to_string(sizes[0]) + " x " + std::to_string(sizes[1]) + " x " +
+                            std::to_string(sizes[2]) + " RGB values need " +
+                            std::to_string(needed) + " bytes, found " +
+                            std::to_string(reader.GetRemaining()));
+  }
+  const char* bytes = reader.Take(needed, "values");
+
+  MaterialFile result;
+  std::vector<float> rgb(cells * 3);
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  vtkIdType invalidCells = 0;
+  for (std::size_t cell = 0; cell < cells; ++cell)
+  {
+    bool valid = true;
+    for (int channel = 0; channel < 3; ++channel)
+    {
+      double stored;
+      ByteReader::Copy(&stored, bytes + (channel * cells + cell) * sizeof(double), 1);
+      const float value = static_cast<float>(stored * Scale[channel]);
+      const bool finite = std::isfinite(value);
+      const bool negative = stored < 0.0;
+      result.NumberOfInvalidValues += !finite;
+      result.NumberOfNegativeValues += negative && finite;
+      valid = valid && finite && !negative;
+      rgb[3 * cell + channel] = value;
+    }
+    if (!valid)
+    {
+      rgb[3 * cell] = rgb[3 * cell + 1] = rgb[3 * cell + 2] = nan;
+      ++invalidCells;
+    }
+  }
+
+  const int dimensions[3] = { sizes[2], sizes[1], sizes[0] };
+  vtkNew<vtkTabulatedBRDF> table;
+  if (!table->SetVolume(
+        vtkTabulatedBRDF::HALF_DIFFERENCE, vtkTabulatedBRDF::HALF_TURN, dimensions, std::move(rgb)))
+  {
+    reader.Fail("values", "the table was refused");
+  }
+  table->SetName(GetFileStem(file.GetPath()));
+  table->SetSource("MERL binary file " + GetFileTitle(file.GetPath()));
+  result.AddNote("R, G, B were multiplied by 1/1500, 1.15/1500, 1.66/1500, the format's scale.");
+  if (invalidCells > 0)
+  {
+    result.AddNote(
+      std::to_string(invalidCells) + " of " + std::to_string(cells) +
+      " cells are invalid (a negative or non-finite channel): interpolation skips them.");
+  }
+  result.BRDF = table;
+  return result;
+}
+
+//------------------------------------------------------------------------------
+void WriteMerl(vtkTabulatedBRDF* table, const std::string& path)
+{
+  if (!table || table->GetParameterization() != vtkTabulatedBRDF::HALF_DIFFERENCE ||
+      table->GetAzimuthRange() != vtkTabulatedBRDF::HALF_TURN)
+  {
+    throw FileError(
+      path +
+      ": MERL binary holds tables over half and difference angles with phi_d over half a turn "
+      "only; resample with vtkBRDFResampler first, or write .exr");
+  }
+  const std::vector<float>& rgb = table->GetVolume();
+  const std::size_t cells = rgb.size() / 3;
+  if (cells == 0)
+  {
+    throw FileError(path + ": the table holds no cells");
+  }
+
+  std::vector<double> planes(3 * cells);
+  std::size_t refused = 0;
+  for (std::size_t cell = 0; cell < cells; ++cell)
+  {
+    const float* values = &rgb[3 * cell];
+    const bool valid = !std::isnan(values[0]) && !std::isnan(values[1]) && !std::isnan(values[2]);
+    for (int channel = 0; channel < 3; ++channel)
+    {
+      // Dividing in double and multiplying when reading gives the same float back.
+      planes[channel * cells + cell] =
+        valid ? static_cast<double>(values[channel]) / Scale[channel] : -1.0;
+      refused += valid && !(values[channel] >= 0.0f && std::isfinite(values[channel]));
+    }
+  }
+  if (refused > 0)
+  {
+    throw FileError(path + ": MERL binary marks what was not measured by negative values, and " +
+                    std::to_string(refused) +
+                    " values of this table are negative or infinite; write .exr");
+  }
+
+  int dimensions[3];
+  table->GetDimensions(dimensions);
+  std::array<std::int32_t, 3> sizes = { dimensions[2], dimensions[1], dimensions[0] };
+  vtkByteSwap::SwapLERange(sizes.data(), sizes.size());
+  vtkByteSwap::SwapLERange(planes.data(), planes.size());
+  std::string bytes;
+  bytes.reserve(sizeof(sizes) + planes.size() * sizeof(double));
+  bytes.append(reinterpret_cast<const char*>(sizes.data()), sizeof(sizes));
+  bytes.append(reinterpret_cast<const char*>(planes.data()), planes.size() * sizeof(double));
+  WriteFile(path, bytes);
+}
+} // namespace measuredbrdf

@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TensorFile.h"
+
+#include "FileBytes.h"
+#include "vtkAdaptiveWarpBRDF.h"
+#include "vtkNew.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <map>
+#include <vector>
+
+namespace measuredbrdf
+{
+namespace
+{
+enum DataType : int
+{
+  UInt8 = 1,
+  Float32 = 10
+};
+// u8, i8, u16, i16, u32, i32, u64, i64, f16, f32, f64; 0 is no type.
+constexpr std::array<std::uint64_t, 12> TypeSizes = { 0, 1, 1, 2, 2, 4, 4, 8, 8, 2, 4, 8 };
+constexpr int MaximumRank = 16;
+
+struct Field
+{
+  int Type = 0;
+  std::vector<std::uint64_t> Shape;
+  std::uint64_t Bytes = 0;
+  const char* Data = nullptr;
+};
+using Fields = std::map<std::string, Field>;
+
+std::string Quote(const std::string& name) { return "field '" + name + "'"; }
+
+//------------------------------------------------------------------------------
+Fields ReadFields(ByteReader& reader)
+{
+  const std::string magic(reader.Take(sizeof(TensorMagic), "magic"), sizeof(TensorMagic));
+  if (magic != std::string(TensorMagic, sizeof(TensorMagic)))
+  {
+    reader.Fail("magic", "expected 'tensor_file' and a zero byte");
+  }
+  const int major = reader.Read<std::uint8_t>("version");
+  const int minor = reader.Read<std::uint8_t>("version");
+  if (major != 1 || minor != 0)
+  {
+    reader.Fail(
+      "version", "found " + std::to_string(major) + "." + std::to_string(minor) + ", expected 1.0");
+  }
+  const auto count = reader.Read<std::uint32_t>("number of fields");
+
+  Fields fields;
+  for (std::uint32_t k = 0; k < count; ++k)
+  {
+    const std::string number = "field " + std::to_string(k + 1) + " of " + std::to_string(count);
+    const auto length = reader.Read<std::uint16_t>(number + " (length of its name)");
+    const std::string name(reader.Take(length, number + " (name)"), length);
+    const auto rank = reader.Read<std::uint16_t>(Quote(name) + " (number of dimensions)");
+    if (rank > MaximumRank)
+    {
+      reader.Fail(Quote(name) + " (number of dimensions)",
+        "found " + std::to_string(rank) + ", expected at most " + std::to_string(MaximumRank));
+    }
+    Field field;
+    field.Type = reader.Read<std::uint8_t>(Quote(name) + " (type)");
+    if (field.Type < 1 || field.Type >= static_cast<int>(TypeSizes.size()))
+    {
+      reader.Fail(
+        Quote(name) + " (type)", "found " + std::to_string(field.Type) + ", expected 1 to 11");
+    }
+    const auto offset = reader.Read<std::uint64_t>(Quote(name) + " (offset)");
+    field.Bytes = TypeSizes[field.Type];
+    for (int axis = 0; axis < rank; ++axis)
+    {
+      const auto size = reader.Read<std::uint64_t>(Quote(name) + " (shape)");
+      if (size != 0 && field.Bytes > std::numeric_limits<std::uint64_t>::max() / size)
+      {
+        reader.Fail(Quote(name) + " (shape)", "the product of its sizes overflows (axis " +
+                                                std::to_string(axis) + " is " +
+                                                std::to_string(size) + ")");
+      }
+      field.Bytes *= size;
+      field.Shape.push_back(size);
+    }
+    field.Data = reader.At(offset, field.Bytes, Quote(name) + " (data)");
+    if (!fields.emplace(name, std::move(field)).second)
+    {
+      reader.Fail(Quote(name), "appears twice");
+    }
+  }
+  return fields;
+}
+
+//------------------------------------------------------------------------------
+vtkAdaptiveWarpBRDF::Table GetTable(
+  const ByteReader& reader, const Fields& fields, const std::string& name, std::size_t rank)
+{
+  const auto found = fields.find(name);
+  if (found == fields.end())
+  {
+    reader.Fail(Quote(name), "is missing");
+  }
+  const Field& field = found->second;
+  if (field.Type != Float32)
+  {
+    reader.Fail(Quote(name),
+      "found type " + std::to_string(field.Type) + ", expected 10 (32-bit floating point)");
+  }
+  if (field.Shape.size() != rank)
+  {
+    reader.Fail(Quote(name), "found " + std::to_string(field.Shape.size()) +
+                               " dimensions, expected " + std::to_string(rank));
+  }
+  vtkAdaptiveWarpBRDF::Table table;
+  for (const std::uint64_t size : field.Shape)
+  {
+    // Only a shape with a zero in it could hold a size that the file's length does not bound.
+    if (size < 1 || size > static_cast<std::uint64_t>(std::numeric_limits<int>::max()))
+    {
+      reader.Fail(Quote(name), "found size " + std::to_string(size) + ", expected at least 1");
+    }
+    table.Shape.push_back(static_cast<int>(size));
+  }
+  table.Values.resize(field.Bytes / sizeof(float));
+  ByteReader::Copy(table.Values.data(), field.Data, table.Values.size());
+  return table;
+}
+}
+
+//------------------------------------------------------------------------------
+MaterialFile ReadTensor(const FileBytes& file)
+{
+  ByteReader reader(file, TensorFormat);
+  const Fields fields = ReadFields(reader);
+  if (!fields.count("rgb") && (fields.count("spectra") || fields.count("wavelengths")))
+  {
+    reader.Fail("field 'rgb'",
+      "is missing: this is the spectral form of the material; take its RGB form (NAME_rgb.bsdf)");
+  }
+  // The fields' data may overlap in a file that lies; then they add up to more than the file.
+  std::uint64_t total = 0;
+  for (const auto& field : fields)
+  {
+    total += field.second.Bytes; // each at most the file's size, at most 2^32 of them
+    if (total > file.GetSize())
+    {
+      reader.Fail(Quote(field.first), "the fields' data overlap");
+    }
+  }
+
+  vtkAdaptiveWarpBRDF::Tables tables;
+  tables.ThetaI = GetTable(reader, fields, "theta_i", 1).Values;
+  tables.PhiI = GetTable(reader, fields, "phi_i", 1).Values;
+  tables.Ndf = GetTable(reader, fields, "ndf", 2);
+  tables.Sigma = GetTable(reader, fields, "sigma", 2);
+  tables.Vndf = GetTable(reader, fields, "vndf", 4);
+  tables.Luminance = GetTable(reader, fields, "luminance", 4);
+  tables.Rgb = GetTable(reader, fields, "rgb", 5);
+
+  const auto jacobian = fields.find("jacobian");
+  if (jacobian != fields.end() && (jacobian->second.Type != UInt8 || jacobian->second.Bytes != 1 ||
+                                    *jacobian->second.Data != 1))
+  {
+    reader.Fail("field 'jacobian'", "expected one byte of value 1");
+  }
+
+  MaterialFile result;
+  result.NumberOfNegativeValues = std::count_if(
+    tables.Rgb.Values.begin(), tables.Rgb.Values.end(), [](float value) { return value < 0.0f; });
+  const std::size_t values = tables.Rgb.Values.size();
+
+  vtkNew<vtkAdaptiveWarpBRDF> material;
+  const std::string problem = material->SetTables(std::move(tables));
+  if (!problem.empty())
+  {
+    reader.Fail("tables", problem);
+  }
+
+  std::string description;
+  const auto text = fields.find("description");
+  if (text != fields.end() && text->second.Type == UInt8)
+  {
+    description.assign(text->second.Data, text->second.Bytes);
+  }
+  material->SetName(GetFileStem(file.GetPath()));
+  material->SetSource((description.empty() ? "" : description + "; ") +
+                      "RGL-EPFL material database (Dupuy and Jakob 2018), " +
+                      GetFileTitle(file.GetPath()));
+  result.AddNote(
+    "The file holds f cos(theta_o); evaluation divides by that cosine. Not reciprocal.");
+  if (result.NumberOfNegativeValues > 0)
+  {
+    result.AddNote(
+      std::to_string(result.NumberOfNegativeValues) + " of " + std::to_string(values) +
+      " stored colour values are negative (outside sRGB): clamped at 0 after interpolation.");
+  }
+  result.BRDF = material;
+  return result;
+}
+} // namespace measuredbrdf

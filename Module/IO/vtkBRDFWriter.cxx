@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkBRDFWriter.h"
+
+#include "ExrMaterialFile.h"
+#include "FileBytes.h"
+#include "MerlFile.h"
+#include "vtkObjectFactory.h"
+#include "vtkTabulatedBRDF.h"
+
+#include <vtksys/SystemTools.hxx>
+
+vtkStandardNewMacro(vtkBRDFWriter);
+
+//------------------------------------------------------------------------------
+void vtkBRDFWriter::SetBRDF(vtkBRDF* brdf)
+{
+  if (this->BRDF != brdf)
+  {
+    this->BRDF = brdf;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkBRDFWriter::Write()
+{
+  using namespace measuredbrdf;
+  this->ErrorMessage.clear();
+  try
+  {
+    if (this->FileName.empty())
+    {
+      throw FileError("no file name was given");
+    }
+    if (!this->BRDF)
+    {
+      throw FileError(this->FileName + ": there is no material to write");
+    }
+    const std::string extension =
+      vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(this->FileName));
+    if (extension == ".binary")
+    {
+      WriteMerl(vtkTabulatedBRDF::SafeDownCast(this->BRDF), this->FileName);
+    }
+    else if (extension == ".exr")
+    {
+      WriteExrMaterial(this->BRDF, this->FileName);
+    }
+    else
+    {
+      throw FileError(
+        this->FileName + ": found extension '" + extension + "', expected .binary or .exr");
+    }
+    return true;
+  }
+  catch (const FileError& e)
+  {
+    this->ErrorMessage = e.what();
+  }
+  catch (const std::exception& e) // out of memory, say
+  {
+    this->ErrorMessage = this->FileName + ": " + e.what();
+  }
+  vtkErrorMacro(<< this->ErrorMessage);
+  return false;
+}
+
+//------------------------------------------------------------------------------
+void vtkBRDFWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << this->FileName << "\n";
+  os << indent << "ErrorMessage: " << this->ErrorMessage << "\n";
+  os << indent << "BRDF: " << this->BRDF.Get() << "\n";
+}

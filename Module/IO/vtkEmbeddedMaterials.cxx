@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkEmbeddedMaterials.h"
+
+#include "EmbeddedFits.h" // made of EmbeddedFits.fit
+#include "FitFile.h"
+#include "vtkBRDF.h"
+#include "vtkObjectFactory.h"
+
+#include <algorithm>
+#include <vector>
+
+vtkStandardNewMacro(vtkEmbeddedMaterials);
+
+namespace
+{
+struct Material
+{
+  const char* Name; // in EmbeddedFits.fit
+  const char* Kind;
+};
+
+// The first seven stand for the kinds that O'Toole's thesis shows; they are not its samples.
+const std::vector<Material> Materials = {
+  { "blue-fabric", "fabric" },
+  { "pink-fabric2", "silk" },
+  { "nickel", "foil" },
+  { "gold-paint", "gold paint" },
+  { "green-metallic-paint", "teal paint" },
+  { "violet-acrylic", "magenta plastic" },
+  { "red-fabric2", "velvet" },
+  { "chrome", "metal" },
+  { "brass", "metal" },
+  { "alum-bronze", "metal" },
+  { "silver-metallic-paint", "metallic paint" },
+  { "gold-metallic-paint", "metallic paint" },
+  { "blue-metallic-paint", "metallic paint" },
+  { "delrin", "plastic" },
+  { "pvc", "plastic" },
+  { "yellow-matte-plastic", "plastic" },
+  { "violet-rubber", "rubber" },
+  { "blue-rubber", "rubber" },
+  { "pink-felt", "felt" },
+  { "white-marble", "stone" },
+  { "hematite", "stone" },
+  { "cherry-235", "wood" },
+};
+
+vtkSmartPointer<vtkBRDF> MakeMaterial(const std::string& name)
+{
+  static const measuredbrdf::FitFile fits("embedded materials", EmbeddedFits);
+  const vtkSmartPointer<vtkBRDF> brdf = fits.GetMaterial(name).BRDF;
+  brdf->SetSource("MERL sample " + name + ", " + brdf->GetSource());
+  return brdf;
+}
+}
+
+//------------------------------------------------------------------------------
+int vtkEmbeddedMaterials::GetNumberOfMaterials() { return static_cast<int>(Materials.size()); }
+
+//------------------------------------------------------------------------------
+std::string vtkEmbeddedMaterials::GetName(int index)
+{
+  return index >= 0 && index < GetNumberOfMaterials() ? Materials[index].Name : "";
+}
+
+//------------------------------------------------------------------------------
+std::string vtkEmbeddedMaterials::GetKind(int index)
+{
+  return index >= 0 && index < GetNumberOfMaterials() ? Materials[index].Kind : "";
+}
+
+//------------------------------------------------------------------------------
+std::string vtkEmbeddedMaterials::GetSource(int index)
+{
+  if (index < 0 || index >= GetNumberOfMaterials())
+  {
+    return "";
+  }
+  return MakeMaterial(Materials[index].Name)->GetSource();
+}
+
+//------------------------------------------------------------------------------
+vtkBRDF* vtkEmbeddedMaterials::NewBRDF(const std::string& name)
+{
+  const bool known = std::any_of(Materials.begin(), Materials.end(),
+    [&](const Material& material) { return name == material.Name; });
+  if (!known)
+  {
+    return nullptr;
+  }
+  const vtkSmartPointer<vtkBRDF> brdf = MakeMaterial(name);
+  brdf->Register(nullptr); // the caller's
+  return brdf;
+}
