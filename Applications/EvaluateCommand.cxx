@@ -48,7 +48,7 @@ void AddEvaluateCommand(CLI::App& app)
   command->add_option("-o,--output", options->Output,
     "CSV file to write: the six columns and r,g,b of f(i,o) in 1/sr, linear Rec. 709, without the "
     "cosine (default: standard output)");
-  command->footer("Example:\n  measured-brdf evaluate teal-paint --pairs pairs.csv -o values.csv");
+  command->footer("Example:\n  measured-brdf evaluate gold-paint --pairs pairs.csv -o values.csv");
   command->callback([options]() { Run(*options); });
 }
 } // namespace tool

@@ -31,8 +31,8 @@ struct Options
 
 constexpr int LargestSize = 8192;
 constexpr int Smooth = 2; // tiles are rendered at this multiple and averaged
-constexpr double BlurDegrees = 9.0;
-constexpr double BackdropDim = 0.6; // the backdrop steps back behind the objects
+constexpr double BlurDegrees = 11.0;
+constexpr double BackdropDim = 0.4; // the backdrop steps back behind the objects
 constexpr tool::RGB Paper = { 0.013, 0.014, 0.017 };
 constexpr tool::RGB White = { 1.0, 1.0, 1.0 };
 constexpr tool::RGB Grey = { 0.5, 0.5, 0.52 };
@@ -42,7 +42,7 @@ constexpr tool::RGB Grey = { 0.5, 0.5, 0.52 };
 std::vector<std::string> ChooseEmbedded()
 {
   static const char* const kinds[] = { "fabric", "silk", "foil", "gold paint", "teal paint",
-    "magenta plastic", "velvet" };
+    "magenta plastic", "velvet", "metallic paint" };
   constexpr std::size_t wanted = 8;
   const int n = vtkEmbeddedMaterials::GetNumberOfMaterials();
   std::vector<std::string> names;
@@ -107,32 +107,42 @@ void Paste(tool::Picture& sheet, const tool::Picture& tile, int x0, int y0)
 }
 
 //------------------------------------------------------------------------------
-// Name and source at the foot of a tile, on a shade that makes both readable.
-void Label(tool::Picture& tile, const tool::Material& material)
+// Sizes of the caption below a picture.
+struct Caption
 {
-  const int unit = std::max(8, std::min(tile.Width, tile.Height) / 36);
-  const int margin = unit;
-  const int room = tile.Width - 2 * margin;
-  const std::vector<std::string> source =
-    tool::Wrap(material.Source.empty() ? material.Format : material.Source, unit, room, 2);
-  const int lines = static_cast<int>(source.size());
-  const int height = margin + 2 * unit + (lines * 3 * unit) / 2 + margin;
-  for (int y = 0; y < std::min(tile.Height, 2 * height); ++y)
+  explicit Caption(int tileWidth)
+    : Small(std::clamp(tileWidth / 34, 9, 40))
+    , Large(Small * 7 / 4)
+    , Height(Small * 13 / 2)
   {
-    const double shade = 0.82 * std::clamp(2.0 - 1.6 * y / height, 0.0, 1.0);
-    for (int x = 0; x < tile.Width; ++x)
-    {
-      tile.Blend(x, y, { 0.004, 0.004, 0.006 }, shade * shade);
-    }
   }
-  int baseline = margin;
-  for (int k = lines - 1; k >= 0; --k)
+  int Small; // font of the source
+  int Large; // font of the name
+  int Height;
+};
+
+//------------------------------------------------------------------------------
+// Name, kind and source in the box (x, y) to (x + width, y + caption.Height).
+void DrawCaption(tool::Picture& sheet, int x, int y, int width, const Caption& caption,
+  const tool::Material& material)
+{
+  const int left = x + caption.Small;
+  const int room = width - 2 * caption.Small;
+  const std::string kind = material.Kind == material.Name ? "" : material.Kind;
+  const int kindWidth = kind.empty() ? 0 : tool::MeasureText(kind, caption.Small, false);
+  const int top = y + caption.Height;
+  const int nameLine = top - caption.Small / 2 - caption.Large;
+  tool::DrawText(sheet, left, nameLine,
+    tool::Fit(material.Name, caption.Large, true, room - kindWidth - caption.Small), caption.Large,
+    true, White);
+  tool::DrawText(sheet, left + room - kindWidth, nameLine, kind, caption.Small, false, Grey);
+  int line = nameLine - caption.Small * 7 / 4;
+  for (const std::string& text :
+    tool::Wrap(material.Source.empty() ? material.Format : material.Source, caption.Small, room, 2))
   {
-    tool::DrawText(tile, margin, baseline, source[k], unit, false, Grey);
-    baseline += (3 * unit) / 2;
+    tool::DrawText(sheet, left, line, text, caption.Small, false, Grey);
+    line -= caption.Small * 3 / 2;
   }
-  tool::DrawText(tile, margin, baseline + unit / 3, tool::Fit(material.Name, (9 * unit) / 5, room),
-    (9 * unit) / 5, true, White);
 }
 
 //------------------------------------------------------------------------------
@@ -158,7 +168,8 @@ void Run(const Options& options)
   const int columns = ChooseColumns(n, size.Width, size.Height - header);
   const int rows = (n + columns - 1) / columns;
   const int tileWidth = (size.Width - (columns + 1) * gap) / columns;
-  const int tileHeight = (size.Height - header - rows * gap) / rows;
+  const Caption caption(tileWidth);
+  const int tileHeight = (size.Height - header - rows * gap) / rows - caption.Height;
   if (std::min(tileWidth, tileHeight) < 48 ||
       Smooth * std::max(tileWidth, tileHeight) > LargestSize)
   {
@@ -178,7 +189,7 @@ void Run(const Options& options)
   tool::DrawText(sheet, gap + unit / 2, size.Height - header + unit,
     tool::Fit("Measured materials under \"" + environment->GetName() + "\", " +
                 std::to_string(options.Lights.Count) + " lights",
-      (5 * unit) / 4, size.Width - 2 * unit),
+      (5 * unit) / 4, false, size.Width - 2 * unit),
     (5 * unit) / 4, false, White);
 
   tool::Backdrop backdrop(environment, BlurDegrees);
@@ -187,7 +198,7 @@ void Run(const Options& options)
   tool::Scene scene;
   scene.SetMesh(tool::MakeBallOnFoot());
   scene.SetLight(environment, options.Lights);
-  scene.SetView(25.0, 16.0, 0.98);
+  scene.SetView(25.0, 16.0, 1.15);
   tool::ProgressBar bar("rendering");
   for (int k = 0; k < n; ++k)
   {
@@ -199,12 +210,13 @@ void Run(const Options& options)
       value = static_cast<float>(tool::RollOff(value));
     }
     tile = tool::Downsample(tile, Smooth);
-    Label(tile, materials[k]);
     // The last row stands in the middle where it is not full.
     const int inRow = std::min(columns, n - (k / columns) * columns);
     const int left = (size.Width - inRow * (tileWidth + gap) + gap) / 2;
-    Paste(sheet, tile, left + (k % columns) * (tileWidth + gap),
-      size.Height - header - (k / columns + 1) * (tileHeight + gap) + gap);
+    const int x = left + (k % columns) * (tileWidth + gap);
+    const int top = size.Height - header - (k / columns) * (tileHeight + caption.Height + gap);
+    Paste(sheet, tile, x, top - tileHeight);
+    DrawCaption(sheet, x, top - tileHeight - caption.Height, tileWidth, caption, materials[k]);
     bar.Update((k + 1.0) / n);
   }
   tool::WritePNG(options.Output, sheet, tool::EncodeSRGB);

@@ -257,7 +257,7 @@ void AddInfoCommand(CLI::App& app)
     "info", "Describe a material: format, sizes, range, albedo per angle, reciprocity, bad values");
   command->add_option("FILE", options->File, MaterialHelp)->required();
   command->add_flag("--json", options->Json, "Write JSON instead of text");
-  command->footer("Example:\n  measured-brdf info teal-paint");
+  command->footer("Example:\n  measured-brdf info gold-paint");
   command->callback([options]() { Run(*options); });
 }
 } // namespace tool

@@ -37,6 +37,13 @@ Material LoadMaterial(const std::string& file)
       result.Name = file;
       result.Source = result.BRDF->GetSource();
       result.Format = "embedded";
+      for (int k = 0; k < vtkEmbeddedMaterials::GetNumberOfMaterials(); ++k)
+      {
+        if (vtkEmbeddedMaterials::GetName(k) == file)
+        {
+          result.Kind = vtkEmbeddedMaterials::GetKind(k);
+        }
+      }
       return result;
     }
     std::error_code ignored;

@@ -29,6 +29,7 @@ struct Material
   vtkSmartPointer<vtkBRDF> BRDF;
   std::string Name;   // embedded name, the material's own, or the file's
   std::string Source; // for people; may be empty
+  std::string Kind;   // of embedded materials, else empty
   std::string Format; // "embedded" or the reader's name of the format
   std::string Notes;
   vtkIdType NumberOfNegativeValues = 0;

@@ -131,7 +131,7 @@ void AddIntegrateCommand(CLI::App& app)
   command->add_option("-o,--output", options->Output,
     "CSV file to write: the six columns and r,g,b of the outgoing radiance, linear Rec. 709 "
     "(default: standard output)");
-  command->footer("Example:\n  measured-brdf integrate teal-paint --environment sky --pairs nv.csv "
+  command->footer("Example:\n  measured-brdf integrate gold-paint --environment sky --pairs nv.csv "
                   "--method exact");
   command->callback([options]() { Run(*options); });
 }

@@ -28,22 +28,22 @@ vtkTextRenderer* GetRenderer()
   }
   return renderer;
 }
-
-//------------------------------------------------------------------------------
-int MeasureWidth(const std::string& text, int size)
-{
-  vtkNew<vtkTextProperty> property;
-  property->SetFontFamilyToArial();
-  property->SetFontSize(size);
-  property->BoldOn();
-  int box[4] = { 0, 0, 0, 0 };
-  GetRenderer()->GetBoundingBox(property, text, box, DPI);
-  return box[1] - box[0] + 1;
-}
 }
 
 namespace tool
 {
+//------------------------------------------------------------------------------
+int MeasureText(const std::string& text, int size, bool bold)
+{
+  vtkNew<vtkTextProperty> property;
+  property->SetFontFamilyToArial();
+  property->SetFontSize(size);
+  property->SetBold(bold);
+  int box[4] = { 0, 0, 0, 0 };
+  GetRenderer()->GetBoundingBox(property, text, box, DPI);
+  return box[1] - box[0] + 1;
+}
+
 //------------------------------------------------------------------------------
 void DrawText(
   Picture& picture, int x, int y, const std::string& text, int size, bool bold, const RGB& colour)
@@ -77,14 +77,14 @@ void DrawText(
 }
 
 //------------------------------------------------------------------------------
-std::string Fit(const std::string& text, int size, int width)
+std::string Fit(const std::string& text, int size, bool bold, int width)
 {
-  if (MeasureWidth(text, size) <= width)
+  if (MeasureText(text, size, bold) <= width)
   {
     return text;
   }
   std::string shorter = text;
-  while (!shorter.empty() && MeasureWidth(shorter + "...", size) > width)
+  while (!shorter.empty() && MeasureText(shorter + "...", size, bold) > width)
   {
     shorter.pop_back();
   }
@@ -100,7 +100,7 @@ std::vector<std::string> Wrap(const std::string& text, int size, int width, int 
   {
     const std::string longer = result.back().empty() ? word : result.back() + " " + word;
     const bool last = static_cast<int>(result.size()) == lines;
-    if (last || result.back().empty() || MeasureWidth(longer, size) <= width)
+    if (last || result.back().empty() || MeasureText(longer, size, false) <= width)
     {
       result.back() = longer;
     }
@@ -111,7 +111,7 @@ std::vector<std::string> Wrap(const std::string& text, int size, int width, int 
   }
   for (std::string& line : result)
   {
-    line = Fit(line, size, width);
+    line = Fit(line, size, false, width);
   }
   return result;
 }

@@ -19,8 +19,11 @@ namespace tool
 void DrawText(
   Picture& picture, int x, int y, const std::string& text, int size, bool bold, const RGB& colour);
 
-/// Text cut to a width in pixels (bold), with "..." where something is missing.
-std::string Fit(const std::string& text, int size, int width);
+/// Width of a line in pixels.
+int MeasureText(const std::string& text, int size, bool bold);
+
+/// Text cut to a width in pixels, with "..." where something is missing.
+std::string Fit(const std::string& text, int size, bool bold, int width);
 
 /// Text broken between words into lines of a width, at most so many; the last one is cut to fit.
 std::vector<std::string> Wrap(const std::string& text, int size, int width, int lines);

@@ -66,7 +66,7 @@ tool::Picture ToneMap(vtkEnvironment* environment, int width, int height)
       }
     }
   }
-  const double scale = weights > 0.0 ? 0.25 / std::exp(logarithms / weights) : 1.0;
+  const double scale = weights > 0.0 ? 0.18 / std::exp(logarithms / weights) : 1.0;
 
   tool::Picture picture(width, height);
   const tool::Backdrop backdrop(environment);
@@ -166,7 +166,7 @@ tool::Picture DrawPreview(vtkEnvironment* environment, vtkLightSet* lights, bool
         region[1] * height / environment->GetHeight(), region[2] * width / environment->GetWidth(),
         region[3] * height / environment->GetHeight() };
       DrawFrame(picture, box, 0, Smooth / 2, Bright, 0.85);
-      DrawFrame(picture, box, Smooth / 2, Smooth / 2, Dark, 0.55);
+      DrawFrame(picture, box, Smooth / 2, Smooth / 2, Dark, 0.7);
     }
   }
 

@@ -218,7 +218,7 @@ vtkSmartPointer<vtkPolyData> MakeBallOnFoot()
   constexpr double ballHeight = 1.0;
   constexpr double join = 0.75 * pi; // polar angle where the ball ends
   constexpr double neck = 0.5;
-  constexpr double rim = 0.22;
+  constexpr double rim = 0.2;
   const double neckX = (ball + neck) * std::sin(join);
   const double neckY = ballHeight + (ball + neck) * std::cos(join);
   // The neck turns from the ball's tangent to the horizontal: its angle shrinks from join to 0.
@@ -250,9 +250,9 @@ vtkSmartPointer<vtkPolyData> MakeBallOnFoot()
     }
     // Folds begin smoothly below the neck's narrowest place and turn a little on their way down.
     const double below = std::max(0.0, (length - lengths[0] - 0.35 * lengths[1]) / total);
-    const double depth = 1.1 * below * below / (below + 0.25);
+    const double depth = 0.42 * below * below / (below + 0.2);
     const double azimuth = 2.0 * pi * s;
-    x *= 1.0 + depth * std::cos(9.0 * azimuth + 3.0 * below);
+    x *= 1.0 + depth * std::cos(11.0 * azimuth + 4.0 * below);
     return Point{ x * std::sin(azimuth), y, x * std::cos(azimuth) };
   };
   return MakeParametric(360, 240, position);

@@ -35,7 +35,7 @@ struct Options
 };
 
 // Frames that frame_ms is the median of.
-constexpr int NumberOfFrames = 25;
+constexpr int NumberOfFrames = 21;
 // PNG pictures are rendered at this multiple and averaged, up to a size that every driver takes.
 constexpr int Smooth = 2;
 constexpr int LargestSize = 8192;
@@ -164,8 +164,8 @@ void AddRenderCommand(CLI::App& app)
   command->add_option("--report", options->Report,
     "JSON file to write: frame_ms (median), setup_ms, texture_bytes, method, lights, renderer, "
     "vtk");
-  command->footer("Example:\n  measured-brdf render teal-paint --environment sky --lights 256 "
-                  "-o teal.png\n\nNeeds OpenGL; without a screen, put 'xvfb-run -a' before it.");
+  command->footer("Example:\n  measured-brdf render gold-paint --environment sky --lights 256 "
+                  "-o gold.png\n\nNeeds OpenGL; without a screen, put 'xvfb-run -a' before it.");
   command->callback([options]() { Run(*options); });
 }
 } // namespace tool

@@ -21,7 +21,7 @@ int main(int argc, char* argv[])
   app.footer("Start with:\n"
              "  measured-brdf list                      the materials that come with the tool\n"
              "  measured-brdf gallery -o gallery.png    a picture of them\n"
-             "  measured-brdf render teal-paint --environment sky -o teal.png\n"
+             "  measured-brdf render gold-paint --environment sky -o gold.png\n"
              "  measured-brdf COMMAND --help            what a command does and its options\n\n"
              "Exit status: 0 done, 1 failed (a bad file, say), 2 called the wrong way.");
 
@@ -34,6 +34,11 @@ int main(int argc, char* argv[])
   tool::AddGalleryCommand(app);
   tool::AddConvertCommand(app);
 
+  if (argc == 1)
+  {
+    std::cerr << app.help();
+    return 2;
+  }
   try
   {
     app.parse(argc, argv);
