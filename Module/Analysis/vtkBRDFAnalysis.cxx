@@ -3,15 +3,39 @@
 #include "vtkBRDFAnalysis.h"
 
 #include "HalfVector.h"
+#include "LowDiscrepancy.h"
 #include "vtkObjectFactory.h"
 #include "vtkTabulatedBRDF.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <random>
 
 using namespace measuredbrdf;
+
+namespace
+{
+// One row of a table, zeros outside it.
+void CopyRow(const std::vector<std::array<double, 3>>& table, int index, double rgb[3])
+{
+  std::fill_n(rgb, 3, 0.0);
+  if (index >= 0 && static_cast<std::size_t>(index) < table.size())
+  {
+    std::copy_n(table[static_cast<std::size_t>(index)].begin(), 3, rgb);
+  }
+}
+
+// Cosine-weighted direction.
+void SampleCosine(double u1, double u2, double d[3])
+{
+  const double sine = std::sqrt(u1);
+  d[0] = sine * std::cos(2.0 * Pi * u2);
+  d[1] = sine * std::sin(2.0 * Pi * u2);
+  d[2] = std::sqrt(1.0 - u1);
+}
+} // namespace
 
 vtkStandardNewMacro(vtkBRDFAnalysis);
 
@@ -38,6 +62,7 @@ void vtkBRDFAnalysis::SetAngles(int count, const double* degrees)
   }
   this->Angles.assign(degrees, degrees + count);
   this->Albedos.clear();
+  this->Reflectances.clear();
   this->Modified();
 }
 
@@ -50,13 +75,12 @@ double vtkBRDFAnalysis::GetAngle(int index)
 }
 
 //------------------------------------------------------------------------------
-void vtkBRDFAnalysis::GetAlbedo(int index, double rgb[3])
+void vtkBRDFAnalysis::GetAlbedo(int index, double rgb[3]) { CopyRow(this->Albedos, index, rgb); }
+
+//------------------------------------------------------------------------------
+void vtkBRDFAnalysis::GetReflectance(int index, double rgb[3])
 {
-  std::fill_n(rgb, 3, 0.0);
-  if (index >= 0 && static_cast<std::size_t>(index) < this->Albedos.size())
-  {
-    std::copy_n(this->Albedos[static_cast<std::size_t>(index)].begin(), 3, rgb);
-  }
+  CopyRow(this->Reflectances, index, rgb);
 }
 
 //------------------------------------------------------------------------------
@@ -75,30 +99,65 @@ bool vtkBRDFAnalysis::Update()
 }
 
 //------------------------------------------------------------------------------
+void vtkBRDFAnalysis::EstimateReflectance(const double i[3], double reflectance[3])
+{
+  // As vtkBRDF::GetDirectionalAlbedo, the roles of i and o swapped: half the directions from the
+  // material's sampling (made for the other role, which the weights account for), half by cosine.
+  constexpr std::uint32_t count = 1 << 14;
+  std::fill_n(reflectance, 3, 0.0);
+  for (std::uint32_t k = 0; k < count; ++k)
+  {
+    const double u1 = RadicalInverse(k / 2 + 1, 2);
+    const double u2 = RadicalInverse(k / 2 + 1, 3);
+    double o[3];
+    if (k % 2 == 1)
+    {
+      SampleCosine(u1, u2, o);
+    }
+    else if (!this->BRDF->Sample(i, u1, u2, o))
+    {
+      continue;
+    }
+    double f[3];
+    this->BRDF->Evaluate(i, o, f);
+    const double pdf = 0.5 * (this->BRDF->Pdf(o, i) + o[2] / Pi);
+    for (int c = 0; c < 3; ++c)
+    {
+      reflectance[c] += f[c] * o[2] / (pdf * count);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkBRDFAnalysis::UpdateAlbedos()
 {
   const int azimuths = this->BRDF->IsIsotropic() ? 1 : 8;
-  this->Albedos.clear();
+  this->Albedos.assign(this->Angles.size(), { 0.0, 0.0, 0.0 });
+  this->Reflectances = this->Albedos;
   this->LargestAlbedo = 0.0;
-  for (double degrees : this->Angles)
+  double largestReflectance = 0.0;
+  for (std::size_t j = 0; j < this->Angles.size(); ++j)
   {
-    const double theta = degrees * Pi / 180.0;
-    std::array<double, 3> mean = { 0.0, 0.0, 0.0 };
+    const double theta = this->Angles[j] * Pi / 180.0;
     for (int k = 0; k < azimuths; ++k)
     {
       const double phi = 2.0 * Pi * k / azimuths;
-      const double o[3] = { std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
+      const double d[3] = { std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
         std::cos(theta) };
       double albedo[3];
-      this->BRDF->GetDirectionalAlbedo(o, albedo);
-      for (int c = 0; c < 3; ++c)
+      double reflectance[3];
+      this->BRDF->GetDirectionalAlbedo(d, albedo);
+      this->EstimateReflectance(d, reflectance);
+      for (std::size_t c = 0; c < 3; ++c)
       {
-        mean[static_cast<std::size_t>(c)] += albedo[c] / azimuths;
-        this->LargestAlbedo = std::max(this->LargestAlbedo, albedo[c]);
+        this->Albedos[j][c] += albedo[c] / azimuths;
+        this->Reflectances[j][c] += reflectance[c] / azimuths;
+        this->LargestAlbedo = std::max({ this->LargestAlbedo, albedo[c], reflectance[c] });
+        largestReflectance = std::max(largestReflectance, reflectance[c]);
       }
     }
-    this->Albedos.push_back(mean);
   }
+  this->GainsEnergy = largestReflectance > 1.005;
 }
 
 //------------------------------------------------------------------------------
@@ -113,30 +172,20 @@ void vtkBRDFAnalysis::UpdatePairs()
   // The engine's bits are fixed by the standard; its distributions are not.
   std::mt19937 engine(1);
   const auto random = [&engine]() { return static_cast<double>(engine()) * 0x1p-32; };
-  const auto sampleCosine = [&random](double d[3])
-  {
-    const double z2 = 1.0 - random();
-    const double phi = 2.0 * Pi * random();
-    d[0] = std::sqrt(1.0 - z2) * std::cos(phi);
-    d[1] = std::sqrt(1.0 - z2) * std::sin(phi);
-    d[2] = std::sqrt(z2);
-  };
   for (int k = 0; k < this->NumberOfPairs; ++k)
   {
     double o[3];
     double i[3];
-    sampleCosine(o);
+    double u[4];
+    std::generate_n(u, 4, random);
+    SampleCosine(u[0], u[1], o);
     if (k % 2 == 0)
     {
-      sampleCosine(i);
+      SampleCosine(u[2], u[3], i);
     }
-    else
+    else if (!this->BRDF->Sample(o, u[2], u[3], i))
     {
-      const double u1 = random();
-      if (!this->BRDF->Sample(o, u1, random(), i))
-      {
-        continue; // below the horizon: weight 0
-      }
+      continue; // below the horizon: weight 0
     }
     const double cosine = i[2] / Pi;
     const double weight = cosine / (0.5 * (cosine + this->BRDF->Pdf(i, o)));
@@ -223,9 +272,12 @@ void vtkBRDFAnalysis::PrintSelf(ostream& os, vtkIndent indent)
     double rgb[3];
     this->GetAlbedo(k, rgb);
     os << indent << "Albedo at " << this->GetAngle(k) << " degrees: " << rgb[0] << " " << rgb[1]
-       << " " << rgb[2] << "\n";
+       << " " << rgb[2];
+    this->GetReflectance(k, rgb);
+    os << ", reflectance: " << rgb[0] << " " << rgb[1] << " " << rgb[2] << "\n";
   }
   os << indent << "LargestAlbedo: " << this->LargestAlbedo << "\n";
+  os << indent << "GainsEnergy: " << this->GainsEnergy << "\n";
   os << indent << "ReciprocityError: " << this->ReciprocityError << "\n";
   os << indent << "ReciprocityRMSError: " << this->ReciprocityRMSError << "\n";
   os << indent << "Minimum: " << this->Minimum[0] << " " << this->Minimum[1] << " "

@@ -62,19 +62,24 @@ public:
    */
   bool Update();
 
+  ///@{
   /**
-   * Directional albedo a(o) (RGB, see vtkBRDF::GetDirectionalAlbedo) at GetAngle(index), in the
-   * azimuth 0; of anisotropic materials the mean over 8 azimuths.
+   * At GetAngle(index), RGB: the directional albedo a(o) = integral of f(i,o) c_i di (what a viewer
+   * sees under a white sky; vtkBRDF::GetDirectionalAlbedo) and the reflectance r(i) = integral of
+   * f(i,o) c_o do (the share of light from i that is given back). A reciprocal material has the
+   * same of both. In the azimuth 0; of anisotropic materials the mean over 8 azimuths.
    */
   void GetAlbedo(int index, double rgb[3]);
+  void GetReflectance(int index, double rgb[3]);
+  ///@}
 
   ///@{
   /**
-   * Largest channel of any directional albedo that was computed, and whether it is above 1 by more
-   * than its estimate's error (0.5 %): the material gives back more light than it gets.
+   * Largest channel of any albedo or reflectance that was computed; and whether a reflectance is
+   * above 1 by more than its estimate's error (0.5 %): the material gives back more than it gets.
    */
   vtkGetMacro(LargestAlbedo, double);
-  bool GetGainsEnergy() { return this->LargestAlbedo > 1.005; }
+  vtkGetMacro(GainsEnergy, bool);
   ///@}
 
   ///@{
@@ -108,8 +113,10 @@ protected:
   vtkSmartPointer<vtkBRDF> BRDF;
   std::vector<double> Angles;
   std::vector<std::array<double, 3>> Albedos;
+  std::vector<std::array<double, 3>> Reflectances;
   int NumberOfPairs = 20000;
   double LargestAlbedo = 0.0;
+  bool GainsEnergy = false;
   double ReciprocityError = 0.0;
   double ReciprocityRMSError = 0.0;
   double Minimum[3] = { 0.0, 0.0, 0.0 };
@@ -120,6 +127,7 @@ private:
   vtkBRDFAnalysis(const vtkBRDFAnalysis&) = delete;
   void operator=(const vtkBRDFAnalysis&) = delete;
 
+  void EstimateReflectance(const double i[3], double reflectance[3]);
   void UpdateAlbedos();
   void UpdatePairs();
   void UpdateNegativeMass();

@@ -3,6 +3,7 @@
 #include "vtkExactIntegrator.h"
 
 #include "LocalFrame.h"
+#include "TexelDirections.h"
 #include "vtkBRDF.h"
 #include "vtkEnvironment.h"
 #include "vtkObjectFactory.h"
@@ -29,6 +30,7 @@ bool vtkExactIntegrator::Begin()
     vtkErrorMacro("Integrate: there is no environment, or it is empty.");
     return false;
   }
+  const measuredbrdf::TexelDirections directions(environment->GetWidth(), environment->GetHeight());
   this->Texels.clear();
   for (int y = 0; y < environment->GetHeight(); ++y)
   {
@@ -39,10 +41,9 @@ bool vtkExactIntegrator::Begin()
       environment->GetPixel(x, y, rgb);
       if (rgb[0] > 0.0 || rgb[1] > 0.0 || rgb[2] > 0.0)
       {
-        double d[3];
-        environment->GetTexelDirection(x, y, d);
+        const glm::dvec3 d = directions.Get(x, y);
         this->Texels.insert(this->Texels.end(),
-          { d[0], d[1], d[2], rgb[0] * solidAngle, rgb[1] * solidAngle, rgb[2] * solidAngle });
+          { d.x, d.y, d.z, rgb[0] * solidAngle, rgb[1] * solidAngle, rgb[2] * solidAngle });
       }
     }
   }

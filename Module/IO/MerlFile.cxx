@@ -117,8 +117,7 @@ MaterialFile ReadMerl(const FileBytes& file)
 //------------------------------------------------------------------------------
 void WriteMerl(vtkTabulatedBRDF* table, const std::string& path)
 {
-  if (!table || table->GetParameterization() != vtkTabulatedBRDF::HALF_DIFFERENCE ||
-      table->GetAzimuthRange() != vtkTabulatedBRDF::HALF_TURN)
+  if (!table || !table->IsReciprocal()) // half/difference over half a turn, without cosine
   {
     throw FileError(
       path +

@@ -4,6 +4,7 @@
 
 #include "HalfVector.h" // for Pi
 #include "SummedAreaTable.h"
+#include "TexelDirections.h"
 #include "vtkEnvironment.h"
 #include "vtkLightSet.h"
 #include "vtkObjectFactory.h"
@@ -56,31 +57,6 @@ int FindCut(int first, int last, double total, Lower&& lower)
   return before ? begin - 1 : begin;
 }
 
-// Directions of texels, separable: one pair of figures per column and per row.
-struct Directions
-{
-  Directions(int width, int height)
-    : Columns(static_cast<std::size_t>(width))
-    , Rows(static_cast<std::size_t>(height))
-  {
-    for (int x = 0; x < width; ++x)
-    {
-      double d[3];
-      vtkEnvironment::GetDirection((x + 0.5) / width, 0.5, d);
-      this->Columns[static_cast<std::size_t>(x)] = glm::dvec2(d[0], d[2]);
-    }
-    for (int y = 0; y < height; ++y)
-    {
-      double d[3];
-      vtkEnvironment::GetDirection(0.5, (y + 0.5) / height, d);
-      this->Rows[static_cast<std::size_t>(y)] = glm::dvec2(d[0], d[1]);
-    }
-  }
-
-  std::vector<glm::dvec2> Columns; // cos, sin of the azimuth
-  std::vector<glm::dvec2> Rows;    // cos, sin of the latitude
-};
-
 // Both halves of a region, across its longer side (Debevec 2005: the width shrinks with the cosine
 // of the middle row's latitude).
 void Split(const Region& r, const measuredbrdf::SummedAreaTable& table, int width, int height,
@@ -112,7 +88,8 @@ void Split(const Region& r, const measuredbrdf::SummedAreaTable& table, int widt
   }
 }
 
-Energy Gather(const Region& r, vtkEnvironment* environment, const Directions& directions)
+Energy Gather(
+  const Region& r, vtkEnvironment* environment, const measuredbrdf::TexelDirections& directions)
 {
   Energy energy;
   for (int y = r.Y0; y < r.Y1; ++y)
@@ -187,7 +164,7 @@ bool vtkMedianCutLightSetGenerator::Generate(
     regions.swap(halves);
   }
 
-  const Directions directions(width, height);
+  const measuredbrdf::TexelDirections directions(width, height);
   std::vector<Energy> energies(regions.size());
   vtkSMPTools::For(0, static_cast<vtkIdType>(regions.size()),
     [&](vtkIdType begin, vtkIdType end)

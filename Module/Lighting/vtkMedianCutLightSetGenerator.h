@@ -11,7 +11,7 @@
  * *directions* (not of their image coordinates: those fail at the seam and the poles).
  *
  * The count must be a power of two. A region of one texel is not split further, so small images
- * give fewer lights; a region without energy gives no light.
+ * and single bright texels give fewer lights; a region without energy gives no light.
  */
 
 #ifndef vtkMedianCutLightSetGenerator_h

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BRDFShader.h"
+
+#include "vtkShaderProgram.h"
+
+#include "vtkBRDFAshikhminShirley.h"
+#include "vtkBRDFBegin.h"
+#include "vtkBRDFBlinnPhong.h"
+#include "vtkBRDFCommon.h"
+#include "vtkBRDFDirectionalLight.h"
+#include "vtkBRDFDistribution.h"
+#include "vtkBRDFEnd.h"
+#include "vtkBRDFHalfDifference.h"
+#include "vtkBRDFHeadlight.h"
+#include "vtkBRDFIncidentOutgoing.h"
+#include "vtkBRDFLambert.h"
+#include "vtkBRDFLightSet.h"
+#include "vtkBRDFPositionalLight.h"
+#include "vtkBRDFTangent.h"
+#include "vtkBRDFTangentAxis.h"
+
+#include <map>
+
+namespace measuredbrdf
+{
+namespace
+{
+const char* FindTerm(const std::string& name)
+{
+  static const std::map<std::string, const char*> sources = {
+    { "vtkBRDFAshikhminShirley", vtkBRDFAshikhminShirley },
+    { "vtkBRDFBlinnPhong", vtkBRDFBlinnPhong },
+    { "vtkBRDFDistribution", vtkBRDFDistribution },
+    { "vtkBRDFHalfDifference", vtkBRDFHalfDifference },
+    { "vtkBRDFIncidentOutgoing", vtkBRDFIncidentOutgoing },
+    { "vtkBRDFLambert", vtkBRDFLambert },
+  };
+  return sources.at(name);
+}
+
+std::string Numbered(const char* source, const std::string& placeholder, std::size_t number)
+{
+  std::string text = source;
+  vtkShaderProgram::Substitute(text, placeholder, std::to_string(number));
+  return text;
+}
+}
+
+std::string GetShaderDeclarations(const vtkBRDFGPUForm& form)
+{
+  std::string text = vtkBRDFCommon;
+  std::string sum = "vec3(0.0)";
+  for (std::size_t k = 0; k < form.Terms.size(); ++k)
+  {
+    text += Numbered(FindTerm(form.Terms[k].Shader), "INSTANCE", k);
+    sum += " + brdfTerm" + std::to_string(k) + "(i, o)";
+  }
+  text += "vec3 brdfEvaluate(vec3 i, vec3 o)\n{\n  return " + sum + ";\n}\n";
+  text += vtkBRDFLightSet;
+  text += "uniform int brdfModulate;\n";
+  return text;
+}
+
+std::string GetShaderBody(
+  int complexity, int count, TangentSource tangents, const std::string& edges)
+{
+  std::string text = vtkBRDFBegin;
+  vtkShaderProgram::Substitute(text, "//VTK::MeasuredBRDF::Tangent",
+    tangents == TangentSource::Data ? vtkBRDFTangent
+                                    : (tangents == TangentSource::Axis ? vtkBRDFTangentAxis : ""));
+  if (complexity == 1)
+  {
+    text += vtkBRDFHeadlight;
+  }
+  for (int k = 0; complexity > 1 && k < count; ++k)
+  {
+    text += Numbered(complexity == 2 ? vtkBRDFDirectionalLight : vtkBRDFPositionalLight, "LIGHT",
+      static_cast<std::size_t>(k));
+  }
+  std::string end = vtkBRDFEnd;
+  vtkShaderProgram::Substitute(end, "//VTK::MeasuredBRDF::Edges", edges);
+  return text + end;
+}
+} // namespace measuredbrdf

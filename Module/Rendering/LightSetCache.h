@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Environments of textures and light sets of environments, made once and shared by all mappers
+ * that hold them. Private to the rendering room.
+ */
+
+#ifndef LightSetCache_h
+#define LightSetCache_h
+
+#include "vtkSmartPointer.h"
+
+class vtkEnvironment;
+class vtkLightSet;
+class vtkTexture;
+
+namespace measuredbrdf
+{
+/// The texture's lat-long image as an environment; null where it has none (a cube map, no input).
+vtkSmartPointer<vtkEnvironment> FindEnvironment(vtkTexture* texture);
+
+/// The light set that the mapper's settings ask for; null where it cannot be made.
+vtkSmartPointer<vtkLightSet> FindLightSet(
+  vtkEnvironment* environment, int method, int count, unsigned int seed);
+} // namespace measuredbrdf
+
+#endif

@@ -1,0 +1,449 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMeasuredBRDFMapper.h"
+
+#include "BRDFShader.h"
+#include "BRDFTextures.h"
+#include "LightSetCache.h"
+
+#include "vtkActor.h"
+#include "vtkBRDF.h"
+#include "vtkDataObject.h"
+#include "vtkEnvironment.h"
+#include "vtkInformation.h"
+#include "vtkLightSet.h"
+#include "vtkLightSetGenerator.h"
+#include "vtkLightingMapPass.h"
+#include "vtkMatrix3x3.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLHelper.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkOpenGLVertexBufferObjectGroup.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkShader.h"
+#include "vtkShaderProgram.h"
+#include "vtkTexture.h"
+
+#include <algorithm>
+#include <set>
+
+using namespace measuredbrdf;
+
+vtkStandardNewMacro(vtkMeasuredBRDFMapper);
+
+struct vtkMeasuredBRDFMapper::Internals
+{
+  vtkSmartPointer<vtkBRDF> BRDF;
+  vtkSmartPointer<vtkEnvironment> Environment;
+  vtkSmartPointer<vtkLightSet> LightSet;
+
+  // In use since the last RenderPieceStart.
+  std::shared_ptr<MaterialTextures> Material;
+  vtkSmartPointer<vtkEnvironment> CurrentEnvironment;
+  vtkSmartPointer<vtkLightSet> CurrentLights;
+  LightTexture Lights;
+  bool Ready = false; // whether the material can be drawn
+
+  std::map<const vtkOpenGLHelper*, std::string> ShaderKeys;
+  std::set<std::string> Warned; // one warning per cause
+
+  bool WarnOnce(const std::string& cause) { return this->Warned.insert(cause).second; }
+};
+
+namespace
+{
+int NextPowerOfTwo(int n)
+{
+  int power = 1;
+  while (power < n)
+  {
+    power *= 2;
+  }
+  return power;
+}
+
+// The superclass declares normals and positions for lit primitives only; an environment lights
+// scenes without a single vtkLight. Works on int (VTK < 9.4) and on the enum that followed.
+template <typename Complexity>
+class ForceLit
+{
+public:
+  ForceLit(Complexity& complexity, bool force)
+    : Target(complexity)
+    , Saved(complexity)
+  {
+    if (force && static_cast<int>(complexity) == 0)
+    {
+      complexity = static_cast<Complexity>(1);
+    }
+  }
+  ~ForceLit() { this->Target = this->Saved; }
+  ForceLit(const ForceLit&) = delete;
+  void operator=(const ForceLit&) = delete;
+
+private:
+  Complexity& Target;
+  Complexity Saved;
+};
+}
+
+//------------------------------------------------------------------------------
+vtkMeasuredBRDFMapper::vtkMeasuredBRDFMapper()
+  : Impl(new Internals)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkMeasuredBRDFMapper::~vtkMeasuredBRDFMapper() = default;
+
+//------------------------------------------------------------------------------
+void vtkMeasuredBRDFMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "BRDF: " << this->Impl->BRDF.Get() << "\n";
+  os << indent << "Environment: " << this->Impl->Environment.Get() << "\n";
+  os << indent << "LightSet: " << this->Impl->LightSet.Get() << "\n";
+  os << indent << "LightSetMethod: "
+     << (this->LightSetMethod == MEDIAN_CUT ? "median cut" : "importance sampling") << "\n";
+  os << indent << "NumberOfLights: " << this->NumberOfLights << "\n";
+  os << indent << "Seed: " << this->Seed << "\n";
+  os << indent
+     << "ScalarColoringMode: " << (this->ScalarColoringMode == MODULATE ? "modulate" : "ignore")
+     << "\n";
+}
+
+// The setters below do not call Modified(): that would rebuild vertex buffers and shaders. Every
+// render compares what it used last with what is asked for.
+
+//------------------------------------------------------------------------------
+void vtkMeasuredBRDFMapper::SetBRDF(vtkBRDF* brdf) { this->Impl->BRDF = brdf; }
+
+//------------------------------------------------------------------------------
+vtkBRDF* vtkMeasuredBRDFMapper::GetBRDF() { return this->Impl->BRDF; }
+
+//------------------------------------------------------------------------------
+void vtkMeasuredBRDFMapper::SetEnvironment(vtkEnvironment* environment)
+{
+  this->Impl->Environment = environment;
+}
+
+//------------------------------------------------------------------------------
+vtkEnvironment* vtkMeasuredBRDFMapper::GetEnvironment() { return this->Impl->Environment; }
+
+//------------------------------------------------------------------------------
+void vtkMeasuredBRDFMapper::SetLightSet(vtkLightSet* lights) { this->Impl->LightSet = lights; }
+
+//------------------------------------------------------------------------------
+vtkLightSet* vtkMeasuredBRDFMapper::GetLightSet() { return this->Impl->LightSet; }
+
+//------------------------------------------------------------------------------
+void vtkMeasuredBRDFMapper::SetLightSetMethod(int method)
+{
+  this->LightSetMethod = method == IMPORTANCE_SAMPLING ? IMPORTANCE_SAMPLING : MEDIAN_CUT;
+}
+
+//------------------------------------------------------------------------------
+void vtkMeasuredBRDFMapper::SetNumberOfLights(int count)
+{
+  const int clamped = std::clamp(count, 1, vtkLightSetGenerator::MaximumNumberOfLights);
+  if (clamped != count)
+  {
+    vtkWarningMacro("SetNumberOfLights: " << count << " clamped to " << clamped << ".");
+  }
+  this->NumberOfLights = clamped;
+}
+
+//------------------------------------------------------------------------------
+void vtkMeasuredBRDFMapper::SetSeed(unsigned int seed) { this->Seed = seed; }
+
+//------------------------------------------------------------------------------
+void vtkMeasuredBRDFMapper::SetScalarColoringMode(int mode)
+{
+  this->ScalarColoringMode = mode == IGNORE_SCALARS ? IGNORE_SCALARS : MODULATE;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkMeasuredBRDFMapper::GetTextureBytes()
+{
+  return static_cast<vtkIdType>(
+    this->Impl->Lights.GetBytes() + (this->Impl->Material ? this->Impl->Material->GetBytes() : 0));
+}
+
+//------------------------------------------------------------------------------
+vtkLightSet* vtkMeasuredBRDFMapper::GetCurrentLightSet() { return this->Impl->CurrentLights; }
+
+//------------------------------------------------------------------------------
+std::string vtkMeasuredBRDFMapper::GetMaterialDescription()
+{
+  return this->Impl->Material ? this->Impl->Material->GetForm().Description : "";
+}
+
+//------------------------------------------------------------------------------
+void vtkMeasuredBRDFMapper::ShallowCopy(vtkAbstractMapper* m)
+{
+  if (vtkMeasuredBRDFMapper* other = vtkMeasuredBRDFMapper::SafeDownCast(m))
+  {
+    this->SetBRDF(other->GetBRDF());
+    this->SetEnvironment(other->GetEnvironment());
+    this->SetLightSet(other->GetLightSet());
+    this->SetLightSetMethod(other->GetLightSetMethod());
+    this->SetNumberOfLights(other->GetNumberOfLights());
+    this->SetSeed(other->GetSeed());
+    this->SetScalarColoringMode(other->GetScalarColoringMode());
+  }
+  this->Superclass::ShallowCopy(m);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeasuredBRDFMapper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  // The superclass may call this again from inside: it must do no harm twice.
+  this->Impl->Material.reset();
+  this->Impl->Lights.Release(window);
+  this->Impl->Ready = false;
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+bool vtkMeasuredBRDFMapper::UsesMaterial(vtkActor* actor, const vtkOpenGLHelper* cellBO)
+{
+  if (!this->Impl->Ready || this->DrawingSelection || this->DrawingVertices)
+  {
+    return false;
+  }
+  const bool triangles =
+    cellBO == &this->Primitives[PrimitiveTris] || cellBO == &this->Primitives[PrimitiveTriStrips];
+  vtkInformation* keys = actor->GetPropertyKeys();
+  return triangles && actor->GetProperty()->GetLighting() &&
+         actor->GetProperty()->GetRepresentation() == VTK_SURFACE &&
+         !(keys && (keys->Has(vtkLightingMapPass::RENDER_NORMALS()) ||
+                     keys->Has(vtkLightingMapPass::RENDER_LUMINANCE())));
+}
+
+//------------------------------------------------------------------------------
+bool vtkMeasuredBRDFMapper::HasTangents()
+{
+  return this->VBOs->GetNumberOfComponents("tangentMC") == 3;
+}
+
+//------------------------------------------------------------------------------
+bool vtkMeasuredBRDFMapper::GetNeedToRebuildShaders(
+  vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor)
+{
+  const bool rebuild = this->Superclass::GetNeedToRebuildShaders(cellBO, ren, actor);
+  std::string key;
+  if (this->UsesMaterial(actor, &cellBO))
+  {
+    key = this->Impl->Material->GetForm().GetShaderKey();
+    if (!this->Impl->BRDF->IsIsotropic())
+    {
+      key += this->HasTangents() ? "tangents" : "axis";
+    }
+  }
+  std::string& last = this->Impl->ShaderKeys[&cellBO];
+  const bool changed = key != last;
+  last = key;
+  return rebuild || changed;
+}
+
+//------------------------------------------------------------------------------
+void vtkMeasuredBRDFMapper::ReplaceShaderColor(
+  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* actor)
+{
+  ForceLit lit(this->PrimitiveInfo[this->LastBoundBO].LastLightComplexity,
+    this->UsesMaterial(actor, this->LastBoundBO));
+  this->Superclass::ReplaceShaderColor(shaders, ren, actor);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeasuredBRDFMapper::ReplaceShaderPositionVC(
+  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* actor)
+{
+  ForceLit lit(this->PrimitiveInfo[this->LastBoundBO].LastLightComplexity,
+    this->UsesMaterial(actor, this->LastBoundBO));
+  this->Superclass::ReplaceShaderPositionVC(shaders, ren, actor);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeasuredBRDFMapper::ReplaceShaderNormal(
+  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* actor)
+{
+  const bool material = this->UsesMaterial(actor, this->LastBoundBO);
+  ForceLit lit(this->PrimitiveInfo[this->LastBoundBO].LastLightComplexity, material);
+  this->Superclass::ReplaceShaderNormal(shaders, ren, actor);
+  if (!material || this->Impl->BRDF->IsIsotropic() || !this->HasTangents())
+  {
+    return;
+  }
+
+  // Tangents through the stages, beside the positions (their tags are still there).
+  std::string vs = shaders[vtkShader::Vertex]->GetSource();
+  std::string declarations = "out vec3 brdfTangentVCVSOutput;\n";
+  if (vs.find("in vec3 tangentMC;") == std::string::npos)
+  {
+    declarations += "in vec3 tangentMC;\n";
+  }
+  if (vs.find("uniform mat3 normalMatrix;") == std::string::npos)
+  {
+    declarations += "uniform mat3 normalMatrix;\n";
+  }
+  vtkShaderProgram::Substitute(
+    vs, "//VTK::PositionVC::Dec", "//VTK::PositionVC::Dec\n" + declarations, false);
+  vtkShaderProgram::Substitute(vs, "//VTK::PositionVC::Impl",
+    "//VTK::PositionVC::Impl\n  brdfTangentVCVSOutput = normalMatrix * tangentMC;\n", false);
+  shaders[vtkShader::Vertex]->SetSource(vs);
+
+  std::string gs = shaders[vtkShader::Geometry]->GetSource();
+  vtkShaderProgram::Substitute(gs, "//VTK::PositionVC::Dec",
+    "//VTK::PositionVC::Dec\nin vec3 brdfTangentVCVSOutput[];\nout vec3 brdfTangentVCGSOutput;\n",
+    false);
+  vtkShaderProgram::Substitute(gs, "//VTK::PositionVC::Impl",
+    "//VTK::PositionVC::Impl\n  brdfTangentVCGSOutput = brdfTangentVCVSOutput[i];\n", false);
+  shaders[vtkShader::Geometry]->SetSource(gs);
+
+  std::string fs = shaders[vtkShader::Fragment]->GetSource();
+  vtkShaderProgram::Substitute(
+    fs, "//VTK::Light::Dec", "in vec3 brdfTangentVCVSOutput;\n//VTK::Light::Dec", false);
+  shaders[vtkShader::Fragment]->SetSource(fs);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeasuredBRDFMapper::ReplaceShaderLight(
+  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* actor)
+{
+  if (!this->UsesMaterial(actor, this->LastBoundBO))
+  {
+    this->Superclass::ReplaceShaderLight(shaders, ren, actor);
+    return;
+  }
+  std::string fs = shaders[vtkShader::Fragment]->GetSource();
+  vtkShaderProgram::Substitute(fs, "//VTK::Light::Dec",
+    "//VTK::Light::Dec\n" + GetShaderDeclarations(this->Impl->Material->GetForm()), false);
+  vtkShaderProgram::Substitute(fs, "//VTK::Light::Dec",
+    std::string(static_cast<vtkOpenGLRenderer*>(ren)->GetLightingUniforms()), false);
+
+  TangentSource tangents = TangentSource::None;
+  if (!this->Impl->BRDF->IsIsotropic())
+  {
+    tangents = this->HasTangents() ? TangentSource::Data : TangentSource::Axis;
+    if (tangents == TangentSource::Axis && this->Impl->WarnOnce("tangents"))
+    {
+      vtkWarningMacro("The material is anisotropic but the polydata has no float point tangents "
+                      "(PointData::SetTangents): they turn about the environment's up axis.");
+    }
+  }
+  std::string edges;
+  if (this->DrawingEdges(ren, actor))
+  {
+    // VTK 9.3 added an opacity of edges.
+    edges = fs.find("uniform float edgeOpacity") != std::string::npos
+              ? "color = mix(color, edgeColor, emix * edgeOpacity);"
+              : "color = mix(color, edgeColor, emix);";
+  }
+  const auto& info = this->PrimitiveInfo[this->LastBoundBO];
+  vtkShaderProgram::Substitute(fs, "//VTK::Light::Impl",
+    GetShaderBody(static_cast<int>(info.LastLightComplexity), info.LastLightCount, tangents, edges),
+    false);
+  shaders[vtkShader::Fragment]->SetSource(fs);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeasuredBRDFMapper::SetMapperShaderParameters(
+  vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor)
+{
+  this->Superclass::SetMapperShaderParameters(cellBO, ren, actor);
+  if (!this->UsesMaterial(actor, &cellBO))
+  {
+    return;
+  }
+  vtkShaderProgram* program = cellBO.Program;
+  this->Impl->Material->SetUniforms(program);
+  this->Impl->Lights.SetUniforms(program);
+  vtkNew<vtkMatrix3x3> rotation;
+  if (this->Impl->CurrentEnvironment)
+  {
+    double rows[9];
+    this->Impl->CurrentEnvironment->GetWorldToEnvironment(rows);
+    rotation->DeepCopy(rows);
+  }
+  rotation->Transpose(); // SetUniformMatrix hands over columns
+  program->SetUniformMatrix("brdfEnvironmentRotation", rotation);
+  const bool scalars =
+    this->GetScalarVisibility() && (this->VBOs->GetNumberOfComponents("scalarColor") != 0 ||
+                                     this->HaveCellScalars || this->ColorTextureMap);
+  program->SetUniformi("brdfModulate", scalars && this->ScalarColoringMode == MODULATE ? 1 : 0);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeasuredBRDFMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* actor)
+{
+  Internals& impl = *this->Impl;
+  impl.Ready = false;
+  if (impl.BRDF)
+  {
+    auto* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetVTKWindow());
+
+    impl.CurrentEnvironment =
+      impl.Environment ? impl.Environment : FindEnvironment(ren->GetEnvironmentTexture());
+    if (!impl.CurrentEnvironment && ren->GetEnvironmentTexture() && impl.WarnOnce("environment"))
+    {
+      vtkWarningMacro("The renderer's environment texture is not a lat-long image (cube maps are "
+                      "not supported); it lights nothing here.");
+    }
+    if (impl.LightSet)
+    {
+      impl.CurrentLights = impl.LightSet;
+    }
+    else if (impl.CurrentEnvironment && impl.CurrentEnvironment->GetWidth() > 0)
+    {
+      int count = this->NumberOfLights;
+      if (this->LightSetMethod == MEDIAN_CUT && count != NextPowerOfTwo(count))
+      {
+        count = NextPowerOfTwo(count);
+        if (impl.WarnOnce("median cut " + std::to_string(this->NumberOfLights)))
+        {
+          vtkWarningMacro("Median cut makes powers of two: " << count << " lights instead of "
+                                                             << this->NumberOfLights << ".");
+        }
+      }
+      impl.CurrentLights =
+        FindLightSet(impl.CurrentEnvironment, this->LightSetMethod, count, this->Seed);
+    }
+    else
+    {
+      impl.CurrentLights = nullptr;
+    }
+
+    impl.Material = MaterialTextures::Find(impl.BRDF, window);
+    std::string problem = impl.Material->Update(impl.BRDF, window);
+    if (problem.empty())
+    {
+      problem = impl.Lights.Update(impl.CurrentLights, window);
+    }
+    impl.Ready = problem.empty();
+    if (!impl.Ready && impl.WarnOnce(problem))
+    {
+      vtkErrorMacro("The material is not drawn: " << problem << ".");
+    }
+    if (impl.Ready)
+    {
+      impl.Material->Activate();
+      impl.Lights.Activate();
+    }
+  }
+  this->Superclass::RenderPieceStart(ren, actor);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeasuredBRDFMapper::RenderPieceFinish(vtkRenderer* ren, vtkActor* actor)
+{
+  if (this->Impl->Ready)
+  {
+    this->Impl->Material->Deactivate();
+    this->Impl->Lights.Deactivate();
+  }
+  this->Superclass::RenderPieceFinish(ren, actor);
+}

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Light-set generators and integrators. Wall-clock time: they use threads.
+#include "vtkBlinnPhongBRDF.h"
+#include "vtkDoubleArray.h"
+#include "vtkEnvironment.h"
+#include "vtkExactIntegrator.h"
+#include "vtkImportanceLightSetGenerator.h"
+#include "vtkLambertBRDF.h"
+#include "vtkLightSet.h"
+#include "vtkLightSetIntegrator.h"
+#include "vtkMedianCutLightSetGenerator.h"
+#include "vtkNew.h"
+#include "vtkTabulatedBRDF.h"
+
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <random>
+
+namespace
+{
+// Five decades, no black texel.
+void SetRandom(vtkEnvironment* environment, int width, int height)
+{
+  std::mt19937 engine(1);
+  std::vector<float> rgb(3 * std::size_t(width) * height);
+  for (float& value : rgb)
+  {
+    value = static_cast<float>(std::exp(12.0 * engine() * 0x1p-32 - 8.0));
+  }
+  environment->SetPixels(width, height, std::move(rgb));
+}
+
+template <typename Generator>
+void Generate(benchmark::State& state)
+{
+  vtkNew<vtkEnvironment> environment;
+  SetRandom(environment, 1024, 512);
+  vtkNew<Generator> generator;
+  vtkNew<vtkLightSet> lights;
+  for (auto _ : state)
+  {
+    generator->Generate(environment, static_cast<int>(state.range(0)), lights);
+  }
+}
+BENCHMARK_TEMPLATE(Generate, vtkMedianCutLightSetGenerator)
+  ->Arg(64)
+  ->Arg(1024)
+  ->UseRealTime()
+  ->Unit(benchmark::kMillisecond);
+BENCHMARK_TEMPLATE(Generate, vtkImportanceLightSetGenerator)
+  ->Arg(64)
+  ->Arg(1024)
+  ->UseRealTime()
+  ->Unit(benchmark::kMillisecond);
+
+// Pairs (n, v) = (direction, the same turned by 40 degrees).
+void SetPairs(int count, vtkDoubleArray* normals, vtkDoubleArray* views)
+{
+  normals->SetNumberOfComponents(3);
+  views->SetNumberOfComponents(3);
+  for (int k = 0; k < count; ++k)
+  {
+    normals->InsertNextTuple3(std::cos(k), 0.3, std::sin(k));
+    views->InsertNextTuple3(std::cos(k + 0.7), 0.3, std::sin(k + 0.7));
+  }
+}
+
+void Integrate(benchmark::State& state, vtkRadianceIntegrator* integrator, vtkBRDF* brdf, int pairs,
+  double evaluationsPerPair)
+{
+  vtkNew<vtkDoubleArray> normals;
+  vtkNew<vtkDoubleArray> views;
+  vtkNew<vtkDoubleArray> radiance;
+  SetPairs(pairs, normals, views);
+  integrator->SetBRDF(brdf);
+  for (auto _ : state)
+  {
+    integrator->Integrate(normals, views, radiance);
+  }
+  state.counters["evaluations"] =
+    benchmark::Counter(evaluationsPerPair * pairs, benchmark::Counter::kIsIterationInvariantRate);
+}
+
+template <typename BRDF>
+vtkNew<BRDF> NewMaterial()
+{
+  return vtkNew<BRDF>();
+}
+
+template <>
+vtkNew<vtkTabulatedBRDF> NewMaterial<vtkTabulatedBRDF>()
+{
+  const int size[3] = { 180, 90, 90 };
+  vtkNew<vtkTabulatedBRDF> table;
+  table->SetVolume(vtkTabulatedBRDF::HALF_DIFFERENCE, vtkTabulatedBRDF::HALF_TURN, size,
+    std::vector<float>(3 * std::size_t(size[0]) * size[1] * size[2], 0.25f));
+  return table;
+}
+
+// Half the sphere's texels are above the horizon: that many evaluations per pair.
+template <typename BRDF>
+void Exact(benchmark::State& state)
+{
+  vtkNew<vtkEnvironment> environment;
+  SetRandom(environment, 1024, 512);
+  vtkNew<vtkExactIntegrator> integrator;
+  integrator->SetEnvironment(environment);
+  Integrate(state, integrator, NewMaterial<BRDF>(), static_cast<int>(state.range(0)), 1024 * 256);
+}
+BENCHMARK_TEMPLATE(Exact, vtkLambertBRDF)
+  ->Arg(1)
+  ->Arg(16)
+  ->UseRealTime()
+  ->Unit(benchmark::kMillisecond);
+BENCHMARK_TEMPLATE(Exact, vtkBlinnPhongBRDF)->Arg(16)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK_TEMPLATE(Exact, vtkTabulatedBRDF)->Arg(16)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+void LightLoop(benchmark::State& state)
+{
+  vtkNew<vtkEnvironment> environment;
+  SetRandom(environment, 256, 128);
+  vtkNew<vtkMedianCutLightSetGenerator> generator;
+  vtkNew<vtkLightSet> lights;
+  generator->Generate(environment, 256, lights);
+  vtkNew<vtkLightSetIntegrator> integrator;
+  integrator->SetLightSet(lights);
+  Integrate(state, integrator, vtkNew<vtkBlinnPhongBRDF>(), 10000, 128.0);
+}
+BENCHMARK(LightLoop)->UseRealTime()->Unit(benchmark::kMillisecond);
+} // namespace

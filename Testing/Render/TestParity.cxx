@@ -1,0 +1,289 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// CPU Evaluate = GLSL for every representation: invariant 1 of the design. A grid of quads, each
+// with its own random normal and tangent, is drawn once per random light; every quad's pixel is
+// f(i,o) cos(theta_i) for its own pair of directions.
+
+#include "RenderFixture.h"
+
+#include "vtkAdaptiveWarpBRDF.h"
+#include "vtkAshikhminShirleyBRDF.h"
+#include "vtkBRDFGPUForm.h"
+#include "vtkBlinnPhongBRDF.h"
+#include "vtkCellArray.h"
+#include "vtkDistributionBRDF.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkLambertBRDF.h"
+#include "vtkLightSet.h"
+#include "vtkLightSetIntegrator.h"
+#include "vtkMeasuredBRDFMapper.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSumBRDF.h"
+#include "vtkTabulatedBRDF.h"
+
+#include <glm/glm.hpp>
+
+#include <limits>
+#include <random>
+
+namespace
+{
+constexpr int Side = 16; // quads a side; 4 pixels each
+constexpr int NumberOfLights = 24;
+
+class Parity : public RenderFixture
+{
+protected:
+  void SetUp() override
+  {
+    RenderFixture::SetUp();
+    if (IsSkipped())
+    {
+      return;
+    }
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkCellArray> cells;
+    vtkNew<vtkFloatArray> normals;
+    vtkNew<vtkFloatArray> tangents;
+    normals->SetNumberOfComponents(3);
+    tangents->SetNumberOfComponents(3);
+    tangents->SetName("Tangents");
+    this->Normals->SetNumberOfComponents(3);
+    this->Views->SetNumberOfComponents(3);
+    this->Tangents->SetNumberOfComponents(3);
+    for (int k = 0; k < Side * Side; ++k)
+    {
+      const double x = 2.0 * (k % Side) / Side - 1.0;
+      const double y = 2.0 * (k / Side) / Side - 1.0;
+      const double d = 2.0 / Side;
+      const vtkIdType first = points->InsertNextPoint(x, y, 0.0);
+      points->InsertNextPoint(x + d, y, 0.0);
+      points->InsertNextPoint(x + d, y + d, 0.0);
+      points->InsertNextPoint(x, y + d, 0.0);
+      const vtkIdType ids[4] = { first, first + 1, first + 2, first + 3 };
+      cells->InsertNextCell(4, ids);
+      // Down to 87 degrees from the view; a few turned away a little, as at silhouettes.
+      const glm::dvec3 n = this->Direction(k % 16 == 0 ? -0.02 : 0.05);
+      const glm::dvec3 t = glm::normalize(glm::cross(n, this->Direction(-1.0)));
+      for (int corner = 0; corner < 4; ++corner)
+      {
+        normals->InsertNextTuple3(n.x, n.y, n.z);
+        tangents->InsertNextTuple3(t.x, t.y, t.z);
+      }
+      double tuple[3];
+      normals->GetTuple(first, tuple); // as float, like the GPU
+      this->Normals->InsertNextTuple(tuple);
+      tangents->GetTuple(first, tuple);
+      this->Tangents->InsertNextTuple(tuple);
+      this->Views->InsertNextTuple3(0.0, 0.0, 1.0);
+    }
+    vtkNew<vtkPolyData> quads;
+    quads->SetPoints(points);
+    quads->SetPolys(cells);
+    quads->GetPointData()->SetNormals(normals);
+    quads->GetPointData()->SetTangents(tangents);
+    this->Mapper->SetInputData(quads);
+    this->Actor->SetMapper(this->Mapper);
+    this->Renderer->AddActor(this->Actor);
+  }
+
+  glm::dvec3 Direction(double minimumZ)
+  {
+    std::uniform_real_distribution<double> uniform(0.0, 1.0);
+    const double z = minimumZ + (1.0 - minimumZ) * uniform(this->Random);
+    const double phi = 6.283185307179586 * uniform(this->Random);
+    const double s = std::sqrt(std::max(1.0 - z * z, 0.0));
+    return glm::dvec3(s * std::cos(phi), s * std::sin(phi), z);
+  }
+
+  /// Largest relative difference where the value exceeds 1 % of the largest met.
+  double GetError(vtkBRDF* brdf, int& pairs)
+  {
+    vtkBRDF* renderable = brdf->GetRenderable();
+    renderable->Prepare();
+    this->Mapper->SetBRDF(brdf);
+    std::vector<double> expected, actual;
+    for (int light = 0; light < NumberOfLights; ++light)
+    {
+      const glm::dvec3 l = this->Direction(-0.5);
+      const double direction[3] = { static_cast<float>(l.x), static_cast<float>(l.y),
+        static_cast<float>(l.z) };
+      const double irradiance[3] = { 1.0, 1.0, 1.0 };
+      vtkNew<vtkLightSet> lights;
+      lights->AddLight(direction, irradiance);
+      this->Mapper->SetLightSet(lights);
+      const FloatImage image = this->RenderLinear();
+
+      vtkNew<vtkLightSetIntegrator> integrator;
+      integrator->SetBRDF(renderable);
+      integrator->SetLightSet(lights);
+      vtkNew<vtkDoubleArray> radiance;
+      integrator->Integrate(this->Normals, this->Views, radiance, this->Tangents);
+      for (int k = 0; k < Side * Side; ++k)
+      {
+        double n[3];
+        this->Normals->GetTuple(k, n);
+        if (n[2] <= 0.0)
+        {
+          continue; // turned away: checked to be finite in its own test
+        }
+        const float* pixel = image.At(4 * (k % Side) + 2, 4 * (k / Side) + 2);
+        for (int c = 0; c < 3; ++c)
+        {
+          EXPECT_TRUE(std::isfinite(pixel[c]) && pixel[c] >= 0.0f);
+          expected.push_back(radiance->GetComponent(k, c));
+          actual.push_back(pixel[c]);
+        }
+      }
+    }
+    const double largest = *std::max_element(expected.begin(), expected.end());
+    EXPECT_GT(largest, 0.0);
+    double error = 0.0;
+    pairs = 0;
+    for (std::size_t k = 0; k < expected.size(); ++k)
+    {
+      if (expected[k] > 0.01 * largest)
+      {
+        error = std::max(error, std::abs(actual[k] - expected[k]) / expected[k]);
+        ++pairs;
+      }
+      else
+      {
+        error = std::max(error, std::abs(actual[k] - expected[k]) / largest);
+      }
+    }
+    pairs = static_cast<int>(expected.size() / 3);
+    return error;
+  }
+
+  void Check(const char* name, vtkBRDF* brdf, double tolerance)
+  {
+    int pairs = 0;
+    const double error = this->GetError(brdf, pairs);
+    std::cout << name << ": " << pairs << " pairs, largest relative difference " << error
+              << " (limit " << tolerance << "); " << this->Mapper->GetMaterialDescription() << "\n";
+    EXPECT_GE(pairs, 1000);
+    EXPECT_LE(error, tolerance) << name;
+  }
+
+  std::mt19937 Random{ 7 };
+  vtkNew<vtkDoubleArray> Normals;
+  vtkNew<vtkDoubleArray> Views;
+  vtkNew<vtkDoubleArray> Tangents;
+  vtkNew<vtkMeasuredBRDFMapper> Mapper;
+  vtkNew<vtkActor> Actor;
+};
+
+/// A bumpy, coloured table; every 7th cell invalid where asked for.
+void FillTable(vtkTabulatedBRDF* table, int parameterization, int range, bool invalid)
+{
+  const int dimensions[3] = { 24, 16, 20 };
+  std::vector<float> rgb;
+  for (int k = 0; k < dimensions[0] * dimensions[1] * dimensions[2]; ++k)
+  {
+    const int x = k % 24, y = k / 24 % 16, z = k / 24 / 16;
+    const float v = 0.2f + 5.0f * std::exp(-0.4f * z) + 0.05f * std::sin(0.7f * y) +
+                    0.05f * std::cos(6.2831853f * (x + 0.5f) / 24.0f);
+    rgb.insert(rgb.end(), { v, 0.5f * v, 0.1f + 0.01f * y });
+    if (invalid && k % 7 == 0)
+    {
+      rgb[3 * k] = std::numeric_limits<float>::quiet_NaN();
+    }
+  }
+  ASSERT_TRUE(table->SetVolume(parameterization, range, dimensions, rgb));
+}
+}
+
+TEST_F(Parity, ClosedForms)
+{
+  vtkNew<vtkLambertBRDF> lambert;
+  lambert->SetAlbedo(0.7, 0.4, 0.1);
+  this->Check("Lambert", lambert, 1e-4);
+
+  for (double n : { 1.0, 20.0, 500.0 })
+  {
+    vtkNew<vtkBlinnPhongBRDF> phong;
+    phong->SetSpecular(0.3, 0.2, 0.1);
+    phong->SetExponent(n);
+    this->Check("Blinn-Phong", phong, 1e-4);
+  }
+
+  vtkNew<vtkAshikhminShirleyBRDF> isotropic;
+  isotropic->SetReflectance(0.1, 0.5, 0.9);
+  isotropic->SetDiffuse(0.3, 0.2, 0.1);
+  isotropic->SetExponents(80.0, 80.0);
+  this->Check("Ashikhmin-Shirley", isotropic, 1e-4);
+  isotropic->SetFresnelModelToDielectric();
+  isotropic->SetIndexOfRefraction(2.5);
+  this->Check("Ashikhmin-Shirley, dielectric", isotropic, 1e-4);
+
+  vtkNew<vtkAshikhminShirleyBRDF> anisotropic;
+  anisotropic->SetReflectance(0.4, 0.4, 0.4);
+  anisotropic->SetExponents(10.0, 200.0);
+  this->Check("Ashikhmin-Shirley, anisotropic", anisotropic, 1e-4);
+
+  vtkNew<vtkSumBRDF> sum;
+  sum->AddTerm(lambert);
+  sum->AddTerm(isotropic);
+  sum->AddTerm(anisotropic);
+  this->Check("Sum", sum, 1e-4);
+}
+
+TEST_F(Parity, Tables)
+{
+  vtkNew<vtkDistributionBRDF> distribution;
+  this->Check("D-BRDF", distribution, 1e-4);
+  std::vector<float> rgb;
+  for (int phi = 0; phi < 8; ++phi)
+  {
+    for (int theta = 0; theta < 32; ++theta)
+    {
+      const float v = 2.0f * std::exp(-0.1f * theta) * (1.2f + std::sin(0.785398f * (phi + 0.5f)));
+      rgb.insert(rgb.end(), { v, 0.8f * v, 0.5f });
+    }
+  }
+  ASSERT_TRUE(distribution->SetDistribution(32, 8, rgb));
+  this->Check("D-BRDF, anisotropic", distribution, 1e-4);
+
+  const char* names[2][2] = { { "half/difference, pi", "half/difference, 2 pi" },
+    { "in/out, pi", "in/out, 2 pi" } };
+  for (int parameterization : { 0, 1 })
+  {
+    for (int range : { 0, 1 })
+    {
+      for (bool invalid : { false, true })
+      {
+        vtkNew<vtkTabulatedBRDF> table;
+        FillTable(table, parameterization, range, invalid);
+        table->SetPrecision(vtkTabulatedBRDF::FLOAT32);
+        this->Check(names[parameterization][range], table, 1e-4);
+        table->SetPrecision(vtkTabulatedBRDF::FLOAT16);
+        this->Check(names[parameterization][range], table, 2e-3);
+      }
+    }
+  }
+}
+
+TEST_F(Parity, TurnedAwayNormalsAreFinite)
+{
+  vtkNew<vtkAshikhminShirleyBRDF> sharp;
+  sharp->SetExponents(1e5, 1e5);
+  vtkNew<vtkLightSet> lights;
+  const double irradiance[3] = { 1e6, 1e6, 1e6 };
+  for (int k = 0; k < 64; ++k)
+  {
+    const glm::dvec3 l = this->Direction(-1.0);
+    const double direction[3] = { l.x, l.y, l.z };
+    lights->AddLight(direction, irradiance);
+  }
+  this->Mapper->SetBRDF(sharp);
+  this->Mapper->SetLightSet(lights);
+  const FloatImage image = this->RenderEncoded();
+  for (float v : image.RGBA)
+  {
+    ASSERT_TRUE(std::isfinite(v) && v >= 0.0f);
+  }
+}

@@ -1,0 +1,93 @@
+#!/bin/bash
+# Builds everything and draws measured materials: output/gallery.png. See ./run.sh --help.
+set -euo pipefail
+cd "$(dirname "$0")"
+
+usage() {
+  cat <<'END'
+usage: ./run.sh [--environment ENV] [-o IMAGE] [FILE...]
+
+Installs what is missing (Debian packages, as root or through sudo), builds, and draws a gallery of measured materials
+under a high-dynamic-range environment. A second run only draws.
+
+  FILE...            your own BRDF files (MERL .binary, RGL .bsdf, NVIDIA .mbsdf, published fits) or names of built-in
+                     materials (build/bin/measured-brdf list). Default: built-in materials.
+  --environment ENV  a lat-long image (.exr, .hdr, ...), `sky` for the built-in sky, or one of Blender's environments:
+                     city courtyard forest interior night studio sunrise sunset. Default: courtyard.
+  -o IMAGE           where to write (default: output/gallery.png)
+END
+}
+
+caller=$OLDPWD
+environment=courtyard
+image=output/gallery.png
+files=()
+absolute() { case $1 in /*) echo "$1" ;; *) echo "$caller/$1" ;; esac; }
+while [ $# -gt 0 ]; do
+  case $1 in
+    -h | --help) usage && exit 0 ;;
+    --environment | -o)
+      [ $# -ge 2 ] || { echo "run.sh: $1 needs a value (./run.sh --help)" >&2; exit 2; }
+      if [ "$1" = -o ]; then image=$(absolute "$2"); else environment=$2; fi
+      shift ;;
+    --) shift; break ;;
+    -*) echo "run.sh: unknown option $1 (./run.sh --help)" >&2; exit 2 ;;
+    *) files+=("$1") ;;
+  esac
+  shift
+done
+files+=("$@")
+# Paths are the caller's; what is no file there is a built-in material's name.
+for k in "${!files[@]}"; do
+  path=$(absolute "${files[$k]}")
+  [ ! -e "${path%%#*}" ] || files[k]=$path
+done
+
+step() { printf '\n== %s\n' "$*"; }
+
+step "1/3 packages"
+cmake/install-packages.sh
+
+step "2/3 build"
+mkdir -p build
+if ! {
+  if [ -f build/CMakeCache.txt ]; then
+    cmake -S . -B build -DMEASUREDBRDF_BUILD_TOOL=ON
+  else
+    cmake --preset release -B build -DMEASUREDBRDF_WRAP_PYTHON=OFF
+  fi
+} >build/configure.log 2>&1; then
+  tail -n 30 build/configure.log >&2
+  echo "run.sh: CMake could not configure the build; all of what it said is in build/configure.log" >&2
+  exit 1
+fi
+cmake --build build --target measured-brdf
+
+step "3/3 draw"
+if [ "$environment" != sky ] && [ ! -f "$(absolute "$environment")" ]; then
+  name=$environment
+  folder=$(cmake/find-environments.sh)
+  environment=$folder/$name.exr
+  if [ -z "$folder" ]; then
+    echo "Without Blender's environments the light is the built-in procedural sky."
+    environment=sky
+  elif [ ! -f "$environment" ]; then
+    echo "run.sh: no file and none of Blender's environments: $name (./run.sh --help)" >&2
+    exit 2
+  fi
+elif [ "$environment" != sky ]; then
+  environment=$(absolute "$environment")
+fi
+echo "environment: $environment"
+
+display=()
+if [ -z "${DISPLAY:-}" ]; then
+  display=(xvfb-run -a -s "-screen 0 1280x1024x24 -noreset")
+fi
+mkdir -p "$(dirname "$image")"
+"${display[@]}" build/bin/measured-brdf gallery "${files[@]}" --environment "$environment" -o "$image"
+
+printf '\nDone: %s\n' "$image"
+if [ -t 1 ] && [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ] && command -v xdg-open >/dev/null; then
+  xdg-open "$image" >/dev/null 2>&1 &
+fi

@@ -1,0 +1,9 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+  // Measured material: everything below is linear until the end.
+  mat3 brdfFrame = brdfFrameAbout(normalVCVSOutput);
+  //VTK::MeasuredBRDF::Tangent
+  vec3 brdfView = cameraParallel == 1 ? vec3(0.0, 0.0, 1.0) : normalize(-vertexVC.xyz);
+  brdfView = brdfLiftView(brdfView * brdfFrame);
+  vec3 brdfRadiance = brdfSumLightSet(brdfFrame, brdfView);
+  vec3 radiance, brdfLight;

@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// f = ks (n+2)/(2 pi) (n.h)^n, the constant in brdfScale. C++ twin: vtkBlinnPhongBRDF.
+uniform vec3 brdfScaleINSTANCE;
+uniform float brdfExponentINSTANCE;
+
+vec3 brdfTermINSTANCE(vec3 i, vec3 o)
+{
+  vec3 h = brdfHalfVector(i, o);
+  float s = dot(h.xy, h.xy);
+  return max(brdfScaleINSTANCE, vec3(0.0)) *
+    exp(0.5 * brdfExponentINSTANCE * s * brdfLogCosineRatio(s));
+}

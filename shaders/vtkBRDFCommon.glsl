@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Directions in the local frame: z = normal, x = tangent, i to the light, o to the viewer.
+// C++ twins: Module/Core/LocalFrame.h, Module/Core/HalfVector.h.
+
+const float brdfPi = 3.14159265358979;
+
+// Frame about unit n, columns tangent, bitangent, normal (Duff et al. 2017).
+mat3 brdfFrameAbout(vec3 n)
+{
+  float s = n.z >= 0.0 ? 1.0 : -1.0;
+  float a = -1.0 / (s + n.z);
+  float b = n.x * n.y * a;
+  return mat3(vec3(1.0 + s * n.x * n.x * a, s * b, -s * n.x), vec3(b, s + n.y * n.y * a, -n.y), n);
+}
+
+// The same with the tangent along t's part perpendicular to n.
+mat3 brdfFrameAbout(vec3 n, vec3 t)
+{
+  vec3 p = t - n * dot(n, t);
+  float l = length(p);
+  if (!(l > 1e-6))
+  {
+    return brdfFrameAbout(n);
+  }
+  return mat3(p / l, cross(n, p / l), n);
+}
+
+// Interpolated normals can turn away from the viewer: shade those as if just above the horizon.
+vec3 brdfLiftView(vec3 o)
+{
+  const float minimum = 1e-3;
+  if (o.z >= minimum)
+  {
+    return o;
+  }
+  float l = length(o.xy);
+  float s = sqrt(1.0 - minimum * minimum);
+  return l > 1e-12 ? vec3(o.xy * (s / l), minimum) : vec3(s, 0.0, minimum);
+}
+
+vec3 brdfHalfVector(vec3 i, vec3 o)
+{
+  vec3 h = i + o;
+  float l = length(h);
+  return l > 1e-6 ? h / l : vec3(0.0, 0.0, 1.0);
+}
+
+// ln(1 - s) / s: cos^n theta = exp(n/2 s brdfLogCosineRatio(s)) with s = sin^2 theta. The series
+// keeps the digits that 1 - s loses near the normal.
+float brdfLogCosineRatio(float s)
+{
+  if (s < 0.04)
+  {
+    return -(1.0 + s * (0.5 + s * (1.0 / 3.0 + s * (0.25 + s * (0.2 + s / 6.0)))));
+  }
+  return log(1.0 - min(s, 0.9999999)) / s;
+}
+
+float brdfSchlickFifth(float c)
+{
+  float m = clamp(1.0 - c, 0.0, 1.0);
+  float m2 = m * m;
+  return m2 * m2 * m;
+}
+
+// Unpolarized Fresnel reflectance of a dielectric (Cook, Torrance 1982).
+float brdfDielectricFresnel(float eta, float c)
+{
+  float g = sqrt(max(eta * eta + c * c - 1.0, 0.0));
+  float a = (g - c) / (g + c);
+  float b = (c * (g + c) - 1.0) / (c * (g - c) + 1.0);
+  return 0.5 * a * a * (1.0 + b * b);
+}
+
+// Rusinkiewicz 1998: (phi_d, theta_d, theta_h).
+vec3 brdfHalfDifference(vec3 i, vec3 h)
+{
+  float s = length(h.xy);
+  vec2 p = s > 1e-7 ? h.xy / s : vec2(1.0, 0.0);
+  vec3 d = vec3(h.z * dot(p, i.xy) - s * i.z, p.x * i.y - p.y * i.x, dot(h, i));
+  return vec3(atan(d.y, d.x), atan(length(d.xy), d.z), atan(s, h.z));
+}
+
+// Values of valid cells are premultiplied by their validity (alpha): the quotient skips the rest.
+// Textures without alpha read 1 there.
+vec3 brdfUnpremultiply(vec4 v)
+{
+  return v.a > 1e-4 ? max(v.rgb / v.a, vec3(0.0)) : vec3(0.0);
+}

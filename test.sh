@@ -1,0 +1,46 @@
+#!/bin/bash
+# Installs what is missing, builds with warnings as errors, and runs every test: unit, render and Python tests, and
+# the installed package with its examples. Further arguments go to ctest, e.g. ./test.sh -L unit.
+set -euo pipefail
+cd "$(dirname "$0")"
+minimum_tests=30 # tests that vanish must not go unnoticed
+jobs=$(nproc)
+
+step() { printf '\n== %s\n' "$*"; }
+
+step "1/3 packages"
+cmake/install-packages.sh --tests
+
+step "2/3 build"
+# VTK's Python modules belong to one interpreter, which need not be the first on the PATH.
+for python in /usr/bin/python3 python3; do
+  "$python" -c 'import vtkmodules' 2>/dev/null && break
+done
+mkdir -p build
+if ! cmake --preset dev -DPython3_EXECUTABLE="$(command -v "$python")" >build/configure.log 2>&1; then
+  tail -n 30 build/configure.log >&2
+  echo "test.sh: CMake could not configure the build; all of what it said is in build/configure.log" >&2
+  exit 1
+fi
+cmake --build build
+
+step "3/3 tests"
+found=$(ctest --test-dir build -N | sed -n 's/^Total Tests: //p')
+if [ "$found" -lt "$minimum_tests" ]; then
+  echo "test.sh: only $found tests were found, at least $minimum_tests are expected" >&2
+  exit 1
+fi
+# One X server around all of ctest, and the software renderer everywhere: the same pixels on every machine.
+export LIBGL_ALWAYS_SOFTWARE=1
+status=0
+xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" \
+  ctest --test-dir build --output-on-failure --output-junit ctest.xml -j "$jobs" "$@" || status=$?
+
+count() { sed -n "s/^.*[ \t]$1=\"\([0-9]*\)\".*/\1/p" build/ctest.xml | head -n 1; }
+total=$(count tests) failed=$(count failures) skipped=$(($(count skipped) + $(count disabled)))
+if [ "$skipped" -gt 0 ]; then
+  printf '\nWhy tests were skipped:\n'
+  grep -hiE '^(skipped|skip):? ' build/Testing/Temporary/LastTest.log | sort | uniq -c || true
+fi
+echo "$((total - failed - skipped)) passed, $failed failed, $skipped skipped"
+exit "$status"
