@@ -4,6 +4,7 @@
 uniform sampler3D brdfVolumeINSTANCE; // delta phi, theta_o 2/pi, theta_i 2/pi
 uniform float brdfScaleINSTANCE;
 uniform float brdfTurnsINSTANCE; // 2: mirror-symmetric, delta phi in [0, pi]
+uniform float brdfCosineWeightedINSTANCE; // 1: the table holds f cos(theta_o)
 
 vec3 brdfTermINSTANCE(vec3 i, vec3 o)
 {
@@ -11,5 +12,6 @@ vec3 brdfTermINSTANCE(vec3 i, vec3 o)
   phi = brdfTurnsINSTANCE > 1.5 ? abs(phi) : phi;
   vec3 u = vec3(phi * brdfTurnsINSTANCE / (2.0 * brdfPi), atan(length(o.xy), o.z) * (2.0 / brdfPi),
     atan(length(i.xy), i.z) * (2.0 / brdfPi));
-  return brdfUnpremultiply(texture(brdfVolumeINSTANCE, u)) * brdfScaleINSTANCE;
+  return brdfUnpremultiply(texture(brdfVolumeINSTANCE, u)) *
+    (brdfScaleINSTANCE / mix(1.0, o.z, brdfCosineWeightedINSTANCE));
 }

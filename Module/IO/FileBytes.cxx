@@ -32,7 +32,9 @@ std::uintmax_t CheckFile(const std::string& path)
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status))
   {
-    throw FileError(path + ": " + (error ? error.message() : "no such file"));
+    throw FileError(
+      path + ": " +
+      (error && error != std::errc::no_such_file_or_directory ? error.message() : "no such file"));
   }
   if (std::filesystem::is_directory(status))
   {

@@ -227,6 +227,7 @@ template <typename Exchanger>
 void ExchangeSettings(Exchanger& x, vtkTabulatedBRDF* material)
 {
   x.Option("precision", { "automatic", "float16", "float32" }, OPTION(Precision));
+  x.Option("cosineWeighted", { "off", "on" }, OPTION(CosineWeighted));
   x.Number("resamplingError", NUMBER(ResamplingError));
 }
 
@@ -262,6 +263,8 @@ void Exchange(Loader& x, vtkTabulatedBRDF* material)
 void Exchange(Saver& x, vtkAdaptiveWarpBRDF* material)
 {
   const vtkAdaptiveWarpBRDF::Tables& tables = material->GetTables();
+  x.Option(
+    "jacobian", { "off", "on" }, [&] { return tables.Jacobian ? 1 : 0; }, [](int) {});
   x.Array("thetaI", { static_cast<int>(tables.ThetaI.size()) }, 1, tables.ThetaI);
   x.Array("phiI", { static_cast<int>(tables.PhiI.size()) }, 1, tables.PhiI);
   x.Array("ndf", tables.Ndf.Shape, 1, tables.Ndf.Values);
@@ -279,6 +282,8 @@ void Exchange(Loader& x, vtkAdaptiveWarpBRDF* material)
     return vtkAdaptiveWarpBRDF::Table{ std::move(array.Shape), std::move(array.Values) };
   };
   vtkAdaptiveWarpBRDF::Tables tables;
+  x.Option(
+    "jacobian", { "off", "on" }, [] { return 0; }, [&](int k) { tables.Jacobian = k == 1; });
   tables.ThetaI = table("thetaI", 1).Values;
   tables.PhiI = table("phiI", 1).Values;
   tables.Ndf = table("ndf", 2);

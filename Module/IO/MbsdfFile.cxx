@@ -7,7 +7,6 @@
 #include "vtkTabulatedBRDF.h"
 
 #include <cmath>
-#include <limits>
 #include <string_view>
 #include <vector>
 
@@ -141,10 +140,6 @@ MaterialFile ReadMbsdf(const FileBytes& file)
   }
   if (result.NumberOfInvalidValues > 0)
   {
-    for (float& value : rgb)
-    {
-      value = std::isfinite(value) ? value : std::numeric_limits<float>::quiet_NaN();
-    }
     result.AddNote(std::to_string(result.NumberOfInvalidValues) +
                    " values are not finite: their cells are invalid, interpolation skips them.");
   }

@@ -117,8 +117,7 @@ MaterialFile ReadMerl(const FileBytes& file)
 //------------------------------------------------------------------------------
 void WriteMerl(vtkTabulatedBRDF* table, const std::string& path)
 {
-  if (!table || table->GetParameterization() != vtkTabulatedBRDF::HALF_DIFFERENCE ||
-      table->GetAzimuthRange() != vtkTabulatedBRDF::HALF_TURN)
+  if (!table || !table->IsReciprocal()) // half/difference over half a turn, without cosine
   {
     throw FileError(
       path +
@@ -143,14 +142,13 @@ void WriteMerl(vtkTabulatedBRDF* table, const std::string& path)
       // Dividing in double and multiplying when reading gives the same float back.
       planes[channel * cells + cell] =
         valid ? static_cast<double>(values[channel]) / Scale[channel] : -1.0;
-      refused += valid && !(values[channel] >= 0.0f && std::isfinite(values[channel]));
+      refused += valid && values[channel] < 0.0f;
     }
   }
   if (refused > 0)
   {
     throw FileError(path + ": MERL binary marks what was not measured by negative values, and " +
-                    std::to_string(refused) +
-                    " values of this table are negative or infinite; write .exr");
+                    std::to_string(refused) + " values of this table are negative; write .exr");
   }
 
   int dimensions[3];

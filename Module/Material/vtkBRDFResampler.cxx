@@ -84,9 +84,22 @@ double Compare(const std::vector<Probe>& probes, vtkBRDF* other, double* maximum
   return total > 0.0 ? std::sqrt(difference / total) : (difference > 0.0 ? 1.0 : 0.0);
 }
 
+// Directions of a cell, slid along theta_d to just above the horizon where they lie below.
+void GetCell(
+  const int dimensions[3], double range, int x, int y, int z, glm::dvec3& i, glm::dvec3& o)
+{
+  HalfDifference angles{ UnitToThetaH((z + 0.5) / dimensions[2]),
+    0.5 * Pi * (y + 0.5) / dimensions[1], range * (x + 0.5) / dimensions[0] };
+  // i.z or o.z = cos(theta_h) cos(theta_d) -+ sin(theta_h) sin(theta_d) cos(phi_d) = 0.
+  const double horizon =
+    std::atan2(std::cos(angles.ThetaH), std::sin(angles.ThetaH) * std::abs(std::cos(angles.PhiD)));
+  angles.ThetaD = std::min(angles.ThetaD, horizon * (1.0 - 1e-4));
+  FromHalfDifference(angles, i, o);
+}
+
 void Fill(vtkBRDF* input, bool reciprocal, const int dimensions[3], vtkTabulatedBRDF* output)
 {
-  const int range = reciprocal ? vtkTabulatedBRDF::HALF_TURN : vtkTabulatedBRDF::FULL_TURN;
+  const double range = reciprocal ? Pi : 2.0 * Pi;
   const std::size_t slice =
     static_cast<std::size_t>(dimensions[0]) * static_cast<std::size_t>(dimensions[1]);
   std::vector<float> rgb(3 * slice * static_cast<std::size_t>(dimensions[2]));
@@ -98,33 +111,32 @@ void Fill(vtkBRDF* input, bool reciprocal, const int dimensions[3], vtkTabulated
       {
         for (std::size_t k = 0; k < slice; ++k)
         {
-          float* value = &rgb[3 * (static_cast<std::size_t>(z) * slice + k)];
-          double i[3], o[3], f[3], g[3];
-          if (!vtkTabulatedBRDF::GetCellDirections(vtkTabulatedBRDF::HALF_DIFFERENCE, range,
-                dimensions, static_cast<int>(k) % dimensions[0],
-                static_cast<int>(k) / dimensions[0], static_cast<int>(z), i, o))
-          {
-            std::fill_n(value, 3, std::numeric_limits<float>::quiet_NaN());
-            continue;
-          }
-          input->Evaluate(i, o, f);
+          glm::dvec3 i, o;
+          GetCell(dimensions, range, static_cast<int>(k) % dimensions[0],
+            static_cast<int>(k) / dimensions[0], static_cast<int>(z), i, o);
+          double f[3], g[3];
+          input->Evaluate(glm::value_ptr(i), glm::value_ptr(o), f);
           if (reciprocal && !input->IsReciprocal())
           {
-            input->Evaluate(o, i, g);
+            input->Evaluate(glm::value_ptr(o), glm::value_ptr(i), g);
             for (int c = 0; c < 3; ++c)
             {
               f[c] = 0.5 * (f[c] + g[c]);
             }
           }
+          float* value = &rgb[3 * (static_cast<std::size_t>(z) * slice + k)];
           for (int c = 0; c < 3; ++c)
           {
-            value[c] = static_cast<float>(
-              std::min(f[c], static_cast<double>(std::numeric_limits<float>::max())));
+            value[c] = static_cast<float>(std::min(reciprocal ? f[c] : f[c] * o.z,
+              static_cast<double>(std::numeric_limits<float>::max())));
           }
         }
       }
     });
-  output->SetVolume(vtkTabulatedBRDF::HALF_DIFFERENCE, range, dimensions, std::move(rgb));
+  output->SetVolume(vtkTabulatedBRDF::HALF_DIFFERENCE,
+    reciprocal ? vtkTabulatedBRDF::HALF_TURN : vtkTabulatedBRDF::FULL_TURN, dimensions,
+    std::move(rgb));
+  output->SetCosineWeighted(!reciprocal);
 }
 }
 
@@ -178,37 +190,41 @@ bool vtkBRDFResampler::Resample()
   double error = Compare(probes, this->Output);
   while (error > this->Tolerance)
   {
-    // Double the axis that lowers the error most.
-    vtkSmartPointer<vtkTabulatedBRDF> best;
+    // Double the axis that lowers the error most; where no single one helps (features along a
+    // diagonal), all three.
+    int best[3] = { 0, 0, 0 };
     double bestError = error;
-    int bestAxis = -1;
-    for (int axis = 0; axis < 3; ++axis)
+    for (int candidate = 0; candidate < 4; ++candidate)
     {
       int grown[3] = { current[0], current[1], current[2] };
-      grown[axis] *= 2;
-      if (static_cast<vtkIdType>(grown[0]) * grown[1] * grown[2] > this->MaximumNumberOfCells ||
-          grown[axis] > 2048)
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        grown[axis] *= candidate == 3 || candidate == axis ? 2 : 1;
+      }
+      if ((candidate == 3 && bestError < 0.95 * error) ||
+          static_cast<vtkIdType>(grown[0]) * grown[1] * grown[2] > this->MaximumNumberOfCells ||
+          *std::max_element(grown, grown + 3) > 2048)
       {
         continue;
       }
-      vtkNew<vtkTabulatedBRDF> candidate;
-      Fill(this->Input, this->Reciprocal, grown, candidate);
-      const double candidateError = Compare(probes, candidate);
-      if (candidateError < bestError)
+      vtkNew<vtkTabulatedBRDF> table;
+      Fill(this->Input, this->Reciprocal, grown, table);
+      const double grownError = Compare(probes, table);
+      if (grownError < bestError)
       {
-        best = candidate;
-        bestError = candidateError;
-        bestAxis = axis;
+        bestError = grownError;
+        std::copy_n(grown, 3, best);
+        this->Output->SetVolume(
+          table->GetParameterization(), table->GetAzimuthRange(), grown, table->GetVolume());
+        this->Output->SetCosineWeighted(table->GetCosineWeighted());
       }
     }
-    if (!best || bestError > 0.999 * error)
+    if (!(bestError < error))
     {
       break; // no room, or nothing left to gain (asymmetry in a reciprocal table, say)
     }
-    current[bestAxis] *= 2;
     error = bestError;
-    this->Output->SetVolume(
-      vtkTabulatedBRDF::HALF_DIFFERENCE, best->GetAzimuthRange(), current, best->GetVolume());
+    std::copy_n(best, 3, current);
     double progress = std::min(this->Tolerance / error, 1.0);
     this->InvokeEvent(vtkCommand::ProgressEvent, &progress);
   }

@@ -95,6 +95,7 @@ void vtkTabulatedBRDF::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AzimuthRange: " << (this->AzimuthRange == HALF_TURN ? "pi" : "2 pi") << "\n";
   os << indent << "Dimensions: " << this->Dimensions[0] << " " << this->Dimensions[1] << " "
      << this->Dimensions[2] << "\n";
+  os << indent << "CosineWeighted: " << (this->CosineWeighted ? "On" : "Off") << "\n";
   os << indent << "Precision: " << this->Precision << "\n";
   os << indent << "ResamplingError: " << this->ResamplingError << "\n";
   os << indent << "NumberOfInvalidCells: " << this->NumberOfInvalidCells << "\n";
@@ -209,9 +210,10 @@ void vtkTabulatedBRDF::EvaluateAbove(const double i[3], const double o[3], doubl
       sum[2] += w * v[2];
     }
   }
+  const double cosine = this->CosineWeighted ? o[2] : 1.0;
   for (int c = 0; c < 3; ++c)
   {
-    f[c] = valid > MinimumValidWeight ? sum[c] / valid : 0.0;
+    f[c] = valid > MinimumValidWeight ? sum[c] / (valid * cosine) : 0.0;
   }
 }
 
@@ -268,9 +270,10 @@ double vtkTabulatedBRDF::PdfAbove(const double i[3], const double o[3])
 }
 
 //------------------------------------------------------------------------------
-void vtkTabulatedBRDF::GetBounds(double vtkNotUsed(minimumCosine), double lower[3], double upper[3])
+void vtkTabulatedBRDF::GetBounds(double minimumCosine, double lower[3], double upper[3])
 {
   // Interpolation never leaves the range of the samples. Where no cell is valid f is 0.
+  const double divisor = this->CosineWeighted ? std::clamp(minimumCosine, 1e-6, 1.0) : 1.0;
   for (int c = 0; c < 3; ++c)
   {
     float low = this->NumberOfInvalidCells > 0 || this->Volume.empty()
@@ -286,7 +289,7 @@ void vtkTabulatedBRDF::GetBounds(double vtkNotUsed(minimumCosine), double lower[
       }
     }
     lower[c] = std::max(low, 0.0f);
-    upper[c] = high;
+    upper[c] = high / divisor;
   }
 }
 
@@ -336,6 +339,7 @@ void vtkTabulatedBRDF::GetGPUForm(vtkBRDFGPUForm& form)
     this->Parameterization == HALF_DIFFERENCE ? "vtkBRDFHalfDifference" : "vtkBRDFIncidentOutgoing";
   term.Uniforms.push_back({ "brdfScale", { 1.0f / scale } });
   term.Uniforms.push_back({ "brdfTurns", { half ? 2.0f : 1.0f } });
+  term.Uniforms.push_back({ "brdfCosineWeighted", { this->CosineWeighted ? 1.0f : 0.0f } });
   std::ostringstream text;
   text << (this->Parameterization == HALF_DIFFERENCE ? "half/difference" : "incident/outgoing")
        << " volume " << this->Dimensions[0] << " x " << this->Dimensions[1] << " x "

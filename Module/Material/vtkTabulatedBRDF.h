@@ -12,6 +12,9 @@
  * INCIDENT_OUTGOING (MBSDF's parameters): axes (delta phi, theta_o, theta_i), all uniform at cell
  * centres; AzimuthRange pi: mirror-symmetric in delta phi; 2 pi: periodic.
  *
+ * A cosine-weighted volume holds f cos(theta_o), which stays smooth up to the horizon where f
+ * itself grows without bound; Evaluate divides by the cosine.
+ *
  * Cells may be invalid (not measured). Interpolation skips them: the weights of the valid corners
  * are renormalized; with none valid the value is 0. theta axes are constant beyond the outermost
  * samples. Stored values may be negative (measured noise); Evaluate clamps at 0 after
@@ -73,6 +76,15 @@ public:
   vtkIdType GetNumberOfInvalidCells() const { return this->NumberOfInvalidCells; }
   ///@}
 
+  ///@{
+  /**
+   * Whether the volume holds f cos(theta_o) instead of f; default off.
+   */
+  vtkSetMacro(CosineWeighted, bool);
+  vtkGetMacro(CosineWeighted, bool);
+  vtkBooleanMacro(CosineWeighted, bool);
+  ///@}
+
   /**
    * The volume as image data of the given dimensions with a 3-component float point array "BRDF"
    * (NaN = invalid): for VTK's filters and writers. A new object the caller owns.
@@ -107,7 +119,8 @@ public:
   void GetBounds(double minimumCosine, double lower[3], double upper[3]) override;
   bool IsReciprocal() override
   {
-    return this->Parameterization == HALF_DIFFERENCE && this->AzimuthRange == HALF_TURN;
+    return this->Parameterization == HALF_DIFFERENCE && this->AzimuthRange == HALF_TURN &&
+           !this->CosineWeighted;
   }
   void Prepare() override;
   void GetGPUForm(vtkBRDFGPUForm& form) override;
@@ -124,6 +137,7 @@ protected:
   int AzimuthRange = HALF_TURN;
   int Dimensions[3] = { 0, 0, 0 };
   int Precision = AUTOMATIC;
+  bool CosineWeighted = false;
   double ResamplingError = 0.0;
   std::vector<float> Volume;
   vtkIdType NumberOfInvalidCells = 0;

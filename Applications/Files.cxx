@@ -1,0 +1,290 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Files.h"
+
+#include "Tool.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+namespace fs = std::filesystem;
+
+namespace
+{
+//------------------------------------------------------------------------------
+// A cell without surrounding blanks and quotes.
+std::string Trim(std::string cell)
+{
+  const char* blanks = " \t\r\n\v\f";
+  cell.erase(0, std::min(cell.find_first_not_of(blanks), cell.size()));
+  cell.erase(cell.find_last_not_of(blanks) + 1);
+  if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"')
+  {
+    cell = cell.substr(1, cell.size() - 2);
+  }
+  return cell;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> Split(const std::string& line)
+{
+  std::vector<std::string> cells;
+  std::size_t begin = 0;
+  while (true)
+  {
+    const std::size_t end = line.find(',', begin);
+    cells.push_back(Trim(line.substr(begin, end - begin)));
+    if (end == std::string::npos)
+    {
+      return cells;
+    }
+    begin = end + 1;
+  }
+}
+
+//------------------------------------------------------------------------------
+bool ParseNumber(const std::string& cell, double& value)
+{
+  const char* begin = cell.data();
+  const char* end = begin + cell.size();
+  if (begin != end && *begin == '+')
+  {
+    ++begin;
+  }
+  const auto result = std::from_chars(begin, end, value);
+  return result.ec == std::errc() && result.ptr == end;
+}
+
+//------------------------------------------------------------------------------
+// Where each column stands in the header line.
+std::array<std::size_t, 6> FindColumns(
+  const std::string& line, const tool::PairColumns& columns, const std::string& where)
+{
+  const std::vector<std::string> names = Split(line);
+  std::array<std::size_t, 6> places{};
+  for (std::size_t c = 0; c < columns.size(); ++c)
+  {
+    const auto found = std::find(names.begin(), names.end(), columns[c]);
+    if (found == names.end())
+    {
+      throw tool::Error(
+        where + ": no column '" + columns[c] + "' in the header '" + line.substr(0, 80) + "'");
+    }
+    if (std::find(found + 1, names.end(), columns[c]) != names.end())
+    {
+      throw tool::Error(where + ": column '" + columns[c] + "' appears twice");
+    }
+    places[c] = static_cast<std::size_t>(found - names.begin());
+  }
+  return places;
+}
+
+//------------------------------------------------------------------------------
+tool::Pair ParsePair(const std::string& line, const tool::PairColumns& columns,
+  const std::array<std::size_t, 6>& places, const std::string& where)
+{
+  const std::vector<std::string> cells = Split(line);
+  tool::Pair pair{};
+  for (std::size_t c = 0; c < columns.size(); ++c)
+  {
+    if (places[c] >= cells.size() || cells[places[c]].empty())
+    {
+      throw tool::Error(where + ": no value for column '" + columns[c] + "'");
+    }
+    const std::string& cell = cells[places[c]];
+    if (!ParseNumber(cell, pair[c]))
+    {
+      throw tool::Error(
+        where + ": column '" + columns[c] + "': '" + cell.substr(0, 40) + "' is not a number");
+    }
+    if (!std::isfinite(pair[c]))
+    {
+      throw tool::Error(where + ": column '" + columns[c] + "': '" + cell + "' is not finite");
+    }
+  }
+  for (std::size_t first = 0; first < 6; first += 3)
+  {
+    const double length = std::hypot(pair[first], pair[first + 1], pair[first + 2]);
+    if (!(length > 0.0) || !std::isfinite(length))
+    {
+      throw tool::Error(where + ": the direction (" + columns[first] + "," + columns[first + 1] +
+                        "," + columns[first + 2] + ") has no usable length");
+    }
+  }
+  return pair;
+}
+
+//------------------------------------------------------------------------------
+std::string Reason() { return errno ? std::strerror(errno) : "unknown reason"; }
+}
+
+namespace tool
+{
+//------------------------------------------------------------------------------
+std::vector<Pair> ReadPairs(const std::string& path, const PairColumns& columns)
+{
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored))
+  {
+    throw Error(path + ": is a directory, not a CSV file");
+  }
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  if (!file)
+  {
+    throw Error(path + ": can't be opened: " + Reason());
+  }
+
+  std::vector<Pair> pairs;
+  std::array<std::size_t, 6> places{};
+  bool haveHeader = false;
+  std::size_t number = 0;
+  for (std::string line; std::getline(file, line);)
+  {
+    if (++number == 1 && line.compare(0, 3, "\xEF\xBB\xBF") == 0)
+    {
+      line.erase(0, 3); // byte order mark
+    }
+    line = line.substr(0, line.find_last_not_of(" \t\r\n\v\f") + 1);
+    const std::size_t first = line.find_first_not_of(" \t");
+    if (first == std::string::npos || line[first] == '#')
+    {
+      continue;
+    }
+    const std::string where = path + ", line " + std::to_string(number);
+    if (!haveHeader)
+    {
+      places = FindColumns(line, columns, where);
+      haveHeader = true;
+      continue;
+    }
+    pairs.push_back(ParsePair(line, columns, places, where));
+  }
+  if (file.bad())
+  {
+    throw Error(path + ": can't be read: " + Reason());
+  }
+  if (!haveHeader)
+  {
+    std::string names = columns[0];
+    for (std::size_t c = 1; c < columns.size(); ++c)
+    {
+      names += "," + columns[c];
+    }
+    throw Error(path + ": is empty; a header line with the columns " + names + " was expected");
+  }
+  return pairs;
+}
+
+//------------------------------------------------------------------------------
+void WriteResults(const std::string& path, const PairColumns& columns,
+  const std::vector<Pair>& pairs, const std::vector<double>& rgb)
+{
+  std::string text;
+  for (const std::string& column : columns)
+  {
+    text += column + ",";
+  }
+  text += "r,g,b\n";
+  for (std::size_t k = 0; k < pairs.size(); ++k)
+  {
+    for (const double value : pairs[k])
+    {
+      text += FormatNumber(value) + ",";
+    }
+    text += FormatNumber(rgb[3 * k]) + "," + FormatNumber(rgb[3 * k + 1]) + "," +
+            FormatNumber(rgb[3 * k + 2]) + "\n";
+  }
+  if (path.empty())
+  {
+    PrintOut(text);
+  }
+  else
+  {
+    WriteText(path, text);
+  }
+}
+
+//------------------------------------------------------------------------------
+void WriteWhole(
+  const std::string& path, const std::function<void(const std::string& temporary)>& write)
+{
+  std::error_code ignored;
+  const fs::path target = path;
+  if (fs::is_directory(target, ignored) || !target.has_filename())
+  {
+    throw Error(path + ": can't be written: it is a directory");
+  }
+  const fs::file_status status = fs::status(target, ignored);
+  if (fs::exists(status) && !fs::is_regular_file(status))
+  {
+    write(path); // a pipe or a device can't be renamed over
+    return;
+  }
+  const fs::path place = fs::is_symlink(target, ignored) && fs::exists(target, ignored)
+                           ? fs::canonical(target, ignored)
+                           : target;
+  const fs::path folder = place.has_parent_path() ? place.parent_path() : fs::path(".");
+  if (!fs::is_directory(folder, ignored))
+  {
+    throw Error(path + ": can't be written: there is no folder " + folder.string());
+  }
+  const fs::path temporary = folder / ("." + place.stem().string() + ".part" +
+                                        std::to_string(getpid()) + place.extension().string());
+  try
+  {
+    write(temporary.string());
+    std::error_code error;
+    fs::rename(temporary, place, error);
+    if (error)
+    {
+      throw Error(path + ": can't be written: " + error.message());
+    }
+  }
+  catch (const std::exception& e)
+  {
+    fs::remove(temporary, ignored);
+    // The message should name the file that was asked for.
+    std::string message = e.what();
+    const std::size_t at = message.find(temporary.string());
+    if (at != std::string::npos)
+    {
+      message.replace(at, temporary.string().size(), path);
+    }
+    throw Error(message);
+  }
+}
+
+//------------------------------------------------------------------------------
+void WriteText(const std::string& path, const std::string& text)
+{
+  WriteWhole(path,
+    [&text](const std::string& temporary)
+    {
+      errno = 0;
+      std::ofstream file(temporary, std::ios::binary);
+      file << text << std::flush;
+      if (!file)
+      {
+        throw Error(temporary + ": can't be written: " + Reason());
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+std::string Extension(const std::string& path)
+{
+  std::string extension = fs::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+} // namespace tool

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Files in and out: tables of directions as CSV, and outputs that are whole or not there.
+ */
+
+#ifndef Files_h
+#define Files_h
+
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace tool
+{
+/// Names of the six columns of a table of direction pairs.
+using PairColumns = std::array<std::string, 6>;
+/// One row: two directions.
+using Pair = std::array<double, 6>;
+
+/**
+ * Read the six named columns of a CSV file: the first line that is neither empty nor starts with #
+ * names the columns; other columns are ignored. Throws Error naming file, line and column for
+ * anything missing, not a number, or a direction that is zero or not finite.
+ */
+std::vector<Pair> ReadPairs(const std::string& path, const PairColumns& columns);
+
+/// The pairs with r,g,b (3 per pair), to a file, or to stdout where path is empty. Throws Error.
+void WriteResults(const std::string& path, const PairColumns& columns,
+  const std::vector<Pair>& pairs, const std::vector<double>& rgb);
+
+/**
+ * Let write() make the file under a temporary name beside its place (same ending), then rename it:
+ * a failure leaves what was there. Throws Error.
+ */
+void WriteWhole(
+  const std::string& path, const std::function<void(const std::string& temporary)>& write);
+
+/// Text to a file, whole or not at all.
+void WriteText(const std::string& path, const std::string& text);
+
+/// The ending in lower case, with its dot ("" if none).
+std::string Extension(const std::string& path);
+} // namespace tool
+
+#endif

@@ -1,0 +1,250 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Files.h"
+#include "Inputs.h"
+#include "Lettering.h"
+#include "Meshes.h"
+#include "Picture.h"
+#include "Progress.h"
+#include "Scene.h"
+#include "Sizes.h"
+#include "Tool.h"
+
+#include "vtkEmbeddedMaterials.h"
+#include "vtkMath.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <set>
+
+namespace
+{
+struct Options
+{
+  std::vector<std::string> Files;
+  std::string Environment = "sky";
+  std::string Size = "1920x1200";
+  std::string Output;
+  tool::LightSetOptions Lights;
+};
+
+constexpr int LargestSize = 8192;
+constexpr int Smooth = 2; // tiles are rendered at this multiple and averaged
+constexpr double BlurDegrees = 11.0;
+constexpr double BackdropDim = 0.4; // the backdrop steps back behind the objects
+constexpr tool::RGB Paper = { 0.013, 0.014, 0.017 };
+constexpr tool::RGB White = { 1.0, 1.0, 1.0 };
+constexpr tool::RGB Grey = { 0.5, 0.5, 0.52 };
+
+//------------------------------------------------------------------------------
+// One embedded material of each of the kinds the thesis shows, then others of new kinds.
+std::vector<std::string> ChooseEmbedded()
+{
+  static const char* const kinds[] = { "fabric", "silk", "foil", "gold paint", "teal paint",
+    "magenta plastic", "velvet", "metallic paint" };
+  constexpr std::size_t wanted = 8;
+  const int n = vtkEmbeddedMaterials::GetNumberOfMaterials();
+  std::vector<std::string> names;
+  std::set<std::string> seen;
+  for (const char* kind : kinds)
+  {
+    for (int k = 0; k < n; ++k)
+    {
+      if (vtkEmbeddedMaterials::GetKind(k) == kind && seen.insert(kind).second)
+      {
+        names.push_back(vtkEmbeddedMaterials::GetName(k));
+      }
+    }
+  }
+  for (int k = 0; k < n && names.size() < wanted; ++k)
+  {
+    if (seen.insert(vtkEmbeddedMaterials::GetKind(k)).second)
+    {
+      names.push_back(vtkEmbeddedMaterials::GetName(k));
+    }
+  }
+  return names;
+}
+
+//------------------------------------------------------------------------------
+// Scale that makes a white diffuse ball's mean brightness under this light a light grey.
+double ChooseExposure(vtkEnvironment* environment)
+{
+  double total[3];
+  environment->GetTotal(total);
+  const double mean = vtkEnvironment::GetLuminance(total) / (4.0 * vtkMath::Pi());
+  return mean > 0.0 ? 0.55 / mean : 1.0;
+}
+
+//------------------------------------------------------------------------------
+// Columns for n tiles so that they come out near square.
+int ChooseColumns(int n, int width, int height)
+{
+  int best = 1;
+  double bestSide = 0.0;
+  for (int columns = 1; columns <= n; ++columns)
+  {
+    const int rows = (n + columns - 1) / columns;
+    const double side =
+      std::min(static_cast<double>(width) / columns, static_cast<double>(height) / rows);
+    if (side > bestSide)
+    {
+      bestSide = side;
+      best = columns;
+    }
+  }
+  return best;
+}
+
+//------------------------------------------------------------------------------
+void Paste(tool::Picture& sheet, const tool::Picture& tile, int x0, int y0)
+{
+  for (int y = 0; y < tile.Height; ++y)
+  {
+    std::copy_n(tile.At(0, y), 4 * static_cast<std::size_t>(tile.Width), sheet.At(x0, y0 + y));
+  }
+}
+
+//------------------------------------------------------------------------------
+// Sizes of the caption below a picture.
+struct Caption
+{
+  explicit Caption(int tileWidth)
+    : Small(std::clamp(tileWidth / 34, 9, 40))
+    , Large(Small * 7 / 4)
+    , Height(Small * 13 / 2)
+  {
+  }
+  int Small; // font of the source
+  int Large; // font of the name
+  int Height;
+};
+
+//------------------------------------------------------------------------------
+// Name, kind and source in the box (x, y) to (x + width, y + caption.Height).
+void DrawCaption(tool::Picture& sheet, int x, int y, int width, const Caption& caption,
+  const tool::Material& material)
+{
+  const int left = x + caption.Small;
+  const int room = width - 2 * caption.Small;
+  const std::string kind = material.Kind == material.Name ? "" : material.Kind;
+  const int kindWidth = kind.empty() ? 0 : tool::MeasureText(kind, caption.Small, false);
+  const int top = y + caption.Height;
+  const int nameLine = top - caption.Small / 2 - caption.Large;
+  tool::DrawText(sheet, left, nameLine,
+    tool::Fit(material.Name, caption.Large, true, room - kindWidth - caption.Small), caption.Large,
+    true, White);
+  tool::DrawText(sheet, left + room - kindWidth, nameLine, kind, caption.Small, false, Grey);
+  int line = nameLine - caption.Small * 7 / 4;
+  for (const std::string& text :
+    tool::Wrap(material.Source.empty() ? material.Format : material.Source, caption.Small, room, 2))
+  {
+    tool::DrawText(sheet, left, line, text, caption.Small, false, Grey);
+    line -= caption.Small * 3 / 2;
+  }
+}
+
+//------------------------------------------------------------------------------
+void Run(const Options& options)
+{
+  const tool::Size size = tool::ParseSize("--size", options.Size, LargestSize);
+  if (tool::Extension(options.Output) != ".png")
+  {
+    throw tool::UsageError(options.Output + ": the picture must end in .png");
+  }
+  options.Lights.Check();
+  std::vector<tool::Material> materials;
+  for (const std::string& file : options.Files.empty() ? ChooseEmbedded() : options.Files)
+  {
+    materials.push_back(tool::LoadMaterial(file));
+  }
+  const vtkSmartPointer<vtkEnvironment> environment = tool::LoadEnvironment(options.Environment);
+
+  const int n = static_cast<int>(materials.size());
+  const int unit = std::max(8, size.Height / 60);
+  const int gap = std::max(2, unit / 3);
+  const int header = 3 * unit;
+  const int columns = ChooseColumns(n, size.Width, size.Height - header);
+  const int rows = (n + columns - 1) / columns;
+  const int tileWidth = (size.Width - (columns + 1) * gap) / columns;
+  const Caption caption(tileWidth);
+  const int tileHeight = (size.Height - header - rows * gap) / rows - caption.Height;
+  if (std::min(tileWidth, tileHeight) < 48 ||
+      Smooth * std::max(tileWidth, tileHeight) > LargestSize)
+  {
+    throw tool::UsageError("--size: " + options.Size + " doesn't suit " + std::to_string(n) +
+                           " materials: their tiles would be " + std::to_string(tileWidth) + "x" +
+                           std::to_string(tileHeight));
+  }
+
+  tool::Picture sheet(size.Width, size.Height);
+  for (int y = 0; y < size.Height; ++y)
+  {
+    for (int x = 0; x < size.Width; ++x)
+    {
+      sheet.Blend(x, y, Paper, 1.0);
+    }
+  }
+  tool::DrawText(sheet, gap + unit / 2, size.Height - header + unit,
+    tool::Fit("Measured materials under \"" + environment->GetName() + "\", " +
+                std::to_string(options.Lights.Count) + " lights",
+      (5 * unit) / 4, false, size.Width - 2 * unit),
+    (5 * unit) / 4, false, White);
+
+  tool::Backdrop backdrop(environment, BlurDegrees);
+  backdrop.Scale(BackdropDim);
+  const double exposure = ChooseExposure(environment);
+  tool::Scene scene;
+  scene.SetMesh(tool::MakeBallOnFoot());
+  scene.SetLight(environment, options.Lights);
+  scene.SetView(25.0, 16.0, 1.15);
+  tool::ProgressBar bar("rendering");
+  for (int k = 0; k < n; ++k)
+  {
+    scene.SetMaterial(materials[k].BRDF);
+    tool::Picture tile = scene.Render(Smooth * tileWidth, Smooth * tileHeight);
+    tool::ComposeOver(tile, scene, backdrop, exposure);
+    for (float& value : tile.Pixels)
+    {
+      value = static_cast<float>(tool::RollOff(value));
+    }
+    tile = tool::Downsample(tile, Smooth);
+    // The last row stands in the middle where it is not full.
+    const int inRow = std::min(columns, n - (k / columns) * columns);
+    const int left = (size.Width - inRow * (tileWidth + gap) + gap) / 2;
+    const int x = left + (k % columns) * (tileWidth + gap);
+    const int top = size.Height - header - (k / columns) * (tileHeight + caption.Height + gap);
+    Paste(sheet, tile, x, top - tileHeight);
+    DrawCaption(sheet, x, top - tileHeight - caption.Height, tileWidth, caption, materials[k]);
+    bar.Update((k + 1.0) / n);
+  }
+  tool::WritePNG(options.Output, sheet, tool::EncodeSRGB);
+}
+}
+
+namespace tool
+{
+//------------------------------------------------------------------------------
+void AddGalleryCommand(CLI::App& app)
+{
+  auto options = std::make_shared<Options>();
+  options->Lights.Count = 256;
+  CLI::App* command =
+    app.add_subcommand("gallery", "Make one labelled picture of several materials");
+  command->add_option("FILE", options->Files,
+    std::string("Materials, each as in the other commands: ") + MaterialHelp +
+      ". Default: a choice of the embedded ones");
+  command->add_option(
+    "--environment", options->Environment, std::string(EnvironmentHelp) + " (default)");
+  options->Lights.AddTo(command, "--lights");
+  command->add_option("--size", options->Size,
+    "Size of the whole picture in pixels, WIDTHxHEIGHT (default 1920x1200)");
+  command->add_option("-o,--output", options->Output, "PNG picture to write")->required();
+  command->footer("Example:\n  measured-brdf gallery --environment studio.exr -o gallery.png\n\n"
+                  "The light is scaled so that a white wall would come out light grey, and "
+                  "highlights are rolled off.\n"
+                  "Needs OpenGL; without a screen, put 'xvfb-run -a' before it.");
+  command->callback([options]() { Run(*options); });
+}
+} // namespace tool

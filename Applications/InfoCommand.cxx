@@ -1,0 +1,263 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Inputs.h"
+#include "Tool.h"
+
+#include "vtkAdaptiveWarpBRDF.h"
+#include "vtkAshikhminShirleyBRDF.h"
+#include "vtkBRDFAnalysis.h"
+#include "vtkBlinnPhongBRDF.h"
+#include "vtkDistributionBRDF.h"
+#include "vtkLambertBRDF.h"
+#include "vtkNew.h"
+#include "vtkSumBRDF.h"
+#include "vtkTabulatedBRDF.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+#include <memory>
+#include <numeric>
+
+using nlohmann::ordered_json;
+
+namespace
+{
+struct Options
+{
+  std::string File;
+  bool Json = false;
+};
+
+//------------------------------------------------------------------------------
+ordered_json Triple(const double rgb[3]) { return { rgb[0], rgb[1], rgb[2] }; }
+
+//------------------------------------------------------------------------------
+// How the material is stored: representation, parameterization, sizes, its own parameters.
+ordered_json Describe(vtkBRDF* brdf)
+{
+  ordered_json d;
+  if (auto* table = vtkTabulatedBRDF::SafeDownCast(brdf))
+  {
+    const bool half = table->GetParameterization() == vtkTabulatedBRDF::HALF_DIFFERENCE;
+    const int* n = table->GetDimensions();
+    d["representation"] = "tabulated";
+    d["parameterization"] = half ? "half/difference angles (phi_d, theta_d, theta_h)"
+                                 : "incident/outgoing angles (delta phi, theta_o, theta_i)";
+    d["dimensions"] = { n[0], n[1], n[2] };
+    d["azimuth_range_degrees"] =
+      table->GetAzimuthRange() == vtkTabulatedBRDF::HALF_TURN ? 180 : 360;
+    d["invalid_cells"] = table->GetNumberOfInvalidCells();
+  }
+  else if (auto* warp = vtkAdaptiveWarpBRDF::SafeDownCast(brdf))
+  {
+    const vtkAdaptiveWarpBRDF::Tables& tables = warp->GetTables();
+    d["representation"] = "adaptive warp";
+    d["parameterization"] = "warped by visible normals (phi_i, theta_i, channel, y, x)";
+    d["dimensions"] = tables.Rgb.Shape;
+  }
+  else if (auto* sum = vtkSumBRDF::SafeDownCast(brdf))
+  {
+    d["representation"] = "sum";
+    d["terms"] = ordered_json::array();
+    for (int k = 0; k < sum->GetNumberOfTerms(); ++k)
+    {
+      d["terms"].push_back(Describe(sum->GetTerm(k)));
+    }
+  }
+  else if (auto* lambert = vtkLambertBRDF::SafeDownCast(brdf))
+  {
+    d["representation"] = "Lambert";
+    d["diffuse"] = Triple(lambert->GetAlbedo());
+  }
+  else if (auto* phong = vtkBlinnPhongBRDF::SafeDownCast(brdf))
+  {
+    d["representation"] = "Blinn-Phong";
+    d["specular"] = Triple(phong->GetSpecular());
+    d["exponent"] = phong->GetExponent();
+  }
+  else if (auto* ashikhmin = vtkAshikhminShirleyBRDF::SafeDownCast(brdf))
+  {
+    d["representation"] = "Ashikhmin-Shirley";
+    d["specular"] = Triple(ashikhmin->GetSpecularScale());
+    d["reflectance"] = Triple(ashikhmin->GetReflectance());
+    d["diffuse"] = Triple(ashikhmin->GetDiffuse());
+    d["exponents"] = { ashikhmin->GetExponentU(), ashikhmin->GetExponentV() };
+  }
+  else if (auto* distribution = vtkDistributionBRDF::SafeDownCast(brdf))
+  {
+    d["representation"] = "distribution (D-BRDF)";
+    d["parameterization"] = "p(theta_h, phi_h) and F(theta_d)";
+    d["dimensions"] = { distribution->GetNumberOfThetaSamples(),
+      distribution->GetNumberOfPhiSamples(), distribution->GetFresnel().size() / 3 };
+  }
+  else
+  {
+    d["representation"] = brdf->GetClassName();
+  }
+  return d;
+}
+
+//------------------------------------------------------------------------------
+ordered_json Inspect(const Options& options)
+{
+  const tool::Material material = tool::LoadMaterial(options.File);
+  vtkBRDF* brdf = material.BRDF;
+  brdf->Prepare();
+  vtkNew<vtkBRDFAnalysis> analysis;
+  analysis->SetBRDF(brdf);
+  if (!analysis->Update())
+  {
+    throw tool::Error(options.File + ": " + tool::TakeErrorText());
+  }
+
+  ordered_json info = { { "name", material.Name }, { "source", material.Source },
+    { "format", material.Format } };
+  info.update(Describe(brdf));
+  info["isotropic"] = brdf->IsIsotropic();
+  info["reciprocal_by_construction"] = brdf->IsReciprocal();
+  info["negative_values"] = material.NumberOfNegativeValues;
+  info["invalid_values"] = material.NumberOfInvalidValues;
+  info["negative_mass"] = analysis->GetNegativeMass();
+  info["range"] = { { "minimum", Triple(analysis->GetMinimum()) },
+    { "maximum", Triple(analysis->GetMaximum()) } };
+  info["reciprocity_error"] = analysis->GetReciprocityError();
+  info["reciprocity_rms_error"] = analysis->GetReciprocityRMSError();
+  info["albedo"] = ordered_json::array();
+  for (int k = 0; k < analysis->GetNumberOfAngles(); ++k)
+  {
+    double rgb[3];
+    analysis->GetAlbedo(k, rgb);
+    info["albedo"].push_back({ { "degrees", analysis->GetAngle(k) }, { "rgb", Triple(rgb) } });
+  }
+  info["largest_albedo"] = analysis->GetLargestAlbedo();
+  info["gains_energy"] = analysis->GetGainsEnergy();
+  info["notes"] = material.Notes;
+  return info;
+}
+
+//------------------------------------------------------------------------------
+std::string Line(const std::string& label, const std::string& value)
+{
+  std::string padded = label;
+  padded.resize(20, ' ');
+  return value.empty() ? "" : padded + value + "\n";
+}
+
+//------------------------------------------------------------------------------
+std::string Short(double value)
+{
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.4g", value);
+  return text;
+}
+
+//------------------------------------------------------------------------------
+std::string ShortTriple(const ordered_json& rgb)
+{
+  return Short(rgb[0]) + ", " + Short(rgb[1]) + ", " + Short(rgb[2]);
+}
+
+//------------------------------------------------------------------------------
+std::string FormatRepresentation(const ordered_json& d, const std::string& indent)
+{
+  std::string text = Line(indent + "representation", d["representation"]);
+  if (d.contains("parameterization"))
+  {
+    text += Line(indent + "parameterization", d["parameterization"]);
+  }
+  if (d.contains("dimensions"))
+  {
+    std::string sizes;
+    for (const ordered_json& n : d["dimensions"])
+    {
+      sizes += (sizes.empty() ? "" : " x ") + std::to_string(n.get<long long>());
+    }
+    text += Line(indent + "sizes", sizes);
+  }
+  if (d.contains("azimuth_range_degrees"))
+  {
+    text += Line(indent + "azimuths",
+      "0 to " + std::to_string(d["azimuth_range_degrees"].get<int>()) + " degrees");
+  }
+  for (const char* key : { "diffuse", "specular", "reflectance" })
+  {
+    if (d.contains(key))
+    {
+      text += Line(indent + key, ShortTriple(d[key]));
+    }
+  }
+  if (d.contains("exponent"))
+  {
+    text += Line(indent + "exponent", Short(d["exponent"]));
+  }
+  if (d.contains("exponents"))
+  {
+    text += Line(indent + "exponents", Short(d["exponents"][0]) + ", " + Short(d["exponents"][1]));
+  }
+  if (d.contains("terms"))
+  {
+    for (const ordered_json& term : d["terms"])
+    {
+      text += FormatRepresentation(term, indent + "  ");
+    }
+  }
+  return text;
+}
+
+//------------------------------------------------------------------------------
+std::string FormatText(const ordered_json& info)
+{
+  std::string text =
+    Line("name", info["name"]) + Line("source", info["source"]) + Line("format", info["format"]) +
+    FormatRepresentation(info, "") + Line("isotropic", info["isotropic"] ? "yes" : "no") +
+    Line("negative values", std::to_string(info["negative_values"].get<long long>())) +
+    Line("invalid values", std::to_string(info["invalid_values"].get<long long>())) +
+    Line("range (1/sr)",
+      "R " + Short(info["range"]["minimum"][0]) + " to " + Short(info["range"]["maximum"][0]) +
+        ", G " + Short(info["range"]["minimum"][1]) + " to " + Short(info["range"]["maximum"][1]) +
+        ", B " + Short(info["range"]["minimum"][2]) + " to " + Short(info["range"]["maximum"][2])) +
+    Line("reciprocity error",
+      Short(info["reciprocity_error"]) + " relative (RMS " + Short(info["reciprocity_rms_error"]) +
+        ")" + (info["reciprocal_by_construction"] ? "; reciprocal by construction" : ""));
+  text += "\ndirectional albedo (share of the light given back)\n  angle      R       G       B\n";
+  for (const ordered_json& row : info["albedo"])
+  {
+    char line[80];
+    std::snprintf(line, sizeof(line), "  %4.0f  %7.4f %7.4f %7.4f\n", row["degrees"].get<double>(),
+      row["rgb"][0].get<double>(), row["rgb"][1].get<double>(), row["rgb"][2].get<double>());
+    text += line;
+  }
+  if (info["gains_energy"])
+  {
+    text += "  (above 1: this material gives back more light than it gets)\n";
+  }
+  const std::string notes = info["notes"];
+  return text + (notes.empty() ? "" : "\nnotes: " + notes + "\n");
+}
+
+//------------------------------------------------------------------------------
+void Run(const Options& options)
+{
+  const ordered_json info = Inspect(options);
+  // Names come from files: bytes that are no UTF-8 are replaced rather than fatal.
+  tool::PrintOut(options.Json
+                   ? info.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n"
+                   : FormatText(info));
+}
+}
+
+namespace tool
+{
+//------------------------------------------------------------------------------
+void AddInfoCommand(CLI::App& app)
+{
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand(
+    "info", "Describe a material: format, sizes, range, albedo per angle, reciprocity, bad values");
+  command->add_option("FILE", options->File, MaterialHelp)->required();
+  command->add_flag("--json", options->Json, "Write JSON instead of text");
+  command->footer("Example:\n  measured-brdf info gold-paint");
+  command->callback([options]() { Run(*options); });
+}
+} // namespace tool

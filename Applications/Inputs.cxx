@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Inputs.h"
+
+#include "Tool.h"
+
+#include "vtkBRDFReader.h"
+#include "vtkEmbeddedMaterials.h"
+#include "vtkEnvironmentReader.h"
+#include "vtkImportanceLightSetGenerator.h"
+#include "vtkMedianCutLightSetGenerator.h"
+#include "vtkNew.h"
+
+#include <filesystem>
+
+namespace tool
+{
+const char* const MaterialHelp =
+  "A material: the name of an embedded one (see 'measured-brdf list'), or a file: MERL .binary, "
+  "RGL .bsdf (RGB), NVIDIA .mbsdf, this project's .exr, or FITS.fit#NAME for one material of a "
+  "file of published fits. With a '/', a '.' or a '#' in it, it is a file; else the embedded name "
+  "comes first";
+const char* const EnvironmentHelp =
+  "Light from all around: a lat-long image of any format OpenImageIO reads (.exr, .hdr, ...), or "
+  "the word 'sky' for the built-in procedural sky";
+
+//------------------------------------------------------------------------------
+Material LoadMaterial(const std::string& file)
+{
+  Material result;
+  const bool isPath = file.find_first_of("/.#") != std::string::npos;
+  if (!isPath)
+  {
+    result.BRDF = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF(file));
+    if (result.BRDF)
+    {
+      result.Name = file;
+      result.Source = result.BRDF->GetSource();
+      result.Format = "embedded";
+      for (int k = 0; k < vtkEmbeddedMaterials::GetNumberOfMaterials(); ++k)
+      {
+        if (vtkEmbeddedMaterials::GetName(k) == file)
+        {
+          result.Kind = vtkEmbeddedMaterials::GetKind(k);
+        }
+      }
+      return result;
+    }
+    std::error_code ignored;
+    if (!std::filesystem::exists(file, ignored))
+    {
+      throw Error(
+        "unknown material '" + file +
+        "': no embedded material has that name ('measured-brdf list' names them), and there is no "
+        "such file");
+    }
+  }
+
+  vtkNew<vtkBRDFReader> reader;
+  reader->SetFileName(file);
+  if (!reader->Read() || !reader->GetBRDF())
+  {
+    const std::string logged = TakeErrorText();
+    const std::string said = reader->GetErrorMessage();
+    throw Error(!said.empty() ? said : file + ": " + logged);
+  }
+  result.BRDF = reader->GetBRDF();
+  result.Name = result.BRDF->GetName();
+  if (result.Name.empty())
+  {
+    result.Name = std::filesystem::path(file).stem().string();
+  }
+  result.Source = result.BRDF->GetSource();
+  result.Format = reader->GetFormatName();
+  result.Notes = reader->GetNotes();
+  result.NumberOfNegativeValues = reader->GetNumberOfNegativeValues();
+  result.NumberOfInvalidValues = reader->GetNumberOfInvalidValues();
+  return result;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkEnvironment> LoadEnvironment(const std::string& file)
+{
+  if (file == "sky")
+  {
+    auto sky = vtkSmartPointer<vtkEnvironment>::New();
+    sky->SetToProceduralSky();
+    sky->SetName("built-in sky");
+    return sky;
+  }
+  vtkNew<vtkEnvironmentReader> reader;
+  reader->SetFileName(file);
+  if (!reader->Read() || !reader->GetEnvironment())
+  {
+    const std::string logged = TakeErrorText();
+    const std::string said = reader->GetErrorMessage();
+    throw Error(!said.empty() ? said : file + ": " + logged);
+  }
+  PrintNote(reader->GetNotes());
+  vtkSmartPointer<vtkEnvironment> environment = reader->GetEnvironment();
+  environment->SetName(std::filesystem::path(file).stem().string());
+  return environment;
+}
+
+//------------------------------------------------------------------------------
+void LightSetOptions::AddTo(CLI::App* command, const std::string& countName)
+{
+  command
+    ->add_option(countName, this->Count,
+      "How many lights stand for the environment (default " + std::to_string(this->Count) +
+        "); median cut makes powers of two only")
+    ->check(CLI::Range(1, vtkLightSetGenerator::MaximumNumberOfLights));
+  command
+    ->add_option("--light-set", this->Method,
+      "How they are chosen: median-cut (regions of equal energy, one light each; default) or "
+      "importance (drawn at random in proportion to the energy)")
+    ->check(CLI::IsMember({ "median-cut", "importance" }));
+  command->add_option("--seed", this->Seed,
+    "Seed of --light-set importance (default 1); the same seed gives the same lights");
+}
+
+//------------------------------------------------------------------------------
+void LightSetOptions::Check() const
+{
+  if (this->IsMedianCut() && (this->Count & (this->Count - 1)) != 0)
+  {
+    int below = 1;
+    while (below * 2 < this->Count)
+    {
+      below *= 2;
+    }
+    throw UsageError(std::to_string(this->Count) +
+                     " lights: median cut makes powers of two only; try " + std::to_string(below) +
+                     " or " + std::to_string(2 * below) + ", or --light-set importance");
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkLightSet> MakeLightSet(
+  vtkEnvironment* environment, const LightSetOptions& options)
+{
+  vtkSmartPointer<vtkLightSetGenerator> generator;
+  if (options.IsMedianCut())
+  {
+    generator = vtkSmartPointer<vtkMedianCutLightSetGenerator>::New();
+  }
+  else
+  {
+    auto importance = vtkSmartPointer<vtkImportanceLightSetGenerator>::New();
+    importance->SetSeed(options.Seed);
+    generator = importance;
+  }
+  auto lights = vtkSmartPointer<vtkLightSet>::New();
+  if (!generator->Generate(environment, options.Count, lights))
+  {
+    throw Error("light set: " + TakeErrorText());
+  }
+  return lights;
+}
+} // namespace tool

@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Files.h"
+#include "Inputs.h"
+#include "Progress.h"
+#include "Tool.h"
+
+#include "vtkCommand.h"
+#include "vtkDoubleArray.h"
+#include "vtkExactIntegrator.h"
+#include "vtkLightSetIntegrator.h"
+#include "vtkNew.h"
+
+#include <memory>
+
+namespace
+{
+struct Options
+{
+  std::string File;
+  std::string Environment;
+  std::string Pairs;
+  std::string Method = "exact";
+  std::string Output;
+  tool::LightSetOptions Lights;
+};
+
+// Shows an integrator's progress and passes Ctrl-C on to it.
+struct Watcher
+{
+  vtkRadianceIntegrator* Integrator;
+  tool::ProgressBar Bar{ "integrating" };
+
+  void OnProgress(vtkObject*, unsigned long, void* data)
+  {
+    if (data)
+    {
+      this->Bar.Update(*static_cast<double*>(data));
+    }
+    if (tool::Interruptible::IsInterrupted())
+    {
+      this->Integrator->SetAbort(true);
+    }
+  }
+};
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkRadianceIntegrator> MakeIntegrator(
+  const Options& options, vtkEnvironment* environment)
+{
+  if (options.Method == "exact")
+  {
+    return vtkSmartPointer<vtkExactIntegrator>::New();
+  }
+  auto integrator = vtkSmartPointer<vtkLightSetIntegrator>::New();
+  integrator->SetLightSet(tool::MakeLightSet(environment, options.Lights));
+  return integrator;
+}
+
+//------------------------------------------------------------------------------
+void Run(const Options& options)
+{
+  static const tool::PairColumns columns = { "nx", "ny", "nz", "vx", "vy", "vz" };
+  if (options.Method == "light-set")
+  {
+    options.Lights.Check();
+  }
+  tool::Interruptible interruptible;
+  const std::vector<tool::Pair> pairs = tool::ReadPairs(options.Pairs, columns);
+  const tool::Material material = tool::LoadMaterial(options.File);
+  const vtkSmartPointer<vtkEnvironment> environment = tool::LoadEnvironment(options.Environment);
+
+  vtkNew<vtkDoubleArray> normals;
+  vtkNew<vtkDoubleArray> views;
+  vtkNew<vtkDoubleArray> radiance;
+  for (vtkDoubleArray* array : { normals.Get(), views.Get(), radiance.Get() })
+  {
+    array->SetNumberOfComponents(3);
+  }
+  for (const tool::Pair& pair : pairs)
+  {
+    normals->InsertNextTuple(pair.data());
+    views->InsertNextTuple(pair.data() + 3);
+  }
+
+  const vtkSmartPointer<vtkRadianceIntegrator> integrator = MakeIntegrator(options, environment);
+  integrator->SetBRDF(material.BRDF);
+  integrator->SetEnvironment(environment);
+  bool done = false;
+  {
+    Watcher watcher{ integrator };
+    integrator->AddObserver(vtkCommand::ProgressEvent, &watcher, &Watcher::OnProgress);
+    done = integrator->Integrate(normals, views, radiance);
+    integrator->RemoveObservers(vtkCommand::ProgressEvent);
+  }
+  tool::Interruptible::Check();
+  if (!done)
+  {
+    throw tool::Error("integrate: " + tool::TakeErrorText());
+  }
+  std::vector<double> rgb(3 * pairs.size());
+  for (std::size_t k = 0; k < pairs.size(); ++k)
+  {
+    radiance->GetTuple(static_cast<vtkIdType>(k), rgb.data() + 3 * k);
+  }
+  tool::WriteResults(options.Output, columns, pairs, rgb);
+}
+}
+
+namespace tool
+{
+//------------------------------------------------------------------------------
+void AddIntegrateCommand(CLI::App& app)
+{
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand(
+    "integrate", "Compute the light a material sends to the viewer under an environment");
+  command->add_option("FILE", options->File, MaterialHelp)->required();
+  command->add_option("--environment", options->Environment, EnvironmentHelp)->required();
+  command
+    ->add_option("--pairs", options->Pairs,
+      "CSV file with the columns nx,ny,nz (surface normal) and vx,vy,vz (from the surface to the "
+      "viewer) in world coordinates, y up. Other columns and lines that start with # are ignored")
+    ->required();
+  command
+    ->add_option("--method", options->Method,
+      "exact: the sum over every texel of the environment (default); light-set: over a set of "
+      "lights, as the renderer does it")
+    ->check(CLI::IsMember({ "exact", "light-set" }));
+  options->Lights.AddTo(command, "--lights");
+  command->add_option("-o,--output", options->Output,
+    "CSV file to write: the six columns and r,g,b of the outgoing radiance, linear Rec. 709 "
+    "(default: standard output)");
+  command->footer("Example:\n  measured-brdf integrate gold-paint --environment sky --pairs nv.csv "
+                  "--method exact");
+  command->callback([options]() { Run(*options); });
+}
+} // namespace tool

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Tool.h"
+
+#include "vtkEmbeddedMaterials.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <memory>
+
+namespace
+{
+//------------------------------------------------------------------------------
+void Run(bool json)
+{
+  const int n = vtkEmbeddedMaterials::GetNumberOfMaterials();
+  if (json)
+  {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (int k = 0; k < n; ++k)
+    {
+      list.push_back({ { "name", vtkEmbeddedMaterials::GetName(k) },
+        { "kind", vtkEmbeddedMaterials::GetKind(k) },
+        { "source", vtkEmbeddedMaterials::GetSource(k) } });
+    }
+    tool::PrintOut(list.dump(2) + "\n");
+    return;
+  }
+
+  std::size_t nameWidth = 4;
+  std::size_t kindWidth = 4;
+  for (int k = 0; k < n; ++k)
+  {
+    nameWidth = std::max(nameWidth, vtkEmbeddedMaterials::GetName(k).size());
+    kindWidth = std::max(kindWidth, vtkEmbeddedMaterials::GetKind(k).size());
+  }
+  std::string text;
+  const auto row = [&](std::string name, std::string kind, const std::string& source)
+  {
+    name.resize(nameWidth, ' ');
+    kind.resize(kindWidth, ' ');
+    text += name + "  " + kind + "  " + source + "\n";
+  };
+  row("NAME", "KIND", "SOURCE");
+  for (int k = 0; k < n; ++k)
+  {
+    row(vtkEmbeddedMaterials::GetName(k), vtkEmbeddedMaterials::GetKind(k),
+      vtkEmbeddedMaterials::GetSource(k));
+  }
+  tool::PrintOut(text);
+}
+}
+
+namespace tool
+{
+//------------------------------------------------------------------------------
+void AddListCommand(CLI::App& app)
+{
+  auto json = std::make_shared<bool>(false);
+  CLI::App* command = app.add_subcommand(
+    "list", "Name the embedded materials (measured, no download needed) and their sources");
+  command->add_flag("--json", *json, "Write JSON instead of a table");
+  command->callback([json]() { Run(*json); });
+}
+} // namespace tool

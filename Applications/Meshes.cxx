@@ -1,0 +1,260 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Meshes.h"
+
+#include "Files.h"
+#include "Tool.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkCellArray.h"
+#include "vtkCompositeDataGeometryFilter.h"
+#include "vtkDataSet.h"
+#include "vtkFloatArray.h"
+#include "vtkGLTFReader.h"
+#include "vtkGenericDataObjectReader.h"
+#include "vtkGeometryFilter.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkOBJReader.h"
+#include "vtkPLYReader.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyDataNormals.h"
+#include "vtkSTLReader.h"
+#include "vtkSphereSource.h"
+#include "vtkTriangleFilter.h"
+#include "vtkXMLPolyDataReader.h"
+
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+
+namespace
+{
+// Edges sharper than this stay sharp when normals are made.
+constexpr double FeatureAngle = 60.0;
+
+//------------------------------------------------------------------------------
+template <typename Reader>
+vtkSmartPointer<vtkAlgorithm> Read(const std::string& path)
+{
+  auto reader = vtkSmartPointer<Reader>::New();
+  reader->SetFileName(path.c_str());
+  return reader;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& path)
+{
+  const std::string extension = tool::Extension(path);
+  if (extension == ".ply")
+  {
+    return Read<vtkPLYReader>(path);
+  }
+  if (extension == ".stl")
+  {
+    return Read<vtkSTLReader>(path);
+  }
+  if (extension == ".obj")
+  {
+    return Read<vtkOBJReader>(path);
+  }
+  if (extension == ".vtp")
+  {
+    return Read<vtkXMLPolyDataReader>(path);
+  }
+  if (extension == ".vtk")
+  {
+    return Read<vtkGenericDataObjectReader>(path);
+  }
+  if (extension == ".gltf" || extension == ".glb")
+  {
+    return Read<vtkGLTFReader>(path);
+  }
+  throw tool::Error(path + ": is no mesh this tool reads (ply, stl, obj, vtp, vtk, gltf, glb)");
+}
+
+//------------------------------------------------------------------------------
+// A surface from whatever the reader gave: polygons as they are, parts put together, else the skin.
+vtkSmartPointer<vtkPolyData> GetSurface(vtkDataObject* data)
+{
+  if (auto* surface = vtkPolyData::SafeDownCast(data))
+  {
+    return surface;
+  }
+  if (vtkDataSet::SafeDownCast(data))
+  {
+    vtkNew<vtkGeometryFilter> skin;
+    skin->SetInputData(data);
+    skin->Update();
+    return skin->GetOutput();
+  }
+  vtkNew<vtkCompositeDataGeometryFilter> parts;
+  parts->SetInputDataObject(data);
+  parts->Update();
+  return parts->GetOutput();
+}
+
+//------------------------------------------------------------------------------
+struct Point
+{
+  double X;
+  double Y;
+  double Z;
+};
+
+//------------------------------------------------------------------------------
+// position(s, t), s and t in [0,1], as a grid of quads with normals by central differences.
+vtkSmartPointer<vtkPolyData> MakeParametric(
+  int ns, int nt, const std::function<Point(double, double)>& position)
+{
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkFloatArray> normals;
+  normals->SetNumberOfComponents(3);
+  normals->SetName("Normals");
+  constexpr double e = 1e-4;
+  for (int b = 0; b <= nt; ++b)
+  {
+    for (int a = 0; a <= ns; ++a)
+    {
+      const double s = static_cast<double>(a) / ns;
+      const double t = static_cast<double>(b) / nt;
+      const Point p = position(s, t);
+      points->InsertNextPoint(p.X, p.Y, p.Z);
+
+      // Poles have no derivative along s: look from a little beside.
+      const double inside = std::min(std::max(t, 2.0 * e), 1.0 - 2.0 * e);
+      const Point s0 = position(s - e, inside);
+      const Point s1 = position(s + e, inside);
+      const Point t0 = position(s, inside - e);
+      const Point t1 = position(s, inside + e);
+      const double ds[3] = { s1.X - s0.X, s1.Y - s0.Y, s1.Z - s0.Z };
+      const double dt[3] = { t1.X - t0.X, t1.Y - t0.Y, t1.Z - t0.Z };
+      double n[3];
+      vtkMath::Cross(ds, dt, n);
+      vtkMath::Normalize(n);
+      normals->InsertNextTuple(n);
+    }
+  }
+  vtkNew<vtkCellArray> quads;
+  for (int b = 0; b < nt; ++b)
+  {
+    for (int a = 0; a < ns; ++a)
+    {
+      const vtkIdType k = static_cast<vtkIdType>(b) * (ns + 1) + a;
+      const vtkIdType quad[4] = { k, k + 1, k + ns + 2, k + ns + 1 };
+      quads->InsertNextCell(4, quad);
+    }
+  }
+  auto surface = vtkSmartPointer<vtkPolyData>::New();
+  surface->SetPoints(points);
+  surface->SetPolys(quads);
+  surface->GetPointData()->SetNormals(normals);
+  return surface;
+}
+}
+
+namespace tool
+{
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> LoadMesh(const std::string& path)
+{
+  const vtkSmartPointer<vtkAlgorithm> reader = MakeReader(path);
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored))
+  {
+    throw Error(path + ": there is no such file");
+  }
+  reader->Update();
+  std::string errors = TakeErrorText();
+  vtkDataObject* data = reader->GetOutputDataObject(0);
+  if (!errors.empty() || !data)
+  {
+    throw Error(path + ": can't be read: " + (errors.empty() ? "no data in it" : errors));
+  }
+
+  vtkSmartPointer<vtkPolyData> surface = GetSurface(data);
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputData(surface);
+  triangles->PassVertsOff();
+  triangles->PassLinesOff();
+  triangles->Update();
+  surface = triangles->GetOutput();
+  if (!surface->GetPointData()->GetNormals())
+  {
+    vtkNew<vtkPolyDataNormals> normals;
+    normals->SetInputData(surface);
+    normals->SetFeatureAngle(FeatureAngle);
+    normals->Update();
+    surface = normals->GetOutput();
+  }
+  errors = TakeErrorText();
+  const double size = surface->GetLength();
+  if (!errors.empty() || surface->GetNumberOfPolys() == 0 || !std::isfinite(size) || !(size > 0.0))
+  {
+    throw Error(path + ": has no surface to show" + (errors.empty() ? "" : ": " + errors));
+  }
+  return surface;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> MakeSphere()
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(1.0);
+  sphere->SetThetaResolution(256);
+  sphere->SetPhiResolution(128);
+  sphere->Update();
+  return sphere->GetOutput();
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> MakeBallOnFoot()
+{
+  // Profile (radius, height): ball, concave neck, rounded rim; arcs that touch with equal tangents.
+  constexpr double pi = 3.14159265358979323846;
+  constexpr double ball = 0.64;
+  constexpr double ballHeight = 1.0;
+  constexpr double join = 0.75 * pi; // polar angle where the ball ends
+  constexpr double neck = 0.5;
+  constexpr double rim = 0.2;
+  const double neckX = (ball + neck) * std::sin(join);
+  const double neckY = ballHeight + (ball + neck) * std::cos(join);
+  // The neck turns from the ball's tangent to the horizontal: its angle shrinks from join to 0.
+  const double lengths[3] = { ball * join, neck * join, rim * 0.5 * pi };
+  const double total = lengths[0] + lengths[1] + lengths[2];
+
+  const auto position = [=](double s, double t)
+  {
+    double x;
+    double y;
+    const double length = t * total;
+    if (length < lengths[0])
+    {
+      const double a = length / ball;
+      x = ball * std::sin(a);
+      y = ballHeight + ball * std::cos(a);
+    }
+    else if (length < lengths[0] + lengths[1])
+    {
+      const double a = join - (length - lengths[0]) / neck;
+      x = neckX - neck * std::sin(a);
+      y = neckY - neck * std::cos(a);
+    }
+    else
+    {
+      const double a = (length - lengths[0] - lengths[1]) / rim;
+      x = neckX + rim * std::sin(a);
+      y = neckY - neck - rim + rim * std::cos(a);
+    }
+    // Folds begin smoothly below the neck's narrowest place and turn a little on their way down.
+    const double below = std::max(0.0, (length - lengths[0] - 0.35 * lengths[1]) / total);
+    const double depth = 0.42 * below * below / (below + 0.2);
+    const double azimuth = 2.0 * pi * s;
+    x *= 1.0 + depth * std::cos(11.0 * azimuth + 4.0 * below);
+    return Point{ x * std::sin(azimuth), y, x * std::cos(azimuth) };
+  };
+  return MakeParametric(360, 240, position);
+}
+} // namespace tool

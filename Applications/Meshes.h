@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Geometry to show a material on.
+ */
+
+#ifndef Meshes_h
+#define Meshes_h
+
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <string>
+
+namespace tool
+{
+/// Read ply, stl, obj, vtp, vtk, gltf or glb by its ending; smooth normals are made where the file
+/// has none. Throws Error.
+vtkSmartPointer<vtkPolyData> LoadMesh(const std::string& path);
+
+/// A unit sphere with exact normals.
+vtkSmartPointer<vtkPolyData> MakeSphere();
+
+/**
+ * The gallery's piece: a ball on a fluted foot, as a surface of revolution of circular arcs with
+ * folds. The ball shows the highlight's shape, neck and folds stretch it and turn it to grazing
+ * angles.
+ */
+vtkSmartPointer<vtkPolyData> MakeBallOnFoot();
+} // namespace tool
+
+#endif

@@ -1,0 +1,269 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Picture.h"
+
+#include "Files.h"
+#include "Tool.h"
+
+#include "vtkEnvironment.h"
+#include "vtkImageData.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPNGWriter.h"
+
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+// Size that a blurred environment is worked out at.
+constexpr int BlurWidth = 128;
+constexpr int BlurHeight = 64;
+
+//------------------------------------------------------------------------------
+// Mean radiance of the environment over blocks of texels (exact solid angles): a smaller map.
+std::vector<tool::RGB> Shrink(vtkEnvironment* environment, int width, int height)
+{
+  std::vector<tool::RGB> sums(static_cast<std::size_t>(width) * height, tool::RGB{});
+  std::vector<double> weights(sums.size(), 0.0);
+  for (int y = 0; y < environment->GetHeight(); ++y)
+  {
+    const double solidAngle = environment->GetTexelSolidAngle(y);
+    const int row = std::min(height - 1, y * height / environment->GetHeight());
+    for (int x = 0; x < environment->GetWidth(); ++x)
+    {
+      double rgb[3];
+      environment->GetPixel(x, y, rgb);
+      const std::size_t k =
+        static_cast<std::size_t>(row) * width + x * width / environment->GetWidth();
+      for (int c = 0; c < 3; ++c)
+      {
+        sums[k][c] += solidAngle * rgb[c];
+      }
+      weights[k] += solidAngle;
+    }
+  }
+  for (std::size_t k = 0; k < sums.size(); ++k)
+  {
+    for (double& value : sums[k])
+    {
+      value /= weights[k] > 0.0 ? weights[k] : 1.0;
+    }
+  }
+  return sums;
+}
+}
+
+namespace tool
+{
+//------------------------------------------------------------------------------
+void Picture::Blend(int x, int y, const RGB& rgb, double alpha)
+{
+  if (x < 0 || y < 0 || x >= this->Width || y >= this->Height)
+  {
+    return;
+  }
+  float* pixel = this->At(x, y);
+  for (int c = 0; c < 3; ++c)
+  {
+    pixel[c] = static_cast<float>(pixel[c] + alpha * (rgb[c] - pixel[c]));
+  }
+  pixel[3] = static_cast<float>(pixel[3] + alpha * (1.0 - pixel[3]));
+}
+
+//------------------------------------------------------------------------------
+double RollOff(double linear)
+{
+  constexpr double knee = 0.7;
+  if (linear <= knee)
+  {
+    return std::max(0.0, linear);
+  }
+  return knee + (1.0 - knee) * (1.0 - std::exp(-(linear - knee) / (1.0 - knee)));
+}
+
+//------------------------------------------------------------------------------
+double EncodeSRGB(double linear)
+{
+  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
+}
+
+//------------------------------------------------------------------------------
+double DecodeSRGB(double encoded)
+{
+  return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+}
+
+//------------------------------------------------------------------------------
+Picture Downsample(const Picture& picture, int factor)
+{
+  Picture result(picture.Width / factor, picture.Height / factor);
+  for (int y = 0; y < result.Height; ++y)
+  {
+    for (int x = 0; x < result.Width; ++x)
+    {
+      double sum[4] = { 0, 0, 0, 0 };
+      for (int k = 0; k < factor * factor; ++k)
+      {
+        const float* pixel = picture.At(x * factor + k % factor, y * factor + k / factor);
+        for (int c = 0; c < 4; ++c)
+        {
+          sum[c] += pixel[c];
+        }
+      }
+      for (int c = 0; c < 4; ++c)
+      {
+        result.At(x, y)[c] = static_cast<float>(sum[c] / (factor * factor));
+      }
+    }
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
+void WritePNG(const std::string& path, const Picture& picture, double (*encode)(double))
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(picture.Width, picture.Height, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  auto* bytes = static_cast<unsigned char*>(image->GetScalarPointer());
+  for (std::size_t k = 0; k < picture.Pixels.size() / 4; ++k)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      const double value = std::clamp<double>(picture.Pixels[4 * k + c], 0.0, 1.0);
+      bytes[3 * k + c] = static_cast<unsigned char>(std::lround(255.0 * encode(value)));
+    }
+  }
+  WriteWhole(path,
+    [&](const std::string& temporary)
+    {
+      vtkNew<vtkPNGWriter> writer;
+      writer->SetFileName(temporary.c_str());
+      writer->SetInputData(image);
+      writer->Write();
+      const std::string errors = TakeErrorText();
+      if (writer->GetErrorCode() != 0 || !errors.empty())
+      {
+        throw Error(path + ": can't be written: " + (errors.empty() ? "disk full?" : errors));
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+void WriteEXR(const std::string& path, const Picture& picture)
+{
+  WriteWhole(path,
+    [&](const std::string& temporary)
+    {
+      auto output = OIIO::ImageOutput::create("openexr");
+      OIIO::ImageSpec spec(picture.Width, picture.Height, 4, OIIO::TypeDesc::FLOAT);
+      spec.attribute("oiio:ColorSpace", "Linear");
+      spec.attribute("compression", "zip");
+      const OIIO::stride_t row = static_cast<OIIO::stride_t>(picture.Width) * 4 * sizeof(float);
+      // EXR has its first row at the top.
+      if (!output || !output->open(temporary, spec) ||
+          !output->write_image(OIIO::TypeDesc::FLOAT, picture.At(0, picture.Height - 1),
+            OIIO::AutoStride, -row, OIIO::AutoStride) ||
+          !output->close())
+      {
+        throw Error(
+          path + ": can't be written: " + (output ? output->geterror() : OIIO::geterror()));
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+Backdrop::Backdrop(vtkEnvironment* environment)
+  : Width(environment->GetWidth())
+  , Height(environment->GetHeight())
+  , Pixels(environment->GetPixels())
+{
+}
+
+//------------------------------------------------------------------------------
+Backdrop::Backdrop(vtkEnvironment* environment, double degrees)
+  : Width(BlurWidth)
+  , Height(BlurHeight)
+  , Pixels(3 * BlurWidth * BlurHeight)
+{
+  const int width = std::min(environment->GetWidth(), 64);
+  const int height = std::min(environment->GetHeight(), 32);
+  const std::vector<RGB> texels = Shrink(environment, width, height);
+
+  // exp(k (cos a - 1)) falls to a half at the given angle.
+  const double k = std::log(2.0) / (1.0 - std::cos(vtkMath::RadiansFromDegrees(degrees)));
+  std::vector<double> directions(3 * texels.size());
+  std::vector<double> solidAngles(texels.size());
+  for (std::size_t t = 0; t < texels.size(); ++t)
+  {
+    const double x = static_cast<double>(t % width);
+    const double y = static_cast<double>(t / width);
+    vtkEnvironment::GetDirection((x + 0.5) / width, (y + 0.5) / height, &directions[3 * t]);
+    solidAngles[t] = std::cos(vtkMath::Pi() * ((y + 0.5) / height - 0.5));
+  }
+  for (int p = 0; p < BlurWidth * BlurHeight; ++p)
+  {
+    double d[3];
+    vtkEnvironment::GetDirection(
+      (p % BlurWidth + 0.5) / BlurWidth, (p / BlurWidth + 0.5) / BlurHeight, d);
+    double sum[4] = { 0, 0, 0, 0 };
+    for (std::size_t t = 0; t < texels.size(); ++t)
+    {
+      const double exponent = k * (vtkMath::Dot(d, &directions[3 * t]) - 1.0);
+      if (exponent < -12.0)
+      {
+        continue;
+      }
+      const double weight = solidAngles[t] * std::exp(exponent);
+      for (int c = 0; c < 3; ++c)
+      {
+        sum[c] += weight * texels[t][c];
+      }
+      sum[3] += weight;
+    }
+    for (int c = 0; c < 3; ++c)
+    {
+      this->Pixels[3 * p + c] = static_cast<float>(sum[3] > 0.0 ? sum[c] / sum[3] : 0.0);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+RGB Backdrop::Look(const std::array<double, 3>& direction) const
+{
+  double u;
+  double v;
+  vtkEnvironment::GetCoordinates(direction.data(), u, v);
+  const double x = u * this->Width - 0.5;
+  const double y = std::clamp(v * this->Height - 0.5, 0.0, this->Height - 1.0);
+  const int x0 = static_cast<int>(std::floor(x));
+  const int y0 = static_cast<int>(y);
+  RGB result{};
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    const int dx = corner & 1;
+    const int dy = corner >> 1;
+    const double weight = (dx ? x - x0 : 1.0 - (x - x0)) * (dy ? y - y0 : 1.0 - (y - y0));
+    const int column = ((x0 + dx) % this->Width + this->Width) % this->Width;
+    const int row = std::min(y0 + dy, this->Height - 1);
+    const float* texel = &this->Pixels[3 * (static_cast<std::size_t>(row) * this->Width + column)];
+    for (int c = 0; c < 3; ++c)
+    {
+      result[c] += weight * texel[c];
+    }
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
+void Backdrop::Scale(double factor)
+{
+  for (float& value : this->Pixels)
+  {
+    value = static_cast<float>(value * factor);
+  }
+}
+} // namespace tool

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Long work: a progress bar, and a clean stop on Ctrl-C.
+ */
+
+#ifndef Progress_h
+#define Progress_h
+
+#include <string>
+
+namespace tool
+{
+/// While one of these lives, Ctrl-C only sets a flag.
+class Interruptible
+{
+public:
+  Interruptible();
+  ~Interruptible();
+  Interruptible(const Interruptible&) = delete;
+  void operator=(const Interruptible&) = delete;
+
+  static bool IsInterrupted();
+
+  /// Throws Error("interrupted") where Ctrl-C was pressed.
+  static void Check();
+};
+
+/// A bar on stderr where that is a terminal; nothing else.
+class ProgressBar
+{
+public:
+  explicit ProgressBar(std::string label);
+  ~ProgressBar();
+  ProgressBar(const ProgressBar&) = delete;
+  void operator=(const ProgressBar&) = delete;
+
+  void Update(double share);
+
+private:
+  std::string Label;
+  bool Terminal;
+  int Shown = -1;
+};
+} // namespace tool
+
+#endif

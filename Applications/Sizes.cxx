@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Sizes.h"
+
+#include "Tool.h"
+
+#include <charconv>
+#include <cmath>
+
+namespace
+{
+//------------------------------------------------------------------------------
+// Two numbers with one separator between, and nothing else.
+template <typename Number>
+bool ParseTwo(const std::string& text, char separator, Number& first, Number& second)
+{
+  const char* end = text.data() + text.size();
+  const auto a = std::from_chars(text.data(), end, first);
+  if (a.ec != std::errc() || a.ptr == end || *a.ptr != separator)
+  {
+    return false;
+  }
+  const auto b = std::from_chars(a.ptr + 1, end, second);
+  return b.ec == std::errc() && b.ptr == end;
+}
+}
+
+namespace tool
+{
+//------------------------------------------------------------------------------
+Size ParseSize(const std::string& option, const std::string& text, int largest)
+{
+  Size size{};
+  if (!ParseTwo(text, 'x', size.Width, size.Height) || size.Width < 1 || size.Height < 1 ||
+      size.Width > largest || size.Height > largest)
+  {
+    throw UsageError(option + ": '" + text + "' is not WIDTHxHEIGHT with both between 1 and " +
+                     std::to_string(largest) + ", like 800x600");
+  }
+  return size;
+}
+
+//------------------------------------------------------------------------------
+View ParseView(const std::string& text)
+{
+  View view{};
+  if (!ParseTwo(text, ',', view.Azimuth, view.Elevation) || !std::isfinite(view.Azimuth) ||
+      !(std::abs(view.Elevation) <= 90.0))
+  {
+    throw UsageError(
+      "--view: '" + text +
+      "' is not AZIMUTH,ELEVATION in degrees with the elevation between -90 and 90, like 30,20");
+  }
+  return view;
+}
+} // namespace tool

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Arguments made of two numbers: picture sizes and view angles.
+ */
+
+#ifndef Sizes_h
+#define Sizes_h
+
+#include <string>
+
+namespace tool
+{
+struct Size
+{
+  int Width;
+  int Height;
+};
+
+struct View
+{
+  double Azimuth;   // degrees
+  double Elevation; // degrees, in [-90, 90]
+};
+
+/// "800x600" -> size, each side in [1, largest]. Throws UsageError that names the option.
+Size ParseSize(const std::string& option, const std::string& text, int largest);
+
+/// "30,-20" -> view. Throws UsageError.
+View ParseView(const std::string& text);
+} // namespace tool
+
+#endif

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// measured-brdf: measured materials from the command line, over the module's public API.
+
+#include "Tool.h"
+
+#include "MeasuredBRDFToolVersion.h"
+
+#include <exception>
+#include <iostream>
+
+int main(int argc, char* argv[])
+{
+  tool::RedirectMessages();
+
+  CLI::App app("Measured materials (BRDFs): look into them, evaluate them, light them with an HDR\n"
+               "environment, render and convert them.",
+    "measured-brdf");
+  app.require_subcommand(1);
+  app.set_version_flag("--version", "measured-brdf " MEASUREDBRDF_VERSION);
+  app.footer("Start with:\n"
+             "  measured-brdf list                      the materials that come with the tool\n"
+             "  measured-brdf gallery -o gallery.png    a picture of them\n"
+             "  measured-brdf render gold-paint --environment sky -o gold.png\n"
+             "  measured-brdf COMMAND --help            what a command does and its options\n\n"
+             "Exit status: 0 done, 1 failed (a bad file, say), 2 called the wrong way.");
+
+  tool::AddListCommand(app);
+  tool::AddInfoCommand(app);
+  tool::AddEvaluateCommand(app);
+  tool::AddIntegrateCommand(app);
+  tool::AddLightsCommand(app);
+  tool::AddRenderCommand(app);
+  tool::AddGalleryCommand(app);
+  tool::AddConvertCommand(app);
+
+  if (argc == 1)
+  {
+    std::cerr << app.help();
+    return 2;
+  }
+  try
+  {
+    app.parse(argc, argv);
+    return 0;
+  }
+  catch (const CLI::ParseError& e)
+  {
+    return app.exit(e, std::cout, std::cerr) == 0 ? 0 : 2; // 0: --help, --version
+  }
+  catch (const tool::UsageError& e)
+  {
+    std::cerr << "measured-brdf: " << e.what() << "\nRun with --help for more information."
+              << std::endl;
+    return 2;
+  }
+  catch (const std::exception& e)
+  {
+    std::cerr << "measured-brdf: error: " << e.what() << std::endl;
+    return 1;
+  }
+}

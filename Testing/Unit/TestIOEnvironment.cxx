@@ -1,0 +1,292 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkEnvironmentReader.
+#include "TestIOHelpers.h"
+
+#include "vtkEnvironment.h"
+#include "vtkEnvironmentReader.h"
+
+#include <OpenImageIO/imageio.h>
+
+#include <limits>
+
+#if !defined(_WIN32)
+#include <unistd.h>
+#endif
+
+using namespace testio;
+
+namespace
+{
+/// Pixels as files have them: top row first.
+void WriteImage(const std::string& path, int width, int height, int channels,
+  const std::vector<float>& pixels, OIIO::TypeDesc type = OIIO::TypeDesc::FLOAT,
+  const std::string& colorSpace = "")
+{
+  auto out = OIIO::ImageOutput::create(path);
+  ASSERT_TRUE(out) << OIIO::geterror();
+  OIIO::ImageSpec spec(width, height, channels, type);
+  if (!colorSpace.empty())
+  {
+    spec.attribute("oiio:ColorSpace", colorSpace);
+  }
+  ASSERT_TRUE(out->open(path, spec)) << out->geterror();
+  ASSERT_TRUE(out->write_image(OIIO::TypeDesc::FLOAT, pixels.data())) << out->geterror();
+  out->close();
+}
+
+vtkSmartPointer<vtkEnvironment> ReadEnvironment(
+  const std::string& path, std::string* notes = nullptr)
+{
+  vtkNew<vtkEnvironmentReader> reader;
+  reader->SetFileName(path);
+  EXPECT_TRUE(reader->Read()) << reader->GetErrorMessage();
+  if (notes)
+  {
+    *notes = reader->GetNotes();
+  }
+  return reader->GetEnvironment();
+}
+
+void ExpectImageRefused(
+  const Folder& folder, const std::string& path, const std::vector<std::string>& words)
+{
+  const std::string good = folder("good.exr");
+  WriteImage(good, 2, 1, 3, std::vector<float>(6, 1.0f));
+  vtkNew<vtkEnvironmentReader> reader;
+  reader->SetFileName(good);
+  ASSERT_TRUE(reader->Read());
+  vtkEnvironment* before = reader->GetEnvironment();
+  vtkNew<ErrorCounter> errors;
+  reader->AddObserver(vtkCommand::ErrorEvent, errors);
+  reader->SetFileName(path);
+  EXPECT_FALSE(reader->Read());
+  EXPECT_EQ(errors->Count, 1);
+  EXPECT_EQ(reader->GetEnvironment(), before);
+  const std::string message = reader->GetErrorMessage();
+  EXPECT_NE(message.find(path), std::string::npos) << message;
+  for (const std::string& word : words)
+  {
+    EXPECT_NE(message.find(word), std::string::npos) << "'" << word << "' in: " << message;
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+TEST(IOEnvironment, PutsTheTopRowLast)
+{
+  const Folder folder;
+  const std::vector<float> pixels = { 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17,
+    18 };
+  WriteImage(folder("a.exr"), 2, 3, 3, pixels);
+  std::string notes;
+  const auto environment = ReadEnvironment(folder("a.exr"), &notes);
+  ASSERT_TRUE(environment);
+  EXPECT_EQ(environment->GetName(), "a");
+  EXPECT_EQ(environment->GetWidth(), 2);
+  EXPECT_EQ(environment->GetHeight(), 3);
+  EXPECT_EQ(environment->GetPixels(),
+    (std::vector<float>{ 13, 14, 15, 16, 17, 18, 7, 8, 9, 10, 11, 12, 1, 2, 3, 4, 5, 6 }));
+  EXPECT_NE(notes.find("2:1"), std::string::npos);
+}
+
+//------------------------------------------------------------------------------
+TEST(IOEnvironment, ReadsChannelsOfAnyNumber)
+{
+  const Folder folder;
+  WriteImage(folder("grey.exr"), 2, 1, 1, { 0.25f, 4.0f });
+  std::string notes;
+  EXPECT_EQ(ReadEnvironment(folder("grey.exr"), &notes)->GetPixels(),
+    (std::vector<float>{ 0.25f, 0.25f, 0.25f, 4, 4, 4 }));
+  EXPECT_NE(notes.find("grey"), std::string::npos);
+  WriteImage(folder("alpha.exr"), 2, 1, 4, { 1, 2, 3, 0.5f, 4, 5, 6, 0 });
+  EXPECT_EQ(ReadEnvironment(folder("alpha.exr"), &notes)->GetPixels(),
+    (std::vector<float>{ 1, 2, 3, 4, 5, 6 }));
+  EXPECT_EQ(notes, "");
+}
+
+//------------------------------------------------------------------------------
+TEST(IOEnvironment, DecodesIntegerFormats)
+{
+  const Folder folder;
+  const std::vector<float> grey(6, 0.5f);
+  std::string notes;
+  // 0.5 is stored as 128/255 or 32768/65535; IEC 61966-2-1 decodes 128/255 to 0.215861.
+  WriteImage(folder("a.png"), 2, 1, 3, grey, OIIO::TypeDesc::UINT8, "sRGB");
+  EXPECT_NEAR(ReadEnvironment(folder("a.png"), &notes)->GetPixels()[0], 0.215861, 1e-4);
+  EXPECT_NE(notes.find("sRGB"), std::string::npos);
+  WriteImage(folder("b.png"), 2, 1, 3, grey, OIIO::TypeDesc::UINT16, "sRGB");
+  EXPECT_NEAR(ReadEnvironment(folder("b.png"))->GetPixels()[0], 0.214041, 1e-4);
+  // A half-float file is linear.
+  WriteImage(folder("c.exr"), 2, 1, 3, grey, OIIO::TypeDesc::HALF);
+  EXPECT_EQ(ReadEnvironment(folder("c.exr"), &notes)->GetPixels()[0], 0.5f);
+  EXPECT_EQ(notes, "");
+}
+
+//------------------------------------------------------------------------------
+TEST(IOEnvironment, ReadsRadianceFiles)
+{
+  const Folder folder;
+  WriteImage(folder("a.hdr"), 16, 8, 3, std::vector<float>(16 * 8 * 3, 2048.0f));
+  const auto environment = ReadEnvironment(folder("a.hdr"));
+  ASSERT_TRUE(environment);
+  EXPECT_EQ(environment->GetPixels()[0], 2048.0f);
+}
+
+//------------------------------------------------------------------------------
+TEST(IOEnvironment, ReadsOddBlackAndSingleTexelImages)
+{
+  const Folder folder;
+  WriteImage(folder("one.exr"), 1, 1, 3, { 1, 2, 3 });
+  EXPECT_EQ(ReadEnvironment(folder("one.exr"))->GetPixels(), (std::vector<float>{ 1, 2, 3 }));
+
+  std::vector<float> pixels(7 * 5 * 3, 0.0f);
+  WriteImage(folder("black.exr"), 7, 5, 3, pixels);
+  auto environment = ReadEnvironment(folder("black.exr"));
+  EXPECT_EQ(environment->GetPixels(), pixels);
+  double total[3];
+  environment->GetTotal(total);
+  EXPECT_EQ(total[0], 0.0);
+
+  pixels[3 * (7 * 1 + 6) + 1] = 222208.0f; // row 1 from the top, last column, green
+  WriteImage(folder("sun.exr"), 7, 5, 3, pixels);
+  environment = ReadEnvironment(folder("sun.exr"));
+  double rgb[3];
+  environment->GetPixel(6, 3, rgb);
+  EXPECT_EQ(rgb[0], 0.0);
+  EXPECT_EQ(rgb[1], 222208.0);
+  environment->GetTotal(total);
+  EXPECT_GT(total[1], 0.0);
+  EXPECT_EQ(total[0], 0.0);
+}
+
+//------------------------------------------------------------------------------
+TEST(IOEnvironment, RepairsAndCounts)
+{
+  const Folder folder;
+  WriteImage(folder("bad.exr"), 2, 1, 3,
+    { -1.0f, std::numeric_limits<float>::quiet_NaN(), 3, std::numeric_limits<float>::infinity(),
+      -2.0f, -3.0f });
+  std::string notes;
+  const auto environment = ReadEnvironment(folder("bad.exr"), &notes);
+  EXPECT_EQ(environment->GetPixels(), (std::vector<float>{ 0, 0, 3, 0, 0, 0 }));
+  EXPECT_EQ(environment->GetNumberOfNegativeValues(), 3);
+  EXPECT_EQ(environment->GetNumberOfNonFiniteValues(), 2);
+  EXPECT_NE(notes.find("3 negative and 2 non-finite"), std::string::npos) << notes;
+}
+
+//------------------------------------------------------------------------------
+TEST(IOEnvironment, RefusesWhatIsNoImage)
+{
+  const Folder folder;
+  ExpectImageRefused(folder, "", { "no file name" });
+  ExpectImageRefused(folder, folder("missing.exr"), { "no such file" });
+  ExpectImageRefused(folder, folder(""), { "directory" });
+  WriteBytes(folder("empty.exr"), "");
+  ExpectImageRefused(folder, folder("empty.exr"), { "empty" });
+  for (const std::string name : { "words.exr", "words.hdr", "words.png", "words" })
+  {
+    WriteBytes(folder(name), "these are words, no image, whatever the name says\n");
+    ExpectImageRefused(folder, folder(name), { "header" });
+  }
+#if !defined(_WIN32)
+  if (geteuid() == 0)
+  {
+    GTEST_SKIP() << "root may read everything; the rest passed";
+  }
+  WriteImage(folder("secret.exr"), 1, 1, 3, { 1, 2, 3 });
+  std::filesystem::permissions(folder("secret.exr"), std::filesystem::perms::none);
+  ExpectImageRefused(folder, folder("secret.exr"), { "cannot be opened" });
+#endif
+}
+
+//------------------------------------------------------------------------------
+TEST(IOEnvironment, RefusesTruncatedImages)
+{
+  const Folder folder;
+  std::vector<float> pixels(32 * 16 * 3);
+  for (std::size_t k = 0; k < pixels.size(); ++k)
+  {
+    pixels[k] = 0.1f + 0.01f * float(k * 7 % 131);
+  }
+  for (const std::string extension : { ".exr", ".hdr" })
+  {
+    WriteImage(folder("whole" + extension), 32, 16, 3, pixels);
+    const std::string bytes = ReadBytes(folder("whole" + extension));
+    const std::string cut = folder("cut" + extension);
+    for (std::size_t length = 1; length < bytes.size(); length += 1 + length / 16)
+    {
+      SCOPED_TRACE("cut to " + std::to_string(length) + " of " + std::to_string(bytes.size()));
+      WriteBytes(cut, bytes.substr(0, length));
+      ExpectImageRefused(folder, cut, { "image" });
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(IOEnvironment, RefusesSizesThatLie)
+{
+  const Folder folder;
+  WriteImage(folder("whole.hdr"), 16, 8, 3, std::vector<float>(16 * 8 * 3, 1.0f));
+  const std::string bytes = ReadBytes(folder("whole.hdr"));
+  const std::string size = "-Y 8 +X 16\n";
+  const std::size_t place = bytes.find(size);
+  ASSERT_NE(place, std::string::npos);
+  const std::vector<std::string> lies = { "-Y 2147483647 +X 2147483647\n", "-Y 65536 +X 65536\n",
+    "-Y 16000 +X 16000\n", "-Y -8 +X 16\n", "-Y 0 +X 16\n", "-Y 8 +X -1\n" };
+  for (const std::string& lie : lies)
+  {
+    SCOPED_TRACE(lie);
+    std::string bad = bytes;
+    bad.replace(place, size.size(), lie);
+    WriteBytes(folder("lie.hdr"), bad);
+    ExpectImageRefused(folder, folder("lie.hdr"), { "image" });
+  }
+
+  WriteImage(folder("whole.exr"), 16, 8, 3, std::vector<float>(16 * 8 * 3, 1.0f));
+  const std::string exr = ReadBytes(folder("whole.exr"));
+  const std::string name("dataWindow\0box2i\0", 17);
+  const std::size_t window = exr.find(name) + name.size() + 4;
+  for (const std::int32_t lie : { -1, 1 << 20, 1 << 30, std::numeric_limits<std::int32_t>::max() })
+  {
+    for (const std::size_t corner : { 8, 12 })
+    {
+      SCOPED_TRACE(lie);
+      std::string bad = exr;
+      Overwrite(bad, window + corner, lie);
+      WriteBytes(folder("lie.exr"), bad);
+      ExpectImageRefused(folder, folder("lie.exr"), { "image" });
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(IOEnvironment, ReadsMeasuredSkies)
+{
+  const std::filesystem::path environments =
+    std::string(MEASUREDBRDF_SHARED_DATA) + "/environments";
+  if (!std::filesystem::is_directory(environments))
+  {
+    GTEST_SKIP() << "no environments at " << environments;
+  }
+  int files = 0;
+  vtkIdType negative = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(environments))
+  {
+    SCOPED_TRACE(entry.path().filename().string());
+    const auto environment = ReadEnvironment(entry.path().string());
+    ASSERT_TRUE(environment);
+    EXPECT_EQ(environment->GetWidth(), 1024);
+    EXPECT_EQ(environment->GetHeight(), 512);
+    EXPECT_EQ(environment->GetNumberOfNonFiniteValues(), 0);
+    negative += environment->GetNumberOfNegativeValues();
+    if (entry.path().stem() == "pmndrs_sunrise")
+    {
+      const auto& pixels = environment->GetPixels();
+      EXPECT_NEAR(*std::max_element(pixels.begin(), pixels.end()), 222208.0, 1.0);
+    }
+    ++files;
+  }
+  EXPECT_EQ(files, 13);
+  EXPECT_GT(negative, 0); // DWA compression leaves some
+}

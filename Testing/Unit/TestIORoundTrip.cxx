@@ -1,0 +1,422 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkBRDFWriter: what is written reads back the same.
+#include "TestIOHelpers.h"
+
+#include "vtkAshikhminShirleyBRDF.h"
+#include "vtkBlinnPhongBRDF.h"
+#include "vtkDistributionBRDF.h"
+#include "vtkLambertBRDF.h"
+#include "vtkSumBRDF.h"
+#include "vtkTabulatedBRDF.h"
+
+#include <limits>
+
+#if !defined(_WIN32)
+#include <unistd.h>
+#endif
+
+using namespace testio;
+
+namespace
+{
+const std::string Exr = "OpenEXR material";
+
+/// Values over many magnitudes, with awkward last bits, one denormal, one negative zero.
+std::vector<float> MakeValues(std::size_t count, float sign = 1.0f)
+{
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> exponent(-20.0f, 10.0f);
+  std::vector<float> values(count);
+  for (float& value : values)
+  {
+    value = sign * std::exp2(exponent(random));
+  }
+  values[0] = std::numeric_limits<float>::denorm_min();
+  values[1] = -0.0f;
+  return values;
+}
+
+vtkSmartPointer<vtkTabulatedBRDF> MakeTable(int parameterization, int range, bool invalid = true)
+{
+  const int size[3] = { 6, 5, 4 };
+  std::vector<float> values = MakeValues(3 * 6 * 5 * 4);
+  if (invalid)
+  {
+    values[3 * 17 + 1] = std::numeric_limits<float>::quiet_NaN();
+  }
+  auto table = vtkSmartPointer<vtkTabulatedBRDF>::New();
+  EXPECT_TRUE(table->SetVolume(parameterization, range, size, values));
+  table->SetName("a \"name\" with \xc3\xa9");
+  table->SetSource("line 1\nline 2");
+  return table;
+}
+
+vtkSmartPointer<vtkTabulatedBRDF> MakeMerlTable()
+{
+  return MakeTable(vtkTabulatedBRDF::HALF_DIFFERENCE, vtkTabulatedBRDF::HALF_TURN);
+}
+
+void ExpectWriteRefused(
+  vtkBRDF* brdf, const std::string& path, const std::vector<std::string>& words)
+{
+  vtkNew<vtkBRDFWriter> writer;
+  vtkNew<ErrorCounter> errors;
+  writer->AddObserver(vtkCommand::ErrorEvent, errors);
+  writer->SetBRDF(brdf);
+  writer->SetFileName(path);
+  EXPECT_FALSE(writer->Write());
+  EXPECT_EQ(errors->Count, 1);
+  const std::string message = writer->GetErrorMessage();
+  EXPECT_NE(message.find(path), std::string::npos) << message;
+  for (const std::string& word : words)
+  {
+    EXPECT_NE(message.find(word), std::string::npos) << "'" << word << "' in: " << message;
+  }
+}
+
+template <typename Material>
+vtkSmartPointer<Material> RoundTrip(Material* material)
+{
+  const Folder folder;
+  Write(material, folder("m.exr"));
+  const vtkSmartPointer<vtkBRDF> back = Read(folder("m.exr"));
+  auto same = vtkSmartPointer<Material>(Material::SafeDownCast(back));
+  EXPECT_TRUE(same);
+  if (same)
+  {
+    EXPECT_STREQ(same->GetClassName(), material->GetClassName());
+    EXPECT_EQ(same->GetName(), material->GetName());
+    EXPECT_EQ(same->GetSource(), material->GetSource());
+    EXPECT_EQ(same->GetResamplingTolerance(), material->GetResamplingTolerance());
+    ExpectSameValues(material, same);
+  }
+  return same;
+}
+
+void ExpectSameTables(const vtkAdaptiveWarpBRDF::Tables& a, const vtkAdaptiveWarpBRDF::Tables& b)
+{
+  EXPECT_TRUE(SameBits(a.ThetaI, b.ThetaI));
+  EXPECT_TRUE(SameBits(a.PhiI, b.PhiI));
+  for (auto table : { &vtkAdaptiveWarpBRDF::Tables::Ndf, &vtkAdaptiveWarpBRDF::Tables::Sigma,
+         &vtkAdaptiveWarpBRDF::Tables::Vndf, &vtkAdaptiveWarpBRDF::Tables::Luminance,
+         &vtkAdaptiveWarpBRDF::Tables::Rgb })
+  {
+    EXPECT_EQ((a.*table).Shape, (b.*table).Shape);
+    EXPECT_TRUE(SameBits((a.*table).Values, (b.*table).Values));
+  }
+}
+
+/// Replace text of equal length inside a file's bytes.
+std::string Replace(std::string bytes, const std::string& from, const std::string& to)
+{
+  EXPECT_EQ(from.size(), to.size());
+  const std::size_t place = bytes.find(from);
+  EXPECT_NE(place, std::string::npos) << from;
+  return place == std::string::npos ? bytes : bytes.replace(place, from.size(), to);
+}
+}
+
+//------------------------------------------------------------------------------
+TEST(IOMerlRoundTrip, IsExact)
+{
+  const Folder folder;
+  const auto table = MakeMerlTable();
+  Write(table, folder("t.binary"));
+  EXPECT_EQ(std::filesystem::file_size(folder("t.binary")), 12u + 8u * 3 * 120);
+  const vtkSmartPointer<vtkBRDF> brdf = Read(folder("t.binary"));
+  auto* back = vtkTabulatedBRDF::SafeDownCast(brdf);
+  ASSERT_TRUE(back);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    EXPECT_EQ(back->GetDimensions()[axis], table->GetDimensions()[axis]);
+  }
+  EXPECT_EQ(back->GetNumberOfInvalidCells(), 1);
+  const std::vector<float>& a = table->GetVolume();
+  const std::vector<float>& b = back->GetVolume();
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t k = 0; k < a.size(); ++k)
+  {
+    EXPECT_TRUE(a[k] == b[k] || (std::isnan(a[k]) && std::isnan(b[k]))) << k;
+  }
+  ExpectSameValues(table, back);
+
+  // The file itself comes back byte by byte.
+  Write(back, folder("u.binary"));
+  EXPECT_EQ(ReadBytes(folder("t.binary")), ReadBytes(folder("u.binary")));
+  EXPECT_EQ(folder.CountFiles(), 2u); // nothing partial left
+}
+
+//------------------------------------------------------------------------------
+TEST(IOMerlRoundTrip, RefusesOtherTables)
+{
+  const Folder folder;
+  const std::string path = folder("t.binary");
+  WriteBytes(path, "old");
+  vtkNew<vtkLambertBRDF> lambert;
+  ExpectWriteRefused(lambert, path, { "MERL", "vtkBRDFResampler" });
+  ExpectWriteRefused(
+    MakeTable(vtkTabulatedBRDF::HALF_DIFFERENCE, vtkTabulatedBRDF::FULL_TURN), path, { "MERL" });
+  ExpectWriteRefused(
+    MakeTable(vtkTabulatedBRDF::INCIDENT_OUTGOING, vtkTabulatedBRDF::HALF_TURN), path, { "MERL" });
+  vtkNew<vtkTabulatedBRDF> negative;
+  const int size[3] = { 1, 1, 2 };
+  negative->SetVolume(0, 0, size, { 1, 2, 3, 4, -5, 6 });
+  ExpectWriteRefused(negative, path, { "1 values", "negative" });
+  EXPECT_EQ(ReadBytes(path), "old");
+}
+
+//------------------------------------------------------------------------------
+TEST(IOWriter, RefusesBadPlaces)
+{
+  const Folder folder;
+  vtkNew<vtkLambertBRDF> lambert;
+  ExpectWriteRefused(lambert, "", { "no file name" });
+  ExpectWriteRefused(lambert, folder("m.txt"), { ".txt", ".binary or .exr" });
+  ExpectWriteRefused(nullptr, folder("m.exr"), { "no material" });
+  ExpectWriteRefused(lambert, folder("missing/m.exr"), { "cannot be written" });
+  std::filesystem::create_directory(folder("d.exr"));
+  ExpectWriteRefused(lambert, folder("d.exr"), { "directory" });
+  lambert->SetAlbedo(0.5, std::numeric_limits<double>::quiet_NaN(), 0.5);
+  ExpectWriteRefused(lambert, folder("m.exr"), { "Lambert", "'albedo'", "not finite" });
+  EXPECT_EQ(folder.CountFiles(), 1u); // d.exr
+#if !defined(_WIN32)
+  if (geteuid() == 0)
+  {
+    GTEST_SKIP() << "root may write everywhere; the rest passed";
+  }
+  std::filesystem::permissions(folder("d.exr"), std::filesystem::perms::owner_read);
+  lambert->SetAlbedo(0.5, 0.5, 0.5);
+  ExpectWriteRefused(lambert, folder("d.exr/m.exr"), { "cannot be written" });
+#endif
+}
+
+//------------------------------------------------------------------------------
+TEST(IOExrRoundTrip, Lambert)
+{
+  vtkNew<vtkLambertBRDF> material;
+  material->SetAlbedo(0.1, 1.0 / 3.0, 1.25);
+  material->SetName("paper");
+  material->SetResamplingTolerance(0.0123456789012345);
+  const auto back = RoundTrip(material.Get());
+  ASSERT_TRUE(back);
+  EXPECT_EQ(back->GetAlbedo()[1], 1.0 / 3.0);
+}
+
+//------------------------------------------------------------------------------
+TEST(IOExrRoundTrip, BlinnPhong)
+{
+  vtkNew<vtkBlinnPhongBRDF> material;
+  material->SetSpecular(0.1, 0.2, 1.0 / 7.0);
+  material->SetExponent(1234.5678901234567);
+  const auto back = RoundTrip(material.Get());
+  ASSERT_TRUE(back);
+  EXPECT_EQ(back->GetExponent(), material->GetExponent());
+}
+
+//------------------------------------------------------------------------------
+TEST(IOExrRoundTrip, AshikhminShirley)
+{
+  vtkNew<vtkAshikhminShirleyBRDF> material;
+  material->SetSpecularScale(0.9, 0.8, 0.7);
+  material->SetReflectance(0.1, 0.2, 0.3);
+  material->SetDiffuse(0.3, 0.2, 0.1);
+  material->SetExponents(10.1, 1000.3);
+  material->SetFresnelModelToDielectric();
+  material->SetIndexOfRefraction(1.77);
+  const auto back = RoundTrip(material.Get());
+  ASSERT_TRUE(back);
+  EXPECT_EQ(back->GetFresnelModel(), vtkAshikhminShirleyBRDF::DIELECTRIC);
+  EXPECT_EQ(back->GetIndexOfRefraction(), 1.77);
+}
+
+//------------------------------------------------------------------------------
+TEST(IOExrRoundTrip, Distribution)
+{
+  vtkNew<vtkDistributionBRDF> material;
+  auto values = MakeValues(3 * 16 * 4);
+  values[1] = 0.5f;
+  ASSERT_TRUE(material->SetDistribution(16, 4, values));
+  ASSERT_TRUE(material->SetFresnel(8, std::vector<float>(24, 0.7f)));
+  const auto back = RoundTrip(material.Get());
+  ASSERT_TRUE(back);
+  EXPECT_EQ(back->GetNumberOfPhiSamples(), 4);
+  EXPECT_TRUE(SameBits(material->GetDistribution(), back->GetDistribution()));
+  EXPECT_TRUE(SameBits(material->GetFresnel(), back->GetFresnel()));
+}
+
+//------------------------------------------------------------------------------
+TEST(IOExrRoundTrip, Tabulated)
+{
+  for (const int parameterization : { 0, 1 })
+  {
+    for (const int range : { 0, 1 })
+    {
+      const auto material = MakeTable(parameterization, range);
+      material->SetPrecision(vtkTabulatedBRDF::FLOAT32);
+      material->SetResamplingError(0.1 + 0.2);
+      const auto back = RoundTrip(material.Get());
+      ASSERT_TRUE(back);
+      EXPECT_EQ(back->GetParameterization(), parameterization);
+      EXPECT_EQ(back->GetAzimuthRange(), range);
+      EXPECT_EQ(back->GetPrecision(), vtkTabulatedBRDF::FLOAT32);
+      EXPECT_EQ(back->GetResamplingError(), 0.1 + 0.2);
+      EXPECT_TRUE(SameBits(material->GetVolume(), back->GetVolume()));
+      EXPECT_EQ(back->GetNumberOfInvalidCells(), 1);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(IOExrRoundTrip, AdaptiveWarp)
+{
+  vtkNew<vtkAdaptiveWarpBRDF> material;
+  ASSERT_EQ(material->SetTables(MakeTables()), "");
+  const auto back = RoundTrip(material.Get());
+  ASSERT_TRUE(back);
+  ExpectSameTables(material->GetTables(), back->GetTables());
+}
+
+//------------------------------------------------------------------------------
+TEST(IOExrRoundTrip, SumOfSums)
+{
+  vtkNew<vtkAdaptiveWarpBRDF> warp;
+  ASSERT_EQ(warp->SetTables(MakeTables()), "");
+  vtkNew<vtkLambertBRDF> lambert;
+  vtkNew<vtkSumBRDF> inner;
+  inner->SetName("inner");
+  inner->AddTerm(MakeMerlTable());
+  inner->AddTerm(MakeTable(vtkTabulatedBRDF::INCIDENT_OUTGOING, vtkTabulatedBRDF::FULL_TURN));
+  vtkNew<vtkSumBRDF> sum;
+  sum->SetName("outer");
+  sum->AddTerm(lambert);
+  sum->AddTerm(inner);
+  sum->AddTerm(warp);
+  const auto back = RoundTrip(sum.Get());
+  ASSERT_TRUE(back);
+  ASSERT_EQ(back->GetNumberOfTerms(), 3);
+  EXPECT_EQ(back->GetTerm(1)->GetName(), "inner");
+  ExpectSameTables(
+    warp->GetTables(), vtkAdaptiveWarpBRDF::SafeDownCast(back->GetTerm(2))->GetTables());
+
+  vtkNew<vtkSumBRDF> empty;
+  const Folder folder;
+  Write(empty, folder("e.exr"));
+  const vtkSmartPointer<vtkBRDF> read = Read(folder("e.exr"));
+  EXPECT_EQ(vtkSumBRDF::SafeDownCast(read)->GetNumberOfTerms(), 0);
+}
+
+//------------------------------------------------------------------------------
+TEST(IOExrRoundTrip, MeasuredMaterial)
+{
+  const std::string path =
+    std::string(MEASUREDBRDF_SHARED_DATA) + "/materials/rgl/satin_purple_rgb.bsdf";
+  if (!std::filesystem::exists(path))
+  {
+    GTEST_SKIP() << "no file " << path;
+  }
+  const vtkSmartPointer<vtkBRDF> brdf = Read(path);
+  auto* material = vtkAdaptiveWarpBRDF::SafeDownCast(brdf);
+  ASSERT_TRUE(material);
+  const auto back = RoundTrip(material);
+  ASSERT_TRUE(back);
+  ExpectSameTables(material->GetTables(), back->GetTables());
+}
+
+//------------------------------------------------------------------------------
+TEST(IOExr, CountsValues)
+{
+  const Folder folder;
+  vtkNew<vtkTabulatedBRDF> table;
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const int size[3] = { 1, 1, 2 };
+  ASSERT_TRUE(table->SetVolume(0, 0, size, { 1, -2, 3, 4, nan, 6 }));
+  Write(table, folder("t.exr"));
+  vtkNew<vtkBRDFReader> reader;
+  reader->SetFileName(folder("t.exr"));
+  ASSERT_TRUE(reader->Read());
+  EXPECT_EQ(reader->GetFormatName(), Exr);
+  EXPECT_EQ(reader->GetNumberOfNegativeValues(), 1);
+  EXPECT_EQ(reader->GetNumberOfInvalidValues(), 3); // the table makes the whole cell NaN
+}
+
+//------------------------------------------------------------------------------
+TEST(IOExr, RefusesBadFiles)
+{
+  const Folder folder;
+  Write(MakeMerlTable(), folder("t.exr"));
+  const std::string good = ReadBytes(folder("t.exr"));
+  ExpectTruncationsRefused(folder, good, 1, 1, Exr);
+
+  vtkNew<vtkSumBRDF> sum;
+  sum->AddTerm(MakeMerlTable());
+  sum->AddTerm(MakeMerlTable());
+  Write(sum, folder("s.exr"));
+  ExpectTruncationsRefused(folder, ReadBytes(folder("s.exr")), 1, 7, Exr);
+
+  ExpectBytesRefused(
+    folder, Replace(good, "measuredBRDF", "measuredBRDX"), { Exr, "'measuredBRDF' is missing" });
+  ExpectBytesRefused(folder, Replace(good, "\"measured-brdf\"", "\"measured-bsdf\""),
+    { Exr, "measured-bsdf", "expected 'measured-brdf'" });
+  ExpectBytesRefused(folder, Replace(good, "\"version\":1", "\"version\":7"), { Exr, "version 7" });
+  ExpectBytesRefused(
+    folder, Replace(good, "\"version\":1", "\"version\";1"), { Exr, "parse error" });
+  ExpectBytesRefused(folder, Replace(good, "\"Tabulated\"", "\"Tabulatex\""),
+    { Exr, "unknown representation 'Tabulatex'" });
+  ExpectBytesRefused(folder, Replace(good, "\"half-turn\"", "\"half-torn\""),
+    { Exr, "Tabulated", "'azimuthRange'" });
+  ExpectBytesRefused(folder, Replace(good, "\"azimuthRange\"", "\"azimuthRangx\""),
+    { Exr, "Tabulated", "'azimuthRange'" });
+  ExpectBytesRefused(folder,
+    Replace(good, "\"resamplingTolerance\":[0.01]", "\"resamplingTolerance\":[7.01]"),
+    { Exr, "'resamplingTolerance' is out of range" });
+  ExpectBytesRefused(folder,
+    Replace(good, "\"resamplingTolerance\":[0.01]", "\"resamplingTolerance\":[null]"),
+    { Exr, "measuredBRDF" });
+  for (const char* shape : { "[4,5,7]", "[5,4,6]", "[0,5,6]", "[4,5,0]", "[-4,5,6", "[4,9,9]" })
+  {
+    const std::string to = shape;
+    ExpectBytesRefused(
+      folder, Replace(good, "[4,5,6]", to.size() < 7 ? to + "]" : to.substr(0, 7)), { Exr });
+  }
+  ExpectBytesRefused(
+    folder, Replace(good, "\"channels\":3", "\"channels\":1"), { Exr, "'volume'", "3 channels" });
+  ExpectBytesRefused(
+    folder, Replace(good, "\"channels\":3", "\"channels\":9"), { Exr, "1 or 3 channels" });
+  ExpectBytesRefused(
+    folder, Replace(good, "{\"volume\":", "{\"volvme\":"), { Exr, "part 'volvme' is missing" });
+}
+
+//------------------------------------------------------------------------------
+TEST(IOExr, RefusesSizesThatLie)
+{
+  const Folder folder;
+  Write(MakeMerlTable(), folder("t.exr"));
+  const std::string good = ReadBytes(folder("t.exr"));
+  const std::string name("dataWindow\0box2i\0", 17);
+  const std::size_t window = good.find(name) + name.size() + 4;
+  for (const std::int32_t lie : { -1, 1 << 20, 1 << 30, std::numeric_limits<std::int32_t>::max(),
+         std::numeric_limits<std::int32_t>::min() })
+  {
+    for (const std::size_t corner : { 0, 4, 8, 12 })
+    {
+      std::string bytes = good;
+      Overwrite(bytes, window + corner, lie);
+      ExpectBytesRefused(folder, bytes, { Exr });
+    }
+  }
+  // Window and JSON agree on far more than so short a file can hold.
+  std::string bytes = Replace(good, "[4,5,6]", "[4,5,6]");
+  const std::size_t shape = bytes.find("[4,5,6]");
+  const std::string large = "[500000,1,4]";
+  bytes.replace(shape, 7, large);
+  const std::string text("measuredBRDF\0string\0", 20);
+  const std::size_t length = bytes.find(text) + text.size();
+  std::int32_t size = 0;
+  std::memcpy(&size, &bytes[length], 4);
+  Overwrite(bytes, length, std::int32_t(size + std::int32_t(large.size()) - 7));
+  const std::size_t moved = bytes.find(name) + name.size() + 4;
+  Overwrite(bytes, moved + 8, std::int32_t(3));
+  Overwrite(bytes, moved + 12, std::int32_t(499999));
+  ExpectBytesRefused(folder, bytes, { Exr });
+}
