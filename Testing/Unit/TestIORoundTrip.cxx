@@ -159,6 +159,9 @@ TEST(IOMerlRoundTrip, RefusesOtherTables)
     MakeTable(vtkTabulatedBRDF::HALF_DIFFERENCE, vtkTabulatedBRDF::FULL_TURN), path, { "MERL" });
   ExpectWriteRefused(
     MakeTable(vtkTabulatedBRDF::INCIDENT_OUTGOING, vtkTabulatedBRDF::HALF_TURN), path, { "MERL" });
+  const auto weighted = MakeMerlTable();
+  weighted->CosineWeightedOn();
+  ExpectWriteRefused(weighted, path, { "MERL", "cosine" });
   vtkNew<vtkTabulatedBRDF> negative;
   const int size[3] = { 1, 1, 2 };
   negative->SetVolume(0, 0, size, { 1, 2, 3, 4, -5, 6 });
@@ -255,10 +258,12 @@ TEST(IOExrRoundTrip, Tabulated)
       const auto material = MakeTable(parameterization, range);
       material->SetPrecision(vtkTabulatedBRDF::FLOAT32);
       material->SetResamplingError(0.1 + 0.2);
+      material->SetCosineWeighted(range == 1);
       const auto back = RoundTrip(material.Get());
       ASSERT_TRUE(back);
       EXPECT_EQ(back->GetParameterization(), parameterization);
       EXPECT_EQ(back->GetAzimuthRange(), range);
+      EXPECT_EQ(back->GetCosineWeighted(), range == 1);
       EXPECT_EQ(back->GetPrecision(), vtkTabulatedBRDF::FLOAT32);
       EXPECT_EQ(back->GetResamplingError(), 0.1 + 0.2);
       EXPECT_TRUE(SameBits(material->GetVolume(), back->GetVolume()));
