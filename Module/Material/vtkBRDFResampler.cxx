@@ -84,7 +84,9 @@ double Compare(const std::vector<Probe>& probes, vtkBRDF* other, double* maximum
   return total > 0.0 ? std::sqrt(difference / total) : (difference > 0.0 ? 1.0 : 0.0);
 }
 
-// Directions of a cell, slid along theta_d to just above the horizon where they lie below.
+// Directions of a cell, slid along theta_d to above the horizon where they lie below: closely for
+// cosine-weighted tables, which stay smooth there; by half a cell for tables of f itself, whose
+// values next to the horizon would outweigh all others (f grows as 1/cos).
 void GetCell(
   const int dimensions[3], double range, int x, int y, int z, glm::dvec3& i, glm::dvec3& o)
 {
@@ -93,7 +95,8 @@ void GetCell(
   // i.z or o.z = cos(theta_h) cos(theta_d) -+ sin(theta_h) sin(theta_d) cos(phi_d) = 0.
   const double horizon =
     std::atan2(std::cos(angles.ThetaH), std::sin(angles.ThetaH) * std::abs(std::cos(angles.PhiD)));
-  angles.ThetaD = std::min(angles.ThetaD, horizon * (1.0 - 1e-4));
+  const double gap = range < 2.0 * Pi ? 0.25 * Pi / dimensions[1] : 1e-4 * horizon;
+  angles.ThetaD = std::min(angles.ThetaD, std::max(horizon - gap, 0.5 * horizon));
   FromHalfDifference(angles, i, o);
 }
 
