@@ -20,19 +20,24 @@
 
 namespace
 {
+// Bounds on the number of lights that a material gets by itself.
+constexpr int FewestLights = 256;
+constexpr int MostLights = 2048;
+
 struct Options
 {
   std::vector<std::string> Files;
   std::string Environment = "sky";
   std::string Size = "1920x1200";
   std::string Output;
-  tool::LightSetOptions Lights;
+  tool::LightSetOptions Lights{ FewestLights };
+  bool SameLights = false; // as many for each material as asked for
 };
 
 constexpr int LargestSize = 8192;
 constexpr int Smooth = 2; // tiles are rendered at this multiple and averaged
 constexpr double BlurDegrees = 11.0;
-constexpr double BackdropDim = 0.4; // the backdrop steps back behind the objects
+constexpr double BackdropDim = 0.42; // the backdrop steps back behind the objects
 constexpr tool::RGB Paper = { 0.013, 0.014, 0.017 };
 constexpr tool::RGB White = { 1.0, 1.0, 1.0 };
 constexpr tool::RGB Grey = { 0.5, 0.5, 0.52 };
@@ -74,7 +79,49 @@ double ChooseExposure(vtkEnvironment* environment)
   double total[3];
   environment->GetTotal(total);
   const double mean = vtkEnvironment::GetLuminance(total) / (4.0 * vtkMath::Pi());
-  return mean > 0.0 ? 0.55 / mean : 1.0;
+  return mean > 0.0 ? 0.7 / mean : 1.0;
+}
+
+//------------------------------------------------------------------------------
+// Angle in radians from the mirror direction at which the highlight falls to a half.
+double GetLobeAngle(vtkBRDF* brdf)
+{
+  constexpr double tilt = 30.0;
+  const auto look = [brdf](double degrees)
+  {
+    const double a = vtkMath::RadiansFromDegrees(degrees);
+    const double o[3] = { -std::sin(vtkMath::RadiansFromDegrees(tilt)), 0.0,
+      std::cos(vtkMath::RadiansFromDegrees(tilt)) };
+    const double i[3] = { std::sin(a), 0.0, std::cos(a) };
+    double f[3];
+    brdf->Evaluate(i, o, f);
+    return vtkEnvironment::GetLuminance(f);
+  };
+  const double floor = look(tilt - 60.0);
+  const double half = 0.5 * (look(tilt) + floor);
+  double inside = 0.0;
+  double outside = 60.0;
+  for (int k = 0; k < 20; ++k)
+  {
+    const double middle = 0.5 * (inside + outside);
+    (look(tilt - middle) >= half ? inside : outside) = middle;
+  }
+  return vtkMath::RadiansFromDegrees(outside);
+}
+
+//------------------------------------------------------------------------------
+// Lights that a material asks for: the sharper its highlight, the more, lest it falls into dots.
+// Two per lobe's disc, if they were spread evenly.
+int ChooseLights(vtkBRDF* brdf)
+{
+  const double angle = GetLobeAngle(brdf);
+  const double wanted = 8.0 / (angle * angle);
+  int lights = FewestLights;
+  while (lights < wanted && lights < MostLights)
+  {
+    lights *= 2;
+  }
+  return lights;
 }
 
 //------------------------------------------------------------------------------
@@ -187,9 +234,8 @@ void Run(const Options& options)
     }
   }
   tool::DrawText(sheet, gap + unit / 2, size.Height - header + unit,
-    tool::Fit("Measured materials under \"" + environment->GetName() + "\", " +
-                std::to_string(options.Lights.Count) + " lights",
-      (5 * unit) / 4, false, size.Width - 2 * unit),
+    tool::Fit("Measured materials under \"" + environment->GetName() + "\"", (5 * unit) / 4, false,
+      size.Width - 2 * unit),
     (5 * unit) / 4, false, White);
 
   tool::Backdrop backdrop(environment, BlurDegrees);
@@ -197,12 +243,18 @@ void Run(const Options& options)
   const double exposure = ChooseExposure(environment);
   tool::Scene scene;
   scene.SetMesh(tool::MakeBallOnFoot());
-  scene.SetLight(environment, options.Lights);
-  scene.SetView(25.0, 16.0, 1.15);
+  scene.SetView(25.0, 14.0, 1.02);
   tool::ProgressBar bar("rendering");
   for (int k = 0; k < n; ++k)
   {
+    materials[k].BRDF->Prepare();
+    tool::LightSetOptions lights = options.Lights;
+    if (!options.SameLights)
+    {
+      lights.Count = ChooseLights(materials[k].BRDF);
+    }
     scene.SetMaterial(materials[k].BRDF);
+    scene.SetLight(environment, lights);
     tool::Picture tile = scene.Render(Smooth * tileWidth, Smooth * tileHeight);
     tool::ComposeOver(tile, scene, backdrop, exposure);
     for (float& value : tile.Pixels)
@@ -229,7 +281,6 @@ namespace tool
 void AddGalleryCommand(CLI::App& app)
 {
   auto options = std::make_shared<Options>();
-  options->Lights.Count = 256;
   CLI::App* command =
     app.add_subcommand("gallery", "Make one labelled picture of several materials");
   command->add_option("FILE", options->Files,
@@ -241,10 +292,17 @@ void AddGalleryCommand(CLI::App& app)
   command->add_option("--size", options->Size,
     "Size of the whole picture in pixels, WIDTHxHEIGHT (default 1920x1200)");
   command->add_option("-o,--output", options->Output, "PNG picture to write")->required();
-  command->footer("Example:\n  measured-brdf gallery --environment studio.exr -o gallery.png\n\n"
-                  "The light is scaled so that a white wall would come out light grey, and "
-                  "highlights are rolled off.\n"
-                  "Needs OpenGL; without a screen, put 'xvfb-run -a' before it.");
-  command->callback([options]() { Run(*options); });
+  command->footer(
+    "Example:\n  measured-brdf gallery --environment studio.exr -o gallery.png\n\n"
+    "Without --lights, materials with sharper highlights get more of them, up to 2048.\n"
+    "The light is scaled so that a white wall would come out light grey, and "
+    "highlights are rolled off.\n"
+    "Needs OpenGL; without a screen, put 'xvfb-run -a' before it.");
+  command->callback(
+    [options, command]()
+    {
+      options->SameLights = command->count("--lights") > 0;
+      Run(*options);
+    });
 }
 } // namespace tool

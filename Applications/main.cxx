@@ -8,6 +8,28 @@
 
 #include <exception>
 #include <iostream>
+#include <sstream>
+
+namespace
+{
+//------------------------------------------------------------------------------
+// CLI11 prints a description as it is: break it between words.
+std::string Wrap(const std::string& text)
+{
+  constexpr std::size_t width = 62;
+  std::istringstream words(text);
+  std::string result;
+  std::size_t column = 0;
+  for (std::string word; words >> word;)
+  {
+    const bool fits = column + 1 + word.size() <= width;
+    result += column == 0 ? "" : (fits ? " " : "\n");
+    column = fits && column > 0 ? column + 1 + word.size() : word.size();
+    result += word;
+  }
+  return result;
+}
+}
 
 int main(int argc, char* argv[])
 {
@@ -33,6 +55,14 @@ int main(int argc, char* argv[])
   tool::AddRenderCommand(app);
   tool::AddGalleryCommand(app);
   tool::AddConvertCommand(app);
+
+  for (CLI::App* command : app.get_subcommands({}))
+  {
+    for (CLI::Option* option : command->get_options())
+    {
+      option->description(Wrap(option->get_description()));
+    }
+  }
 
   if (argc == 1)
   {
