@@ -42,7 +42,7 @@ bool IsFloatingPoint(const OIIO::TypeDesc& type)
 bool SaysLinear(const OIIO::ImageSpec& spec)
 {
   const std::string space =
-    vtksys::SystemTools::LowerCase(spec.get_string_attribute("oiio:ColorSpace"));
+    vtksys::SystemTools::LowerCase(std::string(spec.get_string_attribute("oiio:ColorSpace")));
   return space == "linear" || space == "scene_linear" || space.compare(0, 4, "lin_") == 0;
 }
 
