@@ -73,13 +73,34 @@ float brdfDielectricFresnel(float eta, float c)
   return 0.5 * a * a * (1.0 + b * b);
 }
 
-// Rusinkiewicz 1998: (phi_d, theta_d, theta_h).
-vec3 brdfHalfDifference(vec3 i, vec3 h)
+// atan(y/x) in right angles, for x, y >= 0; relative error 7e-7 (minimax fit). Tables want angles in
+// these units, and the general atan costs several times as much.
+float brdfQuadrant(float y, float x)
 {
+  float r = min(x, y) / max(max(x, y), 1e-30);
+  float s = r * r;
+  float a = r * (0.636619357 + s * (-0.212163183 + s * (0.126569445 + s * (-0.0858621121 +
+    s * (0.0533940294 + s * (-0.0235631824 + s * 0.0050059724))))));
+  return y > x ? 1.0 - a : a;
+}
+
+// Azimuth of v in turns, in (-1/2, 1/2].
+float brdfTurn(vec2 v)
+{
+  float q = brdfQuadrant(abs(v.y), abs(v.x));
+  q = v.x >= 0.0 ? q : 2.0 - q;
+  return 0.25 * (v.y >= 0.0 ? q : -q);
+}
+
+// Rusinkiewicz 1998 in table coordinates: phi_d in turns, theta_d in right angles, the square root
+// of theta_h in right angles. |i - o| / |i + o| = tan theta_d.
+vec3 brdfHalfDifference(vec3 i, vec3 o)
+{
+  vec3 h = brdfHalfVector(i, o);
   float s = length(h.xy);
   vec2 p = s > 1e-7 ? h.xy / s : vec2(1.0, 0.0);
-  vec3 d = vec3(h.z * dot(p, i.xy) - s * i.z, p.x * i.y - p.y * i.x, dot(h, i));
-  return vec3(atan(d.y, d.x), atan(length(d.xy), d.z), atan(s, h.z));
+  vec2 d = vec2(h.z * dot(p, i.xy) - s * i.z, p.x * i.y - p.y * i.x);
+  return vec3(brdfTurn(d), brdfQuadrant(length(i - o), length(i + o)), sqrt(brdfQuadrant(s, h.z)));
 }
 
 // Values of valid cells are premultiplied by their validity (alpha): the quotient skips the rest.

@@ -7,10 +7,9 @@ uniform sampler2D brdfFresnelINSTANCE;      // theta_d 2/pi
 vec3 brdfTermINSTANCE(vec3 i, vec3 o)
 {
   vec3 h = brdfHalfVector(i, o);
-  float thetaH = atan(length(h.xy), h.z);
-  float thetaD = atan(length(cross(h, i)), dot(h, i));
   vec3 p = texture(brdfDistributionINSTANCE,
-    vec2(sqrt(thetaH * (2.0 / brdfPi)), atan(h.y, h.x) / (2.0 * brdfPi))).rgb;
-  vec3 fresnel = texture(brdfFresnelINSTANCE, vec2(thetaD * (2.0 / brdfPi), 0.5)).rgb;
+    vec2(sqrt(brdfQuadrant(length(h.xy), h.z)), brdfTurn(h.xy))).rgb;
+  vec3 fresnel =
+    texture(brdfFresnelINSTANCE, vec2(brdfQuadrant(length(i - o), length(i + o)), 0.5)).rgb;
   return p * fresnel / (4.0 * (i.z + o.z - i.z * o.z));
 }

@@ -8,10 +8,10 @@ uniform float brdfCosineWeightedINSTANCE; // 1: the table holds f cos(theta_o)
 
 vec3 brdfTermINSTANCE(vec3 i, vec3 o)
 {
-  float phi = atan(i.x * o.y - i.y * o.x, dot(i.xy, o.xy));
+  float phi = brdfTurn(vec2(dot(i.xy, o.xy), i.x * o.y - i.y * o.x));
   phi = brdfTurnsINSTANCE > 1.5 ? abs(phi) : phi;
-  vec3 u = vec3(phi * brdfTurnsINSTANCE / (2.0 * brdfPi), atan(length(o.xy), o.z) * (2.0 / brdfPi),
-    atan(length(i.xy), i.z) * (2.0 / brdfPi));
+  vec3 u = vec3(phi * brdfTurnsINSTANCE, brdfQuadrant(length(o.xy), o.z),
+    brdfQuadrant(length(i.xy), i.z));
   return brdfUnpremultiply(texture(brdfVolumeINSTANCE, u)) *
     (brdfScaleINSTANCE / mix(1.0, o.z, brdfCosineWeightedINSTANCE));
 }
