@@ -9,6 +9,7 @@
 #include "vtkLambertBRDF.h"
 #include "vtkSumBRDF.h"
 
+#include <algorithm>
 #include <clocale>
 #include <set>
 
