@@ -249,7 +249,7 @@ class Integrate(ToolTest):
     def test_constant_light_gives_the_albedo(self):
         environment = self.write_constant_environment()
         for values in self.integrate(self.write_fits(), environment):
-            self.check_close(values, [0.5, 0.25, 0.125], 1e-3)
+            self.check_close(values, [0.5, 0.25, 0.125], 2e-3)
         info = json.loads(run("info", "blue-fabric", "--json").stdout)
         straight = self.integrate("blue-fabric", environment, "--method", "exact")[1]
         self.check_close(straight, info["albedo"][0]["rgb"], 1e-2)
@@ -357,7 +357,8 @@ class Convert(ToolTest):
     def test_merl(self):
         table, again = self.path("a.binary"), self.path("b.binary")
         error = self.errors(run("convert", "blue-fabric", table))[0]
-        self.assertLess(error, 0.02)
+        self.assertLess(error, 0.1)
+        self.assertGreater(error, 0.0)
         self.assertEqual(os.path.getsize(table), 12 + 8 * 3 * 90 * 90 * 180)
         self.assertEqual(self.errors(run("convert", table, again)), [0, 0])
         with open(table, "rb") as a, open(again, "rb") as b:
@@ -387,7 +388,7 @@ class Render(ToolTest):
         environment = {k: v for k, v in os.environ.items() if k != "DISPLAY"}
         common = ["--environment", "sky", "--size", "32x32", "-o", self.path("x.png")]
         result = run("render", "gold-paint", *common, env=environment)
-        if result.returncode != 0: # VTK since 9.4 renders without an X server
+        if result.returncode != 0:  # VTK since 9.4 renders without an X server
             self.check(result, 1, "xvfb-run")
             self.assertEqual(os.listdir(self.folder), [])
 
@@ -406,7 +407,7 @@ class Render(ToolTest):
         self.check(result, 0)
         rows = read_png(self.path("flat2.png"))
         self.assertAlmostEqual((rows[24][3 * 32] / 255.0) ** 2.2, 0.25, delta=0.02)
-        self.assertAlmostEqual((rows[0][0] / 255.0) ** 2.2, 0.5, delta=0.02) # the environment
+        self.assertAlmostEqual((rows[0][0] / 255.0) ** 2.2, 0.5, delta=0.02)  # the environment
 
     def test_report(self):
         report = self.path("report.json")
@@ -418,6 +419,7 @@ class Render(ToolTest):
         self.assertGreater(values["setup_ms"], 0)
         self.assertGreater(values["texture_bytes"], 0)
         self.assertEqual((values["method"], values["lights"]), ("light-set", 32))
+        self.assertTrue(1 <= values["lights_in_use"] <= 32)
         self.assertTrue(values["renderer"] and values["renderer"] != "unknown")
         self.assertTrue(values["vtk"].startswith("9."))
         with open(self.path("x.exr"), "rb") as file:
@@ -451,5 +453,5 @@ class Render(ToolTest):
 
 
 if __name__ == "__main__":
-    PROGRAM, SHARED = sys.argv[1:3]
+    PROGRAM, SHARED = map(os.path.abspath, sys.argv[1:3])
     unittest.main(argv=sys.argv[:1] + sys.argv[3:])
