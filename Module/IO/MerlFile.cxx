@@ -122,7 +122,8 @@ void WriteMerl(vtkTabulatedBRDF* table, const std::string& path)
     throw FileError(
       path +
       ": MERL binary holds tables over half and difference angles with phi_d over half a turn "
-      "only; resample with vtkBRDFResampler first, or write .exr");
+      "only, without cosine weight; resample with vtkBRDFResampler (Reciprocal on) first, or "
+      "write .exr");
   }
   const std::vector<float>& rgb = table->GetVolume();
   const std::size_t cells = rgb.size() / 3;

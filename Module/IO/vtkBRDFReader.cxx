@@ -58,7 +58,7 @@ bool LooksLikeText(const FileBytes& file)
     [](char c)
     {
       const auto byte = static_cast<unsigned char>(c);
-      return byte >= 0x20 ? byte != 0x7f : (c == '\n' || c == '\r' || c == '\t');
+      return byte >= 0x20 ? byte != 0x7f && byte < 0xf5 : (c == '\n' || c == '\r' || c == '\t');
     });
 }
 

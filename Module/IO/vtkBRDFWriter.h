@@ -4,10 +4,11 @@
  * @class   vtkBRDFWriter
  * @brief   vtkBRDF -> file: MERL `.binary` or this project's OpenEXR format, by extension
  *
- * `.binary`: tables over half and difference angles with phi_d over half a turn only (resample
- * others with vtkBRDFResampler first), written with their own sizes; MERL's programs expect 90 x 90
- * x 180. Reading it back gives the same floats, invalid cells stay invalid. Tables with negative
- * valid values are refused: the format marks invalid cells by them.
+ * `.binary`: tables over half and difference angles with phi_d over half a turn and no cosine
+ * weight only (resample others with vtkBRDFResampler, Reciprocal on, first), written with their own
+ * sizes; MERL's programs expect 90 x 90 x 180. Reading it back gives the same floats, invalid cells
+ * stay invalid. Tables with negative valid values are refused: the format marks invalid cells by
+ * them.
  *
  * `.exr`: any material. Parts hold the tables as 32-bit floats, the header a JSON text with
  * representation, sizes and parameters; reading it back is bit-exact.

@@ -188,48 +188,51 @@ bool vtkBRDFResampler::Resample()
     return false;
   }
   const std::vector<Probe> probes = MakeProbes(this->Input, 1 << 13);
-  int current[3] = { this->Reciprocal ? 8 : 16, 16, 32 };
-  Fill(this->Input, this->Reciprocal, current, this->Output);
-  double error = Compare(probes, this->Output);
-  while (error > this->Tolerance)
+  double error = std::numeric_limits<double>::max();
+  int best[3] = { 0, 0, 0 };
+  // Keeps the table in Output if it is the best so far, or (trimming) any that meets the tolerance.
+  const auto attempt = [&](const int size[3], bool trimming)
   {
-    // Double the axis that lowers the error most; where no single one helps (features along a
-    // diagonal), all three.
-    int best[3] = { 0, 0, 0 };
-    double bestError = error;
-    for (int candidate = 0; candidate < 4; ++candidate)
+    vtkNew<vtkTabulatedBRDF> table;
+    Fill(this->Input, this->Reciprocal, size, table);
+    const double tableError = Compare(probes, table);
+    const bool better = trimming ? tableError <= this->Tolerance : tableError < error;
+    if (better)
     {
-      int grown[3] = { current[0], current[1], current[2] };
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        grown[axis] *= candidate == 3 || candidate == axis ? 2 : 1;
-      }
-      if ((candidate == 3 && bestError < 0.95 * error) ||
-          static_cast<vtkIdType>(grown[0]) * grown[1] * grown[2] > this->MaximumNumberOfCells ||
-          *std::max_element(grown, grown + 3) > 2048)
-      {
-        continue;
-      }
-      vtkNew<vtkTabulatedBRDF> table;
-      Fill(this->Input, this->Reciprocal, grown, table);
-      const double grownError = Compare(probes, table);
-      if (grownError < bestError)
-      {
-        bestError = grownError;
-        std::copy_n(grown, 3, best);
-        this->Output->SetVolume(
-          table->GetParameterization(), table->GetAzimuthRange(), grown, table->GetVolume());
-        this->Output->SetCosineWeighted(table->GetCosineWeighted());
-      }
+      error = tableError;
+      std::copy_n(size, 3, best);
+      this->Output->SetVolume(
+        table->GetParameterization(), table->GetAzimuthRange(), size, table->GetVolume());
+      this->Output->SetCosineWeighted(table->GetCosineWeighted());
     }
-    if (!(bestError < error))
-    {
-      break; // no room, or nothing left to gain (asymmetry in a reciprocal table, say)
-    }
-    error = bestError;
-    std::copy_n(best, 3, current);
     double progress = std::min(this->Tolerance / error, 1.0);
     this->InvokeEvent(vtkCommand::ProgressEvent, &progress);
+    return better;
+  };
+
+  // Up a ladder of sizes until one is good enough: even ones first, then shapes for features that
+  // need one axis most (sharp lobes: theta_h).
+  const int ladder[][3] = { { 16, 16, 32 }, { 32, 32, 64 }, { 64, 64, 128 }, { 32, 64, 512 },
+    { 128, 64, 128 }, { 64, 128, 128 }, { 128, 128, 64 } };
+  for (const int* step : ladder)
+  {
+    const int size[3] = { this->Reciprocal ? step[0] / 2 : step[0], step[1], step[2] };
+    if (error > this->Tolerance &&
+        static_cast<vtkIdType>(size[0]) * size[1] * size[2] <= this->MaximumNumberOfCells)
+    {
+      attempt(size, false);
+    }
+  }
+  // Down again: halve whichever axis can spare it.
+  for (bool trimmed = error <= this->Tolerance; trimmed;)
+  {
+    trimmed = false;
+    for (int axis = 2; axis >= 0; --axis)
+    {
+      int size[3] = { best[0], best[1], best[2] };
+      size[axis] /= 2;
+      trimmed = (size[axis] >= 8 && attempt(size, true)) || trimmed;
+    }
   }
   this->Output->SetResamplingError(error);
   return error <= this->Tolerance;

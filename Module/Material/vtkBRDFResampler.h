@@ -69,9 +69,9 @@ public:
   ///@}
 
   /**
-   * Grow the volume until the tolerance is met, each time along the axis that pays most. Returns
-   * whether it was met; the output then is the smallest volume tried that did, else the best tried.
-   * Raises ProgressEvent (calldata: double*) between tries.
+   * Try a ladder of sizes up to one that meets the tolerance, then halve every axis that can spare
+   * it. Returns whether the tolerance was met; if not, the output is the best size tried. Raises
+   * ProgressEvent (calldata: double*) between tries.
    */
   bool Resample();
 

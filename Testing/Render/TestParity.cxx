@@ -8,7 +8,8 @@
 
 #include "vtkAdaptiveWarpBRDF.h"
 #include "vtkAshikhminShirleyBRDF.h"
-#include "vtkBRDFGPUForm.h"
+#include "vtkBRDFReader.h"
+#include "vtkEmbeddedMaterials.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkCellArray.h"
 #include "vtkDistributionBRDF.h"
@@ -26,6 +27,7 @@
 
 #include <glm/glm.hpp>
 
+#include <fstream>
 #include <limits>
 #include <random>
 
@@ -264,6 +266,35 @@ TEST_F(Parity, Tables)
         this->Check(names[parameterization][range], table, 2e-3);
       }
     }
+  }
+}
+
+TEST_F(Parity, EmbeddedMaterials)
+{
+  for (int k = 0; k < vtkEmbeddedMaterials::GetNumberOfMaterials(); k += 3)
+  {
+    const std::string name = vtkEmbeddedMaterials::GetName(k);
+    auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF(name));
+    ASSERT_TRUE(brdf);
+    // Lobes of exponents up to 7e4 magnify the rounding of directions to 32-bit floats.
+    this->Check(name.c_str(), brdf, 2e-3);
+  }
+}
+
+TEST_F(Parity, RealFiles)
+{
+  const std::string folder = std::string(MEASUREDBRDF_SHARED_DATA) + "/materials/";
+  if (!std::ifstream(folder + "mbsdf/carpaint_blue.mbsdf"))
+  {
+    GTEST_SKIP() << "no measured files beside the checkout";
+  }
+  for (const char* file : { "rgl/acrylic_felt_pink_rgb.bsdf", "rgl/satin_purple_rgb.bsdf",
+         "rgl/chm_light_blue_rgb.bsdf", "mbsdf/carpaint_blue.mbsdf" })
+  {
+    vtkNew<vtkBRDFReader> reader;
+    reader->SetFileName(folder + file);
+    ASSERT_TRUE(reader->Read());
+    this->Check(file, reader->GetBRDF(), 2e-3);
   }
 }
 

@@ -487,7 +487,7 @@ TEST(IOReader, SurvivesMutations)
   reader->AddObserver(vtkCommand::ErrorEvent, errors);
   std::mt19937 random(12345);
   int reads = 0;
-  for (int round = 0; round < 500; ++round)
+  for (int round = 0; round < 1000; ++round)
   {
     for (const std::string& seed : seeds)
     {

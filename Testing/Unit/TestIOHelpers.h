@@ -64,6 +64,9 @@ private:
 
 inline void WriteBytes(const std::string& path, const std::string& bytes)
 {
+  // A new file each time: some file systems flush one that is truncated and written again.
+  std::error_code error;
+  std::filesystem::remove(path, error);
   std::ofstream(path, std::ios::binary).write(bytes.data(), std::streamsize(bytes.size()));
 }
 

@@ -16,9 +16,9 @@
 
 #include <array>
 #include <cmath>
-#include <map>
 #include <random>
 #include <set>
+#include <utility>
 
 using measuredbrdf::Pi;
 
@@ -408,6 +408,20 @@ TEST(MedianCut, PolarRegionsAreCutInLatitude)
     expected.insert({ x, 16, x + 16, 32 });
   }
   EXPECT_EQ(regions, expected);
+
+  // Octants are pi/2 x pi/2, but narrower by the cosine of 45 degrees: cut in y, where the sine of
+  // the latitude is nearest to 1/2 (5 rows of 5.6 degrees: 0.471; 6 rows: 0.556).
+  ASSERT_TRUE(generator->Generate(environment, 16, lights));
+  ASSERT_EQ(lights->GetNumberOfLights(), 16);
+  std::set<std::pair<int, int>> rows;
+  for (int k = 0; k < 16; ++k)
+  {
+    int region[4];
+    ASSERT_TRUE(lights->GetRegion(k, region));
+    EXPECT_EQ(region[2] - region[0], 16);
+    rows.insert({ region[1], region[3] });
+  }
+  EXPECT_EQ(rows, (std::set<std::pair<int, int>>{ { 0, 11 }, { 11, 16 }, { 16, 21 }, { 21, 32 } }));
 }
 
 //------------------------------------------------------------------------------

@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Frame times of a 500 x 500 view of a sphere: the measured mapper against the number of lights,
+// beside the stock mapper with Phong lighting and with PBR under image-based lighting, on the same
+// scene in the same run. Needs an OpenGL context. ns_per_light_pixel: slope per covered pixel.
+
+#include "vtkActor.h"
+#include "vtkBRDF.h"
+#include "vtkCamera.h"
+#include "vtkEmbeddedMaterials.h"
+#include "vtkEnvironment.h"
+#include "vtkImageData.h"
+#include "vtkLambertBRDF.h"
+#include "vtkLight.h"
+#include "vtkMeasuredBRDFMapper.h"
+#include "vtkNew.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+#include "vtkSphereSource.h"
+#include "vtkTabulatedBRDF.h"
+#include "vtkTexture.h"
+
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <vector>
+
+namespace
+{
+struct Scene
+{
+  vtkNew<vtkRenderWindow> Window;
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkSphereSource> Sphere;
+  vtkNew<vtkActor> Actor;
+  vtkNew<vtkEnvironment> Sky;
+
+  Scene()
+  {
+    this->Window->SetOffScreenRendering(1);
+    this->Window->SetMultiSamples(0);
+    this->Window->SetSize(500, 500);
+    this->Window->AddRenderer(this->Renderer);
+    this->Sphere->SetThetaResolution(128);
+    this->Sphere->SetPhiResolution(128);
+    this->Renderer->AddActor(this->Actor);
+    this->Renderer->GetActiveCamera()->ParallelProjectionOn();
+    this->Renderer->GetActiveCamera()->SetParallelScale(0.5); // the sphere fills the view
+    this->Renderer->GetActiveCamera()->SetPosition(0.0, 0.0, 2.0);
+    this->Renderer->SetAutomaticLightCreation(false);
+    this->Sky->SetToProceduralSky();
+  }
+
+  void Measure(benchmark::State& state, int lights)
+  {
+    this->Renderer->ResetCameraClippingRange();
+    this->Window->Render();
+    this->Window->Render();
+    for (auto _ : state)
+    {
+      this->Window->Render();
+      this->Window->WaitForCompletion();
+    }
+    const double pixels = 3.14159265 * 250.0 * 250.0;
+    state.counters["ns_per_pixel"] =
+      benchmark::Counter(pixels * static_cast<double>(state.iterations()) * 1e-9,
+        benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+    if (lights > 0)
+    {
+      state.counters["ns_per_light_pixel"] =
+        benchmark::Counter(pixels * lights * static_cast<double>(state.iterations()) * 1e-9,
+          benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+    }
+  }
+};
+
+void RunMeasured(benchmark::State& state, vtkBRDF* brdf)
+{
+  Scene scene;
+  const int lights = static_cast<int>(state.range(0));
+  vtkNew<vtkMeasuredBRDFMapper> mapper;
+  mapper->SetInputConnection(scene.Sphere->GetOutputPort());
+  mapper->SetBRDF(brdf);
+  mapper->SetEnvironment(scene.Sky);
+  mapper->SetNumberOfLights(lights);
+  scene.Actor->SetMapper(mapper);
+  scene.Measure(state, lights);
+}
+
+void MeasuredLambert(benchmark::State& state)
+{
+  vtkNew<vtkLambertBRDF> brdf;
+  RunMeasured(state, brdf);
+}
+
+void MeasuredFit(benchmark::State& state)
+{
+  auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("gold-paint"));
+  RunMeasured(state, brdf);
+}
+
+// MERL's size; the values do not matter for the time.
+void MeasuredVolume(benchmark::State& state)
+{
+  const int dimensions[3] = { 180, 90, 90 };
+  std::vector<float> rgb(3 * 180 * 90 * 90);
+  for (std::size_t k = 0; k < rgb.size(); ++k)
+  {
+    rgb[k] = 0.1f + 0.05f * std::sin(0.001f * static_cast<float>(k));
+  }
+  vtkNew<vtkTabulatedBRDF> brdf;
+  brdf->SetVolume(
+    vtkTabulatedBRDF::HALF_DIFFERENCE, vtkTabulatedBRDF::HALF_TURN, dimensions, std::move(rgb));
+  RunMeasured(state, brdf);
+}
+
+void StockPhong(benchmark::State& state)
+{
+  Scene scene;
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(scene.Sphere->GetOutputPort());
+  scene.Actor->SetMapper(mapper);
+  scene.Actor->GetProperty()->SetInterpolationToPhong();
+  vtkNew<vtkLight> headlight;
+  headlight->SetLightTypeToHeadlight();
+  scene.Renderer->AddLight(headlight);
+  scene.Measure(state, 0);
+}
+
+void StockPBRWithIBL(benchmark::State& state)
+{
+  Scene scene;
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(scene.Sphere->GetOutputPort());
+  scene.Actor->SetMapper(mapper);
+  scene.Actor->GetProperty()->SetInterpolationToPBR();
+  scene.Actor->GetProperty()->SetMetallic(0.7);
+  scene.Actor->GetProperty()->SetRoughness(0.3);
+  auto image = vtkSmartPointer<vtkImageData>::Take(scene.Sky->NewImageData());
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(image);
+  texture->SetColorModeToDirectScalars();
+  texture->MipmapOn();
+  texture->InterpolateOn();
+  scene.Renderer->UseImageBasedLightingOn();
+  scene.Renderer->SetEnvironmentTexture(texture);
+  scene.Measure(state, 0);
+}
+}
+
+BENCHMARK(StockPhong)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(StockPBRWithIBL)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(MeasuredLambert)
+  ->Arg(16)
+  ->Arg(64)
+  ->Arg(256)
+  ->Unit(benchmark::kMillisecond)
+  ->UseRealTime();
+BENCHMARK(MeasuredFit)->Arg(16)->Arg(64)->Arg(256)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(MeasuredVolume)->Arg(16)->Arg(64)->Arg(256)->Unit(benchmark::kMillisecond)->UseRealTime();
+
