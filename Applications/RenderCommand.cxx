@@ -117,10 +117,11 @@ void Run(const Options& options)
     }
     const nlohmann::ordered_json report = { { "frame_ms", Median(frames) }, { "setup_ms", setup },
       { "texture_bytes", scene.GetTextureBytes() }, { "method", options.Method },
-      { "lights", scene.GetNumberOfLights() }, { "light_set", options.Lights.Method },
-      { "width", size.Width }, { "height", size.Height }, { "frames", NumberOfFrames },
-      { "material", material.Name }, { "environment", environment->GetName() },
-      { "renderer", scene.GetRendererName() }, { "vtk", vtkVersion::GetVTKVersion() } };
+      { "lights", options.Lights.Count }, { "lights_in_use", scene.GetNumberOfLights() },
+      { "light_set", options.Lights.Method }, { "width", size.Width }, { "height", size.Height },
+      { "frames", NumberOfFrames }, { "material", material.Name },
+      { "environment", environment->GetName() }, { "renderer", scene.GetRendererName() },
+      { "vtk", vtkVersion::GetVTKVersion() } };
     tool::WriteText(options.Report, report.dump(2) + "\n");
   }
   WritePicture(options, scene, environment, size);

@@ -1,0 +1,457 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Drives the measured-brdf program: TestTool.py PROGRAM SHARED_DATA [unittest arguments]."""
+
+import csv
+import json
+import math
+import os
+import shutil
+import signal
+import struct
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+import zlib
+
+PROGRAM = ""
+SHARED = ""
+
+
+def run(*arguments, **options):
+    return subprocess.run(
+        [PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=300, **options
+    )
+
+
+def read_rows(path):
+    with open(path, encoding="ascii") as file:
+        lines = [line for line in file if not line.startswith("#")]
+    return [{key: float(value) for key, value in row.items()} for row in csv.DictReader(lines)]
+
+
+def rgb(row):
+    return [row["r"], row["g"], row["b"]]
+
+
+def read_png_size(path):
+    with open(path, "rb") as file:
+        head = file.read(24)
+    return struct.unpack(">II", head[16:24])
+
+
+def read_png(path):
+    """Rows of RGB bytes, top first, of an 8-bit RGB PNG."""
+    with open(path, "rb") as file:
+        data = file.read()
+    width, height = read_png_size(path)
+    packed, at = b"", 8
+    while at < len(data):
+        length = struct.unpack(">I", data[at : at + 4])[0]
+        if data[at + 4 : at + 8] == b"IDAT":
+            packed += data[at + 8 : at + 8 + length]
+        at += 12 + length
+    raw, step = zlib.decompress(packed), 3 * width
+    rows, above = [], bytearray(step)
+    for y in range(height):
+        kind, row = raw[y * (step + 1)], bytearray(raw[y * (step + 1) + 1 : (y + 1) * (step + 1)])
+        for x in range(step):
+            a = row[x - 3] if x >= 3 else 0
+            b, c = above[x], above[x - 3] if x >= 3 else 0
+            p = a + b - c
+            paeth = min((abs(p - a), 0, a), (abs(p - b), 1, b), (abs(p - c), 2, c))[2]
+            row[x] = (row[x] + (0, a, b, (a + b) // 2, paeth)[kind]) & 255
+        rows.append(row)
+        above = row
+    return rows
+
+
+class ToolTest(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.mkdtemp()
+        self.addCleanup(shutil.rmtree, self.folder)
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def write(self, name, content):
+        with open(self.path(name), "wb") as file:
+            file.write(content if isinstance(content, bytes) else content.encode())
+        return self.path(name)
+
+    def write_constant_environment(self, width=64, height=32):
+        """Radiance 1 everywhere, as Radiance RGBE without run lengths."""
+        head = f"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y {height} +X {width}\n"
+        return self.write("one.hdr", head.encode() + bytes([128, 128, 128, 129]) * width * height)
+
+    def write_fits(self):
+        return self.write("flat.fit", "flat = Aggregate(Lambertian(albedo = [0.5, 0.25, 0.125]))\n")
+
+    def check(self, result, status, *words):
+        """The status, and each word in the messages (stderr, or stdout where all went well)."""
+        said = result.stdout if status == 0 else result.stderr
+        self.assertEqual(result.returncode, status, result.stdout + result.stderr)
+        for word in words:
+            self.assertIn(word, said)
+        if status:
+            self.assertNotEqual(result.stderr, "")
+
+    def check_close(self, values, expected, relative, absolute=0.0):
+        for value, wanted in zip(values, expected):
+            self.assertLessEqual(abs(value - wanted), max(relative * abs(wanted), absolute))
+
+    def shared(self, *parts):
+        path = os.path.join(SHARED, *parts)
+        if not os.path.exists(path):
+            self.skipTest(f"skipped: no real data at {path}")
+        return path
+
+
+class Options(ToolTest):
+    def test_help(self):
+        self.check(run("--help"), 0, "Usage", "gallery", "Exit status")
+        commands = "list info evaluate integrate lights render gallery convert".split()
+        for command in commands:
+            self.check(run(command, "--help"), 0, "Usage", "-h,--help")
+        self.check(run("--version"), 0, "measured-brdf 0.")
+
+    def test_usage_errors(self):
+        self.check(run(), 2, "Usage")
+        self.check(run("paint"), 2)
+        self.check(run("info"), 2, "FILE")
+        self.check(run("info", "gold-paint", "--colour"), 2, "--colour")
+        self.check(run("evaluate", "gold-paint"), 2, "--pairs")
+        common = ["--environment", "sky", "-o", self.path("x.png")]
+        self.check(run("render", "gold-paint", *common, "--size", "0x10"), 2, "--size", "0x10")
+        self.check(run("render", "gold-paint", *common, "--size", "10x10x"), 2, "--size")
+        self.check(run("render", "gold-paint", *common, "--view", "10,100"), 2, "--view")
+        self.check(run("render", "gold-paint", *common, "--lights", "0"), 2, "--lights")
+        self.check(run("render", "gold-paint", *common, "--lights", "100"), 2, "64 or 128")
+        self.check(run("render", "gold-paint", "--environment", "sky", "-o", "x.gif"), 2, ".png")
+        self.check(run("convert", "gold-paint", self.path("x.png")), 2, ".binary")
+        self.assertEqual(os.listdir(self.folder), [])
+
+
+class Materials(ToolTest):
+    def test_list(self):
+        self.check(run("list"), 0, "NAME", "gold-paint")
+        materials = json.loads(run("list", "--json").stdout)
+        kinds = {material["kind"] for material in materials}
+        wanted = "fabric,silk,foil,gold paint,teal paint,magenta plastic,velvet"
+        self.assertLessEqual(set(wanted.split(",")), kinds)
+        for material in materials:
+            self.assertTrue(material["name"] and material["source"])
+
+    def test_info(self):
+        self.check(run("info", "gold-paint"), 0, "directional albedo", "reciprocity", "embedded")
+        info = json.loads(run("info", self.write_fits(), "--json").stdout)
+        self.assertEqual(info["name"], "flat")
+        self.assertEqual(info["negative_values"], 0)
+        self.assertLess(info["reciprocity_error"], 1e-12)
+        self.check_close(info["range"]["maximum"], [a / math.pi for a in (0.5, 0.25, 0.125)], 1e-6)
+        for row in info["albedo"]:
+            self.check_close(row["rgb"], [0.5, 0.25, 0.125], 1e-3)
+
+    def test_bad_materials(self):
+        self.check(run("info", "no-such-paint"), 1, "no-such-paint", "list")
+        self.check(run("info", self.path("none.bsdf")), 1, "none.bsdf")
+        self.check(run("info", self.folder), 1, self.folder)
+        self.check(run("info", self.write("empty.binary", "")), 1, "empty.binary")
+        self.check(run("info", self.write("cut.bsdf", b"tensor_file\0\1")), 1, "cut.bsdf")
+        self.check(run("info", self.write_fits() + "#other"), 1, "other")
+
+    def test_a_file_never_hides_an_embedded_name(self):
+        self.write("gold-paint", "nonsense")
+        result = run("info", "gold-paint", cwd=self.folder)
+        self.check(result, 0, "embedded")
+        self.check(run("info", "./gold-paint", cwd=self.folder), 1, "gold-paint")
+
+
+class Evaluate(ToolTest):
+    PAIR = "0,0,1,0.6,0,0.8"
+
+    def evaluate(self, text, *more, material=None):
+        pairs = self.write("pairs.csv", text)
+        return run("evaluate", material or self.write_fits(), "--pairs", pairs, *more)
+
+    def test_lambert(self):
+        text = "# a remark\r\n\r\nname,oz,ix, iy,iz,ox,oy\r\nfirst,0.8,0,0,1,0.6,0\r\n# end\r\n"
+        result = self.evaluate(text)
+        self.check(result, 0)
+        head, row, rest = result.stdout.split("\n")
+        self.assertEqual((head, rest), ("ix,iy,iz,ox,oy,oz,r,g,b", ""))
+        values = [float(cell) for cell in row.split(",")]
+        self.assertEqual(values[:6], [0, 0, 1, 0.6, 0, 0.8])
+        self.check_close(values[6:], [a / math.pi for a in (0.5, 0.25, 0.125)], 1e-8)
+
+    def test_below_the_horizon(self):
+        result = self.evaluate("ix,iy,iz,ox,oy,oz\n0,0,-1,0,0,1\n", "-o", self.path("out.csv"))
+        self.check(result, 0)
+        self.assertEqual(rgb(read_rows(self.path("out.csv"))[0]), [0, 0, 0])
+
+    def test_bad_tables(self):
+        head = "ix,iy,iz,ox,oy,oz\n"
+        self.check(self.evaluate(""), 1, "pairs.csv", "empty")
+        self.check(self.evaluate("ix,iy,iz,ox,oy\n"), 1, "pairs.csv", "'oz'")
+        self.check(self.evaluate("ix,ix,iy,iz,ox,oy,oz\n"), 1, "'ix'", "twice")
+        self.check(self.evaluate(head + self.PAIR + "\n0,0,one,0,0,1\n"), 1, "line 3", "'iz'")
+        self.check(self.evaluate(head + "0,0,1e,0,0,1\n"), 1, "line 2", "1e")
+        self.check(self.evaluate(head + "0,0,1,0,0\n"), 1, "line 2", "'oz'")
+        self.check(self.evaluate(head + "0,0,1,0,,1\n"), 1, "line 2", "'oy'")
+        self.check(self.evaluate(head + "0,0,nan,0,0,1\n"), 1, "line 2", "not finite")
+        self.check(self.evaluate(head + "0,0,1,0,inf,1\n"), 1, "line 2", "not finite")
+        self.check(self.evaluate(head + "0,0,1,0,0,0\n"), 1, "line 2", "(ox,oy,oz)")
+        self.check(self.evaluate(head + "\0\0\0\n"), 1, "line 2")
+        self.check(run("evaluate", "gold-paint", "--pairs", self.folder), 1, "directory")
+        self.check(run("evaluate", "gold-paint", "--pairs", self.path("no.csv")), 1, "no.csv")
+
+    def test_output_stays_whole(self):
+        old = self.write("out.csv", "precious")
+        self.check(self.evaluate("ix\n", "-o", old), 1)
+        with open(old, encoding="ascii") as file:
+            self.assertEqual(file.read(), "precious")
+        table = "ix,iy,iz,ox,oy,oz\n" + self.PAIR + "\n"
+        self.check(self.evaluate(table, "-o", self.path("no/out.csv")), 1, "no/out.csv")
+        self.check(self.evaluate(table, "-o", self.folder), 1, "directory")
+        if os.path.exists("/dev/full"):
+            self.check(self.evaluate(table, "-o", "/dev/full"), 1, "/dev/full")
+            with open("/dev/full", "w", encoding="ascii") as full:
+                pairs = self.path("pairs.csv")
+                command = [PROGRAM, "evaluate", "gold-paint", "--pairs", pairs]
+                self.assertEqual(subprocess.run(command, stdout=full, check=False).returncode, 1)
+        self.assertEqual(sorted(os.listdir(self.folder)), ["flat.fit", "out.csv", "pairs.csv"])
+
+    def test_measured(self):
+        for name in ("satin_purple", "paper_blue"):
+            material = self.shared("materials", "rgl", name + "_rgb.bsdf")
+            pairs = self.shared("expected", name + ".pairs.csv")
+            output = self.path("out.csv")
+            self.check(run("evaluate", material, "--pairs", pairs, "-o", output), 0)
+            expected, got = read_rows(pairs), read_rows(output)
+            self.assertEqual(len(got), len(expected))
+            largest = max(max(rgb(row)) for row in expected)
+            for row, wanted in zip(got, expected):
+                self.check_close(rgb(row), rgb(wanted), 1e-4, 1e-5 * largest)
+
+
+class Integrate(ToolTest):
+    PAIRS = "nx,ny,nz,vx,vy,vz\n0,1,0,0.6,0.8,0\n0.6,0,0.8,0.6,0,0.8\n"
+
+    def integrate(self, material, environment, *more):
+        pairs = self.write("nv.csv", self.PAIRS)
+        output = self.path("out.csv")
+        common = ["--environment", environment, "--pairs", pairs, "-o", output]
+        self.check(run("integrate", material, *common, *more), 0)
+        return [rgb(row) for row in read_rows(output)]
+
+    def test_constant_light_gives_the_albedo(self):
+        environment = self.write_constant_environment()
+        for values in self.integrate(self.write_fits(), environment):
+            self.check_close(values, [0.5, 0.25, 0.125], 2e-3)
+        info = json.loads(run("info", "blue-fabric", "--json").stdout)
+        straight = self.integrate("blue-fabric", environment, "--method", "exact")[1]
+        self.check_close(straight, info["albedo"][0]["rgb"], 1e-2)
+
+    def test_light_sets_approach_the_sum(self):
+        exact = self.integrate("gold-paint", "sky")
+        for light_set in ("median-cut", "importance"):
+            lights = ["--lights", 1024, "--light-set", light_set, "--seed", 3]
+            values = self.integrate("gold-paint", "sky", "--method", "light-set", *lights)
+            for value, wanted in zip(values, exact):
+                self.check_close(value, wanted, 0.1)
+            self.assertNotEqual(values, exact)
+
+    def test_bad_input(self):
+        pairs = self.write("nv.csv", self.PAIRS)
+        result = run("integrate", "gold-paint", "--environment", "no.exr", "--pairs", pairs)
+        self.check(result, 1, "no.exr")
+        junk = self.write("junk.exr", b"junk" * 10)
+        result = run("integrate", "gold-paint", "--environment", junk, "--pairs", pairs)
+        self.check(result, 1, "junk.exr")
+        common = ["integrate", "gold-paint", "--environment", "sky", "--pairs", pairs]
+        self.check(run(*common, "--method", "magic"), 2, "--method")
+        self.check(run(*common, "--method", "light-set", "--lights", 100), 2, "power")
+
+    def test_interrupt(self):
+        # Enough pairs for many seconds of work.
+        line = "0,1,0,0.6,0.8,0\n"
+        pairs = self.write("nv.csv", "nx,ny,nz,vx,vy,vz\n" + line * 20000)
+        output = self.path("out.csv")
+        command = [PROGRAM, "integrate", "gold-paint", "--environment", "sky"]
+        command += ["--pairs", pairs, "-o", output]
+        with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as process:
+            time.sleep(1.0)
+            self.assertIsNone(process.poll(), "finished too soon to be interrupted")
+            process.send_signal(signal.SIGINT)
+            said = process.communicate(timeout=60)[1]
+        self.assertEqual(process.returncode, 1, said)
+        self.assertIn("interrupted", said)
+        self.assertEqual(os.listdir(self.folder), ["nv.csv"])
+
+    def test_measured(self):
+        for name, light in (("satin_purple", "studio"), ("paper_blue", "interior")):
+            material = self.shared("materials", "rgl", name + "_rgb.bsdf")
+            environment = self.shared("environments", light + ".exr")
+            pairs = self.shared("expected", f"{name}.{light}.csv")
+            output = self.path("out.csv")
+            common = ["--environment", environment, "--pairs", pairs, "--method", "exact"]
+            self.check(run("integrate", material, *common, "-o", output), 0)
+            expected, got = read_rows(pairs), read_rows(output)
+            self.assertEqual(len(got), len(expected))
+            for row, wanted in zip(got, expected):
+                self.check_close(rgb(row), rgb(wanted), 5e-3)
+
+
+class Lights(ToolTest):
+    def lights(self, environment, *more):
+        output = self.path("lights.csv")
+        self.check(run("lights", environment, *more, "-o", output), 0)
+        return read_rows(output)
+
+    def test_totals(self):
+        environment = self.write_constant_environment()
+        weights = (0.2126, 0.7152, 0.0722)
+        for light_set in ("median-cut", "importance"):
+            rows = self.lights(environment, "--count", 64, "--light-set", light_set)
+            self.assertEqual(len(rows), 64)
+            total = sum(w * v for row in rows for w, v in zip(weights, rgb(row)))
+            self.check_close([total], [4 * math.pi], 1e-5)
+            for row in rows:
+                length = math.hypot(row["x"], row["y"], row["z"])
+                self.check_close([length], [1.0], 1e-6)
+
+    def test_seed(self):
+        options = ["sky", "--count", 30, "--light-set", "importance", "--seed"]
+        self.assertEqual(self.lights(*options, 7), self.lights(*options, 7))
+        self.assertNotEqual(self.lights(*options, 7), self.lights(*options, 8))
+
+    def test_preview(self):
+        preview = self.path("lights.png")
+        self.lights("sky", "--count", 16, "--preview", preview)
+        self.assertEqual(read_png_size(preview), (1024, 512))
+        self.check(run("lights", "sky", "-o", self.path("l.csv"), "--preview", "p.gif"), 2, ".png")
+        self.assertFalse(os.path.exists(self.path("l.csv")))
+
+
+class Convert(ToolTest):
+    PAIRS = "ix,iy,iz,ox,oy,oz\n0.3,0.2,0.9,-0.5,0.1,0.8\n0,0,1,0,0,1\n-0.6,0.3,0.5,0.1,0.7,0.6\n"
+
+    def evaluate(self, material):
+        pairs = self.write("pairs.csv", self.PAIRS)
+        result = run("evaluate", material, "--pairs", pairs)
+        self.check(result, 0)
+        return result.stdout
+
+    def errors(self, result):
+        self.check(result, 0, "relative L2 error", "largest absolute error")
+        lines = [line for line in result.stdout.splitlines() if "error" in line and ":" in line]
+        return [float(line.split(":")[1].split()[0]) for line in lines[:2]]
+
+    def test_exr_is_exact(self):
+        copy = self.path("copy.exr")
+        self.assertEqual(self.errors(run("convert", "gold-paint", copy)), [0, 0])
+        self.assertEqual(self.evaluate(copy), self.evaluate("gold-paint"))
+
+    def test_merl(self):
+        table, again = self.path("a.binary"), self.path("b.binary")
+        error = self.errors(run("convert", "blue-fabric", table))[0]
+        self.assertLess(error, 0.1)
+        self.assertGreater(error, 0.0)
+        self.assertEqual(os.path.getsize(table), 12 + 8 * 3 * 90 * 90 * 180)
+        self.assertEqual(self.errors(run("convert", table, again)), [0, 0])
+        with open(table, "rb") as a, open(again, "rb") as b:
+            self.assertEqual(a.read(), b.read())
+        self.assertEqual(self.evaluate(table), self.evaluate(again))
+
+    def test_asymmetry_is_named(self):
+        material = self.shared("materials", "rgl", "satin_purple_rgb.bsdf")
+        result = run("convert", material, self.path("satin.binary"))
+        self.check(result, 0, "asymmetry")
+        # The mean of f(i,o) and f(o,i) is at best half the reciprocity error away.
+        info = json.loads(run("info", material, "--json").stdout)
+        self.assertLess(self.errors(result)[0], 0.7 * info["reciprocity_rms_error"])
+
+    def test_bad_output(self):
+        self.check(run("convert", "gold-paint", self.path("no/x.exr")), 1, "no/x.exr")
+
+
+class Render(ToolTest):
+    def render(self, material, output, *more):
+        result = run("render", material, "-o", self.path(output), *more)
+        if "needs an X server" in result.stderr:
+            self.skipTest("skipped: no X server, which this VTK needs")
+        return result
+
+    def test_without_a_display(self):
+        environment = {k: v for k, v in os.environ.items() if k != "DISPLAY"}
+        common = ["--environment", "sky", "--size", "32x32", "-o", self.path("x.png")]
+        result = run("render", "gold-paint", *common, env=environment)
+        if result.returncode != 0:  # VTK since 9.4 renders without an X server
+            self.check(result, 1, "xvfb-run")
+            self.assertEqual(os.listdir(self.folder), [])
+
+    def test_furnace(self):
+        # In constant light a Lambert ball shows its albedo at every pixel, and nothing of its edge.
+        light = ["--environment", self.write_constant_environment(), "--size", "64x48"]
+        result = self.render(self.write_fits(), "flat.png", *light, "--background", "none")
+        self.check(result, 0)
+        rows = read_png(self.path("flat.png"))
+        self.assertEqual((len(rows), len(rows[0]) // 3), (48, 64))
+        middle = [value / 255.0 for value in rows[24][3 * 32 : 3 * 32 + 3]]
+        for value, albedo in zip(middle, (0.5, 0.25, 0.125)):
+            self.assertAlmostEqual(value**2.2, albedo, delta=0.02)
+        self.assertEqual(list(rows[0][:3]), [0, 0, 0])
+        result = self.render(self.write_fits(), "flat2.png", *light, "--exposure", "-1")
+        self.check(result, 0)
+        rows = read_png(self.path("flat2.png"))
+        self.assertAlmostEqual((rows[24][3 * 32] / 255.0) ** 2.2, 0.25, delta=0.02)
+        self.assertAlmostEqual((rows[0][0] / 255.0) ** 2.2, 0.5, delta=0.02)  # the environment
+
+    def test_report(self):
+        report = self.path("report.json")
+        common = ["--environment", "sky", "--size", "48x48", "--lights", "32"]
+        self.check(self.render("gold-paint", "x.exr", *common, "--report", report), 0)
+        with open(report, encoding="utf-8") as file:
+            values = json.load(file)
+        self.assertGreater(values["frame_ms"], 0)
+        self.assertGreater(values["setup_ms"], 0)
+        self.assertGreater(values["texture_bytes"], 0)
+        self.assertEqual((values["method"], values["lights"]), ("light-set", 32))
+        self.assertTrue(1 <= values["lights_in_use"] <= 32)
+        self.assertTrue(values["renderer"] and values["renderer"] != "unknown")
+        self.assertTrue(values["vtk"].startswith("9."))
+        with open(self.path("x.exr"), "rb") as file:
+            self.assertEqual(file.read(4), b"\x76\x2f\x31\x01")
+
+    def test_meshes(self):
+        triangle = "v -1 0 0\nv 1 0 0\nv 0 1.5 0\nf 1 2 3\n"
+        common = ["--environment", "sky", "--size", "32x32", "--view", "-20,-10"]
+        mesh = self.write("triangle.obj", triangle)
+        self.check(self.render("gold-paint", "x.png", *common, "--mesh", mesh), 0)
+        bad = self.write("bad.ply", "ply, but not really")
+        for name in (bad, self.path("none.stl"), self.write("points.obj", "v 0 0 0\n")):
+            result = self.render("gold-paint", "y.png", *common, "--mesh", name)
+            self.check(result, 1, os.path.basename(name))
+        mesh = self.write("mesh.docx", "")
+        self.check(self.render("gold-paint", "y.png", *common, "--mesh", mesh), 1, "mesh.docx")
+        self.assertFalse(os.path.exists(self.path("y.png")))
+
+    def test_gallery(self):
+        output = self.path("gallery.png")
+        materials = ["blue-fabric", "gold-paint", self.write_fits()]
+        common = ["--lights", "16", "--size", "480x240", "-o", output]
+        result = run("gallery", *materials, *common)
+        if "needs an X server" in result.stderr:
+            self.skipTest("skipped: no X server, which this VTK needs")
+        self.check(result, 0)
+        self.assertEqual(read_png_size(output), (480, 240))
+        colours = {bytes(row[x : x + 3]) for row in read_png(output) for x in range(0, 1440, 3)}
+        self.assertGreater(len(colours), 1000)
+        self.check(run("gallery", "no-such-paint", *common), 1, "no-such-paint")
+
+
+if __name__ == "__main__":
+    PROGRAM, SHARED = map(os.path.abspath, sys.argv[1:3])
+    unittest.main(argv=sys.argv[:1] + sys.argv[3:])
