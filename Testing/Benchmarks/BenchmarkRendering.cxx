@@ -161,4 +161,3 @@ BENCHMARK(MeasuredLambert)
   ->UseRealTime();
 BENCHMARK(MeasuredFit)->Arg(16)->Arg(64)->Arg(256)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(MeasuredVolume)->Arg(16)->Arg(64)->Arg(256)->Unit(benchmark::kMillisecond)->UseRealTime();
-
