@@ -20,15 +20,17 @@ struct Material
   const char* Kind;
 };
 
-// The first seven stand for the kinds that O'Toole's thesis shows; they are not its samples.
+// The first seven stand for the kinds that O'Toole's thesis shows: MERL's closest samples, not its
+// own (MERL has no foil, silk or velvet, and no magenta plastic that is not mirror-like).
 const std::vector<Material> Materials = {
   { "blue-fabric", "fabric" },
   { "pink-fabric2", "silk" },
-  { "nickel", "foil" },
+  { "gold-metallic-paint3", "foil" },
   { "gold-paint", "gold paint" },
   { "green-metallic-paint", "teal paint" },
   { "violet-rubber", "magenta plastic" },
   { "red-fabric2", "velvet" },
+  { "nickel", "metal" },
   { "chrome", "metal" },
   { "brass", "metal" },
   { "alum-bronze", "metal" },
