@@ -13,13 +13,13 @@ under a high-dynamic-range environment. A second run only draws.
   FILE...            your own BRDF files (MERL .binary, RGL .bsdf, NVIDIA .mbsdf, published fits) or names of built-in
                      materials (build/bin/measured-brdf list). Default: built-in materials.
   --environment ENV  a lat-long image (.exr, .hdr, ...), `sky` for the built-in sky, or one of Blender's environments:
-                     city courtyard forest interior night studio sunrise sunset. Default: courtyard.
+                     city courtyard forest interior night studio sunrise sunset. Default: sunset.
   -o IMAGE           where to write (default: output/gallery.png)
 END
 }
 
 caller=$OLDPWD
-environment=courtyard
+environment=sunset
 image=output/gallery.png
 files=()
 absolute() { case $1 in /*) echo "$1" ;; *) echo "$caller/$1" ;; esac; }
