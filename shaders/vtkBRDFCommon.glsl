@@ -29,7 +29,7 @@ mat3 brdfFrameAbout(vec3 n, vec3 t)
 // Interpolated normals can turn away from the viewer: shade those as if just above the horizon.
 vec3 brdfLiftView(vec3 o)
 {
-  const float minimum = 1e-3;
+  const float minimum = 0.02;
   if (o.z >= minimum)
   {
     return o;

@@ -52,9 +52,10 @@ inline glm::dvec3 ToWorld(const Frame& frame, const glm::dvec3& d) { return fram
 
 /**
  * Interpolated normals can turn away from the viewer at silhouettes; there the view is shaded as if
- * at this cosine (about 0.06 degrees above the horizon).
+ * at this cosine (1.1 degrees above the horizon). Measured f grows as 1/cos towards the horizon, where
+ * no instrument looks: much smaller values draw white rims.
  */
-constexpr double MinimumViewCosine = 1e-3;
+constexpr double MinimumViewCosine = 0.02;
 
 /// o with its cosine lifted to at least MinimumViewCosine, azimuth kept, unit length.
 inline glm::dvec3 LiftView(const glm::dvec3& o)
