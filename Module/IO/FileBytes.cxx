@@ -128,10 +128,11 @@ FileBytes::FileBytes(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
-void ByteReader::Fail(const std::string& field, const std::string& what) const
+void ByteReader::FailAt(
+  std::uint64_t offset, const std::string& field, const std::string& what) const
 {
   throw FileError(this->File.GetPath() + ": " + this->Format + ", " + field + " at byte " +
-                  std::to_string(this->Offset) + ": " + what);
+                  std::to_string(offset) + ": " + what);
 }
 
 //------------------------------------------------------------------------------

@@ -82,7 +82,12 @@ public:
   const FileBytes& GetFile() const { return this->File; }
 
   /// Throw FileError: "PATH: FORMAT, FIELD at byte N: what".
-  [[noreturn]] void Fail(const std::string& field, const std::string& what) const;
+  [[noreturn]] void Fail(const std::string& field, const std::string& what) const
+  {
+    this->FailAt(this->Offset, field, what);
+  }
+  [[noreturn]] void FailAt(
+    std::uint64_t offset, const std::string& field, const std::string& what) const;
 
   /// The next count bytes, stepped over.
   const char* Take(std::uint64_t count, const std::string& field);

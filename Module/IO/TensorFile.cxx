@@ -29,6 +29,7 @@ struct Field
 {
   int Type = 0;
   std::vector<std::uint64_t> Shape;
+  std::uint64_t Offset = 0;
   std::uint64_t Bytes = 0;
   const char* Data = nullptr;
 };
@@ -72,7 +73,7 @@ Fields ReadFields(ByteReader& reader)
       reader.Fail(
         Quote(name) + " (type)", "found " + std::to_string(field.Type) + ", expected 1 to 11");
     }
-    const auto offset = reader.Read<std::uint64_t>(Quote(name) + " (offset)");
+    field.Offset = reader.Read<std::uint64_t>(Quote(name) + " (offset)");
     field.Bytes = TypeSizes[field.Type];
     for (int axis = 0; axis < rank; ++axis)
     {
@@ -86,7 +87,7 @@ Fields ReadFields(ByteReader& reader)
       field.Bytes *= size;
       field.Shape.push_back(size);
     }
-    field.Data = reader.At(offset, field.Bytes, Quote(name) + " (data)");
+    field.Data = reader.At(field.Offset, field.Bytes, Quote(name) + " (data)");
     if (!fields.emplace(name, std::move(field)).second)
     {
       reader.Fail(Quote(name), "appears twice");
@@ -162,10 +163,14 @@ MaterialFile ReadTensor(const FileBytes& file)
   tables.Rgb = GetTable(reader, fields, "rgb", 5);
 
   const auto jacobian = fields.find("jacobian");
-  if (jacobian != fields.end() && (jacobian->second.Type != UInt8 || jacobian->second.Bytes != 1 ||
-                                    *jacobian->second.Data != 1))
+  if (jacobian != fields.end())
   {
-    reader.Fail("field 'jacobian'", "expected one byte of value 1");
+    const Field& field = jacobian->second;
+    if (field.Type != UInt8 || field.Bytes != 1 || (*field.Data != 0 && *field.Data != 1))
+    {
+      reader.FailAt(field.Offset, Quote("jacobian"), "expected one byte of value 0 or 1");
+    }
+    tables.Jacobian = *field.Data == 1;
   }
 
   MaterialFile result;
@@ -177,7 +182,14 @@ MaterialFile ReadTensor(const FileBytes& file)
   const std::string problem = material->SetTables(std::move(tables));
   if (!problem.empty())
   {
-    reader.Fail("tables", problem);
+    // It begins with the field's name.
+    const std::size_t colon = std::min(problem.find(": "), problem.size());
+    const auto field = fields.find(problem.substr(0, colon));
+    if (field == fields.end())
+    {
+      reader.Fail("tables", problem);
+    }
+    reader.FailAt(field->second.Offset, Quote(field->first), problem.substr(colon + 2));
   }
 
   std::string description;

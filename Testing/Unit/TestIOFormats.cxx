@@ -295,12 +295,70 @@ TEST(IOTensor, RefusesBadFields)
   fields = good;
   fields.push_back(good.back());
   ExpectBytesRefused(folder, MakeTensor(fields), { Tensor, "jacobian", "twice" });
-  fields = good;
-  FieldOf(fields, "jacobian").Data[0] = 0;
-  ExpectBytesRefused(folder, MakeTensor(fields), { Tensor, "jacobian" });
+  for (const char wrong : { '\x02', '\xff' })
+  {
+    fields = good;
+    FieldOf(fields, "jacobian").Data[0] = wrong;
+    ExpectBytesRefused(
+      folder, MakeTensor(fields), { Tensor, "field 'jacobian' at byte ", "0 or 1" });
+  }
   fields = good;
   FieldOf(fields, "rgb").Name = "spectra";
   ExpectBytesRefused(folder, MakeTensor(fields), { Tensor, "spectral", "_rgb.bsdf" });
+}
+
+//------------------------------------------------------------------------------
+TEST(IOTensor, NamesTheFieldAndItsByte)
+{
+  const Folder folder;
+  const auto good = MakeTensorFields(MakeTables());
+  const auto refused = [&](const std::string& name, float value, const std::string& what)
+  {
+    SCOPED_TRACE(name);
+    auto fields = good;
+    std::string& data = FieldOf(fields, name).Data;
+    for (std::size_t k = 0; k < data.size(); k += sizeof(value))
+    {
+      std::memcpy(&data[k], &value, sizeof(value));
+    }
+    const std::string bytes = MakeTensor(fields);
+    std::size_t place = bytes.size();
+    for (std::size_t k = fields.size(); k > 0; --k)
+    {
+      place -= fields[k - 1].Data.size();
+      if (fields[k - 1].Name == name)
+      {
+        break;
+      }
+    }
+    ExpectBytesRefused(folder, bytes,
+      { Tensor + ", field '" + name + "' at byte " + std::to_string(place) + ": " + what });
+  };
+  refused("theta_i", 0.5f, "expected ascending finite angles");
+  refused("sigma", std::numeric_limits<float>::infinity(), "expected finite values");
+  refused("rgb", std::numeric_limits<float>::quiet_NaN(), "expected finite values");
+  refused("vndf", -1.0f, "a density cannot be negative");
+  refused("luminance", 0.0f, "a density cannot be 0 everywhere");
+}
+
+//------------------------------------------------------------------------------
+TEST(IOTensor, TakesTheJacobianFlag)
+{
+  const Folder folder;
+  for (const bool flag : { false, true })
+  {
+    vtkAdaptiveWarpBRDF::Tables tables = MakeTables();
+    auto fields = MakeTensorFields(tables);
+    FieldOf(fields, "jacobian").Data[0] = flag ? 1 : 0;
+    WriteBytes(folder("a.bsdf"), MakeTensor(fields));
+    const vtkSmartPointer<vtkBRDF> brdf = Read(folder("a.bsdf"));
+    ASSERT_TRUE(vtkAdaptiveWarpBRDF::SafeDownCast(brdf));
+    EXPECT_EQ(vtkAdaptiveWarpBRDF::SafeDownCast(brdf)->GetTables().Jacobian, flag);
+    tables.Jacobian = flag;
+    vtkNew<vtkAdaptiveWarpBRDF> expected;
+    ASSERT_EQ(expected->SetTables(tables), "");
+    ExpectSameValues(expected, brdf);
+  }
 }
 
 //------------------------------------------------------------------------------
