@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <clocale>
 #include <set>
+#include <sstream>
 
 using namespace testio;
 
@@ -143,6 +144,11 @@ TEST(IOFits, RefusesBadText)
     words.push_back(Fits);
     ExpectBytesRefused(folder, text, words);
   }
+  for (const std::string empty : { "Aggregate()", "Aggregate(Aggregate())" })
+  {
+    ExpectBytesRefused(
+      folder, "x = " + empty, { Fits, "line 1", "'x'", "Aggregate: holds no model" });
+  }
   ExpectBytesRefused(folder, "# nothing but a comment\n", { Fits, "no material" });
   ExpectBytesRefused(
     folder, good + good, { Fits, "line 5", "'plain' was already given in line 2" });
@@ -238,6 +244,18 @@ TEST(IOFits, ReadsThePublishedOnes)
     SCOPED_TRACE(name);
     ExpectSameValues(published, embedded);
   }
+}
+
+//------------------------------------------------------------------------------
+TEST(IOEmbedded, Prints)
+{
+  vtkNew<vtkEmbeddedMaterials> materials;
+  std::ostringstream text;
+  materials->Print(text);
+  EXPECT_NE(text.str().find("NumberOfMaterials: " +
+                            std::to_string(vtkEmbeddedMaterials::GetNumberOfMaterials()) + "\n"),
+    std::string::npos)
+    << text.str();
 }
 
 //------------------------------------------------------------------------------
