@@ -3,6 +3,7 @@
 #include "vtkEnvironmentReader.h"
 
 #include "FileBytes.h"
+#include "SRGB.h"
 #include "vtkObjectFactory.h"
 
 #include <OpenImageIO/imageio.h>
@@ -24,12 +25,6 @@ constexpr std::uint64_t MaximumTexels = std::uint64_t(1) << 28;
 // no image format shrinks real images that far.
 constexpr std::uint64_t MaximumTexelsPerByte = 4096;
 constexpr std::uint64_t FreeTexels = std::uint64_t(1) << 20;
-
-//------------------------------------------------------------------------------
-double DecodeSRGB(double value) // IEC 61966-2-1
-{
-  return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
-}
 
 //------------------------------------------------------------------------------
 bool IsFloatingPoint(const OIIO::TypeDesc& type)
@@ -115,7 +110,7 @@ Image ReadImage(const std::string& path)
   if (!IsFloatingPoint(spec.format) && !SaysLinear(spec))
   {
     std::transform(pixels.begin(), pixels.end(), pixels.begin(),
-      [](float value) { return static_cast<float>(DecodeSRGB(value)); });
+      [](float value) { return static_cast<float>(measuredbrdf::DecodeSRGB(value)); });
     image.AddNote("Integer values were taken as sRGB-encoded and made linear.");
   }
   if (channels == 1)

@@ -3,6 +3,7 @@
 #include "vtkEnvironment.h"
 
 #include "HalfVector.h" // for Pi
+#include "SRGB.h"
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -20,12 +21,6 @@
 
 namespace
 {
-// sRGB-encoded value -> linear (IEC 61966-2-1).
-double DecodeSRGB(double x)
-{
-  return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
-}
-
 // Sky and ground meet over this much of d.y; a hard edge would alias.
 double SkyShare(double y)
 {
@@ -34,6 +29,7 @@ double SkyShare(double y)
 }
 } // namespace
 
+using measuredbrdf::DecodeSRGB;
 using measuredbrdf::Pi;
 
 vtkStandardNewMacro(vtkEnvironment);
