@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ExrMaterialFile.h"
 
+#include "ExrHeader.h"
 #include "FileBytes.h"
 #include "MaterialArchive.h"
 
@@ -317,6 +318,7 @@ void CountValues(const MaterialArchive& archive, MaterialFile& result)
 //------------------------------------------------------------------------------
 MaterialFile ReadExrMaterial(const FileBytes& file)
 {
+  CheckExrHeader(file, ExrFormat);
   const std::string place = file.GetPath() + ": " + ExrFormat + ", ";
   try
   {

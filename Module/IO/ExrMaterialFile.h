@@ -17,7 +17,6 @@
 namespace measuredbrdf
 {
 constexpr const char* ExrFormat = "OpenEXR material";
-constexpr const char ExrMagic[] = "\x76\x2f\x31\x01";
 
 MaterialFile ReadExrMaterial(const FileBytes& file);
 

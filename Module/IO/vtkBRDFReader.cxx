@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBRDFReader.h"
 
+#include "ExrHeader.h"
 #include "ExrMaterialFile.h"
 #include "FileBytes.h"
 #include "FitFile.h"

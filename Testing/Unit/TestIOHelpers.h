@@ -29,6 +29,10 @@
 #include <string>
 #include <vector>
 
+#if defined(__linux__)
+#include <sys/resource.h>
+#endif
+
 namespace testio
 {
 /// A folder of this test's own, removed at its end.
@@ -143,6 +147,17 @@ inline void ExpectSameValues(vtkBRDF* a, vtkBRDF* b)
       }
     });
   EXPECT_GT(sum, 0.0);
+}
+
+/// The most memory this process has held, in bytes; 0 where it cannot be told.
+inline double GetPeakMemory()
+{
+#if defined(__linux__)
+  rusage usage;
+  return getrusage(RUSAGE_SELF, &usage) == 0 ? 1024.0 * double(usage.ru_maxrss) : 0.0;
+#else
+  return 0.0;
+#endif
 }
 
 inline bool SameBits(const std::vector<float>& a, const std::vector<float>& b)

@@ -17,6 +17,7 @@
 #endif
 
 using namespace testio;
+using namespace std::string_literals;
 
 namespace
 {
@@ -423,4 +424,54 @@ TEST(IOExr, RefusesSizesThatLie)
   const std::size_t moved = bytes.find(name) + name.size() + 4;
   Overwrite(bytes, moved + 8, std::int32_t(99999998));
   ExpectBytesRefused(folder, bytes, { Exr, "'volume'", "more than a file of this length" });
+}
+
+//------------------------------------------------------------------------------
+// OpenEXR allocates what an attribute claims before it reads it.
+TEST(IOExr, RefusesAttributesThatLie)
+{
+  const Folder folder;
+  vtkNew<vtkSumBRDF> sum;
+  sum->AddTerm(MakeMerlTable());
+  sum->AddTerm(MakeMerlTable());
+  const double before = GetPeakMemory();
+  const auto table = MakeMerlTable();
+  for (vtkBRDF* material : std::initializer_list<vtkBRDF*>{ table, sum })
+  {
+    Write(material, folder("t.exr"));
+    const std::string good = ReadBytes(folder("t.exr"));
+    // The last header's attributes are looked at too.
+    for (const std::string type :
+      { "measuredBRDF\0string\0"s, "name\0string\0"s, "channels\0chlist\0"s })
+    {
+      SCOPED_TRACE(type);
+      const std::size_t size = good.rfind(type) + type.size();
+      for (const std::uint32_t lie : { 0x7fffffffu, 0xffffffffu, std::uint32_t(good.size()) })
+      {
+        std::string bytes = good;
+        Overwrite(bytes, size, lie);
+        ExpectBytesRefused(folder, bytes,
+          { Exr + ", attribute '" + type.substr(0, type.find('\0')) + "' at byte " +
+            std::to_string(size + 4) + ": needs " + std::to_string(lie) + " bytes" });
+      }
+    }
+    // Values that hold sizes: put in as the first attribute.
+    const auto insert = [&](const std::string& type, const std::vector<std::uint32_t>& value)
+    {
+      std::string attribute = "lie" + std::string(1, '\0') + type + std::string(1, '\0');
+      Append(attribute, std::uint32_t(4 * value.size()));
+      for (const std::uint32_t number : value)
+      {
+        Append(attribute, number);
+      }
+      std::string bytes = good;
+      return bytes.insert(8, attribute);
+    };
+    ExpectBytesRefused(folder, insert("preview", { 20000, 20000, 0 }),
+      { Exr, "attribute 'lie' at byte ", "20000 x 20000", "after 1 texels" });
+    ExpectBytesRefused(folder, insert("preview", { 20000 }), { Exr, "'lie'" });
+    ExpectBytesRefused(folder, insert("stringvector", { 0x7fffffff, 0 }),
+      { Exr, "attribute 'lie' at byte ", "needs 2147483647 bytes" });
+  }
+  EXPECT_LT(GetPeakMemory() - before, 2e8);
 }
