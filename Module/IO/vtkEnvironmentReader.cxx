@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkEnvironmentReader.h"
 
+#include "ExrHeader.h"
 #include "FileBytes.h"
 #include "SRGB.h"
 #include "vtkObjectFactory.h"
@@ -10,8 +11,7 @@
 #include <vtksys/SystemTools.hxx>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
+#include <fstream>
 
 vtkStandardNewMacro(vtkEnvironmentReader);
 
@@ -20,11 +20,19 @@ namespace
 using measuredbrdf::FileError;
 
 constexpr std::uint64_t MaximumTexels = std::uint64_t(1) << 28;
+constexpr int MaximumSide = 1 << 16;
 
-// A header that promises more texels than this per byte of its file (beyond a first million) lies:
-// no image format shrinks real images that far.
-constexpr std::uint64_t MaximumTexelsPerByte = 4096;
-constexpr std::uint64_t FreeTexels = std::uint64_t(1) << 20;
+// Pixels are read in blocks of about this many texels, so that memory follows what the file holds
+// and not what its header promises.
+constexpr std::uint64_t BlockTexels = std::uint64_t(1) << 20;
+
+// A header that promises more texels than this per byte of its file (beyond a first block) lies.
+// Deflate shrinks by 1032 at most; Radiance's runs hold 127 values of a channel in 2 bytes; a
+// portable bitmap has 8 texels in a byte.
+std::uint64_t GetMaximumTexelsPerByte(const std::string& format)
+{
+  return format == "pnm" ? 8 : format == "hdr" ? 16 : 1032;
+}
 
 //------------------------------------------------------------------------------
 bool IsFloatingPoint(const OIIO::TypeDesc& type)
@@ -53,7 +61,20 @@ struct Image
 };
 
 //------------------------------------------------------------------------------
-void CheckSize(const std::string& path, const OIIO::ImageSpec& spec, std::uintmax_t fileSize)
+// OpenEXR's attributes allocate when a file is opened.
+void CheckAttributes(const std::string& path)
+{
+  char magic[sizeof(measuredbrdf::ExrMagic)] = "";
+  std::ifstream(path, std::ios::binary).read(magic, sizeof(magic) - 1);
+  if (std::string(magic) == measuredbrdf::ExrMagic)
+  {
+    measuredbrdf::CheckExrHeader(measuredbrdf::FileBytes(path), "OpenEXR image");
+  }
+}
+
+//------------------------------------------------------------------------------
+void CheckSize(const std::string& path, const OIIO::ImageSpec& spec, const std::string& format,
+  std::uintmax_t fileSize)
 {
   const std::string size = std::to_string(spec.width) + " x " + std::to_string(spec.height);
   if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.nchannels < 1)
@@ -66,13 +87,25 @@ void CheckSize(const std::string& path, const OIIO::ImageSpec& spec, std::uintma
   {
     throw FileError(path + ": image type: found deep samples, expected one value per texel");
   }
+  if (spec.tile_width > 0 &&
+      std::uint64_t(spec.tile_width) * std::uint64_t(std::max(spec.tile_height, 1)) > BlockTexels)
+  {
+    throw FileError(path + ": tile size: found " + std::to_string(spec.tile_width) + " x " +
+                    std::to_string(spec.tile_height) + ", expected at most " +
+                    std::to_string(BlockTexels) + " texels");
+  }
   const std::uint64_t texels = std::uint64_t(spec.width) * std::uint64_t(spec.height);
   if (texels > MaximumTexels)
   {
     throw FileError(path + ": image size: found " + size + ", expected at most " +
                     std::to_string(MaximumTexels) + " texels");
   }
-  if (texels > FreeTexels && (texels - FreeTexels) / MaximumTexelsPerByte > fileSize)
+  if (spec.width > MaximumSide || spec.height > MaximumSide)
+  {
+    throw FileError(path + ": image size: found " + size + ", expected sides of at most " +
+                    std::to_string(MaximumSide));
+  }
+  if (texels > BlockTexels && (texels - BlockTexels) / GetMaximumTexelsPerByte(format) > fileSize)
   {
     throw FileError(path + ": image size: found " + size + ", more than a file of " +
                     std::to_string(fileSize) + " bytes can hold");
@@ -80,9 +113,49 @@ void CheckSize(const std::string& path, const OIIO::ImageSpec& spec, std::uintma
 }
 
 //------------------------------------------------------------------------------
+// Channels 0 to channels - 1 as the first of RGB, top row first.
+std::vector<float> ReadPixels(
+  const std::string& path, OIIO::ImageInput& input, const OIIO::ImageSpec& spec, int channels)
+{
+  const bool tiled = spec.tile_width > 0;
+  const std::size_t row = std::size_t(spec.width) * 3;
+  const std::size_t total = row * spec.height;
+  int rows = static_cast<int>(std::max<std::uint64_t>(16, BlockTexels / spec.width));
+  if (tiled)
+  {
+    rows = (rows + spec.tile_height - 1) / spec.tile_height * spec.tile_height;
+  }
+  std::vector<float> pixels;
+  for (int y = 0; y < spec.height; y += rows)
+  {
+    const int end = std::min(y + rows, spec.height);
+    pixels.reserve(std::min(total, std::max(2 * pixels.size(), row * end)));
+    pixels.resize(row * end);
+    float* block = &pixels[row * y];
+    const OIIO::stride_t texel = 3 * sizeof(float);
+    const bool read =
+      tiled ? input.read_tiles(0, 0, spec.x, spec.x + spec.width, spec.y + y, spec.y + end, spec.z,
+                spec.z + 1, 0, channels, OIIO::TypeDesc::FLOAT, block, texel, row * sizeof(float))
+            : input.read_scanlines(0, 0, spec.y + y, spec.y + end, spec.z, 0, channels,
+                OIIO::TypeDesc::FLOAT, block, texel, row * sizeof(float));
+    if (!read)
+    {
+      const std::string reason = input.geterror();
+      throw FileError(
+        path + ": image pixels: " +
+        (reason.empty() ? "rows " + std::to_string(y) + " to " + std::to_string(end - 1) +
+                            " could not be read; the file may be cut short"
+                        : reason));
+    }
+  }
+  return pixels;
+}
+
+//------------------------------------------------------------------------------
 Image ReadImage(const std::string& path)
 {
   const std::uintmax_t fileSize = measuredbrdf::CheckFile(path);
+  CheckAttributes(path);
   OIIO::ImageSpec config;
   config.attribute("oiio:UnassociatedAlpha", 1); // alpha is dropped, so it must not darken
   auto input = OIIO::ImageInput::open(path, &config);
@@ -91,19 +164,14 @@ Image ReadImage(const std::string& path)
     throw FileError(path + ": image header: " + OIIO::geterror());
   }
   const OIIO::ImageSpec spec = input->spec(); // sub-image 0
-  CheckSize(path, spec, fileSize);
+  CheckSize(path, spec, input->format_name(), fileSize);
 
   Image image;
   image.Width = spec.width;
   image.Height = spec.height;
   const std::size_t row = std::size_t(spec.width) * 3;
-  image.Pixels.resize(row * spec.height);
   const int channels = spec.nchannels >= 3 ? 3 : 1;
-  if (!input->read_image(0, 0, 0, channels, OIIO::TypeDesc::FLOAT, image.Pixels.data(),
-        3 * sizeof(float), row * sizeof(float)))
-  {
-    throw FileError(path + ": image pixels: " + input->geterror());
-  }
+  image.Pixels = ReadPixels(path, *input, spec, channels);
   input->close();
 
   std::vector<float>& pixels = image.Pixels;

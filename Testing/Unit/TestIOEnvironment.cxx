@@ -261,6 +261,105 @@ TEST(IOEnvironment, RefusesSizesThatLie)
 }
 
 //------------------------------------------------------------------------------
+// Headers whose size passes for the file's length, over data that end early.
+TEST(IOEnvironment, MemoryFollowsTheData)
+{
+  const Folder folder;
+  const double before = GetPeakMemory();
+  const std::string noise(70000, '\x02');
+  WriteBytes(folder("lie.hdr"), "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1400 +X 1400\n" + noise);
+  ExpectImageRefused(folder, folder("lie.hdr"), { "image pixels: " });
+  WriteBytes(folder("lie.pfm"), "PF\n1200 1200\n-1.0\n" + noise);
+  ExpectImageRefused(folder, folder("lie.pfm"), { "image pixels: " });
+  vtkNew<vtkEnvironmentReader> reader;
+  vtkNew<ErrorCounter> errors;
+  reader->AddObserver(vtkCommand::ErrorEvent, errors);
+  reader->SetFileName(folder("lie.pfm"));
+  EXPECT_FALSE(reader->Read());
+  EXPECT_NE(reader->GetErrorMessage().substr(reader->GetErrorMessage().size() - 2), ": ");
+
+  WriteImage(
+    folder("small.png"), 64, 64, 3, std::vector<float>(64 * 64 * 3, 0.5f), OIIO::TypeDesc::UINT8);
+  std::string png = ReadBytes(folder("small.png"));
+  // IHDR: width and height, big-endian, at 16; its check sum at 29.
+  const std::string header("IHDR\0\0\x1f\x40\0\0\x1f\x40", 12); // 8000 x 8000
+  png.replace(12, header.size(), header);
+  std::uint32_t sum = 0xffffffffu; // CRC-32, ISO 3309
+  for (std::size_t k = 12; k < 29; ++k)
+  {
+    sum ^= std::uint8_t(png[k]);
+    for (int bit = 0; bit < 8; ++bit)
+    {
+      sum = (sum >> 1) ^ ((sum & 1) ? 0xedb88320u : 0u);
+    }
+  }
+  for (int byte = 0; byte < 4; ++byte)
+  {
+    png[29 + byte] = char(~sum >> (24 - 8 * byte));
+  }
+  WriteBytes(folder("lie.png"), png + noise);
+  ExpectImageRefused(folder, folder("lie.png"), { "image pixels: " });
+  // Read whole, that one alone would take 768 MB.
+  EXPECT_LT(GetPeakMemory() - before, 3e8);
+
+  // Beyond what the formats can hold: refused by the header.
+  for (const std::string size : { "16000 16000", "8000 8000" })
+  {
+    WriteBytes(folder("lie.pfm"), "PF\n" + size + "\n-1.0\n" + noise);
+    ExpectImageRefused(folder, folder("lie.pfm"), { "image size: ", "more than a file of 70" });
+  }
+  WriteBytes(folder("wide.hdr"), "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 65537\n" + noise);
+  ExpectImageRefused(folder, folder("wide.hdr"), { "image size: ", "at most 65536" });
+
+  WriteImage(folder("good.exr"), 2, 1, 3, std::vector<float>(6, 1.0f));
+  std::string exr = ReadBytes(folder("good.exr"));
+  const std::string name("compression\0compression\0", 24);
+  ASSERT_NE(exr.find(name), std::string::npos);
+  Overwrite(exr, exr.find(name) + name.size(), std::uint32_t(0x7fffffff));
+  WriteBytes(folder("lie.exr"), exr);
+  ExpectImageRefused(
+    folder, folder("lie.exr"), { "attribute 'compression' at byte ", "2147483647" });
+}
+
+//------------------------------------------------------------------------------
+// More than one block; scanlines and tiles that do not divide the size.
+TEST(IOEnvironment, ReadsInBlocks)
+{
+  const Folder folder;
+  const int width = 1500;
+  const int height = 1501;
+  std::vector<float> pixels(std::size_t(width) * height * 3);
+  for (std::size_t k = 0; k < pixels.size(); ++k)
+  {
+    pixels[k] = float(k % 65521);
+  }
+  for (const int tile : { 0, 64 })
+  {
+    SCOPED_TRACE(tile);
+    auto out = OIIO::ImageOutput::create(folder("a.exr"));
+    OIIO::ImageSpec spec(width, height, 3, OIIO::TypeDesc::FLOAT);
+    spec.tile_width = spec.tile_height = tile;
+    spec.x = 5; // the data window's corner
+    spec.y = -7;
+    spec.attribute("compression", "none");
+    ASSERT_TRUE(out->open(folder("a.exr"), spec)) << out->geterror();
+    ASSERT_TRUE(out->write_image(OIIO::TypeDesc::FLOAT, pixels.data())) << out->geterror();
+    out->close();
+    const auto environment = ReadEnvironment(folder("a.exr"));
+    ASSERT_TRUE(environment);
+    const std::vector<float>& found = environment->GetPixels();
+    ASSERT_EQ(found.size(), pixels.size());
+    const std::ptrdiff_t row = 3 * width;
+    for (int y = 0; y < height; ++y)
+    {
+      ASSERT_TRUE(std::equal(found.begin() + y * row, found.begin() + (y + 1) * row,
+        pixels.begin() + (height - 1 - y) * row))
+        << "row " << y;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 TEST(IOEnvironment, ReadsMeasuredSkies)
 {
   const std::filesystem::path environments =
