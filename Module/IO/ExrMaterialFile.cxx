@@ -315,8 +315,48 @@ void CountValues(const MaterialArchive& archive, MaterialFile& result)
 }
 
 //------------------------------------------------------------------------------
+// Attributes are (name, type, size, value), a header ends with an empty name, the headers of a file
+// of several parts with an empty header. OpenEXR allocates whatever size an attribute claims, so
+// the claims are held against the file first.
+void CheckAttributeSizes(const FileBytes& file)
+{
+  ByteReader reader(file, ExrFormat);
+  reader.Take(4, "magic number");
+  constexpr std::uint32_t multiPart = 0x1000;
+  const bool severalParts = (reader.Read<std::uint32_t>("version field") & multiPart) != 0;
+  const auto text = [&reader](const std::string& field)
+  {
+    std::string characters;
+    while (const char c = *reader.Take(1, field))
+    {
+      characters += c;
+    }
+    return characters;
+  };
+  bool first = true; // of its header
+  while (true)
+  {
+    const std::string name = text("attribute name");
+    if (name.empty())
+    {
+      if (first || !severalParts)
+      {
+        return;
+      }
+      first = true;
+      continue;
+    }
+    first = false;
+    text("type of attribute '" + name + "'");
+    const std::uint32_t size = reader.Read<std::uint32_t>("size of attribute '" + name + "'");
+    reader.Take(size, "attribute '" + name + "'");
+  }
+}
+
+//------------------------------------------------------------------------------
 MaterialFile ReadExrMaterial(const FileBytes& file)
 {
+  CheckAttributeSizes(file);
   const std::string place = file.GetPath() + ": " + ExrFormat + ", ";
   try
   {

@@ -233,6 +233,10 @@ public:
     if (call.Model == "Aggregate")
     {
       this->CheckAttributes(call, {}, true);
+      if (call.Terms.empty())
+      {
+        this->Complain(call, "holds no model");
+      }
       for (const FitCall& term : call.Terms)
       {
         this->AddTerms(term, sum);

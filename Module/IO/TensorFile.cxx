@@ -162,10 +162,14 @@ MaterialFile ReadTensor(const FileBytes& file)
   tables.Rgb = GetTable(reader, fields, "rgb", 5);
 
   const auto jacobian = fields.find("jacobian");
-  if (jacobian != fields.end() && (jacobian->second.Type != UInt8 || jacobian->second.Bytes != 1 ||
-                                    *jacobian->second.Data != 1))
+  if (jacobian != fields.end())
   {
-    reader.Fail("field 'jacobian'", "expected one byte of value 1");
+    if (jacobian->second.Type != UInt8 || jacobian->second.Bytes != 1 ||
+        static_cast<unsigned char>(*jacobian->second.Data) > 1)
+    {
+      reader.Fail("field 'jacobian'", "expected one byte of value 0 or 1");
+    }
+    tables.Jacobian = *jacobian->second.Data == 1;
   }
 
   MaterialFile result;
@@ -177,7 +181,10 @@ MaterialFile ReadTensor(const FileBytes& file)
   const std::string problem = material->SetTables(std::move(tables));
   if (!problem.empty())
   {
-    reader.Fail("tables", problem);
+    // The problem begins with the field's name.
+    const std::size_t colon = problem.find(':');
+    reader.Fail(
+      Quote(problem.substr(0, colon)), problem.substr(std::min(colon + 2, problem.size())));
   }
 
   std::string description;

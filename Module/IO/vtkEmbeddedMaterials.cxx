@@ -95,3 +95,10 @@ vtkBRDF* vtkEmbeddedMaterials::NewBRDF(const std::string& name)
   brdf->Register(nullptr); // the caller's
   return brdf;
 }
+
+//------------------------------------------------------------------------------
+void vtkEmbeddedMaterials::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfMaterials: " << GetNumberOfMaterials() << "\n";
+}

@@ -25,10 +25,11 @@ class VTKMEASUREDBRDF_EXPORT vtkEmbeddedMaterials : public vtkObject
 public:
   static vtkEmbeddedMaterials* New();
   vtkTypeMacro(vtkEmbeddedMaterials, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
   /**
-   * The materials by index: a name for the command line ("teal-paint"), a kind ("fabric"), and the
+   * The materials by index: a name for the command line ("gold-paint"), a kind ("fabric"), and the
    * source (paper, model, MERL's name of the sample).
    */
   static int GetNumberOfMaterials();

@@ -3,6 +3,7 @@
 #include "vtkEnvironmentReader.h"
 
 #include "FileBytes.h"
+#include "SRGB.h"
 #include "vtkObjectFactory.h"
 
 #include <OpenImageIO/imageio.h>
@@ -21,15 +22,11 @@ using measuredbrdf::FileError;
 constexpr std::uint64_t MaximumTexels = std::uint64_t(1) << 28;
 
 // A header that promises more texels than this per byte of its file (beyond a first million) lies:
-// no image format shrinks real images that far.
-constexpr std::uint64_t MaximumTexelsPerByte = 4096;
+// no image format shrinks real images that far. What is promised is not allocated but what arrives:
+// the image is read in blocks of rows.
+constexpr std::uint64_t MaximumTexelsPerByte = 1024;
+constexpr int RowsPerBlock = 64;
 constexpr std::uint64_t FreeTexels = std::uint64_t(1) << 20;
-
-//------------------------------------------------------------------------------
-double DecodeSRGB(double value) // IEC 61966-2-1
-{
-  return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
-}
 
 //------------------------------------------------------------------------------
 bool IsFloatingPoint(const OIIO::TypeDesc& type)
@@ -85,6 +82,37 @@ void CheckSize(const std::string& path, const OIIO::ImageSpec& spec, std::uintma
 }
 
 //------------------------------------------------------------------------------
+// RGB rows from the top; memory grows with what the file really holds.
+std::vector<float> ReadRows(
+  const std::string& path, OIIO::ImageInput& input, const OIIO::ImageSpec& spec, int channels)
+{
+  const std::size_t row = std::size_t(spec.width) * 3;
+  const bool tiled = spec.tile_width > 0 && spec.tile_height > 0;
+  const int step = tiled ? spec.tile_height : RowsPerBlock;
+  std::vector<float> pixels;
+  for (int y = 0; y < spec.height; y += step)
+  {
+    const int end = std::min(y + step, spec.height);
+    pixels.resize(row * end);
+    float* block = pixels.data() + row * y;
+    const OIIO::stride_t texel = 3 * sizeof(float);
+    const bool good =
+      tiled ? input.read_tiles(0, 0, spec.x, spec.x + spec.width, spec.y + y, spec.y + end, spec.z,
+                spec.z + 1, 0, channels, OIIO::TypeDesc::FLOAT, block, texel, row * sizeof(float))
+            : input.read_scanlines(0, 0, spec.y + y, spec.y + end, spec.z, 0, channels,
+                OIIO::TypeDesc::FLOAT, block, texel, row * sizeof(float));
+    if (!good)
+    {
+      const std::string reason = input.geterror();
+      throw FileError(path + ": image pixels, rows " + std::to_string(y) + " to " +
+                      std::to_string(end - 1) + ": " +
+                      (reason.empty() ? "the file ends before they do" : reason));
+    }
+  }
+  return pixels;
+}
+
+//------------------------------------------------------------------------------
 Image ReadImage(const std::string& path)
 {
   const std::uintmax_t fileSize = measuredbrdf::CheckFile(path);
@@ -102,20 +130,15 @@ Image ReadImage(const std::string& path)
   image.Width = spec.width;
   image.Height = spec.height;
   const std::size_t row = std::size_t(spec.width) * 3;
-  image.Pixels.resize(row * spec.height);
   const int channels = spec.nchannels >= 3 ? 3 : 1;
-  if (!input->read_image(0, 0, 0, channels, OIIO::TypeDesc::FLOAT, image.Pixels.data(),
-        3 * sizeof(float), row * sizeof(float)))
-  {
-    throw FileError(path + ": image pixels: " + input->geterror());
-  }
+  image.Pixels = ReadRows(path, *input, spec, channels);
   input->close();
 
   std::vector<float>& pixels = image.Pixels;
   if (!IsFloatingPoint(spec.format) && !SaysLinear(spec))
   {
     std::transform(pixels.begin(), pixels.end(), pixels.begin(),
-      [](float value) { return static_cast<float>(DecodeSRGB(value)); });
+      [](float value) { return static_cast<float>(measuredbrdf::DecodeSRGB(value)); });
     image.AddNote("Integer values were taken as sRGB-encoded and made linear.");
   }
   if (channels == 1)

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkEnvironment.h"
 
+#include "SRGB.h"
+
 #include "HalfVector.h" // for Pi
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"
@@ -20,12 +22,6 @@
 
 namespace
 {
-// sRGB-encoded value -> linear (IEC 61966-2-1).
-double DecodeSRGB(double x)
-{
-  return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
-}
-
 // Sky and ground meet over this much of d.y; a hard edge would alias.
 double SkyShare(double y)
 {
@@ -78,7 +74,7 @@ bool vtkEnvironment::SetImage(vtkImageData* image, bool sRGB)
     for (int c = 0; c < 3; ++c)
     {
       double value = scalars->GetComponent(k, components == 1 ? 0 : c) * scale;
-      value = sRGB && value > 0.0 ? DecodeSRGB(value) : value;
+      value = sRGB && value > 0.0 ? measuredbrdf::DecodeSRGB(value) : value;
       // Beyond float's range counts as infinite.
       const bool fits = std::abs(value) <= std::numeric_limits<float>::max();
       rgb[3 * static_cast<std::size_t>(k) + c] =

@@ -3,6 +3,8 @@
 // vtkEnvironmentReader.
 #include "TestIOHelpers.h"
 
+#include <sys/resource.h>
+
 #include "vtkEnvironment.h"
 #include "vtkEnvironmentReader.h"
 
@@ -289,4 +291,24 @@ TEST(IOEnvironment, ReadsMeasuredSkies)
   }
   EXPECT_EQ(files, 13);
   EXPECT_GT(negative, 0); // DWA compression leaves some
+}
+
+// A short file that promises 4096 x 8192 texels: refused when its rows end, without their memory.
+TEST(IOEnvironment, MemoryFollowsTheFile)
+{
+  const Folder folder;
+  const std::string path = folder("lies.hdr");
+  WriteBytes(
+    path, "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 4096 +X 8192\n" + std::string(200000, '\x02'));
+  rusage before{};
+  getrusage(RUSAGE_SELF, &before);
+  vtkNew<vtkEnvironmentReader> reader;
+  reader->SetFileName(path);
+  vtkObject::GlobalWarningDisplayOff();
+  EXPECT_FALSE(reader->Read());
+  vtkObject::GlobalWarningDisplayOn();
+  EXPECT_NE(reader->GetErrorMessage().find(path), std::string::npos) << reader->GetErrorMessage();
+  rusage after{};
+  getrusage(RUSAGE_SELF, &after);
+  EXPECT_LT(after.ru_maxrss - before.ru_maxrss, 100000); // kB; all texels would take 400 MB
 }

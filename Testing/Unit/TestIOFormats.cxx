@@ -296,8 +296,8 @@ TEST(IOTensor, RefusesBadFields)
   fields.push_back(good.back());
   ExpectBytesRefused(folder, MakeTensor(fields), { Tensor, "jacobian", "twice" });
   fields = good;
-  FieldOf(fields, "jacobian").Data[0] = 0;
-  ExpectBytesRefused(folder, MakeTensor(fields), { Tensor, "jacobian" });
+  FieldOf(fields, "jacobian").Data[0] = 2;
+  ExpectBytesRefused(folder, MakeTensor(fields), { Tensor, "jacobian", "0 or 1" });
   fields = good;
   FieldOf(fields, "rgb").Name = "spectra";
   ExpectBytesRefused(folder, MakeTensor(fields), { Tensor, "spectral", "_rgb.bsdf" });
