@@ -111,14 +111,14 @@ class ToolTest(unittest.TestCase):
 
 class Options(ToolTest):
     def test_help(self):
-        self.check(run("--help"), 0, "Usage", "gallery", "Exit status")
+        self.check(run("--help"), 0, "SUBCOMMAND", "gallery", "Exit status")
         commands = "list info evaluate integrate lights render gallery convert".split()
         for command in commands:
-            self.check(run(command, "--help"), 0, "Usage", "-h,--help")
+            self.check(run(command, "--help"), 0, "measured-brdf", "-h,--help")
         self.check(run("--version"), 0, "measured-brdf 0.")
 
     def test_usage_errors(self):
-        self.check(run(), 2, "Usage")
+        self.check(run(), 2, "SUBCOMMAND")
         self.check(run("paint"), 2)
         self.check(run("info"), 2, "FILE")
         self.check(run("info", "gold-paint", "--colour"), 2, "--colour")
