@@ -78,7 +78,7 @@ if [ "$environment" != sky ] && [ ! -f "$(absolute "$environment")" ]; then
 elif [ "$environment" != sky ]; then
   environment=$(absolute "$environment")
 fi
-echo "environment: $environment"
+echo "Drawing under $environment (about a minute without a graphics card) ..."
 
 display=()
 if [ -z "${DISPLAY:-}" ]; then

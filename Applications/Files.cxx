@@ -34,20 +34,28 @@ std::string Trim(std::string cell)
 }
 
 //------------------------------------------------------------------------------
+// Commas inside double quotes belong to the cell (RFC 4180).
 std::vector<std::string> Split(const std::string& line)
 {
-  std::vector<std::string> cells;
-  std::size_t begin = 0;
-  while (true)
+  std::vector<std::string> cells(1);
+  bool quoted = false;
+  for (const char c : line)
   {
-    const std::size_t end = line.find(',', begin);
-    cells.push_back(Trim(line.substr(begin, end - begin)));
-    if (end == std::string::npos)
+    quoted = quoted != (c == '"');
+    if (c == ',' && !quoted)
     {
-      return cells;
+      cells.emplace_back();
     }
-    begin = end + 1;
+    else
+    {
+      cells.back() += c;
+    }
   }
+  for (std::string& cell : cells)
+  {
+    cell = Trim(cell);
+  }
+  return cells;
 }
 
 //------------------------------------------------------------------------------
@@ -89,13 +97,18 @@ std::array<std::size_t, 6> FindColumns(
 
 //------------------------------------------------------------------------------
 tool::Pair ParsePair(const std::string& line, const tool::PairColumns& columns,
-  const std::array<std::size_t, 6>& places, const std::string& where)
+  const std::array<std::size_t, 6>& places, std::size_t width, const std::string& where)
 {
   const std::vector<std::string> cells = Split(line);
+  if (cells.size() != width)
+  {
+    throw tool::Error(where + ": found " + std::to_string(cells.size()) +
+                      " cells, expected as many as the header's " + std::to_string(width));
+  }
   tool::Pair pair{};
   for (std::size_t c = 0; c < columns.size(); ++c)
   {
-    if (places[c] >= cells.size() || cells[places[c]].empty())
+    if (cells[places[c]].empty())
     {
       throw tool::Error(where + ": no value for column '" + columns[c] + "'");
     }
@@ -145,6 +158,7 @@ std::vector<Pair> ReadPairs(const std::string& path, const PairColumns& columns)
 
   std::vector<Pair> pairs;
   std::array<std::size_t, 6> places{};
+  std::size_t width = 0;
   bool haveHeader = false;
   std::size_t number = 0;
   for (std::string line; std::getline(file, line);)
@@ -163,10 +177,12 @@ std::vector<Pair> ReadPairs(const std::string& path, const PairColumns& columns)
     if (!haveHeader)
     {
       places = FindColumns(line, columns, where);
+      width = Split(line).size();
+      width = Split(line).size();
       haveHeader = true;
       continue;
     }
-    pairs.push_back(ParsePair(line, columns, places, where));
+    pairs.push_back(ParsePair(line, columns, places, width, where));
   }
   if (file.bad())
   {

@@ -6,6 +6,7 @@
 #include "vtkAdaptiveWarpBRDF.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBRDFAnalysis.h"
+#include "vtkBRDFGPUForm.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkDistributionBRDF.h"
 #include "vtkLambertBRDF.h"
@@ -80,8 +81,22 @@ ordered_json Describe(vtkBRDF* brdf)
   {
     d["representation"] = "Ashikhmin-Shirley";
     d["specular"] = Triple(ashikhmin->GetSpecularScale());
-    d["reflectance"] = Triple(ashikhmin->GetReflectance());
-    d["diffuse"] = Triple(ashikhmin->GetDiffuse());
+    const double* diffuse = ashikhmin->GetDiffuse();
+    const bool coupled = diffuse[0] > 0.0 || diffuse[1] > 0.0 || diffuse[2] > 0.0;
+    const bool schlick = ashikhmin->GetFresnelModel() == vtkAshikhminShirleyBRDF::SCHLICK;
+    d["fresnel_model"] = schlick ? "Schlick" : "dielectric";
+    if (schlick || coupled)
+    {
+      d["reflectance"] = Triple(ashikhmin->GetReflectance());
+    }
+    if (!schlick)
+    {
+      d["index_of_refraction"] = ashikhmin->GetIndexOfRefraction();
+    }
+    if (coupled)
+    {
+      d["diffuse"] = Triple(diffuse);
+    }
     d["exponents"] = { ashikhmin->GetExponentU(), ashikhmin->GetExponentV() };
   }
   else if (auto* distribution = vtkDistributionBRDF::SafeDownCast(brdf))
@@ -129,9 +144,17 @@ ordered_json Inspect(const Options& options)
     double rgb[3];
     analysis->GetAlbedo(k, rgb);
     info["albedo"].push_back({ { "degrees", analysis->GetAngle(k) }, { "rgb", Triple(rgb) } });
+    analysis->GetReflectance(k, rgb);
+    info["reflectance_per_angle"].push_back(
+      { { "degrees", analysis->GetAngle(k) }, { "rgb", Triple(rgb) } });
   }
   info["largest_albedo"] = analysis->GetLargestAlbedo();
   info["gains_energy"] = analysis->GetGainsEnergy();
+  vtkBRDFGPUForm form;
+  brdf->GetGPUForm(form);
+  info["gpu_form"] = { { "description", form.Description },
+    { "texture_bytes", form.GetTextureBytes() }, { "resampling_error", form.ResamplingError },
+    { "quantization_error", form.QuantizationError } };
   info["notes"] = material.Notes;
   return info;
 }
@@ -187,6 +210,12 @@ std::string FormatRepresentation(const ordered_json& d, const std::string& inden
       text += Line(indent + key, ShortTriple(d[key]));
     }
   }
+  if (d.contains("fresnel_model"))
+  {
+    text += Line(indent + "Fresnel term",
+      d["fresnel_model"].get<std::string>() +
+        (d.contains("index_of_refraction") ? ", index " + Short(d["index_of_refraction"]) : ""));
+  }
   if (d.contains("exponent"))
   {
     text += Line(indent + "exponent", Short(d["exponent"]));
@@ -219,18 +248,25 @@ std::string FormatText(const ordered_json& info)
         ", B " + Short(info["range"]["minimum"][2]) + " to " + Short(info["range"]["maximum"][2])) +
     Line("reciprocity error",
       Short(info["reciprocity_error"]) + " relative (RMS " + Short(info["reciprocity_rms_error"]) +
-        ")" + (info["reciprocal_by_construction"] ? "; reciprocal by construction" : ""));
-  text += "\ndirectional albedo (share of the light given back)\n  angle      R       G       B\n";
-  for (const ordered_json& row : info["albedo"])
+        ")" + (info["reciprocal_by_construction"] ? "; reciprocal by construction" : "")) +
+    Line("GPU form", info["gpu_form"]["description"]);
+  text += "\n        directional albedo         reflectance\n"
+          "        (view at that angle)       (light from that angle)\n"
+          "  angle      R       G       B         R       G       B\n";
+  for (std::size_t k = 0; k < info["albedo"].size(); ++k)
   {
-    char line[80];
-    std::snprintf(line, sizeof(line), "  %4.0f  %7.4f %7.4f %7.4f\n", row["degrees"].get<double>(),
-      row["rgb"][0].get<double>(), row["rgb"][1].get<double>(), row["rgb"][2].get<double>());
+    const ordered_json& albedo = info["albedo"][k]["rgb"];
+    const ordered_json& reflectance = info["reflectance_per_angle"][k]["rgb"];
+    char line[120];
+    std::snprintf(line, sizeof(line), "  %4.0f  %7.4f %7.4f %7.4f   %7.4f %7.4f %7.4f\n",
+      info["albedo"][k]["degrees"].get<double>(), albedo[0].get<double>(), albedo[1].get<double>(),
+      albedo[2].get<double>(), reflectance[0].get<double>(), reflectance[1].get<double>(),
+      reflectance[2].get<double>());
     text += line;
   }
   if (info["gains_energy"])
   {
-    text += "  (above 1: this material gives back more light than it gets)\n";
+    text += "  (a reflectance above 1: this material gives back more light than it gets)\n";
   }
   const std::string notes = info["notes"];
   return text + (notes.empty() ? "" : "\nnotes: " + notes + "\n");

@@ -13,22 +13,30 @@
 #include "vtkGLTFReader.h"
 #include "vtkGenericDataObjectReader.h"
 #include "vtkGeometryFilter.h"
+#include "vtkIdList.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkOBJReader.h"
 #include "vtkPLYReader.h"
 #include "vtkPointData.h"
+#include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkPolyDataNormals.h"
 #include "vtkSTLReader.h"
 #include "vtkSphereSource.h"
 #include "vtkTriangleFilter.h"
+#include "vtkUnstructuredGrid.h"
 #include "vtkXMLPolyDataReader.h"
 
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <functional>
+#include <set>
+#include <sstream>
+#include <vector>
 
 namespace
 {
@@ -73,6 +81,159 @@ vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& path)
     return Read<vtkGLTFReader>(path);
   }
   throw tool::Error(path + ": is no mesh this tool reads (ply, stl, obj, vtp, vtk, gltf, glb)");
+}
+
+//------------------------------------------------------------------------------
+// VTK's PLY reader trusts its header: what it would crash on is refused first.
+void CheckPLYHeader(const std::string& path)
+{
+  std::error_code ignored;
+  const std::uintmax_t size = std::filesystem::file_size(path, ignored);
+  std::ifstream file(path, std::ios::binary);
+  std::string line;
+  std::string element;
+  std::set<std::string> coordinates;
+  const auto fail = [&path](const std::string& what)
+  { throw tool::Error(path + ": PLY header: " + what); };
+  const auto next = [&]()
+  {
+    line.clear();
+    for (char c; line.size() < 4096 && file.get(c) && c != '\n';)
+    {
+      line += c == '\r' ? ' ' : c;
+    }
+    return !line.empty() || file.good();
+  };
+  if (!next() || line.compare(0, 3, "ply") != 0)
+  {
+    fail("expected the word 'ply' first");
+  }
+  while (next() && line.compare(0, 10, "end_header") != 0)
+  {
+    std::istringstream words(line);
+    std::string word;
+    words >> word;
+    if (word == "element")
+    {
+      double count = -1.0;
+      words >> element >> count;
+      if (!(count >= 0.0) || count > static_cast<double>(size))
+      {
+        fail("element '" + element + "' has a count that a file of " + std::to_string(size) +
+             " bytes cannot hold");
+      }
+    }
+    else if (word == "property" && element == "vertex")
+    {
+      std::string type;
+      words >> type >> word;
+      coordinates.insert(word);
+    }
+  }
+  if (line.compare(0, 10, "end_header") != 0)
+  {
+    fail("'end_header' is missing");
+  }
+  for (const char* name : { "x", "y", "z" })
+  {
+    if (!coordinates.count(name))
+    {
+      fail(std::string("vertex property '") + name + "' is missing");
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// VTK's OBJ reader follows the indices of faces wherever they point.
+void CheckOBJIndices(const std::string& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  const char* const names[3] = { "v", "vt", "vn" };
+  long long counts[3] = { 0, 0, 0 };
+  std::vector<std::string> faces;
+  std::vector<int> places;
+  std::string line;
+  for (int number = 1; std::getline(file, line); ++number)
+  {
+    std::istringstream words(line);
+    std::string word;
+    words >> word;
+    for (int k = 0; k < 3; ++k)
+    {
+      counts[k] += word == names[k];
+    }
+    if (word == "f" || word == "l" || word == "p")
+    {
+      while (words >> word && word[0] != '#')
+      {
+        faces.push_back(word);
+        places.push_back(number);
+      }
+    }
+  }
+  for (std::size_t f = 0; f < faces.size(); ++f)
+  {
+    std::istringstream parts(faces[f]);
+    std::string part;
+    for (int k = 0; k < 3 && std::getline(parts, part, '/'); ++k)
+    {
+      const long long index = part.empty() ? 1 : std::strtoll(part.c_str(), nullptr, 10);
+      if (!part.empty() && (index == 0 || std::llabs(index) > counts[k]))
+      {
+        throw tool::Error(path + ":" + std::to_string(places[f]) + ": index '" +
+                          part.substr(0, 20) + "' points to none of the " +
+                          std::to_string(counts[k]) + " '" + names[k] + "' lines");
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Filters follow cells to their points wherever these are.
+void CheckCells(const std::string& path, vtkDataObject* data)
+{
+  auto* mesh = vtkPointSet::SafeDownCast(data);
+  if (!mesh)
+  {
+    return;
+  }
+  const vtkIdType points = mesh->GetNumberOfPoints();
+  for (vtkIdType k = 0; k < points; ++k)
+  {
+    double p[3];
+    mesh->GetPoint(k, p);
+    if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
+    {
+      throw tool::Error(path + ": point " + std::to_string(k) + " is not finite");
+    }
+  }
+  const auto check = [&path, points](vtkCellArray* cells)
+  {
+    vtkNew<vtkIdList> ids;
+    for (vtkIdType k = 0; cells && k < cells->GetNumberOfCells(); ++k)
+    {
+      cells->GetCellAtId(k, ids);
+      for (vtkIdType n = 0; n < ids->GetNumberOfIds(); ++n)
+      {
+        if (ids->GetId(n) < 0 || ids->GetId(n) >= points)
+        {
+          throw tool::Error(path + ": a cell names point " + std::to_string(ids->GetId(n)) +
+                            ", but there are " + std::to_string(points) + " points");
+        }
+      }
+    }
+  };
+  if (auto* surface = vtkPolyData::SafeDownCast(data))
+  {
+    check(surface->GetVerts());
+    check(surface->GetLines());
+    check(surface->GetPolys());
+    check(surface->GetStrips());
+  }
+  else if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
+  {
+    check(grid->GetCells());
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -166,6 +327,14 @@ vtkSmartPointer<vtkPolyData> LoadMesh(const std::string& path)
   {
     throw Error(path + ": there is no such file");
   }
+  if (Extension(path) == ".ply")
+  {
+    CheckPLYHeader(path);
+  }
+  else if (Extension(path) == ".obj")
+  {
+    CheckOBJIndices(path);
+  }
   reader->Update();
   std::string errors = TakeErrorText();
   vtkDataObject* data = reader->GetOutputDataObject(0);
@@ -174,6 +343,7 @@ vtkSmartPointer<vtkPolyData> LoadMesh(const std::string& path)
     throw Error(path + ": can't be read: " + (errors.empty() ? "no data in it" : errors));
   }
 
+  CheckCells(path, data);
   vtkSmartPointer<vtkPolyData> surface = GetSurface(data);
   vtkNew<vtkTriangleFilter> triangles;
   triangles->SetInputData(surface);

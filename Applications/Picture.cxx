@@ -91,12 +91,6 @@ double EncodeSRGB(double linear)
 }
 
 //------------------------------------------------------------------------------
-double DecodeSRGB(double encoded)
-{
-  return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
-}
-
-//------------------------------------------------------------------------------
 Picture Downsample(const Picture& picture, int factor)
 {
   Picture result(picture.Width / factor, picture.Height / factor);

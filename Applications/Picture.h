@@ -54,7 +54,6 @@ double RollOff(double linear);
 ///@{
 /// Display encoding: sRGB, or the power 1/2.2 that VTK's own shaders use.
 double EncodeSRGB(double linear);
-double DecodeSRGB(double encoded);
 ///@}
 
 /// Mean of factor x factor blocks.

@@ -38,6 +38,11 @@ int main(int argc, char* argv[])
   CLI::App app("Measured materials (BRDFs): look into them, evaluate them, light them with an HDR\n"
                "environment, render and convert them.",
     "measured-brdf");
+#if CLI11_VERSION_MAJOR > 2 || CLI11_VERSION_MINOR >= 5
+  // From 2.5 on CLI11 fills paragraphs; these have their line breaks already.
+  app.get_formatter()->enable_description_formatting(false);
+  app.get_formatter()->enable_footer_formatting(false);
+#endif
   app.require_subcommand(1);
   app.set_version_flag("--version", "measured-brdf " MEASUREDBRDF_VERSION);
   app.footer("Start with:\n"

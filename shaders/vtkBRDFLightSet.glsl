@@ -6,15 +6,14 @@ uniform mat3 brdfEnvironmentRotation; // the environment's own rotation on top
 uniform sampler2D brdfLights;         // two texels a light: direction, irradiance
 uniform int brdfNumberOfLights;
 
-const int brdfLightsPerRow = 512;
-
 vec3 brdfSumLightSet(mat3 frameVC, vec3 o)
 {
   mat3 frame = brdfEnvironmentRotation * envMatrix * frameVC;
   vec3 sum = vec3(0.0);
+  int lightsPerRow = textureSize(brdfLights, 0).x / 2;
   for (int k = 0; k < brdfNumberOfLights; ++k)
   {
-    ivec2 texel = ivec2(2 * (k % brdfLightsPerRow), k / brdfLightsPerRow);
+    ivec2 texel = ivec2(2 * (k % lightsPerRow), k / lightsPerRow);
     vec3 i = texelFetch(brdfLights, texel, 0).xyz * frame;
     if (i.z > 0.0)
     {

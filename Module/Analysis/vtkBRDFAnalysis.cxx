@@ -26,15 +26,6 @@ void CopyRow(const std::vector<std::array<double, 3>>& table, int index, double 
     std::copy_n(table[static_cast<std::size_t>(index)].begin(), 3, rgb);
   }
 }
-
-// Cosine-weighted direction.
-void SampleCosine(double u1, double u2, double d[3])
-{
-  const double sine = std::sqrt(u1);
-  d[0] = sine * std::cos(2.0 * Pi * u2);
-  d[1] = sine * std::sin(2.0 * Pi * u2);
-  d[2] = std::sqrt(1.0 - u1);
-}
 } // namespace
 
 vtkStandardNewMacro(vtkBRDFAnalysis);

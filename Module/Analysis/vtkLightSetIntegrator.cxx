@@ -40,7 +40,8 @@ void vtkLightSetIntegrator::IntegratePart(
   int vtkNotUsed(part), const double n[3], const double o[3], const double t[3], double radiance[3])
 {
   const measuredbrdf::Frame frame = measuredbrdf::FrameAbout(glm::make_vec3(n), glm::make_vec3(t));
-  const glm::dvec3 view = measuredbrdf::ToLocal(frame, glm::make_vec3(o));
+  // As the shader does, so that both agree at silhouettes.
+  const glm::dvec3 view = measuredbrdf::LiftView(measuredbrdf::ToLocal(frame, glm::make_vec3(o)));
   for (int k = 0; k < this->LightSet->GetNumberOfLights(); ++k)
   {
     glm::dvec3 direction;

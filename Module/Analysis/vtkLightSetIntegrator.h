@@ -5,7 +5,8 @@
  * @brief   the thesis's light loop: the sum over a light set (CPU twin of the mapper's shader)
  *
  * L_o = sum_j f(i_j,o) cos(theta_j) E_j (thesis 2.3.2). The light set lives in the environment's
- * frame; an environment is only needed for its rotation and may be missing.
+ * frame; an environment is only needed for its rotation and may be missing. Views closer to the
+ * horizon than 1.1 degrees are taken there, as the shader takes them.
  */
 
 #ifndef vtkLightSetIntegrator_h

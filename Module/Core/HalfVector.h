@@ -35,6 +35,9 @@ inline double LogCosineRatio(double s)
   return s > 1e-12 ? std::log1p(-s) / s : -1.0;
 }
 
+/// cos^n theta from s = sin^2 theta.
+inline double PowerCosine(double n, double s) { return std::exp(0.5 * n * s * LogCosineRatio(s)); }
+
 /// Schlick 1994: F0 + (1-F0)(1-c)^5.
 inline double SchlickFresnel(double f0, double c)
 {
@@ -57,6 +60,15 @@ inline double DielectricFresnel(double eta, double c)
 inline glm::dvec3 ReflectAbout(const glm::dvec3& o, const glm::dvec3& h)
 {
   return 2.0 * glm::dot(o, h) * h - o;
+}
+
+/// Cosine-weighted direction about the normal from two uniform numbers; density cos(theta)/pi.
+inline void SampleCosine(double u1, double u2, double d[3])
+{
+  const double r = std::sqrt(u1);
+  d[0] = r * std::cos(2.0 * Pi * u2);
+  d[1] = r * std::sin(2.0 * Pi * u2);
+  d[2] = std::sqrt(std::max(1.0 - u1, 0.0));
 }
 
 /// Rusinkiewicz 1998: angles of h and of i seen from h. theta_h, theta_d in [0,pi/2], phi_d in

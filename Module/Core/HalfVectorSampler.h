@@ -52,8 +52,7 @@ public:
     if (u1 >= this->LobeShare)
     {
       u1 = (u1 - this->LobeShare) / (1.0 - this->LobeShare);
-      const double r = std::sqrt(u1);
-      i = glm::dvec3(r * std::cos(2.0 * Pi * u2), r * std::sin(2.0 * Pi * u2), std::sqrt(1.0 - u1));
+      SampleCosine(u1, u2, &i.x);
       return i.z > 0.0;
     }
     std::size_t t = 0, p = 0;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The local frame of a shading point, its one C++ form (GLSL twin: shaders/vtkBRDFFrame.glsl).
+ * The local frame of a shading point, its one C++ form (GLSL twin: shaders/vtkBRDFCommon.glsl).
  */
 
 #ifndef LocalFrame_h
@@ -48,12 +48,10 @@ inline glm::dvec3 ToLocal(const Frame& frame, const glm::dvec3& d)
   return glm::dvec3(glm::dot(frame[0], d), glm::dot(frame[1], d), glm::dot(frame[2], d));
 }
 
-inline glm::dvec3 ToWorld(const Frame& frame, const glm::dvec3& d) { return frame * d; }
-
 /**
  * Interpolated normals can turn away from the viewer at silhouettes; there the view is shaded as if
- * at this cosine (1.1 degrees above the horizon). Measured f grows as 1/cos towards the horizon, where
- * no instrument looks: much smaller values draw white rims.
+ * at this cosine (1.1 degrees above the horizon). Measured f grows as 1/cos towards the horizon,
+ * where no instrument looks: much smaller values draw white rims.
  */
 constexpr double MinimumViewCosine = 0.02;
 

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkEnvironment.h"
 
-#include "HalfVector.h" // for Pi
 #include "SRGB.h"
+
+#include "HalfVector.h" // for Pi
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -29,7 +30,6 @@ double SkyShare(double y)
 }
 } // namespace
 
-using measuredbrdf::DecodeSRGB;
 using measuredbrdf::Pi;
 
 vtkStandardNewMacro(vtkEnvironment);
@@ -74,7 +74,7 @@ bool vtkEnvironment::SetImage(vtkImageData* image, bool sRGB)
     for (int c = 0; c < 3; ++c)
     {
       double value = scalars->GetComponent(k, components == 1 ? 0 : c) * scale;
-      value = sRGB && value > 0.0 ? DecodeSRGB(value) : value;
+      value = sRGB && value > 0.0 ? measuredbrdf::DecodeSRGB(value) : value;
       // Beyond float's range counts as infinite.
       const bool fits = std::abs(value) <= std::numeric_limits<float>::max();
       rgb[3 * static_cast<std::size_t>(k) + c] =

@@ -76,7 +76,7 @@ void vtkLightSet::GetIrradiance(int index, double irradiance[3])
 }
 
 //------------------------------------------------------------------------------
-double vtkLightSet::GetSolidAngle(int index) { return this->Lights[index].SolidAngle; }
+double vtkLightSet::GetSolidAngle(int index) { return this->GetLight(index).SolidAngle; }
 
 //------------------------------------------------------------------------------
 void vtkLightSet::GetTotal(double rgb[3])

@@ -34,8 +34,6 @@ double Elevation(const glm::dvec3& d)
   return 2.0 * std::asin(std::min(0.5 * std::hypot(d.x, d.y, d.z - 1.0), 1.0));
 }
 
-double ThetaToUnit(double theta) { return std::sqrt(theta * (2.0 / Pi)); }
-
 double PhiToUnit(double phi) { return (phi + Pi) / (2.0 * Pi); }
 
 // A pair in the tables' coordinates.
@@ -56,8 +54,8 @@ Coordinates ToCoordinates(const glm::dvec3& incident, const glm::dvec3& outgoing
   const double phiH = std::atan2(c.H.y, c.H.x);
   c.Incident[0] = phi;
   c.Incident[1] = theta;
-  c.UnitIncident = glm::dvec2(ThetaToUnit(theta), PhiToUnit(phi));
-  c.UnitHalf = glm::dvec2(ThetaToUnit(Elevation(c.H)), PhiToUnit(isotropic ? phiH - phi : phiH));
+  c.UnitIncident = glm::dvec2(ThetaHToUnit(theta), PhiToUnit(phi));
+  c.UnitHalf = glm::dvec2(ThetaHToUnit(Elevation(c.H)), PhiToUnit(isotropic ? phiH - phi : phiH));
   c.UnitHalf.y -= std::floor(c.UnitHalf.y);
   return c;
 }
@@ -210,6 +208,7 @@ std::string vtkAdaptiveWarpBRDF::SetTables(Tables tables)
   }
   this->Data = std::move(tables);
   this->Warp = std::move(warps);
+  this->Resampled = nullptr;
   this->Modified();
   return "";
 }
@@ -313,7 +312,7 @@ void vtkAdaptiveWarpBRDF::GetBounds(double minimumCosine, double lower[3], doubl
 //------------------------------------------------------------------------------
 vtkBRDF* vtkAdaptiveWarpBRDF::GetRenderable()
 {
-  if (!this->Resampled || this->ResampleTime < this->GetMTime())
+  if (!this->Resampled || this->ResampledTolerance != this->ResamplingTolerance)
   {
     vtkNew<vtkBRDFResampler> resampler;
     resampler->SetInput(this);
@@ -333,7 +332,7 @@ vtkBRDF* vtkAdaptiveWarpBRDF::GetRenderable()
     this->Resampled->SetResamplingTolerance(this->ResamplingTolerance);
     this->Resampled->SetName(this->Name);
     this->Resampled->SetSource(this->Source);
-    this->ResampleTime.Modified();
+    this->ResampledTolerance = this->ResamplingTolerance;
   }
   return this->Resampled;
 }

@@ -90,7 +90,7 @@ private:
   struct Warps;
   std::unique_ptr<Warps> Warp;
   vtkSmartPointer<vtkTabulatedBRDF> Resampled;
-  vtkTimeStamp ResampleTime;
+  double ResampledTolerance = 0.0; // what Resampled was made for
 };
 
 #endif

@@ -79,10 +79,7 @@ double vtkBRDF::Pdf(const double i[3], const double o[3])
 //------------------------------------------------------------------------------
 bool vtkBRDF::SampleAbove(const double vtkNotUsed(o)[3], double u1, double u2, double i[3])
 {
-  const double r = std::sqrt(u1);
-  i[0] = r * std::cos(2.0 * Pi * u2);
-  i[1] = r * std::sin(2.0 * Pi * u2);
-  i[2] = std::sqrt(std::max(1.0 - u1, 0.0));
+  SampleCosine(u1, u2, i);
   return i[2] > 0.0;
 }
 

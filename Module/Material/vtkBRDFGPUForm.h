@@ -27,8 +27,9 @@ struct vtkBRDFGPUForm
 
   struct Texture
   {
-    std::string Name;                                     // sampler, without INSTANCE
-    std::array<int, 3> Dimensions = { 1, 1, 1 };          // depth 1: a 2D texture
+    std::string Name; // sampler, without INSTANCE
+    std::array<int, 3> Dimensions = { 1, 1, 1 };
+    bool ThreeD = false;                                  // for a sampler3D, even of depth 1
     int Components = 3;                                   // 1, 3 or 4
     bool HalfFloat = false;                               // stored as 16-bit float on the GPU
     std::array<bool, 3> Repeat = { false, false, false }; // else clamp to edge
@@ -47,8 +48,8 @@ struct vtkBRDFGPUForm
 
   /// Relative L2 error (both cosines as weights) by resampling; 0 where nothing was resampled.
   double ResamplingError = 0.0;
-  /// Largest relative error of a stored value by texture precision (2^-11 for 16-bit); 0 without
-  /// textures.
+  /// Largest relative error of a stored value by texture precision: 2^-11 for 16-bit floats, 2^-23
+  /// for 32-bit; 0 without textures.
   double QuantizationError = 0.0;
   /// One line for people: sizes, precision, why.
   std::string Description;

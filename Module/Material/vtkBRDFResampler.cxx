@@ -3,6 +3,7 @@
 #include "vtkBRDFResampler.h"
 
 #include "HalfVector.h"
+#include "LocalFrame.h"
 #include "LowDiscrepancy.h"
 #include "vtkCommand.h"
 #include "vtkObjectFactory.h"
@@ -19,6 +20,9 @@ vtkStandardNewMacro(vtkBRDFResampler);
 
 namespace
 {
+constexpr int ChoosingProbes = 1 << 14;
+constexpr int ReportingProbes = 1 << 17;
+
 // Pairs of directions to compare two BRDFs at, with their weights and the reference's values.
 struct Probe
 {
@@ -26,36 +30,44 @@ struct Probe
   double Weight; // c_i c_o over the density of the draw
 };
 
-// o cosine-weighted; i half by the reference's own sampler (sharp lobes are met), half
-// cosine-weighted (nothing is missed); balance heuristic.
-std::vector<Probe> MakeProbes(vtkBRDF* reference, int count)
+// Pairs number first + 1 ... first + count of a fixed sequence. The view's cosine: half in
+// proportion to itself, half to its reciprocal, because f grows towards the horizon and errors sit
+// there. i: half by the reference's own sampler (sharp lobes are met), half cosine-weighted
+// (nothing is missed). Weights by the balance heuristic (Veach, Guibas 1995).
+std::vector<Probe> MakeProbes(vtkBRDF* reference, int first, int count)
 {
   reference->Prepare();
   std::vector<Probe> probes;
   probes.reserve(static_cast<std::size_t>(count));
+  constexpr double least = MinimumViewCosine;
+  const double logRange = std::log(1.0 / least);
   for (int k = 0; k < count; ++k)
   {
-    const std::uint32_t n = static_cast<std::uint32_t>(k) + 1;
-    const auto cosine = [](double u1, double u2, double d[3])
-    {
-      const double r = std::sqrt(u1);
-      d[0] = r * std::cos(2.0 * Pi * u2);
-      d[1] = r * std::sin(2.0 * Pi * u2);
-      d[2] = std::sqrt(1.0 - u1);
-    };
+    const std::uint32_t n = static_cast<std::uint32_t>(first + k) + 1;
+    const double u = RadicalInverse(n, 2);
+    const double z = RadicalInverse(n, 13) < 0.5
+                       ? std::sqrt(least * least + u * (1.0 - least * least))
+                       : least * std::exp(u * logRange);
+    const double viewDensity =
+      0.5 * (2.0 * z / (1.0 - least * least) + 1.0 / (z * logRange)) / (2.0 * Pi);
+    const double s = std::sqrt(std::max(1.0 - z * z, 0.0));
+    const double phi = 2.0 * Pi * RadicalInverse(n, 3);
     Probe probe;
-    cosine(RadicalInverse(n, 2), RadicalInverse(n, 3), probe.O);
+    probe.O[0] = s * std::cos(phi);
+    probe.O[1] = s * std::sin(phi);
+    probe.O[2] = z;
+
     const double u1 = RadicalInverse(n, 5), u2 = RadicalInverse(n, 7);
     if (RadicalInverse(n, 11) < 0.5)
     {
-      cosine(u1, u2, probe.I);
+      SampleCosine(u1, u2, probe.I);
     }
     else if (!reference->Sample(probe.O, u1, u2, probe.I))
     {
       continue;
     }
-    const double density = 0.5 * (reference->Pdf(probe.I, probe.O) + probe.I[2] / Pi);
-    probe.Weight = probe.I[2] / density;
+    const double density = 0.5 * (reference->Pdf(probe.I, probe.O) + probe.I[2] / Pi) * viewDensity;
+    probe.Weight = probe.I[2] * z / density;
     reference->Evaluate(probe.I, probe.O, probe.F);
     probes.push_back(probe);
   }
@@ -151,6 +163,7 @@ void vtkBRDFResampler::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "MaximumNumberOfCells: " << this->MaximumNumberOfCells << "\n";
   os << indent << "Reciprocal: " << (this->Reciprocal ? "On" : "Off") << "\n";
+  os << indent << "Output: " << this->Output.Get() << "\n";
 }
 
 //------------------------------------------------------------------------------
@@ -167,16 +180,20 @@ void vtkBRDFResampler::SetInput(vtkBRDF* input)
 vtkBRDF* vtkBRDFResampler::GetInput() { return this->Input; }
 
 //------------------------------------------------------------------------------
-void vtkBRDFResampler::ResampleTo(int nPhiD, int nThetaD, int nThetaH)
+bool vtkBRDFResampler::ResampleTo(int nPhiD, int nThetaD, int nThetaH)
 {
-  if (!this->Input)
-  {
-    vtkErrorMacro("ResampleTo: no input.");
-    return;
-  }
   const int dimensions[3] = { nPhiD, nThetaD, nThetaH };
+  if (!this->Input || *std::min_element(dimensions, dimensions + 3) < 1 ||
+      *std::max_element(dimensions, dimensions + 3) > 2048)
+  {
+    vtkErrorMacro("ResampleTo: expected an input and sizes in [1, 2048], got "
+                  << nPhiD << " x " << nThetaD << " x " << nThetaH << ".");
+    return false;
+  }
   Fill(this->Input, this->Reciprocal, dimensions, this->Output);
-  this->Output->SetResamplingError(Compare(MakeProbes(this->Input, 1 << 14), this->Output));
+  this->Output->SetResamplingError(
+    Compare(MakeProbes(this->Input, ChoosingProbes, ReportingProbes), this->Output));
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -187,7 +204,7 @@ bool vtkBRDFResampler::Resample()
     vtkErrorMacro("Resample: no input.");
     return false;
   }
-  const std::vector<Probe> probes = MakeProbes(this->Input, 1 << 13);
+  const std::vector<Probe> probes = MakeProbes(this->Input, 0, ChoosingProbes);
   double error = std::numeric_limits<double>::max();
   int best[3] = { 0, 0, 0 };
   // Keeps the table in Output if it is the best so far, or (trimming) any that meets the tolerance.
@@ -234,6 +251,8 @@ bool vtkBRDFResampler::Resample()
       trimmed = (size[axis] >= 8 && attempt(size, true)) || trimmed;
     }
   }
+  // The probes that chose the size flatter it: fresh ones report.
+  error = Compare(MakeProbes(this->Input, ChoosingProbes, ReportingProbes), this->Output);
   this->Output->SetResamplingError(error);
   return error <= this->Tolerance;
 }
@@ -241,5 +260,10 @@ bool vtkBRDFResampler::Resample()
 //------------------------------------------------------------------------------
 double vtkBRDFResampler::GetRelativeL2Error(vtkBRDF* a, vtkBRDF* b, int pairs, double* maximum)
 {
-  return Compare(MakeProbes(a, pairs), b, maximum);
+  if (!a || !b || pairs < 1)
+  {
+    vtkGenericWarningMacro("GetRelativeL2Error: expected two BRDFs and at least one pair.");
+    return 0.0;
+  }
+  return Compare(MakeProbes(a, ChoosingProbes, pairs), b, maximum);
 }

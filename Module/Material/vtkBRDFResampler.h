@@ -76,9 +76,10 @@ public:
   bool Resample();
 
   /**
-   * Resample to the given size (phi_d, theta_d, theta_h).
+   * Resample to the given size (phi_d, theta_d, theta_h), each in [1, 2048]. Returns false with an
+   * error event, output unchanged, without an input or with other sizes.
    */
-  void ResampleTo(int nPhiD, int nThetaD, int nThetaH);
+  bool ResampleTo(int nPhiD, int nThetaD, int nThetaH);
 
   /**
    * The result; its ResamplingError holds the measured error.
@@ -87,11 +88,13 @@ public:
 
   /**
    * Relative L2 distance of b from reference a, sqrt(sum |a-b|^2 / sum |a|^2), over the
-   * hemispheres of i and o weighted by both cosines, all channels; from `pairs` low-discrepancy
-   * pairs drawn half from a's own lobes. maximum, if not null: the largest absolute difference met.
+   * hemispheres of i and o weighted by both cosines, all channels, for views whose cosine is at
+   * least 0.02: nothing else is ever shaded (measured f grows as 1/cos, so that without this limit
+   * the distance of two measured materials can be infinite). From `pairs` low-discrepancy pairs,
+   * half of them from a's own lobes. maximum, if not null: the largest absolute difference met.
    */
   static double GetRelativeL2Error(
-    vtkBRDF* a, vtkBRDF* b, int pairs = 1 << 15, double* maximum = nullptr);
+    vtkBRDF* a, vtkBRDF* b, int pairs = 1 << 17, double* maximum = nullptr);
 
 protected:
   vtkBRDFResampler() = default;

@@ -26,8 +26,7 @@ void vtkBlinnPhongBRDF::EvaluateAbove(const double i[3], const double o[3], doub
 {
   const glm::dvec3 h = HalfVector(glm::make_vec3(i), glm::make_vec3(o));
   const double s = h.x * h.x + h.y * h.y;
-  const double lobe =
-    (this->Exponent + 2.0) / (2.0 * Pi) * std::exp(0.5 * this->Exponent * s * LogCosineRatio(s));
+  const double lobe = (this->Exponent + 2.0) / (2.0 * Pi) * PowerCosine(this->Exponent, s);
   for (int c = 0; c < 3; ++c)
   {
     f[c] = this->Specular[c] * lobe;
@@ -52,8 +51,8 @@ double vtkBlinnPhongBRDF::PdfAbove(const double i[3], const double o[3])
   const glm::dvec3 view = glm::make_vec3(o);
   const glm::dvec3 h = HalfVector(glm::make_vec3(i), view);
   const double s = h.x * h.x + h.y * h.y;
-  return (this->Exponent + 1.0) / (2.0 * Pi) *
-         std::exp(0.5 * this->Exponent * s * LogCosineRatio(s)) / (4.0 * glm::dot(view, h));
+  return (this->Exponent + 1.0) / (2.0 * Pi) * PowerCosine(this->Exponent, s) /
+         (4.0 * glm::dot(view, h));
 }
 
 //------------------------------------------------------------------------------

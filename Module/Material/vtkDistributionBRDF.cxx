@@ -106,8 +106,7 @@ void vtkDistributionBRDF::SetBlinnDistribution(double exponent)
   for (int k = 0; k < n; ++k)
   {
     const double s = std::sin(UnitToThetaH((k + 0.5) / n));
-    const double p =
-      (exponent + 2.0) / (2.0 * Pi) * std::exp(0.5 * exponent * s * s * LogCosineRatio(s * s));
+    const double p = (exponent + 2.0) / (2.0 * Pi) * PowerCosine(exponent, s * s);
     rgb.insert(rgb.end(), 3, static_cast<float>(p));
   }
   this->SetDistribution(n, 1, rgb);
@@ -229,6 +228,7 @@ void vtkDistributionBRDF::GetGPUForm(vtkBRDFGPUForm& form)
   fresnel.Data = this->Fresnel;
   term.Textures = { p, fresnel };
   form.Terms.push_back(term);
+  form.QuantizationError = std::max(form.QuantizationError, 0x1p-23);
   form.Description = "D-BRDF, tables of " + std::to_string(this->NumberOfTheta) + " x " +
                      std::to_string(this->NumberOfPhi) + " and " +
                      std::to_string(this->Fresnel.size() / 3) + " samples, 32-bit";

@@ -29,9 +29,11 @@ void vtkLambertBRDF::EvaluateAbove(
 //------------------------------------------------------------------------------
 void vtkLambertBRDF::GetDirectionalAlbedo(const double o[3], double albedo[3])
 {
+  const double up[3] = { 0.0, 0.0, 1.0 };
+  this->Evaluate(up, o, albedo);
   for (int c = 0; c < 3; ++c)
   {
-    albedo[c] = o[2] > 0.0 ? std::max(this->Albedo[c], 0.0) : 0.0;
+    albedo[c] *= measuredbrdf::Pi;
   }
 }
 

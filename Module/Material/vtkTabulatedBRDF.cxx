@@ -299,6 +299,7 @@ void vtkTabulatedBRDF::GetGPUForm(vtkBRDFGPUForm& form)
   vtkBRDFGPUForm::Term term;
   vtkBRDFGPUForm::Texture texture;
   texture.Name = "brdfVolume";
+  texture.ThreeD = true;
   texture.Dimensions = { this->Dimensions[0], this->Dimensions[1], this->Dimensions[2] };
   texture.Components = this->NumberOfInvalidCells > 0 ? 4 : 3;
   const bool periodic =
@@ -351,7 +352,7 @@ void vtkTabulatedBRDF::GetGPUForm(vtkBRDFGPUForm& form)
   }
   term.Textures.push_back(std::move(texture));
   form.QuantizationError =
-    std::max(form.QuantizationError, term.Textures[0].HalfFloat ? halfRounding : 1.2e-7);
+    std::max(form.QuantizationError, term.Textures[0].HalfFloat ? halfRounding : 0x1p-23);
   form.ResamplingError = std::max(form.ResamplingError, this->ResamplingError);
   form.Description = text.str();
   form.Terms.push_back(std::move(term));

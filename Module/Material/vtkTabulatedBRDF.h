@@ -93,9 +93,9 @@ public:
 
   ///@{
   /**
-   * Texture precision of the GPU form. AUTOMATIC (default): 16-bit floats where every value fits
-   * their range and their rounding (2^-11 relative) is within a quarter of ResamplingTolerance,
-   * 32-bit else.
+   * Texture precision of the GPU form. AUTOMATIC (default): 16-bit floats where their rounding
+   * (2^-11 relative) is within a quarter of ResamplingTolerance, 32-bit else. 16-bit values are
+   * scaled to the table's peak, so none overflows, and keep that rounding over nine decades.
    */
   vtkSetClampMacro(Precision, int, AUTOMATIC, FLOAT32);
   vtkGetMacro(Precision, int);

@@ -20,7 +20,7 @@ constexpr unsigned int R16F = 0x822D;
 constexpr unsigned int RGB16F = 0x881B;
 constexpr unsigned int RGBA16F = 0x881A;
 
-constexpr int LightsPerRow = 512;
+constexpr int LightsPerRow = 512; // the shader asks the texture
 
 std::string Instance(std::size_t term) { return std::to_string(term); }
 
@@ -32,8 +32,8 @@ bool IsLost(vtkTextureObject* texture, vtkOpenGLRenderWindow* window)
 vtkSmartPointer<vtkTextureObject> Upload(
   vtkBRDFGPUForm::Texture& texture, vtkOpenGLRenderWindow* window, std::string& problem)
 {
-  const int limit = texture.Dimensions[2] > 1 ? vtkTextureObject::GetMaximumTextureSize3D(window)
-                                              : vtkTextureObject::GetMaximumTextureSize(window);
+  const int limit = texture.ThreeD ? vtkTextureObject::GetMaximumTextureSize3D(window)
+                                   : vtkTextureObject::GetMaximumTextureSize(window);
   if (*std::max_element(texture.Dimensions.begin(), texture.Dimensions.end()) > limit)
   {
     problem = texture.Name + " is larger than this graphics card's limit of " +
@@ -57,10 +57,10 @@ vtkSmartPointer<vtkTextureObject> Upload(
   const unsigned int width = static_cast<unsigned int>(texture.Dimensions[0]);
   const unsigned int height = static_cast<unsigned int>(texture.Dimensions[1]);
   const unsigned int depth = static_cast<unsigned int>(texture.Dimensions[2]);
-  const bool created = depth > 1 ? result->Create3DFromRaw(width, height, depth, texture.Components,
-                                     VTK_FLOAT, texture.Data.data())
-                                 : result->Create2DFromRaw(width, height, texture.Components,
-                                     VTK_FLOAT, texture.Data.data());
+  const bool created = texture.ThreeD ? result->Create3DFromRaw(width, height, depth,
+                                          texture.Components, VTK_FLOAT, texture.Data.data())
+                                      : result->Create2DFromRaw(width, height, texture.Components,
+                                          VTK_FLOAT, texture.Data.data());
   if (!created)
   {
     problem = texture.Name + " could not be uploaded";
@@ -242,6 +242,7 @@ void LightTexture::Release(vtkWindow* window)
   {
     this->Texture->ReleaseGraphicsResources(window);
     this->Texture = nullptr;
+    this->Bytes = 0;
   }
 }
 } // namespace measuredbrdf

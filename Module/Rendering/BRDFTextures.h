@@ -56,7 +56,7 @@ private:
   vtkOpenGLRenderWindow* Window = nullptr;
 };
 
-/// A light set as a texture: two texels a light, 512 lights a row (shaders/vtkBRDFLightSet.glsl).
+/// A light set as a texture: two texels a light (shaders/vtkBRDFLightSet.glsl).
 class LightTexture
 {
 public:

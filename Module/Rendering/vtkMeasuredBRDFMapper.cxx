@@ -182,6 +182,18 @@ std::string vtkMeasuredBRDFMapper::GetMaterialDescription()
 }
 
 //------------------------------------------------------------------------------
+double vtkMeasuredBRDFMapper::GetResamplingError()
+{
+  return this->Impl->Material ? this->Impl->Material->GetForm().ResamplingError : 0.0;
+}
+
+//------------------------------------------------------------------------------
+double vtkMeasuredBRDFMapper::GetQuantizationError()
+{
+  return this->Impl->Material ? this->Impl->Material->GetForm().QuantizationError : 0.0;
+}
+
+//------------------------------------------------------------------------------
 void vtkMeasuredBRDFMapper::ShallowCopy(vtkAbstractMapper* m)
 {
   if (vtkMeasuredBRDFMapper* other = vtkMeasuredBRDFMapper::SafeDownCast(m))
@@ -433,6 +445,13 @@ void vtkMeasuredBRDFMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* actor)
       impl.Material->Activate();
       impl.Lights.Activate();
     }
+  }
+  else
+  {
+    impl.Material.reset();
+    impl.Lights.Release(ren->GetVTKWindow());
+    impl.CurrentEnvironment = nullptr;
+    impl.CurrentLights = nullptr;
   }
   this->Superclass::RenderPieceStart(ren, actor);
 }

@@ -20,9 +20,10 @@
  *   them the tangent turns about the environment's up axis, with a warning.
  * - Composite datasets: one actor and mapper per block.
  *
- * Changing the material's parameters, the environment, its rotation or the number of lights costs
- * no shader rebuild and no new vertex buffers. Mappers that share a BRDF share its textures;
- * mappers that share an environment share its light sets.
+ * The setters below do not call Modified(): that would rebuild vertex buffers and shaders. What
+ * they set shows at the next Render. Changing the material's parameters, the environment, its
+ * rotation or the number of lights costs no shader rebuild and no new vertex buffers. Mappers that
+ * share a BRDF share its textures; mappers that share an environment share its light sets.
  */
 
 #ifndef vtkMeasuredBRDFMapper_h
@@ -112,11 +113,14 @@ public:
   /**
    * About the last render: bytes of the textures in use (material and lights), the lights in use
    * (null before the first render or without an environment), a line on the material's GPU form
-   * (sizes, precision, errors).
+   * (sizes, precision, errors), and those errors: relative L2 by resampling into a table, and the
+   * largest relative rounding of a stored value (vtkBRDFGPUForm).
    */
   vtkIdType GetTextureBytes();
   vtkLightSet* GetCurrentLightSet();
   std::string GetMaterialDescription();
+  double GetResamplingError();
+  double GetQuantizationError();
   ///@}
 
   void ShallowCopy(vtkAbstractMapper* m) override;

@@ -182,6 +182,8 @@ TEST_F(Mapper, WithoutMaterialIsStock)
   this->Measured->SetBRDF(nullptr);
   EXPECT_EQ(
     GetLargestDifference(this->RenderWith(this->Measured), this->RenderWith(this->Stock)), 0.0);
+  EXPECT_EQ(this->Measured->GetTextureBytes(), 0);
+  EXPECT_EQ(this->Measured->GetMaterialDescription(), "");
 }
 
 TEST_F(Mapper, SceneLights)

@@ -269,6 +269,28 @@ TEST_F(Parity, Tables)
   }
 }
 
+// A table of one sample along an axis still is a volume to the shader.
+TEST_F(Parity, TablesOfOneSample)
+{
+  for (const int axis : { 0, 1, 2 })
+  {
+    int dimensions[3] = { 6, 5, 4 };
+    dimensions[axis] = 1;
+    std::vector<float> rgb;
+    for (int k = 0; k < dimensions[0] * dimensions[1] * dimensions[2]; ++k)
+    {
+      rgb.insert(rgb.end(), { 0.2f + 0.01f * static_cast<float>(k % 7), 0.5f, 0.3f });
+    }
+    for (const int parameterization : { 0, 1 })
+    {
+      vtkNew<vtkTabulatedBRDF> table;
+      ASSERT_TRUE(table->SetVolume(parameterization, vtkTabulatedBRDF::HALF_TURN, dimensions, rgb));
+      table->SetPrecision(vtkTabulatedBRDF::FLOAT32);
+      this->Check("one sample", table, 1e-4);
+    }
+  }
+}
+
 TEST_F(Parity, EmbeddedMaterials)
 {
   for (int k = 0; k < vtkEmbeddedMaterials::GetNumberOfMaterials(); k += 3)

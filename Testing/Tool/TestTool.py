@@ -111,14 +111,14 @@ class ToolTest(unittest.TestCase):
 
 class Options(ToolTest):
     def test_help(self):
-        self.check(run("--help"), 0, "Usage", "gallery", "Exit status")
+        self.check(run("--help"), 0, "SUBCOMMAND", "gallery", "Exit status")
         commands = "list info evaluate integrate lights render gallery convert".split()
         for command in commands:
-            self.check(run(command, "--help"), 0, "Usage", "-h,--help")
+            self.check(run(command, "--help"), 0, "measured-brdf", "-h,--help")
         self.check(run("--version"), 0, "measured-brdf 0.")
 
     def test_usage_errors(self):
-        self.check(run(), 2, "Usage")
+        self.check(run(), 2, "SUBCOMMAND")
         self.check(run("paint"), 2)
         self.check(run("info"), 2, "FILE")
         self.check(run("info", "gold-paint", "--colour"), 2, "--colour")
@@ -151,8 +151,13 @@ class Materials(ToolTest):
         self.assertEqual(info["negative_values"], 0)
         self.assertLess(info["reciprocity_error"], 1e-12)
         self.check_close(info["range"]["maximum"], [a / math.pi for a in (0.5, 0.25, 0.125)], 1e-6)
-        for row in info["albedo"]:
+        for row in info["albedo"] + info["reflectance_per_angle"]:
             self.check_close(row["rgb"], [0.5, 0.25, 0.125], 1e-3)
+        self.assertIn("closed form", info["gpu_form"]["description"])
+        low = json.loads(run("info", "gold-paint", "--json").stdout)["terms"][1]
+        self.assertEqual(low["fresnel_model"], "dielectric")
+        self.assertAlmostEqual(low["index_of_refraction"], 4.99104)
+        self.assertNotIn("reflectance", low)
 
     def test_bad_materials(self):
         self.check(run("info", "no-such-paint"), 1, "no-such-paint", "list")
@@ -191,6 +196,12 @@ class Evaluate(ToolTest):
         self.check(result, 0)
         self.assertEqual(rgb(read_rows(self.path("out.csv"))[0]), [0, 0, 0])
 
+    def test_quoted_cells_keep_their_commas(self):
+        plain = self.evaluate("name,ix,iy,iz,ox,oy,oz\nab," + self.PAIR + "\n")
+        quoted = self.evaluate('name,ix,iy,iz,ox,oy,oz\n"a,b",' + self.PAIR + "\n")
+        self.check(quoted, 0)
+        self.assertEqual(quoted.stdout, plain.stdout)
+
     def test_bad_tables(self):
         head = "ix,iy,iz,ox,oy,oz\n"
         self.check(self.evaluate(""), 1, "pairs.csv", "empty")
@@ -198,7 +209,8 @@ class Evaluate(ToolTest):
         self.check(self.evaluate("ix,ix,iy,iz,ox,oy,oz\n"), 1, "'ix'", "twice")
         self.check(self.evaluate(head + self.PAIR + "\n0,0,one,0,0,1\n"), 1, "line 3", "'iz'")
         self.check(self.evaluate(head + "0,0,1e,0,0,1\n"), 1, "line 2", "1e")
-        self.check(self.evaluate(head + "0,0,1,0,0\n"), 1, "line 2", "'oz'")
+        self.check(self.evaluate(head + "0,0,1,0,0\n"), 1, "line 2", "5 cells")
+        self.check(self.evaluate(head + "a,b,0,0,1,0,0,1\n"), 1, "line 2", "8 cells")
         self.check(self.evaluate(head + "0,0,1,0,,1\n"), 1, "line 2", "'oy'")
         self.check(self.evaluate(head + "0,0,nan,0,0,1\n"), 1, "line 2", "not finite")
         self.check(self.evaluate(head + "0,0,1,0,inf,1\n"), 1, "line 2", "not finite")
@@ -383,6 +395,27 @@ class Render(ToolTest):
         if "needs an X server" in result.stderr:
             self.skipTest("skipped: no X server, which this VTK needs")
         return result
+
+    def test_bad_meshes(self):
+        head = "ply\nformat ascii 1.0\nelement vertex 3\n"
+        floats = "property float x\nproperty float y\nproperty float z\n"
+        face = "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
+        points = "0 0 0\n1 0 0\n0 1 0\n"
+        vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
+        for name, text, word in (
+            ("cut.ply", head, "end_header"),
+            ("many.ply", head.replace("3", "999999999") + floats + face, "count"),
+            ("flat.ply", head + "property float x\n" + face + points, "'y'"),
+            ("far.ply", head + floats + face + points + "3 0 1 99\n", "99"),
+            ("nan.ply", head + floats + face + "nan 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "point 0"),
+            ("far.obj", vertices + "f 1 2 9\n", "far.obj:4"),
+            ("normal.obj", vertices + "f 1//1 2//1 3//1\n", "'vn'"),
+            ("empty.obj", "", "surface"),
+        ):
+            mesh = self.write(name, text)
+            result = self.render("gold-paint", "out.png", "--environment", "sky", "--mesh", mesh,
+                                 "--size", "32x32", "--lights", "4")
+            self.check(result, 1, name, word)
 
     def test_without_a_display(self):
         environment = {k: v for k, v in os.environ.items() if k != "DISPLAY"}

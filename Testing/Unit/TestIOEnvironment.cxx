@@ -389,3 +389,21 @@ TEST(IOEnvironment, ReadsMeasuredSkies)
   EXPECT_EQ(files, 13);
   EXPECT_GT(negative, 0); // DWA compression leaves some
 }
+
+//------------------------------------------------------------------------------
+// A short file that promises 4096 x 8192 texels: refused when its rows end, without their memory.
+TEST(IOEnvironment, MemoryFollowsTheFile)
+{
+  const Folder folder;
+  const std::string path = folder("lies.hdr");
+  WriteBytes(
+    path, "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 4096 +X 8192\n" + std::string(200000, '\x02'));
+  const double before = GetPeakMemory();
+  vtkNew<vtkEnvironmentReader> reader;
+  reader->SetFileName(path);
+  vtkObject::GlobalWarningDisplayOff();
+  EXPECT_FALSE(reader->Read());
+  vtkObject::GlobalWarningDisplayOn();
+  EXPECT_NE(reader->GetErrorMessage().find(path), std::string::npos) << reader->GetErrorMessage();
+  EXPECT_LT(GetPeakMemory() - before, 1e8); // all texels would take 400 MB
+}

@@ -424,6 +424,13 @@ TEST(IOExr, RefusesSizesThatLie)
   const std::size_t moved = bytes.find(name) + name.size() + 4;
   Overwrite(bytes, moved + 8, std::int32_t(99999998));
   ExpectBytesRefused(folder, bytes, { Exr, "'volume'", "more than a file of this length" });
+  // An attribute that claims gigabytes: OpenEXR would allocate them.
+  for (const std::int32_t claim : { std::numeric_limits<std::int32_t>::max(), -1 })
+  {
+    bytes = good;
+    Overwrite(bytes, good.find(text) + text.size(), claim);
+    ExpectBytesRefused(folder, bytes, { Exr, "attribute 'measuredBRDF'" });
+  }
 }
 
 //------------------------------------------------------------------------------
