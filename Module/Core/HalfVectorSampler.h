@@ -12,10 +12,39 @@
 #include "Distribution.h"
 #include "HalfVector.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace measuredbrdf
 {
+/**
+ * Weights for a HalfVectorSampler of nTheta x 1 cells from a BRDF itself: sum of RGB times
+ * cos(theta_i), averaged over the difference angles. evaluate(i, o, f).
+ */
+template <typename Function>
+std::vector<double> MeanOverDifferenceAngles(int nTheta, Function evaluate)
+{
+  constexpr int nThetaD = 16, nPhiD = 8;
+  std::vector<double> weights(static_cast<std::size_t>(nTheta), 0.0);
+  for (int t = 0; t < nTheta; ++t)
+  {
+    for (int d = 0; d < nThetaD; ++d)
+    {
+      for (int p = 0; p < nPhiD; ++p)
+      {
+        glm::dvec3 i, o;
+        FromHalfDifference({ UnitToThetaH((t + 0.5) / nTheta), 0.5 * Pi * (d + 0.5) / nThetaD,
+                             2.0 * Pi * (p + 0.5) / nPhiD },
+          i, o);
+        double f[3];
+        evaluate(&i.x, &o.x, f);
+        weights[static_cast<std::size_t>(t)] += (f[0] + f[1] + f[2]) * i.z;
+      }
+    }
+  }
+  return weights;
+}
+
 class HalfVectorSampler
 {
 public:

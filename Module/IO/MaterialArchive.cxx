@@ -4,6 +4,7 @@
 
 #include "vtkAdaptiveWarpBRDF.h"
 #include "vtkAshikhminShirleyBRDF.h"
+#include "vtkBasisBRDF.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkDistributionBRDF.h"
 #include "vtkLambertBRDF.h"
@@ -260,6 +261,70 @@ void Exchange(Loader& x, vtkTabulatedBRDF* material)
 }
 
 //------------------------------------------------------------------------------
+const std::vector<std::string> Bases = { "spherical-harmonics", "hemispherical", "zonal",
+  "legendre-fourier" };
+
+template <typename Exchanger>
+void ExchangeSettings(Exchanger& x, vtkBasisBRDF* material)
+{
+  x.Option("incidentCosine", { "off", "on" }, OPTION(IncidentCosine));
+  x.Option("outgoingCosine", { "off", "on" }, OPTION(OutgoingCosine));
+  x.Number("resamplingError", NUMBER(ResamplingError));
+}
+
+void Exchange(Saver& x, vtkBasisBRDF* material)
+{
+  ExchangeSettings(x, material);
+  x.Option(
+    "basis", Bases, [&] { return material->GetBasis(); }, [](int) {});
+  const auto number = [&x](const char* name, double value)
+  {
+    x.Number(
+      name, [value] { return value; }, [](double) {});
+  };
+  number("order", material->GetOrder());
+  number("incidentBegin", material->GetIncidentZone()[0]);
+  number("incidentEnd", material->GetIncidentZone()[1]);
+  number("outgoingBegin", material->GetOutgoingZone()[0]);
+  number("outgoingEnd", material->GetOutgoingZone()[1]);
+  x.Array("coefficients",
+    { material->GetNumberOfFunctions(), material->GetNumberOfTheta(), material->GetNumberOfPhi() },
+    3, material->GetCoefficients());
+}
+
+void Exchange(Loader& x, vtkBasisBRDF* material)
+{
+  ExchangeSettings(x, material);
+  int basis = 0;
+  x.Option(
+    "basis", Bases, [] { return 0; }, [&](int k) { basis = k; });
+  const auto number = [&x](const char* name)
+  {
+    double value = 0.0;
+    x.Number(
+      name, [&value] { return value; }, [&value](double v) { value = v; });
+    return value;
+  };
+  const double order = number("order");
+  const double incident[2] = { number("incidentBegin"), number("incidentEnd") };
+  const double outgoing[2] = { number("outgoingBegin"), number("outgoingEnd") };
+  auto coefficients = x.TakeArray("coefficients", 3, 3);
+  const bool whole =
+    order >= 0.0 && order <= vtkBasisBRDF::MaximumOrder && order == std::floor(order);
+  if (!whole || coefficients.Shape[0] != static_cast<int>((order + 1.0) * (order + 1.0)))
+  {
+    x.Fail("number 'order' is " + std::to_string(order) + ", which does not suit " +
+           std::to_string(coefficients.Shape[0]) + " basis functions");
+  }
+  const std::string problem = material->SetCoefficients(basis, static_cast<int>(order), incident,
+    outgoing, coefficients.Shape[1], coefficients.Shape[2], std::move(coefficients.Values));
+  if (!problem.empty())
+  {
+    x.Fail(problem);
+  }
+}
+
+//------------------------------------------------------------------------------
 void Exchange(Saver& x, vtkAdaptiveWarpBRDF* material)
 {
   const vtkAdaptiveWarpBRDF::Tables& tables = material->GetTables();
@@ -354,6 +419,7 @@ MaterialArchive Save(vtkBRDF* brdf, int depth)
            !SaveAs<vtkAshikhminShirleyBRDF>("AshikhminShirley", brdf, archive) &&
            !SaveAs<vtkDistributionBRDF>("Distribution", brdf, archive) &&
            !SaveAs<vtkTabulatedBRDF>("Tabulated", brdf, archive) &&
+           !SaveAs<vtkBasisBRDF>("Basis", brdf, archive) &&
            !SaveAs<vtkAdaptiveWarpBRDF>("AdaptiveWarp", brdf, archive))
   {
     throw std::runtime_error(std::string(brdf->GetClassName()) + " has no form in this format");
@@ -386,6 +452,7 @@ vtkSmartPointer<vtkBRDF> Load(MaterialArchive& archive, int depth)
            !(material = LoadAs<vtkAshikhminShirleyBRDF>("AshikhminShirley", archive)) &&
            !(material = LoadAs<vtkDistributionBRDF>("Distribution", archive)) &&
            !(material = LoadAs<vtkTabulatedBRDF>("Tabulated", archive)) &&
+           !(material = LoadAs<vtkBasisBRDF>("Basis", archive)) &&
            !(material = LoadAs<vtkAdaptiveWarpBRDF>("AdaptiveWarp", archive)))
   {
     throw std::runtime_error("unknown representation '" + archive.Representation + "'");

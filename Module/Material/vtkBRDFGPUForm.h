@@ -22,7 +22,7 @@ struct vtkBRDFGPUForm
   struct Uniform
   {
     std::string Name;          // without INSTANCE
-    std::vector<float> Values; // 1, 3 or 4 floats
+    std::vector<float> Values; // 1 or 3 floats
   };
 
   struct Texture
@@ -37,9 +37,17 @@ struct vtkBRDFGPUForm
     std::size_t GetBytes() const { return Data.size() * (HalfFloat ? 2 : 4); }
   };
 
+  // A word of the GLSL text and what replaces it: sizes of arrays and loops.
+  struct Constant
+  {
+    std::string Name;
+    std::string Value;
+  };
+
   struct Term
   {
     std::string Shader; // name of the GLSL file, e.g. "vtkBRDFLambert"
+    std::vector<Constant> Constants;
     std::vector<Uniform> Uniforms;
     std::vector<Texture> Textures;
   };
@@ -73,7 +81,12 @@ struct vtkBRDFGPUForm
     std::string key;
     for (const Term& term : this->Terms)
     {
-      key += term.Shader + ";";
+      key += term.Shader;
+      for (const Constant& constant : term.Constants)
+      {
+        key += "," + constant.Name + "=" + constant.Value;
+      }
+      key += ";";
     }
     return key;
   }

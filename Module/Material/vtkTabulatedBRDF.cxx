@@ -225,25 +225,11 @@ void vtkTabulatedBRDF::Prepare()
     return;
   }
   // Density of h from the table itself: mean over the difference angles.
-  constexpr int nTheta = 90, nThetaD = 16, nPhiD = 8;
-  std::vector<double> weights(nTheta, 0.0);
-  for (int t = 0; t < nTheta; ++t)
-  {
-    for (int d = 0; d < nThetaD; ++d)
-    {
-      for (int p = 0; p < nPhiD; ++p)
-      {
-        glm::dvec3 i, o;
-        FromHalfDifference({ UnitToThetaH((t + 0.5) / nTheta), 0.5 * Pi * (d + 0.5) / nThetaD,
-                             2.0 * Pi * (p + 0.5) / nPhiD },
-          i, o);
-        double f[3];
-        this->Evaluate(glm::value_ptr(i), glm::value_ptr(o), f);
-        weights[t] += (f[0] + f[1] + f[2]) * i.z;
-      }
-    }
-  }
-  this->HalfVectorSampler = std::make_unique<Sampler>(weights, nTheta, 1, 0.5);
+  constexpr int nTheta = 90;
+  this->HalfVectorSampler = std::make_unique<Sampler>(
+    MeanOverDifferenceAngles(nTheta,
+      [this](const double i[3], const double o[3], double f[3]) { this->Evaluate(i, o, f); }),
+    nTheta, 1, 0.5);
 }
 
 //------------------------------------------------------------------------------

@@ -5,6 +5,7 @@
 #include "vtkShaderProgram.h"
 
 #include "vtkBRDFAshikhminShirley.h"
+#include "vtkBRDFBasis.h"
 #include "vtkBRDFBegin.h"
 #include "vtkBRDFBlinnPhong.h"
 #include "vtkBRDFCommon.h"
@@ -30,6 +31,7 @@ const char* FindTerm(const std::string& name)
 {
   static const std::map<std::string, const char*> sources = {
     { "vtkBRDFAshikhminShirley", vtkBRDFAshikhminShirley },
+    { "vtkBRDFBasis", vtkBRDFBasis },
     { "vtkBRDFBlinnPhong", vtkBRDFBlinnPhong },
     { "vtkBRDFDistribution", vtkBRDFDistribution },
     { "vtkBRDFHalfDifference", vtkBRDFHalfDifference },
@@ -53,7 +55,12 @@ std::string GetShaderDeclarations(const vtkBRDFGPUForm& form)
   std::string sum = "vec3(0.0)";
   for (std::size_t k = 0; k < form.Terms.size(); ++k)
   {
-    text += Numbered(FindTerm(form.Terms[k].Shader), "INSTANCE", k);
+    std::string term = Numbered(FindTerm(form.Terms[k].Shader), "INSTANCE", k);
+    for (const vtkBRDFGPUForm::Constant& constant : form.Terms[k].Constants)
+    {
+      vtkShaderProgram::Substitute(term, constant.Name, constant.Value);
+    }
+    text += term;
     sum += " + brdfTerm" + std::to_string(k) + "(i, o)";
   }
   text += "vec3 brdfEvaluate(vec3 i, vec3 o)\n{\n  return " + sum + ";\n}\n";

@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Orthonormal functions over a zone cos(theta) in [Far, Near] of the sphere, all azimuths, and the
+ * one form they share: B_lm = radial_lm(x) times 1 (m = 0), sqrt 2 cos(m phi) (m > 0) or
+ * sqrt 2 sin(|m| phi) (m < 0), with x = 2 (cos(theta) - Far) / (Near - Far) - 1 in [-1, 1].
+ *
+ * Spherical harmonics: Near, Far = 1, -1. Hemispherical: 1, 0 (Gautron et al. 2004). Zonal: any two
+ * (Ghosh et al. 2007). All three have radial_lm = N_lm P_l^|m|(x), normalized for the zone, without
+ * the Condon-Shortley sign. Legendre x Fourier has sqrt((2k+1)/(2 pi height)) P_k(x) with
+ * k = l - |m|: it does not vanish at the zone's edges.
+ */
+
+#ifndef BasisFunctions_h
+#define BasisFunctions_h
+
+#include "HalfVector.h" // Pi
+
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace measuredbrdf
+{
+class BasisFunctions
+{
+public:
+  BasisFunctions() = default;
+
+  BasisFunctions(bool legendreFourier, int order, double nearCosine, double farCosine)
+    : LegendreFourier(legendreFourier)
+    , Order(order)
+    , Near(nearCosine)
+    , Far(farCosine)
+  {
+  }
+
+  int GetOrder() const { return this->Order; }
+  int GetNumberOfFunctions() const { return (this->Order + 1) * (this->Order + 1); }
+  double GetNear() const { return this->Near; }
+  double GetFar() const { return this->Far; }
+
+  /// Index of (l, m), -l <= m <= l.
+  static int Index(int l, int m) { return l * (l + 1) + m; }
+
+  /// Index of (l, m), 0 <= m <= l, in what EvaluateRadial fills.
+  static int RadialIndex(int l, int m) { return l * (l + 1) / 2 + m; }
+  int GetNumberOfRadials() const { return (this->Order + 1) * (this->Order + 2) / 2; }
+
+  /// x of a direction's cosine, constant beyond the zone.
+  double ToX(double cosine) const
+  {
+    return std::clamp(2.0 * (cosine - this->Far) / (this->Near - this->Far) - 1.0, -1.0, 1.0);
+  }
+  double ToCosine(double x) const { return this->Far + 0.5 * (x + 1.0) * (this->Near - this->Far); }
+
+  /// radial_lm(x) for 0 <= m <= l <= order, without the azimuth's sqrt 2.
+  void EvaluateRadial(double x, double* radial) const
+  {
+    const double height = this->Near - this->Far;
+    const int n = this->Order;
+    if (this->LegendreFourier)
+    {
+      double p0 = 0.0; // P_{k-1}
+      double p1 = 1.0; // P_k
+      for (int k = 0; k <= n; ++k)
+      {
+        const double value = std::sqrt((2.0 * k + 1.0) / (2.0 * Pi * height)) * p1;
+        for (int m = 0; k + m <= n; ++m)
+        {
+          radial[RadialIndex(k + m, m)] = value;
+        }
+        const double p2 = ((2.0 * k + 1.0) * x * p1 - k * p0) / (k + 1.0);
+        p0 = p1;
+        p1 = p2;
+      }
+      return;
+    }
+    // Normalized associated Legendre functions by the stable recurrence in l.
+    const double s = std::sqrt(std::max(1.0 - x * x, 0.0));
+    double diagonal = std::sqrt(1.0 / (2.0 * Pi * height));
+    for (int m = 0; m <= n; ++m)
+    {
+      if (m > 0)
+      {
+        diagonal *= s * std::sqrt((2.0 * m + 1.0) / (2.0 * m));
+      }
+      double before = 0.0;
+      double value = diagonal;
+      radial[RadialIndex(m, m)] = value;
+      double previous = 0.0; // 1 / a_{l-1}
+      for (int l = m + 1; l <= n; ++l)
+      {
+        const double a = std::sqrt((4.0 * l * l - 1.0) / (static_cast<double>(l) * l - m * m));
+        const double next = a * (x * value - previous * before);
+        previous = 1.0 / a;
+        before = value;
+        value = next;
+        radial[RadialIndex(l, m)] = value;
+      }
+    }
+  }
+
+  /// All functions at cos(theta), phi: GetNumberOfFunctions() values.
+  void Evaluate(double cosine, double phi, double* values) const
+  {
+    std::vector<double> radial(static_cast<std::size_t>(this->GetNumberOfRadials()));
+    this->EvaluateRadial(this->ToX(cosine), radial.data());
+    for (int m = 0; m <= this->Order; ++m)
+    {
+      const double c = m > 0 ? std::sqrt(2.0) * std::cos(m * phi) : 1.0;
+      const double s = std::sqrt(2.0) * std::sin(m * phi);
+      for (int l = m; l <= this->Order; ++l)
+      {
+        const double r = radial[static_cast<std::size_t>(RadialIndex(l, m))];
+        values[Index(l, m)] = r * c;
+        if (m > 0)
+        {
+          values[Index(l, -m)] = r * s;
+        }
+      }
+    }
+  }
+
+private:
+  bool LegendreFourier = false;
+  int Order = 0;
+  double Near = 1.0;
+  double Far = -1.0;
+};
+} // namespace measuredbrdf
+
+#endif

@@ -1,0 +1,490 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkBasisBRDF.h"
+
+#include "BasisFunctions.h"
+#include "HalfVectorSampler.h"
+#include "LowDiscrepancy.h"
+#include "vtkBRDFGPUForm.h"
+#include "vtkObjectFactory.h"
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include <sstream>
+
+using namespace measuredbrdf;
+
+vtkStandardNewMacro(vtkBasisBRDF);
+
+namespace
+{
+constexpr double MinimumCosine = 0.01; // that a sum is divided by; the shader has the same
+constexpr int LargestSide = 256;       // of the basis table
+
+double ToRadians(double degrees) { return degrees * (Pi / 180.0); }
+
+BasisFunctions MakeFunctions(int basis, int order, const double zone[2])
+{
+  const bool fourier = basis == vtkBasisBRDF::LEGENDRE_FOURIER;
+  switch (basis)
+  {
+    case vtkBasisBRDF::SPHERICAL_HARMONICS:
+      return BasisFunctions(false, order, 1.0, -1.0);
+    case vtkBasisBRDF::HEMISPHERICAL:
+      return BasisFunctions(false, order, 1.0, 0.0);
+    default:
+      return BasisFunctions(
+        fourier, order, std::cos(ToRadians(zone[0])), std::cos(ToRadians(zone[1])));
+  }
+}
+
+// Two neighbouring samples of an axis and the weight of the second.
+struct Interval
+{
+  int First;
+  int Second;
+  double Weight;
+};
+
+// Samples at u = k / (n-1).
+Interval OnAxis(double u, int n)
+{
+  const double x = std::clamp(u, 0.0, 1.0) * (n - 1);
+  const int first = std::min(static_cast<int>(x), n - 2);
+  return { first, first + 1, x - first };
+}
+
+// Samples at u = k / n, periodic.
+Interval OnCircle(double u, int n)
+{
+  const double x = (u - std::floor(u)) * n;
+  const int first = static_cast<int>(x) % n;
+  return { first, (first + 1) % n, x - std::floor(x) };
+}
+
+double GetTurn(double y, double x) { return std::atan2(y, x) / (2.0 * Pi); }
+}
+
+//------------------------------------------------------------------------------
+// What Evaluate reads: basis values and coefficients with k fastest.
+struct vtkBasisBRDF::Tables
+{
+  BasisFunctions Functions;
+  double GammaRange = Pi; // acos(x) at the last row
+  int NumberOfGamma = 2;
+  int NumberOfPhi = 1;
+  std::vector<float> Basis;        // [gamma][phi][k]
+  std::vector<float> Coefficients; // [theta_o][phi_o][channel][k]
+  std::unique_ptr<HalfVectorSampler> Sampler;
+};
+
+//------------------------------------------------------------------------------
+vtkBasisBRDF::vtkBasisBRDF() = default;
+
+//------------------------------------------------------------------------------
+vtkBasisBRDF::~vtkBasisBRDF() = default;
+
+//------------------------------------------------------------------------------
+void vtkBasisBRDF::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Basis: " << GetBasisName(this->Basis) << "\n";
+  os << indent << "Order: " << this->Order << "\n";
+  os << indent << "IncidentZone: " << this->IncidentZone[0] << " " << this->IncidentZone[1] << "\n";
+  os << indent << "OutgoingZone: " << this->OutgoingZone[0] << " " << this->OutgoingZone[1] << "\n";
+  os << indent << "NumberOfTheta: " << this->NumberOfTheta << "\n";
+  os << indent << "NumberOfPhi: " << this->NumberOfPhi << "\n";
+  os << indent << "IncidentCosine: " << (this->IncidentCosine ? "On" : "Off") << "\n";
+  os << indent << "OutgoingCosine: " << (this->OutgoingCosine ? "On" : "Off") << "\n";
+  os << indent << "ResamplingError: " << this->ResamplingError << "\n";
+}
+
+//------------------------------------------------------------------------------
+std::string vtkBasisBRDF::SetCoefficients(int basis, int order, const double incidentZone[2],
+  const double outgoingZone[2], int nTheta, int nPhi, std::vector<float> rgb)
+{
+  if (basis < SPHERICAL_HARMONICS || basis > LEGENDRE_FOURIER)
+  {
+    return "basis " + std::to_string(basis) + " is unknown";
+  }
+  if (order < 0 || order > MaximumOrder)
+  {
+    return "order " + std::to_string(order) + ", expected 0 to " + std::to_string(MaximumOrder);
+  }
+  const bool ownZone = basis == ZONAL || basis == LEGENDRE_FOURIER;
+  const double incident[2] = { ownZone ? incidentZone[0] : 0.0, ownZone ? incidentZone[1] : 90.0 };
+  for (const double* zone : { incident, outgoingZone })
+  {
+    if (!(zone[0] >= 0.0 && zone[0] < zone[1] && zone[1] <= 90.0))
+    {
+      return "zone " + std::to_string(zone[0]) + " to " + std::to_string(zone[1]) +
+             " degrees, expected 0 <= begin < end <= 90";
+    }
+  }
+  if (nTheta < 2 || nTheta > 1024 || nPhi < 1 || nPhi > 1024)
+  {
+    return std::to_string(nTheta) + " x " + std::to_string(nPhi) +
+           " samples of o, expected 2 to 1024 x 1 to 1024";
+  }
+  const std::size_t count = static_cast<std::size_t>((order + 1) * (order + 1)) *
+                            static_cast<std::size_t>(nTheta) * static_cast<std::size_t>(nPhi);
+  if (rgb.size() != 3 * count)
+  {
+    return std::to_string(rgb.size()) + " coefficients, expected " + std::to_string(3 * count);
+  }
+  if (!std::all_of(rgb.begin(), rgb.end(), [](float v) { return std::isfinite(v); }))
+  {
+    return "a coefficient is NaN or infinite";
+  }
+  this->Basis = basis;
+  this->Order = order;
+  std::copy_n(incident, 2, this->IncidentZone);
+  std::copy_n(outgoingZone, 2, this->OutgoingZone);
+  this->NumberOfTheta = nTheta;
+  this->NumberOfPhi = nPhi;
+  this->Coefficients = std::move(rgb);
+  this->Cached.reset();
+  this->Modified();
+  return "";
+}
+
+//------------------------------------------------------------------------------
+std::string vtkBasisBRDF::GetBasisName(int basis)
+{
+  static const char* const names[] = { "spherical harmonics", "hemispherical", "zonal",
+    "Legendre x Fourier" };
+  return basis >= SPHERICAL_HARMONICS && basis <= LEGENDRE_FOURIER ? names[basis] : "unknown";
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> vtkBasisBRDF::EvaluateBasis(
+  int basis, int order, const double zone[2], const double direction[3])
+{
+  const BasisFunctions functions =
+    MakeFunctions(basis, std::clamp(order, 0, static_cast<int>(MaximumOrder)), zone);
+  std::vector<double> values(static_cast<std::size_t>(functions.GetNumberOfFunctions()));
+  functions.Evaluate(direction[2], std::atan2(direction[1], direction[0]), values.data());
+  return values;
+}
+
+//------------------------------------------------------------------------------
+const vtkBasisBRDF::Tables& vtkBasisBRDF::GetTables()
+{
+  if (this->Cached)
+  {
+    return *this->Cached;
+  }
+  auto tables = std::make_unique<Tables>();
+  tables->Functions = MakeFunctions(this->Basis, this->Order, this->IncidentZone);
+  tables->GammaRange = this->Basis == SPHERICAL_HARMONICS ? 0.5 * Pi : Pi;
+  // Linear interpolation of cos(m t) at steps h has an RMS error of 0.09 (m h)^2.
+  const double step =
+    std::sqrt(this->ResamplingTolerance / 0.09) / std::max(static_cast<double>(this->Order), 1.0);
+  const auto count = [step](double range)
+  { return std::clamp(static_cast<int>(std::ceil(range / step)), 1, LargestSide - 1) + 1; };
+  tables->NumberOfGamma = count(tables->GammaRange);
+  tables->NumberOfPhi = this->Order == 0 ? 1 : count(2.0 * Pi);
+  const std::size_t functions = static_cast<std::size_t>(this->GetNumberOfFunctions());
+  std::vector<double> values(functions);
+  for (int g = 0; g < tables->NumberOfGamma; ++g)
+  {
+    const double gamma = tables->GammaRange * g / (tables->NumberOfGamma - 1.0);
+    const double cosine = tables->Functions.ToCosine(std::cos(gamma));
+    for (int p = 0; p < tables->NumberOfPhi; ++p)
+    {
+      tables->Functions.Evaluate(cosine, 2.0 * Pi * p / tables->NumberOfPhi, values.data());
+      tables->Basis.insert(tables->Basis.end(), values.begin(), values.end());
+    }
+  }
+  const std::size_t views = this->Coefficients.size() / (3 * functions);
+  tables->Coefficients.resize(this->Coefficients.size());
+  for (std::size_t k = 0; k < functions; ++k)
+  {
+    for (std::size_t v = 0; v < views; ++v)
+    {
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        tables->Coefficients[(3 * v + c) * functions + k] =
+          this->Coefficients[3 * (k * views + v) + c];
+      }
+    }
+  }
+  this->Cached = std::move(tables);
+  return *this->Cached;
+}
+
+//------------------------------------------------------------------------------
+void vtkBasisBRDF::EvaluateSigned(const double i[3], const double o[3], double f[3])
+{
+  f[0] = f[1] = f[2] = 0.0;
+  if (this->Coefficients.empty() || !(i[2] > 0.0) || !(o[2] > 0.0))
+  {
+    return;
+  }
+  const Tables& tables = this->GetTables();
+  const std::size_t n = static_cast<std::size_t>(this->GetNumberOfFunctions());
+
+  const bool isotropic = this->NumberOfPhi == 1;
+  const double x = tables.Functions.ToX(i[2]);
+  const Interval g = OnAxis(std::acos(x) / tables.GammaRange, tables.NumberOfGamma);
+  const double turn =
+    isotropic ? GetTurn(o[0] * i[1] - o[1] * i[0], i[0] * o[0] + i[1] * o[1]) : GetTurn(i[1], i[0]);
+  const Interval p = OnCircle(turn, tables.NumberOfPhi);
+  const double begin = ToRadians(this->OutgoingZone[0]);
+  const double end = ToRadians(this->OutgoingZone[1]);
+  const double thetaO = std::atan2(std::hypot(o[0], o[1]), o[2]);
+  const Interval t = OnAxis((thetaO - begin) / (end - begin), this->NumberOfTheta);
+  const Interval q = OnCircle(isotropic ? 0.0 : GetTurn(o[1], o[0]), this->NumberOfPhi);
+
+  const auto row = [&](int gamma, int phi)
+  {
+    return &tables.Basis[n * (static_cast<std::size_t>(gamma) *
+                                 static_cast<std::size_t>(tables.NumberOfPhi) +
+                               static_cast<std::size_t>(phi))];
+  };
+  const float* basis[4] = { row(g.First, p.First), row(g.First, p.Second), row(g.Second, p.First),
+    row(g.Second, p.Second) };
+  const double w[4] = { (1.0 - g.Weight) * (1.0 - p.Weight), (1.0 - g.Weight) * p.Weight,
+    g.Weight * (1.0 - p.Weight), g.Weight * p.Weight };
+  const auto add = [&](int theta, int phi, double weight)
+  {
+    const std::size_t view =
+      static_cast<std::size_t>(theta) * static_cast<std::size_t>(this->NumberOfPhi) +
+      static_cast<std::size_t>(phi);
+    const float* r = &tables.Coefficients[3 * view * n];
+    double sum[3] = { 0.0, 0.0, 0.0 };
+    for (std::size_t k = 0; k < n; ++k)
+    {
+      const double b =
+        w[0] * basis[0][k] + w[1] * basis[1][k] + w[2] * basis[2][k] + w[3] * basis[3][k];
+      sum[0] += b * r[k];
+      sum[1] += b * r[n + k];
+      sum[2] += b * r[2 * n + k];
+    }
+    for (int c = 0; c < 3; ++c)
+    {
+      f[c] += weight * sum[c];
+    }
+  };
+  add(t.First, q.First, (1.0 - t.Weight) * (1.0 - q.Weight));
+  add(t.Second, q.First, t.Weight * (1.0 - q.Weight));
+  if (!isotropic)
+  {
+    add(t.First, q.Second, (1.0 - t.Weight) * q.Weight);
+    add(t.Second, q.Second, t.Weight * q.Weight);
+  }
+  double divisor = 1.0;
+  if (this->IncidentCosine)
+  {
+    const double far = this->Basis == SPHERICAL_HARMONICS ? 0.0 : tables.Functions.GetFar();
+    divisor *= std::max(std::clamp(i[2], far, tables.Functions.GetNear()), MinimumCosine);
+  }
+  if (this->OutgoingCosine)
+  {
+    divisor *= std::max(std::clamp(o[2], std::cos(end), std::cos(begin)), MinimumCosine);
+  }
+  for (int c = 0; c < 3; ++c)
+  {
+    f[c] /= divisor;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkBasisBRDF::EvaluateAbove(const double i[3], const double o[3], double f[3])
+{
+  this->EvaluateSigned(i, o, f);
+}
+
+//------------------------------------------------------------------------------
+void vtkBasisBRDF::Prepare()
+{
+  if (this->Coefficients.empty() || (this->Cached && this->Cached->Sampler))
+  {
+    return;
+  }
+  this->GetTables();
+  constexpr int nTheta = 45;
+  this->Cached->Sampler = std::make_unique<HalfVectorSampler>(
+    MeanOverDifferenceAngles(nTheta,
+      [this](const double i[3], const double o[3], double f[3]) { this->Evaluate(i, o, f); }),
+    nTheta, 1, 0.5);
+}
+
+//------------------------------------------------------------------------------
+bool vtkBasisBRDF::SampleAbove(const double o[3], double u1, double u2, double i[3])
+{
+  this->Prepare();
+  if (this->Coefficients.empty())
+  {
+    return this->Superclass::SampleAbove(o, u1, u2, i);
+  }
+  glm::dvec3 direction;
+  const bool above = this->Cached->Sampler->Sample(glm::make_vec3(o), u1, u2, direction);
+  std::copy_n(glm::value_ptr(direction), 3, i);
+  return above;
+}
+
+//------------------------------------------------------------------------------
+double vtkBasisBRDF::PdfAbove(const double i[3], const double o[3])
+{
+  this->Prepare();
+  return this->Coefficients.empty()
+           ? this->Superclass::PdfAbove(i, o)
+           : this->Cached->Sampler->Pdf(glm::make_vec3(i), glm::make_vec3(o));
+}
+
+//------------------------------------------------------------------------------
+void vtkBasisBRDF::GetBounds(double minimumCosine, double lower[3], double upper[3])
+{
+  // sum |C_k| max |B_k|
+  std::fill_n(lower, 3, 0.0);
+  std::fill_n(upper, 3, 0.0);
+  if (this->Coefficients.empty())
+  {
+    return;
+  }
+  const Tables& tables = this->GetTables();
+  const std::size_t n = static_cast<std::size_t>(this->GetNumberOfFunctions());
+  std::vector<float> largest(n, 0.0f);
+  for (std::size_t k = 0; k < tables.Basis.size(); ++k)
+  {
+    largest[k % n] = std::max(largest[k % n], std::abs(tables.Basis[k]));
+  }
+  const double divisor = std::max(minimumCosine, MinimumCosine);
+  for (std::size_t row = 0; row < tables.Coefficients.size() / n; ++row)
+  {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < n; ++k)
+    {
+      sum += static_cast<double>(std::abs(tables.Coefficients[row * n + k])) * largest[k];
+    }
+    sum /= (this->IncidentCosine ? divisor : 1.0) * (this->OutgoingCosine ? divisor : 1.0);
+    upper[row % 3] = std::max(upper[row % 3], sum);
+  }
+}
+
+//------------------------------------------------------------------------------
+// How much rounding errors of stored values grow in the sum: sum |C_k B_k| / |sum C_k B_k|, RMS.
+double vtkBasisBRDF::GetAmplification()
+{
+  const Tables& tables = this->GetTables();
+  const std::size_t n = static_cast<std::size_t>(this->GetNumberOfFunctions());
+  const std::size_t views = tables.Coefficients.size() / (3 * n);
+  const std::size_t lights = tables.Basis.size() / n;
+  double absolute = 0.0;
+  double plain = 0.0;
+  for (std::uint32_t sample = 1; sample <= 2000; ++sample)
+  {
+    const std::size_t view = static_cast<std::size_t>(RadicalInverse(sample, 2) * views);
+    const std::size_t light = static_cast<std::size_t>(RadicalInverse(sample, 3) * lights);
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      double sum = 0.0;
+      double magnitude = 0.0;
+      for (std::size_t k = 0; k < n; ++k)
+      {
+        const double term = static_cast<double>(tables.Coefficients[(3 * view + c) * n + k]) *
+                            tables.Basis[light * n + k];
+        sum += term;
+        magnitude += std::abs(term);
+      }
+      plain += sum * sum;
+      absolute += magnitude * magnitude;
+    }
+  }
+  return plain > 0.0 ? std::sqrt(absolute / plain) : 1.0;
+}
+
+//------------------------------------------------------------------------------
+void vtkBasisBRDF::GetGPUForm(vtkBRDFGPUForm& form)
+{
+  if (this->Coefficients.empty())
+  {
+    return;
+  }
+  const Tables& tables = this->GetTables();
+  const int n = this->GetNumberOfFunctions();
+  // Large terms that cancel (extrapolated harmonics) need 32 bits.
+  constexpr double halfRounding = 1.0 / 2048.0;
+  const double amplification = this->GetAmplification();
+  const bool halfFloat = 4.0 * halfRounding * amplification <= 4.0 * this->ResamplingTolerance;
+
+  vtkBRDFGPUForm::Texture coefficients;
+  coefficients.Name = "brdfCoefficients";
+  coefficients.ThreeD = true;
+  coefficients.Dimensions = { this->NumberOfPhi, this->NumberOfTheta, n };
+  coefficients.Repeat = { true, false, false };
+  coefficients.HalfFloat = halfFloat;
+  float peak = 0.0f;
+  for (float v : this->Coefficients)
+  {
+    peak = std::max(peak, std::abs(v));
+  }
+  const float scale = halfFloat && peak > 0.0f ? 32768.0f / peak : 1.0f;
+  coefficients.Data.reserve(this->Coefficients.size());
+  for (float v : this->Coefficients)
+  {
+    coefficients.Data.push_back(v * scale);
+  }
+
+  vtkBRDFGPUForm::Texture basis;
+  basis.Name = "brdfBasis";
+  basis.ThreeD = true;
+  basis.Components = 1;
+  basis.Dimensions = { tables.NumberOfPhi, tables.NumberOfGamma, n };
+  basis.Repeat = { true, false, false };
+  basis.HalfFloat = halfFloat;
+  const std::size_t lights = tables.Basis.size() / static_cast<std::size_t>(n);
+  basis.Data.reserve(tables.Basis.size());
+  for (int k = 0; k < n; ++k)
+  {
+    for (std::size_t light = 0; light < lights; ++light)
+    {
+      basis.Data.push_back(
+        tables.Basis[light * static_cast<std::size_t>(n) + static_cast<std::size_t>(k)]);
+    }
+  }
+
+  vtkBRDFGPUForm::Term term;
+  term.Shader = "vtkBRDFBasis";
+  term.Constants.push_back({ "BRDF_BASIS_FUNCTIONS", std::to_string(n) });
+  const auto number = [](double v) { return static_cast<float>(v); };
+  const double begin = ToRadians(this->OutgoingZone[0]);
+  const double end = ToRadians(this->OutgoingZone[1]);
+  term.Uniforms.push_back({ "brdfScale", { 1.0f / scale } });
+  term.Uniforms.push_back({ "brdfIsotropic", { this->NumberOfPhi == 1 ? 1.0f : 0.0f } });
+  // Near and far cosine of the basis's domain, turns of acos(x) in the table.
+  term.Uniforms.push_back(
+    { "brdfIncidentZone", { number(tables.Functions.GetNear()), number(tables.Functions.GetFar()),
+                            number(tables.GammaRange / (2.0 * Pi)) } });
+  // In right angles, and the two cosines.
+  term.Uniforms.push_back({ "brdfOutgoingZone",
+    { number(begin * 2.0 / Pi), number(1.0 / ((end - begin) * 2.0 / Pi)), 0.0f } });
+  // Limits of the cosines that the sum is divided by; both 1: it carries none.
+  const double far = this->Basis == SPHERICAL_HARMONICS ? 0.0 : tables.Functions.GetFar();
+  const auto limits = [&number](bool carried, double low, double high) -> std::vector<float>
+  {
+    if (!carried)
+    {
+      return { 1.0f, 1.0f, 0.0f };
+    }
+    return { number(std::max(low, MinimumCosine)), number(std::max(high, MinimumCosine)), 0.0f };
+  };
+  term.Uniforms.push_back(
+    { "brdfIncidentCosine", limits(this->IncidentCosine, far, tables.Functions.GetNear()) });
+  term.Uniforms.push_back(
+    { "brdfOutgoingCosine", limits(this->OutgoingCosine, std::cos(end), std::cos(begin)) });
+
+  std::ostringstream text;
+  text << GetBasisName(this->Basis) << " basis of order " << this->Order << " (" << n
+       << " functions), coefficients " << this->NumberOfPhi << " x " << this->NumberOfTheta
+       << ", basis values " << tables.NumberOfPhi << " x " << tables.NumberOfGamma << ", "
+       << (halfFloat ? "16" : "32") << "-bit float, " << coefficients.GetBytes() + basis.GetBytes()
+       << " bytes";
+  term.Textures = { std::move(coefficients), std::move(basis) };
+  form.QuantizationError =
+    std::max(form.QuantizationError, amplification * (halfFloat ? halfRounding : 0x1p-23));
+  form.ResamplingError = std::max(form.ResamplingError, this->ResamplingError);
+  form.Description = text.str();
+  form.Terms.push_back(std::move(term));
+}

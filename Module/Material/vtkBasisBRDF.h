@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkBasisBRDF
+ * @brief   f(i,o) ~ sum_k C_k(o) B_k(i): the thesis's pair of tables, coefficients and basis values
+ *
+ * The basis representation of O'Toole 2007, 2.3.3 and 3.1, and of the device of Ghosh et al. 2007:
+ * B_k is what the projector shows, C_k(o) what the camera sees. Bases, orthonormal over their
+ * domain (the polar angles of i that they cover):
+ *
+ * SPHERICAL_HARMONICS: real harmonics of the whole sphere, used on the upper half.
+ * HEMISPHERICAL: the upper hemisphere (Gautron et al. 2004).
+ * ZONAL: theta_i in [begin, end] (Ghosh et al. 2007).
+ * LEGENDRE_FOURIER: the same zone, Legendre polynomials x Fourier series: they do not vanish at the
+ * zone's edges as the varying ones of the three others do.
+ *
+ * Order N has K = (N+1)^2 functions, k = l(l+1)+m, 0 <= l <= N, |m| <= l (Legendre x Fourier:
+ * degree l - |m|).
+ *
+ * Coefficients are a table over o: nTheta samples of theta_o from the outgoing zone's begin to its
+ * end, both included, times nPhi azimuths 2 pi j / nPhi. nPhi = 1 is the isotropic form: the
+ * coefficients of azimuth 0; i is turned by -phi_o instead, which is what rotating the coefficients
+ * would do. Both tables are interpolated linearly along directions and never across k. The basis
+ * table's rows lie at equal steps of acos(x), x = 2 (cos theta - cos end) / (cos begin - cos end) -
+ * 1, where a function of degree l has no frequency above l; its size follows the order and
+ * ResamplingTolerance.
+ *
+ * Directions outside a zone are taken as on its edge, azimuth kept: f is held constant there.
+ * Sums may be negative (ringing); Evaluate clamps at 0 after the sum, EvaluateSigned does not.
+ */
+
+#ifndef vtkBasisBRDF_h
+#define vtkBasisBRDF_h
+
+#include "vtkBRDF.h"
+
+#include <memory> // for tables
+#include <vector> // for coefficients
+
+class VTKMEASUREDBRDF_EXPORT vtkBasisBRDF : public vtkBRDF
+{
+public:
+  static vtkBasisBRDF* New();
+  vtkTypeMacro(vtkBasisBRDF, vtkBRDF);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum BasisType
+  {
+    SPHERICAL_HARMONICS = 0,
+    HEMISPHERICAL = 1,
+    ZONAL = 2,
+    LEGENDRE_FOURIER = 3
+  };
+
+  /// Largest order: 441 functions.
+  static constexpr int MaximumOrder = 20;
+
+  /**
+   * Set everything at once. order in [0, MaximumOrder]; zones in degrees, 0 <= begin < end <= 90
+   * (of i: ignored by the first two bases, which cover 0 to 90); nTheta in [2, 1024], nPhi in [1,
+   * 1024]; rgb: K x nTheta x nPhi RGB triples, phi fastest, finite. Returns "" or, leaving
+   * everything as it was, what is wrong.
+   */
+  std::string SetCoefficients(int basis, int order, const double incidentZone[2],
+    const double outgoingZone[2], int nTheta, int nPhi, std::vector<float> rgb);
+
+  ///@{
+  /**
+   * What was set; zones in degrees.
+   */
+  vtkGetMacro(Basis, int);
+  vtkGetMacro(Order, int);
+  vtkGetVector2Macro(IncidentZone, double);
+  vtkGetVector2Macro(OutgoingZone, double);
+  vtkGetMacro(NumberOfTheta, int);
+  vtkGetMacro(NumberOfPhi, int);
+  int GetNumberOfFunctions() const { return (this->Order + 1) * (this->Order + 1); }
+  const std::vector<float>& GetCoefficients() const { return this->Coefficients; }
+  ///@}
+
+  /**
+   * The basis by name: "spherical harmonics", "hemispherical", "zonal", "Legendre x Fourier".
+   */
+  static std::string GetBasisName(int basis);
+
+  ///@{
+  /**
+   * Whether the sum is f cos(theta_i) instead of f: what a device with a projector measures;
+   * default off. Evaluate divides by it (by the zone edge's beyond the zone, by 0.01 at least).
+   */
+  vtkSetMacro(IncidentCosine, bool);
+  vtkGetMacro(IncidentCosine, bool);
+  vtkBooleanMacro(IncidentCosine, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the sum carries cos(theta_o) as a factor: measured f grows as its inverse towards
+   * grazing, and the product is what tables interpolate well; default off.
+   */
+  vtkSetMacro(OutgoingCosine, bool);
+  vtkGetMacro(OutgoingCosine, bool);
+  vtkBooleanMacro(OutgoingCosine, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Relative L2 error of this representation against what it was made from; 0 (default): unknown.
+   */
+  vtkSetMacro(ResamplingError, double);
+  vtkGetMacro(ResamplingError, double);
+  ///@}
+
+  /**
+   * The sum without the clamp, divided by the cosines it carries: f where it rings is negative.
+   * Zero at and below the horizon.
+   */
+  void EvaluateSigned(const double i[3], const double o[3], double f[3]);
+
+  /**
+   * B_k of a unit direction for all k, computed, not interpolated: GetNumberOfFunctions() values.
+   * Zone in degrees; order in [0, MaximumOrder].
+   */
+  static std::vector<double> EvaluateBasis(
+    int basis, int order, const double zone[2], const double direction[3]);
+
+  void GetBounds(double minimumCosine, double lower[3], double upper[3]) override;
+  bool IsIsotropic() override { return this->NumberOfPhi == 1; }
+  bool IsReciprocal() override { return false; }
+  void Prepare() override;
+  void GetGPUForm(vtkBRDFGPUForm& form) override;
+
+protected:
+  vtkBasisBRDF();
+  ~vtkBasisBRDF() override;
+
+  void EvaluateAbove(const double i[3], const double o[3], double f[3]) override;
+  bool SampleAbove(const double o[3], double u1, double u2, double i[3]) override;
+  double PdfAbove(const double i[3], const double o[3]) override;
+
+  int Basis = ZONAL;
+  int Order = 0;
+  double IncidentZone[2] = { 0.0, 90.0 };
+  double OutgoingZone[2] = { 0.0, 90.0 };
+  int NumberOfTheta = 0;
+  int NumberOfPhi = 1;
+  std::vector<float> Coefficients;
+  bool IncidentCosine = false;
+  bool OutgoingCosine = false;
+  double ResamplingError = 0.0;
+
+private:
+  vtkBasisBRDF(const vtkBasisBRDF&) = delete;
+  void operator=(const vtkBasisBRDF&) = delete;
+
+  struct Tables;
+  const Tables& GetTables();
+  double GetAmplification();
+
+  std::unique_ptr<Tables> Cached;
+};
+
+#endif
