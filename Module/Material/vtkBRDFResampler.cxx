@@ -260,10 +260,25 @@ bool vtkBRDFResampler::Resample()
 //------------------------------------------------------------------------------
 double vtkBRDFResampler::GetRelativeL2Error(vtkBRDF* a, vtkBRDF* b, int pairs, double* maximum)
 {
+  return GetZoneRelativeL2Error(a, b, 0.0, 90.0, pairs, maximum);
+}
+
+//------------------------------------------------------------------------------
+double vtkBRDFResampler::GetZoneRelativeL2Error(
+  vtkBRDF* a, vtkBRDF* b, double begin, double end, int pairs, double* maximum)
+{
   if (!a || !b || pairs < 1)
   {
     vtkGenericWarningMacro("GetRelativeL2Error: expected two BRDFs and at least one pair.");
     return 0.0;
   }
-  return Compare(MakeProbes(a, ChoosingProbes, pairs), b, maximum);
+  std::vector<Probe> probes = MakeProbes(a, ChoosingProbes, pairs);
+  const double near = std::cos(begin * (Pi / 180.0));
+  const double far = end < 90.0 ? std::cos(end * (Pi / 180.0)) : 0.0;
+  const auto outside = [near, far](double cosine) { return cosine > near || cosine < far; };
+  probes.erase(std::remove_if(probes.begin(), probes.end(),
+                 [&outside](const Probe& probe)
+                 { return outside(probe.I[2]) || outside(probe.O[2]); }),
+    probes.end());
+  return Compare(probes, b, maximum);
 }

@@ -96,6 +96,13 @@ public:
   static double GetRelativeL2Error(
     vtkBRDF* a, vtkBRDF* b, int pairs = 1 << 17, double* maximum = nullptr);
 
+  /**
+   * The same over pairs whose polar angles both lie in [begin, end] degrees: what a device sees
+   * that only covers a zone.
+   */
+  static double GetZoneRelativeL2Error(vtkBRDF* a, vtkBRDF* b, double begin, double end,
+    int pairs = 1 << 17, double* maximum = nullptr);
+
 protected:
   vtkBRDFResampler() = default;
   ~vtkBRDFResampler() override = default;

@@ -1,0 +1,275 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkBasisProjector.h"
+
+#include "GaussLegendre.h"
+#include "LocalFrame.h"
+#include "ZonalOperators.h"
+#include "vtkCommand.h"
+#include "vtkObjectFactory.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+
+using namespace measuredbrdf;
+
+vtkStandardNewMacro(vtkBasisProjector);
+
+namespace
+{
+constexpr int NumberOfAzimuths = 256;
+
+double ToRadians(double degrees) { return degrees * (Pi / 180.0); }
+
+glm::dvec3 ToDirection(double cosine, double phi)
+{
+  const double s = std::sqrt(std::max(1.0 - cosine * cosine, 0.0));
+  return { s * std::cos(phi), s * std::sin(phi), cosine };
+}
+
+// Everything that stays the same for all views.
+struct Plan
+{
+  BasisFunctions Functions;
+  std::vector<double> Cosines;             // of the nodes
+  std::vector<Eigen::MatrixXd> Operators;  // per m: samples at the nodes -> coefficients of l
+  Eigen::MatrixXd Cosine, Sine;            // azimuths x m: Fourier coefficients by a product
+};
+
+Plan MakePlan(vtkBasisProjector* self)
+{
+  const int order = self->GetOrder();
+  const int basis = self->GetBasis();
+  const bool zonal = basis == vtkBasisBRDF::ZONAL || basis == vtkBasisBRDF::LEGENDRE_FOURIER;
+  const double* zone = self->GetIncidentZone();
+  const double near = zonal ? std::cos(ToRadians(zone[0])) : 1.0;
+  const double far = zonal ? std::cos(ToRadians(zone[1])) : 0.0;
+  Plan plan;
+  plan.Functions = BasisFunctions(basis == vtkBasisBRDF::LEGENDRE_FOURIER, order, near,
+    basis == vtkBasisBRDF::SPHERICAL_HARMONICS ? -1.0 : far);
+  const Quadrature rule = GaussLegendre(self->GetNumberOfNodes());
+  std::vector<double> weights;
+  for (std::size_t q = 0; q < rule.Nodes.size(); ++q)
+  {
+    const double cosine = far + 0.5 * (rule.Nodes[q] + 1.0) * (near - far);
+    plan.Cosines.push_back(cosine);
+    // Errors of f count by cos(theta_i), whether or not the samples carry it.
+    weights.push_back(rule.Weights[q] * 0.5 * (near - far) *
+                      (self->GetIncidentCosine() ? 1.0 / cosine : cosine));
+  }
+  for (int m = 0; m <= order; ++m)
+  {
+    if (self->GetMethod() == vtkBasisProjector::INNER_PRODUCT)
+    {
+      Eigen::MatrixXd projection = MakeRadialMatrix(plan.Functions, m, plan.Cosines).transpose();
+      for (std::size_t q = 0; q < rule.Nodes.size(); ++q)
+      {
+        projection.col(static_cast<Eigen::Index>(q)) *=
+          2.0 * Pi * rule.Weights[q] * 0.5 * (near - far);
+      }
+      plan.Operators.push_back(projection);
+    }
+    else
+    {
+      plan.Operators.push_back(
+        MakeLeastSquares(plan.Functions, m, plan.Cosines, weights, self->GetRegularization()));
+    }
+    for (int l = m; l <= order; ++l)
+    {
+      plan.Operators.back().row(l - m) *=
+        vtkBasisProjector::GetWindowFactor(self->GetWindow(), order, l);
+    }
+  }
+  plan.Cosine.resize(NumberOfAzimuths, order + 1);
+  plan.Sine.resize(NumberOfAzimuths, order + 1);
+  for (int m = 0; m <= order; ++m)
+  {
+    // With these, sum_m a_m sqrt2 cos(m phi) + b_m sqrt2 sin(m phi), plain for m = 0, is the series.
+    const double scale = (m > 0 ? std::sqrt(2.0) : 1.0) / NumberOfAzimuths;
+    for (int p = 0; p < NumberOfAzimuths; ++p)
+    {
+      plan.Cosine(p, m) = scale * std::cos(2.0 * Pi * m * p / NumberOfAzimuths);
+      plan.Sine(p, m) = scale * std::sin(2.0 * Pi * m * p / NumberOfAzimuths);
+    }
+  }
+  return plan;
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkBasisProjector::SetInput(vtkBRDF* input)
+{
+  if (this->Input != input)
+  {
+    this->Input = input;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+double vtkBasisProjector::GetWindowFactor(int window, int order, int l)
+{
+  const double angle = Pi * l / (order + 1.0);
+  switch (window)
+  {
+    case HANN:
+      return 0.5 * (1.0 + std::cos(angle));
+    case LANCZOS:
+      return l > 0 ? std::sin(angle) / angle : 1.0;
+    case LAPLACIAN:
+    {
+      const double ratio = l * (l + 1.0) / (order * (order + 1.0));
+      return 1.0 / (1.0 + ratio * ratio);
+    }
+    default:
+      return 1.0;
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkBasisProjector::Project()
+{
+  if (!this->Input)
+  {
+    vtkErrorMacro("Project: no input.");
+    return false;
+  }
+  if (this->Order < 1 || this->Order > vtkBasisBRDF::MaximumOrder)
+  {
+    vtkErrorMacro("Project: order " << this->Order << ", expected 1 to "
+                                    << static_cast<int>(vtkBasisBRDF::MaximumOrder) << ".");
+    return false;
+  }
+  for (const double* zone : { this->IncidentZone, this->OutgoingZone })
+  {
+    if (!(zone[0] >= 0.0 && zone[0] < zone[1] && zone[1] <= 90.0))
+    {
+      vtkErrorMacro("Project: zone " << zone[0] << " to " << zone[1]
+                                     << " degrees, expected 0 <= begin < end <= 90.");
+      return false;
+    }
+  }
+  const Plan plan = MakePlan(this);
+  const bool isotropic = this->Input->IsIsotropic();
+  const int nTheta = this->NumberOfTheta;
+  const int nPhi = isotropic ? 1 : this->NumberOfPhi;
+  const int functions = plan.Functions.GetNumberOfFunctions();
+  std::vector<float> coefficients(3 * static_cast<std::size_t>(functions) *
+                                  static_cast<std::size_t>(nTheta) *
+                                  static_cast<std::size_t>(nPhi));
+  this->Input->Prepare();
+  vtkBRDF* input = this->Input;
+  this->Abort = false;
+  const int nodes = this->NumberOfNodes;
+  const auto projectView = [&](int t, int p)
+  {
+    const double theta = ToRadians(this->OutgoingZone[0] +
+                                   (this->OutgoingZone[1] - this->OutgoingZone[0]) * t /
+                                     (nTheta - 1.0));
+    // f has no value at the horizon, where views are shaded as just above it.
+    const glm::dvec3 o = LiftView(ToDirection(std::cos(theta), 2.0 * Pi * p / nPhi));
+    Eigen::MatrixXd samples[3];
+    for (Eigen::MatrixXd& channel : samples)
+    {
+      channel.resize(nodes, NumberOfAzimuths);
+    }
+    for (int q = 0; q < nodes; ++q)
+    {
+      const double cosine = plan.Cosines[static_cast<std::size_t>(q)];
+      const double factor =
+        (this->IncidentCosine ? cosine : 1.0) * (this->OutgoingCosine ? o.z : 1.0);
+      for (int a = 0; a < NumberOfAzimuths; ++a)
+      {
+        const glm::dvec3 i = ToDirection(cosine, 2.0 * Pi * a / NumberOfAzimuths);
+        double f[3];
+        input->Evaluate(&i.x, &o.x, f);
+        for (int c = 0; c < 3; ++c)
+        {
+          samples[c](q, a) = factor * f[c];
+        }
+      }
+    }
+    for (int c = 0; c < 3; ++c)
+    {
+      const Eigen::MatrixXd even = samples[c] * plan.Cosine;
+      const Eigen::MatrixXd odd = samples[c] * plan.Sine;
+      for (int m = 0; m <= this->Order; ++m)
+      {
+        const Eigen::MatrixXd& solve = plan.Operators[static_cast<std::size_t>(m)];
+        const Eigen::VectorXd a = solve * even.col(m);
+        const Eigen::VectorXd b = solve * odd.col(m);
+        for (int l = m; l <= this->Order; ++l)
+        {
+          const auto store = [&](int k, double value)
+          {
+            coefficients[3 * ((static_cast<std::size_t>(k) * static_cast<std::size_t>(nTheta) +
+                                static_cast<std::size_t>(t)) *
+                                 static_cast<std::size_t>(nPhi) +
+                               static_cast<std::size_t>(p)) +
+                         static_cast<std::size_t>(c)] = static_cast<float>(value);
+          };
+          store(BasisFunctions::Index(l, m), a(l - m));
+          if (m > 0)
+          {
+            store(BasisFunctions::Index(l, -m), b(l - m));
+          }
+        }
+      }
+    }
+  };
+  // In batches, so that progress and interruption happen on this thread.
+  const int views = nTheta * nPhi;
+  constexpr int batch = 16;
+  for (int first = 0; first < views; first += batch)
+  {
+    vtkSMPTools::For(first, std::min(first + batch, views),
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType view = begin; view < end; ++view)
+        {
+          projectView(static_cast<int>(view) / nPhi, static_cast<int>(view) % nPhi);
+        }
+      });
+    double progress = std::min(first + batch, views) / static_cast<double>(views);
+    this->InvokeEvent(vtkCommand::ProgressEvent, &progress);
+    if (this->Abort)
+    {
+      return false;
+    }
+  }
+  const auto output = vtkSmartPointer<vtkBasisBRDF>::New();
+  const std::string problem = output->SetCoefficients(this->Basis, this->Order, this->IncidentZone,
+    this->OutgoingZone, nTheta, nPhi, std::move(coefficients));
+  if (!problem.empty()) // a BRDF of enormous values, whose coefficients overflow
+  {
+    vtkErrorMacro("Project: " << problem << ".");
+    return false;
+  }
+  output->SetIncidentCosine(this->IncidentCosine);
+  output->SetOutgoingCosine(this->OutgoingCosine);
+  output->SetName(this->Input->GetName());
+  output->SetSource(this->Input->GetSource());
+  this->Output = output;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkBasisProjector::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Input: " << this->Input.Get() << "\n";
+  os << indent << "Output: " << this->Output.Get() << "\n";
+  os << indent << "Basis: " << vtkBasisBRDF::GetBasisName(this->Basis) << "\n";
+  os << indent << "Order: " << this->Order << "\n";
+  os << indent << "IncidentZone: " << this->IncidentZone[0] << " " << this->IncidentZone[1] << "\n";
+  os << indent << "OutgoingZone: " << this->OutgoingZone[0] << " " << this->OutgoingZone[1] << "\n";
+  os << indent << "IncidentCosine: " << (this->IncidentCosine ? "On" : "Off") << "\n";
+  os << indent << "OutgoingCosine: " << (this->OutgoingCosine ? "On" : "Off") << "\n";
+  os << indent << "Method: " << this->Method << "\n";
+  os << indent << "Regularization: " << this->Regularization << "\n";
+  os << indent << "Window: " << this->Window << "\n";
+  os << indent << "NumberOfTheta: " << this->NumberOfTheta << "\n";
+  os << indent << "NumberOfPhi: " << this->NumberOfPhi << "\n";
+  os << indent << "NumberOfNodes: " << this->NumberOfNodes << "\n";
+  os << indent << "Abort: " << (this->Abort ? "On" : "Off") << "\n";
+}

@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkBasisProjector
+ * @brief   any BRDF -> vtkBasisBRDF, by least squares over a zone of incident directions
+ *
+ * For every sample of o the coefficients minimize the integral of (f - sum_k C_k B_k)^2 cos(theta_i)
+ * over the zone: a Fourier series in the azimuth (2^8 equidistant nodes) and, per azimuthal order,
+ * a weighted least-squares problem over Gauss-Legendre nodes in cos(theta_i) with their exact
+ * weights. INNER_PRODUCT gives the plain projections C_k = integral of f [cos(theta_i)] B_k di
+ * instead, as a device measures them. Spherical harmonics are not orthogonal on the upper
+ * hemisphere alone, so their squares get a term Regularization x sum (l(l+1))^2 C^2, relative to
+ * the data's weight.
+ *
+ * Isotropic materials give the isotropic form (nPhi = 1).
+ */
+
+#ifndef vtkBasisProjector_h
+#define vtkBasisProjector_h
+
+#include "vtkBRDF.h"               // for Input
+#include "vtkMeasuredBRDFModule.h" // for export macro
+#include "vtkObject.h"
+#include "vtkSmartPointer.h" // for members
+
+#include "vtkBasisBRDF.h" // for Output
+
+class VTKMEASUREDBRDF_EXPORT vtkBasisProjector : public vtkObject
+{
+public:
+  static vtkBasisProjector* New();
+  vtkTypeMacro(vtkBasisProjector, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum MethodType
+  {
+    LEAST_SQUARES = 0,
+    INNER_PRODUCT = 1
+  };
+
+  enum WindowType
+  {
+    NO_WINDOW = 0,
+    HANN = 1,
+    LANCZOS = 2,
+    LAPLACIAN = 3
+  };
+
+  ///@{
+  /**
+   * What to project.
+   */
+  void SetInput(vtkBRDF* input);
+  vtkBRDF* GetInput() { return this->Input; }
+  ///@}
+
+  ///@{
+  /**
+   * vtkBasisBRDF's type and order; default Legendre x Fourier of order 6. Project refuses orders
+   * outside [1, vtkBasisBRDF::MaximumOrder].
+   */
+  vtkSetClampMacro(
+    Basis, int, vtkBasisBRDF::SPHERICAL_HARMONICS, vtkBasisBRDF::LEGENDRE_FOURIER);
+  vtkGetMacro(Basis, int);
+  vtkSetMacro(Order, int);
+  vtkGetMacro(Order, int);
+  ///@}
+
+  ///@{
+  /**
+   * Polar angles in degrees that light comes from (zonal and Legendre x Fourier; the others cover
+   * the hemisphere) and that are looked from; default 0 to 90 both.
+   */
+  vtkSetVector2Macro(IncidentZone, double);
+  vtkGetVector2Macro(IncidentZone, double);
+  vtkSetVector2Macro(OutgoingZone, double);
+  vtkGetVector2Macro(OutgoingZone, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the sum holds f cos(theta_i), f cos(theta_o) (vtkBasisBRDF); default off and on.
+   */
+  vtkSetMacro(IncidentCosine, bool);
+  vtkGetMacro(IncidentCosine, bool);
+  vtkBooleanMacro(IncidentCosine, bool);
+  vtkSetMacro(OutgoingCosine, bool);
+  vtkGetMacro(OutgoingCosine, bool);
+  vtkBooleanMacro(OutgoingCosine, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Least squares (default) or inner products.
+   */
+  vtkSetClampMacro(Method, int, LEAST_SQUARES, INNER_PRODUCT);
+  vtkGetMacro(Method, int);
+  ///@}
+
+  ///@{
+  /**
+   * Weight of the Laplacian's square; default 1e-6, in [0, 1].
+   */
+  vtkSetClampMacro(Regularization, double, 0.0, 1.0);
+  vtkGetMacro(Regularization, double);
+  ///@}
+
+  ///@{
+  /**
+   * Factor on the coefficients of degree l against ringing (Sloan 2008): Hann (1 + cos(pi l/W)) / 2,
+   * Lanczos sin(pi l/W) / (pi l/W), with W = order + 1 (the narrowest without a jump), Laplacian
+   * 1 / (1 + s l^2 (l+1)^2) with s = 1 / (order (order+1))^2 (halves the highest degree). Default:
+   * none, as that measures best: the clamp after the sum costs nothing.
+   */
+  vtkSetClampMacro(Window, int, NO_WINDOW, LAPLACIAN);
+  vtkGetMacro(Window, int);
+  static double GetWindowFactor(int window, int order, int l);
+  ///@}
+
+  ///@{
+  /**
+   * Samples of theta_o (default 64, in [2, 1024]) and, of anisotropic materials, of phi_o (default
+   * 32, in [4, 1024]).
+   */
+  vtkSetClampMacro(NumberOfTheta, int, 2, 1024);
+  vtkGetMacro(NumberOfTheta, int);
+  vtkSetClampMacro(NumberOfPhi, int, 4, 1024);
+  vtkGetMacro(NumberOfPhi, int);
+  ///@}
+
+  ///@{
+  /**
+   * Nodes in theta_i: default 96, in [8, 1024]. Sharp lobes need more, as does a high order.
+   */
+  vtkSetClampMacro(NumberOfNodes, int, 8, 1024);
+  vtkGetMacro(NumberOfNodes, int);
+  ///@}
+
+  ///@{
+  /**
+   * Set it in an observer of ProgressEvent (calldata: double*) to stop: Project returns false.
+   */
+  vtkSetMacro(Abort, bool);
+  vtkGetMacro(Abort, bool);
+  vtkBooleanMacro(Abort, bool);
+  ///@}
+
+  /**
+   * Returns false with an error event, output unchanged, without an input or with an order or zone
+   * that vtkBasisBRDF refuses; false without one when aborted.
+   */
+  bool Project();
+
+  /**
+   * The result, a new object at every Project; null before.
+   */
+  vtkBasisBRDF* GetOutput() { return this->Output; }
+
+protected:
+  vtkBasisProjector() = default;
+  ~vtkBasisProjector() override = default;
+
+  vtkSmartPointer<vtkBRDF> Input;
+  vtkSmartPointer<vtkBasisBRDF> Output;
+  int Basis = vtkBasisBRDF::LEGENDRE_FOURIER;
+  int Order = 6;
+  double IncidentZone[2] = { 0.0, 90.0 };
+  double OutgoingZone[2] = { 0.0, 90.0 };
+  bool IncidentCosine = false;
+  bool OutgoingCosine = true;
+  int Method = LEAST_SQUARES;
+  double Regularization = 1e-6;
+  int Window = NO_WINDOW;
+  int NumberOfTheta = 64;
+  int NumberOfPhi = 32;
+  int NumberOfNodes = 96;
+  bool Abort = false;
+
+private:
+  vtkBasisProjector(const vtkBasisProjector&) = delete;
+  void operator=(const vtkBasisProjector&) = delete;
+};
+
+#endif
