@@ -5,7 +5,7 @@
 #   cmake/install-packages.sh [--tests]     --tests: also what only the tests need
 set -u
 packages=(cmake ninja-build g++ libvtk9-dev python3-vtk9 libopenimageio-dev openimageio-tools libopenexr-dev
-  libglm-dev nlohmann-json3-dev libcli11-dev libgl1-mesa-dri xvfb xauth)
+  libglm-dev nlohmann-json3-dev libeigen3-dev libceres-dev libcli11-dev libgl1-mesa-dri xvfb xauth)
 [ "${1:-}" = --tests ] && packages+=(libgtest-dev libbenchmark-dev)
 
 say() { printf '%s\n' "$*"; }

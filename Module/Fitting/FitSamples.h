@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What a fit is judged by: direction pairs with weights and the input's values, and the losses.
+ */
+
+#ifndef FitSamples_h
+#define FitSamples_h
+
+#include <glm/glm.hpp>
+
+#include <cmath>
+#include <vector>
+
+class vtkBRDF;
+
+namespace measuredbrdf
+{
+/// The transform T(f, cos_i) of vtkBRDFFitter::LossType whose squared differences are summed.
+struct FitLoss
+{
+  int Type;
+
+  double Value(double f, double cosine) const;
+  double Slope(double f, double cosine) const; // dT/df, finite for every f >= 0
+};
+
+struct FitSample
+{
+  glm::dvec3 I, O, H;
+  double F[3];
+  double Weight; // share of the measure (di cos_o do); all weights sum to 1
+};
+
+class FitSamples
+{
+public:
+  /**
+   * Pairs number first ... first + count of the sequence; fewer where the input has invalid cells.
+   */
+  FitSamples(vtkBRDF* input, const FitLoss& loss, unsigned int seed, int first, int count);
+
+  const FitLoss& GetLoss() const { return this->Loss; }
+  std::size_t size() const { return this->Samples.size(); }
+  const FitSample& operator[](std::size_t k) const { return this->Samples[k]; }
+  std::vector<FitSample>::const_iterator begin() const { return this->Samples.begin(); }
+  std::vector<FitSample>::const_iterator end() const { return this->Samples.end(); }
+
+  /// Whether the input is 0 in every sample.
+  bool IsBlack() const;
+
+  /// The first of these samples: a low-discrepancy set too.
+  FitSamples GetFirst(std::size_t count) const;
+
+private:
+  void Normalize();
+
+  FitLoss Loss;
+  std::vector<FitSample> Samples;
+};
+} // namespace measuredbrdf
+
+#endif

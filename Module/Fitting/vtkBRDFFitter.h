@@ -1,0 +1,228 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkBRDFFitter
+ * @brief   the parameters of a model that come closest to a given BRDF (abstract)
+ *
+ * Minimizes the weighted mean of (T(f) - T(f'))^2 over direction pairs and RGB, f the input and f'
+ * the model. The weights are solid angle of i times projected solid angle of o (Low et al. 2012
+ * with the view's weights of Bieron and Peers 2020), for views whose cosine is at least 0.02:
+ * nothing else is ever shaded. T is the loss:
+ *
+ *     LOG_COSINE        ln(1 + f cos_i)       Low et al. 2012; close to what is seen
+ *     CUBE_ROOT_COSINE  (f cos_i)^(1/3)       Fores et al. 2012; sharp lobes count less
+ *     SQUARED           f sqrt(cos_i)         minimizes the relative L2 error
+ *
+ * Pairs are low-discrepancy points, half over half and difference angles (dense at theta_h = 0, so
+ * that sharp lobes are met) and half over both hemispheres. Pairs that a table has no valid cell
+ * for do not count. Same input, options and seed: same result.
+ *
+ * ProgressEvent (calldata: double*) from the calling thread; interrupted by SetAbort(true).
+ */
+
+#ifndef vtkBRDFFitter_h
+#define vtkBRDFFitter_h
+
+#include "vtkMeasuredBRDFModule.h" // for export macro
+#include "vtkObject.h"
+#include "vtkSmartPointer.h" // for Input, Output
+
+#include <atomic> // for Abort
+#include <string> // for GetReport
+#include <vector> // for GetResidualHistory
+
+class vtkBRDF;
+
+namespace measuredbrdf
+{
+class FitSamples;
+}
+
+class VTKMEASUREDBRDF_EXPORT vtkBRDFFitter : public vtkObject
+{
+public:
+  vtkAbstractTypeMacro(vtkBRDFFitter, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum LossType
+  {
+    LOG_COSINE = 0,
+    CUBE_ROOT_COSINE = 1,
+    SQUARED = 2
+  };
+
+  ///@{
+  /**
+   * What to fit. Only read (but for Prepare).
+   */
+  void SetInput(vtkBRDF* input);
+  vtkBRDF* GetInput();
+  ///@}
+
+  ///@{
+  /**
+   * What to minimize: LOG_COSINE (default), CUBE_ROOT_COSINE or SQUARED.
+   */
+  vtkSetMacro(Loss, int);
+  vtkGetMacro(Loss, int);
+  void SetLossToLogCosine() { this->SetLoss(LOG_COSINE); }
+  void SetLossToCubeRootCosine() { this->SetLoss(CUBE_ROOT_COSINE); }
+  void SetLossToSquared() { this->SetLoss(SQUARED); }
+  ///@}
+
+  ///@{
+  /**
+   * Number of direction pairs, in [256, 2^22]; default 16384.
+   */
+  vtkSetMacro(NumberOfSamples, int);
+  vtkGetMacro(NumberOfSamples, int);
+  ///@}
+
+  ///@{
+  /**
+   * Number of starting points that are refined before the best of them is finished, in [1, 64];
+   * default 4. A model may have fewer to offer.
+   */
+  vtkSetMacro(NumberOfStarts, int);
+  vtkGetMacro(NumberOfStarts, int);
+  ///@}
+
+  ///@{
+  /**
+   * Largest number of iterations from the best start, in [1, 10000]; default 100.
+   */
+  vtkSetMacro(MaximumNumberOfIterations, int);
+  vtkGetMacro(MaximumNumberOfIterations, int);
+  ///@}
+
+  ///@{
+  /**
+   * Stop where an iteration lowers the mean square by a smaller share than this, in (0,1); default
+   * 1e-4.
+   */
+  vtkSetMacro(Tolerance, double);
+  vtkGetMacro(Tolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Shifts the sequence of direction pairs; default 1.
+   */
+  vtkSetMacro(Seed, unsigned int);
+  vtkGetMacro(Seed, unsigned int);
+  ///@}
+
+  /**
+   * Fit. Returns false with an error event, output and figures unchanged, when there is no input,
+   * an option is out of its range, the input is 0 (or has no valid cell) at every pair, or the run
+   * was aborted.
+   */
+  bool Fit();
+
+  ///@{
+  /**
+   * Set from an observer or another thread to stop a running Fit. Each Fit starts with it off.
+   */
+  void SetAbort(bool abort) { this->Abort = abort; }
+  bool GetAbort() { return this->Abort; }
+  void AbortOn() { this->SetAbort(true); }
+  void AbortOff() { this->SetAbort(false); }
+  ///@}
+
+  /**
+   * The fitted material, null before the first success; each Fit makes a new one. It has the
+   * input's name.
+   */
+  vtkBRDF* GetOutput();
+
+  ///@{
+  /**
+   * How close the output is, over fresh pairs that the fit did not see (as many, at least 16384):
+   * the root of the weighted mean of (T(f) - T(f'))^2, in units of T, and the relative L2 error
+   * in the sense of vtkBRDFResampler::GetRelativeL2Error (but invalid cells do not count).
+   */
+  vtkGetMacro(Residual, double);
+  vtkGetMacro(RelativeL2Error, double);
+  ///@}
+
+  ///@{
+  /**
+   * Hemispherical albedo of input and output, RGB, over the same pairs: the share of the light of a
+   * white sky that is reflected.
+   */
+  vtkGetVector3Macro(InputAlbedo, double);
+  vtkGetVector3Macro(OutputAlbedo, double);
+  ///@}
+
+  ///@{
+  /**
+   * Iterations from the best start, whether they ended by Tolerance (not by
+   * MaximumNumberOfIterations), and the residual over the fit's own pairs before and after each: it
+   * never grows.
+   */
+  int GetNumberOfIterations();
+  vtkGetMacro(Converged, bool);
+  const std::vector<double>& GetResidualHistory() const { return this->ResidualHistory; }
+  ///@}
+
+  ///@{
+  /**
+   * The model's name, and its fitted parameters as text, one per line.
+   */
+  virtual std::string GetModelName() = 0;
+  std::string GetReport() { return this->Report; }
+  ///@}
+
+protected:
+  vtkBRDFFitter();
+  ~vtkBRDFFitter() override;
+
+  /**
+   * What a model's fit hands back; a null BRDF where it was aborted.
+   */
+  struct Result
+  {
+    vtkSmartPointer<vtkBRDF> BRDF;
+    std::vector<double> History; // mean squares over the samples
+    bool Converged = false;
+    std::string Report;
+  };
+
+  /**
+   * What is wrong with the subclass's options; empty: nothing.
+   */
+  virtual std::string CheckOptions() { return std::string(); }
+
+  virtual Result FitTo(const measuredbrdf::FitSamples& samples) = 0;
+
+  /**
+   * Tell the observers; false where the run is to stop.
+   */
+  bool UpdateProgress(double share);
+
+  vtkSmartPointer<vtkBRDF> Input;
+  vtkSmartPointer<vtkBRDF> Output;
+  int Loss = LOG_COSINE;
+  int NumberOfSamples = 16384;
+  int NumberOfStarts = 4;
+  int MaximumNumberOfIterations = 100;
+  double Tolerance = 1e-4;
+  unsigned int Seed = 1;
+  std::atomic<bool> Abort{ false };
+  double Residual = 0.0;
+  double RelativeL2Error = 0.0;
+  double InputAlbedo[3] = { 0.0, 0.0, 0.0 };
+  double OutputAlbedo[3] = { 0.0, 0.0, 0.0 };
+  bool Converged = false;
+  std::vector<double> ResidualHistory;
+  std::string Report;
+
+private:
+  vtkBRDFFitter(const vtkBRDFFitter&) = delete;
+  void operator=(const vtkBRDFFitter&) = delete;
+
+  std::string CheckAll();
+  void Measure(vtkBRDF* output);
+};
+
+#endif
