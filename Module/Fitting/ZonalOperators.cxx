@@ -32,8 +32,7 @@ Eigen::MatrixXd MakeLeastSquares(const BasisFunctions& functions, int m,
   const Eigen::MatrixXd radial = MakeRadialMatrix(functions, m, cosines);
   const Eigen::Index rows = radial.rows();
   const Eigen::Index columns = radial.cols();
-  const Eigen::VectorXd root =
-    Eigen::Map<const Eigen::VectorXd>(weights.data(), rows).cwiseSqrt();
+  const Eigen::VectorXd root = Eigen::Map<const Eigen::VectorXd>(weights.data(), rows).cwiseSqrt();
   // The penalty as further rows: a QR of this matrix keeps twice the digits of normal equations.
   Eigen::MatrixXd system = Eigen::MatrixXd::Zero(rows + columns, columns);
   system.topRows(rows) = root.asDiagonal() * radial;
@@ -41,8 +40,7 @@ Eigen::MatrixXd MakeLeastSquares(const BasisFunctions& functions, int m,
   for (Eigen::Index column = 0; column < columns; ++column)
   {
     const double l = static_cast<double>(column) + m;
-    system(rows + column, column) =
-      std::sqrt(regularization * total / (4.0 * Pi)) * l * (l + 1.0);
+    system(rows + column, column) = std::sqrt(regularization * total / (4.0 * Pi)) * l * (l + 1.0);
   }
   Eigen::MatrixXd samples = Eigen::MatrixXd::Zero(rows + columns, rows);
   samples.topRows(rows) = root.asDiagonal();

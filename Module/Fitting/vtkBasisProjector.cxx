@@ -31,9 +31,9 @@ glm::dvec3 ToDirection(double cosine, double phi)
 struct Plan
 {
   BasisFunctions Functions;
-  std::vector<double> Cosines;             // of the nodes
-  std::vector<Eigen::MatrixXd> Operators;  // per m: samples at the nodes -> coefficients of l
-  Eigen::MatrixXd Cosine, Sine;            // azimuths x m: Fourier coefficients by a product
+  std::vector<double> Cosines;            // of the nodes
+  std::vector<Eigen::MatrixXd> Operators; // per m: samples at the nodes -> coefficients of l
+  Eigen::MatrixXd Cosine, Sine;           // azimuths x m: Fourier coefficients by a product
 };
 
 Plan MakePlan(vtkBasisProjector* self)
@@ -54,8 +54,8 @@ Plan MakePlan(vtkBasisProjector* self)
     const double cosine = far + 0.5 * (rule.Nodes[q] + 1.0) * (near - far);
     plan.Cosines.push_back(cosine);
     // Errors of f count by cos(theta_i), whether or not the samples carry it.
-    weights.push_back(rule.Weights[q] * 0.5 * (near - far) *
-                      (self->GetIncidentCosine() ? 1.0 / cosine : cosine));
+    weights.push_back(
+      rule.Weights[q] * 0.5 * (near - far) * (self->GetIncidentCosine() ? 1.0 / cosine : cosine));
   }
   for (int m = 0; m <= order; ++m)
   {
@@ -84,7 +84,8 @@ Plan MakePlan(vtkBasisProjector* self)
   plan.Sine.resize(NumberOfAzimuths, order + 1);
   for (int m = 0; m <= order; ++m)
   {
-    // With these, sum_m a_m sqrt2 cos(m phi) + b_m sqrt2 sin(m phi), plain for m = 0, is the series.
+    // With these, sum_m a_m sqrt2 cos(m phi) + b_m sqrt2 sin(m phi), plain for m = 0, is the
+    // series.
     const double scale = (m > 0 ? std::sqrt(2.0) : 1.0) / NumberOfAzimuths;
     for (int p = 0; p < NumberOfAzimuths; ++p)
     {
@@ -163,9 +164,8 @@ bool vtkBasisProjector::Project()
   const int nodes = this->NumberOfNodes;
   const auto projectView = [&](int t, int p)
   {
-    const double theta = ToRadians(this->OutgoingZone[0] +
-                                   (this->OutgoingZone[1] - this->OutgoingZone[0]) * t /
-                                     (nTheta - 1.0));
+    const double theta = ToRadians(
+      this->OutgoingZone[0] + (this->OutgoingZone[1] - this->OutgoingZone[0]) * t / (nTheta - 1.0));
     // f has no value at the horizon, where views are shaded as just above it.
     const glm::dvec3 o = LiftView(ToDirection(std::cos(theta), 2.0 * Pi * p / nPhi));
     Eigen::MatrixXd samples[3];

@@ -4,11 +4,11 @@
  * @class   vtkBasisProjector
  * @brief   any BRDF -> vtkBasisBRDF, by least squares over a zone of incident directions
  *
- * For every sample of o the coefficients minimize the integral of (f - sum_k C_k B_k)^2 cos(theta_i)
- * over the zone: a Fourier series in the azimuth (2^8 equidistant nodes) and, per azimuthal order,
- * a weighted least-squares problem over Gauss-Legendre nodes in cos(theta_i) with their exact
- * weights. INNER_PRODUCT gives the plain projections C_k = integral of f [cos(theta_i)] B_k di
- * instead, as a device measures them. Spherical harmonics are not orthogonal on the upper
+ * For every sample of o the coefficients minimize the integral of (f - sum_k C_k B_k)^2
+ * cos(theta_i) over the zone: a Fourier series in the azimuth (2^8 equidistant nodes) and, per
+ * azimuthal order, a weighted least-squares problem over Gauss-Legendre nodes in cos(theta_i) with
+ * their exact weights. INNER_PRODUCT gives the plain projections C_k = integral of f [cos(theta_i)]
+ * B_k di instead, as a device measures them. Spherical harmonics are not orthogonal on the upper
  * hemisphere alone, so their squares get a term Regularization x sum (l(l+1))^2 C^2, relative to
  * the data's weight.
  *
@@ -59,8 +59,7 @@ public:
    * vtkBasisBRDF's type and order; default Legendre x Fourier of order 6. Project refuses orders
    * outside [1, vtkBasisBRDF::MaximumOrder].
    */
-  vtkSetClampMacro(
-    Basis, int, vtkBasisBRDF::SPHERICAL_HARMONICS, vtkBasisBRDF::LEGENDRE_FOURIER);
+  vtkSetClampMacro(Basis, int, vtkBasisBRDF::SPHERICAL_HARMONICS, vtkBasisBRDF::LEGENDRE_FOURIER);
   vtkGetMacro(Basis, int);
   vtkSetMacro(Order, int);
   vtkGetMacro(Order, int);
@@ -107,8 +106,8 @@ public:
 
   ///@{
   /**
-   * Factor on the coefficients of degree l against ringing (Sloan 2008): Hann (1 + cos(pi l/W)) / 2,
-   * Lanczos sin(pi l/W) / (pi l/W), with W = order + 1 (the narrowest without a jump), Laplacian
+   * Factor on the coefficients of degree l against ringing (Sloan 2008): Hann (1 + cos(pi l/W)) /
+   * 2, Lanczos sin(pi l/W) / (pi l/W), with W = order + 1 (the narrowest without a jump), Laplacian
    * 1 / (1 + s l^2 (l+1)^2) with s = 1 / (order (order+1))^2 (halves the highest degree). Default:
    * none, as that measures best: the clamp after the sum costs nothing.
    */

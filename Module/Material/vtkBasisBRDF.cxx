@@ -364,7 +364,8 @@ void vtkBasisBRDF::GetBounds(double minimumCosine, double lower[3], double upper
 }
 
 //------------------------------------------------------------------------------
-// How much rounding errors of stored values grow in the sum: sum |C_k B_k| / |sum C_k B_k|, RMS.
+// How much independent rounding errors of the stored values grow in the sum:
+// sqrt(sum (C_k B_k)^2) / |sum C_k B_k|, RMS.
 double vtkBasisBRDF::GetAmplification()
 {
   const Tables& tables = this->GetTables();
@@ -386,10 +387,10 @@ double vtkBasisBRDF::GetAmplification()
         const double term = static_cast<double>(tables.Coefficients[(3 * view + c) * n + k]) *
                             tables.Basis[light * n + k];
         sum += term;
-        magnitude += std::abs(term);
+        magnitude += term * term;
       }
       plain += sum * sum;
-      absolute += magnitude * magnitude;
+      absolute += magnitude;
     }
   }
   return plain > 0.0 ? std::sqrt(absolute / plain) : 1.0;
@@ -407,7 +408,7 @@ void vtkBasisBRDF::GetGPUForm(vtkBRDFGPUForm& form)
   // Large terms that cancel (extrapolated harmonics) need 32 bits.
   constexpr double halfRounding = 1.0 / 2048.0;
   const double amplification = this->GetAmplification();
-  const bool halfFloat = 4.0 * halfRounding * amplification <= 4.0 * this->ResamplingTolerance;
+  const bool halfFloat = 4.0 * halfRounding * amplification <= this->ResamplingTolerance;
 
   vtkBRDFGPUForm::Texture coefficients;
   coefficients.Name = "brdfCoefficients";
