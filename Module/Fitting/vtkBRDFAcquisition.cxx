@@ -1,0 +1,328 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkBRDFAcquisition.h"
+
+#include "BasisFunctions.h"
+#include "GaussLegendre.h"
+#include "LocalFrame.h"
+#include "vtkCommand.h"
+#include "vtkObjectFactory.h"
+#include "vtkSMPTools.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+using namespace measuredbrdf;
+
+vtkStandardNewMacro(vtkBRDFAcquisition);
+
+namespace
+{
+// Directions of the projector's light: Gauss nodes in the cosine, equidistant azimuths. Azimuths
+// are a multiple of the camera's, so that an isotropic sample need only be evaluated once per
+// polar angle.
+constexpr int NumberOfNodes = 48;
+constexpr int SmallestNumberOfAzimuths = 96;
+
+double ToRadians(double degrees) { return degrees * (Pi / 180.0); }
+
+glm::dvec3 ToDirection(double cosine, double phi)
+{
+  const double s = std::sqrt(std::max(1.0 - cosine * cosine, 0.0));
+  return { s * std::cos(phi), s * std::sin(phi), cosine };
+}
+
+// Camera images of one pattern: [theta][phi][channel].
+using Photograph = std::vector<double>;
+
+// What the camera makes of an image whose exposure is set to `full`.
+class Camera
+{
+public:
+  Camera(double noise, int bits, unsigned int seed)
+    : Noise(noise)
+    , Levels(bits > 0 ? std::exp2(bits) - 1.0 : 0.0)
+    , Random(seed)
+  {
+  }
+
+  void Expose(Photograph& image, double full)
+  {
+    if ((this->Noise == 0.0 && this->Levels == 0.0) || !(full > 0.0))
+    {
+      return;
+    }
+    for (double& value : image)
+    {
+      double v =
+        value / full + (this->Noise > 0.0 ? this->Noise * this->Normal(this->Random) : 0.0);
+      if (this->Levels > 0.0)
+      {
+        v = std::round(std::clamp(v, 0.0, 1.0) * this->Levels) / this->Levels;
+      }
+      value = v * full;
+    }
+  }
+
+private:
+  double Noise;
+  double Levels;
+  std::mt19937 Random;
+  std::normal_distribution<double> Normal;
+};
+}
+
+//------------------------------------------------------------------------------
+void vtkBRDFAcquisition::SetInput(vtkBRDF* input)
+{
+  if (this->Input != input)
+  {
+    this->Input = input;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkBRDFAcquisition::FindProblem() const
+{
+  if (!this->Input)
+  {
+    return "no input";
+  }
+  if (this->Basis < vtkBasisBRDF::HEMISPHERICAL || this->Basis > vtkBasisBRDF::LEGENDRE_FOURIER)
+  {
+    return "basis " + vtkBasisBRDF::GetBasisName(this->Basis) +
+           ", expected hemispherical, zonal or Legendre x Fourier";
+  }
+  if (this->Order < 1 || this->Order > vtkBasisBRDF::MaximumOrder)
+  {
+    return "order " + std::to_string(this->Order) + ", expected 1 to " +
+           std::to_string(vtkBasisBRDF::MaximumOrder);
+  }
+  if (!(this->Zone[0] >= 0.0 && this->Zone[0] < this->Zone[1] && this->Zone[1] <= 90.0))
+  {
+    return "zone " + std::to_string(this->Zone[0]) + " to " + std::to_string(this->Zone[1]) +
+           " degrees, expected 0 <= begin < end <= 90";
+  }
+  if (!(this->Noise >= 0.0) || !std::isfinite(this->Noise))
+  {
+    return "noise " + std::to_string(this->Noise) + ", expected 0 or more";
+  }
+  if (this->Bits < 0 || this->Bits > 24)
+  {
+    return std::to_string(this->Bits) + " bits, expected 0 (none) or 1 to 24";
+  }
+  return "";
+}
+
+//------------------------------------------------------------------------------
+bool vtkBRDFAcquisition::Acquire()
+{
+  const std::string problem = this->FindProblem();
+  if (!problem.empty())
+  {
+    vtkErrorMacro("Acquire: " << problem << ".");
+    return false;
+  }
+  this->Abort = false;
+  vtkBRDF* input = this->Input;
+  input->Prepare();
+  const bool hemispherical = this->Basis == vtkBasisBRDF::HEMISPHERICAL;
+  const double zone[2] = { hemispherical ? 0.0 : this->Zone[0],
+    hemispherical ? 90.0 : this->Zone[1] };
+  const BasisFunctions functions(this->Basis == vtkBasisBRDF::LEGENDRE_FOURIER, this->Order,
+    std::cos(ToRadians(zone[0])), std::cos(ToRadians(zone[1])));
+  const int nTheta = this->NumberOfTheta;
+  const int nPhi = this->NumberOfPhi;
+  const int turn = (SmallestNumberOfAzimuths + nPhi - 1) / nPhi; // azimuths per camera azimuth
+  const int azimuths = turn * nPhi;
+  const int lights = NumberOfNodes * azimuths;
+  const int count = functions.GetNumberOfFunctions();
+
+  // The patterns: basis values of all lights, and their weights cos(theta) d omega.
+  const Quadrature rule = GaussLegendre(NumberOfNodes);
+  std::vector<double> cosines, weights;
+  std::vector<std::vector<double>> patterns(
+    static_cast<std::size_t>(count), std::vector<double>(static_cast<std::size_t>(lights)));
+  std::vector<double> values(static_cast<std::size_t>(count));
+  for (int q = 0; q < NumberOfNodes; ++q)
+  {
+    const double height = functions.GetNear() - functions.GetFar();
+    cosines.push_back(functions.GetFar() + 0.5 * (rule.Nodes[q] + 1.0) * height);
+    weights.push_back(rule.Weights[q] * 0.5 * height * 2.0 * Pi / azimuths * cosines.back());
+    for (int a = 0; a < azimuths; ++a)
+    {
+      functions.Evaluate(cosines.back(), 2.0 * Pi * a / azimuths, values.data());
+      for (int k = 0; k < count; ++k)
+      {
+        patterns[k][static_cast<std::size_t>(q * azimuths + a)] = values[k];
+      }
+    }
+  }
+
+  // Light of each direction towards each camera pixel: of isotropic samples at azimuth 0 only.
+  const bool isotropic = input->IsIsotropic();
+  const int views = isotropic ? nTheta : nTheta * nPhi;
+  Eigen::MatrixXf responses(lights, 3 * views);
+  vtkSMPTools::For(0, views,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType view = begin; view < end; ++view)
+      {
+        const int t = static_cast<int>(isotropic ? view : view / nPhi);
+        const int p = static_cast<int>(isotropic ? 0 : view % nPhi);
+        const double theta = ToRadians(zone[0] + (zone[1] - zone[0]) * t / (nTheta - 1.0));
+        const glm::dvec3 o = LiftView(ToDirection(std::cos(theta), 2.0 * Pi * p / nPhi));
+        for (int light = 0; light < lights; ++light)
+        {
+          const glm::dvec3 i =
+            ToDirection(cosines[light / azimuths], 2.0 * Pi * (light % azimuths) / azimuths);
+          double f[3];
+          input->Evaluate(&i.x, &o.x, f);
+          for (int c = 0; c < 3; ++c)
+          {
+            responses(light, 3 * view + c) = static_cast<float>(f[c] * weights[light / azimuths]);
+          }
+        }
+      }
+    });
+
+  // Photographs of max(sign B_k, 0). An isotropic sample at camera azimuth p sees the pattern
+  // turned by it: one column each.
+  const int columns = isotropic ? nPhi : 1;
+  Eigen::MatrixXf pattern(lights, columns);
+  const auto photograph = [&](int k, double sign)
+  {
+    for (int p = 0; p < columns; ++p)
+    {
+      for (int light = 0; light < lights; ++light)
+      {
+        const int at = light - light % azimuths + (light + p * turn) % azimuths;
+        pattern(light, p) = static_cast<float>(std::max(sign * patterns[k][at], 0.0));
+      }
+    }
+    const Eigen::MatrixXf product = responses.transpose() * pattern;
+    Photograph image;
+    for (int t = 0; t < nTheta; ++t)
+    {
+      for (int p = 0; p < nPhi; ++p)
+      {
+        for (int c = 0; c < 3; ++c)
+        {
+          image.push_back(isotropic ? product(3 * t + c, p) : product(3 * (t * nPhi + p) + c, 0));
+        }
+      }
+    }
+    return image;
+  };
+
+  const int outPhi = isotropic ? 1 : nPhi;
+  std::vector<float> coefficients(
+    3 * static_cast<std::size_t>(count) * static_cast<std::size_t>(nTheta * outPhi));
+  std::vector<Photograph> stack; // the isotropic average mixes (l, m) with (l, -m)
+  Camera camera(this->Noise, this->Bits, this->Seed);
+  int photographs = 0;
+  for (int k = 0; k < count; ++k)
+  {
+    Photograph positive = photograph(k, 1.0);
+    double full = *std::max_element(positive.begin(), positive.end());
+    const bool signedPattern =
+      std::any_of(patterns[k].begin(), patterns[k].end(), [](double value) { return value < 0.0; });
+    Photograph negative;
+    if (signedPattern)
+    {
+      negative = photograph(k, -1.0);
+      full = std::max(full, *std::max_element(negative.begin(), negative.end()));
+      camera.Expose(negative, full);
+    }
+    camera.Expose(positive, full);
+    photographs += signedPattern ? 2 : 1;
+    for (std::size_t pixel = 0; pixel < negative.size(); ++pixel)
+    {
+      positive[pixel] -= negative[pixel];
+    }
+    stack.push_back(std::move(positive));
+    double progress = (k + 1.0) / count;
+    this->InvokeEvent(vtkCommand::ProgressEvent, &progress);
+    if (this->Abort)
+    {
+      return false;
+    }
+  }
+  for (int l = 0; l <= this->Order; ++l)
+  {
+    for (int m = -l; m <= l; ++m)
+    {
+      const int k = BasisFunctions::Index(l, m);
+      const Photograph& same = stack[static_cast<std::size_t>(k)];
+      const Photograph& other = stack[static_cast<std::size_t>(BasisFunctions::Index(l, -m))];
+      for (int t = 0; t < nTheta; ++t)
+      {
+        for (int c = 0; c < 3; ++c)
+        {
+          const auto at = [&](const Photograph& image, int p) {
+            return image[3 * static_cast<std::size_t>(t * nPhi + p) + static_cast<std::size_t>(c)];
+          };
+          const auto store = [&](int p, double value)
+          {
+            coefficients[3 * static_cast<std::size_t>((k * nTheta + t) * outPhi + p) +
+                         static_cast<std::size_t>(c)] = static_cast<float>(value);
+          };
+          if (!isotropic)
+          {
+            for (int p = 0; p < nPhi; ++p)
+            {
+              store(p, at(same, p));
+            }
+            continue;
+          }
+          // Turned back by the pixel's azimuth: (c_m, c_-m) -> R(m phi) (c_m, c_-m).
+          double sum = 0.0;
+          for (int p = 0; p < nPhi; ++p)
+          {
+            const double angle = 2.0 * Pi * m * p / nPhi;
+            sum += std::cos(angle) * at(same, p) + (m != 0 ? std::sin(angle) * at(other, p) : 0.0);
+          }
+          store(0, sum / nPhi);
+        }
+      }
+    }
+  }
+  const auto output = vtkSmartPointer<vtkBasisBRDF>::New();
+  const std::string refused = output->SetCoefficients(
+    this->Basis, this->Order, zone, zone, nTheta, outPhi, std::move(coefficients));
+  if (!refused.empty())
+  {
+    vtkErrorMacro("Acquire: " << refused << ".");
+    return false;
+  }
+  output->SetIncidentCosine(true);
+  output->SetName(input->GetName());
+  output->SetSource(
+    "simulated acquisition" + (input->GetSource().empty() ? "" : " of: " + input->GetSource()));
+  this->Output = output;
+  this->NumberOfPhotographs = photographs;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkBRDFAcquisition::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Input: " << this->Input.Get() << "\n";
+  os << indent << "Output: " << this->Output.Get() << "\n";
+  os << indent << "Basis: " << vtkBasisBRDF::GetBasisName(this->Basis) << "\n";
+  os << indent << "Order: " << this->Order << "\n";
+  os << indent << "Zone: " << this->Zone[0] << " " << this->Zone[1] << "\n";
+  os << indent << "Noise: " << this->Noise << "\n";
+  os << indent << "Bits: " << this->Bits << "\n";
+  os << indent << "Seed: " << this->Seed << "\n";
+  os << indent << "NumberOfTheta: " << this->NumberOfTheta << "\n";
+  os << indent << "NumberOfPhi: " << this->NumberOfPhi << "\n";
+  os << indent << "NumberOfPhotographs: " << this->NumberOfPhotographs << "\n";
+  os << indent << "Abort: " << (this->Abort ? "On" : "Off") << "\n";
+}
