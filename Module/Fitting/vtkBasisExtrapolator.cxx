@@ -3,8 +3,10 @@
 #include "vtkBasisExtrapolator.h"
 
 #include "GaussLegendre.h"
+#include "LocalFrame.h"
 #include "ZonalOperators.h"
 #include "vtkBRDFResampler.h"
+#include "vtkCommand.h"
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
@@ -19,6 +21,8 @@ namespace
 constexpr int NumberOfNodes = 64;
 constexpr int NumberOfViews = 64; // of the output, 0 to 90 degrees
 constexpr int LambdaSteps = 41;   // 1e-10 to 1
+constexpr double ZonalLimit = 0.10;
+constexpr double OtherLimit = 0.03;
 
 double ToRadians(double degrees) { return degrees * (Pi / 180.0); }
 
@@ -31,8 +35,13 @@ struct Side
   std::vector<double> Weights;
 };
 
-// One least-squares problem per azimuthal order, all its right-hand sides as columns.
-using Samples = std::vector<Eigen::MatrixXd>;
+// The data of the problem over i, per azimuthal order: Samples Samples^T is that of all right-hand
+// sides (of all views, channels and both parities), whose number is Count.
+struct Data
+{
+  std::vector<Eigen::MatrixXd> Samples;
+  double Count = 0.0;
+};
 
 struct Score
 {
@@ -41,19 +50,20 @@ struct Score
   double Freedom = 0.0; // number of samples minus the trace of the hat matrices
 };
 
-Score Try(const BasisFunctions& harmonics, const Side& side, const Samples& samples, double lambda)
+Score Try(const BasisFunctions& harmonics, const Side& side, const Data& data, double lambda)
 {
   Score score;
   const Eigen::VectorXd weights = Eigen::Map<const Eigen::VectorXd>(
     side.Weights.data(), static_cast<Eigen::Index>(side.Weights.size()));
-  for (std::size_t m = 0; m < samples.size(); ++m)
+  for (std::size_t m = 0; m < data.Samples.size(); ++m)
   {
+    const Eigen::MatrixXd& samples = data.Samples[m];
     const int order = static_cast<int>(m);
     const Eigen::MatrixXd solve =
       MakeLeastSquares(harmonics, order, side.Cosines, side.Weights, lambda);
     const Eigen::MatrixXd radial = MakeRadialMatrix(harmonics, order, side.Cosines);
-    const Eigen::MatrixXd c = solve * samples[m];
-    const Eigen::MatrixXd difference = samples[m] - radial * c;
+    const Eigen::MatrixXd c = solve * samples;
+    const Eigen::MatrixXd difference = samples - radial * c;
     score.Residual += (weights.asDiagonal() * difference.cwiseAbs2()).sum();
     for (Eigen::Index row = 0; row < c.rows(); ++row)
     {
@@ -61,19 +71,18 @@ Score Try(const BasisFunctions& harmonics, const Side& side, const Samples& samp
       score.Penalty += std::pow(l * (l + 1.0), 2.0) * c.row(row).squaredNorm();
     }
     const double trace = (radial * solve).trace();
-    score.Freedom +=
-      (static_cast<double>(radial.rows()) - trace) * static_cast<double>(samples[m].cols());
+    score.Freedom += (static_cast<double>(radial.rows()) - trace) * data.Count;
   }
   return score;
 }
 
 double ChooseLambda(
-  int criterion, const BasisFunctions& harmonics, const Side& side, const Samples& samples)
+  int criterion, const BasisFunctions& harmonics, const Side& side, const Data& data)
 {
   std::vector<Score> scores;
   for (int k = 0; k < LambdaSteps; ++k)
   {
-    scores.push_back(Try(harmonics, side, samples, GetStep(k)));
+    scores.push_back(Try(harmonics, side, data, GetStep(k)));
   }
   int best = 0;
   double smallest = std::numeric_limits<double>::max();
@@ -130,11 +139,122 @@ struct Table
   }
 };
 
-// Fourier order of phi_o: cosine and sine parts of a series over n equidistant azimuths.
-double GetHarmonic(int order, bool sine, int j, int n)
+// The input's coefficients of one azimuthal order of i: a row per degree, columns theta_o, phi_o,
+// channel; first the cosine parts, then the sine parts.
+Eigen::MatrixXd Gather(vtkBasisBRDF* input, int m)
 {
-  const double angle = 2.0 * Pi * order * j / n;
-  return sine ? std::sin(angle) : std::cos(angle);
+  const std::vector<float>& coefficients = input->GetCoefficients();
+  const int order = input->GetOrder();
+  const int columns = 3 * input->GetNumberOfTheta() * input->GetNumberOfPhi();
+  Eigen::MatrixXd c = Eigen::MatrixXd::Zero(order + 1 - m, 2 * columns);
+  for (int l = m; l <= order; ++l)
+  {
+    for (int v = 0; v < columns; ++v)
+    {
+      const auto at = [&](int k)
+      {
+        return static_cast<double>(
+          coefficients[static_cast<std::size_t>(k) * static_cast<std::size_t>(columns) +
+                       static_cast<std::size_t>(v)]);
+      };
+      c(l - m, v) = at(BasisFunctions::Index(l, m));
+      c(l - m, columns + v) = m > 0 ? at(BasisFunctions::Index(l, -m)) : 0.0;
+    }
+  }
+  return c;
+}
+
+// L of c = L Q with orthonormal rows of Q: L L^T = c c^T.
+Eigen::MatrixXd Compress(const Eigen::MatrixXd& c)
+{
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(c.transpose());
+  const Eigen::MatrixXd upper =
+    qr.matrixQR().topRows(c.rows()).triangularView<Eigen::Upper>().toDenseMatrix();
+  return upper.transpose();
+}
+
+// The problem over i: from the input's basis on its zone to harmonics.
+struct IncidentProblem
+{
+  Side Zone;
+  std::vector<Eigen::MatrixXd> Values; // per azimuthal order: coefficients -> f at the zone's nodes
+
+  IncidentProblem(vtkBasisBRDF* input, int orders)
+  {
+    const double* zone = input->GetIncidentZone();
+    const double near = std::cos(ToRadians(zone[0]));
+    const double far = std::cos(ToRadians(zone[1]));
+    const BasisFunctions functions(input->GetBasis() == vtkBasisBRDF::LEGENDRE_FOURIER,
+      input->GetOrder(), near, input->GetBasis() == vtkBasisBRDF::SPHERICAL_HARMONICS ? -1.0 : far);
+    const Quadrature rule = GaussLegendre(NumberOfNodes);
+    Eigen::VectorXd divide = Eigen::VectorXd::Ones(NumberOfNodes);
+    for (int q = 0; q < NumberOfNodes; ++q)
+    {
+      const std::size_t node = static_cast<std::size_t>(q);
+      this->Zone.Cosines.push_back(far + 0.5 * (rule.Nodes[node] + 1.0) * (near - far));
+      this->Zone.Weights.push_back(rule.Weights[node]);
+      if (input->GetIncidentCosine()) // f itself extends better than f times a cosine
+      {
+        divide(q) = 1.0 / this->Zone.Cosines.back();
+      }
+    }
+    for (int m = 0; m < orders; ++m)
+    {
+      this->Values.push_back(
+        divide.asDiagonal() * MakeRadialMatrix(functions, m, this->Zone.Cosines));
+    }
+  }
+};
+
+// The problem over o, per azimuthal order: samples over the zone -> values over 0 to 90 degrees.
+std::vector<Eigen::MatrixXd> MakeExtensions(
+  vtkBasisBRDF* input, const BasisFunctions& harmonics, double lambda)
+{
+  const double* zone = input->GetOutgoingZone();
+  const int nTheta = input->GetNumberOfTheta();
+  Side side;
+  Eigen::VectorXd divide = Eigen::VectorXd::Ones(nTheta);
+  for (int t = 0; t < nTheta; ++t)
+  {
+    const double theta = ToRadians(zone[0] + (zone[1] - zone[0]) * t / (nTheta - 1.0));
+    side.Cosines.push_back(std::cos(theta));
+    side.Weights.push_back(std::sin(theta) * (t == 0 || t == nTheta - 1 ? 0.5 : 1.0) + 1e-9);
+    if (input->GetOutgoingCosine())
+    {
+      divide(t) = 1.0 / std::max(side.Cosines.back(), MinimumViewCosine);
+    }
+  }
+  std::vector<double> cosines;
+  for (int t = 0; t < NumberOfViews; ++t)
+  {
+    cosines.push_back(std::cos(0.5 * Pi * t / (NumberOfViews - 1.0)));
+  }
+  std::vector<Eigen::MatrixXd> extensions;
+  for (int m = 0; m <= harmonics.GetOrder(); ++m)
+  {
+    extensions.push_back(MakeRadialMatrix(harmonics, m, cosines) *
+                         MakeLeastSquares(harmonics, m, side.Cosines, side.Weights, lambda) *
+                         divide.asDiagonal());
+  }
+  return extensions;
+}
+
+// Real Fourier series over n equidistant azimuths: rows 1, cos, sin, cos 2, sin 2, ... of an order
+// below n / 2, and at most `order`.
+Eigen::MatrixXd MakeSeries(int order, int n)
+{
+  const int last = std::min(order, (n - 1) / 2);
+  Eigen::MatrixXd series(2 * last + 1, n);
+  for (int j = 0; j < n; ++j)
+  {
+    series(0, j) = 1.0;
+    for (int m = 1; m <= last; ++m)
+    {
+      series(2 * m - 1, j) = std::cos(2.0 * Pi * m * j / n);
+      series(2 * m, j) = std::sin(2.0 * Pi * m * j / n);
+    }
+  }
+  return series;
 }
 }
 
@@ -157,76 +277,41 @@ bool vtkBasisExtrapolator::Extrapolate()
     return false;
   }
   vtkBasisBRDF* input = this->Input;
+  this->Abort = false;
   const int order = this->Order > 0 ? this->Order : std::max(input->GetOrder(), 1);
-  const int inputOrder = input->GetOrder();
-  const bool fourier = input->GetBasis() == vtkBasisBRDF::LEGENDRE_FOURIER;
-  const double* zone = input->GetIncidentZone();
-  const double* outgoing = input->GetOutgoingZone();
-  const double near = std::cos(ToRadians(zone[0]));
-  const double far = std::cos(ToRadians(zone[1]));
   const BasisFunctions harmonics(false, order, 1.0, -1.0);
-  const BasisFunctions functions(
-    fourier, inputOrder, near, input->GetBasis() == vtkBasisBRDF::SPHERICAL_HARMONICS ? -1.0 : far);
   const int nTheta = input->GetNumberOfTheta();
   const int nPhi = input->GetNumberOfPhi();
-  const int views = nTheta * nPhi;
 
-  // Over i: samples of the input at Gauss nodes of its zone, one column per view, channel, parity.
-  Side incident;
-  const Quadrature rule = GaussLegendre(NumberOfNodes);
-  for (int q = 0; q < NumberOfNodes; ++q)
-  {
-    incident.Cosines.push_back(far + 0.5 * (rule.Nodes[q] + 1.0) * (near - far));
-    incident.Weights.push_back(rule.Weights[q]);
-  }
-  // f itself extends better than f times a cosine: the cosines that the input carries go.
-  Eigen::VectorXd divide = Eigen::VectorXd::Ones(NumberOfNodes);
-  if (input->GetIncidentCosine())
-  {
-    for (int q = 0; q < NumberOfNodes; ++q)
-    {
-      divide(q) = 1.0 / incident.Cosines[static_cast<std::size_t>(q)];
-    }
-  }
-  const std::vector<float>& coefficients = input->GetCoefficients();
-  Samples samples;
-  for (int m = 0; m <= std::min(order, inputOrder); ++m)
-  {
-    Eigen::MatrixXd c = Eigen::MatrixXd::Zero(inputOrder + 1 - m, 6 * views);
-    for (int l = m; l <= inputOrder; ++l)
-    {
-      for (int v = 0; v < 3 * views; ++v)
-      {
-        const auto at = [&](int k)
-        {
-          return static_cast<double>(
-            coefficients[3 * static_cast<std::size_t>(k) * static_cast<std::size_t>(views) +
-                         static_cast<std::size_t>(v)]);
-        };
-        c(l - m, v) = at(BasisFunctions::Index(l, m));
-        c(l - m, 3 * views + v) = m > 0 ? at(BasisFunctions::Index(l, -m)) : 0.0;
-      }
-    }
-    samples.push_back(divide.asDiagonal() * MakeRadialMatrix(functions, m, incident.Cosines) * c);
-  }
+  // Over i, for every sample of o.
+  const int orders = std::min(order, input->GetOrder()) + 1;
+  const IncidentProblem incident(input, orders);
   if (this->Criterion != FIXED)
   {
-    this->Lambda = ChooseLambda(this->Criterion, harmonics, incident, samples);
+    Data data;
+    data.Count = 6.0 * nTheta * nPhi;
+    for (int m = 0; m < orders; ++m)
+    {
+      data.Samples.push_back(
+        incident.Values[static_cast<std::size_t>(m)] * Compress(Gather(input, m)));
+    }
+    this->Lambda = ChooseLambda(this->Criterion, harmonics, incident.Zone, data);
   }
   Table half(harmonics.GetNumberOfFunctions(), nTheta, nPhi);
-  for (int m = 0; m < static_cast<int>(samples.size()); ++m)
+  for (int m = 0; m < orders; ++m)
   {
-    const Eigen::MatrixXd c =
-      MakeLeastSquares(harmonics, m, incident.Cosines, incident.Weights, this->Lambda) *
-      samples[static_cast<std::size_t>(m)];
+    const Eigen::MatrixXd solve =
+      MakeLeastSquares(harmonics, m, incident.Zone.Cosines, incident.Zone.Weights, this->Lambda) *
+      incident.Values[static_cast<std::size_t>(m)];
+    const Eigen::MatrixXd c = solve * Gather(input, m);
     for (int l = m; l <= order; ++l)
     {
-      for (int v = 0; v < 3 * views; ++v)
+      for (int v = 0; v < 3 * nTheta * nPhi; ++v)
       {
         half.At(BasisFunctions::Index(l, m), 0, 0, v) = c(l - m, v);
         if (m > 0)
         {
-          half.At(BasisFunctions::Index(l, -m), 0, 0, v) = c(l - m, 3 * views + v);
+          half.At(BasisFunctions::Index(l, -m), 0, 0, v) = c(l - m, 3 * nTheta * nPhi + v);
         }
       }
     }
@@ -234,27 +319,10 @@ bool vtkBasisExtrapolator::Extrapolate()
 
   // Over o: each coefficient is a function of o whose azimuthal order is the isotropic form's m, or
   // runs through a Fourier series.
-  Side outside;
-  for (int t = 0; t < nTheta; ++t)
-  {
-    const double theta = ToRadians(outgoing[0] + (outgoing[1] - outgoing[0]) * t / (nTheta - 1.0));
-    outside.Cosines.push_back(std::cos(theta));
-    outside.Weights.push_back(std::sin(theta) * (t == 0 || t == nTheta - 1 ? 0.5 : 1.0) + 1e-9);
-  }
-  std::vector<double> viewCosines;
-  for (int t = 0; t < NumberOfViews; ++t)
-  {
-    viewCosines.push_back(std::cos(0.5 * Pi * t / (NumberOfViews - 1.0)));
-  }
-  std::vector<Eigen::MatrixXd> extend; // per order: samples over the zone -> values over 0 to 90
-  for (int m = 0; m <= order; ++m)
-  {
-    extend.push_back(
-      MakeRadialMatrix(harmonics, m, viewCosines) *
-      MakeLeastSquares(harmonics, m, outside.Cosines, outside.Weights, this->Lambda));
-  }
+  const std::vector<Eigen::MatrixXd> extensions = MakeExtensions(input, harmonics, this->Lambda);
+  const Eigen::MatrixXd series = MakeSeries(order, nPhi);
   Table whole(harmonics.GetNumberOfFunctions(), NumberOfViews, nPhi);
-  Eigen::VectorXd series(nTheta);
+  Eigen::MatrixXd samples(nTheta, nPhi);
   for (int l = 0; l <= order; ++l)
   {
     for (int m = -l; m <= l; ++m)
@@ -262,40 +330,37 @@ bool vtkBasisExtrapolator::Extrapolate()
       const int k = BasisFunctions::Index(l, m);
       for (int c = 0; c < 3; ++c)
       {
-        const int last = nPhi == 1 ? 0 : std::min(order, (nPhi - 1) / 2);
-        for (int azimuthal = 0; azimuthal <= last; ++azimuthal)
+        for (int t = 0; t < nTheta; ++t)
         {
-          for (const bool sine : { false, true })
+          for (int p = 0; p < nPhi; ++p)
           {
-            if (sine && azimuthal == 0)
-            {
-              continue;
-            }
-            for (int t = 0; t < nTheta; ++t)
-            {
-              series(t) = 0.0;
-              for (int p = 0; p < nPhi; ++p)
-              {
-                series(t) += half.At(k, t, p, c) * GetHarmonic(azimuthal, sine, p, nPhi) *
-                             (azimuthal > 0 ? 2.0 : 1.0) / nPhi;
-              }
-              if (input->GetOutgoingCosine())
-              {
-                series(t) /= std::max(outside.Cosines[static_cast<std::size_t>(t)], 0.02);
-              }
-            }
-            const int orderOfView = nPhi == 1 ? std::abs(m) : azimuthal;
-            const Eigen::VectorXd values = extend[static_cast<std::size_t>(orderOfView)] * series;
-            for (int t = 0; t < NumberOfViews; ++t)
-            {
-              for (int p = 0; p < nPhi; ++p)
-              {
-                whole.At(k, t, p, c) += values(t) * GetHarmonic(azimuthal, sine, p, nPhi);
-              }
-            }
+            samples(t, p) = half.At(k, t, p, c);
+          }
+        }
+        Eigen::MatrixXd spectrum = samples * series.transpose() / nPhi;
+        Eigen::MatrixXd extended(NumberOfViews, spectrum.cols());
+        for (Eigen::Index column = 0; column < spectrum.cols(); ++column)
+        {
+          const std::size_t azimuthal =
+            static_cast<std::size_t>(nPhi == 1 ? std::abs(m) : (column + 1) / 2);
+          extended.col(column) =
+            (column > 0 ? 2.0 : 1.0) * (extensions[azimuthal] * spectrum.col(column));
+        }
+        const Eigen::MatrixXd values = extended * series;
+        for (int t = 0; t < NumberOfViews; ++t)
+        {
+          for (int p = 0; p < nPhi; ++p)
+          {
+            whole.At(k, t, p, c) = values(t, p);
           }
         }
       }
+    }
+    double progress = (l + 1.0) / (order + 1.0);
+    this->InvokeEvent(vtkCommand::ProgressEvent, &progress);
+    if (this->Abort)
+    {
+      return false;
     }
   }
 
@@ -313,9 +378,12 @@ bool vtkBasisExtrapolator::Extrapolate()
   output->SetSource(input->GetSource());
   output->SetResamplingTolerance(input->GetResamplingTolerance());
   this->Output = output;
-  this->InZoneResidual =
-    vtkBRDFResampler::GetZoneRelativeL2Error(input, output, zone, outgoing, 1 << 14);
-  this->Accepted = this->InZoneResidual <= this->MaximumResidual;
+  this->InZoneResidual = vtkBRDFResampler::GetZoneRelativeL2Error(
+    input, output, input->GetIncidentZone(), input->GetOutgoingZone(), 1 << 14);
+  this->ResidualLimit = this->MaximumResidual > 0.0
+                          ? this->MaximumResidual
+                          : (input->GetBasis() == vtkBasisBRDF::ZONAL ? ZonalLimit : OtherLimit);
+  this->Accepted = this->InZoneResidual <= this->ResidualLimit;
   return this->Accepted;
 }
 
@@ -329,6 +397,8 @@ void vtkBasisExtrapolator::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Criterion: " << this->Criterion << "\n";
   os << indent << "Lambda: " << this->Lambda << "\n";
   os << indent << "MaximumResidual: " << this->MaximumResidual << "\n";
+  os << indent << "ResidualLimit: " << this->ResidualLimit << "\n";
   os << indent << "InZoneResidual: " << this->InZoneResidual << "\n";
   os << indent << "Accepted: " << (this->Accepted ? "On" : "Off") << "\n";
+  os << indent << "Abort: " << (this->Abort ? "On" : "Off") << "\n";
 }

@@ -456,3 +456,206 @@ TEST(Projector, RefusesAndKeeps)
   projector->Print(text);
   EXPECT_NE(text.str().find("Order: 3"), std::string::npos);
 }
+
+//------------------------------------------------------------------------------
+// The condition of the harmonics' Gram matrix over 9 to 57 degrees, theory.md section 2.
+TEST(Extrapolator, ProblemIsIllPosed)
+{
+  const double figures[] = { 3e4, 6e6, 1e9, 2e11 };
+  for (int order = 2; order <= 5; ++order)
+  {
+    const int count = (order + 1) * (order + 1);
+    Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(count, count);
+    Eigen::VectorXd values(count);
+    const measuredbrdf::BasisFunctions harmonics(false, order, 1.0, -1.0);
+    ForZone(Zone, 40, 32,
+      [&](const glm::dvec3& d, double weight)
+      {
+        harmonics.Evaluate(d.z, std::atan2(d.y, d.x), values.data());
+        gram += weight * values * values.transpose();
+      });
+    const Eigen::VectorXd eigen =
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(gram, Eigen::EigenvaluesOnly).eigenvalues();
+    const double condition = eigen(count - 1) / eigen(0);
+    std::cout << "order " << order << ": condition " << condition << "\n";
+    EXPECT_NEAR(std::log10(condition), std::log10(figures[order - 2]), 0.2);
+  }
+}
+
+//------------------------------------------------------------------------------
+// A wide lobe: far closer to the truth than holding the zone's edge.
+TEST(Extrapolator, ExtendsSmoothMaterials)
+{
+  const auto phong = MakePhong(5.0);
+  for (const int basis : { 2, 3 })
+  {
+    for (const bool cosines : { false, true })
+    {
+      const auto zonal = Project(phong, basis, 6, Zone, Zone,
+        [cosines](vtkBasisProjector* projector)
+        {
+          projector->SetIncidentCosine(cosines);
+          projector->SetOutgoingCosine(cosines);
+          projector->SetNumberOfNodes(40);
+        });
+      zonal->SetName("name");
+      vtkNew<vtkBasisExtrapolator> extrapolator;
+      extrapolator->SetInput(zonal);
+      EXPECT_TRUE(extrapolator->Extrapolate());
+      EXPECT_TRUE(extrapolator->GetAccepted());
+      EXPECT_EQ(extrapolator->GetResidualLimit(), basis == 2 ? 0.10 : 0.03);
+      vtkBasisBRDF* output = extrapolator->GetOutput();
+      EXPECT_EQ(output->GetBasis(), vtkBasisBRDF::SPHERICAL_HARMONICS);
+      EXPECT_EQ(output->GetOrder(), 6);
+      EXPECT_EQ(output->GetOutgoingZone()[1], 90.0);
+      EXPECT_EQ(output->GetName(), "name");
+      const double held = GetError(phong, zonal, 0.0, 75.0);
+      const double error = GetError(phong, output, 0.0, 75.0);
+      std::cout << vtkBasisBRDF::GetBasisName(basis) << (cosines ? ", cosines" : "")
+                << ": residual " << extrapolator->GetInZoneResidual() << ", lambda "
+                << extrapolator->GetLambda() << ", error to 75 degrees " << error << ", held "
+                << held << "\n";
+      EXPECT_LT(extrapolator->GetInZoneResidual(), basis == 2 ? 0.04 : 0.003);
+      EXPECT_LT(error, basis == 2 ? 0.08 : 0.02);
+      EXPECT_LT(error, 0.3 * held);
+      // Both directions outside, where f is a tenth of what it is inside: the hardest part.
+      EXPECT_LT(GetError(phong, output, 57.0, 75.0), basis == 2 ? 0.3 : 0.08);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(Extrapolator, RefusesWhatDoesNotFit)
+{
+  const auto phong = MakePhong(50.0);
+  for (const int basis : { 2, 3 })
+  {
+    const auto zonal = Project(phong, basis, 6, Zone, Zone);
+    vtkNew<vtkBasisExtrapolator> extrapolator;
+    ErrorCatcher errors(extrapolator);
+    extrapolator->SetInput(zonal);
+    EXPECT_FALSE(extrapolator->Extrapolate());
+    EXPECT_FALSE(extrapolator->GetAccepted());
+    EXPECT_EQ(errors.Take(), 0);
+    EXPECT_GT(extrapolator->GetInZoneResidual(), extrapolator->GetResidualLimit());
+    EXPECT_TRUE(extrapolator->GetOutput()); // for whoever wants to look
+    extrapolator->SetMaximumResidual(0.2);
+    EXPECT_TRUE(extrapolator->Extrapolate());
+    EXPECT_EQ(extrapolator->GetResidualLimit(), 0.2);
+  }
+}
+
+//------------------------------------------------------------------------------
+// What a zonal basis can't hold is no noise: cross-validation spends harmonics on it.
+TEST(Extrapolator, CrossValidationFailsOnZonalInputs)
+{
+  const auto phong = MakePhong(5.0);
+  const auto zonal = Project(phong, 2, 6, Zone, Zone);
+  double lambda[2], error[2];
+  for (const int criterion : { 0, 1 })
+  {
+    vtkNew<vtkBasisExtrapolator> extrapolator;
+    extrapolator->SetInput(zonal);
+    extrapolator->SetCriterion(criterion);
+    EXPECT_TRUE(extrapolator->Extrapolate()); // inside the zone it looks well
+    lambda[criterion] = extrapolator->GetLambda();
+    error[criterion] = GetError(phong, extrapolator->GetOutput(), 0.0, 75.0);
+  }
+  const double held = GetError(phong, zonal, 0.0, 75.0);
+  std::cout << "error to 75 degrees: held " << held << ", cross-validation " << error[0]
+            << " (lambda " << lambda[0] << "), L-curve " << error[1] << " (" << lambda[1] << ")\n";
+  EXPECT_LT(lambda[0], 1e-4 * lambda[1]);
+  EXPECT_GT(error[0], 2.0 * held);
+  EXPECT_LT(error[1], 0.5 * held);
+}
+
+//------------------------------------------------------------------------------
+TEST(Extrapolator, FixedLambda)
+{
+  const auto zonal = Project(MakePhong(5.0), 3, 4, Zone, Zone);
+  vtkNew<vtkBasisExtrapolator> extrapolator;
+  extrapolator->SetInput(zonal);
+  extrapolator->SetCriterion(vtkBasisExtrapolator::FIXED);
+  double before = 0.0;
+  for (const double lambda : { 1e-8, 1e-4, 1.0 })
+  {
+    extrapolator->SetLambda(lambda);
+    extrapolator->Extrapolate();
+    EXPECT_EQ(extrapolator->GetLambda(), lambda);
+    EXPECT_GT(extrapolator->GetInZoneResidual(), before); // a stiffer fit is a worse one
+    before = extrapolator->GetInZoneResidual();
+  }
+  extrapolator->SetOrder(2);
+  extrapolator->Extrapolate();
+  EXPECT_EQ(extrapolator->GetOutput()->GetOrder(), 2);
+}
+
+//------------------------------------------------------------------------------
+// The anisotropic form of an isotropic material extends like the isotropic form; a brushed one
+// keeps its direction.
+TEST(Extrapolator, AnisotropicMaterials)
+{
+  const auto claims = vtkSmartPointer<FunctionBRDF>::New();
+  const auto phong = MakePhong(5.0);
+  claims->Isotropic = false;
+  claims->Function = [&phong](const glm::dvec3& i, const glm::dvec3& o)
+  { return Evaluate(phong, i, o); };
+  vtkNew<vtkAshikhminShirleyBRDF> brushed;
+  brushed->SetExponents(3.0, 12.0);
+  for (vtkBRDF* truth : { static_cast<vtkBRDF*>(claims), static_cast<vtkBRDF*>(brushed) })
+  {
+    const auto zonal = Project(truth, 3, 6, Zone, Zone,
+      [](vtkBasisProjector* projector)
+      {
+        projector->SetNumberOfTheta(24);
+        projector->SetNumberOfPhi(24);
+        projector->SetNumberOfNodes(16);
+      });
+    ASSERT_EQ(zonal->GetNumberOfPhi(), 24);
+    vtkNew<vtkBasisExtrapolator> extrapolator;
+    extrapolator->SetInput(zonal);
+    EXPECT_TRUE(extrapolator->Extrapolate());
+    EXPECT_EQ(extrapolator->GetOutput()->GetNumberOfPhi(), 24);
+    const double held = GetError(truth, zonal, 0.0, 75.0);
+    const double error = GetError(truth, extrapolator->GetOutput(), 0.0, 75.0);
+    std::cout << "residual " << extrapolator->GetInZoneResidual() << ", error to 75 degrees "
+              << error << ", held " << held << "\n";
+    EXPECT_LT(error, 0.75 * held);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(Extrapolator, ErrorsAndAbort)
+{
+  vtkNew<vtkBasisExtrapolator> extrapolator;
+  ErrorCatcher errors(extrapolator);
+  EXPECT_FALSE(extrapolator->Extrapolate());
+  EXPECT_EQ(errors.Take(), 1);
+  EXPECT_NE(errors.GetText().find("no input"), std::string::npos);
+  vtkNew<vtkBasisBRDF> empty;
+  extrapolator->SetInput(empty);
+  EXPECT_FALSE(extrapolator->Extrapolate());
+  EXPECT_EQ(errors.Take(), 1);
+  EXPECT_EQ(extrapolator->GetOutput(), nullptr);
+
+  extrapolator->SetInput(Project(MakePhong(5.0), 3, 4, Zone, Zone));
+  EXPECT_TRUE(extrapolator->Extrapolate());
+  const vtkSmartPointer<vtkBasisBRDF> before = extrapolator->GetOutput();
+  vtkNew<vtkCallbackCommand> abort;
+  abort->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
+    { static_cast<vtkBasisExtrapolator*>(caller)->AbortOn(); });
+  extrapolator->AddObserver(vtkCommand::ProgressEvent, abort);
+  EXPECT_FALSE(extrapolator->Extrapolate());
+  EXPECT_EQ(extrapolator->GetOutput(), before);
+  EXPECT_EQ(errors.Take(), 0);
+
+  // Zones of i and o that share nothing are looked at, too.
+  vtkNew<vtkBasisExtrapolator> apart;
+  const double low[2] = { 40.0, 70.0 }, high[2] = { 0.0, 30.0 };
+  apart->SetInput(Project(MakePhong(200.0), 2, 4, low, high));
+  EXPECT_FALSE(apart->Extrapolate());
+  EXPECT_GT(apart->GetInZoneResidual(), 0.1);
+  std::ostringstream text;
+  apart->Print(text);
+  EXPECT_NE(text.str().find("ResidualLimit: 0.1"), std::string::npos);
+}
