@@ -4,6 +4,7 @@
 
 #include "HalfVector.h"
 #include "LowDiscrepancy.h"
+#include "vtkBasisBRDF.h"
 #include "vtkObjectFactory.h"
 #include "vtkTabulatedBRDF.h"
 
@@ -203,10 +204,44 @@ void vtkBRDFAnalysis::UpdatePairs()
 void vtkBRDFAnalysis::UpdateNegativeMass()
 {
   this->NegativeMass = 0.0;
-  auto* table = vtkTabulatedBRDF::SafeDownCast(this->BRDF);
-  if (!table || table->GetVolume().empty())
+  if (auto* table = vtkTabulatedBRDF::SafeDownCast(this->BRDF))
   {
-    return;
+    this->NegativeMass = this->GetTableNegativeMass(table);
+  }
+  else if (auto* basis = vtkBasisBRDF::SafeDownCast(this->BRDF))
+  {
+    this->NegativeMass = this->GetBasisNegativeMass(basis);
+  }
+}
+
+//------------------------------------------------------------------------------
+double vtkBRDFAnalysis::GetBasisNegativeMass(vtkBasisBRDF* brdf)
+{
+  double negative = 0.0;
+  double total = 0.0;
+  for (std::uint32_t k = 1; k <= static_cast<std::uint32_t>(this->NumberOfPairs); ++k)
+  {
+    double i[3];
+    double o[3];
+    double f[3];
+    SampleCosine(RadicalInverse(k, 2), RadicalInverse(k, 3), i);
+    SampleCosine(RadicalInverse(k, 5), RadicalInverse(k, 7), o);
+    brdf->EvaluateSigned(i, o, f);
+    for (double value : f)
+    {
+      total += std::abs(value);
+      negative += std::max(-value, 0.0);
+    }
+  }
+  return total > 0.0 ? negative / total : 0.0;
+}
+
+//------------------------------------------------------------------------------
+double vtkBRDFAnalysis::GetTableNegativeMass(vtkTabulatedBRDF* table)
+{
+  if (table->GetVolume().empty())
+  {
+    return 0.0;
   }
   const int* size = table->GetDimensions();
   const bool halfDifference = table->GetParameterization() == vtkTabulatedBRDF::HALF_DIFFERENCE;
@@ -249,7 +284,7 @@ void vtkBRDFAnalysis::UpdateNegativeMass()
       }
     }
   }
-  this->NegativeMass = total > 0.0 ? negative / total : 0.0;
+  return total > 0.0 ? negative / total : 0.0;
 }
 
 //------------------------------------------------------------------------------

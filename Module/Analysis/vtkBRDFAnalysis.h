@@ -24,6 +24,9 @@
 #include <array>  // for albedos
 #include <vector> // for table
 
+class vtkBasisBRDF;
+class vtkTabulatedBRDF;
+
 class VTKMEASUREDBRDF_EXPORT vtkBRDFAnalysis : public vtkObject
 {
 public:
@@ -100,9 +103,10 @@ public:
   ///@}
 
   /**
-   * Share of negative values in a table (both cosines and the cells' solid angles as weights):
-   * integral of f's negative part / integral |f|, before Evaluate's clamp. 0 for other
-   * representations: theirs can't be negative, or (RGL) only after interpolation.
+   * Share of negative values before Evaluate's clamp, integral of f's negative part / integral |f|
+   * with both cosines as weights: of a table over its cells, of a basis representation (which
+   * rings) over NumberOfPairs pairs. 0 for other representations: theirs can't be negative, or
+   * (RGL) only after interpolation.
    */
   vtkGetMacro(NegativeMass, double);
 
@@ -131,6 +135,8 @@ private:
   void UpdateAlbedos();
   void UpdatePairs();
   void UpdateNegativeMass();
+  double GetTableNegativeMass(vtkTabulatedBRDF* table);
+  double GetBasisNegativeMass(vtkBasisBRDF* brdf);
 };
 
 #endif

@@ -9,6 +9,7 @@
 #include "vtkAdaptiveWarpBRDF.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBRDFReader.h"
+#include "vtkBasisBRDF.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkCellArray.h"
 #include "vtkDistributionBRDF.h"
@@ -179,6 +180,32 @@ protected:
   vtkNew<vtkActor> Actor;
 };
 
+/// A coloured material of random coefficients that fall with the degree; positive nearly
+/// everywhere.
+vtkSmartPointer<vtkBasisBRDF> MakeBasis(int basis, int order, int nPhi)
+{
+  const double incident[2] = { 9.0, 57.0 }, outgoing[2] = { 5.0, 80.0 };
+  const int nTheta = 10;
+  std::mt19937 random(17);
+  const auto draw = [&random]() { return static_cast<float>(random()) * 0x1p-31f - 1.0f; };
+  std::vector<float> rgb;
+  for (int l = 0; l <= order; ++l)
+  {
+    for (int k = -l; k <= l; ++k)
+    {
+      const float size = l == 0 ? 2.0f : 0.5f * draw() / static_cast<float>(1 + l * l);
+      for (int v = 0; v < nTheta * nPhi; ++v)
+      {
+        const float c = size * (1.0f + 0.1f * draw());
+        rgb.insert(rgb.end(), { c, 0.5f * c * (1.0f + 0.1f * draw()), 0.2f * c });
+      }
+    }
+  }
+  auto brdf = vtkSmartPointer<vtkBasisBRDF>::New();
+  EXPECT_EQ(brdf->SetCoefficients(basis, order, incident, outgoing, nTheta, nPhi, rgb), "");
+  return brdf;
+}
+
 /// A bumpy, coloured table; every 7th cell invalid where asked for.
 void FillTable(vtkTabulatedBRDF* table, int parameterization, int range, bool invalid)
 {
@@ -289,6 +316,69 @@ TEST_F(Parity, TablesOfOneSample)
       this->Check("one sample", table, 1e-4);
     }
   }
+}
+
+// The basis form's two tables, without and with the cosines that a sum may carry.
+TEST_F(Parity, Bases)
+{
+  for (int basis = 0; basis < 4; ++basis)
+  {
+    for (const int nPhi : { 1, 8 })
+    {
+      for (const int flags : { 0, 1, 2, 3 })
+      {
+        const auto brdf = MakeBasis(basis, 4, nPhi);
+        ASSERT_TRUE(brdf);
+        brdf->SetIncidentCosine((flags & 1) != 0);
+        brdf->SetOutgoingCosine((flags & 2) != 0);
+        const std::string name = vtkBasisBRDF::GetBasisName(basis) +
+                                 (nPhi == 1 ? ", isotropic" : "") + (flags & 1 ? ", i.z" : "") +
+                                 (flags & 2 ? ", o.z" : "");
+        brdf->SetResamplingTolerance(1.9e-3); // 32 bits
+        this->Check(name.c_str(), brdf, 1e-4);
+        if (flags == 3)
+        {
+          brdf->SetResamplingTolerance(0.02); // 16 bits
+          this->Check(name.c_str(), brdf, 2e-3);
+        }
+      }
+    }
+  }
+  // The largest, and two inside a sum.
+  const auto large = MakeBasis(vtkBasisBRDF::LEGENDRE_FOURIER, 20, 1);
+  large->SetResamplingTolerance(0.1);
+  this->Check("order 20", large, 2e-3);
+  const auto first = MakeBasis(vtkBasisBRDF::LEGENDRE_FOURIER, 7, 1);
+  first->SetResamplingTolerance(1.9e-3);
+  vtkNew<vtkLambertBRDF> lambert;
+  vtkNew<vtkSumBRDF> sum;
+  sum->AddTerm(lambert);
+  const auto second = MakeBasis(vtkBasisBRDF::ZONAL, 2, 8);
+  second->SetResamplingTolerance(1.9e-3);
+  sum->AddTerm(second);
+  sum->AddTerm(first);
+  this->Check("sum", sum, 1e-4);
+}
+
+// The number of functions is part of the shader's text: every change needs another program.
+TEST_F(Parity, BasesAfterEachOther)
+{
+  for (const int order : { 2, 5, 0, 5, 2 })
+  {
+    const auto brdf = MakeBasis(vtkBasisBRDF::ZONAL, order, 1);
+    brdf->SetResamplingTolerance(1.9e-3);
+    this->Check("another order", brdf, 1e-4);
+  }
+  // The same material with other coefficients.
+  const auto brdf = MakeBasis(vtkBasisBRDF::ZONAL, 3, 1);
+  brdf->SetResamplingTolerance(1.9e-3);
+  this->Check("before", brdf, 1e-4);
+  const auto other = MakeBasis(vtkBasisBRDF::HEMISPHERICAL, 6, 4);
+  ASSERT_EQ(brdf->SetCoefficients(other->GetBasis(), other->GetOrder(), other->GetIncidentZone(),
+              other->GetOutgoingZone(), other->GetNumberOfTheta(), other->GetNumberOfPhi(),
+              other->GetCoefficients()),
+    "");
+  this->Check("after", brdf, 1e-4);
 }
 
 TEST_F(Parity, EmbeddedMaterials)

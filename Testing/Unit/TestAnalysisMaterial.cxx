@@ -4,6 +4,7 @@
 #include "HalfVector.h" // for Pi
 #include "vtkBRDFAnalysis.h"
 #include "vtkBRDFGPUForm.h"
+#include "vtkBasisBRDF.h"
 #include "vtkLambertBRDF.h"
 #include "vtkObjectFactory.h"
 #include "vtkTabulatedBRDF.h"
@@ -151,6 +152,31 @@ TEST(BRDFAnalysis, NegativeMassOfATable)
     }
   }
   EXPECT_NEAR(analysis->GetNegativeMass(), below / all, 0.01);
+}
+
+//------------------------------------------------------------------------------
+TEST(BRDFAnalysis, NegativeMassOfABasis)
+{
+  // f = 2 z - 1 for z = cos(theta_i). Weighted by z: the negative part has 1/24, the positive 5/24.
+  const double hemisphere[2] = { 0.0, 90.0 };
+  std::vector<float> rgb(3 * 4 * 2, 0.0f);
+  std::fill_n(&rgb[3 * 2 * 2], 6, 1.0f); // l = 1, m = 0
+  vtkNew<vtkBasisBRDF> brdf;
+  ASSERT_EQ(
+    brdf->SetCoefficients(vtkBasisBRDF::HEMISPHERICAL, 1, hemisphere, hemisphere, 2, 1, rgb), "");
+  brdf->SetResamplingTolerance(1e-4);
+  vtkNew<vtkBRDFAnalysis> analysis;
+  analysis->SetBRDF(brdf);
+  ASSERT_TRUE(analysis->Update());
+  EXPECT_NEAR(analysis->GetNegativeMass(), 1.0 / 6.0, 1e-3);
+  EXPECT_EQ(analysis->GetMinimum()[0], 0.0); // Evaluate clamps
+
+  // With a constant of the same size nothing is negative.
+  std::fill_n(rgb.begin(), 6, 2.0f);
+  ASSERT_EQ(
+    brdf->SetCoefficients(vtkBasisBRDF::HEMISPHERICAL, 1, hemisphere, hemisphere, 2, 1, rgb), "");
+  ASSERT_TRUE(analysis->Update());
+  EXPECT_EQ(analysis->GetNegativeMass(), 0.0);
 }
 
 //------------------------------------------------------------------------------

@@ -7,6 +7,7 @@
 #include "vtkBRDFGPUForm.h"
 #include "vtkBRDFReader.h"
 #include "vtkBRDFResampler.h"
+#include "vtkBasisBRDF.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkDistributionBRDF.h"
 #include "vtkImageData.h"
@@ -89,6 +90,28 @@ vtkSmartPointer<vtkAdaptiveWarpBRDF> MakeAdaptiveWarp()
   return brdf;
 }
 
+/// A constant and a term towards the tangent, or (isotropic) away from the viewer's azimuth, that
+/// rings below 0; both cosines carried.
+vtkSmartPointer<vtkBasisBRDF> MakeBasis(int basis, int nPhi)
+{
+  const double zone[2] = { 5.0, 80.0 };
+  const int nTheta = 6, functions = 9;
+  std::vector<float> rgb;
+  for (int k = 0; k < functions; ++k)
+  {
+    for (int v = 0; v < nTheta * nPhi; ++v)
+    {
+      const float c = k == 0 ? 1.0f : (k == 3 ? -0.9f : (k == 6 ? 0.4f : 0.0f));
+      rgb.insert(rgb.end(), { c, 0.5f * c, 0.1f * c });
+    }
+  }
+  auto brdf = vtkSmartPointer<vtkBasisBRDF>::New();
+  EXPECT_EQ(brdf->SetCoefficients(basis, 2, zone, zone, nTheta, nPhi, rgb), "");
+  brdf->IncidentCosineOn();
+  brdf->OutgoingCosineOn();
+  return brdf;
+}
+
 /// One of each, with a name for messages.
 std::vector<std::pair<std::string, vtkSmartPointer<vtkBRDF>>> MakeAll()
 {
@@ -115,6 +138,9 @@ std::vector<std::pair<std::string, vtkSmartPointer<vtkBRDF>>> MakeAll()
     all.emplace_back(reciprocal ? "table, reciprocal" : "table", resampler->GetOutput());
   }
   all.emplace_back("adaptive warp", MakeAdaptiveWarp());
+  all.emplace_back("zonal basis", MakeBasis(vtkBasisBRDF::ZONAL, 1));
+  all.emplace_back("Legendre x Fourier basis", MakeBasis(vtkBasisBRDF::LEGENDRE_FOURIER, 4));
+  all.emplace_back("harmonics", MakeBasis(vtkBasisBRDF::SPHERICAL_HARMONICS, 3));
   auto sum = vtkSmartPointer<vtkSumBRDF>::New();
   sum->AddTerm(lambert);
   sum->AddTerm(ashikhmin);
