@@ -335,7 +335,10 @@ TEST_F(Parity, Bases)
                                  (nPhi == 1 ? ", isotropic" : "") + (flags & 1 ? ", i.z" : "") +
                                  (flags & 2 ? ", o.z" : "");
         brdf->SetResamplingTolerance(1.9e-3); // 32 bits
-        this->Check(name.c_str(), brdf, 1e-4);
+        // Divided by i.z, sums that don't fall towards the horizon end within a cosine of 0.01 of
+        // it, which magnifies the rounding of directions to 32-bit floats.
+        const bool cliff = (flags & 1) && basis < vtkBasisBRDF::ZONAL;
+        this->Check(name.c_str(), brdf, cliff ? 5e-4 : 1e-4);
         if (flags == 3)
         {
           brdf->SetResamplingTolerance(0.02); // 16 bits
