@@ -249,7 +249,7 @@ void AddFitCommand(CLI::App& app)
   command
     ->add_option("--starts", options->Starts, "Number of starting points to refine (default 4)")
     ->check(CLI::Range(1, 64));
-  command->add_option("--samples", options->Samples, "Number of direction pairs (default 16384)")
+  command->add_option("--samples", options->Samples, "Number of direction pairs (default 32768)")
     ->check(CLI::Range(256, 1 << 22));
   command->add_option(
     "--seed", options->Seed, "Shifts the direction pairs; same seed, same result (default 1)");

@@ -24,8 +24,9 @@ using Vector = Eigen::VectorXd;
 constexpr int StartSweeps = 3; // before the best start is chosen
 constexpr int NumberOfFresnelStarts = 4;
 
-// Neighbouring cells are tied by this share of what the data say about the better known of them:
-// cells that no sample touches follow their neighbours, all others move by less than this share.
+// The changes of neighbouring cells are tied by this share of what the data say about the better
+// known of them: cells that no sample touches move with their neighbours, and where the data are
+// fitted nothing moves.
 constexpr double Tie = 1e-3;
 
 //------------------------------------------------------------------------------
@@ -288,9 +289,12 @@ private:
     for (const auto& tie : this->Places.Ties)
     {
       const double strength = Tie * std::max({ known[tie[0]], known[tie[1]], least });
+      const double pull = strength * (this->Distribution[tie[0]] - this->Distribution[tie[1]]);
       H.coeffRef(tie[0], tie[0]) += strength;
       H.coeffRef(tie[1], tie[1]) += strength;
       H.coeffRef(tie[0], tie[1]) -= strength;
+      g[tie[0]] += pull;
+      g[tie[1]] -= pull;
     }
     Vector x(cells + 1);
     x << this->Distribution, this->Lambert;
@@ -328,6 +332,9 @@ private:
     {
       const double strength =
         Tie * std::max({ known[k], known[k + 1], 1e-12 * known.head(n).mean() });
+      const double pull = strength * (this->Fresnel[k] - this->Fresnel[k + 1]);
+      m[k] += pull;
+      m[k + 1] -= pull;
       M(k, k) += strength;
       M(k + 1, k + 1) += strength;
       M(k, k + 1) -= strength;
