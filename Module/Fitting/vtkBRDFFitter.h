@@ -72,7 +72,7 @@ public:
 
   ///@{
   /**
-   * Number of direction pairs, in [256, 2^22]; default 16384.
+   * Number of direction pairs, in [256, 2^22]; default 32768.
    */
   vtkSetMacro(NumberOfSamples, int);
   vtkGetMacro(NumberOfSamples, int);
@@ -89,7 +89,7 @@ public:
 
   ///@{
   /**
-   * Largest number of iterations from the best start, in [1, 10000]; default 100.
+   * Largest number of iterations from the best start, in [1, 10000]; default 200.
    */
   vtkSetMacro(MaximumNumberOfIterations, int);
   vtkGetMacro(MaximumNumberOfIterations, int);
@@ -98,7 +98,7 @@ public:
   ///@{
   /**
    * Stop where an iteration lowers the mean square by a smaller share than this, in (0,1); default
-   * 1e-4.
+   * 1e-6.
    */
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);
@@ -203,10 +203,10 @@ protected:
   vtkSmartPointer<vtkBRDF> Input;
   vtkSmartPointer<vtkBRDF> Output;
   int Loss = LOG_COSINE;
-  int NumberOfSamples = 16384;
+  int NumberOfSamples = 32768;
   int NumberOfStarts = 4;
-  int MaximumNumberOfIterations = 100;
-  double Tolerance = 1e-4;
+  int MaximumNumberOfIterations = 200;
+  double Tolerance = 1e-6;
   unsigned int Seed = 1;
   std::atomic<bool> Abort{ false };
   double Residual = 0.0;
