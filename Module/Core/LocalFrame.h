@@ -14,6 +14,21 @@
 
 namespace measuredbrdf
 {
+/// Unit vector above the horizon, or false. NaN compares false too.
+inline bool ToUpperUnit(const double in[3], double out[3])
+{
+  const double length = std::sqrt(in[0] * in[0] + in[1] * in[1] + in[2] * in[2]);
+  if (!(in[2] > 0.0) || !(length > 0.0) || !std::isfinite(length))
+  {
+    return false;
+  }
+  for (int c = 0; c < 3; ++c)
+  {
+    out[c] = in[c] / length;
+  }
+  return out[2] > 0.0;
+}
+
 /// Columns: tangent, bitangent, normal.
 using Frame = glm::dmat3;
 

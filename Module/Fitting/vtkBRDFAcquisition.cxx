@@ -27,6 +27,7 @@ namespace
 // polar angle.
 constexpr int NumberOfNodes = 48;
 constexpr int SmallestNumberOfAzimuths = 96;
+constexpr std::size_t MaximumBytes = std::size_t(1) << 30; // of the table of responses
 
 double ToRadians(double degrees) { return degrees * (Pi / 180.0); }
 
@@ -34,6 +35,11 @@ glm::dvec3 ToDirection(double cosine, double phi)
 {
   const double s = std::sqrt(std::max(1.0 - cosine * cosine, 0.0));
   return { s * std::cos(phi), s * std::sin(phi), cosine };
+}
+
+int GetNumberOfAzimuths(int pixels)
+{
+  return (SmallestNumberOfAzimuths + pixels - 1) / pixels * pixels;
 }
 
 // Camera images of one pattern: [theta][phi][channel].
@@ -58,8 +64,7 @@ public:
     }
     for (double& value : image)
     {
-      double v =
-        value / full + (this->Noise > 0.0 ? this->Noise * this->Normal(this->Random) : 0.0);
+      double v = value / full + (this->Noise > 0.0 ? this->Noise * this->GetNormal() : 0.0);
       if (this->Levels > 0.0)
       {
         v = std::round(std::clamp(v, 0.0, 1.0) * this->Levels) / this->Levels;
@@ -69,10 +74,17 @@ public:
   }
 
 private:
+  // Box, Muller 1958: the engine's bits are fixed by the standard, its distributions are not.
+  double GetNormal()
+  {
+    const double u = (static_cast<double>(this->Random()) + 0.5) * 0x1p-32;
+    const double v = (static_cast<double>(this->Random()) + 0.5) * 0x1p-32;
+    return std::sqrt(-2.0 * std::log(u)) * std::cos(2.0 * Pi * v);
+  }
+
   double Noise;
   double Levels;
   std::mt19937 Random;
-  std::normal_distribution<double> Normal;
 };
 }
 
@@ -101,12 +113,12 @@ std::string vtkBRDFAcquisition::FindProblem() const
   if (this->Order < 1 || this->Order > vtkBasisBRDF::MaximumOrder)
   {
     return "order " + std::to_string(this->Order) + ", expected 1 to " +
-           std::to_string(vtkBasisBRDF::MaximumOrder);
+           std::to_string(static_cast<int>(vtkBasisBRDF::MaximumOrder));
   }
-  if (!(this->Zone[0] >= 0.0 && this->Zone[0] < this->Zone[1] && this->Zone[1] <= 90.0))
+  const std::string zoneProblem = vtkBasisBRDF::FindZoneProblem(this->Zone);
+  if (!zoneProblem.empty())
   {
-    return "zone " + std::to_string(this->Zone[0]) + " to " + std::to_string(this->Zone[1]) +
-           " degrees, expected 0 <= begin < end <= 90";
+    return zoneProblem;
   }
   if (!(this->Noise >= 0.0) || !std::isfinite(this->Noise))
   {
@@ -115,6 +127,16 @@ std::string vtkBRDFAcquisition::FindProblem() const
   if (this->Bits < 0 || this->Bits > 24)
   {
     return std::to_string(this->Bits) + " bits, expected 0 (none) or 1 to 24";
+  }
+  const std::size_t bytes = 3 * sizeof(float) * NumberOfNodes *
+                            static_cast<std::size_t>(GetNumberOfAzimuths(this->NumberOfPhi)) *
+                            static_cast<std::size_t>(this->NumberOfTheta) *
+                            (this->Input->IsIsotropic() ? 1 : this->NumberOfPhi);
+  if (bytes > MaximumBytes)
+  {
+    return std::to_string(this->NumberOfTheta) + " x " + std::to_string(this->NumberOfPhi) +
+           " pixels need " + std::to_string(bytes >> 20) + " MiB, expected at most " +
+           std::to_string(MaximumBytes >> 20);
   }
   return "";
 }
@@ -138,8 +160,8 @@ bool vtkBRDFAcquisition::Acquire()
     std::cos(ToRadians(zone[0])), std::cos(ToRadians(zone[1])));
   const int nTheta = this->NumberOfTheta;
   const int nPhi = this->NumberOfPhi;
-  const int turn = (SmallestNumberOfAzimuths + nPhi - 1) / nPhi; // azimuths per camera azimuth
-  const int azimuths = turn * nPhi;
+  const int azimuths = GetNumberOfAzimuths(nPhi);
+  const int turn = azimuths / nPhi; // per camera azimuth
   const int lights = NumberOfNodes * azimuths;
   const int count = functions.GetNumberOfFunctions();
 
@@ -168,28 +190,43 @@ bool vtkBRDFAcquisition::Acquire()
   const bool isotropic = input->IsIsotropic();
   const int views = isotropic ? nTheta : nTheta * nPhi;
   Eigen::MatrixXf responses(lights, 3 * views);
-  vtkSMPTools::For(0, views,
-    [&](vtkIdType begin, vtkIdType end)
+  const auto respond = [&](vtkIdType begin, vtkIdType end)
+  {
+    for (vtkIdType view = begin; view < end; ++view)
     {
-      for (vtkIdType view = begin; view < end; ++view)
+      const int t = static_cast<int>(isotropic ? view : view / nPhi);
+      const int p = static_cast<int>(isotropic ? 0 : view % nPhi);
+      const double theta = ToRadians(zone[0] + (zone[1] - zone[0]) * t / (nTheta - 1.0));
+      const glm::dvec3 o = LiftView(ToDirection(std::cos(theta), 2.0 * Pi * p / nPhi));
+      for (int light = 0; light < lights; ++light)
       {
-        const int t = static_cast<int>(isotropic ? view : view / nPhi);
-        const int p = static_cast<int>(isotropic ? 0 : view % nPhi);
-        const double theta = ToRadians(zone[0] + (zone[1] - zone[0]) * t / (nTheta - 1.0));
-        const glm::dvec3 o = LiftView(ToDirection(std::cos(theta), 2.0 * Pi * p / nPhi));
-        for (int light = 0; light < lights; ++light)
+        const glm::dvec3 i =
+          ToDirection(cosines[light / azimuths], 2.0 * Pi * (light % azimuths) / azimuths);
+        double f[3];
+        input->Evaluate(&i.x, &o.x, f);
+        for (int c = 0; c < 3; ++c)
         {
-          const glm::dvec3 i =
-            ToDirection(cosines[light / azimuths], 2.0 * Pi * (light % azimuths) / azimuths);
-          double f[3];
-          input->Evaluate(&i.x, &o.x, f);
-          for (int c = 0; c < 3; ++c)
-          {
-            responses(light, 3 * view + c) = static_cast<float>(f[c] * weights[light / azimuths]);
-          }
+          responses(light, 3 * view + c) = static_cast<float>(f[c] * weights[light / azimuths]);
         }
       }
-    });
+    }
+  };
+  // Half of the progress each. In batches, so that it and interruption happen on this thread.
+  const auto report = [this](double progress)
+  {
+    this->InvokeEvent(vtkCommand::ProgressEvent, &progress);
+    return !this->Abort;
+  };
+  constexpr int batch = 16;
+  for (int first = 0; first < views; first += batch)
+  {
+    const int last = std::min(first + batch, views);
+    vtkSMPTools::For(first, last, respond);
+    if (!report(0.5 * last / views))
+    {
+      return false;
+    }
+  }
 
   // Photographs of max(sign B_k, 0). An isotropic sample at camera azimuth p sees the pattern
   // turned by it: one column each.
@@ -246,9 +283,7 @@ bool vtkBRDFAcquisition::Acquire()
       positive[pixel] -= negative[pixel];
     }
     stack.push_back(std::move(positive));
-    double progress = (k + 1.0) / count;
-    this->InvokeEvent(vtkCommand::ProgressEvent, &progress);
-    if (this->Abort)
+    if (!report(0.5 + 0.5 * (k + 1.0) / count))
     {
       return false;
     }

@@ -93,6 +93,7 @@ public:
   ///@{
   /**
    * Camera pixels: polar angles (default 48, in [2, 1024]) and azimuths (default 32, in [1, 256]).
+   * So many pixels of an anisotropic sample that its responses take more than 1 GiB are refused.
    */
   vtkSetClampMacro(NumberOfTheta, int, 2, 1024);
   vtkGetMacro(NumberOfTheta, int);

@@ -313,8 +313,8 @@ bool vtkBasisExtrapolator::Extrapolate()
   output->SetSource(input->GetSource());
   output->SetResamplingTolerance(input->GetResamplingTolerance());
   this->Output = output;
-  this->InZoneResidual = vtkBRDFResampler::GetZoneRelativeL2Error(
-    input, output, std::max(zone[0], outgoing[0]), std::min(zone[1], outgoing[1]), 1 << 14);
+  this->InZoneResidual =
+    vtkBRDFResampler::GetZoneRelativeL2Error(input, output, zone, outgoing, 1 << 14);
   this->Accepted = this->InZoneResidual <= this->MaximumResidual;
   return this->Accepted;
 }

@@ -71,8 +71,8 @@ public:
   ///@{
   /**
    * Largest relative residual inside the zone (L2, both cosines as weights) that is accepted;
-   * default 0.10. Measured on 12 RGL materials and five Blinn-Phong lobes at orders 4 to 12 on 9 to 57
-   * degrees: up to 0.10 the result was closer to the truth over 0 to 75 degrees than holding the
+   * default 0.10. Measured on 12 RGL materials and five Blinn-Phong lobes at orders 4 to 12 on 9 to
+   * 57 degrees: up to 0.10 the result was closer to the truth over 0 to 75 degrees than holding the
    * zone edge in all cases, above 0.16 mostly farther, by up to a factor 36.
    */
   vtkSetClampMacro(MaximumResidual, double, 0.0, 1e6);

@@ -47,6 +47,9 @@ Plan MakePlan(vtkBasisProjector* self)
   Plan plan;
   plan.Functions = BasisFunctions(basis == vtkBasisBRDF::LEGENDRE_FOURIER, order, near,
     basis == vtkBasisBRDF::SPHERICAL_HARMONICS ? -1.0 : far);
+  // The other bases' problems are well-posed: a penalty would only bias them.
+  const double regularization =
+    basis == vtkBasisBRDF::SPHERICAL_HARMONICS ? self->GetRegularization() : 0.0;
   const Quadrature rule = GaussLegendre(self->GetNumberOfNodes());
   std::vector<double> weights;
   for (std::size_t q = 0; q < rule.Nodes.size(); ++q)
@@ -72,7 +75,7 @@ Plan MakePlan(vtkBasisProjector* self)
     else
     {
       plan.Operators.push_back(
-        MakeLeastSquares(plan.Functions, m, plan.Cosines, weights, self->GetRegularization()));
+        MakeLeastSquares(plan.Functions, m, plan.Cosines, weights, regularization));
     }
     for (int l = m; l <= order; ++l)
     {
@@ -119,7 +122,7 @@ double vtkBasisProjector::GetWindowFactor(int window, int order, int l)
       return l > 0 ? std::sin(angle) / angle : 1.0;
     case LAPLACIAN:
     {
-      const double ratio = l * (l + 1.0) / (order * (order + 1.0));
+      const double ratio = l > 0 ? l * (l + 1.0) / (order * (order + 1.0)) : 0.0;
       return 1.0 / (1.0 + ratio * ratio);
     }
     default:
@@ -143,12 +146,18 @@ bool vtkBasisProjector::Project()
   }
   for (const double* zone : { this->IncidentZone, this->OutgoingZone })
   {
-    if (!(zone[0] >= 0.0 && zone[0] < zone[1] && zone[1] <= 90.0))
+    const std::string problem = vtkBasisBRDF::FindZoneProblem(zone);
+    if (!problem.empty())
     {
-      vtkErrorMacro("Project: zone " << zone[0] << " to " << zone[1]
-                                     << " degrees, expected 0 <= begin < end <= 90.");
+      vtkErrorMacro("Project: " << problem << ".");
       return false;
     }
+  }
+  if (this->NumberOfNodes <= this->Order)
+  {
+    vtkErrorMacro("Project: " << this->NumberOfNodes << " nodes, expected more than the order, "
+                              << this->Order << ".");
+    return false;
   }
   const Plan plan = MakePlan(this);
   const bool isotropic = this->Input->IsIsotropic();

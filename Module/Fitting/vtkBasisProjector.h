@@ -98,7 +98,8 @@ public:
 
   ///@{
   /**
-   * Weight of the Laplacian's square; default 1e-6, in [0, 1].
+   * Weight of the Laplacian's square, of spherical harmonics by least squares only; default 1e-6,
+   * in [0, 1].
    */
   vtkSetClampMacro(Regularization, double, 0.0, 1.0);
   vtkGetMacro(Regularization, double);
@@ -129,7 +130,8 @@ public:
 
   ///@{
   /**
-   * Nodes in theta_i: default 96, in [8, 1024]. Sharp lobes need more, as does a high order.
+   * Nodes in theta_i: default 96, in [8, 1024]. Sharp lobes need more; Project refuses no more than
+   * the order.
    */
   vtkSetClampMacro(NumberOfNodes, int, 8, 1024);
   vtkGetMacro(NumberOfNodes, int);
@@ -145,8 +147,9 @@ public:
   ///@}
 
   /**
-   * Returns false with an error event, output unchanged, without an input or with an order or zone
-   * that vtkBasisBRDF refuses; false without one when aborted.
+   * Returns false with an error event, output unchanged, without an input or with an order, zone
+   * (vtkBasisBRDF::FindZoneProblem) or number of nodes that is refused; false without one when
+   * aborted.
    */
   bool Project();
 

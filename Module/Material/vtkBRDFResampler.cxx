@@ -30,26 +30,45 @@ struct Probe
   double Weight; // c_i c_o over the density of the draw
 };
 
-// Pairs number first + 1 ... first + count of a fixed sequence. The view's cosine: half in
-// proportion to itself, half to its reciprocal, because f grows towards the horizon and errors sit
-// there. i: half by the reference's own sampler (sharp lobes are met), half cosine-weighted
-// (nothing is missed). Weights by the balance heuristic (Veach, Guibas 1995).
-std::vector<Probe> MakeProbes(vtkBRDF* reference, int first, int count)
+// Cosines of a zone's edges.
+struct Zone
+{
+  double Near;
+  double Far;
+};
+
+constexpr Zone Hemisphere = { 1.0, 0.0 };
+
+Zone ToZone(const double degrees[2])
+{
+  return { std::cos(degrees[0] * (Pi / 180.0)),
+    degrees[1] < 90.0 ? std::cos(degrees[1] * (Pi / 180.0)) : 0.0 };
+}
+
+// Pairs number first + 1 ... first + count of a fixed sequence, of directions in two zones. The
+// view's cosine: half in proportion to itself, half to its reciprocal, because f grows towards the
+// horizon and errors sit there. i: half by the reference's own sampler (sharp lobes are met), half
+// cosine-weighted (nothing is missed). Weights by the balance heuristic (Veach, Guibas 1995).
+std::vector<Probe> MakeProbes(vtkBRDF* reference, int first, int count,
+  const Zone& incident = Hemisphere, const Zone& outgoing = Hemisphere)
 {
   reference->Prepare();
   std::vector<Probe> probes;
   probes.reserve(static_cast<std::size_t>(count));
-  constexpr double least = MinimumViewCosine;
-  const double logRange = std::log(1.0 / least);
+  const double most = outgoing.Near;
+  const double least = std::max(outgoing.Far, MinimumViewCosine);
+  const double logRange = std::log(most / least);
+  const double nearSquare = incident.Near * incident.Near;
+  const double squares = nearSquare - incident.Far * incident.Far;
   for (int k = 0; k < count; ++k)
   {
     const std::uint32_t n = static_cast<std::uint32_t>(first + k) + 1;
     const double u = RadicalInverse(n, 2);
     const double z = RadicalInverse(n, 13) < 0.5
-                       ? std::sqrt(least * least + u * (1.0 - least * least))
+                       ? std::sqrt(least * least + u * (most * most - least * least))
                        : least * std::exp(u * logRange);
     const double viewDensity =
-      0.5 * (2.0 * z / (1.0 - least * least) + 1.0 / (z * logRange)) / (2.0 * Pi);
+      0.5 * (2.0 * z / (most * most - least * least) + 1.0 / (z * logRange)) / (2.0 * Pi);
     const double s = std::sqrt(std::max(1.0 - z * z, 0.0));
     const double phi = 2.0 * Pi * RadicalInverse(n, 3);
     Probe probe;
@@ -60,13 +79,15 @@ std::vector<Probe> MakeProbes(vtkBRDF* reference, int first, int count)
     const double u1 = RadicalInverse(n, 5), u2 = RadicalInverse(n, 7);
     if (RadicalInverse(n, 11) < 0.5)
     {
-      SampleCosine(u1, u2, probe.I);
+      SampleCosine(1.0 - nearSquare + u1 * squares, u2, probe.I);
     }
-    else if (!reference->Sample(probe.O, u1, u2, probe.I))
+    else if (!reference->Sample(probe.O, u1, u2, probe.I) || probe.I[2] > incident.Near ||
+             probe.I[2] < incident.Far)
     {
       continue;
     }
-    const double density = 0.5 * (reference->Pdf(probe.I, probe.O) + probe.I[2] / Pi) * viewDensity;
+    const double density =
+      0.5 * (reference->Pdf(probe.I, probe.O) + probe.I[2] / (Pi * squares)) * viewDensity;
     probe.Weight = probe.I[2] * z / density;
     reference->Evaluate(probe.I, probe.O, probe.F);
     probes.push_back(probe);
@@ -260,25 +281,28 @@ bool vtkBRDFResampler::Resample()
 //------------------------------------------------------------------------------
 double vtkBRDFResampler::GetRelativeL2Error(vtkBRDF* a, vtkBRDF* b, int pairs, double* maximum)
 {
-  return GetZoneRelativeL2Error(a, b, 0.0, 90.0, pairs, maximum);
+  const double hemisphere[2] = { 0.0, 90.0 };
+  return GetZoneRelativeL2Error(a, b, hemisphere, hemisphere, pairs, maximum);
 }
 
 //------------------------------------------------------------------------------
-double vtkBRDFResampler::GetZoneRelativeL2Error(
-  vtkBRDF* a, vtkBRDF* b, double begin, double end, int pairs, double* maximum)
+double vtkBRDFResampler::GetZoneRelativeL2Error(vtkBRDF* a, vtkBRDF* b, const double incident[2],
+  const double outgoing[2], int pairs, double* maximum)
 {
   if (!a || !b || pairs < 1)
   {
     vtkGenericWarningMacro("GetRelativeL2Error: expected two BRDFs and at least one pair.");
     return 0.0;
   }
-  std::vector<Probe> probes = MakeProbes(a, ChoosingProbes, pairs);
-  const double near = std::cos(begin * (Pi / 180.0));
-  const double far = end < 90.0 ? std::cos(end * (Pi / 180.0)) : 0.0;
-  const auto outside = [near, far](double cosine) { return cosine > near || cosine < far; };
-  probes.erase(std::remove_if(probes.begin(), probes.end(),
-                 [&outside](const Probe& probe)
-                 { return outside(probe.I[2]) || outside(probe.O[2]); }),
-    probes.end());
-  return Compare(probes, b, maximum);
+  const Zone zones[2] = { ToZone(incident), ToZone(outgoing) };
+  for (const Zone& zone : zones)
+  {
+    if (!(zone.Near <= 1.0 && zone.Near > std::max(zone.Far, MinimumViewCosine)))
+    {
+      vtkGenericWarningMacro("GetZoneRelativeL2Error: expected zones with 0 <= begin < end <= 90 "
+                             "degrees that begin below 88.8.");
+      return 0.0;
+    }
+  }
+  return Compare(MakeProbes(a, ChoosingProbes, pairs, zones[0], zones[1]), b, maximum);
 }

@@ -97,11 +97,11 @@ public:
     vtkBRDF* a, vtkBRDF* b, int pairs = 1 << 17, double* maximum = nullptr);
 
   /**
-   * The same over pairs whose polar angles both lie in [begin, end] degrees: what a device sees
-   * that only covers a zone.
+   * The same over pairs whose polar angles lie in two zones (begin and end in degrees, of i and of
+   * o): what a device sees that only covers those. 0 with a warning where a zone is none.
    */
-  static double GetZoneRelativeL2Error(vtkBRDF* a, vtkBRDF* b, double begin, double end,
-    int pairs = 1 << 17, double* maximum = nullptr);
+  static double GetZoneRelativeL2Error(vtkBRDF* a, vtkBRDF* b, const double incident[2],
+    const double outgoing[2], int pairs = 1 << 17, double* maximum = nullptr);
 
 protected:
   vtkBRDFResampler() = default;

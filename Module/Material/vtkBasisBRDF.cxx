@@ -4,12 +4,16 @@
 
 #include "BasisFunctions.h"
 #include "HalfVectorSampler.h"
+#include "LocalFrame.h"
 #include "LowDiscrepancy.h"
 #include "vtkBRDFGPUForm.h"
 #include "vtkObjectFactory.h"
 
 #include <glm/gtc/type_ptr.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <sstream>
 
 using namespace measuredbrdf;
@@ -22,6 +26,11 @@ constexpr double MinimumCosine = 0.01; // that a sum is divided by; the shader h
 constexpr int LargestSide = 256;       // of the basis table
 
 double ToRadians(double degrees) { return degrees * (Pi / 180.0); }
+
+bool HasZone(int basis)
+{
+  return basis == vtkBasisBRDF::ZONAL || basis == vtkBasisBRDF::LEGENDRE_FOURIER;
+}
 
 BasisFunctions MakeFunctions(int basis, int order, const double zone[2])
 {
@@ -63,6 +72,19 @@ Interval OnCircle(double u, int n)
 }
 
 double GetTurn(double y, double x) { return std::atan2(y, x) / (2.0 * Pi); }
+
+// Four neighbours in the basis table and their weights.
+struct Corners
+{
+  const float* Rows[4];
+  double Weights[4];
+
+  double Interpolate(std::size_t k) const
+  {
+    return this->Weights[0] * this->Rows[0][k] + this->Weights[1] * this->Rows[1][k] +
+           this->Weights[2] * this->Rows[2][k] + this->Weights[3] * this->Rows[3][k];
+  }
+};
 }
 
 //------------------------------------------------------------------------------
@@ -70,12 +92,31 @@ double GetTurn(double y, double x) { return std::atan2(y, x) / (2.0 * Pi); }
 struct vtkBasisBRDF::Tables
 {
   BasisFunctions Functions;
+  double Tolerance = 0.0; // that they were made for
+  bool Cosines[2] = { false, false };
   double GammaRange = Pi; // acos(x) at the last row
   int NumberOfGamma = 2;
   int NumberOfPhi = 1;
   std::vector<float> Basis;        // [gamma][phi][k]
   std::vector<float> Coefficients; // [theta_o][phi_o][channel][k]
   std::unique_ptr<HalfVectorSampler> Sampler;
+
+  Corners GetCorners(double x, double turn) const
+  {
+    const Interval g = OnAxis(std::acos(x) / this->GammaRange, this->NumberOfGamma);
+    const Interval p = OnCircle(turn, this->NumberOfPhi);
+    const auto row = [this](int gamma, int phi)
+    {
+      const std::size_t k =
+        static_cast<std::size_t>(gamma) * static_cast<std::size_t>(this->NumberOfPhi) +
+        static_cast<std::size_t>(phi);
+      return &this->Basis[k * static_cast<std::size_t>(this->Functions.GetNumberOfFunctions())];
+    };
+    return { { row(g.First, p.First), row(g.First, p.Second), row(g.Second, p.First),
+               row(g.Second, p.Second) },
+      { (1.0 - g.Weight) * (1.0 - p.Weight), (1.0 - g.Weight) * p.Weight,
+        g.Weight * (1.0 - p.Weight), g.Weight * p.Weight } };
+  }
 };
 
 //------------------------------------------------------------------------------
@@ -100,6 +141,20 @@ void vtkBasisBRDF::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
+std::string vtkBasisBRDF::FindZoneProblem(const double zone[2])
+{
+  if (zone[0] >= 0.0 && zone[0] + MinimumZoneWidth <= zone[1] && zone[1] <= 90.0)
+  {
+    return "";
+  }
+  std::ostringstream text;
+  text << "zone " << zone[0] << " to " << zone[1]
+       << " degrees, expected 0 <= begin < end <= 90 and at least "
+       << static_cast<double>(MinimumZoneWidth) << " between";
+  return text.str();
+}
+
+//------------------------------------------------------------------------------
 std::string vtkBasisBRDF::SetCoefficients(int basis, int order, const double incidentZone[2],
   const double outgoingZone[2], int nTheta, int nPhi, std::vector<float> rgb)
 {
@@ -111,14 +166,14 @@ std::string vtkBasisBRDF::SetCoefficients(int basis, int order, const double inc
   {
     return "order " + std::to_string(order) + ", expected 0 to " + std::to_string(MaximumOrder);
   }
-  const bool ownZone = basis == ZONAL || basis == LEGENDRE_FOURIER;
+  const bool ownZone = HasZone(basis);
   const double incident[2] = { ownZone ? incidentZone[0] : 0.0, ownZone ? incidentZone[1] : 90.0 };
   for (const double* zone : { incident, outgoingZone })
   {
-    if (!(zone[0] >= 0.0 && zone[0] < zone[1] && zone[1] <= 90.0))
+    const std::string problem = FindZoneProblem(zone);
+    if (!problem.empty())
     {
-      return "zone " + std::to_string(zone[0]) + " to " + std::to_string(zone[1]) +
-             " degrees, expected 0 <= begin < end <= 90";
+      return problem;
     }
   }
   if (nTheta < 2 || nTheta > 1024 || nPhi < 1 || nPhi > 1024)
@@ -160,8 +215,12 @@ std::string vtkBasisBRDF::GetBasisName(int basis)
 std::vector<double> vtkBasisBRDF::EvaluateBasis(
   int basis, int order, const double zone[2], const double direction[3])
 {
-  const BasisFunctions functions =
-    MakeFunctions(basis, std::clamp(order, 0, static_cast<int>(MaximumOrder)), zone);
+  if (basis < SPHERICAL_HARMONICS || basis > LEGENDRE_FOURIER || order < 0 ||
+      order > MaximumOrder || (HasZone(basis) && !FindZoneProblem(zone).empty()))
+  {
+    return {};
+  }
+  const BasisFunctions functions = MakeFunctions(basis, order, zone);
   std::vector<double> values(static_cast<std::size_t>(functions.GetNumberOfFunctions()));
   functions.Evaluate(direction[2], std::atan2(direction[1], direction[0]), values.data());
   return values;
@@ -170,11 +229,17 @@ std::vector<double> vtkBasisBRDF::EvaluateBasis(
 //------------------------------------------------------------------------------
 const vtkBasisBRDF::Tables& vtkBasisBRDF::GetTables()
 {
-  if (this->Cached)
+  const bool current = this->Cached && this->Cached->Tolerance == this->ResamplingTolerance &&
+                       this->Cached->Cosines[0] == this->IncidentCosine &&
+                       this->Cached->Cosines[1] == this->OutgoingCosine;
+  if (current)
   {
     return *this->Cached;
   }
   auto tables = std::make_unique<Tables>();
+  tables->Tolerance = this->ResamplingTolerance;
+  tables->Cosines[0] = this->IncidentCosine;
+  tables->Cosines[1] = this->OutgoingCosine;
   tables->Functions = MakeFunctions(this->Basis, this->Order, this->IncidentZone);
   tables->GammaRange = this->Basis == SPHERICAL_HARMONICS ? 0.5 * Pi : Pi;
   // Linear interpolation of cos(m t) at steps h has an RMS error of 0.09 (m h)^2.
@@ -217,7 +282,18 @@ const vtkBasisBRDF::Tables& vtkBasisBRDF::GetTables()
 void vtkBasisBRDF::EvaluateSigned(const double i[3], const double o[3], double f[3])
 {
   f[0] = f[1] = f[2] = 0.0;
-  if (this->Coefficients.empty() || !(i[2] > 0.0) || !(o[2] > 0.0))
+  double iUnit[3], oUnit[3];
+  if (ToUpperUnit(i, iUnit) && ToUpperUnit(o, oUnit))
+  {
+    this->Sum(iUnit, oUnit, f);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkBasisBRDF::Sum(const double i[3], const double o[3], double f[3])
+{
+  f[0] = f[1] = f[2] = 0.0;
+  if (this->Coefficients.empty())
   {
     return;
   }
@@ -226,26 +302,15 @@ void vtkBasisBRDF::EvaluateSigned(const double i[3], const double o[3], double f
 
   const bool isotropic = this->NumberOfPhi == 1;
   const double x = tables.Functions.ToX(i[2]);
-  const Interval g = OnAxis(std::acos(x) / tables.GammaRange, tables.NumberOfGamma);
   const double turn =
     isotropic ? GetTurn(o[0] * i[1] - o[1] * i[0], i[0] * o[0] + i[1] * o[1]) : GetTurn(i[1], i[0]);
-  const Interval p = OnCircle(turn, tables.NumberOfPhi);
+  const Corners corners = tables.GetCorners(x, turn);
   const double begin = ToRadians(this->OutgoingZone[0]);
   const double end = ToRadians(this->OutgoingZone[1]);
   const double thetaO = std::atan2(std::hypot(o[0], o[1]), o[2]);
   const Interval t = OnAxis((thetaO - begin) / (end - begin), this->NumberOfTheta);
   const Interval q = OnCircle(isotropic ? 0.0 : GetTurn(o[1], o[0]), this->NumberOfPhi);
 
-  const auto row = [&](int gamma, int phi)
-  {
-    return &tables.Basis[n * (static_cast<std::size_t>(gamma) *
-                                 static_cast<std::size_t>(tables.NumberOfPhi) +
-                               static_cast<std::size_t>(phi))];
-  };
-  const float* basis[4] = { row(g.First, p.First), row(g.First, p.Second), row(g.Second, p.First),
-    row(g.Second, p.Second) };
-  const double w[4] = { (1.0 - g.Weight) * (1.0 - p.Weight), (1.0 - g.Weight) * p.Weight,
-    g.Weight * (1.0 - p.Weight), g.Weight * p.Weight };
   const auto add = [&](int theta, int phi, double weight)
   {
     const std::size_t view =
@@ -255,8 +320,7 @@ void vtkBasisBRDF::EvaluateSigned(const double i[3], const double o[3], double f
     double sum[3] = { 0.0, 0.0, 0.0 };
     for (std::size_t k = 0; k < n; ++k)
     {
-      const double b =
-        w[0] * basis[0][k] + w[1] * basis[1][k] + w[2] * basis[2][k] + w[3] * basis[3][k];
+      const double b = corners.Interpolate(k);
       sum[0] += b * r[k];
       sum[1] += b * r[n + k];
       sum[2] += b * r[2 * n + k];
@@ -292,17 +356,16 @@ void vtkBasisBRDF::EvaluateSigned(const double i[3], const double o[3], double f
 //------------------------------------------------------------------------------
 void vtkBasisBRDF::EvaluateAbove(const double i[3], const double o[3], double f[3])
 {
-  this->EvaluateSigned(i, o, f);
+  this->Sum(i, o, f);
 }
 
 //------------------------------------------------------------------------------
 void vtkBasisBRDF::Prepare()
 {
-  if (this->Coefficients.empty() || (this->Cached && this->Cached->Sampler))
+  if (this->Coefficients.empty() || this->GetTables().Sampler)
   {
     return;
   }
-  this->GetTables();
   constexpr int nTheta = 45;
   this->Cached->Sampler = std::make_unique<HalfVectorSampler>(
     MeanOverDifferenceAngles(nTheta,
@@ -336,7 +399,7 @@ double vtkBasisBRDF::PdfAbove(const double i[3], const double o[3])
 //------------------------------------------------------------------------------
 void vtkBasisBRDF::GetBounds(double minimumCosine, double lower[3], double upper[3])
 {
-  // sum |C_k| max |B_k|
+  // sum |C_k| max |B_k|, over the least of the cosines that it is divided by.
   std::fill_n(lower, 3, 0.0);
   std::fill_n(upper, 3, 0.0);
   if (this->Coefficients.empty())
@@ -350,7 +413,16 @@ void vtkBasisBRDF::GetBounds(double minimumCosine, double lower[3], double upper
   {
     largest[k % n] = std::max(largest[k % n], std::abs(tables.Basis[k]));
   }
-  const double divisor = std::max(minimumCosine, MinimumCosine);
+  double divisor = 1.0;
+  if (this->IncidentCosine)
+  {
+    divisor *= std::max(std::min(minimumCosine, tables.Functions.GetNear()), MinimumCosine);
+  }
+  if (this->OutgoingCosine)
+  {
+    const double near = std::cos(ToRadians(this->OutgoingZone[0]));
+    divisor *= std::max(std::min(minimumCosine, near), MinimumCosine);
+  }
   for (std::size_t row = 0; row < tables.Coefficients.size() / n; ++row)
   {
     double sum = 0.0;
@@ -358,42 +430,51 @@ void vtkBasisBRDF::GetBounds(double minimumCosine, double lower[3], double upper
     {
       sum += static_cast<double>(std::abs(tables.Coefficients[row * n + k])) * largest[k];
     }
-    sum /= (this->IncidentCosine ? divisor : 1.0) * (this->OutgoingCosine ? divisor : 1.0);
+    sum /= divisor;
     upper[row % 3] = std::max(upper[row % 3], sum);
   }
 }
 
 //------------------------------------------------------------------------------
-// How much independent rounding errors of the stored values grow in the sum:
-// sqrt(sum (C_k B_k)^2) / |sum C_k B_k|, RMS.
-double vtkBasisBRDF::GetAmplification()
+// interpolation: relative L2 error of the sums by the basis table's steps, directions weighted by
+// the cosine. amplification: how much independent rounding errors of the stored values grow in the
+// sum, sqrt(sum (C_k B_k)^2) / |sum C_k B_k|, RMS.
+void vtkBasisBRDF::MeasureTables(double& interpolation, double& amplification)
 {
   const Tables& tables = this->GetTables();
   const std::size_t n = static_cast<std::size_t>(this->GetNumberOfFunctions());
   const std::size_t views = tables.Coefficients.size() / (3 * n);
-  const std::size_t lights = tables.Basis.size() / n;
+  std::vector<double> exact(n);
+  double difference = 0.0;
   double absolute = 0.0;
   double plain = 0.0;
   for (std::uint32_t sample = 1; sample <= 2000; ++sample)
   {
     const std::size_t view = static_cast<std::size_t>(RadicalInverse(sample, 2) * views);
-    const std::size_t light = static_cast<std::size_t>(RadicalInverse(sample, 3) * lights);
+    const double cosine = std::sqrt(RadicalInverse(sample, 3));
+    const double turn = RadicalInverse(sample, 5);
+    const double x = tables.Functions.ToX(cosine);
+    tables.Functions.Evaluate(tables.Functions.ToCosine(x), 2.0 * Pi * turn, exact.data());
+    const Corners corners = tables.GetCorners(x, turn);
     for (std::size_t c = 0; c < 3; ++c)
     {
       double sum = 0.0;
+      double error = 0.0;
       double magnitude = 0.0;
       for (std::size_t k = 0; k < n; ++k)
       {
-        const double term = static_cast<double>(tables.Coefficients[(3 * view + c) * n + k]) *
-                            tables.Basis[light * n + k];
-        sum += term;
-        magnitude += term * term;
+        const double coefficient = tables.Coefficients[(3 * view + c) * n + k];
+        sum += coefficient * exact[k];
+        error += coefficient * (corners.Interpolate(k) - exact[k]);
+        magnitude += coefficient * exact[k] * coefficient * exact[k];
       }
       plain += sum * sum;
+      difference += error * error;
       absolute += magnitude;
     }
   }
-  return plain > 0.0 ? std::sqrt(absolute / plain) : 1.0;
+  interpolation = plain > 0.0 ? std::sqrt(difference / plain) : 0.0;
+  amplification = plain > 0.0 ? std::sqrt(absolute / plain) : 1.0;
 }
 
 //------------------------------------------------------------------------------
@@ -407,7 +488,9 @@ void vtkBasisBRDF::GetGPUForm(vtkBRDFGPUForm& form)
   const int n = this->GetNumberOfFunctions();
   // Large terms that cancel (extrapolated harmonics) need 32 bits.
   constexpr double halfRounding = 1.0 / 2048.0;
-  const double amplification = this->GetAmplification();
+  double interpolation = 0.0;
+  double amplification = 1.0;
+  this->MeasureTables(interpolation, amplification);
   const bool halfFloat = 4.0 * halfRounding * amplification <= this->ResamplingTolerance;
 
   vtkBRDFGPUForm::Texture coefficients;
@@ -421,7 +504,7 @@ void vtkBasisBRDF::GetGPUForm(vtkBRDFGPUForm& form)
   {
     peak = std::max(peak, std::abs(v));
   }
-  const float scale = halfFloat && peak > 0.0f ? 32768.0f / peak : 1.0f;
+  const float scale = halfFloat && peak > 1e-30f ? 32768.0f / peak : 1.0f;
   coefficients.Data.reserve(this->Coefficients.size());
   for (float v : this->Coefficients)
   {
@@ -485,7 +568,8 @@ void vtkBasisBRDF::GetGPUForm(vtkBRDFGPUForm& form)
   term.Textures = { std::move(coefficients), std::move(basis) };
   form.QuantizationError =
     std::max(form.QuantizationError, amplification * (halfFloat ? halfRounding : 0x1p-23));
-  form.ResamplingError = std::max(form.ResamplingError, this->ResamplingError);
+  form.ResamplingError =
+    std::max(form.ResamplingError, std::hypot(this->ResamplingError, interpolation));
   form.Description = text.str();
   form.Terms.push_back(std::move(term));
 }

@@ -55,8 +55,17 @@ public:
   /// Largest order: 441 functions.
   static constexpr int MaximumOrder = 20;
 
+  /// Least width of a zone in degrees: a shader's 32-bit cosines tell its edges apart.
+  static constexpr double MinimumZoneWidth = 1.0;
+
   /**
-   * Set everything at once. order in [0, MaximumOrder]; zones in degrees, 0 <= begin < end <= 90
+   * What is wrong with a zone of polar angles in degrees: "" where 0 <= begin, begin +
+   * MinimumZoneWidth <= end <= 90.
+   */
+  static std::string FindZoneProblem(const double zone[2]);
+
+  /**
+   * Set everything at once. order in [0, MaximumOrder]; zones in degrees, see FindZoneProblem
    * (of i: ignored by the first two bases, which cover 0 to 90); nTheta in [2, 1024], nPhi in [1,
    * 1024]; rgb: K x nTheta x nPhi RGB triples, phi fastest, finite. Returns "" or, leaving
    * everything as it was, what is wrong.
@@ -113,13 +122,14 @@ public:
 
   /**
    * The sum without the clamp, divided by the cosines it carries: f where it rings is negative.
-   * Zero at and below the horizon.
+   * Directions as for Evaluate; zero at and below the horizon.
    */
   void EvaluateSigned(const double i[3], const double o[3], double f[3]);
 
   /**
    * B_k of a unit direction for all k, computed, not interpolated: GetNumberOfFunctions() values.
-   * Zone in degrees; order in [0, MaximumOrder].
+   * Zone in degrees; order in [0, MaximumOrder]. Empty for a basis, order or zone that
+   * SetCoefficients refuses.
    */
   static std::vector<double> EvaluateBasis(
     int basis, int order, const double zone[2], const double direction[3]);
@@ -155,7 +165,8 @@ private:
 
   struct Tables;
   const Tables& GetTables();
-  double GetAmplification();
+  void Sum(const double i[3], const double o[3], double f[3]);
+  void MeasureTables(double& interpolation, double& amplification);
 
   std::unique_ptr<Tables> Cached;
 };
