@@ -8,7 +8,7 @@
 #ifndef DistributionFit_h
 #define DistributionFit_h
 
-#include "FitSamples.h"
+#include "DistributionGeometry.h"
 
 #include <functional>
 #include <vector>
@@ -26,9 +26,7 @@ enum class FresnelShape
 
 struct DistributionFitOptions
 {
-  int NumberOfTheta;
-  int NumberOfPhi; // 1: isotropic
-  int NumberOfFresnel;
+  DistributionSize Size;
   FresnelShape Shape;
   int NumberOfStarts;
   int MaximumNumberOfIterations;

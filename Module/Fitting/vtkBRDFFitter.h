@@ -14,8 +14,8 @@
  *     SQUARED           f sqrt(cos_i)         minimizes the relative L2 error
  *
  * Pairs are low-discrepancy points, half over half and difference angles (dense at theta_h = 0, so
- * that sharp lobes are met) and half over both hemispheres. Pairs that a table has no valid cell
- * for do not count. Same input, options and seed: same result.
+ * that sharp lobes are met) and half over both hemispheres. Pairs that a table interpolates mostly
+ * from invalid cells do not count. Same input, options and seed: same result.
  *
  * ProgressEvent (calldata: double*) from the calling thread; interrupted by SetAbort(true).
  */

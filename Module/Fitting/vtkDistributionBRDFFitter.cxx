@@ -53,12 +53,12 @@ std::string vtkDistributionBRDFFitter::CheckOptions()
 //------------------------------------------------------------------------------
 vtkBRDFFitter::Result vtkDistributionBRDFFitter::FitTo(const FitSamples& samples)
 {
-  DistributionFitOptions options;
-  options.NumberOfPhi =
+  const int nPhi =
     this->NumberOfPhiSamples > 0 ? this->NumberOfPhiSamples : (this->Input->IsIsotropic() ? 1 : 32);
-  options.NumberOfTheta = this->NumberOfThetaSamples > 0 ? this->NumberOfThetaSamples
-                                                         : (options.NumberOfPhi > 1 ? 48 : 128);
-  options.NumberOfFresnel = this->NumberOfFresnelSamples;
+  const int nTheta =
+    this->NumberOfThetaSamples > 0 ? this->NumberOfThetaSamples : (nPhi > 1 ? 48 : 128);
+  DistributionFitOptions options;
+  options.Size = { nTheta, nPhi, this->NumberOfFresnelSamples };
   options.Shape = this->FresnelModel == SCHLICK ? FresnelShape::Schlick
                   : this->FresnelModel == FREE  ? FresnelShape::Free
                                                 : FresnelShape::Monotone;
@@ -68,9 +68,8 @@ vtkBRDFFitter::Result vtkDistributionBRDFFitter::FitTo(const FitSamples& samples
   options.Progress = [this](double share) { return this->UpdateProgress(share); };
   const DistributionFitResult fit = FitDistribution(this->Input, samples, options);
   vtkNew<vtkDistributionBRDF> distribution;
-  if (!distribution->SetDistribution(
-        options.NumberOfTheta, options.NumberOfPhi, fit.Distribution) ||
-      !distribution->SetFresnel(options.NumberOfFresnel, fit.Fresnel))
+  if (!distribution->SetDistribution(nTheta, nPhi, fit.Distribution) ||
+      !distribution->SetFresnel(this->NumberOfFresnelSamples, fit.Fresnel))
   {
     return Result();
   }
@@ -83,11 +82,10 @@ vtkBRDFFitter::Result vtkDistributionBRDFFitter::FitTo(const FitSamples& samples
   std::ostringstream report;
   report << "diffuse albedo: " << fit.Albedo[0] << " " << fit.Albedo[1] << " " << fit.Albedo[2]
          << "\n";
-  report << "p: " << options.NumberOfTheta << " x " << options.NumberOfPhi
-         << " samples, at the normal " << fit.Distribution[0] << " " << fit.Distribution[1] << " "
-         << fit.Distribution[2] << " 1/sr\n";
+  report << "p: " << nTheta << " x " << nPhi << " samples, at the normal " << fit.Distribution[0]
+         << " " << fit.Distribution[1] << " " << fit.Distribution[2] << " 1/sr\n";
   const std::size_t last = fit.Fresnel.size() - 3;
-  report << "F: " << options.NumberOfFresnel << " samples, from " << fit.Fresnel[0] << " "
+  report << "F: " << this->NumberOfFresnelSamples << " samples, from " << fit.Fresnel[0] << " "
          << fit.Fresnel[1] << " " << fit.Fresnel[2] << " to " << fit.Fresnel[last] << " "
          << fit.Fresnel[last + 1] << " " << fit.Fresnel[last + 2] << " at grazing\n";
   return { sum.Get(), fit.History, fit.Converged, report.str() };
