@@ -277,8 +277,9 @@ private:
       row.Functions = basis->GetNumberOfFunctions();
       row.NegativeMass = GetNegativeMass(basis);
     }
+    const double zone[2] = { this->Zone.Begin, this->Zone.End };
     row.Zone = vtkBRDFResampler::GetZoneRelativeL2Error(
-      this->Material.BRDF, brdf, this->Zone.Begin, this->Zone.End, NumberOfErrorPairs);
+      this->Material.BRDF, brdf, zone, zone, NumberOfErrorPairs);
     row.Hemisphere =
       vtkBRDFResampler::GetRelativeL2Error(this->Material.BRDF, brdf, NumberOfErrorPairs);
     for (std::size_t k = 0; k < this->Environments.size(); ++k)

@@ -53,6 +53,7 @@ void AddRenderCommand(CLI::App& app);
 void AddGalleryCommand(CLI::App& app);
 void AddConvertCommand(CLI::App& app);
 void AddRepresentationsCommand(CLI::App& app);
+void AddThesisCommand(CLI::App& app);
 void AddFitCommand(CLI::App& app);
 ///@}
 } // namespace tool

@@ -61,6 +61,7 @@ int main(int argc, char* argv[])
   tool::AddGalleryCommand(app);
   tool::AddConvertCommand(app);
   tool::AddRepresentationsCommand(app);
+  tool::AddThesisCommand(app);
   tool::AddFitCommand(app);
 
   for (CLI::App* command : app.get_subcommands({}))

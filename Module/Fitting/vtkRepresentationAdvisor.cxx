@@ -129,7 +129,7 @@ bool vtkRepresentationAdvisor::Update()
     return false;
   }
   this->InZoneResidual = vtkBRDFResampler::GetZoneRelativeL2Error(
-    this->Input, projector->GetOutput(), this->Zone[0], this->Zone[1], NumberOfPairs);
+    this->Input, projector->GetOutput(), this->Zone, this->Zone, NumberOfPairs);
   const Ringing ringing = MeasureRinging(this->Input, projector->GetOutput(), this->Zone);
   this->NegativeMass = ringing.NegativeMass;
   this->Overshoot = ringing.Overshoot;
