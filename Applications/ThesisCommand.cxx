@@ -189,12 +189,13 @@ public:
     }
     for (const Figure& figure : Figures)
     {
+      const int n = vtkEmbeddedMaterials::GetNumberOfMaterials();
       int k = 0;
-      while (vtkEmbeddedMaterials::GetKind(k) != figure.Kind)
+      while (k < n && vtkEmbeddedMaterials::GetKind(k) != figure.Kind)
       {
         ++k;
       }
-      if (this->Settings.Files.empty())
+      if (this->Settings.Files.empty() && k < n)
       {
         add(vtkEmbeddedMaterials::GetName(k), figure.Thesis);
       }

@@ -13,8 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <sstream>
+#include <cstdio>
 
 using namespace measuredbrdf;
 
@@ -137,14 +136,15 @@ bool vtkRepresentationAdvisor::Update()
   const bool residual = this->InZoneResidual <= this->MaximumResidual;
   const bool mass = this->NegativeMass <= this->MaximumNegativeMass;
   this->Recommendation = residual && mass ? BASIS : FIT;
-  std::ostringstream reason;
-  reason.precision(2);
-  reason << (this->Recommendation == BASIS ? "basis" : "fit") << ": at order " << this->Order
-         << " over " << this->Zone[0] << " to " << this->Zone[1] << " degrees the residual is "
-         << 100.0 * this->InZoneResidual << " % (limit " << 100.0 * this->MaximumResidual
-         << " %), the negative mass " << 100.0 * this->NegativeMass << " % (limit "
-         << 100.0 * this->MaximumNegativeMass << " %)";
-  this->Reason = reason.str();
+  char reason[200];
+  std::snprintf(reason, sizeof(reason),
+    "%s: at order %d over %g to %g degrees the residual is %.1f %% (limit %g %%), the negative "
+    "mass "
+    "%.2f %% (limit %g %%)",
+    this->Recommendation == BASIS ? "basis" : "fit", this->Order, this->Zone[0], this->Zone[1],
+    100.0 * this->InZoneResidual, 100.0 * this->MaximumResidual, 100.0 * this->NegativeMass,
+    100.0 * this->MaximumNegativeMass);
+  this->Reason = reason;
   return true;
 }
 

@@ -242,9 +242,9 @@ const vtkBasisBRDF::Tables& vtkBasisBRDF::GetTables()
   tables->Cosines[1] = this->OutgoingCosine;
   tables->Functions = MakeFunctions(this->Basis, this->Order, this->IncidentZone);
   tables->GammaRange = this->Basis == SPHERICAL_HARMONICS ? 0.5 * Pi : Pi;
-  // Linear interpolation of cos(m t) at steps h has an RMS error of 0.09 (m h)^2.
+  // Linear interpolation of cos(m t) at steps h has an RMS error of 0.09 (m h)^2, per axis.
   const double step =
-    std::sqrt(this->ResamplingTolerance / 0.09) / std::max(static_cast<double>(this->Order), 1.0);
+    std::sqrt(this->ResamplingTolerance / 0.18) / std::max(static_cast<double>(this->Order), 1.0);
   const auto count = [step](double range)
   { return std::clamp(static_cast<int>(std::ceil(range / step)), 1, LargestSide - 1) + 1; };
   tables->NumberOfGamma = count(tables->GammaRange);

@@ -23,7 +23,9 @@
  * would do. Both tables are interpolated linearly along directions and never across k. The basis
  * table's rows lie at equal steps of acos(x), x = 2 (cos theta - cos end) / (cos begin - cos end) -
  * 1, where a function of degree l has no frequency above l; its size follows the order and
- * ResamplingTolerance.
+ * ResamplingTolerance up to 256 x 256 (the error that is reached is the GPU form's
+ * ResamplingError; orders above 10 or so miss the default tolerance where their highest degrees
+ * dominate).
  *
  * Directions outside a zone are taken as on its edge, azimuth kept: f is held constant there.
  * Sums may be negative (ringing); Evaluate clamps at 0 after the sum, EvaluateSigned does not.

@@ -1,0 +1,458 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkBasisProjector and vtkBasisExtrapolator, against materials inside and outside a basis's span.
+#include "BasisFunctions.h"
+#include "ErrorCatcher.h"
+#include "TestBasisHelpers.h"
+#include "vtkAshikhminShirleyBRDF.h"
+#include "vtkBRDFResampler.h"
+#include "vtkBasisExtrapolator.h"
+#include "vtkBasisProjector.h"
+#include "vtkBlinnPhongBRDF.h"
+#include "vtkCallbackCommand.h"
+#include "vtkNew.h"
+
+#include <Eigen/Dense>
+
+#include <gtest/gtest.h>
+
+#include <iostream>
+#include <sstream>
+
+using namespace testbasis;
+
+namespace
+{
+constexpr double Zone[2] = { 9.0, 57.0 };
+constexpr double Hemisphere[2] = { 0.0, 90.0 };
+
+/// The material whose sum over B_k is exact: f = sum / cosines, with this one's coefficients.
+vtkSmartPointer<FunctionBRDF> MakeExact(
+  vtkBasisBRDF* brdf, bool incidentCosine, bool outgoingCosine)
+{
+  auto exact = vtkSmartPointer<FunctionBRDF>::New();
+  exact->Isotropic = brdf->IsIsotropic();
+  exact->Function = [brdf, incidentCosine, outgoingCosine](const glm::dvec3& i, const glm::dvec3& o)
+  {
+    // Only evaluated at samples of o.
+    const double* zone = brdf->GetOutgoingZone();
+    const double theta = std::acos(o.z) * 180.0 / Pi;
+    const int t = static_cast<int>(
+      std::lround((theta - zone[0]) / (zone[1] - zone[0]) * (brdf->GetNumberOfTheta() - 1)));
+    const double turn = std::atan2(o.y, o.x) / (2.0 * Pi);
+    const int nPhi = brdf->GetNumberOfPhi();
+    const int p = static_cast<int>(std::lround((turn - std::floor(turn)) * nPhi)) % nPhi;
+    return SumExactly(brdf, i, t, p) /
+           ((incidentCosine ? i.z : 1.0) * (outgoingCosine ? o.z : 1.0));
+  };
+  return exact;
+}
+
+double GetLargestDifference(vtkBasisBRDF* a, vtkBasisBRDF* b)
+{
+  EXPECT_EQ(a->GetCoefficients().size(), b->GetCoefficients().size());
+  double largest = 0.0;
+  for (std::size_t k = 0; k < a->GetCoefficients().size(); ++k)
+  {
+    largest = std::max(
+      largest, static_cast<double>(std::abs(a->GetCoefficients()[k] - b->GetCoefficients()[k])));
+  }
+  return largest;
+}
+
+/// Relative L2 error over the zone of i, solid angle or projected solid angle as weight, of the
+/// exact sum with the coefficients of one sample of o (azimuth 0).
+double GetViewError(vtkBasisBRDF* brdf, vtkBRDF* truth, int t, const double zone[2],
+  bool cosineWeighted, bool clamped = false, double* smallest = nullptr)
+{
+  const double* views = brdf->GetOutgoingZone();
+  const glm::dvec3 o = FromAngles(
+    ToRadians(views[0] + (views[1] - views[0]) * t / (brdf->GetNumberOfTheta() - 1)), 0.0);
+  double difference = 0.0, total = 0.0, least = 0.0, peak = 0.0;
+  ForZone(zone, 120, 128,
+    [&](const glm::dvec3& i, double weight)
+    {
+      const double w = weight * (cosineWeighted ? i.z : 1.0);
+      const double f = Evaluate(truth, i, o).x;
+      double g = SumExactly(brdf, i, t, 0).x;
+      least = std::min(least, g);
+      peak = std::max(peak, f);
+      g = clamped ? std::max(g, 0.0) : g;
+      difference += w * (f - g) * (f - g);
+      total += w * f * f;
+    });
+  if (smallest)
+  {
+    *smallest = least / peak;
+  }
+  return std::sqrt(difference / total);
+}
+
+vtkSmartPointer<vtkBasisBRDF> Project(vtkBRDF* input, int basis, int order,
+  const double incident[2], const double outgoing[2],
+  const std::function<void(vtkBasisProjector*)>& more = {})
+{
+  vtkNew<vtkBasisProjector> projector;
+  projector->SetInput(input);
+  projector->SetBasis(basis);
+  projector->SetOrder(order);
+  projector->SetIncidentZone(incident[0], incident[1]);
+  projector->SetOutgoingZone(outgoing[0], outgoing[1]);
+  if (more)
+  {
+    more(projector);
+  }
+  EXPECT_TRUE(projector->Project());
+  return projector->GetOutput();
+}
+
+double GetError(vtkBRDF* truth, vtkBRDF* other, double begin, double end)
+{
+  const double zone[2] = { begin, end };
+  return vtkBRDFResampler::GetZoneRelativeL2Error(truth, other, zone, zone, 1 << 15);
+}
+
+vtkSmartPointer<vtkBlinnPhongBRDF> MakePhong(double exponent)
+{
+  auto phong = vtkSmartPointer<vtkBlinnPhongBRDF>::New();
+  phong->SetExponent(exponent);
+  return phong;
+}
+}
+
+//------------------------------------------------------------------------------
+TEST(Projector, RecoversWhatLiesInTheBasis)
+{
+  double worst = 0.0;
+  for (int basis = 0; basis < 4; ++basis)
+  {
+    for (const int nPhi : { 1, 6 })
+    {
+      for (const int flags : { 0, 1, 2, 3 })
+      {
+        const bool in = (flags & 1) != 0, out = (flags & 2) != 0;
+        const double high[2] = { 0.0, 85.0 };
+        const double* outgoing = nPhi == 1 ? high : Zone;
+        const auto brdf =
+          MakeBasis(basis, 4, Zone, outgoing, 3, nPhi, MakeCoefficients(4, 3, nPhi));
+        ASSERT_TRUE(brdf);
+        for (const int method : { 0, 1 })
+        {
+          if (method == vtkBasisProjector::INNER_PRODUCT && basis == 0)
+          {
+            continue; // not orthogonal on the hemisphere
+          }
+          const auto back = Project(MakeExact(brdf, in, out), basis, 4, Zone, outgoing,
+            [&](vtkBasisProjector* projector)
+            {
+              projector->SetIncidentCosine(in);
+              projector->SetOutgoingCosine(out);
+              projector->SetNumberOfTheta(3);
+              projector->SetNumberOfPhi(nPhi == 1 ? 4 : nPhi);
+              projector->SetMethod(method);
+              projector->SetRegularization(0.0);
+              projector->SetNumberOfNodes(32);
+            });
+          const double difference = GetLargestDifference(brdf, back);
+          worst = std::max(worst, difference);
+          EXPECT_LT(difference, 1e-5) << basis << " " << nPhi << " " << flags << " " << method;
+          EXPECT_EQ(back->GetIncidentCosine(), in);
+          EXPECT_EQ(back->GetOutgoingCosine(), out);
+        }
+      }
+    }
+  }
+  std::cout << "largest difference of a coefficient: " << worst << "\n";
+}
+
+//------------------------------------------------------------------------------
+// A vtkBasisBRDF itself: up to the interpolation of its basis values.
+TEST(Projector, ProjectsABasisMaterialOntoItsOwnBasis)
+{
+  const auto brdf = MakeBasis(3, 3, Zone, Zone, 5, 1, MakeCoefficients(3, 5, 1));
+  brdf->SetResamplingTolerance(1e-4);
+  brdf->IncidentCosineOn();
+  brdf->SetName("name");
+  brdf->SetSource("source");
+  const auto back = Project(brdf, 3, 3, Zone, Zone,
+    [](vtkBasisProjector* projector)
+    {
+      projector->SetNumberOfTheta(5);
+      projector->IncidentCosineOn();
+      projector->OutgoingCosineOff();
+    });
+  EXPECT_LT(GetLargestDifference(brdf, back), 1e-4);
+  EXPECT_EQ(back->GetName(), "name");
+  EXPECT_EQ(back->GetSource(), "source");
+}
+
+//------------------------------------------------------------------------------
+TEST(Projector, ErrorFallsWithTheOrder)
+{
+  const auto phong = MakePhong(20.0);
+  for (int basis = 0; basis < 4; ++basis)
+  {
+    double before = 1.0;
+    std::cout << vtkBasisBRDF::GetBasisName(basis) << ":";
+    for (const int order : { 2, 4, 6, 8, 12 })
+    {
+      const auto brdf = Project(phong, basis, order, Zone, Zone,
+        [](vtkBasisProjector* projector)
+        {
+          projector->SetNumberOfTheta(24);
+          projector->SetNumberOfNodes(40);
+        });
+      const double error = GetError(phong, brdf, 9.0, 57.0);
+      std::cout << " " << error;
+      EXPECT_LT(error, 0.9 * before + 3e-3) << basis << " " << order;
+      before = error;
+    }
+    std::cout << "\n";
+    EXPECT_LT(before, basis == 2 ? 0.06 : 0.02);
+  }
+}
+
+//------------------------------------------------------------------------------
+// The table of theory.md's second section: relative L2 error of inner products, one view, solid
+// angle as weight, zonal and Legendre x Fourier at orders 4, 6, 8, 12 (figures to three decimals).
+TEST(Projector, FiguresOfTheTheory)
+{
+  struct Row
+  {
+    int View; // 0: 30 degrees, 1: 50 degrees
+    double Exponent;
+    double Zonal[4];
+    double Fourier[4];
+  };
+  const Row rows[] = {
+    { 0, 5, { .035, .025, .020, .014 }, { .003, .001, .000, .000 } },
+    { 0, 20, { .077, .055, .043, .030 }, { .033, .005, .001, .000 } },
+    { 0, 50, { .103, .059, .044, .030 }, { .134, .029, .007, .000 } },
+    { 0, 200, { .415, .206, .089, .013 }, { .497, .288, .148, .029 } },
+    { 1, 20, { .208, .147, .113, .078 }, { .119, .033, .008, .000 } },
+    { 1, 50, { .396, .280, .214, .145 }, { .341, .168, .074, .011 } },
+    { 1, 1000, { .897, .836, .778, .666 }, { .903, .840, .774, .641 } },
+  };
+  const int orders[4] = { 4, 6, 8, 12 };
+  const double views[2] = { 30.0, 50.0 };
+  double worst = 0.0;
+  for (const Row& row : rows)
+  {
+    const auto lobe = MakeLobe(row.Exponent);
+    for (int k = 0; k < 4; ++k)
+    {
+      for (const int basis : { 2, 3 })
+      {
+        const auto brdf = Project(lobe, basis, orders[k], Zone, views,
+          [](vtkBasisProjector* projector)
+          {
+            projector->SetMethod(vtkBasisProjector::INNER_PRODUCT);
+            projector->OutgoingCosineOff();
+            projector->SetNumberOfTheta(2);
+            projector->SetNumberOfNodes(200);
+          });
+        const double error = GetViewError(brdf, lobe, row.View, Zone, false);
+        const double figure = basis == 2 ? row.Zonal[k] : row.Fourier[k];
+        EXPECT_NEAR(error, figure, 0.001 + 0.01 * figure)
+          << "n " << row.Exponent << ", view " << row.View << ", order " << orders[k] << ", "
+          << vtkBasisBRDF::GetBasisName(basis);
+        worst = std::max(worst, std::abs(error - figure));
+      }
+    }
+  }
+  std::cout << "largest deviation from the table: " << worst << "\n";
+}
+
+//------------------------------------------------------------------------------
+TEST(Projector, WindowFactors)
+{
+  const auto factor = [](int window, int order, int l)
+  { return vtkBasisProjector::GetWindowFactor(window, order, l); };
+  for (const int window : { 0, 1, 2, 3 })
+  {
+    for (const int order : { 0, 1, 6, 20 })
+    {
+      EXPECT_EQ(factor(window, order, 0), 1.0);
+    }
+  }
+  EXPECT_EQ(factor(vtkBasisProjector::NO_WINDOW, 6, 6), 1.0);
+  EXPECT_NEAR(factor(vtkBasisProjector::HANN, 5, 3), 0.5, 1e-15);
+  EXPECT_NEAR(factor(vtkBasisProjector::HANN, 5, 2), 0.75, 1e-15);
+  EXPECT_NEAR(factor(vtkBasisProjector::LANCZOS, 5, 3), 2.0 / Pi, 1e-15);
+  EXPECT_NEAR(factor(vtkBasisProjector::LANCZOS, 5, 1), 3.0 / Pi, 1e-15);
+  EXPECT_NEAR(factor(vtkBasisProjector::LAPLACIAN, 6, 6), 0.5, 1e-15);
+  EXPECT_NEAR(factor(vtkBasisProjector::LAPLACIAN, 6, 3), 1.0 / (1.0 + 144.0 / 1764.0), 1e-15);
+}
+
+//------------------------------------------------------------------------------
+// Section 6 of theory.md: harmonics of the sphere, plain projections of a lobe at 40 degrees over
+// the upper hemisphere, cosine-weighted. A clamp is never worse than nothing, a window always.
+TEST(Projector, WindowsCostAccuracy)
+{
+  const double view[2] = { 40.0, 60.0 };
+  const auto measure = [&view](double exponent, int order, int window, bool clamped)
+  {
+    const auto lobe = MakeLobe(exponent);
+    const auto brdf = Project(lobe, 0, order, Hemisphere, view,
+      [window](vtkBasisProjector* projector)
+      {
+        projector->SetMethod(vtkBasisProjector::INNER_PRODUCT);
+        projector->SetWindow(window);
+        projector->OutgoingCosineOff();
+        projector->SetNumberOfTheta(2);
+        projector->SetNumberOfNodes(150);
+      });
+    return GetViewError(brdf, lobe, 0, Hemisphere, true, clamped);
+  };
+  EXPECT_NEAR(measure(20.0, 4, vtkBasisProjector::NO_WINDOW, false), 0.12, 0.006);
+  EXPECT_NEAR(measure(20.0, 4, vtkBasisProjector::HANN, false), 0.41, 0.006);
+  EXPECT_NEAR(measure(20.0, 4, vtkBasisProjector::LANCZOS, false), 0.33, 0.006);
+  EXPECT_NEAR(measure(100.0, 6, vtkBasisProjector::NO_WINDOW, false), 0.44, 0.006);
+  EXPECT_NEAR(measure(100.0, 6, vtkBasisProjector::NO_WINDOW, true), 0.42, 0.006);
+  EXPECT_NEAR(measure(100.0, 6, vtkBasisProjector::HANN, false), 0.69, 0.006);
+  EXPECT_NEAR(measure(100.0, 6, vtkBasisProjector::LANCZOS, false), 0.62, 0.006);
+  for (const double exponent : { 20.0, 100.0 })
+  {
+    const double none = measure(exponent, 6, vtkBasisProjector::NO_WINDOW, false);
+    EXPECT_LE(measure(exponent, 6, vtkBasisProjector::NO_WINDOW, true), none);
+    for (const int window : { 1, 2, 3 })
+    {
+      EXPECT_GT(measure(exponent, 6, window, true), 1.1 * none);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Each method is best at what it minimizes.
+TEST(Projector, MethodsMinimizeTheirOwnNorm)
+{
+  const auto lobe = MakeLobe(50.0);
+  const double views[2] = { 30.0, 50.0 };
+  vtkSmartPointer<vtkBasisBRDF> brdf[2];
+  for (const int method : { 0, 1 })
+  {
+    brdf[method] = Project(lobe, 2, 4, Zone, views,
+      [method](vtkBasisProjector* projector)
+      {
+        projector->SetMethod(method);
+        projector->OutgoingCosineOff();
+        projector->SetNumberOfTheta(2);
+      });
+  }
+  for (const int view : { 0, 1 })
+  {
+    EXPECT_LT(GetViewError(brdf[0], lobe, view, Zone, true),
+      GetViewError(brdf[1], lobe, view, Zone, true) * 0.9999);
+    EXPECT_LT(GetViewError(brdf[1], lobe, view, Zone, false),
+      GetViewError(brdf[0], lobe, view, Zone, false) * 0.9999);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(Projector, AnisotropicMaterials)
+{
+  vtkNew<vtkAshikhminShirleyBRDF> brushed;
+  brushed->SetExponents(10.0, 100.0);
+  const auto wrong = vtkSmartPointer<FunctionBRDF>::New(); // says that it is isotropic
+  wrong->Function = [&brushed](const glm::dvec3& i, const glm::dvec3& o)
+  { return Evaluate(brushed, i, o); };
+  double error[2];
+  for (const int isotropic : { 0, 1 })
+  {
+    const auto brdf = Project(isotropic ? static_cast<vtkBRDF*>(wrong) : brushed, 3, 8, Zone, Zone,
+      [](vtkBasisProjector* projector)
+      {
+        projector->SetNumberOfTheta(16);
+        projector->SetNumberOfPhi(32);
+        projector->SetNumberOfNodes(24);
+      });
+    EXPECT_EQ(brdf->GetNumberOfPhi(), isotropic ? 1 : 32);
+    error[isotropic] = GetError(brushed, brdf, 9.0, 57.0);
+  }
+  std::cout << "nu = 10, nv = 100, order 8: anisotropic form " << error[0] << ", isotropic form "
+            << error[1] << "\n";
+  EXPECT_LT(error[0], 0.2);
+  EXPECT_GT(error[1], 3.0 * error[0]);
+}
+
+//------------------------------------------------------------------------------
+TEST(Projector, ProgressAndAbort)
+{
+  vtkNew<vtkBasisProjector> projector;
+  projector->SetInput(MakePhong(5.0));
+  projector->SetOrder(2);
+  projector->SetNumberOfTheta(64);
+  projector->SetNumberOfNodes(8);
+  ErrorCatcher errors(projector);
+  std::vector<double> progress;
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetClientData(&progress);
+  observer->SetCallback([](vtkObject*, unsigned long, void* data, void* call)
+    { static_cast<std::vector<double>*>(data)->push_back(*static_cast<double*>(call)); });
+  projector->AddObserver(vtkCommand::ProgressEvent, observer);
+  ASSERT_TRUE(projector->Project());
+  ASSERT_GE(progress.size(), 3u);
+  EXPECT_TRUE(std::is_sorted(progress.begin(), progress.end()));
+  EXPECT_EQ(progress.back(), 1.0);
+  const vtkSmartPointer<vtkBasisBRDF> before = projector->GetOutput();
+
+  vtkNew<vtkCallbackCommand> abort;
+  abort->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
+    { static_cast<vtkBasisProjector*>(caller)->AbortOn(); });
+  const unsigned long tag = projector->AddObserver(vtkCommand::ProgressEvent, abort);
+  progress.clear();
+  EXPECT_FALSE(projector->Project());
+  EXPECT_EQ(progress.size(), 1u);
+  EXPECT_EQ(projector->GetOutput(), before);
+  EXPECT_EQ(errors.Take(), 0);
+  projector->RemoveObserver(tag);
+  EXPECT_TRUE(projector->Project()); // the flag does not stay
+  EXPECT_NE(projector->GetOutput(), before);
+}
+
+//------------------------------------------------------------------------------
+TEST(Projector, RefusesAndKeeps)
+{
+  vtkNew<vtkBasisProjector> projector;
+  ErrorCatcher errors(projector);
+  const auto refuse = [&](const std::string& expected)
+  {
+    const vtkSmartPointer<vtkBasisBRDF> before = projector->GetOutput();
+    EXPECT_FALSE(projector->Project());
+    EXPECT_EQ(errors.Take(), 1);
+    EXPECT_NE(errors.GetText().find(expected), std::string::npos) << errors.GetText();
+    EXPECT_EQ(projector->GetOutput(), before);
+  };
+  refuse("no input");
+  const auto phong = MakePhong(5.0);
+  projector->SetInput(phong);
+  projector->SetNumberOfTheta(3);
+  projector->SetNumberOfNodes(21);
+  ASSERT_TRUE(projector->Project());
+  for (const int order : { -1, 0, 21, 100 })
+  {
+    projector->SetOrder(order);
+    refuse("order " + std::to_string(order) + ", expected 1 to 20");
+  }
+  projector->SetOrder(20);
+  projector->SetNumberOfNodes(20);
+  refuse("20 nodes, expected more than the order, 20");
+  projector->SetOrder(3);
+  projector->SetIncidentZone(57.0, 9.0);
+  refuse("zone 57 to 9 degrees");
+  projector->SetIncidentZone(0.0, std::nan(""));
+  refuse("zone 0 to nan degrees");
+  projector->SetIncidentZone(9.0, 57.0);
+  projector->SetOutgoingZone(9.0, 9.5);
+  refuse("zone 9 to 9.5 degrees");
+  projector->SetOutgoingZone(9.0, 57.0);
+  EXPECT_TRUE(projector->Project());
+  // Values that a coefficient can't hold.
+  const auto enormous = vtkSmartPointer<FunctionBRDF>::New();
+  enormous->Function = [](const glm::dvec3&, const glm::dvec3&) { return glm::dvec3(1e200); };
+  projector->SetInput(enormous);
+  refuse("NaN or infinite");
+  std::ostringstream text;
+  projector->Print(text);
+  EXPECT_NE(text.str().find("Order: 3"), std::string::npos);
+}
