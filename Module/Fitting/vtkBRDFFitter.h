@@ -114,8 +114,8 @@ public:
 
   /**
    * Fit. Returns false with an error event, output and figures unchanged, when there is no input,
-   * an option is out of its range, the input is 0 (or has no valid cell) at every pair, or the run
-   * was aborted.
+   * an option is out of its range, the input is 0 (or has no valid cell) at every pair or too large
+   * to be squared, or the run was aborted.
    */
   bool Fit();
 
@@ -222,7 +222,7 @@ private:
   void operator=(const vtkBRDFFitter&) = delete;
 
   std::string CheckAll();
-  void Measure(vtkBRDF* output);
+  bool Measure(vtkBRDF* output); // false, nothing changed, where the figures are not finite
 };
 
 #endif

@@ -22,11 +22,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <filesystem>
+#include <functional>
 #include <iomanip>
 #include <iostream>
 #include <limits>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -668,6 +671,8 @@ TEST(Fit, BadOptionsAreRefused)
   fitter->SetMaximumNumberOfIterations(10);
   fitter->SetInput(MakeLambert({ 0.0, 0.0, 0.0 }));
   expectRefused("nothing to fit");
+  fitter->SetInput(MakeLambert({ 1e200, 1.0, 0.0 }));
+  expectRefused("too large");
   fitter->SetInput(nullptr);
   expectRefused("no input");
   fitter->SetInput(good);
