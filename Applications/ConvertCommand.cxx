@@ -6,7 +6,6 @@
 
 #include "vtkBRDFReader.h"
 #include "vtkBRDFResampler.h"
-#include "vtkBRDFWriter.h"
 #include "vtkNew.h"
 #include "vtkTabulatedBRDF.h"
 
@@ -58,20 +57,6 @@ vtkSmartPointer<vtkBRDF> ToMERLTable(const tool::Material& material)
 }
 
 //------------------------------------------------------------------------------
-void Write(vtkBRDF* brdf, const std::string& path)
-{
-  vtkNew<vtkBRDFWriter> writer;
-  writer->SetFileName(path);
-  writer->SetBRDF(brdf);
-  if (!writer->Write())
-  {
-    const std::string logged = tool::TakeErrorText();
-    const std::string said = writer->GetErrorMessage();
-    throw tool::Error(!said.empty() ? said : path + ": " + logged);
-  }
-}
-
-//------------------------------------------------------------------------------
 void Run(const Options& options)
 {
   const std::string extension = tool::Extension(options.Output);
@@ -84,7 +69,7 @@ void Run(const Options& options)
   material.BRDF->Prepare();
   const bool merl = extension == ".binary";
   const vtkSmartPointer<vtkBRDF> output = merl ? ToMERLTable(material) : material.BRDF;
-  Write(output, options.Output);
+  tool::WriteMaterial(output, options.Output);
 
   // The error of what is in the file, not of what should be.
   vtkNew<vtkBRDFReader> reader;

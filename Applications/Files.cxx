@@ -4,6 +4,9 @@
 
 #include "Tool.h"
 
+#include "vtkBRDFWriter.h"
+#include "vtkNew.h"
+
 #include <unistd.h>
 
 #include <algorithm>
@@ -293,6 +296,20 @@ void WriteText(const std::string& path, const std::string& text)
         throw Error(temporary + ": can't be written: " + Reason());
       }
     });
+}
+
+//------------------------------------------------------------------------------
+void WriteMaterial(vtkBRDF* brdf, const std::string& path)
+{
+  vtkNew<vtkBRDFWriter> writer;
+  writer->SetFileName(path);
+  writer->SetBRDF(brdf);
+  if (!writer->Write())
+  {
+    const std::string logged = TakeErrorText();
+    const std::string said = writer->GetErrorMessage();
+    throw Error(!said.empty() ? said : path + ": " + logged);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+class vtkBRDF;
+
 namespace tool
 {
 /// Names of the six columns of a table of direction pairs.
@@ -40,6 +42,9 @@ void WriteWhole(
 
 /// Text to a file, whole or not at all.
 void WriteText(const std::string& path, const std::string& text);
+
+/// A material in the format that the path's ending names, whole or not at all. Throws Error.
+void WriteMaterial(vtkBRDF* brdf, const std::string& path);
 
 /// The ending in lower case, with its dot ("" if none).
 std::string Extension(const std::string& path);

@@ -7,6 +7,7 @@
 #include "Picture.h"
 #include "Progress.h"
 #include "Scene.h"
+#include "Sheet.h"
 #include "Sizes.h"
 #include "Tool.h"
 
@@ -36,11 +37,6 @@ struct Options
 
 constexpr int LargestSize = 8192;
 constexpr int Smooth = 2; // tiles are rendered at this multiple and averaged
-constexpr double BlurDegrees = 11.0;
-constexpr double BackdropDim = 0.42; // the backdrop steps back behind the objects
-constexpr tool::RGB Paper = { 0.013, 0.014, 0.017 };
-constexpr tool::RGB White = { 1.0, 1.0, 1.0 };
-constexpr tool::RGB Grey = { 0.5, 0.5, 0.52 };
 
 //------------------------------------------------------------------------------
 // One embedded material of each of the kinds the thesis shows, then others of new kinds.
@@ -70,16 +66,6 @@ std::vector<std::string> ChooseEmbedded()
     }
   }
   return names;
-}
-
-//------------------------------------------------------------------------------
-// Scale that makes a white diffuse ball's mean brightness under this light a light grey.
-double ChooseExposure(vtkEnvironment* environment)
-{
-  double total[3];
-  environment->GetTotal(total);
-  const double mean = vtkEnvironment::GetLuminance(total) / (4.0 * vtkMath::Pi());
-  return mean > 0.0 ? 0.7 / mean : 1.0;
 }
 
 //------------------------------------------------------------------------------
@@ -145,15 +131,6 @@ int ChooseColumns(int n, int width, int height)
 }
 
 //------------------------------------------------------------------------------
-void Paste(tool::Picture& sheet, const tool::Picture& tile, int x0, int y0)
-{
-  for (int y = 0; y < tile.Height; ++y)
-  {
-    std::copy_n(tile.At(0, y), 4 * static_cast<std::size_t>(tile.Width), sheet.At(x0, y0 + y));
-  }
-}
-
-//------------------------------------------------------------------------------
 // Sizes of the caption below a picture.
 struct Caption
 {
@@ -181,13 +158,13 @@ void DrawCaption(tool::Picture& sheet, int x, int y, int width, const Caption& c
   const int nameLine = top - caption.Small / 2 - caption.Large;
   tool::DrawText(sheet, left, nameLine,
     tool::Fit(material.Name, caption.Large, true, room - kindWidth - caption.Small), caption.Large,
-    true, White);
-  tool::DrawText(sheet, left + room - kindWidth, nameLine, kind, caption.Small, false, Grey);
+    true, tool::White);
+  tool::DrawText(sheet, left + room - kindWidth, nameLine, kind, caption.Small, false, tool::Grey);
   int line = nameLine - caption.Small * 7 / 4;
   for (const std::string& text :
     tool::Wrap(material.Source.empty() ? material.Format : material.Source, caption.Small, room, 2))
   {
-    tool::DrawText(sheet, left, line, text, caption.Small, false, Grey);
+    tool::DrawText(sheet, left, line, text, caption.Small, false, tool::Grey);
     line -= caption.Small * 3 / 2;
   }
 }
@@ -225,22 +202,14 @@ void Run(const Options& options)
                            std::to_string(tileHeight));
   }
 
-  tool::Picture sheet(size.Width, size.Height);
-  for (int y = 0; y < size.Height; ++y)
-  {
-    for (int x = 0; x < size.Width; ++x)
-    {
-      sheet.Blend(x, y, Paper, 1.0);
-    }
-  }
+  tool::Picture sheet = tool::MakePaper(size.Width, size.Height);
   tool::DrawText(sheet, gap + unit / 2, size.Height - header + unit,
     tool::Fit("Measured materials under \"" + environment->GetName() + "\"", (5 * unit) / 4, false,
       size.Width - 2 * unit),
-    (5 * unit) / 4, false, White);
+    (5 * unit) / 4, false, tool::White);
 
-  tool::Backdrop backdrop(environment, BlurDegrees);
-  backdrop.Scale(BackdropDim);
-  const double exposure = ChooseExposure(environment);
+  const tool::Backdrop backdrop = tool::MakeQuietBackdrop(environment);
+  const double exposure = tool::ChooseExposure(environment);
   tool::Scene scene;
   scene.SetMesh(tool::MakeBallOnFoot());
   scene.SetView(25.0, 14.0, 1.02);
@@ -257,17 +226,14 @@ void Run(const Options& options)
     scene.SetLight(environment, lights);
     tool::Picture tile = scene.Render(Smooth * tileWidth, Smooth * tileHeight);
     tool::ComposeOver(tile, scene, backdrop, exposure);
-    for (float& value : tile.Pixels)
-    {
-      value = static_cast<float>(tool::RollOff(value));
-    }
+    tool::RollOff(tile);
     tile = tool::Downsample(tile, Smooth);
     // The last row stands in the middle where it is not full.
     const int inRow = std::min(columns, n - (k / columns) * columns);
     const int left = (size.Width - inRow * (tileWidth + gap) + gap) / 2;
     const int x = left + (k % columns) * (tileWidth + gap);
     const int top = size.Height - header - (k / columns) * (tileHeight + caption.Height + gap);
-    Paste(sheet, tile, x, top - tileHeight);
+    tool::Paste(sheet, tile, x, top - tileHeight);
     DrawCaption(sheet, x, top - tileHeight - caption.Height, tileWidth, caption, materials[k]);
     bar.Update((k + 1.0) / n);
   }

@@ -7,10 +7,12 @@
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBRDFAnalysis.h"
 #include "vtkBRDFGPUForm.h"
+#include "vtkBasisBRDF.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkDistributionBRDF.h"
 #include "vtkLambertBRDF.h"
 #include "vtkNew.h"
+#include "vtkRepresentationAdvisor.h"
 #include "vtkSumBRDF.h"
 #include "vtkTabulatedBRDF.h"
 
@@ -114,6 +116,23 @@ ordered_json Describe(vtkBRDF* brdf)
 }
 
 //------------------------------------------------------------------------------
+// Which representation suits (thesis mode): measured, with the figures behind it.
+ordered_json Advise(const std::string& file, vtkBRDF* brdf)
+{
+  vtkNew<vtkRepresentationAdvisor> advisor;
+  advisor->SetInput(brdf);
+  if (!advisor->Update())
+  {
+    throw tool::Error(file + ": " + tool::TakeErrorText());
+  }
+  const bool basis = advisor->GetRecommendation() == vtkRepresentationAdvisor::BASIS;
+  return { { "representation", basis ? "basis" : "fit" }, { "order", advisor->GetOrder() },
+    { "in_zone_residual", advisor->GetInZoneResidual() },
+    { "negative_mass", advisor->GetNegativeMass() }, { "overshoot", advisor->GetOvershoot() },
+    { "reason", advisor->GetReason() } };
+}
+
+//------------------------------------------------------------------------------
 ordered_json Inspect(const Options& options)
 {
   const tool::Material material = tool::LoadMaterial(options.File);
@@ -155,6 +174,10 @@ ordered_json Inspect(const Options& options)
   info["gpu_form"] = { { "description", form.Description },
     { "texture_bytes", form.GetTextureBytes() }, { "resampling_error", form.ResamplingError },
     { "quantization_error", form.QuantizationError } };
+  if (!vtkBasisBRDF::SafeDownCast(brdf))
+  {
+    info["recommendation"] = Advise(options.File, brdf);
+  }
   info["notes"] = material.Notes;
   return info;
 }
@@ -249,7 +272,8 @@ std::string FormatText(const ordered_json& info)
     Line("reciprocity error",
       Short(info["reciprocity_error"]) + " relative (RMS " + Short(info["reciprocity_rms_error"]) +
         ")" + (info["reciprocal_by_construction"] ? "; reciprocal by construction" : "")) +
-    Line("GPU form", info["gpu_form"]["description"]);
+    Line("GPU form", info["gpu_form"]["description"]) +
+    (info.contains("recommendation") ? Line("thesis mode", info["recommendation"]["reason"]) : "");
   text += "\n        directional albedo         reflectance\n"
           "        (view at that angle)       (light from that angle)\n"
           "  angle      R       G       B         R       G       B\n";

@@ -22,7 +22,7 @@ const char* const MaterialHelp =
   "comes first";
 const char* const EnvironmentHelp =
   "Light from all around: a lat-long image of any format OpenImageIO reads (.exr, .hdr, ...), or "
-  "the word 'sky' for the built-in procedural sky";
+  "the word 'sky' or 'hall' for a built-in procedural one";
 
 //------------------------------------------------------------------------------
 Material LoadMaterial(const std::string& file)
@@ -87,6 +87,13 @@ vtkSmartPointer<vtkEnvironment> LoadEnvironment(const std::string& file)
     sky->SetToProceduralSky();
     sky->SetName("built-in sky");
     return sky;
+  }
+  if (file == "hall")
+  {
+    auto hall = vtkSmartPointer<vtkEnvironment>::New();
+    hall->SetToProceduralHall();
+    hall->SetName("built-in hall");
+    return hall;
   }
   vtkNew<vtkEnvironmentReader> reader;
   reader->SetFileName(file);

@@ -42,7 +42,7 @@ struct Material
  */
 Material LoadMaterial(const std::string& file);
 
-/// ENV -> environment: "sky" or a path. Throws Error; prints the reader's notes.
+/// ENV -> environment: "sky", "hall" or a path. Throws Error; prints the reader's notes.
 vtkSmartPointer<vtkEnvironment> LoadEnvironment(const std::string& file);
 
 /// How to turn an environment into lights.

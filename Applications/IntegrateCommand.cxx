@@ -3,6 +3,7 @@
 #include "Files.h"
 #include "Inputs.h"
 #include "Progress.h"
+#include "Thesis.h"
 #include "Tool.h"
 
 #include "vtkCommand.h"
@@ -23,6 +24,7 @@ struct Options
   std::string Method = "exact";
   std::string Output;
   tool::LightSetOptions Lights;
+  tool::ThesisOptions Thesis;
 };
 
 // Shows an integrator's progress and passes Ctrl-C on to it.
@@ -61,13 +63,17 @@ vtkSmartPointer<vtkRadianceIntegrator> MakeIntegrator(
 void Run(const Options& options)
 {
   static const tool::PairColumns columns = { "nx", "ny", "nz", "vx", "vy", "vz" };
-  if (options.Method == "light-set")
+  if (options.Method != "exact")
   {
     options.Lights.Check();
   }
   tool::Interruptible interruptible;
   const std::vector<tool::Pair> pairs = tool::ReadPairs(options.Pairs, columns);
-  const tool::Material material = tool::LoadMaterial(options.File);
+  tool::Material material = tool::LoadMaterial(options.File);
+  if (options.Method == "thesis")
+  {
+    material.BRDF = tool::RepresentAsThesis(material.BRDF, material.Name, options.Thesis);
+  }
   const vtkSmartPointer<vtkEnvironment> environment = tool::LoadEnvironment(options.Environment);
 
   vtkNew<vtkDoubleArray> normals;
@@ -125,9 +131,12 @@ void AddIntegrateCommand(CLI::App& app)
   command
     ->add_option("--method", options->Method,
       "exact: the sum over every texel of the environment (default); light-set: over a set of "
-      "lights, as the renderer does it")
-    ->check(CLI::IsMember({ "exact", "light-set" }));
+      "lights, as the renderer does it; thesis: the same with the material in a basis or, where "
+      "that "
+      "rings, as a D-BRDF fit")
+    ->check(CLI::IsMember({ "exact", "light-set", "thesis" }));
   options->Lights.AddTo(command, "--lights");
+  options->Thesis.AddTo(command);
   command->add_option("-o,--output", options->Output,
     "CSV file to write: the six columns and r,g,b of the outgoing radiance, linear Rec. 709 "
     "(default: standard output)");

@@ -4,8 +4,10 @@
 #include "Inputs.h"
 #include "Meshes.h"
 #include "Picture.h"
+#include "Progress.h"
 #include "Scene.h"
 #include "Sizes.h"
+#include "Thesis.h"
 #include "Tool.h"
 
 #include "vtkVersion.h"
@@ -32,6 +34,7 @@ struct Options
   std::string Output;
   std::string Report;
   tool::LightSetOptions Lights;
+  tool::ThesisOptions Thesis;
 };
 
 // Frames that frame_ms is the median of.
@@ -94,12 +97,17 @@ void Run(const Options& options)
   }
   options.Lights.Check();
 
-  const tool::Material material = tool::LoadMaterial(options.File);
+  tool::Material material = tool::LoadMaterial(options.File);
   const vtkSmartPointer<vtkEnvironment> environment = tool::LoadEnvironment(options.Environment);
   const vtkSmartPointer<vtkPolyData> mesh =
     options.Mesh.empty() ? tool::MakeSphere() : tool::LoadMesh(options.Mesh);
 
   const auto begin = std::chrono::steady_clock::now();
+  if (options.Method == "thesis")
+  {
+    const tool::Interruptible interruptible;
+    material.BRDF = tool::RepresentAsThesis(material.BRDF, material.Name, options.Thesis);
+  }
   tool::Scene scene;
   scene.SetMesh(mesh);
   scene.SetMaterial(material.BRDF);
@@ -143,10 +151,12 @@ void AddRenderCommand(CLI::App& app)
     "are made where it has none");
   command
     ->add_option("--method", options->Method,
-      "How the light is gathered: light-set (default), a sum over lights that stand for the "
-      "environment")
-    ->check(CLI::IsMember({ "light-set" }));
+      "light-set (default): a sum over lights that stand for the environment; thesis: the same "
+      "with "
+      "the material in a basis or, where that rings, as a D-BRDF fit")
+    ->check(CLI::IsMember({ "light-set", "thesis" }));
   options->Lights.AddTo(command, "--lights");
+  options->Thesis.AddTo(command);
   command->add_option(
     "--size", options->Size, "Picture size in pixels, WIDTHxHEIGHT (default 800x800)");
   command->add_option("--view", options->View,

@@ -78,6 +78,9 @@ void Scene::SetLight(vtkEnvironment* environment, const LightSetOptions& lights)
 }
 
 //------------------------------------------------------------------------------
+void Scene::SetLightSet(vtkLightSet* lights) { this->Mapper->SetLightSet(lights); }
+
+//------------------------------------------------------------------------------
 void Scene::SetView(double azimuth, double elevation, double fill)
 {
   this->Azimuth = azimuth;

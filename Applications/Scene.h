@@ -39,6 +39,9 @@ public:
   void SetMaterial(vtkBRDF* brdf);
   void SetLight(vtkEnvironment* environment, const LightSetOptions& lights);
 
+  /// These lights instead of an environment's, until null is set.
+  void SetLightSet(vtkLightSet* lights);
+
   /**
    * Look at the mesh's middle from an azimuth (about +y, 0 = from +z, 90 = from +x) and an
    * elevation above the horizon, in degrees. fill: share of the picture's smaller side that the

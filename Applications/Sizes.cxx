@@ -53,4 +53,17 @@ View ParseView(const std::string& text)
   }
   return view;
 }
+
+//------------------------------------------------------------------------------
+Range ParseZone(const std::string& option, const std::string& text)
+{
+  Range zone{};
+  if (!ParseTwo(text, ',', zone.Begin, zone.End) || !(zone.Begin >= 0.0) ||
+      !(zone.Begin < zone.End) || !(zone.End <= 90.0))
+  {
+    throw UsageError(option + ": '" + text +
+                     "' is not BEGIN,END in degrees with 0 <= BEGIN < END <= 90, like 9,57");
+  }
+  return zone;
+}
 } // namespace tool

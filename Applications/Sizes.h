@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Arguments made of two numbers: picture sizes and view angles.
+ * Arguments made of two numbers: picture sizes, view angles, zones.
  */
 
 #ifndef Sizes_h
@@ -24,11 +24,20 @@ struct View
   double Elevation; // degrees, in [-90, 90]
 };
 
+struct Range
+{
+  double Begin; // degrees
+  double End;
+};
+
 /// "800x600" -> size, each side in [1, largest]. Throws UsageError that names the option.
 Size ParseSize(const std::string& option, const std::string& text, int largest);
 
 /// "30,-20" -> view. Throws UsageError.
 View ParseView(const std::string& text);
+
+/// "9,57" -> polar angles, 0 <= begin < end <= 90. Throws UsageError.
+Range ParseZone(const std::string& option, const std::string& text);
 } // namespace tool
 
 #endif

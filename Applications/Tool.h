@@ -52,6 +52,9 @@ void AddLightsCommand(CLI::App& app);
 void AddRenderCommand(CLI::App& app);
 void AddGalleryCommand(CLI::App& app);
 void AddConvertCommand(CLI::App& app);
+void AddRepresentationsCommand(CLI::App& app);
+void AddThesisCommand(CLI::App& app);
+void AddFitCommand(CLI::App& app);
 ///@}
 } // namespace tool
 

@@ -60,6 +60,9 @@ int main(int argc, char* argv[])
   tool::AddRenderCommand(app);
   tool::AddGalleryCommand(app);
   tool::AddConvertCommand(app);
+  tool::AddRepresentationsCommand(app);
+  tool::AddThesisCommand(app);
+  tool::AddFitCommand(app);
 
   for (CLI::App* command : app.get_subcommands({}))
   {

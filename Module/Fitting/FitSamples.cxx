@@ -81,7 +81,8 @@ bool NewPair(std::uint32_t n, const std::array<double, 5>& shifts, FitSample& sa
          sample.Weight > 0.0;
 }
 
-// A twin of each table with holes that is 1 in all valid cells: it is 0 where none is near.
+// A twin of each table with holes: 1 in valid cells, 0 in others, so that it gives the share of
+// valid cells in what the table interpolates.
 void CollectMasks(vtkBRDF* brdf, std::vector<vtkSmartPointer<vtkTabulatedBRDF>>& masks)
 {
   auto* sum = vtkSumBRDF::SafeDownCast(brdf);
@@ -95,9 +96,8 @@ void CollectMasks(vtkBRDF* brdf, std::vector<vtkSmartPointer<vtkTabulatedBRDF>>&
     std::vector<float> values = table->GetVolume();
     for (std::size_t k = 0; k < values.size(); k += 3)
     {
-      const float mark = values[k] + values[k + 1] + values[k + 2]; // NaN where any is
-      std::fill_n(
-        values.begin() + static_cast<std::ptrdiff_t>(k), 3, std::isnan(mark) ? mark : 1.0f);
+      const bool invalid = std::isnan(values[k] + values[k + 1] + values[k + 2]);
+      std::fill_n(&values[k], 3, invalid ? 0.0f : 1.0f);
     }
     auto mask = vtkSmartPointer<vtkTabulatedBRDF>::New();
     mask->SetVolume(table->GetParameterization(), table->GetAzimuthRange(), table->GetDimensions(),
@@ -168,7 +168,7 @@ FitSamples::FitSamples(vtkBRDF* input, const FitLoss& loss, unsigned int seed, i
         {
           double valid[3];
           mask->Evaluate(i, o, valid);
-          sample.Weight = valid[0] > 0.0 ? sample.Weight : 0.0;
+          sample.Weight = valid[0] >= 0.5 ? sample.Weight : 0.0;
         }
       }
     });

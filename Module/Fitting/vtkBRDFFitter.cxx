@@ -134,8 +134,12 @@ bool vtkBRDFFitter::Fit()
   result.BRDF->SetName(this->Input->GetName());
   result.BRDF->SetSource(this->GetModelName() + " fitted to " +
                          (this->Input->GetSource().empty() ? "a BRDF" : this->Input->GetSource()));
+  if (!this->Measure(result.BRDF))
+  {
+    vtkErrorMacro("Fit: the input's values are too large to compute with.");
+    return false;
+  }
   this->Output = result.BRDF;
-  this->Measure(this->Output);
   this->ResidualHistory = result.History;
   for (double& mean : this->ResidualHistory)
   {
@@ -148,7 +152,7 @@ bool vtkBRDFFitter::Fit()
 }
 
 //------------------------------------------------------------------------------
-void vtkBRDFFitter::Measure(vtkBRDF* output)
+bool vtkBRDFFitter::Measure(vtkBRDF* output)
 {
   const FitSamples samples(this->Input, FitLoss{ this->Loss }, this->Seed, this->NumberOfSamples,
     std::max(this->NumberOfSamples, 16384));
@@ -172,6 +176,10 @@ void vtkBRDFFitter::Measure(vtkBRDF* output)
       out[c] += projected * f[c];
     }
   }
+  if (!std::isfinite(mean) || !std::isfinite(difference) || !std::isfinite(total))
+  {
+    return false;
+  }
   this->Residual = std::sqrt(mean);
   this->RelativeL2Error = total > 0.0 ? std::sqrt(difference / total) : 0.0;
   for (int c = 0; c < 3; ++c)
@@ -179,4 +187,5 @@ void vtkBRDFFitter::Measure(vtkBRDF* output)
     this->InputAlbedo[c] = Pi * in[c] / cosines;
     this->OutputAlbedo[c] = Pi * out[c] / cosines;
   }
+  return true;
 }

@@ -14,8 +14,8 @@
  *     SQUARED           f sqrt(cos_i)         minimizes the relative L2 error
  *
  * Pairs are low-discrepancy points, half over half and difference angles (dense at theta_h = 0, so
- * that sharp lobes are met) and half over both hemispheres. Pairs that a table has no valid cell
- * for do not count. Same input, options and seed: same result.
+ * that sharp lobes are met) and half over both hemispheres. Pairs that a table interpolates mostly
+ * from invalid cells do not count. Same input, options and seed: same result.
  *
  * ProgressEvent (calldata: double*) from the calling thread; interrupted by SetAbort(true).
  */
@@ -72,7 +72,7 @@ public:
 
   ///@{
   /**
-   * Number of direction pairs, in [256, 2^22]; default 16384.
+   * Number of direction pairs, in [256, 2^22]; default 32768.
    */
   vtkSetMacro(NumberOfSamples, int);
   vtkGetMacro(NumberOfSamples, int);
@@ -89,7 +89,7 @@ public:
 
   ///@{
   /**
-   * Largest number of iterations from the best start, in [1, 10000]; default 100.
+   * Largest number of iterations from the best start, in [1, 10000]; default 200.
    */
   vtkSetMacro(MaximumNumberOfIterations, int);
   vtkGetMacro(MaximumNumberOfIterations, int);
@@ -98,7 +98,7 @@ public:
   ///@{
   /**
    * Stop where an iteration lowers the mean square by a smaller share than this, in (0,1); default
-   * 1e-4.
+   * 1e-6.
    */
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);
@@ -114,8 +114,8 @@ public:
 
   /**
    * Fit. Returns false with an error event, output and figures unchanged, when there is no input,
-   * an option is out of its range, the input is 0 (or has no valid cell) at every pair, or the run
-   * was aborted.
+   * an option is out of its range, the input is 0 (or has no valid cell) at every pair or too large
+   * to be squared, or the run was aborted.
    */
   bool Fit();
 
@@ -203,10 +203,10 @@ protected:
   vtkSmartPointer<vtkBRDF> Input;
   vtkSmartPointer<vtkBRDF> Output;
   int Loss = LOG_COSINE;
-  int NumberOfSamples = 16384;
+  int NumberOfSamples = 32768;
   int NumberOfStarts = 4;
-  int MaximumNumberOfIterations = 100;
-  double Tolerance = 1e-4;
+  int MaximumNumberOfIterations = 200;
+  double Tolerance = 1e-6;
   unsigned int Seed = 1;
   std::atomic<bool> Abort{ false };
   double Residual = 0.0;
@@ -222,7 +222,7 @@ private:
   void operator=(const vtkBRDFFitter&) = delete;
 
   std::string CheckAll();
-  void Measure(vtkBRDF* output);
+  bool Measure(vtkBRDF* output); // false, nothing changed, where the figures are not finite
 };
 
 #endif

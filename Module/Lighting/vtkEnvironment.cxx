@@ -5,6 +5,7 @@
 #include "SRGB.h"
 
 #include "HalfVector.h" // for Pi
+#include "ProceduralEnvironments.h"
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -22,11 +23,31 @@
 
 namespace
 {
-// Sky and ground meet over this much of d.y; a hard edge would alias.
-double SkyShare(double y)
+// RGB of a formula, each texel the mean of samples x samples points.
+std::vector<float> Draw(
+  int width, int height, int samples, glm::dvec3 (*radiance)(const glm::dvec3&))
 {
-  const double t = std::clamp(0.5 + y / 0.04, 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
+  std::vector<float> rgb;
+  rgb.reserve(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  for (int y = 0; y < height; ++y)
+  {
+    for (int x = 0; x < width; ++x)
+    {
+      glm::dvec3 sum(0.0);
+      for (int k = 0; k < samples * samples; ++k)
+      {
+        glm::dvec3 d;
+        vtkEnvironment::GetDirection((x + (k % samples + 0.5) / samples) / width,
+          (y + (k / samples + 0.5) / samples) / height, &d.x);
+        sum += radiance(d);
+      }
+      for (int c = 0; c < 3; ++c)
+      {
+        rgb.push_back(static_cast<float>(sum[c] / (samples * samples)));
+      }
+    }
+  }
+  return rgb;
 }
 } // namespace
 
@@ -120,41 +141,15 @@ bool vtkEnvironment::SetPixels(int width, int height, std::vector<float> rgb)
 //------------------------------------------------------------------------------
 void vtkEnvironment::SetToProceduralSky()
 {
-  // L(d) = s (zenith + (horizon - zenith) exp(-5 d.y) + sun + glow) + (1 - s) ground, s = 1 above
-  // the horizon; sun and glow are lobes a exp(k (d.sun - 1)) of integral 2 pi a/k (Fisher 1953):
-  // the sun gives an irradiance of about 6, the blue sky about 1.4.
-  const glm::dvec3 zenith(0.16, 0.32, 0.72);
-  const glm::dvec3 horizon(0.72, 0.84, 1.0);
-  const glm::dvec3 ground(0.21, 0.18, 0.15);
-  const glm::dvec3 toSun = glm::normalize(glm::dvec3(0.5, 0.65, 0.6));
-  const glm::dvec3 sun = 1430.0 * glm::dvec3(1.0, 0.93, 0.82);
-  const glm::dvec3 glow = 0.9 * glm::dvec3(1.0, 0.9, 0.75);
-  const double sunSharpness = 1500.0;
-  const double glowSharpness = 14.0;
-
-  const int width = 256;
-  const int height = 128;
-  std::vector<float> rgb;
-  rgb.reserve(3 * width * height);
-  for (int y = 0; y < height; ++y)
-  {
-    for (int x = 0; x < width; ++x)
-    {
-      glm::dvec3 d;
-      vtkEnvironment::GetDirection((x + 0.5) / width, (y + 0.5) / height, &d.x);
-      const double fromSun = glm::dot(d, toSun) - 1.0;
-      const glm::dvec3 sky = glm::mix(zenith, horizon, std::exp(-5.0 * std::max(d.y, 0.0))) +
-                             sun * std::exp(sunSharpness * fromSun) +
-                             glow * std::exp(glowSharpness * fromSun);
-      const glm::dvec3 color = glm::mix(ground, sky, SkyShare(d.y));
-      for (int c = 0; c < 3; ++c)
-      {
-        rgb.push_back(static_cast<float>(color[c]));
-      }
-    }
-  }
-  this->SetPixels(width, height, std::move(rgb));
+  this->SetPixels(256, 128, Draw(256, 128, 1, measuredbrdf::GetSkyRadiance));
   this->SetName("procedural sky");
+}
+
+//------------------------------------------------------------------------------
+void vtkEnvironment::SetToProceduralHall()
+{
+  this->SetPixels(512, 256, Draw(512, 256, 4, measuredbrdf::GetHallRadiance));
+  this->SetName("procedural hall");
 }
 
 //------------------------------------------------------------------------------

@@ -51,10 +51,14 @@ public:
    */
   bool SetPixels(int width, int height, std::vector<float> rgb);
 
+  ///@{
   /**
-   * A built-in sky with a sun, computed on the spot (256 x 128): for when no image is at hand.
+   * Built-in environments, computed on the spot, for when no image is at hand: a sky with a sun
+   * (256 x 128), and a dark hall with bright windows and lamps (512 x 256).
    */
   void SetToProceduralSky();
+  void SetToProceduralHall();
+  ///@}
 
   ///@{
   /**

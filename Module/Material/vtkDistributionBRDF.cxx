@@ -3,6 +3,7 @@
 #include "vtkDistributionBRDF.h"
 
 #include "HalfVectorSampler.h"
+#include "Neighbours.h"
 #include "vtkBRDFGPUForm.h"
 #include "vtkObjectFactory.h"
 
@@ -23,29 +24,6 @@ bool IsTable(const std::vector<float>& rgb, std::size_t samples)
 {
   return rgb.size() == 3 * samples &&
          std::all_of(rgb.begin(), rgb.end(), [](float v) { return std::isfinite(v) && v >= 0.0f; });
-}
-
-// Sample positions k + 1/2; weights of the two neighbours of coordinate u in [0,1].
-struct Neighbours
-{
-  int First;
-  int Second;
-  double Weight; // of Second
-};
-
-Neighbours Clamped(double u, int n)
-{
-  const double x = std::clamp(u * n - 0.5, 0.0, n - 1.0);
-  const int first = std::min(static_cast<int>(x), std::max(n - 2, 0));
-  return { first, std::min(first + 1, n - 1), x - first };
-}
-
-Neighbours Periodic(double u, int n)
-{
-  const double x = (u - std::floor(u)) * n - 0.5;
-  const double base = std::floor(x);
-  const int first = (static_cast<int>(base) + n) % n;
-  return { first, (first + 1) % n, x - base };
 }
 }
 
@@ -134,10 +112,10 @@ void vtkDistributionBRDF::EvaluateAbove(const double i[3], const double o[3], do
   const glm::dvec3 view = glm::make_vec3(o);
   const HalfDifference angles = ToHalfDifference(light, view);
   const glm::dvec3 h = HalfVector(light, view);
-  const Neighbours t = Clamped(ThetaHToUnit(angles.ThetaH), this->NumberOfTheta);
-  const Neighbours p = Periodic(std::atan2(h.y, h.x) / (2.0 * Pi), this->NumberOfPhi);
+  const Neighbours t = ClampedNeighbours(ThetaHToUnit(angles.ThetaH), this->NumberOfTheta);
+  const Neighbours p = PeriodicNeighbours(std::atan2(h.y, h.x) / (2.0 * Pi), this->NumberOfPhi);
   const Neighbours d =
-    Clamped(angles.ThetaD * (2.0 / Pi), static_cast<int>(this->Fresnel.size() / 3));
+    ClampedNeighbours(angles.ThetaD * (2.0 / Pi), static_cast<int>(this->Fresnel.size() / 3));
   const double g = 4.0 * (light.z + view.z - light.z * view.z);
   const auto distribution = [this](int theta, int phi, int c)
   { return static_cast<double>(this->Distribution[3 * (phi * this->NumberOfTheta + theta) + c]); };

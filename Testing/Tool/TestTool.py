@@ -112,7 +112,7 @@ class ToolTest(unittest.TestCase):
 class Options(ToolTest):
     def test_help(self):
         self.check(run("--help"), 0, "SUBCOMMAND", "gallery", "Exit status")
-        commands = "list info evaluate integrate lights render gallery convert".split()
+        commands = "list info evaluate integrate lights render gallery convert fit".split()
         for command in commands:
             self.check(run(command, "--help"), 0, "measured-brdf", "--help")
         self.check(run("--version"), 0, "measured-brdf 0.")
@@ -387,6 +387,59 @@ class Convert(ToolTest):
 
     def test_bad_output(self):
         self.check(run("convert", "gold-paint", self.path("no/x.exr")), 1, "no/x.exr")
+
+
+class Fit(ToolTest):
+    def test_models_come_back(self):
+        models = (
+            (("--model", "blinn-phong"), "Lambert", "Blinn-Phong"),
+            (("--model", "ashikhmin-shirley"), "Lambert", "Ashikhmin-Shirley"),
+            (("--model", "d-brdf", "--fresnel", "schlick"), "Lambert", "distribution (D-BRDF)"),
+        )
+        for options, *names in models:
+            output = self.path("fit.exr")
+            result = run("fit", "blue-fabric", *options, "-o", output)
+            self.check(result, 0, "residual (log-cosine)", "iterations", "albedo")
+            terms = json.loads(run("info", output, "--json").stdout)["terms"]
+            self.assertEqual([term["representation"] for term in terms], names)
+
+    def test_json(self):
+        output = self.path("fit.exr")
+        options = ["--model", "ashikhmin-shirley", "--loss", "squared", "--json", "-o", output]
+        # The input is in the model's family but for its dielectric Fresnel term.
+        fit = json.loads(run("fit", "gold-paint", *options).stdout)
+        self.assertEqual((fit["model"], fit["loss"]), ("ashikhmin-shirley", "squared"))
+        self.assertLess(fit["relative_l2_error"], 0.2)
+        self.assertGreater(fit["seconds"], 0.0)
+        self.assertTrue(fit["converged"])
+        self.check_close(fit["albedo_of_fit"], fit["albedo_of_input"], 0.02)
+        again = json.loads(run("fit", "gold-paint", *options).stdout)
+        self.assertEqual(again["residual"], fit["residual"])
+        lobes = json.loads(run("fit", "gold-paint", *options, "--lobes", "2").stdout)
+        self.assertLess(lobes["residual"], fit["residual"])
+        self.assertEqual(len(lobes["parameters"]), 3)
+
+    def test_errors(self):
+        output = self.write("fit.exr", "what was there")
+        for options, word in (
+            (["--model", "phong"], "--model"),
+            (["--model", "d-brdf", "--lobes", "2"], "--lobes"),
+            (["--model", "blinn-phong", "--lobes", "4"], "--lobes"),
+            (["--model", "blinn-phong", "--lobes", "0"], "--lobes"),
+            (["--model", "blinn-phong", "--fresnel", "table"], "--fresnel"),
+            (["--model", "blinn-phong", "--anisotropic"], "--anisotropic"),
+            (["--model", "blinn-phong", "--loss", "l2"], "--loss"),
+            (["--model", "blinn-phong", "--starts", "0"], "--starts"),
+        ):
+            self.check(run("fit", "gold-paint", *options, "-o", output), 2, word)
+        self.check(run("fit", "gold-paint", "--model", "d-brdf", "-o", self.path("x.png")), 2, ".exr")
+        black = self.write("black.fit", "black = Aggregate(Lambertian(albedo = [0, 0, 0]))\n")
+        self.check(run("fit", black, "--model", "d-brdf", "-o", output), 1, "black.fit", "nothing")
+        self.check(run("fit", "no-such", "--model", "d-brdf", "-o", output), 1, "no-such")
+        self.check(run("fit", "gold-paint", "--model", "blinn-phong", "-o", self.path("no/x.exr")), 1,
+                   "no/x.exr")
+        with open(output) as file:
+            self.assertEqual(file.read(), "what was there")
 
 
 class Render(ToolTest):

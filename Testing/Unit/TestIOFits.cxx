@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <clocale>
+#include <cmath>
 #include <set>
 #include <sstream>
 
@@ -100,6 +101,79 @@ TEST(IOFits, ScalesNgan)
   WriteBytes(folder("c.fit"), "# fits of Ngan et al.\nd = Lambertian(albedo = [1, 1, 1])\n");
   const auto diffuse = ReadSum(folder("c.fit"));
   ExpectColor(vtkLambertBRDF::SafeDownCast(diffuse->GetTerm(0))->GetAlbedo(), 1.0, 1.15, 1.66);
+}
+
+//------------------------------------------------------------------------------
+namespace
+{
+// Reflectance of a dielectric from Snell's law and the amplitudes of both polarizations.
+double Dielectric(double eta, double cosine)
+{
+  const double cosT = std::sqrt(1.0 - (1.0 - cosine * cosine) / (eta * eta));
+  const double rs = (cosine - eta * cosT) / (cosine + eta * cosT);
+  const double rp = (eta * cosine - cosT) / (eta * cosine + cosT);
+  return 0.5 * (rs * rs + rp * rp);
+}
+
+double Schlick(double reflectance, double cosine)
+{
+  return reflectance + (1.0 - reflectance) * std::pow(1.0 - cosine, 5.0);
+}
+}
+
+// Figures as they are printed, through the reader, against the formulas as they are printed.
+TEST(IOFits, PublishedFiguresGiveThePapersValues)
+{
+  const Folder folder;
+  WriteBytes(folder("published.fit"),
+    "bronze = Aggregate(Lambertian(albedo = [0.0877, 0.0598, 0.0297]), NganAshikhminShirley("
+    "albedo = [0.108, 0.0637, 0.0337], fresnelReflectance = 0.249, sharpness = 1350.0))\n"
+    "phong = Aggregate(Lambertian(albedo = [0.0864, 0.0597, 0.0302]), NganBlinnPhong("
+    "albedo = [0.015, 0.00818, 0.00381], sharpness = 1290.0))\n"
+    "rubber = Aggregate(Lambertian(albedo = [0.0387, 0.0774, 0.1578]), LowAshikhminShirley("
+    "albedo = [0.42416, 0.41635, 0.4052], sharpness = 27.514711, fresnelReflectance = 1.36647))\n");
+  const auto bronze = Read(folder("published.fit#bronze"));
+  const auto phong = Read(folder("published.fit#phong"));
+  const auto rubber = Read(folder("published.fit#rubber"));
+  constexpr double pi = 3.14159265358979323846;
+  const double merl[3] = { 1.0, 1.15, 1.66 };
+  // Mirror directions, a little off them, at grazing, and far off.
+  const double angles[][3] = { { 0.5, 0.5, pi }, { 0.5, 0.52, pi - 0.02 }, { 1.4, 1.38, pi },
+    { 0.1, 1.2, 1.0 } };
+  for (const auto& angle : angles)
+  {
+    const double i[3] = { std::sin(angle[0]), 0.0, std::cos(angle[0]) };
+    const double o[3] = { std::sin(angle[1]) * std::cos(angle[2]),
+      std::sin(angle[1]) * std::sin(angle[2]), std::cos(angle[1]) };
+    const double sum[3] = { i[0] + o[0], i[1] + o[1], i[2] + o[2] };
+    const double length = std::sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
+    const double nh = sum[2] / length;
+    const double hd = 0.5 * length; // h.i = h.o
+    const auto ashikhmin = [&](double n)
+    { return (n + 1.0) / (8.0 * pi) * std::pow(nh, n) / (hd * std::max(i[2], o[2])); };
+    const double bronzeDiffuse[3] = { 0.0877, 0.0598, 0.0297 };
+    const double bronzeScale[3] = { 0.108, 0.0637, 0.0337 };
+    const double phongDiffuse[3] = { 0.0864, 0.0597, 0.0302 };
+    const double phongScale[3] = { 0.015, 0.00818, 0.00381 };
+    const double rubberDiffuse[3] = { 0.0387, 0.0774, 0.1578 };
+    const double rubberScale[3] = { 0.42416, 0.41635, 0.4052 };
+    double a[3], b[3], c[3];
+    bronze->Evaluate(i, o, a);
+    phong->Evaluate(i, o, b);
+    rubber->Evaluate(i, o, c);
+    for (int k = 0; k < 3; ++k)
+    {
+      const double expected[3] = {
+        merl[k] * (bronzeDiffuse[k] / pi + bronzeScale[k] * ashikhmin(1350.0) * Schlick(0.249, hd)),
+        merl[k] * (phongDiffuse[k] / pi +
+                    phongScale[k] * (1290.0 + 2.0) / (2.0 * pi) * std::pow(nh, 1290.0)),
+        rubberDiffuse[k] / pi + rubberScale[k] * ashikhmin(27.514711) * Dielectric(1.36647, hd)
+      };
+      EXPECT_NEAR(a[k] / expected[0], 1.0, 1e-9) << "Ngan's Ashikhmin-Shirley";
+      EXPECT_NEAR(b[k] / expected[1], 1.0, 1e-9) << "Ngan's Blinn-Phong";
+      EXPECT_NEAR(c[k] / expected[2], 1.0, 1e-9) << "Low's Ashikhmin-Shirley";
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -1,0 +1,267 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Files.h"
+#include "Inputs.h"
+#include "Progress.h"
+#include "Tool.h"
+
+#include "vtkAshikhminShirleyBRDFFitter.h"
+#include "vtkBlinnPhongBRDFFitter.h"
+#include "vtkCommand.h"
+#include "vtkDistributionBRDFFitter.h"
+#include "vtkNew.h"
+
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <map>
+#include <memory>
+#include <sstream>
+
+using nlohmann::ordered_json;
+
+namespace
+{
+struct Options
+{
+  std::string File;
+  std::string Output;
+  std::string Model;
+  std::string Loss = "log-cosine";
+  std::string Fresnel = "table";
+  int Lobes = 1;
+  int Starts = 4;
+  int Samples = 0; // 0: the fitter's own
+  unsigned int Seed = 1;
+  bool Anisotropic = false;
+  bool Json = false;
+};
+
+const std::map<std::string, int> Losses = { { "log-cosine", vtkBRDFFitter::LOG_COSINE },
+  { "cube-root", vtkBRDFFitter::CUBE_ROOT_COSINE }, { "squared", vtkBRDFFitter::SQUARED } };
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkBRDFFitter> MakeDistributionFitter(const Options& options)
+{
+  auto fitter = vtkSmartPointer<vtkDistributionBRDFFitter>::New();
+  fitter->SetFresnelModel(options.Fresnel == "schlick" ? vtkDistributionBRDFFitter::SCHLICK
+                                                       : vtkDistributionBRDFFitter::MONOTONE);
+  fitter->SetNumberOfPhiSamples(options.Anisotropic ? 32 : 0);
+  return fitter;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkBRDFFitter> MakeAshikhminShirleyFitter(const Options& options)
+{
+  auto fitter = vtkSmartPointer<vtkAshikhminShirleyBRDFFitter>::New();
+  fitter->SetNumberOfLobes(options.Lobes);
+  fitter->SetAnisotropy(options.Anisotropic ? vtkAshikhminShirleyBRDFFitter::ANISOTROPIC
+                                            : vtkAshikhminShirleyBRDFFitter::AS_INPUT);
+  return fitter;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkBRDFFitter> MakeBlinnPhongFitter(const Options& options)
+{
+  auto fitter = vtkSmartPointer<vtkBlinnPhongBRDFFitter>::New();
+  fitter->SetNumberOfLobes(options.Lobes);
+  return fitter;
+}
+
+// A model, which of the options it takes, and its fitter.
+struct Model
+{
+  bool HasLobes;
+  bool HasFresnel;
+  bool HasAnisotropy;
+  vtkSmartPointer<vtkBRDFFitter> (*MakeFitter)(const Options& options);
+};
+
+const std::map<std::string, Model> Models = {
+  { "d-brdf", { false, true, true, MakeDistributionFitter } },
+  { "ashikhmin-shirley", { true, false, true, MakeAshikhminShirleyFitter } },
+  { "blinn-phong", { true, false, false, MakeBlinnPhongFitter } },
+};
+
+//------------------------------------------------------------------------------
+void Check(const Options& options, const CLI::App* command)
+{
+  if (tool::Extension(options.Output) != ".exr")
+  {
+    throw tool::UsageError(options.Output + ": OUT must end in .exr");
+  }
+  const Model& model = Models.at(options.Model);
+  const std::pair<const char*, bool> taken[] = { { "--lobes", model.HasLobes },
+    { "--fresnel", model.HasFresnel }, { "--anisotropic", model.HasAnisotropy } };
+  for (const auto& option : taken)
+  {
+    if (command->count(option.first) > 0 && !option.second)
+    {
+      throw tool::UsageError(
+        std::string(option.first) + ": --model " + options.Model + " has no such option");
+    }
+  }
+}
+
+// Shows a fitter's progress and passes Ctrl-C on to it.
+struct Watcher
+{
+  vtkBRDFFitter* Fitter;
+  tool::ProgressBar Bar{ "fitting" };
+
+  void OnProgress(vtkObject*, unsigned long, void* data)
+  {
+    this->Bar.Update(*static_cast<double*>(data));
+    if (tool::Interruptible::IsInterrupted())
+    {
+      this->Fitter->SetAbort(true);
+    }
+  }
+};
+
+//------------------------------------------------------------------------------
+void Fit(vtkBRDFFitter* fitter, const std::string& file)
+{
+  bool done = false;
+  {
+    Watcher watcher{ fitter };
+    fitter->AddObserver(vtkCommand::ProgressEvent, &watcher, &Watcher::OnProgress);
+    done = fitter->Fit();
+    fitter->RemoveObservers(vtkCommand::ProgressEvent);
+  }
+  tool::Interruptible::Check();
+  if (!done)
+  {
+    throw tool::Error(file + ": " + tool::TakeErrorText());
+  }
+}
+
+//------------------------------------------------------------------------------
+ordered_json Describe(const Options& options, vtkBRDFFitter* fitter, double seconds)
+{
+  const double* in = fitter->GetInputAlbedo();
+  const double* out = fitter->GetOutputAlbedo();
+  ordered_json d = { { "input", options.File }, { "output", options.Output },
+    { "model", options.Model }, { "loss", options.Loss }, { "residual", fitter->GetResidual() },
+    { "relative_l2_error", fitter->GetRelativeL2Error() },
+    { "iterations", fitter->GetNumberOfIterations() }, { "converged", fitter->GetConverged() },
+    { "seconds", seconds }, { "albedo_of_input", { in[0], in[1], in[2] } },
+    { "albedo_of_fit", { out[0], out[1], out[2] } } };
+  d["parameters"] = ordered_json::array();
+  std::istringstream report(fitter->GetReport());
+  for (std::string line; std::getline(report, line);)
+  {
+    d["parameters"].push_back(line);
+  }
+  return d;
+}
+
+//------------------------------------------------------------------------------
+std::string FormatTriple(const double rgb[3])
+{
+  std::ostringstream text;
+  text.precision(4);
+  text << rgb[0] << " " << rgb[1] << " " << rgb[2];
+  return text.str();
+}
+
+//------------------------------------------------------------------------------
+std::string FormatText(const Options& options, vtkBRDFFitter* fitter, double seconds)
+{
+  std::ostringstream text;
+  text.precision(4);
+  text << options.File << " -> " << options.Output << " (" << fitter->GetModelName() << ")\n"
+       << "residual (" << options.Loss << "): " << fitter->GetResidual() << "\n"
+       << "relative L2 error: " << fitter->GetRelativeL2Error() << "\n"
+       << "iterations: " << fitter->GetNumberOfIterations()
+       << (fitter->GetConverged() ? "" : " (stopped before it converged)") << ", " << seconds
+       << " s\n"
+       << "hemispherical albedo: " << FormatTriple(fitter->GetOutputAlbedo()) << ", of the input "
+       << FormatTriple(fitter->GetInputAlbedo()) << "\n"
+       << fitter->GetReport();
+  return text.str();
+}
+
+//------------------------------------------------------------------------------
+void Run(const Options& options, const CLI::App* command)
+{
+  Check(options, command);
+  tool::Interruptible interruptible;
+  const tool::Material material = tool::LoadMaterial(options.File);
+  const vtkSmartPointer<vtkBRDFFitter> fitter = Models.at(options.Model).MakeFitter(options);
+  fitter->SetInput(material.BRDF);
+  fitter->SetLoss(Losses.at(options.Loss));
+  fitter->SetNumberOfStarts(options.Starts);
+  fitter->SetSeed(options.Seed);
+  if (options.Samples > 0)
+  {
+    fitter->SetNumberOfSamples(options.Samples);
+  }
+  const auto begin = std::chrono::steady_clock::now();
+  Fit(fitter, options.File);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+  tool::WriteMaterial(fitter->GetOutput(), options.Output);
+  tool::PrintOut(options.Json ? Describe(options, fitter, seconds.count())
+                                    .dump(2, ' ', false, ordered_json::error_handler_t::replace) +
+                                  "\n"
+                              : FormatText(options, fitter, seconds.count()));
+}
+
+//------------------------------------------------------------------------------
+template <typename T>
+std::vector<std::string> Names(const std::map<std::string, T>& map)
+{
+  std::vector<std::string> names;
+  for (const auto& entry : map)
+  {
+    names.push_back(entry.first);
+  }
+  return names;
+}
+}
+
+namespace tool
+{
+//------------------------------------------------------------------------------
+void AddFitCommand(CLI::App& app)
+{
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand(
+    "fit", "Fit a small model to a material, write it and print how close it is");
+  command->add_option("FILE", options->File, MaterialHelp)->required();
+  command
+    ->add_option("--model", options->Model,
+      "d-brdf: tables of the half vector's distribution and of the Fresnel term; "
+      "ashikhmin-shirley, blinn-phong: analytic lobes. All with a Lambert part")
+    ->required()
+    ->check(CLI::IsMember(Names(Models)));
+  command->add_option("--lobes", options->Lobes, "Number of lobes of analytic models (default 1)")
+    ->check(CLI::Range(1, 3));
+  command
+    ->add_option("--loss", options->Loss,
+      "What to minimize: the squared difference of log-cosine: ln(1 + f cos) (default), cube-root: "
+      "(f cos)^(1/3), squared: f itself, which gives the least relative L2 error")
+    ->check(CLI::IsMember(Names(Losses)));
+  command
+    ->add_option("--fresnel", options->Fresnel,
+      "The D-BRDF's Fresnel term: table, which never falls towards grazing (default), or schlick")
+    ->check(CLI::IsMember({ "table", "schlick" }));
+  command
+    ->add_option("--starts", options->Starts, "Number of starting points to refine (default 4)")
+    ->check(CLI::Range(1, 64));
+  command->add_option("--samples", options->Samples, "Number of direction pairs (default 32768)")
+    ->check(CLI::Range(256, 1 << 22));
+  command->add_option(
+    "--seed", options->Seed, "Shifts the direction pairs; same seed, same result (default 1)");
+  command->add_flag("--anisotropic", options->Anisotropic,
+    "Let the lobes be anisotropic (default: where the material is)");
+  command->add_flag("--json", options->Json, "Write JSON instead of text");
+  command->add_option("-o,--output", options->Output, "File to write, ending in .exr")->required();
+  command->footer(
+    "The residual is the root mean square of the loss' differences over direction pairs that the\n"
+    "fit did not see. The relative L2 error weights f by both cosines.\n\n"
+    "Example:\n  measured-brdf fit satin_purple_rgb.bsdf --model ashikhmin-shirley --lobes 2 \\\n"
+    "    -o satin.exr");
+  command->callback([options, command]() { Run(*options, command); });
+}
+} // namespace tool

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Fits a Lambert part and the D-BRDF's two tables by alternating non-negative least squares.
+ */
+
+#ifndef DistributionFit_h
+#define DistributionFit_h
+
+#include "DistributionGeometry.h"
+
+#include <functional>
+#include <vector>
+
+class vtkBRDF;
+
+namespace measuredbrdf
+{
+enum class FresnelShape
+{
+  Monotone, // a table that never falls towards grazing
+  Free,     // a table
+  Schlick   // base + rise (1 - cos theta_d)^5
+};
+
+struct DistributionFitOptions
+{
+  DistributionSize Size;
+  FresnelShape Shape;
+  int NumberOfStarts;
+  int MaximumNumberOfIterations;
+  double Tolerance;
+  std::function<bool(double)> Progress; // false: stop
+};
+
+/// Tables in vtkDistributionBRDF's order; empty where the fit was stopped. p is normalized, F has
+/// the scale.
+struct DistributionFitResult
+{
+  double Albedo[3] = { 0.0, 0.0, 0.0 };
+  std::vector<float> Distribution;
+  std::vector<float> Fresnel;
+  std::vector<double> History; // mean squares over the samples
+  bool Converged = false;
+};
+
+DistributionFitResult FitDistribution(
+  vtkBRDF* input, const FitSamples& samples, const DistributionFitOptions& options);
+} // namespace measuredbrdf
+
+#endif

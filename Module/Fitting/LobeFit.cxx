@@ -1,0 +1,419 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LobeFit.h"
+
+#include "HalfVector.h"
+#include "NonNegativeLeastSquares.h"
+
+#include <ceres/ceres.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace measuredbrdf
+{
+namespace
+{
+constexpr double MaximumExponent = 1e6; // what the representations take
+constexpr std::size_t ScreeningSamples = 2048;
+constexpr std::size_t RefiningSamples = 4096;
+constexpr int RefiningIterations = 30;
+
+// The parameters as one vector: ln(n+1) per exponent, then per channel the Lambert albedo / pi
+// and base[, rise] per lobe.
+struct Layout
+{
+  explicit Layout(const LobeModel& model)
+    : Model(model)
+    , ExponentsPerLobe(model.Anisotropic ? 2 : 1)
+    , CoefficientsPerLobe(model.Shape == LobeShape::BlinnPhong ? 1 : 2)
+  {
+  }
+  int GetNumberOfExponents() const { return this->Model.NumberOfLobes * this->ExponentsPerLobe; }
+  int GetNumberOfCoefficients() const // of one channel
+  {
+    return 1 + this->Model.NumberOfLobes * this->CoefficientsPerLobe;
+  }
+  int GetCoefficient(int channel, int k) const
+  {
+    return this->GetNumberOfExponents() + channel * this->GetNumberOfCoefficients() + k;
+  }
+  int GetSize() const { return this->GetCoefficient(3, 0); }
+
+  LobeModel Model;
+  int ExponentsPerLobe;
+  int CoefficientsPerLobe;
+};
+
+// What the coefficients of one channel multiply, and its derivatives by the log-exponents.
+struct Basis
+{
+  double Values[7];       // 1, then per lobe shape[, shape * rise]
+  double LogSlopes[3][2]; // d ln(shape) / d ln(n+1)
+};
+
+Basis Evaluate(const Layout& layout, const double* parameters, const FitSample& sample)
+{
+  Basis basis;
+  basis.Values[0] = 1.0;
+  const glm::dvec3& h = sample.H;
+  const double s = h.x * h.x + h.y * h.y;
+  const double ratio = LogCosineRatio(s);
+  const double hd = glm::dot(h, sample.O);
+  for (int lobe = 0; lobe < layout.Model.NumberOfLobes; ++lobe)
+  {
+    const double* logs = parameters + lobe * layout.ExponentsPerLobe;
+    const double u = std::exp(logs[0]); // n + 1
+    const double v = layout.Model.Anisotropic ? std::exp(logs[1]) : u;
+    double* values = basis.Values + 1 + lobe * layout.CoefficientsPerLobe;
+    double* slopes = basis.LogSlopes[lobe];
+    if (layout.Model.Shape == LobeShape::BlinnPhong)
+    {
+      values[0] = (u + 1.0) / (2.0 * Pi) * PowerCosine(u - 1.0, s);
+      slopes[0] = u * (1.0 / (u + 1.0) + 0.5 * s * ratio);
+      continue;
+    }
+    const double power = 0.5 * ((u - 1.0) * h.x * h.x + (v - 1.0) * h.y * h.y) * ratio;
+    values[0] =
+      std::sqrt(u * v) / (8.0 * Pi) * std::exp(power) / (hd * std::max(sample.I.z, sample.O.z));
+    values[1] = values[0] * SchlickFresnel(0.0, hd);
+    slopes[0] = 0.5 + 0.5 * u * h.x * h.x * ratio;
+    slopes[1] = 0.5 + 0.5 * v * h.y * h.y * ratio;
+    if (!layout.Model.Anisotropic)
+    {
+      slopes[0] += slopes[1];
+    }
+  }
+  return basis;
+}
+
+double Dot(const double* coefficients, const Basis& basis, int count)
+{
+  return std::inner_product(coefficients, coefficients + count, basis.Values, 0.0);
+}
+
+// All residuals sqrt(w/3) (T(f') - T(f)): twice Ceres' cost is the weighted mean square.
+class Residuals : public ceres::CostFunction
+{
+public:
+  Residuals(const FitSamples& samples, const Layout& layout)
+    : Samples(samples)
+    , Shape(layout)
+  {
+    this->set_num_residuals(static_cast<int>(3 * samples.size()));
+    this->mutable_parameter_block_sizes()->push_back(layout.GetSize());
+  }
+
+  bool Evaluate(
+    double const* const* parameters, double* residuals, double** jacobians) const override
+  {
+    const int size = this->Shape.GetSize();
+    for (std::size_t k = 0; k < this->Samples.size(); ++k)
+    {
+      double* rows = jacobians && jacobians[0] ? jacobians[0] + 3 * k * size : nullptr;
+      this->EvaluateSample(parameters[0], this->Samples[k], residuals + 3 * k, rows);
+    }
+    return true;
+  }
+
+private:
+  void EvaluateSample(
+    const double* parameters, const FitSample& sample, double* residuals, double* rows) const
+  {
+    const FitLoss& loss = this->Samples.GetLoss();
+    const int count = this->Shape.GetNumberOfCoefficients();
+    const Basis basis = measuredbrdf::Evaluate(this->Shape, parameters, sample);
+    const double weight = std::sqrt(sample.Weight / 3.0);
+    for (int c = 0; c < 3; ++c)
+    {
+      const double* coefficients = parameters + this->Shape.GetCoefficient(c, 0);
+      const double f = Dot(coefficients, basis, count);
+      residuals[c] = weight * (loss.Value(f, sample.I.z) - loss.Value(sample.F[c], sample.I.z));
+      if (!rows)
+      {
+        continue;
+      }
+      double* row = rows + c * this->Shape.GetSize();
+      std::fill_n(row, this->Shape.GetSize(), 0.0);
+      const double slope = weight * loss.Slope(f, sample.I.z);
+      for (int k = 0; k < count; ++k)
+      {
+        row[this->Shape.GetCoefficient(c, k)] = slope * basis.Values[k];
+      }
+      this->AddExponentSlopes(slope, coefficients, basis, row);
+    }
+  }
+
+  void AddExponentSlopes(
+    double slope, const double* coefficients, const Basis& basis, double* row) const
+  {
+    for (int lobe = 0; lobe < this->Shape.Model.NumberOfLobes; ++lobe)
+    {
+      const int first = 1 + lobe * this->Shape.CoefficientsPerLobe;
+      double f = 0.0;
+      for (int k = first; k < first + this->Shape.CoefficientsPerLobe; ++k)
+      {
+        f += coefficients[k] * basis.Values[k];
+      }
+      for (int e = 0; e < this->Shape.ExponentsPerLobe; ++e)
+      {
+        row[lobe * this->Shape.ExponentsPerLobe + e] = slope * f * basis.LogSlopes[lobe][e];
+      }
+    }
+  }
+
+  const FitSamples& Samples;
+  Layout Shape;
+};
+
+class Watcher : public ceres::IterationCallback
+{
+public:
+  Watcher(const LobeFitOptions& options, double from, double to, int iterations)
+    : Options(options)
+    , From(from)
+    , To(to)
+    , Iterations(iterations)
+  {
+  }
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override
+  {
+    if (summary.step_is_successful || summary.iteration == 0)
+    {
+      this->History.push_back(2.0 * summary.cost);
+    }
+    const double share = std::min(double(summary.iteration) / this->Iterations, 1.0);
+    this->Stopped = !this->Options.Progress(this->From + (this->To - this->From) * share);
+    return this->Stopped ? ceres::SOLVER_ABORT : ceres::SOLVER_CONTINUE;
+  }
+
+  std::vector<double> History;
+  bool Stopped = false;
+
+private:
+  const LobeFitOptions& Options;
+  double From, To;
+  int Iterations;
+};
+
+/**
+ * The non-negative coefficients that are best for the exponents in parameters (written there), and
+ * the weighted mean square they leave. A few steps of reweighted linear least squares: the weights
+ * are the squared secants of T between data and model, first the data's own slope.
+ */
+double SolveCoefficients(const FitSamples& samples, const Layout& layout, double* parameters)
+{
+  const int count = layout.GetNumberOfCoefficients();
+  std::vector<Basis> bases;
+  bases.reserve(samples.size());
+  for (const FitSample& sample : samples)
+  {
+    bases.push_back(Evaluate(layout, parameters, sample));
+  }
+  const FitLoss& loss = samples.GetLoss();
+  double mean = 0.0;
+  for (int c = 0; c < 3; ++c)
+  {
+    double* coefficients = parameters + layout.GetCoefficient(c, 0);
+    std::fill_n(coefficients, count, 0.0);
+    constexpr int passes = 4;
+    for (int pass = 0; pass <= passes; ++pass)
+    {
+      Eigen::MatrixXd H = Eigen::MatrixXd::Zero(count, count);
+      Eigen::VectorXd g = Eigen::VectorXd::Zero(count);
+      double sum = 0.0;
+      for (std::size_t k = 0; k < samples.size(); ++k)
+      {
+        const FitSample& sample = samples[k];
+        const double f = pass == 0 ? sample.F[c] : Dot(coefficients, bases[k], count);
+        const double t = loss.Value(f, sample.I.z) - loss.Value(sample.F[c], sample.I.z);
+        const double difference = f - sample.F[c];
+        const double slope = std::abs(difference) > 1e-9 * (1.0 + f)
+                               ? t / difference
+                               : loss.Slope(sample.F[c], sample.I.z);
+        const double weight = sample.Weight * slope * slope;
+        sum += sample.Weight * t * t / 3.0;
+        const Eigen::Map<const Eigen::VectorXd> row(bases[k].Values, count);
+        H.noalias() += weight * row * row.transpose();
+        g.noalias() += weight * sample.F[c] * row;
+      }
+      if (pass == passes)
+      {
+        mean += sum;
+        break;
+      }
+      Eigen::VectorXd x = Eigen::VectorXd::Ones(count);
+      SolveNonNegative(H.sparseView(), g, x);
+      std::copy_n(x.data(), count, coefficients);
+    }
+  }
+  return mean;
+}
+
+struct Start
+{
+  std::vector<double> Parameters;
+  double MeanSquare;
+};
+
+// Calls use(exponents) for all ascending choices of `lobes` exponents from 1 to 1e5.
+void ForExponents(int lobes, const std::function<void(const std::vector<double>&)>& use)
+{
+  constexpr int steps = 11; // a factor of 2.8 each
+  std::vector<int> choice(static_cast<std::size_t>(lobes));
+  std::iota(choice.begin(), choice.end(), 0);
+  for (;;)
+  {
+    std::vector<double> exponents;
+    for (const int k : choice)
+    {
+      exponents.push_back(std::pow(10.0, 5.0 * k / steps));
+    }
+    use(exponents);
+    int last = lobes - 1;
+    while (last >= 0 && choice[last] == steps - (lobes - 1 - last))
+    {
+      --last;
+    }
+    if (last < 0)
+    {
+      return;
+    }
+    ++choice[last];
+    std::iota(choice.begin() + last + 1, choice.end(), choice[last] + 1);
+  }
+}
+
+// All starts with what they leave on a few samples, best first; none where it was stopped.
+std::vector<Start> Screen(
+  const FitSamples& samples, const Layout& layout, const std::function<bool()>& proceed)
+{
+  const std::vector<double> stretches =
+    layout.Model.Anisotropic ? std::vector<double>{ 1.0, 4.0, 0.25 } : std::vector<double>{ 1.0 };
+  std::vector<Start> starts;
+  bool stopped = false;
+  ForExponents(layout.Model.NumberOfLobes,
+    [&](const std::vector<double>& exponents)
+    {
+      stopped = stopped || !proceed();
+      for (std::size_t k = 0; k < stretches.size() && !stopped; ++k)
+      {
+        const double stretch = stretches[k];
+        std::vector<double> parameters(static_cast<std::size_t>(layout.GetSize()));
+        for (std::size_t lobe = 0; lobe < exponents.size(); ++lobe)
+        {
+          double* logs = &parameters[lobe * static_cast<std::size_t>(layout.ExponentsPerLobe)];
+          logs[0] = std::log1p(exponents[lobe] * stretch);
+          logs[layout.ExponentsPerLobe - 1] =
+            std::log1p(layout.Model.Anisotropic ? exponents[lobe] / stretch : exponents[lobe]);
+        }
+        const double mean = SolveCoefficients(samples, layout, parameters.data());
+        starts.push_back({ std::move(parameters), mean });
+      }
+    });
+  std::stable_sort(starts.begin(), starts.end(),
+    [](const Start& a, const Start& b) { return a.MeanSquare < b.MeanSquare; });
+  starts.resize(stopped ? 0 : starts.size());
+  return starts;
+}
+
+ceres::Solver::Summary Refine(const FitSamples& samples, const Layout& layout, Start& start,
+  Watcher& watcher, int iterations, double tolerance)
+{
+  ceres::Problem problem;
+  problem.AddResidualBlock(new Residuals(samples, layout), nullptr, start.Parameters.data());
+  for (int k = 0; k < layout.GetSize(); ++k)
+  {
+    problem.SetParameterLowerBound(start.Parameters.data(), k, 0.0);
+    if (k < layout.GetNumberOfExponents())
+    {
+      problem.SetParameterUpperBound(start.Parameters.data(), k, std::log1p(MaximumExponent));
+    }
+  }
+  ceres::Solver::Options options;
+  options.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
+  options.num_threads = 1; // the same sums in the same order: the same result
+  options.max_num_iterations = iterations;
+  options.function_tolerance = tolerance;
+  options.parameter_tolerance = 1e-10;
+  options.logging_type = ceres::SILENT;
+  options.callbacks.push_back(&watcher);
+  ceres::Solver::Summary summary;
+  ceres::Solve(options, &problem, &summary);
+  start.MeanSquare = 2.0 * summary.final_cost;
+  return summary;
+}
+
+LobeFitResult Unpack(const Layout& layout, const std::vector<double>& parameters)
+{
+  LobeFitResult result;
+  for (int lobe = 0; lobe < layout.Model.NumberOfLobes; ++lobe)
+  {
+    const double* logs = &parameters[static_cast<std::size_t>(lobe * layout.ExponentsPerLobe)];
+    FittedLobe fitted;
+    fitted.ExponentU = std::expm1(logs[0]);
+    fitted.ExponentV = std::expm1(logs[layout.ExponentsPerLobe - 1]);
+    for (int c = 0; c < 3; ++c)
+    {
+      const double* coefficients =
+        &parameters[static_cast<std::size_t>(layout.GetCoefficient(c, 0))];
+      const double* own = coefficients + 1 + lobe * layout.CoefficientsPerLobe;
+      result.Albedo[c] = Pi * coefficients[0];
+      fitted.Base[c] = own[0];
+      fitted.Rise[c] = layout.CoefficientsPerLobe == 2 ? own[1] : 0.0;
+    }
+    result.Lobes.push_back(fitted);
+  }
+  std::stable_sort(result.Lobes.begin(), result.Lobes.end(),
+    [](const FittedLobe& a, const FittedLobe& b)
+    { return a.ExponentU * a.ExponentV < b.ExponentU * b.ExponentV; });
+  return result;
+}
+}
+
+//------------------------------------------------------------------------------
+std::string CheckLobes(int numberOfLobes)
+{
+  return numberOfLobes >= 1 && numberOfLobes <= 3
+           ? ""
+           : "NumberOfLobes: expected 1, 2 or 3, got " + std::to_string(numberOfLobes) + "; ";
+}
+
+//------------------------------------------------------------------------------
+LobeFitResult FitLobes(
+  const FitSamples& samples, const LobeModel& model, const LobeFitOptions& options)
+{
+  constexpr double screened = 0.2, refined = 0.6; // of the progress
+  const Layout layout(model);
+  std::vector<Start> starts = Screen(
+    samples.GetFirst(ScreeningSamples), layout, [&options]() { return options.Progress(0.0); });
+  if (starts.empty())
+  {
+    return LobeFitResult();
+  }
+  starts.resize(std::min(starts.size(), static_cast<std::size_t>(options.NumberOfStarts)));
+  const FitSamples some = samples.GetFirst(RefiningSamples);
+  for (std::size_t k = 0; k < starts.size(); ++k)
+  {
+    const double step = (refined - screened) / static_cast<double>(starts.size());
+    const double from = screened + step * static_cast<double>(k);
+    Watcher watcher(options, from, from + step, RefiningIterations);
+    Refine(some, layout, starts[k], watcher, RefiningIterations, options.Tolerance);
+    if (watcher.Stopped)
+    {
+      return LobeFitResult();
+    }
+  }
+  Start best = *std::min_element(starts.begin(), starts.end(),
+    [](const Start& a, const Start& b) { return a.MeanSquare < b.MeanSquare; });
+  Watcher watcher(options, refined, 1.0, options.MaximumNumberOfIterations);
+  const ceres::Solver::Summary summary =
+    Refine(samples, layout, best, watcher, options.MaximumNumberOfIterations, options.Tolerance);
+  LobeFitResult result = Unpack(layout, best.Parameters);
+  result.History = watcher.History;
+  result.Converged = summary.termination_type == ceres::CONVERGENCE;
+  result.Failure = summary.IsSolutionUsable() || watcher.Stopped ? "" : summary.message;
+  return result;
+}
+} // namespace measuredbrdf

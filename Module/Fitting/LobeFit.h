@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Fits a Lambert part and up to three analytic lobes about the half vector, with Ceres.
+ *
+ * f = albedo/pi + sum over lobes of (base + rise (1 - h.o)^5) shape(exponents): linear in all
+ * coefficients but the exponents. A-S' scale S and reflectance R are base = S R, rise = S (1 - R):
+ * in S and R a change of both can cancel, in base and rise every parameter has a meaning of its own
+ * and the bounds S >= 0, 0 <= R <= 1 are just base >= 0, rise >= 0.
+ */
+
+#ifndef LobeFit_h
+#define LobeFit_h
+
+#include "FitSamples.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace measuredbrdf
+{
+enum class LobeShape
+{
+  BlinnPhong,       // (n+2)/(2 pi) cos^n theta_h; no rise
+  AshikhminShirley, // sqrt((nu+1)(nv+1))/(8 pi) (n.h)^e / ((h.o) max(cos_i, cos_o))
+};
+
+struct LobeModel
+{
+  LobeShape Shape = LobeShape::BlinnPhong;
+  int NumberOfLobes = 1;
+  bool Anisotropic = false; // only Ashikhmin-Shirley's
+};
+
+struct FittedLobe
+{
+  double ExponentU, ExponentV;
+  double Base[3], Rise[3];
+};
+
+struct LobeFitResult
+{
+  double Albedo[3] = { 0.0, 0.0, 0.0 };
+  std::vector<FittedLobe> Lobes; // by ascending exponent
+  std::vector<double> History;   // mean squares over the samples
+  bool Converged = false;
+  std::string Failure; // what the solver said; empty: none
+};
+
+struct LobeFitOptions
+{
+  int NumberOfStarts;
+  int MaximumNumberOfIterations;
+  double Tolerance;
+  std::function<bool(double)> Progress; // false: stop
+};
+
+/// What is wrong with a number of lobes ("...; "); empty: nothing.
+std::string CheckLobes(int numberOfLobes);
+
+/**
+ * All combinations of log-spaced exponents are tried on a few samples with the best non-negative
+ * coefficients; the best ones are refined on more, the best of those on all.
+ */
+LobeFitResult FitLobes(
+  const FitSamples& samples, const LobeModel& model, const LobeFitOptions& options);
+} // namespace measuredbrdf
+
+#endif

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Linear least squares with all unknowns >= 0, from the normal equations.
+ */
+
+#ifndef NonNegativeLeastSquares_h
+#define NonNegativeLeastSquares_h
+
+#include <Eigen/SparseCore>
+
+namespace measuredbrdf
+{
+/**
+ * The x >= 0 that minimizes x'Hx/2 - g'x, by block principal pivoting (Portugal, Judice, Vicente
+ * 1994). H: symmetric positive semidefinite, only its lower triangle is read. x is also the guess
+ * of which unknowns are free (> 0). Unknowns that nothing depends on become 0.
+ */
+void SolveNonNegative(
+  const Eigen::SparseMatrix<double>& H, const Eigen::VectorXd& g, Eigen::VectorXd& x);
+} // namespace measuredbrdf
+
+#endif

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkBlinnPhongBRDFFitter.h"
+
+#include "LobeFit.h"
+#include "vtkBlinnPhongBRDF.h"
+#include "vtkLambertBRDF.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkSumBRDF.h"
+
+#include <sstream>
+
+using namespace measuredbrdf;
+
+vtkStandardNewMacro(vtkBlinnPhongBRDFFitter);
+
+//------------------------------------------------------------------------------
+void vtkBlinnPhongBRDFFitter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfLobes: " << this->NumberOfLobes << "\n";
+}
+
+//------------------------------------------------------------------------------
+std::string vtkBlinnPhongBRDFFitter::CheckOptions() { return CheckLobes(this->NumberOfLobes); }
+
+//------------------------------------------------------------------------------
+vtkBRDFFitter::Result vtkBlinnPhongBRDFFitter::FitTo(const FitSamples& samples)
+{
+  const LobeFitResult fit = FitLobes(samples, { LobeShape::BlinnPhong, this->NumberOfLobes, false },
+    { this->NumberOfStarts, this->MaximumNumberOfIterations, this->Tolerance,
+      [this](double share) { return this->UpdateProgress(share); } });
+  if (!fit.Failure.empty() || fit.Lobes.empty())
+  {
+    return Result();
+  }
+  std::ostringstream report;
+  report << "diffuse albedo: " << fit.Albedo[0] << " " << fit.Albedo[1] << " " << fit.Albedo[2]
+         << "\n";
+  vtkNew<vtkLambertBRDF> lambert;
+  lambert->SetAlbedo(fit.Albedo[0], fit.Albedo[1], fit.Albedo[2]);
+  vtkNew<vtkSumBRDF> sum;
+  sum->AddTerm(lambert);
+  for (const FittedLobe& fitted : fit.Lobes)
+  {
+    vtkNew<vtkBlinnPhongBRDF> lobe;
+    lobe->SetExponent(fitted.ExponentU);
+    lobe->SetSpecular(fitted.Base[0], fitted.Base[1], fitted.Base[2]);
+    sum->AddTerm(lobe);
+    report << "lobe: exponent " << fitted.ExponentU << ", specular " << fitted.Base[0] << " "
+           << fitted.Base[1] << " " << fitted.Base[2] << "\n";
+  }
+  return { sum.Get(), fit.History, fit.Converged, report.str() };
+}

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkDistributionBRDFFitter.h"
+
+#include "DistributionFit.h"
+#include "vtkBRDF.h"
+#include "vtkDistributionBRDF.h"
+#include "vtkLambertBRDF.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkSumBRDF.h"
+
+#include <sstream>
+
+using namespace measuredbrdf;
+
+vtkStandardNewMacro(vtkDistributionBRDFFitter);
+
+namespace
+{
+// "name: expected ...; " unless value is in [low, high], or 0 where that stands for a default.
+std::string CheckCount(const char* name, int value, int low, int high, bool automatic)
+{
+  if ((value >= low && value <= high) || (automatic && value == 0))
+  {
+    return std::string();
+  }
+  std::ostringstream text;
+  text << name << ": expected a number in [" << low << ", " << high << "]"
+       << (automatic ? " or 0" : "") << ", got " << value << "; ";
+  return text.str();
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkDistributionBRDFFitter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FresnelModel: " << this->FresnelModel << "\n";
+  os << indent << "NumberOfThetaSamples: " << this->NumberOfThetaSamples << "\n";
+  os << indent << "NumberOfPhiSamples: " << this->NumberOfPhiSamples << "\n";
+  os << indent << "NumberOfFresnelSamples: " << this->NumberOfFresnelSamples << "\n";
+}
+
+//------------------------------------------------------------------------------
+std::string vtkDistributionBRDFFitter::CheckOptions()
+{
+  return CheckCount("NumberOfThetaSamples", this->NumberOfThetaSamples, 2, 4096, true) +
+         CheckCount("NumberOfPhiSamples", this->NumberOfPhiSamples, 1, 1024, true) +
+         CheckCount("NumberOfFresnelSamples", this->NumberOfFresnelSamples, 2, 1024, false);
+}
+
+//------------------------------------------------------------------------------
+vtkBRDFFitter::Result vtkDistributionBRDFFitter::FitTo(const FitSamples& samples)
+{
+  const int nPhi =
+    this->NumberOfPhiSamples > 0 ? this->NumberOfPhiSamples : (this->Input->IsIsotropic() ? 1 : 32);
+  const int nTheta =
+    this->NumberOfThetaSamples > 0 ? this->NumberOfThetaSamples : (nPhi > 1 ? 48 : 128);
+  DistributionFitOptions options;
+  options.Size = { nTheta, nPhi, this->NumberOfFresnelSamples };
+  options.Shape = this->FresnelModel == SCHLICK ? FresnelShape::Schlick
+                  : this->FresnelModel == FREE  ? FresnelShape::Free
+                                                : FresnelShape::Monotone;
+  options.NumberOfStarts = this->NumberOfStarts;
+  options.MaximumNumberOfIterations = this->MaximumNumberOfIterations;
+  options.Tolerance = this->Tolerance;
+  options.Progress = [this](double share) { return this->UpdateProgress(share); };
+  const DistributionFitResult fit = FitDistribution(this->Input, samples, options);
+  vtkNew<vtkDistributionBRDF> distribution;
+  if (!distribution->SetDistribution(nTheta, nPhi, fit.Distribution) ||
+      !distribution->SetFresnel(this->NumberOfFresnelSamples, fit.Fresnel))
+  {
+    return Result();
+  }
+  vtkNew<vtkLambertBRDF> lambert;
+  lambert->SetAlbedo(fit.Albedo[0], fit.Albedo[1], fit.Albedo[2]);
+  vtkNew<vtkSumBRDF> sum;
+  sum->AddTerm(lambert);
+  sum->AddTerm(distribution);
+
+  std::ostringstream report;
+  report << "diffuse albedo: " << fit.Albedo[0] << " " << fit.Albedo[1] << " " << fit.Albedo[2]
+         << "\n";
+  report << "p: " << nTheta << " x " << nPhi << " samples, at the normal " << fit.Distribution[0]
+         << " " << fit.Distribution[1] << " " << fit.Distribution[2] << " 1/sr\n";
+  const std::size_t last = fit.Fresnel.size() - 3;
+  report << "F: " << this->NumberOfFresnelSamples << " samples, from " << fit.Fresnel[0] << " "
+         << fit.Fresnel[1] << " " << fit.Fresnel[2] << " to " << fit.Fresnel[last] << " "
+         << fit.Fresnel[last + 1] << " " << fit.Fresnel[last + 2] << " at grazing\n";
+  return { sum.Get(), fit.History, fit.Converged, report.str() };
+}

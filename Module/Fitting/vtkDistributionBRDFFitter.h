@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkDistributionBRDFFitter
+ * @brief   fits a Lambert part and a D-BRDF: tables of p(h) and F(theta_d)
+ *
+ * Start: the Lambert part from the least values within 60 degrees of the normal; p from
+ * retro-reflection, p(theta) = 4 f(theta) (2 cos - cos^2) (exact but for a scale, Ashikhmin and
+ * Premoze 2007); F from the mirror direction, constant, or Schlick's. Then, per channel, p and F in
+ * turn, each with the Lambert part, by non-negative linear least squares on the linearized loss
+ * (Gauss-Newton), as far along as the residual falls. Cells that no pair touches follow their
+ * neighbours.
+ *
+ * The output is a vtkSumBRDF of a vtkLambertBRDF and a vtkDistributionBRDF whose p is normalized
+ * (the integral of p cos theta_h is 1), so that F carries the scale.
+ */
+
+#ifndef vtkDistributionBRDFFitter_h
+#define vtkDistributionBRDFFitter_h
+
+#include "vtkBRDFFitter.h"
+
+class VTKMEASUREDBRDF_EXPORT vtkDistributionBRDFFitter : public vtkBRDFFitter
+{
+public:
+  static vtkDistributionBRDFFitter* New();
+  vtkTypeMacro(vtkDistributionBRDFFitter, vtkBRDFFitter);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum FresnelModelType
+  {
+    MONOTONE = 0, // a table that never falls towards grazing
+    FREE = 1,     // a table
+    SCHLICK = 2   // F0 + (1 - F0)(1 - cos theta_d)^5 times a scale, tabulated
+  };
+
+  ///@{
+  /**
+   * What F may be: MONOTONE (default), FREE or SCHLICK.
+   */
+  vtkSetClampMacro(FresnelModel, int, MONOTONE, SCHLICK);
+  vtkGetMacro(FresnelModel, int);
+  ///@}
+
+  ///@{
+  /**
+   * Samples of p along theta_h, 2 to 4096; 0 (default): 128, or 48 where p is anisotropic.
+   */
+  vtkSetMacro(NumberOfThetaSamples, int);
+  vtkGetMacro(NumberOfThetaSamples, int);
+  ///@}
+
+  ///@{
+  /**
+   * Samples of p along phi_h, 1 (isotropic) to 1024; 0 (default): 1, or 32 where the input is
+   * anisotropic.
+   */
+  vtkSetMacro(NumberOfPhiSamples, int);
+  vtkGetMacro(NumberOfPhiSamples, int);
+  ///@}
+
+  ///@{
+  /**
+   * Samples of F along theta_d, 2 to 1024; default 32.
+   */
+  vtkSetMacro(NumberOfFresnelSamples, int);
+  vtkGetMacro(NumberOfFresnelSamples, int);
+  ///@}
+
+  std::string GetModelName() override { return "D-BRDF"; }
+
+protected:
+  vtkDistributionBRDFFitter() = default;
+  ~vtkDistributionBRDFFitter() override = default;
+
+  std::string CheckOptions() override;
+  Result FitTo(const measuredbrdf::FitSamples& samples) override;
+
+  int FresnelModel = MONOTONE;
+  int NumberOfThetaSamples = 0;
+  int NumberOfPhiSamples = 0;
+  int NumberOfFresnelSamples = 32;
+
+private:
+  vtkDistributionBRDFFitter(const vtkDistributionBRDFFitter&) = delete;
+  void operator=(const vtkDistributionBRDFFitter&) = delete;
+};
+
+#endif

@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRepresentationAdvisor.h"
+
+#include "HalfVector.h"
+#include "LowDiscrepancy.h"
+#include "vtkBRDFResampler.h"
+#include "vtkBasisProjector.h"
+#include "vtkCommand.h"
+#include "vtkDistributionBRDFFitter.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+using namespace measuredbrdf;
+
+vtkStandardNewMacro(vtkRepresentationAdvisor);
+
+namespace
+{
+constexpr int NumberOfPairs = 1 << 14;
+
+struct Ringing
+{
+  double NegativeMass;
+  double Overshoot;
+};
+
+// Over pairs of a zone, both cosines as the density of the draws.
+Ringing MeasureRinging(vtkBRDF* reference, vtkBasisBRDF* basis, const double zone[2])
+{
+  const double near = std::pow(std::cos(zone[0] * (Pi / 180.0)), 2.0);
+  const double far = std::pow(std::cos(zone[1] * (Pi / 180.0)), 2.0);
+  const auto direction = [near, far](double u, double v)
+  {
+    const double z = std::sqrt(far + u * (near - far));
+    const double s = std::sqrt(std::max(1.0 - z * z, 0.0));
+    return glm::dvec3(s * std::cos(2.0 * Pi * v), s * std::sin(2.0 * Pi * v), z);
+  };
+  double negative = 0.0;
+  double added = 0.0;
+  double total = 0.0;
+  for (std::uint32_t k = 1; k <= NumberOfPairs; ++k)
+  {
+    const glm::dvec3 i = direction(RadicalInverse(k, 2), RadicalInverse(k, 3));
+    const glm::dvec3 o = direction(RadicalInverse(k, 5), RadicalInverse(k, 7));
+    double f[3];
+    double g[3];
+    reference->Evaluate(&i.x, &o.x, f);
+    basis->EvaluateSigned(&i.x, &o.x, g);
+    for (int c = 0; c < 3; ++c)
+    {
+      negative += std::max(-g[c], 0.0);
+      added += std::max(g[c] - f[c], 0.0);
+      total += f[c];
+    }
+  }
+  return total > 0.0 ? Ringing{ negative / total, added / total } : Ringing{ 0.0, 0.0 };
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkRepresentationAdvisor::SetInput(vtkBRDF* input)
+{
+  if (this->Input != input)
+  {
+    this->Input = input;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+// Run a projector or fitter; its progress becomes this object's, as does its error.
+template <typename Maker>
+bool vtkRepresentationAdvisor::Watch(Maker* maker, bool (Maker::*run)())
+{
+  struct Forwarder
+  {
+    vtkRepresentationAdvisor* Self;
+    Maker* Source;
+    std::string Error;
+
+    void OnEvent(vtkObject*, unsigned long event, void* data)
+    {
+      if (event == vtkCommand::ErrorEvent)
+      {
+        this->Error = static_cast<const char*>(data);
+        return;
+      }
+      this->Self->InvokeEvent(vtkCommand::ProgressEvent, data);
+      if (this->Self->GetAbort())
+      {
+        this->Source->SetAbort(true);
+      }
+    }
+  } forwarder{ this, maker, "" };
+  maker->AddObserver(vtkCommand::ProgressEvent, &forwarder, &Forwarder::OnEvent);
+  maker->AddObserver(vtkCommand::ErrorEvent, &forwarder, &Forwarder::OnEvent);
+  const bool done = (maker->*run)();
+  maker->RemoveAllObservers();
+  if (!done && !this->Abort)
+  {
+    vtkErrorMacro(<< forwarder.Error);
+  }
+  return done;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRepresentationAdvisor::Update()
+{
+  this->Abort = false;
+  if (!this->Input)
+  {
+    vtkErrorMacro("Update: no input.");
+    return false;
+  }
+  vtkNew<vtkBasisProjector> projector;
+  projector->SetInput(this->Input);
+  projector->SetBasis(vtkBasisBRDF::ZONAL);
+  projector->SetOrder(this->Order);
+  projector->SetIncidentZone(this->Zone);
+  projector->SetOutgoingZone(this->Zone);
+  if (!this->Watch(projector.Get(), &vtkBasisProjector::Project))
+  {
+    return false;
+  }
+  this->InZoneResidual = vtkBRDFResampler::GetZoneRelativeL2Error(
+    this->Input, projector->GetOutput(), this->Zone, this->Zone, NumberOfPairs);
+  const Ringing ringing = MeasureRinging(this->Input, projector->GetOutput(), this->Zone);
+  this->NegativeMass = ringing.NegativeMass;
+  this->Overshoot = ringing.Overshoot;
+
+  const bool residual = this->InZoneResidual <= this->MaximumResidual;
+  const bool mass = this->NegativeMass <= this->MaximumNegativeMass;
+  this->Recommendation = residual && mass ? BASIS : FIT;
+  char reason[200];
+  std::snprintf(reason, sizeof(reason),
+    "%s: at order %d over %g to %g degrees the residual is %.1f %% (limit %g %%), the negative "
+    "mass "
+    "%.2f %% (limit %g %%)",
+    this->Recommendation == BASIS ? "basis" : "fit", this->Order, this->Zone[0], this->Zone[1],
+    100.0 * this->InZoneResidual, 100.0 * this->MaximumResidual, 100.0 * this->NegativeMass,
+    100.0 * this->MaximumNegativeMass);
+  this->Reason = reason;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRepresentationAdvisor::Represent()
+{
+  if (vtkBasisBRDF::SafeDownCast(this->Input))
+  {
+    this->Recommendation = BASIS;
+    this->Reason = "basis: it is in one already";
+    this->Output = this->Input;
+    return true;
+  }
+  if (!this->Update())
+  {
+    return false;
+  }
+  if (this->Recommendation == BASIS)
+  {
+    vtkNew<vtkBasisProjector> projector;
+    projector->SetInput(this->Input);
+    projector->SetBasis(vtkBasisBRDF::SPHERICAL_HARMONICS);
+    projector->SetOrder(this->Order);
+    if (!this->Watch(projector.Get(), &vtkBasisProjector::Project))
+    {
+      return false;
+    }
+    this->Output = projector->GetOutput();
+    return true;
+  }
+  vtkNew<vtkDistributionBRDFFitter> fitter;
+  fitter->SetInput(this->Input);
+  if (!this->Watch(static_cast<vtkBRDFFitter*>(fitter.Get()), &vtkBRDFFitter::Fit))
+  {
+    return false;
+  }
+  this->Output = fitter->GetOutput();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkRepresentationAdvisor::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Input: " << this->Input.Get() << "\n";
+  os << indent << "Output: " << this->Output.Get() << "\n";
+  os << indent << "Order: " << this->Order << "\n";
+  os << indent << "Zone: " << this->Zone[0] << " " << this->Zone[1] << "\n";
+  os << indent << "MaximumResidual: " << this->MaximumResidual << "\n";
+  os << indent << "MaximumNegativeMass: " << this->MaximumNegativeMass << "\n";
+  os << indent << "InZoneResidual: " << this->InZoneResidual << "\n";
+  os << indent << "NegativeMass: " << this->NegativeMass << "\n";
+  os << indent << "Overshoot: " << this->Overshoot << "\n";
+  os << indent << "Recommendation: " << (this->Recommendation == BASIS ? "basis" : "fit") << "\n";
+  os << indent << "Reason: " << this->Reason << "\n";
+  os << indent << "Abort: " << (this->Abort ? "On" : "Off") << "\n";
+}

@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkRepresentationAdvisor
+ * @brief   basis or fit: what the thesis decides by hand for the foil, measured
+ *
+ * The thesis puts materials into a basis and takes the D-BRDF for the one that rings. This class
+ * projects the material onto the zonal basis of a given order over the device's zone
+ * (vtkBasisProjector) and measures there, with both cosines as weights,
+ *
+ * - the in-zone residual: relative L2 distance of the projection (clamped at 0, as rendered),
+ * - the negative mass: integral of the negative part before the clamp / integral of f,
+ * - the overshoot: integral of what the projection adds to f / integral of f.
+ *
+ * A basis is recommended where the first is at most MaximumResidual and the second at most
+ * MaximumNegativeMass; else a fit. docs/thesis.md has the figures that the defaults come from.
+ *
+ * Represent() makes the recommended material: spherical harmonics of the hemisphere of that order,
+ * or the D-BRDF fit; a material that is in a basis already stays as it is.
+ */
+
+#ifndef vtkRepresentationAdvisor_h
+#define vtkRepresentationAdvisor_h
+
+#include "vtkBRDF.h"               // for Input
+#include "vtkMeasuredBRDFModule.h" // for export macro
+#include "vtkObject.h"
+#include "vtkSmartPointer.h" // for members
+
+#include <string> // for GetReason
+
+class VTKMEASUREDBRDF_EXPORT vtkRepresentationAdvisor : public vtkObject
+{
+public:
+  static vtkRepresentationAdvisor* New();
+  vtkTypeMacro(vtkRepresentationAdvisor, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum RepresentationType
+  {
+    BASIS = 0,
+    FIT = 1
+  };
+
+  ///@{
+  /**
+   * The material.
+   */
+  void SetInput(vtkBRDF* input);
+  vtkBRDF* GetInput() { return this->Input; }
+  ///@}
+
+  ///@{
+  /**
+   * Order of the basis (default 6: 49 functions) and zone in degrees (default 9 to 57).
+   */
+  vtkSetMacro(Order, int);
+  vtkGetMacro(Order, int);
+  vtkSetVector2Macro(Zone, double);
+  vtkGetVector2Macro(Zone, double);
+  ///@}
+
+  ///@{
+  /**
+   * The rule's limits: in-zone residual (default 0.10) and negative mass (default 0.01).
+   */
+  vtkSetClampMacro(MaximumResidual, double, 0.0, 1e6);
+  vtkGetMacro(MaximumResidual, double);
+  vtkSetClampMacro(MaximumNegativeMass, double, 0.0, 1e6);
+  vtkGetMacro(MaximumNegativeMass, double);
+  ///@}
+
+  /**
+   * Measure. Returns false with an error event without an input or with an order or zone that
+   * vtkBasisProjector refuses.
+   */
+  bool Update();
+
+  ///@{
+  /**
+   * What was measured, and the recommendation with its reason in one line.
+   */
+  vtkGetMacro(InZoneResidual, double);
+  vtkGetMacro(NegativeMass, double);
+  vtkGetMacro(Overshoot, double);
+  vtkGetMacro(Recommendation, int);
+  vtkGetMacro(Reason, std::string);
+  ///@}
+
+  ///@{
+  /**
+   * Set it in an observer of ProgressEvent (calldata: double*) to stop: Represent returns false.
+   */
+  vtkSetMacro(Abort, bool);
+  vtkGetMacro(Abort, bool);
+  vtkBooleanMacro(Abort, bool);
+  ///@}
+
+  /**
+   * Update and make the recommended material. False with an error event as Update and the fit, or
+   * without one when aborted; the output then stays.
+   */
+  bool Represent();
+
+  /**
+   * The material that Represent made; null before.
+   */
+  vtkBRDF* GetOutput() { return this->Output; }
+
+protected:
+  vtkRepresentationAdvisor() = default;
+  ~vtkRepresentationAdvisor() override = default;
+
+  vtkSmartPointer<vtkBRDF> Input;
+  vtkSmartPointer<vtkBRDF> Output;
+  int Order = 6;
+  double Zone[2] = { 9.0, 57.0 };
+  double MaximumResidual = 0.10;
+  double MaximumNegativeMass = 0.01;
+  double InZoneResidual = 0.0;
+  double NegativeMass = 0.0;
+  double Overshoot = 0.0;
+  int Recommendation = FIT;
+  std::string Reason;
+  bool Abort = false;
+
+private:
+  vtkRepresentationAdvisor(const vtkRepresentationAdvisor&) = delete;
+  void operator=(const vtkRepresentationAdvisor&) = delete;
+
+  template <typename Maker>
+  bool Watch(Maker* maker, bool (Maker::*run)());
+};
+
+#endif
