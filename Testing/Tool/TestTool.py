@@ -557,12 +557,15 @@ class Bases(ToolTest):
     def test_interrupt(self):
         output = self.path("out.exr")
         command = [PROGRAM, "acquire", "gold-paint", "--order", "20", "-o", output]
-        with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as process:
-            time.sleep(0.7)
-            if process.poll() is not None:
-                self.skipTest("skipped: finished too soon to be interrupted")
-            process.send_signal(signal.SIGINT)
-            said = process.communicate(timeout=60)[1]
+        for delay in (0.5, 1, 2, 4):
+            with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as process:
+                time.sleep(delay)
+                if process.poll() is not None:
+                    self.skipTest("skipped: finished too soon to be interrupted")
+                process.send_signal(signal.SIGINT)
+                said = process.communicate(timeout=60)[1]
+            if process.returncode != -signal.SIGINT:  # else it was still starting
+                break
         self.assertEqual(process.returncode, 1, said)
         self.assertIn("interrupted", said)
         self.assertEqual(os.listdir(self.folder), [])
