@@ -108,6 +108,21 @@ ordered_json Describe(vtkBRDF* brdf)
     d["dimensions"] = { distribution->GetNumberOfThetaSamples(),
       distribution->GetNumberOfPhiSamples(), distribution->GetFresnel().size() / 3 };
   }
+  else if (auto* basis = vtkBasisBRDF::SafeDownCast(brdf))
+  {
+    const double* incident = basis->GetIncidentZone();
+    const double* outgoing = basis->GetOutgoingZone();
+    d["representation"] = "basis";
+    d["parameterization"] = "coefficients (phi_o, theta_o) per function of i";
+    d["basis"] = vtkBasisBRDF::GetBasisName(basis->GetBasis());
+    d["order"] = basis->GetOrder();
+    d["incident_zone_degrees"] = { incident[0], incident[1] };
+    d["outgoing_zone_degrees"] = { outgoing[0], outgoing[1] };
+    d["dimensions"] = { basis->GetNumberOfPhi(), basis->GetNumberOfTheta(),
+      basis->GetNumberOfFunctions() };
+    d["incident_cosine"] = basis->GetIncidentCosine();
+    d["outgoing_cosine"] = basis->GetOutgoingCosine();
+  }
   else
   {
     d["representation"] = brdf->GetClassName();
@@ -226,6 +241,18 @@ std::string FormatRepresentation(const ordered_json& d, const std::string& inden
     text += Line(indent + "azimuths",
       "0 to " + std::to_string(d["azimuth_range_degrees"].get<int>()) + " degrees");
   }
+  if (d.contains("basis"))
+  {
+    const auto zone = [&d](const char* key)
+    { return Short(d[key][0]) + " to " + Short(d[key][1]) + " degrees"; };
+    text += Line(indent + "basis",
+      d["basis"].get<std::string>() + ", order " + std::to_string(d["order"].get<int>()));
+    text += Line(indent + "zones",
+      "light " + zone("incident_zone_degrees") + ", view " + zone("outgoing_zone_degrees"));
+    const bool in = d["incident_cosine"], out = d["outgoing_cosine"];
+    text += Line(indent + "cosines carried",
+      in && out ? "of light and view" : (in ? "of light" : (out ? "of view" : "none")));
+  }
   for (const char* key : { "diffuse", "specular", "reflectance" })
   {
     if (d.contains(key))
@@ -272,6 +299,9 @@ std::string FormatText(const ordered_json& info)
     Line("reciprocity error",
       Short(info["reciprocity_error"]) + " relative (RMS " + Short(info["reciprocity_rms_error"]) +
         ")" + (info["reciprocal_by_construction"] ? "; reciprocal by construction" : "")) +
+    (info["negative_mass"] > 0.0
+        ? Line("negative mass", Short(info["negative_mass"]) + " of all, before the clamp")
+        : "") +
     Line("GPU form", info["gpu_form"]["description"]) +
     (info.contains("recommendation") ? Line("thesis mode", info["recommendation"]["reason"]) : "");
   text += "\n        directional albedo         reflectance\n"

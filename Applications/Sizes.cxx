@@ -4,6 +4,8 @@
 
 #include "Tool.h"
 
+#include "vtkBasisBRDF.h"
+
 #include <charconv>
 #include <cmath>
 
@@ -59,10 +61,11 @@ Range ParseZone(const std::string& option, const std::string& text)
 {
   Range zone{};
   if (!ParseTwo(text, ',', zone.Begin, zone.End) || !(zone.Begin >= 0.0) ||
-      !(zone.Begin < zone.End) || !(zone.End <= 90.0))
+      !(zone.Begin + vtkBasisBRDF::MinimumZoneWidth <= zone.End) || !(zone.End <= 90.0))
   {
     throw UsageError(option + ": '" + text +
-                     "' is not BEGIN,END in degrees with 0 <= BEGIN < END <= 90, like 9,57");
+                     "' is not BEGIN,END in degrees with 0 <= BEGIN < END <= 90 and at least " +
+                     FormatNumber(vtkBasisBRDF::MinimumZoneWidth) + " between, like 9,57");
   }
   return zone;
 }

@@ -36,7 +36,8 @@ Size ParseSize(const std::string& option, const std::string& text, int largest);
 /// "30,-20" -> view. Throws UsageError.
 View ParseView(const std::string& text);
 
-/// "9,57" -> polar angles, 0 <= begin < end <= 90. Throws UsageError.
+/// "9,57" -> polar angles, 0 <= begin < end <= 90, at least vtkBasisBRDF::MinimumZoneWidth apart.
+/// Throws UsageError.
 Range ParseZone(const std::string& option, const std::string& text);
 } // namespace tool
 

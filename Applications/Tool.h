@@ -52,6 +52,8 @@ void AddLightsCommand(CLI::App& app);
 void AddRenderCommand(CLI::App& app);
 void AddGalleryCommand(CLI::App& app);
 void AddConvertCommand(CLI::App& app);
+void AddAcquireCommand(CLI::App& app);
+void AddProjectCommand(CLI::App& app);
 void AddRepresentationsCommand(CLI::App& app);
 void AddThesisCommand(CLI::App& app);
 void AddFitCommand(CLI::App& app);

@@ -60,6 +60,8 @@ int main(int argc, char* argv[])
   tool::AddRenderCommand(app);
   tool::AddGalleryCommand(app);
   tool::AddConvertCommand(app);
+  tool::AddAcquireCommand(app);
+  tool::AddProjectCommand(app);
   tool::AddRepresentationsCommand(app);
   tool::AddThesisCommand(app);
   tool::AddFitCommand(app);

@@ -113,7 +113,8 @@ class Options(ToolTest):
     def test_help(self):
         self.check(run("--help"), 0, "SUBCOMMAND", "gallery", "Exit status")
         commands = (
-            "list info evaluate integrate lights render gallery convert fit representations thesis"
+            "list info evaluate integrate lights render gallery convert fit acquire project "
+            "representations thesis"
         ).split()
         for command in commands:
             self.check(run(command, "--help"), 0, "measured-brdf", "--help")
@@ -536,6 +537,132 @@ class Thesis(ToolTest):
         taken = self.write("taken", "a file")
         self.check(run("thesis", "-o", taken), 1, "taken")
         self.check(run("thesis", "-o", folder, "--tile", "10"), 2, "--tile")
+
+
+class Bases(ToolTest):
+    def figure(self, result, label):
+        """The number that follows a label on a line of its own."""
+        lines = [line for line in result.stdout.splitlines() if line.startswith(label + ": ")]
+        self.assertEqual(len(lines), 1, result.stdout)
+        return float(lines[0][len(label) + 2 :].split()[0])
+
+    def write_lobe(self, exponent):
+        lobe = f"NganBlinnPhong(sharpness = {exponent}, albedo = [0.5, 0.3, 0.1])"
+        return self.write("lobe.fit", f"lobe = Aggregate({lobe})\n")
+
+    def test_acquire(self):
+        stack = self.path("stack.exr")
+        inside = "relative L2 error inside the zone"
+        options = ["--basis", "legendre-fourier", "--order", "4", "-o", stack]
+        clean = run("acquire", "blue-fabric", *options)
+        self.check(clean, 0, "photographs: 49", "bytes")
+        self.assertLess(self.figure(clean, inside), 2.0)
+        info = json.loads(run("info", stack, "--json").stdout)
+        self.assertEqual((info["representation"], info["basis"]), ("basis", "Legendre x Fourier"))
+        self.assertEqual((info["order"], info["dimensions"]), (4, [1, 48, 25]))
+        self.assertEqual(info["incident_zone_degrees"], [9, 57])
+        self.assertEqual(info["outgoing_zone_degrees"], [9, 57])
+        self.assertTrue(info["incident_cosine"] and not info["outgoing_cosine"])
+        self.assertIn("simulated acquisition", info["source"])
+        self.check(run("info", stack), 0, "light 9 to 57 degrees", "order 4", "of light")
+
+        noisy = ["acquire", "blue-fabric", *options, "--noise", "0.05", "--bits", "8"]
+        result = run(*noisy)
+        self.assertGreater(self.figure(result, inside), 1.2 * self.figure(clean, inside))
+        with open(stack, "rb") as file:
+            first = file.read()
+        run(*noisy)
+        with open(stack, "rb") as file:
+            self.assertEqual(file.read(), first)
+        run(*noisy, "--seed", "2")
+        with open(stack, "rb") as file:
+            self.assertNotEqual(file.read(), first)
+
+    def test_project(self):
+        inside = "relative L2 error from 9 to 57 degrees"
+        output = self.path("out.exr")
+        errors = []
+        for order in (2, 4, 8):
+            options = ["--basis", "legendre-fourier", "--order", order, "-o", output]
+            result = run("project", "blue-fabric", *options)
+            self.check(result, 0, "negative mass", "over the hemisphere", "bytes")
+            errors.append(self.figure(result, inside))
+        self.assertEqual(errors, sorted(errors, reverse=True))
+        self.assertLess(errors[2], 0.5)
+        result = run("project", "blue-fabric", *options, "--window", "hann")
+        self.assertGreater(self.figure(result, inside), 2 * errors[2])
+        options = ["--basis", "spherical-harmonics", "--order", 6, "--zone", "20,40", "-o", output]
+        result = run("project", "blue-fabric", *options)
+        self.assertLess(self.figure(result, "relative L2 error from 20 to 40 degrees"), 1.0)
+        info = json.loads(run("info", output, "--json").stdout)
+        self.assertEqual(info["outgoing_zone_degrees"], [0, 90])
+
+    def test_extrapolate(self):
+        stack, whole = self.path("stack.exr"), self.path("whole.exr")
+        material = self.write_lobe(5)
+        self.check(run("acquire", material, "-o", stack), 0)
+        result = run("project", stack, "--extrapolate", "-o", whole)
+        self.check(result, 0, "l-curve", "limit 0.1")
+        self.assertLess(self.figure(result, "relative residual inside the zone"), 0.04)
+        lambdas = [self.figure(result, "lambda")]
+        info = json.loads(run("info", whole, "--json").stdout)
+        self.assertEqual((info["basis"], info["order"]), ("spherical harmonics", 6))
+        options = ["--basis", "zonal", "--order", 6, "--extrapolate", "-o", whole]
+        result = run("project", material, *options, "--criterion", "cross-validation")
+        self.check(result, 0, "cross-validation", "over the hemisphere")
+        self.assertLess(self.figure(result, "lambda"), 1e-3 * lambdas[0])
+
+        os.remove(whole)
+        sharp = self.write_lobe(50)
+        result = run("project", sharp, *options)
+        self.check(result, 1, "0.15", "limit 0.1", "measured-brdf fit", "--model d-brdf")
+        self.assertFalse(os.path.exists(whole))
+        self.check(run("project", sharp, *options, "--maximum-residual", 0.2), 0, "limit 0.2")
+        self.assertTrue(os.path.exists(whole))
+
+    def test_usage_errors(self):
+        output = self.path("x.exr")
+        acquire = ["acquire", "gold-paint", "-o", output]
+        project = ["project", "gold-paint", "--basis", "zonal", "--order", 4, "-o", output]
+        for command in (acquire, project[:2] + project[6:] + ["--basis", "zonal"]):
+            for order in ("0", "100", "-1", "x"):
+                self.check(run(*command, "--order", order), 2, "--order", order)
+        for command in (acquire, project):
+            for zone in ("57,9", "9,57,3", "9", "9,9.5", "-1,50", "0,91", "nan,nan", "a,b"):
+                self.check(run(*command, "--zone=" + zone), 2, "--zone", zone, "9,57")
+        for noise in ("-1", "nan", "inf"):
+            self.check(run(*acquire, "--noise", noise), 2, "--noise", noise)
+        for bits in ("99", "-1"):
+            self.check(run(*acquire, "--bits", bits), 2, "--bits", bits)
+        self.check(run(*acquire, "--basis", "spherical-harmonics"), 2, "--basis", "hemispherical")
+        hemisphere = ["--basis", "hemispherical", "--zone", "9,57"]
+        self.check(run(*acquire, *hemisphere), 2, "--zone", "hemispherical")
+        self.check(run("acquire", "gold-paint", "-o", self.path("x.png")), 2, "x.png", ".exr")
+        self.check(run("project", "gold-paint", "-o", output), 2, "--basis", "--order")
+        self.check(run(*project, "--window", "box"), 2, "--window", "box", "hann")
+        self.check(run(*project, "--criterion", "l-curve"), 2, "--criterion", "--extrapolate")
+        self.check(run(*project, "--maximum-residual", "0.1"), 2, "--maximum-residual")
+        whole = ["--basis", "hemispherical", "--order", 4, "--extrapolate", "-o", output]
+        self.check(run("project", "gold-paint", *whole), 2, "--extrapolate", "hemispherical")
+        self.check(run("acquire", "no-such-paint", "-o", output), 1, "no-such-paint")
+        self.check(run("project", *whole[:4], "no-such", "-o", output), 1, "no-such")
+        self.assertEqual(os.listdir(self.folder), [])
+        self.check(run("acquire", "blue-fabric", "--order", 2, "-o", output), 0)
+        again = ["project", output, "--extrapolate", "-o", output]
+        self.check(run(*again, "--basis", "zonal"), 2, "--basis", "already")
+
+    def test_interrupt(self):
+        output = self.path("out.exr")
+        command = [PROGRAM, "acquire", "gold-paint", "--order", "20", "-o", output]
+        with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as process:
+            time.sleep(0.7)
+            if process.poll() is not None:
+                self.skipTest("skipped: finished too soon to be interrupted")
+            process.send_signal(signal.SIGINT)
+            said = process.communicate(timeout=60)[1]
+        self.assertEqual(process.returncode, 1, said)
+        self.assertIn("interrupted", said)
+        self.assertEqual(os.listdir(self.folder), [])
 
 
 class Render(ToolTest):

@@ -4,6 +4,7 @@
 #include "TestIOHelpers.h"
 
 #include "vtkAshikhminShirleyBRDF.h"
+#include "vtkBasisBRDF.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkDistributionBRDF.h"
 #include "vtkLambertBRDF.h"
@@ -106,6 +107,17 @@ void ExpectSameTables(const vtkAdaptiveWarpBRDF::Tables& a, const vtkAdaptiveWar
     EXPECT_EQ((a.*table).Shape, (b.*table).Shape);
     EXPECT_TRUE(SameBits((a.*table).Values, (b.*table).Values));
   }
+}
+
+vtkSmartPointer<vtkBasisBRDF> MakeBasis(int basis, int order, int nPhi)
+{
+  const double incident[2] = { 9.1, 57.3 }, outgoing[2] = { 1.0 / 3.0, 80.7 };
+  const std::size_t functions = static_cast<std::size_t>((order + 1) * (order + 1));
+  std::vector<float> values = MakeValues(3 * functions * 3 * static_cast<std::size_t>(nPhi));
+  values[5] = -values[5];
+  auto material = vtkSmartPointer<vtkBasisBRDF>::New();
+  EXPECT_EQ(material->SetCoefficients(basis, order, incident, outgoing, 3, nPhi, values), "");
+  return material;
 }
 
 /// Replace text of equal length inside a file's bytes.
@@ -274,6 +286,45 @@ TEST(IOExrRoundTrip, Tabulated)
 }
 
 //------------------------------------------------------------------------------
+TEST(IOExrRoundTrip, Basis)
+{
+  for (const int basis : { 0, 1, 2, 3 })
+  {
+    for (const int order : { 0, 3, 20 })
+    {
+      for (const int flags : { 0, 1, 2, 3 })
+      {
+        const auto material = MakeBasis(basis, order, flags == 0 ? 1 : 2);
+        material->SetIncidentCosine((flags & 1) != 0);
+        material->SetOutgoingCosine((flags & 2) != 0);
+        material->SetResamplingError(0.1 + 0.2);
+        material->SetResamplingTolerance(0.3); // small tables: only the file matters
+        material->SetName("stack");
+        material->SetSource("device");
+        const auto back = RoundTrip(material.Get());
+        ASSERT_TRUE(back);
+        EXPECT_EQ(back->GetBasis(), basis);
+        EXPECT_EQ(back->GetOrder(), order);
+        EXPECT_EQ(back->GetNumberOfTheta(), 3);
+        EXPECT_EQ(back->GetNumberOfPhi(), flags == 0 ? 1 : 2);
+        for (const int edge : { 0, 1 })
+        {
+          EXPECT_EQ(back->GetIncidentZone()[edge], material->GetIncidentZone()[edge]);
+          EXPECT_EQ(back->GetOutgoingZone()[edge], material->GetOutgoingZone()[edge]);
+        }
+        EXPECT_EQ(back->GetIncidentCosine(), (flags & 1) != 0);
+        EXPECT_EQ(back->GetOutgoingCosine(), (flags & 2) != 0);
+        EXPECT_EQ(back->GetResamplingError(), 0.1 + 0.2);
+        EXPECT_TRUE(SameBits(material->GetCoefficients(), back->GetCoefficients()));
+      }
+    }
+  }
+  vtkNew<vtkBasisBRDF> empty;
+  const Folder folder;
+  ExpectWriteRefused(empty, folder("e.exr"), { "Basis", "'coefficients' is empty" });
+}
+
+//------------------------------------------------------------------------------
 TEST(IOExrRoundTrip, AdaptiveWarp)
 {
   vtkNew<vtkAdaptiveWarpBRDF> material;
@@ -391,6 +442,43 @@ TEST(IOExr, RefusesBadFiles)
     folder, Replace(good, "\"channels\":3", "\"channels\":9"), { Exr, "1 or 3 channels" });
   ExpectBytesRefused(
     folder, Replace(good, "{\"volume\":", "{\"volvme\":"), { Exr, "part 'volvme' is missing" });
+}
+
+//------------------------------------------------------------------------------
+TEST(IOExr, RefusesBadBases)
+{
+  const Folder folder;
+  auto material = MakeBasis(2, 3, 2);
+  const std::string marker("\x11\x22\x33\x44", 4); // a coefficient of its own
+  std::vector<float> values = material->GetCoefficients();
+  std::memcpy(&values[100], marker.data(), 4);
+  ASSERT_EQ(material->SetCoefficients(
+              2, 3, material->GetIncidentZone(), material->GetOutgoingZone(), 3, 2, values),
+    "");
+  Write(material, folder("b.exr"));
+  const std::string good = ReadBytes(folder("b.exr"));
+  ExpectTruncationsRefused(folder, good, 1, 13, Exr);
+  const auto refuse = [&](const std::string& from, const std::string& to, const std::string& word) {
+    ExpectBytesRefused(folder, Replace(good, from, to), { Exr, "Basis", word });
+  };
+  const std::string order = "\"order\":[3.0]";
+  refuse(order, "\"order\":[2.0]", "'order' is 2.000000, which does not suit 16 basis functions");
+  refuse(order, "\"order\":[100]", "'order' is 100.000000");
+  refuse(order, "\"order\":[3.5]", "'order' is 3.500000");
+  refuse(order, "\"order\":[-1 ]", "'order' is -1.000000");
+  refuse(order, "\"order\":[1e9]", "'order' is 1000000000.000000");
+  refuse(order, "\"odder\":[3.0]", "'order' is missing");
+  refuse("\"incidentEnd\":[57.3]", "\"incidentEnd\":[ 8.3]", "zone 9.1 to 8.3 degrees, expected");
+  refuse("\"incidentEnd\":[57.3]", "\"incidentEnd\":[9.11]", "zone 9.1 to 9.11 degrees, expected");
+  refuse("\"outgoingEnd\":[80.7]", "\"outgoingEnd\":[90.7]", "to 90.7 degrees, expected");
+  refuse("\"zonal\"", "\"tonal\"", "'basis'");
+  refuse("\"incidentCosine\":\"off\"", "\"incidentCosine\":\"odd\"", "'incidentCosine'");
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  std::string bytes = good;
+  const std::size_t place = good.find(marker);
+  ASSERT_NE(place, std::string::npos);
+  Overwrite(bytes, place, nan);
+  ExpectBytesRefused(folder, bytes, { Exr, "Basis", "a coefficient is NaN or infinite" });
 }
 
 //------------------------------------------------------------------------------
