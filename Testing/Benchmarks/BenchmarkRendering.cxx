@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Frame times of a 500 x 500 view of a sphere: the measured mapper against the number of lights,
 // beside the stock mapper with Phong lighting and with PBR under image-based lighting, on the same
-// scene in the same run. Needs an OpenGL context. ns_per_light_pixel: slope per covered pixel.
+// scene in the same run. Thesis mode against the order of the basis and the number of lights (both
+// arguments), 125 x 125. Needs an OpenGL context. ns_per_light_pixel: slope per covered pixel.
 
 #include "vtkActor.h"
 #include "vtkBRDF.h"
+#include "vtkBasisProjector.h"
 #include "vtkCamera.h"
 #include "vtkEmbeddedMaterials.h"
 #include "vtkEnvironment.h"
@@ -37,12 +39,14 @@ struct Scene
   vtkNew<vtkSphereSource> Sphere;
   vtkNew<vtkActor> Actor;
   vtkNew<vtkEnvironment> Sky;
+  int Side;
 
-  Scene()
+  explicit Scene(int side = 500)
+    : Side(side)
   {
     this->Window->SetOffScreenRendering(1);
     this->Window->SetMultiSamples(0);
-    this->Window->SetSize(500, 500);
+    this->Window->SetSize(side, side);
     this->Window->AddRenderer(this->Renderer);
     this->Sphere->SetThetaResolution(128);
     this->Sphere->SetPhiResolution(128);
@@ -64,7 +68,7 @@ struct Scene
       this->Window->Render();
       this->Window->WaitForCompletion();
     }
-    const double pixels = 3.14159265 * 250.0 * 250.0;
+    const double pixels = 3.14159265 * 0.25 * this->Side * this->Side;
     state.counters["ns_per_pixel"] =
       benchmark::Counter(pixels * static_cast<double>(state.iterations()) * 1e-9,
         benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
@@ -77,10 +81,9 @@ struct Scene
   }
 };
 
-void RunMeasured(benchmark::State& state, vtkBRDF* brdf)
+void RunMeasured(benchmark::State& state, vtkBRDF* brdf, int lights, int side = 500)
 {
-  Scene scene;
-  const int lights = static_cast<int>(state.range(0));
+  Scene scene(side);
   vtkNew<vtkMeasuredBRDFMapper> mapper;
   mapper->SetInputConnection(scene.Sphere->GetOutputPort());
   mapper->SetBRDF(brdf);
@@ -93,13 +96,13 @@ void RunMeasured(benchmark::State& state, vtkBRDF* brdf)
 void MeasuredLambert(benchmark::State& state)
 {
   vtkNew<vtkLambertBRDF> brdf;
-  RunMeasured(state, brdf);
+  RunMeasured(state, brdf, static_cast<int>(state.range(0)));
 }
 
 void MeasuredFit(benchmark::State& state)
 {
   auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("gold-paint"));
-  RunMeasured(state, brdf);
+  RunMeasured(state, brdf, static_cast<int>(state.range(0)));
 }
 
 // MERL's size; the values do not matter for the time.
@@ -114,7 +117,19 @@ void MeasuredVolume(benchmark::State& state)
   vtkNew<vtkTabulatedBRDF> brdf;
   brdf->SetVolume(
     vtkTabulatedBRDF::HALF_DIFFERENCE, vtkTabulatedBRDF::HALF_TURN, dimensions, std::move(rgb));
-  RunMeasured(state, brdf);
+  RunMeasured(state, brdf, static_cast<int>(state.range(0)));
+}
+
+// K = (order + 1)^2 functions.
+void MeasuredBasis(benchmark::State& state)
+{
+  const auto fabric = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("blue-fabric"));
+  vtkNew<vtkBasisProjector> projector;
+  projector->SetInput(fabric);
+  projector->SetBasis(vtkBasisBRDF::SPHERICAL_HARMONICS);
+  projector->SetOrder(static_cast<int>(state.range(0)));
+  projector->Project();
+  RunMeasured(state, projector->GetOutput(), static_cast<int>(state.range(1)), 125);
 }
 
 void StockPhong(benchmark::State& state)
@@ -161,3 +176,7 @@ BENCHMARK(MeasuredLambert)
   ->UseRealTime();
 BENCHMARK(MeasuredFit)->Arg(16)->Arg(64)->Arg(256)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(MeasuredVolume)->Arg(16)->Arg(64)->Arg(256)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(MeasuredBasis)
+  ->ArgsProduct({ { 2, 4, 6, 8, 12 }, { 16, 64, 256 } })
+  ->Unit(benchmark::kMillisecond)
+  ->UseRealTime();

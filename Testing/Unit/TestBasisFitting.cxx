@@ -150,7 +150,7 @@ TEST(Projector, RecoversWhatLiesInTheBasis)
               projector->SetNumberOfTheta(3);
               projector->SetNumberOfPhi(nPhi == 1 ? 4 : nPhi);
               projector->SetMethod(method);
-              projector->SetRegularization(0.0);
+              projector->SetRegularization(basis == 0 ? 0.0 : 1e-2); // of harmonics only
               projector->SetNumberOfNodes(32);
             });
           const double difference = GetLargestDifference(brdf, back);

@@ -395,7 +395,10 @@ TEST(BasisBRDF, BoundsHold)
   {
     for (const double* zone : { Zone, steep })
     {
-      const auto brdf = MakeBasis(basis, 6, zone, zone, 4, 8, MakeCoefficients(6, 4, 8, 9, 10.0));
+      // Of a constant the bounds are tight.
+      const int order = zone == steep ? 0 : 6;
+      const auto brdf =
+        MakeBasis(basis, order, zone, zone, 4, 8, MakeCoefficients(order, 4, 8, 9, 10.0));
       ASSERT_TRUE(brdf);
       brdf->IncidentCosineOn();
       brdf->OutgoingCosineOn();
