@@ -102,6 +102,21 @@ class ToolTest(unittest.TestCase):
         for value, wanted in zip(values, expected):
             self.assertLessEqual(abs(value - wanted), max(relative * abs(wanted), absolute))
 
+    def interrupt(self, command):
+        """Status and messages of a command that gets Ctrl-C once it listens to it; None: too late."""
+        with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as process:
+            for _ in range(600):
+                with open(f"/proc/{process.pid}/status", encoding="ascii") as file:
+                    caught = [line for line in file if line.startswith("SigCgt")]
+                if caught and int(caught[0].split()[1], 16) & (1 << (signal.SIGINT - 1)):
+                    break
+                time.sleep(0.05)
+            if process.poll() is not None:
+                self.skipTest("skipped: finished too soon to be interrupted")
+            process.send_signal(signal.SIGINT)
+            said = process.communicate(timeout=120)[1]
+        return process.returncode, said
+
     def shared(self, *parts):
         path = os.path.join(SHARED, *parts)
         if not os.path.exists(path):
@@ -296,12 +311,8 @@ class Integrate(ToolTest):
         output = self.path("out.csv")
         command = [PROGRAM, "integrate", "gold-paint", "--environment", "sky"]
         command += ["--pairs", pairs, "-o", output]
-        with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as process:
-            time.sleep(1.0)
-            self.assertIsNone(process.poll(), "finished too soon to be interrupted")
-            process.send_signal(signal.SIGINT)
-            said = process.communicate(timeout=60)[1]
-        self.assertEqual(process.returncode, 1, said)
+        status, said = self.interrupt(command)
+        self.assertEqual(status, 1, said)
         self.assertIn("interrupted", said)
         self.assertEqual(os.listdir(self.folder), ["nv.csv"])
 
@@ -654,13 +665,8 @@ class Bases(ToolTest):
     def test_interrupt(self):
         output = self.path("out.exr")
         command = [PROGRAM, "acquire", "gold-paint", "--order", "20", "-o", output]
-        with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as process:
-            time.sleep(0.7)
-            if process.poll() is not None:
-                self.skipTest("skipped: finished too soon to be interrupted")
-            process.send_signal(signal.SIGINT)
-            said = process.communicate(timeout=60)[1]
-        self.assertEqual(process.returncode, 1, said)
+        status, said = self.interrupt(command)
+        self.assertEqual(status, 1, said)
         self.assertIn("interrupted", said)
         self.assertEqual(os.listdir(self.folder), [])
 
