@@ -105,7 +105,7 @@ class ToolTest(unittest.TestCase):
     def interrupt(self, command):
         """Status and messages of a command that gets Ctrl-C once it listens to it; None: too late."""
         with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as process:
-            for _ in range(600):
+            while process.poll() is None:
                 with open(f"/proc/{process.pid}/status", encoding="ascii") as file:
                     caught = [line for line in file if line.startswith("SigCgt")]
                 if caught and int(caught[0].split()[1], 16) & (1 << (signal.SIGINT - 1)):
