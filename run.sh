@@ -1,5 +1,5 @@
 #!/bin/bash
-# Builds everything and draws measured materials: output/gallery.png. See ./run.sh --help.
+# Builds everything and draws measured materials: output/gallery.png, output/thesis/*.png. See ./run.sh --help.
 set -euo pipefail
 cd "$(dirname "$0")"
 
@@ -8,11 +8,12 @@ usage() {
 usage: ./run.sh [--environment ENV] [-o IMAGE] [FILE...]
 
 Installs what is missing (Debian packages, as root or through sudo), builds, and draws a gallery of measured materials
-under a high-dynamic-range environment. A second run only draws.
+under a high-dynamic-range environment, and (without FILE) the figures of the thesis that this project builds:
+output/thesis/materials.png, ringing.png, lights.png. A second run only draws.
 
   FILE...            your own BRDF files (MERL .binary, RGL .bsdf, NVIDIA .mbsdf, published fits) or names of built-in
                      materials (build/bin/measured-brdf list). Default: built-in materials.
-  --environment ENV  a lat-long image (.exr, .hdr, ...), `sky` for the built-in sky, or one of Blender's environments:
+  --environment ENV  a lat-long image (.exr, .hdr, ...), `sky` or `hall` for a built-in one, or one of Blender's:
                      city courtyard forest interior night studio sunrise sunset. Default: sunset.
   -o IMAGE           where to write (default: output/gallery.png)
 END
@@ -64,7 +65,8 @@ fi
 cmake --build build --target measured-brdf
 
 step "3/3 draw"
-if [ "$environment" != sky ] && [ ! -f "$(absolute "$environment")" ]; then
+builtin() { [ "$environment" = sky ] || [ "$environment" = hall ]; }
+if ! builtin && [ ! -f "$(absolute "$environment")" ]; then
   name=$environment
   folder=$(cmake/find-environments.sh)
   environment=$folder/$name.exr
@@ -75,7 +77,7 @@ if [ "$environment" != sky ] && [ ! -f "$(absolute "$environment")" ]; then
     echo "run.sh: no file and none of Blender's environments: $name (./run.sh --help)" >&2
     exit 2
   fi
-elif [ "$environment" != sky ]; then
+elif ! builtin; then
   environment=$(absolute "$environment")
 fi
 echo "Drawing under $environment (about a minute without a graphics card) ..."
@@ -86,8 +88,16 @@ if [ -z "${DISPLAY:-}" ]; then
 fi
 mkdir -p "$(dirname "$image")"
 "${display[@]}" build/bin/measured-brdf gallery "${files[@]}" --environment "$environment" -o "$image"
+made=$image
+if [ ${#files[@]} -eq 0 ]; then
+  echo "Drawing the thesis's figures (two minutes without a graphics card) ..."
+  other=$environment
+  [ "$other" != hall ] || other=sky
+  "${display[@]}" build/bin/measured-brdf thesis --environment hall --environment "$other" -o output/thesis
+  made="$image, output/thesis/materials.png, ringing.png, lights.png"
+fi
 
-printf '\nDone: %s\n' "$image"
+printf '\nDone: %s\n' "$made"
 if [ -t 1 ] && [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ] && command -v xdg-open >/dev/null; then
   xdg-open "$image" >/dev/null 2>&1 &
 fi

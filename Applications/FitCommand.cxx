@@ -6,14 +6,18 @@
 #include "Tool.h"
 
 #include "vtkAshikhminShirleyBRDFFitter.h"
+#include "vtkBRDFResampler.h"
 #include "vtkBlinnPhongBRDFFitter.h"
 #include "vtkCommand.h"
 #include "vtkDistributionBRDFFitter.h"
 #include "vtkNew.h"
+#include "vtkRepresentationAdvisor.h"
 
 #include <nlohmann/json.hpp>
 
 #include <chrono>
+#include <cstdio>
+#include <functional>
 #include <map>
 #include <memory>
 #include <sstream>
@@ -83,6 +87,10 @@ const std::map<std::string, Model> Models = {
   { "blinn-phong", { true, false, false, MakeBlinnPhongFitter } },
 };
 
+// What --model auto tries where a basis does not suit, each with its number of lobes.
+const std::pair<const char*, int> Candidates[] = { { "d-brdf", 1 }, { "ashikhmin-shirley", 1 },
+  { "ashikhmin-shirley", 2 } };
+
 //------------------------------------------------------------------------------
 void Check(const Options& options, const CLI::App* command)
 {
@@ -90,7 +98,9 @@ void Check(const Options& options, const CLI::App* command)
   {
     throw tool::UsageError(options.Output + ": OUT must end in .exr");
   }
-  const Model& model = Models.at(options.Model);
+  // auto takes no option of a model.
+  const Model model =
+    options.Model == "auto" ? Model{ false, false, false, nullptr } : Models.at(options.Model);
   const std::pair<const char*, bool> taken[] = { { "--lobes", model.HasLobes },
     { "--fresnel", model.HasFresnel }, { "--anisotropic", model.HasAnisotropy } };
   for (const auto& option : taken)
@@ -183,13 +193,19 @@ std::string FormatText(const Options& options, vtkBRDFFitter* fitter, double sec
 }
 
 //------------------------------------------------------------------------------
-void Run(const Options& options, const CLI::App* command)
+void Report(const Options& options, vtkBRDFFitter* fitter, double seconds)
 {
-  Check(options, command);
-  tool::Interruptible interruptible;
-  const tool::Material material = tool::LoadMaterial(options.File);
+  tool::PrintOut(options.Json ? Describe(options, fitter, seconds)
+                                    .dump(2, ' ', false, ordered_json::error_handler_t::replace) +
+                                  "\n"
+                              : FormatText(options, fitter, seconds));
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkBRDFFitter> FitModel(const Options& options, vtkBRDF* brdf)
+{
   const vtkSmartPointer<vtkBRDFFitter> fitter = Models.at(options.Model).MakeFitter(options);
-  fitter->SetInput(material.BRDF);
+  fitter->SetInput(brdf);
   fitter->SetLoss(Losses.at(options.Loss));
   fitter->SetNumberOfStarts(options.Starts);
   fitter->SetSeed(options.Seed);
@@ -197,21 +213,107 @@ void Run(const Options& options, const CLI::App* command)
   {
     fitter->SetNumberOfSamples(options.Samples);
   }
-  const auto begin = std::chrono::steady_clock::now();
   Fit(fitter, options.File);
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+  return fitter;
+}
+
+//------------------------------------------------------------------------------
+// The basis that the advisor recommends, written and reported.
+void WriteBasis(const Options& options, const tool::Material& material,
+  vtkRepresentationAdvisor* advisor, const std::function<double()>& seconds)
+{
+  if (!advisor->Represent())
+  {
+    throw tool::Error(options.File + ": " + tool::TakeErrorText());
+  }
+  const double error =
+    vtkBRDFResampler::GetRelativeL2Error(material.BRDF, advisor->GetOutput(), 1 << 16);
+  tool::WriteMaterial(advisor->GetOutput(), options.Output);
+  if (options.Json)
+  {
+    const ordered_json d = { { "input", options.File }, { "output", options.Output },
+      { "model", "basis" }, { "reason", advisor->GetReason() }, { "relative_l2_error", error },
+      { "seconds", seconds() } };
+    tool::PrintOut(d.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
+    return;
+  }
+  std::ostringstream text;
+  text.precision(4);
+  text << options.File << " -> " << options.Output << " (spherical harmonics of order "
+       << advisor->GetOrder() << ")\n"
+       << advisor->GetReason() << "\n"
+       << "relative L2 error: " << error << "\n"
+       << seconds() << " s\n";
+  tool::PrintOut(text.str());
+}
+
+//------------------------------------------------------------------------------
+// Basis or fit by the advisor's rule; of the fits the one of least residual.
+void RunAuto(
+  const Options& options, const tool::Material& material, const std::function<double()>& seconds)
+{
+  vtkNew<vtkRepresentationAdvisor> advisor;
+  advisor->SetInput(material.BRDF);
+  if (!advisor->Update())
+  {
+    throw tool::Error(options.File + ": " + tool::TakeErrorText());
+  }
+  if (advisor->GetRecommendation() == vtkRepresentationAdvisor::BASIS)
+  {
+    WriteBasis(options, material, advisor, seconds);
+    return;
+  }
+  tool::PrintNote(material.Name + ": " + advisor->GetReason());
+  vtkSmartPointer<vtkBRDFFitter> best;
+  Options chosen = options;
+  for (const auto& candidate : Candidates)
+  {
+    Options tried = options;
+    tried.Model = candidate.first;
+    tried.Lobes = candidate.second;
+    const vtkSmartPointer<vtkBRDFFitter> fitter = FitModel(tried, material.BRDF);
+    char residual[32];
+    std::snprintf(residual, sizeof(residual), "%.4g", fitter->GetResidual());
+    tool::PrintNote(fitter->GetModelName() + ", lobes " + std::to_string(candidate.second) +
+                    ": residual " + residual);
+    if (!best || fitter->GetResidual() < best->GetResidual())
+    {
+      best = fitter;
+      chosen = tried;
+    }
+  }
+  tool::WriteMaterial(best->GetOutput(), options.Output);
+  Report(chosen, best, seconds());
+}
+
+//------------------------------------------------------------------------------
+void Run(const Options& options, const CLI::App* command)
+{
+  Check(options, command);
+  tool::Interruptible interruptible;
+  const tool::Material material = tool::LoadMaterial(options.File);
+  const auto begin = std::chrono::steady_clock::now();
+  const auto seconds = [begin]
+  { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
+  if (options.Model == "auto")
+  {
+    RunAuto(options, material, seconds);
+    return;
+  }
+  const vtkSmartPointer<vtkBRDFFitter> fitter = FitModel(options, material.BRDF);
   tool::WriteMaterial(fitter->GetOutput(), options.Output);
-  tool::PrintOut(options.Json ? Describe(options, fitter, seconds.count())
-                                    .dump(2, ' ', false, ordered_json::error_handler_t::replace) +
-                                  "\n"
-                              : FormatText(options, fitter, seconds.count()));
+  Report(options, fitter, seconds());
 }
 
 //------------------------------------------------------------------------------
 template <typename T>
-std::vector<std::string> Names(const std::map<std::string, T>& map)
+std::vector<std::string> Names(const std::map<std::string, T>& map, const char* more = nullptr)
 {
   std::vector<std::string> names;
+  if (more)
+  {
+    names.emplace_back(more);
+  }
   for (const auto& entry : map)
   {
     names.push_back(entry.first);
@@ -232,9 +334,11 @@ void AddFitCommand(CLI::App& app)
   command
     ->add_option("--model", options->Model,
       "d-brdf: tables of the half vector's distribution and of the Fresnel term; "
-      "ashikhmin-shirley, blinn-phong: analytic lobes. All with a Lambert part")
+      "ashikhmin-shirley, blinn-phong: analytic lobes. All with a Lambert part. auto: a basis "
+      "where "
+      "it does not ring, else the D-BRDF or 1 or 2 Ashikhmin-Shirley lobes, whichever is closest")
     ->required()
-    ->check(CLI::IsMember(Names(Models)));
+    ->check(CLI::IsMember(Names(Models, "auto")));
   command->add_option("--lobes", options->Lobes, "Number of lobes of analytic models (default 1)")
     ->check(CLI::Range(1, 3));
   command

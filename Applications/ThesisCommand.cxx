@@ -73,7 +73,7 @@ std::string GetOrigin(const tool::Material& material)
       return std::string("fit of ") + paper;
     }
   }
-  return material.Format + " file";
+  return material.Format;
 }
 
 //------------------------------------------------------------------------------

@@ -16,7 +16,7 @@ namespace measuredbrdf
 glm::dvec3 GetSkyRadiance(const glm::dvec3& d);
 
 /// A dark stone hall with bright arched windows, a rose window and lamps: the kind of light that
-/// Debevec's Grace Cathedral map made common. Peak 2e4 times the mean of the walls.
+/// Debevec's Grace Cathedral map made common.
 glm::dvec3 GetHallRadiance(const glm::dvec3& d);
 } // namespace measuredbrdf
 

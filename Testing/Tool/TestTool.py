@@ -102,6 +102,21 @@ class ToolTest(unittest.TestCase):
         for value, wanted in zip(values, expected):
             self.assertLessEqual(abs(value - wanted), max(relative * abs(wanted), absolute))
 
+    def interrupt(self, command):
+        """Status and messages of a command that gets Ctrl-C once it listens to it; None: too late."""
+        with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as process:
+            while process.poll() is None:
+                with open(f"/proc/{process.pid}/status", encoding="ascii") as file:
+                    caught = [line for line in file if line.startswith("SigCgt")]
+                if caught and int(caught[0].split()[1], 16) & (1 << (signal.SIGINT - 1)):
+                    break
+                time.sleep(0.05)
+            if process.poll() is not None:
+                self.skipTest("skipped: finished too soon to be interrupted")
+            process.send_signal(signal.SIGINT)
+            said = process.communicate(timeout=120)[1]
+        return process.returncode, said
+
     def shared(self, *parts):
         path = os.path.join(SHARED, *parts)
         if not os.path.exists(path):
@@ -112,7 +127,10 @@ class ToolTest(unittest.TestCase):
 class Options(ToolTest):
     def test_help(self):
         self.check(run("--help"), 0, "SUBCOMMAND", "gallery", "Exit status")
-        commands = "list info evaluate integrate lights render gallery convert fit acquire project".split()
+        commands = (
+            "list info evaluate integrate lights render gallery convert fit acquire project "
+            "representations thesis"
+        ).split()
         for command in commands:
             self.check(run(command, "--help"), 0, "measured-brdf", "--help")
         self.check(run("--version"), 0, "measured-brdf 0.")
@@ -293,12 +311,8 @@ class Integrate(ToolTest):
         output = self.path("out.csv")
         command = [PROGRAM, "integrate", "gold-paint", "--environment", "sky"]
         command += ["--pairs", pairs, "-o", output]
-        with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as process:
-            time.sleep(1.0)
-            self.assertIsNone(process.poll(), "finished too soon to be interrupted")
-            process.send_signal(signal.SIGINT)
-            said = process.communicate(timeout=60)[1]
-        self.assertEqual(process.returncode, 1, said)
+        status, said = self.interrupt(command)
+        self.assertEqual(status, 1, said)
         self.assertIn("interrupted", said)
         self.assertEqual(os.listdir(self.folder), ["nv.csv"])
 
@@ -442,6 +456,100 @@ class Fit(ToolTest):
             self.assertEqual(file.read(), "what was there")
 
 
+class Thesis(ToolTest):
+    PAIRS = "nx,ny,nz,vx,vy,vz\n0,1,0,0.6,0.8,0\n0.6,0,0.8,0.6,0,0.8\n0,0.8,0.6,0,1,0\n"
+
+    def integrate(self, material, environment, *options):
+        pairs = self.write("nv.csv", self.PAIRS)
+        output = self.path("out.csv")
+        common = ["--environment", environment, "--pairs", pairs, "-o", output]
+        result = run("integrate", material, *common, *options)
+        self.check(result, 0)
+        return [rgb(row) for row in read_rows(output)], result.stderr
+
+    def test_a_lambert_material_keeps_its_albedo(self):
+        environment = self.write_constant_environment()
+        values, said = self.integrate(
+            self.write_fits(), environment, "--method", "thesis", "--lights", 1024
+        )
+        self.assertIn("basis", said)
+        for value in values:
+            self.check_close(value, [0.5, 0.25, 0.125], 1e-2)
+
+    def test_basis_or_fit(self):
+        lights = ["--lights", 64]
+        for material, choice in (("blue-fabric", "basis"), ("gold-metallic-paint3", "fit")):
+            plain, _ = self.integrate(material, "hall", "--method", "light-set", *lights)
+            values, said = self.integrate(material, "hall", "--method", "thesis", *lights)
+            self.assertIn(f"{material}: {choice}", said)
+            self.assertNotEqual(values, plain)
+            for value, wanted in zip(values, plain):
+                self.check_close(value, wanted, 0.06)
+        coarse, _ = self.integrate("blue-fabric", "hall", "--method", "thesis", "--order", 2, *lights)
+        self.assertNotEqual(coarse, values)
+
+    def test_info_recommends(self):
+        advice = json.loads(run("info", "chrome", "--json").stdout)["recommendation"]
+        self.assertEqual(advice["representation"], "fit")
+        self.assertGreater(advice["in_zone_residual"], 0.5)
+        self.assertGreater(advice["negative_mass"], 0.01)
+        self.assertIn("thesis mode", run("info", "pink-felt").stdout)
+
+    def test_fit_auto(self):
+        output = self.path("auto.exr")
+        basis = json.loads(run("fit", "pink-felt", "--model", "auto", "--json", "-o", output).stdout)
+        self.assertEqual(basis["model"], "basis")
+        self.assertLess(basis["relative_l2_error"], 0.25)  # grazing angles
+        self.check(run("info", output), 0, "harmonics")
+        # The input is Ashikhmin-Shirley, so that model wins.
+        result = run("fit", "gold-metallic-paint3", "--model", "auto", "--json", "-o", output)
+        fit = json.loads(result.stdout)
+        self.assertEqual(fit["model"], "ashikhmin-shirley")
+        self.assertLess(fit["relative_l2_error"], 0.05)
+        self.assertIn("D-BRDF", result.stderr)
+        bad = run("fit", "pink-felt", "--model", "auto", "--lobes", "2", "-o", output)
+        self.check(bad, 2, "--lobes", "auto")
+
+    def test_representations(self):
+        output = self.path("table.csv")
+        common = ["--environment", "sky", "--orders", "2,4", "-o", output]
+        self.check(run("representations", "blue-fabric", *common), 0)
+        with open(output, encoding="ascii") as file:
+            rows = {row["representation"]: row for row in csv.DictReader(file)}
+        self.assertEqual(len(rows), 11)
+        error = lambda name: float(rows[name]["relative_l2_hemisphere"])
+        self.assertLess(error("spherical harmonics 4"), error("spherical harmonics 2"))
+        self.assertLess(error("Ashikhmin-Shirley 1"), 0.1)
+        self.assertEqual(int(rows["zonal 4"]["functions"]), 25)
+        self.assertGreater(int(rows["zonal 4"]["texture_bytes"]), 0)
+        text = run("representations", "blue-fabric", "--environment", "sky", "--orders", "6").stdout
+        self.assertIn("> spherical harmonics 6", text)
+        for options, word in (
+            (["--zone", "57,9"], "--zone"),
+            (["--zone", "9"], "--zone"),
+            (["--zone", "9,91"], "--zone"),
+            (["--orders", "0"], "--orders"),
+            (["--orders", "4,100"], "--orders"),
+        ):
+            self.check(run("representations", "blue-fabric", *options), 2, word)
+
+    def test_figures(self):
+        folder = self.path("thesis")
+        result = run("thesis", "pink-felt", "--environment", "hall", "--tile", "64", "--order", "2",
+                     "-o", folder)
+        if "needs an X server" in result.stderr:
+            self.skipTest("skipped: no X server, which this VTK needs")
+        self.check(result, 0)
+        self.assertEqual(sorted(os.listdir(folder)), ["lights.png", "materials.png", "ringing.png"])
+        for name in os.listdir(folder):
+            rows = read_png(os.path.join(folder, name))
+            colours = {bytes(row[x : x + 3]) for row in rows for x in range(0, len(row), 3)}
+            self.assertGreater(len(colours), 500, name)
+        taken = self.write("taken", "a file")
+        self.check(run("thesis", "-o", taken), 1, "taken")
+        self.check(run("thesis", "-o", folder, "--tile", "10"), 2, "--tile")
+
+
 class Bases(ToolTest):
     def figure(self, result, label):
         """The number that follows a label on a line of its own."""
@@ -557,16 +665,8 @@ class Bases(ToolTest):
     def test_interrupt(self):
         output = self.path("out.exr")
         command = [PROGRAM, "acquire", "gold-paint", "--order", "20", "-o", output]
-        for delay in (0.5, 1, 2, 4):
-            with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as process:
-                time.sleep(delay)
-                if process.poll() is not None:
-                    self.skipTest("skipped: finished too soon to be interrupted")
-                process.send_signal(signal.SIGINT)
-                said = process.communicate(timeout=60)[1]
-            if process.returncode != -signal.SIGINT:  # else it was still starting
-                break
-        self.assertEqual(process.returncode, 1, said)
+        status, said = self.interrupt(command)
+        self.assertEqual(status, 1, said)
         self.assertIn("interrupted", said)
         self.assertEqual(os.listdir(self.folder), [])
 
@@ -637,6 +737,10 @@ class Render(ToolTest):
         self.assertTrue(1 <= values["lights_in_use"] <= 32)
         self.assertTrue(values["renderer"] and values["renderer"] != "unknown")
         self.assertTrue(values["vtk"].startswith("9."))
+        self.check(self.render("blue-fabric", "x.exr", *common, "--report", report, "--method",
+                               "thesis", "--order", "4"), 0)
+        with open(report, encoding="utf-8") as file:
+            self.assertEqual(json.load(file)["method"], "thesis")
         with open(self.path("x.exr"), "rb") as file:
             self.assertEqual(file.read(4), b"\x76\x2f\x31\x01")
 

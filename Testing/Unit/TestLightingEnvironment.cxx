@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -268,6 +269,42 @@ TEST(Environment, ProceduralSkyIsASkyWithASun)
   environment->GetTotal(total);
   EXPECT_GT(total[0], 6.0);
   EXPECT_LT(total[0], 14.0);
+}
+
+//------------------------------------------------------------------------------
+TEST(Environment, ProceduralHallIsDarkWithBrightWindows)
+{
+  vtkNew<vtkEnvironment> environment;
+  environment->SetToProceduralHall();
+  EXPECT_EQ(environment->GetNumberOfNegativeValues(), 0);
+  EXPECT_EQ(environment->GetNumberOfNonFiniteValues(), 0);
+  double largest = 0.0;
+  double bright = 0.0; // solid angle of what is brighter than 1
+  double fromBright = 0.0;
+  double total = 0.0;
+  for (int y = 0; y < environment->GetHeight(); ++y)
+  {
+    for (int x = 0; x < environment->GetWidth(); ++x)
+    {
+      double rgb[3];
+      environment->GetPixel(x, y, rgb);
+      EXPECT_GT(rgb[0], 0.0);
+      const double luminance = vtkEnvironment::GetLuminance(rgb);
+      const double angle = environment->GetTexelSolidAngle(y);
+      largest = std::max(largest, luminance);
+      total += luminance * angle;
+      if (luminance > 1.0)
+      {
+        bright += angle;
+        fromBright += luminance * angle;
+      }
+    }
+  }
+  const double mean = total / (4.0 * vtkMath::Pi());
+  EXPECT_GT(largest, 100.0 * mean);
+  // Windows and lamps: a few per cent of the sphere give most of the light.
+  EXPECT_LT(bright, 0.1 * 4.0 * vtkMath::Pi());
+  EXPECT_GT(fromBright, 0.8 * total);
 }
 
 //------------------------------------------------------------------------------
