@@ -254,6 +254,7 @@ void AddGalleryCommand(CLI::App& app)
       ". Default: a choice of the embedded ones");
   command->add_option(
     "--environment", options->Environment, std::string(EnvironmentHelp) + " (default)");
+  AddProjectionOption(command);
   options->Lights.AddTo(command, "--lights");
   command->add_option("--size", options->Size,
     "Size of the whole picture in pixels, WIDTHxHEIGHT (default 1920x1200)");

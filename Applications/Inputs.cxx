@@ -6,12 +6,28 @@
 
 #include "vtkBRDFReader.h"
 #include "vtkEmbeddedMaterials.h"
+#include "vtkEnvironmentProjection.h"
 #include "vtkEnvironmentReader.h"
 #include "vtkImportanceLightSetGenerator.h"
 #include "vtkMedianCutLightSetGenerator.h"
 #include "vtkNew.h"
 
 #include <filesystem>
+#include <map>
+
+namespace
+{
+const std::map<std::string, int> Projections = { { "auto", vtkEnvironmentReader::AUTOMATIC },
+  { "lat-long", vtkEnvironmentProjection::LAT_LONG },
+  { "angular", vtkEnvironmentProjection::ANGULAR_MAP },
+  { "mirror-ball", vtkEnvironmentProjection::MIRROR_BALL },
+  { "horizontal-cross", vtkEnvironmentProjection::CUBE_HORIZONTAL_CROSS },
+  { "vertical-cross", vtkEnvironmentProjection::CUBE_VERTICAL_CROSS },
+  { "horizontal-strip", vtkEnvironmentProjection::CUBE_HORIZONTAL_STRIP },
+  { "vertical-strip", vtkEnvironmentProjection::CUBE_VERTICAL_STRIP } };
+
+std::string Projection = "auto"; // set by --projection
+}
 
 namespace tool
 {
@@ -21,7 +37,9 @@ const char* const MaterialHelp =
   "file of published fits. With a '/', a '.' or a '#' in it, it is a file; else the embedded name "
   "comes first";
 const char* const EnvironmentHelp =
-  "Light from all around: a lat-long image of any format OpenImageIO reads (.exr, .hdr, ...), or "
+  "Light from all around: a lat-long image, cube cross or other probe (--projection) of any format "
+  "OpenImageIO reads (.exr, .hdr, ...); six cube faces, named with %s for px, nx, py, ny, pz, nz; "
+  "or "
   "the word 'sky' or 'hall' for a built-in procedural one";
 
 //------------------------------------------------------------------------------
@@ -79,6 +97,22 @@ Material LoadMaterial(const std::string& file)
 }
 
 //------------------------------------------------------------------------------
+void AddProjectionOption(CLI::App* command)
+{
+  std::vector<std::string> names;
+  for (const auto& projection : Projections)
+  {
+    names.push_back(projection.first);
+  }
+  command
+    ->add_option("--projection", Projection,
+      "What environment files are: auto (default: by their aspect ratio; square ones must say), "
+      "lat-long, angular (Debevec's angular map), mirror-ball, horizontal-cross, vertical-cross, "
+      "horizontal-strip or vertical-strip of cube faces")
+    ->check(CLI::IsMember(names));
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkEnvironment> LoadEnvironment(const std::string& file)
 {
   if (file == "sky")
@@ -96,6 +130,7 @@ vtkSmartPointer<vtkEnvironment> LoadEnvironment(const std::string& file)
     return hall;
   }
   vtkNew<vtkEnvironmentReader> reader;
+  reader->SetProjection(Projections.at(Projection));
   reader->SetFileName(file);
   if (!reader->Read() || !reader->GetEnvironment())
   {

@@ -42,6 +42,9 @@ struct Material
  */
 Material LoadMaterial(const std::string& file);
 
+/// Add --projection, which holds for every environment file that the program loads.
+void AddProjectionOption(CLI::App* command);
+
 /// ENV -> environment: "sky", "hall" or a path. Throws Error; prints the reader's notes.
 vtkSmartPointer<vtkEnvironment> LoadEnvironment(const std::string& file);
 

@@ -123,6 +123,7 @@ void AddIntegrateCommand(CLI::App& app)
     "integrate", "Compute the light a material sends to the viewer under an environment");
   command->add_option("FILE", options->File, MaterialHelp)->required();
   command->add_option("--environment", options->Environment, EnvironmentHelp)->required();
+  AddProjectionOption(command);
   command
     ->add_option("--pairs", options->Pairs,
       "CSV file with the columns nx,ny,nz (surface normal) and vx,vy,vz (from the surface to the "

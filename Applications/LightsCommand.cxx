@@ -73,6 +73,7 @@ void AddLightsCommand(CLI::App& app)
   CLI::App* command =
     app.add_subcommand("lights", "Turn an environment into a set of directional lights");
   command->add_option("ENV", options->Environment, EnvironmentHelp)->required();
+  AddProjectionOption(command);
   options->Lights.AddTo(command, "--count");
   command
     ->add_option("-o,--output", options->Output,

@@ -146,6 +146,7 @@ void AddRenderCommand(CLI::App& app)
     app.add_subcommand("render", "Render a mesh of the material under an environment");
   command->add_option("FILE", options->File, MaterialHelp)->required();
   command->add_option("--environment", options->Environment, EnvironmentHelp)->required();
+  AddProjectionOption(command);
   command->add_option("--mesh", options->Mesh,
     "Mesh to show it on: ply, stl, obj, vtp, vtk, gltf or glb (default: a sphere). Smooth normals "
     "are made where it has none");

@@ -420,6 +420,7 @@ void AddRepresentationsCommand(CLI::App& app)
       ". Default: all embedded ones");
   command->add_option("--environment", options->Environments,
     std::string(EnvironmentHelp) + "; can be given again (default: sky and hall)");
+  AddProjectionOption(command);
   command->add_option("--orders", options->Orders, "Orders of the bases (default 4,6,8,12)")
     ->delimiter(',')
     ->check(CLI::Range(1, static_cast<int>(vtkBasisBRDF::MaximumOrder)));

@@ -382,6 +382,7 @@ void AddThesisCommand(CLI::App& app)
       ". Default: the embedded ones that stand for the thesis's");
   command->add_option("--environment", options->Environments,
     std::string(EnvironmentHelp) + "; a row each when given again (default: hall and sky)");
+  AddProjectionOption(command);
   command->add_option("--specular", options->Specular,
     "Material of the ringing series and of the light sets (default gold-metallic-paint3, a "
     "foil-like one)");

@@ -5,6 +5,9 @@
 #include "ExrHeader.h"
 #include "FileBytes.h"
 #include "SRGB.h"
+#include "vtkCallbackCommand.h"
+#include "vtkEnvironmentProjection.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 
 #include <OpenImageIO/imageio.h>
@@ -56,6 +59,9 @@ struct Image
   int Height = 0;
   std::vector<float> Pixels; // RGB, row 0 at the bottom
   std::string Notes;
+  // Values that were set to 0, of probes that had to be converted.
+  vtkIdType NumberOfNegativeValues = 0;
+  vtkIdType NumberOfNonFiniteValues = 0;
 
   void AddNote(const std::string& note) { this->Notes += (this->Notes.empty() ? "" : "\n") + note; }
 };
@@ -195,16 +201,147 @@ Image ReadImage(const std::string& path)
     std::swap_ranges(pixels.begin() + y * row, pixels.begin() + (y + 1) * row,
       pixels.begin() + (image.Height - 1 - y) * row);
   }
-  if (std::uint64_t(image.Width) != 2 * std::uint64_t(image.Height))
-  {
-    image.AddNote("The size " + std::to_string(image.Width) + " x " + std::to_string(image.Height) +
-                  " is not 2:1; it is stretched over the sphere.");
-  }
   if (spec.full_width != spec.width || spec.full_height != spec.height)
   {
     image.AddNote("The data window differs from the display window; the data are taken as whole.");
   }
   return image;
+}
+
+//------------------------------------------------------------------------------
+std::string FormatSize(const Image& image)
+{
+  return std::to_string(image.Width) + " x " + std::to_string(image.Height);
+}
+
+//------------------------------------------------------------------------------
+// What an image without a given projection is by its shape.
+int DetectProjection(Image& image)
+{
+  constexpr int smallestFace = 8;
+  for (const int projection : { vtkEnvironmentProjection::CUBE_HORIZONTAL_CROSS,
+         vtkEnvironmentProjection::CUBE_VERTICAL_CROSS,
+         vtkEnvironmentProjection::CUBE_HORIZONTAL_STRIP,
+         vtkEnvironmentProjection::CUBE_VERTICAL_STRIP })
+  {
+    const int longest = std::max(image.Width, image.Height);
+    const int faces = projection <= vtkEnvironmentProjection::CUBE_VERTICAL_CROSS ? 4 : 6;
+    if (longest >= faces * smallestFace &&
+        vtkEnvironmentProjection::FitsSize(projection, image.Width, image.Height))
+    {
+      image.AddNote("By its size taken as a " +
+                    vtkEnvironmentProjection::GetProjectionName(projection) + " of cube faces.");
+      return projection;
+    }
+  }
+  return vtkEnvironmentProjection::LAT_LONG;
+}
+
+//------------------------------------------------------------------------------
+// Run a conversion; its error becomes an exception, its counts go to the image.
+template <typename Run>
+void Convert(const std::string& path, Image& image, const Run& run)
+{
+  vtkNew<vtkEnvironmentProjection> converter;
+  std::string error;
+  vtkNew<vtkCallbackCommand> catcher;
+  catcher->SetClientData(&error);
+  catcher->SetCallback([](vtkObject*, unsigned long, void* text, void* said)
+    { *static_cast<std::string*>(text) = static_cast<const char*>(said); });
+  converter->AddObserver(vtkCommand::ErrorEvent, catcher);
+  if (!run(converter.Get()))
+  {
+    throw FileError(path + ": " + error);
+  }
+  image.NumberOfNegativeValues = converter->GetNumberOfNegativeValues();
+  image.NumberOfNonFiniteValues = converter->GetNumberOfNonFiniteValues();
+}
+
+//------------------------------------------------------------------------------
+void FillFromImage(
+  const std::string& path, int projection, bool given, Image& image, vtkEnvironment* environment)
+{
+  if (projection == vtkEnvironmentProjection::LAT_LONG)
+  {
+    if (std::uint64_t(image.Width) != 2 * std::uint64_t(image.Height))
+    {
+      image.AddNote(
+        "The size " + FormatSize(image) + " is not 2:1; it is stretched over the sphere.");
+    }
+    if (image.Width == image.Height && !given)
+    {
+      image.AddNote("Square images are often angular maps or mirror balls: say so if it is one.");
+    }
+    if (!environment->SetPixels(image.Width, image.Height, std::move(image.Pixels)))
+    {
+      throw FileError(path + ": image pixels: were refused");
+    }
+    return;
+  }
+  if (!vtkEnvironmentProjection::FitsSize(projection, image.Width, image.Height))
+  {
+    throw FileError(path + ": image size: found " + FormatSize(image) + ", expected " +
+                    vtkEnvironmentProjection::GetExpectedSize(projection) +
+                    " for a probe of type " +
+                    vtkEnvironmentProjection::GetProjectionName(projection));
+  }
+  Convert(path, image,
+    [&](vtkEnvironmentProjection* converter)
+    {
+      converter->SetProjection(projection);
+      return converter->Convert(image.Width, image.Height, std::move(image.Pixels), environment);
+    });
+}
+
+//------------------------------------------------------------------------------
+// The six files that a pattern stands for: the set of names whose first file is there.
+std::vector<std::string> FindFaces(const std::string& pattern)
+{
+  static const std::vector<std::string> names[] = { { "px", "nx", "py", "ny", "pz", "nz" },
+    { "posx", "negx", "posy", "negy", "posz", "negz" },
+    { "right", "left", "top", "bottom", "front", "back" } };
+  const std::size_t at = pattern.find("%s");
+  for (const std::vector<std::string>& set : names)
+  {
+    std::vector<std::string> paths;
+    for (const std::string& name : set)
+    {
+      paths.push_back(pattern.substr(0, at) + name + pattern.substr(at + 2));
+    }
+    if (vtksys::SystemTools::FileExists(paths.front(), true))
+    {
+      return paths;
+    }
+  }
+  throw FileError(pattern + ": cube faces: found no file with %s replaced by px, posx or right");
+}
+
+//------------------------------------------------------------------------------
+void FillFromFaces(const std::string& pattern, Image& first, vtkEnvironment* environment)
+{
+  const std::vector<std::string> paths = FindFaces(pattern);
+  std::vector<std::vector<float>> faces;
+  for (const std::string& path : paths)
+  {
+    Image image = ReadImage(path);
+    if (image.Width != image.Height)
+    {
+      throw FileError(path + ": cube face: found " + FormatSize(image) + ", expected a square");
+    }
+    faces.push_back(std::move(image.Pixels));
+    if (faces.size() == 1)
+    {
+      first = std::move(image);
+    }
+    else if (image.Width != first.Width)
+    {
+      throw FileError(path + ": cube face: found " + FormatSize(image) + ", expected " +
+                      FormatSize(first) + " as " + paths.front());
+    }
+  }
+  Convert(pattern, first,
+    [&](vtkEnvironmentProjection* converter)
+    { return converter->ConvertFaces(first.Width, faces, environment); });
 }
 }
 
@@ -215,15 +352,30 @@ bool vtkEnvironmentReader::Read()
   this->Notes.clear();
   try
   {
-    Image image = ReadImage(this->FileName);
-    const auto environment = vtkSmartPointer<vtkEnvironment>::New();
-    if (!environment->SetPixels(image.Width, image.Height, std::move(image.Pixels)))
+    if (this->Projection < AUTOMATIC ||
+        this->Projection >= vtkEnvironmentProjection::NUMBER_OF_PROJECTIONS)
     {
-      throw FileError(this->FileName + ": image pixels: were refused");
+      throw FileError(this->FileName + ": projection: found " + std::to_string(this->Projection) +
+                      ", expected one of vtkEnvironmentProjection's or AUTOMATIC");
+    }
+    Image image;
+    const auto environment = vtkSmartPointer<vtkEnvironment>::New();
+    if (this->FileName.find("%s") != std::string::npos)
+    {
+      FillFromFaces(this->FileName, image, environment);
+    }
+    else
+    {
+      image = ReadImage(this->FileName);
+      const bool given = this->Projection != AUTOMATIC;
+      const int projection = given ? this->Projection : DetectProjection(image);
+      FillFromImage(this->FileName, projection, given, image, environment);
     }
     environment->SetName(measuredbrdf::GetFileStem(this->FileName));
-    const vtkIdType negative = environment->GetNumberOfNegativeValues();
-    const vtkIdType nonFinite = environment->GetNumberOfNonFiniteValues();
+    const vtkIdType negative =
+      environment->GetNumberOfNegativeValues() + image.NumberOfNegativeValues;
+    const vtkIdType nonFinite =
+      environment->GetNumberOfNonFiniteValues() + image.NumberOfNonFiniteValues;
     if (negative > 0 || nonFinite > 0)
     {
       image.AddNote(std::to_string(negative) + " negative and " + std::to_string(nonFinite) +
@@ -250,6 +402,7 @@ void vtkEnvironmentReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << this->FileName << "\n";
+  os << indent << "Projection: " << this->Projection << "\n";
   os << indent << "ErrorMessage: " << this->ErrorMessage << "\n";
   os << indent << "Notes: " << this->Notes << "\n";
   os << indent << "Environment: " << this->Environment.Get() << "\n";

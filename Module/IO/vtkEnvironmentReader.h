@@ -2,12 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkEnvironmentReader
- * @brief   a lat-long image of any format OpenImageIO reads -> vtkEnvironment
+ * @brief   a light probe of any format OpenImageIO reads -> vtkEnvironment
+ *
+ * Probes are lat-long images, angular maps, mirror balls or cube maps: in one image (crosses,
+ * strips), or as six files. vtkEnvironmentProjection says which way each looks and turns them into
+ * lat-long images. A file name with %s in it stands for six files, one per face: %s is replaced by
+ * px nx py ny pz nz, or posx negx posy negy posz negz, or right left top bottom front back,
+ * whichever is there.
  *
  * Float formats are taken as linear; integer formats (8 and 16 bit) as sRGB-encoded unless the file
- * says it is linear. One-channel images become grey; alpha and further channels are dropped. Any
- * size from 1x1; an aspect other than 2:1 is kept and noted. Negative and non-finite values are set
- * to 0, counted (vtkEnvironment) and noted.
+ * says it is linear. One-channel images become grey; alpha and further channels are dropped.
+ * Lat-long images: any size from 1x1; an aspect other than 2:1 is kept and noted. Negative and
+ * non-finite values are set to 0, counted (vtkEnvironment) and noted.
  */
 
 #ifndef vtkEnvironmentReader_h
@@ -35,6 +41,20 @@ public:
   vtkGetMacro(FileName, std::string);
   ///@}
 
+  /// Projection: found out by the aspect ratio.
+  static constexpr int AUTOMATIC = -1;
+
+  ///@{
+  /**
+   * The image's projection: one of vtkEnvironmentProjection's, or AUTOMATIC (default), which takes
+   * 4:3 and 3:4 for crosses and 6:1 and 1:6 for strips where the faces have at least 8 texels a
+   * side, and everything else for lat-long: of square images, which may be angular maps or mirror
+   * balls, a note says so. Not asked for six files. Read refuses images that don't fit.
+   */
+  vtkSetMacro(Projection, int);
+  vtkGetMacro(Projection, int);
+  ///@}
+
   /**
    * Read. Returns whether it worked; if not, an error event and GetErrorMessage name the file and
    * what is wrong, and the environment that was read before stays.
@@ -59,6 +79,7 @@ protected:
   ~vtkEnvironmentReader() override = default;
 
   std::string FileName;
+  int Projection = AUTOMATIC;
   std::string ErrorMessage;
   std::string Notes;
   vtkSmartPointer<vtkEnvironment> Environment;

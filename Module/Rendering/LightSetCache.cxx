@@ -4,6 +4,7 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkEnvironment.h"
+#include "vtkEnvironmentProjection.h"
 #include "vtkImageData.h"
 #include "vtkImportanceLightSetGenerator.h"
 #include "vtkLightSet.h"
@@ -13,8 +14,11 @@
 #include "vtkTexture.h"
 #include "vtkWeakPointer.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <map>
 #include <tuple>
+#include <vector>
 
 namespace measuredbrdf
 {
@@ -49,30 +53,90 @@ public:
 private:
   std::map<Key, vtkWeakPointer<T>> Objects;
 };
+
+// The image at one of the texture's inputs, brought up to date; null where there is none.
+vtkImageData* UpdateInput(vtkTexture* texture, int port)
+{
+  if (port >= texture->GetNumberOfInputPorts() || texture->GetNumberOfInputConnections(port) == 0)
+  {
+    return nullptr;
+  }
+  vtkAlgorithm* source = texture->GetInputAlgorithm(port, 0);
+  if (source)
+  {
+    source->Update();
+  }
+  auto* image = vtkImageData::SafeDownCast(texture->GetInputDataObject(port, 0));
+  return image && image->GetNumberOfPoints() > 0 ? image : nullptr;
+}
+
+// A cube map's face as RGB with row 0 at the bottom: VTK's cube maps begin with the top row. Empty
+// where it can't be taken.
+std::vector<float> TakeFace(vtkImageData* image, bool sRGB)
+{
+  vtkNew<vtkEnvironment> face;
+  if (!face->SetImage(image, sRGB) || face->GetWidth() != face->GetHeight())
+  {
+    return {};
+  }
+  std::vector<float> pixels = face->GetPixels();
+  const std::ptrdiff_t row = 3 * static_cast<std::ptrdiff_t>(face->GetWidth());
+  for (auto low = pixels.begin(), high = pixels.end() - row; low < high; low += row, high -= row)
+  {
+    std::swap_ranges(low, low + row, high);
+  }
+  return pixels;
+}
+
+vtkSmartPointer<vtkEnvironment> MakeFromCube(const std::vector<vtkImageData*>& images, bool sRGB)
+{
+  std::vector<std::vector<float>> faces;
+  for (vtkImageData* image : images)
+  {
+    faces.push_back(TakeFace(image, sRGB));
+    if (faces.back().empty() || faces.back().size() != faces.front().size())
+    {
+      return nullptr;
+    }
+  }
+  auto environment = vtkSmartPointer<vtkEnvironment>::New();
+  vtkNew<vtkEnvironmentProjection> converter;
+  return converter->ConvertFaces(images.front()->GetDimensions()[0], faces, environment)
+           ? environment
+           : nullptr;
+}
 }
 
 vtkSmartPointer<vtkEnvironment> FindEnvironment(vtkTexture* texture)
 {
-  if (!texture || texture->GetCubeMap())
+  if (!texture)
   {
     return nullptr;
   }
-  if (texture->GetInputAlgorithm())
+  std::vector<vtkImageData*> images;
+  std::vector<vtkMTimeType> times;
+  for (int port = 0; port < (texture->GetCubeMap() ? 6 : 1); ++port)
   {
-    texture->GetInputAlgorithm()->Update();
-  }
-  vtkImageData* image = texture->GetInput();
-  if (!image || image->GetNumberOfPoints() == 0)
-  {
-    return nullptr;
-  }
-  static SharedObjects<std::tuple<vtkImageData*, vtkMTimeType, bool>, vtkEnvironment> environments;
-  const bool sRGB = texture->GetUseSRGBColorSpace();
-  return environments.Find({ image, image->GetMTime(), sRGB },
-    [image, sRGB]() -> vtkSmartPointer<vtkEnvironment>
+    images.push_back(UpdateInput(texture, port));
+    if (!images.back())
     {
+      return nullptr;
+    }
+    times.push_back(images.back()->GetMTime());
+  }
+  static SharedObjects<std::tuple<std::vector<vtkImageData*>, std::vector<vtkMTimeType>, bool>,
+    vtkEnvironment>
+    environments;
+  const bool sRGB = texture->GetUseSRGBColorSpace();
+  return environments.Find({ images, times, sRGB },
+    [&images, sRGB]() -> vtkSmartPointer<vtkEnvironment>
+    {
+      if (images.size() == 6)
+      {
+        return MakeFromCube(images, sRGB);
+      }
       auto environment = vtkSmartPointer<vtkEnvironment>::New();
-      return environment->SetImage(image, sRGB) ? environment : nullptr;
+      return environment->SetImage(images.front(), sRGB) ? environment : nullptr;
     });
 }
 

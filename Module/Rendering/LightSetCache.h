@@ -17,7 +17,8 @@ class vtkTexture;
 
 namespace measuredbrdf
 {
-/// The texture's lat-long image as an environment; null where it has none (a cube map, no input).
+/// The texture's lat-long image or six cube faces as an environment; null where it has none (no
+/// input, faces that are missing, not square or of different sizes).
 vtkSmartPointer<vtkEnvironment> FindEnvironment(vtkTexture* texture);
 
 /// The light set that the mapper's settings ask for; null where it cannot be made.

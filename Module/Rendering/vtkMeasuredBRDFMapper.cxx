@@ -402,8 +402,8 @@ void vtkMeasuredBRDFMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* actor)
       impl.Environment ? impl.Environment : FindEnvironment(ren->GetEnvironmentTexture());
     if (!impl.CurrentEnvironment && ren->GetEnvironmentTexture() && impl.WarnOnce("environment"))
     {
-      vtkWarningMacro("The renderer's environment texture is not a lat-long image (cube maps are "
-                      "not supported); it lights nothing here.");
+      vtkWarningMacro("The renderer's environment texture holds neither a lat-long image nor six "
+                      "square cube faces of one size; it lights nothing here.");
     }
     if (impl.LightSet)
     {

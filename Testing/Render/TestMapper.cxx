@@ -10,6 +10,7 @@
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkEnvironment.h"
+#include "vtkEnvironmentProjection.h"
 #include "vtkExactIntegrator.h"
 #include "vtkFloatArray.h"
 #include "vtkHardwareSelector.h"
@@ -265,6 +266,63 @@ TEST_F(Mapper, EnvironmentWithoutSceneLights)
   EXPECT_LT(GetLargestDifference(own, texture), 1e-6);
   this->Renderer->SetEnvironmentTexture(nullptr);
   EXPECT_EQ(this->RenderLinear().At(32, 32)[0], 0.0f);
+}
+
+// Six faces on the renderer's texture light as the environment made of them, and are converted
+// once.
+TEST_F(Mapper, CubeMapTexture)
+{
+  constexpr int size = 16;
+  auto texture = vtkSmartPointer<vtkTexture>::New();
+  texture->CubeMapOn();
+  texture->SetColorModeToDirectScalars();
+  std::vector<std::vector<float>> faces;
+  for (int face = 0; face < 6; ++face)
+  {
+    std::vector<float> bottomFirst(3 * size * size);
+    vtkNew<vtkImageData> image; // top row first, as VTK's cube maps have it
+    image->SetDimensions(size, size, 1);
+    image->AllocateScalars(VTK_FLOAT, 3);
+    for (int y = 0; y < size; ++y)
+    {
+      for (int x = 0; x < size; ++x)
+      {
+        const float rgb[3] = { 0.1f * face, y / 16.0f, x / 16.0f };
+        std::copy_n(rgb, 3, &bottomFirst[3 * static_cast<std::size_t>(y * size + x)]);
+        std::copy_n(rgb, 3, static_cast<float*>(image->GetScalarPointer(x, size - 1 - y, 0)));
+      }
+    }
+    faces.push_back(bottomFirst);
+    texture->SetInputDataObject(face, image);
+  }
+  vtkNew<vtkEnvironment> environment;
+  vtkNew<vtkEnvironmentProjection> converter;
+  ASSERT_TRUE(converter->ConvertFaces(size, faces, environment));
+  this->Measured->SetBRDF(this->Phong);
+  this->Measured->SetEnvironment(environment);
+  const FloatImage expected = this->RenderLinear();
+  EXPECT_GT(expected.At(32, 32)[1], 0.05f);
+  this->Measured->SetEnvironment(nullptr);
+  this->Renderer->SetEnvironmentTexture(texture);
+  EXPECT_LT(GetLargestDifference(expected, this->RenderLinear()), 1e-6);
+  vtkLightSet* lights = this->Measured->GetCurrentLightSet();
+  this->RenderLinear();
+  EXPECT_EQ(this->Measured->GetCurrentLightSet(), lights);
+
+  // A face of another size lights nothing, with one warning.
+  vtkNew<vtkImageData> small;
+  small->SetDimensions(8, 8, 1);
+  small->AllocateScalars(VTK_FLOAT, 3);
+  texture->SetInputDataObject(3, small);
+  int warnings = 0;
+  vtkNew<vtkCallbackCommand> counter;
+  counter->SetClientData(&warnings);
+  counter->SetCallback(
+    [](vtkObject*, unsigned long, void* count, void*) { ++*static_cast<int*>(count); });
+  this->Measured->AddObserver(vtkCommand::WarningEvent, counter);
+  EXPECT_EQ(this->RenderLinear().At(32, 32)[1], 0.0f);
+  this->RenderLinear();
+  EXPECT_EQ(warnings, 1);
 }
 
 // Pixels of a tilted plane against the CPU sum over the same lights: rotated, scaled actor,

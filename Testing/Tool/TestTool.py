@@ -353,6 +353,22 @@ class Lights(ToolTest):
         self.assertEqual(self.lights(*options, 7), self.lights(*options, 7))
         self.assertNotEqual(self.lights(*options, 7), self.lights(*options, 8))
 
+    def test_projections(self):
+        # A constant image stays constant light, whatever it is taken for.
+        square = self.write_constant_environment(32, 32)
+        for projection in ("angular", "mirror-ball", "auto"):
+            output = self.path("l.csv")
+            self.check(run("lights", square, "--projection", projection, "-o", output), 0)
+            total = [sum(row[c] for row in read_rows(output)) for c in "rgb"]
+            self.check_close(total, [4.0 * math.pi] * 3, 1e-3)
+        result = run("lights", square, "--projection", "vertical-cross", "-o", self.path("x.csv"))
+        self.check(result, 1, "one.hdr", "32 x 32", "expected")
+        self.check(run("lights", square, "--projection", "fisheye", "-o", self.path("x.csv")), 2,
+                   "--projection")
+        result = run("lights", self.path("face_%s.exr"), "-o", self.path("x.csv"))
+        self.check(result, 1, "face_%s.exr")
+        self.assertFalse(os.path.exists(self.path("x.csv")))
+
     def test_preview(self):
         preview = self.path("lights.png")
         self.lights("sky", "--count", 16, "--preview", preview)

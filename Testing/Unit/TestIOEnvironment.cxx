@@ -4,10 +4,14 @@
 #include "TestIOHelpers.h"
 
 #include "vtkEnvironment.h"
+#include "vtkEnvironmentProjection.h"
 #include "vtkEnvironmentReader.h"
+#include "vtkImageData.h"
 
 #include <OpenImageIO/imageio.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #if !defined(_WIN32)
@@ -406,4 +410,217 @@ TEST(IOEnvironment, MemoryFollowsTheFile)
   vtkObject::GlobalWarningDisplayOn();
   EXPECT_NE(reader->GetErrorMessage().find(path), std::string::npos) << reader->GetErrorMessage();
   EXPECT_LT(GetPeakMemory() - before, 1e8); // all texels would take 400 MB
+}
+
+namespace
+{
+/// A smooth map that differs in every direction.
+vtkSmartPointer<vtkEnvironment> MakeSmoothMap()
+{
+  std::vector<float> rgb;
+  auto environment = vtkSmartPointer<vtkEnvironment>::New();
+  for (int y = 0; y < 64; ++y)
+  {
+    for (int x = 0; x < 128; ++x)
+    {
+      double d[3];
+      vtkEnvironment::GetDirection((x + 0.5) / 128, (y + 0.5) / 64, d);
+      for (const double component : d)
+      {
+        rgb.push_back(static_cast<float>(1.0 + 0.8 * component));
+      }
+    }
+  }
+  environment->SetPixels(128, 64, rgb);
+  return environment;
+}
+
+/// The map in a projection, as a file.
+void WriteProbe(
+  const std::string& path, vtkEnvironment* environment, int projection, int width, int height)
+{
+  vtkNew<vtkEnvironmentProjection> converter;
+  converter->SetProjection(projection);
+  const auto image =
+    vtkSmartPointer<vtkImageData>::Take(converter->NewProbe(environment, width, height));
+  ASSERT_TRUE(image);
+  std::vector<float> pixels;
+  for (int y = height - 1; y >= 0; --y) // files begin with the top row
+  {
+    const float* row = static_cast<float*>(image->GetScalarPointer(0, y, 0));
+    pixels.insert(pixels.end(), row, row + 3 * width);
+  }
+  WriteImage(path, width, height, 3, pixels);
+}
+
+double GetLargestDifference(vtkEnvironment* a, vtkEnvironment* b)
+{
+  double largest = 0.0;
+  for (int k = 0; k < 500; ++k)
+  {
+    const double z = 1.0 - 2.0 * (k + 0.5) / 500.0;
+    const double s = std::sqrt(1.0 - z * z);
+    const double d[3] = { s * std::cos(2.4 * k), z, s * std::sin(2.4 * k) };
+    double p[3], q[3];
+    a->GetRadiance(d, p);
+    b->GetRadiance(d, q);
+    for (int c = 0; c < 3; ++c)
+    {
+      largest = std::max(largest, std::abs(p[c] - q[c]));
+    }
+  }
+  return largest;
+}
+}
+
+//------------------------------------------------------------------------------
+TEST(IOEnvironment, ReadsProbesOfEveryProjection)
+{
+  const Folder folder;
+  const vtkSmartPointer<vtkEnvironment> map = MakeSmoothMap();
+  const struct
+  {
+    int Projection, Width, Height;
+    bool Automatic;
+  } cases[] = { { vtkEnvironmentProjection::ANGULAR_MAP, 128, 128, false },
+    { vtkEnvironmentProjection::MIRROR_BALL, 128, 128, false },
+    { vtkEnvironmentProjection::CUBE_HORIZONTAL_CROSS, 128, 96, true },
+    { vtkEnvironmentProjection::CUBE_VERTICAL_CROSS, 96, 128, true },
+    { vtkEnvironmentProjection::CUBE_HORIZONTAL_STRIP, 192, 32, true },
+    { vtkEnvironmentProjection::CUBE_VERTICAL_STRIP, 32, 192, true } };
+  for (const auto& c : cases)
+  {
+    const std::string path = folder("probe.exr");
+    WriteProbe(path, map, c.Projection, c.Width, c.Height);
+    for (const bool automatic : { false, true })
+    {
+      vtkNew<vtkEnvironmentReader> reader;
+      reader->SetFileName(path);
+      reader->SetProjection(automatic ? vtkEnvironmentReader::AUTOMATIC : c.Projection);
+      ASSERT_TRUE(reader->Read()) << reader->GetErrorMessage();
+      const double difference = GetLargestDifference(map, reader->GetEnvironment());
+      // A texel of 2.8 degrees is worth 0.04; mirror balls stretch towards their rim.
+      if (!automatic || c.Automatic)
+      {
+        EXPECT_LT(difference, c.Projection == vtkEnvironmentProjection::MIRROR_BALL ? 0.3 : 0.08)
+          << vtkEnvironmentProjection::GetProjectionName(c.Projection);
+      }
+      else // square: lat-long, and a note
+      {
+        EXPECT_GT(difference, 0.5);
+        EXPECT_NE(reader->GetNotes().find("mirror ball"), std::string::npos);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(IOEnvironment, ReadsSixFaces)
+{
+  const Folder folder;
+  // Faces of one colour each: right left up down front back.
+  const float colours[6][3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 1, 0 }, { 1, 0, 1 },
+    { 0, 1, 1 } };
+  // OpenGL's cubes are left-handed: +z is what is in front (-z).
+  const double directions[6][3] = { { 1, 0, 0 }, { -1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 },
+    { 0, 0, -1 }, { 0, 0, 1 } };
+  const char* const names[2][6] = { { "px", "nx", "py", "ny", "pz", "nz" },
+    { "right", "left", "top", "bottom", "front", "back" } };
+  for (const auto& set : names)
+  {
+    const std::string pattern = folder(std::string("cube_") + set[0] + "_%s.exr");
+    for (int face = 0; face < 6; ++face)
+    {
+      std::vector<float> pixels;
+      for (int k = 0; k < 16 * 16; ++k)
+      {
+        pixels.insert(pixels.end(), colours[face], colours[face] + 3);
+      }
+      std::string path = pattern;
+      path.replace(path.find("%s"), 2, set[face]);
+      WriteImage(path, 16, 16, 3, pixels);
+    }
+    const vtkSmartPointer<vtkEnvironment> environment = ReadEnvironment(pattern);
+    ASSERT_TRUE(environment);
+    for (int face = 0; face < 6; ++face)
+    {
+      double rgb[3];
+      environment->GetRadiance(directions[face], rgb);
+      for (int c = 0; c < 3; ++c)
+      {
+        EXPECT_NEAR(rgb[c], colours[face][c], 1e-5) << set[face] << " " << c;
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(IOEnvironment, RefusesProbesThatDoNotFit)
+{
+  const Folder folder;
+  const std::string path = folder("probe.exr");
+  WriteImage(path, 40, 30, 3, std::vector<float>(3 * 40 * 30, 1.0f));
+  vtkNew<vtkEnvironmentReader> reader;
+  vtkNew<ErrorCounter> errors;
+  reader->AddObserver(vtkCommand::ErrorEvent, errors);
+  for (const int projection : std::initializer_list<int>{ vtkEnvironmentProjection::ANGULAR_MAP,
+         vtkEnvironmentProjection::MIRROR_BALL, vtkEnvironmentProjection::CUBE_VERTICAL_CROSS,
+         vtkEnvironmentProjection::CUBE_HORIZONTAL_STRIP, 99, -2 })
+  {
+    reader->SetFileName(path);
+    reader->SetProjection(projection);
+    EXPECT_FALSE(reader->Read());
+    const std::string message = reader->GetErrorMessage();
+    EXPECT_NE(message.find(path), std::string::npos) << message;
+    EXPECT_NE(message.find(projection < 0 || projection == 99 ? "projection" : "40 x 30"),
+      std::string::npos)
+      << message;
+    EXPECT_FALSE(reader->GetEnvironment());
+  }
+  // Faces: none there, one missing, one not square, one of another size.
+  reader->SetProjection(vtkEnvironmentReader::AUTOMATIC);
+  const auto refused = [&](const std::string& word)
+  {
+    reader->SetFileName(folder("face_%s.exr"));
+    EXPECT_FALSE(reader->Read());
+    EXPECT_NE(reader->GetErrorMessage().find(word), std::string::npos) << reader->GetErrorMessage();
+  };
+  refused("no file");
+  const auto write = [&](const char* name, int width, int height)
+  {
+    WriteImage(folder(std::string("face_") + name + ".exr"), width, height, 3,
+      std::vector<float>(3 * static_cast<std::size_t>(width * height), 1.0f));
+  };
+  for (const char* name : { "px", "nx", "py", "ny", "pz" })
+  {
+    write(name, 8, 8);
+  }
+  refused("face_nz.exr");
+  write("nz", 8, 9);
+  refused("8 x 9");
+  write("nz", 9, 9);
+  refused("9 x 9");
+  write("nz", 8, 8);
+  EXPECT_EQ(errors->Count, 10);
+  reader->SetFileName(folder("face_%s.exr"));
+  EXPECT_TRUE(reader->Read()) << reader->GetErrorMessage();
+}
+
+//------------------------------------------------------------------------------
+TEST(IOEnvironment, CountsWhatConvertedProbesHold)
+{
+  const Folder folder;
+  const std::string path = folder("cross.exr");
+  std::vector<float> pixels(3 * 40 * 30, 1.0f);
+  pixels[3 * (40 * 15 + 15)] = -1.0f; // row 15 of 30: inside the middle faces
+  pixels[3 * (40 * 15 + 16)] = std::numeric_limits<float>::infinity();
+  WriteImage(path, 40, 30, 3, pixels);
+  std::string notes;
+  const vtkSmartPointer<vtkEnvironment> environment = ReadEnvironment(path, &notes);
+  EXPECT_NE(notes.find("1 negative and 1 non-finite"), std::string::npos) << notes;
+  EXPECT_NE(notes.find("cross"), std::string::npos) << notes;
+  for (const float value : environment->GetPixels())
+  {
+    EXPECT_TRUE(std::isfinite(value) && value >= 0.0f);
+  }
 }

@@ -1,0 +1,360 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkEnvironmentProjection.h"
+
+#include "ConservativeRemap.h"
+#include "ProjectionMaps.h"
+
+#include "vtkCommand.h"
+#include "vtkEnvironment.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+using namespace measuredbrdf;
+
+vtkStandardNewMacro(vtkEnvironmentProjection);
+
+namespace
+{
+constexpr std::int64_t MaximumTexels = std::int64_t(1) << 28;
+
+// About as many texels between two looks at the abort flag.
+constexpr int BatchTexels = 1 << 16;
+
+struct ProjectionInfo
+{
+  const char* Name;
+  const char* Size;
+};
+
+constexpr ProjectionInfo Projections[vtkEnvironmentProjection::NUMBER_OF_PROJECTIONS] = {
+  { "lat-long", "any size" },
+  { "angular map", "as many columns as rows" },
+  { "mirror ball", "as many columns as rows" },
+  { "horizontal cross", "4 square faces wide, 3 high" },
+  { "vertical cross", "3 square faces wide, 4 high" },
+  { "horizontal strip", "6 square faces wide, 1 high" },
+  { "vertical strip", "1 square face wide, 6 high" },
+};
+
+//------------------------------------------------------------------------------
+bool IsProjection(int projection)
+{
+  return projection >= 0 && projection < vtkEnvironmentProjection::NUMBER_OF_PROJECTIONS;
+}
+
+//------------------------------------------------------------------------------
+// The centre of the nearest texel whose centre the disc holds lies in that of the returned point.
+glm::dvec2 DrawIn(const glm::dvec2& uv, int size)
+{
+  const glm::dvec2 p = 2.0 * uv - 1.0;
+  const double r = glm::length(p);
+  const double limit = std::max(1.0 - std::sqrt(2.0) / size, 0.0); // half a texel's diagonal
+  return r > limit ? 0.5 + 0.5 * limit / r * p : uv;
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkEnvironmentProjection::SetProjection(int projection)
+{
+  if (!IsProjection(projection))
+  {
+    vtkErrorMacro("SetProjection: there is no projection " << projection << ".");
+    return;
+  }
+  if (this->Projection != projection)
+  {
+    this->Projection = projection;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkEnvironmentProjection::GetProjectionName(int projection)
+{
+  return IsProjection(projection) ? Projections[projection].Name : "";
+}
+
+//------------------------------------------------------------------------------
+std::string vtkEnvironmentProjection::GetExpectedSize(int projection)
+{
+  return IsProjection(projection) ? Projections[projection].Size : "";
+}
+
+//------------------------------------------------------------------------------
+bool vtkEnvironmentProjection::FitsSize(int projection, int width, int height)
+{
+  if (!IsProjection(projection) || width < 1 || height < 1)
+  {
+    return false;
+  }
+  if (const CubeLayout* layout = GetCubeLayout(projection))
+  {
+    return width % layout->Columns == 0 && height % layout->Rows == 0 &&
+           width / layout->Columns == height / layout->Rows;
+  }
+  return projection == LAT_LONG || width == height;
+}
+
+//------------------------------------------------------------------------------
+bool vtkEnvironmentProjection::GetDirection(int projection, double u, double v, double direction[3])
+{
+  glm::dvec3 d(0.0);
+  // Written so that NaN is refused too.
+  const bool inside = u >= 0.0 && u <= 1.0 && v >= 0.0 && v <= 1.0;
+  const bool shown = IsProjection(projection) && inside && MapToDirection(projection, { u, v }, d);
+  std::copy(&d.x, &d.x + 3, direction);
+  return shown;
+}
+
+//------------------------------------------------------------------------------
+bool vtkEnvironmentProjection::GetCoordinates(
+  int projection, const double direction[3], double& u, double& v)
+{
+  u = v = 0.0;
+  const double largest =
+    std::max({ std::abs(direction[0]), std::abs(direction[1]), std::abs(direction[2]) });
+  const double sum = direction[0] + direction[1] + direction[2];
+  if (!IsProjection(projection) || !(largest > 0.0) || !std::isfinite(largest) || std::isnan(sum))
+  {
+    return false;
+  }
+  // Scaled, so that no finite length over- or underflows.
+  const glm::dvec3 d(direction[0] / largest, direction[1] / largest, direction[2] / largest);
+  const glm::dvec2 uv = MapToImage(projection, d);
+  u = uv.x;
+  v = uv.y;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+double vtkEnvironmentProjection::GetJacobian(int projection, double u, double v)
+{
+  double ignored[3];
+  return GetDirection(projection, u, v, ignored) ? GetDensity(projection, { u, v }) : 0.0;
+}
+
+//------------------------------------------------------------------------------
+double vtkEnvironmentProjection::GetTexelSolidAngle(
+  int projection, int width, int height, int x, int y)
+{
+  if (!IsProjection(projection) || x < 0 || y < 0 || x >= width || y >= height)
+  {
+    return 0.0;
+  }
+  return GetSolidAngle(projection, width, height, x, y);
+}
+
+//------------------------------------------------------------------------------
+int vtkEnvironmentProjection::GetLatLongHeight(int projection, int width, int height)
+{
+  double texels = static_cast<double>(width) * height;
+  if (const CubeLayout* layout = GetCubeLayout(projection))
+  {
+    texels *= 6.0 / (layout->Columns * layout->Rows);
+  }
+  else if (IsDisc(projection))
+  {
+    texels *= std::atan(1.0); // pi/4
+  }
+  return std::max(1, static_cast<int>(std::lround(std::sqrt(0.5 * texels))));
+}
+
+//------------------------------------------------------------------------------
+bool vtkEnvironmentProjection::Convert(
+  int width, int height, std::vector<float> rgb, vtkEnvironment* output)
+{
+  this->Abort = false;
+  if (!output)
+  {
+    vtkErrorMacro("Convert: there is no output.");
+    return false;
+  }
+  if (!FitsSize(this->Projection, width, height))
+  {
+    vtkErrorMacro("Convert: the size " << width << " x " << height << " is not that of a "
+                                       << GetProjectionName(this->Projection) << ": expected "
+                                       << GetExpectedSize(this->Projection) << ".");
+    return false;
+  }
+  const std::int64_t texels = std::int64_t(width) * height;
+  if (texels > MaximumTexels || rgb.size() != 3 * static_cast<std::size_t>(texels))
+  {
+    vtkErrorMacro("Convert: " << rgb.size() << " values are not RGB for " << width << " x "
+                              << height << " texels, at most " << MaximumTexels << ".");
+    return false;
+  }
+  if (this->Height < 0 || 2 * std::int64_t(this->Height) * this->Height > MaximumTexels)
+  {
+    vtkErrorMacro("Convert: " << this->Height << " rows are negative or give more than "
+                              << MaximumTexels << " texels.");
+    return false;
+  }
+  this->Repair(this->Projection, width, height, rgb);
+  if (this->Projection == LAT_LONG && this->Height == 0)
+  {
+    return output->SetPixels(width, height, std::move(rgb));
+  }
+  const int rows =
+    this->Height > 0 ? this->Height : GetLatLongHeight(this->Projection, width, height);
+  std::vector<float> result;
+  return this->Resample(this->Projection, width, height, rgb, LAT_LONG, 2 * rows, rows, result) &&
+         output->SetPixels(2 * rows, rows, std::move(result));
+}
+
+//------------------------------------------------------------------------------
+bool vtkEnvironmentProjection::ConvertFaces(
+  int size, const std::vector<std::vector<float>>& faces, vtkEnvironment* output)
+{
+  bool whole = faces.size() == 6 && size > 0 && std::int64_t(size) * size <= MaximumTexels / 6;
+  for (const std::vector<float>& face : faces)
+  {
+    whole = whole && face.size() == 3 * static_cast<std::size_t>(size) * size;
+  }
+  if (!whole)
+  {
+    vtkErrorMacro("ConvertFaces: expected six faces of RGB for "
+                  << size << " x " << size << " texels, at most " << MaximumTexels / 6 << " each.");
+    return false;
+  }
+  // A vertical strip: +x at the top, -z in the first rows.
+  std::vector<float> strip;
+  strip.reserve(6 * faces[0].size());
+  for (auto face = faces.rbegin(); face != faces.rend(); ++face)
+  {
+    strip.insert(strip.end(), face->begin(), face->end());
+  }
+  const int projection = std::exchange(this->Projection, CUBE_VERTICAL_STRIP);
+  const bool converted = this->Convert(size, 6 * size, std::move(strip), output);
+  this->Projection = projection;
+  return converted;
+}
+
+//------------------------------------------------------------------------------
+vtkImageData* vtkEnvironmentProjection::NewProbe(vtkEnvironment* environment, int width, int height)
+{
+  this->Abort = false;
+  if (!environment || environment->GetPixels().empty())
+  {
+    vtkErrorMacro("NewProbe: there is no environment, or it is empty.");
+    return nullptr;
+  }
+  if (!FitsSize(this->Projection, width, height) || std::int64_t(width) * height > MaximumTexels)
+  {
+    vtkErrorMacro("NewProbe: the size " << width << " x " << height << " is not that of a "
+                                        << GetProjectionName(this->Projection) << ": expected "
+                                        << GetExpectedSize(this->Projection) << ", at most "
+                                        << MaximumTexels << " texels.");
+    return nullptr;
+  }
+  std::vector<float> result;
+  if (!this->Resample(LAT_LONG, environment->GetWidth(), environment->GetHeight(),
+        environment->GetPixels(), this->Projection, width, height, result))
+  {
+    return nullptr;
+  }
+  vtkNew<vtkEnvironment> image;
+  image->SetPixels(width, height, std::move(result));
+  return image->NewImageData();
+}
+
+//------------------------------------------------------------------------------
+// Bad values become 0; rim texels whose centre lies outside the disc take a neighbour's value.
+void vtkEnvironmentProjection::Repair(
+  int projection, int width, int height, std::vector<float>& rgb)
+{
+  this->NumberOfNegativeValues = 0;
+  this->NumberOfNonFiniteValues = 0;
+  const auto shows = [&](int x, int y)
+  {
+    glm::dvec3 ignored;
+    return MapToDirection(projection, { (x + 0.5) / width, (y + 0.5) / height }, ignored);
+  };
+  std::size_t k = 0;
+  for (int y = 0; y < height; ++y)
+  {
+    for (int x = 0; x < width; ++x, k += 3)
+    {
+      const bool shown = projection == LAT_LONG || shows(x, y);
+      for (std::size_t c = k; c < k + 3; ++c)
+      {
+        if (!shown || !std::isfinite(rgb[c]))
+        {
+          this->NumberOfNonFiniteValues += shown;
+          rgb[c] = 0.0f;
+        }
+        else if (rgb[c] < 0.0f)
+        {
+          ++this->NumberOfNegativeValues;
+          rgb[c] = 0.0f;
+        }
+      }
+    }
+  }
+  for (int y = 0; IsDisc(projection) && y < height; ++y)
+  {
+    for (int x = 0; x < width; ++x)
+    {
+      if (!shows(x, y))
+      {
+        const glm::dvec2 uv = DrawIn({ (x + 0.5) / width, (y + 0.5) / height }, width);
+        const std::size_t from =
+          static_cast<std::size_t>(uv.y * height) * width + static_cast<std::size_t>(uv.x * width);
+        std::copy_n(&rgb[3 * from], 3, &rgb[3 * (static_cast<std::size_t>(y) * width + x)]);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkEnvironmentProjection::Resample(int sourceProjection, int sourceWidth, int sourceHeight,
+  const std::vector<float>& source, int projection, int width, int height,
+  std::vector<float>& result)
+{
+  const ConservativeRemap remap(sourceProjection, sourceWidth, sourceHeight, source);
+  result.assign(3 * static_cast<std::size_t>(width) * height, 0.0f);
+  const int batch = std::max(1, BatchTexels / width);
+  for (int first = 0; first < height; first += batch)
+  {
+    const int last = std::min(first + batch, height);
+    vtkSMPTools::For(static_cast<vtkIdType>(first) * width, static_cast<vtkIdType>(last) * width,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType k = begin; k < end && !this->Abort; ++k)
+        {
+          const glm::dvec3 mean = remap.GetMean(
+            projection, width, height, static_cast<int>(k % width), static_cast<int>(k / width));
+          for (int c = 0; c < 3; ++c)
+          {
+            result[3 * static_cast<std::size_t>(k) + c] = static_cast<float>(mean[c]);
+          }
+        }
+      });
+    double progress = static_cast<double>(last) / height;
+    this->InvokeEvent(vtkCommand::ProgressEvent, &progress);
+    if (this->Abort)
+    {
+      vtkErrorMacro("Conversion: aborted.");
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkEnvironmentProjection::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Projection: " << GetProjectionName(this->Projection) << "\n";
+  os << indent << "Height: " << this->Height << "\n";
+  os << indent << "NumberOfNegativeValues: " << this->NumberOfNegativeValues << "\n";
+  os << indent << "NumberOfNonFiniteValues: " << this->NumberOfNonFiniteValues << "\n";
+  os << indent << "Abort: " << (this->Abort ? "On" : "Off") << "\n";
+}
