@@ -5,6 +5,8 @@
 #include "RenderFixture.h"
 
 #include "vtkAshikhminShirleyBRDF.h"
+#include "vtkBasisBRDF.h"
+#include "vtkBasisProjector.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
@@ -485,6 +487,38 @@ TEST_F(Mapper, WhiteFurnace)
   {
     EXPECT_NEAR(image.At(x, 32)[0], 1.0, 0.02);
     EXPECT_NEAR(image.At(x, 32)[1], 0.5, 0.01);
+  }
+}
+
+// A basis pair in white light shows its directional albedo, whatever the basis.
+TEST_F(Mapper, WhiteFurnaceOfBases)
+{
+  vtkNew<vtkEnvironment> white;
+  white->SetPixels(64, 32, std::vector<float>(3 * 64 * 32, 1.0f));
+  this->Measured->SetEnvironment(white);
+  this->Measured->SetNumberOfLights(128);
+  this->Phong->SetExponent(8.0);
+  vtkNew<vtkBasisProjector> projector;
+  projector->SetInput(this->Phong);
+  projector->SetOrder(3);
+  for (int basis = vtkBasisBRDF::SPHERICAL_HARMONICS; basis <= vtkBasisBRDF::LEGENDRE_FOURIER;
+       ++basis)
+  {
+    projector->SetBasis(basis);
+    ASSERT_TRUE(projector->Project());
+    vtkBasisBRDF* brdf = projector->GetOutput();
+    this->Measured->SetBRDF(brdf);
+    const FloatImage image = this->RenderLinear();
+    // The middle of the sphere faces the viewer.
+    const double up[3] = { 0.0, 0.0, 1.0 };
+    double albedo[3];
+    brdf->GetDirectionalAlbedo(up, albedo);
+    EXPECT_GT(albedo[0], 0.01);
+    for (int c = 0; c < 3; ++c)
+    {
+      EXPECT_NEAR(image.At(32, 32)[c] / albedo[c], 1.0, 0.03)
+        << vtkBasisBRDF::GetBasisName(basis) << " " << c;
+    }
   }
 }
 
