@@ -12,12 +12,14 @@
 #include "vtkMedianCutLightSetGenerator.h"
 #include "vtkNew.h"
 #include "vtkTexture.h"
+#include "vtkVersionMacros.h"
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <map>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace measuredbrdf
@@ -88,6 +90,24 @@ std::vector<float> TakeFace(vtkImageData* image, bool sRGB)
   return pixels;
 }
 
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 2, 0)
+// z -> -z turns the azimuth's sign: the columns change sides.
+void MirrorInZ(vtkEnvironment* environment)
+{
+  std::vector<float> pixels = environment->GetPixels();
+  const int width = environment->GetWidth();
+  for (int y = 0; y < environment->GetHeight(); ++y)
+  {
+    float* row = &pixels[3 * static_cast<std::size_t>(y) * static_cast<std::size_t>(width)];
+    for (int x = 0; x < width / 2; ++x)
+    {
+      std::swap_ranges(row + 3 * x, row + 3 * x + 3, row + 3 * (width - 1 - x));
+    }
+  }
+  environment->SetPixels(width, environment->GetHeight(), std::move(pixels));
+}
+#endif
+
 vtkSmartPointer<vtkEnvironment> MakeFromCube(const std::vector<vtkImageData*>& images, bool sRGB)
 {
   std::vector<std::vector<float>> faces;
@@ -101,9 +121,15 @@ vtkSmartPointer<vtkEnvironment> MakeFromCube(const std::vector<vtkImageData*>& i
   }
   auto environment = vtkSmartPointer<vtkEnvironment>::New();
   vtkNew<vtkEnvironmentProjection> converter;
-  return converter->ConvertFaces(images.front()->GetDimensions()[0], faces, environment)
-           ? environment
-           : nullptr;
+  if (!converter->ConvertFaces(images.front()->GetDimensions()[0], faces, environment))
+  {
+    return nullptr;
+  }
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 2, 0)
+  // Face +z is what is seen towards -z since VTK 9.2; before, its skybox showed it towards +z.
+  MirrorInZ(environment);
+#endif
+  return environment;
 }
 }
 

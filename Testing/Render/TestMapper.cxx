@@ -12,7 +12,6 @@
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkEnvironment.h"
-#include "vtkEnvironmentProjection.h"
 #include "vtkExactIntegrator.h"
 #include "vtkFloatArray.h"
 #include "vtkHardwareSelector.h"
@@ -21,6 +20,7 @@
 #include "vtkLight.h"
 #include "vtkLightSet.h"
 #include "vtkLightSetIntegrator.h"
+#include "vtkMath.h"
 #include "vtkMeasuredBRDFMapper.h"
 #include "vtkOpenGLHelper.h"
 #include "vtkPlane.h"
@@ -33,6 +33,7 @@
 #include "vtkSelectionNode.h"
 #include "vtkShader.h"
 #include "vtkShaderProgram.h"
+#include "vtkSkybox.h"
 #include "vtkSphereSource.h"
 #include "vtkTexture.h"
 #include "vtkTransform.h"
@@ -270,46 +271,75 @@ TEST_F(Mapper, EnvironmentWithoutSceneLights)
   EXPECT_EQ(this->RenderLinear().At(32, 32)[0], 0.0f);
 }
 
-// Six faces on the renderer's texture light as the environment made of them, and are converted
-// once.
+// A cube map of the renderer lights from where vtkSkybox shows its faces (that changed between VTK
+// versions), and is converted once.
 TEST_F(Mapper, CubeMapTexture)
 {
-  constexpr int size = 16;
   auto texture = vtkSmartPointer<vtkTexture>::New();
   texture->CubeMapOn();
   texture->SetColorModeToDirectScalars();
-  std::vector<std::vector<float>> faces;
+  const float colours[6][3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 1, 0 }, { 1, 0, 1 },
+    { 0, 1, 1 } };
   for (int face = 0; face < 6; ++face)
   {
-    std::vector<float> bottomFirst(3 * size * size);
-    vtkNew<vtkImageData> image; // top row first, as VTK's cube maps have it
-    image->SetDimensions(size, size, 1);
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(16, 16, 1);
     image->AllocateScalars(VTK_FLOAT, 3);
-    for (int y = 0; y < size; ++y)
+    for (int k = 0; k < 256; ++k)
     {
-      for (int x = 0; x < size; ++x)
-      {
-        const float rgb[3] = { 0.1f * face, y / 16.0f, x / 16.0f };
-        std::copy_n(rgb, 3, &bottomFirst[3 * static_cast<std::size_t>(y * size + x)]);
-        std::copy_n(rgb, 3, static_cast<float*>(image->GetScalarPointer(x, size - 1 - y, 0)));
-      }
+      std::copy_n(
+        colours[face], 3, static_cast<float*>(image->GetScalarPointer(k % 16, k / 16, 0)));
     }
-    faces.push_back(bottomFirst);
     texture->SetInputDataObject(face, image);
   }
-  vtkNew<vtkEnvironment> environment;
-  vtkNew<vtkEnvironmentProjection> converter;
-  ASSERT_TRUE(converter->ConvertFaces(size, faces, environment));
-  this->Measured->SetBRDF(this->Phong);
-  this->Measured->SetEnvironment(environment);
-  const FloatImage expected = this->RenderLinear();
-  EXPECT_GT(expected.At(32, 32)[1], 0.05f);
-  this->Measured->SetEnvironment(nullptr);
+  this->Measured->SetBRDF(this->Lambert);
+  this->Measured->SetNumberOfLights(1024);
   this->Renderer->SetEnvironmentTexture(texture);
-  EXPECT_LT(GetLargestDifference(expected, this->RenderLinear()), 1e-6);
+  const FloatImage lit = this->RenderLinear();
+  EXPECT_GT(lit.At(32, 32)[0] + lit.At(32, 32)[1] + lit.At(32, 32)[2], 0.5f);
   vtkLightSet* lights = this->Measured->GetCurrentLightSet();
   this->RenderLinear();
   EXPECT_EQ(this->Measured->GetCurrentLightSet(), lights);
+
+  vtkNew<vtkSkybox> sky;
+  sky->SetTexture(texture);
+  sky->SetProjectionToCube();
+  this->Renderer->RemoveActor(this->Actor);
+  this->Renderer->AddActor(sky);
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  camera->ParallelProjectionOff();
+  camera->SetPosition(0.0, 0.0, 0.0);
+  for (int axis = 0; axis < 6; ++axis)
+  {
+    double d[3] = { 0.0, 0.0, 0.0 };
+    d[axis / 2] = axis % 2 ? -1.0 : 1.0;
+    camera->SetFocalPoint(d);
+    camera->SetViewUp(0.0, axis / 2 == 1 ? 0.0 : 1.0, axis / 2 == 1 ? 1.0 : 0.0);
+    camera->SetClippingRange(0.1, 20.0);
+    const FloatImage view = this->RenderEncoded();
+    // Light from within 20 degrees of there has the colour that is seen there.
+    double sum[3] = { 0.0, 0.0, 0.0 };
+    for (int k = 0; k < lights->GetNumberOfLights(); ++k)
+    {
+      double from[3];
+      double irradiance[3];
+      lights->GetDirection(k, from);
+      lights->GetIrradiance(k, irradiance);
+      for (int c = 0; vtkMath::Dot(from, d) > 0.94 && c < 3; ++c)
+      {
+        sum[c] += irradiance[c];
+      }
+    }
+    const double largest = std::max({ sum[0], sum[1], sum[2] });
+    EXPECT_GT(largest, 0.0) << axis;
+    for (int c = 0; c < 3; ++c)
+    {
+      EXPECT_NEAR(sum[c] / largest, view.At(32, 32)[c] > 0.5f ? 1.0 : 0.0, 0.05)
+        << "axis " << axis << ", channel " << c;
+    }
+  }
+  this->Renderer->RemoveActor(sky);
+  this->Renderer->AddActor(this->Actor);
 
   // A face of another size lights nothing, with one warning.
   vtkNew<vtkImageData> small;
@@ -325,6 +355,73 @@ TEST_F(Mapper, CubeMapTexture)
   EXPECT_EQ(this->RenderLinear().At(32, 32)[1], 0.0f);
   this->RenderLinear();
   EXPECT_EQ(warnings, 1);
+}
+
+// An environment, a directional and a positional light at once: the sum of the three.
+TEST_F(Mapper, EnvironmentAndSceneLightsAddUp)
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(-1.0, -1.0, 0.0);
+  plane->SetPoint1(1.0, -1.0, 0.0);
+  plane->SetPoint2(-1.0, 1.0, 0.0);
+  this->Measured->SetInputConnection(plane->GetOutputPort());
+  this->Measured->SetBRDF(this->Phong);
+  const vtkSmartPointer<vtkEnvironment> environment = MakeEnvironment();
+  this->Measured->SetEnvironment(environment);
+  vtkNew<vtkLight> directional;
+  directional->SetLightTypeToSceneLight();
+  directional->SetDiffuseColor(1.0, 0.5, 0.25);
+  directional->SetIntensity(3.0);
+  directional->SetPosition(3.0, 0.0, 4.0);
+  directional->SetFocalPoint(0.0, 0.0, 0.0);
+  this->Renderer->AddLight(directional);
+  vtkNew<vtkLight> positional;
+  positional->SetLightTypeToSceneLight();
+  positional->PositionalOn();
+  positional->SetConeAngle(180.0);
+  positional->SetDiffuseColor(0.25, 0.5, 1.0);
+  positional->SetPosition(-0.5, 0.7, 1.5);
+  positional->SetAttenuationValues(0.0, 0.0, 1.0);
+  positional->SetIntensity(8.0);
+  this->Renderer->AddLight(positional);
+  const FloatImage image = this->RenderLinear();
+
+  const double normal[3] = { 0.0, 0.0, 1.0 }; // the view too
+  vtkNew<vtkDoubleArray> normals, views, radiance;
+  normals->SetNumberOfComponents(3);
+  views->SetNumberOfComponents(3);
+  normals->InsertNextTuple(normal);
+  views->InsertNextTuple(normal);
+  vtkNew<vtkLightSetIntegrator> integrator;
+  integrator->SetBRDF(this->Phong);
+  integrator->SetEnvironment(environment);
+  integrator->SetLightSet(this->Measured->GetCurrentLightSet());
+  ASSERT_TRUE(integrator->Integrate(normals, views, radiance));
+  double worst = 0.0;
+  for (int y = 4; y < 64; y += 8)
+  {
+    for (int x = 4; x < 64; x += 8)
+    {
+      const glm::dvec3 point((x + 0.5) / 32.0 - 1.0, (y + 0.5) / 32.0 - 1.0, 0.0);
+      const glm::dvec3 sun(0.6, 0.0, 0.8);
+      const glm::dvec3 way = glm::dvec3(-0.5, 0.7, 1.5) - point;
+      const glm::dvec3 lamp = glm::normalize(way);
+      double sunValue[3];
+      double lampValue[3];
+      this->Phong->Evaluate(&sun.x, normal, sunValue);
+      this->Phong->Evaluate(&lamp.x, normal, lampValue);
+      for (int c = 0; c < 3; ++c)
+      {
+        const double expected =
+          radiance->GetComponent(0, c) +
+          sunValue[c] * sun.z * 3.0 * directional->GetDiffuseColor()[c] +
+          lampValue[c] * lamp.z * 8.0 / glm::dot(way, way) * positional->GetDiffuseColor()[c];
+        worst = std::max(worst, std::abs(image.At(x, y)[c] - expected) / expected);
+      }
+    }
+  }
+  std::cout << "largest relative difference " << worst << "\n";
+  EXPECT_LT(worst, 1e-4);
 }
 
 // Pixels of a tilted plane against the CPU sum over the same lights: rotated, scaled actor,

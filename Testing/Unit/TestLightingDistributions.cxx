@@ -60,6 +60,40 @@ TEST(Distribution1D, WithoutWeightUniform)
   EXPECT_NEAR(remainder, 0.4, 1e-12);
 }
 
+// A density p(x) = 2x on [0,1], tabulated: its CDF is x^2, and inversion follows sqrt(u), to half a
+// cell.
+TEST(Distribution1D, TabulatedDensity)
+{
+  const std::size_t n = 256;
+  std::vector<float> density(n);
+  for (std::size_t k = 0; k < n; ++k)
+  {
+    density[k] = 2.0f * (static_cast<float>(k) + 0.5f) / static_cast<float>(n);
+  }
+  const Distribution1D d(density.begin(), density.end());
+  EXPECT_NEAR(d.GetTotal() / n, 1.0, 1e-6);
+  EXPECT_EQ(d.GetCumulative(0), 0.0);
+  EXPECT_EQ(d.GetCumulative(n), 1.0);
+  for (std::size_t k = 0; k <= n; ++k)
+  {
+    const double x = double(k) / n;
+    EXPECT_NEAR(d.GetCumulative(k), x * x, 1e-6);
+  }
+  for (int k = 0; k < 1000; ++k)
+  {
+    const double u = (k + 0.5) / 1000;
+    double remainder;
+    const std::size_t cell = d.Invert(u, remainder);
+    EXPECT_NEAR((static_cast<double>(cell) + remainder) / n, std::sqrt(u), 0.5 / n);
+  }
+  // One cell, and none.
+  const Distribution1D one(density.begin(), density.begin() + 1);
+  double remainder;
+  EXPECT_EQ(one.Invert(0.25, remainder), 0u);
+  EXPECT_EQ(remainder, 0.25);
+  EXPECT_EQ(Distribution1D().GetSize(), 0u);
+}
+
 //------------------------------------------------------------------------------
 TEST(Distribution2D, SamplesFollowTheWeights)
 {
@@ -109,6 +143,66 @@ TEST(Distribution2D, SamplesFollowTheWeights)
   EXPECT_LT(chiSquare, cells - 1 + 5.0 * std::sqrt(2.0 * (cells - 1)));
   // Remainders are uniform again: mean 1/2, standard deviation 1/sqrt(12 n).
   EXPECT_NEAR(sumX / draws, 0.5, 5.0 / std::sqrt(12.0 * draws));
+}
+
+// p(x, y) = 6 x^2 y, tabulated and inverted on a regular grid: means of x and y are 3/4 and 2/3.
+TEST(Distribution2D, TabulatedDensity)
+{
+  const std::size_t n = 128;
+  std::vector<double> weights(n * n);
+  for (std::size_t k = 0; k < weights.size(); ++k)
+  {
+    const double x = (double(k % n) + 0.5) / n;
+    const double y = (double(k / n) + 0.5) / n;
+    weights[k] = 6.0 * x * x * y;
+  }
+  const Distribution2D d(weights, n, n);
+  EXPECT_NEAR(d.GetTotal() / double(n * n), 1.0, 1e-4);
+  const int grid = 500;
+  double meanX = 0.0;
+  double meanY = 0.0;
+  for (int k = 0; k < grid * grid; ++k)
+  {
+    std::size_t x;
+    std::size_t y;
+    double inX;
+    double inY;
+    const double u = (k % grid + 0.5) / grid;
+    const double v = (k / grid + 0.5) / grid;
+    d.Invert(u, v, x, y, inX, inY);
+    ASSERT_NEAR((double(x) + inX) / n, std::cbrt(u), 1.0 / n); // marginals are independent here
+    ASSERT_NEAR((double(y) + inY) / n, std::sqrt(v), 1.0 / n);
+    meanX += (double(x) + inX) / n / (grid * grid);
+    meanY += (double(y) + inY) / n / (grid * grid);
+  }
+  EXPECT_NEAR(meanX, 0.75, 1e-4);
+  EXPECT_NEAR(meanY, 2.0 / 3.0, 1e-4);
+}
+
+//------------------------------------------------------------------------------
+// Without any weight every cell is as likely; rows of weight 0 among others never come.
+TEST(Distribution2D, ZeroRows)
+{
+  const Distribution2D none(std::vector<double>(12, 0.0), 4, 3);
+  EXPECT_TRUE(none.IsZero());
+  std::set<std::size_t> cells;
+  const Distribution2D middle({ 0, 0, 0, 0, 0, 2, 6, 0, 0, 0, 0, 0 }, 4, 3);
+  for (int k = 0; k < 144; ++k)
+  {
+    std::size_t x;
+    std::size_t y;
+    double inX;
+    double inY;
+    const double u = (k % 12 + 0.5) / 12;
+    const double v = (k / 12 + 0.5) / 12;
+    none.Invert(u, v, x, y, inX, inY);
+    EXPECT_NEAR(none.GetProbability(x, y), 1.0 / 12.0, 1e-15);
+    cells.insert(4 * y + x);
+    middle.Invert(u, v, x, y, inX, inY);
+    EXPECT_EQ(y, 1u);
+    EXPECT_EQ(x, u < 0.25 ? 1u : 2u);
+  }
+  EXPECT_EQ(cells.size(), 12u);
 }
 
 //------------------------------------------------------------------------------
