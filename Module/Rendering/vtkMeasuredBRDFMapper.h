@@ -6,9 +6,9 @@
  *
  * Use it where vtkPolyDataMapper stood: give it a vtkBRDF, and the surface reflects the renderer's
  * environment texture (vtkRenderer::SetEnvironmentTexture, the one that VTK's own physically based
- * rendering uses, lat-long or cube map; UseImageBasedLighting need not be on) or an environment of its own, plus the
- * renderer's vtkLights. Per pixel the shader adds up BRDF x light x cosine over a set of
- * directional lights made from the environment (O'Toole 2007).
+ * rendering uses, lat-long or cube map; UseImageBasedLighting need not be on) or an environment of
+ * its own, plus the renderer's vtkLights. Per pixel the shader adds up BRDF x light x cosine over a
+ * set of directional lights made from the environment (O'Toole 2007).
  *
  * - A vtkLight of colour c and intensity k gives irradiance k c on a surface that faces it, as in
  *   VTK's PBR: a white Lambert surface then shows k c / pi.
