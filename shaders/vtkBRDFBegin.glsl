@@ -5,5 +5,6 @@
   //VTK::MeasuredBRDF::Tangent
   vec3 brdfView = cameraParallel == 1 ? vec3(0.0, 0.0, 1.0) : normalize(-vertexVC.xyz);
   brdfView = brdfLiftView(brdfView * brdfFrame);
-  vec3 brdfRadiance = brdfSumLightSet(brdfFrame, brdfView);
+  vec3 brdfRadiance =
+    brdfEnvironment(brdfEnvironmentRotation * envMatrix * brdfFrame, brdfView);
   vec3 radiance, brdfLight;

@@ -4,11 +4,19 @@
 
 #include "LocalFrame.h"
 #include "vtkBRDF.h"
+#include "vtkBRDFGPUForm.h"
 #include "vtkEnvironment.h"
 #include "vtkLightSet.h"
 #include "vtkObjectFactory.h"
 
 #include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+
+namespace
+{
+constexpr int LightsPerRow = 512; // the shader asks the texture
+}
 
 vtkStandardNewMacro(vtkLightSetIntegrator);
 
@@ -59,6 +67,50 @@ void vtkLightSetIntegrator::IntegratePart(
       }
     }
   }
+}
+
+//------------------------------------------------------------------------------
+bool vtkLightSetIntegrator::GetGPUForm(vtkBRDFGPUForm& form)
+{
+  if (!this->Prepare())
+  {
+    return false;
+  }
+  const int count = this->LightSet->GetNumberOfLights();
+  vtkBRDFGPUForm::Texture texture;
+  texture.Name = "brdfLights";
+  texture.Components = 4;
+  texture.Dimensions = { 2 * std::clamp(count, 1, LightsPerRow),
+    std::max((count + LightsPerRow - 1) / LightsPerRow, 1), 1 };
+  texture.Data.resize(4 * static_cast<std::size_t>(texture.Dimensions[0]) *
+                      static_cast<std::size_t>(texture.Dimensions[1]));
+  for (int k = 0; k < count; ++k)
+  {
+    double direction[3], irradiance[3];
+    this->LightSet->GetDirection(k, direction);
+    this->LightSet->GetIrradiance(k, irradiance);
+    float* texel = &texture.Data[8 * static_cast<std::size_t>(k)];
+    for (int c = 0; c < 3; ++c)
+    {
+      texel[c] = static_cast<float>(direction[c]);
+      texel[4 + c] = static_cast<float>(irradiance[c]);
+    }
+  }
+  vtkBRDFGPUForm::Term term;
+  term.Shader = "vtkBRDFLightSet";
+  term.Uniforms.push_back({ "brdfNumberOfLights", { static_cast<float>(count) } });
+  term.Textures.push_back(std::move(texture));
+  form = vtkBRDFGPUForm();
+  form.Description = std::to_string(count) + " directional lights";
+  form.Terms.push_back(std::move(term));
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkLightSetIntegrator::GetInputsMTime()
+{
+  return std::max(
+    this->Superclass::GetInputsMTime(), this->LightSet ? this->LightSet->GetMTime() : 0);
 }
 
 //------------------------------------------------------------------------------

@@ -31,6 +31,10 @@ public:
   vtkLightSet* GetLightSet();
   ///@}
 
+  bool GetGPUForm(vtkBRDFGPUForm& form) override;
+  bool UsesBRDFOnGPU() override { return true; }
+  vtkMTimeType GetInputsMTime() override;
+
 protected:
   vtkLightSetIntegrator();
   ~vtkLightSetIntegrator() override;

@@ -60,15 +60,41 @@ vtkBRDF* vtkRadianceIntegrator::GetBRDF() { return this->BRDF; }
 vtkEnvironment* vtkRadianceIntegrator::GetEnvironment() { return this->Environment; }
 
 //------------------------------------------------------------------------------
+bool vtkRadianceIntegrator::Prepare()
+{
+  if (!this->BRDF)
+  {
+    vtkErrorMacro("Prepare: there is no BRDF.");
+    return false;
+  }
+  if (this->PrepareTime > this->GetInputsMTime())
+  {
+    return true;
+  }
+  this->BRDF->Prepare();
+  if (!this->Begin())
+  {
+    return false;
+  }
+  this->PrepareTime.Modified();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkRadianceIntegrator::GetInputsMTime()
+{
+  return std::max({ this->GetMTime(), this->BRDF ? this->BRDF->GetMTime() : 0,
+    this->Environment ? this->Environment->GetPixelsMTime() : 0 });
+}
+
+//------------------------------------------------------------------------------
+bool vtkRadianceIntegrator::GetGPUForm(vtkBRDFGPUForm&) { return false; }
+
+//------------------------------------------------------------------------------
 bool vtkRadianceIntegrator::Integrate(
   vtkDataArray* normals, vtkDataArray* views, vtkDataArray* radiance, vtkDataArray* tangents)
 {
   this->Abort = false;
-  if (!this->BRDF)
-  {
-    vtkErrorMacro("Integrate: there is no BRDF.");
-    return false;
-  }
   if (!normals || !views || !radiance)
   {
     vtkErrorMacro("Integrate: normals, views and radiance are needed.");
@@ -95,11 +121,10 @@ bool vtkRadianceIntegrator::Integrate(
       return false;
     }
   }
-  if (!this->Begin())
+  if (!this->Prepare())
   {
     return false;
   }
-  this->BRDF->Prepare();
 
   glm::dmat3 toEnvironment(1.0);
   if (this->Environment)

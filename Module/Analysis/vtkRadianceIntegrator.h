@@ -19,6 +19,8 @@
 
 #include <atomic> // for Abort
 
+struct vtkBRDFGPUForm;
+
 class vtkBRDF;
 class vtkDataArray;
 class vtkEnvironment;
@@ -55,6 +57,32 @@ public:
   bool Integrate(vtkDataArray* normals, vtkDataArray* views, vtkDataArray* radiance,
     vtkDataArray* tangents = nullptr);
 
+  /**
+   * Build what the integrals need ahead of time, if it is missing or out of date; Integrate and
+   * GetGPUForm do so themselves. Returns false with an error event where that is not possible.
+   */
+  bool Prepare();
+
+  /**
+   * What a shader needs to do the same, built if necessary: GLSL files that define
+   * `vec3 brdfEnvironmentINSTANCE(mat3 frame, vec3 o)`, their uniforms and textures. The columns of
+   * frame are tangent, bitangent and normal in the environment's frame, o is the view in that
+   * frame's coordinates, its cosine at least MinimumViewCosine. Terms are summed. Returns false
+   * (form unchanged) where there is no such form or nothing to build it from.
+   */
+  virtual bool GetGPUForm(vtkBRDFGPUForm& form);
+
+  /**
+   * Whether the GLSL of GetGPUForm calls the material's brdfEvaluate.
+   */
+  virtual bool UsesBRDFOnGPU() { return false; }
+
+  /**
+   * When anything that Prepare depends on last changed. A rotation of the environment does not
+   * count: everything is built in the environment's own frame.
+   */
+  virtual vtkMTimeType GetInputsMTime();
+
   ///@{
   /**
    * Set from an observer or another thread to stop a running Integrate. Each Integrate starts with
@@ -68,7 +96,8 @@ protected:
   vtkRadianceIntegrator();
   ~vtkRadianceIntegrator() override;
 
-  /// Check and precompute before the threads start; false (after an error event) stops.
+  /// Check and precompute before the threads start, called when inputs changed since the last
+  /// success; false (after an error event) stops.
   virtual bool Begin() = 0;
 
   /// How many parts the sum of one pair has: threads share pairs and parts alike, so one pair may
@@ -82,6 +111,7 @@ protected:
 
   vtkSmartPointer<vtkBRDF> BRDF;
   vtkSmartPointer<vtkEnvironment> Environment;
+  vtkTimeStamp PrepareTime;
   std::atomic<bool> Abort{ false };
 
 private:

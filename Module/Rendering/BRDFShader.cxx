@@ -37,6 +37,7 @@ const char* FindTerm(const std::string& name)
     { "vtkBRDFHalfDifference", vtkBRDFHalfDifference },
     { "vtkBRDFIncidentOutgoing", vtkBRDFIncidentOutgoing },
     { "vtkBRDFLambert", vtkBRDFLambert },
+    { "vtkBRDFLightSet", vtkBRDFLightSet },
   };
   return sources.at(name);
 }
@@ -47,11 +48,12 @@ std::string Numbered(const char* source, const std::string& placeholder, std::si
   vtkShaderProgram::Substitute(text, placeholder, std::to_string(number));
   return text;
 }
-}
 
-std::string GetShaderDeclarations(const vtkBRDFGPUForm& form)
+// The form's terms, and a function of the given signature that adds them up.
+std::string Sum(const vtkBRDFGPUForm& form, const std::string& signature, const std::string& name,
+  const std::string& arguments)
 {
-  std::string text = vtkBRDFCommon;
+  std::string text;
   std::string sum = "vec3(0.0)";
   for (std::size_t k = 0; k < form.Terms.size(); ++k)
   {
@@ -61,10 +63,23 @@ std::string GetShaderDeclarations(const vtkBRDFGPUForm& form)
       vtkShaderProgram::Substitute(term, constant.Name, constant.Value);
     }
     text += term;
-    sum += " + brdfTerm" + std::to_string(k) + "(i, o)";
+    sum += " + " + name + std::to_string(k) + arguments;
   }
-  text += "vec3 brdfEvaluate(vec3 i, vec3 o)\n{\n  return " + sum + ";\n}\n";
-  text += vtkBRDFLightSet;
+  return text + signature + "\n{\n  return " + sum + ";\n}\n";
+}
+}
+
+std::string GetShaderDeclarations(const vtkBRDFGPUForm* material, const vtkBRDFGPUForm& environment)
+{
+  std::string text = vtkBRDFCommon;
+  if (material)
+  {
+    text += Sum(*material, "vec3 brdfEvaluate(vec3 i, vec3 o)", "brdfTerm", "(i, o)");
+  }
+  text += "uniform mat3 envMatrix; // VTK's own: view -> the renderer's environment\n"
+          "uniform mat3 brdfEnvironmentRotation; // the environment's own rotation on top\n";
+  text +=
+    Sum(environment, "vec3 brdfEnvironment(mat3 frame, vec3 o)", "brdfEnvironment", "(frame, o)");
   text += "uniform int brdfModulate;\n";
   return text;
 }

@@ -22,8 +22,10 @@ enum class TangentSource
   Axis
 };
 
-/// Declarations: shared functions, the material's terms, brdfEvaluate, the light loop.
-std::string GetShaderDeclarations(const vtkBRDFGPUForm& form);
+/// Declarations: shared functions, the material's terms and brdfEvaluate, the environment's terms
+/// and brdfEnvironment. Without a material there is no brdfEvaluate.
+std::string GetShaderDeclarations(
+  const vtkBRDFGPUForm* material, const vtkBRDFGPUForm& environment);
 
 /**
  * Body for //VTK::Light::Impl. complexity and count are VTK's for the scene's lights (0 none, 1

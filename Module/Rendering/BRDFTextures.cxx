@@ -3,8 +3,8 @@
 #include "BRDFTextures.h"
 
 #include "vtkBRDF.h"
-#include "vtkLightSet.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkRadianceIntegrator.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
@@ -19,8 +19,6 @@ namespace
 constexpr unsigned int R16F = 0x822D;
 constexpr unsigned int RGB16F = 0x881B;
 constexpr unsigned int RGBA16F = 0x881A;
-
-constexpr int LightsPerRow = 512; // the shader asks the texture
 
 std::string Instance(std::size_t term) { return std::to_string(term); }
 
@@ -68,44 +66,82 @@ vtkSmartPointer<vtkTextureObject> Upload(
   }
   return result;
 }
-}
 
-std::shared_ptr<MaterialTextures> MaterialTextures::Find(
-  vtkBRDF* brdf, vtkOpenGLRenderWindow* window)
+// What was uploaded for a source in a window, for as long as somebody holds it.
+template <typename Source>
+std::shared_ptr<FormTextures> FindShared(Source* source, vtkOpenGLRenderWindow* window)
 {
-  static std::map<std::pair<vtkBRDF*, vtkOpenGLRenderWindow*>, std::weak_ptr<MaterialTextures>>
-    shared;
+  static std::map<std::pair<Source*, vtkOpenGLRenderWindow*>, std::weak_ptr<FormTextures>> shared;
   for (auto it = shared.begin(); it != shared.end();)
   {
     it = it->second.expired() ? shared.erase(it) : std::next(it);
   }
-  std::weak_ptr<MaterialTextures>& entry = shared[{ brdf, window }];
-  std::shared_ptr<MaterialTextures> found = entry.lock();
+  std::weak_ptr<FormTextures>& entry = shared[{ source, window }];
+  std::shared_ptr<FormTextures> found = entry.lock();
   if (!found)
   {
-    found = std::make_shared<MaterialTextures>();
+    found = std::make_shared<FormTextures>();
     entry = found;
   }
   return found;
 }
+}
 
-std::string MaterialTextures::Update(vtkBRDF* brdf, vtkOpenGLRenderWindow* window)
+std::shared_ptr<FormTextures> FormTextures::Find(vtkBRDF* brdf, vtkOpenGLRenderWindow* window)
 {
-  const bool lost = std::any_of(this->Textures.begin(), this->Textures.end(),
-    [window](const Uploaded& uploaded) { return IsLost(uploaded.Texture, window); });
-  if (this->Window == window && this->Time >= brdf->GetMTime() && !lost)
+  return FindShared(brdf, window);
+}
+
+std::shared_ptr<FormTextures> FormTextures::Find(
+  vtkRadianceIntegrator* integrator, vtkOpenGLRenderWindow* window)
+{
+  return FindShared(integrator, window);
+}
+
+bool FormTextures::IsCurrent(vtkMTimeType time, vtkOpenGLRenderWindow* window) const
+{
+  return this->Window == window && this->Time >= time &&
+         std::none_of(this->Textures.begin(), this->Textures.end(),
+           [window](const Uploaded& uploaded) { return IsLost(uploaded.Texture, window); });
+}
+
+std::string FormTextures::Update(vtkBRDF* brdf, vtkOpenGLRenderWindow* window)
+{
+  const vtkMTimeType time = brdf->GetMTime();
+  if (this->IsCurrent(time, window))
   {
     return "";
   }
   vtkBRDFGPUForm form;
   brdf->GetGPUForm(form);
+  return this->Upload(std::move(form), time, window);
+}
+
+std::string FormTextures::Update(vtkRadianceIntegrator* integrator, vtkOpenGLRenderWindow* window)
+{
+  const vtkMTimeType time = integrator->GetInputsMTime();
+  if (this->IsCurrent(time, window))
+  {
+    return "";
+  }
+  vtkBRDFGPUForm form;
+  if (!integrator->GetGPUForm(form))
+  {
+    return std::string(integrator->GetClassName()) + " has nothing to draw with";
+  }
+  return this->Upload(std::move(form), time, window);
+}
+
+std::string FormTextures::Upload(
+  vtkBRDFGPUForm form, vtkMTimeType time, vtkOpenGLRenderWindow* window)
+{
   std::vector<Uploaded> textures;
   for (std::size_t term = 0; term < form.Terms.size(); ++term)
   {
     for (vtkBRDFGPUForm::Texture& texture : form.Terms[term].Textures)
     {
       std::string problem;
-      vtkSmartPointer<vtkTextureObject> uploaded = Upload(texture, window, problem);
+      vtkSmartPointer<vtkTextureObject> uploaded = measuredbrdf::Upload(texture, window, problem);
       if (!uploaded)
       {
         return problem;
@@ -120,12 +156,12 @@ std::string MaterialTextures::Update(vtkBRDF* brdf, vtkOpenGLRenderWindow* windo
   }
   this->Form = std::move(form);
   this->Textures = std::move(textures);
-  this->Time = brdf->GetMTime();
+  this->Time = time;
   this->Window = window;
   return "";
 }
 
-void MaterialTextures::Activate()
+void FormTextures::Activate()
 {
   for (const Uploaded& uploaded : this->Textures)
   {
@@ -133,7 +169,7 @@ void MaterialTextures::Activate()
   }
 }
 
-void MaterialTextures::Deactivate()
+void FormTextures::Deactivate()
 {
   for (const Uploaded& uploaded : this->Textures)
   {
@@ -141,7 +177,7 @@ void MaterialTextures::Deactivate()
   }
 }
 
-void MaterialTextures::SetUniforms(vtkShaderProgram* program) const
+void FormTextures::SetUniforms(vtkShaderProgram* program) const
 {
   for (const Uploaded& uploaded : this->Textures)
   {
@@ -164,85 +200,4 @@ void MaterialTextures::SetUniforms(vtkShaderProgram* program) const
   }
 }
 
-std::string LightTexture::Update(vtkLightSet* lights, vtkOpenGLRenderWindow* window)
-{
-  const vtkMTimeType time = lights ? lights->GetMTime() : 0;
-  if (this->Texture && this->Lights == lights && this->Time == time &&
-      !IsLost(this->Texture, window))
-  {
-    return "";
-  }
-  const int count = lights ? lights->GetNumberOfLights() : 0;
-  const int width = 2 * std::max(std::min(count, LightsPerRow), 1);
-  const int height = std::max((count + LightsPerRow - 1) / LightsPerRow, 1);
-  if (height > vtkTextureObject::GetMaximumTextureSize(window))
-  {
-    return "more lights than this graphics card's textures hold";
-  }
-  std::vector<float> texels(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-  for (int k = 0; k < count; ++k)
-  {
-    double direction[3], irradiance[3];
-    lights->GetDirection(k, direction);
-    lights->GetIrradiance(k, irradiance);
-    float* texel = &texels[8 * static_cast<std::size_t>(k)];
-    for (int c = 0; c < 3; ++c)
-    {
-      texel[c] = static_cast<float>(direction[c]);
-      texel[4 + c] = static_cast<float>(irradiance[c]);
-    }
-  }
-  auto texture = vtkSmartPointer<vtkTextureObject>::New();
-  texture->SetContext(window);
-  texture->SetMinificationFilter(vtkTextureObject::Nearest);
-  texture->SetMagnificationFilter(vtkTextureObject::Nearest);
-  texture->SetWrapS(vtkTextureObject::ClampToEdge);
-  texture->SetWrapT(vtkTextureObject::ClampToEdge);
-  if (!texture->Create2DFromRaw(static_cast<unsigned int>(width), static_cast<unsigned int>(height),
-        4, VTK_FLOAT, texels.data()))
-  {
-    return "the light set could not be uploaded";
-  }
-  this->Texture = texture;
-  this->Lights = lights;
-  this->Time = time;
-  this->NumberOfLights = count;
-  this->Bytes = texels.size() * sizeof(float);
-  return "";
-}
-
-void LightTexture::Activate()
-{
-  if (this->Texture)
-  {
-    this->Texture->Activate();
-  }
-}
-
-void LightTexture::Deactivate()
-{
-  if (this->Texture)
-  {
-    this->Texture->Deactivate();
-  }
-}
-
-void LightTexture::SetUniforms(vtkShaderProgram* program) const
-{
-  if (this->Texture)
-  {
-    program->SetUniformi("brdfLights", this->Texture->GetTextureUnit());
-    program->SetUniformi("brdfNumberOfLights", this->NumberOfLights);
-  }
-}
-
-void LightTexture::Release(vtkWindow* window)
-{
-  if (this->Texture)
-  {
-    this->Texture->ReleaseGraphicsResources(window);
-    this->Texture = nullptr;
-    this->Bytes = 0;
-  }
-}
 } // namespace measuredbrdf

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The textures of a BRDF and of a light set on one window's GPU. Private to the rendering room.
+ * The GPU forms of BRDFs and integrators on one window's GPU. Private to the rendering room.
  */
 
 #ifndef BRDFTextures_h
@@ -17,23 +17,30 @@
 #include <vector>
 
 class vtkBRDF;
-class vtkLightSet;
 class vtkOpenGLRenderWindow;
+class vtkRadianceIntegrator;
 class vtkShaderProgram;
 class vtkTextureObject;
-class vtkWindow;
 
 namespace measuredbrdf
 {
-/// A BRDF's GPU form, uploaded. Shared by all mappers that use the BRDF in a window.
-class MaterialTextures
+/// A GPU form, uploaded. Shared by all mappers that use the same source in a window.
+class FormTextures
 {
 public:
-  /// The shared object for this BRDF and window; empty when new: Update fills it.
-  static std::shared_ptr<MaterialTextures> Find(vtkBRDF* brdf, vtkOpenGLRenderWindow* window);
+  ///@{
+  /// The shared object for this source and window; empty when new: Update fills it.
+  static std::shared_ptr<FormTextures> Find(vtkBRDF* brdf, vtkOpenGLRenderWindow* window);
+  static std::shared_ptr<FormTextures> Find(
+    vtkRadianceIntegrator* integrator, vtkOpenGLRenderWindow* window);
+  ///@}
 
-  /// Upload if the BRDF changed or the window lost the textures. Returns what went wrong, or "".
+  ///@{
+  /// Upload if the source changed or the window lost the textures. Returns what went wrong, or "";
+  /// what was uploaded before then stays.
   std::string Update(vtkBRDF* brdf, vtkOpenGLRenderWindow* window);
+  std::string Update(vtkRadianceIntegrator* integrator, vtkOpenGLRenderWindow* window);
+  ///@}
 
   void Activate();
   void Deactivate();
@@ -49,30 +56,14 @@ private:
     vtkSmartPointer<vtkTextureObject> Texture;
   };
 
+  bool IsCurrent(vtkMTimeType time, vtkOpenGLRenderWindow* window) const;
+  std::string Upload(vtkBRDFGPUForm form, vtkMTimeType time, vtkOpenGLRenderWindow* window);
+
   vtkBRDFGPUForm Form; // without the textures' data once they are uploaded
   std::vector<Uploaded> Textures;
   std::size_t Bytes = 0;
   vtkMTimeType Time = 0;
   vtkOpenGLRenderWindow* Window = nullptr;
-};
-
-/// A light set as a texture: two texels a light (shaders/vtkBRDFLightSet.glsl).
-class LightTexture
-{
-public:
-  std::string Update(vtkLightSet* lights, vtkOpenGLRenderWindow* window);
-  void Activate();
-  void Deactivate();
-  void SetUniforms(vtkShaderProgram* program) const;
-  void Release(vtkWindow* window);
-  std::size_t GetBytes() const { return this->Bytes; }
-
-private:
-  vtkSmartPointer<vtkTextureObject> Texture;
-  vtkLightSet* Lights = nullptr; // only to see whether it changed
-  vtkMTimeType Time = 0;
-  int NumberOfLights = 0;
-  std::size_t Bytes = 0;
 };
 } // namespace measuredbrdf
 

@@ -11,8 +11,11 @@
 #include "vtkDataObject.h"
 #include "vtkEnvironment.h"
 #include "vtkInformation.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
 #include "vtkLightSet.h"
 #include "vtkLightSetGenerator.h"
+#include "vtkLightSetIntegrator.h"
 #include "vtkLightingMapPass.h"
 #include "vtkMatrix3x3.h"
 #include "vtkNew.h"
@@ -41,11 +44,22 @@ struct vtkMeasuredBRDFMapper::Internals
   vtkSmartPointer<vtkLightSet> LightSet;
 
   // In use since the last RenderPieceStart.
-  std::shared_ptr<MaterialTextures> Material;
+  std::shared_ptr<FormTextures> Material; // null where the shader has no use for the BRDF itself
+  std::shared_ptr<FormTextures> Radiance; // what the environment adds; null without one
+  vtkSmartPointer<vtkRadianceIntegrator> Integrator;
   vtkSmartPointer<vtkEnvironment> CurrentEnvironment;
   vtkSmartPointer<vtkLightSet> CurrentLights;
-  LightTexture Lights;
+  vtkNew<vtkLightSetIntegrator> LightLoop;
   bool Ready = false; // whether the material can be drawn
+
+  const vtkBRDFGPUForm* GetMaterialForm() const
+  {
+    return this->Material ? &this->Material->GetForm() : nullptr;
+  }
+  vtkBRDFGPUForm GetRadianceForm() const
+  {
+    return this->Radiance ? this->Radiance->GetForm() : vtkBRDFGPUForm();
+  }
 
   std::map<const vtkOpenGLHelper*, std::string> ShaderKeys;
   std::set<std::string> Warned; // one warning per cause
@@ -63,6 +77,21 @@ int NextPowerOfTwo(int n)
     power *= 2;
   }
   return power;
+}
+
+bool HasLight(vtkRenderer* ren)
+{
+  vtkLightCollection* lights = ren->GetLights();
+  vtkCollectionSimpleIterator it;
+  lights->InitTraversal(it);
+  while (vtkLight* light = lights->GetNextLight(it))
+  {
+    if (light->GetSwitch())
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 // The superclass declares normals and positions for lit primitives only; an environment lights
@@ -168,8 +197,13 @@ void vtkMeasuredBRDFMapper::SetScalarColoringMode(int mode)
 //------------------------------------------------------------------------------
 vtkIdType vtkMeasuredBRDFMapper::GetTextureBytes()
 {
-  return static_cast<vtkIdType>(
-    this->Impl->Lights.GetBytes() + (this->Impl->Material ? this->Impl->Material->GetBytes() : 0));
+  std::size_t bytes = 0;
+  for (const std::shared_ptr<FormTextures>& textures :
+    { this->Impl->Material, this->Impl->Radiance })
+  {
+    bytes += textures ? textures->GetBytes() : 0;
+  }
+  return static_cast<vtkIdType>(bytes);
 }
 
 //------------------------------------------------------------------------------
@@ -214,7 +248,7 @@ void vtkMeasuredBRDFMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   // The superclass may call this again from inside: it must do no harm twice.
   this->Impl->Material.reset();
-  this->Impl->Lights.Release(window);
+  this->Impl->Radiance.reset();
   this->Impl->Ready = false;
   this->Superclass::ReleaseGraphicsResources(window);
 }
@@ -249,7 +283,8 @@ bool vtkMeasuredBRDFMapper::GetNeedToRebuildShaders(
   std::string key;
   if (this->UsesMaterial(actor, &cellBO))
   {
-    key = this->Impl->Material->GetForm().GetShaderKey();
+    key = (this->Impl->Material ? this->Impl->Material->GetForm().GetShaderKey() : "") + "/" +
+          this->Impl->GetRadianceForm().GetShaderKey();
     if (!this->Impl->BRDF->IsIsotropic())
     {
       key += this->HasTangents() ? "tangents" : "axis";
@@ -333,7 +368,9 @@ void vtkMeasuredBRDFMapper::ReplaceShaderLight(
   }
   std::string fs = shaders[vtkShader::Fragment]->GetSource();
   vtkShaderProgram::Substitute(fs, "//VTK::Light::Dec",
-    "//VTK::Light::Dec\n" + GetShaderDeclarations(this->Impl->Material->GetForm()), false);
+    "//VTK::Light::Dec\n" +
+      GetShaderDeclarations(this->Impl->GetMaterialForm(), this->Impl->GetRadianceForm()),
+    false);
   vtkShaderProgram::Substitute(fs, "//VTK::Light::Dec",
     std::string(static_cast<vtkOpenGLRenderer*>(ren)->GetLightingUniforms()), false);
 
@@ -372,8 +409,14 @@ void vtkMeasuredBRDFMapper::SetMapperShaderParameters(
     return;
   }
   vtkShaderProgram* program = cellBO.Program;
-  this->Impl->Material->SetUniforms(program);
-  this->Impl->Lights.SetUniforms(program);
+  for (const std::shared_ptr<FormTextures>& textures :
+    { this->Impl->Material, this->Impl->Radiance })
+  {
+    if (textures)
+    {
+      textures->SetUniforms(program);
+    }
+  }
   vtkNew<vtkMatrix3x3> rotation;
   if (this->Impl->CurrentEnvironment)
   {
@@ -429,27 +472,44 @@ void vtkMeasuredBRDFMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* actor)
       impl.CurrentLights = nullptr;
     }
 
-    impl.Material = MaterialTextures::Find(impl.BRDF, window);
-    std::string problem = impl.Material->Update(impl.BRDF, window);
-    if (problem.empty())
+    impl.Integrator = nullptr;
+    if (impl.CurrentLights)
     {
-      problem = impl.Lights.Update(impl.CurrentLights, window);
+      impl.LightLoop->SetBRDF(impl.BRDF);
+      impl.LightLoop->SetLightSet(impl.CurrentLights);
+      impl.Integrator = impl.LightLoop;
+    }
+
+    std::string problem;
+    impl.Radiance = impl.Integrator ? FormTextures::Find(impl.Integrator, window) : nullptr;
+    if (impl.Integrator)
+    {
+      problem = impl.Radiance->Update(impl.Integrator, window);
+    }
+    const bool evaluates = (impl.Integrator && impl.Integrator->UsesBRDFOnGPU()) || HasLight(ren);
+    impl.Material = evaluates ? FormTextures::Find(impl.BRDF, window) : nullptr;
+    if (evaluates && problem.empty())
+    {
+      problem = impl.Material->Update(impl.BRDF, window);
     }
     impl.Ready = problem.empty();
     if (!impl.Ready && impl.WarnOnce(problem))
     {
       vtkErrorMacro("The material is not drawn: " << problem << ".");
     }
-    if (impl.Ready)
+    for (const std::shared_ptr<FormTextures>& textures : { impl.Material, impl.Radiance })
     {
-      impl.Material->Activate();
-      impl.Lights.Activate();
+      if (impl.Ready && textures)
+      {
+        textures->Activate();
+      }
     }
   }
   else
   {
     impl.Material.reset();
-    impl.Lights.Release(ren->GetVTKWindow());
+    impl.Radiance.reset();
+    impl.Integrator = nullptr;
     impl.CurrentEnvironment = nullptr;
     impl.CurrentLights = nullptr;
   }
@@ -459,10 +519,13 @@ void vtkMeasuredBRDFMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* actor)
 //------------------------------------------------------------------------------
 void vtkMeasuredBRDFMapper::RenderPieceFinish(vtkRenderer* ren, vtkActor* actor)
 {
-  if (this->Impl->Ready)
+  for (const std::shared_ptr<FormTextures>& textures :
+    { this->Impl->Material, this->Impl->Radiance })
   {
-    this->Impl->Material->Deactivate();
-    this->Impl->Lights.Deactivate();
+    if (this->Impl->Ready && textures)
+    {
+      textures->Deactivate();
+    }
   }
   this->Superclass::RenderPieceFinish(ren, actor);
 }
