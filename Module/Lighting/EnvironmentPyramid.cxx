@@ -1,0 +1,302 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "EnvironmentPyramid.h"
+
+#include "vtkEnvironment.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace measuredbrdf
+{
+namespace
+{
+constexpr double Pi = 3.14159265358979323846;
+constexpr int MaximumSize = 1024;
+
+// Parts a side in which an environment's texel is spread over the map: at least so many per texel
+// of the map that flat regions stay flat (each texel takes the mean of what falls into it).
+int GetParts(vtkEnvironment* environment, int size)
+{
+  const double ratio =
+    2.0 * size * size / (static_cast<double>(environment->GetWidth()) * environment->GetHeight());
+  return std::clamp(static_cast<int>(std::ceil(2.0 * std::sqrt(ratio))), 2, 64);
+}
+
+// atan(y/x) in right angles for x, y >= 0, as brdfQuadrant does it.
+float Quadrant(float y, float x)
+{
+  const float r = std::min(x, y) / std::max(std::max(x, y), 1e-30f);
+  const float s = r * r;
+  const float a =
+    r * (0.636619357f +
+          s * (-0.212163183f +
+                s * (0.126569445f +
+                      s * (-0.0858621121f +
+                            s * (0.0533940294f + s * (-0.0235631824f + s * 0.0050059724f))))));
+  return y > x ? 1.0f - a : a;
+}
+}
+
+glm::dvec2 EnvironmentPyramid::ToSquare(const glm::dvec3& d)
+{
+  const double r = std::sqrt(std::max(1.0 - std::abs(d.z), 0.0));
+  double v = r * std::atan2(std::abs(d.y), std::abs(d.x)) * 2.0 / Pi;
+  double u = r - v;
+  if (d.z < 0.0)
+  {
+    std::swap(u, v);
+    u = 1.0 - u;
+    v = 1.0 - v;
+  }
+  return 0.5 * glm::dvec2(std::copysign(u, d.x), std::copysign(v, d.y)) + 0.5;
+}
+
+glm::dvec3 EnvironmentPyramid::ToSphere(const glm::dvec2& uv)
+{
+  const double u = std::abs(2.0 * uv.x - 1.0);
+  const double v = std::abs(2.0 * uv.y - 1.0);
+  const double signedDistance = 1.0 - u - v;
+  const double r = 1.0 - std::abs(signedDistance);
+  const double phi = (r > 0.0 ? (v - u) / r + 1.0 : 1.0) * Pi / 4.0;
+  const double z = std::copysign(1.0 - r * r, signedDistance);
+  const double s = r * std::sqrt(std::max(2.0 - r * r, 0.0));
+  return glm::dvec3(
+    std::copysign(std::cos(phi) * s, uv.x - 0.5), std::copysign(std::sin(phi) * s, uv.y - 0.5), z);
+}
+
+EnvironmentPyramid::EnvironmentPyramid(
+  vtkEnvironment* environment, int size, double lightShare, int maximumLights)
+{
+  this->Size = 1;
+  const double texels =
+    static_cast<double>(environment->GetWidth()) * static_cast<double>(environment->GetHeight());
+  const double wanted = size > 0 ? size : std::min(std::sqrt(texels) / 1.4, double(MaximumSize));
+  while (this->Size < wanted)
+  {
+    this->Size *= 2;
+  }
+  int rows = 0;
+  for (int s = this->Size; s > 0; s /= 2)
+  {
+    this->Offsets.push_back(rows);
+    rows += s + 2;
+  }
+  this->Atlas.assign(
+    static_cast<std::size_t>(rows) * static_cast<std::size_t>(this->Size + 2), glm::vec4(0.0f));
+  this->Fill(environment, lightShare, maximumLights);
+  for (int level = 0; level < this->GetNumberOfLevels(); ++level)
+  {
+    if (level > 0)
+    {
+      this->Halve(level);
+    }
+    this->ContinueBorder(level);
+  }
+}
+
+int EnvironmentPyramid::GetAtlasHeight() const
+{
+  return static_cast<int>(this->Atlas.size()) / (this->Size + 2);
+}
+
+glm::vec4& EnvironmentPyramid::At(int level, int x, int y)
+{
+  return this
+    ->Atlas[static_cast<std::size_t>(this->Offsets[static_cast<std::size_t>(level)] + y + 1) *
+              static_cast<std::size_t>(this->Size + 2) +
+            static_cast<std::size_t>(x + 1)];
+}
+
+void EnvironmentPyramid::Fill(vtkEnvironment* environment, double lightShare, int maximumLights)
+{
+  const int width = environment->GetWidth();
+  const int height = environment->GetHeight();
+  std::vector<float> pixels = environment->GetPixels();
+
+  // Lights: texels that outweigh the map's own resolution.
+  double total = 0.0;
+  std::vector<std::pair<double, int>> shares;
+  for (int k = 0; k < width * height; ++k)
+  {
+    const double rgb[3] = { pixels[3 * k], pixels[3 * k + 1], pixels[3 * k + 2] };
+    const double share =
+      environment->GetLuminance(rgb) * environment->GetTexelSolidAngle(k / width);
+    total += share;
+    shares.emplace_back(share, k);
+  }
+  const auto isLight = [total, lightShare](const std::pair<double, int>& share)
+  { return share.first > lightShare * total; };
+  shares.erase(std::partition(shares.begin(), shares.end(), isLight), shares.end());
+  std::sort(shares.begin(), shares.end(), std::greater<std::pair<double, int>>());
+  if (lightShare >= 1.0)
+  {
+    shares.clear();
+  }
+  shares.resize(std::min(shares.size(), static_cast<std::size_t>(maximumLights)));
+  std::vector<char> taken(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0);
+  for (const auto& share : shares)
+  {
+    taken[static_cast<std::size_t>(share.second)] = 1;
+  }
+  for (const auto& share : shares)
+  {
+    const int x = share.second % width;
+    const int y = share.second / width;
+    // What is left is what its neighbours that are no lights show.
+    glm::dvec3 rest(0.0);
+    int neighbours = 0;
+    for (int dy = -1; dy <= 1; ++dy)
+    {
+      for (int dx = -1; dx <= 1; ++dx)
+      {
+        const int k = std::clamp(y + dy, 0, height - 1) * width + (x + dx + width) % width;
+        if (!taken[static_cast<std::size_t>(k)])
+        {
+          rest += glm::dvec3(pixels[3 * k], pixels[3 * k + 1], pixels[3 * k + 2]);
+          ++neighbours;
+        }
+      }
+    }
+    Light light;
+    environment->GetTexelDirection(x, y, &light.Direction.x);
+    for (int c = 0; c < 3; ++c)
+    {
+      float& value = pixels[static_cast<std::size_t>(3 * share.second + c)];
+      const double kept = std::min<double>(value, neighbours > 0 ? rest[c] / neighbours : 0.0);
+      light.Irradiance[c] = (value - kept) * environment->GetTexelSolidAngle(y);
+      value = static_cast<float>(kept);
+    }
+    this->Lights.push_back(light);
+  }
+
+  // The map's texels take the mean of what falls into them.
+  std::vector<glm::dvec4> sums(
+    static_cast<std::size_t>(this->Size) * static_cast<std::size_t>(this->Size), glm::dvec4(0.0));
+  const int parts = GetParts(environment, this->Size);
+  std::vector<glm::dvec2> columns;
+  for (int k = 0; k < width * parts; ++k)
+  {
+    glm::dvec3 d;
+    vtkEnvironment::GetDirection((k + 0.5) / (width * parts), 0.5, &d.x);
+    columns.emplace_back(d.x, d.z);
+  }
+  for (int row = 0; row < height * parts; ++row)
+  {
+    glm::dvec3 meridian;
+    vtkEnvironment::GetDirection(0.5, (row + 0.5) / (height * parts), &meridian.x);
+    const double cosine = std::hypot(meridian.x, meridian.z);
+    for (int column = 0; column < width * parts; ++column)
+    {
+      const glm::dvec3 d(cosine * columns[static_cast<std::size_t>(column)].x, meridian.y,
+        cosine * columns[static_cast<std::size_t>(column)].y);
+      const glm::dvec2 uv = ToSquare(d);
+      const int x = std::min(static_cast<int>(uv.x * this->Size), this->Size - 1);
+      const int y = std::min(static_cast<int>(uv.y * this->Size), this->Size - 1);
+      const float* pixel =
+        &pixels[3 * (static_cast<std::size_t>(row / parts) * width + column / parts)];
+      sums[static_cast<std::size_t>(y) * this->Size + x] +=
+        cosine * glm::dvec4(pixel[0], pixel[1], pixel[2], 1.0);
+    }
+  }
+  for (int y = 0; y < this->Size; ++y)
+  {
+    for (int x = 0; x < this->Size; ++x)
+    {
+      const glm::dvec4& sum = sums[static_cast<std::size_t>(y) * this->Size + x];
+      glm::dvec3 mean;
+      if (sum.w > 0.0)
+      {
+        mean = glm::dvec3(sum) / sum.w;
+      }
+      else
+      {
+        const glm::dvec3 d = ToSphere((glm::dvec2(x, y) + 0.5) / static_cast<double>(this->Size));
+        environment->GetRadiance(&d.x, &mean.x);
+      }
+      this->At(0, x, y) = glm::vec4(glm::vec3(mean), 0.0f);
+    }
+  }
+}
+
+void EnvironmentPyramid::Halve(int level)
+{
+  const int size = this->Size >> level;
+  for (int y = 0; y < size; ++y)
+  {
+    for (int x = 0; x < size; ++x)
+    {
+      this->At(level, x, y) =
+        0.25f *
+        (this->At(level - 1, 2 * x, 2 * y) + this->At(level - 1, 2 * x + 1, 2 * y) +
+          this->At(level - 1, 2 * x, 2 * y + 1) + this->At(level - 1, 2 * x + 1, 2 * y + 1));
+    }
+  }
+}
+
+void EnvironmentPyramid::ContinueBorder(int level)
+{
+  const int size = this->Size >> level;
+  const int last = size - 1;
+  for (int k = 0; k < size; ++k)
+  {
+    this->At(level, -1, k) = this->At(level, 0, last - k);
+    this->At(level, size, k) = this->At(level, last, last - k);
+    this->At(level, k, -1) = this->At(level, last - k, 0);
+    this->At(level, k, size) = this->At(level, last - k, last);
+  }
+  this->At(level, -1, -1) = this->At(level, last, last);
+  this->At(level, size, -1) = this->At(level, 0, last);
+  this->At(level, -1, size) = this->At(level, last, 0);
+  this->At(level, size, size) = this->At(level, 0, 0);
+}
+
+float EnvironmentPyramid::GetLevel(double solidAngle) const
+{
+  const double texel = 4.0 * Pi / (static_cast<double>(this->Size) * this->Size);
+  return static_cast<float>(0.5 * std::log2(std::max(solidAngle / texel, 1e-30)));
+}
+
+glm::vec3 EnvironmentPyramid::Bilinear(int level, float u, float v) const
+{
+  const float size = static_cast<float>(this->Size >> level);
+  const float x = u * size + 0.5f;
+  const float y = v * size + 0.5f;
+  const int x0 = static_cast<int>(x);
+  const int y0 = static_cast<int>(y);
+  const float fx = x - static_cast<float>(x0);
+  const float fy = y - static_cast<float>(y0);
+  const std::size_t stride = static_cast<std::size_t>(this->Size + 2);
+  const glm::vec4* row =
+    &this->Atlas[static_cast<std::size_t>(this->Offsets[static_cast<std::size_t>(level)] + y0) *
+                   stride +
+                 static_cast<std::size_t>(x0)];
+  const glm::vec4 low = row[0] + fx * (row[1] - row[0]);
+  const glm::vec4 high = row[stride] + fx * (row[stride + 1] - row[stride]);
+  return glm::vec3(low + fy * (high - low));
+}
+
+glm::vec3 EnvironmentPyramid::Sample(const glm::vec3& d, float lod) const
+{
+  const float r = std::sqrt(std::max(1.0f - std::abs(d.z), 0.0f));
+  float v = r * Quadrant(std::abs(d.y), std::abs(d.x));
+  float u = r - v;
+  if (d.z < 0.0f)
+  {
+    std::swap(u, v);
+    u = 1.0f - u;
+    v = 1.0f - v;
+  }
+  u = 0.5f * std::copysign(u, d.x) + 0.5f;
+  v = 0.5f * std::copysign(v, d.y) + 0.5f;
+  u = std::clamp(u, 0.0f, 0.999999f);
+  v = std::clamp(v, 0.0f, 0.999999f);
+  const int last = this->GetNumberOfLevels() - 1;
+  const float clamped = std::clamp(lod, 0.0f, static_cast<float>(last));
+  const int level = std::min(static_cast<int>(clamped), std::max(last - 1, 0));
+  const float t = clamped - static_cast<float>(level);
+  const glm::vec3 fine = this->Bilinear(level, u, v);
+  return last > 0 && t > 0.0f ? fine + t * (this->Bilinear(level + 1, u, v) - fine) : fine;
+}
+} // namespace measuredbrdf

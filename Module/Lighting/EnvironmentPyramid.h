@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * An environment at every resolution: an equal-area octahedral map (Clarberg 2008, "Fast Equal-Area
+ * Mapping of the (Hemi)Sphere using SIMD") and its halvings, so that the mean radiance about a
+ * direction over a given solid angle costs two bilinear fetches, without poles or seams. Private to
+ * the module (GLSL twin: shaders/vtkBRDFEnvironmentPyramid.glsl).
+ */
+
+#ifndef EnvironmentPyramid_h
+#define EnvironmentPyramid_h
+
+#include <glm/glm.hpp>
+
+#include <vector>
+
+class vtkEnvironment;
+
+namespace measuredbrdf
+{
+class EnvironmentPyramid
+{
+public:
+  /// A texel that is taken out of the map because it is a light of its own.
+  struct Light
+  {
+    glm::dvec3 Direction;
+    glm::dvec3 Irradiance; // on a surface that faces it
+  };
+
+  /**
+   * From an environment that is not empty. Texels that hold more than lightShare of all luminance
+   * (the brightest maximumLights of them) become lights, and the map holds their neighbours' mean
+   * in their place; lightShare >= 1: none do. size: texels a side of the finest level, a power of
+   * two; 0: about as fine as the environment, at most 1024.
+   */
+  EnvironmentPyramid(
+    vtkEnvironment* environment, int size = 0, double lightShare = 2e-3, int maximumLights = 64);
+
+  /// Mean radiance about unit d on level lod (0: finest; fractions in between; clamped).
+  glm::vec3 Sample(const glm::vec3& d, float lod) const;
+
+  /// The level whose texels have this solid angle in sr.
+  float GetLevel(double solidAngle) const;
+
+  int GetSize() const { return this->Size; }
+  int GetNumberOfLevels() const { return static_cast<int>(this->Offsets.size()); }
+  const std::vector<Light>& GetLights() const { return this->Lights; }
+
+  /// All levels below each other, each with a border of one texel that continues it across the
+  /// octahedron's edges: width GetSize() + 2, RGBA (A unused).
+  const std::vector<glm::vec4>& GetAtlas() const { return this->Atlas; }
+  int GetAtlasHeight() const;
+
+  ///@{
+  /// The map: unit direction <-> (u,v) in [0,1]^2.
+  static glm::dvec2 ToSquare(const glm::dvec3& d);
+  static glm::dvec3 ToSphere(const glm::dvec2& uv);
+  ///@}
+
+private:
+  glm::vec4& At(int level, int x, int y);
+  glm::vec3 Bilinear(int level, float u, float v) const;
+  void Fill(vtkEnvironment* environment, double lightShare, int maximumLights);
+  void Halve(int level);
+  void ContinueBorder(int level);
+
+  int Size = 0;
+  std::vector<int> Offsets; // first row of each level
+  std::vector<glm::vec4> Atlas;
+  std::vector<Light> Lights;
+};
+} // namespace measuredbrdf
+
+#endif
