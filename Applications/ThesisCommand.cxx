@@ -4,11 +4,10 @@
 #include "Inputs.h"
 #include "LightMap.h"
 #include "Meshes.h"
-#include "Progress.h"
 #include "Scene.h"
 #include "Sheet.h"
-#include "Thesis.h"
 #include "Tool.h"
+#include "Watch.h"
 
 #include "vtkBRDFAcquisition.h"
 #include "vtkBasisExtrapolator.h"
@@ -91,11 +90,12 @@ Exhibit MakeExhibit(const tool::Material& material, const std::string& standsFor
 {
   Exhibit exhibit;
   exhibit.Name = material.Name;
+  const char* label = material.Name.c_str();
   const std::string begin = standsFor.empty() ? "" : "For the thesis's " + standsFor + ". ";
   vtkNew<vtkRepresentationAdvisor> advisor;
   advisor->SetInput(material.BRDF);
   advisor->SetOrder(order);
-  if (!advisor->Update())
+  if (!tool::Watch(advisor.Get(), &vtkRepresentationAdvisor::Update, label))
   {
     throw tool::Error(material.Name + ": " + tool::TakeErrorText());
   }
@@ -107,12 +107,19 @@ Exhibit MakeExhibit(const tool::Material& material, const std::string& standsFor
     device->SetNoise(Noise);
     device->SetBits(Bits);
     vtkNew<vtkBasisExtrapolator> extrapolator;
-    if (!device->Acquire())
+    if (!tool::Watch(device.Get(), &vtkBRDFAcquisition::Acquire, label))
     {
       throw tool::Error(material.Name + ": " + tool::TakeErrorText());
     }
     extrapolator->SetInput(device->GetOutput());
-    if (extrapolator->Extrapolate())
+    const bool accepted =
+      tool::Watch(extrapolator.Get(), &vtkBasisExtrapolator::Extrapolate, label);
+    const std::string said = tool::TakeErrorText();
+    if (!said.empty())
+    {
+      throw tool::Error(material.Name + ": " + said);
+    }
+    if (accepted)
     {
       exhibit.BRDF = extrapolator->GetOutput();
       exhibit.Note = begin + "Simulated acquisition (zonal, order " + std::to_string(order) +
@@ -122,7 +129,7 @@ Exhibit MakeExhibit(const tool::Material& material, const std::string& standsFor
   }
   vtkNew<vtkDistributionBRDFFitter> fitter;
   fitter->SetInput(material.BRDF);
-  if (!fitter->Fit())
+  if (!tool::Watch(fitter.Get(), &vtkDistributionBRDFFitter::Fit, label))
   {
     throw tool::Error(material.Name + ": " + tool::TakeErrorText());
   }
@@ -177,7 +184,6 @@ public:
   void DrawMaterials(const std::string& path)
   {
     std::vector<Exhibit> exhibits;
-    tool::ProgressBar bar("materials");
     const auto add = [&](const std::string& file, const std::string& standsFor)
     {
       tool::Interruptible::Check();
@@ -208,6 +214,7 @@ public:
     tool::Scene scene;
     scene.SetMesh(tool::MakeBallOnFoot());
     scene.SetView(25.0, 14.0, 1.02);
+    tool::ProgressBar bar("materials");
     for (int row = 0; row < rows; ++row)
     {
       vtkEnvironment* environment = this->Environments[static_cast<std::size_t>(row)];
@@ -239,7 +246,7 @@ public:
       projector->SetInput(material.BRDF);
       projector->SetBasis(vtkBasisBRDF::SPHERICAL_HARMONICS);
       projector->SetOrder(order);
-      if (!projector->Project())
+      if (!tool::Watch(projector.Get(), &vtkBasisProjector::Project, "ringing"))
       {
         throw tool::Error(material.Name + ": " + tool::TakeErrorText());
       }
@@ -248,7 +255,7 @@ public:
     }
     vtkNew<vtkDistributionBRDFFitter> fitter;
     fitter->SetInput(material.BRDF);
-    if (!fitter->Fit())
+    if (!tool::Watch(fitter.Get(), &vtkDistributionBRDFFitter::Fit, "ringing"))
     {
       throw tool::Error(material.Name + ": " + tool::TakeErrorText());
     }

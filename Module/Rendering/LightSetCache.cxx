@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LightSetCache.h"
 
+#include "SharedObjects.h"
+
 #include "vtkAlgorithm.h"
 #include "vtkEnvironment.h"
 #include "vtkEnvironmentProjection.h"
@@ -13,11 +15,9 @@
 #include "vtkNew.h"
 #include "vtkTexture.h"
 #include "vtkVersionMacros.h"
-#include "vtkWeakPointer.h"
 
 #include <algorithm>
 #include <cstddef>
-#include <map>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -26,36 +26,6 @@ namespace measuredbrdf
 {
 namespace
 {
-// Objects by what they were made from, for as long as somebody holds them. Keys hold modification
-// times, which are never used twice: a recycled address does no harm.
-template <typename Key, typename T>
-class SharedObjects
-{
-public:
-  template <typename Make>
-  vtkSmartPointer<T> Find(const Key& key, const Make& make)
-  {
-    for (auto it = this->Objects.begin(); it != this->Objects.end();)
-    {
-      it = it->second ? std::next(it) : this->Objects.erase(it);
-    }
-    auto it = this->Objects.find(key);
-    if (it != this->Objects.end())
-    {
-      return it->second.Get();
-    }
-    vtkSmartPointer<T> made = make();
-    if (made)
-    {
-      this->Objects[key] = made;
-    }
-    return made;
-  }
-
-private:
-  std::map<Key, vtkWeakPointer<T>> Objects;
-};
-
 // The image at one of the texture's inputs, brought up to date; null where there is none.
 vtkImageData* UpdateInput(vtkTexture* texture, int port)
 {

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What a table of radiance needs of one view angle: the kernel f(i,o) cos(theta_i), less a Lambert
+ * part, as spherical harmonics about an axis in the plane of incidence. Private to the module.
+ */
+
+#ifndef KernelHarmonics_h
+#define KernelHarmonics_h
+
+#include <glm/glm.hpp>
+
+#include <vector>
+
+class vtkBRDF;
+
+namespace measuredbrdf
+{
+class KernelHarmonics
+{
+public:
+  /// Of a prepared, isotropic BRDF seen at polar angle theta < pi/2, o = (sin theta, 0, cos theta).
+  /// resolution: nodes of the integrals over theta_i and phi_i; they crowd where the kernel is.
+  KernelHarmonics(vtkBRDF* brdf, double theta, int resolution);
+
+  /// The Lambert part c in 1/sr: the least f up to 80 degrees.
+  const glm::dvec3& GetFloor() const { return this->Floor; }
+
+  /// Directional albedo of the rest; never negative.
+  const glm::dvec3& GetAmplitude() const { return this->Amplitude; }
+
+  /// The rest's mean direction is (-sin delta, 0, cos delta).
+  double GetDelta() const { return this->Delta; }
+
+  /**
+   * b_lk = integral of rest x Y*_lk / amplitude over the hemisphere, in the frame whose z is
+   * (-sin delta, 0, cos delta) and whose x lies in the plane of incidence on o's side, for l <=
+   * degree and 0 <= k <= orders; real, since the plane of incidence is taken as a mirror (what
+   * measured data break of that is averaged out). At (3 k + channel) (degree + 1) + l.
+   */
+  std::vector<float> Expand(double delta, int degree, int orders) const;
+
+private:
+  struct Node
+  {
+    double Angle;
+    double Weight;
+  };
+  static std::vector<Node> MakeNodes(
+    const std::vector<glm::dvec2>& energy, double last, int resolution);
+
+  glm::dvec3 Floor = glm::dvec3(0.0);
+  glm::dvec3 Amplitude = glm::dvec3(0.0);
+  double Delta = 0.0;
+  std::vector<Node> Polar;
+  std::vector<Node> Azimuths;     // over [0, pi], weights for both sides
+  std::vector<glm::dvec3> Kernel; // rest at (polar, azimuth), mean of both sides
+};
+} // namespace measuredbrdf
+
+#endif

@@ -1,0 +1,472 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkTableRadianceIntegrator.h"
+
+#include "EnvironmentHarmonics.h"
+#include "KernelHarmonics.h"
+#include "LocalFrame.h"
+#include "Neighbours.h"
+#include "WignerD.h"
+#include "vtkBRDF.h"
+#include "vtkBRDFGPUForm.h"
+#include "vtkCommand.h"
+#include "vtkEnvironment.h"
+#include "vtkObjectFactory.h"
+#include "vtkSMPTools.h"
+
+#include <Eigen/Core>
+#include <glm/gtc/type_ptr.hpp>
+#include <unsupported/Eigen/FFT>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+using namespace measuredbrdf;
+
+namespace
+{
+constexpr double Pi = 3.14159265358979323846;
+constexpr int ProfileSize = 64;        // view angles of the profile
+constexpr int ProfileNodes = 32;       // per angle there: only sums are used
+constexpr int IrradianceRows = 129;    // of the map of irradiance, poles included
+constexpr int IrradianceDegree = 128;  // the cosine's coefficients fall as l^-2.5
+constexpr double LargestValue = 32768; // of a 16-bit texture, with room to spare
+
+// A view angle's place in the profile.
+struct Lobe
+{
+  double Delta;
+  glm::dvec3 Amplitude;
+  glm::dvec3 Floor;
+};
+
+// Radiance of kernels given by their harmonics, over all positions of their axis: a map of rows
+// (poles included) x columns of the axis' polar angle and azimuth, for each kernel, channel and
+// azimuthal order k a field of complex values G_k such that radiance = G_0 + sum_k>0 2 Re(e^(-i k
+// psi) G_k), psi being the plane of incidence's azimuth from the meridian's direction of growing
+// polar angle. G_k = sum_m e^(-i m phi) sum_l d^l_mk(theta) b_lk conj(a_lm).
+class FieldSynthesis
+{
+public:
+  FieldSynthesis(const EnvironmentHarmonics& environment, int rows, int columns)
+    : Environment(environment)
+    , Rows(rows)
+    , Columns(columns)
+  {
+  }
+
+  using Matrix = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic>;
+
+  // kernels: degrees x kernels. result: [row][column][kernel].
+  void Run(int order, int channel, const Matrix& kernels, std::vector<std::complex<float>>& result)
+  {
+    const int degree = static_cast<int>(kernels.rows()) - 1;
+    const std::size_t count = static_cast<std::size_t>(kernels.cols());
+    const std::size_t orders = 2 * static_cast<std::size_t>(degree) + 1;
+    const std::size_t rows = static_cast<std::size_t>(this->Rows);
+    const std::size_t columns = static_cast<std::size_t>(this->Columns);
+    // [m][kernel][row]
+    std::vector<std::complex<float>> series(orders * count * rows);
+    vtkSMPTools::For(0, static_cast<vtkIdType>(orders), 1,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        std::vector<double> d(static_cast<std::size_t>(degree) + 1);
+        for (vtkIdType item = begin; item < end; ++item)
+        {
+          const int m = static_cast<int>(item) - degree;
+          const WignerD functions(m, order, degree);
+          const int first = functions.GetFirst();
+          const int size = degree + 1 - first;
+          if (size <= 0)
+          {
+            continue;
+          }
+          Matrix light(size, 2 * this->Rows);
+          for (int row = 0; row < this->Rows; ++row)
+          {
+            functions.Evaluate(Pi * row / (this->Rows - 1), d.data());
+            for (int k = 0; k < size; ++k)
+            {
+              std::complex<double> a = this->Environment.Get(channel, first + k, std::abs(m));
+              a = m >= 0 ? std::conj(a) : (m % 2 != 0 ? -a : a);
+              light(k, 2 * row) = static_cast<float>(d[static_cast<std::size_t>(k)] * a.real());
+              light(k, 2 * row + 1) = static_cast<float>(d[static_cast<std::size_t>(k)] * a.imag());
+            }
+          }
+          const Matrix product = kernels.bottomRows(size).transpose() * light;
+          std::complex<float>* out = &series[static_cast<std::size_t>(item) * count * rows];
+          for (std::size_t kernel = 0; kernel < count; ++kernel)
+          {
+            for (std::size_t row = 0; row < rows; ++row)
+            {
+              const Eigen::Index r = static_cast<Eigen::Index>(2 * row);
+              const Eigen::Index n = static_cast<Eigen::Index>(kernel);
+              out[kernel * rows + row] = { product(n, r), product(n, r + 1) };
+            }
+          }
+        }
+      });
+    result.resize(rows * columns * count);
+    vtkSMPTools::For(0, static_cast<vtkIdType>(rows), 1,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        Eigen::FFT<float> transform;
+        std::vector<std::complex<float>> line(columns), field(columns);
+        for (std::size_t row = static_cast<std::size_t>(begin); row < static_cast<std::size_t>(end);
+             ++row)
+        {
+          for (std::size_t kernel = 0; kernel < count; ++kernel)
+          {
+            std::fill(line.begin(), line.end(), 0.0f);
+            for (std::size_t item = 0; item < orders; ++item)
+            {
+              const int m = static_cast<int>(item) - degree;
+              const int n = static_cast<int>(columns);
+              line[static_cast<std::size_t>((m % n + n) % n)] +=
+                series[(item * count + kernel) * rows + row];
+            }
+            transform.fwd(field, line);
+            for (std::size_t column = 0; column < columns; ++column)
+            {
+              result[(row * columns + column) * count + kernel] = field[column];
+            }
+          }
+        }
+      });
+  }
+
+private:
+  const EnvironmentHarmonics& Environment;
+  int Rows;
+  int Columns;
+};
+
+// Where a direction lies in a map of rows (poles included) x columns: its frame is the meridian's
+// and the parallel's direction of growing angles.
+struct MapPosition
+{
+  explicit MapPosition(const glm::dvec3& d)
+  {
+    // The harmonics' frame is the environment's (z, x, y).
+    const double sine = std::hypot(d.z, d.x);
+    const glm::dvec2 azimuth = sine > 1e-7 ? glm::dvec2(d.z, d.x) / sine : glm::dvec2(1.0, 0.0);
+    this->Azimuth = std::atan2(azimuth.y, azimuth.x) / (2.0 * Pi);
+    this->Polar = std::atan2(sine, d.y) / Pi;
+    this->Along = glm::dvec3(azimuth.y * d.y, -sine, azimuth.x * d.y);
+    this->Across = glm::dvec3(azimuth.x, 0.0, -azimuth.y);
+  }
+  double Azimuth; // in turns
+  double Polar;   // in half turns
+  glm::dvec3 Along;
+  glm::dvec3 Across;
+};
+} // namespace
+
+struct vtkTableRadianceIntegrator::Tables
+{
+  int Rows = 0;
+  int Columns = 0;
+  int Azimuths = 0;
+  int Angles = 0;
+  double Scale = 1.0;
+  bool HasFloor = false;
+  std::vector<float> Profile;    // RGB, ProfileSize x 3: (angle, cos, sin delta); s; c
+  std::vector<float> Radiance;   // RGB, Columns x Angles Rows x Azimuths
+  std::vector<float> Irradiance; // RGB, 2 (IrradianceRows - 1) x IrradianceRows
+
+  glm::dvec3 GetProfile(int row, double u) const
+  {
+    const Neighbours at = ClampedNeighbours(u, ProfileSize);
+    return glm::mix(GetTexel(this->Profile, ProfileSize * row + at.First),
+      GetTexel(this->Profile, ProfileSize * row + at.Second), at.Weight);
+  }
+
+  static glm::dvec3 GetTexel(const std::vector<float>& data, int index)
+  {
+    return glm::dvec3(glm::make_vec3(&data[3 * static_cast<std::size_t>(index)]));
+  }
+
+  // Bilinear in a map that begins at the given texel.
+  static glm::dvec3 GetMapValue(const std::vector<float>& data, int rows, int columns,
+    std::size_t firstTexel, const MapPosition& at)
+  {
+    const Neighbours x = PeriodicNeighbours(at.Azimuth + 0.5 / columns, columns);
+    const double exact = at.Polar * (rows - 1);
+    const int low = std::min(static_cast<int>(exact), rows - 2);
+    const auto row = [&](int k)
+    {
+      const int first = static_cast<int>(firstTexel) + columns * k;
+      return glm::mix(GetTexel(data, first + x.First), GetTexel(data, first + x.Second), x.Weight);
+    };
+    return glm::mix(row(low), row(low + 1), exact - low);
+  }
+};
+
+vtkStandardNewMacro(vtkTableRadianceIntegrator);
+
+//------------------------------------------------------------------------------
+vtkTableRadianceIntegrator::vtkTableRadianceIntegrator() = default;
+
+//------------------------------------------------------------------------------
+vtkTableRadianceIntegrator::~vtkTableRadianceIntegrator() = default;
+
+//------------------------------------------------------------------------------
+bool vtkTableRadianceIntegrator::Begin()
+{
+  if (!this->Environment || this->Environment->GetPixels().empty())
+  {
+    vtkErrorMacro("Prepare: there is no environment, or it is empty.");
+    return false;
+  }
+  if (!this->BRDF->IsIsotropic())
+  {
+    vtkErrorMacro("Prepare: tables of radiance are for isotropic materials; "
+                  << (this->BRDF->GetName().empty() ? "this one" : this->BRDF->GetName())
+                  << " is not.");
+    return false;
+  }
+  auto tables = std::make_unique<Tables>();
+  tables->Rows = this->NumberOfRows;
+  tables->Columns = 2 * (this->NumberOfRows - 1);
+  tables->Angles = this->NumberOfViewAngles;
+  tables->Azimuths = this->NumberOfAzimuths;
+  const int orders = this->NumberOfAzimuths / 2; // as many as the azimuths can tell apart
+  const int degree = this->HarmonicDegree > 0 ? this->HarmonicDegree : this->NumberOfRows;
+  const EnvironmentHarmonics environment(this->Environment, std::max(degree, IrradianceDegree));
+
+  // Profile and kernels.
+  const int angles = this->NumberOfViewAngles;
+  const double lastAngle = std::acos(MinimumViewCosine);
+  std::vector<std::vector<float>> kernels(static_cast<std::size_t>(angles));
+  std::vector<Lobe> profile(ProfileSize);
+  vtkSMPTools::For(0, angles + ProfileSize, 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType k = begin; k < end && !this->Abort; ++k)
+      {
+        if (k < angles)
+        {
+          const double theta = lastAngle * static_cast<double>(k) / (angles - 1);
+          const KernelHarmonics kernel(this->BRDF, theta, this->NumberOfNodes);
+          kernels[static_cast<std::size_t>(k)] = kernel.Expand(kernel.GetDelta(), degree, orders);
+        }
+        else
+        {
+          const double theta = (static_cast<double>(k - angles) + 0.5) / ProfileSize * Pi / 2.0;
+          const KernelHarmonics kernel(this->BRDF, std::min(theta, lastAngle), ProfileNodes);
+          profile[static_cast<std::size_t>(k - angles)] = { kernel.GetDelta(),
+            kernel.GetAmplitude(), kernel.GetFloor() };
+        }
+      }
+    });
+
+  // The table.
+  const std::size_t texels =
+    static_cast<std::size_t>(tables->Columns) * static_cast<std::size_t>(tables->Rows);
+  const std::size_t slice = texels * static_cast<std::size_t>(angles);
+  tables->Radiance.assign(3 * slice * static_cast<std::size_t>(tables->Azimuths), 0.0f);
+  FieldSynthesis synthesis(environment, tables->Rows, tables->Columns);
+  std::vector<std::complex<float>> field;
+  for (int item = 0; item < 3 * (orders + 1) && !this->Abort; ++item)
+  {
+    const int order = item / 3;
+    const std::size_t channel = static_cast<std::size_t>(item % 3);
+    FieldSynthesis::Matrix matrix(degree + 1, angles);
+    for (int angle = 0; angle < angles; ++angle)
+    {
+      matrix.col(angle) = Eigen::Map<const Eigen::VectorXf>(
+        &kernels[static_cast<std::size_t>(angle)]
+                [static_cast<std::size_t>(item) * static_cast<std::size_t>(degree + 1)],
+        degree + 1);
+    }
+    synthesis.Run(order, static_cast<int>(channel), matrix, field);
+    vtkSMPTools::For(0, tables->Azimuths, 1,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType azimuth = begin; azimuth < end; ++azimuth)
+        {
+          const std::complex<float> turn = std::polar(order == 0 ? 1.0f : 2.0f,
+            static_cast<float>(
+              -2.0 * Pi * order * static_cast<double>(azimuth) / tables->Azimuths));
+          float* out = &tables->Radiance[3 * static_cast<std::size_t>(azimuth) * slice + channel];
+          for (std::size_t angle = 0; angle < static_cast<std::size_t>(angles); ++angle)
+          {
+            for (std::size_t texel = 0; texel < texels; ++texel)
+            {
+              out[3 * (angle * texels + texel)] +=
+                (turn * field[texel * static_cast<std::size_t>(angles) + angle]).real();
+            }
+          }
+        }
+      });
+    double progress = (item + 1.0) / (3.0 * (orders + 1));
+    this->InvokeEvent(vtkCommand::ProgressEvent, &progress);
+  }
+  if (this->Abort)
+  {
+    vtkErrorMacro("Prepare: aborted.");
+    return false;
+  }
+  float largest = 0.0f;
+  for (const float value : tables->Radiance)
+  {
+    largest = std::max(largest, std::abs(value));
+  }
+  tables->Scale = std::max(largest / LargestValue, 1.0);
+  for (float& value : tables->Radiance)
+  {
+    value = static_cast<float>(value / tables->Scale);
+  }
+
+  // The profile over all view angles.
+  tables->Profile.resize(3 * 3 * ProfileSize);
+  for (int k = 0; k < ProfileSize; ++k)
+  {
+    const Lobe& lobe = profile[static_cast<std::size_t>(k)];
+    const double theta = (k + 0.5) / ProfileSize * Pi / 2.0;
+    const glm::dvec3 rowsOf[3] = { { (angles - 1) * theta / lastAngle, std::cos(lobe.Delta),
+                                     std::sin(lobe.Delta) },
+      lobe.Amplitude * tables->Scale, lobe.Floor };
+    for (int row = 0; row < 3; ++row)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        tables->Profile[3 * static_cast<std::size_t>(row * ProfileSize + k) +
+                        static_cast<std::size_t>(c)] = static_cast<float>(rowsOf[row][c]);
+      }
+    }
+    tables->HasFloor = tables->HasFloor || lobe.Floor != glm::dvec3(0.0);
+  }
+  if (tables->HasFloor)
+  {
+    this->AddIrradiance(environment, *tables);
+  }
+  this->Data = std::move(tables);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkTableRadianceIntegrator::AddIrradiance(
+  const EnvironmentHarmonics& environment, Tables& tables)
+{
+  // The clamped cosine's harmonics (Ramamoorthi, Hanrahan 2001).
+  FieldSynthesis::Matrix cosine = FieldSynthesis::Matrix::Zero(IrradianceDegree + 1, 1);
+  for (int l = 0; l <= IrradianceDegree; ++l)
+  {
+    double value = l == 1 ? 2.0 * Pi / 3.0 : 0.0;
+    if (l % 2 == 0)
+    {
+      value = 2.0 * Pi * (l % 4 == 0 ? -1.0 : 1.0) / ((l + 2.0) * (l - 1.0)) *
+              std::exp(std::lgamma(l + 1.0) - 2.0 * std::lgamma(l / 2 + 1.0) - l * std::log(2.0));
+    }
+    cosine(l, 0) = static_cast<float>(value * std::sqrt((2.0 * l + 1.0) / (4.0 * Pi)));
+  }
+  const int columns = 2 * (IrradianceRows - 1);
+  FieldSynthesis synthesis(environment, IrradianceRows, columns);
+  tables.Irradiance.resize(3 * static_cast<std::size_t>(columns * IrradianceRows));
+  std::vector<std::complex<float>> field;
+  for (std::size_t channel = 0; channel < 3; ++channel)
+  {
+    synthesis.Run(0, static_cast<int>(channel), cosine, field);
+    for (std::size_t texel = 0; texel < field.size(); ++texel)
+    {
+      tables.Irradiance[3 * texel + channel] = field[texel].real();
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTableRadianceIntegrator::IntegratePart(
+  int vtkNotUsed(part), const double n[3], const double o[3], const double t[3], double radiance[3])
+{
+  const Tables& tables = *this->Data;
+  const Frame frame = FrameAbout(glm::make_vec3(n), glm::make_vec3(t));
+  const glm::dvec3 view = LiftView(ToLocal(frame, glm::make_vec3(o)));
+  const double sine = std::hypot(view.x, view.y);
+  const double u = std::atan2(sine, view.z) * 2.0 / Pi;
+  const glm::dvec3 axis = tables.GetProfile(0, u);
+  const glm::dvec2 azimuth = sine > 1e-6 ? glm::dvec2(view) / sine : glm::dvec2(1.0, 0.0);
+  const glm::dvec3 across = frame[0] * azimuth.x + frame[1] * azimuth.y;
+  const glm::dvec3 d = glm::normalize(axis.y * frame[2] - axis.z * across);
+  const glm::dvec3 along = axis.y * across + axis.z * frame[2];
+
+  const MapPosition at(d);
+  const double psi = std::atan2(glm::dot(along, at.Across), glm::dot(along, at.Along)) / (2.0 * Pi);
+  const Neighbours turn = PeriodicNeighbours(psi + 0.5 / tables.Azimuths, tables.Azimuths);
+  const double w = std::clamp(axis.x, 0.0, tables.Angles - 1.0);
+  const int angle = std::min(static_cast<int>(w), tables.Angles - 2);
+  const auto value = [&](int azimuth, int k)
+  {
+    return Tables::GetMapValue(tables.Radiance, tables.Rows, tables.Columns,
+      static_cast<std::size_t>((azimuth * tables.Angles + k) * tables.Rows * tables.Columns), at);
+  };
+  const auto between = [&](int k)
+  { return glm::mix(value(turn.First, k), value(turn.Second, k), turn.Weight); };
+  glm::dvec3 sum = glm::mix(between(angle), between(angle + 1), w - angle);
+  sum *= tables.GetProfile(1, u);
+  if (tables.HasFloor)
+  {
+    sum += tables.GetProfile(2, u) * Tables::GetMapValue(tables.Irradiance, IrradianceRows,
+                                       2 * (IrradianceRows - 1), 0, MapPosition(frame[2]));
+  }
+  for (int c = 0; c < 3; ++c)
+  {
+    radiance[c] += std::max(sum[c], 0.0);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkTableRadianceIntegrator::GetGPUForm(vtkBRDFGPUForm& form)
+{
+  if (!this->Prepare())
+  {
+    return false;
+  }
+  const Tables& tables = *this->Data;
+  vtkBRDFGPUForm::Term term;
+  term.Shader = "vtkBRDFEnvironmentTable";
+  term.Constants = { { "HAS_FLOOR", tables.HasFloor ? "1" : "0" } };
+  term.Uniforms.push_back({ "brdfTableAngles", { static_cast<float>(tables.Angles) } });
+  const auto add = [&term](const char* name, int width, int height, int depth, bool half,
+                     const std::vector<float>& data)
+  {
+    vtkBRDFGPUForm::Texture texture;
+    texture.Name = name;
+    texture.Dimensions = { width, height, depth };
+    texture.ThreeD = depth > 1;
+    texture.HalfFloat = half;
+    texture.Repeat[0] = name != std::string("brdfTableProfile");
+    texture.Repeat[2] = texture.ThreeD;
+    texture.Data = data;
+    term.Textures.push_back(std::move(texture));
+  };
+  add("brdfTableProfile", ProfileSize, 3, 1, false, tables.Profile);
+  add("brdfTableRadiance", tables.Columns, tables.Angles * tables.Rows, tables.Azimuths, true,
+    tables.Radiance);
+  if (tables.HasFloor)
+  {
+    add(
+      "brdfTableIrradiance", 2 * (IrradianceRows - 1), IrradianceRows, 1, false, tables.Irradiance);
+  }
+  form = vtkBRDFGPUForm();
+  form.QuantizationError = std::ldexp(1.0, -11);
+  form.Description = "radiance table, " + std::to_string(tables.Columns) + " x " +
+                     std::to_string(tables.Rows) + " axes x " + std::to_string(tables.Angles) +
+                     " view angles x " + std::to_string(tables.Azimuths) + " azimuths";
+  form.Terms.push_back(std::move(term));
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkTableRadianceIntegrator::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfRows: " << this->NumberOfRows << "\n";
+  os << indent << "NumberOfViewAngles: " << this->NumberOfViewAngles << "\n";
+  os << indent << "NumberOfAzimuths: " << this->NumberOfAzimuths << "\n";
+  os << indent << "NumberOfNodes: " << this->NumberOfNodes << "\n";
+}

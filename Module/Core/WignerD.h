@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Wigner's small d functions d^l_mk(theta), for all l at once: how spherical harmonics turn.
+ * D^l_mk(alpha, beta, gamma) = e^(-i m alpha) d^l_mk(beta) e^(-i k gamma), and
+ * Y_lm(theta, phi) = sqrt((2l+1)/(4 pi)) d^l_m0(theta) e^(i m phi), with the Condon-Shortley phase.
+ *
+ * Three-term recursion upwards in l from closed forms at l = max(|m|,|k|), stable for all l
+ * (Kostelec, Rockmore 2008, "FFTs on the Rotation Group"; Varshalovich et al. 1988, 4.8 and 4.16).
+ */
+
+#ifndef WignerD_h
+#define WignerD_h
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <vector>
+
+namespace measuredbrdf
+{
+/// The recursion's coefficients for one m and k, to be used for many theta.
+class WignerD
+{
+public:
+  WignerD(int m, int k, int maximumDegree)
+    : First(std::max(std::abs(m), std::abs(k)))
+    , Last(maximumDegree)
+  {
+    if (this->First > this->Last)
+    {
+      return;
+    }
+    // d at First = sign sqrt((2 l)! / ((l + j)! (l - j)!)) cos^a(theta/2) sin^b(theta/2).
+    const int l = this->First;
+    const int j = std::abs(m) >= std::abs(k) ? k : m;
+    this->LogStart =
+      0.5 * (std::lgamma(2.0 * l + 1.0) - std::lgamma(l + j + 1.0) - std::lgamma(l - j + 1.0));
+    bool negative;
+    if (std::abs(m) >= std::abs(k))
+    {
+      this->CosinePower = m >= 0 ? l + k : l - k;
+      this->SinePower = m >= 0 ? l - k : l + k;
+      negative = m >= 0 && (l - k) % 2 != 0;
+    }
+    else
+    {
+      this->CosinePower = k >= 0 ? l + m : l - m;
+      this->SinePower = k >= 0 ? l - m : l + m;
+      negative = k < 0 && (l + m) % 2 != 0;
+    }
+    this->Sign = negative ? -1.0 : 1.0;
+    for (int degree = l; degree < this->Last; ++degree)
+    {
+      const double d = degree;
+      const double n = d + 1.0;
+      const double root = std::sqrt((n * n - double(m) * m) * (n * n - double(k) * k));
+      this->Steps.push_back(
+        { n * (2.0 * d + 1.0) / root, degree > 0 ? m * double(k) / (d * n) : 0.0,
+          degree > 0 ? n * std::sqrt((d * d - double(m) * m) * (d * d - double(k) * k)) / (d * root)
+                     : 0.0 });
+    }
+  }
+
+  /// Lowest degree that is not zero.
+  int GetFirst() const { return this->First; }
+
+  /// d[l] for l = GetFirst() ... maximumDegree, at d[l - GetFirst()].
+  void Evaluate(double theta, double* d) const
+  {
+    if (this->First > this->Last)
+    {
+      return;
+    }
+    const double c = std::cos(0.5 * theta);
+    const double s = std::sin(0.5 * theta);
+    double current =
+      this->Sign * std::exp(this->LogStart + Log(c, this->CosinePower) + Log(s, this->SinePower));
+    double previous = 0.0;
+    const double x = std::cos(theta);
+    *d++ = current;
+    for (const Step& step : this->Steps)
+    {
+      const double next = step.A * (x - step.B) * current - step.C * previous;
+      previous = current;
+      current = next;
+      *d++ = current;
+    }
+  }
+
+private:
+  struct Step
+  {
+    double A, B, C;
+  };
+
+  // log(x^power); 0^0 = 1.
+  static double Log(double x, int power)
+  {
+    return power == 0 ? 0.0 : power * std::log(std::max(x, 1e-300));
+  }
+
+  int First, Last;
+  int CosinePower = 0;
+  int SinePower = 0;
+  double Sign = 1.0;
+  double LogStart = 0.0;
+  std::vector<Step> Steps;
+};
+} // namespace measuredbrdf
+
+#endif

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Radiance integrated ahead of time: c E(n) + s T(axis, view angle, azimuth). C++ twin:
+// vtkTableRadianceIntegrator.
+uniform sampler2D brdfTableProfileINSTANCE; // over theta_o: (view angle, cos, sin delta); s; c
+uniform sampler3D brdfTableRadianceINSTANCE; // azimuth of axis; view angles x polar angle; psi
+uniform sampler2D brdfTableIrradianceINSTANCE; // azimuth and polar angle of the normal
+uniform float brdfTableAnglesINSTANCE;
+
+// Azimuth in turns and polar angle in half turns of unit d about the environment's y, and the
+// directions in which they grow.
+vec2 brdfTablePositionINSTANCE(vec3 d, out vec3 meridian, out vec3 parallel)
+{
+  float s = length(d.zx);
+  vec2 azimuth = s > 1e-7 ? d.zx / s : vec2(1.0, 0.0);
+  meridian = vec3(azimuth.y * d.y, -s, azimuth.x * d.y);
+  parallel = vec3(azimuth.x, 0.0, -azimuth.y);
+  float polar = brdfQuadrant(s, abs(d.y));
+  return vec2(brdfTurn(azimuth), 0.5 * (d.y >= 0.0 ? polar : 2.0 - polar));
+}
+
+vec3 brdfEnvironmentINSTANCE(mat3 frame, vec3 o)
+{
+  float sine = length(o.xy);
+  float u = brdfQuadrant(sine, o.z);
+  vec3 axis = texture(brdfTableProfileINSTANCE, vec2(u, 0.5 / 3.0)).xyz;
+  vec2 azimuth = sine > 1e-6 ? o.xy / sine : vec2(1.0, 0.0);
+  vec3 across = frame[0] * azimuth.x + frame[1] * azimuth.y;
+  vec3 d = normalize(axis.y * frame[2] - axis.z * across);
+  vec3 along = axis.y * across + axis.z * frame[2];
+
+  vec3 meridian, parallel;
+  vec2 position = brdfTablePositionINSTANCE(d, meridian, parallel);
+  float psi = brdfTurn(vec2(dot(along, meridian), dot(along, parallel)));
+  vec3 size = vec3(textureSize(brdfTableRadianceINSTANCE, 0));
+  float rows = size.y / brdfTableAnglesINSTANCE;
+  float w = clamp(axis.x, 0.0, brdfTableAnglesINSTANCE - 1.0);
+  float angle = min(floor(w), brdfTableAnglesINSTANCE - 2.0);
+  vec3 at = vec3(position.x + 0.5 / size.x,
+    (angle * rows + position.y * (rows - 1.0) + 0.5) / size.y, psi + 0.5 / size.z);
+  vec3 low = texture(brdfTableRadianceINSTANCE, at).rgb;
+  at.y += rows / size.y;
+  vec3 high = texture(brdfTableRadianceINSTANCE, at).rgb;
+  vec3 sum = mix(low, high, w - angle) *
+    texture(brdfTableProfileINSTANCE, vec2(u, 1.5 / 3.0)).rgb;
+  if (HAS_FLOOR != 0)
+  {
+    position = brdfTablePositionINSTANCE(frame[2], meridian, parallel);
+    vec2 mapSize = vec2(textureSize(brdfTableIrradianceINSTANCE, 0));
+    vec2 normalAt = vec2(position.x + 0.5 / mapSize.x,
+      (position.y * (mapSize.y - 1.0) + 0.5) / mapSize.y);
+    sum += texture(brdfTableIrradianceINSTANCE, normalAt).rgb *
+      texture(brdfTableProfileINSTANCE, vec2(u, 2.5 / 3.0)).rgb;
+  }
+  return max(sum, vec3(0.0));
+}
