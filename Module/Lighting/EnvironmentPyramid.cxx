@@ -15,6 +15,10 @@ namespace
 constexpr double Pi = 3.14159265358979323846;
 constexpr int MaximumSize = 1024;
 
+// A light holds so many times what texels hold in the mean: in a small environment many hold a
+// large share without being lights.
+constexpr double LightContrast = 32.0;
+
 // Parts a side in which an environment's texel is spread over the map: at least so many per texel
 // of the map that flat regions stay flat (each texel takes the mean of what falls into it).
 int GetParts(vtkEnvironment* environment, int size)
@@ -126,8 +130,9 @@ void EnvironmentPyramid::Fill(vtkEnvironment* environment, double lightShare, in
     total += share;
     shares.emplace_back(share, k);
   }
-  const auto isLight = [total, lightShare](const std::pair<double, int>& share)
-  { return share.first > lightShare * total; };
+  const double least =
+    total * std::max(lightShare, LightContrast / (static_cast<double>(width) * height));
+  const auto isLight = [least](const std::pair<double, int>& share) { return share.first > least; };
   shares.erase(std::partition(shares.begin(), shares.end(), isLight), shares.end());
   std::sort(shares.begin(), shares.end(), std::greater<std::pair<double, int>>());
   if (lightShare >= 1.0)

@@ -12,6 +12,8 @@
 #include "vtkBRDFDirectionalLight.h"
 #include "vtkBRDFDistribution.h"
 #include "vtkBRDFEnd.h"
+#include "vtkBRDFEnvironmentFiltered.h"
+#include "vtkBRDFEnvironmentPyramid.h"
 #include "vtkBRDFHalfDifference.h"
 #include "vtkBRDFHeadlight.h"
 #include "vtkBRDFIncidentOutgoing.h"
@@ -34,6 +36,7 @@ const char* FindTerm(const std::string& name)
     { "vtkBRDFBasis", vtkBRDFBasis },
     { "vtkBRDFBlinnPhong", vtkBRDFBlinnPhong },
     { "vtkBRDFDistribution", vtkBRDFDistribution },
+    { "vtkBRDFEnvironmentFiltered", vtkBRDFEnvironmentFiltered },
     { "vtkBRDFHalfDifference", vtkBRDFHalfDifference },
     { "vtkBRDFIncidentOutgoing", vtkBRDFIncidentOutgoing },
     { "vtkBRDFLambert", vtkBRDFLambert },
@@ -71,7 +74,7 @@ std::string Sum(const vtkBRDFGPUForm& form, const std::string& signature, const 
 
 std::string GetShaderDeclarations(const vtkBRDFGPUForm* material, const vtkBRDFGPUForm& environment)
 {
-  std::string text = vtkBRDFCommon;
+  std::string text = std::string(vtkBRDFCommon) + vtkBRDFEnvironmentPyramid;
   if (material)
   {
     text += Sum(*material, "vec3 brdfEvaluate(vec3 i, vec3 o)", "brdfTerm", "(i, o)");
