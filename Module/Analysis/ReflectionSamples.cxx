@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 
 namespace measuredbrdf
 {
@@ -22,11 +21,10 @@ double FromAngle(double angle) { return 1.0 - std::sqrt(std::max(1.0 - angle, 0.
 
 const double LastView = FromAngle(std::acos(MinimumViewCosine) * 2.0 / Pi);
 
-// Point k of count of Hammersley's set, moved off the square's edge.
+// Point k of count of a Fibonacci lattice (golden ratio), moved off the square's edge.
 glm::dvec2 GetPoint(int k, int count)
 {
-  return glm::dvec2(
-    (k + 0.5) / count, Wrap01(RadicalInverse(static_cast<std::uint32_t>(k), 2) + 0.5 / count));
+  return glm::dvec2((k + 0.5) / count, Wrap01(0.5 + k * 0.6180339887498949));
 }
 
 // The share of cosine samples, out of a few, under which the weights vary least: none where the

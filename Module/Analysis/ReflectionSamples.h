@@ -33,7 +33,7 @@ public:
   };
 
   /**
-   * count samples (Hammersley's points) from brdf's own distribution and, where a share of cosine
+   * count samples (a Fibonacci lattice) from brdf's own distribution and, where a share of cosine
    * samples lowers the variance, both by the balance heuristic. Each view's weights are scaled to
    * add up to its directional albedo. brdf is isotropic and prepared. Views are tabulated in
    * parallel; a raised abort leaves the rest black.
