@@ -15,6 +15,10 @@ namespace
 constexpr double Pi = 3.14159265358979323846;
 constexpr int MaximumSize = 1024;
 
+// A light holds so many times what texels hold in the mean: in a small environment many hold a
+// large share without being lights.
+constexpr double LightContrast = 32.0;
+
 // Parts a side in which an environment's texel is spread over the map: at least so many per texel
 // of the map that flat regions stay flat (each texel takes the mean of what falls into it).
 int GetParts(vtkEnvironment* environment, int size)
@@ -126,8 +130,9 @@ void EnvironmentPyramid::Fill(vtkEnvironment* environment, double lightShare, in
     total += share;
     shares.emplace_back(share, k);
   }
-  const auto isLight = [total, lightShare](const std::pair<double, int>& share)
-  { return share.first > lightShare * total; };
+  const double least =
+    total * std::max(lightShare, LightContrast / (static_cast<double>(width) * height));
+  const auto isLight = [least](const std::pair<double, int>& share) { return share.first > least; };
   shares.erase(std::partition(shares.begin(), shares.end(), isLight), shares.end());
   std::sort(shares.begin(), shares.end(), std::greater<std::pair<double, int>>());
   if (lightShare >= 1.0)
@@ -171,6 +176,13 @@ void EnvironmentPyramid::Fill(vtkEnvironment* environment, double lightShare, in
     this->Lights.push_back(light);
   }
 
+  glm::dvec3 kept(0.0);
+  for (int k = 0; k < width * height; ++k)
+  {
+    kept += environment->GetTexelSolidAngle(k / width) *
+            glm::dvec3(pixels[3 * k], pixels[3 * k + 1], pixels[3 * k + 2]);
+  }
+
   // The map's texels take the mean of what falls into them.
   std::vector<glm::dvec4> sums(
     static_cast<std::size_t>(this->Size) * static_cast<std::size_t>(this->Size), glm::dvec4(0.0));
@@ -200,6 +212,7 @@ void EnvironmentPyramid::Fill(vtkEnvironment* environment, double lightShare, in
         cosine * glm::dvec4(pixel[0], pixel[1], pixel[2], 1.0);
     }
   }
+  glm::dvec3 shown(0.0);
   for (int y = 0; y < this->Size; ++y)
   {
     for (int x = 0; x < this->Size; ++x)
@@ -216,6 +229,20 @@ void EnvironmentPyramid::Fill(vtkEnvironment* environment, double lightShare, in
         environment->GetRadiance(&d.x, &mean.x);
       }
       this->At(0, x, y) = glm::vec4(glm::vec3(mean), 0.0f);
+      shown += mean * 4.0 * Pi / (static_cast<double>(this->Size) * this->Size);
+    }
+  }
+  // Parts straddle the map's texels: no light is lost or gained over all.
+  glm::vec4 gain(1.0f);
+  for (int c = 0; c < 3; ++c)
+  {
+    gain[c] = shown[c] > 0.0 ? static_cast<float>(kept[c] / shown[c]) : 1.0f;
+  }
+  for (int y = 0; y < this->Size; ++y)
+  {
+    for (int x = 0; x < this->Size; ++x)
+    {
+      this->At(0, x, y) *= gain;
     }
   }
 }

@@ -30,10 +30,10 @@ public:
   };
 
   /**
-   * From an environment that is not empty. Texels that hold more than lightShare of all luminance
-   * (the brightest maximumLights of them) become lights, and the map holds their neighbours' mean
-   * in their place; lightShare >= 1: none do. size: texels a side of the finest level, a power of
-   * two; 0: about as fine as the environment, at most 1024.
+   * From an environment that is not empty. Texels that hold more than lightShare of all luminance,
+   * and 32 times what they hold in the mean (the brightest maximumLights of them) become lights,
+   * and the map holds their neighbours' mean in their place; lightShare >= 1: none do. size: texels
+   * a side of the finest level, a power of two; 0: about as fine as the environment, at most 1024.
    */
   EnvironmentPyramid(
     vtkEnvironment* environment, int size = 0, double lightShare = 2e-3, int maximumLights = 64);

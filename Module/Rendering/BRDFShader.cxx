@@ -13,6 +13,8 @@
 #include "vtkBRDFDistribution.h"
 #include "vtkBRDFEnd.h"
 #include "vtkBRDFEnvironmentTable.h"
+#include "vtkBRDFEnvironmentFiltered.h"
+#include "vtkBRDFEnvironmentPyramid.h"
 #include "vtkBRDFHalfDifference.h"
 #include "vtkBRDFHeadlight.h"
 #include "vtkBRDFIncidentOutgoing.h"
@@ -36,6 +38,7 @@ const char* FindTerm(const std::string& name)
     { "vtkBRDFBlinnPhong", vtkBRDFBlinnPhong },
     { "vtkBRDFDistribution", vtkBRDFDistribution },
     { "vtkBRDFEnvironmentTable", vtkBRDFEnvironmentTable },
+    { "vtkBRDFEnvironmentFiltered", vtkBRDFEnvironmentFiltered },
     { "vtkBRDFHalfDifference", vtkBRDFHalfDifference },
     { "vtkBRDFIncidentOutgoing", vtkBRDFIncidentOutgoing },
     { "vtkBRDFLambert", vtkBRDFLambert },
@@ -73,7 +76,7 @@ std::string Sum(const vtkBRDFGPUForm& form, const std::string& signature, const 
 
 std::string GetShaderDeclarations(const vtkBRDFGPUForm* material, const vtkBRDFGPUForm& environment)
 {
-  std::string text = vtkBRDFCommon;
+  std::string text = std::string(vtkBRDFCommon) + vtkBRDFEnvironmentPyramid;
   if (material)
   {
     text += Sum(*material, "vec3 brdfEvaluate(vec3 i, vec3 o)", "brdfTerm", "(i, o)");

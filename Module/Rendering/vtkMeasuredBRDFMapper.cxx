@@ -42,6 +42,7 @@ struct vtkMeasuredBRDFMapper::Internals
   vtkSmartPointer<vtkBRDF> BRDF;
   vtkSmartPointer<vtkEnvironment> Environment;
   vtkSmartPointer<vtkLightSet> LightSet;
+  vtkSmartPointer<vtkRadianceIntegrator> WantedIntegrator;
 
   // In use since the last RenderPieceStart.
   std::shared_ptr<FormTextures> Material; // null where the shader has no use for the BRDF itself
@@ -135,6 +136,7 @@ void vtkMeasuredBRDFMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "BRDF: " << this->Impl->BRDF.Get() << "\n";
   os << indent << "Environment: " << this->Impl->Environment.Get() << "\n";
   os << indent << "LightSet: " << this->Impl->LightSet.Get() << "\n";
+  os << indent << "Integrator: " << this->Impl->WantedIntegrator.Get() << "\n";
   os << indent << "LightSetMethod: "
      << (this->LightSetMethod == MEDIAN_CUT ? "median cut" : "importance sampling") << "\n";
   os << indent << "NumberOfLights: " << this->NumberOfLights << "\n";
@@ -167,6 +169,18 @@ void vtkMeasuredBRDFMapper::SetLightSet(vtkLightSet* lights) { this->Impl->Light
 
 //------------------------------------------------------------------------------
 vtkLightSet* vtkMeasuredBRDFMapper::GetLightSet() { return this->Impl->LightSet; }
+
+//------------------------------------------------------------------------------
+void vtkMeasuredBRDFMapper::SetIntegrator(vtkRadianceIntegrator* integrator)
+{
+  this->Impl->WantedIntegrator = integrator;
+}
+
+//------------------------------------------------------------------------------
+vtkRadianceIntegrator* vtkMeasuredBRDFMapper::GetIntegrator()
+{
+  return this->Impl->WantedIntegrator;
+}
 
 //------------------------------------------------------------------------------
 void vtkMeasuredBRDFMapper::SetLightSetMethod(int method)
@@ -235,6 +249,7 @@ void vtkMeasuredBRDFMapper::ShallowCopy(vtkAbstractMapper* m)
     this->SetBRDF(other->GetBRDF());
     this->SetEnvironment(other->GetEnvironment());
     this->SetLightSet(other->GetLightSet());
+    this->SetIntegrator(other->GetIntegrator());
     this->SetLightSetMethod(other->GetLightSetMethod());
     this->SetNumberOfLights(other->GetNumberOfLights());
     this->SetSeed(other->GetSeed());
@@ -448,7 +463,18 @@ void vtkMeasuredBRDFMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* actor)
       vtkWarningMacro("The renderer's environment texture holds neither a lat-long image nor six "
                       "square cube faces of one size; it lights nothing here.");
     }
-    if (impl.LightSet)
+    impl.Integrator = impl.WantedIntegrator;
+    if (impl.Integrator)
+    {
+      impl.Integrator->SetBRDF(impl.BRDF);
+      if (impl.CurrentEnvironment)
+      {
+        impl.Integrator->SetEnvironment(impl.CurrentEnvironment);
+      }
+      impl.CurrentEnvironment = impl.Integrator->GetEnvironment();
+      impl.CurrentLights = nullptr;
+    }
+    else if (impl.LightSet)
     {
       impl.CurrentLights = impl.LightSet;
     }
@@ -472,7 +498,6 @@ void vtkMeasuredBRDFMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* actor)
       impl.CurrentLights = nullptr;
     }
 
-    impl.Integrator = nullptr;
     if (impl.CurrentLights)
     {
       impl.LightLoop->SetBRDF(impl.BRDF);

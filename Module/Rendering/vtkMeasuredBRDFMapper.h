@@ -38,6 +38,7 @@
 class vtkBRDF;
 class vtkEnvironment;
 class vtkLightSet;
+class vtkRadianceIntegrator;
 
 class VTKMEASUREDBRDF_EXPORT vtkMeasuredBRDFMapper : public vtkOpenGLPolyDataMapper
 {
@@ -70,6 +71,16 @@ public:
    */
   void SetLightSet(vtkLightSet* lights);
   vtkLightSet* GetLightSet();
+  ///@}
+
+  ///@{
+  /**
+   * How the environment's light is integrated, e.g. vtkFilteredRadianceIntegrator; null (default):
+   * over a light set, as set up here. It gets this mapper's material and environment; an
+   * environment of its own stays where there is none.
+   */
+  void SetIntegrator(vtkRadianceIntegrator* integrator);
+  vtkRadianceIntegrator* GetIntegrator();
   ///@}
 
   enum LightSetMethodType

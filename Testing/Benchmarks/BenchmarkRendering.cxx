@@ -3,7 +3,8 @@
 // Frame times of a 500 x 500 view of a sphere: the measured mapper against the number of lights,
 // beside the stock mapper with Phong lighting and with PBR under image-based lighting, on the same
 // scene in the same run. Thesis mode against the order of the basis and the number of lights (both
-// arguments), 125 x 125. Needs an OpenGL context. ns_per_light_pixel: slope per covered pixel.
+// arguments), 125 x 125. Filtered importance sampling against the number of samples. Needs an
+// OpenGL context. ns_per_light_pixel: slope per covered pixel.
 
 #include "vtkActor.h"
 #include "vtkBRDF.h"
@@ -11,6 +12,7 @@
 #include "vtkCamera.h"
 #include "vtkEmbeddedMaterials.h"
 #include "vtkEnvironment.h"
+#include "vtkFilteredRadianceIntegrator.h"
 #include "vtkImageData.h"
 #include "vtkLambertBRDF.h"
 #include "vtkLight.h"
@@ -132,6 +134,48 @@ void MeasuredBasis(benchmark::State& state)
   RunMeasured(state, projector->GetOutput(), static_cast<int>(state.range(1)), 125);
 }
 
+// Samples, and whether bright texels become lights; ns_per_light_pixel counts the samples alone.
+void MeasuredFiltered(benchmark::State& state)
+{
+  Scene scene;
+  auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("gold-paint"));
+  const int samples = static_cast<int>(state.range(0));
+  vtkNew<vtkFilteredRadianceIntegrator> integrator;
+  integrator->SetNumberOfSamples(samples);
+  integrator->SetExtractLights(state.range(1) != 0);
+  vtkNew<vtkMeasuredBRDFMapper> mapper;
+  mapper->SetInputConnection(scene.Sphere->GetOutputPort());
+  mapper->SetBRDF(brdf);
+  mapper->SetEnvironment(scene.Sky);
+  mapper->SetIntegrator(integrator);
+  scene.Actor->SetMapper(mapper);
+  scene.Measure(state, samples);
+}
+
+// The material's table (0) or the environment's map (1).
+void FilteredSetUp(benchmark::State& state)
+{
+  auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("gold-paint"));
+  vtkNew<vtkEnvironment> sky;
+  sky->SetToProceduralSky();
+  vtkNew<vtkFilteredRadianceIntegrator> integrator;
+  integrator->SetBRDF(brdf);
+  integrator->SetEnvironment(sky);
+  integrator->Prepare();
+  for (auto _ : state)
+  {
+    if (state.range(0) == 0)
+    {
+      brdf->Modified();
+    }
+    else
+    {
+      integrator->SetExtractLights(!integrator->GetExtractLights());
+    }
+    integrator->Prepare();
+  }
+}
+
 void StockPhong(benchmark::State& state)
 {
   Scene scene;
@@ -175,6 +219,11 @@ BENCHMARK(MeasuredLambert)
   ->Unit(benchmark::kMillisecond)
   ->UseRealTime();
 BENCHMARK(MeasuredFit)->Arg(16)->Arg(64)->Arg(256)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(MeasuredFiltered)
+  ->ArgsProduct({ { 16, 32, 64, 128 }, { 0, 1 } })
+  ->Unit(benchmark::kMillisecond)
+  ->UseRealTime();
+BENCHMARK(FilteredSetUp)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(MeasuredVolume)->Arg(16)->Arg(64)->Arg(256)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(MeasuredBasis)
   ->ArgsProduct({ { 2, 4, 6, 8, 12 }, { 16, 64, 256 } })

@@ -15,6 +15,8 @@
 #include "vtkDistributionBRDF.h"
 #include "vtkDoubleArray.h"
 #include "vtkEmbeddedMaterials.h"
+#include "vtkEnvironment.h"
+#include "vtkFilteredRadianceIntegrator.h"
 #include "vtkFloatArray.h"
 #include "vtkLambertBRDF.h"
 #include "vtkLightSet.h"
@@ -28,6 +30,9 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <fstream>
 #include <limits>
 #include <random>
@@ -410,6 +415,58 @@ TEST_F(Parity, RealFiles)
     reader->SetFileName(folder + file);
     ASSERT_TRUE(reader->Read());
     this->Check(file, reader->GetBRDF(), 2e-3);
+  }
+}
+
+// Filtered importance sampling: the same tables and the same map on both sides.
+TEST_F(Parity, FilteredIntegrator)
+{
+  vtkNew<vtkEnvironment> hall;
+  hall->SetToProceduralHall();
+  hall->SetRotationY(33.0);
+  vtkNew<vtkEnvironment> pixel;
+  ASSERT_TRUE(pixel->SetPixels(1, 1, { 1e5f, 0.5f, 0.25f })); // beyond half float
+  vtkNew<vtkBlinnPhongBRDF> glossy;
+  glossy->SetSpecular(0.3, 0.2, 0.1);
+  glossy->SetExponent(100.0);
+  vtkNew<vtkAshikhminShirleyBRDF> layered;
+  layered->SetDiffuse(0.3, 0.2, 0.1);
+  layered->SetExponents(300.0, 300.0);
+  for (vtkEnvironment* environment : { hall.Get(), pixel.Get() })
+  {
+    for (vtkBRDF* brdf : { static_cast<vtkBRDF*>(glossy), static_cast<vtkBRDF*>(layered) })
+    {
+      for (const bool lights : { true, false })
+      {
+        vtkNew<vtkFilteredRadianceIntegrator> integrator;
+        integrator->SetExtractLights(lights);
+        this->Mapper->SetBRDF(brdf);
+        this->Mapper->SetEnvironment(environment);
+        this->Mapper->SetIntegrator(integrator);
+        const FloatImage image = this->RenderLinear();
+        EXPECT_EQ(integrator->UsesBRDFOnGPU(), lights && environment == hall.Get());
+        vtkNew<vtkDoubleArray> radiance;
+        ASSERT_TRUE(integrator->Integrate(this->Normals, this->Views, radiance));
+        double error = 0.0;
+        for (int k = 0; k < Side * Side; ++k)
+        {
+          if (this->Normals->GetComponent(k, 2) <= 0.0)
+          {
+            continue;
+          }
+          const float* pixelRGBA = image.At(4 * (k % Side) + 2, 4 * (k / Side) + 2);
+          for (int c = 0; c < 3; ++c)
+          {
+            const double expected = radiance->GetComponent(k, c);
+            error = std::max(error, std::abs(pixelRGBA[c] - expected) / expected);
+          }
+        }
+        std::printf("%s, %s: %.2e\n", brdf->GetClassName(),
+          environment == hall.Get() ? (lights ? "hall with lights" : "hall") : "one pixel", error);
+        EXPECT_GT(error, 0.0);
+        EXPECT_LT(error, 2e-3);
+      }
+    }
   }
 }
 

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Filtered importance sampling with tabulated samples. C++ twins: vtkFilteredRadianceIntegrator,
+// Module/Analysis/ReflectionSamples.h.
+uniform sampler2D brdfPyramidMapINSTANCE;
+uniform sampler2D brdfDirectionsINSTANCE; // a column per sample, rows by view: direction, level
+uniform sampler2D brdfWeightsINSTANCE;
+uniform float brdfLevelINSTANCE; // of the whole sphere, bias included
+
+vec3 brdfEnvironmentINSTANCE(mat3 frame, vec3 o)
+{
+  // The samples' frame: the view's azimuth is 0.
+  float s = length(o.xy);
+  vec2 a = s > 1e-6 ? o.xy / s : vec2(1.0, 0.0);
+  mat3 turned = mat3(frame * vec3(a, 0.0), frame * vec3(-a.y, a.x, 0.0), frame[2]);
+  ivec2 size = textureSize(brdfDirectionsINSTANCE, 0);
+  float first = 1.0 - sqrt(max(1.0 - brdfQuadrant(s, o.z), 0.0));
+  float last = 0.887158; // the same at the lowest view, cosine 0.02
+  float row = (first / last * float(size.y - 1) + 0.5) / float(size.y);
+  vec3 sum = vec3(0.0);
+  for (int k = 0; k < size.x; ++k)
+  {
+    vec2 uv = vec2((float(k) + 0.5) / float(size.x), row);
+    vec4 i = textureLod(brdfDirectionsINSTANCE, uv, 0.0);
+    sum += textureLod(brdfWeightsINSTANCE, uv, 0.0).rgb *
+      brdfPyramid(brdfPyramidMapINSTANCE, turned * normalize(i.xyz), i.w + brdfLevelINSTANCE);
+  }
+  return sum;
+}
