@@ -75,7 +75,7 @@ void Run(const Options& options, const CLI::App* command)
                  "photographs: " + std::to_string(acquisition->GetNumberOfPhotographs()) + "\n" +
                  tool::FormatShare("relative L2 error inside the zone",
                    tool::GetZoneError(material.BRDF, output, zone)) +
-                 tool::DescribeBasis(output) + "\n");
+                 tool::DescribeForm(output) + "\n");
 }
 }
 

@@ -32,7 +32,7 @@ std::string FormatShare(const std::string& label, double share)
 }
 
 //------------------------------------------------------------------------------
-std::string DescribeBasis(vtkBasisBRDF* brdf)
+std::string DescribeForm(vtkBRDF* brdf)
 {
   vtkBRDFGPUForm form;
   brdf->GetGPUForm(form);

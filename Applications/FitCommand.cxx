@@ -1,17 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Bases.h"
 #include "Files.h"
 #include "Inputs.h"
-#include "Progress.h"
+#include "Thesis.h"
 #include "Tool.h"
+#include "Watch.h"
 
 #include "vtkAshikhminShirleyBRDFFitter.h"
 #include "vtkBRDFResampler.h"
 #include "vtkBlinnPhongBRDFFitter.h"
-#include "vtkCommand.h"
 #include "vtkDistributionBRDFFitter.h"
-#include "vtkNew.h"
-#include "vtkRepresentationAdvisor.h"
 
 #include <nlohmann/json.hpp>
 
@@ -26,6 +25,10 @@ using nlohmann::ordered_json;
 
 namespace
 {
+constexpr int NumberOfErrorPairs = 1 << 16;
+constexpr int MinimumNumberOfSamples = 256;
+constexpr int MaximumNumberOfSamples = 1 << 18; // all derivatives are in memory: 1 to 2 kB each
+
 struct Options
 {
   std::string File;
@@ -98,6 +101,14 @@ void Check(const Options& options, const CLI::App* command)
   {
     throw tool::UsageError(options.Output + ": OUT must end in .exr");
   }
+  if (command->count("--samples") > 0 &&
+      (options.Samples < MinimumNumberOfSamples || options.Samples > MaximumNumberOfSamples))
+  {
+    throw tool::UsageError("--samples: " + std::to_string(options.Samples) +
+                           " direction pairs; expected " + std::to_string(MinimumNumberOfSamples) +
+                           " to " + std::to_string(MaximumNumberOfSamples) +
+                           ", more would need gigabytes of memory");
+  }
   // auto takes no option of a model.
   const Model model =
     options.Model == "auto" ? Model{ false, false, false, nullptr } : Models.at(options.Model);
@@ -113,34 +124,10 @@ void Check(const Options& options, const CLI::App* command)
   }
 }
 
-// Shows a fitter's progress and passes Ctrl-C on to it.
-struct Watcher
-{
-  vtkBRDFFitter* Fitter;
-  tool::ProgressBar Bar{ "fitting" };
-
-  void OnProgress(vtkObject*, unsigned long, void* data)
-  {
-    this->Bar.Update(*static_cast<double*>(data));
-    if (tool::Interruptible::IsInterrupted())
-    {
-      this->Fitter->SetAbort(true);
-    }
-  }
-};
-
 //------------------------------------------------------------------------------
 void Fit(vtkBRDFFitter* fitter, const std::string& file)
 {
-  bool done = false;
-  {
-    Watcher watcher{ fitter };
-    fitter->AddObserver(vtkCommand::ProgressEvent, &watcher, &Watcher::OnProgress);
-    done = fitter->Fit();
-    fitter->RemoveObservers(vtkCommand::ProgressEvent);
-  }
-  tool::Interruptible::Check();
-  if (!done)
+  if (!tool::Watch(fitter, &vtkBRDFFitter::Fit, "fitting"))
   {
     throw tool::Error(file + ": " + tool::TakeErrorText());
   }
@@ -193,12 +180,29 @@ std::string FormatText(const Options& options, vtkBRDFFitter* fitter, double sec
 }
 
 //------------------------------------------------------------------------------
-void Report(const Options& options, vtkBRDFFitter* fitter, double seconds)
+void PrintJson(const ordered_json& d)
 {
-  tool::PrintOut(options.Json ? Describe(options, fitter, seconds)
-                                    .dump(2, ' ', false, ordered_json::error_handler_t::replace) +
-                                  "\n"
-                              : FormatText(options, fitter, seconds));
+  tool::PrintOut(d.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
+}
+
+//------------------------------------------------------------------------------
+// With the reason why it is a fit, where --model auto chose.
+void Report(
+  const Options& options, vtkBRDFFitter* fitter, double seconds, const std::string& reason = "")
+{
+  if (!options.Json)
+  {
+    tool::PrintOut(FormatText(options, fitter, seconds));
+    return;
+  }
+  ordered_json d = Describe(options, fitter, seconds);
+  if (!reason.empty())
+  {
+    d["representation"] = "fit";
+    d["representation_form"] = tool::DescribeForm(fitter->GetOutput());
+    d["reason"] = reason;
+  }
+  PrintJson(d);
 }
 
 //------------------------------------------------------------------------------
@@ -220,28 +224,22 @@ vtkSmartPointer<vtkBRDFFitter> FitModel(const Options& options, vtkBRDF* brdf)
 //------------------------------------------------------------------------------
 // The basis that the advisor recommends, written and reported.
 void WriteBasis(const Options& options, const tool::Material& material,
-  vtkRepresentationAdvisor* advisor, const std::function<double()>& seconds)
+  const tool::Representation& made, const std::function<double()>& seconds)
 {
-  if (!advisor->Represent())
-  {
-    throw tool::Error(options.File + ": " + tool::TakeErrorText());
-  }
   const double error =
-    vtkBRDFResampler::GetRelativeL2Error(material.BRDF, advisor->GetOutput(), 1 << 16);
-  tool::WriteMaterial(advisor->GetOutput(), options.Output);
+    vtkBRDFResampler::GetRelativeL2Error(material.BRDF, made.BRDF, NumberOfErrorPairs);
+  tool::WriteMaterial(made.BRDF, options.Output);
   if (options.Json)
   {
-    const ordered_json d = { { "input", options.File }, { "output", options.Output },
-      { "model", "basis" }, { "reason", advisor->GetReason() }, { "relative_l2_error", error },
-      { "seconds", seconds() } };
-    tool::PrintOut(d.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
+    PrintJson({ { "input", options.File }, { "output", options.Output }, { "model", "basis" },
+      { "representation", made.Kind }, { "representation_form", made.Description },
+      { "reason", made.Reason }, { "relative_l2_error", error }, { "seconds", seconds() } });
     return;
   }
   std::ostringstream text;
   text.precision(4);
-  text << options.File << " -> " << options.Output << " (spherical harmonics of order "
-       << advisor->GetOrder() << ")\n"
-       << advisor->GetReason() << "\n"
+  text << options.File << " -> " << options.Output << " (" << made.Description << ")\n"
+       << made.Reason << "\n"
        << "relative L2 error: " << error << "\n"
        << seconds() << " s\n";
   tool::PrintOut(text.str());
@@ -252,18 +250,13 @@ void WriteBasis(const Options& options, const tool::Material& material,
 void RunAuto(
   const Options& options, const tool::Material& material, const std::function<double()>& seconds)
 {
-  vtkNew<vtkRepresentationAdvisor> advisor;
-  advisor->SetInput(material.BRDF);
-  if (!advisor->Update())
+  const tool::Representation made = tool::Represent(material, tool::ThesisOptions().Order);
+  if (made.Kind == "basis")
   {
-    throw tool::Error(options.File + ": " + tool::TakeErrorText());
-  }
-  if (advisor->GetRecommendation() == vtkRepresentationAdvisor::BASIS)
-  {
-    WriteBasis(options, material, advisor, seconds);
+    WriteBasis(options, material, made, seconds);
     return;
   }
-  tool::PrintNote(material.Name + ": " + advisor->GetReason());
+  tool::PrintNote(material.Name + ": " + made.Reason);
   vtkSmartPointer<vtkBRDFFitter> best;
   Options chosen = options;
   for (const auto& candidate : Candidates)
@@ -283,7 +276,7 @@ void RunAuto(
     }
   }
   tool::WriteMaterial(best->GetOutput(), options.Output);
-  Report(chosen, best, seconds());
+  Report(chosen, best, seconds(), made.Reason);
 }
 
 //------------------------------------------------------------------------------
@@ -353,8 +346,9 @@ void AddFitCommand(CLI::App& app)
   command
     ->add_option("--starts", options->Starts, "Number of starting points to refine (default 4)")
     ->check(CLI::Range(1, 64));
-  command->add_option("--samples", options->Samples, "Number of direction pairs (default 32768)")
-    ->check(CLI::Range(256, 1 << 22));
+  command->add_option("--samples", options->Samples,
+    "Number of direction pairs, " + std::to_string(MinimumNumberOfSamples) + " to " +
+      std::to_string(MaximumNumberOfSamples) + " (default 32768)");
   command->add_option(
     "--seed", options->Seed, "Shifts the direction pairs; same seed, same result (default 1)");
   command->add_flag("--anisotropic", options->Anisotropic,

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Files.h"
 #include "Inputs.h"
-#include "Progress.h"
 #include "Thesis.h"
 #include "Tool.h"
+#include "Watch.h"
 
-#include "vtkCommand.h"
 #include "vtkDoubleArray.h"
 #include "vtkExactIntegrator.h"
 #include "vtkLightSetIntegrator.h"
@@ -27,25 +26,6 @@ struct Options
   tool::ThesisOptions Thesis;
 };
 
-// Shows an integrator's progress and passes Ctrl-C on to it.
-struct Watcher
-{
-  vtkRadianceIntegrator* Integrator;
-  tool::ProgressBar Bar{ "integrating" };
-
-  void OnProgress(vtkObject*, unsigned long, void* data)
-  {
-    if (data)
-    {
-      this->Bar.Update(*static_cast<double*>(data));
-    }
-    if (tool::Interruptible::IsInterrupted())
-    {
-      this->Integrator->SetAbort(true);
-    }
-  }
-};
-
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkRadianceIntegrator> MakeIntegrator(
   const Options& options, vtkEnvironment* environment)
@@ -60,8 +40,9 @@ vtkSmartPointer<vtkRadianceIntegrator> MakeIntegrator(
 }
 
 //------------------------------------------------------------------------------
-void Run(const Options& options)
+void Run(const Options& options, const CLI::App* command)
 {
+  options.Thesis.Check(command, options.Method);
   static const tool::PairColumns columns = { "nx", "ny", "nz", "vx", "vy", "vz" };
   if (options.Method != "exact")
   {
@@ -72,7 +53,7 @@ void Run(const Options& options)
   tool::Material material = tool::LoadMaterial(options.File);
   if (options.Method == "thesis")
   {
-    material.BRDF = tool::RepresentAsThesis(material.BRDF, material.Name, options.Thesis);
+    material.BRDF = tool::RepresentAsThesis(material, options.Thesis).BRDF;
   }
   const vtkSmartPointer<vtkEnvironment> environment = tool::LoadEnvironment(options.Environment);
 
@@ -92,14 +73,10 @@ void Run(const Options& options)
   const vtkSmartPointer<vtkRadianceIntegrator> integrator = MakeIntegrator(options, environment);
   integrator->SetBRDF(material.BRDF);
   integrator->SetEnvironment(environment);
-  bool done = false;
-  {
-    Watcher watcher{ integrator };
-    integrator->AddObserver(vtkCommand::ProgressEvent, &watcher, &Watcher::OnProgress);
-    done = integrator->Integrate(normals, views, radiance);
-    integrator->RemoveObservers(vtkCommand::ProgressEvent);
-  }
-  tool::Interruptible::Check();
+  const bool done = tool::Watch(
+    integrator.Get(),
+    [&](vtkRadianceIntegrator* made) { return made->Integrate(normals, views, radiance); },
+    "integrating");
   if (!done)
   {
     throw tool::Error("integrate: " + tool::TakeErrorText());
@@ -143,6 +120,6 @@ void AddIntegrateCommand(CLI::App& app)
     "(default: standard output)");
   command->footer("Example:\n  measured-brdf integrate gold-paint --environment sky --pairs nv.csv "
                   "--method exact");
-  command->callback([options]() { Run(*options); });
+  command->callback([options, command]() { Run(*options, command); });
 }
 } // namespace tool

@@ -15,9 +15,10 @@ class vtkLightSet;
 
 namespace tool
 {
-/// The tone-mapped map with the lights and, if asked for, their regions; display light.
-Picture DrawLightMap(
-  vtkEnvironment* environment, vtkLightSet* lights, bool regions, int previewWidth);
+/// The tone-mapped map with the lights and, if asked for, their regions; display light. Its height
+/// follows from the map's aspect, from 16 to largestHeight pixels.
+Picture DrawLightMap(vtkEnvironment* environment, vtkLightSet* lights, bool regions,
+  int previewWidth, int largestHeight);
 } // namespace tool
 
 #endif

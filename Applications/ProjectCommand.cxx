@@ -164,7 +164,7 @@ void Run(const Options& options, const CLI::App* command)
       vtkBRDFResampler::GetRelativeL2Error(material.BRDF, output));
   }
   text += tool::FormatShare("negative mass before the clamp", tool::GetNegativeMass(output));
-  tool::PrintOut(text + tool::DescribeBasis(output) + "\n");
+  tool::PrintOut(text + tool::DescribeForm(output) + "\n");
 }
 }
 

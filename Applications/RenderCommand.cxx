@@ -86,7 +86,7 @@ void WritePicture(
 }
 
 //------------------------------------------------------------------------------
-void Run(const Options& options)
+void Run(const Options& options, const CLI::App* command)
 {
   const tool::Size size = tool::ParseSize("--size", options.Size, LargestSize);
   const tool::View view = tool::ParseView(options.View);
@@ -96,6 +96,7 @@ void Run(const Options& options)
     throw tool::UsageError(options.Output + ": the picture must end in .png or .exr");
   }
   options.Lights.Check();
+  options.Thesis.Check(command, options.Method);
 
   tool::Material material = tool::LoadMaterial(options.File);
   const vtkSmartPointer<vtkEnvironment> environment = tool::LoadEnvironment(options.Environment);
@@ -103,10 +104,12 @@ void Run(const Options& options)
     options.Mesh.empty() ? tool::MakeSphere() : tool::LoadMesh(options.Mesh);
 
   const auto begin = std::chrono::steady_clock::now();
+  tool::Representation representation;
   if (options.Method == "thesis")
   {
     const tool::Interruptible interruptible;
-    material.BRDF = tool::RepresentAsThesis(material.BRDF, material.Name, options.Thesis);
+    representation = tool::RepresentAsThesis(material, options.Thesis);
+    material.BRDF = representation.BRDF;
   }
   tool::Scene scene;
   scene.SetMesh(mesh);
@@ -123,14 +126,21 @@ void Run(const Options& options)
     {
       frames.push_back(scene.TimeFrame());
     }
-    const nlohmann::ordered_json report = { { "frame_ms", Median(frames) }, { "setup_ms", setup },
+    nlohmann::ordered_json report = { { "frame_ms", Median(frames) }, { "setup_ms", setup },
       { "texture_bytes", scene.GetTextureBytes() }, { "method", options.Method },
       { "lights", options.Lights.Count }, { "lights_in_use", scene.GetNumberOfLights() },
       { "light_set", options.Lights.Method }, { "width", size.Width }, { "height", size.Height },
       { "frames", NumberOfFrames }, { "material", material.Name },
       { "environment", environment->GetName() }, { "renderer", scene.GetRendererName() },
       { "vtk", vtkVersion::GetVTKVersion() } };
-    tool::WriteText(options.Report, report.dump(2) + "\n");
+    if (options.Method == "thesis")
+    {
+      report["representation"] = representation.Kind;
+      report["representation_form"] = representation.Description;
+      report["reason"] = representation.Reason;
+    }
+    tool::WriteText(options.Report,
+      report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
   }
   WritePicture(options, scene, environment, size);
 }
@@ -175,9 +185,9 @@ void AddRenderCommand(CLI::App& app)
     ->required();
   command->add_option("--report", options->Report,
     "JSON file to write: frame_ms (median), setup_ms, texture_bytes, method, lights, renderer, "
-    "vtk");
+    "vtk; of --method thesis the representation and the reason too");
   command->footer("Example:\n  measured-brdf render gold-paint --environment sky --lights 256 "
                   "-o gold.png\n\nNeeds OpenGL; without a screen, put 'xvfb-run -a' before it.");
-  command->callback([options]() { Run(*options); });
+  command->callback([options, command]() { Run(*options, command); });
 }
 } // namespace tool

@@ -2,32 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Thesis.h"
 
-#include "Progress.h"
+#include "Bases.h"
 #include "Tool.h"
+#include "Watch.h"
 
 #include "vtkBasisBRDF.h"
-#include "vtkCommand.h"
 #include "vtkNew.h"
 #include "vtkRepresentationAdvisor.h"
-
-namespace
-{
-// Shows the advisor's progress and passes Ctrl-C on to it.
-struct Watcher
-{
-  vtkRepresentationAdvisor* Advisor;
-  tool::ProgressBar Bar{ "representing" };
-
-  void OnProgress(vtkObject*, unsigned long, void* data)
-  {
-    this->Bar.Update(*static_cast<double*>(data));
-    if (tool::Interruptible::IsInterrupted())
-    {
-      this->Advisor->SetAbort(true);
-    }
-  }
-};
-}
 
 namespace tool
 {
@@ -42,25 +23,34 @@ void ThesisOptions::AddTo(CLI::App* command)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkBRDF> RepresentAsThesis(
-  vtkBRDF* material, const std::string& name, const ThesisOptions& options)
+void ThesisOptions::Check(const CLI::App* command, const std::string& method) const
+{
+  if (command->count("--order") > 0 && method != "thesis")
+  {
+    throw UsageError("--order: has no effect without --method thesis");
+  }
+}
+
+//------------------------------------------------------------------------------
+Representation Represent(const Material& material, int order)
 {
   vtkNew<vtkRepresentationAdvisor> advisor;
-  advisor->SetInput(material);
-  advisor->SetOrder(options.Order);
-  bool done = false;
+  advisor->SetInput(material.BRDF);
+  advisor->SetOrder(order);
+  if (!Watch(advisor.Get(), &vtkRepresentationAdvisor::Represent, "representing"))
   {
-    Watcher watcher{ advisor };
-    advisor->AddObserver(vtkCommand::ProgressEvent, &watcher, &Watcher::OnProgress);
-    done = advisor->Represent();
-    advisor->RemoveObservers(vtkCommand::ProgressEvent);
+    throw Error(material.Name + ": " + TakeErrorText());
   }
-  Interruptible::Check();
-  if (!done)
-  {
-    throw Error(name + ": " + TakeErrorText());
-  }
-  PrintNote(name + ": " + advisor->GetReason());
-  return advisor->GetOutput();
+  const bool basis = advisor->GetRecommendation() == vtkRepresentationAdvisor::BASIS;
+  return { advisor->GetOutput(), basis ? "basis" : "fit", DescribeForm(advisor->GetOutput()),
+    advisor->GetReason() };
+}
+
+//------------------------------------------------------------------------------
+Representation RepresentAsThesis(const Material& material, const ThesisOptions& options)
+{
+  Representation made = Represent(material, options.Order);
+  PrintNote(material.Name + ": " + made.Reason);
+  return made;
 }
 } // namespace tool

@@ -8,6 +8,8 @@
 #ifndef Thesis_h
 #define Thesis_h
 
+#include "Inputs.h"
+
 #include "vtkBRDF.h"
 #include "vtkSmartPointer.h"
 
@@ -23,12 +25,27 @@ struct ThesisOptions
 
   /// Add --order to a subcommand.
   void AddTo(CLI::App* command);
+
+  /// Throws UsageError where --order is given with another method.
+  void Check(const CLI::App* command, const std::string& method) const;
 };
 
-/// The pair of a basis or the D-BRDF fit (vtkRepresentationAdvisor), with a progress bar; the
-/// reason goes to stderr as a note. Throws Error, also where Ctrl-C was pressed (Interruptible).
-vtkSmartPointer<vtkBRDF> RepresentAsThesis(
-  vtkBRDF* material, const std::string& name, const ThesisOptions& options);
+/// What vtkRepresentationAdvisor makes of a material: "basis" or "fit", the one that it is, and
+/// why.
+struct Representation
+{
+  vtkSmartPointer<vtkBRDF> BRDF;
+  std::string Kind;
+  std::string Description; // of the GPU form, in one line
+  std::string Reason;
+};
+
+/// Measure and make it, with a progress bar. Throws Error naming the material, also where Ctrl-C
+/// was pressed. Needs an Interruptible.
+Representation Represent(const Material& material, int order);
+
+/// The same for --method thesis; the reason goes to stderr as a note.
+Representation RepresentAsThesis(const Material& material, const ThesisOptions& options);
 } // namespace tool
 
 #endif

@@ -4,11 +4,10 @@
 #include "Inputs.h"
 #include "LightMap.h"
 #include "Meshes.h"
-#include "Progress.h"
 #include "Scene.h"
 #include "Sheet.h"
-#include "Thesis.h"
 #include "Tool.h"
+#include "Watch.h"
 
 #include "vtkBRDFAcquisition.h"
 #include "vtkBasisExtrapolator.h"
@@ -95,7 +94,7 @@ Exhibit MakeExhibit(const tool::Material& material, const std::string& standsFor
   vtkNew<vtkRepresentationAdvisor> advisor;
   advisor->SetInput(material.BRDF);
   advisor->SetOrder(order);
-  if (!advisor->Update())
+  if (!tool::Watch(advisor.Get(), &vtkRepresentationAdvisor::Update, material.Name))
   {
     throw tool::Error(material.Name + ": " + tool::TakeErrorText());
   }
@@ -107,12 +106,19 @@ Exhibit MakeExhibit(const tool::Material& material, const std::string& standsFor
     device->SetNoise(Noise);
     device->SetBits(Bits);
     vtkNew<vtkBasisExtrapolator> extrapolator;
-    if (!device->Acquire())
+    if (!tool::Watch(device.Get(), &vtkBRDFAcquisition::Acquire, material.Name))
     {
       throw tool::Error(material.Name + ": " + tool::TakeErrorText());
     }
     extrapolator->SetInput(device->GetOutput());
-    if (extrapolator->Extrapolate())
+    const bool accepted =
+      tool::Watch(extrapolator.Get(), &vtkBasisExtrapolator::Extrapolate, material.Name);
+    const std::string said = tool::TakeErrorText();
+    if (!said.empty())
+    {
+      throw tool::Error(material.Name + ": " + said);
+    }
+    if (accepted)
     {
       exhibit.BRDF = extrapolator->GetOutput();
       exhibit.Note = begin + "Simulated acquisition (zonal, order " + std::to_string(order) +
@@ -122,7 +128,7 @@ Exhibit MakeExhibit(const tool::Material& material, const std::string& standsFor
   }
   vtkNew<vtkDistributionBRDFFitter> fitter;
   fitter->SetInput(material.BRDF);
-  if (!fitter->Fit())
+  if (!tool::Watch(fitter.Get(), &vtkDistributionBRDFFitter::Fit, material.Name))
   {
     throw tool::Error(material.Name + ": " + tool::TakeErrorText());
   }
@@ -177,7 +183,6 @@ public:
   void DrawMaterials(const std::string& path)
   {
     std::vector<Exhibit> exhibits;
-    tool::ProgressBar bar("materials");
     const auto add = [&](const std::string& file, const std::string& standsFor)
     {
       tool::Interruptible::Check();
@@ -208,6 +213,7 @@ public:
     tool::Scene scene;
     scene.SetMesh(tool::MakeBallOnFoot());
     scene.SetView(25.0, 14.0, 1.02);
+    tool::ProgressBar bar("materials");
     for (int row = 0; row < rows; ++row)
     {
       vtkEnvironment* environment = this->Environments[static_cast<std::size_t>(row)];
@@ -239,7 +245,7 @@ public:
       projector->SetInput(material.BRDF);
       projector->SetBasis(vtkBasisBRDF::SPHERICAL_HARMONICS);
       projector->SetOrder(order);
-      if (!projector->Project())
+      if (!tool::Watch(projector.Get(), &vtkBasisProjector::Project, "ringing"))
       {
         throw tool::Error(material.Name + ": " + tool::TakeErrorText());
       }
@@ -248,7 +254,7 @@ public:
     }
     vtkNew<vtkDistributionBRDFFitter> fitter;
     fitter->SetInput(material.BRDF);
-    if (!fitter->Fit())
+    if (!tool::Watch(fitter.Get(), &vtkDistributionBRDFFitter::Fit, "ringing"))
     {
       throw tool::Error(material.Name + ": " + tool::TakeErrorText());
     }
@@ -324,7 +330,7 @@ public:
         tool::LightSetOptions options{ counts[column] };
         options.Method = row == 0 ? "median-cut" : "importance";
         const vtkSmartPointer<vtkLightSet> lights = tool::MakeLightSet(environment, options);
-        const tool::Picture map = tool::DrawLightMap(environment, lights, row == 0, 2 * tile);
+        const tool::Picture map = tool::DrawLightMap(environment, lights, row == 0, 2 * tile, tile);
         scene.SetLight(environment, options);
         tool::Picture both = tool::MakePaper(3 * tile, tile);
         tool::Paste(both, map, 0, (tile - map.Height) / 2);

@@ -17,7 +17,8 @@
 namespace
 {
 //------------------------------------------------------------------------------
-// "ERROR: In FILE, line N\nvtkFoo (0x...): text\n\n" -> "text"
+// "ERROR: In FILE, line N\nvtkFoo (0x...): text\n\n" -> "text"; so too where text is such a message
+// itself, of an object that vtkFoo forwards.
 std::string StripOrigin(const char* message)
 {
   std::istringstream lines(message ? message : "");
@@ -26,11 +27,12 @@ std::string StripOrigin(const char* message)
   {
     static const std::regex where("^(ERROR|Warning|WARNING|Generic Warning): In .*, line [0-9]+$");
     static const std::regex who("^vtk[A-Za-z0-9]+ \\((0x)?[0-9A-Fa-f]+\\): ");
+    line = std::regex_replace(line, who, "");
     if (line.empty() || std::regex_search(line, where))
     {
       continue;
     }
-    text += (text.empty() ? "" : " ") + std::regex_replace(line, who, "");
+    text += (text.empty() ? "" : " ") + line;
   }
   return text;
 }

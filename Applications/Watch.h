@@ -13,42 +13,53 @@
 #include "vtkCommand.h"
 #include "vtkObject.h"
 
+#include <functional>
 #include <string>
 
 namespace tool
 {
+///@{
 /**
- * (maker->*run)(), which raises ProgressEvent (calldata: double*) and stops at SetAbort(true).
- * Returns what it returns; throws Error where Ctrl-C was pressed. Needs an Interruptible.
+ * run(maker), a method of the maker or a function, which raises ProgressEvent (calldata: double*)
+ * and stops at SetAbort(true); show gets the share done, the other form draws a bar of that label.
+ * Returns what run returns; throws Error where Ctrl-C was pressed. Needs an Interruptible.
  */
-template <typename Maker>
-bool Watch(Maker* maker, bool (Maker::*run)(), const std::string& label)
+template <typename Maker, typename Run>
+bool Watch(Maker* maker, Run run, const std::function<void(double)>& show)
 {
   struct Watcher
   {
     Maker* Source;
-    ProgressBar Bar;
+    const std::function<void(double)>& Show;
 
     void OnProgress(vtkObject*, unsigned long, void* data)
     {
-      this->Bar.Update(*static_cast<double*>(data));
+      if (data)
+      {
+        this->Show(*static_cast<double*>(data));
+      }
       if (Interruptible::IsInterrupted())
       {
         this->Source->SetAbort(true);
       }
     }
-  };
-  bool done = false;
-  {
-    Watcher watcher{ maker, ProgressBar(label) };
-    const unsigned long tag =
-      maker->AddObserver(vtkCommand::ProgressEvent, &watcher, &Watcher::OnProgress);
-    done = (maker->*run)();
-    maker->RemoveObserver(tag);
-  }
+  } watcher{ maker, show };
+  const unsigned long tag =
+    maker->AddObserver(vtkCommand::ProgressEvent, &watcher, &Watcher::OnProgress);
+  const bool done = std::invoke(run, maker);
+  maker->RemoveObserver(tag);
   Interruptible::Check();
   return done;
 }
+
+template <typename Maker, typename Run>
+bool Watch(Maker* maker, Run run, const std::string& label)
+{
+  ProgressBar bar(label);
+  return Watch(
+    maker, run, std::function<void(double)>([&bar](double share) { bar.Update(share); }));
+}
+///@}
 } // namespace tool
 
 #endif
