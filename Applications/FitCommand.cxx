@@ -101,6 +101,7 @@ void Check(const Options& options, const CLI::App* command)
   {
     throw tool::UsageError(options.Output + ": OUT must end in .exr");
   }
+  tool::CheckWritable(options.Output);
   if (command->count("--samples") > 0 &&
       (options.Samples < MinimumNumberOfSamples || options.Samples > MaximumNumberOfSamples))
   {

@@ -40,7 +40,7 @@ struct Representation
   std::string Reason;
 };
 
-/// Measure and make it, with a progress bar. Throws Error naming the material, also where Ctrl-C
+/// Measure and make it, with a progress bar. Throws Error naming its file, also where Ctrl-C
 /// was pressed. Needs an Interruptible.
 Representation Represent(const Material& material, int order);
 
