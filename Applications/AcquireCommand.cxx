@@ -99,8 +99,8 @@ void AddAcquireCommand(CLI::App& app)
   command->add_option("--zone", options->Zone,
     "Polar angles in degrees that projector and camera cover (default 9,57)");
   command->add_option("--noise", options->Noise,
-    "Standard deviation of the camera's noise, as a share of each photograph's brightest pixel "
-    "(default 0)");
+    "Standard deviation of the camera's noise, as a share of the brightest pixel of each pair of "
+    "photographs (default 0)");
   command
     ->add_option("--bits", options->Bits,
       "Bits that the camera rounds a pixel to, 1 to 24; 0 (default): no rounding")

@@ -140,6 +140,40 @@ tool::Pair ParsePair(const std::string& line, const tool::PairColumns& columns,
 
 //------------------------------------------------------------------------------
 std::string Reason() { return errno ? std::strerror(errno) : "unknown reason"; }
+
+//------------------------------------------------------------------------------
+fs::path GetFolder(const fs::path& place)
+{
+  return place.has_parent_path() ? place.parent_path() : fs::path(".");
+}
+
+//------------------------------------------------------------------------------
+// Where a file to be written lies, links followed; "" for what is no regular file (a pipe, a
+// device). Throws Error for a folder, or in none.
+fs::path FindPlace(const std::string& path)
+{
+  std::error_code ignored;
+  const fs::path target = path;
+  if (fs::is_directory(target, ignored) || !target.has_filename())
+  {
+    throw tool::Error(path + ": can't be written: it is a directory");
+  }
+  const fs::file_status status = fs::status(target, ignored);
+  if (fs::exists(status) && !fs::is_regular_file(status))
+  {
+    return {};
+  }
+  fs::path place = target;
+  if (fs::is_symlink(target, ignored) && fs::exists(target, ignored))
+  {
+    place = fs::canonical(target, ignored);
+  }
+  if (!fs::is_directory(GetFolder(place), ignored))
+  {
+    throw tool::Error(path + ": can't be written: there is no folder " + GetFolder(place).string());
+  }
+  return place;
+}
 }
 
 namespace tool
@@ -180,7 +214,6 @@ std::vector<Pair> ReadPairs(const std::string& path, const PairColumns& columns)
     if (!haveHeader)
     {
       places = FindColumns(line, columns, where);
-      width = Split(line).size();
       width = Split(line).size();
       haveHeader = true;
       continue;
@@ -237,25 +270,13 @@ void WriteWhole(
   const std::string& path, const std::function<void(const std::string& temporary)>& write)
 {
   std::error_code ignored;
-  const fs::path target = path;
-  if (fs::is_directory(target, ignored) || !target.has_filename())
-  {
-    throw Error(path + ": can't be written: it is a directory");
-  }
-  const fs::file_status status = fs::status(target, ignored);
-  if (fs::exists(status) && !fs::is_regular_file(status))
+  const fs::path place = FindPlace(path);
+  if (place.empty())
   {
     write(path); // a pipe or a device can't be renamed over
     return;
   }
-  const fs::path place = fs::is_symlink(target, ignored) && fs::exists(target, ignored)
-                           ? fs::canonical(target, ignored)
-                           : target;
-  const fs::path folder = place.has_parent_path() ? place.parent_path() : fs::path(".");
-  if (!fs::is_directory(folder, ignored))
-  {
-    throw Error(path + ": can't be written: there is no folder " + folder.string());
-  }
+  const fs::path folder = GetFolder(place);
   const fs::path temporary = folder / ("." + place.stem().string() + ".part" +
                                         std::to_string(getpid()) + place.extension().string());
   try
@@ -279,6 +300,17 @@ void WriteWhole(
       message.replace(at, temporary.string().size(), path);
     }
     throw Error(message);
+  }
+}
+
+//------------------------------------------------------------------------------
+void CheckWritable(const std::string& path)
+{
+  const fs::path place = FindPlace(path);
+  errno = 0;
+  if (!place.empty() && access(GetFolder(place).c_str(), W_OK) != 0)
+  {
+    throw Error(path + ": can't be written: its folder: " + Reason());
   }
 }
 

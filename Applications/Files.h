@@ -40,6 +40,9 @@ void WriteResults(const std::string& path, const PairColumns& columns,
 void WriteWhole(
   const std::string& path, const std::function<void(const std::string& temporary)>& write);
 
+/// Throws Error where a file could not be written there: to be asked before long work.
+void CheckWritable(const std::string& path);
+
 /// Text to a file, whole or not at all.
 void WriteText(const std::string& path, const std::string& text);
 

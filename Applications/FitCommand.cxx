@@ -26,7 +26,8 @@ using nlohmann::ordered_json;
 namespace
 {
 constexpr int NumberOfErrorPairs = 1 << 16;
-constexpr int MaximumNumberOfSamples = 1 << 20;
+constexpr int MinimumNumberOfSamples = 256;
+constexpr int MaximumNumberOfSamples = 1 << 18; // all derivatives are in memory: 1 to 2 kB each
 
 struct Options
 {
@@ -99,6 +100,15 @@ void Check(const Options& options, const CLI::App* command)
   if (tool::Extension(options.Output) != ".exr")
   {
     throw tool::UsageError(options.Output + ": OUT must end in .exr");
+  }
+  tool::CheckWritable(options.Output);
+  if (command->count("--samples") > 0 &&
+      (options.Samples < MinimumNumberOfSamples || options.Samples > MaximumNumberOfSamples))
+  {
+    throw tool::UsageError("--samples: " + std::to_string(options.Samples) +
+                           " direction pairs; expected " + std::to_string(MinimumNumberOfSamples) +
+                           " to " + std::to_string(MaximumNumberOfSamples) +
+                           ", more would need gigabytes of memory");
   }
   // auto takes no option of a model.
   const Model model =
@@ -178,8 +188,8 @@ void PrintJson(const ordered_json& d)
 
 //------------------------------------------------------------------------------
 // With the reason why it is a fit, where --model auto chose.
-void Report(const Options& options, vtkBRDFFitter* fitter, double seconds,
-  const std::string& reason = "")
+void Report(
+  const Options& options, vtkBRDFFitter* fitter, double seconds, const std::string& reason = "")
 {
   if (!options.Json)
   {
@@ -222,11 +232,9 @@ void WriteBasis(const Options& options, const tool::Material& material,
   tool::WriteMaterial(made.BRDF, options.Output);
   if (options.Json)
   {
-    const ordered_json d = { { "input", options.File }, { "output", options.Output },
-      { "model", "basis" }, { "representation", made.Kind },
-      { "representation_form", made.Description }, { "reason", made.Reason },
-      { "relative_l2_error", error }, { "seconds", seconds() } };
-    PrintJson(d);
+    PrintJson({ { "input", options.File }, { "output", options.Output }, { "model", "basis" },
+      { "representation", made.Kind }, { "representation_form", made.Description },
+      { "reason", made.Reason }, { "relative_l2_error", error }, { "seconds", seconds() } });
     return;
   }
   std::ostringstream text;
@@ -339,8 +347,9 @@ void AddFitCommand(CLI::App& app)
   command
     ->add_option("--starts", options->Starts, "Number of starting points to refine (default 4)")
     ->check(CLI::Range(1, 64));
-  command->add_option("--samples", options->Samples, "Number of direction pairs (default 32768)")
-    ->check(CLI::Range(256, 1 << 22));
+  command->add_option("--samples", options->Samples,
+    "Number of direction pairs, " + std::to_string(MinimumNumberOfSamples) + " to " +
+      std::to_string(MaximumNumberOfSamples) + " (default 32768)");
   command->add_option(
     "--seed", options->Seed, "Shifts the direction pairs; same seed, same result (default 1)");
   command->add_flag("--anisotropic", options->Anisotropic,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Inputs.h"
 
+#include "Files.h"
 #include "Tool.h"
 
 #include "vtkBRDFReader.h"
@@ -12,6 +13,7 @@
 #include "vtkMedianCutLightSetGenerator.h"
 #include "vtkNew.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 
@@ -27,6 +29,23 @@ const std::map<std::string, int> Projections = { { "auto", vtkEnvironmentReader:
   { "vertical-strip", vtkEnvironmentProjection::CUBE_VERTICAL_STRIP } };
 
 std::string Projection = "auto"; // set by --projection
+
+//------------------------------------------------------------------------------
+// What to add to a reader's complaint about a file whose ending is of no format that is read.
+std::string GetFormatAdvice(const std::string& file)
+{
+  const std::string extension = tool::Extension(file.substr(0, file.find('#')));
+  const auto known = { ".binary", ".bsdf", ".mbsdf", ".exr", ".fit" };
+  std::error_code ignored;
+  if (std::find(known.begin(), known.end(), extension) != known.end() ||
+      !std::filesystem::is_regular_file(file, ignored))
+  {
+    return "";
+  }
+  return ". '" + extension +
+         "' is none of the formats that are read: MERL .binary, RGL .bsdf (RGB), NVIDIA .mbsdf, "
+         "this project's .exr, published fits in .fit";
+}
 }
 
 namespace tool
@@ -46,6 +65,7 @@ const char* const EnvironmentHelp =
 Material LoadMaterial(const std::string& file)
 {
   Material result;
+  result.File = file;
   const bool isPath = file.find_first_of("/.#") != std::string::npos;
   if (!isPath)
   {
@@ -80,7 +100,7 @@ Material LoadMaterial(const std::string& file)
   {
     const std::string logged = TakeErrorText();
     const std::string said = reader->GetErrorMessage();
-    throw Error(!said.empty() ? said : file + ": " + logged);
+    throw Error((!said.empty() ? said : file + ": " + logged) + GetFormatAdvice(file));
   }
   result.BRDF = reader->GetBRDF();
   result.Name = result.BRDF->GetName();

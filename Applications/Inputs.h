@@ -27,6 +27,7 @@ extern const char* const EnvironmentHelp;
 struct Material
 {
   vtkSmartPointer<vtkBRDF> BRDF;
+  std::string File;   // the argument
   std::string Name;   // embedded name, the material's own, or the file's
   std::string Source; // for people; may be empty
   std::string Kind;   // of embedded materials, else empty

@@ -120,13 +120,13 @@ void DrawDot(tool::Picture& picture, double x, double y, double radius, const to
 namespace tool
 {
 //------------------------------------------------------------------------------
-Picture DrawLightMap(
-  vtkEnvironment* environment, vtkLightSet* lights, bool regions, int previewWidth)
+Picture DrawLightMap(vtkEnvironment* environment, vtkLightSet* lights, bool regions,
+  int previewWidth, int largestHeight)
 {
   const double aspect = static_cast<double>(environment->GetHeight()) / environment->GetWidth();
   const int width = previewWidth * Smooth;
   const int height =
-    Smooth * std::clamp(static_cast<int>(std::lround(previewWidth * aspect)), 16, previewWidth);
+    Smooth * std::clamp(static_cast<int>(std::lround(previewWidth * aspect)), 16, largestHeight);
   Picture picture = ToneMap(environment, width, height);
 
   const int n = lights->GetNumberOfLights();

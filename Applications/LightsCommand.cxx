@@ -58,7 +58,8 @@ void Run(const Options& options)
   if (!options.Preview.empty())
   {
     tool::WritePNG(options.Preview,
-      tool::DrawLightMap(environment, lights, options.Lights.IsMedianCut(), PreviewWidth),
+      tool::DrawLightMap(
+        environment, lights, options.Lights.IsMedianCut(), PreviewWidth, PreviewWidth),
       tool::EncodeSRGB);
   }
 }

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Bases.h"
 #include "Files.h"
 #include "Inputs.h"
-#include "Progress.h"
 #include "Sizes.h"
 #include "Tool.h"
+#include "Watch.h"
 
 #include "vtkAshikhminShirleyBRDFFitter.h"
-#include "vtkBRDFAnalysis.h"
 #include "vtkBRDFGPUForm.h"
 #include "vtkBRDFResampler.h"
 #include "vtkBasisExtrapolator.h"
@@ -145,21 +145,6 @@ double GetRelativeL1(vtkDoubleArray* image, vtkDoubleArray* reference)
 }
 
 //------------------------------------------------------------------------------
-// Share of the signed sum's negative part, both cosines as weights.
-double GetNegativeMass(vtkBRDF* brdf)
-{
-  vtkNew<vtkBRDFAnalysis> analysis;
-  analysis->SetBRDF(brdf);
-  const double angle = 0.0;
-  analysis->SetAngles(1, &angle);
-  if (!analysis->Update())
-  {
-    throw tool::Error(tool::TakeErrorText());
-  }
-  return analysis->GetNegativeMass();
-}
-
-//------------------------------------------------------------------------------
 // One material's rows: every candidate is made, measured and forgotten.
 class Table
 {
@@ -179,16 +164,14 @@ public:
 
   std::vector<Row> Make(const std::function<void(double)>& progress)
   {
+    this->Progress = progress;
+    this->Steps = 4.0 * this->Settings.Orders.size() + 4.0;
     vtkNew<vtkRepresentationAdvisor> advisor;
     advisor->SetInput(this->Material.BRDF);
     advisor->SetZone(this->Zone.Begin, this->Zone.End);
-    if (!advisor->Update())
-    {
-      throw tool::Error(tool::TakeErrorText());
-    }
+    this->Watch(advisor.Get(), &vtkRepresentationAdvisor::Update);
+    this->FinishStep();
     const bool basis = advisor->GetRecommendation() == vtkRepresentationAdvisor::BASIS;
-    const double steps = 4.0 * this->Settings.Orders.size() + 3.0;
-    double step = 0.0;
     for (const int order : this->Settings.Orders)
     {
       vtkSmartPointer<vtkBRDF> zonal;
@@ -201,26 +184,42 @@ public:
         zonal = kind == vtkBasisBRDF::ZONAL ? made : zonal;
         this->Rows.back().Recommended =
           basis && kind == vtkBasisBRDF::SPHERICAL_HARMONICS && order == advisor->GetOrder();
-        progress(++step / steps);
       }
-      this->Add("zonal " + std::to_string(order) + ", extended", [&] { return Extend(zonal); });
-      progress(++step / steps);
+      this->Add(
+        "zonal " + std::to_string(order) + ", extended", [&] { return this->Extend(zonal); });
     }
     vtkNew<vtkDistributionBRDFFitter> distribution;
     this->AddFit("D-BRDF", distribution);
     this->Rows.back().Recommended = !basis;
-    progress(++step / steps);
     for (const int lobes : { 1, 2 })
     {
       vtkNew<vtkAshikhminShirleyBRDFFitter> ashikhmin;
       ashikhmin->SetNumberOfLobes(lobes);
       this->AddFit("Ashikhmin-Shirley " + std::to_string(lobes), ashikhmin);
-      progress(++step / steps);
     }
     return this->Rows;
   }
 
 private:
+  // A part of the current step. Throws Error where it failed.
+  template <typename Maker, typename Method>
+  void Watch(Maker* maker, Method run)
+  {
+    const bool done = tool::Watch(
+      maker, run, [this](double share) { this->Progress((this->Step + share) / this->Steps); });
+    const std::string said = tool::TakeErrorText();
+    if (!done && !said.empty())
+    {
+      throw tool::Error(said);
+    }
+  }
+
+  void FinishStep()
+  {
+    tool::Interruptible::Check();
+    this->Progress(++this->Step / this->Steps);
+  }
+
   vtkSmartPointer<vtkBRDF> Project(int basis, int order)
   {
     vtkNew<vtkBasisProjector> projector;
@@ -232,18 +231,16 @@ private:
       projector->SetIncidentZone(this->Zone.Begin, this->Zone.End);
       projector->SetOutgoingZone(this->Zone.Begin, this->Zone.End);
     }
-    if (!projector->Project())
-    {
-      throw tool::Error(tool::TakeErrorText());
-    }
+    this->Watch(projector.Get(), &vtkBasisProjector::Project);
     return projector->GetOutput();
   }
 
-  static vtkSmartPointer<vtkBRDF> Extend(vtkBRDF* zonal)
+  vtkSmartPointer<vtkBRDF> Extend(vtkBRDF* zonal)
   {
     vtkNew<vtkBasisExtrapolator> extrapolator;
     extrapolator->SetInput(vtkBasisBRDF::SafeDownCast(zonal));
-    extrapolator->Extrapolate(); // refused ones too: the table shows why
+    // What the gate refuses, without an error, is taken too: the table shows why.
+    this->Watch(extrapolator.Get(), &vtkBasisExtrapolator::Extrapolate);
     return extrapolator->GetOutput();
   }
 
@@ -253,10 +250,7 @@ private:
     this->Add(name,
       [&]() -> vtkSmartPointer<vtkBRDF>
       {
-        if (!fitter->Fit())
-        {
-          throw tool::Error(this->Material.Name + ": " + tool::TakeErrorText());
-        }
+        this->Watch(fitter, &vtkBRDFFitter::Fit);
         return fitter->GetOutput();
       });
   }
@@ -264,18 +258,21 @@ private:
   vtkSmartPointer<vtkBRDF> Add(
     const std::string& name, const std::function<vtkSmartPointer<vtkBRDF>()>& make)
   {
-    tool::Interruptible::Check();
     Row row;
     row.Material = this->Material.Name;
     row.Representation = name;
     const auto begin = std::chrono::steady_clock::now();
     const vtkSmartPointer<vtkBRDF> brdf = make();
     row.Seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    if (!brdf)
+    {
+      throw tool::Error(name + ": nothing came out");
+    }
     brdf->Prepare();
     if (auto* basis = vtkBasisBRDF::SafeDownCast(brdf))
     {
       row.Functions = basis->GetNumberOfFunctions();
-      row.NegativeMass = GetNegativeMass(basis);
+      row.NegativeMass = tool::GetNegativeMass(basis);
     }
     const double zone[2] = { this->Zone.Begin, this->Zone.End };
     row.Zone = vtkBRDFResampler::GetZoneRelativeL2Error(
@@ -284,6 +281,7 @@ private:
       vtkBRDFResampler::GetRelativeL2Error(this->Material.BRDF, brdf, NumberOfErrorPairs);
     for (std::size_t k = 0; k < this->Environments.size(); ++k)
     {
+      tool::Interruptible::Check();
       row.Images.push_back(
         GetRelativeL1(DrawSphere(brdf, this->Environments[k]), this->References[k]));
     }
@@ -291,6 +289,7 @@ private:
     brdf->GetGPUForm(form);
     row.Bytes = form.GetTextureBytes();
     this->Rows.push_back(row);
+    this->FinishStep();
     return brdf;
   }
 
@@ -300,7 +299,39 @@ private:
   tool::Range Zone;
   std::vector<vtkSmartPointer<vtkDoubleArray>> References;
   std::vector<Row> Rows;
+  std::function<void(double)> Progress;
+  double Step = 0.0;
+  double Steps = 1.0;
 };
+
+//------------------------------------------------------------------------------
+// A cell of text: quoted, quotes in it doubled (RFC 4180).
+std::string Quote(const std::string& text)
+{
+  std::string cell = "\"";
+  for (const char c : text)
+  {
+    cell += c == '"' ? "\"\"" : std::string(1, c);
+  }
+  return cell + "\"";
+}
+
+//------------------------------------------------------------------------------
+// The environments' names; a number tells those of the same name apart.
+std::vector<std::string> GetNames(const std::vector<vtkSmartPointer<vtkEnvironment>>& environments)
+{
+  std::vector<std::string> names;
+  for (vtkEnvironment* environment : environments)
+  {
+    std::string name = environment->GetName();
+    for (int k = 2; std::find(names.begin(), names.end(), name) != names.end(); ++k)
+    {
+      name = environment->GetName() + " " + std::to_string(k);
+    }
+    names.push_back(name);
+  }
+  return names;
+}
 
 //------------------------------------------------------------------------------
 std::string FormatCSV(
@@ -308,9 +339,9 @@ std::string FormatCSV(
 {
   std::string text = "material,representation,functions,relative_l2_zone,relative_l2_hemisphere,"
                      "negative_mass";
-  for (vtkEnvironment* environment : environments)
+  for (const std::string& name : GetNames(environments))
   {
-    text += ",image_" + environment->GetName();
+    text += "," + Quote("image_" + name);
   }
   text += ",texture_bytes,seconds,recommended\n";
   for (const Row& row : rows)
@@ -318,7 +349,7 @@ std::string FormatCSV(
     char figures[160];
     std::snprintf(figures, sizeof(figures), "%d,%.4f,%.4f,%.5f", row.Functions, row.Zone,
       row.Hemisphere, row.NegativeMass);
-    text += "\"" + row.Material + "\",\"" + row.Representation + "\"," + figures;
+    text += Quote(row.Material) + "," + Quote(row.Representation) + "," + figures;
     for (const double image : row.Images)
     {
       std::snprintf(figures, sizeof(figures), ",%.4f", image);
@@ -338,11 +369,11 @@ std::string FormatText(
   std::string text =
     "                               relative L2       negative   image, relative L1\n"
     "representation              zone   hemisphere     mass  ";
-  for (vtkEnvironment* environment : environments)
+  for (const std::string& name : GetNames(environments))
   {
-    char name[32];
-    std::snprintf(name, sizeof(name), " %12.12s", environment->GetName().c_str());
-    text += name;
+    char cell[32];
+    std::snprintf(cell, sizeof(cell), " %12.12s", name.c_str());
+    text += cell;
   }
   text += "     bytes  seconds\n";
   std::string material;
@@ -370,9 +401,31 @@ std::string FormatText(
 }
 
 //------------------------------------------------------------------------------
+// A material's rows. Throws Error naming the file.
+std::vector<Row> Compare(const Options& options, const std::string& file,
+  const std::vector<vtkSmartPointer<vtkEnvironment>>& environments, const tool::Range& zone,
+  const std::function<void(double)>& progress)
+{
+  const tool::Material material = tool::LoadMaterial(file); // its errors name the file
+  try
+  {
+    material.BRDF->Prepare();
+    return Table(options, material, environments, zone).Make(progress);
+  }
+  catch (const tool::Error& error)
+  {
+    throw tool::Error(file + ": " + error.what());
+  }
+}
+
+//------------------------------------------------------------------------------
 void Run(const Options& options)
 {
   const tool::Range zone = tool::ParseZone("--zone", options.Zone);
+  if (!options.Output.empty())
+  {
+    tool::CheckWritable(options.Output);
+  }
   tool::Interruptible interruptible;
   std::vector<std::string> files = options.Files;
   for (int k = 0; options.Files.empty() && k < vtkEmbeddedMaterials::GetNumberOfMaterials(); ++k)
@@ -386,23 +439,36 @@ void Run(const Options& options)
     environments.push_back(Shrink(tool::LoadEnvironment(name)));
   }
   std::vector<Row> rows;
-  tool::ProgressBar bar("measuring");
+  std::size_t failures = 0;
   for (std::size_t k = 0; k < files.size(); ++k)
   {
-    const tool::Material material = tool::LoadMaterial(files[k]);
-    material.BRDF->Prepare();
-    Table table(options, material, environments, zone);
-    const std::vector<Row> more = table.Make(
-      [&](double share) { bar.Update((static_cast<double>(k) + share) / files.size()); });
-    rows.insert(rows.end(), more.begin(), more.end());
+    try
+    {
+      tool::ProgressBar bar("measuring");
+      const std::vector<Row> more = Compare(options, files[k], environments, zone,
+        [&](double share) { bar.Update((static_cast<double>(k) + share) / files.size()); });
+      rows.insert(rows.end(), more.begin(), more.end());
+    }
+    catch (const tool::Error& error)
+    {
+      tool::Interruptible::Check();
+      ++failures;
+      tool::PrintNote("left out: " + std::string(error.what()));
+      continue;
+    }
     if (!options.Output.empty()) // what is done is kept
     {
       tool::WriteText(options.Output, FormatCSV(rows, environments));
     }
   }
-  if (options.Output.empty())
+  if (options.Output.empty() && !rows.empty())
   {
     tool::PrintOut(FormatText(rows, environments));
+  }
+  if (failures > 0)
+  {
+    throw tool::Error(std::to_string(failures) + " of " + std::to_string(files.size()) +
+                      " materials could not be compared");
   }
 }
 }

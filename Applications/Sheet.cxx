@@ -35,9 +35,12 @@ Picture MakePaper(int width, int height)
 //------------------------------------------------------------------------------
 void Paste(Picture& sheet, const Picture& tile, int x0, int y0)
 {
-  for (int y = 0; y < tile.Height; ++y)
+  const int left = std::max(0, -x0);
+  const int right = std::min(tile.Width, sheet.Width - x0);
+  for (int y = std::max(0, -y0); left < right && y < std::min(tile.Height, sheet.Height - y0); ++y)
   {
-    std::copy_n(tile.At(0, y), 4 * static_cast<std::size_t>(tile.Width), sheet.At(x0, y0 + y));
+    std::copy_n(
+      tile.At(left, y), 4 * static_cast<std::size_t>(right - left), sheet.At(x0 + left, y0 + y));
   }
 }
 

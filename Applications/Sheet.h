@@ -20,7 +20,7 @@ constexpr RGB Grey = { 0.5, 0.5, 0.52 };
 /// A sheet of dark paper.
 Picture MakePaper(int width, int height);
 
-/// Put a tile with its lower left corner at (x0, y0).
+/// Put a tile with its lower left corner at (x0, y0); what lies outside the sheet is left out.
 void Paste(Picture& sheet, const Picture& tile, int x0, int y0);
 
 /// RollOff of every value.

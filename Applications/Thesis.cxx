@@ -39,7 +39,7 @@ Representation Represent(const Material& material, int order)
   advisor->SetOrder(order);
   if (!Watch(advisor.Get(), &vtkRepresentationAdvisor::Represent, "representing"))
   {
-    throw Error(material.Name + ": " + TakeErrorText());
+    throw Error(material.File + ": " + TakeErrorText());
   }
   const bool basis = advisor->GetRecommendation() == vtkRepresentationAdvisor::BASIS;
   return { advisor->GetOutput(), basis ? "basis" : "fit", DescribeForm(advisor->GetOutput()),

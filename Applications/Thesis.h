@@ -30,7 +30,8 @@ struct ThesisOptions
   void Check(const CLI::App* command, const std::string& method) const;
 };
 
-/// What vtkRepresentationAdvisor makes of a material: "basis" or "fit", the one that it is, and why.
+/// What vtkRepresentationAdvisor makes of a material: "basis" or "fit", the one that it is, and
+/// why.
 struct Representation
 {
   vtkSmartPointer<vtkBRDF> BRDF;
@@ -39,8 +40,8 @@ struct Representation
   std::string Reason;
 };
 
-/// Measure and make it, with a progress bar. Throws Error naming the material, also where Ctrl-C was
-/// pressed. Needs an Interruptible.
+/// Measure and make it, with a progress bar. Throws Error naming its file, also where Ctrl-C
+/// was pressed. Needs an Interruptible.
 Representation Represent(const Material& material, int order);
 
 /// The same for --method thesis; the reason goes to stderr as a note.

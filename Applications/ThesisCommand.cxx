@@ -90,12 +90,11 @@ Exhibit MakeExhibit(const tool::Material& material, const std::string& standsFor
 {
   Exhibit exhibit;
   exhibit.Name = material.Name;
-  const char* label = material.Name.c_str();
   const std::string begin = standsFor.empty() ? "" : "For the thesis's " + standsFor + ". ";
   vtkNew<vtkRepresentationAdvisor> advisor;
   advisor->SetInput(material.BRDF);
   advisor->SetOrder(order);
-  if (!tool::Watch(advisor.Get(), &vtkRepresentationAdvisor::Update, label))
+  if (!tool::Watch(advisor.Get(), &vtkRepresentationAdvisor::Update, material.Name))
   {
     throw tool::Error(material.Name + ": " + tool::TakeErrorText());
   }
@@ -107,13 +106,13 @@ Exhibit MakeExhibit(const tool::Material& material, const std::string& standsFor
     device->SetNoise(Noise);
     device->SetBits(Bits);
     vtkNew<vtkBasisExtrapolator> extrapolator;
-    if (!tool::Watch(device.Get(), &vtkBRDFAcquisition::Acquire, label))
+    if (!tool::Watch(device.Get(), &vtkBRDFAcquisition::Acquire, material.Name))
     {
       throw tool::Error(material.Name + ": " + tool::TakeErrorText());
     }
     extrapolator->SetInput(device->GetOutput());
     const bool accepted =
-      tool::Watch(extrapolator.Get(), &vtkBasisExtrapolator::Extrapolate, label);
+      tool::Watch(extrapolator.Get(), &vtkBasisExtrapolator::Extrapolate, material.Name);
     const std::string said = tool::TakeErrorText();
     if (!said.empty())
     {
@@ -129,7 +128,7 @@ Exhibit MakeExhibit(const tool::Material& material, const std::string& standsFor
   }
   vtkNew<vtkDistributionBRDFFitter> fitter;
   fitter->SetInput(material.BRDF);
-  if (!tool::Watch(fitter.Get(), &vtkDistributionBRDFFitter::Fit, label))
+  if (!tool::Watch(fitter.Get(), &vtkDistributionBRDFFitter::Fit, material.Name))
   {
     throw tool::Error(material.Name + ": " + tool::TakeErrorText());
   }
@@ -331,7 +330,7 @@ public:
         tool::LightSetOptions options{ counts[column] };
         options.Method = row == 0 ? "median-cut" : "importance";
         const vtkSmartPointer<vtkLightSet> lights = tool::MakeLightSet(environment, options);
-        const tool::Picture map = tool::DrawLightMap(environment, lights, row == 0, 2 * tile);
+        const tool::Picture map = tool::DrawLightMap(environment, lights, row == 0, 2 * tile, tile);
         scene.SetLight(environment, options);
         tool::Picture both = tool::MakePaper(3 * tile, tile);
         tool::Paste(both, map, 0, (tile - map.Height) / 2);

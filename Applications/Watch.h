@@ -53,10 +53,11 @@ bool Watch(Maker* maker, Run run, const std::function<void(double)>& show)
 }
 
 template <typename Maker, typename Run>
-bool Watch(Maker* maker, Run run, const char* label)
+bool Watch(Maker* maker, Run run, const std::string& label)
 {
   ProgressBar bar(label);
-  return Watch(maker, run, std::function<void(double)>([&bar](double share) { bar.Update(share); }));
+  return Watch(
+    maker, run, std::function<void(double)>([&bar](double share) { bar.Update(share); }));
 }
 ///@}
 } // namespace tool

@@ -184,6 +184,8 @@ class Materials(ToolTest):
         self.check(run("info", self.write("empty.binary", "")), 1, "empty.binary")
         self.check(run("info", self.write("cut.bsdf", b"tensor_file\0\1")), 1, "cut.bsdf")
         self.check(run("info", self.write_fits() + "#other"), 1, "other")
+        xompt = self.write("road.xompt", "LIDAR 905 nm\n0.1 0.2\n")
+        self.check(run("info", xompt), 1, "road.xompt", "formats that are read", ".binary", ".bsdf")
 
     def test_a_file_never_hides_an_embedded_name(self):
         self.write("gold-paint", "nonsense")
@@ -460,6 +462,8 @@ class Fit(ToolTest):
             (["--model", "blinn-phong", "--anisotropic"], "--anisotropic"),
             (["--model", "blinn-phong", "--loss", "l2"], "--loss"),
             (["--model", "blinn-phong", "--starts", "0"], "--starts"),
+            (["--model", "blinn-phong", "--samples", "255"], "--samples"),
+            (["--model", "blinn-phong", "--samples", "4194304"], "memory"),
         ):
             self.check(run("fit", "gold-paint", *options, "-o", output), 2, word)
         self.check(run("fit", "gold-paint", "--model", "d-brdf", "-o", self.path("x.png")), 2, ".exr")
@@ -494,6 +498,7 @@ class Thesis(ToolTest):
 
     def test_basis_or_fit(self):
         lights = ["--lights", 64]
+        made = {}
         for material, choice in (("blue-fabric", "basis"), ("gold-metallic-paint3", "fit")):
             plain, _ = self.integrate(material, "hall", "--method", "light-set", *lights)
             values, said = self.integrate(material, "hall", "--method", "thesis", *lights)
@@ -501,8 +506,13 @@ class Thesis(ToolTest):
             self.assertNotEqual(values, plain)
             for value, wanted in zip(values, plain):
                 self.check_close(value, wanted, 0.06)
+            made[material] = values
         coarse, _ = self.integrate("blue-fabric", "hall", "--method", "thesis", "--order", 2, *lights)
-        self.assertNotEqual(coarse, values)
+        self.assertNotEqual(coarse, made["blue-fabric"])
+        pairs = self.write("nv.csv", self.PAIRS)
+        common = ["--environment", "hall", "--order", 2]
+        self.check(run("integrate", "blue-fabric", *common, "--pairs", pairs), 2, "--order", "thesis")
+        self.check(run("render", "blue-fabric", *common, "-o", "x.png"), 2, "--order", "thesis")
 
     def test_info_recommends(self):
         advice = json.loads(run("info", "chrome", "--json").stdout)["recommendation"]
@@ -516,11 +526,27 @@ class Thesis(ToolTest):
         basis = json.loads(run("fit", "pink-felt", "--model", "auto", "--json", "-o", output).stdout)
         self.assertEqual(basis["model"], "basis")
         self.assertLess(basis["relative_l2_error"], 0.25)  # grazing angles
+        self.assertEqual(basis["representation"], "basis")
+        self.assertIn("order 6", basis["representation_form"])
+        self.assertIn("residual", basis["reason"])
         self.check(run("info", output), 0, "harmonics")
+        # What is in a basis already stays in it, though the rule would have it fitted.
+        stack = self.path("stack.exr")
+        project = ["--basis", "zonal", "--order", 8, "-o", stack]
+        self.check(run("project", "gold-metallic-paint3", *project), 0)
+        kept = run("fit", stack, "--model", "auto", "-o", output)
+        self.check(kept, 0, "zonal", "order 8", "in one already", "relative L2 error: 0\n")
+        self.assertNotIn("order 6", kept.stdout)
+        huge = self.write("huge.fit", "huge = Aggregate(Lambertian(albedo = [1e60, 1e60, 1e60]))\n")
+        result = run("fit", huge, "--model", "auto", "-o", output)
+        self.check(result, 1, "huge.fit", "NaN or infinite")
+        self.assertNotIn("ERROR", result.stderr)
         # The input is Ashikhmin-Shirley, so that model wins.
         result = run("fit", "gold-metallic-paint3", "--model", "auto", "--json", "-o", output)
         fit = json.loads(result.stdout)
         self.assertEqual(fit["model"], "ashikhmin-shirley")
+        self.assertEqual(fit["representation"], "fit")
+        self.assertIn("negative mass", fit["reason"])
         self.assertLess(fit["relative_l2_error"], 0.05)
         self.assertIn("D-BRDF", result.stderr)
         bad = run("fit", "pink-felt", "--model", "auto", "--lobes", "2", "-o", output)
@@ -538,6 +564,20 @@ class Thesis(ToolTest):
         self.assertLess(error("Ashikhmin-Shirley 1"), 0.1)
         self.assertEqual(int(rows["zonal 4"]["functions"]), 25)
         self.assertGreater(int(rows["zonal 4"]["texture_bytes"]), 0)
+        # One that fails is left out and named; names that need quotes, environments of one name.
+        black = self.write("black.fit", "black = Aggregate(Lambertian(albedo = [0, 0, 0]))\n")
+        exr = self.path('a,"b".exr')
+        self.check(run("convert", self.write_fits(), exr), 0)
+        common = ["--environment", "sky", "--environment", "sky", "--orders", "2", "-o", output]
+        result = run("representations", black, self.path("none.exr"), exr, *common)
+        self.check(result, 1, "left out: " + black, "nothing to fit", "none.exr", "2 of 3")
+        with open(output, encoding="ascii") as file:
+            table = list(csv.reader(file))
+        self.assertEqual({len(row) for row in table}, {11})
+        self.assertEqual(table[0][6:8], ["image_built-in sky", "image_built-in sky 2"])
+        result = run("representations", "no-such", "-o", self.path("no/table.csv"))
+        self.check(result, 1, "no/table.csv")
+        self.assertNotIn("no-such", result.stderr)
         text = run("representations", "blue-fabric", "--environment", "sky", "--orders", "6").stdout
         self.assertIn("> spherical harmonics 6", text)
         for options, word in (
@@ -551,8 +591,12 @@ class Thesis(ToolTest):
 
     def test_figures(self):
         folder = self.path("thesis")
-        result = run("thesis", "pink-felt", "--environment", "hall", "--tile", "64", "--order", "2",
-                     "-o", folder)
+        # Much taller than 2:1: its light map has to fit in the sheet all the same.
+        head = b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 64 +X 8\n"
+        tall = bytes(v for k in range(512) for v in (64 + k % 190, 255 - k // 3, k // 2, 128))
+        tall = self.write("tall.hdr", head + tall)
+        result = run("thesis", "pink-felt", "--projection", "lat-long", "--environment", tall,
+                     "--tile", "64", "--order", "2", "-o", folder)
         if "needs an X server" in result.stderr:
             self.skipTest("skipped: no X server, which this VTK needs")
         self.check(result, 0)
@@ -756,7 +800,10 @@ class Render(ToolTest):
         self.check(self.render("blue-fabric", "x.exr", *common, "--report", report, "--method",
                                "thesis", "--order", "4"), 0)
         with open(report, encoding="utf-8") as file:
-            self.assertEqual(json.load(file)["method"], "thesis")
+            values = json.load(file)
+        self.assertEqual((values["method"], values["representation"]), ("thesis", "basis"))
+        self.assertIn("order 4", values["representation_form"])
+        self.assertIn("order 4", values["reason"])
         with open(self.path("x.exr"), "rb") as file:
             self.assertEqual(file.read(4), b"\x76\x2f\x31\x01")
 
