@@ -41,7 +41,11 @@ EnvironmentHarmonics::EnvironmentHarmonics(vtkEnvironment* environment, int maxi
           {
             line[x] = environment->GetPixels()[3 * (y * width + x) + channel];
           }
-          transform.fwd(series, line);
+          series = line; // all there is to do for a single texel, where Eigen's transform fails
+          if (width > 1)
+          {
+            transform.fwd(series, line);
+          }
           const double solidAngle = environment->GetTexelSolidAngle(static_cast<int>(y));
           for (std::size_t m = 0; m < orders; ++m)
           {

@@ -24,6 +24,7 @@
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 #include "vtkSphereSource.h"
+#include "vtkTableRadianceIntegrator.h"
 #include "vtkTabulatedBRDF.h"
 #include "vtkTexture.h"
 
@@ -152,6 +153,43 @@ void MeasuredFiltered(benchmark::State& state)
   scene.Measure(state, samples);
 }
 
+// Rows, view angles, azimuths: more of them cost memory, not time, as long as caches hold them.
+void MeasuredTable(benchmark::State& state)
+{
+  Scene scene;
+  auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("gold-paint"));
+  vtkNew<vtkTableRadianceIntegrator> integrator;
+  integrator->SetNumberOfRows(static_cast<int>(state.range(0)));
+  integrator->SetNumberOfViewAngles(static_cast<int>(state.range(1)));
+  integrator->SetNumberOfAzimuths(static_cast<int>(state.range(2)));
+  vtkNew<vtkMeasuredBRDFMapper> mapper;
+  mapper->SetInputConnection(scene.Sphere->GetOutputPort());
+  mapper->SetBRDF(brdf);
+  mapper->SetEnvironment(scene.Sky);
+  mapper->SetIntegrator(integrator);
+  scene.Actor->SetMapper(mapper);
+  scene.Measure(state, 0);
+  state.counters["bytes"] = static_cast<double>(mapper->GetTextureBytes());
+}
+
+void TableSetUp(benchmark::State& state)
+{
+  auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("gold-paint"));
+  vtkNew<vtkEnvironment> hall;
+  hall->SetToProceduralHall();
+  vtkNew<vtkTableRadianceIntegrator> integrator;
+  integrator->SetBRDF(brdf);
+  integrator->SetEnvironment(hall);
+  integrator->SetNumberOfRows(static_cast<int>(state.range(0)));
+  integrator->SetNumberOfViewAngles(static_cast<int>(state.range(1)));
+  integrator->SetNumberOfAzimuths(static_cast<int>(state.range(2)));
+  for (auto _ : state)
+  {
+    integrator->Modified();
+    integrator->Prepare();
+  }
+}
+
 // The material's table (0) or the environment's map (1).
 void FilteredSetUp(benchmark::State& state)
 {
@@ -219,6 +257,18 @@ BENCHMARK(MeasuredLambert)
   ->Unit(benchmark::kMillisecond)
   ->UseRealTime();
 BENCHMARK(MeasuredFit)->Arg(16)->Arg(64)->Arg(256)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(MeasuredTable)
+  ->Args({ 33, 12, 16 })
+  ->Args({ 65, 16, 16 })
+  ->Args({ 129, 12, 16 })
+  ->Unit(benchmark::kMillisecond)
+  ->UseRealTime();
+BENCHMARK(TableSetUp)
+  ->Args({ 33, 12, 16 })
+  ->Args({ 65, 16, 16 })
+  ->Args({ 129, 12, 16 })
+  ->Unit(benchmark::kMillisecond)
+  ->UseRealTime();
 BENCHMARK(MeasuredFiltered)
   ->ArgsProduct({ { 16, 32, 64, 128 }, { 0, 1 } })
   ->Unit(benchmark::kMillisecond)
