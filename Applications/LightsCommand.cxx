@@ -58,7 +58,7 @@ void Run(const Options& options)
   if (!options.Preview.empty())
   {
     tool::WritePNG(options.Preview,
-      tool::DrawLightMap(environment, lights, options.Lights.IsMedianCut(), PreviewWidth),
+      tool::DrawLightMap(environment, lights, !options.Lights.IsImportance(), PreviewWidth),
       tool::EncodeSRGB);
   }
 }
@@ -81,7 +81,8 @@ void AddLightsCommand(CLI::App& app)
       "faces it) per light")
     ->required();
   command->add_option("--preview", options->Preview,
-    "PNG to write as well: the tone-mapped map with the lights and, for median cut, their regions");
+    "PNG to write as well: the tone-mapped map with the lights and, but for importance, their "
+    "regions");
   command->footer("Example:\n  measured-brdf lights studio.exr --count 64 -o lights.csv "
                   "--preview lights.png");
   command->callback([options]() { Run(*options); });

@@ -29,6 +29,7 @@
 #include "vtkShader.h"
 #include "vtkShaderProgram.h"
 #include "vtkTexture.h"
+#include "vtkVarianceLightSetGenerator.h"
 
 #include <algorithm>
 #include <set>
@@ -50,7 +51,8 @@ struct vtkMeasuredBRDFMapper::Internals
   vtkSmartPointer<vtkEnvironment> CurrentEnvironment;
   vtkSmartPointer<vtkLightSet> CurrentLights;
   vtkNew<vtkLightSetIntegrator> LightLoop;
-  bool Ready = false; // whether the material can be drawn
+  vtkNew<vtkVarianceLightSetGenerator> Variance; // its tree serves every number of lights
+  bool Ready = false;                            // whether the material can be drawn
 
   const vtkBRDFGPUForm* GetMaterialForm() const
   {
@@ -136,9 +138,13 @@ void vtkMeasuredBRDFMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Environment: " << this->Impl->Environment.Get() << "\n";
   os << indent << "LightSet: " << this->Impl->LightSet.Get() << "\n";
   os << indent << "LightSetMethod: "
-     << (this->LightSetMethod == MEDIAN_CUT ? "median cut" : "importance sampling") << "\n";
+     << (this->LightSetMethod == MEDIAN_CUT
+            ? "median cut"
+            : (this->LightSetMethod == VARIANCE ? "variance" : "importance sampling"))
+     << "\n";
   os << indent << "NumberOfLights: " << this->NumberOfLights << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
+  os << indent << "SoftLights: " << (this->SoftLights ? "On" : "Off") << "\n";
   os << indent
      << "ScalarColoringMode: " << (this->ScalarColoringMode == MODULATE ? "modulate" : "ignore")
      << "\n";
@@ -171,7 +177,7 @@ vtkLightSet* vtkMeasuredBRDFMapper::GetLightSet() { return this->Impl->LightSet;
 //------------------------------------------------------------------------------
 void vtkMeasuredBRDFMapper::SetLightSetMethod(int method)
 {
-  this->LightSetMethod = method == IMPORTANCE_SAMPLING ? IMPORTANCE_SAMPLING : MEDIAN_CUT;
+  this->LightSetMethod = method == IMPORTANCE_SAMPLING || method == VARIANCE ? method : MEDIAN_CUT;
 }
 
 //------------------------------------------------------------------------------
@@ -238,6 +244,7 @@ void vtkMeasuredBRDFMapper::ShallowCopy(vtkAbstractMapper* m)
     this->SetLightSetMethod(other->GetLightSetMethod());
     this->SetNumberOfLights(other->GetNumberOfLights());
     this->SetSeed(other->GetSeed());
+    this->SetSoftLights(other->GetSoftLights());
     this->SetScalarColoringMode(other->GetScalarColoringMode());
   }
   this->Superclass::ShallowCopy(m);
@@ -464,8 +471,8 @@ void vtkMeasuredBRDFMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* actor)
                                                              << this->NumberOfLights << ".");
         }
       }
-      impl.CurrentLights =
-        FindLightSet(impl.CurrentEnvironment, this->LightSetMethod, count, this->Seed);
+      impl.CurrentLights = FindLightSet(
+        impl.CurrentEnvironment, this->LightSetMethod, count, this->Seed, impl.Variance);
     }
     else
     {
@@ -477,6 +484,7 @@ void vtkMeasuredBRDFMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* actor)
     {
       impl.LightLoop->SetBRDF(impl.BRDF);
       impl.LightLoop->SetLightSet(impl.CurrentLights);
+      impl.LightLoop->SetSoftLights(this->SoftLights);
       impl.Integrator = impl.LightLoop;
     }
 

@@ -2,17 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ErrorCatcher.h"
 #include "HalfVector.h" // for Pi
+#include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkCallbackCommand.h"
+#include "vtkDistributionBRDF.h"
 #include "vtkDoubleArray.h"
 #include "vtkEnvironment.h"
 #include "vtkEnvironmentReader.h"
 #include "vtkExactIntegrator.h"
+#include "vtkLambertBRDF.h"
 #include "vtkLightSet.h"
 #include "vtkLightSetIntegrator.h"
 #include "vtkMath.h"
 #include "vtkMedianCutLightSetGenerator.h"
 #include "vtkSmartPointer.h"
+#include "vtkSumBRDF.h"
 #include "vtkVarianceLightSetGenerator.h"
 
 #include <glm/glm.hpp>
@@ -23,6 +27,7 @@
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <initializer_list>
 #include <iostream>
 #include <random>
 #include <set>
@@ -645,5 +650,155 @@ TEST(Variance, RadianceConverges)
       errors.push_back(ours.RMS);
     }
     EXPECT_LT(errors.back(), errors.front() / 64.0);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(SoftLights, NoSpreadIsHard)
+{
+  vtkNew<vtkLambertBRDF> lambert;
+  vtkNew<vtkBlinnPhongBRDF> phong;
+  vtkNew<vtkAshikhminShirleyBRDF> shirley;
+  vtkNew<vtkDistributionBRDF> distribution;
+  vtkNew<vtkSumBRDF> sum;
+  sum->AddTerm(phong);
+  sum->AddTerm(distribution);
+  const double i[3] = { 0.1, 0.2, 0.9 };
+  const double o[3] = { 0.1, -0.4, 0.8 };
+  for (vtkBRDF* brdf : std::initializer_list<vtkBRDF*>{
+         lambert.Get(), phong.Get(), shirley.Get(), distribution.Get(), sum.Get() })
+  {
+    brdf->Prepare();
+    double hard[3];
+    double soft[3];
+    brdf->Evaluate(i, o, hard);
+    brdf->EvaluateSoft(i, o, 0.0, soft);
+    EXPECT_EQ(soft[1], hard[1]) << brdf->GetClassName();
+    brdf->EvaluateSoft(i, o, 1e-9, soft);
+    EXPECT_NEAR(soft[1], hard[1], 1e-6 * hard[1]) << brdf->GetClassName();
+    brdf->EvaluateSoft(i, o, std::nan(""), soft);
+    EXPECT_EQ(soft[1], hard[1]) << brdf->GetClassName();
+    for (double spread : { 1e-3, 1.0, 1e300 })
+    {
+      brdf->EvaluateSoft(i, o, spread, soft);
+      EXPECT_TRUE(std::isfinite(soft[1]) && soft[1] >= 0.0) << brdf->GetClassName();
+    }
+    const double below[3] = { 0.1, 0.2, -0.1 };
+    brdf->EvaluateSoft(below, o, 0.1, soft);
+    EXPECT_EQ(soft[1], 0.0);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(SoftLights, AreTheMeanOverTheLight)
+{
+  // Against the mean of f over a von Mises-Fisher distribution about i, near the mirror direction
+  // of a normal view, where the widths add up exactly for Gaussians.
+  vtkNew<vtkBlinnPhongBRDF> phong;
+  phong->SetExponent(400.0);
+  const double o[3] = { 0.0, 0.0, 1.0 };
+  for (double kappa : { 50.0, 200.0, 1000.0 })
+  {
+    for (double angle : { 0.0, 0.05, 0.1 })
+    {
+      const double i[3] = { std::sin(angle), 0.0, std::cos(angle) };
+      double mean = 0.0;
+      constexpr int rings = 200;
+      constexpr int spokes = 200;
+      for (int a = 0; a < rings; ++a)
+      {
+        const double c = 1.0 + std::log((a + 0.5) / rings) / kappa; // cosine to i
+        const double s = std::sqrt(1.0 - c * c);
+        for (int b = 0; b < spokes; ++b)
+        {
+          const double phi = 2.0 * Pi * (b + 0.5) / spokes;
+          const double x = s * std::cos(phi);
+          const double d[3] = { x * i[2] + c * i[0], s * std::sin(phi), c * i[2] - x * i[0] };
+          double f[3];
+          phong->Evaluate(d, o, f);
+          mean += f[1] / (rings * spokes);
+        }
+      }
+      double soft[3];
+      phong->EvaluateSoft(i, o, 1.0 / kappa, soft);
+      EXPECT_NEAR(soft[1], mean, 0.05 * mean) << kappa << " " << angle;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(SoftLights, LevelsOfATableAreTheClosedForm)
+{
+  // The table's p widened on the sphere against the lobe of the widened exponent; F = 1.
+  for (double n : { 20.0, 200.0, 2000.0 })
+  {
+    vtkNew<vtkDistributionBRDF> table;
+    table->SetBlinnDistribution(n);
+    ASSERT_TRUE(table->SetFresnel(1, { 1.0f, 1.0f, 1.0f }));
+    table->Prepare();
+    for (double kappa : { 20.0, 200.0, 2e4 })
+    {
+      const double variance = 1.0 / (4.0 * kappa); // normal view: o.h is nearly 1
+      const double widened = 1.0 / (1.0 / n + variance);
+      const double peak = (widened + 2.0) / (2.0 * Pi);
+      for (double angle : { 0.0, 0.5, 1.0 })
+      {
+        const double h = angle / std::sqrt(widened); // in widths
+        // Both directions tilted by h from the normal: i = o = h.
+        const double d[3] = { std::sin(h), 0.0, std::cos(h) };
+        double soft[3];
+        table->EvaluateSoft(d, d, 1.0 / kappa, soft);
+        const double g = 4.0 * (2.0 * d[2] - d[2] * d[2]);
+        const double expected = peak * std::pow(d[2], widened) / g;
+        EXPECT_NEAR(soft[1], expected, 0.06 * expected) << n << " " << kappa << " " << angle;
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(SoftLights, LowerTheErrorOfSharpLobes)
+{
+  const Pairs pairs(60);
+  vtkNew<vtkVarianceLightSetGenerator> generator;
+  vtkNew<vtkLightSet> lights;
+  for (bool hall : { false, true })
+  {
+    vtkNew<vtkEnvironment> environment;
+    if (hall)
+    {
+      environment->SetToProceduralHall();
+    }
+    else
+    {
+      environment->SetToProceduralSky();
+    }
+    ASSERT_TRUE(generator->Generate(environment, 64, lights));
+    for (double n : { 100.0, 500.0 })
+    {
+      vtkNew<vtkBlinnPhongBRDF> phong;
+      phong->SetExponent(n);
+      vtkNew<vtkDistributionBRDF> distribution;
+      distribution->SetBlinnDistribution(n);
+      for (vtkBRDF* lobe : std::initializer_list<vtkBRDF*>{ phong.Get(), distribution.Get() })
+      {
+        vtkNew<vtkExactIntegrator> reference;
+        reference->SetBRDF(lobe);
+        reference->SetEnvironment(environment);
+        vtkNew<vtkDoubleArray> exact;
+        ASSERT_TRUE(reference->Integrate(pairs.Normals, pairs.Views, exact));
+        vtkNew<vtkLightSetIntegrator> integrator;
+        integrator->SetBRDF(lobe);
+        integrator->SetLightSet(lights);
+        const Errors hard = Compare(exact, integrator, pairs);
+        integrator->SoftLightsOn();
+        const Errors soft = Compare(exact, integrator, pairs);
+        std::cout << (hall ? "hall, " : "sky, ") << lobe->GetClassName() << ", N = 64, n = " << n
+                  << ": RMS/median error " << hard.RMS << "/" << hard.Median << " hard, "
+                  << soft.RMS << "/" << soft.Median << " soft\n";
+        EXPECT_LT(soft.Median, hard.Median / 1.5);
+        EXPECT_LT(soft.RMS, hard.RMS);
+      }
+    }
   }
 }
