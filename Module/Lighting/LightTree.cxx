@@ -34,7 +34,7 @@ constexpr double TableRounding = 1e-14;
 constexpr int SplitsPerReport = 4096;
 
 // Texels that become cells before anything is cut. Each costs the rest a light: with a share of 1 %
-// and 16 texels the sum of variances of 64 lights grows by up to 29 %, with these by up to 8 %.
+// and 16 texels the sum of variances of 64 lights grows by up to 29 %, with these by up to 7 %.
 constexpr double BrightRadiance = 100.0; // times the mean
 constexpr double BrightShare = 0.05;     // of the energy
 constexpr std::size_t MaximumBrightTexels = 4;

@@ -60,8 +60,8 @@ public:
   /**
    * Whether the greedy method makes up to four outstandingly bright texels (100 times the mean
    * radiance, 5 % of the energy) lights of their own before it cuts the rest. Default off: the cuts
-   * find them by themselves where that pays. On six skies with suns it made the error of 64 lights
-   * smaller for lobes of exponent 500 and larger for all broader ones.
+   * find them by themselves where that pays. Measured with 64 lights on four maps with a sun or
+   * lamps: lobes of exponent 500 gained a quarter in RMS under two low suns, nothing else did.
    */
   vtkSetMacro(BrightTexels, bool);
   vtkGetMacro(BrightTexels, bool);
