@@ -12,6 +12,7 @@
 #include "vtkImportanceLightSetGenerator.h"
 #include "vtkMedianCutLightSetGenerator.h"
 #include "vtkNew.h"
+#include "vtkVarianceLightSetGenerator.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -174,11 +175,21 @@ void LightSetOptions::AddTo(CLI::App* command, const std::string& countName)
     ->check(CLI::Range(1, vtkLightSetGenerator::MaximumNumberOfLights));
   command
     ->add_option("--light-set", this->Method,
-      "How they are chosen: median-cut (regions of equal energy, one light each; default) or "
-      "importance (drawn at random in proportion to the energy)")
-    ->check(CLI::IsMember({ "median-cut", "importance" }));
+      "How they are chosen: median-cut (regions of equal energy, one light each; default), "
+      "variance "
+      "(regions of small spread, always the widest split next), minimum-variance (the published "
+      "method of that kind) or importance (drawn at random in proportion to the energy)")
+    ->check(CLI::IsMember({ "median-cut", "variance", "minimum-variance", "importance" }));
   command->add_option("--seed", this->Seed,
     "Seed of --light-set importance (default 1); the same seed gives the same lights");
+}
+
+//------------------------------------------------------------------------------
+void LightSetOptions::AddSoftTo(CLI::App* command)
+{
+  command->add_flag("--soft-lights", this->Soft,
+    "Make each light as wide as the region it stands for, so that sharp lobes show no dots; lights "
+    "of --light-set importance have no width");
 }
 
 //------------------------------------------------------------------------------
@@ -193,7 +204,7 @@ void LightSetOptions::Check() const
     }
     throw UsageError(std::to_string(this->Count) +
                      " lights: median cut makes powers of two only; try " + std::to_string(below) +
-                     " or " + std::to_string(2 * below) + ", or --light-set importance");
+                     " or " + std::to_string(2 * below) + ", or --light-set variance");
   }
 }
 
@@ -205,6 +216,14 @@ vtkSmartPointer<vtkLightSet> MakeLightSet(
   if (options.IsMedianCut())
   {
     generator = vtkSmartPointer<vtkMedianCutLightSetGenerator>::New();
+  }
+  else if (!options.IsImportance())
+  {
+    auto variance = vtkSmartPointer<vtkVarianceLightSetGenerator>::New();
+    variance->SetMethod(options.Method == "variance"
+                          ? vtkVarianceLightSetGenerator::GREEDY
+                          : vtkVarianceLightSetGenerator::MINIMUM_VARIANCE);
+    generator = variance;
   }
   else
   {

@@ -55,11 +55,16 @@ struct LightSetOptions
   int Count = 64;
   std::string Method = "median-cut";
   unsigned int Seed = 1;
+  bool Soft = false; // where the subcommand evaluates a material
 
   /// Add the options to a subcommand; the count is called by the given name.
   void AddTo(CLI::App* command, const std::string& countName);
 
+  /// Add --soft-lights.
+  void AddSoftTo(CLI::App* command);
+
   bool IsMedianCut() const { return this->Method == "median-cut"; }
+  bool IsImportance() const { return this->Method == "importance"; }
 
   /// Throws UsageError where the generator can't make that many.
   void Check() const;

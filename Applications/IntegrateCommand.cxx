@@ -36,6 +36,7 @@ vtkSmartPointer<vtkRadianceIntegrator> MakeIntegrator(
   }
   auto integrator = vtkSmartPointer<vtkLightSetIntegrator>::New();
   integrator->SetLightSet(tool::MakeLightSet(environment, options.Lights));
+  integrator->SetSoftLights(options.Lights.Soft);
   return integrator;
 }
 
@@ -114,6 +115,7 @@ void AddIntegrateCommand(CLI::App& app)
       "rings, as a D-BRDF fit")
     ->check(CLI::IsMember({ "exact", "light-set", "thesis" }));
   options->Lights.AddTo(command, "--lights");
+  options->Lights.AddSoftTo(command);
   options->Thesis.AddTo(command);
   command->add_option("-o,--output", options->Output,
     "CSV file to write: the six columns and r,g,b of the outgoing radiance, linear Rec. 709 "

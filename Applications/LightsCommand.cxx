@@ -59,7 +59,7 @@ void Run(const Options& options)
   {
     tool::WritePNG(options.Preview,
       tool::DrawLightMap(
-        environment, lights, options.Lights.IsMedianCut(), PreviewWidth, PreviewWidth),
+        environment, lights, !options.Lights.IsImportance(), PreviewWidth, PreviewWidth),
       tool::EncodeSRGB);
   }
 }
@@ -82,7 +82,8 @@ void AddLightsCommand(CLI::App& app)
       "faces it) per light")
     ->required();
   command->add_option("--preview", options->Preview,
-    "PNG to write as well: the tone-mapped map with the lights and, for median cut, their regions");
+    "PNG to write as well: the tone-mapped map with the lights and, but for importance, their "
+    "regions");
   command->footer("Example:\n  measured-brdf lights studio.exr --count 64 -o lights.csv "
                   "--preview lights.png");
   command->callback([options]() { Run(*options); });

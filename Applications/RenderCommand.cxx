@@ -129,7 +129,8 @@ void Run(const Options& options, const CLI::App* command)
     nlohmann::ordered_json report = { { "frame_ms", Median(frames) }, { "setup_ms", setup },
       { "texture_bytes", scene.GetTextureBytes() }, { "method", options.Method },
       { "lights", options.Lights.Count }, { "lights_in_use", scene.GetNumberOfLights() },
-      { "light_set", options.Lights.Method }, { "width", size.Width }, { "height", size.Height },
+      { "light_set", options.Lights.Method }, { "soft_lights", options.Lights.Soft },
+      { "width", size.Width }, { "height", size.Height },
       { "frames", NumberOfFrames }, { "material", material.Name },
       { "environment", environment->GetName() }, { "renderer", scene.GetRendererName() },
       { "vtk", vtkVersion::GetVTKVersion() } };
@@ -167,6 +168,7 @@ void AddRenderCommand(CLI::App& app)
       "the material in a basis or, where that rings, as a D-BRDF fit")
     ->check(CLI::IsMember({ "light-set", "thesis" }));
   options->Lights.AddTo(command, "--lights");
+  options->Lights.AddSoftTo(command);
   options->Thesis.AddTo(command);
   command->add_option(
     "--size", options->Size, "Picture size in pixels, WIDTHxHEIGHT (default 800x800)");

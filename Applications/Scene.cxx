@@ -70,11 +70,19 @@ void Scene::SetLight(vtkEnvironment* environment, const LightSetOptions& lights)
   {
     this->Mapper->SetLightSetMethodToMedianCut();
   }
-  else
+  else if (lights.IsImportance())
   {
     this->Mapper->SetLightSetMethodToImportanceSampling();
   }
+  else
+  {
+    this->Mapper->SetLightSetMethodToVariance();
+  }
+  // The mapper has no published variance minimization of its own.
+  this->Mapper->SetLightSet(
+    lights.Method == "minimum-variance" ? MakeLightSet(environment, lights) : nullptr);
   this->Mapper->SetSeed(lights.Seed);
+  this->Mapper->SetSoftLights(lights.Soft);
 }
 
 //------------------------------------------------------------------------------

@@ -11,3 +11,12 @@ vec3 brdfTermINSTANCE(vec3 i, vec3 o)
   return max(brdfScaleINSTANCE, vec3(0.0)) *
     exp(0.5 * brdfExponentINSTANCE * s * brdfLogCosineRatio(s));
 }
+
+vec3 brdfTermSoftINSTANCE(vec3 i, vec3 o, float spread)
+{
+  vec3 h = brdfHalfVector(i, o);
+  float s = dot(h.xy, h.xy);
+  float n = brdfWidenedExponent(brdfExponentINSTANCE, brdfHalfVectorSpread(spread, dot(h, o)));
+  return max(brdfScaleINSTANCE, vec3(0.0)) * ((n + 2.0) / (brdfExponentINSTANCE + 2.0)) *
+    exp(0.5 * n * s * brdfLogCosineRatio(s));
+}

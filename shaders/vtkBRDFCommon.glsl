@@ -57,6 +57,18 @@ float brdfLogCosineRatio(float s)
   return log(1.0 - min(s, 0.9999999)) / s;
 }
 
+// Variance in h of light of the given spread (1/kappa), seen from o.h = c; and the exponent of a lobe
+// that it widens.
+float brdfHalfVectorSpread(float spread, float c)
+{
+  return spread / (4.0 * max(c, 1e-2));
+}
+
+float brdfWidenedExponent(float n, float variance)
+{
+  return n / (1.0 + n * variance);
+}
+
 float brdfSchlickFifth(float c)
 {
   float m = clamp(1.0 - c, 0.0, 1.0);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The thesis's light loop: sum_j f(i_j,o) cos(theta_j) E_j (2.3.2). C++ twin: vtkLightSetIntegrator.
-uniform sampler2D brdfLightsINSTANCE; // two texels a light: direction, irradiance
+uniform sampler2D brdfLightsINSTANCE; // two texels a light: direction and 1/kappa, irradiance
 uniform float brdfNumberOfLightsINSTANCE;
 
 vec3 brdfEnvironmentINSTANCE(mat3 frame, vec3 o)
@@ -12,10 +12,11 @@ vec3 brdfEnvironmentINSTANCE(mat3 frame, vec3 o)
   for (int k = 0; k < count; ++k)
   {
     ivec2 texel = ivec2(2 * (k % lightsPerRow), k / lightsPerRow);
-    vec3 i = texelFetch(brdfLightsINSTANCE, texel, 0).xyz * frame;
+    vec4 light = texelFetch(brdfLightsINSTANCE, texel, 0);
+    vec3 i = light.xyz * frame;
     if (i.z > 0.0)
     {
-      sum += brdfEvaluate(i, o) * texelFetch(brdfLightsINSTANCE, texel + ivec2(1, 0), 0).rgb * i.z;
+      sum += EVALUATE_LIGHT * texelFetch(brdfLightsINSTANCE, texel + ivec2(1, 0), 0).rgb * i.z;
     }
   }
   return sum;

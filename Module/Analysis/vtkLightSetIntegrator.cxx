@@ -16,6 +16,13 @@
 namespace
 {
 constexpr int LightsPerRow = 512; // the shader asks the texture
+
+// 1/kappa; 0 for light from the direction itself.
+double GetSpread(vtkLightSet* lights, int index)
+{
+  const double concentration = lights->GetConcentration(index);
+  return concentration > 0.0 ? 1.0 / concentration : 0.0;
+}
 }
 
 vtkStandardNewMacro(vtkLightSetIntegrator);
@@ -60,7 +67,8 @@ void vtkLightSetIntegrator::IntegratePart(
     if (light.z > 0.0)
     {
       glm::dvec3 f;
-      this->BRDF->Evaluate(&light.x, &view.x, &f.x);
+      const double spread = this->SoftLights ? GetSpread(this->LightSet, k) : 0.0;
+      this->BRDF->EvaluateSoft(&light.x, &view.x, spread, &f.x);
       for (int c = 0; c < 3; ++c)
       {
         radiance[c] += light.z * f[c] * irradiance[c];
@@ -95,13 +103,17 @@ bool vtkLightSetIntegrator::GetGPUForm(vtkBRDFGPUForm& form)
       texel[c] = static_cast<float>(direction[c]);
       texel[4 + c] = static_cast<float>(irradiance[c]);
     }
+    texel[3] = static_cast<float>(GetSpread(this->LightSet, k));
   }
   vtkBRDFGPUForm::Term term;
   term.Shader = "vtkBRDFLightSet";
+  term.Constants.push_back({ "EVALUATE_LIGHT",
+    this->SoftLights ? "brdfEvaluateSoft(i, o, light.w)" : "brdfEvaluate(i, o)" });
   term.Uniforms.push_back({ "brdfNumberOfLights", { static_cast<float>(count) } });
   term.Textures.push_back(std::move(texture));
   form = vtkBRDFGPUForm();
-  form.Description = std::to_string(count) + " directional lights";
+  form.Description =
+    std::to_string(count) + (this->SoftLights ? " soft" : " directional") + " lights";
   form.Terms.push_back(std::move(term));
   return true;
 }
@@ -118,4 +130,5 @@ void vtkLightSetIntegrator::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "LightSet: " << this->LightSet.Get() << "\n";
+  os << indent << "SoftLights: " << (this->SoftLights ? "On" : "Off") << "\n";
 }

@@ -7,6 +7,9 @@
  * L_o = sum_j f(i_j,o) cos(theta_j) E_j (thesis 2.3.2). The light set lives in the environment's
  * frame; an environment is only needed for its rotation and may be missing. Views closer to the
  * horizon than 1.1 degrees are taken there, as the shader takes them.
+ *
+ * A sharp lobe shows a few lights as dots. Soft lights spread each by its concentration: the lobe
+ * is evaluated as wide as lobe and light together (vtkBRDF::EvaluateSoft).
  */
 
 #ifndef vtkLightSetIntegrator_h
@@ -31,6 +34,16 @@ public:
   vtkLightSet* GetLightSet();
   ///@}
 
+  ///@{
+  /**
+   * Whether lights are as wide as their concentration says; default off. Changing it costs the
+   * shader a rebuild.
+   */
+  vtkSetMacro(SoftLights, bool);
+  vtkGetMacro(SoftLights, bool);
+  vtkBooleanMacro(SoftLights, bool);
+  ///@}
+
   bool GetGPUForm(vtkBRDFGPUForm& form) override;
   bool UsesBRDFOnGPU() override { return true; }
   vtkMTimeType GetInputsMTime() override;
@@ -44,6 +57,7 @@ protected:
     int part, const double n[3], const double o[3], const double t[3], double radiance[3]) override;
 
   vtkSmartPointer<vtkLightSet> LightSet;
+  bool SoftLights = false;
 
 private:
   vtkLightSetIntegrator(const vtkLightSetIntegrator&) = delete;

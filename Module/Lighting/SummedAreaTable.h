@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Summed-area table (Crow 1984): the sum over any rectangle of a grid from four look-ups.
+ * Summed-area table (Crow 1984): the sum over any rectangle of a grid from four look-ups. T is a
+ * number or a vector of them, summed side by side.
  */
 
 #ifndef SummedAreaTable_h
@@ -15,18 +16,19 @@
 
 namespace measuredbrdf
 {
-class SummedAreaTable
+template <typename T>
+class BasicSummedAreaTable
 {
 public:
-  SummedAreaTable() = default;
+  BasicSummedAreaTable() = default;
 
   /**
    * row(y, values) writes the `width` values of row y; called from many threads, once per row.
    */
   template <typename RowFunction>
-  SummedAreaTable(int width, int height, RowFunction&& row)
+  BasicSummedAreaTable(int width, int height, RowFunction&& row)
     : Stride(static_cast<std::size_t>(width) + 1)
-    , Sums(Stride * (static_cast<std::size_t>(height) + 1), 0.0)
+    , Sums(Stride * (static_cast<std::size_t>(height) + 1), T(0.0))
   {
     // Along the rows, then down the columns (in blocks that stay in the cache).
     vtkSMPTools::For(0, height,
@@ -34,7 +36,7 @@ public:
       {
         for (vtkIdType y = begin; y < end; ++y)
         {
-          double* sums = &this->Sums[this->Stride * static_cast<std::size_t>(y + 1) + 1];
+          T* sums = &this->Sums[this->Stride * static_cast<std::size_t>(y + 1) + 1];
           row(static_cast<int>(y), sums);
           for (int x = 1; x < width; ++x)
           {
@@ -47,8 +49,8 @@ public:
       {
         for (int y = 1; y < height; ++y)
         {
-          const double* above = &this->Sums[this->Stride * static_cast<std::size_t>(y)];
-          double* sums = &this->Sums[this->Stride * static_cast<std::size_t>(y + 1)];
+          const T* above = &this->Sums[this->Stride * static_cast<std::size_t>(y)];
+          T* sums = &this->Sums[this->Stride * static_cast<std::size_t>(y + 1)];
           for (vtkIdType x = begin; x < end; ++x)
           {
             sums[x] += above[x];
@@ -58,20 +60,22 @@ public:
   }
 
   /// Sum over [x0,x1) x [y0,y1).
-  double GetSum(int x0, int y0, int x1, int y1) const
+  T GetSum(int x0, int y0, int x1, int y1) const
   {
     return (this->At(x1, y1) - this->At(x0, y1)) - (this->At(x1, y0) - this->At(x0, y0));
   }
 
 private:
-  double At(int x, int y) const
+  T At(int x, int y) const
   {
     return this->Sums[this->Stride * static_cast<std::size_t>(y) + static_cast<std::size_t>(x)];
   }
 
   std::size_t Stride = 0;
-  std::vector<double> Sums;
+  std::vector<T> Sums;
 };
+
+using SummedAreaTable = BasicSummedAreaTable<double>;
 } // namespace measuredbrdf
 
 #endif

@@ -23,7 +23,8 @@ void vtkLightSet::RemoveAllLights()
 }
 
 //------------------------------------------------------------------------------
-bool vtkLightSet::AddLight(const double direction[3], const double irradiance[3], double solidAngle)
+bool vtkLightSet::AddLight(
+  const double direction[3], const double irradiance[3], double solidAngle, double concentration)
 {
   Light light = {};
   const double length = std::hypot(direction[0], direction[1], direction[2]);
@@ -45,7 +46,13 @@ bool vtkLightSet::AddLight(const double direction[3], const double irradiance[3]
     light.Direction[c] = direction[c] / length;
     light.Irradiance[c] = irradiance[c];
   }
+  if (!(concentration >= 0.0))
+  {
+    vtkErrorMacro("AddLight: the concentration " << concentration << " is negative or NaN.");
+    return false;
+  }
   light.SolidAngle = solidAngle;
+  light.Concentration = std::isfinite(concentration) ? concentration : 0.0;
   this->Lights.push_back(light);
   this->Modified();
   return true;
@@ -77,6 +84,20 @@ void vtkLightSet::GetIrradiance(int index, double irradiance[3])
 
 //------------------------------------------------------------------------------
 double vtkLightSet::GetSolidAngle(int index) { return this->GetLight(index).SolidAngle; }
+
+//------------------------------------------------------------------------------
+double vtkLightSet::GetConcentration(int index) { return this->GetLight(index).Concentration; }
+
+//------------------------------------------------------------------------------
+double vtkLightSet::GetConcentrationOfVariance(double v)
+{
+  if (!(v > 0.0))
+  {
+    return 0.0;
+  }
+  const double r = std::max(std::sqrt(std::max(1.0 - v, 0.0)), 1e-3);
+  return r * (3.0 - r * r) / std::min(v, 1.0);
+}
 
 //------------------------------------------------------------------------------
 void vtkLightSet::GetTotal(double rgb[3])
@@ -128,6 +149,9 @@ vtkPolyData* vtkLightSet::NewPolyData()
   vtkNew<vtkDoubleArray> solidAngle;
   solidAngle->SetName("SolidAngle");
   solidAngle->SetNumberOfTuples(count);
+  vtkNew<vtkDoubleArray> concentration;
+  concentration->SetName("Concentration");
+  concentration->SetNumberOfTuples(count);
   vtkNew<vtkCellArray> vertices;
   for (vtkIdType k = 0; k < count; ++k)
   {
@@ -135,6 +159,7 @@ vtkPolyData* vtkLightSet::NewPolyData()
     points->SetPoint(k, light.Direction);
     irradiance->SetTuple(k, light.Irradiance);
     solidAngle->SetValue(k, light.SolidAngle);
+    concentration->SetValue(k, light.Concentration);
     vertices->InsertNextCell(1, &k);
   }
 
@@ -143,6 +168,7 @@ vtkPolyData* vtkLightSet::NewPolyData()
   lights->SetVerts(vertices);
   lights->GetPointData()->AddArray(irradiance);
   lights->GetPointData()->AddArray(solidAngle);
+  lights->GetPointData()->AddArray(concentration);
   return lights;
 }
 
@@ -157,6 +183,7 @@ bool vtkLightSet::SetPolyData(vtkPolyData* lights)
     return false;
   }
   vtkDataArray* solidAngle = lights->GetPointData()->GetArray("SolidAngle");
+  vtkDataArray* concentration = lights->GetPointData()->GetArray("Concentration");
   std::vector<Light> old;
   old.swap(this->Lights);
   for (vtkIdType k = 0; k < lights->GetNumberOfPoints(); ++k)
@@ -165,7 +192,8 @@ bool vtkLightSet::SetPolyData(vtkPolyData* lights)
     double rgb[3];
     lights->GetPoint(k, direction);
     irradiance->GetTuple(k, rgb);
-    if (!this->AddLight(direction, rgb, solidAngle ? solidAngle->GetComponent(k, 0) : 0.0))
+    if (!this->AddLight(direction, rgb, solidAngle ? solidAngle->GetComponent(k, 0) : 0.0,
+          concentration ? concentration->GetComponent(k, 0) : 0.0))
     {
       this->Lights.swap(old);
       return false;

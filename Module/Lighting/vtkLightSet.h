@@ -5,8 +5,13 @@
  * @brief   directional lights that stand for an environment
  *
  * Each light has a unit direction towards it (environment frame), an irradiance RGB on a surface
- * that faces it (radiance x solid angle), the solid angle it stands for in sr, and optionally the
- * region of texels it was made from.
+ * that faces it (radiance x solid angle), the solid angle it stands for in sr, a concentration, and
+ * optionally the region of texels it was made from.
+ *
+ * The concentration kappa says how widely the light that it stands for is spread: as a von
+ * Mises-Fisher distribution exp(kappa (cos - 1)) about its direction, about 1/sqrt(kappa) radians
+ * wide. 0 means that no spread is known: all light comes from the direction itself (Dirac). Only
+ * integrators with soft lights look at it.
  */
 
 #ifndef vtkLightSet_h
@@ -29,10 +34,12 @@ public:
   ///@{
   /**
    * Edit. Directions are normalized; a light with a zero or non-finite direction, or an irradiance
-   * that is negative or not finite, is refused (returns false, set unchanged).
+   * that is negative or not finite, or a concentration that is negative or NaN, is refused (returns
+   * false, set unchanged). An infinite concentration counts as 0: a Dirac light.
    */
   void RemoveAllLights();
-  bool AddLight(const double direction[3], const double irradiance[3], double solidAngle = 0.0);
+  bool AddLight(const double direction[3], const double irradiance[3], double solidAngle = 0.0,
+    double concentration = 0.0);
   ///@}
 
   ///@{
@@ -43,7 +50,15 @@ public:
   void GetDirection(int index, double direction[3]);
   void GetIrradiance(int index, double irradiance[3]);
   double GetSolidAngle(int index);
+  double GetConcentration(int index);
   ///@}
+
+  /**
+   * Concentration of light whose directions vary by v = (mean of |direction - centroid|^2), in
+   * [0,1]: kappa = r (3 - r^2)/(1 - r^2) with the centroid's length r = sqrt(1 - v) (Banerjee et
+   * al. 2005). 0 (Dirac) for v <= 0; at least 0.003.
+   */
+  static double GetConcentrationOfVariance(double v);
 
   /**
    * Sum of the irradiances, RGB.
@@ -62,8 +77,8 @@ public:
   ///@{
   /**
    * As geometry and back: points on the unit sphere with vertices; point arrays "Irradiance" (3
-   * doubles), "SolidAngle". New object the caller owns. SetPolyData returns false (set unchanged)
-   * without points or "Irradiance".
+   * doubles), "SolidAngle", "Concentration". New object the caller owns. SetPolyData returns false
+   * (set unchanged) without points or "Irradiance".
    */
   VTK_NEWINSTANCE vtkPolyData* NewPolyData();
   bool SetPolyData(vtkPolyData* lights);
@@ -78,6 +93,7 @@ protected:
     double Direction[3];
     double Irradiance[3];
     double SolidAngle;
+    double Concentration;
     int Region[4]; // x0 == x1: none
   };
   const Light& GetLight(int index) const;

@@ -191,7 +191,11 @@ bool vtkMedianCutLightSetGenerator::Generate(
       vtkEnvironment::GetDirection(
         0.5 * (r.X0 + r.X1) / width, 0.5 * (r.Y0 + r.Y1) / height, &direction.x);
     }
-    if (output->AddLight(&direction.x, &energy.Irradiance.x, energy.SolidAngle))
+    const double mean = glm::length(energy.Moment) / energy.Luminance;
+    const bool texel = r.X1 - r.X0 == 1 && r.Y1 - r.Y0 == 1;
+    const double concentration =
+      vtkLightSet::GetConcentrationOfVariance(texel ? 0.0 : 1.0 - mean * mean);
+    if (output->AddLight(&direction.x, &energy.Irradiance.x, energy.SolidAngle, concentration))
     {
       output->SetLastRegion(r.X0, r.Y0, r.X1, r.Y1);
     }

@@ -50,12 +50,21 @@ void vtkAshikhminShirleyBRDF::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 void vtkAshikhminShirleyBRDF::EvaluateAbove(const double i[3], const double o[3], double f[3])
 {
+  this->EvaluateSoftAbove(i, o, 0.0, f);
+}
+
+//------------------------------------------------------------------------------
+void vtkAshikhminShirleyBRDF::EvaluateSoftAbove(
+  const double i[3], const double o[3], double spread, double f[3])
+{
   const glm::dvec3 light = glm::make_vec3(i);
   const glm::dvec3 view = glm::make_vec3(o);
   const glm::dvec3 h = HalfVector(light, view);
   const double hd = glm::dot(h, view);
-  const double specular = std::sqrt((this->ExponentU + 1.0) * (this->ExponentV + 1.0)) /
-                          (8.0 * Pi) * Lobe(this->ExponentU, this->ExponentV, h) /
+  const double variance = HalfVectorSpread(spread, hd);
+  const double nu = WidenedExponent(this->ExponentU, variance);
+  const double nv = WidenedExponent(this->ExponentV, variance);
+  const double specular = std::sqrt((nu + 1.0) * (nv + 1.0)) / (8.0 * Pi) * Lobe(nu, nv, h) /
                           (hd * std::max(light.z, view.z));
   const double diffuse = DiffuseScale * DiffuseFactor(light.z) * DiffuseFactor(view.z);
   for (int c = 0; c < 3; ++c)

@@ -8,7 +8,21 @@
 
 #include <glm/gtc/type_ptr.hpp>
 
+#include <algorithm>
+#include <cmath>
+
 using namespace measuredbrdf;
+
+namespace
+{
+void Clean(double f[3])
+{
+  for (int c = 0; c < 3; ++c)
+  {
+    f[c] = std::isfinite(f[c]) ? std::max(f[c], 0.0) : 0.0;
+  }
+}
+}
 
 //------------------------------------------------------------------------------
 void vtkBRDF::PrintSelf(ostream& os, vtkIndent indent)
@@ -29,10 +43,32 @@ void vtkBRDF::Evaluate(const double i[3], const double o[3], double f[3])
     return;
   }
   this->EvaluateAbove(iUnit, oUnit, f);
-  for (int c = 0; c < 3; ++c)
+  Clean(f);
+}
+
+//------------------------------------------------------------------------------
+void vtkBRDF::EvaluateSoft(const double i[3], const double o[3], double spread, double f[3])
+{
+  if (!(spread > 0.0))
   {
-    f[c] = std::isfinite(f[c]) ? std::max(f[c], 0.0) : 0.0;
+    this->Evaluate(i, o, f);
+    return;
   }
+  f[0] = f[1] = f[2] = 0.0;
+  double iUnit[3], oUnit[3];
+  if (!ToUpperUnit(i, iUnit) || !ToUpperUnit(o, oUnit))
+  {
+    return;
+  }
+  this->EvaluateSoftAbove(iUnit, oUnit, std::min(spread, 1e6), f);
+  Clean(f);
+}
+
+//------------------------------------------------------------------------------
+void vtkBRDF::EvaluateSoftAbove(
+  const double i[3], const double o[3], double vtkNotUsed(spread), double f[3])
+{
+  this->EvaluateAbove(i, o, f);
 }
 
 //------------------------------------------------------------------------------

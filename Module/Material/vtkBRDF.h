@@ -51,6 +51,14 @@ public:
   void Evaluate(const double i[3], const double o[3], double f[3]);
 
   /**
+   * f(i,o) blurred over i: the mean over light spread about i as a von Mises-Fisher distribution of
+   * concentration 1/spread (spread >= 0; 0: Evaluate). An approximation that only lobes
+   * about the half vector make: their own width in h grows by the light's, their integral stays.
+   * What has no such form gives f(i,o). Cleaned as Evaluate is.
+   */
+  void EvaluateSoft(const double i[3], const double o[3], double spread, double f[3]);
+
+  /**
    * Draw i given o from two uniform numbers in [0,1). Returns false, with i = 0, where the draw
    * fell below the horizon: such a sample counts as zero. E[f(i,o) cos(theta_i) / Pdf(i,o)] over
    * the draws is the directional albedo.
@@ -121,6 +129,11 @@ protected:
    * f(i,o) for unit i, o above the horizon. May return anything for bad data: Evaluate cleans.
    */
   virtual void EvaluateAbove(const double i[3], const double o[3], double f[3]) = 0;
+
+  /**
+   * The same for light of the given spread, in (0, 1e6]; default: EvaluateAbove.
+   */
+  virtual void EvaluateSoftAbove(const double i[3], const double o[3], double spread, double f[3]);
 
   ///@{
   /**

@@ -6,7 +6,9 @@
  *
  * Plain data without GL, made by vtkBRDF::GetGPUForm and consumed by the rendering room. Each GLSL
  * file defines `vec3 brdfTermINSTANCE(vec3 i, vec3 o)`; INSTANCE becomes the term's number, in the
- * names of uniforms and textures too, so that one shader can hold several terms of one kind.
+ * names of uniforms and textures too, so that one shader can hold several terms of one kind. A
+ * material's file may add `vec3 brdfTermSoftINSTANCE(vec3 i, vec3 o, float spread)`, the twin of
+ * vtkBRDF::EvaluateSoft; without it soft lights are hard.
  * Integrators use the same struct (vtkRadianceIntegrator::GetGPUForm); there each file defines
  * `vec3 brdfEnvironmentINSTANCE(mat3 frame, vec3 o)`.
  */

@@ -24,9 +24,18 @@ void vtkBlinnPhongBRDF::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 void vtkBlinnPhongBRDF::EvaluateAbove(const double i[3], const double o[3], double f[3])
 {
-  const glm::dvec3 h = HalfVector(glm::make_vec3(i), glm::make_vec3(o));
+  this->EvaluateSoftAbove(i, o, 0.0, f);
+}
+
+//------------------------------------------------------------------------------
+void vtkBlinnPhongBRDF::EvaluateSoftAbove(
+  const double i[3], const double o[3], double spread, double f[3])
+{
+  const glm::dvec3 view = glm::make_vec3(o);
+  const glm::dvec3 h = HalfVector(glm::make_vec3(i), view);
   const double s = h.x * h.x + h.y * h.y;
-  const double lobe = (this->Exponent + 2.0) / (2.0 * Pi) * PowerCosine(this->Exponent, s);
+  const double n = WidenedExponent(this->Exponent, HalfVectorSpread(spread, glm::dot(h, view)));
+  const double lobe = (n + 2.0) / (2.0 * Pi) * PowerCosine(n, s);
   for (int c = 0; c < 3; ++c)
   {
     f[c] = this->Specular[c] * lobe;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDistributionBRDF.h"
 
+#include "DistributionLevels.h"
 #include "HalfVectorSampler.h"
 #include "Neighbours.h"
 #include "vtkBRDFGPUForm.h"
@@ -16,6 +17,11 @@ vtkStandardNewMacro(vtkDistributionBRDF);
 struct vtkDistributionBRDF::Sampler : public HalfVectorSampler
 {
   using HalfVectorSampler::HalfVectorSampler;
+};
+
+struct vtkDistributionBRDF::Levels : public DistributionLevels
+{
+  using DistributionLevels::DistributionLevels;
 };
 
 namespace
@@ -60,6 +66,7 @@ bool vtkDistributionBRDF::SetDistribution(int nTheta, int nPhi, const std::vecto
   this->NumberOfPhi = nPhi;
   this->Distribution = rgb;
   this->HalfVectorSampler.reset();
+  this->WidenedLevels.reset();
   this->Modified();
   return true;
 }
@@ -108,17 +115,33 @@ void vtkDistributionBRDF::SetSchlickFresnel(const double f0[3])
 //------------------------------------------------------------------------------
 void vtkDistributionBRDF::EvaluateAbove(const double i[3], const double o[3], double f[3])
 {
+  this->EvaluateSoftAbove(i, o, 0.0, f);
+}
+
+//------------------------------------------------------------------------------
+void vtkDistributionBRDF::EvaluateSoftAbove(
+  const double i[3], const double o[3], double spread, double f[3])
+{
   const glm::dvec3 light = glm::make_vec3(i);
   const glm::dvec3 view = glm::make_vec3(o);
   const HalfDifference angles = ToHalfDifference(light, view);
   const glm::dvec3 h = HalfVector(light, view);
   const Neighbours t = ClampedNeighbours(ThetaHToUnit(angles.ThetaH), this->NumberOfTheta);
-  const Neighbours p = PeriodicNeighbours(std::atan2(h.y, h.x) / (2.0 * Pi), this->NumberOfPhi);
+  // Rows of the table are phi_h; of the levels, widths.
+  const bool soft = spread > 0.0 && this->NumberOfPhi == 1;
+  if (soft)
+  {
+    this->PrepareLevels();
+  }
+  const std::vector<float>& rows = soft ? this->WidenedLevels->GetRows() : this->Distribution;
+  const Neighbours p = soft
+                         ? this->WidenedLevels->Find(HalfVectorSpread(spread, glm::dot(h, view)))
+                         : PeriodicNeighbours(std::atan2(h.y, h.x) / (2.0 * Pi), this->NumberOfPhi);
   const Neighbours d =
     ClampedNeighbours(angles.ThetaD * (2.0 / Pi), static_cast<int>(this->Fresnel.size() / 3));
   const double g = 4.0 * (light.z + view.z - light.z * view.z);
-  const auto distribution = [this](int theta, int phi, int c)
-  { return static_cast<double>(this->Distribution[3 * (phi * this->NumberOfTheta + theta) + c]); };
+  const auto distribution = [this, &rows](int theta, int row, int c)
+  { return static_cast<double>(rows[3 * (row * this->NumberOfTheta + theta) + c]); };
   for (int c = 0; c < 3; ++c)
   {
     const double p0 =
@@ -132,8 +155,18 @@ void vtkDistributionBRDF::EvaluateAbove(const double i[3], const double o[3], do
 }
 
 //------------------------------------------------------------------------------
+void vtkDistributionBRDF::PrepareLevels()
+{
+  if (!this->WidenedLevels && this->NumberOfPhi == 1)
+  {
+    this->WidenedLevels = std::make_unique<Levels>(this->NumberOfTheta, this->Distribution);
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkDistributionBRDF::Prepare()
 {
+  this->PrepareLevels();
   if (this->HalfVectorSampler)
   {
     return;
@@ -197,9 +230,24 @@ void vtkDistributionBRDF::GetGPUForm(vtkBRDFGPUForm& form)
   term.Shader = "vtkBRDFDistribution";
   vtkBRDFGPUForm::Texture p;
   p.Name = "brdfDistribution";
-  p.Dimensions = { this->NumberOfTheta, this->NumberOfPhi, 1 };
-  p.Repeat = { false, true, false };
-  p.Data = this->Distribution;
+  if (this->NumberOfPhi == 1)
+  {
+    this->PrepareLevels();
+    p.Dimensions = { this->NumberOfTheta, DistributionLevels::Count, 1 };
+    p.Data = this->WidenedLevels->GetRows();
+    term.Uniforms.push_back(
+      { "brdfOwnVariance", { static_cast<float>(this->WidenedLevels->GetOwnVariance()) } });
+    term.Uniforms.push_back(
+      { "brdfNumberOfLevels", { static_cast<float>(DistributionLevels::Count) } });
+  }
+  else
+  {
+    p.Dimensions = { this->NumberOfTheta, this->NumberOfPhi, 1 };
+    p.Repeat = { false, true, false };
+    p.Data = this->Distribution;
+    term.Uniforms.push_back({ "brdfOwnVariance", { 1.0f } });
+    term.Uniforms.push_back({ "brdfNumberOfLevels", { 0.0f } });
+  }
   vtkBRDFGPUForm::Texture fresnel;
   fresnel.Name = "brdfFresnel";
   fresnel.Dimensions = { static_cast<int>(this->Fresnel.size() / 3), 1, 1 };

@@ -11,6 +11,9 @@
  *
  * Tables: theta_h = (pi/2) ((k + 1/2)/n)^2 for sample k of n (fine where lobes are sharp), phi_h =
  * 2 pi (k + 1/2)/n, theta_d = (pi/2) (k + 1/2)/n; constant beyond the outermost samples.
+ *
+ * Soft light (EvaluateSoft) reads an isotropic p at a wider level, blurred beforehand; with an
+ * anisotropic p it is hard.
  */
 
 #ifndef vtkDistributionBRDF_h
@@ -69,6 +72,7 @@ protected:
   ~vtkDistributionBRDF() override;
 
   void EvaluateAbove(const double i[3], const double o[3], double f[3]) override;
+  void EvaluateSoftAbove(const double i[3], const double o[3], double spread, double f[3]) override;
   bool SampleAbove(const double o[3], double u1, double u2, double i[3]) override;
   double PdfAbove(const double i[3], const double o[3]) override;
 
@@ -81,8 +85,12 @@ private:
   vtkDistributionBRDF(const vtkDistributionBRDF&) = delete;
   void operator=(const vtkDistributionBRDF&) = delete;
 
+  void PrepareLevels();
+
   struct Sampler;
   std::unique_ptr<Sampler> HalfVectorSampler;
+  struct Levels;
+  std::unique_ptr<Levels> WidenedLevels; // of an isotropic p, for EvaluateSoft
 };
 
 #endif

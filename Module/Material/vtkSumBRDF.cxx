@@ -101,6 +101,20 @@ void vtkSumBRDF::EvaluateAbove(const double i[3], const double o[3], double f[3]
 }
 
 //------------------------------------------------------------------------------
+void vtkSumBRDF::EvaluateSoftAbove(const double i[3], const double o[3], double spread, double f[3])
+{
+  for (vtkBRDF* term : this->Terms)
+  {
+    double part[3];
+    term->EvaluateSoft(i, o, spread, part);
+    for (int c = 0; c < 3; ++c)
+    {
+      f[c] += part[c];
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkSumBRDF::Prepare()
 {
   if (this->PrepareTime > this->GetMTime() && this->Weights.size() == this->Terms.size())

@@ -72,19 +72,39 @@ std::string Sum(const vtkBRDFGPUForm& form, const std::string& signature, const 
   }
   return text + signature + "\n{\n  return " + sum + ";\n}\n";
 }
+
+// The same sum for light with a spread; terms without a form for that as they are.
+std::string SoftSum(const vtkBRDFGPUForm& form)
+{
+  std::string sum = "vec3(0.0)";
+  for (std::size_t k = 0; k < form.Terms.size(); ++k)
+  {
+    const std::string number = std::to_string(k);
+    const std::string source = FindTerm(form.Terms[k].Shader);
+    sum += source.find("brdfTermSoftINSTANCE") != std::string::npos
+             ? " + brdfTermSoft" + number + "(i, o, spread)"
+             : " + brdfTerm" + number + "(i, o)";
+  }
+  return "vec3 brdfEvaluateSoft(vec3 i, vec3 o, float spread)\n{\n  return " + sum + ";\n}\n";
+}
 }
 
 std::string GetShaderDeclarations(const vtkBRDFGPUForm* material, const vtkBRDFGPUForm& environment)
 {
+  const std::string lights =
+    Sum(environment, "vec3 brdfEnvironment(mat3 frame, vec3 o)", "brdfEnvironment", "(frame, o)");
   std::string text = std::string(vtkBRDFCommon) + vtkBRDFEnvironmentPyramid;
   if (material)
   {
     text += Sum(*material, "vec3 brdfEvaluate(vec3 i, vec3 o)", "brdfTerm", "(i, o)");
+    if (lights.find("brdfEvaluateSoft") != std::string::npos)
+    {
+      text += SoftSum(*material);
+    }
   }
   text += "uniform mat3 envMatrix; // VTK's own: view -> the renderer's environment\n"
           "uniform mat3 brdfEnvironmentRotation; // the environment's own rotation on top\n";
-  text +=
-    Sum(environment, "vec3 brdfEnvironment(mat3 frame, vec3 o)", "brdfEnvironment", "(frame, o)");
+  text += lights;
   text += "uniform int brdfModulate;\n";
   return text;
 }

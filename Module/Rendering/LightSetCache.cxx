@@ -14,6 +14,7 @@
 #include "vtkMedianCutLightSetGenerator.h"
 #include "vtkNew.h"
 #include "vtkTexture.h"
+#include "vtkVarianceLightSetGenerator.h"
 #include "vtkVersionMacros.h"
 
 #include <algorithm>
@@ -136,19 +137,23 @@ vtkSmartPointer<vtkEnvironment> FindEnvironment(vtkTexture* texture)
     });
 }
 
-vtkSmartPointer<vtkLightSet> FindLightSet(
-  vtkEnvironment* environment, int method, int count, unsigned int seed)
+vtkSmartPointer<vtkLightSet> FindLightSet(vtkEnvironment* environment, int method, int count,
+  unsigned int seed, vtkVarianceLightSetGenerator* variance)
 {
   static SharedObjects<std::tuple<vtkEnvironment*, vtkMTimeType, int, int, unsigned int>,
     vtkLightSet>
     lightSets;
   return lightSets.Find({ environment, environment->GetPixelsMTime(), method, count, seed },
-    [environment, method, count, seed]() -> vtkSmartPointer<vtkLightSet>
+    [environment, method, count, seed, variance]() -> vtkSmartPointer<vtkLightSet>
     {
       vtkSmartPointer<vtkLightSetGenerator> generator;
       if (method == vtkMeasuredBRDFMapper::MEDIAN_CUT)
       {
         generator = vtkSmartPointer<vtkMedianCutLightSetGenerator>::New();
+      }
+      else if (method == vtkMeasuredBRDFMapper::VARIANCE)
+      {
+        generator = variance;
       }
       else
       {

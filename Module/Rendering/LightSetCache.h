@@ -14,6 +14,7 @@
 class vtkEnvironment;
 class vtkLightSet;
 class vtkTexture;
+class vtkVarianceLightSetGenerator;
 
 namespace measuredbrdf
 {
@@ -21,9 +22,10 @@ namespace measuredbrdf
 /// input, faces that are missing, not square or of different sizes).
 vtkSmartPointer<vtkEnvironment> FindEnvironment(vtkTexture* texture);
 
-/// The light set that the mapper's settings ask for; null where it cannot be made.
-vtkSmartPointer<vtkLightSet> FindLightSet(
-  vtkEnvironment* environment, int method, int count, unsigned int seed);
+/// The light set that the mapper's settings ask for; null where it cannot be made. The generator is
+/// used where a set by variance is not there yet.
+vtkSmartPointer<vtkLightSet> FindLightSet(vtkEnvironment* environment, int method, int count,
+  unsigned int seed, vtkVarianceLightSetGenerator* variance);
 } // namespace measuredbrdf
 
 #endif

@@ -29,6 +29,7 @@
 #include "vtkShader.h"
 #include "vtkShaderProgram.h"
 #include "vtkTexture.h"
+#include "vtkVarianceLightSetGenerator.h"
 
 #include <algorithm>
 #include <set>
@@ -51,7 +52,8 @@ struct vtkMeasuredBRDFMapper::Internals
   vtkSmartPointer<vtkEnvironment> CurrentEnvironment;
   vtkSmartPointer<vtkLightSet> CurrentLights;
   vtkNew<vtkLightSetIntegrator> LightLoop;
-  bool Ready = false; // whether the material can be drawn
+  vtkNew<vtkVarianceLightSetGenerator> Variance; // its tree serves every number of lights
+  bool Ready = false;                            // whether the material can be drawn
 
   const vtkBRDFGPUForm* GetMaterialForm() const
   {
@@ -138,9 +140,13 @@ void vtkMeasuredBRDFMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LightSet: " << this->Impl->LightSet.Get() << "\n";
   os << indent << "Integrator: " << this->Impl->WantedIntegrator.Get() << "\n";
   os << indent << "LightSetMethod: "
-     << (this->LightSetMethod == MEDIAN_CUT ? "median cut" : "importance sampling") << "\n";
+     << (this->LightSetMethod == MEDIAN_CUT
+            ? "median cut"
+            : (this->LightSetMethod == VARIANCE ? "variance" : "importance sampling"))
+     << "\n";
   os << indent << "NumberOfLights: " << this->NumberOfLights << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
+  os << indent << "SoftLights: " << (this->SoftLights ? "On" : "Off") << "\n";
   os << indent
      << "ScalarColoringMode: " << (this->ScalarColoringMode == MODULATE ? "modulate" : "ignore")
      << "\n";
@@ -185,7 +191,7 @@ vtkRadianceIntegrator* vtkMeasuredBRDFMapper::GetIntegrator()
 //------------------------------------------------------------------------------
 void vtkMeasuredBRDFMapper::SetLightSetMethod(int method)
 {
-  this->LightSetMethod = method == IMPORTANCE_SAMPLING ? IMPORTANCE_SAMPLING : MEDIAN_CUT;
+  this->LightSetMethod = method == IMPORTANCE_SAMPLING || method == VARIANCE ? method : MEDIAN_CUT;
 }
 
 //------------------------------------------------------------------------------
@@ -253,6 +259,7 @@ void vtkMeasuredBRDFMapper::ShallowCopy(vtkAbstractMapper* m)
     this->SetLightSetMethod(other->GetLightSetMethod());
     this->SetNumberOfLights(other->GetNumberOfLights());
     this->SetSeed(other->GetSeed());
+    this->SetSoftLights(other->GetSoftLights());
     this->SetScalarColoringMode(other->GetScalarColoringMode());
   }
   this->Superclass::ShallowCopy(m);
@@ -490,8 +497,8 @@ void vtkMeasuredBRDFMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* actor)
                                                              << this->NumberOfLights << ".");
         }
       }
-      impl.CurrentLights =
-        FindLightSet(impl.CurrentEnvironment, this->LightSetMethod, count, this->Seed);
+      impl.CurrentLights = FindLightSet(
+        impl.CurrentEnvironment, this->LightSetMethod, count, this->Seed, impl.Variance);
     }
     else
     {
@@ -502,6 +509,7 @@ void vtkMeasuredBRDFMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* actor)
     {
       impl.LightLoop->SetBRDF(impl.BRDF);
       impl.LightLoop->SetLightSet(impl.CurrentLights);
+      impl.LightLoop->SetSoftLights(this->SoftLights);
       impl.Integrator = impl.LightLoop;
     }
 

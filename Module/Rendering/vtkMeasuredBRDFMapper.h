@@ -86,23 +86,38 @@ public:
   enum LightSetMethodType
   {
     MEDIAN_CUT = 0,
-    IMPORTANCE_SAMPLING = 1
+    IMPORTANCE_SAMPLING = 1,
+    VARIANCE = 2
   };
 
   ///@{
   /**
-   * How the environment becomes lights: median cut (default) or importance sampling; how many
-   * (default 64, in [1, 1048576]; median cut takes the next power of two, with a warning); and the
-   * seed of importance sampling (default 1).
+   * How the environment becomes lights: median cut (default), importance sampling, or cells of
+   * least variance (vtkVarianceLightSetGenerator); how many (default 64, in [1, 1048576]; median
+   * cut takes the next power of two, with a warning); and the seed of importance sampling (default
+   * 1).
    */
   void SetLightSetMethod(int method);
   int GetLightSetMethod() { return this->LightSetMethod; }
   void SetLightSetMethodToMedianCut() { this->SetLightSetMethod(MEDIAN_CUT); }
   void SetLightSetMethodToImportanceSampling() { this->SetLightSetMethod(IMPORTANCE_SAMPLING); }
+  void SetLightSetMethodToVariance() { this->SetLightSetMethod(VARIANCE); }
   void SetNumberOfLights(int count);
   int GetNumberOfLights() { return this->NumberOfLights; }
   void SetSeed(unsigned int seed);
   unsigned int GetSeed() { return this->Seed; }
+  ///@}
+
+  ///@{
+  /**
+   * Whether the environment's lights are as wide as the part of it that each stands for
+   * (vtkLightSetIntegrator::SetSoftLights): a sharp lobe then shows no dots. Default off. Lights of
+   * importance sampling have no width. Changing it rebuilds the shader.
+   */
+  void SetSoftLights(bool soft) { this->SoftLights = soft; }
+  bool GetSoftLights() { return this->SoftLights; }
+  void SoftLightsOn() { this->SetSoftLights(true); }
+  void SoftLightsOff() { this->SetSoftLights(false); }
   ///@}
 
   enum ScalarColoringModeType
@@ -164,6 +179,7 @@ protected:
   int LightSetMethod = MEDIAN_CUT;
   int NumberOfLights = 64;
   unsigned int Seed = 1;
+  bool SoftLights = false;
   int ScalarColoringMode = MODULATE;
 
 private:

@@ -12,6 +12,7 @@
 #include "vtkMedianCutLightSetGenerator.h"
 #include "vtkNew.h"
 #include "vtkTabulatedBRDF.h"
+#include "vtkVarianceLightSetGenerator.h"
 
 #include <benchmark/benchmark.h>
 
@@ -37,10 +38,10 @@ void Generate(benchmark::State& state)
 {
   vtkNew<vtkEnvironment> environment;
   SetRandom(environment, 1024, 512);
-  vtkNew<Generator> generator;
   vtkNew<vtkLightSet> lights;
   for (auto _ : state)
   {
+    vtkNew<Generator> generator; // one that has nothing made before
     generator->Generate(environment, static_cast<int>(state.range(0)), lights);
   }
 }
@@ -54,6 +55,28 @@ BENCHMARK_TEMPLATE(Generate, vtkImportanceLightSetGenerator)
   ->Arg(1024)
   ->UseRealTime()
   ->Unit(benchmark::kMillisecond);
+
+BENCHMARK_TEMPLATE(Generate, vtkVarianceLightSetGenerator)
+  ->Arg(64)
+  ->Arg(1024)
+  ->Arg(65536)
+  ->UseRealTime()
+  ->Unit(benchmark::kMillisecond);
+
+// Another number of lights from the tree that is there.
+void VarianceAgain(benchmark::State& state)
+{
+  vtkNew<vtkEnvironment> environment;
+  SetRandom(environment, 1024, 512);
+  vtkNew<vtkVarianceLightSetGenerator> generator;
+  vtkNew<vtkLightSet> lights;
+  generator->Generate(environment, 1024, lights);
+  for (auto _ : state)
+  {
+    generator->Generate(environment, static_cast<int>(state.range(0)), lights);
+  }
+}
+BENCHMARK(VarianceAgain)->Arg(64)->Arg(1024)->UseRealTime()->Unit(benchmark::kMillisecond);
 
 // Pairs (n, v) = (direction, the same turned by 40 degrees).
 void SetPairs(int count, vtkDoubleArray* normals, vtkDoubleArray* views)

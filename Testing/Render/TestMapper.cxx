@@ -453,10 +453,12 @@ TEST_F(Mapper, LightSetMatchesCpuPerPixel)
   camera->SetViewAngle(20.0);
   for (const bool parallel : { false, true })
   {
-    for (const int method :
-      { vtkMeasuredBRDFMapper::MEDIAN_CUT, vtkMeasuredBRDFMapper::IMPORTANCE_SAMPLING })
+    for (const int method : { vtkMeasuredBRDFMapper::MEDIAN_CUT,
+           vtkMeasuredBRDFMapper::IMPORTANCE_SAMPLING, vtkMeasuredBRDFMapper::VARIANCE })
     {
+      const bool soft = method == vtkMeasuredBRDFMapper::VARIANCE;
       this->Measured->SetLightSetMethod(method);
+      this->Measured->SetSoftLights(soft);
       camera->SetParallelProjection(parallel);
       const FloatImage image = this->RenderLinear();
 
@@ -492,6 +494,7 @@ TEST_F(Mapper, LightSetMatchesCpuPerPixel)
       integrator->SetBRDF(this->Phong);
       integrator->SetEnvironment(environment);
       integrator->SetLightSet(this->Measured->GetCurrentLightSet());
+      integrator->SetSoftLights(soft);
       ASSERT_TRUE(integrator->Integrate(ns, vs, radiance));
       double worst = 0.0;
       for (std::size_t k = 0; k < pixels.size(); ++k)
@@ -646,8 +649,19 @@ TEST_F(Mapper, RebuildsExactlyWhenItMust)
   expectChange("the method", 0);
   this->Measured->SetSeed(5);
   expectChange("the seed", 0);
+  this->Measured->SetLightSetMethodToVariance();
+  expectChange("the method", 0);
+  this->Measured->SetNumberOfLights(3);
+  expectChange("the number of lights", 0);
+  vtkLightSet* sameLights = this->Measured->GetCurrentLightSet();
+  EXPECT_EQ(sameLights->GetNumberOfLights(), 3);
+  this->Measured->SoftLightsOn();
+  expectChange("soft lights", 1);
   environment->SetRotationY(90.0);
   expectChange("the environment's rotation", 0);
+  EXPECT_EQ(this->Measured->GetCurrentLightSet(), sameLights);
+  this->Measured->SoftLightsOff();
+  expectChange("hard lights", 1);
   double right[3] = { 0.0, 0.0, 1.0 };
   this->Renderer->SetEnvironmentRight(right);
   expectChange("the renderer's environment frame", 0);

@@ -122,11 +122,13 @@ protected:
         static_cast<float>(l.z) };
       const double irradiance[3] = { 1.0, 1.0, 1.0 };
       vtkNew<vtkLightSet> lights;
-      lights->AddLight(direction, irradiance);
+      lights->AddLight(direction, irradiance, 0.0, light % 4 == 0 ? 0.0 : this->Concentration);
       this->Mapper->SetLightSet(lights);
+      this->Mapper->SetSoftLights(this->Concentration > 0.0);
       const FloatImage image = this->RenderLinear();
 
       vtkNew<vtkLightSetIntegrator> integrator;
+      integrator->SetSoftLights(this->Concentration > 0.0);
       integrator->SetBRDF(renderable);
       integrator->SetLightSet(lights);
       vtkNew<vtkDoubleArray> radiance;
@@ -206,6 +208,7 @@ protected:
   }
 
   std::mt19937 Random{ 7 };
+  double Concentration = 0.0; // of three of four lights; 0: hard lights
   vtkNew<vtkDoubleArray> Normals;
   vtkNew<vtkDoubleArray> Views;
   vtkNew<vtkDoubleArray> Tangents;
@@ -326,6 +329,43 @@ TEST_F(Parity, Tables)
         this->Check(names[parameterization][range], table, 2e-3);
       }
     }
+  }
+}
+
+TEST_F(Parity, SoftLights)
+{
+  vtkNew<vtkLambertBRDF> lambert;
+  vtkNew<vtkBlinnPhongBRDF> phong;
+  phong->SetExponent(500.0);
+  vtkNew<vtkAshikhminShirleyBRDF> anisotropic;
+  anisotropic->SetReflectance(0.4, 0.4, 0.4);
+  anisotropic->SetDiffuse(0.3, 0.2, 0.1);
+  anisotropic->SetExponents(10.0, 200.0);
+  vtkNew<vtkDistributionBRDF> distribution;
+  distribution->SetBlinnDistribution(300.0);
+  vtkNew<vtkDistributionBRDF> ridged;
+  std::vector<float> rgb;
+  for (int k = 0; k < 8 * 4; ++k)
+  {
+    rgb.insert(rgb.end(), 3, 1.0f / static_cast<float>(1 + k % 8 + k / 8));
+  }
+  ASSERT_TRUE(ridged->SetDistribution(8, 4, rgb));
+  vtkNew<vtkTabulatedBRDF> table; // stays hard
+  FillTable(table, vtkTabulatedBRDF::HALF_DIFFERENCE, vtkTabulatedBRDF::HALF_TURN, false);
+  table->SetPrecision(vtkTabulatedBRDF::FLOAT32);
+  vtkNew<vtkSumBRDF> sum;
+  sum->AddTerm(lambert);
+  sum->AddTerm(table);
+  sum->AddTerm(phong);
+  sum->AddTerm(distribution);
+  for (const double concentration : { 0.003, 5.0, 100.0, 1e4 })
+  {
+    this->Concentration = concentration;
+    this->Check("soft Blinn-Phong", phong, 1e-4);
+    this->Check("soft Ashikhmin-Shirley", anisotropic, 1e-4);
+    this->Check("soft D-BRDF", distribution, 1e-4);
+    this->Check("soft D-BRDF, anisotropic", ridged, 1e-4);
+    this->Check("soft sum", sum, 1e-4);
   }
 }
 

@@ -288,12 +288,18 @@ class Integrate(ToolTest):
 
     def test_light_sets_approach_the_sum(self):
         exact = self.integrate("gold-paint", "sky")
-        for light_set in ("median-cut", "importance"):
+        for light_set in ("median-cut", "variance", "minimum-variance", "importance"):
             lights = ["--lights", 1024, "--light-set", light_set, "--seed", 3]
             values = self.integrate("gold-paint", "sky", "--method", "light-set", *lights)
             for value, wanted in zip(values, exact):
                 self.check_close(value, wanted, 0.1)
             self.assertNotEqual(values, exact)
+
+    def test_soft_lights(self):
+        lights = ["--method", "light-set", "--light-set", "variance", "--lights", 50]
+        hard = self.integrate("gold-paint", "sky", *lights)
+        soft = self.integrate("gold-paint", "sky", *lights, "--soft-lights")
+        self.assertNotEqual(soft, hard)
 
     def test_bad_input(self):
         pairs = self.write("nv.csv", self.PAIRS)
@@ -341,7 +347,7 @@ class Lights(ToolTest):
     def test_totals(self):
         environment = self.write_constant_environment()
         weights = (0.2126, 0.7152, 0.0722)
-        for light_set in ("median-cut", "importance"):
+        for light_set in ("median-cut", "variance", "minimum-variance", "importance"):
             rows = self.lights(environment, "--count", 64, "--light-set", light_set)
             self.assertEqual(len(rows), 64)
             total = sum(w * v for row in rows for w, v in zip(weights, rgb(row)))

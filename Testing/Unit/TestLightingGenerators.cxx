@@ -115,6 +115,9 @@ TEST(LightSet, AddsAndRefuses)
   EXPECT_FALSE(lights->AddLight(direction, negative));
   EXPECT_FALSE(lights->AddLight(direction, nan));
   EXPECT_EQ(errors.Take(), 4);
+  EXPECT_FALSE(lights->AddLight(direction, irradiance, 0.1, -1.0));
+  EXPECT_FALSE(lights->AddLight(direction, irradiance, 0.1, std::nan("")));
+  EXPECT_EQ(errors.Take(), 2);
   EXPECT_EQ(lights->GetNumberOfLights(), 2);
   EXPECT_EQ(GetTotal(lights), (Color{ 2.0, 4.0, 6.0 }));
   lights->GetIrradiance(2, d); // outside: zeros
@@ -131,7 +134,7 @@ TEST(LightSet, PolyDataRoundTrip)
   {
     const double direction[3] = { 1.0, k - 2.0, 0.5 * k };
     const double irradiance[3] = { 0.1 * k, 1.0, 2.0 };
-    ASSERT_TRUE(lights->AddLight(direction, irradiance, 0.01 * k));
+    ASSERT_TRUE(lights->AddLight(direction, irradiance, 0.01 * k, 3.0 * k));
   }
   const auto geometry = vtkSmartPointer<vtkPolyData>::Take(lights->NewPolyData());
   EXPECT_EQ(geometry->GetNumberOfVerts(), 5);
@@ -150,6 +153,7 @@ TEST(LightSet, PolyDataRoundTrip)
     copy->GetIrradiance(k, b);
     EXPECT_EQ(vtkMath::Distance2BetweenPoints(a, b), 0.0);
     EXPECT_EQ(copy->GetSolidAngle(k), 0.01 * k);
+    EXPECT_EQ(copy->GetConcentration(k), 3.0 * k);
   }
   // Bad geometry changes nothing.
   vtkNew<vtkPolyData> empty;

@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkVarianceLightSetGenerator.h"
+
+#include "LightTree.h"
+#include "vtkCommand.h"
+#include "vtkEnvironment.h"
+#include "vtkLightSet.h"
+#include "vtkObjectFactory.h"
+
+#include <algorithm>
+#include <tuple>
+
+vtkStandardNewMacro(vtkVarianceLightSetGenerator);
+
+struct vtkVarianceLightSetGenerator::Internals
+{
+  // What the tree was made from. Modification times are never used twice: a recycled address does
+  // no harm.
+  using Key = std::tuple<vtkEnvironment*, vtkMTimeType, int, bool>;
+  Key MadeFrom;
+  std::unique_ptr<measuredbrdf::LightTree> Tree;
+};
+
+//------------------------------------------------------------------------------
+vtkVarianceLightSetGenerator::vtkVarianceLightSetGenerator()
+  : Impl(new Internals)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkVarianceLightSetGenerator::~vtkVarianceLightSetGenerator() = default;
+
+//------------------------------------------------------------------------------
+bool vtkVarianceLightSetGenerator::Grow(vtkEnvironment* environment, int count)
+{
+  using measuredbrdf::LightTree;
+  const bool greedy = this->Method == GREEDY;
+  const Internals::Key key{ environment, environment->GetPixelsMTime(), this->Method,
+    greedy && this->BrightTexels };
+  std::unique_ptr<LightTree>& tree = this->Impl->Tree;
+  if (!tree || this->Impl->MadeFrom != key)
+  {
+    tree = std::make_unique<LightTree>(environment,
+      greedy ? LightTree::Rule::Greedy : LightTree::Rule::MinimumVariance,
+      greedy && this->BrightTexels);
+    this->Impl->MadeFrom = key;
+  }
+  else if (count <= tree->GetNumberOfCells() || tree->IsComplete())
+  {
+    return true;
+  }
+  // Each growth makes the table anew: few and large ones.
+  const int size = std::max(
+    { count, this->TreeSize, std::min(2 * tree->GetNumberOfCells(), MaximumNumberOfLights) });
+  const bool grown = tree->Grow(environment, size,
+    [this](double progress)
+    {
+      this->InvokeEvent(vtkCommand::ProgressEvent, &progress);
+      return !this->Abort;
+    });
+  if (!grown)
+  {
+    tree.reset();
+    vtkErrorMacro("Generate: aborted.");
+  }
+  return grown;
+}
+
+//------------------------------------------------------------------------------
+bool vtkVarianceLightSetGenerator::Generate(
+  vtkEnvironment* environment, int count, vtkLightSet* output)
+{
+  this->Abort = false;
+  if (!this->CheckArguments(environment, count, output) || !this->Grow(environment, count))
+  {
+    return false;
+  }
+  const measuredbrdf::LightTree& tree = *this->Impl->Tree;
+  const int cells = std::min(count, tree.GetNumberOfCells());
+  this->ResidualVariance = tree.GetResidual(cells);
+  output->RemoveAllLights();
+  // Only the first cells - 1 splits' nodes can be in the set.
+  for (std::size_t k = 0; k < 2 * static_cast<std::size_t>(cells) - 1; ++k)
+  {
+    const measuredbrdf::LightTree::Node& node = tree.GetNodes()[k];
+    if (!tree.IsIn(k, cells) || !(node.Luminance > 0.0))
+    {
+      continue;
+    }
+    // Directions that cancel (a cell all around the sphere) leave only its middle to point at.
+    glm::dvec3 direction = node.Moment;
+    if (!(glm::length(direction) > 1e-9 * node.Luminance))
+    {
+      vtkEnvironment::GetDirection(0.5 * (node.X0 + node.X1) / environment->GetWidth(),
+        0.5 * (node.Y0 + node.Y1) / environment->GetHeight(), &direction.x);
+    }
+    const double concentration =
+      vtkLightSet::GetConcentrationOfVariance(node.GetVariance() / node.Luminance);
+    if (output->AddLight(&direction.x, &node.Irradiance.x, node.SolidAngle, concentration))
+    {
+      output->SetLastRegion(node.X0, node.Y0, node.X1, node.Y1);
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+int vtkVarianceLightSetGenerator::GetNumberOfLightsForVariance(
+  vtkEnvironment* environment, double target)
+{
+  this->Abort = false;
+  if (!environment || environment->GetPixels().empty() || !(target >= 0.0))
+  {
+    vtkErrorMacro("GetNumberOfLightsForVariance: an environment and a target >= 0 are needed, not "
+                  << target << ".");
+    return 0;
+  }
+  int count = 1;
+  while (this->Grow(environment, count))
+  {
+    const measuredbrdf::LightTree& tree = *this->Impl->Tree;
+    for (count = std::min(count, tree.GetNumberOfCells());
+         count < tree.GetNumberOfCells() && tree.GetResidual(count) > target; ++count)
+    {
+    }
+    if (tree.GetResidual(count) <= target || tree.IsComplete() || count >= MaximumNumberOfLights)
+    {
+      return count;
+    }
+    ++count;
+  }
+  return 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkVarianceLightSetGenerator::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Method: " << (this->Method == GREEDY ? "greedy" : "minimum variance") << "\n";
+  os << indent << "BrightTexels: " << (this->BrightTexels ? "On" : "Off") << "\n";
+  os << indent << "TreeSize: " << this->TreeSize << "\n";
+  os << indent << "ResidualVariance: " << this->ResidualVariance << "\n";
+  os << indent << "Abort: " << (this->Abort ? "On" : "Off") << "\n";
+}
