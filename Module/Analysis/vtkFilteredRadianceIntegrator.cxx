@@ -104,6 +104,7 @@ bool vtkFilteredRadianceIntegrator::Begin()
     return false;
   }
   Internals& impl = *this->Impl;
+  this->Abort = false; // one that an earlier run left
   if (!impl.Samples || impl.SampledBRDF != this->BRDF.Get() ||
       impl.SamplesTime < this->BRDF->GetMTime() ||
       impl.Samples->GetNumberOfSamples() != this->NumberOfSamples)

@@ -16,6 +16,7 @@
 #include "vtkFilteredRadianceIntegrator.h"
 #include "vtkLambertBRDF.h"
 #include "vtkNew.h"
+#include "vtkObjectFactory.h"
 
 #include <glm/glm.hpp>
 #include <gtest/gtest.h>
@@ -205,7 +206,7 @@ TEST_P(FilteredReference, Converges)
 {
   std::printf("Relative L1 error against the exact sum\n");
   Pairs pairs;
-  pairs.AddRandom(25);
+  pairs.AddRandom(16);
   vtkNew<vtkAshikhminShirleyBRDF> ashikhminShirley;
   ashikhminShirley->SetExponents(50.0, 50.0);
   ashikhminShirley->SetDiffuse(0.3, 0.2, 0.1);
@@ -514,4 +515,36 @@ TEST(FilteredIntegrator, BadInputs)
   EXPECT_EQ(filtered->GetNumberOfSamples(), 1);
   filtered->SetNumberOfSamples(100000);
   EXPECT_EQ(filtered->GetNumberOfSamples(), 1024);
+}
+
+//------------------------------------------------------------------------------
+// A material that stops the preparation from inside.
+class AbortingBRDF : public vtkLambertBRDF
+{
+public:
+  static AbortingBRDF* New();
+  vtkTypeMacro(AbortingBRDF, vtkLambertBRDF);
+  void GetDirectionalAlbedo(const double o[3], double albedo[3]) override
+  {
+    this->Superclass::GetDirectionalAlbedo(o, albedo);
+    if (this->Integrator)
+    {
+      this->Integrator->SetAbort(true);
+    }
+  }
+  vtkRadianceIntegrator* Integrator = nullptr;
+};
+vtkStandardNewMacro(AbortingBRDF);
+
+TEST(FilteredIntegrator, PreparationCanBeAborted)
+{
+  vtkNew<AbortingBRDF> brdf;
+  const auto filtered = NewFiltered(brdf, NewConstant(8, 4, 1.0f));
+  ErrorCatcher errors(filtered);
+  brdf->Integrator = filtered;
+  EXPECT_FALSE(filtered->Prepare());
+  EXPECT_EQ(errors.Take(), 1);
+  brdf->Integrator = nullptr;
+  EXPECT_TRUE(filtered->Prepare()); // afresh
+  EXPECT_EQ(errors.Take(), 0);
 }
