@@ -8,6 +8,7 @@
 #include "vtkBRDFGPUForm.h"
 #include "vtkBRDFReader.h"
 #include "vtkBlinnPhongBRDF.h"
+#include "vtkDistributionBRDF.h"
 #include "vtkDoubleArray.h"
 #include "vtkEmbeddedMaterials.h"
 #include "vtkEnvironment.h"
@@ -165,6 +166,7 @@ TEST(FilteredIntegrator, WhiteFurnaceIsTheDirectionalAlbedo)
       vtkEmbeddedMaterials::NewBRDF(vtkEmbeddedMaterials::GetName(k))));
   }
   materials.push_back(vtkSmartPointer<vtkBRDF>(vtkNew<vtkLambertBRDF>()));
+  materials.push_back(vtkSmartPointer<vtkBRDF>(vtkNew<vtkDistributionBRDF>()));
   materials.push_back(vtkSmartPointer<vtkBRDF>(NewGlossy(1.0)));
   materials.push_back(vtkSmartPointer<vtkBRDF>(NewGlossy(300.0)));
   double worst = 0.0;
