@@ -13,6 +13,7 @@
 #include <glm/glm.hpp>
 
 #include <atomic>
+#include <cstddef>
 #include <vector>
 
 class vtkBRDF;

@@ -104,7 +104,8 @@ bool vtkFilteredRadianceIntegrator::Begin()
     return false;
   }
   Internals& impl = *this->Impl;
-  if (!impl.Samples || impl.SampledBRDF != this->BRDF.Get() ||
+  this->Abort = false; // one that an earlier run left
+  if (!impl.Samples || impl.SampledBRDF.GetPointer() != this->BRDF.Get() ||
       impl.SamplesTime < this->BRDF->GetMTime() ||
       impl.Samples->GetNumberOfSamples() != this->NumberOfSamples)
   {
@@ -116,16 +117,16 @@ bool vtkFilteredRadianceIntegrator::Begin()
       return false;
     }
     impl.Samples = std::move(samples);
-    impl.SampledBRDF = this->BRDF;
+    impl.SampledBRDF = this->BRDF.Get();
     impl.SamplesTime.Modified();
   }
-  if (!impl.Pyramid || impl.PyramidEnvironment != this->Environment.Get() ||
+  if (!impl.Pyramid || impl.PyramidEnvironment.GetPointer() != this->Environment.Get() ||
       impl.PyramidTime < this->Environment->GetPixelsMTime() ||
       impl.PyramidWithoutLights == this->ExtractLights)
   {
     impl.Pyramid = std::make_unique<EnvironmentPyramid>(
       this->Environment, 0, this->ExtractLights ? LightShare : 1.0);
-    impl.PyramidEnvironment = this->Environment;
+    impl.PyramidEnvironment = this->Environment.Get();
     impl.PyramidWithoutLights = !this->ExtractLights;
     impl.PyramidTime.Modified();
   }

@@ -15,9 +15,12 @@
  * What is not exact: the environment's blur (it is as wide as the samples' spacing, also beyond a
  * sharp edge of the lobe; round, where lobes are stretched at grazing views); the weights, scaled
  * per view and channel so that under a constant sky the result is the directional albedo (a ratio
- * estimator: bias of order 1/N); the interpolation between 64 views. All but the last vanish as N
- * grows. Texels much brighter than the rest (a sun) are taken out and added as directional lights.
- * Views closer to the horizon than 1.1 degrees are taken there, as the shader takes them.
+ * estimator: bias of order 1/N); the interpolation between 64 views and the map's resolution, at
+ * most 1024 x 1024 texels of equal area. All but the last two vanish as N grows. The samples turn
+ * with the view's azimuth: where the view comes along the normal, too few of them show as rays
+ * about that point. Texels much brighter than the rest (a sun) are taken out and added as
+ * directional lights. Views closer to the horizon than 1.1 degrees are taken there, as the shader
+ * takes them.
  */
 
 #ifndef vtkFilteredRadianceIntegrator_h

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
+#include <utility>
 
 namespace measuredbrdf
 {
@@ -25,7 +27,7 @@ int GetParts(vtkEnvironment* environment, int size)
 {
   const double ratio =
     2.0 * size * size / (static_cast<double>(environment->GetWidth()) * environment->GetHeight());
-  return std::clamp(static_cast<int>(std::ceil(2.0 * std::sqrt(ratio))), 2, 64);
+  return std::clamp(static_cast<int>(std::ceil(2.0 * std::sqrt(ratio))), 1, 64);
 }
 
 // atan(y/x) in right angles for x, y >= 0, as brdfQuadrant does it.
@@ -120,25 +122,29 @@ void EnvironmentPyramid::Fill(vtkEnvironment* environment, double lightShare, in
   std::vector<float> pixels = environment->GetPixels();
 
   // Lights: texels that outweigh the map's own resolution.
-  double total = 0.0;
-  std::vector<std::pair<double, int>> shares;
-  for (int k = 0; k < width * height; ++k)
+  const auto getShare = [&pixels, environment, width](std::size_t k)
   {
     const double rgb[3] = { pixels[3 * k], pixels[3 * k + 1], pixels[3 * k + 2] };
-    const double share =
-      environment->GetLuminance(rgb) * environment->GetTexelSolidAngle(k / width);
-    total += share;
-    shares.emplace_back(share, k);
-  }
-  const double least =
-    total * std::max(lightShare, LightContrast / (static_cast<double>(width) * height));
-  const auto isLight = [least](const std::pair<double, int>& share) { return share.first > least; };
-  shares.erase(std::partition(shares.begin(), shares.end(), isLight), shares.end());
-  std::sort(shares.begin(), shares.end(), std::greater<std::pair<double, int>>());
-  if (lightShare >= 1.0)
+    return environment->GetLuminance(rgb) *
+           environment->GetTexelSolidAngle(static_cast<int>(k / static_cast<std::size_t>(width)));
+  };
+  const std::size_t texels = pixels.size() / 3;
+  double total = 0.0;
+  for (std::size_t k = 0; k < texels; ++k)
   {
-    shares.clear();
+    total += getShare(k);
   }
+  const double least = total * std::max(lightShare, LightContrast / static_cast<double>(texels));
+  std::vector<std::pair<double, int>> shares;
+  for (std::size_t k = 0; k < texels && lightShare < 1.0; ++k)
+  {
+    const double share = getShare(k);
+    if (share > least)
+    {
+      shares.emplace_back(share, static_cast<int>(k));
+    }
+  }
+  std::sort(shares.begin(), shares.end(), std::greater<std::pair<double, int>>());
   shares.resize(std::min(shares.size(), static_cast<std::size_t>(maximumLights)));
   std::vector<char> taken(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0);
   for (const auto& share : shares)
@@ -177,9 +183,9 @@ void EnvironmentPyramid::Fill(vtkEnvironment* environment, double lightShare, in
   }
 
   glm::dvec3 kept(0.0);
-  for (int k = 0; k < width * height; ++k)
+  for (std::size_t k = 0; k < texels; ++k)
   {
-    kept += environment->GetTexelSolidAngle(k / width) *
+    kept += environment->GetTexelSolidAngle(static_cast<int>(k / static_cast<std::size_t>(width))) *
             glm::dvec3(pixels[3 * k], pixels[3 * k + 1], pixels[3 * k + 2]);
   }
 

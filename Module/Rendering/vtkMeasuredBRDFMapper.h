@@ -76,8 +76,8 @@ public:
   ///@{
   /**
    * How the environment's light is integrated, e.g. vtkFilteredRadianceIntegrator; null (default):
-   * over a light set, as set up here. It gets this mapper's material and environment; an
-   * environment of its own stays where there is none.
+   * over a light set, as set up here. It gets this mapper's material and environment (an
+   * environment of its own stays where there is none): mappers that differ in either need one each.
    */
   void SetIntegrator(vtkRadianceIntegrator* integrator);
   vtkRadianceIntegrator* GetIntegrator();
