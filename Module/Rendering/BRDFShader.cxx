@@ -12,6 +12,7 @@
 #include "vtkBRDFDirectionalLight.h"
 #include "vtkBRDFDistribution.h"
 #include "vtkBRDFEnd.h"
+#include "vtkBRDFEnvironmentBasis.h"
 #include "vtkBRDFHalfDifference.h"
 #include "vtkBRDFHeadlight.h"
 #include "vtkBRDFIncidentOutgoing.h"
@@ -34,6 +35,7 @@ const char* FindTerm(const std::string& name)
     { "vtkBRDFBasis", vtkBRDFBasis },
     { "vtkBRDFBlinnPhong", vtkBRDFBlinnPhong },
     { "vtkBRDFDistribution", vtkBRDFDistribution },
+    { "vtkBRDFEnvironmentBasis", vtkBRDFEnvironmentBasis },
     { "vtkBRDFHalfDifference", vtkBRDFHalfDifference },
     { "vtkBRDFIncidentOutgoing", vtkBRDFIncidentOutgoing },
     { "vtkBRDFLambert", vtkBRDFLambert },

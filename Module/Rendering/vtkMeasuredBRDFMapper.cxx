@@ -26,6 +26,7 @@
 #include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
+#include "vtkRadianceIntegrator.h"
 #include "vtkShader.h"
 #include "vtkShaderProgram.h"
 #include "vtkTexture.h"
@@ -42,6 +43,7 @@ struct vtkMeasuredBRDFMapper::Internals
   vtkSmartPointer<vtkBRDF> BRDF;
   vtkSmartPointer<vtkEnvironment> Environment;
   vtkSmartPointer<vtkLightSet> LightSet;
+  vtkSmartPointer<vtkRadianceIntegrator> OwnIntegrator; // as set
 
   // In use since the last RenderPieceStart.
   std::shared_ptr<FormTextures> Material; // null where the shader has no use for the BRDF itself
@@ -135,6 +137,7 @@ void vtkMeasuredBRDFMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "BRDF: " << this->Impl->BRDF.Get() << "\n";
   os << indent << "Environment: " << this->Impl->Environment.Get() << "\n";
   os << indent << "LightSet: " << this->Impl->LightSet.Get() << "\n";
+  os << indent << "Integrator: " << this->Impl->OwnIntegrator.Get() << "\n";
   os << indent << "LightSetMethod: "
      << (this->LightSetMethod == MEDIAN_CUT ? "median cut" : "importance sampling") << "\n";
   os << indent << "NumberOfLights: " << this->NumberOfLights << "\n";
@@ -167,6 +170,15 @@ void vtkMeasuredBRDFMapper::SetLightSet(vtkLightSet* lights) { this->Impl->Light
 
 //------------------------------------------------------------------------------
 vtkLightSet* vtkMeasuredBRDFMapper::GetLightSet() { return this->Impl->LightSet; }
+
+//------------------------------------------------------------------------------
+void vtkMeasuredBRDFMapper::SetIntegrator(vtkRadianceIntegrator* integrator)
+{
+  this->Impl->OwnIntegrator = integrator;
+}
+
+//------------------------------------------------------------------------------
+vtkRadianceIntegrator* vtkMeasuredBRDFMapper::GetIntegrator() { return this->Impl->OwnIntegrator; }
 
 //------------------------------------------------------------------------------
 void vtkMeasuredBRDFMapper::SetLightSetMethod(int method)
@@ -235,6 +247,7 @@ void vtkMeasuredBRDFMapper::ShallowCopy(vtkAbstractMapper* m)
     this->SetBRDF(other->GetBRDF());
     this->SetEnvironment(other->GetEnvironment());
     this->SetLightSet(other->GetLightSet());
+    this->SetIntegrator(other->GetIntegrator());
     this->SetLightSetMethod(other->GetLightSetMethod());
     this->SetNumberOfLights(other->GetNumberOfLights());
     this->SetSeed(other->GetSeed());
@@ -448,11 +461,16 @@ void vtkMeasuredBRDFMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* actor)
       vtkWarningMacro("The renderer's environment texture holds neither a lat-long image nor six "
                       "square cube faces of one size; it lights nothing here.");
     }
-    if (impl.LightSet)
+    const bool lit = impl.CurrentEnvironment && impl.CurrentEnvironment->GetWidth() > 0;
+    if (lit && impl.OwnIntegrator)
+    {
+      impl.CurrentLights = nullptr;
+    }
+    else if (impl.LightSet)
     {
       impl.CurrentLights = impl.LightSet;
     }
-    else if (impl.CurrentEnvironment && impl.CurrentEnvironment->GetWidth() > 0)
+    else if (lit)
     {
       int count = this->NumberOfLights;
       if (this->LightSetMethod == MEDIAN_CUT && count != NextPowerOfTwo(count))
@@ -473,7 +491,13 @@ void vtkMeasuredBRDFMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* actor)
     }
 
     impl.Integrator = nullptr;
-    if (impl.CurrentLights)
+    if (lit && impl.OwnIntegrator)
+    {
+      impl.OwnIntegrator->SetBRDF(impl.BRDF);
+      impl.OwnIntegrator->SetEnvironment(impl.CurrentEnvironment);
+      impl.Integrator = impl.OwnIntegrator;
+    }
+    else if (impl.CurrentLights)
     {
       impl.LightLoop->SetBRDF(impl.BRDF);
       impl.LightLoop->SetLightSet(impl.CurrentLights);

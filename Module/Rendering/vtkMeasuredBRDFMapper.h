@@ -38,6 +38,7 @@
 class vtkBRDF;
 class vtkEnvironment;
 class vtkLightSet;
+class vtkRadianceIntegrator;
 
 class VTKMEASUREDBRDF_EXPORT vtkMeasuredBRDFMapper : public vtkOpenGLPolyDataMapper
 {
@@ -70,6 +71,16 @@ public:
    */
   void SetLightSet(vtkLightSet* lights);
   vtkLightSet* GetLightSet();
+  ///@}
+
+  ///@{
+  /**
+   * How the environment's light is added up; null (default): by a light set, see below. The mapper
+   * hands its material and its current environment to the integrator, so mappers that draw
+   * different ones must not share it. Not asked without an environment.
+   */
+  void SetIntegrator(vtkRadianceIntegrator* integrator);
+  vtkRadianceIntegrator* GetIntegrator();
   ///@}
 
   enum LightSetMethodType

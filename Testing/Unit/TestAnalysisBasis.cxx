@@ -1,18 +1,32 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AzimuthalBasis.h"
+#include "ErrorCatcher.h"
 #include "HalfAngle.h"
 #include "LocalFrame.h"
+#include "vtkAshikhminShirleyBRDF.h"
+#include "vtkBRDFReader.h"
+#include "vtkBasisProjector.h"
+#include "vtkBasisRadianceIntegrator.h"
 #include "vtkBlinnPhongBRDF.h"
+#include "vtkDoubleArray.h"
+#include "vtkEnvironment.h"
+#include "vtkEnvironmentReader.h"
+#include "vtkExactIntegrator.h"
 #include "vtkLambertBRDF.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 
+#include <glm/glm.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <fstream>
+#include <random>
+#include <string>
+#include <vector>
 
 using measuredbrdf::AzimuthalBasis;
 using measuredbrdf::Pi;
@@ -42,6 +56,81 @@ protected:
   }
 };
 vtkStandardNewMacro(GrazingLobe);
+
+struct Pairs
+{
+  vtkNew<vtkDoubleArray> Normals, Views;
+
+  explicit Pairs(int count)
+  {
+    this->Normals->SetNumberOfComponents(3);
+    this->Views->SetNumberOfComponents(3);
+    std::mt19937 engine(5);
+    const auto draw = [&engine]()
+    {
+      const double z = 2.0 * (engine() * 0x1p-32) - 1.0;
+      const double phi = 2.0 * Pi * (engine() * 0x1p-32);
+      const double s = std::sqrt(1.0 - z * z);
+      return glm::dvec3(s * std::cos(phi), s * std::sin(phi), z);
+    };
+    for (int k = 0; k < count; ++k)
+    {
+      const glm::dvec3 n = draw();
+      glm::dvec3 v = draw();
+      v = glm::normalize((glm::dot(n, v) < 0.0 ? -v : v) + 0.2 * n);
+      this->Add(n, v);
+    }
+  }
+
+  void Add(const glm::dvec3& n, const glm::dvec3& v)
+  {
+    this->Normals->InsertNextTuple(&n.x);
+    this->Views->InsertNextTuple(&v.x);
+  }
+
+  std::vector<glm::dvec3> Integrate(vtkRadianceIntegrator* integrator)
+  {
+    vtkNew<vtkDoubleArray> radiance;
+    EXPECT_TRUE(integrator->Integrate(this->Normals, this->Views, radiance));
+    std::vector<glm::dvec3> result;
+    for (vtkIdType k = 0; k < radiance->GetNumberOfTuples(); ++k)
+    {
+      glm::dvec3 rgb;
+      radiance->GetTuple(k, &rgb.x);
+      result.push_back(rgb);
+    }
+    return result;
+  }
+};
+
+// Relative L1 over pairs and channels.
+double GetError(const std::vector<glm::dvec3>& a, const std::vector<glm::dvec3>& reference)
+{
+  double difference = 0.0;
+  double sum = 0.0;
+  for (std::size_t k = 0; k < reference.size(); ++k)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      EXPECT_TRUE(std::isfinite(a[k][c]) && a[k][c] >= 0.0);
+      difference += std::abs(a[k][c] - reference[k][c]);
+      sum += reference[k][c];
+    }
+  }
+  return difference / sum;
+}
+
+double CompareToExact(vtkBRDF* brdf, vtkEnvironment* environment,
+  vtkBasisRadianceIntegrator* integrator, int count = 60)
+{
+  Pairs pairs(count);
+  vtkNew<vtkExactIntegrator> exact;
+  exact->SetBRDF(brdf);
+  exact->SetEnvironment(environment);
+  integrator->SetBRDF(brdf);
+  integrator->SetEnvironment(environment);
+  return GetError(pairs.Integrate(integrator), pairs.Integrate(exact));
+}
 
 vtkNew<vtkBlinnPhongBRDF> NewLobe(double exponent)
 {
@@ -150,11 +239,198 @@ TEST(AzimuthalBasis, NumbersOfFunctions)
     for (int k = 0; k < 4; ++k)
     {
       const int count = basis.GetNumberOfFunctions(basis.FindNumberOfTerms(tolerances[k], 1000));
-      std::printf(
-        "n = %g, %g %%: %d functions\n", expected.Exponent, 100 * tolerances[k], count);
+      std::printf("n = %g, %g %%: %d functions\n", expected.Exponent, 100 * tolerances[k], count);
       EXPECT_NEAR(count, expected.Functions[k], 3) << tolerances[k];
     }
     EXPECT_LE(basis.GetNumberOfFunctions(basis.FindNumberOfTerms(0.01, 17)), 17);
     EXPECT_LT(basis.GetSineShare(), 1e-12);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(BasisIntegrator, ConvergesToTheReference)
+{
+  vtkNew<vtkEnvironment> sky;
+  sky->SetToProceduralSky();
+  vtkNew<vtkLambertBRDF> lambert;
+  vtkNew<vtkBasisRadianceIntegrator> integrator;
+  EXPECT_LT(CompareToExact(lambert, sky, integrator), 1e-3);
+  EXPECT_EQ(integrator->GetNumberOfTerms(), 1);
+  for (const double exponent : { 5.0, 20.0 })
+  {
+    double last = 1.0;
+    for (const double tolerance : { 0.1, 0.03, 0.01 })
+    {
+      integrator->SetTolerance(tolerance);
+      const double error = CompareToExact(NewLobe(exponent), sky, integrator);
+      std::printf("n = %g, tolerance %g: %d terms, truncation %.4f, relative L1 %.5f\n", exponent,
+        tolerance, integrator->GetNumberOfTerms(), integrator->GetTruncationError(), error);
+      EXPECT_LT(error, tolerance);
+      EXPECT_LT(error, last);
+      last = error;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(BasisIntegrator, WhiteFurnaceIsTheDirectionalAlbedo)
+{
+  vtkNew<vtkEnvironment> white;
+  ASSERT_TRUE(white->SetPixels(256, 128, std::vector<float>(3 * 256 * 128, 1.0f)));
+  const auto brdf = NewLobe(10.0);
+  vtkNew<vtkBasisRadianceIntegrator> integrator;
+  integrator->SetBRDF(brdf);
+  integrator->SetEnvironment(white);
+  Pairs pairs(40);
+  const auto radiance = pairs.Integrate(integrator);
+  for (vtkIdType k = 0; k < 40; ++k)
+  {
+    glm::dvec3 n, v;
+    pairs.Normals->GetTuple(k, &n.x);
+    pairs.Views->GetTuple(k, &v.x);
+    const double c = glm::dot(n, v);
+    const double o[3] = { std::sqrt(1.0 - c * c), 0.0, c };
+    double albedo[3];
+    brdf->GetDirectionalAlbedo(o, albedo);
+    EXPECT_NEAR(radiance[static_cast<std::size_t>(k)][0], albedo[0], 0.02 * albedo[0]);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(BasisIntegrator, ContinuousOverSeamAndPoles)
+{
+  vtkNew<vtkEnvironment> sky;
+  sky->SetToProceduralSky();
+  vtkNew<vtkBasisRadianceIntegrator> integrator;
+  integrator->SetBRDF(NewLobe(20.0));
+  integrator->SetEnvironment(sky);
+  Pairs pairs(0);
+  const double e = 1e-6;
+  for (int k = 0; k < 24; ++k)
+  {
+    const double phi = 2.0 * Pi * k / 24;
+    const glm::dvec3 rim(std::cos(phi), std::sin(phi), 0.0);
+    const glm::dvec3 view = glm::normalize(rim + glm::dvec3(0.3, 0.2, 0.6));
+    pairs.Add(glm::normalize(rim + glm::dvec3(0, 0, e)), view);
+    pairs.Add(glm::normalize(rim - glm::dvec3(0, 0, e)), view);
+    const glm::dvec3 pole(0.0, 0.0, k % 2 == 0 ? 1.0 : -1.0);
+    pairs.Add(glm::normalize(pole + e * rim), glm::normalize(pole + glm::dvec3(0.5, 0.3, 0.0)));
+    pairs.Add(glm::normalize(pole - e * rim), glm::normalize(pole + glm::dvec3(0.5, 0.3, 0.0)));
+    pairs.Add(rim, glm::normalize(rim + 1e-4 * glm::dvec3(0, 0, 1))); // along the normal
+    pairs.Add(rim, glm::normalize(rim - 1e-4 * glm::dvec3(0, 0, 1)));
+  }
+  const auto radiance = pairs.Integrate(integrator);
+  for (std::size_t k = 0; k < radiance.size(); k += 2)
+  {
+    EXPECT_NEAR(radiance[k].x / radiance[k + 1].x, 1.0, 5e-3) << k;
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(BasisIntegrator, TurningEverythingChangesNothing)
+{
+  vtkNew<vtkEnvironment> sky;
+  sky->SetToProceduralSky();
+  vtkNew<vtkBasisRadianceIntegrator> integrator;
+  integrator->SetBRDF(NewLobe(5.0));
+  integrator->SetEnvironment(sky);
+  Pairs pairs(40);
+  Pairs turned(0);
+  const double a = 70.0 * Pi / 180.0;
+  for (vtkIdType k = 0; k < 40; ++k)
+  {
+    glm::dvec3 n, v;
+    pairs.Normals->GetTuple(k, &n.x);
+    pairs.Views->GetTuple(k, &v.x);
+    const auto turn = [a](const glm::dvec3& d)
+    {
+      return glm::dvec3(
+        std::cos(a) * d.x + std::sin(a) * d.z, d.y, std::cos(a) * d.z - std::sin(a) * d.x);
+    };
+    turned.Add(turn(n), turn(v));
+  }
+  const auto before = pairs.Integrate(integrator);
+  sky->SetRotationY(70.0);
+  EXPECT_LT(GetError(turned.Integrate(integrator), before), 1e-10);
+  EXPECT_GT(GetError(pairs.Integrate(integrator), before), 1e-2);
+}
+
+//------------------------------------------------------------------------------
+TEST(BasisIntegrator, OwnBasis)
+{
+  vtkNew<vtkEnvironment> sky;
+  sky->SetToProceduralSky();
+  vtkNew<vtkBasisProjector> projector;
+  projector->SetInput(NewLobe(3.0));
+  projector->SetBasis(vtkBasisBRDF::HEMISPHERICAL);
+  projector->SetOrder(6);
+  ASSERT_TRUE(projector->Project());
+  vtkNew<vtkBasisRadianceIntegrator> integrator;
+  integrator->UseOwnBasisOn();
+  const double error = CompareToExact(projector->GetOutput(), sky, integrator);
+  std::printf("own basis: %d terms, relative L1 %.5f\n", integrator->GetNumberOfTerms(), error);
+  EXPECT_EQ(integrator->GetNumberOfTerms(), 49);
+  EXPECT_EQ(integrator->GetTruncationError(), 0.0);
+  EXPECT_LT(error, 5e-3);
+}
+
+//------------------------------------------------------------------------------
+TEST(BasisIntegrator, RefusesAndKeepsGoing)
+{
+  vtkNew<vtkEnvironment> black;
+  ASSERT_TRUE(black->SetPixels(16, 8, std::vector<float>(3 * 16 * 8, 0.0f)));
+  vtkNew<vtkBasisRadianceIntegrator> integrator;
+  ErrorCatcher errors(integrator);
+  vtkNew<vtkAshikhminShirleyBRDF> brushed;
+  brushed->SetExponents(10.0, 100.0);
+  integrator->SetBRDF(brushed);
+  EXPECT_FALSE(integrator->Prepare());
+  integrator->SetEnvironment(black);
+  EXPECT_FALSE(integrator->Prepare());
+  EXPECT_EQ(errors.Take(), 2);
+  EXPECT_NE(errors.GetText().find("anisotropic"), std::string::npos);
+  integrator->SetBRDF(NewLobe(5.0));
+  Pairs pairs(5);
+  for (const glm::dvec3& rgb : pairs.Integrate(integrator))
+  {
+    EXPECT_EQ(rgb, glm::dvec3(0.0));
+  }
+  // Aborted, then again.
+  vtkNew<vtkCallbackCommand> stop;
+  stop->SetCallback([](vtkObject* self, unsigned long, void*, void*)
+    { static_cast<vtkRadianceIntegrator*>(self)->SetAbort(true); });
+  const unsigned long tag = integrator->AddObserver(vtkCommand::ProgressEvent, stop);
+  integrator->SetMapSize(16);
+  EXPECT_FALSE(integrator->Prepare());
+  EXPECT_EQ(errors.Take(), 1);
+  integrator->RemoveObserver(tag);
+  EXPECT_TRUE(integrator->Prepare());
+}
+
+//------------------------------------------------------------------------------
+TEST(BasisIntegrator, RealMaterials)
+{
+  const std::string folder = MEASUREDBRDF_SHARED_DATA;
+  if (!std::ifstream(folder + "/materials/rgl/cardboard_rgb.bsdf"))
+  {
+    GTEST_SKIP() << "no measured files beside the checkout";
+  }
+  for (const char* light : { "interior.exr", "studio.exr", "pmndrs_sunrise.hdr" })
+  {
+    vtkNew<vtkEnvironmentReader> environment;
+    environment->SetFileName(folder + "/environments/" + light);
+    ASSERT_TRUE(environment->Read());
+    for (const char* name : { "acrylic_felt_white", "paper_blue", "cardboard" })
+    {
+      vtkNew<vtkBRDFReader> reader;
+      reader->SetFileName(folder + "/materials/rgl/" + name + "_rgb.bsdf");
+      ASSERT_TRUE(reader->Read());
+      vtkNew<vtkBasisRadianceIntegrator> integrator;
+      const double error =
+        CompareToExact(reader->GetBRDF(), environment->GetEnvironment(), integrator, 12);
+      std::printf("%s under %s: %d terms, truncation %.4f, relative L1 %.4f\n", name, light,
+        integrator->GetNumberOfTerms(), integrator->GetTruncationError(), error);
+      EXPECT_LT(error, integrator->GetTruncationError());
+    }
   }
 }
