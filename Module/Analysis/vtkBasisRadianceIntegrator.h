@@ -45,7 +45,7 @@ public:
   ///@{
   /**
    * Texels along a map's side (each half of the sphere of normals has one), in [8, 128], default
-   * 64.
+   * 48.
    */
   vtkSetClampMacro(MapSize, int, 8, 128);
   vtkGetMacro(MapSize, int);
@@ -53,7 +53,7 @@ public:
 
   ///@{
   /**
-   * Directions that the environment's texels are grouped into, in [64, 1048576], default 4096.
+   * Directions that the environment's texels are grouped into, in [64, 1048576], default 1024.
    */
   vtkSetClampMacro(NumberOfClusters, int, 64, 1048576);
   vtkGetMacro(NumberOfClusters, int);
@@ -91,8 +91,8 @@ protected:
 
   double Tolerance = 0.01;
   int MaximumNumberOfTerms = 64;
-  int MapSize = 64;
-  int NumberOfClusters = 4096;
+  int MapSize = 48;
+  int NumberOfClusters = 1024;
   bool UseOwnBasis = false;
 
 private:

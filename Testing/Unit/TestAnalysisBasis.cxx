@@ -255,6 +255,7 @@ TEST(BasisIntegrator, ConvergesToTheReference)
   vtkNew<vtkLambertBRDF> lambert;
   vtkNew<vtkBasisRadianceIntegrator> integrator;
   EXPECT_LT(CompareToExact(lambert, sky, integrator), 1e-3);
+
   EXPECT_EQ(integrator->GetNumberOfTerms(), 1);
   for (const double exponent : { 5.0, 20.0 })
   {
@@ -302,6 +303,7 @@ TEST(BasisIntegrator, ContinuousOverSeamAndPoles)
   vtkNew<vtkEnvironment> sky;
   sky->SetToProceduralSky();
   vtkNew<vtkBasisRadianceIntegrator> integrator;
+  integrator->SetMapSize(64);
   integrator->SetBRDF(NewLobe(20.0));
   integrator->SetEnvironment(sky);
   Pairs pairs(0);
@@ -415,19 +417,19 @@ TEST(BasisIntegrator, RealMaterials)
   {
     GTEST_SKIP() << "no measured files beside the checkout";
   }
-  for (const char* light : { "interior.exr", "studio.exr", "pmndrs_sunrise.hdr" })
+  for (const char* light : { "interior.exr", "pmndrs_sunrise.hdr" })
   {
     vtkNew<vtkEnvironmentReader> environment;
     environment->SetFileName(folder + "/environments/" + light);
     ASSERT_TRUE(environment->Read());
-    for (const char* name : { "acrylic_felt_white", "paper_blue", "cardboard" })
+    for (const char* name : { "acrylic_felt_white", "cardboard" })
     {
       vtkNew<vtkBRDFReader> reader;
       reader->SetFileName(folder + "/materials/rgl/" + name + "_rgb.bsdf");
       ASSERT_TRUE(reader->Read());
       vtkNew<vtkBasisRadianceIntegrator> integrator;
       const double error =
-        CompareToExact(reader->GetBRDF(), environment->GetEnvironment(), integrator, 12);
+        CompareToExact(reader->GetBRDF(), environment->GetEnvironment(), integrator, 6);
       std::printf("%s under %s: %d terms, truncation %.4f, relative L1 %.4f\n", name, light,
         integrator->GetNumberOfTerms(), integrator->GetTruncationError(), error);
       EXPECT_LT(error, integrator->GetTruncationError());
