@@ -130,10 +130,9 @@ void Run(const Options& options, const CLI::App* command)
       { "texture_bytes", scene.GetTextureBytes() }, { "method", options.Method },
       { "lights", options.Lights.Count }, { "lights_in_use", scene.GetNumberOfLights() },
       { "light_set", options.Lights.Method }, { "soft_lights", options.Lights.Soft },
-      { "width", size.Width }, { "height", size.Height },
-      { "frames", NumberOfFrames }, { "material", material.Name },
-      { "environment", environment->GetName() }, { "renderer", scene.GetRendererName() },
-      { "vtk", vtkVersion::GetVTKVersion() } };
+      { "width", size.Width }, { "height", size.Height }, { "frames", NumberOfFrames },
+      { "material", material.Name }, { "environment", environment->GetName() },
+      { "renderer", scene.GetRendererName() }, { "vtk", vtkVersion::GetVTKVersion() } };
     if (options.Method == "thesis")
     {
       report["representation"] = representation.Kind;

@@ -33,17 +33,19 @@ inline bool ToUpperUnit(const double in[3], double out[3])
 using Frame = glm::dmat3;
 
 /**
- * Any right-handed orthonormal frame about unit n, without a seam except at n.z = 0's sign change.
+ * A right-handed orthonormal frame about unit n, smooth wherever n.z is not -s (s = 1 or -1).
  * Duff et al. 2017, "Building an Orthonormal Basis, Revisited".
  */
-inline Frame FrameAbout(const glm::dvec3& n)
+inline Frame FrameAbout(const glm::dvec3& n, double s)
 {
-  const double s = std::copysign(1.0, n.z);
   const double a = -1.0 / (s + n.z);
   const double b = n.x * n.y * a;
   return Frame(glm::dvec3(1.0 + s * n.x * n.x * a, s * b, -s * n.x),
     glm::dvec3(b, s + n.y * n.y * a, -n.y), n);
 }
+
+/// The same without a seam except at n.z = 0's sign change.
+inline Frame FrameAbout(const glm::dvec3& n) { return FrameAbout(n, std::copysign(1.0, n.z)); }
 
 /// The frame with its tangent along the part of t perpendicular to n; any frame where t gives none.
 inline Frame FrameAbout(const glm::dvec3& n, const glm::dvec3& t)

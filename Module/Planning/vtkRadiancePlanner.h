@@ -7,8 +7,8 @@
  *
  * Given a BRDF, an environment and a tolerance, it lists candidates (an integrator and its sizes)
  * with predicted error, cost, memory and set-up time, and chooses the cheapest that meets the
- * tolerance: no more than the scene needs. Errors are relative L1 over a sphere, mean |x - r| / mean
- * r; predictions come from certificates that need no rendering:
+ * tolerance: no more than the scene needs. Errors are relative L1 over a sphere, mean |x - r| /
+ * mean r; predictions come from certificates that need no rendering:
  *
  * - TABLE: the spectra of the kernels and of the environment. Averaged over all orientations, what
  *   interpolation and truncation change of each degree and order adds up to the mean square error

@@ -12,9 +12,10 @@
 #include "vtkBRDFDirectionalLight.h"
 #include "vtkBRDFDistribution.h"
 #include "vtkBRDFEnd.h"
-#include "vtkBRDFEnvironmentTable.h"
+#include "vtkBRDFEnvironmentBasis.h"
 #include "vtkBRDFEnvironmentFiltered.h"
 #include "vtkBRDFEnvironmentPyramid.h"
+#include "vtkBRDFEnvironmentTable.h"
 #include "vtkBRDFHalfDifference.h"
 #include "vtkBRDFHeadlight.h"
 #include "vtkBRDFIncidentOutgoing.h"
@@ -39,6 +40,7 @@ const char* FindTerm(const std::string& name)
     { "vtkBRDFDistribution", vtkBRDFDistribution },
     { "vtkBRDFEnvironmentTable", vtkBRDFEnvironmentTable },
     { "vtkBRDFEnvironmentFiltered", vtkBRDFEnvironmentFiltered },
+    { "vtkBRDFEnvironmentBasis", vtkBRDFEnvironmentBasis },
     { "vtkBRDFHalfDifference", vtkBRDFHalfDifference },
     { "vtkBRDFIncidentOutgoing", vtkBRDFIncidentOutgoing },
     { "vtkBRDFLambert", vtkBRDFLambert },

@@ -124,10 +124,16 @@ std::string FormTextures::Update(vtkRadianceIntegrator* integrator, vtkOpenGLRen
   {
     return "";
   }
+  const std::string nothing = std::string(integrator->GetClassName()) + " has nothing to draw with";
+  if (time <= this->FailureTime)
+  {
+    return nothing; // it has said why
+  }
   vtkBRDFGPUForm form;
   if (!integrator->GetGPUForm(form))
   {
-    return std::string(integrator->GetClassName()) + " has nothing to draw with";
+    this->FailureTime = time;
+    return nothing;
   }
   return this->Upload(std::move(form), time, window);
 }

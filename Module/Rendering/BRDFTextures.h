@@ -63,6 +63,7 @@ private:
   std::vector<Uploaded> Textures;
   std::size_t Bytes = 0;
   vtkMTimeType Time = 0;
+  vtkMTimeType FailureTime = 0; // of inputs that an integrator refused
   vtkOpenGLRenderWindow* Window = nullptr;
 };
 } // namespace measuredbrdf

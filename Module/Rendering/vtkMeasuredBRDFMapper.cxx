@@ -470,22 +470,19 @@ void vtkMeasuredBRDFMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* actor)
       vtkWarningMacro("The renderer's environment texture holds neither a lat-long image nor six "
                       "square cube faces of one size; it lights nothing here.");
     }
-    impl.Integrator = impl.WantedIntegrator;
+    const bool lit = impl.CurrentEnvironment && impl.CurrentEnvironment->GetWidth() > 0;
+    impl.Integrator = lit ? impl.WantedIntegrator : nullptr;
     if (impl.Integrator)
     {
       impl.Integrator->SetBRDF(impl.BRDF);
-      if (impl.CurrentEnvironment)
-      {
-        impl.Integrator->SetEnvironment(impl.CurrentEnvironment);
-      }
-      impl.CurrentEnvironment = impl.Integrator->GetEnvironment();
+      impl.Integrator->SetEnvironment(impl.CurrentEnvironment);
       impl.CurrentLights = nullptr;
     }
     else if (impl.LightSet)
     {
       impl.CurrentLights = impl.LightSet;
     }
-    else if (impl.CurrentEnvironment && impl.CurrentEnvironment->GetWidth() > 0)
+    else if (lit)
     {
       int count = this->NumberOfLights;
       if (this->LightSetMethod == MEDIAN_CUT && count != NextPowerOfTwo(count))

@@ -3,12 +3,15 @@
 // Frame times of a 500 x 500 view of a sphere: the measured mapper against the number of lights,
 // beside the stock mapper with Phong lighting and with PBR under image-based lighting, on the same
 // scene in the same run. Thesis mode against the order of the basis and the number of lights (both
-// arguments), 125 x 125. Filtered importance sampling against the number of samples. Needs an
-// OpenGL context. ns_per_light_pixel: slope per covered pixel.
+// arguments), 125 x 125. Filtered importance sampling against the number of samples, pre-integrated
+// bases against the number of functions, tables of radiance. Needs an OpenGL context.
+// ns_per_light_pixel: slope per covered pixel.
 
 #include "vtkActor.h"
 #include "vtkBRDF.h"
 #include "vtkBasisProjector.h"
+#include "vtkBasisRadianceIntegrator.h"
+#include "vtkBlinnPhongBRDF.h"
 #include "vtkCamera.h"
 #include "vtkEmbeddedMaterials.h"
 #include "vtkEnvironment.h"
@@ -30,6 +33,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include <chrono>
 #include <cmath>
 #include <vector>
 
@@ -214,6 +218,31 @@ void FilteredSetUp(benchmark::State& state)
   }
 }
 
+// At most so many functions (argument); seconds to prepare them in setup_s.
+void MeasuredPreintegrated(benchmark::State& state)
+{
+  vtkNew<vtkBlinnPhongBRDF> brdf;
+  brdf->SetExponent(20.0);
+  Scene scene;
+  vtkNew<vtkBasisRadianceIntegrator> integrator;
+  integrator->SetMaximumNumberOfTerms(static_cast<int>(state.range(0)));
+  integrator->SetTolerance(1e-4);
+  integrator->SetBRDF(brdf);
+  integrator->SetEnvironment(scene.Sky);
+  const auto start = std::chrono::steady_clock::now();
+  integrator->Prepare();
+  state.counters["setup_s"] =
+    std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  state.counters["terms"] = integrator->GetNumberOfTerms();
+  vtkNew<vtkMeasuredBRDFMapper> mapper;
+  mapper->SetInputConnection(scene.Sphere->GetOutputPort());
+  mapper->SetBRDF(brdf);
+  mapper->SetEnvironment(scene.Sky);
+  mapper->SetIntegrator(integrator);
+  scene.Actor->SetMapper(mapper);
+  scene.Measure(state, integrator->GetNumberOfTerms());
+}
+
 void StockPhong(benchmark::State& state)
 {
   Scene scene;
@@ -275,6 +304,13 @@ BENCHMARK(MeasuredFiltered)
   ->UseRealTime();
 BENCHMARK(FilteredSetUp)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(MeasuredVolume)->Arg(16)->Arg(64)->Arg(256)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(MeasuredPreintegrated)
+  ->Arg(1)
+  ->Arg(9)
+  ->Arg(25)
+  ->Arg(64)
+  ->Unit(benchmark::kMillisecond)
+  ->UseRealTime();
 BENCHMARK(MeasuredBasis)
   ->ArgsProduct({ { 2, 4, 6, 8, 12 }, { 16, 64, 256 } })
   ->Unit(benchmark::kMillisecond)
