@@ -65,6 +65,7 @@ void Scene::SetMaterial(vtkBRDF* brdf) { this->Mapper->SetBRDF(brdf); }
 void Scene::SetLight(vtkEnvironment* environment, const LightSetOptions& lights)
 {
   this->Mapper->SetEnvironment(environment);
+  this->Mapper->SetMethodToLightSet();
   this->Mapper->SetNumberOfLights(lights.Count);
   if (lights.IsMedianCut())
   {

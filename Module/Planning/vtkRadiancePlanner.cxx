@@ -31,6 +31,7 @@ namespace
 constexpr double Pi = 3.14159265358979323846;
 constexpr double Margin = 0.85;     // of the tolerance: pairs are a sample
 constexpr double GlossyError = 0.1; // of the first tables: beyond, more lights are needed
+constexpr double HopelessRatio = 8.0;
 constexpr int Pairs = 192;
 constexpr int Lights = 8192;
 constexpr int GlossyPairs = 96;
@@ -49,6 +50,7 @@ constexpr double SampleCost = 40.0;
 const int TableSizes[][3] = { { 17, 8, 8 }, { 33, 12, 16 }, { 65, 12, 16 }, { 65, 24, 24 },
   { 129, 12, 16 }, { 129, 24, 16 }, { 257, 12, 8 } };
 const int LightCounts[] = { 64, 256, 1024, 4096 };
+constexpr int AnisotropicLights = 256; // more cost seconds a frame without a graphics card
 const int SampleCounts[] = { 16, 64 };
 const int FunctionCounts[] = { 9, 25, 64 };
 
@@ -299,7 +301,7 @@ bool vtkRadiancePlanner::Update()
     Candidate lights(LIGHT_SET, count);
     lights.Cost = BaseCost + LightCost * count;
     lights.Bytes = 32 * static_cast<vtkIdType>(count);
-    if (!isotropic || this->EvaluateAll)
+    if (this->EvaluateAll || (!isotropic && count <= AnisotropicLights))
     {
       wanted.push_back(lights);
     }
@@ -335,6 +337,7 @@ bool vtkRadiancePlanner::Update()
   int choice = -1;
   bool meets = false;
   bool glossy = false;
+  bool hopeless = false;
   for (std::size_t k = 0; k < wanted.size() && !this->Abort; ++k)
   {
     Candidate& candidate = wanted[k];
@@ -343,11 +346,19 @@ bool vtkRadiancePlanner::Update()
     {
       break;
     }
+    // Nor can the next size of a table mend what is wrong by an order of magnitude.
+    if (hopeless && !this->EvaluateAll && k + 1 < wanted.size() &&
+        wanted[k + 1].Method == candidate.Method)
+    {
+      hopeless = false;
+      continue;
+    }
     if (!impl.Try(candidate))
     {
       return false;
     }
-    if (k == 1 && isotropic && candidate.Error > GlossyError && !glossy)
+    if (candidate.Method == TABLE && candidate.Sizes[0] >= 33 && candidate.Error > GlossyError &&
+        !glossy)
     {
       glossy = true;
       if (!impl.MakeReference(GlossyPairs, GlossyLights, this->ViewDirection))
@@ -355,6 +366,7 @@ bool vtkRadiancePlanner::Update()
         return false;
       }
     }
+    hopeless = candidate.Error > HopelessRatio * this->ErrorTolerance;
     tried.push_back(candidate);
     const int last = static_cast<int>(tried.size()) - 1;
     if (!meets && candidate.Error <= Margin * this->ErrorTolerance)
