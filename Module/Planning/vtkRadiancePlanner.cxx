@@ -51,7 +51,8 @@ const int TableSizes[][3] = { { 17, 8, 8 }, { 33, 12, 16 }, { 65, 12, 16 }, { 65
   { 129, 12, 16 }, { 129, 24, 16 }, { 257, 12, 8 } };
 const int LightCounts[] = { 64, 256, 1024, 4096 };
 constexpr int AnisotropicLights = 256; // more cost seconds a frame without a graphics card
-const int SampleCounts[] = { 16, 64 };
+const int SampleCounts[] = { 16, 64, 256 };
+constexpr int FewSamples = 16; // so they are here
 const int FunctionCounts[] = { 9, 25, 64 };
 
 struct Candidate
@@ -288,7 +289,8 @@ bool vtkRadiancePlanner::Update()
     {
       Candidate table(TABLE, sizes[0], sizes[1], sizes[2]);
       table.Cost = BaseCost + TableCost;
-      table.Bytes = 6 * static_cast<vtkIdType>(2 * (sizes[0] - 1)) * sizes[0] * sizes[1] * sizes[2];
+      table.Bytes =
+        6 * static_cast<vtkIdType>(2 * (sizes[0] - 1)) * sizes[0] * sizes[1] * (sizes[2] + 1);
       if (table.Bytes <= this->MaximumTextureBytes)
       {
         wanted.push_back(table);
@@ -311,7 +313,7 @@ bool vtkRadiancePlanner::Update()
     Candidate samples(FILTERED, count);
     samples.Cost = BaseCost + SampleCost * count;
     samples.Bytes = 5600000;
-    if (isotropic)
+    if (isotropic && (this->EvaluateAll || count <= FewSamples))
     {
       wanted.push_back(samples);
     }
