@@ -100,6 +100,21 @@ TEST(RepresentationAdvisor, BroadLobesGoIntoABasisAndSharpOnesDoNot)
   EXPECT_GT(before, 0.3);
 }
 
+// Shares stay shares where probes miss the lobe altogether.
+TEST(RepresentationAdvisor, NegativeMassOfTheSharpestLobe)
+{
+  vtkNew<vtkBlinnPhongBRDF> mirror;
+  mirror->SetExponent(1e5);
+  vtkNew<vtkRepresentationAdvisor> advisor;
+  advisor->SetInput(mirror);
+  ASSERT_TRUE(advisor->Update());
+  EXPECT_EQ(advisor->GetRecommendation(), vtkRepresentationAdvisor::FIT);
+  EXPECT_GT(advisor->GetNegativeMass(), 0.1);
+  EXPECT_LE(advisor->GetNegativeMass(), 1.0);
+  EXPECT_GT(advisor->GetOvershoot(), 0.1);
+  EXPECT_LE(advisor->GetOvershoot(), 1.0);
+}
+
 TEST(RepresentationAdvisor, LambertIsExactInAnyBasis)
 {
   vtkNew<vtkLambertBRDF> lambert;
@@ -121,7 +136,6 @@ TEST(RepresentationAdvisor, LimitsDecide)
   ASSERT_TRUE(advisor->Update());
   EXPECT_EQ(advisor->GetRecommendation(), vtkRepresentationAdvisor::FIT);
   advisor->SetMaximumResidual(1.0);
-  advisor->SetMaximumNegativeMass(1.0);
   ASSERT_TRUE(advisor->Update());
   EXPECT_EQ(advisor->GetRecommendation(), vtkRepresentationAdvisor::BASIS);
 }
@@ -163,14 +177,12 @@ TEST(RepresentationAdvisor, BasesSufficeAndFitsWinWhereRecommended)
     advisor->SetInput(brdf);
     double errors[2];
     advisor->SetMaximumResidual(1e6);
-    advisor->SetMaximumNegativeMass(1e6);
     ASSERT_TRUE(advisor->Represent());
     errors[vtkRepresentationAdvisor::BASIS] = GetImageError(brdf, advisor->GetOutput());
     advisor->SetMaximumResidual(0.0);
     ASSERT_TRUE(advisor->Represent());
     errors[vtkRepresentationAdvisor::FIT] = GetImageError(brdf, advisor->GetOutput());
     advisor->SetMaximumResidual(0.10);
-    advisor->SetMaximumNegativeMass(0.01);
     ASSERT_TRUE(advisor->Update());
     const double basis = errors[vtkRepresentationAdvisor::BASIS];
     const double fit = errors[vtkRepresentationAdvisor::FIT];
