@@ -582,10 +582,12 @@ void vtkBasisBRDF::GetGPUForm(vtkBRDFGPUForm& form)
   const double end = ToRadians(this->OutgoingZone[1]);
   term.Uniforms.push_back({ "brdfScale", { 1.0f / scale } });
   term.Uniforms.push_back({ "brdfIsotropic", { this->NumberOfPhi == 1 ? 1.0f : 0.0f } });
-  // Near and far cosine of the basis's domain, turns of acos(x) in the table.
-  term.Uniforms.push_back(
-    { "brdfIncidentZone", { number(tables.Functions.GetNear()), number(tables.Functions.GetFar()),
-                            number(tables.GammaRange / (2.0 * Pi)) } });
+  // The basis's domain: its near cosine, the square of that angle's sine, and the way to the far
+  // cosine; acos(x) in the table in right angles, halved.
+  const double near = tables.Functions.GetNear();
+  term.Uniforms.push_back({ "brdfIncidentZone",
+    { number(near), number(1.0 - near * near), number(near - tables.Functions.GetFar()) } });
+  term.Uniforms.push_back({ "brdfGammaRange", { number(tables.GammaRange / Pi) } });
   // In right angles, and the two cosines.
   term.Uniforms.push_back({ "brdfOutgoingZone",
     { number(begin * 2.0 / Pi), number(1.0 / ((end - begin) * 2.0 / Pi)), 0.0f } });

@@ -472,6 +472,7 @@ TEST(Fit, SameSeedSameResult)
          static_cast<vtkBRDFFitter*>(distribution.Get()) })
   {
     SCOPED_TRACE(fitter->GetModelName());
+    fitter->SetNumberOfSamples(1 << 13);
     ExpectFit(fitter, input);
     const vtkSmartPointer<vtkBRDF> first = fitter->GetOutput();
     const double residual = fitter->GetResidual();
