@@ -32,9 +32,9 @@ constexpr double Pi = 3.14159265358979323846;
 constexpr double Margin = 0.85;     // of the tolerance: pairs are a sample
 constexpr double GlossyError = 0.1; // of the first tables: beyond, more lights are needed
 constexpr double HopelessRatio = 8.0;
-constexpr int Pairs = 192;
+constexpr int Pairs = 256;
 constexpr int Lights = 8192;
-constexpr int GlossyPairs = 96;
+constexpr int GlossyPairs = 128;
 constexpr int GlossyLights = 32768;
 
 // Nanoseconds per covered pixel on Mesa's llvmpipe, 2 cores (docs/methods.md); on a GPU all are
@@ -214,14 +214,25 @@ struct vtkRadiancePlanner::Internals
     {
       return false;
     }
-    double difference = 0.0;
+    // One standard error on top of the mean: highlights are rare and decide.
     double sum = 0.0;
-    for (vtkIdType k = 0; k < radiance->GetNumberOfValues(); ++k)
+    double differences = 0.0;
+    double squares = 0.0;
+    const vtkIdType pairs = radiance->GetNumberOfTuples();
+    for (vtkIdType k = 0; k < pairs; ++k)
     {
-      difference += std::abs(radiance->GetValue(k) - this->Reference->GetValue(k));
-      sum += this->Reference->GetValue(k);
+      double difference = 0.0;
+      for (int c = 0; c < 3; ++c)
+      {
+        difference += std::abs(radiance->GetComponent(k, c) - this->Reference->GetComponent(k, c));
+        sum += this->Reference->GetComponent(k, c);
+      }
+      differences += difference;
+      squares += difference * difference;
     }
-    candidate.Error = sum > 0.0 ? difference / sum : 0.0;
+    const double variance =
+      std::max(squares - differences * differences / static_cast<double>(pairs), 0.0);
+    candidate.Error = sum > 0.0 ? (differences + std::sqrt(variance)) / sum : 0.0;
     return true;
   }
 };
@@ -371,7 +382,7 @@ bool vtkRadiancePlanner::Update()
     hopeless = candidate.Error > HopelessRatio * this->ErrorTolerance;
     tried.push_back(candidate);
     const int last = static_cast<int>(tried.size()) - 1;
-    if (!meets && candidate.Error <= Margin * this->ErrorTolerance)
+    if (!meets && candidate.Error <= this->ErrorTolerance)
     {
       meets = true;
       choice = last;
