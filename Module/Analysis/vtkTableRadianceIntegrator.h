@@ -15,7 +15,7 @@
  *   L_o = c(theta_o) E(n) + s(theta_o) T(D, theta_o, psi)
  *
  * s is the rest's share of the directional albedo, so a constant environment comes out exact. T is
- * a 3D texture: azimuth of D; polar angle of D x view angles; psi. Two trilinear fetches
+ * a 3D texture: azimuth of D; polar angle of D; psi within view angles. Two trilinear fetches
  * interpolate it linearly in all four, whatever the light. Rows lie on the poles and D's azimuth
  * and psi are taken in the meridian's frame, so there is no seam and no pole to interpolate across.
  *

@@ -32,9 +32,9 @@ constexpr double Pi = 3.14159265358979323846;
 constexpr double Margin = 0.85;     // of the tolerance: pairs are a sample
 constexpr double GlossyError = 0.1; // of the first tables: beyond, more lights are needed
 constexpr double HopelessRatio = 8.0;
-constexpr int Pairs = 192;
+constexpr int Pairs = 256;
 constexpr int Lights = 8192;
-constexpr int GlossyPairs = 96;
+constexpr int GlossyPairs = 128;
 constexpr int GlossyLights = 32768;
 
 // Nanoseconds per covered pixel on Mesa's llvmpipe, 2 cores (docs/methods.md); on a GPU all are
@@ -51,7 +51,8 @@ const int TableSizes[][3] = { { 17, 8, 8 }, { 33, 12, 16 }, { 65, 12, 16 }, { 65
   { 129, 12, 16 }, { 129, 24, 16 }, { 257, 12, 8 } };
 const int LightCounts[] = { 64, 256, 1024, 4096 };
 constexpr int AnisotropicLights = 256; // more cost seconds a frame without a graphics card
-const int SampleCounts[] = { 16, 64 };
+const int SampleCounts[] = { 16, 64, 256 };
+constexpr int FewSamples = 16; // so they are here
 const int FunctionCounts[] = { 9, 25, 64 };
 
 struct Candidate
@@ -213,14 +214,25 @@ struct vtkRadiancePlanner::Internals
     {
       return false;
     }
-    double difference = 0.0;
+    // One standard error on top of the mean: highlights are rare and decide.
     double sum = 0.0;
-    for (vtkIdType k = 0; k < radiance->GetNumberOfValues(); ++k)
+    double differences = 0.0;
+    double squares = 0.0;
+    const vtkIdType pairs = radiance->GetNumberOfTuples();
+    for (vtkIdType k = 0; k < pairs; ++k)
     {
-      difference += std::abs(radiance->GetValue(k) - this->Reference->GetValue(k));
-      sum += this->Reference->GetValue(k);
+      double difference = 0.0;
+      for (int c = 0; c < 3; ++c)
+      {
+        difference += std::abs(radiance->GetComponent(k, c) - this->Reference->GetComponent(k, c));
+        sum += this->Reference->GetComponent(k, c);
+      }
+      differences += difference;
+      squares += difference * difference;
     }
-    candidate.Error = sum > 0.0 ? difference / sum : 0.0;
+    const double variance =
+      std::max(squares - differences * differences / static_cast<double>(pairs), 0.0);
+    candidate.Error = sum > 0.0 ? (differences + std::sqrt(variance)) / sum : 0.0;
     return true;
   }
 };
@@ -288,7 +300,8 @@ bool vtkRadiancePlanner::Update()
     {
       Candidate table(TABLE, sizes[0], sizes[1], sizes[2]);
       table.Cost = BaseCost + TableCost;
-      table.Bytes = 6 * static_cast<vtkIdType>(2 * (sizes[0] - 1)) * sizes[0] * sizes[1] * sizes[2];
+      table.Bytes =
+        6 * static_cast<vtkIdType>(2 * (sizes[0] - 1)) * sizes[0] * sizes[1] * (sizes[2] + 1);
       if (table.Bytes <= this->MaximumTextureBytes)
       {
         wanted.push_back(table);
@@ -311,7 +324,7 @@ bool vtkRadiancePlanner::Update()
     Candidate samples(FILTERED, count);
     samples.Cost = BaseCost + SampleCost * count;
     samples.Bytes = 5600000;
-    if (isotropic)
+    if (isotropic && (this->EvaluateAll || count <= FewSamples))
     {
       wanted.push_back(samples);
     }
@@ -369,7 +382,7 @@ bool vtkRadiancePlanner::Update()
     hopeless = candidate.Error > HopelessRatio * this->ErrorTolerance;
     tried.push_back(candidate);
     const int last = static_cast<int>(tried.size()) - 1;
-    if (!meets && candidate.Error <= Margin * this->ErrorTolerance)
+    if (!meets && candidate.Error <= this->ErrorTolerance)
     {
       meets = true;
       choice = last;
