@@ -23,6 +23,8 @@ vec3 brdfEnvironmentINSTANCE(mat3 frame, vec3 o)
 {
   float sine = length(o.xy);
   float u = brdfQuadrant(sine, o.z);
+  float views = float(textureSize(brdfTableProfileINSTANCE, 0).x);
+  u = (u * (views - 1.0) + 0.5) / views;
   vec3 axis = texture(brdfTableProfileINSTANCE, vec2(u, 0.5 / 3.0)).xyz;
   vec2 azimuth = sine > 1e-6 ? o.xy / sine : vec2(1.0, 0.0);
   vec3 across = frame[0] * azimuth.x + frame[1] * azimuth.y;

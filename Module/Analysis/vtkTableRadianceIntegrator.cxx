@@ -30,11 +30,14 @@ using namespace measuredbrdf;
 namespace
 {
 constexpr double Pi = 3.14159265358979323846;
-constexpr int ProfileSize = 64;        // view angles of the profile
-constexpr int ProfileNodes = 32;       // per angle there: only sums are used
+constexpr int ProfileSize = 64;        // view angles of the profile, from 0 to 90 degrees
+constexpr int ProfileNodes = 32;       // per angle there: only the mean direction is used
 constexpr int IrradianceRows = 129;    // of the map of irradiance, poles included
 constexpr int IrradianceDegree = 128;  // the cosine's coefficients fall as l^-2.5
 constexpr double LargestValue = 32768; // of a 16-bit texture, with room to spare
+
+// The first is the normal itself: there the axis must not depend on the azimuth.
+double GetProfileAngle(int k) { return 0.5 * Pi * k / (ProfileSize - 1); }
 
 // A view angle's place in the profile.
 struct Lobe
@@ -181,9 +184,10 @@ struct vtkTableRadianceIntegrator::Tables
 
   glm::dvec3 GetProfile(int row, double u) const
   {
-    const Neighbours at = ClampedNeighbours(u, ProfileSize);
-    return glm::mix(GetTexel(this->Profile, ProfileSize * row + at.First),
-      GetTexel(this->Profile, ProfileSize * row + at.Second), at.Weight);
+    const double exact = u * (ProfileSize - 1);
+    const int low = std::min(static_cast<int>(exact), ProfileSize - 2);
+    return glm::mix(GetTexel(this->Profile, ProfileSize * row + low),
+      GetTexel(this->Profile, ProfileSize * row + low + 1), exact - low);
   }
 
   static glm::dvec3 GetTexel(const std::vector<float>& data, int index)
@@ -218,6 +222,7 @@ vtkTableRadianceIntegrator::~vtkTableRadianceIntegrator() = default;
 //------------------------------------------------------------------------------
 bool vtkTableRadianceIntegrator::Begin()
 {
+  this->Abort = false; // one that an earlier run left
   if (!this->Environment || this->Environment->GetPixels().empty())
   {
     vtkErrorMacro("Prepare: there is no environment, or it is empty.");
@@ -257,7 +262,7 @@ bool vtkTableRadianceIntegrator::Begin()
         }
         else
         {
-          const double theta = (static_cast<double>(k - angles) + 0.5) / ProfileSize * Pi / 2.0;
+          const double theta = GetProfileAngle(static_cast<int>(k) - angles);
           const KernelHarmonics kernel(this->BRDF, std::min(theta, lastAngle), ProfileNodes);
           profile[static_cast<std::size_t>(k - angles)] = { kernel.GetDelta(),
             kernel.GetAmplitude(), kernel.GetFloor() };
@@ -329,7 +334,7 @@ bool vtkTableRadianceIntegrator::Begin()
   for (int k = 0; k < ProfileSize; ++k)
   {
     const Lobe& lobe = profile[static_cast<std::size_t>(k)];
-    const double theta = (k + 0.5) / ProfileSize * Pi / 2.0;
+    const double theta = GetProfileAngle(k);
     const glm::dvec3 rowsOf[3] = { { (angles - 1) * theta / lastAngle, std::cos(lobe.Delta),
                                      std::sin(lobe.Delta) },
       lobe.Amplitude * tables->Scale, lobe.Floor };
@@ -471,5 +476,6 @@ void vtkTableRadianceIntegrator::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfRows: " << this->NumberOfRows << "\n";
   os << indent << "NumberOfViewAngles: " << this->NumberOfViewAngles << "\n";
   os << indent << "NumberOfAzimuths: " << this->NumberOfAzimuths << "\n";
+  os << indent << "HarmonicDegree: " << this->HarmonicDegree << "\n";
   os << indent << "NumberOfNodes: " << this->NumberOfNodes << "\n";
 }
