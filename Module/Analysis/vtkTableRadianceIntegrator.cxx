@@ -30,14 +30,21 @@ using namespace measuredbrdf;
 namespace
 {
 constexpr double Pi = 3.14159265358979323846;
-constexpr int ProfileSize = 64;        // view angles of the profile, from 0 to 90 degrees
+constexpr int ProfileSize = 64;        // view angles of the profile, from 0 to LastView
 constexpr int ProfileNodes = 32;       // per angle there: only the mean direction is used
 constexpr int IrradianceRows = 129;    // of the map of irradiance, poles included
 constexpr int IrradianceDegree = 128;  // the cosine's coefficients fall as l^-2.5
 constexpr double LargestValue = 32768; // of a 16-bit texture, with room to spare
 
-// The first is the normal itself: there the axis must not depend on the azimuth.
-double GetProfileAngle(int k) { return 0.5 * Pi * k / (ProfileSize - 1); }
+const double LastView = std::acos(MinimumViewCosine);
+
+// The first is the normal itself: there the axis must not depend on the azimuth. They crowd towards
+// the horizon, where measured f is steep.
+double GetProfileAngle(int k)
+{
+  const double t = 1.0 - static_cast<double>(k) / (ProfileSize - 1);
+  return LastView * (1.0 - t * t);
+}
 
 // A view angle's place in the profile.
 struct Lobe
@@ -246,7 +253,6 @@ bool vtkTableRadianceIntegrator::Begin()
 
   // Profile and kernels.
   const int angles = this->NumberOfViewAngles;
-  const double lastAngle = std::acos(MinimumViewCosine);
   std::vector<std::vector<float>> kernels(static_cast<std::size_t>(angles));
   std::vector<Lobe> profile(ProfileSize);
   vtkSMPTools::For(0, angles + ProfileSize, 1,
@@ -256,14 +262,14 @@ bool vtkTableRadianceIntegrator::Begin()
       {
         if (k < angles)
         {
-          const double theta = lastAngle * static_cast<double>(k) / (angles - 1);
+          const double theta = LastView * static_cast<double>(k) / (angles - 1);
           const KernelHarmonics kernel(this->BRDF, theta, this->NumberOfNodes);
           kernels[static_cast<std::size_t>(k)] = kernel.Expand(kernel.GetDelta(), degree, orders);
         }
         else
         {
           const double theta = GetProfileAngle(static_cast<int>(k) - angles);
-          const KernelHarmonics kernel(this->BRDF, std::min(theta, lastAngle), ProfileNodes);
+          const KernelHarmonics kernel(this->BRDF, theta, ProfileNodes);
           profile[static_cast<std::size_t>(k - angles)] = { kernel.GetDelta(),
             kernel.GetAmplitude(), kernel.GetFloor() };
         }
@@ -335,7 +341,7 @@ bool vtkTableRadianceIntegrator::Begin()
   {
     const Lobe& lobe = profile[static_cast<std::size_t>(k)];
     const double theta = GetProfileAngle(k);
-    const glm::dvec3 rowsOf[3] = { { (angles - 1) * theta / lastAngle, std::cos(lobe.Delta),
+    const glm::dvec3 rowsOf[3] = { { (angles - 1) * theta / LastView, std::cos(lobe.Delta),
                                      std::sin(lobe.Delta) },
       lobe.Amplitude * tables->Scale, lobe.Floor };
     for (int row = 0; row < 3; ++row)
@@ -394,7 +400,7 @@ void vtkTableRadianceIntegrator::IntegratePart(
   const Frame frame = FrameAbout(glm::make_vec3(n), glm::make_vec3(t));
   const glm::dvec3 view = LiftView(ToLocal(frame, glm::make_vec3(o)));
   const double sine = std::hypot(view.x, view.y);
-  const double u = std::atan2(sine, view.z) * 2.0 / Pi;
+  const double u = 1.0 - std::sqrt(std::max(1.0 - std::atan2(sine, view.z) / LastView, 0.0));
   const glm::dvec3 axis = tables.GetProfile(0, u);
   const glm::dvec2 azimuth = sine > 1e-6 ? glm::dvec2(view) / sine : glm::dvec2(1.0, 0.0);
   const glm::dvec3 across = frame[0] * azimuth.x + frame[1] * azimuth.y;
@@ -440,6 +446,7 @@ bool vtkTableRadianceIntegrator::GetGPUForm(vtkBRDFGPUForm& form)
   term.Shader = "vtkBRDFEnvironmentTable";
   term.Constants = { { "HAS_FLOOR", tables.HasFloor ? "1" : "0" } };
   term.Uniforms.push_back({ "brdfTableAngles", { static_cast<float>(tables.Angles) } });
+  term.Uniforms.push_back({ "brdfTableLastView", { static_cast<float>(LastView * 2.0 / Pi) } });
   const auto add = [&term](const char* name, int width, int height, int depth, bool half,
                      const std::vector<float>& data)
   {
