@@ -270,12 +270,21 @@ TEST(Planner, RefusesAndKeepsTheOldPlan)
 }
 
 //------------------------------------------------------------------------------
-TEST(Planner, BlackEnvironments)
+TEST(Planner, BlackAndTinyEnvironments)
 {
   const auto planner = NewPlanner(NewPhong(3.0), NewConstantEnvironment(16, 8, 0.0f), 0.02);
   ASSERT_TRUE(planner->Update());
   EXPECT_TRUE(planner->GetMeetsTolerance());
   EXPECT_EQ(planner->GetPredictedError(planner->GetChoice()), 0.0);
+  for (const int height : { 1, 9 })
+  {
+    const auto tiny = NewConstantEnvironment(1, height, 1.0f);
+    planner->SetEnvironment(tiny);
+    ASSERT_TRUE(planner->Update());
+    std::printf("1 x %d: %s\n", height, planner->GetPlan().c_str());
+    EXPECT_GT(planner->GetPredictedError(planner->GetChoice()), 0.0);
+    EXPECT_LT(planner->GetPredictedError(planner->GetChoice()), 0.2);
+  }
 }
 
 //------------------------------------------------------------------------------
