@@ -52,6 +52,7 @@ constexpr double SampleCost = 28.0;
 // material's gloss (docs/methods.md).
 const int TableSizes[][3] = { { 17, 8, 8 }, { 33, 12, 16 }, { 65, 12, 16 }, { 65, 24, 24 },
   { 129, 12, 16 }, { 129, 24, 16 }, { 257, 12, 8 } };
+constexpr vtkIdType TableBytes = 12 * (256 * 129 + 3 * 64); // irradiance and profile
 const int LightCounts[] = { 64, 256, 1024, 4096 };
 constexpr int AnisotropicLights = 256; // more cost seconds a frame without a graphics card
 const int SampleCounts[] = { 16, 64, 256 };
@@ -396,12 +397,9 @@ bool vtkRadiancePlanner::Update()
     {
       Candidate table(TABLE, sizes[0], sizes[1], sizes[2]);
       table.Cost = BaseCost + TableCost;
-      table.Bytes =
-        6 * static_cast<vtkIdType>(2 * (sizes[0] - 1)) * sizes[0] * sizes[1] * (sizes[2] + 1);
-      if (table.Bytes <= this->MaximumTextureBytes)
-      {
-        wanted.push_back(table);
-      }
+      table.Bytes = TableBytes + 6 * static_cast<vtkIdType>(2 * (sizes[0] - 1)) * sizes[0] *
+                                   sizes[1] * (sizes[2] + 1);
+      wanted.push_back(table);
     }
   }
   // What tables cannot do: gloss finer than their rows, and anisotropy.
@@ -434,6 +432,16 @@ bool vtkRadiancePlanner::Update()
     {
       wanted.push_back(functions);
     }
+  }
+  wanted.erase(
+    std::remove_if(wanted.begin(), wanted.end(),
+      [this](const Candidate& candidate) { return candidate.Bytes > this->MaximumTextureBytes; }),
+    wanted.end());
+  if (wanted.empty())
+  {
+    vtkErrorMacro(
+      "Update: nothing fits into MaximumTextureBytes, " << this->MaximumTextureBytes << " bytes.");
+    return false;
   }
   std::stable_sort(wanted.begin(), wanted.end(),
     [](const Candidate& a, const Candidate& b) { return a.Cost < b.Cost; });
