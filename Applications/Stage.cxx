@@ -170,6 +170,7 @@ void Stage::Open(int width, int height)
 {
   this->Actor->VisibilityOff();
   this->Window->SetSize(width, height);
+  this->PlaceCamera(width, height);
   this->TimeFrame();
   this->Actor->VisibilityOn();
 }

@@ -53,7 +53,8 @@ public:
   /// done.
   double TimeFrame();
 
-  /// Open the window and render nothing, so that a context's own start is over.
+  /// Open the window and render nothing, so that a context's own start is over; then TimeFrame
+  /// may follow.
   void Open(int width, int height);
 
   /// World direction that pixel (x, y) of a picture of the given size looks along.
