@@ -34,6 +34,7 @@ void Scene::SetLight(vtkEnvironment* environment, const LightSetOptions& lights)
 {
   this->Mapper->SetEnvironment(environment);
   this->Mapper->SetIntegrator(nullptr);
+  this->Mapper->SetMethodToLightSet();
   this->Mapper->SetNumberOfLights(lights.Count);
   if (lights.IsMedianCut())
   {

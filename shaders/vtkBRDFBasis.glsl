@@ -5,7 +5,8 @@ uniform sampler3D brdfCoefficientsINSTANCE; // phi_o, theta_o, k
 uniform sampler3D brdfBasisINSTANCE;        // phi_i, acos(x), k
 uniform float brdfScaleINSTANCE;
 uniform float brdfIsotropicINSTANCE;  // 1: phi_i counts from phi_o
-uniform vec3 brdfIncidentZoneINSTANCE; // near and far cosine, turns of acos(x) in the table
+uniform vec3 brdfIncidentZoneINSTANCE; // near cosine, its squared sine, near minus far cosine
+uniform float brdfGammaRangeINSTANCE; // half of acos(x) at the table's end, in right angles
 uniform vec3 brdfOutgoingZoneINSTANCE; // begin, 1 / width in right angles
 uniform vec3 brdfIncidentCosineINSTANCE; // limits of the cosine to divide by; 1, 1: none
 uniform vec3 brdfOutgoingCosineINSTANCE;
@@ -34,10 +35,13 @@ vec3 brdfTermINSTANCE(vec3 i, vec3 o)
   }
   vec2 azimuth = brdfIsotropicINSTANCE > 0.5
     ? vec2(dot(i.xy, o.xy), o.x * i.y - o.y * i.x) : i.xy;
-  float x = clamp(2.0 * (i.z - brdfIncidentZoneINSTANCE.y) /
-    (brdfIncidentZoneINSTANCE.x - brdfIncidentZoneINSTANCE.y) - 1.0, -1.0, 1.0);
+  // How far i.z lies below the near cosine, next to the normal by squared sines: cosines near 1
+  // have too few digits to tell directions apart. acos(x) = 2 atan(sqrt(below), sqrt(above)).
+  vec3 zone = brdfIncidentZoneINSTANCE;
+  float below = zone.y < 0.5 ? (dot(i.xy, i.xy) - zone.y) / (i.z + zone.x) : zone.x - i.z;
+  below = clamp(below, 0.0, zone.z);
+  float g = brdfQuadrant(sqrt(below), sqrt(zone.z - below)) / brdfGammaRangeINSTANCE;
   vec2 size = vec2(textureSize(brdfBasisINSTANCE, 0).xy);
-  float g = brdfTurn(vec2(x, sqrt(1.0 - x * x))) / brdfIncidentZoneINSTANCE.z;
   vec2 u = vec2(brdfTurn(azimuth) + 0.5 / size.x,
     (clamp(g, 0.0, 1.0) * (size.y - 1.0) + 0.5) / size.y);
   vec3 sum = vec3(0.0);

@@ -3,7 +3,7 @@
 // Radiance integrated ahead of time: c E(n) + s T(axis, view angle, azimuth). C++ twin:
 // vtkTableRadianceIntegrator.
 uniform sampler2D brdfTableProfileINSTANCE; // over theta_o: (view angle, cos, sin delta); s; c
-uniform sampler3D brdfTableRadianceINSTANCE; // azimuth of axis; view angles x polar angle; psi
+uniform sampler3D brdfTableRadianceINSTANCE; // azimuth and polar angle of axis; psi within view angles
 uniform sampler2D brdfTableIrradianceINSTANCE; // azimuth and polar angle of the normal
 uniform float brdfTableAnglesINSTANCE;
 
@@ -33,13 +33,13 @@ vec3 brdfEnvironmentINSTANCE(mat3 frame, vec3 o)
   vec2 position = brdfTablePositionINSTANCE(d, meridian, parallel);
   float psi = brdfTurn(vec2(dot(along, meridian), dot(along, parallel)));
   vec3 size = vec3(textureSize(brdfTableRadianceINSTANCE, 0));
-  float rows = size.y / brdfTableAnglesINSTANCE;
+  float slices = size.z / brdfTableAnglesINSTANCE; // the first azimuth comes again after the last
   float w = clamp(axis.x, 0.0, brdfTableAnglesINSTANCE - 1.0);
   float angle = min(floor(w), brdfTableAnglesINSTANCE - 2.0);
-  vec3 at = vec3(position.x + 0.5 / size.x,
-    (angle * rows + position.y * (rows - 1.0) + 0.5) / size.y, psi + 0.5 / size.z);
+  vec3 at = vec3(position.x + 0.5 / size.x, (position.y * (size.y - 1.0) + 0.5) / size.y,
+    (angle * slices + fract(psi) * (slices - 1.0) + 0.5) / size.z);
   vec3 low = texture(brdfTableRadianceINSTANCE, at).rgb;
-  at.y += rows / size.y;
+  at.z += slices / size.z;
   vec3 high = texture(brdfTableRadianceINSTANCE, at).rgb;
   vec3 sum = mix(low, high, w - angle) *
     texture(brdfTableProfileINSTANCE, vec2(u, 1.5 / 3.0)).rgb;

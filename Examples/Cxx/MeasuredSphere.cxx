@@ -66,7 +66,6 @@ int main(int argc, char* argv[])
   mapper->SetInputConnection(sphere->GetOutputPort());
   mapper->SetBRDF(brdf);
   mapper->SetEnvironment(environment);
-  mapper->SetNumberOfLights(256);
 
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
@@ -88,7 +87,6 @@ int main(int argc, char* argv[])
   writer->SetInputConnection(grab->GetOutputPort());
   writer->SetFileName(image.c_str());
   writer->Write();
-  std::cout << material << ": " << mapper->GetCurrentLightSet()->GetNumberOfLights()
-            << " lights, wrote " << image << "\n";
+  std::cout << material << ": " << mapper->GetPlan() << "\nwrote " << image << "\n";
   return EXIT_SUCCESS;
 }

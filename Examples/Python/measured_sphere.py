@@ -28,7 +28,8 @@ parser = argparse.ArgumentParser(description=__doc__)
 parser.add_argument("material", nargs="?", default="gold-paint",
                     help="a built-in material's name or a BRDF file (default: %(default)s)")
 parser.add_argument("--environment", help="a lat-long HDR image (default: a built-in sky)")
-parser.add_argument("--lights", type=int, default=256, help="how many (default: %(default)s)")
+parser.add_argument("--tolerance", type=float, default=0.02,
+                    help="relative error to stay below (default: %(default)s)")
 parser.add_argument("-o", "--output", default="measured_sphere.png", help="default: %(default)s")
 options = parser.parse_args()
 
@@ -57,7 +58,7 @@ mapper = vtkMeasuredBRDFMapper()
 mapper.SetInputConnection(sphere.GetOutputPort())
 mapper.SetBRDF(brdf)
 mapper.SetEnvironment(environment)
-mapper.SetNumberOfLights(options.lights)
+mapper.SetErrorTolerance(options.tolerance)
 
 actor = vtkActor()
 actor.SetMapper(mapper)
@@ -79,5 +80,4 @@ writer = vtkPNGWriter()
 writer.SetInputConnection(grab.GetOutputPort())
 writer.SetFileName(options.output)
 writer.Write()
-print(f"{options.material}: {mapper.GetCurrentLightSet().GetNumberOfLights()} lights, "
-      f"wrote {options.output}")
+print(f"{options.material}: {mapper.GetPlan()}\nwrote {options.output}")

@@ -65,7 +65,6 @@ pbr_mapper.SetInputConnection(sphere.GetOutputPort())
 measured_mapper = vtkMeasuredBRDFMapper()  # was: vtkPolyDataMapper
 measured_mapper.SetInputConnection(sphere.GetOutputPort())
 measured_mapper.SetBRDF(brdf)  # new
-measured_mapper.SetNumberOfLights(256)
 
 window = vtkRenderWindow()
 window.SetOffScreenRendering(1)

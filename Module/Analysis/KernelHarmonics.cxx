@@ -106,7 +106,8 @@ KernelHarmonics::KernelHarmonics(vtkBRDF* brdf, double theta, int resolution)
       this->Kernel.push_back(rest);
       const double weight = 2.0 * p.Weight * a.Weight * s;
       this->Amplitude += rest * weight;
-      moment += i * (weight * (rest.x + rest.y + rest.z));
+      const double sum = std::max(rest.x + rest.y + rest.z, 0.0);
+      moment += i * (weight * sum * sum);
     }
   }
   this->Amplitude = glm::max(this->Amplitude, glm::dvec3(0.0));

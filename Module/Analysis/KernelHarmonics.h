@@ -30,7 +30,8 @@ public:
   /// Directional albedo of the rest; never negative.
   const glm::dvec3& GetAmplitude() const { return this->Amplitude; }
 
-  /// The rest's mean direction is (-sin delta, 0, cos delta).
+  /// The rest's mean direction, weighted by its square so that the sharpest part of a kernel
+  /// decides, is (-sin delta, 0, cos delta).
   double GetDelta() const { return this->Delta; }
 
   /**

@@ -210,30 +210,9 @@ void vtkBRDFAnalysis::UpdateNegativeMass()
   }
   else if (auto* basis = vtkBasisBRDF::SafeDownCast(this->BRDF))
   {
-    this->NegativeMass = this->GetBasisNegativeMass(basis);
+    const double hemisphere[2] = { 0.0, 90.0 };
+    this->NegativeMass = basis->GetNegativeMass(hemisphere, hemisphere, this->NumberOfPairs);
   }
-}
-
-//------------------------------------------------------------------------------
-double vtkBRDFAnalysis::GetBasisNegativeMass(vtkBasisBRDF* brdf)
-{
-  double negative = 0.0;
-  double total = 0.0;
-  for (std::uint32_t k = 1; k <= static_cast<std::uint32_t>(this->NumberOfPairs); ++k)
-  {
-    double i[3];
-    double o[3];
-    double f[3];
-    SampleCosine(RadicalInverse(k, 2), RadicalInverse(k, 3), i);
-    SampleCosine(RadicalInverse(k, 5), RadicalInverse(k, 7), o);
-    brdf->EvaluateSigned(i, o, f);
-    for (double value : f)
-    {
-      total += std::abs(value);
-      negative += std::max(-value, 0.0);
-    }
-  }
-  return total > 0.0 ? negative / total : 0.0;
 }
 
 //------------------------------------------------------------------------------

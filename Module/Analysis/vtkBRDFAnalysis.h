@@ -24,7 +24,6 @@
 #include <array>  // for albedos
 #include <vector> // for table
 
-class vtkBasisBRDF;
 class vtkTabulatedBRDF;
 
 class VTKMEASUREDBRDF_EXPORT vtkBRDFAnalysis : public vtkObject
@@ -105,8 +104,8 @@ public:
   /**
    * Share of negative values before Evaluate's clamp, integral of f's negative part / integral |f|
    * with both cosines as weights: of a table over its cells, of a basis representation (which
-   * rings) over NumberOfPairs pairs. 0 for other representations: theirs can't be negative, or
-   * (RGL) only after interpolation.
+   * rings) as vtkBasisBRDF::GetNegativeMass, over the hemisphere and NumberOfPairs pairs. 0 for
+   * other representations: theirs can't be negative, or (RGL) only after interpolation.
    */
   vtkGetMacro(NegativeMass, double);
 
@@ -136,7 +135,6 @@ private:
   void UpdatePairs();
   void UpdateNegativeMass();
   double GetTableNegativeMass(vtkTabulatedBRDF* table);
-  double GetBasisNegativeMass(vtkBasisBRDF* brdf);
 };
 
 #endif

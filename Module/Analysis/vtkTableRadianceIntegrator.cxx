@@ -174,8 +174,9 @@ struct vtkTableRadianceIntegrator::Tables
   int Angles = 0;
   double Scale = 1.0;
   bool HasFloor = false;
-  std::vector<float> Profile;    // RGB, ProfileSize x 3: (angle, cos, sin delta); s; c
-  std::vector<float> Radiance;   // RGB, Columns x Angles Rows x Azimuths
+  std::vector<float> Profile; // RGB, ProfileSize x 3: (angle, cos, sin delta); s; c
+  // RGB, Columns x Rows x Angles (Azimuths + 1): the first azimuth comes again after the last.
+  std::vector<float> Radiance;
   std::vector<float> Irradiance; // RGB, 2 (IrradianceRows - 1) x IrradianceRows
 
   glm::dvec3 GetProfile(int row, double u) const
@@ -267,8 +268,8 @@ bool vtkTableRadianceIntegrator::Begin()
   // The table.
   const std::size_t texels =
     static_cast<std::size_t>(tables->Columns) * static_cast<std::size_t>(tables->Rows);
-  const std::size_t slice = texels * static_cast<std::size_t>(angles);
-  tables->Radiance.assign(3 * slice * static_cast<std::size_t>(tables->Azimuths), 0.0f);
+  const std::size_t slices = static_cast<std::size_t>(tables->Azimuths) + 1;
+  tables->Radiance.assign(3 * texels * slices * static_cast<std::size_t>(angles), 0.0f);
   FieldSynthesis synthesis(environment, tables->Rows, tables->Columns);
   std::vector<std::complex<float>> field;
   for (int item = 0; item < 3 * (orders + 1) && !this->Abort; ++item)
@@ -284,7 +285,7 @@ bool vtkTableRadianceIntegrator::Begin()
         degree + 1);
     }
     synthesis.Run(order, static_cast<int>(channel), matrix, field);
-    vtkSMPTools::For(0, tables->Azimuths, 1,
+    vtkSMPTools::For(0, static_cast<vtkIdType>(slices), 1,
       [&](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType azimuth = begin; azimuth < end; ++azimuth)
@@ -292,12 +293,13 @@ bool vtkTableRadianceIntegrator::Begin()
           const std::complex<float> turn = std::polar(order == 0 ? 1.0f : 2.0f,
             static_cast<float>(
               -2.0 * Pi * order * static_cast<double>(azimuth) / tables->Azimuths));
-          float* out = &tables->Radiance[3 * static_cast<std::size_t>(azimuth) * slice + channel];
           for (std::size_t angle = 0; angle < static_cast<std::size_t>(angles); ++angle)
           {
+            const std::size_t slice = angle * slices + static_cast<std::size_t>(azimuth);
+            float* out = &tables->Radiance[3 * slice * texels + channel];
             for (std::size_t texel = 0; texel < texels; ++texel)
             {
-              out[3 * (angle * texels + texel)] +=
+              out[3 * texel] +=
                 (turn * field[texel * static_cast<std::size_t>(angles) + angle]).real();
             }
           }
@@ -397,12 +399,14 @@ void vtkTableRadianceIntegrator::IntegratePart(
   const MapPosition at(d);
   const double psi = std::atan2(glm::dot(along, at.Across), glm::dot(along, at.Along)) / (2.0 * Pi);
   const Neighbours turn = PeriodicNeighbours(psi + 0.5 / tables.Azimuths, tables.Azimuths);
+  const std::size_t texels =
+    static_cast<std::size_t>(tables.Columns) * static_cast<std::size_t>(tables.Rows);
   const double w = std::clamp(axis.x, 0.0, tables.Angles - 1.0);
   const int angle = std::min(static_cast<int>(w), tables.Angles - 2);
   const auto value = [&](int azimuth, int k)
   {
     return Tables::GetMapValue(tables.Radiance, tables.Rows, tables.Columns,
-      static_cast<std::size_t>((azimuth * tables.Angles + k) * tables.Rows * tables.Columns), at);
+      static_cast<std::size_t>(k * (tables.Azimuths + 1) + azimuth) * texels, at);
   };
   const auto between = [&](int k)
   { return glm::mix(value(turn.First, k), value(turn.Second, k), turn.Weight); };
@@ -440,12 +444,11 @@ bool vtkTableRadianceIntegrator::GetGPUForm(vtkBRDFGPUForm& form)
     texture.ThreeD = depth > 1;
     texture.HalfFloat = half;
     texture.Repeat[0] = name != std::string("brdfTableProfile");
-    texture.Repeat[2] = texture.ThreeD;
     texture.Data = data;
     term.Textures.push_back(std::move(texture));
   };
   add("brdfTableProfile", ProfileSize, 3, 1, false, tables.Profile);
-  add("brdfTableRadiance", tables.Columns, tables.Angles * tables.Rows, tables.Azimuths, true,
+  add("brdfTableRadiance", tables.Columns, tables.Rows, tables.Angles * (tables.Azimuths + 1), true,
     tables.Radiance);
   if (tables.HasFloor)
   {

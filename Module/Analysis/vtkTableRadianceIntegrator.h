@@ -6,23 +6,29 @@
  *
  * For an isotropic BRDF under a distant environment, radiance depends on the normal and the view
  * alone. Per view angle theta_o the kernel f cos(theta_i) is split into a Lambert part c(theta_o)
- * cos(theta_i), which needs the irradiance over the normal only, and the rest, whose mean direction
- * a(theta_o) lies in the plane of incidence. Carried to the axis D = a in the world, the rest
- * varies with three more quantities: D (two charts of the sphere, equal-area azimuthal projection),
- * theta_o and the azimuth psi of the plane of incidence about D. Over psi it is a Fourier series,
- * short because about its mean direction a lobe is nearly round (to first order psi does not matter
- * at all):
+ * cos(theta_i), which needs the irradiance E over the normal only, and the rest, which is seen
+ * about its own mean direction, an axis in the plane of incidence at angle delta(theta_o) from the
+ * normal (weighted by the square of the rest: near the mirror direction for gloss, near the normal
+ * for felt). Carried into the world, the rest's radiance T depends on the axis' direction D, on
+ * theta_o and on the azimuth psi of the plane of incidence about D, to first order on D alone:
  *
- *   L_o = c(theta_o) E(n) + s(theta_o) sum over |m| <= M of T_m(D, theta_o) e^(i m psi)
+ *   L_o = c(theta_o) E(n) + s(theta_o) T(D, theta_o, psi)
  *
- * s is the rest's share of the directional albedo, so a constant environment comes out exact. Each
- * T_m is one trilinear fetch; D's charts have smooth frame fields and a border, so nothing is
- * interpolated across a seam or a pole. Entries are sums over the lobe's cells (LobeQuadrature) of
- * weight x mean radiance from an environment pyramid; suns are summed exactly.
+ * s is the rest's share of the directional albedo, so a constant environment comes out exact. T is
+ * a 3D texture: azimuth of D; polar angle of D; psi within view angles. Two trilinear fetches
+ * interpolate it linearly in all four, whatever the light. Rows lie on the poles and D's azimuth
+ * and psi are taken in the meridian's frame, so there is no seam and no pole to interpolate across.
  *
- * Cost: 2M + 5 fetches a pixel, whatever the light. Errors: cell size (second order), chart and
- * theta_o interpolation (second order in size x lobe width), azimuth orders beyond M. The axis
- * instead of the mirror direction is this project's.
+ * Building it is a convolution over the rotation group: with the environment's harmonics a_lm and
+ * the kernel's harmonics b_lk about its axis, T = sum over l, m, k of b_lk D^l_mk(D, psi)
+ * conj(a_lm), synthesized by Wigner's d functions over D's polar angle and fast Fourier transforms
+ * over both azimuths (Kostelec, Rockmore 2008; reparameterization by a lobe's direction:
+ * Ramamoorthi, Hanrahan 2002). Every texel of the environment takes part, up to the degree that the
+ * rows resolve.
+ *
+ * Cost: 2 trilinear and 4 bilinear fetches a pixel. Errors: linear interpolation in the four
+ * quantities and the harmonics' degree, second order where radiance is smooth, first order where
+ * the horizon cuts a bright light.
  *
  * Isotropic BRDFs only. Views closer to the horizon than 1.1 degrees are taken there.
  */

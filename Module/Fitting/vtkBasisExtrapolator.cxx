@@ -20,13 +20,13 @@ namespace
 {
 constexpr int NumberOfNodes = 64;
 constexpr int NumberOfViews = 64; // of the output, 0 to 90 degrees
-constexpr int LambdaSteps = 41;   // 1e-10 to 1
+constexpr int LambdaSteps = 21;   // 1e-5 to 1
 constexpr double ZonalLimit = 0.10;
 constexpr double OtherLimit = 0.03;
 
 double ToRadians(double degrees) { return degrees * (Pi / 180.0); }
 
-double GetStep(int k) { return std::pow(10.0, -10.0 + 10.0 * k / (LambdaSteps - 1.0)); }
+double GetStep(int k) { return std::pow(10.0, -5.0 + 5.0 * k / (LambdaSteps - 1.0)); }
 
 // The zone's side of the problem over one direction: where samples lie and how they count.
 struct Side
@@ -282,6 +282,12 @@ bool vtkBasisExtrapolator::Extrapolate()
   const BasisFunctions harmonics(false, order, 1.0, -1.0);
   const int nTheta = input->GetNumberOfTheta();
   const int nPhi = input->GetNumberOfPhi();
+  const std::string sizeProblem = vtkBasisBRDF::FindSizeProblem(order, NumberOfViews, nPhi);
+  if (!sizeProblem.empty())
+  {
+    vtkErrorMacro("Extrapolate: " << sizeProblem << ".");
+    return false;
+  }
 
   // Over i, for every sample of o.
   const int orders = std::min(order, input->GetOrder()) + 1;
@@ -383,7 +389,9 @@ bool vtkBasisExtrapolator::Extrapolate()
   this->ResidualLimit = this->MaximumResidual > 0.0
                           ? this->MaximumResidual
                           : (input->GetBasis() == vtkBasisBRDF::ZONAL ? ZonalLimit : OtherLimit);
-  this->Accepted = this->InZoneResidual <= this->ResidualLimit;
+  this->NegativeMass = output->GetNegativeMass(hemisphere, hemisphere);
+  this->Accepted =
+    this->InZoneResidual <= this->ResidualLimit && this->NegativeMass <= this->MaximumNegativeMass;
   return this->Accepted;
 }
 
@@ -399,6 +407,8 @@ void vtkBasisExtrapolator::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumResidual: " << this->MaximumResidual << "\n";
   os << indent << "ResidualLimit: " << this->ResidualLimit << "\n";
   os << indent << "InZoneResidual: " << this->InZoneResidual << "\n";
+  os << indent << "MaximumNegativeMass: " << this->MaximumNegativeMass << "\n";
+  os << indent << "NegativeMass: " << this->NegativeMass << "\n";
   os << indent << "Accepted: " << (this->Accepted ? "On" : "Off") << "\n";
   os << indent << "Abort: " << (this->Abort ? "On" : "Off") << "\n";
 }

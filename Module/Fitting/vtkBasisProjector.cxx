@@ -159,10 +159,15 @@ bool vtkBasisProjector::Project()
                               << this->Order << ".");
     return false;
   }
-  const Plan plan = MakePlan(this);
-  const bool isotropic = this->Input->IsIsotropic();
   const int nTheta = this->NumberOfTheta;
-  const int nPhi = isotropic ? 1 : this->NumberOfPhi;
+  const int nPhi = this->Input->IsIsotropic() ? 1 : this->NumberOfPhi;
+  const std::string sizeProblem = vtkBasisBRDF::FindSizeProblem(this->Order, nTheta, nPhi);
+  if (!sizeProblem.empty())
+  {
+    vtkErrorMacro("Project: " << sizeProblem << ".");
+    return false;
+  }
+  const Plan plan = MakePlan(this);
   const int functions = plan.Functions.GetNumberOfFunctions();
   std::vector<float> coefficients(3 * static_cast<std::size_t>(functions) *
                                   static_cast<std::size_t>(nTheta) *

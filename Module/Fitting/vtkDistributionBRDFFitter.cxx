@@ -45,18 +45,35 @@ void vtkDistributionBRDFFitter::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 std::string vtkDistributionBRDFFitter::CheckOptions()
 {
-  return CheckCount("NumberOfThetaSamples", this->NumberOfThetaSamples, 2, 4096, true) +
-         CheckCount("NumberOfPhiSamples", this->NumberOfPhiSamples, 1, 1024, true) +
-         CheckCount("NumberOfFresnelSamples", this->NumberOfFresnelSamples, 2, 1024, false);
+  std::string wrong =
+    CheckCount("NumberOfThetaSamples", this->NumberOfThetaSamples, 2, 4096, true) +
+    CheckCount("NumberOfPhiSamples", this->NumberOfPhiSamples, 1, 1024, true) +
+    CheckCount("NumberOfFresnelSamples", this->NumberOfFresnelSamples, 2, 1024, false);
+  if (wrong.empty() && this->Input)
+  {
+    int nTheta = 0;
+    int nPhi = 0;
+    this->GetSize(nTheta, nPhi);
+    wrong += CheckCount("cells of p (NumberOfThetaSamples x NumberOfPhiSamples)", nTheta * nPhi, 2,
+      MaximumNumberOfCells, false);
+  }
+  return wrong;
+}
+
+//------------------------------------------------------------------------------
+void vtkDistributionBRDFFitter::GetSize(int& nTheta, int& nPhi)
+{
+  nPhi =
+    this->NumberOfPhiSamples > 0 ? this->NumberOfPhiSamples : (this->Input->IsIsotropic() ? 1 : 32);
+  nTheta = this->NumberOfThetaSamples > 0 ? this->NumberOfThetaSamples : (nPhi > 1 ? 48 : 128);
 }
 
 //------------------------------------------------------------------------------
 vtkBRDFFitter::Result vtkDistributionBRDFFitter::FitTo(const FitSamples& samples)
 {
-  const int nPhi =
-    this->NumberOfPhiSamples > 0 ? this->NumberOfPhiSamples : (this->Input->IsIsotropic() ? 1 : 32);
-  const int nTheta =
-    this->NumberOfThetaSamples > 0 ? this->NumberOfThetaSamples : (nPhi > 1 ? 48 : 128);
+  int nTheta = 0;
+  int nPhi = 0;
+  this->GetSize(nTheta, nPhi);
   DistributionFitOptions options;
   options.Size = { nTheta, nPhi, this->NumberOfFresnelSamples };
   options.Shape = this->FresnelModel == SCHLICK ? FresnelShape::Schlick

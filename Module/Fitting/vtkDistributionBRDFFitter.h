@@ -42,6 +42,9 @@ public:
   vtkGetMacro(FresnelModel, int);
   ///@}
 
+  /// Most cells of p, samples along theta_h x along phi_h: the normal equations hold them squared.
+  static constexpr int MaximumNumberOfCells = 1 << 16;
+
   ///@{
   /**
    * Samples of p along theta_h, 2 to 4096; 0 (default): 128, or 48 where p is anisotropic.
@@ -84,6 +87,8 @@ protected:
 private:
   vtkDistributionBRDFFitter(const vtkDistributionBRDFFitter&) = delete;
   void operator=(const vtkDistributionBRDFFitter&) = delete;
+
+  void GetSize(int& nTheta, int& nPhi);
 };
 
 #endif

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRepresentationAdvisor.h"
 
-#include "HalfVector.h"
-#include "LowDiscrepancy.h"
+#include "ZonePairs.h"
 #include "vtkBRDFResampler.h"
 #include "vtkBasisProjector.h"
 #include "vtkCommand.h"
@@ -23,42 +22,25 @@ namespace
 {
 constexpr int NumberOfPairs = 1 << 14;
 
-struct Ringing
+// Share of what a basis adds to the reference in what it is.
+double MeasureOvershoot(vtkBRDF* reference, vtkBasisBRDF* basis, const double zone[2])
 {
-  double NegativeMass;
-  double Overshoot;
-};
-
-// Over pairs of a zone, both cosines as the density of the draws.
-Ringing MeasureRinging(vtkBRDF* reference, vtkBasisBRDF* basis, const double zone[2])
-{
-  const double near = std::pow(std::cos(zone[0] * (Pi / 180.0)), 2.0);
-  const double far = std::pow(std::cos(zone[1] * (Pi / 180.0)), 2.0);
-  const auto direction = [near, far](double u, double v)
-  {
-    const double z = std::sqrt(far + u * (near - far));
-    const double s = std::sqrt(std::max(1.0 - z * z, 0.0));
-    return glm::dvec3(s * std::cos(2.0 * Pi * v), s * std::sin(2.0 * Pi * v), z);
-  };
-  double negative = 0.0;
   double added = 0.0;
   double total = 0.0;
-  for (std::uint32_t k = 1; k <= NumberOfPairs; ++k)
-  {
-    const glm::dvec3 i = direction(RadicalInverse(k, 2), RadicalInverse(k, 3));
-    const glm::dvec3 o = direction(RadicalInverse(k, 5), RadicalInverse(k, 7));
-    double f[3];
-    double g[3];
-    reference->Evaluate(&i.x, &o.x, f);
-    basis->EvaluateSigned(&i.x, &o.x, g);
-    for (int c = 0; c < 3; ++c)
+  ForZonePairs(zone, zone, NumberOfPairs,
+    [&](const double i[3], const double o[3])
     {
-      negative += std::max(-g[c], 0.0);
-      added += std::max(g[c] - f[c], 0.0);
-      total += f[c];
-    }
-  }
-  return total > 0.0 ? Ringing{ negative / total, added / total } : Ringing{ 0.0, 0.0 };
+      double f[3];
+      double g[3];
+      reference->Evaluate(i, o, f);
+      basis->EvaluateSigned(i, o, g);
+      for (int c = 0; c < 3; ++c)
+      {
+        added += std::max(g[c] - f[c], 0.0);
+        total += std::abs(g[c]);
+      }
+    });
+  return total > 0.0 ? added / total : 0.0;
 }
 }
 
@@ -129,21 +111,16 @@ bool vtkRepresentationAdvisor::Update()
   }
   this->InZoneResidual = vtkBRDFResampler::GetZoneRelativeL2Error(
     this->Input, projector->GetOutput(), this->Zone, this->Zone, NumberOfPairs);
-  const Ringing ringing = MeasureRinging(this->Input, projector->GetOutput(), this->Zone);
-  this->NegativeMass = ringing.NegativeMass;
-  this->Overshoot = ringing.Overshoot;
-
-  const bool residual = this->InZoneResidual <= this->MaximumResidual;
-  const bool mass = this->NegativeMass <= this->MaximumNegativeMass;
-  this->Recommendation = residual && mass ? BASIS : FIT;
+  this->NegativeMass =
+    projector->GetOutput()->GetNegativeMass(this->Zone, this->Zone, NumberOfPairs);
+  this->Overshoot = MeasureOvershoot(this->Input, projector->GetOutput(), this->Zone);
+  this->Recommendation = this->InZoneResidual <= this->MaximumResidual ? BASIS : FIT;
   char reason[200];
   std::snprintf(reason, sizeof(reason),
     "%s: at order %d over %g to %g degrees the residual is %.1f %% (limit %g %%), the negative "
-    "mass "
-    "%.2f %% (limit %g %%)",
+    "mass %.2f %%",
     this->Recommendation == BASIS ? "basis" : "fit", this->Order, this->Zone[0], this->Zone[1],
-    100.0 * this->InZoneResidual, 100.0 * this->MaximumResidual, 100.0 * this->NegativeMass,
-    100.0 * this->MaximumNegativeMass);
+    100.0 * this->InZoneResidual, 100.0 * this->MaximumResidual, 100.0 * this->NegativeMass);
   this->Reason = reason;
   return true;
 }
@@ -194,7 +171,6 @@ void vtkRepresentationAdvisor::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Order: " << this->Order << "\n";
   os << indent << "Zone: " << this->Zone[0] << " " << this->Zone[1] << "\n";
   os << indent << "MaximumResidual: " << this->MaximumResidual << "\n";
-  os << indent << "MaximumNegativeMass: " << this->MaximumNegativeMass << "\n";
   os << indent << "InZoneResidual: " << this->InZoneResidual << "\n";
   os << indent << "NegativeMass: " << this->NegativeMass << "\n";
   os << indent << "Overshoot: " << this->Overshoot << "\n";

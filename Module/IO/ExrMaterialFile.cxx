@@ -286,6 +286,7 @@ MaterialArchive FromJson(
     {
       throw std::runtime_error("array '" + item.key() + "': expected 1 or 3 channels");
     }
+    CheckShape(archive.Representation, array.Shape);
     parts.Read(prefix + item.key(), array);
   }
   std::size_t index = 0;

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 
 namespace measuredbrdf
@@ -21,6 +22,13 @@ namespace measuredbrdf
 namespace
 {
 constexpr int MaximumDepth = 16; // of sums in sums
+
+std::string ToText(double value)
+{
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
 
 /**
  * One description per representation serves both ways: Exchange functions below name each member
@@ -103,7 +111,7 @@ public:
     set(value);
     if (static_cast<double>(get()) != value) // it was clamped
     {
-      this->Fail("number '" + name + "' is out of range: " + std::to_string(value));
+      this->Fail("number '" + name + "' is out of range: " + ToText(value));
     }
   }
 
@@ -313,7 +321,7 @@ void Exchange(Loader& x, vtkBasisBRDF* material)
     order >= 0.0 && order <= vtkBasisBRDF::MaximumOrder && order == std::floor(order);
   if (!whole || coefficients.Shape[0] != static_cast<int>((order + 1.0) * (order + 1.0)))
   {
-    x.Fail("number 'order' is " + std::to_string(order) + ", which does not suit " +
+    x.Fail("number 'order' is " + ToText(order) + ", which does not suit " +
            std::to_string(coefficients.Shape[0]) + " basis functions");
   }
   const std::string problem = material->SetCoefficients(basis, static_cast<int>(order), incident,
@@ -440,6 +448,12 @@ vtkSmartPointer<vtkBRDF> Load(MaterialArchive& archive, int depth)
   vtkSmartPointer<vtkBRDF> material;
   if (archive.Representation == "Sum")
   {
+    if (archive.Terms.size() > static_cast<std::size_t>(vtkSumBRDF::MaximumNumberOfTerms))
+    {
+      throw std::runtime_error("Sum: " + std::to_string(archive.Terms.size()) +
+                               " terms, expected at most " +
+                               std::to_string(vtkSumBRDF::MaximumNumberOfTerms));
+    }
     auto sum = vtkSmartPointer<vtkSumBRDF>::New();
     for (MaterialArchive& term : archive.Terms)
     {
@@ -465,6 +479,21 @@ vtkSmartPointer<vtkBRDF> Load(MaterialArchive& archive, int depth)
 #undef NUMBER
 #undef COLOR
 #undef OPTION
+}
+
+//------------------------------------------------------------------------------
+void CheckShape(const std::string& representation, const std::vector<int>& shape)
+{
+  if (representation != "Basis" || shape.size() != 3)
+  {
+    return; // tables are as large as the file at most; ranks are checked by name
+  }
+  const double values = 3.0 * shape[0] * shape[1] * shape[2];
+  if (values > vtkBasisBRDF::MaximumNumberOfValues)
+  {
+    throw std::runtime_error("Basis: " + ToText(values) + " coefficients, expected at most " +
+                             std::to_string(vtkBasisBRDF::MaximumNumberOfValues));
+  }
 }
 
 //------------------------------------------------------------------------------

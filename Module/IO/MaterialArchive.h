@@ -36,6 +36,12 @@ struct MaterialArchive
   std::vector<MaterialArchive> Terms;
 };
 
+/**
+ * To call before an array's values are read: throws std::runtime_error where they are more than a
+ * representation takes.
+ */
+void CheckShape(const std::string& representation, const std::vector<int>& shape);
+
 /// Throws std::runtime_error naming what can't be stored.
 MaterialArchive ToArchive(vtkBRDF* brdf);
 

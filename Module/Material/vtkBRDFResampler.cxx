@@ -5,6 +5,7 @@
 #include "HalfVector.h"
 #include "LocalFrame.h"
 #include "LowDiscrepancy.h"
+#include "vtkBasisBRDF.h"
 #include "vtkCommand.h"
 #include "vtkObjectFactory.h"
 #include "vtkSMPTools.h"
@@ -292,17 +293,17 @@ double vtkBRDFResampler::GetZoneRelativeL2Error(vtkBRDF* a, vtkBRDF* b, const do
   if (!a || !b || pairs < 1)
   {
     vtkGenericWarningMacro("GetRelativeL2Error: expected two BRDFs and at least one pair.");
-    return 0.0;
+    return std::numeric_limits<double>::quiet_NaN();
   }
-  const Zone zones[2] = { ToZone(incident), ToZone(outgoing) };
-  for (const Zone& zone : zones)
+  for (const double* zone : { incident, outgoing })
   {
-    if (!(zone.Near <= 1.0 && zone.Near > std::max(zone.Far, MinimumViewCosine)))
+    const std::string problem = vtkBasisBRDF::FindZoneProblem(zone);
+    if (!problem.empty())
     {
-      vtkGenericWarningMacro("GetZoneRelativeL2Error: expected zones with 0 <= begin < end <= 90 "
-                             "degrees that begin below 88.8.");
-      return 0.0;
+      vtkGenericWarningMacro("GetZoneRelativeL2Error: " << problem << ".");
+      return std::numeric_limits<double>::quiet_NaN();
     }
   }
-  return Compare(MakeProbes(a, ChoosingProbes, pairs, zones[0], zones[1]), b, maximum);
+  return Compare(
+    MakeProbes(a, ChoosingProbes, pairs, ToZone(incident), ToZone(outgoing)), b, maximum);
 }

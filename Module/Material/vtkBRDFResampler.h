@@ -90,7 +90,8 @@ public:
    * Relative L2 distance of b from reference a, sqrt(sum |a-b|^2 / sum |a|^2), over the
    * hemispheres of i and o weighted by both cosines, all channels, for views whose cosine is at
    * least 0.02: nothing else is ever shaded (measured f grows as 1/cos, so that without this limit
-   * the distance of two measured materials can be infinite). From `pairs` low-discrepancy pairs,
+   * the distance of two measured materials can be infinite). NaN with a warning without two BRDFs
+   * or pairs. From `pairs` low-discrepancy pairs,
    * half of them from a's own lobes. maximum, if not null: the largest absolute difference met.
    */
   static double GetRelativeL2Error(
@@ -98,7 +99,8 @@ public:
 
   /**
    * The same over pairs whose polar angles lie in two zones (begin and end in degrees, of i and of
-   * o): what a device sees that only covers those. 0 with a warning where a zone is none.
+   * o): what a device sees that only covers those. NaN with a warning for zones that
+   * vtkBasisBRDF::FindZoneProblem refuses.
    */
   static double GetZoneRelativeL2Error(vtkBRDF* a, vtkBRDF* b, const double incident[2],
     const double outgoing[2], int pairs = 1 << 17, double* maximum = nullptr);

@@ -6,6 +6,7 @@
 #include "HalfVectorSampler.h"
 #include "LocalFrame.h"
 #include "LowDiscrepancy.h"
+#include "ZonePairs.h"
 #include "vtkBRDFGPUForm.h"
 #include "vtkObjectFactory.h"
 
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <sstream>
 
 using namespace measuredbrdf;
@@ -143,15 +145,39 @@ void vtkBasisBRDF::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 std::string vtkBasisBRDF::FindZoneProblem(const double zone[2])
 {
-  if (zone[0] >= 0.0 && zone[0] + MinimumZoneWidth <= zone[1] && zone[1] <= 90.0)
+  if (zone[0] >= 0.0 && zone[0] <= MaximumZoneBegin && zone[0] + MinimumZoneWidth <= zone[1] &&
+      zone[1] <= 90.0)
   {
     return "";
   }
   std::ostringstream text;
   text << "zone " << zone[0] << " to " << zone[1]
-       << " degrees, expected 0 <= begin < end <= 90 and at least "
-       << static_cast<double>(MinimumZoneWidth) << " between";
+       << " degrees, expected 0 <= begin <= " << static_cast<double>(MaximumZoneBegin)
+       << ", end <= 90 and at least " << static_cast<double>(MinimumZoneWidth) << " between";
   return text.str();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkBasisBRDF::FindSizeProblem(int order, int nTheta, int nPhi)
+{
+  if (order < 0 || order > MaximumOrder)
+  {
+    return "order " + std::to_string(order) + ", expected 0 to " + std::to_string(MaximumOrder);
+  }
+  if (nTheta < 2 || nTheta > 1024 || nPhi < 1 || nPhi > 1024)
+  {
+    return std::to_string(nTheta) + " x " + std::to_string(nPhi) +
+           " samples of o, expected 2 to 1024 x 1 to 1024";
+  }
+  const std::int64_t functions = (order + 1) * (order + 1);
+  const std::int64_t values = 3 * functions * nTheta * nPhi;
+  if (values > MaximumNumberOfValues)
+  {
+    return std::to_string(functions) + " functions x " + std::to_string(nTheta) + " x " +
+           std::to_string(nPhi) + " samples of o are " + std::to_string(values) +
+           " coefficients, expected at most " + std::to_string(MaximumNumberOfValues);
+  }
+  return "";
 }
 
 //------------------------------------------------------------------------------
@@ -162,9 +188,10 @@ std::string vtkBasisBRDF::SetCoefficients(int basis, int order, const double inc
   {
     return "basis " + std::to_string(basis) + " is unknown";
   }
-  if (order < 0 || order > MaximumOrder)
+  const std::string sizeProblem = FindSizeProblem(order, nTheta, nPhi);
+  if (!sizeProblem.empty())
   {
-    return "order " + std::to_string(order) + ", expected 0 to " + std::to_string(MaximumOrder);
+    return sizeProblem;
   }
   const bool ownZone = HasZone(basis);
   const double incident[2] = { ownZone ? incidentZone[0] : 0.0, ownZone ? incidentZone[1] : 90.0 };
@@ -175,11 +202,6 @@ std::string vtkBasisBRDF::SetCoefficients(int basis, int order, const double inc
     {
       return problem;
     }
-  }
-  if (nTheta < 2 || nTheta > 1024 || nPhi < 1 || nPhi > 1024)
-  {
-    return std::to_string(nTheta) + " x " + std::to_string(nPhi) +
-           " samples of o, expected 2 to 1024 x 1 to 1024";
   }
   const std::size_t count = static_cast<std::size_t>((order + 1) * (order + 1)) *
                             static_cast<std::size_t>(nTheta) * static_cast<std::size_t>(nPhi);
@@ -351,6 +373,29 @@ void vtkBasisBRDF::Sum(const double i[3], const double o[3], double f[3])
   {
     f[c] /= divisor;
   }
+}
+
+//------------------------------------------------------------------------------
+double vtkBasisBRDF::GetNegativeMass(const double incident[2], const double outgoing[2], int pairs)
+{
+  if (!FindZoneProblem(incident).empty() || !FindZoneProblem(outgoing).empty())
+  {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  double negative = 0.0;
+  double total = 0.0;
+  ForZonePairs(incident, outgoing, pairs,
+    [&](const double i[3], const double o[3])
+    {
+      double f[3];
+      this->EvaluateSigned(i, o, f);
+      for (const double value : f)
+      {
+        total += std::abs(value);
+        negative += std::max(-value, 0.0);
+      }
+    });
+  return total > 0.0 ? negative / total : 0.0;
 }
 
 //------------------------------------------------------------------------------
@@ -537,10 +582,12 @@ void vtkBasisBRDF::GetGPUForm(vtkBRDFGPUForm& form)
   const double end = ToRadians(this->OutgoingZone[1]);
   term.Uniforms.push_back({ "brdfScale", { 1.0f / scale } });
   term.Uniforms.push_back({ "brdfIsotropic", { this->NumberOfPhi == 1 ? 1.0f : 0.0f } });
-  // Near and far cosine of the basis's domain, turns of acos(x) in the table.
-  term.Uniforms.push_back(
-    { "brdfIncidentZone", { number(tables.Functions.GetNear()), number(tables.Functions.GetFar()),
-                            number(tables.GammaRange / (2.0 * Pi)) } });
+  // The basis's domain: its near cosine, the square of that angle's sine, and the way to the far
+  // cosine; acos(x) in the table in right angles, halved.
+  const double near = tables.Functions.GetNear();
+  term.Uniforms.push_back({ "brdfIncidentZone",
+    { number(near), number(1.0 - near * near), number(near - tables.Functions.GetFar()) } });
+  term.Uniforms.push_back({ "brdfGammaRange", { number(tables.GammaRange / Pi) } });
   // In right angles, and the two cosines.
   term.Uniforms.push_back({ "brdfOutgoingZone",
     { number(begin * 2.0 / Pi), number(1.0 / ((end - begin) * 2.0 / Pi)), 0.0f } });

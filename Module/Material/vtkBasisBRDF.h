@@ -60,16 +60,28 @@ public:
   /// Least width of a zone in degrees: a shader's 32-bit cosines tell its edges apart.
   static constexpr double MinimumZoneWidth = 1.0;
 
+  /// Where a zone may begin at most, in degrees: nothing nearer to the horizon is ever shaded.
+  static constexpr double MaximumZoneBegin = 88.0;
+
   /**
-   * What is wrong with a zone of polar angles in degrees: "" where 0 <= begin, begin +
-   * MinimumZoneWidth <= end <= 90.
+   * What is wrong with a zone of polar angles in degrees: "" where 0 <= begin <= MaximumZoneBegin,
+   * begin + MinimumZoneWidth <= end <= 90.
    */
   static std::string FindZoneProblem(const double zone[2]);
 
+  /// Most coefficients, all channels: 256 MiB.
+  static constexpr int MaximumNumberOfValues = 1 << 26;
+
   /**
-   * Set everything at once. order in [0, MaximumOrder]; zones in degrees, see FindZoneProblem
-   * (of i: ignored by the first two bases, which cover 0 to 90); nTheta in [2, 1024], nPhi in [1,
-   * 1024]; rgb: K x nTheta x nPhi RGB triples, phi fastest, finite. Returns "" or, leaving
+   * What is wrong with a table of coefficients: "" where order is in [0, MaximumOrder], nTheta in
+   * [2, 1024], nPhi in [1, 1024] and 3 (order + 1)^2 nTheta nPhi at most MaximumNumberOfValues.
+   */
+  static std::string FindSizeProblem(int order, int nTheta, int nPhi);
+
+  /**
+   * Set everything at once. order, nTheta, nPhi: see FindSizeProblem; zones in degrees, see
+   * FindZoneProblem (of i: ignored by the first two bases, which cover 0 to 90); rgb: K x nTheta x
+   * nPhi RGB triples, phi fastest, finite. Returns "" or, leaving
    * everything as it was, what is wrong.
    */
   std::string SetCoefficients(int basis, int order, const double incidentZone[2],
@@ -116,9 +128,10 @@ public:
 
   ///@{
   /**
-   * Relative L2 error of this representation against what it was made from; 0 (default): unknown.
+   * Relative L2 error of this representation against what it was made from; 0 (default): unknown;
+   * clamped to [0, 1e6].
    */
-  vtkSetMacro(ResamplingError, double);
+  vtkSetClampMacro(ResamplingError, double, 0.0, 1e6);
   vtkGetMacro(ResamplingError, double);
   ///@}
 
@@ -135,6 +148,14 @@ public:
    */
   static std::vector<double> EvaluateBasis(
     int basis, int order, const double zone[2], const double direction[3]);
+
+  /**
+   * Share of negative values before the clamp, 0 to 1: integral of f's negative part / integral of
+   * |f| over RGB and two zones of polar angles (begin and end in degrees, of i and of o), both
+   * cosines as weights, from `pairs` low-discrepancy pairs. NaN for zones that FindZoneProblem
+   * refuses.
+   */
+  double GetNegativeMass(const double incident[2], const double outgoing[2], int pairs = 1 << 14);
 
   void GetBounds(double minimumCosine, double lower[3], double upper[3]) override;
   bool IsIsotropic() override { return this->NumberOfPhi == 1; }

@@ -55,6 +55,12 @@ void vtkSumBRDF::AddTerm(vtkBRDF* term)
     vtkErrorMacro("AddTerm: expected a BRDF that does not hold this sum.");
     return;
   }
+  if (this->GetNumberOfTerms() == MaximumNumberOfTerms)
+  {
+    vtkErrorMacro("AddTerm: the sum has " << static_cast<int>(MaximumNumberOfTerms)
+                                          << " terms already, the most it may.");
+    return;
+  }
   this->Terms.emplace_back(term);
   this->Modified();
 }

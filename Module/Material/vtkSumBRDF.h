@@ -21,10 +21,13 @@ public:
   vtkTypeMacro(vtkSumBRDF, vtkBRDF);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// Most terms of a sum.
+  static constexpr int MaximumNumberOfTerms = 64;
+
   ///@{
   /**
-   * The terms, shared (not copied). Adding null, this sum itself or a sum that holds it is an
-   * error.
+   * The terms, shared (not copied). Adding null, this sum itself, a sum that holds it or more than
+   * MaximumNumberOfTerms is an error.
    */
   void AddTerm(vtkBRDF* term);
   void RemoveAllTerms();

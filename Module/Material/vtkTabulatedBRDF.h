@@ -105,7 +105,7 @@ public:
   /**
    * Relative L2 error of this table against what it was resampled from; 0 (default): original data.
    */
-  vtkSetMacro(ResamplingError, double);
+  vtkSetClampMacro(ResamplingError, double, 0.0, 1e6);
   vtkGetMacro(ResamplingError, double);
   ///@}
 

@@ -5,6 +5,7 @@
 #include "BRDFShader.h"
 #include "BRDFTextures.h"
 #include "LightSetCache.h"
+#include "PlanCache.h"
 
 #include "vtkActor.h"
 #include "vtkBRDF.h"
@@ -26,6 +27,7 @@
 #include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
+#include "vtkRadiancePlanner.h"
 #include "vtkShader.h"
 #include "vtkShaderProgram.h"
 #include "vtkTexture.h"
@@ -44,6 +46,7 @@ struct vtkMeasuredBRDFMapper::Internals
   vtkSmartPointer<vtkEnvironment> Environment;
   vtkSmartPointer<vtkLightSet> LightSet;
   vtkSmartPointer<vtkRadianceIntegrator> WantedIntegrator;
+  vtkSmartPointer<vtkRadiancePlanner> Planner; // of the plan in use
 
   // In use since the last RenderPieceStart.
   std::shared_ptr<FormTextures> Material; // null where the shader has no use for the BRDF itself
@@ -139,6 +142,9 @@ void vtkMeasuredBRDFMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Environment: " << this->Impl->Environment.Get() << "\n";
   os << indent << "LightSet: " << this->Impl->LightSet.Get() << "\n";
   os << indent << "Integrator: " << this->Impl->WantedIntegrator.Get() << "\n";
+  os << indent << "Method: " << (this->Method == AUTO ? "auto" : "light set") << "\n";
+  os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
+  os << indent << "Plan: " << this->GetPlan() << "\n";
   os << indent << "LightSetMethod: "
      << (this->LightSetMethod == MEDIAN_CUT
             ? "median cut"
@@ -186,6 +192,29 @@ void vtkMeasuredBRDFMapper::SetIntegrator(vtkRadianceIntegrator* integrator)
 vtkRadianceIntegrator* vtkMeasuredBRDFMapper::GetIntegrator()
 {
   return this->Impl->WantedIntegrator;
+}
+
+//------------------------------------------------------------------------------
+void vtkMeasuredBRDFMapper::SetMethod(int method)
+{
+  this->Method = method == LIGHT_SET ? LIGHT_SET : AUTO;
+}
+
+//------------------------------------------------------------------------------
+void vtkMeasuredBRDFMapper::SetErrorTolerance(double tolerance)
+{
+  const double clamped = tolerance >= 1e-3 ? std::min(tolerance, 1.0) : 1e-3;
+  if (clamped != tolerance)
+  {
+    vtkWarningMacro("SetErrorTolerance: " << tolerance << " clamped to " << clamped << ".");
+  }
+  this->ErrorTolerance = clamped;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkMeasuredBRDFMapper::GetPlan()
+{
+  return this->Impl->Planner ? this->Impl->Planner->GetPlan() : std::string();
 }
 
 //------------------------------------------------------------------------------
@@ -256,6 +285,8 @@ void vtkMeasuredBRDFMapper::ShallowCopy(vtkAbstractMapper* m)
     this->SetEnvironment(other->GetEnvironment());
     this->SetLightSet(other->GetLightSet());
     this->SetIntegrator(other->GetIntegrator());
+    this->SetMethod(other->GetMethod());
+    this->SetErrorTolerance(other->GetErrorTolerance());
     this->SetLightSetMethod(other->GetLightSetMethod());
     this->SetNumberOfLights(other->GetNumberOfLights());
     this->SetSeed(other->GetSeed());
@@ -472,7 +503,17 @@ void vtkMeasuredBRDFMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* actor)
     }
     const bool lit = impl.CurrentEnvironment && impl.CurrentEnvironment->GetWidth() > 0;
     impl.Integrator = lit ? impl.WantedIntegrator : nullptr;
-    if (impl.Integrator)
+    impl.Planner = nullptr;
+    if (lit && !impl.Integrator && !impl.LightSet && this->Method == AUTO)
+    {
+      impl.Planner = FindPlan(impl.BRDF, impl.CurrentEnvironment, this->ErrorTolerance);
+    }
+    if (impl.Planner)
+    {
+      impl.Integrator = vtkSmartPointer<vtkRadianceIntegrator>::Take(impl.Planner->NewIntegrator());
+      impl.CurrentLights = nullptr;
+    }
+    else if (impl.Integrator)
     {
       impl.Integrator->SetBRDF(impl.BRDF);
       impl.Integrator->SetEnvironment(impl.CurrentEnvironment);
@@ -540,6 +581,7 @@ void vtkMeasuredBRDFMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* actor)
     impl.Material.reset();
     impl.Radiance.reset();
     impl.Integrator = nullptr;
+    impl.Planner = nullptr;
     impl.CurrentEnvironment = nullptr;
     impl.CurrentLights = nullptr;
   }

@@ -7,8 +7,9 @@
  * Use it where vtkPolyDataMapper stood: give it a vtkBRDF, and the surface reflects the renderer's
  * environment texture (vtkRenderer::SetEnvironmentTexture, the one that VTK's own physically based
  * rendering uses, lat-long or cube map; UseImageBasedLighting need not be on) or an environment of
- * its own, plus the renderer's vtkLights. Per pixel the shader adds up BRDF x light x cosine over a
- * set of directional lights made from the environment (O'Toole 2007).
+ * its own, plus the renderer's vtkLights. The environment's light is integrated as planned for an
+ * error tolerance (vtkRadiancePlanner), or over a set of directional lights made from it (O'Toole
+ * 2007).
  *
  * - A vtkLight of colour c and intensity k gives irradiance k c on a surface that faces it, as in
  *   VTK's PBR: a white Lambert surface then shows k c / pi.
@@ -21,9 +22,10 @@
  * - Composite datasets: one actor and mapper per block.
  *
  * The setters below do not call Modified(): that would rebuild vertex buffers and shaders. What
- * they set shows at the next Render. Changing the material's parameters, the environment, its
- * rotation or the number of lights costs no shader rebuild and no new vertex buffers. Mappers that
- * share a BRDF share its textures; mappers that share an environment share its light sets.
+ * they set shows at the next Render. Changing the material's parameters, the environment or the
+ * number of lights costs no new vertex buffers, and no shader rebuild unless the plan changes;
+ * rotating the environment costs nothing. Mappers that share a BRDF share its textures; mappers
+ * that share an environment share its light sets, and plans if they share both.
  */
 
 #ifndef vtkMeasuredBRDFMapper_h
@@ -73,10 +75,45 @@ public:
   vtkLightSet* GetLightSet();
   ///@}
 
+  enum MethodType
+  {
+    AUTO = 0,
+    LIGHT_SET = 1
+  };
+
   ///@{
   /**
-   * How the environment's light is integrated, e.g. vtkFilteredRadianceIntegrator; null (default):
-   * over a light set, as set up here. It gets this mapper's material and environment (an
+   * How the environment's light is integrated. AUTO (default): as vtkRadiancePlanner plans it for
+   * the material, the environment and the error tolerance, mostly by a table of radiance that costs
+   * about as much as VTK's own PBR; planning takes some tenths of a second before the first frame
+   * and after a change of the material or the environment (its rotation is none). LIGHT_SET: the
+   * thesis's loop over a light set made as set up below; so it is too while SetLightSet has one.
+   */
+  void SetMethod(int method);
+  int GetMethod() { return this->Method; }
+  void SetMethodToAuto() { this->SetMethod(AUTO); }
+  void SetMethodToLightSet() { this->SetMethod(LIGHT_SET); }
+  ///@}
+
+  ///@{
+  /**
+   * With AUTO: relative L1 error over a sphere to stay below where that is possible (default 0.02,
+   * in [1e-3, 1]).
+   */
+  void SetErrorTolerance(double tolerance);
+  double GetErrorTolerance() { return this->ErrorTolerance; }
+  ///@}
+
+  /**
+   * With AUTO, what was chosen in the last render, with its predicted error, its size and why; ""
+   * if there was no plan.
+   */
+  std::string GetPlan();
+
+  ///@{
+  /**
+   * An integrator that takes the place of both methods, e.g. vtkFilteredRadianceIntegrator; null
+   * (default): none. It gets this mapper's material and environment (an
    * environment of its own stays where there is none): mappers that differ in either need one each.
    */
   void SetIntegrator(vtkRadianceIntegrator* integrator);
@@ -176,6 +213,8 @@ protected:
   /// Whether the material's tangents come with the data.
   bool HasTangents();
 
+  int Method = AUTO;
+  double ErrorTolerance = 0.02;
   int LightSetMethod = MEDIAN_CUT;
   int NumberOfLights = 64;
   unsigned int Seed = 1;

@@ -95,6 +95,7 @@ void RunMeasured(benchmark::State& state, vtkBRDF* brdf, int lights, int side = 
   mapper->SetInputConnection(scene.Sphere->GetOutputPort());
   mapper->SetBRDF(brdf);
   mapper->SetEnvironment(scene.Sky);
+  mapper->SetMethodToLightSet();
   mapper->SetNumberOfLights(lights);
   scene.Actor->SetMapper(mapper);
   scene.Measure(state, lights);

@@ -51,6 +51,7 @@ int TestMeasuredMaterialsUnderSky(int argc, char* argv[])
     vtkNew<vtkMeasuredBRDFMapper> mapper;
     mapper->SetInputConnection(sphere->GetOutputPort());
     mapper->SetBRDF(brdf);
+    mapper->SetMethodToLightSet();
     vtkNew<vtkActor> actor;
     actor->SetMapper(mapper);
     actor->SetPosition(k % 3 - 1.0, 1.0 - k / 3, 0.0);

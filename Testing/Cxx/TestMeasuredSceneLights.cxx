@@ -90,6 +90,7 @@ int TestMeasuredSceneLights(int argc, char* argv[])
   vtkNew<vtkMeasuredBRDFMapper> ringMapper;
   ringMapper->SetInputData(ring);
   ringMapper->SetBRDF(brushed);
+  ringMapper->SetMethodToLightSet();
   vtkNew<vtkActor> ringActor;
   ringActor->SetMapper(ringMapper);
   ringActor->SetPosition(0.0, 0.3, 0.0);
@@ -107,6 +108,7 @@ int TestMeasuredSceneLights(int argc, char* argv[])
     vtkNew<vtkMeasuredBRDFMapper> mapper;
     mapper->SetInputConnection(sphere->GetOutputPort());
     mapper->SetBRDF(brdf);
+    mapper->SetMethodToLightSet();
     vtkNew<vtkActor> actor;
     actor->SetMapper(mapper);
     actor->SetPosition(k == 0 ? -0.7 : 0.7, -0.8, 0.3);

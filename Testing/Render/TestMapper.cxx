@@ -53,6 +53,7 @@ public:
   static OpenMapper* New();
   vtkTypeMacro(OpenMapper, vtkMeasuredBRDFMapper);
   int Builds = 0;
+  OpenMapper() { this->SetMethodToLightSet(); }
   std::string GetFragmentShader()
   {
     return this->Primitives[PrimitiveTris].Program->GetFragmentShader()->GetSource();

@@ -10,6 +10,7 @@
 #include "vtkBasisProjector.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkCallbackCommand.h"
+#include "vtkEmbeddedMaterials.h"
 #include "vtkNew.h"
 
 #include <Eigen/Dense>
@@ -452,6 +453,15 @@ TEST(Projector, RefusesAndKeeps)
   enormous->Function = [](const glm::dvec3&, const glm::dvec3&) { return glm::dvec3(1e200); };
   projector->SetInput(enormous);
   refuse("NaN or infinite");
+  vtkNew<vtkAshikhminShirleyBRDF> brushed;
+  brushed->SetExponents(10.0, 100.0);
+  projector->SetInput(brushed);
+  projector->SetNumberOfTheta(1024);
+  projector->SetNumberOfPhi(1024);
+  projector->SetOrder(20);
+  projector->SetNumberOfNodes(21);
+  refuse("1387266048 coefficients, expected at most 67108864"); // before they are made
+  projector->SetOrder(3);
   std::ostringstream text;
   projector->Print(text);
   EXPECT_NE(text.str().find("Order: 3"), std::string::npos);
@@ -516,10 +526,10 @@ TEST(Extrapolator, ExtendsSmoothMaterials)
                 << extrapolator->GetLambda() << ", error to 75 degrees " << error << ", held "
                 << held << "\n";
       EXPECT_LT(extrapolator->GetInZoneResidual(), basis == 2 ? 0.04 : 0.003);
-      EXPECT_LT(error, basis == 2 ? 0.08 : 0.02);
+      EXPECT_LT(error, basis == 2 ? 0.08 : 0.03);
       EXPECT_LT(error, 0.3 * held);
       // Both directions outside, where f is a tenth of what it is inside: the hardest part.
-      EXPECT_LT(GetError(phong, output, 57.0, 75.0), basis == 2 ? 0.3 : 0.08);
+      EXPECT_LT(GetError(phong, output, 57.0, 75.0), basis == 2 ? 0.3 : 0.15);
     }
   }
 }
@@ -540,33 +550,91 @@ TEST(Extrapolator, RefusesWhatDoesNotFit)
     EXPECT_GT(extrapolator->GetInZoneResidual(), extrapolator->GetResidualLimit());
     EXPECT_TRUE(extrapolator->GetOutput()); // for whoever wants to look
     extrapolator->SetMaximumResidual(0.2);
+    extrapolator->SetMaximumNegativeMass(1.0);
     EXPECT_TRUE(extrapolator->Extrapolate());
     EXPECT_EQ(extrapolator->GetResidualLimit(), 0.2);
   }
 }
 
 //------------------------------------------------------------------------------
-// What a zonal basis can't hold is no noise: cross-validation spends harmonics on it.
-TEST(Extrapolator, CrossValidationFailsOnZonalInputs)
+TEST(Extrapolator, RefusesNegativeResults)
+{
+  vtkNew<vtkBasisExtrapolator> extrapolator;
+  extrapolator->SetInput(Project(MakePhong(50.0), 2, 8, Zone, Zone));
+  EXPECT_FALSE(extrapolator->Extrapolate());
+  EXPECT_LT(extrapolator->GetInZoneResidual(), extrapolator->GetResidualLimit());
+  EXPECT_GT(extrapolator->GetNegativeMass(), 0.05);
+  EXPECT_EQ(extrapolator->GetNegativeMass(),
+    extrapolator->GetOutput()->GetNegativeMass(Hemisphere, Hemisphere));
+  extrapolator->SetMaximumNegativeMass(0.1);
+  EXPECT_TRUE(extrapolator->Extrapolate());
+}
+
+//------------------------------------------------------------------------------
+// What the gate lets through is closer to the truth than holding the zone's edge; one is not
+// (blue-rubber: 11 instead of 8.7 %).
+TEST(Extrapolator, PublishedFitsAtOrderFour)
+{
+  int accepted = 0;
+  int worse = 0;
+  for (int k = 0; k < vtkEmbeddedMaterials::GetNumberOfMaterials(); ++k)
+  {
+    const std::string name = vtkEmbeddedMaterials::GetName(k);
+    const auto truth = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF(name));
+    const auto zonal = Project(truth, 2, 4, Zone, Zone,
+      [](vtkBasisProjector* projector)
+      {
+        projector->SetNumberOfTheta(24);
+        projector->SetNumberOfNodes(32);
+      });
+    vtkNew<vtkBasisExtrapolator> extrapolator;
+    extrapolator->SetInput(zonal);
+    if (extrapolator->Extrapolate())
+    {
+      const double error = GetError(truth, extrapolator->GetOutput(), 0.0, 75.0);
+      const double held = GetError(truth, zonal, 0.0, 75.0);
+      std::cout << name << ": residual " << extrapolator->GetInZoneResidual() << ", lambda "
+                << extrapolator->GetLambda() << ", error to 75 degrees " << error << ", held "
+                << held << "\n";
+      EXPECT_LT(error, 1.3 * held) << name;
+      EXPECT_GE(extrapolator->GetLambda(), 1e-5);
+      ++accepted;
+      worse += error > held;
+    }
+  }
+  EXPECT_GE(accepted, 6);
+  EXPECT_LE(worse, 1);
+}
+
+//------------------------------------------------------------------------------
+// What a zonal basis can't hold is no noise: cross-validation takes the least lambda there is. Far
+// less, which fits the zone as well, is far off outside: why lambda starts at 1e-5.
+TEST(Extrapolator, TooSmallLambdasFailOutside)
 {
   const auto phong = MakePhong(5.0);
   const auto zonal = Project(phong, 2, 6, Zone, Zone);
-  double lambda[2], error[2];
-  for (const int criterion : { 0, 1 })
+  double lambda[3], residual[3], error[3];
+  for (const int criterion : { 0, 1, 2 })
   {
     vtkNew<vtkBasisExtrapolator> extrapolator;
     extrapolator->SetInput(zonal);
     extrapolator->SetCriterion(criterion);
-    EXPECT_TRUE(extrapolator->Extrapolate()); // inside the zone it looks well
+    extrapolator->SetLambda(1e-9);
+    extrapolator->Extrapolate();
     lambda[criterion] = extrapolator->GetLambda();
+    residual[criterion] = extrapolator->GetInZoneResidual();
     error[criterion] = GetError(phong, extrapolator->GetOutput(), 0.0, 75.0);
   }
   const double held = GetError(phong, zonal, 0.0, 75.0);
   std::cout << "error to 75 degrees: held " << held << ", cross-validation " << error[0]
-            << " (lambda " << lambda[0] << "), L-curve " << error[1] << " (" << lambda[1] << ")\n";
-  EXPECT_LT(lambda[0], 1e-4 * lambda[1]);
-  EXPECT_GT(error[0], 2.0 * held);
-  EXPECT_LT(error[1], 0.5 * held);
+            << " (lambda " << lambda[0] << "), L-curve " << error[1] << " (" << lambda[1]
+            << "), fixed " << error[2] << " (" << lambda[2] << ")\n";
+  EXPECT_NEAR(lambda[0], 1e-5, 1e-12);
+  EXPECT_GT(error[0], error[1]);
+  EXPECT_LT(error[0], 0.5 * held);
+  EXPECT_LT(error[1], 0.3 * held);
+  EXPECT_LT(residual[2], residual[1]);
+  EXPECT_GT(error[2], 1.5 * held);
 }
 
 //------------------------------------------------------------------------------
@@ -620,7 +688,7 @@ TEST(Extrapolator, AnisotropicMaterials)
     const double error = GetError(truth, extrapolator->GetOutput(), 0.0, 75.0);
     std::cout << "residual " << extrapolator->GetInZoneResidual() << ", error to 75 degrees "
               << error << ", held " << held << "\n";
-    EXPECT_LT(error, 0.75 * held);
+    EXPECT_LT(error, 0.8 * held);
   }
 }
 

@@ -425,6 +425,39 @@ TEST(BasisBRDF, BoundsHold)
 }
 
 //------------------------------------------------------------------------------
+// c + cos(theta_i) b over the hemisphere of i, its share below 0 against a plain sum.
+TEST(BasisBRDF, NegativeMass)
+{
+  const double hemisphere[2] = { 0.0, 90.0 };
+  std::vector<float> rgb(3 * 4 * 2, 0.0f);
+  std::fill_n(rgb.begin(), 6, 0.5f);       // Y00
+  std::fill_n(rgb.begin() + 12, 6, -0.7f); // Y10 = sqrt(3) cos
+  const auto brdf = MakeBasis(0, 1, hemisphere, hemisphere, 2, 1, rgb);
+  ASSERT_TRUE(brdf);
+  brdf->SetResamplingTolerance(1e-4);
+  for (const double end : { 90.0, 57.0 })
+  {
+    const double zone[2] = { 9.0, end };
+    double negative = 0.0, total = 0.0;
+    ForZone(zone, 200, 1,
+      [&](const glm::dvec3& i, double weight)
+      {
+        const double f = 0.5 - 0.7 * std::sqrt(3.0) * i.z;
+        negative += weight * i.z * std::max(-f, 0.0);
+        total += weight * i.z * std::abs(f);
+      });
+    EXPECT_NEAR(brdf->GetNegativeMass(zone, zone), negative / total, 2e-3);
+  }
+  brdf->SetCoefficients(
+    0, 1, hemisphere, hemisphere, 2, 1, std::vector<float>(3 * 4 * 2, -1.0f / 64));
+  EXPECT_GT(brdf->GetNegativeMass(Zone, Zone), 0.3);
+  EXPECT_LE(brdf->GetNegativeMass(Zone, Zone), 1.0);
+  const double none[2] = { 57.0, 9.0 };
+  EXPECT_TRUE(std::isnan(brdf->GetNegativeMass(none, Zone)));
+  EXPECT_TRUE(std::isnan(brdf->GetNegativeMass(Zone, none)));
+}
+
+//------------------------------------------------------------------------------
 TEST(BasisBRDF, RefusesAndKeeps)
 {
   const auto brdf = MakeBasis(2, 2, Zone, Zone, 3, 2, MakeCoefficients(2, 3, 2));
@@ -447,7 +480,7 @@ TEST(BasisBRDF, RefusesAndKeeps)
   refuse("basis -1 is unknown", -1, 1, Zone, Zone, 2, 1, one);
   refuse("order -1, expected 0 to 20", 2, -1, Zone, Zone, 2, 1, one);
   refuse("order 21, expected 0 to 20", 2, 21, Zone, Zone, 2, 1, one);
-  const std::string rule = " degrees, expected 0 <= begin < end <= 90 and at least 1 between";
+  const std::string rule = " degrees, expected 0 <= begin <= 88, end <= 90 and at least 1 between";
   refuse("zone 57 to 9" + rule, 2, 1, reversed, Zone, 2, 1, one);
   refuse("zone 57 to 9" + rule, 0, 1, Zone, reversed, 2, 1, one);
   refuse("zone 10 to 10.5" + rule, 3, 1, narrow, Zone, 2, 1, one);
@@ -459,6 +492,11 @@ TEST(BasisBRDF, RefusesAndKeeps)
   refuse("2 x 0" + sizes, 2, 1, Zone, Zone, 2, 0, one);
   refuse("1025 x 1" + sizes, 2, 1, Zone, Zone, 1025, 1, one);
   refuse("2 x 2000000000" + sizes, 2, 1, Zone, Zone, 2, 2000000000, one);
+  refuse("441 functions x 1024 x 1024 samples of o are 1387266048 coefficients, expected at most "
+         "67108864",
+    2, 20, Zone, Zone, 1024, 1024, one);
+  const double low[2] = { 88.5, 90.0 };
+  refuse("zone 88.5 to 90" + rule, 2, 1, low, Zone, 2, 1, one);
   refuse("24 coefficients, expected 48", 2, 1, Zone, Zone, 2, 2, one);
   std::vector<float> bad = one;
   bad[7] = std::numeric_limits<float>::quiet_NaN();

@@ -472,6 +472,7 @@ TEST(Fit, SameSeedSameResult)
          static_cast<vtkBRDFFitter*>(distribution.Get()) })
   {
     SCOPED_TRACE(fitter->GetModelName());
+    fitter->SetNumberOfSamples(1 << 13);
     ExpectFit(fitter, input);
     const vtkSmartPointer<vtkBRDF> first = fitter->GetOutput();
     const double residual = fitter->GetResidual();
@@ -641,9 +642,9 @@ TEST(Fit, HolesInATableDoNotCount)
     table->SetVolume(vtkTabulatedBRDF::HALF_DIFFERENCE, vtkTabulatedBRDF::HALF_TURN, size, volume));
   ASSERT_GT(table->GetNumberOfInvalidCells(), 16 * 32 * 64 / 2);
   vtkNew<vtkBlinnPhongBRDFFitter> fitter;
-  for (vtkBRDF* input : { static_cast<vtkBRDF*>(table), static_cast<vtkBRDF*>(Sum({ table })) })
+  const auto sum = Sum({ table });
+  for (vtkBRDF* input : { static_cast<vtkBRDF*>(table), static_cast<vtkBRDF*>(sum) })
   {
-    const vtkSmartPointer<vtkBRDF> kept = input;
     ExpectFit(fitter, input);
     ExpectClose(Term<vtkLambertBRDF>(fitter, 0)->GetAlbedo(), { 0.3, 0.2, 0.1 }, 0.01, "albedo");
     ExpectClose(Term<vtkBlinnPhongBRDF>(fitter, 1)->GetExponent(), 30.0, 0.02, "exponent");
@@ -726,6 +727,13 @@ TEST(Fit, BadOptionsAreRefused)
   {
     EXPECT_NE(tableErrors.GetText().find(word), std::string::npos) << tableErrors.GetText();
   }
+  tables->SetNumberOfThetaSamples(4096);
+  tables->SetNumberOfPhiSamples(17);
+  tables->SetNumberOfFresnelSamples(32);
+  EXPECT_FALSE(tables->Fit());
+  EXPECT_EQ(tableErrors.Take(), 1);
+  EXPECT_NE(tableErrors.GetText().find("cells of p"), std::string::npos) << tableErrors.GetText();
+  EXPECT_NE(tableErrors.GetText().find("69632"), std::string::npos) << tableErrors.GetText();
 }
 
 //------------------------------------------------------------------------------

@@ -462,23 +462,72 @@ TEST(IOExr, RefusesBadBases)
     ExpectBytesRefused(folder, Replace(good, from, to), { Exr, "Basis", word });
   };
   const std::string order = "\"order\":[3.0]";
-  refuse(order, "\"order\":[2.0]", "'order' is 2.000000, which does not suit 16 basis functions");
-  refuse(order, "\"order\":[100]", "'order' is 100.000000");
-  refuse(order, "\"order\":[3.5]", "'order' is 3.500000");
-  refuse(order, "\"order\":[-1 ]", "'order' is -1.000000");
-  refuse(order, "\"order\":[1e9]", "'order' is 1000000000.000000");
+  refuse(order, "\"order\":[2.0]", "'order' is 2, which does not suit 16 basis functions");
+  refuse(order, "\"order\":[100]", "'order' is 100,");
+  refuse(order, "\"order\":[3.5]", "'order' is 3.5,");
+  refuse(order, "\"order\":[-1 ]", "'order' is -1,");
+  refuse(order, "\"order\":[1e9]", "'order' is 1e+09,");
   refuse(order, "\"odder\":[3.0]", "'order' is missing");
   refuse("\"incidentEnd\":[57.3]", "\"incidentEnd\":[ 8.3]", "zone 9.1 to 8.3 degrees, expected");
   refuse("\"incidentEnd\":[57.3]", "\"incidentEnd\":[9.11]", "zone 9.1 to 9.11 degrees, expected");
   refuse("\"outgoingEnd\":[80.7]", "\"outgoingEnd\":[90.7]", "to 90.7 degrees, expected");
   refuse("\"zonal\"", "\"tonal\"", "'basis'");
   refuse("\"incidentCosine\":\"off\"", "\"incidentCosine\":\"odd\"", "'incidentCosine'");
+  const std::string error = "\"resamplingError\":[0.0]";
+  refuse(error, "\"resamplingError\":[-5 ]", "'resamplingError' is out of range: -5");
+  refuse(error, "\"resamplingError\":[1e9]", "'resamplingError' is out of range: 1e+09");
+  ExpectBytesRefused(
+    folder, Replace(good, error, "\"resamplingError\":[NaN]"), { Exr, "measuredBRDF" });
   const float nan = std::numeric_limits<float>::quiet_NaN();
   std::string bytes = good;
   const std::size_t place = good.find(marker);
   ASSERT_NE(place, std::string::npos);
   Overwrite(bytes, place, nan);
   ExpectBytesRefused(folder, bytes, { Exr, "Basis", "a coefficient is NaN or infinite" });
+}
+
+//------------------------------------------------------------------------------
+TEST(IOExr, RefusesTooMuch)
+{
+  // A claim is refused before the values are read: the message is not that of the part's window.
+  const Folder folder;
+  auto material = MakeBasis(2, 3, 2);
+  material->SetName("0123456789");
+  Write(material, folder("b.exr"));
+  std::string bytes = Replace(ReadBytes(folder("b.exr")), "0123456789", "          ");
+  const std::size_t name = bytes.find("          ");
+  bytes.erase(name, 10); // the attribute keeps its length
+  const std::string shape = "\"shape\":[16,3,2]";
+  const std::size_t place = bytes.find(shape);
+  ASSERT_NE(place, std::string::npos);
+  bytes.replace(place, shape.size(), "\"shape\":[441,9999,9999]");
+  bytes.insert(bytes.find("\"name\":\"") + 8, 3, ' ');
+  ExpectBytesRefused(folder, bytes, { Exr, "Basis", "1.32274e+11", "at most 67108864" });
+
+  vtkNew<vtkSumBRDF> sum;
+  vtkNew<vtkLambertBRDF> lambert;
+  for (int k = 1; k < vtkSumBRDF::MaximumNumberOfTerms; ++k)
+  {
+    sum->AddTerm(lambert);
+  }
+  vtkNew<vtkLambertBRDF> last;
+  last->SetName(std::string(1000, 'x'));
+  sum->AddTerm(last);
+  Write(sum, folder("s.exr"));
+  // The last term becomes two that are as long together.
+  bytes = ReadBytes(folder("s.exr"));
+  const std::size_t begin = bytes.rfind("{\"arrays\"", bytes.find(last->GetName()));
+  const std::size_t end = bytes.find('}', bytes.find("\"terms\":[]", begin)) + 1;
+  const std::string term = bytes.substr(begin, end - begin);
+  const std::size_t bare = term.size() - 1000;
+  const std::string first = Replace(term, last->GetName(), std::string(1000, ' '));
+  ASSERT_LT(bare, 900u);
+  std::string unnamed = first;
+  unnamed.erase(unnamed.find("  "), 1000);
+  std::string padded = first;
+  padded.erase(padded.find("  "), bare + 1);
+  bytes.replace(begin, term.size(), unnamed + "," + padded);
+  ExpectBytesRefused(folder, bytes, { Exr, "65 terms, expected at most 64" });
 }
 
 //------------------------------------------------------------------------------

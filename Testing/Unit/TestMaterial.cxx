@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The material room against closed forms, the papers' formulas and its own sampling contract.
 
+#include "ErrorCatcher.h"
 #include "vtkAdaptiveWarpBRDF.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBRDFGPUForm.h"
@@ -515,6 +516,38 @@ TEST(AdaptiveWarp, RefusesBadTables)
   expectRefusal("phi_i", [](auto& t) { t.PhiI.clear(); });
 }
 
+// Where no view is shaded nothing can be compared: not a number, never "no error".
+TEST(Resampler, ZonesNextToTheHorizon)
+{
+  vtkNew<vtkLambertBRDF> grey, white;
+  grey->SetAlbedo(0.5, 0.5, 0.5);
+  white->SetAlbedo(1.0, 1.0, 1.0);
+  const double low[2] = { 88.0, 90.0 }, lower[2] = { 88.5, 90.0 }, high[2] = { 0.0, 57.0 };
+  EXPECT_NEAR(vtkBRDFResampler::GetZoneRelativeL2Error(white, grey, low, low, 1 << 10), 0.5, 1e-9);
+  vtkObject::GlobalWarningDisplayOff();
+  EXPECT_TRUE(
+    std::isnan(vtkBRDFResampler::GetZoneRelativeL2Error(white, grey, lower, high, 1 << 10)));
+  EXPECT_TRUE(
+    std::isnan(vtkBRDFResampler::GetZoneRelativeL2Error(white, grey, high, lower, 1 << 10)));
+  vtkObject::GlobalWarningDisplayOn();
+}
+
+TEST(Sum, HoldsSoManyTermsOnly)
+{
+  vtkNew<vtkSumBRDF> sum;
+  vtkNew<vtkLambertBRDF> lambert;
+  ErrorCatcher errors(sum);
+  for (int k = 0; k < vtkSumBRDF::MaximumNumberOfTerms; ++k)
+  {
+    sum->AddTerm(lambert);
+  }
+  EXPECT_EQ(errors.Take(), 0);
+  sum->AddTerm(lambert);
+  EXPECT_EQ(errors.Take(), 1);
+  EXPECT_NE(errors.GetText().find("64 terms"), std::string::npos) << errors.GetText();
+  EXPECT_EQ(sum->GetNumberOfTerms(), 64);
+}
+
 TEST(Sum, GuardsItsTerms)
 {
   vtkNew<vtkSumBRDF> a, b;
@@ -563,8 +596,8 @@ TEST(Resampler, ErrorFallsAndIsReported)
   EXPECT_FALSE(resampler->ResampleTo(-1, 4, 4));
   EXPECT_FALSE(resampler->ResampleTo(1, 1, 4000));
   EXPECT_EQ(resampler->GetOutput()->GetResamplingError(), before);
-  EXPECT_EQ(vtkBRDFResampler::GetRelativeL2Error(nullptr, nullptr), 0.0);
-  EXPECT_EQ(vtkBRDFResampler::GetRelativeL2Error(brdf, brdf, -1), 0.0);
+  EXPECT_TRUE(std::isnan(vtkBRDFResampler::GetRelativeL2Error(nullptr, nullptr)));
+  EXPECT_TRUE(std::isnan(vtkBRDFResampler::GetRelativeL2Error(brdf, brdf, -1)));
   vtkObject::GlobalWarningDisplayOn();
 
   auto warp = MakeAdaptiveWarp();

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Low-discrepancy pairs of directions in two zones, in proportion to both cosines.
+ */
+
+#ifndef ZonePairs_h
+#define ZonePairs_h
+
+#include "HalfVector.h"
+#include "LowDiscrepancy.h"
+
+#include <cmath>
+#include <cstdint>
+
+namespace measuredbrdf
+{
+/**
+ * use(i, o) for `count` pairs of unit directions whose polar angles lie in two zones (begin and end
+ * in degrees, of i and of o).
+ */
+template <typename Use>
+void ForZonePairs(const double incident[2], const double outgoing[2], int count, const Use& use)
+{
+  // Uniform in sin^2 of the polar angle.
+  const auto draw = [](const double zone[2], double u, double v, double direction[3])
+  {
+    const double begin = std::pow(std::sin(zone[0] * (Pi / 180.0)), 2.0);
+    const double end = std::pow(std::sin(zone[1] * (Pi / 180.0)), 2.0);
+    SampleCosine(begin + u * (end - begin), v, direction);
+  };
+  for (int k = 1; k <= count; ++k)
+  {
+    const std::uint32_t n = static_cast<std::uint32_t>(k);
+    double i[3], o[3];
+    draw(incident, RadicalInverse(n, 2), RadicalInverse(n, 3), i);
+    draw(outgoing, RadicalInverse(n, 5), RadicalInverse(n, 7), o);
+    use(i, o);
+  }
+}
+} // namespace measuredbrdf
+
+#endif

@@ -1,0 +1,569 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRadiancePlanner.h"
+
+#include "LowDiscrepancy.h"
+#include "vtkBRDF.h"
+#include "vtkBRDFGPUForm.h"
+#include "vtkBasisRadianceIntegrator.h"
+#include "vtkCommand.h"
+#include "vtkDoubleArray.h"
+#include "vtkEnvironment.h"
+#include "vtkFilteredRadianceIntegrator.h"
+#include "vtkLightSet.h"
+#include "vtkLightSetIntegrator.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkTableRadianceIntegrator.h"
+#include "vtkVarianceLightSetGenerator.h"
+
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <vector>
+
+namespace
+{
+constexpr double Pi = 3.14159265358979323846;
+constexpr double Margin = 0.85;     // of the tolerance: pairs are a sample
+constexpr double GlossyError = 0.1; // of the first tables: beyond, more lights are needed
+constexpr double HopelessRatio = 8.0;
+constexpr int Pairs = 256;
+constexpr int Lights = 8192;
+constexpr int GlossyPairs = 128;
+constexpr int GlossyLights = 32768;
+
+// Nanoseconds per covered pixel on Mesa's llvmpipe, 2 cores (docs/methods.md); on a GPU all are
+// hundreds of times smaller, in much the same proportion.
+constexpr double BaseCost = 45.0;
+constexpr double TableCost = 60.0;
+constexpr double LightCost = 20.0;
+constexpr double FunctionCost = 15.0;
+constexpr double SampleCost = 40.0;
+
+// Rows, view angles, azimuths: what linear interpolation in each costs in error differs with the
+// material's gloss (docs/methods.md).
+const int TableSizes[][3] = { { 17, 8, 8 }, { 33, 12, 16 }, { 65, 12, 16 }, { 65, 24, 24 },
+  { 129, 12, 16 }, { 129, 24, 16 }, { 257, 12, 8 } };
+const int LightCounts[] = { 64, 256, 1024, 4096 };
+constexpr int AnisotropicLights = 256; // more cost seconds a frame without a graphics card
+const int SampleCounts[] = { 16, 64, 256 };
+constexpr int FewSamples = 16; // so they are here
+const int FunctionCounts[] = { 9, 25, 64 };
+
+struct Candidate
+{
+  Candidate(int method, int first, int second = 0, int third = 0)
+    : Method(method)
+    , Sizes{ first, second, third }
+  {
+  }
+  int Method;
+  int Sizes[3];
+  double Cost = 0.0; // ns per covered pixel
+  double Error = 0.0;
+  vtkIdType Bytes = 0;
+  double SetUp = 0.0; // ms
+  vtkSmartPointer<vtkRadianceIntegrator> Integrator;
+};
+
+const char* const Names[] = { "light-set", "basis", "filtered", "table" };
+
+std::string Percent(double value)
+{
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.2g %%", 100.0 * value);
+  return text;
+}
+
+double GetMilliseconds(std::chrono::steady_clock::time_point start)
+{
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+    .count();
+}
+} // namespace
+
+struct vtkRadiancePlanner::Internals
+{
+  vtkSmartPointer<vtkBRDF> BRDF;
+  vtkSmartPointer<vtkEnvironment> Environment;
+  vtkNew<vtkVarianceLightSetGenerator> Generator; // keeps its tree
+
+  // What the candidates are measured against.
+  vtkNew<vtkDoubleArray> Normals;
+  vtkNew<vtkDoubleArray> Views;
+  vtkNew<vtkDoubleArray> Reference;
+
+  std::vector<Candidate> Candidates;
+  int Choice = -1;
+  bool Meets = false;
+  std::string Reason;
+  vtkTimeStamp Time;
+
+  vtkMTimeType GetInputsMTime(vtkObject* planner) const
+  {
+    return std::max(
+      { planner->GetMTime(), this->BRDF->GetMTime(), this->Environment->GetPixelsMTime() });
+  }
+
+  // Normals as a sphere shows them to a distant camera: uniform over its disc.
+  void DrawPairs(int count, const double wanted[3])
+  {
+    this->Normals->Initialize();
+    this->Views->Initialize();
+    this->Normals->SetNumberOfComponents(3);
+    this->Views->SetNumberOfComponents(3);
+    for (int k = 0; k < count; ++k)
+    {
+      const unsigned int index = static_cast<unsigned int>(k + 1);
+      glm::dvec3 view(wanted[0], wanted[1], wanted[2]);
+      if (!(glm::length(view) > 0.0))
+      {
+        const double z = 2.0 * measuredbrdf::RadicalInverse(index, 5) - 1.0;
+        const double phi = 2.0 * Pi * measuredbrdf::RadicalInverse(index, 7);
+        const double s = std::sqrt(std::max(1.0 - z * z, 0.0));
+        view = glm::dvec3(s * std::cos(phi), z, s * std::sin(phi));
+      }
+      view = glm::normalize(view);
+      const glm::dvec3 any =
+        std::abs(view.x) < 0.5 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
+      const glm::dvec3 u = glm::normalize(glm::cross(any, view));
+      const glm::dvec3 v = glm::cross(view, u);
+      // Within the rim by a pixel of a sphere 500 pixels wide.
+      const double r = 0.996 * std::sqrt(measuredbrdf::RadicalInverse(index, 2));
+      const double phi = 2.0 * Pi * measuredbrdf::RadicalInverse(index, 3);
+      const glm::dvec3 n =
+        r * std::cos(phi) * u + r * std::sin(phi) * v + std::sqrt(1.0 - r * r) * view;
+      this->Normals->InsertNextTuple(&n.x);
+      this->Views->InsertNextTuple(&view.x);
+    }
+  }
+
+  // The sum over very many lights.
+  bool MakeReference(int pairs, int lights, const double view[3])
+  {
+    this->DrawPairs(pairs, view);
+    vtkNew<vtkLightSet> set;
+    vtkNew<vtkLightSetIntegrator> integrator;
+    integrator->SetBRDF(this->BRDF);
+    integrator->SetEnvironment(this->Environment);
+    integrator->SetLightSet(set);
+    return this->Generator->Generate(this->Environment, lights, set) &&
+           integrator->Integrate(this->Normals, this->Views, this->Reference);
+  }
+
+  vtkSmartPointer<vtkRadianceIntegrator> Make(const Candidate& candidate)
+  {
+    vtkSmartPointer<vtkRadianceIntegrator> made;
+    switch (candidate.Method)
+    {
+      case LIGHT_SET:
+      {
+        vtkNew<vtkLightSet> set;
+        this->Generator->Generate(this->Environment, candidate.Sizes[0], set);
+        vtkNew<vtkLightSetIntegrator> lights;
+        lights->SetLightSet(set);
+        lights->SetSoftLights(true);
+        made = lights.Get();
+        break;
+      }
+      case BASIS:
+      {
+        vtkNew<vtkBasisRadianceIntegrator> basis;
+        basis->SetMaximumNumberOfTerms(candidate.Sizes[0]);
+        made = basis.Get();
+        break;
+      }
+      case FILTERED:
+      {
+        vtkNew<vtkFilteredRadianceIntegrator> filtered;
+        filtered->SetNumberOfSamples(candidate.Sizes[0]);
+        made = filtered.Get();
+        break;
+      }
+      default:
+      {
+        vtkNew<vtkTableRadianceIntegrator> table;
+        table->SetNumberOfRows(candidate.Sizes[0]);
+        table->SetNumberOfViewAngles(candidate.Sizes[1]);
+        table->SetNumberOfAzimuths(candidate.Sizes[2]);
+        made = table.Get();
+      }
+    }
+    made->SetBRDF(this->BRDF);
+    made->SetEnvironment(this->Environment);
+    return made;
+  }
+
+  // Prepare it and see how far it is from the reference.
+  bool Try(Candidate& candidate)
+  {
+    const auto start = std::chrono::steady_clock::now();
+    candidate.Integrator = this->Make(candidate);
+    vtkNew<vtkDoubleArray> radiance;
+    if (!candidate.Integrator->Prepare())
+    {
+      return false;
+    }
+    candidate.SetUp = GetMilliseconds(start);
+    if (!candidate.Integrator->Integrate(this->Normals, this->Views, radiance))
+    {
+      return false;
+    }
+    // One standard error on top of the mean: highlights are rare and decide.
+    double sum = 0.0;
+    double differences = 0.0;
+    double squares = 0.0;
+    const vtkIdType pairs = radiance->GetNumberOfTuples();
+    for (vtkIdType k = 0; k < pairs; ++k)
+    {
+      double difference = 0.0;
+      for (int c = 0; c < 3; ++c)
+      {
+        difference += std::abs(radiance->GetComponent(k, c) - this->Reference->GetComponent(k, c));
+        sum += this->Reference->GetComponent(k, c);
+      }
+      differences += difference;
+      squares += difference * difference;
+    }
+    const double variance =
+      std::max(squares - differences * differences / static_cast<double>(pairs), 0.0);
+    candidate.Error = sum > 0.0 ? (differences + std::sqrt(variance)) / sum : 0.0;
+    return true;
+  }
+};
+
+vtkStandardNewMacro(vtkRadiancePlanner);
+
+//------------------------------------------------------------------------------
+vtkRadiancePlanner::vtkRadiancePlanner()
+  : Impl(new Internals)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkRadiancePlanner::~vtkRadiancePlanner() = default;
+
+//------------------------------------------------------------------------------
+void vtkRadiancePlanner::SetBRDF(vtkBRDF* brdf)
+{
+  if (this->Impl->BRDF != brdf)
+  {
+    this->Impl->BRDF = brdf;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkBRDF* vtkRadiancePlanner::GetBRDF() { return this->Impl->BRDF; }
+
+//------------------------------------------------------------------------------
+void vtkRadiancePlanner::SetEnvironment(vtkEnvironment* environment)
+{
+  if (this->Impl->Environment != environment)
+  {
+    this->Impl->Environment = environment;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkEnvironment* vtkRadiancePlanner::GetEnvironment() { return this->Impl->Environment; }
+
+//------------------------------------------------------------------------------
+bool vtkRadiancePlanner::Update()
+{
+  Internals& impl = *this->Impl;
+  this->Abort = false;
+  if (!impl.BRDF || !impl.Environment || impl.Environment->GetPixels().empty())
+  {
+    vtkErrorMacro(
+      "Update: " << (impl.BRDF ? "there is no environment, or it is empty." : "there is no BRDF."));
+    return false;
+  }
+  if (impl.Choice >= 0 && impl.Time > impl.GetInputsMTime(this))
+  {
+    return true;
+  }
+  impl.BRDF->Prepare();
+
+  // Candidates in the order of their cost, the smallest table first.
+  std::vector<Candidate> wanted;
+  const bool isotropic = impl.BRDF->IsIsotropic();
+  if (isotropic)
+  {
+    for (const auto& sizes : TableSizes)
+    {
+      Candidate table(TABLE, sizes[0], sizes[1], sizes[2]);
+      table.Cost = BaseCost + TableCost;
+      table.Bytes =
+        6 * static_cast<vtkIdType>(2 * (sizes[0] - 1)) * sizes[0] * sizes[1] * (sizes[2] + 1);
+      if (table.Bytes <= this->MaximumTextureBytes)
+      {
+        wanted.push_back(table);
+      }
+    }
+  }
+  // What tables cannot do: gloss finer than their rows, and anisotropy.
+  for (const int count : LightCounts)
+  {
+    Candidate lights(LIGHT_SET, count);
+    lights.Cost = BaseCost + LightCost * count;
+    lights.Bytes = 32 * static_cast<vtkIdType>(count);
+    if (this->EvaluateAll || (!isotropic && count <= AnisotropicLights))
+    {
+      wanted.push_back(lights);
+    }
+  }
+  for (const int count : SampleCounts)
+  {
+    Candidate samples(FILTERED, count);
+    samples.Cost = BaseCost + SampleCost * count;
+    samples.Bytes = 5600000;
+    if (isotropic && (this->EvaluateAll || count <= FewSamples))
+    {
+      wanted.push_back(samples);
+    }
+  }
+  for (const int count : FunctionCounts)
+  {
+    Candidate functions(BASIS, count);
+    functions.Cost = BaseCost + FunctionCost * count;
+    functions.Bytes = 12 * 2 * 48 * 48 * static_cast<vtkIdType>(count);
+    if (isotropic && this->EvaluateAll)
+    {
+      wanted.push_back(functions);
+    }
+  }
+  std::stable_sort(wanted.begin(), wanted.end(),
+    [](const Candidate& a, const Candidate& b) { return a.Cost < b.Cost; });
+
+  if (!impl.MakeReference(Pairs, Lights, this->ViewDirection))
+  {
+    return false;
+  }
+  std::vector<Candidate> tried;
+  int choice = -1;
+  bool meets = false;
+  bool glossy = false;
+  bool hopeless = false;
+  for (std::size_t k = 0; k < wanted.size() && !this->Abort; ++k)
+  {
+    Candidate& candidate = wanted[k];
+    // Other methods are dearer by far: they are for what tables cannot do.
+    if (meets && !this->EvaluateAll)
+    {
+      break;
+    }
+    // Nor can the next size of a table mend what is wrong by an order of magnitude.
+    if (hopeless && !this->EvaluateAll && k + 1 < wanted.size() &&
+        wanted[k + 1].Method == candidate.Method)
+    {
+      hopeless = false;
+      continue;
+    }
+    if (!impl.Try(candidate))
+    {
+      return false;
+    }
+    if (candidate.Method == TABLE && candidate.Sizes[0] >= 33 && candidate.Error > GlossyError &&
+        !glossy)
+    {
+      glossy = true;
+      if (!impl.MakeReference(GlossyPairs, GlossyLights, this->ViewDirection))
+      {
+        return false;
+      }
+    }
+    hopeless = candidate.Error > HopelessRatio * this->ErrorTolerance;
+    tried.push_back(candidate);
+    const int last = static_cast<int>(tried.size()) - 1;
+    if (!meets && candidate.Error <= this->ErrorTolerance)
+    {
+      meets = true;
+      choice = last;
+    }
+    else if (!meets &&
+             (choice < 0 || candidate.Error < tried[static_cast<std::size_t>(choice)].Error))
+    {
+      choice = last;
+    }
+    for (int other = 0; other < last; ++other)
+    {
+      if (other != choice)
+      {
+        tried[static_cast<std::size_t>(other)].Integrator = nullptr;
+      }
+    }
+    double progress = (k + 1.0) / static_cast<double>(wanted.size());
+    this->InvokeEvent(vtkCommand::ProgressEvent, &progress);
+  }
+  if (this->Abort)
+  {
+    vtkErrorMacro("Update: aborted.");
+    return false;
+  }
+  for (std::size_t k = 0; k < tried.size(); ++k)
+  {
+    if (static_cast<int>(k) != choice)
+    {
+      tried[k].Integrator = nullptr;
+    }
+  }
+  impl.Candidates = tried;
+  impl.Choice = choice;
+  impl.Meets = meets;
+  const Candidate& chosen = tried[static_cast<std::size_t>(choice)];
+  if (meets)
+  {
+    impl.Reason = "the first candidate, by cost and size, within " + Percent(this->ErrorTolerance) +
+                  (choice > 0 ? ": the one before has " +
+                                  Percent(tried[static_cast<std::size_t>(choice) - 1].Error)
+                              : std::string());
+  }
+  else
+  {
+    impl.Reason = "nothing that was tried is within " + Percent(this->ErrorTolerance) +
+                  "; this is the most accurate, with " + Percent(chosen.Error);
+  }
+  impl.Time.Modified();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+int vtkRadiancePlanner::GetNumberOfCandidates()
+{
+  return static_cast<int>(this->Impl->Candidates.size());
+}
+
+//------------------------------------------------------------------------------
+int vtkRadiancePlanner::GetMethod(int index)
+{
+  return index >= 0 && index < this->GetNumberOfCandidates()
+           ? this->Impl->Candidates[static_cast<std::size_t>(index)].Method
+           : -1;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRadiancePlanner::GetMethodName(int index)
+{
+  const int method = this->GetMethod(index);
+  return method >= 0 ? Names[method] : "";
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRadiancePlanner::GetDescription(int index)
+{
+  if (this->GetMethod(index) < 0)
+  {
+    return "";
+  }
+  const int* sizes = this->Impl->Candidates[static_cast<std::size_t>(index)].Sizes;
+  const std::string first = std::to_string(sizes[0]);
+  switch (this->GetMethod(index))
+  {
+    case LIGHT_SET:
+      return first + " soft lights by variance";
+    case BASIS:
+      return "at most " + first + " functions";
+    case FILTERED:
+      return first + " samples";
+    default:
+      return first + " rows x " + std::to_string(sizes[1]) + " view angles x " +
+             std::to_string(sizes[2]) + " azimuths";
+  }
+}
+
+//------------------------------------------------------------------------------
+double vtkRadiancePlanner::GetPredictedError(int index)
+{
+  return this->GetMethod(index) < 0 ? 0.0
+                                    : this->Impl->Candidates[static_cast<std::size_t>(index)].Error;
+}
+
+//------------------------------------------------------------------------------
+double vtkRadiancePlanner::GetPredictedMilliseconds(int index)
+{
+  return this->GetMethod(index) < 0
+           ? 0.0
+           : 1e-6 * this->Impl->Candidates[static_cast<std::size_t>(index)].Cost *
+               static_cast<double>(this->NumberOfPixels);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkRadiancePlanner::GetTextureBytes(int index)
+{
+  return this->GetMethod(index) < 0 ? 0
+                                    : this->Impl->Candidates[static_cast<std::size_t>(index)].Bytes;
+}
+
+//------------------------------------------------------------------------------
+double vtkRadiancePlanner::GetSetUpMilliseconds(int index)
+{
+  return this->GetMethod(index) < 0 ? 0.0
+                                    : this->Impl->Candidates[static_cast<std::size_t>(index)].SetUp;
+}
+
+//------------------------------------------------------------------------------
+int vtkRadiancePlanner::GetChoice() { return this->Impl->Choice; }
+
+//------------------------------------------------------------------------------
+bool vtkRadiancePlanner::GetMeetsTolerance() { return this->Impl->Meets; }
+
+//------------------------------------------------------------------------------
+std::string vtkRadiancePlanner::GetReason() { return this->Impl->Reason; }
+
+//------------------------------------------------------------------------------
+std::string vtkRadiancePlanner::GetPlan()
+{
+  const int choice = this->GetChoice();
+  if (choice < 0)
+  {
+    return "no plan yet";
+  }
+  char figures[96];
+  std::snprintf(figures, sizeof(figures),
+    ", error %.2g %%, %.1f MB, set up in %.0f ms: ", 100.0 * this->GetPredictedError(choice),
+    1e-6 * static_cast<double>(this->GetTextureBytes(choice)), this->GetSetUpMilliseconds(choice));
+  return this->GetMethodName(choice) + ", " + this->GetDescription(choice) + figures +
+         this->GetReason();
+}
+
+//------------------------------------------------------------------------------
+vtkRadianceIntegrator* vtkRadiancePlanner::NewIntegrator(int index)
+{
+  if (this->GetMethod(index) < 0)
+  {
+    return nullptr;
+  }
+  const Candidate& candidate = this->Impl->Candidates[static_cast<std::size_t>(index)];
+  vtkSmartPointer<vtkRadianceIntegrator> integrator =
+    candidate.Integrator ? candidate.Integrator : this->Impl->Make(candidate);
+  integrator->Register(nullptr);
+  return integrator;
+}
+
+//------------------------------------------------------------------------------
+vtkRadianceIntegrator* vtkRadiancePlanner::NewIntegrator()
+{
+  return this->NewIntegrator(this->Impl->Choice);
+}
+
+//------------------------------------------------------------------------------
+void vtkRadiancePlanner::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "BRDF: " << this->Impl->BRDF.Get() << "\n";
+  os << indent << "Environment: " << this->Impl->Environment.Get() << "\n";
+  os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
+  os << indent << "ViewDirection: " << this->ViewDirection[0] << " " << this->ViewDirection[1]
+     << " " << this->ViewDirection[2] << "\n";
+  os << indent << "EvaluateAll: " << (this->EvaluateAll ? "On" : "Off") << "\n";
+  os << indent << "MaximumTextureBytes: " << this->MaximumTextureBytes << "\n";
+  os << indent << "NumberOfPixels: " << this->NumberOfPixels << "\n";
+  os << indent << "Plan: " << this->GetPlan() << "\n";
+}
