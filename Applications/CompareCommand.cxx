@@ -357,7 +357,7 @@ std::vector<double> SumExactly(
 }
 
 //------------------------------------------------------------------------------
-void Check(const Options& options, const CLI::App* command)
+void Check(Options& options, const CLI::App* command)
 {
   options.Method.Check(command);
   if (!options.Output.empty() && tool::Extension(options.Output) != ".png")
@@ -374,7 +374,7 @@ void Check(const Options& options, const CLI::App* command)
 }
 
 //------------------------------------------------------------------------------
-void Run(const Options& options, const CLI::App* command)
+void Run(Options& options, const CLI::App* command)
 {
   const tool::Size size = tool::ParseSize("--size", options.Size, LargestSize);
   const tool::View view = tool::ParseView(options.View);
@@ -429,6 +429,13 @@ void Run(const Options& options, const CLI::App* command)
   report["lights"] = method.GetNumberOfLights();
   report["texture_bytes"] = scene.GetTextureBytes();
   report["predicted_error"] = nullptr;
+  if (method.Planner)
+  {
+    report["predicted_error"] = method.Planner->GetPredictedError(method.Planner->GetChoice());
+    report["tolerance"] = options.Method.Tolerance;
+    report["meets_tolerance"] = method.Planner->GetMeetsTolerance();
+    report["plan"] = method.Planner->GetPlan();
+  }
   report["reference_pixels"] = surface.Pixels.size();
   report["covered_pixels"] = surface.NumberOfCovered;
   report["width"] = size.Width;
@@ -447,6 +454,10 @@ void Run(const Options& options, const CLI::App* command)
     WriteSheet(options, title, found, grid, rgb, reference, drawn, stockDrawn);
   }
   PrintSummary(title, options, found, grid);
+  if (method.Planner)
+  {
+    tool::PrintOut("plan: " + method.Planner->GetPlan() + "\n");
+  }
 }
 }
 
@@ -463,8 +474,8 @@ void AddCompareCommand(CLI::App& app)
   AddProjectionOption(command);
   command->add_option("--mesh", options->Mesh,
     "Mesh to show it on: ply, stl, obj, vtp, vtk, gltf or glb (default: a sphere)");
-  options->Method.Method = "table";
-  options->Method.AddTo(command, { "light-set", "thesis", "basis", "filtered", "table" });
+  options->Method.Method = "auto";
+  options->Method.AddTo(command, { "light-set", "thesis", "basis", "filtered", "table", "auto" });
   command->add_option(
     "--size", options->Size, "Picture size in pixels, WIDTHxHEIGHT (default 500x500)");
   command->add_option("--view", options->View,
@@ -483,7 +494,7 @@ void AddCompareCommand(CLI::App& app)
   command->footer("VTK's shading is vtkOpenGLPolyDataMapper with physically based materials and "
                   "image-based\nlighting, its roughness, metallic part and colour those of least "
                   "error.\n\nExample:\n  measured-brdf compare gold-paint --environment hall "
-                  "--method table -o gold.png");
+                  "--tolerance 0.02 -o gold.png");
   command->callback([options, command]() { Run(*options, command); });
 }
 } // namespace tool

@@ -22,7 +22,7 @@ struct Options
 };
 
 //------------------------------------------------------------------------------
-void Run(const Options& options, const CLI::App* command)
+void Run(Options& options, const CLI::App* command)
 {
   static const tool::PairColumns columns = { "nx", "ny", "nz", "vx", "vy", "vz" };
   options.Method.Check(command);
@@ -64,7 +64,8 @@ void AddIntegrateCommand(CLI::App& app)
       "viewer) in world coordinates, y up. Other columns and lines that start with # are ignored")
     ->required();
   options->Method.Method = "exact";
-  options->Method.AddTo(command, { "exact", "light-set", "thesis", "basis", "filtered", "table" });
+  options->Method.AddTo(
+    command, { "exact", "light-set", "thesis", "basis", "filtered", "table", "auto" });
   command
     ->add_option("--on", options->On,
       "cpu (default), or gpu: what the renderer's shader makes of it (not of --method exact)")

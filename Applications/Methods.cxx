@@ -19,6 +19,8 @@
 
 namespace
 {
+constexpr double LeastTolerance = 1e-3; // of vtkRadiancePlanner
+
 struct SizeRange
 {
   const char* Name;
@@ -133,10 +135,15 @@ void MethodOptions::AddTo(CLI::App* command, const std::vector<std::string>& met
   std::string help;
   for (const std::string& name : methods)
   {
-    help += (help.empty() ? "" : "; ") + name + (name == this->Method ? " (default): " : ": ") +
-            MethodHelp.at(name);
+    help +=
+      (help.empty() ? "" : "; ") + name +
+      (name == this->Method
+          ? " (default" + std::string(name == "auto" ? ", unless lights are asked for" : "") + "): "
+          : ": ") +
+      MethodHelp.at(name);
   }
   command->add_option("--method", this->Method, help)->check(CLI::IsMember(methods));
+  AddToleranceOption(command, this->Tolerance);
   command->add_option("--sizes", this->Sizes,
     "Sizes of --method table (ROWS,VIEW_ANGLES,AZIMUTHS, default 65,16,16), filtered (SAMPLES, "
     "default 32) or basis (FUNCTIONS,MAP_SIZE, default 64,48)");
@@ -146,16 +153,46 @@ void MethodOptions::AddTo(CLI::App* command, const std::vector<std::string>& met
 }
 
 //------------------------------------------------------------------------------
-void MethodOptions::Check(const CLI::App* command) const
+void MethodOptions::Check(const CLI::App* command)
 {
+  const auto given = [&](const char* name) { return command->count(name) > 0; };
+  if (this->Method == "auto" && !given("--method") &&
+      (given("--lights") || given("--light-set") || given("--seed") || given("--soft-lights")))
+  {
+    this->Method = "light-set";
+  }
+  CheckTolerance(this->Tolerance);
+  if (given("--tolerance") && this->Method != "auto")
+  {
+    PrintNote("--tolerance has no effect without --method auto");
+  }
   this->Thesis.Check(command, this->Method);
   if (this->HasLights())
   {
     this->Lights.Check();
   }
-  if (command->count("--sizes") > 0)
+  if (given("--sizes"))
   {
     ParseSizes(this->Method, this->Sizes);
+  }
+}
+
+//------------------------------------------------------------------------------
+void AddToleranceOption(CLI::App* command, double& tolerance)
+{
+  command->add_option("--tolerance", tolerance,
+    "Error that a plan has to stay below, relative to the mean radiance (relative L1), from 0.001 "
+    "to 1 (default " +
+      FormatNumber(tolerance) + ")");
+}
+
+//------------------------------------------------------------------------------
+void CheckTolerance(double tolerance)
+{
+  if (!(tolerance >= LeastTolerance && tolerance <= 1.0))
+  {
+    throw UsageError(
+      "--tolerance: " + FormatNumber(tolerance) + " is not between 0.001 and 1, like 0.02");
   }
 }
 
@@ -167,11 +204,33 @@ int Method::GetNumberOfLights() const
 }
 
 //------------------------------------------------------------------------------
+vtkSmartPointer<vtkRadiancePlanner> MakePlan(
+  const Material& material, vtkEnvironment* environment, double tolerance, bool all)
+{
+  auto planner = vtkSmartPointer<vtkRadiancePlanner>::New();
+  planner->SetBRDF(material.BRDF);
+  planner->SetEnvironment(environment);
+  planner->SetErrorTolerance(tolerance);
+  planner->SetEvaluateAll(all);
+  if (!Watch(planner.Get(), &vtkRadiancePlanner::Update, "planning"))
+  {
+    throw Error(material.File + ": planning: " + TakeErrorText());
+  }
+  return planner;
+}
+
+//------------------------------------------------------------------------------
 Method MakeMethod(
   const MethodOptions& options, const Material& material, vtkEnvironment* environment)
 {
   Method made;
   made.BRDF = material.BRDF;
+  if (options.Method == "auto")
+  {
+    made.Planner = MakePlan(material, environment, options.Tolerance, false);
+    made.Integrator = vtkSmartPointer<vtkRadianceIntegrator>::Take(made.Planner->NewIntegrator());
+    return made;
+  }
   if (options.Method == "thesis")
   {
     made.Thesis = RepresentAsThesis(material, options.Thesis);

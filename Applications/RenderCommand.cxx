@@ -114,7 +114,7 @@ void WritePicture(const Options& options, const tool::Stage& scene, tool::Pictur
 }
 
 //------------------------------------------------------------------------------
-void Run(const Options& options, const CLI::App* command)
+void Run(Options& options, const CLI::App* command)
 {
   const tool::Size size = tool::ParseSize("--size", options.Size, LargestSize);
   const tool::View view = tool::ParseView(options.View);
@@ -182,6 +182,11 @@ void Run(const Options& options, const CLI::App* command)
       report["representation_form"] = method.Thesis.Description;
       report["reason"] = method.Thesis.Reason;
     }
+    if (method.Planner)
+    {
+      report["plan"] = method.Planner->GetPlan();
+      report["predicted_error"] = method.Planner->GetPredictedError(method.Planner->GetChoice());
+    }
     tool::WriteText(options.Report,
       report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
   }
@@ -204,8 +209,9 @@ void AddRenderCommand(CLI::App& app)
   command->add_option("--mesh", options->Mesh,
     "Mesh to show it on: ply, stl, obj, vtp, vtk, gltf or glb (default: a sphere). Smooth normals "
     "are made where it has none");
-  options->Method.Method = "light-set";
-  options->Method.AddTo(command, { "exact", "light-set", "thesis", "basis", "filtered", "table" });
+  options->Method.Method = "auto";
+  options->Method.AddTo(
+    command, { "exact", "light-set", "thesis", "basis", "filtered", "table", "auto" });
   command->add_option(
     "--size", options->Size, "Picture size in pixels, WIDTHxHEIGHT (default 800x800)");
   command->add_option("--view", options->View,
@@ -223,7 +229,8 @@ void AddRenderCommand(CLI::App& app)
     ->required();
   command->add_option("--report", options->Report,
     "JSON file to write: frame_ms (median), setup_ms, texture_bytes, method, lights, renderer, "
-    "vtk; of --method thesis the representation and the reason too");
+    "vtk; of --method auto the plan and its predicted_error, of thesis the representation and the "
+    "reason");
   command->footer("Example:\n  measured-brdf render gold-paint --environment sky --lights 256 "
                   "-o gold.png\n\nNeeds OpenGL; without a screen, put 'xvfb-run -a' before it.");
   command->callback([options, command]() { Run(*options, command); });
