@@ -2,14 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Files.h"
 #include "Inputs.h"
-#include "Thesis.h"
+#include "Methods.h"
+#include "Progress.h"
+#include "Surface.h"
 #include "Tool.h"
-#include "Watch.h"
-
-#include "vtkDoubleArray.h"
-#include "vtkExactIntegrator.h"
-#include "vtkLightSetIntegrator.h"
-#include "vtkNew.h"
 
 #include <memory>
 
@@ -20,74 +16,34 @@ struct Options
   std::string File;
   std::string Environment;
   std::string Pairs;
-  std::string Method = "exact";
+  std::string On = "cpu";
   std::string Output;
-  tool::LightSetOptions Lights;
-  tool::ThesisOptions Thesis;
+  tool::MethodOptions Method;
 };
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkRadianceIntegrator> MakeIntegrator(
-  const Options& options, vtkEnvironment* environment)
+void Run(Options& options, const CLI::App* command)
 {
-  if (options.Method == "exact")
-  {
-    return vtkSmartPointer<vtkExactIntegrator>::New();
-  }
-  auto integrator = vtkSmartPointer<vtkLightSetIntegrator>::New();
-  integrator->SetLightSet(tool::MakeLightSet(environment, options.Lights));
-  integrator->SetSoftLights(options.Lights.Soft);
-  return integrator;
-}
-
-//------------------------------------------------------------------------------
-void Run(const Options& options, const CLI::App* command)
-{
-  options.Thesis.Check(command, options.Method);
   static const tool::PairColumns columns = { "nx", "ny", "nz", "vx", "vy", "vz" };
-  if (options.Method != "exact")
+  options.Method.Check(command);
+  if (options.On == "gpu" && options.Method.Method == "exact")
   {
-    options.Lights.Check();
+    throw tool::UsageError("--on gpu: --method exact runs on the CPU only");
   }
   tool::Interruptible interruptible;
   const std::vector<tool::Pair> pairs = tool::ReadPairs(options.Pairs, columns);
-  tool::Material material = tool::LoadMaterial(options.File);
-  if (options.Method == "thesis")
-  {
-    material.BRDF = tool::RepresentAsThesis(material, options.Thesis).BRDF;
-  }
+  const tool::Material material = tool::LoadMaterial(options.File);
   const vtkSmartPointer<vtkEnvironment> environment = tool::LoadEnvironment(options.Environment);
-
-  vtkNew<vtkDoubleArray> normals;
-  vtkNew<vtkDoubleArray> views;
-  vtkNew<vtkDoubleArray> radiance;
-  for (vtkDoubleArray* array : { normals.Get(), views.Get(), radiance.Get() })
-  {
-    array->SetNumberOfComponents(3);
-  }
+  std::vector<double> normals;
+  std::vector<double> views;
   for (const tool::Pair& pair : pairs)
   {
-    normals->InsertNextTuple(pair.data());
-    views->InsertNextTuple(pair.data() + 3);
+    normals.insert(normals.end(), pair.begin(), pair.begin() + 3);
+    views.insert(views.end(), pair.begin() + 3, pair.end());
   }
-
-  const vtkSmartPointer<vtkRadianceIntegrator> integrator = MakeIntegrator(options, environment);
-  integrator->SetBRDF(material.BRDF);
-  integrator->SetEnvironment(environment);
-  const bool done = tool::Watch(
-    integrator.Get(),
-    [&](vtkRadianceIntegrator* made) { return made->Integrate(normals, views, radiance); },
-    "integrating");
-  if (!done)
-  {
-    throw tool::Error("integrate: " + tool::TakeErrorText());
-  }
-  std::vector<double> rgb(3 * pairs.size());
-  for (std::size_t k = 0; k < pairs.size(); ++k)
-  {
-    radiance->GetTuple(static_cast<vtkIdType>(k), rgb.data() + 3 * k);
-  }
-  tool::WriteResults(options.Output, columns, pairs, rgb);
+  const tool::Method method = tool::MakeMethod(options.Method, material, environment);
+  const auto integrate = options.On == "gpu" ? tool::DrawPairs : tool::IntegratePairs;
+  tool::WriteResults(options.Output, columns, pairs, integrate(method.Integrator, normals, views));
 }
 }
 
@@ -107,16 +63,13 @@ void AddIntegrateCommand(CLI::App& app)
       "CSV file with the columns nx,ny,nz (surface normal) and vx,vy,vz (from the surface to the "
       "viewer) in world coordinates, y up. Other columns and lines that start with # are ignored")
     ->required();
+  options->Method.Method = "exact";
+  options->Method.AddTo(
+    command, { "exact", "light-set", "thesis", "basis", "filtered", "table", "auto" });
   command
-    ->add_option("--method", options->Method,
-      "exact: the sum over every texel of the environment (default); light-set: over a set of "
-      "lights, as the renderer does it; thesis: the same with the material in a basis or, where "
-      "that "
-      "rings, as a D-BRDF fit")
-    ->check(CLI::IsMember({ "exact", "light-set", "thesis" }));
-  options->Lights.AddTo(command, "--lights");
-  options->Lights.AddSoftTo(command);
-  options->Thesis.AddTo(command);
+    ->add_option("--on", options->On,
+      "cpu (default), or gpu: what the renderer's shader makes of it (not of --method exact)")
+    ->check(CLI::IsMember({ "cpu", "gpu" }));
   command->add_option("-o,--output", options->Output,
     "CSV file to write: the six columns and r,g,b of the outgoing radiance, linear Rec. 709 "
     "(default: standard output)");

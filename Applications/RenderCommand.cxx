@@ -3,11 +3,12 @@
 #include "Files.h"
 #include "Inputs.h"
 #include "Meshes.h"
+#include "Methods.h"
 #include "Picture.h"
 #include "Progress.h"
 #include "Scene.h"
 #include "Sizes.h"
-#include "Thesis.h"
+#include "Surface.h"
 #include "Tool.h"
 
 #include "vtkVersion.h"
@@ -17,6 +18,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <memory>
 
 namespace
@@ -26,15 +28,13 @@ struct Options
   std::string File;
   std::string Environment;
   std::string Mesh;
-  std::string Method = "light-set";
   std::string Size = "800x800";
   std::string View = "30,20";
   std::string Background;
   double Exposure = 0.0;
   std::string Output;
   std::string Report;
-  tool::LightSetOptions Lights;
-  tool::ThesisOptions Thesis;
+  tool::MethodOptions Method;
 };
 
 // Frames that frame_ms is the median of.
@@ -42,6 +42,8 @@ constexpr int NumberOfFrames = 21;
 // PNG pictures are rendered at this multiple and averaged, up to a size that every driver takes.
 constexpr int Smooth = 2;
 constexpr int LargestSize = 8192;
+// Share of the picture's smaller side that the mesh takes.
+constexpr double Fill = 0.9;
 
 //------------------------------------------------------------------------------
 double Median(std::vector<double> values)
@@ -55,12 +57,38 @@ double Median(std::vector<double> values)
 double EncodeGamma(double linear) { return std::pow(linear, 1.0 / 2.2); }
 
 //------------------------------------------------------------------------------
-void WritePicture(
-  const Options& options, tool::Scene& scene, vtkEnvironment* environment, const tool::Size& size)
+// The same pixels by an integrator on the CPU.
+tool::Picture SumPixels(vtkRadianceIntegrator* integrator, vtkPolyData* mesh,
+  const tool::View& view, const tool::Size& size)
+{
+  const tool::Surface surface =
+    tool::FindSurface(mesh, view, Fill, size, std::numeric_limits<int>::max());
+  const std::vector<double> rgb = tool::IntegratePairs(integrator, surface.Normals, surface.Views);
+  tool::Picture picture(size.Width, size.Height);
+  for (std::size_t k = 0; k < surface.Pixels.size(); ++k)
+  {
+    float* pixel = &picture.Pixels[4 * static_cast<std::size_t>(surface.Pixels[k])];
+    std::copy_n(&rgb[3 * k], 3, pixel);
+    pixel[3] = 1.0f;
+  }
+  return picture;
+}
+
+//------------------------------------------------------------------------------
+// PNG pictures are rendered larger and averaged.
+int GetFactor(const Options& options, const tool::Size& size)
+{
+  const bool smooth = tool::Extension(options.Output) == ".png" &&
+                      options.Method.Method != "exact" &&
+                      Smooth * std::max(size.Width, size.Height) <= LargestSize;
+  return smooth ? Smooth : 1;
+}
+
+//------------------------------------------------------------------------------
+void WritePicture(const Options& options, const tool::Stage& scene, tool::Picture picture,
+  vtkEnvironment* environment, int factor)
 {
   const bool png = tool::Extension(options.Output) == ".png";
-  const int factor = png && Smooth * std::max(size.Width, size.Height) <= LargestSize ? Smooth : 1;
-  tool::Picture picture = scene.Render(factor * size.Width, factor * size.Height);
   const double exposure = std::exp2(options.Exposure);
   if (options.Background == "environment" || (options.Background.empty() && png))
   {
@@ -86,7 +114,7 @@ void WritePicture(
 }
 
 //------------------------------------------------------------------------------
-void Run(const Options& options, const CLI::App* command)
+void Run(Options& options, const CLI::App* command)
 {
   const tool::Size size = tool::ParseSize("--size", options.Size, LargestSize);
   const tool::View view = tool::ParseView(options.View);
@@ -95,54 +123,75 @@ void Run(const Options& options, const CLI::App* command)
   {
     throw tool::UsageError(options.Output + ": the picture must end in .png or .exr");
   }
-  options.Lights.Check();
-  options.Thesis.Check(command, options.Method);
+  options.Method.Check(command);
 
-  tool::Material material = tool::LoadMaterial(options.File);
+  const tool::Interruptible interruptible;
+  const tool::Material material = tool::LoadMaterial(options.File);
   const vtkSmartPointer<vtkEnvironment> environment = tool::LoadEnvironment(options.Environment);
   const vtkSmartPointer<vtkPolyData> mesh =
     options.Mesh.empty() ? tool::MakeSphere() : tool::LoadMesh(options.Mesh);
+  const bool exact = options.Method.Method == "exact";
+  if (exact)
+  {
+    tool::CheckWritable(options.Output); // before hours of work
+  }
 
   const auto begin = std::chrono::steady_clock::now();
-  tool::Representation representation;
-  if (options.Method == "thesis")
+  const auto elapsed = [&begin]()
   {
-    const tool::Interruptible interruptible;
-    representation = tool::RepresentAsThesis(material, options.Thesis);
-    material.BRDF = representation.BRDF;
-  }
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin)
+      .count();
+  };
+  const tool::Method method = tool::MakeMethod(options.Method, material, environment);
   tool::Scene scene;
   scene.SetMesh(mesh);
-  scene.SetMaterial(material.BRDF);
-  scene.SetLight(environment, options.Lights);
-  scene.SetView(view.Azimuth, view.Elevation, 0.9);
-  if (!options.Report.empty())
+  scene.SetMaterial(method.BRDF);
+  scene.SetLight(environment, exact ? nullptr : method.Integrator.Get());
+  scene.SetView(view.Azimuth, view.Elevation, Fill);
+  const int factor = GetFactor(options, size);
+  std::vector<double> frames;
+  if (!exact && !options.Report.empty())
   {
     scene.Render(size.Width, size.Height);
-    const double setup =
-      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
-    std::vector<double> frames;
-    for (int k = 0; k < NumberOfFrames; ++k)
-    {
-      frames.push_back(scene.TimeFrame());
-    }
+  }
+  const double setup = elapsed();
+  for (int k = 0; !exact && !options.Report.empty() && k < NumberOfFrames; ++k)
+  {
+    frames.push_back(scene.TimeFrame());
+  }
+  tool::Picture picture = exact ? SumPixels(method.Integrator, mesh, view, size)
+                                : scene.Render(factor * size.Width, factor * size.Height);
+  if (exact)
+  {
+    frames.push_back(elapsed() - setup);
+  }
+  if (!options.Report.empty())
+  {
     nlohmann::ordered_json report = { { "frame_ms", Median(frames) }, { "setup_ms", setup },
-      { "texture_bytes", scene.GetTextureBytes() }, { "method", options.Method },
-      { "lights", options.Lights.Count }, { "lights_in_use", scene.GetNumberOfLights() },
-      { "light_set", options.Lights.Method }, { "soft_lights", options.Lights.Soft },
-      { "width", size.Width }, { "height", size.Height }, { "frames", NumberOfFrames },
+      { "texture_bytes", exact ? 0 : scene.GetTextureBytes() }, { "method", options.Method.Method },
+      { "lights", options.Method.HasLights() ? options.Method.Lights.Count : 0 },
+      { "lights_in_use", method.GetNumberOfLights() },
+      { "light_set", options.Method.Lights.Method }, { "soft_lights", options.Method.Lights.Soft },
+      { "width", size.Width }, { "height", size.Height }, { "frames", frames.size() },
       { "material", material.Name }, { "environment", environment->GetName() },
-      { "renderer", scene.GetRendererName() }, { "vtk", vtkVersion::GetVTKVersion() } };
-    if (options.Method == "thesis")
+      { "renderer", exact ? "CPU" : scene.GetRendererName() },
+      { "vtk", vtkVersion::GetVTKVersion() } };
+    if (options.Method.Method == "thesis")
     {
-      report["representation"] = representation.Kind;
-      report["representation_form"] = representation.Description;
-      report["reason"] = representation.Reason;
+      report["representation"] = method.Thesis.Kind;
+      report["representation_form"] = method.Thesis.Description;
+      report["reason"] = method.Thesis.Reason;
+    }
+    if (method.Planner)
+    {
+      report["plan"] = method.Planner->GetPlan();
+      report["predicted_error"] = method.Planner->GetPredictedError(method.Planner->GetChoice());
     }
     tool::WriteText(options.Report,
       report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
   }
-  WritePicture(options, scene, environment, size);
+  scene.PlaceCamera(picture.Width, picture.Height);
+  WritePicture(options, scene, std::move(picture), environment, factor);
 }
 }
 
@@ -160,15 +209,9 @@ void AddRenderCommand(CLI::App& app)
   command->add_option("--mesh", options->Mesh,
     "Mesh to show it on: ply, stl, obj, vtp, vtk, gltf or glb (default: a sphere). Smooth normals "
     "are made where it has none");
-  command
-    ->add_option("--method", options->Method,
-      "light-set (default): a sum over lights that stand for the environment; thesis: the same "
-      "with "
-      "the material in a basis or, where that rings, as a D-BRDF fit")
-    ->check(CLI::IsMember({ "light-set", "thesis" }));
-  options->Lights.AddTo(command, "--lights");
-  options->Lights.AddSoftTo(command);
-  options->Thesis.AddTo(command);
+  options->Method.Method = "auto";
+  options->Method.AddTo(
+    command, { "exact", "light-set", "thesis", "basis", "filtered", "table", "auto" });
   command->add_option(
     "--size", options->Size, "Picture size in pixels, WIDTHxHEIGHT (default 800x800)");
   command->add_option("--view", options->View,
@@ -186,7 +229,8 @@ void AddRenderCommand(CLI::App& app)
     ->required();
   command->add_option("--report", options->Report,
     "JSON file to write: frame_ms (median), setup_ms, texture_bytes, method, lights, renderer, "
-    "vtk; of --method thesis the representation and the reason too");
+    "vtk; of --method auto the plan and its predicted_error, of thesis the representation and the "
+    "reason");
   command->footer("Example:\n  measured-brdf render gold-paint --environment sky --lights 256 "
                   "-o gold.png\n\nNeeds OpenGL; without a screen, put 'xvfb-run -a' before it.");
   command->callback([options, command]() { Run(*options, command); });

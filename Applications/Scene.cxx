@@ -2,61 +2,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene.h"
 
-#include "Tool.h"
-
-#include "vtkActor.h"
-#include "vtkCamera.h"
-#include "vtkFramebufferPass.h"
-#include "vtkMath.h"
 #include "vtkMeasuredBRDFMapper.h"
-#include "vtkPixelBufferObject.h"
-#include "vtkRenderStepsPass.h"
-#include "vtkRenderWindow.h"
-#include "vtkRenderer.h"
+#include "vtkRadianceIntegrator.h"
 #include "vtkSMPTools.h"
-#include "vtkTextureObject.h"
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
-#include <sstream>
-
-namespace
-{
-// The mapper puts out radiance^(1/2.2), as VTK's own physically based shading does.
-constexpr double OutputGamma = 2.2;
-constexpr double ViewAngle = 30.0;
-}
 
 namespace tool
 {
 //------------------------------------------------------------------------------
 Scene::Scene()
+  : Scene(vtkSmartPointer<vtkMeasuredBRDFMapper>::New())
 {
-  this->Mapper->ScalarVisibilityOff(); // the material alone, whatever else the mesh holds
-  this->Actor->SetMapper(this->Mapper);
-  this->Renderer->AddActor(this->Actor);
-  this->Renderer->AutomaticLightCreationOff(); // all light comes from the environment
-  this->Renderer->SetBackground(0.0, 0.0, 0.0);
-  this->Renderer->SetBackgroundAlpha(0.0);
-  this->Renderer->GetActiveCamera()->SetViewAngle(ViewAngle);
+}
 
-  vtkNew<vtkRenderStepsPass> steps;
-  this->Pass->SetDelegatePass(steps);
-  this->Pass->SetColorFormat(vtkTextureObject::Float32);
-  this->Pass->SetDepthFormat(vtkTextureObject::Float32);
-  this->Renderer->SetPass(this->Pass);
-
-  this->Window->SetOffScreenRendering(1);
-  this->Window->SetMultiSamples(0);
-  this->Window->AddRenderer(this->Renderer);
+//------------------------------------------------------------------------------
+Scene::Scene(vtkMeasuredBRDFMapper* mapper)
+  : Stage(mapper)
+  , Mapper(mapper)
+{
 }
 
 //------------------------------------------------------------------------------
 Scene::~Scene() = default;
-
-//------------------------------------------------------------------------------
-void Scene::SetMesh(vtkPolyData* mesh) { this->Mapper->SetInputData(mesh); }
 
 //------------------------------------------------------------------------------
 void Scene::SetMaterial(vtkBRDF* brdf) { this->Mapper->SetBRDF(brdf); }
@@ -65,6 +33,7 @@ void Scene::SetMaterial(vtkBRDF* brdf) { this->Mapper->SetBRDF(brdf); }
 void Scene::SetLight(vtkEnvironment* environment, const LightSetOptions& lights)
 {
   this->Mapper->SetEnvironment(environment);
+  this->Mapper->SetIntegrator(nullptr);
   this->Mapper->SetMethodToLightSet();
   this->Mapper->SetNumberOfLights(lights.Count);
   if (lights.IsMedianCut())
@@ -90,138 +59,10 @@ void Scene::SetLight(vtkEnvironment* environment, const LightSetOptions& lights)
 void Scene::SetLightSet(vtkLightSet* lights) { this->Mapper->SetLightSet(lights); }
 
 //------------------------------------------------------------------------------
-void Scene::SetView(double azimuth, double elevation, double fill)
+void Scene::SetLight(vtkEnvironment* environment, vtkRadianceIntegrator* integrator)
 {
-  this->Azimuth = azimuth;
-  this->Elevation = elevation;
-  this->Fill = fill;
-}
-
-//------------------------------------------------------------------------------
-void Scene::PlaceCamera(int width, int height)
-{
-  double bounds[6];
-  this->Mapper->GetBounds(bounds);
-  double centre[3];
-  double radius = 0.0;
-  for (int c = 0; c < 3; ++c)
-  {
-    centre[c] = 0.5 * (bounds[2 * c] + bounds[2 * c + 1]);
-  }
-  vtkPolyData* mesh = this->Mapper->GetInput();
-  for (vtkIdType k = 0; k < mesh->GetNumberOfPoints(); ++k)
-  {
-    radius = std::max(radius, vtkMath::Distance2BetweenPoints(mesh->GetPoint(k), centre));
-  }
-  radius = std::sqrt(radius);
-
-  const double azimuth = vtkMath::RadiansFromDegrees(this->Azimuth);
-  const double elevation = vtkMath::RadiansFromDegrees(this->Elevation);
-  const double direction[3] = { std::cos(elevation) * std::sin(azimuth), std::sin(elevation),
-    std::cos(elevation) * std::cos(azimuth) };
-  // A sphere seen under the angle a has the apparent radius tan(a) = R / sqrt(d^2 - R^2).
-  const double share = this->Fill * std::min(1.0, static_cast<double>(width) / height) *
-                       std::tan(vtkMath::RadiansFromDegrees(0.5 * ViewAngle));
-  const double distance = radius * std::sqrt(1.0 + 1.0 / (share * share));
-
-  vtkCamera* camera = this->Renderer->GetActiveCamera();
-  camera->SetFocalPoint(centre);
-  camera->SetPosition(centre[0] + distance * direction[0], centre[1] + distance * direction[1],
-    centre[2] + distance * direction[2]);
-  // Straight from above or below, up is where the azimuth looks to.
-  const double sign = this->Elevation > 0.0 ? -1.0 : 1.0;
-  std::abs(this->Elevation) < 89.9
-    ? camera->SetViewUp(0.0, 1.0, 0.0)
-    : camera->SetViewUp(sign * std::sin(azimuth), 0.0, sign * std::cos(azimuth));
-  camera->SetClippingRange(distance - 1.05 * radius, distance + 1.05 * radius);
-}
-
-//------------------------------------------------------------------------------
-Picture Scene::Render(int width, int height)
-{
-  this->Window->SetSize(width, height);
-  this->PlaceCamera(width, height);
-  this->Window->Render();
-  const std::string errors = TakeErrorText();
-  if (!errors.empty())
-  {
-    throw Error("rendering: " + errors);
-  }
-
-  vtkTextureObject* texture = this->Pass->GetColorTexture();
-  if (!texture || static_cast<int>(texture->GetWidth()) != width ||
-      static_cast<int>(texture->GetHeight()) != height)
-  {
-    throw Error("rendering: this graphics driver can't render " + std::to_string(width) + "x" +
-                std::to_string(height) + " pixels");
-  }
-  Picture picture(width, height);
-  unsigned int size[2] = { static_cast<unsigned int>(width), static_cast<unsigned int>(height) };
-  vtkIdType increments[2] = { 0, 0 };
-  const auto buffer = vtkSmartPointer<vtkPixelBufferObject>::Take(texture->Download());
-  if (!buffer || !buffer->Download2D(VTK_FLOAT, picture.Pixels.data(), size, 4, increments))
-  {
-    throw Error("rendering: the float picture can't be read back");
-  }
-  for (std::size_t k = 0; k < picture.Pixels.size(); ++k)
-  {
-    if (k % 4 != 3)
-    {
-      picture.Pixels[k] =
-        std::pow(std::max(0.0f, picture.Pixels[k]), static_cast<float>(OutputGamma));
-    }
-  }
-  return picture;
-}
-
-//------------------------------------------------------------------------------
-double Scene::TimeFrame()
-{
-  const auto begin = std::chrono::steady_clock::now();
-  this->Window->Render();
-  this->Window->WaitForCompletion();
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin)
-    .count();
-}
-
-//------------------------------------------------------------------------------
-std::array<double, 3> Scene::GetRay(double x, double y, int width, int height) const
-{
-  vtkCamera* camera = this->Renderer->GetActiveCamera();
-  double forward[3];
-  double up[3];
-  double right[3];
-  camera->GetDirectionOfProjection(forward);
-  camera->GetViewUp(up);
-  vtkMath::Cross(forward, up, right);
-  vtkMath::Normalize(right);
-  vtkMath::Cross(right, forward, up);
-  const double scale = std::tan(vtkMath::RadiansFromDegrees(0.5 * ViewAngle));
-  const double a = scale * (2.0 * x - width) / height;
-  const double b = scale * (2.0 * y - height) / height;
-  std::array<double, 3> ray;
-  for (int c = 0; c < 3; ++c)
-  {
-    ray[c] = forward[c] + a * right[c] + b * up[c];
-  }
-  vtkMath::Normalize(ray.data());
-  return ray;
-}
-
-//------------------------------------------------------------------------------
-std::string Scene::GetRendererName()
-{
-  std::istringstream lines(this->Window->ReportCapabilities());
-  const std::string key = "OpenGL renderer string:";
-  for (std::string line; std::getline(lines, line);)
-  {
-    if (line.compare(0, key.size(), key) == 0)
-    {
-      const std::size_t begin = line.find_first_not_of(' ', key.size());
-      return begin == std::string::npos ? "" : line.substr(begin);
-    }
-  }
-  return "unknown";
+  this->Mapper->SetEnvironment(environment);
+  this->Mapper->SetIntegrator(integrator);
 }
 
 //------------------------------------------------------------------------------
@@ -231,14 +72,7 @@ std::size_t Scene::GetTextureBytes()
 }
 
 //------------------------------------------------------------------------------
-int Scene::GetNumberOfLights()
-{
-  vtkLightSet* lights = this->Mapper->GetCurrentLightSet();
-  return lights ? lights->GetNumberOfLights() : 0;
-}
-
-//------------------------------------------------------------------------------
-void ComposeOver(Picture& picture, const Scene& scene, const Backdrop& backdrop, double exposure)
+void ComposeOver(Picture& picture, const Stage& scene, const Backdrop& backdrop, double exposure)
 {
   vtkSMPTools::For(0, picture.Height,
     [&](vtkIdType begin, vtkIdType end)

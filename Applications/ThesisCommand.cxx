@@ -140,7 +140,7 @@ Exhibit MakeExhibit(const tool::Material& material, const std::string& standsFor
 
 //------------------------------------------------------------------------------
 tool::Picture Finish(
-  tool::Picture tile, const tool::Scene& scene, const tool::Backdrop& backdrop, double exposure)
+  tool::Picture tile, const tool::Stage& scene, const tool::Backdrop& backdrop, double exposure)
 {
   tool::ComposeOver(tile, scene, backdrop, exposure);
   tool::RollOff(tile);

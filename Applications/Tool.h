@@ -50,6 +50,8 @@ void AddEvaluateCommand(CLI::App& app);
 void AddIntegrateCommand(CLI::App& app);
 void AddLightsCommand(CLI::App& app);
 void AddRenderCommand(CLI::App& app);
+void AddPlanCommand(CLI::App& app);
+void AddCompareCommand(CLI::App& app);
 void AddGalleryCommand(CLI::App& app);
 void AddConvertCommand(CLI::App& app);
 void AddAcquireCommand(CLI::App& app);

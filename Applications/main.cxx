@@ -58,6 +58,8 @@ int main(int argc, char* argv[])
   tool::AddIntegrateCommand(app);
   tool::AddLightsCommand(app);
   tool::AddRenderCommand(app);
+  tool::AddPlanCommand(app);
+  tool::AddCompareCommand(app);
   tool::AddGalleryCommand(app);
   tool::AddConvertCommand(app);
   tool::AddAcquireCommand(app);

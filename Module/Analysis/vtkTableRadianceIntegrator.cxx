@@ -22,6 +22,8 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <string>
 #include <vector>
 
@@ -432,6 +434,74 @@ void vtkTableRadianceIntegrator::IntegratePart(
   {
     radiance[c] += std::max(sum[c], 0.0);
   }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTableRadianceIntegrator::GetPrepared()
+{
+  if (!this->Data)
+  {
+    return "";
+  }
+  const Tables& tables = *this->Data;
+  std::string bytes;
+  const auto put = [&bytes](const void* data, std::size_t size)
+  { bytes.append(static_cast<const char*>(data), size); };
+  const std::uint64_t header[] = { static_cast<std::uint64_t>(tables.Rows),
+    static_cast<std::uint64_t>(tables.Angles), static_cast<std::uint64_t>(tables.Azimuths),
+    tables.Profile.size(), tables.Radiance.size(), tables.Irradiance.size() };
+  put(header, sizeof(header));
+  put(&tables.Scale, sizeof(tables.Scale));
+  for (const std::vector<float>* values : { &tables.Profile, &tables.Radiance, &tables.Irradiance })
+  {
+    put(values->data(), values->size() * sizeof(float));
+  }
+  return bytes;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTableRadianceIntegrator::TakePrepared(const std::string& bytes)
+{
+  std::uint64_t header[6];
+  auto tables = std::make_unique<Tables>();
+  std::size_t at = sizeof(header) + sizeof(tables->Scale);
+  if (bytes.size() < at)
+  {
+    return false;
+  }
+  std::memcpy(header, bytes.data(), sizeof(header));
+  std::memcpy(&tables->Scale, bytes.data() + sizeof(header), sizeof(tables->Scale));
+  tables->Rows = this->NumberOfRows;
+  tables->Columns = 2 * (this->NumberOfRows - 1);
+  tables->Angles = this->NumberOfViewAngles;
+  tables->Azimuths = this->NumberOfAzimuths;
+  const std::uint64_t radiance =
+    3ull * static_cast<std::uint64_t>(tables->Rows) * static_cast<std::uint64_t>(tables->Columns) *
+    static_cast<std::uint64_t>(tables->Angles) * static_cast<std::uint64_t>(tables->Azimuths + 1);
+  const std::uint64_t irradiance = 3ull * 2 * (IrradianceRows - 1) * IrradianceRows;
+  const std::uint64_t expected[] = { static_cast<std::uint64_t>(tables->Rows),
+    static_cast<std::uint64_t>(tables->Angles), static_cast<std::uint64_t>(tables->Azimuths),
+    3ull * 3 * ProfileSize, radiance, header[5] == 0 ? 0 : irradiance };
+  if (!std::equal(header, header + 6, expected) ||
+      bytes.size() != at + sizeof(float) * (header[3] + header[4] + header[5]))
+  {
+    return false;
+  }
+  tables->HasFloor = header[5] != 0;
+  int part = 3;
+  for (std::vector<float>* values : { &tables->Profile, &tables->Radiance, &tables->Irradiance })
+  {
+    values->resize(static_cast<std::size_t>(header[part++]));
+    std::memcpy(values->data(), bytes.data() + at, values->size() * sizeof(float));
+    at += values->size() * sizeof(float);
+    if (!std::all_of(values->begin(), values->end(), [](float v) { return std::isfinite(v); }))
+    {
+      return false;
+    }
+  }
+  this->Data = std::move(tables);
+  this->PrepareTime.Modified();
+  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * --method: how a subcommand integrates an environment's light.
+ */
+
+#ifndef Methods_h
+#define Methods_h
+
+#include "Inputs.h"
+#include "Thesis.h"
+
+#include "vtkRadianceIntegrator.h"
+#include "vtkRadiancePlanner.h"
+
+#include <string>
+#include <vector>
+
+namespace tool
+{
+struct MethodOptions
+{
+  std::string Method;
+  std::string Sizes;
+  double Tolerance = 0.02;
+  LightSetOptions Lights;
+  ThesisOptions Thesis;
+
+  /// Add --method, one of these, and the methods' own options to a subcommand.
+  void AddTo(CLI::App* command, const std::vector<std::string>& methods);
+
+  /// To be called first: light-set takes the place of the default auto where lights were asked for.
+  /// Throws UsageError where options don't go together.
+  void Check(const CLI::App* command);
+
+  /// Whether it sums over lights: light-set and thesis.
+  bool HasLights() const { return this->Method == "light-set" || this->Method == "thesis"; }
+};
+
+/// Add --tolerance to a subcommand.
+void AddToleranceOption(CLI::App* command, double& tolerance);
+
+/// Throws UsageError where it is not one that can be planned for.
+void CheckTolerance(double tolerance);
+
+/// A method made for a material and an environment.
+struct Method
+{
+  vtkSmartPointer<vtkRadianceIntegrator> Integrator; // prepared, with its BRDF and environment
+  vtkSmartPointer<vtkBRDF> BRDF;                     // the material, or what stands for it
+  Representation Thesis;                             // of --method thesis
+  vtkSmartPointer<vtkRadiancePlanner> Planner;       // of --method auto, else null
+
+  /// How many lights it sums over, 0 where it has none.
+  int GetNumberOfLights() const;
+};
+
+/// Plan under a progress bar; all: every candidate is tried. Throws Error, also where Ctrl-C was
+/// pressed. Needs an Interruptible.
+vtkSmartPointer<vtkRadiancePlanner> MakePlan(
+  const Material& material, vtkEnvironment* environment, double tolerance, bool all);
+
+/// Make it under a progress bar. Throws Error, also where Ctrl-C was pressed. Needs an
+/// Interruptible.
+Method MakeMethod(
+  const MethodOptions& options, const Material& material, vtkEnvironment* environment);
+
+/// Radiance of an integrator for (normal, view) pairs, 3 doubles each, under a progress bar: 3
+/// doubles each. Throws Error. Needs an Interruptible.
+std::vector<double> IntegratePairs(vtkRadianceIntegrator* integrator,
+  const std::vector<double>& normals, const std::vector<double>& views);
+} // namespace tool
+
+#endif

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The same mesh as VTK draws it by itself: physically based shading under image-based lighting.
+ */
+
+#ifndef StockScene_h
+#define StockScene_h
+
+#include "Stage.h"
+#include "Surface.h"
+
+#include <vector>
+
+class vtkEnvironment;
+
+namespace tool
+{
+struct StockMaterial
+{
+  double Roughness = 0.5;
+  double Metallic = 0.0;
+  RGB Albedo = { 0.5, 0.5, 0.5 }; // linear
+};
+
+class StockScene : public Stage
+{
+public:
+  StockScene();
+
+  void SetLight(vtkEnvironment* environment);
+  void SetMaterial(const StockMaterial& material);
+
+  /**
+   * The material of least mean |x - r| against a reference of the surface's pixels (3 doubles
+   * each): a search over roughness and metallic, coarse then fine; for each, the best albedo of
+   * each channel, of which radiance is a quadratic function. Sets it, too. Throws Error.
+   */
+  StockMaterial Fit(const Surface& surface, const Size& size, const std::vector<double>& reference);
+
+private:
+  /// Whether this VTK takes a property's colour as the albedo or as its display colour.
+  void FindColourExponent(const Surface& surface, const Size& size);
+
+  double ColourExponent = 1.0; // albedo = colour^this
+};
+
+/// Radiance of a surface's pixels in a picture, 3 doubles each.
+std::vector<double> Pick(const Picture& picture, const Surface& surface);
+} // namespace tool
+
+#endif
