@@ -28,6 +28,7 @@
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <tuple>
 #include <vector>
 
 using measuredbrdf::Pi;
@@ -135,10 +136,9 @@ TEST(TableIntegrator, WhiteFurnaceIsTheDirectionalAlbedo)
   std::vector<vtkSmartPointer<vtkBRDF>> materials{ NewPhong(1.0).Get(), NewPhong(20.0).Get(),
     NewPhong(300.0).Get(), NewLayered(50.0).Get() };
   materials.push_back(vtkSmartPointer<vtkLambertBRDF>::New());
-  for (int k = 0; k < vtkEmbeddedMaterials::GetNumberOfMaterials(); k += 7)
+  for (const char* name : { "blue-fabric", "nickel", "delrin", "brass" })
   {
-    materials.push_back(vtkSmartPointer<vtkBRDF>::Take(
-      vtkEmbeddedMaterials::NewBRDF(vtkEmbeddedMaterials::GetName(k))));
+    materials.push_back(vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF(name)));
   }
   if (HasData())
   {
@@ -174,20 +174,21 @@ TEST(TableIntegrator, WhiteFurnaceIsTheDirectionalAlbedo)
     }
     std::printf("%s %s: %.2e, at 88 degrees %.2e\n", brdf->GetClassName(), brdf->GetName().c_str(),
       worst, grazing);
-    const bool sharpest = brdf->GetName() == "hematite"; // a lobe of half a degree
+    const bool sharpest = brdf->GetName() == "brass"; // a lobe of half a degree
     EXPECT_LT(worst, sharpest ? 1e-2 : 3e-3);
     EXPECT_LT(grazing, sharpest ? 1e-2 : 3e-3);
   }
 }
 
 //------------------------------------------------------------------------------
-class TableReference : public testing::TestWithParam<bool>
+class TableReference : public testing::TestWithParam<std::tuple<bool, int>>
 {
 };
 
 TEST_P(TableReference, ErrorFallsWithSize)
 {
-  const auto environment = NewSmallEnvironment(GetParam());
+  const bool hall = std::get<0>(GetParam());
+  const auto environment = NewSmallEnvironment(hall);
   SpherePairs pairs;
   pairs.AddRandom(60);
   vtkNew<vtkLambertBRDF> lambert;
@@ -197,30 +198,32 @@ TEST_P(TableReference, ErrorFallsWithSize)
     vtkSmartPointer<vtkBRDF> BRDF;
     double Limits[3];
   } cases[] = { { "Lambert", lambert.Get(), { 1e-3, 1e-3, 1e-3 } },
-    { "Blinn-Phong 5", NewPhong(5.0).Get(), { 0.05, 0.02, 0.01 } },
-    { "Blinn-Phong 40", NewPhong(40.0).Get(), { 0.2, 0.06, 0.03 } },
-    { "Ashikhmin-Shirley 50", NewLayered(50.0).Get(), { 0.1, 0.05, 0.02 } } };
-  for (const auto& material : cases)
+    { "Blinn-Phong 5", NewPhong(5.0).Get(), { 0.02, 0.006, 0.005 } },
+    { "Blinn-Phong 40", NewPhong(40.0).Get(), { 0.1, 0.03, 0.015 } },
+    { "Ashikhmin-Shirley 50", NewLayered(50.0).Get(), { 0.1, 0.05, 0.015 } } };
+  const auto& material = cases[std::get<1>(GetParam())];
+  const auto reference = pairs.IntegrateExactly(material.BRDF, environment);
+  const int sizes[3][3] = { { 17, 8, 8 }, { 33, 12, 16 }, { 65, 16, 16 } };
+  double last = 1.0;
+  for (int k = 0; k < 3; ++k)
   {
-    const auto reference = pairs.IntegrateExactly(material.BRDF, environment);
-    const int sizes[3][3] = { { 17, 8, 8 }, { 33, 12, 16 }, { 65, 16, 16 } };
-    double last = 1.0;
-    for (int k = 0; k < 3; ++k)
-    {
-      const auto table =
-        NewTable(material.BRDF, environment, sizes[k][0], sizes[k][1], sizes[k][2]);
-      const double error = GetRelativeError(pairs.Integrate(table), reference);
-      std::printf("%s, %s, %d rows: relative L1 %.4f\n", material.Name, GetParam() ? "hall" : "sky",
-        sizes[k][0], error);
-      EXPECT_LT(error, material.Limits[k]) << material.Name;
-      EXPECT_LE(error, last * 1.001) << material.Name;
-      last = error;
-    }
+    const auto table = NewTable(material.BRDF, environment, sizes[k][0], sizes[k][1], sizes[k][2]);
+    const double error = GetRelativeError(pairs.Integrate(table), reference);
+    std::printf("%s, %s, %d rows: relative L1 %.4f\n", material.Name, hall ? "hall" : "sky",
+      sizes[k][0], error);
+    EXPECT_LT(error, material.Limits[k]) << material.Name;
+    EXPECT_LE(error, last * 1.001) << material.Name;
+    last = error;
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Procedural, TableReference, testing::Bool(),
-  [](const auto& info) { return info.param ? "hall" : "sky"; });
+INSTANTIATE_TEST_SUITE_P(Procedural, TableReference,
+  testing::Combine(testing::Bool(), testing::Range(0, 4)),
+  [](const auto& info)
+  {
+    return std::string(std::get<0>(info.param) ? "hall" : "sky") +
+           std::to_string(std::get<1>(info.param));
+  });
 
 //------------------------------------------------------------------------------
 class TableMeasured : public testing::TestWithParam<const char*>
@@ -317,7 +320,7 @@ TEST(TableIntegrator, Continuous)
   const double e = 0.5e-5;
   for (const double exponent : { 5.0, 200.0 })
   {
-    const auto table = NewTable(NewLayered(exponent), environment, 65, 16, 16);
+    const auto table = NewTable(NewLayered(exponent), environment, 33, 12, 16);
     const auto getLargestStep = [&](const char* what, const SpherePairs& pairs)
     {
       const auto radiance = pairs.Integrate(table);
@@ -446,7 +449,7 @@ TEST(TableIntegrator, BlackAndTinyEnvironments)
 }
 
 //------------------------------------------------------------------------------
-// One texel 2e5 and 1e7 times the rest, whose table is beyond half float, and a real sun.
+// One texel 2e5 and 1e7 times the rest, whose table is beyond half float.
 TEST(TableIntegrator, Suns)
 {
   SpherePairs pairs;
@@ -457,7 +460,7 @@ TEST(TableIntegrator, Suns)
   {
     float Peak;
     double Exponent;
-  } cases[] = { { 2e5f, 5.0 }, { 2e5f, 50.0 }, { 1e7f, 50.0 } };
+  } cases[] = { { 2e5f, 5.0 }, { 1e7f, 50.0 } };
   for (const auto& sun : cases)
   {
     rgb[3 * (45 * 128 + 30)] = rgb[3 * (45 * 128 + 30) + 1] = sun.Peak;
@@ -478,6 +481,11 @@ TEST(TableIntegrator, Suns)
     EXPECT_LT(error, 0.05);
     EXPECT_LE(largest, 32768.0f * 1.001f); // half float ends at 65504
   }
+}
+
+//------------------------------------------------------------------------------
+TEST(TableIntegrator, RealSun)
+{
   if (!std::ifstream(Data + "/environments/pmndrs_sunrise.hdr"))
   {
     GTEST_SKIP() << "no pmndrs_sunrise.hdr at " << Data;
