@@ -503,11 +503,10 @@ void vtkMeasuredBRDFMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* actor)
     }
     const bool lit = impl.CurrentEnvironment && impl.CurrentEnvironment->GetWidth() > 0;
     impl.Integrator = lit ? impl.WantedIntegrator : nullptr;
-    impl.Planner = nullptr;
-    if (lit && !impl.Integrator && !impl.LightSet && this->Method == AUTO)
-    {
-      impl.Planner = FindPlan(impl.BRDF, impl.CurrentEnvironment, this->ErrorTolerance);
-    }
+    // The last frame's plan is held until then: it may be this one's.
+    const bool plans = lit && !impl.Integrator && !impl.LightSet && this->Method == AUTO;
+    impl.Planner =
+      plans ? FindPlan(impl.BRDF, impl.CurrentEnvironment, this->ErrorTolerance) : nullptr;
     if (impl.Planner)
     {
       impl.Integrator = vtkSmartPointer<vtkRadianceIntegrator>::Take(impl.Planner->NewIntegrator());

@@ -29,18 +29,21 @@
 #include "vtkPolyDataMapper.h"
 #include "vtkPolyDataNormals.h"
 #include "vtkProperty.h"
+#include "vtkRadiancePlanner.h"
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
 #include "vtkShader.h"
 #include "vtkShaderProgram.h"
 #include "vtkSkybox.h"
 #include "vtkSphereSource.h"
+#include "vtkTableRadianceIntegrator.h"
 #include "vtkTexture.h"
 #include "vtkTransform.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <glm/glm.hpp>
 
+#include <atomic>
 #include <random>
 #include <set>
 
@@ -991,4 +994,313 @@ TEST_F(Mapper, WarnsOncePerCause)
   }
   EXPECT_EQ(warnings, 2);
   EXPECT_EQ(this->Measured->GetCurrentLightSet()->GetNumberOfLights(), 64);
+}
+
+namespace
+{
+/// Counts evaluations: what planning costs and a frame must not.
+class CountingPhong : public vtkBlinnPhongBRDF
+{
+public:
+  static CountingPhong* New();
+  vtkTypeMacro(CountingPhong, vtkBlinnPhongBRDF);
+  int Take() { return this->Count.exchange(0); }
+
+protected:
+  void EvaluateAbove(const double i[3], const double o[3], double f[3]) override
+  {
+    ++this->Count;
+    this->Superclass::EvaluateAbove(i, o, f);
+  }
+  std::atomic<int> Count{ 0 };
+};
+vtkStandardNewMacro(CountingPhong);
+
+/// Events of one kind, counted instead of printed.
+struct EventCounter
+{
+  EventCounter(vtkObject* object, unsigned long event)
+  {
+    this->Command->SetClientData(this);
+    this->Command->SetCallback(
+      [](vtkObject*, unsigned long, void* self, void* text)
+      {
+        auto* counter = static_cast<EventCounter*>(self);
+        ++counter->Count;
+        counter->Text = static_cast<const char*>(text);
+      });
+    object->AddObserver(event, this->Command);
+  }
+  vtkNew<vtkCallbackCommand> Command;
+  int Count = 0;
+  std::string Text;
+};
+
+/// The mapper as it comes: integration planned.
+class Auto : public Mapper
+{
+protected:
+  void SetUp() override
+  {
+    Mapper::SetUp();
+    if (IsSkipped())
+    {
+      return;
+    }
+    this->Measured->SetMethodToAuto();
+    this->Phong->SetExponent(10.0);
+    this->Measured->SetBRDF(this->Phong);
+    this->Measured->SetEnvironment(this->Light);
+  }
+
+  vtkSmartPointer<vtkEnvironment> Light = MakeEnvironment();
+};
+}
+
+// Tilted planes, one pixel each, against the C++ of what the planner chooses.
+TEST_F(Auto, MatchesThePlannedIntegrator)
+{
+  vtkNew<vtkPlaneSource> plane;
+  this->Measured->SetInputConnection(plane->GetOutputPort());
+  this->Light->SetRotationY(35.0);
+  this->Phong->SetExponent(60.0);
+  std::string last;
+  for (const double tolerance : { 0.2, 0.01 })
+  {
+    this->Measured->SetErrorTolerance(tolerance);
+    vtkNew<vtkRadiancePlanner> planner;
+    planner->SetBRDF(this->Phong);
+    planner->SetEnvironment(this->Light);
+    planner->SetErrorTolerance(tolerance);
+    ASSERT_TRUE(planner->Update());
+    auto integrator = vtkSmartPointer<vtkRadianceIntegrator>::Take(planner->NewIntegrator());
+    double worst = 0.0;
+    for (int k = 0; k < 12; ++k)
+    {
+      this->Actor->SetOrientation(11.0 * (k - 6), 17.0 * ((k * 5) % 7 - 3), 0.0);
+      vtkNew<vtkTransform> transform;
+      transform->SetMatrix(this->Actor->GetMatrix());
+      double normal[3] = { 0.0, 0.0, 1.0 };
+      transform->TransformNormal(normal, normal);
+      vtkNew<vtkDoubleArray> normals, views, radiance;
+      normals->SetNumberOfComponents(3);
+      views->SetNumberOfComponents(3);
+      normals->InsertNextTuple(normal);
+      views->InsertNextTuple3(0.0, 0.0, 1.0);
+      ASSERT_TRUE(integrator->Integrate(normals, views, radiance));
+      const FloatImage image = this->RenderLinear();
+      for (int c = 0; c < 3; ++c)
+      {
+        const double expected = radiance->GetComponent(0, c);
+        EXPECT_GT(expected, 0.0);
+        worst = std::max(worst, std::abs(image.At(32, 32)[c] - expected) / expected);
+      }
+    }
+    std::cout << "largest relative difference " << worst << "; " << this->Measured->GetPlan()
+              << "\n";
+    EXPECT_LT(worst, 2e-3);
+    EXPECT_NE(this->Measured->GetPlan().find("table, "), std::string::npos);
+    EXPECT_NE(this->Measured->GetPlan().substr(0, 20), last); // another size
+    last = this->Measured->GetPlan().substr(0, 20);
+    EXPECT_EQ(this->Measured->GetCurrentLightSet(), nullptr);
+  }
+  // A mapper fresh from New plans, too.
+  const FloatImage planned = this->RenderLinear();
+  vtkNew<vtkMeasuredBRDFMapper> plain;
+  EXPECT_EQ(plain->GetMethod(), vtkMeasuredBRDFMapper::AUTO);
+  plain->SetInputConnection(plane->GetOutputPort());
+  plain->SetBRDF(this->Phong);
+  plain->SetEnvironment(this->Light);
+  plain->SetErrorTolerance(0.01);
+  this->Actor->SetMapper(plain);
+  EXPECT_EQ(GetLargestDifference(this->RenderLinear(), planned), 0.0);
+}
+
+// Planning is for the first frame; others with the same material and light take the plan over.
+TEST_F(Auto, PlansOnce)
+{
+  vtkNew<CountingPhong> counting;
+  counting->SetExponent(10.0);
+  this->Measured->SetBRDF(counting);
+  EXPECT_EQ(this->Measured->GetPlan(), "");
+  const FloatImage first = this->RenderEncoded();
+  const std::string plan = this->Measured->GetPlan();
+  EXPECT_NE(plan, "");
+  EXPECT_GT(counting->Take(), 1000);
+  EXPECT_EQ(GetLargestDifference(this->RenderEncoded(), first), 0.0);
+  EXPECT_EQ(counting->Take(), 0) << "a second frame";
+  const int builds = this->Measured->Builds;
+
+  vtkNew<OpenMapper> other;
+  other->SetMethodToAuto();
+  other->SetInputConnection(this->Sphere->GetOutputPort());
+  other->SetBRDF(counting);
+  other->SetEnvironment(this->Light);
+  EXPECT_EQ(GetLargestDifference(this->RenderWith(other), first), 0.0);
+  EXPECT_EQ(counting->Take(), 0) << "another mapper";
+  EXPECT_EQ(other->GetPlan(), plan);
+
+  // A turn of the light costs nothing.
+  this->Light->SetRotationY(70.0);
+  const FloatImage turned = this->RenderWith(this->Measured);
+  EXPECT_GT(GetLargestDifference(turned, first), 1e-2);
+  EXPECT_EQ(counting->Take(), 0) << "a rotation";
+  EXPECT_EQ(this->Measured->GetPlan(), plan);
+  EXPECT_EQ(this->Measured->Builds, builds);
+
+  // Changes show at the next Render.
+  counting->SetExponent(4.0);
+  const FloatImage rougher = this->RenderEncoded();
+  EXPECT_GT(GetLargestDifference(rougher, turned), 1e-2);
+  EXPECT_GT(counting->Take(), 1000);
+  this->Light->SetPixels(32, 16, MakeOctants()->GetPixels());
+  EXPECT_GT(GetLargestDifference(this->RenderEncoded(), rougher), 1e-2);
+  EXPECT_GT(counting->Take(), 1000);
+  EXPECT_EQ(this->Measured->Builds, builds);
+  this->RenderEncoded();
+  EXPECT_EQ(counting->Take(), 0);
+}
+
+TEST_F(Auto, AddsUpWithSceneLights)
+{
+  const FloatImage environment = this->RenderLinear();
+  vtkNew<vtkLight> headlight;
+  headlight->SetLightTypeToHeadlight();
+  headlight->SetDiffuseColor(1.0, 0.5, 0.25);
+  headlight->SetIntensity(2.0);
+  this->Renderer->AddLight(headlight);
+  const FloatImage both = this->RenderLinear();
+  this->Measured->SetEnvironment(nullptr);
+  const FloatImage light = this->RenderLinear();
+  EXPECT_EQ(this->Measured->GetPlan(), "");
+  EXPECT_GT(light.At(32, 32)[0], 0.05f);
+  double worst = 0.0;
+  for (int k = 0; k < 64 * 64 * 4; ++k)
+  {
+    if (k % 4 != 3)
+    {
+      worst = std::max<double>(worst, std::abs(both.RGBA[k] - environment.RGBA[k] - light.RGBA[k]));
+    }
+  }
+  std::cout << "largest difference " << worst << "\n";
+  EXPECT_LT(worst, 1e-5);
+  // Neither environment nor light: black.
+  this->Renderer->RemoveAllLights();
+  EXPECT_EQ(this->RenderLinear().At(32, 32)[0], 0.0f);
+}
+
+TEST_F(Auto, AnisotropicMaterialsGetLightSets)
+{
+  vtkNew<vtkAshikhminShirleyBRDF> brushed;
+  brushed->SetExponents(5.0, 20.0);
+  this->Measured->SetBRDF(brushed);
+  EventCounter warnings(this->Measured, vtkCommand::WarningEvent); // there are no tangents
+  EventCounter errors(this->Measured, vtkCommand::ErrorEvent);
+  const FloatImage image = this->RenderLinear();
+  EXPECT_GT(image.At(32, 32)[0], 0.01f);
+  EXPECT_EQ(this->Measured->GetPlan().find("light-set, "), 0u) << this->Measured->GetPlan();
+  EXPECT_EQ(errors.Count, 0);
+  // And back.
+  this->Measured->SetBRDF(this->Phong);
+  this->RenderLinear();
+  EXPECT_EQ(this->Measured->GetPlan().find("table, "), 0u) << this->Measured->GetPlan();
+}
+
+TEST_F(Auto, TolerancesAreClampedWithAWarning)
+{
+  EventCounter warnings(this->Measured, vtkCommand::WarningEvent);
+  this->Measured->SetErrorTolerance(0.03);
+  EXPECT_EQ(warnings.Count, 0);
+  this->Measured->SetErrorTolerance(0.0);
+  EXPECT_EQ(this->Measured->GetErrorTolerance(), 1e-3);
+  this->Measured->SetErrorTolerance(std::nan(""));
+  EXPECT_EQ(this->Measured->GetErrorTolerance(), 1e-3);
+  this->Measured->SetErrorTolerance(5.0);
+  EXPECT_EQ(this->Measured->GetErrorTolerance(), 1.0);
+  EXPECT_EQ(warnings.Count, 3);
+  EXPECT_NE(warnings.Text.find("clamped"), std::string::npos);
+}
+
+// A light set of one's own, LIGHT_SET and AUTO again.
+TEST_F(Auto, MethodsBackAndForth)
+{
+  const FloatImage planned = this->RenderEncoded();
+  const std::string plan = this->Measured->GetPlan();
+  this->Measured->SetMethodToLightSet();
+  this->Measured->SetNumberOfLights(4);
+  const FloatImage four = this->RenderEncoded();
+  EXPECT_GT(GetLargestDifference(four, planned), 1e-2);
+  EXPECT_EQ(this->Measured->GetPlan(), "");
+  ASSERT_TRUE(this->Measured->GetCurrentLightSet());
+  EXPECT_EQ(this->Measured->GetCurrentLightSet()->GetNumberOfLights(), 4);
+  this->Measured->SetMethodToAuto();
+  EXPECT_EQ(GetLargestDifference(this->RenderEncoded(), planned), 0.0);
+  EXPECT_EQ(this->Measured->GetPlan().substr(0, 20), plan.substr(0, 20));
+  EXPECT_EQ(this->Measured->GetCurrentLightSet(), nullptr);
+
+  vtkNew<vtkLightSet> lights;
+  const double direction[3] = { 0.0, 0.0, 1.0 };
+  const double irradiance[3] = { 0.3, 0.2, 0.1 };
+  lights->AddLight(direction, irradiance);
+  this->Measured->SetLightSet(lights);
+  EXPECT_GT(GetLargestDifference(this->RenderEncoded(), planned), 1e-2);
+  EXPECT_EQ(this->Measured->GetPlan(), "");
+  EXPECT_EQ(this->Measured->GetCurrentLightSet(), lights.Get());
+  this->Measured->SetLightSet(nullptr);
+  EXPECT_EQ(GetLargestDifference(this->RenderEncoded(), planned), 0.0);
+
+  this->Measured->SetMethod(77);
+  EXPECT_EQ(this->Measured->GetMethod(), vtkMeasuredBRDFMapper::AUTO);
+  vtkNew<vtkMeasuredBRDFMapper> copy;
+  this->Measured->SetErrorTolerance(0.04);
+  this->Measured->SetMethodToLightSet();
+  copy->ShallowCopy(this->Measured);
+  EXPECT_EQ(copy->GetErrorTolerance(), 0.04);
+  EXPECT_EQ(copy->GetMethod(), vtkMeasuredBRDFMapper::LIGHT_SET);
+}
+
+// A table cannot hold an anisotropic material: said once, drawn as the superclass does, mended by
+// taking either away.
+TEST_F(Auto, AnIntegratorThatRefuses)
+{
+  vtkNew<vtkAshikhminShirleyBRDF> brushed;
+  brushed->SetExponents(5.0, 20.0);
+  vtkNew<vtkTableRadianceIntegrator> table;
+  table->SetNumberOfRows(9);
+  this->Measured->SetBRDF(brushed);
+  this->Measured->SetIntegrator(table);
+  EventCounter warnings(this->Measured, vtkCommand::WarningEvent); // there are no tangents
+  EventCounter errors(this->Measured, vtkCommand::ErrorEvent);
+  EventCounter reasons(table, vtkCommand::ErrorEvent);
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    this->RenderEncoded();
+  }
+  EXPECT_EQ(errors.Count, 1) << errors.Text;
+  EXPECT_EQ(reasons.Count, 1) << reasons.Text;
+  this->Measured->SetBRDF(this->Phong);
+  EXPECT_GT(this->RenderLinear().At(32, 32)[0], 0.01f);
+  EXPECT_EQ(this->Measured->GetPlan(), "");
+  this->Measured->SetIntegrator(nullptr);
+  this->Measured->SetBRDF(brushed);
+  EXPECT_GT(this->RenderLinear().At(32, 32)[0], 0.01f);
+  EXPECT_EQ(errors.Count, 1) << errors.Text;
+  EXPECT_EQ(reasons.Count, 1) << reasons.Text;
+}
+
+// Light comes and goes: black, none, another.
+TEST_F(Auto, BlackAndEmptyEnvironments)
+{
+  EventCounter errors(this->Measured, vtkCommand::ErrorEvent);
+  const FloatImage first = this->RenderEncoded();
+  vtkNew<vtkEnvironment> black;
+  black->SetPixels(16, 8, std::vector<float>(3 * 16 * 8, 0.0f));
+  this->Measured->SetEnvironment(black);
+  EXPECT_EQ(this->RenderLinear().At(32, 32)[0], 0.0f);
+  this->Measured->SetEnvironment(vtkNew<vtkEnvironment>());
+  EXPECT_EQ(this->RenderLinear().At(32, 32)[0], 0.0f);
+  EXPECT_EQ(this->Measured->GetPlan(), "");
+  this->Measured->SetEnvironment(this->Light);
+  EXPECT_EQ(GetLargestDifference(this->RenderEncoded(), first), 0.0);
+  EXPECT_EQ(errors.Count, 0) << errors.Text;
 }

@@ -135,7 +135,7 @@ TEST(TableIntegrator, WhiteFurnaceIsTheDirectionalAlbedo)
   std::vector<vtkSmartPointer<vtkBRDF>> materials{ NewPhong(1.0).Get(), NewPhong(20.0).Get(),
     NewPhong(300.0).Get(), NewLayered(50.0).Get() };
   materials.push_back(vtkSmartPointer<vtkLambertBRDF>::New());
-  for (int k = 0; k < vtkEmbeddedMaterials::GetNumberOfMaterials(); k += 5)
+  for (int k = 0; k < vtkEmbeddedMaterials::GetNumberOfMaterials(); k += 7)
   {
     materials.push_back(vtkSmartPointer<vtkBRDF>::Take(
       vtkEmbeddedMaterials::NewBRDF(vtkEmbeddedMaterials::GetName(k))));
@@ -174,8 +174,9 @@ TEST(TableIntegrator, WhiteFurnaceIsTheDirectionalAlbedo)
     }
     std::printf("%s %s: %.2e, at 88 degrees %.2e\n", brdf->GetClassName(), brdf->GetName().c_str(),
       worst, grazing);
-    EXPECT_LT(worst, brdf->GetName().empty() ? 2e-3 : 3e-3);
-    EXPECT_LT(grazing, brdf->GetName() == "white-marble" ? 2e-2 : 3e-3);
+    const bool sharpest = brdf->GetName() == "hematite"; // a lobe of half a degree
+    EXPECT_LT(worst, sharpest ? 1e-2 : 3e-3);
+    EXPECT_LT(grazing, sharpest ? 1e-2 : 3e-3);
   }
 }
 
@@ -361,10 +362,44 @@ TEST(TableIntegrator, Continuous)
       along.Add(normal, glm::normalize(normal + e * aside));
       along.Add(normal, glm::normalize(normal - e * aside));
     }
-    EXPECT_LT(getLargestStep("normals over the poles", poles), 3e-3);
-    EXPECT_LT(getLargestStep("axes over the poles", axes), 3e-3);
-    EXPECT_LT(getLargestStep("normals over the seam", seam), 3e-3);
-    EXPECT_LT(getLargestStep("views through the normal", along), 3e-3);
+    EXPECT_LT(getLargestStep("normals over the poles", poles), 1e-4);
+    EXPECT_LT(getLargestStep("axes over the poles", axes), 1e-4);
+    EXPECT_LT(getLargestStep("normals over the seam", seam), 1e-4);
+    EXPECT_LT(getLargestStep("views through the normal", along), 1e-4);
+  }
+}
+
+//------------------------------------------------------------------------------
+// What is measured along the normal need not be the same all around.
+TEST(TableIntegrator, MeasuredMaterialsSeenAlongTheNormal)
+{
+  if (!HasData())
+  {
+    GTEST_SKIP() << "no measured files at " << Data;
+  }
+  const auto environment = NewSmallEnvironment(true);
+  for (const char* name : { "cardboard", "satin_purple", "cc_ibiza_sunset" })
+  {
+    const vtkSmartPointer<vtkBRDF> brdf = ReadMaterial(name);
+    ASSERT_TRUE(brdf);
+    SpherePairs pairs;
+    for (int k = 0; k < 64; ++k)
+    {
+      const glm::dvec3 n =
+        glm::normalize(glm::dvec3(std::cos(1.1 * k), std::sin(2.3 * k), std::sin(0.7 * k + 0.4)));
+      const glm::dvec3 aside = glm::normalize(glm::cross(n, glm::dvec3(0.3, 1.0, 0.1 * k)));
+      pairs.Add(n, glm::normalize(n + 1e-5 * aside));
+      pairs.Add(n, glm::normalize(n - 1e-5 * aside));
+    }
+    const auto radiance = pairs.Integrate(NewTable(brdf, environment, 33, 12, 16));
+    double step = 0.0;
+    for (std::size_t k = 0; k < radiance.size(); k += 2)
+    {
+      step = std::max(step,
+        std::abs(radiance[k].y - radiance[k + 1].y) / std::max(radiance[k].y, radiance[k + 1].y));
+    }
+    std::printf("%s: steps up to %.1e\n", name, step);
+    EXPECT_LT(step, 1e-2) << name;
   }
 }
 
@@ -411,18 +446,23 @@ TEST(TableIntegrator, BlackAndTinyEnvironments)
 }
 
 //------------------------------------------------------------------------------
-// One texel 2e5 times the rest, whose table is beyond half float, and a real sun.
+// One texel 2e5 and 1e7 times the rest, whose table is beyond half float, and a real sun.
 TEST(TableIntegrator, Suns)
 {
   SpherePairs pairs;
   pairs.AddRandom(60);
   const auto environment = NewConstantEnvironment(128, 64, 1.0f);
   std::vector<float> rgb = environment->GetPixels();
-  rgb[3 * (45 * 128 + 30)] = rgb[3 * (45 * 128 + 30) + 1] = 2e5f;
-  ASSERT_TRUE(environment->SetPixels(128, 64, rgb));
-  for (const double exponent : { 5.0, 50.0 })
+  const struct
   {
-    const auto brdf = NewLayered(exponent);
+    float Peak;
+    double Exponent;
+  } cases[] = { { 2e5f, 5.0 }, { 2e5f, 50.0 }, { 1e7f, 50.0 } };
+  for (const auto& sun : cases)
+  {
+    rgb[3 * (45 * 128 + 30)] = rgb[3 * (45 * 128 + 30) + 1] = sun.Peak;
+    ASSERT_TRUE(environment->SetPixels(128, 64, rgb));
+    const auto brdf = NewLayered(sun.Exponent);
     const auto table = NewTable(brdf, environment, 65, 16, 16);
     const double error =
       GetRelativeError(pairs.Integrate(table), pairs.IntegrateExactly(brdf, environment));
@@ -433,10 +473,10 @@ TEST(TableIntegrator, Suns)
     {
       largest = std::max(largest, std::abs(value));
     }
-    std::printf("one texel of 2e5, exponent %g: relative L1 %.4f, largest stored %g\n", exponent,
-      error, largest);
+    std::printf("one texel of %g, exponent %g: relative L1 %.4f, largest stored %g\n", sun.Peak,
+      sun.Exponent, error, largest);
     EXPECT_LT(error, 0.05);
-    EXPECT_LE(largest, 32768.0f * 1.001f);
+    EXPECT_LE(largest, 32768.0f * 1.001f); // half float ends at 65504
   }
   if (!std::ifstream(Data + "/environments/pmndrs_sunrise.hdr"))
   {
