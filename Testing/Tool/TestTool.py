@@ -128,8 +128,8 @@ class Options(ToolTest):
     def test_help(self):
         self.check(run("--help"), 0, "SUBCOMMAND", "gallery", "Exit status")
         commands = (
-            "list info evaluate integrate lights render gallery convert fit acquire project "
-            "representations thesis"
+            "list info evaluate integrate lights render plan compare gallery convert fit acquire "
+            "project representations thesis"
         ).split()
         for command in commands:
             self.check(run(command, "--help"), 0, "measured-brdf", "--help")
@@ -295,6 +295,17 @@ class Integrate(ToolTest):
                 self.check_close(value, wanted, 0.1)
             self.assertNotEqual(values, exact)
 
+    def test_methods_approach_the_sum(self):
+        exact = self.integrate("blue-fabric", "hall")
+        for method, error in (("basis", 0.05), ("filtered", 0.1), ("table", 0.02), ("auto", 0.03)):
+            values = self.integrate("blue-fabric", "hall", "--method", method)
+            for value, wanted in zip(values, exact):
+                self.check_close(value, wanted, error)
+            self.assertNotEqual(values, exact)
+        sizes = ["--method", "table", "--sizes", "9,4,4"]
+        small = self.integrate("blue-fabric", "hall", *sizes)
+        self.assertNotEqual(small, values)
+
     def test_soft_lights(self):
         lights = ["--method", "light-set", "--light-set", "variance", "--lights", 50]
         hard = self.integrate("gold-paint", "sky", *lights)
@@ -311,6 +322,14 @@ class Integrate(ToolTest):
         common = ["integrate", "gold-paint", "--environment", "sky", "--pairs", pairs]
         self.check(run(*common, "--method", "magic"), 2, "--method")
         self.check(run(*common, "--method", "light-set", "--lights", 100), 2, "power")
+        for method, sizes in (("table", "8"), ("table", "65,16,16,1"), ("table", "65;16"),
+                              ("filtered", "0"), ("basis", "9,nan"), ("exact", "3")):
+            self.check(run(*common, "--method", method, "--sizes", sizes), 2, "--sizes")
+        self.check(run(*common, "--on", "gpu"), 2, "--on", "exact")
+        self.check(run(*common, "--on", "tpu"), 2, "--on")
+        for tolerance in ("0", "-1", "nan", "inf", "1e-4", "2"):
+            options = ["--method", "auto", "--tolerance", tolerance]
+            self.check(run(*common, *options), 2, "--tolerance")
 
     def test_interrupt(self):
         # Enough pairs for many seconds of work.
@@ -744,6 +763,43 @@ class Render(ToolTest):
             self.skipTest("skipped: no X server, which this VTK needs")
         return result
 
+    def test_pairs_on_the_gpu(self):
+        # Views from all around, two of them equal; the last one from below the surface.
+        pairs = self.write("nv.csv", "nx,ny,nz,vx,vy,vz\n0,1,0,0.6,0.8,0\n0.6,0,0.8,0.6,0.8,0\n"
+                           "0,-1,0,0.5,-0.7,0.3\n0.8,0,-0.6,0,0,-2\n0,1,0,0.5,-0.7,0.3\n")
+        for method in ("light-set", "thesis", "basis", "filtered", "table", "auto"):
+            results = []
+            for on in ("cpu", "gpu"):
+                output = self.path(on + ".csv")
+                result = run("integrate", "blue-fabric", "--environment", "sky", "--pairs", pairs,
+                             "--method", method, "--on", on, "-o", output)
+                if "needs an X server" in result.stderr:
+                    self.skipTest("skipped: no X server, which this VTK needs")
+                self.check(result, 0)
+                results.append([rgb(row) for row in read_rows(output)])
+            for cpu, gpu in zip(*results):
+                self.check_close(gpu, cpu, 2e-3)
+            self.assertEqual(results[1][4], [0, 0, 0])
+            self.assertGreater(min(results[1][3]), 0)
+
+    def test_exact(self):
+        # A small picture, and the same by a table of it: pixel by pixel alike, and of one coverage.
+        light = ["--environment", self.write_constant_environment(), "--size", "24x24"]
+        for method in ("exact", "table"):
+            report = self.path("report.json")
+            result = self.render("blue-fabric", method + ".png", *light, "--method", method,
+                                 "--background", "none", "--report", report)
+            self.check(result, 0)
+            with open(report, encoding="utf-8") as file:
+                values = json.load(file)
+            self.assertEqual(values["method"], method)
+            self.assertGreater(values["frame_ms"], 0)
+        exact, table = read_png(self.path("exact.png")), read_png(self.path("table.png"))
+        self.assertEqual(list(exact[0][:3]), [0, 0, 0])
+        for x in range(24, 48):
+            self.assertLessEqual(abs(exact[12][x] - table[12][x]), 2)
+            self.assertGreater(exact[12][x], 20)
+
     def test_bad_meshes(self):
         head = "ply\nformat ascii 1.0\nelement vertex 3\n"
         floats = "property float x\nproperty float y\nproperty float z\n"
@@ -810,6 +866,13 @@ class Render(ToolTest):
         self.assertEqual((values["method"], values["representation"]), ("thesis", "basis"))
         self.assertIn("order 4", values["representation_form"])
         self.assertIn("order 4", values["reason"])
+        common = common[:4]
+        self.check(self.render("blue-fabric", "x.exr", *common, "--report", report), 0)
+        with open(report, encoding="utf-8") as file:
+            values = json.load(file)
+        self.assertEqual((values["method"], values["lights"]), ("auto", 0))
+        self.assertIn("table", values["plan"])
+        self.assertLessEqual(values["predicted_error"], 0.02)
         with open(self.path("x.exr"), "rb") as file:
             self.assertEqual(file.read(4), b"\x76\x2f\x31\x01")
 
@@ -838,6 +901,80 @@ class Render(ToolTest):
         colours = {bytes(row[x : x + 3]) for row in read_png(output) for x in range(0, 1440, 3)}
         self.assertGreater(len(colours), 1000)
         self.check(run("gallery", "no-such-paint", *common), 1, "no-such-paint")
+
+
+class Compare(ToolTest):
+    COMMON = ["--environment", "hall", "--size", "64x64", "--reference-pixels", "64"]
+
+    def compare(self, *options):
+        report, picture = self.path("report.json"), self.path("side.png")
+        common = [*self.COMMON, "--report", report, "-o", picture]
+        result = run("compare", "blue-fabric", *common, *options)
+        if "needs an X server" in result.stderr:
+            self.skipTest("skipped: no X server, which this VTK needs")
+        self.check(result, 0, "relative L1", "VTK's PBR")
+        with open(report, encoding="utf-8") as file:
+            return json.load(file)
+
+    def test_report(self):
+        table = self.compare("--tolerance", "0.05")
+        keys = (
+            "method lights relative_l1 relative_rmse median_relative p99_relative smape flip "
+            "delta_e_itp frame_ms pbr_frame_ms pbr_relative_l1 setup_ms pbr_setup_ms texture_bytes "
+            "predicted_error reference_pixels"
+        ).split()
+        self.assertLessEqual(set(keys), set(table))
+        self.assertEqual((table["method"], table["tolerance"]), ("auto", 0.05))
+        self.assertIn("table", table["plan"])
+        self.assertLessEqual(table["predicted_error"], 0.05)
+        self.assertLessEqual(table["relative_l1"], 0.05)
+        self.assertLessEqual(table["median_relative"], table["p99_relative"])
+        self.assertLess(table["relative_l1"], 0.3 * table["pbr_relative_l1"])
+        self.assertLess(table["pbr_relative_l1"], 0.5)
+        self.assertTrue(0 < table["flip"] < table["pbr_flip"] < 0.5)
+        self.assertTrue(0 < table["delta_e_itp"] < 2)
+        self.assertTrue(30 <= table["reference_pixels"] <= 64 < table["covered_pixels"])
+        for key in ("frame_ms", "pbr_frame_ms", "setup_ms", "pbr_setup_ms", "texture_bytes"):
+            self.assertGreater(table[key], 0)
+        self.assertGreater(read_png_size(self.path("side.png"))[0], 4 * 64)
+        thesis = self.compare("--method", "thesis", "--lights", 4)
+        self.assertEqual((thesis["method"], thesis["lights"]), ("thesis", 4))
+        self.assertIsNone(thesis["predicted_error"])
+        self.assertGreater(thesis["relative_l1"], 2 * table["relative_l1"])
+        self.check_close([thesis["pbr_relative_l1"]], [table["pbr_relative_l1"]], 1e-3)
+
+
+class Plan(ToolTest):
+    COMPARE = ["compare", "blue-fabric", *Compare.COMMON]
+
+    def test_plan(self):
+        common = ["plan", "blue-fabric", "--environment", "hall", "--choice-only"]
+        plan = json.loads(run(*common, "--tolerance", "0.01", "--json").stdout)
+        chosen = plan["candidates"][plan["choice"]]
+        self.assertEqual((chosen["method"], plan["meets_tolerance"]), ("table", True))
+        self.assertLessEqual(chosen["predicted_error"], 0.01)
+        for key in ("predicted_ms", "texture_bytes", "setup_ms"):
+            self.assertGreater(chosen[key], 0)
+        coarse = json.loads(run(*common, "--tolerance", "0.2", "--json").stdout)
+        coarse = coarse["candidates"][coarse["choice"]]
+        self.assertLessEqual(coarse["texture_bytes"], chosen["texture_bytes"])
+        self.check(run(*common), 0, "> table", "error %", "within 2 %")
+
+    def test_bad_input(self):
+        common = self.COMPARE
+        self.check(run(*common, "--method", "magic"), 2, "--method")
+        self.check(run(*common, "--method", "exact"), 2, "--method")
+        for tolerance in ("0", "-1", "nan"):
+            self.check(run(*common, "--tolerance", tolerance), 2, "--tolerance", tolerance)
+            plan = ["plan", "blue-fabric", "--environment", "sky", "--tolerance", tolerance]
+            self.check(run(*plan), 2, "--tolerance", tolerance)
+        self.check(run(*common, "--reference-pixels", "0"), 2, "--reference-pixels")
+        self.check(run(*common, "-o", "x.exr"), 2, ".png")
+        self.check(run(*common, "-o", self.path("no/x.png")), 1, "no/x.png")
+        self.check(run(*common, "--report", self.path("no/r.json")), 1, "no/r.json")
+        self.check(run("plan", "no-such", "--environment", "sky"), 1, "no-such")
+        self.check(run("plan", "blue-fabric", "--environment", "no.hdr"), 1, "no.hdr")
+        self.assertEqual(os.listdir(self.folder), [])
 
 
 if __name__ == "__main__":
