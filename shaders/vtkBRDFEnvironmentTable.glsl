@@ -6,6 +6,7 @@ uniform sampler2D brdfTableProfileINSTANCE; // over theta_o: (view angle, cos, s
 uniform sampler3D brdfTableRadianceINSTANCE; // azimuth and polar angle of axis; psi within view angles
 uniform sampler2D brdfTableIrradianceINSTANCE; // azimuth and polar angle of the normal
 uniform float brdfTableAnglesINSTANCE;
+uniform float brdfTableLastViewINSTANCE; // the profile's last theta_o, in quarter turns
 
 // Azimuth in turns and polar angle in half turns of unit d about the environment's y, and the
 // directions in which they grow.
@@ -22,7 +23,9 @@ vec2 brdfTablePositionINSTANCE(vec3 d, out vec3 meridian, out vec3 parallel)
 vec3 brdfEnvironmentINSTANCE(mat3 frame, vec3 o)
 {
   float sine = length(o.xy);
-  float u = brdfQuadrant(sine, o.z);
+  float u = 1.0 - sqrt(max(1.0 - brdfQuadrant(sine, o.z) / brdfTableLastViewINSTANCE, 0.0));
+  float views = float(textureSize(brdfTableProfileINSTANCE, 0).x);
+  u = (u * (views - 1.0) + 0.5) / views;
   vec3 axis = texture(brdfTableProfileINSTANCE, vec2(u, 0.5 / 3.0)).xyz;
   vec2 azimuth = sine > 1e-6 ? o.xy / sine : vec2(1.0, 0.0);
   vec3 across = frame[0] * azimuth.x + frame[1] * azimuth.y;

@@ -17,6 +17,7 @@ namespace
 constexpr double Pi = 3.14159265358979323846;
 constexpr int Cells = 512;           // that tell where the kernel is
 constexpr double FloorCosine = 0.17; // 80 degrees: measured f drops or soars beyond
+constexpr double LeastShare = 1e-9;  // of the albedo: below, the rest is rounding
 }
 
 // Pairs of Gauss nodes in intervals of equal energy over [0, last], half of it spread evenly:
@@ -82,6 +83,7 @@ KernelHarmonics::KernelHarmonics(vtkBRDF* brdf, double theta, int resolution)
   std::vector<glm::dvec2> polar, azimuths;
   for (const LobeQuadrature::Cell& cell : quadrature.GetCells())
   {
+    this->Amplitude += cell.Weight - this->Floor * cell.Cosine;
     const glm::dvec3 rest = glm::max(cell.Weight - this->Floor * cell.Cosine, glm::dvec3(0.0));
     const double energy = rest.x + rest.y + rest.z;
     const glm::dvec3& d = cell.Direction;
@@ -105,12 +107,18 @@ KernelHarmonics::KernelHarmonics(vtkBRDF* brdf, double theta, int resolution)
       const glm::dvec3 rest = (0.5 * (f + mirrored) - this->Floor) * i.z;
       this->Kernel.push_back(rest);
       const double weight = 2.0 * p.Weight * a.Weight * s;
-      this->Amplitude += rest * weight;
+      this->Sum += rest * weight;
       const double sum = std::max(rest.x + rest.y + rest.z, 0.0);
       moment += i * (weight * sum * sum);
     }
   }
-  this->Amplitude = glm::max(this->Amplitude, glm::dvec3(0.0));
+  for (int c = 0; c < 3; ++c)
+  {
+    if (this->Amplitude[c] <= LeastShare * Pi * this->Floor[c] || this->Sum[c] <= 0.0)
+    {
+      this->Amplitude[c] = this->Sum[c] = 0.0;
+    }
+  }
   this->Delta = moment.x != 0.0 || moment.z > 0.0 ? std::atan2(-moment.x, moment.z) : 0.0;
 }
 
@@ -177,11 +185,11 @@ std::vector<float> KernelHarmonics::Expand(double delta, int degree, int orders)
   std::vector<float> result(turned.size());
   for (std::size_t n = 0; n < turned.size(); ++n)
   {
-    const double amplitude = this->Amplitude[static_cast<int>(n / size % 3)];
+    const double sum = this->Sum[static_cast<int>(n / size % 3)];
     result[n] =
-      amplitude > 0.0
-        ? static_cast<float>(turned[n] / amplitude *
-                             std::sqrt((2.0 * static_cast<double>(n % size) + 1.0) / (4.0 * Pi)))
+      sum > 0.0
+        ? static_cast<float>(
+            turned[n] / sum * std::sqrt((2.0 * static_cast<double>(n % size) + 1.0) / (4.0 * Pi)))
         : 0.0f;
   }
   return result;

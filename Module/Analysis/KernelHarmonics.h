@@ -27,7 +27,7 @@ public:
   /// The Lambert part c in 1/sr: the least f up to 80 degrees.
   const glm::dvec3& GetFloor() const { return this->Floor; }
 
-  /// Directional albedo of the rest; never negative.
+  /// Directional albedo of the rest, which is 0 where it is rounding; never negative.
   const glm::dvec3& GetAmplitude() const { return this->Amplitude; }
 
   /// The rest's mean direction, weighted by its square so that the sharpest part of a kernel
@@ -35,7 +35,8 @@ public:
   double GetDelta() const { return this->Delta; }
 
   /**
-   * b_lk = integral of rest x Y*_lk / amplitude over the hemisphere, in the frame whose z is
+   * b_lk = integral of rest x Y*_lk / integral of rest, over the hemisphere, in the frame whose z
+   * is
    * (-sin delta, 0, cos delta) and whose x lies in the plane of incidence on o's side, for l <=
    * degree and 0 <= k <= orders; real, since the plane of incidence is taken as a mirror (what
    * measured data break of that is averaged out). At (3 k + channel) (degree + 1) + l.
@@ -53,6 +54,7 @@ private:
 
   glm::dvec3 Floor = glm::dvec3(0.0);
   glm::dvec3 Amplitude = glm::dvec3(0.0);
+  glm::dvec3 Sum = glm::dvec3(0.0); // the same over the nodes, which see less of a sharp lobe
   double Delta = 0.0;
   std::vector<Node> Polar;
   std::vector<Node> Azimuths;     // over [0, pi], weights for both sides

@@ -22,6 +22,8 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <string>
 #include <vector>
 
@@ -30,11 +32,21 @@ using namespace measuredbrdf;
 namespace
 {
 constexpr double Pi = 3.14159265358979323846;
-constexpr int ProfileSize = 64;        // view angles of the profile
-constexpr int ProfileNodes = 32;       // per angle there: only sums are used
+constexpr int ProfileSize = 64;        // view angles of the profile, from 0 to LastView
+constexpr int ProfileNodes = 32;       // per angle there: only the mean direction is used
 constexpr int IrradianceRows = 129;    // of the map of irradiance, poles included
 constexpr int IrradianceDegree = 128;  // the cosine's coefficients fall as l^-2.5
 constexpr double LargestValue = 32768; // of a 16-bit texture, with room to spare
+
+const double LastView = std::acos(MinimumViewCosine);
+
+// The first is the normal itself: there the axis must not depend on the azimuth. They crowd towards
+// the horizon, where measured f is steep.
+double GetProfileAngle(int k)
+{
+  const double t = 1.0 - static_cast<double>(k) / (ProfileSize - 1);
+  return LastView * (1.0 - t * t);
+}
 
 // A view angle's place in the profile.
 struct Lobe
@@ -181,9 +193,10 @@ struct vtkTableRadianceIntegrator::Tables
 
   glm::dvec3 GetProfile(int row, double u) const
   {
-    const Neighbours at = ClampedNeighbours(u, ProfileSize);
-    return glm::mix(GetTexel(this->Profile, ProfileSize * row + at.First),
-      GetTexel(this->Profile, ProfileSize * row + at.Second), at.Weight);
+    const double exact = u * (ProfileSize - 1);
+    const int low = std::min(static_cast<int>(exact), ProfileSize - 2);
+    return glm::mix(GetTexel(this->Profile, ProfileSize * row + low),
+      GetTexel(this->Profile, ProfileSize * row + low + 1), exact - low);
   }
 
   static glm::dvec3 GetTexel(const std::vector<float>& data, int index)
@@ -218,6 +231,7 @@ vtkTableRadianceIntegrator::~vtkTableRadianceIntegrator() = default;
 //------------------------------------------------------------------------------
 bool vtkTableRadianceIntegrator::Begin()
 {
+  this->Abort = false; // one that an earlier run left
   if (!this->Environment || this->Environment->GetPixels().empty())
   {
     vtkErrorMacro("Prepare: there is no environment, or it is empty.");
@@ -241,7 +255,6 @@ bool vtkTableRadianceIntegrator::Begin()
 
   // Profile and kernels.
   const int angles = this->NumberOfViewAngles;
-  const double lastAngle = std::acos(MinimumViewCosine);
   std::vector<std::vector<float>> kernels(static_cast<std::size_t>(angles));
   std::vector<Lobe> profile(ProfileSize);
   vtkSMPTools::For(0, angles + ProfileSize, 1,
@@ -251,14 +264,14 @@ bool vtkTableRadianceIntegrator::Begin()
       {
         if (k < angles)
         {
-          const double theta = lastAngle * static_cast<double>(k) / (angles - 1);
+          const double theta = LastView * static_cast<double>(k) / (angles - 1);
           const KernelHarmonics kernel(this->BRDF, theta, this->NumberOfNodes);
           kernels[static_cast<std::size_t>(k)] = kernel.Expand(kernel.GetDelta(), degree, orders);
         }
         else
         {
-          const double theta = (static_cast<double>(k - angles) + 0.5) / ProfileSize * Pi / 2.0;
-          const KernelHarmonics kernel(this->BRDF, std::min(theta, lastAngle), ProfileNodes);
+          const double theta = GetProfileAngle(static_cast<int>(k) - angles);
+          const KernelHarmonics kernel(this->BRDF, theta, ProfileNodes);
           profile[static_cast<std::size_t>(k - angles)] = { kernel.GetDelta(),
             kernel.GetAmplitude(), kernel.GetFloor() };
         }
@@ -329,8 +342,8 @@ bool vtkTableRadianceIntegrator::Begin()
   for (int k = 0; k < ProfileSize; ++k)
   {
     const Lobe& lobe = profile[static_cast<std::size_t>(k)];
-    const double theta = (k + 0.5) / ProfileSize * Pi / 2.0;
-    const glm::dvec3 rowsOf[3] = { { (angles - 1) * theta / lastAngle, std::cos(lobe.Delta),
+    const double theta = GetProfileAngle(k);
+    const glm::dvec3 rowsOf[3] = { { (angles - 1) * theta / LastView, std::cos(lobe.Delta),
                                      std::sin(lobe.Delta) },
       lobe.Amplitude * tables->Scale, lobe.Floor };
     for (int row = 0; row < 3; ++row)
@@ -389,7 +402,7 @@ void vtkTableRadianceIntegrator::IntegratePart(
   const Frame frame = FrameAbout(glm::make_vec3(n), glm::make_vec3(t));
   const glm::dvec3 view = LiftView(ToLocal(frame, glm::make_vec3(o)));
   const double sine = std::hypot(view.x, view.y);
-  const double u = std::atan2(sine, view.z) * 2.0 / Pi;
+  const double u = 1.0 - std::sqrt(std::max(1.0 - std::atan2(sine, view.z) / LastView, 0.0));
   const glm::dvec3 axis = tables.GetProfile(0, u);
   const glm::dvec2 azimuth = sine > 1e-6 ? glm::dvec2(view) / sine : glm::dvec2(1.0, 0.0);
   const glm::dvec3 across = frame[0] * azimuth.x + frame[1] * azimuth.y;
@@ -424,6 +437,74 @@ void vtkTableRadianceIntegrator::IntegratePart(
 }
 
 //------------------------------------------------------------------------------
+std::string vtkTableRadianceIntegrator::GetPrepared()
+{
+  if (!this->Data)
+  {
+    return "";
+  }
+  const Tables& tables = *this->Data;
+  std::string bytes;
+  const auto put = [&bytes](const void* data, std::size_t size)
+  { bytes.append(static_cast<const char*>(data), size); };
+  const std::uint64_t header[] = { static_cast<std::uint64_t>(tables.Rows),
+    static_cast<std::uint64_t>(tables.Angles), static_cast<std::uint64_t>(tables.Azimuths),
+    tables.Profile.size(), tables.Radiance.size(), tables.Irradiance.size() };
+  put(header, sizeof(header));
+  put(&tables.Scale, sizeof(tables.Scale));
+  for (const std::vector<float>* values : { &tables.Profile, &tables.Radiance, &tables.Irradiance })
+  {
+    put(values->data(), values->size() * sizeof(float));
+  }
+  return bytes;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTableRadianceIntegrator::TakePrepared(const std::string& bytes)
+{
+  std::uint64_t header[6];
+  auto tables = std::make_unique<Tables>();
+  std::size_t at = sizeof(header) + sizeof(tables->Scale);
+  if (bytes.size() < at)
+  {
+    return false;
+  }
+  std::memcpy(header, bytes.data(), sizeof(header));
+  std::memcpy(&tables->Scale, bytes.data() + sizeof(header), sizeof(tables->Scale));
+  tables->Rows = this->NumberOfRows;
+  tables->Columns = 2 * (this->NumberOfRows - 1);
+  tables->Angles = this->NumberOfViewAngles;
+  tables->Azimuths = this->NumberOfAzimuths;
+  const std::uint64_t radiance =
+    3ull * static_cast<std::uint64_t>(tables->Rows) * static_cast<std::uint64_t>(tables->Columns) *
+    static_cast<std::uint64_t>(tables->Angles) * static_cast<std::uint64_t>(tables->Azimuths + 1);
+  const std::uint64_t irradiance = 3ull * 2 * (IrradianceRows - 1) * IrradianceRows;
+  const std::uint64_t expected[] = { static_cast<std::uint64_t>(tables->Rows),
+    static_cast<std::uint64_t>(tables->Angles), static_cast<std::uint64_t>(tables->Azimuths),
+    3ull * 3 * ProfileSize, radiance, header[5] == 0 ? 0 : irradiance };
+  if (!std::equal(header, header + 6, expected) ||
+      bytes.size() != at + sizeof(float) * (header[3] + header[4] + header[5]))
+  {
+    return false;
+  }
+  tables->HasFloor = header[5] != 0;
+  int part = 3;
+  for (std::vector<float>* values : { &tables->Profile, &tables->Radiance, &tables->Irradiance })
+  {
+    values->resize(static_cast<std::size_t>(header[part++]));
+    std::memcpy(values->data(), bytes.data() + at, values->size() * sizeof(float));
+    at += values->size() * sizeof(float);
+    if (!std::all_of(values->begin(), values->end(), [](float v) { return std::isfinite(v); }))
+    {
+      return false;
+    }
+  }
+  this->Data = std::move(tables);
+  this->PrepareTime.Modified();
+  return true;
+}
+
+//------------------------------------------------------------------------------
 bool vtkTableRadianceIntegrator::GetGPUForm(vtkBRDFGPUForm& form)
 {
   if (!this->Prepare())
@@ -435,6 +516,7 @@ bool vtkTableRadianceIntegrator::GetGPUForm(vtkBRDFGPUForm& form)
   term.Shader = "vtkBRDFEnvironmentTable";
   term.Constants = { { "HAS_FLOOR", tables.HasFloor ? "1" : "0" } };
   term.Uniforms.push_back({ "brdfTableAngles", { static_cast<float>(tables.Angles) } });
+  term.Uniforms.push_back({ "brdfTableLastView", { static_cast<float>(LastView * 2.0 / Pi) } });
   const auto add = [&term](const char* name, int width, int height, int depth, bool half,
                      const std::vector<float>& data)
   {
@@ -471,5 +553,6 @@ void vtkTableRadianceIntegrator::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfRows: " << this->NumberOfRows << "\n";
   os << indent << "NumberOfViewAngles: " << this->NumberOfViewAngles << "\n";
   os << indent << "NumberOfAzimuths: " << this->NumberOfAzimuths << "\n";
+  os << indent << "HarmonicDegree: " << this->HarmonicDegree << "\n";
   os << indent << "NumberOfNodes: " << this->NumberOfNodes << "\n";
 }

@@ -39,6 +39,7 @@
 #include "vtkRadianceIntegrator.h"
 
 #include <memory> // for tables
+#include <string> // for bytes
 
 namespace measuredbrdf
 {
@@ -82,6 +83,16 @@ public:
   ///@}
 
   bool GetGPUForm(vtkBRDFGPUForm& form) override;
+
+  ///@{
+  /**
+   * The prepared tables as bytes, for caches ("" before Prepare), and back: then what is set now
+   * counts as prepared with them. Take returns false, nothing changed, for bytes that are not of a
+   * table of the sizes that are set.
+   */
+  std::string GetPrepared();
+  bool TakePrepared(const std::string& bytes);
+  ///@}
 
 protected:
   vtkTableRadianceIntegrator();

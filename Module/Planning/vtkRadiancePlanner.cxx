@@ -3,6 +3,7 @@
 #include "vtkRadiancePlanner.h"
 
 #include "LowDiscrepancy.h"
+#include "PlanCache.h"
 #include "vtkBRDF.h"
 #include "vtkBRDFGPUForm.h"
 #include "vtkBasisRadianceIntegrator.h"
@@ -22,14 +23,16 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <cstdio>
-#include <limits>
+#include <sstream>
+#include <string>
 #include <vector>
 
 namespace
 {
 constexpr double Pi = 3.14159265358979323846;
-constexpr double Margin = 0.85;     // of the tolerance: pairs are a sample
 constexpr double GlossyError = 0.1; // of the first tables: beyond, more lights are needed
 constexpr double HopelessRatio = 8.0;
 constexpr int Pairs = 256;
@@ -39,21 +42,25 @@ constexpr int GlossyLights = 32768;
 
 // Nanoseconds per covered pixel on Mesa's llvmpipe, 2 cores (docs/methods.md); on a GPU all are
 // hundreds of times smaller, in much the same proportion.
-constexpr double BaseCost = 45.0;
-constexpr double TableCost = 60.0;
+constexpr double BaseCost = 55.0;
+constexpr double TableCost = 52.0;
 constexpr double LightCost = 20.0;
-constexpr double FunctionCost = 15.0;
-constexpr double SampleCost = 40.0;
+constexpr double FunctionCost = 12.0;
+constexpr double SampleCost = 28.0;
 
 // Rows, view angles, azimuths: what linear interpolation in each costs in error differs with the
 // material's gloss (docs/methods.md).
 const int TableSizes[][3] = { { 17, 8, 8 }, { 33, 12, 16 }, { 65, 12, 16 }, { 65, 24, 24 },
   { 129, 12, 16 }, { 129, 24, 16 }, { 257, 12, 8 } };
+constexpr vtkIdType TableBytes = 12 * (256 * 129 + 3 * 64); // irradiance and profile
 const int LightCounts[] = { 64, 256, 1024, 4096 };
 constexpr int AnisotropicLights = 256; // more cost seconds a frame without a graphics card
 const int SampleCounts[] = { 16, 64, 256 };
 constexpr int FewSamples = 16; // so they are here
 const int FunctionCounts[] = { 9, 25, 64 };
+
+constexpr char PlanVersion[] = "plan 1"; // rises with anything that changes plans or tables
+constexpr std::size_t LargestCount = 100;
 
 struct Candidate
 {
@@ -108,6 +115,88 @@ struct vtkRadiancePlanner::Internals
   {
     return std::max(
       { planner->GetMTime(), this->BRDF->GetMTime(), this->Environment->GetPixelsMTime() });
+  }
+
+  // Everything that a plan depends on.
+  std::string GetCacheKey(vtkRadiancePlanner* planner)
+  {
+    measuredbrdf::ContentHash hash;
+    hash.Add(PlanVersion, sizeof(PlanVersion));
+    measuredbrdf::AddContent(hash, this->BRDF);
+    measuredbrdf::AddContent(hash, this->Environment);
+    hash.AddValue(planner->GetErrorTolerance());
+    hash.AddValue(planner->GetMaximumTextureBytes());
+    hash.AddValue(planner->GetEvaluateAll());
+    hash.Add(planner->GetViewDirection(), 3 * sizeof(double));
+    return hash.GetText();
+  }
+
+  // One line per candidate, the choice, the reason, then the table's bytes.
+  void WritePlan(const std::string& folder, const std::string& key, std::uint64_t maximumBytes)
+  {
+    std::ostringstream text;
+    text.precision(17);
+    text << this->Candidates.size() << " " << this->Choice << " " << this->Meets << "\n";
+    for (const Candidate& candidate : this->Candidates)
+    {
+      text << candidate.Method << " " << candidate.Sizes[0] << " " << candidate.Sizes[1] << " "
+           << candidate.Sizes[2] << " " << candidate.Cost << " " << candidate.Error << " "
+           << candidate.Bytes << " " << candidate.SetUp << "\n";
+    }
+    text << this->Reason << "\n";
+    auto* table = vtkTableRadianceIntegrator::SafeDownCast(
+      this->Candidates[static_cast<std::size_t>(this->Choice)].Integrator);
+    measuredbrdf::WriteCache(
+      folder, key, text.str() + (table ? table->GetPrepared() : ""), maximumBytes);
+  }
+
+  bool ReadPlan(const std::string& folder, const std::string& key)
+  {
+    std::string contents;
+    if (!measuredbrdf::ReadCache(folder, key, contents))
+    {
+      return false;
+    }
+    std::istringstream text(contents);
+    std::size_t count = 0;
+    int choice = -1;
+    bool meets = false;
+    text >> count >> choice >> meets;
+    if (!text || count > LargestCount || choice < 0 || choice >= static_cast<int>(count))
+    {
+      return false;
+    }
+    std::vector<Candidate> candidates(count, Candidate(TABLE, 0));
+    for (Candidate& candidate : candidates)
+    {
+      text >> candidate.Method >> candidate.Sizes[0] >> candidate.Sizes[1] >> candidate.Sizes[2] >>
+        candidate.Cost >> candidate.Error >> candidate.Bytes >> candidate.SetUp;
+      if (!text || candidate.Method < LIGHT_SET || candidate.Method > TABLE)
+      {
+        return false;
+      }
+    }
+    std::string reason;
+    std::getline(text >> std::ws, reason);
+    if (!text)
+    {
+      return false;
+    }
+    Candidate& chosen = candidates[static_cast<std::size_t>(choice)];
+    vtkSmartPointer<vtkRadianceIntegrator> integrator = this->Make(chosen);
+    if (auto* table = vtkTableRadianceIntegrator::SafeDownCast(integrator))
+    {
+      if (!table->TakePrepared(contents.substr(static_cast<std::size_t>(text.tellg()))))
+      {
+        return false;
+      }
+    }
+    chosen.Integrator = integrator;
+    this->Candidates = candidates;
+    this->Choice = choice;
+    this->Meets = meets;
+    this->Reason = reason;
+    return true;
   }
 
   // Normals as a sphere shows them to a distant camera: uniform over its disc.
@@ -290,6 +379,14 @@ bool vtkRadiancePlanner::Update()
     return true;
   }
   impl.BRDF->Prepare();
+  this->FromCache = false;
+  const std::string key = this->CacheFolder.empty() ? "" : impl.GetCacheKey(this);
+  if (!key.empty() && impl.ReadPlan(this->CacheFolder, key))
+  {
+    this->FromCache = true;
+    impl.Time.Modified();
+    return true;
+  }
 
   // Candidates in the order of their cost, the smallest table first.
   std::vector<Candidate> wanted;
@@ -300,12 +397,9 @@ bool vtkRadiancePlanner::Update()
     {
       Candidate table(TABLE, sizes[0], sizes[1], sizes[2]);
       table.Cost = BaseCost + TableCost;
-      table.Bytes =
-        6 * static_cast<vtkIdType>(2 * (sizes[0] - 1)) * sizes[0] * sizes[1] * (sizes[2] + 1);
-      if (table.Bytes <= this->MaximumTextureBytes)
-      {
-        wanted.push_back(table);
-      }
+      table.Bytes = TableBytes + 6 * static_cast<vtkIdType>(2 * (sizes[0] - 1)) * sizes[0] *
+                                   sizes[1] * (sizes[2] + 1);
+      wanted.push_back(table);
     }
   }
   // What tables cannot do: gloss finer than their rows, and anisotropy.
@@ -338,6 +432,16 @@ bool vtkRadiancePlanner::Update()
     {
       wanted.push_back(functions);
     }
+  }
+  wanted.erase(
+    std::remove_if(wanted.begin(), wanted.end(),
+      [this](const Candidate& candidate) { return candidate.Bytes > this->MaximumTextureBytes; }),
+    wanted.end());
+  if (wanted.empty())
+  {
+    vtkErrorMacro(
+      "Update: nothing fits into MaximumTextureBytes, " << this->MaximumTextureBytes << " bytes.");
+    return false;
   }
   std::stable_sort(wanted.begin(), wanted.end(),
     [](const Candidate& a, const Candidate& b) { return a.Cost < b.Cost; });
@@ -431,7 +535,17 @@ bool vtkRadiancePlanner::Update()
                   "; this is the most accurate, with " + Percent(chosen.Error);
   }
   impl.Time.Modified();
+  if (!key.empty())
+  {
+    impl.WritePlan(this->CacheFolder, key, static_cast<std::uint64_t>(this->MaximumCacheBytes));
+  }
   return true;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRadiancePlanner::GetDefaultCacheFolder()
+{
+  return measuredbrdf::GetDefaultCacheFolder();
 }
 
 //------------------------------------------------------------------------------
@@ -565,5 +679,8 @@ void vtkRadiancePlanner::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "EvaluateAll: " << (this->EvaluateAll ? "On" : "Off") << "\n";
   os << indent << "MaximumTextureBytes: " << this->MaximumTextureBytes << "\n";
   os << indent << "NumberOfPixels: " << this->NumberOfPixels << "\n";
+  os << indent << "CacheFolder: " << this->CacheFolder << "\n";
+  os << indent << "MaximumCacheBytes: " << this->MaximumCacheBytes << "\n";
+  os << indent << "FromCache: " << (this->FromCache ? "yes" : "no") << "\n";
   os << indent << "Plan: " << this->GetPlan() << "\n";
 }

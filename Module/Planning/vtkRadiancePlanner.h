@@ -102,6 +102,26 @@ public:
   vtkGetMacro(NumberOfPixels, vtkIdType);
   ///@}
 
+  ///@{
+  /**
+   * A folder where plans and their tables outlive the program, found again by the material's values
+   * and the environment's pixels; "" (default): none. The mapper uses GetDefaultCacheFolder():
+   * $MEASUREDBRDF_CACHE ("off": none), else $XDG_CACHE_HOME/vtkMeasuredBRDF, else
+   * $HOME/.cache/vtkMeasuredBRDF. The oldest files go when it exceeds MaximumCacheBytes (default
+   * 512 MiB). Damaged files are made again; programs may share the folder.
+   */
+  vtkSetMacro(CacheFolder, std::string);
+  vtkGetMacro(CacheFolder, std::string);
+  static std::string GetDefaultCacheFolder();
+  vtkSetMacro(MaximumCacheBytes, vtkIdType);
+  vtkGetMacro(MaximumCacheBytes, vtkIdType);
+  ///@}
+
+  /**
+   * Whether the last plan came from the cache.
+   */
+  vtkGetMacro(FromCache, bool);
+
   /**
    * List candidates and choose, unless nothing changed. Returns false with an error event, the plan
    * unchanged, where something is missing or nothing can be planned. Raises ProgressEvent.
@@ -162,6 +182,9 @@ protected:
   vtkIdType MaximumTextureBytes = 96 << 20;
   double ViewDirection[3] = { 0.0, 0.0, 0.0 };
   bool EvaluateAll = false;
+  std::string CacheFolder;
+  vtkIdType MaximumCacheBytes = 512 << 20;
+  bool FromCache = false;
   vtkIdType NumberOfPixels = 196350;
   std::atomic<bool> Abort{ false };
 

@@ -5,7 +5,7 @@
 #include "BRDFShader.h"
 #include "BRDFTextures.h"
 #include "LightSetCache.h"
-#include "PlanCache.h"
+#include "SharedPlans.h"
 
 #include "vtkActor.h"
 #include "vtkBRDF.h"

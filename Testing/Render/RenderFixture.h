@@ -52,6 +52,7 @@ protected:
       GTEST_SKIP() << "this VTK needs an X display (run under xvfb-run)";
     }
 #endif
+    setenv("MEASUREDBRDF_CACHE", "off", 1); // nothing of earlier runs
     this->Window->SetOffScreenRendering(1);
     this->Window->SetMultiSamples(0);
     this->Window->SetSize(64, 64);

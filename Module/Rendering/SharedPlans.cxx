@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PlanCache.h"
+#include "SharedPlans.h"
 
 #include "SharedObjects.h"
 #include "vtkBRDF.h"
@@ -24,6 +24,7 @@ vtkSmartPointer<vtkRadiancePlanner> FindPlan(
       planner->SetBRDF(brdf);
       planner->SetEnvironment(environment);
       planner->SetErrorTolerance(tolerance);
+      planner->SetCacheFolder(vtkRadiancePlanner::GetDefaultCacheFolder());
       return planner->Update() ? planner : nullptr;
     });
 }

@@ -6,8 +6,8 @@
  * Private to the rendering room.
  */
 
-#ifndef PlanCache_h
-#define PlanCache_h
+#ifndef SharedPlans_h
+#define SharedPlans_h
 
 #include "vtkSmartPointer.h"
 
