@@ -182,7 +182,7 @@ std::string FormatPercent(double share)
 std::string FormatMilliseconds(double value)
 {
   char text[32];
-  std::snprintf(text, sizeof(text), "%.3g ms", value);
+  std::snprintf(text, sizeof(text), value < 100.0 ? "%.3g ms" : "%.0f ms", value);
   return text;
 }
 

@@ -30,6 +30,7 @@ struct Options
   bool Extrapolate = false;
   std::string Criterion = "l-curve";
   double MaximumResidual = 0.0; // the extrapolator's own
+  double MaximumNegativeMass = 0.05;
 };
 
 const std::vector<std::string> Windows = { "none", "hann", "lanczos", "laplacian" };
@@ -41,7 +42,7 @@ void Check(const Options& options, const CLI::App* command)
   {
     throw tool::UsageError(options.Output + ": OUT must end in .exr");
   }
-  for (const char* option : { "--criterion", "--maximum-residual" })
+  for (const char* option : { "--criterion", "--maximum-residual", "--maximum-negative-mass" })
   {
     if (command->count(option) > 0 && !options.Extrapolate)
     {
@@ -100,6 +101,7 @@ vtkSmartPointer<vtkBasisBRDF> Extrapolate(
                                ? vtkBasisExtrapolator::L_CURVE
                                : vtkBasisExtrapolator::CROSS_VALIDATION);
   extrapolator->SetMaximumResidual(options.MaximumResidual);
+  extrapolator->SetMaximumNegativeMass(options.MaximumNegativeMass);
   const bool accepted =
     tool::Watch(extrapolator.Get(), &vtkBasisExtrapolator::Extrapolate, "extrapolating");
   const std::string said = tool::TakeErrorText();
@@ -114,7 +116,10 @@ vtkSmartPointer<vtkBasisBRDF> Extrapolate(
     throw tool::Error(options.File + ": harmonics of order " +
                       std::to_string(extrapolator->GetOutput()->GetOrder()) +
                       " leave a relative residual of " + residual +
-                      " inside the zone, too much to trust them outside; nothing was written. Use "
+                      " inside the zone and a negative mass of " +
+                      tool::FormatNumber(extrapolator->GetNegativeMass()) + " (limit " +
+                      tool::FormatNumber(options.MaximumNegativeMass) +
+                      "), too much to trust them outside; nothing was written. Use "
                       "'measured-brdf fit " +
                       options.File + " --model d-brdf' instead");
   }
@@ -207,6 +212,10 @@ void AddProjectCommand(CLI::App& app)
       "Largest relative residual inside the zone at which an extrapolation is written (default "
       "0.1 of zonal inputs, 0.03 of others)")
     ->check(CLI::Range(1e-6, 1e6));
+  command
+    ->add_option("--maximum-negative-mass", options->MaximumNegativeMass,
+      "Largest share of negative values over the hemisphere at which it is written (default 0.05)")
+    ->check(CLI::Range(0.0, 1.0));
   command->add_option("-o,--output", options->Output, "File to write, ending in .exr")->required();
   command->footer(
     "An extrapolation whose residual inside the zone is too large is refused with exit status 1:\n"

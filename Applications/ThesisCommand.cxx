@@ -395,7 +395,7 @@ void AddThesisCommand(CLI::App& app)
   command->add_option("--order", options->Order, "Order of the zonal basis (default 8)")
     ->check(CLI::Range(1, static_cast<int>(vtkBasisBRDF::MaximumOrder)));
   command->add_option("--tile", options->Tile, "Size of a picture in pixels (default 240)")
-    ->check(CLI::Range(64, 1024));
+    ->check(CLI::Range(32, 1024));
   command
     ->add_option(
       "-o,--output", options->Output, "Folder for materials.png, ringing.png and lights.png")

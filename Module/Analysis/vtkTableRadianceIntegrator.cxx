@@ -186,7 +186,7 @@ struct vtkTableRadianceIntegrator::Tables
   int Angles = 0;
   double Scale = 1.0;
   bool HasFloor = false;
-  std::vector<float> Profile; // RGB, ProfileSize x 3: (angle, cos, sin delta); s; c
+  std::vector<float> Profile; // RGB, ProfileSize x 3: (angle, cos, sin delta); share; c
   // RGB, Columns x Rows x Angles (Azimuths + 1): the first azimuth comes again after the last.
   std::vector<float> Radiance;
   std::vector<float> Irradiance; // RGB, 2 (IrradianceRows - 1) x IrradianceRows
@@ -256,6 +256,7 @@ bool vtkTableRadianceIntegrator::Begin()
   // Profile and kernels.
   const int angles = this->NumberOfViewAngles;
   std::vector<std::vector<float>> kernels(static_cast<std::size_t>(angles));
+  std::vector<Lobe> knots(static_cast<std::size_t>(angles));
   std::vector<Lobe> profile(ProfileSize);
   vtkSMPTools::For(0, angles + ProfileSize, 1,
     [&](vtkIdType begin, vtkIdType end)
@@ -267,6 +268,8 @@ bool vtkTableRadianceIntegrator::Begin()
           const double theta = LastView * static_cast<double>(k) / (angles - 1);
           const KernelHarmonics kernel(this->BRDF, theta, this->NumberOfNodes);
           kernels[static_cast<std::size_t>(k)] = kernel.Expand(kernel.GetDelta(), degree, orders);
+          knots[static_cast<std::size_t>(k)] = { kernel.GetDelta(), kernel.GetAmplitude(),
+            kernel.GetFloor() };
         }
         else
         {
@@ -292,10 +295,12 @@ bool vtkTableRadianceIntegrator::Begin()
     FieldSynthesis::Matrix matrix(degree + 1, angles);
     for (int angle = 0; angle < angles; ++angle)
     {
-      matrix.col(angle) = Eigen::Map<const Eigen::VectorXf>(
-        &kernels[static_cast<std::size_t>(angle)]
-                [static_cast<std::size_t>(item) * static_cast<std::size_t>(degree + 1)],
-        degree + 1);
+      matrix.col(angle) =
+        Eigen::Map<const Eigen::VectorXf>(
+          &kernels[static_cast<std::size_t>(angle)]
+                  [static_cast<std::size_t>(item) * static_cast<std::size_t>(degree + 1)],
+          degree + 1) *
+        static_cast<float>(knots[static_cast<std::size_t>(angle)].Amplitude[item % 3]);
     }
     synthesis.Run(order, static_cast<int>(channel), matrix, field);
     vtkSMPTools::For(0, static_cast<vtkIdType>(slices), 1,
@@ -343,9 +348,21 @@ bool vtkTableRadianceIntegrator::Begin()
   {
     const Lobe& lobe = profile[static_cast<std::size_t>(k)];
     const double theta = GetProfileAngle(k);
-    const glm::dvec3 rowsOf[3] = { { (angles - 1) * theta / LastView, std::cos(lobe.Delta),
-                                     std::sin(lobe.Delta) },
-      lobe.Amplitude * tables->Scale, lobe.Floor };
+    // Between the table's view angles both parts are interpolated, however steeply one hands over
+    // to the other; what they miss of the directional albedo goes to the rest.
+    const double w = std::clamp((angles - 1) * theta / LastView, 0.0, angles - 1.0);
+    const std::size_t low = std::min(static_cast<std::size_t>(w), knots.size() - 2);
+    const double t = w - static_cast<double>(low);
+    const glm::dvec3 floor = glm::mix(knots[low].Floor, knots[low + 1].Floor, t);
+    const glm::dvec3 amplitude = glm::mix(knots[low].Amplitude, knots[low + 1].Amplitude, t);
+    glm::dvec3 share(0.0);
+    for (int c = 0; c < 3; ++c)
+    {
+      const double wanted = lobe.Amplitude[c] + Pi * (lobe.Floor[c] - floor[c]);
+      share[c] = amplitude[c] > 0.0 ? std::max(wanted, 0.0) / amplitude[c] : 0.0;
+    }
+    const glm::dvec3 rowsOf[3] = { { w, std::cos(lobe.Delta), std::sin(lobe.Delta) },
+      share * tables->Scale, floor };
     for (int row = 0; row < 3; ++row)
     {
       for (int c = 0; c < 3; ++c)
@@ -354,7 +371,7 @@ bool vtkTableRadianceIntegrator::Begin()
                         static_cast<std::size_t>(c)] = static_cast<float>(rowsOf[row][c]);
       }
     }
-    tables->HasFloor = tables->HasFloor || lobe.Floor != glm::dvec3(0.0);
+    tables->HasFloor = tables->HasFloor || floor != glm::dvec3(0.0);
   }
   if (tables->HasFloor)
   {

@@ -14,10 +14,11 @@
  *
  *   L_o = c(theta_o) E(n) + s(theta_o) T(D, theta_o, psi)
  *
- * s is the rest's share of the directional albedo, so a constant environment comes out exact. T is
- * a 3D texture: azimuth of D; polar angle of D; psi within view angles. Two trilinear fetches
- * interpolate it linearly in all four, whatever the light. Rows lie on the poles and D's azimuth
- * and psi are taken in the meridian's frame, so there is no seam and no pole to interpolate across.
+ * s, near 1, sees to it that between the table's view angles a constant environment comes out as
+ * the directional albedo. T is a 3D texture: azimuth of D; polar angle of D; psi within view
+ * angles. Two trilinear fetches interpolate it linearly in all four, whatever the light. Rows lie
+ * on the poles and D's azimuth and psi are taken in the meridian's frame, so there is no seam and
+ * no pole to interpolate across.
  *
  * Building it is a convolution over the rotation group: with the environment's harmonics a_lm and
  * the kernel's harmonics b_lk about its axis, T = sum over l, m, k of b_lk D^l_mk(D, psi)
