@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <map>
 
 namespace
@@ -124,6 +125,22 @@ vtkSmartPointer<vtkRadianceIntegrator> NewIntegrator(
   lights->SetLightSet(tool::MakeLightSet(environment, options.Lights));
   lights->SetSoftLights(options.Lights.Soft);
   return lights;
+}
+
+//------------------------------------------------------------------------------
+// About the up axis, as the mapper takes them where the data has none.
+vtkSmartPointer<vtkDoubleArray> MakeTangents(const std::vector<double>& normals)
+{
+  auto tangents = vtkSmartPointer<vtkDoubleArray>::New();
+  tangents->SetNumberOfComponents(3);
+  for (std::size_t k = 0; k < normals.size(); k += 3)
+  {
+    const double x = normals[k + 2];
+    const double z = -normals[k];
+    const bool pole = std::hypot(x, z) <= 1e-6 * std::abs(normals[k + 1]);
+    tangents->InsertNextTuple3(pole ? 1.0 : x, 0.0, pole ? 0.0 : z);
+  }
+  return tangents;
 }
 }
 
@@ -260,8 +277,11 @@ std::vector<double> IntegratePairs(vtkRadianceIntegrator* integrator,
     n->InsertNextTuple(&normals[k]);
     v->InsertNextTuple(&views[k]);
   }
+  const vtkSmartPointer<vtkDoubleArray> tangents =
+    integrator->GetBRDF()->IsIsotropic() ? nullptr : MakeTangents(normals);
   const bool done = Watch(
-    integrator, [&](vtkRadianceIntegrator* made) { return made->Integrate(n, v, radiance); },
+    integrator,
+    [&](vtkRadianceIntegrator* made) { return made->Integrate(n, v, radiance, tangents); },
     "integrating");
   if (!done)
   {

@@ -67,7 +67,8 @@ Method MakeMethod(
   const MethodOptions& options, const Material& material, vtkEnvironment* environment);
 
 /// Radiance of an integrator for (normal, view) pairs, 3 doubles each, under a progress bar: 3
-/// doubles each. Throws Error. Needs an Interruptible.
+/// doubles each. Anisotropic materials are turned about the up axis, as the mapper does without
+/// tangents. Throws Error. Needs an Interruptible.
 std::vector<double> IntegratePairs(vtkRadianceIntegrator* integrator,
   const std::vector<double>& normals, const std::vector<double>& views);
 } // namespace tool

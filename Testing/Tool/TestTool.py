@@ -124,7 +124,7 @@ class ToolTest(unittest.TestCase):
         return path
 
 
-class Options(ToolTest):
+class Help(ToolTest):
     def test_help(self):
         self.check(run("--help"), 0, "SUBCOMMAND", "gallery", "Exit status")
         commands = (
@@ -135,6 +135,8 @@ class Options(ToolTest):
             self.check(run(command, "--help"), 0, "measured-brdf", "--help")
         self.check(run("--version"), 0, "measured-brdf 0.")
 
+
+class Options(ToolTest):
     def test_usage_errors(self):
         self.check(run(), 2, "SUBCOMMAND")
         self.check(run("paint"), 2)
