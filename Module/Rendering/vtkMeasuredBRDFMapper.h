@@ -85,8 +85,9 @@ public:
   /**
    * How the environment's light is integrated. AUTO (default): as vtkRadiancePlanner plans it for
    * the material, the environment and the error tolerance, mostly by a table of radiance that costs
-   * about as much as VTK's own PBR; planning takes some tenths of a second before the first frame
-   * and after a change of the material or the environment (its rotation is none). LIGHT_SET: the
+   * about as much as VTK's own PBR; planning takes some tenths of a second (seconds for
+   * mirror-like materials) before the first frame and after a change of the material or the
+   * environment (its rotation is none); a later program finds the plan on disk. LIGHT_SET: the
    * thesis's loop over a light set made as set up below; so it is too while SetLightSet has one.
    */
   void SetMethod(int method);
