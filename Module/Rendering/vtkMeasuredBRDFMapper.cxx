@@ -446,9 +446,10 @@ void vtkMeasuredBRDFMapper::ReplaceShaderLight(
               : "color = mix(color, edgeColor, emix);";
   }
   const auto& info = this->PrimitiveInfo[this->LastBoundBO];
+  // Image-based lighting counts as a light in VTK 9.6; here it is none (HasLight).
+  const int complexity = this->Impl->Material ? static_cast<int>(info.LastLightComplexity) : 0;
   vtkShaderProgram::Substitute(fs, "//VTK::Light::Impl",
-    GetShaderBody(static_cast<int>(info.LastLightComplexity), info.LastLightCount, tangents, edges),
-    false);
+    GetShaderBody(complexity, info.LastLightCount, tangents, edges), false);
   shaders[vtkShader::Fragment]->SetSource(fs);
 }
 
