@@ -18,7 +18,7 @@ namespace
 constexpr double Pi = 3.14159265358979323846;
 constexpr int Seeds = 256;       // draws from the material that tell where its lobes are
 constexpr int PointsPerSide = 4; // of a cell, at their centres
-constexpr int Levels = 14;       // deepest cells: 1.6e-3 of a degree a side
+constexpr int Levels = 14;       // deepest cells: 0.009 degrees a side
 
 // Shirley and Chiu 1997's concentric map to the disc, lifted to the hemisphere so that areas on the
 // square [-1,1]^2 are solid angles (4 <-> 2 pi).

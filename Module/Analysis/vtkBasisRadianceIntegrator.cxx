@@ -3,7 +3,6 @@
 #include "vtkBasisRadianceIntegrator.h"
 
 #include "AzimuthalBasis.h"
-#include "EnvironmentClusters.h"
 #include "HalfAngle.h"
 #include "LocalFrame.h"
 #include "vtkBRDF.h"
@@ -11,8 +10,11 @@
 #include "vtkBasisBRDF.h"
 #include "vtkCommand.h"
 #include "vtkEnvironment.h"
+#include "vtkLightSet.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkSMPTools.h"
+#include "vtkVarianceLightSetGenerator.h"
 
 #include <Eigen/Core>
 #include <glm/gtc/type_ptr.hpp>
@@ -163,7 +165,13 @@ double FastHalfAngle(double cosine)
                                    x * (-0.0170881256 + x * (0.0066700901 - x * 0.0012624911)))))));
 }
 
-// What clusters add to one normal: per order 6 rows (cosine RGB, sine RGB) over the incident nodes
+struct Light
+{
+  glm::dvec3 Direction;
+  glm::dvec3 Irradiance;
+};
+
+// What lights add to one normal: per order 6 rows (cosine RGB, sine RGB) over the incident nodes
 // with a mirrored one before and a repeated one after.
 class Splatter
 {
@@ -175,16 +183,16 @@ public:
   {
   }
 
-  void Gather(const std::vector<EnvironmentCluster>& clusters, const Frame& frame)
+  void Gather(const std::vector<Light>& lights, const Frame& frame)
   {
     this->Sums.setZero();
-    for (const EnvironmentCluster& cluster : clusters)
+    for (const Light& light : lights)
     {
-      const double z = glm::dot(frame[2], cluster.Direction);
+      const double z = glm::dot(frame[2], light.Direction);
       if (z > 0.0)
       {
-        this->Add(glm::dot(frame[0], cluster.Direction), glm::dot(frame[1], cluster.Direction), z,
-          cluster.Irradiance);
+        this->Add(glm::dot(frame[0], light.Direction), glm::dot(frame[1], light.Direction), z,
+          light.Irradiance);
       }
     }
   }
@@ -409,8 +417,19 @@ bool vtkBasisRadianceIntegrator::MakeMaps(Tables& tables)
   tables.Side = side;
   const std::size_t rowSize = 6 * static_cast<std::size_t>(side);
   tables.Maps.assign(rowSize * static_cast<std::size_t>(side * tables.NumberOfFunctions), 0.0f);
-  const std::vector<EnvironmentCluster> clusters =
-    MakeEnvironmentClusters(this->Environment, this->NumberOfClusters);
+  vtkNew<vtkVarianceLightSetGenerator> generator;
+  vtkNew<vtkLightSet> set;
+  if (!generator->Generate(this->Environment, this->NumberOfClusters, set))
+  {
+    return false;
+  }
+  std::vector<Light> lights(static_cast<std::size_t>(set->GetNumberOfLights()));
+  for (int k = 0; k < set->GetNumberOfLights(); ++k)
+  {
+    Light& light = lights[static_cast<std::size_t>(k)];
+    set->GetDirection(k, &light.Direction.x);
+    set->GetIrradiance(k, &light.Irradiance.x);
+  }
   const auto makeRow = [&](int y)
   {
     Splatter splatter(tables.Radials.back().Order + 1);
@@ -421,7 +440,7 @@ bool vtkBasisRadianceIntegrator::MakeMaps(Tables& tables)
       {
         continue;
       }
-      splatter.Gather(clusters, frame);
+      splatter.Gather(lights, frame);
       float* texel =
         &tables.Maps[static_cast<std::size_t>(y) * rowSize + 3 * static_cast<std::size_t>(column)];
       for (const Radial& radial : tables.Radials)

@@ -53,7 +53,8 @@ public:
 
   ///@{
   /**
-   * Directions that the environment's texels are grouped into, in [64, 1048576], default 1024.
+   * Lights of the variance light set (vtkVarianceLightSetGenerator) that stands for the
+   * environment, in [64, 1048576], default 1024.
    */
   vtkSetClampMacro(NumberOfClusters, int, 64, 1048576);
   vtkGetMacro(NumberOfClusters, int);
