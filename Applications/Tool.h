@@ -52,6 +52,7 @@ void AddLightsCommand(CLI::App& app);
 void AddRenderCommand(CLI::App& app);
 void AddPlanCommand(CLI::App& app);
 void AddCompareCommand(CLI::App& app);
+void AddChartCommand(CLI::App& app);
 void AddGalleryCommand(CLI::App& app);
 void AddConvertCommand(CLI::App& app);
 void AddAcquireCommand(CLI::App& app);
