@@ -157,8 +157,7 @@ std::vector<vtkSmartPointer<vtkEnvironment>> LoadEnvironments(const std::string&
     environments.push_back(tool::LoadEnvironment(file));
     if (!names.insert(environments.back()->GetName()).second)
     {
-      throw tool::UsageError(
-        "--environments: two are called " + environments.back()->GetName());
+      throw tool::UsageError("--environments: two are called " + environments.back()->GetName());
     }
   }
   return environments;
@@ -189,8 +188,8 @@ struct Task
 //------------------------------------------------------------------------------
 // The pairs that the results do not have yet. Throws Error where one has changed since.
 std::vector<Task> ListTasks(const std::vector<tool::Material>& materials,
-  const std::vector<vtkSmartPointer<vtkEnvironment>>& environments,
-  const tool::ChartMeter& meter, const tool::ChartResults& results, const std::string& folder)
+  const std::vector<vtkSmartPointer<vtkEnvironment>>& environments, const tool::ChartMeter& meter,
+  const tool::ChartResults& results, const std::string& folder)
 {
   std::vector<Task> tasks;
   for (const tool::Material& material : materials)

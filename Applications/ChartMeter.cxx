@@ -22,7 +22,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
-#include <limits>
 #include <memory>
 
 namespace
@@ -121,6 +120,7 @@ struct ChartMeter::Timed
   ChartPoint Point;
   std::vector<double> Frames;
   double Expected = 0.0; // ms
+  int Like = -1;         // index of one that draws the same, and is timed instead
 
   int GetRounds(int wanted) const
   {
@@ -128,6 +128,24 @@ struct ChartMeter::Timed
     return std::min(wanted, std::max(affordable, FewestRounds));
   }
 };
+
+//------------------------------------------------------------------------------
+// What the planner chooses may be one of the sweep's, or one and the same at several tolerances:
+// the same pixels out of the same textures.
+int ChartMeter::FindAlike(const std::vector<Timed>& all, const Timed& timed)
+{
+  if (timed.Point.Method != PlannerMethod || !timed.Window)
+  {
+    return -1;
+  }
+  const auto found = std::find_if(all.begin(), all.end(),
+    [&timed](const Timed& other)
+    {
+      return other.Window && other.Point.Errors == timed.Point.Errors &&
+             other.Point.Bytes == timed.Point.Bytes;
+    });
+  return found == all.end() ? -1 : static_cast<int>(found - all.begin());
+}
 
 //------------------------------------------------------------------------------
 ChartMeter::ChartMeter(
@@ -150,8 +168,7 @@ nlohmann::ordered_json ChartMeter::DescribeRenderer() const
 }
 
 //------------------------------------------------------------------------------
-std::string ChartMeter::GetFingerprint(
-  const Material& material, vtkEnvironment* environment) const
+std::string ChartMeter::GetFingerprint(const Material& material, vtkEnvironment* environment) const
 {
   Hash hash;
   AddMaterial(hash, material.BRDF);
@@ -273,7 +290,7 @@ ChartMeter::Timed ChartMeter::BeginStock(
   stock->TimeFrame();
   timed.Point.SetUp = GetElapsed(begin);
   stock->Fit(this->Visible, this->Scene.Picture, reference);
-  timed.Point.Bytes = std::numeric_limits<double>::quiet_NaN(); // VTK does not say
+  timed.Point.Bytes = static_cast<double>(stock->GetTextureBytes());
   this->FillErrors(timed.Point, *stock, reference);
   timed.Expected = stock->TimeFrame();
   timed.Window = std::move(stock);
@@ -281,8 +298,8 @@ ChartMeter::Timed ChartMeter::BeginStock(
 }
 
 //------------------------------------------------------------------------------
-ChartPair ChartMeter::Measure(const Material& material, vtkEnvironment* environment,
-  const std::function<void(double)>& show)
+ChartPair ChartMeter::Measure(
+  const Material& material, vtkEnvironment* environment, const std::function<void(double)>& show)
 {
   ChartPair pair;
   pair.Material = material.Name;
@@ -290,8 +307,7 @@ ChartPair ChartMeter::Measure(const Material& material, vtkEnvironment* environm
   pair.Fingerprint = this->GetFingerprint(material, environment);
   pair.NumberOfPixels = this->Visible.Pixels.size();
   pair.Load = GetLoad();
-  const std::vector<double> reference =
-    this->GetExactSums(material, environment, pair.Fingerprint);
+  const std::vector<double> reference = this->GetExactSums(material, environment, pair.Fingerprint);
   show(ReferenceShare);
 
   std::vector<Timed> all;
@@ -327,14 +343,21 @@ ChartPair ChartMeter::Measure(const Material& material, vtkEnvironment* environm
     }
     timed.Point.Method = size.Method->Name;
     timed.Point.Size = size.Size;
+    timed.Like = FindAlike(all, timed);
+    if (timed.Like >= 0)
+    {
+      timed.Window.reset();
+    }
     all.push_back(std::move(timed));
     show(ReferenceShare + MethodShare * (k + 1.0) / static_cast<double>(this->Sizes.size()));
   }
 
   for (int round = 0; round < this->Scene.Rounds; ++round)
   {
-    for (Timed& timed : all)
+    for (std::size_t k = 0; k < all.size(); ++k)
     {
+      // There and back: what changes slowly meets all alike.
+      Timed& timed = all[round % 2 == 0 ? k : all.size() - 1 - k];
       Interruptible::Check();
       if (!timed.Window || round >= timed.GetRounds(this->Scene.Rounds))
       {
@@ -351,12 +374,14 @@ ChartPair ChartMeter::Measure(const Material& material, vtkEnvironment* environm
   }
   for (Timed& timed : all)
   {
-    if (timed.Window)
+    const std::vector<double>& frames =
+      timed.Like < 0 ? timed.Frames : all[static_cast<std::size_t>(timed.Like)].Frames;
+    if (!frames.empty())
     {
-      timed.Point.Frame = GetQuantile(timed.Frames, 0.5);
-      timed.Point.FrameLow = GetQuantile(timed.Frames, 0.25);
-      timed.Point.FrameHigh = GetQuantile(timed.Frames, 0.75);
-      timed.Point.NumberOfFrames = static_cast<int>(timed.Frames.size());
+      timed.Point.Frame = GetQuantile(frames, 0.5);
+      timed.Point.FrameLow = GetQuantile(frames, 0.25);
+      timed.Point.FrameHigh = GetQuantile(frames, 0.75);
+      timed.Point.NumberOfFrames = static_cast<int>(frames.size());
     }
     pair.Points.push_back(timed.Point);
   }

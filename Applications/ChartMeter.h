@@ -36,7 +36,7 @@ struct ChartScene
   Size Picture;
   int ReferencePixels; // at most
   int Rounds;          // of frames
-  double Slowest;      // ms: sizes whose frames take longer by what the one before took are left out
+  double Slowest; // ms: sizes whose frames take longer by what the one before took are left out
 };
 
 class ChartMeter
@@ -56,11 +56,13 @@ public:
    * the machine down slows all. show gets the share done. Throws Error, also where Ctrl-C was
    * pressed. Needs an Interruptible.
    */
-  ChartPair Measure(const Material& material, vtkEnvironment* environment,
-    const std::function<void(double)>& show);
+  ChartPair Measure(
+    const Material& material, vtkEnvironment* environment, const std::function<void(double)>& show);
 
 private:
   struct Timed; // a window with its frames
+
+  static int FindAlike(const std::vector<Timed>& all, const Timed& timed);
 
   std::vector<double> GetExactSums(
     const Material& material, vtkEnvironment* environment, const std::string& fingerprint) const;
@@ -70,8 +72,7 @@ private:
   Method Make(const ChartSize& size, const Material& material, vtkEnvironment* environment,
     double& milliseconds);
   void Place(Stage& stage) const;
-  void FillErrors(
-    ChartPoint& point, Stage& stage, const std::vector<double>& reference) const;
+  void FillErrors(ChartPoint& point, Stage& stage, const std::vector<double>& reference) const;
 
   ChartScene Scene;
   std::vector<ChartSize> Sizes;
@@ -83,7 +84,7 @@ private:
     Representation Made;
     double Milliseconds;
   };
-  std::string RepresentedFile; // the material's that these stand for
+  std::string RepresentedFile;               // the material's that these stand for
   std::map<int, Representative> Represented; // by order
 };
 } // namespace tool

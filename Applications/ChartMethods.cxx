@@ -88,8 +88,9 @@ const std::vector<ChartMethod>& GetChartMethods()
       { "4", "16", "64", "256", "1024", "4096" }, ApplyMedianCut },
     { "importance", "random lights", { 0.34, 0.71, 0.91 }, true, { "64" },
       { "4", "16", "64", "256", "1024", "4096" }, ApplyImportance },
-    { ThesisMethod, "thesis", { 0.35, 0.35, 0.35 }, true, { "16,6", "64,6" },
-      { "4,6", "16,6", "64,6", "256,6", "64,2", "64,12" }, ApplyThesis },
+    // Its own size first: the first of each is never left out.
+    { ThesisMethod, "thesis", { 0.35, 0.35, 0.35 }, true, { "64,6", "16,6" },
+      { "64,6", "16,6", "4,6", "64,2", "64,12", "256,6" }, ApplyThesis },
     { PBRMethod, "VTK's PBR", { 0.0, 0.0, 0.0 }, false, { "" }, { "" }, nullptr },
     { PlannerMethod, "planner", { 0.0, 0.0, 0.0 }, false, {}, {}, ApplyPlanner },
   };

@@ -23,8 +23,8 @@ struct ChartMethod
   std::string Label; // for people
   RGB Colour;        // sRGB in [0,1]
   bool Grows;        // whether the frame time is about proportional to the size's first number
-  std::vector<std::string> FewSizes;  // of --sweep small
-  std::vector<std::string> AllSizes;  // of --sweep full
+  std::vector<std::string> FewSizes;                              // of --sweep small
+  std::vector<std::string> AllSizes;                              // of --sweep full
   void (*Apply)(const std::string& size, MethodOptions& options); // null: not a measured material
 };
 
@@ -45,7 +45,7 @@ const ChartMethod& FindChartMethod(const std::string& name);
 struct ChartSize
 {
   const ChartMethod* Method = nullptr;
-  std::string Size;       // of the planner's: the tolerance
+  std::string Size; // of the planner's: the tolerance
   MethodOptions Options;
 };
 

@@ -33,7 +33,9 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <fstream>
 #include <functional>
+#include <iterator>
 #include <limits>
 
 namespace
@@ -48,6 +50,8 @@ constexpr int Left = 130;
 constexpr int Right = 60;
 constexpr int Bottom = 120;
 constexpr int Top = 190;
+constexpr int PlotWidth = Width - Left - Right;
+constexpr int PlotHeight = Height - Bottom - Top;
 constexpr int TitleFont = 40;
 constexpr int Font = 26;
 constexpr int LabelFont = 28;
@@ -85,7 +89,10 @@ protected:
 vtkStandardNewMacro(Overlay);
 
 //------------------------------------------------------------------------------
-unsigned char ToByte(double value) { return static_cast<unsigned char>(std::lround(255.0 * value)); }
+unsigned char ToByte(double value)
+{
+  return static_cast<unsigned char>(std::lround(255.0 * value));
+}
 
 //------------------------------------------------------------------------------
 std::string FormatTick(double value, tool::Unit unit)
@@ -94,12 +101,17 @@ std::string FormatTick(double value, tool::Unit unit)
   switch (unit)
   {
     case tool::Unit::Milliseconds:
-      std::snprintf(text, sizeof(text), value < 999.0 ? "%g ms" : "%g s",
-        value < 999.0 ? value : 1e-3 * value);
+      std::snprintf(
+        text, sizeof(text), value < 999.0 ? "%g ms" : "%g s", value < 999.0 ? value : 1e-3 * value);
       break;
     case tool::Unit::Bytes:
-      std::snprintf(text, sizeof(text), value < 999.0 ? "%g B" : value < 0.999e6 ? "%g kB" : "%g MB",
-        value < 999.0 ? value : value < 0.999e6 ? 1e-3 * value : 1e-6 * value);
+      std::snprintf(text, sizeof(text),
+        value < 999.0     ? "%g B"
+        : value < 0.999e6 ? "%g kB"
+                          : "%g MB",
+        value < 999.0     ? value
+        : value < 0.999e6 ? 1e-3 * value
+                          : 1e-6 * value);
       break;
     case tool::Unit::Share:
       std::snprintf(text, sizeof(text), "%g %%", 100.0 * value);
@@ -138,17 +150,23 @@ struct Scale
     this->Largest += air;
   }
 
-  // Powers of ten; with twice and five times where there would be few.
+  // Where a value is, as a share of the axis.
+  double Find(double value) const
+  {
+    return (std::log10(value) - this->Least) / (this->Largest - this->Least);
+  }
+
+  // Exponents of ten: powers of ten; with twice and five times where there would be few.
   std::vector<double> GetTicks() const
   {
     std::vector<double> ticks;
-    const bool few = this->Largest - this->Least > 2.2;
+    const bool wide = this->Largest - this->Least > 3.2;
     for (int k = static_cast<int>(std::floor(this->Least)); k <= this->Largest; ++k)
     {
       for (const double factor : { 1.0, 2.0, 5.0 })
       {
         const double at = k + std::log10(factor);
-        if (at >= this->Least && at <= this->Largest && (factor == 1.0 || !few))
+        if (at >= this->Least && at <= this->Largest && (factor == 1.0 || !wide))
         {
           ticks.push_back(at);
         }
@@ -157,6 +175,26 @@ struct Scale
     return ticks;
   }
 };
+
+//------------------------------------------------------------------------------
+// The size that it is meant for, and a box that lets viewers scale it.
+void MakeScalable(const std::string& path)
+{
+  std::ifstream in(path);
+  std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+  in.close();
+  const std::string drawn = "width=\"" + std::to_string(Smooth * Width) + "\" height=\"" +
+                            std::to_string(Smooth * Height) + "\"";
+  const std::size_t at = text.find(drawn);
+  if (at != std::string::npos)
+  {
+    text.replace(at, drawn.size(),
+      "width=\"" + std::to_string(Width) + "\" height=\"" + std::to_string(Height) +
+        "\" viewBox=\"0 0 " + std::to_string(Smooth * Width) + " " +
+        std::to_string(Smooth * Height) + "\"");
+    tool::WriteText(path, text);
+  }
+}
 
 //------------------------------------------------------------------------------
 bool IsDrawn(const tool::PagePoint& point)
@@ -203,13 +241,11 @@ private:
   // In pixels of the finished picture.
   Place Find(const tool::PagePoint& point) const
   {
-    return { Left + (std::log10(point.X) - this->X.Least) / (this->X.Largest - this->X.Least) *
-                      (Width - Left - Right),
-      Bottom + (std::log10(point.Y) - this->Y.Least) / (this->Y.Largest - this->Y.Least) *
-                 (Height - Bottom - Top) };
+    return { Left + this->X.Find(point.X) * PlotWidth,
+      Bottom + this->Y.Find(point.Y) * PlotHeight };
   }
 
-  void SetUpAxis(vtkAxis* axis, const Scale& scale, tool::Unit unit) const;
+  void SetUpAxis(vtkAxis* axis, const Scale& scale, int length, tool::Unit unit) const;
   void AddLine(vtkChartXY* chart, const std::vector<tool::PagePoint>& points, const RGB& colour,
     double width) const;
   void DrawText(vtkContext2D* painter, double x, double y, const std::string& text, int size,
@@ -225,17 +261,19 @@ private:
 };
 
 //------------------------------------------------------------------------------
-void Painter::SetUpAxis(vtkAxis* axis, const Scale& scale, tool::Unit unit) const
+// The chart's own coordinates are pixels: its lines would come out stretched as SVG else.
+void Painter::SetUpAxis(vtkAxis* axis, const Scale& scale, int length, tool::Unit unit) const
 {
   vtkNew<vtkDoubleArray> positions;
   vtkNew<vtkStringArray> labels;
   for (const double tick : scale.GetTicks())
   {
-    positions->InsertNextValue(tick);
-    labels->InsertNextValue(FormatTick(std::pow(10.0, tick), unit));
+    const double value = std::pow(10.0, tick);
+    positions->InsertNextValue(scale.Find(value) * length);
+    labels->InsertNextValue(FormatTick(value, unit));
   }
   axis->SetBehavior(vtkAxis::FIXED);
-  axis->SetRange(scale.Least, scale.Largest);
+  axis->SetRange(0.0, length);
   axis->SetCustomTickPositions(positions, labels);
   axis->SetTitle("");
   axis->GetLabelProperties()->SetFontFamilyToArial();
@@ -260,8 +298,8 @@ void Painter::AddLine(vtkChartXY* chart, const std::vector<tool::PagePoint>& poi
   {
     if (IsDrawn(point))
     {
-      columns[0]->InsertNextValue(std::log10(point.X));
-      columns[1]->InsertNextValue(std::log10(point.Y));
+      columns[0]->InsertNextValue(this->X.Find(point.X) * PlotWidth);
+      columns[1]->InsertNextValue(this->Y.Find(point.Y) * PlotHeight);
     }
   }
   if (columns[0]->GetNumberOfTuples() < 2)
@@ -295,12 +333,22 @@ void Painter::DrawText(vtkContext2D* painter, double x, double y, const std::str
 void Painter::DrawHeading(vtkContext2D* painter) const
 {
   const int room = Width - Right - 30;
-  this->DrawText(painter, 30, Height - 72,
-    tool::Fit(this->Page.Title, TitleFont, true, room), TitleFont, Ink, true);
+  this->DrawText(painter, 30, Height - 72, tool::Fit(this->Page.Title, TitleFont, true, room),
+    TitleFont, Ink, true);
   this->DrawText(
     painter, 30, Height - 114, tool::Fit(this->Page.Subtitle, Font, false, room), Font, Faint);
   this->DrawText(painter, 30, Height - Top + 16, this->Page.YLabel, Font, Ink, true);
   this->DrawText(painter, Width - Right, 24, this->Page.XLabel, Font, Ink, true, true);
+  if (!this->Page.Front.empty())
+  {
+    const std::string text = "nothing is both cheaper and better";
+    const int width = tool::MeasureText(text, Font, false);
+    painter->GetPen()->SetLineType(vtkPen::NO_PEN);
+    painter->GetBrush()->SetColorF(Band[0], Band[1], Band[2], 1.0);
+    painter->DrawRect(Smooth * (Width - Right - width - 70.0f), Smooth * (Height - Top + 22.0f),
+      Smooth * 54.0f, Smooth * static_cast<float>(BandWidth));
+    this->DrawText(painter, Width - Right, Height - Top + 16, text, Font, Faint, false, true);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -393,8 +441,8 @@ void Painter::DrawLabels(vtkContext2D* painter, tool::LabelPlaces& places) const
     {
       continue;
     }
-    const tool::LabelPlace place = places.Put(
-      dots, DotRadius + 6.0, measure(curve.Label, LabelFont, true), LabelFont, true);
+    const tool::LabelPlace place =
+      places.Put(dots, DotRadius + 6.0, measure(curve.Label, LabelFont, true), LabelFont, true);
     this->DrawText(painter, place.X, place.Y, curve.Label, LabelFont, curve.Colour, true);
   }
   for (const tool::PageCurve& curve : this->Page.Curves)
@@ -430,11 +478,10 @@ void Painter::Write(const std::string& stem)
 {
   vtkNew<vtkChartXY> chart;
   chart->SetLayoutStrategy(vtkChart::AXES_TO_RECT);
-  chart->SetSize(vtkRectf(Smooth * Left, Smooth * Bottom, Smooth * (Width - Left - Right),
-    Smooth * (Height - Bottom - Top)));
+  chart->SetSize(vtkRectf(Smooth * Left, Smooth * Bottom, Smooth * PlotWidth, Smooth * PlotHeight));
   chart->SetShowLegend(false);
-  this->SetUpAxis(chart->GetAxis(vtkAxis::BOTTOM), this->X, this->Page.XUnit);
-  this->SetUpAxis(chart->GetAxis(vtkAxis::LEFT), this->Y, this->Page.YUnit);
+  this->SetUpAxis(chart->GetAxis(vtkAxis::BOTTOM), this->X, PlotWidth, this->Page.XUnit);
+  this->SetUpAxis(chart->GetAxis(vtkAxis::LEFT), this->Y, PlotHeight, this->Page.YUnit);
   this->AddLine(chart, this->Page.Front, Band, BandWidth);
   for (const tool::PageCurve& curve : this->Page.Curves)
   {
@@ -448,6 +495,7 @@ void Painter::Write(const std::string& stem)
   actor->GetScene()->AddItem(overlay);
   vtkNew<vtkRenderer> renderer;
   renderer->SetBackground(1.0, 1.0, 1.0);
+  renderer->SetBackgroundAlpha(1.0); // of the SVG
   renderer->AddActor(actor);
   actor->GetScene()->SetRenderer(renderer);
   vtkNew<vtkRenderWindow> window;
@@ -479,6 +527,7 @@ void Painter::Write(const std::string& stem)
       exporter->SetTitle(this->Page.Title.c_str());
       exporter->SetFileName(temporary.c_str());
       exporter->Write();
+      MakeScalable(temporary);
     });
 }
 }

@@ -111,9 +111,9 @@ void AddMark(tool::Page& page, const Dot& dot)
     }
   }
   const std::string name = tool::FindChartMethod(dot.Method).Label;
-  page.Marks.push_back({ { dot.Cost, dot.Error,
-                           planner ? name + " at " + FormatTolerance(dot.Size) : name },
-    planner });
+  page.Marks.push_back(
+    { { dot.Cost, dot.Error, planner ? name + " at " + FormatTolerance(dot.Size) : name },
+      planner });
 }
 
 //------------------------------------------------------------------------------
@@ -188,7 +188,7 @@ Page MakePairPage(const ChartResults& results, const ChartPair& pair, const Metr
 {
   Page page;
   page.Title = pair.Material + " under " + pair.Environment;
-  page.Subtitle = DescribePicture(results) + ". Yellow: no other method is both faster and better";
+  page.Subtitle = DescribePicture(results);
   page.XLabel = "time of a frame";
   page.XUnit = Unit::Milliseconds;
   Fill(page, ListDots(pair, metric.Name, Cost::Frame), metric);
@@ -206,14 +206,14 @@ Page MakeSummaryPage(const ChartResults& results, const Metric& metric, Cost cos
     environments.insert(pair.Environment);
   }
   Page page;
-  page.Title = cost == Cost::Frame ? "Accuracy against speed"
+  page.Title = cost == Cost::Frame   ? "Accuracy against speed"
                : cost == Cost::SetUp ? "Accuracy against set-up time"
                                      : "Accuracy against texture memory";
   page.Subtitle = "Geometric means of " + std::to_string(results.Pairs.size()) + " pairs of " +
                   std::to_string(materials.size()) + " materials and " +
                   std::to_string(environments.size()) + " environments, " +
-                  DescribePicture(results) + ". Yellow: nothing is both cheaper and better";
-  page.XLabel = cost == Cost::Frame ? "time of a frame"
+                  DescribePicture(results);
+  page.XLabel = cost == Cost::Frame   ? "time of a frame"
                 : cost == Cost::SetUp ? "set-up, until the first frame is done"
                                       : "textures";
   page.XUnit = cost == Cost::Memory ? Unit::Bytes : Unit::Milliseconds;

@@ -124,9 +124,9 @@ JSON WritePair(const tool::ChartPair& pair)
   }
   for (const tool::PlannerFigure& figure : tool::RatePlanner(pair, metric))
   {
-    json["planner"].push_back({ { "point", figure.Point },
-      { "tolerance", std::stod(pair.Points[figure.Point].Size) },
-      { "time_over_front", figure.OverFront } });
+    json["planner"].push_back(
+      { { "point", figure.Point }, { "tolerance", std::stod(pair.Points[figure.Point].Size) },
+        { "time_over_front", figure.OverFront } });
   }
   return json;
 }
@@ -177,8 +177,7 @@ std::string MakeCSV(const tool::ChartResults& results)
   text += "\n";
   for (const tool::ChartPair& pair : results.Pairs)
   {
-    const std::vector<std::size_t> front =
-      tool::FindFront(pair, tool::GetMetrics().front().Name);
+    const std::vector<std::size_t> front = tool::FindFront(pair, tool::GetMetrics().front().Name);
     for (std::size_t k = 0; k < pair.Points.size(); ++k)
     {
       const tool::ChartPoint& point = pair.Points[k];
@@ -195,7 +194,7 @@ std::string MakeCSV(const tool::ChartResults& results)
       for (const tool::Metric& metric : tool::GetMetrics())
       {
         const auto error = point.Errors.find(metric.Name);
-          text += "," + (error == point.Errors.end() ? "" : FormatFinite(error->second));
+        text += "," + (error == point.Errors.end() ? "" : FormatFinite(error->second));
       }
       text += "\n";
     }
@@ -216,8 +215,7 @@ std::string GetToday()
 
 //------------------------------------------------------------------------------
 // Throws Error naming the first thing that two objects differ in.
-void CheckSame(
-  const std::string& path, const char* what, const JSON& there, const JSON& here)
+void CheckSame(const std::string& path, const char* what, const JSON& there, const JSON& here)
 {
   for (const auto& item : here.items())
   {
@@ -322,8 +320,8 @@ void SaveResults(const std::string& folder, const ChartResults& results)
     json["pairs"].push_back(WritePair(pair));
   }
   WriteText(folder + "/results.csv", MakeCSV(results));
-  WriteText(folder + "/results.json",
-    json.dump(1, ' ', false, JSON::error_handler_t::replace) + "\n");
+  WriteText(
+    folder + "/results.json", json.dump(1, ' ', false, JSON::error_handler_t::replace) + "\n");
 }
 
 //------------------------------------------------------------------------------
@@ -354,8 +352,9 @@ ChartResults LoadResults(const std::string& folder, const JSON& settings, const 
   }
   if (get("version") != ChartResults::Version)
   {
-    throw Error(path + ": is of version " + get("version").dump() + " of its format, this program "
-                       "goes on with version " +
+    throw Error(path + ": is of version " + get("version").dump() +
+                " of its format, this program "
+                "goes on with version " +
                 std::to_string(ChartResults::Version) + ". Write to another folder");
   }
   CheckSame(path, "setting", get("settings"), settings);

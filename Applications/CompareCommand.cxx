@@ -79,8 +79,7 @@ nlohmann::ordered_json MakeReport(const Options& options, const Comparison& foun
   {
     report[metric.Name] = metric.Get(metrics);
   }
-  report.update({
-    { "frame_ms", found.Frame }, { "pbr_frame_ms", found.StockFrame },
+  report.update({ { "frame_ms", found.Frame }, { "pbr_frame_ms", found.StockFrame },
     { "pbr_relative_l1", found.StockMetrics->GetRelativeL1() }, { "setup_ms", found.Setup },
     { "pbr_setup_ms", found.StockSetup }, { "pbr_flip", found.StockMetrics->GetFLIP() },
     { "pbr_material", { { "roughness", found.Stock.Roughness },

@@ -55,16 +55,16 @@ double LabelPlaces::GetCost(const Box& box) const
     return box.Left < other.Right && other.Left < box.Right && box.Bottom < other.Top &&
            other.Bottom < box.Top;
   };
-  double cost = LabelCost * static_cast<double>(std::count_if(
-                              this->Labels.begin(), this->Labels.end(), meets)) +
-                DotCost * static_cast<double>(
-                            std::count_if(this->Dots.begin(), this->Dots.end(), meets));
+  double cost =
+    LabelCost *
+      static_cast<double>(std::count_if(this->Labels.begin(), this->Labels.end(), meets)) +
+    DotCost * static_cast<double>(std::count_if(this->Dots.begin(), this->Dots.end(), meets));
   for (const std::array<double, 2>& point : this->LinePoints)
   {
-    cost += point[0] > box.Left && point[0] < box.Right && point[1] > box.Bottom &&
-                point[1] < box.Top
-              ? LineCost
-              : 0.0;
+    cost +=
+      point[0] > box.Left && point[0] < box.Right && point[1] > box.Bottom && point[1] < box.Top
+        ? LineCost
+        : 0.0;
   }
   return cost;
 }

@@ -60,17 +60,17 @@ Picture Grid::Draw(const std::vector<double>& rgb) const
 const std::vector<Metric>& GetMetrics()
 {
   using Metrics = vtkRadianceMetrics;
-  static const std::vector<Metric> metrics = {
-    { "relative_l1", "relative L1 error", true, [](Metrics* m) { return m->GetRelativeL1(); } },
-    { "relative_rmse", "relative RMS error", true, [](Metrics* m) { return m->GetRelativeRMSE(); } },
+  static const std::vector<Metric> metrics = { { "relative_l1", "relative L1 error", true,
+                                                 [](Metrics* m) { return m->GetRelativeL1(); } },
+    { "relative_rmse", "relative RMS error", true,
+      [](Metrics* m) { return m->GetRelativeRMSE(); } },
     { "median_relative", "median relative error", true,
       [](Metrics* m) { return m->GetMedianRelative(); } },
     { "p99_relative", "99th percentile of the relative error", true,
       [](Metrics* m) { return m->GetP99Relative(); } },
     { "smape", "SMAPE", true, [](Metrics* m) { return m->GetSMAPE(); } },
     { "flip", "FLIP", false, [](Metrics* m) { return m->GetFLIP(); } },
-    { "delta_e_itp", "Delta E ITP", false, [](Metrics* m) { return m->GetDeltaEITP(); } }
-  };
+    { "delta_e_itp", "Delta E ITP", false, [](Metrics* m) { return m->GetDeltaEITP(); } } };
   return metrics;
 }
 
@@ -101,8 +101,7 @@ void Measure(vtkRadianceMetrics* metrics, const Grid& grid, const std::vector<do
 }
 
 //------------------------------------------------------------------------------
-std::vector<double> SumExactly(
-  vtkBRDF* brdf, vtkEnvironment* environment, const Surface& surface)
+std::vector<double> SumExactly(vtkBRDF* brdf, vtkEnvironment* environment, const Surface& surface)
 {
   vtkNew<vtkExactIntegrator> exact;
   exact->SetBRDF(brdf);

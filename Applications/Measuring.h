@@ -57,8 +57,7 @@ void Measure(vtkRadianceMetrics* metrics, const Grid& grid, const std::vector<do
 
 /// The exact radiance of a surface's pixels, 3 doubles each, under a progress bar. Throws Error.
 /// Needs an Interruptible.
-std::vector<double> SumExactly(
-  vtkBRDF* brdf, vtkEnvironment* environment, const Surface& surface);
+std::vector<double> SumExactly(vtkBRDF* brdf, vtkEnvironment* environment, const Surface& surface);
 
 /// The middle one of at least one value.
 double Median(std::vector<double> values);

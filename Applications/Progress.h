@@ -28,8 +28,8 @@ public:
   static void Check();
 };
 
-/// A bar on stderr where that is a terminal; nothing else. With the time left where it takes long; a
-/// bar within another one is not shown.
+/// A bar on stderr where that is a terminal; nothing else. With the time left where it takes long;
+/// a bar within another one is not shown.
 class ProgressBar
 {
 public:
