@@ -128,7 +128,7 @@ class Help(ToolTest):
     def test_help(self):
         self.check(run("--help"), 0, "SUBCOMMAND", "gallery", "Exit status")
         commands = (
-            "list info evaluate integrate lights render plan compare gallery convert fit acquire "
+            "list info evaluate integrate lights render plan compare chart gallery convert fit acquire "
             "project representations thesis"
         ).split()
         for command in commands:
@@ -976,6 +976,136 @@ class CompareThesis(Compare):
         # Far worse than the 5 % of auto's table.
         self.assertTrue(0.07 < thesis["relative_l1"] < 0.5)
         self.assertGreater(thesis["relative_rmse"], 0.07)
+
+
+class ChartTest(ToolTest):
+    COMMON = {
+        "--methods": "table",
+        "--tolerances": "0.05",
+        "--size": "64x64",
+        "--reference-pixels": 64,
+        "--rounds": 3,
+    }
+
+    def command(self, *options):
+        usual = [str(word) for item in self.COMMON.items() if item[0] not in options for word in item]
+        return ["chart", "pink-felt", *usual, "-o", self.path("charts"), *options]
+
+    def chart(self, *options):
+        result = run(*self.command(*options))
+        if "needs an X server" in result.stderr:
+            self.skipTest("skipped: no X server, which this VTK needs")
+        return result
+
+    def read_results(self):
+        with open(self.path("charts/results.json"), encoding="utf-8") as file:
+            return json.load(file)
+
+
+class Chart(ChartTest):
+    def test_chart(self):
+        self.check(self.chart("--environments", "sky"), 0, "1 pairs", "summary.png")
+        results = self.read_results()
+        self.assertEqual((results["format"], results["version"]), ("measured-brdf chart", 1))
+        for key in ("processor", "threads", "vtk", "renderer", "renderer_version"):
+            self.assertTrue(results["machine"][key], key)
+        (pair,) = results["pairs"]
+        self.assertEqual((pair["material"], pair["environment"]), ("pink-felt", "built-in sky"))
+        points = pair["points"]
+        names = [point["method"] for point in points]
+        self.assertEqual(names, ["table"] * 3 + ["thesis"] * 2 + ["pbr", "planner"])
+        for point in points:
+            low, high = point["frame_ms_quartiles"]
+            self.assertTrue(0 < low <= point["frame_ms"] <= high)
+            self.assertGreaterEqual(point["frames"], 3)
+            self.assertGreater(point["setup_ms"], 0)
+            self.assertGreater(point["texture_bytes"], 0)
+        error = [point["errors"]["relative_l1"] for point in points]
+        self.assertTrue(error[2] < error[0] < 0.02 < error[names.index("pbr")] < 0.2)
+        self.assertLess(error[-1], points[-1]["predicted_error"])
+        # What the front and the planner's figure are by definition.
+        times = [point["frame_ms"] for point in points]
+        front = [
+            k
+            for k in range(len(points))
+            if not any(
+                times[j] <= times[k] and error[j] <= error[k] and (times[j], error[j]) != (times[k], error[k])
+                for j in range(len(points))
+            )
+        ]
+        self.assertLessEqual(set(pair["front"]), set(front))
+        (figure,) = pair["planner"]
+        best = min(time for time, off in zip(times, error) if off <= error[-1])
+        self.check_close([figure["time_over_front"]], [times[-1] / best], 1e-9)
+
+        with open(self.path("charts/results.csv"), encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual([row["method"] for row in rows], names)
+        self.check_close([float(row["relative_l1"]) for row in rows], error, 1e-8)
+        self.check_close([float(row["frame_ms"]) for row in rows], times, 1e-8)
+        self.assertEqual([k for k, row in enumerate(rows) if row["on_front"] == "1"], sorted(pair["front"]))
+        for name in ("summary", "setup", "memory", "pink-felt.built-in-sky"):
+            self.assertEqual(read_png_size(self.path(f"charts/{name}.png")), (1600, 1000))
+            with open(self.path(f"charts/{name}.svg"), encoding="utf-8") as file:
+                self.assertIn('viewBox="0 0 3200 2000"', file.read(1000))
+
+
+class ChartResume(ChartTest):
+    def test_interrupted(self):
+        self.check(self.chart("--environments", "nowhere.exr"), 1, "nowhere.exr")
+        command = [PROGRAM, *self.command("--environments", "sky,hall")]
+        with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as process:
+            while process.poll() is None and not os.path.exists(self.path("charts/results.json")):
+                time.sleep(0.02)
+            process.send_signal(signal.SIGINT)
+            said = process.communicate(timeout=120)[1]
+        if "needs an X server" in said:
+            self.skipTest("skipped: no X server, which this VTK needs")
+        self.assertEqual(process.returncode, 1, said)
+        self.assertIn("interrupted: 1 of 2 pairs", said)
+        first = self.read_results()["pairs"]
+        self.assertEqual(len(first), 1)
+        self.check(self.chart("--environments", "sky,hall"), 0, "2 pairs")
+        second = self.read_results()["pairs"]
+        self.assertEqual([pair["environment"] for pair in second], ["built-in sky", "built-in hall"])
+        self.assertEqual(second[0], first[0])
+
+
+class ChartErrors(ChartTest):
+    def test_bad_input(self):
+        self.check(self.chart("--methods", "table,magic"), 2, "--methods", "magic", "soft-lights")
+        self.check(self.chart("--methods", "table,,basis"), 2, "--methods", "table,,basis")
+        for tolerances in ("0", "0.02,", "0.02,x", "0.02,0.02"):
+            self.check(self.chart("--tolerances", tolerances), 2, "--tolerances")
+        self.check(self.chart("--environments", ""), 2, "--environments")
+        self.check(self.chart("--slowest", "-1"), 2, "--slowest")
+        self.check(self.chart("--rounds", "2"), 2, "--rounds")
+        self.check(self.chart("--metric", "beauty"), 2, "--metric")
+        self.check(self.chart("--size", "0x9"), 2, "--size")
+        self.check(self.chart(""), 2, "FILE", "empty")
+        self.check(self.chart("pink-felt"), 2, "pink-felt")
+        self.check(self.chart("no-such-thing"), 1, "no-such-thing")
+        self.check(run("chart", "pink-felt"), 2, "--output")
+        blocked = self.write("blocked", "a file")
+        self.check(run("chart", "pink-felt", "-o", blocked), 1, "blocked")
+        self.check(run("chart", "pink-felt", "-o", blocked + "/x"), 1, "blocked/x")
+
+    def test_results_of_something_else(self):
+        os.mkdir(self.path("charts"))
+        machine = {"processor": "abacus"}
+        ours = {"format": "measured-brdf chart", "version": 1}
+        for content, words in (
+            ("no JSON", ["not written by"]),
+            ("{}", ["not written by"]),
+            (json.dumps({**ours, "version": 2}), ["version 2", "version 1"]),
+            (json.dumps({**ours, "settings": {"size": "10x10"}, "machine": machine}), ["setting", "methods"]),
+        ):
+            with self.subTest(content):
+                path = self.write("charts/results.json", content)
+                result = self.chart("--environments", "sky")
+                self.check(result, 1, "charts/results.json", "another folder", *words)
+                with open(path, encoding="utf-8") as file:
+                    self.assertEqual(file.read(), content)
 
 
 class Plan(ToolTest):
