@@ -1053,7 +1053,9 @@ class Chart(ChartTest):
 class ChartResume(ChartTest):
     def test_interrupted(self):
         self.check(self.chart("--environments", "nowhere.exr"), 1, "nowhere.exr")
-        command = [PROGRAM, *self.command("--environments", "sky,hall")]
+        one, two = self.write_constant_environment(), self.path("two.hdr")
+        shutil.copyfile(one, two)
+        command = [PROGRAM, *self.command("--environments", f"{one},{two}")]
         with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as process:
             while process.poll() is None and not os.path.exists(self.path("charts/results.json")):
                 time.sleep(0.02)
@@ -1065,10 +1067,13 @@ class ChartResume(ChartTest):
         self.assertIn("interrupted: 1 of 2 pairs", said)
         first = self.read_results()["pairs"]
         self.assertEqual(len(first), 1)
-        self.check(self.chart("--environments", "sky,hall"), 0, "2 pairs")
+        self.check(self.chart("--environments", f"{one},{two}"), 0, "2 pairs")
         second = self.read_results()["pairs"]
-        self.assertEqual([pair["environment"] for pair in second], ["built-in sky", "built-in hall"])
+        self.assertEqual([pair["environment"] for pair in second], ["one", "two"])
         self.assertEqual(second[0], first[0])
+        # An environment that is not the one of that name any more.
+        self.write_constant_environment(32, 16)
+        self.check(self.chart("--environments", one), 1, "under one is not what it was")
 
 
 class ChartErrors(ChartTest):
