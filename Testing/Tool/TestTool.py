@@ -1048,6 +1048,26 @@ class Chart(ChartTest):
             self.assertEqual(read_png_size(self.path(f"charts/{name}.png")), (1600, 1000))
             with open(self.path(f"charts/{name}.svg"), encoding="utf-8") as file:
                 self.assertIn('viewBox="0 0 3200 2000"', file.read(1000))
+        self.check_page(points)
+
+    def check_page(self, points):
+        """What the project's results page makes of it; what people wrote there stays."""
+        root = os.path.join(os.path.dirname(__file__), "..", "..")
+        page = self.path("results.md")
+        shutil.copyfile(os.path.join(root, "docs", "results.md"), page)
+        with open(page, encoding="utf-8") as file:
+            text = file.read()
+        with open(page, "w", encoding="utf-8") as file:
+            file.write(text.replace("<!-- end of", "Felt: a table.\n\n<!-- end of"))
+        command = [sys.executable, os.path.join(root, "cmake", "make-results.py")]
+        subprocess.run([*command, self.path("charts"), self.folder], check=True)
+        with open(page, encoding="utf-8") as file:
+            text = file.read()
+        self.assertIn("Felt: a table.\n\n<!-- end of", text)
+        for point in points[:-1]:
+            error = f"{100 * point['errors']['relative_l1']:.2g}"
+            self.assertIn(f"| {point['method']} | {point['size']} | {error} |", text)
+        self.assertTrue(os.path.exists(self.path("results-summary.png")))
 
 
 class ChartResume(ChartTest):
