@@ -268,7 +268,7 @@ void PrintVerdict(const tool::ChartResults& results, const Options& options)
     "The planner's %zu choices: %.0f %% on the front of all that was measured or within %.0f %% of "
     "its time.\n",
     figures, 100.0 * tool::GetShareWithin(results, options.Metric, Margin), 100.0 * Margin);
-  tool::PrintOut(std::to_string(results.Pairs.size()) + " pairs in " + options.Folder +
+  tool::PrintOut(tool::FormatCount(results.Pairs.size(), "pair") + " in " + options.Folder +
                  ": summary.png, setup.png, memory.png, one of each pair (and .svg), results.csv, "
                  "results.json\n" +
                  text);

@@ -209,10 +209,9 @@ Page MakeSummaryPage(const ChartResults& results, const Metric& metric, Cost cos
   page.Title = cost == Cost::Frame   ? "Accuracy against speed"
                : cost == Cost::SetUp ? "Accuracy against set-up time"
                                      : "Accuracy against texture memory";
-  page.Subtitle = "Geometric means of " + std::to_string(results.Pairs.size()) + " pairs of " +
-                  std::to_string(materials.size()) + " materials and " +
-                  std::to_string(environments.size()) + " environments, " +
-                  DescribePicture(results);
+  page.Subtitle = "Geometric means of " + FormatCount(results.Pairs.size(), "pair") + " of " +
+                  FormatCount(materials.size(), "material") + " and " +
+                  FormatCount(environments.size(), "environment") + ", " + DescribePicture(results);
   page.XLabel = cost == Cost::Frame   ? "time of a frame"
                 : cost == Cost::SetUp ? "set-up, until the first frame is done"
                                       : "textures";

@@ -4,6 +4,7 @@
 
 #include "ChartMethods.h"
 #include "Files.h"
+#include "MeasuredBRDFToolVersion.h"
 #include "Measuring.h"
 #include "ParetoFront.h"
 #include "Tool.h"
@@ -260,7 +261,7 @@ nlohmann::ordered_json DescribeMachine()
   uname(&system);
   return { { "processor", processor }, { "threads", std::thread::hardware_concurrency() },
     { "system", std::string(system.sysname) + " " + system.machine },
-    { "vtk", vtkVersion::GetVTKVersion() } };
+    { "vtk", vtkVersion::GetVTKVersion() }, { "program", MEASUREDBRDF_VERSION } };
 }
 
 //------------------------------------------------------------------------------

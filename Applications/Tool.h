@@ -10,6 +10,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 
@@ -41,6 +42,9 @@ std::string TakeErrorText();
 
 /// Figures that stand in CSV files: 9 significant digits, enough to give back any float.
 std::string FormatNumber(double value);
+
+/// "1 pair", "2 pairs".
+std::string FormatCount(std::size_t count, const std::string& noun);
 
 ///@{
 /// Add one subcommand each.

@@ -1004,7 +1004,7 @@ class ChartTest(ToolTest):
 
 class Chart(ChartTest):
     def test_chart(self):
-        self.check(self.chart("--environments", "sky"), 0, "1 pairs", "summary.png")
+        self.check(self.chart("--environments", "sky"), 0, "1 pair in", "summary.png")
         results = self.read_results()
         self.assertEqual((results["format"], results["version"]), ("measured-brdf chart", 1))
         for key in ("processor", "threads", "vtk", "renderer", "renderer_version"):
@@ -1087,7 +1087,7 @@ class ChartResume(ChartTest):
         self.assertIn("interrupted: 1 of 2 pairs", said)
         first = self.read_results()["pairs"]
         self.assertEqual(len(first), 1)
-        self.check(self.chart("--environments", f"{one},{two}"), 0, "2 pairs")
+        self.check(self.chart("--environments", f"{one},{two}"), 0, "2 pairs in")
         second = self.read_results()["pairs"]
         self.assertEqual([pair["environment"] for pair in second], ["one", "two"])
         self.assertEqual(second[0], first[0])
