@@ -99,7 +99,7 @@ if [ ${#files[@]} -eq 0 ]; then
   echo "Measuring the methods on this machine (two minutes without a graphics card) ..."
   chart() {
     "${display[@]}" build/bin/measured-brdf chart pink-felt gold-paint --size 200x200 --reference-pixels 400 --rounds 5 \
-      --methods table,basis,filtered,soft-lights,median-cut -o output/charts
+      --methods table,layered,basis,filtered,soft-lights,median-cut -o output/charts
   }
   # What an older program or another machine measured there is of no use to this one.
   chart || { rm -rf output/charts && chart; }

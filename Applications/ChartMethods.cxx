@@ -63,6 +63,7 @@ void ApplyPlanner(const std::string& tolerance, MethodOptions& options)
 }
 
 const char* const Table = "table";
+const char* const Layered = "layered";
 const char* const Basis = "basis";
 const char* const Filtered = "filtered";
 }
@@ -72,12 +73,16 @@ namespace tool
 //------------------------------------------------------------------------------
 const std::vector<ChartMethod>& GetChartMethods()
 {
-  // Colours that stay apart for every kind of colour vision (Okabe and Ito 2008).
+  // Colours that stay apart for every kind of colour vision (Okabe and Ito 2008; violet is not
+  // theirs).
   static const std::vector<ChartMethod> methods = {
     { "table", "radiance table", { 0.0, 0.45, 0.70 }, false, { "17,8,8", "33,12,16", "65,12,16" },
       { "9,6,8", "17,8,8", "33,12,16", "65,12,16", "65,24,24", "129,12,16", "129,24,16",
         "257,12,8" },
       ApplySizes<Table> },
+    { "layered", "layers", { 0.45, 0.26, 0.65 }, false, { "33,12,16,4", "33,12,16,16" },
+      { "17,8,8,4", "33,12,16,8", "33,12,16,16", "33,12,16,32", "65,12,16,64", "65,12,16,128" },
+      ApplySizes<Layered>, 3 },
     { "basis", "pre-integrated basis", { 0.0, 0.62, 0.45 }, true, { "9", "25", "64" },
       { "4", "9", "16", "25", "49", "64", "100", "144" }, ApplySizes<Basis> },
     { "filtered", "filtered samples", { 0.80, 0.47, 0.65 }, true, { "4", "16", "64" },

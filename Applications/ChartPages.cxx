@@ -10,6 +10,7 @@
 #include <cctype>
 #include <cmath>
 #include <set>
+#include <sstream>
 
 namespace
 {
@@ -139,6 +140,20 @@ std::vector<tool::PagePoint> MakeLine(const std::vector<tool::PagePoint>& points
 }
 
 //------------------------------------------------------------------------------
+// One of the numbers of a size, which have commas between them; "" where it has no so many.
+std::string GetNumber(const std::string& size, int index)
+{
+  std::istringstream numbers(size);
+  std::string number;
+  for (int k = 0; k <= index; ++k)
+  {
+    number.clear();
+    std::getline(numbers, number, ',');
+  }
+  return number;
+}
+
+//------------------------------------------------------------------------------
 void Fill(tool::Page& page, const std::vector<Dot>& dots, const tool::Metric& metric)
 {
   std::vector<tool::CostPoint> costs;
@@ -155,8 +170,7 @@ void Fill(tool::Page& page, const std::vector<Dot>& dots, const tool::Metric& me
     {
       page.Curves.push_back({ method.Label, method.Colour, {}, {} });
     }
-    page.Curves.back().Points.push_back(
-      { dot.Cost, dot.Error, dot.Size.substr(0, dot.Size.find(',')) });
+    page.Curves.back().Points.push_back({ dot.Cost, dot.Error, GetNumber(dot.Size, method.Shown) });
   }
   for (tool::PageCurve& curve : page.Curves)
   {
