@@ -118,14 +118,9 @@ void AddMark(tool::Page& page, const Dot& dot)
 }
 
 //------------------------------------------------------------------------------
-// Joined are those points of a method that none of its own beats; where its cost does not grow with
-// its size, all.
-std::vector<tool::PagePoint> MakeLine(const std::vector<tool::PagePoint>& points, bool grows)
+// Joined are those points of a method that none of its own beats.
+std::vector<tool::PagePoint> MakeLine(const std::vector<tool::PagePoint>& points)
 {
-  if (!grows)
-  {
-    return points;
-  }
   std::vector<tool::CostPoint> costs;
   for (const tool::PagePoint& point : points)
   {
@@ -174,10 +169,7 @@ void Fill(tool::Page& page, const std::vector<Dot>& dots, const tool::Metric& me
   }
   for (tool::PageCurve& curve : page.Curves)
   {
-    const auto& methods = tool::GetChartMethods();
-    const auto method = std::find_if(methods.begin(), methods.end(),
-      [&curve](const tool::ChartMethod& one) { return one.Label == curve.Label; });
-    curve.Line = MakeLine(curve.Points, method->Grows);
+    curve.Line = MakeLine(curve.Points);
   }
   for (const std::size_t k : tool::FindFront(costs))
   {
