@@ -11,6 +11,7 @@
 #include "StockScene.h"
 #include "Surface.h"
 #include "Tool.h"
+#include "Watch.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkExactIntegrator.h"
@@ -132,9 +133,13 @@ void Measure(vtkRadianceMetrics* metrics, const Grid& grid, const std::vector<do
       }
     }
   }
-  if (!metrics->Compare(MakeArray(rgb, 3), MakeArray(reference, 3)) ||
-      !metrics->ComparePictures(grid.Width, grid.Height, MakeArray(pictures[0], 3),
-        MakeArray(pictures[1], 3), MakeArray(coverage, 1)))
+  const auto compare = [&](vtkRadianceMetrics* made)
+  {
+    return made->Compare(MakeArray(rgb, 3), MakeArray(reference, 3)) &&
+           made->ComparePictures(grid.Width, grid.Height, MakeArray(pictures[0], 3),
+             MakeArray(pictures[1], 3), MakeArray(coverage, 1));
+  };
+  if (!tool::Watch(metrics, compare, "measuring"))
   {
     throw tool::Error("compare: " + tool::TakeErrorText());
   }
@@ -158,11 +163,13 @@ nlohmann::ordered_json MakeReport(const Options& options, const Comparison& foun
 {
   vtkRadianceMetrics* metrics = found.Metrics;
   return { { "method", options.Method.Method }, { "relative_l1", metrics->GetRelativeL1() },
-    { "relative_rmse", metrics->GetRelativeRMSE() },
+    { "relative_rmse", metrics->GetRelativeRMSE() }, { "rel_mse", metrics->GetRelMSE() },
     { "median_relative", metrics->GetMedianRelative() },
     { "p99_relative", metrics->GetP99Relative() }, { "smape", metrics->GetSMAPE() },
-    { "flip", metrics->GetFLIP() }, { "delta_e_itp", metrics->GetDeltaEITP() },
-    { "frame_ms", found.Frame }, { "pbr_frame_ms", found.StockFrame },
+    { "flip", metrics->GetFLIP() }, { "hdr_flip", metrics->GetHDRFLIP() },
+    { "ssim", metrics->GetSSIM() }, { "delta_e_2000", metrics->GetDeltaE2000() },
+    { "delta_e_itp", metrics->GetDeltaEITP() }, { "frame_ms", found.Frame },
+    { "pbr_frame_ms", found.StockFrame },
     { "pbr_relative_l1", found.StockMetrics->GetRelativeL1() }, { "setup_ms", found.Setup },
     { "pbr_setup_ms", found.StockSetup }, { "pbr_flip", found.StockMetrics->GetFLIP() },
     { "pbr_material", { { "roughness", found.Stock.Roughness },
@@ -486,8 +493,10 @@ void AddCompareCommand(CLI::App& app)
       "a sum over the environment's texels")
     ->check(CLI::Range(1, LargestSize * LargestSize));
   command->add_option("--report", options->Report,
-    "JSON file to write: relative_l1, relative_rmse, median_relative, p99_relative, smape, flip, "
-    "delta_e_itp, frame_ms, setup_ms, texture_bytes, lights, predicted_error, the same of VTK's "
+    "JSON file to write: relative_l1, relative_rmse, rel_mse, median_relative, p99_relative, "
+    "smape, flip, hdr_flip, ssim (null where the compared pixels are fewer than 11 x 11), "
+    "delta_e_2000, delta_e_itp, frame_ms, setup_ms, texture_bytes, lights, predicted_error, the "
+    "same of VTK's "
     "shading (pbr_...), and what was compared");
   command->add_option("-o,--output", options->Output,
     "Picture to write, .png: the method, the exact sum, the signed error, VTK's shading");
