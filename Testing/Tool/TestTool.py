@@ -948,9 +948,9 @@ class Compare(ToolTest):
     def test_report(self):
         table = self.compare("--tolerance", "0.05")
         keys = (
-            "method lights relative_l1 relative_rmse median_relative p99_relative rel_mse smape flip hdr_flip ssim "
-            "delta_e_2000 delta_e_itp frame_ms pbr_frame_ms pbr_relative_l1 setup_ms pbr_setup_ms texture_bytes "
-            "predicted_error reference_pixels"
+            "method lights relative_l1 relative_rmse median_relative p99_relative rel_mse smape "
+            "flip hdr_flip ssim delta_e_2000 delta_e_itp frame_ms pbr_frame_ms pbr_relative_l1 "
+            "setup_ms pbr_setup_ms texture_bytes predicted_error reference_pixels"
         ).split()
         self.assertLessEqual(set(keys), set(table))
         self.assertEqual((table["method"], table["tolerance"]), ("auto", 0.05))
