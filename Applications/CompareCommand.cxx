@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Bases.h"
 #include "FailureMap.h"
 #include "Files.h"
 #include "Inputs.h"
@@ -220,10 +221,9 @@ void WriteFailureMap(const Options& options, const std::string& title, const too
   vtkBRDF* shaded = GetShaded(method);
   caption.Note =
     shaded == map->GetReference()
-      ? "The method takes the material's own f; its errors are those of the integral alone (right)."
-      : "f: " + std::string(shaded->GetClassName()) + " against the material's " +
-          map->GetReference()->GetClassName() + ", relative L1 " +
-          FormatPercent(map->GetRelativeL1()) + " with cosines.";
+      ? "The method takes the material's own f: its errors are those of the integral alone (right)."
+      : "f as " + tool::DescribeForm(shaded) + ": relative L1 " +
+          FormatPercent(map->GetRelativeL1()) + ".";
   caption.Note += " Each cell: mean |f - r| over mean r, all azimuths. Grey: below the horizon.";
   tool::WriteFailureMap(options.FailureMap, caption, map, views);
 }

@@ -8,7 +8,6 @@
 
 #include "vtkAxis.h"
 #include "vtkBRDFFailureMap.h"
-#include "vtkChartLegend.h"
 #include "vtkChartXY.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkContextActor.h"
@@ -46,21 +45,23 @@ constexpr double NoValue = -99.0; // in a map
 
 // The figure, in pixels.
 constexpr int Width = 1720;
-constexpr int Height = 720;
+constexpr int Height = 690;
 constexpr int Side = 480; // of a map
-constexpr int Bottom = 100;
+constexpr int Bottom = 72;
 constexpr int Top = Bottom + Side;
 constexpr int MapLefts[2] = { 90, 680 };
 constexpr int BarLeft = 1184;
 constexpr int BarWidth = 22;
 constexpr int ViewsLeft = 1340;
 constexpr int ViewsWidth = 340;
-constexpr int ViewsBottom = 360;
+constexpr int ViewsBottom = 332;
 constexpr int LabelSize = 15;
 constexpr int TitleSize = 17;
 
 constexpr tool::RGB Ink = { 0.1, 0.1, 0.12 };
 constexpr tool::RGB PaleInk = { 0.4, 0.4, 0.43 };
+constexpr tool::RGB L1Colour = { 0.267, 0.005, 0.329 };
+constexpr tool::RGB P99Colour = { 0.2, 0.62, 0.35 };
 
 // Nine colours of viridis at equal steps (S. van der Walt, N. Smith, CC0): even for the eye, and
 // for eyes that tell fewer colours.
@@ -145,15 +146,17 @@ vtkSmartPointer<vtkChartXY> MakeChart(int x, int y, int width, int height)
 }
 
 //------------------------------------------------------------------------------
-// A grid of logarithms over the whole of a chart.
-void AddGrid(
-  vtkChartXY* chart, vtkImageData* values, double width, double height, double bottom = 0.0)
+// Cells of logarithms over a rectangle of a chart.
+void AddCells(vtkChartXY* chart, vtkImageData* cells, const vtkRectf& where)
 {
+  // Some versions take the place from the picture itself: from its origin, a spacing a cell.
+  const int* size = cells->GetDimensions();
+  cells->SetOrigin(where.GetX(), where.GetY(), 0.0);
+  cells->SetSpacing(where.GetWidth() / size[0], where.GetHeight() / size[1], 1.0);
   vtkNew<vtkPlotHistogram2D> plot;
-  plot->SetInputData(values);
+  plot->SetInputData(cells);
   plot->SetTransferFunction(MakeColours());
-  plot->SetPosition(vtkRectf(
-    0.0f, static_cast<float>(bottom), static_cast<float>(width), static_cast<float>(height)));
+  plot->SetPosition(where);
   chart->AddPlot(plot);
 }
 
@@ -161,7 +164,7 @@ void AddGrid(
 vtkSmartPointer<vtkImageData> ToLogarithms(vtkImageData* errors)
 {
   auto logarithms = vtkSmartPointer<vtkImageData>::New();
-  logarithms->CopyStructure(errors);
+  logarithms->SetDimensions(errors->GetDimensions());
   vtkNew<vtkDoubleArray> values;
   for (vtkIdType k = 0; k < errors->GetNumberOfPoints(); ++k)
   {
@@ -178,7 +181,7 @@ void AddMap(vtkContextScene* scene, int left, vtkImageData* errors, double width
   const auto chart = MakeChart(left, Bottom, Side, Side);
   SetUpAxis(chart->GetAxis(vtkAxis::BOTTOM), xTitle, width, xTicks);
   SetUpAxis(chart->GetAxis(vtkAxis::LEFT), yTitle, 90.0, Degrees);
-  AddGrid(chart, ToLogarithms(errors), width, 90.0);
+  AddCells(chart, ToLogarithms(errors), vtkRectf(0.0f, 0.0f, static_cast<float>(width), 90.0f));
   scene->AddItem(chart);
 }
 
@@ -187,20 +190,18 @@ void AddColourBar(vtkContextScene* scene)
 {
   constexpr int steps = 256;
   vtkNew<vtkImageData> gradient;
-  gradient->SetDimensions(1, steps, 1);
+  gradient->SetDimensions(2, steps, 1);
   vtkNew<vtkDoubleArray> values;
-  for (int k = 0; k < steps; ++k)
+  for (int k = 0; k < 2 * steps; ++k)
   {
-    values->InsertNextValue(Lowest + (Highest - Lowest) * k / (steps - 1.0));
+    values->InsertNextValue(Lowest + (Highest - Lowest) * (k / 2) / (steps - 1.0));
   }
   gradient->GetPointData()->SetScalars(values);
   const auto chart = MakeChart(BarLeft, Bottom, BarWidth, Side);
   SetUpAxis(chart->GetAxis(vtkAxis::BOTTOM), "", 1.0, {});
   SetUpAxis(chart->GetAxis(vtkAxis::LEFT), "", Highest, {}, Lowest);
-  vtkAxis* right = chart->GetAxis(vtkAxis::RIGHT);
-  right->SetVisible(true);
-  SetUpAxis(right, "", Highest, Shares, Lowest);
-  AddGrid(chart, gradient, 1.0, Highest - Lowest, Lowest);
+  AddCells(chart, gradient,
+    vtkRectf(0.0f, static_cast<float>(Lowest), 1.0f, static_cast<float>(Highest - Lowest)));
   scene->AddItem(chart);
 }
 
@@ -231,20 +232,17 @@ void AddCurve(vtkChartXY* chart, const std::vector<tool::ViewError>& views, cons
 //------------------------------------------------------------------------------
 void AddViews(vtkContextScene* scene, const std::vector<tool::ViewError>& views)
 {
-  const auto chart = MakeChart(ViewsLeft, ViewsBottom, ViewsWidth, Top - ViewsBottom);
+  const auto chart = MakeChart(ViewsLeft, ViewsBottom, ViewsWidth, Top - 28 - ViewsBottom);
   vtkAxis* left = chart->GetAxis(vtkAxis::LEFT);
   SetUpAxis(chart->GetAxis(vtkAxis::BOTTOM), "theta_o (degrees)", 90.0, Degrees);
   SetUpAxis(left, "", Highest, Shares, Lowest);
   left->SetGridVisible(true);
   left->GetGridPen()->SetColorF(0.85, 0.85, 0.85);
-  // Ends of the same colour map, and marks of two shapes.
-  AddCurve(chart, views, "99th percentile", &tool::ViewError::P99, { 0.369, 0.789, 0.383 },
-    vtkPlotPoints::DIAMOND);
-  AddCurve(chart, views, "relative L1", &tool::ViewError::RelativeL1, { 0.267, 0.005, 0.329 },
-    vtkPlotPoints::CIRCLE);
-  chart->SetShowLegend(true);
-  chart->GetLegend()->SetLabelSize(LabelSize - 2);
-  chart->GetLegend()->SetDragEnabled(false);
+  // Far from each other in brightness, and marks of two shapes.
+  AddCurve(
+    chart, views, "99th percentile", &tool::ViewError::P99, P99Colour, vtkPlotPoints::DIAMOND);
+  AddCurve(
+    chart, views, "relative L1", &tool::ViewError::RelativeL1, L1Colour, vtkPlotPoints::CIRCLE);
   scene->AddItem(chart);
 }
 
@@ -318,8 +316,8 @@ void WriteWorst(tool::Picture& picture, vtkBRDFFailureMap* map)
       tool::DrawText(picture, left + columns[c], y, cells[c], LabelSize, c == 0, Ink);
     }
     // On a dark rim: the map may be bright there.
-    const int x0 = MapLefts[0] + static_cast<int>(angles[0] * Side / 90.0) - 4;
-    const int y0 = Bottom + static_cast<int>(angles[1] * Side / 90.0) - 6;
+    const int x0 = MapLefts[0] + std::min(static_cast<int>(angles[0] * Side / 90.0) - 4, Side - 12);
+    const int y0 = Bottom + std::min(static_cast<int>(angles[1] * Side / 90.0) - 6, Side - 15);
     for (int rim = 0; rim < 9; ++rim)
     {
       tool::DrawText(picture, x0 + rim % 3 - 1, y0 + rim / 3 - 1, cells[0], LabelSize, true, Ink);
@@ -397,7 +395,7 @@ void WriteFailureMap(const std::string& path, const FailureCaption& caption, vtk
   renderer->SetBackground(1.0, 1.0, 1.0);
   renderer->AddActor(actor);
   window->SetOffScreenRendering(1);
-  window->SetMultiSamples(4);
+  window->SetMultiSamples(0);
   window->AddRenderer(renderer);
   window->SetSize(Width, Height);
   scene->SetRenderer(renderer);
@@ -415,6 +413,14 @@ void WriteFailureMap(const std::string& path, const FailureCaption& caption, vtk
   DrawText(picture, BarLeft, title, "error", TitleSize, false, Ink);
   DrawText(picture, ViewsLeft - 50, title,
     Fit("radiance: " + caption.Method, TitleSize, false, ViewsWidth + 50), TitleSize, false, Ink);
+  for (const auto& [logarithm, label] : Shares)
+  {
+    const double share = (logarithm - Lowest) / (Highest - Lowest);
+    DrawText(picture, BarLeft + BarWidth + 8, Bottom + static_cast<int>(share * Side) - 6, label,
+      LabelSize, false, Ink);
+  }
+  DrawText(picture, ViewsLeft, title - 26, "relative L1", LabelSize, true, L1Colour);
+  DrawText(picture, ViewsLeft + 110, title - 26, "99th percentile", LabelSize, true, P99Colour);
   WriteWorst(picture, map);
   WritePNG(path, picture, KeepEncoded);
 }
