@@ -351,7 +351,10 @@ void AddChartCommand(CLI::App& app)
   std::vector<std::string> metrics;
   for (const Metric& metric : GetMetrics())
   {
-    metrics.push_back(metric.Name);
+    if (metric.IsError)
+    {
+      metrics.push_back(metric.Name);
+    }
   }
   command
     ->add_option("--metric", options->Metric,

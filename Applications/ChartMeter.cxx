@@ -97,6 +97,18 @@ void AddMaterial(Hash& hash, vtkBRDF* brdf)
 }
 
 //------------------------------------------------------------------------------
+// Some metrics are not a number for pictures that are too small for them.
+bool AreAlike(const std::map<std::string, double>& a, const std::map<std::string, double>& b)
+{
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+    [](const auto& one, const auto& other)
+    {
+      return one.first == other.first &&
+             (one.second == other.second || (std::isnan(one.second) && std::isnan(other.second)));
+    });
+}
+
+//------------------------------------------------------------------------------
 double GetElapsed(std::chrono::steady_clock::time_point begin)
 {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin)
@@ -142,7 +154,7 @@ int ChartMeter::FindAlike(const std::vector<Timed>& all, const Timed& timed)
   const auto found = std::find_if(all.begin(), all.end(),
     [&timed](const Timed& other)
     {
-      return other.Window && other.Point.Errors == timed.Point.Errors &&
+      return other.Window && AreAlike(other.Point.Errors, timed.Point.Errors) &&
              other.Point.Bytes == timed.Point.Bytes;
     });
   return found == all.end() ? -1 : static_cast<int>(found - all.begin());

@@ -4,6 +4,7 @@
 
 #include "Methods.h"
 #include "Tool.h"
+#include "Watch.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkExactIntegrator.h"
@@ -60,17 +61,21 @@ Picture Grid::Draw(const std::vector<double>& rgb) const
 const std::vector<Metric>& GetMetrics()
 {
   using Metrics = vtkRadianceMetrics;
-  static const std::vector<Metric> metrics = { { "relative_l1", "relative L1 error", true,
+  static const std::vector<Metric> metrics = { { "relative_l1", "relative L1 error", true, true,
                                                  [](Metrics* m) { return m->GetRelativeL1(); } },
-    { "relative_rmse", "relative RMS error", true,
+    { "relative_rmse", "relative RMS error", true, true,
       [](Metrics* m) { return m->GetRelativeRMSE(); } },
-    { "median_relative", "median relative error", true,
+    { "rel_mse", "relMSE", false, true, [](Metrics* m) { return m->GetRelMSE(); } },
+    { "median_relative", "median relative error", true, true,
       [](Metrics* m) { return m->GetMedianRelative(); } },
-    { "p99_relative", "99th percentile of the relative error", true,
+    { "p99_relative", "99th percentile of the relative error", true, true,
       [](Metrics* m) { return m->GetP99Relative(); } },
-    { "smape", "SMAPE", true, [](Metrics* m) { return m->GetSMAPE(); } },
-    { "flip", "FLIP", false, [](Metrics* m) { return m->GetFLIP(); } },
-    { "delta_e_itp", "Delta E ITP", false, [](Metrics* m) { return m->GetDeltaEITP(); } } };
+    { "smape", "SMAPE", true, true, [](Metrics* m) { return m->GetSMAPE(); } },
+    { "flip", "FLIP", false, true, [](Metrics* m) { return m->GetFLIP(); } },
+    { "hdr_flip", "HDR-FLIP", false, true, [](Metrics* m) { return m->GetHDRFLIP(); } },
+    { "ssim", "SSIM", false, false, [](Metrics* m) { return m->GetSSIM(); } },
+    { "delta_e_2000", "Delta E 2000", false, true, [](Metrics* m) { return m->GetDeltaE2000(); } },
+    { "delta_e_itp", "Delta E ITP", false, true, [](Metrics* m) { return m->GetDeltaEITP(); } } };
   return metrics;
 }
 
@@ -92,9 +97,13 @@ void Measure(vtkRadianceMetrics* metrics, const Grid& grid, const std::vector<do
       }
     }
   }
-  if (!metrics->Compare(MakeArray(rgb, 3), MakeArray(reference, 3)) ||
-      !metrics->ComparePictures(grid.Width, grid.Height, MakeArray(pictures[0], 3),
-        MakeArray(pictures[1], 3), MakeArray(coverage, 1)))
+  const auto compare = [&](vtkRadianceMetrics* made)
+  {
+    return made->Compare(MakeArray(rgb, 3), MakeArray(reference, 3)) &&
+           made->ComparePictures(grid.Width, grid.Height, MakeArray(pictures[0], 3),
+             MakeArray(pictures[1], 3), MakeArray(coverage, 1));
+  };
+  if (!Watch(metrics, compare, "measuring"))
   {
     throw Error("measuring: " + TakeErrorText());
   }

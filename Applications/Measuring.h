@@ -45,13 +45,15 @@ struct Metric
   std::string Name;
   std::string Label; // for people
   bool Relative;     // a share, shown in percent
+  bool IsError;      // smaller is better
   double (*Get)(vtkRadianceMetrics*);
 };
 
 /// Those that a report holds; relative_l1, which tolerances are about, is the first.
 const std::vector<Metric>& GetMetrics();
 
-/// Compare radiance of a surface's pixels with a reference, 3 doubles each. Throws Error.
+/// Compare radiance of a surface's pixels with a reference, 3 doubles each. Throws Error. Needs an
+/// Interruptible.
 void Measure(vtkRadianceMetrics* metrics, const Grid& grid, const std::vector<double>& rgb,
   const std::vector<double>& reference);
 

@@ -50,8 +50,8 @@ constexpr double SampleCost = 28.0;
 
 // Rows, view angles, azimuths: what linear interpolation in each costs in error differs with the
 // material's gloss (docs/methods.md).
-const int TableSizes[][3] = { { 17, 8, 8 }, { 33, 12, 16 }, { 65, 12, 16 }, { 65, 24, 24 },
-  { 129, 12, 16 }, { 129, 24, 16 } };
+const int TableSizes[][3] = { { 17, 8, 8 }, { 33, 12, 16 }, { 33, 24, 16 }, { 65, 12, 16 },
+  { 65, 24, 24 }, { 129, 12, 16 }, { 129, 24, 16 } };
 // The same and samples of the sharp layer, with suns and lamps as lights.
 const int LayerSizes[][4] = { { 33, 12, 16, 0 }, { 65, 12, 16, 0 }, { 129, 12, 16, 0 },
   { 33, 12, 16, 8 }, { 65, 12, 16, 8 }, { 65, 24, 24, 8 }, { 33, 12, 16, 16 }, { 65, 12, 16, 16 },
