@@ -15,12 +15,14 @@
 #include "vtkLightSetIntegrator.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkRadianceCostModel.h"
 #include "vtkTableRadianceIntegrator.h"
 #include "vtkVarianceLightSetGenerator.h"
 
 #include <glm/glm.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <cstddef>
@@ -40,14 +42,6 @@ constexpr int Lights = 8192;
 constexpr int GlossyPairs = 128;
 constexpr int GlossyLights = 32768;
 
-// Nanoseconds per covered pixel on Mesa's llvmpipe, 2 cores (docs/methods.md); on a GPU all are
-// hundreds of times smaller, in much the same proportion.
-constexpr double BaseCost = 55.0;
-constexpr double TableCost = 52.0;
-constexpr double LightCost = 20.0;
-constexpr double FunctionCost = 12.0;
-constexpr double SampleCost = 28.0;
-
 // Rows, view angles, azimuths: what linear interpolation in each costs in error differs with the
 // material's gloss (docs/methods.md).
 const int TableSizes[][3] = { { 17, 8, 8 }, { 33, 12, 16 }, { 65, 12, 16 }, { 65, 24, 24 },
@@ -59,8 +53,9 @@ const int SampleCounts[] = { 16, 64, 256 };
 constexpr int FewSamples = 16; // so they are here
 const int FunctionCounts[] = { 9, 25, 64 };
 
-constexpr char PlanVersion[] = "plan 2"; // rises with anything that changes plans or tables
+constexpr char PlanVersion[] = "plan 3"; // rises with anything that changes plans or tables
 constexpr std::size_t LargestCount = 100;
+constexpr vtkIdType SmallTexture = 4000000; // bytes; the reason says why a plan takes more
 
 struct Candidate
 {
@@ -87,6 +82,63 @@ std::string Percent(double value)
   return text;
 }
 
+std::string GetSizesText(int method, const int sizes[3])
+{
+  const std::string first = std::to_string(sizes[0]);
+  switch (method)
+  {
+    case vtkRadiancePlanner::LIGHT_SET:
+      return first + " soft lights by variance";
+    case vtkRadiancePlanner::BASIS:
+      return "at most " + first + " functions";
+    case vtkRadiancePlanner::FILTERED:
+      return first + " samples";
+    default:
+      return first + " rows x " + std::to_string(sizes[1]) + " view angles x " +
+             std::to_string(sizes[2]) + " azimuths";
+  }
+}
+
+// Hands a planner's abort on to an integrator at work for it, whose errors it keeps.
+class Supervision
+{
+public:
+  Supervision(vtkRadiancePlanner* planner, vtkRadianceIntegrator* integrator, std::string& problem)
+    : Planner(planner)
+    , Integrator(integrator)
+    , Problem(problem)
+  {
+    this->Tags[0] =
+      integrator->AddObserver(vtkCommand::ProgressEvent, this, &Supervision::OnProgress);
+    this->Tags[1] = integrator->AddObserver(vtkCommand::ErrorEvent, this, &Supervision::OnError);
+  }
+  ~Supervision()
+  {
+    this->Integrator->RemoveObserver(this->Tags[0]);
+    this->Integrator->RemoveObserver(this->Tags[1]);
+  }
+  Supervision(const Supervision&) = delete;
+  void operator=(const Supervision&) = delete;
+
+private:
+  void OnProgress(vtkObject*, unsigned long, void*)
+  {
+    if (this->Planner->GetAbort())
+    {
+      this->Integrator->SetAbort(true);
+    }
+  }
+  void OnError(vtkObject*, unsigned long, void* text)
+  {
+    this->Problem = text ? static_cast<const char*>(text) : "";
+  }
+
+  vtkRadiancePlanner* Planner;
+  vtkSmartPointer<vtkRadianceIntegrator> Integrator;
+  std::string& Problem;
+  unsigned long Tags[2];
+};
+
 double GetMilliseconds(std::chrono::steady_clock::time_point start)
 {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
@@ -98,7 +150,9 @@ struct vtkRadiancePlanner::Internals
 {
   vtkSmartPointer<vtkBRDF> BRDF;
   vtkSmartPointer<vtkEnvironment> Environment;
+  vtkSmartPointer<vtkRadianceCostModel> Costs;    // null: the defaults
   vtkNew<vtkVarianceLightSetGenerator> Generator; // keeps its tree
+  std::string Problem;                            // that an integrator had
 
   // What the candidates are measured against.
   vtkNew<vtkDoubleArray> Normals;
@@ -113,8 +167,19 @@ struct vtkRadiancePlanner::Internals
 
   vtkMTimeType GetInputsMTime(vtkObject* planner) const
   {
-    return std::max(
-      { planner->GetMTime(), this->BRDF->GetMTime(), this->Environment->GetPixelsMTime() });
+    return std::max({ planner->GetMTime(), this->BRDF->GetMTime(),
+      this->Environment->GetPixelsMTime(), this->Costs ? this->Costs->GetMTime() : 0 });
+  }
+
+  std::vector<double> GetCosts()
+  {
+    const auto model = this->Costs ? this->Costs : vtkSmartPointer<vtkRadianceCostModel>::New();
+    std::vector<double> costs;
+    for (int type = 0; type < vtkRadianceCostModel::NUMBER_OF_COSTS; ++type)
+    {
+      costs.push_back(model->GetCost(type));
+    }
+    return costs;
   }
 
   // Everything that a plan depends on.
@@ -128,6 +193,8 @@ struct vtkRadiancePlanner::Internals
     hash.AddValue(planner->GetMaximumTextureBytes());
     hash.AddValue(planner->GetEvaluateAll());
     hash.Add(planner->GetViewDirection(), 3 * sizeof(double));
+    const std::vector<double> costs = this->GetCosts();
+    hash.Add(costs.data(), costs.size() * sizeof(double));
     return hash.GetText();
   }
 
@@ -233,7 +300,7 @@ struct vtkRadiancePlanner::Internals
   }
 
   // The sum over very many lights.
-  bool MakeReference(int pairs, int lights, const double view[3])
+  bool MakeReference(vtkRadiancePlanner* planner, int pairs, int lights, const double view[3])
   {
     this->DrawPairs(pairs, view);
     vtkNew<vtkLightSet> set;
@@ -241,6 +308,7 @@ struct vtkRadiancePlanner::Internals
     integrator->SetBRDF(this->BRDF);
     integrator->SetEnvironment(this->Environment);
     integrator->SetLightSet(set);
+    const Supervision supervision(planner, integrator, this->Problem);
     return this->Generator->Generate(this->Environment, lights, set) &&
            integrator->Integrate(this->Normals, this->Views, this->Reference);
   }
@@ -289,10 +357,11 @@ struct vtkRadiancePlanner::Internals
   }
 
   // Prepare it and see how far it is from the reference.
-  bool Try(Candidate& candidate)
+  bool Try(vtkRadiancePlanner* planner, Candidate& candidate)
   {
     const auto start = std::chrono::steady_clock::now();
     candidate.Integrator = this->Make(candidate);
+    const Supervision supervision(planner, candidate.Integrator, this->Problem);
     vtkNew<vtkDoubleArray> radiance;
     if (!candidate.Integrator->Prepare())
     {
@@ -324,7 +393,47 @@ struct vtkRadiancePlanner::Internals
     candidate.Error = sum > 0.0 ? (differences + std::sqrt(variance)) / sum : 0.0;
     return true;
   }
+
+  // Why the choice takes much memory: what the largest of the small tables that were tried had.
+  std::string ExplainMemory() const
+  {
+    const Candidate& chosen = this->Candidates[static_cast<std::size_t>(this->Choice)];
+    const Candidate* small = nullptr;
+    for (const Candidate& candidate : this->Candidates)
+    {
+      const bool fits = candidate.Method == TABLE && candidate.Bytes <= SmallTexture;
+      small = fits && (!small || candidate.Bytes > small->Bytes) ? &candidate : small;
+    }
+    if (chosen.Bytes <= SmallTexture || !small)
+    {
+      return "";
+    }
+    const std::string needs = chosen.Method == TABLE
+                                ? "gloss needs " + std::to_string(chosen.Sizes[0]) + " rows"
+                                : "gloss needs other than a table";
+    return "; " + needs + ": the largest table within 4 MB, " +
+           GetSizesText(small->Method, small->Sizes) + ", has " + Percent(small->Error);
+  }
 };
+
+namespace
+{
+// Whatever way a run ends.
+class ClearAtEnd
+{
+public:
+  explicit ClearAtEnd(std::atomic<bool>& flag)
+    : Flag(flag)
+  {
+  }
+  ~ClearAtEnd() { this->Flag = false; }
+  ClearAtEnd(const ClearAtEnd&) = delete;
+  void operator=(const ClearAtEnd&) = delete;
+
+private:
+  std::atomic<bool>& Flag;
+};
+}
 
 vtkStandardNewMacro(vtkRadiancePlanner);
 
@@ -364,10 +473,33 @@ void vtkRadiancePlanner::SetEnvironment(vtkEnvironment* environment)
 vtkEnvironment* vtkRadiancePlanner::GetEnvironment() { return this->Impl->Environment; }
 
 //------------------------------------------------------------------------------
+void vtkRadiancePlanner::SetCostModel(vtkRadianceCostModel* model)
+{
+  if (this->Impl->Costs != model)
+  {
+    this->Impl->Costs = model;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkRadianceCostModel* vtkRadiancePlanner::GetCostModel() { return this->Impl->Costs; }
+
+//------------------------------------------------------------------------------
+bool vtkRadiancePlanner::Fail()
+{
+  const std::string problem =
+    this->Impl->Problem.empty() ? "there is no reference to compare with." : this->Impl->Problem;
+  vtkErrorMacro("Update: " << (this->Abort ? "aborted." : problem));
+  return false;
+}
+
+//------------------------------------------------------------------------------
 bool vtkRadiancePlanner::Update()
 {
   Internals& impl = *this->Impl;
-  this->Abort = false;
+  const ClearAtEnd clear(this->Abort);
+  impl.Problem.clear();
   if (!impl.BRDF || !impl.Environment || impl.Environment->GetPixels().empty())
   {
     vtkErrorMacro(
@@ -389,6 +521,8 @@ bool vtkRadiancePlanner::Update()
   }
 
   // Candidates in the order of their cost, the smallest table first.
+  const std::vector<double> costs = impl.GetCosts();
+  const double base = costs[vtkRadianceCostModel::BASE];
   std::vector<Candidate> wanted;
   const bool isotropic = impl.BRDF->IsIsotropic();
   if (isotropic)
@@ -396,7 +530,7 @@ bool vtkRadiancePlanner::Update()
     for (const auto& sizes : TableSizes)
     {
       Candidate table(TABLE, sizes[0], sizes[1], sizes[2]);
-      table.Cost = BaseCost + TableCost;
+      table.Cost = base + costs[vtkRadianceCostModel::TABLE];
       table.Bytes = TableBytes + 6 * static_cast<vtkIdType>(2 * (sizes[0] - 1)) * sizes[0] *
                                    sizes[1] * (sizes[2] + 1);
       wanted.push_back(table);
@@ -406,7 +540,7 @@ bool vtkRadiancePlanner::Update()
   for (const int count : LightCounts)
   {
     Candidate lights(LIGHT_SET, count);
-    lights.Cost = BaseCost + LightCost * count;
+    lights.Cost = base + costs[vtkRadianceCostModel::LIGHT] * count;
     lights.Bytes = 32 * static_cast<vtkIdType>(count);
     if (this->EvaluateAll || (!isotropic && count <= AnisotropicLights))
     {
@@ -416,7 +550,7 @@ bool vtkRadiancePlanner::Update()
   for (const int count : SampleCounts)
   {
     Candidate samples(FILTERED, count);
-    samples.Cost = BaseCost + SampleCost * count;
+    samples.Cost = base + costs[vtkRadianceCostModel::SAMPLE] * count;
     samples.Bytes = 5600000;
     if (isotropic && (this->EvaluateAll || count <= FewSamples))
     {
@@ -426,7 +560,7 @@ bool vtkRadiancePlanner::Update()
   for (const int count : FunctionCounts)
   {
     Candidate functions(BASIS, count);
-    functions.Cost = BaseCost + FunctionCost * count;
+    functions.Cost = base + costs[vtkRadianceCostModel::FUNCTION] * count;
     functions.Bytes = 12 * 2 * 48 * 48 * static_cast<vtkIdType>(count);
     if (isotropic && this->EvaluateAll)
     {
@@ -446,9 +580,9 @@ bool vtkRadiancePlanner::Update()
   std::stable_sort(wanted.begin(), wanted.end(),
     [](const Candidate& a, const Candidate& b) { return a.Cost < b.Cost; });
 
-  if (!impl.MakeReference(Pairs, Lights, this->ViewDirection))
+  if (this->Abort || !impl.MakeReference(this, Pairs, Lights, this->ViewDirection))
   {
-    return false;
+    return this->Fail();
   }
   std::vector<Candidate> tried;
   int choice = -1;
@@ -470,17 +604,17 @@ bool vtkRadiancePlanner::Update()
       hopeless = false;
       continue;
     }
-    if (!impl.Try(candidate))
+    if (!impl.Try(this, candidate))
     {
-      return false;
+      return this->Fail();
     }
     if (candidate.Method == TABLE && candidate.Sizes[0] >= 33 && candidate.Error > GlossyError &&
         !glossy)
     {
       glossy = true;
-      if (!impl.MakeReference(GlossyPairs, GlossyLights, this->ViewDirection))
+      if (!impl.MakeReference(this, GlossyPairs, GlossyLights, this->ViewDirection))
       {
-        return false;
+        return this->Fail();
       }
     }
     hopeless = candidate.Error > HopelessRatio * this->ErrorTolerance;
@@ -508,8 +642,7 @@ bool vtkRadiancePlanner::Update()
   }
   if (this->Abort)
   {
-    vtkErrorMacro("Update: aborted.");
-    return false;
+    return this->Fail();
   }
   for (std::size_t k = 0; k < tried.size(); ++k)
   {
@@ -534,6 +667,7 @@ bool vtkRadiancePlanner::Update()
     impl.Reason = "nothing that was tried is within " + Percent(this->ErrorTolerance) +
                   "; this is the most accurate, with " + Percent(chosen.Error);
   }
+  impl.Reason += impl.ExplainMemory();
   impl.Time.Modified();
   if (!key.empty())
   {
@@ -576,20 +710,8 @@ std::string vtkRadiancePlanner::GetDescription(int index)
   {
     return "";
   }
-  const int* sizes = this->Impl->Candidates[static_cast<std::size_t>(index)].Sizes;
-  const std::string first = std::to_string(sizes[0]);
-  switch (this->GetMethod(index))
-  {
-    case LIGHT_SET:
-      return first + " soft lights by variance";
-    case BASIS:
-      return "at most " + first + " functions";
-    case FILTERED:
-      return first + " samples";
-    default:
-      return first + " rows x " + std::to_string(sizes[1]) + " view angles x " +
-             std::to_string(sizes[2]) + " azimuths";
-  }
+  const Candidate& candidate = this->Impl->Candidates[static_cast<std::size_t>(index)];
+  return GetSizesText(candidate.Method, candidate.Sizes);
 }
 
 //------------------------------------------------------------------------------
@@ -673,6 +795,8 @@ void vtkRadiancePlanner::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "BRDF: " << this->Impl->BRDF.Get() << "\n";
   os << indent << "Environment: " << this->Impl->Environment.Get() << "\n";
+  os << indent
+     << "CostModel: " << (this->Impl->Costs ? this->Impl->Costs->GetName() : "the default") << "\n";
   os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
   os << indent << "ViewDirection: " << this->ViewDirection[0] << " " << this->ViewDirection[1]
      << " " << this->ViewDirection[2] << "\n";

@@ -11,8 +11,7 @@
  * trying: each candidate is prepared and compared on some hundred (normal, view) pairs, drawn as a
  * sphere shows them, with a sum over thousands of lights of a variance light set (whose own error
  * falls as 1/N and is part of the prediction); one standard error of that sample is added. Costs
- * are nanoseconds per covered pixel, as measured on Mesa's llvmpipe per table, light, sample or
- * function: on other renderers only their order counts.
+ * are those of a vtkRadianceCostModel: Mesa's llvmpipe's unless another is set.
  *
  * Tables of radiance cost the same few fetches at every size, so their sizes are tried in turn,
  * smallest first. Where no candidate meets the tolerance, the most accurate one is chosen and the
@@ -33,6 +32,7 @@
 
 class vtkBRDF;
 class vtkEnvironment;
+class vtkRadianceCostModel;
 class vtkRadianceIntegrator;
 
 class VTKMEASUREDBRDF_EXPORT vtkRadiancePlanner : public vtkObject
@@ -105,6 +105,15 @@ public:
 
   ///@{
   /**
+   * What a pixel costs by each method: the order of the candidates and the frame times that are
+   * predicted. Null (default): the defaults of vtkRadianceCostModel.
+   */
+  void SetCostModel(vtkRadianceCostModel* model);
+  vtkRadianceCostModel* GetCostModel();
+  ///@}
+
+  ///@{
+  /**
    * A folder where plans and their tables outlive the program, found again by the material's values
    * and the environment's pixels; "" (default): none. The mapper uses GetDefaultCacheFolder():
    * $MEASUREDBRDF_CACHE ("off": none), else $XDG_CACHE_HOME/vtkMeasuredBRDF, else
@@ -145,7 +154,8 @@ public:
 
   ///@{
   /**
-   * The choice, -1 before any; whether it meets the tolerance; why it was chosen, one line.
+   * The choice, -1 before any; whether it meets the tolerance; why it was chosen, one line, also
+   * where it takes more than 4 MB or does not meet the tolerance.
    */
   int GetChoice();
   bool GetMeetsTolerance();
@@ -169,7 +179,8 @@ public:
 
   ///@{
   /**
-   * Set from an observer to stop a running Update.
+   * Set from an observer or another thread to stop Update: the running one or, where none runs,
+   * the next. Cleared when that returns.
    */
   void SetAbort(bool abort) { this->Abort = abort; }
   bool GetAbort() { return this->Abort; }
@@ -192,6 +203,9 @@ protected:
 private:
   vtkRadiancePlanner(const vtkRadiancePlanner&) = delete;
   void operator=(const vtkRadiancePlanner&) = delete;
+
+  /// The error event of a run that can't go on; false.
+  bool Fail();
 
   struct Internals;
   std::unique_ptr<Internals> Impl;
