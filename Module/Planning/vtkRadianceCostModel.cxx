@@ -81,7 +81,8 @@ bool vtkRadianceCostModel::SetText(const std::string& text)
       return false;
     }
   }
-  if (title != Title || !(lines >> std::ws).eof())
+  // A last line without an end may be cut in the middle of its number.
+  if (title != Title || text.back() != '\n' || !(lines >> std::ws).eof())
   {
     return false;
   }

@@ -263,6 +263,7 @@ std::string vtkRadianceCostCalibrator::Measure(vtkRenderWindow* window, const st
   table->SetNumberOfAzimuths(8);
   vtkNew<vtkFilteredRadianceIntegrator> filtered;
   filtered->SetNumberOfSamples(Samples);
+  filtered->ExtractLightsOff(); // which count as lights
   vtkNew<vtkBasisRadianceIntegrator> basis;
   basis->SetMaximumNumberOfTerms(Functions);
   const vtkSmartPointer<vtkRadianceIntegrator> methods[] = { bench.MakeLights(FewLights),
