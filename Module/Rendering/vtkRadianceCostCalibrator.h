@@ -6,10 +6,10 @@
  *
  * Draws a small patch with the normals of a sphere, off screen, by light sets of 1 and 64 soft
  * lights, a table of radiance, 16 filtered samples and at most 25 pre-integrated functions: as
- * large a patch, or as many over each other, as take some milliseconds. Costs are medians of 5
- * frames less those of an empty one, per pixel that was shaded. They are of an isotropic
- * Ashikhmin-Shirley lobe; a light of other materials may cost half or twice as much. A cost that
- * drowns in BASE's counts as a hundredth of it.
+ * large a patch, or as many over each other, as take some milliseconds. Costs are the least time of
+ * 5 frames (other work on the machine only adds to it) less that of an empty one, per pixel that
+ * was shaded. They are of an isotropic Ashikhmin-Shirley lobe; a light of other materials may cost
+ * half or twice as much. A cost that drowns in BASE's counts as a hundredth of it.
  *
  * What was measured is kept on disk per OpenGL vendor, renderer and version, and found again.
  * Nothing else should be at work on the machine meanwhile. Renderers that shade nothing which is
