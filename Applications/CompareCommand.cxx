@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Bases.h"
+#include "FailureMap.h"
 #include "Files.h"
 #include "Inputs.h"
 #include "Meshes.h"
@@ -11,7 +13,10 @@
 #include "StockScene.h"
 #include "Surface.h"
 #include "Tool.h"
+#include "Watch.h"
 
+#include "vtkBRDFFailureMap.h"
+#include "vtkBRDFResampler.h"
 #include "vtkDoubleArray.h"
 #include "vtkExactIntegrator.h"
 #include "vtkNew.h"
@@ -39,6 +44,8 @@ struct Options
   int ReferencePixels = 1024;
   std::string Output;
   std::string Report;
+  std::string Fit;
+  std::string FailureMap;
   tool::MethodOptions Method;
 };
 
@@ -132,9 +139,13 @@ void Measure(vtkRadianceMetrics* metrics, const Grid& grid, const std::vector<do
       }
     }
   }
-  if (!metrics->Compare(MakeArray(rgb, 3), MakeArray(reference, 3)) ||
-      !metrics->ComparePictures(grid.Width, grid.Height, MakeArray(pictures[0], 3),
-        MakeArray(pictures[1], 3), MakeArray(coverage, 1)))
+  const auto compare = [&](vtkRadianceMetrics* made)
+  {
+    return made->Compare(MakeArray(rgb, 3), MakeArray(reference, 3)) &&
+           made->ComparePictures(grid.Width, grid.Height, MakeArray(pictures[0], 3),
+             MakeArray(pictures[1], 3), MakeArray(coverage, 1));
+  };
+  if (!tool::Watch(metrics, compare, "measuring"))
   {
     throw tool::Error("compare: " + tool::TakeErrorText());
   }
@@ -158,11 +169,13 @@ nlohmann::ordered_json MakeReport(const Options& options, const Comparison& foun
 {
   vtkRadianceMetrics* metrics = found.Metrics;
   return { { "method", options.Method.Method }, { "relative_l1", metrics->GetRelativeL1() },
-    { "relative_rmse", metrics->GetRelativeRMSE() },
+    { "relative_rmse", metrics->GetRelativeRMSE() }, { "rel_mse", metrics->GetRelMSE() },
     { "median_relative", metrics->GetMedianRelative() },
     { "p99_relative", metrics->GetP99Relative() }, { "smape", metrics->GetSMAPE() },
-    { "flip", metrics->GetFLIP() }, { "delta_e_itp", metrics->GetDeltaEITP() },
-    { "frame_ms", found.Frame }, { "pbr_frame_ms", found.StockFrame },
+    { "flip", metrics->GetFLIP() }, { "hdr_flip", metrics->GetHDRFLIP() },
+    { "ssim", metrics->GetSSIM() }, { "delta_e_2000", metrics->GetDeltaE2000() },
+    { "delta_e_itp", metrics->GetDeltaEITP() }, { "frame_ms", found.Frame },
+    { "pbr_frame_ms", found.StockFrame },
     { "pbr_relative_l1", found.StockMetrics->GetRelativeL1() }, { "setup_ms", found.Setup },
     { "pbr_setup_ms", found.StockSetup }, { "pbr_flip", found.StockMetrics->GetFLIP() },
     { "pbr_material", { { "roughness", found.Stock.Roughness },
@@ -176,6 +189,67 @@ std::string FormatPercent(double share)
   char text[32];
   std::snprintf(text, sizeof(text), "%.3g %%", 100.0 * share);
   return text;
+}
+
+//------------------------------------------------------------------------------
+// What is evaluated in place of the material: the form on the GPU where the method has one.
+vtkBRDF* GetShaded(const tool::Method& method)
+{
+  return method.Integrator->UsesBRDFOnGPU() ? method.BRDF->GetRenderable() : method.BRDF.Get();
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkBRDFFailureMap> MakeFailureMap(vtkBRDF* reference, const tool::Method& method)
+{
+  auto map = vtkSmartPointer<vtkBRDFFailureMap>::New();
+  map->SetReference(reference);
+  map->SetBRDF(GetShaded(method));
+  if (!tool::Watch(map.Get(), &vtkBRDFFailureMap::Update, "mapping failures"))
+  {
+    throw tool::Error("compare: --failure-map: " + tool::TakeErrorText());
+  }
+  return map;
+}
+
+//------------------------------------------------------------------------------
+void WriteFailureMap(const Options& options, const std::string& title, const tool::Method& method,
+  vtkBRDFFailureMap* map, const std::vector<tool::ViewError>& views)
+{
+  tool::FailureCaption caption;
+  caption.Title = title;
+  caption.Method = options.Method.Method;
+  vtkBRDF* shaded = GetShaded(method);
+  caption.Note =
+    shaded == map->GetReference()
+      ? "The method takes the material's own f: its errors are those of the integral alone (right)."
+      : "f as " + tool::DescribeForm(shaded) + ": relative L1 " +
+          FormatPercent(map->GetRelativeL1()) + ".";
+  caption.Note += " Each cell: mean |f - r| over mean r, all azimuths. Grey: below the horizon.";
+  tool::WriteFailureMap(options.FailureMap, caption, map, views);
+}
+
+//------------------------------------------------------------------------------
+void AddFailures(
+  vtkBRDFFailureMap* map, const std::vector<tool::ViewError>& views, nlohmann::ordered_json& report)
+{
+  report["brdf_relative_l1"] = map->GetRelativeL1();
+  report["brdf_log_cosine"] =
+    vtkBRDFResampler::GetLogCosineDistance(map->GetReference(), map->GetBRDF());
+  report["worst_angles"] = nlohmann::ordered_json::array();
+  for (int k = 0; k < map->GetNumberOfWorstAngles(); ++k)
+  {
+    double angles[3];
+    map->GetWorstAngles(k, angles);
+    report["worst_angles"].push_back({ { "theta_i", angles[0] }, { "theta_o", angles[1] },
+      { "phi", angles[2] }, { "error", map->GetWorstError(k) } });
+  }
+  report["radiance_by_theta_o"] = nlohmann::ordered_json::array();
+  for (const tool::ViewError& view : views)
+  {
+    report["radiance_by_theta_o"].push_back(
+      { { "begin", view.Begin }, { "end", view.End }, { "pixels", view.NumberOfPixels },
+        { "relative_l1", view.RelativeL1 }, { "p99_relative", view.P99 } });
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -360,11 +434,14 @@ std::vector<double> SumExactly(
 void Check(Options& options, const CLI::App* command)
 {
   options.Method.Check(command);
-  if (!options.Output.empty() && tool::Extension(options.Output) != ".png")
+  for (const std::string& path : { options.Output, options.FailureMap })
   {
-    throw tool::UsageError(options.Output + ": the picture must end in .png");
+    if (!path.empty() && tool::Extension(path) != ".png")
+    {
+      throw tool::UsageError(path + ": the picture must end in .png");
+    }
   }
-  for (const std::string& path : { options.Output, options.Report })
+  for (const std::string& path : { options.Output, options.FailureMap, options.Report })
   {
     if (!path.empty())
     {
@@ -381,6 +458,7 @@ void Run(Options& options, const CLI::App* command)
   Check(options, command);
   const tool::Interruptible interruptible;
   const tool::Material material = tool::LoadMaterial(options.File);
+  const tool::Material shaded = options.Fit.empty() ? material : tool::LoadMaterial(options.Fit);
   const vtkSmartPointer<vtkEnvironment> environment = tool::LoadEnvironment(options.Environment);
   const vtkSmartPointer<vtkPolyData> mesh =
     options.Mesh.empty() ? tool::MakeSphere() : tool::LoadMesh(options.Mesh);
@@ -401,7 +479,7 @@ void Run(Options& options, const CLI::App* command)
   found.Setup = GetMilliseconds(
     [&]()
     {
-      method = tool::MakeMethod(options.Method, material, environment);
+      method = tool::MakeMethod(options.Method, shaded, environment);
       scene.SetMaterial(method.BRDF);
       scene.SetLight(environment, method.Integrator);
       scene.TimeFrame();
@@ -443,12 +521,24 @@ void Run(Options& options, const CLI::App* command)
   report["material"] = material.Name;
   report["environment"] = environment->GetName();
   report["renderer"] = scene.GetRendererName();
+  if (!options.Fit.empty())
+  {
+    report["fit"] = shaded.Name;
+  }
+  const std::string title = material.Name + " under " + environment->GetName();
+  if (!options.FailureMap.empty())
+  {
+    const std::vector<tool::ViewError> views =
+      tool::MeasureViews(surface.Normals, surface.Views, rgb, reference);
+    const vtkSmartPointer<vtkBRDFFailureMap> map = MakeFailureMap(material.BRDF, method);
+    WriteFailureMap(options, title, method, map, views);
+    AddFailures(map, views, report);
+  }
   if (!options.Report.empty())
   {
     tool::WriteText(options.Report,
       report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
   }
-  const std::string title = material.Name + " under " + environment->GetName();
   if (!options.Output.empty())
   {
     WriteSheet(options, title, found, grid, rgb, reference, drawn, stockDrawn);
@@ -475,7 +565,8 @@ void AddCompareCommand(CLI::App& app)
   command->add_option("--mesh", options->Mesh,
     "Mesh to show it on: ply, stl, obj, vtp, vtk, gltf or glb (default: a sphere)");
   options->Method.Method = "auto";
-  options->Method.AddTo(command, { "light-set", "thesis", "basis", "filtered", "table", "auto" });
+  options->Method.AddTo(
+    command, { "light-set", "thesis", "basis", "filtered", "table", "layered", "auto" });
   command->add_option(
     "--size", options->Size, "Picture size in pixels, WIDTHxHEIGHT (default 500x500)");
   command->add_option("--view", options->View,
@@ -486,11 +577,20 @@ void AddCompareCommand(CLI::App& app)
       "a sum over the environment's texels")
     ->check(CLI::Range(1, LargestSize * LargestSize));
   command->add_option("--report", options->Report,
-    "JSON file to write: relative_l1, relative_rmse, median_relative, p99_relative, smape, flip, "
-    "delta_e_itp, frame_ms, setup_ms, texture_bytes, lights, predicted_error, the same of VTK's "
+    "JSON file to write: relative_l1, relative_rmse, rel_mse, median_relative, p99_relative, "
+    "smape, flip, hdr_flip, ssim (null where the compared pixels are fewer than 11 x 11), "
+    "delta_e_2000, delta_e_itp, frame_ms, setup_ms, texture_bytes, lights, predicted_error, the "
+    "same of VTK's "
     "shading (pbr_...), and what was compared");
   command->add_option("-o,--output", options->Output,
     "Picture to write, .png: the method, the exact sum, the signed error, VTK's shading");
+  command->add_option("--fit", options->Fit,
+    "Another file of the same material (a fit, a projection): it is rendered, and compared with "
+    "FILE");
+  command->add_option("--failure-map", options->FailureMap,
+    "Picture to write, .png: where the method fails. The error of the f that it shades with over "
+    "(theta_i, theta_o) and over (theta_h, theta_d), that of radiance over theta_o, and the worst "
+    "angles; the report gets brdf_relative_l1, brdf_log_cosine, worst_angles, radiance_by_theta_o");
   command->footer("VTK's shading is vtkOpenGLPolyDataMapper with physically based materials and "
                   "image-based\nlighting, its roughness, metallic part and colour those of least "
                   "error.\n\nExample:\n  measured-brdf compare gold-paint --environment hall "

@@ -215,7 +215,7 @@ void AddRenderCommand(CLI::App& app)
     "are made where it has none");
   options->Method.Method = "auto";
   options->Method.AddTo(
-    command, { "exact", "light-set", "thesis", "basis", "filtered", "table", "auto" });
+    command, { "exact", "light-set", "thesis", "basis", "filtered", "table", "layered", "auto" });
   options->Method.Plan.AddCalibrateTo(command);
   command->add_flag("--no-cache", options->NoCache,
     "Plan anew for --method auto, and leave nothing for later runs. Else plans are kept in "

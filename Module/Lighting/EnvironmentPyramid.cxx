@@ -70,14 +70,7 @@ glm::dvec3 EnvironmentPyramid::ToSphere(const glm::dvec2& uv)
 EnvironmentPyramid::EnvironmentPyramid(
   vtkEnvironment* environment, int size, double lightShare, int maximumLights)
 {
-  this->Size = 1;
-  const double texels =
-    static_cast<double>(environment->GetWidth()) * static_cast<double>(environment->GetHeight());
-  const double wanted = size > 0 ? size : std::min(std::sqrt(texels) / 1.4, double(MaximumSize));
-  while (this->Size < wanted)
-  {
-    this->Size *= 2;
-  }
+  this->Size = size > 0 ? size : ChooseSize(environment);
   int rows = 0;
   for (int s = this->Size; s > 0; s /= 2)
   {
@@ -95,6 +88,19 @@ EnvironmentPyramid::EnvironmentPyramid(
     }
     this->ContinueBorder(level);
   }
+}
+
+int EnvironmentPyramid::ChooseSize(vtkEnvironment* environment)
+{
+  const double texels =
+    static_cast<double>(environment->GetWidth()) * static_cast<double>(environment->GetHeight());
+  const double wanted = std::min(std::sqrt(texels) / 1.4, static_cast<double>(MaximumSize));
+  int size = 1;
+  while (size < wanted)
+  {
+    size *= 2;
+  }
+  return size;
 }
 
 int EnvironmentPyramid::GetAtlasHeight() const

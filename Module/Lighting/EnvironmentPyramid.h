@@ -31,6 +31,9 @@ public:
   EnvironmentPyramid(vtkEnvironment* environment, int size = 0,
     double lightShare = BrightTexels::DefaultShare, int maximumLights = 64);
 
+  /// Texels a side of the finest level where nothing is asked for.
+  static int ChooseSize(vtkEnvironment* environment);
+
   /// Mean radiance about unit d on level lod (0: finest; fractions in between; clamped).
   glm::vec3 Sample(const glm::vec3& d, float lod) const;
 

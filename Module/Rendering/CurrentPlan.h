@@ -33,7 +33,7 @@ public:
   };
 
   /// Plan for this, or begin to: a new plan takes the place of the last when it is done. Returns
-  /// whether it did. problem: why there is none, or "".
+  /// whether it did. problem: why there is none, or what a plan made apart had to warn of, or "".
   bool Update(const PlanInputs& wanted, Timing timing, std::string& problem);
 
   /// No plan any more; what is in the making stops, but is not waited for.

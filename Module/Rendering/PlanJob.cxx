@@ -49,8 +49,11 @@ std::shared_ptr<PlanJob> PlanJob::Find(const PlanInputs& inputs)
 
 PlanJob::PlanJob(vtkSmartPointer<vtkRadiancePlanner> planner)
   : Planner(planner)
+  , BRDF(planner->GetBRDF())
 {
-  planner->AddObserver(vtkCommand::ErrorEvent, this, &PlanJob::TakeError);
+  // Nobody's output window has to cope with other threads.
+  planner->AddObserver(vtkCommand::ErrorEvent, this, &PlanJob::TakeMessage);
+  this->BRDF->AddObserver(vtkCommand::WarningEvent, this, &PlanJob::TakeMessage);
   this->Thread = std::thread([this]() { this->Run(); });
 }
 
@@ -73,7 +76,7 @@ void PlanJob::Run()
   this->Done = true;
 }
 
-void PlanJob::TakeError(vtkObject*, unsigned long, void* text)
+void PlanJob::TakeMessage(vtkObject*, unsigned long, void* text)
 {
   this->Problem = text ? static_cast<const char*>(text) : "";
 }
@@ -100,6 +103,7 @@ void PlanJob::Wait()
   {
     this->Thread.join();
     this->Planner->RemoveObservers(vtkCommand::ErrorEvent);
+    this->BRDF->RemoveObservers(vtkCommand::WarningEvent);
   }
 }
 

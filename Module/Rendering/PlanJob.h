@@ -8,7 +8,8 @@
  * that the render thread reads no more until the job is done, and writes nowhere else. The end of
  * the thread's work is published by Done; what it used is released by the render thread, which
  * holds the job. Reference counts and modification times are atomic in VTK; planning has no global
- * state.
+ * state. (VTK 9.1's vtkSMPTools keeps a plain bool that says whether some thread is in a parallel
+ * loop: it decides only whether another loop runs in parallel, too.)
  */
 
 #ifndef PlanJob_h
@@ -47,7 +48,8 @@ public:
   void Wait();
 
   ///@{
-  /// Once it is done: the plan, null where it failed, and what was wrong or "".
+  /// Once it is done: the plan, null where it failed, and the error, or the plan's last warning, or
+  /// "".
   vtkSmartPointer<vtkRadiancePlanner> GetPlan() const;
   const std::string& GetProblem() const { return this->Problem; }
   ///@}
@@ -55,10 +57,11 @@ public:
 private:
   void Run();
   void Abort();
-  void TakeError(vtkObject* caller, unsigned long event, void* text);
+  void TakeMessage(vtkObject* caller, unsigned long event, void* text);
 
   vtkSmartPointer<vtkRadiancePlanner> Planner;
-  int Users = 0; // render thread only
+  vtkSmartPointer<vtkBRDF> BRDF; // the planner's, observed
+  int Users = 0;                 // render thread only
   std::string Problem;
   bool Succeeded = false;
   std::atomic<bool> Done{ false };

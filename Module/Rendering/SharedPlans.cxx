@@ -22,14 +22,6 @@ SharedPlans& GetSharedPlans()
   static SharedPlans plans;
   return plans;
 }
-
-// One for all plans of the same state: mappers that share a material share its textures.
-vtkSmartPointer<vtkBRDF> FindSnapshot(const PlanInputs& inputs)
-{
-  static SharedObjects<std::pair<vtkBRDF*, vtkMTimeType>, vtkBRDF> snapshots;
-  return snapshots.Find({ inputs.BRDF, inputs.BRDFTime },
-    [&]() { return vtkSmartPointer<vtkBRDF>::Take(inputs.BRDF->NewSnapshot()); });
-}
 }
 
 PlanInputs::PlanInputs(
@@ -45,7 +37,8 @@ PlanInputs::PlanInputs(
 
 vtkSmartPointer<vtkRadiancePlanner> NewPlanner(const PlanInputs& inputs, bool apart)
 {
-  vtkSmartPointer<vtkBRDF> brdf = apart ? FindSnapshot(inputs) : inputs.BRDF;
+  vtkSmartPointer<vtkBRDF> brdf =
+    apart ? vtkSmartPointer<vtkBRDF>::Take(inputs.BRDF->NewSnapshot()) : inputs.BRDF;
   if (!brdf)
   {
     return nullptr;

@@ -46,8 +46,9 @@ struct PlanInputs
   std::string Costs; // a cost model's text; "": the defaults
 };
 
-/// A plan's planner, not updated yet, of the objects themselves or, apart, of snapshots of them
-/// that nobody changes. Null where a material has none.
+/// A plan's planner, not updated yet, of the objects themselves or, apart, of snapshots of its own,
+/// which nobody changes, nor makes them prepare what they make when first asked for. Null where a
+/// material has none.
 vtkSmartPointer<vtkRadiancePlanner> NewPlanner(const PlanInputs& inputs, bool apart);
 
 /// The plan that somebody has; null where nobody has. apart: of snapshots only.

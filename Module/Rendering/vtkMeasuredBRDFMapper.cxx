@@ -253,7 +253,11 @@ void vtkMeasuredBRDFMapper::UpdatePlan()
     CurrentPlan::Timing::Changes, CurrentPlan::Timing::Always };
   std::string problem;
   const bool changed = impl.Plan.Update(wanted, timings[this->PlanningMode], problem);
-  if (!problem.empty())
+  if (!problem.empty() && impl.Plan.GetPlan())
+  {
+    vtkWarningMacro("Planning in the background: " << problem);
+  }
+  else if (!problem.empty())
   {
     vtkErrorMacro("Planning in the background: " << problem);
   }

@@ -948,9 +948,9 @@ class Compare(ToolTest):
     def test_report(self):
         table = self.compare("--tolerance", "0.05")
         keys = (
-            "method lights relative_l1 relative_rmse median_relative p99_relative smape flip "
-            "delta_e_itp frame_ms pbr_frame_ms pbr_relative_l1 setup_ms pbr_setup_ms texture_bytes "
-            "predicted_error reference_pixels"
+            "method lights relative_l1 relative_rmse median_relative p99_relative rel_mse smape "
+            "flip hdr_flip ssim delta_e_2000 delta_e_itp frame_ms pbr_frame_ms pbr_relative_l1 "
+            "setup_ms pbr_setup_ms texture_bytes predicted_error reference_pixels"
         ).split()
         self.assertLessEqual(set(keys), set(table))
         self.assertEqual((table["method"], table["tolerance"]), ("auto", 0.05))
@@ -966,6 +966,48 @@ class Compare(ToolTest):
         for key in ("frame_ms", "pbr_frame_ms", "setup_ms", "pbr_setup_ms", "texture_bytes"):
             self.assertGreater(table[key], 0)
         self.assertGreater(read_png_size(self.path("side.png"))[0], 4 * 64)
+
+
+class FailureMap(Compare):
+    def test_report(self):
+        picture = self.path("failures.png")
+        thesis = self.compare("--method", "thesis", "--lights", 4, "--failure-map", picture)
+        width, height = read_png_size(picture)
+        self.assertTrue(width > 1000 and height > 500)
+        self.assertTrue(0.001 < thesis["brdf_relative_l1"] < 0.5)
+        self.assertTrue(0 < thesis["brdf_log_cosine"] < 0.1)
+        worst = thesis["worst_angles"]
+        self.assertEqual(len(worst), 5)
+        for angles in worst:
+            self.assertEqual(set(angles), {"theta_i", "theta_o", "phi", "error"})
+            self.assertTrue(0 < angles["theta_i"] < 90 and 0 < angles["theta_o"] < 90)
+            self.assertTrue(0 <= angles["phi"] < 360)
+        errors = [angles["error"] for angles in worst]
+        self.assertEqual(errors, sorted(errors, reverse=True))
+        self.assertGreater(errors[0], thesis["brdf_relative_l1"])
+        views = thesis["radiance_by_theta_o"]
+        self.assertEqual(sum(view["pixels"] for view in views), thesis["reference_pixels"])
+        for view in views:
+            self.assertEqual(view["end"] - view["begin"], 5)
+            self.assertTrue(0 < view["relative_l1"] < 1)
+
+    def test_fit(self):
+        # 0.1 of the albedos' sum of 0.875 is missing, at all angles.
+        fit = self.write("fit.fit", "low = Aggregate(Lambertian(albedo = [0.4, 0.25, 0.125]))\n")
+        file = self.write_fits()
+        report = self.path("report.json")
+        options = ["--fit", fit, "--failure-map", self.path("f.png"), "--report", report]
+        result = run("compare", file, *self.COMMON, "--method", "table", *options)
+        if "needs an X server" in result.stderr:
+            self.skipTest("skipped: no X server, which this VTK needs")
+        self.check(result, 0, "relative L1")
+        with open(report, encoding="utf-8") as text:
+            found = json.load(text)
+        self.assertEqual((found["material"], found["fit"]), ("flat", "low"))
+        self.check_close([found["brdf_relative_l1"]], [0.1 / 0.875], 1e-6)
+        self.check_close([found["worst_angles"][0]["error"]], [0.1 / 0.875], 1e-6)
+        # Of the radiance about the same share: the light is nearly white.
+        self.check_close([found["relative_l1"]], [0.1 / 0.875], 0.2)
 
 
 class CompareThesis(Compare):
@@ -1034,6 +1076,9 @@ class PlanErrors(ToolTest):
         self.check(run(*common, "-o", "x.exr"), 2, ".png")
         self.check(run(*common, "-o", self.path("no/x.png")), 1, "no/x.png")
         self.check(run(*common, "--report", self.path("no/r.json")), 1, "no/r.json")
+        self.check(run(*common, "--failure-map", "x.pdf"), 2, "x.pdf", ".png")
+        self.check(run(*common, "--failure-map", self.path("no/f.png")), 1, "no/f.png")
+        self.check(run(*common, "--fit", "no.fit"), 1, "no.fit")
         self.check(run("plan", "no-such", "--environment", "sky"), 1, "no-such")
         self.check(run("plan", "blue-fabric", "--environment", "no.hdr"), 1, "no.hdr")
         self.assertEqual(os.listdir(self.folder), [])

@@ -312,7 +312,8 @@ TEST(Planner, EvaluateAllListsEveryMethod)
   planner->AddObserver(vtkCommand::ProgressEvent, counter);
   ASSERT_TRUE(planner->Update());
   EXPECT_EQ(events, planner->GetNumberOfCandidates());
-  int methods[4] = { 0, 0, 0, 0 };
+  int methods[5] = { 0, 0, 0, 0, 0 };
+  double lastOrder = 0.0;
   for (int k = 0; k < planner->GetNumberOfCandidates(); ++k)
   {
     std::printf("%-9s %-45s error %.4f, %6.1f ms, %9lld bytes, set up %.0f ms\n",
@@ -322,10 +323,12 @@ TEST(Planner, EvaluateAllListsEveryMethod)
     ++methods[planner->GetMethod(k)];
     EXPECT_GT(planner->GetTextureBytes(k), 0);
     EXPECT_TRUE(std::isfinite(planner->GetPredictedError(k)));
-    if (k > 0)
-    {
-      EXPECT_GE(planner->GetPredictedMilliseconds(k), planner->GetPredictedMilliseconds(k - 1));
-    }
+    // A megabyte counts as 10 ns a pixel.
+    const double order = planner->GetPredictedMilliseconds(k) /
+                           (1e-6 * static_cast<double>(planner->GetNumberOfPixels())) +
+                         1e-5 * static_cast<double>(planner->GetTextureBytes(k));
+    EXPECT_GE(order, lastOrder);
+    lastOrder = order;
     auto integrator = vtkSmartPointer<vtkRadianceIntegrator>::Take(planner->NewIntegrator(k));
     ASSERT_TRUE(integrator);
     EXPECT_EQ(integrator->GetBRDF(), brdf.Get());
@@ -346,46 +349,42 @@ TEST(Planner, FollowsTheCostModel)
   const auto environment = NewConstantEnvironment(32, 16, 1.0f);
   const auto planner = NewPlanner(brdf, environment, 0.05);
   planner->SetMaximumTextureBytes(8 << 20);
+  planner->EvaluateAllOn();
   ASSERT_TRUE(planner->Update());
-  EXPECT_EQ(planner->GetMethod(planner->GetChoice()), vtkRadiancePlanner::TABLE);
+  EXPECT_EQ(planner->GetChoice(), 0); // anything will do
+  EXPECT_EQ(planner->GetMethod(0), vtkRadiancePlanner::TABLE);
   EXPECT_NEAR(planner->GetPredictedMilliseconds(0), 107.0 * 196350.0 * 1e-6, 1e-9);
 
   vtkNew<vtkRadianceCostModel> costs;
-  const double figures[] = { 1.0, 100.0, 50.0, 2.0, 7.0 };
+  const double figures[] = { 1.0, 1000.0, 50.0, 2.0, 7.0 };
   for (int type = 0; type < vtkRadianceCostModel::NUMBER_OF_COSTS; ++type)
   {
     ASSERT_TRUE(costs->SetCost(type, figures[type]));
   }
   planner->SetCostModel(costs);
   ASSERT_TRUE(planner->Update());
-  EXPECT_EQ(planner->GetMethod(planner->GetChoice()), vtkRadiancePlanner::FILTERED);
-  EXPECT_NEAR(planner->GetPredictedMilliseconds(0), 33.0 * 196350.0 * 1e-6, 1e-9);
-
-  planner->EvaluateAllOn();
-  ASSERT_TRUE(planner->Update());
-  EXPECT_EQ(planner->GetMethod(planner->GetChoice()), vtkRadiancePlanner::FILTERED);
+  EXPECT_EQ(planner->GetChoice(), 0);
+  // 9 functions: 64 ns; 16 samples: 33 ns, and more for its memory; a table: 1001 ns.
   std::vector<int> methods;
   for (int k = 0; k < planner->GetNumberOfCandidates(); ++k)
   {
     methods.push_back(planner->GetMethod(k));
-    EXPECT_TRUE(
-      k == 0 || planner->GetPredictedMilliseconds(k) >= planner->GetPredictedMilliseconds(k - 1));
   }
-  // 16 samples (33 ns), 9 functions (64), tables (101), 64 samples (129), 25 functions (176), ...
-  const int filtered = vtkRadiancePlanner::FILTERED;
-  const int basis = vtkRadiancePlanner::BASIS;
-  const int table = vtkRadiancePlanner::TABLE;
-  const std::vector<int> expected = { filtered, basis, table };
-  ASSERT_GT(methods.size(), 8u);
-  EXPECT_TRUE(std::equal(expected.begin(), expected.end(), methods.begin()));
-  const auto afterTables = std::find_if(
-    methods.begin() + 2, methods.end(), [table](int method) { return method != table; });
-  EXPECT_EQ(*afterTables, filtered);
-  EXPECT_EQ(*(afterTables + 1), basis);
+  const auto find = [&](int method)
+  { return std::find(methods.begin(), methods.end(), method) - methods.begin(); };
+  EXPECT_LT(find(vtkRadiancePlanner::BASIS), find(vtkRadiancePlanner::TABLE));
+  EXPECT_LT(find(vtkRadiancePlanner::FILTERED), find(vtkRadiancePlanner::TABLE));
+  EXPECT_LT(find(vtkRadiancePlanner::TABLE), find(vtkRadiancePlanner::LIGHT_SET));
+  const auto milliseconds = [&](int method)
+  { return planner->GetPredictedMilliseconds(static_cast<int>(find(method))) / 0.19635; };
+  EXPECT_NEAR(milliseconds(vtkRadiancePlanner::BASIS), 64.0, 1e-6);
+  EXPECT_NEAR(milliseconds(vtkRadiancePlanner::FILTERED), 33.0, 1e-6);
+  EXPECT_NEAR(milliseconds(vtkRadiancePlanner::TABLE), 1001.0, 1e-6);
+  EXPECT_NEAR(milliseconds(vtkRadiancePlanner::LIGHT_SET), 3201.0, 1e-6);
 
   planner->SetCostModel(nullptr);
   ASSERT_TRUE(planner->Update());
-  EXPECT_EQ(planner->GetMethod(0), table);
+  EXPECT_EQ(planner->GetMethod(0), vtkRadiancePlanner::TABLE);
 }
 
 //------------------------------------------------------------------------------
@@ -398,7 +397,7 @@ TEST(Planner, SaysWhyItTakesMemory)
   ASSERT_TRUE(planner->Update());
   ASSERT_LE(planner->GetTextureBytes(planner->GetChoice()), 4000000);
   EXPECT_FALSE(Contains(planner->GetReason(), "4 MB")) << planner->GetReason();
-  planner->SetErrorTolerance(0.01);
+  planner->SetErrorTolerance(0.005);
   ASSERT_TRUE(planner->Update());
   const int choice = planner->GetChoice();
   ASSERT_GT(planner->GetTextureBytes(choice), 4000000);
@@ -406,12 +405,18 @@ TEST(Planner, SaysWhyItTakesMemory)
   int small = -1;
   for (int k = 0; k < planner->GetNumberOfCandidates(); ++k)
   {
-    small = planner->GetTextureBytes(k) <= 4000000 ? k : small;
+    const bool fits =
+      planner->GetMethod(k) == vtkRadiancePlanner::TABLE && planner->GetTextureBytes(k) <= 4000000;
+    small = fits ? k : small; // tables come in the order of their size
   }
   ASSERT_GE(small, 0);
   char error[32];
   std::snprintf(error, sizeof(error), "has %.2g %%", 100.0 * planner->GetPredictedError(small));
-  EXPECT_TRUE(Contains(planner->GetReason(), "gloss needs 65 rows")) << planner->GetReason();
+  const std::string rows = planner->GetDescription(choice);
+  const std::string needs = planner->GetMethod(choice) == vtkRadiancePlanner::TABLE
+                              ? "gloss needs " + rows.substr(0, rows.find(" x"))
+                              : "more than a table";
+  EXPECT_TRUE(Contains(planner->GetReason(), needs)) << planner->GetReason();
   EXPECT_TRUE(Contains(planner->GetReason(), planner->GetDescription(small)));
   EXPECT_TRUE(Contains(planner->GetReason(), error)) << error;
 }
