@@ -412,7 +412,7 @@ void Run(Options& options, const CLI::App* command)
   if (method.Planner)
   {
     report["predicted_error"] = method.Planner->GetPredictedError(method.Planner->GetChoice());
-    report["tolerance"] = options.Method.Tolerance;
+    report["tolerance"] = options.Method.Plan.Tolerance;
     report["meets_tolerance"] = method.Planner->GetMeetsTolerance();
     report["plan"] = method.Planner->GetPlan();
   }

@@ -12,6 +12,7 @@
 #include "vtkLayeredRadianceIntegrator.h"
 #include "vtkLightSetIntegrator.h"
 #include "vtkNew.h"
+#include "vtkRadianceCostCalibrator.h"
 #include "vtkTableRadianceIntegrator.h"
 
 #include <algorithm>
@@ -178,7 +179,7 @@ void MethodOptions::AddTo(CLI::App* command, const std::vector<std::string>& met
       MethodHelp.at(name);
   }
   command->add_option("--method", this->Method, help)->check(CLI::IsMember(methods));
-  AddToleranceOption(command, this->Tolerance);
+  AddToleranceOption(command, this->Plan.Tolerance);
   command->add_option("--sizes", this->Sizes,
     "Sizes of --method table (ROWS,VIEW_ANGLES,AZIMUTHS, default 65,16,16), layered (the same, "
     "SAMPLES,LIGHTS, default 33,12,16,8,16), filtered (SAMPLES, default 32) or basis "
@@ -197,10 +198,13 @@ void MethodOptions::Check(const CLI::App* command)
   {
     this->Method = "light-set";
   }
-  CheckTolerance(this->Tolerance);
-  if (given("--tolerance") && this->Method != "auto")
+  CheckTolerance(this->Plan.Tolerance);
+  for (const char* name : { "--tolerance", "--calibrate", "--no-cache" })
   {
-    PrintNote("--tolerance has no effect without --method auto");
+    if (command->get_option_no_throw(name) && given(name) && this->Method != "auto")
+    {
+      PrintNote(std::string(name) + " has no effect without --method auto");
+    }
   }
   this->Thesis.Check(command, this->Method);
   if (this->HasLights())
@@ -211,6 +215,14 @@ void MethodOptions::Check(const CLI::App* command)
   {
     ParseSizes(this->Method, this->Sizes);
   }
+}
+
+//------------------------------------------------------------------------------
+void PlanOptions::AddCalibrateTo(CLI::App* command)
+{
+  command->add_flag("--calibrate", this->Calibrate,
+    "Plan by what each method costs on this machine's OpenGL renderer, measured in about a second "
+    "or found on disk, instead of by built-in figures of Mesa's software renderer");
 }
 
 //------------------------------------------------------------------------------
@@ -241,13 +253,22 @@ int Method::GetNumberOfLights() const
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkRadiancePlanner> MakePlan(
-  const Material& material, vtkEnvironment* environment, double tolerance, bool all)
+  const Material& material, vtkEnvironment* environment, const PlanOptions& options)
 {
+  vtkNew<vtkRadianceCostCalibrator> calibrator; // its model as it comes is the built-in one
+  if (options.Calibrate &&
+      !Watch(calibrator.Get(), &vtkRadianceCostCalibrator::Calibrate, "calibrating"))
+  {
+    throw Error("--calibrate: " + TakeErrorText());
+  }
   auto planner = vtkSmartPointer<vtkRadiancePlanner>::New();
+  planner->SetCostModel(calibrator->GetCostModel());
+  planner->SetCacheFolder(
+    options.UseCache ? vtkRadiancePlanner::GetDefaultCacheFolder() : std::string());
   planner->SetBRDF(material.BRDF);
   planner->SetEnvironment(environment);
-  planner->SetErrorTolerance(tolerance);
-  planner->SetEvaluateAll(all);
+  planner->SetErrorTolerance(options.Tolerance);
+  planner->SetEvaluateAll(options.All);
   if (!Watch(planner.Get(), &vtkRadiancePlanner::Update, "planning"))
   {
     throw Error(material.File + ": planning: " + TakeErrorText());
@@ -263,7 +284,7 @@ Method MakeMethod(
   made.BRDF = material.BRDF;
   if (options.Method == "auto")
   {
-    made.Planner = MakePlan(material, environment, options.Tolerance, false);
+    made.Planner = MakePlan(material, environment, options.Plan);
     made.Integrator = vtkSmartPointer<vtkRadianceIntegrator>::Take(made.Planner->NewIntegrator());
     return made;
   }

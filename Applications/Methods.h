@@ -11,6 +11,7 @@
 #include "Inputs.h"
 #include "Thesis.h"
 
+#include "vtkRadianceCostModel.h"
 #include "vtkRadianceIntegrator.h"
 #include "vtkRadiancePlanner.h"
 
@@ -19,11 +20,23 @@
 
 namespace tool
 {
+/// How to plan.
+struct PlanOptions
+{
+  double Tolerance = 0.02;
+  bool All = false;       // try every candidate
+  bool UseCache = false;  // take what an earlier run left on disk
+  bool Calibrate = false; // by the costs of this machine's renderer
+
+  /// Add --calibrate to a subcommand.
+  void AddCalibrateTo(CLI::App* command);
+};
+
 struct MethodOptions
 {
   std::string Method;
   std::string Sizes;
-  double Tolerance = 0.02;
+  PlanOptions Plan;
   LightSetOptions Lights;
   ThesisOptions Thesis;
 
@@ -56,10 +69,9 @@ struct Method
   int GetNumberOfLights() const;
 };
 
-/// Plan under a progress bar; all: every candidate is tried. Throws Error, also where Ctrl-C was
-/// pressed. Needs an Interruptible.
+/// Plan under a progress bar. Throws Error, also where Ctrl-C was pressed. Needs an Interruptible.
 vtkSmartPointer<vtkRadiancePlanner> MakePlan(
-  const Material& material, vtkEnvironment* environment, double tolerance, bool all);
+  const Material& material, vtkEnvironment* environment, const PlanOptions& options);
 
 /// Make it under a progress bar. Throws Error, also where Ctrl-C was pressed. Needs an
 /// Interruptible.

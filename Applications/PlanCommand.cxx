@@ -16,10 +16,21 @@ struct Options
 {
   std::string File;
   std::string Environment;
-  double Tolerance = 0.02;
+  tool::PlanOptions Plan;
   bool ChoiceOnly = false;
   bool JSON = false;
 };
+
+//------------------------------------------------------------------------------
+nlohmann::ordered_json MakeCostsJSON(vtkRadianceCostModel* model)
+{
+  nlohmann::ordered_json costs = { { "renderer", model->GetName() } };
+  for (int type = 0; type < vtkRadianceCostModel::NUMBER_OF_COSTS; ++type)
+  {
+    costs[vtkRadianceCostModel::GetCostName(type) + "_ns"] = model->GetCost(type);
+  }
+  return costs;
+}
 
 //------------------------------------------------------------------------------
 void PrintJSON(
@@ -36,9 +47,9 @@ void PrintJSON(
   }
   const nlohmann::ordered_json plan = { { "material", material },
     { "environment", environment->GetName() }, { "tolerance", planner->GetErrorTolerance() },
-    { "candidates", candidates }, { "choice", planner->GetChoice() },
-    { "meets_tolerance", planner->GetMeetsTolerance() }, { "reason", planner->GetReason() },
-    { "plan", planner->GetPlan() } };
+    { "costs", MakeCostsJSON(planner->GetCostModel()) }, { "candidates", candidates },
+    { "choice", planner->GetChoice() }, { "meets_tolerance", planner->GetMeetsTolerance() },
+    { "reason", planner->GetReason() }, { "plan", planner->GetPlan() } };
   tool::PrintOut(plan.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 
@@ -58,18 +69,20 @@ void PrintTable(vtkRadiancePlanner* planner)
       planner->GetSetUpMilliseconds(k));
     text += line;
   }
-  tool::PrintOut(text + "\n" + planner->GetPlan() + "\n");
+  tool::PrintOut(
+    text + "\n" + planner->GetPlan() + "\nframe ms: " + planner->GetCostModel()->GetName() + "\n");
 }
 
 //------------------------------------------------------------------------------
-void Run(const Options& options)
+void Run(Options& options)
 {
-  tool::CheckTolerance(options.Tolerance);
+  tool::CheckTolerance(options.Plan.Tolerance);
+  options.Plan.All = !options.ChoiceOnly;
   const tool::Interruptible interruptible;
   const tool::Material material = tool::LoadMaterial(options.File);
   const vtkSmartPointer<vtkEnvironment> environment = tool::LoadEnvironment(options.Environment);
   const vtkSmartPointer<vtkRadiancePlanner> planner =
-    tool::MakePlan(material, environment, options.Tolerance, !options.ChoiceOnly);
+    tool::MakePlan(material, environment, options.Plan);
   if (options.JSON)
   {
     PrintJSON(planner, material.Name, environment);
@@ -90,14 +103,18 @@ void AddPlanCommand(CLI::App& app)
   command->add_option("FILE", options->File, MaterialHelp)->required();
   command->add_option("--environment", options->Environment, EnvironmentHelp)->required();
   AddProjectionOption(command);
-  AddToleranceOption(command, options->Tolerance);
+  AddToleranceOption(command, options->Plan.Tolerance);
+  options->Plan.AddCalibrateTo(command);
   command->add_flag("--choice-only", options->ChoiceOnly,
     "Try no more candidates than the renderer does to find its choice (a second instead of many)");
   command->add_flag("--json", options->JSON, "As JSON");
-  command->footer("A table of the candidates, the cheapest first: error relative to the mean "
-                  "radiance over a sphere,\ntime of a frame of a 500x500 sphere on Mesa's software "
-                  "renderer, texture memory, set-up time; > marks\nthe choice.\n\nExample:\n  "
-                  "measured-brdf plan gold-paint --environment hall --tolerance 0.02");
+  command->footer(
+    "A table of the candidates, the cheapest first: error relative to the mean "
+    "radiance over a sphere,\ntime of a frame of a 500x500 sphere on the renderer that "
+    "is named below (Mesa's software renderer\nunless --calibrate), texture memory, "
+    "set-up time; > marks the choice. Nothing is taken from or left in\nthe cache of "
+    "plans.\n\nExample:\n  "
+    "measured-brdf plan gold-paint --environment hall --tolerance 0.02");
   command->callback([options]() { Run(*options); });
 }
 } // namespace tool

@@ -35,6 +35,7 @@ struct Options
   std::string Output;
   std::string Report;
   tool::MethodOptions Method;
+  bool NoCache = false;
 };
 
 // Frames that frame_ms is the median of.
@@ -124,6 +125,7 @@ void Run(Options& options, const CLI::App* command)
     throw tool::UsageError(options.Output + ": the picture must end in .png or .exr");
   }
   options.Method.Check(command);
+  options.Method.Plan.UseCache = !options.NoCache;
 
   const tool::Interruptible interruptible;
   const tool::Material material = tool::LoadMaterial(options.File);
@@ -185,6 +187,8 @@ void Run(Options& options, const CLI::App* command)
     if (method.Planner)
     {
       report["plan"] = method.Planner->GetPlan();
+      report["plan_from_cache"] = method.Planner->GetFromCache();
+      report["costs"] = method.Planner->GetCostModel()->GetName();
       report["predicted_error"] = method.Planner->GetPredictedError(method.Planner->GetChoice());
     }
     tool::WriteText(options.Report,
@@ -212,6 +216,11 @@ void AddRenderCommand(CLI::App& app)
   options->Method.Method = "auto";
   options->Method.AddTo(
     command, { "exact", "light-set", "thesis", "basis", "filtered", "table", "layered", "auto" });
+  options->Method.Plan.AddCalibrateTo(command);
+  command->add_flag("--no-cache", options->NoCache,
+    "Plan anew for --method auto, and leave nothing for later runs. Else plans are kept in "
+    "$MEASUREDBRDF_CACHE ('off': not at all), $XDG_CACHE_HOME/vtkMeasuredBRDF or "
+    "~/.cache/vtkMeasuredBRDF");
   command->add_option(
     "--size", options->Size, "Picture size in pixels, WIDTHxHEIGHT (default 800x800)");
   command->add_option("--view", options->View,
@@ -229,7 +238,8 @@ void AddRenderCommand(CLI::App& app)
     ->required();
   command->add_option("--report", options->Report,
     "JSON file to write: frame_ms (median), setup_ms, texture_bytes, method, lights, renderer, "
-    "vtk; of --method auto the plan and its predicted_error, of thesis the representation and the "
+    "vtk; of --method auto the plan, its predicted_error, whether it is from the cache and whose "
+    "costs it is by, of thesis the representation and the "
     "reason");
   command->footer("Example:\n  measured-brdf render gold-paint --environment sky --lights 256 "
                   "-o gold.png\n\nNeeds OpenGL; without a screen, put 'xvfb-run -a' before it.");

@@ -5,6 +5,7 @@
 #include "EnvironmentHarmonics.h"
 #include "KernelHarmonics.h"
 #include "LocalFrame.h"
+#include "LogFactorial.h"
 #include "Neighbours.h"
 #include "WignerD.h"
 #include "vtkBRDF.h"
@@ -393,7 +394,7 @@ void vtkTableRadianceIntegrator::AddIrradiance(
     if (l % 2 == 0)
     {
       value = 2.0 * Pi * (l % 4 == 0 ? -1.0 : 1.0) / ((l + 2.0) * (l - 1.0)) *
-              std::exp(std::lgamma(l + 1.0) - 2.0 * std::lgamma(l / 2 + 1.0) - l * std::log(2.0));
+              std::exp(LogFactorial(l) - 2.0 * LogFactorial(l / 2) - l * std::log(2.0));
     }
     cosine(l, 0) = static_cast<float>(value * std::sqrt((2.0 * l + 1.0) / (4.0 * Pi)));
   }

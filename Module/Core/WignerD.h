@@ -13,6 +13,8 @@
 #ifndef WignerD_h
 #define WignerD_h
 
+#include "LogFactorial.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -36,8 +38,7 @@ public:
     // d at First = sign sqrt((2 l)! / ((l + j)! (l - j)!)) cos^a(theta/2) sin^b(theta/2).
     const int l = this->First;
     const int j = std::abs(m) >= std::abs(k) ? k : m;
-    this->LogStart =
-      0.5 * (std::lgamma(2.0 * l + 1.0) - std::lgamma(l + j + 1.0) - std::lgamma(l - j + 1.0));
+    this->LogStart = 0.5 * (LogFactorial(2 * l) - LogFactorial(l + j) - LogFactorial(l - j));
     bool negative;
     if (std::abs(m) >= std::abs(k))
     {

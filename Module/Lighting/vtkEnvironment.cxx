@@ -56,7 +56,10 @@ using measuredbrdf::Pi;
 vtkStandardNewMacro(vtkEnvironment);
 
 //------------------------------------------------------------------------------
-vtkEnvironment::vtkEnvironment() = default;
+vtkEnvironment::vtkEnvironment()
+  : Pixels(std::make_shared<std::vector<float>>())
+{
+}
 
 //------------------------------------------------------------------------------
 bool vtkEnvironment::SetImage(vtkImageData* image, bool sRGB)
@@ -132,7 +135,7 @@ bool vtkEnvironment::SetPixels(int width, int height, std::vector<float> rgb)
   }
   this->Width = width;
   this->Height = height;
-  this->Pixels = std::move(rgb);
+  this->Pixels = std::make_shared<const std::vector<float>>(std::move(rgb));
   this->PixelsTime.Modified();
   this->Modified();
   return true;
@@ -163,7 +166,7 @@ void vtkEnvironment::GetPixel(int x, int y, double rgb[3])
   const std::size_t k = 3 * (static_cast<std::size_t>(y) * this->Width + x);
   for (int c = 0; c < 3; ++c)
   {
-    rgb[c] = this->Pixels[k + c];
+    rgb[c] = (*this->Pixels)[k + c];
   }
 }
 
@@ -209,7 +212,7 @@ void vtkEnvironment::GetRadiance(const double direction[3], double rgb[3])
   double u;
   double v;
   vtkEnvironment::GetCoordinates(direction, u, v);
-  if (this->Pixels.empty() || !std::isfinite(u) || !std::isfinite(v))
+  if (this->Pixels->empty() || !std::isfinite(u) || !std::isfinite(v))
   {
     std::fill(rgb, rgb + 3, 0.0);
     return;
@@ -222,7 +225,7 @@ void vtkEnvironment::GetRadiance(const double direction[3], double rgb[3])
 void vtkEnvironment::GetTotal(double rgb[3])
 {
   std::fill(rgb, rgb + 3, 0.0);
-  const float* pixel = this->Pixels.data();
+  const float* pixel = this->Pixels->data();
   for (int y = 0; y < this->Height; ++y)
   {
     double row[3] = { 0.0, 0.0, 0.0 };
@@ -295,13 +298,28 @@ vtkImageData* vtkEnvironment::NewImageData()
   vtkNew<vtkFloatArray> radiance;
   radiance->SetName("Radiance");
   radiance->SetNumberOfComponents(3);
-  radiance->SetNumberOfTuples(static_cast<vtkIdType>(this->Pixels.size() / 3));
-  std::copy(this->Pixels.begin(), this->Pixels.end(), radiance->GetPointer(0));
+  radiance->SetNumberOfTuples(static_cast<vtkIdType>(this->Pixels->size() / 3));
+  std::copy(this->Pixels->begin(), this->Pixels->end(), radiance->GetPointer(0));
 
   vtkImageData* image = vtkImageData::New();
-  image->SetDimensions(this->Width, this->Height, this->Pixels.empty() ? 0 : 1);
+  image->SetDimensions(this->Width, this->Height, this->Pixels->empty() ? 0 : 1);
   image->GetPointData()->SetScalars(radiance);
   return image;
+}
+
+//------------------------------------------------------------------------------
+vtkEnvironment* vtkEnvironment::NewSnapshot()
+{
+  vtkEnvironment* snapshot = vtkEnvironment::New();
+  snapshot->Name = this->Name;
+  snapshot->Width = this->Width;
+  snapshot->Height = this->Height;
+  snapshot->Pixels = this->Pixels;
+  snapshot->NumberOfNegativeValues = this->NumberOfNegativeValues;
+  snapshot->NumberOfNonFiniteValues = this->NumberOfNonFiniteValues;
+  std::copy_n(this->WorldToEnvironment, 9, snapshot->WorldToEnvironment);
+  snapshot->PixelsTime.Modified();
+  return snapshot;
 }
 
 //------------------------------------------------------------------------------

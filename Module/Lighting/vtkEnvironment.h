@@ -18,6 +18,7 @@
 #include "vtkMeasuredBRDFModule.h" // for export macro
 #include "vtkObject.h"
 
+#include <memory> // for pixels
 #include <string> // for Name
 #include <vector> // for pixels
 
@@ -67,7 +68,7 @@ public:
    */
   vtkGetMacro(Width, int);
   vtkGetMacro(Height, int);
-  const std::vector<float>& GetPixels() const { return this->Pixels; }
+  const std::vector<float>& GetPixels() const { return *this->Pixels; }
   void GetPixel(int x, int y, double rgb[3]);
   ///@}
 
@@ -131,6 +132,12 @@ public:
    */
   VTK_NEWINSTANCE vtkImageData* NewImageData();
 
+  /**
+   * A copy that another thread may use while this one changes the original. It costs no memory:
+   * they share the pixels until one gets others. The caller has to release it.
+   */
+  VTK_NEWINSTANCE vtkEnvironment* NewSnapshot();
+
 protected:
   vtkEnvironment();
   ~vtkEnvironment() override = default;
@@ -138,7 +145,7 @@ protected:
   std::string Name;
   int Width = 0;
   int Height = 0;
-  std::vector<float> Pixels;
+  std::shared_ptr<const std::vector<float>> Pixels; // replaced, never changed: snapshots share them
   vtkIdType NumberOfNegativeValues = 0;
   vtkIdType NumberOfNonFiniteValues = 0;
   double WorldToEnvironment[9] = { 1, 0, 0, 0, 1, 0, 0, 0, 1 };

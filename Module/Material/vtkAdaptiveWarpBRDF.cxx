@@ -11,6 +11,7 @@
 
 #include <glm/gtc/type_ptr.hpp>
 
+#include <algorithm>
 #include <limits>
 
 using namespace measuredbrdf;
@@ -341,4 +342,13 @@ vtkBRDF* vtkAdaptiveWarpBRDF::GetRenderable()
 void vtkAdaptiveWarpBRDF::GetGPUForm(vtkBRDFGPUForm& form)
 {
   this->GetRenderable()->GetGPUForm(form);
+}
+
+//------------------------------------------------------------------------------
+vtkBRDF* vtkAdaptiveWarpBRDF::NewCopy()
+{
+  vtkAdaptiveWarpBRDF* copy = vtkAdaptiveWarpBRDF::New();
+  copy->Data = this->Data;
+  copy->Warp = this->Warp; // never changes once it is made
+  return copy;
 }

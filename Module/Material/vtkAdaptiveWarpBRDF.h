@@ -77,6 +77,7 @@ protected:
   vtkAdaptiveWarpBRDF();
   ~vtkAdaptiveWarpBRDF() override;
 
+  vtkBRDF* NewCopy() override;
   void EvaluateAbove(const double i[3], const double o[3], double f[3]) override;
   bool SampleAbove(const double o[3], double u1, double u2, double i[3]) override;
   double PdfAbove(const double i[3], const double o[3]) override;
@@ -88,7 +89,7 @@ private:
   void operator=(const vtkAdaptiveWarpBRDF&) = delete;
 
   struct Warps;
-  std::unique_ptr<Warps> Warp;
+  std::shared_ptr<const Warps> Warp;
   vtkSmartPointer<vtkTabulatedBRDF> Resampled;
   double ResampledTolerance = 0.0; // what Resampled was made for
 };

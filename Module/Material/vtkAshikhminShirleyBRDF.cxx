@@ -8,6 +8,8 @@
 
 #include <glm/gtc/type_ptr.hpp>
 
+#include <algorithm>
+
 using namespace measuredbrdf;
 
 vtkStandardNewMacro(vtkAshikhminShirleyBRDF);
@@ -175,4 +177,18 @@ void vtkAshikhminShirleyBRDF::GetGPUForm(vtkBRDFGPUForm& form)
     { this->FresnelModel == SCHLICK ? 0.0f : static_cast<float>(this->IndexOfRefraction) } });
   form.Terms.push_back(term);
   form.Description = "Ashikhmin-Shirley, closed form";
+}
+
+//------------------------------------------------------------------------------
+vtkBRDF* vtkAshikhminShirleyBRDF::NewCopy()
+{
+  vtkAshikhminShirleyBRDF* copy = vtkAshikhminShirleyBRDF::New();
+  std::copy_n(this->SpecularScale, 3, copy->SpecularScale);
+  std::copy_n(this->Reflectance, 3, copy->Reflectance);
+  std::copy_n(this->Diffuse, 3, copy->Diffuse);
+  copy->ExponentU = this->ExponentU;
+  copy->ExponentV = this->ExponentV;
+  copy->FresnelModel = this->FresnelModel;
+  copy->IndexOfRefraction = this->IndexOfRefraction;
+  return copy;
 }

@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 
 using namespace measuredbrdf;
 
@@ -31,6 +33,24 @@ void vtkBRDF::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Name: " << this->Name << "\n";
   os << indent << "Source: " << this->Source << "\n";
   os << indent << "ResamplingTolerance: " << this->ResamplingTolerance << "\n";
+}
+
+//------------------------------------------------------------------------------
+vtkBRDF* vtkBRDF::NewSnapshot()
+{
+  vtkBRDF* copy = this->NewCopy();
+  if (copy && std::strcmp(copy->GetClassName(), this->GetClassName()) != 0)
+  {
+    copy->Delete();
+    return nullptr;
+  }
+  if (copy)
+  {
+    copy->Name = this->Name;
+    copy->Source = this->Source;
+    copy->ResamplingTolerance = this->ResamplingTolerance;
+  }
+  return copy;
 }
 
 //------------------------------------------------------------------------------

@@ -121,6 +121,13 @@ public:
    */
   virtual void GetGPUForm(vtkBRDFGPUForm& form) = 0;
 
+  /**
+   * A copy that shares nothing which either may change: another thread may use the one while this
+   * one changes the other. The caller has to release it. Null where a class has no copies
+   * (NewCopy).
+   */
+  VTK_NEWINSTANCE vtkBRDF* NewSnapshot();
+
 protected:
   vtkBRDF() = default;
   ~vtkBRDF() override = default;
@@ -142,6 +149,12 @@ protected:
   virtual bool SampleAbove(const double o[3], double u1, double u2, double i[3]);
   virtual double PdfAbove(const double i[3], const double o[3]);
   ///@}
+
+  /**
+   * A new object of the same class and parameters, but for those of this base; default: null, no
+   * copies. One that a superclass made, without what its subclass adds, is not taken.
+   */
+  virtual vtkBRDF* NewCopy() { return nullptr; }
 
   std::string Name;
   std::string Source;

@@ -620,3 +620,20 @@ void vtkBasisBRDF::GetGPUForm(vtkBRDFGPUForm& form)
   form.Description = text.str();
   form.Terms.push_back(std::move(term));
 }
+
+//------------------------------------------------------------------------------
+vtkBRDF* vtkBasisBRDF::NewCopy()
+{
+  vtkBasisBRDF* copy = vtkBasisBRDF::New();
+  copy->Basis = this->Basis;
+  copy->Order = this->Order;
+  std::copy_n(this->IncidentZone, 2, copy->IncidentZone);
+  std::copy_n(this->OutgoingZone, 2, copy->OutgoingZone);
+  copy->NumberOfTheta = this->NumberOfTheta;
+  copy->NumberOfPhi = this->NumberOfPhi;
+  copy->Coefficients = this->Coefficients;
+  copy->IncidentCosine = this->IncidentCosine;
+  copy->OutgoingCosine = this->OutgoingCosine;
+  copy->ResamplingError = this->ResamplingError;
+  return copy;
+}

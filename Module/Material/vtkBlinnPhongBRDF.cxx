@@ -8,6 +8,8 @@
 
 #include <glm/gtc/type_ptr.hpp>
 
+#include <algorithm>
+
 using namespace measuredbrdf;
 
 vtkStandardNewMacro(vtkBlinnPhongBRDF);
@@ -89,4 +91,13 @@ void vtkBlinnPhongBRDF::GetGPUForm(vtkBRDFGPUForm& form)
   term.Uniforms.push_back({ "brdfExponent", { static_cast<float>(this->Exponent) } });
   form.Terms.push_back(term);
   form.Description = "Blinn-Phong, closed form";
+}
+
+//------------------------------------------------------------------------------
+vtkBRDF* vtkBlinnPhongBRDF::NewCopy()
+{
+  vtkBlinnPhongBRDF* copy = vtkBlinnPhongBRDF::New();
+  std::copy_n(this->Specular, 3, copy->Specular);
+  copy->Exponent = this->Exponent;
+  return copy;
 }

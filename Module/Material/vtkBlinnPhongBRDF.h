@@ -44,6 +44,7 @@ protected:
   vtkBlinnPhongBRDF() = default;
   ~vtkBlinnPhongBRDF() override = default;
 
+  vtkBRDF* NewCopy() override;
   void EvaluateAbove(const double i[3], const double o[3], double f[3]) override;
   void EvaluateSoftAbove(const double i[3], const double o[3], double spread, double f[3]) override;
   bool SampleAbove(const double o[3], double u1, double u2, double i[3]) override;

@@ -10,6 +10,8 @@
 
 #include <glm/gtc/type_ptr.hpp>
 
+#include <algorithm>
+
 using namespace measuredbrdf;
 
 vtkStandardNewMacro(vtkDistributionBRDF);
@@ -258,4 +260,15 @@ void vtkDistributionBRDF::GetGPUForm(vtkBRDFGPUForm& form)
   form.Description = "D-BRDF, tables of " + std::to_string(this->NumberOfTheta) + " x " +
                      std::to_string(this->NumberOfPhi) + " and " +
                      std::to_string(this->Fresnel.size() / 3) + " samples, 32-bit";
+}
+
+//------------------------------------------------------------------------------
+vtkBRDF* vtkDistributionBRDF::NewCopy()
+{
+  vtkDistributionBRDF* copy = vtkDistributionBRDF::New();
+  copy->NumberOfTheta = this->NumberOfTheta;
+  copy->NumberOfPhi = this->NumberOfPhi;
+  copy->Distribution = this->Distribution;
+  copy->Fresnel = this->Fresnel;
+  return copy;
 }

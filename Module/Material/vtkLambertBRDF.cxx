@@ -6,6 +6,8 @@
 #include "vtkBRDFGPUForm.h"
 #include "vtkObjectFactory.h"
 
+#include <algorithm>
+
 vtkStandardNewMacro(vtkLambertBRDF);
 
 //------------------------------------------------------------------------------
@@ -59,4 +61,12 @@ void vtkLambertBRDF::GetGPUForm(vtkBRDFGPUForm& form)
   term.Uniforms.push_back(albedo);
   form.Terms.push_back(term);
   form.Description = "Lambert, closed form";
+}
+
+//------------------------------------------------------------------------------
+vtkBRDF* vtkLambertBRDF::NewCopy()
+{
+  vtkLambertBRDF* copy = vtkLambertBRDF::New();
+  std::copy_n(this->Albedo, 3, copy->Albedo);
+  return copy;
 }

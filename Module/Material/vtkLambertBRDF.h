@@ -36,6 +36,7 @@ protected:
   vtkLambertBRDF() = default;
   ~vtkLambertBRDF() override = default;
 
+  vtkBRDF* NewCopy() override;
   void EvaluateAbove(const double i[3], const double o[3], double f[3]) override;
 
   double Albedo[3] = { 0.8, 0.8, 0.8 };

@@ -260,3 +260,20 @@ void vtkSumBRDF::GetGPUForm(vtkBRDFGPUForm& form)
   }
   form.Description = description.empty() ? "nothing (black)" : description;
 }
+
+//------------------------------------------------------------------------------
+vtkBRDF* vtkSumBRDF::NewCopy()
+{
+  vtkSumBRDF* copy = vtkSumBRDF::New();
+  for (vtkBRDF* term : this->Terms)
+  {
+    auto part = vtkSmartPointer<vtkBRDF>::Take(term->NewSnapshot());
+    if (!part)
+    {
+      copy->Delete();
+      return nullptr;
+    }
+    copy->Terms.push_back(part);
+  }
+  return copy;
+}

@@ -12,6 +12,7 @@
 
 #include <glm/gtc/type_ptr.hpp>
 
+#include <algorithm>
 #include <limits>
 #include <sstream>
 
@@ -342,4 +343,19 @@ void vtkTabulatedBRDF::GetGPUForm(vtkBRDFGPUForm& form)
   form.ResamplingError = std::max(form.ResamplingError, this->ResamplingError);
   form.Description = text.str();
   form.Terms.push_back(std::move(term));
+}
+
+//------------------------------------------------------------------------------
+vtkBRDF* vtkTabulatedBRDF::NewCopy()
+{
+  vtkTabulatedBRDF* copy = vtkTabulatedBRDF::New();
+  copy->Parameterization = this->Parameterization;
+  copy->AzimuthRange = this->AzimuthRange;
+  std::copy_n(this->Dimensions, 3, copy->Dimensions);
+  copy->Precision = this->Precision;
+  copy->CosineWeighted = this->CosineWeighted;
+  copy->ResamplingError = this->ResamplingError;
+  copy->Volume = this->Volume;
+  copy->NumberOfInvalidCells = this->NumberOfInvalidCells;
+  return copy;
 }

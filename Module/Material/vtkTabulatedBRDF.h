@@ -129,6 +129,7 @@ protected:
   vtkTabulatedBRDF();
   ~vtkTabulatedBRDF() override;
 
+  vtkBRDF* NewCopy() override;
   void EvaluateAbove(const double i[3], const double o[3], double f[3]) override;
   bool SampleAbove(const double o[3], double u1, double u2, double i[3]) override;
   double PdfAbove(const double i[3], const double o[3]) override;

@@ -5,7 +5,7 @@
  * Files that outlive the program, found by what they were made from. A file is whole or absent: it
  * is written beside its place and renamed there, so that programs may share a folder; a checksum
  * guards what is read. The oldest files go when the folder grows too large. Failures are silent: a
- * cache that cannot be used is no cache. Private to the planning room.
+ * cache that cannot be used is no cache. Private to the planning and the rendering rooms.
  */
 
 #ifndef PlanCache_h

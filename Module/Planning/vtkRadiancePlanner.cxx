@@ -19,12 +19,14 @@
 #include "vtkLightSetIntegrator.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkRadianceCostModel.h"
 #include "vtkTableRadianceIntegrator.h"
 #include "vtkVarianceLightSetGenerator.h"
 
 #include <glm/glm.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <cstddef>
@@ -40,14 +42,6 @@ constexpr double Pi = 3.14159265358979323846;
 constexpr double ErrorOrder = 3.0; // tables gain so many powers of their sizes
 constexpr int Pairs = 256;
 
-// Nanoseconds per covered pixel on Mesa's llvmpipe, 2 cores (docs/methods.md); on a GPU all are
-// hundreds of times smaller, in much the same proportion.
-constexpr double BaseCost = 55.0;
-constexpr double TableCost = 52.0;
-constexpr double LightCost = 20.0;
-constexpr double FunctionCost = 12.0;
-constexpr double SampleCost = 28.0;
-
 // Rows, view angles, azimuths: what linear interpolation in each costs in error differs with the
 // material's gloss (docs/methods.md).
 const int TableSizes[][3] = { { 17, 8, 8 }, { 33, 12, 16 }, { 33, 24, 16 }, { 65, 12, 16 },
@@ -57,15 +51,16 @@ const int LayerSizes[][4] = { { 33, 12, 16, 0 }, { 65, 12, 16, 0 }, { 129, 12, 1
   { 33, 12, 16, 8 }, { 65, 12, 16, 8 }, { 65, 24, 24, 8 }, { 33, 12, 16, 16 }, { 65, 12, 16, 16 },
   { 129, 12, 16, 16 } };
 constexpr int MaximumLights = 16;
-constexpr double MegabyteCost = 10.0; // ns per pixel that a megabyte of texture counts as
+constexpr double MegabyteShare = 10.0 / 107.0; // of a table's pixel, that a megabyte counts as
 constexpr vtkIdType TableBytes = 12 * (256 * 129 + 3 * 64); // irradiance and profile
 const int LightCounts[] = { 64, 256, 1024, 4096 };
 constexpr int AnisotropicLights = 256; // more cost seconds a frame without a graphics card
 const int SampleCounts[] = { 16, 64, 256 };
 const int FunctionCounts[] = { 9, 25, 64 };
 
-constexpr char PlanVersion[] = "plan 3"; // rises with anything that changes plans or tables
+constexpr char PlanVersion[] = "plan 4"; // rises with anything that changes plans or tables
 constexpr std::size_t LargestCount = 100;
+constexpr vtkIdType SmallTexture = 4000000; // bytes; the reason says why a plan takes more
 
 struct Candidate
 {
@@ -99,9 +94,9 @@ vtkIdType GetPyramidBytes(vtkEnvironment* environment)
 }
 
 // What the order of the candidates counts.
-double GetOrder(const Candidate& candidate)
+double GetOrder(const Candidate& candidate, double tableCost)
 {
-  return candidate.Cost + 1e-6 * MegabyteCost * static_cast<double>(candidate.Bytes);
+  return candidate.Cost + 1e-6 * MegabyteShare * tableCost * static_cast<double>(candidate.Bytes);
 }
 
 // Whether one that was tried already tells that a larger one does not help: of the same method and
@@ -130,6 +125,65 @@ std::string Percent(double value)
   return text;
 }
 
+std::string GetSizesText(int method, const int sizes[4])
+{
+  const std::string first = std::to_string(sizes[0]);
+  switch (method)
+  {
+    case vtkRadiancePlanner::LIGHT_SET:
+      return first + " soft lights by variance";
+    case vtkRadiancePlanner::BASIS:
+      return "at most " + first + " functions";
+    case vtkRadiancePlanner::FILTERED:
+      return first + " samples";
+    default:
+      return first + " rows x " + std::to_string(sizes[1]) + " view angles x " +
+             std::to_string(sizes[2]) + " azimuths" +
+             (sizes[3] > 0 ? ", " + std::to_string(sizes[3]) + " samples" : std::string()) +
+             (method == vtkRadiancePlanner::LAYERED ? ", suns as lights" : "");
+  }
+}
+
+// Hands a planner's abort on to an integrator at work for it, whose errors it keeps.
+class Supervision
+{
+public:
+  Supervision(vtkRadiancePlanner* planner, vtkRadianceIntegrator* integrator, std::string& problem)
+    : Planner(planner)
+    , Integrator(integrator)
+    , Problem(problem)
+  {
+    this->Tags[0] =
+      integrator->AddObserver(vtkCommand::ProgressEvent, this, &Supervision::OnProgress);
+    this->Tags[1] = integrator->AddObserver(vtkCommand::ErrorEvent, this, &Supervision::OnError);
+  }
+  ~Supervision()
+  {
+    this->Integrator->RemoveObserver(this->Tags[0]);
+    this->Integrator->RemoveObserver(this->Tags[1]);
+  }
+  Supervision(const Supervision&) = delete;
+  void operator=(const Supervision&) = delete;
+
+private:
+  void OnProgress(vtkObject*, unsigned long, void*)
+  {
+    if (this->Planner->GetAbort())
+    {
+      this->Integrator->SetAbort(true);
+    }
+  }
+  void OnError(vtkObject*, unsigned long, void* text)
+  {
+    this->Problem = text ? static_cast<const char*>(text) : "";
+  }
+
+  vtkRadiancePlanner* Planner;
+  vtkSmartPointer<vtkRadianceIntegrator> Integrator;
+  std::string& Problem;
+  unsigned long Tags[2];
+};
+
 double GetMilliseconds(std::chrono::steady_clock::time_point start)
 {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
@@ -141,7 +195,9 @@ struct vtkRadiancePlanner::Internals
 {
   vtkSmartPointer<vtkBRDF> BRDF;
   vtkSmartPointer<vtkEnvironment> Environment;
+  vtkSmartPointer<vtkRadianceCostModel> Costs;    // null: the defaults
   vtkNew<vtkVarianceLightSetGenerator> Generator; // keeps its tree
+  std::string Problem;                            // that an integrator had
 
   // What the candidates are measured against.
   vtkNew<vtkDoubleArray> Normals;
@@ -156,8 +212,19 @@ struct vtkRadiancePlanner::Internals
 
   vtkMTimeType GetInputsMTime(vtkObject* planner) const
   {
-    return std::max(
-      { planner->GetMTime(), this->BRDF->GetMTime(), this->Environment->GetPixelsMTime() });
+    return std::max({ planner->GetMTime(), this->BRDF->GetMTime(),
+      this->Environment->GetPixelsMTime(), this->Costs ? this->Costs->GetMTime() : 0 });
+  }
+
+  std::vector<double> GetCosts()
+  {
+    const auto model = this->Costs ? this->Costs : vtkSmartPointer<vtkRadianceCostModel>::New();
+    std::vector<double> costs;
+    for (int type = 0; type < vtkRadianceCostModel::NUMBER_OF_COSTS; ++type)
+    {
+      costs.push_back(model->GetCost(type));
+    }
+    return costs;
   }
 
   // Everything that a plan depends on.
@@ -171,6 +238,8 @@ struct vtkRadiancePlanner::Internals
     hash.AddValue(planner->GetMaximumTextureBytes());
     hash.AddValue(planner->GetEvaluateAll());
     hash.Add(planner->GetViewDirection(), 3 * sizeof(double));
+    const std::vector<double> costs = this->GetCosts();
+    hash.Add(costs.data(), costs.size() * sizeof(double));
     return hash.GetText();
   }
 
@@ -276,12 +345,13 @@ struct vtkRadiancePlanner::Internals
     }
   }
 
-  bool MakeReference(const double view[3])
+  bool MakeReference(vtkRadiancePlanner* planner)
   {
-    this->DrawPairs(Pairs, view);
+    this->DrawPairs(Pairs, planner->GetViewDirection());
     vtkNew<measuredbrdf::PlanReference> reference;
     reference->SetBRDF(this->BRDF);
     reference->SetEnvironment(this->Environment);
+    const Supervision supervision(planner, reference, this->Problem);
     return reference->Integrate(this->Normals, this->Views, this->Reference);
   }
 
@@ -340,10 +410,11 @@ struct vtkRadiancePlanner::Internals
   }
 
   // Prepare it and see how far it is from the reference.
-  bool Try(Candidate& candidate)
+  bool Try(vtkRadiancePlanner* planner, Candidate& candidate)
   {
     const auto start = std::chrono::steady_clock::now();
     candidate.Integrator = this->Make(candidate);
+    const Supervision supervision(planner, candidate.Integrator, this->Problem);
     vtkNew<vtkDoubleArray> radiance;
     if (!candidate.Integrator->Prepare())
     {
@@ -381,7 +452,47 @@ struct vtkRadiancePlanner::Internals
     candidate.Error = sum > 0.0 ? (differences + std::sqrt(variance)) / sum : 0.0;
     return true;
   }
+
+  // Why the choice takes much memory: what the largest of the small tables that were tried had.
+  std::string ExplainMemory() const
+  {
+    const Candidate& chosen = this->Candidates[static_cast<std::size_t>(this->Choice)];
+    const Candidate* small = nullptr;
+    for (const Candidate& candidate : this->Candidates)
+    {
+      const bool fits = candidate.Method == TABLE && candidate.Bytes <= SmallTexture;
+      small = fits && (!small || candidate.Bytes > small->Bytes) ? &candidate : small;
+    }
+    if (chosen.Bytes <= SmallTexture || !small)
+    {
+      return "";
+    }
+    const std::string needs = chosen.Method == TABLE
+                                ? "gloss needs " + std::to_string(chosen.Sizes[0]) + " rows"
+                                : "it needs more than a table";
+    return "; " + needs + ": the largest table within 4 MB, " +
+           GetSizesText(small->Method, small->Sizes) + ", has " + Percent(small->Error);
+  }
 };
+
+namespace
+{
+// Whatever way a run ends.
+class ClearAtEnd
+{
+public:
+  explicit ClearAtEnd(std::atomic<bool>& flag)
+    : Flag(flag)
+  {
+  }
+  ~ClearAtEnd() { this->Flag = false; }
+  ClearAtEnd(const ClearAtEnd&) = delete;
+  void operator=(const ClearAtEnd&) = delete;
+
+private:
+  std::atomic<bool>& Flag;
+};
+}
 
 vtkStandardNewMacro(vtkRadiancePlanner);
 
@@ -421,10 +532,33 @@ void vtkRadiancePlanner::SetEnvironment(vtkEnvironment* environment)
 vtkEnvironment* vtkRadiancePlanner::GetEnvironment() { return this->Impl->Environment; }
 
 //------------------------------------------------------------------------------
+void vtkRadiancePlanner::SetCostModel(vtkRadianceCostModel* model)
+{
+  if (this->Impl->Costs != model)
+  {
+    this->Impl->Costs = model;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkRadianceCostModel* vtkRadiancePlanner::GetCostModel() { return this->Impl->Costs; }
+
+//------------------------------------------------------------------------------
+bool vtkRadiancePlanner::Fail()
+{
+  const std::string problem =
+    this->Impl->Problem.empty() ? "there is no reference to compare with." : this->Impl->Problem;
+  vtkErrorMacro("Update: " << (this->Abort ? "aborted." : problem));
+  return false;
+}
+
+//------------------------------------------------------------------------------
 bool vtkRadiancePlanner::Update()
 {
   Internals& impl = *this->Impl;
-  this->Abort = false;
+  const ClearAtEnd clear(this->Abort);
+  impl.Problem.clear();
   if (!impl.BRDF || !impl.Environment || impl.Environment->GetPixels().empty())
   {
     vtkErrorMacro(
@@ -446,6 +580,9 @@ bool vtkRadiancePlanner::Update()
   }
 
   // Candidates in the order of their cost, the smallest table first.
+  const std::vector<double> costs = impl.GetCosts();
+  const double base = costs[vtkRadianceCostModel::BASE];
+  const double tableCost = base + costs[vtkRadianceCostModel::TABLE];
   std::vector<Candidate> wanted;
   const bool isotropic = impl.BRDF->IsIsotropic();
   if (isotropic)
@@ -453,7 +590,7 @@ bool vtkRadiancePlanner::Update()
     for (const auto& sizes : TableSizes)
     {
       Candidate table(TABLE, sizes[0], sizes[1], sizes[2]);
-      table.Cost = BaseCost + TableCost;
+      table.Cost = tableCost;
       table.Bytes = GetTableBytes(sizes);
       wanted.push_back(table);
     }
@@ -463,7 +600,8 @@ bool vtkRadiancePlanner::Update()
     for (const auto& sizes : LayerSizes)
     {
       Candidate layered(LAYERED, sizes[0], sizes[1], sizes[2], sizes[3]);
-      layered.Cost = BaseCost + TableCost + SampleCost * sizes[3] + LightCost * lights;
+      layered.Cost = tableCost + costs[vtkRadianceCostModel::SAMPLE] * sizes[3] +
+                     costs[vtkRadianceCostModel::LIGHT] * lights;
       layered.Bytes =
         GetTableBytes(sizes) + 32 * lights + (sizes[3] > 0 ? GetPyramidBytes(impl.Environment) : 0);
       if (lights > 0 || sizes[3] > 0) // else a table
@@ -476,7 +614,7 @@ bool vtkRadiancePlanner::Update()
   for (const int count : LightCounts)
   {
     Candidate lights(LIGHT_SET, count);
-    lights.Cost = BaseCost + LightCost * count;
+    lights.Cost = base + costs[vtkRadianceCostModel::LIGHT] * count;
     lights.Bytes = 32 * static_cast<vtkIdType>(count);
     if (this->EvaluateAll || (!isotropic && count <= AnisotropicLights))
     {
@@ -486,7 +624,7 @@ bool vtkRadiancePlanner::Update()
   for (const int count : SampleCounts)
   {
     Candidate samples(FILTERED, count);
-    samples.Cost = BaseCost + SampleCost * count;
+    samples.Cost = base + costs[vtkRadianceCostModel::SAMPLE] * count;
     samples.Bytes = GetPyramidBytes(impl.Environment);
     if (isotropic && this->EvaluateAll)
     {
@@ -496,7 +634,7 @@ bool vtkRadiancePlanner::Update()
   for (const int count : FunctionCounts)
   {
     Candidate functions(BASIS, count);
-    functions.Cost = BaseCost + FunctionCost * count;
+    functions.Cost = base + costs[vtkRadianceCostModel::FUNCTION] * count;
     functions.Bytes = 12 * 2 * 48 * 48 * static_cast<vtkIdType>(count);
     if (isotropic && this->EvaluateAll)
     {
@@ -514,11 +652,12 @@ bool vtkRadiancePlanner::Update()
     return false;
   }
   std::stable_sort(wanted.begin(), wanted.end(),
-    [](const Candidate& a, const Candidate& b) { return GetOrder(a) < GetOrder(b); });
+    [tableCost](const Candidate& a, const Candidate& b)
+    { return GetOrder(a, tableCost) < GetOrder(b, tableCost); });
 
-  if (!impl.MakeReference(this->ViewDirection))
+  if (this->Abort || !impl.MakeReference(this))
   {
-    return false;
+    return this->Fail();
   }
   std::vector<Candidate> tried;
   int choice = -1;
@@ -535,9 +674,9 @@ bool vtkRadiancePlanner::Update()
     {
       continue;
     }
-    if (!impl.Try(candidate))
+    if (!impl.Try(this, candidate))
     {
-      return false;
+      return this->Fail();
     }
     tried.push_back(candidate);
     const int last = static_cast<int>(tried.size()) - 1;
@@ -563,8 +702,7 @@ bool vtkRadiancePlanner::Update()
   }
   if (this->Abort)
   {
-    vtkErrorMacro("Update: aborted.");
-    return false;
+    return this->Fail();
   }
   for (std::size_t k = 0; k < tried.size(); ++k)
   {
@@ -589,6 +727,7 @@ bool vtkRadiancePlanner::Update()
     impl.Reason = "nothing that was tried is within " + Percent(this->ErrorTolerance) +
                   "; this is the most accurate, with " + Percent(chosen.Error);
   }
+  impl.Reason += impl.ExplainMemory();
   impl.Time.Modified();
   if (!key.empty())
   {
@@ -631,22 +770,8 @@ std::string vtkRadiancePlanner::GetDescription(int index)
   {
     return "";
   }
-  const int* sizes = this->Impl->Candidates[static_cast<std::size_t>(index)].Sizes;
-  const std::string first = std::to_string(sizes[0]);
-  switch (this->GetMethod(index))
-  {
-    case LIGHT_SET:
-      return first + " soft lights by variance";
-    case BASIS:
-      return "at most " + first + " functions";
-    case FILTERED:
-      return first + " samples";
-    default:
-      return first + " rows x " + std::to_string(sizes[1]) + " view angles x " +
-             std::to_string(sizes[2]) + " azimuths" +
-             (sizes[3] > 0 ? ", " + std::to_string(sizes[3]) + " samples" : std::string()) +
-             (this->GetMethod(index) == LAYERED ? ", suns as lights" : "");
-  }
+  const Candidate& candidate = this->Impl->Candidates[static_cast<std::size_t>(index)];
+  return GetSizesText(candidate.Method, candidate.Sizes);
 }
 
 //------------------------------------------------------------------------------
@@ -730,6 +855,8 @@ void vtkRadiancePlanner::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "BRDF: " << this->Impl->BRDF.Get() << "\n";
   os << indent << "Environment: " << this->Impl->Environment.Get() << "\n";
+  os << indent
+     << "CostModel: " << (this->Impl->Costs ? this->Impl->Costs->GetName() : "the default") << "\n";
   os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
   os << indent << "ViewDirection: " << this->ViewDirection[0] << " " << this->ViewDirection[1]
      << " " << this->ViewDirection[2] << "\n";

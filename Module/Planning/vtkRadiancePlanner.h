@@ -11,14 +11,13 @@
  * trying: each candidate is prepared and compared on some hundred (normal, view) pairs, drawn as a
  * sphere shows them, with a nearly exact sum (suns and lamps apart, thousands of lights for what is
  * broad, thousands of directions for what is sharp); one standard error of that sample is added.
- * Costs
- * are nanoseconds per covered pixel, as measured on Mesa's llvmpipe per table, light, sample or
- * function: on other renderers only their order counts.
+ * Costs are those of a vtkRadianceCostModel: Mesa's llvmpipe's unless another is set.
  *
- * The order of the candidates counts 10 ns a pixel for every megabyte of texture on top: tables of
- * radiance cost the same few fetches at every size. Where no candidate meets the tolerance, the
- * most accurate one is chosen and the reason says so. A plan is made again when the material, the
- * environment's pixels or the settings changed; a rotation of the environment changes nothing.
+ * The order of the candidates counts 9 % of a table's pixel (10 ns on llvmpipe) for every megabyte
+ * of texture on top: tables of radiance cost the same few fetches at every size. Where no candidate
+ * meets the tolerance, the most accurate one is chosen and the reason says so. A plan is made again
+ * when the material, the environment's pixels or the settings changed; a rotation of the
+ * environment changes nothing.
  */
 
 #ifndef vtkRadiancePlanner_h
@@ -34,6 +33,7 @@
 
 class vtkBRDF;
 class vtkEnvironment;
+class vtkRadianceCostModel;
 class vtkRadianceIntegrator;
 
 class VTKMEASUREDBRDF_EXPORT vtkRadiancePlanner : public vtkObject
@@ -107,6 +107,15 @@ public:
 
   ///@{
   /**
+   * What a pixel costs by each method: the order of the candidates and the frame times that are
+   * predicted. Null (default): the defaults of vtkRadianceCostModel.
+   */
+  void SetCostModel(vtkRadianceCostModel* model);
+  vtkRadianceCostModel* GetCostModel();
+  ///@}
+
+  ///@{
+  /**
    * A folder where plans and their tables outlive the program, found again by the material's values
    * and the environment's pixels; "" (default): none. The mapper uses GetDefaultCacheFolder():
    * $MEASUREDBRDF_CACHE ("off": none), else $XDG_CACHE_HOME/vtkMeasuredBRDF, else
@@ -147,7 +156,8 @@ public:
 
   ///@{
   /**
-   * The choice, -1 before any; whether it meets the tolerance; why it was chosen, one line.
+   * The choice, -1 before any; whether it meets the tolerance; why it was chosen, one line, also
+   * where it takes more than 4 MB or does not meet the tolerance.
    */
   int GetChoice();
   bool GetMeetsTolerance();
@@ -171,7 +181,8 @@ public:
 
   ///@{
   /**
-   * Set from an observer to stop a running Update.
+   * Set from an observer or another thread to stop Update: the running one or, where none runs,
+   * the next. Cleared when that returns.
    */
   void SetAbort(bool abort) { this->Abort = abort; }
   bool GetAbort() { return this->Abort; }
@@ -194,6 +205,9 @@ protected:
 private:
   vtkRadiancePlanner(const vtkRadiancePlanner&) = delete;
   void operator=(const vtkRadiancePlanner&) = delete;
+
+  /// The error event of a run that can't go on; false.
+  bool Fail();
 
   struct Internals;
   std::unique_ptr<Internals> Impl;

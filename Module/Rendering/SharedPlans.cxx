@@ -5,27 +5,70 @@
 #include "SharedObjects.h"
 #include "vtkBRDF.h"
 #include "vtkEnvironment.h"
+#include "vtkNew.h"
+#include "vtkRadianceCostModel.h"
 #include "vtkRadiancePlanner.h"
 
-#include <tuple>
+#include <utility>
 
 namespace measuredbrdf
 {
-vtkSmartPointer<vtkRadiancePlanner> FindPlan(
-  vtkBRDF* brdf, vtkEnvironment* environment, double tolerance)
+namespace
 {
-  using Key = std::tuple<vtkBRDF*, vtkMTimeType, vtkEnvironment*, vtkMTimeType, double>;
-  static SharedObjects<Key, vtkRadiancePlanner> plans;
-  return plans.Find(
-    { brdf, brdf->GetMTime(), environment, environment->GetPixelsMTime(), tolerance },
-    [&]() -> vtkSmartPointer<vtkRadiancePlanner>
-    {
-      auto planner = vtkSmartPointer<vtkRadiancePlanner>::New();
-      planner->SetBRDF(brdf);
-      planner->SetEnvironment(environment);
-      planner->SetErrorTolerance(tolerance);
-      planner->SetCacheFolder(vtkRadiancePlanner::GetDefaultCacheFolder());
-      return planner->Update() ? planner : nullptr;
-    });
+using SharedPlans = SharedObjects<std::pair<PlanInputs::Key, bool>, vtkRadiancePlanner>;
+
+SharedPlans& GetSharedPlans()
+{
+  static SharedPlans plans;
+  return plans;
+}
+}
+
+PlanInputs::PlanInputs(
+  vtkBRDF* brdf, vtkEnvironment* environment, double tolerance, vtkRadianceCostModel* costs)
+  : BRDF(brdf)
+  , BRDFTime(brdf->GetMTime())
+  , Environment(environment)
+  , PixelsTime(environment->GetPixelsMTime())
+  , Tolerance(tolerance)
+  , Costs(costs ? costs->GetText() : "")
+{
+}
+
+vtkSmartPointer<vtkRadiancePlanner> NewPlanner(const PlanInputs& inputs, bool apart)
+{
+  vtkSmartPointer<vtkBRDF> brdf =
+    apart ? vtkSmartPointer<vtkBRDF>::Take(inputs.BRDF->NewSnapshot()) : inputs.BRDF;
+  if (!brdf)
+  {
+    return nullptr;
+  }
+  auto planner = vtkSmartPointer<vtkRadiancePlanner>::New();
+  planner->SetBRDF(brdf);
+  planner->SetEnvironment(
+    apart ? vtkSmartPointer<vtkEnvironment>::Take(inputs.Environment->NewSnapshot())
+          : inputs.Environment);
+  planner->SetErrorTolerance(inputs.Tolerance);
+  planner->SetCacheFolder(vtkRadiancePlanner::GetDefaultCacheFolder());
+  if (!inputs.Costs.empty())
+  {
+    vtkNew<vtkRadianceCostModel> costs;
+    costs->SetText(inputs.Costs);
+    planner->SetCostModel(costs);
+  }
+  return planner;
+}
+
+vtkSmartPointer<vtkRadiancePlanner> FindPlan(const PlanInputs& inputs, bool apart)
+{
+  const auto none = []() { return vtkSmartPointer<vtkRadiancePlanner>(); };
+  vtkSmartPointer<vtkRadiancePlanner> plan = GetSharedPlans().Find({ inputs.GetKey(), true }, none);
+  return plan || apart ? plan : GetSharedPlans().Find({ inputs.GetKey(), false }, none);
+}
+
+void SharePlan(const PlanInputs& inputs, bool apart, vtkRadiancePlanner* plan)
+{
+  GetSharedPlans().Find(
+    { inputs.GetKey(), apart }, [plan]() { return vtkSmartPointer<vtkRadiancePlanner>(plan); });
 }
 } // namespace measuredbrdf

@@ -2,24 +2,60 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Plans of a material under an environment, made once and shared by all mappers that hold them.
- * Private to the rendering room.
+ * Plans of a material under an environment, made once and shared by all mappers that hold them:
+ * what was asked for, and who has it. For the render thread only. Private to the rendering room.
  */
 
 #ifndef SharedPlans_h
 #define SharedPlans_h
 
 #include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <string>
+#include <tuple>
 
 class vtkBRDF;
 class vtkEnvironment;
+class vtkRadianceCostModel;
 class vtkRadiancePlanner;
 
 namespace measuredbrdf
 {
-/// The plan, with an integrator to take from it; null where there is none.
-vtkSmartPointer<vtkRadiancePlanner> FindPlan(
-  vtkBRDF* brdf, vtkEnvironment* environment, double tolerance);
+/// What to plan for, at one moment: it differs from a later one where anything changed since.
+struct PlanInputs
+{
+  PlanInputs() = default;
+  PlanInputs(
+    vtkBRDF* brdf, vtkEnvironment* environment, double tolerance, vtkRadianceCostModel* costs);
+
+  /// The plans' key. Modification times are never used twice: a recycled address does no harm.
+  using Key =
+    std::tuple<vtkBRDF*, vtkMTimeType, vtkEnvironment*, vtkMTimeType, double, std::string>;
+  Key GetKey() const
+  {
+    return { this->BRDF, this->BRDFTime, this->Environment, this->PixelsTime, this->Tolerance,
+      this->Costs };
+  }
+
+  vtkSmartPointer<vtkBRDF> BRDF;
+  vtkMTimeType BRDFTime = 0;
+  vtkSmartPointer<vtkEnvironment> Environment;
+  vtkMTimeType PixelsTime = 0;
+  double Tolerance = 0.0;
+  std::string Costs; // a cost model's text; "": the defaults
+};
+
+/// A plan's planner, not updated yet, of the objects themselves or, apart, of snapshots of its own,
+/// which nobody changes, nor makes them prepare what they make when first asked for. Null where a
+/// material has none.
+vtkSmartPointer<vtkRadiancePlanner> NewPlanner(const PlanInputs& inputs, bool apart);
+
+/// The plan that somebody has; null where nobody has. apart: of snapshots only.
+vtkSmartPointer<vtkRadiancePlanner> FindPlan(const PlanInputs& inputs, bool apart);
+
+/// Let others find a plan, for as long as somebody holds it.
+void SharePlan(const PlanInputs& inputs, bool apart, vtkRadiancePlanner* plan);
 } // namespace measuredbrdf
 
 #endif

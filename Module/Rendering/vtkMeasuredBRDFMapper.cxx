@@ -4,11 +4,12 @@
 
 #include "BRDFShader.h"
 #include "BRDFTextures.h"
+#include "CurrentPlan.h"
 #include "LightSetCache.h"
-#include "SharedPlans.h"
 
 #include "vtkActor.h"
 #include "vtkBRDF.h"
+#include "vtkCommand.h"
 #include "vtkDataObject.h"
 #include "vtkEnvironment.h"
 #include "vtkInformation.h"
@@ -27,6 +28,7 @@
 #include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
+#include "vtkRadianceCostModel.h"
 #include "vtkRadiancePlanner.h"
 #include "vtkShader.h"
 #include "vtkShaderProgram.h"
@@ -46,9 +48,11 @@ struct vtkMeasuredBRDFMapper::Internals
   vtkSmartPointer<vtkEnvironment> Environment;
   vtkSmartPointer<vtkLightSet> LightSet;
   vtkSmartPointer<vtkRadianceIntegrator> WantedIntegrator;
-  vtkSmartPointer<vtkRadiancePlanner> Planner; // of the plan in use
+  vtkSmartPointer<vtkRadianceCostModel> Costs;
+  CurrentPlan Plan;
 
   // In use since the last RenderPieceStart.
+  vtkSmartPointer<vtkBRDF> Drawn;         // the material or, of a plan in use, its snapshot
   std::shared_ptr<FormTextures> Material; // null where the shader has no use for the BRDF itself
   std::shared_ptr<FormTextures> Radiance; // what the environment adds; null without one
   vtkSmartPointer<vtkRadianceIntegrator> Integrator;
@@ -144,6 +148,10 @@ void vtkMeasuredBRDFMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Integrator: " << this->Impl->WantedIntegrator.Get() << "\n";
   os << indent << "Method: " << (this->Method == AUTO ? "auto" : "light set") << "\n";
   os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
+  const char* const modes[] = { "foreground", "background", "background from start" };
+  os << indent << "PlanningMode: " << modes[this->PlanningMode] << "\n";
+  os << indent << "CostModel: " << (this->Impl->Costs ? this->Impl->Costs->GetName() : "default")
+     << "\n";
   os << indent << "Plan: " << this->GetPlan() << "\n";
   os << indent << "LightSetMethod: "
      << (this->LightSetMethod == MEDIAN_CUT
@@ -214,7 +222,49 @@ void vtkMeasuredBRDFMapper::SetErrorTolerance(double tolerance)
 //------------------------------------------------------------------------------
 std::string vtkMeasuredBRDFMapper::GetPlan()
 {
-  return this->Impl->Planner ? this->Impl->Planner->GetPlan() : std::string();
+  vtkRadiancePlanner* plan = this->Impl->Plan.GetPlan();
+  return plan ? plan->GetPlan() : std::string();
+}
+
+//------------------------------------------------------------------------------
+void vtkMeasuredBRDFMapper::SetPlanningMode(int mode)
+{
+  this->PlanningMode = mode == BACKGROUND || mode == BACKGROUND_FROM_START ? mode : FOREGROUND;
+}
+
+//------------------------------------------------------------------------------
+bool vtkMeasuredBRDFMapper::GetPlanPending() { return this->Impl->Plan.IsPending(); }
+
+//------------------------------------------------------------------------------
+bool vtkMeasuredBRDFMapper::GetPlanReady() { return this->Impl->Plan.IsReady(); }
+
+//------------------------------------------------------------------------------
+void vtkMeasuredBRDFMapper::SetCostModel(vtkRadianceCostModel* model) { this->Impl->Costs = model; }
+
+//------------------------------------------------------------------------------
+vtkRadianceCostModel* vtkMeasuredBRDFMapper::GetCostModel() { return this->Impl->Costs; }
+
+//------------------------------------------------------------------------------
+void vtkMeasuredBRDFMapper::UpdatePlan()
+{
+  Internals& impl = *this->Impl;
+  const PlanInputs wanted(impl.BRDF, impl.CurrentEnvironment, this->ErrorTolerance, impl.Costs);
+  const CurrentPlan::Timing timings[] = { CurrentPlan::Timing::Foreground,
+    CurrentPlan::Timing::Changes, CurrentPlan::Timing::Always };
+  std::string problem;
+  const bool changed = impl.Plan.Update(wanted, timings[this->PlanningMode], problem);
+  if (!problem.empty() && impl.Plan.GetPlan())
+  {
+    vtkWarningMacro("Planning in the background: " << problem);
+  }
+  else if (!problem.empty())
+  {
+    vtkErrorMacro("Planning in the background: " << problem);
+  }
+  if (changed)
+  {
+    this->InvokeEvent(vtkCommand::UpdateDataEvent);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -287,6 +337,8 @@ void vtkMeasuredBRDFMapper::ShallowCopy(vtkAbstractMapper* m)
     this->SetIntegrator(other->GetIntegrator());
     this->SetMethod(other->GetMethod());
     this->SetErrorTolerance(other->GetErrorTolerance());
+    this->SetPlanningMode(other->GetPlanningMode());
+    this->SetCostModel(other->GetCostModel());
     this->SetLightSetMethod(other->GetLightSetMethod());
     this->SetNumberOfLights(other->GetNumberOfLights());
     this->SetSeed(other->GetSeed());
@@ -303,6 +355,7 @@ void vtkMeasuredBRDFMapper::ReleaseGraphicsResources(vtkWindow* window)
   this->Impl->Material.reset();
   this->Impl->Radiance.reset();
   this->Impl->Ready = false;
+  this->Impl->Plan.Stop();
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
@@ -338,7 +391,7 @@ bool vtkMeasuredBRDFMapper::GetNeedToRebuildShaders(
   {
     key = (this->Impl->Material ? this->Impl->Material->GetForm().GetShaderKey() : "") + "/" +
           this->Impl->GetRadianceForm().GetShaderKey();
-    if (!this->Impl->BRDF->IsIsotropic())
+    if (!this->Impl->Drawn->IsIsotropic())
     {
       key += this->HasTangents() ? "tangents" : "axis";
     }
@@ -374,7 +427,7 @@ void vtkMeasuredBRDFMapper::ReplaceShaderNormal(
   const bool material = this->UsesMaterial(actor, this->LastBoundBO);
   ForceLit lit(this->PrimitiveInfo[this->LastBoundBO].LastLightComplexity, material);
   this->Superclass::ReplaceShaderNormal(shaders, ren, actor);
-  if (!material || this->Impl->BRDF->IsIsotropic() || !this->HasTangents())
+  if (!material || this->Impl->Drawn->IsIsotropic() || !this->HasTangents())
   {
     return;
   }
@@ -428,7 +481,7 @@ void vtkMeasuredBRDFMapper::ReplaceShaderLight(
     std::string(static_cast<vtkOpenGLRenderer*>(ren)->GetLightingUniforms()), false);
 
   TangentSource tangents = TangentSource::None;
-  if (!this->Impl->BRDF->IsIsotropic())
+  if (!this->Impl->Drawn->IsIsotropic())
   {
     tangents = this->HasTangents() ? TangentSource::Data : TangentSource::Axis;
     if (tangents == TangentSource::Axis && this->Impl->WarnOnce("tangents"))
@@ -504,13 +557,20 @@ void vtkMeasuredBRDFMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* actor)
     }
     const bool lit = impl.CurrentEnvironment && impl.CurrentEnvironment->GetWidth() > 0;
     impl.Integrator = lit ? impl.WantedIntegrator : nullptr;
-    // The last frame's plan is held until then: it may be this one's.
-    const bool plans = lit && !impl.Integrator && !impl.LightSet && this->Method == AUTO;
-    impl.Planner =
-      plans ? FindPlan(impl.BRDF, impl.CurrentEnvironment, this->ErrorTolerance) : nullptr;
-    if (impl.Planner)
+    impl.Drawn = impl.BRDF;
+    if (lit && !impl.Integrator && !impl.LightSet && this->Method == AUTO)
     {
-      impl.Integrator = vtkSmartPointer<vtkRadianceIntegrator>::Take(impl.Planner->NewIntegrator());
+      this->UpdatePlan();
+    }
+    else
+    {
+      impl.Plan.Clear();
+    }
+    if (vtkRadiancePlanner* plan = impl.Plan.GetPlan())
+    {
+      impl.Integrator = vtkSmartPointer<vtkRadianceIntegrator>::Take(plan->NewIntegrator());
+      impl.Drawn = plan->GetBRDF();
+      impl.CurrentEnvironment = impl.Plan.GetEnvironment();
       impl.CurrentLights = nullptr;
     }
     else if (impl.Integrator)
@@ -558,10 +618,10 @@ void vtkMeasuredBRDFMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* actor)
       problem = impl.Radiance->Update(impl.Integrator, window);
     }
     const bool evaluates = (impl.Integrator && impl.Integrator->UsesBRDFOnGPU()) || HasLight(ren);
-    impl.Material = evaluates ? FormTextures::Find(impl.BRDF, window) : nullptr;
+    impl.Material = evaluates ? FormTextures::Find(impl.Drawn, window) : nullptr;
     if (evaluates && problem.empty())
     {
-      problem = impl.Material->Update(impl.BRDF, window);
+      problem = impl.Material->Update(impl.Drawn, window);
     }
     impl.Ready = problem.empty();
     if (!impl.Ready && impl.WarnOnce(problem))
@@ -581,7 +641,8 @@ void vtkMeasuredBRDFMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* actor)
     impl.Material.reset();
     impl.Radiance.reset();
     impl.Integrator = nullptr;
-    impl.Planner = nullptr;
+    impl.Drawn = nullptr;
+    impl.Plan.Clear();
     impl.CurrentEnvironment = nullptr;
     impl.CurrentLights = nullptr;
   }

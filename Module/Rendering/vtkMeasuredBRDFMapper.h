@@ -40,6 +40,7 @@
 class vtkBRDF;
 class vtkEnvironment;
 class vtkLightSet;
+class vtkRadianceCostModel;
 class vtkRadianceIntegrator;
 
 class VTKMEASUREDBRDF_EXPORT vtkMeasuredBRDFMapper : public vtkOpenGLPolyDataMapper
@@ -87,8 +88,9 @@ public:
    * the material, the environment and the error tolerance, mostly by a table of radiance that costs
    * about as much as VTK's own PBR; planning takes some tenths of a second (seconds for
    * mirror-like materials) before the first frame and after a change of the material or the
-   * environment (its rotation is none); a later program finds the plan on disk. LIGHT_SET: the
-   * thesis's loop over a light set made as set up below; so it is too while SetLightSet has one.
+   * environment (its rotation is none), see SetPlanningMode; a later program finds the plan on
+   * disk. LIGHT_SET: the thesis's loop over a light set made as set up below; so it is too while
+   * SetLightSet has one.
    */
   void SetMethod(int method);
   int GetMethod() { return this->Method; }
@@ -110,6 +112,64 @@ public:
    * if there was no plan.
    */
   std::string GetPlan();
+
+  enum PlanningModeType
+  {
+    FOREGROUND = 0,
+    BACKGROUND = 1,
+    BACKGROUND_FROM_START = 2
+  };
+
+  ///@{
+  /**
+   * With AUTO, when planning is done. FOREGROUND (default): Render plans, so that every picture is
+   * of what is set. BACKGROUND: the first Render plans; where the material, the environment, the
+   * tolerance or the costs change later, a thread plans and pictures stay as they were, environment
+   * and material alike, until a Render finds the new plan made. A change meanwhile stops that
+   * thread's work and begins anew. BACKGROUND_FROM_START: so is the first; until it is made, the
+   * light set that is set up below stands in for it.
+   *
+   * A mapper cannot bring about a Render by itself, and programs that change a material and write
+   * one picture want the new one: hence the default. Interactive programs choose BACKGROUND and
+   * look for the plan in a timer of their event loop:
+   *
+   * @code
+   * if (mapper->GetPlanReady())
+   *   window->Render();
+   * @endcode
+   *
+   * A still picture in between is right with FOREGROUND, which waits for the plan in the making.
+   * Threads work on snapshots (vtkBRDF::NewSnapshot): a material that has none is planned for in
+   * the foreground. The destructor and ReleaseGraphicsResources stop the thread and wait for that.
+   */
+  void SetPlanningMode(int mode);
+  int GetPlanningMode() { return this->PlanningMode; }
+  void SetPlanningModeToForeground() { this->SetPlanningMode(FOREGROUND); }
+  void SetPlanningModeToBackground() { this->SetPlanningMode(BACKGROUND); }
+  void SetPlanningModeToBackgroundFromStart() { this->SetPlanningMode(BACKGROUND_FROM_START); }
+  ///@}
+
+  ///@{
+  /**
+   * Whether the last Render showed another plan than was asked for, since that is still being made;
+   * whether it is made now and the next Render takes it up. That one raises
+   * vtkCommand::UpdateDataEvent, as every Render with a new plan does, for GetPlan's sake: from
+   * inside of Render, never from another thread.
+   */
+  bool GetPlanPending();
+  bool GetPlanReady();
+  ///@}
+
+  ///@{
+  /**
+   * With AUTO, what a pixel costs by each method on this renderer (vtkRadianceCostCalibrator); null
+   * (default): the defaults of vtkRadianceCostModel. The mapper measures nothing by itself: that
+   * would stop the first frame for up to a second, and the choice would depend on what else the
+   * machine does.
+   */
+  void SetCostModel(vtkRadianceCostModel* model);
+  vtkRadianceCostModel* GetCostModel();
+  ///@}
 
   ///@{
   /**
@@ -215,6 +275,7 @@ protected:
   bool HasTangents();
 
   int Method = AUTO;
+  int PlanningMode = FOREGROUND;
   double ErrorTolerance = 0.02;
   int LightSetMethod = MEDIAN_CUT;
   int NumberOfLights = 64;
@@ -225,6 +286,9 @@ protected:
 private:
   vtkMeasuredBRDFMapper(const vtkMeasuredBRDFMapper&) = delete;
   void operator=(const vtkMeasuredBRDFMapper&) = delete;
+
+  /// Bring Impl->Plan up to date, or begin to.
+  void UpdatePlan();
 
   struct Internals;
   std::unique_ptr<Internals> Impl;

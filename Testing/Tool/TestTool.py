@@ -1187,7 +1187,33 @@ class Plan(ToolTest):
         coarse = json.loads(run(*common, "--tolerance", "0.2", "--json").stdout)
         coarse = coarse["candidates"][coarse["choice"]]
         self.assertLessEqual(coarse["texture_bytes"], chosen["texture_bytes"])
-        self.check(run(*common), 0, "> table", "error %", "within 2 %")
+        self.assertIn("built in", plan["costs"]["renderer"])
+        self.assertEqual(plan["costs"]["table_ns"], 52)
+        self.check(run(*common), 0, "> table", "error %", "within 2 %", "frame ms: Mesa", "built in")
+
+    def test_calibrate(self):
+        cache = {**os.environ, "MEASUREDBRDF_CACHE": self.path("cache")}
+        common = ["plan", "blue-fabric", "--environment", "hall", "--choice-only", "--json"]
+        plans = [json.loads(run(*common, "--calibrate", env=cache).stdout) for _ in range(2)]
+        for cost in ("base", "table", "light", "sample", "function"):
+            self.assertGreater(plans[0]["costs"][cost + "_ns"], 0)
+        self.assertNotIn("built in", plans[0]["costs"]["renderer"])
+        self.assertEqual(plans[0]["costs"], plans[1]["costs"])  # measured once
+        self.assertEqual(len(os.listdir(self.path("cache"))), 1)  # and no plan is kept
+
+    def test_cache(self):
+        cache = {**os.environ, "MEASUREDBRDF_CACHE": self.path("cache")}
+        report = self.path("report.json")
+        common = ["render", "blue-fabric", "--environment", "sky", "--size", "16x16", "-o"]
+        common += [self.path("x.exr"), "--report", report]
+        found = []
+        for options in (["--no-cache"], [], [], ["--no-cache"]):
+            self.check(run(*common, *options, env=cache), 0)
+            with open(report, encoding="utf-8") as file:
+                found.append(json.load(file)["plan_from_cache"])
+        self.assertEqual(found, [False, False, True, False])
+        result = run(*common, "--no-cache", "--method", "light-set", env=cache)
+        self.assertIn("--no-cache has no effect", result.stderr)
 
 
 class PlanErrors(ToolTest):

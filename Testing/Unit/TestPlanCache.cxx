@@ -6,6 +6,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkEnvironment.h"
 #include "vtkNew.h"
+#include "vtkRadianceCostModel.h"
 #include "vtkRadianceIntegrator.h"
 #include "vtkRadiancePlanner.h"
 #include "vtkSmartPointer.h"
@@ -46,6 +47,7 @@ protected:
     planner->SetErrorTolerance(this->Tolerance);
     planner->SetMaximumCacheBytes(this->MaximumBytes);
     planner->SetCacheFolder(this->Folder);
+    planner->SetCostModel(this->Costs);
     EXPECT_TRUE(planner->Update());
     return planner;
   }
@@ -80,6 +82,7 @@ protected:
 
   std::string Folder;
   double Tolerance = 0.05;
+  vtkSmartPointer<vtkRadianceCostModel> Costs;
   vtkIdType MaximumBytes = 512 << 20;
   vtkNew<vtkBlinnPhongBRDF> BRDF;
   vtkNew<vtkEnvironment> Environment;
@@ -110,7 +113,11 @@ TEST_F(PlanCache, WhatItDependsOnMakesAnother)
   this->Environment->SetPixels(
     this->Environment->GetWidth(), this->Environment->GetHeight(), pixels);
   EXPECT_FALSE(this->Plan()->GetFromCache());
-  EXPECT_EQ(this->GetFiles().size(), 4u);
+  this->Costs = vtkSmartPointer<vtkRadianceCostModel>::New();
+  EXPECT_TRUE(this->Plan()->GetFromCache()); // the same figures
+  this->Costs->SetCost(vtkRadianceCostModel::SAMPLE, 1.0);
+  EXPECT_FALSE(this->Plan()->GetFromCache());
+  EXPECT_EQ(this->GetFiles().size(), 5u);
   this->Environment->SetRotationY(40.0);
   EXPECT_TRUE(this->Plan()->GetFromCache());
 }

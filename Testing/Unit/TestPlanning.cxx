@@ -13,6 +13,7 @@
 #include "vtkLambertBRDF.h"
 #include "vtkLightSetIntegrator.h"
 #include "vtkNew.h"
+#include "vtkRadianceCostModel.h"
 #include "vtkRadiancePlanner.h"
 #include "vtkSmartPointer.h"
 #include "vtkTableRadianceIntegrator.h"
@@ -218,6 +219,11 @@ TEST(Planner, PlansAgainExactlyWhenItMust)
   expectNew("the environment", true);
   planner->SetViewDirection(0.0, 0.0, 1.0);
   expectNew("the view", true);
+  vtkNew<vtkRadianceCostModel> costs;
+  planner->SetCostModel(costs);
+  expectNew("another cost model", true);
+  costs->SetCost(vtkRadianceCostModel::TABLE, 40.0);
+  expectNew("a cost", true);
   expectNew("nothing", false);
 }
 
@@ -333,6 +339,140 @@ TEST(Planner, EvaluateAllListsEveryMethod)
     EXPECT_GT(count, 0);
   }
   EXPECT_EQ(planner->GetDescription(planner->GetChoice()), description); // chooses the same
+}
+
+//------------------------------------------------------------------------------
+// What is cheap is tried first, and frame times are the model's.
+TEST(Planner, FollowsTheCostModel)
+{
+  vtkNew<vtkLambertBRDF> brdf;
+  const auto environment = NewConstantEnvironment(32, 16, 1.0f);
+  const auto planner = NewPlanner(brdf, environment, 0.05);
+  planner->SetMaximumTextureBytes(8 << 20);
+  planner->EvaluateAllOn();
+  ASSERT_TRUE(planner->Update());
+  EXPECT_EQ(planner->GetChoice(), 0); // anything will do
+  EXPECT_EQ(planner->GetMethod(0), vtkRadiancePlanner::TABLE);
+  EXPECT_NEAR(planner->GetPredictedMilliseconds(0), 107.0 * 196350.0 * 1e-6, 1e-9);
+
+  vtkNew<vtkRadianceCostModel> costs;
+  const double figures[] = { 1.0, 1000.0, 50.0, 2.0, 7.0 };
+  for (int type = 0; type < vtkRadianceCostModel::NUMBER_OF_COSTS; ++type)
+  {
+    ASSERT_TRUE(costs->SetCost(type, figures[type]));
+  }
+  planner->SetCostModel(costs);
+  ASSERT_TRUE(planner->Update());
+  EXPECT_EQ(planner->GetChoice(), 0);
+  // 9 functions: 64 ns; 16 samples: 33 ns, and more for its memory; a table: 1001 ns.
+  std::vector<int> methods;
+  for (int k = 0; k < planner->GetNumberOfCandidates(); ++k)
+  {
+    methods.push_back(planner->GetMethod(k));
+  }
+  const auto find = [&](int method)
+  { return std::find(methods.begin(), methods.end(), method) - methods.begin(); };
+  EXPECT_LT(find(vtkRadiancePlanner::BASIS), find(vtkRadiancePlanner::TABLE));
+  EXPECT_LT(find(vtkRadiancePlanner::FILTERED), find(vtkRadiancePlanner::TABLE));
+  EXPECT_LT(find(vtkRadiancePlanner::TABLE), find(vtkRadiancePlanner::LIGHT_SET));
+  const auto milliseconds = [&](int method)
+  { return planner->GetPredictedMilliseconds(static_cast<int>(find(method))) / 0.19635; };
+  EXPECT_NEAR(milliseconds(vtkRadiancePlanner::BASIS), 64.0, 1e-6);
+  EXPECT_NEAR(milliseconds(vtkRadiancePlanner::FILTERED), 33.0, 1e-6);
+  EXPECT_NEAR(milliseconds(vtkRadiancePlanner::TABLE), 1001.0, 1e-6);
+  EXPECT_NEAR(milliseconds(vtkRadiancePlanner::LIGHT_SET), 3201.0, 1e-6);
+
+  planner->SetCostModel(nullptr);
+  ASSERT_TRUE(planner->Update());
+  EXPECT_EQ(planner->GetMethod(0), vtkRadiancePlanner::TABLE);
+}
+
+//------------------------------------------------------------------------------
+// Why more than 4 MB.
+TEST(Planner, SaysWhyItTakesMemory)
+{
+  const auto environment = NewSmallEnvironment(true);
+  const auto brdf = NewPhong(60.0);
+  const auto planner = NewPlanner(brdf, environment, 0.05);
+  ASSERT_TRUE(planner->Update());
+  ASSERT_LE(planner->GetTextureBytes(planner->GetChoice()), 4000000);
+  EXPECT_FALSE(Contains(planner->GetReason(), "4 MB")) << planner->GetReason();
+  planner->SetErrorTolerance(0.005);
+  ASSERT_TRUE(planner->Update());
+  const int choice = planner->GetChoice();
+  ASSERT_GT(planner->GetTextureBytes(choice), 4000000);
+  std::printf("%s\n", planner->GetPlan().c_str());
+  int small = -1;
+  for (int k = 0; k < planner->GetNumberOfCandidates(); ++k)
+  {
+    const bool fits =
+      planner->GetMethod(k) == vtkRadiancePlanner::TABLE && planner->GetTextureBytes(k) <= 4000000;
+    small = fits ? k : small; // tables come in the order of their size
+  }
+  ASSERT_GE(small, 0);
+  char error[32];
+  std::snprintf(error, sizeof(error), "has %.2g %%", 100.0 * planner->GetPredictedError(small));
+  const std::string rows = planner->GetDescription(choice);
+  const std::string needs = planner->GetMethod(choice) == vtkRadiancePlanner::TABLE
+                              ? "gloss needs " + rows.substr(0, rows.find(" x"))
+                              : "more than a table";
+  EXPECT_TRUE(Contains(planner->GetReason(), needs)) << planner->GetReason();
+  EXPECT_TRUE(Contains(planner->GetReason(), planner->GetDescription(small)));
+  EXPECT_TRUE(Contains(planner->GetReason(), error)) << error;
+}
+
+//------------------------------------------------------------------------------
+TEST(CostModel, RoundTripAndRefusals)
+{
+  vtkNew<vtkRadianceCostModel> model;
+  ErrorCatcher errors(model);
+  EXPECT_EQ(model->GetCost(vtkRadianceCostModel::BASE), 55.0);
+  model->SetName("NVIDIA GeForce, 64 bit");
+  for (int type = 0; type < vtkRadianceCostModel::NUMBER_OF_COSTS; ++type)
+  {
+    ASSERT_TRUE(model->SetCost(type, std::pow(0.1, type) / 3.0));
+  }
+  const std::string text = model->GetText();
+  vtkNew<vtkRadianceCostModel> other;
+  ASSERT_TRUE(other->SetText(text));
+  EXPECT_EQ(other->GetText(), text);
+  EXPECT_EQ(other->GetName(), model->GetName());
+  for (int type = 0; type < vtkRadianceCostModel::NUMBER_OF_COSTS; ++type)
+  {
+    EXPECT_EQ(other->GetCost(type), model->GetCost(type));
+    EXPECT_TRUE(Contains(text, vtkRadianceCostModel::GetCostName(type)));
+  }
+  vtkNew<vtkRadianceCostModel> copy;
+  copy->DeepCopy(model);
+  EXPECT_EQ(copy->GetText(), text);
+
+  const vtkMTimeType time = other->GetMTime();
+  std::vector<std::string> bad = { "", "something else", text + "more", text.substr(1),
+    text.substr(0, text.size() - 8) };
+  for (const char* value : { "0", "-1", "nan", "inf", "1e9", "x" })
+  {
+    bad.push_back(
+      text.substr(0, text.find("light")) + "light " + value + "\nsample 1\nfunction 1\n");
+  }
+  for (const std::string& wrong : bad)
+  {
+    EXPECT_FALSE(other->SetText(wrong)) << wrong;
+  }
+  EXPECT_EQ(other->GetText(), text);
+  EXPECT_EQ(other->GetMTime(), time);
+
+  EXPECT_EQ(errors.Take(), 0);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const double value : { 0.0, -1.0, nan, 1e9 })
+  {
+    EXPECT_FALSE(model->SetCost(vtkRadianceCostModel::LIGHT, value));
+  }
+  EXPECT_FALSE(model->SetCost(-1, 1.0));
+  EXPECT_FALSE(model->SetCost(5, 1.0));
+  EXPECT_EQ(errors.Take(), 6);
+  EXPECT_EQ(model->GetText(), text);
+  EXPECT_EQ(model->GetCost(5), 0.0);
+  EXPECT_EQ(vtkRadianceCostModel::GetCostName(-1), "");
 }
 
 //------------------------------------------------------------------------------

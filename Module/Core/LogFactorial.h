@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * log n! for many threads at once: std::lgamma also writes the sign of the gamma function, to a
+ * global variable, where the C library has one.
+ */
+
+#ifndef LogFactorial_h
+#define LogFactorial_h
+
+#include <cmath>
+#include <math.h> // for lgamma_r, which is POSIX's
+
+namespace measuredbrdf
+{
+inline double LogFactorial(int n)
+{
+#ifdef _WIN32
+  return std::lgamma(n + 1.0); // has no such variable
+#else
+  int sign;
+  return ::lgamma_r(n + 1.0, &sign);
+#endif
+}
+} // namespace measuredbrdf
+
+#endif

@@ -1,0 +1,378 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRadianceCostCalibrator.h"
+
+#include "PlanCache.h"
+
+#include "vtkActor.h"
+#include "vtkAshikhminShirleyBRDF.h"
+#include "vtkBasisRadianceIntegrator.h"
+#include "vtkCamera.h"
+#include "vtkCellArray.h"
+#include "vtkCommand.h"
+#include "vtkEnvironment.h"
+#include "vtkFilteredRadianceIntegrator.h"
+#include "vtkFloatArray.h"
+#include "vtkLightSet.h"
+#include "vtkLightSetIntegrator.h"
+#include "vtkMeasuredBRDFMapper.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkRadianceCostModel.h"
+#include "vtkRadiancePlanner.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+#include "vtkTableRadianceIntegrator.h"
+#include "vtkVarianceLightSetGenerator.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <sstream>
+#include <vector>
+
+namespace
+{
+constexpr int Side = 512;      // of the window, pixels
+constexpr int Divisions = 16;  // of the patch, so that normals vary over it
+constexpr int Frames = 5;      // that a time is the least of: other work only adds to it
+constexpr double Enough = 5.0; // ms above the empty frame, to be told from its jitter
+constexpr int FewLights = 1;
+constexpr int ManyLights = 64;
+constexpr int Samples = 16;
+constexpr int Functions = 25;
+constexpr double LeastShare = 0.01; // of BASE, of any other cost
+constexpr std::uint64_t LargestCache = 512ull << 20;
+
+// What is drawn: a share of the window's side, and layers.
+struct Load
+{
+  double Share;
+  int Layers;
+
+  double GetPixels() const { return this->Layers * (this->Share * Side) * (this->Share * Side); }
+};
+const Load Empty = { 1.0 / Side, 1 };
+const Load Loads[] = { { 0.125, 1 }, { 0.25, 1 }, { 0.5, 1 }, { 1.0, 1 }, { 1.0, 4 }, { 1.0, 16 },
+  { 1.0, 64 }, { 1.0, 256 } };
+
+// Layers of a square, each nearer than the one before, so that all are shaded, with the normals of
+// a sphere's front.
+vtkSmartPointer<vtkPolyData> MakePatch(int layers)
+{
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkFloatArray> normals;
+  vtkNew<vtkCellArray> cells;
+  normals->SetNumberOfComponents(3);
+  for (int layer = 0; layer < layers; ++layer)
+  {
+    const vtkIdType first = points->GetNumberOfPoints();
+    for (int k = 0; k < (Divisions + 1) * (Divisions + 1); ++k)
+    {
+      const double x = 2.0 * (k % (Divisions + 1)) / Divisions - 1.0;
+      const double y = 2.0 * (k / (Divisions + 1)) / Divisions - 1.0;
+      points->InsertNextPoint(x, y, static_cast<double>(layer) / layers);
+      normals->InsertNextTuple3(0.7 * x, 0.7 * y, std::sqrt(1.0 - 0.49 * (x * x + y * y)));
+    }
+    for (vtkIdType k = 0; k < Divisions * Divisions; ++k)
+    {
+      const vtkIdType corner = first + k / Divisions * (Divisions + 1) + k % Divisions;
+      const vtkIdType quad[] = { corner, corner + 1, corner + Divisions + 2,
+        corner + Divisions + 1 };
+      cells->InsertNextCell(4, quad);
+    }
+  }
+  auto patch = vtkSmartPointer<vtkPolyData>::New();
+  patch->SetPoints(points);
+  patch->GetPointData()->SetNormals(normals);
+  patch->SetPolys(cells);
+  return patch;
+}
+
+// "" where it has none.
+std::string GetCapability(const std::string& report, const std::string& key)
+{
+  std::istringstream lines(report);
+  for (std::string line; std::getline(lines, line);)
+  {
+    if (line.compare(0, key.size(), key) == 0)
+    {
+      const std::size_t begin = line.find_first_not_of(' ', key.size());
+      return begin == std::string::npos ? "" : line.substr(begin);
+    }
+  }
+  return "";
+}
+
+// The patch in its window.
+class Bench
+{
+public:
+  explicit Bench(vtkRenderWindow* window)
+    : Window(window)
+  {
+    this->Environment->SetToProceduralSky();
+    this->BRDF->SetExponents(20.0, 20.0);
+    this->BRDF->SetDiffuse(0.3, 0.3, 0.3);
+    this->Mapper->SetBRDF(this->BRDF);
+    this->Mapper->SetEnvironment(this->Environment);
+    this->Mapper->AddObserver(vtkCommand::ErrorEvent, this, &Bench::TakeError);
+    this->Actor->SetMapper(this->Mapper);
+    this->Renderer->AddActor(this->Actor);
+    this->Renderer->SetAutomaticLightCreation(false);
+    vtkCamera* camera = this->Renderer->GetActiveCamera();
+    camera->ParallelProjectionOn();
+    camera->SetParallelScale(1.0);
+    camera->SetPosition(0.0, 0.0, 5.0);
+    camera->SetClippingRange(1.0, 10.0);
+    window->SetOffScreenRendering(1);
+    window->SetMultiSamples(0);
+    window->SetSize(Side, Side);
+    window->AddRenderer(this->Renderer);
+  }
+  ~Bench() { this->Window->RemoveRenderer(this->Renderer); }
+  Bench(const Bench&) = delete;
+  void operator=(const Bench&) = delete;
+
+  // Nanoseconds per pixel; 0 or less where they can't be told.
+  double Measure(vtkRadianceIntegrator* integrator)
+  {
+    this->Mapper->SetIntegrator(integrator);
+    this->Put(Empty);
+    const double nothing = this->TimeFrames();
+    double time = 0.0;
+    double pixels = 1.0;
+    for (const Load& load : Loads)
+    {
+      this->Put(load);
+      time = this->TimeFrames() - nothing;
+      pixels = load.GetPixels();
+      if (time >= Enough)
+      {
+        break;
+      }
+    }
+    return 1e6 * time / pixels;
+  }
+
+  vtkSmartPointer<vtkRadianceIntegrator> MakeLights(int count)
+  {
+    vtkNew<vtkLightSet> set;
+    this->Generator->Generate(this->Environment, count, set);
+    auto lights = vtkSmartPointer<vtkLightSetIntegrator>::New();
+    lights->SetLightSet(set);
+    lights->SetSoftLights(true);
+    return lights;
+  }
+
+  std::string Problem;
+
+private:
+  void TakeError(vtkObject*, unsigned long, void* text)
+  {
+    this->Problem = text ? static_cast<const char*>(text) : "";
+  }
+
+  // And one frame, for what is done once.
+  void Put(const Load& load)
+  {
+    if (this->Layers != load.Layers)
+    {
+      this->Mapper->SetInputDataObject(MakePatch(load.Layers));
+      this->Layers = load.Layers;
+    }
+    this->Actor->SetScale(load.Share, load.Share, 1.0);
+    this->TimeFrame();
+  }
+
+  double TimeFrame()
+  {
+    const auto begin = std::chrono::steady_clock::now();
+    this->Window->Render();
+    this->Window->WaitForCompletion();
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin)
+      .count();
+  }
+
+  double TimeFrames()
+  {
+    double least = this->TimeFrame();
+    for (int k = 1; k < Frames; ++k)
+    {
+      least = std::min(least, this->TimeFrame());
+    }
+    return least;
+  }
+
+  vtkRenderWindow* Window;
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkActor> Actor;
+  vtkNew<vtkMeasuredBRDFMapper> Mapper;
+  vtkNew<vtkAshikhminShirleyBRDF> BRDF;
+  vtkNew<vtkEnvironment> Environment;
+  vtkNew<vtkVarianceLightSetGenerator> Generator;
+  int Layers = 0;
+};
+}
+
+struct vtkRadianceCostCalibrator::Internals
+{
+  vtkSmartPointer<vtkRenderWindow> Window;
+  vtkNew<vtkRadianceCostModel> Model;
+};
+
+vtkStandardNewMacro(vtkRadianceCostCalibrator);
+
+//------------------------------------------------------------------------------
+vtkRadianceCostCalibrator::vtkRadianceCostCalibrator()
+  : CacheFolder(vtkRadiancePlanner::GetDefaultCacheFolder())
+  , Impl(new Internals)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkRadianceCostCalibrator::~vtkRadianceCostCalibrator() = default;
+
+//------------------------------------------------------------------------------
+void vtkRadianceCostCalibrator::SetRenderWindow(vtkRenderWindow* window)
+{
+  if (this->Impl->Window != window)
+  {
+    this->Impl->Window = window;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkRenderWindow* vtkRadianceCostCalibrator::GetRenderWindow() { return this->Impl->Window; }
+
+//------------------------------------------------------------------------------
+vtkRadianceCostModel* vtkRadianceCostCalibrator::GetCostModel() { return this->Impl->Model; }
+
+//------------------------------------------------------------------------------
+std::string vtkRadianceCostCalibrator::Measure(vtkRenderWindow* window, const std::string& name)
+{
+  Bench bench(window);
+  vtkNew<vtkTableRadianceIntegrator> table;
+  table->SetNumberOfRows(33);
+  table->SetNumberOfViewAngles(8);
+  table->SetNumberOfAzimuths(8);
+  vtkNew<vtkFilteredRadianceIntegrator> filtered;
+  filtered->SetNumberOfSamples(Samples);
+  filtered->ExtractLightsOff(); // which count as lights
+  vtkNew<vtkBasisRadianceIntegrator> basis;
+  basis->SetMaximumNumberOfTerms(Functions);
+  const vtkSmartPointer<vtkRadianceIntegrator> methods[] = { bench.MakeLights(FewLights),
+    bench.MakeLights(ManyLights), table.Get(), filtered.Get(), basis.Get() };
+  std::vector<double> pixel;
+  for (const vtkSmartPointer<vtkRadianceIntegrator>& method : methods)
+  {
+    pixel.push_back(bench.Measure(method));
+    double progress = static_cast<double>(pixel.size()) / 5.0;
+    this->InvokeEvent(vtkCommand::ProgressEvent, &progress);
+    if (this->Abort)
+    {
+      return "aborted.";
+    }
+    if (!bench.Problem.empty())
+    {
+      return bench.Problem;
+    }
+  }
+  const double light = (pixel[1] - pixel[0]) / (ManyLights - FewLights);
+  const double base = pixel[0] - FewLights * light;
+  if (!(base > 0.0))
+  {
+    return "frame times on " + name + " tell nothing: " + std::to_string(pixel[0]) + " and " +
+           std::to_string(pixel[1]) + " ns per pixel with 1 and 64 lights.";
+  }
+  const double costs[] = { base, pixel[2] - base, light, (pixel[3] - base) / Samples,
+    (pixel[4] - base) / std::max(basis->GetNumberOfTerms(), 1) };
+  vtkNew<vtkRadianceCostModel> model;
+  model->SetName(name);
+  for (int type = 0; type < vtkRadianceCostModel::NUMBER_OF_COSTS; ++type)
+  {
+    if (!model->SetCost(type, std::max(costs[type], LeastShare * base)))
+    {
+      return "a cost on " + name + " is out of range.";
+    }
+  }
+  this->Impl->Model->DeepCopy(model);
+  return "";
+}
+
+//------------------------------------------------------------------------------
+bool vtkRadianceCostCalibrator::Calibrate()
+{
+  this->Abort = false;
+  this->FromCache = false;
+  vtkRenderWindow* given = this->Impl->Window;
+  const bool wasCurrent = given && given->IsCurrent();
+  auto window = given ? vtkSmartPointer<vtkRenderWindow>::Take(given->NewInstance())
+                      : vtkSmartPointer<vtkRenderWindow>::New();
+  window->SetOffScreenRendering(1);
+  window->SetMultiSamples(0);
+  window->SetSize(Side, Side);
+  if (given)
+  {
+    window->SetSharedRenderWindow(given);
+  }
+  window->Render(); // makes the context
+  const std::string report = window->ReportCapabilities();
+  measuredbrdf::ContentHash hash;
+  for (const char* key :
+    { "OpenGL vendor string:", "OpenGL renderer string:", "OpenGL version string:" })
+  {
+    const std::string value = GetCapability(report, key);
+    hash.Add(value.data(), value.size());
+  }
+  const std::string name = GetCapability(report, "OpenGL renderer string:");
+  const std::string file = "costs-" + hash.GetText();
+  std::string contents;
+  std::string problem;
+  if (name.empty())
+  {
+    problem = "there is no OpenGL context.";
+  }
+  else if (!this->CacheFolder.empty() &&
+           measuredbrdf::ReadCache(this->CacheFolder, file, contents) &&
+           this->Impl->Model->SetText(contents))
+  {
+    this->FromCache = true;
+  }
+  else
+  {
+    problem = this->Measure(window, name);
+  }
+  if (wasCurrent)
+  {
+    given->MakeCurrent();
+  }
+  if (!problem.empty())
+  {
+    vtkErrorMacro("Calibrate: " << problem);
+    return false;
+  }
+  if (!this->FromCache && !this->CacheFolder.empty())
+  {
+    measuredbrdf::WriteCache(this->CacheFolder, file, this->Impl->Model->GetText(), LargestCache);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkRadianceCostCalibrator::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "RenderWindow: " << this->Impl->Window.Get() << "\n";
+  os << indent << "CacheFolder: " << this->CacheFolder << "\n";
+  os << indent << "FromCache: " << (this->FromCache ? "yes" : "no") << "\n";
+  os << indent << "CostModel:\n";
+  this->Impl->Model->PrintSelf(os, indent.GetNextIndent());
+}

@@ -1,0 +1,222 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What the mapper shows while a plan is made on a thread.
+
+#include "RenderFixture.h"
+
+#include "../Unit/GatedBRDF.h"
+#include "vtkAshikhminShirleyBRDF.h"
+#include "vtkCallbackCommand.h"
+#include "vtkEnvironment.h"
+#include "vtkLight.h"
+#include "vtkMeasuredBRDFMapper.h"
+#include "vtkRadianceCostModel.h"
+#include "vtkSphereSource.h"
+
+#include <algorithm>
+#include <sstream>
+#include <string>
+#include <thread>
+
+namespace
+{
+class Background : public RenderFixture
+{
+protected:
+  void SetUp() override
+  {
+    RenderFixture::SetUp();
+    if (IsSkipped())
+    {
+      return;
+    }
+    this->Sky->SetToProceduralSky();
+    this->BRDF->SetSpecular(0.4, 0.3, 0.2);
+    this->BRDF->SetExponent(5.0);
+    this->Measured->SetInputConnection(this->Sphere->GetOutputPort());
+    this->Measured->SetBRDF(this->BRDF);
+    this->Measured->SetEnvironment(this->Sky);
+    this->Measured->SetErrorTolerance(0.05);
+    this->Actor->SetMapper(this->Measured);
+    this->Renderer->AddActor(this->Actor);
+    vtkNew<vtkLight> headlight; // so that the material itself is on the GPU, too
+    headlight->SetLightTypeToHeadlight();
+    this->Renderer->AddLight(headlight);
+  }
+  void TearDown() override { this->BRDF->Door->OpenUp(); }
+
+  /// Through a mapper that knows nothing of what was before.
+  FloatImage RenderAnew()
+  {
+    vtkNew<vtkMeasuredBRDFMapper> mapper;
+    mapper->SetInputConnection(this->Sphere->GetOutputPort());
+    mapper->SetBRDF(this->Measured->GetBRDF());
+    mapper->SetEnvironment(this->Measured->GetEnvironment());
+    mapper->SetErrorTolerance(this->Measured->GetErrorTolerance());
+    this->Actor->SetMapper(mapper);
+    const FloatImage image = this->RenderEncoded();
+    this->Actor->SetMapper(this->Measured);
+    return image;
+  }
+
+  bool WaitUntilReady()
+  {
+    return WaitUntil([this]() { return this->Measured->GetPlanReady(); });
+  }
+
+  vtkNew<vtkSphereSource> Sphere;
+  vtkNew<vtkEnvironment> Sky;
+  vtkNew<GatedBRDF> BRDF;
+  vtkNew<vtkMeasuredBRDFMapper> Measured;
+  vtkNew<vtkActor> Actor;
+};
+}
+
+TEST_F(Background, TheDefaultIsTheForeground)
+{
+  const FloatImage first = this->RenderEncoded();
+  this->BRDF->SetExponent(50.0);
+  const FloatImage second = this->RenderEncoded();
+  EXPECT_NE(second.RGBA, first.RGBA);
+  EXPECT_FALSE(this->Measured->GetPlanPending());
+  EXPECT_EQ(second.RGBA, this->RenderAnew().RGBA);
+  EXPECT_EQ(this->Measured->GetPlanningMode(), vtkMeasuredBRDFMapper::FOREGROUND);
+}
+
+TEST_F(Background, OldPicturesUntilTheNewPlanIsMade)
+{
+  int plans = 0;
+  vtkNew<vtkCallbackCommand> counter;
+  counter->SetClientData(&plans);
+  counter->SetCallback(
+    [](vtkObject*, unsigned long, void* count, void*) { ++*static_cast<int*>(count); });
+  this->Measured->AddObserver(vtkCommand::UpdateDataEvent, counter);
+  this->Measured->SetPlanningModeToBackground();
+  const FloatImage old = this->RenderEncoded();
+  EXPECT_FALSE(this->Measured->GetPlanPending());
+  EXPECT_EQ(old.RGBA, this->RenderAnew().RGBA);
+  EXPECT_EQ(plans, 1);
+
+  this->BRDF->Door->Close();
+  this->BRDF->SetExponent(50.0);
+  this->BRDF->SetSpecular(0.1, 0.2, 0.9);
+  this->Sky->SetPixels(2, 1, { 1.0f, 0.2f, 0.1f, 0.3f, 1.0f, 0.2f });
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    EXPECT_EQ(this->RenderEncoded().RGBA, old.RGBA);
+    EXPECT_TRUE(this->Measured->GetPlanPending());
+    EXPECT_FALSE(this->Measured->GetPlanReady());
+  }
+  EXPECT_EQ(plans, 1);
+
+  // The light that is shown still turns.
+  this->Sky->SetRotationY(90.0);
+  EXPECT_NE(this->RenderEncoded().RGBA, old.RGBA);
+  this->Sky->SetRotationY(0.0);
+  EXPECT_EQ(this->RenderEncoded().RGBA, old.RGBA);
+
+  this->BRDF->Door->OpenUp();
+  ASSERT_TRUE(this->WaitUntilReady());
+  const FloatImage now = this->RenderEncoded();
+  EXPECT_FALSE(this->Measured->GetPlanPending());
+  EXPECT_EQ(plans, 2);
+  EXPECT_NE(now.RGBA, old.RGBA);
+  EXPECT_EQ(now.RGBA, this->RenderAnew().RGBA);
+}
+
+// Also where the shader changes in between, and with it what the material needs of the data.
+TEST_F(Background, AnotherKindOfMaterial)
+{
+  this->Measured->SetPlanningModeToBackground();
+  const FloatImage old = this->RenderEncoded();
+  const std::string plan = this->Measured->GetPlan();
+  vtkNew<vtkAshikhminShirleyBRDF> brushed;
+  brushed->SetExponents(3.0, 30.0);
+  this->Measured->SetBRDF(brushed);
+  this->Measured->GlobalWarningDisplayOff(); // of tangents
+  EXPECT_EQ(this->RenderEncoded().RGBA, old.RGBA);
+  EXPECT_EQ(this->Measured->GetPlan(), plan);
+  ASSERT_TRUE(this->WaitUntilReady());
+  const FloatImage now = this->RenderEncoded();
+  EXPECT_EQ(now.RGBA, this->RenderAnew().RGBA);
+  EXPECT_NE(this->Measured->GetPlan(), plan);
+  this->Measured->GlobalWarningDisplayOn();
+}
+
+TEST_F(Background, FromTheStartWithALightSet)
+{
+  this->Measured->SetMethodToLightSet();
+  const FloatImage lights = this->RenderEncoded();
+  this->Measured->SetMethodToAuto();
+  this->Measured->SetPlanningModeToBackgroundFromStart();
+  EXPECT_EQ(this->RenderEncoded().RGBA, lights.RGBA);
+  EXPECT_TRUE(this->Measured->GetPlanPending());
+  EXPECT_EQ(this->Measured->GetPlan(), "");
+  ASSERT_TRUE(this->WaitUntilReady());
+  EXPECT_EQ(this->RenderEncoded().RGBA, this->RenderAnew().RGBA);
+  EXPECT_NE(this->Measured->GetPlan(), "");
+}
+
+TEST_F(Background, EndsWhilePlanning)
+{
+  const auto begin = [this](vtkMeasuredBRDFMapper* mapper)
+  {
+    mapper->SetPlanningModeToBackground();
+    mapper->SetInputConnection(this->Sphere->GetOutputPort());
+    mapper->SetBRDF(this->BRDF);
+    mapper->SetEnvironment(this->Sky);
+    this->Actor->SetMapper(mapper);
+    this->RenderEncoded();
+    this->BRDF->Door->Close();
+    this->BRDF->SetExponent(this->BRDF->GetExponent() + 1.0);
+    this->RenderEncoded();
+    ASSERT_TRUE(WaitUntil([this]() { return this->BRDF->Door->IsAwaited(); }));
+  };
+  const auto openSoon = [this]()
+  {
+    return std::thread(
+      [door = this->BRDF->Door]()
+      {
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        door->OpenUp();
+      });
+  };
+  {
+    vtkNew<vtkMeasuredBRDFMapper> mapper;
+    begin(mapper);
+    std::thread opener = openSoon();
+    mapper->ReleaseGraphicsResources(this->Window);
+    EXPECT_FALSE(mapper->GetPlanPending());
+    opener.join();
+    this->RenderEncoded(); // and it goes on
+    EXPECT_TRUE(mapper->GetPlanPending());
+    ASSERT_TRUE(WaitUntil([&]() { return mapper->GetPlanReady(); }));
+    this->RenderEncoded();
+    begin(mapper);
+    opener = openSoon();
+    this->Actor->SetMapper(this->Measured);
+    opener.detach();
+  }
+  EXPECT_FALSE(this->BRDF->Door->IsAwaited());
+  EXPECT_EQ(GatedBRDF::GetNumberOfObjects(), 1);
+}
+
+TEST_F(Background, CopiesPrintsAndRefuses)
+{
+  vtkNew<vtkRadianceCostModel> costs;
+  costs->SetName("some card");
+  this->Measured->SetPlanningModeToBackground();
+  this->Measured->SetCostModel(costs);
+  vtkNew<vtkMeasuredBRDFMapper> copy;
+  copy->ShallowCopy(this->Measured);
+  EXPECT_EQ(copy->GetPlanningMode(), vtkMeasuredBRDFMapper::BACKGROUND);
+  EXPECT_EQ(copy->GetCostModel(), costs.Get());
+  std::ostringstream text;
+  copy->Print(text);
+  EXPECT_NE(text.str().find("PlanningMode: background\n"), std::string::npos);
+  EXPECT_NE(text.str().find("CostModel: some card"), std::string::npos);
+  copy->SetPlanningMode(17);
+  EXPECT_EQ(copy->GetPlanningMode(), vtkMeasuredBRDFMapper::FOREGROUND);
+  EXPECT_FALSE(copy->GetPlanPending());
+  EXPECT_FALSE(copy->GetPlanReady());
+}

@@ -1,0 +1,355 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Plans made on a thread: what is drawn by meanwhile, what a change does to them, how they end.
+
+#include "CurrentPlan.h"
+#include "GatedBRDF.h"
+#include "SpherePairs.h"
+#include "vtkBlinnPhongBRDF.h"
+#include "vtkEnvironment.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkRadianceCostModel.h"
+#include "vtkRadianceIntegrator.h"
+#include "vtkRadiancePlanner.h"
+#include "vtkSmartPointer.h"
+
+#include <glm/glm.hpp>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <cstdlib>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+using measuredbrdf::CurrentPlan;
+using measuredbrdf::PlanInputs;
+using Timing = measuredbrdf::CurrentPlan::Timing;
+
+namespace
+{
+class Background : public testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    setenv("MEASUREDBRDF_CACHE", "off", 1);
+    this->BRDF->SetSpecular(0.4, 0.3, 0.2);
+    this->BRDF->SetExponent(5.0);
+    this->Sky = NewSmallEnvironment(false);
+    ShrinkEnvironment(this->Sky, 64, 32);
+    this->Pairs.AddRandom(20, 3);
+  }
+  void TearDown() override { this->BRDF->Door->OpenUp(); }
+
+  bool Update(CurrentPlan& plan, Timing timing = Timing::Changes)
+  {
+    return plan.Update(
+      PlanInputs(this->BRDF, this->Sky, this->Tolerance, this->Costs), timing, this->Problem);
+  }
+
+  // A first plan, then something else to plan for behind a closed gate.
+  void BeginAnother(CurrentPlan& plan)
+  {
+    ASSERT_TRUE(this->Update(plan));
+    this->BRDF->Door->Close();
+    this->BRDF->SetExponent(9.0);
+    ASSERT_FALSE(this->Update(plan));
+    ASSERT_TRUE(WaitUntil([this]() { return this->BRDF->Door->IsAwaited(); }));
+  }
+
+  std::vector<glm::dvec3> Integrate(vtkRadiancePlanner* planner)
+  {
+    return this->Pairs.Integrate(
+      vtkSmartPointer<vtkRadianceIntegrator>::Take(planner->NewIntegrator()));
+  }
+
+  std::vector<glm::dvec3> IntegrateAnew()
+  {
+    vtkNew<vtkRadiancePlanner> planner;
+    planner->SetBRDF(this->BRDF);
+    planner->SetEnvironment(this->Sky);
+    planner->SetErrorTolerance(this->Tolerance);
+    EXPECT_TRUE(planner->Update());
+    return this->Integrate(planner);
+  }
+
+  static double GetExponent(vtkRadiancePlanner* planner)
+  {
+    return vtkBlinnPhongBRDF::SafeDownCast(planner->GetBRDF())->GetExponent();
+  }
+
+  vtkNew<GatedBRDF> BRDF;
+  vtkSmartPointer<vtkEnvironment> Sky;
+  vtkSmartPointer<vtkRadianceCostModel> Costs;
+  SpherePairs Pairs;
+  double Tolerance = 0.05;
+  std::string Problem;
+};
+}
+
+TEST_F(Background, TheOldPlanStaysUntilTheNewIsMade)
+{
+  CurrentPlan plan;
+  ASSERT_TRUE(this->Update(plan)); // the first is waited for
+  EXPECT_FALSE(plan.IsPending());
+  const vtkSmartPointer<vtkRadiancePlanner> old = plan.GetPlan();
+  ASSERT_TRUE(old);
+  EXPECT_NE(old->GetBRDF(), this->BRDF.Get());
+  EXPECT_EQ(plan.GetEnvironment(), this->Sky.Get()); // whose rotation counts
+  EXPECT_FALSE(this->Update(plan));
+  const std::vector<glm::dvec3> oldRadiance = this->Integrate(old);
+
+  this->BRDF->Door->Close();
+  this->BRDF->SetExponent(9.0);
+  this->Sky->SetPixels(32, 16, std::vector<float>(3 * 32 * 16, 0.5f));
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    EXPECT_FALSE(this->Update(plan));
+    EXPECT_EQ(plan.GetPlan(), old.Get());
+    EXPECT_TRUE(plan.IsPending());
+    EXPECT_FALSE(plan.IsReady());
+  }
+  EXPECT_EQ(this->Integrate(old), oldRadiance);
+
+  this->BRDF->Door->OpenUp();
+  ASSERT_TRUE(WaitUntil([&]() { return plan.IsReady(); }));
+  EXPECT_EQ(plan.GetPlan(), old.Get()); // not before it is asked for
+  EXPECT_TRUE(this->Update(plan));
+  EXPECT_FALSE(plan.IsPending());
+  EXPECT_EQ(this->Problem, "");
+  EXPECT_NE(this->Integrate(plan.GetPlan()), oldRadiance);
+  EXPECT_EQ(this->Integrate(plan.GetPlan()), this->IntegrateAnew());
+  EXPECT_FALSE(this->Update(plan));
+}
+
+TEST_F(Background, AChangeStopsWhatIsInTheMaking)
+{
+  this->BRDF->SetExponent(9.0);
+  this->BRDF->Door->TakePasses();
+  this->IntegrateAnew();
+  const long whole = this->BRDF->Door->TakePasses();
+  this->BRDF->SetExponent(5.0);
+
+  CurrentPlan plan;
+  this->BeginAnother(plan);
+  const std::shared_ptr<Gate> firstDoor = this->BRDF->Door;
+  firstDoor->TakePasses();
+  this->BRDF->Door = std::make_shared<Gate>(); // of the next job
+  this->BRDF->SetExponent(13.0);
+  EXPECT_FALSE(this->Update(plan));
+  EXPECT_TRUE(plan.IsPending());
+  firstDoor->OpenUp();
+  ASSERT_TRUE(WaitUntil([&]() { return plan.IsReady(); }));
+  EXPECT_TRUE(this->Update(plan));
+  EXPECT_EQ(GetExponent(plan.GetPlan()), 13.0);
+  plan.Stop(); // which waits for what was stopped
+  EXPECT_LT(firstDoor->TakePasses(), whole / 2);
+}
+
+TEST_F(Background, BackAndForth)
+{
+  CurrentPlan plan;
+  ASSERT_TRUE(this->Update(plan));
+  vtkRadiancePlanner* first = plan.GetPlan();
+  this->BRDF->Door->Close();
+  this->Tolerance = 0.04;
+  EXPECT_FALSE(this->Update(plan));
+  EXPECT_TRUE(plan.IsPending());
+  this->Tolerance = 0.05; // the one that is there
+  EXPECT_FALSE(this->Update(plan));
+  EXPECT_FALSE(plan.IsPending());
+  EXPECT_EQ(plan.GetPlan(), first);
+  this->Tolerance = 0.04; // whose first job is about to stop
+  EXPECT_FALSE(this->Update(plan));
+  EXPECT_TRUE(plan.IsPending());
+  this->BRDF->Door->OpenUp();
+  ASSERT_TRUE(WaitUntil([&]() { return plan.IsReady(); }));
+  EXPECT_TRUE(this->Update(plan));
+  ASSERT_TRUE(plan.GetPlan());
+  EXPECT_EQ(plan.GetPlan()->GetErrorTolerance(), 0.04);
+}
+
+TEST_F(Background, RotationsChangeNothing)
+{
+  CurrentPlan plan;
+  ASSERT_TRUE(this->Update(plan));
+  vtkRadiancePlanner* first = plan.GetPlan();
+  this->BRDF->Door->TakePasses();
+  for (const Timing timing : { Timing::Changes, Timing::Always, Timing::Foreground })
+  {
+    this->Sky->SetRotationY(this->Sky->GetMTime() % 90 + 1.0);
+    EXPECT_FALSE(this->Update(plan, timing));
+    EXPECT_FALSE(plan.IsPending());
+    EXPECT_EQ(plan.GetPlan(), first);
+  }
+  EXPECT_EQ(this->BRDF->Door->TakePasses(), 0);
+}
+
+TEST_F(Background, EverythingThatCountsBeginsAnother)
+{
+  CurrentPlan plan;
+  ASSERT_TRUE(this->Update(plan));
+  const auto expectPending = [&](const char* what)
+  {
+    EXPECT_FALSE(this->Update(plan)) << what;
+    EXPECT_TRUE(plan.IsPending()) << what;
+    plan.Stop();
+    EXPECT_FALSE(plan.IsPending());
+  };
+  this->Tolerance = 0.04;
+  expectPending("the tolerance");
+  this->BRDF->SetExponent(6.0);
+  expectPending("a parameter");
+  this->Sky->SetPixels(32, 16, std::vector<float>(3 * 32 * 16, 0.5f));
+  expectPending("pixels");
+  this->Sky = NewSmallEnvironment(true);
+  expectPending("another environment");
+  this->Costs = vtkSmartPointer<vtkRadianceCostModel>::New();
+  this->Costs->SetCost(vtkRadianceCostModel::SAMPLE, 1.0);
+  expectPending("costs");
+}
+
+TEST_F(Background, ItsEndWaitsAndLeavesNothing)
+{
+  EXPECT_EQ(GatedBRDF::GetNumberOfObjects(), 1);
+  {
+    CurrentPlan plan;
+    this->BeginAnother(plan);
+    EXPECT_GT(GatedBRDF::GetNumberOfObjects(), 1);
+    std::thread(
+      [door = this->BRDF->Door]() { // while the destructor waits, mostly
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        door->OpenUp();
+      })
+      .detach();
+  }
+  EXPECT_FALSE(this->BRDF->Door->IsAwaited());
+  EXPECT_EQ(GatedBRDF::GetNumberOfObjects(), 1);
+  EXPECT_EQ(this->BRDF->GetReferenceCount(), 1);
+  EXPECT_EQ(this->Sky->GetReferenceCount(), 1);
+}
+
+TEST_F(Background, TheForegroundWaitsForIt)
+{
+  CurrentPlan plan;
+  this->BeginAnother(plan);
+  this->BRDF->Door->OpenUp();
+  EXPECT_TRUE(this->Update(plan, Timing::Foreground));
+  EXPECT_FALSE(plan.IsPending());
+  EXPECT_EQ(GetExponent(plan.GetPlan()), 9.0);
+  // In the foreground nothing is bridged, and nothing copied.
+  this->BRDF->SetExponent(10.0);
+  EXPECT_TRUE(this->Update(plan, Timing::Foreground));
+  EXPECT_EQ(plan.GetPlan()->GetBRDF(), this->BRDF.Get());
+  // Back in the background, it bridges as long as it is of what is set...
+  this->BRDF->Door->Close();
+  EXPECT_FALSE(this->Update(plan));
+  EXPECT_TRUE(plan.IsPending());
+  EXPECT_EQ(plan.GetPlan()->GetBRDF(), this->BRDF.Get());
+  // ... and not longer.
+  this->BRDF->Door->OpenUp();
+  this->BRDF->SetExponent(11.0);
+  EXPECT_TRUE(this->Update(plan));
+  EXPECT_EQ(GetExponent(plan.GetPlan()), 11.0);
+  EXPECT_NE(plan.GetPlan()->GetBRDF(), this->BRDF.Get());
+}
+
+TEST_F(Background, FromTheStart)
+{
+  CurrentPlan plan;
+  this->BRDF->Door->Close();
+  EXPECT_FALSE(this->Update(plan, Timing::Always));
+  EXPECT_TRUE(plan.IsPending());
+  EXPECT_EQ(plan.GetPlan(), nullptr);
+  this->BRDF->Door->OpenUp();
+  ASSERT_TRUE(WaitUntil([&]() { return plan.IsReady(); }));
+  EXPECT_TRUE(this->Update(plan, Timing::Always));
+  EXPECT_TRUE(plan.GetPlan());
+}
+
+TEST_F(Background, SharedBetweenMappers)
+{
+  CurrentPlan one;
+  CurrentPlan two;
+  ASSERT_TRUE(this->Update(one));
+  EXPECT_TRUE(this->Update(two));
+  EXPECT_EQ(one.GetPlan(), two.GetPlan());
+  this->BRDF->Door->Close();
+  this->BRDF->SetExponent(9.0);
+  EXPECT_FALSE(this->Update(one));
+  EXPECT_FALSE(this->Update(two));
+  // One leaves, the other still waits for it.
+  one.Clear();
+  EXPECT_FALSE(one.IsPending());
+  this->BRDF->Door->OpenUp();
+  ASSERT_TRUE(WaitUntil([&]() { return two.IsReady(); }));
+  EXPECT_TRUE(this->Update(two));
+  ASSERT_TRUE(two.GetPlan());
+  this->BRDF->Door->TakePasses();
+  EXPECT_TRUE(this->Update(one));
+  EXPECT_EQ(one.GetPlan(), two.GetPlan());
+  EXPECT_EQ(this->BRDF->Door->TakePasses(), 0);
+}
+
+namespace
+{
+/// Has no snapshots of its own class.
+class Plain : public vtkBlinnPhongBRDF
+{
+public:
+  static Plain* New();
+  vtkTypeMacro(Plain, vtkBlinnPhongBRDF);
+};
+vtkStandardNewMacro(Plain);
+
+/// Isotropic when asked for the first time only: tables are planned, and then refused.
+class Fickle : public vtkBlinnPhongBRDF
+{
+public:
+  static Fickle* New();
+  vtkTypeMacro(Fickle, vtkBlinnPhongBRDF);
+  bool IsIsotropic() override { return this->Asked++ == 0; }
+  std::atomic<int> Asked{ 0 };
+
+protected:
+  vtkBRDF* NewCopy() override { return Fickle::New(); }
+};
+vtkStandardNewMacro(Fickle);
+}
+
+TEST_F(Background, WithoutSnapshotsItIsTheForeground)
+{
+  vtkNew<Plain> plain;
+  CurrentPlan plan;
+  for (const double exponent : { 3.0, 4.0 })
+  {
+    plain->SetExponent(exponent);
+    const PlanInputs inputs(plain, this->Sky, 0.05, nullptr);
+    EXPECT_TRUE(plan.Update(inputs, Timing::Always, this->Problem));
+    EXPECT_FALSE(plan.IsPending());
+    EXPECT_EQ(plan.GetPlan()->GetBRDF(), plain.Get());
+    EXPECT_FALSE(plan.Update(inputs, Timing::Changes, this->Problem)); // once is enough
+  }
+}
+
+TEST_F(Background, FailuresAreToldAndNotRepeated)
+{
+  CurrentPlan plan;
+  ASSERT_TRUE(this->Update(plan));
+  vtkNew<Fickle> fickle;
+  const PlanInputs inputs(fickle, this->Sky, 0.05, nullptr);
+  EXPECT_FALSE(plan.Update(inputs, Timing::Changes, this->Problem));
+  ASSERT_TRUE(WaitUntil([&]() { return plan.IsReady(); }));
+  EXPECT_EQ(this->Problem, "");
+  EXPECT_TRUE(plan.Update(inputs, Timing::Changes, this->Problem));
+  EXPECT_NE(this->Problem.find("isotropic"), std::string::npos) << this->Problem;
+  EXPECT_EQ(plan.GetPlan(), nullptr);
+  this->Problem.clear();
+  EXPECT_FALSE(plan.Update(inputs, Timing::Changes, this->Problem));
+  EXPECT_FALSE(plan.IsPending());
+  EXPECT_EQ(this->Problem, "");
+}
