@@ -12,7 +12,7 @@ namespace tool::stability
 void Finding::KnownUpTo(double bound, const std::string& why)
 {
   this->Bound = bound;
-  this->Note += (this->Note.empty() ? "" : "; ") + why;
+  this->Why = why;
 }
 
 //------------------------------------------------------------------------------
@@ -42,7 +42,7 @@ vtkSmartPointer<vtkEnvironment> Context::MakeEnvironment(
 Finding& Context::Add(const std::string& method, const std::string& figure, double value,
   double threshold, const std::string& note)
 {
-  this->Findings.push_back({ method, figure, value, threshold, threshold, note });
+  this->Findings.push_back({ method, figure, value, threshold, threshold, note, "" });
   return this->Findings.back();
 }
 

@@ -33,6 +33,7 @@ struct Finding
   double Threshold = 0.0;
   double Bound = 0.0; // of the known limit; the threshold where there is none
   std::string Note;
+  std::string Why; // it is a known limit
 
   /// What is known to fail, how far it may, and why.
   void KnownUpTo(double bound, const std::string& why);

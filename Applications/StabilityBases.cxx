@@ -14,6 +14,7 @@
 #include "vtkBasisProjector.h"
 #include "vtkBasisRadianceIntegrator.h"
 #include "vtkLightSet.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkRepresentationAdvisor.h"
 
@@ -199,12 +200,51 @@ void RunExtrapolation(Context& context)
 }
 }
 
+namespace
+{
+//------------------------------------------------------------------------------
+// Functions of an azimuth must vanish where it means nothing.
+void RunZenith(Context& context)
+{
+  const vtkSmartPointer<vtkBRDF> lobe = context.Choose(MakePlastic(50.0));
+  const double tilt = 1e-4;
+  for (int basis = vtkBasisBRDF::SPHERICAL_HARMONICS; basis <= vtkBasisBRDF::LEGENDRE_FOURIER;
+       ++basis)
+  {
+    const vtkSmartPointer<vtkBRDF> projected = Project(lobe, basis, 6);
+    double worst = 0.0;
+    for (const double degrees : { 10.0, 30.0, 60.0 })
+    {
+      const double angle = vtkMath::RadiansFromDegrees(degrees);
+      const double o[3] = { std::sin(angle), 0.0, std::cos(angle) };
+      double least = Unlimited;
+      double most = 0.0;
+      for (int k = 0; k < 16; ++k)
+      {
+        const double phi = 2.0 * vtkMath::Pi() * k / 16.0;
+        const double i[3] = { tilt * std::cos(phi), tilt * std::sin(phi), 1.0 };
+        double f[3];
+        projected->Evaluate(i, o, f);
+        least = std::min(least, f[0]);
+        most = std::max(most, f[0]);
+      }
+      worst = std::max(worst, (most - least) / most);
+    }
+    context.Add(Name(basis, 6), "jump where light passes along the normal, relative", worst,
+      { 0.01, { { Name(vtkBasisBRDF::LEGENDRE_FOURIER, 6), 1.0 } },
+        "Legendre x Fourier does not vanish at a zone's edges, nor at the zenith" });
+  }
+}
+}
+
 namespace tool::stability
 {
 //------------------------------------------------------------------------------
 void AddBasesCases(std::vector<Case>& cases)
 {
   cases.push_back({ "ringing", "bases", "harmonics of low order on sharp lobes", RunRinging });
+  cases.push_back(
+    { "zenith", "bases", "light along the normal, where azimuths mean nothing", RunZenith });
   cases.push_back({ "signed-sum", "bases",
     "pre-integrated bases, where only the sum can be clamped", RunSignedSum });
   cases.push_back(

@@ -123,12 +123,21 @@ void RunCase(const Case& one, Context& context)
 }
 
 //------------------------------------------------------------------------------
+// The note, and the reason of a known limit that shows.
+std::string GetNote(const Finding& finding)
+{
+  const bool known = finding.GetStatus() == "known limit";
+  return finding.Note + (known && !finding.Note.empty() ? "; " : "") + (known ? finding.Why : "");
+}
+
+//------------------------------------------------------------------------------
 std::string FormatRow(const std::string& name, const Finding& finding)
 {
   char row[256];
   std::snprintf(row, sizeof(row), "%-18s %-14s %10.3g %10.3g  %-11s  ", name.c_str(),
     finding.Method.c_str(), finding.Value, finding.Threshold, finding.GetStatus().c_str());
-  return row + finding.Figure + (finding.Note.empty() ? "" : " (" + finding.Note + ")") + "\n";
+  return row + finding.Figure + (GetNote(finding).empty() ? "" : " (" + GetNote(finding) + ")") +
+         "\n";
 }
 
 //------------------------------------------------------------------------------
@@ -148,7 +157,7 @@ nlohmann::ordered_json MakeReport(
         { "known_limit", finding.Bound == finding.Threshold ? nlohmann::ordered_json(false)
                                                             : nlohmann::ordered_json(true) },
         { "bound", bound(finding.Bound) }, { "status", finding.GetStatus() },
-        { "note", finding.Note }, { "picture", outcome.Picture } });
+        { "note", GetNote(finding) }, { "picture", outcome.Picture } });
     }
   }
   nlohmann::ordered_json seconds;

@@ -72,7 +72,10 @@ std::vector<Oddity> MakeOddities()
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   return { { "albedo 4", MakeLambert(4.0) },
-    { "not reciprocal",
+    { "not reciprocal", MakeTable([](std::size_t cell, double value)
+                          { return value * ((cell + 3) % 12 < 6 ? 1.6 : 0.4); },
+                          vtkTabulatedBRDF::FULL_TURN) },
+    { "no mirror symmetry",
       MakeTable([](std::size_t cell, double value) { return value * (cell % 12 < 6 ? 1.6 : 0.4); },
         vtkTabulatedBRDF::FULL_TURN) },
     { "negative cells", MakeTable([](std::size_t cell, double value)
@@ -129,7 +132,7 @@ void RunDetection(Context& context)
   context.Add("analysis", "asymmetry not noticed",
     !(analyze(oddities[1].BRDF)->GetReciprocityError() > 0.01), 0.0);
   context.Add("analysis", "negative values not noticed",
-    !(analyze(oddities[2].BRDF)->GetNegativeMass() > 0.01), 0.0);
+    !(analyze(oddities[3].BRDF)->GetNegativeMass() > 0.01), 0.0);
   const auto plastic = analyze(MakePlastic(20.0));
   context.Add("analysis", "false alarms for a physical material",
     plastic->GetGainsEnergy() + (plastic->GetReciprocityError() > 1e-6) +

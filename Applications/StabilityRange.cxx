@@ -79,14 +79,14 @@ vtkSmartPointer<vtkBRDF> MakeWideTable(double exponent, double scale, int precis
 void RunHalfFloat(Context& context)
 {
   const Pairs pairs = MakeDrawnPairs(200);
-  const vtkSmartPointer<vtkLightSet> lights =
-    MakeLights(context.MakeEnvironment("sky", 32), "variance", 64);
+  const vtkSmartPointer<vtkEnvironment> environment = context.MakeEnvironment("sky", 32);
+  const vtkSmartPointer<vtkLightSet> lights = MakeLights(environment, "variance", 64);
   for (const double scale : { 1e-7, 1.0, 1e6 })
   {
     for (const int precision : { vtkTabulatedBRDF::FLOAT16, vtkTabulatedBRDF::FLOAT32 })
     {
       const vtkSmartPointer<vtkBRDF> table = MakeWideTable(300.0, scale, precision);
-      const vtkSmartPointer<vtkRadianceIntegrator> loop = MakeLightLoop(table, nullptr, lights);
+      const vtkSmartPointer<vtkRadianceIntegrator> loop = MakeLightLoop(table, environment, lights);
       context.Add(precision == vtkTabulatedBRDF::FLOAT16 ? "16-bit table" : "32-bit table",
         "GPU against double, values times " + Say(scale),
         GetRelativeL1(tool::DrawPairs(loop, pairs.Normals, pairs.Views), Integrate(loop, pairs)),

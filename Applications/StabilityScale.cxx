@@ -192,8 +192,8 @@ void RunWorlds(Context& context)
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkBRDF> MakeTableBRDF(int index)
 {
-  const int dimensions[3] = { 4, 16, 64 };
-  std::vector<float> rgb(3 * 4 * 16 * 64);
+  const int dimensions[3] = { 8, 32, 128 };
+  std::vector<float> rgb(3 * 8 * 32 * 128);
   for (std::size_t k = 0; k < rgb.size(); ++k)
   {
     rgb[k] = 0.1f + 0.01f * static_cast<float>((k * 7 + static_cast<std::size_t>(index)) % 13);

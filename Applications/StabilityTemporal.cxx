@@ -155,29 +155,31 @@ void RunMotion(Context& context)
 {
   const int count = context.Short ? 4 : 9;
   const int width = context.Short ? 64 : 128;
-  const vtkSmartPointer<vtkBRDF> brdf = context.Choose(MakePlastic(50.0));
-  const std::vector<Motion> motions = GetMotions(MakeSpherePairs(context.Short ? 120 : 250));
-  const std::vector<std::pair<std::string, vtkSmartPointer<vtkEnvironment>>> environments = {
-    { "sky", context.MakeEnvironment("sky", width) },
-    { "low sun", context.Environment ? nullptr : MakeLowSun(width) }
-  };
-  for (const auto& [name, environment] : environments)
+  const std::vector<Motion> motions = GetMotions(MakeSpherePairs(context.Short ? 100 : 250));
+  struct Scene
   {
-    if (!environment)
-    {
-      continue;
-    }
+    std::string Name;
+    vtkSmartPointer<vtkBRDF> BRDF;
+    vtkSmartPointer<vtkEnvironment> Environment;
+  };
+  const std::vector<Scene> scenes = { { "sky, exponent 50", context.Choose(MakePlastic(50.0)),
+                                        context.MakeEnvironment("sky", width) },
+    { "low sun, exponent 50", MakePlastic(50.0), MakeLowSun(width) },
+    { "sky, exponent 300", MakePlastic(300.0), context.MakeEnvironment("sky", width) } };
+  for (const Scene& scene : scenes)
+  {
     std::vector<Frames> references;
     for (const Motion& motion : motions)
     {
-      references.push_back(PlayExactly(brdf, environment, motion, count));
+      references.push_back(PlayExactly(scene.BRDF, scene.Environment, motion, count));
     }
     for (const Contender& contender : GetContenders())
     {
-      const vtkSmartPointer<vtkRadianceIntegrator> integrator = contender.Make(brdf, environment);
+      const vtkSmartPointer<vtkRadianceIntegrator> integrator =
+        contender.Make(scene.BRDF, scene.Environment);
       for (std::size_t m = 0; m < motions.size(); ++m)
       {
-        context.Add(contender.Name, "flicker ratio, " + name + ", " + motions[m].Name,
+        context.Add(contender.Name, "flicker ratio, " + scene.Name + ", " + motions[m].Name,
           GetFlicker(Play(integrator, motions[m], count), references[m]), { Threshold, {}, "" });
       }
     }

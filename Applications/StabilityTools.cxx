@@ -83,7 +83,7 @@ const std::vector<Contender>& GetContenders()
     { "thesis", false,
       [](vtkBRDF* brdf, vtkEnvironment* environment)
       {
-        return MakeLightLoop(Project(brdf, vtkBasisBRDF::LEGENDRE_FOURIER, ThesisOrder),
+        return MakeLightLoop(Project(brdf, vtkBasisBRDF::SPHERICAL_HARMONICS, ThesisOrder),
           environment, MakeLights(environment, "median-cut", Lights));
       } },
     { "soft-lights", true,

@@ -35,8 +35,8 @@ struct Contender
 };
 
 /// Every method, the thesis's first: "median-cut", "importance", "variance" (64 hard lights each),
-/// "thesis" (median cut over a basis of the material), "soft-lights", "basis", "filtered", "table",
-/// "auto".
+/// "thesis" (median cut over the material in harmonics of order 6), "soft-lights", "basis",
+/// "filtered", "table", "auto".
 const std::vector<Contender>& GetContenders();
 
 /// Lights by "median-cut", "importance" or "variance".
