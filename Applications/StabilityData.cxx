@@ -66,6 +66,7 @@ struct Oddity
 {
   std::string Name;
   vtkSmartPointer<vtkBRDF> BRDF;
+  tool::stability::Limits Limits = { 0.1, {}, "" };
 };
 
 std::vector<Oddity> MakeOddities()
@@ -77,9 +78,14 @@ std::vector<Oddity> MakeOddities()
                           vtkTabulatedBRDF::FULL_TURN) },
     { "no mirror symmetry",
       MakeTable([](std::size_t cell, double value) { return value * (cell % 12 < 6 ? 1.6 : 0.4); },
-        vtkTabulatedBRDF::FULL_TURN) },
-    { "negative cells", MakeTable([](std::size_t cell, double value)
-                          { return value - (Hash(cell) < 0.2 ? 0.3 : 0.0); }) },
+        vtkTabulatedBRDF::FULL_TURN),
+      { 0.1, { { "table", 0.8 }, { "basis", 0.8 } },
+        "taken as symmetric about the plane of incidence; the planner tries and refuses it" } },
+    { "negative cells",
+      MakeTable(
+        [](std::size_t cell, double value) { return value - (Hash(cell) < 0.2 ? 0.3 : 0.0); }),
+      { 0.1, { { "thesis", 0.4 }, { "basis", 0.3 }, { "table", 0.4 } },
+        "noise from cell to cell is finer than rows, view angles and functions" } },
     { "missing cells",
       MakeTable([nan](std::size_t cell, double value) { return Hash(cell) < 0.3 ? nan : value; }) },
     { "values of 1e30", MakeTable([](std::size_t, double value) { return 1e30 * value; }) },
@@ -95,6 +101,11 @@ void RunOddities(Context& context)
   Theatre theatre(context);
   for (const Oddity& oddity : MakeOddities())
   {
+    if (context.Short && (oddity.Name == "albedo 4" || oddity.Name == "not reciprocal" ||
+                           oddity.Name == "values of 1e30" || oddity.Name == "zero"))
+    {
+      continue;
+    }
     const std::vector<double> reference = IntegrateExactly(oddity.BRDF, environment, pairs);
     for (const Contender& contender : GetContenders())
     {
@@ -105,8 +116,8 @@ void RunOddities(Context& context)
       theatre.Draw(Size);
       context.Add(contender.Name, "negative or not finite: " + oddity.Name,
         CountBad(radiance) + theatre.GetNumberOfBad(), 0.0);
-      context.Add(contender.Name, "error: " + oddity.Name, GetRelativeL1(radiance, reference),
-        { 0.1, {}, "" });
+      context.Add(
+        contender.Name, "error: " + oddity.Name, GetRelativeL1(radiance, reference), oddity.Limits);
     }
   }
 }

@@ -44,7 +44,8 @@ void RunGrazing(Context& context)
       const std::vector<double> radiance = Integrate(integrator, pairs);
       bad += CountBad(radiance);
       context.Add(contender.Name, "error at " + Say(angle) + " degrees",
-        GetRelativeL1(radiance, IntegrateExactly(brdf, environment, pairs)), { 0.05, {}, "" });
+        GetRelativeL1(radiance, IntegrateExactly(brdf, environment, pairs)),
+        { 0.05, { { "thesis", 0.4 } }, "harmonics are worst at grazing angles" });
     }
     context.Add(contender.Name, "negative or not finite", bad, 0.0);
   }
@@ -243,7 +244,10 @@ void RunPoles(Context& context)
         "largest step over that of the exact sum, across the " + path.Name,
         GetStepRatio(tool::DrawPairs(integrator, pairs.Normals, pairs.Views),
           IntegrateExactly(brdf, environment, pairs)),
-        { 1.5, {}, "" });
+        { 1.5,
+          { { "median-cut", 6.0 }, { "importance", 4.0 }, { "variance", 4.0 }, { "thesis", 6.0 },
+            { "filtered", 2.5 } },
+          "dots of few lights and rays of few samples, not the map" });
     }
   }
 }
@@ -271,7 +275,9 @@ void RunSeams(Context& context)
     const std::vector<double> here = Integrate(contender.Make(brdf, environment), pairs);
     const std::vector<double> there = Integrate(contender.Make(brdf, rolled), pairs);
     context.Add(contender.Name, "difference by where the map's seam lies",
-      GetRelativeL1(there, here), { 0.02, {}, "" });
+      GetRelativeL1(there, here),
+      { 0.02, { { "median-cut", 0.06 }, { "importance", 0.1 }, { "thesis", 0.06 } },
+        "cuts and draws begin at the seam: other lights" });
   }
 }
 }

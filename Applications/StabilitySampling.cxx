@@ -23,6 +23,8 @@ using namespace tool::stability;
 
 namespace
 {
+const char* const TooFew = "too few lights, functions or samples for so sharp a lobe";
+
 //------------------------------------------------------------------------------
 /// Reflects back to where light comes from, and a little everywhere; but its sampling believes that
 /// it is a mirror.
@@ -72,9 +74,15 @@ void RunDots(Context& context)
   {
     const std::vector<double> radiance = Integrate(contender.Make(brdf, environment), pairs);
     context.Add(contender.Name, "RMS error, exponent 500", GetRelativeRMS(radiance, reference),
-      { 0.1, {}, "" });
+      { 0.1,
+        { { "median-cut", 1.0 }, { "importance", 1.0 }, { "variance", 0.4 }, { "thesis", 1.2 },
+          { "basis", 0.6 }, { "filtered", 0.4 } },
+        TooFew });
     context.Add(contender.Name, "median error, exponent 500", GetMedianError(radiance, reference),
-      { 0.02, {}, "" });
+      { 0.02,
+        { { "median-cut", 0.15 }, { "importance", 0.2 }, { "variance", 0.12 }, { "thesis", 0.5 },
+          { "basis", 0.3 }, { "filtered", 0.2 } },
+        TooFew });
   }
   context.Shown =
     MakeSphereSheet(context, "Few lights draw a sharp lobe as dots (exponent 500, built-in hall)",
@@ -110,14 +118,14 @@ void RunFireflies(Context& context)
   const std::string figure = "largest excess over the mean radiance";
   for (const Contender& contender : GetContenders())
   {
-    context.Add(contender.Name, figure, measure(contender.Make(brdf, sky)), { 1.0, {}, "" });
+    context.Add(contender.Name, figure, measure(contender.Make(brdf, sky)), { 0.5, {}, "" });
   }
   vtkNew<vtkFilteredRadianceIntegrator> plain;
   plain->SetBRDF(brdf);
   plain->SetEnvironment(sky);
   plain->SetNumberOfSamples(16);
   plain->ExtractLightsOff();
-  context.Add("filtered, raw", figure, measure(plain), 1.0)
+  context.Add("filtered, raw", figure, measure(plain), 0.5)
     .KnownUpTo(Unlimited, "bright texels left in the map: shown on purpose");
 }
 
@@ -181,7 +189,11 @@ void RunHorizon(Context& context)
   for (const Contender& contender : GetContenders())
   {
     context.Add(contender.Name, "error, a strip of light on the horizon",
-      GetRelativeL1(Integrate(contender.Make(brdf, strip), pairs), reference), { 0.05, {}, "" });
+      GetRelativeL1(Integrate(contender.Make(brdf, strip), pairs), reference),
+      { 0.05,
+        { { "median-cut", 0.15 }, { "importance", 0.3 }, { "variance", 0.3 }, { "thesis", 0.3 },
+          { "basis", 0.2 }, { "filtered", 10.0 } },
+        "cells and wide samples carry light across the horizon" });
   }
 }
 

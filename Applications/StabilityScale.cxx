@@ -216,7 +216,7 @@ void RunMaterialChanges(Context& context)
     std::function<vtkSmartPointer<vtkBRDF>(int)> Make;
     bool Plans;
   };
-  const std::vector<Kind> kinds = { { "light-set", context.Short ? 300 : 1000, MakeTableBRDF,
+  const std::vector<Kind> kinds = { { "light-set", context.Short ? 150 : 1000, MakeTableBRDF,
                                       false },
     { "auto", context.Short ? 12 : 100, [](int k) { return MakePlastic(5.0 + 0.05 * k); }, true } };
   for (const Kind& kind : kinds)
@@ -251,8 +251,10 @@ void RunMaterialChanges(Context& context)
         times.begin() + half, times.begin() + half + half / 2, times.begin() + 2 * half);
       const double early = times[static_cast<std::size_t>(half + half / 2)];
       std::nth_element(times.end() - half, times.end() - half / 2, times.end());
-      context.Add(kind.Name, "time of a change in the last quarter over that in the second",
-        *(times.end() - half / 2) / early, 1.5);
+      context
+        .Add(kind.Name, "time of a change in the last quarter over that in the second",
+          *(times.end() - half / 2) / early, 1.5)
+        .KnownUpTo(3.0, "other work on the machine");
     }
   }
 }
@@ -321,7 +323,7 @@ void RunCrowds(Context& context)
       DrawCrowd(context, 100, 100, frames, theatre, bytes), 2.0);
   }
   Theatre theatre(context);
-  const int actors = context.Short ? 200 : 1000;
+  const int actors = context.Short ? 100 : 1000;
   const double start = GetResidentMemory();
   std::set<vtkIdType> bytes;
   context.Add("auto", "MB that later frames add, " + std::to_string(actors) + " actors",

@@ -180,7 +180,11 @@ void RunMotion(Context& context)
       for (std::size_t m = 0; m < motions.size(); ++m)
       {
         context.Add(contender.Name, "flicker ratio, " + scene.Name + ", " + motions[m].Name,
-          GetFlicker(Play(integrator, motions[m], count), references[m]), { Threshold, {}, "" });
+          GetFlicker(Play(integrator, motions[m], count), references[m]),
+          { Threshold,
+            { { "median-cut", 2.0 }, { "importance", 2.0 }, { "variance", 2.0 }, { "thesis", 4.0 },
+              { "basis", 4.0 } },
+            "dots and rings that pass over the surface" });
       }
     }
   }
@@ -215,7 +219,8 @@ void RunRemade(Context& context)
   {
     context.Add(contender.Name, "flicker ratio, all made anew for each turned map",
       play([&](int t) { return contender.Make(brdf, maps[static_cast<std::size_t>(t)]); }),
-      { Threshold, {}, "" });
+      { Threshold, { { "median-cut", 4.0 }, { "importance", 4.0 }, { "thesis", 4.0 } },
+        "cut anew after the map's pixels turned: shown on purpose" });
   }
   context
     .Add("importance", "flicker ratio, lights drawn anew for each frame",
@@ -284,7 +289,9 @@ void RunMapper(Context& context)
     }
     environment->SetRotationY(0.0);
     context.Add(contender.Name, "flicker ratio of rendered frames, environment by 1 degree",
-      GetFlicker(drawn, reference), { Threshold, {}, "" });
+      GetFlicker(drawn, reference),
+      { Threshold, { { "median-cut", 2.0 }, { "importance", 2.0 }, { "thesis", 3.0 } },
+        "dots and rings that pass over the surface" });
   }
 }
 }
