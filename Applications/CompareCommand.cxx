@@ -475,7 +475,8 @@ void AddCompareCommand(CLI::App& app)
   command->add_option("--mesh", options->Mesh,
     "Mesh to show it on: ply, stl, obj, vtp, vtk, gltf or glb (default: a sphere)");
   options->Method.Method = "auto";
-  options->Method.AddTo(command, { "light-set", "thesis", "basis", "filtered", "table", "auto" });
+  options->Method.AddTo(
+    command, { "light-set", "thesis", "basis", "filtered", "table", "layered", "auto" });
   command->add_option(
     "--size", options->Size, "Picture size in pixels, WIDTHxHEIGHT (default 500x500)");
   command->add_option("--view", options->View,

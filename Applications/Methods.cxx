@@ -9,6 +9,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkExactIntegrator.h"
 #include "vtkFilteredRadianceIntegrator.h"
+#include "vtkLayeredRadianceIntegrator.h"
 #include "vtkLightSetIntegrator.h"
 #include "vtkNew.h"
 #include "vtkTableRadianceIntegrator.h"
@@ -32,6 +33,8 @@ struct SizeRange
 // What --sizes gives, in this order; later ones may be left out. The ranges are the integrators'.
 const std::map<std::string, std::vector<SizeRange>> SizesOf = {
   { "table", { { "rows", 9, 513 }, { "view angles", 2, 64 }, { "azimuths", 4, 64 } } },
+  { "layered", { { "rows", 9, 513 }, { "view angles", 2, 64 }, { "azimuths", 4, 64 },
+                 { "samples", 0, 1024 }, { "lights", 0, 1024 } } },
   { "filtered", { { "samples", 1, 1024 } } },
   { "basis", { { "functions", 1, 256 }, { "map size", 8, 128 } } }
 };
@@ -42,7 +45,9 @@ const std::map<std::string, std::string> MethodHelp = {
   { "thesis", "the same with the material in a basis or, where that rings, as a D-BRDF fit" },
   { "basis", "maps over normals of a basis of the material" },
   { "filtered", "few samples of the reflection of a blurred environment" },
-  { "table", "a table of outgoing radiance" }, { "auto", "the cheapest that meets --tolerance" }
+  { "table", "a table of outgoing radiance" },
+  { "layered", "the same for what is broad, samples for what is sharp, lights for suns" },
+  { "auto", "the cheapest that meets --tolerance" }
 };
 
 //------------------------------------------------------------------------------
@@ -51,7 +56,8 @@ std::vector<int> ParseSizes(const std::string& method, const std::string& text)
   const auto found = SizesOf.find(method);
   if (found == SizesOf.end())
   {
-    throw tool::UsageError("--sizes: has no effect without --method table, filtered or basis");
+    throw tool::UsageError(
+      "--sizes: has no effect without --method table, layered, filtered or basis");
   }
   std::string wanted;
   for (const SizeRange& size : found->second)
@@ -121,6 +127,18 @@ vtkSmartPointer<vtkRadianceIntegrator> NewIntegrator(
     table->SetNumberOfAzimuths(sizes.size() > 2 ? sizes[2] : table->GetNumberOfAzimuths());
     return table;
   }
+  if (options.Method == "layered")
+  {
+    auto layered = vtkSmartPointer<vtkLayeredRadianceIntegrator>::New();
+    const auto size = [&sizes](std::size_t k, int otherwise)
+    { return k < sizes.size() ? sizes[k] : otherwise; };
+    layered->SetNumberOfRows(size(0, layered->GetNumberOfRows()));
+    layered->SetNumberOfViewAngles(size(1, layered->GetNumberOfViewAngles()));
+    layered->SetNumberOfAzimuths(size(2, layered->GetNumberOfAzimuths()));
+    layered->SetNumberOfSamples(size(3, layered->GetNumberOfSamples()));
+    layered->SetMaximumNumberOfLights(size(4, layered->GetMaximumNumberOfLights()));
+    return layered;
+  }
   auto lights = vtkSmartPointer<vtkLightSetIntegrator>::New();
   lights->SetLightSet(tool::MakeLightSet(environment, options.Lights));
   lights->SetSoftLights(options.Lights.Soft);
@@ -162,8 +180,9 @@ void MethodOptions::AddTo(CLI::App* command, const std::vector<std::string>& met
   command->add_option("--method", this->Method, help)->check(CLI::IsMember(methods));
   AddToleranceOption(command, this->Tolerance);
   command->add_option("--sizes", this->Sizes,
-    "Sizes of --method table (ROWS,VIEW_ANGLES,AZIMUTHS, default 65,16,16), filtered (SAMPLES, "
-    "default 32) or basis (FUNCTIONS,MAP_SIZE, default 64,48)");
+    "Sizes of --method table (ROWS,VIEW_ANGLES,AZIMUTHS, default 65,16,16), layered (the same, "
+    "SAMPLES,LIGHTS, default 33,12,16,8,16), filtered (SAMPLES, default 32) or basis "
+    "(FUNCTIONS,MAP_SIZE, default 64,48)");
   this->Lights.AddTo(command, "--lights");
   this->Lights.AddSoftTo(command);
   this->Thesis.AddTo(command);

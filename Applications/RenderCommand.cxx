@@ -211,7 +211,7 @@ void AddRenderCommand(CLI::App& app)
     "are made where it has none");
   options->Method.Method = "auto";
   options->Method.AddTo(
-    command, { "exact", "light-set", "thesis", "basis", "filtered", "table", "auto" });
+    command, { "exact", "light-set", "thesis", "basis", "filtered", "table", "layered", "auto" });
   command->add_option(
     "--size", options->Size, "Picture size in pixels, WIDTHxHEIGHT (default 800x800)");
   command->add_option("--view", options->View,

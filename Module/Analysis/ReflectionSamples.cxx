@@ -3,6 +3,7 @@
 #include "ReflectionSamples.h"
 
 #include "HalfVector.h"
+#include "LobeSampler.h"
 #include "LocalFrame.h"
 #include "LowDiscrepancy.h"
 #include "vtkBRDF.h"
@@ -26,61 +27,10 @@ glm::dvec2 GetPoint(int k, int count)
 {
   return glm::dvec2((k + 0.5) / count, Wrap01(0.5 + k * 0.6180339887498949));
 }
-
-// The share of cosine samples, out of a few, under which the weights vary least: none where the
-// material's own distribution fits. Second moments of f cos / pdf over a few views.
-double ChooseCosineShare(vtkBRDF* brdf)
-{
-  constexpr double shares[] = { 0.0, 0.25, 0.5 };
-  constexpr int count = 256;
-  double moments[3] = { 0.0, 0.0, 0.0 };
-  for (int view = 0; view < ReflectionSamples::NumberOfViews; view += 9)
-  {
-    const glm::dvec3 o = ReflectionSamples::GetView(view);
-    double mean = 0.0;
-    double squares[3] = { 0.0, 0.0, 0.0 };
-    for (int k = 0; k < 2 * count; ++k)
-    {
-      const glm::dvec2 u = GetPoint(k / 2, count);
-      glm::dvec3 i;
-      if (k % 2 == 1)
-      {
-        SampleCosine(u.x, u.y, &i.x);
-      }
-      else if (!brdf->Sample(&o.x, u.x, u.y, &i.x))
-      {
-        continue;
-      }
-      glm::dvec3 f;
-      brdf->Evaluate(&i.x, &o.x, &f.x);
-      const double value = (f.x + f.y + f.z) * i.z;
-      const double own = brdf->Pdf(&i.x, &o.x);
-      const double cosine = i.z / Pi;
-      const double drawn = count * (own + cosine);
-      if (value > 0.0 && drawn > 0.0)
-      {
-        mean += value / drawn;
-        for (int c = 0; c < 3; ++c)
-        {
-          squares[c] +=
-            value / drawn * value / std::max((1.0 - shares[c]) * own + shares[c] * cosine, 1e-30);
-        }
-      }
-    }
-    for (int c = 0; c < 3 && mean > 0.0; ++c)
-    {
-      moments[c] += squares[c] / (mean * mean);
-    }
-  }
-  const double least = *std::min_element(moments, moments + 3);
-  return shares[std::find_if(moments, moments + 3, [least](double m) { return m <= 1.1 * least; }) -
-                moments];
-}
 }
 
 ReflectionSamples::ReflectionSamples(vtkBRDF* brdf, int count, const std::atomic<bool>& abort)
   : Count(count)
-  , CosineShare(ChooseCosineShare(brdf))
   , Samples(static_cast<std::size_t>(count) * NumberOfViews,
       Sample{ glm::vec3(0.0f, 0.0f, 1.0f), 0.0f, glm::vec3(0.0f) })
 {
@@ -115,28 +65,22 @@ ReflectionSamples::ReflectionSamples(vtkBRDF* brdf, int count, const std::atomic
 void ReflectionSamples::Tabulate(vtkBRDF* brdf, int view)
 {
   const glm::dvec3 o = GetView(view);
-  const int cosines = static_cast<int>(std::lround(this->CosineShare * this->Count));
-  const int own = this->Count - cosines;
+  const LobeSampler lobe(brdf, o);
+  if (lobe.IsBlack())
+  {
+    return;
+  }
   Sample* samples = &this->Samples[static_cast<std::size_t>(view * this->Count)];
   glm::dvec3 sum(0.0);
   for (int k = 0; k < this->Count; ++k)
   {
-    const glm::dvec2 u = k < own ? GetPoint(k, own) : GetPoint(k - own, cosines);
-    glm::dvec3 i;
-    if (k >= own)
-    {
-      SampleCosine(u.x, u.y, &i.x);
-    }
-    else if (!brdf->Sample(&o.x, u.x, u.y, &i.x))
+    double density = 0.0;
+    const glm::dvec3 i = lobe.Sample(GetPoint(k, this->Count), density);
+    if (!(i.z > 0.0) || !(density > 0.0))
     {
       continue;
     }
-    // N times the mixture's density.
-    const double density = own * brdf->Pdf(&i.x, &o.x) + cosines * i.z / Pi;
-    if (!(density > 0.0))
-    {
-      continue;
-    }
+    density *= this->Count;
     glm::dvec3 f;
     brdf->Evaluate(&i.x, &o.x, &f.x);
     samples[k].Direction = i;

@@ -34,15 +34,13 @@ public:
   };
 
   /**
-   * count samples (a Fibonacci lattice) from brdf's own distribution and, where a share of cosine
-   * samples lowers the variance, both by the balance heuristic. Each view's weights are scaled to
-   * add up to its directional albedo. brdf is isotropic and prepared. Views are tabulated in
-   * parallel; a raised abort leaves the rest black.
+   * count samples (a Fibonacci lattice) distributed as f cos (LobeSampler). Each view's weights are
+   * scaled to add up to its directional albedo. brdf is isotropic and prepared. Views are tabulated
+   * in parallel; a raised abort leaves the rest black.
    */
   ReflectionSamples(vtkBRDF* brdf, int count, const std::atomic<bool>& abort);
 
   int GetNumberOfSamples() const { return this->Count; }
-  double GetCosineShare() const { return this->CosineShare; }
 
   /// Tabulated sample k of a view.
   const Sample& Get(int view, int k) const
@@ -64,7 +62,6 @@ private:
   void Tabulate(vtkBRDF* brdf, int view);
 
   int Count;
-  double CosineShare;
   std::vector<Sample> Samples;
 };
 } // namespace measuredbrdf

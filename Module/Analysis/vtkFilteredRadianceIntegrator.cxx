@@ -39,7 +39,6 @@ struct vtkFilteredRadianceIntegrator::Internals
 
 namespace
 {
-constexpr double LightShare = 2e-3;
 constexpr float LargestHalfFloat = 65504.0f;
 
 // The pyramid's level at which one texel is the whole sphere, moved by the bias.
@@ -125,7 +124,7 @@ bool vtkFilteredRadianceIntegrator::Begin()
       impl.PyramidWithoutLights == this->ExtractLights)
   {
     impl.Pyramid = std::make_unique<EnvironmentPyramid>(
-      this->Environment, 0, this->ExtractLights ? LightShare : 1.0);
+      this->Environment, 0, this->ExtractLights ? BrightTexels::DefaultShare : 1.0);
     impl.PyramidEnvironment = this->Environment.Get();
     impl.PyramidWithoutLights = !this->ExtractLights;
     impl.PyramidTime.Modified();
@@ -153,7 +152,7 @@ void vtkFilteredRadianceIntegrator::IntegratePart(
     const glm::dvec3 d = turned * glm::normalize(glm::dvec3(sample.Direction));
     sum += glm::dvec3(sample.Weight * impl.Pyramid->Sample(d, sample.Level + level));
   }
-  for (const EnvironmentPyramid::Light& light : impl.Pyramid->GetLights())
+  for (const BrightTexels::Light& light : impl.Pyramid->GetLights())
   {
     const glm::dvec3 i = ToLocal(frame, light.Direction);
     if (i.z > 0.0)
@@ -206,7 +205,7 @@ bool vtkFilteredRadianceIntegrator::GetGPUForm(vtkBRDFGPUForm& form)
   if (!pyramid.GetLights().empty())
   {
     vtkNew<vtkLightSet> lights;
-    for (const EnvironmentPyramid::Light& light : pyramid.GetLights())
+    for (const BrightTexels::Light& light : pyramid.GetLights())
     {
       lights->AddLight(&light.Direction.x, &light.Irradiance.x);
     }
@@ -233,8 +232,4 @@ void vtkFilteredRadianceIntegrator::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LevelBias: " << this->LevelBias << "\n";
   os << indent << "ExtractLights: " << (this->ExtractLights ? "On" : "Off") << "\n";
   os << indent << "Extracted lights: " << this->GetNumberOfExtractedLights() << "\n";
-  if (this->Impl->Samples)
-  {
-    os << indent << "Share of cosine samples: " << this->Impl->Samples->GetCosineShare() << "\n";
-  }
 }

@@ -109,6 +109,13 @@ protected:
   virtual void IntegratePart(
     int part, const double n[3], const double o[3], const double t[3], double radiance[3]) = 0;
 
+  /// For integrators that are made of others: IntegratePart of a prepared one whose sum is one part.
+  static void AddTo(vtkRadianceIntegrator* integrator, const double n[3], const double o[3],
+    const double t[3], double radiance[3])
+  {
+    integrator->IntegratePart(0, n, o, t, radiance);
+  }
+
   vtkSmartPointer<vtkBRDF> BRDF;
   vtkSmartPointer<vtkEnvironment> Environment;
   vtkTimeStamp PrepareTime;

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <utility>
 
 namespace measuredbrdf
@@ -16,10 +15,6 @@ namespace
 {
 constexpr double Pi = 3.14159265358979323846;
 constexpr int MaximumSize = 1024;
-
-// A light holds so many times what texels hold in the mean: in a small environment many hold a
-// large share without being lights.
-constexpr double LightContrast = 32.0;
 
 // Parts a side in which an environment's texel is spread over the map: at least so many per texel
 // of the map that flat regions stay flat (each texel takes the mean of what falls into it).
@@ -75,14 +70,7 @@ glm::dvec3 EnvironmentPyramid::ToSphere(const glm::dvec2& uv)
 EnvironmentPyramid::EnvironmentPyramid(
   vtkEnvironment* environment, int size, double lightShare, int maximumLights)
 {
-  this->Size = 1;
-  const double texels =
-    static_cast<double>(environment->GetWidth()) * static_cast<double>(environment->GetHeight());
-  const double wanted = size > 0 ? size : std::min(std::sqrt(texels) / 1.4, double(MaximumSize));
-  while (this->Size < wanted)
-  {
-    this->Size *= 2;
-  }
+  this->Size = size > 0 ? size : ChooseSize(environment);
   int rows = 0;
   for (int s = this->Size; s > 0; s /= 2)
   {
@@ -102,6 +90,19 @@ EnvironmentPyramid::EnvironmentPyramid(
   }
 }
 
+int EnvironmentPyramid::ChooseSize(vtkEnvironment* environment)
+{
+  const double texels =
+    static_cast<double>(environment->GetWidth()) * static_cast<double>(environment->GetHeight());
+  const double wanted = std::min(std::sqrt(texels) / 1.4, static_cast<double>(MaximumSize));
+  int size = 1;
+  while (size < wanted)
+  {
+    size *= 2;
+  }
+  return size;
+}
+
 int EnvironmentPyramid::GetAtlasHeight() const
 {
   return static_cast<int>(this->Atlas.size()) / (this->Size + 2);
@@ -119,69 +120,10 @@ void EnvironmentPyramid::Fill(vtkEnvironment* environment, double lightShare, in
 {
   const int width = environment->GetWidth();
   const int height = environment->GetHeight();
-  std::vector<float> pixels = environment->GetPixels();
-
-  // Lights: texels that outweigh the map's own resolution.
-  const auto getShare = [&pixels, environment, width](std::size_t k)
-  {
-    const double rgb[3] = { pixels[3 * k], pixels[3 * k + 1], pixels[3 * k + 2] };
-    return environment->GetLuminance(rgb) *
-           environment->GetTexelSolidAngle(static_cast<int>(k / static_cast<std::size_t>(width)));
-  };
+  BrightTexels bright(environment, lightShare, maximumLights);
+  const std::vector<float>& pixels = bright.Rest;
+  this->Lights = std::move(bright.Lights);
   const std::size_t texels = pixels.size() / 3;
-  double total = 0.0;
-  for (std::size_t k = 0; k < texels; ++k)
-  {
-    total += getShare(k);
-  }
-  const double least = total * std::max(lightShare, LightContrast / static_cast<double>(texels));
-  std::vector<std::pair<double, int>> shares;
-  for (std::size_t k = 0; k < texels && lightShare < 1.0; ++k)
-  {
-    const double share = getShare(k);
-    if (share > least)
-    {
-      shares.emplace_back(share, static_cast<int>(k));
-    }
-  }
-  std::sort(shares.begin(), shares.end(), std::greater<std::pair<double, int>>());
-  shares.resize(std::min(shares.size(), static_cast<std::size_t>(maximumLights)));
-  std::vector<char> taken(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0);
-  for (const auto& share : shares)
-  {
-    taken[static_cast<std::size_t>(share.second)] = 1;
-  }
-  for (const auto& share : shares)
-  {
-    const int x = share.second % width;
-    const int y = share.second / width;
-    // What is left is what its neighbours that are no lights show.
-    glm::dvec3 rest(0.0);
-    int neighbours = 0;
-    for (int dy = -1; dy <= 1; ++dy)
-    {
-      for (int dx = -1; dx <= 1; ++dx)
-      {
-        const int k = std::clamp(y + dy, 0, height - 1) * width + (x + dx + width) % width;
-        if (!taken[static_cast<std::size_t>(k)])
-        {
-          rest += glm::dvec3(pixels[3 * k], pixels[3 * k + 1], pixels[3 * k + 2]);
-          ++neighbours;
-        }
-      }
-    }
-    Light light;
-    environment->GetTexelDirection(x, y, &light.Direction.x);
-    for (int c = 0; c < 3; ++c)
-    {
-      float& value = pixels[static_cast<std::size_t>(3 * share.second + c)];
-      const double kept = std::min<double>(value, neighbours > 0 ? rest[c] / neighbours : 0.0);
-      light.Irradiance[c] = (value - kept) * environment->GetTexelSolidAngle(y);
-      value = static_cast<float>(kept);
-    }
-    this->Lights.push_back(light);
-  }
-
   glm::dvec3 kept(0.0);
   for (std::size_t k = 0; k < texels; ++k)
   {

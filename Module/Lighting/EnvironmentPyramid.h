@@ -11,6 +11,8 @@
 #ifndef EnvironmentPyramid_h
 #define EnvironmentPyramid_h
 
+#include "BrightTexels.h"
+
 #include <glm/glm.hpp>
 
 #include <vector>
@@ -22,21 +24,15 @@ namespace measuredbrdf
 class EnvironmentPyramid
 {
 public:
-  /// A texel that is taken out of the map because it is a light of its own.
-  struct Light
-  {
-    glm::dvec3 Direction;
-    glm::dvec3 Irradiance; // on a surface that faces it
-  };
-
   /**
-   * From an environment that is not empty. Texels that hold more than lightShare of all luminance,
-   * and 32 times what they hold in the mean (the brightest maximumLights of them) become lights,
-   * and the map holds their neighbours' mean in their place; lightShare >= 1: none do. size: texels
-   * a side of the finest level, a power of two; 0: about as fine as the environment, at most 1024.
+   * From an environment that is not empty, less its BrightTexels. size: texels a side of the finest
+   * level, a power of two; 0: about as fine as the environment, at most 1024.
    */
-  EnvironmentPyramid(
-    vtkEnvironment* environment, int size = 0, double lightShare = 2e-3, int maximumLights = 64);
+  EnvironmentPyramid(vtkEnvironment* environment, int size = 0,
+    double lightShare = BrightTexels::DefaultShare, int maximumLights = 64);
+
+  /// Texels a side of the finest level where nothing is asked for.
+  static int ChooseSize(vtkEnvironment* environment);
 
   /// Mean radiance about unit d on level lod (0: finest; fractions in between; clamped).
   glm::vec3 Sample(const glm::vec3& d, float lod) const;
@@ -46,7 +42,7 @@ public:
 
   int GetSize() const { return this->Size; }
   int GetNumberOfLevels() const { return static_cast<int>(this->Offsets.size()); }
-  const std::vector<Light>& GetLights() const { return this->Lights; }
+  const std::vector<BrightTexels::Light>& GetLights() const { return this->Lights; }
 
   /// All levels below each other, each with a border of one texel that continues it across the
   /// octahedron's edges: width GetSize() + 2, RGBA (A unused).
@@ -69,7 +65,7 @@ private:
   int Size = 0;
   std::vector<int> Offsets; // first row of each level
   std::vector<glm::vec4> Atlas;
-  std::vector<Light> Lights;
+  std::vector<BrightTexels::Light> Lights;
 };
 } // namespace measuredbrdf
 

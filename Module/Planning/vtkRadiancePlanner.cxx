@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRadiancePlanner.h"
 
+#include "BrightTexels.h"
+#include "EnvironmentPyramid.h"
 #include "LowDiscrepancy.h"
 #include "PlanCache.h"
+#include "PlanReference.h"
 #include "vtkBRDF.h"
 #include "vtkBRDFGPUForm.h"
 #include "vtkBasisRadianceIntegrator.h"
@@ -11,6 +14,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkEnvironment.h"
 #include "vtkFilteredRadianceIntegrator.h"
+#include "vtkLayeredRadianceIntegrator.h"
 #include "vtkLightSet.h"
 #include "vtkLightSetIntegrator.h"
 #include "vtkNew.h"
@@ -33,12 +37,8 @@
 namespace
 {
 constexpr double Pi = 3.14159265358979323846;
-constexpr double GlossyError = 0.1; // of the first tables: beyond, more lights are needed
-constexpr double HopelessRatio = 8.0;
+constexpr double ErrorOrder = 3.0; // tables gain so many powers of their sizes
 constexpr int Pairs = 256;
-constexpr int Lights = 8192;
-constexpr int GlossyPairs = 128;
-constexpr int GlossyLights = 32768;
 
 // Nanoseconds per covered pixel on Mesa's llvmpipe, 2 cores (docs/methods.md); on a GPU all are
 // hundreds of times smaller, in much the same proportion.
@@ -50,27 +50,32 @@ constexpr double SampleCost = 28.0;
 
 // Rows, view angles, azimuths: what linear interpolation in each costs in error differs with the
 // material's gloss (docs/methods.md).
-const int TableSizes[][3] = { { 17, 8, 8 }, { 33, 12, 16 }, { 65, 12, 16 }, { 65, 24, 24 },
-  { 129, 12, 16 }, { 129, 24, 16 }, { 257, 12, 8 } };
+const int TableSizes[][3] = { { 17, 8, 8 }, { 33, 12, 16 }, { 33, 24, 16 }, { 65, 12, 16 },
+  { 65, 24, 24 }, { 129, 12, 16 }, { 129, 24, 16 } };
+// The same and samples of the sharp layer, with suns and lamps as lights.
+const int LayerSizes[][4] = { { 33, 12, 16, 0 }, { 65, 12, 16, 0 }, { 129, 12, 16, 0 },
+  { 33, 12, 16, 8 }, { 65, 12, 16, 8 }, { 65, 24, 24, 8 }, { 33, 12, 16, 16 }, { 65, 12, 16, 16 },
+  { 129, 12, 16, 16 } };
+constexpr int MaximumLights = 16;
+constexpr double MegabyteCost = 10.0; // ns per pixel that a megabyte of texture counts as
 constexpr vtkIdType TableBytes = 12 * (256 * 129 + 3 * 64); // irradiance and profile
 const int LightCounts[] = { 64, 256, 1024, 4096 };
 constexpr int AnisotropicLights = 256; // more cost seconds a frame without a graphics card
 const int SampleCounts[] = { 16, 64, 256 };
-constexpr int FewSamples = 16; // so they are here
 const int FunctionCounts[] = { 9, 25, 64 };
 
-constexpr char PlanVersion[] = "plan 2"; // rises with anything that changes plans or tables
+constexpr char PlanVersion[] = "plan 3"; // rises with anything that changes plans or tables
 constexpr std::size_t LargestCount = 100;
 
 struct Candidate
 {
-  Candidate(int method, int first, int second = 0, int third = 0)
+  Candidate(int method, int first, int second = 0, int third = 0, int fourth = 0)
     : Method(method)
-    , Sizes{ first, second, third }
+    , Sizes{ first, second, third, fourth }
   {
   }
   int Method;
-  int Sizes[3];
+  int Sizes[4];
   double Cost = 0.0; // ns per covered pixel
   double Error = 0.0;
   vtkIdType Bytes = 0;
@@ -78,7 +83,45 @@ struct Candidate
   vtkSmartPointer<vtkRadianceIntegrator> Integrator;
 };
 
-const char* const Names[] = { "light-set", "basis", "filtered", "table" };
+const char* const Names[] = { "light-set", "basis", "filtered", "table", "layered" };
+
+vtkIdType GetTableBytes(const int sizes[3])
+{
+  return TableBytes +
+         6 * static_cast<vtkIdType>(2 * (sizes[0] - 1)) * sizes[0] * sizes[1] * (sizes[2] + 1);
+}
+
+// An environment's pyramid in 16 bits, with its levels and their borders.
+vtkIdType GetPyramidBytes(vtkEnvironment* environment)
+{
+  const vtkIdType size = measuredbrdf::EnvironmentPyramid::ChooseSize(environment);
+  return 6 * (size + 2) * (2 * size + 24);
+}
+
+// What the order of the candidates counts.
+double GetOrder(const Candidate& candidate)
+{
+  return candidate.Cost + 1e-6 * MegabyteCost * static_cast<double>(candidate.Bytes);
+}
+
+// Whether one that was tried already tells that a larger one does not help: of the same method and
+// too far away for what it adds.
+bool IsHopeless(const Candidate& candidate, const std::vector<Candidate>& tried, double tolerance)
+{
+  return (candidate.Method == vtkRadiancePlanner::TABLE ||
+           candidate.Method == vtkRadiancePlanner::LAYERED) &&
+         std::any_of(tried.begin(), tried.end(),
+           [&](const Candidate& other)
+           {
+             double ratio = 0.0;
+             for (int k = 0; k < 3; ++k)
+             {
+               ratio = std::max(ratio, static_cast<double>(candidate.Sizes[k]) / other.Sizes[k]);
+             }
+             return other.Method == candidate.Method && other.Sizes[3] == candidate.Sizes[3] &&
+                    other.Error > tolerance * std::pow(ratio, ErrorOrder);
+           });
+}
 
 std::string Percent(double value)
 {
@@ -140,8 +183,8 @@ struct vtkRadiancePlanner::Internals
     for (const Candidate& candidate : this->Candidates)
     {
       text << candidate.Method << " " << candidate.Sizes[0] << " " << candidate.Sizes[1] << " "
-           << candidate.Sizes[2] << " " << candidate.Cost << " " << candidate.Error << " "
-           << candidate.Bytes << " " << candidate.SetUp << "\n";
+           << candidate.Sizes[2] << " " << candidate.Sizes[3] << " " << candidate.Cost << " "
+           << candidate.Error << " " << candidate.Bytes << " " << candidate.SetUp << "\n";
     }
     text << this->Reason << "\n";
     auto* table = vtkTableRadianceIntegrator::SafeDownCast(
@@ -170,8 +213,9 @@ struct vtkRadiancePlanner::Internals
     for (Candidate& candidate : candidates)
     {
       text >> candidate.Method >> candidate.Sizes[0] >> candidate.Sizes[1] >> candidate.Sizes[2] >>
-        candidate.Cost >> candidate.Error >> candidate.Bytes >> candidate.SetUp;
-      if (!text || candidate.Method < LIGHT_SET || candidate.Method > TABLE)
+        candidate.Sizes[3] >> candidate.Cost >> candidate.Error >> candidate.Bytes >>
+        candidate.SetUp;
+      if (!text || candidate.Method < LIGHT_SET || candidate.Method > LAYERED)
       {
         return false;
       }
@@ -232,17 +276,13 @@ struct vtkRadiancePlanner::Internals
     }
   }
 
-  // The sum over very many lights.
-  bool MakeReference(int pairs, int lights, const double view[3])
+  bool MakeReference(const double view[3])
   {
-    this->DrawPairs(pairs, view);
-    vtkNew<vtkLightSet> set;
-    vtkNew<vtkLightSetIntegrator> integrator;
-    integrator->SetBRDF(this->BRDF);
-    integrator->SetEnvironment(this->Environment);
-    integrator->SetLightSet(set);
-    return this->Generator->Generate(this->Environment, lights, set) &&
-           integrator->Integrate(this->Normals, this->Views, this->Reference);
+    this->DrawPairs(Pairs, view);
+    vtkNew<measuredbrdf::PlanReference> reference;
+    reference->SetBRDF(this->BRDF);
+    reference->SetEnvironment(this->Environment);
+    return reference->Integrate(this->Normals, this->Views, this->Reference);
   }
 
   vtkSmartPointer<vtkRadianceIntegrator> Make(const Candidate& candidate)
@@ -274,6 +314,17 @@ struct vtkRadiancePlanner::Internals
         made = filtered.Get();
         break;
       }
+      case LAYERED:
+      {
+        vtkNew<vtkLayeredRadianceIntegrator> layered;
+        layered->SetNumberOfRows(candidate.Sizes[0]);
+        layered->SetNumberOfViewAngles(candidate.Sizes[1]);
+        layered->SetNumberOfAzimuths(candidate.Sizes[2]);
+        layered->SetNumberOfSamples(candidate.Sizes[3]);
+        layered->SetMaximumNumberOfLights(MaximumLights);
+        made = layered.Get();
+        break;
+      }
       default:
       {
         vtkNew<vtkTableRadianceIntegrator> table;
@@ -299,6 +350,12 @@ struct vtkRadiancePlanner::Internals
       return false;
     }
     candidate.SetUp = GetMilliseconds(start);
+    if (candidate.Integrator->UsesBRDFOnGPU())
+    {
+      vtkBRDFGPUForm form;
+      this->BRDF->GetGPUForm(form);
+      candidate.Bytes += static_cast<vtkIdType>(form.GetTextureBytes());
+    }
     if (!candidate.Integrator->Integrate(this->Normals, this->Views, radiance))
     {
       return false;
@@ -397,12 +454,25 @@ bool vtkRadiancePlanner::Update()
     {
       Candidate table(TABLE, sizes[0], sizes[1], sizes[2]);
       table.Cost = BaseCost + TableCost;
-      table.Bytes = TableBytes + 6 * static_cast<vtkIdType>(2 * (sizes[0] - 1)) * sizes[0] *
-                                   sizes[1] * (sizes[2] + 1);
+      table.Bytes = GetTableBytes(sizes);
       wanted.push_back(table);
     }
+    const int lights = static_cast<int>(measuredbrdf::BrightTexels(
+      impl.Environment, measuredbrdf::BrightTexels::DefaultShare, MaximumLights)
+                                          .Lights.size());
+    for (const auto& sizes : LayerSizes)
+    {
+      Candidate layered(LAYERED, sizes[0], sizes[1], sizes[2], sizes[3]);
+      layered.Cost = BaseCost + TableCost + SampleCost * sizes[3] + LightCost * lights;
+      layered.Bytes =
+        GetTableBytes(sizes) + 32 * lights + (sizes[3] > 0 ? GetPyramidBytes(impl.Environment) : 0);
+      if (lights > 0 || sizes[3] > 0) // else a table
+      {
+        wanted.push_back(layered);
+      }
+    }
   }
-  // What tables cannot do: gloss finer than their rows, and anisotropy.
+  // For anisotropic materials, and to compare with.
   for (const int count : LightCounts)
   {
     Candidate lights(LIGHT_SET, count);
@@ -417,8 +487,8 @@ bool vtkRadiancePlanner::Update()
   {
     Candidate samples(FILTERED, count);
     samples.Cost = BaseCost + SampleCost * count;
-    samples.Bytes = 5600000;
-    if (isotropic && (this->EvaluateAll || count <= FewSamples))
+    samples.Bytes = GetPyramidBytes(impl.Environment);
+    if (isotropic && this->EvaluateAll)
     {
       wanted.push_back(samples);
     }
@@ -444,17 +514,15 @@ bool vtkRadiancePlanner::Update()
     return false;
   }
   std::stable_sort(wanted.begin(), wanted.end(),
-    [](const Candidate& a, const Candidate& b) { return a.Cost < b.Cost; });
+    [](const Candidate& a, const Candidate& b) { return GetOrder(a) < GetOrder(b); });
 
-  if (!impl.MakeReference(Pairs, Lights, this->ViewDirection))
+  if (!impl.MakeReference(this->ViewDirection))
   {
     return false;
   }
   std::vector<Candidate> tried;
   int choice = -1;
   bool meets = false;
-  bool glossy = false;
-  bool hopeless = false;
   for (std::size_t k = 0; k < wanted.size() && !this->Abort; ++k)
   {
     Candidate& candidate = wanted[k];
@@ -463,27 +531,14 @@ bool vtkRadiancePlanner::Update()
     {
       break;
     }
-    // Nor can the next size of a table mend what is wrong by an order of magnitude.
-    if (hopeless && !this->EvaluateAll && k + 1 < wanted.size() &&
-        wanted[k + 1].Method == candidate.Method)
+    if (!this->EvaluateAll && IsHopeless(candidate, tried, this->ErrorTolerance))
     {
-      hopeless = false;
       continue;
     }
     if (!impl.Try(candidate))
     {
       return false;
     }
-    if (candidate.Method == TABLE && candidate.Sizes[0] >= 33 && candidate.Error > GlossyError &&
-        !glossy)
-    {
-      glossy = true;
-      if (!impl.MakeReference(GlossyPairs, GlossyLights, this->ViewDirection))
-      {
-        return false;
-      }
-    }
-    hopeless = candidate.Error > HopelessRatio * this->ErrorTolerance;
     tried.push_back(candidate);
     const int last = static_cast<int>(tried.size()) - 1;
     if (!meets && candidate.Error <= this->ErrorTolerance)
@@ -588,7 +643,9 @@ std::string vtkRadiancePlanner::GetDescription(int index)
       return first + " samples";
     default:
       return first + " rows x " + std::to_string(sizes[1]) + " view angles x " +
-             std::to_string(sizes[2]) + " azimuths";
+             std::to_string(sizes[2]) + " azimuths" +
+             (sizes[3] > 0 ? ", " + std::to_string(sizes[3]) + " samples" : std::string()) +
+             (this->GetMethod(index) == LAYERED ? ", suns as lights" : "");
   }
 }
 

@@ -9,15 +9,16 @@
  * sizes) from the cheapest on and chooses the first that meets the tolerance: no more than the
  * scene needs. Errors are relative L1 over a sphere, mean |x - r| / mean r, and are predicted by
  * trying: each candidate is prepared and compared on some hundred (normal, view) pairs, drawn as a
- * sphere shows them, with a sum over thousands of lights of a variance light set (whose own error
- * falls as 1/N and is part of the prediction); one standard error of that sample is added. Costs
+ * sphere shows them, with a nearly exact sum (suns and lamps apart, thousands of lights for what is
+ * broad, thousands of directions for what is sharp); one standard error of that sample is added.
+ * Costs
  * are nanoseconds per covered pixel, as measured on Mesa's llvmpipe per table, light, sample or
  * function: on other renderers only their order counts.
  *
- * Tables of radiance cost the same few fetches at every size, so their sizes are tried in turn,
- * smallest first. Where no candidate meets the tolerance, the most accurate one is chosen and the
- * reason says so. A plan is made again when the material, the environment's pixels or the settings
- * changed; a rotation of the environment changes nothing.
+ * The order of the candidates counts 10 ns a pixel for every megabyte of texture on top: tables of
+ * radiance cost the same few fetches at every size. Where no candidate meets the tolerance, the
+ * most accurate one is chosen and the reason says so. A plan is made again when the material, the
+ * environment's pixels or the settings changed; a rotation of the environment changes nothing.
  */
 
 #ifndef vtkRadiancePlanner_h
@@ -47,7 +48,8 @@ public:
     LIGHT_SET = 0, // variance light set, soft
     BASIS = 1,
     FILTERED = 2,
-    TABLE = 3
+    TABLE = 3,
+    LAYERED = 4
   };
 
   ///@{
@@ -135,9 +137,9 @@ public:
    */
   int GetNumberOfCandidates();
   int GetMethod(int index);
-  std::string GetMethodName(int index);       // "light-set", "basis", "filtered", "table"
-  std::string GetDescription(int index);      // sizes
-  double GetPredictedError(int index);        // relative L1
+  std::string GetMethodName(int index);  // "light-set", "basis", "filtered", "table", "layered"
+  std::string GetDescription(int index); // sizes
+  double GetPredictedError(int index);   // relative L1
   double GetPredictedMilliseconds(int index); // of NumberOfPixels
   vtkIdType GetTextureBytes(int index);
   double GetSetUpMilliseconds(int index);

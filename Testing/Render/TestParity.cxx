@@ -20,6 +20,7 @@
 #include "vtkFilteredRadianceIntegrator.h"
 #include "vtkFloatArray.h"
 #include "vtkLambertBRDF.h"
+#include "vtkLayeredRadianceIntegrator.h"
 #include "vtkLightSet.h"
 #include "vtkLightSetIntegrator.h"
 #include "vtkMeasuredBRDFMapper.h"
@@ -599,6 +600,26 @@ TEST_F(Parity, FilteredIntegrator)
       }
     }
   }
+}
+
+// Table, samples and lights in one shader.
+TEST_F(Parity, LayeredIntegrator)
+{
+  vtkNew<vtkEnvironment> hall;
+  hall->SetToProceduralHall();
+  hall->SetRotationY(33.0);
+  vtkNew<vtkAshikhminShirleyBRDF> coated;
+  coated->SetDiffuse(0.3, 0.2, 0.1);
+  coated->SetExponents(1000.0, 1000.0);
+  this->Mapper->SetBRDF(coated);
+  this->Mapper->SetEnvironment(hall);
+  vtkNew<vtkLayeredRadianceIntegrator> integrator;
+  const double error = this->GetIntegratorError(integrator);
+  EXPECT_GT(integrator->GetNumberOfLights(), 0);
+  EXPECT_TRUE(integrator->GetHasSharpLayer());
+  std::printf("%d lights: %.2e\n", integrator->GetNumberOfLights(), error);
+  EXPECT_GT(error, 0.0);
+  EXPECT_LT(error, 2e-3);
 }
 
 TEST_F(Parity, TurnedAwayNormalsAreFinite)

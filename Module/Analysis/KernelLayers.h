@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * An isotropic material in two layers that add up to it: a broad one, what a coarse table can
+ * resolve, and the sharp rest. Private to the module.
+ */
+
+#ifndef KernelLayers_h
+#define KernelLayers_h
+
+#include "vtkBRDF.h"
+
+#include <glm/glm.hpp>
+
+#include <memory>
+#include <vector>
+
+namespace measuredbrdf
+{
+/**
+ * Per view the kernel f cos(theta_i), less its Lambert part, is cut at the height at which all of
+ * its energy would fill the solid angle: what is above is narrower than that angle (Markov's
+ * inequality). Both are tabulated over the view's polar angle and interpolated.
+ */
+class KernelCut
+{
+public:
+  /// Of a prepared, isotropic BRDF; solidAngle > 0 in sr.
+  KernelCut(vtkBRDF* brdf, double solidAngle);
+
+  /// f's broad part, 0 <= result <= f.
+  glm::dvec3 GetBroad(const glm::dvec3& f, const glm::dvec3& i, const glm::dvec3& o) const;
+
+  /// Largest share that the sharp part has of a view's directional albedo.
+  double GetSharpShare() const { return this->SharpShare; }
+
+private:
+  struct View
+  {
+    glm::dvec3 Floor;
+    double Height; // of the sum of all channels
+  };
+  std::vector<View> Views;
+  double SharpShare = 0.0;
+};
+
+/// One of the two layers of a material.
+class KernelLayer : public vtkBRDF
+{
+public:
+  static KernelLayer* New();
+  vtkTypeMacro(KernelLayer, vtkBRDF);
+
+  void Set(vtkBRDF* brdf, const std::shared_ptr<KernelCut>& cut, bool sharp);
+
+  void GetDirectionalAlbedo(const double o[3], double albedo[3]) override;
+  void GetBounds(double minimumCosine, double lower[3], double upper[3]) override;
+  /// None: layers are integrated, not drawn.
+  void GetGPUForm(vtkBRDFGPUForm&) override {}
+
+protected:
+  void EvaluateAbove(const double i[3], const double o[3], double f[3]) override;
+  bool SampleAbove(const double o[3], double u1, double u2, double i[3]) override;
+  double PdfAbove(const double i[3], const double o[3]) override;
+
+private:
+  vtkSmartPointer<vtkBRDF> Whole;
+  std::shared_ptr<KernelCut> Cut;
+  bool Sharp = false;
+};
+} // namespace measuredbrdf
+
+#endif

@@ -1,0 +1,202 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkLayeredRadianceIntegrator.h"
+
+#include "BrightTexels.h"
+#include "KernelLayers.h"
+#include "vtkBRDF.h"
+#include "vtkBRDFGPUForm.h"
+#include "vtkCallbackCommand.h"
+#include "vtkEnvironment.h"
+#include "vtkFilteredRadianceIntegrator.h"
+#include "vtkLightSet.h"
+#include "vtkLightSetIntegrator.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkTableRadianceIntegrator.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+using namespace measuredbrdf;
+
+namespace
+{
+constexpr double Pi = 3.14159265358979323846;
+constexpr double ResolvedSquares = 36.0; // of the rows' spacing, that a lobe has to fill
+constexpr double LeastShare = 2e-3;      // of the albedo: below, a sharp layer is not worth it
+}
+
+// Layers are null where there is nothing for them.
+struct vtkLayeredRadianceIntegrator::Internals
+{
+  vtkSmartPointer<vtkTableRadianceIntegrator> Broad;
+  vtkSmartPointer<vtkFilteredRadianceIntegrator> Sharp;
+  vtkSmartPointer<vtkLightSetIntegrator> Lights;
+};
+
+vtkStandardNewMacro(vtkLayeredRadianceIntegrator);
+
+//------------------------------------------------------------------------------
+vtkLayeredRadianceIntegrator::vtkLayeredRadianceIntegrator()
+  : Impl(new Internals)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkLayeredRadianceIntegrator::~vtkLayeredRadianceIntegrator() = default;
+
+//------------------------------------------------------------------------------
+int vtkLayeredRadianceIntegrator::GetNumberOfLights()
+{
+  return this->Impl->Lights ? this->Impl->Lights->GetLightSet()->GetNumberOfLights() : 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkLayeredRadianceIntegrator::GetHasSharpLayer() { return this->Impl->Sharp != nullptr; }
+
+//------------------------------------------------------------------------------
+bool vtkLayeredRadianceIntegrator::Begin()
+{
+  this->Abort = false; // one that an earlier run left
+  if (!this->Environment || this->Environment->GetPixels().empty())
+  {
+    vtkErrorMacro("Prepare: there is no environment, or it is empty.");
+    return false;
+  }
+  if (!this->BRDF->IsIsotropic())
+  {
+    vtkErrorMacro("Prepare: tables of radiance are for isotropic materials; "
+                  << (this->BRDF->GetName().empty() ? "this one" : this->BRDF->GetName())
+                  << " is not.");
+    return false;
+  }
+  Internals made;
+
+  // Lights and what they leave.
+  BrightTexels bright(this->Environment, BrightTexels::DefaultShare, this->MaximumNumberOfLights);
+  vtkSmartPointer<vtkEnvironment> rest = this->Environment;
+  if (!bright.Lights.empty())
+  {
+    rest = vtkSmartPointer<vtkEnvironment>::New();
+    rest->SetPixels(
+      this->Environment->GetWidth(), this->Environment->GetHeight(), std::move(bright.Rest));
+    vtkNew<vtkLightSet> lights;
+    for (const BrightTexels::Light& light : bright.Lights)
+    {
+      lights->AddLight(&light.Direction.x, &light.Irradiance.x);
+    }
+    made.Lights = vtkSmartPointer<vtkLightSetIntegrator>::New();
+    made.Lights->SetBRDF(this->BRDF->GetRenderable());
+    made.Lights->SetLightSet(lights);
+  }
+
+  // Layers of the material.
+  vtkSmartPointer<vtkBRDF> broad = this->BRDF;
+  if (this->NumberOfSamples > 0)
+  {
+    const double spacing = Pi / (this->NumberOfRows - 1);
+    const auto cut = std::make_shared<KernelCut>(this->BRDF, ResolvedSquares * spacing * spacing);
+    if (cut->GetSharpShare() > LeastShare)
+    {
+      const auto layer = [&](bool sharp)
+      {
+        auto brdf = vtkSmartPointer<KernelLayer>::New();
+        brdf->Set(this->BRDF, cut, sharp);
+        return brdf;
+      };
+      broad = layer(false);
+      made.Sharp = vtkSmartPointer<vtkFilteredRadianceIntegrator>::New();
+      made.Sharp->SetBRDF(layer(true));
+      made.Sharp->SetEnvironment(rest);
+      made.Sharp->SetNumberOfSamples(this->NumberOfSamples);
+      made.Sharp->ExtractLightsOff();
+    }
+  }
+  made.Broad = vtkSmartPointer<vtkTableRadianceIntegrator>::New();
+  made.Broad->SetBRDF(broad);
+  made.Broad->SetEnvironment(rest);
+  made.Broad->SetNumberOfRows(this->NumberOfRows);
+  made.Broad->SetNumberOfViewAngles(this->NumberOfViewAngles);
+  made.Broad->SetNumberOfAzimuths(this->NumberOfAzimuths);
+
+  // The table takes longest: its progress is this one's, and it stops where this one is told to.
+  vtkNew<vtkCallbackCommand> follow;
+  follow->SetClientData(this);
+  follow->SetCallback(
+    [](vtkObject* caller, unsigned long, void* self, void* progress)
+    {
+      auto* layered = static_cast<vtkLayeredRadianceIntegrator*>(self);
+      layered->InvokeEvent(vtkCommand::ProgressEvent, progress);
+      static_cast<vtkTableRadianceIntegrator*>(caller)->SetAbort(layered->Abort);
+    });
+  made.Broad->AddObserver(vtkCommand::ProgressEvent, follow);
+  const bool done = made.Broad->Prepare() && (!made.Sharp || made.Sharp->Prepare()) &&
+                    (!made.Lights || made.Lights->Prepare());
+  made.Broad->RemoveObservers(vtkCommand::ProgressEvent);
+  if (!done || this->Abort)
+  {
+    vtkErrorMacro("Prepare: " << (this->Abort ? "aborted." : "a layer cannot be prepared."));
+    return false;
+  }
+  *this->Impl = std::move(made);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkLayeredRadianceIntegrator::IntegratePart(
+  int vtkNotUsed(part), const double n[3], const double o[3], const double t[3], double radiance[3])
+{
+  AddTo(this->Impl->Broad, n, o, t, radiance);
+  if (this->Impl->Sharp)
+  {
+    AddTo(this->Impl->Sharp, n, o, t, radiance);
+  }
+  if (this->Impl->Lights)
+  {
+    AddTo(this->Impl->Lights, n, o, t, radiance);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkLayeredRadianceIntegrator::GetGPUForm(vtkBRDFGPUForm& form)
+{
+  if (!this->Prepare())
+  {
+    return false;
+  }
+  vtkBRDFGPUForm result;
+  vtkRadianceIntegrator* const layers[] = { this->Impl->Broad, this->Impl->Sharp,
+    this->Impl->Lights };
+  for (vtkRadianceIntegrator* layer : layers)
+  {
+    vtkBRDFGPUForm part;
+    if (!layer)
+    {
+      continue;
+    }
+    if (!layer->GetGPUForm(part))
+    {
+      return false;
+    }
+    std::move(part.Terms.begin(), part.Terms.end(), std::back_inserter(result.Terms));
+    result.QuantizationError = std::max(result.QuantizationError, part.QuantizationError);
+    result.Description += (result.Description.empty() ? "" : "; ") + part.Description;
+  }
+  form = std::move(result);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkLayeredRadianceIntegrator::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfRows: " << this->NumberOfRows << "\n";
+  os << indent << "NumberOfViewAngles: " << this->NumberOfViewAngles << "\n";
+  os << indent << "NumberOfAzimuths: " << this->NumberOfAzimuths << "\n";
+  os << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n";
+  os << indent << "MaximumNumberOfLights: " << this->MaximumNumberOfLights << "\n";
+  os << indent << "Lights: " << this->GetNumberOfLights() << "\n";
+  os << indent << "Sharp layer: " << (this->GetHasSharpLayer() ? "yes" : "no") << "\n";
+}

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkLayeredRadianceIntegrator
+ * @brief   suns and lamps as lights, broad reflection from a table, sharp reflection by samples
+ *
+ * Each method where it is best:
+ *
+ * - the few texels that outweigh the environment (BrightTexels: suns, lamps) are evaluated as
+ *   directional lights, exactly; what is left varies far less over the directions;
+ * - the material's kernel f cos(theta_i) is cut, per view, at the height at which all its energy
+ *   would fill the solid angle that the table's rows resolve (36 squares of their spacing). What is
+ *   below is the business of a vtkTableRadianceIntegrator of few rows;
+ * - what is above, a narrow lobe, is left to few samples of the filtered environment
+ *   (vtkFilteredRadianceIntegrator). With NumberOfSamples = 0, or where the material has no such
+ *   part, the table takes all.
+ *
+ * Lights are shaded with vtkBRDF::GetRenderable(), what the graphics card evaluates: materials that
+ * have no GLSL of their own are resampled for that. Isotropic materials only.
+ */
+
+#ifndef vtkLayeredRadianceIntegrator_h
+#define vtkLayeredRadianceIntegrator_h
+
+#include "vtkRadianceIntegrator.h"
+
+#include <memory> // for Internals
+
+class VTKMEASUREDBRDF_EXPORT vtkLayeredRadianceIntegrator : public vtkRadianceIntegrator
+{
+public:
+  static vtkLayeredRadianceIntegrator* New();
+  vtkTypeMacro(vtkLayeredRadianceIntegrator, vtkRadianceIntegrator);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The table's sizes, as vtkTableRadianceIntegrator has them (default 33 x 12 x 16).
+   */
+  vtkSetClampMacro(NumberOfRows, int, 9, 513);
+  vtkGetMacro(NumberOfRows, int);
+  vtkSetClampMacro(NumberOfViewAngles, int, 2, 64);
+  vtkGetMacro(NumberOfViewAngles, int);
+  vtkSetClampMacro(NumberOfAzimuths, int, 4, 64);
+  vtkGetMacro(NumberOfAzimuths, int);
+  ///@}
+
+  ///@{
+  /**
+   * Samples of the sharp layer, default 8, clamped to [0, 1024]; 0: no such layer.
+   */
+  vtkSetClampMacro(NumberOfSamples, int, 0, 1024);
+  vtkGetMacro(NumberOfSamples, int);
+  ///@}
+
+  ///@{
+  /**
+   * Lights taken out of the environment at most, the brightest first; default 16, clamped to
+   * [0, 1024].
+   */
+  vtkSetClampMacro(MaximumNumberOfLights, int, 0, 1024);
+  vtkGetMacro(MaximumNumberOfLights, int);
+  ///@}
+
+  ///@{
+  /**
+   * What the last preparation made of it: lights, and whether there is a sharp layer.
+   */
+  int GetNumberOfLights();
+  bool GetHasSharpLayer();
+  ///@}
+
+  bool GetGPUForm(vtkBRDFGPUForm& form) override;
+  bool UsesBRDFOnGPU() override { return this->GetNumberOfLights() > 0; }
+
+protected:
+  vtkLayeredRadianceIntegrator();
+  ~vtkLayeredRadianceIntegrator() override;
+
+  /// Fails for anisotropic materials.
+  bool Begin() override;
+  void IntegratePart(
+    int part, const double n[3], const double o[3], const double t[3], double radiance[3]) override;
+
+  int NumberOfRows = 33;
+  int NumberOfViewAngles = 12;
+  int NumberOfAzimuths = 16;
+  int NumberOfSamples = 8;
+  int MaximumNumberOfLights = 16;
+
+private:
+  vtkLayeredRadianceIntegrator(const vtkLayeredRadianceIntegrator&) = delete;
+  void operator=(const vtkLayeredRadianceIntegrator&) = delete;
+
+  struct Internals;
+  std::unique_ptr<Internals> Impl;
+};
+
+#endif

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The few texels of an environment that outweigh all others (suns, lamps) as directional lights,
+ * and the rest: what is integrated over a map is the smoother the less of them it holds. Private to
+ * the module.
+ */
+
+#ifndef BrightTexels_h
+#define BrightTexels_h
+
+#include <glm/glm.hpp>
+
+#include <vector>
+
+class vtkEnvironment;
+
+namespace measuredbrdf
+{
+struct BrightTexels
+{
+  struct Light
+  {
+    glm::dvec3 Direction;
+    glm::dvec3 Irradiance; // on a surface that faces it
+  };
+
+  static constexpr double DefaultShare = 2e-3;
+
+  /**
+   * Texels that hold more than share of all luminance, and 32 times what they hold in the mean (the
+   * brightest maximum of them); share >= 1: none. The environment is not empty.
+   */
+  BrightTexels(vtkEnvironment* environment, double share, int maximum);
+
+  std::vector<Light> Lights;
+  std::vector<float> Rest; // the pixels, with their neighbours' mean in place of the lights
+};
+} // namespace measuredbrdf
+
+#endif
