@@ -106,7 +106,7 @@ void RunScales(Context& context)
   {
     const std::vector<double> reference = Integrate(contender.Make(brdf, environment), pairs);
     for (const double scale :
-      context.Short ? std::vector<double>{ 1e6 } : std::vector<double>{ 1e-6, 1.0, 1e6 })
+      context.Short ? std::vector<double>{ 1e-6 } : std::vector<double>{ 1e-6, 1.0, 1e6 })
     {
       const vtkSmartPointer<vtkRadianceIntegrator> integrator =
         contender.Make(brdf, Scale(environment, scale));

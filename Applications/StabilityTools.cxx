@@ -12,6 +12,7 @@
 #include "vtkExactIntegrator.h"
 #include "vtkFilteredRadianceIntegrator.h"
 #include "vtkLambertBRDF.h"
+#include "vtkLayeredRadianceIntegrator.h"
 #include "vtkLightSet.h"
 #include "vtkLightSetIntegrator.h"
 #include "vtkMath.h"
@@ -101,6 +102,7 @@ const std::vector<Contender>& GetContenders()
     { "table", true,
       [](vtkBRDF* brdf, vtkEnvironment* environment)
       { return MakeTable(brdf, environment, 65, 12, 16); } },
+    { "layered", true, MakeFor<vtkLayeredRadianceIntegrator> },
     { "auto", true, Plan },
   };
   return contenders;

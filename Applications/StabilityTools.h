@@ -36,7 +36,7 @@ struct Contender
 
 /// Every method, the thesis's first: "median-cut", "importance", "variance" (64 hard lights each),
 /// "thesis" (median cut over the material in harmonics of order 6), "soft-lights", "basis",
-/// "filtered", "table", "auto".
+/// "filtered", "table", "layered", "auto".
 const std::vector<Contender>& GetContenders();
 
 /// Lights by "median-cut", "importance" or "variance".
