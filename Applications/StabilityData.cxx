@@ -79,7 +79,7 @@ std::vector<Oddity> MakeOddities()
     { "no mirror symmetry",
       MakeTable([](std::size_t cell, double value) { return value * (cell % 12 < 6 ? 1.6 : 0.4); },
         vtkTabulatedBRDF::FULL_TURN),
-      { 0.1, { { "table", 0.8 }, { "basis", 0.8 } },
+      { 0.1, { { "table", 0.8 } },
         "taken as symmetric about the plane of incidence; the planner tries and refuses it" } },
     { "negative cells",
       MakeTable(

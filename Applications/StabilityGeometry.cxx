@@ -246,7 +246,7 @@ void RunPoles(Context& context)
           IntegrateExactly(brdf, environment, pairs)),
         { 1.5,
           { { "median-cut", 6.0 }, { "importance", 4.0 }, { "variance", 4.0 }, { "thesis", 6.0 },
-            { "filtered", 2.5 } },
+            { "filtered", 12.0 } },
           "dots of few lights and rays of few samples, not the map" });
     }
   }
