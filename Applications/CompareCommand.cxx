@@ -1,7 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Bases.h"
+#include "FailureMap.h"
 #include "Files.h"
 #include "Inputs.h"
+#include "Measuring.h"
 #include "Meshes.h"
 #include "Methods.h"
 #include "Progress.h"
@@ -11,9 +14,10 @@
 #include "StockScene.h"
 #include "Surface.h"
 #include "Tool.h"
+#include "Watch.h"
 
-#include "vtkDoubleArray.h"
-#include "vtkExactIntegrator.h"
+#include "vtkBRDFFailureMap.h"
+#include "vtkBRDFResampler.h"
 #include "vtkNew.h"
 #include "vtkRadianceMetrics.h"
 #include "vtkVersion.h"
@@ -39,6 +43,8 @@ struct Options
   int ReferencePixels = 1024;
   std::string Output;
   std::string Report;
+  std::string Fit;
+  std::string FailureMap;
   tool::MethodOptions Method;
 };
 
@@ -50,94 +56,12 @@ constexpr int LargestSize = 4096;
 constexpr double Fill = 0.9;
 
 //------------------------------------------------------------------------------
-double Median(std::vector<double> values)
-{
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
-}
-
-//------------------------------------------------------------------------------
 double GetMilliseconds(const std::function<void()>& run)
 {
   const auto begin = std::chrono::steady_clock::now();
   run();
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin)
     .count();
-}
-
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkDoubleArray> MakeArray(const std::vector<double>& values, int components)
-{
-  auto array = vtkSmartPointer<vtkDoubleArray>::New();
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()) / components);
-  std::copy(values.begin(), values.end(), array->GetPointer(0));
-  return array;
-}
-
-//------------------------------------------------------------------------------
-/// The surface's pixels as pixels of a small picture: one each of its grid.
-struct Grid
-{
-  Grid(const tool::Surface& surface, const tool::Size& size)
-    : Surface(surface)
-    , ImageWidth(size.Width)
-    , Width((size.Width - surface.Stride / 2 + surface.Stride - 1) / surface.Stride)
-    , Height((size.Height - surface.Stride / 2 + surface.Stride - 1) / surface.Stride)
-  {
-  }
-
-  /// Where pixel k of the surface lies in the small picture.
-  int Find(std::size_t k) const
-  {
-    const int x = this->Surface.Pixels[k] % this->ImageWidth / this->Surface.Stride;
-    const int y = this->Surface.Pixels[k] / this->ImageWidth / this->Surface.Stride;
-    return y * this->Width + x;
-  }
-
-  /// Linear RGB, alpha 1 where there is a pixel of the surface.
-  tool::Picture Draw(const std::vector<double>& rgb) const
-  {
-    tool::Picture picture(this->Width, this->Height);
-    for (std::size_t k = 0; k < this->Surface.Pixels.size(); ++k)
-    {
-      float* pixel = &picture.Pixels[4 * static_cast<std::size_t>(this->Find(k))];
-      std::copy_n(&rgb[3 * k], 3, pixel);
-      pixel[3] = 1.0f;
-    }
-    return picture;
-  }
-
-  const tool::Surface& Surface;
-  int ImageWidth;
-  int Width;
-  int Height;
-};
-
-//------------------------------------------------------------------------------
-void Measure(vtkRadianceMetrics* metrics, const Grid& grid, const std::vector<double>& rgb,
-  const std::vector<double>& reference)
-{
-  std::vector<double> pictures[2];
-  std::vector<double> coverage;
-  for (const bool isReference : { false, true })
-  {
-    const tool::Picture picture = grid.Draw(isReference ? reference : rgb);
-    for (std::size_t k = 0; k < picture.Pixels.size(); ++k)
-    {
-      std::vector<double>& part = k % 4 == 3 ? coverage : pictures[isReference];
-      if (k % 4 != 3 || isReference)
-      {
-        part.push_back(picture.Pixels[k]);
-      }
-    }
-  }
-  if (!metrics->Compare(MakeArray(rgb, 3), MakeArray(reference, 3)) ||
-      !metrics->ComparePictures(grid.Width, grid.Height, MakeArray(pictures[0], 3),
-        MakeArray(pictures[1], 3), MakeArray(coverage, 1)))
-  {
-    throw tool::Error("compare: " + tool::TakeErrorText());
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -157,17 +81,18 @@ struct Comparison
 nlohmann::ordered_json MakeReport(const Options& options, const Comparison& found)
 {
   vtkRadianceMetrics* metrics = found.Metrics;
-  return { { "method", options.Method.Method }, { "relative_l1", metrics->GetRelativeL1() },
-    { "relative_rmse", metrics->GetRelativeRMSE() },
-    { "median_relative", metrics->GetMedianRelative() },
-    { "p99_relative", metrics->GetP99Relative() }, { "smape", metrics->GetSMAPE() },
-    { "flip", metrics->GetFLIP() }, { "delta_e_itp", metrics->GetDeltaEITP() },
-    { "frame_ms", found.Frame }, { "pbr_frame_ms", found.StockFrame },
+  nlohmann::ordered_json report = { { "method", options.Method.Method } };
+  for (const tool::Metric& metric : tool::GetMetrics())
+  {
+    report[metric.Name] = metric.Get(metrics);
+  }
+  report.update({ { "frame_ms", found.Frame }, { "pbr_frame_ms", found.StockFrame },
     { "pbr_relative_l1", found.StockMetrics->GetRelativeL1() }, { "setup_ms", found.Setup },
     { "pbr_setup_ms", found.StockSetup }, { "pbr_flip", found.StockMetrics->GetFLIP() },
     { "pbr_material", { { "roughness", found.Stock.Roughness },
                         { "metallic", found.Stock.Metallic }, { "albedo", found.Stock.Albedo } } },
-    { "frames", NumberOfFrames }, { "vtk", vtkVersion::GetVTKVersion() } };
+    { "frames", NumberOfFrames }, { "vtk", vtkVersion::GetVTKVersion() } });
+  return report;
 }
 
 //------------------------------------------------------------------------------
@@ -176,6 +101,67 @@ std::string FormatPercent(double share)
   char text[32];
   std::snprintf(text, sizeof(text), "%.3g %%", 100.0 * share);
   return text;
+}
+
+//------------------------------------------------------------------------------
+// What is evaluated in place of the material: the form on the GPU where the method has one.
+vtkBRDF* GetShaded(const tool::Method& method)
+{
+  return method.Integrator->UsesBRDFOnGPU() ? method.BRDF->GetRenderable() : method.BRDF.Get();
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkBRDFFailureMap> MakeFailureMap(vtkBRDF* reference, const tool::Method& method)
+{
+  auto map = vtkSmartPointer<vtkBRDFFailureMap>::New();
+  map->SetReference(reference);
+  map->SetBRDF(GetShaded(method));
+  if (!tool::Watch(map.Get(), &vtkBRDFFailureMap::Update, "mapping failures"))
+  {
+    throw tool::Error("compare: --failure-map: " + tool::TakeErrorText());
+  }
+  return map;
+}
+
+//------------------------------------------------------------------------------
+void WriteFailureMap(const Options& options, const std::string& title, const tool::Method& method,
+  vtkBRDFFailureMap* map, const std::vector<tool::ViewError>& views)
+{
+  tool::FailureCaption caption;
+  caption.Title = title;
+  caption.Method = options.Method.Method;
+  vtkBRDF* shaded = GetShaded(method);
+  caption.Note =
+    shaded == map->GetReference()
+      ? "The method takes the material's own f: its errors are those of the integral alone (right)."
+      : "f as " + tool::DescribeForm(shaded) + ": relative L1 " +
+          FormatPercent(map->GetRelativeL1()) + ".";
+  caption.Note += " Each cell: mean |f - r| over mean r, all azimuths. Grey: below the horizon.";
+  tool::WriteFailureMap(options.FailureMap, caption, map, views);
+}
+
+//------------------------------------------------------------------------------
+void AddFailures(
+  vtkBRDFFailureMap* map, const std::vector<tool::ViewError>& views, nlohmann::ordered_json& report)
+{
+  report["brdf_relative_l1"] = map->GetRelativeL1();
+  report["brdf_log_cosine"] =
+    vtkBRDFResampler::GetLogCosineDistance(map->GetReference(), map->GetBRDF());
+  report["worst_angles"] = nlohmann::ordered_json::array();
+  for (int k = 0; k < map->GetNumberOfWorstAngles(); ++k)
+  {
+    double angles[3];
+    map->GetWorstAngles(k, angles);
+    report["worst_angles"].push_back({ { "theta_i", angles[0] }, { "theta_o", angles[1] },
+      { "phi", angles[2] }, { "error", map->GetWorstError(k) } });
+  }
+  report["radiance_by_theta_o"] = nlohmann::ordered_json::array();
+  for (const tool::ViewError& view : views)
+  {
+    report["radiance_by_theta_o"].push_back(
+      { { "begin", view.Begin }, { "end", view.End }, { "pixels", view.NumberOfPixels },
+        { "relative_l1", view.RelativeL1 }, { "p99_relative", view.P99 } });
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -267,7 +253,7 @@ tool::Picture MakeTile(tool::Picture picture, double exposure)
 //------------------------------------------------------------------------------
 // Method, exact, signed error and PBR beside each other.
 void WriteSheet(const Options& options, const std::string& title, const Comparison& found,
-  const Grid& grid, const std::vector<double>& rgb, const std::vector<double>& reference,
+  const tool::Grid& grid, const std::vector<double>& rgb, const std::vector<double>& reference,
   const tool::Picture& drawn, const tool::Picture& stock)
 {
   std::vector<double> sorted = reference;
@@ -323,13 +309,13 @@ void TimeFrames(tool::Stage& scene, tool::Stage& stock, Comparison& found)
       stockFrames.push_back(stockFrame);
     }
   }
-  found.Frame = Median(frames);
-  found.StockFrame = Median(stockFrames);
+  found.Frame = tool::Median(frames);
+  found.StockFrame = tool::Median(stockFrames);
 }
 
 //------------------------------------------------------------------------------
 void PrintSummary(
-  const std::string& title, const Options& options, const Comparison& found, const Grid& grid)
+  const std::string& title, const Options& options, const Comparison& found, const tool::Grid& grid)
 {
   const auto line =
     [](const std::string& name, vtkRadianceMetrics* metrics, double frame, double setup)
@@ -347,24 +333,17 @@ void PrintSummary(
 }
 
 //------------------------------------------------------------------------------
-std::vector<double> SumExactly(
-  vtkBRDF* brdf, vtkEnvironment* environment, const tool::Surface& surface)
-{
-  vtkNew<vtkExactIntegrator> exact;
-  exact->SetBRDF(brdf);
-  exact->SetEnvironment(environment);
-  return tool::IntegratePairs(exact, surface.Normals, surface.Views);
-}
-
-//------------------------------------------------------------------------------
 void Check(Options& options, const CLI::App* command)
 {
   options.Method.Check(command);
-  if (!options.Output.empty() && tool::Extension(options.Output) != ".png")
+  for (const std::string& path : { options.Output, options.FailureMap })
   {
-    throw tool::UsageError(options.Output + ": the picture must end in .png");
+    if (!path.empty() && tool::Extension(path) != ".png")
+    {
+      throw tool::UsageError(path + ": the picture must end in .png");
+    }
   }
-  for (const std::string& path : { options.Output, options.Report })
+  for (const std::string& path : { options.Output, options.FailureMap, options.Report })
   {
     if (!path.empty())
     {
@@ -381,6 +360,7 @@ void Run(Options& options, const CLI::App* command)
   Check(options, command);
   const tool::Interruptible interruptible;
   const tool::Material material = tool::LoadMaterial(options.File);
+  const tool::Material shaded = options.Fit.empty() ? material : tool::LoadMaterial(options.Fit);
   const vtkSmartPointer<vtkEnvironment> environment = tool::LoadEnvironment(options.Environment);
   const vtkSmartPointer<vtkPolyData> mesh =
     options.Mesh.empty() ? tool::MakeSphere() : tool::LoadMesh(options.Mesh);
@@ -401,7 +381,7 @@ void Run(Options& options, const CLI::App* command)
   found.Setup = GetMilliseconds(
     [&]()
     {
-      method = tool::MakeMethod(options.Method, material, environment);
+      method = tool::MakeMethod(options.Method, shaded, environment);
       scene.SetMaterial(method.BRDF);
       scene.SetLight(environment, method.Integrator);
       scene.TimeFrame();
@@ -415,14 +395,14 @@ void Run(Options& options, const CLI::App* command)
     });
 
   const tool::Surface surface = tool::FindSurface(mesh, view, Fill, size, options.ReferencePixels);
-  const std::vector<double> reference = SumExactly(material.BRDF, environment, surface);
+  const std::vector<double> reference = tool::SumExactly(material.BRDF, environment, surface);
   const tool::Picture drawn = scene.Render(size.Width, size.Height);
   const std::vector<double> rgb = tool::Pick(drawn, surface);
   found.Stock = stock.Fit(surface, size, reference);
   const tool::Picture stockDrawn = stock.Render(size.Width, size.Height);
-  const Grid grid(surface, size);
-  Measure(found.Metrics, grid, rgb, reference);
-  Measure(found.StockMetrics, grid, tool::Pick(stockDrawn, surface), reference);
+  const tool::Grid grid(surface, size);
+  tool::Measure(found.Metrics, grid, rgb, reference);
+  tool::Measure(found.StockMetrics, grid, tool::Pick(stockDrawn, surface), reference);
   TimeFrames(scene, stock, found);
 
   nlohmann::ordered_json report = MakeReport(options, found);
@@ -443,12 +423,24 @@ void Run(Options& options, const CLI::App* command)
   report["material"] = material.Name;
   report["environment"] = environment->GetName();
   report["renderer"] = scene.GetRendererName();
+  if (!options.Fit.empty())
+  {
+    report["fit"] = shaded.Name;
+  }
+  const std::string title = material.Name + " under " + environment->GetName();
+  if (!options.FailureMap.empty())
+  {
+    const std::vector<tool::ViewError> views =
+      tool::MeasureViews(surface.Normals, surface.Views, rgb, reference);
+    const vtkSmartPointer<vtkBRDFFailureMap> map = MakeFailureMap(material.BRDF, method);
+    WriteFailureMap(options, title, method, map, views);
+    AddFailures(map, views, report);
+  }
   if (!options.Report.empty())
   {
     tool::WriteText(options.Report,
       report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
   }
-  const std::string title = material.Name + " under " + environment->GetName();
   if (!options.Output.empty())
   {
     WriteSheet(options, title, found, grid, rgb, reference, drawn, stockDrawn);
@@ -487,11 +479,20 @@ void AddCompareCommand(CLI::App& app)
       "a sum over the environment's texels")
     ->check(CLI::Range(1, LargestSize * LargestSize));
   command->add_option("--report", options->Report,
-    "JSON file to write: relative_l1, relative_rmse, median_relative, p99_relative, smape, flip, "
-    "delta_e_itp, frame_ms, setup_ms, texture_bytes, lights, predicted_error, the same of VTK's "
+    "JSON file to write: relative_l1, relative_rmse, rel_mse, median_relative, p99_relative, "
+    "smape, flip, hdr_flip, ssim (null where the compared pixels are fewer than 11 x 11), "
+    "delta_e_2000, delta_e_itp, frame_ms, setup_ms, texture_bytes, lights, predicted_error, the "
+    "same of VTK's "
     "shading (pbr_...), and what was compared");
   command->add_option("-o,--output", options->Output,
     "Picture to write, .png: the method, the exact sum, the signed error, VTK's shading");
+  command->add_option("--fit", options->Fit,
+    "Another file of the same material (a fit, a projection): it is rendered, and compared with "
+    "FILE");
+  command->add_option("--failure-map", options->FailureMap,
+    "Picture to write, .png: where the method fails. The error of the f that it shades with over "
+    "(theta_i, theta_o) and over (theta_h, theta_d), that of radiance over theta_o, and the worst "
+    "angles; the report gets brdf_relative_l1, brdf_log_cosine, worst_angles, radiance_by_theta_o");
   command->footer("VTK's shading is vtkOpenGLPolyDataMapper with physically based materials and "
                   "image-based\nlighting, its roughness, metallic part and colour those of least "
                   "error.\n\nExample:\n  measured-brdf compare gold-paint --environment hall "

@@ -60,6 +60,7 @@ int main(int argc, char* argv[])
   tool::AddRenderCommand(app);
   tool::AddPlanCommand(app);
   tool::AddCompareCommand(app);
+  tool::AddChartCommand(app);
   tool::AddGalleryCommand(app);
   tool::AddConvertCommand(app);
   tool::AddAcquireCommand(app);

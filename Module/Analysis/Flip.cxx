@@ -2,22 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Flip.h"
 
-#include "SRGB.h"
-
-#include "vtkSMPTools.h"
+#include "ColourDifference.h"
+#include "SeparableFilter.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace measuredbrdf
 {
 namespace
 {
-using Vector = std::array<double, 3>;
-
 constexpr double Pi = 3.14159265358979323846;
-constexpr double PixelsPerDegree = 67.0;
+// 3840 pixels on 0.7 m, from 0.7 m away.
+constexpr double PixelsPerDegree = 3840.0 * Pi / 180.0;
 
 // The paper's parameters: of the colour difference's exponent and redistribution, of the features'
 // width in degrees and exponent.
@@ -27,63 +26,29 @@ constexpr double KneeValue = 0.95;
 constexpr double FeatureWidth = 0.082;
 constexpr double FeatureExponent = 0.5;
 
-// Linear Rec. 709 -> XYZ, D65.
-constexpr double ToXYZ[3][3] = { { 0.4123907993, 0.3575843394, 0.1804807884 },
-  { 0.2126390059, 0.7151686788, 0.0721923154 }, { 0.0193308187, 0.1191947798, 0.9505321522 } };
-constexpr double FromXYZ[3][3] = { { 3.2409699419, -1.5373831776, -0.4986107603 },
-  { -0.9692436363, 1.8759675015, 0.0415550574 }, { 0.0556300797, -0.2039769589, 1.0569715142 } };
+// Of the ACES curve, input times 0.6: (A x^2 + B x) / (C x^2 + D x + E).
+constexpr double ACES[5] = { 0.36 * 2.51, 0.6 * 0.03, 0.36 * 2.43, 0.6 * 0.59, 0.14 };
+// What an exposure brings to the display's brightest.
+constexpr double ExposureTarget = 0.85;
+constexpr double DarkestMedian = 0x1p-23;
 
-Vector Multiply(const double matrix[3][3], const Vector& v)
-{
-  Vector result;
-  for (int r = 0; r < 3; ++r)
-  {
-    result[r] = matrix[r][0] * v[0] + matrix[r][1] * v[1] + matrix[r][2] * v[2];
-  }
-  return result;
-}
+using Opponent = std::array<Plane, 3>;
 
-// XYZ over that of white.
-Vector ToRelativeXYZ(const Vector& linear)
-{
-  static const Vector white = Multiply(ToXYZ, { 1.0, 1.0, 1.0 });
-  const Vector xyz = Multiply(ToXYZ, linear);
-  return { xyz[0] / white[0], xyz[1] / white[1], xyz[2] / white[2] };
-}
-
-Vector ToOpponent(const Vector& linear)
-{
-  const Vector t = ToRelativeXYZ(linear);
-  return { 116.0 * t[1] - 16.0, 500.0 * (t[0] - t[1]), 200.0 * (t[1] - t[2]) };
-}
-
-Vector FromOpponent(const Vector& opponent)
-{
-  static const Vector white = Multiply(ToXYZ, { 1.0, 1.0, 1.0 });
-  const double y = (opponent[0] + 16.0) / 116.0;
-  return Multiply(FromXYZ,
-    { white[0] * (y + opponent[1] / 500.0), white[1] * y, white[2] * (y - opponent[2] / 200.0) });
-}
-
+//------------------------------------------------------------------------------
 // CIELAB with Hunt's adjustment: colour counts for less where it is dark.
-Vector ToHuntLab(const Vector& linear)
+Colour ToHuntLab(const Colour& linear)
 {
-  Vector t = ToRelativeXYZ(linear);
-  for (double& value : t)
-  {
-    constexpr double delta = 6.0 / 29.0;
-    value =
-      value > delta * delta * delta ? std::cbrt(value) : value / (3.0 * delta * delta) + 4.0 / 29.0;
-  }
-  const double l = 116.0 * t[1] - 16.0;
-  return { l, 0.01 * l * 500.0 * (t[0] - t[1]), 0.01 * l * 200.0 * (t[1] - t[2]) };
+  const Colour lab = ToLab(ToRelativeXYZ(linear));
+  return { lab[0], 0.01 * lab[0] * lab[1], 0.01 * lab[0] * lab[2] };
 }
 
-double HyAB(const Vector& a, const Vector& b)
+//------------------------------------------------------------------------------
+double HyAB(const Colour& a, const Colour& b)
 {
   return std::abs(a[0] - b[0]) + std::hypot(a[1] - b[1], a[2] - b[2]);
 }
 
+//------------------------------------------------------------------------------
 // HyAB -> [0,1]; small differences take most of the range.
 double Redistribute(double hyab)
 {
@@ -95,137 +60,105 @@ double Redistribute(double hyab)
                       : KneeValue + (value - knee) / (largest - knee) * (1.0 - KneeValue);
 }
 
-// Square weights about a pixel.
-struct Kernel
+//------------------------------------------------------------------------------
+// YCxCz: CIELAB without its cube roots.
+Opponent MakeOpponent(int width, int height, const std::vector<double>& linear)
 {
-  int Radius;
-  std::vector<double> Weights;
-
-  template <typename Function>
-  Kernel(int radius, Function weight)
-    : Radius(radius)
+  const Plane empty{ width, height, {} };
+  Opponent planes{ empty, empty, empty };
+  for (std::size_t k = 0; k < linear.size(); k += 3)
   {
-    for (int y = -radius; y <= radius; ++y)
-    {
-      for (int x = -radius; x <= radius; ++x)
-      {
-        this->Weights.push_back(weight(static_cast<double>(x), static_cast<double>(y)));
-      }
-    }
+    const Colour t = ToRelativeXYZ({ linear[k], linear[k + 1], linear[k + 2] });
+    planes[0].Values.push_back(116.0 * t[1] - 16.0);
+    planes[1].Values.push_back(500.0 * (t[0] - t[1]));
+    planes[2].Values.push_back(200.0 * (t[1] - t[2]));
   }
-
-  // The positive weights' sum becomes 1, the negative ones' -1.
-  void Normalize()
-  {
-    double positive = 0.0;
-    double negative = 0.0;
-    for (const double weight : this->Weights)
-    {
-      (weight > 0.0 ? positive : negative) += std::abs(weight);
-    }
-    for (double& weight : this->Weights)
-    {
-      weight /= weight > 0.0 ? positive : negative;
-    }
-  }
-};
-
-struct Image
-{
-  int Width;
-  int Height;
-  std::vector<Vector> Pixels;
-
-  // One channel's sum under a kernel.
-  double Filter(const Kernel& kernel, int x0, int y0, int channel) const
-  {
-    double sum = 0.0;
-    const double* weight = kernel.Weights.data();
-    for (int y = y0 - kernel.Radius; y <= y0 + kernel.Radius; ++y)
-    {
-      const int row = std::clamp(y, 0, this->Height - 1) * this->Width;
-      for (int x = x0 - kernel.Radius; x <= x0 + kernel.Radius; ++x)
-      {
-        sum += *weight++ * this->Pixels[row + std::clamp(x, 0, this->Width - 1)][channel];
-      }
-    }
-    return sum;
-  }
-};
-
-Image MakeOpponent(int width, int height, const std::vector<double>& encoded)
-{
-  Image image{ width, height, {} };
-  for (std::size_t k = 0; k < encoded.size(); k += 3)
-  {
-    image.Pixels.push_back(ToOpponent(
-      { DecodeSRGB(encoded[k]), DecodeSRGB(encoded[k + 1]), DecodeSRGB(encoded[k + 2]) }));
-  }
-  return image;
+  return planes;
 }
 
-// Contrast sensitivity of a channel as a sum of two Gaussians of the distance in degrees.
-Kernel MakeSensitivity(double a1, double b1, double a2, double b2)
+//------------------------------------------------------------------------------
+// exp(-pi^2 d^2 / b) of the distance in degrees, the Fourier transform of a Gaussian of frequency.
+struct Sensitivity
 {
-  constexpr double widest = 0.04; // of all b
-  const int radius =
-    static_cast<int>(std::ceil(3.0 * std::sqrt(widest / (2.0 * Pi * Pi)) * PixelsPerDegree));
-  Kernel kernel(radius,
-    [&](double x, double y)
+  explicit Sensitivity(double b)
+  {
+    constexpr double widest = 0.04; // of all b
+    const double degree = 1.0 / (Pi * std::sqrt(2.0));
+    const int radius =
+      static_cast<int>(std::ceil(3.0 * std::sqrt(widest) * degree * PixelsPerDegree));
+    const double sigma = std::sqrt(b) * degree * PixelsPerDegree;
+    this->Weights = MakeGaussian(sigma, radius);
+    const double share = this->Weights[static_cast<std::size_t>(radius)];
+    this->Sum = std::sqrt(Pi / b) / (share * share);
+  }
+
+  Kernel Weights;
+  double Sum; // over both axes of sqrt(pi/b) exp(...)
+};
+
+//------------------------------------------------------------------------------
+// What the eye sees of each pixel.
+std::vector<Colour> SeeColours(const Opponent& planes)
+{
+  static const Sensitivity light(0.0047), redGreen(0.0053), wide(0.04), narrow(0.025);
+  constexpr double amplitudes[2] = { 34.1, 13.5 }; // of blue-yellow
+  const Plane y = Filter(planes[0], light.Weights, light.Weights);
+  const Plane cx = Filter(planes[1], redGreen.Weights, redGreen.Weights);
+  const Plane cz1 = Filter(planes[2], wide.Weights, wide.Weights);
+  const Plane cz2 = Filter(planes[2], narrow.Weights, narrow.Weights);
+  const double sum1 = amplitudes[0] * wide.Sum;
+  const double sum2 = amplitudes[1] * narrow.Sum;
+  std::vector<Colour> seen;
+  for (std::size_t k = 0; k < y.Values.size(); ++k)
+  {
+    const double cz = (sum1 * cz1.Values[k] + sum2 * cz2.Values[k]) / (sum1 + sum2);
+    const double luminance = (y.Values[k] + 16.0) / 116.0;
+    Colour linear =
+      FromRelativeXYZ({ luminance + cx.Values[k] / 500.0, luminance, luminance - cz / 200.0 });
+    for (double& value : linear)
     {
-      const double z = Pi * Pi * (x * x + y * y) / (PixelsPerDegree * PixelsPerDegree);
-      return a1 * std::sqrt(Pi / b1) * std::exp(-z / b1) +
-             a2 * std::sqrt(Pi / b2) * std::exp(-z / b2);
-    });
-  kernel.Normalize();
+      value = std::clamp(value, 0.0, 1.0);
+    }
+    seen.push_back(ToHuntLab(linear));
+  }
+  return seen;
+}
+
+//------------------------------------------------------------------------------
+// First or second derivative of a Gaussian; the positive weights' sum is 1, the negative ones' -1.
+Kernel MakeDerivative(int order, double sigma, int radius)
+{
+  Kernel kernel;
+  double positive = 0.0;
+  double negative = 0.0;
+  for (int x = -radius; x <= radius; ++x)
+  {
+    const double g = std::exp(-x * x / (2.0 * sigma * sigma));
+    kernel.push_back(order == 1 ? -x * g : (x * x / (sigma * sigma) - 1.0) * g);
+    (kernel.back() > 0.0 ? positive : negative) += std::abs(kernel.back());
+  }
+  for (double& weight : kernel)
+  {
+    weight /= weight > 0.0 ? positive : negative;
+  }
   return kernel;
 }
 
-// What the eye sees of a pixel.
-Vector SeeColour(const Image& image, int x, int y)
-{
-  static const Kernel sensitivity[3] = { MakeSensitivity(1.0, 0.0047, 0.0, 1e-5),
-    MakeSensitivity(1.0, 0.0053, 0.0, 1e-5), MakeSensitivity(34.1, 0.04, 13.5, 0.025) };
-  Vector filtered;
-  for (int c = 0; c < 3; ++c)
-  {
-    filtered[c] = image.Filter(sensitivity[c], x, y, c);
-  }
-  Vector linear = FromOpponent(filtered);
-  for (double& value : linear)
-  {
-    value = std::clamp(value, 0.0, 1.0);
-  }
-  return ToHuntLab(linear);
-}
-
-// Derivatives of a Gaussian along x or y: first (edges) or second (points).
-Kernel MakeDetector(bool point, bool alongY)
+//------------------------------------------------------------------------------
+// Strength of the edge (order 1) or of the point (2) at each pixel, of luminance in [0,1].
+std::vector<double> FindFeatures(const Plane& luminance, int order)
 {
   constexpr double sigma = 0.5 * FeatureWidth * PixelsPerDegree;
-  Kernel kernel(static_cast<int>(std::ceil(3.0 * sigma)),
-    [&](double x, double y)
-    {
-      const double t = alongY ? y : x;
-      const double g = std::exp(-(x * x + y * y) / (2.0 * sigma * sigma));
-      return point ? (t * t / (sigma * sigma) - 1.0) * g : -t * g;
-    });
-  kernel.Normalize();
-  return kernel;
-}
-
-// Strength of the edge and of the point at a pixel.
-std::array<double, 2> FindFeatures(const Image& image, int x, int y)
-{
-  static const Kernel detectors[2][2] = { { MakeDetector(false, false), MakeDetector(false, true) },
-    { MakeDetector(true, false), MakeDetector(true, true) } };
-  std::array<double, 2> strength;
-  for (int k = 0; k < 2; ++k)
+  const int radius = static_cast<int>(std::ceil(3.0 * sigma));
+  const Kernel smooth = MakeGaussian(sigma, radius);
+  const Kernel derivative = MakeDerivative(order, sigma, radius);
+  const Plane alongX = Filter(luminance, derivative, smooth);
+  const Plane alongY = Filter(luminance, smooth, derivative);
+  std::vector<double> strength;
+  for (std::size_t k = 0; k < alongX.Values.size(); ++k)
   {
-    // Of luminance in [0,1]; the offset of Y falls out.
-    strength[k] =
-      std::hypot(image.Filter(detectors[k][0], x, y, 0), image.Filter(detectors[k][1], x, y, 0)) /
-      116.0;
+    // The offset of Y falls out.
+    strength.push_back(std::hypot(alongX.Values[k], alongY.Values[k]) / 116.0);
   }
   return strength;
 }
@@ -235,26 +168,58 @@ std::array<double, 2> FindFeatures(const Image& image, int x, int y)
 std::vector<double> ComputeFlip(
   int width, int height, const std::vector<double>& picture, const std::vector<double>& reference)
 {
-  const Image a = MakeOpponent(width, height, picture);
-  const Image b = MakeOpponent(width, height, reference);
-  std::vector<double> flip(a.Pixels.size());
-  vtkSMPTools::For(0, height,
-    [&](vtkIdType begin, vtkIdType end)
+  const Opponent a = MakeOpponent(width, height, picture);
+  const Opponent b = MakeOpponent(width, height, reference);
+  const std::vector<Colour> seenA = SeeColours(a);
+  const std::vector<Colour> seenB = SeeColours(b);
+  std::vector<double> features(seenA.size(), 0.0);
+  for (const int order : { 1, 2 })
+  {
+    const std::vector<double> f = FindFeatures(a[0], order);
+    const std::vector<double> g = FindFeatures(b[0], order);
+    for (std::size_t k = 0; k < features.size(); ++k)
     {
-      for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y)
-      {
-        for (int x = 0; x < width; ++x)
-        {
-          const double colour = Redistribute(HyAB(SeeColour(a, x, y), SeeColour(b, x, y)));
-          const std::array<double, 2> f = FindFeatures(a, x, y);
-          const std::array<double, 2> g = FindFeatures(b, x, y);
-          const double feature =
-            std::pow(std::max(std::abs(f[0] - g[0]), std::abs(f[1] - g[1])) / std::sqrt(2.0),
-              FeatureExponent);
-          flip[static_cast<std::size_t>(y) * width + x] = std::pow(colour, 1.0 - feature);
-        }
-      }
-    });
+      features[k] = std::max(features[k], std::abs(f[k] - g[k]));
+    }
+  }
+  std::vector<double> flip;
+  for (std::size_t k = 0; k < features.size(); ++k)
+  {
+    const double feature = std::pow(features[k] / std::sqrt(2.0), FeatureExponent);
+    flip.push_back(std::pow(Redistribute(HyAB(seenA[k], seenB[k])), 1.0 - feature));
+  }
   return flip;
+}
+
+//------------------------------------------------------------------------------
+double ToneMapACES(double value)
+{
+  const double mapped =
+    (ACES[0] * value + ACES[1]) * value / ((ACES[2] * value + ACES[3]) * value + ACES[4]);
+  return std::clamp(mapped, 0.0, 1.0);
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> FindExposures(std::vector<double> luminances)
+{
+  // The value that the curve maps to the target: a root of a x^2 + b x + c.
+  constexpr double a = ACES[0] - ExposureTarget * ACES[2];
+  constexpr double b = ACES[1] - ExposureTarget * ACES[3];
+  constexpr double c = -ExposureTarget * ACES[4];
+  const double target = (-b + std::sqrt(b * b - 4.0 * a * c)) / (2.0 * a);
+
+  const auto middle = luminances.begin() + static_cast<std::ptrdiff_t>(luminances.size() / 2);
+  std::nth_element(luminances.begin(), middle, luminances.end());
+  const double largest = *std::max_element(middle, luminances.end());
+  const double median = std::max(*middle, DarkestMedian * largest);
+  const double start = std::log2(target / largest);
+  const double stop = std::log2(target / median);
+  const int count = std::max(2, static_cast<int>(std::ceil(stop - start)));
+  std::vector<double> exposures;
+  for (int k = 0; k < count; ++k)
+  {
+    exposures.push_back(std::exp2(start + k * (stop - start) / (count - 1)));
+  }
+  return exposures;
 }
 } // namespace measuredbrdf

@@ -2,22 +2,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRadianceMetrics.h"
 
+#include "ColourDifference.h"
 #include "Flip.h"
+#include "SRGB.h"
+#include "StructuralSimilarity.h"
 
+#include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkEnvironment.h"
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
 #include <vector>
+
+using namespace measuredbrdf;
 
 vtkStandardNewMacro(vtkRadianceMetrics);
 
 namespace
 {
 constexpr double ReferenceLuminance = 100.0; // cd/m2
+constexpr double RelMSEFloor = 0.01;         // of the squared mean
 
 //------------------------------------------------------------------------------
 // Sorts the values. share in [0,1]; linear between neighbours.
@@ -35,45 +44,108 @@ double GetPercentile(std::vector<double>& values, double share)
 }
 
 //------------------------------------------------------------------------------
-// Perceptual quantizer of ITU-R BT.2100: cd/m2 -> [0,1].
-double EncodePQ(double luminance)
+Colour GetColour(const std::vector<double>& rgb, std::size_t k, double scale = 1.0)
 {
-  constexpr double m1 = 2610.0 / 16384.0;
-  constexpr double m2 = 2523.0 / 4096.0 * 128.0;
-  constexpr double c1 = 3424.0 / 4096.0;
-  constexpr double c2 = 2413.0 / 4096.0 * 32.0;
-  constexpr double c3 = 2392.0 / 4096.0 * 32.0;
-  const double y = std::pow(std::clamp(luminance / 10000.0, 0.0, 1.0), m1);
-  return std::pow((c1 + c2 * y) / (1.0 + c3 * y), m2);
+  return { scale * rgb[3 * k], scale * rgb[3 * k + 1], scale * rgb[3 * k + 2] };
 }
 
 //------------------------------------------------------------------------------
-// Linear Rec. 709 in cd/m2 -> ITP of BT.2124: ICtCp of BT.2100 with Ct halved.
-std::array<double, 3> ToITP(const double rgb[3])
+// Two pictures and where they count.
+struct Pictures
 {
-  // Rec. 2020 (ITU-R BT.2087).
-  const double r = 0.6274 * rgb[0] + 0.3293 * rgb[1] + 0.0433 * rgb[2];
-  const double g = 0.0691 * rgb[0] + 0.9195 * rgb[1] + 0.0114 * rgb[2];
-  const double b = 0.0164 * rgb[0] + 0.0880 * rgb[1] + 0.8956 * rgb[2];
-  const double l = EncodePQ((1688.0 * r + 2146.0 * g + 262.0 * b) / 4096.0);
-  const double m = EncodePQ((683.0 * r + 2951.0 * g + 462.0 * b) / 4096.0);
-  const double s = EncodePQ((99.0 * r + 309.0 * g + 3688.0 * b) / 4096.0);
-  return { 0.5 * (l + m), 0.5 * (6610.0 * l - 13613.0 * m + 7003.0 * s) / 4096.0,
-    (17933.0 * l - 17390.0 * m - 543.0 * s) / 4096.0 };
-}
+  int Width;
+  int Height;
+  std::vector<double> Picture;   // RGB, black where nothing is covered
+  std::vector<double> Reference; // the same
+  std::vector<std::size_t> Covered;
 
-//------------------------------------------------------------------------------
-// Delta E ITP of linear radiance times scale.
-double GetDeltaE(const double x[3], const double r[3], double scale)
-{
-  std::array<std::array<double, 3>, 2> itp;
-  for (int k = 0; k < 2; ++k)
+  /// The same with every value mapped.
+  template <typename Map>
+  Pictures Apply(Map map) const
   {
-    const double* from = k == 0 ? x : r;
-    const double rgb[3] = { scale * from[0], scale * from[1], scale * from[2] };
-    itp[k] = ToITP(rgb);
+    Pictures mapped = *this;
+    std::transform(mapped.Picture.begin(), mapped.Picture.end(), mapped.Picture.begin(), map);
+    std::transform(mapped.Reference.begin(), mapped.Reference.end(), mapped.Reference.begin(), map);
+    return mapped;
   }
-  return 720.0 * std::hypot(itp[0][0] - itp[1][0], itp[0][1] - itp[1][1], itp[0][2] - itp[1][2]);
+
+  double GetCoveredMean(const std::vector<double>& values) const
+  {
+    double sum = 0.0;
+    for (const std::size_t k : this->Covered)
+    {
+      sum += values[k];
+    }
+    return sum / static_cast<double>(this->Covered.size());
+  }
+
+  std::vector<double> GetFlip() const
+  {
+    return ComputeFlip(this->Width, this->Height, this->Picture, this->Reference);
+  }
+};
+
+//------------------------------------------------------------------------------
+Pictures MakePictures(
+  int width, int height, vtkDataArray* radiance, vtkDataArray* reference, vtkDataArray* coverage)
+{
+  Pictures pictures{ width, height, {}, {}, {} };
+  for (vtkIdType k = 0; k < reference->GetNumberOfTuples(); ++k)
+  {
+    const bool covered = !coverage || coverage->GetComponent(k, 0) != 0.0;
+    for (int c = 0; c < 3; ++c)
+    {
+      pictures.Picture.push_back(covered ? radiance->GetComponent(k, c) : 0.0);
+      pictures.Reference.push_back(covered ? reference->GetComponent(k, c) : 0.0);
+    }
+    if (covered)
+    {
+      pictures.Covered.push_back(static_cast<std::size_t>(k));
+    }
+  }
+  return pictures;
+}
+
+//------------------------------------------------------------------------------
+double GetMeanSimilarity(const Pictures& encoded)
+{
+  const auto toLuma = [&](const std::vector<double>& rgb)
+  {
+    Plane plane{ encoded.Width, encoded.Height, {} };
+    for (std::size_t k = 0; k < rgb.size(); k += 3)
+    {
+      plane.Values.push_back(vtkEnvironment::GetLuminance(&rgb[k]));
+    }
+    return plane;
+  };
+  const Plane similarity = ComputeSimilarity(toLuma(encoded.Picture), toLuma(encoded.Reference));
+  const auto isInside = [](int at, int size)
+  { return at >= SimilarityRadius && at < size - SimilarityRadius; };
+  double sum = 0.0;
+  double count = 0.0;
+  for (const std::size_t k : encoded.Covered)
+  {
+    const int x = static_cast<int>(k) % encoded.Width;
+    const int y = static_cast<int>(k) / encoded.Width;
+    if (isInside(x, encoded.Width) && isInside(y, encoded.Height))
+    {
+      sum += similarity.Values[k];
+      count += 1.0;
+    }
+  }
+  return count > 0.0 ? sum / count : std::numeric_limits<double>::quiet_NaN();
+}
+
+//------------------------------------------------------------------------------
+double GetMeanDeltaE2000(const Pictures& linear)
+{
+  double sum = 0.0;
+  for (const std::size_t k : linear.Covered)
+  {
+    sum += GetDeltaE2000(ToLab(ToRelativeXYZ(GetColour(linear.Picture, k))),
+      ToLab(ToRelativeXYZ(GetColour(linear.Reference, k))));
+  }
+  return sum / static_cast<double>(linear.Covered.size());
 }
 }
 
@@ -149,16 +221,26 @@ bool vtkRadianceMetrics::Compare(vtkDataArray* radiance, vtkDataArray* reference
     vtkErrorMacro("The reference is black: no error is relative to it.");
     return false;
   }
+  const double values = 3.0 * static_cast<double>(count);
+  const double scale = ReferenceLuminance * static_cast<double>(count) / luminance;
+  const double floor = RelMSEFloor * total * total / (values * values);
   double deltaE = 0.0;
+  double relativeSquares = 0.0;
   for (vtkIdType k = 0; k < count; ++k)
   {
     radiance->GetTuple(k, x);
     reference->GetTuple(k, r);
-    deltaE += GetDeltaE(x, r, ReferenceLuminance * static_cast<double>(count) / luminance);
+    deltaE += measuredbrdf::GetDeltaEITP(
+      { scale * x[0], scale * x[1], scale * x[2] }, { scale * r[0], scale * r[1], scale * r[2] });
+    for (int c = 0; c < 3; ++c)
+    {
+      const double d = x[c] - r[c];
+      relativeSquares += d * d / (r[c] * r[c] + floor);
+    }
   }
-  const double values = 3.0 * static_cast<double>(count);
   this->RelativeL1 = difference / total;
   this->RelativeRMSE = std::sqrt(squares / values) * values / total;
+  this->RelMSE = relativeSquares / values;
   this->MedianRelative = GetPercentile(relative, 0.5);
   this->P99Relative = GetPercentile(relative, 0.99);
   this->SMAPE = symmetric / values;
@@ -184,14 +266,15 @@ bool vtkRadianceMetrics::ComparePictures(
                                  << count << " tuples were given.");
     return false;
   }
-  const auto covers = [&](vtkIdType k) { return !coverage || coverage->GetComponent(k, 0) != 0.0; };
+  this->Abort = false;
+  const Pictures pictures = MakePictures(width, height, radiance, reference, coverage);
   std::vector<double> channels;
-  for (vtkIdType k = 0; k < 3 * count; ++k)
+  std::vector<double> luminances;
+  for (const std::size_t k : pictures.Covered)
   {
-    if (covers(k / 3))
-    {
-      channels.push_back(reference->GetComponent(k / 3, static_cast<int>(k % 3)));
-    }
+    const Colour colour = GetColour(pictures.Reference, k);
+    channels.insert(channels.end(), colour.begin(), colour.end());
+    luminances.push_back(vtkEnvironment::GetLuminance(colour.data()));
   }
   const double white = GetPercentile(channels, 0.99);
   if (!(white > 0.0))
@@ -199,25 +282,54 @@ bool vtkRadianceMetrics::ComparePictures(
     vtkErrorMacro("The reference is black: nothing to set the exposure by.");
     return false;
   }
-  const auto map = [&](vtkDataArray* array)
+  const Pictures encoded = pictures.Apply(
+    [white](double value) { return std::pow(std::min(value / white, 1.0), 1.0 / 2.2); });
+  const Pictures displayed = encoded.Apply(DecodeSRGB);
+  const double flip = displayed.GetCoveredMean(displayed.GetFlip());
+
+  const std::vector<double> exposures = FindExposures(std::move(luminances));
+  std::vector<double> largest(static_cast<std::size_t>(reference->GetNumberOfTuples()), 0.0);
+  for (std::size_t step = 0; step < exposures.size(); ++step)
   {
-    std::vector<double> encoded;
-    for (vtkIdType k = 0; k < 3 * count; ++k)
+    if (!this->ReportProgress(static_cast<double>(step + 1) / (exposures.size() + 1.0)))
     {
-      const double value = array->GetComponent(k / 3, static_cast<int>(k % 3)) / white;
-      encoded.push_back(covers(k / 3) ? std::pow(std::min(value, 1.0), 1.0 / 2.2) : 0.0);
+      return false;
     }
-    return encoded;
-  };
-  const std::vector<double> flip =
-    measuredbrdf::ComputeFlip(width, height, map(radiance), map(reference));
-  double sum = 0.0;
-  for (vtkIdType k = 0; k < count; ++k)
-  {
-    sum += covers(k) ? flip[static_cast<std::size_t>(k)] : 0.0;
+    const double exposure = exposures[step];
+    const std::vector<double> exposed =
+      pictures.Apply([exposure](double value) { return ToneMapACES(exposure * value); }).GetFlip();
+    for (std::size_t k = 0; k < largest.size(); ++k)
+    {
+      largest[k] = std::max(largest[k], exposed[k]);
+    }
   }
-  this->FLIP = 3.0 * sum / static_cast<double>(channels.size());
+  if (!this->ReportProgress(1.0))
+  {
+    return false;
+  }
+  this->FLIP = flip;
+  this->HDRFLIP = pictures.GetCoveredMean(largest);
+  this->SSIM = GetMeanSimilarity(encoded);
+  this->DeltaE2000 = GetMeanDeltaE2000(displayed);
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRadianceMetrics::ReportProgress(double share)
+{
+  this->InvokeEvent(vtkCommand::ProgressEvent, &share);
+  if (this->Abort)
+  {
+    vtkErrorMacro("ComparePictures was aborted.");
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+double vtkRadianceMetrics::ComputeDeltaE2000(const double lab1[3], const double lab2[3])
+{
+  return measuredbrdf::GetDeltaE2000({ lab1[0], lab1[1], lab1[2] }, { lab2[0], lab2[1], lab2[2] });
 }
 
 //------------------------------------------------------------------------------
@@ -226,9 +338,13 @@ void vtkRadianceMetrics::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "RelativeL1: " << this->RelativeL1 << "\n";
   os << indent << "RelativeRMSE: " << this->RelativeRMSE << "\n";
+  os << indent << "RelMSE: " << this->RelMSE << "\n";
   os << indent << "MedianRelative: " << this->MedianRelative << "\n";
   os << indent << "P99Relative: " << this->P99Relative << "\n";
   os << indent << "SMAPE: " << this->SMAPE << "\n";
   os << indent << "DeltaEITP: " << this->DeltaEITP << "\n";
   os << indent << "FLIP: " << this->FLIP << "\n";
+  os << indent << "HDRFLIP: " << this->HDRFLIP << "\n";
+  os << indent << "SSIM: " << this->SSIM << "\n";
+  os << indent << "DeltaE2000: " << this->DeltaE2000 << "\n";
 }

@@ -15,6 +15,8 @@
 #include "vtkMeasuredBRDFModule.h" // for export macro
 #include "vtkObject.h"
 
+#include <atomic> // for Abort
+
 class vtkDataArray;
 
 class VTKMEASUREDBRDF_EXPORT vtkRadianceMetrics : public vtkObject
@@ -32,11 +34,22 @@ public:
   bool Compare(vtkDataArray* radiance, vtkDataArray* reference);
 
   /**
-   * FLIP of two pictures of width x height pixels, rows one after the other, where coverage (one
-   * component, null: everywhere) is not 0. Elsewhere both are taken as black. Refusals as above.
+   * FLIP, HDRFLIP, SSIM and DeltaE2000 of two pictures of width x height pixels, rows one after the
+   * other, where coverage (one component, null: everywhere) is not 0. Elsewhere both are taken as
+   * black. Refusals as above; also false, the figures unchanged, where it was aborted. Raises
+   * ProgressEvent (calldata: double*).
    */
   bool ComparePictures(int width, int height, vtkDataArray* radiance, vtkDataArray* reference,
     vtkDataArray* coverage = nullptr);
+
+  ///@{
+  /**
+   * Set from an observer or another thread to stop a running ComparePictures, which starts with it
+   * cleared.
+   */
+  void SetAbort(bool abort) { this->Abort = abort; }
+  bool GetAbort() { return this->Abort; }
+  ///@}
 
   ///@{
   /**
@@ -45,6 +58,12 @@ public:
   vtkGetMacro(RelativeL1, double);
   vtkGetMacro(RelativeRMSE, double);
   ///@}
+
+  /**
+   * Mean of (x - r)^2 / (r^2 + e) over pixels and channels, e = 0.01 (mean r)^2 (Rousselle et al.
+   * 2011, whose 0.01 is for pictures of a mean about 1).
+   */
+  vtkGetMacro(RelMSE, double);
 
   ///@{
   /**
@@ -73,23 +92,55 @@ public:
    */
   vtkGetMacro(FLIP, double);
 
+  /**
+   * Mean HDR-FLIP (Andersson et al. 2021) of the covered pixels, in [0,1], of the last
+   * ComparePictures: each pixel's largest FLIP over exposures about a stop apart, from that which
+   * shows the covered reference's brightest pixel to that which shows its median (taken as 2^-23 of
+   * the brightest where it is darker), tone mapped by the ACES curve.
+   */
+  vtkGetMacro(HDRFLIP, double);
+
+  /**
+   * Mean structural similarity (Wang et al. 2004) of the last ComparePictures, in [-1,1], 1 where
+   * both are alike: of the luma (Rec. 709) of the pictures that FLIP sees, 11 x 11 Gaussian windows
+   * about covered pixels 5 or more from the border; NaN where there is none.
+   */
+  vtkGetMacro(SSIM, double);
+
+  /**
+   * Mean CIEDE2000 colour difference of the covered pixels of the last ComparePictures, 1 about
+   * what can just be told apart: of the pictures that FLIP sees, on an sRGB display.
+   */
+  vtkGetMacro(DeltaE2000, double);
+
+  /**
+   * CIEDE2000 difference of two CIELAB colours (Sharma, Wu, Dalal 2005).
+   */
+  static double ComputeDeltaE2000(const double lab1[3], const double lab2[3]);
+
 protected:
   vtkRadianceMetrics() = default;
   ~vtkRadianceMetrics() override = default;
 
   double RelativeL1 = 0.0;
   double RelativeRMSE = 0.0;
+  double RelMSE = 0.0;
   double MedianRelative = 0.0;
   double P99Relative = 0.0;
   double SMAPE = 0.0;
   double DeltaEITP = 0.0;
   double FLIP = 0.0;
+  double HDRFLIP = 0.0;
+  double SSIM = 0.0;
+  double DeltaE2000 = 0.0;
+  std::atomic<bool> Abort{ false };
 
 private:
   vtkRadianceMetrics(const vtkRadianceMetrics&) = delete;
   void operator=(const vtkRadianceMetrics&) = delete;
 
   bool Check(vtkDataArray* radiance, vtkDataArray* reference);
+  bool ReportProgress(double share);
 };
 
 #endif

@@ -12,6 +12,9 @@
 
 #include <glm/gtc/type_ptr.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numeric>
 
@@ -306,4 +309,40 @@ double vtkBRDFResampler::GetZoneRelativeL2Error(vtkBRDF* a, vtkBRDF* b, const do
   }
   return Compare(
     MakeProbes(a, ChoosingProbes, pairs, ToZone(incident), ToZone(outgoing)), b, maximum);
+}
+
+//------------------------------------------------------------------------------
+double vtkBRDFResampler::GetLogCosineDistance(vtkBRDF* a, vtkBRDF* b, int pairs)
+{
+  if (!a || !b || pairs < 1)
+  {
+    vtkGenericWarningMacro("GetLogCosineDistance: expected two BRDFs and at least one pair.");
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  a->Prepare();
+  b->Prepare();
+  const double steepest = std::acos(MinimumViewCosine);
+  double sum = 0.0;
+  for (int k = 0; k < pairs; ++k)
+  {
+    const std::uint32_t n = static_cast<std::uint32_t>(k) + 1;
+    const double thetaO = steepest * RadicalInverse(n, 2);
+    const double phiO = 2.0 * Pi * RadicalInverse(n, 3);
+    const double c = 1.0 - RadicalInverse(n, 5);
+    const double s = std::sqrt(std::max(1.0 - c * c, 0.0));
+    const double phiI = 2.0 * Pi * RadicalInverse(n, 7);
+    const double o[3] = { std::sin(thetaO) * std::cos(phiO), std::sin(thetaO) * std::sin(phiO),
+      std::cos(thetaO) };
+    const double i[3] = { s * std::cos(phiI), s * std::sin(phiI), c };
+    double f[3];
+    double g[3];
+    a->Evaluate(i, o, f);
+    b->Evaluate(i, o, g);
+    for (int channel = 0; channel < 3; ++channel)
+    {
+      const double difference = std::log1p(f[channel] * c) - std::log1p(g[channel] * c);
+      sum += difference * difference;
+    }
+  }
+  return std::sqrt(sum / (3.0 * pairs));
 }

@@ -105,6 +105,15 @@ public:
   static double GetZoneRelativeL2Error(vtkBRDF* a, vtkBRDF* b, const double incident[2],
     const double outgoing[2], int pairs = 1 << 17, double* maximum = nullptr);
 
+  /**
+   * Log-cosine distance (Low et al. 2012), sqrt(mean of (ln(1 + a c) - ln(1 + b c))^2) with c =
+   * cos(theta_i), over channels, i evenly over the hemisphere's solid angle, and o evenly over its
+   * polar angle up to a cosine of 0.02. In this measure a highlight does not outweigh all else: 0
+   * is alike, 0.01 about 1 % of f where f c is large, and an absolute 0.01/sr where it is small.
+   * From `pairs` low-discrepancy pairs. NaN with a warning without two BRDFs or pairs.
+   */
+  static double GetLogCosineDistance(vtkBRDF* a, vtkBRDF* b, int pairs = 1 << 17);
+
 protected:
   vtkBRDFResampler() = default;
   ~vtkBRDFResampler() override = default;

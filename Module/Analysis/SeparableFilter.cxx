@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SeparableFilter.h"
+
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace measuredbrdf
+{
+namespace
+{
+//------------------------------------------------------------------------------
+// result(x, y) = sum over k of kernel[k] plane(x + k dx, y + k dy).
+Plane FilterAlong(const Plane& plane, const Kernel& kernel, int dx, int dy)
+{
+  Plane result{ plane.Width, plane.Height, std::vector<double>(plane.Values.size()) };
+  const int radius = static_cast<int>(kernel.size() / 2);
+  vtkSMPTools::For(0, plane.Height,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y)
+      {
+        for (int x = 0; x < plane.Width; ++x)
+        {
+          double sum = 0.0;
+          for (int k = -radius; k <= radius; ++k)
+          {
+            const int column = std::clamp(x + k * dx, 0, plane.Width - 1);
+            const int row = std::clamp(y + k * dy, 0, plane.Height - 1);
+            sum += kernel[static_cast<std::size_t>(k + radius)] *
+                   plane.Values[static_cast<std::size_t>(row) * plane.Width + column];
+          }
+          result.Values[static_cast<std::size_t>(y) * plane.Width + x] = sum;
+        }
+      }
+    });
+  return result;
+}
+}
+
+//------------------------------------------------------------------------------
+Kernel MakeGaussian(double sigma, int radius)
+{
+  Kernel kernel;
+  double sum = 0.0;
+  for (int x = -radius; x <= radius; ++x)
+  {
+    kernel.push_back(std::exp(-x * x / (2.0 * sigma * sigma)));
+    sum += kernel.back();
+  }
+  for (double& weight : kernel)
+  {
+    weight /= sum;
+  }
+  return kernel;
+}
+
+//------------------------------------------------------------------------------
+Plane Filter(const Plane& plane, const Kernel& alongX, const Kernel& alongY)
+{
+  return FilterAlong(FilterAlong(plane, alongX, 1, 0), alongY, 0, 1);
+}
+} // namespace measuredbrdf

@@ -1,0 +1,296 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkBRDFFailureMap.h"
+
+#include "HalfVector.h"
+
+#include "vtkCommand.h"
+#include "vtkDoubleArray.h"
+#include "vtkImageData.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+using namespace measuredbrdf;
+
+vtkStandardNewMacro(vtkBRDFFailureMap);
+
+namespace
+{
+constexpr double Degree = Pi / 180.0;
+constexpr double MinimumCosine = 0.02; // of what is shaded
+constexpr double GoldenRatio = 0.61803398874989485;
+constexpr int LargestNumberOfWorst = 5;
+constexpr double WorstDistance = 10.0; // degrees
+
+//------------------------------------------------------------------------------
+// Sums over the azimuths of a cell and over channels.
+struct Cell
+{
+  double Difference = 0.0;
+  double Reference = 0.0;
+  double Largest = -1.0; // difference at one azimuth
+  double Azimuth = 0.0;  // of that, in degrees
+
+  double GetError() const
+  {
+    return this->Reference > 0.0 ? this->Difference / this->Reference
+                                 : std::numeric_limits<double>::quiet_NaN();
+  }
+};
+
+//------------------------------------------------------------------------------
+glm::dvec3 Turn(const glm::dvec3& v, double azimuth)
+{
+  const double c = std::cos(azimuth);
+  const double s = std::sin(azimuth);
+  return { c * v.x - s * v.y, s * v.x + c * v.y, v.z };
+}
+
+//------------------------------------------------------------------------------
+class Comparison
+{
+public:
+  Comparison(vtkBRDF* reference, vtkBRDF* brdf, int cells, int azimuths)
+    : Cells(cells)
+    , Azimuths(azimuths)
+    , Isotropic(reference->IsIsotropic() && brdf->IsIsotropic())
+    , BRDFs{ reference, brdf }
+  {
+  }
+
+  Cell CompareIncidentOutgoing(int x, int y) const
+  {
+    const double step = 0.5 * Pi / this->Cells;
+    const double steepest = std::acos(MinimumCosine);
+    const double thetaI = std::min((x + 0.5) * step, steepest);
+    const double thetaO = std::min((y + 0.5) * step, steepest);
+    Cell cell;
+    for (int k = 0; k < this->Azimuths; ++k)
+    {
+      const double phi = 2.0 * Pi * k / this->Azimuths;
+      const glm::dvec3 i(
+        std::sin(thetaI) * std::cos(phi), std::sin(thetaI) * std::sin(phi), std::cos(thetaI));
+      this->Add(i, { std::sin(thetaO), 0.0, std::cos(thetaO) }, k, cell);
+    }
+    return cell;
+  }
+
+  Cell CompareHalfDifference(int x, int y) const
+  {
+    HalfDifference angles;
+    angles.ThetaH = UnitToThetaH((x + 0.5) / this->Cells);
+    angles.ThetaD = 0.5 * Pi * (y + 0.5) / this->Cells;
+    Cell cell;
+    for (int k = 0; k < this->Azimuths; ++k)
+    {
+      angles.PhiD = 2.0 * Pi * k / this->Azimuths;
+      glm::dvec3 i;
+      glm::dvec3 o;
+      FromHalfDifference(angles, i, o);
+      if (std::min(i.z, o.z) >= MinimumCosine)
+      {
+        this->Add(i, o, k, cell);
+      }
+    }
+    return cell;
+  }
+
+  const int Cells;
+
+private:
+  void Add(glm::dvec3 i, glm::dvec3 o, int k, Cell& cell) const
+  {
+    if (!this->Isotropic)
+    {
+      const double turn = 2.0 * Pi * std::fmod(k * GoldenRatio, 1.0);
+      i = Turn(i, turn);
+      o = Turn(o, turn);
+    }
+    double f[2][3];
+    for (int which = 0; which < 2; ++which)
+    {
+      this->BRDFs[which]->Evaluate(&i.x, &o.x, f[which]);
+    }
+    double difference = 0.0;
+    for (int c = 0; c < 3; ++c)
+    {
+      difference += std::abs(f[1][c] - f[0][c]);
+      cell.Reference += f[0][c];
+    }
+    cell.Difference += difference;
+    if (difference > cell.Largest)
+    {
+      cell.Largest = difference;
+      cell.Azimuth = 360.0 * k / this->Azimuths;
+    }
+  }
+
+  int Azimuths;
+  bool Isotropic;
+  vtkBRDF* BRDFs[2];
+};
+
+//------------------------------------------------------------------------------
+void FillImage(vtkImageData* image, const std::vector<Cell>& cells, int count, double width)
+{
+  const double spacing[2] = { width / count, 90.0 / count };
+  vtkNew<vtkDoubleArray> errors;
+  errors->SetName("Error");
+  for (const Cell& cell : cells)
+  {
+    errors->InsertNextValue(cell.GetError());
+  }
+  image->SetDimensions(count, count, 1);
+  image->SetSpacing(spacing[0], spacing[1], 1.0);
+  image->SetOrigin(0.5 * spacing[0], 0.5 * spacing[1], 0.0);
+  image->GetPointData()->SetScalars(errors);
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::array<double, 4>> FindWorst(const std::vector<Cell>& cells, int count)
+{
+  std::vector<std::size_t> order;
+  for (std::size_t k = 0; k < cells.size(); ++k)
+  {
+    if (cells[k].GetError() > 0.0)
+    {
+      order.push_back(k);
+    }
+  }
+  std::stable_sort(order.begin(), order.end(),
+    [&](std::size_t a, std::size_t b) { return cells[a].GetError() > cells[b].GetError(); });
+  std::vector<std::array<double, 4>> worst;
+  for (const std::size_t k : order)
+  {
+    const double thetaI = 90.0 * (static_cast<double>(k % count) + 0.5) / count;
+    const double thetaO = 90.0 * (static_cast<double>(k / count) + 0.5) / count;
+    const bool isNew = std::none_of(worst.begin(), worst.end(),
+      [&](const std::array<double, 4>& other)
+      { return std::hypot(other[0] - thetaI, other[1] - thetaO) < WorstDistance; });
+    if (isNew)
+    {
+      worst.push_back({ thetaI, thetaO, cells[k].Azimuth, cells[k].GetError() });
+    }
+    if (worst.size() == LargestNumberOfWorst)
+    {
+      break;
+    }
+  }
+  return worst;
+}
+
+//------------------------------------------------------------------------------
+double GetWeightedError(const std::vector<Cell>& cells, int count)
+{
+  double difference = 0.0;
+  double reference = 0.0;
+  for (std::size_t k = 0; k < cells.size(); ++k)
+  {
+    // cos sin of both angles, up to a factor.
+    const double weight = std::sin(Pi * (static_cast<double>(k % count) + 0.5) / count) *
+                          std::sin(Pi * (static_cast<double>(k / count) + 0.5) / count);
+    difference += weight * cells[k].Difference;
+    reference += weight * cells[k].Reference;
+  }
+  return reference > 0.0 ? difference / reference : std::numeric_limits<double>::quiet_NaN();
+}
+}
+
+//------------------------------------------------------------------------------
+vtkBRDFFailureMap::vtkBRDFFailureMap() = default;
+
+//------------------------------------------------------------------------------
+vtkBRDFFailureMap::~vtkBRDFFailureMap() = default;
+
+//------------------------------------------------------------------------------
+vtkCxxSetSmartPointerMacro(vtkBRDFFailureMap, Reference, vtkBRDF);
+vtkCxxSetSmartPointerMacro(vtkBRDFFailureMap, BRDF, vtkBRDF);
+
+//------------------------------------------------------------------------------
+bool vtkBRDFFailureMap::Update()
+{
+  if (!this->Reference || !this->BRDF)
+  {
+    vtkErrorMacro("Update: there is no " << (this->Reference ? "BRDF." : "reference."));
+    return false;
+  }
+  this->Abort = false;
+  this->Reference->Prepare();
+  this->BRDF->Prepare();
+  const Comparison comparison(
+    this->Reference, this->BRDF, this->NumberOfCells, this->NumberOfAzimuths);
+  const int count = this->NumberOfCells;
+  std::vector<Cell> incidentOutgoing(static_cast<std::size_t>(count) * count);
+  std::vector<Cell> halfDifference(incidentOutgoing.size());
+  // Rows by a few, so that the calling thread can tell of them.
+  constexpr int group = 4;
+  for (int first = 0; first < count; first += group)
+  {
+    vtkSMPTools::For(static_cast<vtkIdType>(first) * count,
+      static_cast<vtkIdType>(std::min(first + group, count)) * count,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType k = begin; k < end; ++k)
+        {
+          const int x = static_cast<int>(k) % count;
+          const int y = static_cast<int>(k) / count;
+          incidentOutgoing[static_cast<std::size_t>(k)] = comparison.CompareIncidentOutgoing(x, y);
+          halfDifference[static_cast<std::size_t>(k)] = comparison.CompareHalfDifference(x, y);
+        }
+      });
+    double progress = std::min(1.0, static_cast<double>(first + group) / count);
+    this->InvokeEvent(vtkCommand::ProgressEvent, &progress);
+    if (this->Abort)
+    {
+      vtkErrorMacro("Update: aborted.");
+      return false;
+    }
+  }
+  FillImage(this->IncidentOutgoing, incidentOutgoing, count, 90.0);
+  FillImage(this->HalfDifference, halfDifference, count, 1.0);
+  this->Worst = FindWorst(incidentOutgoing, count);
+  this->RelativeL1 = GetWeightedError(incidentOutgoing, count);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkBRDFFailureMap::GetWorstAngles(int index, double angles[3])
+{
+  std::fill_n(angles, 3, 0.0);
+  if (index >= 0 && index < this->GetNumberOfWorstAngles())
+  {
+    std::copy_n(this->Worst[static_cast<std::size_t>(index)].begin(), 3, angles);
+  }
+}
+
+//------------------------------------------------------------------------------
+double vtkBRDFFailureMap::GetWorstError(int index)
+{
+  return index >= 0 && index < this->GetNumberOfWorstAngles()
+           ? this->Worst[static_cast<std::size_t>(index)][3]
+           : 0.0;
+}
+
+//------------------------------------------------------------------------------
+void vtkBRDFFailureMap::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Reference: " << this->Reference.Get() << "\n";
+  os << indent << "BRDF: " << this->BRDF.Get() << "\n";
+  os << indent << "NumberOfCells: " << this->NumberOfCells << "\n";
+  os << indent << "NumberOfAzimuths: " << this->NumberOfAzimuths << "\n";
+  os << indent << "RelativeL1: " << this->RelativeL1 << "\n";
+  for (int k = 0; k < this->GetNumberOfWorstAngles(); ++k)
+  {
+    double angles[3];
+    this->GetWorstAngles(k, angles);
+    os << indent << "Worst: theta_i " << angles[0] << ", theta_o " << angles[1] << ", phi "
+       << angles[2] << ": " << this->GetWorstError(k) << "\n";
+  }
+}
