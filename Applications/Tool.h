@@ -63,6 +63,7 @@ void AddAcquireCommand(CLI::App& app);
 void AddProjectCommand(CLI::App& app);
 void AddRepresentationsCommand(CLI::App& app);
 void AddThesisCommand(CLI::App& app);
+void AddStabilityCommand(CLI::App& app);
 void AddFitCommand(CLI::App& app);
 ///@}
 } // namespace tool

@@ -67,6 +67,7 @@ int main(int argc, char* argv[])
   tool::AddProjectCommand(app);
   tool::AddRepresentationsCommand(app);
   tool::AddThesisCommand(app);
+  tool::AddStabilityCommand(app);
   tool::AddFitCommand(app);
 
   for (CLI::App* command : app.get_subcommands({}))

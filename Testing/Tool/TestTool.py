@@ -129,7 +129,7 @@ class Help(ToolTest):
         self.check(run("--help"), 0, "SUBCOMMAND", "gallery", "Exit status")
         commands = (
             "list info evaluate integrate lights render plan compare chart gallery convert fit acquire "
-            "project representations thesis"
+            "project representations thesis stability"
         ).split()
         for command in commands:
             self.check(run(command, "--help"), 0, "measured-brdf", "--help")
@@ -1214,6 +1214,56 @@ class Plan(ToolTest):
         self.assertEqual(found, [False, False, True, False])
         result = run(*common, "--no-cache", "--method", "light-set", env=cache)
         self.assertIn("--no-cache has no effect", result.stderr)
+
+
+class Stability(ToolTest):
+    """What surrounds the cases; the cases themselves are tests of their own (CMakeLists.txt)."""
+
+    def test_report(self):
+        folder = self.path("out")
+        command = ["stability", "--short", "--case", "gram", "--case", "zenith", "-o", folder]
+        self.check(run(*command), 0, "zenith", "gram", "pass", "known limits, 0 fail")
+        with open(os.path.join(folder, "stability.json"), encoding="utf-8") as file:
+            report = json.load(file)
+        for key in ("version", "vtk", "machine", "renderer", "seconds"):
+            self.assertTrue(report[key])
+        self.assertTrue(report["short"])
+        self.assertEqual({case["name"] for case in report["cases"]}, {"zenith", "gram"})
+        self.assertEqual({case["group"] for case in report["cases"]}, {"bases", "numeric"})
+        for case in report["cases"]:
+            passes = case["value"] <= case["threshold"]
+            self.assertEqual(case["status"], "pass" if passes else "known limit", case)
+            self.assertTrue(case["method"] and case["figure"] and (passes or case["note"]))
+        # Legendre x Fourier is known to jump at the zenith; the harmonics do not.
+        jumps = {c["method"]: c["value"] for c in report["cases"] if c["name"] == "zenith"}
+        self.assertGreater(jumps["Leg.xFourier 6"], 0.1)
+        self.assertLess(jumps["harmonics 6"], 0.01)
+
+    def test_fails_beyond_its_threshold(self):
+        # A mirror under a coarse map: more than any known limit.
+        command = ["stability", "chrome", "--short", "--case", "grazing", "-o", self.folder]
+        result = run(*command)
+        self.check(result, 1, "beyond", "stability.json")
+        self.assertIn(" fail ", result.stdout)
+
+    def test_bad_input(self):
+        folder = self.path("out")
+        self.check(run("stability"), 2, "--output")
+        for name in ("no-such", ""):
+            self.check(run("stability", "--case", name, "-o", folder), 2, "dots", "temporal: motion")
+        self.check(run("stability", "no-such", "-o", folder), 1, "no-such")
+        self.check(run("stability", "--environment", "no.hdr", "-o", folder), 1, "no.hdr")
+        self.check(run("stability", "-o", self.write("file", "")), 1, "file")
+        self.check(run("stability", "-o", "/proc/no"), 1, "/proc/no")
+        self.assertEqual(os.listdir(folder), [])
+
+    def test_interrupt(self):
+        folder = self.path("out")
+        command = [PROGRAM, "stability", "--case", "convergence", "--case", "fits", "-o", folder]
+        status, said = self.interrupt(command)
+        self.assertEqual(status, 1, said)
+        self.assertIn("interrupted", said)
+        self.assertEqual(os.listdir(folder), [])
 
 
 class PlanErrors(ToolTest):
