@@ -59,7 +59,7 @@ void ApplyThesis(const std::string& size, MethodOptions& options)
 void ApplyPlanner(const std::string& tolerance, MethodOptions& options)
 {
   options.Method = "auto";
-  options.Tolerance = std::atof(tolerance.c_str());
+  options.Plan.Tolerance = std::atof(tolerance.c_str());
 }
 
 const char* const Table = "table";
