@@ -96,7 +96,7 @@ const std::vector<Contender>& GetContenders()
     { "basis", false,
       [](vtkBRDF* brdf, vtkEnvironment* environment)
       { return MakeBasis(brdf, environment, Functions); } },
-    { "filtered", true,
+    { "filtered", false,
       [](vtkBRDF* brdf, vtkEnvironment* environment)
       { return MakeFiltered(brdf, environment, Samples); } },
     { "table", true,
