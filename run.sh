@@ -1,5 +1,6 @@
 #!/bin/bash
-# Builds everything and draws measured materials: output/gallery.png, output/thesis/*.png. See ./run.sh --help.
+# Builds everything and draws measured materials: output/gallery.png, output/thesis/*.png, output/chart.png. See
+# ./run.sh --help.
 set -euo pipefail
 cd "$(dirname "$0")"
 
@@ -9,7 +10,8 @@ usage: ./run.sh [--environment ENV] [-o IMAGE] [FILE...]
 
 Installs what is missing (Debian packages, as root or through sudo), builds, and draws a gallery of measured materials
 under a high-dynamic-range environment, and (without FILE) the figures of the thesis that this project builds:
-output/thesis/materials.png, ringing.png, lights.png. A second run only draws.
+output/thesis/materials.png, ringing.png, lights.png, and output/chart.png: speed against accuracy on this machine, from
+a small sweep of the methods (all of it in output/charts). A second run only draws.
 
   FILE...            your own BRDF files (MERL .binary, RGL .bsdf, NVIDIA .mbsdf, published fits) or names of built-in
                      materials (build/bin/measured-brdf list). Default: built-in materials.
@@ -94,7 +96,15 @@ if [ ${#files[@]} -eq 0 ]; then
   other=$environment
   [ "$other" != hall ] || other=sky
   "${display[@]}" build/bin/measured-brdf thesis --environment hall --environment "$other" -o output/thesis
-  made="$image, output/thesis/materials.png, ringing.png, lights.png"
+  echo "Measuring the methods on this machine (two minutes without a graphics card) ..."
+  chart() {
+    "${display[@]}" build/bin/measured-brdf chart pink-felt gold-paint --size 200x200 --reference-pixels 400 --rounds 5 \
+      --methods table,layered,basis,filtered,soft-lights,median-cut -o output/charts
+  }
+  # What an older program or another machine measured there is of no use to this one.
+  chart || { rm -rf output/charts && chart; }
+  cp output/charts/summary.png output/chart.png
+  made="$image, output/thesis/materials.png, ringing.png, lights.png, output/chart.png"
 fi
 
 printf '\nDone: %s\n' "$made"

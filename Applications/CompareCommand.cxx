@@ -4,6 +4,7 @@
 #include "FailureMap.h"
 #include "Files.h"
 #include "Inputs.h"
+#include "Measuring.h"
 #include "Meshes.h"
 #include "Methods.h"
 #include "Progress.h"
@@ -17,8 +18,6 @@
 
 #include "vtkBRDFFailureMap.h"
 #include "vtkBRDFResampler.h"
-#include "vtkDoubleArray.h"
-#include "vtkExactIntegrator.h"
 #include "vtkNew.h"
 #include "vtkRadianceMetrics.h"
 #include "vtkVersion.h"
@@ -57,98 +56,12 @@ constexpr int LargestSize = 4096;
 constexpr double Fill = 0.9;
 
 //------------------------------------------------------------------------------
-double Median(std::vector<double> values)
-{
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
-}
-
-//------------------------------------------------------------------------------
 double GetMilliseconds(const std::function<void()>& run)
 {
   const auto begin = std::chrono::steady_clock::now();
   run();
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin)
     .count();
-}
-
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkDoubleArray> MakeArray(const std::vector<double>& values, int components)
-{
-  auto array = vtkSmartPointer<vtkDoubleArray>::New();
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()) / components);
-  std::copy(values.begin(), values.end(), array->GetPointer(0));
-  return array;
-}
-
-//------------------------------------------------------------------------------
-/// The surface's pixels as pixels of a small picture: one each of its grid.
-struct Grid
-{
-  Grid(const tool::Surface& surface, const tool::Size& size)
-    : Surface(surface)
-    , ImageWidth(size.Width)
-    , Width((size.Width - surface.Stride / 2 + surface.Stride - 1) / surface.Stride)
-    , Height((size.Height - surface.Stride / 2 + surface.Stride - 1) / surface.Stride)
-  {
-  }
-
-  /// Where pixel k of the surface lies in the small picture.
-  int Find(std::size_t k) const
-  {
-    const int x = this->Surface.Pixels[k] % this->ImageWidth / this->Surface.Stride;
-    const int y = this->Surface.Pixels[k] / this->ImageWidth / this->Surface.Stride;
-    return y * this->Width + x;
-  }
-
-  /// Linear RGB, alpha 1 where there is a pixel of the surface.
-  tool::Picture Draw(const std::vector<double>& rgb) const
-  {
-    tool::Picture picture(this->Width, this->Height);
-    for (std::size_t k = 0; k < this->Surface.Pixels.size(); ++k)
-    {
-      float* pixel = &picture.Pixels[4 * static_cast<std::size_t>(this->Find(k))];
-      std::copy_n(&rgb[3 * k], 3, pixel);
-      pixel[3] = 1.0f;
-    }
-    return picture;
-  }
-
-  const tool::Surface& Surface;
-  int ImageWidth;
-  int Width;
-  int Height;
-};
-
-//------------------------------------------------------------------------------
-void Measure(vtkRadianceMetrics* metrics, const Grid& grid, const std::vector<double>& rgb,
-  const std::vector<double>& reference)
-{
-  std::vector<double> pictures[2];
-  std::vector<double> coverage;
-  for (const bool isReference : { false, true })
-  {
-    const tool::Picture picture = grid.Draw(isReference ? reference : rgb);
-    for (std::size_t k = 0; k < picture.Pixels.size(); ++k)
-    {
-      std::vector<double>& part = k % 4 == 3 ? coverage : pictures[isReference];
-      if (k % 4 != 3 || isReference)
-      {
-        part.push_back(picture.Pixels[k]);
-      }
-    }
-  }
-  const auto compare = [&](vtkRadianceMetrics* made)
-  {
-    return made->Compare(MakeArray(rgb, 3), MakeArray(reference, 3)) &&
-           made->ComparePictures(grid.Width, grid.Height, MakeArray(pictures[0], 3),
-             MakeArray(pictures[1], 3), MakeArray(coverage, 1));
-  };
-  if (!tool::Watch(metrics, compare, "measuring"))
-  {
-    throw tool::Error("compare: " + tool::TakeErrorText());
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -168,19 +81,18 @@ struct Comparison
 nlohmann::ordered_json MakeReport(const Options& options, const Comparison& found)
 {
   vtkRadianceMetrics* metrics = found.Metrics;
-  return { { "method", options.Method.Method }, { "relative_l1", metrics->GetRelativeL1() },
-    { "relative_rmse", metrics->GetRelativeRMSE() }, { "rel_mse", metrics->GetRelMSE() },
-    { "median_relative", metrics->GetMedianRelative() },
-    { "p99_relative", metrics->GetP99Relative() }, { "smape", metrics->GetSMAPE() },
-    { "flip", metrics->GetFLIP() }, { "hdr_flip", metrics->GetHDRFLIP() },
-    { "ssim", metrics->GetSSIM() }, { "delta_e_2000", metrics->GetDeltaE2000() },
-    { "delta_e_itp", metrics->GetDeltaEITP() }, { "frame_ms", found.Frame },
-    { "pbr_frame_ms", found.StockFrame },
+  nlohmann::ordered_json report = { { "method", options.Method.Method } };
+  for (const tool::Metric& metric : tool::GetMetrics())
+  {
+    report[metric.Name] = metric.Get(metrics);
+  }
+  report.update({ { "frame_ms", found.Frame }, { "pbr_frame_ms", found.StockFrame },
     { "pbr_relative_l1", found.StockMetrics->GetRelativeL1() }, { "setup_ms", found.Setup },
     { "pbr_setup_ms", found.StockSetup }, { "pbr_flip", found.StockMetrics->GetFLIP() },
     { "pbr_material", { { "roughness", found.Stock.Roughness },
                         { "metallic", found.Stock.Metallic }, { "albedo", found.Stock.Albedo } } },
-    { "frames", NumberOfFrames }, { "vtk", vtkVersion::GetVTKVersion() } };
+    { "frames", NumberOfFrames }, { "vtk", vtkVersion::GetVTKVersion() } });
+  return report;
 }
 
 //------------------------------------------------------------------------------
@@ -341,7 +253,7 @@ tool::Picture MakeTile(tool::Picture picture, double exposure)
 //------------------------------------------------------------------------------
 // Method, exact, signed error and PBR beside each other.
 void WriteSheet(const Options& options, const std::string& title, const Comparison& found,
-  const Grid& grid, const std::vector<double>& rgb, const std::vector<double>& reference,
+  const tool::Grid& grid, const std::vector<double>& rgb, const std::vector<double>& reference,
   const tool::Picture& drawn, const tool::Picture& stock)
 {
   std::vector<double> sorted = reference;
@@ -397,13 +309,13 @@ void TimeFrames(tool::Stage& scene, tool::Stage& stock, Comparison& found)
       stockFrames.push_back(stockFrame);
     }
   }
-  found.Frame = Median(frames);
-  found.StockFrame = Median(stockFrames);
+  found.Frame = tool::Median(frames);
+  found.StockFrame = tool::Median(stockFrames);
 }
 
 //------------------------------------------------------------------------------
 void PrintSummary(
-  const std::string& title, const Options& options, const Comparison& found, const Grid& grid)
+  const std::string& title, const Options& options, const Comparison& found, const tool::Grid& grid)
 {
   const auto line =
     [](const std::string& name, vtkRadianceMetrics* metrics, double frame, double setup)
@@ -418,16 +330,6 @@ void PrintSummary(
                  std::to_string(grid.Surface.NumberOfCovered) + " covered pixels\n" +
                  line(options.Method.Method, found.Metrics, found.Frame, found.Setup) +
                  line("VTK's PBR", found.StockMetrics, found.StockFrame, found.StockSetup));
-}
-
-//------------------------------------------------------------------------------
-std::vector<double> SumExactly(
-  vtkBRDF* brdf, vtkEnvironment* environment, const tool::Surface& surface)
-{
-  vtkNew<vtkExactIntegrator> exact;
-  exact->SetBRDF(brdf);
-  exact->SetEnvironment(environment);
-  return tool::IntegratePairs(exact, surface.Normals, surface.Views);
 }
 
 //------------------------------------------------------------------------------
@@ -493,14 +395,14 @@ void Run(Options& options, const CLI::App* command)
     });
 
   const tool::Surface surface = tool::FindSurface(mesh, view, Fill, size, options.ReferencePixels);
-  const std::vector<double> reference = SumExactly(material.BRDF, environment, surface);
+  const std::vector<double> reference = tool::SumExactly(material.BRDF, environment, surface);
   const tool::Picture drawn = scene.Render(size.Width, size.Height);
   const std::vector<double> rgb = tool::Pick(drawn, surface);
   found.Stock = stock.Fit(surface, size, reference);
   const tool::Picture stockDrawn = stock.Render(size.Width, size.Height);
-  const Grid grid(surface, size);
-  Measure(found.Metrics, grid, rgb, reference);
-  Measure(found.StockMetrics, grid, tool::Pick(stockDrawn, surface), reference);
+  const tool::Grid grid(surface, size);
+  tool::Measure(found.Metrics, grid, rgb, reference);
+  tool::Measure(found.StockMetrics, grid, tool::Pick(stockDrawn, surface), reference);
   TimeFrames(scene, stock, found);
 
   nlohmann::ordered_json report = MakeReport(options, found);

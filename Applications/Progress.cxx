@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <iostream>
 
@@ -14,6 +15,8 @@ namespace
 {
 volatile std::sig_atomic_t Interrupted = 0;
 void (*Previous)(int) = SIG_DFL;
+int Bars = 0;
+constexpr double LeastElapsed = 5.0; // seconds before the time left is told
 }
 
 extern "C" void MeasuredBRDFToolInterrupt(int) { Interrupted = 1; }
@@ -45,7 +48,8 @@ void Interruptible::Check()
 //------------------------------------------------------------------------------
 ProgressBar::ProgressBar(std::string label)
   : Label(std::move(label))
-  , Terminal(isatty(STDERR_FILENO) != 0)
+  , Terminal(Bars++ == 0 && isatty(STDERR_FILENO) != 0)
+  , Begin(std::chrono::steady_clock::now())
 {
   this->Update(0.0);
 }
@@ -53,10 +57,25 @@ ProgressBar::ProgressBar(std::string label)
 //------------------------------------------------------------------------------
 ProgressBar::~ProgressBar()
 {
+  --Bars;
   if (this->Terminal)
   {
     std::cerr << "\r\033[K" << std::flush;
   }
+}
+
+//------------------------------------------------------------------------------
+std::string ProgressBar::GetTimeLeft(double share) const
+{
+  const double elapsed =
+    std::chrono::duration<double>(std::chrono::steady_clock::now() - this->Begin).count();
+  if (elapsed < LeastElapsed || share <= 0.0)
+  {
+    return "";
+  }
+  const double left = elapsed * (1.0 - share) / share;
+  return left < 90.0 ? ", " + std::to_string(std::lround(left)) + " s left"
+                     : ", " + std::to_string(std::lround(left / 60.0)) + " min left";
 }
 
 //------------------------------------------------------------------------------
@@ -70,6 +89,7 @@ void ProgressBar::Update(double share)
   this->Shown = percent;
   const int filled = percent * 40 / 100;
   std::cerr << "\r" << this->Label << " [" << std::string(filled, '#')
-            << std::string(40 - filled, ' ') << "] " << percent << " %" << std::flush;
+            << std::string(40 - filled, ' ') << "] " << percent << " %" << this->GetTimeLeft(share)
+            << "\033[K" << std::flush;
 }
 } // namespace tool

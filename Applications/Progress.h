@@ -8,6 +8,7 @@
 #ifndef Progress_h
 #define Progress_h
 
+#include <chrono>
 #include <string>
 
 namespace tool
@@ -27,7 +28,8 @@ public:
   static void Check();
 };
 
-/// A bar on stderr where that is a terminal; nothing else.
+/// A bar on stderr where that is a terminal; nothing else. With the time left where it takes long;
+/// a bar within another one is not shown.
 class ProgressBar
 {
 public:
@@ -39,8 +41,11 @@ public:
   void Update(double share);
 
 private:
+  std::string GetTimeLeft(double share) const;
+
   std::string Label;
   bool Terminal;
+  std::chrono::steady_clock::time_point Begin;
   int Shown = -1;
 };
 } // namespace tool

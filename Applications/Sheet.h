@@ -45,6 +45,9 @@ public:
   /// As PNG.
   void Write(const std::string& path) const;
 
+  /// Display light, as it would be written.
+  const Picture& GetPicture() const { return this->Paper; }
+
 private:
   int TileWidth;
   int TileHeight;

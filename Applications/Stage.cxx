@@ -200,10 +200,13 @@ std::array<double, 3> Stage::GetRay(double x, double y, int width, int height) c
 }
 
 //------------------------------------------------------------------------------
-std::string Stage::GetRendererName()
+std::string Stage::GetRendererName() { return this->GetCapability("OpenGL renderer string"); }
+
+//------------------------------------------------------------------------------
+std::string Stage::GetCapability(const std::string& name)
 {
   std::istringstream lines(this->Window->ReportCapabilities());
-  const std::string key = "OpenGL renderer string:";
+  const std::string key = name + ":";
   for (std::string line; std::getline(lines, line);)
   {
     if (line.compare(0, key.size(), key) == 0)

@@ -62,6 +62,9 @@ public:
 
   std::string GetRendererName();
 
+  /// What follows that name, such as "OpenGL version string", in what the driver says of itself.
+  std::string GetCapability(const std::string& name);
+
 protected:
   /// Render with the camera as it is; what the shader wrote, as it is. Throws Error.
   Picture Capture(int width, int height);

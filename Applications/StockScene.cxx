@@ -7,9 +7,15 @@
 #include "vtkActor.h"
 #include "vtkEnvironment.h"
 #include "vtkImageData.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkOpenGLTexture.h"
+#include "vtkPBRIrradianceTexture.h"
+#include "vtkPBRLUTTexture.h"
+#include "vtkPBRPrefilterTexture.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkTexture.h"
+#include "vtkTextureObject.h"
 
 #include <array>
 #include <cmath>
@@ -20,6 +26,7 @@ namespace
 {
 // Albedos that are tried for each channel.
 constexpr int NumberOfAlbedos = 200;
+constexpr std::size_t HalfBytes = 2;
 
 /// Radiance of one channel of the pixels under albedos 0, 1/2 and 1.
 using Samples = std::array<std::vector<double>, 3>;
@@ -160,6 +167,32 @@ StockMaterial StockScene::Fit(
   }
   this->SetMaterial(best);
   return best;
+}
+
+//------------------------------------------------------------------------------
+std::size_t StockScene::GetTextureBytes()
+{
+  auto* renderer = vtkOpenGLRenderer::SafeDownCast(this->Renderer);
+  if (!renderer)
+  {
+    return 0;
+  }
+  constexpr std::size_t faces = 6;
+  const auto count = [](vtkOpenGLTexture* texture, std::size_t bytesPerTexel)
+  {
+    vtkTextureObject* object = texture ? texture->GetTextureObject() : nullptr;
+    return object ? bytesPerTexel * object->GetWidth() * object->GetHeight() : 0;
+  };
+  const auto withLevels = [](std::size_t bytes) { return bytes * 4 / 3; };
+  const std::size_t environment = withLevels(count(
+    vtkOpenGLTexture::SafeDownCast(this->Renderer->GetEnvironmentTexture()), 3 * sizeof(float)));
+  const std::size_t table = count(renderer->GetEnvMapLookupTable(), 2 * HalfBytes);
+  const std::size_t prefiltered =
+    withLevels(faces * count(renderer->GetEnvMapPrefiltered(), 3 * HalfBytes));
+  const std::size_t irradiance = renderer->GetUseSphericalHarmonics()
+                                   ? 0
+                                   : faces * count(renderer->GetEnvMapIrradiance(), 3 * HalfBytes);
+  return environment + table + prefiltered + irradiance;
 }
 
 //------------------------------------------------------------------------------

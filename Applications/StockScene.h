@@ -11,6 +11,7 @@
 #include "Stage.h"
 #include "Surface.h"
 
+#include <cstddef>
 #include <vector>
 
 class vtkEnvironment;
@@ -38,6 +39,10 @@ public:
    * each channel, of which radiance is a quadratic function. Sets it, too. Throws Error.
    */
   StockMaterial Fit(const Surface& surface, const Size& size, const std::vector<double>& reference);
+
+  /// What the environment and VTK's tables of it take on the GPU, once something was rendered: half
+  /// floats but for the environment, with their levels.
+  std::size_t GetTextureBytes();
 
 private:
   /// Whether this VTK takes a property's colour as the albedo or as its display colour.

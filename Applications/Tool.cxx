@@ -129,4 +129,10 @@ std::string FormatNumber(double value)
   std::snprintf(text, sizeof(text), "%.9g", value);
   return text;
 }
+
+//------------------------------------------------------------------------------
+std::string FormatCount(std::size_t count, const std::string& noun)
+{
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
 } // namespace tool

@@ -10,6 +10,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 
@@ -42,6 +43,9 @@ std::string TakeErrorText();
 /// Figures that stand in CSV files: 9 significant digits, enough to give back any float.
 std::string FormatNumber(double value);
 
+/// "1 pair", "2 pairs".
+std::string FormatCount(std::size_t count, const std::string& noun);
+
 ///@{
 /// Add one subcommand each.
 void AddListCommand(CLI::App& app);
@@ -52,12 +56,14 @@ void AddLightsCommand(CLI::App& app);
 void AddRenderCommand(CLI::App& app);
 void AddPlanCommand(CLI::App& app);
 void AddCompareCommand(CLI::App& app);
+void AddChartCommand(CLI::App& app);
 void AddGalleryCommand(CLI::App& app);
 void AddConvertCommand(CLI::App& app);
 void AddAcquireCommand(CLI::App& app);
 void AddProjectCommand(CLI::App& app);
 void AddRepresentationsCommand(CLI::App& app);
 void AddThesisCommand(CLI::App& app);
+void AddStabilityCommand(CLI::App& app);
 void AddFitCommand(CLI::App& app);
 ///@}
 } // namespace tool

@@ -60,12 +60,14 @@ int main(int argc, char* argv[])
   tool::AddRenderCommand(app);
   tool::AddPlanCommand(app);
   tool::AddCompareCommand(app);
+  tool::AddChartCommand(app);
   tool::AddGalleryCommand(app);
   tool::AddConvertCommand(app);
   tool::AddAcquireCommand(app);
   tool::AddProjectCommand(app);
   tool::AddRepresentationsCommand(app);
   tool::AddThesisCommand(app);
+  tool::AddStabilityCommand(app);
   tool::AddFitCommand(app);
 
   for (CLI::App* command : app.get_subcommands({}))

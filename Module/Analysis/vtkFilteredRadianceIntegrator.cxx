@@ -39,7 +39,9 @@ struct vtkFilteredRadianceIntegrator::Internals
 
 namespace
 {
-constexpr float LargestHalfFloat = 65504.0f;
+// Peaks that 16-bit floats suit: they overflow above, and lose digits below 6e-5.
+constexpr float LeastPeak = 0x1p-6f;
+constexpr float LargestPeak = 65504.0f;
 
 // The pyramid's level at which one texel is the whole sphere, moved by the bias.
 float GetSphereLevel(const EnvironmentPyramid& pyramid, double bias)
@@ -66,8 +68,8 @@ vtkBRDFGPUForm::Texture NewPyramidTexture(const EnvironmentPyramid& pyramid)
   {
     texture.Data.insert(texture.Data.end(), { texel.r, texel.g, texel.b });
   }
-  texture.HalfFloat =
-    *std::max_element(texture.Data.begin(), texture.Data.end()) <= LargestHalfFloat;
+  const float peak = *std::max_element(texture.Data.begin(), texture.Data.end());
+  texture.HalfFloat = peak >= LeastPeak && peak <= LargestPeak;
   return texture;
 }
 }

@@ -109,7 +109,8 @@ protected:
   virtual void IntegratePart(
     int part, const double n[3], const double o[3], const double t[3], double radiance[3]) = 0;
 
-  /// For integrators that are made of others: IntegratePart of a prepared one whose sum is one part.
+  /// For integrators that are made of others: IntegratePart of a prepared one whose sum is one
+  /// part.
   static void AddTo(vtkRadianceIntegrator* integrator, const double n[3], const double o[3],
     const double t[3], double radiance[3])
   {

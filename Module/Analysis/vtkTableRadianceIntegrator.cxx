@@ -337,7 +337,8 @@ bool vtkTableRadianceIntegrator::Begin()
   {
     largest = std::max(largest, std::abs(value));
   }
-  tables->Scale = std::max(largest / LargestValue, 1.0);
+  // To the peak: 16-bit floats lose digits below 6e-5, too.
+  tables->Scale = largest > 0.0f ? largest / LargestValue : 1.0;
   for (float& value : tables->Radiance)
   {
     value = static_cast<float>(value / tables->Scale);

@@ -128,8 +128,8 @@ class Help(ToolTest):
     def test_help(self):
         self.check(run("--help"), 0, "SUBCOMMAND", "gallery", "Exit status")
         commands = (
-            "list info evaluate integrate lights render plan compare gallery convert fit acquire "
-            "project representations thesis"
+            "list info evaluate integrate lights render plan compare chart gallery convert fit acquire "
+            "project representations thesis stability"
         ).split()
         for command in commands:
             self.check(run(command, "--help"), 0, "measured-brdf", "--help")
@@ -1020,6 +1020,161 @@ class CompareThesis(Compare):
         self.assertGreater(thesis["relative_rmse"], 0.07)
 
 
+class ChartTest(ToolTest):
+    COMMON = {
+        "--methods": "table",
+        "--tolerances": "0.05",
+        "--size": "64x64",
+        "--reference-pixels": 64,
+        "--rounds": 3,
+    }
+
+    def command(self, *options):
+        usual = [str(word) for item in self.COMMON.items() if item[0] not in options for word in item]
+        return ["chart", "pink-felt", *usual, "-o", self.path("charts"), *options]
+
+    def chart(self, *options):
+        result = run(*self.command(*options))
+        if "needs an X server" in result.stderr:
+            self.skipTest("skipped: no X server, which this VTK needs")
+        return result
+
+    def read_results(self):
+        with open(self.path("charts/results.json"), encoding="utf-8") as file:
+            return json.load(file)
+
+
+class Chart(ChartTest):
+    def test_chart(self):
+        self.check(self.chart("--environments", "sky"), 0, "1 pair in", "summary.png")
+        results = self.read_results()
+        self.assertEqual((results["format"], results["version"]), ("measured-brdf chart", 1))
+        for key in ("processor", "threads", "vtk", "renderer", "renderer_version"):
+            self.assertTrue(results["machine"][key], key)
+        (pair,) = results["pairs"]
+        self.assertEqual((pair["material"], pair["environment"]), ("pink-felt", "built-in sky"))
+        points = pair["points"]
+        names = [point["method"] for point in points]
+        self.assertEqual(names, ["table"] * 3 + ["thesis"] * 2 + ["pbr", "planner"])
+        for point in points:
+            low, high = point["frame_ms_quartiles"]
+            self.assertTrue(0 < low <= point["frame_ms"] <= high)
+            self.assertGreaterEqual(point["frames"], 3)
+            self.assertGreater(point["setup_ms"], 0)
+            self.assertGreater(point["texture_bytes"], 0)
+        error = [point["errors"]["relative_l1"] for point in points]
+        self.assertTrue(error[2] < error[0] < 0.02 < error[names.index("pbr")] < 0.2)
+        self.assertLess(error[-1], points[-1]["predicted_error"])
+        # What the front and the planner's figure are by definition.
+        times = [point["frame_ms"] for point in points]
+        front = [
+            k
+            for k in range(len(points))
+            if not any(
+                times[j] <= times[k] and error[j] <= error[k] and (times[j], error[j]) != (times[k], error[k])
+                for j in range(len(points))
+            )
+        ]
+        self.assertLessEqual(set(pair["front"]), set(front))
+        (figure,) = pair["planner"]
+        best = min(time for time, off in zip(times, error) if off <= error[-1])
+        self.check_close([figure["time_over_front"]], [times[-1] / best], 1e-9)
+
+        with open(self.path("charts/results.csv"), encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual([row["method"] for row in rows], names)
+        self.check_close([float(row["relative_l1"]) for row in rows], error, 1e-8)
+        self.check_close([float(row["frame_ms"]) for row in rows], times, 1e-8)
+        self.assertEqual([k for k, row in enumerate(rows) if row["on_front"] == "1"], sorted(pair["front"]))
+        for name in ("summary", "setup", "memory", "pink-felt.built-in-sky"):
+            self.assertEqual(read_png_size(self.path(f"charts/{name}.png")), (1600, 1000))
+            with open(self.path(f"charts/{name}.svg"), encoding="utf-8") as file:
+                self.assertIn('viewBox="0 0 3200 2000"', file.read(1000))
+        self.check_page(points)
+
+    def check_page(self, points):
+        """What the project's results page makes of it; what people wrote there stays."""
+        root = os.path.join(os.path.dirname(__file__), "..", "..")
+        page = self.path("results.md")
+        shutil.copyfile(os.path.join(root, "docs", "results.md"), page)
+        with open(page, encoding="utf-8") as file:
+            text = file.read()
+        with open(page, "w", encoding="utf-8") as file:
+            file.write(text.replace("<!-- end of", "Felt: a table.\n\n<!-- end of"))
+        command = [sys.executable, os.path.join(root, "cmake", "make-results.py")]
+        subprocess.run([*command, self.path("charts"), self.folder], check=True)
+        with open(page, encoding="utf-8") as file:
+            text = file.read()
+        self.assertIn("Felt: a table.\n\n<!-- end of", text)
+        for point in points[:-1]:
+            error = f"{100 * point['errors']['relative_l1']:.2g}"
+            self.assertIn(f"| {point['method']} | {point['size']} | {error} |", text)
+        self.assertTrue(os.path.exists(self.path("results-summary.png")))
+
+
+class ChartResume(ChartTest):
+    def test_interrupted(self):
+        self.check(self.chart("--environments", "nowhere.exr"), 1, "nowhere.exr")
+        one, two = self.write_constant_environment(), self.path("two.hdr")
+        shutil.copyfile(one, two)
+        command = [PROGRAM, *self.command("--environments", f"{one},{two}")]
+        with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as process:
+            while process.poll() is None and not os.path.exists(self.path("charts/results.json")):
+                time.sleep(0.02)
+            process.send_signal(signal.SIGINT)
+            said = process.communicate(timeout=120)[1]
+        if "needs an X server" in said:
+            self.skipTest("skipped: no X server, which this VTK needs")
+        self.assertEqual(process.returncode, 1, said)
+        self.assertIn("interrupted: 1 of 2 pairs", said)
+        first = self.read_results()["pairs"]
+        self.assertEqual(len(first), 1)
+        self.check(self.chart("--environments", f"{one},{two}"), 0, "2 pairs in")
+        second = self.read_results()["pairs"]
+        self.assertEqual([pair["environment"] for pair in second], ["one", "two"])
+        self.assertEqual(second[0], first[0])
+        # An environment that is not the one of that name any more.
+        self.write_constant_environment(32, 16)
+        self.check(self.chart("--environments", one), 1, "under one is not what it was")
+
+
+class ChartErrors(ChartTest):
+    def test_bad_input(self):
+        self.check(self.chart("--methods", "table,magic"), 2, "--methods", "magic", "soft-lights")
+        self.check(self.chart("--methods", "table,,basis"), 2, "--methods", "table,,basis")
+        for tolerances in ("0", "0.02,", "0.02,x", "0.02,0.02"):
+            self.check(self.chart("--tolerances", tolerances), 2, "--tolerances")
+        self.check(self.chart("--environments", ""), 2, "--environments")
+        self.check(self.chart("--slowest", "-1"), 2, "--slowest")
+        self.check(self.chart("--rounds", "2"), 2, "--rounds")
+        self.check(self.chart("--metric", "beauty"), 2, "--metric")
+        self.check(self.chart("--size", "0x9"), 2, "--size")
+        self.check(self.chart(""), 2, "FILE", "empty")
+        self.check(self.chart("pink-felt"), 2, "pink-felt")
+        self.check(self.chart("no-such-thing"), 1, "no-such-thing")
+        self.check(run("chart", "pink-felt"), 2, "--output")
+        blocked = self.write("blocked", "a file")
+        self.check(run("chart", "pink-felt", "-o", blocked), 1, "blocked")
+        self.check(run("chart", "pink-felt", "-o", blocked + "/x"), 1, "blocked/x")
+
+    def test_results_of_something_else(self):
+        os.mkdir(self.path("charts"))
+        machine = {"processor": "abacus"}
+        ours = {"format": "measured-brdf chart", "version": 1}
+        for content, words in (
+            ("no JSON", ["not written by"]),
+            ("{}", ["not written by"]),
+            (json.dumps({**ours, "version": 2}), ["version 2", "version 1"]),
+            (json.dumps({**ours, "settings": {"size": "10x10"}, "machine": machine}), ["setting", "methods"]),
+        ):
+            with self.subTest(content):
+                path = self.write("charts/results.json", content)
+                result = self.chart("--environments", "sky")
+                self.check(result, 1, "charts/results.json", "another folder", *words)
+                with open(path, encoding="utf-8") as file:
+                    self.assertEqual(file.read(), content)
+
+
 class Plan(ToolTest):
     def test_plan(self):
         common = ["plan", "blue-fabric", "--environment", "hall", "--choice-only"]
@@ -1059,6 +1214,56 @@ class Plan(ToolTest):
         self.assertEqual(found, [False, False, True, False])
         result = run(*common, "--no-cache", "--method", "light-set", env=cache)
         self.assertIn("--no-cache has no effect", result.stderr)
+
+
+class Stability(ToolTest):
+    """What surrounds the cases; the cases themselves are tests of their own (CMakeLists.txt)."""
+
+    def test_report(self):
+        folder = self.path("out")
+        command = ["stability", "--short", "--case", "gram", "--case", "zenith", "-o", folder]
+        self.check(run(*command), 0, "zenith", "gram", "pass", "known limits, 0 fail")
+        with open(os.path.join(folder, "stability.json"), encoding="utf-8") as file:
+            report = json.load(file)
+        for key in ("version", "vtk", "machine", "renderer", "seconds"):
+            self.assertTrue(report[key])
+        self.assertTrue(report["short"])
+        self.assertEqual({case["name"] for case in report["cases"]}, {"zenith", "gram"})
+        self.assertEqual({case["group"] for case in report["cases"]}, {"bases", "numeric"})
+        for case in report["cases"]:
+            passes = case["value"] <= case["threshold"]
+            self.assertEqual(case["status"], "pass" if passes else "known limit", case)
+            self.assertTrue(case["method"] and case["figure"] and (passes or case["note"]))
+        # Legendre x Fourier is known to jump at the zenith; the harmonics do not.
+        jumps = {c["method"]: c["value"] for c in report["cases"] if c["name"] == "zenith"}
+        self.assertGreater(jumps["Leg.xFourier 6"], 0.1)
+        self.assertLess(jumps["harmonics 6"], 0.01)
+
+    def test_fails_beyond_its_threshold(self):
+        # A mirror under a coarse map: more than any known limit.
+        command = ["stability", "chrome", "--short", "--case", "grazing", "-o", self.folder]
+        result = run(*command)
+        self.check(result, 1, "beyond", "stability.json")
+        self.assertIn(" fail ", result.stdout)
+
+    def test_bad_input(self):
+        folder = self.path("out")
+        self.check(run("stability"), 2, "--output")
+        for name in ("no-such", ""):
+            self.check(run("stability", "--case", name, "-o", folder), 2, "dots", "temporal: motion")
+        self.check(run("stability", "no-such", "-o", folder), 1, "no-such")
+        self.check(run("stability", "--environment", "no.hdr", "-o", folder), 1, "no.hdr")
+        self.check(run("stability", "-o", self.write("file", "")), 1, "file")
+        self.check(run("stability", "-o", "/proc/no"), 1, "/proc/no")
+        self.assertEqual(os.listdir(folder), [])
+
+    def test_interrupt(self):
+        folder = self.path("out")
+        command = [PROGRAM, "stability", "--case", "convergence", "--case", "fits", "-o", folder]
+        status, said = self.interrupt(command)
+        self.assertEqual(status, 1, said)
+        self.assertIn("interrupted", said)
+        self.assertEqual(os.listdir(folder), [])
 
 
 class PlanErrors(ToolTest):

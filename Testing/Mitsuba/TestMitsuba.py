@@ -1,0 +1,73 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The exact sum against what Mitsuba 3 made of the same: TestMitsuba.py PROGRAM RECORDED SHARED_DATA ENVIRONMENT."""
+
+import csv
+import json
+import os
+import subprocess
+import sys
+import tempfile
+
+SUM = 1e-5  # relative, of the noise-free figures: Mitsuba is single precision
+SAMPLED = 0.005  # and four standard errors
+FEW_NEGATIVE = 0.001  # how much of the radiance negative values may take for the sampled figures to be comparable
+
+
+def integrate(program, material, environment, pairs):
+    with tempfile.NamedTemporaryFile("w", suffix=".csv") as file:
+        file.write("nx,ny,nz,vx,vy,vz\n")
+        for pair in pairs:
+            file.write(",".join(map(repr, pair["normal"] + pair["view"])) + "\n")
+        file.flush()
+        command = [program, "integrate", material, "--environment", environment, "--method", "exact"]
+        made = subprocess.run([*command, "--pairs", file.name], stdout=subprocess.PIPE, text=True, check=True)
+    return [[float(row[c]) for c in "rgb"] for row in csv.DictReader(made.stdout.splitlines())]
+
+
+def main():
+    program, recorded, shared, environment = sys.argv[1:]
+    if not os.path.isdir(os.path.join(shared, "materials", "rgl")):
+        print(f"Skipped: no real data at {shared}")
+        return 125
+    with open(recorded, encoding="ascii") as file:
+        record = json.load(file)
+    if (record["format"], record["version"]) != ("measured-brdf mitsuba comparison", 1):
+        print(f"{recorded}: not of the format that this test reads")
+        return 1
+    failures = compared = 0
+    light = os.path.join(shared, "environments", environment + ".exr")
+    for result in record["results"]:
+        if result["environment"] != environment:
+            continue
+        name = result["material"]
+        material = os.path.join(shared, "materials", "rgl", name + "_rgb.bsdf")
+        worst = noisy = noise = 0.0
+        values = integrate(program, material, light, result["pairs"])
+        for k, (value, pair) in enumerate(zip(values, result["pairs"], strict=True)):
+            for c in range(3):
+                expected, whole = pair["sum"][c], pair["sum_unclamped"][c]
+                off = abs(value[c] / expected - 1.0)
+                worst = max(worst, off)
+                bad = not off <= SUM
+                if abs(whole / expected - 1.0) <= FEW_NEGATIVE:
+                    error = pair["standard_error"][c]
+                    bad = bad or not abs(value[c] - pair["sampled"][c]) <= SAMPLED * expected + 4.0 * error
+                    noisy = max(noisy, abs(value[c] / pair["sampled"][c] - 1.0))
+                    noise = max(noise, error / expected)
+                    compared += 1
+                if bad:
+                    failures += 1
+                    print(f"{name}, pair {k}, channel {c}: {value[c]}, Mitsuba {expected} and {pair['sampled'][c]}")
+        print(
+            f"{name}, {environment}: off Mitsuba {record['mitsuba']} by at most {worst:.1e} (sums over texels), "
+            f"{noisy:.2%} (sampled, standard error up to {noise:.2%})"
+        )
+    if compared == 0:
+        print(f"{recorded}: nothing under {environment}")
+        return 1
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

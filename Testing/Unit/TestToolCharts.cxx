@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The tool's arithmetic of costs and errors, and where a chart's labels go.
+#include "LabelPlaces.h"
+#include "ParetoFront.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <vector>
+
+namespace
+{
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+}
+
+//------------------------------------------------------------------------------
+TEST(ParetoFront, KnownPoints)
+{
+  const std::vector<tool::CostPoint> points = { { 10.0, 1.0 }, { 1.0, 10.0 }, { 5.0, 5.0 },
+    { 6.0, 5.0 }, { 5.0, 6.0 }, { NaN, 0.0 }, { 0.0, Infinity }, { 20.0, 1.0 }, { 10.0, 1.0 } };
+  EXPECT_EQ(tool::FindFront(points), (std::vector<std::size_t>{ 1, 2, 0 }));
+  EXPECT_TRUE(tool::FindFront({}).empty());
+}
+
+//------------------------------------------------------------------------------
+TEST(ParetoFront, AgreesWithItsDefinition)
+{
+  std::mt19937 random(7);
+  std::uniform_int_distribution<int> draw(0, 30);
+  std::vector<tool::CostPoint> points;
+  for (int k = 0; k < 200; ++k)
+  {
+    points.push_back({ static_cast<double>(draw(random)), static_cast<double>(draw(random)) });
+  }
+  const std::vector<std::size_t> front = tool::FindFront(points);
+  for (std::size_t k = 0; k < points.size(); ++k)
+  {
+    const bool beaten = std::any_of(points.begin(), points.end(),
+      [&](const tool::CostPoint& other)
+      {
+        return other.Cost <= points[k].Cost && other.Error <= points[k].Error &&
+               (other.Cost < points[k].Cost || other.Error < points[k].Error);
+      });
+    const bool inFront = std::any_of(front.begin(), front.end(),
+      [&](std::size_t other)
+      { return points[other].Cost == points[k].Cost && points[other].Error == points[k].Error; });
+    EXPECT_EQ(inFront, !beaten) << "point " << k;
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(ParetoFront, CostAtAnError)
+{
+  const std::vector<tool::CostPoint> points = { { 10.0, 1.0 }, { 2.0, 4.0 }, { 3.0, 3.0 },
+    { NaN, 0.1 } };
+  EXPECT_DOUBLE_EQ(tool::GetFrontCost(points, 5.0), 2.0);
+  EXPECT_DOUBLE_EQ(tool::GetFrontCost(points, 3.0), 3.0);
+  EXPECT_DOUBLE_EQ(tool::GetFrontCost(points, 2.9), 10.0);
+  EXPECT_TRUE(std::isnan(tool::GetFrontCost(points, 0.5)));
+}
+
+//------------------------------------------------------------------------------
+TEST(ParetoFront, Means)
+{
+  EXPECT_DOUBLE_EQ(tool::GetGeometricMean({ 1.0, 100.0 }), 10.0);
+  EXPECT_TRUE(std::isnan(tool::GetGeometricMean({})));
+  EXPECT_DOUBLE_EQ(tool::GetQuantile({ 4.0, 1.0, 3.0, 2.0 }, 0.5), 2.5);
+  EXPECT_DOUBLE_EQ(tool::GetQuantile({ 5.0, 1.0, 3.0 }, 0.25), 2.0);
+  EXPECT_DOUBLE_EQ(tool::GetQuantile({ 5.0, 1.0, 3.0 }, 1.0), 5.0);
+  EXPECT_DOUBLE_EQ(tool::GetQuantile({ 5.0 }, 0.75), 5.0);
+  EXPECT_TRUE(std::isnan(tool::GetQuantile({}, 0.5)));
+}
+
+//------------------------------------------------------------------------------
+TEST(LabelPlaces, NothingIsCovered)
+{
+  tool::LabelPlaces places(0.0, 0.0, 400.0, 400.0);
+  std::vector<std::array<double, 2>> dots;
+  for (int k = 0; k < 6; ++k)
+  {
+    dots.push_back({ 60.0 + 50.0 * k, 330.0 - 50.0 * k });
+    places.AvoidDot(dots.back()[0], dots.back()[1], 5.0);
+  }
+  std::vector<std::array<double, 4>> boxes; // left, bottom, right, top
+  for (const std::array<double, 2>& dot : dots)
+  {
+    const tool::LabelPlace place = places.Put({ dot }, 8.0, 60.0, 20.0, true);
+    EXPECT_TRUE(place.Free);
+    EXPECT_GE(place.X, 0.0);
+    EXPECT_LE(place.X + 60.0, 400.0);
+    EXPECT_GE(place.Y, 0.0);
+    EXPECT_LE(place.Y + 20.0, 400.0);
+    boxes.push_back({ place.X, place.Y, place.X + 60.0, place.Y + 20.0 });
+  }
+  for (const auto& a : boxes)
+  {
+    for (const auto& b : boxes)
+    {
+      EXPECT_TRUE(&a == &b || a[2] <= b[0] || b[2] <= a[0] || a[3] <= b[1] || b[3] <= a[1]);
+    }
+    for (const auto& dot : dots)
+    {
+      EXPECT_FALSE(dot[0] > a[0] && dot[0] < a[2] && dot[1] > a[1] && dot[1] < a[3]);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(LabelPlaces, LinesAreCrossedOnlyIfNeedBe)
+{
+  tool::LabelPlaces places(0.0, 0.0, 400.0, 400.0);
+  places.AvoidLine(200.0, 200.0, 400.0, 200.0); // where the first place would be
+  const tool::LabelPlace place = places.Put({ { 200.0, 200.0 } }, 8.0, 60.0, 20.0, false);
+  EXPECT_TRUE(place.Free);
+  EXPECT_GE(place.Y, 200.0);
+
+  tool::LabelPlaces narrow(0.0, 0.0, 80.0, 30.0);
+  narrow.AvoidDot(40.0, 15.0, 100.0);
+  EXPECT_FALSE(narrow.Put({ { 10.0, 15.0 } }, 8.0, 60.0, 20.0, true).Free);
+}

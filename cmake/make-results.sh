@@ -1,0 +1,32 @@
+#!/bin/bash
+# Measures the methods on the project's data and writes docs/results.md with its charts.
+#
+#   cmake/make-results.sh DATA [OPTIONS]
+#
+# DATA holds materials/rgl, materials/mbsdf and environments. OPTIONS go to `measured-brdf chart` and take the place of
+# those below, e.g. `--sweep small --size 200x200`. The sweep is kept in output/results: an interrupted one goes on. Hours
+# without a graphics card, and of worth on an otherwise idle machine only.
+set -euo pipefail
+[ $# -ge 1 ] && [ -d "$1/environments" ] || { echo "usage: cmake/make-results.sh DATA [OPTIONS]" >&2; exit 2; }
+data=$(cd "$1" && pwd)
+shift
+cd "$(dirname "$0")/.."
+
+measured=("$data"/materials/rgl/*.bsdf "$data"/materials/mbsdf/*.mbsdf)
+published=(blue-fabric gold-metallic-paint3 violet-rubber nickel pink-felt gold-paint)
+environments=
+for name in studio interior city sunset forest sunrise; do
+  environments+=${environments:+,}$data/environments/$name.exr
+done
+materials=("${measured[@]}" "${published[@]}")
+# For a try: RESULTS_MATERIALS="pink-felt gold-paint" RESULTS_ENVIRONMENTS=sky
+[ -z "${RESULTS_MATERIALS:-}" ] || read -r -a materials <<<"$RESULTS_MATERIALS"
+environments=${RESULTS_ENVIRONMENTS:-$environments}
+
+sweep=()
+case " $* " in *" --sweep "*) ;; *) sweep=(--sweep full) ;; esac
+display=()
+[ -n "${DISPLAY:-}" ] || display=(xvfb-run -a -s "-screen 0 1280x1024x24 -noreset")
+"${display[@]}" build/bin/measured-brdf chart "${materials[@]}" --environments "$environments" "${sweep[@]}" "$@" \
+  -o output/results
+python3 cmake/make-results.py output/results "${RESULTS_DOCS:-docs}"
