@@ -9,7 +9,8 @@
  * large a patch, or as many over each other, as take some milliseconds. Costs are the least time of
  * 5 frames (other work on the machine only adds to it) less that of an empty one, per pixel that
  * was shaded. They are of an isotropic Ashikhmin-Shirley lobe; a light of other materials may cost
- * half or twice as much. A cost that drowns in BASE's counts as a hundredth of it.
+ * half or twice as much. A cost that drowns in BASE's counts as a hundredth of it, and BASE as a
+ * tenth of a pixel with one light at least.
  *
  * What was measured is kept on disk per OpenGL vendor, renderer and version, and found again.
  * Nothing else should be at work on the machine meanwhile. Renderers that shade nothing which is
