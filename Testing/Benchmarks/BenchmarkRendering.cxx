@@ -18,6 +18,7 @@
 #include "vtkFilteredRadianceIntegrator.h"
 #include "vtkImageData.h"
 #include "vtkLambertBRDF.h"
+#include "vtkLayeredRadianceIntegrator.h"
 #include "vtkLight.h"
 #include "vtkMeasuredBRDFMapper.h"
 #include "vtkNew.h"
@@ -177,6 +178,27 @@ void MeasuredTable(benchmark::State& state)
   state.counters["bytes"] = static_cast<double>(mapper->GetTextureBytes());
 }
 
+// Samples of the sharp layer, and lights at most: gloss under a hall with lamps.
+void MeasuredLayered(benchmark::State& state)
+{
+  Scene scene;
+  auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("nickel"));
+  vtkNew<vtkEnvironment> hall;
+  hall->SetToProceduralHall();
+  vtkNew<vtkLayeredRadianceIntegrator> integrator;
+  integrator->SetNumberOfSamples(static_cast<int>(state.range(0)));
+  integrator->SetMaximumNumberOfLights(static_cast<int>(state.range(1)));
+  vtkNew<vtkMeasuredBRDFMapper> mapper;
+  mapper->SetInputConnection(scene.Sphere->GetOutputPort());
+  mapper->SetBRDF(brdf);
+  mapper->SetEnvironment(hall);
+  mapper->SetIntegrator(integrator);
+  scene.Actor->SetMapper(mapper);
+  scene.Measure(state, 0);
+  state.counters["lights"] = integrator->GetNumberOfLights();
+  state.counters["bytes"] = static_cast<double>(mapper->GetTextureBytes());
+}
+
 void TableSetUp(benchmark::State& state)
 {
   auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("gold-paint"));
@@ -291,6 +313,10 @@ BENCHMARK(MeasuredTable)
   ->Args({ 33, 12, 16 })
   ->Args({ 65, 16, 16 })
   ->Args({ 129, 12, 16 })
+  ->Unit(benchmark::kMillisecond)
+  ->UseRealTime();
+BENCHMARK(MeasuredLayered)
+  ->ArgsProduct({ { 0, 8, 16 }, { 0, 16 } })
   ->Unit(benchmark::kMillisecond)
   ->UseRealTime();
 BENCHMARK(TableSetUp)
