@@ -143,7 +143,7 @@ std::vector<ChartSize> ListChartSizes(
       }
     }
   }
-  const ChartMethod& planner = FindChartMethod(PlannerMethod);
+  const ChartMethod planner = FindChartMethod(PlannerMethod);
   for (const double tolerance : tolerances)
   {
     list.push_back({ &planner, FormatNumber(tolerance), {} });
