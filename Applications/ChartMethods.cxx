@@ -143,7 +143,9 @@ std::vector<ChartSize> ListChartSizes(
       }
     }
   }
-  const ChartMethod planner = FindChartMethod(PlannerMethod);
+  // A name of its own: newer compilers fear that the reference is into a temporary.
+  const std::string plannerName = PlannerMethod;
+  const ChartMethod& planner = FindChartMethod(plannerName);
   for (const double tolerance : tolerances)
   {
     list.push_back({ &planner, FormatNumber(tolerance), {} });
