@@ -36,7 +36,7 @@ public:
   /// Begin. Throws std::system_error where there are no threads.
   explicit PlanJob(vtkSmartPointer<vtkRadiancePlanner> planner);
 
-  /// Aborts and waits for that: some hundredths of a second, for the largest tables tenths.
+  /// Aborts and waits for that: integrators look at it between the parts of their work.
   ~PlanJob();
   PlanJob(const PlanJob&) = delete;
   void operator=(const PlanJob&) = delete;
