@@ -46,6 +46,7 @@ public:
 
   bool GetGPUForm(vtkBRDFGPUForm& form) override;
   bool UsesBRDFOnGPU() override { return true; }
+  bool UsesSoftLights() override { return this->SoftLights; }
   vtkMTimeType GetInputsMTime() override;
 
 protected:

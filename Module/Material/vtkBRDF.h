@@ -117,7 +117,8 @@ public:
   virtual vtkBRDF* GetRenderable() { return this; }
 
   /**
-   * GLSL file, uniforms and textures that evaluate GetRenderable() on the GPU.
+   * GLSL file, uniforms and textures that evaluate GetRenderable() on the GPU; what EvaluateSoft's
+   * twin needs on top only where form.SoftLights asks for it.
    */
   virtual void GetGPUForm(vtkBRDFGPUForm& form) = 0;
 

@@ -19,6 +19,10 @@
  * are renormalized; with none valid the value is 0. theta axes are constant beyond the outermost
  * samples. Stored values may be negative (measured noise); Evaluate clamps at 0 after
  * interpolation.
+ *
+ * Soft light (EvaluateSoft) reads a HALF_DIFFERENCE volume at a wider level, blurred along theta_h
+ * (what is stored: f, or f cos(theta_o) where it is cosine-weighted). Levels are made when soft
+ * light is first asked for. INCIDENT_OUTGOING volumes, which know no half vector, stay hard.
  */
 
 #ifndef vtkTabulatedBRDF_h
@@ -131,6 +135,7 @@ protected:
 
   vtkBRDF* NewCopy() override;
   void EvaluateAbove(const double i[3], const double o[3], double f[3]) override;
+  void EvaluateSoftAbove(const double i[3], const double o[3], double spread, double f[3]) override;
   bool SampleAbove(const double o[3], double u1, double u2, double i[3]) override;
   double PdfAbove(const double i[3], const double o[3]) override;
 
@@ -149,6 +154,9 @@ private:
 
   struct Sampler;
   std::unique_ptr<Sampler> HalfVectorSampler;
+  struct Levels;
+  const Levels* GetLevels();
+  std::shared_ptr<Levels> WidenedLevels; // of this volume: copies share them until either changes
 };
 
 #endif
