@@ -22,7 +22,7 @@ constexpr float MinimumValidWeight = 1e-4f;
 
 // Samples along theta_h for a lobe of variance 1; the square root's spacing needs as many more as
 // the fourth root of the variance is smaller.
-constexpr double CountOfUnitVariance = 6.0;
+constexpr double CountOfUnitVariance = 8.0;
 
 // RGB times validity, validity (0 or 1).
 struct Cell
