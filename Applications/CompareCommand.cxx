@@ -381,6 +381,7 @@ void Run(Options& options, const CLI::App* command)
   found.Setup = GetMilliseconds(
     [&]()
     {
+      options.Method.Plan.Look(mesh, view, Fill, size);
       method = tool::MakeMethod(options.Method, shaded, environment);
       scene.SetMaterial(method.BRDF);
       scene.SetLight(environment, method.Integrator);
@@ -469,6 +470,7 @@ void AddCompareCommand(CLI::App& app)
   options->Method.Method = "auto";
   options->Method.AddTo(
     command, { "light-set", "thesis", "basis", "filtered", "table", "layered", "auto" });
+  options->Method.Plan.AddForViewTo(command);
   command->add_option(
     "--size", options->Size, "Picture size in pixels, WIDTHxHEIGHT (default 500x500)");
   command->add_option("--view", options->View,

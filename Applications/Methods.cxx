@@ -23,6 +23,7 @@
 namespace
 {
 constexpr double LeastTolerance = 1e-3; // of vtkRadiancePlanner
+constexpr int PairsOfView = 512;        // at most
 
 struct SizeRange
 {
@@ -161,6 +162,19 @@ vtkSmartPointer<vtkDoubleArray> MakeTangents(const std::vector<double>& normals)
   }
   return tangents;
 }
+
+//------------------------------------------------------------------------------
+// 3 components each.
+vtkNew<vtkDoubleArray> ToArray(const std::vector<double>& values)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetNumberOfComponents(3);
+  for (std::size_t k = 0; k < values.size(); k += 3)
+  {
+    array->InsertNextTuple(&values[k]);
+  }
+  return array;
+}
 }
 
 namespace tool
@@ -199,7 +213,7 @@ void MethodOptions::Check(const CLI::App* command)
     this->Method = "light-set";
   }
   CheckTolerance(this->Plan.Tolerance);
-  for (const char* name : { "--tolerance", "--calibrate", "--no-cache" })
+  for (const char* name : { "--tolerance", "--calibrate", "--no-cache", "--for-view" })
   {
     if (command->get_option_no_throw(name) && given(name) && this->Method != "auto")
     {
@@ -223,6 +237,23 @@ void PlanOptions::AddCalibrateTo(CLI::App* command)
   command->add_flag("--calibrate", this->Calibrate,
     "Plan by what each method costs on this machine's OpenGL renderer, measured in about a second "
     "or found on disk, instead of by built-in figures of Mesa's software renderer");
+}
+
+//------------------------------------------------------------------------------
+void PlanOptions::AddForViewTo(CLI::App* command)
+{
+  command->add_flag("--for-view", this->ForView,
+    "Plan for the normals, the views and the number of pixels of this very picture, instead of for "
+    "a sphere from everywhere");
+}
+
+//------------------------------------------------------------------------------
+void PlanOptions::Look(vtkPolyData* mesh, const View& view, double fill, const Size& size)
+{
+  if (this->ForView)
+  {
+    this->Seen = FindSurface(mesh, view, fill, size, PairsOfView);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -269,6 +300,15 @@ vtkSmartPointer<vtkRadiancePlanner> MakePlan(
   planner->SetEnvironment(environment);
   planner->SetErrorTolerance(options.Tolerance);
   planner->SetEvaluateAll(options.All);
+  if (!options.Seen.Pixels.empty())
+  {
+    planner->SetNumberOfPixels(options.Seen.NumberOfCovered);
+    if (!planner->SetPairs(ToArray(options.Seen.Normals), ToArray(options.Seen.Views)))
+    {
+      throw Error("--for-view: the picture shows only " +
+                  FormatCount(options.Seen.Pixels.size(), "pixel") + " of the mesh");
+    }
+  }
   if (!Watch(planner.Get(), &vtkRadiancePlanner::Update, "planning"))
   {
     throw Error(material.File + ": planning: " + TakeErrorText());
@@ -307,16 +347,9 @@ Method MakeMethod(
 std::vector<double> IntegratePairs(vtkRadianceIntegrator* integrator,
   const std::vector<double>& normals, const std::vector<double>& views)
 {
-  vtkNew<vtkDoubleArray> n;
-  vtkNew<vtkDoubleArray> v;
+  const vtkNew<vtkDoubleArray> n = ToArray(normals);
+  const vtkNew<vtkDoubleArray> v = ToArray(views);
   vtkNew<vtkDoubleArray> radiance;
-  n->SetNumberOfComponents(3);
-  v->SetNumberOfComponents(3);
-  for (std::size_t k = 0; k < normals.size(); k += 3)
-  {
-    n->InsertNextTuple(&normals[k]);
-    v->InsertNextTuple(&views[k]);
-  }
   const vtkSmartPointer<vtkDoubleArray> tangents =
     integrator->GetBRDF()->IsIsotropic() ? nullptr : MakeTangents(normals);
   const bool done = Watch(

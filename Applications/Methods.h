@@ -9,6 +9,8 @@
 #define Methods_h
 
 #include "Inputs.h"
+#include "Sizes.h"
+#include "Surface.h"
 #include "Thesis.h"
 
 #include "vtkRadianceCostModel.h"
@@ -27,9 +29,17 @@ struct PlanOptions
   bool All = false;       // try every candidate
   bool UseCache = false;  // take what an earlier run left on disk
   bool Calibrate = false; // by the costs of this machine's renderer
+  bool ForView = false;   // for what a picture shows, see Look
+  Surface Seen;           // nothing: a sphere, from everywhere
 
   /// Add --calibrate to a subcommand.
   void AddCalibrateTo(CLI::App* command);
+
+  /// Add --for-view to a subcommand.
+  void AddForViewTo(CLI::App* command);
+
+  /// With ForView: find what such a picture of the mesh shows. Throws Error where that is nothing.
+  void Look(vtkPolyData* mesh, const View& view, double fill, const Size& size);
 };
 
 struct MethodOptions

@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Inputs.h"
+#include "Meshes.h"
 #include "Methods.h"
 #include "Progress.h"
+#include "Sizes.h"
 #include "Tool.h"
 
 #include <nlohmann/json.hpp>
@@ -17,9 +19,16 @@ struct Options
   std::string File;
   std::string Environment;
   tool::PlanOptions Plan;
+  std::string Mesh;
+  std::string Size = "500x500";
+  std::string View = "30,20";
   bool ChoiceOnly = false;
   bool JSON = false;
 };
+
+constexpr int LargestSize = 8192;
+// Share of the picture's smaller side that the mesh takes, as in the other commands.
+constexpr double Fill = 0.9;
 
 //------------------------------------------------------------------------------
 nlohmann::ordered_json MakeCostsJSON(vtkRadianceCostModel* model)
@@ -74,13 +83,24 @@ void PrintTable(vtkRadiancePlanner* planner)
 }
 
 //------------------------------------------------------------------------------
-void Run(Options& options)
+void Run(Options& options, const CLI::App* command)
 {
   tool::CheckTolerance(options.Plan.Tolerance);
   options.Plan.All = !options.ChoiceOnly;
+  const tool::Size size = tool::ParseSize("--size", options.Size, LargestSize);
+  const tool::View view = tool::ParseView(options.View);
+  for (const char* name : { "--mesh", "--size", "--view" })
+  {
+    if (command->count(name) > 0 && !options.Plan.ForView)
+    {
+      tool::PrintNote(std::string(name) + " has no effect without --for-view");
+    }
+  }
   const tool::Interruptible interruptible;
   const tool::Material material = tool::LoadMaterial(options.File);
   const vtkSmartPointer<vtkEnvironment> environment = tool::LoadEnvironment(options.Environment);
+  options.Plan.Look(
+    options.Mesh.empty() ? tool::MakeSphere() : tool::LoadMesh(options.Mesh), view, Fill, size);
   const vtkSmartPointer<vtkRadiancePlanner> planner =
     tool::MakePlan(material, environment, options.Plan);
   if (options.JSON)
@@ -105,16 +125,24 @@ void AddPlanCommand(CLI::App& app)
   AddProjectionOption(command);
   AddToleranceOption(command, options->Plan.Tolerance);
   options->Plan.AddCalibrateTo(command);
+  options->Plan.AddForViewTo(command);
+  command->add_option("--mesh", options->Mesh,
+    "With --for-view, the mesh: ply, stl, obj, vtp, vtk, gltf or glb (default: a sphere)");
+  command->add_option("--size", options->Size,
+    "With --for-view, the picture's size in pixels, WIDTHxHEIGHT (default 500x500)");
+  command->add_option("--view", options->View,
+    "With --for-view, where to look from, AZIMUTH,ELEVATION in degrees, as for render (default "
+    "30,20)");
   command->add_flag("--choice-only", options->ChoiceOnly,
     "Try no more candidates than the renderer does to find its choice (a second instead of many)");
   command->add_flag("--json", options->JSON, "As JSON");
-  command->footer(
-    "A table of the candidates, the cheapest first: error relative to the mean "
-    "radiance over a sphere,\ntime of a frame of a 500x500 sphere on the renderer that "
-    "is named below (Mesa's software renderer\nunless --calibrate), texture memory, "
-    "set-up time; > marks the choice. Nothing is taken from or left in\nthe cache of "
-    "plans.\n\nExample:\n  "
-    "measured-brdf plan gold-paint --environment hall --tolerance 0.02");
-  command->callback([options]() { Run(*options); });
+  command->footer("A table of the candidates, the cheapest first: error relative to the mean "
+                  "radiance over a sphere (or what --for-view sees),\ntime of a frame of that "
+                  "sphere, 500x500 pixels, on the renderer that "
+                  "is named below (Mesa's software renderer\nunless --calibrate), texture memory, "
+                  "set-up time; > marks the choice. Nothing is taken from or left in\nthe cache of "
+                  "plans. --for-view needs OpenGL.\n\nExample:\n  "
+                  "measured-brdf plan gold-paint --environment hall --tolerance 0.02");
+  command->callback([options, command]() { Run(*options, command); });
 }
 } // namespace tool

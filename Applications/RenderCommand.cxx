@@ -144,6 +144,7 @@ void Run(Options& options, const CLI::App* command)
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin)
       .count();
   };
+  options.Method.Plan.Look(mesh, view, Fill, size);
   const tool::Method method = tool::MakeMethod(options.Method, material, environment);
   tool::Scene scene;
   scene.SetMesh(mesh);
@@ -216,6 +217,7 @@ void AddRenderCommand(CLI::App& app)
   options->Method.Method = "auto";
   options->Method.AddTo(
     command, { "exact", "light-set", "thesis", "basis", "filtered", "table", "layered", "auto" });
+  options->Method.Plan.AddForViewTo(command);
   options->Method.Plan.AddCalibrateTo(command);
   command->add_flag("--no-cache", options->NoCache,
     "Plan anew for --method auto, and leave nothing for later runs. Else plans are kept in "

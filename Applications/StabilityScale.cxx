@@ -32,6 +32,10 @@ using namespace tool::stability;
 
 namespace
 {
+// Drivers compile and allocate for a few frames; a leak of 100 materials' textures is 20 MB each.
+constexpr int WarmUpFrames = 3;
+constexpr double LargestGrowth = 4.0; // MB
+
 //------------------------------------------------------------------------------
 // MB that the process holds; on a software renderer the textures are among them. 0: unknown.
 double GetResidentMemory()
@@ -293,8 +297,12 @@ double DrawCrowd(Context& context, int actors, int materials, int frames, Theatr
   theatre.GetActor()->VisibilityOff();
   theatre.PlaceCamera(128, 128);
   theatre.GetRenderer()->ResetCamera();
-  theatre.DrawAsIs(128, 128);
-  double bad = theatre.GetNumberOfBad();
+  double bad = 0.0;
+  for (int k = 0; k < WarmUpFrames; ++k)
+  {
+    theatre.DrawAsIs(128, 128);
+    bad += theatre.GetNumberOfBad();
+  }
   const double before = GetResidentMemory();
   for (int k = 0; k < frames; ++k)
   {
@@ -320,14 +328,14 @@ void RunCrowds(Context& context)
     Theatre theatre(context);
     std::set<vtkIdType> bytes;
     context.Add("light-set", "MB that later frames add, 100 materials",
-      DrawCrowd(context, 100, 100, frames, theatre, bytes), 2.0);
+      DrawCrowd(context, 100, 100, frames, theatre, bytes), LargestGrowth);
   }
   Theatre theatre(context);
   const int actors = context.Short ? 100 : 1000;
   const double start = GetResidentMemory();
   std::set<vtkIdType> bytes;
   context.Add("auto", "MB that later frames add, " + std::to_string(actors) + " actors",
-    DrawCrowd(context, actors, 1, frames, theatre, bytes), 2.0);
+    DrawCrowd(context, actors, 1, frames, theatre, bytes), LargestGrowth);
   context.Add("auto", "kB an actor adds, " + std::to_string(actors) + " actors of one material",
     1e3 * (GetResidentMemory() - start) / actors, 400.0,
     "one plan for all, " + std::to_string(*bytes.begin()) + " bytes of textures");

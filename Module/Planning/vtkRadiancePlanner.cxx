@@ -41,6 +41,8 @@ namespace
 constexpr double Pi = 3.14159265358979323846;
 constexpr double ErrorOrder = 3.0; // tables gain so many powers of their sizes
 constexpr int Pairs = 256;
+constexpr vtkIdType FewestPairs = 16;
+constexpr vtkIdType MostPairs = 4096;
 
 // Rows, view angles, azimuths: what linear interpolation in each costs in error differs with the
 // material's gloss (docs/methods.md).
@@ -52,13 +54,14 @@ const int LayerSizes[][4] = { { 33, 12, 16, 0 }, { 65, 12, 16, 0 }, { 129, 12, 1
   { 129, 12, 16, 16 } };
 constexpr int MaximumLights = 16;
 constexpr double MegabyteShare = 10.0 / 107.0; // of a table's pixel, that a megabyte counts as
+constexpr double SpherePixels = 196350.0;      // where it does
 constexpr vtkIdType TableBytes = 12 * (256 * 129 + 3 * 64); // irradiance and profile
 const int LightCounts[] = { 64, 256, 1024, 4096 };
 constexpr int AnisotropicLights = 256; // more cost seconds a frame without a graphics card
 const int SampleCounts[] = { 16, 64, 256 };
 const int FunctionCounts[] = { 9, 25, 64 };
 
-constexpr char PlanVersion[] = "plan 4"; // rises with anything that changes plans or tables
+constexpr char PlanVersion[] = "plan 5"; // rises with anything that changes plans or tables
 constexpr std::size_t LargestCount = 100;
 constexpr vtkIdType SmallTexture = 4000000; // bytes; the reason says why a plan takes more
 
@@ -93,10 +96,10 @@ vtkIdType GetPyramidBytes(vtkEnvironment* environment)
   return 6 * (size + 2) * (2 * size + 24);
 }
 
-// What the order of the candidates counts.
-double GetOrder(const Candidate& candidate, double tableCost)
+// What the order of the candidates counts. bytePrice: of a byte, in ns a pixel.
+double GetOrder(const Candidate& candidate, double bytePrice)
 {
-  return candidate.Cost + 1e-6 * MegabyteShare * tableCost * static_cast<double>(candidate.Bytes);
+  return candidate.Cost + bytePrice * static_cast<double>(candidate.Bytes);
 }
 
 // Whether one that was tried already tells that a larger one does not help: of the same method and
@@ -199,6 +202,10 @@ struct vtkRadiancePlanner::Internals
   vtkNew<vtkVarianceLightSetGenerator> Generator; // keeps its tree
   std::string Problem;                            // that an integrator had
 
+  // What a camera sees, if that was said.
+  vtkSmartPointer<vtkDoubleArray> GivenNormals;
+  vtkSmartPointer<vtkDoubleArray> GivenViews;
+
   // What the candidates are measured against.
   vtkNew<vtkDoubleArray> Normals;
   vtkNew<vtkDoubleArray> Views;
@@ -238,6 +245,21 @@ struct vtkRadiancePlanner::Internals
     hash.AddValue(planner->GetMaximumTextureBytes());
     hash.AddValue(planner->GetEvaluateAll());
     hash.Add(planner->GetViewDirection(), 3 * sizeof(double));
+    hash.AddValue(planner->GetNumberOfPixels());
+    for (vtkDoubleArray* given : { this->GivenNormals.Get(), this->GivenViews.Get() })
+    {
+      if (given)
+      {
+        hash.Add(given->GetPointer(0),
+          static_cast<std::size_t>(given->GetNumberOfValues()) * sizeof(double));
+      }
+    }
+    if (this->GivenNormals)
+    {
+      double rotation[9];
+      this->Environment->GetWorldToEnvironment(rotation);
+      hash.Add(rotation, sizeof(rotation));
+    }
     const std::vector<double> costs = this->GetCosts();
     hash.Add(costs.data(), costs.size() * sizeof(double));
     return hash.GetText();
@@ -347,7 +369,15 @@ struct vtkRadiancePlanner::Internals
 
   bool MakeReference(vtkRadiancePlanner* planner)
   {
-    this->DrawPairs(Pairs, planner->GetViewDirection());
+    if (this->GivenNormals)
+    {
+      this->Normals->DeepCopy(this->GivenNormals);
+      this->Views->DeepCopy(this->GivenViews);
+    }
+    else
+    {
+      this->DrawPairs(Pairs, planner->GetViewDirection());
+    }
     vtkNew<measuredbrdf::PlanReference> reference;
     reference->SetBRDF(this->BRDF);
     reference->SetEnvironment(this->Environment);
@@ -532,6 +562,53 @@ void vtkRadiancePlanner::SetEnvironment(vtkEnvironment* environment)
 vtkEnvironment* vtkRadiancePlanner::GetEnvironment() { return this->Impl->Environment; }
 
 //------------------------------------------------------------------------------
+bool vtkRadiancePlanner::SetPairs(vtkDataArray* normals, vtkDataArray* views)
+{
+  Internals& impl = *this->Impl;
+  if (!normals && !views)
+  {
+    if (impl.GivenNormals)
+    {
+      impl.GivenNormals = nullptr;
+      impl.GivenViews = nullptr;
+      this->Modified();
+    }
+    return true;
+  }
+  const vtkIdType count = normals && views ? normals->GetNumberOfTuples() : 0;
+  if (!views || count != views->GetNumberOfTuples() || count < FewestPairs || count > MostPairs ||
+      normals->GetNumberOfComponents() != 3 || views->GetNumberOfComponents() != 3)
+  {
+    vtkErrorMacro("SetPairs: expected two arrays of as many tuples of 3, from "
+                  << FewestPairs << " to " << MostPairs << ".");
+    return false;
+  }
+  for (vtkIdType k = 0; k < count; ++k)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      if (!std::isfinite(normals->GetComponent(k, c)) || !std::isfinite(views->GetComponent(k, c)))
+      {
+        vtkErrorMacro("SetPairs: pair " << k << " has a value that is not finite.");
+        return false;
+      }
+    }
+  }
+  impl.GivenNormals = vtkSmartPointer<vtkDoubleArray>::New();
+  impl.GivenNormals->DeepCopy(normals);
+  impl.GivenViews = vtkSmartPointer<vtkDoubleArray>::New();
+  impl.GivenViews->DeepCopy(views);
+  this->Modified();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkRadiancePlanner::GetNumberOfPairs()
+{
+  return this->Impl->GivenNormals ? this->Impl->GivenNormals->GetNumberOfTuples() : 0;
+}
+
+//------------------------------------------------------------------------------
 void vtkRadiancePlanner::SetCostModel(vtkRadianceCostModel* model)
 {
   if (this->Impl->Costs != model)
@@ -651,9 +728,11 @@ bool vtkRadiancePlanner::Update()
       "Update: nothing fits into MaximumTextureBytes, " << this->MaximumTextureBytes << " bytes.");
     return false;
   }
+  const double bytePrice =
+    1e-6 * MegabyteShare * tableCost * SpherePixels / static_cast<double>(this->NumberOfPixels);
   std::stable_sort(wanted.begin(), wanted.end(),
-    [tableCost](const Candidate& a, const Candidate& b)
-    { return GetOrder(a, tableCost) < GetOrder(b, tableCost); });
+    [bytePrice](const Candidate& a, const Candidate& b)
+    { return GetOrder(a, bytePrice) < GetOrder(b, bytePrice); });
 
   if (this->Abort || !impl.MakeReference(this))
   {
@@ -860,6 +939,7 @@ void vtkRadiancePlanner::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
   os << indent << "ViewDirection: " << this->ViewDirection[0] << " " << this->ViewDirection[1]
      << " " << this->ViewDirection[2] << "\n";
+  os << indent << "Pairs: " << this->GetNumberOfPairs() << "\n";
   os << indent << "EvaluateAll: " << (this->EvaluateAll ? "On" : "Off") << "\n";
   os << indent << "MaximumTextureBytes: " << this->MaximumTextureBytes << "\n";
   os << indent << "NumberOfPixels: " << this->NumberOfPixels << "\n";

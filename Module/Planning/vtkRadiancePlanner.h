@@ -13,11 +13,15 @@
  * broad, thousands of directions for what is sharp); one standard error of that sample is added.
  * Costs are those of a vtkRadianceCostModel: Mesa's llvmpipe's unless another is set.
  *
- * The order of the candidates counts 9 % of a table's pixel (10 ns on llvmpipe) for every megabyte
- * of texture on top: tables of radiance cost the same few fetches at every size. Where no candidate
- * meets the tolerance, the most accurate one is chosen and the reason says so. A plan is made again
- * when the material, the environment's pixels or the settings changed; a rotation of the
- * environment changes nothing.
+ * The order of the candidates counts 9 % of a table's pixel (10 ns on llvmpipe), times 196350 /
+ * NumberOfPixels, for every megabyte of texture on top: tables of radiance cost the same few
+ * fetches at every size. Where no candidate meets the tolerance, the most accurate one is chosen
+ * and the reason says so. A plan is made again when the material, the environment's pixels or the
+ * settings changed; a rotation of the environment changes nothing.
+ *
+ * What a camera sees can need less than the whole sphere: SetPairs checks candidates on what is in
+ * view only. A megabyte is paid once a frame, whatever the object covers: NumberOfPixels weighs it
+ * against costs per pixel, so that distant objects get small textures.
  */
 
 #ifndef vtkRadiancePlanner_h
@@ -32,6 +36,7 @@
 #include <string> // for descriptions
 
 class vtkBRDF;
+class vtkDataArray;
 class vtkEnvironment;
 class vtkRadianceCostModel;
 class vtkRadianceIntegrator;
@@ -79,6 +84,20 @@ public:
   vtkGetVector3Macro(ViewDirection, double);
   ///@}
 
+  /**
+   * Check candidates on these pairs instead, what a camera sees: as many unit normals as unit
+   * directions towards the camera, 3 components each, world coordinates with the environment turned
+   * as it is, from 16 to 4096 of them (drawn in proportion to the pixels that they cover). Copied.
+   * Two nulls (default): a sphere's. Returns false with an error event, the pairs as they were,
+   * where the arrays do not fit, or a value is not finite.
+   */
+  bool SetPairs(vtkDataArray* normals, vtkDataArray* views);
+
+  /**
+   * How many pairs SetPairs has set.
+   */
+  vtkIdType GetNumberOfPairs();
+
   ///@{
   /**
    * Also try every candidate that cannot be chosen, for the table that GetPlan prints (default
@@ -99,9 +118,10 @@ public:
 
   ///@{
   /**
-   * Covered pixels that a predicted frame time counts (default 196350, a 500 x 500 sphere).
+   * Covered pixels that a predicted frame time counts, and that share the price of memory (default
+   * 196350, a 500 x 500 sphere; at least 1).
    */
-  vtkSetMacro(NumberOfPixels, vtkIdType);
+  vtkSetClampMacro(NumberOfPixels, vtkIdType, 1, VTK_ID_MAX);
   vtkGetMacro(NumberOfPixels, vtkIdType);
   ///@}
 

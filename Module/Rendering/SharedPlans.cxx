@@ -4,11 +4,16 @@
 
 #include "SharedObjects.h"
 #include "vtkBRDF.h"
+#include "vtkDoubleArray.h"
 #include "vtkEnvironment.h"
 #include "vtkNew.h"
 #include "vtkRadianceCostModel.h"
 #include "vtkRadiancePlanner.h"
 
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace measuredbrdf
@@ -21,6 +26,29 @@ SharedPlans& GetSharedPlans()
 {
   static SharedPlans plans;
   return plans;
+}
+
+// From the environment's frame.
+vtkSmartPointer<vtkDoubleArray> ToWorld(
+  const std::vector<glm::dvec3>& directions, vtkEnvironment* environment)
+{
+  double rows[9];
+  environment->GetWorldToEnvironment(rows);
+  const glm::dmat3 toWorld = glm::make_mat3(rows); // glm takes columns: the transpose
+  auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetNumberOfComponents(3);
+  for (const glm::dvec3& direction : directions)
+  {
+    const glm::dvec3 turned = toWorld * direction;
+    array->InsertNextTuple(&turned.x);
+  }
+  return array;
+}
+
+// Powers of two, so that plans kept on disk are found again.
+vtkIdType RoundPixels(double pixels)
+{
+  return static_cast<vtkIdType>(std::exp2(std::round(std::log2(std::clamp(pixels, 1.0, 1e9)))));
 }
 }
 
@@ -50,6 +78,12 @@ vtkSmartPointer<vtkRadiancePlanner> NewPlanner(const PlanInputs& inputs, bool ap
           : inputs.Environment);
   planner->SetErrorTolerance(inputs.Tolerance);
   planner->SetCacheFolder(vtkRadiancePlanner::GetDefaultCacheFolder());
+  if (inputs.Seen)
+  {
+    planner->SetPairs(ToWorld(inputs.Seen->GetNormals(), planner->GetEnvironment()),
+      ToWorld(inputs.Seen->GetViews(), planner->GetEnvironment()));
+    planner->SetNumberOfPixels(RoundPixels(inputs.Seen->GetNumberOfPixels()));
+  }
   if (!inputs.Costs.empty())
   {
     vtkNew<vtkRadianceCostModel> costs;

@@ -9,9 +9,11 @@
 #ifndef SharedPlans_h
 #define SharedPlans_h
 
+#include "VisibleSurface.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
+#include <memory>
 #include <string>
 #include <tuple>
 
@@ -30,12 +32,12 @@ struct PlanInputs
     vtkBRDF* brdf, vtkEnvironment* environment, double tolerance, vtkRadianceCostModel* costs);
 
   /// The plans' key. Modification times are never used twice: a recycled address does no harm.
-  using Key =
-    std::tuple<vtkBRDF*, vtkMTimeType, vtkEnvironment*, vtkMTimeType, double, std::string>;
+  using Key = std::tuple<vtkBRDF*, vtkMTimeType, vtkEnvironment*, vtkMTimeType, double, std::string,
+    vtkMTimeType>;
   Key GetKey() const
   {
     return { this->BRDF, this->BRDFTime, this->Environment, this->PixelsTime, this->Tolerance,
-      this->Costs };
+      this->Costs, this->SeenTime };
   }
 
   vtkSmartPointer<vtkBRDF> BRDF;
@@ -44,6 +46,11 @@ struct PlanInputs
   vtkMTimeType PixelsTime = 0;
   double Tolerance = 0.0;
   std::string Costs; // a cost model's text; "": the defaults
+
+  /// What the camera sees, in the environment's frame, and a time that no other one has; null, 0:
+  /// a plan for every view.
+  std::shared_ptr<const VisibleSurface> Seen;
+  vtkMTimeType SeenTime = 0;
 };
 
 /// A plan's planner, not updated yet, of the objects themselves or, apart, of snapshots of its own,

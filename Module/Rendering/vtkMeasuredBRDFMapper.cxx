@@ -6,9 +6,11 @@
 #include "BRDFTextures.h"
 #include "CurrentPlan.h"
 #include "LightSetCache.h"
+#include "VisibleSurface.h"
 
 #include "vtkActor.h"
 #include "vtkBRDF.h"
+#include "vtkCamera.h"
 #include "vtkCommand.h"
 #include "vtkDataObject.h"
 #include "vtkEnvironment.h"
@@ -19,7 +21,9 @@
 #include "vtkLightSetGenerator.h"
 #include "vtkLightSetIntegrator.h"
 #include "vtkLightingMapPass.h"
+#include "vtkMath.h"
 #include "vtkMatrix3x3.h"
+#include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLHelper.h"
@@ -33,10 +37,14 @@
 #include "vtkShader.h"
 #include "vtkShaderProgram.h"
 #include "vtkTexture.h"
+#include "vtkTimeStamp.h"
 #include "vtkVarianceLightSetGenerator.h"
 
 #include <algorithm>
+#include <memory>
 #include <set>
+#include <string>
+#include <vector>
 
 using namespace measuredbrdf;
 
@@ -50,6 +58,9 @@ struct vtkMeasuredBRDFMapper::Internals
   vtkSmartPointer<vtkRadianceIntegrator> WantedIntegrator;
   vtkSmartPointer<vtkRadianceCostModel> Costs;
   CurrentPlan Plan;
+  std::shared_ptr<const VisibleSurface> Seen; // what to plan for; null: every view
+  vtkTimeStamp SeenTime;                      // of Seen
+  std::vector<double> SeenFrom;               // what the last look at the view depended on
 
   // In use since the last RenderPieceStart.
   vtkSmartPointer<vtkBRDF> Drawn;         // the material or, of a plan in use, its snapshot
@@ -150,6 +161,7 @@ void vtkMeasuredBRDFMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
   const char* const modes[] = { "foreground", "background", "background from start" };
   os << indent << "PlanningMode: " << modes[this->PlanningMode] << "\n";
+  os << indent << "PlanForView: " << (this->PlanForView ? "On" : "Off") << "\n";
   os << indent << "CostModel: " << (this->Impl->Costs ? this->Impl->Costs->GetName() : "default")
      << "\n";
   os << indent << "Plan: " << this->GetPlan() << "\n";
@@ -245,10 +257,63 @@ void vtkMeasuredBRDFMapper::SetCostModel(vtkRadianceCostModel* model) { this->Im
 vtkRadianceCostModel* vtkMeasuredBRDFMapper::GetCostModel() { return this->Impl->Costs; }
 
 //------------------------------------------------------------------------------
-void vtkMeasuredBRDFMapper::UpdatePlan()
+void vtkMeasuredBRDFMapper::UpdateSeen(vtkRenderer* ren, vtkActor* actor)
 {
   Internals& impl = *this->Impl;
-  const PlanInputs wanted(impl.BRDF, impl.CurrentEnvironment, this->ErrorTolerance, impl.Costs);
+  if (!this->PlanForView)
+  {
+    impl.Seen = nullptr;
+    impl.SeenFrom.clear();
+    return;
+  }
+  // The world in the environment's frame: the renderer's turn, then the environment's own.
+  double axes[3][3];
+  ren->GetEnvironmentRight(axes[0]);
+  ren->GetEnvironmentUp(axes[1]);
+  vtkMath::Cross(axes[0], axes[1], axes[2]);
+  double own[9];
+  impl.CurrentEnvironment->GetWorldToEnvironment(own);
+  double turn[9];
+  for (int k = 0; k < 9; ++k)
+  {
+    turn[k] = 0.0;
+    for (int j = 0; j < 3; ++j)
+    {
+      turn[k] += own[k / 3 * 3 + j] * axes[j][k % 3];
+    }
+  }
+  vtkCamera* camera = ren->GetActiveCamera();
+  const int* size = ren->GetSize();
+  std::vector<double> from(turn, turn + 9);
+  for (vtkMatrix4x4* matrix :
+    { camera->GetCompositeProjectionTransformMatrix(1.0, -1.0, 1.0), actor->GetMatrix() })
+  {
+    from.insert(from.end(), matrix->GetData(), matrix->GetData() + 16);
+  }
+  from.insert(from.end(), { static_cast<double>(size[0]), static_cast<double>(size[1]),
+                            static_cast<double>(this->GetInput()->GetMTime()) });
+  if (from == impl.SeenFrom)
+  {
+    return;
+  }
+  impl.SeenFrom = from;
+  const auto seen = std::make_shared<VisibleSurface>(
+    this->GetInput(), actor->GetMatrix(), camera, size[0], size[1], turn);
+  if (!seen->IsEmpty() && !(impl.Seen && impl.Seen->Serves(*seen))) // out of view: as it was
+  {
+    impl.Seen = seen;
+    impl.SeenTime.Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkMeasuredBRDFMapper::UpdatePlan(vtkRenderer* ren, vtkActor* actor)
+{
+  Internals& impl = *this->Impl;
+  this->UpdateSeen(ren, actor);
+  PlanInputs wanted(impl.BRDF, impl.CurrentEnvironment, this->ErrorTolerance, impl.Costs);
+  wanted.Seen = impl.Seen;
+  wanted.SeenTime = impl.Seen ? impl.SeenTime.GetMTime() : 0;
   const CurrentPlan::Timing timings[] = { CurrentPlan::Timing::Foreground,
     CurrentPlan::Timing::Changes, CurrentPlan::Timing::Always };
   std::string problem;
@@ -338,6 +403,7 @@ void vtkMeasuredBRDFMapper::ShallowCopy(vtkAbstractMapper* m)
     this->SetMethod(other->GetMethod());
     this->SetErrorTolerance(other->GetErrorTolerance());
     this->SetPlanningMode(other->GetPlanningMode());
+    this->SetPlanForView(other->GetPlanForView());
     this->SetCostModel(other->GetCostModel());
     this->SetLightSetMethod(other->GetLightSetMethod());
     this->SetNumberOfLights(other->GetNumberOfLights());
@@ -560,7 +626,7 @@ void vtkMeasuredBRDFMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* actor)
     impl.Drawn = impl.BRDF;
     if (lit && !impl.Integrator && !impl.LightSet && this->Method == AUTO)
     {
-      this->UpdatePlan();
+      this->UpdatePlan(ren, actor);
     }
     else
     {

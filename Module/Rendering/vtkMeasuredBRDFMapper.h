@@ -151,6 +151,22 @@ public:
 
   ///@{
   /**
+   * With AUTO, whether to plan for what the camera sees instead of for every view (default off).
+   * Candidates are then checked on the normals and views that are in the picture, in proportion to
+   * the pixels that they cover, and memory weighs the more the fewer these are: distant or flat
+   * objects get cheaper plans. Where the camera, the object or the environment's rotation bring to
+   * light what was not seen before (a tenth of it by 15 degrees, or 4 times more or 8 times fewer
+   * pixels), the mapper plans again, in the background if PlanningMode says so; in between, the
+   * plan stays. A plan for every view never changes under the camera: hence the default.
+   */
+  void SetPlanForView(bool view) { this->PlanForView = view; }
+  bool GetPlanForView() { return this->PlanForView; }
+  void PlanForViewOn() { this->SetPlanForView(true); }
+  void PlanForViewOff() { this->SetPlanForView(false); }
+  ///@}
+
+  ///@{
+  /**
    * Whether the last Render showed another plan than was asked for, since that is still being made;
    * whether it is made now and the next Render takes it up. That one raises
    * vtkCommand::UpdateDataEvent, as every Render with a new plan does, for GetPlan's sake: from
@@ -278,6 +294,7 @@ protected:
 
   int Method = AUTO;
   int PlanningMode = FOREGROUND;
+  bool PlanForView = false;
   double ErrorTolerance = 0.02;
   int LightSetMethod = MEDIAN_CUT;
   int NumberOfLights = 64;
@@ -290,7 +307,10 @@ private:
   void operator=(const vtkMeasuredBRDFMapper&) = delete;
 
   /// Bring Impl->Plan up to date, or begin to.
-  void UpdatePlan();
+  void UpdatePlan(vtkRenderer* ren, vtkActor* actor);
+
+  /// Bring what Impl->Seen holds up to date: as it was, where that serves for this view, too.
+  void UpdateSeen(vtkRenderer* ren, vtkActor* actor);
 
   struct Internals;
   std::unique_ptr<Internals> Impl;

@@ -201,6 +201,71 @@ TEST_F(Background, EndsWhilePlanning)
   EXPECT_EQ(GatedBRDF::GetNumberOfObjects(), 1);
 }
 
+TEST_F(Background, PlansForTheView)
+{
+  int plans = 0;
+  vtkNew<vtkCallbackCommand> count;
+  count->SetClientData(&plans);
+  count->SetCallback(
+    [](vtkObject*, unsigned long, void* data, void*) { ++*static_cast<int*>(data); });
+  this->Measured->AddObserver(vtkCommand::UpdateDataEvent, count);
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  this->RenderEncoded();
+  EXPECT_EQ(plans, 1);
+  camera->Azimuth(90.0);
+  this->RenderEncoded();
+  EXPECT_EQ(plans, 1); // one for every view
+  const std::string everywhere = this->Measured->GetPlan();
+
+  this->Measured->PlanForViewOn();
+  const FloatImage seen = this->RenderEncoded();
+  EXPECT_EQ(plans, 2);
+  const std::string here = this->Measured->GetPlan();
+  EXPECT_NE(here, everywhere);
+  this->RenderEncoded();
+  camera->Azimuth(4.0);
+  this->RenderEncoded();
+  EXPECT_EQ(plans, 2) << "a small turn";
+  this->Sky->SetRotationY(5.0);
+  this->RenderEncoded();
+  EXPECT_EQ(plans, 2) << "a small turn of the environment";
+  this->Sky->SetRotationY(0.0);
+  camera->Azimuth(60.0);
+  this->RenderEncoded();
+  EXPECT_EQ(plans, 3) << "a large turn";
+  this->Sky->SetRotationY(90.0);
+  this->RenderEncoded();
+  EXPECT_EQ(plans, 4) << "a large turn of the environment";
+  this->Sky->SetRotationY(0.0);
+  camera->Azimuth(-64.0);
+  EXPECT_EQ(this->RenderEncoded().RGBA, seen.RGBA) << "the same view, the same picture";
+  EXPECT_EQ(this->Measured->GetPlan().substr(0, 40), here.substr(0, 40));
+  camera->SetFocalPoint(50.0, 0.0, 0.0); // out of view
+  const int before = plans;
+  this->RenderEncoded();
+  EXPECT_EQ(plans, before);
+}
+
+TEST_F(Background, ViewsArePlannedForApart)
+{
+  this->Measured->PlanForViewOn();
+  this->Measured->SetPlanningModeToBackground();
+  this->RenderEncoded();
+  const std::string first = this->Measured->GetPlan();
+  this->Renderer->GetActiveCamera()->Azimuth(70.0);
+  this->BRDF->Door->Close();
+  this->RenderEncoded();
+  EXPECT_TRUE(this->Measured->GetPlanPending());
+  EXPECT_EQ(this->Measured->GetPlan(), first);
+  this->Renderer->GetActiveCamera()->Azimuth(4.0);
+  this->RenderEncoded();
+  EXPECT_TRUE(this->Measured->GetPlanPending());
+  this->BRDF->Door->OpenUp();
+  ASSERT_TRUE(this->WaitUntilReady());
+  this->RenderEncoded();
+  EXPECT_FALSE(this->Measured->GetPlanPending());
+}
+
 TEST_F(Background, CopiesPrintsAndRefuses)
 {
   vtkNew<vtkRadianceCostModel> costs;
@@ -208,7 +273,9 @@ TEST_F(Background, CopiesPrintsAndRefuses)
   this->Measured->SetPlanningModeToBackground();
   this->Measured->SetCostModel(costs);
   vtkNew<vtkMeasuredBRDFMapper> copy;
+  this->Measured->PlanForViewOn();
   copy->ShallowCopy(this->Measured);
+  EXPECT_TRUE(copy->GetPlanForView());
   EXPECT_EQ(copy->GetPlanningMode(), vtkMeasuredBRDFMapper::BACKGROUND);
   EXPECT_EQ(copy->GetCostModel(), costs.Get());
   std::ostringstream text;

@@ -219,12 +219,93 @@ TEST(Planner, PlansAgainExactlyWhenItMust)
   expectNew("the environment", true);
   planner->SetViewDirection(0.0, 0.0, 1.0);
   expectNew("the view", true);
+  planner->SetNumberOfPixels(400);
+  expectNew("the size", true);
+  SpherePairs pairs;
+  pairs.AddRandom(20);
+  planner->SetPairs(pairs.Normals, pairs.Views);
+  expectNew("what is seen", true);
   vtkNew<vtkRadianceCostModel> costs;
   planner->SetCostModel(costs);
   expectNew("another cost model", true);
   costs->SetCost(vtkRadianceCostModel::TABLE, 40.0);
   expectNew("a cost", true);
   expectNew("nothing", false);
+}
+
+//------------------------------------------------------------------------------
+// A wall that faces the camera needs less than a sphere, and keeps what is promised.
+TEST(Planner, PlansForWhatIsSeen)
+{
+  const auto environment = NewSmallEnvironment(true);
+  const auto brdf = NewPhong(60.0);
+  const auto planner = NewPlanner(brdf, environment, 0.02);
+  ASSERT_TRUE(planner->Update());
+  const vtkIdType everywhere = planner->GetTextureBytes(planner->GetChoice());
+
+  SpherePairs wall;
+  const glm::dvec3 normal = glm::normalize(glm::dvec3(0.1, -0.9, 0.3));
+  for (int k = 0; k < 64; ++k)
+  {
+    const glm::dvec3 aside((k % 8 - 3.5) * 0.05, 0.0, (k / 8 - 3.5) * 0.05);
+    wall.Add(normal, glm::normalize(normal + aside));
+  }
+  ASSERT_TRUE(planner->SetPairs(wall.Normals, wall.Views));
+  EXPECT_EQ(planner->GetNumberOfPairs(), 64);
+  ASSERT_TRUE(planner->Update());
+  std::printf("%s\n", planner->GetPlan().c_str());
+  const vtkIdType seen = planner->GetTextureBytes(planner->GetChoice());
+  EXPECT_LT(seen, everywhere);
+  EXPECT_TRUE(planner->GetMeetsTolerance());
+  vtkNew<vtkExactIntegrator> exact;
+  exact->SetBRDF(brdf);
+  exact->SetEnvironment(environment);
+  EXPECT_LE(
+    GetRelativeError(wall.Integrate(TakeChoice(planner)), wall.Integrate(exact.Get())), 0.02);
+
+  ASSERT_TRUE(planner->SetPairs(nullptr, nullptr));
+  ASSERT_TRUE(planner->Update());
+  EXPECT_EQ(planner->GetTextureBytes(planner->GetChoice()), everywhere);
+}
+
+//------------------------------------------------------------------------------
+// Few pixels take lights of their own rather than a large table.
+TEST(Planner, DistantObjectsGetSmallTextures)
+{
+  const auto environment = NewSmallEnvironment(true);
+  const auto brdf = NewPhong(800.0);
+  const auto planner = NewPlanner(brdf, environment, 0.02);
+  planner->SetNumberOfPixels(4000000);
+  ASSERT_TRUE(planner->Update());
+  const vtkIdType bytes = planner->GetTextureBytes(planner->GetChoice());
+  std::printf("%s\n", planner->GetPlan().c_str());
+  planner->SetNumberOfPixels(1000);
+  ASSERT_TRUE(planner->Update());
+  std::printf("%s\n", planner->GetPlan().c_str());
+  EXPECT_LT(planner->GetTextureBytes(planner->GetChoice()), bytes);
+  EXPECT_TRUE(planner->GetMeetsTolerance());
+}
+
+//------------------------------------------------------------------------------
+TEST(Planner, RefusesPairsThatDoNotFit)
+{
+  vtkNew<vtkRadiancePlanner> planner;
+  ErrorCatcher errors(planner);
+  SpherePairs pairs;
+  pairs.AddRandom(32);
+  ASSERT_TRUE(planner->SetPairs(pairs.Normals, pairs.Views));
+  SpherePairs few;
+  few.AddRandom(15);
+  EXPECT_FALSE(planner->SetPairs(few.Normals, few.Views));
+  EXPECT_TRUE(Contains(errors.GetText(), "from 16 to 4096")) << errors.GetText();
+  EXPECT_FALSE(planner->SetPairs(pairs.Normals, few.Views));
+  EXPECT_FALSE(planner->SetPairs(pairs.Normals, nullptr));
+  SpherePairs broken;
+  broken.AddRandom(32);
+  broken.Normals->SetComponent(7, 1, std::numeric_limits<double>::quiet_NaN());
+  EXPECT_FALSE(planner->SetPairs(broken.Normals, broken.Views));
+  EXPECT_TRUE(Contains(errors.GetText(), "pair 7")) << errors.GetText();
+  EXPECT_EQ(planner->GetNumberOfPairs(), 32);
 }
 
 //------------------------------------------------------------------------------
