@@ -40,7 +40,7 @@ namespace
 {
 constexpr double Pi = 3.14159265358979323846;
 constexpr double ErrorOrder = 3.0; // tables gain so many powers of their sizes
-constexpr int Pairs = 256;
+constexpr int Pairs = 512;
 constexpr vtkIdType FewestPairs = 16;
 constexpr vtkIdType MostPairs = 4096;
 
@@ -53,7 +53,7 @@ const int LayerSizes[][4] = { { 33, 12, 16, 0 }, { 65, 12, 16, 0 }, { 129, 12, 1
   { 33, 12, 16, 8 }, { 65, 12, 16, 8 }, { 65, 24, 24, 8 }, { 33, 12, 16, 16 }, { 65, 12, 16, 16 },
   { 129, 12, 16, 16 } };
 constexpr int MaximumLights = 16;
-constexpr double MegabyteShare = 10.0 / 107.0; // of a table's pixel, that a megabyte counts as
+constexpr double MegabyteShare = 3.0 / 107.0; // of a table's pixel, that a megabyte counts as
 constexpr double SpherePixels = 196350.0;      // where it does
 constexpr vtkIdType TableBytes = 12 * (256 * 129 + 3 * 64); // irradiance and profile
 const int LightCounts[] = { 64, 256, 1024, 4096 };
