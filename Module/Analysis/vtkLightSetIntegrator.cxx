@@ -47,6 +47,8 @@ bool vtkLightSetIntegrator::Begin()
     vtkErrorMacro("Integrate: there is no light set.");
     return false;
   }
+  this->Shaded = this->SoftLights ? this->BRDF->GetRenderable() : this->BRDF.Get();
+  this->Shaded->Prepare();
   return true;
 }
 
@@ -68,7 +70,7 @@ void vtkLightSetIntegrator::IntegratePart(
     {
       glm::dvec3 f;
       const double spread = this->SoftLights ? GetSpread(this->LightSet, k) : 0.0;
-      this->BRDF->EvaluateSoft(&light.x, &view.x, spread, &f.x);
+      this->Shaded->EvaluateSoft(&light.x, &view.x, spread, &f.x);
       for (int c = 0; c < 3; ++c)
       {
         radiance[c] += light.z * f[c] * irradiance[c];

@@ -9,7 +9,9 @@
  * horizon than 1.1 degrees are taken there, as the shader takes them.
  *
  * A sharp lobe shows a few lights as dots. Soft lights spread each by its concentration: the lobe
- * is evaluated as wide as lobe and light together (vtkBRDF::EvaluateSoft).
+ * is evaluated as wide as lobe and light together (vtkBRDF::EvaluateSoft). Closed forms, D-BRDFs
+ * and tables over half and difference angles have that form; measured materials that are resampled
+ * for the graphics card are shaded with the table (vtkBRDF::GetRenderable). All else stays hard.
  */
 
 #ifndef vtkLightSetIntegrator_h
@@ -46,6 +48,7 @@ public:
 
   bool GetGPUForm(vtkBRDFGPUForm& form) override;
   bool UsesBRDFOnGPU() override { return true; }
+  bool UsesSoftLights() override { return this->SoftLights; }
   vtkMTimeType GetInputsMTime() override;
 
 protected:
@@ -57,6 +60,7 @@ protected:
     int part, const double n[3], const double o[3], const double t[3], double radiance[3]) override;
 
   vtkSmartPointer<vtkLightSet> LightSet;
+  vtkSmartPointer<vtkBRDF> Shaded; // the material, or what knows soft light of it
   bool SoftLights = false;
 
 private:

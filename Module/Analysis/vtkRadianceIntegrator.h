@@ -78,6 +78,12 @@ public:
   virtual bool UsesBRDFOnGPU() { return false; }
 
   /**
+   * Whether it calls brdfEvaluateSoft: the material's form has to be asked for with
+   * vtkBRDFGPUForm::SoftLights.
+   */
+  virtual bool UsesSoftLights() { return false; }
+
+  /**
    * When anything that Prepare depends on last changed. A rotation of the environment does not
    * count: everything is built in the environment's own frame.
    */

@@ -3,6 +3,7 @@
 #include "DistributionLevels.h"
 
 #include "HalfVector.h"
+#include "RingKernel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,30 +15,6 @@ namespace
 {
 // Levels of larger tables are made at this many angles and interpolated: 24 x 256^2 weights.
 constexpr int MaximumAngles = 256;
-
-// Bessel function I_0(x) e^-x, x >= 0; relative error 2e-7 (Abramowitz and Stegun 9.8.1, 9.8.2).
-double ScaledBessel(double x)
-{
-  if (x < 3.75)
-  {
-    const double t = x * x / (3.75 * 3.75);
-    return std::exp(-x) *
-           (1.0 +
-             t * (3.5156229 +
-                   t * (3.0899424 +
-                         t * (1.2067492 + t * (0.2659732 + t * (0.0360768 + t * 0.0045813))))));
-  }
-  const double t = 3.75 / x;
-  return (0.39894228 +
-           t *
-             (0.01328592 +
-               t * (0.00225319 +
-                     t * (-0.00157565 +
-                           t * (0.00916281 +
-                                 t * (-0.02057706 +
-                                       t * (0.02635537 + t * (-0.01647633 + t * 0.00392377)))))))) /
-         std::sqrt(x);
-}
 
 // Variance of the Blinn lobe with p's ratio of peak to projected integral: (n+2)/2pi for cos^n.
 double FindOwnVariance(int nTheta, const std::vector<float>& p)
@@ -55,15 +32,6 @@ double FindOwnVariance(int nTheta, const std::vector<float>& p)
   }
   const double exponent = integral > 0.0 ? 2.0 * Pi * peak / integral - 2.0 : 1.0;
   return 1.0 / std::clamp(exponent, 1.0, 1e6);
-}
-
-// Mean over the azimuth of the distribution about an angle of b from the axis, a unit vector at a;
-// times the width of the ring at b.
-double GetWeight(double a, double b, double variance)
-{
-  const double sine = std::sin(b);
-  const double x = std::sin(a) * sine / variance;
-  return ScaledBessel(x) * std::exp((std::cos(a - b) - 1.0) / variance) * sine;
 }
 } // namespace
 
@@ -94,7 +62,7 @@ DistributionLevels::DistributionLevels(int nTheta, const std::vector<float>& p)
   {
     const double variance =
       this->OwnVariance * (std::pow(1.0 + 1.0 / this->OwnVariance, level / (Count - 1.0)) - 1.0);
-    const double reach = 6.0 * std::sqrt(variance); // weights below 1e-7 of the largest
+    const double reach = GetRingReach(variance);
     for (int a = 0; a < n; ++a)
     {
       const std::size_t self = static_cast<std::size_t>(a);
@@ -105,7 +73,7 @@ DistributionLevels::DistributionLevels(int nTheta, const std::vector<float>& p)
       for (auto it = first; it != last; ++it)
       {
         const std::size_t b = static_cast<std::size_t>(it - angles.begin());
-        const double weight = widths[b] * GetWeight(angles[self], *it, variance);
+        const double weight = widths[b] * GetRingWeight(angles[self], *it, variance);
         sum += weight * values[b];
         total += weight;
       }

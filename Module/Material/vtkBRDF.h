@@ -54,7 +54,8 @@ public:
    * f(i,o) blurred over i: the mean over light spread about i as a von Mises-Fisher distribution of
    * concentration 1/spread (spread >= 0; 0: Evaluate). An approximation that only lobes
    * about the half vector make: their own width in h grows by the light's, their integral stays.
-   * What has no such form gives f(i,o). Cleaned as Evaluate is.
+   * What has no such form gives f(i,o), but its GetRenderable() may have one. Cleaned as Evaluate
+   * is.
    */
   void EvaluateSoft(const double i[3], const double o[3], double spread, double f[3]);
 
@@ -117,7 +118,8 @@ public:
   virtual vtkBRDF* GetRenderable() { return this; }
 
   /**
-   * GLSL file, uniforms and textures that evaluate GetRenderable() on the GPU.
+   * GLSL file, uniforms and textures that evaluate GetRenderable() on the GPU; what EvaluateSoft's
+   * twin needs on top only where form.SoftLights asks for it.
    */
   virtual void GetGPUForm(vtkBRDFGPUForm& form) = 0;
 

@@ -8,7 +8,8 @@
  * file defines `vec3 brdfTermINSTANCE(vec3 i, vec3 o)`; INSTANCE becomes the term's number, in the
  * names of uniforms and textures too, so that one shader can hold several terms of one kind. A
  * material's file may add `vec3 brdfTermSoftINSTANCE(vec3 i, vec3 o, float spread)`, the twin of
- * vtkBRDF::EvaluateSoft; without it soft lights are hard.
+ * vtkBRDF::EvaluateSoft, or name a second file that does (SoftShader); without it soft lights are
+ * hard.
  * Integrators use the same struct (vtkRadianceIntegrator::GetGPUForm); there each file defines
  * `vec3 brdfEnvironmentINSTANCE(mat3 frame, vec3 o)`.
  */
@@ -50,11 +51,15 @@ struct vtkBRDFGPUForm
 
   struct Term
   {
-    std::string Shader; // name of the GLSL file, e.g. "vtkBRDFLambert"
+    std::string Shader;     // name of the GLSL file, e.g. "vtkBRDFLambert"
+    std::string SoftShader; // name of one with brdfTermSoftINSTANCE, read after it; may be empty
     std::vector<Constant> Constants;
     std::vector<Uniform> Uniforms;
     std::vector<Texture> Textures;
   };
+
+  /// Said by who asks: whether soft lights are drawn. What only they need is left out else.
+  bool SoftLights = false;
 
   std::vector<Term> Terms; // summed
 
@@ -85,7 +90,7 @@ struct vtkBRDFGPUForm
     std::string key;
     for (const Term& term : this->Terms)
     {
-      key += term.Shader;
+      key += term.Shader + "," + term.SoftShader;
       for (const Constant& constant : term.Constants)
       {
         key += "," + constant.Name + "=" + constant.Value;

@@ -3,6 +3,7 @@
 #include "vtkTabulatedBRDF.h"
 
 #include "HalfVectorSampler.h"
+#include "TabulatedLevels.h"
 #include "vtkBRDFGPUForm.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -13,7 +14,10 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <mutex>
+#include <optional>
 #include <sstream>
 
 using namespace measuredbrdf;
@@ -23,6 +27,12 @@ vtkStandardNewMacro(vtkTabulatedBRDF);
 struct vtkTabulatedBRDF::Sampler : public HalfVectorSampler
 {
   using HalfVectorSampler::HalfVectorSampler;
+};
+
+struct vtkTabulatedBRDF::Levels
+{
+  std::once_flag Made; // by the first of many threads that asks
+  std::optional<TabulatedLevels> Values;
 };
 
 namespace
@@ -58,6 +68,89 @@ Corner FindCorners(double u, int n, bool periodic)
     k1 = std::min(k1, n - 1);
   }
   return { { k0, k1 }, { 1.0 - w, w } };
+}
+
+// Invalid cells are premultiplied away: the filter then skips them as Evaluate does.
+void Fill(vtkBRDFGPUForm::Texture& texture, const std::vector<float>& volume, float scale)
+{
+  const std::size_t cells = volume.size() / 3;
+  texture.Data.reserve(cells * static_cast<std::size_t>(texture.Components));
+  for (std::size_t k = 0; k < cells; ++k)
+  {
+    const float* v = &volume[3 * k];
+    const bool valid = !std::isnan(v[0]);
+    for (int c = 0; c < 3; ++c)
+    {
+      texture.Data.push_back(valid ? v[c] * scale : 0.0f);
+    }
+    if (texture.Components == 4)
+    {
+      texture.Data.push_back(valid ? 1.0f : 0.0f);
+    }
+  }
+}
+
+// Two neighbouring samples along each axis of a volume.
+struct Corners
+{
+  Corner X, Y, Z;
+};
+
+// Weighted sum of the valid corners, and their weights.
+struct Sum
+{
+  double Values[3] = { 0.0, 0.0, 0.0 };
+  double Valid = 0.0;
+};
+
+Sum Gather(const std::vector<float>& volume, const int dimensions[3], const Corners& corners)
+{
+  Sum sum;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const int a = corner & 1, b = (corner >> 1) & 1, c = corner >> 2;
+    const double w = corners.X.Weight[a] * corners.Y.Weight[b] * corners.Z.Weight[c];
+    const std::size_t cell =
+      static_cast<std::size_t>(corners.X.Index[a]) +
+      static_cast<std::size_t>(dimensions[0]) *
+        (static_cast<std::size_t>(corners.Y.Index[b]) +
+          static_cast<std::size_t>(dimensions[1]) * static_cast<std::size_t>(corners.Z.Index[c]));
+    const float* v = &volume[3 * cell];
+    if (!std::isnan(v[0]))
+    {
+      sum.Valid += w;
+      sum.Values[0] += w * v[0];
+      sum.Values[1] += w * v[1];
+      sum.Values[2] += w * v[2];
+    }
+  }
+  return sum;
+}
+
+// The same of a half/difference volume's level, at coordinates u.
+Sum GatherLevel(const TabulatedLevels& levels, int level, const std::vector<float>& volume,
+  const int dimensions[3], const glm::dvec3& u)
+{
+  if (level == 0)
+  {
+    return Gather(volume, dimensions,
+      { FindCorners(u.x, dimensions[0], true), FindCorners(u.y, dimensions[1], false),
+        FindCorners(u.z, dimensions[2], false) });
+  }
+  const std::array<int, 3>& size = levels.GetDimensions();
+  const Neighbours z = levels.FindSlices(level, u.z);
+  return Gather(levels.GetVolume(), size.data(),
+    { FindCorners(u.x, size[0], true), FindCorners(u.y, size[1], false),
+      { { z.First, z.Second }, { 1.0 - z.Weight, z.Weight } } });
+}
+
+// The mean of the valid corners over the cosine that the volume holds.
+void Divide(const Sum& sum, double cosine, double f[3])
+{
+  for (int c = 0; c < 3; ++c)
+  {
+    f[c] = sum.Valid > MinimumValidWeight ? sum.Values[c] / (sum.Valid * cosine) : 0.0;
+  }
 }
 
 // Angles of a pair in units of the axes, each in [0,1] (azimuth: any real number, periodic).
@@ -135,6 +228,7 @@ bool vtkTabulatedBRDF::SetVolume(
     }
   }
   this->HalfVectorSampler.reset();
+  this->WidenedLevels = std::make_shared<Levels>();
   this->Modified();
   return true;
 }
@@ -188,34 +282,52 @@ void vtkTabulatedBRDF::EvaluateAbove(const double i[3], const double o[3], doubl
   // The mirror-symmetric azimuth of incident/outgoing tables ends at 0 and pi, all others close.
   const bool periodic =
     this->Parameterization == HALF_DIFFERENCE || this->AzimuthRange == FULL_TURN;
-  const Corner cx = FindCorners(u.x, this->Dimensions[0], periodic);
-  const Corner cy = FindCorners(u.y, this->Dimensions[1], false);
-  const Corner cz = FindCorners(u.z, this->Dimensions[2], false);
-  double sum[3] = { 0.0, 0.0, 0.0 };
-  double valid = 0.0;
-  for (int corner = 0; corner < 8; ++corner)
+  const Corners corners = { FindCorners(u.x, this->Dimensions[0], periodic),
+    FindCorners(u.y, this->Dimensions[1], false), FindCorners(u.z, this->Dimensions[2], false) };
+  Divide(Gather(this->Volume, this->Dimensions, corners), this->CosineWeighted ? o[2] : 1.0, f);
+}
+
+//------------------------------------------------------------------------------
+void vtkTabulatedBRDF::EvaluateSoftAbove(
+  const double i[3], const double o[3], double spread, double f[3])
+{
+  const Levels* levels = this->GetLevels();
+  if (!levels)
   {
-    const int a = corner & 1, b = (corner >> 1) & 1, c = corner >> 2;
-    const double w = cx.Weight[a] * cy.Weight[b] * cz.Weight[c];
-    const std::size_t cell =
-      static_cast<std::size_t>(cx.Index[a]) +
-      static_cast<std::size_t>(this->Dimensions[0]) *
-        (static_cast<std::size_t>(cy.Index[b]) +
-          static_cast<std::size_t>(this->Dimensions[1]) * static_cast<std::size_t>(cz.Index[c]));
-    const float* v = &this->Volume[3 * cell];
-    if (!std::isnan(v[0]))
-    {
-      valid += w;
-      sum[0] += w * v[0];
-      sum[1] += w * v[1];
-      sum[2] += w * v[2];
-    }
+    this->EvaluateAbove(i, o, f);
+    return;
   }
-  const double cosine = this->CosineWeighted ? o[2] : 1.0;
+  const glm::dvec3 light = glm::make_vec3(i);
+  const glm::dvec3 view = glm::make_vec3(o);
+  const glm::dvec3 u = ToUnit(this->Parameterization, this->AzimuthRange, light, view);
+  const Neighbours around =
+    levels->Values->FindLevels(HalfVectorSpread(spread, glm::dot(HalfVector(light, view), view)));
+  const Sum first = GatherLevel(*levels->Values, around.First, this->Volume, this->Dimensions, u);
+  const Sum second = GatherLevel(*levels->Values, around.Second, this->Volume, this->Dimensions, u);
+  Sum sum;
   for (int c = 0; c < 3; ++c)
   {
-    f[c] = valid > MinimumValidWeight ? sum[c] / (valid * cosine) : 0.0;
+    sum.Values[c] = glm::mix(first.Values[c], second.Values[c], around.Weight);
   }
+  sum.Valid = glm::mix(first.Valid, second.Valid, around.Weight);
+  Divide(sum, this->CosineWeighted ? o[2] : 1.0, f);
+}
+
+//------------------------------------------------------------------------------
+const vtkTabulatedBRDF::Levels* vtkTabulatedBRDF::GetLevels()
+{
+  if (!this->WidenedLevels || this->Parameterization != HALF_DIFFERENCE)
+  {
+    return nullptr;
+  }
+  std::call_once(this->WidenedLevels->Made,
+    [this]()
+    {
+      this->WidenedLevels->Values.emplace(
+        std::array<int, 3>{ this->Dimensions[0], this->Dimensions[1], this->Dimensions[2] },
+        this->AzimuthRange == HALF_TURN, this->Volume);
+    });
+  return this->WidenedLevels.get();
 }
 
 //------------------------------------------------------------------------------
@@ -305,22 +417,7 @@ void vtkTabulatedBRDF::GetGPUForm(vtkBRDFGPUForm& form)
     (this->Precision == AUTOMATIC && 4.0 * halfRounding <= this->ResamplingTolerance);
   const float scale = texture.HalfFloat && peak > 0.0f ? 32768.0f / peak : 1.0f;
 
-  // Invalid cells are premultiplied away: the filter then skips them as Evaluate does.
-  const std::size_t cells = this->Volume.size() / 3;
-  texture.Data.reserve(cells * static_cast<std::size_t>(texture.Components));
-  for (std::size_t k = 0; k < cells; ++k)
-  {
-    const float* v = &this->Volume[3 * k];
-    const bool valid = !std::isnan(v[0]);
-    for (int c = 0; c < 3; ++c)
-    {
-      texture.Data.push_back(valid ? v[c] * scale : 0.0f);
-    }
-    if (texture.Components == 4)
-    {
-      texture.Data.push_back(valid ? 1.0f : 0.0f);
-    }
-  }
+  Fill(texture, this->Volume, scale);
 
   const bool half = this->AzimuthRange == HALF_TURN;
   term.Shader =
@@ -337,7 +434,29 @@ void vtkTabulatedBRDF::GetGPUForm(vtkBRDFGPUForm& form)
   {
     text << ", resampling error " << this->ResamplingError;
   }
-  term.Textures.push_back(std::move(texture));
+  const Levels* levels = form.SoftLights ? this->GetLevels() : nullptr;
+  if (levels)
+  {
+    vtkBRDFGPUForm::Texture wider;
+    wider.Name = "brdfLevels";
+    wider.ThreeD = true;
+    wider.Dimensions = levels->Values->GetDimensions();
+    wider.Components = texture.Components;
+    wider.HalfFloat = texture.HalfFloat;
+    wider.Repeat = texture.Repeat;
+    Fill(wider, levels->Values->GetVolume(), scale);
+    term.SoftShader = "vtkBRDFHalfDifferenceSoft";
+    term.Uniforms.push_back(
+      { "brdfNumberOfLevels", { static_cast<float>(levels->Values->GetNumberOfLevels()) } });
+    term.Uniforms.push_back(
+      { "brdfFirstCount", { static_cast<float>(levels->Values->GetFirstCount()) } });
+    term.Uniforms.push_back(
+      { "brdfOwnVariance", { static_cast<float>(levels->Values->GetOwnVariance()) } });
+    text << ", wider for soft lights: " << levels->Values->GetNumberOfLevels() << " levels, "
+         << wider.GetBytes() << " bytes";
+    term.Textures.push_back(std::move(wider));
+  }
+  term.Textures.insert(term.Textures.begin(), std::move(texture));
   form.QuantizationError =
     std::max(form.QuantizationError, term.Textures[0].HalfFloat ? halfRounding : 0x1p-23);
   form.ResamplingError = std::max(form.ResamplingError, this->ResamplingError);
@@ -357,5 +476,6 @@ vtkBRDF* vtkTabulatedBRDF::NewCopy()
   copy->ResamplingError = this->ResamplingError;
   copy->Volume = this->Volume;
   copy->NumberOfInvalidCells = this->NumberOfInvalidCells;
+  copy->WidenedLevels = this->WidenedLevels;
   return copy;
 }

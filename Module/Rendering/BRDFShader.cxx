@@ -17,6 +17,7 @@
 #include "vtkBRDFEnvironmentPyramid.h"
 #include "vtkBRDFEnvironmentTable.h"
 #include "vtkBRDFHalfDifference.h"
+#include "vtkBRDFHalfDifferenceSoft.h"
 #include "vtkBRDFHeadlight.h"
 #include "vtkBRDFIncidentOutgoing.h"
 #include "vtkBRDFLambert.h"
@@ -42,6 +43,7 @@ const char* FindTerm(const std::string& name)
     { "vtkBRDFEnvironmentFiltered", vtkBRDFEnvironmentFiltered },
     { "vtkBRDFEnvironmentBasis", vtkBRDFEnvironmentBasis },
     { "vtkBRDFHalfDifference", vtkBRDFHalfDifference },
+    { "vtkBRDFHalfDifferenceSoft", vtkBRDFHalfDifferenceSoft },
     { "vtkBRDFIncidentOutgoing", vtkBRDFIncidentOutgoing },
     { "vtkBRDFLambert", vtkBRDFLambert },
     { "vtkBRDFLightSet", vtkBRDFLightSet },
@@ -78,16 +80,23 @@ std::string Sum(const vtkBRDFGPUForm& form, const std::string& signature, const 
 // The same sum for light with a spread; terms without a form for that as they are.
 std::string SoftSum(const vtkBRDFGPUForm& form)
 {
+  std::string text;
   std::string sum = "vec3(0.0)";
   for (std::size_t k = 0; k < form.Terms.size(); ++k)
   {
     const std::string number = std::to_string(k);
-    const std::string source = FindTerm(form.Terms[k].Shader);
+    std::string source = FindTerm(form.Terms[k].Shader);
+    if (!form.Terms[k].SoftShader.empty())
+    {
+      source = FindTerm(form.Terms[k].SoftShader);
+      text += Numbered(source.c_str(), "INSTANCE", k);
+    }
     sum += source.find("brdfTermSoftINSTANCE") != std::string::npos
              ? " + brdfTermSoft" + number + "(i, o, spread)"
              : " + brdfTerm" + number + "(i, o)";
   }
-  return "vec3 brdfEvaluateSoft(vec3 i, vec3 o, float spread)\n{\n  return " + sum + ";\n}\n";
+  return text + "vec3 brdfEvaluateSoft(vec3 i, vec3 o, float spread)\n{\n  return " + sum +
+         ";\n}\n";
 }
 }
 

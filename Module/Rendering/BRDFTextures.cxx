@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 
 namespace measuredbrdf
 {
@@ -69,33 +70,36 @@ vtkSmartPointer<vtkTextureObject> Upload(
 
 // What was uploaded for a source in a window, for as long as somebody holds it.
 template <typename Source>
-std::shared_ptr<FormTextures> FindShared(Source* source, vtkOpenGLRenderWindow* window)
+std::shared_ptr<FormTextures> FindShared(
+  Source* source, bool softLights, vtkOpenGLRenderWindow* window)
 {
-  static std::map<std::pair<Source*, vtkOpenGLRenderWindow*>, std::weak_ptr<FormTextures>> shared;
+  using Key = std::tuple<Source*, bool, vtkOpenGLRenderWindow*>;
+  static std::map<Key, std::weak_ptr<FormTextures>> shared;
   for (auto it = shared.begin(); it != shared.end();)
   {
     it = it->second.expired() ? shared.erase(it) : std::next(it);
   }
-  std::weak_ptr<FormTextures>& entry = shared[{ source, window }];
+  std::weak_ptr<FormTextures>& entry = shared[{ source, softLights, window }];
   std::shared_ptr<FormTextures> found = entry.lock();
   if (!found)
   {
-    found = std::make_shared<FormTextures>();
+    found = std::make_shared<FormTextures>(softLights);
     entry = found;
   }
   return found;
 }
 }
 
-std::shared_ptr<FormTextures> FormTextures::Find(vtkBRDF* brdf, vtkOpenGLRenderWindow* window)
+std::shared_ptr<FormTextures> FormTextures::Find(
+  vtkBRDF* brdf, bool softLights, vtkOpenGLRenderWindow* window)
 {
-  return FindShared(brdf, window);
+  return FindShared(brdf, softLights, window);
 }
 
 std::shared_ptr<FormTextures> FormTextures::Find(
   vtkRadianceIntegrator* integrator, vtkOpenGLRenderWindow* window)
 {
-  return FindShared(integrator, window);
+  return FindShared(integrator, false, window);
 }
 
 bool FormTextures::IsCurrent(vtkMTimeType time, vtkOpenGLRenderWindow* window) const
@@ -113,6 +117,7 @@ std::string FormTextures::Update(vtkBRDF* brdf, vtkOpenGLRenderWindow* window)
     return "";
   }
   vtkBRDFGPUForm form;
+  form.SoftLights = this->SoftLights;
   brdf->GetGPUForm(form);
   return this->Upload(std::move(form), time, window);
 }

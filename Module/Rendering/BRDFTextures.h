@@ -28,9 +28,16 @@ namespace measuredbrdf
 class FormTextures
 {
 public:
+  explicit FormTextures(bool softLights)
+    : SoftLights(softLights)
+  {
+  }
+
   ///@{
-  /// The shared object for this source and window; empty when new: Update fills it.
-  static std::shared_ptr<FormTextures> Find(vtkBRDF* brdf, vtkOpenGLRenderWindow* window);
+  /// The shared object for this source and window; empty when new: Update fills it. softLights:
+  /// with what they need of the material.
+  static std::shared_ptr<FormTextures> Find(
+    vtkBRDF* brdf, bool softLights, vtkOpenGLRenderWindow* window);
   static std::shared_ptr<FormTextures> Find(
     vtkRadianceIntegrator* integrator, vtkOpenGLRenderWindow* window);
   ///@}
@@ -59,6 +66,7 @@ private:
   bool IsCurrent(vtkMTimeType time, vtkOpenGLRenderWindow* window) const;
   std::string Upload(vtkBRDFGPUForm form, vtkMTimeType time, vtkOpenGLRenderWindow* window);
 
+  bool SoftLights;     // what the form is asked for
   vtkBRDFGPUForm Form; // without the textures' data once they are uploaded
   std::vector<Uploaded> Textures;
   std::size_t Bytes = 0;

@@ -684,7 +684,8 @@ void vtkMeasuredBRDFMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* actor)
       problem = impl.Radiance->Update(impl.Integrator, window);
     }
     const bool evaluates = (impl.Integrator && impl.Integrator->UsesBRDFOnGPU()) || HasLight(ren);
-    impl.Material = evaluates ? FormTextures::Find(impl.Drawn, window) : nullptr;
+    const bool softLights = impl.Integrator && impl.Integrator->UsesSoftLights();
+    impl.Material = evaluates ? FormTextures::Find(impl.Drawn, softLights, window) : nullptr;
     if (evaluates && problem.empty())
     {
       problem = impl.Material->Update(impl.Drawn, window);

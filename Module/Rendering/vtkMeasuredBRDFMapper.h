@@ -226,7 +226,9 @@ public:
   /**
    * Whether the environment's lights are as wide as the part of it that each stands for
    * (vtkLightSetIntegrator::SetSoftLights): a sharp lobe then shows no dots. Default off. Lights of
-   * importance sampling have no width. Changing it rebuilds the shader.
+   * importance sampling have no width. Changing it rebuilds the shader. Tables over half and
+   * difference angles are uploaded at several widths for it (vtkTabulatedBRDF says how large that
+   * is); those over incident and outgoing angles, and bases, stay hard.
    */
   void SetSoftLights(bool soft) { this->SoftLights = soft; }
   bool GetSoftLights() { return this->SoftLights; }

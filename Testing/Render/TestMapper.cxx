@@ -5,6 +5,7 @@
 #include "RenderFixture.h"
 
 #include "vtkAshikhminShirleyBRDF.h"
+#include "vtkBRDFResampler.h"
 #include "vtkBasisBRDF.h"
 #include "vtkBasisProjector.h"
 #include "vtkBlinnPhongBRDF.h"
@@ -703,6 +704,28 @@ TEST_F(Mapper, RebuildsExactlyWhenItMust)
   image->Modified();
   const FloatImage now = this->RenderEncoded();
   EXPECT_GT(GetLargestDifference(now, last), 1e-3);
+}
+
+// Tables are uploaded at several widths for soft lights, and for nobody else.
+TEST_F(Mapper, SoftLightsOfTablesCostHardOnesNothing)
+{
+  this->Phong->SetExponent(100.0);
+  vtkNew<vtkBRDFResampler> resampler;
+  resampler->SetInput(this->Phong);
+  ASSERT_TRUE(resampler->ResampleTo(8, 16, 40));
+  this->Measured->SetBRDF(resampler->GetOutput());
+  this->Measured->SetEnvironment(MakeOctants());
+  this->Measured->SetLightSetMethodToVariance();
+  const FloatImage hard = this->RenderLinear();
+  const vtkIdType bytes = this->Measured->GetTextureBytes();
+  EXPECT_EQ(this->Measured->GetFragmentShader().find("brdfLevels"), std::string::npos);
+  this->Measured->SoftLightsOn();
+  EXPECT_GT(GetLargestDifference(this->RenderLinear(), hard), 1e-3);
+  EXPECT_GT(this->Measured->GetTextureBytes(), bytes);
+  EXPECT_NE(this->Measured->GetFragmentShader().find("brdfLevels"), std::string::npos);
+  this->Measured->SoftLightsOff();
+  EXPECT_EQ(GetLargestDifference(this->RenderLinear(), hard), 0.0);
+  EXPECT_EQ(this->Measured->GetTextureBytes(), bytes);
 }
 
 TEST_F(Mapper, RotatingEverythingChangesNothing)

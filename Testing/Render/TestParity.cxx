@@ -374,12 +374,16 @@ TEST_F(Parity, SoftLights)
     rgb.insert(rgb.end(), 3, 1.0f / static_cast<float>(1 + k % 8 + k / 8));
   }
   ASSERT_TRUE(ridged->SetDistribution(8, 4, rgb));
-  vtkNew<vtkTabulatedBRDF> table; // stays hard
+  vtkNew<vtkTabulatedBRDF> table;
   FillTable(table, vtkTabulatedBRDF::HALF_DIFFERENCE, vtkTabulatedBRDF::HALF_TURN, false);
   table->SetPrecision(vtkTabulatedBRDF::FLOAT32);
+  vtkNew<vtkTabulatedBRDF> stayingHard;
+  FillTable(stayingHard, vtkTabulatedBRDF::INCIDENT_OUTGOING, vtkTabulatedBRDF::HALF_TURN, false);
+  stayingHard->SetPrecision(vtkTabulatedBRDF::FLOAT32);
   vtkNew<vtkSumBRDF> sum;
   sum->AddTerm(lambert);
   sum->AddTerm(table);
+  sum->AddTerm(stayingHard);
   sum->AddTerm(phong);
   sum->AddTerm(distribution);
   for (const double concentration : { 0.003, 5.0, 100.0, 1e4 })
@@ -390,6 +394,27 @@ TEST_F(Parity, SoftLights)
     this->Check("soft D-BRDF", distribution, 1e-4);
     this->Check("soft D-BRDF, anisotropic", ridged, 1e-4);
     this->Check("soft sum", sum, 1e-4);
+  }
+}
+
+TEST_F(Parity, SoftTables)
+{
+  for (const double concentration : { 0.003, 5.0, 100.0, 1e4 })
+  {
+    this->Concentration = concentration;
+    for (int range : { 0, 1 })
+    {
+      for (bool invalid : { false, true })
+      {
+        vtkNew<vtkTabulatedBRDF> table;
+        FillTable(table, vtkTabulatedBRDF::HALF_DIFFERENCE, range, invalid);
+        table->SetCosineWeighted(range == vtkTabulatedBRDF::FULL_TURN);
+        table->SetPrecision(vtkTabulatedBRDF::FLOAT32);
+        this->Check(range == 0 ? "soft table, pi" : "soft table, 2 pi", table, 1e-4);
+        table->SetPrecision(vtkTabulatedBRDF::FLOAT16);
+        this->Check(range == 0 ? "soft table, pi" : "soft table, 2 pi", table, 2e-3);
+      }
+    }
   }
 }
 

@@ -3,6 +3,7 @@
 #include "ErrorCatcher.h"
 #include "HalfVector.h" // for Pi
 #include "vtkAshikhminShirleyBRDF.h"
+#include "vtkBRDFResampler.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkCallbackCommand.h"
 #include "vtkDistributionBRDF.h"
@@ -17,6 +18,7 @@
 #include "vtkMedianCutLightSetGenerator.h"
 #include "vtkSmartPointer.h"
 #include "vtkSumBRDF.h"
+#include "vtkTabulatedBRDF.h"
 #include "vtkVarianceLightSetGenerator.h"
 
 #include <glm/glm.hpp>
@@ -662,13 +664,16 @@ TEST(SoftLights, NoSpreadIsHard)
   vtkNew<vtkBlinnPhongBRDF> phong;
   vtkNew<vtkAshikhminShirleyBRDF> shirley;
   vtkNew<vtkDistributionBRDF> distribution;
+  vtkNew<vtkBRDFResampler> resampler;
+  resampler->SetInput(shirley);
+  ASSERT_TRUE(resampler->ResampleTo(8, 8, 20));
   vtkNew<vtkSumBRDF> sum;
   sum->AddTerm(phong);
   sum->AddTerm(distribution);
   const double i[3] = { 0.1, 0.2, 0.9 };
   const double o[3] = { 0.1, -0.4, 0.8 };
-  for (vtkBRDF* brdf : std::initializer_list<vtkBRDF*>{
-         lambert.Get(), phong.Get(), shirley.Get(), distribution.Get(), sum.Get() })
+  for (vtkBRDF* brdf : std::initializer_list<vtkBRDF*>{ lambert.Get(), phong.Get(), shirley.Get(),
+         distribution.Get(), resampler->GetOutput(), sum.Get() })
   {
     brdf->Prepare();
     double hard[3];
@@ -782,7 +787,11 @@ TEST(SoftLights, LowerTheErrorOfSharpLobes)
       phong->SetExponent(n);
       vtkNew<vtkDistributionBRDF> distribution;
       distribution->SetBlinnDistribution(n);
-      for (vtkBRDF* lobe : std::initializer_list<vtkBRDF*>{ phong.Get(), distribution.Get() })
+      vtkNew<vtkBRDFResampler> resampler;
+      resampler->SetInput(distribution);
+      ASSERT_TRUE(resampler->ResampleTo(18, 45, 90));
+      for (vtkBRDF* lobe :
+        std::initializer_list<vtkBRDF*>{ phong.Get(), distribution.Get(), resampler->GetOutput() })
       {
         vtkNew<vtkExactIntegrator> reference;
         reference->SetBRDF(lobe);

@@ -11,8 +11,11 @@
 #include "vtkBasisBRDF.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkDistributionBRDF.h"
+#include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkLambertBRDF.h"
+#include "vtkLightSet.h"
+#include "vtkLightSetIntegrator.h"
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
 #include "vtkSumBRDF.h"
@@ -608,6 +611,32 @@ TEST(Resampler, ErrorFallsAndIsReported)
   resampler->ResampleTo(16, 32, 32);
   EXPECT_GT(resampler->GetOutput()->GetResamplingError(), full);
   EXPECT_TRUE(resampler->GetOutput()->IsReciprocal());
+}
+
+// Soft light is known to the table that the graphics card evaluates: both draw the same.
+TEST(AdaptiveWarp, IsShadedWithItsRenderableUnderSoftLight)
+{
+  auto warp = MakeAdaptiveWarp();
+  vtkNew<vtkLightSet> lights;
+  const double direction[3] = { 0.3, 0.2, 0.9 }, irradiance[3] = { 1.0, 2.0, 3.0 };
+  lights->AddLight(direction, irradiance, 0.0, 10.0);
+  vtkNew<vtkDoubleArray> normal;
+  normal->SetNumberOfComponents(3);
+  normal->InsertNextTuple3(0.0, 0.0, 1.0);
+  vtkNew<vtkLightSetIntegrator> integrator;
+  integrator->SetLightSet(lights);
+  const auto integrate = [&](vtkBRDF* brdf, bool soft)
+  {
+    vtkNew<vtkDoubleArray> radiance;
+    integrator->SetBRDF(brdf);
+    integrator->SetSoftLights(soft);
+    EXPECT_TRUE(integrator->Integrate(normal, normal, radiance));
+    return radiance->GetComponent(0, 1);
+  };
+  EXPECT_GT(integrate(warp, true), 0.0);
+  EXPECT_EQ(integrate(warp, true), integrate(warp->GetRenderable(), true));
+  EXPECT_NE(integrate(warp, true), integrate(warp->GetRenderable(), false));
+  EXPECT_NE(integrate(warp, false), integrate(warp->GetRenderable(), false));
 }
 
 // The error that a resampled real material states, against plain Monte Carlo with other numbers.
