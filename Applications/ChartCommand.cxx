@@ -38,6 +38,7 @@ struct Options
   int ReferencePixels = 1024;
   int Rounds = 9;
   double Slowest = 2000.0;
+  bool ForView = false;
   std::string Folder;
 };
 
@@ -305,7 +306,7 @@ void Run(const Options& options)
 
   const tool::ChartScene scene = { options.Mesh.empty() ? tool::MakeSphere()
                                                         : tool::LoadMesh(options.Mesh),
-    view, size, options.ReferencePixels, options.Rounds, options.Slowest };
+    view, size, options.ReferencePixels, options.Rounds, options.Slowest, options.ForView };
   tool::ChartMeter meter(scene, sizes, options.Folder + "/exact");
   nlohmann::ordered_json machine = tool::DescribeMachine();
   machine.update(meter.DescribeRenderer());
@@ -313,7 +314,7 @@ void Run(const Options& options)
     { "sweep", options.Sweep }, { "tolerances", options.Tolerances },
     { "mesh", options.Mesh.empty() ? "sphere" : options.Mesh }, { "size", options.Size },
     { "view", options.View }, { "reference_pixels", options.ReferencePixels },
-    { "rounds", options.Rounds }, { "slowest", options.Slowest } };
+    { "rounds", options.Rounds }, { "slowest", options.Slowest }, { "for_view", options.ForView } };
   tool::ChartResults results = tool::LoadResults(options.Folder, settings, machine);
 
   const tool::Metric& metric = FindMetric(options.Metric);
@@ -377,6 +378,9 @@ void AddChartCommand(CLI::App& app)
     ->check(CLI::Range(3, 1000));
   command->add_option("--slowest", options->Slowest,
     "Leave out sizes whose frames would take longer than this, in ms (default 2000)");
+  command->add_flag("--for-view", options->ForView,
+    "Plan for the picture's own normals, views and pixels, instead of for a sphere from "
+    "everywhere");
   command->add_option("-o,--output", options->Folder, "Folder to write to")->required();
   command->footer(
     "Results are kept after each pair of material and environment: after Ctrl-C or a crash the "

@@ -238,7 +238,10 @@ Method ChartMeter::Make(const ChartSize& size, const Material& material,
   const auto begin = std::chrono::steady_clock::now();
   if (size.Options.Method != "thesis")
   {
-    Method made = MakeMethod(size.Options, material, environment);
+    MethodOptions options = size.Options;
+    options.Plan.ForView = this->Scene.ForView && size.Method->Name == PlannerMethod;
+    options.Plan.Look(this->Scene.Mesh, this->Scene.Camera, Fill, this->Scene.Picture);
+    Method made = MakeMethod(options, material, environment);
     milliseconds = GetElapsed(begin);
     return made;
   }

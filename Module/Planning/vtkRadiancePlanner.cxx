@@ -40,7 +40,7 @@ namespace
 {
 constexpr double Pi = 3.14159265358979323846;
 constexpr double ErrorOrder = 3.0; // tables gain so many powers of their sizes
-constexpr int Pairs = 256;
+constexpr int Pairs = 512;
 constexpr vtkIdType FewestPairs = 16;
 constexpr vtkIdType MostPairs = 4096;
 
@@ -53,15 +53,15 @@ const int LayerSizes[][4] = { { 33, 12, 16, 0 }, { 65, 12, 16, 0 }, { 129, 12, 1
   { 33, 12, 16, 8 }, { 65, 12, 16, 8 }, { 65, 24, 24, 8 }, { 33, 12, 16, 16 }, { 65, 12, 16, 16 },
   { 129, 12, 16, 16 } };
 constexpr int MaximumLights = 16;
-constexpr double MegabyteShare = 10.0 / 107.0; // of a table's pixel, that a megabyte counts as
-constexpr double SpherePixels = 196350.0;      // where it does
+constexpr double MegabyteShare = 3.0 / 107.0; // of a table's pixel, that a megabyte counts as
+constexpr double SpherePixels = 196350.0;     // where it does
 constexpr vtkIdType TableBytes = 12 * (256 * 129 + 3 * 64); // irradiance and profile
 const int LightCounts[] = { 64, 256, 1024, 4096 };
 constexpr int AnisotropicLights = 256; // more cost seconds a frame without a graphics card
 const int SampleCounts[] = { 16, 64, 256 };
 const int FunctionCounts[] = { 9, 25, 64 };
 
-constexpr char PlanVersion[] = "plan 5"; // rises with anything that changes plans or tables
+constexpr char PlanVersion[] = "plan 6"; // rises with anything that changes plans or tables
 constexpr std::size_t LargestCount = 100;
 constexpr vtkIdType SmallTexture = 4000000; // bytes; the reason says why a plan takes more
 
@@ -74,6 +74,7 @@ struct Candidate
   }
   int Method;
   int Sizes[4];
+  int Lights = 0;    // suns and lamps that a layered one evaluates
   double Cost = 0.0; // ns per covered pixel
   double Error = 0.0;
   vtkIdType Bytes = 0;
@@ -128,10 +129,11 @@ std::string Percent(double value)
   return text;
 }
 
-std::string GetSizesText(int method, const int sizes[4])
+std::string GetSizesText(const Candidate& candidate)
 {
+  const int* sizes = candidate.Sizes;
   const std::string first = std::to_string(sizes[0]);
-  switch (method)
+  switch (candidate.Method)
   {
     case vtkRadiancePlanner::LIGHT_SET:
       return first + " soft lights by variance";
@@ -143,7 +145,8 @@ std::string GetSizesText(int method, const int sizes[4])
       return first + " rows x " + std::to_string(sizes[1]) + " view angles x " +
              std::to_string(sizes[2]) + " azimuths" +
              (sizes[3] > 0 ? ", " + std::to_string(sizes[3]) + " samples" : std::string()) +
-             (method == vtkRadiancePlanner::LAYERED ? ", suns as lights" : "");
+             (candidate.Lights > 0 ? ", " + std::to_string(candidate.Lights) + " suns as lights"
+                                   : std::string());
   }
 }
 
@@ -274,8 +277,9 @@ struct vtkRadiancePlanner::Internals
     for (const Candidate& candidate : this->Candidates)
     {
       text << candidate.Method << " " << candidate.Sizes[0] << " " << candidate.Sizes[1] << " "
-           << candidate.Sizes[2] << " " << candidate.Sizes[3] << " " << candidate.Cost << " "
-           << candidate.Error << " " << candidate.Bytes << " " << candidate.SetUp << "\n";
+           << candidate.Sizes[2] << " " << candidate.Sizes[3] << " " << candidate.Lights << " "
+           << candidate.Cost << " " << candidate.Error << " " << candidate.Bytes << " "
+           << candidate.SetUp << "\n";
     }
     text << this->Reason << "\n";
     auto* table = vtkTableRadianceIntegrator::SafeDownCast(
@@ -304,8 +308,8 @@ struct vtkRadiancePlanner::Internals
     for (Candidate& candidate : candidates)
     {
       text >> candidate.Method >> candidate.Sizes[0] >> candidate.Sizes[1] >> candidate.Sizes[2] >>
-        candidate.Sizes[3] >> candidate.Cost >> candidate.Error >> candidate.Bytes >>
-        candidate.SetUp;
+        candidate.Sizes[3] >> candidate.Lights >> candidate.Cost >> candidate.Error >>
+        candidate.Bytes >> candidate.SetUp;
       if (!text || candidate.Method < LIGHT_SET || candidate.Method > LAYERED)
       {
         return false;
@@ -500,8 +504,8 @@ struct vtkRadiancePlanner::Internals
     const std::string needs = chosen.Method == TABLE
                                 ? "gloss needs " + std::to_string(chosen.Sizes[0]) + " rows"
                                 : "it needs more than a table";
-    return "; " + needs + ": the largest table within 4 MB, " +
-           GetSizesText(small->Method, small->Sizes) + ", has " + Percent(small->Error);
+    return "; " + needs + ": the largest table within 4 MB, " + GetSizesText(*small) + ", has " +
+           Percent(small->Error);
   }
 };
 
@@ -677,6 +681,7 @@ bool vtkRadiancePlanner::Update()
     for (const auto& sizes : LayerSizes)
     {
       Candidate layered(LAYERED, sizes[0], sizes[1], sizes[2], sizes[3]);
+      layered.Lights = lights;
       layered.Cost = tableCost + costs[vtkRadianceCostModel::SAMPLE] * sizes[3] +
                      costs[vtkRadianceCostModel::LIGHT] * lights;
       layered.Bytes =
@@ -850,7 +855,7 @@ std::string vtkRadiancePlanner::GetDescription(int index)
     return "";
   }
   const Candidate& candidate = this->Impl->Candidates[static_cast<std::size_t>(index)];
-  return GetSizesText(candidate.Method, candidate.Sizes);
+  return GetSizesText(candidate);
 }
 
 //------------------------------------------------------------------------------

@@ -13,7 +13,7 @@
  * broad, thousands of directions for what is sharp); one standard error of that sample is added.
  * Costs are those of a vtkRadianceCostModel: Mesa's llvmpipe's unless another is set.
  *
- * The order of the candidates counts 9 % of a table's pixel (10 ns on llvmpipe), times 196350 /
+ * The order of the candidates counts 3 % of a table's pixel (3 ns on llvmpipe), times 196350 /
  * NumberOfPixels, for every megabyte of texture on top: tables of radiance cost the same few
  * fetches at every size. Where no candidate meets the tolerance, the most accurate one is chosen
  * and the reason says so. A plan is made again when the material, the environment's pixels or the

@@ -1191,6 +1191,27 @@ class Plan(ToolTest):
         self.assertEqual(plan["costs"]["table_ns"], 52)
         self.check(run(*common), 0, "> table", "error %", "within 2 %", "frame ms: Mesa", "built in")
 
+    def test_for_view(self):
+        common = ["plan", "gold-paint", "--environment", "hall", "--choice-only"]
+
+        def plan(*options):
+            plan = json.loads(run(*common, "--json", *options).stdout)
+            return plan["candidates"][plan["choice"]]
+        sphere = plan()
+        seen = plan("--for-view", "--view", "0,0", "--size", "200x200")
+        self.assertNotEqual(seen["predicted_error"], sphere["predicted_error"])
+        self.assertLess(seen["predicted_ms"], sphere["predicted_ms"])  # fewer pixels
+        self.assertIn("--view has no effect without --for-view", run(*common, "--view", "0,0").stderr)
+        self.check(run(*common, "--for-view", "--size", "3x3"), 1, "shows only")
+        report = self.path("r.json")
+        result = run("compare", "gold-paint", "--environment", "hall", "--size", "64x64", "--for-view",
+                     "--report", report, "-o", self.path("c.png"))
+        self.check(result, 0)
+        with open(report) as file:
+            figures = json.load(file)
+        self.assertTrue(figures["meets_tolerance"])
+        self.assertLess(figures["relative_l1"], 0.02)
+
     def test_calibrate(self):
         cache = {**os.environ, "MEASUREDBRDF_CACHE": self.path("cache")}
         common = ["plan", "blue-fabric", "--environment", "hall", "--choice-only", "--json"]
