@@ -101,8 +101,9 @@ if [ ${#files[@]} -eq 0 ]; then
     "${display[@]}" build/bin/measured-brdf chart pink-felt gold-paint --size 200x200 --reference-pixels 400 --rounds 5 \
       --methods table,layered,basis,filtered,soft-lights,median-cut -o output/charts
   }
-  # What an older program or another machine measured there is of no use to this one.
-  chart || { rm -rf output/charts && chart; }
+  # What an older program or another machine measured there is of no use to this one; a failure of another kind
+  # leaves it.
+  chart || { rm -f output/charts/results.json && chart; }
   cp output/charts/summary.png output/chart.png
   made="$image, output/thesis/materials.png, ringing.png, lights.png, output/chart.png"
 fi

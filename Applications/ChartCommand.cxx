@@ -292,7 +292,7 @@ void Run(const Options& options)
     options.Methods.empty() ? ListMethods() : SplitList("--methods", options.Methods);
   const std::vector<double> tolerances = ParseTolerances(options.Tolerances);
   const std::vector<tool::ChartSize> sizes =
-    tool::ListChartSizes(methods, tolerances, options.Sweep == "full");
+    tool::ListChartSizes(methods, tolerances, options.Sweep == "full", options.ForView);
   if (!(options.Slowest > 0.0))
   {
     throw tool::UsageError(
@@ -306,7 +306,7 @@ void Run(const Options& options)
 
   const tool::ChartScene scene = { options.Mesh.empty() ? tool::MakeSphere()
                                                         : tool::LoadMesh(options.Mesh),
-    view, size, options.ReferencePixels, options.Rounds, options.Slowest, options.ForView };
+    view, size, options.ReferencePixels, options.Rounds, options.Slowest };
   tool::ChartMeter meter(scene, sizes, options.Folder + "/exact");
   nlohmann::ordered_json machine = tool::DescribeMachine();
   machine.update(meter.DescribeRenderer());
@@ -379,8 +379,8 @@ void AddChartCommand(CLI::App& app)
   command->add_option("--slowest", options->Slowest,
     "Leave out sizes whose frames would take longer than this, in ms (default 2000)");
   command->add_flag("--for-view", options->ForView,
-    "Plan for the picture's own normals, views and pixels, instead of for a sphere from "
-    "everywhere");
+    "Mark what the planner chooses for the picture's own normals, views and pixels, too ('in "
+    "view'): it plans for a sphere from everywhere else");
   command->add_option("-o,--output", options->Folder, "Folder to write to")->required();
   command->footer(
     "Results are kept after each pair of material and environment: after Ctrl-C or a crash the "

@@ -239,7 +239,6 @@ Method ChartMeter::Make(const ChartSize& size, const Material& material,
   if (size.Options.Method != "thesis")
   {
     MethodOptions options = size.Options;
-    options.Plan.ForView = this->Scene.ForView && size.Method->Name == PlannerMethod;
     options.Plan.Look(this->Scene.Mesh, this->Scene.Camera, Fill, this->Scene.Picture);
     Method made = MakeMethod(options, material, environment);
     milliseconds = GetElapsed(begin);

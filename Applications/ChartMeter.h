@@ -37,7 +37,6 @@ struct ChartScene
   int ReferencePixels; // at most
   int Rounds;          // of frames
   double Slowest; // ms: sizes whose frames take longer by what the one before took are left out
-  bool ForView;   // whether the planner plans for this very picture
 };
 
 class ChartMeter

@@ -77,8 +77,8 @@ const std::vector<ChartMethod>& GetChartMethods()
   // theirs).
   static const std::vector<ChartMethod> methods = {
     { "table", "radiance table", { 0.0, 0.45, 0.70 }, false, { "17,8,8", "33,12,16", "65,12,16" },
-      { "9,6,8", "17,8,8", "33,12,16", "65,12,16", "65,24,24", "129,12,16", "129,24,16",
-        "257,12,8" },
+      { "9,6,8", "17,8,8", "33,12,16", "33,24,16", "65,12,16", "65,24,24", "129,12,16",
+        "129,24,16" },
       ApplySizes<Table> },
     { "layered", "layers", { 0.45, 0.26, 0.65 }, false, { "33,12,16,0", "33,12,16,8" },
       { "33,12,16,0", "65,12,16,0", "129,12,16,0", "33,12,16,8", "65,12,16,8", "65,24,24,8",
@@ -119,8 +119,11 @@ const ChartMethod& FindChartMethod(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
-std::vector<ChartSize> ListChartSizes(
-  const std::vector<std::string>& methods, const std::vector<double>& tolerances, bool full)
+bool IsInView(const std::string& size) { return size.find(InView) != std::string::npos; }
+
+//------------------------------------------------------------------------------
+std::vector<ChartSize> ListChartSizes(const std::vector<std::string>& methods,
+  const std::vector<double>& tolerances, bool full, bool forView)
 {
   for (const std::string& name : methods)
   {
@@ -150,6 +153,12 @@ std::vector<ChartSize> ListChartSizes(
   {
     list.push_back({ &planner, FormatNumber(tolerance), {} });
     planner.Apply(list.back().Size, list.back().Options);
+  }
+  for (const double tolerance : forView ? tolerances : std::vector<double>())
+  {
+    list.push_back({ &planner, FormatNumber(tolerance) + InView, {} });
+    planner.Apply(list.back().Size, list.back().Options);
+    list.back().Options.Plan.ForView = true;
   }
   return list;
 }

@@ -36,6 +36,10 @@ constexpr const char* PlannerMethod = "planner";
 constexpr const char* ThesisMethod = "thesis";
 ///@}
 
+/// What follows the tolerance in the size of a plan for the picture's own view.
+constexpr const char* InView = " in view";
+bool IsInView(const std::string& size);
+
 /// All of them, those that are always there included.
 const std::vector<ChartMethod>& GetChartMethods();
 
@@ -46,14 +50,14 @@ const ChartMethod& FindChartMethod(const std::string& name);
 struct ChartSize
 {
   const ChartMethod* Method = nullptr;
-  std::string Size; // of the planner's: the tolerance
+  std::string Size; // of the planner's: the tolerance, and whether it is InView
   MethodOptions Options;
 };
 
 /// In the order of the methods and their sizes: those named, the thesis's and VTK's, and the
-/// planner's for each tolerance.
-std::vector<ChartSize> ListChartSizes(
-  const std::vector<std::string>& methods, const std::vector<double>& tolerances, bool full);
+/// planner's for each tolerance, with forView for the picture's own view, too.
+std::vector<ChartSize> ListChartSizes(const std::vector<std::string>& methods,
+  const std::vector<double>& tolerances, bool full, bool forView);
 } // namespace tool
 
 #endif

@@ -24,7 +24,7 @@ materials=("${measured[@]}" "${published[@]}")
 environments=${RESULTS_ENVIRONMENTS:-$environments}
 
 sweep=()
-case " $* " in *" --sweep "*) ;; *) sweep=(--sweep full) ;; esac
+case " $* " in *" --sweep "*) ;; *) sweep=(--sweep full --for-view) ;; esac
 display=()
 [ -n "${DISPLAY:-}" ] || display=(xvfb-run -a -s "-screen 0 1280x1024x24 -noreset")
 "${display[@]}" build/bin/measured-brdf chart "${materials[@]}" --environments "$environments" "${sweep[@]}" "$@" \

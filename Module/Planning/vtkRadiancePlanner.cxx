@@ -61,7 +61,7 @@ constexpr int AnisotropicLights = 256; // more cost seconds a frame without a gr
 const int SampleCounts[] = { 16, 64, 256 };
 const int FunctionCounts[] = { 9, 25, 64 };
 
-constexpr char PlanVersion[] = "plan 6"; // rises with anything that changes plans or tables
+constexpr char PlanVersion[] = "plan 7"; // rises with anything that changes plans or tables
 constexpr std::size_t LargestCount = 100;
 constexpr vtkIdType SmallTexture = 4000000; // bytes; the reason says why a plan takes more
 
@@ -458,6 +458,7 @@ struct vtkRadiancePlanner::Internals
     if (candidate.Integrator->UsesBRDFOnGPU())
     {
       vtkBRDFGPUForm form;
+      form.SoftLights = candidate.Integrator->UsesSoftLights();
       this->BRDF->GetGPUForm(form);
       candidate.Bytes += static_cast<vtkIdType>(form.GetTextureBytes());
     }
