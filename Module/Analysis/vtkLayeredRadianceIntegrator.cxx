@@ -11,6 +11,7 @@
 #include "vtkFilteredRadianceIntegrator.h"
 #include "vtkLightSet.h"
 #include "vtkLightSetIntegrator.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkTableRadianceIntegrator.h"
@@ -75,7 +76,8 @@ bool vtkLayeredRadianceIntegrator::Begin()
   Internals made;
 
   // Lights and what they leave.
-  BrightTexels bright(this->Environment, BrightTexels::DefaultShare, this->MaximumNumberOfLights);
+  BrightTexels bright = BrightTexels::FindLamps(
+    this->Environment, vtkMath::RadiansFromDegrees(this->LightAngle), this->MaximumNumberOfLights);
   vtkSmartPointer<vtkEnvironment> rest = this->Environment;
   if (!bright.Lights.empty())
   {
@@ -197,6 +199,7 @@ void vtkLayeredRadianceIntegrator::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfAzimuths: " << this->NumberOfAzimuths << "\n";
   os << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n";
   os << indent << "MaximumNumberOfLights: " << this->MaximumNumberOfLights << "\n";
+  os << indent << "LightAngle: " << this->LightAngle << "\n";
   os << indent << "Lights: " << this->GetNumberOfLights() << "\n";
   os << indent << "Sharp layer: " << (this->GetHasSharpLayer() ? "yes" : "no") << "\n";
 }

@@ -64,6 +64,16 @@ public:
 
   ///@{
   /**
+   * Texels within this angle of a light's brightest one, in degrees, are part of it: a sun or a
+   * lamp of several texels. Default 1.2, clamped to [0, 30]; 0: each is a light. What they add up
+   * to comes from their mean direction, which is as good as all of them where lobes are wider.
+   */
+  vtkSetClampMacro(LightAngle, double, 0.0, 30.0);
+  vtkGetMacro(LightAngle, double);
+  ///@}
+
+  ///@{
+  /**
    * What the last preparation made of it: lights, and whether there is a sharp layer.
    */
   int GetNumberOfLights();
@@ -87,6 +97,7 @@ protected:
   int NumberOfAzimuths = 16;
   int NumberOfSamples = 8;
   int MaximumNumberOfLights = 16;
+  double LightAngle = 1.2;
 
 private:
   vtkLayeredRadianceIntegrator(const vtkLayeredRadianceIntegrator&) = delete;

@@ -27,6 +27,7 @@ struct BrightTexels
   };
 
   static constexpr double DefaultShare = 2e-3;
+  static constexpr double LampShare = 1e-3; // the least where many texels make few lights
 
   /**
    * Texels that hold more than share of all luminance, and 32 times what they hold in the mean (the
@@ -34,8 +35,20 @@ struct BrightTexels
    */
   BrightTexels(vtkEnvironment* environment, double share, int maximum);
 
+  /**
+   * The same with lights of many texels: those within angle (radians) of its brightest one, whose
+   * sum comes from their mean direction. The share is the least, from LampShare to DefaultShare by
+   * factors of two, whose texels all go into maximum lights: a panel that needs more is no lamp.
+   */
+  static BrightTexels FindLamps(vtkEnvironment* environment, double angle, int maximum);
+
   std::vector<Light> Lights;
   std::vector<float> Rest; // the pixels, with their neighbours' mean in place of the lights
+
+private:
+  BrightTexels() = default;
+  /// Returns whether all texels with that share found a light.
+  bool Extract(vtkEnvironment* environment, double share, int maximum, double angle);
 };
 } // namespace measuredbrdf
 

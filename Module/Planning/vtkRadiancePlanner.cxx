@@ -4,6 +4,7 @@
 
 #include "BrightTexels.h"
 #include "EnvironmentPyramid.h"
+#include "KernelLayers.h"
 #include "LowDiscrepancy.h"
 #include "PlanCache.h"
 #include "PlanReference.h"
@@ -17,6 +18,7 @@
 #include "vtkLayeredRadianceIntegrator.h"
 #include "vtkLightSet.h"
 #include "vtkLightSetIntegrator.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkRadianceCostModel.h"
@@ -53,6 +55,11 @@ const int LayerSizes[][4] = { { 33, 12, 16, 0 }, { 65, 12, 16, 0 }, { 129, 12, 1
   { 33, 12, 16, 8 }, { 65, 12, 16, 8 }, { 65, 24, 24, 8 }, { 33, 12, 16, 16 }, { 65, 12, 16, 16 },
   { 129, 12, 16, 16 } };
 constexpr int MaximumLights = 16;
+// Lamps of many texels are one light each (degrees), or several where more than so much of the
+// albedo lies in lobes narrower than twice that.
+constexpr double LampAngle = 1.2;
+constexpr double FineLampAngle = 0.6;
+constexpr double NarrowShare = 0.05;
 constexpr double MegabyteShare = 3.0 / 107.0; // of a table's pixel, that a megabyte counts as
 constexpr double SpherePixels = 196350.0;     // where it does
 constexpr vtkIdType TableBytes = 12 * (256 * 129 + 3 * 64); // irradiance and profile
@@ -61,7 +68,7 @@ constexpr int AnisotropicLights = 256; // more cost seconds a frame without a gr
 const int SampleCounts[] = { 16, 64, 256 };
 const int FunctionCounts[] = { 9, 25, 64 };
 
-constexpr char PlanVersion[] = "plan 7"; // rises with anything that changes plans or tables
+constexpr char PlanVersion[] = "plan 8"; // rises with anything that changes plans or tables
 constexpr std::size_t LargestCount = 100;
 constexpr vtkIdType SmallTexture = 4000000; // bytes; the reason says why a plan takes more
 
@@ -74,8 +81,9 @@ struct Candidate
   }
   int Method;
   int Sizes[4];
-  int Lights = 0;    // suns and lamps that a layered one evaluates
-  double Cost = 0.0; // ns per covered pixel
+  int Lights = 0;                // suns and lamps that a layered one evaluates
+  double LightAngle = LampAngle; // degrees
+  double Cost = 0.0;             // ns per covered pixel
   double Error = 0.0;
   vtkIdType Bytes = 0;
   double SetUp = 0.0; // ms
@@ -278,8 +286,8 @@ struct vtkRadiancePlanner::Internals
     {
       text << candidate.Method << " " << candidate.Sizes[0] << " " << candidate.Sizes[1] << " "
            << candidate.Sizes[2] << " " << candidate.Sizes[3] << " " << candidate.Lights << " "
-           << candidate.Cost << " " << candidate.Error << " " << candidate.Bytes << " "
-           << candidate.SetUp << "\n";
+           << candidate.LightAngle << " " << candidate.Cost << " " << candidate.Error << " "
+           << candidate.Bytes << " " << candidate.SetUp << "\n";
     }
     text << this->Reason << "\n";
     auto* table = vtkTableRadianceIntegrator::SafeDownCast(
@@ -308,8 +316,8 @@ struct vtkRadiancePlanner::Internals
     for (Candidate& candidate : candidates)
     {
       text >> candidate.Method >> candidate.Sizes[0] >> candidate.Sizes[1] >> candidate.Sizes[2] >>
-        candidate.Sizes[3] >> candidate.Lights >> candidate.Cost >> candidate.Error >>
-        candidate.Bytes >> candidate.SetUp;
+        candidate.Sizes[3] >> candidate.Lights >> candidate.LightAngle >> candidate.Cost >>
+        candidate.Error >> candidate.Bytes >> candidate.SetUp;
       if (!text || candidate.Method < LIGHT_SET || candidate.Method > LAYERED)
       {
         return false;
@@ -336,6 +344,13 @@ struct vtkRadiancePlanner::Internals
     this->Meets = meets;
     this->Reason = reason;
     return true;
+  }
+
+  double ChooseLampAngle()
+  {
+    const double radius = vtkMath::RadiansFromDegrees(2.0 * LampAngle);
+    const measuredbrdf::KernelCut cut(this->BRDF, Pi * radius * radius);
+    return cut.GetSharpShare() > NarrowShare ? FineLampAngle : LampAngle;
   }
 
   // Normals as a sphere shows them to a distant camera: uniform over its disc.
@@ -426,6 +441,7 @@ struct vtkRadiancePlanner::Internals
         layered->SetNumberOfAzimuths(candidate.Sizes[2]);
         layered->SetNumberOfSamples(candidate.Sizes[3]);
         layered->SetMaximumNumberOfLights(MaximumLights);
+        layered->SetLightAngle(candidate.LightAngle);
         made = layered.Get();
         break;
       }
@@ -676,13 +692,15 @@ bool vtkRadiancePlanner::Update()
       table.Bytes = GetTableBytes(sizes);
       wanted.push_back(table);
     }
-    const int lights = static_cast<int>(measuredbrdf::BrightTexels(
-      impl.Environment, measuredbrdf::BrightTexels::DefaultShare, MaximumLights)
+    const double angle = impl.ChooseLampAngle();
+    const int lights = static_cast<int>(measuredbrdf::BrightTexels::FindLamps(
+      impl.Environment, vtkMath::RadiansFromDegrees(angle), MaximumLights)
                                           .Lights.size());
     for (const auto& sizes : LayerSizes)
     {
       Candidate layered(LAYERED, sizes[0], sizes[1], sizes[2], sizes[3]);
       layered.Lights = lights;
+      layered.LightAngle = angle;
       layered.Cost = tableCost + costs[vtkRadianceCostModel::SAMPLE] * sizes[3] +
                      costs[vtkRadianceCostModel::LIGHT] * lights;
       layered.Bytes =

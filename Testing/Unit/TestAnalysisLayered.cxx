@@ -121,6 +121,56 @@ TEST(BrightTexels, LightsAndRestAddUp)
 }
 
 //------------------------------------------------------------------------------
+// A sun of several texels is one light, in the middle of them; a panel is no lamp.
+TEST(BrightTexels, LampsAreOneLightEach)
+{
+  constexpr int width = 512, height = 256;
+  std::vector<float> pixels(3 * width * height, 1.0f);
+  const auto light = [&](int x, int y) { pixels[3 * (y * width + x) + 1] = 1e4f; };
+  for (int k = 0; k < 4; ++k) // 2 x 2 texels of 0.7 degrees
+  {
+    light(100 + k % 2, 120 + k / 2);
+    light(300 + k % 2, 60 + k / 2);
+  }
+  vtkNew<vtkEnvironment> environment;
+  environment->SetPixels(width, height, pixels);
+  EXPECT_EQ(BrightTexels(environment, BrightTexels::DefaultShare, 16).Lights.size(), 8u);
+  const double angle = 1.2 * Pi / 180.0;
+  const BrightTexels lamps = BrightTexels::FindLamps(environment, angle, 16);
+  ASSERT_EQ(lamps.Lights.size(), 2u);
+  glm::dvec3 irradiance(0.0);
+  glm::dvec3 expected(0.0);
+  for (std::size_t k = 0; k < pixels.size() / 3; ++k)
+  {
+    expected.y += (pixels[3 * k + 1] - lamps.Rest[3 * k + 1]) *
+                  environment->GetTexelSolidAngle(static_cast<int>(k / width));
+  }
+  for (const BrightTexels::Light& lamp : lamps.Lights)
+  {
+    glm::dvec3 middle(0.0);
+    const bool first = std::abs(lamp.Direction.y) < 0.2; // near the horizon
+    for (int k = 0; k < 4; ++k)
+    {
+      glm::dvec3 direction;
+      environment->GetTexelDirection(
+        (first ? 100 : 300) + k % 2, (first ? 120 : 60) + k / 2, &direction.x);
+      middle += 0.25 * direction;
+    }
+    EXPECT_LT(glm::distance(lamp.Direction, glm::normalize(middle)), 1e-3);
+    irradiance += lamp.Irradiance;
+  }
+  EXPECT_NEAR(irradiance.y, expected.y, 1e-6 * expected.y);
+  EXPECT_GT(irradiance.y, 0.0);
+
+  for (int k = 0; k < 40 * 40; ++k) // a panel of 28 degrees
+  {
+    light(100 + k % 40, 100 + k / 40);
+  }
+  environment->SetPixels(width, height, pixels);
+  EXPECT_TRUE(BrightTexels::FindLamps(environment, angle, 16).Lights.empty());
+}
+
+//------------------------------------------------------------------------------
 // The sharp layer is narrow: Markov's inequality, counted over random directions.
 TEST(KernelLayers, AddUpAndTheSharpOneIsNarrow)
 {
