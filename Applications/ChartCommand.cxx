@@ -374,7 +374,7 @@ void AddChartCommand(CLI::App& app)
   command
     ->add_option("--rounds", options->Rounds,
       "Frames of each that are timed, all methods in turn (default 9); slow ones get fewer, at "
-      "least 3")
+      "least 3, and those above 3 seconds one")
     ->check(CLI::Range(3, 1000));
   command->add_option("--slowest", options->Slowest,
     "Leave out sizes whose frames would take longer than this, in ms (default 2000)");

@@ -15,8 +15,8 @@ cd "$(dirname "$0")/.."
 measured=("$data"/materials/rgl/*.bsdf "$data"/materials/mbsdf/*.mbsdf)
 published=(blue-fabric gold-metallic-paint3 violet-rubber nickel pink-felt gold-paint)
 environments=
-for name in studio interior city sunset forest sunrise; do
-  environments+=${environments:+,}$data/environments/$name.exr
+for name in studio.exr interior.exr city.exr sunset.exr forest.exr pmndrs_sunrise.hdr; do
+  environments+=${environments:+,}$data/environments/$name
 done
 materials=("${measured[@]}" "${published[@]}")
 # For a try: RESULTS_MATERIALS="pink-felt gold-paint" RESULTS_ENVIRONMENTS=sky

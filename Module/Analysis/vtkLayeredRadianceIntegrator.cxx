@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <string>
 #include <utility>
 
 using namespace measuredbrdf;
@@ -134,9 +135,14 @@ bool vtkLayeredRadianceIntegrator::Begin()
       static_cast<vtkTableRadianceIntegrator*>(caller)->SetAbort(layered->Abort);
     });
   made.Broad->AddObserver(vtkCommand::ProgressEvent, follow);
-  const bool done = made.Broad->Prepare() && (!made.Sharp || made.Sharp->Prepare()) &&
-                    (!made.Lights || made.Lights->Prepare());
+  const bool broadly = this->Given ? made.Broad->TakePrepared(*this->Given) : made.Broad->Prepare();
   made.Broad->RemoveObservers(vtkCommand::ProgressEvent);
+  if (!broadly && this->Given)
+  {
+    return false;
+  }
+  const bool done =
+    broadly && (!made.Sharp || made.Sharp->Prepare()) && (!made.Lights || made.Lights->Prepare());
   if (!done || this->Abort)
   {
     vtkErrorMacro("Prepare: " << (this->Abort ? "aborted." : "a layer cannot be prepared."));
@@ -159,6 +165,22 @@ void vtkLayeredRadianceIntegrator::IntegratePart(
   {
     AddTo(this->Impl->Lights, n, o, t, radiance);
   }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkLayeredRadianceIntegrator::GetPrepared()
+{
+  return this->Impl->Broad ? this->Impl->Broad->GetPrepared() : "";
+}
+
+//------------------------------------------------------------------------------
+bool vtkLayeredRadianceIntegrator::TakePrepared(const std::string& bytes)
+{
+  this->Modified(); // so that Prepare does
+  this->Given = &bytes;
+  const bool taken = this->Prepare();
+  this->Given = nullptr;
+  return taken;
 }
 
 //------------------------------------------------------------------------------

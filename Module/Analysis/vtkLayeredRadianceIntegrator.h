@@ -25,6 +25,7 @@
 #include "vtkRadianceIntegrator.h"
 
 #include <memory> // for Internals
+#include <string> // for Given
 
 class VTKMEASUREDBRDF_EXPORT vtkLayeredRadianceIntegrator : public vtkRadianceIntegrator
 {
@@ -80,6 +81,16 @@ public:
   bool GetHasSharpLayer();
   ///@}
 
+  ///@{
+  /**
+   * The table's bytes, for caches ("" before Prepare), and back: Take prepares everything with that
+   * table, whose making takes longest. It returns false, nothing changed, where they are not of a
+   * table of the sizes that are set, or the rest can't be prepared (an error event says why).
+   */
+  std::string GetPrepared();
+  bool TakePrepared(const std::string& bytes);
+  ///@}
+
   bool GetGPUForm(vtkBRDFGPUForm& form) override;
   bool UsesBRDFOnGPU() override { return this->GetNumberOfLights() > 0; }
 
@@ -105,6 +116,7 @@ private:
 
   struct Internals;
   std::unique_ptr<Internals> Impl;
+  const std::string* Given = nullptr; // TakePrepared's bytes while it prepares
 };
 
 #endif

@@ -31,7 +31,9 @@
  * quantities and the harmonics' degree, second order where radiance is smooth, first order where
  * the horizon cuts a bright light.
  *
- * Isotropic BRDFs only. Views closer to the horizon than 1.1 degrees are taken there.
+ * Isotropic BRDFs only, taken as symmetric about the plane of incidence, f(theta_i, theta_o, phi) =
+ * f(theta_i, theta_o, -phi), as nearly all isotropic materials are: of one that is not, the mean of
+ * both is integrated. Views closer to the horizon than 1.1 degrees are taken there.
  */
 
 #ifndef vtkTableRadianceIntegrator_h

@@ -62,13 +62,13 @@ constexpr double FineLampAngle = 0.6;
 constexpr double NarrowShare = 0.05;
 constexpr double MegabyteShare = 3.0 / 107.0; // of a table's pixel, that a megabyte counts as
 constexpr double SpherePixels = 196350.0;     // where it does
-constexpr vtkIdType TableBytes = 12 * (256 * 129 + 3 * 64); // irradiance and profile
+constexpr vtkIdType TableBytes = 16 * (256 * 129 + 3 * 64); // irradiance and profile
 const int LightCounts[] = { 64, 256, 1024, 4096 };
 constexpr int AnisotropicLights = 256; // more cost seconds a frame without a graphics card
 const int SampleCounts[] = { 16, 64, 256 };
 const int FunctionCounts[] = { 9, 25, 64 };
 
-constexpr char PlanVersion[] = "plan 8"; // rises with anything that changes plans or tables
+constexpr char PlanVersion[] = "plan 10"; // rises with anything that changes plans or tables
 constexpr std::size_t LargestCount = 100;
 constexpr vtkIdType SmallTexture = 4000000; // bytes; the reason says why a plan takes more
 
@@ -198,6 +198,27 @@ private:
   unsigned long Tags[2];
 };
 
+// What takes long to make of an integrator, if anything.
+std::string GetPrepared(vtkRadianceIntegrator* integrator)
+{
+  if (auto* table = vtkTableRadianceIntegrator::SafeDownCast(integrator))
+  {
+    return table->GetPrepared();
+  }
+  auto* layered = vtkLayeredRadianceIntegrator::SafeDownCast(integrator);
+  return layered ? layered->GetPrepared() : "";
+}
+
+bool TakePrepared(vtkRadianceIntegrator* integrator, const std::string& bytes)
+{
+  if (auto* table = vtkTableRadianceIntegrator::SafeDownCast(integrator))
+  {
+    return table->TakePrepared(bytes);
+  }
+  auto* layered = vtkLayeredRadianceIntegrator::SafeDownCast(integrator);
+  return !layered || layered->TakePrepared(bytes);
+}
+
 double GetMilliseconds(std::chrono::steady_clock::time_point start)
 {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
@@ -220,6 +241,7 @@ struct vtkRadiancePlanner::Internals
   // What the candidates are measured against.
   vtkNew<vtkDoubleArray> Normals;
   vtkNew<vtkDoubleArray> Views;
+  std::vector<double> Weights; // of the pairs; none: 1 each
   vtkNew<vtkDoubleArray> Reference;
 
   std::vector<Candidate> Candidates;
@@ -290,10 +312,8 @@ struct vtkRadiancePlanner::Internals
            << candidate.Bytes << " " << candidate.SetUp << "\n";
     }
     text << this->Reason << "\n";
-    auto* table = vtkTableRadianceIntegrator::SafeDownCast(
-      this->Candidates[static_cast<std::size_t>(this->Choice)].Integrator);
-    measuredbrdf::WriteCache(
-      folder, key, text.str() + (table ? table->GetPrepared() : ""), maximumBytes);
+    text << GetPrepared(this->Candidates[static_cast<std::size_t>(this->Choice)].Integrator);
+    measuredbrdf::WriteCache(folder, key, text.str(), maximumBytes);
   }
 
   bool ReadPlan(const std::string& folder, const std::string& key)
@@ -331,12 +351,9 @@ struct vtkRadiancePlanner::Internals
     }
     Candidate& chosen = candidates[static_cast<std::size_t>(choice)];
     vtkSmartPointer<vtkRadianceIntegrator> integrator = this->Make(chosen);
-    if (auto* table = vtkTableRadianceIntegrator::SafeDownCast(integrator))
+    if (!TakePrepared(integrator, contents.substr(static_cast<std::size_t>(text.tellg()))))
     {
-      if (!table->TakePrepared(contents.substr(static_cast<std::size_t>(text.tellg()))))
-      {
-        return false;
-      }
+      return false;
     }
     chosen.Integrator = integrator;
     this->Candidates = candidates;
@@ -353,7 +370,8 @@ struct vtkRadiancePlanner::Internals
     return cut.GetSharpShare() > NarrowShare ? FineLampAngle : LampAngle;
   }
 
-  // Normals as a sphere shows them to a distant camera: uniform over its disc.
+  // Normals as a sphere shows them to a distant camera, uniform over its disc: but half of them
+  // crowd to the rim, where radiance is steep, and count less there.
   void DrawPairs(int count, const double wanted[3])
   {
     this->Normals->Initialize();
@@ -376,11 +394,13 @@ struct vtkRadiancePlanner::Internals
         std::abs(view.x) < 0.5 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
       const glm::dvec3 u = glm::normalize(glm::cross(any, view));
       const glm::dvec3 v = glm::cross(view, u);
-      // Within the rim by a pixel of a sphere 500 pixels wide.
-      const double r = 0.996 * std::sqrt(measuredbrdf::RadicalInverse(index, 2));
+      // The view's cosine by the density 2 c of a disc, or by 1 / (2 sqrt(c)).
+      const double x = measuredbrdf::RadicalInverse(index, 2);
+      const double c = x < 0.5 ? std::sqrt(2.0 * x) : (2.0 * x - 1.0) * (2.0 * x - 1.0);
+      this->Weights.push_back(2.0 * c / (c + 0.25 / std::sqrt(std::max(c, 1e-6))));
+      const double r = std::sqrt(1.0 - c * c);
       const double phi = 2.0 * Pi * measuredbrdf::RadicalInverse(index, 3);
-      const glm::dvec3 n =
-        r * std::cos(phi) * u + r * std::sin(phi) * v + std::sqrt(1.0 - r * r) * view;
+      const glm::dvec3 n = r * std::cos(phi) * u + r * std::sin(phi) * v + c * view;
       this->Normals->InsertNextTuple(&n.x);
       this->Views->InsertNextTuple(&view.x);
     }
@@ -388,6 +408,7 @@ struct vtkRadiancePlanner::Internals
 
   bool MakeReference(vtkRadiancePlanner* planner)
   {
+    this->Weights.clear();
     if (this->GivenNormals)
     {
       this->Normals->DeepCopy(this->GivenNormals);
@@ -489,11 +510,14 @@ struct vtkRadiancePlanner::Internals
     const vtkIdType pairs = radiance->GetNumberOfTuples();
     for (vtkIdType k = 0; k < pairs; ++k)
     {
+      const double weight =
+        this->Weights.empty() ? 1.0 : this->Weights[static_cast<std::size_t>(k)];
       double difference = 0.0;
       for (int c = 0; c < 3; ++c)
       {
-        difference += std::abs(radiance->GetComponent(k, c) - this->Reference->GetComponent(k, c));
-        sum += this->Reference->GetComponent(k, c);
+        difference +=
+          weight * std::abs(radiance->GetComponent(k, c) - this->Reference->GetComponent(k, c));
+        sum += weight * this->Reference->GetComponent(k, c);
       }
       differences += difference;
       squares += difference * difference;

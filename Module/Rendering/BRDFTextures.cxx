@@ -28,6 +28,17 @@ bool IsLost(vtkTextureObject* texture, vtkOpenGLRenderWindow* window)
   return texture->GetHandle() == 0 || texture->GetContext() != window;
 }
 
+std::vector<float> Pad(const std::vector<float>& triples)
+{
+  std::vector<float> padded;
+  padded.reserve(triples.size() / 3 * 4);
+  for (std::size_t k = 0; k + 2 < triples.size(); k += 3)
+  {
+    padded.insert(padded.end(), { triples[k], triples[k + 1], triples[k + 2], 1.0f });
+  }
+  return padded;
+}
+
 vtkSmartPointer<vtkTextureObject> Upload(
   vtkBRDFGPUForm::Texture& texture, vtkOpenGLRenderWindow* window, std::string& problem)
 {
@@ -56,10 +67,16 @@ vtkSmartPointer<vtkTextureObject> Upload(
   const unsigned int width = static_cast<unsigned int>(texture.Dimensions[0]);
   const unsigned int height = static_cast<unsigned int>(texture.Dimensions[1]);
   const unsigned int depth = static_cast<unsigned int>(texture.Dimensions[2]);
-  const bool created = texture.ThreeD ? result->Create3DFromRaw(width, height, depth,
-                                          texture.Components, VTK_FLOAT, texture.Data.data())
-                                      : result->Create2DFromRaw(width, height, texture.Components,
-                                          VTK_FLOAT, texture.Data.data());
+  const int components = texture.IsPadded() ? 4 : texture.Components;
+  std::vector<float> padded;
+  if (texture.IsPadded())
+  {
+    padded = Pad(texture.Data);
+  }
+  float* data = texture.IsPadded() ? padded.data() : texture.Data.data();
+  const bool created =
+    texture.ThreeD ? result->Create3DFromRaw(width, height, depth, components, VTK_FLOAT, data)
+                   : result->Create2DFromRaw(width, height, components, VTK_FLOAT, data);
   if (!created)
   {
     problem = texture.Name + " could not be uploaded";

@@ -661,7 +661,7 @@ TEST(TableIntegrator, GPUForm)
                                static_cast<std::size_t>(texture.Dimensions[1]) *
                                static_cast<std::size_t>(texture.Dimensions[2]);
     EXPECT_EQ(texture.Data.size(), 3 * texels) << texture.Name;
-    EXPECT_EQ(texture.GetBytes(), texels * (texture.HalfFloat ? 6 : 12)) << texture.Name;
+    EXPECT_EQ(texture.GetBytes(), texels * (texture.HalfFloat ? 6 : 16)) << texture.Name;
     bytes += texture.GetBytes();
     for (const float value : texture.Data)
     {

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -99,6 +100,26 @@ TEST_F(PlanCache, FindsAPlanAgain)
   EXPECT_EQ(first->GetPlan(), second->GetPlan());
   EXPECT_EQ(first->GetNumberOfCandidates(), second->GetNumberOfCandidates());
   EXPECT_EQ(Integrate(first), Integrate(second));
+}
+
+// Layers keep their table; lights and samples are made again.
+TEST_F(PlanCache, FindsLayersAgain)
+{
+  this->BRDF->SetSpecular(0.5, 0.5, 0.5);
+  this->BRDF->SetExponent(2000.0);
+  this->Tolerance = 0.08;
+  this->Environment->SetToProceduralHall();
+  this->Costs = vtkSmartPointer<vtkRadianceCostModel>::New();
+  this->Costs->SetCost(vtkRadianceCostModel::LIGHT, 0.1);
+  const auto first = this->Plan();
+  std::printf("%s\n", first->GetPlan().c_str());
+  ASSERT_EQ(first->GetMethodName(first->GetChoice()), "layered");
+  const auto second = this->Plan();
+  EXPECT_TRUE(second->GetFromCache());
+  EXPECT_EQ(first->GetPlan(), second->GetPlan());
+  EXPECT_EQ(Integrate(first), Integrate(second));
+  const fs::path file = this->GetFiles().at(0);
+  EXPECT_GT(fs::file_size(file), 100000u);
 }
 
 TEST_F(PlanCache, WhatItDependsOnMakesAnother)
