@@ -340,7 +340,8 @@ ChartPair ChartMeter::Measure(
     const ChartSize& size = this->Sizes[k];
     Timed timed;
     // What the size before leads to expect; sizes come smallest first.
-    const bool follows = !all.empty() && all.back().Point.Method == size.Method->Name;
+    const bool follows = !all.empty() && all.back().Point.Method == size.Method->Name &&
+                         size.Method->Name != PlannerMethod;
     double expected = follows ? all.back().Expected : 0.0;
     if (follows && size.Method->Grows)
     {

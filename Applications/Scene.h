@@ -22,7 +22,7 @@ class Scene : public Stage
 {
 public:
   Scene();
-  ~Scene();
+  ~Scene() override;
 
   void SetMaterial(vtkBRDF* brdf);
   void SetLight(vtkEnvironment* environment, const LightSetOptions& lights);

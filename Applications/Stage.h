@@ -30,7 +30,7 @@ class Stage
 public:
   /// The mapper draws the mesh. No lights.
   explicit Stage(vtkOpenGLPolyDataMapper* mapper);
-  ~Stage();
+  virtual ~Stage();
   Stage(const Stage&) = delete;
   void operator=(const Stage&) = delete;
 
