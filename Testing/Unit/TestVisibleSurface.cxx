@@ -117,6 +117,17 @@ TEST_F(Visible, ActorsAreTransformed)
     EXPECT_NEAR(glm::distance(n, glm::dvec3(std::sqrt(0.75), 0.0, 0.5)), 0.0, 1e-9);
   }
 
+  // A slanted one, stretched along x, faces further away from x.
+  vtkNew<vtkPlaneSource> slanted;
+  slanted->SetNormal(0.6, 0.0, 0.8);
+  slanted->Update();
+  vtkNew<vtkMatrix4x4> stretched;
+  stretched->SetElement(0, 0, 2.0);
+  const VisibleSurface wide(slanted->GetOutput(), stretched, this->Camera, 400, 200, Identity);
+  ASSERT_FALSE(wide.IsEmpty());
+  const glm::dvec3 expected = glm::normalize(glm::dvec3(0.3, 0.0, 0.8));
+  EXPECT_NEAR(glm::distance(wide.GetNormals()[0], expected), 0.0, 1e-6);
+
   // Into another frame: z becomes x.
   const double frame[9] = { 0, 0, 1, 1, 0, 0, 0, 1, 0 };
   const VisibleSurface turned = this->See(plane->GetOutput(), 400, 200, frame);
