@@ -4,20 +4,22 @@
 uniform sampler2D brdfLightsINSTANCE; // two texels a light: direction and 1/kappa, irradiance
 uniform float brdfNumberOfLightsINSTANCE;
 
+vec3 brdfLightINSTANCE(int k, int lightsPerRow, mat3 frame, vec3 o)
+{
+  ivec2 texel = ivec2(2 * (k % lightsPerRow), k / lightsPerRow);
+  vec4 light = texelFetch(brdfLightsINSTANCE, texel, 0);
+  vec3 i = light.xyz * frame;
+  if (i.z > 0.0)
+  {
+    return EVALUATE_LIGHT * texelFetch(brdfLightsINSTANCE, texel + ivec2(1, 0), 0).rgb * i.z;
+  }
+  return vec3(0.0);
+}
+
 vec3 brdfEnvironmentINSTANCE(mat3 frame, vec3 o)
 {
   vec3 sum = vec3(0.0);
-  int lightsPerRow = textureSize(brdfLightsINSTANCE, 0).x / 2;
-  int count = int(brdfNumberOfLightsINSTANCE);
-  for (int k = 0; k < count; ++k)
-  {
-    ivec2 texel = ivec2(2 * (k % lightsPerRow), k / lightsPerRow);
-    vec4 light = texelFetch(brdfLightsINSTANCE, texel, 0);
-    vec3 i = light.xyz * frame;
-    if (i.z > 0.0)
-    {
-      sum += EVALUATE_LIGHT * texelFetch(brdfLightsINSTANCE, texel + ivec2(1, 0), 0).rgb * i.z;
-    }
-  }
+  int perRow = textureSize(brdfLightsINSTANCE, 0).x / 2;
+  ADD_LIGHTS
   return sum;
 }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLayeredRadianceIntegrator.h"
 
-#include "BrightTexels.h"
 #include "KernelLayers.h"
+#include "RadianceParts.h"
 #include "vtkBRDF.h"
 #include "vtkBRDFGPUForm.h"
 #include "vtkCallbackCommand.h"
@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -77,22 +78,15 @@ bool vtkLayeredRadianceIntegrator::Begin()
   Internals made;
 
   // Lights and what they leave.
-  BrightTexels bright = BrightTexels::FindLamps(
+  const auto parts = this->Parts ? this->Parts : std::make_shared<RadianceParts>();
+  const RadianceParts::Lamps& lamps = parts->GetLamps(
     this->Environment, vtkMath::RadiansFromDegrees(this->LightAngle), this->MaximumNumberOfLights);
-  vtkSmartPointer<vtkEnvironment> rest = this->Environment;
-  if (!bright.Lights.empty())
+  if (lamps.Lights)
   {
-    rest = vtkSmartPointer<vtkEnvironment>::New();
-    rest->SetPixels(
-      this->Environment->GetWidth(), this->Environment->GetHeight(), std::move(bright.Rest));
-    vtkNew<vtkLightSet> lights;
-    for (const BrightTexels::Light& light : bright.Lights)
-    {
-      lights->AddLight(&light.Direction.x, &light.Irradiance.x);
-    }
     made.Lights = vtkSmartPointer<vtkLightSetIntegrator>::New();
     made.Lights->SetBRDF(this->BRDF->GetRenderable());
-    made.Lights->SetLightSet(lights);
+    made.Lights->SetLightSet(lamps.Lights);
+    made.Lights->UnrolledOn(); // their number is the plan's
   }
 
   // Layers of the material.
@@ -112,14 +106,15 @@ bool vtkLayeredRadianceIntegrator::Begin()
       broad = layer(false);
       made.Sharp = vtkSmartPointer<vtkFilteredRadianceIntegrator>::New();
       made.Sharp->SetBRDF(layer(true));
-      made.Sharp->SetEnvironment(rest);
+      made.Sharp->SetEnvironment(lamps.Rest);
       made.Sharp->SetNumberOfSamples(this->NumberOfSamples);
       made.Sharp->ExtractLightsOff();
     }
   }
   made.Broad = vtkSmartPointer<vtkTableRadianceIntegrator>::New();
   made.Broad->SetBRDF(broad);
-  made.Broad->SetEnvironment(rest);
+  made.Broad->SetParts(made.Sharp ? nullptr : parts);
+  made.Broad->SetEnvironment(lamps.Rest);
   made.Broad->SetNumberOfRows(this->NumberOfRows);
   made.Broad->SetNumberOfViewAngles(this->NumberOfViewAngles);
   made.Broad->SetNumberOfAzimuths(this->NumberOfAzimuths);
@@ -137,6 +132,7 @@ bool vtkLayeredRadianceIntegrator::Begin()
   made.Broad->AddObserver(vtkCommand::ProgressEvent, follow);
   const bool broadly = this->Given ? made.Broad->TakePrepared(*this->Given) : made.Broad->Prepare();
   made.Broad->RemoveObservers(vtkCommand::ProgressEvent);
+  made.Broad->SetParts(nullptr);
   if (!broadly && this->Given)
   {
     return false;

@@ -27,6 +27,11 @@
 #include <memory> // for Internals
 #include <string> // for Given
 
+namespace measuredbrdf
+{
+class RadianceParts;
+}
+
 class VTKMEASUREDBRDF_EXPORT vtkLayeredRadianceIntegrator : public vtkRadianceIntegrator
 {
 public:
@@ -94,6 +99,13 @@ public:
   bool GetGPUForm(vtkBRDFGPUForm& form) override;
   bool UsesBRDFOnGPU() override { return this->GetNumberOfLights() > 0; }
 
+#ifndef __VTK_WRAP__
+  /**
+   * For the planner: what Prepare needs whatever the sizes; null (default): its own.
+   */
+  void SetParts(const std::shared_ptr<measuredbrdf::RadianceParts>& parts) { this->Parts = parts; }
+#endif
+
 protected:
   vtkLayeredRadianceIntegrator();
   ~vtkLayeredRadianceIntegrator() override;
@@ -115,6 +127,7 @@ private:
   void operator=(const vtkLayeredRadianceIntegrator&) = delete;
 
   struct Internals;
+  std::shared_ptr<measuredbrdf::RadianceParts> Parts;
   std::unique_ptr<Internals> Impl;
   const std::string* Given = nullptr; // TakePrepared's bytes while it prepares
 };

@@ -12,10 +12,27 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
+#include <string>
 
 namespace
 {
 constexpr int LightsPerRow = 512; // the shader asks the texture
+constexpr int MaximumUnrolled = 16;
+
+std::string GetLoopText(bool unrolled, int count)
+{
+  if (!unrolled || count > MaximumUnrolled)
+  {
+    return "for (int k = 0; k < int(brdfNumberOfLightsINSTANCE); ++k)\n  {\n"
+           "    sum += brdfLightINSTANCE(k, perRow, frame, o);\n  }";
+  }
+  std::string text;
+  for (int k = 0; k < count; ++k)
+  {
+    text += "sum += brdfLightINSTANCE(" + std::to_string(k) + ", perRow, frame, o);\n  ";
+  }
+  return text;
+}
 
 // 1/kappa; 0 for light from the direction itself.
 double GetSpread(vtkLightSet* lights, int index)
@@ -111,6 +128,7 @@ bool vtkLightSetIntegrator::GetGPUForm(vtkBRDFGPUForm& form)
   term.Shader = "vtkBRDFLightSet";
   term.Constants.push_back({ "EVALUATE_LIGHT",
     this->SoftLights ? "brdfEvaluateSoft(i, o, light.w)" : "brdfEvaluate(i, o)" });
+  term.Constants.push_back({ "ADD_LIGHTS", GetLoopText(this->Unrolled, count) });
   term.Uniforms.push_back({ "brdfNumberOfLights", { static_cast<float>(count) } });
   term.Textures.push_back(std::move(texture));
   form = vtkBRDFGPUForm();
@@ -133,4 +151,5 @@ void vtkLightSetIntegrator::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "LightSet: " << this->LightSet.Get() << "\n";
   os << indent << "SoftLights: " << (this->SoftLights ? "On" : "Off") << "\n";
+  os << indent << "Unrolled: " << (this->Unrolled ? "On" : "Off") << "\n";
 }

@@ -46,6 +46,16 @@ public:
   vtkBooleanMacro(SoftLights, bool);
   ///@}
 
+  ///@{
+  /**
+   * Whether the shader has up to 16 lights written one by one; default off. Software renderers draw
+   * one light a third faster so, but another number of lights costs the shader a rebuild.
+   */
+  vtkSetMacro(Unrolled, bool);
+  vtkGetMacro(Unrolled, bool);
+  vtkBooleanMacro(Unrolled, bool);
+  ///@}
+
   bool GetGPUForm(vtkBRDFGPUForm& form) override;
   bool UsesBRDFOnGPU() override { return true; }
   bool UsesSoftLights() override { return this->SoftLights; }
@@ -62,6 +72,7 @@ protected:
   vtkSmartPointer<vtkLightSet> LightSet;
   vtkSmartPointer<vtkBRDF> Shaded; // the material, or what knows soft light of it
   bool SoftLights = false;
+  bool Unrolled = false;
 
 private:
   vtkLightSetIntegrator(const vtkLightSetIntegrator&) = delete;

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTableRadianceIntegrator.h"
 
-#include "EnvironmentHarmonics.h"
-#include "KernelHarmonics.h"
 #include "LocalFrame.h"
 #include "LogFactorial.h"
 #include "Neighbours.h"
+#include "RadianceParts.h"
 #include "WignerD.h"
 #include "vtkBRDF.h"
 #include "vtkBRDFGPUForm.h"
@@ -20,11 +19,13 @@
 #include <unsupported/Eigen/FFT>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -33,29 +34,12 @@ using namespace measuredbrdf;
 namespace
 {
 constexpr double Pi = 3.14159265358979323846;
-constexpr int ProfileSize = 64;        // view angles of the profile, from 0 to LastView
-constexpr int ProfileNodes = 32;       // per angle there: only the mean direction is used
+constexpr int ProfileSize = RadianceParts::ProfileSize;
 constexpr int IrradianceRows = 129;    // of the map of irradiance, poles included
 constexpr int IrradianceDegree = 128;  // the cosine's coefficients fall as l^-2.5
 constexpr double LargestValue = 32768; // of a 16-bit texture, with room to spare
 
-const double LastView = std::acos(MinimumViewCosine);
-
-// The first is the normal itself: there the axis must not depend on the azimuth. They crowd towards
-// the horizon, where measured f is steep.
-double GetProfileAngle(int k)
-{
-  const double t = 1.0 - static_cast<double>(k) / (ProfileSize - 1);
-  return LastView * (1.0 - t * t);
-}
-
-// A view angle's place in the profile.
-struct Lobe
-{
-  double Delta;
-  glm::dvec3 Amplitude;
-  glm::dvec3 Floor;
-};
+const double LastView = RadianceParts::GetLastView();
 
 // Radiance of kernels given by their harmonics, over all positions of their axis: a map of rows
 // (poles included) x columns of the axis' polar angle and azimuth, for each kernel, channel and
@@ -74,16 +58,18 @@ public:
 
   using Matrix = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic>;
 
-  // kernels: degrees x kernels. result: [row][column][kernel].
-  void Run(int order, int channel, const Matrix& kernels, std::vector<std::complex<float>>& result)
+  using Field = std::vector<std::complex<float>>;
+
+  // kernels of each channel: degrees x kernels. result of each channel: [kernel][row][column].
+  void Run(int order, const std::array<Matrix, 3>& kernels, std::array<Field, 3>& result)
   {
-    const int degree = static_cast<int>(kernels.rows()) - 1;
-    const std::size_t count = static_cast<std::size_t>(kernels.cols());
+    const int degree = static_cast<int>(kernels[0].rows()) - 1;
+    const Eigen::Index count = kernels[0].cols();
+    const std::size_t kinds = 3 * static_cast<std::size_t>(count);
     const std::size_t orders = 2 * static_cast<std::size_t>(degree) + 1;
     const std::size_t rows = static_cast<std::size_t>(this->Rows);
     const std::size_t columns = static_cast<std::size_t>(this->Columns);
-    // [m][kernel][row]
-    std::vector<std::complex<float>> series(orders * count * rows);
+    Field series(orders * kinds * rows); // [m][channel][kernel][row]
     vtkSMPTools::For(0, static_cast<vtkIdType>(orders), 1,
       [&](vtkIdType begin, vtkIdType end)
       {
@@ -98,41 +84,55 @@ public:
           {
             continue;
           }
-          Matrix light(size, 2 * this->Rows);
+          Matrix turns(size, this->Rows); // the same for all channels and kernels
           for (int row = 0; row < this->Rows; ++row)
           {
             functions.Evaluate(Pi * row / (this->Rows - 1), d.data());
+            turns.col(row) = Eigen::Map<const Eigen::VectorXd>(d.data(), size).cast<float>();
+          }
+          Matrix lit(size, 2 * 3 * count); // real and imaginary parts of b_lk conj(a_lm)
+          for (int channel = 0; channel < 3; ++channel)
+          {
+            const Matrix& of = kernels[static_cast<std::size_t>(channel)];
             for (int k = 0; k < size; ++k)
             {
               std::complex<double> a = this->Environment.Get(channel, first + k, std::abs(m));
               a = m >= 0 ? std::conj(a) : (m % 2 != 0 ? -a : a);
-              light(k, 2 * row) = static_cast<float>(d[static_cast<std::size_t>(k)] * a.real());
-              light(k, 2 * row + 1) = static_cast<float>(d[static_cast<std::size_t>(k)] * a.imag());
+              for (Eigen::Index kernel = 0; kernel < count; ++kernel)
+              {
+                const Eigen::Index column = 2 * (channel * count + kernel);
+                lit(k, column) = of(first + k, kernel) * static_cast<float>(a.real());
+                lit(k, column + 1) = of(first + k, kernel) * static_cast<float>(a.imag());
+              }
             }
           }
-          const Matrix product = kernels.bottomRows(size).transpose() * light;
-          std::complex<float>* out = &series[static_cast<std::size_t>(item) * count * rows];
-          for (std::size_t kernel = 0; kernel < count; ++kernel)
+          const Matrix product = turns.transpose() * lit;
+          std::complex<float>* out = &series[static_cast<std::size_t>(item) * kinds * rows];
+          for (std::size_t kind = 0; kind < kinds; ++kind)
           {
+            const Eigen::Index column = static_cast<Eigen::Index>(2 * kind);
             for (std::size_t row = 0; row < rows; ++row)
             {
-              const Eigen::Index r = static_cast<Eigen::Index>(2 * row);
-              const Eigen::Index n = static_cast<Eigen::Index>(kernel);
-              out[kernel * rows + row] = { product(n, r), product(n, r + 1) };
+              const Eigen::Index r = static_cast<Eigen::Index>(row);
+              out[kind * rows + row] = { product(r, column), product(r, column + 1) };
             }
           }
         }
       });
-    result.resize(rows * columns * count);
+    for (Field& field : result)
+    {
+      field.resize(rows * columns * static_cast<std::size_t>(count));
+    }
     vtkSMPTools::For(0, static_cast<vtkIdType>(rows), 1,
       [&](vtkIdType begin, vtkIdType end)
       {
         Eigen::FFT<float> transform;
-        std::vector<std::complex<float>> line(columns), field(columns);
+        Field line(columns), field(columns);
+        const std::size_t each = static_cast<std::size_t>(count);
         for (std::size_t row = static_cast<std::size_t>(begin); row < static_cast<std::size_t>(end);
              ++row)
         {
-          for (std::size_t kernel = 0; kernel < count; ++kernel)
+          for (std::size_t kind = 0; kind < kinds; ++kind)
           {
             std::fill(line.begin(), line.end(), 0.0f);
             for (std::size_t item = 0; item < orders; ++item)
@@ -140,13 +140,12 @@ public:
               const int m = static_cast<int>(item) - degree;
               const int n = static_cast<int>(columns);
               line[static_cast<std::size_t>((m % n + n) % n)] +=
-                series[(item * count + kernel) * rows + row];
+                series[(item * kinds + kind) * rows + row];
             }
             transform.fwd(field, line);
-            for (std::size_t column = 0; column < columns; ++column)
-            {
-              result[(row * columns + column) * count + kernel] = field[column];
-            }
+            std::copy(field.begin(), field.end(),
+              result[kind / each].begin() +
+                static_cast<std::ptrdiff_t>((kind % each * rows + row) * columns));
           }
         }
       });
@@ -252,33 +251,21 @@ bool vtkTableRadianceIntegrator::Begin()
   tables->Azimuths = this->NumberOfAzimuths;
   const int orders = this->NumberOfAzimuths / 2; // as many as the azimuths can tell apart
   const int degree = this->HarmonicDegree > 0 ? this->HarmonicDegree : this->NumberOfRows;
-  const EnvironmentHarmonics environment(this->Environment, std::max(degree, IrradianceDegree));
-
-  // Profile and kernels.
+  const auto parts = this->Parts ? this->Parts : std::make_shared<RadianceParts>();
+  const EnvironmentHarmonics& environment =
+    parts->GetHarmonics(this->Environment, std::max(degree, IrradianceDegree));
+  const RadianceParts::Kernels& profile = parts->GetProfile(this->BRDF, this->Abort);
   const int angles = this->NumberOfViewAngles;
+  const RadianceParts::Kernels& knots =
+    parts->GetKernels(this->BRDF, angles, this->NumberOfNodes, this->Abort);
   std::vector<std::vector<float>> kernels(static_cast<std::size_t>(angles));
-  std::vector<Lobe> knots(static_cast<std::size_t>(angles));
-  std::vector<Lobe> profile(ProfileSize);
-  vtkSMPTools::For(0, angles + ProfileSize, 1,
+  vtkSMPTools::For(0, angles, 1,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType k = begin; k < end && !this->Abort; ++k)
       {
-        if (k < angles)
-        {
-          const double theta = LastView * static_cast<double>(k) / (angles - 1);
-          const KernelHarmonics kernel(this->BRDF, theta, this->NumberOfNodes);
-          kernels[static_cast<std::size_t>(k)] = kernel.Expand(kernel.GetDelta(), degree, orders);
-          knots[static_cast<std::size_t>(k)] = { kernel.GetDelta(), kernel.GetAmplitude(),
-            kernel.GetFloor() };
-        }
-        else
-        {
-          const double theta = GetProfileAngle(static_cast<int>(k) - angles);
-          const KernelHarmonics kernel(this->BRDF, theta, ProfileNodes);
-          profile[static_cast<std::size_t>(k - angles)] = { kernel.GetDelta(),
-            kernel.GetAmplitude(), kernel.GetFloor() };
-        }
+        const KernelHarmonics& knot = *knots[static_cast<std::size_t>(k)];
+        kernels[static_cast<std::size_t>(k)] = knot.Expand(knot.GetDelta(), degree, orders);
       }
     });
 
@@ -288,22 +275,24 @@ bool vtkTableRadianceIntegrator::Begin()
   const std::size_t slices = static_cast<std::size_t>(tables->Azimuths) + 1;
   tables->Radiance.assign(3 * texels * slices * static_cast<std::size_t>(angles), 0.0f);
   FieldSynthesis synthesis(environment, tables->Rows, tables->Columns);
-  std::vector<std::complex<float>> field;
-  for (int item = 0; item < 3 * (orders + 1) && !this->Abort; ++item)
+  std::array<FieldSynthesis::Matrix, 3> matrices;
+  std::array<FieldSynthesis::Field, 3> fields;
+  for (int order = 0; order <= orders && !this->Abort; ++order)
   {
-    const int order = item / 3;
-    const std::size_t channel = static_cast<std::size_t>(item % 3);
-    FieldSynthesis::Matrix matrix(degree + 1, angles);
-    for (int angle = 0; angle < angles; ++angle)
+    for (int channel = 0; channel < 3; ++channel)
     {
-      matrix.col(angle) =
-        Eigen::Map<const Eigen::VectorXf>(
-          &kernels[static_cast<std::size_t>(angle)]
-                  [static_cast<std::size_t>(item) * static_cast<std::size_t>(degree + 1)],
-          degree + 1) *
-        static_cast<float>(knots[static_cast<std::size_t>(angle)].Amplitude[item % 3]);
+      FieldSynthesis::Matrix& matrix = matrices[static_cast<std::size_t>(channel)];
+      matrix.resize(degree + 1, angles);
+      for (int angle = 0; angle < angles; ++angle)
+      {
+        const std::size_t index = static_cast<std::size_t>(angle);
+        const std::size_t begin =
+          static_cast<std::size_t>(3 * order + channel) * static_cast<std::size_t>(degree + 1);
+        matrix.col(angle) = Eigen::Map<const Eigen::VectorXf>(&kernels[index][begin], degree + 1) *
+                            static_cast<float>(knots[index]->GetAmplitude()[channel]);
+      }
     }
-    synthesis.Run(order, static_cast<int>(channel), matrix, field);
+    synthesis.Run(order, matrices, fields);
     vtkSMPTools::For(0, static_cast<vtkIdType>(slices), 1,
       [&](vtkIdType begin, vtkIdType end)
       {
@@ -315,16 +304,20 @@ bool vtkTableRadianceIntegrator::Begin()
           for (std::size_t angle = 0; angle < static_cast<std::size_t>(angles); ++angle)
           {
             const std::size_t slice = angle * slices + static_cast<std::size_t>(azimuth);
-            float* out = &tables->Radiance[3 * slice * texels + channel];
-            for (std::size_t texel = 0; texel < texels; ++texel)
+            float* out = &tables->Radiance[3 * slice * texels];
+            for (std::size_t channel = 0; channel < 3; ++channel)
             {
-              out[3 * texel] +=
-                (turn * field[texel * static_cast<std::size_t>(angles) + angle]).real();
+              const std::complex<float>* in = &fields[channel][angle * texels];
+              for (std::size_t texel = 0; texel < texels; ++texel)
+              {
+                out[3 * texel + channel] +=
+                  turn.real() * in[texel].real() - turn.imag() * in[texel].imag();
+              }
             }
           }
         }
       });
-    double progress = (item + 1.0) / (3.0 * (orders + 1));
+    double progress = (order + 1.0) / (orders + 1);
     this->InvokeEvent(vtkCommand::ProgressEvent, &progress);
   }
   if (this->Abort)
@@ -348,22 +341,23 @@ bool vtkTableRadianceIntegrator::Begin()
   tables->Profile.resize(3 * 3 * ProfileSize);
   for (int k = 0; k < ProfileSize; ++k)
   {
-    const Lobe& lobe = profile[static_cast<std::size_t>(k)];
-    const double theta = GetProfileAngle(k);
+    const KernelHarmonics& lobe = *profile[static_cast<std::size_t>(k)];
+    const double theta = RadianceParts::GetProfileAngle(k);
     // Between the table's view angles both parts are interpolated, however steeply one hands over
     // to the other; what they miss of the directional albedo goes to the rest.
     const double w = std::clamp((angles - 1) * theta / LastView, 0.0, angles - 1.0);
     const std::size_t low = std::min(static_cast<std::size_t>(w), knots.size() - 2);
     const double t = w - static_cast<double>(low);
-    const glm::dvec3 floor = glm::mix(knots[low].Floor, knots[low + 1].Floor, t);
-    const glm::dvec3 amplitude = glm::mix(knots[low].Amplitude, knots[low + 1].Amplitude, t);
+    const glm::dvec3 floor = glm::mix(knots[low]->GetFloor(), knots[low + 1]->GetFloor(), t);
+    const glm::dvec3 amplitude =
+      glm::mix(knots[low]->GetAmplitude(), knots[low + 1]->GetAmplitude(), t);
     glm::dvec3 share(0.0);
     for (int c = 0; c < 3; ++c)
     {
-      const double wanted = lobe.Amplitude[c] + Pi * (lobe.Floor[c] - floor[c]);
+      const double wanted = lobe.GetAmplitude()[c] + Pi * (lobe.GetFloor()[c] - floor[c]);
       share[c] = amplitude[c] > 0.0 ? std::max(wanted, 0.0) / amplitude[c] : 0.0;
     }
-    const glm::dvec3 rowsOf[3] = { { w, std::cos(lobe.Delta), std::sin(lobe.Delta) },
+    const glm::dvec3 rowsOf[3] = { { w, std::cos(lobe.GetDelta()), std::sin(lobe.GetDelta()) },
       share * tables->Scale, floor };
     for (int row = 0; row < 3; ++row)
     {
@@ -402,13 +396,13 @@ void vtkTableRadianceIntegrator::AddIrradiance(
   const int columns = 2 * (IrradianceRows - 1);
   FieldSynthesis synthesis(environment, IrradianceRows, columns);
   tables.Irradiance.resize(3 * static_cast<std::size_t>(columns * IrradianceRows));
-  std::vector<std::complex<float>> field;
+  std::array<FieldSynthesis::Field, 3> fields;
+  synthesis.Run(0, { cosine, cosine, cosine }, fields);
   for (std::size_t channel = 0; channel < 3; ++channel)
   {
-    synthesis.Run(0, static_cast<int>(channel), cosine, field);
-    for (std::size_t texel = 0; texel < field.size(); ++texel)
+    for (std::size_t texel = 0; texel < fields[channel].size(); ++texel)
     {
-      tables.Irradiance[3 * texel + channel] = field[texel].real();
+      tables.Irradiance[3 * texel + channel] = fields[channel][texel].real();
     }
   }
 }

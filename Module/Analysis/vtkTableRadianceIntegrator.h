@@ -47,6 +47,7 @@
 namespace measuredbrdf
 {
 class EnvironmentHarmonics;
+class RadianceParts;
 }
 
 class VTKMEASUREDBRDF_EXPORT vtkTableRadianceIntegrator : public vtkRadianceIntegrator
@@ -97,6 +98,13 @@ public:
   bool TakePrepared(const std::string& bytes);
   ///@}
 
+#ifndef __VTK_WRAP__
+  /**
+   * For the planner: what Prepare needs whatever the sizes; null (default): its own.
+   */
+  void SetParts(const std::shared_ptr<measuredbrdf::RadianceParts>& parts) { this->Parts = parts; }
+#endif
+
 protected:
   vtkTableRadianceIntegrator();
   ~vtkTableRadianceIntegrator() override;
@@ -118,6 +126,7 @@ private:
   struct Tables;
   void AddIrradiance(const measuredbrdf::EnvironmentHarmonics& environment, Tables& tables);
 
+  std::shared_ptr<measuredbrdf::RadianceParts> Parts;
   std::unique_ptr<Tables> Data;
 };
 

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRadiancePlanner.h"
 
-#include "BrightTexels.h"
 #include "EnvironmentPyramid.h"
 #include "KernelLayers.h"
 #include "LowDiscrepancy.h"
 #include "PlanCache.h"
 #include "PlanReference.h"
+#include "RadianceParts.h"
 #include "vtkBRDF.h"
 #include "vtkBRDFGPUForm.h"
 #include "vtkBasisRadianceIntegrator.h"
@@ -34,26 +34,33 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <iterator>
+#include <map>
+#include <memory>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace
 {
 constexpr double Pi = 3.14159265358979323846;
 constexpr double ErrorOrder = 3.0; // tables gain so many powers of their sizes
+// And at best so many times, in powers, what the step before gained in rows or view angles.
+constexpr double RowGainPower = 4.0;
+constexpr double ViewGainPower = 2.0;
 constexpr int Pairs = 512;
 constexpr vtkIdType FewestPairs = 16;
 constexpr vtkIdType MostPairs = 4096;
 
 // Rows, view angles, azimuths: what linear interpolation in each costs in error differs with the
 // material's gloss (docs/methods.md).
-const int TableSizes[][3] = { { 17, 8, 8 }, { 33, 12, 16 }, { 33, 24, 16 }, { 65, 12, 16 },
-  { 65, 24, 24 }, { 129, 12, 16 }, { 129, 24, 16 } };
+const int TableSizes[][3] = { { 17, 8, 8 }, { 33, 8, 8 }, { 33, 12, 16 }, { 33, 24, 16 },
+  { 65, 8, 8 }, { 65, 12, 16 }, { 65, 24, 24 }, { 129, 8, 8 }, { 129, 12, 16 }, { 129, 24, 16 },
+  { 257, 8, 8 } };
 // The same and samples of the sharp layer, with suns and lamps as lights.
-const int LayerSizes[][4] = { { 33, 12, 16, 0 }, { 65, 12, 16, 0 }, { 129, 12, 16, 0 },
-  { 33, 12, 16, 8 }, { 65, 12, 16, 8 }, { 65, 24, 24, 8 }, { 33, 12, 16, 16 }, { 65, 12, 16, 16 },
-  { 129, 12, 16, 16 } };
+const int LayerSizes[][4] = { { 17, 8, 8, 0 }, { 33, 8, 8, 0 }, { 33, 12, 16, 0 }, { 65, 8, 8, 0 },
+  { 65, 12, 16, 0 }, { 129, 8, 8, 0 }, { 129, 12, 16, 0 }, { 257, 8, 8, 0 }, { 65, 12, 16, 8 } };
 constexpr int MaximumLights = 16;
 // Lamps of many texels are one light each (degrees), or several where more than so much of the
 // albedo lies in lobes narrower than twice that.
@@ -68,7 +75,10 @@ constexpr int AnisotropicLights = 256; // more cost seconds a frame without a gr
 const int SampleCounts[] = { 16, 64, 256 };
 const int FunctionCounts[] = { 9, 25, 64 };
 
-constexpr char PlanVersion[] = "plan 10"; // rises with anything that changes plans or tables
+constexpr double FarAway = 3.0; // times the tolerance: where samples of the sharp layer are tried
+constexpr double WorthIt = 0.9; // of another's error, to be worth more cost
+
+constexpr char PlanVersion[] = "plan 11"; // rises with anything that changes plans or tables
 constexpr std::size_t LargestCount = 100;
 constexpr vtkIdType SmallTexture = 4000000; // bytes; the reason says why a plan takes more
 
@@ -111,23 +121,73 @@ double GetOrder(const Candidate& candidate, double bytePrice)
   return candidate.Cost + bytePrice * static_cast<double>(candidate.Bytes);
 }
 
-// Whether one that was tried already tells that a larger one does not help: of the same method and
-// too far away for what it adds.
+// Whether those of its kind that were tried tell that a larger one does not help.
 bool IsHopeless(const Candidate& candidate, const std::vector<Candidate>& tried, double tolerance)
 {
-  return (candidate.Method == vtkRadiancePlanner::TABLE ||
-           candidate.Method == vtkRadiancePlanner::LAYERED) &&
-         std::any_of(tried.begin(), tried.end(),
-           [&](const Candidate& other)
-           {
-             double ratio = 0.0;
-             for (int k = 0; k < 3; ++k)
-             {
-               ratio = std::max(ratio, static_cast<double>(candidate.Sizes[k]) / other.Sizes[k]);
-             }
-             return other.Method == candidate.Method && other.Sizes[3] == candidate.Sizes[3] &&
-                    other.Error > tolerance * std::pow(ratio, ErrorOrder);
-           });
+  if (candidate.Method != vtkRadiancePlanner::TABLE &&
+      candidate.Method != vtkRadiancePlanner::LAYERED)
+  {
+    return false;
+  }
+  const int rows = candidate.Sizes[0];
+  const int views = candidate.Sizes[1];
+  std::map<int, std::map<int, double>> errors; // by rows and view angles
+  for (const Candidate& other : tried)
+  {
+    if (other.Method != candidate.Method || other.Sizes[3] != candidate.Sizes[3])
+    {
+      continue;
+    }
+    // One is too far away for what this adds.
+    double ratio = 0.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      ratio = std::max(ratio, static_cast<double>(candidate.Sizes[k]) / other.Sizes[k]);
+    }
+    if (other.Error > tolerance * std::pow(ratio, ErrorOrder))
+    {
+      return true;
+    }
+    errors[other.Sizes[0]][other.Sizes[1]] = other.Error;
+  }
+  std::vector<std::pair<int, double>> least; // by fewer rows
+  for (const auto& [count, byViews] : errors)
+  {
+    double best = HUGE_VAL;
+    for (const auto& [angles, error] : byViews)
+    {
+      best = std::min(best, error);
+      // More view angles alone gained more than is left: more rows do not replace them.
+      const auto same = byViews.find(views);
+      if (same != byViews.end() && angles > views && same->second - error > tolerance)
+      {
+        return true;
+      }
+    }
+    if (count < rows)
+    {
+      least.emplace_back(count, best);
+    }
+    // More view angles gained too little.
+    if (count == rows && byViews.size() > 1 && byViews.rbegin()->first < views)
+    {
+      const double last = byViews.rbegin()->second;
+      const double gain = std::min(last / std::next(byViews.rbegin())->second, 1.0);
+      if (last * std::pow(gain, ViewGainPower) > tolerance)
+      {
+        return true;
+      }
+    }
+  }
+  // More rows gained too little.
+  if (least.size() < 2)
+  {
+    return false;
+  }
+  const auto& [count, error] = least.back();
+  const double gain = std::min(error / least[least.size() - 2].second, 1.0);
+  return error * std::pow(gain, RowGainPower * std::log2(static_cast<double>(rows) / count)) >
+         tolerance;
 }
 
 std::string Percent(double value)
@@ -198,6 +258,20 @@ private:
   unsigned long Tags[2];
 };
 
+// What an integrator may share with others while it prepares.
+void SetParts(
+  vtkRadianceIntegrator* integrator, const std::shared_ptr<measuredbrdf::RadianceParts>& parts)
+{
+  if (auto* table = vtkTableRadianceIntegrator::SafeDownCast(integrator))
+  {
+    table->SetParts(parts);
+  }
+  else if (auto* layered = vtkLayeredRadianceIntegrator::SafeDownCast(integrator))
+  {
+    layered->SetParts(parts);
+  }
+}
+
 // What takes long to make of an integrator, if anything.
 std::string GetPrepared(vtkRadianceIntegrator* integrator)
 {
@@ -237,6 +311,10 @@ struct vtkRadiancePlanner::Internals
   // What a camera sees, if that was said.
   vtkSmartPointer<vtkDoubleArray> GivenNormals;
   vtkSmartPointer<vtkDoubleArray> GivenViews;
+
+  // What many candidates need, kept for the next plan.
+  std::shared_ptr<measuredbrdf::RadianceParts> Parts =
+    std::make_shared<measuredbrdf::RadianceParts>();
 
   // What the candidates are measured against.
   vtkNew<vtkDoubleArray> Normals;
@@ -487,7 +565,10 @@ struct vtkRadiancePlanner::Internals
     candidate.Integrator = this->Make(candidate);
     const Supervision supervision(planner, candidate.Integrator, this->Problem);
     vtkNew<vtkDoubleArray> radiance;
-    if (!candidate.Integrator->Prepare())
+    SetParts(candidate.Integrator, this->Parts);
+    const bool prepared = candidate.Integrator->Prepare();
+    SetParts(candidate.Integrator, nullptr); // it may go to another thread
+    if (!prepared)
     {
       return false;
     }
@@ -701,6 +782,7 @@ bool vtkRadiancePlanner::Update()
     return true;
   }
 
+  impl.Parts->Keep(impl.BRDF, impl.Environment);
   // Candidates in the order of their cost, the smallest table first.
   const std::vector<double> costs = impl.GetCosts();
   const double base = costs[vtkRadianceCostModel::BASE];
@@ -717,9 +799,9 @@ bool vtkRadiancePlanner::Update()
       wanted.push_back(table);
     }
     const double angle = impl.ChooseLampAngle();
-    const int lights = static_cast<int>(measuredbrdf::BrightTexels::FindLamps(
-      impl.Environment, vtkMath::RadiansFromDegrees(angle), MaximumLights)
-                                          .Lights.size());
+    const auto& lamps =
+      impl.Parts->GetLamps(impl.Environment, vtkMath::RadiansFromDegrees(angle), MaximumLights);
+    const int lights = lamps.Lights ? lamps.Lights->GetNumberOfLights() : 0;
     for (const auto& sizes : LayerSizes)
     {
       Candidate layered(LAYERED, sizes[0], sizes[1], sizes[2], sizes[3]);
@@ -786,57 +868,81 @@ bool vtkRadiancePlanner::Update()
   {
     return this->Fail();
   }
+  // In their order until one is within the tolerance: but for those that look hopeless, the
+  // largest of which are tried where nothing is.
   std::vector<Candidate> tried;
+  std::map<int, Candidate> skipped; // the largest by method
   int choice = -1;
   bool meets = false;
-  for (std::size_t k = 0; k < wanted.size() && !this->Abort; ++k)
+  const auto attempt = [&](Candidate candidate)
   {
-    Candidate& candidate = wanted[k];
-    // Other methods are dearer by far: they are for what tables cannot do.
-    if (meets && !this->EvaluateAll)
-    {
-      break;
-    }
-    if (!this->EvaluateAll && IsHopeless(candidate, tried, this->ErrorTolerance))
-    {
-      continue;
-    }
     if (!impl.Try(this, candidate))
     {
-      return this->Fail();
+      return false;
     }
     tried.push_back(candidate);
     const int last = static_cast<int>(tried.size()) - 1;
+    const double enough = meets        ? 0.0
+                          : choice < 0 ? HUGE_VAL
+                                       : WorthIt * tried[static_cast<std::size_t>(choice)].Error;
     if (!meets && candidate.Error <= this->ErrorTolerance)
     {
       meets = true;
       choice = last;
     }
-    else if (!meets &&
-             (choice < 0 || candidate.Error < tried[static_cast<std::size_t>(choice)].Error))
+    else if (candidate.Error < enough)
     {
       choice = last;
     }
-    for (int other = 0; other < last; ++other)
+    for (int other = 0; other <= last; ++other)
     {
       if (other != choice)
       {
         tried[static_cast<std::size_t>(other)].Integrator = nullptr;
       }
     }
+    return true;
+  };
+  for (std::size_t k = 0; k < wanted.size() && !this->Abort; ++k)
+  {
+    const Candidate& candidate = wanted[k];
+    // Others cost more.
+    if (meets && !this->EvaluateAll)
+    {
+      break;
+    }
+    // Samples take long to set up.
+    if (!this->EvaluateAll && candidate.Sizes[3] > 0 && choice >= 0 &&
+        tried[static_cast<std::size_t>(choice)].Error < FarAway * this->ErrorTolerance)
+    {
+      continue;
+    }
+    if (!this->EvaluateAll && IsHopeless(candidate, tried, this->ErrorTolerance))
+    {
+      const auto [found, isNew] = skipped.try_emplace(candidate.Method, candidate);
+      if (!isNew && candidate.Sizes[0] >= found->second.Sizes[0])
+      {
+        found->second = candidate;
+      }
+    }
+    else if (!attempt(candidate))
+    {
+      return this->Fail();
+    }
     double progress = (k + 1.0) / static_cast<double>(wanted.size());
     this->InvokeEvent(vtkCommand::ProgressEvent, &progress);
+  }
+  for (const auto& [method, candidate] : skipped)
+  {
+    const double better = WorthIt * tried[static_cast<std::size_t>(std::max(choice, 0))].Error;
+    if (!meets && !this->Abort && !IsHopeless(candidate, tried, better) && !attempt(candidate))
+    {
+      return this->Fail();
+    }
   }
   if (this->Abort)
   {
     return this->Fail();
-  }
-  for (std::size_t k = 0; k < tried.size(); ++k)
-  {
-    if (static_cast<int>(k) != choice)
-    {
-      tried[k].Integrator = nullptr;
-    }
   }
   impl.Candidates = tried;
   impl.Choice = choice;
@@ -852,7 +958,7 @@ bool vtkRadiancePlanner::Update()
   else
   {
     impl.Reason = "nothing that was tried is within " + Percent(this->ErrorTolerance) +
-                  "; this is the most accurate, with " + Percent(chosen.Error);
+                  "; this is the most accurate for its cost, with " + Percent(chosen.Error);
   }
   impl.Reason += impl.ExplainMemory();
   impl.Time.Modified();

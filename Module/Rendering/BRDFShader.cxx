@@ -66,12 +66,12 @@ std::string Sum(const vtkBRDFGPUForm& form, const std::string& signature, const 
   std::string sum = "vec3(0.0)";
   for (std::size_t k = 0; k < form.Terms.size(); ++k)
   {
-    std::string term = Numbered(FindTerm(form.Terms[k].Shader), "INSTANCE", k);
+    std::string term = FindTerm(form.Terms[k].Shader);
     for (const vtkBRDFGPUForm::Constant& constant : form.Terms[k].Constants)
     {
       vtkShaderProgram::Substitute(term, constant.Name, constant.Value);
     }
-    text += term;
+    text += Numbered(term.c_str(), "INSTANCE", k);
     sum += " + " + name + std::to_string(k) + arguments;
   }
   return text + signature + "\n{\n  return " + sum + ";\n}\n";

@@ -169,6 +169,7 @@ public:
     auto lights = vtkSmartPointer<vtkLightSetIntegrator>::New();
     lights->SetLightSet(set);
     lights->SetSoftLights(true);
+    lights->SetUnrolled(true);
     return lights;
   }
 
