@@ -45,10 +45,12 @@
 namespace
 {
 constexpr double Pi = 3.14159265358979323846;
-constexpr double ErrorOrder = 3.0; // tables gain so many powers of their sizes
+constexpr double ErrorOrders[] = { 3.0, 2.0, 2.0 }; // tables gain at best so many powers of sizes
 // And at best so many times, in powers, what the step before gained in rows or view angles.
 constexpr double RowGainPower = 4.0;
 constexpr double ViewGainPower = 2.0;
+constexpr double ViewGainFactor =
+  4.0; // and so many times, in error, what it gained with fewer rows
 constexpr int Pairs = 512;
 constexpr vtkIdType FewestPairs = 16;
 constexpr vtkIdType MostPairs = 4096;
@@ -139,17 +141,19 @@ bool IsHopeless(const Candidate& candidate, const std::vector<Candidate>& tried,
       continue;
     }
     // One is too far away for what this adds.
-    double ratio = 0.0;
+    double gain = 1.0;
     for (int k = 0; k < 3; ++k)
     {
-      ratio = std::max(ratio, static_cast<double>(candidate.Sizes[k]) / other.Sizes[k]);
+      const double ratio = static_cast<double>(candidate.Sizes[k]) / other.Sizes[k];
+      gain = std::max(gain, std::pow(ratio, ErrorOrders[k]));
     }
-    if (other.Error > tolerance * std::pow(ratio, ErrorOrder))
+    if (other.Error > tolerance * gain)
     {
       return true;
     }
     errors[other.Sizes[0]][other.Sizes[1]] = other.Error;
   }
+  const auto ofRows = errors.find(rows);
   std::vector<std::pair<int, double>> least; // by fewer rows
   for (const auto& [count, byViews] : errors)
   {
@@ -157,26 +161,36 @@ bool IsHopeless(const Candidate& candidate, const std::vector<Candidate>& tried,
     for (const auto& [angles, error] : byViews)
     {
       best = std::min(best, error);
-      // More view angles alone gained more than is left: more rows do not replace them.
       const auto same = byViews.find(views);
+      // More view angles alone gained more than is left: more rows do not replace them.
       if (same != byViews.end() && angles > views && same->second - error > tolerance)
       {
         return true;
+      }
+      // What they gained with fewer rows is too little here.
+      if (same != byViews.end() && angles < views && count < rows && ofRows != errors.end())
+      {
+        const auto fewer = ofRows->second.find(angles);
+        if (fewer != ofRows->second.end() &&
+            fewer->second - ViewGainFactor * (error - same->second) > tolerance)
+        {
+          return true;
+        }
       }
     }
     if (count < rows)
     {
       least.emplace_back(count, best);
     }
-    // More view angles gained too little.
-    if (count == rows && byViews.size() > 1 && byViews.rbegin()->first < views)
+  }
+  // More view angles gained too little.
+  if (ofRows != errors.end() && ofRows->second.size() > 1)
+  {
+    const auto last = ofRows->second.rbegin();
+    const double gain = std::min(last->second / std::next(last)->second, 1.0);
+    if (last->first < views && last->second * std::pow(gain, ViewGainPower) > tolerance)
     {
-      const double last = byViews.rbegin()->second;
-      const double gain = std::min(last / std::next(byViews.rbegin())->second, 1.0);
-      if (last * std::pow(gain, ViewGainPower) > tolerance)
-      {
-        return true;
-      }
+      return true;
     }
   }
   // More rows gained too little.
@@ -934,8 +948,10 @@ bool vtkRadiancePlanner::Update()
   }
   for (const auto& [method, candidate] : skipped)
   {
-    const double better = WorthIt * tried[static_cast<std::size_t>(std::max(choice, 0))].Error;
-    if (!meets && !this->Abort && !IsHopeless(candidate, tried, better) && !attempt(candidate))
+    const Candidate& best = tried[static_cast<std::size_t>(std::max(choice, 0))];
+    const bool isLarger = candidate.Method != best.Method || candidate.Sizes[0] > best.Sizes[0];
+    if (!meets && !this->Abort && isLarger && !IsHopeless(candidate, tried, WorthIt * best.Error) &&
+        !attempt(candidate))
     {
       return this->Fail();
     }

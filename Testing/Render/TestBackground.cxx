@@ -237,6 +237,13 @@ TEST_F(Background, PlansForTheView)
   this->RenderEncoded();
   EXPECT_EQ(plans, 4) << "a large turn of the environment";
   this->Sky->SetRotationY(0.0);
+  double right[3] = { 0.0, 0.0, 1.0 };
+  this->Renderer->SetEnvironmentRight(right);
+  this->RenderEncoded();
+  EXPECT_EQ(plans, 5) << "a large turn of the renderer's environment frame";
+  right[0] = 1.0;
+  right[2] = 0.0;
+  this->Renderer->SetEnvironmentRight(right);
   camera->Azimuth(-64.0);
   EXPECT_EQ(this->RenderEncoded().RGBA, seen.RGBA) << "the same view, the same picture";
   EXPECT_EQ(this->Measured->GetPlan().substr(0, 40), here.substr(0, 40));
