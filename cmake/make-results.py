@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""results.md and its charts from what `measured-brdf chart` left in a folder: make-results.py FOLDER DOCS.
+"""results.md and its charts from what `measured-brdf chart` left in folders: make-results.py FOLDER DOCS [PLANS].
+
+PLANS holds what the planner alone was measured on: more materials, another mesh.
 
 What stands between the lines CONCLUSIONS and END of an earlier results.md is people's, and stays.
 """
@@ -80,8 +82,8 @@ def find_stock(pair):
     return next(point for point in measured(pair) if point["method"] == "pbr")
 
 
-def write_planner(pairs):
-    """A line for each tolerance, planned for every view and for this one."""
+def write_planner(pairs, front=True):
+    """A line for each tolerance, planned for every view and for this one; front: whether one was measured."""
     figures = collections.defaultdict(list)
     for pair in pairs:
         for figure in pair["planner"]:
@@ -105,10 +107,11 @@ def write_planner(pairs):
                 median,
                 broken,
                 f"{sum(1 / 3 <= ratio <= 3 for ratio in ratios)}, {sum(ratio < 0.5 for ratio in ratios)}",
-                f"{100 * sum(time <= WITHIN for time in times) / len(times):.0f} %",
-                f"{max(times):.2g}",
             ]
         )
+        if front:
+            fits[-1].append(f"{100 * sum(time <= WITHIN for time in times) / len(times):.0f} %")
+            fits[-1].append(f"{max(times):.2g}")
         frames = [point["frame_ms"] / stock["frame_ms"] for _, point, stock in some]
         setups = [point["setup_ms"] / stock["setup_ms"] for _, point, stock in some]
         memory = [point["texture_bytes"] for point in points]
@@ -131,8 +134,7 @@ def write_planner(pairs):
             "median pixel within it",
             "promised, not kept",
             "predicted within a factor 3, below half",
-            "on the front or within 20 % of its time",
-            "worst time over the front's",
+            *(["on the front or within 20 % of its time", "worst time over the front's"] if front else []),
         ],
         fits,
     )
@@ -182,12 +184,17 @@ def keep_conclusions(path):
     return "*To be written from the tables below.*"
 
 
-def main():
-    folder, docs = sys.argv[1:]
+def read_results(folder):
     with open(os.path.join(folder, "results.json"), encoding="utf-8") as file:
         results = json.load(file)
     if (results["format"], results["version"]) != ("measured-brdf chart", 1):
         sys.exit(f"{folder}/results.json: not of the format that this script reads")
+    return results
+
+
+def main():
+    folder, docs, *plans = sys.argv[1:]
+    results = read_results(folder)
     pairs, machine, settings = results["pairs"], results["machine"], results["settings"]
     materials = len({pair["material"] for pair in pairs})
     environments = len({pair["environment"] for pair in pairs})
@@ -225,6 +232,15 @@ def main():
         "## Which method for what",
         write_best(pairs, tolerance),
     ]
+    for other in map(read_results, plans):
+        pairs, settings = other["pairs"], other["settings"]
+        parts += [
+            f"## The planner on a {os.path.splitext(os.path.basename(settings['mesh']))[0]}",
+            f"{len({pair['material'] for pair in pairs})} materials, {len(pairs)} pairs, {settings['size']} pixels, at "
+            f"most {settings['reference_pixels']} of them against the exact sum; tables as above.",
+            write_planner(pairs, front=False),
+            write_pairs(pairs, tolerance),
+        ]
     for name in CHARTS:
         shutil.copyfile(os.path.join(folder, name + ".png"), os.path.join(docs, f"results-{name}.png"))
     with open(path, "w", encoding="utf-8") as file:

@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <random>
 
 namespace measuredbrdf
 {
@@ -153,13 +154,29 @@ void ForChannels(const Use& use)
     });
 }
 
+// A random start: of the Lambert part a share, F as Schlick's of some reflectance, p tilted.
+Attempt TryRandom(DistributionChannel channel, int thetas, int fresnels, std::mt19937& generator)
+{
+  const auto draw = [&generator]() { return generator() / 4294967296.0; };
+  channel.Tables.Lambert *= draw();
+  const double reflectance = std::pow(10.0, -2.0 * draw());
+  const double tilt = 4.0 * draw() - 2.0;
+  for (Eigen::Index k = 0; k < channel.Tables.P.size(); ++k)
+  {
+    channel.Tables.P[k] *= std::exp(tilt * static_cast<double>(k % thetas) / thetas);
+  }
+  return Try(channel, SchlickTable(reflectance, fresnels));
+}
+
 // Each channel continues from its best start. The history of their sum; empty: stopped.
 std::vector<double> ChooseStarts(
   vtkBRDF* input, const DistributionFitOptions& options, double share, Channels& channels)
 {
   const int n = options.Size.NumberOfFresnel;
+  const bool random = options.StartSeed > 0;
   const int starts =
-    std::min(options.NumberOfStarts, static_cast<int>(std::size(StartReflectances)));
+    random ? options.NumberOfStarts
+           : std::min(options.NumberOfStarts, static_cast<int>(std::size(StartReflectances)));
   std::array<Attempt, 3> best;
   for (int k = 0; k < starts; ++k)
   {
@@ -170,11 +187,22 @@ std::vector<double> ChooseStarts(
     ForChannels(
       [&](std::size_t c)
       {
-        const bool measured = StartReflectances[k] < 0.0 && options.Shape != FresnelShape::Schlick;
-        const Vector fresnel =
-          measured ? GuessFresnel(input, channels[c].Tables.Lambert, static_cast<int>(c), n)
-                   : SchlickTable(std::abs(StartReflectances[k]), n);
-        const Attempt attempt = Try(channels[c], fresnel);
+        Attempt attempt;
+        if (random)
+        {
+          std::mt19937 generator(options.StartSeed + 7919u * (3u * static_cast<unsigned int>(k) +
+                                                               static_cast<unsigned int>(c)));
+          attempt = TryRandom(channels[c], options.Size.NumberOfTheta, n, generator);
+        }
+        else
+        {
+          const bool measured =
+            StartReflectances[k] < 0.0 && options.Shape != FresnelShape::Schlick;
+          const Vector fresnel =
+            measured ? GuessFresnel(input, channels[c].Tables.Lambert, static_cast<int>(c), n)
+                     : SchlickTable(std::abs(StartReflectances[k]), n);
+          attempt = Try(channels[c], fresnel);
+        }
         if (k == 0 || attempt.History.back() < best[c].History.back())
         {
           best[c] = attempt;

@@ -29,6 +29,7 @@ struct DistributionFitOptions
   DistributionSize Size;
   FresnelShape Shape;
   int NumberOfStarts;
+  unsigned int StartSeed; // 0: starts from the data, else random ones
   int MaximumNumberOfIterations;
   double Tolerance;
   std::function<bool(double)> Progress; // false: stop

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <random>
 
 namespace measuredbrdf
 {
@@ -285,6 +286,40 @@ void ForExponents(int lobes, const std::function<void(const std::vector<double>&
   }
 }
 
+// Parameters of lobes with these exponents, the best coefficients for them, and what they leave.
+Start MakeStart(const FitSamples& samples, const Layout& layout,
+  const std::vector<double>& exponents, double stretch)
+{
+  std::vector<double> parameters(static_cast<std::size_t>(layout.GetSize()));
+  for (std::size_t lobe = 0; lobe < exponents.size(); ++lobe)
+  {
+    double* logs = &parameters[lobe * static_cast<std::size_t>(layout.ExponentsPerLobe)];
+    logs[0] = std::log1p(exponents[lobe] * stretch);
+    logs[layout.ExponentsPerLobe - 1] =
+      std::log1p(layout.Model.Anisotropic ? exponents[lobe] / stretch : exponents[lobe]);
+  }
+  const double mean = SolveCoefficients(samples, layout, parameters.data());
+  return { std::move(parameters), mean };
+}
+
+std::vector<Start> DrawStarts(
+  const FitSamples& samples, const Layout& layout, unsigned int seed, int count)
+{
+  std::mt19937 generator(seed);
+  const auto draw = [&generator]() { return generator() / 4294967296.0; };
+  std::vector<Start> starts;
+  for (int k = 0; k < count; ++k)
+  {
+    std::vector<double> exponents;
+    for (int lobe = 0; lobe < layout.Model.NumberOfLobes; ++lobe)
+    {
+      exponents.push_back(std::pow(10.0, 5.0 * draw()));
+    }
+    starts.push_back(MakeStart(samples, layout, exponents, std::pow(4.0, 2.0 * draw() - 1.0)));
+  }
+  return starts;
+}
+
 // All starts with what they leave on a few samples, best first; none where it was stopped.
 std::vector<Start> Screen(
   const FitSamples& samples, const Layout& layout, const std::function<bool()>& proceed)
@@ -299,17 +334,7 @@ std::vector<Start> Screen(
       stopped = stopped || !proceed();
       for (std::size_t k = 0; k < stretches.size() && !stopped; ++k)
       {
-        const double stretch = stretches[k];
-        std::vector<double> parameters(static_cast<std::size_t>(layout.GetSize()));
-        for (std::size_t lobe = 0; lobe < exponents.size(); ++lobe)
-        {
-          double* logs = &parameters[lobe * static_cast<std::size_t>(layout.ExponentsPerLobe)];
-          logs[0] = std::log1p(exponents[lobe] * stretch);
-          logs[layout.ExponentsPerLobe - 1] =
-            std::log1p(layout.Model.Anisotropic ? exponents[lobe] / stretch : exponents[lobe]);
-        }
-        const double mean = SolveCoefficients(samples, layout, parameters.data());
-        starts.push_back({ std::move(parameters), mean });
+        starts.push_back(MakeStart(samples, layout, exponents, stretches[k]));
       }
     });
   std::stable_sort(starts.begin(), starts.end(),
@@ -386,8 +411,10 @@ LobeFitResult FitLobes(
 {
   constexpr double screened = 0.2, refined = 0.6; // of the progress
   const Layout layout(model);
-  std::vector<Start> starts = Screen(
-    samples.GetFirst(ScreeningSamples), layout, [&options]() { return options.Progress(0.0); });
+  const FitSamples few = samples.GetFirst(ScreeningSamples);
+  std::vector<Start> starts =
+    options.StartSeed > 0 ? DrawStarts(few, layout, options.StartSeed, options.NumberOfStarts)
+                          : Screen(few, layout, [&options]() { return options.Progress(0.0); });
   if (starts.empty())
   {
     return LobeFitResult();

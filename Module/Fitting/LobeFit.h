@@ -52,6 +52,7 @@ struct LobeFitResult
 struct LobeFitOptions
 {
   int NumberOfStarts;
+  unsigned int StartSeed; // 0: starts by screening, else random ones
   int MaximumNumberOfIterations;
   double Tolerance;
   std::function<bool(double)> Progress; // false: stop

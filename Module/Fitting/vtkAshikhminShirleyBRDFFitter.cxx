@@ -36,7 +36,7 @@ vtkBRDFFitter::Result vtkAshikhminShirleyBRDFFitter::FitTo(const FitSamples& sam
                            (this->Anisotropy == AS_INPUT && !this->Input->IsIsotropic());
   const LobeFitResult fit =
     FitLobes(samples, { LobeShape::AshikhminShirley, this->NumberOfLobes, anisotropic },
-      { this->NumberOfStarts, this->MaximumNumberOfIterations, this->Tolerance,
+      { this->NumberOfStarts, this->StartSeed, this->MaximumNumberOfIterations, this->Tolerance,
         [this](double share) { return this->UpdateProgress(share); } });
   if (!fit.Failure.empty() || fit.Lobes.empty())
   {

@@ -49,6 +49,7 @@ void vtkBRDFFitter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumNumberOfIterations: " << this->MaximumNumberOfIterations << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
+  os << indent << "StartSeed: " << this->StartSeed << "\n";
   os << indent << "Abort: " << (this->Abort ? "On" : "Off") << "\n";
   os << indent << "Residual: " << this->Residual << "\n";
   os << indent << "RelativeL2Error: " << this->RelativeL2Error << "\n";

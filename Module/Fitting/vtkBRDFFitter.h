@@ -112,6 +112,16 @@ public:
   vtkGetMacro(Seed, unsigned int);
   ///@}
 
+  ///@{
+  /**
+   * 0 (default): starting points that the data suggest. Else NumberOfStarts random ones drawn by
+   * this seed, to see how far the result depends on them: exponents log-uniform in [1, 1e5]; of a
+   * D-BRDF the Lambert part, the reflectance that F starts from, and a tilt of p.
+   */
+  vtkSetMacro(StartSeed, unsigned int);
+  vtkGetMacro(StartSeed, unsigned int);
+  ///@}
+
   /**
    * Fit. Returns false with an error event, output and figures unchanged, when there is no input,
    * an option is out of its range, the input is 0 (or has no valid cell) at every pair or too large
@@ -208,6 +218,7 @@ protected:
   int MaximumNumberOfIterations = 200;
   double Tolerance = 1e-6;
   unsigned int Seed = 1;
+  unsigned int StartSeed = 0;
   std::atomic<bool> Abort{ false };
   double Residual = 0.0;
   double RelativeL2Error = 0.0;

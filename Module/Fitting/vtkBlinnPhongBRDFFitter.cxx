@@ -29,7 +29,7 @@ std::string vtkBlinnPhongBRDFFitter::CheckOptions() { return CheckLobes(this->Nu
 vtkBRDFFitter::Result vtkBlinnPhongBRDFFitter::FitTo(const FitSamples& samples)
 {
   const LobeFitResult fit = FitLobes(samples, { LobeShape::BlinnPhong, this->NumberOfLobes, false },
-    { this->NumberOfStarts, this->MaximumNumberOfIterations, this->Tolerance,
+    { this->NumberOfStarts, this->StartSeed, this->MaximumNumberOfIterations, this->Tolerance,
       [this](double share) { return this->UpdateProgress(share); } });
   if (!fit.Failure.empty() || fit.Lobes.empty())
   {

@@ -80,6 +80,7 @@ vtkBRDFFitter::Result vtkDistributionBRDFFitter::FitTo(const FitSamples& samples
                   : this->FresnelModel == FREE  ? FresnelShape::Free
                                                 : FresnelShape::Monotone;
   options.NumberOfStarts = this->NumberOfStarts;
+  options.StartSeed = this->StartSeed;
   options.MaximumNumberOfIterations = this->MaximumNumberOfIterations;
   options.Tolerance = this->Tolerance;
   options.Progress = [this](double share) { return this->UpdateProgress(share); };

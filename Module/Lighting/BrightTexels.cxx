@@ -16,6 +16,59 @@ namespace
 // A light holds so many times what texels hold in the mean: in a small environment many hold a
 // large share without being lights.
 constexpr double Contrast = 32.0;
+constexpr double Glare = 0.01; // of a lamp's luminance: may lie twice as far
+constexpr int Spare = 4;       // so many times the wanted lights may be merged into them
+
+struct Lamp
+{
+  std::vector<int> Texels;
+  std::vector<glm::dvec3> Directions;
+  glm::dvec3 Moment = glm::dvec3(0.0); // directions by luminance
+  double Luminance = 0.0;
+
+  void Add(int texel, const glm::dvec3& direction, double luminance)
+  {
+    this->Texels.push_back(texel);
+    this->Directions.push_back(direction);
+    this->Moment += luminance * direction;
+    this->Luminance += luminance;
+  }
+  glm::dvec3 GetMean() const { return glm::normalize(this->Moment); }
+};
+
+// Whether all lies within the angle of the common mean; or the second is but the first's glare.
+bool AreOne(const Lamp& first, const Lamp& second, double angle)
+{
+  const bool isGlare = second.Luminance < Glare * first.Luminance;
+  const glm::dvec3 mean = glm::normalize(first.Moment + second.Moment);
+  const auto near = [&](const glm::dvec3& direction)
+  { return glm::distance(direction, mean) <= (isGlare ? 2.0 : 1.0) * angle; };
+  return std::all_of(first.Directions.begin(), first.Directions.end(), near) &&
+         std::all_of(second.Directions.begin(), second.Directions.end(), near);
+}
+
+// The brightest texel of a lamp may lie at its edge. Lamps come by their brightest texels.
+void Merge(std::vector<Lamp>& lamps, double angle)
+{
+  for (std::size_t a = 0; a < lamps.size(); ++a)
+  {
+    for (std::size_t b = a + 1; b < lamps.size(); ++b)
+    {
+      if (!AreOne(lamps[a], lamps[b], angle))
+      {
+        continue;
+      }
+      Lamp& into = lamps[a];
+      const Lamp& from = lamps[b];
+      into.Texels.insert(into.Texels.end(), from.Texels.begin(), from.Texels.end());
+      into.Directions.insert(into.Directions.end(), from.Directions.begin(), from.Directions.end());
+      into.Moment += from.Moment;
+      into.Luminance += from.Luminance;
+      lamps.erase(lamps.begin() + static_cast<std::ptrdiff_t>(b));
+      b = a; // all others again
+    }
+  }
+}
 }
 
 BrightTexels::BrightTexels(vtkEnvironment* environment, double share, int maximum)
@@ -67,35 +120,51 @@ bool BrightTexels::Extract(vtkEnvironment* environment, double share, int maximu
   }
   std::sort(brightest.begin(), brightest.end(), std::greater<std::pair<double, int>>());
 
-  // Each texel's light, -1: none. The brightest texel of a light is its centre.
-  std::vector<int> owners(texels, -1);
-  std::vector<glm::dvec3> centres;
+  // Each texel's light, -1: none.
+  std::vector<Lamp> lamps;
   bool all = true;
   for (const auto& texel : brightest)
   {
     glm::dvec3 direction;
     environment->GetTexelDirection(texel.second % width, texel.second / width, &direction.x);
-    const auto near = [&](const glm::dvec3& centre)
-    { return glm::distance(direction, centre) <= angle; };
-    const auto found =
-      angle > 0.0 ? std::find_if(centres.begin(), centres.end(), near) : centres.end();
-    int& owner = owners[static_cast<std::size_t>(texel.second)];
-    if (found != centres.end())
+    const auto near = [&](const Lamp& lamp)
+    { return glm::distance(direction, lamp.Directions.front()) <= angle; };
+    const auto found = angle > 0.0 ? std::find_if(lamps.begin(), lamps.end(), near) : lamps.end();
+    if (found != lamps.end())
     {
-      owner = static_cast<int>(found - centres.begin());
+      found->Add(texel.second, direction, texel.first);
     }
-    else if (centres.size() < static_cast<std::size_t>(maximum))
+    else if (lamps.size() < static_cast<std::size_t>(angle > 0.0 ? Spare * maximum : maximum))
     {
-      owner = static_cast<int>(centres.size());
-      centres.push_back(direction);
+      lamps.emplace_back();
+      lamps.back().Add(texel.second, direction, texel.first);
     }
     else
     {
       all = false;
     }
   }
+  if (angle > 0.0)
+  {
+    Merge(lamps, angle);
+  }
+  if (lamps.size() > static_cast<std::size_t>(maximum))
+  {
+    std::stable_sort(lamps.begin(), lamps.end(),
+      [](const Lamp& first, const Lamp& second) { return first.Luminance > second.Luminance; });
+    lamps.resize(static_cast<std::size_t>(maximum));
+    all = false;
+  }
+  std::vector<int> owners(texels, -1);
+  for (std::size_t lamp = 0; lamp < lamps.size(); ++lamp)
+  {
+    for (const int texel : lamps[lamp].Texels)
+    {
+      owners[static_cast<std::size_t>(texel)] = static_cast<int>(lamp);
+    }
+  }
 
-  this->Lights.resize(centres.size(), { glm::dvec3(0.0), glm::dvec3(0.0) });
+  this->Lights.resize(lamps.size(), { glm::dvec3(0.0), glm::dvec3(0.0) });
   for (const auto& texel : brightest)
   {
     const int owner = owners[static_cast<std::size_t>(texel.second)];
@@ -138,7 +207,8 @@ bool BrightTexels::Extract(vtkEnvironment* environment, double share, int maximu
   for (std::size_t k = 0; k < this->Lights.size(); ++k)
   {
     const double length = glm::length(this->Lights[k].Direction);
-    this->Lights[k].Direction = length > 0.0 ? this->Lights[k].Direction / length : centres[k];
+    this->Lights[k].Direction =
+      length > 0.0 ? this->Lights[k].Direction / length : lamps[k].GetMean();
   }
   return all;
 }

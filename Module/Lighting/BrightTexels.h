@@ -36,9 +36,11 @@ struct BrightTexels
   BrightTexels(vtkEnvironment* environment, double share, int maximum);
 
   /**
-   * The same with lights of many texels: those within angle (radians) of its brightest one, whose
-   * sum comes from their mean direction. The share is the least, from LampShare to DefaultShare by
-   * factors of two, whose texels all go into maximum lights: a panel that needs more is no lamp.
+   * The same with lights of many texels: those within angle (radians) of its brightest one; two of
+   * which are one where all lies within the angle of the common mean, or within twice that if one
+   * holds less than 1 % of the other. Their sum comes from their mean direction. The share is the
+   * least, from LampShare to DefaultShare by factors of two, whose texels all go into maximum
+   * lights: a panel that needs more is no lamp.
    */
   static BrightTexels FindLamps(vtkEnvironment* environment, double angle, int maximum);
 

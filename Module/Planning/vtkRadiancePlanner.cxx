@@ -6,6 +6,7 @@
 #include "KernelLayers.h"
 #include "LowDiscrepancy.h"
 #include "PlanCache.h"
+#include "PlanCandidate.h"
 #include "PlanReference.h"
 #include "RadianceParts.h"
 #include "vtkBRDF.h"
@@ -34,7 +35,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
-#include <iterator>
 #include <map>
 #include <memory>
 #include <sstream>
@@ -42,73 +42,31 @@
 #include <utility>
 #include <vector>
 
+using measuredbrdf::GetSizesText;
+using measuredbrdf::IsHopeless;
+using Candidate = measuredbrdf::PlanCandidate;
+
 namespace
 {
 constexpr double Pi = 3.14159265358979323846;
-constexpr double ErrorOrders[] = { 3.0, 2.0, 2.0 }; // tables gain at best so many powers of sizes
-// And at best so many times, in powers, what the step before gained in rows or view angles.
-constexpr double RowGainPower = 4.0;
-constexpr double ViewGainPower = 2.0;
-constexpr double ViewGainFactor =
-  4.0; // and so many times, in error, what it gained with fewer rows
 constexpr int Pairs = 512;
 constexpr vtkIdType FewestPairs = 16;
 constexpr vtkIdType MostPairs = 4096;
 
-// Rows, view angles, azimuths: what linear interpolation in each costs in error differs with the
-// material's gloss (docs/methods.md).
-const int TableSizes[][3] = { { 17, 8, 8 }, { 33, 8, 8 }, { 33, 12, 16 }, { 33, 24, 16 },
-  { 65, 8, 8 }, { 65, 12, 16 }, { 65, 24, 24 }, { 129, 8, 8 }, { 129, 12, 16 }, { 129, 24, 16 },
-  { 257, 8, 8 } };
-// The same and samples of the sharp layer, with suns and lamps as lights.
-const int LayerSizes[][4] = { { 17, 8, 8, 0 }, { 33, 8, 8, 0 }, { 33, 12, 16, 0 }, { 65, 8, 8, 0 },
-  { 65, 12, 16, 0 }, { 129, 8, 8, 0 }, { 129, 12, 16, 0 }, { 257, 8, 8, 0 }, { 65, 12, 16, 8 } };
 constexpr int MaximumLights = 16;
 // Lamps of many texels are one light each (degrees), or several where more than so much of the
 // albedo lies in lobes narrower than twice that.
 constexpr double LampAngle = 1.2;
 constexpr double FineLampAngle = 0.6;
 constexpr double NarrowShare = 0.05;
-constexpr double MegabyteShare = 3.0 / 107.0; // of a table's pixel, that a megabyte counts as
-constexpr double SpherePixels = 196350.0;     // where it does
-constexpr vtkIdType TableBytes = 16 * (256 * 129 + 3 * 64); // irradiance and profile
-const int LightCounts[] = { 64, 256, 1024, 4096 };
-constexpr int AnisotropicLights = 256; // more cost seconds a frame without a graphics card
-const int SampleCounts[] = { 16, 64, 256 };
-const int FunctionCounts[] = { 9, 25, 64 };
-
 constexpr double FarAway = 3.0; // times the tolerance: where samples of the sharp layer are tried
 constexpr double WorthIt = 0.9; // of another's error, to be worth more cost
 
-constexpr char PlanVersion[] = "plan 11"; // rises with anything that changes plans or tables
+constexpr char PlanVersion[] = "plan 12"; // rises with anything that changes plans or tables
 constexpr std::size_t LargestCount = 100;
 constexpr vtkIdType SmallTexture = 4000000; // bytes; the reason says why a plan takes more
 
-struct Candidate
-{
-  Candidate(int method, int first, int second = 0, int third = 0, int fourth = 0)
-    : Method(method)
-    , Sizes{ first, second, third, fourth }
-  {
-  }
-  int Method;
-  int Sizes[4];
-  int Lights = 0;                // suns and lamps that a layered one evaluates
-  double LightAngle = LampAngle; // degrees
-  double Cost = 0.0;             // ns per covered pixel
-  double Error = 0.0;
-  vtkIdType Bytes = 0;
-  double SetUp = 0.0; // ms
-  vtkSmartPointer<vtkRadianceIntegrator> Integrator;
-};
-
 const char* const Names[] = { "light-set", "basis", "filtered", "table", "layered" };
-
-vtkIdType GetTableBytes(const int sizes[3])
-{
-  return TableBytes +
-         6 * static_cast<vtkIdType>(2 * (sizes[0] - 1)) * sizes[0] * sizes[1] * (sizes[2] + 1);
-}
 
 // An environment's pyramid in 16 bits, with its levels and their borders.
 vtkIdType GetPyramidBytes(vtkEnvironment* environment)
@@ -117,119 +75,11 @@ vtkIdType GetPyramidBytes(vtkEnvironment* environment)
   return 6 * (size + 2) * (2 * size + 24);
 }
 
-// What the order of the candidates counts. bytePrice: of a byte, in ns a pixel.
-double GetOrder(const Candidate& candidate, double bytePrice)
-{
-  return candidate.Cost + bytePrice * static_cast<double>(candidate.Bytes);
-}
-
-// Whether those of its kind that were tried tell that a larger one does not help.
-bool IsHopeless(const Candidate& candidate, const std::vector<Candidate>& tried, double tolerance)
-{
-  if (candidate.Method != vtkRadiancePlanner::TABLE &&
-      candidate.Method != vtkRadiancePlanner::LAYERED)
-  {
-    return false;
-  }
-  const int rows = candidate.Sizes[0];
-  const int views = candidate.Sizes[1];
-  std::map<int, std::map<int, double>> errors; // by rows and view angles
-  for (const Candidate& other : tried)
-  {
-    if (other.Method != candidate.Method || other.Sizes[3] != candidate.Sizes[3])
-    {
-      continue;
-    }
-    // One is too far away for what this adds.
-    double gain = 1.0;
-    for (int k = 0; k < 3; ++k)
-    {
-      const double ratio = static_cast<double>(candidate.Sizes[k]) / other.Sizes[k];
-      gain = std::max(gain, std::pow(ratio, ErrorOrders[k]));
-    }
-    if (other.Error > tolerance * gain)
-    {
-      return true;
-    }
-    errors[other.Sizes[0]][other.Sizes[1]] = other.Error;
-  }
-  const auto ofRows = errors.find(rows);
-  std::vector<std::pair<int, double>> least; // by fewer rows
-  for (const auto& [count, byViews] : errors)
-  {
-    double best = HUGE_VAL;
-    for (const auto& [angles, error] : byViews)
-    {
-      best = std::min(best, error);
-      const auto same = byViews.find(views);
-      // More view angles alone gained more than is left: more rows do not replace them.
-      if (same != byViews.end() && angles > views && same->second - error > tolerance)
-      {
-        return true;
-      }
-      // What they gained with fewer rows is too little here.
-      if (same != byViews.end() && angles < views && count < rows && ofRows != errors.end())
-      {
-        const auto fewer = ofRows->second.find(angles);
-        if (fewer != ofRows->second.end() &&
-            fewer->second - ViewGainFactor * (error - same->second) > tolerance)
-        {
-          return true;
-        }
-      }
-    }
-    if (count < rows)
-    {
-      least.emplace_back(count, best);
-    }
-  }
-  // More view angles gained too little.
-  if (ofRows != errors.end() && ofRows->second.size() > 1)
-  {
-    const auto last = ofRows->second.rbegin();
-    const double gain = std::min(last->second / std::next(last)->second, 1.0);
-    if (last->first < views && last->second * std::pow(gain, ViewGainPower) > tolerance)
-    {
-      return true;
-    }
-  }
-  // More rows gained too little.
-  if (least.size() < 2)
-  {
-    return false;
-  }
-  const auto& [count, error] = least.back();
-  const double gain = std::min(error / least[least.size() - 2].second, 1.0);
-  return error * std::pow(gain, RowGainPower * std::log2(static_cast<double>(rows) / count)) >
-         tolerance;
-}
-
 std::string Percent(double value)
 {
   char text[32];
   std::snprintf(text, sizeof(text), "%.2g %%", 100.0 * value);
   return text;
-}
-
-std::string GetSizesText(const Candidate& candidate)
-{
-  const int* sizes = candidate.Sizes;
-  const std::string first = std::to_string(sizes[0]);
-  switch (candidate.Method)
-  {
-    case vtkRadiancePlanner::LIGHT_SET:
-      return first + " soft lights by variance";
-    case vtkRadiancePlanner::BASIS:
-      return "at most " + first + " functions";
-    case vtkRadiancePlanner::FILTERED:
-      return first + " samples";
-    default:
-      return first + " rows x " + std::to_string(sizes[1]) + " view angles x " +
-             std::to_string(sizes[2]) + " azimuths" +
-             (sizes[3] > 0 ? ", " + std::to_string(sizes[3]) + " samples" : std::string()) +
-             (candidate.Lights > 0 ? ", " + std::to_string(candidate.Lights) + " suns as lights"
-                                   : std::string());
-  }
 }
 
 // Hands a planner's abort on to an integrator at work for it, whose errors it keeps.
@@ -460,6 +310,13 @@ struct vtkRadiancePlanner::Internals
     const double radius = vtkMath::RadiansFromDegrees(2.0 * LampAngle);
     const measuredbrdf::KernelCut cut(this->BRDF, Pi * radius * radius);
     return cut.GetSharpShare() > NarrowShare ? FineLampAngle : LampAngle;
+  }
+
+  int CountLamps(double angle)
+  {
+    const auto& lamps =
+      this->Parts->GetLamps(this->Environment, vtkMath::RadiansFromDegrees(angle), MaximumLights);
+    return lamps.Lights ? lamps.Lights->GetNumberOfLights() : 0;
   }
 
   // Normals as a sphere shows them to a distant camera, uniform over its disc: but half of them
@@ -797,87 +654,24 @@ bool vtkRadiancePlanner::Update()
   }
 
   impl.Parts->Keep(impl.BRDF, impl.Environment);
-  // Candidates in the order of their cost, the smallest table first.
-  const std::vector<double> costs = impl.GetCosts();
-  const double base = costs[vtkRadianceCostModel::BASE];
-  const double tableCost = base + costs[vtkRadianceCostModel::TABLE];
-  std::vector<Candidate> wanted;
-  const bool isotropic = impl.BRDF->IsIsotropic();
-  if (isotropic)
+  measuredbrdf::PlanWishes wishes;
+  wishes.IsIsotropic = impl.BRDF->IsIsotropic();
+  wishes.All = this->EvaluateAll;
+  if (wishes.IsIsotropic)
   {
-    for (const auto& sizes : TableSizes)
-    {
-      Candidate table(TABLE, sizes[0], sizes[1], sizes[2]);
-      table.Cost = tableCost;
-      table.Bytes = GetTableBytes(sizes);
-      wanted.push_back(table);
-    }
-    const double angle = impl.ChooseLampAngle();
-    const auto& lamps =
-      impl.Parts->GetLamps(impl.Environment, vtkMath::RadiansFromDegrees(angle), MaximumLights);
-    const int lights = lamps.Lights ? lamps.Lights->GetNumberOfLights() : 0;
-    for (const auto& sizes : LayerSizes)
-    {
-      Candidate layered(LAYERED, sizes[0], sizes[1], sizes[2], sizes[3]);
-      layered.Lights = lights;
-      layered.LightAngle = angle;
-      layered.Cost = tableCost + costs[vtkRadianceCostModel::SAMPLE] * sizes[3] +
-                     costs[vtkRadianceCostModel::LIGHT] * lights;
-      layered.Bytes =
-        GetTableBytes(sizes) + 32 * lights + (sizes[3] > 0 ? GetPyramidBytes(impl.Environment) : 0);
-      if (lights > 0 || sizes[3] > 0) // else a table
-      {
-        wanted.push_back(layered);
-      }
-    }
+    wishes.LightAngle = impl.ChooseLampAngle();
+    wishes.Lights = impl.CountLamps(wishes.LightAngle);
   }
-  // For anisotropic materials, and to compare with.
-  for (const int count : LightCounts)
-  {
-    Candidate lights(LIGHT_SET, count);
-    lights.Cost = base + costs[vtkRadianceCostModel::LIGHT] * count;
-    lights.Bytes = 32 * static_cast<vtkIdType>(count);
-    if (this->EvaluateAll || (!isotropic && count <= AnisotropicLights))
-    {
-      wanted.push_back(lights);
-    }
-  }
-  for (const int count : SampleCounts)
-  {
-    Candidate samples(FILTERED, count);
-    samples.Cost = base + costs[vtkRadianceCostModel::SAMPLE] * count;
-    samples.Bytes = GetPyramidBytes(impl.Environment);
-    if (isotropic && this->EvaluateAll)
-    {
-      wanted.push_back(samples);
-    }
-  }
-  for (const int count : FunctionCounts)
-  {
-    Candidate functions(BASIS, count);
-    functions.Cost = base + costs[vtkRadianceCostModel::FUNCTION] * count;
-    functions.Bytes = 12 * 2 * 48 * 48 * static_cast<vtkIdType>(count);
-    if (isotropic && this->EvaluateAll)
-    {
-      wanted.push_back(functions);
-    }
-  }
-  wanted.erase(
-    std::remove_if(wanted.begin(), wanted.end(),
-      [this](const Candidate& candidate) { return candidate.Bytes > this->MaximumTextureBytes; }),
-    wanted.end());
+  wishes.PyramidBytes = GetPyramidBytes(impl.Environment);
+  wishes.MaximumBytes = this->MaximumTextureBytes;
+  wishes.Pixels = static_cast<double>(this->NumberOfPixels);
+  const std::vector<Candidate> wanted = measuredbrdf::ListCandidates(wishes, impl.GetCosts());
   if (wanted.empty())
   {
     vtkErrorMacro(
       "Update: nothing fits into MaximumTextureBytes, " << this->MaximumTextureBytes << " bytes.");
     return false;
   }
-  const double bytePrice =
-    1e-6 * MegabyteShare * tableCost * SpherePixels / static_cast<double>(this->NumberOfPixels);
-  std::stable_sort(wanted.begin(), wanted.end(),
-    [bytePrice](const Candidate& a, const Candidate& b)
-    { return GetOrder(a, bytePrice) < GetOrder(b, bytePrice); });
-
   if (this->Abort || !impl.MakeReference(this))
   {
     return this->Fail();

@@ -162,6 +162,16 @@ TEST(BrightTexels, LampsAreOneLightEach)
   EXPECT_NEAR(irradiance.y, expected.y, 1e-6 * expected.y);
   EXPECT_GT(irradiance.y, 0.0);
 
+  // A row of three, 1.4 degrees long, the brightest at its end: one. Five: more.
+  std::vector<float> rows(3 * width * height, 1.0f);
+  rows[3 * (128 * width + 200) + 1] = 2e4f;
+  rows[3 * (128 * width + 201) + 1] = rows[3 * (128 * width + 202) + 1] = 1e4f;
+  environment->SetPixels(width, height, rows);
+  EXPECT_EQ(BrightTexels::FindLamps(environment, angle, 16).Lights.size(), 1u);
+  rows[3 * (128 * width + 203) + 1] = rows[3 * (128 * width + 204) + 1] = 1e4f;
+  environment->SetPixels(width, height, rows);
+  EXPECT_EQ(BrightTexels::FindLamps(environment, angle, 16).Lights.size(), 2u);
+
   for (int k = 0; k < 40 * 40; ++k) // a panel of 28 degrees
   {
     light(100 + k % 40, 100 + k / 40);

@@ -11,6 +11,7 @@
 #include "vtkBlinnPhongBRDFFitter.h"
 #include "vtkDistributionBRDF.h"
 #include "vtkDistributionBRDFFitter.h"
+#include "vtkEmbeddedMaterials.h"
 #include "vtkLambertBRDF.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -26,9 +27,11 @@
 #include <cstring>
 #include <filesystem>
 #include <functional>
+#include <initializer_list>
 #include <iomanip>
 #include <iostream>
 #include <limits>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -484,6 +487,37 @@ TEST(Fit, SameSeedSameResult)
     ExpectFit(fitter, input);
     EXPECT_NE(residual, fitter->GetResidual());
     EXPECT_NEAR(residual, fitter->GetResidual(), 0.1 * residual);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Where there is one optimum, random starts end at the one that the fitter's own find; they differ.
+TEST(Fit, RandomStartsEndAtTheSameOptimum)
+{
+  auto input = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("gold-paint"));
+  vtkNew<vtkAshikhminShirleyBRDFFitter> lobe;
+  vtkNew<vtkDistributionBRDFFitter> distribution;
+  for (vtkBRDFFitter* fitter : std::initializer_list<vtkBRDFFitter*>{ lobe, distribution })
+  {
+    fitter->SetInput(input);
+    fitter->SetNumberOfSamples(4096);
+    ASSERT_TRUE(fitter->Fit());
+    const double own = fitter->GetResidual();
+    fitter->SetNumberOfStarts(1);
+    std::set<double> residuals;
+    for (unsigned int seed = 1; seed <= 4; ++seed)
+    {
+      fitter->SetStartSeed(seed);
+      ASSERT_TRUE(fitter->Fit());
+      std::printf("%s, start %u: residual %g, own %g\n", fitter->GetClassName(), seed,
+        fitter->GetResidual(), own);
+      EXPECT_LT(fitter->GetResidual(), 1.05 * own + 1e-6);
+      residuals.insert(fitter->GetResidual());
+    }
+    EXPECT_GT(residuals.size(), 1u);
+    const double last = fitter->GetResidual();
+    ASSERT_TRUE(fitter->Fit());
+    EXPECT_EQ(fitter->GetResidual(), last) << "the same seed, the same result";
   }
 }
 
