@@ -83,7 +83,7 @@ const std::vector<ChartMethod>& GetChartMethods()
     { "layered", "layers", { 0.45, 0.26, 0.65 }, false, { "33,12,16,0", "33,12,16,8" },
       { "17,8,8,0", "33,8,8,0", "33,12,16,0", "65,8,8,0", "65,12,16,0", "129,8,8,0", "129,12,16,0",
         "257,8,8,0", "65,12,16,8" },
-      ApplySizes<Layered>, 3 },
+      ApplySizes<Layered> },
     { "basis", "pre-integrated basis", { 0.0, 0.62, 0.45 }, true, { "9", "25", "64" },
       { "4", "9", "16", "25", "49", "64", "100", "144" }, ApplySizes<Basis> },
     { "filtered", "filtered samples", { 0.80, 0.47, 0.65 }, true, { "4", "16", "64" },

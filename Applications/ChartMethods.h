@@ -26,7 +26,6 @@ struct ChartMethod
   std::vector<std::string> FewSizes;                              // of --sweep small
   std::vector<std::string> AllSizes;                              // of --sweep full
   void (*Apply)(const std::string& size, MethodOptions& options); // null: not a measured material
-  int Shown = 0; // which of the size's numbers stands beside a dot
 };
 
 ///@{

@@ -10,7 +10,6 @@
 #include <cctype>
 #include <cmath>
 #include <set>
-#include <sstream>
 
 namespace
 {
@@ -136,18 +135,8 @@ std::vector<tool::PagePoint> MakeLine(const std::vector<tool::PagePoint>& points
 }
 
 //------------------------------------------------------------------------------
-// One of the numbers of a size, which have commas between them; "" where it has no so many.
-std::string GetNumber(const std::string& size, int index)
-{
-  std::istringstream numbers(size);
-  std::string number;
-  for (int k = 0; k <= index; ++k)
-  {
-    number.clear();
-    std::getline(numbers, number, ',');
-  }
-  return number;
-}
+// Of those of a size, which have commas between them.
+std::string GetFirstNumber(const std::string& size) { return size.substr(0, size.find(',')); }
 
 //------------------------------------------------------------------------------
 void Fill(tool::Page& page, const std::vector<Dot>& dots, const tool::Metric& metric)
@@ -166,7 +155,7 @@ void Fill(tool::Page& page, const std::vector<Dot>& dots, const tool::Metric& me
     {
       page.Curves.push_back({ method.Label, method.Colour, {}, {} });
     }
-    page.Curves.back().Points.push_back({ dot.Cost, dot.Error, GetNumber(dot.Size, method.Shown) });
+    page.Curves.back().Points.push_back({ dot.Cost, dot.Error, GetFirstNumber(dot.Size) });
   }
   for (tool::PageCurve& curve : page.Curves)
   {

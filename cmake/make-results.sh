@@ -31,7 +31,7 @@ display=()
   -o output/results
 
 # What the planner chooses, on a curved mesh.
-curved=("$data"/materials/rgl/{acrylic_felt_pink,satin_purple,cc_ibiza_sunset,vch_ultra_pink,irid_flake_paint2,chm_light_blue}_rgb.bsdf)
+curved=("$data"/materials/rgl/{acrylic_felt_pink,satin_purple,irid_flake_paint2,chm_light_blue}_rgb.bsdf)
 [ -z "${RESULTS_MATERIALS:-}" ] || curved=("${materials[@]}")
 [ -e output/torus.vtp ] || /usr/bin/python3 cmake/make-torus.py output/torus.vtp
 "${display[@]}" build/bin/measured-brdf chart "${curved[@]}" "${published[@]}" --environments "$environments" \
