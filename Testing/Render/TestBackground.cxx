@@ -237,10 +237,12 @@ TEST_F(Background, PlansForTheView)
   this->RenderEncoded();
   EXPECT_EQ(plans, 4) << "a large turn of the environment";
   this->Sky->SetRotationY(0.0);
+  this->RenderEncoded();
+  EXPECT_EQ(plans, 5) << "and back";
   double right[3] = { 0.0, 0.0, 1.0 };
   this->Renderer->SetEnvironmentRight(right);
   this->RenderEncoded();
-  EXPECT_EQ(plans, 5) << "a large turn of the renderer's environment frame";
+  EXPECT_EQ(plans, 6) << "a large turn of the renderer's environment frame";
   right[0] = 1.0;
   right[2] = 0.0;
   this->Renderer->SetEnvironmentRight(right);

@@ -366,6 +366,24 @@ TEST(LayeredIntegrator, WithoutSunsAndGlossItIsTheTable)
 }
 
 //------------------------------------------------------------------------------
+// The bytes are the table: under another light they show the one that they were made in.
+TEST(LayeredIntegrator, TakesTheTableThatItIsGiven)
+{
+  SpherePairs pairs;
+  pairs.AddRandom(20);
+  vtkNew<vtkBlinnPhongBRDF> brdf;
+  brdf->SetExponent(20.0);
+  const auto made = NewLayered(brdf, NewConstantEnvironment(64, 32, 1.0f));
+  made->SetNumberOfSamples(0);
+  const auto expected = pairs.Integrate(made);
+  const auto taker = NewLayered(brdf, NewConstantEnvironment(64, 32, 3.0f));
+  taker->SetNumberOfSamples(0);
+  ASSERT_TRUE(taker->TakePrepared(made->GetPrepared()));
+  EXPECT_EQ(pairs.Integrate(taker), expected);
+  EXPECT_FALSE(taker->TakePrepared("no table"));
+}
+
+//------------------------------------------------------------------------------
 TEST(LayeredIntegrator, RealSun)
 {
   if (!std::ifstream(Data + "/environments/pmndrs_sunrise.hdr") ||
