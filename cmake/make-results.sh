@@ -32,7 +32,7 @@ display=()
 
 # What the planner chooses, on a curved mesh.
 curved=("$data"/materials/rgl/{acrylic_felt_pink,satin_purple,irid_flake_paint2,chm_light_blue}_rgb.bsdf)
-[ -z "${RESULTS_MATERIALS:-}" ] || curved=("${materials[@]}")
+[ -z "${RESULTS_MATERIALS:-}" ] || { curved=("${materials[@]}"); published=(); }
 [ -e output/torus.vtp ] || /usr/bin/python3 cmake/make-torus.py output/torus.vtp
 "${display[@]}" build/bin/measured-brdf chart "${curved[@]}" "${published[@]}" --environments "$environments" \
   --methods planner --tolerances 0.02,0.05 --mesh output/torus.vtp --rounds 5 --reference-pixels 300 --slowest 120 \

@@ -24,24 +24,6 @@ RadianceParts::RadianceParts() = default;
 
 RadianceParts::~RadianceParts() = default;
 
-void RadianceParts::Keep(vtkBRDF* brdf, vtkEnvironment* environment)
-{
-  if (this->BRDF != brdf || this->BRDFTime != brdf->GetMTime())
-  {
-    this->KernelsOf.clear();
-    this->Profile.clear();
-    this->BRDF = brdf;
-    this->BRDFTime = brdf->GetMTime();
-  }
-  if (this->Environment != environment || this->EnvironmentTime != environment->GetPixelsMTime())
-  {
-    this->Harmonics.clear();
-    this->LampsOf.clear();
-    this->Environment = environment;
-    this->EnvironmentTime = environment->GetPixelsMTime();
-  }
-}
-
 const RadianceParts::Lamps& RadianceParts::GetLamps(
   vtkEnvironment* environment, double angle, int maximum)
 {

@@ -26,16 +26,13 @@ class vtkLightSet;
 
 namespace measuredbrdf
 {
-/// Nothing here may be used by two threads at a time.
+/// For one material under one environment (and what its lamps leave), while neither changes; not
+/// for two threads at a time. Some 10 MB: not to be kept with a plan.
 class RadianceParts
 {
 public:
   RadianceParts();
   ~RadianceParts();
-
-  /// Forget what is of other inputs, or of these before they changed. What the functions below are
-  /// given must be these, or the rest of lamps of this environment.
-  void Keep(vtkBRDF* brdf, vtkEnvironment* environment);
 
   /// An environment's lamps as lights (null: none), and what they leave.
   struct Lamps
@@ -65,10 +62,6 @@ private:
   static void Make(vtkBRDF* brdf, const std::vector<double>& angles, int resolution,
     const std::atomic<bool>& abort, Kernels& kernels);
 
-  vtkSmartPointer<vtkBRDF> BRDF;
-  vtkMTimeType BRDFTime = 0;
-  vtkSmartPointer<vtkEnvironment> Environment;
-  vtkMTimeType EnvironmentTime = 0;
   std::map<std::pair<double, int>, Lamps> LampsOf;
   std::map<vtkEnvironment*, std::unique_ptr<EnvironmentHarmonics>> Harmonics;
   std::map<std::pair<int, int>, Kernels> KernelsOf; // angles, resolution

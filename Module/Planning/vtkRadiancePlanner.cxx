@@ -176,9 +176,7 @@ struct vtkRadiancePlanner::Internals
   vtkSmartPointer<vtkDoubleArray> GivenNormals;
   vtkSmartPointer<vtkDoubleArray> GivenViews;
 
-  // What many candidates need, kept for the next plan.
-  std::shared_ptr<measuredbrdf::RadianceParts> Parts =
-    std::make_shared<measuredbrdf::RadianceParts>();
+  std::shared_ptr<measuredbrdf::RadianceParts> Parts; // while it plans
 
   // What the candidates are measured against.
   vtkNew<vtkDoubleArray> Normals;
@@ -504,20 +502,27 @@ struct vtkRadiancePlanner::Internals
 
 namespace
 {
-// Whatever way a run ends.
+// Whatever way a run ends; plans outlive it, in mappers, and need no parts.
 class ClearAtEnd
 {
 public:
-  explicit ClearAtEnd(std::atomic<bool>& flag)
+  ClearAtEnd(std::atomic<bool>& flag, std::shared_ptr<measuredbrdf::RadianceParts>& parts)
     : Flag(flag)
+    , Parts(parts)
   {
+    this->Parts = std::make_shared<measuredbrdf::RadianceParts>();
   }
-  ~ClearAtEnd() { this->Flag = false; }
+  ~ClearAtEnd()
+  {
+    this->Flag = false;
+    this->Parts = nullptr;
+  }
   ClearAtEnd(const ClearAtEnd&) = delete;
   void operator=(const ClearAtEnd&) = delete;
 
 private:
   std::atomic<bool>& Flag;
+  std::shared_ptr<measuredbrdf::RadianceParts>& Parts;
 };
 }
 
@@ -631,7 +636,7 @@ bool vtkRadiancePlanner::Fail()
 bool vtkRadiancePlanner::Update()
 {
   Internals& impl = *this->Impl;
-  const ClearAtEnd clear(this->Abort);
+  const ClearAtEnd clear(this->Abort, impl.Parts);
   impl.Problem.clear();
   if (!impl.BRDF || !impl.Environment || impl.Environment->GetPixels().empty())
   {
@@ -653,7 +658,6 @@ bool vtkRadiancePlanner::Update()
     return true;
   }
 
-  impl.Parts->Keep(impl.BRDF, impl.Environment);
   measuredbrdf::PlanWishes wishes;
   wishes.IsIsotropic = impl.BRDF->IsIsotropic();
   wishes.All = this->EvaluateAll;

@@ -15,9 +15,11 @@
  *
  * The order of the candidates counts 3 % of a table's pixel (3 ns on llvmpipe), times 196350 /
  * NumberOfPixels, for every megabyte of texture on top: tables of radiance cost the same few
- * fetches at every size. Where no candidate meets the tolerance, the most accurate one is chosen
- * and the reason says so. A plan is made again when the material, the environment's pixels or the
- * settings changed; a rotation of the environment changes nothing.
+ * fetches at every size. Those that the ones before show to be hopeless are left out (EvaluateAll:
+ * none). Where no candidate meets the tolerance, the most accurate one is chosen, the first of
+ * those that differ by less than a tenth, and the reason says so. A plan is made again when the
+ * material, the environment's pixels or the settings changed; a rotation of the environment changes
+ * nothing.
  *
  * What a camera sees can need less than the whole sphere: SetPairs checks candidates on what is in
  * view only. A megabyte is paid once a frame, whatever the object covers: NumberOfPixels weighs it

@@ -172,6 +172,16 @@ TEST(BrightTexels, LampsAreOneLightEach)
   environment->SetPixels(width, height, rows);
   EXPECT_EQ(BrightTexels::FindLamps(environment, angle, 16).Lights.size(), 2u);
 
+  // Glare two texels off is the lamp's; as much light as a lamp's is another lamp.
+  rows.assign(3 * width * height, 1.0f);
+  rows[3 * (128 * width + 200) + 1] = 1e6f;
+  rows[3 * (128 * width + 202) + 1] = 5e3f;
+  environment->SetPixels(width, height, rows);
+  EXPECT_EQ(BrightTexels::FindLamps(environment, angle, 16).Lights.size(), 1u);
+  rows[3 * (128 * width + 202) + 1] = 5e4f;
+  environment->SetPixels(width, height, rows);
+  EXPECT_EQ(BrightTexels::FindLamps(environment, angle, 16).Lights.size(), 2u);
+
   for (int k = 0; k < 40 * 40; ++k) // a panel of 28 degrees
   {
     light(100 + k % 40, 100 + k / 40);

@@ -124,7 +124,7 @@ TEST(Planner, LeavesOutOnlyWhatDoesNotHelp)
     const auto environment = NewSmallEnvironment(hall);
     const auto planner = NewPlanner(brdf, environment, 0.05);
     ASSERT_TRUE(planner->Update());
-    planner->SetErrorTolerance(0.01); // with what is left of the plan before
+    planner->SetErrorTolerance(0.01); // the same planner again
     ASSERT_TRUE(planner->Update());
     const auto thorough = NewPlanner(brdf, environment, 0.01);
     thorough->EvaluateAllOn();
