@@ -8,3 +8,4 @@
   vec3 brdfRadiance =
     brdfEnvironment(brdfEnvironmentRotation * envMatrix * brdfFrame, brdfView);
   vec3 radiance, brdfLight;
+  vec3 brdfTube = vec3(0.0); // light on edges that are drawn as tubes

@@ -121,3 +121,11 @@ vec3 brdfUnpremultiply(vec4 v)
 {
   return v.a > 1e-4 ? max(v.rgb / v.a, vec3(0.0)) : vec3(0.0);
 }
+
+// A texel of an sRGB texture, which the graphics card has made linear, as the display colour that
+// multiplies encoded radiance: (L t)^(1/2.2) = L^(1/2.2) t^(1/2.2).
+vec4 brdfDisplayTexel(sampler2D image, vec2 place)
+{
+  vec4 texel = texture(image, place);
+  return vec4(pow(max(texel.rgb, vec3(0.0)), vec3(1.0 / 2.2)), texel.a);
+}

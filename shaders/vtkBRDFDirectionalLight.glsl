@@ -5,4 +5,5 @@
   if (brdfLight.z > 0.0)
   {
     brdfRadiance += brdfEvaluate(brdfLight, brdfView) * radiance * brdfLight.z;
+    //VTK::MeasuredBRDF::TubeLight
   }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-  // Scalars are display colours, as VTK's own PBR takes them.
-  if (brdfModulate != 0)
+  // Colours of scalars and blocks are display colours; VTK's "diffuse intensity" is set to 1 here.
+  if (BRDF_TAKES_COLOR)
   {
     brdfRadiance *= pow(max(diffuseColor, vec3(0.0)), vec3(2.2));
   }
@@ -12,5 +12,8 @@
   // VTK's PBR encodes here too, and its tone mapping pass expects that.
   vec3 color = pow(brdfRadiance, vec3(1.0 / 2.2));
   //VTK::MeasuredBRDF::Edges
+  // What a user's replacement of the next tag may read of VTK's own shading.
+  vec3 diffuse = color;
+  vec3 specular = vec3(0.0);
   gl_FragData[0] = vec4(color, opacity);
   //VTK::Light::Impl

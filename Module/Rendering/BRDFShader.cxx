@@ -120,24 +120,38 @@ std::string GetShaderDeclarations(const vtkBRDFGPUForm* material, const vtkBRDFG
   return text;
 }
 
-std::string GetShaderBody(
-  int complexity, int count, TangentSource tangents, const std::string& edges)
+std::string GetShaderBody(const ShaderBody& body)
 {
   std::string text = vtkBRDFBegin;
   vtkShaderProgram::Substitute(text, "//VTK::MeasuredBRDF::Tangent",
-    tangents == TangentSource::Data ? vtkBRDFTangent
-                                    : (tangents == TangentSource::Axis ? vtkBRDFTangentAxis : ""));
-  if (complexity == 1)
+    body.Tangents == TangentSource::Data
+      ? vtkBRDFTangent
+      : (body.Tangents == TangentSource::Axis ? vtkBRDFTangentAxis : ""));
+  if (body.Complexity == 1)
   {
     text += vtkBRDFHeadlight;
   }
-  for (int k = 0; complexity > 1 && k < count; ++k)
+  for (int k = 0; body.Complexity > 1 && k < body.LightCount; ++k)
   {
-    text += Numbered(complexity == 2 ? vtkBRDFDirectionalLight : vtkBRDFPositionalLight, "LIGHT",
-      static_cast<std::size_t>(k));
+    text += Numbered(body.Complexity == 2 ? vtkBRDFDirectionalLight : vtkBRDFPositionalLight,
+      "LIGHT", static_cast<std::size_t>(k));
   }
-  std::string end = vtkBRDFEnd;
-  vtkShaderProgram::Substitute(end, "//VTK::MeasuredBRDF::Edges", edges);
-  return text + end;
+  text += vtkBRDFEnd;
+  vtkShaderProgram::Substitute(text, "BRDF_TAKES_COLOR",
+    body.HasBlockColors ? "brdfModulate > 1 || (brdfModulate > 0 && OverridesColor)"
+                        : "brdfModulate > 1");
+  const bool tubes = body.HasEdges && body.EdgesAreTubes;
+  vtkShaderProgram::Substitute(
+    text, "//VTK::MeasuredBRDF::TubeLight", tubes ? "brdfTube += radiance * brdfLight.z;" : "");
+  std::string edges;
+  if (body.HasEdges)
+  {
+    edges = tubes ? std::string("color = mix(color, edgeColor * ") +
+                      (body.Complexity > 0 ? "brdfTube" : "max(normalVCVSOutput.z, 0.0)")
+                  : std::string("color = mix(color, edgeColor");
+    edges += body.HasEdgeOpacity ? ", emix * edgeOpacity);" : ", emix);";
+  }
+  vtkShaderProgram::Substitute(text, "//VTK::MeasuredBRDF::Edges", edges);
+  return text;
 }
 } // namespace measuredbrdf

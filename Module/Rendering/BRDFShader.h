@@ -27,12 +27,20 @@ enum class TangentSource
 std::string GetShaderDeclarations(
   const vtkBRDFGPUForm* material, const vtkBRDFGPUForm& environment);
 
-/**
- * Body for //VTK::Light::Impl. complexity and count are VTK's for the scene's lights (0 none, 1
- * headlight, 2 directional, 3 positional); edges: "", or the statement that mixes the edge colour.
- */
-std::string GetShaderBody(
-  int complexity, int count, TangentSource tangents, const std::string& edges);
+/// What the body of a shader depends on.
+struct ShaderBody
+{
+  int Complexity = 0; // VTK's for the scene's lights: 0 none, 1 headlight, 2 directional, 3 any
+  int LightCount = 0;
+  TangentSource Tangents = TangentSource::None;
+  bool HasEdges = false;       // VTK's edgeColor and emix are there
+  bool HasEdgeOpacity = false; // and edgeOpacity (VTK 9.3)
+  bool EdgesAreTubes = false;  // lit as such
+  bool HasBlockColors = false; // VTK's OverridesColor is there (composite data)
+};
+
+/// For //VTK::Light::Impl.
+std::string GetShaderBody(const ShaderBody& body);
 } // namespace measuredbrdf
 
 #endif

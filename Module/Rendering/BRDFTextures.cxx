@@ -92,9 +92,14 @@ std::shared_ptr<FormTextures> FindShared(
 {
   using Key = std::tuple<Source*, bool, vtkOpenGLRenderWindow*>;
   static std::map<Key, std::weak_ptr<FormTextures>> shared;
-  for (auto it = shared.begin(); it != shared.end();)
+  static std::size_t sweepAt = 16;
+  if (shared.size() >= sweepAt) // not for each of many actors
   {
-    it = it->second.expired() ? shared.erase(it) : std::next(it);
+    for (auto it = shared.begin(); it != shared.end();)
+    {
+      it = it->second.expired() ? shared.erase(it) : std::next(it);
+    }
+    sweepAt = 2 * shared.size() + 16;
   }
   std::weak_ptr<FormTextures>& entry = shared[{ source, softLights, window }];
   std::shared_ptr<FormTextures> found = entry.lock();
@@ -133,10 +138,14 @@ std::string FormTextures::Update(vtkBRDF* brdf, vtkOpenGLRenderWindow* window)
   {
     return "";
   }
+  if (time <= this->FailureTime)
+  {
+    return this->Failure;
+  }
   vtkBRDFGPUForm form;
   form.SoftLights = this->SoftLights;
   brdf->GetGPUForm(form);
-  return this->Upload(std::move(form), time, window);
+  return this->Fail(this->Upload(std::move(form), time, window), time);
 }
 
 std::string FormTextures::Update(vtkRadianceIntegrator* integrator, vtkOpenGLRenderWindow* window)
@@ -146,18 +155,24 @@ std::string FormTextures::Update(vtkRadianceIntegrator* integrator, vtkOpenGLRen
   {
     return "";
   }
-  const std::string nothing = std::string(integrator->GetClassName()) + " has nothing to draw with";
   if (time <= this->FailureTime)
   {
-    return nothing; // it has said why
+    return this->Failure;
   }
   vtkBRDFGPUForm form;
-  if (!integrator->GetGPUForm(form))
+  if (!integrator->GetGPUForm(form)) // it has said why
   {
-    this->FailureTime = time;
-    return nothing;
+    return this->Fail(std::string(integrator->GetClassName()) + " has nothing to draw with", time);
   }
-  return this->Upload(std::move(form), time, window);
+  return this->Fail(this->Upload(std::move(form), time, window), time);
+}
+
+// The same inputs are not tried again.
+std::string FormTextures::Fail(const std::string& problem, vtkMTimeType time)
+{
+  this->Failure = problem;
+  this->FailureTime = problem.empty() ? 0 : time;
+  return problem;
 }
 
 std::string FormTextures::Upload(

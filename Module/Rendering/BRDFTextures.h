@@ -55,6 +55,7 @@ public:
 
   const vtkBRDFGPUForm& GetForm() const { return this->Form; }
   std::size_t GetBytes() const { return this->Bytes; }
+  std::size_t GetNumberOfSamplers() const { return this->Textures.size(); }
 
 private:
   struct Uploaded
@@ -64,6 +65,7 @@ private:
   };
 
   bool IsCurrent(vtkMTimeType time, vtkOpenGLRenderWindow* window) const;
+  std::string Fail(const std::string& problem, vtkMTimeType time);
   std::string Upload(vtkBRDFGPUForm form, vtkMTimeType time, vtkOpenGLRenderWindow* window);
 
   bool SoftLights;     // what the form is asked for
@@ -71,7 +73,8 @@ private:
   std::vector<Uploaded> Textures;
   std::size_t Bytes = 0;
   vtkMTimeType Time = 0;
-  vtkMTimeType FailureTime = 0; // of inputs that an integrator refused
+  vtkMTimeType FailureTime = 0; // of inputs that could not be uploaded
+  std::string Failure;          // why not
   vtkOpenGLRenderWindow* Window = nullptr;
 };
 } // namespace measuredbrdf

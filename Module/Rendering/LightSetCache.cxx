@@ -5,11 +5,14 @@
 #include "SharedObjects.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkBRDF.h"
+#include "vtkCommand.h"
 #include "vtkEnvironment.h"
 #include "vtkEnvironmentProjection.h"
 #include "vtkImageData.h"
 #include "vtkImportanceLightSetGenerator.h"
 #include "vtkLightSet.h"
+#include "vtkLightSetIntegrator.h"
 #include "vtkMeasuredBRDFMapper.h"
 #include "vtkMedianCutLightSetGenerator.h"
 #include "vtkNew.h"
@@ -19,6 +22,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
+#include <mutex>
+#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -27,6 +33,40 @@ namespace measuredbrdf
 {
 namespace
 {
+constexpr std::size_t MostRefused = 64; // textures that are remembered
+
+// An environment's errors, taken off its hands: the mapper says them.
+class TakenError
+{
+public:
+  explicit TakenError(vtkEnvironment* source)
+    : Source(source)
+    , Tag(source->AddObserver(vtkCommand::ErrorEvent, this, &TakenError::Take))
+  {
+  }
+  ~TakenError() { this->Source->RemoveObserver(this->Tag); }
+  TakenError(const TakenError&) = delete;
+  void operator=(const TakenError&) = delete;
+
+  // Without the place in the source and the function's name.
+  std::string GetText() const
+  {
+    const std::size_t name = this->Text.find("SetImage: ");
+    const std::size_t begin = name == std::string::npos ? 0 : name + 10;
+    return this->Text.substr(begin, this->Text.find_last_not_of(" \n") + 1 - begin);
+  }
+
+private:
+  void Take(vtkObject*, unsigned long, void* text)
+  {
+    this->Text = text ? static_cast<const char*>(text) : "";
+  }
+
+  vtkSmartPointer<vtkEnvironment> Source;
+  unsigned long Tag;
+  std::string Text;
+};
+
 // The image at one of the texture's inputs, brought up to date; null where there is none.
 vtkImageData* UpdateInput(vtkTexture* texture, int port)
 {
@@ -104,12 +144,8 @@ vtkSmartPointer<vtkEnvironment> MakeFromCube(const std::vector<vtkImageData*>& i
 }
 }
 
-vtkSmartPointer<vtkEnvironment> FindEnvironment(vtkTexture* texture)
+vtkSmartPointer<vtkEnvironment> FindEnvironment(vtkTexture* texture, std::string& problem)
 {
-  if (!texture)
-  {
-    return nullptr;
-  }
   std::vector<vtkImageData*> images;
   std::vector<vtkMTimeType> times;
   for (int port = 0; port < (texture->GetCubeMap() ? 6 : 1); ++port)
@@ -117,24 +153,52 @@ vtkSmartPointer<vtkEnvironment> FindEnvironment(vtkTexture* texture)
     images.push_back(UpdateInput(texture, port));
     if (!images.back())
     {
+      problem = "it has no image" +
+                (texture->GetCubeMap() ? " for cube face " + std::to_string(port) : std::string()) +
+                ".";
       return nullptr;
     }
     times.push_back(images.back()->GetMTime());
   }
-  static SharedObjects<std::tuple<std::vector<vtkImageData*>, std::vector<vtkMTimeType>, bool>,
-    vtkEnvironment>
-    environments;
+  using Key = std::tuple<std::vector<vtkImageData*>, std::vector<vtkMTimeType>, bool>;
+  static SharedObjects<Key, vtkEnvironment> environments;
+  static std::mutex mutex;
+  static std::map<Key, std::string> refused;
   const bool sRGB = texture->GetUseSRGBColorSpace();
-  return environments.Find({ images, times, sRGB },
-    [&images, sRGB]() -> vtkSmartPointer<vtkEnvironment>
+  const Key key(images, times, sRGB);
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    const auto found = refused.find(key);
+    if (found != refused.end())
+    {
+      problem = found->second;
+      return nullptr;
+    }
+  }
+  auto environment = environments.Find(key,
+    [&images, sRGB, &problem]() -> vtkSmartPointer<vtkEnvironment>
     {
       if (images.size() == 6)
       {
+        problem = "its cube faces are not square images of one size with 1, 3 or 4 components.";
         return MakeFromCube(images, sRGB);
       }
-      auto environment = vtkSmartPointer<vtkEnvironment>::New();
-      return environment->SetImage(images.front(), sRGB) ? environment : nullptr;
+      auto made = vtkSmartPointer<vtkEnvironment>::New();
+      const TakenError error(made);
+      const bool taken = made->SetImage(images.front(), sRGB);
+      problem = error.GetText();
+      return taken ? made : nullptr;
     });
+  if (!environment)
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    if (refused.size() >= MostRefused)
+    {
+      refused.clear();
+    }
+    refused[key] = problem;
+  }
+  return environment;
 }
 
 vtkSmartPointer<vtkLightSet> FindLightSet(vtkEnvironment* environment, int method, int count,
@@ -163,6 +227,22 @@ vtkSmartPointer<vtkLightSet> FindLightSet(vtkEnvironment* environment, int metho
       }
       auto lights = vtkSmartPointer<vtkLightSet>::New();
       return generator->Generate(environment, count, lights) ? lights : nullptr;
+    });
+}
+
+vtkSmartPointer<vtkLightSetIntegrator> FindLightLoop(
+  vtkBRDF* brdf, vtkLightSet* lights, bool softLights)
+{
+  // Lights' modification times do not count: the integrator looks at them.
+  static SharedObjects<std::tuple<vtkBRDF*, vtkLightSet*, bool>, vtkLightSetIntegrator> loops;
+  return loops.Find({ brdf, lights, softLights },
+    [brdf, lights, softLights]()
+    {
+      auto loop = vtkSmartPointer<vtkLightSetIntegrator>::New();
+      loop->SetBRDF(brdf);
+      loop->SetLightSet(lights);
+      loop->SetSoftLights(softLights);
+      return loop;
     });
 }
 } // namespace measuredbrdf

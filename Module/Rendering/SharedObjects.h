@@ -11,6 +11,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
+#include <cstddef>
 #include <iterator>
 #include <map>
 
@@ -25,12 +26,16 @@ public:
   template <typename Make>
   vtkSmartPointer<T> Find(const Key& key, const Make& make)
   {
-    for (auto it = this->Objects.begin(); it != this->Objects.end();)
+    if (this->Objects.size() >= this->SweepAt) // not for each of many actors
     {
-      it = it->second ? std::next(it) : this->Objects.erase(it);
+      for (auto it = this->Objects.begin(); it != this->Objects.end();)
+      {
+        it = it->second ? std::next(it) : this->Objects.erase(it);
+      }
+      this->SweepAt = 2 * this->Objects.size() + 16;
     }
     auto it = this->Objects.find(key);
-    if (it != this->Objects.end())
+    if (it != this->Objects.end() && it->second)
     {
       return it->second.Get();
     }
@@ -44,6 +49,7 @@ public:
 
 private:
   std::map<Key, vtkWeakPointer<T>> Objects;
+  std::size_t SweepAt = 16;
 };
 } // namespace measuredbrdf
 

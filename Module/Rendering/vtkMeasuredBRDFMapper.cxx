@@ -2,393 +2,76 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMeasuredBRDFMapper.h"
 
-#include "BRDFShader.h"
-#include "BRDFTextures.h"
-#include "CurrentPlan.h"
-#include "LightSetCache.h"
-#include "VisibleSurface.h"
+#include "vtkMeasuredBRDFMapperMixin.txx"
 
-#include "vtkActor.h"
-#include "vtkBRDF.h"
-#include "vtkCamera.h"
-#include "vtkCommand.h"
-#include "vtkDataObject.h"
-#include "vtkEnvironment.h"
-#include "vtkInformation.h"
-#include "vtkLight.h"
-#include "vtkLightCollection.h"
-#include "vtkLightSet.h"
-#include "vtkLightSetGenerator.h"
-#include "vtkLightSetIntegrator.h"
-#include "vtkLightingMapPass.h"
-#include "vtkMath.h"
-#include "vtkMatrix3x3.h"
-#include "vtkMatrix4x4.h"
-#include "vtkNew.h"
+#include "MapperProperties.h"
 #include "vtkObjectFactory.h"
-#include "vtkOpenGLHelper.h"
-#include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLRenderer.h"
-#include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkPolyData.h"
-#include "vtkProperty.h"
-#include "vtkRadianceCostModel.h"
 #include "vtkRadiancePlanner.h"
-#include "vtkShader.h"
-#include "vtkShaderProgram.h"
-#include "vtkTexture.h"
-#include "vtkTimeStamp.h"
-#include "vtkVarianceLightSetGenerator.h"
-
-#include <algorithm>
-#include <memory>
-#include <set>
-#include <string>
-#include <vector>
 
 using namespace measuredbrdf;
 
+template class vtkMeasuredBRDFMapperMixin<vtkOpenGLPolyDataMapper>;
+
 vtkStandardNewMacro(vtkMeasuredBRDFMapper);
-
-struct vtkMeasuredBRDFMapper::Internals
-{
-  vtkSmartPointer<vtkBRDF> BRDF;
-  vtkSmartPointer<vtkEnvironment> Environment;
-  vtkSmartPointer<vtkLightSet> LightSet;
-  vtkSmartPointer<vtkRadianceIntegrator> WantedIntegrator;
-  vtkSmartPointer<vtkRadianceCostModel> Costs;
-  CurrentPlan Plan;
-  std::shared_ptr<const VisibleSurface> Seen; // what to plan for; null: every view
-  vtkTimeStamp SeenTime;                      // of Seen
-  std::vector<double> SeenFrom;               // what the last look at the view depended on
-
-  // In use since the last RenderPieceStart.
-  vtkSmartPointer<vtkBRDF> Drawn;         // the material or, of a plan in use, its snapshot
-  std::shared_ptr<FormTextures> Material; // null where the shader has no use for the BRDF itself
-  std::shared_ptr<FormTextures> Radiance; // what the environment adds; null without one
-  vtkSmartPointer<vtkRadianceIntegrator> Integrator;
-  vtkSmartPointer<vtkEnvironment> CurrentEnvironment;
-  vtkSmartPointer<vtkLightSet> CurrentLights;
-  vtkNew<vtkLightSetIntegrator> LightLoop;
-  vtkNew<vtkVarianceLightSetGenerator> Variance; // its tree serves every number of lights
-  bool Ready = false;                            // whether the material can be drawn
-
-  const vtkBRDFGPUForm* GetMaterialForm() const
-  {
-    return this->Material ? &this->Material->GetForm() : nullptr;
-  }
-  vtkBRDFGPUForm GetRadianceForm() const
-  {
-    return this->Radiance ? this->Radiance->GetForm() : vtkBRDFGPUForm();
-  }
-
-  std::map<const vtkOpenGLHelper*, std::string> ShaderKeys;
-  std::set<std::string> Warned; // one warning per cause
-
-  bool WarnOnce(const std::string& cause) { return this->Warned.insert(cause).second; }
-};
-
-namespace
-{
-int NextPowerOfTwo(int n)
-{
-  int power = 1;
-  while (power < n)
-  {
-    power *= 2;
-  }
-  return power;
-}
-
-bool HasLight(vtkRenderer* ren)
-{
-  vtkLightCollection* lights = ren->GetLights();
-  vtkCollectionSimpleIterator it;
-  lights->InitTraversal(it);
-  while (vtkLight* light = lights->GetNextLight(it))
-  {
-    if (light->GetSwitch())
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-// The superclass declares normals and positions for lit primitives only; an environment lights
-// scenes without a single vtkLight. Works on int (VTK < 9.4) and on the enum that followed.
-template <typename Complexity>
-class ForceLit
-{
-public:
-  ForceLit(Complexity& complexity, bool force)
-    : Target(complexity)
-    , Saved(complexity)
-  {
-    if (force && static_cast<int>(complexity) == 0)
-    {
-      complexity = static_cast<Complexity>(1);
-    }
-  }
-  ~ForceLit() { this->Target = this->Saved; }
-  ForceLit(const ForceLit&) = delete;
-  void operator=(const ForceLit&) = delete;
-
-private:
-  Complexity& Target;
-  Complexity Saved;
-};
-}
 
 //------------------------------------------------------------------------------
 vtkMeasuredBRDFMapper::vtkMeasuredBRDFMapper()
-  : Impl(new Internals)
 {
+  this->Drawing = std::make_shared<MaterialDrawing>(this, std::make_shared<MaterialSettings>());
 }
 
 //------------------------------------------------------------------------------
 vtkMeasuredBRDFMapper::~vtkMeasuredBRDFMapper() = default;
 
 //------------------------------------------------------------------------------
-void vtkMeasuredBRDFMapper::PrintSelf(ostream& os, vtkIndent indent)
+std::vector<MaterialUse> vtkMeasuredBRDFMapper::GetMaterialUses()
 {
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "BRDF: " << this->Impl->BRDF.Get() << "\n";
-  os << indent << "Environment: " << this->Impl->Environment.Get() << "\n";
-  os << indent << "LightSet: " << this->Impl->LightSet.Get() << "\n";
-  os << indent << "Integrator: " << this->Impl->WantedIntegrator.Get() << "\n";
-  os << indent << "Method: " << (this->Method == AUTO ? "auto" : "light set") << "\n";
-  os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
-  const char* const modes[] = { "foreground", "background", "background from start" };
-  os << indent << "PlanningMode: " << modes[this->PlanningMode] << "\n";
-  os << indent << "PlanForView: " << (this->PlanForView ? "On" : "Off") << "\n";
-  os << indent << "CostModel: " << (this->Impl->Costs ? this->Impl->Costs->GetName() : "default")
-     << "\n";
-  os << indent << "Plan: " << this->GetPlan() << "\n";
-  os << indent << "LightSetMethod: "
-     << (this->LightSetMethod == MEDIAN_CUT
-            ? "median cut"
-            : (this->LightSetMethod == VARIANCE ? "variance" : "importance sampling"))
-     << "\n";
-  os << indent << "NumberOfLights: " << this->NumberOfLights << "\n";
-  os << indent << "Seed: " << this->Seed << "\n";
-  os << indent << "SoftLights: " << (this->SoftLights ? "On" : "Off") << "\n";
-  os << indent
-     << "ScalarColoringMode: " << (this->ScalarColoringMode == MODULATE ? "modulate" : "ignore")
-     << "\n";
+  return { { this->Drawing->GetSettings().BRDF, { this->CurrentInput } } };
 }
 
-// The setters below do not call Modified(): that would rebuild vertex buffers and shaders. Every
+// The properties do not call Modified(): that would rebuild vertex buffers and shaders. Every
 // render compares what it used last with what is asked for.
+MEASUREDBRDF_MAPPER_PROPERTIES(vtkMeasuredBRDFMapper, this->Drawing->GetSettings())
 
 //------------------------------------------------------------------------------
-void vtkMeasuredBRDFMapper::SetBRDF(vtkBRDF* brdf) { this->Impl->BRDF = brdf; }
+std::string vtkMeasuredBRDFMapper::GetPlan() { return this->Drawing->GetPlan(); }
 
 //------------------------------------------------------------------------------
-vtkBRDF* vtkMeasuredBRDFMapper::GetBRDF() { return this->Impl->BRDF; }
+bool vtkMeasuredBRDFMapper::GetPlanPending() { return this->Drawing->GetPlans().IsPending(); }
 
 //------------------------------------------------------------------------------
-void vtkMeasuredBRDFMapper::SetEnvironment(vtkEnvironment* environment)
+bool vtkMeasuredBRDFMapper::GetPlanReady() { return this->Drawing->GetPlans().IsReady(); }
+
+//------------------------------------------------------------------------------
+vtkIdType vtkMeasuredBRDFMapper::GetTextureBytes() { return this->Drawing->GetTextureBytes(); }
+
+//------------------------------------------------------------------------------
+vtkLightSet* vtkMeasuredBRDFMapper::GetCurrentLightSet()
 {
-  this->Impl->Environment = environment;
+  const std::vector<const DrawnMaterial*> drawn = this->Drawing->GetLastFrame();
+  return drawn.empty() ? nullptr : drawn.front()->Lights.Get();
 }
-
-//------------------------------------------------------------------------------
-vtkEnvironment* vtkMeasuredBRDFMapper::GetEnvironment() { return this->Impl->Environment; }
-
-//------------------------------------------------------------------------------
-void vtkMeasuredBRDFMapper::SetLightSet(vtkLightSet* lights) { this->Impl->LightSet = lights; }
-
-//------------------------------------------------------------------------------
-vtkLightSet* vtkMeasuredBRDFMapper::GetLightSet() { return this->Impl->LightSet; }
-
-//------------------------------------------------------------------------------
-void vtkMeasuredBRDFMapper::SetIntegrator(vtkRadianceIntegrator* integrator)
-{
-  this->Impl->WantedIntegrator = integrator;
-}
-
-//------------------------------------------------------------------------------
-vtkRadianceIntegrator* vtkMeasuredBRDFMapper::GetIntegrator()
-{
-  return this->Impl->WantedIntegrator;
-}
-
-//------------------------------------------------------------------------------
-void vtkMeasuredBRDFMapper::SetMethod(int method)
-{
-  this->Method = method == LIGHT_SET ? LIGHT_SET : AUTO;
-}
-
-//------------------------------------------------------------------------------
-void vtkMeasuredBRDFMapper::SetErrorTolerance(double tolerance)
-{
-  const double clamped = tolerance >= 1e-3 ? std::min(tolerance, 1.0) : 1e-3;
-  if (clamped != tolerance)
-  {
-    vtkWarningMacro("SetErrorTolerance: " << tolerance << " clamped to " << clamped << ".");
-  }
-  this->ErrorTolerance = clamped;
-}
-
-//------------------------------------------------------------------------------
-std::string vtkMeasuredBRDFMapper::GetPlan()
-{
-  vtkRadiancePlanner* plan = this->Impl->Plan.GetPlan();
-  return plan ? plan->GetPlan() : std::string();
-}
-
-//------------------------------------------------------------------------------
-void vtkMeasuredBRDFMapper::SetPlanningMode(int mode)
-{
-  this->PlanningMode = mode == BACKGROUND || mode == BACKGROUND_FROM_START ? mode : FOREGROUND;
-}
-
-//------------------------------------------------------------------------------
-bool vtkMeasuredBRDFMapper::GetPlanPending() { return this->Impl->Plan.IsPending(); }
-
-//------------------------------------------------------------------------------
-bool vtkMeasuredBRDFMapper::GetPlanReady() { return this->Impl->Plan.IsReady(); }
-
-//------------------------------------------------------------------------------
-void vtkMeasuredBRDFMapper::SetCostModel(vtkRadianceCostModel* model) { this->Impl->Costs = model; }
-
-//------------------------------------------------------------------------------
-vtkRadianceCostModel* vtkMeasuredBRDFMapper::GetCostModel() { return this->Impl->Costs; }
-
-//------------------------------------------------------------------------------
-void vtkMeasuredBRDFMapper::UpdateSeen(vtkRenderer* ren, vtkActor* actor)
-{
-  Internals& impl = *this->Impl;
-  if (!this->PlanForView)
-  {
-    impl.Seen = nullptr;
-    impl.SeenFrom.clear();
-    return;
-  }
-  // The world in the environment's frame: the renderer's turn, then the environment's own.
-  double axes[3][3];
-  ren->GetEnvironmentRight(axes[0]);
-  ren->GetEnvironmentUp(axes[1]);
-  vtkMath::Cross(axes[0], axes[1], axes[2]);
-  double own[9];
-  impl.CurrentEnvironment->GetWorldToEnvironment(own);
-  double turn[9];
-  for (int k = 0; k < 9; ++k)
-  {
-    turn[k] = 0.0;
-    for (int j = 0; j < 3; ++j)
-    {
-      turn[k] += own[k / 3 * 3 + j] * axes[j][k % 3];
-    }
-  }
-  vtkCamera* camera = ren->GetActiveCamera();
-  const int* size = ren->GetSize();
-  std::vector<double> from(turn, turn + 9);
-  for (vtkMatrix4x4* matrix :
-    { camera->GetCompositeProjectionTransformMatrix(1.0, -1.0, 1.0), actor->GetMatrix() })
-  {
-    from.insert(from.end(), matrix->GetData(), matrix->GetData() + 16);
-  }
-  from.insert(from.end(), { static_cast<double>(size[0]), static_cast<double>(size[1]),
-                            static_cast<double>(this->GetInput()->GetMTime()) });
-  if (from == impl.SeenFrom)
-  {
-    return;
-  }
-  impl.SeenFrom = from;
-  const auto seen = std::make_shared<VisibleSurface>(
-    this->GetInput(), actor->GetMatrix(), camera, size[0], size[1], turn);
-  if (!seen->IsEmpty() && !(impl.Seen && impl.Seen->Serves(*seen))) // out of view: as it was
-  {
-    impl.Seen = seen;
-    impl.SeenTime.Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkMeasuredBRDFMapper::UpdatePlan(vtkRenderer* ren, vtkActor* actor)
-{
-  Internals& impl = *this->Impl;
-  this->UpdateSeen(ren, actor);
-  PlanInputs wanted(impl.BRDF, impl.CurrentEnvironment, this->ErrorTolerance, impl.Costs);
-  wanted.Seen = impl.Seen;
-  wanted.SeenTime = impl.Seen ? impl.SeenTime.GetMTime() : 0;
-  const CurrentPlan::Timing timings[] = { CurrentPlan::Timing::Foreground,
-    CurrentPlan::Timing::Changes, CurrentPlan::Timing::Always };
-  std::string problem;
-  const bool changed = impl.Plan.Update(wanted, timings[this->PlanningMode], problem);
-  if (!problem.empty() && impl.Plan.GetPlan())
-  {
-    vtkWarningMacro("Planning in the background: " << problem);
-  }
-  else if (!problem.empty())
-  {
-    vtkErrorMacro("Planning in the background: " << problem);
-  }
-  if (changed)
-  {
-    this->InvokeEvent(vtkCommand::UpdateDataEvent);
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkMeasuredBRDFMapper::SetLightSetMethod(int method)
-{
-  this->LightSetMethod = method == IMPORTANCE_SAMPLING || method == VARIANCE ? method : MEDIAN_CUT;
-}
-
-//------------------------------------------------------------------------------
-void vtkMeasuredBRDFMapper::SetNumberOfLights(int count)
-{
-  const int clamped = std::clamp(count, 1, vtkLightSetGenerator::MaximumNumberOfLights);
-  if (clamped != count)
-  {
-    vtkWarningMacro("SetNumberOfLights: " << count << " clamped to " << clamped << ".");
-  }
-  this->NumberOfLights = clamped;
-}
-
-//------------------------------------------------------------------------------
-void vtkMeasuredBRDFMapper::SetSeed(unsigned int seed) { this->Seed = seed; }
-
-//------------------------------------------------------------------------------
-void vtkMeasuredBRDFMapper::SetScalarColoringMode(int mode)
-{
-  this->ScalarColoringMode = mode == IGNORE_SCALARS ? IGNORE_SCALARS : MODULATE;
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkMeasuredBRDFMapper::GetTextureBytes()
-{
-  std::size_t bytes = 0;
-  for (const std::shared_ptr<FormTextures>& textures :
-    { this->Impl->Material, this->Impl->Radiance })
-  {
-    bytes += textures ? textures->GetBytes() : 0;
-  }
-  return static_cast<vtkIdType>(bytes);
-}
-
-//------------------------------------------------------------------------------
-vtkLightSet* vtkMeasuredBRDFMapper::GetCurrentLightSet() { return this->Impl->CurrentLights; }
 
 //------------------------------------------------------------------------------
 std::string vtkMeasuredBRDFMapper::GetMaterialDescription()
 {
-  return this->Impl->Material ? this->Impl->Material->GetForm().Description : "";
+  const vtkBRDFGPUForm* form = this->Drawing->GetMaterialForm();
+  return form ? form->Description : "";
 }
 
 //------------------------------------------------------------------------------
 double vtkMeasuredBRDFMapper::GetResamplingError()
 {
-  return this->Impl->Material ? this->Impl->Material->GetForm().ResamplingError : 0.0;
+  const vtkBRDFGPUForm* form = this->Drawing->GetMaterialForm();
+  return form ? form->ResamplingError : 0.0;
 }
 
 //------------------------------------------------------------------------------
 double vtkMeasuredBRDFMapper::GetQuantizationError()
 {
-  return this->Impl->Material ? this->Impl->Material->GetForm().QuantizationError : 0.0;
+  const vtkBRDFGPUForm* form = this->Drawing->GetMaterialForm();
+  return form ? form->QuantizationError : 0.0;
 }
 
 //------------------------------------------------------------------------------
@@ -396,336 +79,23 @@ void vtkMeasuredBRDFMapper::ShallowCopy(vtkAbstractMapper* m)
 {
   if (vtkMeasuredBRDFMapper* other = vtkMeasuredBRDFMapper::SafeDownCast(m))
   {
-    this->SetBRDF(other->GetBRDF());
-    this->SetEnvironment(other->GetEnvironment());
-    this->SetLightSet(other->GetLightSet());
-    this->SetIntegrator(other->GetIntegrator());
-    this->SetMethod(other->GetMethod());
-    this->SetErrorTolerance(other->GetErrorTolerance());
-    this->SetPlanningMode(other->GetPlanningMode());
-    this->SetPlanForView(other->GetPlanForView());
-    this->SetCostModel(other->GetCostModel());
-    this->SetLightSetMethod(other->GetLightSetMethod());
-    this->SetNumberOfLights(other->GetNumberOfLights());
-    this->SetSeed(other->GetSeed());
-    this->SetSoftLights(other->GetSoftLights());
-    this->SetScalarColoringMode(other->GetScalarColoringMode());
+    this->Drawing->GetSettings().Copy(other->Drawing->GetSettings());
   }
   this->Superclass::ShallowCopy(m);
 }
 
 //------------------------------------------------------------------------------
-void vtkMeasuredBRDFMapper::ReleaseGraphicsResources(vtkWindow* window)
+vtkMTimeType vtkMeasuredBRDFMapper::GetMTime()
 {
-  // The superclass may call this again from inside: it must do no harm twice.
-  this->Impl->Material.reset();
-  this->Impl->Radiance.reset();
-  this->Impl->Ready = false;
-  this->Impl->Plan.Stop();
-  this->Superclass::ReleaseGraphicsResources(window);
+  // While drawing, the superclass asks whether buffers and shaders are out of date.
+  const vtkMTimeType time = this->Superclass::GetMTime();
+  return this->RenderDepth > 0 ? time : std::max(time, this->Drawing->GetAppearanceMTime());
 }
 
 //------------------------------------------------------------------------------
-bool vtkMeasuredBRDFMapper::UsesMaterial(vtkActor* actor, const vtkOpenGLHelper* cellBO)
+void vtkMeasuredBRDFMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
-  if (!this->Impl->Ready || this->DrawingSelection || this->DrawingVertices)
-  {
-    return false;
-  }
-  const bool triangles =
-    cellBO == &this->Primitives[PrimitiveTris] || cellBO == &this->Primitives[PrimitiveTriStrips];
-  vtkInformation* keys = actor->GetPropertyKeys();
-  return triangles && actor->GetProperty()->GetLighting() &&
-         actor->GetProperty()->GetRepresentation() == VTK_SURFACE &&
-         !(keys && (keys->Has(vtkLightingMapPass::RENDER_NORMALS()) ||
-                     keys->Has(vtkLightingMapPass::RENDER_LUMINANCE())));
-}
-
-//------------------------------------------------------------------------------
-bool vtkMeasuredBRDFMapper::HasTangents()
-{
-  return this->VBOs->GetNumberOfComponents("tangentMC") == 3;
-}
-
-//------------------------------------------------------------------------------
-bool vtkMeasuredBRDFMapper::GetNeedToRebuildShaders(
-  vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor)
-{
-  const bool rebuild = this->Superclass::GetNeedToRebuildShaders(cellBO, ren, actor);
-  std::string key;
-  if (this->UsesMaterial(actor, &cellBO))
-  {
-    key = (this->Impl->Material ? this->Impl->Material->GetForm().GetShaderKey() : "") + "/" +
-          this->Impl->GetRadianceForm().GetShaderKey();
-    if (!this->Impl->Drawn->IsIsotropic())
-    {
-      key += this->HasTangents() ? "tangents" : "axis";
-    }
-  }
-  std::string& last = this->Impl->ShaderKeys[&cellBO];
-  const bool changed = key != last;
-  last = key;
-  return rebuild || changed;
-}
-
-//------------------------------------------------------------------------------
-void vtkMeasuredBRDFMapper::ReplaceShaderColor(
-  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* actor)
-{
-  ForceLit lit(this->PrimitiveInfo[this->LastBoundBO].LastLightComplexity,
-    this->UsesMaterial(actor, this->LastBoundBO));
-  this->Superclass::ReplaceShaderColor(shaders, ren, actor);
-}
-
-//------------------------------------------------------------------------------
-void vtkMeasuredBRDFMapper::ReplaceShaderPositionVC(
-  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* actor)
-{
-  ForceLit lit(this->PrimitiveInfo[this->LastBoundBO].LastLightComplexity,
-    this->UsesMaterial(actor, this->LastBoundBO));
-  this->Superclass::ReplaceShaderPositionVC(shaders, ren, actor);
-}
-
-//------------------------------------------------------------------------------
-void vtkMeasuredBRDFMapper::ReplaceShaderNormal(
-  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* actor)
-{
-  const bool material = this->UsesMaterial(actor, this->LastBoundBO);
-  ForceLit lit(this->PrimitiveInfo[this->LastBoundBO].LastLightComplexity, material);
-  this->Superclass::ReplaceShaderNormal(shaders, ren, actor);
-  if (!material || this->Impl->Drawn->IsIsotropic() || !this->HasTangents())
-  {
-    return;
-  }
-
-  // Tangents through the stages, beside the positions (their tags are still there).
-  std::string vs = shaders[vtkShader::Vertex]->GetSource();
-  std::string declarations = "out vec3 brdfTangentVCVSOutput;\n";
-  if (vs.find("in vec3 tangentMC;") == std::string::npos)
-  {
-    declarations += "in vec3 tangentMC;\n";
-  }
-  if (vs.find("uniform mat3 normalMatrix;") == std::string::npos)
-  {
-    declarations += "uniform mat3 normalMatrix;\n";
-  }
-  vtkShaderProgram::Substitute(
-    vs, "//VTK::PositionVC::Dec", "//VTK::PositionVC::Dec\n" + declarations, false);
-  vtkShaderProgram::Substitute(vs, "//VTK::PositionVC::Impl",
-    "//VTK::PositionVC::Impl\n  brdfTangentVCVSOutput = normalMatrix * tangentMC;\n", false);
-  shaders[vtkShader::Vertex]->SetSource(vs);
-
-  std::string gs = shaders[vtkShader::Geometry]->GetSource();
-  vtkShaderProgram::Substitute(gs, "//VTK::PositionVC::Dec",
-    "//VTK::PositionVC::Dec\nin vec3 brdfTangentVCVSOutput[];\nout vec3 brdfTangentVCGSOutput;\n",
-    false);
-  vtkShaderProgram::Substitute(gs, "//VTK::PositionVC::Impl",
-    "//VTK::PositionVC::Impl\n  brdfTangentVCGSOutput = brdfTangentVCVSOutput[i];\n", false);
-  shaders[vtkShader::Geometry]->SetSource(gs);
-
-  std::string fs = shaders[vtkShader::Fragment]->GetSource();
-  vtkShaderProgram::Substitute(
-    fs, "//VTK::Light::Dec", "in vec3 brdfTangentVCVSOutput;\n//VTK::Light::Dec", false);
-  shaders[vtkShader::Fragment]->SetSource(fs);
-}
-
-//------------------------------------------------------------------------------
-void vtkMeasuredBRDFMapper::ReplaceShaderLight(
-  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* actor)
-{
-  if (!this->UsesMaterial(actor, this->LastBoundBO))
-  {
-    this->Superclass::ReplaceShaderLight(shaders, ren, actor);
-    return;
-  }
-  std::string fs = shaders[vtkShader::Fragment]->GetSource();
-  vtkShaderProgram::Substitute(fs, "//VTK::Light::Dec",
-    "//VTK::Light::Dec\n" +
-      GetShaderDeclarations(this->Impl->GetMaterialForm(), this->Impl->GetRadianceForm()),
-    false);
-  vtkShaderProgram::Substitute(fs, "//VTK::Light::Dec",
-    std::string(static_cast<vtkOpenGLRenderer*>(ren)->GetLightingUniforms()), false);
-
-  TangentSource tangents = TangentSource::None;
-  if (!this->Impl->Drawn->IsIsotropic())
-  {
-    tangents = this->HasTangents() ? TangentSource::Data : TangentSource::Axis;
-    if (tangents == TangentSource::Axis && this->Impl->WarnOnce("tangents"))
-    {
-      vtkWarningMacro("The material is anisotropic but the polydata has no float point tangents "
-                      "(PointData::SetTangents): they turn about the environment's up axis.");
-    }
-  }
-  std::string edges;
-  if (this->DrawingEdges(ren, actor))
-  {
-    // VTK 9.3 added an opacity of edges.
-    edges = fs.find("uniform float edgeOpacity") != std::string::npos
-              ? "color = mix(color, edgeColor, emix * edgeOpacity);"
-              : "color = mix(color, edgeColor, emix);";
-  }
-  const auto& info = this->PrimitiveInfo[this->LastBoundBO];
-  // Image-based lighting counts as a light in VTK 9.6; here it is none (HasLight).
-  const int complexity = this->Impl->Material ? static_cast<int>(info.LastLightComplexity) : 0;
-  vtkShaderProgram::Substitute(fs, "//VTK::Light::Impl",
-    GetShaderBody(complexity, info.LastLightCount, tangents, edges), false);
-  shaders[vtkShader::Fragment]->SetSource(fs);
-}
-
-//------------------------------------------------------------------------------
-void vtkMeasuredBRDFMapper::SetMapperShaderParameters(
-  vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor)
-{
-  this->Superclass::SetMapperShaderParameters(cellBO, ren, actor);
-  if (!this->UsesMaterial(actor, &cellBO))
-  {
-    return;
-  }
-  vtkShaderProgram* program = cellBO.Program;
-  for (const std::shared_ptr<FormTextures>& textures :
-    { this->Impl->Material, this->Impl->Radiance })
-  {
-    if (textures)
-    {
-      textures->SetUniforms(program);
-    }
-  }
-  vtkNew<vtkMatrix3x3> rotation;
-  if (this->Impl->CurrentEnvironment)
-  {
-    double rows[9];
-    this->Impl->CurrentEnvironment->GetWorldToEnvironment(rows);
-    rotation->DeepCopy(rows);
-  }
-  rotation->Transpose(); // SetUniformMatrix hands over columns
-  program->SetUniformMatrix("brdfEnvironmentRotation", rotation);
-  const bool scalars =
-    this->GetScalarVisibility() && (this->VBOs->GetNumberOfComponents("scalarColor") != 0 ||
-                                     this->HaveCellScalars || this->ColorTextureMap);
-  program->SetUniformi("brdfModulate", scalars && this->ScalarColoringMode == MODULATE ? 1 : 0);
-}
-
-//------------------------------------------------------------------------------
-void vtkMeasuredBRDFMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* actor)
-{
-  Internals& impl = *this->Impl;
-  impl.Ready = false;
-  if (impl.BRDF)
-  {
-    auto* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetVTKWindow());
-
-    impl.CurrentEnvironment =
-      impl.Environment ? impl.Environment : FindEnvironment(ren->GetEnvironmentTexture());
-    if (!impl.CurrentEnvironment && ren->GetEnvironmentTexture() && impl.WarnOnce("environment"))
-    {
-      vtkWarningMacro("The renderer's environment texture holds neither a lat-long image nor six "
-                      "square cube faces of one size; it lights nothing here.");
-    }
-    const bool lit = impl.CurrentEnvironment && impl.CurrentEnvironment->GetWidth() > 0;
-    impl.Integrator = lit ? impl.WantedIntegrator : nullptr;
-    impl.Drawn = impl.BRDF;
-    if (lit && !impl.Integrator && !impl.LightSet && this->Method == AUTO)
-    {
-      this->UpdatePlan(ren, actor);
-    }
-    else
-    {
-      impl.Plan.Clear();
-    }
-    if (vtkRadiancePlanner* plan = impl.Plan.GetPlan())
-    {
-      impl.Integrator = vtkSmartPointer<vtkRadianceIntegrator>::Take(plan->NewIntegrator());
-      impl.Drawn = plan->GetBRDF();
-      impl.CurrentEnvironment = impl.Plan.GetEnvironment();
-      impl.CurrentLights = nullptr;
-    }
-    else if (impl.Integrator)
-    {
-      impl.Integrator->SetBRDF(impl.BRDF);
-      impl.Integrator->SetEnvironment(impl.CurrentEnvironment);
-      impl.CurrentLights = nullptr;
-    }
-    else if (impl.LightSet)
-    {
-      impl.CurrentLights = impl.LightSet;
-    }
-    else if (lit)
-    {
-      int count = this->NumberOfLights;
-      if (this->LightSetMethod == MEDIAN_CUT && count != NextPowerOfTwo(count))
-      {
-        count = NextPowerOfTwo(count);
-        if (impl.WarnOnce("median cut " + std::to_string(this->NumberOfLights)))
-        {
-          vtkWarningMacro("Median cut makes powers of two: " << count << " lights instead of "
-                                                             << this->NumberOfLights << ".");
-        }
-      }
-      impl.CurrentLights = FindLightSet(
-        impl.CurrentEnvironment, this->LightSetMethod, count, this->Seed, impl.Variance);
-    }
-    else
-    {
-      impl.CurrentLights = nullptr;
-    }
-
-    if (impl.CurrentLights)
-    {
-      impl.LightLoop->SetBRDF(impl.BRDF);
-      impl.LightLoop->SetLightSet(impl.CurrentLights);
-      impl.LightLoop->SetSoftLights(this->SoftLights);
-      impl.Integrator = impl.LightLoop;
-    }
-
-    std::string problem;
-    impl.Radiance = impl.Integrator ? FormTextures::Find(impl.Integrator, window) : nullptr;
-    if (impl.Integrator)
-    {
-      problem = impl.Radiance->Update(impl.Integrator, window);
-    }
-    const bool evaluates = (impl.Integrator && impl.Integrator->UsesBRDFOnGPU()) || HasLight(ren);
-    const bool softLights = impl.Integrator && impl.Integrator->UsesSoftLights();
-    impl.Material = evaluates ? FormTextures::Find(impl.Drawn, softLights, window) : nullptr;
-    if (evaluates && problem.empty())
-    {
-      problem = impl.Material->Update(impl.Drawn, window);
-    }
-    impl.Ready = problem.empty();
-    if (!impl.Ready && impl.WarnOnce(problem))
-    {
-      vtkErrorMacro("The material is not drawn: " << problem << ".");
-    }
-    for (const std::shared_ptr<FormTextures>& textures : { impl.Material, impl.Radiance })
-    {
-      if (impl.Ready && textures)
-      {
-        textures->Activate();
-      }
-    }
-  }
-  else
-  {
-    impl.Material.reset();
-    impl.Radiance.reset();
-    impl.Integrator = nullptr;
-    impl.Drawn = nullptr;
-    impl.Plan.Clear();
-    impl.CurrentEnvironment = nullptr;
-    impl.CurrentLights = nullptr;
-  }
-  this->Superclass::RenderPieceStart(ren, actor);
-}
-
-//------------------------------------------------------------------------------
-void vtkMeasuredBRDFMapper::RenderPieceFinish(vtkRenderer* ren, vtkActor* actor)
-{
-  for (const std::shared_ptr<FormTextures>& textures :
-    { this->Impl->Material, this->Impl->Radiance })
-  {
-    if (this->Impl->Ready && textures)
-    {
-      textures->Deactivate();
-    }
-  }
-  this->Superclass::RenderPieceFinish(ren, actor);
+  this->Superclass::PrintSelf(os, indent);
+  this->Drawing->GetSettings().Print(os, indent);
+  os << indent << "Plan: " << this->GetPlan() << "\n";
 }

@@ -31,10 +31,10 @@
 #ifndef vtkMeasuredBRDFMapper_h
 #define vtkMeasuredBRDFMapper_h
 
-#include "vtkMeasuredBRDFModule.h" // for export macro
-#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkMeasuredBRDFMapperMixin.h" // superclass, but for wrappers
+#include "vtkMeasuredBRDFModule.h"      // for export macro
+#include "vtkOpenGLPolyDataMapper.h"    // superclass for wrappers
 
-#include <memory> // for Internals
 #include <string> // for descriptions
 
 class vtkBRDF;
@@ -42,6 +42,11 @@ class vtkEnvironment;
 class vtkLightSet;
 class vtkRadianceCostModel;
 class vtkRadianceIntegrator;
+
+// Wrappers see VTK's class as the superclass (as vtkFloatArray does with its template).
+#ifndef __VTK_WRAP__
+#define vtkOpenGLPolyDataMapper vtkMeasuredBRDFMapperMixin<vtkOpenGLPolyDataMapper>
+#endif
 
 class VTKMEASUREDBRDF_EXPORT vtkMeasuredBRDFMapper : public vtkOpenGLPolyDataMapper
 {
@@ -93,7 +98,7 @@ public:
    * SetLightSet has one.
    */
   void SetMethod(int method);
-  int GetMethod() { return this->Method; }
+  int GetMethod();
   void SetMethodToAuto() { this->SetMethod(AUTO); }
   void SetMethodToLightSet() { this->SetMethod(LIGHT_SET); }
   ///@}
@@ -104,7 +109,7 @@ public:
    * in [1e-3, 1]).
    */
   void SetErrorTolerance(double tolerance);
-  double GetErrorTolerance() { return this->ErrorTolerance; }
+  double GetErrorTolerance();
   ///@}
 
   /**
@@ -143,7 +148,7 @@ public:
    * the foreground. The destructor and ReleaseGraphicsResources stop the thread and wait for that.
    */
   void SetPlanningMode(int mode);
-  int GetPlanningMode() { return this->PlanningMode; }
+  int GetPlanningMode();
   void SetPlanningModeToForeground() { this->SetPlanningMode(FOREGROUND); }
   void SetPlanningModeToBackground() { this->SetPlanningMode(BACKGROUND); }
   void SetPlanningModeToBackgroundFromStart() { this->SetPlanningMode(BACKGROUND_FROM_START); }
@@ -159,8 +164,8 @@ public:
    * pixels), the mapper plans again, in the background if PlanningMode says so; in between, the
    * plan stays. A plan for every view never changes under the camera: hence the default.
    */
-  void SetPlanForView(bool view) { this->PlanForView = view; }
-  bool GetPlanForView() { return this->PlanForView; }
+  void SetPlanForView(bool view);
+  bool GetPlanForView();
   void PlanForViewOn() { this->SetPlanForView(true); }
   void PlanForViewOff() { this->SetPlanForView(false); }
   ///@}
@@ -212,14 +217,14 @@ public:
    * 1).
    */
   void SetLightSetMethod(int method);
-  int GetLightSetMethod() { return this->LightSetMethod; }
+  int GetLightSetMethod();
   void SetLightSetMethodToMedianCut() { this->SetLightSetMethod(MEDIAN_CUT); }
   void SetLightSetMethodToImportanceSampling() { this->SetLightSetMethod(IMPORTANCE_SAMPLING); }
   void SetLightSetMethodToVariance() { this->SetLightSetMethod(VARIANCE); }
   void SetNumberOfLights(int count);
-  int GetNumberOfLights() { return this->NumberOfLights; }
+  int GetNumberOfLights();
   void SetSeed(unsigned int seed);
-  unsigned int GetSeed() { return this->Seed; }
+  unsigned int GetSeed();
   ///@}
 
   ///@{
@@ -230,8 +235,8 @@ public:
    * difference angles are uploaded at several widths for it (vtkTabulatedBRDF says how large that
    * is); those over incident and outgoing angles, and bases, stay hard.
    */
-  void SetSoftLights(bool soft) { this->SoftLights = soft; }
-  bool GetSoftLights() { return this->SoftLights; }
+  void SetSoftLights(bool soft);
+  bool GetSoftLights();
   void SoftLightsOn() { this->SetSoftLights(true); }
   void SoftLightsOff() { this->SetSoftLights(false); }
   ///@}
@@ -248,7 +253,7 @@ public:
    * colours and made linear) or nothing. Without scalars the property's colours have no effect.
    */
   void SetScalarColoringMode(int mode);
-  int GetScalarColoringMode() { return this->ScalarColoringMode; }
+  int GetScalarColoringMode();
   ///@}
 
   ///@{
@@ -266,54 +271,28 @@ public:
   ///@}
 
   void ShallowCopy(vtkAbstractMapper* m) override;
-  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+  /**
+   * Also when anything last changed that the picture depends on: the material, the environment, the
+   * light set, the integrator or a property of this mapper, or a plan made in the background. Views
+   * that draw only what changed (vtkProp::GetRedrawMTime) therefore draw anew; vertex buffers and
+   * shaders are not rebuilt for it.
+   */
+  vtkMTimeType GetMTime() override;
 
 protected:
   vtkMeasuredBRDFMapper();
   ~vtkMeasuredBRDFMapper() override;
 
-  bool GetNeedToRebuildShaders(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor) override;
-  void ReplaceShaderColor(
-    std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* actor) override;
-  void ReplaceShaderNormal(
-    std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* actor) override;
-  void ReplaceShaderPositionVC(
-    std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* actor) override;
-  void ReplaceShaderLight(
-    std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* actor) override;
-  void SetMapperShaderParameters(
-    vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor) override;
-  void RenderPieceStart(vtkRenderer* ren, vtkActor* actor) override;
-  void RenderPieceFinish(vtkRenderer* ren, vtkActor* actor) override;
-
-  /// Whether the primitives now being set up are shaded by the material.
-  bool UsesMaterial(vtkActor* actor, const vtkOpenGLHelper* cellBO);
-
-  /// Whether the material's tangents come with the data.
-  bool HasTangents();
-
-  int Method = AUTO;
-  int PlanningMode = FOREGROUND;
-  bool PlanForView = false;
-  double ErrorTolerance = 0.02;
-  int LightSetMethod = MEDIAN_CUT;
-  int NumberOfLights = 64;
-  unsigned int Seed = 1;
-  bool SoftLights = false;
-  int ScalarColoringMode = MODULATE;
+  std::vector<measuredbrdf::MaterialUse> GetMaterialUses() override;
 
 private:
   vtkMeasuredBRDFMapper(const vtkMeasuredBRDFMapper&) = delete;
   void operator=(const vtkMeasuredBRDFMapper&) = delete;
-
-  /// Bring Impl->Plan up to date, or begin to.
-  void UpdatePlan(vtkRenderer* ren, vtkActor* actor);
-
-  /// Bring what Impl->Seen holds up to date: as it was, where that serves for this view, too.
-  void UpdateSeen(vtkRenderer* ren, vtkActor* actor);
-
-  struct Internals;
-  std::unique_ptr<Internals> Impl;
 };
+
+#ifndef __VTK_WRAP__
+#undef vtkOpenGLPolyDataMapper
+#endif
 
 #endif

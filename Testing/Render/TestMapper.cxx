@@ -1232,16 +1232,27 @@ TEST_F(Auto, AnisotropicMaterialsGetLightSets)
 TEST_F(Auto, TolerancesAreClampedWithAWarning)
 {
   EventCounter warnings(this->Measured, vtkCommand::WarningEvent);
+  EventCounter errors(this->Measured, vtkCommand::ErrorEvent);
   this->Measured->SetErrorTolerance(0.03);
   EXPECT_EQ(warnings.Count, 0);
   this->Measured->SetErrorTolerance(0.0);
   EXPECT_EQ(this->Measured->GetErrorTolerance(), 1e-3);
-  this->Measured->SetErrorTolerance(std::nan(""));
-  EXPECT_EQ(this->Measured->GetErrorTolerance(), 1e-3);
   this->Measured->SetErrorTolerance(5.0);
   EXPECT_EQ(this->Measured->GetErrorTolerance(), 1.0);
-  EXPECT_EQ(warnings.Count, 3);
+  EXPECT_EQ(warnings.Count, 2);
   EXPECT_NE(warnings.Text.find("clamped"), std::string::npos);
+  EXPECT_EQ(errors.Count, 0);
+
+  // What is no number, and what is no mode, leaves things as they are.
+  this->Measured->SetErrorTolerance(std::nan(""));
+  EXPECT_EQ(this->Measured->GetErrorTolerance(), 1.0);
+  this->Measured->SetMethodToLightSet();
+  this->Measured->SetMethod(7);
+  EXPECT_EQ(this->Measured->GetMethod(), vtkMeasuredBRDFMapper::LIGHT_SET);
+  this->Measured->SetLightSetMethod(-1);
+  this->Measured->SetPlanningMode(3);
+  this->Measured->SetScalarColoringMode(2);
+  EXPECT_EQ(errors.Count, 5);
 }
 
 // A light set of one's own, LIGHT_SET and AUTO again.

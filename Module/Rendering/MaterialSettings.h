@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What a program sets on a mapper of measured materials; the plain and the composite mapper have
+ * the same properties, described in vtkMeasuredBRDFMapper.h. Private to the rendering room.
+ */
+
+#ifndef MaterialSettings_h
+#define MaterialSettings_h
+
+#include "vtkBRDF.h"
+#include "vtkEnvironment.h"
+#include "vtkLightSet.h"
+#include "vtkRadianceCostModel.h"
+#include "vtkRadianceIntegrator.h"
+#include "vtkSmartPointer.h"
+#include "vtkTimeStamp.h"
+
+#include <map>
+#include <string>
+
+class vtkObject;
+
+namespace measuredbrdf
+{
+struct MaterialSettings
+{
+  vtkSmartPointer<vtkBRDF> BRDF;
+  vtkSmartPointer<vtkEnvironment> Environment;
+  vtkSmartPointer<vtkLightSet> LightSet;
+  vtkSmartPointer<vtkRadianceIntegrator> Integrator;
+  vtkSmartPointer<vtkRadianceCostModel> Costs;
+  int Method = 0;
+  int PlanningMode = 0;
+  bool PlanForView = false;
+  double ErrorTolerance = 0.02;
+  int LightSetMethod = 0;
+  int NumberOfLights = 64;
+  unsigned int Seed = 1;
+  bool SoftLights = false;
+  int ScalarColoringMode = 1;
+
+  // The composite mapper's materials of single blocks; a null one draws that block as the
+  // superclass does.
+  std::map<unsigned int, vtkSmartPointer<vtkBRDF>> BlocksByIndex;
+  std::map<std::string, vtkSmartPointer<vtkBRDF>> BlocksByName;
+
+  vtkTimeStamp Time; // when a property last changed
+
+  ///@{
+  /// Take a value, or say for `self` why not: what is no number and what is no mode leaves the
+  /// property as it was, numbers out of range are clamped.
+  void SetMethod(vtkObject* self, int method);
+  void SetPlanningMode(vtkObject* self, int mode);
+  void SetErrorTolerance(vtkObject* self, double tolerance);
+  void SetLightSetMethod(vtkObject* self, int method);
+  void SetNumberOfLights(vtkObject* self, int count);
+  void SetScalarColoringMode(vtkObject* self, int mode);
+  ///@}
+
+  /// Any other property.
+  template <typename Property, typename Value>
+  void Set(Property& property, const Value& value)
+  {
+    if (property != value)
+    {
+      property = value;
+      this->Time.Modified();
+    }
+  }
+
+  bool HasBlockMaterials() const
+  {
+    return !this->BlocksByIndex.empty() || !this->BlocksByName.empty();
+  }
+
+  /// All properties of another mapper.
+  void Copy(const MaterialSettings& other);
+
+  /// When anything last changed that pictures depend on: a property, or an object behind one.
+  vtkMTimeType GetMTime() const;
+
+  void Print(ostream& os, vtkIndent indent) const;
+
+private:
+  bool IsMode(vtkObject* self, const char* setter, int value, int count) const;
+};
+} // namespace measuredbrdf
+
+#endif

@@ -1,0 +1,374 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkCompositeMeasuredBRDFMapper.h"
+
+#include "vtkMeasuredBRDFMapperMixin.txx"
+
+#include "BlockMaterials.h"
+#include "MapperProperties.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkRadiancePlanner.h"
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+#include "vtkOpenGLBatchedPolyDataMapper.h"
+#include "vtkOpenGLCompositePolyDataMapperDelegator.h"
+#else
+using GLenum = unsigned int; // which the next header takes for declared
+#include "vtkCompositeMapperHelper2.h"
+#endif
+
+#include <functional>
+#include <unordered_map>
+#include <utility>
+
+using namespace measuredbrdf;
+
+struct vtkCompositeMeasuredBRDFMapper::Internals
+{
+  std::shared_ptr<MaterialSettings> Settings = std::make_shared<MaterialSettings>();
+  std::shared_ptr<MaterialDrawing> Drawing; // shared with the batches
+  BlockMaterials Blocks;
+
+  // Brought up to date while the composite mapper renders, when its input is.
+  void UpdateBlocks(vtkAlgorithm* mapper)
+  {
+    const std::string missing =
+      this->Blocks.Update(mapper->GetInputDataObject(0, 0), *this->Settings);
+    if (!missing.empty() && this->Drawing->WarnOnce("blocks: " + missing))
+    {
+      vtkWarningWithObjectMacro(
+        mapper, << "Materials are set for blocks that the data do not have: " << missing << ".");
+    }
+  }
+};
+
+namespace
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+using BatchBase = vtkOpenGLBatchedPolyDataMapper;
+#else
+using BatchBase = vtkCompositeMapperHelper2;
+#endif
+
+// One of the superclass's batches: blocks that are drawn from common buffers. Those of one material
+// are drawn while the others are invisible.
+class Batch : public vtkMeasuredBRDFMapperMixin<BatchBase>
+{
+public:
+  static Batch* New();
+  vtkTypeMacro(Batch, vtkMeasuredBRDFMapperMixin<BatchBase>);
+
+  // update: what brings the blocks' materials up to date.
+  void Initialize(std::shared_ptr<MaterialDrawing> drawing, const BlockMaterials* materials,
+    std::function<void()> update)
+  {
+    this->Drawing = std::move(drawing);
+    this->Materials = materials;
+    this->UpdateBlocks = std::move(update);
+  }
+
+protected:
+  Batch() = default;
+  ~Batch() override = default;
+
+  std::vector<MaterialUse> GetMaterialUses() override
+  {
+    this->UpdateBlocks();
+    // The superclass may have moved its records of blocks: they are looked up in each frame.
+    std::size_t count = 0;
+    bool same = this->Revision == this->Materials->GetRevision();
+    this->ForEachBlock(
+      [this, &count, &same](vtkPolyData* surface, bool* visible)
+      {
+        same = same && count < this->Blocks.size() && this->Blocks[count].Surface == surface;
+        if (same)
+        {
+          this->Blocks[count].Visible = visible;
+        }
+        ++count;
+      });
+    if (!same || count != this->Blocks.size())
+    {
+      this->Revision = this->Materials->GetRevision();
+      this->Sort();
+    }
+    return this->Uses;
+  }
+
+  void ShowOnly(int material) override
+  {
+    if (this->Uses.size() < 2)
+    {
+      return;
+    }
+    if (material < 0)
+    {
+      for (Block& block : this->Blocks)
+      {
+        *block.Visible = block.IsVisible;
+      }
+    }
+    else if (this->Shown < 0)
+    {
+      for (Block& block : this->Blocks)
+      {
+        block.IsVisible = *block.Visible;
+        *block.Visible = false;
+      }
+    }
+    else
+    {
+      for (std::size_t k : this->BlocksOf[static_cast<std::size_t>(this->Shown)])
+      {
+        *this->Blocks[k].Visible = false;
+      }
+    }
+    this->Shown = material;
+    for (std::size_t k = 0;
+         material >= 0 && k < this->BlocksOf[static_cast<std::size_t>(material)].size(); ++k)
+    {
+      Block& block = this->Blocks[this->BlocksOf[static_cast<std::size_t>(material)][k]];
+      *block.Visible = block.IsVisible;
+    }
+  }
+
+private:
+  struct Block
+  {
+    vtkPolyData* Surface;
+    bool* Visible;  // the superclass's record
+    bool IsVisible; // what it says while others are hidden
+  };
+
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+  template <typename Visit>
+  void ForEachBlock(const Visit& visit)
+  {
+    for (auto& element : this->VTKPolyDataToGLBatchElement)
+    {
+      visit(element.second->Parent.PolyData, &element.second->Parent.Visibility);
+    }
+  }
+#else
+  template <typename Visit>
+  void ForEachBlock(const Visit& visit)
+  {
+    for (auto& element : this->Data)
+    {
+      visit(element.first, &element.second->Visibility);
+    }
+  }
+#endif
+
+  void Sort()
+  {
+    this->Blocks.clear();
+    this->Uses.clear();
+    this->BlocksOf.clear();
+    std::unordered_map<vtkBRDF*, std::size_t> places;
+    this->ForEachBlock(
+      [this, &places](vtkPolyData* surface, bool* visible)
+      {
+        vtkBRDF* brdf = this->Materials->Get(surface);
+        const auto [place, isNew] = places.try_emplace(brdf, this->Uses.size());
+        if (isNew)
+        {
+          this->Uses.push_back({ brdf, {} });
+          this->BlocksOf.emplace_back();
+        }
+        this->Uses[place->second].Surfaces.push_back(surface);
+        this->BlocksOf[place->second].push_back(this->Blocks.size());
+        this->Blocks.push_back({ surface, visible, true });
+      });
+  }
+
+  const BlockMaterials* Materials = nullptr;
+  std::function<void()> UpdateBlocks;
+  std::vector<Block> Blocks; // in the superclass's order
+  std::vector<MaterialUse> Uses;
+  std::vector<std::vector<std::size_t>> BlocksOf; // of each use
+  unsigned long Revision = 0;
+  int Shown = -1;
+};
+
+vtkStandardNewMacro(Batch);
+
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+// Hands blocks to a batch of ours instead of VTK's.
+class Delegator : public vtkOpenGLCompositePolyDataMapperDelegator
+{
+public:
+  static Delegator* New();
+  vtkTypeMacro(Delegator, vtkOpenGLCompositePolyDataMapperDelegator);
+
+  void SetBatch(Batch* batch)
+  {
+    this->GLDelegate = batch;
+    this->Delegate = batch;
+  }
+};
+
+vtkStandardNewMacro(Delegator);
+#endif
+}
+
+template class vtkMeasuredBRDFMapperMixin<BatchBase>;
+
+vtkStandardNewMacro(vtkCompositeMeasuredBRDFMapper);
+
+//------------------------------------------------------------------------------
+vtkCompositeMeasuredBRDFMapper::vtkCompositeMeasuredBRDFMapper()
+  : Impl(new Internals)
+{
+  this->Impl->Drawing = std::make_shared<MaterialDrawing>(this, this->Impl->Settings);
+}
+
+//------------------------------------------------------------------------------
+vtkCompositeMeasuredBRDFMapper::~vtkCompositeMeasuredBRDFMapper() = default;
+
+//------------------------------------------------------------------------------
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+vtkCompositePolyDataMapperDelegator* vtkCompositeMeasuredBRDFMapper::CreateADelegator()
+{
+  vtkNew<Batch> batch;
+  batch->Initialize(
+    this->Impl->Drawing, &this->Impl->Blocks, [this]() { this->Impl->UpdateBlocks(this); });
+  Delegator* delegator = Delegator::New();
+  delegator->SetBatch(batch);
+  return delegator;
+}
+#else
+vtkCompositeMapperHelper2* vtkCompositeMeasuredBRDFMapper::CreateHelper()
+{
+  Batch* batch = Batch::New();
+  batch->Initialize(
+    this->Impl->Drawing, &this->Impl->Blocks, [this]() { this->Impl->UpdateBlocks(this); });
+  return batch;
+}
+#endif
+
+MEASUREDBRDF_MAPPER_PROPERTIES(vtkCompositeMeasuredBRDFMapper, *this->Impl->Settings)
+
+//------------------------------------------------------------------------------
+void vtkCompositeMeasuredBRDFMapper::SetBlockBRDF(unsigned int flatIndex, vtkBRDF* brdf)
+{
+  this->Impl->Settings->BlocksByIndex[flatIndex] = brdf;
+  this->Impl->Settings->Time.Modified();
+}
+
+//------------------------------------------------------------------------------
+vtkBRDF* vtkCompositeMeasuredBRDFMapper::GetBlockBRDF(unsigned int flatIndex)
+{
+  const auto found = this->Impl->Settings->BlocksByIndex.find(flatIndex);
+  return found == this->Impl->Settings->BlocksByIndex.end() ? nullptr : found->second.Get();
+}
+
+//------------------------------------------------------------------------------
+bool vtkCompositeMeasuredBRDFMapper::HasBlockBRDF(unsigned int flatIndex)
+{
+  return this->Impl->Settings->BlocksByIndex.count(flatIndex) > 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkCompositeMeasuredBRDFMapper::RemoveBlockBRDF(unsigned int flatIndex)
+{
+  this->Impl->Settings->BlocksByIndex.erase(flatIndex);
+  this->Impl->Settings->Time.Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkCompositeMeasuredBRDFMapper::SetBlockBRDFByName(const std::string& name, vtkBRDF* brdf)
+{
+  this->Impl->Settings->BlocksByName[name] = brdf;
+  this->Impl->Settings->Time.Modified();
+}
+
+//------------------------------------------------------------------------------
+vtkBRDF* vtkCompositeMeasuredBRDFMapper::GetBlockBRDFByName(const std::string& name)
+{
+  const auto found = this->Impl->Settings->BlocksByName.find(name);
+  return found == this->Impl->Settings->BlocksByName.end() ? nullptr : found->second.Get();
+}
+
+//------------------------------------------------------------------------------
+bool vtkCompositeMeasuredBRDFMapper::HasBlockBRDFByName(const std::string& name)
+{
+  return this->Impl->Settings->BlocksByName.count(name) > 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkCompositeMeasuredBRDFMapper::RemoveBlockBRDFByName(const std::string& name)
+{
+  this->Impl->Settings->BlocksByName.erase(name);
+  this->Impl->Settings->Time.Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkCompositeMeasuredBRDFMapper::RemoveBlockBRDFs()
+{
+  this->Impl->Settings->BlocksByIndex.clear();
+  this->Impl->Settings->BlocksByName.clear();
+  this->Impl->Settings->Time.Modified();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkCompositeMeasuredBRDFMapper::GetPlan() { return this->Impl->Drawing->GetPlan(); }
+
+//------------------------------------------------------------------------------
+bool vtkCompositeMeasuredBRDFMapper::GetPlanPending()
+{
+  return this->Impl->Drawing->GetPlans().IsPending();
+}
+
+//------------------------------------------------------------------------------
+bool vtkCompositeMeasuredBRDFMapper::GetPlanReady()
+{
+  return this->Impl->Drawing->GetPlans().IsReady();
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkCompositeMeasuredBRDFMapper::GetTextureBytes()
+{
+  return this->Impl->Drawing->GetTextureBytes();
+}
+
+//------------------------------------------------------------------------------
+void vtkCompositeMeasuredBRDFMapper::ShallowCopy(vtkAbstractMapper* mapper)
+{
+  if (auto* other = vtkCompositeMeasuredBRDFMapper::SafeDownCast(mapper))
+  {
+    this->Impl->Settings->Copy(*other->Impl->Settings);
+  }
+  this->Superclass::ShallowCopy(mapper);
+}
+
+//------------------------------------------------------------------------------
+void vtkCompositeMeasuredBRDFMapper::Render(vtkRenderer* renderer, vtkActor* actor)
+{
+  const Depth inside(this->RenderDepth);
+  this->Superclass::Render(renderer, actor);
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkCompositeMeasuredBRDFMapper::GetMTime()
+{
+  // While drawing, the superclass asks whether its batches are out of date.
+  const vtkMTimeType time = this->Superclass::GetMTime();
+  return this->RenderDepth > 0 ? time : std::max(time, this->Impl->Drawing->GetAppearanceMTime());
+}
+
+//------------------------------------------------------------------------------
+void vtkCompositeMeasuredBRDFMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  this->Impl->Settings->Print(os, indent);
+  for (const auto& [index, brdf] : this->Impl->Settings->BlocksByIndex)
+  {
+    os << indent << "BlockBRDF " << index << ": " << brdf.Get() << "\n";
+  }
+  for (const auto& [name, brdf] : this->Impl->Settings->BlocksByName)
+  {
+    os << indent << "BlockBRDF \"" << name << "\": " << brdf.Get() << "\n";
+  }
+  os << indent << "Plan: " << this->GetPlan() << "\n";
+}

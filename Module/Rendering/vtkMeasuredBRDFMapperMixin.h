@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkMeasuredBRDFMapperMixin
+ * @brief   lets one of VTK's OpenGL mappers of polydata draw measured materials
+ *
+ * What vtkMeasuredBRDFMapper and vtkCompositeMeasuredBRDFMapper have in common: the steps of
+ * vtkOpenGLPolyDataMapper in which a material takes part. Base is vtkOpenGLPolyDataMapper or one
+ * of its subclasses for composite data (vtkCompositeMapperHelper2 up to VTK 9.2,
+ * vtkOpenGLBatchedPolyDataMapper since VTK 9.3). Where no material is in use, each step is Base's.
+ */
+
+#ifndef vtkMeasuredBRDFMapperMixin_h
+#define vtkMeasuredBRDFMapperMixin_h
+
+#include "vtkOpenGLPolyDataMapper.h" // for the types of its methods
+
+#include <map>    // for shaders
+#include <memory> // for Drawing
+#include <string> // for shader keys
+#include <vector> // for materials
+
+namespace measuredbrdf
+{
+class MaterialDrawing;
+struct MaterialUse;
+}
+
+template <class Base>
+class vtkMeasuredBRDFMapperMixin : public Base
+{
+public:
+  void RenderPiece(vtkRenderer* ren, vtkActor* actor) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+  vtkMeasuredBRDFMapperMixin();
+  ~vtkMeasuredBRDFMapperMixin() override;
+
+  /// The materials of what is drawn, and their surfaces.
+  virtual std::vector<measuredbrdf::MaterialUse> GetMaterialUses() = 0;
+
+  /// Draw only the surfaces of one material until the next call; -1: all of them. Nothing to do
+  /// where there is one material.
+  virtual void ShowOnly(int vtkNotUsed(material)) {}
+
+  void RenderPieceStart(vtkRenderer* ren, vtkActor* actor) override;
+  void RenderPieceDraw(vtkRenderer* ren, vtkActor* actor) override;
+  void RenderPieceFinish(vtkRenderer* ren, vtkActor* actor) override;
+  bool GetNeedToRebuildShaders(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor) override;
+
+  using Shaders = std::map<vtkShader::Type, vtkShader*>;
+  void ReplaceShaderColor(Shaders shaders, vtkRenderer* ren, vtkActor* actor) override;
+  void ReplaceShaderEdges(Shaders shaders, vtkRenderer* ren, vtkActor* actor) override;
+  void ReplaceShaderNormal(Shaders shaders, vtkRenderer* ren, vtkActor* actor) override;
+  void ReplaceShaderPositionVC(Shaders shaders, vtkRenderer* ren, vtkActor* actor) override;
+  void ReplaceShaderLight(Shaders shaders, vtkRenderer* ren, vtkActor* actor) override;
+  void ReplaceShaderTCoord(Shaders shaders, vtkRenderer* ren, vtkActor* actor) override;
+
+  void SetMapperShaderParameters(
+    vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor) override;
+  void SetPropertyShaderParameters(
+    vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor) override;
+
+  /// Whether the primitives now being set up are shaded by a material.
+  bool UsesMaterial(vtkActor* actor, const vtkOpenGLHelper* cellBO);
+
+  /// Whether the material's tangents come with the data.
+  bool HasTangents();
+
+  /// Made by the subclass; the mappers that draw the parts of one composite data set share it.
+  std::shared_ptr<measuredbrdf::MaterialDrawing> Drawing;
+
+  /// Greater than 0 inside of RenderPiece.
+  int RenderDepth = 0;
+
+private:
+  vtkMeasuredBRDFMapperMixin(const vtkMeasuredBRDFMapperMixin&) = delete;
+  void operator=(const vtkMeasuredBRDFMapperMixin&) = delete;
+
+  void WarnOfTextures(vtkActor* actor);
+
+  std::map<const vtkOpenGLHelper*, std::string> ShaderKeys;
+};
+
+#endif
