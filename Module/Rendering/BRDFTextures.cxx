@@ -9,7 +9,9 @@
 #include "vtkTextureObject.h"
 
 #include <algorithm>
+#include <exception>
 #include <map>
+#include <mutex>
 #include <tuple>
 
 namespace measuredbrdf
@@ -92,6 +94,8 @@ std::shared_ptr<FormTextures> FindShared(
 {
   using Key = std::tuple<Source*, bool, vtkOpenGLRenderWindow*>;
   static std::map<Key, std::weak_ptr<FormTextures>> shared;
+  static std::mutex mutex; // windows may be drawn by different threads
+  const std::lock_guard<std::mutex> lock(mutex);
   for (auto it = shared.begin(); it != shared.end();)
   {
     it = it->second.expired() ? shared.erase(it) : std::next(it);
@@ -126,38 +130,55 @@ bool FormTextures::IsCurrent(vtkMTimeType time, vtkOpenGLRenderWindow* window) c
            [window](const Uploaded& uploaded) { return IsLost(uploaded.Texture, window); });
 }
 
-std::string FormTextures::Update(vtkBRDF* brdf, vtkOpenGLRenderWindow* window)
+template <typename Make>
+std::string FormTextures::UpdateAt(
+  vtkMTimeType time, vtkOpenGLRenderWindow* window, const Make& makeForm)
 {
-  const vtkMTimeType time = brdf->GetMTime();
   if (this->IsCurrent(time, window))
   {
     return "";
   }
-  vtkBRDFGPUForm form;
-  form.SoftLights = this->SoftLights;
-  brdf->GetGPUForm(form);
-  return this->Upload(std::move(form), time, window);
+  if (time <= this->FailureTime)
+  {
+    return this->Failure;
+  }
+  try
+  {
+    vtkBRDFGPUForm form;
+    form.SoftLights = this->SoftLights;
+    this->Failure = makeForm(form);
+    if (this->Failure.empty())
+    {
+      return this->Upload(std::move(form), time, window);
+    }
+  }
+  catch (const std::exception& e) // no memory, say
+  {
+    this->Failure = e.what();
+  }
+  this->FailureTime = time;
+  return this->Failure;
+}
+
+std::string FormTextures::Update(vtkBRDF* brdf, vtkOpenGLRenderWindow* window)
+{
+  return this->UpdateAt(brdf->GetMTime(), window,
+    [brdf](vtkBRDFGPUForm& form)
+    {
+      brdf->GetGPUForm(form);
+      return std::string();
+    });
 }
 
 std::string FormTextures::Update(vtkRadianceIntegrator* integrator, vtkOpenGLRenderWindow* window)
 {
-  const vtkMTimeType time = integrator->GetInputsMTime();
-  if (this->IsCurrent(time, window))
-  {
-    return "";
-  }
-  const std::string nothing = std::string(integrator->GetClassName()) + " has nothing to draw with";
-  if (time <= this->FailureTime)
-  {
-    return nothing; // it has said why
-  }
-  vtkBRDFGPUForm form;
-  if (!integrator->GetGPUForm(form))
-  {
-    this->FailureTime = time;
-    return nothing;
-  }
-  return this->Upload(std::move(form), time, window);
+  return this->UpdateAt(integrator->GetInputsMTime(), window,
+    [integrator](vtkBRDFGPUForm& form)
+    {
+      return integrator->GetGPUForm(form) // which says why
+               ? std::string()
+               : std::string(integrator->GetClassName()) + " has nothing to draw with";
+    });
 }
 
 std::string FormTextures::Upload(

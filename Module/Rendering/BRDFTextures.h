@@ -57,6 +57,10 @@ public:
   std::size_t GetBytes() const { return this->Bytes; }
 
 private:
+  /// The source's form, uploaded; what it can't make is not asked for again until it changes.
+  template <typename Make>
+  std::string UpdateAt(vtkMTimeType time, vtkOpenGLRenderWindow* window, const Make& makeForm);
+
   struct Uploaded
   {
     std::string Sampler;
@@ -71,7 +75,8 @@ private:
   std::vector<Uploaded> Textures;
   std::size_t Bytes = 0;
   vtkMTimeType Time = 0;
-  vtkMTimeType FailureTime = 0; // of inputs that an integrator refused
+  vtkMTimeType FailureTime = 0; // of inputs that a source refused, or had no memory for
+  std::string Failure;
   vtkOpenGLRenderWindow* Window = nullptr;
 };
 } // namespace measuredbrdf

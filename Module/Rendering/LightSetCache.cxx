@@ -79,6 +79,23 @@ void MirrorInZ(vtkEnvironment* environment)
 }
 #endif
 
+using Environments =
+  SharedObjects<std::tuple<std::vector<vtkImageData*>, std::vector<vtkMTimeType>, bool>,
+    vtkEnvironment>;
+Environments& GetEnvironments()
+{
+  static Environments& environments = *new Environments;
+  return environments;
+}
+
+using LightSets =
+  SharedObjects<std::tuple<vtkEnvironment*, vtkMTimeType, int, int, unsigned int>, vtkLightSet>;
+LightSets& GetLightSets()
+{
+  static LightSets& lightSets = *new LightSets;
+  return lightSets;
+}
+
 vtkSmartPointer<vtkEnvironment> MakeFromCube(const std::vector<vtkImageData*>& images, bool sRGB)
 {
   std::vector<std::vector<float>> faces;
@@ -121,11 +138,8 @@ vtkSmartPointer<vtkEnvironment> FindEnvironment(vtkTexture* texture)
     }
     times.push_back(images.back()->GetMTime());
   }
-  static SharedObjects<std::tuple<std::vector<vtkImageData*>, std::vector<vtkMTimeType>, bool>,
-    vtkEnvironment>
-    environments;
   const bool sRGB = texture->GetUseSRGBColorSpace();
-  return environments.Find({ images, times, sRGB },
+  return GetEnvironments().Find({ images, times, sRGB },
     [&images, sRGB]() -> vtkSmartPointer<vtkEnvironment>
     {
       if (images.size() == 6)
@@ -140,10 +154,7 @@ vtkSmartPointer<vtkEnvironment> FindEnvironment(vtkTexture* texture)
 vtkSmartPointer<vtkLightSet> FindLightSet(vtkEnvironment* environment, int method, int count,
   unsigned int seed, vtkVarianceLightSetGenerator* variance)
 {
-  static SharedObjects<std::tuple<vtkEnvironment*, vtkMTimeType, int, int, unsigned int>,
-    vtkLightSet>
-    lightSets;
-  return lightSets.Find({ environment, environment->GetPixelsMTime(), method, count, seed },
+  return GetLightSets().Find({ environment, environment->GetPixelsMTime(), method, count, seed },
     [environment, method, count, seed, variance]() -> vtkSmartPointer<vtkLightSet>
     {
       vtkSmartPointer<vtkLightSetGenerator> generator;
@@ -164,5 +175,11 @@ vtkSmartPointer<vtkLightSet> FindLightSet(vtkEnvironment* environment, int metho
       auto lights = vtkSmartPointer<vtkLightSet>::New();
       return generator->Generate(environment, count, lights) ? lights : nullptr;
     });
+}
+
+void SweepLights()
+{
+  GetLightSets().Sweep();
+  GetEnvironments().Sweep();
 }
 } // namespace measuredbrdf

@@ -26,6 +26,9 @@ vtkSmartPointer<vtkEnvironment> FindEnvironment(vtkTexture* texture);
 /// used where a set by variance is not there yet.
 vtkSmartPointer<vtkLightSet> FindLightSet(vtkEnvironment* environment, int method, int count,
   unsigned int seed, vtkVarianceLightSetGenerator* variance);
+
+/// Release the environments and light sets that nobody holds any more.
+void SweepLights();
 } // namespace measuredbrdf
 
 #endif

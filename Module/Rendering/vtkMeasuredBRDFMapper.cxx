@@ -5,12 +5,12 @@
 #include "BRDFShader.h"
 #include "BRDFTextures.h"
 #include "CurrentPlan.h"
+#include "DrawsColor.h"
 #include "LightSetCache.h"
-#include "VisibleSurface.h"
+#include "MapperPlans.h"
 
 #include "vtkActor.h"
 #include "vtkBRDF.h"
-#include "vtkCamera.h"
 #include "vtkCommand.h"
 #include "vtkDataObject.h"
 #include "vtkEnvironment.h"
@@ -21,9 +21,7 @@
 #include "vtkLightSetGenerator.h"
 #include "vtkLightSetIntegrator.h"
 #include "vtkLightingMapPass.h"
-#include "vtkMath.h"
 #include "vtkMatrix3x3.h"
-#include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLHelper.h"
@@ -31,20 +29,20 @@
 #include "vtkOpenGLRenderer.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkPolyData.h"
+#include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRadianceCostModel.h"
 #include "vtkRadiancePlanner.h"
 #include "vtkShader.h"
 #include "vtkShaderProgram.h"
 #include "vtkTexture.h"
-#include "vtkTimeStamp.h"
 #include "vtkVarianceLightSetGenerator.h"
 
 #include <algorithm>
+#include <exception>
 #include <memory>
 #include <set>
 #include <string>
-#include <vector>
 
 using namespace measuredbrdf;
 
@@ -57,10 +55,7 @@ struct vtkMeasuredBRDFMapper::Internals
   vtkSmartPointer<vtkLightSet> LightSet;
   vtkSmartPointer<vtkRadianceIntegrator> WantedIntegrator;
   vtkSmartPointer<vtkRadianceCostModel> Costs;
-  CurrentPlan Plan;
-  std::shared_ptr<const VisibleSurface> Seen; // what to plan for; null: every view
-  vtkTimeStamp SeenTime;                      // of Seen
-  std::vector<double> SeenFrom;               // what the last look at the view depended on
+  MapperPlans Plans;
 
   // In use since the last RenderPieceStart.
   vtkSmartPointer<vtkBRDF> Drawn;         // the material or, of a plan in use, its snapshot
@@ -86,6 +81,53 @@ struct vtkMeasuredBRDFMapper::Internals
   std::set<std::string> Warned; // one warning per cause
 
   bool WarnOnce(const std::string& cause) { return this->Warned.insert(cause).second; }
+
+  vtkSmartPointer<vtkEnvironment> GetLight(vtkRenderer* ren) const
+  {
+    return this->Environment ? this->Environment : FindEnvironment(ren->GetEnvironmentTexture());
+  }
+
+  // What a mapper wants to draw by; false where nothing is to be planned.
+  static bool GetRequest(
+    vtkMeasuredBRDFMapper* mapper, vtkRenderer* ren, vtkActor* actor, PlanRequest& request)
+  {
+    const Internals& impl = *mapper->Impl;
+    request.BRDF = impl.BRDF;
+    request.Environment = impl.GetLight(ren);
+    if (!request.BRDF || !request.Environment || request.Environment->GetWidth() == 0 ||
+        impl.WantedIntegrator || impl.LightSet || mapper->Method != AUTO || !mapper->GetInput())
+    {
+      return false;
+    }
+    const CurrentPlan::Timing timings[] = { CurrentPlan::Timing::Foreground,
+      CurrentPlan::Timing::Changes, CurrentPlan::Timing::Always };
+    request.Tolerance = mapper->ErrorTolerance;
+    request.Costs = impl.Costs;
+    request.Timing = timings[mapper->PlanningMode];
+    request.ForView = mapper->PlanForView;
+    request.Renderer = ren;
+    request.Actor = actor;
+    request.Surfaces = { mapper->GetInput() };
+    return true;
+  }
+
+  // What the renderer's other mappers want to draw by in the same frame.
+  static void VisitRequests(vtkRenderer* ren, const PlanRequest::Visit& visit)
+  {
+    vtkPropCollection* props = ren->GetViewProps();
+    vtkCollectionSimpleIterator it;
+    props->InitTraversal(it);
+    while (vtkProp* prop = props->GetNextProp(it))
+    {
+      auto* actor = vtkActor::SafeDownCast(prop);
+      auto* mapper = vtkMeasuredBRDFMapper::SafeDownCast(actor ? actor->GetMapper() : nullptr);
+      PlanRequest request;
+      if (mapper && actor->GetVisibility() && GetRequest(mapper, ren, actor, request))
+      {
+        visit(mapper->Impl->Plans, request);
+      }
+    }
+  }
 };
 
 namespace
@@ -147,7 +189,11 @@ vtkMeasuredBRDFMapper::vtkMeasuredBRDFMapper()
 }
 
 //------------------------------------------------------------------------------
-vtkMeasuredBRDFMapper::~vtkMeasuredBRDFMapper() = default;
+vtkMeasuredBRDFMapper::~vtkMeasuredBRDFMapper()
+{
+  this->Impl.reset();
+  SweepLights();
+}
 
 //------------------------------------------------------------------------------
 void vtkMeasuredBRDFMapper::PrintSelf(ostream& os, vtkIndent indent)
@@ -234,7 +280,7 @@ void vtkMeasuredBRDFMapper::SetErrorTolerance(double tolerance)
 //------------------------------------------------------------------------------
 std::string vtkMeasuredBRDFMapper::GetPlan()
 {
-  vtkRadiancePlanner* plan = this->Impl->Plan.GetPlan();
+  vtkRadiancePlanner* plan = this->Impl->Plans.GetPlan();
   return plan ? plan->GetPlan() : std::string();
 }
 
@@ -245,92 +291,16 @@ void vtkMeasuredBRDFMapper::SetPlanningMode(int mode)
 }
 
 //------------------------------------------------------------------------------
-bool vtkMeasuredBRDFMapper::GetPlanPending() { return this->Impl->Plan.IsPending(); }
+bool vtkMeasuredBRDFMapper::GetPlanPending() { return this->Impl->Plans.IsPending(); }
 
 //------------------------------------------------------------------------------
-bool vtkMeasuredBRDFMapper::GetPlanReady() { return this->Impl->Plan.IsReady(); }
+bool vtkMeasuredBRDFMapper::GetPlanReady() { return this->Impl->Plans.IsReady(); }
 
 //------------------------------------------------------------------------------
 void vtkMeasuredBRDFMapper::SetCostModel(vtkRadianceCostModel* model) { this->Impl->Costs = model; }
 
 //------------------------------------------------------------------------------
 vtkRadianceCostModel* vtkMeasuredBRDFMapper::GetCostModel() { return this->Impl->Costs; }
-
-//------------------------------------------------------------------------------
-void vtkMeasuredBRDFMapper::UpdateSeen(vtkRenderer* ren, vtkActor* actor)
-{
-  Internals& impl = *this->Impl;
-  if (!this->PlanForView)
-  {
-    impl.Seen = nullptr;
-    impl.SeenFrom.clear();
-    return;
-  }
-  // The world in the environment's frame: the renderer's turn, then the environment's own.
-  double axes[3][3];
-  ren->GetEnvironmentRight(axes[0]);
-  ren->GetEnvironmentUp(axes[1]);
-  vtkMath::Cross(axes[0], axes[1], axes[2]);
-  double own[9];
-  impl.CurrentEnvironment->GetWorldToEnvironment(own);
-  double turn[9];
-  for (int k = 0; k < 9; ++k)
-  {
-    turn[k] = 0.0;
-    for (int j = 0; j < 3; ++j)
-    {
-      turn[k] += own[k / 3 * 3 + j] * axes[j][k % 3];
-    }
-  }
-  vtkCamera* camera = ren->GetActiveCamera();
-  const int* size = ren->GetSize();
-  std::vector<double> from(turn, turn + 9);
-  for (vtkMatrix4x4* matrix :
-    { camera->GetCompositeProjectionTransformMatrix(1.0, -1.0, 1.0), actor->GetMatrix() })
-  {
-    from.insert(from.end(), matrix->GetData(), matrix->GetData() + 16);
-  }
-  from.insert(from.end(), { static_cast<double>(size[0]), static_cast<double>(size[1]),
-                            static_cast<double>(this->GetInput()->GetMTime()) });
-  if (from == impl.SeenFrom)
-  {
-    return;
-  }
-  impl.SeenFrom = from;
-  const auto seen = std::make_shared<VisibleSurface>(
-    this->GetInput(), actor->GetMatrix(), camera, size[0], size[1], turn);
-  if (!seen->IsEmpty() && !(impl.Seen && impl.Seen->Serves(*seen))) // out of view: as it was
-  {
-    impl.Seen = seen;
-    impl.SeenTime.Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkMeasuredBRDFMapper::UpdatePlan(vtkRenderer* ren, vtkActor* actor)
-{
-  Internals& impl = *this->Impl;
-  this->UpdateSeen(ren, actor);
-  PlanInputs wanted(impl.BRDF, impl.CurrentEnvironment, this->ErrorTolerance, impl.Costs);
-  wanted.Seen = impl.Seen;
-  wanted.SeenTime = impl.Seen ? impl.SeenTime.GetMTime() : 0;
-  const CurrentPlan::Timing timings[] = { CurrentPlan::Timing::Foreground,
-    CurrentPlan::Timing::Changes, CurrentPlan::Timing::Always };
-  std::string problem;
-  const bool changed = impl.Plan.Update(wanted, timings[this->PlanningMode], problem);
-  if (!problem.empty() && impl.Plan.GetPlan())
-  {
-    vtkWarningMacro("Planning in the background: " << problem);
-  }
-  else if (!problem.empty())
-  {
-    vtkErrorMacro("Planning in the background: " << problem);
-  }
-  if (changed)
-  {
-    this->InvokeEvent(vtkCommand::UpdateDataEvent);
-  }
-}
 
 //------------------------------------------------------------------------------
 void vtkMeasuredBRDFMapper::SetLightSetMethod(int method)
@@ -421,7 +391,7 @@ void vtkMeasuredBRDFMapper::ReleaseGraphicsResources(vtkWindow* window)
   this->Impl->Material.reset();
   this->Impl->Radiance.reset();
   this->Impl->Ready = false;
-  this->Impl->Plan.Stop();
+  this->Impl->Plans.ReleaseUploads(window); // planning holds none, and goes on
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
@@ -606,16 +576,42 @@ void vtkMeasuredBRDFMapper::SetMapperShaderParameters(
 }
 
 //------------------------------------------------------------------------------
-void vtkMeasuredBRDFMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* actor)
+CurrentPlan* vtkMeasuredBRDFMapper::UpdatePlan(vtkRenderer* ren, vtkActor* actor)
 {
   Internals& impl = *this->Impl;
-  impl.Ready = false;
+  PlanRequest request;
+  if (!Internals::GetRequest(this, ren, actor, request))
+  {
+    return nullptr;
+  }
+  request.Others = [ren](const PlanRequest::Visit& visit) { Internals::VisitRequests(ren, visit); };
+  bool changed = false;
+  std::string problem;
+  CurrentPlan& plan = impl.Plans.Update(request, changed, problem);
+  if (!problem.empty() && plan.GetPlan())
+  {
+    vtkWarningMacro("Planning: " << problem);
+  }
+  else if (!problem.empty())
+  {
+    vtkErrorMacro("Planning: " << problem);
+  }
+  if (changed)
+  {
+    this->InvokeEvent(vtkCommand::UpdateDataEvent);
+  }
+  return &plan;
+}
+
+//------------------------------------------------------------------------------
+void vtkMeasuredBRDFMapper::Prepare(vtkRenderer* ren, vtkActor* actor)
+{
+  Internals& impl = *this->Impl;
   if (impl.BRDF)
   {
     auto* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetVTKWindow());
 
-    impl.CurrentEnvironment =
-      impl.Environment ? impl.Environment : FindEnvironment(ren->GetEnvironmentTexture());
+    impl.CurrentEnvironment = impl.GetLight(ren);
     if (!impl.CurrentEnvironment && ren->GetEnvironmentTexture() && impl.WarnOnce("environment"))
     {
       vtkWarningMacro("The renderer's environment texture holds neither a lat-long image nor six "
@@ -624,19 +620,21 @@ void vtkMeasuredBRDFMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* actor)
     const bool lit = impl.CurrentEnvironment && impl.CurrentEnvironment->GetWidth() > 0;
     impl.Integrator = lit ? impl.WantedIntegrator : nullptr;
     impl.Drawn = impl.BRDF;
-    if (lit && !impl.Integrator && !impl.LightSet && this->Method == AUTO)
+    CurrentPlan* current = this->UpdatePlan(ren, actor);
+    vtkRadiancePlanner* plan = current ? current->GetPlan() : nullptr;
+    if (!current && lit)
     {
-      this->UpdatePlan(ren, actor);
+      impl.Plans.Clear();
     }
-    else
+    else if (!current) // other renderers may have light
     {
-      impl.Plan.Clear();
+      impl.Plans.Clear(ren);
     }
-    if (vtkRadiancePlanner* plan = impl.Plan.GetPlan())
+    if (plan)
     {
       impl.Integrator = vtkSmartPointer<vtkRadianceIntegrator>::Take(plan->NewIntegrator());
       impl.Drawn = plan->GetBRDF();
-      impl.CurrentEnvironment = impl.Plan.GetEnvironment();
+      impl.CurrentEnvironment = current->GetEnvironment();
       impl.CurrentLights = nullptr;
     }
     else if (impl.Integrator)
@@ -695,6 +693,10 @@ void vtkMeasuredBRDFMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* actor)
     {
       vtkErrorMacro("The material is not drawn: " << problem << ".");
     }
+    if (current)
+    {
+      current->Uploads = { impl.Material, impl.Radiance };
+    }
     for (const std::shared_ptr<FormTextures>& textures : { impl.Material, impl.Radiance })
     {
       if (impl.Ready && textures)
@@ -709,9 +711,30 @@ void vtkMeasuredBRDFMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* actor)
     impl.Radiance.reset();
     impl.Integrator = nullptr;
     impl.Drawn = nullptr;
-    impl.Plan.Clear();
+    impl.Plans.Clear();
     impl.CurrentEnvironment = nullptr;
     impl.CurrentLights = nullptr;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkMeasuredBRDFMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* actor)
+{
+  this->Impl->Ready = false;
+  if (DrawsColor(ren, actor)) // else as the superclass, with what is there left alone
+  {
+    try
+    {
+      this->Prepare(ren, actor);
+    }
+    catch (const std::exception& e) // no memory, say
+    {
+      this->Impl->Ready = false;
+      if (this->Impl->WarnOnce(e.what()))
+      {
+        vtkErrorMacro("The material is not drawn: " << e.what() << ".");
+      }
+    }
   }
   this->Superclass::RenderPieceStart(ren, actor);
 }

@@ -20,6 +20,8 @@
  * - Anisotropic materials use the polydata's float point tangents (PointData::SetTangents); without
  *   them the tangent turns about the environment's up axis, with a warning.
  * - Composite datasets: one actor and mapper per block.
+ * - In several viewports or windows, each is drawn by a plan for its own light. Selection, shadow
+ *   maps and other passes that show no color neither plan nor upload, and draw as the superclass.
  *
  * The setters below do not call Modified(): that would rebuild vertex buffers and shaders. What
  * they set shows at the next Render. Changing the material's parameters, the environment or the
@@ -42,6 +44,11 @@ class vtkEnvironment;
 class vtkLightSet;
 class vtkRadianceCostModel;
 class vtkRadianceIntegrator;
+
+namespace measuredbrdf
+{
+class CurrentPlan;
+}
 
 class VTKMEASUREDBRDF_EXPORT vtkMeasuredBRDFMapper : public vtkOpenGLPolyDataMapper
 {
@@ -140,7 +147,9 @@ public:
    *
    * A still picture in between is right with FOREGROUND, which waits for the plan in the making.
    * Threads work on snapshots (vtkBRDF::NewSnapshot): a material that has none is planned for in
-   * the foreground. The destructor and ReleaseGraphicsResources stop the thread and wait for that.
+   * the foreground. The destructor stops the thread and waits for that. Where a Render has to plan
+   * for several mappers of a renderer, it does so side by side, on as many threads as there are
+   * cores; in the background, one fewer.
    */
   void SetPlanningMode(int mode);
   int GetPlanningMode() { return this->PlanningMode; }
@@ -157,7 +166,10 @@ public:
    * objects get cheaper plans. Where the camera, the object or the environment's rotation bring to
    * light what was not seen before (a tenth of it by 15 degrees, or 4 times more or 8 times fewer
    * pixels), the mapper plans again, in the background if PlanningMode says so; in between, the
-   * plan stays. A plan for every view never changes under the camera: hence the default.
+   * plan stays. Plans for four views of an actor are kept and taken up again when the camera comes
+   * back; from the fifth on, one for every view serves, with the pixels covered. Plans for single
+   * views are not kept on disk. A plan for every view never changes under the camera: hence the
+   * default.
    */
   void SetPlanForView(bool view) { this->PlanForView = view; }
   bool GetPlanForView() { return this->PlanForView; }
@@ -306,11 +318,12 @@ private:
   vtkMeasuredBRDFMapper(const vtkMeasuredBRDFMapper&) = delete;
   void operator=(const vtkMeasuredBRDFMapper&) = delete;
 
-  /// Bring Impl->Plan up to date, or begin to.
-  void UpdatePlan(vtkRenderer* ren, vtkActor* actor);
+  /// The plan to draw by in this view, brought up to date, or with a newer one begun; null where
+  /// nothing is planned.
+  measuredbrdf::CurrentPlan* UpdatePlan(vtkRenderer* ren, vtkActor* actor);
 
-  /// Bring what Impl->Seen holds up to date: as it was, where that serves for this view, too.
-  void UpdateSeen(vtkRenderer* ren, vtkActor* actor);
+  /// Bring everything that drawing needs up to date.
+  void Prepare(vtkRenderer* ren, vtkActor* actor);
 
   struct Internals;
   std::unique_ptr<Internals> Impl;
