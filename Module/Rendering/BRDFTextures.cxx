@@ -9,7 +9,9 @@
 #include "vtkTextureObject.h"
 
 #include <algorithm>
+#include <exception>
 #include <map>
+#include <mutex>
 #include <tuple>
 
 namespace measuredbrdf
@@ -92,21 +94,19 @@ std::shared_ptr<FormTextures> FindShared(
 {
   using Key = std::tuple<Source*, bool, vtkOpenGLRenderWindow*>;
   static std::map<Key, std::weak_ptr<FormTextures>> shared;
-  static std::size_t sweepAt = 16;
-  if (shared.size() >= sweepAt) // not for each of many actors
+  static std::mutex mutex; // windows may be drawn by different threads
+  const std::lock_guard<std::mutex> lock(mutex);
+  const Key key(source, softLights, window);
+  const auto known = shared.find(key);
+  std::shared_ptr<FormTextures> found = known == shared.end() ? nullptr : known->second.lock();
+  if (!found)
   {
-    for (auto it = shared.begin(); it != shared.end();)
+    for (auto it = shared.begin(); it != shared.end();) // not for each of many actors
     {
       it = it->second.expired() ? shared.erase(it) : std::next(it);
     }
-    sweepAt = 2 * shared.size() + 16;
-  }
-  std::weak_ptr<FormTextures>& entry = shared[{ source, softLights, window }];
-  std::shared_ptr<FormTextures> found = entry.lock();
-  if (!found)
-  {
     found = std::make_shared<FormTextures>(softLights);
-    entry = found;
+    shared[key] = found;
   }
   return found;
 }
@@ -131,9 +131,10 @@ bool FormTextures::IsCurrent(vtkMTimeType time, vtkOpenGLRenderWindow* window) c
            [window](const Uploaded& uploaded) { return IsLost(uploaded.Texture, window); });
 }
 
-std::string FormTextures::Update(vtkBRDF* brdf, vtkOpenGLRenderWindow* window)
+template <typename Make>
+std::string FormTextures::UpdateAt(
+  vtkMTimeType time, vtkOpenGLRenderWindow* window, const Make& makeForm)
 {
-  const vtkMTimeType time = brdf->GetMTime();
   if (this->IsCurrent(time, window))
   {
     return "";
@@ -142,37 +143,47 @@ std::string FormTextures::Update(vtkBRDF* brdf, vtkOpenGLRenderWindow* window)
   {
     return this->Failure;
   }
-  vtkBRDFGPUForm form;
-  form.SoftLights = this->SoftLights;
-  brdf->GetGPUForm(form);
-  return this->Fail(this->Upload(std::move(form), time, window), time);
+  try
+  {
+    vtkBRDFGPUForm form;
+    form.SoftLights = this->SoftLights;
+    this->Failure = makeForm(form);
+    if (this->Failure.empty())
+    {
+      this->Failure = this->Upload(std::move(form), time, window);
+    }
+    if (this->Failure.empty())
+    {
+      return "";
+    }
+  }
+  catch (const std::exception& e) // no memory, say
+  {
+    this->Failure = e.what();
+  }
+  this->FailureTime = time;
+  return this->Failure;
+}
+
+std::string FormTextures::Update(vtkBRDF* brdf, vtkOpenGLRenderWindow* window)
+{
+  return this->UpdateAt(brdf->GetMTime(), window,
+    [brdf](vtkBRDFGPUForm& form)
+    {
+      brdf->GetGPUForm(form);
+      return std::string();
+    });
 }
 
 std::string FormTextures::Update(vtkRadianceIntegrator* integrator, vtkOpenGLRenderWindow* window)
 {
-  const vtkMTimeType time = integrator->GetInputsMTime();
-  if (this->IsCurrent(time, window))
-  {
-    return "";
-  }
-  if (time <= this->FailureTime)
-  {
-    return this->Failure;
-  }
-  vtkBRDFGPUForm form;
-  if (!integrator->GetGPUForm(form)) // it has said why
-  {
-    return this->Fail(std::string(integrator->GetClassName()) + " has nothing to draw with", time);
-  }
-  return this->Fail(this->Upload(std::move(form), time, window), time);
-}
-
-// The same inputs are not tried again.
-std::string FormTextures::Fail(const std::string& problem, vtkMTimeType time)
-{
-  this->Failure = problem;
-  this->FailureTime = problem.empty() ? 0 : time;
-  return problem;
+  return this->UpdateAt(integrator->GetInputsMTime(), window,
+    [integrator](vtkBRDFGPUForm& form)
+    {
+      return integrator->GetGPUForm(form) // which says why
+               ? std::string()
+               : std::string(integrator->GetClassName()) + " has nothing to draw with";
+    });
 }
 
 std::string FormTextures::Upload(

@@ -58,6 +58,10 @@ public:
   std::size_t GetNumberOfSamplers() const { return this->Textures.size(); }
 
 private:
+  /// The source's form, uploaded; what it can't make is not asked for again until it changes.
+  template <typename Make>
+  std::string UpdateAt(vtkMTimeType time, vtkOpenGLRenderWindow* window, const Make& makeForm);
+
   struct Uploaded
   {
     std::string Sampler;
@@ -65,7 +69,6 @@ private:
   };
 
   bool IsCurrent(vtkMTimeType time, vtkOpenGLRenderWindow* window) const;
-  std::string Fail(const std::string& problem, vtkMTimeType time);
   std::string Upload(vtkBRDFGPUForm form, vtkMTimeType time, vtkOpenGLRenderWindow* window);
 
   bool SoftLights;     // what the form is asked for
@@ -73,8 +76,8 @@ private:
   std::vector<Uploaded> Textures;
   std::size_t Bytes = 0;
   vtkMTimeType Time = 0;
-  vtkMTimeType FailureTime = 0; // of inputs that could not be uploaded
-  std::string Failure;          // why not
+  vtkMTimeType FailureTime = 0; // of inputs that a source refused, or had no memory for
+  std::string Failure;
   vtkOpenGLRenderWindow* Window = nullptr;
 };
 } // namespace measuredbrdf

@@ -7,6 +7,7 @@
 #include "vtkRadiancePlanner.h"
 
 #include <algorithm>
+#include <exception>
 
 namespace measuredbrdf
 {
@@ -26,18 +27,34 @@ bool CurrentPlan::IsUsable() const
 void CurrentPlan::Take(
   const PlanInputs& inputs, bool apart, vtkSmartPointer<vtkRadiancePlanner> plan)
 {
-  this->Plan = plan;
-  this->Inputs = inputs;
-  this->Apart = apart;
   if (plan)
   {
     SharePlan(inputs, apart, plan);
     this->Times[0] = plan->GetBRDF()->GetMTime();
     this->Times[1] = plan->GetEnvironment()->GetPixelsMTime();
   }
+  this->Plan = plan;
+  this->Inputs = inputs;
+  this->Apart = apart;
+  this->Uploads.clear();
+  SweepPlans();
 }
 
-CurrentPlan::~CurrentPlan() { this->Stop(); }
+void CurrentPlan::TakeOver(const CurrentPlan& other)
+{
+  this->Retire();
+  this->Plan = other.Plan;
+  this->Inputs = other.Inputs;
+  this->Apart = other.Apart;
+  std::copy_n(other.Times, 2, this->Times);
+}
+
+CurrentPlan::~CurrentPlan()
+{
+  this->Stop();
+  this->Plan = nullptr;
+  SweepPlans();
+}
 
 void CurrentPlan::LeaveJob()
 {
@@ -56,9 +73,7 @@ void CurrentPlan::Retire()
     this->Retired.push_back(this->Job); // not to be waited for here
     this->LeaveJob();
   }
-  this->Retired.erase(std::remove_if(this->Retired.begin(), this->Retired.end(),
-                        [](const std::shared_ptr<PlanJob>& job) { return job->IsDone(); }),
-    this->Retired.end());
+  this->HasStopped(); // those that have, go
 }
 
 void CurrentPlan::Clear()
@@ -73,7 +88,58 @@ void CurrentPlan::Stop()
   this->Retired.clear();
 }
 
+bool CurrentPlan::HasStopped()
+{
+  this->Retired.erase(std::remove_if(this->Retired.begin(), this->Retired.end(),
+                        [](const std::shared_ptr<PlanJob>& job) { return job->IsDone(); }),
+    this->Retired.end());
+  return !this->Job && this->Retired.empty();
+}
+
+bool CurrentPlan::IsBridged(Timing timing) const
+{
+  return timing == Timing::Always || (timing == Timing::Changes && this->IsUsable());
+}
+
+bool CurrentPlan::NeedsTime(const PlanInputs& wanted, Timing timing) const
+{
+  const bool background = timing != Timing::Foreground;
+  return !this->IsOf(wanted, background) && !this->IsBridged(timing) &&
+         !FindPlan(wanted, background);
+}
+
+void CurrentPlan::Begin(const PlanInputs& wanted)
+{
+  if (this->Job && this->JobInputs.GetKey() != wanted.GetKey())
+  {
+    this->Retire();
+  }
+  try
+  {
+    this->Job = this->Job ? this->Job : PlanJob::Find(wanted);
+    this->JobInputs = wanted;
+  }
+  catch (const std::exception&) // no memory for snapshots: Update will tell
+  {
+  }
+}
+
 bool CurrentPlan::Update(const PlanInputs& wanted, Timing timing, std::string& problem)
+{
+  try
+  {
+    return this->Bring(wanted, timing, problem);
+  }
+  catch (const std::exception& e) // no memory, say
+  {
+    this->Retire();
+    this->Take(wanted, timing != Timing::Foreground, nullptr);
+    problem = e.what();
+    return true;
+  }
+}
+
+bool CurrentPlan::Bring(const PlanInputs& wanted, Timing timing, std::string& problem)
 {
   const bool background = timing != Timing::Foreground;
   if (this->IsOf(wanted, background))
@@ -91,11 +157,10 @@ bool CurrentPlan::Update(const PlanInputs& wanted, Timing timing, std::string& p
   {
     this->Retire();
   }
-  const bool bridged = timing == Timing::Always || (background && this->IsUsable());
-  if (!this->Job && bridged)
+  const bool bridged = this->IsBridged(timing);
+  if (bridged)
   {
-    this->Job = PlanJob::Find(wanted);
-    this->JobInputs = wanted;
+    this->Begin(wanted);
   }
   if (this->Job && !this->Job->IsDone() && bridged)
   {

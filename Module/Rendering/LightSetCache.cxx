@@ -119,6 +119,30 @@ void MirrorInZ(vtkEnvironment* environment)
 }
 #endif
 
+using EnvironmentKey = std::tuple<std::vector<vtkImageData*>, std::vector<vtkMTimeType>, bool>;
+using Environments = SharedObjects<EnvironmentKey, vtkEnvironment>;
+Environments& GetEnvironments()
+{
+  static Environments& environments = *new Environments;
+  return environments;
+}
+
+using LightSets =
+  SharedObjects<std::tuple<vtkEnvironment*, vtkMTimeType, int, int, unsigned int>, vtkLightSet>;
+LightSets& GetLightSets()
+{
+  static LightSets& lightSets = *new LightSets;
+  return lightSets;
+}
+
+// Lights' modification times do not count: the integrator looks at them.
+using LightLoops = SharedObjects<std::tuple<vtkBRDF*, vtkLightSet*, bool>, vtkLightSetIntegrator>;
+LightLoops& GetLightLoops()
+{
+  static LightLoops& loops = *new LightLoops;
+  return loops;
+}
+
 vtkSmartPointer<vtkEnvironment> MakeFromCube(const std::vector<vtkImageData*>& images, bool sRGB)
 {
   std::vector<std::vector<float>> faces;
@@ -160,12 +184,10 @@ vtkSmartPointer<vtkEnvironment> FindEnvironment(vtkTexture* texture, std::string
     }
     times.push_back(images.back()->GetMTime());
   }
-  using Key = std::tuple<std::vector<vtkImageData*>, std::vector<vtkMTimeType>, bool>;
-  static SharedObjects<Key, vtkEnvironment> environments;
   static std::mutex mutex;
-  static std::map<Key, std::string> refused;
+  static std::map<EnvironmentKey, std::string> refused;
   const bool sRGB = texture->GetUseSRGBColorSpace();
-  const Key key(images, times, sRGB);
+  const EnvironmentKey key(images, times, sRGB);
   {
     const std::lock_guard<std::mutex> lock(mutex);
     const auto found = refused.find(key);
@@ -175,7 +197,7 @@ vtkSmartPointer<vtkEnvironment> FindEnvironment(vtkTexture* texture, std::string
       return nullptr;
     }
   }
-  auto environment = environments.Find(key,
+  auto environment = GetEnvironments().Find(key,
     [&images, sRGB, &problem]() -> vtkSmartPointer<vtkEnvironment>
     {
       if (images.size() == 6)
@@ -204,10 +226,7 @@ vtkSmartPointer<vtkEnvironment> FindEnvironment(vtkTexture* texture, std::string
 vtkSmartPointer<vtkLightSet> FindLightSet(vtkEnvironment* environment, int method, int count,
   unsigned int seed, vtkVarianceLightSetGenerator* variance)
 {
-  static SharedObjects<std::tuple<vtkEnvironment*, vtkMTimeType, int, int, unsigned int>,
-    vtkLightSet>
-    lightSets;
-  return lightSets.Find({ environment, environment->GetPixelsMTime(), method, count, seed },
+  return GetLightSets().Find({ environment, environment->GetPixelsMTime(), method, count, seed },
     [environment, method, count, seed, variance]() -> vtkSmartPointer<vtkLightSet>
     {
       vtkSmartPointer<vtkLightSetGenerator> generator;
@@ -233,9 +252,7 @@ vtkSmartPointer<vtkLightSet> FindLightSet(vtkEnvironment* environment, int metho
 vtkSmartPointer<vtkLightSetIntegrator> FindLightLoop(
   vtkBRDF* brdf, vtkLightSet* lights, bool softLights)
 {
-  // Lights' modification times do not count: the integrator looks at them.
-  static SharedObjects<std::tuple<vtkBRDF*, vtkLightSet*, bool>, vtkLightSetIntegrator> loops;
-  return loops.Find({ brdf, lights, softLights },
+  return GetLightLoops().Find({ brdf, lights, softLights },
     [brdf, lights, softLights]()
     {
       auto loop = vtkSmartPointer<vtkLightSetIntegrator>::New();
@@ -244,5 +261,12 @@ vtkSmartPointer<vtkLightSetIntegrator> FindLightLoop(
       loop->SetSoftLights(softLights);
       return loop;
     });
+}
+
+void SweepLights()
+{
+  GetLightLoops().Sweep(); // which hold light sets
+  GetLightSets().Sweep();
+  GetEnvironments().Sweep();
 }
 } // namespace measuredbrdf

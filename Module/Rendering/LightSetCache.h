@@ -35,6 +35,9 @@ vtkSmartPointer<vtkLightSet> FindLightSet(vtkEnvironment* environment, int metho
 /// The loop over these lights for this material.
 vtkSmartPointer<vtkLightSetIntegrator> FindLightLoop(
   vtkBRDF* brdf, vtkLightSet* lights, bool softLights);
+
+/// Release what no mapper holds any more.
+void SweepLights();
 } // namespace measuredbrdf
 
 #endif

@@ -2,68 +2,112 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Placeholder of the plans of one mapper.
+ * The plans that a mapper draws by, one for each view of each of its materials. Private to the
+ * rendering room.
+ *
+ * A view is a renderer or, planned for the view, an actor in it. What one view is drawn by is never
+ * shown in another, and an old plan stands in for a new one in its own view only. Equal plans are
+ * shared (SharedPlans).
  */
+
 #ifndef MapperPlans_h
 #define MapperPlans_h
 
 #include "CurrentPlan.h"
+#include "vtkType.h"
 
+#include <functional>
 #include <map>
+#include <memory>
+#include <string>
+#include <tuple>
+#include <vector>
 
 class vtkActor;
+class vtkBRDF;
+class vtkEnvironment;
 class vtkPolyData;
+class vtkRadianceCostModel;
+class vtkRadiancePlanner;
 class vtkRenderer;
+class vtkWindow;
 
 namespace measuredbrdf
 {
+class MapperPlans;
+
+/// What a mapper wants to draw one of its materials by, now.
 struct PlanRequest
 {
-  vtkBRDF* BRDF = nullptr;
-  vtkEnvironment* Environment = nullptr;
-  double Tolerance = 0.02;
-  vtkRadianceCostModel* Costs = nullptr;
+  vtkSmartPointer<vtkBRDF> BRDF;
+  vtkSmartPointer<vtkEnvironment> Environment;
+  double Tolerance = 0.0;
+  vtkRadianceCostModel* Costs = nullptr; // null: the defaults
   CurrentPlan::Timing Timing = CurrentPlan::Timing::Foreground;
-  bool ForView = false;
-  int Slot = 0;
+  bool ForView = false; // or for every view
+  int Slot = 0;         // which of the mapper's materials
   vtkRenderer* Renderer = nullptr;
   vtkActor* Actor = nullptr;
-  std::vector<vtkPolyData*> Surfaces;
+  std::vector<vtkPolyData*> Surfaces; // what ForView looks at
+
+  /// Visits what other mappers of the renderer want to draw by in the same frame (this one may be
+  /// among them): where Update has to plan at once, it begins theirs side by side. May be empty.
+  using Visit = std::function<void(MapperPlans&, const PlanRequest&)>;
+  std::function<void(const Visit&)> Others;
 };
 
 class MapperPlans
 {
 public:
-  CurrentPlan& Update(const PlanRequest& request, bool& changed, std::string& problem)
-  {
-    CurrentPlan& plan = this->Plans[request.Slot];
-    changed =
-      plan.Update(PlanInputs(request.BRDF, request.Environment, request.Tolerance, request.Costs),
-        request.Timing, problem);
-    return plan;
-  }
-  void Clear() { this->Plans.clear(); }
-  bool IsPending() const
-  {
-    for (const auto& plan : this->Plans)
-    {
-      if (plan.second.IsPending())
-        return true;
-    }
-    return false;
-  }
-  bool IsReady() const
-  {
-    for (const auto& plan : this->Plans)
-    {
-      if (plan.second.IsReady())
-        return true;
-    }
-    return false;
-  }
+  MapperPlans();
+  ~MapperPlans();
+  MapperPlans(const MapperPlans&) = delete;
+  void operator=(const MapperPlans&) = delete;
+
+  /// The view's plan, brought up to date, or with a newer one begun (CurrentPlan::Update). changed:
+  /// whether it is another one than in the last call for this view. What is returned stays until
+  /// the next call of a function that is not const.
+  CurrentPlan& Update(const PlanRequest& request, bool& changed, std::string& problem);
+
+  ///@{
+  /// No plans any more, of all views or of a renderer's; what is in the making stops, but is not
+  /// waited for.
+  void Clear();
+  void Clear(vtkRenderer* renderer);
+  ///@}
+
+  /// Let go of what was uploaded to a window.
+  void ReleaseUploads(vtkWindow* window);
+
+  /// The plan that the last Update returned; null where there is none any more.
+  vtkRadiancePlanner* GetPlan() const;
+
+  ///@{
+  /// Whether some view waits for another plan; whether one of these is made and not taken up yet.
+  bool IsPending() const;
+  bool IsReady() const;
+  ///@}
+
+  /// Views that have or want a plan: for tests.
+  int GetNumberOfViews() const { return static_cast<int>(this->Views.size()); }
 
 private:
-  std::map<int, CurrentPlan> Plans;
+  struct View;
+  using Key = std::tuple<vtkRenderer*, vtkActor*, int>;
+
+  View& FindView(const PlanRequest& request);
+  void Sweep();
+  void End(std::unique_ptr<View> view);
+  static void Look(View& view, const PlanRequest& request);
+  static PlanInputs GetInputs(View& view, const PlanRequest& request);
+  void BeginSideBySide(View& view, const PlanInputs& wanted, const PlanRequest& request);
+
+  std::map<Key, std::unique_ptr<View>> Views;
+  std::vector<std::unique_ptr<View>> Ended; // about to stop
+  View* Last = nullptr;
+  bool ForView = false;    // in the last request
+  std::size_t Updates = 0; // since the last sweep
 };
 } // namespace measuredbrdf
+
 #endif

@@ -2,14 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MaterialDrawing.h"
 
-#include "RenderPasses.h"
+#include "DrawsColor.h"
 #include "vtkActor.h"
 #include "vtkCommand.h"
+#include "vtkCompositeMeasuredBRDFMapper.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkLightSetIntegrator.h"
 #include "vtkMeasuredBRDFMapper.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkPropCollection.h"
 #include "vtkRadiancePlanner.h"
 #include "vtkRenderer.h"
 #include "vtkTexture.h"
@@ -69,13 +71,21 @@ std::string CheckUnits(std::size_t needed, vtkOpenGLRenderWindow* window)
 }
 }
 
-MaterialDrawing::MaterialDrawing(vtkObject* owner, std::shared_ptr<MaterialSettings> settings)
+MaterialDrawing::MaterialDrawing(vtkObject* owner, std::shared_ptr<MaterialSettings> settings,
+  std::function<std::vector<MaterialUse>()> uses)
   : Owner(owner)
   , Settings(std::move(settings))
+  , UsesToCome(std::move(uses))
 {
 }
 
-MaterialDrawing::~MaterialDrawing() = default;
+MaterialDrawing::~MaterialDrawing()
+{
+  this->Frames.clear();
+  this->Plans.Clear();
+  this->Settings = nullptr;
+  SweepLights();
+}
 
 MaterialDrawing::ViewFrame& MaterialDrawing::FindFrame(
   vtkRenderer* renderer, vtkActor* actor, const void* part)
@@ -144,14 +154,20 @@ vtkSmartPointer<vtkEnvironment> MaterialDrawing::FindLight(vtkRenderer* renderer
   return environment && environment->GetWidth() > 0 ? environment : nullptr;
 }
 
-void MaterialDrawing::ResolvePlan(
-  DrawnMaterial& drawn, const MaterialUse& use, vtkRenderer* renderer, vtkActor* actor)
+bool MaterialDrawing::IsPlanned() const
+{
+  return !this->Settings->Integrator && !this->Settings->LightSet &&
+         this->Settings->Method == vtkMeasuredBRDFMapper::AUTO;
+}
+
+PlanRequest MaterialDrawing::GetRequest(
+  const MaterialUse& use, vtkEnvironment* environment, vtkRenderer* renderer, vtkActor* actor)
 {
   const CurrentPlan::Timing timings[] = { CurrentPlan::Timing::Foreground,
     CurrentPlan::Timing::Changes, CurrentPlan::Timing::Always };
   PlanRequest request;
   request.BRDF = use.BRDF;
-  request.Environment = drawn.Environment;
+  request.Environment = environment;
   request.Tolerance = this->Settings->ErrorTolerance;
   request.Costs = this->Settings->Costs;
   request.Timing = timings[this->Settings->PlanningMode];
@@ -160,6 +176,48 @@ void MaterialDrawing::ResolvePlan(
   request.Renderer = renderer;
   request.Actor = actor;
   request.Surfaces = use.Surfaces;
+  return request;
+}
+
+// What the mappers of the renderer will have planned in this frame.
+void MaterialDrawing::VisitRequests(vtkRenderer* renderer, const PlanRequest::Visit& visit)
+{
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator it;
+  props->InitTraversal(it);
+  while (vtkProp* prop = props->GetNextProp(it))
+  {
+    auto* actor = vtkActor::SafeDownCast(prop);
+    vtkMapper* mapper = actor && actor->GetVisibility() ? actor->GetMapper() : nullptr;
+    MaterialDrawing* drawing = nullptr;
+    if (auto* plain = vtkMeasuredBRDFMapper::SafeDownCast(mapper))
+    {
+      drawing = plain->Drawing.get();
+    }
+    else if (auto* composite = vtkCompositeMeasuredBRDFMapper::SafeDownCast(mapper))
+    {
+      drawing = composite->GetDrawing();
+    }
+    if (!drawing || !drawing->IsPlanned())
+    {
+      continue;
+    }
+    const vtkSmartPointer<vtkEnvironment> environment = drawing->FindLight(renderer);
+    for (const MaterialUse& use : drawing->UsesToCome())
+    {
+      if (environment && use.BRDF)
+      {
+        visit(drawing->Plans, drawing->GetRequest(use, environment, renderer, actor));
+      }
+    }
+  }
+}
+
+void MaterialDrawing::ResolvePlan(
+  DrawnMaterial& drawn, const MaterialUse& use, vtkRenderer* renderer, vtkActor* actor)
+{
+  PlanRequest request = this->GetRequest(use, drawn.Environment, renderer, actor);
+  request.Others = [renderer](const PlanRequest::Visit& visit) { VisitRequests(renderer, visit); };
   bool changed = false;
   std::string problem;
   CurrentPlan& current = this->Plans.Update(request, changed, problem);
@@ -178,6 +236,7 @@ void MaterialDrawing::ResolvePlan(
     drawn.BRDF = plan->GetBRDF();
     drawn.Environment = current.GetEnvironment();
     drawn.Plan = plan;
+    drawn.Current = &current;
   }
   if (changed)
   {
@@ -269,6 +328,11 @@ DrawnMaterial MaterialDrawing::Resolve(
       this->ResolveLights(drawn);
     }
     problem = this->Upload(drawn, renderer);
+    if (drawn.Current)
+    {
+      drawn.Current->Uploads = { drawn.Material, drawn.Radiance };
+      drawn.Current = nullptr; // good until the plans are asked again
+    }
   }
   catch (const std::exception& e) // no memory, say
   {
@@ -294,18 +358,22 @@ void MaterialDrawing::BeginFrame(
 {
   this->Selected = nullptr;
   this->Frame = nullptr;
-  if (!TakesColor(renderer, actor))
+  if (!DrawsColor(renderer, actor))
   {
     return;
   }
   ViewFrame& frame = this->FindFrame(renderer, actor, part);
   const bool any = std::any_of(
     uses.begin(), uses.end(), [](const MaterialUse& use) { return use.BRDF != nullptr; });
-  if (!any && !this->Settings->HasBlockMaterials())
+  const vtkSmartPointer<vtkEnvironment> environment = any ? this->FindLight(renderer) : nullptr;
+  if ((!this->Settings->BRDF && !this->Settings->HasBlockMaterials()) || !this->IsPlanned())
   {
     this->Plans.Clear();
   }
-  const vtkSmartPointer<vtkEnvironment> environment = any ? this->FindLight(renderer) : nullptr;
+  else if (any && !environment) // other renderers may have light
+  {
+    this->Plans.Clear(renderer);
+  }
   std::vector<DrawnMaterial> materials; // the last ones stay until these have their textures
   for (const MaterialUse& use : uses)
   {
@@ -453,5 +521,6 @@ void MaterialDrawing::ReleaseGraphicsResources(vtkWindow* window, const void* pa
       }
     }
   }
+  this->Plans.ReleaseUploads(window);
 }
 } // namespace measuredbrdf

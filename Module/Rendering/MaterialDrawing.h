@@ -19,6 +19,7 @@
 #include "vtkVarianceLightSetGenerator.h"
 #include "vtkWeakPointer.h"
 
+#include <functional>
 #include <memory>
 #include <set>
 #include <string>
@@ -53,14 +54,17 @@ struct DrawnMaterial
   std::shared_ptr<FormTextures> Radiance;   // null without environment
   vtkSmartPointer<vtkRadiancePlanner> Plan; // null without one
   std::string Key;                          // same key, same shader text
+  CurrentPlan* Current = nullptr;           // while the plan is looked up
   bool IsReady = false;                     // else the superclass draws
 };
 
 class MaterialDrawing
 {
 public:
-  /// owner: the mapper that users know; warnings are its.
-  MaterialDrawing(vtkObject* owner, std::shared_ptr<MaterialSettings> settings);
+  /// owner: the mapper that users know; warnings are its. uses: what it will draw next, as far as
+  /// it knows between its renders.
+  MaterialDrawing(vtkObject* owner, std::shared_ptr<MaterialSettings> settings,
+    std::function<std::vector<MaterialUse>()> uses);
   ~MaterialDrawing();
   MaterialDrawing(const MaterialDrawing&) = delete;
   void operator=(const MaterialDrawing&) = delete;
@@ -127,6 +131,10 @@ private:
   ViewFrame& FindFrame(vtkRenderer* renderer, vtkActor* actor, const void* part);
   int FindSlot(vtkBRDF* brdf);
   vtkSmartPointer<vtkEnvironment> FindLight(vtkRenderer* renderer);
+  PlanRequest GetRequest(
+    const MaterialUse& use, vtkEnvironment* environment, vtkRenderer* renderer, vtkActor* actor);
+  bool IsPlanned() const; // whether plans draw the environment's light
+  static void VisitRequests(vtkRenderer* renderer, const PlanRequest::Visit& visit);
   DrawnMaterial Resolve(
     const MaterialUse& use, vtkEnvironment* environment, vtkRenderer* renderer, vtkActor* actor);
   void ResolvePlan(
@@ -136,6 +144,7 @@ private:
 
   vtkObject* Owner;
   std::shared_ptr<MaterialSettings> Settings;
+  std::function<std::vector<MaterialUse>()> UsesToCome;
   MapperPlans Plans;
   vtkNew<vtkVarianceLightSetGenerator> Variance;  // its tree serves every number of lights
   std::vector<std::unique_ptr<ViewFrame>> Frames; // each keeps its textures for the next Render

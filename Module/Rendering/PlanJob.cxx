@@ -7,64 +7,190 @@
 #include "vtkEnvironment.h"
 #include "vtkRadiancePlanner.h"
 
+#include <algorithm>
+#include <condition_variable>
+#include <deque>
 #include <exception>
 #include <iterator>
 #include <map>
+#include <mutex>
 #include <system_error>
+#include <thread>
+#include <utility>
 
 namespace measuredbrdf
 {
-std::shared_ptr<PlanJob> PlanJob::Find(const PlanInputs& inputs)
+// Its threads end when nothing is left to do. They are detached, and the queue is never destroyed:
+// what they work for waits for them instead.
+class PlanJob::Queue
 {
-  static std::map<PlanInputs::Key, std::weak_ptr<PlanJob>> jobs;
-  for (auto it = jobs.begin(); it != jobs.end();)
+public:
+  using Lock = std::unique_lock<std::mutex>;
+
+  int GetLimit() const { return this->Waiters > 0 ? this->Cores : std::max(this->Cores - 1, 1); }
+
+  /// Whether there is a thread for it, or will be.
+  bool Add(PlanJob* job, const Lock& lock)
   {
-    it = it->second.expired() ? jobs.erase(it) : std::next(it);
+    this->Jobs.push_back(job);
+    this->AddThread(lock);
+    job->Done = this->Running == 0;
+    return !job->Done || !this->Remove(job, lock);
   }
-  std::weak_ptr<PlanJob>& entry = jobs[inputs.GetKey()];
-  std::shared_ptr<PlanJob> job = entry.lock();
-  if (job && job->Users == 0) // about to stop
+
+  /// Whether it was still waiting for its turn.
+  bool Remove(PlanJob* job, const Lock&)
   {
-    job = nullptr;
+    const auto it = std::find(this->Jobs.begin(), this->Jobs.end(), job);
+    const bool found = it != this->Jobs.end();
+    if (found)
+    {
+      this->Jobs.erase(it);
+    }
+    return found;
   }
-  vtkSmartPointer<vtkRadiancePlanner> planner = job ? nullptr : NewPlanner(inputs, true);
-  if (planner)
+
+  void Wait(PlanJob* job, Lock& lock)
   {
+    if (this->Remove(job, lock))
+    {
+      this->Jobs.push_front(job);
+    }
+    ++this->Waiters;
+    this->AddThread(lock);
+    this->Finished.wait(lock, [job]() { return job->IsDone(); });
+    --this->Waiters;
+  }
+
+  std::mutex Mutex;
+  std::map<PlanInputs::Key, std::weak_ptr<PlanJob>> ByInputs;
+  int Largest = 0; // number of jobs that ran at once
+
+private:
+  void AddThread(const Lock&)
+  {
+    if (this->Jobs.empty() || this->Running >= this->GetLimit())
+    {
+      return;
+    }
     try
     {
-      job = std::make_shared<PlanJob>(planner);
-      entry = job;
+      std::thread([this]() { this->Work(); }).detach();
+      ++this->Running; // it waits for the lock
     }
-    catch (const std::system_error&)
+    catch (const std::system_error&) // the ones that there are have to do
     {
-      return nullptr;
     }
   }
-  if (job)
+
+  void Work()
   {
-    ++job->Users;
+    Lock lock(this->Mutex);
+    while (!this->Jobs.empty() && this->Running <= this->GetLimit())
+    {
+      PlanJob* job = this->Jobs.front();
+      this->Jobs.pop_front();
+      this->Largest = std::max(this->Largest, this->Running);
+      lock.unlock();
+      job->Run();
+      lock.lock();
+      job->Done = true; // and it may be gone when the lock is
+      this->Finished.notify_all();
+    }
+    --this->Running;
   }
-  return job;
+
+  const int Cores = std::max(static_cast<int>(std::thread::hardware_concurrency()), 1);
+  std::deque<PlanJob*> Jobs;
+  std::condition_variable Finished;
+  int Running = 0; // threads
+  int Waiters = 0;
+};
+
+PlanJob::Queue& PlanJob::GetQueue()
+{
+  static Queue& queue = *new Queue;
+  return queue;
+}
+
+int PlanJob::GetLimit()
+{
+  Queue& queue = GetQueue();
+  const Queue::Lock lock(queue.Mutex);
+  return queue.GetLimit();
+}
+
+int PlanJob::TakeLargestNumber()
+{
+  Queue& queue = GetQueue();
+  const Queue::Lock lock(queue.Mutex);
+  return std::exchange(queue.Largest, 0);
+}
+
+std::shared_ptr<PlanJob> PlanJob::Find(const PlanInputs& inputs)
+{
+  Queue& queue = GetQueue();
+  const PlanInputs::Key key = inputs.GetKey();
+  // Without the queue's lock: it may be the last to hold what it finds.
+  const auto find = [&](const Queue::Lock&)
+  {
+    for (auto it = queue.ByInputs.begin(); it != queue.ByInputs.end();)
+    {
+      it = it->second.expired() ? queue.ByInputs.erase(it) : std::next(it);
+    }
+    const auto it = queue.ByInputs.find(key);
+    return it == queue.ByInputs.end() ? nullptr : it->second.lock();
+  };
+  std::shared_ptr<PlanJob> job;
+  {
+    const Queue::Lock lock(queue.Mutex);
+    job = find(lock);
+    if (job && job->Users > 0) // else it is about to stop
+    {
+      ++job->Users;
+      return job;
+    }
+  }
+  const vtkSmartPointer<vtkRadiancePlanner> planner = NewPlanner(inputs, true);
+  if (!planner)
+  {
+    return nullptr;
+  }
+  const auto made = std::make_shared<PlanJob>(planner);
+  const Queue::Lock lock(queue.Mutex);
+  if (!queue.Add(made.get(), lock))
+  {
+    return nullptr;
+  }
+  made->Users = 1;
+  queue.ByInputs[key] = made;
+  return made;
 }
 
 PlanJob::PlanJob(vtkSmartPointer<vtkRadiancePlanner> planner)
   : Planner(planner)
-  , BRDF(planner->GetBRDF())
 {
-  // Nobody's output window has to cope with other threads.
-  planner->AddObserver(vtkCommand::ErrorEvent, this, &PlanJob::TakeMessage);
-  this->BRDF->AddObserver(vtkCommand::WarningEvent, this, &PlanJob::TakeMessage);
-  this->Thread = std::thread([this]() { this->Run(); });
 }
 
 PlanJob::~PlanJob()
 {
-  this->Abort();
-  this->Wait();
+  Queue& queue = GetQueue();
+  Queue::Lock lock(queue.Mutex);
+  if (!this->Done && !queue.Remove(this, lock))
+  {
+    this->Planner->SetAbort(true);
+    queue.Wait(this, lock);
+  }
 }
 
 void PlanJob::Run()
 {
+  // Nobody's output window has to cope with other threads.
+  const vtkSmartPointer<vtkBRDF> brdf = this->Planner->GetBRDF();
+  const unsigned long error =
+    this->Planner->AddObserver(vtkCommand::ErrorEvent, this, &PlanJob::TakeMessage);
+  const unsigned long warning =
+    brdf->AddObserver(vtkCommand::WarningEvent, this, &PlanJob::TakeMessage);
   try
   {
     this->Succeeded = this->Planner->Update();
@@ -73,7 +199,8 @@ void PlanJob::Run()
   {
     this->Problem = e.what();
   }
-  this->Done = true;
+  this->Planner->RemoveObserver(error);
+  brdf->RemoveObserver(warning);
 }
 
 void PlanJob::TakeMessage(vtkObject*, unsigned long, void* text)
@@ -83,28 +210,27 @@ void PlanJob::TakeMessage(vtkObject*, unsigned long, void* text)
 
 void PlanJob::Leave()
 {
-  if (--this->Users == 0)
+  Queue& queue = GetQueue();
+  const Queue::Lock lock(queue.Mutex);
+  if (--this->Users == 0 && !this->Done)
   {
-    this->Abort();
-  }
-}
-
-void PlanJob::Abort()
-{
-  if (!this->Done)
-  {
-    this->Planner->SetAbort(true);
+    if (queue.Remove(this, lock))
+    {
+      this->Problem = "left before its turn";
+      this->Done = true;
+    }
+    else
+    {
+      this->Planner->SetAbort(true);
+    }
   }
 }
 
 void PlanJob::Wait()
 {
-  if (this->Thread.joinable())
-  {
-    this->Thread.join();
-    this->Planner->RemoveObservers(vtkCommand::ErrorEvent);
-    this->BRDF->RemoveObservers(vtkCommand::WarningEvent);
-  }
+  Queue& queue = GetQueue();
+  Queue::Lock lock(queue.Mutex);
+  queue.Wait(this, lock);
 }
 
 vtkSmartPointer<vtkRadiancePlanner> PlanJob::GetPlan() const

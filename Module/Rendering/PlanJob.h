@@ -2,14 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A plan in the making, on a thread of its own. Private to the rendering room.
+ * A plan in the making, on another thread. Private to the rendering room.
  *
- * Nothing is shared with that thread but the planner: it works on snapshots (NewPlanner, apart)
- * that the render thread reads no more until the job is done, and writes nowhere else. The end of
- * the thread's work is published by Done; what it used is released by the render thread, which
- * holds the job. Reference counts and modification times are atomic in VTK; planning has no global
- * state. (VTK 9.1's vtkSMPTools keeps a plain bool that says whether some thread is in a parallel
- * loop: it decides only whether another loop runs in parallel, too.)
+ * Jobs wait in one queue for the whole program. As many run at once as there are cores while a
+ * Render waits for one of them; else one fewer, which is left to drawing.
+ *
+ * Nothing is shared with a job's thread but the planner: it works on snapshots (NewPlanner, apart)
+ * that nobody reads until the job is done, and writes nowhere else. The end of its work is
+ * published by Done; what it used is released by whoever holds the job. Reference counts and
+ * modification times are atomic in VTK; planning has no global state. (VTK 9.1's vtkSMPTools keeps
+ * a plain bool that says whether some thread is in a parallel loop: it decides only whether another
+ * loop runs in parallel, too. Jobs side by side thus hardly start more threads than cores.)
  */
 
 #ifndef PlanJob_h
@@ -20,7 +23,6 @@
 #include <atomic>
 #include <memory>
 #include <string>
-#include <thread>
 
 class vtkObject;
 
@@ -29,11 +31,10 @@ namespace measuredbrdf
 class PlanJob
 {
 public:
-  /// The job for these inputs, already at work for another mapper or begun now; null where the
+  /// The job for these inputs, already queued for another mapper or queued now; null where the
   /// material has no snapshots, or there are no threads. Whoever has found it has to Leave it.
   static std::shared_ptr<PlanJob> Find(const PlanInputs& inputs);
 
-  /// Begin. Throws std::system_error where there are no threads.
   explicit PlanJob(vtkSmartPointer<vtkRadiancePlanner> planner);
 
   /// Aborts and waits for that: integrators look at it between the parts of their work.
@@ -45,6 +46,8 @@ public:
   void Leave();
 
   bool IsDone() const { return this->Done; }
+
+  /// Its turn is next.
   void Wait();
 
   ///@{
@@ -54,18 +57,24 @@ public:
   const std::string& GetProblem() const { return this->Problem; }
   ///@}
 
+  ///@{
+  /// How many jobs may run at once, and the largest number that did since the last call: for tests.
+  static int GetLimit();
+  static int TakeLargestNumber();
+  ///@}
+
 private:
+  class Queue;
+  static Queue& GetQueue();
+
   void Run();
-  void Abort();
   void TakeMessage(vtkObject* caller, unsigned long event, void* text);
 
   vtkSmartPointer<vtkRadiancePlanner> Planner;
-  vtkSmartPointer<vtkBRDF> BRDF; // the planner's, observed
-  int Users = 0;                 // render thread only
+  int Users = 0; // the queue's lock guards it
   std::string Problem;
   bool Succeeded = false;
-  std::atomic<bool> Done{ false };
-  std::thread Thread; // last: it uses the others
+  std::atomic<bool> Done{ true }; // until it is queued
 };
 } // namespace measuredbrdf
 

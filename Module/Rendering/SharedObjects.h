@@ -9,47 +9,72 @@
 #define SharedObjects_h
 
 #include "vtkSmartPointer.h"
-#include "vtkWeakPointer.h"
 
-#include <cstddef>
-#include <iterator>
 #include <map>
+#include <mutex>
+#include <vector>
 
 namespace measuredbrdf
 {
-// Objects by what they were made from, for as long as somebody holds them. Keys hold modification
-// times, which are never used twice: a recycled address does no harm.
+/**
+ * Objects by what they were made from, for as long as somebody else holds them. Keys hold
+ * modification times, which are never used twice: a recycled address does no harm.
+ *
+ * Windows may be drawn by different threads, so look-ups are locked. The map owns its objects:
+ * VTK's weak pointers can't be read while another thread deletes the object. What only the map
+ * still holds goes when the next one is made, or at the next Sweep.
+ *
+ * For static use, never destroyed: VTK may be gone when statics are.
+ */
 template <typename Key, typename T>
 class SharedObjects
 {
 public:
+  /// The object, made now if there is none; make may return null. The lock is not held meanwhile:
+  /// of two threads that make the same, both get the first.
   template <typename Make>
   vtkSmartPointer<T> Find(const Key& key, const Make& make)
   {
-    if (this->Objects.size() >= this->SweepAt) // not for each of many actors
     {
-      for (auto it = this->Objects.begin(); it != this->Objects.end();)
+      const std::lock_guard<std::mutex> lock(this->Mutex);
+      const auto it = this->Objects.find(key);
+      if (it != this->Objects.end())
       {
-        it = it->second ? std::next(it) : this->Objects.erase(it);
+        return it->second;
       }
-      this->SweepAt = 2 * this->Objects.size() + 16;
     }
-    auto it = this->Objects.find(key);
-    if (it != this->Objects.end() && it->second)
-    {
-      return it->second.Get();
-    }
+    this->Sweep(); // before there is more, but not for each of many actors
     vtkSmartPointer<T> made = make();
     if (made)
     {
-      this->Objects[key] = made;
+      const std::lock_guard<std::mutex> lock(this->Mutex);
+      made = this->Objects.emplace(key, made).first->second;
     }
     return made;
   }
 
+  /// Release what nobody else holds.
+  void Sweep()
+  {
+    std::vector<vtkSmartPointer<T>> released; // after the lock
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    for (auto it = this->Objects.begin(); it != this->Objects.end();)
+    {
+      if (it->second->GetReferenceCount() == 1)
+      {
+        released.push_back(it->second);
+        it = this->Objects.erase(it);
+      }
+      else
+      {
+        ++it;
+      }
+    }
+  }
+
 private:
-  std::map<Key, vtkWeakPointer<T>> Objects;
-  std::size_t SweepAt = 16;
+  std::mutex Mutex;
+  std::map<Key, vtkSmartPointer<T>> Objects;
 };
 } // namespace measuredbrdf
 

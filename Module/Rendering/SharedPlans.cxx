@@ -24,7 +24,7 @@ using SharedPlans = SharedObjects<std::pair<PlanInputs::Key, bool>, vtkRadianceP
 
 SharedPlans& GetSharedPlans()
 {
-  static SharedPlans plans;
+  static SharedPlans& plans = *new SharedPlans;
   return plans;
 }
 
@@ -44,12 +44,6 @@ vtkSmartPointer<vtkDoubleArray> ToWorld(
   }
   return array;
 }
-
-// Powers of two, so that plans kept on disk are found again.
-vtkIdType RoundPixels(double pixels)
-{
-  return static_cast<vtkIdType>(std::exp2(std::round(std::log2(std::clamp(pixels, 1.0, 1e9)))));
-}
 }
 
 PlanInputs::PlanInputs(
@@ -61,6 +55,12 @@ PlanInputs::PlanInputs(
   , Tolerance(tolerance)
   , Costs(costs ? costs->GetText() : "")
 {
+}
+
+void PlanInputs::SetPixels(double pixels)
+{
+  this->Pixels =
+    static_cast<vtkIdType>(std::exp2(std::round(std::log2(std::clamp(pixels, 1.0, 1e9)))));
 }
 
 vtkSmartPointer<vtkRadiancePlanner> NewPlanner(const PlanInputs& inputs, bool apart)
@@ -77,12 +77,19 @@ vtkSmartPointer<vtkRadiancePlanner> NewPlanner(const PlanInputs& inputs, bool ap
     apart ? vtkSmartPointer<vtkEnvironment>::Take(inputs.Environment->NewSnapshot())
           : inputs.Environment);
   planner->SetErrorTolerance(inputs.Tolerance);
-  planner->SetCacheFolder(vtkRadiancePlanner::GetDefaultCacheFolder());
   if (inputs.Seen)
   {
+    // Not kept on disk: hardly any view comes twice, and they would drive out what does.
     planner->SetPairs(ToWorld(inputs.Seen->GetNormals(), planner->GetEnvironment()),
       ToWorld(inputs.Seen->GetViews(), planner->GetEnvironment()));
-    planner->SetNumberOfPixels(RoundPixels(inputs.Seen->GetNumberOfPixels()));
+  }
+  else
+  {
+    planner->SetCacheFolder(vtkRadiancePlanner::GetDefaultCacheFolder());
+  }
+  if (inputs.Pixels > 0)
+  {
+    planner->SetNumberOfPixels(inputs.Pixels);
   }
   if (!inputs.Costs.empty())
   {
@@ -105,4 +112,6 @@ void SharePlan(const PlanInputs& inputs, bool apart, vtkRadiancePlanner* plan)
   GetSharedPlans().Find(
     { inputs.GetKey(), apart }, [plan]() { return vtkSmartPointer<vtkRadiancePlanner>(plan); });
 }
+
+void SweepPlans() { GetSharedPlans().Sweep(); }
 } // namespace measuredbrdf

@@ -3,7 +3,7 @@
 /**
  * @file
  * Plans of a material under an environment, made once and shared by all mappers that hold them:
- * what was asked for, and who has it. For the render thread only. Private to the rendering room.
+ * what was asked for, and who has it. Private to the rendering room.
  */
 
 #ifndef SharedPlans_h
@@ -33,11 +33,11 @@ struct PlanInputs
 
   /// The plans' key. Modification times are never used twice: a recycled address does no harm.
   using Key = std::tuple<vtkBRDF*, vtkMTimeType, vtkEnvironment*, vtkMTimeType, double, std::string,
-    vtkMTimeType>;
+    vtkMTimeType, vtkIdType>;
   Key GetKey() const
   {
     return { this->BRDF, this->BRDFTime, this->Environment, this->PixelsTime, this->Tolerance,
-      this->Costs, this->SeenTime };
+      this->Costs, this->SeenTime, this->Pixels };
   }
 
   vtkSmartPointer<vtkBRDF> BRDF;
@@ -47,10 +47,17 @@ struct PlanInputs
   double Tolerance = 0.0;
   std::string Costs; // a cost model's text; "": the defaults
 
+  ///@{
   /// What the camera sees, in the environment's frame, and a time that no other one has; null, 0:
   /// a plan for every view.
   std::shared_ptr<const VisibleSurface> Seen;
   vtkMTimeType SeenTime = 0;
+  ///@}
+
+  /// Covered pixels, in powers of two, so that plans are shared and found on disk; 0: the planner's
+  /// default.
+  void SetPixels(double pixels);
+  vtkIdType Pixels = 0;
 };
 
 /// A plan's planner, not updated yet, of the objects themselves or, apart, of snapshots of its own,
@@ -63,6 +70,9 @@ vtkSmartPointer<vtkRadiancePlanner> FindPlan(const PlanInputs& inputs, bool apar
 
 /// Let others find a plan, for as long as somebody holds it.
 void SharePlan(const PlanInputs& inputs, bool apart, vtkRadiancePlanner* plan);
+
+/// Release the plans that nobody holds any more.
+void SweepPlans();
 } // namespace measuredbrdf
 
 #endif

@@ -90,54 +90,77 @@ private:
   double Scale = 1.0;
 };
 
-class Mesh
+class Meshes
 {
 public:
-  Mesh(vtkPolyData* surface, const glm::dmat4& toWorld, const Eye& eye)
-    : Surface(surface)
-    , ToWorld(toWorld)
+  Meshes(const std::vector<vtkPolyData*>& surfaces, const glm::dmat4& toWorld, const Eye& eye)
+    : ToWorld(toWorld)
     , NormalToWorld(glm::transpose(glm::inverse(glm::dmat3(toWorld))))
-    , PointNormals(surface->GetPointData()->GetNormals())
-    , CellNormals(surface->GetCellData()->GetNormals())
     , Camera(eye)
   {
-    const vtkIdType verts = surface->GetNumberOfVerts() + surface->GetNumberOfLines();
-    this->AddCells(surface->GetPolys(), verts, false);
-    this->AddCells(surface->GetStrips(), verts + surface->GetNumberOfPolys(), true);
+    std::vector<Cells> all;
+    vtkIdType total = 0;
+    for (vtkPolyData* surface : surfaces)
+    {
+      const vtkIdType verts = surface->GetNumberOfVerts() + surface->GetNumberOfLines();
+      for (const Cells& cells : { Cells{ surface, surface->GetPolys(), verts, false },
+             Cells{ surface, surface->GetStrips(), verts + surface->GetNumberOfPolys(), true } })
+      {
+        total += cells.Array->GetNumberOfCells();
+        all.push_back(cells);
+      }
+    }
+    const vtkIdType stride = (total + MostPolygons - 1) / MostPolygons;
+    std::size_t at = 0;
+    vtkIdType before = 0; // cells before those of all[at]
+    for (vtkIdType start = 0; start < total; start += stride)
+    {
+      // Any of the stride's: meshes alternate, too.
+      const auto index = static_cast<unsigned int>(start / stride + 1);
+      const vtkIdType within = std::min(stride, total - start);
+      const vtkIdType k = start + static_cast<vtkIdType>(RadicalInverse(index, 2) * within);
+      for (; k - before >= all[at].Array->GetNumberOfCells(); ++at)
+      {
+        before += all[at].Array->GetNumberOfCells();
+      }
+      this->AddCell(all[at], k - before, static_cast<double>(within));
+    }
   }
 
   std::vector<Triangle> Triangles;
 
 private:
-  void AddCells(vtkCellArray* cells, vtkIdType firstCell, bool strips)
+  struct Cells
   {
-    const vtkIdType count = cells->GetNumberOfCells();
-    const vtkIdType stride = (count + MostPolygons - 1) / MostPolygons;
-    for (vtkIdType start = 0; start < count; start += stride)
+    vtkPolyData* Surface;
+    vtkCellArray* Array;
+    vtkIdType First; // the surface's index of the array's first
+    bool Strips;
+  };
+
+  void AddCell(const Cells& cells, vtkIdType k, double weight)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    cells.Array->GetCellAtId(k, size, ids);
+    for (vtkIdType corner = 2; corner < size; ++corner)
     {
-      // Any of the stride's: meshes alternate, too.
-      const auto index = static_cast<unsigned int>(start / std::max<vtkIdType>(stride, 1) + 1);
-      const vtkIdType within = std::min(stride, count - start);
-      const vtkIdType k = start + static_cast<vtkIdType>(RadicalInverse(index, 2) * within);
-      vtkIdType size = 0;
-      const vtkIdType* ids = nullptr;
-      cells->GetCellAtId(k, size, ids);
-      for (vtkIdType corner = 2; corner < size; ++corner)
-      {
-        const vtkIdType first = strips ? ids[corner - 2] : ids[0];
-        this->AddTriangle({ first, ids[corner - 1], ids[corner] }, firstCell + k,
-          static_cast<double>(within), strips && corner % 2 == 1);
-      }
+      const vtkIdType first = cells.Strips ? ids[corner - 2] : ids[0];
+      this->AddTriangle(cells.Surface, { first, ids[corner - 1], ids[corner] }, cells.First + k,
+        weight, cells.Strips && corner % 2 == 1);
     }
   }
 
-  void AddTriangle(const std::array<vtkIdType, 3>& ids, vtkIdType cell, double weight, bool turned)
+  void AddTriangle(vtkPolyData* surface, const std::array<vtkIdType, 3>& ids, vtkIdType cell,
+    double weight, bool turned)
   {
+    vtkDataArray* pointNormals = surface->GetPointData()->GetNormals();
+    vtkDataArray* cellNormals = surface->GetCellData()->GetNormals();
     Triangle triangle;
     for (std::size_t c = 0; c < 3; ++c)
     {
       double point[3];
-      this->Surface->GetPoint(ids[c], point);
+      surface->GetPoint(ids[c], point);
       triangle.Points[c] = glm::dvec3(this->ToWorld * glm::dvec4(glm::make_vec3(point), 1.0));
     }
     const glm::dvec3 cross = 0.5 * glm::cross(triangle.Points[1] - triangle.Points[0],
@@ -152,10 +175,10 @@ private:
     for (std::size_t c = 0; c < 3; ++c)
     {
       triangle.Normals[c] = turned ? -cross : cross;
-      if (vtkDataArray* array = this->PointNormals ? this->PointNormals : this->CellNormals)
+      if (vtkDataArray* array = pointNormals ? pointNormals : cellNormals)
       {
         double normal[3];
-        array->GetTuple(this->PointNormals ? ids[c] : cell, normal);
+        array->GetTuple(pointNormals ? ids[c] : cell, normal);
         triangle.Normals[c] = this->NormalToWorld * glm::make_vec3(normal);
       }
       mean += triangle.Normals[c];
@@ -169,20 +192,17 @@ private:
     }
   }
 
-  vtkPolyData* Surface;
   glm::dmat4 ToWorld;
   glm::dmat3 NormalToWorld;
-  vtkDataArray* PointNormals;
-  vtkDataArray* CellNormals;
   const Eye& Camera;
 };
 }
 
-VisibleSurface::VisibleSurface(vtkPolyData* surface, vtkMatrix4x4* toWorld, vtkCamera* camera,
-  int width, int height, const double toFrame[9])
+VisibleSurface::VisibleSurface(const std::vector<vtkPolyData*>& surfaces, vtkMatrix4x4* toWorld,
+  vtkCamera* camera, int width, int height, const double toFrame[9])
 {
   const Eye eye(camera, std::max(width, 1), std::max(height, 1));
-  std::vector<Triangle> triangles = Mesh(surface, GetMatrix(toWorld), eye).Triangles;
+  std::vector<Triangle> triangles = Meshes(surfaces, GetMatrix(toWorld), eye).Triangles;
   double sums[2] = { 0.0, 0.0 };
   for (const Triangle& triangle : triangles)
   {
@@ -244,10 +264,14 @@ VisibleSurface::VisibleSurface(vtkPolyData* surface, vtkMatrix4x4* toWorld, vtkC
   }
 }
 
+bool VisibleSurface::Outgrows(double pixels) const
+{
+  return this->Pixels > LargestGrowth * std::max(pixels, 1e-30);
+}
+
 bool VisibleSurface::Serves(const VisibleSurface& other) const
 {
-  const double growth = other.Pixels / std::max(this->Pixels, 1e-30);
-  if (growth > LargestGrowth || growth < 1.0 / LargestShrinkage)
+  if (other.Outgrows(this->Pixels) || other.Pixels < this->Pixels / LargestShrinkage)
   {
     return false;
   }

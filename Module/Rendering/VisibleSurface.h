@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What a camera sees of a polygonal surface: normals and views in proportion to the pixels that
+ * What a camera sees of polygonal surfaces: normals and views in proportion to the pixels that
  * they cover, and how many those are. Private to the rendering room.
  *
  * Nothing is drawn: triangles are weighed by their projected areas. What hides behind other parts
  * counts too, so that coverage is an upper bound; sides that face away count only where nearly all
  * do (a room seen from inside). Of more than 4096 polygons every so many-th stands for its
- * neighbours.
+ * neighbours, whichever surface they belong to.
  */
 
 #ifndef VisibleSurface_h
@@ -30,8 +30,8 @@ class VisibleSurface
 public:
   /// No pair where hardly anything is in view. toFrame: rows of a rotation of the world, into the
   /// frame that pairs are wanted in. width, height: of the picture in pixels.
-  VisibleSurface(vtkPolyData* surface, vtkMatrix4x4* toWorld, vtkCamera* camera, int width,
-    int height, const double toFrame[9]);
+  VisibleSurface(const std::vector<vtkPolyData*>& surfaces, vtkMatrix4x4* toWorld,
+    vtkCamera* camera, int width, int height, const double toFrame[9]);
 
   bool IsEmpty() const { return this->Normals.empty(); }
 
@@ -48,6 +48,9 @@ public:
   /// like something that is seen here, at about the same size. Far from any threshold where the
   /// view turns a few degrees, so that plans do not come and go.
   bool Serves(const VisibleSurface& other) const;
+
+  /// Whether a plan for so many pixels is too poor for this one, whatever is seen.
+  bool Outgrows(double pixels) const;
 
 private:
   std::vector<glm::dvec3> Normals;

@@ -18,6 +18,7 @@ using GLenum = unsigned int; // which the next header takes for declared
 #endif
 
 #include <functional>
+#include <set>
 #include <unordered_map>
 #include <utility>
 
@@ -28,6 +29,31 @@ struct vtkCompositeMeasuredBRDFMapper::Internals
   std::shared_ptr<MaterialSettings> Settings = std::make_shared<MaterialSettings>();
   std::shared_ptr<MaterialDrawing> Drawing; // shared with the batches
   BlockMaterials Blocks;
+
+  // Each material once; which blocks have it shows while they are drawn, and plans for a view with
+  // that.
+  std::vector<MaterialUse> GetUsesToCome() const
+  {
+    std::set<vtkBRDF*> brdfs;
+    if (!this->Settings->PlanForView)
+    {
+      brdfs.insert(this->Settings->BRDF);
+      for (const auto& [index, brdf] : this->Settings->BlocksByIndex)
+      {
+        brdfs.insert(brdf);
+      }
+      for (const auto& [name, brdf] : this->Settings->BlocksByName)
+      {
+        brdfs.insert(brdf);
+      }
+    }
+    std::vector<MaterialUse> uses;
+    for (vtkBRDF* brdf : brdfs)
+    {
+      uses.push_back({ brdf, {} });
+    }
+    return uses;
+  }
 
   // Brought up to date while the composite mapper renders, when its input is.
   void UpdateBlocks(vtkAlgorithm* mapper)
@@ -220,11 +246,15 @@ vtkStandardNewMacro(vtkCompositeMeasuredBRDFMapper);
 vtkCompositeMeasuredBRDFMapper::vtkCompositeMeasuredBRDFMapper()
   : Impl(new Internals)
 {
-  this->Impl->Drawing = std::make_shared<MaterialDrawing>(this, this->Impl->Settings);
+  this->Impl->Drawing = std::make_shared<MaterialDrawing>(
+    this, this->Impl->Settings, [this]() { return this->Impl->GetUsesToCome(); });
 }
 
 //------------------------------------------------------------------------------
 vtkCompositeMeasuredBRDFMapper::~vtkCompositeMeasuredBRDFMapper() = default;
+
+//------------------------------------------------------------------------------
+MaterialDrawing* vtkCompositeMeasuredBRDFMapper::GetDrawing() { return this->Impl->Drawing.get(); }
 
 //------------------------------------------------------------------------------
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)

@@ -18,7 +18,10 @@ vtkStandardNewMacro(vtkMeasuredBRDFMapper);
 //------------------------------------------------------------------------------
 vtkMeasuredBRDFMapper::vtkMeasuredBRDFMapper()
 {
-  this->Drawing = std::make_shared<MaterialDrawing>(this, std::make_shared<MaterialSettings>());
+  this->Drawing = std::make_shared<MaterialDrawing>(this, std::make_shared<MaterialSettings>(),
+    [this]() -> std::vector<MaterialUse> {
+      return { { this->Drawing->GetSettings().BRDF, { this->GetInput() } } };
+    });
 }
 
 //------------------------------------------------------------------------------

@@ -19,7 +19,9 @@
  * - Without a material it is the superclass.
  * - Anisotropic materials use the polydata's float point tangents (PointData::SetTangents); without
  *   them the tangent turns about the environment's up axis, with a warning.
- * - Composite datasets: one actor and mapper per block.
+ * - In several viewports or windows, each is drawn by a plan for its own light. Selection, shadow
+ *   maps and other passes that show no color neither plan nor upload, and draw as the superclass.
+ * - Composite data sets: vtkCompositeMeasuredBRDFMapper.
  *
  * The setters below do not call Modified(): that would rebuild vertex buffers and shaders. What
  * they set shows at the next Render. Changing the material's parameters, the environment or the
@@ -145,7 +147,9 @@ public:
    *
    * A still picture in between is right with FOREGROUND, which waits for the plan in the making.
    * Threads work on snapshots (vtkBRDF::NewSnapshot): a material that has none is planned for in
-   * the foreground. The destructor and ReleaseGraphicsResources stop the thread and wait for that.
+   * the foreground. The destructor stops the thread and waits for that. Where a Render has to plan
+   * for several mappers of a renderer, it does so side by side, on as many threads as there are
+   * cores; in the background, one fewer.
    */
   void SetPlanningMode(int mode);
   int GetPlanningMode();
@@ -162,7 +166,10 @@ public:
    * objects get cheaper plans. Where the camera, the object or the environment's rotation bring to
    * light what was not seen before (a tenth of it by 15 degrees, or 4 times more or 8 times fewer
    * pixels), the mapper plans again, in the background if PlanningMode says so; in between, the
-   * plan stays. A plan for every view never changes under the camera: hence the default.
+   * plan stays. Plans for four views of an actor are kept and taken up again when the camera comes
+   * back; from the fifth on, one for every view serves, with the pixels covered. Plans for single
+   * views are not kept on disk. A plan for every view never changes under the camera: hence the
+   * default.
    */
   void SetPlanForView(bool view);
   bool GetPlanForView();
@@ -287,6 +294,8 @@ protected:
   std::vector<measuredbrdf::MaterialUse> GetMaterialUses() override;
 
 private:
+  friend class measuredbrdf::MaterialDrawing; // which plans for all mappers of a renderer at once
+
   vtkMeasuredBRDFMapper(const vtkMeasuredBRDFMapper&) = delete;
   void operator=(const vtkMeasuredBRDFMapper&) = delete;
 };

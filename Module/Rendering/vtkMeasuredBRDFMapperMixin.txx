@@ -14,8 +14,6 @@
 #include "vtkBRDF.h"
 #include "vtkCamera.h"
 #include "vtkEnvironment.h"
-#include "vtkInformation.h"
-#include "vtkLightingMapPass.h"
 #include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
@@ -165,11 +163,8 @@ bool vtkMeasuredBRDFMapperMixin<Base>::UsesMaterial(vtkActor* actor, const vtkOp
   }
   const bool triangles = cellBO == &this->Primitives[Base::PrimitiveTris] ||
                          cellBO == &this->Primitives[Base::PrimitiveTriStrips];
-  vtkInformation* keys = actor->GetPropertyKeys();
   return triangles && actor->GetProperty()->GetLighting() &&
-         actor->GetProperty()->GetRepresentation() == VTK_SURFACE &&
-         !(keys && (keys->Has(vtkLightingMapPass::RENDER_NORMALS()) ||
-                     keys->Has(vtkLightingMapPass::RENDER_LUMINANCE())));
+         actor->GetProperty()->GetRepresentation() == VTK_SURFACE;
 }
 
 //------------------------------------------------------------------------------

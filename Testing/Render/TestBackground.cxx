@@ -184,16 +184,17 @@ TEST_F(Background, EndsWhilePlanning)
   {
     vtkNew<vtkMeasuredBRDFMapper> mapper;
     begin(mapper);
-    std::thread opener = openSoon();
-    mapper->ReleaseGraphicsResources(this->Window);
-    EXPECT_FALSE(mapper->GetPlanPending());
-    opener.join();
+    mapper->ReleaseGraphicsResources(this->Window); // which planning has no use for
+    EXPECT_TRUE(mapper->GetPlanPending());
+    EXPECT_TRUE(this->BRDF->Door->IsAwaited());
     this->RenderEncoded(); // and it goes on
     EXPECT_TRUE(mapper->GetPlanPending());
+    this->BRDF->Door->OpenUp();
     ASSERT_TRUE(WaitUntil([&]() { return mapper->GetPlanReady(); }));
     this->RenderEncoded();
+    EXPECT_FALSE(mapper->GetPlanPending());
     begin(mapper);
-    opener = openSoon();
+    std::thread opener = openSoon();
     this->Actor->SetMapper(this->Measured);
     opener.detach();
   }

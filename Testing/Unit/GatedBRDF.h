@@ -83,7 +83,7 @@ protected:
     return copy;
   }
 };
-vtkStandardNewMacro(GatedBRDF);
+inline vtkStandardNewMacro(GatedBRDF);
 
 /// Whether it comes true; a minute is a failure, not a measure.
 template <typename Condition>

@@ -45,7 +45,7 @@ protected:
   VisibleSurface See(
     vtkPolyData* surface, int width = 400, int height = 200, const double* frame = Identity)
   {
-    return VisibleSurface(surface, this->Matrix, this->Camera, width, height, frame);
+    return VisibleSurface({ surface }, this->Matrix, this->Camera, width, height, frame);
   }
 
   vtkNew<vtkSphereSource> Sphere;
@@ -123,7 +123,7 @@ TEST_F(Visible, ActorsAreTransformed)
   slanted->Update();
   vtkNew<vtkMatrix4x4> stretched;
   stretched->SetElement(0, 0, 2.0);
-  const VisibleSurface wide(slanted->GetOutput(), stretched, this->Camera, 400, 200, Identity);
+  const VisibleSurface wide({ slanted->GetOutput() }, stretched, this->Camera, 400, 200, Identity);
   ASSERT_FALSE(wide.IsEmpty());
   const glm::dvec3 expected = glm::normalize(glm::dvec3(0.3, 0.0, 0.8));
   EXPECT_NEAR(glm::distance(wide.GetNormals()[0], expected), 0.0, 1e-6);

@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DrawsColor.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkCameraPass.h"
+#include "vtkImageProcessingPass.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkLightingMapPass.h"
+#include "vtkOpenGLRenderPass.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkOpenGLState.h"
+#include "vtkRenderPassCollection.h"
+#include "vtkRenderStepsPass.h"
+#include "vtkSSAAPass.h"
+#include "vtkSequencePass.h"
+#include "vtkShadowMapBakerPass.h"
+#include "vtkShadowMapPass.h"
+#include "vtkSmartPointer.h"
+#include "vtkValuePass.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace measuredbrdf
+{
+namespace
+{
+constexpr unsigned int ColorWriteMask = 0x0C23; // GL_COLOR_WRITEMASK, from the OpenGL registry
+
+bool IsCameraOf(vtkShadowMapBakerPass* baker, vtkCamera* camera)
+{
+  const std::vector<vtkSmartPointer<vtkCamera>>* lights = baker->GetLightCameras();
+  return lights && std::find(lights->begin(), lights->end(), camera) != lights->end();
+}
+
+// Whether a pass, or one that it delegates to, bakes shadows with this camera now.
+bool Bakes(vtkRenderPass* pass, vtkCamera* camera)
+{
+  if (auto* baker = vtkShadowMapBakerPass::SafeDownCast(pass))
+  {
+    return IsCameraOf(baker, camera);
+  }
+  if (auto* shadows = vtkShadowMapPass::SafeDownCast(pass))
+  {
+    return Bakes(shadows->GetShadowMapBakerPass(), camera);
+  }
+  if (auto* cameraPass = vtkCameraPass::SafeDownCast(pass))
+  {
+    return Bakes(cameraPass->GetDelegatePass(), camera);
+  }
+  if (auto* image = vtkImageProcessingPass::SafeDownCast(pass))
+  {
+    return Bakes(image->GetDelegatePass(), camera);
+  }
+  if (auto* finer = vtkSSAAPass::SafeDownCast(pass))
+  {
+    return Bakes(finer->GetDelegatePass(), camera);
+  }
+  if (auto* steps = vtkRenderStepsPass::SafeDownCast(pass))
+  {
+    return Bakes(steps->GetOpaquePass(), camera) || Bakes(steps->GetLightsPass(), camera);
+  }
+  auto* sequence = vtkSequencePass::SafeDownCast(pass);
+  vtkRenderPassCollection* passes = sequence ? sequence->GetPasses() : nullptr;
+  if (!passes)
+  {
+    return false;
+  }
+  vtkCollectionSimpleIterator it;
+  passes->InitTraversal(it);
+  while (vtkRenderPass* next = passes->GetNextRenderPass(it))
+  {
+    if (Bakes(next, camera))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+}
+
+bool DrawsColor(vtkRenderer* renderer, vtkActor* actor)
+{
+  if (renderer->GetSelector())
+  {
+    return false;
+  }
+  vtkInformation* keys = actor->GetPropertyKeys();
+  if (keys && (keys->Has(vtkLightingMapPass::RENDER_NORMALS()) ||
+                keys->Has(vtkLightingMapPass::RENDER_LUMINANCE())))
+  {
+    return false;
+  }
+  vtkInformationObjectBaseVectorKey* passes = vtkOpenGLRenderPass::RenderPasses();
+  for (int k = 0; keys && keys->Has(passes) && k < keys->Length(passes); ++k)
+  {
+    vtkObjectBase* pass = keys->Get(passes, k);
+    if (vtkShadowMapBakerPass::SafeDownCast(pass) || vtkValuePass::SafeDownCast(pass))
+    {
+      return false;
+    }
+  }
+  // What the renderer's own camera does not see bears no sign of the baker.
+  if (renderer->GetPass() && Bakes(renderer->GetPass(), renderer->GetActiveCamera()))
+  {
+    return false;
+  }
+  auto* openGL = vtkOpenGLRenderer::SafeDownCast(renderer);
+  if (openGL && openGL->GetUseHiddenLineRemoval())
+  {
+    unsigned char mask[4] = { 1, 1, 1, 1 };
+    openGL->GetState()->vtkglGetBooleanv(ColorWriteMask, mask);
+    return mask[0] || mask[1] || mask[2];
+  }
+  return true;
+}
+} // namespace measuredbrdf

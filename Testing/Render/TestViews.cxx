@@ -1,0 +1,405 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// One mapper in several viewports, windows and passes: each gets its own plan, and only those that
+// show colors get any.
+
+#include "RenderFixture.h"
+
+#include "../Unit/GatedBRDF.h"
+#include "vtkBlinnPhongBRDF.h"
+#include "vtkCallbackCommand.h"
+#include "vtkEnvironment.h"
+#include "vtkFloatArray.h"
+#include "vtkHardwareSelector.h"
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkMeasuredBRDFMapper.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkProperty.h"
+#include "vtkSelection.h"
+#include "vtkShadowMapBakerPass.h"
+#include "vtkShadowMapPass.h"
+#include "vtkSphereSource.h"
+#include "vtkTexture.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <memory>
+#include <new>
+#include <string>
+#include <vector>
+
+namespace
+{
+/// Events of one kind, counted.
+struct Counter
+{
+  Counter(vtkObject* object, unsigned long event)
+  {
+    this->Command->SetClientData(&this->Count);
+    this->Command->SetCallback(
+      [](vtkObject*, unsigned long, void* count, void*) { ++*static_cast<int*>(count); });
+    object->AddObserver(event, this->Command);
+  }
+  vtkNew<vtkCallbackCommand> Command;
+  int Count = 0;
+};
+
+class Views : public RenderFixture
+{
+protected:
+  void SetUp() override
+  {
+    RenderFixture::SetUp();
+    if (IsSkipped())
+    {
+      return;
+    }
+    this->BRDF->SetSpecular(0.4, 0.3, 0.2);
+    this->BRDF->SetExponent(5.0);
+    this->Measured->SetInputConnection(this->Sphere->GetOutputPort());
+    this->Measured->SetBRDF(this->BRDF);
+    this->Measured->SetErrorTolerance(0.3);
+    this->Actor->SetMapper(this->Measured);
+    this->Renderer->AddActor(this->Actor);
+    for (int k = 0; k < 2; ++k)
+    {
+      // Red from one side, blue from the other; or green from above.
+      vtkNew<vtkFloatArray> radiance;
+      radiance->SetNumberOfComponents(3);
+      for (int texel = 0; texel < 16 * 8; ++texel)
+      {
+        const float side = texel % 16 < 8 ? 1.0f : 0.1f;
+        const float above = texel / 16 >= 4 ? 1.0f : 0.05f;
+        const float rgb[2][3] = { { side, 0.2f, 1.1f - side }, { 0.1f, above, 0.1f } };
+        radiance->InsertNextTuple(rgb[k]);
+      }
+      vtkNew<vtkImageData> image;
+      image->SetDimensions(16, 8, 1);
+      image->GetPointData()->SetScalars(radiance);
+      this->Textures[k]->SetInputData(image);
+      this->Textures[k]->MipmapOn();
+      this->Textures[k]->InterpolateOn();
+    }
+  }
+  void TearDown() override { this->BRDF->Door->OpenUp(); }
+
+  static std::vector<unsigned char> Read(vtkRenderWindow* window)
+  {
+    vtkNew<vtkUnsignedCharArray> pixels;
+    const int* size = window->GetSize();
+    window->GetRGBACharPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels);
+    return { pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues() };
+  }
+
+  static void SetUpWindow(vtkRenderWindow* window)
+  {
+    window->SetOffScreenRendering(1);
+    window->SetMultiSamples(0);
+    window->SetSize(64, 64);
+  }
+
+  void SetUpRenderer(vtkRenderer* renderer, vtkTexture* light)
+  {
+    renderer->SetAutomaticLightCreation(false);
+    renderer->SetActiveCamera(this->Renderer->GetActiveCamera());
+    renderer->SetEnvironmentTexture(light);
+    renderer->AddActor(this->Actor);
+  }
+
+  /// What a fresh mapper shows under this light.
+  std::vector<unsigned char> RenderAlone(vtkTexture* light)
+  {
+    vtkNew<vtkRenderWindow> window;
+    vtkNew<vtkRenderer> renderer;
+    vtkNew<vtkMeasuredBRDFMapper> mapper;
+    vtkNew<vtkActor> actor;
+    SetUpWindow(window);
+    window->SetSize(32, 64);
+    window->AddRenderer(renderer);
+    renderer->SetAutomaticLightCreation(false);
+    renderer->SetActiveCamera(this->Renderer->GetActiveCamera());
+    renderer->SetEnvironmentTexture(light);
+    mapper->SetInputConnection(this->Sphere->GetOutputPort());
+    mapper->SetBRDF(this->BRDF);
+    mapper->SetErrorTolerance(0.3);
+    actor->SetMapper(mapper);
+    renderer->AddActor(actor);
+    window->Render();
+    return Read(window);
+  }
+
+  vtkNew<vtkSphereSource> Sphere;
+  vtkNew<GatedBRDF> BRDF;
+  vtkNew<vtkMeasuredBRDFMapper> Measured;
+  vtkNew<vtkActor> Actor;
+  vtkNew<vtkTexture> Textures[2];
+};
+}
+
+//------------------------------------------------------------------------------
+TEST_F(Views, TwoViewportsTwoLights)
+{
+  const std::vector<unsigned char> alone[2] = { this->RenderAlone(this->Textures[0]),
+    this->RenderAlone(this->Textures[1]) };
+  ASSERT_NE(alone[0], alone[1]);
+  vtkNew<vtkRenderer> right;
+  this->Window->AddRenderer(right);
+  this->Renderer->SetViewport(0.0, 0.0, 0.5, 1.0);
+  right->SetViewport(0.5, 0.0, 1.0, 1.0);
+  this->Renderer->SetEnvironmentTexture(this->Textures[0]);
+  this->SetUpRenderer(right, this->Textures[1]);
+  const Counter plans(this->Measured, vtkCommand::UpdateDataEvent);
+  for (const bool background : { false, true })
+  {
+    this->Measured->SetPlanningMode(
+      background ? vtkMeasuredBRDFMapper::BACKGROUND : vtkMeasuredBRDFMapper::FOREGROUND);
+    this->Window->Render();
+    while (this->Measured->GetPlanPending())
+    {
+      ASSERT_TRUE(WaitUntil([this]() { return this->Measured->GetPlanReady(); }));
+      this->Window->Render();
+    }
+    EXPECT_EQ(plans.Count, background ? 4 : 2); // in the background by snapshots: planned anew
+    this->BRDF->Door->TakePasses();
+    for (int frame = 0; frame < 3; ++frame)
+    {
+      this->Window->Render();
+      EXPECT_EQ(this->BRDF->Door->TakePasses(), 0);
+      const std::vector<unsigned char> both = Read(this->Window);
+      int wrong = 0;
+      for (std::size_t k = 0; k < both.size(); ++k)
+      {
+        const std::size_t x = k / 4 % 64;
+        wrong += both[k] != alone[x / 32][(k / 256 * 32 + x % 32) * 4 + k % 4] ? 1 : 0;
+      }
+      EXPECT_EQ(wrong, 0);
+    }
+  }
+  this->Window->RemoveRenderer(right);
+}
+
+//------------------------------------------------------------------------------
+// A mapper's buffers go whenever another window draws it; what is in the making stays.
+TEST_F(Views, TwoWindowsGetTheirBackgroundPlan)
+{
+  vtkNew<vtkRenderWindow> window;
+  vtkNew<vtkRenderer> renderer;
+  SetUpWindow(window);
+  window->AddRenderer(renderer);
+  this->Renderer->SetEnvironmentTexture(this->Textures[0]);
+  this->SetUpRenderer(renderer, this->Textures[0]);
+  this->Measured->SetPlanningModeToBackground();
+  this->Window->Render();
+  window->Render();
+  const std::string old = this->Measured->GetPlan();
+  this->BRDF->Door->Close();
+  this->BRDF->SetExponent(40.0);
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    this->Window->Render();
+    window->Render();
+  }
+  ASSERT_TRUE(WaitUntil([this]() { return this->BRDF->Door->IsAwaited(); }));
+  EXPECT_EQ(this->Measured->GetPlan(), old);
+  this->BRDF->Door->TakePasses();
+  // As many frames as it takes, in either window, do not begin it anew.
+  this->Window->Render();
+  window->Render();
+  EXPECT_EQ(this->BRDF->Door->TakePasses(), 0);
+  this->BRDF->Door->OpenUp();
+  ASSERT_TRUE(WaitUntil([this]() { return this->Measured->GetPlanReady(); }));
+  this->Window->Render();
+  window->Render();
+  EXPECT_FALSE(this->Measured->GetPlanPending());
+  EXPECT_NE(this->Measured->GetPlan(), old);
+  renderer->RemoveActor(this->Actor);
+}
+
+//------------------------------------------------------------------------------
+// Also for an actor that only the light sees.
+TEST_F(Views, ShadowMapsNeedNoPlans)
+{
+  vtkNew<vtkSphereSource> behind;
+  vtkNew<vtkMeasuredBRDFMapper> unseenMapper;
+  vtkNew<vtkActor> unseen;
+  unseenMapper->SetInputConnection(behind->GetOutputPort());
+  unseenMapper->SetBRDF(this->BRDF);
+  unseenMapper->SetErrorTolerance(0.3);
+  unseenMapper->PlanForViewOn();
+  unseen->SetMapper(unseenMapper);
+  unseen->SetPosition(0.0, 4.0, 0.0); // above the picture
+  this->Renderer->AddActor(unseen);
+  this->Renderer->SetEnvironmentTexture(this->Textures[0]);
+  vtkNew<vtkLight> spot;
+  spot->SetLightTypeToSceneLight();
+  spot->PositionalOn();
+  spot->SetConeAngle(40.0);
+  spot->SetPosition(8.0, 2.0, 0.0); // from the side
+  spot->SetFocalPoint(0.0, 0.0, 0.0);
+  this->Renderer->AddLight(spot);
+  this->Measured->PlanForViewOn();
+
+  vtkNew<vtkShadowMapPass> shadows;
+  this->Passes->RemoveAllItems();
+  this->Passes->AddItem(shadows->GetShadowMapBakerPass());
+  this->Passes->AddItem(shadows);
+  this->Renderer->SetPass(this->CameraPass);
+  const Counter plans(this->Measured, vtkCommand::UpdateDataEvent);
+  const Counter unseenPlans(unseenMapper, vtkCommand::UpdateDataEvent);
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    this->Actor->SetPosition(0.01 * frame, 0.0, 0.0); // or the maps stay as they are
+    this->Window->Render();
+    EXPECT_EQ(plans.Count, 1) << frame;
+    EXPECT_EQ(unseenPlans.Count, 0) << frame;
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST_F(Views, SelectionNeedsNoPlans)
+{
+  this->Renderer->SetEnvironmentTexture(this->Textures[0]);
+  const Counter plans(this->Measured, vtkCommand::UpdateDataEvent);
+  this->Window->SetSize(64, 64);
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(this->Renderer);
+  selector->SetArea(0, 0, 63, 63);
+  this->Actor->VisibilityOff(); // the first frame makes the window
+  this->Window->Render();
+  this->Actor->VisibilityOn();
+  const auto selection = vtkSmartPointer<vtkSelection>::Take(selector->Select());
+  EXPECT_EQ(selection->GetNumberOfNodes(), 1u);
+  EXPECT_EQ(plans.Count, 0);
+  EXPECT_EQ(this->Measured->GetTextureBytes(), 0);
+  this->Window->Render();
+  EXPECT_EQ(plans.Count, 1);
+  const vtkIdType bytes = this->Measured->GetTextureBytes();
+  const auto again = vtkSmartPointer<vtkSelection>::Take(selector->Select());
+  EXPECT_EQ(again->GetNumberOfNodes(), 1u);
+  EXPECT_EQ(plans.Count, 1);
+  EXPECT_EQ(this->Measured->GetTextureBytes(), bytes);
+}
+
+//------------------------------------------------------------------------------
+// A wireframe's surface that only hides lines.
+TEST_F(Views, HiddenLinesNeedNoPlans)
+{
+  this->Renderer->SetEnvironmentTexture(this->Textures[0]);
+  this->Renderer->UseHiddenLineRemovalOn();
+  this->Actor->GetProperty()->SetRepresentationToWireframe();
+  vtkNew<vtkActor> plain; // of another mapper, drawn as it is
+  vtkNew<vtkMeasuredBRDFMapper> mapper;
+  mapper->SetInputConnection(this->Sphere->GetOutputPort());
+  mapper->SetBRDF(this->BRDF);
+  mapper->SetErrorTolerance(0.3);
+  plain->SetMapper(mapper);
+  this->Renderer->AddActor(plain);
+  const Counter plans(mapper, vtkCommand::UpdateDataEvent);
+  this->Window->Render();
+  EXPECT_EQ(plans.Count, 1);
+  EXPECT_NE(mapper->GetPlan(), "");
+}
+
+namespace
+{
+/// Has no memory.
+class Hungry : public vtkBlinnPhongBRDF
+{
+public:
+  static Hungry* New();
+  vtkTypeMacro(Hungry, vtkBlinnPhongBRDF);
+  bool IsIsotropic() override
+  {
+    ++this->Asked;
+    throw std::bad_alloc();
+  }
+  void GetGPUForm(vtkBRDFGPUForm&) override
+  {
+    ++this->Asked;
+    throw std::bad_alloc();
+  }
+  int Asked = 0;
+};
+vtkStandardNewMacro(Hungry);
+}
+
+//------------------------------------------------------------------------------
+TEST_F(Views, WithoutMemoryRenderSaysSoOnce)
+{
+  vtkNew<Hungry> hungry;
+  this->Measured->SetBRDF(hungry);
+  const Counter errors(this->Measured, vtkCommand::ErrorEvent);
+  for (const bool lit : { true, false })
+  {
+    // Planning, or the material's own textures for a light.
+    if (!lit)
+    {
+      vtkNew<vtkLight> headlight;
+      headlight->SetLightTypeToHeadlight();
+      this->Renderer->AddLight(headlight);
+    }
+    this->Renderer->SetEnvironmentTexture(lit ? this->Textures[0].Get() : nullptr);
+    ASSERT_NO_THROW(this->Window->Render());
+    const int count = errors.Count;
+    const int asked = hungry->Asked;
+    EXPECT_GE(count, 1);
+    for (int frame = 0; frame < 3; ++frame)
+    {
+      ASSERT_NO_THROW(this->Window->Render());
+    }
+    EXPECT_EQ(errors.Count, count);
+    EXPECT_EQ(hungry->Asked, asked);
+  }
+  // Drawn as the superclass does.
+  const std::vector<unsigned char> shown = Read(this->Window);
+  this->Measured->SetBRDF(nullptr);
+  this->Window->Render();
+  EXPECT_EQ(Read(this->Window), shown);
+}
+
+//------------------------------------------------------------------------------
+TEST_F(Views, TheFirstFramePlansSideBySide)
+{
+  this->Renderer->RemoveActor(this->Actor);
+  this->Renderer->SetEnvironmentTexture(this->Textures[0]);
+  std::vector<vtkSmartPointer<GatedBRDF>> materials;
+  std::vector<vtkSmartPointer<vtkMeasuredBRDFMapper>> mappers;
+  std::vector<std::string> pending;
+  for (int k = 0; k < 5; ++k)
+  {
+    materials.push_back(vtkSmartPointer<GatedBRDF>::New());
+    materials.back()->SetExponent(3.0 + 4.0 * k);
+    mappers.push_back(vtkSmartPointer<vtkMeasuredBRDFMapper>::New());
+    mappers.back()->SetInputConnection(this->Sphere->GetOutputPort());
+    mappers.back()->SetErrorTolerance(0.3);
+    mappers.back()->SetBRDF(materials.back());
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mappers.back());
+    actor->SetScale(0.3);
+    actor->SetPosition(0.4 * k - 0.8, 0.0, 0.0);
+    this->Renderer->AddActor(actor);
+  }
+  // When the first has its plan, the others are in the making or made.
+  bool begun = true;
+  const auto look = [&]()
+  {
+    for (std::size_t k = 1; k < mappers.size(); ++k)
+    {
+      begun = begun && mappers[k]->GetPlanPending();
+    }
+  };
+  vtkNew<vtkCallbackCommand> first;
+  first->SetClientData(const_cast<void*>(static_cast<const void*>(&look)));
+  first->SetCallback(
+    [](vtkObject*, unsigned long, void* data, void*) { (*static_cast<decltype(look)*>(data))(); });
+  mappers[0]->AddObserver(vtkCommand::UpdateDataEvent, first);
+  this->Window->Render();
+  EXPECT_TRUE(begun);
+  for (const auto& mapper : mappers)
+  {
+    EXPECT_NE(mapper->GetPlan(), "");
+    EXPECT_FALSE(mapper->GetPlanPending());
+  }
+}

@@ -1,0 +1,719 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The plans of a mapper in many views: what counts for each, what is shared, made side by side, or
+// given up. Nothing is drawn.
+
+#include "GatedBRDF.h"
+#include "MapperPlans.h"
+#include "PlanJob.h"
+#include "SharedObjects.h"
+#include "SpherePairs.h"
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkEnvironment.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkRadianceCostModel.h"
+#include "vtkRadiancePlanner.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSphereSource.h"
+#include "vtkWeakPointer.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <new>
+#include <string>
+#include <thread>
+#include <vector>
+
+using measuredbrdf::CurrentPlan;
+using measuredbrdf::MapperPlans;
+using measuredbrdf::PlanInputs;
+using measuredbrdf::PlanJob;
+using measuredbrdf::PlanRequest;
+using Timing = measuredbrdf::CurrentPlan::Timing;
+
+namespace
+{
+class Views : public testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    setenv("MEASUREDBRDF_CACHE", "off", 1);
+    this->BRDF->SetExponent(5.0);
+    this->Sky = NewSmallEnvironment(false);
+    ShrinkEnvironment(this->Sky, 32, 16);
+    this->Sphere->SetThetaResolution(30);
+    this->Sphere->SetPhiResolution(30);
+    this->Sphere->Update();
+    for (vtkRenderer* renderer : { this->One.Get(), this->Two.Get() })
+    {
+      vtkCamera* camera = renderer->GetActiveCamera();
+      camera->ParallelProjectionOn();
+      camera->SetParallelScale(1.0);
+      camera->SetPosition(0.0, 0.0, 5.0);
+      camera->SetClippingRange(0.1, 20.0);
+    }
+  }
+  void TearDown() override { this->BRDF->Door->OpenUp(); }
+
+  PlanRequest GetRequest(vtkRenderer* renderer, vtkEnvironment* light)
+  {
+    PlanRequest request;
+    request.BRDF = this->BRDF;
+    request.Environment = light;
+    request.Tolerance = 0.3;
+    request.Timing = this->When;
+    request.ForView = this->ForView;
+    request.Renderer = renderer;
+    request.Actor = this->Actor;
+    request.Surfaces = { this->Sphere->GetOutput() };
+    return request;
+  }
+
+  /// Whether the view is drawn by another plan than before.
+  bool Update(const PlanRequest& request)
+  {
+    bool changed = false;
+    this->Problem.clear();
+    this->Drawn = this->Plans.Update(request, changed, this->Problem).GetPlan();
+    return changed;
+  }
+  bool Update() { return this->Update(this->GetRequest(this->One, this->Sky)); }
+
+  /// Plans made anew in so many frames.
+  template <typename Change>
+  int CountPlans(int frames, Change change)
+  {
+    int count = 0;
+    for (int frame = 0; frame < frames; ++frame)
+    {
+      change(frame);
+      this->BRDF->Door->TakePasses();
+      this->Update();
+      count += this->BRDF->Door->TakePasses() > 0 ? 1 : 0;
+    }
+    return count;
+  }
+
+  vtkNew<GatedBRDF> BRDF;
+  vtkSmartPointer<vtkEnvironment> Sky;
+  vtkNew<vtkSphereSource> Sphere;
+  vtkNew<vtkActor> Actor;
+  vtkNew<vtkRenderer> One;
+  vtkNew<vtkRenderer> Two;
+  Timing When = Timing::Foreground;
+  bool ForView = false;
+  MapperPlans Plans;
+  vtkRadiancePlanner* Drawn = nullptr;
+  std::string Problem;
+};
+}
+
+//------------------------------------------------------------------------------
+TEST_F(Views, EachViewportKeepsItsOwnLight)
+{
+  const auto other = NewSmallEnvironment(true);
+  ShrinkEnvironment(other, 32, 16);
+  for (const Timing when : { Timing::Foreground, Timing::Changes })
+  {
+    this->When = when;
+    this->Plans.Clear();
+    EXPECT_TRUE(this->Update(this->GetRequest(this->One, this->Sky)));
+    const vtkRadiancePlanner* first = this->Drawn;
+    // Another viewport's old plan is no stand-in for the first of this one.
+    EXPECT_TRUE(this->Update(this->GetRequest(this->Two, other)));
+    ASSERT_TRUE(this->Drawn);
+    EXPECT_EQ(this->Drawn->GetEnvironment()->GetPixels(), other->GetPixels());
+    const vtkRadiancePlanner* second = this->Drawn;
+    this->BRDF->Door->TakePasses();
+    for (int frame = 0; frame < 3; ++frame)
+    {
+      EXPECT_FALSE(this->Update(this->GetRequest(this->One, this->Sky)));
+      EXPECT_EQ(this->Drawn, first);
+      EXPECT_FALSE(this->Update(this->GetRequest(this->Two, other)));
+      EXPECT_EQ(this->Drawn, second);
+    }
+    EXPECT_EQ(this->BRDF->Door->TakePasses(), 0);
+  }
+
+  // Old plans stand in for new ones in their own views only.
+  this->BRDF->Door->Close();
+  this->BRDF->SetExponent(7.0);
+  EXPECT_FALSE(this->Update(this->GetRequest(this->One, this->Sky)));
+  EXPECT_EQ(this->Drawn->GetEnvironment()->GetPixels(), this->Sky->GetPixels());
+  EXPECT_FALSE(this->Update(this->GetRequest(this->Two, other)));
+  EXPECT_EQ(this->Drawn->GetEnvironment()->GetPixels(), other->GetPixels());
+  EXPECT_TRUE(this->Plans.IsPending());
+  this->BRDF->Door->OpenUp();
+  ASSERT_TRUE(WaitUntil([this]() { return this->Plans.IsReady(); }));
+}
+
+//------------------------------------------------------------------------------
+TEST_F(Views, EqualViewportsShareOnePlan)
+{
+  EXPECT_TRUE(this->Update(this->GetRequest(this->One, this->Sky)));
+  const vtkRadiancePlanner* first = this->Drawn;
+  this->BRDF->Door->TakePasses();
+  EXPECT_TRUE(this->Update(this->GetRequest(this->Two, this->Sky)));
+  EXPECT_EQ(this->Drawn, first);
+  EXPECT_EQ(this->BRDF->Door->TakePasses(), 0);
+  // Of two slots, each keeps its own.
+  PlanRequest other = this->GetRequest(this->One, this->Sky);
+  other.Slot = 1;
+  other.Tolerance = 0.25;
+  EXPECT_TRUE(this->Update(other));
+  EXPECT_NE(this->Drawn, first);
+  EXPECT_FALSE(this->Update(this->GetRequest(this->One, this->Sky)));
+  EXPECT_FALSE(this->Update(other));
+}
+
+//------------------------------------------------------------------------------
+TEST_F(Views, GoWithTheirRenderersAndActors)
+{
+  vtkWeakPointer<vtkRadiancePlanner> plan;
+  const auto other = NewSmallEnvironment(true);
+  ShrinkEnvironment(other, 32, 16);
+  this->Update();
+  {
+    vtkNew<vtkRenderer> renderer;
+    this->Update(this->GetRequest(renderer, other));
+    plan = this->Drawn;
+    EXPECT_EQ(this->Plans.GetNumberOfViews(), 2);
+  }
+  this->Update();
+  this->Update();
+  EXPECT_EQ(this->Plans.GetNumberOfViews(), 1);
+  EXPECT_EQ(plan, nullptr);
+  this->ForView = true;
+  {
+    vtkNew<vtkActor> actor;
+    PlanRequest request = this->GetRequest(this->One, this->Sky);
+    request.Actor = actor;
+    this->Update(request);
+    this->Update();
+    EXPECT_EQ(this->Plans.GetNumberOfViews(), 2);
+  }
+  this->Update();
+  this->Update();
+  EXPECT_EQ(this->Plans.GetNumberOfViews(), 1);
+  this->Plans.Clear(this->Two);
+  EXPECT_EQ(this->Plans.GetNumberOfViews(), 1);
+  this->Plans.Clear(this->One);
+  EXPECT_EQ(this->Plans.GetNumberOfViews(), 0);
+  EXPECT_EQ(this->Plans.GetPlan(), nullptr);
+}
+
+//------------------------------------------------------------------------------
+// Everything that a plan for the view depends on makes another one, of these pairs.
+TEST_F(Views, WhatIsSeenDependsOn)
+{
+  this->ForView = true;
+  vtkNew<vtkSphereSource> patch; // bent, and looked at askew: no symmetry
+  patch->SetEndTheta(80.0);
+  patch->SetEndPhi(60.0);
+  patch->SetThetaResolution(12);
+  patch->SetPhiResolution(12);
+  patch->Update();
+  vtkCamera* camera = this->One->GetActiveCamera();
+  camera->SetPosition(3.0, 2.0, 5.0);
+  const auto update = [&](MapperPlans& plans)
+  {
+    PlanRequest request = this->GetRequest(this->One, this->Sky);
+    request.Surfaces = { patch->GetOutput() };
+    bool changed = false;
+    this->Drawn = plans.Update(request, changed, this->Problem).GetPlan();
+    return changed;
+  };
+  const auto expectAnother = [&](const char* what, const std::function<void(bool)>& change)
+  {
+    MapperPlans plans;
+    EXPECT_TRUE(update(plans)) << what;
+    EXPECT_FALSE(update(plans)) << what;
+    change(true);
+    EXPECT_TRUE(update(plans)) << what;
+    change(false);
+  };
+  expectAnother("the camera", [&](bool on) { camera->Azimuth(on ? 60.0 : -60.0); });
+  expectAnother("the actor's matrix", [&](bool on) { this->Actor->RotateY(on ? 60.0 : -60.0); });
+  expectAnother("the mesh",
+    [&](bool on)
+    {
+      patch->SetStartTheta(on ? 120.0 : 0.0);
+      patch->SetEndTheta(on ? 200.0 : 80.0);
+      patch->Update();
+    });
+  expectAnother("the light's rotation", [&](bool on) { this->Sky->SetRotationY(on ? 60.0 : 0.0); });
+  expectAnother("the renderer's frame",
+    [&](bool on)
+    {
+      double right[3] = { on ? 0.0 : 1.0, 0.0, on ? 1.0 : 0.0 };
+      this->One->SetEnvironmentRight(right);
+    });
+}
+
+//------------------------------------------------------------------------------
+// The picture's size and the distance are worth pixels, which weigh memory.
+TEST_F(Views, PixelsCount)
+{
+  this->ForView = true;
+  vtkNew<vtkRenderWindow> window; // never drawn: its size is asked for only
+  window->SetSize(400, 400);
+  window->AddRenderer(this->One);
+  EXPECT_TRUE(this->Update());
+  const vtkIdType near = this->Drawn->GetNumberOfPixels();
+  EXPECT_NEAR(std::log2(static_cast<double>(near)), std::log2(3.1416 * 100.0 * 100.0), 0.6);
+  this->One->GetActiveCamera()->SetParallelScale(10.0);
+  EXPECT_TRUE(this->Update());
+  const vtkIdType far = this->Drawn->GetNumberOfPixels();
+  EXPECT_NEAR(std::log2(static_cast<double>(far)), std::log2(3.1416 * 10.0 * 10.0), 0.6);
+  window->SetSize(4000, 4000);
+  EXPECT_TRUE(this->Update()) << "the window's size";
+  EXPECT_EQ(this->Drawn->GetNumberOfPixels(), near);
+  window->RemoveRenderer(this->One);
+}
+
+//------------------------------------------------------------------------------
+// What is checked for a light that is turned is what would be for turned pixels.
+TEST_F(Views, ATurnedLightIsTurnedPixels)
+{
+  this->ForView = true;
+  vtkNew<vtkSphereSource> patch;
+  patch->SetEndTheta(80.0);
+  patch->Update();
+  this->One->GetActiveCamera()->SetPosition(3.0, 2.0, 5.0);
+  // Rotation by a quarter: the columns move by a quarter of the width.
+  const auto turned = vtkSmartPointer<vtkEnvironment>::New();
+  const auto plan = [&](vtkEnvironment* light)
+  {
+    MapperPlans plans;
+    PlanRequest request = this->GetRequest(this->One, light);
+    request.Surfaces = { patch->GetOutput() };
+    request.Tolerance = 0.02;
+    bool changed = false;
+    vtkRadiancePlanner* planner = plans.Update(request, changed, this->Problem).GetPlan();
+    const int choice = planner->GetChoice();
+    return planner->GetMethodName(choice) + planner->GetDescription(choice) +
+           std::to_string(planner->GetPredictedError(choice));
+  };
+  const int width = this->Sky->GetWidth();
+  const int height = this->Sky->GetHeight();
+  std::vector<float> pixels(this->Sky->GetPixels().size());
+  vtkNew<vtkEnvironment> probe; // which way a rotation goes: VTK's word for it
+  probe->SetRotationY(90.0);
+  double rows[9];
+  probe->GetWorldToEnvironment(rows);
+  for (int y = 0; y < height; ++y)
+  {
+    for (int x = 0; x < width; ++x)
+    {
+      double d[3];
+      this->Sky->GetTexelDirection(x, y, d);
+      const double in[3] = { rows[0] * d[0] + rows[1] * d[1] + rows[2] * d[2],
+        rows[3] * d[0] + rows[4] * d[1] + rows[5] * d[2],
+        rows[6] * d[0] + rows[7] * d[1] + rows[8] * d[2] };
+      double rgb[3];
+      this->Sky->GetRadiance(in, rgb);
+      for (int c = 0; c < 3; ++c)
+      {
+        pixels[3 * static_cast<std::size_t>(y * width + x) + c] = static_cast<float>(rgb[c]);
+      }
+    }
+  }
+  turned->SetPixels(width, height, pixels);
+  const std::string straight = plan(this->Sky);
+  this->Sky->SetRotationY(90.0);
+  const std::string rotated = plan(this->Sky);
+  EXPECT_NE(rotated, straight);
+  EXPECT_EQ(rotated, plan(turned));
+}
+
+//------------------------------------------------------------------------------
+TEST_F(Views, AnOrbitNeedsFewPlans)
+{
+  this->ForView = true;
+  vtkCamera* camera = this->One->GetActiveCamera();
+  const auto orbit = [camera](int) { camera->Azimuth(5.0); };
+  const int first = this->CountPlans(72, orbit);
+  EXPECT_GE(first, 2);
+  EXPECT_LE(first, 5);
+  EXPECT_EQ(this->CountPlans(72, orbit), 0) << "the second time around";
+  EXPECT_EQ(this->CountPlans(40, [camera](int) { camera->Elevation(2.0); }), 0);
+  EXPECT_EQ(this->CountPlans(36, [this](int k) { this->Sky->SetRotationY(10.0 * k); }), 0);
+}
+
+//------------------------------------------------------------------------------
+// To and fro between two views and two actors.
+TEST_F(Views, PlansForTheViewAreTakenUpAgain)
+{
+  this->ForView = true;
+  vtkCamera* camera = this->One->GetActiveCamera();
+  EXPECT_EQ(this->CountPlans(1, [](int) {}), 1);
+  const vtkRadiancePlanner* first = this->Drawn;
+  EXPECT_EQ(this->CountPlans(1, [camera](int) { camera->Azimuth(60.0); }), 1);
+  const int again = this->CountPlans(6, [camera](int k) { camera->Azimuth(k % 2 ? 60.0 : -60.0); });
+  EXPECT_EQ(again, 0);
+  camera->Azimuth(-60.0);
+  EXPECT_TRUE(this->Update());
+  EXPECT_EQ(this->Drawn, first);
+
+  vtkNew<vtkActor> other;
+  other->RotateX(70.0);
+  vtkNew<vtkSphereSource> patch;
+  patch->SetEndTheta(60.0);
+  patch->Update();
+  PlanRequest request = this->GetRequest(this->One, this->Sky);
+  request.Actor = other;
+  request.Surfaces = { patch->GetOutput() };
+  EXPECT_TRUE(this->Update(request));
+  this->BRDF->Door->TakePasses();
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    EXPECT_FALSE(this->Update());
+    EXPECT_FALSE(this->Update(request));
+  }
+  EXPECT_EQ(this->BRDF->Door->TakePasses(), 0);
+
+  // Those of another material are not kept.
+  this->BRDF->SetExponent(8.0);
+  EXPECT_EQ(this->CountPlans(2, [](int) {}), 1);
+  EXPECT_EQ(this->CountPlans(1, [camera](int) { camera->Azimuth(60.0); }), 1);
+}
+
+//------------------------------------------------------------------------------
+// Many blocks count as one surface.
+TEST_F(Views, BlocksAreSeenTogether)
+{
+  this->ForView = true;
+  const auto count = [this](const std::vector<vtkPolyData*>& surfaces)
+  {
+    MapperPlans plans;
+    PlanRequest request = this->GetRequest(this->One, this->Sky);
+    request.Surfaces = surfaces;
+    bool changed = false;
+    vtkRadiancePlanner* plan = plans.Update(request, changed, this->Problem).GetPlan();
+    return plan->GetNumberOfPixels();
+  };
+  vtkNew<vtkRenderWindow> window;
+  window->SetSize(400, 400);
+  window->AddRenderer(this->One);
+  std::vector<vtkNew<vtkSphereSource>> sources(8);
+  std::vector<vtkPolyData*> blocks;
+  for (auto& source : sources)
+  {
+    source->SetThetaResolution(30);
+    source->SetPhiResolution(30);
+    source->Update();
+    blocks.push_back(source->GetOutput());
+  }
+  EXPECT_EQ(count(blocks), 8 * count({ this->Sphere->GetOutput() }));
+  window->RemoveRenderer(this->One);
+}
+
+//------------------------------------------------------------------------------
+// Disk space is for plans that come again.
+TEST_F(Views, SingleViewsAreNotKeptOnDisk)
+{
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::path(testing::TempDir()) / "measuredbrdf-views";
+  fs::remove_all(folder);
+  setenv("MEASUREDBRDF_CACHE", folder.c_str(), 1);
+  const auto countFiles = [&folder]()
+  {
+    int count = 0;
+    if (fs::exists(folder))
+    {
+      for (const auto& entry : fs::recursive_directory_iterator(folder))
+      {
+        count += entry.is_regular_file() ? 1 : 0;
+      }
+    }
+    return count;
+  };
+  this->ForView = true;
+  EXPECT_TRUE(this->Update());
+  EXPECT_EQ(countFiles(), 0);
+  this->ForView = false;
+  EXPECT_TRUE(this->Update());
+  EXPECT_GE(countFiles(), 1);
+  setenv("MEASUREDBRDF_CACHE", "off", 1);
+  fs::remove_all(folder);
+}
+
+//------------------------------------------------------------------------------
+// Switched while planning in the background, the last plan stands in.
+TEST_F(Views, ForViewIsBridged)
+{
+  this->When = Timing::Changes;
+  EXPECT_TRUE(this->Update());
+  const vtkRadiancePlanner* everywhere = this->Drawn;
+  this->BRDF->Door->Close();
+  this->ForView = true;
+  EXPECT_FALSE(this->Update());
+  EXPECT_TRUE(this->Plans.IsPending());
+  EXPECT_EQ(this->Drawn, everywhere);
+  this->ForView = false;
+  EXPECT_FALSE(this->Update());
+  EXPECT_EQ(this->Drawn, everywhere);
+  EXPECT_FALSE(this->Plans.IsPending());
+}
+
+namespace
+{
+/// Several mappers' wishes for one frame, as the mapper collects them.
+class SideBySide : public Views
+{
+protected:
+  static constexpr int Count = 5;
+
+  void SetUp() override
+  {
+    Views::SetUp();
+    for (int k = 0; k < Count; ++k)
+    {
+      this->Materials.push_back(vtkSmartPointer<GatedBRDF>::New());
+      this->Materials.back()->SetExponent(3.0 + 4.0 * k);
+      this->Mappers.push_back(std::make_unique<MapperPlans>());
+    }
+    PlanJob::TakeLargestNumber();
+  }
+  void TearDown() override
+  {
+    for (const auto& material : this->Materials)
+    {
+      material->Door->OpenUp();
+    }
+    Views::TearDown();
+  }
+
+  PlanRequest GetRequestOf(int k)
+  {
+    PlanRequest request = this->GetRequest(this->One, this->Sky);
+    request.BRDF = this->Materials[static_cast<std::size_t>(k)];
+    return request;
+  }
+
+  vtkRadiancePlanner* Update(int k)
+  {
+    PlanRequest request = this->GetRequestOf(k);
+    request.Others = [this](const PlanRequest::Visit& visit)
+    {
+      ++this->Visits;
+      for (int other = 0; other < Count; ++other)
+      {
+        visit(*this->Mappers[static_cast<std::size_t>(other)], this->GetRequestOf(other));
+      }
+    };
+    bool changed = false;
+    return this->Mappers[static_cast<std::size_t>(k)]
+      ->Update(request, changed, this->Problem)
+      .GetPlan();
+  }
+
+  static std::string Describe(vtkRadiancePlanner* plan)
+  {
+    const int choice = plan->GetChoice();
+    return plan->GetMethodName(choice) + ", " + plan->GetDescription(choice) + ", " +
+           std::to_string(plan->GetPredictedError(choice)) + plan->GetReason();
+  }
+
+  std::vector<vtkSmartPointer<GatedBRDF>> Materials;
+  std::vector<std::unique_ptr<MapperPlans>> Mappers;
+  int Visits = 0;
+};
+}
+
+//------------------------------------------------------------------------------
+TEST_F(SideBySide, TheFirstFrameBeginsAll)
+{
+  // The second waits at its gate while the first frame asks for the first only.
+  this->Materials[1]->Door->Close();
+  ASSERT_TRUE(this->Update(0));
+  EXPECT_EQ(this->Problem, "");
+  ASSERT_TRUE(WaitUntil([this]() { return this->Materials[1]->Door->IsAwaited(); }));
+  for (int k = 1; k < Count; ++k)
+  {
+    EXPECT_TRUE(this->Mappers[static_cast<std::size_t>(k)]->IsPending());
+  }
+  this->Materials[1]->Door->OpenUp();
+  std::vector<std::string> plans;
+  for (int k = 0; k < Count; ++k)
+  {
+    vtkRadiancePlanner* plan = this->Update(k);
+    ASSERT_TRUE(plan);
+    plans.push_back(Describe(plan));
+  }
+  EXPECT_EQ(this->Visits, 1);
+  EXPECT_LE(PlanJob::TakeLargestNumber(),
+    std::max(static_cast<int>(std::thread::hardware_concurrency()), 1));
+
+  // One after the other they are the same.
+  for (int k = 0; k < Count; ++k)
+  {
+    vtkNew<vtkRadiancePlanner> alone;
+    alone->SetBRDF(this->Materials[static_cast<std::size_t>(k)]);
+    alone->SetEnvironment(this->Sky);
+    alone->SetErrorTolerance(0.3);
+    ASSERT_TRUE(alone->Update());
+    EXPECT_EQ(plans[static_cast<std::size_t>(k)], Describe(alone));
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST_F(SideBySide, NoMoreThanCores)
+{
+  this->When = Timing::Always;
+  for (const auto& material : this->Materials)
+  {
+    material->Door->Close();
+  }
+  for (int k = 0; k < Count; ++k)
+  {
+    EXPECT_EQ(this->Update(k), nullptr);
+    EXPECT_TRUE(this->Mappers[static_cast<std::size_t>(k)]->IsPending());
+  }
+  EXPECT_EQ(this->Visits, 0); // each begins its own
+  const int limit = PlanJob::GetLimit();
+  const auto countWaiting = [this]()
+  {
+    int count = 0;
+    for (const auto& material : this->Materials)
+    {
+      count += material->Door->IsAwaited() ? 1 : 0;
+    }
+    return count;
+  };
+  ASSERT_TRUE(WaitUntil([&]() { return countWaiting() == std::min(limit, Count); }));
+  EXPECT_EQ(PlanJob::TakeLargestNumber(), std::min(limit, Count));
+  // What has not begun is dropped at once, without waiting for those that run.
+  for (int k = limit; k < Count; ++k)
+  {
+    this->Mappers[static_cast<std::size_t>(k)].reset();
+  }
+  for (const auto& material : this->Materials)
+  {
+    material->Door->OpenUp();
+  }
+  ASSERT_TRUE(WaitUntil([this]() { return this->Mappers[0]->IsReady(); }));
+  EXPECT_TRUE(this->Update(0));
+}
+
+namespace
+{
+/// Has no memory for what planning asks it first.
+class Hungry : public vtkBlinnPhongBRDF
+{
+public:
+  static Hungry* New();
+  vtkTypeMacro(Hungry, vtkBlinnPhongBRDF);
+  bool IsIsotropic() override
+  {
+    ++this->Asked;
+    throw std::bad_alloc();
+  }
+  std::atomic<int> Asked{ 0 };
+};
+vtkStandardNewMacro(Hungry);
+}
+
+//------------------------------------------------------------------------------
+TEST_F(Views, WithoutMemoryItSaysSoOnce)
+{
+  vtkNew<Hungry> hungry;
+  PlanRequest request = this->GetRequest(this->One, this->Sky);
+  request.BRDF = hungry;
+  EXPECT_TRUE(this->Update(request));
+  EXPECT_NE(this->Problem, "");
+  EXPECT_EQ(this->Drawn, nullptr);
+  const int asked = hungry->Asked;
+  EXPECT_GE(asked, 1);
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    EXPECT_FALSE(this->Update(request));
+    EXPECT_EQ(this->Problem, "");
+  }
+  EXPECT_EQ(hungry->Asked, asked);
+  // Other inputs are tried again.
+  hungry->SetExponent(3.0);
+  EXPECT_TRUE(this->Update(request));
+  EXPECT_GT(hungry->Asked, asked);
+}
+
+//------------------------------------------------------------------------------
+// What the render room shares may be looked up by threads that draw different windows.
+TEST(TwoThreads, ShareWhatTheyFind)
+{
+  measuredbrdf::SharedObjects<int, vtkObject> shared;
+  std::atomic<int> made{ 0 };
+  std::atomic<int> started{ 0 };
+  const auto use = [&]()
+  {
+    ++started;
+    while (started < 2)
+    {
+    }
+    for (int k = 0; k < 20000; ++k)
+    {
+      const vtkSmartPointer<vtkObject> object = shared.Find(k / 4 % 16,
+        [&made]()
+        {
+          ++made;
+          return vtkSmartPointer<vtkObject>::New();
+        });
+      ASSERT_TRUE(object);
+      ASSERT_GE(object->GetReferenceCount(), 1);
+    }
+  };
+  std::thread one(use);
+  std::thread two(use);
+  one.join();
+  two.join();
+  EXPECT_GE(made, 16);
+  // Nothing stays that nobody holds.
+  const vtkSmartPointer<vtkObject> held = shared.Find(1, vtkSmartPointer<vtkObject>::New);
+  vtkWeakPointer<vtkObject> weak = shared.Find(2, vtkSmartPointer<vtkObject>::New).Get();
+  shared.Sweep();
+  EXPECT_EQ(weak, nullptr);
+  EXPECT_EQ(shared.Find(1, vtkSmartPointer<vtkObject>::New), held);
+}
+
+TEST(TwoThreads, PlanAtTheSameTime)
+{
+  setenv("MEASUREDBRDF_CACHE", "off", 1);
+  std::vector<std::string> plans(2);
+  const auto plan = [&plans](std::size_t thread)
+  {
+    // Each its own window, material and light.
+    vtkNew<GatedBRDF> brdf;
+    brdf->SetExponent(4.0);
+    const vtkSmartPointer<vtkEnvironment> sky = NewSmallEnvironment(false);
+    ShrinkEnvironment(sky, 16, 8);
+    CurrentPlan current;
+    std::string problem;
+    for (int k = 0; k < 4; ++k)
+    {
+      brdf->SetExponent(4.0 + k % 2);
+      const PlanInputs inputs(brdf, sky, 0.3, nullptr);
+      current.Update(inputs, k < 2 ? Timing::Foreground : Timing::Always, problem);
+      current.Update(inputs, Timing::Foreground, problem);
+    }
+    EXPECT_EQ(problem, "");
+    ASSERT_TRUE(current.GetPlan());
+    plans[thread] = current.GetPlan()->GetDescription(current.GetPlan()->GetChoice());
+  };
+  std::thread one([&plan]() { plan(0); });
+  std::thread two([&plan]() { plan(1); });
+  one.join();
+  two.join();
+  EXPECT_EQ(plans[0], plans[1]);
+}
