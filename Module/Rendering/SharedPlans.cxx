@@ -109,8 +109,11 @@ vtkSmartPointer<vtkRadiancePlanner> FindPlan(const PlanInputs& inputs, bool apar
 
 void SharePlan(const PlanInputs& inputs, bool apart, vtkRadiancePlanner* plan)
 {
-  GetSharedPlans().Find(
-    { inputs.GetKey(), apart }, [plan]() { return vtkSmartPointer<vtkRadiancePlanner>(plan); });
+  if (!FindPlan(inputs, apart)) // not under two keys: nobody else would be left to hold it
+  {
+    GetSharedPlans().Find(
+      { inputs.GetKey(), apart }, [plan]() { return vtkSmartPointer<vtkRadiancePlanner>(plan); });
+  }
 }
 
 void SweepPlans() { GetSharedPlans().Sweep(); }

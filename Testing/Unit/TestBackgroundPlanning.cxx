@@ -20,6 +20,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstdlib>
+#include <functional>
 #include <memory>
 #include <string>
 #include <thread>
@@ -191,26 +192,47 @@ TEST_F(Background, RotationsChangeNothing)
 
 TEST_F(Background, EverythingThatCountsBeginsAnother)
 {
-  CurrentPlan plan;
-  ASSERT_TRUE(this->Update(plan));
-  const auto expectPending = [&](const char* what)
+  const auto expectAnother = [&](const char* what, const std::function<void()>& change)
   {
+    CurrentPlan plan;
+    ASSERT_TRUE(this->Update(plan)) << what;
+    EXPECT_FALSE(this->Update(plan)) << what;
+    EXPECT_FALSE(plan.IsPending()) << what;
+    change();
     EXPECT_FALSE(this->Update(plan)) << what;
     EXPECT_TRUE(plan.IsPending()) << what;
-    plan.Stop();
-    EXPECT_FALSE(plan.IsPending());
   };
-  this->Tolerance = 0.04;
-  expectPending("the tolerance");
-  this->BRDF->SetExponent(6.0);
-  expectPending("a parameter");
+  expectAnother("the tolerance", [this]() { this->Tolerance = 0.3; });
+  expectAnother("a parameter", [this]() { this->BRDF->SetExponent(6.0); });
+  expectAnother(
+    "pixels", [this]() { this->Sky->SetPixels(32, 16, std::vector<float>(3 * 32 * 16, 0.5f)); });
+  expectAnother("another environment",
+    [this]()
+    {
+      this->Sky = NewSmallEnvironment(true);
+      ShrinkEnvironment(this->Sky, 32, 16);
+    });
+  expectAnother("costs",
+    [this]()
+    {
+      this->Costs = vtkSmartPointer<vtkRadianceCostModel>::New();
+      this->Costs->SetCost(vtkRadianceCostModel::SAMPLE, 1.0);
+    });
+  expectAnother("a cost", [this]() { this->Costs->SetCost(vtkRadianceCostModel::SAMPLE, 2.0); });
+}
+
+// A plan of the objects themselves bridges nothing that happens to them.
+TEST_F(Background, ChangedPixelsAreNotBridgedByAPlanOfThem)
+{
+  this->Tolerance = 0.3;
+  CurrentPlan plan;
+  EXPECT_TRUE(this->Update(plan, Timing::Foreground));
+  EXPECT_EQ(plan.GetPlan()->GetEnvironment(), this->Sky.Get());
   this->Sky->SetPixels(32, 16, std::vector<float>(3 * 32 * 16, 0.5f));
-  expectPending("pixels");
-  this->Sky = NewSmallEnvironment(true);
-  expectPending("another environment");
-  this->Costs = vtkSmartPointer<vtkRadianceCostModel>::New();
-  this->Costs->SetCost(vtkRadianceCostModel::SAMPLE, 1.0);
-  expectPending("costs");
+  EXPECT_TRUE(this->Update(plan));
+  EXPECT_FALSE(plan.IsPending());
+  EXPECT_NE(plan.GetPlan()->GetEnvironment(), this->Sky.Get());
+  EXPECT_EQ(plan.GetPlan()->GetEnvironment()->GetPixels(), this->Sky->GetPixels());
 }
 
 TEST_F(Background, ItsEndWaitsAndLeavesNothing)

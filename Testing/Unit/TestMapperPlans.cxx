@@ -468,6 +468,18 @@ TEST_F(Views, ForViewIsBridged)
   EXPECT_FALSE(this->Plans.IsPending());
 }
 
+//------------------------------------------------------------------------------
+TEST_F(Views, PlansLeaveNothingBehind)
+{
+  this->When = Timing::Changes;
+  EXPECT_TRUE(this->Update());
+  EXPECT_EQ(GatedBRDF::GetNumberOfObjects(), 2); // one a snapshot
+  this->When = Timing::Foreground;
+  EXPECT_TRUE(this->Update(this->GetRequest(this->Two, this->Sky))); // the same
+  this->Plans.Clear();
+  EXPECT_EQ(GatedBRDF::GetNumberOfObjects(), 1);
+}
+
 namespace
 {
 /// Several mappers' wishes for one frame, as the mapper collects them.
