@@ -79,13 +79,9 @@ MaterialDrawing::MaterialDrawing(vtkObject* owner, std::shared_ptr<MaterialSetti
 {
 }
 
-MaterialDrawing::~MaterialDrawing()
-{
-  this->Frames.clear();
-  this->Plans.Clear();
-  this->Settings = nullptr;
-  SweepLights();
-}
+MaterialDrawing::~MaterialDrawing() = default;
+
+MaterialDrawing::LightsAtEnd::~LightsAtEnd() { SweepLights(); }
 
 MaterialDrawing::ViewFrame& MaterialDrawing::FindFrame(
   vtkRenderer* renderer, vtkActor* actor, const void* part)

@@ -142,6 +142,16 @@ private:
   void ResolveLights(DrawnMaterial& drawn);
   std::string Upload(DrawnMaterial& drawn, vtkRenderer* renderer);
 
+  // First, so that it is the last to go: what the others held is released then.
+  struct LightsAtEnd
+  {
+    LightsAtEnd() = default;
+    ~LightsAtEnd();
+    LightsAtEnd(const LightsAtEnd&) = delete;
+    void operator=(const LightsAtEnd&) = delete;
+  };
+  LightsAtEnd AtEnd;
+
   vtkObject* Owner;
   std::shared_ptr<MaterialSettings> Settings;
   std::function<std::vector<MaterialUse>()> UsesToCome;

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the mapper shows while a plan is made on a thread.
 
+#include "EventCounter.h"
 #include "RenderFixture.h"
 
 #include "../Unit/GatedBRDF.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
 #include "vtkEnvironment.h"
 #include "vtkLight.h"
 #include "vtkMeasuredBRDFMapper.h"
@@ -292,8 +294,10 @@ TEST_F(Background, CopiesPrintsAndRefuses)
   copy->Print(text);
   EXPECT_NE(text.str().find("PlanningMode: background\n"), std::string::npos);
   EXPECT_NE(text.str().find("CostModel: some card"), std::string::npos);
+  EventCounter errors(copy, vtkCommand::ErrorEvent);
   copy->SetPlanningMode(17);
-  EXPECT_EQ(copy->GetPlanningMode(), vtkMeasuredBRDFMapper::FOREGROUND);
+  EXPECT_EQ(errors.Count, 1);
+  EXPECT_EQ(copy->GetPlanningMode(), vtkMeasuredBRDFMapper::BACKGROUND);
   EXPECT_FALSE(copy->GetPlanPending());
   EXPECT_FALSE(copy->GetPlanReady());
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The mapper as a citizen of VTK: what changes when, and what stays as the stock mapper has it.
 
+#include "EventCounter.h"
 #include "RenderFixture.h"
 
 #include "vtkAshikhminShirleyBRDF.h"
@@ -1038,26 +1039,6 @@ protected:
   std::atomic<int> Count{ 0 };
 };
 vtkStandardNewMacro(CountingPhong);
-
-/// Events of one kind, counted instead of printed.
-struct EventCounter
-{
-  EventCounter(vtkObject* object, unsigned long event)
-  {
-    this->Command->SetClientData(this);
-    this->Command->SetCallback(
-      [](vtkObject*, unsigned long, void* self, void* text)
-      {
-        auto* counter = static_cast<EventCounter*>(self);
-        ++counter->Count;
-        counter->Text = static_cast<const char*>(text);
-      });
-    object->AddObserver(event, this->Command);
-  }
-  vtkNew<vtkCallbackCommand> Command;
-  int Count = 0;
-  std::string Text;
-};
 
 /// The mapper as it comes: integration planned.
 class Auto : public Mapper
