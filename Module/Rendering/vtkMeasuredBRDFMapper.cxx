@@ -5,6 +5,7 @@
 #include "vtkMeasuredBRDFMapperMixin.txx"
 
 #include "MapperProperties.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkRadiancePlanner.h"
@@ -75,6 +76,19 @@ double vtkMeasuredBRDFMapper::GetQuantizationError()
 {
   const vtkBRDFGPUForm* form = this->Drawing->GetMaterialForm();
   return form ? form->QuantizationError : 0.0;
+}
+
+//------------------------------------------------------------------------------
+double* vtkMeasuredBRDFMapper::GetBounds()
+{
+  double* bounds = this->Superclass::GetBounds();
+  if (vtkCompositeDataSet::SafeDownCast(this->GetInputDataObject(0, 0)) &&
+      this->Drawing->WarnOnce("composite"))
+  {
+    vtkWarningMacro("The input is composite data, of which this mapper draws nothing: use "
+                    "vtkCompositeMeasuredBRDFMapper.");
+  }
+  return bounds;
 }
 
 //------------------------------------------------------------------------------

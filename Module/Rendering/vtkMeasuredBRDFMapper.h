@@ -277,6 +277,15 @@ public:
   double GetQuantizationError();
   ///@}
 
+  ///@{
+  /**
+   * As the superclass. Composite data, which this mapper draws nothing of, as vtkPolyDataMapper
+   * does, are met here first: a warning, once, names the mapper for them.
+   */
+  double* GetBounds() VTK_SIZEHINT(6) override;
+  void GetBounds(double bounds[6]) override { this->Superclass::GetBounds(bounds); }
+  ///@}
+
   void ShallowCopy(vtkAbstractMapper* m) override;
 
   /**

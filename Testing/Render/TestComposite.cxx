@@ -314,6 +314,20 @@ TEST_F(Composite, PlansAndRedraw)
   EXPECT_GT(this->Actor->GetRedrawMTime(), before);
 }
 
+// What the plain mapper can't draw, it says once.
+TEST_F(Composite, PlainMapperNamesThisOne)
+{
+  vtkNew<vtkMeasuredBRDFMapper> plain;
+  plain->SetInputDataObject(this->MakeTree());
+  plain->SetBRDF(this->Gloss);
+  this->Actor->SetMapper(plain);
+  EventCounter warnings(plain, vtkCommand::WarningEvent);
+  this->RenderEncoded();
+  this->RenderEncoded();
+  EXPECT_EQ(warnings.Count, 1);
+  EXPECT_NE(warnings.Text.find("vtkCompositeMeasuredBRDFMapper"), std::string::npos);
+}
+
 // The stock selector names the blocks that are pickable.
 TEST_F(Composite, Selection)
 {

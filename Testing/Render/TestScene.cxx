@@ -14,6 +14,7 @@
 #include "vtkLambertBRDF.h"
 #include "vtkLight.h"
 #include "vtkMeasuredBRDFMapper.h"
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -286,6 +287,33 @@ TEST_F(Scene, TexturesThatLightNothing)
   }
   EXPECT_EQ(warnings.Count, 1) << warnings.Text;
   EXPECT_NE(warnings.Text.find("2 components"), std::string::npos) << warnings.Text;
+}
+
+// Mappers that hold the same material and environment draw with the same textures.
+TEST_F(Scene, LightsAreUploadedOnce)
+{
+  this->Measured->SetMethodToLightSet();
+  const auto countTextures = [this]()
+  {
+    // OpenGL hands out names one after the other.
+    vtkNew<vtkTextureObject> probe;
+    probe->SetContext(vtkOpenGLRenderWindow::SafeDownCast(this->Window));
+    probe->Create2D(1, 1, 4, VTK_FLOAT, false);
+    return probe->GetHandle();
+  };
+  this->RenderEncoded();
+  const unsigned int before = countTextures();
+  std::vector<vtkSmartPointer<vtkActor>> actors;
+  for (int k = 0; k < 20; ++k)
+  {
+    vtkNew<vtkMeasuredBRDFMapper> mapper;
+    mapper->ShallowCopy(this->Measured);
+    actors.push_back(vtkSmartPointer<vtkActor>::New());
+    actors.back()->SetMapper(mapper);
+    this->Renderer->AddActor(actors.back());
+  }
+  this->RenderEncoded();
+  EXPECT_LE(countTextures(), before + 3);
 }
 
 // Edges as tubes are lit as tubes: brightest along their middle.
