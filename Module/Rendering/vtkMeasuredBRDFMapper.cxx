@@ -6,6 +6,7 @@
 #include "BRDFTextures.h"
 #include "CurrentPlan.h"
 #include "LightSetCache.h"
+#include "StockLevels.h"
 #include "VisibleSurface.h"
 
 #include "vtkActor.h"
@@ -30,6 +31,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
+#include "vtkPBRPropertyFitter.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRadianceCostModel.h"
@@ -606,12 +608,26 @@ void vtkMeasuredBRDFMapper::SetMapperShaderParameters(
 }
 
 //------------------------------------------------------------------------------
+double vtkMeasuredBRDFMapper::FitProperty(vtkProperty* property)
+{
+  return vtkPBRPropertyFitter::Fit(this->GetBRDF(), property);
+}
+
+//------------------------------------------------------------------------------
 void vtkMeasuredBRDFMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* actor)
 {
   Internals& impl = *this->Impl;
   impl.Ready = false;
   if (impl.BRDF)
   {
+    const char* levels =
+      impl.WarnOnce("levels of detail") ? measuredbrdf::FindStockLevels(ren, actor, this) : nullptr;
+    if (levels)
+    {
+      vtkWarningMacro(<< levels << " draws the levels of detail that it makes itself with stock "
+                      << "mappers: they show the actor's vtkProperty, not the material. "
+                      << "FitProperty(actor->GetProperty()) sets the nearest one.");
+    }
     auto* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetVTKWindow());
 
     impl.CurrentEnvironment =

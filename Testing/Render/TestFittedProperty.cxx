@@ -4,13 +4,17 @@
 // material.
 #include "RenderFixture.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkEmbeddedMaterials.h"
 #include "vtkEnvironment.h"
 #include "vtkImageData.h"
+#include "vtkLODActor.h"
+#include "vtkLambertBRDF.h"
 #include "vtkMeasuredBRDFMapper.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkPBRPropertyFitter.h"
 #include "vtkProperty.h"
+#include "vtkQuadricLODActor.h"
 #include "vtkSphereSource.h"
 #include "vtkTexture.h"
 
@@ -99,4 +103,70 @@ TEST_F(FittedProperty, IsNearerThanTheDefault)
     EXPECT_LT(fitted, 0.4 * plain) << name;
     EXPECT_LT(fitted, 0.5) << name;
   }
+}
+
+TEST_F(FittedProperty, ByTheMapper)
+{
+  const auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("gold-paint"));
+  vtkNew<vtkMeasuredBRDFMapper> mapper;
+  vtkNew<vtkProperty> property;
+  EXPECT_LT(mapper->FitProperty(property), 0.0);
+  EXPECT_EQ(property->GetInterpolation(), VTK_GOURAUD);
+  mapper->SetBRDF(brdf);
+  EXPECT_LT(mapper->FitProperty(nullptr), 0.0);
+  const double error = mapper->FitProperty(property);
+  EXPECT_GT(error, 0.0);
+  EXPECT_LT(error, 0.06);
+  EXPECT_EQ(property->GetInterpolation(), VTK_PBR);
+}
+
+// Levels of detail that an actor makes itself show the property: said once, and not where that was
+// fitted or the levels are measured, too.
+TEST_F(FittedProperty, StockLevelsOfDetailAreSaid)
+{
+  if (this->IsSkipped())
+  {
+    return;
+  }
+  vtkNew<vtkSphereSource> sphere;
+  vtkNew<vtkLambertBRDF> lambert;
+  const auto count = [&](vtkActor* actor, bool fitted)
+  {
+    vtkNew<vtkMeasuredBRDFMapper> mapper;
+    mapper->SetInputConnection(sphere->GetOutputPort());
+    mapper->SetBRDF(lambert);
+    actor->SetMapper(mapper);
+    actor->SetAllocatedRenderTime(1000.0, this->Renderer); // the best level
+    if (fitted)
+    {
+      mapper->FitProperty(actor->GetProperty());
+    }
+    int warnings = 0;
+    vtkNew<vtkCallbackCommand> counter;
+    counter->SetClientData(&warnings);
+    counter->SetCallback(
+      [](vtkObject*, unsigned long, void* data, void*) { ++*static_cast<int*>(data); });
+    mapper->AddObserver(vtkCommand::WarningEvent, counter);
+    this->Renderer->AddActor(actor);
+    for (int k = 0; k < 3; ++k)
+    {
+      this->Window->Render();
+    }
+    this->Renderer->RemoveActor(actor);
+    return warnings;
+  };
+  vtkNew<vtkActor> plain;
+  EXPECT_EQ(count(plain, false), 0);
+  vtkNew<vtkLODActor> levels;
+  EXPECT_EQ(count(levels, false), 1);
+  vtkNew<vtkLODActor> fitted;
+  EXPECT_EQ(count(fitted, true), 0);
+  vtkNew<vtkQuadricLODActor> quadric;
+  EXPECT_EQ(count(quadric, false), 1);
+  vtkNew<vtkLODActor> measured;
+  vtkNew<vtkMeasuredBRDFMapper> coarse;
+  coarse->SetInputConnection(sphere->GetOutputPort());
+  coarse->SetBRDF(lambert);
+  measured->AddLODMapper(coarse);
+  EXPECT_EQ(count(measured, false), 0);
 }

@@ -178,8 +178,8 @@ TEST(PropertyFitter, Gold)
   EXPECT_GT(color[0], 1.15 * color[1]);
   EXPECT_GT(color[1], 1.8 * color[2]);
   // Blinn's exponent n and GGX's roughness: n = 2 / roughness^4 - 2.
-  EXPECT_NEAR(fitter->GetRoughness(), std::pow(2.0 / 202.0, 0.25), 0.08);
-  EXPECT_LT(fitter->GetRelativeError(), 0.06);
+  EXPECT_NEAR(fitter->GetRoughness(), std::pow(2.0 / 202.0, 0.25), 0.1);
+  EXPECT_LT(fitter->GetRelativeError(), 0.08); // GGX has longer tails
 }
 
 //------------------------------------------------------------------------------
