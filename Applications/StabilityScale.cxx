@@ -35,7 +35,7 @@ constexpr int WarmUpFrames = 3;
 
 // Small blocks that threads keep for themselves count as in use. A leak of 100 materials' textures
 // is 20 MB a frame.
-constexpr double LargestGrowth = 2.0; // MB
+constexpr double LargestGrowth = 1.0; // MB
 
 //------------------------------------------------------------------------------
 void RunEnvironmentSizes(Context& context)

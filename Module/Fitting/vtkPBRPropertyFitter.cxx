@@ -23,7 +23,7 @@ using measuredbrdf::PBRPicture;
 constexpr double LeastRoughness = 0.05;
 // What further parameters have to leave of the error to be worth it: not all that draws a property
 // knows them.
-constexpr double WorthIt = 0.9;
+constexpr double WorthIt = 0.7;
 
 // Which parameters a search may change.
 enum Extent

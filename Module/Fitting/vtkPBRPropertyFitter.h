@@ -12,7 +12,7 @@
  * light, all soft), drawn by the material's f and by VTK's shading of a vtkProperty without
  * image-based light's approximations. Base colour, roughness and metallic part are
  * searched; then the base's index of refraction and edge tint with them; then a clear coat, too:
- * each only where it takes at least a tenth of the error away, since not all that draws a
+ * each only where it takes at least 30 % of the error away, since not all that draws a
  * vtkProperty knows it. The search is deterministic and takes some tenths of a second. Anisotropic
  * materials get the isotropic shading that is nearest over all tangents; the error counts what is
  * missing.
