@@ -12,9 +12,11 @@
 #include "vtkLambertBRDF.h"
 #include "vtkMeasuredBRDFMapper.h"
 #include "vtkOpenGLPolyDataMapper.h"
+#include "vtkPBRPrefilterTexture.h"
 #include "vtkPBRPropertyFitter.h"
 #include "vtkProperty.h"
 #include "vtkQuadricLODActor.h"
+#include "vtkRenderWindowInteractor.h"
 #include "vtkSphereSource.h"
 #include "vtkTexture.h"
 
@@ -73,6 +75,10 @@ TEST_F(FittedProperty, IsNearerThanTheDefault)
   texture->InterpolateOn();
   this->Renderer->UseImageBasedLightingOn();
   this->Renderer->SetEnvironmentTexture(texture);
+  // The light is smooth; VTK's 1024 samples take long on a software renderer.
+  auto* renderer = vtkOpenGLRenderer::SafeDownCast(this->Renderer);
+  ASSERT_TRUE(renderer);
+  renderer->GetEnvMapPrefiltered()->SetPrefilterMaxSamples(128);
 
   vtkNew<vtkSphereSource> sphere;
   sphere->SetRadius(1.0);
@@ -161,6 +167,8 @@ TEST_F(FittedProperty, StockLevelsOfDetailAreSaid)
   EXPECT_EQ(count(levels, false), 1);
   vtkNew<vtkLODActor> fitted;
   EXPECT_EQ(count(fitted, true), 0);
+  vtkNew<vtkRenderWindowInteractor> interactor; // vtkQuadricLODActor needs one
+  interactor->SetRenderWindow(this->Window);
   vtkNew<vtkQuadricLODActor> quadric;
   EXPECT_EQ(count(quadric, false), 1);
   vtkNew<vtkLODActor> measured;
