@@ -15,14 +15,15 @@ a small sweep of the methods (all of it in output/charts). A second run only dra
 
   FILE...            your own BRDF files (MERL .binary, RGL .bsdf, NVIDIA .mbsdf, published fits) or names of built-in
                      materials (build/bin/measured-brdf list). Default: built-in materials.
-  --environment ENV  a lat-long image (.exr, .hdr, ...), `sky` or `hall` for a built-in one, or one of Blender's:
-                     city courtyard forest interior night studio sunrise sunset. Default: sunset.
+  --environment ENV  a lat-long image (.exr, .hdr, ...); `room` (photographed), `sky` or `hall` (computed), which are
+                     built in; or one of Blender's: city courtyard forest interior night studio sunrise sunset (taken
+                     from the package blender-data, 30 to 50 MB, where it is not installed). Default: room.
   -o IMAGE           where to write (default: output/gallery.png)
 END
 }
 
 caller=$OLDPWD
-environment=sunset
+environment=room
 image=output/gallery.png
 files=()
 absolute() { case $1 in /*) echo "$1" ;; *) echo "$caller/$1" ;; esac; }
@@ -67,14 +68,14 @@ fi
 cmake --build build --target measured-brdf
 
 step "3/3 draw"
-builtin() { [ "$environment" = sky ] || [ "$environment" = hall ]; }
+builtin() { case $environment in room | sky | hall) ;; *) false ;; esac; }
 if ! builtin && [ ! -f "$(absolute "$environment")" ]; then
   name=$environment
   folder=$(cmake/find-environments.sh)
   environment=$folder/$name.exr
   if [ -z "$folder" ]; then
-    echo "Without Blender's environments the light is the built-in procedural sky."
-    environment=sky
+    echo "Without Blender's environments the light is the built-in room."
+    environment=room
   elif [ ! -f "$environment" ]; then
     echo "run.sh: no file and none of Blender's environments: $name (./run.sh --help)" >&2
     exit 2

@@ -17,6 +17,7 @@ struct Options
 {
   std::string Input;
   std::string Output;
+  bool HalfFloats = false;
 };
 
 // Samples along phi_d, theta_d, theta_h of a MERL table (Matusik et al. 2003).
@@ -65,11 +66,15 @@ void Run(const Options& options)
     throw tool::UsageError(
       options.Output + ": OUT must end in .exr (exact copy) or .binary (MERL table)");
   }
+  if (extension == ".binary" && options.HalfFloats)
+  {
+    throw tool::UsageError("--half: a MERL table holds 64-bit floats; OUT must end in .exr");
+  }
   tool::Material material = tool::LoadMaterial(options.Input);
   material.BRDF->Prepare();
   const bool merl = extension == ".binary";
   const vtkSmartPointer<vtkBRDF> output = merl ? ToMERLTable(material) : material.BRDF;
-  tool::WriteMaterial(output, options.Output);
+  tool::WriteMaterial(output, options.Output, options.HalfFloats);
 
   // The error of what is in the file, not of what should be.
   vtkNew<vtkBRDFReader> reader;
@@ -110,6 +115,8 @@ void AddConvertCommand(CLI::App& app)
       "File to write: .exr keeps everything bit by bit (this project's own format); .binary is a "
       "MERL table of 90 x 90 x 180 that other programs read, isotropic and reciprocal")
     ->required();
+  command->add_flag("--half", options->HalfFloats,
+    "Write the tables of .exr as 16-bit floats: a third of the size");
   command->footer(
     "Prints the relative L2 error (both cosines as weights) and the largest absolute error of the\n"
     "written file against the input. A MERL table is reciprocal: a measurement that is not loses\n"

@@ -331,11 +331,12 @@ void WriteText(const std::string& path, const std::string& text)
 }
 
 //------------------------------------------------------------------------------
-void WriteMaterial(vtkBRDF* brdf, const std::string& path)
+void WriteMaterial(vtkBRDF* brdf, const std::string& path, bool halfFloats)
 {
   vtkNew<vtkBRDFWriter> writer;
   writer->SetFileName(path);
   writer->SetBRDF(brdf);
+  writer->SetHalfFloats(halfFloats);
   if (!writer->Write())
   {
     const std::string logged = TakeErrorText();

@@ -46,8 +46,9 @@ void CheckWritable(const std::string& path);
 /// Text to a file, whole or not at all.
 void WriteText(const std::string& path, const std::string& text);
 
-/// A material in the format that the path's ending names, whole or not at all. Throws Error.
-void WriteMaterial(vtkBRDF* brdf, const std::string& path);
+/// A material in the format that the path's ending names, whole or not at all; halfFloats: tables
+/// of .exr as 16-bit floats. Throws Error.
+void WriteMaterial(vtkBRDF* brdf, const std::string& path, bool halfFloats = false);
 
 /// The ending in lower case, with its dot ("" if none).
 std::string Extension(const std::string& path);

@@ -11,6 +11,8 @@
 #include "vtkBRDFResampler.h"
 #include "vtkBlinnPhongBRDFFitter.h"
 #include "vtkDistributionBRDFFitter.h"
+#include "vtkNew.h"
+#include "vtkPBRPropertyFitter.h"
 
 #include <nlohmann/json.hpp>
 
@@ -90,6 +92,9 @@ const std::map<std::string, Model> Models = {
   { "blinn-phong", { true, false, false, MakeBlinnPhongFitter } },
 };
 
+// The vtkProperty nearest to the material, which is no vtkBRDF.
+const char* const PBR = "pbr";
+
 // What --model auto tries where a basis does not suit, each with its number of lobes.
 const std::pair<const char*, int> Candidates[] = { { "d-brdf", 1 }, { "ashikhmin-shirley", 1 },
   { "ashikhmin-shirley", 2 } };
@@ -97,11 +102,25 @@ const std::pair<const char*, int> Candidates[] = { { "d-brdf", 1 }, { "ashikhmin
 //------------------------------------------------------------------------------
 void Check(const Options& options, const CLI::App* command)
 {
-  if (tool::Extension(options.Output) != ".exr")
+  if (options.Model == PBR)
+  {
+    if (!options.Output.empty())
+    {
+      throw tool::UsageError("--output: --model pbr is a vtkProperty's figures, which are printed");
+    }
+  }
+  else if (options.Output.empty())
+  {
+    throw tool::UsageError("--output is required");
+  }
+  else if (tool::Extension(options.Output) != ".exr")
   {
     throw tool::UsageError(options.Output + ": OUT must end in .exr");
   }
-  tool::CheckWritable(options.Output);
+  else
+  {
+    tool::CheckWritable(options.Output);
+  }
   if (command->count("--samples") > 0 &&
       (options.Samples < MinimumNumberOfSamples || options.Samples > MaximumNumberOfSamples))
   {
@@ -110,9 +129,9 @@ void Check(const Options& options, const CLI::App* command)
                            " to " + std::to_string(MaximumNumberOfSamples) +
                            ", more would need gigabytes of memory");
   }
-  // auto takes no option of a model.
-  const Model model =
-    options.Model == "auto" ? Model{ false, false, false, nullptr } : Models.at(options.Model);
+  // auto and pbr take no option of a model.
+  const auto found = Models.find(options.Model);
+  const Model model = found == Models.end() ? Model{ false, false, false, nullptr } : found->second;
   const std::pair<const char*, bool> taken[] = { { "--lobes", model.HasLobes },
     { "--fresnel", model.HasFresnel }, { "--anisotropic", model.HasAnisotropy } };
   for (const auto& option : taken)
@@ -281,6 +300,49 @@ void RunAuto(
 }
 
 //------------------------------------------------------------------------------
+void RunPBR(
+  const Options& options, const tool::Material& material, const std::function<double()>& seconds)
+{
+  vtkNew<vtkPBRPropertyFitter> fitter;
+  fitter->SetBRDF(material.BRDF);
+  if (!fitter->Update())
+  {
+    throw tool::Error(options.File + ": " + tool::TakeErrorText());
+  }
+  const double* color = fitter->GetBaseColor();
+  const ordered_json figures = { { "BaseColor", { color[0], color[1], color[2] } },
+    { "Metallic", fitter->GetMetallic() }, { "Roughness", fitter->GetRoughness() },
+    { "BaseIOR", fitter->GetBaseIOR() }, { "EdgeTint", fitter->GetEdgeTint() },
+    { "CoatStrength", fitter->GetCoatStrength() }, { "CoatRoughness", fitter->GetCoatRoughness() },
+    { "CoatIOR", fitter->GetCoatIOR() } };
+  if (options.Json)
+  {
+    PrintJson({ { "input", options.File }, { "model", options.Model }, { "vtkProperty", figures },
+      { "relative_l1_error", fitter->GetRelativeError() }, { "seconds", seconds() } });
+    return;
+  }
+  std::ostringstream text;
+  text.precision(4);
+  text << options.File << " -> vtkProperty (physically based, linear colour)\n";
+  for (const auto& figure : figures.items())
+  {
+    std::string name = figure.key();
+    name.resize(14, ' ');
+    text << name;
+    for (const double value :
+      figure.value().is_array() ? figure.value() : ordered_json::array({ figure.value() }))
+    {
+      text << " " << value;
+    }
+    text << "\n";
+  }
+  text << "relative L1 error of a sphere under neutral light: " << fitter->GetRelativeError()
+       << "\n"
+       << seconds() << " s\n";
+  tool::PrintOut(text.str());
+}
+
+//------------------------------------------------------------------------------
 void Run(const Options& options, const CLI::App* command)
 {
   Check(options, command);
@@ -294,6 +356,11 @@ void Run(const Options& options, const CLI::App* command)
     RunAuto(options, material, seconds);
     return;
   }
+  if (options.Model == PBR)
+  {
+    RunPBR(options, material, seconds);
+    return;
+  }
   const vtkSmartPointer<vtkBRDFFitter> fitter = FitModel(options, material.BRDF);
   tool::WriteMaterial(fitter->GetOutput(), options.Output);
   Report(options, fitter, seconds());
@@ -301,13 +368,9 @@ void Run(const Options& options, const CLI::App* command)
 
 //------------------------------------------------------------------------------
 template <typename T>
-std::vector<std::string> Names(const std::map<std::string, T>& map, const char* more = nullptr)
+std::vector<std::string> Names(
+  const std::map<std::string, T>& map, std::vector<std::string> names = {})
 {
-  std::vector<std::string> names;
-  if (more)
-  {
-    names.emplace_back(more);
-  }
   for (const auto& entry : map)
   {
     names.push_back(entry.first);
@@ -330,9 +393,12 @@ void AddFitCommand(CLI::App& app)
       "d-brdf: tables of the half vector's distribution and of the Fresnel term; "
       "ashikhmin-shirley, blinn-phong: analytic lobes. All with a Lambert part. auto: a basis "
       "where "
-      "it does not ring, else the D-BRDF or 1 or 2 Ashikhmin-Shirley lobes, whichever is closest")
+      "it does not ring, else the D-BRDF or 1 or 2 Ashikhmin-Shirley lobes, whichever is closest. "
+      "pbr: the vtkProperty whose physically based shading comes nearest under a neutral light, "
+      "for "
+      "what draws or exports no measured material; printed, nothing is written")
     ->required()
-    ->check(CLI::IsMember(Names(Models, "auto")));
+    ->check(CLI::IsMember(Names(Models, { "auto", PBR })));
   command->add_option("--lobes", options->Lobes, "Number of lobes of analytic models (default 1)")
     ->check(CLI::Range(1, 3));
   command
@@ -355,7 +421,7 @@ void AddFitCommand(CLI::App& app)
   command->add_flag("--anisotropic", options->Anisotropic,
     "Let the lobes be anisotropic (default: where the material is)");
   command->add_flag("--json", options->Json, "Write JSON instead of text");
-  command->add_option("-o,--output", options->Output, "File to write, ending in .exr")->required();
+  command->add_option("-o,--output", options->Output, "File to write, ending in .exr");
   command->footer(
     "The residual is the root mean square of the loss' differences over direction pairs that the\n"
     "fit did not see. The relative L2 error weights f by both cosines.\n\n"

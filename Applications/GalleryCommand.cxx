@@ -43,7 +43,7 @@ constexpr int Smooth = 2; // tiles are rendered at this multiple and averaged
 std::vector<std::string> ChooseEmbedded()
 {
   static const char* const kinds[] = { "fabric", "silk", "foil", "gold paint", "teal paint",
-    "magenta plastic", "velvet", "metallic paint" };
+    "magenta plastic", "velvet", "car paint" };
   constexpr std::size_t wanted = 8;
   const int n = vtkEmbeddedMaterials::GetNumberOfMaterials();
   std::vector<std::string> names;

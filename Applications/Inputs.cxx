@@ -6,6 +6,7 @@
 #include "Tool.h"
 
 #include "vtkBRDFReader.h"
+#include "vtkEmbeddedEnvironments.h"
 #include "vtkEmbeddedMaterials.h"
 #include "vtkEnvironmentProjection.h"
 #include "vtkEnvironmentReader.h"
@@ -59,8 +60,7 @@ const char* const MaterialHelp =
 const char* const EnvironmentHelp =
   "Light from all around: a lat-long image, cube cross or other probe (--projection) of any format "
   "OpenImageIO reads (.exr, .hdr, ...); six cube faces, named with %s for px, nx, py, ny, pz, nz; "
-  "or "
-  "the word 'sky' or 'hall' for a built-in procedural one";
+  "or 'room' (photographed), 'sky' or 'hall' (computed), which are built in";
 
 //------------------------------------------------------------------------------
 Material LoadMaterial(const std::string& file)
@@ -136,19 +136,10 @@ void AddProjectionOption(CLI::App* command)
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkEnvironment> LoadEnvironment(const std::string& file)
 {
-  if (file == "sky")
+  if (auto embedded =
+        vtkSmartPointer<vtkEnvironment>::Take(vtkEmbeddedEnvironments::NewEnvironment(file)))
   {
-    auto sky = vtkSmartPointer<vtkEnvironment>::New();
-    sky->SetToProceduralSky();
-    sky->SetName("built-in sky");
-    return sky;
-  }
-  if (file == "hall")
-  {
-    auto hall = vtkSmartPointer<vtkEnvironment>::New();
-    hall->SetToProceduralHall();
-    hall->SetName("built-in hall");
-    return hall;
+    return embedded;
   }
   vtkNew<vtkEnvironmentReader> reader;
   reader->SetProjection(Projections.at(Projection));

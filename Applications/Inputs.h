@@ -46,7 +46,8 @@ Material LoadMaterial(const std::string& file);
 /// Add --projection, which holds for every environment file that the program loads.
 void AddProjectionOption(CLI::App* command);
 
-/// ENV -> environment: "sky", "hall" or a path. Throws Error; prints the reader's notes.
+/// ENV -> environment: a built-in name ("room", "sky", "hall") or a path. Throws Error; prints the
+/// reader's notes.
 vtkSmartPointer<vtkEnvironment> LoadEnvironment(const std::string& file);
 
 /// How to turn an environment into lights.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Tool.h"
 
+#include "vtkEmbeddedEnvironments.h"
 #include "vtkEmbeddedMaterials.h"
 
 #include <nlohmann/json.hpp>
@@ -48,6 +49,11 @@ void Run(bool json)
     row(vtkEmbeddedMaterials::GetName(k), vtkEmbeddedMaterials::GetKind(k),
       vtkEmbeddedMaterials::GetSource(k));
   }
+  text += "\nEnvironments, for --environment:\n";
+  for (int k = 0; k < vtkEmbeddedEnvironments::GetNumberOfEnvironments(); ++k)
+  {
+    row(vtkEmbeddedEnvironments::GetName(k), "", vtkEmbeddedEnvironments::GetSource(k));
+  }
   tool::PrintOut(text);
 }
 }
@@ -59,7 +65,7 @@ void AddListCommand(CLI::App& app)
 {
   auto json = std::make_shared<bool>(false);
   CLI::App* command = app.add_subcommand(
-    "list", "Name the embedded materials (measured, no download needed) and their sources");
+    "list", "Name the embedded materials and environments (no download needed) and their sources");
   command->add_flag("--json", *json, "Write JSON instead of a table");
   command->callback([json]() { Run(*json); });
 }

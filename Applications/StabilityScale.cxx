@@ -4,6 +4,7 @@
 #include "Meshes.h"
 #include "Progress.h"
 #include "Stability.h"
+#include "StabilityMemory.h"
 #include "StabilityTheatre.h"
 #include "StabilityTools.h"
 
@@ -18,12 +19,9 @@
 #include "vtkSphereSource.h"
 #include "vtkTabulatedBRDF.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <fstream>
 #include <numeric>
 #include <set>
 #include <utility>
@@ -32,20 +30,12 @@ using namespace tool::stability;
 
 namespace
 {
-// Drivers compile and allocate for a few frames; a leak of 100 materials' textures is 20 MB each.
+// Drivers compile and allocate for a few frames.
 constexpr int WarmUpFrames = 3;
-constexpr double LargestGrowth = 4.0; // MB
 
-//------------------------------------------------------------------------------
-// MB that the process holds; on a software renderer the textures are among them. 0: unknown.
-double GetResidentMemory()
-{
-  std::ifstream file("/proc/self/statm");
-  double total = 0.0;
-  double resident = 0.0;
-  file >> total >> resident;
-  return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) * 1e-6;
-}
+// Small blocks that threads keep for themselves count as in use. A leak of 100 materials' textures
+// is 20 MB a frame.
+constexpr double LargestGrowth = 1.0; // MB
 
 //------------------------------------------------------------------------------
 void RunEnvironmentSizes(Context& context)
@@ -230,7 +220,8 @@ void RunMaterialChanges(Context& context)
     mapper->SetEnvironment(environment);
     kind.Plans ? mapper->SetMethodToAuto() : mapper->SetMethodToLightSet();
     mapper->SetNumberOfLights(16);
-    double before = 0.0;
+    double heap = 0.0;
+    int objects = 0;
     std::vector<double> times;
     std::set<vtkIdType> bytes;
     for (int k = 0; k < kind.Changes; ++k)
@@ -241,13 +232,19 @@ void RunMaterialChanges(Context& context)
       times.push_back(
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
       bytes.insert(mapper->GetTextureBytes());
-      before = k == kind.Changes / 2 ? GetResidentMemory() : before;
+      // What is set up once is there by then.
+      if (k == kind.Changes / 2)
+      {
+        heap = GetHeapInUse();
+        objects = CountOpenGLObjects();
+      }
     }
-    // The second half: what is set up once is there by then.
-    context.Add(kind.Name,
-      "MB that the second half of " + std::to_string(kind.Changes) + " material changes adds",
-      GetResidentMemory() - before, 8.0,
+    const std::string what =
+      "the second half of " + std::to_string(kind.Changes) + " material changes adds";
+    context.Add(kind.Name, "MB in use that " + what, GetHeapInUse() - heap, LargestGrowth,
       std::to_string(*bytes.rbegin()) + " bytes of textures at most");
+    context.Add(kind.Name, "OpenGL objects that " + what, CountOpenGLObjects() - objects, 0.0,
+      std::to_string(objects) + " objects");
     if (!context.Short && !kind.Plans)
     {
       const auto half = static_cast<std::ptrdiff_t>(times.size() / 4);
@@ -303,7 +300,8 @@ double DrawCrowd(Context& context, int actors, int materials, int frames, Theatr
     theatre.DrawAsIs(128, 128);
     bad += theatre.GetNumberOfBad();
   }
-  const double before = GetResidentMemory();
+  const double before = GetHeapInUse();
+  const int objects = CountOpenGLObjects();
   for (int k = 0; k < frames; ++k)
   {
     theatre.DrawAsIs(128, 128);
@@ -317,7 +315,12 @@ double DrawCrowd(Context& context, int actors, int materials, int frames, Theatr
     std::to_string(actors) + " actors, " + std::to_string(materials) +
       " materials: negative or not finite",
     bad, 0.0);
-  return GetResidentMemory() - before;
+  const double added = GetHeapInUse() - before;
+  context.Add(materials == 1 ? "auto" : "light-set",
+    std::to_string(actors) + " actors, " + std::to_string(materials) +
+      " materials: OpenGL objects that later frames add",
+    CountOpenGLObjects() - objects, 0.0, std::to_string(objects) + " objects");
+  return added;
 }
 
 //------------------------------------------------------------------------------
@@ -327,17 +330,18 @@ void RunCrowds(Context& context)
   {
     Theatre theatre(context);
     std::set<vtkIdType> bytes;
-    context.Add("light-set", "MB that later frames add, 100 materials",
+    context.Add("light-set", "MB in use that later frames add, 100 materials",
       DrawCrowd(context, 100, 100, frames, theatre, bytes), LargestGrowth);
   }
   Theatre theatre(context);
   const int actors = context.Short ? 100 : 1000;
-  const double start = GetResidentMemory();
+  const double start = GetHeapInUse();
   std::set<vtkIdType> bytes;
-  context.Add("auto", "MB that later frames add, " + std::to_string(actors) + " actors",
+  context.Add("auto", "MB in use that later frames add, " + std::to_string(actors) + " actors",
     DrawCrowd(context, actors, 1, frames, theatre, bytes), LargestGrowth);
-  context.Add("auto", "kB an actor adds, " + std::to_string(actors) + " actors of one material",
-    1e3 * (GetResidentMemory() - start) / actors, 400.0,
+  context.Add("auto",
+    "kB in use that an actor adds, " + std::to_string(actors) + " actors of one material",
+    1e3 * (GetHeapInUse() - start) / actors, 400.0,
     "one plan for all, " + std::to_string(*bytes.begin()) + " bytes of textures");
 }
 }

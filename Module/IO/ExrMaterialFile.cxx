@@ -17,6 +17,7 @@
 #include <ImfOutputPart.h>
 #include <ImfPartType.h>
 #include <ImfStringAttribute.h>
+#include <half.h> // Imath, of OpenEXR
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -169,6 +170,24 @@ json ToJson(const MaterialArchive& archive, const std::string& prefix, std::vect
 }
 
 //------------------------------------------------------------------------------
+// Invalid cells (NaN) stay invalid.
+std::vector<half> RoundToHalf(const MaterialArchive::Array& array, const std::string& name)
+{
+  std::vector<half> rounded;
+  rounded.reserve(array.Values.size());
+  for (const float value : array.Values)
+  {
+    rounded.emplace_back(value);
+    if (std::isfinite(value) && !rounded.back().isFinite())
+    {
+      throw std::runtime_error("array '" + name + "': " + std::to_string(value) +
+                               " is too large for a 16-bit float; write 32-bit floats");
+    }
+  }
+  return rounded;
+}
+
+//------------------------------------------------------------------------------
 // Reads parts by name; every size is checked before anything is allocated.
 class PartReader
 {
@@ -210,14 +229,17 @@ public:
         "part '" + name + "': found type " + header.type() + ", expected " + Imf::SCANLINEIMAGE);
     }
     int channels = 0;
+    std::uint64_t texelBytes = 0; // in the file
     for (auto it = header.channels().begin(); it != header.channels().end(); ++it)
     {
       const Imf::Channel& channel = it.channel();
       ++channels;
-      if (channel.type != Imf::FLOAT || channel.xSampling != 1 || channel.ySampling != 1)
+      texelBytes += channel.type == Imf::HALF ? sizeof(half) : sizeof(float);
+      if ((channel.type != Imf::FLOAT && channel.type != Imf::HALF) || channel.xSampling != 1 ||
+          channel.ySampling != 1)
       {
-        throw std::runtime_error(
-          "part '" + name + "', channel " + it.name() + ": expected 32-bit floats, not subsampled");
+        throw std::runtime_error("part '" + name + "', channel " + it.name() +
+                                 ": expected 32-bit or 16-bit floats, not subsampled");
       }
     }
     if (channels != array.Channels)
@@ -225,14 +247,14 @@ public:
       throw std::runtime_error("part '" + name + "': found " + std::to_string(channels) +
                                " channels, expected " + std::to_string(array.Channels));
     }
-    const std::uint64_t row = std::uint64_t(width) * array.Channels * sizeof(float);
-    if (row > this->BytesLeft / height) // row * height may overflow
+    if (width * texelBytes > this->BytesLeft / height) // the product of the three may overflow
     {
       throw std::runtime_error(
         "part '" + name + "': its size is more than a file of this length can hold");
     }
-    this->BytesLeft -= row * height;
+    this->BytesLeft -= width * texelBytes * height;
 
+    const std::size_t row = std::size_t(width) * array.Channels * sizeof(float);
     array.Values.resize(row / sizeof(float) * height);
     Imf::FrameBuffer buffer;
     for (int k = 0; k < array.Channels; ++k)
@@ -367,8 +389,9 @@ MaterialFile ReadExrMaterial(const FileBytes& file)
 }
 
 //------------------------------------------------------------------------------
-void WriteExrMaterial(vtkBRDF* brdf, const std::string& path)
+void WriteExrMaterial(vtkBRDF* brdf, const std::string& path, bool halfFloats)
 {
+  const Imf::PixelType type = halfFloats ? Imf::HALF : Imf::FLOAT;
   try
   {
     const MaterialArchive archive = ToArchive(brdf);
@@ -402,7 +425,7 @@ void WriteExrMaterial(vtkBRDF* brdf, const std::string& path)
       exr.setType(Imf::SCANLINEIMAGE);
       for (int k = 0; k < part.Array->Channels; ++k)
       {
-        exr.channels().insert(GetChannelName(part.Array->Channels, k), Imf::Channel(Imf::FLOAT));
+        exr.channels().insert(GetChannelName(part.Array->Channels, k), Imf::Channel(type));
       }
     }
     for (Imf::Header& exr : headers)
@@ -421,14 +444,18 @@ void WriteExrMaterial(vtkBRDF* brdf, const std::string& path)
       {
         const MaterialArchive::Array& array = *parts[k].Array;
         const Imath::Box2i window = headers[k].dataWindow();
-        const std::size_t texel = sizeof(float) * array.Channels;
+        const std::vector<half> rounded =
+          halfFloats ? RoundToHalf(array, parts[k].Name) : std::vector<half>();
+        const char* values = halfFloats ? reinterpret_cast<const char*>(rounded.data())
+                                        : reinterpret_cast<const char*>(array.Values.data());
+        const std::size_t size = halfFloats ? sizeof(half) : sizeof(float);
+        const std::size_t texel = size * array.Channels;
         Imf::FrameBuffer buffer;
         for (int channel = 0; channel < array.Channels; ++channel)
         {
           buffer.insert(GetChannelName(array.Channels, channel),
-            Imf::Slice(Imf::FLOAT,
-              const_cast<char*>(reinterpret_cast<const char*>(&array.Values[channel])), texel,
-              texel * (window.max.x + 1)));
+            Imf::Slice(
+              type, const_cast<char*>(values) + size * channel, texel, texel * (window.max.x + 1)));
         }
         Imf::OutputPart out(output, static_cast<int>(k));
         out.setFrameBuffer(buffer);

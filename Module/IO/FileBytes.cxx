@@ -128,6 +128,15 @@ FileBytes::FileBytes(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
+FileBytes::FileBytes(const std::string& path, std::string_view bytes)
+  : Path(path)
+  , Size(bytes.size())
+  , Data(new char[bytes.size()])
+{
+  std::memcpy(this->Data.get(), bytes.data(), bytes.size());
+}
+
+//------------------------------------------------------------------------------
 void ByteReader::FailAt(
   std::uint64_t offset, const std::string& field, const std::string& what) const
 {

@@ -54,6 +54,9 @@ class FileBytes
 public:
   explicit FileBytes(const std::string& path);
 
+  /// A copy of bytes that are in memory; path: what messages call them.
+  FileBytes(const std::string& path, std::string_view bytes);
+
   const std::string& GetPath() const { return this->Path; }
   const char* GetData() const { return this->Data.get(); }
   std::size_t GetSize() const { return this->Size; }

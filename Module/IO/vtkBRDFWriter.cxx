@@ -45,7 +45,7 @@ bool vtkBRDFWriter::Write()
     }
     else if (extension == ".exr")
     {
-      WriteExrMaterial(this->BRDF, this->FileName);
+      WriteExrMaterial(this->BRDF, this->FileName, this->HalfFloats);
     }
     else
     {
@@ -71,6 +71,7 @@ void vtkBRDFWriter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << this->FileName << "\n";
+  os << indent << "HalfFloats: " << (this->HalfFloats ? "On" : "Off") << "\n";
   os << indent << "ErrorMessage: " << this->ErrorMessage << "\n";
   os << indent << "BRDF: " << this->BRDF.Get() << "\n";
 }

@@ -11,7 +11,9 @@
  * them.
  *
  * `.exr`: any material. Parts hold the tables as 32-bit floats, the header a JSON text with
- * representation, sizes and parameters; reading it back is bit-exact.
+ * representation, sizes and parameters; reading it back is bit-exact. With HalfFloats the tables
+ * are rounded to 16-bit floats (relative 2^-11; values beyond 65504 are refused): a third of the
+ * bytes.
  *
  * The file is written beside its place and renamed when it is whole: a failed write leaves an old
  * file as it was.
@@ -50,6 +52,15 @@ public:
   vtkBRDF* GetBRDF() { return this->BRDF; }
   ///@}
 
+  ///@{
+  /**
+   * Tables of `.exr` as 16-bit instead of 32-bit floats; default off.
+   */
+  vtkSetMacro(HalfFloats, bool);
+  vtkGetMacro(HalfFloats, bool);
+  vtkBooleanMacro(HalfFloats, bool);
+  ///@}
+
   /**
    * Write. Returns whether it worked; if not, an error event and GetErrorMessage say why.
    */
@@ -61,6 +72,7 @@ protected:
   ~vtkBRDFWriter() override = default;
 
   std::string FileName;
+  bool HalfFloats = false;
   std::string ErrorMessage;
   vtkSmartPointer<vtkBRDF> BRDF;
 

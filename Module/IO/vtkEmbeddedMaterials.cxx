@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkEmbeddedMaterials.h"
 
-#include "EmbeddedFits.h" // made of EmbeddedFits.fit
+#include "EmbeddedCarPaint.h" // made of EmbeddedCarPaint.exr
+#include "EmbeddedFits.h"     // made of EmbeddedFits.fit
+#include "ExrMaterialFile.h"
+#include "FileBytes.h"
 #include "FitFile.h"
 #include "vtkBRDF.h"
 #include "vtkObjectFactory.h"
@@ -16,9 +19,12 @@ namespace
 {
 struct Material
 {
-  const char* Name; // in EmbeddedFits.fit
+  const char* Name; // in EmbeddedFits.fit, or CarPaint
   const char* Kind;
 };
+
+// The measurement, whose file names its source.
+const char* const CarPaint = "blue-car-paint";
 
 // The first seven stand for the kinds that O'Toole's thesis shows: MERL's closest samples, not its
 // own (MERL has no foil, silk or velvet, and no magenta plastic that is not mirror-like).
@@ -46,10 +52,17 @@ const std::vector<Material> Materials = {
   { "white-marble", "stone" },
   { "hematite", "stone" },
   { "cherry-235", "wood" },
+  { CarPaint, "car paint" },
 };
 
 vtkSmartPointer<vtkBRDF> MakeMaterial(const std::string& name)
 {
+  if (name == CarPaint)
+  {
+    const measuredbrdf::FileBytes file("embedded " + name,
+      std::string_view(reinterpret_cast<const char*>(EmbeddedCarPaint), sizeof(EmbeddedCarPaint)));
+    return measuredbrdf::ReadExrMaterial(file).BRDF;
+  }
   static const measuredbrdf::FitFile fits("embedded materials", EmbeddedFits);
   const vtkSmartPointer<vtkBRDF> brdf = fits.GetMaterial(name).BRDF;
   brdf->SetSource("MERL sample " + name + ", " + brdf->GetSource());

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkEmbeddedMaterials
- * @brief   acquired materials that need no download: published fits to MERL measurements
+ * @brief   acquired materials that need no download: a measured car paint, and published fits to
+ *          MERL measurements
  *
- * Figures from Ngan, Durand and Matusik 2005 ("Experimental Analysis of BRDF Models", supplemental
- * material) and Low, Kronander, Ynnerman and Unger 2012 ("BRDF Models for Accurate and Efficient
- * Rendering of Glossy Surfaces"). Ngan's were fitted to MERL data without its colour scale, so
- * their RGB is multiplied by 1.00, 1.15, 1.66 here.
+ * The car paint is a measurement, 45 x 45 x 90 directions, by NVIDIA (MDL SDK, CC0 1.0), its values
+ * rounded to 16-bit floats; NOTICE says where it is from. The others are fits: figures from Ngan,
+ * Durand and Matusik 2005 ("Experimental Analysis of BRDF Models", supplemental material) and Low,
+ * Kronander, Ynnerman and Unger 2012 ("BRDF Models for Accurate and Efficient Rendering of Glossy
+ * Surfaces"). Ngan's were fitted to MERL data without its colour scale, so their RGB is multiplied
+ * by 1.00, 1.15, 1.66 here.
  */
 
 #ifndef vtkEmbeddedMaterials_h

@@ -3,6 +3,7 @@
 #include "MaterialDrawing.h"
 
 #include "DrawsColor.h"
+#include "StockLevels.h"
 #include "vtkActor.h"
 #include "vtkCommand.h"
 #include "vtkCompositeMeasuredBRDFMapper.h"
@@ -361,6 +362,17 @@ void MaterialDrawing::BeginFrame(
   ViewFrame& frame = this->FindFrame(renderer, actor, part);
   const bool any = std::any_of(
     uses.begin(), uses.end(), [](const MaterialUse& use) { return use.BRDF != nullptr; });
+  const char* levels = any && this->WarnOnce("levels of detail")
+                         ? FindStockLevels(renderer, actor, vtkMapper::SafeDownCast(this->Owner))
+                         : nullptr;
+  if (levels)
+  {
+    vtkWarningWithObjectMacro(this->Owner,
+      << levels
+      << " draws the levels of detail that it makes itself with stock mappers: they show the "
+         "actor's vtkProperty, not the material. FitProperty(actor->GetProperty()) sets the "
+         "nearest one.");
+  }
   const vtkSmartPointer<vtkEnvironment> environment = any ? this->FindLight(renderer) : nullptr;
   if ((!this->Settings->BRDF && !this->Settings->HasBlockMaterials()) || !this->IsPlanned())
   {

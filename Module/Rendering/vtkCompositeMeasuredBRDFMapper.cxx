@@ -7,6 +7,7 @@
 #include "BlockMaterials.h"
 #include "MapperProperties.h"
 #include "vtkObjectFactory.h"
+#include "vtkPBRPropertyFitter.h"
 #include "vtkPolyData.h"
 #include "vtkRadiancePlanner.h"
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
@@ -354,6 +355,12 @@ bool vtkCompositeMeasuredBRDFMapper::GetPlanPending()
 bool vtkCompositeMeasuredBRDFMapper::GetPlanReady()
 {
   return this->Impl->Drawing->GetPlans().IsReady();
+}
+
+//------------------------------------------------------------------------------
+double vtkCompositeMeasuredBRDFMapper::FitProperty(vtkProperty* property)
+{
+  return vtkPBRPropertyFitter::Fit(this->GetBRDF(), property);
 }
 
 //------------------------------------------------------------------------------

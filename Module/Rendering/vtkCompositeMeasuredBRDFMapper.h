@@ -36,6 +36,7 @@
 class vtkBRDF;
 class vtkEnvironment;
 class vtkLightSet;
+class vtkProperty;
 class vtkRadianceCostModel;
 class vtkRadianceIntegrator;
 
@@ -151,6 +152,11 @@ public:
   bool GetPlanReady();
   vtkIdType GetTextureBytes();
   ///@}
+
+  /**
+   * As vtkMeasuredBRDFMapper has it, for the material of all blocks (SetBRDF).
+   */
+  double FitProperty(vtkProperty* property);
 
   void ShallowCopy(vtkAbstractMapper* mapper) override;
   void Render(vtkRenderer* renderer, vtkActor* actor) override;

@@ -7,6 +7,7 @@
 #include "MapperProperties.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkObjectFactory.h"
+#include "vtkPBRPropertyFitter.h"
 #include "vtkPolyData.h"
 #include "vtkRadiancePlanner.h"
 
@@ -46,6 +47,12 @@ bool vtkMeasuredBRDFMapper::GetPlanPending() { return this->Drawing->GetPlans().
 
 //------------------------------------------------------------------------------
 bool vtkMeasuredBRDFMapper::GetPlanReady() { return this->Drawing->GetPlans().IsReady(); }
+
+//------------------------------------------------------------------------------
+double vtkMeasuredBRDFMapper::FitProperty(vtkProperty* property)
+{
+  return vtkPBRPropertyFitter::Fit(this->GetBRDF(), property);
+}
 
 //------------------------------------------------------------------------------
 vtkIdType vtkMeasuredBRDFMapper::GetTextureBytes() { return this->Drawing->GetTextureBytes(); }

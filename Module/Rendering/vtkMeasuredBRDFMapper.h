@@ -42,6 +42,7 @@
 class vtkBRDF;
 class vtkEnvironment;
 class vtkLightSet;
+class vtkProperty;
 class vtkRadianceCostModel;
 class vtkRadianceIntegrator;
 
@@ -187,6 +188,14 @@ public:
   bool GetPlanPending();
   bool GetPlanReady();
   ///@}
+
+  /**
+   * Set a property to VTK's physically based shading that comes nearest to the material under a
+   * neutral light (vtkPBRPropertyFitter), for what draws the property and not the material:
+   * exporters, OSPRay, ANARI, glyphs, levels of detail. Returns the relative L1 error of that;
+   * negative, with the property as it was, where there is no material or no property.
+   */
+  double FitProperty(vtkProperty* property);
 
   ///@{
   /**

@@ -23,3 +23,11 @@ foreach (binary IN LISTS binaries)
     message(FATAL_ERROR "${binary} finds ${CMAKE_MATCH_1}, not the library in ${PREFIX}")
   endif ()
 endforeach ()
+
+# Whose work the library holds is said beside it.
+foreach (name IN ITEMS LICENSE NOTICE)
+  file(GLOB_RECURSE found "${PREFIX}/${name}")
+  if (NOT found)
+    message(FATAL_ERROR "${name} is not installed")
+  endif ()
+endforeach ()

@@ -542,15 +542,22 @@ TEST_F(Parity, EmbeddedMaterials)
   }
 }
 
+TEST_F(Parity, EmbeddedMeasurement)
+{
+  auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("blue-car-paint"));
+  ASSERT_TRUE(brdf);
+  this->Check("blue-car-paint", brdf, 2e-3);
+}
+
 TEST_F(Parity, RealFiles)
 {
   const std::string folder = std::string(MEASUREDBRDF_SHARED_DATA) + "/materials/";
-  if (!std::ifstream(folder + "mbsdf/carpaint_blue.mbsdf"))
+  if (!std::ifstream(folder + "rgl/satin_purple_rgb.bsdf"))
   {
     GTEST_SKIP() << "no measured files beside the checkout";
   }
   for (const char* file : { "rgl/acrylic_felt_pink_rgb.bsdf", "rgl/satin_purple_rgb.bsdf",
-         "rgl/chm_light_blue_rgb.bsdf", "mbsdf/carpaint_blue.mbsdf" })
+         "rgl/chm_light_blue_rgb.bsdf" })
   {
     vtkNew<vtkBRDFReader> reader;
     reader->SetFileName(folder + file);

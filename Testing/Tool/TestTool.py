@@ -164,6 +164,22 @@ class Materials(ToolTest):
         for material in materials:
             self.assertTrue(material["name"] and material["source"])
 
+    def test_half_floats(self):
+        whole, half = self.path("whole.exr"), self.path("half.exr")
+        self.check(run("convert", "blue-car-paint", whole), 0, "relative L2 error", ": 0\n")
+        self.check(run("convert", "blue-car-paint", half, "--half"), 0, ": 0\n")  # it is in 16 bits
+        self.assertLess(os.path.getsize(half), os.path.getsize(whole))
+        bad = run("convert", "blue-car-paint", self.path("a.binary"), "--half")
+        self.check(bad, 2, "--half", ".exr")
+
+    def test_list_embedded_data(self):
+        said = run("list").stdout
+        for words in ("blue-car-paint", "carpaint_blue.mbsdf", "room", "Poly Haven", "CC0 1.0", "hall"):
+            self.assertIn(words, said)
+        info = json.loads(run("info", "blue-car-paint", "--json").stdout)
+        self.assertEqual(info["dimensions"], [90, 45, 45])
+        self.assertEqual(info["format"], "embedded")
+
     def test_info(self):
         self.check(run("info", "gold-paint"), 0, "directional albedo", "reciprocity", "embedded")
         info = json.loads(run("info", self.write_fits(), "--json").stdout)
@@ -481,6 +497,20 @@ class Fit(ToolTest):
         lobes = json.loads(run("fit", "gold-paint", *options, "--lobes", "2").stdout)
         self.assertLess(lobes["residual"], fit["residual"])
         self.assertEqual(len(lobes["parameters"]), 3)
+
+
+class FitProperty(ToolTest):
+    def test_pbr(self):
+        fit = json.loads(run("fit", "gold-paint", "--model", "pbr", "--json").stdout)
+        self.assertLess(fit["relative_l1_error"], 0.06)
+        red, green, blue = fit["vtkProperty"]["BaseColor"]
+        self.assertTrue(1 > red > green > blue > 0)
+        said = run("fit", "gold-paint", "--model", "pbr")
+        self.check(said, 0, "vtkProperty", "Roughness", "relative L1 error")
+        bad = run("fit", "gold-paint", "--model", "pbr", "-o", self.path("x.exr"))
+        self.check(bad, 2, "--output", "pbr")
+        self.check(run("fit", "gold-paint", "--model", "pbr", "--lobes", "2"), 2, "--lobes")
+        self.check(run("fit", "gold-paint", "--model", "d-brdf"), 2, "--output")
 
 
 class FitAuto(ToolTest):

@@ -309,6 +309,10 @@ TEST(IOFits, ReadsThePublishedOnes)
   {
     const std::string name = vtkEmbeddedMaterials::GetName(k);
     const std::string source = vtkEmbeddedMaterials::GetSource(k);
+    if (source.find("MERL sample") != 0)
+    {
+      continue; // a measurement: TestIOEmbedded
+    }
     const auto& file = source.find("Low") != std::string::npos         ? files[0]
                        : source.find("NganBlinn") != std::string::npos ? files[2]
                                                                        : files[1];
@@ -346,10 +350,13 @@ TEST(IOEmbedded, HoldsTheThesisKinds)
     EXPECT_TRUE(names.insert(name).second);
     kinds.insert(vtkEmbeddedMaterials::GetKind(k));
     const std::string source = vtkEmbeddedMaterials::GetSource(k);
-    EXPECT_NE(source.find("MERL sample " + name), std::string::npos) << source;
-    EXPECT_TRUE(source.find("Ngan et al. 2005") != std::string::npos ||
-                source.find("Low et al. 2012") != std::string::npos)
-      << source;
+    if (vtkEmbeddedMaterials::GetKind(k) != "car paint") // a measurement
+    {
+      EXPECT_NE(source.find("MERL sample " + name), std::string::npos) << source;
+      EXPECT_TRUE(source.find("Ngan et al. 2005") != std::string::npos ||
+                  source.find("Low et al. 2012") != std::string::npos)
+        << source;
+    }
     vtkSmartPointer<vtkBRDF> brdf =
       vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF(name));
     ASSERT_TRUE(brdf);
