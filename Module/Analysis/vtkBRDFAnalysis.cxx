@@ -4,6 +4,7 @@
 
 #include "HalfVector.h"
 #include "LowDiscrepancy.h"
+#include "Setters.h"
 #include "vtkBasisBRDF.h"
 #include "vtkObjectFactory.h"
 #include "vtkTabulatedBRDF.h"
@@ -267,7 +268,10 @@ double vtkBRDFAnalysis::GetTableNegativeMass(vtkTabulatedBRDF* table)
 }
 
 //------------------------------------------------------------------------------
-void vtkBRDFAnalysis::PrintSelf(ostream& os, vtkIndent indent)
+measuredbrdfSetClampedMacro(vtkBRDFAnalysis, NumberOfPairs, int, 100, 100000000)
+
+  //------------------------------------------------------------------------------
+  void vtkBRDFAnalysis::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "BRDF: " << this->BRDF.Get() << "\n";

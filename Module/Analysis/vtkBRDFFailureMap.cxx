@@ -3,6 +3,7 @@
 #include "vtkBRDFFailureMap.h"
 
 #include "HalfVector.h"
+#include "Setters.h"
 
 #include "vtkCommand.h"
 #include "vtkDoubleArray.h"
@@ -278,7 +279,11 @@ double vtkBRDFFailureMap::GetWorstError(int index)
 }
 
 //------------------------------------------------------------------------------
-void vtkBRDFFailureMap::PrintSelf(ostream& os, vtkIndent indent)
+measuredbrdfSetClampedMacro(vtkBRDFFailureMap, NumberOfCells, int, 2, 720)
+  measuredbrdfSetClampedMacro(vtkBRDFFailureMap, NumberOfAzimuths, int, 2, 3600)
+
+  //------------------------------------------------------------------------------
+  void vtkBRDFFailureMap::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Reference: " << this->Reference.Get() << "\n";

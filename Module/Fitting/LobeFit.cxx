@@ -398,14 +398,6 @@ LobeFitResult Unpack(const Layout& layout, const std::vector<double>& parameters
 }
 
 //------------------------------------------------------------------------------
-std::string CheckLobes(int numberOfLobes)
-{
-  return numberOfLobes >= 1 && numberOfLobes <= 3
-           ? ""
-           : "NumberOfLobes: expected 1, 2 or 3, got " + std::to_string(numberOfLobes) + "; ";
-}
-
-//------------------------------------------------------------------------------
 LobeFitResult FitLobes(
   const FitSamples& samples, const LobeModel& model, const LobeFitOptions& options)
 {

@@ -4,6 +4,7 @@
 
 #include "GaussLegendre.h"
 #include "LocalFrame.h"
+#include "Setters.h"
 #include "ZonalOperators.h"
 #include "vtkBRDFResampler.h"
 #include "vtkCommand.h"
@@ -396,7 +397,14 @@ bool vtkBasisExtrapolator::Extrapolate()
 }
 
 //------------------------------------------------------------------------------
-void vtkBasisExtrapolator::PrintSelf(ostream& os, vtkIndent indent)
+measuredbrdfSetClampedMacro(vtkBasisExtrapolator, Order, int, 0, vtkBasisBRDF::MaximumOrder)
+  measuredbrdfSetInRangeMacro(vtkBasisExtrapolator, Criterion, int, CROSS_VALIDATION, FIXED)
+    measuredbrdfSetClampedMacro(vtkBasisExtrapolator, Lambda, double, 0.0, 1e6)
+      measuredbrdfSetClampedMacro(vtkBasisExtrapolator, MaximumResidual, double, 0.0, 1e6)
+        measuredbrdfSetClampedMacro(vtkBasisExtrapolator, MaximumNegativeMass, double, 0.0, 1.0)
+
+  //------------------------------------------------------------------------------
+  void vtkBasisExtrapolator::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Input: " << this->Input.Get() << "\n";

@@ -3,6 +3,7 @@
 #include "vtkVarianceLightSetGenerator.h"
 
 #include "LightTree.h"
+#include "Setters.h"
 #include "vtkCommand.h"
 #include "vtkEnvironment.h"
 #include "vtkLightSet.h"
@@ -134,7 +135,11 @@ int vtkVarianceLightSetGenerator::GetNumberOfLightsForVariance(
 }
 
 //------------------------------------------------------------------------------
-void vtkVarianceLightSetGenerator::PrintSelf(ostream& os, vtkIndent indent)
+measuredbrdfSetInRangeMacro(vtkVarianceLightSetGenerator, Method, int, GREEDY, MINIMUM_VARIANCE)
+  measuredbrdfSetClampedMacro(vtkVarianceLightSetGenerator, TreeSize, int, 1, MaximumNumberOfLights)
+
+  //------------------------------------------------------------------------------
+  void vtkVarianceLightSetGenerator::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Method: " << (this->Method == GREEDY ? "greedy" : "minimum variance") << "\n";

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBlinnPhongBRDF.h"
 
+#include "ContentHash.h"
 #include "HalfVector.h"
+#include "Setters.h"
 #include "vtkBRDFGPUForm.h"
 #include "vtkObjectFactory.h"
 
@@ -15,7 +17,11 @@ using namespace measuredbrdf;
 vtkStandardNewMacro(vtkBlinnPhongBRDF);
 
 //------------------------------------------------------------------------------
-void vtkBlinnPhongBRDF::PrintSelf(ostream& os, vtkIndent indent)
+measuredbrdfSetClampedMacro(vtkBlinnPhongBRDF, Exponent, double, 0.0, 1e6)
+  measuredbrdfSetFinite3Macro(vtkBlinnPhongBRDF, Specular)
+
+  //------------------------------------------------------------------------------
+  void vtkBlinnPhongBRDF::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Specular: " << this->Specular[0] << " " << this->Specular[1] << " "
@@ -100,4 +106,13 @@ vtkBRDF* vtkBlinnPhongBRDF::NewCopy()
   std::copy_n(this->Specular, 3, copy->Specular);
   copy->Exponent = this->Exponent;
   return copy;
+}
+
+//------------------------------------------------------------------------------
+std::pair<std::type_index, std::string> vtkBlinnPhongBRDF::GetContent()
+{
+  measuredbrdf::ContentHash hash;
+  hash.Add(this->Specular, sizeof(this->Specular));
+  hash.AddValue(this->Exponent);
+  return { typeid(vtkBlinnPhongBRDF), hash.GetText() };
 }

@@ -71,7 +71,7 @@ public:
   /**
    * Relative L1 error to stay below (default 0.02, in [1e-3, 1]).
    */
-  vtkSetClampMacro(ErrorTolerance, double, 1e-3, 1.0);
+  virtual void SetErrorTolerance(double errorTolerance);
   vtkGetMacro(ErrorTolerance, double);
   ///@}
 
@@ -80,7 +80,8 @@ public:
    * Unit direction from the object to the camera, world coordinates: pairs are drawn as seen from
    * there. 0, 0, 0 (default): from everywhere.
    */
-  vtkSetVector3Macro(ViewDirection, double);
+  virtual void SetViewDirection(double x, double y, double z);
+  virtual void SetViewDirection(const double viewDirection[3]);
   vtkGetVector3Macro(ViewDirection, double);
   ///@}
 
@@ -112,7 +113,7 @@ public:
   /**
    * Largest texture memory of a plan in bytes (default 96 MiB).
    */
-  vtkSetMacro(MaximumTextureBytes, vtkIdType);
+  virtual void SetMaximumTextureBytes(vtkIdType maximumTextureBytes);
   vtkGetMacro(MaximumTextureBytes, vtkIdType);
   ///@}
 
@@ -121,7 +122,7 @@ public:
    * Covered pixels that a predicted frame time counts, and that share the price of memory (default
    * 196350, a 500 x 500 sphere; at least 1).
    */
-  vtkSetClampMacro(NumberOfPixels, vtkIdType, 1, VTK_ID_MAX);
+  virtual void SetNumberOfPixels(vtkIdType numberOfPixels);
   vtkGetMacro(NumberOfPixels, vtkIdType);
   ///@}
 
@@ -145,7 +146,7 @@ public:
   vtkSetMacro(CacheFolder, std::string);
   vtkGetMacro(CacheFolder, std::string);
   static std::string GetDefaultCacheFolder();
-  vtkSetMacro(MaximumCacheBytes, vtkIdType);
+  virtual void SetMaximumCacheBytes(vtkIdType maximumCacheBytes);
   vtkGetMacro(MaximumCacheBytes, vtkIdType);
   ///@}
 
