@@ -238,7 +238,10 @@ struct vtkRadiancePlanner::Internals
     {
       double rotation[9];
       this->Environment->GetWorldToEnvironment(rotation);
-      hash.Add(rotation, sizeof(rotation));
+      for (const double value : rotation)
+      {
+        hash.AddValue(value + 0.0); // -0 and 0 turn alike
+      }
     }
     const std::vector<double> costs = this->GetCosts();
     hash.Add(costs.data(), costs.size() * sizeof(double));

@@ -11,6 +11,10 @@
 #include "vtkSumBRDF.h"
 #include "vtkTabulatedBRDF.h"
 
+#include <ImfFrameBuffer.h>
+#include <ImfInputPart.h>
+#include <ImfMultiPartInputFile.h>
+
 #include <limits>
 
 #if !defined(_WIN32)
@@ -282,6 +286,32 @@ TEST(IOExrRoundTrip, Tabulated)
       EXPECT_TRUE(SameBits(material->GetVolume(), back->GetVolume()));
       EXPECT_EQ(back->GetNumberOfInvalidCells(), 1);
     }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Other programs find red in channel R: writer and reader do not just agree with each other.
+TEST(IOExr, ChannelsAreNamedForTheirColors)
+{
+  const Folder folder;
+  const int size[3] = { 2, 1, 1 };
+  vtkNew<vtkTabulatedBRDF> table;
+  ASSERT_TRUE(table->SetVolume(vtkTabulatedBRDF::HALF_DIFFERENCE, vtkTabulatedBRDF::HALF_TURN, size,
+    { 0.1f, 0.2f, 0.3f, 0.4f, 0.5f, 0.6f }));
+  Write(table, folder("table.exr"));
+  Imf::MultiPartInputFile file(folder("table.exr").c_str());
+  ASSERT_EQ(file.parts(), 1);
+  Imf::InputPart part(file, 0);
+  for (int channel = 0; channel < 3; ++channel)
+  {
+    float values[2] = {};
+    Imf::FrameBuffer buffer;
+    buffer.insert(std::string(1, "RGB"[channel]).c_str(),
+      Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(values), sizeof(float), 2 * sizeof(float)));
+    part.setFrameBuffer(buffer);
+    part.readPixels(0, 0);
+    EXPECT_EQ(values[0], table->GetVolume()[static_cast<std::size_t>(channel)]);
+    EXPECT_EQ(values[1], table->GetVolume()[static_cast<std::size_t>(3 + channel)]);
   }
 }
 

@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Plans that outlive the program: found again, made again where files are damaged, bounded in size.
+// Plans that outlive the program: found again, made again where files are damaged, bounded in size,
+// and among other people's files.
 
+#include "PlanCache.h"
 #include "vtkAdaptiveWarpBRDF.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBasisBRDF.h"
@@ -308,13 +310,10 @@ TEST_F(PlanCache, KeepsWhatIsNotOurs)
   fs::create_directory(own / ("e" + Key.substr(1)));
 
   this->MaximumBytes = static_cast<vtkIdType>(size + size / 2);
-  for (int k = 0; k < 3; ++k)
-  {
-    this->BRDF->SetExponent(21.0 + k);
-    EXPECT_FALSE(this->Plan()->GetFromCache());
-    EXPECT_TRUE(this->Plan()->GetFromCache()); // the cache is at work
-  }
-  EXPECT_FALSE(fs::exists(plan)); // ours was too old
+  this->BRDF->SetExponent(21.0);
+  EXPECT_FALSE(this->Plan()->GetFromCache());
+  EXPECT_TRUE(this->Plan()->GetFromCache()); // the cache is at work
+  EXPECT_FALSE(fs::exists(plan));            // ours was too old
   for (const fs::path& file : files)
   {
     EXPECT_NE(ReadText(file).find("years of work"), std::string::npos) << file;
@@ -324,14 +323,16 @@ TEST_F(PlanCache, KeepsWhatIsNotOurs)
   EXPECT_TRUE(fs::is_directory(own / ("e" + Key.substr(1))));
 }
 
-// What lies under a plan's own key: nothing hangs, nothing is harmed, the plan is made.
+// What lies under a plan's own key: nothing hangs, and nothing is harmed.
 TEST_F(PlanCache, AnythingMayLieUnderAKey)
 {
-  this->Plan();
-  const fs::path file = this->GetFiles().at(0);
+  const fs::path file = this->GetOwnFolder() / Key;
   const fs::path target = fs::path(this->Folder) / "target";
+  std::string read;
+  measuredbrdf::WriteCache(this->Folder, Key, "a plan", 1000);
+  ASSERT_TRUE(measuredbrdf::ReadCache(this->Folder, Key, read));
   const std::string genuine = ReadText(file);
-  for (int kind = 0; kind < 5; ++kind)
+  for (int kind = 0; kind < 6; ++kind)
   {
     fs::remove_all(file);
     if (kind == 0)
@@ -358,12 +359,19 @@ TEST_F(PlanCache, AnythingMayLieUnderAKey)
       WriteText(target, genuine); // a link is not followed, whatever it leads to
       fs::create_symlink(target, file);
     }
+    else if (kind == 4)
+    {
+      fs::create_symlink("/dev/zero", file);
+    }
     else
     {
       WriteText(file, "years of work");
     }
     const fs::file_type before = fs::symlink_status(file).type();
-    EXPECT_FALSE(this->Plan()->GetFromCache()) << kind;
+    EXPECT_FALSE(measuredbrdf::ReadCache(this->Folder, Key, read)) << kind;
+    measuredbrdf::WriteCache(this->Folder, Key, "another plan", 1000);
+    EXPECT_FALSE(measuredbrdf::ReadCache(this->Folder, Key, read)) << kind;
+    EXPECT_EQ(read, "a plan");
     EXPECT_EQ(fs::symlink_status(file).type(), before) << kind;
     EXPECT_EQ(this->GetFiles().size(), 1u) << kind; // no .part is left
   }
@@ -373,30 +381,30 @@ TEST_F(PlanCache, AnythingMayLieUnderAKey)
 
 TEST_F(PlanCache, FolderIsForThisUserOnly)
 {
-  this->Folder += "/deeper/still";
+  const std::string folder = this->Folder + "/deeper/still";
+  const fs::path own = fs::path(folder) / "vtkMeasuredBRDF-plans";
+  std::string read;
   const mode_t mask = umask(0);
-  this->Plan();
+  measuredbrdf::WriteCache(folder, Key, "a plan", 1000);
   umask(mask);
-  EXPECT_EQ(this->GetFiles().size(), 1u);
-  EXPECT_EQ(fs::status(this->GetOwnFolder()).permissions(), fs::perms::owner_all);
-  EXPECT_EQ(fs::status(this->GetFiles().at(0)).permissions(),
-    fs::perms::owner_read | fs::perms::owner_write);
+  EXPECT_TRUE(measuredbrdf::ReadCache(folder, Key, read));
+  EXPECT_EQ(fs::status(own).permissions(), fs::perms::owner_all);
+  EXPECT_EQ(fs::status(this->Folder).permissions(), fs::perms::owner_all); // ours, too: made here
+  EXPECT_EQ(fs::status(own / Key).permissions(), fs::perms::owner_read | fs::perms::owner_write);
   // Where others may write, anybody may have written.
-  fs::permissions(this->GetOwnFolder(), fs::perms::all);
-  EXPECT_FALSE(this->Plan()->GetFromCache());
-  fs::permissions(this->GetOwnFolder(), fs::perms::owner_all);
-  EXPECT_TRUE(this->Plan()->GetFromCache());
+  fs::permissions(own, fs::perms::all);
+  EXPECT_FALSE(measuredbrdf::ReadCache(folder, Key, read));
+  fs::permissions(own, fs::perms::owner_all);
+  EXPECT_TRUE(measuredbrdf::ReadCache(folder, Key, read));
   // Nor is a link to a folder our folder.
-  const fs::path elsewhere = this->Folder + "/elsewhere";
-  fs::rename(this->GetOwnFolder(), elsewhere);
-  fs::create_directory_symlink(elsewhere, this->GetOwnFolder());
-  EXPECT_FALSE(this->Plan()->GetFromCache());
-  this->Folder = fs::path(this->Folder).parent_path().parent_path().string(); // for TearDown
+  fs::rename(own, folder + "/elsewhere");
+  fs::create_directory_symlink(folder + "/elsewhere", own);
+  EXPECT_FALSE(measuredbrdf::ReadCache(folder, Key, read));
 }
 
 TEST_F(PlanCache, HalfWrittenFilesOfTheDeadGo)
 {
-  this->Plan();
+  measuredbrdf::WriteCache(this->Folder, Key, "a plan", 1000);
   const fs::path own = this->GetOwnFolder();
   const fs::path stale = own / (Key + ".123.part");
   const fs::path fresh = own / (Key + ".456.part");
@@ -407,11 +415,28 @@ TEST_F(PlanCache, HalfWrittenFilesOfTheDeadGo)
   MakeOld(stale, 7200);
   MakeOld(fresh, 60);
   MakeOld(alien);
-  this->BRDF->SetExponent(33.0);
-  this->Plan();
+  measuredbrdf::WriteCache(this->Folder, "f" + Key.substr(1), "a plan", 1000);
   EXPECT_FALSE(fs::exists(stale));
   EXPECT_TRUE(fs::exists(fresh)); // its program may be alive
   EXPECT_TRUE(fs::exists(alien));
+}
+
+// What is in use stays.
+TEST_F(PlanCache, WhatWasUsedLongestAgoGoesFirst)
+{
+  const auto key = [](char c) { return std::string(1, c) + Key.substr(1); };
+  for (const char c : { 'a', 'b', 'c' })
+  {
+    measuredbrdf::WriteCache(this->Folder, key(c), std::string(100, c), 1000);
+    MakeOld(this->GetOwnFolder() / key(c), 1000 - c);
+  }
+  std::string read;
+  EXPECT_TRUE(measuredbrdf::ReadCache(this->Folder, key('a'), read)); // the oldest one
+  measuredbrdf::WriteCache(this->Folder, key('d'), std::string(100, 'd'), 500);
+  EXPECT_TRUE(measuredbrdf::ReadCache(this->Folder, key('a'), read));
+  EXPECT_FALSE(measuredbrdf::ReadCache(this->Folder, key('b'), read));
+  EXPECT_TRUE(measuredbrdf::ReadCache(this->Folder, key('c'), read));
+  EXPECT_TRUE(measuredbrdf::ReadCache(this->Folder, key('d'), read));
 }
 
 // Plans in view hold for one rotation of the environment.
