@@ -367,7 +367,8 @@ private:
     if (std::abs(value - repaired) > Noise * std::max(std::abs(repaired), 1.0))
     {
       std::ostringstream text;
-      text << "attribute '" << name << "' is " << value << ", expected " << lowest;
+      text << "attribute '" << name << (value < 0.0 ? "' is negative: " : "' is ") << value
+           << ", expected " << lowest;
       text << (highest < HUGE_VAL ? " to " : " or more");
       if (highest < HUGE_VAL)
       {

@@ -137,11 +137,16 @@ public:
 
   ///@{
   /**
-   * A folder where plans and their tables outlive the program, found again by the material's values
-   * and the environment's pixels; "" (default): none. The mapper uses GetDefaultCacheFolder():
-   * $MEASUREDBRDF_CACHE ("off": none), else $XDG_CACHE_HOME/vtkMeasuredBRDF, else
-   * $HOME/.cache/vtkMeasuredBRDF. The oldest files go when it exceeds MaximumCacheBytes (default
-   * 512 MiB). Damaged files are made again; programs may share the folder.
+   * A folder where plans and their tables outlive the program; "" (default): none. They are found
+   * again by the material's parameters and data (vtkBRDF::GetContentKey; materials of classes that
+   * do not give them are not kept), the environment's pixels, these settings and the version of the
+   * code. The mapper uses GetDefaultCacheFolder(): $MEASUREDBRDF_CACHE ("off": none), else
+   * $XDG_CACHE_HOME/vtkMeasuredBRDF (an absolute path, as its specification demands), else
+   * $HOME/.cache/vtkMeasuredBRDF. Files lie in a sub-folder of it, vtkMeasuredBRDF-plans, for this
+   * user only (mode 0700); nothing else in the folder is touched, and of the sub-folder only regular
+   * files with this cache's names and magic. Those used longest ago go when they exceed
+   * MaximumCacheBytes (default 512 MiB). Damaged files are made again; programs may share the
+   * folder.
    */
   vtkSetMacro(CacheFolder, std::string);
   vtkGetMacro(CacheFolder, std::string);

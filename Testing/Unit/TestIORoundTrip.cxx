@@ -8,6 +8,7 @@
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkDistributionBRDF.h"
 #include "vtkLambertBRDF.h"
+#include "vtkObjectFactory.h"
 #include "vtkSumBRDF.h"
 #include "vtkTabulatedBRDF.h"
 
@@ -62,6 +63,18 @@ vtkSmartPointer<vtkTabulatedBRDF> MakeMerlTable()
 {
   return MakeTable(vtkTabulatedBRDF::HALF_DIFFERENCE, vtkTabulatedBRDF::HALF_TURN);
 }
+
+// A subclass may hold what no setter takes.
+class BrokenBRDF : public vtkLambertBRDF
+{
+public:
+  static BrokenBRDF* New();
+  vtkTypeMacro(BrokenBRDF, vtkLambertBRDF);
+
+protected:
+  BrokenBRDF() { this->Albedo[1] = std::numeric_limits<double>::quiet_NaN(); }
+};
+vtkStandardNewMacro(BrokenBRDF);
 
 void ExpectWriteRefused(
   vtkBRDF* brdf, const std::string& path, const std::vector<std::string>& words)
@@ -197,8 +210,8 @@ TEST(IOWriter, RefusesBadPlaces)
   ExpectWriteRefused(lambert, folder("missing/m.exr"), { "cannot be written" });
   std::filesystem::create_directory(folder("d.exr"));
   ExpectWriteRefused(lambert, folder("d.exr"), { "directory" });
-  lambert->SetAlbedo(0.5, std::numeric_limits<double>::quiet_NaN(), 0.5);
-  ExpectWriteRefused(lambert, folder("m.exr"), { "Lambert", "'albedo'", "not finite" });
+  ExpectWriteRefused(
+    vtkSmartPointer<BrokenBRDF>::New(), folder("m.exr"), { "Lambert", "'albedo'", "not finite" });
   EXPECT_EQ(folder.CountFiles(), 1u); // d.exr
 #if !defined(_WIN32)
   if (geteuid() == 0)
