@@ -268,10 +268,10 @@ double vtkBRDFAnalysis::GetTableNegativeMass(vtkTabulatedBRDF* table)
 }
 
 //------------------------------------------------------------------------------
-measuredbrdfSetClampedMacro(vtkBRDFAnalysis, NumberOfPairs, int, 100, 100000000)
+measuredbrdfSetClampedMacro(vtkBRDFAnalysis, NumberOfPairs, int, 100, 100000000);
 
-  //------------------------------------------------------------------------------
-  void vtkBRDFAnalysis::PrintSelf(ostream& os, vtkIndent indent)
+//------------------------------------------------------------------------------
+void vtkBRDFAnalysis::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "BRDF: " << this->BRDF.Get() << "\n";

@@ -279,11 +279,11 @@ double vtkBRDFFailureMap::GetWorstError(int index)
 }
 
 //------------------------------------------------------------------------------
-measuredbrdfSetClampedMacro(vtkBRDFFailureMap, NumberOfCells, int, 2, 720)
-  measuredbrdfSetClampedMacro(vtkBRDFFailureMap, NumberOfAzimuths, int, 2, 3600)
+measuredbrdfSetClampedMacro(vtkBRDFFailureMap, NumberOfCells, int, 2, 720);
+measuredbrdfSetClampedMacro(vtkBRDFFailureMap, NumberOfAzimuths, int, 2, 3600);
 
-  //------------------------------------------------------------------------------
-  void vtkBRDFFailureMap::PrintSelf(ostream& os, vtkIndent indent)
+//------------------------------------------------------------------------------
+void vtkBRDFFailureMap::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Reference: " << this->Reference.Get() << "\n";

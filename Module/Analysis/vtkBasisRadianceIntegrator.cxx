@@ -558,13 +558,13 @@ bool vtkBasisRadianceIntegrator::GetGPUForm(vtkBRDFGPUForm& form)
 }
 
 //------------------------------------------------------------------------------
-measuredbrdfSetClampedMacro(vtkBasisRadianceIntegrator, Tolerance, double, 1e-4, 1.0)
-  measuredbrdfSetClampedMacro(vtkBasisRadianceIntegrator, MaximumNumberOfTerms, int, 1, 256)
-    measuredbrdfSetClampedMacro(vtkBasisRadianceIntegrator, MapSize, int, 8, 128)
-      measuredbrdfSetClampedMacro(vtkBasisRadianceIntegrator, NumberOfClusters, int, 64, 1048576)
+measuredbrdfSetClampedMacro(vtkBasisRadianceIntegrator, Tolerance, double, 1e-4, 1.0);
+measuredbrdfSetClampedMacro(vtkBasisRadianceIntegrator, MaximumNumberOfTerms, int, 1, 256);
+measuredbrdfSetClampedMacro(vtkBasisRadianceIntegrator, MapSize, int, 8, 128);
+measuredbrdfSetClampedMacro(vtkBasisRadianceIntegrator, NumberOfClusters, int, 64, 1048576);
 
-  //------------------------------------------------------------------------------
-  void vtkBasisRadianceIntegrator::PrintSelf(ostream& os, vtkIndent indent)
+//------------------------------------------------------------------------------
+void vtkBasisRadianceIntegrator::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Tolerance: " << this->Tolerance << "\n";

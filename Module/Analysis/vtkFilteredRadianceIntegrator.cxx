@@ -230,11 +230,11 @@ bool vtkFilteredRadianceIntegrator::GetGPUForm(vtkBRDFGPUForm& form)
 }
 
 //------------------------------------------------------------------------------
-measuredbrdfSetClampedMacro(vtkFilteredRadianceIntegrator, NumberOfSamples, int, 1, 1024)
-  measuredbrdfSetClampedMacro(vtkFilteredRadianceIntegrator, LevelBias, double, -4.0, 4.0)
+measuredbrdfSetClampedMacro(vtkFilteredRadianceIntegrator, NumberOfSamples, int, 1, 1024);
+measuredbrdfSetClampedMacro(vtkFilteredRadianceIntegrator, LevelBias, double, -4.0, 4.0);
 
-  //------------------------------------------------------------------------------
-  void vtkFilteredRadianceIntegrator::PrintSelf(ostream& os, vtkIndent indent)
+//------------------------------------------------------------------------------
+void vtkFilteredRadianceIntegrator::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n";

@@ -212,15 +212,15 @@ bool vtkLayeredRadianceIntegrator::GetGPUForm(vtkBRDFGPUForm& form)
 }
 
 //------------------------------------------------------------------------------
-measuredbrdfSetClampedMacro(vtkLayeredRadianceIntegrator, NumberOfRows, int, 9,
-  513) measuredbrdfSetClampedMacro(vtkLayeredRadianceIntegrator, NumberOfViewAngles, int, 2, 64)
-  measuredbrdfSetClampedMacro(vtkLayeredRadianceIntegrator, NumberOfAzimuths, int, 4, 64)
-    measuredbrdfSetClampedMacro(vtkLayeredRadianceIntegrator, NumberOfSamples, int, 0, 1024)
-      measuredbrdfSetClampedMacro(vtkLayeredRadianceIntegrator, MaximumNumberOfLights, int, 0, 1024)
-        measuredbrdfSetClampedMacro(vtkLayeredRadianceIntegrator, LightAngle, double, 0.0, 30.0)
+measuredbrdfSetClampedMacro(vtkLayeredRadianceIntegrator, NumberOfRows, int, 9, 513);
+measuredbrdfSetClampedMacro(vtkLayeredRadianceIntegrator, NumberOfViewAngles, int, 2, 64);
+measuredbrdfSetClampedMacro(vtkLayeredRadianceIntegrator, NumberOfAzimuths, int, 4, 64);
+measuredbrdfSetClampedMacro(vtkLayeredRadianceIntegrator, NumberOfSamples, int, 0, 1024);
+measuredbrdfSetClampedMacro(vtkLayeredRadianceIntegrator, MaximumNumberOfLights, int, 0, 1024);
+measuredbrdfSetClampedMacro(vtkLayeredRadianceIntegrator, LightAngle, double, 0.0, 30.0);
 
-  //------------------------------------------------------------------------------
-  void vtkLayeredRadianceIntegrator::PrintSelf(ostream& os, vtkIndent indent)
+//------------------------------------------------------------------------------
+void vtkLayeredRadianceIntegrator::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfRows: " << this->NumberOfRows << "\n";

@@ -563,14 +563,14 @@ bool vtkTableRadianceIntegrator::GetGPUForm(vtkBRDFGPUForm& form)
 }
 
 //------------------------------------------------------------------------------
-measuredbrdfSetClampedMacro(vtkTableRadianceIntegrator, NumberOfRows, int, 9, 513)
-  measuredbrdfSetClampedMacro(vtkTableRadianceIntegrator, NumberOfViewAngles, int, 2, 64)
-    measuredbrdfSetClampedMacro(vtkTableRadianceIntegrator, NumberOfAzimuths, int, 4, 64)
-      measuredbrdfSetClampedMacro(vtkTableRadianceIntegrator, HarmonicDegree, int, 0, 1024)
-        measuredbrdfSetClampedMacro(vtkTableRadianceIntegrator, NumberOfNodes, int, 16, 1024)
+measuredbrdfSetClampedMacro(vtkTableRadianceIntegrator, NumberOfRows, int, 9, 513);
+measuredbrdfSetClampedMacro(vtkTableRadianceIntegrator, NumberOfViewAngles, int, 2, 64);
+measuredbrdfSetClampedMacro(vtkTableRadianceIntegrator, NumberOfAzimuths, int, 4, 64);
+measuredbrdfSetClampedMacro(vtkTableRadianceIntegrator, HarmonicDegree, int, 0, 1024);
+measuredbrdfSetClampedMacro(vtkTableRadianceIntegrator, NumberOfNodes, int, 16, 1024);
 
-  //------------------------------------------------------------------------------
-  void vtkTableRadianceIntegrator::PrintSelf(ostream& os, vtkIndent indent)
+//------------------------------------------------------------------------------
+void vtkTableRadianceIntegrator::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfRows: " << this->NumberOfRows << "\n";

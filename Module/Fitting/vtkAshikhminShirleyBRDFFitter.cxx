@@ -17,11 +17,11 @@ using namespace measuredbrdf;
 vtkStandardNewMacro(vtkAshikhminShirleyBRDFFitter);
 
 //------------------------------------------------------------------------------
-measuredbrdfSetInRangeMacro(vtkAshikhminShirleyBRDFFitter, Anisotropy, int, AS_INPUT, ANISOTROPIC)
-  measuredbrdfSetInRangeMacro(vtkAshikhminShirleyBRDFFitter, NumberOfLobes, int, 1, 3)
+measuredbrdfSetInRangeMacro(vtkAshikhminShirleyBRDFFitter, Anisotropy, int, AS_INPUT, ANISOTROPIC);
+measuredbrdfSetInRangeMacro(vtkAshikhminShirleyBRDFFitter, NumberOfLobes, int, 1, 3);
 
-  //------------------------------------------------------------------------------
-  void vtkAshikhminShirleyBRDFFitter::PrintSelf(ostream& os, vtkIndent indent)
+//------------------------------------------------------------------------------
+void vtkAshikhminShirleyBRDFFitter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfLobes: " << this->NumberOfLobes << "\n";

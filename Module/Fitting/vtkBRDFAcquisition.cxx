@@ -323,17 +323,17 @@ bool vtkBRDFAcquisition::Acquire()
 }
 
 //------------------------------------------------------------------------------
-measuredbrdfSetClampedMacro(vtkBRDFAcquisition, NumberOfTheta, int, 2, 1024)
-  measuredbrdfSetClampedMacro(vtkBRDFAcquisition, NumberOfPhi, int, 1, 256)
-    measuredbrdfSetChecked2Macro(vtkBRDFAcquisition, Zone, vtkBasisBRDF::FindZoneProblem)
-      measuredbrdfSetInRangeMacro(
-        vtkBRDFAcquisition, Basis, int, vtkBasisBRDF::HEMISPHERICAL, vtkBasisBRDF::LEGENDRE_FOURIER)
-        measuredbrdfSetInRangeMacro(vtkBRDFAcquisition, Order, int, 1, vtkBasisBRDF::MaximumOrder)
-          measuredbrdfSetInRangeMacro(vtkBRDFAcquisition, Noise, double, 0.0, VTK_DOUBLE_MAX)
-            measuredbrdfSetInRangeMacro(vtkBRDFAcquisition, Bits, int, 0, 24)
+measuredbrdfSetClampedMacro(vtkBRDFAcquisition, NumberOfTheta, int, 2, 1024);
+measuredbrdfSetClampedMacro(vtkBRDFAcquisition, NumberOfPhi, int, 1, 256);
+measuredbrdfSetChecked2Macro(vtkBRDFAcquisition, Zone, vtkBasisBRDF::FindZoneProblem);
+measuredbrdfSetInRangeMacro(
+  vtkBRDFAcquisition, Basis, int, vtkBasisBRDF::HEMISPHERICAL, vtkBasisBRDF::LEGENDRE_FOURIER);
+measuredbrdfSetInRangeMacro(vtkBRDFAcquisition, Order, int, 1, vtkBasisBRDF::MaximumOrder);
+measuredbrdfSetInRangeMacro(vtkBRDFAcquisition, Noise, double, 0.0, VTK_DOUBLE_MAX);
+measuredbrdfSetInRangeMacro(vtkBRDFAcquisition, Bits, int, 0, 24);
 
-  //------------------------------------------------------------------------------
-  void vtkBRDFAcquisition::PrintSelf(ostream& os, vtkIndent indent)
+//------------------------------------------------------------------------------
+void vtkBRDFAcquisition::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Input: " << this->Input.Get() << "\n";

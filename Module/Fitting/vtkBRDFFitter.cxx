@@ -27,14 +27,14 @@ vtkBRDFFitter::vtkBRDFFitter() = default;
 vtkBRDFFitter::~vtkBRDFFitter() = default;
 
 //------------------------------------------------------------------------------
-measuredbrdfSetInRangeMacro(vtkBRDFFitter, Loss, int, LOG_COSINE, SQUARED)
-  measuredbrdfSetInRangeMacro(vtkBRDFFitter, NumberOfSamples, int, 256, 1 << 22)
-    measuredbrdfSetInRangeMacro(vtkBRDFFitter, NumberOfStarts, int, 1, 64)
-      measuredbrdfSetInRangeMacro(vtkBRDFFitter, MaximumNumberOfIterations, int, 1, 10000)
-        measuredbrdfSetInRangeMacro(vtkBRDFFitter, Tolerance, double, 1e-15, 0.999)
+measuredbrdfSetInRangeMacro(vtkBRDFFitter, Loss, int, LOG_COSINE, SQUARED);
+measuredbrdfSetInRangeMacro(vtkBRDFFitter, NumberOfSamples, int, 256, 1 << 22);
+measuredbrdfSetInRangeMacro(vtkBRDFFitter, NumberOfStarts, int, 1, 64);
+measuredbrdfSetInRangeMacro(vtkBRDFFitter, MaximumNumberOfIterations, int, 1, 10000);
+measuredbrdfSetInRangeMacro(vtkBRDFFitter, Tolerance, double, 1e-15, 0.999);
 
-  //------------------------------------------------------------------------------
-  void vtkBRDFFitter::PrintSelf(ostream& os, vtkIndent indent)
+//------------------------------------------------------------------------------
+void vtkBRDFFitter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Input: " << this->Input.Get() << "\n";

@@ -397,14 +397,14 @@ bool vtkBasisExtrapolator::Extrapolate()
 }
 
 //------------------------------------------------------------------------------
-measuredbrdfSetClampedMacro(vtkBasisExtrapolator, Order, int, 0, vtkBasisBRDF::MaximumOrder)
-  measuredbrdfSetInRangeMacro(vtkBasisExtrapolator, Criterion, int, CROSS_VALIDATION, FIXED)
-    measuredbrdfSetClampedMacro(vtkBasisExtrapolator, Lambda, double, 0.0, 1e6)
-      measuredbrdfSetClampedMacro(vtkBasisExtrapolator, MaximumResidual, double, 0.0, 1e6)
-        measuredbrdfSetClampedMacro(vtkBasisExtrapolator, MaximumNegativeMass, double, 0.0, 1.0)
+measuredbrdfSetClampedMacro(vtkBasisExtrapolator, Order, int, 0, vtkBasisBRDF::MaximumOrder);
+measuredbrdfSetInRangeMacro(vtkBasisExtrapolator, Criterion, int, CROSS_VALIDATION, FIXED);
+measuredbrdfSetClampedMacro(vtkBasisExtrapolator, Lambda, double, 0.0, 1e6);
+measuredbrdfSetClampedMacro(vtkBasisExtrapolator, MaximumResidual, double, 0.0, 1e6);
+measuredbrdfSetClampedMacro(vtkBasisExtrapolator, MaximumNegativeMass, double, 0.0, 1.0);
 
-  //------------------------------------------------------------------------------
-  void vtkBasisExtrapolator::PrintSelf(ostream& os, vtkIndent indent)
+//------------------------------------------------------------------------------
+void vtkBasisExtrapolator::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Input: " << this->Input.Get() << "\n";

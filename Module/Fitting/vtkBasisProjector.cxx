@@ -254,19 +254,20 @@ bool vtkBasisProjector::Project()
 }
 
 //------------------------------------------------------------------------------
-measuredbrdfSetInRangeMacro(vtkBasisProjector, Basis, int, vtkBasisBRDF::SPHERICAL_HARMONICS,
-  vtkBasisBRDF::LEGENDRE_FOURIER) measuredbrdfSetInRangeMacro(vtkBasisProjector, Method, int,
-  LEAST_SQUARES, INNER_PRODUCT) measuredbrdfSetClampedMacro(vtkBasisProjector, Regularization,
-  double, 0.0, 1.0) measuredbrdfSetInRangeMacro(vtkBasisProjector, Window, int, NO_WINDOW,
-  LAPLACIAN) measuredbrdfSetClampedMacro(vtkBasisProjector, NumberOfTheta, int, 2, 1024)
-  measuredbrdfSetClampedMacro(vtkBasisProjector, NumberOfPhi, int, 4, 1024)
-    measuredbrdfSetClampedMacro(vtkBasisProjector, NumberOfNodes, int, 8, 1024)
-      measuredbrdfSetChecked2Macro(vtkBasisProjector, IncidentZone, vtkBasisBRDF::FindZoneProblem)
-        measuredbrdfSetChecked2Macro(vtkBasisProjector, OutgoingZone, vtkBasisBRDF::FindZoneProblem)
-          measuredbrdfSetInRangeMacro(vtkBasisProjector, Order, int, 1, vtkBasisBRDF::MaximumOrder)
+measuredbrdfSetInRangeMacro(
+  vtkBasisProjector, Basis, int, vtkBasisBRDF::SPHERICAL_HARMONICS, vtkBasisBRDF::LEGENDRE_FOURIER);
+measuredbrdfSetInRangeMacro(vtkBasisProjector, Method, int, LEAST_SQUARES, INNER_PRODUCT);
+measuredbrdfSetClampedMacro(vtkBasisProjector, Regularization, double, 0.0, 1.0);
+measuredbrdfSetInRangeMacro(vtkBasisProjector, Window, int, NO_WINDOW, LAPLACIAN);
+measuredbrdfSetClampedMacro(vtkBasisProjector, NumberOfTheta, int, 2, 1024);
+measuredbrdfSetClampedMacro(vtkBasisProjector, NumberOfPhi, int, 4, 1024);
+measuredbrdfSetClampedMacro(vtkBasisProjector, NumberOfNodes, int, 8, 1024);
+measuredbrdfSetChecked2Macro(vtkBasisProjector, IncidentZone, vtkBasisBRDF::FindZoneProblem);
+measuredbrdfSetChecked2Macro(vtkBasisProjector, OutgoingZone, vtkBasisBRDF::FindZoneProblem);
+measuredbrdfSetInRangeMacro(vtkBasisProjector, Order, int, 1, vtkBasisBRDF::MaximumOrder);
 
-  //------------------------------------------------------------------------------
-  void vtkBasisProjector::PrintSelf(ostream& os, vtkIndent indent)
+//------------------------------------------------------------------------------
+void vtkBasisProjector::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Input: " << this->Input.Get() << "\n";

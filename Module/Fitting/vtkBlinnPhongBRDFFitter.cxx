@@ -17,10 +17,10 @@ using namespace measuredbrdf;
 vtkStandardNewMacro(vtkBlinnPhongBRDFFitter);
 
 //------------------------------------------------------------------------------
-measuredbrdfSetInRangeMacro(vtkBlinnPhongBRDFFitter, NumberOfLobes, int, 1, 3)
+measuredbrdfSetInRangeMacro(vtkBlinnPhongBRDFFitter, NumberOfLobes, int, 1, 3);
 
-  //------------------------------------------------------------------------------
-  void vtkBlinnPhongBRDFFitter::PrintSelf(ostream& os, vtkIndent indent)
+//------------------------------------------------------------------------------
+void vtkBlinnPhongBRDFFitter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfLobes: " << this->NumberOfLobes << "\n";

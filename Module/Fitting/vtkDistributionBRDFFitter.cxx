@@ -30,12 +30,12 @@ void vtkDistributionBRDFFitter::SetNumberOfThetaSamples(int numberOfThetaSamples
 }
 
 //------------------------------------------------------------------------------
-measuredbrdfSetInRangeMacro(vtkDistributionBRDFFitter, FresnelModel, int, MONOTONE, SCHLICK)
-  measuredbrdfSetInRangeMacro(vtkDistributionBRDFFitter, NumberOfPhiSamples, int, 0, 1024)
-    measuredbrdfSetInRangeMacro(vtkDistributionBRDFFitter, NumberOfFresnelSamples, int, 2, 1024)
+measuredbrdfSetInRangeMacro(vtkDistributionBRDFFitter, FresnelModel, int, MONOTONE, SCHLICK);
+measuredbrdfSetInRangeMacro(vtkDistributionBRDFFitter, NumberOfPhiSamples, int, 0, 1024);
+measuredbrdfSetInRangeMacro(vtkDistributionBRDFFitter, NumberOfFresnelSamples, int, 2, 1024);
 
-  //------------------------------------------------------------------------------
-  void vtkDistributionBRDFFitter::PrintSelf(ostream& os, vtkIndent indent)
+//------------------------------------------------------------------------------
+void vtkDistributionBRDFFitter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FresnelModel: " << this->FresnelModel << "\n";

@@ -164,12 +164,12 @@ bool vtkRepresentationAdvisor::Represent()
 }
 
 //------------------------------------------------------------------------------
-measuredbrdfSetClampedMacro(vtkRepresentationAdvisor, MaximumResidual, double, 0.0, 1e6)
-  measuredbrdfSetChecked2Macro(vtkRepresentationAdvisor, Zone, vtkBasisBRDF::FindZoneProblem)
-    measuredbrdfSetInRangeMacro(vtkRepresentationAdvisor, Order, int, 1, vtkBasisBRDF::MaximumOrder)
+measuredbrdfSetClampedMacro(vtkRepresentationAdvisor, MaximumResidual, double, 0.0, 1e6);
+measuredbrdfSetChecked2Macro(vtkRepresentationAdvisor, Zone, vtkBasisBRDF::FindZoneProblem);
+measuredbrdfSetInRangeMacro(vtkRepresentationAdvisor, Order, int, 1, vtkBasisBRDF::MaximumOrder);
 
-  //------------------------------------------------------------------------------
-  void vtkRepresentationAdvisor::PrintSelf(ostream& os, vtkIndent indent)
+//------------------------------------------------------------------------------
+void vtkRepresentationAdvisor::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Input: " << this->Input.Get() << "\n";

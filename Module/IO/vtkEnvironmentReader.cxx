@@ -403,10 +403,10 @@ bool vtkEnvironmentReader::Read()
 
 //------------------------------------------------------------------------------
 measuredbrdfSetInRangeMacro(vtkEnvironmentReader, Projection, int, AUTOMATIC,
-  vtkEnvironmentProjection::NUMBER_OF_PROJECTIONS - 1)
+  vtkEnvironmentProjection::NUMBER_OF_PROJECTIONS - 1);
 
-  //------------------------------------------------------------------------------
-  void vtkEnvironmentReader::PrintSelf(ostream& os, vtkIndent indent)
+//------------------------------------------------------------------------------
+void vtkEnvironmentReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << measuredbrdf::ToPrintable(this->FileName) << "\n";

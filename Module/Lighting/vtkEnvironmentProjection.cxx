@@ -65,10 +65,10 @@ glm::dvec2 DrawIn(const glm::dvec2& uv, int size)
 
 //------------------------------------------------------------------------------
 measuredbrdfSetInRangeMacro(
-  vtkEnvironmentProjection, Projection, int, LAT_LONG, NUMBER_OF_PROJECTIONS - 1)
+  vtkEnvironmentProjection, Projection, int, LAT_LONG, NUMBER_OF_PROJECTIONS - 1);
 
-  //------------------------------------------------------------------------------
-  std::string vtkEnvironmentProjection::GetProjectionName(int projection)
+//------------------------------------------------------------------------------
+std::string vtkEnvironmentProjection::GetProjectionName(int projection)
 {
   return IsProjection(projection) ? Projections[projection].Name : "";
 }
@@ -334,10 +334,10 @@ bool vtkEnvironmentProjection::Resample(int sourceProjection, int sourceWidth, i
 }
 
 //------------------------------------------------------------------------------
-measuredbrdfSetInRangeMacro(vtkEnvironmentProjection, Height, int, 0, MaximumHeight)
+measuredbrdfSetInRangeMacro(vtkEnvironmentProjection, Height, int, 0, MaximumHeight);
 
-  //------------------------------------------------------------------------------
-  void vtkEnvironmentProjection::PrintSelf(ostream& os, vtkIndent indent)
+//------------------------------------------------------------------------------
+void vtkEnvironmentProjection::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Projection: " << GetProjectionName(this->Projection) << "\n";

@@ -135,11 +135,11 @@ int vtkVarianceLightSetGenerator::GetNumberOfLightsForVariance(
 }
 
 //------------------------------------------------------------------------------
-measuredbrdfSetInRangeMacro(vtkVarianceLightSetGenerator, Method, int, GREEDY, MINIMUM_VARIANCE)
-  measuredbrdfSetClampedMacro(vtkVarianceLightSetGenerator, TreeSize, int, 1, MaximumNumberOfLights)
+measuredbrdfSetInRangeMacro(vtkVarianceLightSetGenerator, Method, int, GREEDY, MINIMUM_VARIANCE);
+measuredbrdfSetClampedMacro(vtkVarianceLightSetGenerator, TreeSize, int, 1, MaximumNumberOfLights);
 
-  //------------------------------------------------------------------------------
-  void vtkVarianceLightSetGenerator::PrintSelf(ostream& os, vtkIndent indent)
+//------------------------------------------------------------------------------
+void vtkVarianceLightSetGenerator::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Method: " << (this->Method == GREEDY ? "greedy" : "minimum variance") << "\n";

@@ -35,16 +35,16 @@ constexpr double DiffuseScale = 28.0 / (23.0 * Pi);
 }
 
 //------------------------------------------------------------------------------
-measuredbrdfSetClampedMacro(vtkAshikhminShirleyBRDF, ExponentU, double, 0.0, 1e6)
-  measuredbrdfSetClampedMacro(vtkAshikhminShirleyBRDF, ExponentV, double, 0.0, 1e6)
-    measuredbrdfSetInRangeMacro(vtkAshikhminShirleyBRDF, FresnelModel, int, SCHLICK, DIELECTRIC)
-      measuredbrdfSetClampedMacro(vtkAshikhminShirleyBRDF, IndexOfRefraction, double, 1.0, 100.0)
-        measuredbrdfSetFinite3Macro(vtkAshikhminShirleyBRDF, SpecularScale)
-          measuredbrdfSetFinite3Macro(vtkAshikhminShirleyBRDF, Reflectance)
-            measuredbrdfSetFinite3Macro(vtkAshikhminShirleyBRDF, Diffuse)
+measuredbrdfSetClampedMacro(vtkAshikhminShirleyBRDF, ExponentU, double, 0.0, 1e6);
+measuredbrdfSetClampedMacro(vtkAshikhminShirleyBRDF, ExponentV, double, 0.0, 1e6);
+measuredbrdfSetInRangeMacro(vtkAshikhminShirleyBRDF, FresnelModel, int, SCHLICK, DIELECTRIC);
+measuredbrdfSetClampedMacro(vtkAshikhminShirleyBRDF, IndexOfRefraction, double, 1.0, 100.0);
+measuredbrdfSetFinite3Macro(vtkAshikhminShirleyBRDF, SpecularScale);
+measuredbrdfSetFinite3Macro(vtkAshikhminShirleyBRDF, Reflectance);
+measuredbrdfSetFinite3Macro(vtkAshikhminShirleyBRDF, Diffuse);
 
-  //------------------------------------------------------------------------------
-  void vtkAshikhminShirleyBRDF::PrintSelf(ostream& os, vtkIndent indent)
+//------------------------------------------------------------------------------
+void vtkAshikhminShirleyBRDF::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "SpecularScale: " << this->SpecularScale[0] << " " << this->SpecularScale[1]

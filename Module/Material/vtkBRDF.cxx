@@ -30,10 +30,10 @@ void Clean(double f[3])
 }
 
 //------------------------------------------------------------------------------
-measuredbrdfSetClampedMacro(vtkBRDF, ResamplingTolerance, double, 1e-5, 0.5)
+measuredbrdfSetClampedMacro(vtkBRDF, ResamplingTolerance, double, 1e-5, 0.5);
 
-  //------------------------------------------------------------------------------
-  void vtkBRDF::PrintSelf(ostream& os, vtkIndent indent)
+//------------------------------------------------------------------------------
+void vtkBRDF::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Name: " << ToPrintable(this->Name) << "\n";

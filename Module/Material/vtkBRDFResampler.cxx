@@ -182,11 +182,11 @@ void Fill(vtkBRDF* input, bool reciprocal, const int dimensions[3], vtkTabulated
 }
 
 //------------------------------------------------------------------------------
-measuredbrdfSetClampedMacro(vtkBRDFResampler, Tolerance, double, 1e-6, 1.0)
-  measuredbrdfSetClampedMacro(vtkBRDFResampler, MaximumNumberOfCells, vtkIdType, 64, 1 << 26)
+measuredbrdfSetClampedMacro(vtkBRDFResampler, Tolerance, double, 1e-6, 1.0);
+measuredbrdfSetClampedMacro(vtkBRDFResampler, MaximumNumberOfCells, vtkIdType, 64, 1 << 26);
 
-  //------------------------------------------------------------------------------
-  void vtkBRDFResampler::PrintSelf(ostream& os, vtkIndent indent)
+//------------------------------------------------------------------------------
+void vtkBRDFResampler::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Input: " << this->Input.Get() << "\n";

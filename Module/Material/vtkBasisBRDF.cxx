@@ -130,10 +130,10 @@ vtkBasisBRDF::vtkBasisBRDF() = default;
 vtkBasisBRDF::~vtkBasisBRDF() = default;
 
 //------------------------------------------------------------------------------
-measuredbrdfSetClampedMacro(vtkBasisBRDF, ResamplingError, double, 0.0, 1e6)
+measuredbrdfSetClampedMacro(vtkBasisBRDF, ResamplingError, double, 0.0, 1e6);
 
-  //------------------------------------------------------------------------------
-  void vtkBasisBRDF::PrintSelf(ostream& os, vtkIndent indent)
+//------------------------------------------------------------------------------
+void vtkBasisBRDF::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Basis: " << GetBasisName(this->Basis) << "\n";

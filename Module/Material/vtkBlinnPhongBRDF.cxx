@@ -17,11 +17,11 @@ using namespace measuredbrdf;
 vtkStandardNewMacro(vtkBlinnPhongBRDF);
 
 //------------------------------------------------------------------------------
-measuredbrdfSetClampedMacro(vtkBlinnPhongBRDF, Exponent, double, 0.0, 1e6)
-  measuredbrdfSetFinite3Macro(vtkBlinnPhongBRDF, Specular)
+measuredbrdfSetClampedMacro(vtkBlinnPhongBRDF, Exponent, double, 0.0, 1e6);
+measuredbrdfSetFinite3Macro(vtkBlinnPhongBRDF, Specular);
 
-  //------------------------------------------------------------------------------
-  void vtkBlinnPhongBRDF::PrintSelf(ostream& os, vtkIndent indent)
+//------------------------------------------------------------------------------
+void vtkBlinnPhongBRDF::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Specular: " << this->Specular[0] << " " << this->Specular[1] << " "

@@ -13,10 +13,10 @@
 vtkStandardNewMacro(vtkLambertBRDF);
 
 //------------------------------------------------------------------------------
-measuredbrdfSetFinite3Macro(vtkLambertBRDF, Albedo)
+measuredbrdfSetFinite3Macro(vtkLambertBRDF, Albedo);
 
-  //------------------------------------------------------------------------------
-  void vtkLambertBRDF::PrintSelf(ostream& os, vtkIndent indent)
+//------------------------------------------------------------------------------
+void vtkLambertBRDF::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Albedo: " << this->Albedo[0] << " " << this->Albedo[1] << " " << this->Albedo[2]

@@ -182,11 +182,11 @@ vtkTabulatedBRDF::vtkTabulatedBRDF() = default;
 vtkTabulatedBRDF::~vtkTabulatedBRDF() = default;
 
 //------------------------------------------------------------------------------
-measuredbrdfSetInRangeMacro(vtkTabulatedBRDF, Precision, int, AUTOMATIC, FLOAT32)
-  measuredbrdfSetClampedMacro(vtkTabulatedBRDF, ResamplingError, double, 0.0, 1e6)
+measuredbrdfSetInRangeMacro(vtkTabulatedBRDF, Precision, int, AUTOMATIC, FLOAT32);
+measuredbrdfSetClampedMacro(vtkTabulatedBRDF, ResamplingError, double, 0.0, 1e6);
 
-  //------------------------------------------------------------------------------
-  void vtkTabulatedBRDF::PrintSelf(ostream& os, vtkIndent indent)
+//------------------------------------------------------------------------------
+void vtkTabulatedBRDF::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Parameterization: "

@@ -901,14 +901,14 @@ vtkRadianceIntegrator* vtkRadiancePlanner::NewIntegrator()
 }
 
 //------------------------------------------------------------------------------
-measuredbrdfSetClampedMacro(vtkRadiancePlanner, ErrorTolerance, double, 1e-3, 1.0)
-  measuredbrdfSetClampedMacro(vtkRadiancePlanner, NumberOfPixels, vtkIdType, 1, VTK_ID_MAX)
-    measuredbrdfSetFinite3Macro(vtkRadiancePlanner, ViewDirection)
-      measuredbrdfSetInRangeMacro(vtkRadiancePlanner, MaximumTextureBytes, vtkIdType, 0, VTK_ID_MAX)
-        measuredbrdfSetInRangeMacro(vtkRadiancePlanner, MaximumCacheBytes, vtkIdType, 0, VTK_ID_MAX)
+measuredbrdfSetClampedMacro(vtkRadiancePlanner, ErrorTolerance, double, 1e-3, 1.0);
+measuredbrdfSetClampedMacro(vtkRadiancePlanner, NumberOfPixels, vtkIdType, 1, VTK_ID_MAX);
+measuredbrdfSetFinite3Macro(vtkRadiancePlanner, ViewDirection);
+measuredbrdfSetInRangeMacro(vtkRadiancePlanner, MaximumTextureBytes, vtkIdType, 0, VTK_ID_MAX);
+measuredbrdfSetInRangeMacro(vtkRadiancePlanner, MaximumCacheBytes, vtkIdType, 0, VTK_ID_MAX);
 
-  //------------------------------------------------------------------------------
-  void vtkRadiancePlanner::PrintSelf(ostream& os, vtkIndent indent)
+//------------------------------------------------------------------------------
+void vtkRadiancePlanner::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "BRDF: " << this->Impl->BRDF.Get() << "\n";
