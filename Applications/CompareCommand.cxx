@@ -440,7 +440,7 @@ void Run(Options& options, const CLI::App* command)
   if (!options.Report.empty())
   {
     tool::WriteText(options.Report,
-      report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+      report.dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + "\n");
   }
   if (!options.Output.empty())
   {

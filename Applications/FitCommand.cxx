@@ -202,7 +202,7 @@ std::string FormatText(const Options& options, vtkBRDFFitter* fitter, double sec
 //------------------------------------------------------------------------------
 void PrintJson(const ordered_json& d)
 {
-  tool::PrintOut(d.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
+  tool::PrintOut(d.dump(2, ' ', true, ordered_json::error_handler_t::replace) + "\n");
 }
 
 //------------------------------------------------------------------------------

@@ -332,7 +332,7 @@ void Run(const Options& options)
   const ordered_json info = Inspect(options);
   // Names come from files: bytes that are no UTF-8 are replaced rather than fatal.
   tool::PrintOut(options.Json
-                   ? info.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n"
+                   ? info.dump(2, ' ', true, ordered_json::error_handler_t::replace) + "\n"
                    : FormatText(info));
 }
 }

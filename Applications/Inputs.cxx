@@ -70,28 +70,24 @@ Material LoadMaterial(const std::string& file)
   const bool isPath = file.find_first_of("/.#") != std::string::npos;
   if (!isPath)
   {
-    result.BRDF = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF(file));
-    if (result.BRDF)
+    for (int k = 0; k < vtkEmbeddedMaterials::GetNumberOfMaterials(); ++k)
     {
-      result.Name = file;
-      result.Source = result.BRDF->GetSource();
-      result.Format = "embedded";
-      for (int k = 0; k < vtkEmbeddedMaterials::GetNumberOfMaterials(); ++k)
+      if (vtkEmbeddedMaterials::GetName(k) == file)
       {
-        if (vtkEmbeddedMaterials::GetName(k) == file)
-        {
-          result.Kind = vtkEmbeddedMaterials::GetKind(k);
-        }
+        result.BRDF = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF(file));
+        result.Name = file;
+        result.Source = result.BRDF->GetSource();
+        result.Format = "embedded";
+        result.Kind = vtkEmbeddedMaterials::GetKind(k);
+        return result;
       }
-      return result;
     }
     std::error_code ignored;
     if (!std::filesystem::exists(file, ignored))
     {
-      throw Error(
-        "unknown material '" + file +
-        "': no embedded material has that name ('measured-brdf list' names them), and there is no "
-        "such file");
+      vtkEmbeddedMaterials::NewBRDF(file); // says which names are near
+      throw Error("unknown material '" + file + "': there is no such file, and " + TakeErrorText() +
+                  " 'measured-brdf list' names them all");
     }
   }
 

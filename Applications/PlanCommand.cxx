@@ -59,7 +59,7 @@ void PrintJSON(
     { "costs", MakeCostsJSON(planner->GetCostModel()) }, { "candidates", candidates },
     { "choice", planner->GetChoice() }, { "meets_tolerance", planner->GetMeetsTolerance() },
     { "reason", planner->GetReason() }, { "plan", planner->GetPlan() } };
-  tool::PrintOut(plan.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+  tool::PrintOut(plan.dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 
 //------------------------------------------------------------------------------

@@ -4,6 +4,8 @@
 
 #include "Tool.h"
 
+#include "vtkBRDFReader.h"
+
 #include <unistd.h>
 
 #include <algorithm>
@@ -47,7 +49,7 @@ void Interruptible::Check()
 
 //------------------------------------------------------------------------------
 ProgressBar::ProgressBar(std::string label)
-  : Label(std::move(label))
+  : Label(vtkBRDFReader::GetPrintable(label))
   , Terminal(Bars++ == 0 && isatty(STDERR_FILENO) != 0)
   , Begin(std::chrono::steady_clock::now())
 {

@@ -193,7 +193,7 @@ void Run(Options& options, const CLI::App* command)
       report["predicted_error"] = method.Planner->GetPredictedError(method.Planner->GetChoice());
     }
     tool::WriteText(options.Report,
-      report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+      report.dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + "\n");
   }
   scene.PlaceCamera(picture.Width, picture.Height);
   WritePicture(options, scene, std::move(picture), environment, factor);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Tool.h"
 
+#include "vtkBRDFReader.h"
 #include "vtkLogger.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -64,13 +65,17 @@ public:
 
   void DisplayWarningText(const char* message) override
   {
-    std::cerr << "measured-brdf: warning: " << StripOrigin(message) << std::endl;
+    std::cerr << "measured-brdf: warning: " << vtkBRDFReader::GetPrintable(StripOrigin(message))
+              << std::endl;
   }
   void DisplayGenericWarningText(const char* message) override
   {
     this->DisplayWarningText(message);
   }
-  void DisplayText(const char* message) override { std::cerr << message << std::flush; }
+  void DisplayText(const char* message) override
+  {
+    std::cerr << vtkBRDFReader::GetPrintable(message) << std::flush;
+  }
   void DisplayDebugText(const char*) override {}
 
   std::string Errors;
@@ -89,14 +94,15 @@ void PrintNote(const std::string& text)
 {
   if (!text.empty())
   {
-    std::cerr << "measured-brdf: note: " << text << (text.back() == '\n' ? "" : "\n") << std::flush;
+    std::cerr << "measured-brdf: note: " << vtkBRDFReader::GetPrintable(text)
+              << (text.back() == '\n' ? "" : "\n") << std::flush;
   }
 }
 
 //------------------------------------------------------------------------------
 void PrintOut(const std::string& text)
 {
-  std::cout << text << std::flush;
+  std::cout << vtkBRDFReader::GetPrintable(text) << std::flush;
   if (!std::cout)
   {
     throw Error("standard output: could not be written");

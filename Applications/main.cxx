@@ -5,6 +5,7 @@
 #include "Tool.h"
 
 #include "MeasuredBRDFToolVersion.h"
+#include "vtkBRDFReader.h"
 
 #include <exception>
 #include <iostream>
@@ -90,17 +91,21 @@ int main(int argc, char* argv[])
   }
   catch (const CLI::ParseError& e)
   {
-    return app.exit(e, std::cout, std::cerr) == 0 ? 0 : 2; // 0: --help, --version
+    std::ostringstream out, err; // which quote the arguments
+    const int status = app.exit(e, out, err);
+    std::cout << vtkBRDFReader::GetPrintable(out.str()) << std::flush;
+    std::cerr << vtkBRDFReader::GetPrintable(err.str()) << std::flush;
+    return status == 0 ? 0 : 2; // 0: --help, --version
   }
   catch (const tool::UsageError& e)
   {
-    std::cerr << "measured-brdf: " << e.what() << "\nRun with --help for more information."
-              << std::endl;
+    std::cerr << "measured-brdf: " << vtkBRDFReader::GetPrintable(e.what())
+              << "\nRun with --help for more information." << std::endl;
     return 2;
   }
   catch (const std::exception& e)
   {
-    std::cerr << "measured-brdf: error: " << e.what() << std::endl;
+    std::cerr << "measured-brdf: error: " << vtkBRDFReader::GetPrintable(e.what()) << std::endl;
     return 1;
   }
 }

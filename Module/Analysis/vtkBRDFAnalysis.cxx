@@ -4,6 +4,7 @@
 
 #include "HalfVector.h"
 #include "LowDiscrepancy.h"
+#include "Setters.h"
 #include "vtkBasisBRDF.h"
 #include "vtkObjectFactory.h"
 #include "vtkTabulatedBRDF.h"
@@ -265,6 +266,9 @@ double vtkBRDFAnalysis::GetTableNegativeMass(vtkTabulatedBRDF* table)
   }
   return total > 0.0 ? negative / total : 0.0;
 }
+
+//------------------------------------------------------------------------------
+measuredbrdfSetClampedMacro(vtkBRDFAnalysis, NumberOfPairs, int, 100, 100000000);
 
 //------------------------------------------------------------------------------
 void vtkBRDFAnalysis::PrintSelf(ostream& os, vtkIndent indent)

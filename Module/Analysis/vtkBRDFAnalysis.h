@@ -55,7 +55,7 @@ public:
   /**
    * Number of direction pairs; default 20000, clamped to [100, 1e8].
    */
-  vtkSetClampMacro(NumberOfPairs, int, 100, 100000000);
+  virtual void SetNumberOfPairs(int numberOfPairs);
   vtkGetMacro(NumberOfPairs, int);
   ///@}
 

@@ -3,6 +3,7 @@
 #include "vtkBRDFFailureMap.h"
 
 #include "HalfVector.h"
+#include "Setters.h"
 
 #include "vtkCommand.h"
 #include "vtkDoubleArray.h"
@@ -276,6 +277,10 @@ double vtkBRDFFailureMap::GetWorstError(int index)
            ? this->Worst[static_cast<std::size_t>(index)][3]
            : 0.0;
 }
+
+//------------------------------------------------------------------------------
+measuredbrdfSetClampedMacro(vtkBRDFFailureMap, NumberOfCells, int, 2, 720);
+measuredbrdfSetClampedMacro(vtkBRDFFailureMap, NumberOfAzimuths, int, 2, 3600);
 
 //------------------------------------------------------------------------------
 void vtkBRDFFailureMap::PrintSelf(ostream& os, vtkIndent indent)

@@ -51,7 +51,7 @@ public:
   /**
    * Cells along each axis of the maps; default 60 (1.5 degrees), clamped to [2, 720].
    */
-  vtkSetClampMacro(NumberOfCells, int, 2, 720);
+  virtual void SetNumberOfCells(int numberOfCells);
   vtkGetMacro(NumberOfCells, int);
   ///@}
 
@@ -61,7 +61,7 @@ public:
    * 180 degrees among them where it is even; default 120, clamped to [2, 3600]. Where a BRDF is
    * anisotropic, each comes with another azimuth of the whole pair.
    */
-  vtkSetClampMacro(NumberOfAzimuths, int, 2, 3600);
+  virtual void SetNumberOfAzimuths(int numberOfAzimuths);
   vtkGetMacro(NumberOfAzimuths, int);
   ///@}
 

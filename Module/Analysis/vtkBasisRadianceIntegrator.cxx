@@ -5,6 +5,7 @@
 #include "AzimuthalBasis.h"
 #include "HalfAngle.h"
 #include "LocalFrame.h"
+#include "Setters.h"
 #include "vtkBRDF.h"
 #include "vtkBRDFGPUForm.h"
 #include "vtkBasisBRDF.h"
@@ -555,6 +556,12 @@ bool vtkBasisRadianceIntegrator::GetGPUForm(vtkBRDFGPUForm& form)
   form.Terms.push_back(std::move(term));
   return true;
 }
+
+//------------------------------------------------------------------------------
+measuredbrdfSetClampedMacro(vtkBasisRadianceIntegrator, Tolerance, double, 1e-4, 1.0);
+measuredbrdfSetClampedMacro(vtkBasisRadianceIntegrator, MaximumNumberOfTerms, int, 1, 256);
+measuredbrdfSetClampedMacro(vtkBasisRadianceIntegrator, MapSize, int, 8, 128);
+measuredbrdfSetClampedMacro(vtkBasisRadianceIntegrator, NumberOfClusters, int, 64, 1048576);
 
 //------------------------------------------------------------------------------
 void vtkBasisRadianceIntegrator::PrintSelf(ostream& os, vtkIndent indent)

@@ -36,9 +36,9 @@ public:
    * Relative L2 error of the BRDF to aim at, in [1e-4, 1], default 0.01, and the most functions
    * (look-ups a pixel) to spend on it, in [1, 256], default 64.
    */
-  vtkSetClampMacro(Tolerance, double, 1e-4, 1.0);
+  virtual void SetTolerance(double tolerance);
   vtkGetMacro(Tolerance, double);
-  vtkSetClampMacro(MaximumNumberOfTerms, int, 1, 256);
+  virtual void SetMaximumNumberOfTerms(int maximumNumberOfTerms);
   vtkGetMacro(MaximumNumberOfTerms, int);
   ///@}
 
@@ -47,7 +47,7 @@ public:
    * Texels along a map's side (each half of the sphere of normals has one), in [8, 128], default
    * 48.
    */
-  vtkSetClampMacro(MapSize, int, 8, 128);
+  virtual void SetMapSize(int mapSize);
   vtkGetMacro(MapSize, int);
   ///@}
 
@@ -56,7 +56,7 @@ public:
    * Lights of the variance light set (vtkVarianceLightSetGenerator) that stands for the
    * environment, in [64, 1048576], default 1024.
    */
-  vtkSetClampMacro(NumberOfClusters, int, 64, 1048576);
+  virtual void SetNumberOfClusters(int numberOfClusters);
   vtkGetMacro(NumberOfClusters, int);
   ///@}
 

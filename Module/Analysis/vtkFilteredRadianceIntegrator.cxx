@@ -4,7 +4,9 @@
 
 #include "EnvironmentPyramid.h"
 #include "LocalFrame.h"
+#include "Printable.h"
 #include "ReflectionSamples.h"
+#include "Setters.h"
 #include "vtkBRDF.h"
 #include "vtkBRDFGPUForm.h"
 #include "vtkEnvironment.h"
@@ -99,8 +101,9 @@ bool vtkFilteredRadianceIntegrator::Begin()
   }
   if (!this->BRDF->IsIsotropic())
   {
-    vtkErrorMacro("Integrate: the material '"
-                  << this->BRDF->GetName() << "' (" << this->BRDF->GetClassName()
+    vtkErrorMacro("Integrate: the material "
+                  << measuredbrdf::Quote(this->BRDF->GetName()) << " ("
+                  << this->BRDF->GetClassName()
                   << ") is anisotropic; filtered importance sampling takes isotropic ones.");
     return false;
   }
@@ -225,6 +228,10 @@ bool vtkFilteredRadianceIntegrator::GetGPUForm(vtkBRDFGPUForm& form)
   form = std::move(result);
   return true;
 }
+
+//------------------------------------------------------------------------------
+measuredbrdfSetClampedMacro(vtkFilteredRadianceIntegrator, NumberOfSamples, int, 1, 1024);
+measuredbrdfSetClampedMacro(vtkFilteredRadianceIntegrator, LevelBias, double, -4.0, 4.0);
 
 //------------------------------------------------------------------------------
 void vtkFilteredRadianceIntegrator::PrintSelf(ostream& os, vtkIndent indent)

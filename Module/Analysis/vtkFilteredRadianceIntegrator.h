@@ -41,7 +41,7 @@ public:
   /**
    * Samples per pair, default 32, clamped to [1, 1024]. Costs are proportional to it.
    */
-  vtkSetClampMacro(NumberOfSamples, int, 1, 1024);
+  virtual void SetNumberOfSamples(int numberOfSamples);
   vtkGetMacro(NumberOfSamples, int);
   ///@}
 
@@ -50,7 +50,7 @@ public:
    * Added to every sample's level: +1 reads the environment twice as coarse as the samples' spacing
    * asks for. Default 0, clamped to [-4, 4].
    */
-  vtkSetClampMacro(LevelBias, double, -4.0, 4.0);
+  virtual void SetLevelBias(double levelBias);
   vtkGetMacro(LevelBias, double);
   ///@}
 

@@ -3,7 +3,9 @@
 #include "vtkLayeredRadianceIntegrator.h"
 
 #include "KernelLayers.h"
+#include "Printable.h"
 #include "RadianceParts.h"
+#include "Setters.h"
 #include "vtkBRDF.h"
 #include "vtkBRDFGPUForm.h"
 #include "vtkCallbackCommand.h"
@@ -70,9 +72,10 @@ bool vtkLayeredRadianceIntegrator::Begin()
   }
   if (!this->BRDF->IsIsotropic())
   {
-    vtkErrorMacro("Prepare: tables of radiance are for isotropic materials; "
-                  << (this->BRDF->GetName().empty() ? "this one" : this->BRDF->GetName())
-                  << " is not.");
+    vtkErrorMacro(
+      "Prepare: tables of radiance are for isotropic materials; "
+      << (this->BRDF->GetName().empty() ? "this one" : measuredbrdf::Quote(this->BRDF->GetName()))
+      << " is not.");
     return false;
   }
   Internals made;
@@ -207,6 +210,14 @@ bool vtkLayeredRadianceIntegrator::GetGPUForm(vtkBRDFGPUForm& form)
   form = std::move(result);
   return true;
 }
+
+//------------------------------------------------------------------------------
+measuredbrdfSetClampedMacro(vtkLayeredRadianceIntegrator, NumberOfRows, int, 9, 513);
+measuredbrdfSetClampedMacro(vtkLayeredRadianceIntegrator, NumberOfViewAngles, int, 2, 64);
+measuredbrdfSetClampedMacro(vtkLayeredRadianceIntegrator, NumberOfAzimuths, int, 4, 64);
+measuredbrdfSetClampedMacro(vtkLayeredRadianceIntegrator, NumberOfSamples, int, 0, 1024);
+measuredbrdfSetClampedMacro(vtkLayeredRadianceIntegrator, MaximumNumberOfLights, int, 0, 1024);
+measuredbrdfSetClampedMacro(vtkLayeredRadianceIntegrator, LightAngle, double, 0.0, 30.0);
 
 //------------------------------------------------------------------------------
 void vtkLayeredRadianceIntegrator::PrintSelf(ostream& os, vtkIndent indent)

@@ -43,11 +43,11 @@ public:
   /**
    * The table's sizes, as vtkTableRadianceIntegrator has them (default 33 x 12 x 16).
    */
-  vtkSetClampMacro(NumberOfRows, int, 9, 513);
+  virtual void SetNumberOfRows(int numberOfRows);
   vtkGetMacro(NumberOfRows, int);
-  vtkSetClampMacro(NumberOfViewAngles, int, 2, 64);
+  virtual void SetNumberOfViewAngles(int numberOfViewAngles);
   vtkGetMacro(NumberOfViewAngles, int);
-  vtkSetClampMacro(NumberOfAzimuths, int, 4, 64);
+  virtual void SetNumberOfAzimuths(int numberOfAzimuths);
   vtkGetMacro(NumberOfAzimuths, int);
   ///@}
 
@@ -55,7 +55,7 @@ public:
   /**
    * Samples of the sharp layer, default 8, clamped to [0, 1024]; 0: no such layer.
    */
-  vtkSetClampMacro(NumberOfSamples, int, 0, 1024);
+  virtual void SetNumberOfSamples(int numberOfSamples);
   vtkGetMacro(NumberOfSamples, int);
   ///@}
 
@@ -64,7 +64,7 @@ public:
    * Lights taken out of the environment at most, the brightest first; default 16, clamped to
    * [0, 1024].
    */
-  vtkSetClampMacro(MaximumNumberOfLights, int, 0, 1024);
+  virtual void SetMaximumNumberOfLights(int maximumNumberOfLights);
   vtkGetMacro(MaximumNumberOfLights, int);
   ///@}
 
@@ -74,7 +74,7 @@ public:
    * lamp of several texels. Default 1.2, clamped to [0, 30]; 0: each is a light. What they add up
    * to comes from their mean direction, which is as good as all of them where lobes are wider.
    */
-  vtkSetClampMacro(LightAngle, double, 0.0, 30.0);
+  virtual void SetLightAngle(double lightAngle);
   vtkGetMacro(LightAngle, double);
   ///@}
 

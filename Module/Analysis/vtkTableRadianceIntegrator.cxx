@@ -5,7 +5,9 @@
 #include "LocalFrame.h"
 #include "LogFactorial.h"
 #include "Neighbours.h"
+#include "Printable.h"
 #include "RadianceParts.h"
+#include "Setters.h"
 #include "WignerD.h"
 #include "vtkBRDF.h"
 #include "vtkBRDFGPUForm.h"
@@ -239,9 +241,10 @@ bool vtkTableRadianceIntegrator::Begin()
   }
   if (!this->BRDF->IsIsotropic())
   {
-    vtkErrorMacro("Prepare: tables of radiance are for isotropic materials; "
-                  << (this->BRDF->GetName().empty() ? "this one" : this->BRDF->GetName())
-                  << " is not.");
+    vtkErrorMacro(
+      "Prepare: tables of radiance are for isotropic materials; "
+      << (this->BRDF->GetName().empty() ? "this one" : measuredbrdf::Quote(this->BRDF->GetName()))
+      << " is not.");
     return false;
   }
   auto tables = std::make_unique<Tables>();
@@ -558,6 +561,13 @@ bool vtkTableRadianceIntegrator::GetGPUForm(vtkBRDFGPUForm& form)
   form.Terms.push_back(std::move(term));
   return true;
 }
+
+//------------------------------------------------------------------------------
+measuredbrdfSetClampedMacro(vtkTableRadianceIntegrator, NumberOfRows, int, 9, 513);
+measuredbrdfSetClampedMacro(vtkTableRadianceIntegrator, NumberOfViewAngles, int, 2, 64);
+measuredbrdfSetClampedMacro(vtkTableRadianceIntegrator, NumberOfAzimuths, int, 4, 64);
+measuredbrdfSetClampedMacro(vtkTableRadianceIntegrator, HarmonicDegree, int, 0, 1024);
+measuredbrdfSetClampedMacro(vtkTableRadianceIntegrator, NumberOfNodes, int, 16, 1024);
 
 //------------------------------------------------------------------------------
 void vtkTableRadianceIntegrator::PrintSelf(ostream& os, vtkIndent indent)

@@ -62,11 +62,11 @@ public:
    * Rows of the map over D from pole to pole (default 65, in [9, 513]; twice as many columns less
    * two), view angles (default 16, in [2, 64]), azimuths psi (default 16, in [4, 64]).
    */
-  vtkSetClampMacro(NumberOfRows, int, 9, 513);
+  virtual void SetNumberOfRows(int numberOfRows);
   vtkGetMacro(NumberOfRows, int);
-  vtkSetClampMacro(NumberOfViewAngles, int, 2, 64);
+  virtual void SetNumberOfViewAngles(int numberOfViewAngles);
   vtkGetMacro(NumberOfViewAngles, int);
-  vtkSetClampMacro(NumberOfAzimuths, int, 4, 64);
+  virtual void SetNumberOfAzimuths(int numberOfAzimuths);
   vtkGetMacro(NumberOfAzimuths, int);
   ///@}
 
@@ -74,7 +74,7 @@ public:
   /**
    * Highest degree of the spherical harmonics that carry the light; 0 (default): NumberOfRows.
    */
-  vtkSetClampMacro(HarmonicDegree, int, 0, 1024);
+  virtual void SetHarmonicDegree(int harmonicDegree);
   vtkGetMacro(HarmonicDegree, int);
   ///@}
 
@@ -82,7 +82,7 @@ public:
   /**
    * Nodes per angle of the integrals that make the kernels' harmonics (default 96, in [16, 1024]).
    */
-  vtkSetClampMacro(NumberOfNodes, int, 16, 1024);
+  virtual void SetNumberOfNodes(int numberOfNodes);
   vtkGetMacro(NumberOfNodes, int);
   ///@}
 

@@ -377,8 +377,9 @@ LobeFitResult Unpack(const Layout& layout, const std::vector<double>& parameters
   {
     const double* logs = &parameters[static_cast<std::size_t>(lobe * layout.ExponentsPerLobe)];
     FittedLobe fitted;
-    fitted.ExponentU = std::expm1(logs[0]);
-    fitted.ExponentV = std::expm1(logs[layout.ExponentsPerLobe - 1]);
+    // Rounding must not carry them beyond the bound that they may have reached.
+    fitted.ExponentU = std::min(std::expm1(logs[0]), MaximumExponent);
+    fitted.ExponentV = std::min(std::expm1(logs[layout.ExponentsPerLobe - 1]), MaximumExponent);
     for (int c = 0; c < 3; ++c)
     {
       const double* coefficients =
@@ -395,14 +396,6 @@ LobeFitResult Unpack(const Layout& layout, const std::vector<double>& parameters
     { return a.ExponentU * a.ExponentV < b.ExponentU * b.ExponentV; });
   return result;
 }
-}
-
-//------------------------------------------------------------------------------
-std::string CheckLobes(int numberOfLobes)
-{
-  return numberOfLobes >= 1 && numberOfLobes <= 3
-           ? ""
-           : "NumberOfLobes: expected 1, 2 or 3, got " + std::to_string(numberOfLobes) + "; ";
 }
 
 //------------------------------------------------------------------------------

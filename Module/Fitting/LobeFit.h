@@ -58,9 +58,6 @@ struct LobeFitOptions
   std::function<bool(double)> Progress; // false: stop
 };
 
-/// What is wrong with a number of lobes ("...; "); empty: nothing.
-std::string CheckLobes(int numberOfLobes);
-
 /**
  * All combinations of log-spaced exponents are tried on a few samples with the best non-negative
  * coefficients; the best ones are refined on more, the best of those on all.

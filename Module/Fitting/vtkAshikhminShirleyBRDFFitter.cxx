@@ -3,6 +3,7 @@
 #include "vtkAshikhminShirleyBRDFFitter.h"
 
 #include "LobeFit.h"
+#include "Setters.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkLambertBRDF.h"
 #include "vtkNew.h"
@@ -16,17 +17,15 @@ using namespace measuredbrdf;
 vtkStandardNewMacro(vtkAshikhminShirleyBRDFFitter);
 
 //------------------------------------------------------------------------------
+measuredbrdfSetInRangeMacro(vtkAshikhminShirleyBRDFFitter, Anisotropy, int, AS_INPUT, ANISOTROPIC);
+measuredbrdfSetInRangeMacro(vtkAshikhminShirleyBRDFFitter, NumberOfLobes, int, 1, 3);
+
+//------------------------------------------------------------------------------
 void vtkAshikhminShirleyBRDFFitter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfLobes: " << this->NumberOfLobes << "\n";
   os << indent << "Anisotropy: " << this->Anisotropy << "\n";
-}
-
-//------------------------------------------------------------------------------
-std::string vtkAshikhminShirleyBRDFFitter::CheckOptions()
-{
-  return CheckLobes(this->NumberOfLobes);
 }
 
 //------------------------------------------------------------------------------

@@ -35,9 +35,9 @@ public:
 
   ///@{
   /**
-   * Number of lobes, 1 to 3; default 1. Fit refuses others.
+   * Number of lobes, 1 to 3; default 1. Others are refused.
    */
-  vtkSetMacro(NumberOfLobes, int);
+  virtual void SetNumberOfLobes(int numberOfLobes);
   vtkGetMacro(NumberOfLobes, int);
   ///@}
 
@@ -45,7 +45,7 @@ public:
   /**
    * Whether the lobes have two exponents each: AS_INPUT (default), ISOTROPIC or ANISOTROPIC.
    */
-  vtkSetClampMacro(Anisotropy, int, AS_INPUT, ANISOTROPIC);
+  virtual void SetAnisotropy(int anisotropy);
   vtkGetMacro(Anisotropy, int);
   ///@}
 
@@ -55,7 +55,6 @@ protected:
   vtkAshikhminShirleyBRDFFitter() = default;
   ~vtkAshikhminShirleyBRDFFitter() override = default;
 
-  std::string CheckOptions() override;
   Result FitTo(const measuredbrdf::FitSamples& samples) override;
 
   int NumberOfLobes = 1;

@@ -5,6 +5,7 @@
 #include "BasisFunctions.h"
 #include "GaussLegendre.h"
 #include "LocalFrame.h"
+#include "Setters.h"
 #include "vtkCommand.h"
 #include "vtkObjectFactory.h"
 #include "vtkSMPTools.h"
@@ -104,29 +105,6 @@ std::string vtkBRDFAcquisition::FindProblem() const
   if (!this->Input)
   {
     return "no input";
-  }
-  if (this->Basis < vtkBasisBRDF::HEMISPHERICAL || this->Basis > vtkBasisBRDF::LEGENDRE_FOURIER)
-  {
-    return "basis " + vtkBasisBRDF::GetBasisName(this->Basis) +
-           ", expected hemispherical, zonal or Legendre x Fourier";
-  }
-  if (this->Order < 1 || this->Order > vtkBasisBRDF::MaximumOrder)
-  {
-    return "order " + std::to_string(this->Order) + ", expected 1 to " +
-           std::to_string(static_cast<int>(vtkBasisBRDF::MaximumOrder));
-  }
-  const std::string zoneProblem = vtkBasisBRDF::FindZoneProblem(this->Zone);
-  if (!zoneProblem.empty())
-  {
-    return zoneProblem;
-  }
-  if (!(this->Noise >= 0.0) || !std::isfinite(this->Noise))
-  {
-    return "noise " + std::to_string(this->Noise) + ", expected 0 or more";
-  }
-  if (this->Bits < 0 || this->Bits > 24)
-  {
-    return std::to_string(this->Bits) + " bits, expected 0 (none) or 1 to 24";
   }
   const std::size_t bytes = 3 * sizeof(float) * NumberOfNodes *
                             static_cast<std::size_t>(GetNumberOfAzimuths(this->NumberOfPhi)) *
@@ -343,6 +321,16 @@ bool vtkBRDFAcquisition::Acquire()
   this->NumberOfPhotographs = photographs;
   return true;
 }
+
+//------------------------------------------------------------------------------
+measuredbrdfSetClampedMacro(vtkBRDFAcquisition, NumberOfTheta, int, 2, 1024);
+measuredbrdfSetClampedMacro(vtkBRDFAcquisition, NumberOfPhi, int, 1, 256);
+measuredbrdfSetChecked2Macro(vtkBRDFAcquisition, Zone, vtkBasisBRDF::FindZoneProblem);
+measuredbrdfSetInRangeMacro(
+  vtkBRDFAcquisition, Basis, int, vtkBasisBRDF::HEMISPHERICAL, vtkBasisBRDF::LEGENDRE_FOURIER);
+measuredbrdfSetInRangeMacro(vtkBRDFAcquisition, Order, int, 1, vtkBasisBRDF::MaximumOrder);
+measuredbrdfSetInRangeMacro(vtkBRDFAcquisition, Noise, double, 0.0, VTK_DOUBLE_MAX);
+measuredbrdfSetInRangeMacro(vtkBRDFAcquisition, Bits, int, 0, 24);
 
 //------------------------------------------------------------------------------
 void vtkBRDFAcquisition::PrintSelf(ostream& os, vtkIndent indent)

@@ -51,9 +51,9 @@ public:
    * Basis and order; default zonal of order 6. Spherical harmonics are refused: they are no basis
    * of what a device reaches. Orders outside [1, vtkBasisBRDF::MaximumOrder] are refused.
    */
-  vtkSetMacro(Basis, int);
+  virtual void SetBasis(int basis);
   vtkGetMacro(Basis, int);
-  vtkSetMacro(Order, int);
+  virtual void SetOrder(int order);
   vtkGetMacro(Order, int);
   ///@}
 
@@ -61,7 +61,8 @@ public:
   /**
    * Polar angles in degrees of projector and camera; default 9 to 57. Hemispherical: 0 to 90.
    */
-  vtkSetVector2Macro(Zone, double);
+  virtual void SetZone(double begin, double end);
+  virtual void SetZone(const double zone[2]);
   vtkGetVector2Macro(Zone, double);
   ///@}
 
@@ -70,7 +71,7 @@ public:
    * Camera noise's standard deviation, relative to the brightest pixel of each pair of photographs;
    * default 0; negative or non-finite values are refused.
    */
-  vtkSetMacro(Noise, double);
+  virtual void SetNoise(double noise);
   vtkGetMacro(Noise, double);
   ///@}
 
@@ -78,7 +79,7 @@ public:
   /**
    * Bits of the camera's pixels, 1 to 24; 0 (default): no rounding. Others are refused.
    */
-  vtkSetMacro(Bits, int);
+  virtual void SetBits(int bits);
   vtkGetMacro(Bits, int);
   ///@}
 
@@ -95,9 +96,9 @@ public:
    * Camera pixels: polar angles (default 48, in [2, 1024]) and azimuths (default 32, in [1, 256]).
    * So many pixels of an anisotropic sample that its responses take more than 1 GiB are refused.
    */
-  vtkSetClampMacro(NumberOfTheta, int, 2, 1024);
+  virtual void SetNumberOfTheta(int numberOfTheta);
   vtkGetMacro(NumberOfTheta, int);
-  vtkSetClampMacro(NumberOfPhi, int, 1, 256);
+  virtual void SetNumberOfPhi(int numberOfPhi);
   vtkGetMacro(NumberOfPhi, int);
   ///@}
 

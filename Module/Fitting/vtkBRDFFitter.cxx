@@ -4,6 +4,7 @@
 
 #include "FitSamples.h"
 #include "HalfVector.h"
+#include "Setters.h"
 #include "vtkBRDF.h"
 #include "vtkCommand.h"
 
@@ -17,18 +18,6 @@ using namespace measuredbrdf;
 
 namespace
 {
-// "name: expected a number in [low, high], got value; " unless it is.
-template <typename T>
-std::string CheckRange(const char* name, T value, T low, T high)
-{
-  if (value >= low && value <= high)
-  {
-    return std::string();
-  }
-  std::ostringstream text;
-  text << name << ": expected a number in [" << low << ", " << high << "], got " << value << "; ";
-  return text.str();
-}
 }
 
 //------------------------------------------------------------------------------
@@ -36,6 +25,13 @@ vtkBRDFFitter::vtkBRDFFitter() = default;
 
 //------------------------------------------------------------------------------
 vtkBRDFFitter::~vtkBRDFFitter() = default;
+
+//------------------------------------------------------------------------------
+measuredbrdfSetInRangeMacro(vtkBRDFFitter, Loss, int, LOG_COSINE, SQUARED);
+measuredbrdfSetInRangeMacro(vtkBRDFFitter, NumberOfSamples, int, 256, 1 << 22);
+measuredbrdfSetInRangeMacro(vtkBRDFFitter, NumberOfStarts, int, 1, 64);
+measuredbrdfSetInRangeMacro(vtkBRDFFitter, MaximumNumberOfIterations, int, 1, 10000);
+measuredbrdfSetInRangeMacro(vtkBRDFFitter, Tolerance, double, 1e-15, 0.999);
 
 //------------------------------------------------------------------------------
 void vtkBRDFFitter::PrintSelf(ostream& os, vtkIndent indent)
@@ -91,23 +87,10 @@ bool vtkBRDFFitter::UpdateProgress(double share)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkBRDFFitter::CheckAll()
-{
-  std::string wrong = this->Input ? "" : "no input; ";
-  wrong += CheckRange<int>("Loss", this->Loss, LOG_COSINE, SQUARED);
-  wrong += CheckRange("NumberOfSamples", this->NumberOfSamples, 256, 1 << 22);
-  wrong += CheckRange("NumberOfStarts", this->NumberOfStarts, 1, 64);
-  wrong += CheckRange("MaximumNumberOfIterations", this->MaximumNumberOfIterations, 1, 10000);
-  wrong += CheckRange("Tolerance", this->Tolerance, 1e-15, 0.999);
-  wrong += this->CheckOptions();
-  return wrong.empty() ? wrong : wrong.substr(0, wrong.rfind(';'));
-}
-
-//------------------------------------------------------------------------------
 bool vtkBRDFFitter::Fit()
 {
   this->Abort = false;
-  const std::string wrong = this->CheckAll();
+  const std::string wrong = this->Input ? this->CheckOptions() : "no input";
   if (!wrong.empty())
   {
     vtkErrorMacro("Fit: " << wrong << ".");

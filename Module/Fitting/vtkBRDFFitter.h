@@ -63,7 +63,7 @@ public:
   /**
    * What to minimize: LOG_COSINE (default), CUBE_ROOT_COSINE or SQUARED.
    */
-  vtkSetMacro(Loss, int);
+  virtual void SetLoss(int loss);
   vtkGetMacro(Loss, int);
   void SetLossToLogCosine() { this->SetLoss(LOG_COSINE); }
   void SetLossToCubeRootCosine() { this->SetLoss(CUBE_ROOT_COSINE); }
@@ -74,7 +74,7 @@ public:
   /**
    * Number of direction pairs, in [256, 2^22]; default 32768.
    */
-  vtkSetMacro(NumberOfSamples, int);
+  virtual void SetNumberOfSamples(int numberOfSamples);
   vtkGetMacro(NumberOfSamples, int);
   ///@}
 
@@ -83,7 +83,7 @@ public:
    * Number of starting points that are refined before the best of them is finished, in [1, 64];
    * default 4. A model may have fewer to offer.
    */
-  vtkSetMacro(NumberOfStarts, int);
+  virtual void SetNumberOfStarts(int numberOfStarts);
   vtkGetMacro(NumberOfStarts, int);
   ///@}
 
@@ -91,7 +91,7 @@ public:
   /**
    * Largest number of iterations from the best start, in [1, 10000]; default 200.
    */
-  vtkSetMacro(MaximumNumberOfIterations, int);
+  virtual void SetMaximumNumberOfIterations(int maximumNumberOfIterations);
   vtkGetMacro(MaximumNumberOfIterations, int);
   ///@}
 
@@ -100,7 +100,7 @@ public:
    * Stop where an iteration lowers the mean square by a smaller share than this, in (0,1); default
    * 1e-6.
    */
-  vtkSetMacro(Tolerance, double);
+  virtual void SetTolerance(double tolerance);
   vtkGetMacro(Tolerance, double);
   ///@}
 
@@ -124,7 +124,7 @@ public:
 
   /**
    * Fit. Returns false with an error event, output and figures unchanged, when there is no input,
-   * an option is out of its range, the input is 0 (or has no valid cell) at every pair or too large
+   * options do not go together, the input is 0 (or has no valid cell) at every pair or too large
    * to be squared, or the run was aborted.
    */
   bool Fit();
@@ -199,7 +199,7 @@ protected:
   };
 
   /**
-   * What is wrong with the subclass's options; empty: nothing.
+   * What is wrong with the subclass's options for this input; empty: nothing.
    */
   virtual std::string CheckOptions() { return std::string(); }
 
@@ -232,7 +232,6 @@ private:
   vtkBRDFFitter(const vtkBRDFFitter&) = delete;
   void operator=(const vtkBRDFFitter&) = delete;
 
-  std::string CheckAll();
   bool Measure(vtkBRDF* output); // false, nothing changed, where the figures are not finite
 };
 

@@ -4,6 +4,7 @@
 
 #include "GaussLegendre.h"
 #include "LocalFrame.h"
+#include "Setters.h"
 #include "ZonalOperators.h"
 #include "vtkBRDFResampler.h"
 #include "vtkCommand.h"
@@ -394,6 +395,13 @@ bool vtkBasisExtrapolator::Extrapolate()
     this->InZoneResidual <= this->ResidualLimit && this->NegativeMass <= this->MaximumNegativeMass;
   return this->Accepted;
 }
+
+//------------------------------------------------------------------------------
+measuredbrdfSetClampedMacro(vtkBasisExtrapolator, Order, int, 0, vtkBasisBRDF::MaximumOrder);
+measuredbrdfSetInRangeMacro(vtkBasisExtrapolator, Criterion, int, CROSS_VALIDATION, FIXED);
+measuredbrdfSetClampedMacro(vtkBasisExtrapolator, Lambda, double, 0.0, 1e6);
+measuredbrdfSetClampedMacro(vtkBasisExtrapolator, MaximumResidual, double, 0.0, 1e6);
+measuredbrdfSetClampedMacro(vtkBasisExtrapolator, MaximumNegativeMass, double, 0.0, 1.0);
 
 //------------------------------------------------------------------------------
 void vtkBasisExtrapolator::PrintSelf(ostream& os, vtkIndent indent)

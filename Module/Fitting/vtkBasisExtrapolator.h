@@ -55,7 +55,7 @@ public:
   /**
    * Order of the harmonics; 0 (default): the input's.
    */
-  vtkSetClampMacro(Order, int, 0, vtkBasisBRDF::MaximumOrder);
+  virtual void SetOrder(int order);
   vtkGetMacro(Order, int);
   ///@}
 
@@ -64,9 +64,9 @@ public:
    * How lambda is chosen; FIXED: as set by SetLambda, clamped to [0, 1e6]. GetLambda: what was
    * used.
    */
-  vtkSetClampMacro(Criterion, int, CROSS_VALIDATION, FIXED);
+  virtual void SetCriterion(int criterion);
   vtkGetMacro(Criterion, int);
-  vtkSetClampMacro(Lambda, double, 0.0, 1e6);
+  virtual void SetLambda(double lambda);
   vtkGetMacro(Lambda, double);
   ///@}
 
@@ -83,7 +83,7 @@ public:
    * times. Legendre x Fourier: of 68 accepted 56 are better, 12 worse (at most 11 instead of 7.1
    * %); of those refused five in six are worse, up to 3.3 times.
    */
-  vtkSetClampMacro(MaximumResidual, double, 0.0, 1e6);
+  virtual void SetMaximumResidual(double maximumResidual);
   vtkGetMacro(MaximumResidual, double);
   vtkGetMacro(ResidualLimit, double);
   ///@}
@@ -93,7 +93,7 @@ public:
    * Largest negative mass of the output over the hemisphere (vtkBasisBRDF::GetNegativeMass) that is
    * accepted; default 0.05.
    */
-  vtkSetClampMacro(MaximumNegativeMass, double, 0.0, 1.0);
+  virtual void SetMaximumNegativeMass(double maximumNegativeMass);
   vtkGetMacro(MaximumNegativeMass, double);
   ///@}
 

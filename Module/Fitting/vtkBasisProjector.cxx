@@ -4,6 +4,7 @@
 
 #include "GaussLegendre.h"
 #include "LocalFrame.h"
+#include "Setters.h"
 #include "ZonalOperators.h"
 #include "vtkCommand.h"
 #include "vtkObjectFactory.h"
@@ -138,21 +139,6 @@ bool vtkBasisProjector::Project()
     vtkErrorMacro("Project: no input.");
     return false;
   }
-  if (this->Order < 1 || this->Order > vtkBasisBRDF::MaximumOrder)
-  {
-    vtkErrorMacro("Project: order " << this->Order << ", expected 1 to "
-                                    << static_cast<int>(vtkBasisBRDF::MaximumOrder) << ".");
-    return false;
-  }
-  for (const double* zone : { this->IncidentZone, this->OutgoingZone })
-  {
-    const std::string problem = vtkBasisBRDF::FindZoneProblem(zone);
-    if (!problem.empty())
-    {
-      vtkErrorMacro("Project: " << problem << ".");
-      return false;
-    }
-  }
   if (this->NumberOfNodes <= this->Order)
   {
     vtkErrorMacro("Project: " << this->NumberOfNodes << " nodes, expected more than the order, "
@@ -266,6 +252,19 @@ bool vtkBasisProjector::Project()
   this->Output = output;
   return true;
 }
+
+//------------------------------------------------------------------------------
+measuredbrdfSetInRangeMacro(
+  vtkBasisProjector, Basis, int, vtkBasisBRDF::SPHERICAL_HARMONICS, vtkBasisBRDF::LEGENDRE_FOURIER);
+measuredbrdfSetInRangeMacro(vtkBasisProjector, Method, int, LEAST_SQUARES, INNER_PRODUCT);
+measuredbrdfSetClampedMacro(vtkBasisProjector, Regularization, double, 0.0, 1.0);
+measuredbrdfSetInRangeMacro(vtkBasisProjector, Window, int, NO_WINDOW, LAPLACIAN);
+measuredbrdfSetClampedMacro(vtkBasisProjector, NumberOfTheta, int, 2, 1024);
+measuredbrdfSetClampedMacro(vtkBasisProjector, NumberOfPhi, int, 4, 1024);
+measuredbrdfSetClampedMacro(vtkBasisProjector, NumberOfNodes, int, 8, 1024);
+measuredbrdfSetChecked2Macro(vtkBasisProjector, IncidentZone, vtkBasisBRDF::FindZoneProblem);
+measuredbrdfSetChecked2Macro(vtkBasisProjector, OutgoingZone, vtkBasisBRDF::FindZoneProblem);
+measuredbrdfSetInRangeMacro(vtkBasisProjector, Order, int, 1, vtkBasisBRDF::MaximumOrder);
 
 //------------------------------------------------------------------------------
 void vtkBasisProjector::PrintSelf(ostream& os, vtkIndent indent)

@@ -59,9 +59,9 @@ public:
    * vtkBasisBRDF's type and order; default Legendre x Fourier of order 6. Project refuses orders
    * outside [1, vtkBasisBRDF::MaximumOrder].
    */
-  vtkSetClampMacro(Basis, int, vtkBasisBRDF::SPHERICAL_HARMONICS, vtkBasisBRDF::LEGENDRE_FOURIER);
+  virtual void SetBasis(int basis);
   vtkGetMacro(Basis, int);
-  vtkSetMacro(Order, int);
+  virtual void SetOrder(int order);
   vtkGetMacro(Order, int);
   ///@}
 
@@ -70,9 +70,11 @@ public:
    * Polar angles in degrees that light comes from (zonal and Legendre x Fourier; the others cover
    * the hemisphere) and that are looked from; default 0 to 90 both.
    */
-  vtkSetVector2Macro(IncidentZone, double);
+  virtual void SetIncidentZone(double begin, double end);
+  virtual void SetIncidentZone(const double incidentZone[2]);
   vtkGetVector2Macro(IncidentZone, double);
-  vtkSetVector2Macro(OutgoingZone, double);
+  virtual void SetOutgoingZone(double begin, double end);
+  virtual void SetOutgoingZone(const double outgoingZone[2]);
   vtkGetVector2Macro(OutgoingZone, double);
   ///@}
 
@@ -92,7 +94,7 @@ public:
   /**
    * Least squares (default) or inner products.
    */
-  vtkSetClampMacro(Method, int, LEAST_SQUARES, INNER_PRODUCT);
+  virtual void SetMethod(int method);
   vtkGetMacro(Method, int);
   ///@}
 
@@ -101,7 +103,7 @@ public:
    * Weight of the Laplacian's square, of spherical harmonics by least squares only; default 1e-6,
    * in [0, 1].
    */
-  vtkSetClampMacro(Regularization, double, 0.0, 1.0);
+  virtual void SetRegularization(double regularization);
   vtkGetMacro(Regularization, double);
   ///@}
 
@@ -112,7 +114,7 @@ public:
    * 1 / (1 + s l^2 (l+1)^2) with s = 1 / (order (order+1))^2 (halves the highest degree). Default:
    * none, as that measures best: the clamp after the sum costs nothing.
    */
-  vtkSetClampMacro(Window, int, NO_WINDOW, LAPLACIAN);
+  virtual void SetWindow(int window);
   vtkGetMacro(Window, int);
   static double GetWindowFactor(int window, int order, int l);
   ///@}
@@ -122,9 +124,9 @@ public:
    * Samples of theta_o (default 64, in [2, 1024]) and, of anisotropic materials, of phi_o (default
    * 32, in [4, 1024]).
    */
-  vtkSetClampMacro(NumberOfTheta, int, 2, 1024);
+  virtual void SetNumberOfTheta(int numberOfTheta);
   vtkGetMacro(NumberOfTheta, int);
-  vtkSetClampMacro(NumberOfPhi, int, 4, 1024);
+  virtual void SetNumberOfPhi(int numberOfPhi);
   vtkGetMacro(NumberOfPhi, int);
   ///@}
 
@@ -133,7 +135,7 @@ public:
    * Nodes in theta_i: default 96, in [8, 1024]. Sharp lobes need more; Project refuses no more than
    * the order.
    */
-  vtkSetClampMacro(NumberOfNodes, int, 8, 1024);
+  virtual void SetNumberOfNodes(int numberOfNodes);
   vtkGetMacro(NumberOfNodes, int);
   ///@}
 

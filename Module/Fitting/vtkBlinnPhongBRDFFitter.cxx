@@ -3,6 +3,7 @@
 #include "vtkBlinnPhongBRDFFitter.h"
 
 #include "LobeFit.h"
+#include "Setters.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkLambertBRDF.h"
 #include "vtkNew.h"
@@ -16,14 +17,14 @@ using namespace measuredbrdf;
 vtkStandardNewMacro(vtkBlinnPhongBRDFFitter);
 
 //------------------------------------------------------------------------------
+measuredbrdfSetInRangeMacro(vtkBlinnPhongBRDFFitter, NumberOfLobes, int, 1, 3);
+
+//------------------------------------------------------------------------------
 void vtkBlinnPhongBRDFFitter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfLobes: " << this->NumberOfLobes << "\n";
 }
-
-//------------------------------------------------------------------------------
-std::string vtkBlinnPhongBRDFFitter::CheckOptions() { return CheckLobes(this->NumberOfLobes); }
 
 //------------------------------------------------------------------------------
 vtkBRDFFitter::Result vtkBlinnPhongBRDFFitter::FitTo(const FitSamples& samples)

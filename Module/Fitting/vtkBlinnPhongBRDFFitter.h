@@ -24,9 +24,9 @@ public:
 
   ///@{
   /**
-   * Number of lobes, 1 to 3; default 1. Fit refuses others.
+   * Number of lobes, 1 to 3; default 1. Others are refused.
    */
-  vtkSetMacro(NumberOfLobes, int);
+  virtual void SetNumberOfLobes(int numberOfLobes);
   vtkGetMacro(NumberOfLobes, int);
   ///@}
 
@@ -36,7 +36,6 @@ protected:
   vtkBlinnPhongBRDFFitter() = default;
   ~vtkBlinnPhongBRDFFitter() override = default;
 
-  std::string CheckOptions() override;
   Result FitTo(const measuredbrdf::FitSamples& samples) override;
 
   int NumberOfLobes = 1;

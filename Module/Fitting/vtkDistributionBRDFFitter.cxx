@@ -3,6 +3,7 @@
 #include "vtkDistributionBRDFFitter.h"
 
 #include "DistributionFit.h"
+#include "Setters.h"
 #include "vtkBRDF.h"
 #include "vtkDistributionBRDF.h"
 #include "vtkLambertBRDF.h"
@@ -16,21 +17,22 @@ using namespace measuredbrdf;
 
 vtkStandardNewMacro(vtkDistributionBRDFFitter);
 
-namespace
+//------------------------------------------------------------------------------
+void vtkDistributionBRDFFitter::SetNumberOfThetaSamples(int numberOfThetaSamples)
 {
-// "name: expected ...; " unless value is in [low, high], or 0 where that stands for a default.
-std::string CheckCount(const char* name, int value, int low, int high, bool automatic)
-{
-  if ((value >= low && value <= high) || (automatic && value == 0))
+  if (numberOfThetaSamples != 0 && (numberOfThetaSamples < 2 || numberOfThetaSamples > 4096))
   {
-    return std::string();
+    measuredbrdfRefuseMacro(
+      NumberOfThetaSamples, numberOfThetaSamples, "0 or a number from 2 to 4096");
+    return;
   }
-  std::ostringstream text;
-  text << name << ": expected a number in [" << low << ", " << high << "]"
-       << (automatic ? " or 0" : "") << ", got " << value << "; ";
-  return text.str();
+  measuredbrdfAssignMacro(NumberOfThetaSamples, numberOfThetaSamples);
 }
-}
+
+//------------------------------------------------------------------------------
+measuredbrdfSetInRangeMacro(vtkDistributionBRDFFitter, FresnelModel, int, MONOTONE, SCHLICK);
+measuredbrdfSetInRangeMacro(vtkDistributionBRDFFitter, NumberOfPhiSamples, int, 0, 1024);
+measuredbrdfSetInRangeMacro(vtkDistributionBRDFFitter, NumberOfFresnelSamples, int, 2, 1024);
 
 //------------------------------------------------------------------------------
 void vtkDistributionBRDFFitter::PrintSelf(ostream& os, vtkIndent indent)
@@ -45,19 +47,14 @@ void vtkDistributionBRDFFitter::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 std::string vtkDistributionBRDFFitter::CheckOptions()
 {
-  std::string wrong =
-    CheckCount("NumberOfThetaSamples", this->NumberOfThetaSamples, 2, 4096, true) +
-    CheckCount("NumberOfPhiSamples", this->NumberOfPhiSamples, 1, 1024, true) +
-    CheckCount("NumberOfFresnelSamples", this->NumberOfFresnelSamples, 2, 1024, false);
-  if (wrong.empty() && this->Input)
-  {
-    int nTheta = 0;
-    int nPhi = 0;
-    this->GetSize(nTheta, nPhi);
-    wrong += CheckCount("cells of p (NumberOfThetaSamples x NumberOfPhiSamples)", nTheta * nPhi, 2,
-      MaximumNumberOfCells, false);
-  }
-  return wrong;
+  int nTheta = 0;
+  int nPhi = 0;
+  this->GetSize(nTheta, nPhi);
+  return nTheta * nPhi <= MaximumNumberOfCells
+           ? std::string()
+           : "cells of p (NumberOfThetaSamples x NumberOfPhiSamples): expected at most " +
+               std::to_string(static_cast<int>(MaximumNumberOfCells)) + ", got " +
+               std::to_string(nTheta * nPhi);
 }
 
 //------------------------------------------------------------------------------

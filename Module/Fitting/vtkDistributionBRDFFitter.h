@@ -38,7 +38,7 @@ public:
   /**
    * What F may be: MONOTONE (default), FREE or SCHLICK.
    */
-  vtkSetClampMacro(FresnelModel, int, MONOTONE, SCHLICK);
+  virtual void SetFresnelModel(int fresnelModel);
   vtkGetMacro(FresnelModel, int);
   ///@}
 
@@ -49,7 +49,7 @@ public:
   /**
    * Samples of p along theta_h, 2 to 4096; 0 (default): 128, or 48 where p is anisotropic.
    */
-  vtkSetMacro(NumberOfThetaSamples, int);
+  virtual void SetNumberOfThetaSamples(int numberOfThetaSamples);
   vtkGetMacro(NumberOfThetaSamples, int);
   ///@}
 
@@ -58,7 +58,7 @@ public:
    * Samples of p along phi_h, 1 (isotropic) to 1024; 0 (default): 1, or 32 where the input is
    * anisotropic.
    */
-  vtkSetMacro(NumberOfPhiSamples, int);
+  virtual void SetNumberOfPhiSamples(int numberOfPhiSamples);
   vtkGetMacro(NumberOfPhiSamples, int);
   ///@}
 
@@ -66,7 +66,7 @@ public:
   /**
    * Samples of F along theta_d, 2 to 1024; default 32.
    */
-  vtkSetMacro(NumberOfFresnelSamples, int);
+  virtual void SetNumberOfFresnelSamples(int numberOfFresnelSamples);
   vtkGetMacro(NumberOfFresnelSamples, int);
   ///@}
 

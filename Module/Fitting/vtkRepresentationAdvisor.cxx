@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRepresentationAdvisor.h"
 
+#include "Setters.h"
 #include "ZonePairs.h"
 #include "vtkBRDFResampler.h"
 #include "vtkBasisProjector.h"
@@ -161,6 +162,11 @@ bool vtkRepresentationAdvisor::Represent()
   this->Output = fitter->GetOutput();
   return true;
 }
+
+//------------------------------------------------------------------------------
+measuredbrdfSetClampedMacro(vtkRepresentationAdvisor, MaximumResidual, double, 0.0, 1e6);
+measuredbrdfSetChecked2Macro(vtkRepresentationAdvisor, Zone, vtkBasisBRDF::FindZoneProblem);
+measuredbrdfSetInRangeMacro(vtkRepresentationAdvisor, Order, int, 1, vtkBasisBRDF::MaximumOrder);
 
 //------------------------------------------------------------------------------
 void vtkRepresentationAdvisor::PrintSelf(ostream& os, vtkIndent indent)

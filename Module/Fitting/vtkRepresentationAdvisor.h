@@ -55,9 +55,10 @@ public:
   /**
    * Order of the basis (default 6: 49 functions) and zone in degrees (default 9 to 57).
    */
-  vtkSetMacro(Order, int);
+  virtual void SetOrder(int order);
   vtkGetMacro(Order, int);
-  vtkSetVector2Macro(Zone, double);
+  virtual void SetZone(double begin, double end);
+  virtual void SetZone(const double zone[2]);
   vtkGetVector2Macro(Zone, double);
   ///@}
 
@@ -65,13 +66,12 @@ public:
   /**
    * The rule's limit of the in-zone residual; default 0.10.
    */
-  vtkSetClampMacro(MaximumResidual, double, 0.0, 1e6);
+  virtual void SetMaximumResidual(double maximumResidual);
   vtkGetMacro(MaximumResidual, double);
   ///@}
 
   /**
-   * Measure. Returns false with an error event without an input or with an order or zone that
-   * vtkBasisProjector refuses.
+   * Measure. Returns false with an error event without an input.
    */
   bool Update();
 

@@ -66,7 +66,7 @@ bool CheckHeader(ByteReader& reader)
       return any;
     }
     any = true;
-    const std::string field = "attribute '" + name + "'";
+    const std::string field = "attribute " + Quote(name);
     const std::string type = ReadText(reader, field + " (type)");
     const auto size = reader.Read<std::uint32_t>(field + " (size)");
     const ByteReader value = reader;

@@ -210,7 +210,7 @@ public:
     const auto found = this->Parts.find(name);
     if (found == this->Parts.end())
     {
-      throw std::runtime_error("part '" + name + "' is missing");
+      throw std::runtime_error("part " + Quote(name) + " is missing");
     }
     const Imf::Header& header = this->Input.header(found->second);
     const Imath::Box2i window = header.dataWindow();
@@ -219,14 +219,14 @@ public:
     if (!GetExtent(array.Shape, width, height) || window.min != Imath::V2i(0, 0) ||
         window.max != Imath::V2i(width - 1, height - 1))
     {
-      throw std::runtime_error("part '" + name +
-                               "': its data window does not hold the shape that " + "attribute '" +
+      throw std::runtime_error("part " + Quote(name) +
+                               ": its data window does not hold the shape that " + "attribute '" +
                                AttributeName + "' gives");
     }
     if (header.hasType() && header.type() != Imf::SCANLINEIMAGE)
     {
-      throw std::runtime_error(
-        "part '" + name + "': found type " + header.type() + ", expected " + Imf::SCANLINEIMAGE);
+      throw std::runtime_error("part " + Quote(name) + ": found type " + Quote(header.type()) +
+                               ", expected " + Imf::SCANLINEIMAGE);
     }
     int channels = 0;
     std::uint64_t texelBytes = 0; // in the file
@@ -238,19 +238,19 @@ public:
       if ((channel.type != Imf::FLOAT && channel.type != Imf::HALF) || channel.xSampling != 1 ||
           channel.ySampling != 1)
       {
-        throw std::runtime_error("part '" + name + "', channel " + it.name() +
+        throw std::runtime_error("part " + Quote(name) + ", channel " + Quote(it.name()) +
                                  ": expected 32-bit or 16-bit floats, not subsampled");
       }
     }
     if (channels != array.Channels)
     {
-      throw std::runtime_error("part '" + name + "': found " + std::to_string(channels) +
+      throw std::runtime_error("part " + Quote(name) + ": found " + std::to_string(channels) +
                                " channels, expected " + std::to_string(array.Channels));
     }
     if (width * texelBytes > this->BytesLeft / height) // the product of the three may overflow
     {
       throw std::runtime_error(
-        "part '" + name + "': its size is more than a file of this length can hold");
+        "part " + Quote(name) + ": its size is more than a file of this length can hold");
     }
     this->BytesLeft -= width * texelBytes * height;
 
@@ -262,7 +262,7 @@ public:
       const char* channel = GetChannelName(array.Channels, k);
       if (!header.channels().findChannel(channel))
       {
-        throw std::runtime_error("part '" + name + "': channel " + channel + " is missing");
+        throw std::runtime_error("part " + Quote(name) + ": channel " + channel + " is missing");
       }
       buffer.insert(channel, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(&array.Values[k]),
                                sizeof(float) * array.Channels, row));
@@ -275,7 +275,7 @@ public:
     }
     catch (const std::exception& e)
     {
-      throw std::runtime_error("part '" + name + "': " + e.what());
+      throw std::runtime_error("part " + Quote(name) + ": " + e.what());
     }
   }
 
@@ -306,7 +306,7 @@ MaterialArchive FromJson(
     array.Channels = item.value().at("channels").get<int>();
     if (array.Channels != 1 && array.Channels != 3)
     {
-      throw std::runtime_error("array '" + item.key() + "': expected 1 or 3 channels");
+      throw std::runtime_error("array " + Quote(item.key()) + ": expected 1 or 3 channels");
     }
     CheckShape(archive.Representation, array.Shape);
     parts.Read(prefix + item.key(), array);
@@ -363,9 +363,9 @@ MaterialFile ReadExrMaterial(const FileBytes& file)
     const int version = header.at("version").get<int>();
     if (format != JsonFormat || version != JsonVersion)
     {
-      throw std::runtime_error("found format '" + format + "' version " + std::to_string(version) +
-                               ", expected '" + JsonFormat + "' version " +
-                               std::to_string(JsonVersion));
+      throw std::runtime_error("found format " + Quote(format) + " version " +
+                               std::to_string(version) + ", expected '" + JsonFormat +
+                               "' version " + std::to_string(JsonVersion));
     }
     PartReader parts(input, file.GetSize());
     MaterialArchive archive = FromJson(header.at("material"), "", parts, 0);
@@ -376,7 +376,7 @@ MaterialFile ReadExrMaterial(const FileBytes& file)
   }
   catch (const json::exception& e)
   {
-    throw FileError(place + "attribute '" + AttributeName + "': " + e.what());
+    throw FileError(place + "attribute '" + AttributeName + "': " + ToPrintable(e.what(), 500));
   }
   catch (const Iex::BaseExc& e)
   {
@@ -415,7 +415,7 @@ void WriteExrMaterial(vtkBRDF* brdf, const std::string& path, bool halfFloats)
       int height = 0;
       if (!GetExtent(part.Array->Shape, width, height))
       {
-        throw std::runtime_error("array '" + part.Name + "' is too large for an image");
+        throw std::runtime_error("array " + Quote(part.Name) + " is too large for an image");
       }
       const Imath::Box2i window(Imath::V2i(0, 0), Imath::V2i(width - 1, height - 1));
       display.extendBy(window);

@@ -158,6 +158,15 @@ const char* ByteReader::Take(std::uint64_t count, const std::string& field)
 }
 
 //------------------------------------------------------------------------------
+bool ByteReader::IsPadding() const
+{
+  constexpr std::size_t most = 4096;
+  const std::string_view padding("\0 \t\r\n\x1a", 6);
+  return this->GetRemaining() <= most &&
+         this->File.GetView().find_first_not_of(padding, this->Offset) == std::string_view::npos;
+}
+
+//------------------------------------------------------------------------------
 const char* ByteReader::At(
   std::uint64_t offset, std::uint64_t count, const std::string& field) const
 {

@@ -10,6 +10,7 @@
 #ifndef FileBytes_h
 #define FileBytes_h
 
+#include "Printable.h"
 #include "vtkByteSwap.h"
 
 #include <cstddef>
@@ -22,11 +23,15 @@
 
 namespace measuredbrdf
 {
-/// What is wrong with a file, for people: names the file and the place.
+/// What is wrong with a file, for people: names the file and the place. Whatever the file or its
+/// name holds, the text is fit for a terminal.
 class FileError : public std::runtime_error
 {
 public:
-  using std::runtime_error::runtime_error;
+  explicit FileError(const std::string& what)
+    : std::runtime_error(ToPrintable(what))
+  {
+  }
 };
 
 /**
@@ -94,6 +99,10 @@ public:
 
   /// The next count bytes, stepped over.
   const char* Take(std::uint64_t count, const std::string& field);
+
+  /// Whether at most 4 KiB of zeros, white space and DOS's end of file are left: what transfers and
+  /// editors add behind the data.
+  bool IsPadding() const;
 
   /// count bytes anywhere in the file; the reading place stays.
   const char* At(std::uint64_t offset, std::uint64_t count, const std::string& field) const;

@@ -13,6 +13,7 @@
 #include <charconv>
 #include <cmath>
 #include <functional>
+#include <sstream>
 #include <system_error>
 
 namespace measuredbrdf
@@ -24,6 +25,7 @@ namespace
 constexpr double NganScale[3] = { 1.0, 1.15, 1.66 };
 
 constexpr int MaximumDepth = 16;
+constexpr double Noise = 1e-6; // that figures may lie beyond their bounds by
 
 bool StartsWith(const std::string& text, const std::string& start)
 {
@@ -98,11 +100,17 @@ public:
       const std::size_t begin = this->Place;
       const int line = this->Line;
       const std::string name = this->ReadName("an attribute or a model");
+      if (name[0] >= '0' && name[0] <= '9')
+      {
+        Fail(this->Path, this->Line,
+          "expected an attribute or a model, found " + Quote(name) +
+            " (decimals follow a point, not a comma)");
+      }
       if (this->Accept('='))
       {
         if (!call.Attributes.emplace(name, this->ReadValue(name)).second)
         {
-          Fail(this->Path, this->Line, "attribute '" + name + "' appears twice");
+          Fail(this->Path, this->Line, "attribute " + Quote(name) + " appears twice");
         }
       }
       else
@@ -168,13 +176,14 @@ private:
   double ReadNumber(const std::string& attribute)
   {
     this->SkipSpace();
+    this->Place += this->Place < this->Text.size() && this->Text[this->Place] == '+';
     const char* begin = this->Text.data() + this->Place;
     double value = 0.0;
     // Not strtod: its decimal sign follows the locale.
     const auto result = std::from_chars(begin, this->Text.data() + this->Text.size(), value);
     if (result.ec != std::errc() || !std::isfinite(value))
     {
-      this->Expected("a finite number for attribute '" + attribute + "'");
+      this->Expected("a finite number for attribute " + Quote(attribute));
     }
     this->Place += static_cast<std::size_t>(result.ptr - begin);
     return value;
@@ -203,7 +212,7 @@ private:
     if (this->Place < this->Text.size())
     {
       const std::string_view rest = this->Text.substr(this->Place, 24);
-      found = "'" + std::string(rest.substr(0, rest.find_first_of("\r\n"))) + "'";
+      found = Quote(rest.substr(0, rest.find_first_of("\r\n")));
     }
     Fail(this->Path, this->Line, "expected " + what + ", found " + found);
   }
@@ -221,9 +230,12 @@ private:
 class Builder
 {
 public:
-  Builder(const std::string& path, const std::string& name, const double scale[3])
+  /// result takes notes.
+  Builder(
+    const std::string& path, const std::string& name, const double scale[3], MaterialFile& result)
     : Path(path)
     , Name(name)
+    , Result(result)
   {
     std::copy_n(scale, 3, this->Scale);
   }
@@ -294,7 +306,8 @@ public:
 private:
   [[noreturn]] void Complain(const FitCall& call, const std::string& what) const
   {
-    Fail(this->Path, call.Line, "material '" + this->Name + "', " + call.Model + ": " + what);
+    Fail(this->Path, call.Line,
+      "material " + Quote(this->Name) + ", " + ToPrintable(call.Model, LongestName) + ": " + what);
   }
 
   void CheckAttributes(
@@ -304,12 +317,12 @@ private:
     {
       if (std::find(names.begin(), names.end(), attribute.first) == names.end())
       {
-        this->Complain(call, "unknown attribute '" + attribute.first + "'");
+        this->Complain(call, "unknown attribute " + Quote(attribute.first));
       }
     }
     if (!hasTerms && !call.Terms.empty())
     {
-      this->Complain(call, "'" + call.Terms.front().Model + "' can't be inside");
+      this->Complain(call, Quote(call.Terms.front().Model) + " can't be inside");
     }
   }
 
@@ -323,8 +336,10 @@ private:
     }
     if (found->second.size() != count)
     {
-      this->Complain(call, "attribute '" + name + "' has " + std::to_string(found->second.size()) +
-                             " numbers, expected " + std::to_string(count));
+      this->Complain(call,
+        "attribute '" + name + "' has " + std::to_string(found->second.size()) +
+          " numbers, expected " + std::to_string(count) +
+          (found->second.size() == 2 * count ? " (decimals follow a point, not a comma)" : ""));
     }
     return found->second;
   }
@@ -332,13 +347,7 @@ private:
   double GetNumber(
     const FitCall& call, const std::string& name, double lowest, double highest) const
   {
-    const double value = this->GetAttribute(call, name, 1)[0];
-    if (!(value >= lowest && value <= highest))
-    {
-      this->Complain(call, "attribute '" + name + "' is " + std::to_string(value) + ", expected " +
-                             std::to_string(lowest) + " to " + std::to_string(highest));
-    }
-    return value;
+    return this->Repair(call, name, this->GetAttribute(call, name, 1)[0], lowest, highest);
   }
 
   void GetAlbedo(const FitCall& call, double albedo[3]) const
@@ -346,16 +355,41 @@ private:
     const std::vector<double>& values = this->GetAttribute(call, "albedo", 3);
     for (int k = 0; k < 3; ++k)
     {
-      if (values[k] < 0.0)
-      {
-        this->Complain(call, "attribute 'albedo' holds the negative " + std::to_string(values[k]));
-      }
-      albedo[k] = values[k] * this->Scale[k];
+      albedo[k] = this->Repair(call, "albedo", values[k], 0.0, HUGE_VAL) * this->Scale[k];
     }
+  }
+
+  // In bounds, or what rounding put beyond them.
+  double Repair(
+    const FitCall& call, const std::string& name, double value, double lowest, double highest) const
+  {
+    const double repaired = std::clamp(value, lowest, highest);
+    if (std::abs(value - repaired) > Noise * std::max(std::abs(repaired), 1.0))
+    {
+      std::ostringstream text;
+      text << "attribute '" << name << (value < 0.0 ? "' is negative: " : "' is ") << value
+           << ", expected " << lowest;
+      text << (highest < HUGE_VAL ? " to " : " or more");
+      if (highest < HUGE_VAL)
+      {
+        text << highest;
+      }
+      this->Complain(call, text.str());
+    }
+    if (value != repaired)
+    {
+      std::ostringstream text;
+      text << call.Model << ": attribute '" << name << "' is " << value << ", beyond " << repaired
+           << " by rounding: taken as that.";
+      this->Result.AddNote(text.str());
+      this->Result.NumberOfNegativeValues += value < 0.0;
+    }
+    return repaired;
   }
 
   const std::string& Path;
   const std::string& Name;
+  MaterialFile& Result;
   double Scale[3];
 };
 
@@ -372,7 +406,8 @@ bool AnyModel(const FitCall& call, const std::string& start)
 FitFile::FitFile(const std::string& path, std::string_view text)
   : Path(path)
 {
-  Parser parser(path, text);
+  constexpr std::string_view mark = "\xef\xbb\xbf"; // that some editors begin UTF-8 with
+  Parser parser(path, text.substr(0, mark.size()) == mark ? text.substr(mark.size()) : text);
   std::map<std::string, int> lines;
   while (!parser.IsAtEnd())
   {
@@ -385,7 +420,7 @@ FitFile::FitFile(const std::string& path, std::string_view text)
     if (!inserted.second)
     {
       Fail(path, line,
-        "material '" + entry.Name + "' was already given in line " +
+        "material " + Quote(entry.Name) + " was already given in line " +
           std::to_string(inserted.first->second));
     }
     this->Entries.push_back(std::move(entry));
@@ -424,10 +459,10 @@ const FitFile::Entry& FitFile::Find(const std::string& name) const
   std::string some;
   for (std::size_t k = 0; k < std::min<std::size_t>(3, this->Entries.size()); ++k)
   {
-    some += (k ? ", " : "") + this->Entries[k].Name;
+    some += (k ? ", " : "") + ToPrintable(this->Entries[k].Name, LongestName);
   }
   throw FileError(this->Path + ": " + FitFormat + ": " +
-                  (name.empty() ? "choose one with #name" : "no material '" + name + "'") +
+                  (name.empty() ? "choose one with #name" : "no material " + Quote(name)) +
                   " among its " + std::to_string(this->Entries.size()) + " materials (" + some +
                   (this->Entries.size() > 3 ? ", ...)" : ")"));
 }
@@ -442,8 +477,9 @@ MaterialFile FitFile::GetMaterial(const std::string& name) const
   const bool low = AnyModel(entry.Expression, "Low");
   const double one[3] = { 1.0, 1.0, 1.0 };
 
+  MaterialFile result;
   vtkNew<vtkSumBRDF> sum;
-  Builder(this->Path, entry.Name, ngan ? NganScale : one).AddTerms(entry.Expression, sum);
+  Builder(this->Path, entry.Name, ngan ? NganScale : one, result).AddTerms(entry.Expression, sum);
   sum->SetName(entry.Name);
 
   std::string models;
@@ -457,7 +493,6 @@ MaterialFile FitFile::GetMaterial(const std::string& name) const
                          : "") +
                  ", " + GetFileTitle(this->Path));
 
-  MaterialFile result;
   if (ngan)
   {
     result.AddNote("Ngan's figures lack MERL's colour scale: albedos were multiplied by 1.00, "

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MaterialArchive.h"
 
+#include "Printable.h"
 #include "vtkAdaptiveWarpBRDF.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBasisBRDF.h"
 #include "vtkBlinnPhongBRDF.h"
+#include "vtkCallbackCommand.h"
 #include "vtkDistributionBRDF.h"
 #include "vtkLambertBRDF.h"
 #include "vtkNew.h"
@@ -29,6 +31,30 @@ std::string ToText(double value)
   text << value;
   return text.str();
 }
+
+// Keeps a material from complaining on its own: a Loader says what is wrong.
+class Silence
+{
+public:
+  explicit Silence(vtkObject* object)
+    : Object(object)
+  {
+    this->Tags[0] = object->AddObserver(vtkCommand::ErrorEvent, this->Command);
+    this->Tags[1] = object->AddObserver(vtkCommand::WarningEvent, this->Command);
+  }
+  ~Silence()
+  {
+    this->Object->RemoveObserver(this->Tags[0]);
+    this->Object->RemoveObserver(this->Tags[1]);
+  }
+  Silence(const Silence&) = delete;
+  void operator=(const Silence&) = delete;
+
+private:
+  vtkNew<vtkCallbackCommand> Command; // does nothing
+  vtkObject* Object;
+  unsigned long Tags[2];
+};
 
 /**
  * One description per representation serves both ways: Exchange functions below name each member
@@ -109,16 +135,23 @@ public:
   {
     const double value = this->GetNumbers(name, 1)[0];
     set(value);
-    if (static_cast<double>(get()) != value) // it was clamped
+    if (static_cast<double>(get()) != value) // it was clamped or refused
     {
       this->Fail("number '" + name + "' is out of range: " + ToText(value));
     }
   }
 
   template <typename Get, typename Set>
-  void Color(const std::string& name, Get, Set set)
+  void Color(const std::string& name, Get get, Set set)
   {
-    set(this->GetNumbers(name, 3).data());
+    const std::vector<double>& value = this->GetNumbers(name, 3);
+    set(value.data());
+    double taken[3];
+    get(taken);
+    if (!std::equal(taken, taken + 3, value.begin()))
+    {
+      this->Fail("number '" + name + "' is out of range");
+    }
   }
 
   template <typename Get, typename Set>
@@ -397,6 +430,7 @@ vtkSmartPointer<vtkBRDF> LoadAs(const char* representation, MaterialArchive& arc
     return nullptr;
   }
   auto material = vtkSmartPointer<Material>::New();
+  const Silence silence(material);
   Loader loader(archive);
   Exchange(loader, material.Get());
   return material;
@@ -469,10 +503,11 @@ vtkSmartPointer<vtkBRDF> Load(MaterialArchive& archive, int depth)
            !(material = LoadAs<vtkBasisBRDF>("Basis", archive)) &&
            !(material = LoadAs<vtkAdaptiveWarpBRDF>("AdaptiveWarp", archive)))
   {
-    throw std::runtime_error("unknown representation '" + archive.Representation + "'");
+    throw std::runtime_error("unknown representation " + Quote(archive.Representation));
   }
   material->SetName(archive.Name);
   material->SetSource(archive.Source);
+  const Silence silence(material);
   Loader(archive).Number("resamplingTolerance", NUMBER(ResamplingTolerance));
   return material;
 }

@@ -8,6 +8,7 @@
 #ifndef MaterialFile_h
 #define MaterialFile_h
 
+#include "Printable.h"
 #include "vtkBRDF.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
@@ -25,7 +26,18 @@ struct MaterialFile
   vtkIdType NumberOfNegativeValues = 0;
   vtkIdType NumberOfInvalidValues = 0; // NaN or infinite
 
-  void AddNote(const std::string& note) { this->Notes += (this->Notes.empty() ? "" : "\n") + note; }
+  /// A line, which may quote the file; what a file has to say ends somewhere.
+  void AddNote(const std::string& note)
+  {
+    if (this->Notes.size() < MostNotes)
+    {
+      this->Notes += (this->Notes.empty() ? "" : "\n") + ToPrintable(note, LongestNote);
+    }
+  }
+
+private:
+  static constexpr std::size_t LongestNote = 1000;
+  static constexpr std::size_t MostNotes = 20000;
 };
 } // namespace measuredbrdf
 

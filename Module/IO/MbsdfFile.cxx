@@ -37,7 +37,8 @@ std::string_view ReadLine(ByteReader& reader)
     reader.Fail("header line", "no end of line, and no MBSDF_DATA before the file's end");
   }
   reader.Take(length + 1, "header line");
-  return rest.substr(0, length);
+  // Lines may end as DOS has them.
+  return rest.substr(0, length > 0 && rest[length - 1] == '\r' ? length - 1 : length);
 }
 
 //------------------------------------------------------------------------------
@@ -76,7 +77,7 @@ Block ReadBlock(ByteReader& reader, const std::string& name)
 MaterialFile ReadMbsdf(const FileBytes& file)
 {
   ByteReader reader(file, MbsdfFormat);
-  if (std::string_view(reader.Take(Magic.size(), "magic"), Magic.size()) != Magic)
+  if (ReadLine(reader) != Magic)
   {
     reader.Fail("magic", "expected the line 'NVIDIA ARC MBSDF V1'");
   }
@@ -93,6 +94,10 @@ MaterialFile ReadMbsdf(const FileBytes& file)
     {
       reader.Fail("MBSDF_DATA_TRANSMISSION", "the file holds transmission only, no reflection");
     }
+    if (line.empty())
+    {
+      continue;
+    }
     if (line.find('=') == std::string_view::npos)
     {
       reader.Fail("header line", "expected key=\"value\" or MBSDF_DATA_REFLECTION=");
@@ -101,19 +106,25 @@ MaterialFile ReadMbsdf(const FileBytes& file)
   }
   const Block block = ReadBlock(reader, "reflection");
 
-  if (reader.GetRemaining() > 0)
+  if (!reader.IsPadding())
   {
     if (ReadLine(reader) != "MBSDF_DATA_TRANSMISSION=")
     {
       reader.Fail("end", "expected the file's end or MBSDF_DATA_TRANSMISSION=");
     }
     ReadBlock(reader, "transmission");
-    if (reader.GetRemaining() > 0)
+    if (!reader.IsPadding())
     {
       reader.Fail(
         "end", std::to_string(reader.GetRemaining()) + " bytes follow the transmission values");
     }
     result.AddNote("The file's transmission is left out.");
+  }
+
+  if (reader.GetRemaining() > 0)
+  {
+    result.AddNote(
+      std::to_string(reader.GetRemaining()) + " bytes of padding behind the values were left out.");
   }
 
   const std::size_t cells = block.Values / block.Channels;

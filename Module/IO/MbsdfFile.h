@@ -14,7 +14,7 @@
 namespace measuredbrdf
 {
 constexpr const char* MbsdfFormat = "NVIDIA MBSDF";
-constexpr const char MbsdfMagic[] = "NVIDIA ARC MBSDF V1\n";
+constexpr const char MbsdfMagic[] = "NVIDIA ARC MBSDF V1"; // a line
 
 MaterialFile ReadMbsdf(const FileBytes& file);
 } // namespace measuredbrdf

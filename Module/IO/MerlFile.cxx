@@ -20,6 +20,9 @@ constexpr int MaximumSize = 2048; // vtkTabulatedBRDF's
 // The database's BRDFRead.cpp: RED_SCALE, GREEN_SCALE, BLUE_SCALE.
 constexpr std::array<double, 3> Scale = { 1.0 / 1500.0, 1.15 / 1500.0, 1.66 / 1500.0 };
 
+// What rounding leaves of a stored 0. Cells that were not measured hold -1 or less.
+constexpr double Noise = 1e-6;
+
 // Order in the file; vtkTabulatedBRDF counts them from the fastest.
 constexpr std::array<const char*, 3> SizeNames = { "n_theta_h", "n_theta_d", "n_phi_d" };
 }
@@ -59,19 +62,26 @@ MaterialFile ReadMerl(const FileBytes& file)
   }
   const std::size_t cells = std::size_t(sizes[0]) * sizes[1] * sizes[2];
   const std::uint64_t needed = std::uint64_t(cells) * 3 * sizeof(double);
-  if (reader.GetRemaining() != needed)
+  ByteReader rest = reader;
+  if (reader.GetRemaining() > needed)
+  {
+    rest.Take(needed, "values");
+  }
+  if (reader.GetRemaining() < needed || (reader.GetRemaining() > needed && !rest.IsPadding()))
   {
     reader.Fail("values", std::to_string(sizes[0]) + " x " + std::to_string(sizes[1]) + " x " +
                             std::to_string(sizes[2]) + " RGB values need " +
                             std::to_string(needed) + " bytes, found " +
                             std::to_string(reader.GetRemaining()));
   }
+  const std::uint64_t padding = reader.GetRemaining() - needed;
   const char* bytes = reader.Take(needed, "values");
 
   MaterialFile result;
   std::vector<float> rgb(cells * 3);
   const float nan = std::numeric_limits<float>::quiet_NaN();
   vtkIdType invalidCells = 0;
+  vtkIdType rounded = 0;
   for (std::size_t cell = 0; cell < cells; ++cell)
   {
     bool valid = true;
@@ -82,10 +92,12 @@ MaterialFile ReadMerl(const FileBytes& file)
       const float value = static_cast<float>(stored * Scale[channel]);
       const bool finite = std::isfinite(value);
       const bool negative = stored < 0.0;
+      const bool noise = negative && stored >= -Noise;
       result.NumberOfInvalidValues += !finite;
       result.NumberOfNegativeValues += negative && finite;
-      valid = valid && finite && !negative;
-      rgb[3 * cell + channel] = value;
+      rounded += noise;
+      valid = valid && finite && (!negative || noise);
+      rgb[3 * cell + channel] = noise ? 0.0f : value;
     }
     if (!valid)
     {
@@ -104,6 +116,14 @@ MaterialFile ReadMerl(const FileBytes& file)
   table->SetName(GetFileStem(file.GetPath()));
   table->SetSource("MERL binary file " + GetFileTitle(file.GetPath()));
   result.AddNote("R, G, B were multiplied by 1/1500, 1.15/1500, 1.66/1500, the format's scale.");
+  if (rounded > 0)
+  {
+    result.AddNote(std::to_string(rounded) + " values are negative by rounding: taken as 0.");
+  }
+  if (padding > 0)
+  {
+    result.AddNote(std::to_string(padding) + " bytes of padding behind the values were left out.");
+  }
   if (invalidCells > 0)
   {
     result.AddNote(

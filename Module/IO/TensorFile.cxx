@@ -3,13 +3,16 @@
 #include "TensorFile.h"
 
 #include "FileBytes.h"
+#include "RoundingNoise.h"
 #include "vtkAdaptiveWarpBRDF.h"
 #include "vtkNew.h"
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <limits>
 #include <map>
+#include <sstream>
 #include <vector>
 
 namespace measuredbrdf
@@ -19,7 +22,9 @@ namespace
 enum DataType : int
 {
   UInt8 = 1,
-  Float32 = 10
+  Int8 = 2,
+  Float32 = 10,
+  Float64 = 11
 };
 // u8, i8, u16, i16, u32, i32, u64, i64, f16, f32, f64; 0 is no type.
 constexpr std::array<std::uint64_t, 12> TypeSizes = { 0, 1, 1, 2, 2, 4, 4, 8, 8, 2, 4, 8 };
@@ -35,7 +40,7 @@ struct Field
 };
 using Fields = std::map<std::string, Field>;
 
-std::string Quote(const std::string& name) { return "field '" + name + "'"; }
+std::string ToField(const std::string& name) { return "field " + Quote(name); }
 
 //------------------------------------------------------------------------------
 Fields ReadFields(ByteReader& reader)
@@ -60,37 +65,37 @@ Fields ReadFields(ByteReader& reader)
     const std::string number = "field " + std::to_string(k + 1) + " of " + std::to_string(count);
     const auto length = reader.Read<std::uint16_t>(number + " (length of its name)");
     const std::string name(reader.Take(length, number + " (name)"), length);
-    const auto rank = reader.Read<std::uint16_t>(Quote(name) + " (number of dimensions)");
+    const auto rank = reader.Read<std::uint16_t>(ToField(name) + " (number of dimensions)");
     if (rank > MaximumRank)
     {
-      reader.Fail(Quote(name) + " (number of dimensions)",
+      reader.Fail(ToField(name) + " (number of dimensions)",
         "found " + std::to_string(rank) + ", expected at most " + std::to_string(MaximumRank));
     }
     Field field;
-    field.Type = reader.Read<std::uint8_t>(Quote(name) + " (type)");
+    field.Type = reader.Read<std::uint8_t>(ToField(name) + " (type)");
     if (field.Type < 1 || field.Type >= static_cast<int>(TypeSizes.size()))
     {
       reader.Fail(
-        Quote(name) + " (type)", "found " + std::to_string(field.Type) + ", expected 1 to 11");
+        ToField(name) + " (type)", "found " + std::to_string(field.Type) + ", expected 1 to 11");
     }
-    field.Offset = reader.Read<std::uint64_t>(Quote(name) + " (offset)");
+    field.Offset = reader.Read<std::uint64_t>(ToField(name) + " (offset)");
     field.Bytes = TypeSizes[field.Type];
     for (int axis = 0; axis < rank; ++axis)
     {
-      const auto size = reader.Read<std::uint64_t>(Quote(name) + " (shape)");
+      const auto size = reader.Read<std::uint64_t>(ToField(name) + " (shape)");
       if (size != 0 && field.Bytes > std::numeric_limits<std::uint64_t>::max() / size)
       {
-        reader.Fail(Quote(name) + " (shape)", "the product of its sizes overflows (axis " +
-                                                std::to_string(axis) + " is " +
-                                                std::to_string(size) + ")");
+        reader.Fail(ToField(name) + " (shape)", "the product of its sizes overflows (axis " +
+                                                  std::to_string(axis) + " is " +
+                                                  std::to_string(size) + ")");
       }
       field.Bytes *= size;
       field.Shape.push_back(size);
     }
-    field.Data = reader.At(field.Offset, field.Bytes, Quote(name) + " (data)");
+    field.Data = reader.At(field.Offset, field.Bytes, ToField(name) + " (data)");
     if (!fields.emplace(name, std::move(field)).second)
     {
-      reader.Fail(Quote(name), "appears twice");
+      reader.Fail(ToField(name), "appears twice");
     }
   }
   return fields;
@@ -103,18 +108,18 @@ vtkAdaptiveWarpBRDF::Table GetTable(
   const auto found = fields.find(name);
   if (found == fields.end())
   {
-    reader.Fail(Quote(name), "is missing");
+    reader.Fail(ToField(name), "is missing");
   }
   const Field& field = found->second;
-  if (field.Type != Float32)
+  if (field.Type != Float32 && field.Type != Float64)
   {
-    reader.Fail(Quote(name),
+    reader.Fail(ToField(name),
       "found type " + std::to_string(field.Type) + ", expected 10 (32-bit floating point)");
   }
   if (field.Shape.size() != rank)
   {
-    reader.Fail(Quote(name), "found " + std::to_string(field.Shape.size()) +
-                               " dimensions, expected " + std::to_string(rank));
+    reader.Fail(ToField(name), "found " + std::to_string(field.Shape.size()) +
+                                 " dimensions, expected " + std::to_string(rank));
   }
   vtkAdaptiveWarpBRDF::Table table;
   for (const std::uint64_t size : field.Shape)
@@ -122,13 +127,47 @@ vtkAdaptiveWarpBRDF::Table GetTable(
     // Only a shape with a zero in it could hold a size that the file's length does not bound.
     if (size < 1 || size > static_cast<std::uint64_t>(std::numeric_limits<int>::max()))
     {
-      reader.Fail(Quote(name), "found size " + std::to_string(size) + ", expected at least 1");
+      reader.Fail(ToField(name), "found size " + std::to_string(size) + ", expected at least 1");
     }
     table.Shape.push_back(static_cast<int>(size));
+  }
+  if (field.Type == Float64)
+  {
+    std::vector<double> values(field.Bytes / sizeof(double));
+    ByteReader::Copy(values.data(), field.Data, values.size());
+    table.Values.assign(values.begin(), values.end());
+    return table;
   }
   table.Values.resize(field.Bytes / sizeof(float));
   ByteReader::Copy(table.Values.data(), field.Data, table.Values.size());
   return table;
+}
+
+//------------------------------------------------------------------------------
+// vtkAdaptiveWarpBRDF takes what rounding explains; the reader counts and reports it.
+void CountNoise(const std::vector<float>& values, const std::string& name, MaterialFile& result)
+{
+  const float floor = GetNoiseFloor(values);
+  const auto isNoise = [floor](float value) { return value < 0.0f && value >= floor; };
+  const auto count = std::count_if(values.begin(), values.end(), isNoise);
+  if (count > 0)
+  {
+    std::ostringstream note;
+    note << count << " of " << values.size() << " values of " << name
+         << " are negative by rounding (the least "
+         << *std::min_element(values.begin(), values.end()) << ", the largest value "
+         << *std::max_element(values.begin(), values.end()) << "): taken as 0.";
+    result.AddNote(note.str());
+    result.NumberOfNegativeValues += count;
+  }
+}
+
+void CheckAngles(const std::vector<float>& angles, const std::string& name, MaterialFile& result)
+{
+  if (std::adjacent_find(angles.begin(), angles.end(), std::greater_equal<float>()) != angles.end())
+  {
+    result.AddNote("Angles of " + name + " were rounded onto each other: set apart.");
+  }
 }
 }
 
@@ -149,7 +188,7 @@ MaterialFile ReadTensor(const FileBytes& file)
     total += field.second.Bytes; // each at most the file's size, at most 2^32 of them
     if (total > file.GetSize())
     {
-      reader.Fail(Quote(field.first), "the fields' data overlap");
+      reader.Fail(ToField(field.first), "the fields' data overlap");
     }
   }
 
@@ -166,16 +205,39 @@ MaterialFile ReadTensor(const FileBytes& file)
   if (jacobian != fields.end())
   {
     const Field& field = jacobian->second;
-    if (field.Type != UInt8 || field.Bytes != 1 || (*field.Data != 0 && *field.Data != 1))
+    if ((field.Type != UInt8 && field.Type != Int8) || field.Bytes != 1 ||
+        (*field.Data != 0 && *field.Data != 1))
     {
-      reader.FailAt(field.Offset, Quote("jacobian"), "expected one byte of value 0 or 1");
+      reader.FailAt(field.Offset, ToField("jacobian"), "expected one byte of value 0 or 1");
     }
     tables.Jacobian = *field.Data == 1;
   }
 
   MaterialFile result;
-  result.NumberOfNegativeValues = std::count_if(
-    tables.Rgb.Values.begin(), tables.Rgb.Values.end(), [](float value) { return value < 0.0f; });
+  for (const auto& [name, field] : fields)
+  {
+    if (field.Type == Float64 && name != "wavelengths")
+    {
+      result.AddNote(ToField(name) + " holds 64-bit values: rounded to 32 bits.");
+    }
+  }
+  CheckAngles(tables.ThetaI, "theta_i", result);
+  CheckAngles(tables.PhiI, "phi_i", result);
+  CountNoise(tables.Vndf.Values, "vndf", result);
+  CountNoise(tables.Luminance.Values, "luminance", result);
+  const auto isNegative = [](float value) { return value < 0.0f; };
+  const auto dark = std::count_if(tables.Ndf.Values.begin(), tables.Ndf.Values.end(), isNegative) +
+                    std::count_if(tables.Sigma.Values.begin(), tables.Sigma.Values.end(),
+                      [](float value) { return value <= 0.0f; });
+  if (dark > 0)
+  {
+    result.AddNote(std::to_string(dark) +
+                   " values of ndf are negative or of sigma not positive: the material is black "
+                   "there.");
+  }
+  const auto negative =
+    std::count_if(tables.Rgb.Values.begin(), tables.Rgb.Values.end(), isNegative);
+  result.NumberOfNegativeValues += negative;
   const std::size_t values = tables.Rgb.Values.size();
 
   vtkNew<vtkAdaptiveWarpBRDF> material;
@@ -189,7 +251,7 @@ MaterialFile ReadTensor(const FileBytes& file)
     {
       reader.Fail("tables", problem);
     }
-    reader.FailAt(field->second.Offset, Quote(field->first), problem.substr(colon + 2));
+    reader.FailAt(field->second.Offset, ToField(field->first), problem.substr(colon + 2));
   }
 
   std::string description;
@@ -197,6 +259,8 @@ MaterialFile ReadTensor(const FileBytes& file)
   if (text != fields.end() && text->second.Type == UInt8)
   {
     description.assign(text->second.Data, text->second.Bytes);
+    // Arrays of characters are often padded.
+    description.erase(description.find_last_not_of(std::string(" \t\r\n\0", 5)) + 1);
   }
   material->SetName(GetFileStem(file.GetPath()));
   material->SetSource((description.empty() ? "" : description + "; ") +
@@ -204,10 +268,10 @@ MaterialFile ReadTensor(const FileBytes& file)
                       GetFileTitle(file.GetPath()));
   result.AddNote(
     "The file holds f cos(theta_o); evaluation divides by that cosine. Not reciprocal.");
-  if (result.NumberOfNegativeValues > 0)
+  if (negative > 0)
   {
     result.AddNote(
-      std::to_string(result.NumberOfNegativeValues) + " of " + std::to_string(values) +
+      std::to_string(negative) + " of " + std::to_string(values) +
       " stored colour values are negative (outside sRGB): clamped at 0 after interpolation.");
   }
   result.BRDF = material;

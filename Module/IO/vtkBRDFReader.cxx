@@ -88,7 +88,12 @@ const char* GetFormat(const FileBytes& file)
     return MerlFormat;
   }
   std::string found;
-  if (file.GetSize() >= 12)
+  const std::string_view start = file.GetView().substr(0, 2);
+  if (start == "\xff\xfe" || start == "\xfe\xff")
+  {
+    found = "; it may be text in UTF-16: save it as UTF-8";
+  }
+  else if (file.GetSize() >= 12)
   {
     std::array<std::int32_t, 3> sizes;
     ByteReader::Copy(sizes.data(), file.GetData(), sizes.size());
@@ -125,8 +130,8 @@ bool vtkBRDFReader::Read()
     this->FormatName = format;
     if (format != FitFormat && !path.Material.empty())
     {
-      throw FileError(
-        path.File + ": " + format + ": holds one material, '#" + path.Material + "' names none");
+      throw FileError(path.File + ": " + format + ": holds one material, " +
+                      Quote("#" + path.Material) + " names none");
     }
     MaterialFile result;
     if (format == TensorFormat)
@@ -162,10 +167,16 @@ bool vtkBRDFReader::Read()
   }
   catch (const std::exception& e) // out of memory, say
   {
-    this->ErrorMessage = this->FileName + ": " + e.what();
+    this->ErrorMessage = ToPrintable(this->FileName + ": " + e.what());
   }
   vtkErrorMacro(<< this->ErrorMessage);
   return false;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkBRDFReader::GetPrintable(const std::string& text)
+{
+  return ToPrintable(text, std::string::npos, true);
 }
 
 //------------------------------------------------------------------------------
@@ -191,7 +202,7 @@ std::vector<std::string> vtkBRDFReader::GetMaterialNames()
 void vtkBRDFReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "FileName: " << this->FileName << "\n";
+  os << indent << "FileName: " << ToPrintable(this->FileName) << "\n";
   os << indent << "ErrorMessage: " << this->ErrorMessage << "\n";
   os << indent << "FormatName: " << this->FormatName << "\n";
   os << indent << "Notes: " << this->Notes << "\n";

@@ -59,8 +59,9 @@ public:
   ///@{
   /**
    * About the last Read: empty error message = it worked; the format's name ("MERL binary", "RGL
-   * tensor file", ...); notes for people (what was converted, scaled, clamped); counts of channel
-   * values.
+   * tensor file", ...); notes for people (what was converted, scaled, clamped, repaired); counts of
+   * channel values (of RGL files also of densities: what rounding made negative). Message and notes
+   * are fit for a terminal whatever the file holds (GetPrintable).
    */
   vtkGetMacro(ErrorMessage, std::string);
   vtkGetMacro(FormatName, std::string);
@@ -68,6 +69,12 @@ public:
   vtkGetMacro(NumberOfNegativeValues, vtkIdType);
   vtkGetMacro(NumberOfInvalidValues, vtkIdType);
   ///@}
+
+  /**
+   * The text as a terminal may show it: control characters and bytes that are no UTF-8 as \xNN,
+   * line ends and tabs as they are. Names and sources of materials are kept as the file has them.
+   */
+  static std::string GetPrintable(const std::string& text);
 
   /**
    * Names of the materials in a text of published fits (the file FileName without `#name`); empty

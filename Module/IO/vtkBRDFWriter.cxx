@@ -50,7 +50,7 @@ bool vtkBRDFWriter::Write()
     else
     {
       throw FileError(
-        this->FileName + ": found extension '" + extension + "', expected .binary or .exr");
+        this->FileName + ": found extension " + Quote(extension) + ", expected .binary or .exr");
     }
     return true;
   }
@@ -60,7 +60,7 @@ bool vtkBRDFWriter::Write()
   }
   catch (const std::exception& e) // out of memory, say
   {
-    this->ErrorMessage = this->FileName + ": " + e.what();
+    this->ErrorMessage = ToPrintable(this->FileName + ": " + e.what());
   }
   vtkErrorMacro(<< this->ErrorMessage);
   return false;
@@ -70,7 +70,7 @@ bool vtkBRDFWriter::Write()
 void vtkBRDFWriter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "FileName: " << this->FileName << "\n";
+  os << indent << "FileName: " << measuredbrdf::ToPrintable(this->FileName) << "\n";
   os << indent << "HalfFloats: " << (this->HalfFloats ? "On" : "Off") << "\n";
   os << indent << "ErrorMessage: " << this->ErrorMessage << "\n";
   os << indent << "BRDF: " << this->BRDF.Get() << "\n";

@@ -42,7 +42,8 @@ public:
   ///@}
 
   /**
-   * A new BRDF the caller owns, or null where there is no such name.
+   * A new BRDF the caller owns, or null, with an error message that gives the nearest names, where
+   * there is none of that name.
    */
   VTK_NEWINSTANCE static vtkBRDF* NewBRDF(const std::string& name);
 

@@ -5,6 +5,7 @@
 #include "ExrHeader.h"
 #include "FileBytes.h"
 #include "SRGB.h"
+#include "Setters.h"
 #include "vtkCallbackCommand.h"
 #include "vtkEnvironmentProjection.h"
 #include "vtkNew.h"
@@ -35,6 +36,15 @@ constexpr std::uint64_t BlockTexels = std::uint64_t(1) << 20;
 std::uint64_t GetMaximumTexelsPerByte(const std::string& format)
 {
   return format == "pnm" ? 8 : format == "hdr" ? 16 : 1032;
+}
+
+//------------------------------------------------------------------------------
+// OpenImageIO reports errors by the line.
+std::string ToLine(std::string text)
+{
+  text.erase(text.find_last_not_of("\r\n ") + 1);
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
 }
 
 //------------------------------------------------------------------------------
@@ -146,7 +156,7 @@ std::vector<float> ReadPixels(
                 OIIO::TypeDesc::FLOAT, block, texel, row * sizeof(float));
     if (!read)
     {
-      const std::string reason = input.geterror();
+      const std::string reason = ToLine(input.geterror());
       throw FileError(
         path + ": image pixels: " +
         (reason.empty() ? "rows " + std::to_string(y) + " to " + std::to_string(end - 1) +
@@ -167,7 +177,7 @@ Image ReadImage(const std::string& path)
   auto input = OIIO::ImageInput::open(path, &config);
   if (!input)
   {
-    throw FileError(path + ": image header: " + OIIO::geterror());
+    throw FileError(path + ": image header: " + ToLine(OIIO::geterror()));
   }
   const OIIO::ImageSpec spec = input->spec(); // sub-image 0
   CheckSize(path, spec, input->format_name(), fileSize);
@@ -352,12 +362,6 @@ bool vtkEnvironmentReader::Read()
   this->Notes.clear();
   try
   {
-    if (this->Projection < AUTOMATIC ||
-        this->Projection >= vtkEnvironmentProjection::NUMBER_OF_PROJECTIONS)
-    {
-      throw FileError(this->FileName + ": projection: found " + std::to_string(this->Projection) +
-                      ", expected one of vtkEnvironmentProjection's or AUTOMATIC");
-    }
     Image image;
     const auto environment = vtkSmartPointer<vtkEnvironment>::New();
     if (this->FileName.find("%s") != std::string::npos)
@@ -391,17 +395,21 @@ bool vtkEnvironmentReader::Read()
   }
   catch (const std::exception& e) // out of memory, say
   {
-    this->ErrorMessage = this->FileName + ": " + e.what();
+    this->ErrorMessage = measuredbrdf::ToPrintable(this->FileName + ": " + e.what());
   }
   vtkErrorMacro(<< this->ErrorMessage);
   return false;
 }
 
 //------------------------------------------------------------------------------
+measuredbrdfSetInRangeMacro(vtkEnvironmentReader, Projection, int, AUTOMATIC,
+  vtkEnvironmentProjection::NUMBER_OF_PROJECTIONS - 1);
+
+//------------------------------------------------------------------------------
 void vtkEnvironmentReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "FileName: " << this->FileName << "\n";
+  os << indent << "FileName: " << measuredbrdf::ToPrintable(this->FileName) << "\n";
   os << indent << "Projection: " << this->Projection << "\n";
   os << indent << "ErrorMessage: " << this->ErrorMessage << "\n";
   os << indent << "Notes: " << this->Notes << "\n";

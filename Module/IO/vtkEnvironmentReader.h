@@ -51,7 +51,7 @@ public:
    * side, and everything else for lat-long: of square images, which may be angular maps or mirror
    * balls, a note says so. Not asked for six files. Read refuses images that don't fit.
    */
-  vtkSetMacro(Projection, int);
+  virtual void SetProjection(int projection);
   vtkGetMacro(Projection, int);
   ///@}
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkEnvironment.h"
 
+#include "Printable.h"
 #include "SRGB.h"
 
 #include "HalfVector.h" // for Pi
@@ -326,7 +327,7 @@ vtkEnvironment* vtkEnvironment::NewSnapshot()
 void vtkEnvironment::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Name: " << this->Name << "\n";
+  os << indent << "Name: " << measuredbrdf::ToPrintable(this->Name) << "\n";
   os << indent << "Width: " << this->Width << "\n";
   os << indent << "Height: " << this->Height << "\n";
   os << indent << "NumberOfNegativeValues: " << this->NumberOfNegativeValues << "\n";

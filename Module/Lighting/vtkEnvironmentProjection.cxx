@@ -4,6 +4,7 @@
 
 #include "ConservativeRemap.h"
 #include "ProjectionMaps.h"
+#include "Setters.h"
 
 #include "vtkCommand.h"
 #include "vtkEnvironment.h"
@@ -24,6 +25,7 @@ vtkStandardNewMacro(vtkEnvironmentProjection);
 namespace
 {
 constexpr std::int64_t MaximumTexels = std::int64_t(1) << 28;
+constexpr int MaximumHeight = 11585; // with twice as many columns
 
 // About as many texels between two looks at the abort flag.
 constexpr int BatchTexels = 1 << 16;
@@ -62,19 +64,8 @@ glm::dvec2 DrawIn(const glm::dvec2& uv, int size)
 }
 
 //------------------------------------------------------------------------------
-void vtkEnvironmentProjection::SetProjection(int projection)
-{
-  if (!IsProjection(projection))
-  {
-    vtkErrorMacro("SetProjection: there is no projection " << projection << ".");
-    return;
-  }
-  if (this->Projection != projection)
-  {
-    this->Projection = projection;
-    this->Modified();
-  }
-}
+measuredbrdfSetInRangeMacro(
+  vtkEnvironmentProjection, Projection, int, LAT_LONG, NUMBER_OF_PROJECTIONS - 1);
 
 //------------------------------------------------------------------------------
 std::string vtkEnvironmentProjection::GetProjectionName(int projection)
@@ -189,12 +180,6 @@ bool vtkEnvironmentProjection::Convert(
   {
     vtkErrorMacro("Convert: " << rgb.size() << " values are not RGB for " << width << " x "
                               << height << " texels, at most " << MaximumTexels << ".");
-    return false;
-  }
-  if (this->Height < 0 || 2 * std::int64_t(this->Height) * this->Height > MaximumTexels)
-  {
-    vtkErrorMacro("Convert: " << this->Height << " rows are negative or give more than "
-                              << MaximumTexels << " texels.");
     return false;
   }
   this->Repair(this->Projection, width, height, rgb);
@@ -347,6 +332,9 @@ bool vtkEnvironmentProjection::Resample(int sourceProjection, int sourceWidth, i
   }
   return true;
 }
+
+//------------------------------------------------------------------------------
+measuredbrdfSetInRangeMacro(vtkEnvironmentProjection, Height, int, 0, MaximumHeight);
 
 //------------------------------------------------------------------------------
 void vtkEnvironmentProjection::PrintSelf(ostream& os, vtkIndent indent)

@@ -83,7 +83,7 @@ public:
    * give its texels the mean solid angle of the probe's. Lat-long probes are then taken as they
    * are.
    */
-  vtkSetMacro(Height, int);
+  virtual void SetHeight(int height);
   vtkGetMacro(Height, int);
   ///@}
 

@@ -3,6 +3,7 @@
 #include "vtkVarianceLightSetGenerator.h"
 
 #include "LightTree.h"
+#include "Setters.h"
 #include "vtkCommand.h"
 #include "vtkEnvironment.h"
 #include "vtkLightSet.h"
@@ -132,6 +133,10 @@ int vtkVarianceLightSetGenerator::GetNumberOfLightsForVariance(
   }
   return 0;
 }
+
+//------------------------------------------------------------------------------
+measuredbrdfSetInRangeMacro(vtkVarianceLightSetGenerator, Method, int, GREEDY, MINIMUM_VARIANCE);
+measuredbrdfSetClampedMacro(vtkVarianceLightSetGenerator, TreeSize, int, 1, MaximumNumberOfLights);
 
 //------------------------------------------------------------------------------
 void vtkVarianceLightSetGenerator::PrintSelf(ostream& os, vtkIndent indent)

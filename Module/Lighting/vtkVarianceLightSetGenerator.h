@@ -50,7 +50,7 @@ public:
   /**
    * How cells are split; default greedy.
    */
-  vtkSetClampMacro(Method, int, GREEDY, MINIMUM_VARIANCE);
+  virtual void SetMethod(int method);
   vtkGetMacro(Method, int);
   void SetMethodToGreedy() { this->SetMethod(GREEDY); }
   void SetMethodToMinimumVariance() { this->SetMethod(MINIMUM_VARIANCE); }
@@ -73,7 +73,7 @@ public:
    * For how many lights the tree is made at first; it grows when more are asked for. Default 1024,
    * in [1, MaximumNumberOfLights].
    */
-  vtkSetClampMacro(TreeSize, int, 1, MaximumNumberOfLights);
+  virtual void SetTreeSize(int treeSize);
   vtkGetMacro(TreeSize, int);
   ///@}
 

@@ -3,7 +3,10 @@
 #include "vtkAdaptiveWarpBRDF.h"
 
 #include "BilinearWarp.h"
+#include "ContentHash.h"
 #include "HalfVector.h"
+#include "Printable.h"
+#include "RoundingNoise.h"
 #include "vtkBRDFGPUForm.h"
 #include "vtkBRDFResampler.h"
 #include "vtkNew.h"
@@ -68,13 +71,19 @@ double GetJacobian(double unitTheta, const glm::dvec3& h, const glm::dvec3& inci
   return std::max(2.0 * Pi * Pi * unitTheta * sine, 1e-6) * 4.0 * glm::dot(incident, h);
 }
 
-std::string CheckAxis(const char* name, const std::vector<float>& axis)
+constexpr float AngleNoise = 1e-5f;
+
+// Repairs angles that were rounded onto or below the one before.
+std::string CheckAxis(const char* name, std::vector<float>& axis)
 {
-  bool ascending = !axis.empty();
-  for (std::size_t k = 0; k < axis.size(); ++k)
+  bool ascending = !axis.empty() && std::isfinite(axis.front());
+  const float first = axis.empty() ? 0.0f : axis.front();
+  for (std::size_t k = 1; ascending && k < axis.size(); ++k)
   {
-    ascending = ascending && std::isfinite(axis[k]) && (k == 0 || axis[k] > axis[k - 1]);
+    ascending = std::isfinite(axis[k]) && axis[k] >= axis[k - 1] - AngleNoise;
+    axis[k] = std::max(axis[k], std::nextafter(axis[k - 1], HUGE_VALF));
   }
+  ascending = ascending && (axis.size() == 1 || axis.back() - first > 0.5f * AngleNoise);
   return ascending ? "" : std::string(name) + ": expected ascending finite angles";
 }
 
@@ -106,12 +115,12 @@ std::string CheckTable(
   return "";
 }
 
-std::string CheckDensity(const char* name, const vtkAdaptiveWarpBRDF::Table& table)
+std::string CheckDensity(const char* name, vtkAdaptiveWarpBRDF::Table& table)
 {
   const int height = table.Shape[table.Shape.size() - 2];
   const int width = table.Shape[table.Shape.size() - 1];
   const std::size_t size = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  if (std::any_of(table.Values.begin(), table.Values.end(), [](float v) { return v < 0.0f; }))
+  if (!ClearNoise(table.Values))
   {
     return std::string(name) + ": a density cannot be negative";
   }
@@ -320,12 +329,12 @@ vtkBRDF* vtkAdaptiveWarpBRDF::GetRenderable()
     resampler->SetTolerance(this->ResamplingTolerance);
     if (!this->IsIsotropic())
     {
-      vtkWarningMacro(<< "'" << this->Name
-                      << "' is anisotropic; its GPU form is isotropic (the view's azimuth 0).");
+      vtkWarningMacro(<< Quote(this->Name)
+                      << " is anisotropic; its GPU form is isotropic (the view's azimuth 0).");
     }
     if (!resampler->Resample())
     {
-      vtkWarningMacro(<< "'" << this->Name << "': the GPU form keeps a resampling error of "
+      vtkWarningMacro(<< Quote(this->Name) << ": the GPU form keeps a resampling error of "
                       << resampler->GetOutput()->GetResamplingError() << ", asked for "
                       << this->ResamplingTolerance << ".");
     }
@@ -351,4 +360,20 @@ vtkBRDF* vtkAdaptiveWarpBRDF::NewCopy()
   copy->Data = this->Data;
   copy->Warp = this->Warp; // never changes once it is made
   return copy;
+}
+
+//------------------------------------------------------------------------------
+std::pair<std::type_index, std::string> vtkAdaptiveWarpBRDF::GetContent()
+{
+  measuredbrdf::ContentHash hash;
+  hash.AddValues(this->Data.ThetaI);
+  hash.AddValues(this->Data.PhiI);
+  for (const Table* table : { &this->Data.Ndf, &this->Data.Sigma, &this->Data.Vndf,
+         &this->Data.Luminance, &this->Data.Rgb })
+  {
+    hash.AddValues(table->Shape);
+    hash.AddValues(table->Values);
+  }
+  hash.AddValue(this->Data.Jacobian);
+  return { typeid(vtkAdaptiveWarpBRDF), hash.GetText() };
 }

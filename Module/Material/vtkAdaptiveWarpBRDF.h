@@ -62,7 +62,9 @@ public:
   /**
    * Take the tables. Returns an empty string, or what is wrong (shapes that do not match, axes not
    * ascending, values not finite, a warp density that is negative or sums to 0) and then leaves
-   * the material as it was.
+   * the material as it was. What rounding explains is repaired: densities that are negative by up
+   * to 1e-5 of their table's largest value become 0, angles that fall by up to 1e-5 rise by the
+   * least step.
    */
   std::string SetTables(Tables tables);
   const Tables& GetTables() const { return this->Data; }
@@ -78,6 +80,7 @@ protected:
   ~vtkAdaptiveWarpBRDF() override;
 
   vtkBRDF* NewCopy() override;
+  std::pair<std::type_index, std::string> GetContent() override;
   void EvaluateAbove(const double i[3], const double o[3], double f[3]) override;
   bool SampleAbove(const double o[3], double u1, double u2, double i[3]) override;
   double PdfAbove(const double i[3], const double o[3]) override;

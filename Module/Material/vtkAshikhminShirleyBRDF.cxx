@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAshikhminShirleyBRDF.h"
 
+#include "ContentHash.h"
 #include "HalfVector.h"
+#include "Setters.h"
 #include "vtkBRDFGPUForm.h"
 #include "vtkObjectFactory.h"
 
@@ -31,6 +33,15 @@ double DiffuseFactor(double c)
 
 constexpr double DiffuseScale = 28.0 / (23.0 * Pi);
 }
+
+//------------------------------------------------------------------------------
+measuredbrdfSetClampedMacro(vtkAshikhminShirleyBRDF, ExponentU, double, 0.0, 1e6);
+measuredbrdfSetClampedMacro(vtkAshikhminShirleyBRDF, ExponentV, double, 0.0, 1e6);
+measuredbrdfSetInRangeMacro(vtkAshikhminShirleyBRDF, FresnelModel, int, SCHLICK, DIELECTRIC);
+measuredbrdfSetClampedMacro(vtkAshikhminShirleyBRDF, IndexOfRefraction, double, 1.0, 100.0);
+measuredbrdfSetFinite3Macro(vtkAshikhminShirleyBRDF, SpecularScale);
+measuredbrdfSetFinite3Macro(vtkAshikhminShirleyBRDF, Reflectance);
+measuredbrdfSetFinite3Macro(vtkAshikhminShirleyBRDF, Diffuse);
 
 //------------------------------------------------------------------------------
 void vtkAshikhminShirleyBRDF::PrintSelf(ostream& os, vtkIndent indent)
@@ -191,4 +202,18 @@ vtkBRDF* vtkAshikhminShirleyBRDF::NewCopy()
   copy->FresnelModel = this->FresnelModel;
   copy->IndexOfRefraction = this->IndexOfRefraction;
   return copy;
+}
+
+//------------------------------------------------------------------------------
+std::pair<std::type_index, std::string> vtkAshikhminShirleyBRDF::GetContent()
+{
+  measuredbrdf::ContentHash hash;
+  hash.Add(this->SpecularScale, sizeof(this->SpecularScale));
+  hash.Add(this->Reflectance, sizeof(this->Reflectance));
+  hash.Add(this->Diffuse, sizeof(this->Diffuse));
+  hash.AddValue(this->ExponentU);
+  hash.AddValue(this->ExponentV);
+  hash.AddValue(this->FresnelModel);
+  hash.AddValue(this->IndexOfRefraction);
+  return { typeid(vtkAshikhminShirleyBRDF), hash.GetText() };
 }

@@ -36,7 +36,8 @@ public:
   /**
    * Factor on the specular part, RGB; default 1. The published fits use it, the paper has none.
    */
-  vtkSetVector3Macro(SpecularScale, double);
+  virtual void SetSpecularScale(double x, double y, double z);
+  virtual void SetSpecularScale(const double specularScale[3]);
   vtkGetVector3Macro(SpecularScale, double);
   ///@}
 
@@ -45,7 +46,8 @@ public:
    * Rs, reflectance at normal incidence, RGB in [0,1]; default 0.04. Used by Schlick's Fresnel term
    * and by the coupled diffuse part.
    */
-  vtkSetVector3Macro(Reflectance, double);
+  virtual void SetReflectance(double x, double y, double z);
+  virtual void SetReflectance(const double reflectance[3]);
   vtkGetVector3Macro(Reflectance, double);
   ///@}
 
@@ -53,7 +55,8 @@ public:
   /**
    * Rd, coupled diffuse reflectance, RGB; default 0 (no diffuse part).
    */
-  vtkSetVector3Macro(Diffuse, double);
+  virtual void SetDiffuse(double x, double y, double z);
+  virtual void SetDiffuse(const double diffuse[3]);
   vtkGetVector3Macro(Diffuse, double);
   ///@}
 
@@ -61,9 +64,9 @@ public:
   /**
    * Phong exponents along the tangent (nu) and the bitangent (nv); default 100, clamped to [0,1e6].
    */
-  vtkSetClampMacro(ExponentU, double, 0.0, 1e6);
+  virtual void SetExponentU(double exponentU);
   vtkGetMacro(ExponentU, double);
-  vtkSetClampMacro(ExponentV, double, 0.0, 1e6);
+  virtual void SetExponentV(double exponentV);
   vtkGetMacro(ExponentV, double);
   void SetExponents(double nu, double nv)
   {
@@ -76,7 +79,7 @@ public:
   /**
    * Fresnel term: Schlick (default, from Reflectance) or dielectric (from IndexOfRefraction).
    */
-  vtkSetClampMacro(FresnelModel, int, SCHLICK, DIELECTRIC);
+  virtual void SetFresnelModel(int fresnelModel);
   vtkGetMacro(FresnelModel, int);
   void SetFresnelModelToSchlick() { this->SetFresnelModel(SCHLICK); }
   void SetFresnelModelToDielectric() { this->SetFresnelModel(DIELECTRIC); }
@@ -86,7 +89,7 @@ public:
   /**
    * Relative index of refraction, for the dielectric Fresnel term; default 1.5, clamped to [1,100].
    */
-  vtkSetClampMacro(IndexOfRefraction, double, 1.0, 100.0);
+  virtual void SetIndexOfRefraction(double indexOfRefraction);
   vtkGetMacro(IndexOfRefraction, double);
   ///@}
 
@@ -99,6 +102,7 @@ protected:
   ~vtkAshikhminShirleyBRDF() override = default;
 
   vtkBRDF* NewCopy() override;
+  std::pair<std::type_index, std::string> GetContent() override;
   void EvaluateAbove(const double i[3], const double o[3], double f[3]) override;
   void EvaluateSoftAbove(const double i[3], const double o[3], double spread, double f[3]) override;
   bool SampleAbove(const double o[3], double u1, double u2, double i[3]) override;

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBRDF.h"
 
+#include "ContentHash.h"
 #include "HalfVector.h"
 #include "LocalFrame.h"
 #include "LowDiscrepancy.h"
+#include "Printable.h"
+#include "Setters.h"
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -27,11 +30,14 @@ void Clean(double f[3])
 }
 
 //------------------------------------------------------------------------------
+measuredbrdfSetClampedMacro(vtkBRDF, ResamplingTolerance, double, 1e-5, 0.5);
+
+//------------------------------------------------------------------------------
 void vtkBRDF::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Name: " << this->Name << "\n";
-  os << indent << "Source: " << this->Source << "\n";
+  os << indent << "Name: " << ToPrintable(this->Name) << "\n";
+  os << indent << "Source: " << ToPrintable(this->Source) << "\n";
   os << indent << "ResamplingTolerance: " << this->ResamplingTolerance << "\n";
 }
 
@@ -52,6 +58,24 @@ vtkBRDF* vtkBRDF::NewSnapshot()
   }
   return copy;
 }
+
+//------------------------------------------------------------------------------
+std::string vtkBRDF::GetContentKey()
+{
+  const std::pair<std::type_index, std::string> content = this->GetContent();
+  if (content.first != typeid(*this))
+  {
+    return "";
+  }
+  ContentHash hash;
+  hash.AddText(content.first.name());
+  hash.AddText(content.second);
+  hash.AddValue(this->ResamplingTolerance);
+  return hash.GetText();
+}
+
+//------------------------------------------------------------------------------
+std::pair<std::type_index, std::string> vtkBRDF::GetContent() { return { typeid(vtkBRDF), "" }; }
 
 //------------------------------------------------------------------------------
 void vtkBRDF::Evaluate(const double i[3], const double o[3], double f[3])

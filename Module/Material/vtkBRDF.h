@@ -23,7 +23,9 @@
 #include "vtkObject.h"
 #include "vtkSmartPointer.h" // for Renderable
 
-#include <string> // for Name, Source
+#include <string>    // for Name, Source
+#include <typeindex> // for GetContent
+#include <utility>   // for GetContent
 
 struct vtkBRDFGPUForm;
 
@@ -107,7 +109,7 @@ public:
    * by its texture precision; default 0.01, clamped to [1e-5, 0.5]. Only representations that have
    * to be resampled or stored in textures use it. What was reached is in the GPU form.
    */
-  vtkSetClampMacro(ResamplingTolerance, double, 1e-5, 0.5);
+  virtual void SetResamplingTolerance(double resamplingTolerance);
   vtkGetMacro(ResamplingTolerance, double);
   ///@}
 
@@ -129,6 +131,13 @@ public:
    * (NewCopy).
    */
   VTK_NEWINSTANCE vtkBRDF* NewSnapshot();
+
+  /**
+   * 32 hexadecimal digits that name what the material is, by its class, parameters and data (not
+   * Name and Source): plans kept on disk are found by them. "" where the class does not say
+   * (GetContent): plans of such materials are not kept on disk.
+   */
+  std::string GetContentKey();
 
 protected:
   vtkBRDF() = default;
@@ -157,6 +166,14 @@ protected:
    * copies. One that a superclass made, without what its subclass adds, is not taken.
    */
   virtual vtkBRDF* NewCopy() { return nullptr; }
+
+  /**
+   * The class that answers, typeid(vtkMyBRDF), and bytes that differ wherever anything differs that
+   * f, Sample, Pdf or the GPU form depend on: all parameters, and the data or a hash of 128 bits of
+   * them. What a superclass answers, without what its subclass adds, is not taken; default: the
+   * class does not say.
+   */
+  virtual std::pair<std::type_index, std::string> GetContent();
 
   std::string Name;
   std::string Source;

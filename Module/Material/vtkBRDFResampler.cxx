@@ -5,6 +5,7 @@
 #include "HalfVector.h"
 #include "LocalFrame.h"
 #include "LowDiscrepancy.h"
+#include "Setters.h"
 #include "vtkBasisBRDF.h"
 #include "vtkCommand.h"
 #include "vtkObjectFactory.h"
@@ -179,6 +180,10 @@ void Fill(vtkBRDF* input, bool reciprocal, const int dimensions[3], vtkTabulated
   output->SetCosineWeighted(!reciprocal);
 }
 }
+
+//------------------------------------------------------------------------------
+measuredbrdfSetClampedMacro(vtkBRDFResampler, Tolerance, double, 1e-6, 1.0);
+measuredbrdfSetClampedMacro(vtkBRDFResampler, MaximumNumberOfCells, vtkIdType, 64, 1 << 26);
 
 //------------------------------------------------------------------------------
 void vtkBRDFResampler::PrintSelf(ostream& os, vtkIndent indent)

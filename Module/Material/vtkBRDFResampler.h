@@ -47,7 +47,7 @@ public:
    * Relative L2 error to reach (both cosines as weights); default 0.01. Used by Resample(), not by
    * ResampleTo().
    */
-  vtkSetClampMacro(Tolerance, double, 1e-6, 1.0);
+  virtual void SetTolerance(double tolerance);
   vtkGetMacro(Tolerance, double);
   ///@}
 
@@ -55,7 +55,7 @@ public:
   /**
    * Largest volume Resample() may choose, in cells; default 2^20 (6 MB as 16-bit RGB).
    */
-  vtkSetClampMacro(MaximumNumberOfCells, vtkIdType, 64, 1 << 26);
+  virtual void SetMaximumNumberOfCells(vtkIdType maximumNumberOfCells);
   vtkGetMacro(MaximumNumberOfCells, vtkIdType);
   ///@}
 

@@ -3,9 +3,11 @@
 #include "vtkBasisBRDF.h"
 
 #include "BasisFunctions.h"
+#include "ContentHash.h"
 #include "HalfVectorSampler.h"
 #include "LocalFrame.h"
 #include "LowDiscrepancy.h"
+#include "Setters.h"
 #include "ZonePairs.h"
 #include "vtkBRDFGPUForm.h"
 #include "vtkObjectFactory.h"
@@ -126,6 +128,9 @@ vtkBasisBRDF::vtkBasisBRDF() = default;
 
 //------------------------------------------------------------------------------
 vtkBasisBRDF::~vtkBasisBRDF() = default;
+
+//------------------------------------------------------------------------------
+measuredbrdfSetClampedMacro(vtkBasisBRDF, ResamplingError, double, 0.0, 1e6);
 
 //------------------------------------------------------------------------------
 void vtkBasisBRDF::PrintSelf(ostream& os, vtkIndent indent)
@@ -636,4 +641,21 @@ vtkBRDF* vtkBasisBRDF::NewCopy()
   copy->OutgoingCosine = this->OutgoingCosine;
   copy->ResamplingError = this->ResamplingError;
   return copy;
+}
+
+//------------------------------------------------------------------------------
+std::pair<std::type_index, std::string> vtkBasisBRDF::GetContent()
+{
+  measuredbrdf::ContentHash hash;
+  hash.AddValue(this->Basis);
+  hash.AddValue(this->Order);
+  hash.Add(this->IncidentZone, sizeof(this->IncidentZone));
+  hash.Add(this->OutgoingZone, sizeof(this->OutgoingZone));
+  hash.AddValue(this->NumberOfTheta);
+  hash.AddValue(this->NumberOfPhi);
+  hash.AddValues(this->Coefficients);
+  hash.AddValue(this->IncidentCosine);
+  hash.AddValue(this->OutgoingCosine);
+  hash.AddValue(this->ResamplingError);
+  return { typeid(vtkBasisBRDF), hash.GetText() };
 }

@@ -131,7 +131,7 @@ public:
    * Relative L2 error of this representation against what it was made from; 0 (default): unknown;
    * clamped to [0, 1e6].
    */
-  vtkSetClampMacro(ResamplingError, double, 0.0, 1e6);
+  virtual void SetResamplingError(double resamplingError);
   vtkGetMacro(ResamplingError, double);
   ///@}
 
@@ -168,6 +168,7 @@ protected:
   ~vtkBasisBRDF() override;
 
   vtkBRDF* NewCopy() override;
+  std::pair<std::type_index, std::string> GetContent() override;
   void EvaluateAbove(const double i[3], const double o[3], double f[3]) override;
   bool SampleAbove(const double o[3], double u1, double u2, double i[3]) override;
   double PdfAbove(const double i[3], const double o[3]) override;

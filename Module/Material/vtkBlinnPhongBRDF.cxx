@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBlinnPhongBRDF.h"
 
+#include "ContentHash.h"
 #include "HalfVector.h"
+#include "Setters.h"
 #include "vtkBRDFGPUForm.h"
 #include "vtkObjectFactory.h"
 
@@ -13,6 +15,10 @@
 using namespace measuredbrdf;
 
 vtkStandardNewMacro(vtkBlinnPhongBRDF);
+
+//------------------------------------------------------------------------------
+measuredbrdfSetClampedMacro(vtkBlinnPhongBRDF, Exponent, double, 0.0, 1e6);
+measuredbrdfSetFinite3Macro(vtkBlinnPhongBRDF, Specular);
 
 //------------------------------------------------------------------------------
 void vtkBlinnPhongBRDF::PrintSelf(ostream& os, vtkIndent indent)
@@ -100,4 +106,13 @@ vtkBRDF* vtkBlinnPhongBRDF::NewCopy()
   std::copy_n(this->Specular, 3, copy->Specular);
   copy->Exponent = this->Exponent;
   return copy;
+}
+
+//------------------------------------------------------------------------------
+std::pair<std::type_index, std::string> vtkBlinnPhongBRDF::GetContent()
+{
+  measuredbrdf::ContentHash hash;
+  hash.Add(this->Specular, sizeof(this->Specular));
+  hash.AddValue(this->Exponent);
+  return { typeid(vtkBlinnPhongBRDF), hash.GetText() };
 }

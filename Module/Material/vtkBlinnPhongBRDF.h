@@ -25,7 +25,8 @@ public:
   /**
    * Scale ks of the lobe, RGB, no unit; default 0.1 each. Negative values count as 0.
    */
-  vtkSetVector3Macro(Specular, double);
+  virtual void SetSpecular(double x, double y, double z);
+  virtual void SetSpecular(const double specular[3]);
   vtkGetVector3Macro(Specular, double);
   ///@}
 
@@ -33,7 +34,7 @@ public:
   /**
    * Exponent n of the half vector's cosine; default 50, clamped to [0, 1e6].
    */
-  vtkSetClampMacro(Exponent, double, 0.0, 1e6);
+  virtual void SetExponent(double exponent);
   vtkGetMacro(Exponent, double);
   ///@}
 
@@ -45,6 +46,7 @@ protected:
   ~vtkBlinnPhongBRDF() override = default;
 
   vtkBRDF* NewCopy() override;
+  std::pair<std::type_index, std::string> GetContent() override;
   void EvaluateAbove(const double i[3], const double o[3], double f[3]) override;
   void EvaluateSoftAbove(const double i[3], const double o[3], double spread, double f[3]) override;
   bool SampleAbove(const double o[3], double u1, double u2, double i[3]) override;

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDistributionBRDF.h"
 
+#include "ContentHash.h"
 #include "DistributionLevels.h"
 #include "HalfVectorSampler.h"
 #include "Neighbours.h"
+#include "RoundingNoise.h"
 #include "vtkBRDFGPUForm.h"
 #include "vtkObjectFactory.h"
 
@@ -28,10 +30,12 @@ struct vtkDistributionBRDF::Levels : public DistributionLevels
 
 namespace
 {
-bool IsTable(const std::vector<float>& rgb, std::size_t samples)
+// Also clears rounding noise.
+bool IsTable(std::vector<float>& rgb, std::size_t samples)
 {
   return rgb.size() == 3 * samples &&
-         std::all_of(rgb.begin(), rgb.end(), [](float v) { return std::isfinite(v) && v >= 0.0f; });
+         std::all_of(rgb.begin(), rgb.end(), [](float v) { return std::isfinite(v); }) &&
+         ClearNoise(rgb);
 }
 }
 
@@ -59,14 +63,20 @@ void vtkDistributionBRDF::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 bool vtkDistributionBRDF::SetDistribution(int nTheta, int nPhi, const std::vector<float>& rgb)
 {
+  std::vector<float> values = rgb;
   if (nTheta < 1 || nPhi < 1 || nTheta > 16384 || nPhi > 16384 ||
-      !IsTable(rgb, static_cast<std::size_t>(nTheta) * static_cast<std::size_t>(nPhi)))
+      !IsTable(values, static_cast<std::size_t>(nTheta) * static_cast<std::size_t>(nPhi)))
   {
+    vtkErrorMacro(
+      "SetDistribution: found "
+      << rgb.size() << " values for " << nTheta << " x " << nPhi
+      << " samples, expected 1 to 16384 samples a side of 3 values each, finite and not "
+         "negative; p stays.");
     return false;
   }
   this->NumberOfTheta = nTheta;
   this->NumberOfPhi = nPhi;
-  this->Distribution = rgb;
+  this->Distribution = std::move(values);
   this->HalfVectorSampler.reset();
   this->WidenedLevels.reset();
   this->Modified();
@@ -76,11 +86,16 @@ bool vtkDistributionBRDF::SetDistribution(int nTheta, int nPhi, const std::vecto
 //------------------------------------------------------------------------------
 bool vtkDistributionBRDF::SetFresnel(int n, const std::vector<float>& rgb)
 {
-  if (n < 1 || n > 16384 || !IsTable(rgb, static_cast<std::size_t>(n)))
+  std::vector<float> values = rgb;
+  if (n < 1 || n > 16384 || !IsTable(values, static_cast<std::size_t>(n)))
   {
+    vtkErrorMacro("SetFresnel: found "
+                  << rgb.size() << " values for " << n
+                  << " samples, expected 1 to 16384 samples of 3 values each, finite and not "
+                     "negative; F stays.");
     return false;
   }
-  this->Fresnel = rgb;
+  this->Fresnel = std::move(values);
   this->Modified();
   return true;
 }
@@ -88,6 +103,12 @@ bool vtkDistributionBRDF::SetFresnel(int n, const std::vector<float>& rgb)
 //------------------------------------------------------------------------------
 void vtkDistributionBRDF::SetBlinnDistribution(double exponent)
 {
+  if (!(exponent >= 0.0 && exponent <= 1e6))
+  {
+    vtkErrorMacro(
+      "SetBlinnDistribution: found " << exponent << ", expected a number from 0 to 1e6; p stays.");
+    return;
+  }
   constexpr int n = 256;
   std::vector<float> rgb;
   for (int k = 0; k < n; ++k)
@@ -102,6 +123,12 @@ void vtkDistributionBRDF::SetBlinnDistribution(double exponent)
 //------------------------------------------------------------------------------
 void vtkDistributionBRDF::SetSchlickFresnel(const double f0[3])
 {
+  if (!std::all_of(f0, f0 + 3, [](double f) { return f >= 0.0 && f <= 1.0; }))
+  {
+    vtkErrorMacro("SetSchlickFresnel: found " << f0[0] << ", " << f0[1] << ", " << f0[2]
+                                              << ", expected numbers from 0 to 1; F stays.");
+    return;
+  }
   constexpr int n = 64;
   std::vector<float> rgb;
   for (int k = 0; k < n; ++k)
@@ -271,4 +298,15 @@ vtkBRDF* vtkDistributionBRDF::NewCopy()
   copy->Distribution = this->Distribution;
   copy->Fresnel = this->Fresnel;
   return copy;
+}
+
+//------------------------------------------------------------------------------
+std::pair<std::type_index, std::string> vtkDistributionBRDF::GetContent()
+{
+  measuredbrdf::ContentHash hash;
+  hash.AddValue(this->NumberOfTheta);
+  hash.AddValue(this->NumberOfPhi);
+  hash.AddValues(this->Distribution);
+  hash.AddValues(this->Fresnel);
+  return { typeid(vtkDistributionBRDF), hash.GetText() };
 }

@@ -33,8 +33,8 @@ public:
 
   /**
    * Set p: nPhi rows of nTheta RGB triples (theta fastest), 1/sr. nPhi = 1: isotropic. Returns
-   * false and leaves the tables as they were on sizes < 1 or values that are negative, NaN or
-   * infinite.
+   * false with an error event and leaves the tables as they were on sizes < 1 or values that are
+   * negative by more than rounding (1e-5 of the largest; that counts as 0), NaN or infinite.
    */
   bool SetDistribution(int nTheta, int nPhi, const std::vector<float>& rgb);
 
@@ -46,7 +46,8 @@ public:
   ///@{
   /**
    * Convenience: p as Blinn-Phong's normalized (n+2)/(2 pi) cos^n theta_h (256 samples), F as
-   * Schlick's F0 + (1-F0)(1-cos theta_d)^5 (64 samples). Defaults: n = 50, F0 = 0.04.
+   * Schlick's F0 + (1-F0)(1-cos theta_d)^5 (64 samples). Defaults: n = 50, F0 = 0.04; n outside
+   * [0, 1e6] and F0 outside [0, 1] are refused.
    */
   void SetBlinnDistribution(double exponent);
   void SetSchlickFresnel(const double f0[3]);
@@ -72,6 +73,7 @@ protected:
   ~vtkDistributionBRDF() override;
 
   vtkBRDF* NewCopy() override;
+  std::pair<std::type_index, std::string> GetContent() override;
   void EvaluateAbove(const double i[3], const double o[3], double f[3]) override;
   void EvaluateSoftAbove(const double i[3], const double o[3], double spread, double f[3]) override;
   bool SampleAbove(const double o[3], double u1, double u2, double i[3]) override;

@@ -2,13 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLambertBRDF.h"
 
+#include "ContentHash.h"
 #include "HalfVector.h"
+#include "Setters.h"
 #include "vtkBRDFGPUForm.h"
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
 
 vtkStandardNewMacro(vtkLambertBRDF);
+
+//------------------------------------------------------------------------------
+measuredbrdfSetFinite3Macro(vtkLambertBRDF, Albedo);
 
 //------------------------------------------------------------------------------
 void vtkLambertBRDF::PrintSelf(ostream& os, vtkIndent indent)
@@ -69,4 +74,12 @@ vtkBRDF* vtkLambertBRDF::NewCopy()
   vtkLambertBRDF* copy = vtkLambertBRDF::New();
   std::copy_n(this->Albedo, 3, copy->Albedo);
   return copy;
+}
+
+//------------------------------------------------------------------------------
+std::pair<std::type_index, std::string> vtkLambertBRDF::GetContent()
+{
+  measuredbrdf::ContentHash hash;
+  hash.Add(this->Albedo, sizeof(this->Albedo));
+  return { typeid(vtkLambertBRDF), hash.GetText() };
 }

@@ -24,7 +24,8 @@ public:
    * Share of the incident light that is reflected, RGB; default 0.8 each. Negative values count as
    * 0; values above 1 are kept (measured fits have them).
    */
-  vtkSetVector3Macro(Albedo, double);
+  virtual void SetAlbedo(double x, double y, double z);
+  virtual void SetAlbedo(const double albedo[3]);
   vtkGetVector3Macro(Albedo, double);
   ///@}
 
@@ -37,6 +38,7 @@ protected:
   ~vtkLambertBRDF() override = default;
 
   vtkBRDF* NewCopy() override;
+  std::pair<std::type_index, std::string> GetContent() override;
   void EvaluateAbove(const double i[3], const double o[3], double f[3]) override;
 
   double Albedo[3] = { 0.8, 0.8, 0.8 };

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTabulatedBRDF.h"
 
+#include "ContentHash.h"
 #include "HalfVectorSampler.h"
+#include "Setters.h"
 #include "TabulatedLevels.h"
 #include "vtkBRDFGPUForm.h"
 #include "vtkFloatArray.h"
@@ -180,6 +182,10 @@ vtkTabulatedBRDF::vtkTabulatedBRDF() = default;
 vtkTabulatedBRDF::~vtkTabulatedBRDF() = default;
 
 //------------------------------------------------------------------------------
+measuredbrdfSetInRangeMacro(vtkTabulatedBRDF, Precision, int, AUTOMATIC, FLOAT32);
+measuredbrdfSetClampedMacro(vtkTabulatedBRDF, ResamplingError, double, 0.0, 1e6);
+
+//------------------------------------------------------------------------------
 void vtkTabulatedBRDF::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -204,6 +210,8 @@ bool vtkTabulatedBRDF::SetVolume(
   {
     if (dimensions[a] < 1 || dimensions[a] > 2048)
     {
+      vtkErrorMacro("SetVolume: found " << dimensions[a] << " samples along axis " << a
+                                        << ", expected 1 to 2048; the volume stays.");
       return false;
     }
     cells *= static_cast<std::size_t>(dimensions[a]);
@@ -211,6 +219,10 @@ bool vtkTabulatedBRDF::SetVolume(
   if (rgb.size() != 3 * cells || parameterization < HALF_DIFFERENCE ||
       parameterization > INCIDENT_OUTGOING || azimuthRange < HALF_TURN || azimuthRange > FULL_TURN)
   {
+    vtkErrorMacro("SetVolume: found " << rgb.size() << " values, parameterization "
+                                      << parameterization << " and azimuth range " << azimuthRange
+                                      << ", expected " << 3 * cells
+                                      << " values and 0 or 1 both; the volume stays.");
     return false;
   }
   this->Parameterization = parameterization;
@@ -478,4 +490,18 @@ vtkBRDF* vtkTabulatedBRDF::NewCopy()
   copy->NumberOfInvalidCells = this->NumberOfInvalidCells;
   copy->WidenedLevels = this->WidenedLevels;
   return copy;
+}
+
+//------------------------------------------------------------------------------
+std::pair<std::type_index, std::string> vtkTabulatedBRDF::GetContent()
+{
+  measuredbrdf::ContentHash hash;
+  hash.AddValue(this->Parameterization);
+  hash.AddValue(this->AzimuthRange);
+  hash.Add(this->Dimensions, sizeof(this->Dimensions));
+  hash.AddValue(this->Precision);
+  hash.AddValue(this->CosineWeighted);
+  hash.AddValue(this->ResamplingError);
+  hash.AddValues(this->Volume);
+  return { typeid(vtkTabulatedBRDF), hash.GetText() };
 }

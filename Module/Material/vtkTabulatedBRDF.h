@@ -68,7 +68,7 @@ public:
   /**
    * Set everything at once. dimensions: samples along (azimuth, second theta, first theta), each
    * in [1, 2048]; rgb: RGB triples, x fastest; invalid cells hold NaN in any channel. Returns false
-   * and leaves the volume as it was when sizes do not match.
+   * with an error event and leaves the volume as it was when sizes do not match.
    */
   bool SetVolume(
     int parameterization, int azimuthRange, const int dimensions[3], std::vector<float> rgb);
@@ -105,7 +105,7 @@ public:
    * (2^-11 relative) is within a quarter of ResamplingTolerance, 32-bit else. 16-bit values are
    * scaled to the table's peak, so none overflows, and keep that rounding over nine decades.
    */
-  vtkSetClampMacro(Precision, int, AUTOMATIC, FLOAT32);
+  virtual void SetPrecision(int precision);
   vtkGetMacro(Precision, int);
   ///@}
 
@@ -113,7 +113,7 @@ public:
   /**
    * Relative L2 error of this table against what it was resampled from; 0 (default): original data.
    */
-  vtkSetClampMacro(ResamplingError, double, 0.0, 1e6);
+  virtual void SetResamplingError(double resamplingError);
   vtkGetMacro(ResamplingError, double);
   ///@}
 
@@ -138,6 +138,7 @@ protected:
   ~vtkTabulatedBRDF() override;
 
   vtkBRDF* NewCopy() override;
+  std::pair<std::type_index, std::string> GetContent() override;
   void EvaluateAbove(const double i[3], const double o[3], double f[3]) override;
   void EvaluateSoftAbove(const double i[3], const double o[3], double spread, double f[3]) override;
   bool SampleAbove(const double o[3], double u1, double u2, double i[3]) override;

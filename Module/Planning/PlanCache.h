@@ -2,51 +2,46 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Files that outlive the program, found by what they were made from. A file is whole or absent: it
- * is written beside its place and renamed there, so that programs may share a folder; a checksum
- * guards what is read. The oldest files go when the folder grows too large. Failures are silent: a
- * cache that cannot be used is no cache. Private to the planning and the rendering rooms.
+ * Files that outlive the program, found by what they were made from. They lie in a sub-folder of
+ * our own (mode 0700) of the folder that is given; nothing outside it is touched, and in it only
+ * regular files that bear our kind of name and begin with our magic are ever read, replaced or
+ * removed. A file is whole or absent: it is written beside its place and renamed there, so that
+ * programs may share a folder; a checksum guards what is read. The files used longest ago go when
+ * the folder grows too large, and what programs that died left half written goes after an hour.
+ * Failures are silent: a cache that cannot be used is no cache. Elsewhere than on POSIX systems
+ * there is none. Private to the planning and the rendering rooms.
  */
 
 #ifndef PlanCache_h
 #define PlanCache_h
 
+#include "ContentHash.h"
+
 #include <cstdint>
 #include <string>
 
-class vtkBRDF;
 class vtkEnvironment;
 
 namespace measuredbrdf
 {
-/// 128 bits of whatever is put in.
-class ContentHash
-{
-public:
-  void Add(const void* data, std::size_t bytes);
-  template <typename T>
-  void AddValue(const T& value)
-  {
-    this->Add(&value, sizeof(value));
-  }
-  std::string GetText() const; // 32 hexadecimal digits
+/// The sub-folder of every cache folder that is our own.
+constexpr const char* CacheSubfolder = "vtkMeasuredBRDF-plans";
 
-private:
-  std::uint64_t State[2] = { 0xcbf29ce484222325u, 0x9e3779b97f4a7c15u };
-};
-
-/// A material by its values at 16384 fixed pairs, an environment by its pixels.
-void AddContent(ContentHash& hash, vtkBRDF* brdf);
+/// An environment by its pixels.
 void AddContent(ContentHash& hash, vtkEnvironment* environment);
 
-/// The folder for this user: $MEASUREDBRDF_CACHE ("off": none), else $XDG_CACHE_HOME or
-/// $HOME/.cache. "" where there is none.
+/// What the code that makes plans and tables is: another one wherever its sources changed.
+std::string GetPlanVersion();
+
+/// The folder for this user: $MEASUREDBRDF_CACHE ("off": none), else $XDG_CACHE_HOME where that is
+/// absolute, as its specification demands, else $HOME/.cache. "" where there is none.
 std::string GetDefaultCacheFolder();
 
-/// The file's contents, or false.
+/// The contents of the file under a key of 32 hexadecimal digits (ContentHash), or false.
 bool ReadCache(const std::string& folder, const std::string& key, std::string& contents);
 
-/// Keep the contents under the key, and the folder below maximumBytes.
+/// Keep the contents under the key, and our files in the folder below maximumBytes. What lies under
+/// the key and is not ours stays, and nothing is kept.
 void WriteCache(const std::string& folder, const std::string& key, const std::string& contents,
   std::uint64_t maximumBytes);
 } // namespace measuredbrdf

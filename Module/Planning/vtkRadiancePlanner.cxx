@@ -9,6 +9,7 @@
 #include "PlanCandidate.h"
 #include "PlanReference.h"
 #include "RadianceParts.h"
+#include "Setters.h"
 #include "vtkBRDF.h"
 #include "vtkBRDFGPUForm.h"
 #include "vtkBasisRadianceIntegrator.h"
@@ -62,7 +63,6 @@ constexpr double NarrowShare = 0.05;
 constexpr double FarAway = 3.0; // times the tolerance: where samples of the sharp layer are tried
 constexpr double WorthIt = 0.9; // of another's error, to be worth more cost
 
-constexpr char PlanVersion[] = "plan 12"; // rises with anything that changes plans or tables
 constexpr std::size_t LargestCount = 100;
 constexpr vtkIdType SmallTexture = 4000000; // bytes; the reason says why a plan takes more
 
@@ -207,12 +207,17 @@ struct vtkRadiancePlanner::Internals
     return costs;
   }
 
-  // Everything that a plan depends on.
+  // Everything that a plan depends on; "" where the material doesn't say what it is.
   std::string GetCacheKey(vtkRadiancePlanner* planner)
   {
+    const std::string material = this->BRDF->GetContentKey();
+    if (material.empty())
+    {
+      return "";
+    }
     measuredbrdf::ContentHash hash;
-    hash.Add(PlanVersion, sizeof(PlanVersion));
-    measuredbrdf::AddContent(hash, this->BRDF);
+    hash.AddText(measuredbrdf::GetPlanVersion());
+    hash.AddText(material);
     measuredbrdf::AddContent(hash, this->Environment);
     hash.AddValue(planner->GetErrorTolerance());
     hash.AddValue(planner->GetMaximumTextureBytes());
@@ -231,7 +236,10 @@ struct vtkRadiancePlanner::Internals
     {
       double rotation[9];
       this->Environment->GetWorldToEnvironment(rotation);
-      hash.Add(rotation, sizeof(rotation));
+      for (const double value : rotation)
+      {
+        hash.AddValue(value + 0.0); // -0 and 0 turn alike
+      }
     }
     const std::vector<double> costs = this->GetCosts();
     hash.Add(costs.data(), costs.size() * sizeof(double));
@@ -895,6 +903,13 @@ vtkRadianceIntegrator* vtkRadiancePlanner::NewIntegrator()
 {
   return this->NewIntegrator(this->Impl->Choice);
 }
+
+//------------------------------------------------------------------------------
+measuredbrdfSetClampedMacro(vtkRadiancePlanner, ErrorTolerance, double, 1e-3, 1.0);
+measuredbrdfSetClampedMacro(vtkRadiancePlanner, NumberOfPixels, vtkIdType, 1, VTK_ID_MAX);
+measuredbrdfSetFinite3Macro(vtkRadiancePlanner, ViewDirection);
+measuredbrdfSetInRangeMacro(vtkRadiancePlanner, MaximumTextureBytes, vtkIdType, 0, VTK_ID_MAX);
+measuredbrdfSetInRangeMacro(vtkRadiancePlanner, MaximumCacheBytes, vtkIdType, 0, VTK_ID_MAX);
 
 //------------------------------------------------------------------------------
 void vtkRadiancePlanner::PrintSelf(ostream& os, vtkIndent indent)

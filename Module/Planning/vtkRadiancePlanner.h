@@ -73,7 +73,7 @@ public:
   /**
    * Relative L1 error to stay below (default 0.02, in [1e-3, 1]).
    */
-  vtkSetClampMacro(ErrorTolerance, double, 1e-3, 1.0);
+  virtual void SetErrorTolerance(double errorTolerance);
   vtkGetMacro(ErrorTolerance, double);
   ///@}
 
@@ -82,7 +82,8 @@ public:
    * Unit direction from the object to the camera, world coordinates: pairs are drawn as seen from
    * there. 0, 0, 0 (default): from everywhere.
    */
-  vtkSetVector3Macro(ViewDirection, double);
+  virtual void SetViewDirection(double x, double y, double z);
+  virtual void SetViewDirection(const double viewDirection[3]);
   vtkGetVector3Macro(ViewDirection, double);
   ///@}
 
@@ -114,7 +115,7 @@ public:
   /**
    * Largest texture memory of a plan in bytes (default 96 MiB).
    */
-  vtkSetMacro(MaximumTextureBytes, vtkIdType);
+  virtual void SetMaximumTextureBytes(vtkIdType maximumTextureBytes);
   vtkGetMacro(MaximumTextureBytes, vtkIdType);
   ///@}
 
@@ -123,7 +124,7 @@ public:
    * Covered pixels that a predicted frame time counts, and that share the price of memory (default
    * 196350, a 500 x 500 sphere; at least 1).
    */
-  vtkSetClampMacro(NumberOfPixels, vtkIdType, 1, VTK_ID_MAX);
+  virtual void SetNumberOfPixels(vtkIdType numberOfPixels);
   vtkGetMacro(NumberOfPixels, vtkIdType);
   ///@}
 
@@ -138,16 +139,21 @@ public:
 
   ///@{
   /**
-   * A folder where plans and their tables outlive the program, found again by the material's values
-   * and the environment's pixels; "" (default): none. The mapper uses GetDefaultCacheFolder():
-   * $MEASUREDBRDF_CACHE ("off": none), else $XDG_CACHE_HOME/vtkMeasuredBRDF, else
-   * $HOME/.cache/vtkMeasuredBRDF. The oldest files go when it exceeds MaximumCacheBytes (default
-   * 512 MiB). Damaged files are made again; programs may share the folder.
+   * A folder where plans and their tables outlive the program; "" (default): none. They are found
+   * again by the material's parameters and data (vtkBRDF::GetContentKey; materials of classes that
+   * do not give them are not kept), the environment's pixels, these settings and the version of the
+   * code. The mapper uses GetDefaultCacheFolder(): $MEASUREDBRDF_CACHE ("off": none), else
+   * $XDG_CACHE_HOME/vtkMeasuredBRDF (an absolute path, as its specification demands), else
+   * $HOME/.cache/vtkMeasuredBRDF. Files lie in a sub-folder of it, vtkMeasuredBRDF-plans, for this
+   * user only (mode 0700); nothing else in the folder is touched, and of the sub-folder only regular
+   * files with this cache's names and magic. Those used longest ago go when they exceed
+   * MaximumCacheBytes (default 512 MiB). Damaged files are made again; programs may share the
+   * folder.
    */
   vtkSetMacro(CacheFolder, std::string);
   vtkGetMacro(CacheFolder, std::string);
   static std::string GetDefaultCacheFolder();
-  vtkSetMacro(MaximumCacheBytes, vtkIdType);
+  virtual void SetMaximumCacheBytes(vtkIdType maximumCacheBytes);
   vtkGetMacro(MaximumCacheBytes, vtkIdType);
   ///@}
 

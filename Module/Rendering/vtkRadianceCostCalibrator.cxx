@@ -329,14 +329,15 @@ bool vtkRadianceCostCalibrator::Calibrate()
   window->Render(); // makes the context
   const std::string report = window->ReportCapabilities();
   measuredbrdf::ContentHash hash;
+  hash.AddText("costs");
   for (const char* key :
     { "OpenGL vendor string:", "OpenGL renderer string:", "OpenGL version string:" })
   {
     const std::string value = GetCapability(report, key);
-    hash.Add(value.data(), value.size());
+    hash.AddText(value);
   }
   const std::string name = GetCapability(report, "OpenGL renderer string:");
-  const std::string file = "costs-" + hash.GetText();
+  const std::string file = hash.GetText();
   std::string contents;
   std::string problem;
   if (name.empty())

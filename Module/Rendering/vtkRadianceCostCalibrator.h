@@ -49,8 +49,9 @@ public:
 
   ///@{
   /**
-   * Where results outlive the program; default vtkRadiancePlanner::GetDefaultCacheFolder(); "":
-   * nowhere. A damaged file is measured anew.
+   * Where results outlive the program, beside the plans (vtkRadiancePlanner::SetCacheFolder);
+   * default vtkRadiancePlanner::GetDefaultCacheFolder(); "": nowhere. A damaged file is measured
+   * anew.
    */
   vtkSetMacro(CacheFolder, std::string);
   vtkGetMacro(CacheFolder, std::string);

@@ -4,6 +4,8 @@
 
 import math
 
+from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringOutputWindow
+
 from vtkmeasuredbrdf import vtkBRDF, vtkEmbeddedMaterials, vtkEnvironment, vtkLambertBRDF
 
 normal = (0.0, 0.0, 1.0)
@@ -25,7 +27,15 @@ for name in names:
     brdf.Evaluate((0.6, 0.0, 0.8), (-0.6, 0.0, 0.8), value)
     assert min(value) >= 0.0 and max(value) > 0.0, (name, value)
     assert all(map(math.isfinite, value)), (name, value)
-assert vtkEmbeddedMaterials.NewBRDF("no such material") is None
+# A typo is said, with the nearest names; kept off the terminal, where this test looks for errors.
+vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
+said = vtkStringOutputWindow()
+vtkOutputWindow.SetInstance(said)
+assert vtkEmbeddedMaterials.NewBRDF("gold_paint") is None
+assert "'gold-paint'" in said.GetOutput(), said.GetOutput()
+lambert.SetAlbedo(math.nan, 0.0, 0.0)
+assert "SetAlbedo: found nan" in said.GetOutput(), said.GetOutput()
+assert lambert.GetAlbedo() == (0.9, 0.5, 0.1), lambert.GetAlbedo()
 
 environment = vtkEnvironment()
 environment.SetToProceduralSky()

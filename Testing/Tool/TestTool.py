@@ -205,6 +205,56 @@ class Materials(ToolTest):
         xompt = self.write("road.xompt", "LIDAR 905 nm\n0.1 0.2\n")
         self.check(run("info", xompt), 1, "road.xompt", "formats that are read", ".binary", ".bsdf")
 
+    def test_a_typo_gets_the_nearest_names(self):
+        self.check(run("info", "gold_paint"), 1, "unknown material 'gold_paint'", "'gold-paint'")
+
+    def test_rounding_noise_is_reported(self):
+        values = lambda first, count: struct.pack(f"<{count}f", first, *[0.5] * (count - 1))
+        fields = [
+            ("theta_i", [2], struct.pack("<2f", 0.0, 1.4)),
+            ("phi_i", [1], struct.pack("<f", 0.0)),
+            ("ndf", [2, 2], values(0.5, 4)),
+            ("sigma", [2, 2], values(0.5, 4)),
+            ("vndf", [1, 2, 2, 2], values(0.5, 8)),
+            ("luminance", [1, 2, 2, 2], values(-4e-10, 8)),
+            ("rgb", [1, 2, 3, 2, 2], values(0.0, 24)),
+        ]
+        head, data = b"tensor_file\0\x01\0" + struct.pack("<I", len(fields)), b""
+        offset = len(head) + sum(13 + len(name) + 8 * len(shape) for name, shape, _ in fields)
+        for name, shape, content in fields:
+            head += struct.pack("<H", len(name)) + name.encode() + struct.pack("<H", len(shape))
+            head += struct.pack("<BQ", 10, offset + len(data))
+            head += struct.pack(f"<{len(shape)}Q", *shape)
+            data += content
+        path = self.write("noise.bsdf", head + data)
+        self.check(run("info", path), 0, "1 of 8 values of luminance are negative by rounding")
+        info = json.loads(run("info", path, "--json").stdout)
+        self.assertEqual(info["negative_values"], 1)
+
+    def test_nothing_of_a_file_reaches_the_terminal_as_it_is(self):
+        evil = "\x1b[2J\x9b31m\x07"
+        name = self.write(evil + ".fit", f"a = {evil}\n")
+        named = self.write(evil + ".mbsdf", b"")
+        with open(named, "wb") as file:
+            file.write(f'NVIDIA ARC MBSDF V1\nnote="{evil}"\nMBSDF_DATA=\n'.encode())
+            file.write(struct.pack("<3I", 0, 2, 2) + struct.pack("<8f", *[0.5] * 8))
+        for command in (
+            ["info", name],
+            ["info", name + "2"],
+            ["info", evil],
+            ["info", named],
+            ["info", named, "--json"],
+            [evil],
+            ["info", name, "--" + evil],
+            ["render", "gold-paint", "--environment", name, "-o", self.path("x.png")],
+        ):
+            result = run(*command)
+            for said in (result.stdout, result.stderr):
+                for character in "\x1b\x9b\x07":
+                    self.assertNotIn(character, said, command)
+            if command[1:2] == [named]:
+                self.assertEqual(result.returncode, 0, result.stderr)
+
     def test_a_file_never_hides_an_embedded_name(self):
         self.write("gold-paint", "nonsense")
         result = run("info", "gold-paint", cwd=self.folder)
@@ -1254,7 +1304,9 @@ class Plan(ToolTest):
             self.assertGreater(plans[0]["costs"][cost + "_ns"], 0)
         self.assertNotIn("built in", plans[0]["costs"]["renderer"])
         self.assertEqual(plans[0]["costs"], plans[1]["costs"])  # measured once
-        self.assertEqual(len(os.listdir(self.path("cache"))), 1)  # and no plan is kept
+        self.assertEqual(os.listdir(self.path("cache")), ["vtkMeasuredBRDF-plans"])
+        kept = os.listdir(self.path("cache/vtkMeasuredBRDF-plans"))
+        self.assertEqual(len(kept), 1)  # the costs, and no plan
 
     def test_cache(self):
         cache = {**os.environ, "MEASUREDBRDF_CACHE": self.path("cache")}

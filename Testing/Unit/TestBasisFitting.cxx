@@ -430,22 +430,30 @@ TEST(Projector, RefusesAndKeeps)
   projector->SetNumberOfTheta(3);
   projector->SetNumberOfNodes(21);
   ASSERT_TRUE(projector->Project());
+  // Setters refuse what is out of range: one message each, and the value stays (TestSetters).
+  const auto refuseValue = [&](const std::string& expected)
+  {
+    EXPECT_EQ(errors.Take(), 1);
+    EXPECT_NE(errors.GetText().find(expected), std::string::npos) << errors.GetText();
+  };
   for (const int order : { -1, 0, 21, 100 })
   {
     projector->SetOrder(order);
-    refuse("order " + std::to_string(order) + ", expected 1 to 20");
+    refuseValue("found " + std::to_string(order) + ", expected a number from 1 to 20");
+    EXPECT_EQ(projector->GetOrder(), 6);
   }
   projector->SetOrder(20);
   projector->SetNumberOfNodes(20);
   refuse("20 nodes, expected more than the order, 20");
   projector->SetOrder(3);
   projector->SetIncidentZone(57.0, 9.0);
-  refuse("zone 57 to 9 degrees");
+  refuseValue("zone 57 to 9 degrees");
   projector->SetIncidentZone(0.0, std::nan(""));
-  refuse("zone 0 to nan degrees");
+  refuseValue("zone 0 to nan degrees");
   projector->SetIncidentZone(9.0, 57.0);
   projector->SetOutgoingZone(9.0, 9.5);
-  refuse("zone 9 to 9.5 degrees");
+  refuseValue("zone 9 to 9.5 degrees");
+  EXPECT_EQ(projector->GetOutgoingZone()[1], 90.0);
   projector->SetOutgoingZone(9.0, 57.0);
   EXPECT_TRUE(projector->Project());
   // Values that a coefficient can't hold.

@@ -604,6 +604,22 @@ TEST(Fit, FiguresAreWhatTheyAreSaidToBe)
 }
 
 //------------------------------------------------------------------------------
+// Cells that follow the noise of the fit's own pairs do not help on others: figures are of pairs
+// that the fit did not see.
+TEST(Fit, FiguresAreOfPairsThatTheFitDidNotSee)
+{
+  vtkNew<vtkDistributionBRDFFitter> fitter;
+  fitter->SetNumberOfSamples(16384);
+  fitter->SetNumberOfThetaSamples(1024);
+  fitter->SetNumberOfStarts(1);
+  fitter->SetMaximumNumberOfIterations(5);
+  ExpectFit(fitter, MakeNoisy(MakeDistribution(128, 1, 32), 0.5));
+  std::cout << "seen " << fitter->GetResidualHistory().back() << ", unseen "
+            << fitter->GetResidual() << "\n";
+  EXPECT_GT(fitter->GetResidual(), 1.02 * fitter->GetResidualHistory().back());
+}
+
+//------------------------------------------------------------------------------
 TEST(Fit, AshikhminShirleyIsTheLeastOfItsLoss)
 {
   const auto input = Sum(
@@ -716,28 +732,13 @@ TEST(Fit, BadOptionsAreRefused)
   expectRefused("no input");
   fitter->SetInput(good);
   ASSERT_TRUE(fitter->Fit());
-  for (const int lobes : { 0, 4, -1 })
-  {
-    fitter->SetNumberOfLobes(lobes);
-    expectRefused("NumberOfLobes: expected 1, 2 or 3, got " + std::to_string(lobes));
-  }
-  fitter->SetNumberOfLobes(1);
+  // Setters refuse what is out of range: one message each, and the value stays (TestSetters).
   fitter->SetLoss(3);
-  expectRefused("Loss");
-  fitter->SetLossToLogCosine();
-  fitter->SetNumberOfSamples(255);
-  expectRefused("255");
-  fitter->SetNumberOfSamples(2147483647);
-  expectRefused("NumberOfSamples");
+  EXPECT_EQ(errors.Take(), 1);
+  EXPECT_NE(errors.GetText().find("Loss: found 3"), std::string::npos) << errors.GetText();
+  EXPECT_EQ(fitter->GetLoss(), vtkBRDFFitter::LOG_COSINE);
   fitter->SetNumberOfSamples(1024);
-  fitter->SetNumberOfStarts(0);
-  expectRefused("NumberOfStarts");
   fitter->SetNumberOfStarts(1);
-  fitter->SetTolerance(std::nan(""));
-  expectRefused("Tolerance");
-  fitter->SetTolerance(1e-6);
-  fitter->SetMaximumNumberOfIterations(0);
-  expectRefused("MaximumNumberOfIterations");
   fitter->SetMaximumNumberOfIterations(10);
   fitter->SetInput(MakeLambert({ 0.0, 0.0, 0.0 }));
   expectRefused("nothing to fit");
@@ -751,16 +752,6 @@ TEST(Fit, BadOptionsAreRefused)
   vtkNew<vtkDistributionBRDFFitter> tables;
   ErrorCatcher tableErrors(tables);
   tables->SetInput(good);
-  tables->SetNumberOfThetaSamples(1);
-  tables->SetNumberOfPhiSamples(-1);
-  tables->SetNumberOfFresnelSamples(1 << 20);
-  EXPECT_FALSE(tables->Fit());
-  EXPECT_EQ(tableErrors.Take(), 1);
-  for (const char* word :
-    { "NumberOfThetaSamples", "NumberOfPhiSamples", "NumberOfFresnelSamples" })
-  {
-    EXPECT_NE(tableErrors.GetText().find(word), std::string::npos) << tableErrors.GetText();
-  }
   tables->SetNumberOfThetaSamples(4096);
   tables->SetNumberOfPhiSamples(17);
   tables->SetNumberOfFresnelSamples(32);

@@ -8,8 +8,13 @@
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkDistributionBRDF.h"
 #include "vtkLambertBRDF.h"
+#include "vtkObjectFactory.h"
 #include "vtkSumBRDF.h"
 #include "vtkTabulatedBRDF.h"
+
+#include <ImfFrameBuffer.h>
+#include <ImfInputPart.h>
+#include <ImfMultiPartInputFile.h>
 
 #include <limits>
 
@@ -58,6 +63,18 @@ vtkSmartPointer<vtkTabulatedBRDF> MakeMerlTable()
 {
   return MakeTable(vtkTabulatedBRDF::HALF_DIFFERENCE, vtkTabulatedBRDF::HALF_TURN);
 }
+
+// A subclass may hold what no setter takes.
+class BrokenBRDF : public vtkLambertBRDF
+{
+public:
+  static BrokenBRDF* New();
+  vtkTypeMacro(BrokenBRDF, vtkLambertBRDF);
+
+protected:
+  BrokenBRDF() { this->Albedo[1] = std::numeric_limits<double>::quiet_NaN(); }
+};
+vtkStandardNewMacro(BrokenBRDF);
 
 void ExpectWriteRefused(
   vtkBRDF* brdf, const std::string& path, const std::vector<std::string>& words)
@@ -193,8 +210,8 @@ TEST(IOWriter, RefusesBadPlaces)
   ExpectWriteRefused(lambert, folder("missing/m.exr"), { "cannot be written" });
   std::filesystem::create_directory(folder("d.exr"));
   ExpectWriteRefused(lambert, folder("d.exr"), { "directory" });
-  lambert->SetAlbedo(0.5, std::numeric_limits<double>::quiet_NaN(), 0.5);
-  ExpectWriteRefused(lambert, folder("m.exr"), { "Lambert", "'albedo'", "not finite" });
+  ExpectWriteRefused(
+    vtkSmartPointer<BrokenBRDF>::New(), folder("m.exr"), { "Lambert", "'albedo'", "not finite" });
   EXPECT_EQ(folder.CountFiles(), 1u); // d.exr
 #if !defined(_WIN32)
   if (geteuid() == 0)
@@ -282,6 +299,32 @@ TEST(IOExrRoundTrip, Tabulated)
       EXPECT_TRUE(SameBits(material->GetVolume(), back->GetVolume()));
       EXPECT_EQ(back->GetNumberOfInvalidCells(), 1);
     }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Other programs find red in channel R: writer and reader do not just agree with each other.
+TEST(IOExr, ChannelsAreNamedForTheirColors)
+{
+  const Folder folder;
+  const int size[3] = { 2, 1, 1 };
+  vtkNew<vtkTabulatedBRDF> table;
+  ASSERT_TRUE(table->SetVolume(vtkTabulatedBRDF::HALF_DIFFERENCE, vtkTabulatedBRDF::HALF_TURN, size,
+    { 0.1f, 0.2f, 0.3f, 0.4f, 0.5f, 0.6f }));
+  Write(table, folder("table.exr"));
+  Imf::MultiPartInputFile file(folder("table.exr").c_str());
+  ASSERT_EQ(file.parts(), 1);
+  Imf::InputPart part(file, 0);
+  for (int channel = 0; channel < 3; ++channel)
+  {
+    float values[2] = {};
+    Imf::FrameBuffer buffer;
+    buffer.insert(std::string(1, "RGB"[channel]).c_str(),
+      Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(values), sizeof(float), 2 * sizeof(float)));
+    part.setFrameBuffer(buffer);
+    part.readPixels(0, 0);
+    EXPECT_EQ(values[0], table->GetVolume()[static_cast<std::size_t>(channel)]);
+    EXPECT_EQ(values[1], table->GetVolume()[static_cast<std::size_t>(3 + channel)]);
   }
 }
 

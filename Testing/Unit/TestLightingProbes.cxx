@@ -855,10 +855,14 @@ TEST(Probes, Refuses)
   refused(P::LAT_LONG, -2, -1, 6, "-2 x -1");
   refused(P::ANGULAR_MAP, 4, 4, 47, "47 values");
   refused(P::ANGULAR_MAP, 1 << 20, 1 << 20, 3, "at most");
-  converter->SetHeight(-1);
-  refused(P::ANGULAR_MAP, 4, 4, 48, "-1 rows");
-  converter->SetHeight(20000);
-  refused(P::ANGULAR_MAP, 4, 4, 48, "20000 rows");
+  converter->SetHeight(8);
+  for (const int height : { -1, 11586, 20000 })
+  {
+    converter->SetHeight(height);
+    EXPECT_EQ(errors.Take(), 1);
+    EXPECT_NE(errors.GetText().find("found " + std::to_string(height)), std::string::npos);
+    EXPECT_EQ(converter->GetHeight(), 8);
+  }
   converter->SetHeight(0);
 
   converter->SetProjection(-1);
