@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ConservativeRemap.h"
 
+#include "HalfVector.h" // for Pi
 #include "ProjectionMaps.h"
+#include "vtkEnvironmentProjection.h"
 
 #include <algorithm>
 #include <array>
@@ -93,40 +95,90 @@ struct ConservativeRemap::Cell
 {
   glm::dvec2 Low;
   glm::dvec2 High;
+  const Angles* Azimuth = nullptr; // of a whole texel of a lat-long target
+  const Angles* Latitude = nullptr;
 
   glm::dvec2 GetCentre() const { return 0.5 * (this->Low + this->High); }
 };
 
 //------------------------------------------------------------------------------
 ConservativeRemap::ConservativeRemap(
-  int projection, int width, int height, const std::vector<float>& rgb)
-  : Projection(projection)
-  , Width(width)
-  , Height(height)
+  const Image& source, const std::vector<float>& rgb, const Image& target)
+  : Projection(source.Projection)
+  , Width(source.Width)
+  , Height(source.Height)
+  , Target(target)
   , Pixels(rgb.data())
 {
+  if (target.Projection == vtkEnvironmentProjection::LAT_LONG)
+  {
+    this->Columns = Tabulate(target.Width, 2.0 * Pi);
+    this->Rows = Tabulate(target.Height, Pi);
+  }
 }
 
 //------------------------------------------------------------------------------
-glm::dvec3 ConservativeRemap::GetMean(int projection, int width, int height, int x, int y) const
+std::vector<ConservativeRemap::Angles> ConservativeRemap::Tabulate(int count, double range)
 {
-  const glm::dvec2 size(width, height);
+  std::vector<Angles> result;
+  for (int k = 0; k < count; ++k)
+  {
+    Angles angles;
+    const double places[3] = { k + Inset, k + 0.5, k + 1.0 - Inset };
+    for (std::size_t part = 0; part < 3; ++part)
+    {
+      const double angle = range * (places[part] / count - 0.5);
+      angles[part] = glm::dvec2(std::cos(angle), std::sin(angle));
+    }
+    result.push_back(angles);
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
+glm::dvec3 ConservativeRemap::GetMean(int x, int y) const
+{
+  const glm::dvec2 size(this->Target.Width, this->Target.Height);
   const glm::dvec2 corner(x, y);
+  Cell cell{ corner / size, (corner + 1.0) / size };
+  if (!this->Columns.empty())
+  {
+    cell.Azimuth = &this->Columns[static_cast<std::size_t>(x)];
+    cell.Latitude = &this->Rows[static_cast<std::size_t>(y)];
+  }
   Sum sum;
-  this->AddCell(projection, { corner / size, (corner + 1.0) / size }, Depth, sum);
+  this->AddCell(cell, Depth, sum);
   return sum.SolidAngle > 0.0 ? sum.Radiance / sum.SolidAngle : glm::dvec3(0.0);
 }
 
 //------------------------------------------------------------------------------
-void ConservativeRemap::AddCell(int projection, const Cell& cell, int depth, Sum& sum) const
+// At a cell's low side (0), middle (1) or high side (2), both sides drawn in; false where nothing
+// is shown.
+bool ConservativeRemap::GetDirection(
+  const Cell& cell, int across, int up, glm::dvec3& direction) const
 {
-  if (ShowsNothing(projection, cell.Low, cell.High))
+  if (cell.Azimuth)
+  {
+    const glm::dvec2& azimuth = (*cell.Azimuth)[static_cast<std::size_t>(across)];
+    const glm::dvec2& latitude = (*cell.Latitude)[static_cast<std::size_t>(up)];
+    direction = glm::dvec3(latitude.x * azimuth.x, latitude.y, latitude.x * azimuth.y);
+    return true;
+  }
+  const double places[3] = { Inset, 0.5, 1.0 - Inset };
+  const glm::dvec2 at(places[across], places[up]);
+  return MapToDirection(this->Target.Projection, cell.Low + at * (cell.High - cell.Low), direction);
+}
+
+//------------------------------------------------------------------------------
+void ConservativeRemap::AddCell(const Cell& cell, int depth, Sum& sum) const
+{
+  if (ShowsNothing(this->Target.Projection, cell.Low, cell.High))
   {
     return;
   }
   Polygon outline;
   bool small = true;
-  if (this->MapOutline(projection, cell, outline, small))
+  if (this->MapOutline(cell, outline, small))
   {
     this->AddPolygon(outline, sum);
     return;
@@ -135,45 +187,41 @@ void ConservativeRemap::AddCell(int projection, const Cell& cell, int depth, Sum
   if (depth <= 0 && small)
   {
     glm::dvec3 direction;
-    if (MapToDirection(projection, centre, direction))
+    if (MapToDirection(this->Target.Projection, centre, direction))
     {
       const glm::dvec2 at = MapToImage(this->Projection, direction) *
                             glm::dvec2(static_cast<double>(this->Width), this->Height);
       const int x = std::clamp(static_cast<int>(at.x), 0, this->Width - 1);
       const int y = std::clamp(static_cast<int>(at.y), 0, this->Height - 1);
       const glm::dvec2 size = cell.High - cell.Low;
-      this->AddTexel(x, y, size.x * size.y * GetDensity(projection, centre), sum);
+      this->AddTexel(x, y, size.x * size.y * GetDensity(this->Target.Projection, centre), sum);
     }
     return;
   }
   const int next = depth - 1;
-  this->AddCell(projection, { cell.Low, centre }, next, sum);
-  this->AddCell(projection, { { centre.x, cell.Low.y }, { cell.High.x, centre.y } }, next, sum);
-  this->AddCell(projection, { { cell.Low.x, centre.y }, { centre.x, cell.High.y } }, next, sum);
-  this->AddCell(projection, { centre, cell.High }, next, sum);
+  this->AddCell({ cell.Low, centre }, next, sum);
+  this->AddCell({ { centre.x, cell.Low.y }, { cell.High.x, centre.y } }, next, sum);
+  this->AddCell({ { cell.Low.x, centre.y }, { centre.x, cell.High.y } }, next, sum);
+  this->AddCell({ centre, cell.High }, next, sum);
 }
 
 //------------------------------------------------------------------------------
 // The cell's outline in the source; false where straight lines between its corners will not do,
 // with `small` false where that is for its size.
-bool ConservativeRemap::MapOutline(
-  int projection, const Cell& cell, Polygon& outline, bool& small) const
+bool ConservativeRemap::MapOutline(const Cell& cell, Polygon& outline, bool& small) const
 {
   const glm::dvec2 size(this->Width, this->Height);
   glm::dvec3 direction;
-  if (!MapToDirection(projection, cell.GetCentre(), direction))
+  if (!this->GetDirection(cell, 1, 1, direction))
   {
     return false;
   }
   const glm::dvec3 centre = direction;
-  const glm::dvec2 inset = Inset * (cell.High - cell.Low);
-  const glm::dvec2 low = cell.Low + inset;
-  const glm::dvec2 high = cell.High - inset;
   glm::dvec2 mean(0.0);
-  for (const glm::dvec2& corner :
-    { low, glm::dvec2(high.x, low.y), high, glm::dvec2(low.x, high.y) })
+  for (const glm::ivec2& corner :
+    { glm::ivec2(0, 0), glm::ivec2(2, 0), glm::ivec2(2, 2), glm::ivec2(0, 2) })
   {
-    if (!MapToDirection(projection, corner, direction))
+    if (!this->GetDirection(cell, corner.x, corner.y, direction))
     {
       return false;
     }

@@ -318,7 +318,8 @@ bool vtkEnvironmentProjection::Resample(int sourceProjection, int sourceWidth, i
   const std::vector<float>& source, int projection, int width, int height,
   std::vector<float>& result)
 {
-  const ConservativeRemap remap(sourceProjection, sourceWidth, sourceHeight, source);
+  const ConservativeRemap remap(
+    { sourceProjection, sourceWidth, sourceHeight }, source, { projection, width, height });
   result.assign(3 * static_cast<std::size_t>(width) * height, 0.0f);
   const int batch = std::max(1, BatchTexels / width);
   for (int first = 0; first < height; first += batch)
@@ -329,8 +330,8 @@ bool vtkEnvironmentProjection::Resample(int sourceProjection, int sourceWidth, i
       {
         for (vtkIdType k = begin; k < end && !this->Abort; ++k)
         {
-          const glm::dvec3 mean = remap.GetMean(
-            projection, width, height, static_cast<int>(k % width), static_cast<int>(k / width));
+          const glm::dvec3 mean =
+            remap.GetMean(static_cast<int>(k % width), static_cast<int>(k / width));
           for (int c = 0; c < 3; ++c)
           {
             result[3 * static_cast<std::size_t>(k) + c] = static_cast<float>(mean[c]);

@@ -62,7 +62,7 @@ constexpr double NarrowShare = 0.05;
 constexpr double FarAway = 3.0; // times the tolerance: where samples of the sharp layer are tried
 constexpr double WorthIt = 0.9; // of another's error, to be worth more cost
 
-constexpr char PlanVersion[] = "plan 12"; // rises with anything that changes plans or tables
+constexpr char PlanVersion[] = "plan 13"; // rises with anything that changes plans or tables
 constexpr std::size_t LargestCount = 100;
 constexpr vtkIdType SmallTexture = 4000000; // bytes; the reason says why a plan takes more
 
