@@ -189,6 +189,12 @@ bool vtkEnvironment::SetImage(vtkImageData* image, bool sRGB)
     return false;
   }
 
+  vtkFloatArray* floats = vtkArrayDownCast<vtkFloatArray>(scalars);
+  if (floats && components == 3 && !sRGB)
+  {
+    const float* first = floats->GetPointer(0);
+    return this->SetPixels(size[0], size[1], std::vector<float>(first, first + 3 * count));
+  }
   std::vector<float> rgb(3 * static_cast<std::size_t>(count));
   Decoder decoder{ count, sRGB, rgb.data(), {} };
   if (!vtkArrayDispatch::Dispatch::Execute(scalars, decoder))

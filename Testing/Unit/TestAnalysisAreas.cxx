@@ -92,10 +92,10 @@ std::vector<Way> GetWays(vtkBRDF* brdf, vtkEnvironment* environment, bool all = 
   vtkNew<vtkRadiancePlanner> planner;
   planner->SetBRDF(brdf);
   planner->SetEnvironment(environment);
-  planner->SetErrorTolerance(0.01);
+  planner->SetErrorTolerance(0.02);
   EXPECT_TRUE(planner->Update());
   ways.push_back(
-    { "planned", vtkSmartPointer<vtkRadianceIntegrator>::Take(planner->NewIntegrator()), 0.015 });
+    { "planned", vtkSmartPointer<vtkRadianceIntegrator>::Take(planner->NewIntegrator()), 0.02 });
   return ways;
 }
 
@@ -208,7 +208,7 @@ TEST(CoarseMaps, LightAsTheSameMapInManyTexelsDoes)
     for (const auto& brdf : GetMaterials())
     {
       const auto expected = pairs.IntegrateExactly(brdf, fine);
-      for (const Way& way : GetWays(brdf, coarse))
+      for (const Way& way : GetWays(brdf, coarse, brdf->IsA("vtkBlinnPhongBRDF")))
       {
         const double error = GetRelativeError(pairs.Integrate(way.Integrator), expected);
         std::printf("%s, %s, %s: relative L1 %.5f\n", lamp ? "lamp" : "patches",

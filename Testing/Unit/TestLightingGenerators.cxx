@@ -313,7 +313,7 @@ TEST(MedianCut, RegionsTileTheMap)
   }
   // No brightest texel, more lights asked for than there are texels: one each.
   ASSERT_TRUE(environment->SetPixels(128, 64, std::vector<float>(3 * 128 * 64, 1.0f)));
-  ASSERT_TRUE(generator->Generate(environment, 16384, lights));
+  ASSERT_TRUE(generator->Generate(environment, 1 << 17, lights));
   EXPECT_EQ(lights->GetNumberOfLights(), 8192);
   // But large texels are areas.
   ASSERT_TRUE(environment->SetPixels(8, 4, std::vector<float>(96, 1.0f)));

@@ -481,7 +481,7 @@ TEST(Planner, WideLampsAreSeveralLightsForSharpLobes)
       {
         ++layered;
         EXPECT_EQ(Contains(text, ", 1 suns as lights"), !sharp) << text;
-        EXPECT_EQ(Contains(text, ", 3 suns as lights"), sharp) << text;
+        EXPECT_EQ(Contains(text, ", 2 suns as lights"), sharp) << text;
       }
     }
     EXPECT_GT(layered, 0);
