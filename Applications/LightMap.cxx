@@ -135,9 +135,10 @@ Picture DrawLightMap(vtkEnvironment* environment, vtkLightSet* lights, bool regi
     int region[4];
     if (lights->GetRegion(k, region))
     {
-      const int box[4] = { region[0] * width / environment->GetWidth(),
-        region[1] * height / environment->GetHeight(), region[2] * width / environment->GetWidth(),
-        region[3] * height / environment->GetHeight() };
+      const int columns = environment->GetSubdivided()->GetWidth();
+      const int rows = environment->GetSubdivided()->GetHeight();
+      const int box[4] = { region[0] * width / columns, region[1] * height / rows,
+        region[2] * width / columns, region[3] * height / rows };
       DrawFrame(picture, box, 0, Smooth / 2, Bright, 0.85);
       DrawFrame(picture, box, Smooth / 2, Smooth / 2, Dark, 0.7);
     }

@@ -3,6 +3,7 @@
 #include "LobeQuadrature.h"
 
 #include "LowDiscrepancy.h"
+#include "RetroLobe.h"
 #include "vtkBRDF.h"
 
 #include <algorithm>
@@ -15,7 +16,6 @@ namespace measuredbrdf
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 constexpr int Seeds = 256;       // draws from the material that tell where its lobes are
 constexpr int PointsPerSide = 4; // of a cell, at their centres
 constexpr int Levels = 14;       // deepest cells: 0.009 degrees a side
@@ -180,6 +180,26 @@ LobeQuadrature::LobeQuadrature(vtkBRDF* brdf, const glm::dvec3& o, int count)
     {
       const Node& node = tree.Nodes[static_cast<std::size_t>(leaf)];
       if (node.Cell.SolidAngle <= wanted || node.Level >= Levels)
+      {
+        break;
+      }
+      tree.Split(leaf);
+      leaves += 3;
+    }
+  }
+  // Retro-reflection, which neither points nor draws need show: until its cells' means do.
+  for (const glm::dvec3& i : RetroLobe(o).GetProbes())
+  {
+    glm::dvec3 f;
+    brdf->Evaluate(&i.x, &o.x, &f.x);
+    const double peak = f.x + f.y + f.z;
+    const glm::dvec2 p = ToSquare(i);
+    for (int leaf = tree.FindLeaf(p);
+         peak > 3.0 * RetroLobe::LeastPeak / Pi && leaves < count * 3 / 4; leaf = tree.FindLeaf(p))
+    {
+      const Node& node = tree.Nodes[static_cast<std::size_t>(leaf)];
+      const glm::dvec3& w = node.Cell.Weight;
+      if (w.x + w.y + w.z >= 0.5 * peak * node.Cell.Cosine || node.Level >= Levels)
       {
         break;
       }

@@ -3,6 +3,7 @@
 #include "LobeSampler.h"
 
 #include "HalfVector.h"
+#include "LowDiscrepancy.h"
 #include "vtkBRDF.h"
 
 #include <algorithm>
@@ -16,6 +17,7 @@ namespace
 {
 constexpr int Polars = 128; // cells over theta_h, denser towards the normal
 constexpr int Azimuths = 64;
+constexpr int RetroDraws = 256; // that tell how much lies about the view
 
 double GetCosine(int boundary)
 {
@@ -36,6 +38,7 @@ glm::dvec3 GetHalfVector(double cosine, double azimuth)
 
 LobeSampler::LobeSampler(vtkBRDF* brdf, const glm::dvec3& o)
   : View(o)
+  , Retro(o)
 {
   std::vector<double> masses(static_cast<std::size_t>(Polars * Azimuths), 0.0);
   for (int azimuth = 0; azimuth < Azimuths; ++azimuth)
@@ -55,18 +58,71 @@ LobeSampler::LobeSampler(vtkBRDF* brdf, const glm::dvec3& o)
     }
   }
   this->Cells = Distribution2D(masses, Polars, Azimuths);
+
+  // A lobe about the view is missed where it is far above what its cell's centre shows.
+  const auto evaluate = [brdf, &o](const glm::dvec3& i)
+  {
+    glm::dvec3 f;
+    brdf->Evaluate(&i.x, &o.x, &f.x);
+    return (f.x + f.y + f.z) * std::max(i.z, 0.0);
+  };
+  const double total = this->Cells.GetTotal();
+  const auto getDensity = [this, total](const glm::dvec3& i)
+  { return std::max(total * this->GetCellDensity(HalfVector(i, this->View)) / 3.0, i.z / Pi); };
+  if (this->Retro.IsMissed(evaluate, getDensity))
+  {
+    double missed = 0.0;
+    for (int k = 0; k < RetroDraws; ++k)
+    {
+      const glm::dvec3 i = this->Retro.Sample(
+        { (k + 0.5) / RetroDraws, RadicalInverse(static_cast<unsigned int>(k), 2) });
+      const double rest = evaluate(i) - total * this->GetCellDensity(HalfVector(i, o));
+      missed += std::max(rest, 0.0) / (RetroDraws * this->Retro.GetDensity(i));
+    }
+    this->RetroShare = missed / (missed + total);
+  }
+}
+
+// Density of i for a half vector drawn from the cells, in 1/sr.
+double LobeSampler::GetCellDensity(const glm::dvec3& h) const
+{
+  const double theta = std::atan2(std::hypot(h.x, h.y), h.z);
+  const int polar = std::min(static_cast<int>(ThetaHToUnit(theta) * Polars), Polars - 1);
+  const double azimuth = Wrap01(std::atan2(h.y, h.x) / (2.0 * Pi));
+  return this->Cells.IsZero()
+           ? 0.0
+           : this->Cells.GetProbability(static_cast<std::size_t>(polar),
+               static_cast<std::size_t>(
+                 std::min(static_cast<int>(azimuth * Azimuths), Azimuths - 1))) /
+               (GetSolidAngle(polar) * 4.0 * std::max(glm::dot(this->View, h), 1e-9));
 }
 
 glm::dvec3 LobeSampler::Sample(const glm::dvec2& u, double& density) const
 {
-  std::size_t polar = 0, azimuth = 0;
-  double ru = 0.0, rv = 0.0;
-  this->Cells.Invert(u.x, u.y, polar, azimuth, ru, rv);
-  const int p = static_cast<int>(polar);
-  const glm::dvec3 h = GetHalfVector(GetCosine(p) + (GetCosine(p + 1) - GetCosine(p)) * ru,
-    (static_cast<double>(azimuth) + rv) / Azimuths);
-  density = this->Cells.GetProbability(polar, azimuth) /
-            (GetSolidAngle(p) * 4.0 * std::max(glm::dot(this->View, h), 1e-9));
-  return ReflectAbout(this->View, h);
+  const double share = this->RetroShare;
+  glm::dvec3 h, i;
+  if (u.x < share)
+  {
+    i = this->Retro.Sample({ u.x / share, u.y });
+    h = HalfVector(i, this->View);
+  }
+  else
+  {
+    std::size_t polar = 0, azimuth = 0;
+    double ru = 0.0, rv = 0.0;
+    this->Cells.Invert((u.x - share) / (1.0 - share), u.y, polar, azimuth, ru, rv);
+    const int p = static_cast<int>(polar);
+    h = GetHalfVector(GetCosine(p) + (GetCosine(p + 1) - GetCosine(p)) * ru,
+      (static_cast<double>(azimuth) + rv) / Azimuths);
+    i = ReflectAbout(this->View, h);
+    if (!(share > 0.0))
+    {
+      density = this->Cells.GetProbability(polar, azimuth) /
+                (GetSolidAngle(p) * 4.0 * std::max(glm::dot(this->View, h), 1e-9));
+      return i;
+    }
+  }
+  density = share * this->Retro.GetDensity(i) + (1.0 - share) * this->GetCellDensity(h);
+  return i;
 }
 } // namespace measuredbrdf

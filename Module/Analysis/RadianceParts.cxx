@@ -33,6 +33,7 @@ const RadianceParts::Lamps& RadianceParts::GetLamps(
   {
     return lamps;
   }
+  environment = environment->GetSubdivided();
   BrightTexels bright = BrightTexels::FindLamps(environment, angle, maximum);
   lamps.Rest = environment;
   if (!bright.Lights.empty())
@@ -51,6 +52,7 @@ const RadianceParts::Lamps& RadianceParts::GetLamps(
 
 const EnvironmentHarmonics& RadianceParts::GetHarmonics(vtkEnvironment* environment, int degree)
 {
+  environment = environment->GetSubdivided(); // as lamps leave it
   std::unique_ptr<EnvironmentHarmonics>& harmonics = this->Harmonics[environment];
   if (!harmonics || harmonics->GetMaximumDegree() < degree)
   {

@@ -30,6 +30,7 @@ bool vtkExactIntegrator::Begin()
     vtkErrorMacro("Integrate: there is no environment, or it is empty.");
     return false;
   }
+  environment = environment->GetSubdivided();
   const measuredbrdf::TexelDirections directions(environment->GetWidth(), environment->GetHeight());
   this->Texels.clear();
   for (int y = 0; y < environment->GetHeight(); ++y)

@@ -89,6 +89,7 @@ BrightTexels BrightTexels::FindLamps(vtkEnvironment* environment, double angle, 
 
 bool BrightTexels::Extract(vtkEnvironment* environment, double share, int maximum, double angle)
 {
+  environment = environment->GetSubdivided();
   this->Rest = environment->GetPixels();
   this->Lights.clear();
   if (share >= 1.0 || maximum <= 0)

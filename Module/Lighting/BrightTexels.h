@@ -45,7 +45,8 @@ struct BrightTexels
   static BrightTexels FindLamps(vtkEnvironment* environment, double angle, int maximum);
 
   std::vector<Light> Lights;
-  std::vector<float> Rest; // the pixels, with their neighbours' mean in place of the lights
+  /// The pixels of GetSubdivided(), with their neighbours' mean in place of the lights.
+  std::vector<float> Rest;
 
 private:
   BrightTexels() = default;

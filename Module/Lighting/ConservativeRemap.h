@@ -12,6 +12,7 @@
 
 #include <glm/glm.hpp>
 
+#include <array>
 #include <vector>
 
 namespace measuredbrdf
@@ -19,12 +20,19 @@ namespace measuredbrdf
 class ConservativeRemap
 {
 public:
-  /// From RGB triples, row 0 at the bottom, which must outlive this. Finite values only.
-  ConservativeRemap(int projection, int width, int height, const std::vector<float>& rgb);
+  struct Image
+  {
+    int Projection;
+    int Width;
+    int Height;
+  };
 
-  /// Mean over texel (x,y) of a width x height image of another projection; black where that shows
-  /// no direction. Thread safe.
-  glm::dvec3 GetMean(int projection, int width, int height, int x, int y) const;
+  /// From RGB triples, row 0 at the bottom, which must outlive this, to an image of another
+  /// projection. Finite values only.
+  ConservativeRemap(const Image& source, const std::vector<float>& rgb, const Image& target);
+
+  /// Mean over texel (x,y) of the target; black where that shows no direction. Thread safe.
+  glm::dvec3 GetMean(int x, int y) const;
 
 private:
   // Of what has been covered so far: solid angle, and its integral of radiance.
@@ -35,15 +43,23 @@ private:
   };
   struct Polygon;
   struct Cell;
+  // Cosine and sine of an angle at a lat-long texel's low and high side and its middle: most of
+  // the work, were they not the same for a whole column or row.
+  using Angles = std::array<glm::dvec2, 3>;
 
-  void AddCell(int projection, const Cell& cell, int depth, Sum& sum) const;
-  bool MapOutline(int projection, const Cell& cell, Polygon& outline, bool& small) const;
+  static std::vector<Angles> Tabulate(int count, double range);
+  bool GetDirection(const Cell& cell, int across, int up, glm::dvec3& direction) const;
+  void AddCell(const Cell& cell, int depth, Sum& sum) const;
+  bool MapOutline(const Cell& cell, Polygon& outline, bool& small) const;
   void AddPolygon(const Polygon& polygon, Sum& sum) const;
   void AddTexel(int x, int y, double solidAngle, Sum& sum) const;
 
   int Projection;
   int Width;
   int Height;
+  Image Target;
+  std::vector<Angles> Columns; // of a lat-long target: azimuths
+  std::vector<Angles> Rows;    // latitudes
   const float* Pixels;
 };
 } // namespace measuredbrdf

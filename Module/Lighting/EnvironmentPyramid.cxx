@@ -70,6 +70,7 @@ glm::dvec3 EnvironmentPyramid::ToSphere(const glm::dvec2& uv)
 EnvironmentPyramid::EnvironmentPyramid(
   vtkEnvironment* environment, int size, double lightShare, int maximumLights)
 {
+  environment = environment->GetSubdivided();
   this->Size = size > 0 ? size : ChooseSize(environment);
   int rows = 0;
   for (int s = this->Size; s > 0; s /= 2)
@@ -92,6 +93,7 @@ EnvironmentPyramid::EnvironmentPyramid(
 
 int EnvironmentPyramid::ChooseSize(vtkEnvironment* environment)
 {
+  environment = environment->GetSubdivided();
   const double texels =
     static_cast<double>(environment->GetWidth()) * static_cast<double>(environment->GetHeight());
   const double wanted = std::min(std::sqrt(texels) / 1.4, static_cast<double>(MaximumSize));

@@ -7,18 +7,24 @@
 
 #include "HalfVector.h" // for Pi
 #include "ProceduralEnvironments.h"
+#include "vtkArrayDispatch.h"
 #include "vtkDataArray.h"
+#include "vtkDataArrayAccessor.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkSMPTools.h"
 
 #include <glm/glm.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -50,6 +56,100 @@ std::vector<float> Draw(
   }
   return rgb;
 }
+
+struct BadValues
+{
+  vtkIdType Negative = 0;
+  vtkIdType NotFinite = 0;
+};
+
+float Clean(float value, BadValues& found)
+{
+  // In this order: NaN fails it, too.
+  if (value >= 0.0f && value <= std::numeric_limits<float>::max())
+  {
+    return value;
+  }
+  ++(std::isfinite(value) ? found.Negative : found.NotFinite);
+  return 0.0f;
+}
+
+// part(begin, end, found) over all values, in threads.
+template <typename Part>
+void ForValues(std::size_t count, BadValues& bad, Part&& part)
+{
+  std::atomic<vtkIdType> negative(0);
+  std::atomic<vtkIdType> notFinite(0);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(count), 1 << 16,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      BadValues found;
+      part(static_cast<std::size_t>(begin), static_cast<std::size_t>(end), found);
+      negative += found.Negative;
+      notFinite += found.NotFinite;
+    });
+  bad = { negative, notFinite };
+}
+
+// An image's scalars to clean RGB, for arrays of any kind.
+struct Decoder
+{
+  vtkIdType Count;
+  bool SRGB;
+  float* Out;
+  BadValues Bad;
+
+  template <typename Array>
+  void operator()(Array* array)
+  {
+    using Value = typename vtkDataArrayAccessor<Array>::APIType;
+    const int type = array->GetDataType();
+    const double scale =
+      type == VTK_FLOAT || type == VTK_DOUBLE ? 1.0 : 1.0 / array->GetDataTypeMax();
+    const auto decode = [this, scale](Value raw)
+    {
+      const double value = static_cast<double>(raw) * scale;
+      return this->SRGB && value > 0.0 ? measuredbrdf::DecodeSRGB(value) : value;
+    };
+    // Few values: each but once.
+    std::vector<float> table;
+    if (type == VTK_UNSIGNED_CHAR || type == VTK_UNSIGNED_SHORT)
+    {
+      for (double raw = 0.0; raw <= array->GetDataTypeMax(); ++raw)
+      {
+        table.push_back(static_cast<float>(decode(static_cast<Value>(raw))));
+      }
+    }
+    const int grey = array->GetNumberOfComponents() == 1 ? 0 : 1;
+    ForValues(static_cast<std::size_t>(this->Count), this->Bad,
+      [&, grey](std::size_t begin, std::size_t end, BadValues& found)
+      {
+        const vtkDataArrayAccessor<Array> values(array);
+        for (std::size_t k = begin; k < end; ++k)
+        {
+          for (int c = 0; c < 3; ++c)
+          {
+            const Value raw = values.Get(static_cast<vtkIdType>(k), grey * c);
+            if (!table.empty())
+            {
+              this->Out[3 * k + c] = table[static_cast<std::size_t>(raw)];
+              continue;
+            }
+            const double value = decode(raw);
+            // Beyond float's range counts as infinite.
+            const bool fits = std::abs(value) <= std::numeric_limits<float>::max();
+            this->Out[3 * k + c] = Clean(
+              fits ? static_cast<float>(value) : std::numeric_limits<float>::infinity(), found);
+          }
+        }
+      });
+  }
+};
+
+// Maps of fewer rows are cut up to twice as many at least, and columns alike; but no map grows
+// beyond the largest.
+constexpr int LeastHeight = 64;
+constexpr std::int64_t LargestSubdivided = std::int64_t(1) << 22;
 } // namespace
 
 using measuredbrdf::Pi;
@@ -90,23 +190,20 @@ bool vtkEnvironment::SetImage(vtkImageData* image, bool sRGB)
     return false;
   }
 
-  const int type = scalars->GetDataType();
-  const double scale =
-    type == VTK_FLOAT || type == VTK_DOUBLE ? 1.0 : 1.0 / scalars->GetDataTypeMax();
-  std::vector<float> rgb(3 * static_cast<std::size_t>(count));
-  for (vtkIdType k = 0; k < count; ++k)
+  vtkFloatArray* floats = vtkArrayDownCast<vtkFloatArray>(scalars);
+  if (floats && components == 3 && !sRGB)
   {
-    for (int c = 0; c < 3; ++c)
-    {
-      double value = scalars->GetComponent(k, components == 1 ? 0 : c) * scale;
-      value = sRGB && value > 0.0 ? measuredbrdf::DecodeSRGB(value) : value;
-      // Beyond float's range counts as infinite.
-      const bool fits = std::abs(value) <= std::numeric_limits<float>::max();
-      rgb[3 * static_cast<std::size_t>(k) + c] =
-        fits ? static_cast<float>(value) : std::numeric_limits<float>::infinity();
-    }
+    const float* first = floats->GetPointer(0);
+    return this->SetPixels(size[0], size[1], std::vector<float>(first, first + 3 * count));
   }
-  return this->SetPixels(size[0], size[1], std::move(rgb));
+  std::vector<float> rgb(3 * static_cast<std::size_t>(count));
+  Decoder decoder{ count, sRGB, rgb.data(), {} };
+  if (!vtkArrayDispatch::Dispatch::Execute(scalars, decoder))
+  {
+    decoder(scalars);
+  }
+  this->Adopt(size[0], size[1], std::move(rgb), decoder.Bad.Negative, decoder.Bad.NotFinite);
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -119,27 +216,71 @@ bool vtkEnvironment::SetPixels(int width, int height, std::vector<float> rgb)
                                 << height << " texels.");
     return false;
   }
-  this->NumberOfNegativeValues = 0;
-  this->NumberOfNonFiniteValues = 0;
-  for (float& value : rgb)
-  {
-    if (!std::isfinite(value))
+  BadValues bad;
+  ForValues(rgb.size(), bad,
+    [&rgb](std::size_t begin, std::size_t end, BadValues& found)
     {
-      ++this->NumberOfNonFiniteValues;
-      value = 0.0f;
-    }
-    else if (value < 0.0f)
-    {
-      ++this->NumberOfNegativeValues;
-      value = 0.0f;
-    }
-  }
+      for (std::size_t k = begin; k < end; ++k)
+      {
+        rgb[k] = Clean(rgb[k], found);
+      }
+    });
+  this->Adopt(width, height, std::move(rgb), bad.Negative, bad.NotFinite);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkEnvironment::Adopt(
+  int width, int height, std::vector<float> rgb, vtkIdType negative, vtkIdType notFinite)
+{
+  this->NumberOfNegativeValues = negative;
+  this->NumberOfNonFiniteValues = notFinite;
   this->Width = width;
   this->Height = height;
   this->Pixels = std::make_shared<const std::vector<float>>(std::move(rgb));
+  this->Subdivide();
   this->PixelsTime.Modified();
   this->Modified();
-  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkEnvironment::Subdivide()
+{
+  this->Subdivided = nullptr;
+  if (this->Width >= 2 * LeastHeight && this->Height >= LeastHeight)
+  {
+    return;
+  }
+  std::int64_t most = LargestSubdivided / (std::int64_t(this->Width) * this->Height);
+  const auto getParts = [&most](int wanted, int size)
+  {
+    const std::int64_t parts =
+      std::clamp<std::int64_t>((wanted - 1) / size + 1, 1, std::max<std::int64_t>(most, 1));
+    most /= parts;
+    return static_cast<int>(parts);
+  };
+  const int across = getParts(4 * LeastHeight, this->Width);
+  const int up = getParts(2 * LeastHeight, this->Height);
+  if (across == 1 && up == 1)
+  {
+    return;
+  }
+  const int width = across * this->Width;
+  const int height = up * this->Height;
+  std::vector<float> rgb;
+  rgb.reserve(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  for (int y = 0; y < height; ++y)
+  {
+    for (int x = 0; x < width; ++x)
+    {
+      const std::size_t texel = static_cast<std::size_t>(y / up) * this->Width + x / across;
+      const auto from = this->Pixels->begin() + static_cast<std::ptrdiff_t>(3 * texel);
+      rgb.insert(rgb.end(), from, from + 3);
+    }
+  }
+  this->Subdivided = vtkSmartPointer<vtkEnvironment>::New();
+  this->Subdivided->Name = this->Name;
+  this->Subdivided->SetPixels(width, height, std::move(rgb));
 }
 
 //------------------------------------------------------------------------------
@@ -319,6 +460,7 @@ vtkEnvironment* vtkEnvironment::NewSnapshot()
   snapshot->NumberOfNegativeValues = this->NumberOfNegativeValues;
   snapshot->NumberOfNonFiniteValues = this->NumberOfNonFiniteValues;
   std::copy_n(this->WorldToEnvironment, 9, snapshot->WorldToEnvironment);
+  snapshot->Subdivided = this->Subdivided; // replaced, never changed, as the pixels are
   snapshot->PixelsTime.Modified();
   return snapshot;
 }

@@ -14,6 +14,7 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <utility>
@@ -255,34 +256,39 @@ vtkImageData* vtkEnvironmentProjection::NewProbe(vtkEnvironment* environment, in
 void vtkEnvironmentProjection::Repair(
   int projection, int width, int height, std::vector<float>& rgb)
 {
-  this->NumberOfNegativeValues = 0;
-  this->NumberOfNonFiniteValues = 0;
   const auto shows = [&](int x, int y)
   {
+    const glm::dvec2 at((x + 0.5) / width, (y + 0.5) / height);
     glm::dvec3 ignored;
-    return MapToDirection(projection, { (x + 0.5) / width, (y + 0.5) / height }, ignored);
+    return IsDisc(projection) ? MapToDirection(projection, at, ignored)
+                              : !ShowsNothing(projection, at, at);
   };
-  std::size_t k = 0;
-  for (int y = 0; y < height; ++y)
-  {
-    for (int x = 0; x < width; ++x, k += 3)
+  std::atomic<vtkIdType> negative(0);
+  std::atomic<vtkIdType> notFinite(0);
+  vtkSMPTools::For(0, height,
+    [&](vtkIdType begin, vtkIdType end)
     {
-      const bool shown = projection == LAT_LONG || shows(x, y);
-      for (std::size_t c = k; c < k + 3; ++c)
+      vtkIdType found[2] = { 0, 0 };
+      for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y)
       {
-        if (!shown || !std::isfinite(rgb[c]))
+        float* value = &rgb[3 * static_cast<std::size_t>(y) * static_cast<std::size_t>(width)];
+        for (int x = 0; x < width; ++x)
         {
-          this->NumberOfNonFiniteValues += shown;
-          rgb[c] = 0.0f;
-        }
-        else if (rgb[c] < 0.0f)
-        {
-          ++this->NumberOfNegativeValues;
-          rgb[c] = 0.0f;
+          const bool shown = shows(x, y);
+          for (int c = 0; c < 3; ++c, ++value)
+          {
+            const bool finite = std::isfinite(*value);
+            found[0] += shown && finite && *value < 0.0f;
+            found[1] += shown && !finite;
+            *value = shown && finite ? std::max(*value, 0.0f) : 0.0f;
+          }
         }
       }
-    }
-  }
+      negative += found[0];
+      notFinite += found[1];
+    });
+  this->NumberOfNegativeValues = negative;
+  this->NumberOfNonFiniteValues = notFinite;
   for (int y = 0; IsDisc(projection) && y < height; ++y)
   {
     for (int x = 0; x < width; ++x)
@@ -303,7 +309,8 @@ bool vtkEnvironmentProjection::Resample(int sourceProjection, int sourceWidth, i
   const std::vector<float>& source, int projection, int width, int height,
   std::vector<float>& result)
 {
-  const ConservativeRemap remap(sourceProjection, sourceWidth, sourceHeight, source);
+  const ConservativeRemap remap(
+    { sourceProjection, sourceWidth, sourceHeight }, source, { projection, width, height });
   result.assign(3 * static_cast<std::size_t>(width) * height, 0.0f);
   const int batch = std::max(1, BatchTexels / width);
   for (int first = 0; first < height; first += batch)
@@ -314,8 +321,8 @@ bool vtkEnvironmentProjection::Resample(int sourceProjection, int sourceWidth, i
       {
         for (vtkIdType k = begin; k < end && !this->Abort; ++k)
         {
-          const glm::dvec3 mean = remap.GetMean(
-            projection, width, height, static_cast<int>(k % width), static_cast<int>(k / width));
+          const glm::dvec3 mean =
+            remap.GetMean(static_cast<int>(k % width), static_cast<int>(k / width));
           for (int c = 0; c < 3; ++c)
           {
             result[3 * static_cast<std::size_t>(k) + c] = static_cast<float>(mean[c]);

@@ -67,8 +67,8 @@ public:
 
   ///@{
   /**
-   * Texels [x0,x1) x [y0,y1) of the last added light, row 0 at the bottom. Get returns false where
-   * none was set.
+   * Texels [x0,x1) x [y0,y1) of the last added light, row 0 at the bottom, in the map that was cut
+   * into lights (vtkEnvironment::GetSubdivided). Get returns false where none was set.
    */
   void SetLastRegion(int x0, int y0, int x1, int y1);
   bool GetRegion(int index, int region[4]);

@@ -134,6 +134,7 @@ bool vtkMedianCutLightSetGenerator::Generate(
     return false;
   }
 
+  environment = environment->GetSubdivided();
   const int width = environment->GetWidth();
   const int height = environment->GetHeight();
   const measuredbrdf::SummedAreaTable table(width, height,

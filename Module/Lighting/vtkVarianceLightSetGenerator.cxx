@@ -36,6 +36,7 @@ vtkVarianceLightSetGenerator::~vtkVarianceLightSetGenerator() = default;
 bool vtkVarianceLightSetGenerator::Grow(vtkEnvironment* environment, int count)
 {
   using measuredbrdf::LightTree;
+  environment = environment->GetSubdivided();
   const bool greedy = this->Method == GREEDY;
   const Internals::Key key{ environment, environment->GetPixelsMTime(), this->Method,
     greedy && this->BrightTexels };
@@ -77,6 +78,7 @@ bool vtkVarianceLightSetGenerator::Generate(
   {
     return false;
   }
+  environment = environment->GetSubdivided();
   const measuredbrdf::LightTree& tree = *this->Impl->Tree;
   const int cells = std::min(count, tree.GetNumberOfCells());
   this->ResidualVariance = tree.GetResidual(cells);

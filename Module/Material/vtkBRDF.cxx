@@ -7,6 +7,7 @@
 #include "LocalFrame.h"
 #include "LowDiscrepancy.h"
 #include "Printable.h"
+#include "RetroLobe.h"
 #include "Setters.h"
 
 #include <glm/gtc/type_ptr.hpp>
@@ -159,25 +160,49 @@ void vtkBRDF::GetDirectionalAlbedo(const double o[3], double albedo[3])
     return;
   }
   this->Prepare();
-  // Balance heuristic (Veach, Guibas 1995) over two strategies of equal share.
+  // Balance heuristic (Veach, Guibas 1995) over two strategies of equal share; and a third where a
+  // lobe about o is too much for them.
+  const RetroLobe retro(glm::make_vec3(oUnit));
+  const auto getDensity = [this, &oUnit](const glm::dvec3& i)
+  { return 0.5 * (this->Pdf(&i.x, oUnit) + i.z / Pi); };
+  const auto getValue = [this, &oUnit](const glm::dvec3& i)
+  {
+    glm::dvec3 f;
+    this->Evaluate(&i.x, oUnit, &f.x);
+    return (f.x + f.y + f.z) * i.z;
+  };
+  const bool hasRetro = retro.IsMissed(getValue, getDensity);
+  const std::uint32_t strategies = hasRetro ? 3 : 2;
   constexpr std::uint32_t count = 1 << 14;
   for (std::uint32_t k = 0; k < count; ++k)
   {
-    const double u1 = RadicalInverse(k / 2 + 1, 2);
-    const double u2 = RadicalInverse(k / 2 + 1, 3);
-    double i[3];
-    const bool drawn = k % 2 == 0 ? this->SampleAbove(oUnit, u1, u2, i)
-                                  : this->vtkBRDF::SampleAbove(oUnit, u1, u2, i);
+    const double u1 = RadicalInverse(k / strategies + 1, 2);
+    const double u2 = RadicalInverse(k / strategies + 1, 3);
+    glm::dvec3 i;
+    bool drawn = true;
+    switch (k % strategies)
+    {
+      case 0:
+        drawn = this->SampleAbove(oUnit, u1, u2, &i.x);
+        break;
+      case 1:
+        drawn = this->vtkBRDF::SampleAbove(oUnit, u1, u2, &i.x);
+        break;
+      default:
+        i = retro.Sample({ u1, u2 });
+        drawn = i.z > 0.0;
+    }
     if (!drawn)
     {
       continue;
     }
     double f[3];
-    this->Evaluate(i, oUnit, f);
-    const double pdf = 0.5 * (this->Pdf(i, oUnit) + i[2] / Pi);
+    this->Evaluate(&i.x, oUnit, f);
+    double pdf = getDensity(i);
+    pdf = hasRetro ? (2.0 * pdf + retro.GetDensity(i)) / 3.0 : pdf;
     for (int c = 0; c < 3; ++c)
     {
-      albedo[c] += f[c] * i[2] / (pdf * count);
+      albedo[c] += f[c] * i.z / (pdf * count);
     }
   }
 }

@@ -35,14 +35,15 @@ PlanReference::~PlanReference() = default;
 
 bool PlanReference::Begin()
 {
-  BrightTexels bright(this->Environment, BrightTexels::DefaultShare, MaximumSuns);
+  vtkEnvironment* environment = this->Environment->GetSubdivided();
+  BrightTexels bright(environment, BrightTexels::DefaultShare, MaximumSuns);
   this->Suns = std::move(bright.Lights);
-  this->Rest = this->Environment;
+  this->Rest = environment;
   if (!this->Suns.empty())
   {
     this->Rest = vtkSmartPointer<vtkEnvironment>::New();
     this->Rest->SetPixels(
-      this->Environment->GetWidth(), this->Environment->GetHeight(), std::move(bright.Rest));
+      environment->GetWidth(), environment->GetHeight(), std::move(bright.Rest));
   }
   this->Broad = this->BRDF;
   this->Sharp = nullptr;

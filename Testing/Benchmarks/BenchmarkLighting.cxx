@@ -2,22 +2,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Light-set generators and integrators. Wall-clock time: they use threads.
 #include "vtkBlinnPhongBRDF.h"
+#include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkEnvironment.h"
+#include "vtkEnvironmentProjection.h"
 #include "vtkExactIntegrator.h"
+#include "vtkImageData.h"
 #include "vtkImportanceLightSetGenerator.h"
 #include "vtkLambertBRDF.h"
 #include "vtkLightSet.h"
 #include "vtkLightSetIntegrator.h"
 #include "vtkMedianCutLightSetGenerator.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkTableRadianceIntegrator.h"
 #include "vtkTabulatedBRDF.h"
 #include "vtkVarianceLightSetGenerator.h"
 
 #include <benchmark/benchmark.h>
 
 #include <cmath>
+#include <cstddef>
 #include <random>
+#include <vector>
 
 namespace
 {
@@ -32,6 +39,60 @@ void SetRandom(vtkEnvironment* environment, int width, int height)
   }
   environment->SetPixels(width, height, std::move(rgb));
 }
+
+// What the first sight of a map costs: taking an image's pixels, carrying over a cube map's faces,
+// harmonics (a coarse table) of widths that are a power of two, twice a prime, a multiple of a
+// prime.
+void TakeImage(benchmark::State& state)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(4096, 2048, 1);
+  image->AllocateScalars(static_cast<int>(state.range(0)), 3);
+  image->GetPointData()->GetScalars()->Fill(1.0);
+  for (auto _ : state)
+  {
+    vtkNew<vtkEnvironment> environment;
+    environment->SetImage(image, state.range(0) == VTK_UNSIGNED_CHAR);
+  }
+}
+BENCHMARK(TakeImage)
+  ->Arg(VTK_UNSIGNED_CHAR)
+  ->Arg(VTK_FLOAT)
+  ->UseRealTime()
+  ->Unit(benchmark::kMillisecond);
+
+void ConvertCube(benchmark::State& state)
+{
+  const int size = static_cast<int>(state.range(0));
+  const std::vector<std::vector<float>> faces(6, std::vector<float>(3 * std::size_t(size) * size));
+  for (auto _ : state)
+  {
+    vtkNew<vtkEnvironment> environment;
+    vtkNew<vtkEnvironmentProjection> converter;
+    converter->ConvertFaces(size, faces, environment);
+  }
+}
+BENCHMARK(ConvertCube)->Arg(512)->Arg(1024)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+void TabulateWidth(benchmark::State& state)
+{
+  vtkNew<vtkEnvironment> environment;
+  SetRandom(environment, static_cast<int>(state.range(0)), static_cast<int>(state.range(0)) / 2);
+  vtkNew<vtkLambertBRDF> brdf;
+  for (auto _ : state)
+  {
+    vtkNew<vtkTableRadianceIntegrator> table;
+    table->SetBRDF(brdf);
+    table->SetEnvironment(environment);
+    table->Prepare();
+  }
+}
+BENCHMARK(TabulateWidth)
+  ->Arg(2048)
+  ->Arg(2038)
+  ->Arg(4078)
+  ->UseRealTime()
+  ->Unit(benchmark::kMillisecond);
 
 template <typename Generator>
 void Generate(benchmark::State& state)

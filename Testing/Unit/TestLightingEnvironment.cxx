@@ -4,14 +4,18 @@
 #include "HalfVector.h" // for Pi
 #include "vtkDataArray.h"
 #include "vtkEnvironment.h"
+#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkSmartPointer.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -203,6 +207,63 @@ TEST(Environment, TakesImagesOfAnyType)
   EXPECT_EQ(environment->GetNumberOfNonFiniteValues(), 1);
   EXPECT_EQ(environment->GetNumberOfNegativeValues(), 1);
   EXPECT_EQ(environment->GetPixels(), (std::vector<float>{ 0.0f, 0.0f, 2.0f }));
+}
+
+namespace
+{
+// Counts the reads that cost a virtual call each.
+class CountingArray : public vtkFloatArray
+{
+public:
+  static CountingArray* New();
+  vtkTypeMacro(CountingArray, vtkFloatArray);
+
+  double GetComponent(vtkIdType tuple, int component) override
+  {
+    ++this->Reads;
+    return this->Superclass::GetComponent(tuple, component);
+  }
+  std::atomic<vtkIdType> Reads{ 0 };
+};
+vtkStandardNewMacro(CountingArray);
+}
+
+//------------------------------------------------------------------------------
+// A renderer waits for it: no virtual call a component; and no bad value is lost between threads.
+TEST(Environment, ReadsWholeArrays)
+{
+  constexpr vtkIdType width = 600, height = 300;
+  for (const int components : { 1, 3, 4 })
+  {
+    for (const bool sRGB : { false, true })
+    {
+      vtkNew<CountingArray> array;
+      array->SetNumberOfComponents(components);
+      array->SetNumberOfTuples(width * height);
+      for (vtkIdType k = 0; k < width * height * components; ++k)
+      {
+        array->SetValue(k, k % 1000 == 7 ? -1.0f : k % 1000 == 8 ? NAN : 0.5f);
+      }
+      vtkNew<vtkImageData> image;
+      image->SetDimensions(width, height, 1);
+      image->GetPointData()->SetScalars(array);
+      vtkNew<vtkEnvironment> environment;
+      ASSERT_TRUE(environment->SetImage(image, sRGB));
+      EXPECT_EQ(array->Reads, 0);
+      // Grey counts thrice, alpha never.
+      vtkIdType negative = 0;
+      vtkIdType notFinite = 0;
+      for (vtkIdType k = 0; k < width * height * components; ++k)
+      {
+        const int times = components == 1 ? 3 : (k % components < 3 ? 1 : 0);
+        negative += k % 1000 == 7 ? times : 0;
+        notFinite += k % 1000 == 8 ? times : 0;
+      }
+      EXPECT_EQ(environment->GetNumberOfNegativeValues(), negative);
+      EXPECT_EQ(environment->GetNumberOfNonFiniteValues(), notFinite);
+      EXPECT_NEAR(environment->GetPixels().back(), sRGB ? 0.214041f : 0.5f, 1e-6f);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

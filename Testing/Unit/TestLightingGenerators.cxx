@@ -213,7 +213,7 @@ TEST(Generators, KeepTheEnergy)
     for (int count : { 1, 16, 256 })
     {
       ASSERT_TRUE(medianCut->Generate(environment, count, lights));
-      EXPECT_LE(lights->GetNumberOfLights(), std::min(count, size[0] * size[1]));
+      EXPECT_LE(lights->GetNumberOfLights(), count);
       for (int c = 0; c < 3; ++c)
       {
         EXPECT_NEAR(GetTotal(lights)[c], total[c], 1e-11 * total[c]);
@@ -228,8 +228,8 @@ TEST(Generators, KeepTheEnergy)
 //------------------------------------------------------------------------------
 TEST(Generators, SingleBrightTexel)
 {
-  const int width = 32;
-  const int height = 16;
+  const int width = 128;
+  const int height = 64;
   vtkNew<vtkEnvironment> environment;
   SetSingle(environment, width, height, 5, 11, { 3.0, 2.0, 1.0 });
   double centre[3];
@@ -283,8 +283,8 @@ TEST(Generators, BlackGivesNoLights)
 //------------------------------------------------------------------------------
 TEST(MedianCut, RegionsTileTheMap)
 {
-  const int width = 61;
-  const int height = 29;
+  const int width = 161;
+  const int height = 79;
   vtkNew<vtkEnvironment> environment;
   SetRandom(environment, width, height);
   vtkNew<vtkMedianCutLightSetGenerator> generator;
@@ -312,9 +312,13 @@ TEST(MedianCut, RegionsTileTheMap)
     EXPECT_NEAR(solidAngle, 4.0 * Pi, 1e-11);
   }
   // No brightest texel, more lights asked for than there are texels: one each.
+  ASSERT_TRUE(environment->SetPixels(128, 64, std::vector<float>(3 * 128 * 64, 1.0f)));
+  ASSERT_TRUE(generator->Generate(environment, 1 << 17, lights));
+  EXPECT_EQ(lights->GetNumberOfLights(), 8192);
+  // But large texels are areas.
   ASSERT_TRUE(environment->SetPixels(8, 4, std::vector<float>(96, 1.0f)));
   ASSERT_TRUE(generator->Generate(environment, 64, lights));
-  EXPECT_EQ(lights->GetNumberOfLights(), 32);
+  EXPECT_EQ(lights->GetNumberOfLights(), 64);
 }
 
 //------------------------------------------------------------------------------
@@ -350,8 +354,8 @@ TEST(MedianCut, HalvesAreBalanced)
 //------------------------------------------------------------------------------
 TEST(MedianCut, FirstCutIsTheBestOne)
 {
-  const int width = 40;
-  const int height = 20;
+  const int width = 128;
+  const int height = 64;
   vtkNew<vtkEnvironment> environment;
   SetRandom(environment, width, height, 5);
   vtkNew<vtkMedianCutLightSetGenerator> generator;
@@ -385,7 +389,7 @@ TEST(MedianCut, PolarRegionsAreCutInLatitude)
   // Constant map, 8 regions: halves, quarters in x (pi x pi -> pi/2 x pi), then each
   // quarter is higher than wide: cut in y at the equator.
   vtkNew<vtkEnvironment> environment;
-  ASSERT_TRUE(environment->SetPixels(64, 32, std::vector<float>(64 * 32 * 3, 1.0f)));
+  ASSERT_TRUE(environment->SetPixels(128, 64, std::vector<float>(128 * 64 * 3, 1.0f)));
   vtkNew<vtkMedianCutLightSetGenerator> generator;
   vtkNew<vtkLightSet> lights;
   ASSERT_TRUE(generator->Generate(environment, 8, lights));
@@ -401,20 +405,20 @@ TEST(MedianCut, PolarRegionsAreCutInLatitude)
     double u;
     double v;
     vtkEnvironment::GetCoordinates(d, u, v);
-    EXPECT_NEAR(u, 0.5 * (region[0] + region[2]) / 64, 1e-12);
+    EXPECT_NEAR(u, 0.5 * (region[0] + region[2]) / 128, 1e-12);
     // On directions: the octant's centroid has latitude atan(1/sqrt 2), not 45 degrees.
     EXPECT_NEAR(std::abs(v - 0.5) * Pi, std::atan(std::sqrt(0.5)), 2e-3);
   }
   std::set<std::array<int, 4>> expected;
-  for (int x = 0; x < 64; x += 16)
+  for (int x = 0; x < 128; x += 32)
   {
-    expected.insert({ x, 0, x + 16, 16 });
-    expected.insert({ x, 16, x + 16, 32 });
+    expected.insert({ x, 0, x + 32, 32 });
+    expected.insert({ x, 32, x + 32, 64 });
   }
   EXPECT_EQ(regions, expected);
 
   // Octants are pi/2 x pi/2, but narrower by the cosine of 45 degrees: cut in y, where the sine of
-  // the latitude is nearest to 1/2 (5 rows of 5.6 degrees: 0.471; 6 rows: 0.556).
+  // the latitude is nearest to 1/2 (10 rows of 2.8 degrees: 0.471; 11 rows: 0.514).
   ASSERT_TRUE(generator->Generate(environment, 16, lights));
   ASSERT_EQ(lights->GetNumberOfLights(), 16);
   std::set<std::pair<int, int>> rows;
@@ -422,10 +426,10 @@ TEST(MedianCut, PolarRegionsAreCutInLatitude)
   {
     int region[4];
     ASSERT_TRUE(lights->GetRegion(k, region));
-    EXPECT_EQ(region[2] - region[0], 16);
+    EXPECT_EQ(region[2] - region[0], 32);
     rows.insert({ region[1], region[3] });
   }
-  EXPECT_EQ(rows, (std::set<std::pair<int, int>>{ { 0, 11 }, { 11, 16 }, { 16, 21 }, { 21, 32 } }));
+  EXPECT_EQ(rows, (std::set<std::pair<int, int>>{ { 0, 21 }, { 21, 32 }, { 32, 43 }, { 43, 64 } }));
 }
 
 //------------------------------------------------------------------------------

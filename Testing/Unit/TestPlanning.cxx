@@ -455,6 +455,40 @@ TEST(Planner, EvaluateAllListsEveryMethod)
 }
 
 //------------------------------------------------------------------------------
+// A lamp two degrees long is one light for a broad lobe and several for one that tells its ends
+// apart.
+TEST(Planner, WideLampsAreSeveralLightsForSharpLobes)
+{
+  constexpr int width = 512, height = 256;
+  std::vector<float> rgb(3 * width * height, 0.01f);
+  for (int k = 0; k < 3; ++k)
+  {
+    std::fill_n(&rgb[3 * (128 * width + 200 + k)], 3, 1e4f);
+  }
+  vtkNew<vtkEnvironment> environment;
+  ASSERT_TRUE(environment->SetPixels(width, height, rgb));
+  for (const bool sharp : { false, true })
+  {
+    const auto brdf = NewPhong(sharp ? 20000.0 : 20.0);
+    const auto planner = NewPlanner(brdf, environment, 1e-4);
+    planner->SetMaximumTextureBytes(1600000);
+    ASSERT_TRUE(planner->Update());
+    int layered = 0;
+    for (int k = 0; k < planner->GetNumberOfCandidates(); ++k)
+    {
+      const std::string text = planner->GetDescription(k);
+      if (planner->GetMethod(k) == vtkRadiancePlanner::LAYERED)
+      {
+        ++layered;
+        EXPECT_EQ(Contains(text, ", 1 suns as lights"), !sharp) << text;
+        EXPECT_EQ(Contains(text, ", 2 suns as lights"), sharp) << text;
+      }
+    }
+    EXPECT_GT(layered, 0);
+  }
+}
+
+//------------------------------------------------------------------------------
 // What is cheap is tried first, and frame times are the model's.
 TEST(Planner, FollowsTheCostModel)
 {
