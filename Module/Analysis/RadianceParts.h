@@ -2,17 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What tables of radiance of one material under one environment have in common, whatever their
- * sizes: a planner, which tries many, has it made once. Private to the module.
+ * What tables of radiance of one material have in common, whatever their sizes and the light: a
+ * planner, which tries many, has it made once. Private to the module.
  */
 
 #ifndef RadianceParts_h
 #define RadianceParts_h
 
-#include "EnvironmentHarmonics.h"
 #include "KernelHarmonics.h"
-#include "vtkSmartPointer.h"
-#include "vtkType.h"
+#include "KernelLayers.h"
 
 #include <atomic>
 #include <map>
@@ -21,33 +19,15 @@
 #include <vector>
 
 class vtkBRDF;
-class vtkEnvironment;
-class vtkLightSet;
 
 namespace measuredbrdf
 {
-/// Nothing here may be used by two threads at a time.
+/// Nothing here may be used by two threads at a time, nor for two materials.
 class RadianceParts
 {
 public:
   RadianceParts();
   ~RadianceParts();
-
-  /// Forget what is of other inputs, or of these before they changed. What the functions below are
-  /// given must be these, or the rest of lamps of this environment.
-  void Keep(vtkBRDF* brdf, vtkEnvironment* environment);
-
-  /// An environment's lamps as lights (null: none), and what they leave.
-  struct Lamps
-  {
-    vtkSmartPointer<vtkLightSet> Lights;
-    vtkSmartPointer<vtkEnvironment> Rest;
-  };
-  /// BrightTexels::FindLamps.
-  const Lamps& GetLamps(vtkEnvironment* environment, double angle, int maximum);
-
-  /// Up to the given degree at least.
-  const EnvironmentHarmonics& GetHarmonics(vtkEnvironment* environment, int degree);
 
   /// Kernels at so many view angles, evenly spaced from 0 to LastView, which is the lowest view
   /// that is told apart. Null ones where it was aborted.
@@ -61,18 +41,16 @@ public:
   static double GetProfileAngle(int index);
   const Kernels& GetProfile(vtkBRDF* brdf, const std::atomic<bool>& abort);
 
+  /// The material's views, to be cut into layers.
+  const KernelViews& GetViews(vtkBRDF* brdf);
+
 private:
   static void Make(vtkBRDF* brdf, const std::vector<double>& angles, int resolution,
     const std::atomic<bool>& abort, Kernels& kernels);
 
-  vtkSmartPointer<vtkBRDF> BRDF;
-  vtkMTimeType BRDFTime = 0;
-  vtkSmartPointer<vtkEnvironment> Environment;
-  vtkMTimeType EnvironmentTime = 0;
-  std::map<std::pair<double, int>, Lamps> LampsOf;
-  std::map<vtkEnvironment*, std::unique_ptr<EnvironmentHarmonics>> Harmonics;
   std::map<std::pair<int, int>, Kernels> KernelsOf; // angles, resolution
   Kernels Profile;
+  std::unique_ptr<KernelViews> Views;
 };
 } // namespace measuredbrdf
 

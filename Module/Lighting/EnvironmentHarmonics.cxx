@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EnvironmentHarmonics.h"
 
+#include "TexelChanges.h"
 #include "WignerD.h"
 #include "vtkEnvironment.h"
 #include "vtkSMPTools.h"
@@ -17,9 +18,12 @@ namespace
 constexpr double Pi = 3.14159265358979323846;
 }
 
-EnvironmentHarmonics::EnvironmentHarmonics(vtkEnvironment* environment, int maximumDegree)
+EnvironmentHarmonics::EnvironmentHarmonics(
+  vtkEnvironment* environment, int maximumDegree, const TexelChanges* changes)
   : MaximumDegree(maximumDegree)
 {
+  static const TexelChanges none;
+  const TexelChanges& texels = changes ? *changes : none;
   const std::size_t width = static_cast<std::size_t>(environment->GetWidth());
   const std::size_t height = static_cast<std::size_t>(environment->GetHeight());
   const std::size_t orders = static_cast<std::size_t>(maximumDegree) + 1;
@@ -33,13 +37,16 @@ EnvironmentHarmonics::EnvironmentHarmonics(vtkEnvironment* environment, int maxi
     {
       Eigen::FFT<double> transform;
       std::vector<std::complex<double>> line(width), series(width);
+      std::vector<float> room;
       for (std::size_t y = static_cast<std::size_t>(begin); y < static_cast<std::size_t>(end); ++y)
       {
+        const float* row =
+          texels.GetRow(environment, static_cast<int>(y), 0, static_cast<int>(width), room);
         for (std::size_t channel = 0; channel < 3; ++channel)
         {
           for (std::size_t x = 0; x < width; ++x)
           {
-            line[x] = environment->GetPixels()[3 * (y * width + x) + channel];
+            line[x] = row[3 * x + channel];
           }
           series = line; // all there is to do for a single texel, where Eigen's transform fails
           if (width > 1)

@@ -4,6 +4,7 @@
 
 #include "SRGB.h"
 
+#include "EnvironmentParts.h"
 #include "HalfVector.h" // for Pi
 #include "ProceduralEnvironments.h"
 #include "vtkDataArray.h"
@@ -58,8 +59,12 @@ vtkStandardNewMacro(vtkEnvironment);
 //------------------------------------------------------------------------------
 vtkEnvironment::vtkEnvironment()
   : Pixels(std::make_shared<std::vector<float>>())
+  , Parts(std::make_shared<measuredbrdf::EnvironmentParts>())
 {
 }
+
+//------------------------------------------------------------------------------
+vtkEnvironment::~vtkEnvironment() = default;
 
 //------------------------------------------------------------------------------
 bool vtkEnvironment::SetImage(vtkImageData* image, bool sRGB)
@@ -136,6 +141,7 @@ bool vtkEnvironment::SetPixels(int width, int height, std::vector<float> rgb)
   this->Width = width;
   this->Height = height;
   this->Pixels = std::make_shared<const std::vector<float>>(std::move(rgb));
+  this->Parts = std::make_shared<measuredbrdf::EnvironmentParts>();
   this->PixelsTime.Modified();
   this->Modified();
   return true;
@@ -315,6 +321,7 @@ vtkEnvironment* vtkEnvironment::NewSnapshot()
   snapshot->Width = this->Width;
   snapshot->Height = this->Height;
   snapshot->Pixels = this->Pixels;
+  snapshot->Parts = this->Parts;
   snapshot->NumberOfNegativeValues = this->NumberOfNegativeValues;
   snapshot->NumberOfNonFiniteValues = this->NumberOfNonFiniteValues;
   std::copy_n(this->WorldToEnvironment, 9, snapshot->WorldToEnvironment);
