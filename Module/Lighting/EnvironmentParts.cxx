@@ -112,4 +112,10 @@ std::shared_ptr<const std::vector<float>> EnvironmentParts::GetIrradiance(const 
 {
   return this->Irradiances.Get(rest.get(), goOn, make);
 }
+
+std::string EnvironmentParts::GetContentKey(const std::function<std::string()>& make)
+{
+  return *this->ContentKey.Get(
+    0, []() { return true; }, [&]() { return std::make_shared<std::string>(make()); });
+}
 } // namespace measuredbrdf

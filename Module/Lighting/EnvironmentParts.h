@@ -75,6 +75,9 @@ public:
   std::shared_ptr<const std::vector<float>> GetIrradiance(const Rest& rest, const GoOn& goOn,
     const std::function<std::shared_ptr<const std::vector<float>>()>& make);
 
+  /// What tells these pixels from others, as make() has it.
+  std::string GetContentKey(const std::function<std::string()>& make);
+
 private:
   std::shared_ptr<const Lamps> Keep(BrightTexels&& bright);
 
@@ -87,6 +90,7 @@ private:
   MadeOnce<const TexelChanges*, EnvironmentPyramid> Pyramids;
   MadeOnce<std::pair<const TexelChanges*, int>, LightSet> LightSets; // rest, count
   MadeOnce<const TexelChanges*, std::vector<float>> Irradiances;
+  MadeOnce<int, std::string> ContentKey;
 };
 } // namespace measuredbrdf
 

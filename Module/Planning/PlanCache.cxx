@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PlanCache.h"
 
+#include "EnvironmentParts.h"
 #include "LowDiscrepancy.h"
 #include "vtkBRDF.h"
 #include "vtkEnvironment.h"
@@ -101,9 +102,16 @@ void AddContent(ContentHash& hash, vtkBRDF* brdf)
 
 void AddContent(ContentHash& hash, vtkEnvironment* environment)
 {
-  hash.AddValue(environment->GetWidth());
-  hash.AddValue(environment->GetHeight());
-  hash.Add(environment->GetPixels().data(), environment->GetPixels().size() * sizeof(float));
+  const std::string key = environment->GetParts().GetContentKey(
+    [environment]()
+    {
+      ContentHash pixels;
+      pixels.AddValue(environment->GetWidth());
+      pixels.AddValue(environment->GetHeight());
+      pixels.Add(environment->GetPixels().data(), environment->GetPixels().size() * sizeof(float));
+      return pixels.GetText();
+    });
+  hash.Add(key.data(), key.size());
 }
 
 std::string GetDefaultCacheFolder()
