@@ -25,50 +25,71 @@ double GetSum(const glm::dvec3& rgb) { return rgb.x + rgb.y + rgb.z; }
 const double LastView = std::acos(MinimumViewCosine);
 }
 
-KernelCut::KernelCut(vtkBRDF* brdf, double solidAngle)
+KernelViews::KernelViews(vtkBRDF* brdf)
   : Views(NumberOfViews)
 {
-  std::vector<double> shares(NumberOfViews, 0.0);
   vtkSMPTools::For(0, NumberOfViews, 1,
     [&](vtkIdType begin, vtkIdType end)
     {
-      for (vtkIdType view = begin; view < end; ++view)
+      for (vtkIdType k = begin; k < end; ++k)
       {
-        const double theta = LastView * static_cast<double>(view) / (NumberOfViews - 1);
+        const double theta = LastView * static_cast<double>(k) / (NumberOfViews - 1);
         const LobeQuadrature quadrature(
           brdf, glm::dvec3(std::sin(theta), 0.0, std::cos(theta)), Cells);
-        const glm::dvec3 floor = glm::max(quadrature.GetFloor(FloorCosine), glm::dvec3(0.0));
-        double energy = 0.0;
+        View& view = this->Views[static_cast<std::size_t>(k)];
+        view.Floor = glm::max(quadrature.GetFloor(FloorCosine), glm::dvec3(0.0));
+        view.Albedo = GetSum(quadrature.GetAlbedo());
         for (const LobeQuadrature::Cell& cell : quadrature.GetCells())
         {
-          energy += std::max(GetSum(cell.Weight - floor * cell.Cosine), 0.0);
+          view.Cells.push_back(
+            { std::max(GetSum(cell.Weight - view.Floor * cell.Cosine), 0.0), cell.SolidAngle });
         }
-        const double height = energy / solidAngle;
-        double above = 0.0;
-        for (const LobeQuadrature::Cell& cell : quadrature.GetCells())
-        {
-          above +=
-            std::max(GetSum(cell.Weight - floor * cell.Cosine) - height * cell.SolidAngle, 0.0);
-        }
-        const double albedo = GetSum(quadrature.GetAlbedo());
-        this->Views[static_cast<std::size_t>(view)] = { floor, height };
-        shares[static_cast<std::size_t>(view)] = albedo > 0.0 ? above / albedo : 0.0;
       }
     });
-  this->SharpShare = *std::max_element(shares.begin(), shares.end());
 }
 
-glm::dvec3 KernelCut::GetBroad(const glm::dvec3& f, const glm::dvec3& i, const glm::dvec3& o) const
+KernelCut::KernelCut(vtkBRDF* brdf, double solidAngle)
+  : KernelCut(KernelViews(brdf), solidAngle)
+{
+}
+
+KernelCut::KernelCut(const KernelViews& views, double solidAngle)
+{
+  for (const KernelViews::View& view : views.GetViews())
+  {
+    double energy = 0.0;
+    for (const KernelViews::Cell& cell : view.Cells)
+    {
+      energy += cell.Energy;
+    }
+    const double height = energy / solidAngle;
+    double above = 0.0;
+    for (const KernelViews::Cell& cell : view.Cells)
+    {
+      above += std::max(cell.Energy - height * cell.SolidAngle, 0.0);
+    }
+    const double share = view.Albedo > 0.0 ? above / view.Albedo : 0.0;
+    this->Views.push_back({ view.Floor, height, share });
+    this->SharpShare = std::max(this->SharpShare, share);
+  }
+}
+
+KernelCut::View KernelCut::GetView(const glm::dvec3& o) const
 {
   const double at = std::atan2(std::hypot(o.x, o.y), o.z) / LastView * (NumberOfViews - 1);
   const int low = std::clamp(static_cast<int>(at), 0, NumberOfViews - 2);
   const double t = std::min(at - low, 1.0);
   const View& a = this->Views[static_cast<std::size_t>(low)];
   const View& b = this->Views[static_cast<std::size_t>(low) + 1];
-  const double height = glm::mix(a.Height, b.Height, t);
-  const glm::dvec3 floor = glm::min(glm::mix(a.Floor, b.Floor, t), f);
-  const double rest = GetSum(f - floor) * i.z;
-  return rest > height ? floor + (f - floor) * (height / rest) : f;
+  return { glm::mix(a.Floor, b.Floor, t), glm::mix(a.Height, b.Height, t),
+    glm::mix(a.Share, b.Share, t) };
+}
+
+glm::dvec3 KernelCut::View::GetBroad(const glm::dvec3& f, double cosine) const
+{
+  const glm::dvec3 floor = glm::min(this->Floor, f);
+  const double rest = GetSum(f - floor) * cosine;
+  return rest > this->Height ? floor + (f - floor) * (this->Height / rest) : f;
 }
 
 vtkStandardNewMacro(KernelLayer);
@@ -97,8 +118,7 @@ void KernelLayer::EvaluateAbove(const double i[3], const double o[3], double f[3
 {
   glm::dvec3 whole;
   this->Whole->Evaluate(i, o, &whole.x);
-  const glm::dvec3 broad =
-    this->Cut->GetBroad(whole, glm::dvec3(i[0], i[1], i[2]), glm::dvec3(o[0], o[1], o[2]));
+  const glm::dvec3 broad = this->Cut->GetView(glm::dvec3(o[0], o[1], o[2])).GetBroad(whole, i[2]);
   for (int c = 0; c < 3; ++c)
   {
     f[c] = this->Sharp ? whole[c] - broad[c] : broad[c];

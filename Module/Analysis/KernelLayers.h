@@ -18,6 +18,31 @@
 
 namespace measuredbrdf
 {
+/// The kernel f cos(theta_i) of views from the normal to the lowest that shaders take, as cells of
+/// a quadrature: what cuts of one material have in common.
+class KernelViews
+{
+public:
+  /// Of a prepared, isotropic BRDF.
+  explicit KernelViews(vtkBRDF* brdf);
+
+  struct Cell
+  {
+    double Energy; // of all channels, less the Lambert part; not negative
+    double SolidAngle;
+  };
+  struct View
+  {
+    glm::dvec3 Floor; // the Lambert part
+    double Albedo;    // of all channels
+    std::vector<Cell> Cells;
+  };
+  const std::vector<View>& GetViews() const { return this->Views; }
+
+private:
+  std::vector<View> Views;
+};
+
 /**
  * Per view the kernel f cos(theta_i), less its Lambert part, is cut at the height at which all of
  * its energy would fill the solid angle: what is above is narrower than that angle (Markov's
@@ -26,21 +51,29 @@ namespace measuredbrdf
 class KernelCut
 {
 public:
-  /// Of a prepared, isotropic BRDF; solidAngle > 0 in sr.
+  ///@{
+  /// Of a prepared, isotropic BRDF, or its views; solidAngle > 0 in sr.
   KernelCut(vtkBRDF* brdf, double solidAngle);
+  KernelCut(const KernelViews& views, double solidAngle);
+  ///@}
 
-  /// f's broad part, 0 <= result <= f.
-  glm::dvec3 GetBroad(const glm::dvec3& f, const glm::dvec3& i, const glm::dvec3& o) const;
+  struct View
+  {
+    glm::dvec3 Floor;
+    double Height; // of the sum of all channels
+    double Share;  // that the sharp part has of the albedo
+
+    /// f's broad part, 0 <= result <= f, for a light at this cosine.
+    glm::dvec3 GetBroad(const glm::dvec3& f, double cosine) const;
+  };
+
+  /// For unit o above the horizon.
+  View GetView(const glm::dvec3& o) const;
 
   /// Largest share that the sharp part has of a view's directional albedo.
   double GetSharpShare() const { return this->SharpShare; }
 
 private:
-  struct View
-  {
-    glm::dvec3 Floor;
-    double Height; // of the sum of all channels
-  };
   std::vector<View> Views;
   double SharpShare = 0.0;
 };

@@ -5,6 +5,7 @@
 #include "HalfVector.h"
 #include "LowDiscrepancy.h"
 #include "vtkBRDF.h"
+#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,53 +20,121 @@ constexpr int Polars = 128; // cells over theta_h, denser towards the normal
 constexpr int Azimuths = 64;
 constexpr int RetroDraws = 256; // that tell how much lies about the view
 
-double GetCosine(int boundary)
-{
-  return std::cos(UnitToThetaH(static_cast<double>(boundary) / Polars));
-}
-
-double GetSolidAngle(int polar)
-{
-  return (GetCosine(polar) - GetCosine(polar + 1)) * 2.0 * Pi / Azimuths;
-}
+constexpr int NumberOfCells = Polars * Azimuths;
+constexpr int TableViews = 48;
 
 glm::dvec3 GetHalfVector(double cosine, double azimuth)
 {
   const double s = std::sqrt(std::max(1.0 - cosine * cosine, 0.0));
   return glm::dvec3(s * std::cos(2.0 * Pi * azimuth), s * std::sin(2.0 * Pi * azimuth), cosine);
 }
+
+// The cells, azimuth by azimuth, which are the same for all samplers.
+struct Grid
+{
+  Grid()
+  {
+    for (int k = 0; k <= Polars; ++k)
+    {
+      this->Cosines[k] = std::cos(UnitToThetaH(static_cast<double>(k) / Polars));
+    }
+    for (int azimuth = 0; azimuth < Azimuths; ++azimuth)
+    {
+      for (int polar = 0; polar < Polars; ++polar)
+      {
+        this->Middles[azimuth * Polars + polar] =
+          GetHalfVector(std::cos(UnitToThetaH((polar + 0.5) / Polars)), (azimuth + 0.5) / Azimuths);
+      }
+    }
+  }
+  double Cosines[Polars + 1]; // of the boundaries
+  glm::dvec3 Middles[NumberOfCells];
+};
+
+const Grid& GetGrid()
+{
+  static const Grid grid;
+  return grid;
 }
 
-LobeSampler::LobeSampler(vtkBRDF* brdf, const glm::dvec3& o)
+double GetCosine(int boundary) { return GetGrid().Cosines[boundary]; }
+
+double GetSolidAngle(int polar)
+{
+  return (GetCosine(polar) - GetCosine(polar + 1)) * 2.0 * Pi / Azimuths;
+}
+
+double GetSum(vtkBRDF* brdf, const glm::dvec3& i, const glm::dvec3& o)
+{
+  glm::dvec3 f;
+  brdf->Evaluate(&i.x, &o.x, &f.x);
+  return f.x + f.y + f.z;
+}
+
+// Tabulated views are denser towards the horizon, where f changes fast.
+double GetTableTheta(int view)
+{
+  const double rest = 1.0 - (view + 0.5) / TableViews;
+  return 0.5 * Pi * (1.0 - rest * rest);
+}
+}
+
+LobeTable::LobeTable(vtkBRDF* brdf)
+  : Values(static_cast<std::size_t>(TableViews * NumberOfCells), 0.0f)
+{
+  vtkSMPTools::For(0, TableViews, 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType view = begin; view < end; ++view)
+      {
+        const double theta = GetTableTheta(static_cast<int>(view));
+        const glm::dvec3 o(std::sin(theta), 0.0, std::cos(theta));
+        float* values = &this->Values[static_cast<std::size_t>(view * NumberOfCells)];
+        for (int cell = 0; cell < NumberOfCells; ++cell)
+        {
+          const glm::dvec3 i = ReflectAbout(o, GetGrid().Middles[cell]);
+          values[cell] = i.z > 0.0 ? static_cast<float>(GetSum(brdf, i, o)) : 0.0f;
+        }
+      }
+    });
+}
+
+void LobeTable::Read(const glm::dvec3& o, std::vector<double>& f) const
+{
+  const double theta = std::atan2(o.x, o.z);
+  const double at = TableViews * (1.0 - std::sqrt(std::max(1.0 - theta / (0.5 * Pi), 0.0))) - 0.5;
+  const int low = std::clamp(static_cast<int>(std::floor(at)), 0, TableViews - 1);
+  const int high = std::clamp(static_cast<int>(std::floor(at)) + 1, 0, TableViews - 1);
+  const float* first = &this->Values[static_cast<std::size_t>(low * NumberOfCells)];
+  const float* second = &this->Values[static_cast<std::size_t>(high * NumberOfCells)];
+  for (std::size_t cell = 0; cell < static_cast<std::size_t>(NumberOfCells); ++cell)
+  {
+    f[cell] = std::max(first[cell], second[cell]);
+  }
+}
+
+LobeSampler::LobeSampler(vtkBRDF* brdf, const glm::dvec3& o, const LobeTable* table)
   : View(o)
   , Retro(o)
 {
-  std::vector<double> masses(static_cast<std::size_t>(Polars * Azimuths), 0.0);
-  for (int azimuth = 0; azimuth < Azimuths; ++azimuth)
+  std::vector<double> masses(static_cast<std::size_t>(NumberOfCells), 0.0);
+  if (table)
   {
-    for (int polar = 0; polar < Polars; ++polar)
-    {
-      const double theta = UnitToThetaH((polar + 0.5) / Polars);
-      const glm::dvec3 h = GetHalfVector(std::cos(theta), (azimuth + 0.5) / Azimuths);
-      const glm::dvec3 i = ReflectAbout(o, h);
-      if (i.z > 0.0)
-      {
-        glm::dvec3 f;
-        brdf->Evaluate(&i.x, &o.x, &f.x);
-        masses[static_cast<std::size_t>(azimuth * Polars + polar)] =
-          (f.x + f.y + f.z) * i.z * 4.0 * std::max(glm::dot(o, h), 0.0) * GetSolidAngle(polar);
-      }
-    }
+    table->Read(o, masses);
+  }
+  for (int cell = 0; cell < NumberOfCells; ++cell)
+  {
+    double& mass = masses[static_cast<std::size_t>(cell)];
+    const glm::dvec3& h = GetGrid().Middles[cell];
+    const glm::dvec3 i = ReflectAbout(o, h);
+    const double f = !(i.z > 0.0) ? 0.0 : table ? mass : GetSum(brdf, i, o);
+    mass = f * i.z * 4.0 * std::max(glm::dot(o, h), 0.0) * GetSolidAngle(cell % Polars);
   }
   this->Cells = Distribution2D(masses, Polars, Azimuths);
 
   // A lobe about the view is missed where it is far above what its cell's centre shows.
   const auto evaluate = [brdf, &o](const glm::dvec3& i)
-  {
-    glm::dvec3 f;
-    brdf->Evaluate(&i.x, &o.x, &f.x);
-    return (f.x + f.y + f.z) * std::max(i.z, 0.0);
-  };
+  { return GetSum(brdf, i, o) * std::max(i.z, 0.0); };
   const double total = this->Cells.GetTotal();
   const auto getDensity = [this, total](const glm::dvec3& i)
   { return std::max(total * this->GetCellDensity(HalfVector(i, this->View)) / 3.0, i.z / Pi); };

@@ -15,15 +15,32 @@
 
 #include <glm/glm.hpp>
 
+#include <vector>
+
 class vtkBRDF;
 
 namespace measuredbrdf
 {
+/// What samplers of many views of an isotropic BRDF may read instead of evaluating it: f over the
+/// half vector, which hardly varies with the view, at a few views.
+class LobeTable
+{
+public:
+  /// Of a prepared BRDF.
+  explicit LobeTable(vtkBRDF* brdf);
+
+  /// Sum of f's channels in each cell, the largest of the views about o, whose y is 0.
+  void Read(const glm::dvec3& o, std::vector<double>& f) const;
+
+private:
+  std::vector<float> Values; // view, cell
+};
+
 class LobeSampler
 {
 public:
-  /// Of a prepared BRDF and unit o above the horizon.
-  LobeSampler(vtkBRDF* brdf, const glm::dvec3& o);
+  /// Of a prepared BRDF and unit o above the horizon; with a table of it, where there is one.
+  LobeSampler(vtkBRDF* brdf, const glm::dvec3& o, const LobeTable* table = nullptr);
 
   /// Whether nothing is reflected: then nothing can be drawn.
   bool IsBlack() const { return this->Cells.IsZero() && !(this->RetroShare > 0.0); }

@@ -2,11 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RadianceParts.h"
 
-#include "BrightTexels.h"
 #include "LocalFrame.h"
 #include "vtkBRDF.h"
-#include "vtkEnvironment.h"
-#include "vtkLightSet.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -23,43 +20,6 @@ constexpr int ProfileResolution = 32; // only means are used
 RadianceParts::RadianceParts() = default;
 
 RadianceParts::~RadianceParts() = default;
-
-const RadianceParts::Lamps& RadianceParts::GetLamps(
-  vtkEnvironment* environment, double angle, int maximum)
-{
-  const auto [found, isNew] = this->LampsOf.try_emplace({ angle, maximum });
-  Lamps& lamps = found->second;
-  if (!isNew)
-  {
-    return lamps;
-  }
-  environment = environment->GetSubdivided();
-  BrightTexels bright = BrightTexels::FindLamps(environment, angle, maximum);
-  lamps.Rest = environment;
-  if (!bright.Lights.empty())
-  {
-    lamps.Rest = vtkSmartPointer<vtkEnvironment>::New();
-    lamps.Rest->SetPixels(
-      environment->GetWidth(), environment->GetHeight(), std::move(bright.Rest));
-    lamps.Lights = vtkSmartPointer<vtkLightSet>::New();
-    for (const BrightTexels::Light& light : bright.Lights)
-    {
-      lamps.Lights->AddLight(&light.Direction.x, &light.Irradiance.x);
-    }
-  }
-  return lamps;
-}
-
-const EnvironmentHarmonics& RadianceParts::GetHarmonics(vtkEnvironment* environment, int degree)
-{
-  environment = environment->GetSubdivided(); // as lamps leave it
-  std::unique_ptr<EnvironmentHarmonics>& harmonics = this->Harmonics[environment];
-  if (!harmonics || harmonics->GetMaximumDegree() < degree)
-  {
-    harmonics = std::make_unique<EnvironmentHarmonics>(environment, degree);
-  }
-  return *harmonics;
-}
 
 double RadianceParts::GetLastView() { return std::acos(MinimumViewCosine); }
 
@@ -102,6 +62,15 @@ const RadianceParts::Kernels& RadianceParts::GetKernels(
   Kernels& kernels = this->KernelsOf[{ angles, resolution }];
   Make(brdf, thetas, resolution, abort, kernels);
   return kernels;
+}
+
+const KernelViews& RadianceParts::GetViews(vtkBRDF* brdf)
+{
+  if (!this->Views)
+  {
+    this->Views = std::make_unique<KernelViews>(brdf);
+  }
+  return *this->Views;
 }
 
 const RadianceParts::Kernels& RadianceParts::GetProfile(

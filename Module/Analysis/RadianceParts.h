@@ -2,17 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What tables of radiance of one material under one environment have in common, whatever their
- * sizes: a planner, which tries many, has it made once. Private to the module.
+ * What tables of radiance of one material have in common, whatever their sizes and the light: a
+ * planner, which tries many, has it made once. Private to the module.
  */
 
 #ifndef RadianceParts_h
 #define RadianceParts_h
 
-#include "EnvironmentHarmonics.h"
 #include "KernelHarmonics.h"
-#include "vtkSmartPointer.h"
-#include "vtkType.h"
+#include "KernelLayers.h"
 
 #include <atomic>
 #include <map>
@@ -21,30 +19,15 @@
 #include <vector>
 
 class vtkBRDF;
-class vtkEnvironment;
-class vtkLightSet;
 
 namespace measuredbrdf
 {
-/// For one material under one environment (and what its lamps leave), while neither changes; not
-/// for two threads at a time. Some 10 MB: not to be kept with a plan.
+/// For one material while it does not change; not for two threads at a time.
 class RadianceParts
 {
 public:
   RadianceParts();
   ~RadianceParts();
-
-  /// An environment's lamps as lights (null: none), and what they leave.
-  struct Lamps
-  {
-    vtkSmartPointer<vtkLightSet> Lights;
-    vtkSmartPointer<vtkEnvironment> Rest;
-  };
-  /// BrightTexels::FindLamps.
-  const Lamps& GetLamps(vtkEnvironment* environment, double angle, int maximum);
-
-  /// Up to the given degree at least.
-  const EnvironmentHarmonics& GetHarmonics(vtkEnvironment* environment, int degree);
 
   /// Kernels at so many view angles, evenly spaced from 0 to LastView, which is the lowest view
   /// that is told apart. Null ones where it was aborted.
@@ -58,14 +41,16 @@ public:
   static double GetProfileAngle(int index);
   const Kernels& GetProfile(vtkBRDF* brdf, const std::atomic<bool>& abort);
 
+  /// The material's views, to be cut into layers.
+  const KernelViews& GetViews(vtkBRDF* brdf);
+
 private:
   static void Make(vtkBRDF* brdf, const std::vector<double>& angles, int resolution,
     const std::atomic<bool>& abort, Kernels& kernels);
 
-  std::map<std::pair<double, int>, Lamps> LampsOf;
-  std::map<vtkEnvironment*, std::unique_ptr<EnvironmentHarmonics>> Harmonics;
   std::map<std::pair<int, int>, Kernels> KernelsOf; // angles, resolution
   Kernels Profile;
+  std::unique_ptr<KernelViews> Views;
 };
 } // namespace measuredbrdf
 

@@ -345,13 +345,6 @@ double vtkBasisRadianceIntegrator::GetTruncationError()
 }
 
 //------------------------------------------------------------------------------
-bool vtkBasisRadianceIntegrator::Report(double progress)
-{
-  this->InvokeEvent(vtkCommand::ProgressEvent, &progress);
-  return !this->Abort;
-}
-
-//------------------------------------------------------------------------------
 bool vtkBasisRadianceIntegrator::Begin()
 {
   if (!this->Environment || this->Environment->GetPixels().empty())

@@ -101,7 +101,6 @@ private:
   void operator=(const vtkBasisRadianceIntegrator&) = delete;
 
   struct Tables;
-  bool Report(double progress);
   bool MakeTerms(Tables& tables);
   bool MakeMaps(Tables& tables);
 

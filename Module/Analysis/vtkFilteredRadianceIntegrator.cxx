@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFilteredRadianceIntegrator.h"
 
+#include "EnvironmentParts.h"
 #include "EnvironmentPyramid.h"
 #include "LocalFrame.h"
 #include "Printable.h"
@@ -26,21 +27,22 @@ using namespace measuredbrdf;
 
 vtkStandardNewMacro(vtkFilteredRadianceIntegrator);
 
-// The halves depend on the material or on the environment alone and are kept while it stays.
+// The samples depend on the material alone and are kept while it stays.
 struct vtkFilteredRadianceIntegrator::Internals
 {
   std::unique_ptr<ReflectionSamples> Samples;
   vtkWeakPointer<vtkBRDF> SampledBRDF;
   vtkTimeStamp SamplesTime;
 
-  std::unique_ptr<EnvironmentPyramid> Pyramid;
-  vtkWeakPointer<vtkEnvironment> PyramidEnvironment;
-  bool PyramidWithoutLights = false;
-  vtkTimeStamp PyramidTime;
+  // Of all materials.
+  std::shared_ptr<const EnvironmentPyramid> Pyramid;
+  std::vector<BrightTexels::Light> Lights;
 };
 
 namespace
 {
+constexpr int MaximumNumberOfLights = 64; // that are taken out
+
 // Peaks that 16-bit floats suit: they overflow above, and lose digits below 6e-5.
 constexpr float LeastPeak = 0x1p-6f;
 constexpr float LargestPeak = 65504.0f;
@@ -88,7 +90,7 @@ vtkFilteredRadianceIntegrator::~vtkFilteredRadianceIntegrator() = default;
 //------------------------------------------------------------------------------
 int vtkFilteredRadianceIntegrator::GetNumberOfExtractedLights()
 {
-  return this->Impl->Pyramid ? static_cast<int>(this->Impl->Pyramid->GetLights().size()) : 0;
+  return static_cast<int>(this->Impl->Lights.size());
 }
 
 //------------------------------------------------------------------------------
@@ -124,16 +126,23 @@ bool vtkFilteredRadianceIntegrator::Begin()
     impl.SampledBRDF = this->BRDF.Get();
     impl.SamplesTime.Modified();
   }
-  if (!impl.Pyramid || impl.PyramidEnvironment.GetPointer() != this->Environment.Get() ||
-      impl.PyramidTime < this->Environment->GetPixelsMTime() ||
-      impl.PyramidWithoutLights == this->ExtractLights)
+  EnvironmentParts& parts = this->Environment->GetParts();
+  const auto goOn = [this]() { return this->Report(0.0); };
+  std::shared_ptr<const EnvironmentParts::Lamps> lights;
+  if (this->ExtractLights)
   {
-    impl.Pyramid = std::make_unique<EnvironmentPyramid>(
-      this->Environment, 0, this->ExtractLights ? BrightTexels::DefaultShare : 1.0);
-    impl.PyramidEnvironment = this->Environment.Get();
-    impl.PyramidWithoutLights = !this->ExtractLights;
-    impl.PyramidTime.Modified();
+    lights = parts.GetBrightTexels(
+      this->Environment, BrightTexels::DefaultShare, MaximumNumberOfLights, goOn);
   }
+  const auto pyramid =
+    parts.GetPyramid(this->Environment, lights ? lights->Rest : this->Rest, goOn);
+  if (!pyramid || (this->ExtractLights && !lights))
+  {
+    vtkErrorMacro("Integrate: aborted.");
+    return false;
+  }
+  impl.Pyramid = pyramid;
+  impl.Lights = lights ? lights->Lights : std::vector<BrightTexels::Light>();
   return true;
 }
 
@@ -157,7 +166,7 @@ void vtkFilteredRadianceIntegrator::IntegratePart(
     const glm::dvec3 d = turned * glm::normalize(glm::dvec3(sample.Direction));
     sum += glm::dvec3(sample.Weight * impl.Pyramid->Sample(d, sample.Level + level));
   }
-  for (const BrightTexels::Light& light : impl.Pyramid->GetLights())
+  for (const BrightTexels::Light& light : impl.Lights)
   {
     const glm::dvec3 i = ToLocal(frame, light.Direction);
     if (i.z > 0.0)
@@ -207,10 +216,10 @@ bool vtkFilteredRadianceIntegrator::GetGPUForm(vtkBRDFGPUForm& form)
   term.Textures.push_back(std::move(weights));
 
   vtkBRDFGPUForm result;
-  if (!pyramid.GetLights().empty())
+  if (!this->Impl->Lights.empty())
   {
     vtkNew<vtkLightSet> lights;
-    for (const BrightTexels::Light& light : pyramid.GetLights())
+    for (const BrightTexels::Light& light : this->Impl->Lights)
     {
       lights->AddLight(&light.Direction.x, &light.Irradiance.x);
     }
@@ -224,7 +233,7 @@ bool vtkFilteredRadianceIntegrator::GetGPUForm(vtkBRDFGPUForm& form)
   result.Description =
     std::to_string(count) + " samples of a map of " + std::to_string(pyramid.GetSize()) + " x " +
     std::to_string(pyramid.GetSize()) + " texels (" + (half ? "16" : "32") + "-bit), " +
-    std::to_string(pyramid.GetLights().size()) + " directional lights";
+    std::to_string(this->Impl->Lights.size()) + " directional lights";
   form = std::move(result);
   return true;
 }

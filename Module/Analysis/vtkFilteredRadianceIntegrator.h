@@ -30,6 +30,11 @@
 
 #include <memory> // for Internals
 
+namespace measuredbrdf
+{
+struct TexelChanges;
+}
+
 class VTKMEASUREDBRDF_EXPORT vtkFilteredRadianceIntegrator : public vtkRadianceIntegrator
 {
 public:
@@ -77,6 +82,14 @@ public:
   bool GetGPUForm(vtkBRDFGPUForm& form) override;
   bool UsesBRDFOnGPU() override { return this->GetNumberOfExtractedLights() > 0; }
 
+#ifndef __VTK_WRAP__
+  /**
+   * For layers: take the environment with these texels changed, where no lights are extracted; null
+   * (default): as it is.
+   */
+  void SetRest(const std::shared_ptr<const measuredbrdf::TexelChanges>& rest) { this->Rest = rest; }
+#endif
+
 protected:
   vtkFilteredRadianceIntegrator();
   ~vtkFilteredRadianceIntegrator() override;
@@ -96,6 +109,7 @@ private:
 
   struct Internals;
   std::unique_ptr<Internals> Impl;
+  std::shared_ptr<const measuredbrdf::TexelChanges> Rest;
 };
 
 #endif

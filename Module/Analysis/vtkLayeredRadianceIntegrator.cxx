@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLayeredRadianceIntegrator.h"
 
+#include "EnvironmentParts.h"
 #include "KernelLayers.h"
 #include "Printable.h"
 #include "RadianceParts.h"
@@ -82,13 +83,19 @@ bool vtkLayeredRadianceIntegrator::Begin()
 
   // Lights and what they leave.
   const auto parts = this->Parts ? this->Parts : std::make_shared<RadianceParts>();
-  const RadianceParts::Lamps& lamps = parts->GetLamps(
-    this->Environment, vtkMath::RadiansFromDegrees(this->LightAngle), this->MaximumNumberOfLights);
-  if (lamps.Lights)
+  const auto lamps = this->Environment->GetParts().GetLamps(this->Environment,
+    vtkMath::RadiansFromDegrees(this->LightAngle), this->MaximumNumberOfLights,
+    [this]() { return this->Report(0.0); });
+  if (!lamps)
+  {
+    vtkErrorMacro("Prepare: aborted.");
+    return false;
+  }
+  if (lamps->Set)
   {
     made.Lights = vtkSmartPointer<vtkLightSetIntegrator>::New();
     made.Lights->SetBRDF(this->BRDF->GetRenderable());
-    made.Lights->SetLightSet(lamps.Lights);
+    made.Lights->SetLightSet(lamps->Set);
     made.Lights->UnrolledOn(); // their number is the plan's
   }
 
@@ -97,7 +104,8 @@ bool vtkLayeredRadianceIntegrator::Begin()
   if (this->NumberOfSamples > 0)
   {
     const double spacing = Pi / (this->NumberOfRows - 1);
-    const auto cut = std::make_shared<KernelCut>(this->BRDF, ResolvedSquares * spacing * spacing);
+    const auto cut =
+      std::make_shared<KernelCut>(parts->GetViews(this->BRDF), ResolvedSquares * spacing * spacing);
     if (cut->GetSharpShare() > LeastShare)
     {
       const auto layer = [&](bool sharp)
@@ -109,7 +117,8 @@ bool vtkLayeredRadianceIntegrator::Begin()
       broad = layer(false);
       made.Sharp = vtkSmartPointer<vtkFilteredRadianceIntegrator>::New();
       made.Sharp->SetBRDF(layer(true));
-      made.Sharp->SetEnvironment(lamps.Rest);
+      made.Sharp->SetEnvironment(this->Environment);
+      made.Sharp->SetRest(lamps->Rest);
       made.Sharp->SetNumberOfSamples(this->NumberOfSamples);
       made.Sharp->ExtractLightsOff();
     }
@@ -117,7 +126,8 @@ bool vtkLayeredRadianceIntegrator::Begin()
   made.Broad = vtkSmartPointer<vtkTableRadianceIntegrator>::New();
   made.Broad->SetBRDF(broad);
   made.Broad->SetParts(made.Sharp ? nullptr : parts);
-  made.Broad->SetEnvironment(lamps.Rest);
+  made.Broad->SetEnvironment(this->Environment);
+  made.Broad->SetRest(lamps->Rest);
   made.Broad->SetNumberOfRows(this->NumberOfRows);
   made.Broad->SetNumberOfViewAngles(this->NumberOfViewAngles);
   made.Broad->SetNumberOfAzimuths(this->NumberOfAzimuths);

@@ -88,6 +88,13 @@ vtkMTimeType vtkRadianceIntegrator::GetInputsMTime()
 }
 
 //------------------------------------------------------------------------------
+bool vtkRadianceIntegrator::Report(double progress)
+{
+  this->InvokeEvent(vtkCommand::ProgressEvent, &progress);
+  return !this->Abort;
+}
+
+//------------------------------------------------------------------------------
 bool vtkRadianceIntegrator::GetGPUForm(vtkBRDFGPUForm&) { return false; }
 
 //------------------------------------------------------------------------------

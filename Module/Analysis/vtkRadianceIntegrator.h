@@ -106,6 +106,9 @@ protected:
   /// success; false (after an error event) stops.
   virtual bool Begin() = 0;
 
+  /// Raise ProgressEvent; returns whether to go on.
+  bool Report(double progress);
+
   /// How many parts the sum of one pair has: threads share pairs and parts alike, so one pair may
   /// keep all of them busy. The result does not depend on the number of threads.
   virtual int GetNumberOfParts() { return 1; }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTableRadianceIntegrator.h"
 
+#include "EnvironmentParts.h"
 #include "LocalFrame.h"
 #include "LogFactorial.h"
 #include "Neighbours.h"
@@ -191,7 +192,8 @@ struct vtkTableRadianceIntegrator::Tables
   std::vector<float> Profile; // RGB, ProfileSize x 3: (angle, cos, sin delta); share; c
   // RGB, Columns x Rows x Angles (Azimuths + 1): the first azimuth comes again after the last.
   std::vector<float> Radiance;
-  std::vector<float> Irradiance; // RGB, 2 (IrradianceRows - 1) x IrradianceRows
+  // RGB, 2 (IrradianceRows - 1) x IrradianceRows; null: there is no floor. Of all materials.
+  std::shared_ptr<const std::vector<float>> Irradiance;
 
   glm::dvec3 GetProfile(int row, double u) const
   {
@@ -255,8 +257,15 @@ bool vtkTableRadianceIntegrator::Begin()
   const int orders = this->NumberOfAzimuths / 2; // as many as the azimuths can tell apart
   const int degree = this->HarmonicDegree > 0 ? this->HarmonicDegree : this->NumberOfRows;
   const auto parts = this->Parts ? this->Parts : std::make_shared<RadianceParts>();
-  const EnvironmentHarmonics& environment =
-    parts->GetHarmonics(this->Environment, std::max(degree, IrradianceDegree));
+  EnvironmentParts& ofEnvironment = this->Environment->GetParts();
+  const auto goOn = [this]() { return this->Report(0.0); };
+  const auto harmonics = ofEnvironment.GetHarmonics(
+    this->Environment, this->Rest, std::max(degree, IrradianceDegree), goOn);
+  if (!harmonics)
+  {
+    vtkErrorMacro("Prepare: aborted.");
+    return false;
+  }
   const RadianceParts::Kernels& profile = parts->GetProfile(this->BRDF, this->Abort);
   const int angles = this->NumberOfViewAngles;
   const RadianceParts::Kernels& knots =
@@ -277,7 +286,7 @@ bool vtkTableRadianceIntegrator::Begin()
     static_cast<std::size_t>(tables->Columns) * static_cast<std::size_t>(tables->Rows);
   const std::size_t slices = static_cast<std::size_t>(tables->Azimuths) + 1;
   tables->Radiance.assign(3 * texels * slices * static_cast<std::size_t>(angles), 0.0f);
-  FieldSynthesis synthesis(environment, tables->Rows, tables->Columns);
+  FieldSynthesis synthesis(*harmonics, tables->Rows, tables->Columns);
   std::array<FieldSynthesis::Matrix, 3> matrices;
   std::array<FieldSynthesis::Field, 3> fields;
   for (int order = 0; order <= orders && !this->Abort; ++order)
@@ -320,8 +329,7 @@ bool vtkTableRadianceIntegrator::Begin()
           }
         }
       });
-    double progress = (order + 1.0) / (orders + 1);
-    this->InvokeEvent(vtkCommand::ProgressEvent, &progress);
+    this->Report((order + 1.0) / (orders + 1));
   }
   if (this->Abort)
   {
@@ -374,15 +382,21 @@ bool vtkTableRadianceIntegrator::Begin()
   }
   if (tables->HasFloor)
   {
-    this->AddIrradiance(environment, *tables);
+    tables->Irradiance = ofEnvironment.GetIrradiance(
+      this->Rest, goOn, [&harmonics]() { return MakeIrradiance(*harmonics); });
+    if (!tables->Irradiance)
+    {
+      vtkErrorMacro("Prepare: aborted.");
+      return false;
+    }
   }
   this->Data = std::move(tables);
   return true;
 }
 
 //------------------------------------------------------------------------------
-void vtkTableRadianceIntegrator::AddIrradiance(
-  const EnvironmentHarmonics& environment, Tables& tables)
+std::shared_ptr<const std::vector<float>> vtkTableRadianceIntegrator::MakeIrradiance(
+  const EnvironmentHarmonics& environment)
 {
   // The clamped cosine's harmonics (Ramamoorthi, Hanrahan 2001).
   FieldSynthesis::Matrix cosine = FieldSynthesis::Matrix::Zero(IrradianceDegree + 1, 1);
@@ -398,16 +412,18 @@ void vtkTableRadianceIntegrator::AddIrradiance(
   }
   const int columns = 2 * (IrradianceRows - 1);
   FieldSynthesis synthesis(environment, IrradianceRows, columns);
-  tables.Irradiance.resize(3 * static_cast<std::size_t>(columns * IrradianceRows));
+  auto irradiance =
+    std::make_shared<std::vector<float>>(3 * static_cast<std::size_t>(columns * IrradianceRows));
   std::array<FieldSynthesis::Field, 3> fields;
   synthesis.Run(0, { cosine, cosine, cosine }, fields);
   for (std::size_t channel = 0; channel < 3; ++channel)
   {
     for (std::size_t texel = 0; texel < fields[channel].size(); ++texel)
     {
-      tables.Irradiance[3 * texel + channel] = fields[channel][texel].real();
+      (*irradiance)[3 * texel + channel] = fields[channel][texel].real();
     }
   }
+  return irradiance;
 }
 
 //------------------------------------------------------------------------------
@@ -443,7 +459,7 @@ void vtkTableRadianceIntegrator::IntegratePart(
   sum *= tables.GetProfile(1, u);
   if (tables.HasFloor)
   {
-    sum += tables.GetProfile(2, u) * Tables::GetMapValue(tables.Irradiance, IrradianceRows,
+    sum += tables.GetProfile(2, u) * Tables::GetMapValue(*tables.Irradiance, IrradianceRows,
                                        2 * (IrradianceRows - 1), 0, MapPosition(frame[2]));
   }
   for (int c = 0; c < 3; ++c)
@@ -461,14 +477,16 @@ std::string vtkTableRadianceIntegrator::GetPrepared()
   }
   const Tables& tables = *this->Data;
   std::string bytes;
+  const std::vector<float> none;
+  const std::vector<float>& irradiance = tables.HasFloor ? *tables.Irradiance : none;
   const auto put = [&bytes](const void* data, std::size_t size)
   { bytes.append(static_cast<const char*>(data), size); };
   const std::uint64_t header[] = { static_cast<std::uint64_t>(tables.Rows),
     static_cast<std::uint64_t>(tables.Angles), static_cast<std::uint64_t>(tables.Azimuths),
-    tables.Profile.size(), tables.Radiance.size(), tables.Irradiance.size() };
+    tables.Profile.size(), tables.Radiance.size(), irradiance.size() };
   put(header, sizeof(header));
   put(&tables.Scale, sizeof(tables.Scale));
-  for (const std::vector<float>* values : { &tables.Profile, &tables.Radiance, &tables.Irradiance })
+  for (const std::vector<float>* values : { &tables.Profile, &tables.Radiance, &irradiance })
   {
     put(values->data(), values->size() * sizeof(float));
   }
@@ -505,7 +523,8 @@ bool vtkTableRadianceIntegrator::TakePrepared(const std::string& bytes)
   }
   tables->HasFloor = header[5] != 0;
   int part = 3;
-  for (std::vector<float>* values : { &tables->Profile, &tables->Radiance, &tables->Irradiance })
+  auto irradianceMap = std::make_shared<std::vector<float>>();
+  for (std::vector<float>* values : { &tables->Profile, &tables->Radiance, irradianceMap.get() })
   {
     values->resize(static_cast<std::size_t>(header[part++]));
     std::memcpy(values->data(), bytes.data() + at, values->size() * sizeof(float));
@@ -515,6 +534,7 @@ bool vtkTableRadianceIntegrator::TakePrepared(const std::string& bytes)
       return false;
     }
   }
+  tables->Irradiance = irradianceMap;
   this->Data = std::move(tables);
   this->PrepareTime.Modified();
   return true;
@@ -550,8 +570,8 @@ bool vtkTableRadianceIntegrator::GetGPUForm(vtkBRDFGPUForm& form)
     tables.Radiance);
   if (tables.HasFloor)
   {
-    add(
-      "brdfTableIrradiance", 2 * (IrradianceRows - 1), IrradianceRows, 1, false, tables.Irradiance);
+    add("brdfTableIrradiance", 2 * (IrradianceRows - 1), IrradianceRows, 1, false,
+      *tables.Irradiance);
   }
   form = vtkBRDFGPUForm();
   form.QuantizationError = std::ldexp(1.0, -11);

@@ -43,11 +43,13 @@
 
 #include <memory> // for tables
 #include <string> // for bytes
+#include <vector> // for tables
 
 namespace measuredbrdf
 {
 class EnvironmentHarmonics;
 class RadianceParts;
+struct TexelChanges;
 }
 
 class VTKMEASUREDBRDF_EXPORT vtkTableRadianceIntegrator : public vtkRadianceIntegrator
@@ -103,6 +105,11 @@ public:
    * For the planner: what Prepare needs whatever the sizes; null (default): its own.
    */
   void SetParts(const std::shared_ptr<measuredbrdf::RadianceParts>& parts) { this->Parts = parts; }
+
+  /**
+   * For layers: take the environment with these texels changed; null (default): as it is.
+   */
+  void SetRest(const std::shared_ptr<const measuredbrdf::TexelChanges>& rest) { this->Rest = rest; }
 #endif
 
 protected:
@@ -124,9 +131,11 @@ private:
   void operator=(const vtkTableRadianceIntegrator&) = delete;
 
   struct Tables;
-  void AddIrradiance(const measuredbrdf::EnvironmentHarmonics& environment, Tables& tables);
+  static std::shared_ptr<const std::vector<float>> MakeIrradiance(
+    const measuredbrdf::EnvironmentHarmonics& environment);
 
   std::shared_ptr<measuredbrdf::RadianceParts> Parts;
+  std::shared_ptr<const measuredbrdf::TexelChanges> Rest;
   std::unique_ptr<Tables> Data;
 };
 

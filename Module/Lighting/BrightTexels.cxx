@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <unordered_map>
 #include <utility>
 
 namespace measuredbrdf
@@ -69,59 +70,85 @@ void Merge(std::vector<Lamp>& lamps, double angle)
     }
   }
 }
+
+// Luminance of a share, at least: no texel of a small map counts that is but a little brighter.
+double GetLeast(double total, double share, vtkEnvironment* environment)
+{
+  const double texels = static_cast<double>(environment->GetPixels().size() / 3);
+  return total * std::max(share, Contrast / texels);
+}
+}
+
+BrightTexels::Ranking::Ranking(vtkEnvironment* environment, double share)
+{
+  const std::vector<float>& pixels = environment->GetPixels();
+  const int width = environment->GetWidth();
+  // Twice over the pixels is cheaper than to keep their luminances.
+  const auto visit = [&](const auto& take)
+  {
+    std::size_t k = 0;
+    for (int y = 0; y < environment->GetHeight(); ++y)
+    {
+      const double solidAngle = environment->GetTexelSolidAngle(y);
+      for (int x = 0; x < width; ++x, ++k)
+      {
+        const double rgb[3] = { pixels[3 * k], pixels[3 * k + 1], pixels[3 * k + 2] };
+        take(vtkEnvironment::GetLuminance(rgb) * solidAngle, static_cast<int>(k));
+      }
+    }
+  };
+  visit([this](double luminance, int) { this->Total += luminance; });
+  const double least = GetLeast(this->Total, share, environment);
+  visit(
+    [this, least](double luminance, int texel)
+    {
+      if (luminance > least)
+      {
+        this->Texels.emplace_back(luminance, texel);
+      }
+    });
+  std::sort(this->Texels.begin(), this->Texels.end(), std::greater<std::pair<double, int>>());
 }
 
 BrightTexels::BrightTexels(vtkEnvironment* environment, double share, int maximum)
 {
-  this->Extract(environment, share, maximum, 0.0);
+  environment = environment->GetSubdivided();
+  if (share < 1.0 && maximum > 0)
+  {
+    this->Extract(environment, Ranking(environment, share), share, maximum, 0.0);
+  }
 }
 
 BrightTexels BrightTexels::FindLamps(vtkEnvironment* environment, double angle, int maximum)
 {
+  environment = environment->GetSubdivided();
   BrightTexels found;
+  if (maximum <= 0)
+  {
+    return found;
+  }
   double share = LampShare;
-  while (!found.Extract(environment, share, maximum, angle) && share < DefaultShare)
+  const Ranking ranking(environment, share);
+  while (!found.Extract(environment, ranking, share, maximum, angle) && share < DefaultShare)
   {
     share *= 2.0;
   }
   return found;
 }
 
-bool BrightTexels::Extract(vtkEnvironment* environment, double share, int maximum, double angle)
+bool BrightTexels::Extract(
+  vtkEnvironment* environment, const Ranking& ranking, double share, int maximum, double angle)
 {
-  environment = environment->GetSubdivided();
-  this->Rest = environment->GetPixels();
+  this->Rest.Texels.clear();
   this->Lights.clear();
-  if (share >= 1.0 || maximum <= 0)
-  {
-    return true;
-  }
   const int width = environment->GetWidth();
   const int height = environment->GetHeight();
   const std::vector<float>& pixels = environment->GetPixels();
-  const std::size_t texels = pixels.size() / 3;
-  std::vector<double> luminances(texels);
-  double total = 0.0;
-  for (std::size_t k = 0; k < texels; ++k)
-  {
-    const double rgb[3] = { pixels[3 * k], pixels[3 * k + 1], pixels[3 * k + 2] };
-    luminances[k] =
-      environment->GetLuminance(rgb) *
-      environment->GetTexelSolidAngle(static_cast<int>(k / static_cast<std::size_t>(width)));
-    total += luminances[k];
-  }
-  const double least = total * std::max(share, Contrast / static_cast<double>(texels));
-  std::vector<std::pair<double, int>> brightest;
-  for (std::size_t k = 0; k < texels; ++k)
-  {
-    if (luminances[k] > least)
-    {
-      brightest.emplace_back(luminances[k], static_cast<int>(k));
-    }
-  }
-  std::sort(brightest.begin(), brightest.end(), std::greater<std::pair<double, int>>());
+  const double least = GetLeast(ranking.Total, share, environment);
+  std::vector<std::pair<double, int>> brightest(
+    ranking.Texels.begin(), std::find_if(ranking.Texels.begin(), ranking.Texels.end(),
+                              [least](const auto& texel) { return !(texel.first > least); }));
 
-  // Each texel's light, -1: none.
   std::vector<Lamp> lamps;
   bool all = true;
   for (const auto& texel : brightest)
@@ -156,20 +183,20 @@ bool BrightTexels::Extract(vtkEnvironment* environment, double share, int maximu
     lamps.resize(static_cast<std::size_t>(maximum));
     all = false;
   }
-  std::vector<int> owners(texels, -1);
+  std::unordered_map<int, int> owners; // texels' lights
   for (std::size_t lamp = 0; lamp < lamps.size(); ++lamp)
   {
     for (const int texel : lamps[lamp].Texels)
     {
-      owners[static_cast<std::size_t>(texel)] = static_cast<int>(lamp);
+      owners[texel] = static_cast<int>(lamp);
     }
   }
 
   this->Lights.resize(lamps.size(), { glm::dvec3(0.0), glm::dvec3(0.0) });
   for (const auto& texel : brightest)
   {
-    const int owner = owners[static_cast<std::size_t>(texel.second)];
-    if (owner < 0)
+    const auto owner = owners.find(texel.second);
+    if (owner == owners.end())
     {
       continue;
     }
@@ -182,29 +209,32 @@ bool BrightTexels::Extract(vtkEnvironment* environment, double share, int maximu
     {
       for (int dx = -1; dx <= 1; ++dx)
       {
-        const std::size_t k = static_cast<std::size_t>(
-          std::clamp(y + dy, 0, height - 1) * width + (x + dx + width) % width);
-        if (owners[k] < 0)
+        const int neighbour = std::clamp(y + dy, 0, height - 1) * width + (x + dx + width) % width;
+        if (owners.count(neighbour) == 0)
         {
+          const std::size_t k = static_cast<std::size_t>(neighbour);
           sum += glm::dvec3(pixels[3 * k], pixels[3 * k + 1], pixels[3 * k + 2]);
           ++neighbours;
         }
       }
     }
-    Light& light = this->Lights[static_cast<std::size_t>(owner)];
+    Light& light = this->Lights[static_cast<std::size_t>(owner->second)];
+    TexelChanges::Texel rest{ static_cast<std::size_t>(texel.second), {} };
     glm::dvec3 irradiance;
     for (int c = 0; c < 3; ++c)
     {
-      float& value = this->Rest[3 * static_cast<std::size_t>(texel.second) + c];
+      const float value = pixels[3 * rest.Index + static_cast<std::size_t>(c)];
       const double kept = std::min<double>(value, neighbours > 0 ? sum[c] / neighbours : 0.0);
       irradiance[c] = (value - kept) * environment->GetTexelSolidAngle(y);
-      value = static_cast<float>(kept);
+      rest.Radiance[c] = static_cast<float>(kept);
     }
+    this->Rest.Texels.push_back(rest);
     glm::dvec3 direction;
     environment->GetTexelDirection(x, y, &direction.x);
     light.Direction += environment->GetLuminance(&irradiance.x) * direction;
     light.Irradiance += irradiance;
   }
+  std::sort(this->Rest.Texels.begin(), this->Rest.Texels.end());
   for (std::size_t k = 0; k < this->Lights.size(); ++k)
   {
     const double length = glm::length(this->Lights[k].Direction);

@@ -10,8 +10,11 @@
 #ifndef BrightTexels_h
 #define BrightTexels_h
 
+#include "TexelChanges.h"
+
 #include <glm/glm.hpp>
 
+#include <utility>
 #include <vector>
 
 class vtkEnvironment;
@@ -45,13 +48,23 @@ struct BrightTexels
   static BrightTexels FindLamps(vtkEnvironment* environment, double angle, int maximum);
 
   std::vector<Light> Lights;
-  /// The pixels of GetSubdivided(), with their neighbours' mean in place of the lights.
-  std::vector<float> Rest;
+  /// Of GetSubdivided(): their neighbours' mean in place of the lights.
+  TexelChanges Rest;
 
 private:
   BrightTexels() = default;
+
+  /// The texels that hold more than a share of all luminance, the brightest first.
+  struct Ranking
+  {
+    Ranking(vtkEnvironment* environment, double share);
+    double Total = 0.0;
+    std::vector<std::pair<double, int>> Texels; // luminance, index
+  };
+
   /// Returns whether all texels with that share found a light.
-  bool Extract(vtkEnvironment* environment, double share, int maximum, double angle);
+  bool Extract(
+    vtkEnvironment* environment, const Ranking& ranking, double share, int maximum, double angle);
 };
 } // namespace measuredbrdf
 

@@ -3,6 +3,7 @@
 #include "EnvironmentHarmonics.h"
 
 #include "GaussLegendre.h"
+#include "TexelChanges.h"
 #include "WignerD.h"
 #include "vtkEnvironment.h"
 #include "vtkSMPTools.h"
@@ -123,10 +124,13 @@ private:
 };
 }
 
-EnvironmentHarmonics::EnvironmentHarmonics(vtkEnvironment* environment, int maximumDegree)
+EnvironmentHarmonics::EnvironmentHarmonics(
+  vtkEnvironment* environment, int maximumDegree, const TexelChanges* changes)
   : MaximumDegree(maximumDegree)
 {
   environment = environment->GetSubdivided();
+  static const TexelChanges none;
+  const TexelChanges& texels = changes ? *changes : none;
   const std::size_t width = static_cast<std::size_t>(environment->GetWidth());
   const std::size_t height = static_cast<std::size_t>(environment->GetHeight());
   const std::size_t orders = static_cast<std::size_t>(maximumDegree) + 1;
@@ -140,10 +144,12 @@ EnvironmentHarmonics::EnvironmentHarmonics(vtkEnvironment* environment, int maxi
     [&](vtkIdType begin, vtkIdType end)
     {
       RowTransform::Workspace work;
+      std::vector<float> room;
       for (std::size_t y = static_cast<std::size_t>(begin); y < static_cast<std::size_t>(end); ++y)
       {
         const double solidAngle = environment->GetTexelSolidAngle(static_cast<int>(y));
-        transform.Run(&environment->GetPixels()[3 * y * width], work,
+        transform.Run(
+          texels.GetRow(environment, static_cast<int>(y), 0, static_cast<int>(width), room), work,
           [&](int channel, std::size_t m, const std::complex<double>& value)
           {
             rows[(static_cast<std::size_t>(channel) * height + y) * orders + m] =

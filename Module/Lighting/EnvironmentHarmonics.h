@@ -19,11 +19,14 @@ class vtkEnvironment;
 
 namespace measuredbrdf
 {
+struct TexelChanges;
+
 class EnvironmentHarmonics
 {
 public:
-  /// Of an environment that is not empty, up to the given degree.
-  EnvironmentHarmonics(vtkEnvironment* environment, int maximumDegree);
+  /// Of an environment that is not empty, up to the given degree; changes: of its texels, or null.
+  EnvironmentHarmonics(
+    vtkEnvironment* environment, int maximumDegree, const TexelChanges* changes = nullptr);
 
   int GetMaximumDegree() const { return this->MaximumDegree; }
 

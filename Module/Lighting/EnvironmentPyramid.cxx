@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EnvironmentPyramid.h"
 
+#include "TexelChanges.h"
 #include "vtkEnvironment.h"
 
 #include <algorithm>
@@ -68,7 +69,7 @@ glm::dvec3 EnvironmentPyramid::ToSphere(const glm::dvec2& uv)
 }
 
 EnvironmentPyramid::EnvironmentPyramid(
-  vtkEnvironment* environment, int size, double lightShare, int maximumLights)
+  vtkEnvironment* environment, const TexelChanges* changes, int size)
 {
   environment = environment->GetSubdivided();
   this->Size = size > 0 ? size : ChooseSize(environment);
@@ -80,7 +81,8 @@ EnvironmentPyramid::EnvironmentPyramid(
   }
   this->Atlas.assign(
     static_cast<std::size_t>(rows) * static_cast<std::size_t>(this->Size + 2), glm::vec4(0.0f));
-  this->Fill(environment, lightShare, maximumLights);
+  static const TexelChanges none;
+  this->Fill(environment, changes ? *changes : none);
   for (int level = 0; level < this->GetNumberOfLevels(); ++level)
   {
     if (level > 0)
@@ -118,19 +120,20 @@ glm::vec4& EnvironmentPyramid::At(int level, int x, int y)
             static_cast<std::size_t>(x + 1)];
 }
 
-void EnvironmentPyramid::Fill(vtkEnvironment* environment, double lightShare, int maximumLights)
+void EnvironmentPyramid::Fill(vtkEnvironment* environment, const TexelChanges& changes)
 {
   const int width = environment->GetWidth();
   const int height = environment->GetHeight();
-  BrightTexels bright(environment, lightShare, maximumLights);
-  const std::vector<float>& pixels = bright.Rest;
-  this->Lights = std::move(bright.Lights);
-  const std::size_t texels = pixels.size() / 3;
+  std::vector<float> room;
   glm::dvec3 kept(0.0);
-  for (std::size_t k = 0; k < texels; ++k)
+  for (int y = 0; y < height; ++y)
   {
-    kept += environment->GetTexelSolidAngle(static_cast<int>(k / static_cast<std::size_t>(width))) *
-            glm::dvec3(pixels[3 * k], pixels[3 * k + 1], pixels[3 * k + 2]);
+    const float* pixels = changes.GetRow(environment, y, 0, width, room);
+    const double solidAngle = environment->GetTexelSolidAngle(y);
+    for (int x = 0; x < width; ++x)
+    {
+      kept += solidAngle * glm::dvec3(pixels[3 * x], pixels[3 * x + 1], pixels[3 * x + 2]);
+    }
   }
 
   // The map's texels take the mean of what falls into them.
@@ -149,6 +152,7 @@ void EnvironmentPyramid::Fill(vtkEnvironment* environment, double lightShare, in
     glm::dvec3 meridian;
     vtkEnvironment::GetDirection(0.5, (row + 0.5) / (height * parts), &meridian.x);
     const double cosine = std::hypot(meridian.x, meridian.z);
+    const float* pixels = changes.GetRow(environment, row / parts, 0, width, room);
     for (int column = 0; column < width * parts; ++column)
     {
       const glm::dvec3 d(cosine * columns[static_cast<std::size_t>(column)].x, meridian.y,
@@ -156,8 +160,7 @@ void EnvironmentPyramid::Fill(vtkEnvironment* environment, double lightShare, in
       const glm::dvec2 uv = ToSquare(d);
       const int x = std::min(static_cast<int>(uv.x * this->Size), this->Size - 1);
       const int y = std::min(static_cast<int>(uv.y * this->Size), this->Size - 1);
-      const float* pixel =
-        &pixels[3 * (static_cast<std::size_t>(row / parts) * width + column / parts)];
+      const float* pixel = pixels + 3 * (column / parts);
       sums[static_cast<std::size_t>(y) * this->Size + x] +=
         cosine * glm::dvec4(pixel[0], pixel[1], pixel[2], 1.0);
     }
@@ -176,7 +179,7 @@ void EnvironmentPyramid::Fill(vtkEnvironment* environment, double lightShare, in
       else
       {
         const glm::dvec3 d = ToSphere((glm::dvec2(x, y) + 0.5) / static_cast<double>(this->Size));
-        environment->GetRadiance(&d.x, &mean.x);
+        changes.GetRadiance(environment, &d.x, &mean.x);
       }
       this->At(0, x, y) = glm::vec4(glm::vec3(mean), 0.0f);
       shown += mean * 4.0 * Pi / (static_cast<double>(this->Size) * this->Size);

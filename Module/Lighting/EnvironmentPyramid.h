@@ -11,8 +11,6 @@
 #ifndef EnvironmentPyramid_h
 #define EnvironmentPyramid_h
 
-#include "BrightTexels.h"
-
 #include <glm/glm.hpp>
 
 #include <vector>
@@ -21,15 +19,18 @@ class vtkEnvironment;
 
 namespace measuredbrdf
 {
+struct TexelChanges;
+
 class EnvironmentPyramid
 {
 public:
   /**
-   * From an environment that is not empty, less its BrightTexels. size: texels a side of the finest
-   * level, a power of two; 0: about as fine as the environment, at most 1024.
+   * From an environment that is not empty, with some texels changed where that is not null. size:
+   * texels a side of the finest level, a power of two; 0: about as fine as the environment, at most
+   * 1024.
    */
-  EnvironmentPyramid(vtkEnvironment* environment, int size = 0,
-    double lightShare = BrightTexels::DefaultShare, int maximumLights = 64);
+  explicit EnvironmentPyramid(
+    vtkEnvironment* environment, const TexelChanges* changes = nullptr, int size = 0);
 
   /// Texels a side of the finest level where nothing is asked for.
   static int ChooseSize(vtkEnvironment* environment);
@@ -42,7 +43,6 @@ public:
 
   int GetSize() const { return this->Size; }
   int GetNumberOfLevels() const { return static_cast<int>(this->Offsets.size()); }
-  const std::vector<BrightTexels::Light>& GetLights() const { return this->Lights; }
 
   /// All levels below each other, each with a border of one texel that continues it across the
   /// octahedron's edges: width GetSize() + 2, RGBA (A unused).
@@ -58,14 +58,13 @@ public:
 private:
   glm::vec4& At(int level, int x, int y);
   glm::vec3 Bilinear(int level, float u, float v) const;
-  void Fill(vtkEnvironment* environment, double lightShare, int maximumLights);
+  void Fill(vtkEnvironment* environment, const TexelChanges& changes);
   void Halve(int level);
   void ContinueBorder(int level);
 
   int Size = 0;
   std::vector<int> Offsets; // first row of each level
   std::vector<glm::vec4> Atlas;
-  std::vector<BrightTexels::Light> Lights;
 };
 } // namespace measuredbrdf
 

@@ -14,6 +14,7 @@
 #include <climits>
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <queue>
 #include <utility>
 #include <vector>
@@ -22,6 +23,8 @@ class vtkEnvironment;
 
 namespace measuredbrdf
 {
+struct TexelChanges;
+
 class LightTree
 {
 public:
@@ -47,8 +50,10 @@ public:
     double GetVariance() const;
   };
 
-  /// brightTexels: whether outstanding texels become cells before the rest is cut.
-  LightTree(vtkEnvironment* environment, Rule rule, bool brightTexels);
+  /// Of an environment with some texels changed. brightTexels: whether outstanding texels become
+  /// cells before the rest is cut.
+  LightTree(vtkEnvironment* environment, Rule rule, bool brightTexels,
+    std::shared_ptr<const TexelChanges> changes = nullptr);
 
   /// Split until there are `cells` or nothing is left to split. False where progress (of this call,
   /// in [0,1]) said false: then the tree is of no more use.
@@ -75,9 +80,11 @@ public:
 private:
   class Cutter;
 
+  const float* GetRow(
+    vtkEnvironment* environment, int y, int x0, int x1, std::vector<float>& room) const;
   void FindBrightTexels(vtkEnvironment* environment);
   void AddChildren(std::size_t parent, const Node& first, const Node& second);
-  void Push(const Cutter& cutter, std::size_t node, int depth);
+  void Push(std::size_t node, const glm::dvec4& sum, int depth);
   void Gather(vtkEnvironment* environment, std::size_t firstNode);
 
   struct Candidate
@@ -95,7 +102,9 @@ private:
   Rule SplitRule;
   int Width;
   int Height;
-  std::vector<std::size_t> Bright; // texels, in the order of the pixels
+  std::shared_ptr<const TexelChanges> Changes; // null: none
+  double Total = 0.0;                          // luminance but for the bright texels
+  std::vector<std::size_t> Bright;             // texels, in the order of the pixels
   std::vector<Node> Nodes;
   std::vector<double> Residuals; // by number of cells, from 1
   std::priority_queue<Candidate> Queue;

@@ -5,6 +5,7 @@
 #include "Printable.h"
 #include "SRGB.h"
 
+#include "EnvironmentParts.h"
 #include "HalfVector.h" // for Pi
 #include "ProceduralEnvironments.h"
 #include "vtkArrayDispatch.h"
@@ -159,8 +160,12 @@ vtkStandardNewMacro(vtkEnvironment);
 //------------------------------------------------------------------------------
 vtkEnvironment::vtkEnvironment()
   : Pixels(std::make_shared<std::vector<float>>())
+  , Parts(std::make_shared<measuredbrdf::EnvironmentParts>())
 {
 }
+
+//------------------------------------------------------------------------------
+vtkEnvironment::~vtkEnvironment() = default;
 
 //------------------------------------------------------------------------------
 bool vtkEnvironment::SetImage(vtkImageData* image, bool sRGB)
@@ -239,6 +244,7 @@ void vtkEnvironment::Adopt(
   this->Height = height;
   this->Pixels = std::make_shared<const std::vector<float>>(std::move(rgb));
   this->Subdivide();
+  this->Parts = std::make_shared<measuredbrdf::EnvironmentParts>();
   this->PixelsTime.Modified();
   this->Modified();
 }
@@ -457,6 +463,7 @@ vtkEnvironment* vtkEnvironment::NewSnapshot()
   snapshot->Width = this->Width;
   snapshot->Height = this->Height;
   snapshot->Pixels = this->Pixels;
+  snapshot->Parts = this->Parts;
   snapshot->NumberOfNegativeValues = this->NumberOfNegativeValues;
   snapshot->NumberOfNonFiniteValues = this->NumberOfNonFiniteValues;
   std::copy_n(this->WorldToEnvironment, 9, snapshot->WorldToEnvironment);

@@ -25,6 +25,11 @@
 
 class vtkImageData;
 
+namespace measuredbrdf
+{
+class EnvironmentParts;
+}
+
 class VTKMEASUREDBRDF_EXPORT vtkEnvironment : public vtkObject
 {
 public:
@@ -148,14 +153,22 @@ public:
    */
   VTK_NEWINSTANCE vtkEnvironment* NewSnapshot();
 
+#ifndef __VTK_WRAP__
+  /**
+   * For integrators: what they make of these pixels, once for all of them and all snapshots.
+   */
+  measuredbrdf::EnvironmentParts& GetParts() { return *this->Parts; }
+#endif
+
 protected:
   vtkEnvironment();
-  ~vtkEnvironment() override = default;
+  ~vtkEnvironment() override;
 
   std::string Name;
   int Width = 0;
   int Height = 0;
   std::shared_ptr<const std::vector<float>> Pixels; // replaced, never changed: snapshots share them
+  std::shared_ptr<measuredbrdf::EnvironmentParts> Parts; // of these pixels
   vtkIdType NumberOfNegativeValues = 0;
   vtkIdType NumberOfNonFiniteValues = 0;
   double WorldToEnvironment[9] = { 1, 0, 0, 0, 1, 0, 0, 0, 1 };

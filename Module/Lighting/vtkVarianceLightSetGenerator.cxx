@@ -18,7 +18,8 @@ struct vtkVarianceLightSetGenerator::Internals
 {
   // What the tree was made from. Modification times are never used twice: a recycled address does
   // no harm.
-  using Key = std::tuple<vtkEnvironment*, vtkMTimeType, int, bool>;
+  using Key = std::tuple<vtkEnvironment*, vtkMTimeType, int, bool,
+    std::shared_ptr<const measuredbrdf::TexelChanges>>;
   Key MadeFrom;
   std::unique_ptr<measuredbrdf::LightTree> Tree;
 };
@@ -39,20 +40,20 @@ bool vtkVarianceLightSetGenerator::Grow(vtkEnvironment* environment, int count)
   environment = environment->GetSubdivided();
   const bool greedy = this->Method == GREEDY;
   const Internals::Key key{ environment, environment->GetPixelsMTime(), this->Method,
-    greedy && this->BrightTexels };
+    greedy && this->BrightTexels, this->Changes };
   std::unique_ptr<LightTree>& tree = this->Impl->Tree;
   if (!tree || this->Impl->MadeFrom != key)
   {
     tree = std::make_unique<LightTree>(environment,
       greedy ? LightTree::Rule::Greedy : LightTree::Rule::MinimumVariance,
-      greedy && this->BrightTexels);
+      greedy && this->BrightTexels, this->Changes);
     this->Impl->MadeFrom = key;
   }
   else if (count <= tree->GetNumberOfCells() || tree->IsComplete())
   {
     return true;
   }
-  // Each growth makes the table anew: few and large ones.
+  // Each growth goes over all nodes: few and large ones.
   const int size = std::max(
     { count, this->TreeSize, std::min(2 * tree->GetNumberOfCells(), MaximumNumberOfLights) });
   const bool grown = tree->Grow(environment, size,

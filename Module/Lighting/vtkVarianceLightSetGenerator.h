@@ -21,8 +21,8 @@
  *
  * Lights live in the environment's frame; turning it turns them and changes nothing here.
  *
- * Making the tree takes 32 bytes per texel for the time of it; ProgressEvent (calldata: double*),
- * interrupted by SetAbort(true).
+ * Making the tree takes no memory to speak of: each cell's texels are summed anew. ProgressEvent
+ * (calldata: double*), interrupted by SetAbort(true).
  */
 
 #ifndef vtkVarianceLightSetGenerator_h
@@ -32,6 +32,11 @@
 
 #include <atomic> // for Abort
 #include <memory> // for Internals
+
+namespace measuredbrdf
+{
+struct TexelChanges;
+}
 
 class VTKMEASUREDBRDF_EXPORT vtkVarianceLightSetGenerator : public vtkLightSetGenerator
 {
@@ -102,6 +107,16 @@ public:
   bool GetAbort() { return this->Abort; }
   ///@}
 
+#ifndef __VTK_WRAP__
+  /**
+   * For the planner: cut the environment with these texels changed; null (default): as it is.
+   */
+  void SetChanges(const std::shared_ptr<const measuredbrdf::TexelChanges>& changes)
+  {
+    this->Changes = changes;
+  }
+#endif
+
 protected:
   vtkVarianceLightSetGenerator();
   ~vtkVarianceLightSetGenerator() override;
@@ -120,6 +135,7 @@ private:
 
   struct Internals;
   std::unique_ptr<Internals> Impl;
+  std::shared_ptr<const measuredbrdf::TexelChanges> Changes;
 };
 
 #endif

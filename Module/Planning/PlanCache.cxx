@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PlanCache.h"
 
+#include "EnvironmentParts.h"
 #include "PlanVersion.h" // made of the sources that decide plans
 #include "vtkEnvironment.h"
 
@@ -26,9 +27,16 @@ namespace measuredbrdf
 {
 void AddContent(ContentHash& hash, vtkEnvironment* environment)
 {
-  hash.AddValue(environment->GetWidth());
-  hash.AddValue(environment->GetHeight());
-  hash.AddValues(environment->GetPixels());
+  const std::string key = environment->GetParts().GetContentKey(
+    [environment]()
+    {
+      ContentHash pixels;
+      pixels.AddValue(environment->GetWidth());
+      pixels.AddValue(environment->GetHeight());
+      pixels.AddValues(environment->GetPixels());
+      return pixels.GetText();
+    });
+  hash.Add(key.data(), key.size());
 }
 
 std::string GetPlanVersion() { return MEASUREDBRDF_PLAN_VERSION; }

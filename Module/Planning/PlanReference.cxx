@@ -6,23 +6,26 @@
 #include "LobeSampler.h"
 #include "LocalFrame.h"
 #include "LowDiscrepancy.h"
+#include "RadianceParts.h"
 #include "vtkBRDF.h"
 #include "vtkEnvironment.h"
 #include "vtkLightSet.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkVarianceLightSetGenerator.h"
 
 #include <glm/gtc/type_ptr.hpp>
 
-#include <utility>
+#include <algorithm>
+#include <cmath>
 
 namespace measuredbrdf
 {
 namespace
 {
 constexpr int NumberOfLights = 4096;
-constexpr int Directions = 2048;
+constexpr int FewestDirections = 256;
+constexpr int MostDirections = 2048;
+constexpr double FullShare = 0.25; // of the albedo, that a sharp layer has to get the most
 constexpr int MaximumSuns = 64;
 constexpr double ResolvedAngle = 0.35; // sr, that the broad layer's lobes fill
 constexpr double LeastShare = 2e-3;    // of the albedo: below, there is no sharp layer
@@ -35,80 +38,101 @@ PlanReference::~PlanReference() = default;
 
 bool PlanReference::Begin()
 {
-  vtkEnvironment* environment = this->Environment->GetSubdivided();
-  BrightTexels bright(environment, BrightTexels::DefaultShare, MaximumSuns);
-  this->Suns = std::move(bright.Lights);
-  this->Rest = environment;
-  if (!this->Suns.empty())
+  const auto goOn = [this]() { return this->Report(0.0); };
+  EnvironmentParts& parts = this->Environment->GetParts();
+  const auto bright =
+    parts.GetBrightTexels(this->Environment, BrightTexels::DefaultShare, MaximumSuns, goOn);
+  const auto lights =
+    bright ? parts.GetLightSet(this->Environment, bright->Rest, NumberOfLights, goOn) : nullptr;
+  if (!lights)
   {
-    this->Rest = vtkSmartPointer<vtkEnvironment>::New();
-    this->Rest->SetPixels(
-      environment->GetWidth(), environment->GetHeight(), std::move(bright.Rest));
+    vtkErrorMacro("Integrate: aborted.");
+    return false;
   }
-  this->Broad = this->BRDF;
-  this->Sharp = nullptr;
+  this->Suns = bright->Lights;
+  this->Rest = bright->Rest;
+  this->Lights.resize(static_cast<std::size_t>(lights->GetNumberOfLights()));
+  for (int k = 0; k < lights->GetNumberOfLights(); ++k)
+  {
+    BrightTexels::Light& light = this->Lights[static_cast<std::size_t>(k)];
+    lights->GetDirection(k, &light.Direction.x);
+    lights->GetIrradiance(k, &light.Irradiance.x);
+  }
+  this->Cut = nullptr;
+  this->Lobes = nullptr;
   if (this->BRDF->IsIsotropic())
   {
-    const auto cut = std::make_shared<KernelCut>(this->BRDF, ResolvedAngle);
+    const auto known = this->Parts ? this->Parts : std::make_shared<RadianceParts>();
+    const auto cut = std::make_shared<KernelCut>(known->GetViews(this->BRDF), ResolvedAngle);
     if (cut->GetSharpShare() > LeastShare)
     {
-      const auto layer = [&](bool sharp)
-      {
-        auto brdf = vtkSmartPointer<KernelLayer>::New();
-        brdf->Set(this->BRDF, cut, sharp);
-        return brdf;
-      };
-      this->Broad = layer(false);
-      this->Sharp = layer(true);
+      auto sharp = vtkSmartPointer<KernelLayer>::New();
+      sharp->Set(this->BRDF, cut, true);
+      this->Sharp = sharp;
+      this->Lobes = std::make_unique<LobeTable>(sharp);
+      this->Cut = cut;
     }
   }
-  this->Lights = vtkSmartPointer<vtkLightSet>::New();
-  vtkNew<vtkVarianceLightSetGenerator> generator;
-  return generator->Generate(this->Rest, NumberOfLights, this->Lights);
+  return true;
 }
 
 void PlanReference::IntegratePart(
   int vtkNotUsed(part), const double n[3], const double o[3], const double t[3], double radiance[3])
 {
-  const Frame frame = FrameAbout(glm::make_vec3(n), glm::make_vec3(t));
-  const glm::dvec3 view = LiftView(ToLocal(frame, glm::make_vec3(o)));
-  glm::dvec3 sum(0.0);
-  const auto add = [&](vtkBRDF* brdf, const glm::dvec3& direction, const glm::dvec3& irradiance)
+  Frame frame = FrameAbout(glm::make_vec3(n), glm::make_vec3(t));
+  glm::dvec3 view = LiftView(ToLocal(frame, glm::make_vec3(o)));
+  if (this->Cut) // isotropic: any frame about the normal does, this one has the view over its x
   {
-    const glm::dvec3 i = ToLocal(frame, direction);
-    if (i.z > 0.0)
-    {
-      glm::dvec3 f;
-      brdf->Evaluate(&i.x, &view.x, &f.x);
-      sum += i.z * f * irradiance;
-    }
+    const double s = std::hypot(view.x, view.y);
+    const glm::dvec2 a = s > 1e-6 ? glm::dvec2(view) / s : glm::dvec2(1.0, 0.0);
+    frame = Frame(frame * glm::dvec3(a, 0.0), frame * glm::dvec3(-a.y, a.x, 0.0), frame[2]);
+    view = glm::dvec3(s, 0.0, view.z);
+  }
+  const KernelCut::View cut = this->Cut ? this->Cut->GetView(view) : KernelCut::View();
+  glm::dvec3 sum(0.0);
+  const auto evaluate = [&](const glm::dvec3& i)
+  {
+    glm::dvec3 f;
+    this->BRDF->Evaluate(&i.x, &view.x, &f.x);
+    return f;
   };
   for (const BrightTexels::Light& sun : this->Suns)
   {
-    add(this->BRDF, sun.Direction, sun.Irradiance);
-  }
-  for (int k = 0; k < this->Lights->GetNumberOfLights(); ++k)
-  {
-    glm::dvec3 direction;
-    glm::dvec3 irradiance;
-    this->Lights->GetDirection(k, &direction.x);
-    this->Lights->GetIrradiance(k, &irradiance.x);
-    add(this->Broad, direction, irradiance);
-  }
-  if (this->Sharp)
-  {
-    const LobeSampler lobe(this->Sharp, view);
-    for (int k = 0; k < Directions && !lobe.IsBlack(); ++k)
+    const glm::dvec3 i = ToLocal(frame, sun.Direction);
+    if (i.z > 0.0)
     {
-      const glm::dvec2 u((k + 0.5) / Directions, RadicalInverse(static_cast<unsigned int>(k), 2));
+      sum += i.z * evaluate(i) * sun.Irradiance;
+    }
+  }
+  for (const BrightTexels::Light& light : this->Lights)
+  {
+    const glm::dvec3 i = ToLocal(frame, light.Direction);
+    if (i.z > 0.0)
+    {
+      const glm::dvec3 f = evaluate(i);
+      sum += i.z * (this->Cut ? cut.GetBroad(f, i.z) : f) * light.Irradiance;
+    }
+  }
+  if (this->Cut)
+  {
+    const TexelChanges none;
+    const TexelChanges& rest = this->Rest ? *this->Rest : none;
+    const LobeSampler lobe(this->Sharp, view, this->Lobes.get());
+    // A smaller share of the radiance may be less accurate.
+    const int directions = std::clamp(
+      static_cast<int>(MostDirections * cut.Share / FullShare), FewestDirections, MostDirections);
+    for (int k = 0; k < directions && !lobe.IsBlack(); ++k)
+    {
+      const glm::dvec2 u((k + 0.5) / directions, RadicalInverse(static_cast<unsigned int>(k), 2));
       double density = 0.0;
       const glm::dvec3 i = lobe.Sample(u, density);
       if (i.z > 0.0)
       {
         const glm::dvec3 direction = frame * i;
         glm::dvec3 light;
-        this->Rest->GetRadiance(&direction.x, &light.x);
-        add(this->Sharp, direction, light / (density * Directions));
+        rest.GetRadiance(this->Environment->GetSubdivided(), &direction.x, &light.x);
+        const glm::dvec3 f = evaluate(i);
+        sum += (f - cut.GetBroad(f, i.z)) * light * (i.z / (density * directions));
       }
     }
   }

@@ -14,20 +14,26 @@
 #ifndef PlanReference_h
 #define PlanReference_h
 
-#include "BrightTexels.h"
+#include "EnvironmentParts.h"
 #include "vtkRadianceIntegrator.h"
 
+#include <memory>
 #include <vector>
-
-class vtkLightSet;
 
 namespace measuredbrdf
 {
+class KernelCut;
+class LobeTable;
+class RadianceParts;
+
 class PlanReference : public vtkRadianceIntegrator
 {
 public:
   static PlanReference* New();
   vtkTypeMacro(PlanReference, vtkRadianceIntegrator);
+
+  /// What is known of the material; null (default): nothing.
+  void SetParts(const std::shared_ptr<RadianceParts>& parts) { this->Parts = parts; }
 
 protected:
   PlanReference();
@@ -42,10 +48,12 @@ private:
   void operator=(const PlanReference&) = delete;
 
   std::vector<BrightTexels::Light> Suns;
-  vtkSmartPointer<vtkEnvironment> Rest;
-  vtkSmartPointer<vtkLightSet> Lights;
-  vtkSmartPointer<vtkBRDF> Broad;
-  vtkSmartPointer<vtkBRDF> Sharp; // null: there is no such layer
+  EnvironmentParts::Rest Rest;             // null: there are no suns
+  std::vector<BrightTexels::Light> Lights; // of the rest
+  std::shared_ptr<RadianceParts> Parts;
+  std::shared_ptr<const KernelCut> Cut; // null: there is no sharp layer
+  vtkSmartPointer<vtkBRDF> Sharp;       // that
+  std::unique_ptr<LobeTable> Lobes;     // of that
 };
 } // namespace measuredbrdf
 

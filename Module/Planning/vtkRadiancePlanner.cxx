@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRadiancePlanner.h"
 
+#include "EnvironmentParts.h"
 #include "EnvironmentPyramid.h"
 #include "KernelLayers.h"
 #include "LowDiscrepancy.h"
@@ -168,9 +169,8 @@ struct vtkRadiancePlanner::Internals
 {
   vtkSmartPointer<vtkBRDF> BRDF;
   vtkSmartPointer<vtkEnvironment> Environment;
-  vtkSmartPointer<vtkRadianceCostModel> Costs;    // null: the defaults
-  vtkNew<vtkVarianceLightSetGenerator> Generator; // keeps its tree
-  std::string Problem;                            // that an integrator had
+  vtkSmartPointer<vtkRadianceCostModel> Costs; // null: the defaults
+  std::string Problem;                         // that an integrator had
 
   // What a camera sees, if that was said.
   vtkSmartPointer<vtkDoubleArray> GivenNormals;
@@ -314,15 +314,16 @@ struct vtkRadiancePlanner::Internals
   double ChooseLampAngle()
   {
     const double radius = vtkMath::RadiansFromDegrees(2.0 * LampAngle);
-    const measuredbrdf::KernelCut cut(this->BRDF, Pi * radius * radius);
+    const measuredbrdf::KernelCut cut(this->Parts->GetViews(this->BRDF), Pi * radius * radius);
     return cut.GetSharpShare() > NarrowShare ? FineLampAngle : LampAngle;
   }
 
-  int CountLamps(double angle)
+  int CountLamps(vtkRadiancePlanner* planner, double angle)
   {
-    const auto& lamps =
-      this->Parts->GetLamps(this->Environment, vtkMath::RadiansFromDegrees(angle), MaximumLights);
-    return lamps.Lights ? lamps.Lights->GetNumberOfLights() : 0;
+    const auto lamps =
+      this->Environment->GetParts().GetLamps(this->Environment, vtkMath::RadiansFromDegrees(angle),
+        MaximumLights, [planner]() { return !planner->GetAbort(); });
+    return lamps ? static_cast<int>(lamps->Lights.size()) : 0;
   }
 
   // Normals as a sphere shows them to a distant camera, uniform over its disc: but half of them
@@ -376,6 +377,7 @@ struct vtkRadiancePlanner::Internals
     vtkNew<measuredbrdf::PlanReference> reference;
     reference->SetBRDF(this->BRDF);
     reference->SetEnvironment(this->Environment);
+    reference->SetParts(this->Parts);
     const Supervision supervision(planner, reference, this->Problem);
     return reference->Integrate(this->Normals, this->Views, this->Reference);
   }
@@ -387,10 +389,9 @@ struct vtkRadiancePlanner::Internals
     {
       case LIGHT_SET:
       {
-        vtkNew<vtkLightSet> set;
-        this->Generator->Generate(this->Environment, candidate.Sizes[0], set);
         vtkNew<vtkLightSetIntegrator> lights;
-        lights->SetLightSet(set);
+        lights->SetLightSet(this->Environment->GetParts().GetLightSet(
+          this->Environment, nullptr, candidate.Sizes[0], []() { return true; }));
         lights->SetSoftLights(true);
         made = lights.Get();
         break;
@@ -672,7 +673,7 @@ bool vtkRadiancePlanner::Update()
   if (wishes.IsIsotropic)
   {
     wishes.LightAngle = impl.ChooseLampAngle();
-    wishes.Lights = impl.CountLamps(wishes.LightAngle);
+    wishes.Lights = impl.CountLamps(this, wishes.LightAngle);
   }
   wishes.PyramidBytes = GetPyramidBytes(impl.Environment);
   wishes.MaximumBytes = this->MaximumTextureBytes;

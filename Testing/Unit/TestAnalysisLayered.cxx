@@ -81,6 +81,24 @@ vtkNew<vtkEnvironment> NewSunny(float peak, int suns)
   EXPECT_TRUE(environment->SetPixels(128, 64, rgb));
   return environment;
 }
+
+// With some texels changed.
+std::vector<float> GetPixels(vtkEnvironment* environment, const TexelChanges& changes)
+{
+  std::vector<float> pixels;
+  std::vector<float> room;
+  const int width = environment->GetWidth();
+  for (int y = 0; y < environment->GetHeight(); ++y)
+  {
+    for (const int x : { 0, width / 3 }) // rows may come in parts
+    {
+      const int end = x == 0 ? width / 3 : width;
+      const float* row = changes.GetRow(environment, y, x, end, room);
+      pixels.insert(pixels.end(), row, row + 3 * (end - x));
+    }
+  }
+  return pixels;
+}
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -99,14 +117,21 @@ TEST(BrightTexels, LightsAndRestAddUp)
   glm::dvec3 whole(0.0);
   glm::dvec3 parts(0.0);
   float largest = 0.0f;
-  for (std::size_t k = 0; k < bright.Rest.size(); ++k)
+  const std::vector<float> rest = GetPixels(environment, bright.Rest);
+  for (std::size_t k = 0; k < rest.size(); ++k)
   {
     const double solidAngle = environment->GetTexelSolidAngle(static_cast<int>(k / 3 / 128));
     const int c = static_cast<int>(k % 3);
     whole[c] += environment->GetPixels()[k] * solidAngle;
-    parts[c] += bright.Rest[k] * solidAngle;
-    largest = std::max(largest, bright.Rest[k]);
-    EXPECT_GE(bright.Rest[k], 0.0f);
+    parts[c] += rest[k] * solidAngle;
+    largest = std::max(largest, rest[k]);
+    EXPECT_GE(rest[k], 0.0f);
+    glm::dvec3 direction;
+    glm::dvec3 radiance;
+    environment->GetTexelDirection(
+      static_cast<int>(k / 3 % 128), static_cast<int>(k / 3 / 128), &direction.x);
+    bright.Rest.GetRadiance(environment, &direction.x, &radiance.x);
+    EXPECT_EQ(radiance[c], rest[k]);
   }
   for (const BrightTexels::Light& light : bright.Lights)
   {
@@ -138,11 +163,12 @@ TEST(BrightTexels, LampsAreOneLightEach)
   const double angle = 1.2 * Pi / 180.0;
   const BrightTexels lamps = BrightTexels::FindLamps(environment, angle, 16);
   ASSERT_EQ(lamps.Lights.size(), 2u);
+  const std::vector<float> rest = GetPixels(environment, lamps.Rest);
   glm::dvec3 irradiance(0.0);
   glm::dvec3 expected(0.0);
   for (std::size_t k = 0; k < pixels.size() / 3; ++k)
   {
-    expected.y += (pixels[3 * k + 1] - lamps.Rest[3 * k + 1]) *
+    expected.y += (pixels[3 * k + 1] - rest[3 * k + 1]) *
                   environment->GetTexelSolidAngle(static_cast<int>(k / width));
   }
   for (const BrightTexels::Light& lamp : lamps.Lights)

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TexelChanges.h"
+
+#include "vtkEnvironment.h"
+
+#include <algorithm>
+
+namespace measuredbrdf
+{
+const float* TexelChanges::GetRow(
+  vtkEnvironment* environment, int y, int x0, int x1, std::vector<float>& room) const
+{
+  const std::size_t row =
+    static_cast<std::size_t>(y) * static_cast<std::size_t>(environment->GetWidth());
+  const std::size_t first = row + static_cast<std::size_t>(x0);
+  const std::size_t last = row + static_cast<std::size_t>(x1);
+  const float* pixels = environment->GetPixels().data() + 3 * first;
+  auto change = std::lower_bound(this->Texels.begin(), this->Texels.end(), Texel{ first, {} });
+  if (change == this->Texels.end() || change->Index >= last)
+  {
+    return pixels;
+  }
+  room.assign(pixels, pixels + 3 * (last - first));
+  for (; change != this->Texels.end() && change->Index < last; ++change)
+  {
+    std::copy_n(&change->Radiance.x, 3, &room[3 * (change->Index - first)]);
+  }
+  return room.data();
+}
+
+void TexelChanges::GetRadiance(
+  vtkEnvironment* environment, const double direction[3], double rgb[3]) const
+{
+  environment->GetRadiance(direction, rgb);
+  if (this->Texels.empty())
+  {
+    return;
+  }
+  double u;
+  double v;
+  vtkEnvironment::GetCoordinates(direction, u, v);
+  const int width = environment->GetWidth();
+  const int height = environment->GetHeight();
+  const std::size_t index =
+    static_cast<std::size_t>(std::clamp(static_cast<int>(v * height), 0, height - 1) * width +
+                             std::clamp(static_cast<int>(u * width), 0, width - 1));
+  const auto found = std::lower_bound(this->Texels.begin(), this->Texels.end(), Texel{ index, {} });
+  if (found != this->Texels.end() && found->Index == index)
+  {
+    std::copy_n(&found->Radiance.x, 3, rgb);
+  }
+}
+} // namespace measuredbrdf

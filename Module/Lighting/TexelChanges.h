@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A few texels of an environment with other radiance: what is left without its suns and lamps,
+ * without a copy of the map. Private to the module.
+ */
+
+#ifndef TexelChanges_h
+#define TexelChanges_h
+
+#include <glm/glm.hpp>
+
+#include <cstddef>
+#include <vector>
+
+class vtkEnvironment;
+
+namespace measuredbrdf
+{
+struct TexelChanges
+{
+  struct Texel
+  {
+    std::size_t Index; // row by row
+    glm::vec3 Radiance;
+    bool operator<(const Texel& other) const { return this->Index < other.Index; }
+    bool operator==(const Texel& other) const
+    {
+      return this->Index == other.Index && this->Radiance == other.Radiance;
+    }
+  };
+
+  std::vector<Texel> Texels; // ascending
+
+  /// RGB of texels [x0,x1) of a row: the environment's own pixels, or in room where one is changed.
+  const float* GetRow(
+    vtkEnvironment* environment, int y, int x0, int x1, std::vector<float>& room) const;
+
+  /// As vtkEnvironment::GetRadiance.
+  void GetRadiance(vtkEnvironment* environment, const double direction[3], double rgb[3]) const;
+};
+} // namespace measuredbrdf
+
+#endif
