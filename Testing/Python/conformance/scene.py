@@ -7,6 +7,7 @@ stock      VTK's own mappers
 plain      ours without a material: the same picture and depth, bit by bit
 furnace    ours with a Lambert material in a constant environment, scene lights off: the right answer is known
 material   ours with a measured material in a varied environment, the scene's lights on: no message, no black hole
+brushed    the same with an anisotropic material over a set of lights
 """
 
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
@@ -55,6 +56,9 @@ class View:
         self.least = 0.03  # share of pixels that must have each of these colours
         self.grab = None  # instead of the window's own pixels
         self.extra = None  # more to compare: selected ids, for one
+        self.at_most = {}  # shares of colours of the material's pictures
+        self.may_warn = ()  # parts of documented warnings
+        self.has_furnace = True  # whether the scene means something without lights
         self.dark = False  # whether black pixels are right
 
     def add_renderer(self, viewport=(0.0, 0.0, 1.0, 1.0), lights=True):
@@ -185,6 +189,7 @@ class Material(Plain):
     """Ours with a material. One material and one environment: one plan for all scenes."""
 
     has_material = True
+    first = None
 
     def __init__(self):
         self.brdf = measured.vtkEmbeddedMaterials.NewBRDF("gold-paint")
@@ -194,6 +199,7 @@ class Material(Plain):
         mapper.SetBRDF(self.brdf)
         mapper.SetEnvironment(self.environment)
         mapper.SetErrorTolerance(0.1)  # planned sooner
+        self.first = self.first or mapper  # plans live as long as a mapper that drew with them
         return mapper
 
     def mapper(self):
@@ -201,6 +207,22 @@ class Material(Plain):
 
     def composite(self):
         return self._set(super().composite())
+
+
+class Brushed(Material):
+    """An anisotropic material over a set of lights."""
+
+    def __init__(self):
+        super().__init__()
+        self.brdf = measured.vtkAshikhminShirleyBRDF()
+        self.brdf.SetDiffuse(0.3, 0.2, 0.1)
+        self.brdf.SetReflectance(0.2, 0.2, 0.2)
+        self.brdf.SetExponents(5.0, 40.0)
+
+    def _set(self, mapper):
+        mapper.SetMethodToLightSet()
+        mapper.SetNumberOfLights(16)
+        return super()._set(mapper)
 
 
 class Furnace(Material):
@@ -248,8 +270,8 @@ def check_picture(view, pixels):
     return "; ".join(problems) or None
 
 
-def count_black(pixels):
-    return sum(pixels[k : k + 3] == b"\0\0\0" for k in range(0, len(pixels), 4))
+def count(pixels, colour):
+    return sum(pixels[k : k + 3] == bytes(colour) for k in range(0, len(pixels), 4))
 
 
 SCENES = {}
