@@ -10,12 +10,13 @@ runs every Testing/Python/*.py below VTK-SOURCE that makes a vtkPolyDataMapper, 
     plain      ours without a material: the same exit, messages and render windows, pixel for pixel
     material   ours with a material and an environment: the same exit, no message that stock has not
 VTK keeps its tests' data apart: -D takes the folder that holds Data/ (ExternalData/Testing of a build of VTK);
-without it tests that read data are left out. A test that fails with the stock mapper already must fail in the
+without it surfaces and images from files become a sphere and a ripple, and tests of other data are left out. A test that fails with the stock mapper already must fail in the
 same way. One that gives two pictures in two stock runs is no
 evidence ("changes by itself"). Mappers that VTK makes in C++ stay stock. Exit status 1 if a test differs.
 """
 
 import argparse
+import collections
 import contextlib
 import hashlib
 import json
@@ -35,6 +36,37 @@ def substitute(vtk, modules, name, cls):
     for module in modules:
         if hasattr(module, name):
             setattr(module, name, cls)
+
+
+SURFACES = ("BYU", "PolyData", "STL", "XMLPolyData", "PLY", "OBJ", "MCubes")
+IMAGES = ("PNG", "TIFF", "BMP", "JPEG", "PNM", "StructuredPoints", "Volume16", "Image", "SLC", "DEM")
+
+
+def stand_ins(vtk, modules):
+    """What takes the place of files that are not there: sources that ignore what is set on a reader."""
+
+    class Anything:
+        def __getattr__(self, name):
+            if name.startswith(("Set", "Read", "Swap", "File", "Can", "CanRead")) or name.endswith(("On", "Off")):
+                return lambda *arguments: 1
+            raise AttributeError(name)
+
+    class Surface(Anything, vtk.vtkSphereSource):
+        def __init__(self):
+            vtk.vtkSphereSource.SetThetaResolution(self, 24)
+            vtk.vtkSphereSource.SetPhiResolution(self, 24)
+
+    class Image(Anything, vtk.vtkRTAnalyticSource):
+        def __init__(self):
+            vtk.vtkRTAnalyticSource.SetWholeExtent(self, 0, 31, 0, 31, 0, 15)
+
+    class Picture(Anything, vtk.vtkImageMandelbrotSource):
+        def __init__(self):
+            vtk.vtkImageMandelbrotSource.SetWholeExtent(self, 0, 31, 0, 31, 0, 0)
+
+    for names, cls in ((SURFACES, Surface), (IMAGES[:5], Picture), (IMAGES[5:], Image)):
+        for name in names:
+            substitute(vtk, modules, "vtk%sReader" % name, cls)
 
 
 def prepare(mode, data, script):
@@ -83,6 +115,9 @@ def prepare(mode, data, script):
             ENVIRONMENT.SetImage(image)
         substitute(vtk, modules, "vtkPolyDataMapper", Mapper)
         substitute(vtk, modules, "vtkOpenGLPolyDataMapper", Mapper)
+
+    if not data:
+        stand_ins(vtk, modules)
 
     # Baseline pictures are not compared: what is drawn is compared with stock's.
     testing.compareImage = lambda window, *rest, **more: window.Render()
@@ -184,6 +219,17 @@ def black(pixels):
     return sum(sum(p[k : k + 3] == b"\0\0\0" for k in range(0, len(p), 4)) for p in pixels)
 
 
+def vanished(pixels, stock):
+    """Pixels that show the background (stock's commonest colour) where stock shows something."""
+    count = 0
+    for ours, theirs in zip(pixels, stock):
+        colours = [theirs[k : k + 3] for k in range(0, len(theirs), 4)]
+        background = collections.Counter(colours).most_common(1)[0][0] if colours else b""
+        if len(ours) == len(theirs):
+            count += sum(c != background and ours[4 * k : 4 * k + 3] == background for k, c in enumerate(colours))
+    return count
+
+
 def judge(script, data, timeout):
     """(verdict, reasons) of one test."""
     stock = run("stock", data, script, timeout)
@@ -191,7 +237,7 @@ def judge(script, data, timeout):
         return "left out", ["takes longer than the limit with the stock mapper"]
     if not data and any("returned failure for request" in m or "open file" in m for m in stock["messages"]):
         return "left out", ["reads data"]
-    plain = run("plain", data, script, timeout)
+    plain = run("plain", data, script, 3 * timeout)
     reasons = []
     if plain["pixels"] != stock["pixels"]:
         if run("stock", data, script, timeout)["pixels"] != stock["pixels"]:
@@ -205,7 +251,7 @@ def judge(script, data, timeout):
         reasons.append("without: exit %s instead of %s" % (plain["exit"], stock["exit"]))
     if strip(plain["messages"]) - strip(stock["messages"]):
         reasons.append("without: says " + "; ".join(sorted(strip(plain["messages"]) - strip(stock["messages"])))[:400])
-    material = run("material", data, script, timeout)
+    material = run("material", data, script, 3 * timeout)
     if material["exit"] != stock["exit"]:
         reasons.append("material: exit %s instead of %s" % (material["exit"], stock["exit"]))
     if strip(material["messages"]) - strip(stock["messages"]):
@@ -215,6 +261,9 @@ def judge(script, data, timeout):
     note = []
     if black(material["pixels"]) > black(stock["pixels"]) * 1.02 + 20:
         note.append("look: %d black pixels, stock %d" % (black(material["pixels"]), black(stock["pixels"])))
+    gone = vanished(material["pixels"], stock["pixels"])
+    if gone > 20:
+        note.append("look: %d pixels show the background, where stock has something" % gone)
     changed = material["pixels"] != stock["pixels"]
     note.append("material shows" if changed else "material shows nowhere")
     if reasons:
@@ -241,7 +290,8 @@ def main():
                         text = file.read()
                     if not re.search(r"vtk(OpenGL)?PolyDataMapper\(", text):
                         continue
-                    if not options.data and "/Data/" in text:
+                    readers = set(re.findall(r"vtk(\w+)Reader(?:Factory)?\(", text))
+                    if not options.data and "/Data/" in text and not readers <= set(SURFACES + IMAGES):
                         without_data += 1
                     else:
                         scripts.append(os.path.abspath(path))

@@ -8,15 +8,16 @@ from vtkmodules.vtkCommonDataModel import (
     vtkMultiBlockDataSet,
     vtkPartitionedDataSet,
     vtkPartitionedDataSetCollection,
+    vtkPlane,
     vtkPolyData,
 )
 from vtkmodules.vtkRenderingCore import vtkCompositeDataDisplayAttributes
 
 import vtkmeasuredbrdf as measured
 
-from .passes import selected
+from .passes import light, selected
 from .scene import ALBEDO, BACKGROUND, FURNACE, Unavailable, View, encode, mix, scene, sphere
-from .surfaces import COLOURS, add_colours, data_of, elevated, modulated, plane, smooth
+from .surfaces import COLOURS, add_colours, data_of, elevated, modulated, plane, smooth, stripes
 
 
 def block(x, y=0.0, source=None):
@@ -302,4 +303,70 @@ def composite_material_and_colour(factory):
         encode(a * c**2.2 for a, c in zip(OWN, COLOURS[0])),
         mix(BACKGROUND, FURNACE, 0.5),
     )
+    return view
+
+
+@scene
+def composite_copied(factory):
+    """ShallowCopy takes over the material, those of blocks, and VTK's attributes."""
+    view = composite_material_of_a_block(factory)
+    copy = factory.composite()
+    copy.SetInputDataObject(view.mappers[0].GetInputDataObject(0, 0))
+    copy.ShallowCopy(view.mappers[0])
+    view.actors[0].SetMapper(copy)
+    view.mappers.append(copy)
+    return view
+
+
+@scene
+def composite_in_two_viewports(factory):
+    view = composite_material_of_a_block(factory)
+    view.renderer.SetViewport(0.0, 0.0, 0.5, 1.0)
+    right = view.add_renderer((0.5, 0.0, 1.0, 1.0))
+    right.AddActor(view.actors[0])
+    return view
+
+
+@scene
+def composite_clipped(factory):
+    view = composite(factory, three())
+    clip = vtkPlane()
+    clip.SetNormal(0.0, 1.0, 0.0)
+    view.mappers[0].AddClippingPlane(clip)
+    return view
+
+
+@scene
+def composite_lights(factory):
+    """Blocks under a spot: the same light reaches all."""
+    view = composite(factory, three())
+    light(view, "SceneLight", Position=(0.0, 0.0, 2.0), FocalPoint=(0.1, 0.0, 0.0), Positional=True,
+          ConeAngle=40.0, Exponent=1.0)  # fmt: skip
+    return view
+
+
+@scene
+def composite_texture(factory):
+    view = composite(factory, three())
+    view.actors[0].SetTexture(stripes(colours=(COLOURS[0],) * 2))
+    view.expect = (modulated(COLOURS[0]),)
+    return view
+
+
+@scene
+def composite_scaled_and_mirrored(factory):
+    view = composite(factory, blocks(block(-0.5, source=sphere(8, 0.3)), block(0.5, source=sphere(8, 0.3))))
+    view.actors[0].SetScale(-1.2, 0.7, 1.0)
+    return view
+
+
+@scene
+def composite_backface_property(factory):
+    from vtkmodules.vtkRenderingCore import vtkProperty
+
+    view = composite(factory, three())
+    back = vtkProperty()
+    back.SetColor(0.2, 0.9, 0.3)
+    view.actors[0].SetBackfaceProperty(back)
+    view.actors[0].RotateY(180.0)
     return view
