@@ -30,6 +30,7 @@ import time
 import traceback
 
 WINDOWS = []  # in the order of their making
+SHOTS = []  # what a test compares with a baseline picture in between
 
 
 def substitute(vtk, modules, name, cls):
@@ -120,26 +121,25 @@ def prepare(mode, data, script):
         stand_ins(vtk, modules)
 
     # Baseline pictures are not compared: what is drawn is compared with stock's.
-    testing.compareImage = lambda window, *rest, **more: window.Render()
+    testing.compareImage = lambda window, *rest, **more: SHOTS.append(grab(window))
     testing.compareImageWithSavedImage = lambda *rest, **more: None
     sys.argv = [script] + (["-D", data] if data else []) + ["-T", tempfile.mkdtemp(dir=os.environ["TMPDIR"])]
     sys.path.insert(0, os.path.dirname(script))
 
 
-def pictures():
-    """A digest of each window's picture, its size and black pixels; and the pixels, to count differences."""
+def grab(window):
     from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 
-    found = []
-    for window in WINDOWS:
-        if not window.GetRenderers().GetNumberOfItems():
-            continue
-        window.Render()
-        width, height = window.GetSize()
-        pixels = vtkUnsignedCharArray()
-        window.GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, pixels)
-        found.append(bytes(memoryview(pixels)))
-    return found
+    window.Render()
+    width, height = window.GetSize()
+    pixels = vtkUnsignedCharArray()
+    window.GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, pixels)
+    return bytes(memoryview(pixels))
+
+
+def pictures():
+    """The pictures that were compared, and every window's last."""
+    return SHOTS + [grab(window) for window in WINDOWS if window.GetRenderers().GetNumberOfItems()]
 
 
 def perform(mode, data, script, folder):
@@ -156,7 +156,12 @@ def perform(mode, data, script, folder):
         with contextlib.redirect_stdout(output), contextlib.redirect_stderr(output):
             try:
                 prepare(mode, data, script)
-                runpy.run_path(script, run_name="__main__")
+                import vtkmodules.all as vtk
+                from vtkmodules.util.misc import vtkGetDataRoot, vtkGetTempDir
+
+                # What VTK's own driver gives to the older scripts.
+                known = {"vtk": vtk, "vtkGetDataRoot": vtkGetDataRoot, "vtkGetTempDir": vtkGetTempDir}
+                runpy.run_path(script, init_globals=known, run_name="__main__")
             except SystemExit as problem:
                 result["exit"] = problem.code if isinstance(problem.code, int) else int(problem.code is not None)
             except BaseException as problem:  # the test's own failure is a result
@@ -258,7 +263,7 @@ def judge(script, data, timeout):
         said = "; ".join(sorted(strip(material["messages"]) - strip(stock["messages"])))
         reasons.append("material: says " + said[:400])
     drawn = any(len(set(p[k : k + 3] for k in range(0, len(p), 4))) > 1 for p in stock["pixels"])
-    note = []
+    note = ["ends with %s in each case" % stock["exit"]] if stock["exit"] else []
     if black(material["pixels"]) > black(stock["pixels"]) * 1.02 + 20:
         note.append("look: %d black pixels, stock %d" % (black(material["pixels"]), black(stock["pixels"])))
     gone = vanished(material["pixels"], stock["pixels"])
