@@ -10,6 +10,9 @@ material   ours with a measured material in a varied environment, the scene's li
 brushed    the same with an anisotropic material over a set of lights
 """
 
+import math
+from array import array
+
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2 as opengl
 from vtkmodules.vtkCommonCore import VTK_FLOAT, vtkFloatArray, vtkUnsignedCharArray
@@ -272,6 +275,31 @@ def check_picture(view, pixels):
 
 def count(pixels, colour):
     return sum(pixels[k : k + 3] == bytes(colour) for k in range(0, len(pixels), 4))
+
+
+def count_not_finite(view):
+    """Values that are NaN or infinite in a frame buffer of floats; 0 for scenes with passes of their own."""
+    renderers = view.window.GetRenderers().GetNumberOfItems()
+    if view.renderer.GetPass() or renderers > 1 or view.renderer.GetUseFXAA() or view.window.GetStereoRender():
+        return 0
+    parts = opengl.vtkRenderPassCollection()
+    steps = [opengl.vtkLightsPass(), opengl.vtkOpaquePass(), opengl.vtkTranslucentPass()]
+    for step in steps:
+        parts.AddItem(step)
+    sequence, camera, target = opengl.vtkSequencePass(), opengl.vtkCameraPass(), opengl.vtkFramebufferPass()
+    sequence.SetPasses(parts)
+    camera.SetDelegatePass(sequence)
+    target.SetColorFormat(opengl.vtkTextureObject.Float32)
+    target.SetDelegatePass(camera)
+    view.renderer.SetPass(target)
+    view.window.Render()
+    texture = target.GetColorTexture()
+    width, height, components = texture.GetWidth(), texture.GetHeight(), texture.GetComponents()
+    values = array("f", bytes(4 * width * height * components))
+    assert texture.Download().Download2D(VTK_FLOAT, values, [width, height], components, [0, 0])
+    target.ReleaseGraphicsResources(view.window)
+    view.renderer.SetPass(None)
+    return sum(not math.isfinite(v) for v in values)
 
 
 SCENES = {}
