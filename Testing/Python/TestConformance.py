@@ -127,7 +127,7 @@ def run(scene, name, factories, log):
         black, black_stock = scene.count(shiny, (0, 0, 0)), scene.count(pixels, (0, 0, 0))
         if black > black_stock and not view.dark:
             problems.append("%s: %d black pixels, stock %d" % (kind, black, black_stock))
-        if scene.count_not_finite(view):
+        if kind == "material" and not scene.is_finite(view):
             problems.append("%s: NaN or infinite values in a frame buffer of floats" % kind)
         for colour, share in view.at_most.items():
             found = scene.count(shiny, colour)

@@ -12,6 +12,7 @@ brushed    the same with an anisotropic material over a set of lights
 
 import math
 from array import array
+from collections import Counter
 
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2 as opengl
@@ -241,22 +242,17 @@ class Furnace(Material):
 
 def check_picture(view, pixels):
     """Whether every pixel of the furnace is background or one of the colours expected; None, or what is wrong."""
-    width, height = view.window.GetSize()
     total = len(pixels) // 4
     palette = [BACKGROUND] + list(view.expect)
     counts = [0] * len(palette)
     strays = {}
-    seen = {}
-    for k in range(0, len(pixels), 4):
-        colour = pixels[k : k + 3]
-        seen[colour] = seen.get(colour, 0) + 1
-    for colour, count in seen.items():
+    for colour, count in colours_of(pixels).items():
         for index, wanted in enumerate(palette):
             if all(abs(c - 255.0 * w) <= view.tolerance for c, w in zip(colour, wanted)):
                 counts[index] += count
                 break
         else:
-            strays[tuple(colour)] = count
+            strays[colour] = count
     problems = []
     if sum(strays.values()) > view.others * total:
         worst = sorted(strays, key=strays.get)[-4:]
@@ -273,15 +269,20 @@ def check_picture(view, pixels):
     return "; ".join(problems) or None
 
 
+def colours_of(pixels):
+    """How many pixels have each colour."""
+    return Counter(zip(pixels[::4], pixels[1::4], pixels[2::4]))
+
+
 def count(pixels, colour):
-    return sum(pixels[k : k + 3] == bytes(colour) for k in range(0, len(pixels), 4))
+    return colours_of(pixels)[colour]
 
 
-def count_not_finite(view):
-    """Values that are NaN or infinite in a frame buffer of floats; 0 for scenes with passes of their own."""
+def is_finite(view):
+    """Whether nothing in a frame buffer of floats is NaN or infinite; not asked of scenes with passes of their own."""
     renderers = view.window.GetRenderers().GetNumberOfItems()
     if view.renderer.GetPass() or renderers > 1 or view.renderer.GetUseFXAA() or view.window.GetStereoRender():
-        return 0
+        return True
     parts = opengl.vtkRenderPassCollection()
     steps = [opengl.vtkLightsPass(), opengl.vtkOpaquePass(), opengl.vtkTranslucentPass()]
     for step in steps:
@@ -299,7 +300,7 @@ def count_not_finite(view):
     assert texture.Download().Download2D(VTK_FLOAT, values, [width, height], components, [0, 0])
     target.ReleaseGraphicsResources(view.window)
     view.renderer.SetPass(None)
-    return sum(not math.isfinite(v) for v in values)
+    return all(map(math.isfinite, values))
 
 
 SCENES = {}
