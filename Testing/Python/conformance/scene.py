@@ -1,0 +1,317 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the scenes have in common: a small window, a factory of mappers, and what a picture must show.
+
+A scene is a function that takes a factory and returns a View. It is drawn with four factories:
+stock      VTK's own mappers
+plain      ours without a material: the same picture and depth, bit by bit
+furnace    ours with a Lambert material in a constant environment, scene lights off: the right answer is known
+material   ours with a measured material in a varied environment, the scene's lights on: no message, no black hole
+brushed    the same with an anisotropic material over a set of lights
+"""
+
+import math
+from array import array
+from collections import Counter
+
+import vtkmodules.vtkRenderingFreeType  # noqa: F401
+import vtkmodules.vtkRenderingOpenGL2 as opengl
+from vtkmodules.vtkCommonCore import VTK_FLOAT, vtkFloatArray, vtkUnsignedCharArray
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
+
+import vtkmeasuredbrdf as measured
+
+ALBEDO = (0.8, 0.5, 0.2)
+BACKGROUND = (0.1, 0.2, 0.4)  # in no picture by chance
+SIZE = (120, 90)
+
+
+def encode(linear):
+    """Display values of linear colours, as the mapper and VTK's PBR write them."""
+    return tuple(min(v, 1.0) ** (1.0 / 2.2) for v in linear)
+
+
+def mix(a, b, share):
+    return tuple(x + (y - x) * share for x, y in zip(a, b))
+
+
+FURNACE = encode(ALBEDO)  # under radiance 1 from everywhere
+
+
+class View:
+    """A window with one renderer and what the scene adds; by default a perspective view down -z."""
+
+    def __init__(self, factory, lights=True, size=SIZE, multisamples=0):
+        self.factory = factory
+        self.window = vtkRenderWindow()
+        self.window.SetOffScreenRendering(1)
+        self.window.SetMultiSamples(multisamples)
+        self.window.SetSize(*size)
+        self.actors = []
+        self.mappers = []
+        self.keep = []  # what Python must not let go
+        self.renderer = self.add_renderer(lights=lights)
+        # What the furnace's picture must show, see check_picture.
+        self.expect = (FURNACE,)
+        self.others = 0.0  # share of pixels that may have any other colour: edges, for one
+        self.tolerance = 2.5  # of 255
+        self.least = 0.03  # share of pixels that must have each of these colours
+        self.grab = None  # instead of the window's own pixels
+        self.extra = None  # more to compare: selected ids, for one
+        self.at_most = {}  # shares of colours of the material's pictures
+        self.may_warn = ()  # parts of documented warnings
+        self.has_furnace = True  # whether the scene means something without lights
+        self.dark = False  # whether black pixels are right
+
+    def add_renderer(self, viewport=(0.0, 0.0, 1.0, 1.0), lights=True):
+        renderer = vtkRenderer()
+        renderer.SetViewport(*viewport)
+        renderer.SetBackground(*BACKGROUND)
+        renderer.AutomaticLightCreationOff()
+        if lights and self.factory.scene_lights:
+            light = vtkLight()
+            light.SetLightTypeToCameraLight()
+            light.SetPosition(0.6, 0.8, 1.0)
+            renderer.AddLight(light)
+        camera = renderer.GetActiveCamera()
+        camera.SetPosition(0.4, 0.3, 3.0)
+        camera.SetClippingRange(1.0, 6.0)
+        self.factory.light(renderer)
+        self.window.AddRenderer(renderer)
+        return renderer
+
+    def add(self, source=None, renderer=None, mapper=None, **properties):
+        """An actor of a source (or data, or a sphere); properties are vtkProperty's: Opacity=0.5."""
+        if mapper is None:
+            mapper = self.factory.mapper()
+            connect(mapper, source if source is not None else sphere())
+        actor = vtkActor()
+        actor.SetMapper(mapper)
+        for name, value in properties.items():
+            setter = getattr(actor.GetProperty(), "Set" + name)
+            setter(*value) if isinstance(value, tuple) else setter(value)
+        (renderer or self.renderer).AddActor(actor)
+        self.actors.append(actor)
+        self.mappers.append(mapper)
+        return actor
+
+    def draw(self):
+        """Colours, and depth where the window has it, as bytes."""
+        self.window.Render()
+        if self.grab:
+            return self.grab(self)
+        width, height = self.window.GetSize()
+        pixels = vtkUnsignedCharArray()
+        self.window.GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, pixels)
+        depth = vtkFloatArray()
+        self.window.GetZbufferData(0, 0, width - 1, height - 1, depth)
+        return bytes(memoryview(pixels)), bytes(memoryview(depth))
+
+
+def connect(mapper, source):
+    if hasattr(source, "GetOutputPort"):
+        mapper.SetInputConnection(source.GetOutputPort())
+    else:
+        mapper.SetInputDataObject(source)
+
+
+def sphere(resolution=12, radius=0.7, centre=(0.0, 0.0, 0.0)):
+    source = vtkSphereSource()
+    source.SetThetaResolution(resolution)
+    source.SetPhiResolution(resolution)
+    source.SetRadius(radius)
+    source.SetCenter(*centre)
+    return source
+
+
+def constant_environment(radiance=1.0):
+    image = vtkImageData()
+    image.SetDimensions(64, 32, 1)
+    image.AllocateScalars(VTK_FLOAT, 3)
+    image.GetPointData().GetScalars().Fill(radiance)
+    environment = measured.vtkEnvironment()
+    assert environment.SetImage(image)
+    return environment
+
+
+def varied_environment():
+    """Blue above, brown below, brighter on one side: nothing is black."""
+    image = vtkImageData()
+    image.SetDimensions(64, 32, 1)
+    image.AllocateScalars(VTK_FLOAT, 3)
+    for y in range(32):
+        for x in range(64):
+            for c, (low, high) in enumerate(((0.5, 0.3), (0.3, 0.6), (0.2, 1.0))):
+                image.SetScalarComponentFromDouble(x, y, 0, c, (low + (high - low) * y / 31) * (1.5 if x < 20 else 1.0))
+    environment = measured.vtkEnvironment()
+    assert environment.SetImage(image)
+    return environment
+
+
+class Stock:
+    """VTK's own."""
+
+    scene_lights = True
+    has_material = False
+
+    def mapper(self):
+        return vtkPolyDataMapper()
+
+    def composite(self):
+        """The class that draws composites: vtkCompositePolyDataMapper2 until VTK 9.2, then the other."""
+        from vtkmodules.vtkCommonCore import vtkVersion
+
+        if vtkVersion.GetVTKMajorVersion() * 100 + vtkVersion.GetVTKMinorVersion() < 903:
+            return opengl.vtkCompositePolyDataMapper2()
+        from vtkmodules.vtkRenderingCore import vtkCompositePolyDataMapper
+
+        return vtkCompositePolyDataMapper()
+
+    def light(self, renderer):
+        """Add the environment to a renderer."""
+
+
+class Dark(Stock):
+    """VTK's own without lights: what the furnace leaves to the superclass must look so."""
+
+    scene_lights = False
+
+
+class Plain(Stock):
+    """Ours without a material."""
+
+    def mapper(self):
+        return measured.vtkMeasuredBRDFMapper()
+
+    def composite(self):
+        return measured.vtkCompositeMeasuredBRDFMapper()
+
+
+class Material(Plain):
+    """Ours with a material. One material and one environment: one plan for all scenes."""
+
+    has_material = True
+    first = None
+
+    def __init__(self):
+        self.brdf = measured.vtkEmbeddedMaterials.NewBRDF("gold-paint")
+        self.environment = varied_environment()
+
+    def _set(self, mapper):
+        mapper.SetBRDF(self.brdf)
+        mapper.SetEnvironment(self.environment)
+        mapper.SetErrorTolerance(0.1)  # planned sooner
+        self.first = self.first or mapper  # plans live as long as a mapper that drew with them
+        return mapper
+
+    def mapper(self):
+        return self._set(super().mapper())
+
+    def composite(self):
+        return self._set(super().composite())
+
+
+class Brushed(Material):
+    """An anisotropic material over a set of lights."""
+
+    def __init__(self):
+        super().__init__()
+        self.brdf = measured.vtkAshikhminShirleyBRDF()
+        self.brdf.SetDiffuse(0.3, 0.2, 0.1)
+        self.brdf.SetReflectance(0.2, 0.2, 0.2)
+        self.brdf.SetExponents(5.0, 40.0)
+
+    def _set(self, mapper):
+        mapper.SetMethodToLightSet()
+        mapper.SetNumberOfLights(16)
+        return super()._set(mapper)
+
+
+class Furnace(Material):
+    """A Lambert material under the same light from everywhere."""
+
+    scene_lights = False
+
+    def __init__(self):
+        self.brdf = measured.vtkLambertBRDF()
+        self.brdf.SetAlbedo(*ALBEDO)
+        self.environment = constant_environment()
+
+
+def check_picture(view, pixels):
+    """Whether every pixel of the furnace is background or one of the colours expected; None, or what is wrong."""
+    total = len(pixels) // 4
+    palette = [BACKGROUND] + list(view.expect)
+    counts = [0] * len(palette)
+    strays = {}
+    for colour, count in colours_of(pixels).items():
+        for index, wanted in enumerate(palette):
+            if all(abs(c - 255.0 * w) <= view.tolerance for c, w in zip(colour, wanted)):
+                counts[index] += count
+                break
+        else:
+            strays[colour] = count
+    problems = []
+    if sum(strays.values()) > view.others * total:
+        worst = sorted(strays, key=strays.get)[-4:]
+        problems.append(
+            "%d of %d pixels have colours that are not expected, most of all %s"
+            % (sum(strays.values()), total, ", ".join("%s (%d)" % (c, strays[c]) for c in worst))
+        )
+    for wanted, count in list(zip(palette, counts))[1:]:
+        if count < view.least * total:
+            problems.append(
+                "%d of %d pixels are %s, at least %d expected"
+                % (count, total, tuple(round(255 * w) for w in wanted), view.least * total)
+            )
+    return "; ".join(problems) or None
+
+
+def colours_of(pixels):
+    """How many pixels have each colour."""
+    return Counter(zip(pixels[::4], pixels[1::4], pixels[2::4]))
+
+
+def count(pixels, colour):
+    return colours_of(pixels)[colour]
+
+
+def is_finite(view):
+    """Whether nothing in a frame buffer of floats is NaN or infinite; not asked of scenes with passes of their own."""
+    renderers = view.window.GetRenderers().GetNumberOfItems()
+    if view.renderer.GetPass() or renderers > 1 or view.renderer.GetUseFXAA() or view.window.GetStereoRender():
+        return True
+    parts = opengl.vtkRenderPassCollection()
+    steps = [opengl.vtkLightsPass(), opengl.vtkOpaquePass(), opengl.vtkTranslucentPass()]
+    for step in steps:
+        parts.AddItem(step)
+    sequence, camera, target = opengl.vtkSequencePass(), opengl.vtkCameraPass(), opengl.vtkFramebufferPass()
+    sequence.SetPasses(parts)
+    camera.SetDelegatePass(sequence)
+    target.SetColorFormat(opengl.vtkTextureObject.Float32)
+    target.SetDelegatePass(camera)
+    view.renderer.SetPass(target)
+    view.window.Render()
+    texture = target.GetColorTexture()
+    width, height, components = texture.GetWidth(), texture.GetHeight(), texture.GetComponents()
+    values = array("f", bytes(4 * width * height * components))
+    assert texture.Download().Download2D(VTK_FLOAT, values, [width, height], components, [0, 0])
+    target.ReleaseGraphicsResources(view.window)
+    view.renderer.SetPass(None)
+    return all(map(math.isfinite, values))
+
+
+SCENES = {}
+
+
+def scene(function):
+    """Registers a scene under its function's name."""
+    assert function.__name__ not in SCENES, function.__name__
+    SCENES[function.__name__] = function
+    return function
+
+
+class Unavailable(Exception):
+    """Raised by a scene that this VTK has no classes for."""

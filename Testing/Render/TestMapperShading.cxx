@@ -1,0 +1,352 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Shading against closed forms at values where no factor is 1: lights, scalars, grazing views,
+// tangents; and a copy that forgets nothing.
+
+#include "RenderFixture.h"
+
+#include "vtkBasisBRDF.h"
+#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkEnvironment.h"
+#include "vtkFloatArray.h"
+#include "vtkLambertBRDF.h"
+#include "vtkLight.h"
+#include "vtkLightSet.h"
+#include "vtkLightSetIntegrator.h"
+#include "vtkMeasuredBRDFMapper.h"
+#include "vtkPlaneSource.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkRadianceCostModel.h"
+#include "vtkTableRadianceIntegrator.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <map>
+#include <sstream>
+#include <string>
+
+namespace
+{
+const double pi = 3.141592653589793;
+
+class MapperShading : public RenderFixture
+{
+protected:
+  void SetUp() override
+  {
+    RenderFixture::SetUp();
+    if (IsSkipped())
+    {
+      return;
+    }
+    this->Plane->SetOrigin(-1.0, -1.0, 0.0);
+    this->Plane->SetPoint1(1.0, -1.0, 0.0);
+    this->Plane->SetPoint2(-1.0, 1.0, 0.0);
+    this->Mapper->SetInputConnection(this->Plane->GetOutputPort());
+    this->Mapper->SetMethodToLightSet();
+    this->Mapper->SetBRDF(this->Lambert);
+    this->Lambert->SetAlbedo(0.9, 0.6, 0.3);
+    this->Actor->SetMapper(this->Mapper);
+    this->Renderer->AddActor(this->Actor);
+  }
+
+  /// A quad across the window with one normal and, if wanted, one tangent.
+  void SetQuad(const double normal[3], const double* tangent = nullptr)
+  {
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkFloatArray> normals;
+    vtkNew<vtkFloatArray> tangents;
+    normals->SetNumberOfComponents(3);
+    tangents->SetNumberOfComponents(3);
+    const double corners[4][2] = { { -1, -1 }, { 1, -1 }, { 1, 1 }, { -1, 1 } };
+    for (const double* corner : corners)
+    {
+      points->InsertNextPoint(corner[0], corner[1], 0.0);
+      normals->InsertNextTuple(normal);
+      if (tangent)
+      {
+        tangents->InsertNextTuple(tangent);
+      }
+    }
+    vtkNew<vtkCellArray> quads;
+    quads->InsertNextCell({ 0, 1, 2, 3 });
+    vtkNew<vtkPolyData> data;
+    data->SetPoints(points);
+    data->SetPolys(quads);
+    data->GetPointData()->SetNormals(normals);
+    if (tangent)
+    {
+      data->GetPointData()->SetTangents(tangents);
+    }
+    this->Mapper->SetInputDataObject(data);
+  }
+
+  static vtkSmartPointer<vtkEnvironment> MakeConstant(float radiance)
+  {
+    auto environment = vtkSmartPointer<vtkEnvironment>::New();
+    environment->SetPixels(64, 32, std::vector<float>(3 * 64 * 32, radiance));
+    return environment;
+  }
+
+  vtkNew<vtkPlaneSource> Plane;
+  vtkNew<vtkMeasuredBRDFMapper> Mapper;
+  vtkNew<vtkActor> Actor;
+  vtkNew<vtkLambertBRDF> Lambert;
+};
+
+/// "Name: value" lines of what the mapper prints beyond its superclass.
+std::map<std::string, std::string> GetProperties(vtkMeasuredBRDFMapper* mapper)
+{
+  std::ostringstream text;
+  mapper->Print(text);
+  std::istringstream lines(text.str());
+  std::map<std::string, std::string> properties;
+  bool own = false;
+  for (std::string line; std::getline(lines, line);)
+  {
+    const std::size_t begin = line.find_first_not_of(' ');
+    const std::size_t colon = line.find(": ");
+    own = own || line.compare(begin == std::string::npos ? 0 : begin, 6, "BRDF: ") == 0;
+    if (own && colon != std::string::npos)
+    {
+      properties[line.substr(begin, colon - begin)] = line.substr(colon + 2);
+    }
+  }
+  return properties;
+}
+}
+
+// Every property that is printed is set off its default: a new one must be set here, too, or fails.
+TEST(MapperCopy, TakesOverEveryProperty)
+{
+  vtkNew<vtkMeasuredBRDFMapper> unchanged;
+  vtkNew<vtkMeasuredBRDFMapper> original;
+  vtkNew<vtkLambertBRDF> brdf;
+  vtkNew<vtkEnvironment> environment;
+  vtkNew<vtkLightSet> lights;
+  vtkNew<vtkTableRadianceIntegrator> integrator;
+  vtkNew<vtkRadianceCostModel> costs;
+  costs->SetName("another");
+  original->SetBRDF(brdf);
+  original->SetEnvironment(environment);
+  original->SetLightSet(lights);
+  original->SetIntegrator(integrator);
+  original->SetMethodToLightSet();
+  original->SetErrorTolerance(0.125);
+  original->SetPlanningModeToBackground();
+  original->PlanForViewOn();
+  original->SetCostModel(costs);
+  original->SetLightSetMethodToVariance();
+  original->SetNumberOfLights(17);
+  original->SetSeed(23);
+  original->SoftLightsOn();
+  original->SetScalarColoringMode(vtkMeasuredBRDFMapper::IGNORE_SCALARS);
+  vtkNew<vtkMeasuredBRDFMapper> copy;
+  copy->ShallowCopy(original);
+
+  const std::map<std::string, std::string> defaults = GetProperties(unchanged);
+  const std::map<std::string, std::string> set = GetProperties(original);
+  const std::map<std::string, std::string> copied = GetProperties(copy);
+  ASSERT_GE(set.size(), 14u);
+  for (const auto& [name, value] : set)
+  {
+    if (name == "Plan") // what was drawn, no property
+    {
+      continue;
+    }
+    EXPECT_NE(value, defaults.at(name)) << name << " is not set by this test";
+    EXPECT_EQ(value, copied.at(name)) << name << " is not copied";
+  }
+}
+
+// A plane tilted by 60 degrees under a light at the camera.
+TEST_F(MapperShading, HeadlightOnATiltedPlane)
+{
+  this->Actor->RotateX(60.0);
+  vtkNew<vtkLight> headlight;
+  headlight->SetLightTypeToHeadlight();
+  headlight->SetIntensity(2.0);
+  headlight->SetDiffuseColor(1.0, 0.5, 0.25);
+  this->Renderer->AddLight(headlight);
+  const FloatImage image = this->RenderLinear();
+  EXPECT_NEAR(image.At(32, 32)[0], 2.0 * 0.9 / pi * 0.5, 2e-3);
+  EXPECT_NEAR(image.At(32, 32)[1], 1.0 * 0.6 / pi * 0.5, 2e-3);
+  EXPECT_NEAR(image.At(32, 32)[2], 0.5 * 0.3 / pi * 0.5, 2e-3);
+}
+
+// Off a spot's axis: exponent, and each term of the attenuation, at a distance that is not 1.
+TEST_F(MapperShading, SpotOffItsAxis)
+{
+  vtkNew<vtkLight> spot;
+  spot->SetLightTypeToSceneLight();
+  spot->PositionalOn();
+  spot->SetPosition(0.0, 0.0, 2.0);
+  spot->SetFocalPoint(0.0, 0.0, 0.0);
+  spot->SetConeAngle(60.0);
+  spot->SetIntensity(10.0);
+  this->Renderer->AddLight(spot);
+  const double attenuations[3][3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
+  for (const double exponent : { 0.0, 1.0, 8.0 })
+  {
+    for (const double* a : attenuations)
+    {
+      spot->SetExponent(exponent);
+      spot->SetAttenuationValues(a[0], a[1], a[2]);
+      const FloatImage image = this->RenderLinear();
+      for (const int x : { 32, 48, 60 })
+      {
+        const double px = (x + 0.5) / 32.0 - 1.0;
+        const double py = 0.5 / 32.0;
+        const double distance = std::sqrt(px * px + py * py + 4.0);
+        const double cosine = 2.0 / distance; // of both angles
+        const double expected = 10.0 * 0.9 / pi * cosine * std::pow(cosine, exponent) /
+                                (a[0] + a[1] * distance + a[2] * distance * distance);
+        EXPECT_NEAR(image.At(x, 32)[0], expected, 2e-3 * expected)
+          << "exponent " << exponent << ", attenuation " << a[0] << a[1] << a[2] << ", pixel " << x;
+      }
+    }
+  }
+}
+
+// Half-grey scalars: (128/255)^2.2 of the light, as VTK's PBR takes colours.
+TEST_F(MapperShading, HalfGreyScalars)
+{
+  const double normal[3] = { 0.0, 0.0, 1.0 };
+  this->SetQuad(normal);
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(3);
+  for (int k = 0; k < 4; ++k)
+  {
+    colors->InsertNextTuple3(128, 64, 255);
+  }
+  vtkPolyData::SafeDownCast(this->Mapper->GetInputDataObject(0, 0))
+    ->GetPointData()
+    ->SetScalars(colors);
+  this->Mapper->SetEnvironment(MakeConstant(1.0f));
+  this->Mapper->SetNumberOfLights(1024);
+  this->Mapper->SetScalarColoringMode(vtkMeasuredBRDFMapper::IGNORE_SCALARS);
+  const FloatImage plain = this->RenderLinear();
+  this->Mapper->SetScalarColoringMode(vtkMeasuredBRDFMapper::MODULATE);
+  const FloatImage grey = this->RenderLinear();
+  const double scalars[3] = { 128.0 / 255.0, 64.0 / 255.0, 1.0 };
+  for (int c = 0; c < 3; ++c)
+  {
+    EXPECT_NEAR(
+      grey.At(32, 32)[c] / plain.At(32, 32)[c], std::pow(scalars[c], 2.2), 1e-3 * scalars[c]);
+  }
+}
+
+// Normals that are almost, or more than, at right angles to the view, set on purpose: both light
+// loops shade as if the view's cosine were 0.02 at least.
+TEST_F(MapperShading, GrazingViews)
+{
+  // f = 1 / cos(theta_o), so that the view's cosine shows.
+  vtkNew<vtkBasisBRDF> brdf;
+  const double whole[2] = { 0.0, 90.0 };
+  const double constant = std::sqrt(4.0 * pi); // of the first harmonic: a sum of 1
+  ASSERT_EQ(brdf->SetCoefficients(vtkBasisBRDF::SPHERICAL_HARMONICS, 0, whole, whole, 2, 1,
+              std::vector<float>(6, static_cast<float>(constant))),
+    "");
+  brdf->OutgoingCosineOn();
+  this->Mapper->SetBRDF(brdf);
+  vtkNew<vtkLightSet> lights;
+  const double irradiance[3] = { 0.05, 0.04, 0.03 };
+  const double from[3] = { 0.8, 0.0, 0.6 };
+  lights->AddLight(from, irradiance);
+  this->Mapper->SetLightSet(lights);
+  vtkNew<vtkLightSetIntegrator> integrator;
+  integrator->SetBRDF(brdf);
+  integrator->SetLightSet(lights);
+  integrator->SetEnvironment(MakeConstant(1.0f));
+  for (const double z : { 0.1, 0.04, 0.03, 0.01, -0.01, -0.1 })
+  {
+    const double normal[3] = { std::sqrt(1.0 - z * z), 0.0, z };
+    this->SetQuad(normal);
+    const FloatImage image = this->RenderLinear();
+    vtkNew<vtkDoubleArray> normals, views, radiance;
+    normals->SetNumberOfComponents(3);
+    views->SetNumberOfComponents(3);
+    normals->InsertNextTuple(normal);
+    views->InsertNextTuple3(0.0, 0.0, 1.0);
+    ASSERT_TRUE(integrator->Integrate(normals, views, radiance));
+    const double cosine = normal[0] * from[0] + z * from[2];
+    const double expected = irradiance[0] * cosine / std::max(z, 0.02);
+    EXPECT_NEAR(image.At(32, 32)[0], expected, 2e-3 * expected) << "GPU, z = " << z;
+    // Nothing is seen from below, in C++: there are no interpolated normals.
+    EXPECT_NEAR(radiance->GetComponent(0, 0), z > 0.0 ? expected : 0.0, 1e-6) << "C++, z = " << z;
+  }
+}
+
+// A light of negative intensity takes away from the environment's, down to 0 in each channel, and
+// from 0 no power is taken that would be NaN.
+TEST_F(MapperShading, NegativeLightsEndAtZero)
+{
+  this->Mapper->SetEnvironment(MakeConstant(0.5f));
+  const FloatImage before = this->RenderLinear();
+  vtkNew<vtkLight> dark;
+  dark->SetLightTypeToHeadlight();
+  dark->SetIntensity(-50.0);
+  this->Renderer->AddLight(dark);
+  for (int channel = 0; channel < 3; ++channel)
+  {
+    dark->SetDiffuseColor(channel == 0, channel == 1, channel == 2);
+    const FloatImage image = this->RenderEncoded();
+    for (int c = 0; c < 3; ++c)
+    {
+      const float value = image.At(32, 32)[c];
+      if (c == channel)
+      {
+        EXPECT_EQ(value, 0.0f) << "channel " << c;
+      }
+      else
+      {
+        EXPECT_NEAR(std::pow(value, 2.2f), before.At(32, 32)[c], 1e-4) << "channel " << c;
+      }
+    }
+  }
+}
+
+// A material that half a turn changes: one order of a harmonic along the tangent, with a table over
+// the view's azimuth.
+TEST_F(MapperShading, TheTangentsDirectionCounts)
+{
+  // Order 1: k = 0 constant, k = 3 ~ x (l = 1, m = 1). Two azimuths: anisotropic.
+  vtkNew<vtkBasisBRDF> brdf;
+  const double whole[2] = { 0.0, 90.0 };
+  const int functions = 4, nTheta = 2, nPhi = 4;
+  std::vector<float> rgb(3 * functions * nTheta * nPhi, 0.0f);
+  const auto set = [&](int k, float value)
+  { std::fill_n(rgb.begin() + 3 * k * nTheta * nPhi, 3 * nTheta * nPhi, value); };
+  set(0, 1.0f);
+  set(3, 0.5f);
+  ASSERT_EQ(
+    brdf->SetCoefficients(vtkBasisBRDF::SPHERICAL_HARMONICS, 1, whole, whole, nTheta, nPhi, rgb),
+    "");
+  ASSERT_FALSE(brdf->IsIsotropic());
+  this->Mapper->SetBRDF(brdf);
+  const double from[3] = { 0.48, 0.36, 0.8 };
+  const double irradiance[3] = { 1.0, 1.0, 1.0 };
+  vtkNew<vtkLightSet> lights;
+  lights->AddLight(from, irradiance);
+  this->Mapper->SetLightSet(lights);
+  const double normal[3] = { 0.0, 0.0, 1.0 };
+  const double tangents[4][3] = { { 1, 0, 0 }, { -1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 } };
+  float seen[4];
+  for (int k = 0; k < 4; ++k)
+  {
+    const double* t = tangents[k];
+    this->SetQuad(normal, t);
+    seen[k] = this->RenderLinear().At(32, 32)[0];
+    // The light in the frame (tangent, normal x tangent, normal).
+    const double local[3] = { from[0] * t[0] + from[1] * t[1], from[1] * t[0] - from[0] * t[1],
+      from[2] };
+    double f[3];
+    brdf->Evaluate(local, normal, f);
+    EXPECT_NEAR(seen[k], f[0] * from[2], 2e-3 * f[0]) << "tangent " << k;
+  }
+  EXPECT_GT(std::abs(seen[0] - seen[1]), 0.05 * seen[0]);
+  EXPECT_GT(std::abs(seen[2] - seen[3]), 0.05 * seen[2]);
+}
