@@ -170,8 +170,8 @@ TEST(ExactIntegrator, LambertUnderAConstantSkyHasAClosedForm)
 //------------------------------------------------------------------------------
 TEST(ExactIntegrator, EqualsAPlainSum)
 {
-  const int width = 16;
-  const int height = 9;
+  const int width = 160;
+  const int height = 90;
   vtkNew<vtkEnvironment> environment;
   SetRandom(environment, width, height);
   vtkNew<vtkLambertBRDF> brdf;

@@ -72,7 +72,6 @@ TEST_P(PlannerPromise, IsKept)
   for (const bool hall : { false, true })
   {
     const auto environment = NewSmallEnvironment(hall);
-    ShrinkEnvironment(environment, 64, 32);
     SpherePairs pairs; // many: one highlight is a third of a gloss's error over 1000 of them
     pairs.AddRandom(3000, 11);
     const auto reference = pairs.IntegrateExactly(brdf, environment);
