@@ -111,6 +111,13 @@ struct vtkMeasuredBRDFMapper::Internals
     return true;
   }
 
+  // Else the superclass draws it.
+  static bool IsShaded(vtkActor* actor)
+  {
+    return actor->GetProperty()->GetLighting() &&
+           actor->GetProperty()->GetRepresentation() == VTK_SURFACE;
+  }
+
   // What the renderer's other mappers want to draw by in the same frame.
   static void VisitRequests(vtkRenderer* ren, const PlanRequest::Visit& visit)
   {
@@ -121,8 +128,16 @@ struct vtkMeasuredBRDFMapper::Internals
     {
       auto* actor = vtkActor::SafeDownCast(prop);
       auto* mapper = vtkMeasuredBRDFMapper::SafeDownCast(actor ? actor->GetMapper() : nullptr);
+      if (!mapper || !actor->GetVisibility() || !IsShaded(actor))
+      {
+        continue;
+      }
+      if (mapper->PlanForView)
+      {
+        mapper->Update(); // it may be drawn for the first time
+      }
       PlanRequest request;
-      if (mapper && actor->GetVisibility() && GetRequest(mapper, ren, actor, request))
+      if (GetRequest(mapper, ren, actor, request))
       {
         visit(mapper->Impl->Plans, request);
       }
@@ -405,8 +420,7 @@ bool vtkMeasuredBRDFMapper::UsesMaterial(vtkActor* actor, const vtkOpenGLHelper*
   const bool triangles =
     cellBO == &this->Primitives[PrimitiveTris] || cellBO == &this->Primitives[PrimitiveTriStrips];
   vtkInformation* keys = actor->GetPropertyKeys();
-  return triangles && actor->GetProperty()->GetLighting() &&
-         actor->GetProperty()->GetRepresentation() == VTK_SURFACE &&
+  return triangles && Internals::IsShaded(actor) &&
          !(keys && (keys->Has(vtkLightingMapPass::RENDER_NORMALS()) ||
                      keys->Has(vtkLightingMapPass::RENDER_LUMINANCE())));
 }
@@ -721,7 +735,8 @@ void vtkMeasuredBRDFMapper::Prepare(vtkRenderer* ren, vtkActor* actor)
 void vtkMeasuredBRDFMapper::RenderPieceStart(vtkRenderer* ren, vtkActor* actor)
 {
   this->Impl->Ready = false;
-  if (DrawsColor(ren, actor)) // else as the superclass, with what is there left alone
+  // Else as the superclass, with what is there left alone.
+  if (Internals::IsShaded(actor) && DrawsColor(ren, actor))
   {
     try
     {
