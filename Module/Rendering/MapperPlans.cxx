@@ -56,6 +56,7 @@ struct MapperPlans::View
   vtkWeakPointer<vtkRenderer> Renderer;
   vtkWeakPointer<vtkActor> Actor; // null but for plans for the view
   CurrentPlan Plan;
+  bool Bridged = false; // drawn by another plan than was wanted
 
   // What the camera saw, and the plans for it, which are taken up again when it comes back.
   struct Seen
@@ -135,13 +136,13 @@ vtkRadiancePlanner* MapperPlans::GetPlan() const
 bool MapperPlans::IsPending() const
 {
   return std::any_of(this->Views.begin(), this->Views.end(),
-    [](const auto& entry) { return entry.second->Plan.IsPending(); });
+    [](const auto& entry) { return entry.second->Bridged; });
 }
 
 bool MapperPlans::IsReady() const
 {
   return std::any_of(this->Views.begin(), this->Views.end(),
-    [](const auto& entry) { return entry.second->Plan.IsReady(); });
+    [](const auto& entry) { return entry.second->Bridged && entry.second->Plan.IsReady(); });
 }
 
 // Views only now and then, so that a Render does not look at every view for each.
@@ -302,7 +303,9 @@ void MapperPlans::BeginSideBySide(View& view, const PlanInputs& wanted, const Pl
     {
       View& its = plans.FindView(other);
       const PlanInputs inputs = GetInputs(its, other);
-      if (inputs.GetKey() != wanted.GetKey() && its.Plan.NeedsTime(inputs, other.Timing))
+      const bool outOfView = other.ForView && inputs.Pixels == 0;
+      if (!outOfView && inputs.GetKey() != wanted.GetKey() &&
+          its.Plan.NeedsTime(inputs, other.Timing))
       {
         others.emplace_back(&its.Plan, inputs);
       }
@@ -327,6 +330,7 @@ CurrentPlan& MapperPlans::Update(const PlanRequest& request, bool& changed, std:
     this->BeginSideBySide(view, wanted, request);
   }
   changed = view.Plan.Update(wanted, request.Timing, problem);
+  view.Bridged = view.Plan.IsPending();
   if (wanted.Seen && view.Plan.IsFor(wanted))
   {
     view.Looks[view.Current].Plan = view.Plan.GetPlan();

@@ -83,7 +83,8 @@ public:
   vtkRadiancePlanner* GetPlan() const;
 
   ///@{
-  /// Whether some view waits for another plan; whether one of these is made and not taken up yet.
+  /// Whether some view was drawn by another plan than was wanted, which is in the making; whether
+  /// one of these is made and not taken up yet.
   bool IsPending() const;
   bool IsReady() const;
   ///@}

@@ -13,6 +13,7 @@
 #include "vtkMeasuredBRDFMapper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPropCollection.h"
+#include "vtkProperty.h"
 #include "vtkRadiancePlanner.h"
 #include "vtkRenderer.h"
 #include "vtkTexture.h"
@@ -33,6 +34,13 @@ int NextPowerOfTwo(int n)
     power *= 2;
   }
   return power;
+}
+
+// Else the superclass draws it.
+bool IsShaded(vtkActor* actor)
+{
+  return actor->GetProperty()->GetLighting() &&
+         actor->GetProperty()->GetRepresentation() == VTK_SURFACE;
 }
 
 bool HasLight(vtkRenderer* renderer)
@@ -185,7 +193,8 @@ void MaterialDrawing::VisitRequests(vtkRenderer* renderer, const PlanRequest::Vi
   while (vtkProp* prop = props->GetNextProp(it))
   {
     auto* actor = vtkActor::SafeDownCast(prop);
-    vtkMapper* mapper = actor && actor->GetVisibility() ? actor->GetMapper() : nullptr;
+    const bool seen = actor && actor->GetVisibility() && IsShaded(actor);
+    vtkMapper* mapper = seen ? actor->GetMapper() : nullptr;
     MaterialDrawing* drawing = nullptr;
     if (auto* plain = vtkMeasuredBRDFMapper::SafeDownCast(mapper))
     {
@@ -198,6 +207,10 @@ void MaterialDrawing::VisitRequests(vtkRenderer* renderer, const PlanRequest::Vi
     if (!drawing || !drawing->IsPlanned())
     {
       continue;
+    }
+    if (drawing->Settings->PlanForView)
+    {
+      mapper->Update(); // it may be drawn for the first time
     }
     const vtkSmartPointer<vtkEnvironment> environment = drawing->FindLight(renderer);
     for (const MaterialUse& use : drawing->UsesToCome())
@@ -355,7 +368,7 @@ void MaterialDrawing::BeginFrame(
 {
   this->Selected = nullptr;
   this->Frame = nullptr;
-  if (!DrawsColor(renderer, actor))
+  if (!DrawsColor(renderer, actor) || !IsShaded(actor))
   {
     return;
   }

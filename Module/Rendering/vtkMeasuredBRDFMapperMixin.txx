@@ -163,8 +163,7 @@ bool vtkMeasuredBRDFMapperMixin<Base>::UsesMaterial(vtkActor* actor, const vtkOp
   }
   const bool triangles = cellBO == &this->Primitives[Base::PrimitiveTris] ||
                          cellBO == &this->Primitives[Base::PrimitiveTriStrips];
-  return triangles && actor->GetProperty()->GetLighting() &&
-         actor->GetProperty()->GetRepresentation() == VTK_SURFACE;
+  return triangles;
 }
 
 //------------------------------------------------------------------------------
