@@ -12,27 +12,24 @@
 #include "Tool.h"
 
 #include "vtkEmbeddedMaterials.h"
-#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkRadianceIntegrator.h"
+#include "vtkRadiancePlanner.h"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <set>
 
 namespace
 {
-// Bounds on the number of lights that a material gets by itself.
-constexpr int FewestLights = 256;
-constexpr int MostLights = 2048;
-
 struct Options
 {
   std::vector<std::string> Files;
   std::string Environment = "sky";
   std::string Size = "1920x1200";
   std::string Output;
-  tool::LightSetOptions Lights{ FewestLights };
-  bool SameLights = false; // as many for each material as asked for
+  tool::LightSetOptions Lights;
+  bool UseLights = false; // else as planned
 };
 
 constexpr int LargestSize = 8192;
@@ -69,45 +66,19 @@ std::vector<std::string> ChooseEmbedded()
 }
 
 //------------------------------------------------------------------------------
-// Angle in radians from the mirror direction at which the highlight falls to a half.
-double GetLobeAngle(vtkBRDF* brdf)
+// The method that the mapper's AUTO would take: no dots, whatever the gloss.
+void Plan(tool::Scene& scene, vtkBRDF* brdf, vtkEnvironment* environment)
 {
-  constexpr double tilt = 30.0;
-  const auto look = [brdf](double degrees)
+  vtkNew<vtkRadiancePlanner> planner;
+  planner->SetBRDF(brdf);
+  planner->SetEnvironment(environment);
+  if (!planner->Update())
   {
-    const double a = vtkMath::RadiansFromDegrees(degrees);
-    const double o[3] = { -std::sin(vtkMath::RadiansFromDegrees(tilt)), 0.0,
-      std::cos(vtkMath::RadiansFromDegrees(tilt)) };
-    const double i[3] = { std::sin(a), 0.0, std::cos(a) };
-    double f[3];
-    brdf->Evaluate(i, o, f);
-    return vtkEnvironment::GetLuminance(f);
-  };
-  const double floor = look(tilt - 60.0);
-  const double half = 0.5 * (look(tilt) + floor);
-  double inside = 0.0;
-  double outside = 60.0;
-  for (int k = 0; k < 20; ++k)
-  {
-    const double middle = 0.5 * (inside + outside);
-    (look(tilt - middle) >= half ? inside : outside) = middle;
+    throw tool::Error("planning: " + tool::TakeErrorText());
   }
-  return vtkMath::RadiansFromDegrees(outside);
-}
-
-//------------------------------------------------------------------------------
-// Lights that a material asks for: the sharper its highlight, the more, lest it falls into dots.
-// Two per lobe's disc, if they were spread evenly.
-int ChooseLights(vtkBRDF* brdf)
-{
-  const double angle = GetLobeAngle(brdf);
-  const double wanted = 8.0 / (angle * angle);
-  int lights = FewestLights;
-  while (lights < wanted && lights < MostLights)
-  {
-    lights *= 2;
-  }
-  return lights;
+  scene.SetMaterial(planner->GetBRDF());
+  scene.SetLight(
+    environment, vtkSmartPointer<vtkRadianceIntegrator>::Take(planner->NewIntegrator()));
 }
 
 //------------------------------------------------------------------------------
@@ -217,13 +188,15 @@ void Run(const Options& options)
   for (int k = 0; k < n; ++k)
   {
     materials[k].BRDF->Prepare();
-    tool::LightSetOptions lights = options.Lights;
-    if (!options.SameLights)
+    if (options.UseLights)
     {
-      lights.Count = ChooseLights(materials[k].BRDF);
+      scene.SetMaterial(materials[k].BRDF);
+      scene.SetLight(environment, options.Lights);
     }
-    scene.SetMaterial(materials[k].BRDF);
-    scene.SetLight(environment, lights);
+    else
+    {
+      Plan(scene, materials[k].BRDF, environment);
+    }
     tool::Picture tile = scene.Render(Smooth * tileWidth, Smooth * tileHeight);
     tool::ComposeOver(tile, scene, backdrop, exposure);
     tool::RollOff(tile);
@@ -261,14 +234,16 @@ void AddGalleryCommand(CLI::App& app)
   command->add_option("-o,--output", options->Output, "PNG picture to write")->required();
   command->footer(
     "Example:\n  measured-brdf gallery --environment studio.exr -o gallery.png\n\n"
-    "Without --lights, materials with sharper highlights get more of them, up to 2048.\n"
+    "With --lights the environment is that many lights; without, the planner chooses how each\n"
+    "material is drawn, to an error of 2 %.\n"
     "The light is scaled so that a white wall would come out light grey, and "
     "highlights are rolled off.\n"
     "Needs OpenGL; without a screen, put 'xvfb-run -a' before it.");
   command->callback(
     [options, command]()
     {
-      options->SameLights = command->count("--lights") > 0;
+      options->UseLights =
+        command->count("--lights") + command->count("--light-set") + command->count("--seed") > 0;
       Run(*options);
     });
 }

@@ -196,11 +196,12 @@ TEST(PropertyFitter, FindsVTKsOwn)
   EXPECT_NEAR(fitter->GetBaseColor()[2], 0.2, 0.01);
   EXPECT_LT(fitter->GetRelativeError(), 2e-3);
 
-  stock->Property->SetColor(0.1, 0.2, 0.5);
-  stock->Property->SetMetallic(0.0);
-  stock->Property->SetRoughness(0.6);
+  // A clear coat over metal flakes. (Over plastic it would be a glossier plastic.)
+  stock->Property->SetColor(0.5, 0.1, 0.05);
+  stock->Property->SetMetallic(0.9);
+  stock->Property->SetRoughness(0.7);
   stock->Property->SetCoatStrength(1.0);
-  stock->Property->SetCoatRoughness(0.15);
+  stock->Property->SetCoatRoughness(0.1);
   stock->Property->SetCoatIOR(1.6);
   fitter = Fit(stock);
   EXPECT_GT(fitter->GetCoatStrength(), 0.5);
@@ -258,6 +259,7 @@ TEST(PropertyFitter, LeavesTheRest)
   property->BackfaceCullingOn();
   property->SetAmbient(0.125);
   property->SetAnisotropy(0.5);
+  property->SetDiffuse(0.5);
   ASSERT_GT(vtkPBRPropertyFitter::Fit(brdf, property), 0.0);
   EXPECT_EQ(property->GetOpacity(), 0.25);
   EXPECT_EQ(property->GetRepresentation(), VTK_WIREFRAME);
