@@ -145,9 +145,9 @@ vtkBRDF* vtkEmbeddedMaterials::NewBRDF(const std::string& name)
   if (!known)
   {
     const vtkNew<vtkEmbeddedMaterials> self; // an object to complain
-    vtkErrorWithObjectMacro(self, "NewBRDF: there is no embedded material "
-                                    << measuredbrdf::Quote(name) << "; the nearest names are "
-                                    << FindNearest(name) << ".");
+    vtkErrorWithObjectMacro(self.Get(), "NewBRDF: there is no embedded material "
+                                          << measuredbrdf::Quote(name) << "; the nearest names are "
+                                          << FindNearest(name) << ".");
     return nullptr;
   }
   const vtkSmartPointer<vtkBRDF> brdf = MakeMaterial(name);

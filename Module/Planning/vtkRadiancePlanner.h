@@ -145,8 +145,8 @@ public:
    * code. The mapper uses GetDefaultCacheFolder(): $MEASUREDBRDF_CACHE ("off": none), else
    * $XDG_CACHE_HOME/vtkMeasuredBRDF (an absolute path, as its specification demands), else
    * $HOME/.cache/vtkMeasuredBRDF. Files lie in a sub-folder of it, vtkMeasuredBRDF-plans, for this
-   * user only (mode 0700); nothing else in the folder is touched, and of the sub-folder only regular
-   * files with this cache's names and magic. Those used longest ago go when they exceed
+   * user only (mode 0700); nothing else in the folder is touched, and of the sub-folder only
+   * regular files with this cache's names and magic. Those used longest ago go when they exceed
    * MaximumCacheBytes (default 512 MiB). Damaged files are made again; programs may share the
    * folder.
    */

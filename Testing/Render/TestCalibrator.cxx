@@ -42,9 +42,10 @@ protected:
   std::vector<fs::path> GetFiles() const
   {
     std::vector<fs::path> files;
-    if (fs::exists(this->Folder))
+    const fs::path own = fs::path(this->Folder) / "vtkMeasuredBRDF-plans";
+    if (fs::exists(own))
     {
-      for (const auto& entry : fs::directory_iterator(this->Folder))
+      for (const auto& entry : fs::directory_iterator(own))
       {
         files.push_back(entry.path());
       }
@@ -86,8 +87,9 @@ TEST_F(Calibrator, MeasuresAndKeeps)
   EXPECT_TRUE(second->GetFromCache());
   EXPECT_EQ(second->GetCostModel()->GetText(), model->GetText());
 
-  // A damaged file; then one that is whole but holds no model.
-  std::ofstream(this->GetFiles().at(0), std::ios::binary) << "something else";
+  // A damaged file is replaced; one that is not the cache's own would stay (TestPlanCache).
+  std::ofstream(this->GetFiles().at(0), std::ios::binary)
+    << "vtkMeasuredBRDF plan 1\nsomething else";
   const auto third = this->New();
   ASSERT_TRUE(third->Calibrate());
   EXPECT_FALSE(third->GetFromCache());

@@ -95,8 +95,8 @@ TEST(IOTolerance, TensorFilesOfConverters)
 {
   const Folder folder;
   const auto tables = MakeTables();
-  const auto expected = ReadFile(folder, MakeTensor(MakeTensorFields(tables)))->GetBRDF();
-  const vtkSmartPointer<vtkBRDF> same = expected;
+  const vtkSmartPointer<vtkBRDF> same(
+    ReadFile(folder, MakeTensor(MakeTensorFields(tables)))->GetBRDF());
   // NumPy's 64-bit numbers, padded text, bytes behind the data, a flag that is signed.
   auto fields = MakeTensorFields(tables);
   TensorField& rgb = FieldOf(fields, "rgb");
