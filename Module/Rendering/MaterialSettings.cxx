@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MaterialSettings.h"
 
+#include "Setters.h"
 #include "vtkLightSetGenerator.h"
 #include "vtkObject.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace measuredbrdf
 {
@@ -16,76 +16,69 @@ constexpr double SmallestTolerance = 1e-3;
 constexpr double LargestTolerance = 1.0;
 }
 
-bool MaterialSettings::IsMode(vtkObject* self, const char* setter, int value, int count) const
+template <typename T>
+void MaterialSettings::SetClamped(
+  vtkObject* self, const char* name, T& property, T value, T low, T high)
 {
-  if (value >= 0 && value < count)
+  if (!IsFinite(value))
   {
-    return true;
+    vtkErrorWithObjectMacro(self, << "Set" << name << ": found " << value
+                                  << ", expected a number from " << low << " to " << high << "; "
+                                  << property << " stays.");
+    return;
   }
-  vtkErrorWithObjectMacro(self, << setter << ": " << value << " is none of the modes 0 to "
-                                << count - 1 << "; the mode stays as it was.");
-  return false;
+  const T clamped = std::clamp(value, low, high);
+  if (clamped != value)
+  {
+    vtkWarningWithObjectMacro(self, << "Set" << name << ": " << value << " is not from " << low
+                                    << " to " << high << "; " << clamped << " is taken.");
+  }
+  this->Set(property, clamped);
+}
+
+void MaterialSettings::SetMode(
+  vtkObject* self, const char* name, int& property, int value, int count)
+{
+  if (value < 0 || value >= count)
+  {
+    vtkErrorWithObjectMacro(self, << "Set" << name << ": found " << value
+                                  << ", expected a number from 0 to " << count - 1 << "; "
+                                  << property << " stays.");
+    return;
+  }
+  this->Set(property, value);
 }
 
 void MaterialSettings::SetMethod(vtkObject* self, int method)
 {
-  if (this->IsMode(self, "SetMethod", method, 2))
-  {
-    this->Set(this->Method, method);
-  }
+  this->SetMode(self, "Method", this->Method, method, 2);
 }
 
 void MaterialSettings::SetPlanningMode(vtkObject* self, int mode)
 {
-  if (this->IsMode(self, "SetPlanningMode", mode, 3))
-  {
-    this->Set(this->PlanningMode, mode);
-  }
+  this->SetMode(self, "PlanningMode", this->PlanningMode, mode, 3);
 }
 
 void MaterialSettings::SetErrorTolerance(vtkObject* self, double tolerance)
 {
-  if (std::isnan(tolerance))
-  {
-    vtkErrorWithObjectMacro(self, "SetErrorTolerance: expected a number, got NaN; the tolerance "
-                                  "stays at "
-                                    << this->ErrorTolerance << ".");
-    return;
-  }
-  const double clamped = std::clamp(tolerance, SmallestTolerance, LargestTolerance);
-  if (clamped != tolerance)
-  {
-    vtkWarningWithObjectMacro(
-      self, "SetErrorTolerance: " << tolerance << " clamped to " << clamped << ".");
-  }
-  this->Set(this->ErrorTolerance, clamped);
+  this->SetClamped(
+    self, "ErrorTolerance", this->ErrorTolerance, tolerance, SmallestTolerance, LargestTolerance);
 }
 
 void MaterialSettings::SetLightSetMethod(vtkObject* self, int method)
 {
-  if (this->IsMode(self, "SetLightSetMethod", method, 3))
-  {
-    this->Set(this->LightSetMethod, method);
-  }
+  this->SetMode(self, "LightSetMethod", this->LightSetMethod, method, 3);
 }
 
 void MaterialSettings::SetNumberOfLights(vtkObject* self, int count)
 {
-  const int clamped = std::clamp(count, 1, vtkLightSetGenerator::MaximumNumberOfLights);
-  if (clamped != count)
-  {
-    vtkWarningWithObjectMacro(
-      self, "SetNumberOfLights: " << count << " clamped to " << clamped << ".");
-  }
-  this->Set(this->NumberOfLights, clamped);
+  const int most = vtkLightSetGenerator::MaximumNumberOfLights;
+  this->SetClamped(self, "NumberOfLights", this->NumberOfLights, count, 1, most);
 }
 
 void MaterialSettings::SetScalarColoringMode(vtkObject* self, int mode)
 {
-  if (this->IsMode(self, "SetScalarColoringMode", mode, 2))
-  {
-    this->Set(this->ScalarColoringMode, mode);
-  }
+  this->SetMode(self, "ScalarColoringMode", this->ScalarColoringMode, mode, 2);
 }
 
 void MaterialSettings::Copy(const MaterialSettings& other)

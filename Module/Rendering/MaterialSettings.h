@@ -49,8 +49,8 @@ struct MaterialSettings
   vtkTimeStamp Time; // when a property last changed
 
   ///@{
-  /// Take a value, or say for `self` why not: what is no number and what is no mode leaves the
-  /// property as it was, numbers out of range are clamped.
+  /// Take a value, or say for `self` why not: what is no number and what is no enumerator is
+  /// refused, numbers out of range are clamped (Setters.h).
   void SetMethod(vtkObject* self, int method);
   void SetPlanningMode(vtkObject* self, int mode);
   void SetErrorTolerance(vtkObject* self, double tolerance);
@@ -84,7 +84,10 @@ struct MaterialSettings
   void Print(ostream& os, vtkIndent indent) const;
 
 private:
-  bool IsMode(vtkObject* self, const char* setter, int value, int count) const;
+  // The one rule of Setters.h, for properties that are no members of the object that speaks.
+  template <typename T>
+  void SetClamped(vtkObject* self, const char* name, T& property, T value, T low, T high);
+  void SetMode(vtkObject* self, const char* name, int& property, int value, int count);
 };
 } // namespace measuredbrdf
 

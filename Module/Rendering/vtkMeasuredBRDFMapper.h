@@ -14,11 +14,23 @@
  * - A vtkLight of colour c and intensity k gives irradiance k c on a surface that faces it, as in
  *   VTK's PBR: a white Lambert surface then shows k c / pi.
  * - Output is radiance^(1/2.2), as VTK's PBR writes it; vtkToneMappingPass expects that.
- * - Opacity, edges, clipping planes, picking, scalars (as a factor), back faces: as the superclass.
- *   Points, lines, wireframe, and actors with vtkProperty::Lighting off are left to the superclass.
+ * - Of vtkProperty, opacity, edges (tubes too), culling, representation, back faces, line width and
+ *   point size count, as with the superclass. Its colours and their coefficients, Phong's and PBR's
+ *   parameters have no effect, nor have PBR's textures, but for the normal map (with
+ *   VTK_PBR and tangents); the mapper says so once.
+ * - Scalars, colours of blocks and an actor's texture multiply the radiance. Their values are
+ *   display colours, made linear as c^2.2; a texture with UseSRGBColorSpace is linear already. The
+ *   property's Diffuse does not count.
+ * - Clipping planes, picking, coincident topology: as the superclass. Points, lines, wireframe, and
+ *   actors with vtkProperty::Lighting off are left to the superclass.
+ * - A program's own replacement of //VTK::Light::Impl may read `vec3 diffuse` (the encoded colour,
+ *   edges included), `vec3 specular` (0), `brdfRadiance` (linear) and `normalVCVSOutput`, after the
+ *   tag has been written back: `"//VTK::Light::Impl\n gl_FragData[0] = vec4(diffuse, opacity);"`
+ *   with replaceFirst false.
  * - Without a material it is the superclass.
- * - Anisotropic materials use the polydata's float point tangents (PointData::SetTangents); without
- *   them the tangent turns about the environment's up axis, with a warning.
+ * - Anisotropic materials use the polydata's float point tangents (PointData::SetTangents), which
+ *   turn and stretch with the actor; without them the tangent turns about the environment's up
+ *   axis, with a warning.
  * - In several viewports or windows, each is drawn by a plan for its own light. Selection, shadow
  *   maps and other passes that show no color neither plan nor upload, and draw as the superclass.
  * - Composite data sets: vtkCompositeMeasuredBRDFMapper.

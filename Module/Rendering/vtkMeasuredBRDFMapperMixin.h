@@ -63,7 +63,7 @@ protected:
     vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor) override;
 
   /// Whether the primitives now being set up are shaded by a material.
-  bool UsesMaterial(vtkActor* actor, const vtkOpenGLHelper* cellBO);
+  bool UsesMaterial(const vtkOpenGLHelper* cellBO);
 
   /// Whether the material's tangents come with the data.
   bool HasTangents();

@@ -155,15 +155,14 @@ void vtkMeasuredBRDFMapperMixin<Base>::RenderPieceFinish(vtkRenderer* ren, vtkAc
 
 //------------------------------------------------------------------------------
 template <class Base>
-bool vtkMeasuredBRDFMapperMixin<Base>::UsesMaterial(vtkActor* actor, const vtkOpenGLHelper* cellBO)
+bool vtkMeasuredBRDFMapperMixin<Base>::UsesMaterial(const vtkOpenGLHelper* cellBO)
 {
   if (!this->Drawing->GetSelected() || this->DrawingSelection || this->DrawingVertices)
   {
     return false;
   }
-  const bool triangles = cellBO == &this->Primitives[Base::PrimitiveTris] ||
-                         cellBO == &this->Primitives[Base::PrimitiveTriStrips];
-  return triangles;
+  return cellBO == &this->Primitives[Base::PrimitiveTris] ||
+         cellBO == &this->Primitives[Base::PrimitiveTriStrips];
 }
 
 //------------------------------------------------------------------------------
@@ -180,7 +179,7 @@ bool vtkMeasuredBRDFMapperMixin<Base>::GetNeedToRebuildShaders(
 {
   const bool rebuild = this->Base::GetNeedToRebuildShaders(cellBO, ren, actor);
   std::string key;
-  if (this->UsesMaterial(actor, &cellBO))
+  if (this->UsesMaterial(&cellBO))
   {
     key = this->Drawing->GetSelected()->Key + (this->HasTangents() ? "/tangents" : "");
   }
@@ -196,7 +195,7 @@ void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderColor(
   Shaders shaders, vtkRenderer* ren, vtkActor* actor)
 {
   const measuredbrdf::ForceLit lit(this->PrimitiveInfo[this->LastBoundBO].LastLightComplexity,
-    this->UsesMaterial(actor, this->LastBoundBO));
+    this->UsesMaterial(this->LastBoundBO));
   this->Base::ReplaceShaderColor(shaders, ren, actor);
 }
 
@@ -206,7 +205,7 @@ void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderEdges(
   Shaders shaders, vtkRenderer* ren, vtkActor* actor)
 {
   const measuredbrdf::ForceLit lit(this->PrimitiveInfo[this->LastBoundBO].LastLightComplexity,
-    this->UsesMaterial(actor, this->LastBoundBO));
+    this->UsesMaterial(this->LastBoundBO));
   this->Base::ReplaceShaderEdges(shaders, ren, actor);
 }
 
@@ -216,7 +215,7 @@ void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderPositionVC(
   Shaders shaders, vtkRenderer* ren, vtkActor* actor)
 {
   const measuredbrdf::ForceLit lit(this->PrimitiveInfo[this->LastBoundBO].LastLightComplexity,
-    this->UsesMaterial(actor, this->LastBoundBO));
+    this->UsesMaterial(this->LastBoundBO));
   this->Base::ReplaceShaderPositionVC(shaders, ren, actor);
 }
 
@@ -225,7 +224,7 @@ template <class Base>
 void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderNormal(
   Shaders shaders, vtkRenderer* ren, vtkActor* actor)
 {
-  const bool material = this->UsesMaterial(actor, this->LastBoundBO);
+  const bool material = this->UsesMaterial(this->LastBoundBO);
   const measuredbrdf::ForceLit lit(
     this->PrimitiveInfo[this->LastBoundBO].LastLightComplexity, material);
   this->Base::ReplaceShaderNormal(shaders, ren, actor);
@@ -266,7 +265,7 @@ template <class Base>
 void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderLight(
   Shaders shaders, vtkRenderer* ren, vtkActor* actor)
 {
-  if (!this->UsesMaterial(actor, this->LastBoundBO))
+  if (!this->UsesMaterial(this->LastBoundBO))
   {
     this->Base::ReplaceShaderLight(shaders, ren, actor);
     return;
@@ -339,7 +338,7 @@ void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderTCoord(
   Shaders shaders, vtkRenderer* ren, vtkActor* actor)
 {
   this->Base::ReplaceShaderTCoord(shaders, ren, actor);
-  if (!this->UsesMaterial(actor, this->LastBoundBO))
+  if (!this->UsesMaterial(this->LastBoundBO))
   {
     return;
   }
@@ -362,7 +361,7 @@ void vtkMeasuredBRDFMapperMixin<Base>::SetMapperShaderParameters(
   vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor)
 {
   this->Base::SetMapperShaderParameters(cellBO, ren, actor);
-  if (!this->UsesMaterial(actor, &cellBO))
+  if (!this->UsesMaterial(&cellBO))
   {
     return;
   }
@@ -410,7 +409,7 @@ void vtkMeasuredBRDFMapperMixin<Base>::SetPropertyShaderParameters(
   vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor)
 {
   this->Base::SetPropertyShaderParameters(cellBO, ren, actor);
-  if (!this->UsesMaterial(actor, &cellBO))
+  if (!this->UsesMaterial(&cellBO))
   {
     return;
   }

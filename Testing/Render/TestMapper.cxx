@@ -1221,7 +1221,7 @@ TEST_F(Auto, TolerancesAreClampedWithAWarning)
   this->Measured->SetErrorTolerance(5.0);
   EXPECT_EQ(this->Measured->GetErrorTolerance(), 1.0);
   EXPECT_EQ(warnings.Count, 2);
-  EXPECT_NE(warnings.Text.find("clamped"), std::string::npos);
+  EXPECT_NE(warnings.Text.find("is taken"), std::string::npos);
   EXPECT_EQ(errors.Count, 0);
 
   // What is no number, and what is no mode, leaves things as they are.
