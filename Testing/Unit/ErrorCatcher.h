@@ -9,6 +9,7 @@
 #define ErrorCatcher_h
 
 #include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
 #include "vtkNew.h"
 #include "vtkObject.h"
 

@@ -70,7 +70,7 @@ protected:
   PlanRequest GetRequest(vtkRenderer* renderer, vtkEnvironment* light)
   {
     PlanRequest request;
-    request.BRDF = this->BRDF;
+    request.BRDF = this->Material ? this->Material.Get() : this->BRDF.Get();
     request.Environment = light;
     request.Tolerance = 0.3;
     request.Timing = this->When;
@@ -80,6 +80,8 @@ protected:
     request.Surfaces = { this->Sphere->GetOutput() };
     return request;
   }
+
+  vtkSmartPointer<vtkBRDF> Material; // instead of BRDF, if any
 
   /// Whether the view is drawn by another plan than before.
   bool Update(const PlanRequest& request)
@@ -440,6 +442,9 @@ TEST_F(Views, SingleViewsAreNotKeptOnDisk)
     }
     return count;
   };
+  vtkNew<vtkBlinnPhongBRDF> plain; // which says what it is, unlike GatedBRDF
+  plain->SetExponent(this->BRDF->GetExponent());
+  this->Material = plain;
   this->ForView = true;
   EXPECT_TRUE(this->Update());
   EXPECT_EQ(countFiles(), 0);

@@ -307,11 +307,13 @@ TEST(Lambert, ClosedForm)
   EXPECT_NEAR(f.x, 0.5 / Pi, 1e-15);
   EXPECT_NEAR(f.y, 0.25 / Pi, 1e-15);
   EXPECT_EQ(f.z, 0.0);
-  brdf->SetAlbedo(std::nan(""), 0.25, 1e300);
+  ErrorCatcher errors(brdf);
+  brdf->SetAlbedo(std::nan(""), 0.75, 1e300); // refused
+  EXPECT_EQ(errors.Take(), 1);
   glm::dvec3 albedo;
   const glm::dvec3 up(0.0, 0.0, 1.0);
   brdf->GetDirectionalAlbedo(&up.x, &albedo.x);
-  EXPECT_EQ(albedo.x, 0.0);
+  EXPECT_NEAR(albedo.x, 0.5, 1e-15);
   EXPECT_NEAR(albedo.y, 0.25, 1e-15);
 }
 
@@ -507,7 +509,7 @@ TEST(AdaptiveWarp, RefusesBadTables)
     EXPECT_NE(problem.find(word), std::string::npos) << problem;
     EXPECT_EQ(brdf->GetTables().Rgb.Values, good.Rgb.Values);
   };
-  expectRefusal("theta_i", [](auto& t) { t.ThetaI[1] = t.ThetaI[0]; });
+  expectRefusal("theta_i", [](auto& t) { t.ThetaI[1] = t.ThetaI[0] - 0.1f; });
   expectRefusal("ndf", [](auto& t) { t.Ndf.Values.pop_back(); });
   expectRefusal("ndf", [](auto& t) { t.Ndf.Shape = { 81, 1 }; });
   expectRefusal(
