@@ -14,20 +14,20 @@ namespace measuredbrdf
 //------------------------------------------------------------------------------
 const char* FindStockLevels(vtkRenderer* renderer, vtkActor* actor, vtkMapper* mapper)
 {
-  if (actor->GetProperty()->GetInterpolation() == VTK_PBR)
+  // Both draw through an actor of their own, which has no mapper.
+  if (actor->GetMapper() == mapper || actor->GetProperty()->GetInterpolation() == VTK_PBR)
   {
     return nullptr;
   }
-  if (actor->GetMapper() == mapper)
-  {
-    return actor->IsA("vtkQuadricLODActor") ? "vtkQuadricLODActor" : nullptr;
-  }
-  // vtkLODActor draws through an actor of its own, which has no mapper.
   vtkActorCollection* actors = renderer->GetActors();
   vtkCollectionSimpleIterator next;
   actors->InitTraversal(next);
   while (vtkActor* other = actors->GetNextActor(next))
   {
+    if (other->GetMapper() == mapper && other->IsA("vtkQuadricLODActor"))
+    {
+      return "vtkQuadricLODActor";
+    }
     auto* levels = vtkLODActor::SafeDownCast(other);
     if (!levels || levels->GetMapper() != mapper)
     {
