@@ -195,9 +195,9 @@ void RunMotion(Context& context)
 void RunRemade(Context& context)
 {
   const int count = context.Short ? 4 : 9;
-  const double step = 0.3; // columns of 64: 1.7 degrees
+  const double step = 0.6; // columns of 128: 1.7 degrees
   const vtkSmartPointer<vtkBRDF> brdf = context.Choose(MakePlastic(50.0));
-  const vtkSmartPointer<vtkEnvironment> environment = context.MakeEnvironment("sky", 64);
+  const vtkSmartPointer<vtkEnvironment> environment = context.MakeEnvironment("sky", 128);
   const Pairs pairs = MakeSpherePairs(context.Short ? 120 : 250);
   std::vector<vtkSmartPointer<vtkEnvironment>> maps;
   Frames reference;

@@ -1171,6 +1171,7 @@ def lod_actor(factory):
     view.mappers.append(mapper)
     view.renderer.AddActor(actor)
     view.window.SetDesiredUpdateRate(0.001)
+    view.may_warn = ("levels of detail",)
     return view
 
 
