@@ -6,7 +6,8 @@
  * cheaper
  *
  * Suns and lamps are lights of their own. The material's broad layer (KernelCut) is summed over
- * thousands of lights of a variance light set of the rest, its sharp layer over thousands of
+ * the lights of a variance light set of the rest, thousands of them or, where some pairs show that
+ * the material does not tell them from all, hundreds; its sharp layer over thousands of
  * directions drawn by itself for each pair, each reading the rest's texel. Unbiased but for the
  * lights; isotropic or not. Private to the module.
  */
@@ -15,14 +16,18 @@
 #define PlanReference_h
 
 #include "EnvironmentParts.h"
+#include "KernelLayers.h"
+#include "LocalFrame.h"
 #include "vtkRadianceIntegrator.h"
 
+#include <glm/glm.hpp>
+
+#include <functional>
 #include <memory>
 #include <vector>
 
 namespace measuredbrdf
 {
-class KernelCut;
 class LobeTable;
 class RadianceParts;
 
@@ -34,6 +39,9 @@ public:
 
   /// What is known of the material; null (default): nothing.
   void SetParts(const std::shared_ptr<RadianceParts>& parts) { this->Parts = parts; }
+
+  /// What plans are made for: the sum is far more accurate than that. Default 1e-3.
+  void SetErrorTolerance(double tolerance) { this->ErrorTolerance = tolerance; }
 
 protected:
   PlanReference();
@@ -47,6 +55,21 @@ private:
   PlanReference(const PlanReference&) = delete;
   void operator=(const PlanReference&) = delete;
 
+  // A normal and a view; the cut's heights for that view.
+  struct Pair
+  {
+    Frame Local;
+    glm::dvec3 View;
+    KernelCut::View Cut;
+  };
+
+  bool ChooseLights(const std::function<bool()>& goOn);
+  static std::vector<BrightTexels::Light> GetLights(vtkLightSet* set);
+  Pair MakePair(const Frame& about, const glm::dvec3& lifted) const;
+  glm::dvec3 Evaluate(const glm::dvec3& i, const Pair& pair) const;
+  glm::dvec3 SumLights(const std::vector<BrightTexels::Light>& lights, const Pair& pair) const;
+
+  double ErrorTolerance = 1e-3;
   std::vector<BrightTexels::Light> Suns;
   EnvironmentParts::Rest Rest;             // null: there are no suns
   std::vector<BrightTexels::Light> Lights; // of the rest

@@ -377,6 +377,7 @@ struct vtkRadiancePlanner::Internals
     vtkNew<measuredbrdf::PlanReference> reference;
     reference->SetBRDF(this->BRDF);
     reference->SetEnvironment(this->Environment);
+    reference->SetErrorTolerance(planner->GetErrorTolerance());
     reference->SetParts(this->Parts);
     const Supervision supervision(planner, reference, this->Problem);
     return reference->Integrate(this->Normals, this->Views, this->Reference);
