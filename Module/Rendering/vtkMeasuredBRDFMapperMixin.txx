@@ -306,7 +306,7 @@ void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderLight(
   body.LightCount = info.LastLightCount;
   body.HasEdges = this->DrawingEdges(ren, actor);
   body.HasEdgeOpacity = measuredbrdf::Contains(fs, "uniform float edgeOpacity");
-  body.EdgesAreTubes = actor->GetProperty()->GetRenderLinesAsTubes();
+  body.EdgesAreTubes = measuredbrdf::Contains(fs, "vec3 tnorm"); // as the superclass bent normals
   body.HasBlockColors = measuredbrdf::Contains(fs, "uniform bool OverridesColor");
   vtkShaderProgram::Substitute(fs, "//VTK::Light::Impl", measuredbrdf::GetShaderBody(body), false);
   shaders[vtkShader::Fragment]->SetSource(fs);

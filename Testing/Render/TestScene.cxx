@@ -372,6 +372,9 @@ TEST_F(Scene, CubeMapsAreKeptOnDisk)
 // Edges as tubes are lit as tubes: brightest along their middle.
 TEST_F(Scene, TubesKeepTheirShading)
 {
+  vtkNew<vtkLight> light; // VTK since 9.3 draws tubes in scenes with lights only
+  light->SetLightTypeToHeadlight();
+  this->Renderer->AddLight(light);
   vtkProperty* property = this->Actor->GetProperty();
   property->EdgeVisibilityOn();
   property->RenderLinesAsTubesOn();

@@ -663,8 +663,8 @@ def window_of_another_size(factory):
 
 @scene
 def srgb_window(factory):
-    if vtkVersion().GetVTKMajorVersion() * 100 + vtkVersion().GetVTKMinorVersion() >= 906:
-        raise Unavailable("VTK 9.6's own mappers abort in a window with an sRGB frame buffer")
+    if vtkVersion().GetVTKMajorVersion() * 100 + vtkVersion().GetVTKMinorVersion() >= 903:
+        raise Unavailable("since VTK 9.3 stock scenes abort under Xvfb in a window with an sRGB frame buffer")
     view = View(factory)
     view.window.UseSRGBColorSpaceOn()
     view.add()
