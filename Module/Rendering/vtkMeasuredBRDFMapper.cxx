@@ -21,8 +21,14 @@ vtkStandardNewMacro(vtkMeasuredBRDFMapper);
 vtkMeasuredBRDFMapper::vtkMeasuredBRDFMapper()
 {
   this->Drawing = std::make_shared<MaterialDrawing>(this, std::make_shared<MaterialSettings>(),
-    [this]() -> std::vector<MaterialUse> {
-      return { { this->Drawing->GetSettings().BRDF, { this->GetInput() } } };
+    [this]() -> std::vector<MaterialUse>
+    {
+      vtkPolyData* surface = this->GetInput();
+      if (!surface) // composite data, of which nothing is drawn
+      {
+        return {};
+      }
+      return { { this->Drawing->GetSettings().BRDF, { surface } } };
     });
 }
 

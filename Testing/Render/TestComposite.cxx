@@ -320,7 +320,17 @@ TEST_F(Composite, PlainMapperNamesThisOne)
   vtkNew<vtkMeasuredBRDFMapper> plain;
   plain->SetInputDataObject(this->MakeTree());
   plain->SetBRDF(this->Gloss);
+  plain->SetEnvironment(this->Sky);
+  plain->PlanForViewOn();
   this->Actor->SetMapper(plain);
+  vtkNew<vtkMeasuredBRDFMapper> other; // which plans for all mappers of the renderer
+  other->SetInputData(this->Blocks[0]);
+  other->SetBRDF(this->Lambert);
+  other->SetEnvironment(this->Sky);
+  other->SetErrorTolerance(0.1);
+  vtkNew<vtkActor> beside;
+  beside->SetMapper(other);
+  this->Renderer->AddActor(beside);
   EventCounter warnings(plain, vtkCommand::WarningEvent);
   this->RenderEncoded();
   this->RenderEncoded();
