@@ -15,9 +15,7 @@ namespace measuredbrdf
 namespace
 {
 constexpr double Pi = 3.14159265358979323846;
-constexpr int Cells = 512;           // that tell where the kernel is
-constexpr double FloorCosine = 0.17; // 80 degrees: measured f drops or soars beyond
-constexpr double LeastShare = 1e-9;  // of the albedo: below, the rest is rounding
+constexpr int Cells = 512; // that tell where the kernel is
 }
 
 // Pairs of Gauss nodes in intervals of equal energy over [0, last], half of it spread evenly:
@@ -79,13 +77,11 @@ KernelHarmonics::KernelHarmonics(vtkBRDF* brdf, double theta, int resolution)
 {
   const glm::dvec3 o(std::sin(theta), 0.0, std::cos(theta));
   const LobeQuadrature quadrature(brdf, o, Cells);
-  this->Floor = glm::max(quadrature.GetFloor(FloorCosine), glm::dvec3(0.0));
+  this->Means = KernelMeans(quadrature);
   std::vector<glm::dvec2> polar, azimuths;
   for (const LobeQuadrature::Cell& cell : quadrature.GetCells())
   {
-    this->Amplitude += cell.Weight - this->Floor * cell.Cosine;
-    const glm::dvec3 rest = glm::max(cell.Weight - this->Floor * cell.Cosine, glm::dvec3(0.0));
-    const double energy = rest.x + rest.y + rest.z;
+    const double energy = LobeQuadrature::GetEnergy(cell, this->Means.Floor);
     const glm::dvec3& d = cell.Direction;
     polar.emplace_back(std::atan2(std::hypot(d.x, d.y), d.z), energy);
     azimuths.emplace_back(std::atan2(std::abs(d.y), d.x), energy);
@@ -93,7 +89,6 @@ KernelHarmonics::KernelHarmonics(vtkBRDF* brdf, double theta, int resolution)
   this->Polar = MakeNodes(polar, Pi / 2.0, resolution);
   this->Azimuths = MakeNodes(azimuths, Pi, resolution);
 
-  glm::dvec3 moment(0.0);
   for (const Node& p : this->Polar)
   {
     for (const Node& a : this->Azimuths)
@@ -104,22 +99,19 @@ KernelHarmonics::KernelHarmonics(vtkBRDF* brdf, double theta, int resolution)
       brdf->Evaluate(&i.x, &o.x, &f.x);
       i.y = -i.y;
       brdf->Evaluate(&i.x, &o.x, &mirrored.x);
-      const glm::dvec3 rest = (0.5 * (f + mirrored) - this->Floor) * i.z;
+      const glm::dvec3 rest = (0.5 * (f + mirrored) - this->Means.Floor) * i.z;
       this->Kernel.push_back(rest);
       const double weight = 2.0 * p.Weight * a.Weight * s;
       this->Sum += rest * weight;
-      const double sum = std::max(rest.x + rest.y + rest.z, 0.0);
-      moment += i * (weight * sum * sum);
     }
   }
   for (int c = 0; c < 3; ++c)
   {
-    if (this->Amplitude[c] <= LeastShare * Pi * this->Floor[c] || this->Sum[c] <= 0.0)
+    if (this->Means.Amplitude[c] <= 0.0 || this->Sum[c] <= 0.0)
     {
-      this->Amplitude[c] = this->Sum[c] = 0.0;
+      this->Means.Amplitude[c] = this->Sum[c] = 0.0;
     }
   }
-  this->Delta = moment.x != 0.0 || moment.z > 0.0 ? std::atan2(-moment.x, moment.z) : 0.0;
 }
 
 std::vector<float> KernelHarmonics::Expand(double delta, int degree, int orders) const

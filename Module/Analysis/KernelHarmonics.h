@@ -9,6 +9,8 @@
 #ifndef KernelHarmonics_h
 #define KernelHarmonics_h
 
+#include "KernelMeans.h"
+
 #include <glm/glm.hpp>
 
 #include <vector>
@@ -24,15 +26,7 @@ public:
   /// resolution: nodes of the integrals over theta_i and phi_i; they crowd where the kernel is.
   KernelHarmonics(vtkBRDF* brdf, double theta, int resolution);
 
-  /// The Lambert part c in 1/sr: the least f up to 80 degrees.
-  const glm::dvec3& GetFloor() const { return this->Floor; }
-
-  /// Directional albedo of the rest, which is 0 where it is rounding; never negative.
-  const glm::dvec3& GetAmplitude() const { return this->Amplitude; }
-
-  /// The rest's mean direction, weighted by its square so that the sharpest part of a kernel
-  /// decides, is (-sin delta, 0, cos delta).
-  double GetDelta() const { return this->Delta; }
+  const KernelMeans& GetMeans() const { return this->Means; }
 
   /**
    * b_lk = integral of rest x Y*_lk / integral of rest, over the hemisphere, in the frame whose z
@@ -52,10 +46,8 @@ private:
   static std::vector<Node> MakeNodes(
     const std::vector<glm::dvec2>& energy, double last, int resolution);
 
-  glm::dvec3 Floor = glm::dvec3(0.0);
-  glm::dvec3 Amplitude = glm::dvec3(0.0);
-  glm::dvec3 Sum = glm::dvec3(0.0); // the same over the nodes, which see less of a sharp lobe
-  double Delta = 0.0;
+  KernelMeans Means;
+  glm::dvec3 Sum = glm::dvec3(0.0); // the rest over the nodes, which see less of a sharp lobe
   std::vector<Node> Polar;
   std::vector<Node> Azimuths;     // over [0, pi], weights for both sides
   std::vector<glm::dvec3> Kernel; // rest at (polar, azimuth), mean of both sides

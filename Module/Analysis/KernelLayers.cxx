@@ -15,14 +15,22 @@ namespace measuredbrdf
 {
 namespace
 {
-constexpr int NumberOfViews = 64;
-constexpr int Cells = 256;           // of a view's quadrature
-constexpr double FloorCosine = 0.17; // as tables take their Lambert part
+constexpr int Cells = 512; // of a view's quadrature
 
 double GetSum(const glm::dvec3& rgb) { return rgb.x + rgb.y + rgb.z; }
+}
 
-// The last view is the lowest that shaders take.
-const double LastView = std::acos(MinimumViewCosine);
+double KernelViews::GetLastAngle() { return std::acos(MinimumViewCosine); }
+
+double KernelViews::GetAngle(int index)
+{
+  const double t = 1.0 - static_cast<double>(index) / (NumberOfViews - 1);
+  return GetLastAngle() * (1.0 - t * t);
+}
+
+double KernelViews::GetPosition(double angle)
+{
+  return (NumberOfViews - 1) * (1.0 - std::sqrt(std::max(1.0 - angle / GetLastAngle(), 0.0)));
 }
 
 KernelViews::KernelViews(vtkBRDF* brdf)
@@ -33,16 +41,15 @@ KernelViews::KernelViews(vtkBRDF* brdf)
     {
       for (vtkIdType k = begin; k < end; ++k)
       {
-        const double theta = LastView * static_cast<double>(k) / (NumberOfViews - 1);
+        const double theta = GetAngle(static_cast<int>(k));
         const LobeQuadrature quadrature(
           brdf, glm::dvec3(std::sin(theta), 0.0, std::cos(theta)), Cells);
         View& view = this->Views[static_cast<std::size_t>(k)];
-        view.Floor = glm::max(quadrature.GetFloor(FloorCosine), glm::dvec3(0.0));
-        view.Albedo = GetSum(quadrature.GetAlbedo());
+        view.Means = KernelMeans(quadrature);
         for (const LobeQuadrature::Cell& cell : quadrature.GetCells())
         {
           view.Cells.push_back(
-            { std::max(GetSum(cell.Weight - view.Floor * cell.Cosine), 0.0), cell.SolidAngle });
+            { LobeQuadrature::GetEnergy(cell, view.Means.Floor), cell.SolidAngle });
         }
       }
     });
@@ -68,16 +75,16 @@ KernelCut::KernelCut(const KernelViews& views, double solidAngle)
     {
       above += std::max(cell.Energy - height * cell.SolidAngle, 0.0);
     }
-    const double share = view.Albedo > 0.0 ? above / view.Albedo : 0.0;
-    this->Views.push_back({ view.Floor, height, share });
+    const double share = view.Means.Albedo > 0.0 ? above / view.Means.Albedo : 0.0;
+    this->Views.push_back({ view.Means.Floor, height, share });
     this->SharpShare = std::max(this->SharpShare, share);
   }
 }
 
 KernelCut::View KernelCut::GetView(const glm::dvec3& o) const
 {
-  const double at = std::atan2(std::hypot(o.x, o.y), o.z) / LastView * (NumberOfViews - 1);
-  const int low = std::clamp(static_cast<int>(at), 0, NumberOfViews - 2);
+  const double at = KernelViews::GetPosition(std::atan2(std::hypot(o.x, o.y), o.z));
+  const int low = std::clamp(static_cast<int>(at), 0, KernelViews::NumberOfViews - 2);
   const double t = std::min(at - low, 1.0);
   const View& a = this->Views[static_cast<std::size_t>(low)];
   const View& b = this->Views[static_cast<std::size_t>(low) + 1];
@@ -117,7 +124,7 @@ void KernelLayer::GetBounds(double minimumCosine, double lower[3], double upper[
 void KernelLayer::EvaluateAbove(const double i[3], const double o[3], double f[3])
 {
   glm::dvec3 whole;
-  this->Whole->Evaluate(i, o, &whole.x);
+  EvaluateTerm(this->Whole, i, o, &whole.x);
   const glm::dvec3 broad = this->Cut->GetView(glm::dvec3(o[0], o[1], o[2])).GetBroad(whole, i[2]);
   for (int c = 0; c < 3; ++c)
   {

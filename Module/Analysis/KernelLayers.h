@@ -9,6 +9,7 @@
 #ifndef KernelLayers_h
 #define KernelLayers_h
 
+#include "KernelMeans.h"
 #include "vtkBRDF.h"
 
 #include <glm/glm.hpp>
@@ -23,6 +24,16 @@ namespace measuredbrdf
 class KernelViews
 {
 public:
+  /// They crowd towards the horizon, where measured f is steep.
+  static constexpr int NumberOfViews = 64;
+
+  /// Polar angle of a view, from 0 to GetLastAngle(), the lowest that is told apart.
+  static double GetAngle(int index);
+  static double GetLastAngle();
+
+  /// Where between views an angle lies: 0 <= result <= NumberOfViews - 1.
+  static double GetPosition(double angle);
+
   /// Of a prepared, isotropic BRDF.
   explicit KernelViews(vtkBRDF* brdf);
 
@@ -33,8 +44,7 @@ public:
   };
   struct View
   {
-    glm::dvec3 Floor; // the Lambert part
-    double Albedo;    // of all channels
+    KernelMeans Means;
     std::vector<Cell> Cells;
   };
   const std::vector<View>& GetViews() const { return this->Views; }

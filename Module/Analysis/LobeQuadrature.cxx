@@ -7,6 +7,7 @@
 #include "vtkBRDF.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -18,7 +19,8 @@ namespace
 {
 constexpr int Seeds = 256;       // draws from the material that tell where its lobes are
 constexpr int PointsPerSide = 4; // of a cell, at their centres
-constexpr int Levels = 14;       // deepest cells: 0.009 degrees a side
+constexpr int KnownLevels = 6;
+constexpr int Levels = 14; // deepest cells: 0.009 degrees a side
 
 // Shirley and Chiu 1997's concentric map to the disc, lifted to the hemisphere so that areas on the
 // square [-1,1]^2 are solid angles (4 <-> 2 pi).
@@ -61,6 +63,49 @@ glm::dvec2 ToSquare(const glm::dvec3& d)
     default:
       return glm::dvec2(t, -r);
   }
+}
+
+using Points = std::array<glm::dvec3, PointsPerSide * PointsPerSide>;
+
+Points MakePoints(double a, double b, double side)
+{
+  Points points;
+  for (int k = 0; k < PointsPerSide * PointsPerSide; ++k)
+  {
+    points[static_cast<std::size_t>(k)] =
+      ToHemisphere(a + side * (k % PointsPerSide + 0.5) / PointsPerSide,
+        b + side * (k / PointsPerSide + 0.5) / PointsPerSide);
+  }
+  return points;
+}
+
+// Coarse cells' points, which every tree needs, are made once: level after level, row after row.
+std::vector<Points> MakeKnownPoints()
+{
+  std::vector<Points> known;
+  for (int level = 0; level < KnownLevels; ++level)
+  {
+    const int count = 1 << level;
+    const double side = 2.0 / count;
+    for (int k = 0; k < count * count; ++k)
+    {
+      known.push_back(MakePoints(-1.0 + side * (k % count), -1.0 + side * (k / count), side));
+    }
+  }
+  return known;
+}
+
+// Of a cell; room is for those that are not known.
+const Points& GetPoints(double a, double b, double side, int level, Points& room)
+{
+  static const std::vector<Points> known = MakeKnownPoints();
+  if (level >= KnownLevels)
+  {
+    return room = MakePoints(a, b, side);
+  }
+  const int column = static_cast<int>((a + 1.0) / side);
+  const int row = static_cast<int>((b + 1.0) / side);
+  return known[static_cast<std::size_t>(((1 << (2 * level)) - 1) / 3 + (row << level) + column)];
 }
 
 struct Node
@@ -123,10 +168,9 @@ private:
     glm::dvec3 centroid(0.0);
     glm::dvec3 centre(0.0);
     double cosine = 0.0;
-    for (int k = 0; k < PointsPerSide * PointsPerSide; ++k)
+    Points room;
+    for (const glm::dvec3& i : GetPoints(a, b, side, level, room))
     {
-      const glm::dvec3 i = ToHemisphere(a + side * (k % PointsPerSide + 0.5) / PointsPerSide,
-        b + side * (k / PointsPerSide + 0.5) / PointsPerSide);
       glm::dvec3 f;
       this->BRDF->Evaluate(&i.x, &this->View.x, &f.x);
       weight += f * (i.z * part);

@@ -35,6 +35,13 @@ public:
 
   const std::vector<Cell>& GetCells() const { return this->Cells; }
 
+  /// A cell's share of the albedo, all channels, less a Lambert part; never negative.
+  static double GetEnergy(const Cell& cell, const glm::dvec3& floor)
+  {
+    const glm::dvec3 rest = glm::max(cell.Weight - floor * cell.Cosine, glm::dvec3(0.0));
+    return rest.x + rest.y + rest.z;
+  }
+
   /// Sum of the weights: the directional albedo.
   glm::dvec3 GetAlbedo() const;
 

@@ -29,27 +29,17 @@ public:
   RadianceParts();
   ~RadianceParts();
 
-  /// Kernels at so many view angles, evenly spaced from 0 to LastView, which is the lowest view
-  /// that is told apart. Null ones where it was aborted.
+  /// Kernels at so many view angles, evenly spaced from 0 to KernelViews' last. Null ones where it
+  /// was aborted.
   using Kernels = std::vector<std::unique_ptr<KernelHarmonics>>;
   const Kernels& GetKernels(
     vtkBRDF* brdf, int angles, int resolution, const std::atomic<bool>& abort);
-  static double GetLastView();
 
-  /// The same at the ProfileSize view angles of a profile, which crowd towards the horizon.
-  static constexpr int ProfileSize = 64;
-  static double GetProfileAngle(int index);
-  const Kernels& GetProfile(vtkBRDF* brdf, const std::atomic<bool>& abort);
-
-  /// The material's views, to be cut into layers.
+  /// The material's views: for a profile, and to be cut into layers.
   const KernelViews& GetViews(vtkBRDF* brdf);
 
 private:
-  static void Make(vtkBRDF* brdf, const std::vector<double>& angles, int resolution,
-    const std::atomic<bool>& abort, Kernels& kernels);
-
   std::map<std::pair<int, int>, Kernels> KernelsOf; // angles, resolution
-  Kernels Profile;
   std::unique_ptr<KernelViews> Views;
 };
 } // namespace measuredbrdf

@@ -37,12 +37,12 @@ using namespace measuredbrdf;
 namespace
 {
 constexpr double Pi = 3.14159265358979323846;
-constexpr int ProfileSize = RadianceParts::ProfileSize;
+constexpr int ProfileSize = KernelViews::NumberOfViews;
 constexpr int IrradianceRows = 129;    // of the map of irradiance, poles included
 constexpr int IrradianceDegree = 128;  // the cosine's coefficients fall as l^-2.5
 constexpr double LargestValue = 32768; // of a 16-bit texture, with room to spare
 
-const double LastView = RadianceParts::GetLastView();
+const double LastView = KernelViews::GetLastAngle();
 
 // Radiance of kernels given by their harmonics, over all positions of their axis: a map of rows
 // (poles included) x columns of the axis' polar angle and azimuth, for each kernel, channel and
@@ -266,7 +266,7 @@ bool vtkTableRadianceIntegrator::Begin()
     vtkErrorMacro("Prepare: aborted.");
     return false;
   }
-  const RadianceParts::Kernels& profile = parts->GetProfile(this->BRDF, this->Abort);
+  const KernelViews& views = parts->GetViews(this->BRDF);
   const int angles = this->NumberOfViewAngles;
   const RadianceParts::Kernels& knots =
     parts->GetKernels(this->BRDF, angles, this->NumberOfNodes, this->Abort);
@@ -277,7 +277,7 @@ bool vtkTableRadianceIntegrator::Begin()
       for (vtkIdType k = begin; k < end && !this->Abort; ++k)
       {
         const KernelHarmonics& knot = *knots[static_cast<std::size_t>(k)];
-        kernels[static_cast<std::size_t>(k)] = knot.Expand(knot.GetDelta(), degree, orders);
+        kernels[static_cast<std::size_t>(k)] = knot.Expand(knot.GetMeans().Delta, degree, orders);
       }
     });
 
@@ -301,7 +301,7 @@ bool vtkTableRadianceIntegrator::Begin()
         const std::size_t begin =
           static_cast<std::size_t>(3 * order + channel) * static_cast<std::size_t>(degree + 1);
         matrix.col(angle) = Eigen::Map<const Eigen::VectorXf>(&kernels[index][begin], degree + 1) *
-                            static_cast<float>(knots[index]->GetAmplitude()[channel]);
+                            static_cast<float>(knots[index]->GetMeans().Amplitude[channel]);
       }
     }
     synthesis.Run(order, matrices, fields);
@@ -352,23 +352,24 @@ bool vtkTableRadianceIntegrator::Begin()
   tables->Profile.resize(3 * 3 * ProfileSize);
   for (int k = 0; k < ProfileSize; ++k)
   {
-    const KernelHarmonics& lobe = *profile[static_cast<std::size_t>(k)];
-    const double theta = RadianceParts::GetProfileAngle(k);
+    const KernelMeans& lobe = views.GetViews()[static_cast<std::size_t>(k)].Means;
+    const double theta = KernelViews::GetAngle(k);
     // Between the table's view angles both parts are interpolated, however steeply one hands over
     // to the other; what they miss of the directional albedo goes to the rest.
     const double w = std::clamp((angles - 1) * theta / LastView, 0.0, angles - 1.0);
     const std::size_t low = std::min(static_cast<std::size_t>(w), knots.size() - 2);
     const double t = w - static_cast<double>(low);
-    const glm::dvec3 floor = glm::mix(knots[low]->GetFloor(), knots[low + 1]->GetFloor(), t);
-    const glm::dvec3 amplitude =
-      glm::mix(knots[low]->GetAmplitude(), knots[low + 1]->GetAmplitude(), t);
+    const KernelMeans& below = knots[low]->GetMeans();
+    const KernelMeans& above = knots[low + 1]->GetMeans();
+    const glm::dvec3 floor = glm::mix(below.Floor, above.Floor, t);
+    const glm::dvec3 amplitude = glm::mix(below.Amplitude, above.Amplitude, t);
     glm::dvec3 share(0.0);
     for (int c = 0; c < 3; ++c)
     {
-      const double wanted = lobe.GetAmplitude()[c] + Pi * (lobe.GetFloor()[c] - floor[c]);
+      const double wanted = lobe.Amplitude[c] + Pi * (lobe.Floor[c] - floor[c]);
       share[c] = amplitude[c] > 0.0 ? std::max(wanted, 0.0) / amplitude[c] : 0.0;
     }
-    const glm::dvec3 rowsOf[3] = { { w, std::cos(lobe.GetDelta()), std::sin(lobe.GetDelta()) },
+    const glm::dvec3 rowsOf[3] = { { w, std::cos(lobe.Delta), std::sin(lobe.Delta) },
       share * tables->Scale, floor };
     for (int row = 0; row < 3; ++row)
     {

@@ -82,7 +82,7 @@ public:
 
   ///@{
   /**
-   * Nodes per angle of the integrals that make the kernels' harmonics (default 96, in [16, 1024]).
+   * Nodes per angle of the integrals that make the kernels' harmonics (default 64, in [16, 1024]).
    */
   virtual void SetNumberOfNodes(int numberOfNodes);
   vtkGetMacro(NumberOfNodes, int);
@@ -124,7 +124,7 @@ protected:
   int HarmonicDegree = 0;
   int NumberOfViewAngles = 16;
   int NumberOfAzimuths = 16;
-  int NumberOfNodes = 96;
+  int NumberOfNodes = 64;
 
 private:
   vtkTableRadianceIntegrator(const vtkTableRadianceIntegrator&) = delete;

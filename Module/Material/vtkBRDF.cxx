@@ -87,7 +87,23 @@ void vtkBRDF::Evaluate(const double i[3], const double o[3], double f[3])
   {
     return;
   }
-  this->EvaluateAbove(iUnit, oUnit, f);
+  EvaluateTerm(this, iUnit, oUnit, f);
+}
+
+//------------------------------------------------------------------------------
+void vtkBRDF::EvaluateTerm(vtkBRDF* term, const double i[3], const double o[3], double f[3])
+{
+  f[0] = f[1] = f[2] = 0.0;
+  term->EvaluateAbove(i, o, f);
+  Clean(f);
+}
+
+//------------------------------------------------------------------------------
+void vtkBRDF::EvaluateSoftTerm(
+  vtkBRDF* term, const double i[3], const double o[3], double spread, double f[3])
+{
+  f[0] = f[1] = f[2] = 0.0;
+  term->EvaluateSoftAbove(i, o, spread, f);
   Clean(f);
 }
 
@@ -105,8 +121,7 @@ void vtkBRDF::EvaluateSoft(const double i[3], const double o[3], double spread, 
   {
     return;
   }
-  this->EvaluateSoftAbove(iUnit, oUnit, std::min(spread, 1e6), f);
-  Clean(f);
+  EvaluateSoftTerm(this, iUnit, oUnit, std::min(spread, 1e6), f);
 }
 
 //------------------------------------------------------------------------------

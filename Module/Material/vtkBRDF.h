@@ -155,6 +155,16 @@ protected:
 
   ///@{
   /**
+   * Evaluate and EvaluateSoft of another BRDF, for a sum: i and o are unit vectors above the
+   * horizon already.
+   */
+  static void EvaluateTerm(vtkBRDF* term, const double i[3], const double o[3], double f[3]);
+  static void EvaluateSoftTerm(
+    vtkBRDF* term, const double i[3], const double o[3], double spread, double f[3]);
+  ///@}
+
+  ///@{
+  /**
    * Sampling for unit o above the horizon; default: cosine-weighted hemisphere.
    */
   virtual bool SampleAbove(const double o[3], double u1, double u2, double i[3]);

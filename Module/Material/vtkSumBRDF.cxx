@@ -98,7 +98,7 @@ void vtkSumBRDF::EvaluateAbove(const double i[3], const double o[3], double f[3]
   for (vtkBRDF* term : this->Terms)
   {
     double part[3];
-    term->Evaluate(i, o, part);
+    EvaluateTerm(term, i, o, part);
     for (int c = 0; c < 3; ++c)
     {
       f[c] += part[c];
@@ -112,7 +112,7 @@ void vtkSumBRDF::EvaluateSoftAbove(const double i[3], const double o[3], double 
   for (vtkBRDF* term : this->Terms)
   {
     double part[3];
-    term->EvaluateSoft(i, o, spread, part);
+    EvaluateSoftTerm(term, i, o, spread, part);
     for (int c = 0; c < 3; ++c)
     {
       f[c] += part[c];

@@ -28,12 +28,15 @@ constexpr int FewerLights[] = { 256, 1024 }; // where the material tells them fr
 constexpr int Probes = 16;                   // pairs that show by how much
 constexpr double LittleError = 5e-4;         // relative L1 over those, or
 constexpr double LittleShare = 0.025;        // this share of the tolerance
-constexpr int FewestDirections = 256;
+constexpr int FewestDirections = 64;
+constexpr double DirectionsTimesTolerance = 1.28; // that few where the tolerance allows
 constexpr int MostDirections = 2048;
 constexpr double FullShare = 0.25; // of the albedo, that a sharp layer has to get the most
 constexpr int MaximumSuns = 64;
 constexpr double ResolvedAngle = 0.35; // sr, that the broad layer's lobes fill
-constexpr double LeastShare = 2e-3;    // of the albedo: below, there is no sharp layer
+// Of the albedo, and of the tolerance: below, there is no sharp layer.
+constexpr double LeastShare = 2e-3;
+constexpr double LeastShareOfTolerance = 0.25;
 }
 
 vtkStandardNewMacro(PlanReference);
@@ -63,7 +66,7 @@ bool PlanReference::Begin()
   {
     const auto known = this->Parts ? this->Parts : std::make_shared<RadianceParts>();
     const auto cut = std::make_shared<KernelCut>(known->GetViews(this->BRDF), ResolvedAngle);
-    if (cut->GetSharpShare() > LeastShare)
+    if (cut->GetSharpShare() > std::max(LeastShare, LeastShareOfTolerance * this->ErrorTolerance))
     {
       auto sharp = vtkSmartPointer<KernelLayer>::New();
       sharp->Set(this->BRDF, cut, true);
@@ -193,8 +196,10 @@ void PlanReference::IntegratePart(
     const TexelChanges& rest = this->Rest ? *this->Rest : none;
     const LobeSampler lobe(this->Sharp, pair.View, this->Lobes.get());
     // A smaller share of the radiance may be less accurate.
-    const int directions = std::clamp(static_cast<int>(MostDirections * pair.Cut.Share / FullShare),
-      FewestDirections, MostDirections);
+    const int fewest = std::clamp(static_cast<int>(DirectionsTimesTolerance / this->ErrorTolerance),
+      FewestDirections, 4 * FewestDirections);
+    const int directions = std::clamp(
+      static_cast<int>(MostDirections * pair.Cut.Share / FullShare), fewest, MostDirections);
     for (int k = 0; k < directions && !lobe.IsBlack(); ++k)
     {
       const glm::dvec2 u((k + 0.5) / directions, RadicalInverse(static_cast<unsigned int>(k), 2));
