@@ -45,11 +45,14 @@ public:
   struct View
   {
     KernelMeans Means;
-    std::vector<Cell> Cells;
+    std::vector<Cell> Cells; // none: interpolated. The first and the last view have some.
   };
   const std::vector<View>& GetViews() const { return this->Views; }
 
 private:
+  void Evaluate(vtkBRDF* brdf, const std::vector<int>& indices);
+  KernelMeans Interpolate(const std::vector<int>& known, int index) const;
+
   std::vector<View> Views;
 };
 

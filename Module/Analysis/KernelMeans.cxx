@@ -5,6 +5,7 @@
 #include "HalfVector.h" // for Pi
 #include "LobeQuadrature.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace measuredbrdf
@@ -35,5 +36,28 @@ KernelMeans::KernelMeans(const LobeQuadrature& quadrature)
     }
   }
   this->Delta = moment.x != 0.0 || moment.z > 0.0 ? std::atan2(-moment.x, moment.z) : 0.0;
+}
+
+double KernelMeans::GetDistance(const KernelMeans& a, const KernelMeans& b)
+{
+  const glm::dvec3 differences =
+    glm::max(glm::abs(a.Amplitude - b.Amplitude), Pi * glm::abs(a.Floor - b.Floor));
+  const double largest = std::max({ differences.x, differences.y, differences.z });
+  return std::max(largest > 0.0 ? 3.0 * largest / a.Albedo : 0.0, std::abs(a.Delta - b.Delta));
+}
+
+void KernelMeans::Add(const KernelMeans& other, double weight)
+{
+  this->Floor += weight * other.Floor;
+  this->Amplitude += weight * other.Amplitude;
+  this->Delta += weight * other.Delta;
+  this->Albedo += weight * other.Albedo;
+}
+
+void KernelMeans::Clamp()
+{
+  this->Floor = glm::max(this->Floor, glm::dvec3(0.0));
+  this->Amplitude = glm::max(this->Amplitude, glm::dvec3(0.0));
+  this->Albedo = std::max(this->Albedo, 0.0);
 }
 } // namespace measuredbrdf

@@ -20,6 +20,15 @@ struct KernelMeans
   KernelMeans() = default;
   explicit KernelMeans(const LobeQuadrature& quadrature);
 
+  /// The largest difference: of directional albedos, of the first's, or of Delta in radians.
+  static double GetDistance(const KernelMeans& a, const KernelMeans& b);
+
+  ///@{
+  /// For interpolation: a weighted sum, then what it must not be.
+  void Add(const KernelMeans& other, double weight);
+  void Clamp();
+  ///@}
+
   /// The Lambert part c in 1/sr: the least f up to 80 degrees.
   glm::dvec3 Floor = glm::dvec3(0.0);
 

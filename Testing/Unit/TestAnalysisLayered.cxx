@@ -7,6 +7,7 @@
 #include "ErrorCatcher.h"
 #include "HalfVector.h" // for Pi
 #include "KernelLayers.h"
+#include "LobeQuadrature.h"
 #include "LobeSampler.h"
 #include "PlanReference.h"
 #include "SpherePairs.h"
@@ -214,6 +215,28 @@ TEST(BrightTexels, LampsAreOneLightEach)
   }
   environment->SetPixels(width, height, pixels);
   EXPECT_TRUE(BrightTexels::FindLamps(environment, angle, 16).Lights.empty());
+}
+
+//------------------------------------------------------------------------------
+// Few views of a smooth material are evaluated; the others are near what they would have been.
+TEST(KernelViews, InterpolatesWhatIsSmooth)
+{
+  for (const char* name : { "violet-rubber", "nickel", "blue-fabric" })
+  {
+    const auto brdf = NewEmbedded(name);
+    const KernelViews views(brdf);
+    int evaluated = 0;
+    for (int k = 0; k < KernelViews::NumberOfViews; ++k)
+    {
+      const KernelViews::View& view = views.GetViews()[static_cast<std::size_t>(k)];
+      const double theta = KernelViews::GetAngle(k);
+      const glm::dvec3 o(std::sin(theta), 0.0, std::cos(theta));
+      const KernelMeans wanted(LobeQuadrature(brdf, o, 512));
+      EXPECT_LT(KernelMeans::GetDistance(view.Means, wanted), 4e-3) << name << " " << k;
+      evaluated += !view.Cells.empty();
+    }
+    EXPECT_LT(evaluated, 50) << name;
+  }
 }
 
 //------------------------------------------------------------------------------
