@@ -122,7 +122,7 @@ vec3 brdfUnpremultiply(vec4 v)
   return v.a > 1e-4 ? max(v.rgb / v.a, vec3(0.0)) : vec3(0.0);
 }
 
-// A texel of an sRGB texture, which the graphics card has made linear, as the display colour that
+// A texel of an sRGB texture, which the graphics card has made linear, as the display color that
 // multiplies encoded radiance: (L t)^(1/2.2) = L^(1/2.2) t^(1/2.2).
 vec4 brdfDisplayTexel(sampler2D image, vec2 place)
 {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-  // Colours of scalars and blocks are display colours; VTK's "diffuse intensity" is set to 1 here.
+  // Colors of scalars and blocks are display colors; VTK's "diffuse intensity" is set to 1 here.
   if (BRDF_TAKES_COLOR)
   {
     brdfRadiance *= pow(max(diffuseColor, vec3(0.0)), vec3(2.2));

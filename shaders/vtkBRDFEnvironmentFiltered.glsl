@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Filtered importance sampling with tabulated samples. C++ twins: vtkFilteredRadianceIntegrator,
-// Module/Analysis/ReflectionSamples.h.
+// Module/Integration/Private/ReflectionSamples.h.
 uniform sampler2D brdfPyramidMapINSTANCE;
 uniform sampler2D brdfDirectionsINSTANCE; // a column per sample, rows by view: direction, level
 uniform sampler2D brdfWeightsINSTANCE;

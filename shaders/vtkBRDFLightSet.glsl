@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The thesis's light loop: sum_j f(i_j,o) cos(theta_j) E_j (2.3.2). C++ twin: vtkLightSetIntegrator.
+// The thesis's light loop: sum_j f(i_j,o) cos(theta_j) E_j (2.3.2). C++ twin: vtkLightSetRadianceIntegrator.
 uniform sampler2D brdfLightsINSTANCE; // two texels a light: direction and 1/kappa, irradiance
 uniform float brdfNumberOfLightsINSTANCE;
 

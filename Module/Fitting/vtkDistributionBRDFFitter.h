@@ -9,7 +9,7 @@
  * Premoze 2007); F from the mirror direction, constant, or Schlick's. Then, per channel, p and F in
  * turn, each with the Lambert part, by non-negative linear least squares on the linearized loss
  * (Gauss-Newton), as far along as the residual falls. Cells that no pair touches follow their
- * neighbours.
+ * neighbors.
  *
  * The output is a vtkSumBRDF of a vtkLambertBRDF and a vtkDistributionBRDF whose p is normalized
  * (the integral of p cos theta_h is 1), so that F carries the scale.

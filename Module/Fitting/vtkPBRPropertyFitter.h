@@ -8,9 +8,9 @@
  * X3D), OSPRay, ANARI, glyphs, the levels of detail that vtkLODActor makes itself.
  *
  * The fit minimises the relative L1 distance, sum |model - exact| / sum exact, between two pictures
- * of a sphere under a neutral light (a grey studio: a ceiling, a key light, a fill light and a rim
+ * of a sphere under a neutral light (a gray studio: a ceiling, a key light, a fill light and a rim
  * light, all soft), drawn by the material's f and by VTK's shading of a vtkProperty without
- * image-based light's approximations. Base colour, roughness and metallic part are
+ * image-based light's approximations. Base color, roughness and metallic part are
  * searched; then the base's index of refraction and edge tint with them; then a clear coat, too:
  * each only where it takes at least 30 % of the error away, since not all that draws a
  * vtkProperty knows it. The search is deterministic and takes some tenths of a second. Anisotropic
@@ -50,7 +50,7 @@ public:
 
   ///@{
   /**
-   * The results, named as vtkProperty names them. Colours are linear, as VTK's shading takes them.
+   * The results, named as vtkProperty names them. Colors are linear, as VTK's shading takes them.
    */
   vtkGetVector3Macro(BaseColor, double);
   vtkGetMacro(Roughness, double);
@@ -68,9 +68,9 @@ public:
   vtkGetMacro(RelativeError, double);
 
   /**
-   * Set the results: interpolation PBR, colours, roughness, metallic part, indices of refraction,
-   * grey edge tint, clear coat, no anisotropy; and for what knows Phong's model only, the specular
-   * colour, strength and power of a highlight of about that height and width. Opacity, edges,
+   * Set the results: interpolation PBR, colors, roughness, metallic part, indices of refraction,
+   * gray edge tint, clear coat, no anisotropy; and for what knows Phong's model only, the specular
+   * color, strength and power of a highlight of about that height and width. Opacity, edges,
    * textures, representation and all else stay.
    */
   void Apply(vtkProperty* property);
@@ -82,7 +82,7 @@ public:
   static double Fit(vtkBRDF* brdf, vtkProperty* property);
 
   /**
-   * The neutral light: grey radiance from a direction; +y up, the picture is seen from +z.
+   * The neutral light: gray radiance from a direction; +y up, the picture is seen from +z.
    */
   static double GetNeutralRadiance(const double direction[3]);
 

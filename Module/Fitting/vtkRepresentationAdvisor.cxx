@@ -58,7 +58,7 @@ void vtkRepresentationAdvisor::SetInput(vtkBRDF* input)
 //------------------------------------------------------------------------------
 // Run a projector or fitter; its progress becomes this object's, as does its error.
 template <typename Maker>
-bool vtkRepresentationAdvisor::Watch(Maker* maker, bool (Maker::*run)())
+bool vtkRepresentationAdvisor::RunWithProgress(Maker* maker, bool (Maker::*run)())
 {
   struct Forwarder
   {
@@ -106,7 +106,7 @@ bool vtkRepresentationAdvisor::Update()
   projector->SetOrder(this->Order);
   projector->SetIncidentZone(this->Zone);
   projector->SetOutgoingZone(this->Zone);
-  if (!this->Watch(projector.Get(), &vtkBasisProjector::Project))
+  if (!this->RunWithProgress(projector.Get(), &vtkBasisProjector::Project))
   {
     return false;
   }
@@ -146,7 +146,7 @@ bool vtkRepresentationAdvisor::Represent()
     projector->SetInput(this->Input);
     projector->SetBasis(vtkBasisBRDF::SPHERICAL_HARMONICS);
     projector->SetOrder(this->Order);
-    if (!this->Watch(projector.Get(), &vtkBasisProjector::Project))
+    if (!this->RunWithProgress(projector.Get(), &vtkBasisProjector::Project))
     {
       return false;
     }
@@ -155,7 +155,7 @@ bool vtkRepresentationAdvisor::Represent()
   }
   vtkNew<vtkDistributionBRDFFitter> fitter;
   fitter->SetInput(this->Input);
-  if (!this->Watch(static_cast<vtkBRDFFitter*>(fitter.Get()), &vtkBRDFFitter::Fit))
+  if (!this->RunWithProgress(static_cast<vtkBRDFFitter*>(fitter.Get()), &vtkBRDFFitter::Fit))
   {
     return false;
   }

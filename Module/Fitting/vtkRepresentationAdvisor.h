@@ -127,7 +127,7 @@ private:
   void operator=(const vtkRepresentationAdvisor&) = delete;
 
   template <typename Maker>
-  bool Watch(Maker* maker, bool (Maker::*run)());
+  bool RunWithProgress(Maker* maker, bool (Maker::*run)());
 };
 
 #endif

@@ -2,20 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBRDFReader.h"
 
-#include "ExrHeader.h"
-#include "ExrMaterialFile.h"
 #include "FileBytes.h"
-#include "FitFile.h"
-#include "MbsdfFile.h"
-#include "MerlFile.h"
-#include "TensorFile.h"
+#include "vtkBRDFFormats.h"
 #include "vtkCommand.h"
 #include "vtkObjectFactory.h"
 
-#include <algorithm>
 #include <array>
+#include <cstdint>
 #include <filesystem>
-#include <string_view>
 
 vtkStandardNewMacro(vtkBRDFReader);
 
@@ -43,69 +37,29 @@ Path SplitPath(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
-// Whether the file begins with the magic, or is too short for it but begins like it.
-bool HasMagic(const FileBytes& file, std::string_view magic)
+vtkSmartPointer<vtkBRDFFormat> FindFormat(const vtkBRDFFormat::File& file)
 {
-  const std::size_t length = std::min(file.GetSize(), magic.size());
-  return file.GetView().substr(0, length) == magic.substr(0, length);
-}
-
-//------------------------------------------------------------------------------
-// ASCII or UTF-8 without control characters, judged by the first bytes.
-bool LooksLikeText(const FileBytes& file)
-{
-  const std::string_view start = file.GetView().substr(0, 4096);
-  return std::all_of(start.begin(), start.end(),
-    [](char c)
-    {
-      const auto byte = static_cast<unsigned char>(c);
-      return byte >= 0x20 ? byte != 0x7f && byte < 0xf5 : (c == '\n' || c == '\r' || c == '\t');
-    });
-}
-
-//------------------------------------------------------------------------------
-const char* GetFormat(const FileBytes& file)
-{
-  // Magics end with bytes that matter ("\0", "\n"): their whole arrays but the closing zero count.
-  if (HasMagic(file, std::string_view(TensorMagic, sizeof(TensorMagic))))
+  auto format = vtkBRDFFormats::FindForReading(file);
+  if (format)
   {
-    return TensorFormat;
-  }
-  if (HasMagic(file, std::string_view(MbsdfMagic, sizeof(MbsdfMagic) - 1)))
-  {
-    return MbsdfFormat;
-  }
-  if (HasMagic(file, std::string_view(ExrMagic, sizeof(ExrMagic) - 1)))
-  {
-    return ExrFormat;
-  }
-  if (LooksLikeText(file))
-  {
-    return FitFormat;
-  }
-  if (LooksLikeMerl(file))
-  {
-    return MerlFormat;
+    return format;
   }
   std::string found;
-  const std::string_view start = file.GetView().substr(0, 2);
+  const std::string_view start = file.Bytes.substr(0, 2);
   if (start == "\xff\xfe" || start == "\xfe\xff")
   {
     found = "; it may be text in UTF-16: save it as UTF-8";
   }
-  else if (file.GetSize() >= 12)
+  else if (file.Bytes.size() >= 12)
   {
     std::array<std::int32_t, 3> sizes;
-    ByteReader::Copy(sizes.data(), file.GetData(), sizes.size());
+    ByteReader::Copy(sizes.data(), file.Bytes.data(), sizes.size());
     found = "; as MERL's three sizes they read " + std::to_string(sizes[0]) + ", " +
             std::to_string(sizes[1]) + ", " + std::to_string(sizes[2]) +
             ", expected 1 to 2048 each";
   }
-  throw FileError(
-    file.GetPath() +
-    ": magic at byte 0: the first bytes are of no known format (MERL binary, RGL tensor file, "
-    "NVIDIA MBSDF, OpenEXR material, text of published fits)" +
-    found);
+  throw FileError(file.Path + ": magic at byte 0: the first bytes are of no known format (" +
+                  vtkBRDFFormats::GetNames() + ")" + found);
 }
 }
 
@@ -124,40 +78,25 @@ bool vtkBRDFReader::Read()
   {
     report(0.0);
     const Path path = SplitPath(this->FileName);
-    const FileBytes file(path.File);
+    const FileBytes bytes(path.File);
     report(0.3);
-    const std::string format = GetFormat(file);
-    this->FormatName = format;
-    if (format != FitFormat && !path.Material.empty())
+    const vtkBRDFFormat::File file{ path.File, path.Material, bytes.GetView() };
+    const auto format = FindFormat(file);
+    this->FormatName = format->GetName();
+    vtkBRDFFormat::Content content;
+    std::string error;
+    if (!format->Read(file, content, error))
     {
-      throw FileError(path.File + ": " + format + ": holds one material, " +
-                      Quote("#" + path.Material) + " names none");
+      throw FileError(error);
     }
-    MaterialFile result;
-    if (format == TensorFormat)
+    if (!content.BRDF)
     {
-      result = ReadTensor(file);
+      throw FileError(path.File + ": " + this->FormatName + " gave no material");
     }
-    else if (format == MbsdfFormat)
-    {
-      result = ReadMbsdf(file);
-    }
-    else if (format == ExrFormat)
-    {
-      result = ReadExrMaterial(file);
-    }
-    else if (format == FitFormat)
-    {
-      result = FitFile(path.File, file.GetView()).GetMaterial(path.Material);
-    }
-    else
-    {
-      result = ReadMerl(file);
-    }
-    this->BRDF = result.BRDF;
-    this->Notes = result.Notes;
-    this->NumberOfNegativeValues = result.NumberOfNegativeValues;
-    this->NumberOfInvalidValues = result.NumberOfInvalidValues;
+    this->BRDF = content.BRDF;
+    this->Notes = content.Notes;
+    this->NumberOfNegativeValues = content.NumberOfNegativeValues;
+    this->NumberOfInvalidValues = content.NumberOfInvalidValues;
     report(1.0);
     return true;
   }
@@ -185,11 +124,9 @@ std::vector<std::string> vtkBRDFReader::GetMaterialNames()
   try
   {
     const Path path = SplitPath(this->FileName);
-    const FileBytes file(path.File);
-    if (GetFormat(file) == std::string(FitFormat))
-    {
-      return FitFile(path.File, file.GetView()).GetNames();
-    }
+    const FileBytes bytes(path.File);
+    const vtkBRDFFormat::File file{ path.File, "", bytes.GetView() };
+    return FindFormat(file)->GetMaterialNames(file);
   }
   catch (const std::exception&)
   {

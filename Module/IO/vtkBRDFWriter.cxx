@@ -2,11 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBRDFWriter.h"
 
-#include "ExrMaterialFile.h"
 #include "FileBytes.h"
-#include "MerlFile.h"
+#include "vtkBRDFFormats.h"
 #include "vtkObjectFactory.h"
-#include "vtkTabulatedBRDF.h"
 
 #include <vtksys/SystemTools.hxx>
 
@@ -39,18 +37,16 @@ bool vtkBRDFWriter::Write()
     }
     const std::string extension =
       vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(this->FileName));
-    if (extension == ".binary")
+    const auto format = vtkBRDFFormats::FindForWriting(extension);
+    if (!format)
     {
-      WriteMerl(vtkTabulatedBRDF::SafeDownCast(this->BRDF), this->FileName);
+      throw FileError(this->FileName + ": found extension " + Quote(extension) + ", expected " +
+                      vtkBRDFFormats::GetExtensions(true));
     }
-    else if (extension == ".exr")
+    std::string error;
+    if (!format->Write(this->BRDF, this->FileName, this->HalfFloats, error))
     {
-      WriteExrMaterial(this->BRDF, this->FileName, this->HalfFloats);
-    }
-    else
-    {
-      throw FileError(
-        this->FileName + ": found extension " + Quote(extension) + ", expected .binary or .exr");
+      throw FileError(error);
     }
     return true;
   }

@@ -101,7 +101,7 @@ vtkSmartPointer<vtkBRDF> MakeMaterial(const std::string& name)
 {
   if (name == CarPaint)
   {
-    const measuredbrdf::FileBytes file("embedded " + name,
+    const auto file = measuredbrdf::FileBytes::View("embedded " + name,
       std::string_view(reinterpret_cast<const char*>(EmbeddedCarPaint), sizeof(EmbeddedCarPaint)));
     return measuredbrdf::ReadExrMaterial(file).BRDF;
   }

@@ -9,7 +9,7 @@
  * rounded to 16-bit floats; NOTICE says where it is from. The others are fits: figures from Ngan,
  * Durand and Matusik 2005 ("Experimental Analysis of BRDF Models", supplemental material) and Low,
  * Kronander, Ynnerman and Unger 2012 ("BRDF Models for Accurate and Efficient Rendering of Glossy
- * Surfaces"). Ngan's were fitted to MERL data without its colour scale, so their RGB is multiplied
+ * Surfaces"). Ngan's were fitted to MERL data without its color scale, so their RGB is multiplied
  * by 1.00, 1.15, 1.66 here.
  */
 

@@ -203,7 +203,7 @@ Image ReadImage(const std::string& path)
     {
       pixels[k + 1] = pixels[k + 2] = pixels[k];
     }
-    image.AddNote("One channel: taken as grey.");
+    image.AddNote("One channel: taken as gray.");
   }
   // Files begin with the top row.
   for (int y = 0; y < image.Height / 2; ++y)

@@ -11,7 +11,7 @@
  * whichever is there.
  *
  * Float formats are taken as linear; integer formats (8 and 16 bit) as sRGB-encoded unless the file
- * says it is linear. One-channel images become grey; alpha and further channels are dropped.
+ * says it is linear. One-channel images become gray; alpha and further channels are dropped.
  * Lat-long images: any size from 1x1; an aspect other than 2:1 is kept and noted. Negative and
  * non-finite values are set to 0, counted (vtkEnvironment) and noted.
  */

@@ -5,7 +5,7 @@
 #include "Printable.h"
 #include "SRGB.h"
 
-#include "EnvironmentParts.h"
+#include "EnvironmentPrecomputation.h"
 #include "HalfVector.h" // for Pi
 #include "ProceduralEnvironments.h"
 #include "vtkArrayDispatch.h"
@@ -121,16 +121,16 @@ struct Decoder
         table.push_back(static_cast<float>(decode(static_cast<Value>(raw))));
       }
     }
-    const int grey = array->GetNumberOfComponents() == 1 ? 0 : 1;
+    const int gray = array->GetNumberOfComponents() == 1 ? 0 : 1;
     ForValues(static_cast<std::size_t>(this->Count), this->Bad,
-      [&, grey](std::size_t begin, std::size_t end, BadValues& found)
+      [&, gray](std::size_t begin, std::size_t end, BadValues& found)
       {
         const vtkDataArrayAccessor<Array> values(array);
         for (std::size_t k = begin; k < end; ++k)
         {
           for (int c = 0; c < 3; ++c)
           {
-            const Value raw = values.Get(static_cast<vtkIdType>(k), grey * c);
+            const Value raw = values.Get(static_cast<vtkIdType>(k), gray * c);
             if (!table.empty())
             {
               this->Out[3 * k + c] = table[static_cast<std::size_t>(raw)];
@@ -160,7 +160,7 @@ vtkStandardNewMacro(vtkEnvironment);
 //------------------------------------------------------------------------------
 vtkEnvironment::vtkEnvironment()
   : Pixels(std::make_shared<std::vector<float>>())
-  , Parts(std::make_shared<measuredbrdf::EnvironmentParts>())
+  , Parts(std::make_shared<measuredbrdf::EnvironmentPrecomputation>())
 {
 }
 
@@ -244,7 +244,7 @@ void vtkEnvironment::Adopt(
   this->Height = height;
   this->Pixels = std::make_shared<const std::vector<float>>(std::move(rgb));
   this->Subdivide();
-  this->Parts = std::make_shared<measuredbrdf::EnvironmentParts>();
+  this->Parts = std::make_shared<measuredbrdf::EnvironmentPrecomputation>();
   this->PixelsTime.Modified();
   this->Modified();
 }

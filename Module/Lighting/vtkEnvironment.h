@@ -6,7 +6,7 @@
  *
  * Directions follow VTK's image-based lighting: for a unit direction d in the environment's frame
  * (y up), u = atan2(d.z, d.x)/(2 pi) + 1/2, v = asin(d.y)/pi + 1/2. Row 0 of the pixels is v = 0,
- * the bottom (-y), as in vtkImageData. Texel centres lie at (k + 1/2)/N; a texel's solid angle is
+ * the bottom (-y), as in vtkImageData. Texel centers lie at (k + 1/2)/N; a texel's solid angle is
  * exact: dphi (cos theta0 - cos theta1).
  *
  * Negative and non-finite values are set to 0 on the way in and counted.
@@ -27,7 +27,7 @@ class vtkImageData;
 
 namespace measuredbrdf
 {
-class EnvironmentParts;
+class EnvironmentPrecomputation;
 }
 
 class VTKMEASUREDBRDF_EXPORT vtkEnvironment : public vtkObject
@@ -46,7 +46,7 @@ public:
   ///@}
 
   /**
-   * Copy a lat-long image: point scalars of any type with 1 (grey), 3 or 4 components (alpha is
+   * Copy a lat-long image: point scalars of any type with 1 (gray), 3 or 4 components (alpha is
    * dropped), one slice, row 0 at the bottom. Integer types are scaled by their maximum; sRGB says
    * that they are sRGB-encoded and makes them linear. Returns false with an error event and keeps
    * the old pixels when there is no such image.
@@ -88,7 +88,7 @@ public:
 
   ///@{
   /**
-   * Direction of a texel's centre, or of any (u,v) in [0,1]^2, in the environment's frame; and
+   * Direction of a texel's center, or of any (u,v) in [0,1]^2, in the environment's frame; and
    * back.
    */
   void GetTexelDirection(int x, int y, double direction[3]);
@@ -104,7 +104,7 @@ public:
   /**
    * What sums over texels take: this environment where it has at least 128 x 64 texels, else one
    * of 256 x 128 or more whose texels are equal parts of this one's. A texel is an area of constant
-   * radiance, not a point; with texels that small, a sum over their centres errs by at most 3e-4 of
+   * radiance, not a point; with texels that small, a sum over their centers errs by at most 3e-4 of
    * a white map's irradiance, wherever the surface faces. It keeps no rotation. Integrators and
    * light set generators call this themselves.
    */
@@ -157,7 +157,7 @@ public:
   /**
    * For integrators: what they make of these pixels, once for all of them and all snapshots.
    */
-  measuredbrdf::EnvironmentParts& GetParts() { return *this->Parts; }
+  measuredbrdf::EnvironmentPrecomputation& GetParts() { return *this->Parts; }
 #endif
 
 protected:
@@ -168,7 +168,7 @@ protected:
   int Width = 0;
   int Height = 0;
   std::shared_ptr<const std::vector<float>> Pixels; // replaced, never changed: snapshots share them
-  std::shared_ptr<measuredbrdf::EnvironmentParts> Parts; // of these pixels
+  std::shared_ptr<measuredbrdf::EnvironmentPrecomputation> Parts; // of these pixels
   vtkIdType NumberOfNegativeValues = 0;
   vtkIdType NumberOfNonFiniteValues = 0;
   double WorldToEnvironment[9] = { 1, 0, 0, 0, 1, 0, 0, 0, 1 };

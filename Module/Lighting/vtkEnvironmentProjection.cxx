@@ -54,7 +54,7 @@ bool IsProjection(int projection)
 }
 
 //------------------------------------------------------------------------------
-// The centre of the nearest texel whose centre the disc holds lies in that of the returned point.
+// The center of the nearest texel whose center the disc holds lies in that of the returned point.
 glm::dvec2 DrawIn(const glm::dvec2& uv, int size)
 {
   const glm::dvec2 p = 2.0 * uv - 1.0;
@@ -252,7 +252,7 @@ vtkImageData* vtkEnvironmentProjection::NewProbe(vtkEnvironment* environment, in
 }
 
 //------------------------------------------------------------------------------
-// Bad values become 0; rim texels whose centre lies outside the disc take a neighbour's value.
+// Bad values become 0; rim texels whose center lies outside the disc take a neighbor's value.
 void vtkEnvironmentProjection::Repair(
   int projection, int width, int height, std::vector<float>& rgb)
 {

@@ -29,7 +29,7 @@
  * Images are resampled by first-order conservative remapping (Jones 1999): every texel's outline is
  * carried into the other image and takes from each texel there what it covers of it, weighted by
  * exact solid angles. Constant stays constant; energy is kept whether the image grows or shrinks
- * (to 5e-3 for a single bright texel, 4e-4 for a photograph). Texels of discs whose centre
+ * (to 5e-3 for a single bright texel, 4e-4 for a photograph). Texels of discs whose center
  * lies outside are ignored.
  *
  * Raises vtkCommand::ProgressEvent (call data: double in [0,1]) from the calling thread; an

@@ -77,7 +77,7 @@ bool vtkImportanceLightSetGenerator::Generate(
     direction[1] = sine;
     direction[2] *= cosine;
 
-    // L / (N p) with p = luminance(L) / total: luminance total / N in the texel's colour.
+    // L / (N p) with p = luminance(L) / total: luminance total / N in the texel's color.
     double rgb[3];
     environment->GetPixel(static_cast<int>(x), static_cast<int>(y), rgb);
     const double solidAngle = share / vtkEnvironment::GetLuminance(rgb);

@@ -40,13 +40,13 @@ bool vtkVarianceLightSetGenerator::Grow(vtkEnvironment* environment, int count)
   environment = environment->GetSubdivided();
   const bool greedy = this->Method == GREEDY;
   const Internals::Key key{ environment, environment->GetPixelsMTime(), this->Method,
-    greedy && this->BrightTexels, this->Changes };
+    greedy && this->ExtractedEmitters, this->Changes };
   std::unique_ptr<LightTree>& tree = this->Impl->Tree;
   if (!tree || this->Impl->MadeFrom != key)
   {
     tree = std::make_unique<LightTree>(environment,
       greedy ? LightTree::Rule::Greedy : LightTree::Rule::MinimumVariance,
-      greedy && this->BrightTexels, this->Changes);
+      greedy && this->ExtractedEmitters, this->Changes);
     this->Impl->MadeFrom = key;
   }
   else if (count <= tree->GetNumberOfCells() || tree->IsComplete())
@@ -146,7 +146,7 @@ void vtkVarianceLightSetGenerator::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Method: " << (this->Method == GREEDY ? "greedy" : "minimum variance") << "\n";
-  os << indent << "BrightTexels: " << (this->BrightTexels ? "On" : "Off") << "\n";
+  os << indent << "ExtractedEmitters: " << (this->ExtractedEmitters ? "On" : "Off") << "\n";
   os << indent << "TreeSize: " << this->TreeSize << "\n";
   os << indent << "ResidualVariance: " << this->ResidualVariance << "\n";
   os << indent << "Abort: " << (this->Abort ? "On" : "Off") << "\n";

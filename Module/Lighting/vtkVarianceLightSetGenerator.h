@@ -68,9 +68,9 @@ public:
    * find them by themselves where that pays. Measured with 64 lights on four maps with a sun or
    * lamps: lobes of exponent 500 gained a quarter in RMS under two low suns, nothing else did.
    */
-  vtkSetMacro(BrightTexels, bool);
-  vtkGetMacro(BrightTexels, bool);
-  vtkBooleanMacro(BrightTexels, bool);
+  vtkSetMacro(ExtractedEmitters, bool);
+  vtkGetMacro(ExtractedEmitters, bool);
+  vtkBooleanMacro(ExtractedEmitters, bool);
   ///@}
 
   ///@{
@@ -122,7 +122,7 @@ protected:
   ~vtkVarianceLightSetGenerator() override;
 
   int Method = GREEDY;
-  bool BrightTexels = false;
+  bool ExtractedEmitters = false;
   int TreeSize = 1024;
   double ResidualVariance = 0.0;
   std::atomic<bool> Abort{ false };

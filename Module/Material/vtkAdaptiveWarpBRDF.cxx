@@ -7,7 +7,7 @@
 #include "HalfVector.h"
 #include "Printable.h"
 #include "RoundingNoise.h"
-#include "vtkBRDFGPUForm.h"
+#include "vtkBRDFShaderInputs.h"
 #include "vtkBRDFResampler.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -330,11 +330,11 @@ vtkBRDF* vtkAdaptiveWarpBRDF::GetRenderable()
     if (!this->IsIsotropic())
     {
       vtkWarningMacro(<< Quote(this->Name)
-                      << " is anisotropic; its GPU form is isotropic (the view's azimuth 0).");
+                      << " is anisotropic; its shader inputs is isotropic (the view's azimuth 0).");
     }
     if (!resampler->Resample())
     {
-      vtkWarningMacro(<< Quote(this->Name) << ": the GPU form keeps a resampling error of "
+      vtkWarningMacro(<< Quote(this->Name) << ": the shader inputs keeps a resampling error of "
                       << resampler->GetOutput()->GetResamplingError() << ", asked for "
                       << this->ResamplingTolerance << ".");
     }
@@ -348,9 +348,9 @@ vtkBRDF* vtkAdaptiveWarpBRDF::GetRenderable()
 }
 
 //------------------------------------------------------------------------------
-void vtkAdaptiveWarpBRDF::GetGPUForm(vtkBRDFGPUForm& form)
+void vtkAdaptiveWarpBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
 {
-  this->GetRenderable()->GetGPUForm(form);
+  this->GetRenderable()->GetShaderInputs(form);
 }
 
 //------------------------------------------------------------------------------

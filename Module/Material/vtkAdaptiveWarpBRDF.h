@@ -7,12 +7,12 @@
  * Dupuy and Jakob 2018, "An Adaptive Parameterization for Efficient Material Acquisition and
  * Rendering" (the RGL-EPFL database). Values live on a square warped by the visible normals, so a
  * fixed grid follows the lobe. The tables hold f cos(theta_o) (i: the tables' incident direction);
- * Evaluate divides by that cosine. Negative values (colours outside sRGB) are clamped at 0 per
+ * Evaluate divides by that cosine. Negative values (colors outside sRGB) are clamped at 0 per
  * channel after interpolation.
  *
  * Not reciprocal in general: measured values keep their asymmetry.
  *
- * GPU form: resampled into a vtkTabulatedBRDF over half and difference angles with phi_d over the
+ * shader inputs: resampled into a vtkTabulatedBRDF over half and difference angles with phi_d over the
  * full turn (so the asymmetry survives), sizes grown until ResamplingTolerance is met, else the
  * best with a warning once; see GetRenderable().
  */
@@ -73,7 +73,7 @@ public:
   bool IsIsotropic() override { return this->Data.PhiI.size() <= 2; }
   bool IsReciprocal() override { return false; }
   vtkBRDF* GetRenderable() override;
-  void GetGPUForm(vtkBRDFGPUForm& form) override;
+  void GetShaderInputs(vtkBRDFShaderInputs& form) override;
 
 protected:
   vtkAdaptiveWarpBRDF();

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAshikhminShirleyBRDF.h"
 
+#include "ModuleShader.h"
+#include "vtkBRDFAshikhminShirley.h"
 #include "ContentHash.h"
 #include "HalfVector.h"
 #include "Setters.h"
-#include "vtkBRDFGPUForm.h"
+#include "vtkBRDFShaderInputs.h"
 #include "vtkObjectFactory.h"
 
 #include <glm/gtc/type_ptr.hpp>
@@ -165,14 +167,14 @@ void vtkAshikhminShirleyBRDF::GetBounds(double minimumCosine, double lower[3], d
 }
 
 //------------------------------------------------------------------------------
-void vtkAshikhminShirleyBRDF::GetGPUForm(vtkBRDFGPUForm& form)
+void vtkAshikhminShirleyBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
 {
-  vtkBRDFGPUForm::Term term;
-  term.Shader = "vtkBRDFAshikhminShirley";
+  vtkBRDFShaderInputs::Term term;
+  measuredbrdf::SetModuleShader(term, "vtkBRDFAshikhminShirley", vtkBRDFAshikhminShirley);
   const double peak = std::sqrt((this->ExponentU + 1.0) * (this->ExponentV + 1.0)) / (8.0 * Pi);
-  vtkBRDFGPUForm::Uniform scale{ "brdfScale", {} };
-  vtkBRDFGPUForm::Uniform reflectance{ "brdfReflectance", {} };
-  vtkBRDFGPUForm::Uniform diffuse{ "brdfDiffuse", {} };
+  vtkBRDFShaderInputs::Uniform scale{ "brdfScale", {} };
+  vtkBRDFShaderInputs::Uniform reflectance{ "brdfReflectance", {} };
+  vtkBRDFShaderInputs::Uniform diffuse{ "brdfDiffuse", {} };
   for (int c = 0; c < 3; ++c)
   {
     scale.Values.push_back(static_cast<float>(this->SpecularScale[c] * peak));

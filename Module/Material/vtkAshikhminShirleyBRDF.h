@@ -95,7 +95,7 @@ public:
 
   void GetBounds(double minimumCosine, double lower[3], double upper[3]) override;
   bool IsIsotropic() override { return this->ExponentU == this->ExponentV; }
-  void GetGPUForm(vtkBRDFGPUForm& form) override;
+  void GetShaderInputs(vtkBRDFShaderInputs& form) override;
 
 protected:
   vtkAshikhminShirleyBRDF() = default;

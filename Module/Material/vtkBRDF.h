@@ -27,7 +27,7 @@
 #include <typeindex> // for GetContent
 #include <utility>   // for GetContent
 
-struct vtkBRDFGPUForm;
+struct vtkBRDFShaderInputs;
 
 class VTKMEASUREDBRDF_EXPORT vtkBRDF : public vtkObject
 {
@@ -105,16 +105,16 @@ public:
 
   ///@{
   /**
-   * Largest relative L2 error (weighted by both cosines) that a GPU form may add by resampling and
+   * Largest relative L2 error (weighted by both cosines) that a shader inputs may add by resampling and
    * by its texture precision; default 0.01, clamped to [1e-5, 0.5]. Only representations that have
-   * to be resampled or stored in textures use it. What was reached is in the GPU form.
+   * to be resampled or stored in textures use it. What was reached is in the shader inputs.
    */
   virtual void SetResamplingTolerance(double resamplingTolerance);
   vtkGetMacro(ResamplingTolerance, double);
   ///@}
 
   /**
-   * The BRDF that the GPU form evaluates: this object, unless the representation has no direct
+   * The BRDF that the shader inputs evaluates: this object, unless the representation has no direct
    * GLSL form and is resampled into one (then that one, cached until this object changes).
    */
   virtual vtkBRDF* GetRenderable() { return this; }
@@ -123,7 +123,7 @@ public:
    * GLSL file, uniforms and textures that evaluate GetRenderable() on the GPU; what EvaluateSoft's
    * twin needs on top only where form.SoftLights asks for it.
    */
-  virtual void GetGPUForm(vtkBRDFGPUForm& form) = 0;
+  virtual void GetShaderInputs(vtkBRDFShaderInputs& form) = 0;
 
   /**
    * A copy that shares nothing which either may change: another thread may use the one while this
@@ -179,7 +179,7 @@ protected:
 
   /**
    * The class that answers, typeid(vtkMyBRDF), and bytes that differ wherever anything differs that
-   * f, Sample, Pdf or the GPU form depend on: all parameters, and the data or a hash of 128 bits of
+   * f, Sample, Pdf or the shader inputs depend on: all parameters, and the data or a hash of 128 bits of
    * them. What a superclass answers, without what its subclass adds, is not taken; default: the
    * class does not say.
    */

@@ -4,7 +4,7 @@
  * @class   vtkBRDFResampler
  * @brief   any isotropic BRDF -> a half/difference-angle volume, with the error it costs
  *
- * Cells take the value at their centre. With reciprocal output (phi_d over half a turn) a cell
+ * Cells take the value at their center. With reciprocal output (phi_d over half a turn) a cell
  * takes the mean of f(i,o) and f(o,i): that is all a reciprocal table can hold of a measurement
  * that is not; the loss is part of the reported error.
  *

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBasisBRDF.h"
 
+#include "ModuleShader.h"
+#include "vtkBRDFBasis.h"
 #include "BasisFunctions.h"
 #include "ContentHash.h"
 #include "HalfVectorSampler.h"
@@ -9,7 +11,7 @@
 #include "LowDiscrepancy.h"
 #include "Setters.h"
 #include "ZonePairs.h"
-#include "vtkBRDFGPUForm.h"
+#include "vtkBRDFShaderInputs.h"
 #include "vtkObjectFactory.h"
 
 #include <glm/gtc/type_ptr.hpp>
@@ -51,7 +53,7 @@ BasisFunctions MakeFunctions(int basis, int order, const double zone[2])
   }
 }
 
-// Two neighbouring samples of an axis and the weight of the second.
+// Two neighboring samples of an axis and the weight of the second.
 struct Interval
 {
   int First;
@@ -77,7 +79,7 @@ Interval OnCircle(double u, int n)
 
 double GetTurn(double y, double x) { return std::atan2(y, x) / (2.0 * Pi); }
 
-// Four neighbours in the basis table and their weights.
+// Four neighbors in the basis table and their weights.
 struct Corners
 {
   const float* Rows[4];
@@ -528,7 +530,7 @@ void vtkBasisBRDF::MeasureTables(double& interpolation, double& amplification)
 }
 
 //------------------------------------------------------------------------------
-void vtkBasisBRDF::GetGPUForm(vtkBRDFGPUForm& form)
+void vtkBasisBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
 {
   if (this->Coefficients.empty())
   {
@@ -543,7 +545,7 @@ void vtkBasisBRDF::GetGPUForm(vtkBRDFGPUForm& form)
   this->MeasureTables(interpolation, amplification);
   const bool halfFloat = 4.0 * halfRounding * amplification <= this->ResamplingTolerance;
 
-  vtkBRDFGPUForm::Texture coefficients;
+  vtkBRDFShaderInputs::Texture coefficients;
   coefficients.Name = "brdfCoefficients";
   coefficients.ThreeD = true;
   coefficients.Dimensions = { this->NumberOfPhi, this->NumberOfTheta, n };
@@ -561,7 +563,7 @@ void vtkBasisBRDF::GetGPUForm(vtkBRDFGPUForm& form)
     coefficients.Data.push_back(v * scale);
   }
 
-  vtkBRDFGPUForm::Texture basis;
+  vtkBRDFShaderInputs::Texture basis;
   basis.Name = "brdfBasis";
   basis.ThreeD = true;
   basis.Components = 1;
@@ -579,8 +581,8 @@ void vtkBasisBRDF::GetGPUForm(vtkBRDFGPUForm& form)
     }
   }
 
-  vtkBRDFGPUForm::Term term;
-  term.Shader = "vtkBRDFBasis";
+  vtkBRDFShaderInputs::Term term;
+  measuredbrdf::SetModuleShader(term, "vtkBRDFBasis", vtkBRDFBasis);
   term.Constants.push_back({ "BRDF_BASIS_FUNCTIONS", std::to_string(n) });
   const auto number = [](double v) { return static_cast<float>(v); };
   const double begin = ToRadians(this->OutgoingZone[0]);

@@ -23,7 +23,7 @@
  * would do. Both tables are interpolated linearly along directions and never across k. The basis
  * table's rows lie at equal steps of acos(x), x = 2 (cos theta - cos end) / (cos begin - cos end) -
  * 1, where a function of degree l has no frequency above l; its size follows the order and
- * ResamplingTolerance up to 256 x 256 (the error that is reached is the GPU form's
+ * ResamplingTolerance up to 256 x 256 (the error that is reached is the shader inputs's
  * ResamplingError; orders above 10 or so miss the default tolerance where their highest degrees
  * dominate).
  *
@@ -161,7 +161,7 @@ public:
   bool IsIsotropic() override { return this->NumberOfPhi == 1; }
   bool IsReciprocal() override { return false; }
   void Prepare() override;
-  void GetGPUForm(vtkBRDFGPUForm& form) override;
+  void GetShaderInputs(vtkBRDFShaderInputs& form) override;
 
 protected:
   vtkBasisBRDF();

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBlinnPhongBRDF.h"
 
+#include "ModuleShader.h"
+#include "vtkBRDFBlinnPhong.h"
 #include "ContentHash.h"
 #include "HalfVector.h"
 #include "Setters.h"
-#include "vtkBRDFGPUForm.h"
+#include "vtkBRDFShaderInputs.h"
 #include "vtkObjectFactory.h"
 
 #include <glm/gtc/type_ptr.hpp>
@@ -84,11 +86,11 @@ void vtkBlinnPhongBRDF::GetBounds(
 }
 
 //------------------------------------------------------------------------------
-void vtkBlinnPhongBRDF::GetGPUForm(vtkBRDFGPUForm& form)
+void vtkBlinnPhongBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
 {
-  vtkBRDFGPUForm::Term term;
-  term.Shader = "vtkBRDFBlinnPhong";
-  vtkBRDFGPUForm::Uniform scale{ "brdfScale", {} };
+  vtkBRDFShaderInputs::Term term;
+  measuredbrdf::SetModuleShader(term, "vtkBRDFBlinnPhong", vtkBRDFBlinnPhong);
+  vtkBRDFShaderInputs::Uniform scale{ "brdfScale", {} };
   for (double k : this->Specular)
   {
     scale.Values.push_back(static_cast<float>(k * (this->Exponent + 2.0) / (2.0 * Pi)));

@@ -39,7 +39,7 @@ public:
   ///@}
 
   void GetBounds(double minimumCosine, double lower[3], double upper[3]) override;
-  void GetGPUForm(vtkBRDFGPUForm& form) override;
+  void GetShaderInputs(vtkBRDFShaderInputs& form) override;
 
 protected:
   vtkBlinnPhongBRDF() = default;

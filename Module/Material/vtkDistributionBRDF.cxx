@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDistributionBRDF.h"
 
+#include "ModuleShader.h"
+#include "vtkBRDFDistribution.h"
 #include "ContentHash.h"
 #include "DistributionLevels.h"
 #include "HalfVectorSampler.h"
-#include "Neighbours.h"
+#include "Neighbors.h"
 #include "RoundingNoise.h"
-#include "vtkBRDFGPUForm.h"
+#include "vtkBRDFShaderInputs.h"
 #include "vtkObjectFactory.h"
 
 #include <glm/gtc/type_ptr.hpp>
@@ -155,7 +157,7 @@ void vtkDistributionBRDF::EvaluateSoftAbove(
   const glm::dvec3 view = glm::make_vec3(o);
   const HalfDifference angles = ToHalfDifference(light, view);
   const glm::dvec3 h = HalfVector(light, view);
-  const Neighbours t = ClampedNeighbours(ThetaHToUnit(angles.ThetaH), this->NumberOfTheta);
+  const Neighbors t = ClampedNeighbors(ThetaHToUnit(angles.ThetaH), this->NumberOfTheta);
   // Rows of the table are phi_h; of the levels, widths.
   const bool soft = spread > 0.0 && this->NumberOfPhi == 1;
   if (soft)
@@ -163,11 +165,11 @@ void vtkDistributionBRDF::EvaluateSoftAbove(
     this->PrepareLevels();
   }
   const std::vector<float>& rows = soft ? this->WidenedLevels->GetRows() : this->Distribution;
-  const Neighbours p = soft
+  const Neighbors p = soft
                          ? this->WidenedLevels->Find(HalfVectorSpread(spread, glm::dot(h, view)))
-                         : PeriodicNeighbours(std::atan2(h.y, h.x) / (2.0 * Pi), this->NumberOfPhi);
-  const Neighbours d =
-    ClampedNeighbours(angles.ThetaD * (2.0 / Pi), static_cast<int>(this->Fresnel.size() / 3));
+                         : PeriodicNeighbors(std::atan2(h.y, h.x) / (2.0 * Pi), this->NumberOfPhi);
+  const Neighbors d =
+    ClampedNeighbors(angles.ThetaD * (2.0 / Pi), static_cast<int>(this->Fresnel.size() / 3));
   const double g = 4.0 * (light.z + view.z - light.z * view.z);
   const auto distribution = [this, &rows](int theta, int row, int c)
   { return static_cast<double>(rows[3 * (row * this->NumberOfTheta + theta) + c]); };
@@ -253,11 +255,11 @@ void vtkDistributionBRDF::GetBounds(double minimumCosine, double lower[3], doubl
 }
 
 //------------------------------------------------------------------------------
-void vtkDistributionBRDF::GetGPUForm(vtkBRDFGPUForm& form)
+void vtkDistributionBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
 {
-  vtkBRDFGPUForm::Term term;
-  term.Shader = "vtkBRDFDistribution";
-  vtkBRDFGPUForm::Texture p;
+  vtkBRDFShaderInputs::Term term;
+  measuredbrdf::SetModuleShader(term, "vtkBRDFDistribution", vtkBRDFDistribution);
+  vtkBRDFShaderInputs::Texture p;
   p.Name = "brdfDistribution";
   if (this->NumberOfPhi == 1)
   {
@@ -277,7 +279,7 @@ void vtkDistributionBRDF::GetGPUForm(vtkBRDFGPUForm& form)
     term.Uniforms.push_back({ "brdfOwnVariance", { 1.0f } });
     term.Uniforms.push_back({ "brdfNumberOfLevels", { 0.0f } });
   }
-  vtkBRDFGPUForm::Texture fresnel;
+  vtkBRDFShaderInputs::Texture fresnel;
   fresnel.Name = "brdfFresnel";
   fresnel.Dimensions = { static_cast<int>(this->Fresnel.size() / 3), 1, 1 };
   fresnel.Data = this->Fresnel;

@@ -66,7 +66,7 @@ public:
   void GetBounds(double minimumCosine, double lower[3], double upper[3]) override;
   bool IsIsotropic() override { return this->NumberOfPhi == 1; }
   void Prepare() override;
-  void GetGPUForm(vtkBRDFGPUForm& form) override;
+  void GetShaderInputs(vtkBRDFShaderInputs& form) override;
 
 protected:
   vtkDistributionBRDF();

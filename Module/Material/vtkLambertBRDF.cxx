@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLambertBRDF.h"
 
+#include "ModuleShader.h"
+#include "vtkBRDFLambert.h"
 #include "ContentHash.h"
 #include "HalfVector.h"
 #include "Setters.h"
-#include "vtkBRDFGPUForm.h"
+#include "vtkBRDFShaderInputs.h"
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
@@ -54,11 +56,11 @@ void vtkLambertBRDF::GetBounds(double vtkNotUsed(minimumCosine), double lower[3]
 }
 
 //------------------------------------------------------------------------------
-void vtkLambertBRDF::GetGPUForm(vtkBRDFGPUForm& form)
+void vtkLambertBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
 {
-  vtkBRDFGPUForm::Term term;
-  term.Shader = "vtkBRDFLambert";
-  vtkBRDFGPUForm::Uniform albedo{ "brdfAlbedo", {} };
+  vtkBRDFShaderInputs::Term term;
+  measuredbrdf::SetModuleShader(term, "vtkBRDFLambert", vtkBRDFLambert);
+  vtkBRDFShaderInputs::Uniform albedo{ "brdfAlbedo", {} };
   for (double a : this->Albedo)
   {
     albedo.Values.push_back(static_cast<float>(a));

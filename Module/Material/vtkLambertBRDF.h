@@ -31,7 +31,7 @@ public:
 
   void GetDirectionalAlbedo(const double o[3], double albedo[3]) override;
   void GetBounds(double minimumCosine, double lower[3], double upper[3]) override;
-  void GetGPUForm(vtkBRDFGPUForm& form) override;
+  void GetShaderInputs(vtkBRDFShaderInputs& form) override;
 
 protected:
   vtkLambertBRDF() = default;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSumBRDF.h"
 
-#include "vtkBRDFGPUForm.h"
+#include "vtkBRDFShaderInputs.h"
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
@@ -250,12 +250,12 @@ vtkBRDF* vtkSumBRDF::GetRenderable()
 }
 
 //------------------------------------------------------------------------------
-void vtkSumBRDF::GetGPUForm(vtkBRDFGPUForm& form)
+void vtkSumBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
 {
   std::string description;
   for (vtkBRDF* term : this->Terms)
   {
-    term->GetGPUForm(form);
+    term->GetShaderInputs(form);
     description += (description.empty() ? "" : " + ") + form.Description;
   }
   form.Description = description.empty() ? "nothing (black)" : description;

@@ -42,7 +42,7 @@ public:
   bool IsReciprocal() override;
   void Prepare() override;
   vtkBRDF* GetRenderable() override;
-  void GetGPUForm(vtkBRDFGPUForm& form) override;
+  void GetShaderInputs(vtkBRDFShaderInputs& form) override;
 
 protected:
   vtkSumBRDF();

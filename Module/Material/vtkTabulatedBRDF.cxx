@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTabulatedBRDF.h"
 
+#include "ModuleShader.h"
+#include "vtkBRDFHalfDifference.h"
+#include "vtkBRDFHalfDifferenceSoft.h"
+#include "vtkBRDFIncidentOutgoing.h"
 #include "ContentHash.h"
 #include "HalfVectorSampler.h"
 #include "Setters.h"
 #include "TabulatedLevels.h"
-#include "vtkBRDFGPUForm.h"
+#include "vtkBRDFShaderInputs.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -42,7 +46,7 @@ namespace
 // With less than this weight on valid corners there is no value. The shader has the same limit.
 constexpr double MinimumValidWeight = 1e-4;
 
-// Two neighbouring samples and their weights, along one axis.
+// Two neighboring samples and their weights, along one axis.
 struct Corner
 {
   int Index[2];
@@ -73,7 +77,7 @@ Corner FindCorners(double u, int n, bool periodic)
 }
 
 // Invalid cells are premultiplied away: the filter then skips them as Evaluate does.
-void Fill(vtkBRDFGPUForm::Texture& texture, const std::vector<float>& volume, float scale)
+void Fill(vtkBRDFShaderInputs::Texture& texture, const std::vector<float>& volume, float scale)
 {
   const std::size_t cells = volume.size() / 3;
   texture.Data.reserve(cells * static_cast<std::size_t>(texture.Components));
@@ -92,7 +96,7 @@ void Fill(vtkBRDFGPUForm::Texture& texture, const std::vector<float>& volume, fl
   }
 }
 
-// Two neighbouring samples along each axis of a volume.
+// Two neighboring samples along each axis of a volume.
 struct Corners
 {
   Corner X, Y, Z;
@@ -140,7 +144,7 @@ Sum GatherLevel(const TabulatedLevels& levels, int level, const std::vector<floa
         FindCorners(u.z, dimensions[2], false) });
   }
   const std::array<int, 3>& size = levels.GetDimensions();
-  const Neighbours z = levels.FindSlices(level, u.z);
+  const Neighbors z = levels.FindSlices(level, u.z);
   return Gather(levels.GetVolume(), size.data(),
     { FindCorners(u.x, size[0], true), FindCorners(u.y, size[1], false),
       { { z.First, z.Second }, { 1.0 - z.Weight, z.Weight } } });
@@ -312,7 +316,7 @@ void vtkTabulatedBRDF::EvaluateSoftAbove(
   const glm::dvec3 light = glm::make_vec3(i);
   const glm::dvec3 view = glm::make_vec3(o);
   const glm::dvec3 u = ToUnit(this->Parameterization, this->AzimuthRange, light, view);
-  const Neighbours around =
+  const Neighbors around =
     levels->Values->FindLevels(HalfVectorSpread(spread, glm::dot(HalfVector(light, view), view)));
   const Sum first = GatherLevel(*levels->Values, around.First, this->Volume, this->Dimensions, u);
   const Sum second = GatherLevel(*levels->Values, around.Second, this->Volume, this->Dimensions, u);
@@ -405,10 +409,10 @@ void vtkTabulatedBRDF::GetBounds(double minimumCosine, double lower[3], double u
 }
 
 //------------------------------------------------------------------------------
-void vtkTabulatedBRDF::GetGPUForm(vtkBRDFGPUForm& form)
+void vtkTabulatedBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
 {
-  vtkBRDFGPUForm::Term term;
-  vtkBRDFGPUForm::Texture texture;
+  vtkBRDFShaderInputs::Term term;
+  vtkBRDFShaderInputs::Texture texture;
   texture.Name = "brdfVolume";
   texture.ThreeD = true;
   texture.Dimensions = { this->Dimensions[0], this->Dimensions[1], this->Dimensions[2] };
@@ -432,8 +436,14 @@ void vtkTabulatedBRDF::GetGPUForm(vtkBRDFGPUForm& form)
   Fill(texture, this->Volume, scale);
 
   const bool half = this->AzimuthRange == HALF_TURN;
-  term.Shader =
-    this->Parameterization == HALF_DIFFERENCE ? "vtkBRDFHalfDifference" : "vtkBRDFIncidentOutgoing";
+  if (this->Parameterization == HALF_DIFFERENCE)
+  {
+    measuredbrdf::SetModuleShader(term, "vtkBRDFHalfDifference", vtkBRDFHalfDifference);
+  }
+  else
+  {
+    measuredbrdf::SetModuleShader(term, "vtkBRDFIncidentOutgoing", vtkBRDFIncidentOutgoing);
+  }
   term.Uniforms.push_back({ "brdfScale", { 1.0f / scale } });
   term.Uniforms.push_back({ "brdfTurns", { half ? 2.0f : 1.0f } });
   term.Uniforms.push_back({ "brdfCosineWeighted", { this->CosineWeighted ? 1.0f : 0.0f } });
@@ -449,7 +459,7 @@ void vtkTabulatedBRDF::GetGPUForm(vtkBRDFGPUForm& form)
   const Levels* levels = form.SoftLights ? this->GetLevels() : nullptr;
   if (levels)
   {
-    vtkBRDFGPUForm::Texture wider;
+    vtkBRDFShaderInputs::Texture wider;
     wider.Name = "brdfLevels";
     wider.ThreeD = true;
     wider.Dimensions = levels->Values->GetDimensions();
@@ -457,7 +467,7 @@ void vtkTabulatedBRDF::GetGPUForm(vtkBRDFGPUForm& form)
     wider.HalfFloat = texture.HalfFloat;
     wider.Repeat = texture.Repeat;
     Fill(wider, levels->Values->GetVolume(), scale);
-    term.SoftShader = "vtkBRDFHalfDifferenceSoft";
+    term.SoftSource = vtkBRDFHalfDifferenceSoft;
     term.Uniforms.push_back(
       { "brdfNumberOfLevels", { static_cast<float>(levels->Values->GetNumberOfLevels()) } });
     term.Uniforms.push_back(

@@ -10,7 +10,7 @@
  * (swapping them adds pi to phi_d), as MERL has it; 2 pi: not necessarily reciprocal.
  *
  * INCIDENT_OUTGOING (MBSDF's parameters): axes (delta phi, theta_o, theta_i), all uniform at cell
- * centres; AzimuthRange pi: mirror-symmetric in delta phi; 2 pi: periodic.
+ * centers; AzimuthRange pi: mirror-symmetric in delta phi; 2 pi: periodic.
  *
  * A cosine-weighted volume holds f cos(theta_o), which stays smooth up to the horizon where f
  * itself grows without bound; Evaluate divides by the cosine.
@@ -22,7 +22,7 @@
  *
  * Soft light (EvaluateSoft) reads a HALF_DIFFERENCE volume at a wider level, blurred along theta_h
  * (what is stored: f, or f cos(theta_o) where it is cosine-weighted). Levels are made, and held by
- * the GPU form, only where soft light is asked for; theta_h's samples fall with the width and
+ * the shader inputs, only where soft light is asked for; theta_h's samples fall with the width and
  * phi_d's and theta_d's are averaged to 5 and 2 degrees. For MERL's 180 x 90 x 90 samples (8.7 MB
  * as 16-bit floats) of a lobe of Blinn exponent 10, 300 and 100,000: 0.5, 1.9 and 7.1 MB more.
  * Tables as coarse as that in phi_d and theta_d already take up to 8 times their bytes on top.
@@ -101,7 +101,7 @@ public:
 
   ///@{
   /**
-   * Texture precision of the GPU form. AUTOMATIC (default): 16-bit floats where their rounding
+   * Texture precision of the shader inputs. AUTOMATIC (default): 16-bit floats where their rounding
    * (2^-11 relative) is within a quarter of ResamplingTolerance, 32-bit else. 16-bit values are
    * scaled to the table's peak, so none overflows, and keep that rounding over nine decades.
    */
@@ -118,7 +118,7 @@ public:
   ///@}
 
   /**
-   * Direction pair at the centre of cell (x,y,z) in a canonical azimuth (h or o in the xz plane).
+   * Direction pair at the center of cell (x,y,z) in a canonical azimuth (h or o in the xz plane).
    * Returns false where i or o lies at or below the horizon: such cells hold no material.
    */
   static bool GetCellDirections(int parameterization, int azimuthRange, const int dimensions[3],
@@ -131,7 +131,7 @@ public:
            !this->CosineWeighted;
   }
   void Prepare() override;
-  void GetGPUForm(vtkBRDFGPUForm& form) override;
+  void GetShaderInputs(vtkBRDFShaderInputs& form) override;
 
 protected:
   vtkTabulatedBRDF();

@@ -2,25 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRadiancePlanner.h"
 
-#include "EnvironmentParts.h"
+#include "EnvironmentPrecomputation.h"
 #include "EnvironmentPyramid.h"
-#include "KernelLayers.h"
+#include "LobeSplit.h"
 #include "LowDiscrepancy.h"
 #include "PlanCache.h"
 #include "PlanCandidate.h"
 #include "PlanReference.h"
-#include "RadianceParts.h"
+#include "MaterialPrecomputation.h"
 #include "Setters.h"
 #include "vtkBRDF.h"
-#include "vtkBRDFGPUForm.h"
+#include "vtkBRDFShaderInputs.h"
 #include "vtkBasisRadianceIntegrator.h"
 #include "vtkCommand.h"
 #include "vtkDoubleArray.h"
 #include "vtkEnvironment.h"
 #include "vtkFilteredRadianceIntegrator.h"
-#include "vtkLayeredRadianceIntegrator.h"
+#include "vtkHybridRadianceIntegrator.h"
 #include "vtkLightSet.h"
-#include "vtkLightSetIntegrator.h"
+#include "vtkLightSetRadianceIntegrator.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -45,7 +45,7 @@
 #include <vector>
 
 using measuredbrdf::GetSizesText;
-using measuredbrdf::IsHopeless;
+using measuredbrdf::CanPrune;
 using Candidate = measuredbrdf::PlanCandidate;
 
 namespace
@@ -84,25 +84,25 @@ std::string Percent(double value)
 }
 
 // Hands a planner's abort on to an integrator at work for it, whose errors it keeps.
-class Supervision
+class AbortForwarder
 {
 public:
-  Supervision(vtkRadiancePlanner* planner, vtkRadianceIntegrator* integrator, std::string& problem)
+  AbortForwarder(vtkRadiancePlanner* planner, vtkRadianceIntegrator* integrator, std::string& problem)
     : Planner(planner)
     , Integrator(integrator)
     , Problem(problem)
   {
     this->Tags[0] =
-      integrator->AddObserver(vtkCommand::ProgressEvent, this, &Supervision::OnProgress);
-    this->Tags[1] = integrator->AddObserver(vtkCommand::ErrorEvent, this, &Supervision::OnError);
+      integrator->AddObserver(vtkCommand::ProgressEvent, this, &AbortForwarder::OnProgress);
+    this->Tags[1] = integrator->AddObserver(vtkCommand::ErrorEvent, this, &AbortForwarder::OnError);
   }
-  ~Supervision()
+  ~AbortForwarder()
   {
     this->Integrator->RemoveObserver(this->Tags[0]);
     this->Integrator->RemoveObserver(this->Tags[1]);
   }
-  Supervision(const Supervision&) = delete;
-  void operator=(const Supervision&) = delete;
+  AbortForwarder(const AbortForwarder&) = delete;
+  void operator=(const AbortForwarder&) = delete;
 
 private:
   void OnProgress(vtkObject*, unsigned long, void*)
@@ -125,13 +125,13 @@ private:
 
 // What an integrator may share with others while it prepares.
 void SetParts(
-  vtkRadianceIntegrator* integrator, const std::shared_ptr<measuredbrdf::RadianceParts>& parts)
+  vtkRadianceIntegrator* integrator, const std::shared_ptr<measuredbrdf::MaterialPrecomputation>& parts)
 {
   if (auto* table = vtkTableRadianceIntegrator::SafeDownCast(integrator))
   {
     table->SetParts(parts);
   }
-  else if (auto* layered = vtkLayeredRadianceIntegrator::SafeDownCast(integrator))
+  else if (auto* layered = vtkHybridRadianceIntegrator::SafeDownCast(integrator))
   {
     layered->SetParts(parts);
   }
@@ -144,7 +144,7 @@ std::string GetPrepared(vtkRadianceIntegrator* integrator)
   {
     return table->GetPrepared();
   }
-  auto* layered = vtkLayeredRadianceIntegrator::SafeDownCast(integrator);
+  auto* layered = vtkHybridRadianceIntegrator::SafeDownCast(integrator);
   return layered ? layered->GetPrepared() : "";
 }
 
@@ -154,7 +154,7 @@ bool TakePrepared(vtkRadianceIntegrator* integrator, const std::string& bytes)
   {
     return table->TakePrepared(bytes);
   }
-  auto* layered = vtkLayeredRadianceIntegrator::SafeDownCast(integrator);
+  auto* layered = vtkHybridRadianceIntegrator::SafeDownCast(integrator);
   return !layered || layered->TakePrepared(bytes);
 }
 
@@ -176,7 +176,7 @@ struct vtkRadiancePlanner::Internals
   vtkSmartPointer<vtkDoubleArray> GivenNormals;
   vtkSmartPointer<vtkDoubleArray> GivenViews;
 
-  std::shared_ptr<measuredbrdf::RadianceParts> Parts; // while it plans
+  std::shared_ptr<measuredbrdf::MaterialPrecomputation> Parts; // while it plans
 
   // What the candidates are measured against.
   vtkNew<vtkDoubleArray> Normals;
@@ -286,7 +286,7 @@ struct vtkRadiancePlanner::Internals
       text >> candidate.Method >> candidate.Sizes[0] >> candidate.Sizes[1] >> candidate.Sizes[2] >>
         candidate.Sizes[3] >> candidate.Lights >> candidate.LightAngle >> candidate.Cost >>
         candidate.Error >> candidate.Bytes >> candidate.SetUp;
-      if (!text || candidate.Method < LIGHT_SET || candidate.Method > LAYERED)
+      if (!text || candidate.Method < LIGHT_SET || candidate.Method > HYBRID)
       {
         return false;
       }
@@ -311,10 +311,10 @@ struct vtkRadiancePlanner::Internals
     return true;
   }
 
-  double ChooseLampAngle()
+  double ChooseLampAngle(const std::atomic<bool>& abort)
   {
     const double radius = vtkMath::RadiansFromDegrees(2.0 * LampAngle);
-    const measuredbrdf::KernelCut cut(this->Parts->GetViews(this->BRDF), Pi * radius * radius);
+    const measuredbrdf::LobeSplit cut(this->Parts->GetViews(this->BRDF, abort), Pi * radius * radius);
     return cut.GetSharpShare() > NarrowShare ? FineLampAngle : LampAngle;
   }
 
@@ -379,7 +379,7 @@ struct vtkRadiancePlanner::Internals
     reference->SetEnvironment(this->Environment);
     reference->SetErrorTolerance(planner->GetErrorTolerance());
     reference->SetParts(this->Parts);
-    const Supervision supervision(planner, reference, this->Problem);
+    const AbortForwarder supervision(planner, reference, this->Problem);
     return reference->Integrate(this->Normals, this->Views, this->Reference);
   }
 
@@ -390,7 +390,7 @@ struct vtkRadiancePlanner::Internals
     {
       case LIGHT_SET:
       {
-        vtkNew<vtkLightSetIntegrator> lights;
+        vtkNew<vtkLightSetRadianceIntegrator> lights;
         lights->SetLightSet(this->Environment->GetParts().GetLightSet(
           this->Environment, nullptr, candidate.Sizes[0], []() { return true; }));
         lights->SetSoftLights(true);
@@ -411,9 +411,9 @@ struct vtkRadiancePlanner::Internals
         made = filtered.Get();
         break;
       }
-      case LAYERED:
+      case HYBRID:
       {
-        vtkNew<vtkLayeredRadianceIntegrator> layered;
+        vtkNew<vtkHybridRadianceIntegrator> layered;
         layered->SetNumberOfRows(candidate.Sizes[0]);
         layered->SetNumberOfViewAngles(candidate.Sizes[1]);
         layered->SetNumberOfAzimuths(candidate.Sizes[2]);
@@ -442,7 +442,7 @@ struct vtkRadiancePlanner::Internals
   {
     const auto start = std::chrono::steady_clock::now();
     candidate.Integrator = this->Make(candidate);
-    const Supervision supervision(planner, candidate.Integrator, this->Problem);
+    const AbortForwarder supervision(planner, candidate.Integrator, this->Problem);
     vtkNew<vtkDoubleArray> radiance;
     SetParts(candidate.Integrator, this->Parts);
     const bool prepared = candidate.Integrator->Prepare();
@@ -454,9 +454,9 @@ struct vtkRadiancePlanner::Internals
     candidate.SetUp = GetMilliseconds(start);
     if (candidate.Integrator->UsesBRDFOnGPU())
     {
-      vtkBRDFGPUForm form;
+      vtkBRDFShaderInputs form;
       form.SoftLights = candidate.Integrator->UsesSoftLights();
-      this->BRDF->GetGPUForm(form);
+      this->BRDF->GetShaderInputs(form);
       candidate.Bytes += static_cast<vtkIdType>(form.GetTextureBytes());
     }
     if (!candidate.Integrator->Integrate(this->Normals, this->Views, radiance))
@@ -516,11 +516,11 @@ namespace
 class ClearAtEnd
 {
 public:
-  ClearAtEnd(std::atomic<bool>& flag, std::shared_ptr<measuredbrdf::RadianceParts>& parts)
+  ClearAtEnd(std::atomic<bool>& flag, std::shared_ptr<measuredbrdf::MaterialPrecomputation>& parts)
     : Flag(flag)
     , Parts(parts)
   {
-    this->Parts = std::make_shared<measuredbrdf::RadianceParts>();
+    this->Parts = std::make_shared<measuredbrdf::MaterialPrecomputation>();
   }
   ~ClearAtEnd()
   {
@@ -532,7 +532,7 @@ public:
 
 private:
   std::atomic<bool>& Flag;
-  std::shared_ptr<measuredbrdf::RadianceParts>& Parts;
+  std::shared_ptr<measuredbrdf::MaterialPrecomputation>& Parts;
 };
 }
 
@@ -668,12 +668,12 @@ bool vtkRadiancePlanner::Update()
     return true;
   }
 
-  measuredbrdf::PlanWishes wishes;
+  measuredbrdf::PlanConstraints wishes;
   wishes.IsIsotropic = impl.BRDF->IsIsotropic();
   wishes.All = this->EvaluateAll;
   if (wishes.IsIsotropic)
   {
-    wishes.LightAngle = impl.ChooseLampAngle();
+    wishes.LightAngle = impl.ChooseLampAngle(this->Abort);
     wishes.Lights = impl.CountLamps(this, wishes.LightAngle);
   }
   wishes.PyramidBytes = GetPyramidBytes(impl.Environment);
@@ -739,7 +739,7 @@ bool vtkRadiancePlanner::Update()
     {
       continue;
     }
-    if (!this->EvaluateAll && IsHopeless(candidate, tried, this->ErrorTolerance))
+    if (!this->EvaluateAll && CanPrune(candidate, tried, this->ErrorTolerance))
     {
       const auto [found, isNew] = skipped.try_emplace(candidate.Method, candidate);
       if (!isNew && candidate.Sizes[0] >= found->second.Sizes[0])
@@ -758,7 +758,7 @@ bool vtkRadiancePlanner::Update()
   {
     const Candidate& best = tried[static_cast<std::size_t>(std::max(choice, 0))];
     const bool isLarger = candidate.Method != best.Method || candidate.Sizes[0] > best.Sizes[0];
-    if (!meets && !this->Abort && isLarger && !IsHopeless(candidate, tried, WorthIt * best.Error) &&
+    if (!meets && !this->Abort && isLarger && !CanPrune(candidate, tried, WorthIt * best.Error) &&
         !attempt(candidate))
     {
       return this->Fail();

@@ -56,7 +56,7 @@ public:
     BASIS = 1,
     FILTERED = 2,
     TABLE = 3,
-    LAYERED = 4
+    HYBRID = 4
   };
 
   ///@{

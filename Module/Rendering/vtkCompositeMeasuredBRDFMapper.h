@@ -11,7 +11,7 @@
  * their own.
  *
  * vtkCompositeDataDisplayAttributes works as with the superclass: visibility, opacity and
- * pickability as they are, a block's colour multiplies its radiance (SetScalarColoringMode). Blocks
+ * pickability as they are, a block's color multiplies its radiance (SetScalarColoringMode). Blocks
  * without a material are drawn as the superclass draws them.
  *
  * Blocks are drawn in the superclass's few batches, once for each material in a batch; blocks of

@@ -73,21 +73,21 @@ vtkLightSet* vtkMeasuredBRDFMapper::GetCurrentLightSet()
 //------------------------------------------------------------------------------
 std::string vtkMeasuredBRDFMapper::GetMaterialDescription()
 {
-  const vtkBRDFGPUForm* form = this->Drawing->GetMaterialForm();
+  const vtkBRDFShaderInputs* form = this->Drawing->GetMaterialForm();
   return form ? form->Description : "";
 }
 
 //------------------------------------------------------------------------------
 double vtkMeasuredBRDFMapper::GetResamplingError()
 {
-  const vtkBRDFGPUForm* form = this->Drawing->GetMaterialForm();
+  const vtkBRDFShaderInputs* form = this->Drawing->GetMaterialForm();
   return form ? form->ResamplingError : 0.0;
 }
 
 //------------------------------------------------------------------------------
 double vtkMeasuredBRDFMapper::GetQuantizationError()
 {
-  const vtkBRDFGPUForm* form = this->Drawing->GetMaterialForm();
+  const vtkBRDFShaderInputs* form = this->Drawing->GetMaterialForm();
   return form ? form->QuantizationError : 0.0;
 }
 

@@ -11,19 +11,19 @@
  * error tolerance (vtkRadiancePlanner), or over a set of directional lights made from it (O'Toole
  * 2007).
  *
- * - A vtkLight of colour c and intensity k gives irradiance k c on a surface that faces it, as in
+ * - A vtkLight of color c and intensity k gives irradiance k c on a surface that faces it, as in
  *   VTK's PBR: a white Lambert surface then shows k c / pi.
  * - Output is radiance^(1/2.2), as VTK's PBR writes it; vtkToneMappingPass expects that.
  * - Of vtkProperty, opacity, edges (tubes too), culling, representation, back faces, line width and
- *   point size count, as with the superclass. Its colours and their coefficients, Phong's and PBR's
+ *   point size count, as with the superclass. Its colors and their coefficients, Phong's and PBR's
  *   parameters have no effect, nor have PBR's textures, but for the normal map (with
  *   VTK_PBR and tangents); the mapper says so once.
- * - Scalars, colours of blocks and an actor's texture multiply the radiance. Their values are
- *   display colours, made linear as c^2.2; a texture with UseSRGBColorSpace is linear already. The
+ * - Scalars, colors of blocks and an actor's texture multiply the radiance. Their values are
+ *   display colors, made linear as c^2.2; a texture with UseSRGBColorSpace is linear already. The
  *   property's Diffuse does not count.
  * - Clipping planes, picking, coincident topology: as the superclass. Points, lines, wireframe, and
  *   actors with vtkProperty::Lighting off are left to the superclass.
- * - A program's own replacement of //VTK::Light::Impl may read `vec3 diffuse` (the encoded colour,
+ * - A program's own replacement of //VTK::Light::Impl may read `vec3 diffuse` (the encoded color,
  *   edges included), `vec3 specular` (0), `brdfRadiance` (linear) and `normalVCVSOutput`, after the
  *   tag has been written back: `"//VTK::Light::Impl\n gl_FragData[0] = vec4(diffuse, opacity);"`
  *   with replaceFirst false.
@@ -258,7 +258,7 @@ public:
   ///@{
   /**
    * Whether the environment's lights are as wide as the part of it that each stands for
-   * (vtkLightSetIntegrator::SetSoftLights): a sharp lobe then shows no dots. Default off. Lights of
+   * (vtkLightSetRadianceIntegrator::SetSoftLights): a sharp lobe then shows no dots. Default off. Lights of
    * importance sampling have no width. Changing it rebuilds the shader. Tables over half and
    * difference angles are uploaded at several widths for it (vtkTabulatedBRDF says how large that
    * is); those over incident and outgoing angles, and bases, stay hard.
@@ -277,8 +277,8 @@ public:
 
   ///@{
   /**
-   * What scalar colours do to the material: multiply it (default; colours are taken as display
-   * colours and made linear) or nothing. Without scalars the property's colours have no effect.
+   * What scalar colors do to the material: multiply it (default; colors are taken as display
+   * colors and made linear) or nothing. Without scalars the property's colors have no effect.
    */
   void SetScalarColoringMode(int mode);
   int GetScalarColoringMode();
@@ -287,9 +287,9 @@ public:
   ///@{
   /**
    * About the last render: bytes of the textures in use (material and lights), the lights in use
-   * (null before the first render or without an environment), a line on the material's GPU form
+   * (null before the first render or without an environment), a line on the material's shader inputs
    * (sizes, precision, errors), and those errors: relative L2 by resampling into a table, and the
-   * largest relative rounding of a stored value (vtkBRDFGPUForm).
+   * largest relative rounding of a stored value (vtkBRDFShaderInputs).
    */
   vtkIdType GetTextureBytes();
   vtkLightSet* GetCurrentLightSet();

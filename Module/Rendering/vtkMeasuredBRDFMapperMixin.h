@@ -13,6 +13,7 @@
 #ifndef vtkMeasuredBRDFMapperMixin_h
 #define vtkMeasuredBRDFMapperMixin_h
 
+#include "vtkMeasuredBRDFModule.h"   // for export macro
 #include "vtkOpenGLPolyDataMapper.h" // for the types of its methods
 
 #include <map>    // for shaders
@@ -27,7 +28,7 @@ struct MaterialUse;
 }
 
 template <class Base>
-class vtkMeasuredBRDFMapperMixin : public Base
+class VTKMEASUREDBRDF_EXPORT vtkMeasuredBRDFMapperMixin : public Base
 {
 public:
   void RenderPiece(vtkRenderer* ren, vtkActor* actor) override;

@@ -14,7 +14,7 @@
 #include "vtkFilteredRadianceIntegrator.h"
 #include "vtkFloatArray.h"
 #include "vtkLightSet.h"
-#include "vtkLightSetIntegrator.h"
+#include "vtkLightSetRadianceIntegrator.h"
 #include "vtkMeasuredBRDFMapper.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -166,7 +166,7 @@ public:
   {
     vtkNew<vtkLightSet> set;
     this->Generator->Generate(this->Environment, count, set);
-    auto lights = vtkSmartPointer<vtkLightSetIntegrator>::New();
+    auto lights = vtkSmartPointer<vtkLightSetRadianceIntegrator>::New();
     lights->SetLightSet(set);
     lights->SetSoftLights(true);
     lights->SetUnrolled(true);

@@ -6,12 +6,12 @@
 #include "vtkDoubleArray.h"
 #include "vtkEnvironment.h"
 #include "vtkEnvironmentProjection.h"
-#include "vtkExactIntegrator.h"
+#include "vtkExactRadianceIntegrator.h"
 #include "vtkImageData.h"
 #include "vtkImportanceLightSetGenerator.h"
 #include "vtkLambertBRDF.h"
 #include "vtkLightSet.h"
-#include "vtkLightSetIntegrator.h"
+#include "vtkLightSetRadianceIntegrator.h"
 #include "vtkMedianCutLightSetGenerator.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -189,7 +189,7 @@ void Exact(benchmark::State& state)
 {
   vtkNew<vtkEnvironment> environment;
   SetRandom(environment, 1024, 512);
-  vtkNew<vtkExactIntegrator> integrator;
+  vtkNew<vtkExactRadianceIntegrator> integrator;
   integrator->SetEnvironment(environment);
   Integrate(state, integrator, NewMaterial<BRDF>(), static_cast<int>(state.range(0)), 1024 * 256);
 }
@@ -208,7 +208,7 @@ void LightLoop(benchmark::State& state)
   vtkNew<vtkMedianCutLightSetGenerator> generator;
   vtkNew<vtkLightSet> lights;
   generator->Generate(environment, 256, lights);
-  vtkNew<vtkLightSetIntegrator> integrator;
+  vtkNew<vtkLightSetRadianceIntegrator> integrator;
   integrator->SetLightSet(lights);
   Integrate(state, integrator, vtkNew<vtkBlinnPhongBRDF>(), 10000, 128.0);
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Plans of many materials under one environment: time, and bytes on the heap as C++ counts them.
-#include "../Unit/HeapCounter.h"
+#include "../Unit/Support/HeapCounter.h"
 #include "vtkBRDF.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkEmbeddedMaterials.h"

@@ -18,7 +18,7 @@
 #include "vtkFilteredRadianceIntegrator.h"
 #include "vtkImageData.h"
 #include "vtkLambertBRDF.h"
-#include "vtkLayeredRadianceIntegrator.h"
+#include "vtkHybridRadianceIntegrator.h"
 #include "vtkLight.h"
 #include "vtkMeasuredBRDFMapper.h"
 #include "vtkNew.h"
@@ -185,7 +185,7 @@ void MeasuredLayered(benchmark::State& state)
   auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("nickel"));
   vtkNew<vtkEnvironment> hall;
   hall->SetToProceduralHall();
-  vtkNew<vtkLayeredRadianceIntegrator> integrator;
+  vtkNew<vtkHybridRadianceIntegrator> integrator;
   integrator->SetNumberOfSamples(static_cast<int>(state.range(0)));
   integrator->SetMaximumNumberOfLights(static_cast<int>(state.range(1)));
   vtkNew<vtkMeasuredBRDFMapper> mapper;

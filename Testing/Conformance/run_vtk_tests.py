@@ -231,13 +231,13 @@ def black(pixels):
 
 
 def vanished(pixels, stock):
-    """Pixels that show the background (stock's commonest colour) where stock shows something."""
+    """Pixels that show the background (stock's commonest color) where stock shows something."""
     count = 0
     for ours, theirs in zip(pixels, stock):
-        colours = [theirs[k : k + 3] for k in range(0, len(theirs), 4)]
-        background = collections.Counter(colours).most_common(1)[0][0] if colours else b""
+        colors = [theirs[k : k + 3] for k in range(0, len(theirs), 4)]
+        background = collections.Counter(colors).most_common(1)[0][0] if colors else b""
         if len(ours) == len(theirs):
-            count += sum(c != background and ours[4 * k : 4 * k + 3] == background for k, c in enumerate(colours))
+            count += sum(c != background and ours[4 * k : 4 * k + 3] == background for k, c in enumerate(colors))
     return count
 
 

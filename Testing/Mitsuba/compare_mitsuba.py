@@ -8,14 +8,14 @@
 
 DATA holds materials/rgl/*_rgb.bsdf and environments/*.exr. For each (normal, view) pair:
 
-sum             Mitsuba's `measured` BSDF times its `envmap` at the centres of the map's texels, times their exact solid
+sum             Mitsuba's `measured` BSDF times its `envmap` at the centers of the map's texels, times their exact solid
                 angles: no noise. As this project does, negative values are taken as 0. What it checks: reading the
                 file, the BSDF, which of the two directions is the light's, frames, how the map lies, solid angles.
 sampled         the integral by Mitsuba's own sampling of its `envmap` (sample_direction), whose radiance is a function
                 of the direction, not of texels; standard_error is that of the mean over independent runs. Negative
                 values stay.
 sum_unclamped   the sum with negative values as they are, which is what `sampled` converges to but for the difference
-                between texels' centres and texels.
+                between texels' centers and texels.
 
 In both the light's direction is the first of `measured`, as the files have it. A path tracer puts the camera's there,
 which gives something else: these measurements are not reciprocal.

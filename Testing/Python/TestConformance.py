@@ -129,10 +129,10 @@ def run(scene, name, factories, log):
             problems.append("%s: %d black pixels, stock %d" % (kind, black, black_stock))
         if kind == "material" and not scene.is_finite(view):
             problems.append("%s: NaN or infinite values in a frame buffer of floats" % kind)
-        for colour, share in view.at_most.items():
-            found = scene.count(shiny, colour)
+        for color, share in view.at_most.items():
+            found = scene.count(shiny, color)
             if 4 * found > share * len(shiny):
-                problems.append("%s: %d pixels are %s" % (kind, found, colour))
+                problems.append("%s: %d pixels are %s" % (kind, found, color))
     return problems
 
 

@@ -23,7 +23,7 @@ def uniform_environment(radiance):
     return environment
 
 
-def centre_pixel(window):
+def center_pixel(window):
     window.Render()
     pixel = vtkUnsignedCharArray()
     window.GetPixelData(50, 50, 50, 50, 0, pixel, 0)
@@ -31,7 +31,7 @@ def centre_pixel(window):
 
 
 def check(window, expected_radiance):
-    shown = centre_pixel(window)
+    shown = center_pixel(window)
     expected = [255.0 * min(r, 1.0) ** (1.0 / 2.2) for r in expected_radiance]
     # 1.5 for rounding and the 16-bit frame buffer, 1 % of radiance for the light set's cosines.
     for s, e in zip(shown, expected):

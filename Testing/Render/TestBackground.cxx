@@ -5,7 +5,7 @@
 #include "EventCounter.h"
 #include "RenderFixture.h"
 
-#include "../Unit/GatedBRDF.h"
+#include "../Unit/Support/GatedBRDF.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"

@@ -173,7 +173,7 @@ TEST_F(Composite, MaterialsOfBlocks)
     1e-6);
 }
 
-// Visibility, opacity and colour of blocks; a hidden block of one material stays hidden among
+// Visibility, opacity and color of blocks; a hidden block of one material stays hidden among
 // others.
 TEST_F(Composite, DisplayAttributes)
 {
@@ -195,7 +195,7 @@ TEST_F(Composite, DisplayAttributes)
               this->RenderApart({ this->Gloss, this->Lambert, this->Lambert, this->Gloss })),
     1e-6);
 
-  // A display colour, made linear, times the radiance.
+  // A display color, made linear, times the radiance.
   const float before = std::pow(this->RenderEncoded().At(48, 16)[0], 2.2f);
   this->Mapper->SetBlockColor(5, 0.5, 1.0, 1.0);
   const float after = std::pow(this->RenderEncoded().At(48, 16)[0], 2.2f);

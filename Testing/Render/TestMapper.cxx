@@ -14,14 +14,14 @@
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkEnvironment.h"
-#include "vtkExactIntegrator.h"
+#include "vtkExactRadianceIntegrator.h"
 #include "vtkFloatArray.h"
 #include "vtkHardwareSelector.h"
 #include "vtkImageData.h"
 #include "vtkLambertBRDF.h"
 #include "vtkLight.h"
 #include "vtkLightSet.h"
-#include "vtkLightSetIntegrator.h"
+#include "vtkLightSetRadianceIntegrator.h"
 #include "vtkMath.h"
 #include "vtkMeasuredBRDFMapper.h"
 #include "vtkOpenGLHelper.h"
@@ -74,7 +74,7 @@ protected:
 };
 vtkStandardNewMacro(OpenMapper);
 
-/// A coloured map with a few bright spots, without symmetries.
+/// A colored map with a few bright spots, without symmetries.
 vtkSmartPointer<vtkEnvironment> MakeEnvironment(int width = 64, int height = 32)
 {
   std::mt19937 random(3);
@@ -129,7 +129,7 @@ double GetLargestDifference(const FloatImage& a, const FloatImage& b)
   return largest;
 }
 
-/// Pixels that are not background (alpha 0 in the float framebuffer is not kept, so: any colour).
+/// Pixels that are not background (alpha 0 in the float framebuffer is not kept, so: any color).
 std::vector<bool> GetCoverage(const FloatImage& image)
 {
   std::vector<bool> covered;
@@ -198,7 +198,7 @@ TEST_F(Mapper, WithoutMaterialIsStock)
 
 TEST_F(Mapper, SceneLights)
 {
-  // A plane facing the camera: the centre pixel's radiance in closed form.
+  // A plane facing the camera: the center pixel's radiance in closed form.
   vtkNew<vtkPlaneSource> plane;
   this->Measured->SetInputConnection(plane->GetOutputPort());
   this->Measured->SetBRDF(this->Lambert);
@@ -284,7 +284,7 @@ TEST_F(Mapper, CubeMapTexture)
   auto texture = vtkSmartPointer<vtkTexture>::New();
   texture->CubeMapOn();
   texture->SetColorModeToDirectScalars();
-  const float colours[6][3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 1, 0 }, { 1, 0, 1 },
+  const float colors[6][3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 1, 0 }, { 1, 0, 1 },
     { 0, 1, 1 } };
   for (int face = 0; face < 6; ++face)
   {
@@ -294,7 +294,7 @@ TEST_F(Mapper, CubeMapTexture)
     for (int k = 0; k < 256; ++k)
     {
       std::copy_n(
-        colours[face], 3, static_cast<float*>(image->GetScalarPointer(k % 16, k / 16, 0)));
+        colors[face], 3, static_cast<float*>(image->GetScalarPointer(k % 16, k / 16, 0)));
     }
     texture->SetInputDataObject(face, image);
   }
@@ -323,7 +323,7 @@ TEST_F(Mapper, CubeMapTexture)
     camera->SetViewUp(0.0, axis / 2 == 1 ? 0.0 : 1.0, axis / 2 == 1 ? 1.0 : 0.0);
     camera->SetClippingRange(0.1, 20.0);
     const FloatImage view = this->RenderEncoded();
-    // Light from within 20 degrees of there has the colour that is seen there.
+    // Light from within 20 degrees of there has the color that is seen there.
     double sum[3] = { 0.0, 0.0, 0.0 };
     for (int k = 0; k < lights->GetNumberOfLights(); ++k)
     {
@@ -398,7 +398,7 @@ TEST_F(Mapper, EnvironmentAndSceneLightsAddUp)
   views->SetNumberOfComponents(3);
   normals->InsertNextTuple(normal);
   views->InsertNextTuple(normal);
-  vtkNew<vtkLightSetIntegrator> integrator;
+  vtkNew<vtkLightSetRadianceIntegrator> integrator;
   integrator->SetBRDF(this->Phong);
   integrator->SetEnvironment(environment);
   integrator->SetLightSet(this->Measured->GetCurrentLightSet());
@@ -496,7 +496,7 @@ TEST_F(Mapper, LightSetMatchesCpuPerPixel)
           pixels.push_back(image.At(x, y));
         }
       }
-      vtkNew<vtkLightSetIntegrator> integrator;
+      vtkNew<vtkLightSetRadianceIntegrator> integrator;
       integrator->SetBRDF(this->Phong);
       integrator->SetEnvironment(environment);
       integrator->SetLightSet(this->Measured->GetCurrentLightSet());
@@ -546,7 +546,7 @@ TEST_F(Mapper, ConvergesToTheExactReference)
     ns->InsertNextTuple(normal);
     vs->InsertNextTuple3(0.0, 0.0, 1.0);
   }
-  vtkNew<vtkExactIntegrator> reference;
+  vtkNew<vtkExactRadianceIntegrator> reference;
   reference->SetBRDF(this->Phong);
   reference->SetEnvironment(environment);
   ASSERT_TRUE(reference->Integrate(ns, vs, exact));
@@ -918,7 +918,7 @@ TEST_F(Mapper, ScalarsModulate)
   EXPECT_EQ(image.At(32, 32)[1], 0.0f);
   this->Measured->SetScalarColoringMode(vtkMeasuredBRDFMapper::IGNORE_SCALARS);
   EXPECT_GT(this->RenderLinear().At(32, 32)[1], 0.05f);
-  // Without scalars the property's colour does not dim a measured material.
+  // Without scalars the property's color does not dim a measured material.
   this->Measured->SetScalarColoringMode(vtkMeasuredBRDFMapper::MODULATE);
   this->Measured->ScalarVisibilityOff();
   this->Actor->GetProperty()->SetColor(0.1, 0.1, 0.1);

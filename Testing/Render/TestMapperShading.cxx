@@ -13,7 +13,7 @@
 #include "vtkLambertBRDF.h"
 #include "vtkLight.h"
 #include "vtkLightSet.h"
-#include "vtkLightSetIntegrator.h"
+#include "vtkLightSetRadianceIntegrator.h"
 #include "vtkMeasuredBRDFMapper.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
@@ -211,8 +211,8 @@ TEST_F(MapperShading, SpotOffItsAxis)
   }
 }
 
-// Half-grey scalars: (128/255)^2.2 of the light, as VTK's PBR takes colours.
-TEST_F(MapperShading, HalfGreyScalars)
+// Half-gray scalars: (128/255)^2.2 of the light, as VTK's PBR takes colors.
+TEST_F(MapperShading, HalfGrayScalars)
 {
   const double normal[3] = { 0.0, 0.0, 1.0 };
   this->SetQuad(normal);
@@ -230,12 +230,12 @@ TEST_F(MapperShading, HalfGreyScalars)
   this->Mapper->SetScalarColoringMode(vtkMeasuredBRDFMapper::IGNORE_SCALARS);
   const FloatImage plain = this->RenderLinear();
   this->Mapper->SetScalarColoringMode(vtkMeasuredBRDFMapper::MODULATE);
-  const FloatImage grey = this->RenderLinear();
+  const FloatImage gray = this->RenderLinear();
   const double scalars[3] = { 128.0 / 255.0, 64.0 / 255.0, 1.0 };
   for (int c = 0; c < 3; ++c)
   {
     EXPECT_NEAR(
-      grey.At(32, 32)[c] / plain.At(32, 32)[c], std::pow(scalars[c], 2.2), 1e-3 * scalars[c]);
+      gray.At(32, 32)[c] / plain.At(32, 32)[c], std::pow(scalars[c], 2.2), 1e-3 * scalars[c]);
   }
 }
 
@@ -257,7 +257,7 @@ TEST_F(MapperShading, GrazingViews)
   const double from[3] = { 0.8, 0.0, 0.6 };
   lights->AddLight(from, irradiance);
   this->Mapper->SetLightSet(lights);
-  vtkNew<vtkLightSetIntegrator> integrator;
+  vtkNew<vtkLightSetRadianceIntegrator> integrator;
   integrator->SetBRDF(brdf);
   integrator->SetLightSet(lights);
   integrator->SetEnvironment(MakeConstant(1.0f));

@@ -20,9 +20,9 @@
 #include "vtkFilteredRadianceIntegrator.h"
 #include "vtkFloatArray.h"
 #include "vtkLambertBRDF.h"
-#include "vtkLayeredRadianceIntegrator.h"
+#include "vtkHybridRadianceIntegrator.h"
 #include "vtkLightSet.h"
-#include "vtkLightSetIntegrator.h"
+#include "vtkLightSetRadianceIntegrator.h"
 #include "vtkMeasuredBRDFMapper.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -146,7 +146,7 @@ protected:
       this->Mapper->SetSoftLights(this->Concentration > 0.0);
       const FloatImage image = this->RenderLinear();
 
-      vtkNew<vtkLightSetIntegrator> integrator;
+      vtkNew<vtkLightSetRadianceIntegrator> integrator;
       integrator->SetSoftLights(this->Concentration > 0.0);
       integrator->SetBRDF(renderable);
       integrator->SetLightSet(lights);
@@ -239,7 +239,7 @@ protected:
   vtkNew<vtkActor> Actor;
 };
 
-/// A coloured material of random coefficients that fall with the degree; positive nearly
+/// A colored material of random coefficients that fall with the degree; positive nearly
 /// everywhere.
 vtkSmartPointer<vtkBasisBRDF> MakeBasis(
   int basis, int order, int nPhi, double begin = 9.0, double end = 57.0)
@@ -266,7 +266,7 @@ vtkSmartPointer<vtkBasisBRDF> MakeBasis(
   return brdf;
 }
 
-/// A bumpy, coloured table; every 7th cell invalid where asked for.
+/// A bumpy, colored table; every 7th cell invalid where asked for.
 void FillTable(vtkTabulatedBRDF* table, int parameterization, int range, bool invalid)
 {
   const int dimensions[3] = { 24, 16, 20 };
@@ -645,7 +645,7 @@ TEST_F(Parity, LayeredIntegrator)
   coated->SetExponents(1000.0, 1000.0);
   this->Mapper->SetBRDF(coated);
   this->Mapper->SetEnvironment(hall);
-  vtkNew<vtkLayeredRadianceIntegrator> integrator;
+  vtkNew<vtkHybridRadianceIntegrator> integrator;
   const double error = this->GetIntegratorError(integrator);
   EXPECT_GT(integrator->GetNumberOfLights(), 0);
   EXPECT_TRUE(integrator->GetHasSharpLayer());

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the rest of a VTK scene does with a measured surface: textures, colours, tangents, PBR
+// What the rest of a VTK scene does with a measured surface: textures, colors, tangents, PBR
 // properties, back faces, texture units, redraw, edges, other people's shader replacements.
 #include "EventCounter.h"
 #include "PlanCache.h"
@@ -62,7 +62,7 @@ protected:
     this->Renderer->AddActor(this->Actor);
   }
 
-  /// Linear RGB of the middle, which is white furnace times what colours it.
+  /// Linear RGB of the middle, which is white furnace times what colors it.
   std::array<float, 3> RenderMiddle()
   {
     const FloatImage image = this->RenderLinear();
@@ -109,7 +109,7 @@ protected:
 double Decode(double display) { return std::pow(display, 2.2); }
 }
 
-// The actor's texture multiplies radiance, as what it is: display colours, or, where it says so,
+// The actor's texture multiplies radiance, as what it is: display colors, or, where it says so,
 // sRGB, which OpenGL makes linear.
 TEST_F(Scene, TexturesMultiplyLinearly)
 {
@@ -129,7 +129,7 @@ TEST_F(Scene, TexturesMultiplyLinearly)
   EXPECT_NEAR(middle[2], 0.0, 1e-6);
 }
 
-// Scalars are the colours that they are, whatever coefficient VTK's own shading has for them.
+// Scalars are the colors that they are, whatever coefficient VTK's own shading has for them.
 TEST_F(Scene, ScalarsDoNotCountTheDiffuseCoefficient)
 {
   vtkNew<vtkUnsignedCharArray> colors;
@@ -150,7 +150,7 @@ TEST_F(Scene, ScalarsDoNotCountTheDiffuseCoefficient)
   }
 }
 
-// Textures of VTK's PBR that cannot colour a measured material say so once.
+// Textures of VTK's PBR that cannot color a measured material say so once.
 TEST_F(Scene, TexturesWithoutEffectSaySo)
 {
   this->Actor->GetProperty()->SetInterpolationToPBR();

@@ -5,7 +5,7 @@
 
 #include "RenderFixture.h"
 
-#include "../Unit/GatedBRDF.h"
+#include "../Unit/Support/GatedBRDF.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkCallbackCommand.h"
 #include "vtkEnvironment.h"
@@ -317,7 +317,7 @@ public:
     ++this->Asked;
     throw std::bad_alloc();
   }
-  void GetGPUForm(vtkBRDFGPUForm&) override
+  void GetShaderInputs(vtkBRDFShaderInputs&) override
   {
     ++this->Asked;
     throw std::bad_alloc();

@@ -141,7 +141,7 @@ class Options(ToolTest):
         self.check(run(), 2, "SUBCOMMAND")
         self.check(run("paint"), 2)
         self.check(run("info"), 2, "FILE")
-        self.check(run("info", "gold-paint", "--colour"), 2, "--colour")
+        self.check(run("info", "gold-paint", "--color"), 2, "--color")
         self.check(run("evaluate", "gold-paint"), 2, "--pairs")
         common = ["--environment", "sky", "-o", self.path("x.png")]
         self.check(run("render", "gold-paint", *common, "--size", "0x10"), 2, "--size", "0x10")
@@ -189,7 +189,7 @@ class Materials(ToolTest):
         self.check_close(info["range"]["maximum"], [a / math.pi for a in (0.5, 0.25, 0.125)], 1e-6)
         for row in info["albedo"] + info["reflectance_per_angle"]:
             self.check_close(row["rgb"], [0.5, 0.25, 0.125], 1e-3)
-        self.assertIn("closed form", info["gpu_form"]["description"])
+        self.assertIn("closed form", info["shader_inputs"]["description"])
         low = json.loads(run("info", "gold-paint", "--json").stdout)["terms"][1]
         self.assertEqual(low["fresnel_model"], "dielectric")
         self.assertAlmostEqual(low["index_of_refraction"], 4.99104)
@@ -729,8 +729,8 @@ class ThesisFigures(ToolTest):
         self.assertEqual(sorted(os.listdir(folder)), ["lights.png", "materials.png", "ringing.png"])
         for name in os.listdir(folder):
             rows = read_png(os.path.join(folder, name))
-            colours = {bytes(row[x : x + 3]) for row in rows for x in range(0, len(row), 3)}
-            self.assertGreater(len(colours), 300, name)
+            colors = {bytes(row[x : x + 3]) for row in rows for x in range(0, len(row), 3)}
+            self.assertGreater(len(colors), 300, name)
         taken = self.write("taken", "a file")
         self.check(run("thesis", "-o", taken), 1, "taken")
         self.check(run("thesis", "-o", folder, "--tile", "10"), 2, "--tile")
@@ -968,8 +968,8 @@ class Render(RenderTest):
             self.skipTest("skipped: no X server, which this VTK needs")
         self.check(result, 0)
         self.assertEqual(read_png_size(output), (480, 240))
-        colours = {bytes(row[x : x + 3]) for row in read_png(output) for x in range(0, 1440, 3)}
-        self.assertGreater(len(colours), 1000)
+        colors = {bytes(row[x : x + 3]) for row in read_png(output) for x in range(0, 1440, 3)}
+        self.assertGreater(len(colors), 1000)
         self.check(run("gallery", "no-such-paint", *common), 1, "no-such-paint")
 
 

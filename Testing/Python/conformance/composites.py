@@ -17,7 +17,7 @@ import vtkmeasuredbrdf as measured
 
 from .passes import light, selected
 from .scene import ALBEDO, BACKGROUND, FURNACE, Unavailable, View, encode, mix, scene, sphere
-from .surfaces import COLOURS, add_colours, data_of, elevated, modulated, plane, smooth, stripes
+from .surfaces import COLORS, add_colors, data_of, elevated, modulated, plane, smooth, stripes
 
 
 def block(x, y=0.0, source=None):
@@ -99,11 +99,11 @@ def composite_block_visibility(factory):
 
 
 @scene
-def composite_block_colours(factory):
+def composite_block_colors(factory):
     view = composite(factory, three())
-    for k, colour in enumerate(COLOURS):
-        view.mappers[0].SetBlockColor(k + 1, *colour)
-    view.expect = tuple(modulated(c) for c in COLOURS) + (FURNACE,)
+    for k, color in enumerate(COLORS):
+        view.mappers[0].SetBlockColor(k + 1, *color)
+    view.expect = tuple(modulated(c) for c in COLORS) + (FURNACE,)
     return view
 
 
@@ -126,14 +126,14 @@ def composite_block_opacity_peeled(factory):
 @scene
 def composite_attributes_of_a_branch(factory):
     view = composite(factory, blocks(blocks(block(-0.6), block(0.0)), block(0.6)))
-    view.mappers[0].SetBlockColor(1, *COLOURS[0])  # both blocks below
-    view.expect = (modulated(COLOURS[0]), FURNACE)
+    view.mappers[0].SetBlockColor(1, *COLORS[0])  # both blocks below
+    view.expect = (modulated(COLORS[0]), FURNACE)
     return view
 
 
 @scene
 def composite_attributes_change(factory):
-    view = composite_block_colours(factory)
+    view = composite_block_colors(factory)
     view.window.Render()
     view.mappers[0].RemoveBlockColors()
     view.mappers[0].SetBlockVisibility(1, False)
@@ -153,9 +153,9 @@ def composite_scalars_of_cells(factory):
     data = three()
     for k in range(3):
         part = data.GetBlock(k)
-        part.GetCellData().SetScalars(add_colours(part.GetCellData(), part.GetNumberOfCells()))
+        part.GetCellData().SetScalars(add_colors(part.GetCellData(), part.GetNumberOfCells()))
     view = composite(factory, data)
-    view.expect = tuple(modulated(c) for c in COLOURS)
+    view.expect = tuple(modulated(c) for c in COLORS)
     return view
 
 
@@ -258,8 +258,8 @@ def composite_many(factory):
     data = [block(0.12 * (k % 12) - 0.66, 0.12 * (k // 12) - 0.5, plane(1, 0.1)) for k in range(100)]
     view = composite(factory, blocks(*data))
     for k in range(0, 100, 2):
-        view.mappers[0].SetBlockColor(k + 1, *COLOURS[0])
-    view.expect, view.others = (FURNACE, modulated(COLOURS[0])), 0.02
+        view.mappers[0].SetBlockColor(k + 1, *COLORS[0])
+    view.expect, view.others = (FURNACE, modulated(COLORS[0])), 0.02
     return view
 
 
@@ -294,13 +294,13 @@ def composite_material_by_name(factory):
 
 
 @scene
-def composite_material_and_colour(factory):
+def composite_material_and_color(factory):
     view = composite_material_of_a_block(factory)
-    view.mappers[0].SetBlockColor(2, *COLOURS[0])
+    view.mappers[0].SetBlockColor(2, *COLORS[0])
     view.mappers[0].SetBlockOpacity(3, 0.5)
     view.expect = (
         FURNACE,
-        encode(a * c**2.2 for a, c in zip(OWN, COLOURS[0])),
+        encode(a * c**2.2 for a, c in zip(OWN, COLORS[0])),
         mix(BACKGROUND, FURNACE, 0.5),
     )
     return view
@@ -348,8 +348,8 @@ def composite_lights(factory):
 @scene
 def composite_texture(factory):
     view = composite(factory, three())
-    view.actors[0].SetTexture(stripes(colours=(COLOURS[0],) * 2))
-    view.expect = (modulated(COLOURS[0]),)
+    view.actors[0].SetTexture(stripes(colors=(COLORS[0],) * 2))
+    view.expect = (modulated(COLORS[0]),)
     return view
 
 

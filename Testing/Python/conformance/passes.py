@@ -526,7 +526,7 @@ def outline_glow(factory):
 
 @scene
 def lighting_map(factory):
-    """Normals as colours for relighting: the superclass's business."""
+    """Normals as colors for relighting: the superclass's business."""
     view = View(factory)
     normals = opengl.vtkLightingMapPass()
     normals.SetRenderType(opengl.vtkLightingMapPass.NORMALS)
@@ -746,7 +746,7 @@ def picking(factory):
 
 
 @scene
-def values_instead_of_colours(factory):
+def values_instead_of_colors(factory):
     """vtkValuePass draws arrays: the superclass's business."""
     from .surfaces import elevated
 
@@ -779,7 +779,7 @@ def replaced(view, tag, code, first=True, stage="Fragment"):
 
 @scene
 def replaced_light(factory):
-    """After the light: a change of the colour that was written."""
+    """After the light: a change of the color that was written."""
     view = View(factory)
     view.add()
     replaced(view, "//VTK::Light::Impl", "//VTK::Light::Impl\n  gl_FragData[0].rgb = gl_FragData[0].brg;\n")
@@ -817,7 +817,7 @@ def replaced_normal(factory):
 
 
 @scene
-def replaced_colour(factory):
+def replaced_color(factory):
     view = View(factory)
     view.add()
     replaced(view, "//VTK::Color::Impl", "//VTK::Color::Impl\n  diffuseColor = vec3(0.9, 0.3, 0.2);\n")

@@ -29,7 +29,7 @@ SIZE = (120, 90)
 
 
 def encode(linear):
-    """Display values of linear colours, as the mapper and VTK's PBR write them."""
+    """Display values of linear colors, as the mapper and VTK's PBR write them."""
     return tuple(min(v, 1.0) ** (1.0 / 2.2) for v in linear)
 
 
@@ -55,12 +55,12 @@ class View:
         self.renderer = self.add_renderer(lights=lights)
         # What the furnace's picture must show, see check_picture.
         self.expect = (FURNACE,)
-        self.others = 0.0  # share of pixels that may have any other colour: edges, for one
+        self.others = 0.0  # share of pixels that may have any other color: edges, for one
         self.tolerance = 2.5  # of 255
-        self.least = 0.03  # share of pixels that must have each of these colours
+        self.least = 0.03  # share of pixels that must have each of these colors
         self.grab = None  # instead of the window's own pixels
         self.extra = None  # more to compare: selected ids, for one
-        self.at_most = {}  # shares of colours of the material's pictures
+        self.at_most = {}  # shares of colors of the material's pictures
         self.may_warn = ()  # parts of documented warnings
         self.has_furnace = True  # whether the scene means something without lights
         self.dark = False  # whether black pixels are right
@@ -98,7 +98,7 @@ class View:
         return actor
 
     def draw(self):
-        """Colours, and depth where the window has it, as bytes."""
+        """Colors, and depth where the window has it, as bytes."""
         self.window.Render()
         if self.grab:
             return self.grab(self)
@@ -117,12 +117,12 @@ def connect(mapper, source):
         mapper.SetInputDataObject(source)
 
 
-def sphere(resolution=12, radius=0.7, centre=(0.0, 0.0, 0.0)):
+def sphere(resolution=12, radius=0.7, center=(0.0, 0.0, 0.0)):
     source = vtkSphereSource()
     source.SetThetaResolution(resolution)
     source.SetPhiResolution(resolution)
     source.SetRadius(radius)
-    source.SetCenter(*centre)
+    source.SetCenter(*center)
     return source
 
 
@@ -241,23 +241,23 @@ class Furnace(Material):
 
 
 def check_picture(view, pixels):
-    """Whether every pixel of the furnace is background or one of the colours expected; None, or what is wrong."""
+    """Whether every pixel of the furnace is background or one of the colors expected; None, or what is wrong."""
     total = len(pixels) // 4
     palette = [BACKGROUND] + list(view.expect)
     counts = [0] * len(palette)
     strays = {}
-    for colour, count in colours_of(pixels).items():
+    for color, count in colors_of(pixels).items():
         for index, wanted in enumerate(palette):
-            if all(abs(c - 255.0 * w) <= view.tolerance for c, w in zip(colour, wanted)):
+            if all(abs(c - 255.0 * w) <= view.tolerance for c, w in zip(color, wanted)):
                 counts[index] += count
                 break
         else:
-            strays[colour] = count
+            strays[color] = count
     problems = []
     if sum(strays.values()) > view.others * total:
         worst = sorted(strays, key=strays.get)[-4:]
         problems.append(
-            "%d of %d pixels have colours that are not expected, most of all %s"
+            "%d of %d pixels have colors that are not expected, most of all %s"
             % (sum(strays.values()), total, ", ".join("%s (%d)" % (c, strays[c]) for c in worst))
         )
     for wanted, count in list(zip(palette, counts))[1:]:
@@ -269,13 +269,13 @@ def check_picture(view, pixels):
     return "; ".join(problems) or None
 
 
-def colours_of(pixels):
-    """How many pixels have each colour."""
+def colors_of(pixels):
+    """How many pixels have each color."""
     return Counter(zip(pixels[::4], pixels[1::4], pixels[2::4]))
 
 
-def count(pixels, colour):
-    return colours_of(pixels)[colour]
+def count(pixels, color):
+    return colors_of(pixels)[color]
 
 
 def is_finite(view):

@@ -66,9 +66,9 @@ def chain(filter, source):
 STOCK = "stock"  # the furnace's picture is the stock mapper's without lights
 
 
-def modulated(colour):
-    """The furnace's colour under a scalar or texture that multiplies, given as display values."""
-    return encode(a * c**2.2 for a, c in zip(ALBEDO, colour))
+def modulated(color):
+    """The furnace's color under a scalar or texture that multiplies, given as display values."""
+    return encode(a * c**2.2 for a, c in zip(ALBEDO, color))
 
 
 def plane(resolution=1, size=1.2):
@@ -95,8 +95,8 @@ def data_of(source):
     return data
 
 
-def add_colours(attributes, count, name="colours", components=3, alpha=255):
-    """Two colours in turns, so that the furnace has two answers."""
+def add_colors(attributes, count, name="colors", components=3, alpha=255):
+    """Two colors in turns, so that the furnace has two answers."""
     array = vtkUnsignedCharArray()
     array.SetName(name)
     array.SetNumberOfComponents(components)
@@ -109,11 +109,11 @@ def add_colours(attributes, count, name="colours", components=3, alpha=255):
     return array
 
 
-COLOURS = ((1.0, 128 / 255, 64 / 255), (128 / 255, 1.0, 1.0))
+COLORS = ((1.0, 128 / 255, 64 / 255), (128 / 255, 1.0, 1.0))
 
 
 def smooth(view):
-    """Colours run across the surface: no palette, but nothing black."""
+    """Colors run across the surface: no palette, but nothing black."""
     view.expect, view.others = (), 1.0
     return view
 
@@ -284,9 +284,9 @@ def mixed_cells(factory):
 def mixed_cells_with_cell_scalars(factory):
     view = View(factory)
     data = every_cell()
-    data.GetCellData().SetScalars(add_colours(data.GetCellData(), data.GetNumberOfCells()))
+    data.GetCellData().SetScalars(add_colors(data.GetCellData(), data.GetNumberOfCells()))
     view.add(data, PointSize=6.0, LineWidth=3.0)
-    view.expect, view.others = tuple(modulated(c) for c in COLOURS), 0.1
+    view.expect, view.others = tuple(modulated(c) for c in COLORS), 0.1
     view.dark = True
     return view
 
@@ -462,41 +462,41 @@ def pbr_edge_tint(factory):
 # ---- scalars
 
 
-def two_colour_plane(attributes="point"):
+def two_color_plane(attributes="point"):
     data = data_of(plane(2))
     part = data.GetPointData() if attributes == "point" else data.GetCellData()
     count = data.GetNumberOfPoints() if attributes == "point" else data.GetNumberOfCells()
-    part.SetScalars(add_colours(part, count))
+    part.SetScalars(add_colors(part, count))
     return data
 
 
 @scene
 def scalars_of_points(factory):
     view = View(factory)
-    view.add(two_colour_plane())
+    view.add(two_color_plane())
     return smooth(view)
 
 
 @scene
 def scalars_of_cells(factory):
     view = View(factory)
-    view.add(two_colour_plane("cell"))
-    view.expect = tuple(modulated(c) for c in COLOURS)
+    view.add(two_color_plane("cell"))
+    view.expect = tuple(modulated(c) for c in COLORS)
     return view
 
 
 @scene
 def scalars_of_cells_and_edges(factory):
     view = View(factory)
-    view.add(two_colour_plane("cell"), EdgeVisibility=True, EdgeColor=(1.0, 0.0, 1.0), LineWidth=3.0)
-    view.expect, view.others = tuple(modulated(c) for c in COLOURS), 0.2
+    view.add(two_color_plane("cell"), EdgeVisibility=True, EdgeColor=(1.0, 0.0, 1.0), LineWidth=3.0)
+    view.expect, view.others = tuple(modulated(c) for c in COLORS), 0.2
     return view
 
 
 @scene
 def scalars_of_cells_wireframe(factory):
     view = View(factory)
-    view.add(two_colour_plane("cell"), Representation=1)
+    view.add(two_color_plane("cell"), Representation=1)
     view.expect = STOCK
     return view
 
@@ -505,7 +505,7 @@ def scalars_of_cells_wireframe(factory):
 def scalars_of_cells_strips(factory):
     view = View(factory)
     triangles = vtkTriangleFilter()
-    triangles.SetInputData(two_colour_plane("cell"))
+    triangles.SetInputData(two_color_plane("cell"))
     stripper = chain(vtkStripper(), triangles)
     stripper.PassThroughCellIdsOn()
     view.add(stripper)
@@ -515,7 +515,7 @@ def scalars_of_cells_strips(factory):
 @scene
 def scalars_off(factory):
     view = View(factory)
-    view.add(two_colour_plane()).GetMapper().ScalarVisibilityOff()
+    view.add(two_color_plane()).GetMapper().ScalarVisibilityOff()
     return view
 
 
@@ -559,10 +559,10 @@ def scalars_out_of_range(factory):
 @scene
 def scalars_by_transfer_function(factory):
     view = View(factory)
-    colours = vtkColorTransferFunction()
-    colours.AddRGBPoint(0.0, 0.2, 0.3, 0.9)
-    colours.AddRGBPoint(1.0, 0.9, 0.3, 0.2)
-    view.add(elevated()).GetMapper().SetLookupTable(colours)
+    colors = vtkColorTransferFunction()
+    colors.AddRGBPoint(0.0, 0.2, 0.3, 0.9)
+    colors.AddRGBPoint(1.0, 0.9, 0.3, 0.2)
+    view.add(elevated()).GetMapper().SetLookupTable(colors)
     return smooth(view)
 
 
@@ -618,12 +618,12 @@ def scalars_by_category(factory):
     table.SetNumberOfTableValues(2)
     table.SetAnnotation("a", "first")
     table.SetAnnotation("b", "second")
-    for k, colour in enumerate(COLOURS):
-        table.SetTableValue(k, *colour, 1.0)
+    for k, color in enumerate(COLORS):
+        table.SetTableValue(k, *color, 1.0)
     mapper.SetLookupTable(table)
     mapper.SetScalarModeToUseCellFieldData()
     mapper.SelectColorArray("names")
-    view.expect = tuple(modulated(c) for c in COLOURS)
+    view.expect = tuple(modulated(c) for c in COLORS)
     return view
 
 
@@ -641,11 +641,11 @@ def scalars_by_name_of_points(factory):
 def scalars_by_name_of_cells(factory):
     view = View(factory)
     data = data_of(plane(2))
-    add_colours(data.GetCellData(), data.GetNumberOfCells(), "by name")
+    add_colors(data.GetCellData(), data.GetNumberOfCells(), "by name")
     mapper = view.add(data).GetMapper()
     mapper.SetScalarModeToUseCellFieldData()
     mapper.SelectColorArray("by name")
-    view.expect = tuple(modulated(c) for c in COLOURS)
+    view.expect = tuple(modulated(c) for c in COLORS)
     return view
 
 
@@ -669,12 +669,12 @@ def scalars_of_fields(factory):
 def scalars_of_a_field_tuple(factory):
     view = View(factory)
     data = data_of(plane(2))
-    add_colours(data.GetFieldData(), 3, "field")
+    add_colors(data.GetFieldData(), 3, "field")
     mapper = view.add(data).GetMapper()
     mapper.SetScalarModeToUseFieldData()
     mapper.SelectColorArray("field")
     mapper.SetFieldDataTupleId(1)
-    view.expect = (modulated(COLOURS[1]),)
+    view.expect = (modulated(COLORS[1]),)
     return view
 
 
@@ -691,14 +691,14 @@ def scalars_of_a_missing_array(factory):
 def scalars_direct_floats(factory):
     view = View(factory)
     data = data_of(plane(2))
-    colours = vtkFloatArray()
-    colours.SetName("floats")
-    colours.SetNumberOfComponents(3)
+    colors = vtkFloatArray()
+    colors.SetName("floats")
+    colors.SetNumberOfComponents(3)
     for k in range(data.GetNumberOfCells()):
-        colours.InsertNextTuple3(*COLOURS[k % 2])
-    data.GetCellData().SetScalars(colours)
+        colors.InsertNextTuple3(*COLORS[k % 2])
+    data.GetCellData().SetScalars(colors)
     view.add(data).GetMapper().SetColorModeToDirectScalars()
-    view.expect = tuple(modulated(c) for c in COLOURS)
+    view.expect = tuple(modulated(c) for c in COLORS)
     return view
 
 
@@ -706,7 +706,7 @@ def scalars_direct_floats(factory):
 def scalars_mapped_bytes(factory):
     """Bytes through the table after all."""
     view = View(factory)
-    mapper = view.add(two_colour_plane()).GetMapper()
+    mapper = view.add(two_color_plane()).GetMapper()
     mapper.SetColorModeToMapScalars()
     mapper.SetScalarRange(0.0, 255.0)
     return smooth(view)
@@ -735,9 +735,9 @@ def scalars_of_a_component(factory):
 def scalars_translucent(factory):
     view = View(factory)
     data = data_of(plane(2))
-    data.GetCellData().SetScalars(add_colours(data.GetCellData(), data.GetNumberOfCells(), components=4, alpha=128))
+    data.GetCellData().SetScalars(add_colors(data.GetCellData(), data.GetNumberOfCells(), components=4, alpha=128))
     view.add(data)
-    view.expect = tuple(mix(BACKGROUND, modulated(c), 128 / 255) for c in COLOURS)
+    view.expect = tuple(mix(BACKGROUND, modulated(c), 128 / 255) for c in COLORS)
     view.others = 0.01  # the seams, drawn once or twice
     return view
 
@@ -746,9 +746,9 @@ def scalars_translucent(factory):
 def scalars_with_alpha_and_opacity(factory):
     view = View(factory)
     data = data_of(plane(2))
-    data.GetCellData().SetScalars(add_colours(data.GetCellData(), data.GetNumberOfCells(), components=4))
+    data.GetCellData().SetScalars(add_colors(data.GetCellData(), data.GetNumberOfCells(), components=4))
     view.add(data, Opacity=0.5)
-    view.expect = tuple(mix(BACKGROUND, modulated(c), 0.5) for c in COLOURS)
+    view.expect = tuple(mix(BACKGROUND, modulated(c), 0.5) for c in COLORS)
     view.others = 0.01
     return view
 
@@ -757,41 +757,41 @@ def scalars_with_alpha_and_opacity(factory):
 def scalars_change(factory):
     """Arrays, modes and visibility from frame to frame."""
     view = View(factory)
-    data = two_colour_plane("cell")
+    data = two_color_plane("cell")
     mapper = view.add(data).GetMapper()
     view.window.Render()
     mapper.ScalarVisibilityOff()
     view.window.Render()
-    data.GetPointData().SetScalars(add_colours(data.GetPointData(), data.GetNumberOfPoints(), "others"))
+    data.GetPointData().SetScalars(add_colors(data.GetPointData(), data.GetNumberOfPoints(), "others"))
     mapper.ScalarVisibilityOn()
     view.window.Render()
     mapper.SetScalarModeToUseCellData()
-    view.expect = tuple(modulated(c) for c in COLOURS)
+    view.expect = tuple(modulated(c) for c in COLORS)
     return view
 
 
 @scene
 def scalars_without_diffuse(factory):
-    """vtkProperty's Diffuse is no part of a scalar's colour."""
+    """vtkProperty's Diffuse is no part of a scalar's color."""
     view = View(factory)
-    view.add(two_colour_plane("cell"), Diffuse=0.5, Ambient=0.3)
-    view.expect = tuple(modulated(c) for c in COLOURS)
+    view.add(two_color_plane("cell"), Diffuse=0.5, Ambient=0.3)
+    view.expect = tuple(modulated(c) for c in COLORS)
     return view
 
 
 # ---- textures
 
 
-def stripes(alpha=None, colours=COLOURS, size=8):
+def stripes(alpha=None, colors=COLORS, size=8):
     image = vtkImageData()
     image.SetDimensions(size, size, 1)
     components = 3 if alpha is None else 4
     image.AllocateScalars(VTK_UNSIGNED_CHAR, components)
     for y in range(size):
         for x in range(size):
-            colour = colours[(2 * x) // size % 2]
+            color = colors[(2 * x) // size % 2]
             for c in range(3):
-                image.SetScalarComponentFromDouble(x, y, 0, c, round(255 * colour[c]))
+                image.SetScalarComponentFromDouble(x, y, 0, c, round(255 * color[c]))
             if alpha is not None:
                 image.SetScalarComponentFromDouble(x, y, 0, 3, alpha)
     texture = vtkTexture()
@@ -802,7 +802,7 @@ def stripes(alpha=None, colours=COLOURS, size=8):
 def textured(factory, texture, source=None, **properties):
     view = View(factory)
     view.add(source or plane(), **properties).SetTexture(texture)
-    view.expect = tuple(modulated(c) for c in COLOURS)
+    view.expect = tuple(modulated(c) for c in COLORS)
     view.others = 0.02
     return view
 
@@ -824,7 +824,7 @@ def texture_interpolated(factory):
 
 @scene
 def texture_srgb(factory):
-    """The texture's colours are sRGB, and the right answer is linear: sRGB's own curve."""
+    """The texture's colors are sRGB, and the right answer is linear: sRGB's own curve."""
     image = stripes()
     image.UseSRGBColorSpaceOn()
     view = textured(factory, image)
@@ -832,7 +832,7 @@ def texture_srgb(factory):
     def srgb(v):
         return v / 12.92 if v <= 0.04045 else ((v + 0.055) / 1.055) ** 2.4
 
-    view.expect = tuple(encode(a * srgb(v) for a, v in zip(ALBEDO, c)) for c in COLOURS)
+    view.expect = tuple(encode(a * srgb(v) for a, v in zip(ALBEDO, c)) for c in COLORS)
     return view
 
 
@@ -859,16 +859,16 @@ def texture_clamped(factory):
 @scene
 def texture_translucent(factory):
     view = textured(factory, stripes(alpha=128))
-    view.expect = tuple(mix(BACKGROUND, modulated(c), 128 / 255) for c in COLOURS)
+    view.expect = tuple(mix(BACKGROUND, modulated(c), 128 / 255) for c in COLORS)
     return view
 
 
 @scene
 def texture_with_scalars(factory):
-    view = textured(factory, stripes(colours=(COLOURS[0], COLOURS[0])))
-    data = two_colour_plane("cell")
+    view = textured(factory, stripes(colors=(COLORS[0], COLORS[0])))
+    data = two_color_plane("cell")
     view.mappers[0].SetInputDataObject(data)
-    view.expect = tuple(modulated(tuple(x * y for x, y in zip(COLOURS[0], c))) for c in COLOURS)
+    view.expect = tuple(modulated(tuple(x * y for x, y in zip(COLORS[0], c))) for c in COLORS)
     return view
 
 
@@ -895,7 +895,7 @@ def texture_blended(factory):
     data.GetPointData().SetTCoords(None)
     actor = view.add(data)
     for k in range(2):
-        image = stripes(colours=(COLOURS[k], COLOURS[0]))
+        image = stripes(colors=(COLORS[k], COLORS[0]))
         image.SetBlendingMode((vtkTexture.VTK_TEXTURE_BLENDING_MODE_REPLACE, vtkTexture.VTK_TEXTURE_BLENDING_MODE_ADD)[k])
         actor.GetProperty().SetTexture("image%d" % k, image)
         actor.GetMapper().MapDataArrayToMultiTextureAttribute("image%d" % k, "unit%d" % k, 0)
@@ -923,7 +923,7 @@ def texture_comes_and_goes(factory):
 def normal_map(factory):
     """Normals of the middle of the range: nothing is bent."""
     view = View(factory)
-    flat = stripes(colours=((128 / 255, 128 / 255, 1.0),) * 2)
+    flat = stripes(colors=((128 / 255, 128 / 255, 1.0),) * 2)
     actor = view.add(with_tangents(), Interpolation=3)
     actor.GetProperty().SetNormalTexture(flat)
     return view
@@ -934,11 +934,11 @@ def pbr_textures(factory):
     """VTK's own textures of its own material: a measured one has no use for them, and says so."""
     view = View(factory)
     actor = view.add(with_tangents(), Interpolation=3)
-    colour = stripes()
-    colour.UseSRGBColorSpaceOn()
-    actor.GetProperty().SetBaseColorTexture(colour)
-    actor.GetProperty().SetORMTexture(stripes(colours=((1.0, 0.5, 0.2), (0.8, 0.3, 0.9))))
-    emissive = stripes(colours=((0.2, 0.0, 0.0), (0.0, 0.0, 0.3)))
+    color = stripes()
+    color.UseSRGBColorSpaceOn()
+    actor.GetProperty().SetBaseColorTexture(color)
+    actor.GetProperty().SetORMTexture(stripes(colors=((1.0, 0.5, 0.2), (0.8, 0.3, 0.9))))
+    emissive = stripes(colors=((0.2, 0.0, 0.0), (0.0, 0.0, 0.3)))
     emissive.UseSRGBColorSpaceOn()
     actor.GetProperty().SetEmissiveTexture(emissive)
     view.may_warn = ("texture",)
@@ -949,7 +949,7 @@ def pbr_textures(factory):
 def pbr_coat_normal_texture(factory):
     view = View(factory)
     actor = view.add(with_tangents(), Interpolation=3, CoatStrength=0.7)
-    actor.GetProperty().SetCoatNormalTexture(stripes(colours=((0.5, 0.5, 1.0),) * 2))
+    actor.GetProperty().SetCoatNormalTexture(stripes(colors=((0.5, 0.5, 1.0),) * 2))
     view.may_warn = ("texture",)
     return view
 
@@ -968,7 +968,7 @@ def seamless_coordinates(factory):
     view = textured(factory, stripes())
     view.mappers[0].SetSeamlessU(True)
     view.mappers[0].SetSeamlessV(True)
-    view.expect = (modulated(COLOURS[0]),)
+    view.expect = (modulated(COLORS[0]),)
     return view
 
 
@@ -1105,7 +1105,7 @@ def far_from_the_origin(factory):
     """Coordinates of a million: the vertex buffers are shifted."""
     view = View(factory)
     place = (1.0e6, -2.0e6, 3.0e6)
-    source = sphere(centre=place)
+    source = sphere(center=place)
     source.SetOutputPointsPrecision(1)
     view.add(source)
     camera = view.renderer.GetActiveCamera()
@@ -1235,10 +1235,10 @@ def backface_property_translucent(factory):
 def copied_mapper(factory):
     """ShallowCopy takes over what both have."""
     view = View(factory)
-    mapper = view.add(two_colour_plane("cell")).GetMapper()
+    mapper = view.add(two_color_plane("cell")).GetMapper()
     copy = factory.mapper()
     copy.ShallowCopy(mapper)
     view.actors[0].SetMapper(copy)
     view.mappers.append(copy)
-    view.expect = tuple(modulated(c) for c in COLOURS)
+    view.expect = tuple(modulated(c) for c in COLORS)
     return view

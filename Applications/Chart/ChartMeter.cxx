@@ -1,0 +1,414 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ChartMeter.h"
+
+#include "Files.h"
+#include "ParetoFront.h"
+#include "Progress.h"
+#include "Scene.h"
+#include "StockScene.h"
+#include "Tool.h"
+
+#include "vtkBRDF.h"
+#include "vtkEnvironment.h"
+#include "vtkNew.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <memory>
+#include <utility>
+
+namespace
+{
+// Share of the picture's smaller side that the mesh takes.
+constexpr double Fill = 0.9;
+// What the parts of a pair's work take of it, about.
+constexpr double ReferenceShare = 0.15;
+constexpr double MethodShare = 0.6;
+// Frames shorter than this get one before them that does not count: another window's came before.
+constexpr double WarmUpBelow = 100.0;
+// All frames of one point take about this long at most, in ms, but for the fewest; of one that
+// takes as long by itself, the first one is the only one.
+constexpr double FrameBudget = 3000.0;
+constexpr int FewestRounds = 3;
+constexpr int FingerprintPairs = 512;
+
+//------------------------------------------------------------------------------
+/// FNV-1a, 64 bits.
+class Hash
+{
+public:
+  void Add(const void* data, std::size_t bytes)
+  {
+    const auto* at = static_cast<const unsigned char*>(data);
+    for (std::size_t k = 0; k < bytes; ++k)
+    {
+      this->State = (this->State ^ at[k]) * 0x100000001b3u;
+    }
+  }
+
+  template <typename T>
+  void Add(const std::vector<T>& values)
+  {
+    this->Add(values.data(), values.size() * sizeof(T));
+  }
+
+  std::string GetText() const
+  {
+    char text[17];
+    std::snprintf(text, sizeof(text), "%016llx", static_cast<unsigned long long>(this->State));
+    return text;
+  }
+
+private:
+  std::uint64_t State = 0xcbf29ce484222325u;
+};
+
+//------------------------------------------------------------------------------
+// A direction of the upper hemisphere; those of all k cover it evenly.
+void MakeDirection(int k, double turn, double direction[3])
+{
+  const double z = (k + 0.5) / FingerprintPairs;
+  const double s = std::sqrt(1.0 - z * z);
+  direction[0] = s * std::cos(turn * k);
+  direction[1] = s * std::sin(turn * k);
+  direction[2] = z;
+}
+
+//------------------------------------------------------------------------------
+void AddMaterial(Hash& hash, vtkBRDF* brdf)
+{
+  for (int k = 0; k < FingerprintPairs; ++k)
+  {
+    double i[3];
+    double o[3];
+    MakeDirection(k, 2.4, i);
+    MakeDirection(k * 37 % FingerprintPairs, 1.7, o);
+    double f[3];
+    brdf->Evaluate(i, o, f);
+    hash.Add(f, sizeof(f));
+  }
+}
+
+//------------------------------------------------------------------------------
+// Some metrics are not a number for pictures that are too small for them.
+bool AreAlike(const std::map<std::string, double>& a, const std::map<std::string, double>& b)
+{
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+    [](const auto& one, const auto& other)
+    {
+      return one.first == other.first &&
+             (one.second == other.second || (std::isnan(one.second) && std::isnan(other.second)));
+    });
+}
+
+//------------------------------------------------------------------------------
+double GetElapsed(std::chrono::steady_clock::time_point begin)
+{
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin)
+    .count();
+}
+
+//------------------------------------------------------------------------------
+std::string FormatSeconds(double milliseconds)
+{
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.2g s", 1e-3 * milliseconds);
+  return text;
+}
+}
+
+namespace tool
+{
+//------------------------------------------------------------------------------
+struct ChartMeter::Timed
+{
+  std::unique_ptr<OffscreenScene> Window;
+  ChartPoint Point;
+  std::vector<double> Frames;
+  double Expected = 0.0; // ms
+  int Like = -1;         // index of one that draws the same, and is timed instead
+
+  int GetRounds(int wanted) const
+  {
+    const int affordable = static_cast<int>(FrameBudget / std::max(this->Expected, 1e-3));
+    return affordable > 0 ? std::min(wanted, std::max(affordable, FewestRounds)) : 0;
+  }
+};
+
+//------------------------------------------------------------------------------
+// What the planner chooses may be one of the sweep's, or one and the same at several tolerances:
+// the same pixels out of the same textures.
+int ChartMeter::FindAlike(const std::vector<Timed>& all, const Timed& timed)
+{
+  if (timed.Point.Method != PlannerMethod || !timed.Window)
+  {
+    return -1;
+  }
+  const auto found = std::find_if(all.begin(), all.end(),
+    [&timed](const Timed& other)
+    {
+      return other.Window && AreAlike(other.Point.Errors, timed.Point.Errors) &&
+             other.Point.Bytes == timed.Point.Bytes;
+    });
+  return found == all.end() ? -1 : static_cast<int>(found - all.begin());
+}
+
+//------------------------------------------------------------------------------
+ChartMeter::ChartMeter(
+  const ChartScene& scene, const std::vector<ChartSize>& sizes, std::string folder)
+  : Scene(scene)
+  , Sizes(sizes)
+  , Folder(std::move(folder))
+  , Visible(FindSurface(scene.Mesh, scene.Camera, Fill, scene.Picture, scene.ReferencePixels))
+{
+}
+
+//------------------------------------------------------------------------------
+nlohmann::ordered_json ChartMeter::DescribeRenderer() const
+{
+  StockScene scene;
+  this->Place(scene);
+  return { { "renderer", scene.GetRendererName() },
+    { "renderer_vendor", scene.GetCapability("OpenGL vendor string") },
+    { "renderer_version", scene.GetCapability("OpenGL version string") } };
+}
+
+//------------------------------------------------------------------------------
+std::string ChartMeter::GetFingerprint(const Material& material, vtkEnvironment* environment) const
+{
+  Hash hash;
+  AddMaterial(hash, material.BRDF);
+  hash.Add(environment->GetPixels());
+  hash.Add(this->Visible.Normals);
+  hash.Add(this->Visible.Views);
+  return hash.GetText();
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> ChartMeter::GetExactSums(
+  const Material& material, vtkEnvironment* environment, const std::string& fingerprint) const
+{
+  const std::string path = this->Folder + "/" + fingerprint + ".json";
+  std::ifstream file(path);
+  const auto kept = nlohmann::json::parse(file, nullptr, false);
+  if (kept.is_array() && kept.size() == this->Visible.Normals.size() &&
+      std::all_of(kept.begin(), kept.end(), [](const auto& value) { return value.is_number(); }))
+  {
+    return kept.get<std::vector<double>>();
+  }
+  const std::vector<double> rgb = SumExactly(material.BRDF, environment, this->Visible);
+  WriteText(path, nlohmann::json(rgb).dump() + "\n");
+  return rgb;
+}
+
+//------------------------------------------------------------------------------
+void ChartMeter::Place(OffscreenScene& stage) const
+{
+  stage.SetMesh(this->Scene.Mesh);
+  stage.SetView(this->Scene.Camera.Azimuth, this->Scene.Camera.Elevation, Fill);
+  stage.Open(this->Scene.Picture.Width, this->Scene.Picture.Height);
+}
+
+//------------------------------------------------------------------------------
+void ChartMeter::FillErrors(
+  ChartPoint& point, OffscreenScene& stage, const std::vector<double>& reference) const
+{
+  vtkNew<vtkRadianceMetrics> metrics;
+  const std::vector<double> rgb =
+    Pick(stage.Render(this->Scene.Picture.Width, this->Scene.Picture.Height), this->Visible);
+  tool::Measure(metrics, Grid(this->Visible, this->Scene.Picture), rgb, reference);
+  for (const Metric& metric : GetMetrics())
+  {
+    point.Errors[metric.Name] = metric.Get(metrics);
+  }
+}
+
+//------------------------------------------------------------------------------
+// The thesis's representation of a material is made once for all environments and counts each time.
+Method ChartMeter::Make(const ChartSize& size, const Material& material,
+  vtkEnvironment* environment, double& milliseconds)
+{
+  const auto begin = std::chrono::steady_clock::now();
+  if (size.Options.Method != "thesis")
+  {
+    MethodOptions options = size.Options;
+    options.Plan.Look(this->Scene.Mesh, this->Scene.Camera, Fill, this->Scene.Picture);
+    Method made = MakeMethod(options, material, environment);
+    milliseconds = GetElapsed(begin);
+    return made;
+  }
+  const int order = size.Options.Thesis.Order;
+  if (this->RepresentedFile != material.File)
+  {
+    this->Represented.clear();
+    this->RepresentedFile = material.File;
+  }
+  if (this->Represented.count(order) == 0)
+  {
+    const Representation made = Represent(material, order);
+    this->Represented[order] = { made, GetElapsed(begin) };
+  }
+  const Representative& stand = this->Represented.at(order);
+  Material represented = material;
+  represented.BRDF = stand.Made.BRDF;
+  MethodOptions options = size.Options;
+  options.Method = "light-set";
+  const auto lights = std::chrono::steady_clock::now();
+  Method made = MakeMethod(options, represented, environment);
+  milliseconds = stand.Milliseconds + GetElapsed(lights);
+  return made;
+}
+
+//------------------------------------------------------------------------------
+ChartMeter::Timed ChartMeter::Begin(const ChartSize& size, const Material& material,
+  vtkEnvironment* environment, const std::vector<double>& reference)
+{
+  Timed timed;
+  auto scene = std::make_unique<tool::Scene>();
+  this->Place(*scene);
+  const Method method = this->Make(size, material, environment, timed.Point.SetUp);
+  const auto begin = std::chrono::steady_clock::now();
+  scene->SetMaterial(method.BRDF);
+  scene->SetLight(environment, method.Integrator);
+  timed.Expected = scene->TimeFrame();
+  timed.Point.SetUp += GetElapsed(begin);
+  if (method.Planner)
+  {
+    timed.Point.Plan = method.Planner->GetPlan();
+    timed.Point.PredictedError = method.Planner->GetPredictedError(method.Planner->GetChoice());
+    timed.Point.MeetsTolerance = method.Planner->GetMeetsTolerance();
+  }
+  timed.Point.Bytes = static_cast<double>(scene->GetTextureBytes());
+  this->FillErrors(timed.Point, *scene, reference);
+  if (timed.GetRounds(FewestRounds) == 0)
+  {
+    timed.Frames.push_back(timed.Expected);
+  }
+  else
+  {
+    timed.Expected = scene->TimeFrame(); // the first compiled a shader
+  }
+  timed.Window = std::move(scene);
+  return timed;
+}
+
+//------------------------------------------------------------------------------
+ChartMeter::Timed ChartMeter::BeginStock(
+  vtkEnvironment* environment, const std::vector<double>& reference)
+{
+  Timed timed;
+  auto stock = std::make_unique<StockScene>();
+  this->Place(*stock);
+  const auto begin = std::chrono::steady_clock::now();
+  stock->SetLight(environment);
+  stock->SetMaterial(StockMaterial());
+  stock->TimeFrame();
+  timed.Point.SetUp = GetElapsed(begin);
+  stock->Fit(this->Visible, this->Scene.Picture, reference);
+  timed.Point.Bytes = static_cast<double>(stock->GetTextureBytes());
+  this->FillErrors(timed.Point, *stock, reference);
+  timed.Expected = stock->TimeFrame();
+  timed.Window = std::move(stock);
+  return timed;
+}
+
+//------------------------------------------------------------------------------
+ChartPair ChartMeter::Measure(
+  const Material& material, vtkEnvironment* environment, const std::function<void(double)>& show)
+{
+  ChartPair pair;
+  pair.Material = material.Name;
+  pair.Environment = environment->GetName();
+  pair.Fingerprint = this->GetFingerprint(material, environment);
+  pair.NumberOfPixels = this->Visible.Pixels.size();
+  pair.Load = GetLoad();
+  const std::vector<double> reference = this->GetExactSums(material, environment, pair.Fingerprint);
+  show(ReferenceShare);
+
+  std::vector<Timed> all;
+  for (std::size_t k = 0; k < this->Sizes.size(); ++k)
+  {
+    Interruptible::Check();
+    const ChartSize& size = this->Sizes[k];
+    Timed timed;
+    // What the size before leads to expect; sizes come smallest first.
+    const bool follows = !all.empty() && all.back().Point.Method == size.Method->Name &&
+                         size.Method->Name != PlannerMethod;
+    double expected = follows ? all.back().Expected : 0.0;
+    if (follows && size.Method->Grows)
+    {
+      expected *= std::atof(size.Size.c_str()) / std::atof(this->Sizes[k - 1].Size.c_str());
+    }
+    if (expected > this->Scene.Slowest)
+    {
+      timed.Point.Left = "a frame would take about " + FormatSeconds(expected);
+      timed.Expected = expected;
+    }
+    else
+    {
+      try
+      {
+        timed = size.Method->Apply ? this->Begin(size, material, environment, reference)
+                                   : this->BeginStock(environment, reference);
+      }
+      catch (const Error& error)
+      {
+        Interruptible::Check();
+        timed.Point.Left = error.what(); // a method need not suit every material
+      }
+    }
+    timed.Point.Method = size.Method->Name;
+    timed.Point.Size = size.Size;
+    timed.Like = FindAlike(all, timed);
+    if (timed.Like >= 0)
+    {
+      timed.Window.reset();
+    }
+    all.push_back(std::move(timed));
+    show(ReferenceShare + MethodShare * (k + 1.0) / static_cast<double>(this->Sizes.size()));
+  }
+
+  for (int round = 0; round < this->Scene.Rounds; ++round)
+  {
+    for (std::size_t k = 0; k < all.size(); ++k)
+    {
+      // There and back: what changes slowly meets all alike.
+      Timed& timed = all[round % 2 == 0 ? k : all.size() - 1 - k];
+      Interruptible::Check();
+      if (!timed.Window || round >= timed.GetRounds(this->Scene.Rounds))
+      {
+        continue;
+      }
+      if (timed.Expected < WarmUpBelow)
+      {
+        timed.Window->TimeFrame();
+      }
+      timed.Frames.push_back(timed.Window->TimeFrame());
+    }
+    show(ReferenceShare + MethodShare +
+         (1.0 - ReferenceShare - MethodShare) * (round + 1.0) / this->Scene.Rounds);
+  }
+  for (Timed& timed : all)
+  {
+    const std::vector<double>& frames =
+      timed.Like < 0 ? timed.Frames : all[static_cast<std::size_t>(timed.Like)].Frames;
+    if (!frames.empty())
+    {
+      timed.Point.Frame = GetQuantile(frames, 0.5);
+      timed.Point.FrameLow = GetQuantile(frames, 0.25);
+      timed.Point.FrameHigh = GetQuantile(frames, 0.75);
+      timed.Point.NumberOfFrames = static_cast<int>(frames.size());
+    }
+    pair.Points.push_back(timed.Point);
+  }
+  return pair;
+}
+} // namespace tool

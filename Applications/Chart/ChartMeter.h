@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Measures what `chart` draws: error, frame time, set-up time and memory of every method and size
+ * on a material under an environment.
+ */
+
+#ifndef ChartMeter_h
+#define ChartMeter_h
+
+#include "ChartMethods.h"
+#include "ChartResults.h"
+#include "Inputs.h"
+#include "Measuring.h"
+#include "Sizes.h"
+#include "Surface.h"
+
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <nlohmann/json.hpp>
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace tool
+{
+/// What is drawn and how long it is timed.
+struct ChartScene
+{
+  vtkSmartPointer<vtkPolyData> Mesh;
+  View Camera;
+  Size Picture;
+  int ReferencePixels; // at most
+  int Rounds;          // of frames
+  double Slowest; // ms: sizes whose frames take longer by what the one before took are left out
+};
+
+class ChartMeter
+{
+public:
+  /// Exact sums are kept in that folder. Throws Error.
+  ChartMeter(const ChartScene& scene, const std::vector<ChartSize>& sizes, std::string folder);
+
+  /// What the graphics driver says of itself.
+  nlohmann::ordered_json DescribeRenderer() const;
+
+  /// Of all that a pair's figures depend on but the machine: 16 hexadecimal digits.
+  std::string GetFingerprint(const Material& material, vtkEnvironment* environment) const;
+
+  /**
+   * Measure a pair: set-up and errors of each, then frames of all in rounds, so that whatever slows
+   * the machine down slows all. show gets the share done. Throws Error, also where Ctrl-C was
+   * pressed. Needs an Interruptible.
+   */
+  ChartPair Measure(
+    const Material& material, vtkEnvironment* environment, const std::function<void(double)>& show);
+
+private:
+  struct Timed; // a window with its frames
+
+  static int FindAlike(const std::vector<Timed>& all, const Timed& timed);
+
+  std::vector<double> GetExactSums(
+    const Material& material, vtkEnvironment* environment, const std::string& fingerprint) const;
+  Timed Begin(const ChartSize& size, const Material& material, vtkEnvironment* environment,
+    const std::vector<double>& reference);
+  Timed BeginStock(vtkEnvironment* environment, const std::vector<double>& reference);
+  Method Make(const ChartSize& size, const Material& material, vtkEnvironment* environment,
+    double& milliseconds);
+  void Place(OffscreenScene& stage) const;
+  void FillErrors(ChartPoint& point, OffscreenScene& stage, const std::vector<double>& reference) const;
+
+  ChartScene Scene;
+  std::vector<ChartSize> Sizes;
+  std::string Folder;
+  Surface Visible;
+
+  struct Representative
+  {
+    Representation Made;
+    double Milliseconds;
+  };
+  std::string RepresentedFile;               // the material's that these stand for
+  std::map<int, Representative> Represented; // by order
+};
+} // namespace tool
+
+#endif

@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ChartMethods.h"
+
+#include "Tool.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace
+{
+using tool::MethodOptions;
+
+//------------------------------------------------------------------------------
+void ApplyLights(const std::string& size, MethodOptions& options, const char* set, bool soft)
+{
+  options.Method = "light-set";
+  options.Lights.Method = set;
+  options.Lights.Count = std::atoi(size.c_str());
+  options.Lights.Soft = soft;
+}
+
+//------------------------------------------------------------------------------
+void ApplyMedianCut(const std::string& size, MethodOptions& options)
+{
+  ApplyLights(size, options, "median-cut", false);
+}
+
+//------------------------------------------------------------------------------
+void ApplyImportance(const std::string& size, MethodOptions& options)
+{
+  ApplyLights(size, options, "importance", false);
+}
+
+//------------------------------------------------------------------------------
+void ApplySoftLights(const std::string& size, MethodOptions& options)
+{
+  ApplyLights(size, options, "variance", true);
+}
+
+//------------------------------------------------------------------------------
+template <const char* const& Method>
+void ApplySizes(const std::string& size, MethodOptions& options)
+{
+  options.Method = Method;
+  options.Sizes = size;
+}
+
+//------------------------------------------------------------------------------
+// LIGHTS,ORDER
+void ApplyThesis(const std::string& size, MethodOptions& options)
+{
+  options.Method = "thesis";
+  options.Lights.Count = std::atoi(size.c_str());
+  options.Thesis.Order = std::atoi(size.substr(size.find(',') + 1).c_str());
+}
+
+//------------------------------------------------------------------------------
+void ApplyPlanner(const std::string& tolerance, MethodOptions& options)
+{
+  options.Method = "auto";
+  options.Plan.Tolerance = std::atof(tolerance.c_str());
+}
+
+const char* const Table = "table";
+const char* const Layered = "layered";
+const char* const Basis = "basis";
+const char* const Filtered = "filtered";
+}
+
+namespace tool
+{
+//------------------------------------------------------------------------------
+const std::vector<ChartMethod>& GetChartMethods()
+{
+  // Colors that stay apart for every kind of color vision (Okabe and Ito 2008; violet is not
+  // theirs).
+  static const std::vector<ChartMethod> methods = {
+    { "table", "radiance table", { 0.0, 0.45, 0.70 }, false, { "17,8,8", "33,12,16", "65,12,16" },
+      { "9,6,8", "17,8,8", "33,12,16", "33,24,16", "65,8,8", "65,12,16", "65,24,24", "129,8,8",
+        "129,12,16", "129,24,16", "257,8,8" },
+      ApplySizes<Table> },
+    { "layered", "layers", { 0.45, 0.26, 0.65 }, false, { "33,12,16,0", "33,12,16,8" },
+      { "17,8,8,0", "33,8,8,0", "33,12,16,0", "65,8,8,0", "65,12,16,0", "129,8,8,0", "129,12,16,0",
+        "257,8,8,0", "65,12,16,8" },
+      ApplySizes<Layered> },
+    { "basis", "pre-integrated basis", { 0.0, 0.62, 0.45 }, true, { "9", "25", "64" },
+      { "4", "9", "16", "25", "49", "64", "100", "144" }, ApplySizes<Basis> },
+    { "filtered", "filtered samples", { 0.80, 0.47, 0.65 }, true, { "4", "16", "64" },
+      { "4", "8", "16", "32", "64", "128", "256" }, ApplySizes<Filtered> },
+    { "soft-lights", "soft lights", { 0.90, 0.62, 0.0 }, true, { "16", "64", "256" },
+      { "4", "16", "64", "256", "1024", "4096" }, ApplySoftLights },
+    { "median-cut", "median cut", { 0.84, 0.37, 0.0 }, true, { "16", "64", "256" },
+      { "4", "16", "64", "256", "1024", "4096" }, ApplyMedianCut },
+    { "importance", "random lights", { 0.34, 0.71, 0.91 }, true, { "64" },
+      { "4", "16", "64", "256", "1024", "4096" }, ApplyImportance },
+    // Its own size first: the first of each is never left out.
+    { ThesisMethod, "thesis", { 0.35, 0.35, 0.35 }, true, { "64,6", "16,6" },
+      { "64,6", "16,6", "4,6", "64,2", "64,12", "256,6" }, ApplyThesis },
+    { PBRMethod, "VTK's PBR", { 0.0, 0.0, 0.0 }, false, { "" }, { "" }, nullptr },
+    { PlannerMethod, "planner", { 0.0, 0.0, 0.0 }, false, {}, {}, ApplyPlanner },
+  };
+  return methods;
+}
+
+//------------------------------------------------------------------------------
+const ChartMethod& FindChartMethod(const std::string& name)
+{
+  std::string known;
+  for (const ChartMethod& method : GetChartMethods())
+  {
+    if (method.Name == name)
+    {
+      return method;
+    }
+    known += (known.empty() ? "" : ", ") + method.Name;
+  }
+  throw UsageError("--methods: '" + name + "' is none of " + known);
+}
+
+//------------------------------------------------------------------------------
+bool IsInView(const std::string& size) { return size.find(InView) != std::string::npos; }
+
+//------------------------------------------------------------------------------
+std::vector<ChartSize> ListChartSizes(const std::vector<std::string>& methods,
+  const std::vector<double>& tolerances, bool full, bool forView)
+{
+  for (const std::string& name : methods)
+  {
+    FindChartMethod(name);
+  }
+  std::vector<ChartSize> list;
+  for (const ChartMethod& method : GetChartMethods())
+  {
+    const bool always = method.Name == ThesisMethod || method.Name == PBRMethod;
+    if (!always && std::find(methods.begin(), methods.end(), method.Name) == methods.end())
+    {
+      continue;
+    }
+    for (const std::string& size : full ? method.AllSizes : method.FewSizes)
+    {
+      list.push_back({ &method, size, {} });
+      if (method.Apply)
+      {
+        method.Apply(size, list.back().Options);
+      }
+    }
+  }
+  // A name of its own: newer compilers fear that the reference is into a temporary.
+  const std::string plannerName = PlannerMethod;
+  const ChartMethod& planner = FindChartMethod(plannerName);
+  for (const double tolerance : tolerances)
+  {
+    list.push_back({ &planner, FormatNumber(tolerance), {} });
+    planner.Apply(list.back().Size, list.back().Options);
+  }
+  for (const double tolerance : forView ? tolerances : std::vector<double>())
+  {
+    list.push_back({ &planner, FormatNumber(tolerance) + InView, {} });
+    planner.Apply(list.back().Size, list.back().Options);
+    list.back().Options.Plan.ForView = true;
+  }
+  return list;
+}
+} // namespace tool

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A chart on logarithmic axes whose curves carry their names, drawn by VTK's charts.
+ */
+
+#ifndef ChartPage_h
+#define ChartPage_h
+
+#include "Picture.h"
+
+#include <string>
+#include <vector>
+
+namespace tool
+{
+/// What an axis counts, and how its ticks are written.
+enum class Unit
+{
+  Milliseconds,
+  Bytes,
+  Share, // in percent
+  Number
+};
+
+struct PagePoint
+{
+  double X; // in the axis' unit, positive
+  double Y;
+  std::string Name; // beside it, where there is room; may be empty
+};
+
+struct PageCurve
+{
+  std::string Label;
+  RGB Color;                    // sRGB in [0,1]
+  std::vector<PagePoint> Points; // dots; the label prefers the last ones
+  std::vector<PagePoint> Line;   // joined in their order; empty: none
+};
+
+/// A point to be found at once.
+struct PageMark
+{
+  PagePoint Point; // its name is always written
+  bool Ring;       // a black ring, else a black square
+};
+
+struct Page
+{
+  std::string Title;
+  std::string Subtitle;
+  std::string XLabel;
+  std::string YLabel;
+  Unit XUnit = Unit::Milliseconds;
+  Unit YUnit = Unit::Share;
+  std::vector<PageCurve> Curves;
+  std::vector<PageMark> Marks;
+  std::vector<PagePoint> Front; // a band below the curves; empty: none
+};
+
+/// STEM.png and STEM.svg, each whole or not at all. What is not positive and finite is left out.
+/// Throws Error.
+void DrawPage(const Page& page, const std::string& stem);
+} // namespace tool
+
+#endif

@@ -1,0 +1,393 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ChartMeter.h"
+#include "ChartMethods.h"
+#include "ChartPages.h"
+#include "ChartResults.h"
+#include "Files.h"
+#include "Inputs.h"
+#include "Measuring.h"
+#include "Meshes.h"
+#include "Progress.h"
+#include "Sizes.h"
+#include "Tool.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <set>
+
+namespace
+{
+namespace fs = std::filesystem;
+
+struct Options
+{
+  std::vector<std::string> Files;
+  std::string Environments = "sky,hall";
+  std::string Methods;
+  std::string Tolerances = "0.01,0.02,0.05";
+  std::string Sweep = "small";
+  std::string Metric = "relative_l1";
+  std::string Mesh;
+  std::string Size = "500x500";
+  std::string View = "30,20";
+  int ReferencePixels = 1024;
+  int Rounds = 9;
+  double Slowest = 2000.0;
+  bool ForView = false;
+  std::string Folder;
+};
+
+// A matte one, a plastic, a paint and a metal of those that come with the tool.
+const std::vector<std::string> DefaultMaterials = { "pink-felt", "violet-rubber", "gold-paint",
+  "nickel" };
+constexpr int LargestSize = 4096;
+constexpr double Margin = 0.2;
+
+//------------------------------------------------------------------------------
+// "a,b" -> parts, none empty, none twice. Throws UsageError.
+std::vector<std::string> SplitList(const std::string& option, const std::string& text)
+{
+  std::vector<std::string> parts(1);
+  for (const char c : text)
+  {
+    if (c == ',')
+    {
+      parts.emplace_back();
+      continue;
+    }
+    parts.back() += c;
+  }
+  std::set<std::string> seen;
+  for (const std::string& part : parts)
+  {
+    if (part.empty())
+    {
+      throw tool::UsageError(
+        option + ": '" + text + "' is not a list of names with commas between them");
+    }
+    if (!seen.insert(part).second)
+    {
+      throw tool::UsageError(option + ": '" + part + "' is there twice");
+    }
+  }
+  return parts;
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> ParseTolerances(const std::string& text)
+{
+  std::vector<double> tolerances;
+  for (const std::string& part : SplitList("--tolerances", text))
+  {
+    double value = 0.0;
+    const auto parsed = std::from_chars(part.data(), part.data() + part.size(), value);
+    if (parsed.ec != std::errc() || parsed.ptr != part.data() + part.size() ||
+        !(value >= 1e-3 && value <= 1.0))
+    {
+      throw tool::UsageError(
+        "--tolerances: '" + part + "' is not a number between 0.001 and 1, like 0.02");
+    }
+    tolerances.push_back(value);
+  }
+  return tolerances;
+}
+
+//------------------------------------------------------------------------------
+// Those of the charts that are there by name.
+std::vector<std::string> ListMethods()
+{
+  std::vector<std::string> names;
+  for (const tool::ChartMethod& method : tool::GetChartMethods())
+  {
+    if (method.Name != tool::PBRMethod && method.Name != tool::PlannerMethod)
+    {
+      names.push_back(method.Name);
+    }
+  }
+  return names;
+}
+
+//------------------------------------------------------------------------------
+std::string Join(const std::vector<std::string>& parts)
+{
+  std::string text;
+  for (const std::string& part : parts)
+  {
+    text += (text.empty() ? "" : ",") + part;
+  }
+  return text;
+}
+
+//------------------------------------------------------------------------------
+std::vector<tool::Material> LoadMaterials(const std::vector<std::string>& files)
+{
+  std::vector<tool::Material> materials;
+  std::set<std::string> names;
+  for (const std::string& file : files)
+  {
+    if (file.empty())
+    {
+      throw tool::UsageError("FILE: one of the materials has an empty name");
+    }
+    materials.push_back(tool::LoadMaterial(file));
+    // Results are found by name.
+    if (!names.insert(materials.back().Name).second)
+    {
+      materials.back().Name = fs::path(file).stem().string();
+      if (!names.insert(materials.back().Name).second)
+      {
+        throw tool::UsageError("FILE: two materials are called " + materials.back().Name);
+      }
+    }
+  }
+  return materials;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkSmartPointer<vtkEnvironment>> LoadEnvironments(const std::string& list)
+{
+  std::vector<vtkSmartPointer<vtkEnvironment>> environments;
+  std::set<std::string> names;
+  for (const std::string& file : SplitList("--environments", list))
+  {
+    environments.push_back(tool::LoadEnvironment(file));
+    if (!names.insert(environments.back()->GetName()).second)
+    {
+      throw tool::UsageError("--environments: two are called " + environments.back()->GetName());
+    }
+  }
+  return environments;
+}
+
+//------------------------------------------------------------------------------
+void MakeFolder(const std::string& folder)
+{
+  std::error_code error;
+  fs::create_directories(folder + "/exact", error);
+  if (error)
+  {
+    throw tool::Error(folder + ": can't be made: " + error.message());
+  }
+  for (const char* name : { "/results.json", "/exact/x" })
+  {
+    tool::CheckWritable(folder + name);
+  }
+}
+
+//------------------------------------------------------------------------------
+struct Task
+{
+  const tool::Material* Material;
+  vtkEnvironment* Environment;
+};
+
+//------------------------------------------------------------------------------
+// The pairs that the results do not have yet. Throws Error where one has changed since.
+std::vector<Task> ListTasks(const std::vector<tool::Material>& materials,
+  const std::vector<vtkSmartPointer<vtkEnvironment>>& environments, const tool::ChartMeter& meter,
+  const tool::ChartResults& results, const std::string& folder)
+{
+  std::vector<Task> tasks;
+  for (const tool::Material& material : materials)
+  {
+    for (const vtkSmartPointer<vtkEnvironment>& environment : environments)
+    {
+      const tool::ChartPair* kept = results.Find(material.Name, environment->GetName());
+      if (!kept)
+      {
+        tasks.push_back({ &material, environment });
+      }
+      else if (kept->Fingerprint != meter.GetFingerprint(material, environment))
+      {
+        throw tool::Error(folder + "/results.json: " + material.Name + " under " +
+                          environment->GetName() +
+                          " is not what it was when it was measured. Write to another folder");
+      }
+    }
+  }
+  return tasks;
+}
+
+//------------------------------------------------------------------------------
+// What there is so far is in the folder after each pair.
+void MeasureAll(const std::vector<Task>& tasks, tool::ChartMeter& meter,
+  tool::ChartResults& results, const tool::Metric& metric, const std::string& folder)
+{
+  tool::ProgressBar bar("measuring");
+  for (std::size_t k = 0; k < tasks.size(); ++k)
+  {
+    const auto show = [&](double share)
+    { bar.Update((static_cast<double>(k) + share) / static_cast<double>(tasks.size())); };
+    try
+    {
+      results.Pairs.push_back(meter.Measure(*tasks[k].Material, tasks[k].Environment, show));
+    }
+    catch (const tool::Error&)
+    {
+      if (!tool::Interruptible::IsInterrupted())
+      {
+        throw;
+      }
+      throw tool::Error("interrupted: " + std::to_string(k) + " of " +
+                        std::to_string(tasks.size()) + " pairs were measured and are in " + folder +
+                        "; the same command goes on from there");
+    }
+    tool::SaveResults(folder, results);
+    const tool::ChartPair& pair = results.Pairs.back();
+    tool::DrawPage(
+      tool::MakePairPage(results, pair, metric), folder + "/" + tool::MakeFileName(pair));
+  }
+}
+
+//------------------------------------------------------------------------------
+void DrawSummaries(
+  const tool::ChartResults& results, const tool::Metric& metric, const std::string& folder)
+{
+  const std::pair<tool::Cost, const char*> summaries[] = { { tool::Cost::Frame, "summary" },
+    { tool::Cost::SetUp, "setup" }, { tool::Cost::Memory, "memory" } };
+  for (const auto& [cost, name] : summaries)
+  {
+    tool::DrawPage(tool::MakeSummaryPage(results, metric, cost), folder + "/" + name);
+  }
+}
+
+//------------------------------------------------------------------------------
+void PrintVerdict(const tool::ChartResults& results, const Options& options)
+{
+  std::size_t figures = 0;
+  for (const tool::ChartPair& pair : results.Pairs)
+  {
+    figures += tool::RatePlanner(pair, options.Metric).size();
+  }
+  char text[200];
+  std::snprintf(text, sizeof(text),
+    "The planner's %zu choices: %.0f %% on the front of all that was measured or within %.0f %% of "
+    "its time.\n",
+    figures, 100.0 * tool::GetShareWithin(results, options.Metric, Margin), 100.0 * Margin);
+  tool::PrintOut(tool::FormatCount(results.Pairs.size(), "pair") + " in " + options.Folder +
+                 ": summary.png, setup.png, memory.png, one of each pair (and .svg), results.csv, "
+                 "results.json\n" +
+                 text);
+}
+
+//------------------------------------------------------------------------------
+const tool::Metric& FindMetric(const std::string& name)
+{
+  const std::vector<tool::Metric>& metrics = tool::GetMetrics();
+  return *std::find_if(metrics.begin(), metrics.end(),
+    [&name](const tool::Metric& metric) { return metric.Name == name; });
+}
+
+//------------------------------------------------------------------------------
+void Run(const Options& options)
+{
+  const tool::Size size = tool::ParseSize("--size", options.Size, LargestSize);
+  const tool::View view = tool::ParseView(options.View);
+  const std::vector<std::string> methods =
+    options.Methods.empty() ? ListMethods() : SplitList("--methods", options.Methods);
+  const std::vector<double> tolerances = ParseTolerances(options.Tolerances);
+  const std::vector<tool::ChartSize> sizes =
+    tool::ListChartSizes(methods, tolerances, options.Sweep == "full", options.ForView);
+  if (!(options.Slowest > 0.0))
+  {
+    throw tool::UsageError(
+      "--slowest: " + tool::FormatNumber(options.Slowest) + " is not a time above 0 in ms");
+  }
+  MakeFolder(options.Folder);
+  const tool::Interruptible interruptible;
+  const std::vector<tool::Material> materials =
+    LoadMaterials(options.Files.empty() ? DefaultMaterials : options.Files);
+  const auto environments = LoadEnvironments(options.Environments);
+
+  const tool::ChartScene scene = { options.Mesh.empty() ? tool::MakeSphere()
+                                                        : tool::LoadMesh(options.Mesh),
+    view, size, options.ReferencePixels, options.Rounds, options.Slowest };
+  tool::ChartMeter meter(scene, sizes, options.Folder + "/exact");
+  nlohmann::ordered_json machine = tool::DescribeMachine();
+  machine.update(meter.DescribeRenderer());
+  const nlohmann::ordered_json settings = { { "methods", Join(methods) },
+    { "sweep", options.Sweep }, { "tolerances", options.Tolerances },
+    { "mesh", options.Mesh.empty() ? "sphere" : options.Mesh }, { "size", options.Size },
+    { "view", options.View }, { "reference_pixels", options.ReferencePixels },
+    { "rounds", options.Rounds }, { "slowest", options.Slowest }, { "for_view", options.ForView } };
+  tool::ChartResults results = tool::LoadResults(options.Folder, settings, machine);
+
+  const tool::Metric& metric = FindMetric(options.Metric);
+  MeasureAll(ListTasks(materials, environments, meter, results, options.Folder), meter, results,
+    metric, options.Folder);
+  DrawSummaries(results, metric, options.Folder);
+  PrintVerdict(results, options);
+}
+}
+
+namespace tool
+{
+//------------------------------------------------------------------------------
+void AddChartCommand(CLI::App& app)
+{
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand(
+    "chart", "Chart the methods' speed against their accuracy on your materials and machine");
+  command->add_option("FILE", options->Files,
+    std::string("Materials, each as in the other commands: ") + GetMaterialHelp() +
+      ". Default: " + Join(DefaultMaterials));
+  command->add_option("--environments", options->Environments,
+    "Environments, with commas between them, each as in the other commands (default sky,hall)");
+  AddProjectionOption(command);
+  command->add_option("--methods", options->Methods,
+    "Methods, with commas between them (default all): " + Join(ListMethods()) +
+      ". The thesis's and VTK's own shading are always there");
+  command->add_option("--tolerances", options->Tolerances,
+    "Tolerances whose plans are marked, with commas between them, from 0.001 to 1 (default " +
+      options->Tolerances + ")");
+  command
+    ->add_option(
+      "--sweep", options->Sweep, "small (default): a few sizes of each method; full: all of them")
+    ->check(CLI::IsMember({ "small", "full" }));
+  std::vector<std::string> metrics;
+  for (const Metric& metric : GetMetrics())
+  {
+    if (metric.IsError)
+    {
+      metrics.push_back(metric.Name);
+    }
+  }
+  command
+    ->add_option("--metric", options->Metric,
+      "Error that the charts show (default relative_l1); the tables hold all: " + Join(metrics))
+    ->check(CLI::IsMember(metrics));
+  command->add_option("--mesh", options->Mesh,
+    "Mesh to show it on: ply, stl, obj, vtp, vtk, gltf or glb (default: a sphere)");
+  command->add_option(
+    "--size", options->Size, "Picture size in pixels, WIDTHxHEIGHT (default 500x500)");
+  command->add_option("--view", options->View,
+    "Where to look from, AZIMUTH,ELEVATION in degrees, as for render (default 30,20)");
+  command
+    ->add_option("--reference-pixels", options->ReferencePixels,
+      "Compare at most so many covered pixels, those on a regular grid (default 1024)")
+    ->check(CLI::Range(1, LargestSize * LargestSize));
+  command
+    ->add_option("--rounds", options->Rounds,
+      "Frames of each that are timed, all methods in turn (default 9); slow ones get fewer, at "
+      "least 3, and those above 3 seconds one")
+    ->check(CLI::Range(3, 1000));
+  command->add_option("--slowest", options->Slowest,
+    "Leave out sizes whose frames would take longer than this, in ms (default 2000)");
+  command->add_flag("--for-view", options->ForView,
+    "Mark what the planner chooses for the picture's own normals, views and pixels, too ('in "
+    "view'): it plans for a sphere from everywhere else");
+  command->add_option("-o,--output", options->Folder, "Folder to write to")->required();
+  command->footer(
+    "Results are kept after each pair of material and environment: after Ctrl-C or a crash the "
+    "same command\ngoes on, and with more materials or environments it adds them. Times are worth "
+    "something on an\notherwise idle machine only.\n\nExample:\n  measured-brdf chart felt.bsdf "
+    "satin.bsdf --environments studio.exr,sunset.exr --sweep full -o charts\n\nNeeds OpenGL; "
+    "without a screen, put 'xvfb-run -a' before it.");
+  command->callback([options]() { Run(*options); });
+}
+} // namespace tool

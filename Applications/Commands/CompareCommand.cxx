@@ -1,0 +1,504 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Bases.h"
+#include "FailureMap.h"
+#include "Files.h"
+#include "Inputs.h"
+#include "Measuring.h"
+#include "Meshes.h"
+#include "Methods.h"
+#include "Progress.h"
+#include "Scene.h"
+#include "ContactSheet.h"
+#include "Sizes.h"
+#include "StockScene.h"
+#include "Surface.h"
+#include "Tool.h"
+#include "RunWithProgress.h"
+
+#include "vtkBRDFFailureMap.h"
+#include "vtkBRDFResampler.h"
+#include "vtkNew.h"
+#include "vtkRadianceMetrics.h"
+#include "vtkVersion.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <memory>
+
+namespace
+{
+struct Options
+{
+  std::string File;
+  std::string Environment;
+  std::string Mesh;
+  std::string Size = "500x500";
+  std::string View = "30,20";
+  int ReferencePixels = 1024;
+  std::string Output;
+  std::string Report;
+  std::string Fit;
+  std::string FailureMap;
+  tool::MethodOptions Method;
+};
+
+// Frames that frame_ms is the median of, and those before that are not counted.
+constexpr int NumberOfFrames = 21;
+constexpr int WarmUp = 3;
+constexpr int LargestSize = 4096;
+// Share of the picture's smaller side that the mesh takes.
+constexpr double Fill = 0.9;
+
+//------------------------------------------------------------------------------
+double GetMilliseconds(const std::function<void()>& run)
+{
+  const auto begin = std::chrono::steady_clock::now();
+  run();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin)
+    .count();
+}
+
+//------------------------------------------------------------------------------
+/// What was found.
+struct Comparison
+{
+  vtkNew<vtkRadianceMetrics> Metrics;
+  vtkNew<vtkRadianceMetrics> StockMetrics;
+  tool::StockMaterial Stock;
+  double Setup = 0.0;
+  double StockSetup = 0.0;
+  double Frame = 0.0;
+  double StockFrame = 0.0;
+};
+
+//------------------------------------------------------------------------------
+nlohmann::ordered_json MakeReport(const Options& options, const Comparison& found)
+{
+  vtkRadianceMetrics* metrics = found.Metrics;
+  nlohmann::ordered_json report = { { "method", options.Method.Method } };
+  for (const tool::Metric& metric : tool::GetMetrics())
+  {
+    report[metric.Name] = metric.Get(metrics);
+  }
+  report.update({ { "frame_ms", found.Frame }, { "pbr_frame_ms", found.StockFrame },
+    { "pbr_relative_l1", found.StockMetrics->GetRelativeL1() }, { "setup_ms", found.Setup },
+    { "pbr_setup_ms", found.StockSetup }, { "pbr_flip", found.StockMetrics->GetFLIP() },
+    { "pbr_material", { { "roughness", found.Stock.Roughness },
+                        { "metallic", found.Stock.Metallic }, { "albedo", found.Stock.Albedo } } },
+    { "frames", NumberOfFrames }, { "vtk", vtkVersion::GetVTKVersion() } });
+  return report;
+}
+
+//------------------------------------------------------------------------------
+std::string FormatPercent(double share)
+{
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.3g %%", 100.0 * share);
+  return text;
+}
+
+//------------------------------------------------------------------------------
+// What is evaluated in place of the material: the form on the GPU where the method has one.
+vtkBRDF* GetShaded(const tool::Method& method)
+{
+  return method.Integrator->UsesBRDFOnGPU() ? method.BRDF->GetRenderable() : method.BRDF.Get();
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkBRDFFailureMap> MakeFailureMap(vtkBRDF* reference, const tool::Method& method)
+{
+  auto map = vtkSmartPointer<vtkBRDFFailureMap>::New();
+  map->SetReference(reference);
+  map->SetBRDF(GetShaded(method));
+  if (!tool::RunWithProgress(map.Get(), &vtkBRDFFailureMap::Update, "mapping failures"))
+  {
+    throw tool::Error("compare: --failure-map: " + tool::TakeErrorText());
+  }
+  return map;
+}
+
+//------------------------------------------------------------------------------
+void WriteFailureMap(const Options& options, const std::string& title, const tool::Method& method,
+  vtkBRDFFailureMap* map, const std::vector<tool::ViewError>& views)
+{
+  tool::FailureCaption caption;
+  caption.Title = title;
+  caption.Method = options.Method.Method;
+  vtkBRDF* shaded = GetShaded(method);
+  caption.Note =
+    shaded == map->GetReference()
+      ? "The method takes the material's own f: its errors are those of the integral alone (right)."
+      : "f as " + tool::DescribeForm(shaded) + ": relative L1 " +
+          FormatPercent(map->GetRelativeL1()) + ".";
+  caption.Note += " Each cell: mean |f - r| over mean r, all azimuths. Gray: below the horizon.";
+  tool::WriteFailureMap(options.FailureMap, caption, map, views);
+}
+
+//------------------------------------------------------------------------------
+void AddFailures(
+  vtkBRDFFailureMap* map, const std::vector<tool::ViewError>& views, nlohmann::ordered_json& report)
+{
+  report["brdf_relative_l1"] = map->GetRelativeL1();
+  report["brdf_log_cosine"] =
+    vtkBRDFResampler::GetLogCosineDistance(map->GetReference(), map->GetBRDF());
+  report["worst_angles"] = nlohmann::ordered_json::array();
+  for (int k = 0; k < map->GetNumberOfWorstAngles(); ++k)
+  {
+    double angles[3];
+    map->GetWorstAngles(k, angles);
+    report["worst_angles"].push_back({ { "theta_i", angles[0] }, { "theta_o", angles[1] },
+      { "phi", angles[2] }, { "error", map->GetWorstError(k) } });
+  }
+  report["radiance_by_theta_o"] = nlohmann::ordered_json::array();
+  for (const tool::ViewError& view : views)
+  {
+    report["radiance_by_theta_o"].push_back(
+      { { "begin", view.Begin }, { "end", view.End }, { "pixels", view.NumberOfPixels },
+        { "relative_l1", view.RelativeL1 }, { "p99_relative", view.P99 } });
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string FormatMilliseconds(double value)
+{
+  char text[32];
+  std::snprintf(text, sizeof(text), value < 100.0 ? "%.3g ms" : "%.0f ms", value);
+  return text;
+}
+
+//------------------------------------------------------------------------------
+// Values at the grid's points to every pixel that a picture covers: the nearest, or between them.
+tool::Picture Enlarge(
+  const tool::Picture& small, const tool::Picture& covered, int stride, bool smooth)
+{
+  tool::Picture result(covered.Width, covered.Height);
+  for (int y = 0; y < covered.Height; ++y)
+  {
+    for (int x = 0; x < covered.Width; ++x)
+    {
+      const double u = static_cast<double>(x - stride / 2) / stride;
+      const double v = static_cast<double>(y - stride / 2) / stride;
+      double sum[4] = {};
+      for (int j = static_cast<int>(std::floor(v)) - 1; j <= static_cast<int>(std::floor(v)) + 2;
+           ++j)
+      {
+        for (int i = static_cast<int>(std::floor(u)) - 1; i <= static_cast<int>(std::floor(u)) + 2;
+             ++i)
+        {
+          if (i < 0 || j < 0 || i >= small.Width || j >= small.Height || small.At(i, j)[3] == 0.0f)
+          {
+            continue;
+          }
+          // A tent between four neighbors; beyond the rim, those a little farther off.
+          const double du = std::abs(u - i);
+          const double dv = std::abs(v - j);
+          const double weight = smooth ? std::max(0.0, 1.0 - du) * std::max(0.0, 1.0 - dv) +
+                                           1e-6 / (0.01 + du * du + dv * dv)
+                                       : std::exp(-40.0 * std::max(du, dv));
+          for (int c = 0; c < 3; ++c)
+          {
+            sum[c] += weight * small.At(i, j)[c];
+          }
+          sum[3] += weight;
+        }
+      }
+      float* pixel = result.At(x, y);
+      for (int c = 0; c < 3 && sum[3] > 0.0; ++c)
+      {
+        pixel[c] = static_cast<float>(sum[c] / sum[3]);
+      }
+      pixel[3] = sum[3] > 0.0 ? covered.At(x, y)[3] : 0.0f;
+    }
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
+// Blue below, white at and red above zero, at full color where |error| is 1.
+tool::RGB ColorError(double error)
+{
+  const double t = std::clamp(std::abs(error), 0.0, 1.0);
+  const tool::RGB far = error < 0.0 ? tool::RGB{ 0.02, 0.1, 0.6 } : tool::RGB{ 0.6, 0.03, 0.02 };
+  tool::RGB rgb;
+  for (int c = 0; c < 3; ++c)
+  {
+    rgb[c] = (1.0 - t) * 0.85 + t * far[c];
+  }
+  return rgb;
+}
+
+//------------------------------------------------------------------------------
+// Over dark gray, in display light.
+tool::Picture MakeTile(tool::Picture picture, double exposure)
+{
+  for (std::size_t k = 0; k < picture.Pixels.size(); k += 4)
+  {
+    const double alpha = std::clamp<double>(picture.Pixels[k + 3], 0.0, 1.0);
+    for (int c = 0; c < 3; ++c)
+    {
+      picture.Pixels[k + c] = static_cast<float>(
+        alpha * tool::RollOff(exposure * picture.Pixels[k + c]) + (1.0 - alpha) * 0.03);
+    }
+    picture.Pixels[k + 3] = 1.0f;
+  }
+  return picture;
+}
+
+//------------------------------------------------------------------------------
+// Method, exact, signed error and PBR beside each other.
+void WriteSheet(const Options& options, const std::string& title, const Comparison& found,
+  const tool::Grid& grid, const std::vector<double>& rgb, const std::vector<double>& reference,
+  const tool::Picture& drawn, const tool::Picture& stock)
+{
+  std::vector<double> sorted = reference;
+  std::sort(sorted.begin(), sorted.end());
+  const double exposure = 0.9 / std::max(sorted[sorted.size() * 99 / 100], 1e-30);
+  double mean = 0.0;
+  for (const double value : reference)
+  {
+    mean += value / static_cast<double>(reference.size());
+  }
+  // Full color at three times the mean error.
+  const double scale = std::max(3.0 * found.Metrics->GetRelativeL1(), 1e-6);
+  std::vector<double> errors;
+  for (std::size_t k = 0; k < rgb.size(); k += 3)
+  {
+    const double error =
+      (rgb[k] + rgb[k + 1] + rgb[k + 2] - reference[k] - reference[k + 1] - reference[k + 2]) /
+      (3.0 * mean);
+    const tool::RGB color = ColorError(error / scale);
+    errors.insert(errors.end(), color.begin(), color.end());
+  }
+  const int stride = grid.Surface.Stride;
+  tool::ContactSheet sheet(title, 4, 1, drawn.Width, drawn.Height);
+  sheet.Add(0, 0, MakeTile(drawn, exposure), options.Method.Method,
+    "relative L1 " + FormatPercent(found.Metrics->GetRelativeL1()) + ", " +
+      FormatMilliseconds(found.Frame) + " a frame, set-up " + FormatMilliseconds(found.Setup));
+  sheet.Add(1, 0, MakeTile(Enlarge(grid.Draw(reference), drawn, stride, true), exposure), "exact",
+    std::to_string(grid.Surface.Pixels.size()) + " of " +
+      std::to_string(grid.Surface.NumberOfCovered) + " pixels, interpolated");
+  sheet.Add(2, 0, MakeTile(Enlarge(grid.Draw(errors), drawn, stride, false), 1.0), "error",
+    "blue: too dark, red: too bright; full color at " + FormatPercent(scale) +
+      " of the mean radiance");
+  sheet.Add(3, 0, MakeTile(stock, exposure), "VTK's PBR + IBL",
+    "relative L1 " + FormatPercent(found.StockMetrics->GetRelativeL1()) + ", " +
+      FormatMilliseconds(found.StockFrame) + " a frame, set-up " +
+      FormatMilliseconds(found.StockSetup));
+  sheet.Write(options.Output);
+}
+
+//------------------------------------------------------------------------------
+// Frames of both in turns, so that whatever slows the machine down slows both.
+void TimeFrames(tool::OffscreenScene& scene, tool::OffscreenScene& stock, Comparison& found)
+{
+  std::vector<double> frames;
+  std::vector<double> stockFrames;
+  for (int k = 0; k < WarmUp + NumberOfFrames; ++k)
+  {
+    const double frame = scene.TimeFrame();
+    const double stockFrame = stock.TimeFrame();
+    if (k >= WarmUp)
+    {
+      frames.push_back(frame);
+      stockFrames.push_back(stockFrame);
+    }
+  }
+  found.Frame = tool::Median(frames);
+  found.StockFrame = tool::Median(stockFrames);
+}
+
+//------------------------------------------------------------------------------
+void PrintSummary(
+  const std::string& title, const Options& options, const Comparison& found, const tool::Grid& grid)
+{
+  const auto line =
+    [](const std::string& name, vtkRadianceMetrics* metrics, double frame, double setup)
+  {
+    return name + ": relative L1 " + FormatPercent(metrics->GetRelativeL1()) + ", median " +
+           FormatPercent(metrics->GetMedianRelative()) + ", 99th percentile " +
+           FormatPercent(metrics->GetP99Relative()) + ", FLIP " +
+           tool::FormatNumber(std::round(1e4 * metrics->GetFLIP()) / 1e4) + "; frame " +
+           FormatMilliseconds(frame) + ", set-up " + FormatMilliseconds(setup) + "\n";
+  };
+  tool::PrintOut(title + ", " + std::to_string(grid.Surface.Pixels.size()) + " of " +
+                 std::to_string(grid.Surface.NumberOfCovered) + " covered pixels\n" +
+                 line(options.Method.Method, found.Metrics, found.Frame, found.Setup) +
+                 line("VTK's PBR", found.StockMetrics, found.StockFrame, found.StockSetup));
+}
+
+//------------------------------------------------------------------------------
+void Check(Options& options, const CLI::App* command)
+{
+  options.Method.Check(command);
+  for (const std::string& path : { options.Output, options.FailureMap })
+  {
+    if (!path.empty() && tool::Extension(path) != ".png")
+    {
+      throw tool::UsageError(path + ": the picture must end in .png");
+    }
+  }
+  for (const std::string& path : { options.Output, options.FailureMap, options.Report })
+  {
+    if (!path.empty())
+    {
+      tool::CheckWritable(path);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void Run(Options& options, const CLI::App* command)
+{
+  const tool::Size size = tool::ParseSize("--size", options.Size, LargestSize);
+  const tool::View view = tool::ParseView(options.View);
+  Check(options, command);
+  const tool::Interruptible interruptible;
+  const tool::Material material = tool::LoadMaterial(options.File);
+  const tool::Material shaded = options.Fit.empty() ? material : tool::LoadMaterial(options.Fit);
+  const vtkSmartPointer<vtkEnvironment> environment = tool::LoadEnvironment(options.Environment);
+  const vtkSmartPointer<vtkPolyData> mesh =
+    options.Mesh.empty() ? tool::MakeSphere() : tool::LoadMesh(options.Mesh);
+
+  // Both from cold until the first frame is done, in windows that are open already. The measured
+  // scene goes first: nothing of the material or the environment is prepared.
+  tool::Scene scene;
+  tool::StockScene stock;
+  for (tool::OffscreenScene* stage :
+    { static_cast<tool::OffscreenScene*>(&scene), static_cast<tool::OffscreenScene*>(&stock) })
+  {
+    stage->SetMesh(mesh);
+    stage->SetView(view.Azimuth, view.Elevation, Fill);
+    stage->Open(size.Width, size.Height);
+  }
+  Comparison found;
+  tool::Method method;
+  found.Setup = GetMilliseconds(
+    [&]()
+    {
+      options.Method.Plan.Look(mesh, view, Fill, size);
+      method = tool::MakeMethod(options.Method, shaded, environment);
+      scene.SetMaterial(method.BRDF);
+      scene.SetLight(environment, method.Integrator);
+      scene.TimeFrame();
+    });
+  found.StockSetup = GetMilliseconds(
+    [&]()
+    {
+      stock.SetLight(environment);
+      stock.SetMaterial(tool::StockMaterial());
+      stock.TimeFrame();
+    });
+
+  const tool::Surface surface = tool::FindSurface(mesh, view, Fill, size, options.ReferencePixels);
+  const std::vector<double> reference = tool::SumExactly(material.BRDF, environment, surface);
+  const tool::Picture drawn = scene.Render(size.Width, size.Height);
+  const std::vector<double> rgb = tool::Pick(drawn, surface);
+  found.Stock = stock.Fit(surface, size, reference);
+  const tool::Picture stockDrawn = stock.Render(size.Width, size.Height);
+  const tool::Grid grid(surface, size);
+  tool::Measure(found.Metrics, grid, rgb, reference);
+  tool::Measure(found.StockMetrics, grid, tool::Pick(stockDrawn, surface), reference);
+  TimeFrames(scene, stock, found);
+
+  nlohmann::ordered_json report = MakeReport(options, found);
+  report["lights"] = method.GetNumberOfLights();
+  report["texture_bytes"] = scene.GetTextureBytes();
+  report["predicted_error"] = nullptr;
+  if (method.Planner)
+  {
+    report["predicted_error"] = method.Planner->GetPredictedError(method.Planner->GetChoice());
+    report["tolerance"] = options.Method.Plan.Tolerance;
+    report["meets_tolerance"] = method.Planner->GetMeetsTolerance();
+    report["plan"] = method.Planner->GetPlan();
+  }
+  report["reference_pixels"] = surface.Pixels.size();
+  report["covered_pixels"] = surface.NumberOfCovered;
+  report["width"] = size.Width;
+  report["height"] = size.Height;
+  report["material"] = material.Name;
+  report["environment"] = environment->GetName();
+  report["renderer"] = scene.GetRendererName();
+  if (!options.Fit.empty())
+  {
+    report["fit"] = shaded.Name;
+  }
+  const std::string title = material.Name + " under " + environment->GetName();
+  if (!options.FailureMap.empty())
+  {
+    const std::vector<tool::ViewError> views =
+      tool::MeasureViews(surface.Normals, surface.Views, rgb, reference);
+    const vtkSmartPointer<vtkBRDFFailureMap> map = MakeFailureMap(material.BRDF, method);
+    WriteFailureMap(options, title, method, map, views);
+    AddFailures(map, views, report);
+  }
+  if (!options.Report.empty())
+  {
+    tool::WriteText(options.Report,
+      report.dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+  }
+  if (!options.Output.empty())
+  {
+    WriteSheet(options, title, found, grid, rgb, reference, drawn, stockDrawn);
+  }
+  PrintSummary(title, options, found, grid);
+  if (method.Planner)
+  {
+    tool::PrintOut("plan: " + method.Planner->GetPlan() + "\n");
+  }
+}
+}
+
+namespace tool
+{
+//------------------------------------------------------------------------------
+void AddCompareCommand(CLI::App& app)
+{
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand(
+    "compare", "Compare a method with the exact sum and with VTK's own shading, in error and time");
+  command->add_option("FILE", options->File, GetMaterialHelp())->required();
+  command->add_option("--environment", options->Environment, EnvironmentHelp)->required();
+  AddProjectionOption(command);
+  command->add_option("--mesh", options->Mesh,
+    "Mesh to show it on: ply, stl, obj, vtp, vtk, gltf or glb (default: a sphere)");
+  options->Method.Method = "auto";
+  options->Method.AddTo(
+    command, { "light-set", "thesis", "basis", "filtered", "table", "layered", "auto" });
+  options->Method.Plan.AddForViewTo(command);
+  command->add_option(
+    "--size", options->Size, "Picture size in pixels, WIDTHxHEIGHT (default 500x500)");
+  command->add_option("--view", options->View,
+    "Where to look from, AZIMUTH,ELEVATION in degrees, as for render (default 30,20)");
+  command
+    ->add_option("--reference-pixels", options->ReferencePixels,
+      "Compare at most so many covered pixels, those on a regular grid (default 1024): each costs "
+      "a sum over the environment's texels")
+    ->check(CLI::Range(1, LargestSize * LargestSize));
+  command->add_option("--report", options->Report,
+    "JSON file to write: relative_l1, relative_rmse, rel_mse, median_relative, p99_relative, "
+    "smape, flip, hdr_flip, ssim (null where the compared pixels are fewer than 11 x 11), "
+    "delta_e_2000, delta_e_itp, frame_ms, setup_ms, texture_bytes, lights, predicted_error, the "
+    "same of VTK's "
+    "shading (pbr_...), and what was compared");
+  command->add_option("-o,--output", options->Output,
+    "Picture to write, .png: the method, the exact sum, the signed error, VTK's shading");
+  command->add_option("--fit", options->Fit,
+    "Another file of the same material (a fit, a projection): it is rendered, and compared with "
+    "FILE");
+  command->add_option("--failure-map", options->FailureMap,
+    "Picture to write, .png: where the method fails. The error of the f that it shades with over "
+    "(theta_i, theta_o) and over (theta_h, theta_d), that of radiance over theta_o, and the worst "
+    "angles; the report gets brdf_relative_l1, brdf_log_cosine, worst_angles, radiance_by_theta_o");
+  command->footer("VTK's shading is vtkOpenGLPolyDataMapper with physically based materials and "
+                  "image-based\nlighting, its roughness, metallic part and color those of least "
+                  "error.\n\nExample:\n  measured-brdf compare gold-paint --environment hall "
+                  "--tolerance 0.02 -o gold.png");
+  command->callback([options, command]() { Run(*options, command); });
+}
+} // namespace tool

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Files.h"
+#include "Inputs.h"
+#include "Tool.h"
+
+#include "vtkBRDFFormats.h"
+#include "vtkBRDFReader.h"
+#include "vtkBRDFResampler.h"
+#include "vtkNew.h"
+
+#include <memory>
+
+namespace
+{
+struct Options
+{
+  std::string Input;
+  std::string Output;
+  bool HalfFloats = false;
+};
+
+// Direction pairs that the printed errors are measured with.
+constexpr int NumberOfPairs = 1 << 17;
+
+//------------------------------------------------------------------------------
+void Run(const Options& options)
+{
+  const auto format = vtkBRDFFormats::FindForWriting(tool::Extension(options.Output));
+  if (!format)
+  {
+    throw tool::UsageError(
+      options.Output + ": OUT must end in " + vtkBRDFFormats::GetExtensions(true));
+  }
+  const tool::Material material = tool::LoadMaterial(options.Input);
+  material.BRDF->Prepare();
+  std::string problem;
+  const vtkSmartPointer<vtkBRDF> output = format->Convert(material.BRDF, problem);
+  if (!output)
+  {
+    throw tool::Error(material.Name + ": " + problem);
+  }
+  tool::WriteMaterial(output, options.Output, options.HalfFloats);
+
+  // The error of what is in the file, not of what should be.
+  vtkNew<vtkBRDFReader> reader;
+  reader->SetFileName(options.Output);
+  if (!reader->Read())
+  {
+    throw tool::Error("reading back what was written: " + reader->GetErrorMessage());
+  }
+  reader->GetBRDF()->Prepare();
+  double maximum = 0.0;
+  const double relative =
+    vtkBRDFResampler::GetRelativeL2Error(material.BRDF, reader->GetBRDF(), NumberOfPairs, &maximum);
+
+  std::string text = options.Input + " (" + material.Format + ") -> " + options.Output + " (" +
+                     reader->GetFormatName() + ")\n";
+  text += "relative L2 error, weighted by both cosines: " + tool::FormatNumber(relative) + "\n";
+  text += "largest absolute error met: " + tool::FormatNumber(maximum) + " 1/sr\n";
+  if (output->IsReciprocal() && !material.BRDF->IsReciprocal())
+  {
+    text += "note: what was written is reciprocal, f(i,o) = f(o,i), and this material is not: the mean "
+            "of both is kept, its asymmetry is lost (the errors above include that)\n";
+  }
+  tool::PrintOut(text);
+}
+}
+
+namespace tool
+{
+//------------------------------------------------------------------------------
+void AddConvertCommand(CLI::App& app)
+{
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+    app.add_subcommand("convert", "Write a material in another format and print what that costs");
+  command->add_option("IN", options->Input, GetMaterialHelp())->required();
+  command
+    ->add_option("OUT", options->Output,
+      "File to write: .exr keeps everything bit by bit (this project's own format); .binary is a "
+      "MERL table of 90 x 90 x 180 that other programs read, isotropic and reciprocal")
+    ->required();
+  command->add_flag("--half", options->HalfFloats,
+    "Write the tables of .exr as 16-bit floats: a third of the size");
+  command->footer(
+    "Prints the relative L2 error (both cosines as weights) and the largest absolute error of the\n"
+    "written file against the input. A MERL table is reciprocal: a measurement that is not loses\n"
+    "its asymmetry.\n\n"
+    "Example:\n  measured-brdf convert satin_purple_rgb.bsdf satin_purple.binary");
+  command->callback([options]() { Run(*options); });
+}
+} // namespace tool

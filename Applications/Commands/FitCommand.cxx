@@ -1,0 +1,432 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Bases.h"
+#include "Files.h"
+#include "Inputs.h"
+#include "Thesis.h"
+#include "Tool.h"
+#include "RunWithProgress.h"
+
+#include "vtkAshikhminShirleyBRDFFitter.h"
+#include "vtkBRDFResampler.h"
+#include "vtkBlinnPhongBRDFFitter.h"
+#include "vtkDistributionBRDFFitter.h"
+#include "vtkNew.h"
+#include "vtkPBRPropertyFitter.h"
+
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <cstdio>
+#include <functional>
+#include <map>
+#include <memory>
+#include <sstream>
+
+using nlohmann::ordered_json;
+
+namespace
+{
+constexpr int NumberOfErrorPairs = 1 << 16;
+constexpr int MinimumNumberOfSamples = 256;
+constexpr int MaximumNumberOfSamples = 1 << 18; // all derivatives are in memory: 1 to 2 kB each
+
+struct Options
+{
+  std::string File;
+  std::string Output;
+  std::string Model;
+  std::string Loss = "log-cosine";
+  std::string Fresnel = "table";
+  int Lobes = 1;
+  int Starts = 4;
+  int Samples = 0; // 0: the fitter's own
+  unsigned int Seed = 1;
+  bool Anisotropic = false;
+  bool Json = false;
+};
+
+const std::map<std::string, int> Losses = { { "log-cosine", vtkBRDFFitter::LOG_COSINE },
+  { "cube-root", vtkBRDFFitter::CUBE_ROOT_COSINE }, { "squared", vtkBRDFFitter::SQUARED } };
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkBRDFFitter> MakeDistributionFitter(const Options& options)
+{
+  auto fitter = vtkSmartPointer<vtkDistributionBRDFFitter>::New();
+  fitter->SetFresnelModel(options.Fresnel == "schlick" ? vtkDistributionBRDFFitter::SCHLICK
+                                                       : vtkDistributionBRDFFitter::MONOTONE);
+  fitter->SetNumberOfPhiSamples(options.Anisotropic ? 32 : 0);
+  return fitter;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkBRDFFitter> MakeAshikhminShirleyFitter(const Options& options)
+{
+  auto fitter = vtkSmartPointer<vtkAshikhminShirleyBRDFFitter>::New();
+  fitter->SetNumberOfLobes(options.Lobes);
+  fitter->SetAnisotropy(options.Anisotropic ? vtkAshikhminShirleyBRDFFitter::ANISOTROPIC
+                                            : vtkAshikhminShirleyBRDFFitter::AS_INPUT);
+  return fitter;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkBRDFFitter> MakeBlinnPhongFitter(const Options& options)
+{
+  auto fitter = vtkSmartPointer<vtkBlinnPhongBRDFFitter>::New();
+  fitter->SetNumberOfLobes(options.Lobes);
+  return fitter;
+}
+
+// A model, which of the options it takes, and its fitter.
+struct Model
+{
+  bool HasLobes;
+  bool HasFresnel;
+  bool HasAnisotropy;
+  vtkSmartPointer<vtkBRDFFitter> (*MakeFitter)(const Options& options);
+};
+
+const std::map<std::string, Model> Models = {
+  { "d-brdf", { false, true, true, MakeDistributionFitter } },
+  { "ashikhmin-shirley", { true, false, true, MakeAshikhminShirleyFitter } },
+  { "blinn-phong", { true, false, false, MakeBlinnPhongFitter } },
+};
+
+// The vtkProperty nearest to the material, which is no vtkBRDF.
+const char* const PBR = "pbr";
+
+// What --model auto tries where a basis does not suit, each with its number of lobes.
+const std::pair<const char*, int> Candidates[] = { { "d-brdf", 1 }, { "ashikhmin-shirley", 1 },
+  { "ashikhmin-shirley", 2 } };
+
+//------------------------------------------------------------------------------
+void Check(const Options& options, const CLI::App* command)
+{
+  if (options.Model == PBR)
+  {
+    if (!options.Output.empty())
+    {
+      throw tool::UsageError("--output: --model pbr is a vtkProperty's figures, which are printed");
+    }
+  }
+  else if (options.Output.empty())
+  {
+    throw tool::UsageError("--output is required");
+  }
+  else if (tool::Extension(options.Output) != ".exr")
+  {
+    throw tool::UsageError(options.Output + ": OUT must end in .exr");
+  }
+  else
+  {
+    tool::CheckWritable(options.Output);
+  }
+  if (command->count("--samples") > 0 &&
+      (options.Samples < MinimumNumberOfSamples || options.Samples > MaximumNumberOfSamples))
+  {
+    throw tool::UsageError("--samples: " + std::to_string(options.Samples) +
+                           " direction pairs; expected " + std::to_string(MinimumNumberOfSamples) +
+                           " to " + std::to_string(MaximumNumberOfSamples) +
+                           ", more would need gigabytes of memory");
+  }
+  // auto and pbr take no option of a model.
+  const auto found = Models.find(options.Model);
+  const Model model = found == Models.end() ? Model{ false, false, false, nullptr } : found->second;
+  const std::pair<const char*, bool> taken[] = { { "--lobes", model.HasLobes },
+    { "--fresnel", model.HasFresnel }, { "--anisotropic", model.HasAnisotropy } };
+  for (const auto& option : taken)
+  {
+    if (command->count(option.first) > 0 && !option.second)
+    {
+      throw tool::UsageError(
+        std::string(option.first) + ": --model " + options.Model + " has no such option");
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void Fit(vtkBRDFFitter* fitter, const std::string& file)
+{
+  if (!tool::RunWithProgress(fitter, &vtkBRDFFitter::Fit, "fitting"))
+  {
+    throw tool::Error(file + ": " + tool::TakeErrorText());
+  }
+}
+
+//------------------------------------------------------------------------------
+ordered_json Describe(const Options& options, vtkBRDFFitter* fitter, double seconds)
+{
+  const double* in = fitter->GetInputAlbedo();
+  const double* out = fitter->GetOutputAlbedo();
+  ordered_json d = { { "input", options.File }, { "output", options.Output },
+    { "model", options.Model }, { "loss", options.Loss }, { "residual", fitter->GetResidual() },
+    { "relative_l2_error", fitter->GetRelativeL2Error() },
+    { "iterations", fitter->GetNumberOfIterations() }, { "converged", fitter->GetConverged() },
+    { "seconds", seconds }, { "albedo_of_input", { in[0], in[1], in[2] } },
+    { "albedo_of_fit", { out[0], out[1], out[2] } } };
+  d["parameters"] = ordered_json::array();
+  std::istringstream report(fitter->GetReport());
+  for (std::string line; std::getline(report, line);)
+  {
+    d["parameters"].push_back(line);
+  }
+  return d;
+}
+
+//------------------------------------------------------------------------------
+std::string FormatTriple(const double rgb[3])
+{
+  std::ostringstream text;
+  text.precision(4);
+  text << rgb[0] << " " << rgb[1] << " " << rgb[2];
+  return text.str();
+}
+
+//------------------------------------------------------------------------------
+std::string FormatText(const Options& options, vtkBRDFFitter* fitter, double seconds)
+{
+  std::ostringstream text;
+  text.precision(4);
+  text << options.File << " -> " << options.Output << " (" << fitter->GetModelName() << ")\n"
+       << "residual (" << options.Loss << "): " << fitter->GetResidual() << "\n"
+       << "relative L2 error: " << fitter->GetRelativeL2Error() << "\n"
+       << "iterations: " << fitter->GetNumberOfIterations()
+       << (fitter->GetConverged() ? "" : " (stopped before it converged)") << ", " << seconds
+       << " s\n"
+       << "hemispherical albedo: " << FormatTriple(fitter->GetOutputAlbedo()) << ", of the input "
+       << FormatTriple(fitter->GetInputAlbedo()) << "\n"
+       << fitter->GetReport();
+  return text.str();
+}
+
+//------------------------------------------------------------------------------
+void PrintJson(const ordered_json& d)
+{
+  tool::PrintOut(d.dump(2, ' ', true, ordered_json::error_handler_t::replace) + "\n");
+}
+
+//------------------------------------------------------------------------------
+// With the reason why it is a fit, where --model auto chose.
+void Report(
+  const Options& options, vtkBRDFFitter* fitter, double seconds, const std::string& reason = "")
+{
+  if (!options.Json)
+  {
+    tool::PrintOut(FormatText(options, fitter, seconds));
+    return;
+  }
+  ordered_json d = Describe(options, fitter, seconds);
+  if (!reason.empty())
+  {
+    d["representation"] = "fit";
+    d["representation_form"] = tool::DescribeForm(fitter->GetOutput());
+    d["reason"] = reason;
+  }
+  PrintJson(d);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkBRDFFitter> FitModel(const Options& options, vtkBRDF* brdf)
+{
+  const vtkSmartPointer<vtkBRDFFitter> fitter = Models.at(options.Model).MakeFitter(options);
+  fitter->SetInput(brdf);
+  fitter->SetLoss(Losses.at(options.Loss));
+  fitter->SetNumberOfStarts(options.Starts);
+  fitter->SetSeed(options.Seed);
+  if (options.Samples > 0)
+  {
+    fitter->SetNumberOfSamples(options.Samples);
+  }
+  Fit(fitter, options.File);
+  return fitter;
+}
+
+//------------------------------------------------------------------------------
+// The basis that the advisor recommends, written and reported.
+void WriteBasis(const Options& options, const tool::Material& material,
+  const tool::Representation& made, const std::function<double()>& seconds)
+{
+  const double error =
+    vtkBRDFResampler::GetRelativeL2Error(material.BRDF, made.BRDF, NumberOfErrorPairs);
+  tool::WriteMaterial(made.BRDF, options.Output);
+  if (options.Json)
+  {
+    PrintJson({ { "input", options.File }, { "output", options.Output }, { "model", "basis" },
+      { "representation", made.Kind }, { "representation_form", made.Description },
+      { "reason", made.Reason }, { "relative_l2_error", error }, { "seconds", seconds() } });
+    return;
+  }
+  std::ostringstream text;
+  text.precision(4);
+  text << options.File << " -> " << options.Output << " (" << made.Description << ")\n"
+       << made.Reason << "\n"
+       << "relative L2 error: " << error << "\n"
+       << seconds() << " s\n";
+  tool::PrintOut(text.str());
+}
+
+//------------------------------------------------------------------------------
+// Basis or fit by the advisor's rule; of the fits the one of least residual.
+void RunAuto(
+  const Options& options, const tool::Material& material, const std::function<double()>& seconds)
+{
+  const tool::Representation made = tool::Represent(material, tool::ThesisOptions().Order);
+  if (made.Kind == "basis")
+  {
+    WriteBasis(options, material, made, seconds);
+    return;
+  }
+  tool::PrintNote(material.Name + ": " + made.Reason);
+  vtkSmartPointer<vtkBRDFFitter> best;
+  Options chosen = options;
+  for (const auto& candidate : Candidates)
+  {
+    Options tried = options;
+    tried.Model = candidate.first;
+    tried.Lobes = candidate.second;
+    const vtkSmartPointer<vtkBRDFFitter> fitter = FitModel(tried, material.BRDF);
+    char residual[32];
+    std::snprintf(residual, sizeof(residual), "%.4g", fitter->GetResidual());
+    tool::PrintNote(fitter->GetModelName() + ", lobes " + std::to_string(candidate.second) +
+                    ": residual " + residual);
+    if (!best || fitter->GetResidual() < best->GetResidual())
+    {
+      best = fitter;
+      chosen = tried;
+    }
+  }
+  tool::WriteMaterial(best->GetOutput(), options.Output);
+  Report(chosen, best, seconds(), made.Reason);
+}
+
+//------------------------------------------------------------------------------
+void RunPBR(
+  const Options& options, const tool::Material& material, const std::function<double()>& seconds)
+{
+  vtkNew<vtkPBRPropertyFitter> fitter;
+  fitter->SetBRDF(material.BRDF);
+  if (!fitter->Update())
+  {
+    throw tool::Error(options.File + ": " + tool::TakeErrorText());
+  }
+  const double* color = fitter->GetBaseColor();
+  const ordered_json figures = { { "BaseColor", { color[0], color[1], color[2] } },
+    { "Metallic", fitter->GetMetallic() }, { "Roughness", fitter->GetRoughness() },
+    { "BaseIOR", fitter->GetBaseIOR() }, { "EdgeTint", fitter->GetEdgeTint() },
+    { "CoatStrength", fitter->GetCoatStrength() }, { "CoatRoughness", fitter->GetCoatRoughness() },
+    { "CoatIOR", fitter->GetCoatIOR() } };
+  if (options.Json)
+  {
+    PrintJson({ { "input", options.File }, { "model", options.Model }, { "vtkProperty", figures },
+      { "relative_l1_error", fitter->GetRelativeError() }, { "seconds", seconds() } });
+    return;
+  }
+  std::ostringstream text;
+  text.precision(4);
+  text << options.File << " -> vtkProperty (physically based, linear color)\n";
+  for (const auto& figure : figures.items())
+  {
+    std::string name = figure.key();
+    name.resize(14, ' ');
+    text << name;
+    for (const double value :
+      figure.value().is_array() ? figure.value() : ordered_json::array({ figure.value() }))
+    {
+      text << " " << value;
+    }
+    text << "\n";
+  }
+  text << "relative L1 error of a sphere under neutral light: " << fitter->GetRelativeError()
+       << "\n"
+       << seconds() << " s\n";
+  tool::PrintOut(text.str());
+}
+
+//------------------------------------------------------------------------------
+void Run(const Options& options, const CLI::App* command)
+{
+  Check(options, command);
+  tool::Interruptible interruptible;
+  const tool::Material material = tool::LoadMaterial(options.File);
+  const auto begin = std::chrono::steady_clock::now();
+  const auto seconds = [begin]
+  { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
+  if (options.Model == "auto")
+  {
+    RunAuto(options, material, seconds);
+    return;
+  }
+  if (options.Model == PBR)
+  {
+    RunPBR(options, material, seconds);
+    return;
+  }
+  const vtkSmartPointer<vtkBRDFFitter> fitter = FitModel(options, material.BRDF);
+  tool::WriteMaterial(fitter->GetOutput(), options.Output);
+  Report(options, fitter, seconds());
+}
+
+//------------------------------------------------------------------------------
+template <typename T>
+std::vector<std::string> Names(
+  const std::map<std::string, T>& map, std::vector<std::string> names = {})
+{
+  for (const auto& entry : map)
+  {
+    names.push_back(entry.first);
+  }
+  return names;
+}
+}
+
+namespace tool
+{
+//------------------------------------------------------------------------------
+void AddFitCommand(CLI::App& app)
+{
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand(
+    "fit", "Fit a small model to a material, write it and print how close it is");
+  command->add_option("FILE", options->File, GetMaterialHelp())->required();
+  command
+    ->add_option("--model", options->Model,
+      "d-brdf: tables of the half vector's distribution and of the Fresnel term; "
+      "ashikhmin-shirley, blinn-phong: analytic lobes. All with a Lambert part. auto: a basis "
+      "where "
+      "it does not ring, else the D-BRDF or 1 or 2 Ashikhmin-Shirley lobes, whichever is closest. "
+      "pbr: the vtkProperty whose physically based shading comes nearest under a neutral light, "
+      "for "
+      "what draws or exports no measured material; printed, nothing is written")
+    ->required()
+    ->check(CLI::IsMember(Names(Models, { "auto", PBR })));
+  command->add_option("--lobes", options->Lobes, "Number of lobes of analytic models (default 1)")
+    ->check(CLI::Range(1, 3));
+  command
+    ->add_option("--loss", options->Loss,
+      "What to minimize: the squared difference of log-cosine: ln(1 + f cos) (default), cube-root: "
+      "(f cos)^(1/3), squared: f itself, which gives the least relative L2 error")
+    ->check(CLI::IsMember(Names(Losses)));
+  command
+    ->add_option("--fresnel", options->Fresnel,
+      "The D-BRDF's Fresnel term: table, which never falls towards grazing (default), or schlick")
+    ->check(CLI::IsMember({ "table", "schlick" }));
+  command
+    ->add_option("--starts", options->Starts, "Number of starting points to refine (default 4)")
+    ->check(CLI::Range(1, 64));
+  command->add_option("--samples", options->Samples,
+    "Number of direction pairs, " + std::to_string(MinimumNumberOfSamples) + " to " +
+      std::to_string(MaximumNumberOfSamples) + " (default 32768)");
+  command->add_option(
+    "--seed", options->Seed, "Shifts the direction pairs; same seed, same result (default 1)");
+  command->add_flag("--anisotropic", options->Anisotropic,
+    "Let the lobes be anisotropic (default: where the material is)");
+  command->add_flag("--json", options->Json, "Write JSON instead of text");
+  command->add_option("-o,--output", options->Output, "File to write, ending in .exr");
+  command->footer(
+    "The residual is the root mean square of the loss' differences over direction pairs that the\n"
+    "fit did not see. The relative L2 error weights f by both cosines.\n\n"
+    "Example:\n  measured-brdf fit satin_purple_rgb.bsdf --model ashikhmin-shirley --lobes 2 \\\n"
+    "    -o satin.exr");
+  command->callback([options, command]() { Run(*options, command); });
+}
+} // namespace tool

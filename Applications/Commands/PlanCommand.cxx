@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Inputs.h"
+#include "Meshes.h"
+#include "Methods.h"
+#include "Progress.h"
+#include "Sizes.h"
+#include "Tool.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+#include <memory>
+
+namespace
+{
+struct Options
+{
+  std::string File;
+  std::string Environment;
+  tool::PlanOptions Plan;
+  std::string Mesh;
+  std::string Size = "500x500";
+  std::string View = "30,20";
+  bool ChoiceOnly = false;
+  bool JSON = false;
+};
+
+constexpr int LargestSize = 8192;
+// Share of the picture's smaller side that the mesh takes, as in the other commands.
+constexpr double Fill = 0.9;
+
+//------------------------------------------------------------------------------
+nlohmann::ordered_json MakeCostsJSON(vtkRadianceCostModel* model)
+{
+  nlohmann::ordered_json costs = { { "renderer", model->GetName() } };
+  for (int type = 0; type < vtkRadianceCostModel::NUMBER_OF_COSTS; ++type)
+  {
+    costs[vtkRadianceCostModel::GetCostName(type) + "_ns"] = model->GetCost(type);
+  }
+  return costs;
+}
+
+//------------------------------------------------------------------------------
+void PrintJSON(
+  vtkRadiancePlanner* planner, const std::string& material, vtkEnvironment* environment)
+{
+  nlohmann::ordered_json candidates = nlohmann::ordered_json::array();
+  for (int k = 0; k < planner->GetNumberOfCandidates(); ++k)
+  {
+    candidates.push_back({ { "method", planner->GetMethodName(k) },
+      { "sizes", planner->GetDescription(k) }, { "predicted_error", planner->GetPredictedError(k) },
+      { "predicted_ms", planner->GetPredictedMilliseconds(k) },
+      { "texture_bytes", planner->GetTextureBytes(k) },
+      { "setup_ms", planner->GetSetUpMilliseconds(k) } });
+  }
+  const nlohmann::ordered_json plan = { { "material", material },
+    { "environment", environment->GetName() }, { "tolerance", planner->GetErrorTolerance() },
+    { "costs", MakeCostsJSON(planner->GetCostModel()) }, { "candidates", candidates },
+    { "choice", planner->GetChoice() }, { "meets_tolerance", planner->GetMeetsTolerance() },
+    { "reason", planner->GetReason() }, { "plan", planner->GetPlan() } };
+  tool::PrintOut(plan.dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+}
+
+//------------------------------------------------------------------------------
+void PrintTable(vtkRadiancePlanner* planner)
+{
+  char line[160];
+  std::snprintf(line, sizeof(line), "  %-10s %-46s %9s %9s %9s %9s\n", "method", "sizes", "error %",
+    "frame ms", "MB", "set-up ms");
+  std::string text = line;
+  for (int k = 0; k < planner->GetNumberOfCandidates(); ++k)
+  {
+    std::snprintf(line, sizeof(line), "%c %-10s %-46s %9.3g %9.4g %9.3g %9.3g\n",
+      k == planner->GetChoice() ? '>' : ' ', planner->GetMethodName(k).c_str(),
+      planner->GetDescription(k).c_str(), 100.0 * planner->GetPredictedError(k),
+      planner->GetPredictedMilliseconds(k), 1e-6 * static_cast<double>(planner->GetTextureBytes(k)),
+      planner->GetSetUpMilliseconds(k));
+    text += line;
+  }
+  tool::PrintOut(
+    text + "\n" + planner->GetPlan() + "\nframe ms: " + planner->GetCostModel()->GetName() + "\n");
+}
+
+//------------------------------------------------------------------------------
+void Run(Options& options, const CLI::App* command)
+{
+  tool::CheckTolerance(options.Plan.Tolerance);
+  options.Plan.All = !options.ChoiceOnly;
+  const tool::Size size = tool::ParseSize("--size", options.Size, LargestSize);
+  const tool::View view = tool::ParseView(options.View);
+  for (const char* name : { "--mesh", "--size", "--view" })
+  {
+    if (command->count(name) > 0 && !options.Plan.ForView)
+    {
+      tool::PrintNote(std::string(name) + " has no effect without --for-view");
+    }
+  }
+  const tool::Interruptible interruptible;
+  const tool::Material material = tool::LoadMaterial(options.File);
+  const vtkSmartPointer<vtkEnvironment> environment = tool::LoadEnvironment(options.Environment);
+  options.Plan.Look(
+    options.Mesh.empty() ? tool::MakeSphere() : tool::LoadMesh(options.Mesh), view, Fill, size);
+  const vtkSmartPointer<vtkRadiancePlanner> planner =
+    tool::MakePlan(material, environment, options.Plan);
+  if (options.JSON)
+  {
+    PrintJSON(planner, material.Name, environment);
+    return;
+  }
+  PrintTable(planner);
+}
+}
+
+namespace tool
+{
+//------------------------------------------------------------------------------
+void AddPlanCommand(CLI::App& app)
+{
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand(
+    "plan", "Show how a material under an environment would be rendered, and why");
+  command->add_option("FILE", options->File, GetMaterialHelp())->required();
+  command->add_option("--environment", options->Environment, EnvironmentHelp)->required();
+  AddProjectionOption(command);
+  AddToleranceOption(command, options->Plan.Tolerance);
+  options->Plan.AddCalibrateTo(command);
+  options->Plan.AddForViewTo(command);
+  command->add_option("--mesh", options->Mesh,
+    "With --for-view, the mesh: ply, stl, obj, vtp, vtk, gltf or glb (default: a sphere)");
+  command->add_option("--size", options->Size,
+    "With --for-view, the picture's size in pixels, WIDTHxHEIGHT (default 500x500)");
+  command->add_option("--view", options->View,
+    "With --for-view, where to look from, AZIMUTH,ELEVATION in degrees, as for render (default "
+    "30,20)");
+  command->add_flag("--choice-only", options->ChoiceOnly,
+    "Try no more candidates than the renderer does to find its choice (a second instead of many)");
+  command->add_flag("--json", options->JSON, "As JSON");
+  command->footer("A table of the candidates, the cheapest first: error relative to the mean "
+                  "radiance over a sphere (or what --for-view sees),\ntime of a frame of that "
+                  "sphere, 500x500 pixels, on the renderer that "
+                  "is named below (Mesa's software renderer\nunless --calibrate), texture memory, "
+                  "set-up time; > marks the choice. Nothing is taken from or left in\nthe cache of "
+                  "plans. --for-view needs OpenGL.\n\nExample:\n  "
+                  "measured-brdf plan gold-paint --environment hall --tolerance 0.02");
+  command->callback([options, command]() { Run(*options, command); });
+}
+} // namespace tool

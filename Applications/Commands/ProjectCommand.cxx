@@ -1,0 +1,228 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Bases.h"
+#include "Files.h"
+#include "Inputs.h"
+#include "Sizes.h"
+#include "Tool.h"
+#include "RunWithProgress.h"
+
+#include "vtkBRDFResampler.h"
+#include "vtkBasisExtrapolator.h"
+#include "vtkBasisProjector.h"
+#include "vtkNew.h"
+
+#include <algorithm>
+#include <iterator>
+#include <memory>
+#include <vector>
+
+namespace
+{
+struct Options
+{
+  std::string File;
+  std::string Output;
+  std::string Basis;
+  int Order = 0;
+  std::string Zone = "9,57";
+  std::string Window = "none";
+  bool Extrapolate = false;
+  std::string Criterion = "l-curve";
+  double MaximumResidual = 0.0; // the extrapolator's own
+  double MaximumNegativeMass = 0.05;
+};
+
+const std::vector<std::string> Windows = { "none", "hann", "lanczos", "laplacian" };
+
+//------------------------------------------------------------------------------
+void Check(const Options& options, const CLI::App* command)
+{
+  if (tool::Extension(options.Output) != ".exr")
+  {
+    throw tool::UsageError(options.Output + ": OUT must end in .exr");
+  }
+  for (const char* option : { "--criterion", "--maximum-residual", "--maximum-negative-mass" })
+  {
+    if (command->count(option) > 0 && !options.Extrapolate)
+    {
+      throw tool::UsageError(std::string(option) + ": has no effect without --extrapolate");
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// What a projection needs, and an extrapolation of what is in a basis already does not.
+void CheckProjection(const Options& options)
+{
+  if (options.Basis.empty() || options.Order == 0)
+  {
+    throw tool::UsageError(
+      options.File + " is not in a basis yet: --basis and --order are required");
+  }
+  const bool zonal = tool::FindBasis(options.Basis) >= vtkBasisBRDF::ZONAL;
+  if (options.Extrapolate && !zonal)
+  {
+    throw tool::UsageError("--extrapolate: --basis " + options.Basis +
+                           " covers the hemisphere; expected zonal or legendre-fourier");
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkBasisBRDF> Project(
+  const Options& options, const tool::Material& material, const double zone[2])
+{
+  vtkNew<vtkBasisProjector> projector;
+  projector->SetInput(material.BRDF);
+  projector->SetBasis(tool::FindBasis(options.Basis));
+  projector->SetOrder(options.Order);
+  projector->SetWindow(
+    static_cast<int>(std::find(Windows.begin(), Windows.end(), options.Window) - Windows.begin()));
+  if (projector->GetBasis() >= vtkBasisBRDF::ZONAL)
+  {
+    projector->SetIncidentZone(zone[0], zone[1]);
+    projector->SetOutgoingZone(zone[0], zone[1]);
+  }
+  if (!tool::RunWithProgress(projector.Get(), &vtkBasisProjector::Project, "projecting"))
+  {
+    throw tool::Error(options.File + ": " + tool::TakeErrorText());
+  }
+  return projector->GetOutput();
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkBasisBRDF> Extrapolate(
+  const Options& options, vtkBasisBRDF* input, std::string& text)
+{
+  vtkNew<vtkBasisExtrapolator> extrapolator;
+  extrapolator->SetInput(input);
+  extrapolator->SetOrder(options.Order);
+  extrapolator->SetCriterion(options.Criterion == "l-curve"
+                               ? vtkBasisExtrapolator::L_CURVE
+                               : vtkBasisExtrapolator::CROSS_VALIDATION);
+  extrapolator->SetMaximumResidual(options.MaximumResidual);
+  extrapolator->SetMaximumNegativeMass(options.MaximumNegativeMass);
+  const bool accepted =
+    tool::RunWithProgress(extrapolator.Get(), &vtkBasisExtrapolator::Extrapolate, "extrapolating");
+  const std::string said = tool::TakeErrorText();
+  if (!said.empty())
+  {
+    throw tool::Error(options.File + ": " + said);
+  }
+  const std::string residual = tool::FormatNumber(extrapolator->GetInZoneResidual()) + " (limit " +
+                               tool::FormatNumber(extrapolator->GetResidualLimit()) + ")";
+  if (!accepted)
+  {
+    throw tool::Error(options.File + ": harmonics of order " +
+                      std::to_string(extrapolator->GetOutput()->GetOrder()) +
+                      " leave a relative residual of " + residual +
+                      " inside the zone and a negative mass of " +
+                      tool::FormatNumber(extrapolator->GetNegativeMass()) + " (limit " +
+                      tool::FormatNumber(options.MaximumNegativeMass) +
+                      "), too much to trust them outside; nothing was written. Use "
+                      "'measured-brdf fit " +
+                      options.File + " --model d-brdf' instead");
+  }
+  text += "lambda: " + tool::FormatNumber(extrapolator->GetLambda()) + " (" + options.Criterion +
+          ")\nrelative residual inside the zone: " + residual + "\n";
+  return extrapolator->GetOutput();
+}
+
+//------------------------------------------------------------------------------
+void Run(const Options& options, const CLI::App* command)
+{
+  Check(options, command);
+  const tool::Range range = tool::ParseZone("--zone", options.Zone);
+  const double zone[2] = { range.Begin, range.End };
+  tool::Interruptible interruptible;
+  const tool::Material material = tool::LoadMaterial(options.File);
+  vtkSmartPointer<vtkBasisBRDF> output = vtkBasisBRDF::SafeDownCast(material.BRDF);
+  const bool projects = !options.Extrapolate || !output;
+  std::string text = options.File + " -> " + options.Output + "\n";
+  if (projects)
+  {
+    CheckProjection(options);
+    output = Project(options, material, zone);
+  }
+  else
+  {
+    for (const char* option : { "--basis", "--zone", "--window" })
+    {
+      if (command->count(option) > 0)
+      {
+        throw tool::UsageError(
+          std::string(option) + ": has no effect, " + options.File + " is in a basis already");
+      }
+    }
+  }
+  if (options.Extrapolate)
+  {
+    output = Extrapolate(options, output, text);
+  }
+  tool::WriteMaterial(output, options.Output);
+  if (projects)
+  {
+    text += tool::FormatShare("relative L2 error from " + tool::FormatNumber(zone[0]) + " to " +
+                                tool::FormatNumber(zone[1]) + " degrees",
+      tool::GetZoneError(material.BRDF, output, zone));
+    text += tool::FormatShare("relative L2 error over the hemisphere",
+      vtkBRDFResampler::GetRelativeL2Error(material.BRDF, output));
+  }
+  text += tool::FormatShare("negative mass before the clamp", tool::GetNegativeMass(output));
+  tool::PrintOut(text + tool::DescribeForm(output) + "\n");
+}
+}
+
+namespace tool
+{
+//------------------------------------------------------------------------------
+void AddProjectCommand(CLI::App& app)
+{
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand(
+    "project", "Put a material into a basis, or extend one in a basis beyond its zone");
+  command->add_option("FILE", options->File, GetMaterialHelp())->required();
+  command
+    ->add_option("--basis", options->Basis,
+      "spherical-harmonics or hemispherical (both of light from 0 to 90 degrees), zonal or "
+      "legendre-fourier (of a zone)")
+    ->check(CLI::IsMember(std::vector<std::string>(std::begin(BasisNames), std::end(BasisNames))));
+  command
+    ->add_option("--order", options->Order,
+      "Order N of the basis: (N+1)^2 functions. Of the harmonics where FILE is in a basis already "
+      "(default then: its own)")
+    ->check(CLI::Range(1, static_cast<int>(vtkBasisBRDF::MaximumOrder)));
+  command->add_option("--zone", options->Zone,
+    "Polar angles in degrees of light and view that the last two bases cover, and that the first "
+    "printed error is over (default 9,57)");
+  command
+    ->add_option("--window", options->Window,
+      "Damp high degrees against ringing: none (default, and the most accurate), hann, lanczos or "
+      "laplacian")
+    ->check(CLI::IsMember(Windows));
+  command->add_flag("--extrapolate", options->Extrapolate,
+    "Extend beyond the zone by spherical harmonics. A FILE that is in a basis already (from "
+    "'acquire', say) is taken as it is");
+  command
+    ->add_option("--criterion", options->Criterion,
+      "How the harmonics' smoothness is chosen: l-curve (default) or cross-validation")
+    ->check(CLI::IsMember({ "l-curve", "cross-validation" }));
+  command
+    ->add_option("--maximum-residual", options->MaximumResidual,
+      "Largest relative residual inside the zone at which an extrapolation is written (default "
+      "0.1 of zonal inputs, 0.03 of others)")
+    ->check(CLI::Range(1e-6, 1e6));
+  command
+    ->add_option("--maximum-negative-mass", options->MaximumNegativeMass,
+      "Largest share of negative values over the hemisphere at which it is written (default 0.05)")
+    ->check(CLI::Range(0.0, 1.0));
+  command->add_option("-o,--output", options->Output, "File to write, ending in .exr")->required();
+  command->footer(
+    "An extrapolation whose residual inside the zone is too large is refused with exit status 1:\n"
+    "such materials want a fit.\n\n"
+    "Examples:\n"
+    "  measured-brdf project blue-fabric --basis legendre-fourier --order 6 -o blue.exr\n"
+    "  measured-brdf project stack.exr --extrapolate -o whole.exr");
+  command->callback([options, command]() { Run(*options, command); });
+}
+} // namespace tool

@@ -1,0 +1,250 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Files.h"
+#include "Inputs.h"
+#include "Meshes.h"
+#include "Methods.h"
+#include "Picture.h"
+#include "Progress.h"
+#include "Scene.h"
+#include "Sizes.h"
+#include "Surface.h"
+#include "Tool.h"
+
+#include "vtkVersion.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+namespace
+{
+struct Options
+{
+  std::string File;
+  std::string Environment;
+  std::string Mesh;
+  std::string Size = "800x800";
+  std::string View = "30,20";
+  std::string Background;
+  double Exposure = 0.0;
+  std::string Output;
+  std::string Report;
+  tool::MethodOptions Method;
+  bool NoCache = false;
+};
+
+// Frames that frame_ms is the median of.
+constexpr int NumberOfFrames = 21;
+// PNG pictures are rendered at this multiple and averaged, up to a size that every driver takes.
+constexpr int Smooth = 2;
+constexpr int LargestSize = 8192;
+// Share of the picture's smaller side that the mesh takes.
+constexpr double Fill = 0.9;
+
+//------------------------------------------------------------------------------
+double Median(std::vector<double> values)
+{
+  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+  return values[values.size() / 2];
+}
+
+//------------------------------------------------------------------------------
+// Encoding of display light as the mapper writes it.
+double EncodeGamma(double linear) { return std::pow(linear, 1.0 / 2.2); }
+
+//------------------------------------------------------------------------------
+// The same pixels by an integrator on the CPU.
+tool::Picture SumPixels(vtkRadianceIntegrator* integrator, vtkPolyData* mesh,
+  const tool::View& view, const tool::Size& size)
+{
+  const tool::Surface surface =
+    tool::FindSurface(mesh, view, Fill, size, std::numeric_limits<int>::max());
+  const std::vector<double> rgb = tool::IntegratePairs(integrator, surface.Normals, surface.Views);
+  tool::Picture picture(size.Width, size.Height);
+  for (std::size_t k = 0; k < surface.Pixels.size(); ++k)
+  {
+    float* pixel = &picture.Pixels[4 * static_cast<std::size_t>(surface.Pixels[k])];
+    std::copy_n(&rgb[3 * k], 3, pixel);
+    pixel[3] = 1.0f;
+  }
+  return picture;
+}
+
+//------------------------------------------------------------------------------
+// PNG pictures are rendered larger and averaged.
+int GetFactor(const Options& options, const tool::Size& size)
+{
+  const bool smooth = tool::Extension(options.Output) == ".png" &&
+                      options.Method.Method != "exact" &&
+                      Smooth * std::max(size.Width, size.Height) <= LargestSize;
+  return smooth ? Smooth : 1;
+}
+
+//------------------------------------------------------------------------------
+void WritePicture(const Options& options, const tool::OffscreenScene& scene, tool::Picture picture,
+  vtkEnvironment* environment, int factor)
+{
+  const bool png = tool::Extension(options.Output) == ".png";
+  const double exposure = std::exp2(options.Exposure);
+  if (options.Background == "environment" || (options.Background.empty() && png))
+  {
+    tool::ComposeOver(picture, scene, tool::Backdrop(environment), exposure);
+  }
+  else
+  {
+    for (std::size_t k = 0; k < picture.Pixels.size(); ++k)
+    {
+      picture.Pixels[k] *= k % 4 == 3 ? 1.0f : static_cast<float>(exposure);
+    }
+  }
+  if (!png)
+  {
+    tool::WriteEXR(options.Output, picture);
+    return;
+  }
+  for (float& value : picture.Pixels)
+  {
+    value = std::min(value, 1.0f); // before averaging: smooth edges next to highlights
+  }
+  tool::WritePNG(options.Output, tool::Downsample(picture, factor), EncodeGamma);
+}
+
+//------------------------------------------------------------------------------
+void Run(Options& options, const CLI::App* command)
+{
+  const tool::Size size = tool::ParseSize("--size", options.Size, LargestSize);
+  const tool::View view = tool::ParseView(options.View);
+  const std::string extension = tool::Extension(options.Output);
+  if (extension != ".png" && extension != ".exr")
+  {
+    throw tool::UsageError(options.Output + ": the picture must end in .png or .exr");
+  }
+  options.Method.Check(command);
+  options.Method.Plan.UseCache = !options.NoCache;
+
+  const tool::Interruptible interruptible;
+  const tool::Material material = tool::LoadMaterial(options.File);
+  const vtkSmartPointer<vtkEnvironment> environment = tool::LoadEnvironment(options.Environment);
+  const vtkSmartPointer<vtkPolyData> mesh =
+    options.Mesh.empty() ? tool::MakeSphere() : tool::LoadMesh(options.Mesh);
+  const bool exact = options.Method.Method == "exact";
+  if (exact)
+  {
+    tool::CheckWritable(options.Output); // before hours of work
+  }
+
+  const auto begin = std::chrono::steady_clock::now();
+  const auto elapsed = [&begin]()
+  {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin)
+      .count();
+  };
+  options.Method.Plan.Look(mesh, view, Fill, size);
+  const tool::Method method = tool::MakeMethod(options.Method, material, environment);
+  tool::Scene scene;
+  scene.SetMesh(mesh);
+  scene.SetMaterial(method.BRDF);
+  scene.SetLight(environment, exact ? nullptr : method.Integrator.Get());
+  scene.SetView(view.Azimuth, view.Elevation, Fill);
+  const int factor = GetFactor(options, size);
+  std::vector<double> frames;
+  if (!exact && !options.Report.empty())
+  {
+    scene.Render(size.Width, size.Height);
+  }
+  const double setup = elapsed();
+  for (int k = 0; !exact && !options.Report.empty() && k < NumberOfFrames; ++k)
+  {
+    frames.push_back(scene.TimeFrame());
+  }
+  tool::Picture picture = exact ? SumPixels(method.Integrator, mesh, view, size)
+                                : scene.Render(factor * size.Width, factor * size.Height);
+  if (exact)
+  {
+    frames.push_back(elapsed() - setup);
+  }
+  if (!options.Report.empty())
+  {
+    nlohmann::ordered_json report = { { "frame_ms", Median(frames) }, { "setup_ms", setup },
+      { "texture_bytes", exact ? 0 : scene.GetTextureBytes() }, { "method", options.Method.Method },
+      { "lights", options.Method.HasLights() ? options.Method.Lights.Count : 0 },
+      { "lights_in_use", method.GetNumberOfLights() },
+      { "light_set", options.Method.Lights.Method }, { "soft_lights", options.Method.Lights.Soft },
+      { "width", size.Width }, { "height", size.Height }, { "frames", frames.size() },
+      { "material", material.Name }, { "environment", environment->GetName() },
+      { "renderer", exact ? "CPU" : scene.GetRendererName() },
+      { "vtk", vtkVersion::GetVTKVersion() } };
+    if (options.Method.Method == "thesis")
+    {
+      report["representation"] = method.Thesis.Kind;
+      report["representation_form"] = method.Thesis.Description;
+      report["reason"] = method.Thesis.Reason;
+    }
+    if (method.Planner)
+    {
+      report["plan"] = method.Planner->GetPlan();
+      report["plan_from_cache"] = method.Planner->GetFromCache();
+      report["costs"] = method.Planner->GetCostModel()->GetName();
+      report["predicted_error"] = method.Planner->GetPredictedError(method.Planner->GetChoice());
+    }
+    tool::WriteText(options.Report,
+      report.dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+  }
+  scene.PlaceCamera(picture.Width, picture.Height);
+  WritePicture(options, scene, std::move(picture), environment, factor);
+}
+}
+
+namespace tool
+{
+//------------------------------------------------------------------------------
+void AddRenderCommand(CLI::App& app)
+{
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+    app.add_subcommand("render", "Render a mesh of the material under an environment");
+  command->add_option("FILE", options->File, GetMaterialHelp())->required();
+  command->add_option("--environment", options->Environment, EnvironmentHelp)->required();
+  AddProjectionOption(command);
+  command->add_option("--mesh", options->Mesh,
+    "Mesh to show it on: ply, stl, obj, vtp, vtk, gltf or glb (default: a sphere). Smooth normals "
+    "are made where it has none");
+  options->Method.Method = "auto";
+  options->Method.AddTo(
+    command, { "exact", "light-set", "thesis", "basis", "filtered", "table", "layered", "auto" });
+  options->Method.Plan.AddForViewTo(command);
+  options->Method.Plan.AddCalibrateTo(command);
+  command->add_flag("--no-cache", options->NoCache,
+    "Plan anew for --method auto, and leave nothing for later runs. Else plans are kept in "
+    "$MEASUREDBRDF_CACHE ('off': not at all), $XDG_CACHE_HOME/vtkMeasuredBRDF or "
+    "~/.cache/vtkMeasuredBRDF");
+  command->add_option(
+    "--size", options->Size, "Picture size in pixels, WIDTHxHEIGHT (default 800x800)");
+  command->add_option("--view", options->View,
+    "Where to look from, AZIMUTH,ELEVATION in degrees: azimuth 0 is from +z, 90 from +x; elevation "
+    "is above the horizon (default 30,20)");
+  command->add_option("--exposure", options->Exposure,
+    "Brighten (or darken) the picture by so many stops; default 0: physical values as they are");
+  command
+    ->add_option("--background", options->Background,
+      "environment or none (default: environment in .png, none, with alpha 0, in .exr)")
+    ->check(CLI::IsMember({ "environment", "none" }));
+  command
+    ->add_option("-o,--output", options->Output,
+      "Picture to write: .png (8 bit, as displayed) or .exr (linear float RGBA)")
+    ->required();
+  command->add_option("--report", options->Report,
+    "JSON file to write: frame_ms (median), setup_ms, texture_bytes, method, lights, renderer, "
+    "vtk; of --method auto the plan, its predicted_error, whether it is from the cache and whose "
+    "costs it is by, of thesis the representation and the "
+    "reason");
+  command->footer("Example:\n  measured-brdf render gold-paint --environment sky --lights 256 "
+                  "-o gold.png\n\nNeeds OpenGL; without a screen, put 'xvfb-run -a' before it.");
+  command->callback([options, command]() { Run(*options, command); });
+}
+} // namespace tool

@@ -1,0 +1,407 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Files.h"
+#include "Inputs.h"
+#include "LightMap.h"
+#include "Meshes.h"
+#include "Scene.h"
+#include "ContactSheet.h"
+#include "Tool.h"
+#include "RunWithProgress.h"
+
+#include "vtkBRDFAcquisition.h"
+#include "vtkBasisExtrapolator.h"
+#include "vtkBasisProjector.h"
+#include "vtkDistributionBRDFFitter.h"
+#include "vtkEmbeddedMaterials.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkRepresentationAdvisor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+namespace
+{
+struct Options
+{
+  std::vector<std::string> Files;
+  std::vector<std::string> Environments;
+  std::string Specular = "gold-metallic-paint3";
+  std::string Output;
+  int Tile = 240;
+  int Order = 8;
+};
+
+constexpr int Smooth = 2;       // tiles are rendered at this multiple and averaged
+constexpr int Lights = 64;      // the thesis's and Debevec's number
+constexpr double Noise = 0.001; // of the simulated camera, relative to full scale
+constexpr int Bits = 14;
+
+// The thesis's gallery (3.3) and the kinds of the embedded materials that stand for it: not the
+// same samples, and named for what they are.
+struct Figure
+{
+  const char* Thesis;
+  const char* Kind;
+};
+constexpr Figure Figures[] = { { "blue synthetic fabric", "fabric" }, { "blue silk", "silk" },
+  { "chocolate foil", "foil" }, { "gold dust paint", "gold paint" }, { "teal paint", "teal paint" },
+  { "magenta plastic", "magenta plastic" }, { "red velvet", "velvet" } };
+
+//------------------------------------------------------------------------------
+// A material as the thesis shows it, and what to call it.
+struct Exhibit
+{
+  vtkSmartPointer<vtkBRDF> BRDF;
+  std::string Name;
+  std::string Note;
+};
+
+//------------------------------------------------------------------------------
+// The paper of an embedded fit; the format's name of a file.
+std::string GetOrigin(const tool::Material& material)
+{
+  for (const char* paper : { "Low et al. 2012", "Ngan et al. 2005" })
+  {
+    if (material.Source.find(paper) != std::string::npos)
+    {
+      return std::string("fit of ") + paper;
+    }
+  }
+  return material.Format;
+}
+
+//------------------------------------------------------------------------------
+std::string FormatPercent(double value)
+{
+  char text[32];
+  std::snprintf(text, sizeof(text), value < 0.1 ? "%.1f %%" : "%.0f %%", 100.0 * value);
+  return text;
+}
+
+//------------------------------------------------------------------------------
+// Measured by the simulated device and continued over the hemisphere where its basis suits; the
+// D-BRDF fit else.
+Exhibit MakeExhibit(const tool::Material& material, const std::string& standsFor, int order)
+{
+  Exhibit exhibit;
+  exhibit.Name = material.Name;
+  const std::string begin = standsFor.empty() ? "" : "For the thesis's " + standsFor + ". ";
+  vtkNew<vtkRepresentationAdvisor> advisor;
+  advisor->SetInput(material.BRDF);
+  advisor->SetOrder(order);
+  if (!tool::RunWithProgress(advisor.Get(), &vtkRepresentationAdvisor::Update, material.Name))
+  {
+    throw tool::Error(material.Name + ": " + tool::TakeErrorText());
+  }
+  if (advisor->GetRecommendation() == vtkRepresentationAdvisor::BASIS)
+  {
+    vtkNew<vtkBRDFAcquisition> device;
+    device->SetInput(material.BRDF);
+    device->SetOrder(order);
+    device->SetNoise(Noise);
+    device->SetBits(Bits);
+    vtkNew<vtkBasisExtrapolator> extrapolator;
+    if (!tool::RunWithProgress(device.Get(), &vtkBRDFAcquisition::Acquire, material.Name))
+    {
+      throw tool::Error(material.Name + ": " + tool::TakeErrorText());
+    }
+    extrapolator->SetInput(device->GetOutput());
+    const bool accepted =
+      tool::RunWithProgress(extrapolator.Get(), &vtkBasisExtrapolator::Extrapolate, material.Name);
+    const std::string said = tool::TakeErrorText();
+    if (!said.empty())
+    {
+      throw tool::Error(material.Name + ": " + said);
+    }
+    if (accepted)
+    {
+      exhibit.BRDF = extrapolator->GetOutput();
+      exhibit.Note = begin + "Simulated acquisition (zonal, order " + std::to_string(order) +
+                     ") of the " + GetOrigin(material);
+      return exhibit;
+    }
+  }
+  vtkNew<vtkDistributionBRDFFitter> fitter;
+  fitter->SetInput(material.BRDF);
+  if (!tool::RunWithProgress(fitter.Get(), &vtkDistributionBRDFFitter::Fit, material.Name))
+  {
+    throw tool::Error(material.Name + ": " + tool::TakeErrorText());
+  }
+  exhibit.BRDF = fitter->GetOutput();
+  exhibit.Note = begin + "D-BRDF of the " + GetOrigin(material) + "; basis residual " +
+                 FormatPercent(advisor->GetInZoneResidual());
+  return exhibit;
+}
+
+//------------------------------------------------------------------------------
+tool::Picture Finish(
+  tool::Picture tile, const tool::OffscreenScene& scene, const tool::Backdrop& backdrop, double exposure)
+{
+  tool::ComposeOver(tile, scene, backdrop, exposure);
+  tool::RollOff(tile);
+  return tool::Downsample(tile, Smooth);
+}
+
+//------------------------------------------------------------------------------
+// mean |x - r| / mean r where the object is.
+double GetRelativeL1(const tool::Picture& image, const tool::Picture& reference)
+{
+  double difference = 0.0;
+  double total = 0.0;
+  for (std::size_t k = 0; k < reference.Pixels.size(); ++k)
+  {
+    if (k % 4 != 3 && reference.Pixels[k - k % 4 + 3] > 0.0f)
+    {
+      difference += std::abs(image.Pixels[k] - reference.Pixels[k]);
+      total += reference.Pixels[k];
+    }
+  }
+  return total > 0.0 ? difference / total : 0.0;
+}
+
+//------------------------------------------------------------------------------
+class Gallery
+{
+public:
+  Gallery(const Options& options)
+    : Settings(options)
+  {
+    for (const std::string& name : options.Environments.empty()
+                                     ? std::vector<std::string>{ "hall", "sky" }
+                                     : options.Environments)
+    {
+      this->Environments.push_back(tool::LoadEnvironment(name));
+    }
+  }
+
+  // 3.3: the materials, a row for each environment.
+  void DrawMaterials(const std::string& path)
+  {
+    std::vector<Exhibit> exhibits;
+    const auto add = [&](const std::string& file, const std::string& standsFor)
+    {
+      tool::Interruptible::Check();
+      exhibits.push_back(MakeExhibit(tool::LoadMaterial(file), standsFor, this->Settings.Order));
+    };
+    for (const std::string& file : this->Settings.Files)
+    {
+      add(file, "");
+    }
+    for (const Figure& figure : Figures)
+    {
+      const int n = vtkEmbeddedMaterials::GetNumberOfMaterials();
+      int k = 0;
+      while (k < n && vtkEmbeddedMaterials::GetKind(k) != figure.Kind)
+      {
+        ++k;
+      }
+      if (this->Settings.Files.empty() && k < n)
+      {
+        add(vtkEmbeddedMaterials::GetName(k), figure.Thesis);
+      }
+    }
+    const int columns = static_cast<int>(exhibits.size());
+    const int rows = static_cast<int>(this->Environments.size());
+    tool::ContactSheet sheet("Thesis 3.3: materials under " + std::to_string(Lights) +
+                        " median-cut lights, basis pair or D-BRDF",
+      columns, rows, this->Settings.Tile, this->Settings.Tile);
+    tool::Scene scene;
+    scene.SetMesh(tool::MakeBallOnFoot());
+    scene.SetView(25.0, 14.0, 1.02);
+    tool::ProgressBar bar("materials");
+    for (int row = 0; row < rows; ++row)
+    {
+      vtkEnvironment* environment = this->Environments[static_cast<std::size_t>(row)];
+      const tool::Backdrop backdrop = tool::MakeQuietBackdrop(environment);
+      scene.SetLight(environment, tool::LightSetOptions{ Lights });
+      for (int column = 0; column < columns; ++column)
+      {
+        tool::Interruptible::Check();
+        const Exhibit& exhibit = exhibits[static_cast<std::size_t>(column)];
+        scene.SetMaterial(exhibit.BRDF);
+        sheet.Add(column, row,
+          Finish(this->Render(scene), scene, backdrop, tool::ChooseExposure(environment)),
+          exhibit.Name, exhibit.Note);
+        bar.Update((row * columns + column + 1.0) / (rows * columns));
+      }
+    }
+    sheet.Write(path);
+  }
+
+  // 2.3.4: harmonics of growing order on a specular material, the exact picture, its D-BRDF fit.
+  void DrawRinging(const std::string& path)
+  {
+    const tool::Material material = tool::LoadMaterial(this->Settings.Specular);
+    const int orders[] = { 2, 4, 6, 8, 12 };
+    std::vector<Exhibit> exhibits = { { material.BRDF, "exact: " + material.Name, "" } };
+    for (const int order : orders)
+    {
+      vtkNew<vtkBasisProjector> projector;
+      projector->SetInput(material.BRDF);
+      projector->SetBasis(vtkBasisBRDF::SPHERICAL_HARMONICS);
+      projector->SetOrder(order);
+      if (!tool::RunWithProgress(projector.Get(), &vtkBasisProjector::Project, "ringing"))
+      {
+        throw tool::Error(material.Name + ": " + tool::TakeErrorText());
+      }
+      exhibits.push_back({ projector->GetOutput(), "harmonics, order " + std::to_string(order),
+        std::to_string((order + 1) * (order + 1)) + " functions, " });
+    }
+    vtkNew<vtkDistributionBRDFFitter> fitter;
+    fitter->SetInput(material.BRDF);
+    if (!tool::RunWithProgress(fitter.Get(), &vtkDistributionBRDFFitter::Fit, "ringing"))
+    {
+      throw tool::Error(material.Name + ": " + tool::TakeErrorText());
+    }
+    exhibits.push_back({ fitter->GetOutput(), "D-BRDF fit", "" });
+
+    tool::ContactSheet sheet(
+      "Thesis 2.3.4: a global basis rings on specular materials; one light above, " +
+        std::to_string(Lights) + " below",
+      static_cast<int>(exhibits.size()), 2, this->Settings.Tile, this->Settings.Tile);
+    vtkEnvironment* environment = this->Environments.front();
+    const tool::Backdrop backdrop = tool::MakeQuietBackdrop(environment);
+    vtkNew<vtkLightSet> one;
+    const double direction[3] = { 0.61, 0.61, 0.5 };
+    const double irradiance[3] = { 1.0, 1.0, 1.0 };
+    one->AddLight(direction, irradiance);
+    tool::Scene scene;
+    scene.SetMesh(tool::MakeSphere());
+    scene.SetView(25.0, 14.0, 0.9);
+    scene.SetLight(environment, tool::LightSetOptions{ Lights });
+    tool::ProgressBar bar("ringing");
+    double done = 0.0;
+    for (int row = 0; row < 2; ++row)
+    {
+      scene.SetLightSet(row == 0 ? one.Get() : nullptr);
+      std::unique_ptr<tool::Picture> reference;
+      int column = 0;
+      for (const Exhibit& exhibit : exhibits)
+      {
+        tool::Interruptible::Check();
+        scene.SetMaterial(exhibit.BRDF);
+        const tool::Picture picture = this->Render(scene);
+        std::string note = "the material itself";
+        if (reference)
+        {
+          note = exhibit.Note + "image error " + FormatPercent(GetRelativeL1(picture, *reference));
+        }
+        else
+        {
+          reference = std::make_unique<tool::Picture>(picture);
+        }
+        tool::Backdrop ground = backdrop;
+        ground.Scale(row == 0 ? 0.0 : 1.0);
+        sheet.Add(column++, row,
+          Finish(picture, scene, ground, row == 0 ? 1.2 : tool::ChooseExposure(environment)),
+          exhibit.Name, note);
+        bar.Update(++done / (2.0 * exhibits.size()));
+      }
+    }
+    sheet.Write(path);
+  }
+
+  // 3.2.2 and 3.2.3: both generators at 16, 64 and 256 lights, on the map and on the object.
+  void DrawLights(const std::string& path)
+  {
+    const int counts[] = { 16, 64, 256 };
+    const int tile = this->Settings.Tile;
+    tool::ContactSheet sheet(
+      "Thesis 3.2: median cut (above) and importance sampling (below)", 3, 2, 3 * tile, tile);
+    vtkEnvironment* environment = this->Environments.front();
+    const tool::Backdrop backdrop = tool::MakeQuietBackdrop(environment);
+    const tool::Material material = tool::LoadMaterial(this->Settings.Specular);
+    tool::Scene scene;
+    scene.SetMesh(tool::MakeBallOnFoot());
+    scene.SetView(25.0, 14.0, 1.02);
+    scene.SetMaterial(material.BRDF);
+    tool::ProgressBar bar("lights");
+    double done = 0.0;
+    for (int row = 0; row < 2; ++row)
+    {
+      for (int column = 0; column < 3; ++column)
+      {
+        tool::Interruptible::Check();
+        tool::LightSetOptions options{ counts[column] };
+        options.Method = row == 0 ? "median-cut" : "importance";
+        const vtkSmartPointer<vtkLightSet> lights = tool::MakeLightSet(environment, options);
+        const tool::Picture map = tool::DrawLightMap(environment, lights, row == 0, 2 * tile, tile);
+        scene.SetLight(environment, options);
+        tool::Picture both = tool::MakePaper(3 * tile, tile);
+        tool::Paste(both, map, 0, (tile - map.Height) / 2);
+        tool::Paste(both,
+          Finish(this->Render(scene), scene, backdrop, tool::ChooseExposure(environment)), 2 * tile,
+          0);
+        sheet.Add(column, row, both,
+          std::to_string(counts[column]) + " lights, " +
+            (row == 0 ? "median cut" : "importance sampling"),
+          environment->GetName() + "; " + material.Name);
+        bar.Update(++done / 6.0);
+      }
+    }
+    sheet.Write(path);
+  }
+
+private:
+  tool::Picture Render(tool::Scene& scene) const
+  {
+    return scene.Render(Smooth * this->Settings.Tile, Smooth * this->Settings.Tile);
+  }
+
+  const Options& Settings;
+  std::vector<vtkSmartPointer<vtkEnvironment>> Environments;
+};
+
+//------------------------------------------------------------------------------
+void Run(const Options& options)
+{
+  std::error_code problem;
+  std::filesystem::create_directories(options.Output, problem);
+  if (!std::filesystem::is_directory(options.Output))
+  {
+    throw tool::Error(options.Output + ": can't be made a folder: " + problem.message());
+  }
+  const tool::Interruptible interruptible;
+  Gallery gallery(options);
+  const std::filesystem::path folder(options.Output);
+  gallery.DrawLights((folder / "lights.png").string());
+  gallery.DrawRinging((folder / "ringing.png").string());
+  gallery.DrawMaterials((folder / "materials.png").string());
+}
+}
+
+namespace tool
+{
+//------------------------------------------------------------------------------
+void AddThesisCommand(CLI::App& app)
+{
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("thesis",
+    "Draw the thesis's figures: its seven materials, ringing, median cut and importance sampling");
+  command->add_option("FILE", options->Files,
+    std::string("Materials for the gallery, each as in the other commands: ") + GetMaterialHelp() +
+      ". Default: the embedded ones that stand for the thesis's");
+  command->add_option("--environment", options->Environments,
+    std::string(EnvironmentHelp) + "; a row each when given again (default: hall and sky)");
+  AddProjectionOption(command);
+  command->add_option("--specular", options->Specular,
+    "Material of the ringing series and of the light sets (default gold-metallic-paint3, a "
+    "foil-like one)");
+  command->add_option("--order", options->Order, "Order of the zonal basis (default 8)")
+    ->check(CLI::Range(1, static_cast<int>(vtkBasisBRDF::MaximumOrder)));
+  command->add_option("--tile", options->Tile, "Size of a picture in pixels (default 240)")
+    ->check(CLI::Range(32, 1024));
+  command
+    ->add_option(
+      "-o,--output", options->Output, "Folder for materials.png, ringing.png and lights.png")
+    ->required();
+  command->footer("Example:\n  measured-brdf thesis -o output/thesis\n\n"
+                  "Needs OpenGL; without a screen, put 'xvfb-run -a' before it.");
+  command->callback([options]() { Run(*options); });
+}
+} // namespace tool

@@ -1,0 +1,427 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FailureMap.h"
+
+#include "TextDrawing.h"
+#include "Picture.h"
+#include "Tool.h"
+
+#include "vtkAxis.h"
+#include "vtkBRDFFailureMap.h"
+#include "vtkChartXY.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkContextActor.h"
+#include "vtkContextScene.h"
+#include "vtkDoubleArray.h"
+#include "vtkImageData.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPen.h"
+#include "vtkPlotHistogram2D.h"
+#include "vtkPlotPoints.h"
+#include "vtkPointData.h"
+#include "vtkRadianceMetrics.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+#include "vtkTextProperty.h"
+#include "vtkWindowToImageFilter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+namespace
+{
+constexpr double ViewStep = 5.0; // degrees
+
+// Range of the colors and of the radiance chart: logarithms of shares.
+constexpr double Lowest = -3.0;
+constexpr double Highest = 0.0;
+constexpr double NoValue = -99.0; // in a map
+
+// The figure, in pixels.
+constexpr int Width = 1720;
+constexpr int Height = 690;
+constexpr int Side = 480; // of a map
+constexpr int Bottom = 72;
+constexpr int Top = Bottom + Side;
+constexpr int MapLefts[2] = { 90, 680 };
+constexpr int BarLeft = 1184;
+constexpr int BarWidth = 22;
+constexpr int ViewsLeft = 1340;
+constexpr int ViewsWidth = 340;
+constexpr int ViewsBottom = 332;
+constexpr int LabelSize = 15;
+constexpr int TitleSize = 17;
+
+constexpr tool::RGB Ink = { 0.1, 0.1, 0.12 };
+constexpr tool::RGB PaleInk = { 0.4, 0.4, 0.43 };
+constexpr tool::RGB L1Color = { 0.267, 0.005, 0.329 };
+constexpr tool::RGB P99Color = { 0.2, 0.62, 0.35 };
+
+// Nine colors of viridis at equal steps (S. van der Walt, N. Smith, CC0): even for the eye, and
+// for eyes that tell fewer colors.
+constexpr double Viridis[9][3] = { { 0.267, 0.005, 0.329 }, { 0.279, 0.175, 0.483 },
+  { 0.230, 0.322, 0.546 }, { 0.173, 0.449, 0.558 }, { 0.128, 0.567, 0.551 },
+  { 0.158, 0.684, 0.502 }, { 0.369, 0.789, 0.383 }, { 0.678, 0.864, 0.190 },
+  { 0.993, 0.906, 0.144 } };
+
+using Ticks = std::vector<std::pair<double, std::string>>;
+
+const Ticks Degrees = { { 0, "0" }, { 15, "15" }, { 30, "30" }, { 45, "45" }, { 60, "60" },
+  { 75, "75" }, { 90, "90" } };
+const Ticks Shares = { { -3, "0.1 %" }, { -2, "1 %" }, { -1, "10 %" }, { 0, "100 %" } };
+
+//------------------------------------------------------------------------------
+// theta_h on its axis of square roots.
+Ticks MakeHalfAngleTicks()
+{
+  Ticks ticks;
+  for (const int degrees : { 0, 2, 5, 10, 20, 30, 45, 60, 90 })
+  {
+    ticks.emplace_back(std::sqrt(degrees / 90.0), std::to_string(degrees));
+  }
+  return ticks;
+}
+
+//------------------------------------------------------------------------------
+double ToLogarithm(double share)
+{
+  return std::isnan(share) ? NoValue
+                           : std::clamp(std::log10(std::max(share, 1e-12)), Lowest, Highest);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkColorTransferFunction> MakeColors()
+{
+  auto colors = vtkSmartPointer<vtkColorTransferFunction>::New();
+  for (int k = 0; k < 9; ++k)
+  {
+    colors->AddRGBPoint(
+      Lowest + (Highest - Lowest) * k / 8.0, Viridis[k][0], Viridis[k][1], Viridis[k][2]);
+  }
+  colors->SetBelowRangeColor(0.87, 0.87, 0.87);
+  colors->UseBelowRangeColorOn();
+  colors->Build();
+  return colors;
+}
+
+//------------------------------------------------------------------------------
+void SetUpAxis(
+  vtkAxis* axis, const std::string& title, double end, const Ticks& ticks, double begin = 0.0)
+{
+  vtkNew<vtkDoubleArray> positions;
+  vtkNew<vtkStringArray> labels;
+  for (const auto& tick : ticks)
+  {
+    positions->InsertNextValue(tick.first);
+    labels->InsertNextValue(tick.second);
+  }
+  axis->SetBehavior(vtkAxis::FIXED);
+  axis->SetRange(begin, end);
+  axis->SetCustomTickPositions(positions, labels);
+  axis->SetTitle(title);
+  axis->SetGridVisible(false);
+  axis->GetTitleProperties()->SetFontSize(LabelSize);
+  axis->GetTitleProperties()->SetBold(0);
+  axis->GetTitleProperties()->SetColor(Ink[0], Ink[1], Ink[2]);
+  axis->GetLabelProperties()->SetFontSize(LabelSize);
+  axis->GetLabelProperties()->SetColor(Ink[0], Ink[1], Ink[2]);
+  axis->GetPen()->SetColorF(Ink[0], Ink[1], Ink[2]);
+}
+
+//------------------------------------------------------------------------------
+// A chart whose axes are the sides of a rectangle.
+vtkSmartPointer<vtkChartXY> MakeChart(int x, int y, int width, int height)
+{
+  auto chart = vtkSmartPointer<vtkChartXY>::New();
+  chart->SetAutoSize(false);
+  chart->SetLayoutStrategy(vtkChart::AXES_TO_RECT);
+  chart->SetSize(vtkRectf(x, y, width, height));
+  return chart;
+}
+
+//------------------------------------------------------------------------------
+// Cells of logarithms over a rectangle of a chart.
+void AddCells(vtkChartXY* chart, vtkImageData* cells, const vtkRectf& where)
+{
+  // Some versions take the place from the picture itself: from its origin, a spacing a cell.
+  const int* size = cells->GetDimensions();
+  cells->SetOrigin(where.GetX(), where.GetY(), 0.0);
+  cells->SetSpacing(where.GetWidth() / size[0], where.GetHeight() / size[1], 1.0);
+  vtkNew<vtkPlotHistogram2D> plot;
+  plot->SetInputData(cells);
+  plot->SetTransferFunction(MakeColors());
+  plot->SetPosition(where);
+  chart->AddPlot(plot);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> ToLogarithms(vtkImageData* errors)
+{
+  auto logarithms = vtkSmartPointer<vtkImageData>::New();
+  logarithms->SetDimensions(errors->GetDimensions());
+  vtkNew<vtkDoubleArray> values;
+  for (vtkIdType k = 0; k < errors->GetNumberOfPoints(); ++k)
+  {
+    values->InsertNextValue(ToLogarithm(errors->GetPointData()->GetScalars()->GetComponent(k, 0)));
+  }
+  logarithms->GetPointData()->SetScalars(values);
+  return logarithms;
+}
+
+//------------------------------------------------------------------------------
+void AddMap(vtkContextScene* scene, int left, vtkImageData* errors, double width,
+  const std::string& xTitle, const std::string& yTitle, const Ticks& xTicks)
+{
+  const auto chart = MakeChart(left, Bottom, Side, Side);
+  SetUpAxis(chart->GetAxis(vtkAxis::BOTTOM), xTitle, width, xTicks);
+  SetUpAxis(chart->GetAxis(vtkAxis::LEFT), yTitle, 90.0, Degrees);
+  AddCells(chart, ToLogarithms(errors), vtkRectf(0.0f, 0.0f, static_cast<float>(width), 90.0f));
+  scene->AddItem(chart);
+}
+
+//------------------------------------------------------------------------------
+void AddColorBar(vtkContextScene* scene)
+{
+  constexpr int steps = 256;
+  vtkNew<vtkImageData> gradient;
+  gradient->SetDimensions(2, steps, 1);
+  vtkNew<vtkDoubleArray> values;
+  for (int k = 0; k < 2 * steps; ++k)
+  {
+    values->InsertNextValue(Lowest + (Highest - Lowest) * (k / 2) / (steps - 1.0));
+  }
+  gradient->GetPointData()->SetScalars(values);
+  const auto chart = MakeChart(BarLeft, Bottom, BarWidth, Side);
+  SetUpAxis(chart->GetAxis(vtkAxis::BOTTOM), "", 1.0, {});
+  SetUpAxis(chart->GetAxis(vtkAxis::LEFT), "", Highest, {}, Lowest);
+  AddCells(chart, gradient,
+    vtkRectf(0.0f, static_cast<float>(Lowest), 1.0f, static_cast<float>(Highest - Lowest)));
+  scene->AddItem(chart);
+}
+
+//------------------------------------------------------------------------------
+void AddCurve(vtkChartXY* chart, const std::vector<tool::ViewError>& views, const std::string& name,
+  double tool::ViewError::*error, const tool::RGB& color, int marker)
+{
+  vtkNew<vtkDoubleArray> angles;
+  vtkNew<vtkDoubleArray> errors;
+  angles->SetName("theta_o");
+  errors->SetName(name.c_str());
+  for (const tool::ViewError& view : views)
+  {
+    angles->InsertNextValue(0.5 * (view.Begin + view.End));
+    errors->InsertNextValue(ToLogarithm(view.*error));
+  }
+  vtkNew<vtkTable> table;
+  table->AddColumn(angles);
+  table->AddColumn(errors);
+  auto* plot = vtkPlotPoints::SafeDownCast(chart->AddPlot(vtkChart::LINE));
+  plot->SetInputData(table, 0, 1);
+  plot->GetPen()->SetColorF(color[0], color[1], color[2]);
+  plot->SetWidth(2.0f);
+  plot->SetMarkerStyle(marker);
+  plot->SetMarkerSize(7.0f);
+}
+
+//------------------------------------------------------------------------------
+void AddViews(vtkContextScene* scene, const std::vector<tool::ViewError>& views)
+{
+  const auto chart = MakeChart(ViewsLeft, ViewsBottom, ViewsWidth, Top - 28 - ViewsBottom);
+  vtkAxis* left = chart->GetAxis(vtkAxis::LEFT);
+  SetUpAxis(chart->GetAxis(vtkAxis::BOTTOM), "theta_o (degrees)", 90.0, Degrees);
+  SetUpAxis(left, "", Highest, Shares, Lowest);
+  left->SetGridVisible(true);
+  left->GetGridPen()->SetColorF(0.85, 0.85, 0.85);
+  // Far from each other in brightness, and marks of two shapes.
+  AddCurve(
+    chart, views, "99th percentile", &tool::ViewError::P99, P99Color, vtkPlotPoints::DIAMOND);
+  AddCurve(
+    chart, views, "relative L1", &tool::ViewError::RelativeL1, L1Color, vtkPlotPoints::CIRCLE);
+  scene->AddItem(chart);
+}
+
+//------------------------------------------------------------------------------
+tool::Picture Capture(vtkRenderWindow* window)
+{
+  vtkNew<vtkWindowToImageFilter> capture;
+  capture->SetInput(window);
+  capture->SetInputBufferTypeToRGB();
+  capture->ReadFrontBufferOff();
+  capture->Update();
+  const std::string errors = tool::TakeErrorText();
+  if (!errors.empty())
+  {
+    throw tool::Error("drawing the failure map: " + errors);
+  }
+  vtkImageData* image = capture->GetOutput();
+  tool::Picture picture(Width, Height);
+  for (int y = 0; y < Height; ++y)
+  {
+    for (int x = 0; x < Width; ++x)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        picture.At(x, y)[c] =
+          static_cast<float>(image->GetScalarComponentAsDouble(x, y, 0, c) / 255.0);
+      }
+      picture.At(x, y)[3] = 1.0f;
+    }
+  }
+  return picture;
+}
+
+//------------------------------------------------------------------------------
+std::string FormatShare(double share)
+{
+  char text[32];
+  std::snprintf(text, sizeof(text), share < 9.995 ? "%.3g %%" : "%.0f %%", 100.0 * share);
+  return text;
+}
+
+//------------------------------------------------------------------------------
+// The list, and its numbers in the map.
+void WriteWorst(tool::Picture& picture, vtkBRDFFailureMap* map)
+{
+  constexpr int columns[5] = { 0, 30, 105, 180, 255 };
+  const char* const heads[5] = { "", "theta_i", "theta_o", "phi", "error" };
+  const int left = ViewsLeft - 50;
+  int y = ViewsBottom - 90;
+  tool::DrawText(picture, left, y, "Worst angles (degrees)", LabelSize, true, Ink);
+  y -= 27;
+  for (int k = 0; k < 5; ++k)
+  {
+    tool::DrawText(picture, left + columns[k], y, heads[k], LabelSize, false, PaleInk);
+  }
+  for (int k = 0; k < map->GetNumberOfWorstAngles(); ++k)
+  {
+    double angles[3];
+    map->GetWorstAngles(k, angles);
+    std::string cells[5] = { std::to_string(k + 1) };
+    for (int c = 0; c < 3; ++c)
+    {
+      char text[32];
+      std::snprintf(text, sizeof(text), "%.4g", angles[c]);
+      cells[c + 1] = text;
+    }
+    cells[4] = FormatShare(map->GetWorstError(k));
+    y -= 24;
+    for (int c = 0; c < 5; ++c)
+    {
+      tool::DrawText(picture, left + columns[c], y, cells[c], LabelSize, c == 0, Ink);
+    }
+    // On a dark rim: the map may be bright there.
+    const int x0 = MapLefts[0] + std::min(static_cast<int>(angles[0] * Side / 90.0) - 4, Side - 12);
+    const int y0 = Bottom + std::min(static_cast<int>(angles[1] * Side / 90.0) - 6, Side - 15);
+    for (int rim = 0; rim < 9; ++rim)
+    {
+      tool::DrawText(picture, x0 + rim % 3 - 1, y0 + rim / 3 - 1, cells[0], LabelSize, true, Ink);
+    }
+    tool::DrawText(picture, x0, y0, cells[0], LabelSize, true, { 1.0, 1.0, 1.0 });
+  }
+  if (map->GetNumberOfWorstAngles() == 0)
+  {
+    tool::DrawText(picture, left, y - 24, "f is nowhere different", LabelSize, false, Ink);
+  }
+}
+
+//------------------------------------------------------------------------------
+double KeepEncoded(double value) { return value; }
+}
+
+namespace tool
+{
+//------------------------------------------------------------------------------
+std::vector<ViewError> MeasureViews(const std::vector<double>& normals,
+  const std::vector<double>& views, const std::vector<double>& rgb,
+  const std::vector<double>& reference)
+{
+  constexpr int count = static_cast<int>(90.0 / ViewStep);
+  std::vector<std::vector<std::size_t>> pixels(count);
+  for (std::size_t k = 0; k < normals.size(); k += 3)
+  {
+    const double cosine = std::clamp(vtkMath::Dot(&normals[k], &views[k]), 0.0, 1.0);
+    const double theta = vtkMath::DegreesFromRadians(std::acos(cosine));
+    pixels[std::min(count - 1, static_cast<int>(theta / ViewStep))].push_back(k);
+  }
+  std::vector<ViewError> errors;
+  for (int step = 0; step < count; ++step)
+  {
+    vtkNew<vtkDoubleArray> x;
+    vtkNew<vtkDoubleArray> r;
+    double sum = 0.0;
+    x->SetNumberOfComponents(3);
+    r->SetNumberOfComponents(3);
+    for (const std::size_t k : pixels[step])
+    {
+      x->InsertNextTuple(&rgb[k]);
+      r->InsertNextTuple(&reference[k]);
+      sum += reference[k] + reference[k + 1] + reference[k + 2];
+    }
+    if (sum > 0.0)
+    {
+      vtkNew<vtkRadianceMetrics> metrics;
+      if (!metrics->Compare(x, r))
+      {
+        throw Error("measuring the views: " + TakeErrorText());
+      }
+      errors.push_back({ step * ViewStep, (step + 1) * ViewStep, pixels[step].size(),
+        metrics->GetRelativeL1(), metrics->GetP99Relative() });
+    }
+  }
+  return errors;
+}
+
+//------------------------------------------------------------------------------
+void WriteFailureMap(const std::string& path, const FailureCaption& caption, vtkBRDFFailureMap* map,
+  const std::vector<ViewError>& views)
+{
+  vtkNew<vtkContextActor> actor;
+  vtkContextScene* scene = actor->GetScene();
+  AddMap(scene, MapLefts[0], map->GetIncidentOutgoing(), 90.0, "theta_i (degrees)",
+    "theta_o (degrees)", Degrees);
+  AddMap(scene, MapLefts[1], map->GetHalfDifference(), 1.0, "theta_h (degrees, square root axis)",
+    "theta_d (degrees)", MakeHalfAngleTicks());
+  AddColorBar(scene);
+  AddViews(scene, views);
+
+  vtkNew<vtkRenderer> renderer;
+  vtkNew<vtkRenderWindow> window;
+  renderer->SetBackground(1.0, 1.0, 1.0);
+  renderer->AddActor(actor);
+  window->SetOffScreenRendering(1);
+  window->SetMultiSamples(0);
+  window->AddRenderer(renderer);
+  window->SetSize(Width, Height);
+  scene->SetRenderer(renderer);
+  window->Render();
+
+  Picture picture = Capture(window);
+  const int room = Width - 2 * MapLefts[0];
+  DrawText(picture, MapLefts[0], Height - 42, Fit(caption.Title, TitleSize + 5, true, room),
+    TitleSize + 5, true, Ink);
+  DrawText(picture, MapLefts[0], Height - 72, Fit(caption.Note, LabelSize, false, room), LabelSize,
+    false, PaleInk);
+  const int title = Top + 14;
+  DrawText(picture, MapLefts[0], title, "f: light and view", TitleSize, false, Ink);
+  DrawText(picture, MapLefts[1], title, "f: half vector and difference", TitleSize, false, Ink);
+  DrawText(picture, BarLeft, title, "error", TitleSize, false, Ink);
+  DrawText(picture, ViewsLeft - 50, title,
+    Fit("radiance: " + caption.Method, TitleSize, false, ViewsWidth + 50), TitleSize, false, Ink);
+  for (const auto& [logarithm, label] : Shares)
+  {
+    const double share = (logarithm - Lowest) / (Highest - Lowest);
+    DrawText(picture, BarLeft + BarWidth + 8, Bottom + static_cast<int>(share * Side) - 6, label,
+      LabelSize, false, Ink);
+  }
+  DrawText(picture, ViewsLeft, title - 26, "relative L1", LabelSize, true, L1Color);
+  DrawText(picture, ViewsLeft + 110, title - 26, "99th percentile", LabelSize, true, P99Color);
+  WriteWorst(picture, map);
+  WritePNG(path, picture, KeepEncoded);
+}
+} // namespace tool

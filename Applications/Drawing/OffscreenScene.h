@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A window off screen that one mesh is rendered in, into a float picture.
+ */
+
+#ifndef Stage_h
+#define Stage_h
+
+#include "Picture.h"
+
+#include "vtkNew.h"
+#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <array>
+#include <string>
+
+class vtkActor;
+class vtkFramebufferPass;
+class vtkRenderWindow;
+class vtkRenderer;
+
+namespace tool
+{
+class OffscreenScene
+{
+public:
+  /// The mapper draws the mesh. No lights.
+  explicit OffscreenScene(vtkOpenGLPolyDataMapper* mapper);
+  virtual ~OffscreenScene();
+  OffscreenScene(const OffscreenScene&) = delete;
+  void operator=(const OffscreenScene&) = delete;
+
+  void SetMesh(vtkPolyData* mesh);
+
+  /**
+   * Look at the mesh's middle from an azimuth (about +y, 0 = from +z, 90 = from +x) and an
+   * elevation above the horizon, in degrees. fill: share of the picture's smaller side that the
+   * mesh's bounding sphere takes.
+   */
+  void SetView(double azimuth, double elevation, double fill);
+
+  /// Point the camera for a picture of that size; Render does so itself. GetRay needs it.
+  void PlaceCamera(int width, int height);
+
+  /// Radiance per pixel, alpha 0 where there is no mesh. Throws Error.
+  Picture Render(int width, int height);
+
+  /// Time of one frame of the size that was rendered last, in milliseconds, until the last pixel is
+  /// done.
+  double TimeFrame();
+
+  /// Open the window and render nothing, so that a context's own start is over; then TimeFrame
+  /// may follow.
+  void Open(int width, int height);
+
+  /// World direction that pixel (x, y) of a picture of the given size looks along.
+  std::array<double, 3> GetRay(double x, double y, int width, int height) const;
+
+  std::string GetRendererName();
+
+  /// What follows that name, such as "OpenGL version string", in what the driver says of itself.
+  std::string GetCapability(const std::string& name);
+
+protected:
+  /// Render with the camera as it is; what the shader wrote, as it is. Throws Error.
+  Picture Capture(int width, int height);
+
+  /// x^(1/2.2) -> x, of colors.
+  static void Decode(Picture& picture);
+
+  vtkSmartPointer<vtkOpenGLPolyDataMapper> StageMapper;
+  vtkNew<vtkActor> Actor;
+  vtkNew<vtkRenderer> Renderer;
+
+private:
+  vtkNew<vtkFramebufferPass> Pass;
+  vtkNew<vtkRenderWindow> Window;
+  double Azimuth = 0.0;
+  double Elevation = 0.0;
+  double Fill = 0.9;
+};
+} // namespace tool
+
+#endif

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Pictures in linear light on the CPU: composing, tone mapping, writing.
+ */
+
+#ifndef Picture_h
+#define Picture_h
+
+#include <array>
+#include <string>
+#include <vector>
+
+class vtkEnvironment;
+
+namespace tool
+{
+using RGB = std::array<double, 3>;
+
+/// Linear RGBA (color not multiplied by alpha), row 0 at the bottom.
+struct Picture
+{
+  Picture(int width, int height)
+    : Width(width)
+    , Height(height)
+    , Pixels(4 * static_cast<std::size_t>(width) * height, 0.0f)
+  {
+  }
+
+  float* At(int x, int y)
+  {
+    return this->Pixels.data() + 4 * (static_cast<std::size_t>(y) * this->Width + x);
+  }
+  const float* At(int x, int y) const
+  {
+    return this->Pixels.data() + 4 * (static_cast<std::size_t>(y) * this->Width + x);
+  }
+
+  /// Cover the pixel's color by rgb, by a share alpha. Outside the picture: nothing.
+  void Blend(int x, int y, const RGB& rgb, double alpha);
+
+  int Width;
+  int Height;
+  std::vector<float> Pixels;
+};
+
+/**
+ * Linear light -> display light in [0,1]: as it is up to 0.7, above it rolled off smoothly, so that
+ * highlights keep their shape; 1 is only reached in the limit.
+ */
+double RollOff(double linear);
+
+///@{
+/// Display encoding: sRGB, or the power 1/2.2 that VTK's own shaders use.
+double EncodeSRGB(double linear);
+///@}
+
+/// Mean of factor x factor blocks.
+Picture Downsample(const Picture& picture, int factor);
+
+///@{
+/**
+ * Write RGB as 8-bit PNG (encode: display light in [0,1] -> code in [0,1]), or RGBA as 32-bit float
+ * OpenEXR. Whole or not at all; throws Error.
+ */
+void WritePNG(const std::string& path, const Picture& picture, double (*encode)(double));
+void WriteEXR(const std::string& path, const Picture& picture);
+///@}
+
+/// An environment to look up between its texels, optionally blurred.
+class Backdrop
+{
+public:
+  /// As it is.
+  explicit Backdrop(vtkEnvironment* environment);
+
+  /**
+   * Blurred by a kernel exp(k (cos - 1)) (von Mises-Fisher) whose half width is about the given
+   * angle in degrees.
+   */
+  Backdrop(vtkEnvironment* environment, double degrees);
+
+  /// Radiance in a direction of the environment's frame, bilinear.
+  RGB Look(const std::array<double, 3>& direction) const;
+
+  /// Make it darker or brighter.
+  void Scale(double factor);
+
+private:
+  int Width = 0;
+  int Height = 0;
+  std::vector<float> Pixels;
+};
+} // namespace tool
+
+#endif

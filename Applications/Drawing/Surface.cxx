@@ -1,0 +1,261 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Surface.h"
+
+#include "Progress.h"
+#include "Tool.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkCellArray.h"
+#include "vtkFloatArray.h"
+#include "vtkLight.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkMeasuredBRDFMapper.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProperty.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace
+{
+// The cosine that the shader lifts lower views to.
+constexpr double LeastViewCosine = 0.02;
+
+//------------------------------------------------------------------------------
+/// Writes the stock mapper's normal in view coordinates instead of a color.
+class NormalStage : public tool::OffscreenScene
+{
+public:
+  NormalStage()
+    : OffscreenScene(vtkSmartPointer<vtkOpenGLPolyDataMapper>::New())
+  {
+    vtkNew<vtkLight> light; // without one VTK interpolates no normals
+    light->SetLightTypeToHeadlight();
+    this->Renderer->AddLight(light);
+    this->Actor->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Light::Impl", false,
+      "//VTK::Light::Impl\n  gl_FragData[0] = vec4(normalVCVSOutput, 1.0);\n", false);
+  }
+
+  /// World normals, alpha 0 where there is no mesh.
+  tool::Picture RenderNormals(const tool::Size& size)
+  {
+    this->PlaceCamera(size.Width, size.Height);
+    tool::Picture picture = this->Capture(size.Width, size.Height);
+    vtkMatrix4x4* matrix = this->Renderer->GetActiveCamera()->GetViewTransformMatrix();
+    for (std::size_t k = 0; k < picture.Pixels.size(); k += 4)
+    {
+      float* pixel = &picture.Pixels[k];
+      const std::array<float, 3> n = { pixel[0], pixel[1], pixel[2] };
+      for (int c = 0; c < 3; ++c)
+      {
+        pixel[c] =
+          static_cast<float>(matrix->GetElement(0, c) * n[0] + matrix->GetElement(1, c) * n[1] +
+                             matrix->GetElement(2, c) * n[2]);
+      }
+    }
+    return picture;
+  }
+};
+
+//------------------------------------------------------------------------------
+// As the shader's brdfLiftView: the same azimuth, at the least cosine.
+void LiftView(const double n[3], double view[3])
+{
+  const double cosine = vtkMath::Dot(n, view);
+  if (cosine >= LeastViewCosine)
+  {
+    return;
+  }
+  double across[3];
+  for (int c = 0; c < 3; ++c)
+  {
+    across[c] = view[c] - cosine * n[c];
+  }
+  vtkMath::Normalize(across);
+  for (int c = 0; c < 3; ++c)
+  {
+    view[c] =
+      LeastViewCosine * n[c] + std::sqrt(1.0 - LeastViewCosine * LeastViewCosine) * across[c];
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<int> FindCovered(const tool::Picture& picture, int stride)
+{
+  std::vector<int> pixels;
+  for (int y = stride / 2; y < picture.Height; y += stride)
+  {
+    for (int x = stride / 2; x < picture.Width; x += stride)
+    {
+      if (picture.At(x, y)[3] > 0.0f)
+      {
+        pixels.push_back(y * picture.Width + x);
+      }
+    }
+  }
+  return pixels;
+}
+
+//------------------------------------------------------------------------------
+/// A square of quads that face the camera, each with one normal.
+class PairStage : public tool::OffscreenScene
+{
+public:
+  static constexpr int Side = 32;         // quads
+  static constexpr int PixelsPerQuad = 2; // so that no quad's edge meets a pixel's center
+
+  explicit PairStage(vtkMeasuredBRDFMapper* mapper)
+    : OffscreenScene(mapper)
+  {
+    this->Renderer->GetActiveCamera()->ParallelProjectionOn();
+    this->Renderer->GetActiveCamera()->SetParallelScale(1.0);
+    this->Renderer->GetActiveCamera()->SetClippingRange(1.0, 3.0);
+  }
+
+  /// Radiance of normals under one unit view; at most Side^2 of them.
+  std::vector<tool::RGB> Draw(const double view[3], const std::vector<const double*>& normals)
+  {
+    double right[3];
+    double up[3];
+    vtkMath::Perpendiculars(view, right, up, 0.0);
+    vtkMath::Cross(view, right, up);
+    vtkCamera* camera = this->Renderer->GetActiveCamera();
+    camera->SetFocalPoint(0.0, 0.0, 0.0);
+    camera->SetPosition(2.0 * view[0], 2.0 * view[1], 2.0 * view[2]);
+    camera->SetViewUp(up);
+    this->SetMesh(MakeQuads(right, up, normals));
+    tool::Picture picture = this->Capture(Side * PixelsPerQuad, Side * PixelsPerQuad);
+    Decode(picture);
+    std::vector<tool::RGB> radiance;
+    for (int k = 0; k < static_cast<int>(normals.size()); ++k)
+    {
+      const float* pixel = picture.At(k % Side * PixelsPerQuad, k / Side * PixelsPerQuad);
+      radiance.push_back({ pixel[0], pixel[1], pixel[2] });
+    }
+    return radiance;
+  }
+
+private:
+  static vtkSmartPointer<vtkPolyData> MakeQuads(
+    const double right[3], const double up[3], const std::vector<const double*>& normals)
+  {
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkCellArray> cells;
+    vtkNew<vtkFloatArray> vectors;
+    vectors->SetNumberOfComponents(3);
+    for (int k = 0; k < static_cast<int>(normals.size()); ++k)
+    {
+      vtkIdType corners[4];
+      for (int corner = 0; corner < 4; ++corner)
+      {
+        const double x = 2.0 * (k % Side + (corner == 1 || corner == 2)) / Side - 1.0;
+        const double y = 2.0 * (k / Side + corner / 2) / Side - 1.0;
+        corners[corner] = points->InsertNextPoint(
+          x * right[0] + y * up[0], x * right[1] + y * up[1], x * right[2] + y * up[2]);
+        vectors->InsertNextTuple(normals[k]);
+      }
+      cells->InsertNextCell(4, corners);
+    }
+    auto quads = vtkSmartPointer<vtkPolyData>::New();
+    quads->SetPoints(points);
+    quads->SetPolys(cells);
+    quads->GetPointData()->SetNormals(vectors);
+    return quads;
+  }
+};
+}
+
+namespace tool
+{
+//------------------------------------------------------------------------------
+Surface FindSurface(vtkPolyData* mesh, const View& view, double fill, const Size& size, int largest)
+{
+  NormalStage stage;
+  stage.SetMesh(mesh);
+  stage.SetView(view.Azimuth, view.Elevation, fill);
+  const Picture normals = stage.RenderNormals(size);
+
+  Surface surface;
+  surface.Pixels = FindCovered(normals, 1);
+  surface.NumberOfCovered = static_cast<int>(surface.Pixels.size());
+  if (surface.Pixels.empty())
+  {
+    throw Error("--size: not a single pixel of the mesh shows");
+  }
+  while (static_cast<int>(surface.Pixels.size()) > largest)
+  {
+    surface.Pixels = FindCovered(normals, ++surface.Stride);
+  }
+  for (const int pixel : surface.Pixels)
+  {
+    const int x = pixel % size.Width;
+    const int y = pixel / size.Width;
+    const float* normal = normals.At(x, y);
+    double n[3] = { normal[0], normal[1], normal[2] };
+    vtkMath::Normalize(n);
+    std::array<double, 3> v = stage.GetRay(x + 0.5, y + 0.5, size.Width, size.Height);
+    for (double& value : v)
+    {
+      value = -value;
+    }
+    LiftView(n, v.data());
+    surface.Normals.insert(surface.Normals.end(), n, n + 3);
+    surface.Views.insert(surface.Views.end(), v.begin(), v.end());
+  }
+  return surface;
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> DrawPairs(vtkRadianceIntegrator* integrator, const std::vector<double>& normals,
+  const std::vector<double>& views)
+{
+  std::map<std::array<double, 3>, std::vector<std::size_t>> groups;
+  for (std::size_t k = 0; k < normals.size(); k += 3)
+  {
+    std::array<double, 3> view = { views[k], views[k + 1], views[k + 2] };
+    if (vtkMath::Dot(&normals[k], view.data()) > 0.0)
+    {
+      vtkMath::Normalize(view.data());
+      groups[view].push_back(k);
+    }
+  }
+
+  vtkNew<vtkMeasuredBRDFMapper> mapper;
+  mapper->SetBRDF(integrator->GetBRDF());
+  mapper->SetEnvironment(integrator->GetEnvironment());
+  mapper->SetIntegrator(integrator);
+  PairStage stage(mapper);
+  ProgressBar bar("drawing");
+  std::vector<double> radiance(normals.size(), 0.0);
+  std::size_t done = 0;
+  constexpr std::size_t most = PairStage::Side * PairStage::Side;
+  for (const auto& [view, pairs] : groups)
+  {
+    for (std::size_t begin = 0; begin < pairs.size(); begin += most)
+    {
+      Interruptible::Check();
+      std::vector<const double*> part;
+      for (std::size_t k = begin; k < std::min(begin + most, pairs.size()); ++k)
+      {
+        part.push_back(&normals[pairs[k]]);
+      }
+      const std::vector<RGB> drawn = stage.Draw(view.data(), part);
+      for (std::size_t k = 0; k < drawn.size(); ++k)
+      {
+        std::copy(drawn[k].begin(), drawn[k].end(), &radiance[pairs[begin + k]]);
+      }
+      done += drawn.size();
+      bar.Update(3.0 * static_cast<double>(done) / static_cast<double>(normals.size()));
+    }
+  }
+  return radiance;
+}
+} // namespace tool

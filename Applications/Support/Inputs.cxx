@@ -1,0 +1,236 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Inputs.h"
+
+#include "Files.h"
+#include "Tool.h"
+
+#include "vtkBRDFFormats.h"
+#include "vtkBRDFReader.h"
+#include "vtkEmbeddedEnvironments.h"
+#include "vtkEmbeddedMaterials.h"
+#include "vtkEnvironmentProjection.h"
+#include "vtkEnvironmentReader.h"
+#include "vtkImportanceLightSetGenerator.h"
+#include "vtkMedianCutLightSetGenerator.h"
+#include "vtkNew.h"
+#include "vtkVarianceLightSetGenerator.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+
+namespace
+{
+const std::map<std::string, int> Projections = { { "auto", vtkEnvironmentReader::AUTOMATIC },
+  { "lat-long", vtkEnvironmentProjection::LAT_LONG },
+  { "angular", vtkEnvironmentProjection::ANGULAR_MAP },
+  { "mirror-ball", vtkEnvironmentProjection::MIRROR_BALL },
+  { "horizontal-cross", vtkEnvironmentProjection::CUBE_HORIZONTAL_CROSS },
+  { "vertical-cross", vtkEnvironmentProjection::CUBE_VERTICAL_CROSS },
+  { "horizontal-strip", vtkEnvironmentProjection::CUBE_HORIZONTAL_STRIP },
+  { "vertical-strip", vtkEnvironmentProjection::CUBE_VERTICAL_STRIP } };
+
+std::string Projection = "auto"; // set by --projection
+
+//------------------------------------------------------------------------------
+// What to add to a reader's complaint about a file whose ending is of no format that is read.
+std::string GetFormatAdvice(const std::string& file)
+{
+  const std::string extension = tool::Extension(file.substr(0, file.find('#')));
+  std::error_code ignored;
+  for (const auto& format : vtkBRDFFormats::GetFormats())
+  {
+    const auto known = format->GetExtensions();
+    if (std::find(known.begin(), known.end(), extension) != known.end())
+    {
+      return "";
+    }
+  }
+  if (!std::filesystem::is_regular_file(file, ignored))
+  {
+    return "";
+  }
+  return ". '" + extension + "' is none of the formats that are read: " +
+         vtkBRDFFormats::GetDescriptions();
+}
+}
+
+namespace tool
+{
+std::string GetMaterialHelp()
+{
+  return "A material: the name of an embedded one (see 'measured-brdf list'), or a file: " +
+         vtkBRDFFormats::GetDescriptions() +
+         ". With a '/', a '.' or a '#' in it, it is a file; else the embedded name comes first";
+}
+
+const char* const EnvironmentHelp =
+  "Light from all around: a lat-long image, cube cross or other probe (--projection) of any format "
+  "OpenImageIO reads (.exr, .hdr, ...); six cube faces, named with %s for px, nx, py, ny, pz, nz; "
+  "or 'room' (photographed), 'sky' or 'hall' (computed), which are built in";
+
+//------------------------------------------------------------------------------
+Material LoadMaterial(const std::string& file)
+{
+  Material result;
+  result.File = file;
+  const bool isPath = file.find_first_of("/.#") != std::string::npos;
+  if (!isPath)
+  {
+    for (int k = 0; k < vtkEmbeddedMaterials::GetNumberOfMaterials(); ++k)
+    {
+      if (vtkEmbeddedMaterials::GetName(k) == file)
+      {
+        result.BRDF = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF(file));
+        result.Name = file;
+        result.Source = result.BRDF->GetSource();
+        result.Format = "embedded";
+        result.Kind = vtkEmbeddedMaterials::GetKind(k);
+        return result;
+      }
+    }
+    std::error_code ignored;
+    if (!std::filesystem::exists(file, ignored))
+    {
+      vtkEmbeddedMaterials::NewBRDF(file); // says which names are near
+      throw Error("unknown material '" + file + "': there is no such file, and " + TakeErrorText() +
+                  " 'measured-brdf list' names them all");
+    }
+  }
+
+  vtkNew<vtkBRDFReader> reader;
+  reader->SetFileName(file);
+  if (!reader->Read() || !reader->GetBRDF())
+  {
+    const std::string logged = TakeErrorText();
+    const std::string said = reader->GetErrorMessage();
+    throw Error((!said.empty() ? said : file + ": " + logged) + GetFormatAdvice(file));
+  }
+  result.BRDF = reader->GetBRDF();
+  result.Name = result.BRDF->GetName();
+  if (result.Name.empty())
+  {
+    result.Name = std::filesystem::path(file).stem().string();
+  }
+  result.Source = result.BRDF->GetSource();
+  result.Format = reader->GetFormatName();
+  result.Notes = reader->GetNotes();
+  result.NumberOfNegativeValues = reader->GetNumberOfNegativeValues();
+  result.NumberOfInvalidValues = reader->GetNumberOfInvalidValues();
+  return result;
+}
+
+//------------------------------------------------------------------------------
+void AddProjectionOption(CLI::App* command)
+{
+  std::vector<std::string> names;
+  for (const auto& projection : Projections)
+  {
+    names.push_back(projection.first);
+  }
+  command
+    ->add_option("--projection", Projection,
+      "What environment files are: auto (default: by their aspect ratio; square ones must say), "
+      "lat-long, angular (Debevec's angular map), mirror-ball, horizontal-cross, vertical-cross, "
+      "horizontal-strip or vertical-strip of cube faces")
+    ->check(CLI::IsMember(names));
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkEnvironment> LoadEnvironment(const std::string& file)
+{
+  if (auto embedded =
+        vtkSmartPointer<vtkEnvironment>::Take(vtkEmbeddedEnvironments::NewEnvironment(file)))
+  {
+    return embedded;
+  }
+  vtkNew<vtkEnvironmentReader> reader;
+  reader->SetProjection(Projections.at(Projection));
+  reader->SetFileName(file);
+  if (!reader->Read() || !reader->GetEnvironment())
+  {
+    const std::string logged = TakeErrorText();
+    const std::string said = reader->GetErrorMessage();
+    throw Error(!said.empty() ? said : file + ": " + logged);
+  }
+  PrintNote(reader->GetNotes());
+  vtkSmartPointer<vtkEnvironment> environment = reader->GetEnvironment();
+  environment->SetName(std::filesystem::path(file).stem().string());
+  return environment;
+}
+
+//------------------------------------------------------------------------------
+void LightSetOptions::AddTo(CLI::App* command, const std::string& countName)
+{
+  command
+    ->add_option(countName, this->Count,
+      "How many lights stand for the environment (default " + std::to_string(this->Count) +
+        "); median cut makes powers of two only")
+    ->check(CLI::Range(1, vtkLightSetGenerator::MaximumNumberOfLights));
+  command
+    ->add_option("--light-set", this->Method,
+      "How they are chosen: median-cut (regions of equal energy, one light each; default), "
+      "variance "
+      "(regions of small spread, always the widest split next), minimum-variance (the published "
+      "method of that kind) or importance (drawn at random in proportion to the energy)")
+    ->check(CLI::IsMember({ "median-cut", "variance", "minimum-variance", "importance" }));
+  command->add_option("--seed", this->Seed,
+    "Seed of --light-set importance (default 1); the same seed gives the same lights");
+}
+
+//------------------------------------------------------------------------------
+void LightSetOptions::AddSoftTo(CLI::App* command)
+{
+  command->add_flag("--soft-lights", this->Soft,
+    "Make each light as wide as the region it stands for, so that sharp lobes show no dots; lights "
+    "of --light-set importance have no width");
+}
+
+//------------------------------------------------------------------------------
+void LightSetOptions::Check() const
+{
+  if (this->IsMedianCut() && (this->Count & (this->Count - 1)) != 0)
+  {
+    int below = 1;
+    while (below * 2 < this->Count)
+    {
+      below *= 2;
+    }
+    throw UsageError(std::to_string(this->Count) +
+                     " lights: median cut makes powers of two only; try " + std::to_string(below) +
+                     " or " + std::to_string(2 * below) + ", or --light-set variance");
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkLightSet> MakeLightSet(
+  vtkEnvironment* environment, const LightSetOptions& options)
+{
+  vtkSmartPointer<vtkLightSetGenerator> generator;
+  if (options.IsMedianCut())
+  {
+    generator = vtkSmartPointer<vtkMedianCutLightSetGenerator>::New();
+  }
+  else if (!options.IsImportance())
+  {
+    auto variance = vtkSmartPointer<vtkVarianceLightSetGenerator>::New();
+    variance->SetMethod(options.Method == "variance"
+                          ? vtkVarianceLightSetGenerator::GREEDY
+                          : vtkVarianceLightSetGenerator::MINIMUM_VARIANCE);
+    generator = variance;
+  }
+  else
+  {
+    auto importance = vtkSmartPointer<vtkImportanceLightSetGenerator>::New();
+    importance->SetSeed(options.Seed);
+    generator = importance;
+  }
+  auto lights = vtkSmartPointer<vtkLightSet>::New();
+  if (!generator->Generate(environment, options.Count, lights))
+  {
+    throw Error("light set: " + TakeErrorText());
+  }
+  return lights;
+}
+} // namespace tool

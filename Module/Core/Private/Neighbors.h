@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Linear interpolation between samples at k + 1/2: which two of n samples, and how much of each.
+ */
+
+#ifndef Neighbors_h
+#define Neighbors_h
+
+#include <algorithm>
+#include <cmath>
+
+namespace measuredbrdf
+{
+struct Neighbors
+{
+  int First;
+  int Second;
+  double Weight; // of Second
+};
+
+/// Of coordinate u in [0,1], constant beyond the outermost samples.
+inline Neighbors ClampedNeighbors(double u, int n)
+{
+  const double x = std::clamp(u * n - 0.5, 0.0, n - 1.0);
+  const int first = std::min(static_cast<int>(x), std::max(n - 2, 0));
+  return { first, std::min(first + 1, n - 1), x - first };
+}
+
+/// Of coordinate u, which repeats after 1.
+inline Neighbors PeriodicNeighbors(double u, int n)
+{
+  const double x = (u - std::floor(u)) * n - 0.5;
+  const double base = std::floor(x);
+  const int first = (static_cast<int>(base) + n) % n;
+  return { first, (first + 1) % n, x - base };
+}
+} // namespace measuredbrdf
+
+#endif

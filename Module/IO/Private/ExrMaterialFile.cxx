@@ -1,0 +1,498 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ExrMaterialFile.h"
+
+#include "vtkObjectFactory.h"
+#include "ExrHeader.h"
+#include "FileBytes.h"
+#include "MaterialArchive.h"
+
+#include <Iex.h>
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfIO.h>
+#include <ImfInputPart.h>
+#include <ImfMultiPartInputFile.h>
+#include <ImfMultiPartOutputFile.h>
+#include <ImfOutputPart.h>
+#include <ImfPartType.h>
+#include <ImfStringAttribute.h>
+#include <half.h> // Imath, of OpenEXR
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace measuredbrdf
+{
+namespace
+{
+using nlohmann::json;
+
+constexpr const char* AttributeName = "measuredBRDF";
+constexpr const char* JsonFormat = "measured-brdf";
+constexpr int JsonVersion = 1;
+constexpr int MaximumDepth = 16; // of terms in terms
+
+// ZIP (deflate) shrinks by 1032 at most; what a header promises beyond that is a lie.
+constexpr std::uint64_t MaximumCompression = 1032;
+
+const std::array<const char*, 3> ColorChannels = { "R", "G", "B" };
+const char* const GrayChannel = "Y";
+
+const char* GetChannelName(int channels, int channel)
+{
+  return channels == 3 ? ColorChannels[channel] : GrayChannel;
+}
+
+//------------------------------------------------------------------------------
+class MemoryInput : public Imf::IStream
+{
+public:
+  explicit MemoryInput(const FileBytes& file)
+    : Imf::IStream(file.GetPath().c_str())
+    , File(file)
+  {
+  }
+
+  bool read(char out[], int count) override
+  {
+    const std::uint64_t left = this->File.GetSize() - this->Place;
+    if (count < 0 || static_cast<std::uint64_t>(count) > left)
+    {
+      throw Iex::InputExc("byte " + std::to_string(this->Place) + ": " + std::to_string(count) +
+                          " bytes were expected, but the file ends after " + std::to_string(left));
+    }
+    std::memcpy(out, this->File.GetData() + this->Place, static_cast<std::size_t>(count));
+    this->Place += static_cast<std::uint64_t>(count);
+    return this->Place < this->File.GetSize();
+  }
+  std::uint64_t tellg() override { return this->Place; }
+  void seekg(std::uint64_t place) override
+  {
+    if (place > this->File.GetSize())
+    {
+      throw Iex::InputExc("an offset points to byte " + std::to_string(place) +
+                          ", but the file ends at " + std::to_string(this->File.GetSize()));
+    }
+    this->Place = place;
+  }
+
+private:
+  const FileBytes& File;
+  std::uint64_t Place = 0;
+};
+
+//------------------------------------------------------------------------------
+class MemoryOutput : public Imf::OStream
+{
+public:
+  MemoryOutput()
+    : Imf::OStream("memory")
+  {
+  }
+
+  void write(const char bytes[], int count) override
+  {
+    const std::size_t end = this->Place + static_cast<std::size_t>(count);
+    if (end > this->Bytes.size())
+    {
+      this->Bytes.resize(end);
+    }
+    std::memcpy(&this->Bytes[this->Place], bytes, static_cast<std::size_t>(count));
+    this->Place = end;
+  }
+  std::uint64_t tellp() override { return this->Place; }
+  void seekp(std::uint64_t place) override { this->Place = static_cast<std::size_t>(place); }
+
+  const std::string& GetBytes() const { return this->Bytes; }
+
+private:
+  std::string Bytes;
+  std::size_t Place = 0;
+};
+
+//------------------------------------------------------------------------------
+// Width and height of the part that holds an array; false where OpenEXR has no such image.
+bool GetExtent(const std::vector<int>& shape, int& width, int& height)
+{
+  std::int64_t rows = 1;
+  for (std::size_t axis = 0; axis < shape.size(); ++axis)
+  {
+    if (shape[axis] < 1)
+    {
+      return false;
+    }
+    if (axis + 1 < shape.size())
+    {
+      rows *= shape[axis];
+      if (rows > std::numeric_limits<int>::max() / 2)
+      {
+        return false;
+      }
+    }
+  }
+  width = shape.empty() ? 1 : shape.back();
+  height = static_cast<int>(rows);
+  return width <= std::numeric_limits<int>::max() / 2;
+}
+
+//------------------------------------------------------------------------------
+struct Part
+{
+  std::string Name;
+  const MaterialArchive::Array* Array;
+};
+
+json ToJson(const MaterialArchive& archive, const std::string& prefix, std::vector<Part>& parts)
+{
+  json object;
+  object["representation"] = archive.Representation;
+  object["name"] = archive.Name;
+  object["source"] = archive.Source;
+  object["options"] = archive.Options;
+  object["numbers"] = archive.Numbers;
+  object["arrays"] = json::object();
+  for (const auto& array : archive.Arrays)
+  {
+    parts.push_back({ prefix + array.first, &array.second });
+    object["arrays"][array.first] = { { "shape", array.second.Shape },
+      { "channels", array.second.Channels } };
+  }
+  object["terms"] = json::array();
+  for (std::size_t k = 0; k < archive.Terms.size(); ++k)
+  {
+    object["terms"].push_back(ToJson(archive.Terms[k], prefix + std::to_string(k) + ".", parts));
+  }
+  return object;
+}
+
+//------------------------------------------------------------------------------
+// Invalid cells (NaN) stay invalid.
+std::vector<half> RoundToHalf(const MaterialArchive::Array& array, const std::string& name)
+{
+  std::vector<half> rounded;
+  rounded.reserve(array.Values.size());
+  for (const float value : array.Values)
+  {
+    rounded.emplace_back(value);
+    if (std::isfinite(value) && !rounded.back().isFinite())
+    {
+      throw std::runtime_error("array '" + name + "': " + std::to_string(value) +
+                               " is too large for a 16-bit float; write 32-bit floats");
+    }
+  }
+  return rounded;
+}
+
+//------------------------------------------------------------------------------
+// Reads parts by name; every size is checked before anything is allocated.
+class PartReader
+{
+public:
+  PartReader(Imf::MultiPartInputFile& input, std::uint64_t fileSize)
+    : Input(input)
+    , BytesLeft(fileSize * MaximumCompression)
+  {
+    for (int k = 0; k < input.parts(); ++k)
+    {
+      if (input.header(k).hasName())
+      {
+        this->Parts[input.header(k).name()] = k;
+      }
+    }
+  }
+
+  void Read(const std::string& name, MaterialArchive::Array& array)
+  {
+    const auto found = this->Parts.find(name);
+    if (found == this->Parts.end())
+    {
+      throw std::runtime_error("part " + Quote(name) + " is missing");
+    }
+    const Imf::Header& header = this->Input.header(found->second);
+    const Imath::Box2i window = header.dataWindow();
+    int width = 0;
+    int height = 0;
+    if (!GetExtent(array.Shape, width, height) || window.min != Imath::V2i(0, 0) ||
+        window.max != Imath::V2i(width - 1, height - 1))
+    {
+      throw std::runtime_error("part " + Quote(name) +
+                               ": its data window does not hold the shape that " + "attribute '" +
+                               AttributeName + "' gives");
+    }
+    if (header.hasType() && header.type() != Imf::SCANLINEIMAGE)
+    {
+      throw std::runtime_error("part " + Quote(name) + ": found type " + Quote(header.type()) +
+                               ", expected " + Imf::SCANLINEIMAGE);
+    }
+    int channels = 0;
+    std::uint64_t texelBytes = 0; // in the file
+    for (auto it = header.channels().begin(); it != header.channels().end(); ++it)
+    {
+      const Imf::Channel& channel = it.channel();
+      ++channels;
+      texelBytes += channel.type == Imf::HALF ? sizeof(half) : sizeof(float);
+      if ((channel.type != Imf::FLOAT && channel.type != Imf::HALF) || channel.xSampling != 1 ||
+          channel.ySampling != 1)
+      {
+        throw std::runtime_error("part " + Quote(name) + ", channel " + Quote(it.name()) +
+                                 ": expected 32-bit or 16-bit floats, not subsampled");
+      }
+    }
+    if (channels != array.Channels)
+    {
+      throw std::runtime_error("part " + Quote(name) + ": found " + std::to_string(channels) +
+                               " channels, expected " + std::to_string(array.Channels));
+    }
+    if (width * texelBytes > this->BytesLeft / height) // the product of the three may overflow
+    {
+      throw std::runtime_error(
+        "part " + Quote(name) + ": its size is more than a file of this length can hold");
+    }
+    this->BytesLeft -= width * texelBytes * height;
+
+    const std::size_t row = std::size_t(width) * array.Channels * sizeof(float);
+    array.Values.resize(row / sizeof(float) * height);
+    Imf::FrameBuffer buffer;
+    for (int k = 0; k < array.Channels; ++k)
+    {
+      const char* channel = GetChannelName(array.Channels, k);
+      if (!header.channels().findChannel(channel))
+      {
+        throw std::runtime_error("part " + Quote(name) + ": channel " + channel + " is missing");
+      }
+      buffer.insert(channel, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(&array.Values[k]),
+                               sizeof(float) * array.Channels, row));
+    }
+    try
+    {
+      Imf::InputPart part(this->Input, found->second);
+      part.setFrameBuffer(buffer);
+      part.readPixels(0, height - 1);
+    }
+    catch (const std::exception& e)
+    {
+      throw std::runtime_error("part " + Quote(name) + ": " + e.what());
+    }
+  }
+
+private:
+  Imf::MultiPartInputFile& Input;
+  std::map<std::string, int> Parts;
+  std::uint64_t BytesLeft;
+};
+
+//------------------------------------------------------------------------------
+MaterialArchive FromJson(
+  const json& object, const std::string& prefix, PartReader& parts, int depth)
+{
+  if (depth > MaximumDepth)
+  {
+    throw std::runtime_error("terms are nested too deeply");
+  }
+  MaterialArchive archive;
+  archive.Representation = object.at("representation").get<std::string>();
+  archive.Name = object.at("name").get<std::string>();
+  archive.Source = object.at("source").get<std::string>();
+  archive.Options = object.at("options").get<std::map<std::string, std::string>>();
+  archive.Numbers = object.at("numbers").get<std::map<std::string, std::vector<double>>>();
+  for (const auto& item : object.at("arrays").items())
+  {
+    MaterialArchive::Array& array = archive.Arrays[item.key()];
+    array.Shape = item.value().at("shape").get<std::vector<int>>();
+    array.Channels = item.value().at("channels").get<int>();
+    if (array.Channels != 1 && array.Channels != 3)
+    {
+      throw std::runtime_error("array " + Quote(item.key()) + ": expected 1 or 3 channels");
+    }
+    CheckShape(archive.Representation, array.Shape);
+    parts.Read(prefix + item.key(), array);
+  }
+  std::size_t index = 0;
+  for (const json& term : object.at("terms"))
+  {
+    archive.Terms.push_back(FromJson(term, prefix + std::to_string(index) + ".", parts, depth + 1));
+    ++index;
+  }
+  return archive;
+}
+
+//------------------------------------------------------------------------------
+void CountValues(const MaterialArchive& archive, MaterialFile& result)
+{
+  for (const auto& array : archive.Arrays)
+  {
+    for (const float value : array.second.Values)
+    {
+      result.NumberOfNegativeValues += std::isfinite(value) && value < 0.0f;
+      result.NumberOfInvalidValues += !std::isfinite(value);
+    }
+  }
+  for (const MaterialArchive& term : archive.Terms)
+  {
+    CountValues(term, result);
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+MaterialFile ReadExrMaterial(const FileBytes& file)
+{
+  CheckExrHeader(file, ExrFormatName);
+  const std::string place = file.GetPath() + ": " + ExrFormatName + ", ";
+  try
+  {
+    MemoryInput stream(file);
+    // Files whose table of offsets is incomplete are refused, not repaired.
+    Imf::MultiPartInputFile input(stream, 0, false);
+    const Imf::StringAttribute* attribute = nullptr;
+    if (input.parts() > 0)
+    {
+      attribute = input.header(0).findTypedAttribute<Imf::StringAttribute>(AttributeName);
+    }
+    if (!attribute)
+    {
+      throw std::runtime_error(std::string("string attribute '") + AttributeName +
+                               "' is missing: an OpenEXR image, but no material of this project");
+    }
+    const json header = json::parse(attribute->value());
+    const std::string format = header.at("format").get<std::string>();
+    const int version = header.at("version").get<int>();
+    if (format != JsonFormat || version != JsonVersion)
+    {
+      throw std::runtime_error("found format " + Quote(format) + " version " +
+                               std::to_string(version) + ", expected '" + JsonFormat +
+                               "' version " + std::to_string(JsonVersion));
+    }
+    PartReader parts(input, file.GetSize());
+    MaterialArchive archive = FromJson(header.at("material"), "", parts, 0);
+    MaterialFile result;
+    CountValues(archive, result);
+    result.BRDF = FromArchive(std::move(archive));
+    return result;
+  }
+  catch (const json::exception& e)
+  {
+    throw FileError(place + "attribute '" + AttributeName + "': " + ToPrintable(e.what(), 500));
+  }
+  catch (const Iex::BaseExc& e)
+  {
+    throw FileError(place + "header: " + e.what());
+  }
+  catch (const std::exception& e)
+  {
+    throw FileError(place + e.what());
+  }
+}
+
+//------------------------------------------------------------------------------
+void WriteExrMaterial(vtkBRDF* brdf, const std::string& path, bool halfFloats)
+{
+  const Imf::PixelType type = halfFloats ? Imf::HALF : Imf::FLOAT;
+  try
+  {
+    const MaterialArchive archive = ToArchive(brdf);
+    std::vector<Part> parts;
+    json header;
+    header["format"] = JsonFormat;
+    header["version"] = JsonVersion;
+    header["material"] = ToJson(archive, "", parts);
+    const MaterialArchive::Array texel = { { 1 }, 1, { 0.0f } };
+    if (parts.empty())
+    {
+      parts.push_back({ "header", &texel });
+    }
+
+    // All parts must share one display window: the smallest that covers all.
+    Imath::Box2i display(Imath::V2i(0, 0), Imath::V2i(0, 0));
+    std::vector<Imf::Header> headers;
+    for (const Part& part : parts)
+    {
+      int width = 0;
+      int height = 0;
+      if (!GetExtent(part.Array->Shape, width, height))
+      {
+        throw std::runtime_error("array " + Quote(part.Name) + " is too large for an image");
+      }
+      const Imath::Box2i window(Imath::V2i(0, 0), Imath::V2i(width - 1, height - 1));
+      display.extendBy(window);
+      Imf::Header& exr = headers.emplace_back(window, window);
+      exr.compression() = Imf::ZIP_COMPRESSION;
+      exr.setName(part.Name);
+      exr.setType(Imf::SCANLINEIMAGE);
+      for (int k = 0; k < part.Array->Channels; ++k)
+      {
+        exr.channels().insert(GetChannelName(part.Array->Channels, k), Imf::Channel(type));
+      }
+    }
+    for (Imf::Header& exr : headers)
+    {
+      exr.displayWindow() = display;
+    }
+    // Text that is not UTF-8 gets replacement characters: JSON can't hold it.
+    headers[0].insert(AttributeName,
+      Imf::StringAttribute(header.dump(-1, ' ', false, json::error_handler_t::replace)));
+
+    MemoryOutput stream;
+    {
+      Imf::MultiPartOutputFile output(
+        stream, headers.data(), static_cast<int>(headers.size()), false, 0);
+      for (std::size_t k = 0; k < parts.size(); ++k)
+      {
+        const MaterialArchive::Array& array = *parts[k].Array;
+        const Imath::Box2i window = headers[k].dataWindow();
+        const std::vector<half> rounded =
+          halfFloats ? RoundToHalf(array, parts[k].Name) : std::vector<half>();
+        const char* values = halfFloats ? reinterpret_cast<const char*>(rounded.data())
+                                        : reinterpret_cast<const char*>(array.Values.data());
+        const std::size_t size = halfFloats ? sizeof(half) : sizeof(float);
+        const std::size_t texel = size * array.Channels;
+        Imf::FrameBuffer buffer;
+        for (int channel = 0; channel < array.Channels; ++channel)
+        {
+          buffer.insert(GetChannelName(array.Channels, channel),
+            Imf::Slice(
+              type, const_cast<char*>(values) + size * channel, texel, texel * (window.max.x + 1)));
+        }
+        Imf::OutputPart out(output, static_cast<int>(k));
+        out.setFrameBuffer(buffer);
+        out.writePixels(window.max.y + 1);
+      }
+    }
+    WriteFile(path, stream.GetBytes());
+  }
+  catch (const FileError&)
+  {
+    throw;
+  }
+  catch (const std::exception& e)
+  {
+    throw FileError(path + ": " + ExrFormatName + ": " + e.what());
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkStandardNewMacro(ExrFormat);
+
+//------------------------------------------------------------------------------
+bool ExrFormat::CanRead(const File& file)
+{
+  return HasMagic(file, std::string_view(ExrMagic, sizeof(ExrMagic) - 1));
+}
+
+//------------------------------------------------------------------------------
+MaterialFile ExrFormat::DoRead(const FileBytes& file, const std::string&)
+{
+  return ReadExrMaterial(file);
+}
+
+//------------------------------------------------------------------------------
+void ExrFormat::DoWrite(vtkBRDF* brdf, const std::string& path, bool halfFloats)
+{
+  WriteExrMaterial(brdf, path, halfFloats);
+}
+} // namespace measuredbrdf

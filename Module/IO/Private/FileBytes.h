@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Files as bytes: reading them bounds-checked, so that every error names file, format, field and
+ * byte; and writing them whole or not at all. Private to the IO room, which uses exceptions inside
+ * and turns them into error events at its classes' borders.
+ */
+
+#ifndef FileBytes_h
+#define FileBytes_h
+
+#include "Printable.h"
+#include "vtkByteSwap.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace measuredbrdf
+{
+/// What is wrong with a file, for people: names the file and the place. Whatever the file or its
+/// name holds, the text is fit for a terminal.
+class FileError : public std::runtime_error
+{
+public:
+  explicit FileError(const std::string& what)
+    : std::runtime_error(ToPrintable(what))
+  {
+  }
+};
+
+/**
+ * Size of a regular, readable file; throws FileError for what is missing, a directory, a device,
+ * unreadable or empty.
+ */
+std::uintmax_t CheckFile(const std::string& path);
+
+/// A file's name without folders and extension.
+std::string GetFileStem(const std::string& path);
+
+/// A file's name without folders.
+std::string GetFileTitle(const std::string& path);
+
+/**
+ * Put the bytes into a file beside path, then rename: path is the old file or the whole new one.
+ */
+void WriteFile(const std::string& path, std::string_view bytes);
+
+/**
+ * A whole file in memory.
+ */
+class FileBytes
+{
+public:
+  explicit FileBytes(const std::string& path);
+
+  /// Bytes that stay in memory meanwhile; path: what messages call them.
+  static FileBytes View(const std::string& path, std::string_view bytes);
+
+  const std::string& GetPath() const { return this->Path; }
+  const char* GetData() const { return this->Bytes.data(); }
+  std::size_t GetSize() const { return this->Bytes.size(); }
+  std::string_view GetView() const { return this->Bytes; }
+
+private:
+  FileBytes() = default;
+
+  std::string Path;
+  std::unique_ptr<char[]> Data; // null: a view
+  std::string_view Bytes;
+};
+
+/**
+ * Reads little-endian values one after the other and never beyond the end.
+ */
+class ByteReader
+{
+public:
+  ByteReader(const FileBytes& file, std::string format)
+    : File(file)
+    , Format(std::move(format))
+  {
+  }
+
+  std::size_t GetOffset() const { return this->Offset; }
+  std::size_t GetRemaining() const { return this->File.GetSize() - this->Offset; }
+  const FileBytes& GetFile() const { return this->File; }
+
+  /// Throw FileError: "PATH: FORMAT, FIELD at byte N: what".
+  [[noreturn]] void Fail(const std::string& field, const std::string& what) const
+  {
+    this->FailAt(this->Offset, field, what);
+  }
+  [[noreturn]] void FailAt(
+    std::uint64_t offset, const std::string& field, const std::string& what) const;
+
+  /// The next count bytes, stepped over.
+  const char* Take(std::uint64_t count, const std::string& field);
+
+  /// Whether at most 4 KiB of zeros, white space and DOS's end of file are left: what transfers and
+  /// editors add behind the data.
+  bool IsPadding() const;
+
+  /// count bytes anywhere in the file; the reading place stays.
+  const char* At(std::uint64_t offset, std::uint64_t count, const std::string& field) const;
+
+  template <typename T>
+  T Read(const std::string& field)
+  {
+    T value;
+    std::memcpy(&value, this->Take(sizeof(T), field), sizeof(T));
+    SwapLittleEndian(&value, 1);
+    return value;
+  }
+
+  /// Copy count values from bytes that Take or At gave.
+  template <typename T>
+  static void Copy(T* out, const char* bytes, std::size_t count)
+  {
+    std::memcpy(out, bytes, count * sizeof(T));
+    SwapLittleEndian(out, count);
+  }
+
+private:
+  template <typename T>
+  static void SwapLittleEndian(T* values, std::size_t count)
+  {
+    if constexpr (sizeof(T) > 1)
+    {
+      vtkByteSwap::SwapLERange(values, count);
+    }
+  }
+
+  const FileBytes& File;
+  std::string Format;
+  std::size_t Offset = 0;
+};
+} // namespace measuredbrdf
+
+#endif

@@ -1,0 +1,540 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FitFile.h"
+
+#include "vtkObjectFactory.h"
+#include "FileBytes.h"
+#include "vtkAshikhminShirleyBRDF.h"
+#include "vtkBlinnPhongBRDF.h"
+#include "vtkLambertBRDF.h"
+#include "vtkNew.h"
+#include "vtkSumBRDF.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <functional>
+#include <sstream>
+#include <system_error>
+
+namespace measuredbrdf
+{
+namespace
+{
+// Ngan et al. fitted MERL's data without its color scale (1, 1.15, 1.66)/1500 (MerlFile.cxx)
+// relative to red, so their figures need it; Low et al. applied it.
+constexpr double NganScale[3] = { 1.0, 1.15, 1.66 };
+
+constexpr int MaximumDepth = 16;
+constexpr double Noise = 1e-6; // that figures may lie beyond their bounds by
+
+bool StartsWith(const std::string& text, const std::string& start)
+{
+  return text.compare(0, start.size(), start) == 0;
+}
+
+[[noreturn]] void Fail(const std::string& path, int line, const std::string& what)
+{
+  throw FileError(path + ": " + FitFormatName + ", line " + std::to_string(line) + ": " + what);
+}
+
+//------------------------------------------------------------------------------
+// Recursive descent over the grammar in the header.
+class Parser
+{
+public:
+  Parser(const std::string& path, std::string_view text)
+    : Path(path)
+    , Text(text)
+  {
+  }
+
+  int GetLine() const { return this->Line; }
+  const std::string& GetComments() const { return this->Comments; }
+
+  /// Steps over white space and comments.
+  bool IsAtEnd()
+  {
+    this->SkipSpace();
+    return this->Place >= this->Text.size();
+  }
+
+  std::string ReadName(const std::string& what)
+  {
+    this->SkipSpace();
+    const std::size_t begin = this->Place;
+    while (this->Place < this->Text.size() && IsNameCharacter(this->Text[this->Place]))
+    {
+      ++this->Place;
+    }
+    if (this->Place == begin)
+    {
+      this->Expected(what);
+    }
+    return std::string(this->Text.substr(begin, this->Place - begin));
+  }
+
+  void Expect(char character)
+  {
+    if (!this->Accept(character))
+    {
+      this->Expected(std::string("'") + character + "'");
+    }
+  }
+
+  FitCall ReadCall(int depth = 0)
+  {
+    if (depth > MaximumDepth)
+    {
+      Fail(this->Path, this->Line, "models are nested too deeply");
+    }
+    FitCall call;
+    call.Model = this->ReadName("a model's name");
+    call.Line = this->Line;
+    this->Expect('(');
+    if (this->Accept(')'))
+    {
+      return call;
+    }
+    do
+    {
+      const std::size_t begin = this->Place;
+      const int line = this->Line;
+      const std::string name = this->ReadName("an attribute or a model");
+      if (name[0] >= '0' && name[0] <= '9')
+      {
+        Fail(this->Path, this->Line,
+          "expected an attribute or a model, found " + Quote(name) +
+            " (decimals follow a point, not a comma)");
+      }
+      if (this->Accept('='))
+      {
+        if (!call.Attributes.emplace(name, this->ReadValue(name)).second)
+        {
+          Fail(this->Path, this->Line, "attribute " + Quote(name) + " appears twice");
+        }
+      }
+      else
+      {
+        this->Place = begin;
+        this->Line = line;
+        call.Terms.push_back(this->ReadCall(depth + 1));
+      }
+    } while (this->Accept(','));
+    this->Expect(')');
+    return call;
+  }
+
+private:
+  static bool IsNameCharacter(char c)
+  {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
+           c == '_' || c == '.';
+  }
+
+  void SkipSpace()
+  {
+    for (; this->Place < this->Text.size(); ++this->Place)
+    {
+      const char c = this->Text[this->Place];
+      if (c == '#')
+      {
+        const std::size_t end = std::min(this->Text.find('\n', this->Place), this->Text.size());
+        // A comment inside a call is met twice where ReadCall goes back: taken once.
+        if (this->Place >= this->CommentsEnd)
+        {
+          this->Comments.append(this->Text.substr(this->Place + 1, end - this->Place - 1));
+          this->CommentsEnd = end;
+        }
+        this->Place = end;
+        if (end == this->Text.size())
+        {
+          return;
+        }
+      }
+      if (this->Text[this->Place] == '\n')
+      {
+        ++this->Line;
+      }
+      else if (c != ' ' && c != '\t' && c != '\r')
+      {
+        return;
+      }
+    }
+  }
+
+  bool Accept(char character)
+  {
+    this->SkipSpace();
+    if (this->Place < this->Text.size() && this->Text[this->Place] == character)
+    {
+      ++this->Place;
+      return true;
+    }
+    return false;
+  }
+
+  double ReadNumber(const std::string& attribute)
+  {
+    this->SkipSpace();
+    this->Place += this->Place < this->Text.size() && this->Text[this->Place] == '+';
+    const char* begin = this->Text.data() + this->Place;
+    double value = 0.0;
+    // Not strtod: its decimal sign follows the locale.
+    const auto result = std::from_chars(begin, this->Text.data() + this->Text.size(), value);
+    if (result.ec != std::errc() || !std::isfinite(value))
+    {
+      this->Expected("a finite number for attribute " + Quote(attribute));
+    }
+    this->Place += static_cast<std::size_t>(result.ptr - begin);
+    return value;
+  }
+
+  std::vector<double> ReadValue(const std::string& attribute)
+  {
+    std::vector<double> values;
+    if (!this->Accept('['))
+    {
+      values.push_back(this->ReadNumber(attribute));
+      return values;
+    }
+    do
+    {
+      values.push_back(this->ReadNumber(attribute));
+    } while (this->Accept(','));
+    this->Expect(']');
+    return values;
+  }
+
+  [[noreturn]] void Expected(const std::string& what)
+  {
+    this->SkipSpace();
+    std::string found = "the end of the file";
+    if (this->Place < this->Text.size())
+    {
+      const std::string_view rest = this->Text.substr(this->Place, 24);
+      found = Quote(rest.substr(0, rest.find_first_of("\r\n")));
+    }
+    Fail(this->Path, this->Line, "expected " + what + ", found " + found);
+  }
+
+  const std::string& Path;
+  std::string_view Text;
+  std::size_t Place = 0;
+  int Line = 1;
+  std::string Comments;
+  std::size_t CommentsEnd = 0;
+};
+
+//------------------------------------------------------------------------------
+// Makes BRDFs of calls, scaled by Scale, and complains about what does not fit.
+class Builder
+{
+public:
+  /// result takes notes.
+  Builder(
+    const std::string& path, const std::string& name, const double scale[3], MaterialFile& result)
+    : Path(path)
+    , Name(name)
+    , Result(result)
+  {
+    std::copy_n(scale, 3, this->Scale);
+  }
+
+  void AddTerms(const FitCall& call, vtkSumBRDF* sum) const
+  {
+    if (call.Model == "Aggregate")
+    {
+      this->CheckAttributes(call, {}, true);
+      if (call.Terms.empty())
+      {
+        this->Complain(call, "holds no model, expected at least one");
+      }
+      for (const FitCall& term : call.Terms)
+      {
+        this->AddTerms(term, sum);
+      }
+    }
+    else if (call.Model == "Lambertian")
+    {
+      this->CheckAttributes(call, { "albedo" });
+      vtkNew<vtkLambertBRDF> term;
+      double albedo[3];
+      this->GetAlbedo(call, albedo);
+      term->SetAlbedo(albedo);
+      sum->AddTerm(term);
+    }
+    else if (call.Model == "NganBlinnPhong")
+    {
+      this->CheckAttributes(call, { "albedo", "sharpness" });
+      vtkNew<vtkBlinnPhongBRDF> term;
+      double specular[3];
+      this->GetAlbedo(call, specular);
+      term->SetSpecular(specular);
+      term->SetExponent(this->GetNumber(call, "sharpness", 0.0, 1e6));
+      sum->AddTerm(term);
+    }
+    else if (call.Model == "NganAshikhminShirley" || call.Model == "LowAshikhminShirley")
+    {
+      this->CheckAttributes(call, { "albedo", "fresnelReflectance", "sharpness" });
+      vtkNew<vtkAshikhminShirleyBRDF> term;
+      double scale[3];
+      this->GetAlbedo(call, scale);
+      term->SetSpecularScale(scale);
+      const double exponent = this->GetNumber(call, "sharpness", 0.0, 1e6);
+      term->SetExponents(exponent, exponent);
+      if (StartsWith(call.Model, "Ngan"))
+      {
+        const double reflectance = this->GetNumber(call, "fresnelReflectance", 0.0, 1.0);
+        term->SetReflectance(reflectance, reflectance, reflectance);
+        term->SetFresnelModelToSchlick();
+      }
+      else
+      {
+        term->SetIndexOfRefraction(this->GetNumber(call, "fresnelReflectance", 1.0, 100.0));
+        term->SetFresnelModelToDielectric();
+      }
+      sum->AddTerm(term);
+    }
+    else
+    {
+      this->Complain(call,
+        "unknown model, expected Aggregate, Lambertian, NganBlinnPhong, NganAshikhminShirley or "
+        "LowAshikhminShirley");
+    }
+  }
+
+private:
+  [[noreturn]] void Complain(const FitCall& call, const std::string& what) const
+  {
+    Fail(this->Path, call.Line,
+      "material " + Quote(this->Name) + ", " + ToPrintable(call.Model, LongestName) + ": " + what);
+  }
+
+  void CheckAttributes(
+    const FitCall& call, const std::vector<std::string>& names, bool hasTerms = false) const
+  {
+    for (const auto& attribute : call.Attributes)
+    {
+      if (std::find(names.begin(), names.end(), attribute.first) == names.end())
+      {
+        this->Complain(call, "unknown attribute " + Quote(attribute.first));
+      }
+    }
+    if (!hasTerms && !call.Terms.empty())
+    {
+      this->Complain(call, Quote(call.Terms.front().Model) + " can't be inside");
+    }
+  }
+
+  const std::vector<double>& GetAttribute(
+    const FitCall& call, const std::string& name, std::size_t count) const
+  {
+    const auto found = call.Attributes.find(name);
+    if (found == call.Attributes.end())
+    {
+      this->Complain(call, "attribute '" + name + "' is missing");
+    }
+    if (found->second.size() != count)
+    {
+      this->Complain(call,
+        "attribute '" + name + "' has " + std::to_string(found->second.size()) +
+          " numbers, expected " + std::to_string(count) +
+          (found->second.size() == 2 * count ? " (decimals follow a point, not a comma)" : ""));
+    }
+    return found->second;
+  }
+
+  double GetNumber(
+    const FitCall& call, const std::string& name, double lowest, double highest) const
+  {
+    return this->Repair(call, name, this->GetAttribute(call, name, 1)[0], lowest, highest);
+  }
+
+  void GetAlbedo(const FitCall& call, double albedo[3]) const
+  {
+    const std::vector<double>& values = this->GetAttribute(call, "albedo", 3);
+    for (int k = 0; k < 3; ++k)
+    {
+      albedo[k] = this->Repair(call, "albedo", values[k], 0.0, HUGE_VAL) * this->Scale[k];
+    }
+  }
+
+  // In bounds, or what rounding put beyond them.
+  double Repair(
+    const FitCall& call, const std::string& name, double value, double lowest, double highest) const
+  {
+    const double repaired = std::clamp(value, lowest, highest);
+    if (std::abs(value - repaired) > Noise * std::max(std::abs(repaired), 1.0))
+    {
+      std::ostringstream text;
+      text << "attribute '" << name << (value < 0.0 ? "' is negative: " : "' is ") << value
+           << ", expected " << lowest;
+      text << (highest < HUGE_VAL ? " to " : " or more");
+      if (highest < HUGE_VAL)
+      {
+        text << highest;
+      }
+      this->Complain(call, text.str());
+    }
+    if (value != repaired)
+    {
+      std::ostringstream text;
+      text << call.Model << ": attribute '" << name << "' is " << value << ", beyond " << repaired
+           << " by rounding: taken as that.";
+      this->Result.AddNote(text.str());
+      this->Result.NumberOfNegativeValues += value < 0.0;
+    }
+    return repaired;
+  }
+
+  const std::string& Path;
+  const std::string& Name;
+  MaterialFile& Result;
+  double Scale[3];
+};
+
+//------------------------------------------------------------------------------
+bool AnyModel(const FitCall& call, const std::string& start)
+{
+  return StartsWith(call.Model, start) ||
+         std::any_of(call.Terms.begin(), call.Terms.end(),
+           [&](const FitCall& term) { return AnyModel(term, start); });
+}
+}
+
+//------------------------------------------------------------------------------
+FitFile::FitFile(const std::string& path, std::string_view text)
+  : Path(path)
+{
+  constexpr std::string_view mark = "\xef\xbb\xbf"; // that some editors begin UTF-8 with
+  Parser parser(path, text.substr(0, mark.size()) == mark ? text.substr(mark.size()) : text);
+  std::map<std::string, int> lines;
+  while (!parser.IsAtEnd())
+  {
+    Entry entry;
+    const int line = parser.GetLine();
+    entry.Name = parser.ReadName("a material's name");
+    parser.Expect('=');
+    entry.Expression = parser.ReadCall();
+    const auto inserted = lines.emplace(entry.Name, line);
+    if (!inserted.second)
+    {
+      Fail(path, line,
+        "material " + Quote(entry.Name) + " was already given in line " +
+          std::to_string(inserted.first->second));
+    }
+    this->Entries.push_back(std::move(entry));
+  }
+  if (this->Entries.empty())
+  {
+    Fail(path, parser.GetLine(), "no material; expected lines 'name = Aggregate(...)'");
+  }
+  this->Comments = parser.GetComments();
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> FitFile::GetNames() const
+{
+  std::vector<std::string> names;
+  for (const Entry& entry : this->Entries)
+  {
+    names.push_back(entry.Name);
+  }
+  return names;
+}
+
+//------------------------------------------------------------------------------
+const FitFile::Entry& FitFile::Find(const std::string& name) const
+{
+  if (name.empty() && this->Entries.size() == 1)
+  {
+    return this->Entries.front();
+  }
+  const auto found = std::find_if(this->Entries.begin(), this->Entries.end(),
+    [&](const Entry& entry) { return entry.Name == name; });
+  if (found != this->Entries.end())
+  {
+    return *found;
+  }
+  std::string some;
+  for (std::size_t k = 0; k < std::min<std::size_t>(3, this->Entries.size()); ++k)
+  {
+    some += (k ? ", " : "") + ToPrintable(this->Entries[k].Name, LongestName);
+  }
+  throw FileError(this->Path + ": " + FitFormatName + ": " +
+                  (name.empty() ? "choose one with #name" : "no material " + Quote(name)) +
+                  " among its " + std::to_string(this->Entries.size()) + " materials (" + some +
+                  (this->Entries.size() > 3 ? ", ...)" : ")"));
+}
+
+//------------------------------------------------------------------------------
+MaterialFile FitFile::GetMaterial(const std::string& name) const
+{
+  const Entry& entry = this->Find(name);
+  const bool ngan =
+    AnyModel(entry.Expression, "Ngan") ||
+    (!AnyModel(entry.Expression, "Low") && this->Comments.find("Ngan") != std::string::npos);
+  const bool low = AnyModel(entry.Expression, "Low");
+  const double one[3] = { 1.0, 1.0, 1.0 };
+
+  MaterialFile result;
+  vtkNew<vtkSumBRDF> sum;
+  Builder(this->Path, entry.Name, ngan ? NganScale : one, result).AddTerms(entry.Expression, sum);
+  sum->SetName(entry.Name);
+
+  std::string models;
+  for (const FitCall& term : entry.Expression.Terms)
+  {
+    models += (models.empty() ? "" : " + ") + term.Model;
+  }
+  sum->SetSource((models.empty() ? entry.Expression.Model : models) + " fit" +
+                 (ngan   ? " by Ngan et al. 2005"
+                   : low ? " by Low et al. 2012"
+                         : "") +
+                 ", " + GetFileTitle(this->Path));
+
+  if (ngan)
+  {
+    result.AddNote("Ngan's figures lack MERL's color scale: albedos were multiplied by 1.00, "
+                   "1.15, 1.66 (R, G, B).");
+  }
+  result.BRDF = sum;
+  return result;
+}
+
+//------------------------------------------------------------------------------
+vtkStandardNewMacro(FitFormat);
+
+//------------------------------------------------------------------------------
+// ASCII or UTF-8 without control characters, judged by the first bytes.
+bool FitFormat::CanRead(const File& file)
+{
+  const std::string_view start = file.Bytes.substr(0, 4096);
+  return std::all_of(start.begin(), start.end(),
+    [](char c)
+    {
+      const auto byte = static_cast<unsigned char>(c);
+      return byte >= 0x20 ? byte != 0x7f && byte < 0xf5 : (c == '\n' || c == '\r' || c == '\t');
+    });
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> FitFormat::GetMaterialNames(const File& file)
+{
+  try
+  {
+    return FitFile(file.Path, file.Bytes).GetNames();
+  }
+  catch (const std::exception&)
+  {
+    return {}; // Read says what is wrong
+  }
+}
+
+//------------------------------------------------------------------------------
+MaterialFile FitFormat::DoRead(const FileBytes& file, const std::string& material)
+{
+  return FitFile(file.GetPath(), file.GetView()).GetMaterial(material);
+}
+} // namespace measuredbrdf

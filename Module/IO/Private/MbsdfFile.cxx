@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MbsdfFile.h"
+
+#include "vtkObjectFactory.h"
+#include "FileBytes.h"
+#include "vtkNew.h"
+#include "vtkTabulatedBRDF.h"
+
+#include <cmath>
+#include <string_view>
+#include <vector>
+
+namespace measuredbrdf
+{
+namespace
+{
+constexpr std::uint32_t MaximumSize = 2048; // vtkTabulatedBRDF's
+
+constexpr std::string_view Magic(MbsdfMagic, sizeof(MbsdfMagic) - 1);
+
+struct Block
+{
+  int Channels = 1;
+  int NumberOfTheta = 0;
+  int NumberOfPhi = 0;
+  std::size_t Values = 0;
+  const char* Data = nullptr;
+};
+
+//------------------------------------------------------------------------------
+std::string_view ReadLine(ByteReader& reader)
+{
+  const std::string_view rest = reader.GetFile().GetView().substr(reader.GetOffset());
+  const std::size_t length = rest.find('\n');
+  if (length == std::string_view::npos)
+  {
+    reader.Fail("header line", "no end of line, and no MBSDF_DATA before the file's end");
+  }
+  reader.Take(length + 1, "header line");
+  // Lines may end as DOS has them.
+  return rest.substr(0, length > 0 && rest[length - 1] == '\r' ? length - 1 : length);
+}
+
+//------------------------------------------------------------------------------
+std::uint32_t ReadSize(ByteReader& reader, const std::string& field)
+{
+  const auto size = reader.Read<std::uint32_t>(field);
+  if (size < 1 || size > MaximumSize)
+  {
+    reader.Fail(
+      field, "found " + std::to_string(size) + ", expected 1 to " + std::to_string(MaximumSize));
+  }
+  return size;
+}
+
+//------------------------------------------------------------------------------
+Block ReadBlock(ByteReader& reader, const std::string& name)
+{
+  const auto type = reader.Read<std::uint32_t>(name + " type");
+  if (type > 1)
+  {
+    reader.Fail(
+      name + " type", "found " + std::to_string(type) + ", expected 0 (scalar) or 1 (RGB)");
+  }
+  Block block;
+  block.Channels = type == 1 ? 3 : 1;
+  block.NumberOfTheta = static_cast<int>(ReadSize(reader, name + " number of theta"));
+  block.NumberOfPhi = static_cast<int>(ReadSize(reader, name + " number of phi"));
+  block.Values = std::size_t(block.NumberOfTheta) * block.NumberOfTheta * block.NumberOfPhi *
+                 block.Channels; // at most 3 * 2^33
+  block.Data = reader.Take(std::uint64_t(block.Values) * sizeof(float), name + " values");
+  return block;
+}
+}
+
+//------------------------------------------------------------------------------
+MaterialFile ReadMbsdf(const FileBytes& file)
+{
+  ByteReader reader(file, MbsdfFormatName);
+  if (ReadLine(reader) != Magic)
+  {
+    reader.Fail("magic", "expected the line 'NVIDIA ARC MBSDF V1'");
+  }
+
+  MaterialFile result;
+  for (;;)
+  {
+    const std::string_view line = ReadLine(reader);
+    if (line == "MBSDF_DATA=" || line == "MBSDF_DATA_REFLECTION=")
+    {
+      break;
+    }
+    if (line == "MBSDF_DATA_TRANSMISSION=")
+    {
+      reader.Fail("MBSDF_DATA_TRANSMISSION", "the file holds transmission only, no reflection");
+    }
+    if (line.empty())
+    {
+      continue;
+    }
+    if (line.find('=') == std::string_view::npos)
+    {
+      reader.Fail("header line", "expected key=\"value\" or MBSDF_DATA_REFLECTION=");
+    }
+    result.AddNote("File header: " + std::string(line));
+  }
+  const Block block = ReadBlock(reader, "reflection");
+
+  if (!reader.IsPadding())
+  {
+    if (ReadLine(reader) != "MBSDF_DATA_TRANSMISSION=")
+    {
+      reader.Fail("end", "expected the file's end or MBSDF_DATA_TRANSMISSION=");
+    }
+    ReadBlock(reader, "transmission");
+    if (!reader.IsPadding())
+    {
+      reader.Fail(
+        "end", std::to_string(reader.GetRemaining()) + " bytes follow the transmission values");
+    }
+    result.AddNote("The file's transmission is left out.");
+  }
+
+  if (reader.GetRemaining() > 0)
+  {
+    result.AddNote(
+      std::to_string(reader.GetRemaining()) + " bytes of padding behind the values were left out.");
+  }
+
+  const std::size_t cells = block.Values / block.Channels;
+  std::vector<float> rgb(cells * 3);
+  if (block.Channels == 3)
+  {
+    ByteReader::Copy(rgb.data(), block.Data, rgb.size());
+  }
+  else
+  {
+    std::vector<float> gray(cells);
+    ByteReader::Copy(gray.data(), block.Data, cells);
+    for (std::size_t k = 0; k < rgb.size(); ++k)
+    {
+      rgb[k] = gray[k / 3];
+    }
+  }
+  // Counted as stored: a scalar counts once.
+  const std::size_t step = block.Channels == 3 ? 1 : 3;
+  for (std::size_t k = 0; k < rgb.size(); k += step)
+  {
+    result.NumberOfNegativeValues += std::isfinite(rgb[k]) && rgb[k] < 0.0f;
+    result.NumberOfInvalidValues += !std::isfinite(rgb[k]);
+  }
+  if (result.NumberOfInvalidValues > 0)
+  {
+    result.AddNote(std::to_string(result.NumberOfInvalidValues) +
+                   " values are not finite: their cells are invalid, interpolation skips them.");
+  }
+  if (result.NumberOfNegativeValues > 0)
+  {
+    result.AddNote(std::to_string(result.NumberOfNegativeValues) + " of " +
+                   std::to_string(block.Values) +
+                   " values are negative: kept, clamped at 0 after interpolation.");
+  }
+  result.AddNote("Samples are taken to lie at the centers of their cells, theta over [0, pi/2], "
+                 "delta phi over [0, pi] (mirror-symmetric).");
+
+  const int dimensions[3] = { block.NumberOfPhi, block.NumberOfTheta, block.NumberOfTheta };
+  vtkNew<vtkTabulatedBRDF> table;
+  if (!table->SetVolume(vtkTabulatedBRDF::INCIDENT_OUTGOING, vtkTabulatedBRDF::HALF_TURN,
+        dimensions, std::move(rgb)))
+  {
+    reader.Fail("reflection values", "the table was refused");
+  }
+  table->SetName(GetFileStem(file.GetPath()));
+  table->SetSource("NVIDIA MBSDF file " + GetFileTitle(file.GetPath()));
+  result.BRDF = table;
+  return result;
+}
+
+//------------------------------------------------------------------------------
+vtkStandardNewMacro(MbsdfFormat);
+
+//------------------------------------------------------------------------------
+bool MbsdfFormat::CanRead(const File& file) { return HasMagic(file, Magic); }
+
+//------------------------------------------------------------------------------
+MaterialFile MbsdfFormat::DoRead(const FileBytes& file, const std::string&)
+{
+  return ReadMbsdf(file);
+}
+} // namespace measuredbrdf

@@ -1,0 +1,242 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MerlFile.h"
+
+#include "vtkBRDFResampler.h"
+#include "vtkObjectFactory.h"
+#include "FileBytes.h"
+#include "vtkNew.h"
+#include "vtkTabulatedBRDF.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace measuredbrdf
+{
+namespace
+{
+constexpr int MaximumSize = 2048; // vtkTabulatedBRDF's
+
+// The database's BRDFRead.cpp: RED_SCALE, GREEN_SCALE, BLUE_SCALE.
+constexpr std::array<double, 3> Scale = { 1.0 / 1500.0, 1.15 / 1500.0, 1.66 / 1500.0 };
+
+// What rounding leaves of a stored 0. Cells that were not measured hold -1 or less.
+constexpr double Noise = 1e-6;
+
+// The database's tables, along phi_d, theta_d, theta_h (Matusik et al. 2003).
+constexpr std::array<int, 3> DatabaseSize = { 180, 90, 90 };
+
+// Order in the file; vtkTabulatedBRDF counts them from the fastest.
+constexpr std::array<const char*, 3> SizeNames = { "n_theta_h", "n_theta_d", "n_phi_d" };
+}
+
+//------------------------------------------------------------------------------
+bool LooksLikeMerl(std::string_view bytes)
+{
+  if (bytes.size() < 12)
+  {
+    return false;
+  }
+  std::array<std::int32_t, 3> sizes;
+  ByteReader::Copy(sizes.data(), bytes.data(), 3);
+  for (const std::int32_t size : sizes)
+  {
+    if (size < 1 || size > MaximumSize)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+MaterialFile ReadMerl(const FileBytes& file)
+{
+  ByteReader reader(file, MerlFormatName);
+  std::array<int, 3> sizes;
+  for (int k = 0; k < 3; ++k)
+  {
+    sizes[k] = reader.Read<std::int32_t>(SizeNames[k]);
+    if (sizes[k] < 1 || sizes[k] > MaximumSize)
+    {
+      reader.Fail(SizeNames[k],
+        "found " + std::to_string(sizes[k]) + ", expected 1 to " + std::to_string(MaximumSize));
+    }
+  }
+  const std::size_t cells = std::size_t(sizes[0]) * sizes[1] * sizes[2];
+  const std::uint64_t needed = std::uint64_t(cells) * 3 * sizeof(double);
+  ByteReader rest = reader;
+  if (reader.GetRemaining() > needed)
+  {
+    rest.Take(needed, "values");
+  }
+  if (reader.GetRemaining() < needed || (reader.GetRemaining() > needed && !rest.IsPadding()))
+  {
+    reader.Fail("values", std::to_string(sizes[0]) + " x " + std::to_string(sizes[1]) + " x " +
+                            std::to_string(sizes[2]) + " RGB values need " +
+                            std::to_string(needed) + " bytes, found " +
+                            std::to_string(reader.GetRemaining()));
+  }
+  const std::uint64_t padding = reader.GetRemaining() - needed;
+  const char* bytes = reader.Take(needed, "values");
+
+  MaterialFile result;
+  std::vector<float> rgb(cells * 3);
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  vtkIdType invalidCells = 0;
+  vtkIdType rounded = 0;
+  for (std::size_t cell = 0; cell < cells; ++cell)
+  {
+    bool valid = true;
+    for (int channel = 0; channel < 3; ++channel)
+    {
+      double stored;
+      ByteReader::Copy(&stored, bytes + (channel * cells + cell) * sizeof(double), 1);
+      const float value = static_cast<float>(stored * Scale[channel]);
+      const bool finite = std::isfinite(value);
+      const bool negative = stored < 0.0;
+      const bool noise = negative && stored >= -Noise;
+      result.NumberOfInvalidValues += !finite;
+      result.NumberOfNegativeValues += negative && finite;
+      rounded += noise;
+      valid = valid && finite && (!negative || noise);
+      rgb[3 * cell + channel] = noise ? 0.0f : value;
+    }
+    if (!valid)
+    {
+      rgb[3 * cell] = rgb[3 * cell + 1] = rgb[3 * cell + 2] = nan;
+      ++invalidCells;
+    }
+  }
+
+  const int dimensions[3] = { sizes[2], sizes[1], sizes[0] };
+  vtkNew<vtkTabulatedBRDF> table;
+  if (!table->SetVolume(
+        vtkTabulatedBRDF::HALF_DIFFERENCE, vtkTabulatedBRDF::HALF_TURN, dimensions, std::move(rgb)))
+  {
+    reader.Fail("values", "the table was refused");
+  }
+  table->SetName(GetFileStem(file.GetPath()));
+  table->SetSource("MERL binary file " + GetFileTitle(file.GetPath()));
+  result.AddNote("R, G, B were multiplied by 1/1500, 1.15/1500, 1.66/1500, the format's scale.");
+  if (rounded > 0)
+  {
+    result.AddNote(std::to_string(rounded) + " values are negative by rounding: taken as 0.");
+  }
+  if (padding > 0)
+  {
+    result.AddNote(std::to_string(padding) + " bytes of padding behind the values were left out.");
+  }
+  if (invalidCells > 0)
+  {
+    result.AddNote(
+      std::to_string(invalidCells) + " of " + std::to_string(cells) +
+      " cells are invalid (a negative or non-finite channel): interpolation skips them.");
+  }
+  result.BRDF = table;
+  return result;
+}
+
+//------------------------------------------------------------------------------
+void WriteMerl(vtkTabulatedBRDF* table, const std::string& path)
+{
+  if (!table || !table->IsReciprocal()) // half/difference over half a turn, without cosine
+  {
+    throw FileError(
+      path +
+      ": MERL binary holds tables over half and difference angles with phi_d over half a turn "
+      "only, without cosine weight; resample with vtkBRDFResampler (Reciprocal on) first, or "
+      "write .exr");
+  }
+  const std::vector<float>& rgb = table->GetVolume();
+  const std::size_t cells = rgb.size() / 3;
+  if (cells == 0)
+  {
+    throw FileError(path + ": the table holds no cells");
+  }
+
+  std::vector<double> planes(3 * cells);
+  std::size_t refused = 0;
+  for (std::size_t cell = 0; cell < cells; ++cell)
+  {
+    const float* values = &rgb[3 * cell];
+    const bool valid = !std::isnan(values[0]) && !std::isnan(values[1]) && !std::isnan(values[2]);
+    for (int channel = 0; channel < 3; ++channel)
+    {
+      // Dividing in double and multiplying when reading gives the same float back.
+      planes[channel * cells + cell] =
+        valid ? static_cast<double>(values[channel]) / Scale[channel] : -1.0;
+      refused += valid && values[channel] < 0.0f;
+    }
+  }
+  if (refused > 0)
+  {
+    throw FileError(path + ": MERL binary marks what was not measured by negative values, and " +
+                    std::to_string(refused) + " values of this table are negative; write .exr");
+  }
+
+  int dimensions[3];
+  table->GetDimensions(dimensions);
+  std::array<std::int32_t, 3> sizes = { dimensions[2], dimensions[1], dimensions[0] };
+  vtkByteSwap::SwapLERange(sizes.data(), sizes.size());
+  vtkByteSwap::SwapLERange(planes.data(), planes.size());
+  std::string bytes;
+  bytes.reserve(sizeof(sizes) + planes.size() * sizeof(double));
+  bytes.append(reinterpret_cast<const char*>(sizes.data()), sizeof(sizes));
+  bytes.append(reinterpret_cast<const char*>(planes.data()), planes.size() * sizeof(double));
+  WriteFile(path, bytes);
+}
+
+//------------------------------------------------------------------------------
+vtkStandardNewMacro(MerlFormat);
+
+//------------------------------------------------------------------------------
+bool MerlFormat::CanRead(const File& file)
+{
+  return LooksLikeMerl(file.Bytes);
+}
+
+//------------------------------------------------------------------------------
+MaterialFile MerlFormat::DoRead(const FileBytes& file, const std::string&)
+{
+  return ReadMerl(file);
+}
+
+//------------------------------------------------------------------------------
+void MerlFormat::DoWrite(vtkBRDF* brdf, const std::string& path, bool halfFloats)
+{
+  if (halfFloats)
+  {
+    throw FileError(path + ": a MERL table holds 64-bit floats; 16-bit ones need .exr");
+  }
+  WriteMerl(vtkTabulatedBRDF::SafeDownCast(brdf), path);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkBRDF> MerlFormat::Convert(vtkBRDF* brdf, std::string& error)
+{
+  auto* table = vtkTabulatedBRDF::SafeDownCast(brdf);
+  if (table && table->GetParameterization() == vtkTabulatedBRDF::HALF_DIFFERENCE &&
+      table->GetAzimuthRange() == vtkTabulatedBRDF::HALF_TURN &&
+      std::equal(DatabaseSize.begin(), DatabaseSize.end(), table->GetDimensions()))
+  {
+    return brdf;
+  }
+  if (!brdf->IsIsotropic())
+  {
+    error = "is anisotropic, which a MERL table can't hold; write .exr, which keeps everything";
+    return nullptr;
+  }
+  vtkNew<vtkBRDFResampler> resampler;
+  resampler->SetInput(brdf);
+  resampler->ReciprocalOn();
+  resampler->ResampleTo(DatabaseSize[0], DatabaseSize[1], DatabaseSize[2]);
+  vtkSmartPointer<vtkTabulatedBRDF> resampled = resampler->GetOutput();
+  resampled->SetName(brdf->GetName());
+  resampled->SetSource(brdf->GetSource());
+  return resampled;
+}
+} // namespace measuredbrdf

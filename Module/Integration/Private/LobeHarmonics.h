@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What a table of radiance needs of one view angle: the kernel f(i,o) cos(theta_i), less a Lambert
+ * part, as spherical harmonics about an axis in the plane of incidence. Private to the module.
+ */
+
+#ifndef LobeHarmonics_h
+#define LobeHarmonics_h
+
+#include "LobeMeans.h"
+
+#include <glm/glm.hpp>
+
+#include <vector>
+
+class vtkBRDF;
+
+namespace measuredbrdf
+{
+class LobeHarmonics
+{
+public:
+  /// Of a prepared, isotropic BRDF seen at polar angle theta < pi/2, o = (sin theta, 0, cos theta).
+  /// resolution: nodes of the integrals over theta_i and phi_i; they crowd where the kernel is.
+  LobeHarmonics(vtkBRDF* brdf, double theta, int resolution);
+
+  const LobeMeans& GetMeans() const { return this->Means; }
+
+  /**
+   * b_lk = integral of rest x Y*_lk / integral of rest, over the hemisphere, in the frame whose z
+   * is
+   * (-sin delta, 0, cos delta) and whose x lies in the plane of incidence on o's side, for l <=
+   * degree and 0 <= k <= orders; real, since the plane of incidence is taken as a mirror (what
+   * measured data break of that is averaged out). At (3 k + channel) (degree + 1) + l.
+   */
+  std::vector<float> Expand(double delta, int degree, int orders) const;
+
+private:
+  struct Node
+  {
+    double Angle;
+    double Weight;
+  };
+  static std::vector<Node> MakeNodes(
+    const std::vector<glm::dvec2>& energy, double last, int resolution);
+
+  LobeMeans Means;
+  glm::dvec3 Sum = glm::dvec3(0.0); // the rest over the nodes, which see less of a sharp lobe
+  std::vector<Node> Polar;
+  std::vector<Node> Azimuths;     // over [0, pi], weights for both sides
+  std::vector<glm::dvec3> Kernel; // rest at (polar, azimuth), mean of both sides
+};
+} // namespace measuredbrdf
+
+#endif

@@ -1,0 +1,305 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LobeQuadrature.h"
+
+#include "LowDiscrepancy.h"
+#include "RetroLobe.h"
+#include "vtkBRDF.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <queue>
+
+namespace measuredbrdf
+{
+namespace
+{
+constexpr int Seeds = 256;       // draws from the material that tell where its lobes are
+constexpr int PointsPerSide = 4; // of a cell, at their centers
+constexpr int KnownLevels = 6;
+constexpr int Levels = 14; // deepest cells: 0.009 degrees a side
+
+// Shirley and Chiu 1997's concentric map to the disc, lifted to the hemisphere so that areas on the
+// square [-1,1]^2 are solid angles (4 <-> 2 pi).
+glm::dvec3 ToHemisphere(double a, double b)
+{
+  double r = a;
+  double phi = 0.0;
+  if (std::abs(a) > std::abs(b))
+  {
+    phi = Pi / 4.0 * b / a;
+  }
+  else if (b != 0.0)
+  {
+    r = b;
+    phi = Pi / 2.0 - Pi / 4.0 * a / b;
+  }
+  const double s = r * std::sqrt(std::max(2.0 - r * r, 0.0));
+  return glm::dvec3(s * std::cos(phi), s * std::sin(phi), 1.0 - r * r);
+}
+
+glm::dvec2 ToSquare(const glm::dvec3& d)
+{
+  const double r = std::sqrt(std::max(1.0 - d.z, 0.0));
+  double phi = std::atan2(d.y, d.x); // of the side x > |y|, turned there from the other three
+  int side = 0;
+  while (phi > Pi / 4.0 || phi < -Pi / 4.0)
+  {
+    side += phi > 0.0 ? 1 : -1;
+    phi -= std::copysign(Pi / 2.0, phi);
+  }
+  const double t = r * phi * 4.0 / Pi;
+  switch ((side + 4) % 4)
+  {
+    case 0:
+      return glm::dvec2(r, t);
+    case 1:
+      return glm::dvec2(-t, r);
+    case 2:
+      return glm::dvec2(-r, -t);
+    default:
+      return glm::dvec2(t, -r);
+  }
+}
+
+using Points = std::array<glm::dvec3, PointsPerSide * PointsPerSide>;
+
+Points MakePoints(double a, double b, double side)
+{
+  Points points;
+  for (int k = 0; k < PointsPerSide * PointsPerSide; ++k)
+  {
+    points[static_cast<std::size_t>(k)] =
+      ToHemisphere(a + side * (k % PointsPerSide + 0.5) / PointsPerSide,
+        b + side * (k / PointsPerSide + 0.5) / PointsPerSide);
+  }
+  return points;
+}
+
+// Coarse cells' points, which every tree needs, are made once: level after level, row after row.
+std::vector<Points> MakeKnownPoints()
+{
+  std::vector<Points> known;
+  for (int level = 0; level < KnownLevels; ++level)
+  {
+    const int count = 1 << level;
+    const double side = 2.0 / count;
+    for (int k = 0; k < count * count; ++k)
+    {
+      known.push_back(MakePoints(-1.0 + side * (k % count), -1.0 + side * (k / count), side));
+    }
+  }
+  return known;
+}
+
+// Of a cell; room is for those that are not known.
+const Points& GetPoints(double a, double b, double side, int level, Points& room)
+{
+  static const std::vector<Points> known = MakeKnownPoints();
+  if (level >= KnownLevels)
+  {
+    return room = MakePoints(a, b, side);
+  }
+  const int column = static_cast<int>((a + 1.0) / side);
+  const int row = static_cast<int>((b + 1.0) / side);
+  return known[static_cast<std::size_t>(((1 << (2 * level)) - 1) / 3 + (row << level) + column)];
+}
+
+struct Node
+{
+  double A; // lower corner on the square
+  double B;
+  int Level; // side = 2 / 2^Level
+  int Child = -1;
+  LobeQuadrature::Cell Cell;
+
+  double GetSide() const { return std::ldexp(2.0, -this->Level); }
+};
+
+class Tree
+{
+public:
+  Tree(vtkBRDF* brdf, const glm::dvec3& o)
+    : BRDF(brdf)
+    , View(o)
+  {
+    this->Add(-1.0, -1.0, 0);
+  }
+
+  void Split(int index)
+  {
+    const Node node = this->Nodes[static_cast<std::size_t>(index)];
+    this->Nodes[static_cast<std::size_t>(index)].Child = static_cast<int>(this->Nodes.size());
+    const double half = node.GetSide() / 2.0;
+    for (int k = 0; k < 4; ++k)
+    {
+      this->Add(node.A + (k % 2) * half, node.B + (k / 2) * half, node.Level + 1);
+    }
+  }
+
+  int FindLeaf(const glm::dvec2& p) const
+  {
+    int index = 0;
+    while (this->Nodes[static_cast<std::size_t>(index)].Child >= 0)
+    {
+      const Node& node = this->Nodes[static_cast<std::size_t>(index)];
+      const double half = node.GetSide() / 2.0;
+      index = node.Child + (p.x >= node.A + half ? 1 : 0) + (p.y >= node.B + half ? 2 : 0);
+    }
+    return index;
+  }
+
+  std::vector<Node> Nodes;
+
+private:
+  void Add(double a, double b, int level)
+  {
+    Node node;
+    node.A = a;
+    node.B = b;
+    node.Level = level;
+    const double side = node.GetSide();
+    node.Cell.SolidAngle = side * side * Pi / 2.0;
+    const double part = node.Cell.SolidAngle / (PointsPerSide * PointsPerSide);
+    glm::dvec3 weight(0.0);
+    glm::dvec3 centroid(0.0);
+    glm::dvec3 center(0.0);
+    double cosine = 0.0;
+    Points room;
+    for (const glm::dvec3& i : GetPoints(a, b, side, level, room))
+    {
+      glm::dvec3 f;
+      this->BRDF->Evaluate(&i.x, &this->View.x, &f.x);
+      weight += f * (i.z * part);
+      cosine += i.z * part;
+      centroid += i * ((f.x + f.y + f.z) * i.z);
+      center += i;
+    }
+    node.Cell.Weight = weight;
+    node.Cell.Cosine = cosine;
+    const double length = glm::length(centroid);
+    node.Cell.Direction = length > 0.0 ? centroid / length : glm::normalize(center);
+    this->Nodes.push_back(node);
+  }
+
+  vtkBRDF* BRDF;
+  glm::dvec3 View;
+};
+
+// What splitting may gain: energy times the spread of directions it stands for.
+double GetPriority(const Node& node)
+{
+  const glm::dvec3& w = node.Cell.Weight;
+  return node.Level >= Levels ? 0.0 : (w.x + w.y + w.z) * node.Cell.SolidAngle;
+}
+}
+
+LobeQuadrature::LobeQuadrature(vtkBRDF* brdf, const glm::dvec3& o, int count)
+{
+  Tree tree(brdf, o);
+  for (int level = 0, first = 0; level < 2; ++level)
+  {
+    const int last = static_cast<int>(tree.Nodes.size());
+    for (; first < last; ++first)
+    {
+      tree.Split(first);
+    }
+  }
+  // Lobes that fall between the points of large cells.
+  int leaves = 16;
+  for (int k = 0; k < Seeds && leaves < count / 2; ++k)
+  {
+    glm::dvec3 i;
+    if (!brdf->Sample(
+          &o.x, (k + 0.5) / Seeds, RadicalInverse(static_cast<unsigned int>(k), 2), &i.x))
+    {
+      continue;
+    }
+    const double wanted = 8.0 / (Seeds * std::max(brdf->Pdf(&i.x, &o.x), 1e-3));
+    const glm::dvec2 p = ToSquare(i);
+    for (int leaf = tree.FindLeaf(p); leaves < count / 2; leaf = tree.FindLeaf(p))
+    {
+      const Node& node = tree.Nodes[static_cast<std::size_t>(leaf)];
+      if (node.Cell.SolidAngle <= wanted || node.Level >= Levels)
+      {
+        break;
+      }
+      tree.Split(leaf);
+      leaves += 3;
+    }
+  }
+  // Retro-reflection, which neither points nor draws need show: until its cells' means do.
+  for (const glm::dvec3& i : RetroLobe(o).GetProbes())
+  {
+    glm::dvec3 f;
+    brdf->Evaluate(&i.x, &o.x, &f.x);
+    const double peak = f.x + f.y + f.z;
+    const glm::dvec2 p = ToSquare(i);
+    for (int leaf = tree.FindLeaf(p);
+         peak > 3.0 * RetroLobe::LeastPeak / Pi && leaves < count * 3 / 4; leaf = tree.FindLeaf(p))
+    {
+      const Node& node = tree.Nodes[static_cast<std::size_t>(leaf)];
+      const glm::dvec3& w = node.Cell.Weight;
+      if (w.x + w.y + w.z >= 0.5 * peak * node.Cell.Cosine || node.Level >= Levels)
+      {
+        break;
+      }
+      tree.Split(leaf);
+      leaves += 3;
+    }
+  }
+  std::priority_queue<std::pair<double, int>> queue;
+  for (std::size_t k = 0; k < tree.Nodes.size(); ++k)
+  {
+    if (tree.Nodes[k].Child < 0)
+    {
+      queue.emplace(GetPriority(tree.Nodes[k]), static_cast<int>(k));
+    }
+  }
+  while (leaves + 3 <= count && queue.top().first > 0.0)
+  {
+    const int index = queue.top().second;
+    queue.pop();
+    tree.Split(index);
+    leaves += 3;
+    for (int k = static_cast<int>(tree.Nodes.size()) - 4; k < static_cast<int>(tree.Nodes.size());
+         ++k)
+    {
+      queue.emplace(GetPriority(tree.Nodes[static_cast<std::size_t>(k)]), k);
+    }
+  }
+  for (const Node& node : tree.Nodes)
+  {
+    if (node.Child < 0)
+    {
+      this->Cells.push_back(node.Cell);
+    }
+  }
+}
+
+glm::dvec3 LobeQuadrature::GetAlbedo() const
+{
+  glm::dvec3 sum(0.0);
+  for (const Cell& cell : this->Cells)
+  {
+    sum += cell.Weight;
+  }
+  return sum;
+}
+
+glm::dvec3 LobeQuadrature::GetFloor(double minimumCosine) const
+{
+  glm::dvec3 least(std::numeric_limits<double>::max());
+  for (const Cell& cell : this->Cells)
+  {
+    if (cell.Direction.z >= minimumCosine)
+    {
+      least = glm::min(least, cell.Weight / cell.Cosine);
+    }
+  }
+  return least;
+}
+} // namespace measuredbrdf

@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LobeViews.h"
+
+#include "LobeQuadrature.h"
+#include "LocalFrame.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace measuredbrdf
+{
+namespace
+{
+constexpr int Cells = 512; // of a view's quadrature
+
+// Views are found from coarse to fine: one is interpolated where those about it agree, by so much
+// of the albedo and so many radians, with what their neighbors say.
+constexpr int Stride = 8;
+constexpr double LargestBend = 1e-3;
+}
+
+double LobeViews::GetLastAngle() { return std::acos(MinimumViewCosine); }
+
+double LobeViews::GetAngle(int index)
+{
+  const double t = 1.0 - static_cast<double>(index) / (NumberOfViews - 1);
+  return GetLastAngle() * (1.0 - t * t);
+}
+
+double LobeViews::GetPosition(double angle)
+{
+  return (NumberOfViews - 1) * (1.0 - std::sqrt(std::max(1.0 - angle / GetLastAngle(), 0.0)));
+}
+
+const std::atomic<bool> LobeViews::Never{ false };
+
+LobeViews::LobeViews(vtkBRDF* brdf, const std::atomic<bool>& abort)
+  : Views(NumberOfViews)
+{
+  std::vector<int> wanted;
+  for (int k = 0; k < NumberOfViews - 1; k += Stride)
+  {
+    wanted.push_back(k);
+  }
+  wanted.push_back(NumberOfViews - 1);
+  this->Evaluate(brdf, wanted, abort);
+  std::vector<int> known = wanted; // sorted
+  std::vector<std::pair<int, int>> gaps;
+  for (std::size_t k = 0; k + 1 < known.size(); ++k)
+  {
+    gaps.emplace_back(known[k], known[k + 1]);
+  }
+  while (!gaps.empty() && !abort)
+  {
+    wanted.clear();
+    std::vector<LobeMeans> guesses;
+    for (const auto& [low, high] : gaps)
+    {
+      wanted.push_back((low + high) / 2);
+      guesses.push_back(this->Interpolate(known, wanted.back()));
+    }
+    this->Evaluate(brdf, wanted, abort);
+    std::vector<std::pair<int, int>> finer;
+    for (std::size_t k = 0; k < gaps.size(); ++k)
+    {
+      const auto [low, high] = gaps[k];
+      const int middle = wanted[k];
+      const LobeMeans& means = this->Views[static_cast<std::size_t>(middle)].Means;
+      if (LobeMeans::GetDistance(means, guesses[k]) > LargestBend)
+      {
+        for (const auto& gap : { std::pair(low, middle), std::pair(middle, high) })
+        {
+          if (gap.second - gap.first > 1)
+          {
+            finer.push_back(gap);
+          }
+        }
+      }
+    }
+    known.insert(known.end(), wanted.begin(), wanted.end());
+    std::sort(known.begin(), known.end());
+    gaps = finer;
+  }
+  for (int k = 0; k < NumberOfViews; ++k)
+  {
+    View& view = this->Views[static_cast<std::size_t>(k)];
+    if (view.Cells.empty())
+    {
+      view.Means = this->Interpolate(known, k);
+    }
+  }
+}
+
+void LobeViews::Evaluate(
+  vtkBRDF* brdf, const std::vector<int>& indices, const std::atomic<bool>& abort)
+{
+  vtkSMPTools::For(0, static_cast<vtkIdType>(indices.size()), 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType k = begin; k < end && !abort; ++k)
+      {
+        const int index = indices[static_cast<std::size_t>(k)];
+        const double theta = GetAngle(index);
+        const LobeQuadrature quadrature(
+          brdf, glm::dvec3(std::sin(theta), 0.0, std::cos(theta)), Cells);
+        View& view = this->Views[static_cast<std::size_t>(index)];
+        view.Means = LobeMeans(quadrature);
+        for (const LobeQuadrature::Cell& cell : quadrature.GetCells())
+        {
+          view.Cells.push_back(
+            { LobeQuadrature::GetEnergy(cell, view.Means.Floor), cell.SolidAngle });
+        }
+      }
+    });
+}
+
+// Cubic, after Lagrange, through the four known ones about it.
+LobeMeans LobeViews::Interpolate(const std::vector<int>& known, int index) const
+{
+  const int count = static_cast<int>(known.size());
+  const int above =
+    static_cast<int>(std::lower_bound(known.begin(), known.end(), index) - known.begin());
+  const int first = std::clamp(above - 2, 0, count - 4);
+  LobeMeans sum;
+  for (int k = first; k < first + 4; ++k)
+  {
+    const int at = known[static_cast<std::size_t>(k)];
+    double weight = 1.0;
+    for (int other = first; other < first + 4; ++other)
+    {
+      const int node = known[static_cast<std::size_t>(other)];
+      weight *= other == k ? 1.0 : static_cast<double>(index - node) / (at - node);
+    }
+    sum.Add(this->Views[static_cast<std::size_t>(at)].Means, weight);
+  }
+  sum.Clamp();
+  return sum;
+}
+} // namespace measuredbrdf

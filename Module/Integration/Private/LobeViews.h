@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A material's lobes over all view angles. Private to the module.
+ */
+
+#ifndef LobeViews_h
+#define LobeViews_h
+
+#include "LobeMeans.h"
+
+#include <atomic>
+#include <vector>
+
+class vtkBRDF;
+
+namespace measuredbrdf
+{
+/// The kernel f cos(theta_i) of views from the normal to the lowest that shaders take, as cells of
+/// a quadrature: what cuts of one material have in common.
+class LobeViews
+{
+public:
+  /// They crowd towards the horizon, where measured f is steep.
+  static constexpr int NumberOfViews = 64;
+
+  /// Polar angle of a view, from 0 to GetLastAngle(), the lowest that is told apart.
+  static double GetAngle(int index);
+  static double GetLastAngle();
+
+  /// Where between views an angle lies: 0 <= result <= NumberOfViews - 1.
+  static double GetPosition(double angle);
+
+  /// Of a prepared, isotropic BRDF. Of no use where it was aborted.
+  explicit LobeViews(vtkBRDF* brdf, const std::atomic<bool>& abort = Never);
+
+  struct Cell
+  {
+    double Energy; // of all channels, less the Lambert part; not negative
+    double SolidAngle;
+  };
+  struct View
+  {
+    LobeMeans Means;
+    std::vector<Cell> Cells; // none: interpolated. The first and the last view have some.
+  };
+  const std::vector<View>& GetViews() const { return this->Views; }
+
+private:
+  static const std::atomic<bool> Never;
+
+  void Evaluate(
+    vtkBRDF* brdf, const std::vector<int>& indices, const std::atomic<bool>& abort);
+  LobeMeans Interpolate(const std::vector<int>& known, int index) const;
+
+  std::vector<View> Views;
+};
+} // namespace measuredbrdf
+
+#endif

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MaterialPrecomputation.h"
+
+#include "LocalFrame.h"
+#include "vtkBRDF.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace measuredbrdf
+{
+MaterialPrecomputation::MaterialPrecomputation() = default;
+
+MaterialPrecomputation::~MaterialPrecomputation() = default;
+
+const MaterialPrecomputation::Kernels& MaterialPrecomputation::GetKernels(
+  vtkBRDF* brdf, int angles, int resolution, const std::atomic<bool>& abort)
+{
+  Kernels& kernels = this->KernelsOf[{ angles, resolution }];
+  if (kernels.empty() ||
+      std::any_of(kernels.begin(), kernels.end(), [](const auto& kernel) { return !kernel; }))
+  {
+    kernels.clear();
+    kernels.resize(static_cast<std::size_t>(angles));
+    vtkSMPTools::For(0, angles, 1,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType k = begin; k < end && !abort; ++k)
+        {
+          const double theta = LobeViews::GetLastAngle() * static_cast<double>(k) / (angles - 1);
+          kernels[static_cast<std::size_t>(k)] =
+            std::make_unique<LobeHarmonics>(brdf, theta, resolution);
+        }
+      });
+  }
+  return kernels;
+}
+
+const LobeViews& MaterialPrecomputation::GetViews(vtkBRDF* brdf, const std::atomic<bool>& abort)
+{
+  if (!this->AreViewsWhole)
+  {
+    this->Views = std::make_unique<LobeViews>(brdf, abort);
+    this->AreViewsWhole = !abort;
+  }
+  return *this->Views;
+}
+} // namespace measuredbrdf

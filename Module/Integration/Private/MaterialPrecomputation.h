@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What tables of radiance of one material have in common, whatever their sizes and the light: a
+ * planner, which tries many, has it made once. Private to the module.
+ */
+
+#ifndef MaterialPrecomputation_h
+#define MaterialPrecomputation_h
+
+#include "LobeHarmonics.h"
+#include "LobeSplit.h"
+
+#include <atomic>
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
+class vtkBRDF;
+
+namespace measuredbrdf
+{
+/// For one material while it does not change; not for two threads at a time.
+class MaterialPrecomputation
+{
+public:
+  MaterialPrecomputation();
+  ~MaterialPrecomputation();
+
+  /// Kernels at so many view angles, evenly spaced from 0 to LobeViews' last. Null ones where it
+  /// was aborted.
+  using Kernels = std::vector<std::unique_ptr<LobeHarmonics>>;
+  const Kernels& GetKernels(
+    vtkBRDF* brdf, int angles, int resolution, const std::atomic<bool>& abort);
+
+  /// The material's views: for a profile, and to be cut into layers.
+  const LobeViews& GetViews(vtkBRDF* brdf, const std::atomic<bool>& abort);
+
+private:
+  std::map<std::pair<int, int>, Kernels> KernelsOf; // angles, resolution
+  std::unique_ptr<LobeViews> Views;
+  bool AreViewsWhole = false; // else they were aborted
+};
+} // namespace measuredbrdf
+
+#endif

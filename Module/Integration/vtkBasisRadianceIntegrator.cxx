@@ -1,0 +1,572 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkBasisRadianceIntegrator.h"
+
+#include "ModuleShader.h"
+#include "vtkBRDFEnvironmentBasis.h"
+#include "AzimuthalBasis.h"
+#include "CosinePowerWarp.h"
+#include "LocalFrame.h"
+#include "Setters.h"
+#include "vtkBRDF.h"
+#include "vtkBRDFShaderInputs.h"
+#include "vtkBasisBRDF.h"
+#include "vtkCommand.h"
+#include "vtkEnvironment.h"
+#include "vtkLightSet.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkSMPTools.h"
+#include "vtkVarianceLightSetGenerator.h"
+
+#include <Eigen/Core>
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+using namespace measuredbrdf;
+
+vtkStandardNewMacro(vtkBasisRadianceIntegrator);
+
+namespace
+{
+constexpr int IncidentNodes = 128; // of V in the maps' sums
+constexpr int ViewNodes = 256;     // of U in the texture
+constexpr int ViewColumns = ViewNodes + 2;
+
+// One radial function: its order, V cos(theta_i) at the incident nodes, U at the view nodes. Orders
+// above 0 count twice, for cosine and sine.
+struct Radial
+{
+  int Order;
+  Eigen::VectorXf Incident;
+  std::vector<glm::dvec3> Cosine;
+  std::vector<glm::dvec3> Sine; // or empty
+};
+
+std::vector<glm::dvec3> Upsample(const Eigen::MatrixXd& views, int order, double scale)
+{
+  std::vector<glm::dvec3> result;
+  const int n = static_cast<int>(views.rows());
+  for (int k = 0; n > 0 && k < ViewNodes; ++k)
+  {
+    glm::dvec3 rgb;
+    for (int c = 0; c < 3; ++c)
+    {
+      rgb[c] = scale * InterpolateWarped(views.col(c).data(), n, order, (k + 0.5) / ViewNodes);
+    }
+    result.push_back(rgb);
+  }
+  return result;
+}
+
+Radial ToRadial(const AzimuthalBasis::Term& term)
+{
+  const double scale = term.Order > 0 ? 2.0 : 1.0;
+  Radial radial{ term.Order, Eigen::VectorXf(IncidentNodes),
+    Upsample(term.Cosine, term.Order, scale), Upsample(term.Sine, term.Order, scale) };
+  const int n = AzimuthalBasis::NumberOfNodes;
+  Eigen::VectorXd weighted = term.Incident;
+  for (int k = 0; k < n; ++k)
+  {
+    weighted[k] *= WarpToCosine((k + 0.5) / n, 0.0);
+  }
+  for (int k = 0; k < IncidentNodes; ++k)
+  {
+    radial.Incident[k] = static_cast<float>(
+      InterpolateWarped(weighted.data(), n, term.Order, (k + 0.5) / IncidentNodes));
+  }
+  return radial;
+}
+
+// The coefficients of function k at a polar angle of the view, divided by the cosine they carry.
+glm::dvec3 GetCoefficient(vtkBasisBRDF* brdf, int k, double cosine)
+{
+  const double* zone = brdf->GetOutgoingZone();
+  const int n = brdf->GetNumberOfTheta();
+  const double theta = std::acos(cosine) * (180.0 / Pi);
+  const double x = std::clamp((theta - zone[0]) / (zone[1] - zone[0]), 0.0, 1.0) * (n - 1);
+  const int first = std::min(static_cast<int>(x), n - 2);
+  const float* rgb = &brdf->GetCoefficients()[3 * static_cast<std::size_t>(k * n + first)];
+  glm::dvec3 result;
+  for (int c = 0; c < 3; ++c)
+  {
+    result[c] = rgb[c] + (x - first) * (rgb[3 + c] - rgb[c]);
+  }
+  if (brdf->GetOutgoingCosine())
+  {
+    const double near = std::cos(zone[0] * Pi / 180.0);
+    const double far = std::cos(zone[1] * Pi / 180.0);
+    result /= std::max(std::clamp(cosine, far, near), 0.01); // as vtkBasisBRDF
+  }
+  return result;
+}
+
+std::vector<Radial> GetOwnBasis(vtkBasisBRDF* brdf)
+{
+  const bool zonal =
+    brdf->GetBasis() == vtkBasisBRDF::ZONAL || brdf->GetBasis() == vtkBasisBRDF::LEGENDRE_FOURIER;
+  const double near = zonal ? std::cos(brdf->GetIncidentZone()[0] * Pi / 180.0) : 1.0;
+  const double far = zonal ? std::cos(brdf->GetIncidentZone()[1] * Pi / 180.0) : 0.0;
+  std::vector<std::vector<double>> values; // of all functions, per incident node, azimuth 0
+  for (int q = 0; q < IncidentNodes; ++q)
+  {
+    const double cosine = WarpToCosine((q + 0.5) / IncidentNodes, 0.0);
+    const double inside = std::clamp(cosine, far, near);
+    const double i[3] = { std::sqrt(1.0 - inside * inside), 0.0, inside };
+    values.push_back(
+      vtkBasisBRDF::EvaluateBasis(brdf->GetBasis(), brdf->GetOrder(), brdf->GetIncidentZone(), i));
+    const double scale = brdf->GetIncidentCosine() ? cosine / std::max(inside, 0.01) : cosine;
+    for (double& value : values.back())
+    {
+      value *= scale;
+    }
+  }
+  std::vector<Radial> radials;
+  for (int m = 0; m <= brdf->GetOrder(); ++m)
+  {
+    for (int l = m; l <= brdf->GetOrder(); ++l)
+    {
+      Radial radial{ m, Eigen::VectorXf(IncidentNodes), {}, {} };
+      const int cosine = l * (l + 1) + m;
+      for (int q = 0; q < IncidentNodes; ++q)
+      {
+        radial.Incident[q] =
+          static_cast<float>(values[static_cast<std::size_t>(q)][static_cast<std::size_t>(cosine)]);
+      }
+      for (int k = 0; k < ViewNodes; ++k)
+      {
+        const double c = WarpToCosine((k + 0.5) / ViewNodes, MinimumViewCosine);
+        radial.Cosine.push_back(GetCoefficient(brdf, cosine, c));
+        if (m > 0)
+        {
+          radial.Sine.push_back(GetCoefficient(brdf, cosine - 2 * m, c));
+        }
+      }
+      radials.push_back(std::move(radial));
+    }
+  }
+  return radials;
+}
+
+// alpha / pi of CosinePowerWarp.h for cosines down to the horizon, absolute error 2e-8 (acos by
+// Abramowitz and Stegun 1964, 4.4.46): atan2 would cost more than everything else about a light.
+double FastHalfAngle(double cosine)
+{
+  const double x = std::sqrt(std::min(cosine, 1.0));
+  return (2.0 / Pi) * std::sqrt(1.0 - x) *
+         (1.5707963050 +
+           x * (-0.2145988016 +
+                 x * (0.0889789874 +
+                       x * (-0.0501743046 +
+                             x * (0.0308918810 +
+                                   x * (-0.0170881256 + x * (0.0066700901 - x * 0.0012624911)))))));
+}
+
+struct Light
+{
+  glm::dvec3 Direction;
+  glm::dvec3 Irradiance;
+};
+
+// What lights add to one normal: per order 6 rows (cosine RGB, sine RGB) over the incident nodes
+// with a mirrored one before and a repeated one after.
+class Splatter
+{
+public:
+  explicit Splatter(int orders)
+    : Values(6 * orders)
+    , Sums(6 * orders, IncidentNodes + 2)
+    , Orders(orders)
+  {
+  }
+
+  void Gather(const std::vector<Light>& lights, const Frame& frame)
+  {
+    this->Sums.setZero();
+    for (const Light& light : lights)
+    {
+      const double z = glm::dot(frame[2], light.Direction);
+      if (z > 0.0)
+      {
+        this->Add(glm::dot(frame[0], light.Direction), glm::dot(frame[1], light.Direction), z,
+          light.Irradiance);
+      }
+    }
+  }
+
+  // E of a radial function: cosine RGB, sine RGB.
+  Eigen::Matrix<float, 6, 1> Contract(const Radial& radial) const
+  {
+    const auto rows = this->Sums.middleRows<6>(6 * radial.Order);
+    const float sign = radial.Order % 2 == 0 ? 1.0f : -1.0f;
+    return rows.middleCols(1, IncidentNodes) * radial.Incident +
+           rows.col(0) * (sign * radial.Incident[0]) +
+           rows.col(IncidentNodes + 1) * radial.Incident[IncidentNodes - 1];
+  }
+
+private:
+  void Add(double x, double y, double z, const glm::dvec3& irradiance)
+  {
+    const double l = std::sqrt(x * x + y * y);
+    const float c = l > 1e-12 ? static_cast<float>(x / l) : 1.0f;
+    const float s = l > 1e-12 ? static_cast<float>(y / l) : 0.0f;
+    float cm = 1.0f;
+    float sm = 0.0f;
+    const float rgb[3] = { static_cast<float>(irradiance.x), static_cast<float>(irradiance.y),
+      static_cast<float>(irradiance.z) };
+    for (int m = 0; m < this->Orders; ++m)
+    {
+      float* values = this->Values.data() + 6 * m;
+      for (int k = 0; k < 3; ++k)
+      {
+        values[k] = cm * rgb[k];
+        values[3 + k] = sm * rgb[k];
+      }
+      const float next = cm * c - sm * s;
+      sm = cm * s + sm * c;
+      cm = next;
+    }
+    const double position = FastHalfAngle(z) * IncidentNodes + 0.5;
+    const int first = std::min(static_cast<int>(position), IncidentNodes);
+    const float weight = static_cast<float>(position - first);
+    this->Sums.col(first) += (1.0f - weight) * this->Values;
+    this->Sums.col(first + 1) += weight * this->Values;
+  }
+
+  Eigen::VectorXf Values;
+  Eigen::MatrixXf Sums;
+  int Orders;
+};
+
+// The normal at a texel of a chart (false beyond the part that look-ups reach) and its frame, which
+// goes on smoothly past the rim.
+bool GetChartFrame(int chart, int side, int x, int y, Frame& frame)
+{
+  const double scale = 2.0 / (side - 2);
+  const double p = (x + 0.5 - 0.5 * side) * scale;
+  const double q = (y + 0.5 - 0.5 * side) * scale;
+  const double r2 = p * p + q * q;
+  const double reach = 1.0 + 1.5 * scale;
+  if (r2 > reach * reach)
+  {
+    return false;
+  }
+  const double s = chart == 0 ? 1.0 : -1.0;
+  const double l = std::sqrt(2.0 - r2);
+  frame = FrameAbout(glm::dvec3(p * l, q * l, s * (1.0 - r2)), s);
+  return true;
+}
+} // namespace
+
+//------------------------------------------------------------------------------
+// What GLSL and IntegratePart read.
+struct vtkBasisRadianceIntegrator::Tables
+{
+  std::vector<Radial> Radials; // orders ascending
+  int NumberOfFunctions = 0;
+  double TruncationError = 0.0;
+  int Side = 0;
+  int Rows = 0;             // of Views
+  std::vector<float> Maps;  // 2 Side x Side NumberOfFunctions RGB
+  std::vector<float> Views; // ViewColumns x Rows RGB
+
+  void MakeViews()
+  {
+    this->NumberOfFunctions = 0;
+    for (const Radial& radial : this->Radials)
+    {
+      this->NumberOfFunctions += radial.Order > 0 ? 2 : 1;
+      this->AddViews(radial.Order, 0.0f, radial.Cosine);
+      if (!radial.Sine.empty())
+      {
+        this->AddViews(radial.Order, 1.0f, radial.Sine);
+      }
+    }
+  }
+
+  glm::dvec3 FetchMap(int function, const double texel[2], int chart) const
+  {
+    const int x = static_cast<int>(texel[0]);
+    const int y = static_cast<int>(texel[1]);
+    const double u = texel[0] - x;
+    const double v = texel[1] - y;
+    const std::size_t stride = 6 * static_cast<std::size_t>(this->Side);
+    const float* p = &this->Maps[static_cast<std::size_t>(function * this->Side + y) * stride +
+                                 3 * static_cast<std::size_t>(chart * this->Side + x)];
+    glm::dvec3 value;
+    for (int c = 0; c < 3; ++c)
+    {
+      value[c] = (1.0 - v) * ((1.0 - u) * p[c] + u * p[3 + c]) +
+                 v * ((1.0 - u) * p[stride + c] + u * p[stride + 3 + c]);
+    }
+    return value;
+  }
+
+private:
+  void AddViews(int order, float kind, const std::vector<glm::dvec3>& views)
+  {
+    this->Views.insert(this->Views.end(), { static_cast<float>(order), kind, 0.0f });
+    const auto add = [this](const glm::dvec3& rgb)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        this->Views.push_back(static_cast<float>(rgb[c]));
+      }
+    };
+    add(order % 2 == 0 ? views[0] : -views[0]);
+    for (const glm::dvec3& rgb : views)
+    {
+      add(rgb);
+    }
+    ++this->Rows;
+  }
+};
+
+//------------------------------------------------------------------------------
+vtkBasisRadianceIntegrator::vtkBasisRadianceIntegrator() = default;
+
+//------------------------------------------------------------------------------
+vtkBasisRadianceIntegrator::~vtkBasisRadianceIntegrator() = default;
+
+//------------------------------------------------------------------------------
+int vtkBasisRadianceIntegrator::GetNumberOfTerms()
+{
+  return this->Current ? this->Current->NumberOfFunctions : 0;
+}
+
+//------------------------------------------------------------------------------
+double vtkBasisRadianceIntegrator::GetTruncationError()
+{
+  return this->Current ? this->Current->TruncationError : 0.0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkBasisRadianceIntegrator::Begin()
+{
+  if (!this->Environment || this->Environment->GetPixels().empty())
+  {
+    vtkErrorMacro("Prepare: there is no environment, or it is empty.");
+    return false;
+  }
+  if (!this->BRDF->IsIsotropic())
+  {
+    vtkErrorMacro("Prepare: basis pre-integration needs an isotropic BRDF; this "
+                  << this->BRDF->GetClassName() << " is anisotropic.");
+    return false;
+  }
+  this->Abort = false;
+  auto tables = std::make_unique<Tables>();
+  if (!this->MakeTerms(*tables) || !this->MakeMaps(*tables))
+  {
+    vtkErrorMacro("Prepare: aborted.");
+    return false;
+  }
+  this->Current = std::move(tables);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkBasisRadianceIntegrator::MakeTerms(Tables& tables)
+{
+  vtkBasisBRDF* own = vtkBasisBRDF::SafeDownCast(this->BRDF);
+  if (this->UseOwnBasis && own && !own->GetCoefficients().empty())
+  {
+    tables.Radials = GetOwnBasis(own);
+  }
+  else
+  {
+    AzimuthalBasis basis;
+    // A sine part that is a tenth of what may be left out is not worth its look-ups.
+    if (!basis.Compute(this->BRDF, 0.1 * this->Tolerance,
+          [this](double share) { return this->Report(0.5 * share); }))
+    {
+      return false;
+    }
+    const int count = basis.FindNumberOfTerms(this->Tolerance, this->MaximumNumberOfTerms);
+    tables.TruncationError = basis.GetTruncationError(count);
+    for (int k = 0; k < count; ++k)
+    {
+      tables.Radials.push_back(ToRadial(basis.GetTerms()[static_cast<std::size_t>(k)]));
+    }
+    std::stable_sort(tables.Radials.begin(), tables.Radials.end(),
+      [](const Radial& a, const Radial& b) { return a.Order < b.Order; });
+  }
+  if (tables.Radials.empty()) // a black material
+  {
+    tables.Radials.push_back(
+      { 0, Eigen::VectorXf::Zero(IncidentNodes), std::vector<glm::dvec3>(ViewNodes), {} });
+  }
+  tables.MakeViews();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkBasisRadianceIntegrator::MakeMaps(Tables& tables)
+{
+  const int side = this->MapSize;
+  tables.Side = side;
+  const std::size_t rowSize = 6 * static_cast<std::size_t>(side);
+  tables.Maps.assign(rowSize * static_cast<std::size_t>(side * tables.NumberOfFunctions), 0.0f);
+  vtkNew<vtkVarianceLightSetGenerator> generator;
+  vtkNew<vtkLightSet> set;
+  if (!generator->Generate(this->Environment, this->NumberOfClusters, set))
+  {
+    return false;
+  }
+  std::vector<Light> lights(static_cast<std::size_t>(set->GetNumberOfLights()));
+  for (int k = 0; k < set->GetNumberOfLights(); ++k)
+  {
+    Light& light = lights[static_cast<std::size_t>(k)];
+    set->GetDirection(k, &light.Direction.x);
+    set->GetIrradiance(k, &light.Irradiance.x);
+  }
+  const auto makeRow = [&](int y)
+  {
+    Splatter splatter(tables.Radials.back().Order + 1);
+    for (int column = 0; column < 2 * side; ++column)
+    {
+      Frame frame;
+      if (!GetChartFrame(column / side, side, column % side, y, frame))
+      {
+        continue;
+      }
+      splatter.Gather(lights, frame);
+      float* texel =
+        &tables.Maps[static_cast<std::size_t>(y) * rowSize + 3 * static_cast<std::size_t>(column)];
+      for (const Radial& radial : tables.Radials)
+      {
+        const Eigen::Matrix<float, 6, 1> e = splatter.Contract(radial);
+        for (int part = 0; part < (radial.Order > 0 ? 2 : 1); ++part)
+        {
+          std::copy_n(e.data() + 3 * part, 3, texel);
+          texel += rowSize * static_cast<std::size_t>(side);
+        }
+      }
+    }
+  };
+  constexpr int stride = 8;
+  for (int first = 0; first < side; first += stride)
+  {
+    const int last = std::min(first + stride, side);
+    vtkSMPTools::For(first, last, 1,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType y = begin; y < end; ++y)
+        {
+          makeRow(static_cast<int>(y));
+        }
+      });
+    if (!this->Report(0.5 + 0.5 * last / side))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkBasisRadianceIntegrator::IntegratePart(int vtkNotUsed(part), const double n[3],
+  const double o[3], const double vtkNotUsed(t)[3], double radiance[3])
+{
+  const Tables& tables = *this->Current;
+  const Frame frame = FrameAbout(glm::make_vec3(n));
+  const glm::dvec3 view = LiftView(ToLocal(frame, glm::make_vec3(o)));
+  const double l = std::hypot(view.x, view.y);
+  const glm::dvec2 turn = l > 1e-6 ? glm::dvec2(view) / l : glm::dvec2(1.0, 0.0);
+
+  const int chart = n[2] >= 0.0 ? 0 : 1;
+  const double scale = (0.5 * tables.Side - 1.0) / std::sqrt(1.0 + std::abs(n[2]));
+  const double texel[2] = { n[0] * scale + 0.5 * tables.Side - 0.5,
+    n[1] * scale + 0.5 * tables.Side - 0.5 };
+  const double column = CosineToWarp(view.z, MinimumViewCosine) * ViewNodes + 1.5;
+  const int first = std::min(static_cast<int>(column), ViewColumns - 1);
+  const int second = std::min(first + 1, ViewColumns - 1);
+  const double weight = column - first;
+
+  glm::dvec3 sum(0.0), even(0.0), odd(0.0);
+  glm::dvec2 angle(1.0, 0.0);
+  int m = 0;
+  int function = 0;
+  for (int row = 0; row < tables.Rows; ++row)
+  {
+    const float* views = &tables.Views[3 * static_cast<std::size_t>(row * ViewColumns)];
+    for (; m < static_cast<int>(views[0]); ++m)
+    {
+      angle = glm::dvec2(angle.x * turn.x - angle.y * turn.y, angle.x * turn.y + angle.y * turn.x);
+    }
+    const glm::dvec3 u = (1.0 - weight) * glm::dvec3(glm::make_vec3(views + 3 * first)) +
+                         weight * glm::dvec3(glm::make_vec3(views + 3 * second));
+    if (views[1] > 0.5f)
+    {
+      sum += u * odd;
+      continue;
+    }
+    even = tables.FetchMap(function++, texel, chart);
+    if (views[0] > 0.5f)
+    {
+      const glm::dvec3 sine = tables.FetchMap(function++, texel, chart);
+      odd = sine * angle.x - even * angle.y;
+      even = even * angle.x + sine * angle.y;
+    }
+    sum += u * even;
+  }
+  for (int c = 0; c < 3; ++c)
+  {
+    radiance[c] += std::max(sum[c], 0.0);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkBasisRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
+{
+  if (!this->Prepare())
+  {
+    return false;
+  }
+  const Tables& tables = *this->Current;
+  vtkBRDFShaderInputs::Texture maps;
+  maps.Name = "brdfMaps";
+  maps.Dimensions = { 2 * tables.Side, tables.Side * tables.NumberOfFunctions, 1 };
+  maps.Data = tables.Maps;
+  vtkBRDFShaderInputs::Texture views;
+  views.Name = "brdfViews";
+  views.Dimensions = { ViewColumns, tables.Rows, 1 };
+  views.Data = tables.Views;
+  std::ostringstream text;
+  text << tables.NumberOfFunctions << " pre-integrated functions, " << tables.Side << " x "
+       << tables.Side << " normals a half, truncation " << 100.0 * tables.TruncationError << " %";
+  vtkBRDFShaderInputs::Term term;
+  measuredbrdf::SetModuleShader(term, "vtkBRDFEnvironmentBasis", vtkBRDFEnvironmentBasis);
+  term.Textures = { std::move(maps), std::move(views) };
+  form = vtkBRDFShaderInputs();
+  form.Description = text.str();
+  form.ResamplingError = tables.TruncationError;
+  form.QuantizationError = 0x1p-23;
+  form.Terms.push_back(std::move(term));
+  return true;
+}
+
+//------------------------------------------------------------------------------
+measuredbrdfSetClampedMacro(vtkBasisRadianceIntegrator, Tolerance, double, 1e-4, 1.0);
+measuredbrdfSetClampedMacro(vtkBasisRadianceIntegrator, MaximumNumberOfTerms, int, 1, 256);
+measuredbrdfSetClampedMacro(vtkBasisRadianceIntegrator, MapSize, int, 8, 128);
+measuredbrdfSetClampedMacro(vtkBasisRadianceIntegrator, NumberOfClusters, int, 64, 1048576);
+
+//------------------------------------------------------------------------------
+void vtkBasisRadianceIntegrator::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "MaximumNumberOfTerms: " << this->MaximumNumberOfTerms << "\n";
+  os << indent << "MapSize: " << this->MapSize << "\n";
+  os << indent << "NumberOfClusters: " << this->NumberOfClusters << "\n";
+  os << indent << "UseOwnBasis: " << (this->UseOwnBasis ? "On" : "Off") << "\n";
+  os << indent << "NumberOfTerms: " << this->GetNumberOfTerms() << "\n";
+  os << indent << "TruncationError: " << this->GetTruncationError() << "\n";
+}

@@ -1,0 +1,255 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkFilteredRadianceIntegrator.h"
+
+#include "ModuleShader.h"
+#include "vtkBRDFEnvironmentFiltered.h"
+#include "EnvironmentPrecomputation.h"
+#include "EnvironmentPyramid.h"
+#include "LocalFrame.h"
+#include "Printable.h"
+#include "ReflectionSamples.h"
+#include "Setters.h"
+#include "vtkBRDF.h"
+#include "vtkBRDFShaderInputs.h"
+#include "vtkEnvironment.h"
+#include "vtkLightSet.h"
+#include "vtkLightSetRadianceIntegrator.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkWeakPointer.h"
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+using namespace measuredbrdf;
+
+vtkStandardNewMacro(vtkFilteredRadianceIntegrator);
+
+// The samples depend on the material alone and are kept while it stays.
+struct vtkFilteredRadianceIntegrator::Internals
+{
+  std::unique_ptr<ReflectionSamples> Samples;
+  vtkWeakPointer<vtkBRDF> SampledBRDF;
+  vtkTimeStamp SamplesTime;
+
+  // Of all materials.
+  std::shared_ptr<const EnvironmentPyramid> Pyramid;
+  std::vector<ExtractedEmitters::Light> Lights;
+};
+
+namespace
+{
+constexpr int MaximumNumberOfLights = 64; // that are taken out
+
+// Peaks that 16-bit floats suit: they overflow above, and lose digits below 6e-5.
+constexpr float LeastPeak = 0x1p-6f;
+constexpr float LargestPeak = 65504.0f;
+
+// The pyramid's level at which one texel is the whole sphere, moved by the bias.
+float GetSphereLevel(const EnvironmentPyramid& pyramid, double bias)
+{
+  return static_cast<float>(pyramid.GetNumberOfLevels() - 1 + bias);
+}
+
+vtkBRDFShaderInputs::Texture NewTexture(const char* name, int components, int width, int height)
+{
+  vtkBRDFShaderInputs::Texture texture;
+  texture.Name = name;
+  texture.Components = components;
+  texture.Dimensions = { width, height, 1 };
+  texture.Data.reserve(static_cast<std::size_t>(components) * static_cast<std::size_t>(width) *
+                       static_cast<std::size_t>(height));
+  return texture;
+}
+
+vtkBRDFShaderInputs::Texture NewPyramidTexture(const EnvironmentPyramid& pyramid)
+{
+  vtkBRDFShaderInputs::Texture texture =
+    NewTexture("brdfPyramidMap", 3, pyramid.GetSize() + 2, pyramid.GetAtlasHeight());
+  for (const glm::vec4& texel : pyramid.GetAtlas())
+  {
+    texture.Data.insert(texture.Data.end(), { texel.r, texel.g, texel.b });
+  }
+  const float peak = *std::max_element(texture.Data.begin(), texture.Data.end());
+  texture.HalfFloat = peak >= LeastPeak && peak <= LargestPeak;
+  return texture;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkFilteredRadianceIntegrator::vtkFilteredRadianceIntegrator()
+  : Impl(new Internals)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkFilteredRadianceIntegrator::~vtkFilteredRadianceIntegrator() = default;
+
+//------------------------------------------------------------------------------
+int vtkFilteredRadianceIntegrator::GetNumberOfExtractedLights()
+{
+  return static_cast<int>(this->Impl->Lights.size());
+}
+
+//------------------------------------------------------------------------------
+bool vtkFilteredRadianceIntegrator::Begin()
+{
+  if (!this->Environment || this->Environment->GetPixels().empty())
+  {
+    vtkErrorMacro("Integrate: there is no environment, or it is empty.");
+    return false;
+  }
+  if (!this->BRDF->IsIsotropic())
+  {
+    vtkErrorMacro("Integrate: the material "
+                  << measuredbrdf::Quote(this->BRDF->GetName()) << " ("
+                  << this->BRDF->GetClassName()
+                  << ") is anisotropic; filtered importance sampling takes isotropic ones.");
+    return false;
+  }
+  Internals& impl = *this->Impl;
+  this->Abort = false; // one that an earlier run left
+  if (!impl.Samples || impl.SampledBRDF.GetPointer() != this->BRDF.Get() ||
+      impl.SamplesTime < this->BRDF->GetMTime() ||
+      impl.Samples->GetNumberOfSamples() != this->NumberOfSamples)
+  {
+    auto samples =
+      std::make_unique<ReflectionSamples>(this->BRDF, this->NumberOfSamples, this->Abort);
+    if (this->Abort)
+    {
+      vtkErrorMacro("Integrate: aborted.");
+      return false;
+    }
+    impl.Samples = std::move(samples);
+    impl.SampledBRDF = this->BRDF.Get();
+    impl.SamplesTime.Modified();
+  }
+  EnvironmentPrecomputation& parts = this->Environment->GetParts();
+  const auto goOn = [this]() { return this->Report(0.0); };
+  std::shared_ptr<const EnvironmentPrecomputation::Lamps> lights;
+  if (this->ExtractLights)
+  {
+    lights = parts.GetExtractedEmitters(
+      this->Environment, ExtractedEmitters::DefaultShare, MaximumNumberOfLights, goOn);
+  }
+  const auto pyramid =
+    parts.GetPyramid(this->Environment, lights ? lights->Rest : this->Rest, goOn);
+  if (!pyramid || (this->ExtractLights && !lights))
+  {
+    vtkErrorMacro("Integrate: aborted.");
+    return false;
+  }
+  impl.Pyramid = pyramid;
+  impl.Lights = lights ? lights->Lights : std::vector<ExtractedEmitters::Light>();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkFilteredRadianceIntegrator::IntegratePart(
+  int vtkNotUsed(part), const double n[3], const double o[3], const double t[3], double radiance[3])
+{
+  const Frame frame = FrameAbout(glm::make_vec3(n), glm::make_vec3(t));
+  const glm::dvec3 view = LiftView(ToLocal(frame, glm::make_vec3(o)));
+  const double s = std::hypot(view.x, view.y);
+  const glm::dvec2 a = s > 1e-6 ? glm::dvec2(view) / s : glm::dvec2(1.0, 0.0);
+  const Frame turned(frame * glm::dvec3(a, 0.0), frame * glm::dvec3(-a.y, a.x, 0.0), frame[2]);
+
+  const Internals& impl = *this->Impl;
+  const double coordinate = ReflectionSamples::GetCoordinate(view);
+  const float level = GetSphereLevel(*impl.Pyramid, this->LevelBias);
+  glm::dvec3 sum(0.0);
+  for (int k = 0; k < impl.Samples->GetNumberOfSamples(); ++k)
+  {
+    const ReflectionSamples::Sample sample = impl.Samples->Interpolate(coordinate, k);
+    const glm::dvec3 d = turned * glm::normalize(glm::dvec3(sample.Direction));
+    sum += glm::dvec3(sample.Weight * impl.Pyramid->Sample(d, sample.Level + level));
+  }
+  for (const ExtractedEmitters::Light& light : impl.Lights)
+  {
+    const glm::dvec3 i = ToLocal(frame, light.Direction);
+    if (i.z > 0.0)
+    {
+      glm::dvec3 f;
+      this->BRDF->Evaluate(&i.x, &view.x, &f.x);
+      sum += i.z * f * light.Irradiance;
+    }
+  }
+  for (int c = 0; c < 3; ++c)
+  {
+    radiance[c] += sum[c];
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkFilteredRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
+{
+  if (!this->Prepare())
+  {
+    return false;
+  }
+  const EnvironmentPyramid& pyramid = *this->Impl->Pyramid;
+  const ReflectionSamples& samples = *this->Impl->Samples;
+  const int count = samples.GetNumberOfSamples();
+  vtkBRDFShaderInputs::Texture directions =
+    NewTexture("brdfDirections", 4, count, ReflectionSamples::NumberOfViews);
+  vtkBRDFShaderInputs::Texture weights =
+    NewTexture("brdfWeights", 3, count, ReflectionSamples::NumberOfViews);
+  for (int view = 0; view < ReflectionSamples::NumberOfViews; ++view)
+  {
+    for (int k = 0; k < count; ++k)
+    {
+      const ReflectionSamples::Sample& sample = samples.Get(view, k);
+      const glm::vec3& d = sample.Direction;
+      directions.Data.insert(directions.Data.end(), { d.x, d.y, d.z, sample.Level });
+      weights.Data.insert(
+        weights.Data.end(), { sample.Weight.r, sample.Weight.g, sample.Weight.b });
+    }
+  }
+  vtkBRDFShaderInputs::Term term;
+  measuredbrdf::SetModuleShader(term, "vtkBRDFEnvironmentFiltered", vtkBRDFEnvironmentFiltered);
+  term.Uniforms.push_back({ "brdfLevel", { GetSphereLevel(pyramid, this->LevelBias) } });
+  term.Textures.push_back(NewPyramidTexture(pyramid));
+  const bool half = term.Textures.front().HalfFloat;
+  term.Textures.push_back(std::move(directions));
+  term.Textures.push_back(std::move(weights));
+
+  vtkBRDFShaderInputs result;
+  if (!this->Impl->Lights.empty())
+  {
+    vtkNew<vtkLightSet> lights;
+    for (const ExtractedEmitters::Light& light : this->Impl->Lights)
+    {
+      lights->AddLight(&light.Direction.x, &light.Irradiance.x);
+    }
+    vtkNew<vtkLightSetRadianceIntegrator> loop;
+    loop->SetBRDF(this->BRDF);
+    loop->SetLightSet(lights);
+    loop->GetShaderInputs(result);
+  }
+  result.Terms.insert(result.Terms.begin(), std::move(term));
+  result.QuantizationError = half ? 0x1p-11 : 0x1p-23;
+  result.Description =
+    std::to_string(count) + " samples of a map of " + std::to_string(pyramid.GetSize()) + " x " +
+    std::to_string(pyramid.GetSize()) + " texels (" + (half ? "16" : "32") + "-bit), " +
+    std::to_string(this->Impl->Lights.size()) + " directional lights";
+  form = std::move(result);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+measuredbrdfSetClampedMacro(vtkFilteredRadianceIntegrator, NumberOfSamples, int, 1, 1024);
+measuredbrdfSetClampedMacro(vtkFilteredRadianceIntegrator, LevelBias, double, -4.0, 4.0);
+
+//------------------------------------------------------------------------------
+void vtkFilteredRadianceIntegrator::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n";
+  os << indent << "LevelBias: " << this->LevelBias << "\n";
+  os << indent << "ExtractLights: " << (this->ExtractLights ? "On" : "Off") << "\n";
+  os << indent << "Extracted lights: " << this->GetNumberOfExtractedLights() << "\n";
+}

@@ -1,0 +1,244 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHybridRadianceIntegrator.h"
+
+#include "EnvironmentPrecomputation.h"
+#include "LobePart.h"
+#include "Printable.h"
+#include "MaterialPrecomputation.h"
+#include "Setters.h"
+#include "vtkBRDF.h"
+#include "vtkBRDFShaderInputs.h"
+#include "vtkCallbackCommand.h"
+#include "vtkEnvironment.h"
+#include "vtkFilteredRadianceIntegrator.h"
+#include "vtkLightSet.h"
+#include "vtkLightSetRadianceIntegrator.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkTableRadianceIntegrator.h"
+
+#include <algorithm>
+#include <iterator>
+#include <memory>
+#include <string>
+#include <utility>
+
+using namespace measuredbrdf;
+
+namespace
+{
+constexpr double Pi = 3.14159265358979323846;
+constexpr double ResolvedSquares = 36.0; // of the rows' spacing, that a lobe has to fill
+constexpr double LeastShare = 2e-3;      // of the albedo: below, a sharp layer is not worth it
+}
+
+// Layers are null where there is nothing for them.
+struct vtkHybridRadianceIntegrator::Internals
+{
+  vtkSmartPointer<vtkTableRadianceIntegrator> Broad;
+  vtkSmartPointer<vtkFilteredRadianceIntegrator> Sharp;
+  vtkSmartPointer<vtkLightSetRadianceIntegrator> Lights;
+};
+
+vtkStandardNewMacro(vtkHybridRadianceIntegrator);
+
+//------------------------------------------------------------------------------
+vtkHybridRadianceIntegrator::vtkHybridRadianceIntegrator()
+  : Impl(new Internals)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkHybridRadianceIntegrator::~vtkHybridRadianceIntegrator() = default;
+
+//------------------------------------------------------------------------------
+int vtkHybridRadianceIntegrator::GetNumberOfLights()
+{
+  return this->Impl->Lights ? this->Impl->Lights->GetLightSet()->GetNumberOfLights() : 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHybridRadianceIntegrator::GetHasSharpLayer() { return this->Impl->Sharp != nullptr; }
+
+//------------------------------------------------------------------------------
+bool vtkHybridRadianceIntegrator::Begin()
+{
+  this->Abort = false; // one that an earlier run left
+  if (!this->Environment || this->Environment->GetPixels().empty())
+  {
+    vtkErrorMacro("Prepare: there is no environment, or it is empty.");
+    return false;
+  }
+  if (!this->BRDF->IsIsotropic())
+  {
+    vtkErrorMacro(
+      "Prepare: tables of radiance are for isotropic materials; "
+      << (this->BRDF->GetName().empty() ? "this one" : measuredbrdf::Quote(this->BRDF->GetName()))
+      << " is not.");
+    return false;
+  }
+  Internals made;
+
+  // Lights and what they leave.
+  const auto parts = this->Parts ? this->Parts : std::make_shared<MaterialPrecomputation>();
+  const auto lamps = this->Environment->GetParts().GetLamps(this->Environment,
+    vtkMath::RadiansFromDegrees(this->LightAngle), this->MaximumNumberOfLights,
+    [this]() { return this->Report(0.0); });
+  if (!lamps)
+  {
+    vtkErrorMacro("Prepare: aborted.");
+    return false;
+  }
+  if (lamps->Set)
+  {
+    made.Lights = vtkSmartPointer<vtkLightSetRadianceIntegrator>::New();
+    made.Lights->SetBRDF(this->BRDF->GetRenderable());
+    made.Lights->SetLightSet(lamps->Set);
+    made.Lights->UnrolledOn(); // their number is the plan's
+  }
+
+  // Layers of the material.
+  vtkSmartPointer<vtkBRDF> broad = this->BRDF;
+  if (this->NumberOfSamples > 0)
+  {
+    const double spacing = Pi / (this->NumberOfRows - 1);
+    const auto cut =
+      std::make_shared<LobeSplit>(parts->GetViews(this->BRDF, this->Abort), ResolvedSquares * spacing * spacing);
+    if (cut->GetSharpShare() > LeastShare)
+    {
+      const auto layer = [&](bool sharp)
+      {
+        auto brdf = vtkSmartPointer<LobePart>::New();
+        brdf->Set(this->BRDF, cut, sharp);
+        return brdf;
+      };
+      broad = layer(false);
+      made.Sharp = vtkSmartPointer<vtkFilteredRadianceIntegrator>::New();
+      made.Sharp->SetBRDF(layer(true));
+      made.Sharp->SetEnvironment(this->Environment);
+      made.Sharp->SetRest(lamps->Rest);
+      made.Sharp->SetNumberOfSamples(this->NumberOfSamples);
+      made.Sharp->ExtractLightsOff();
+    }
+  }
+  made.Broad = vtkSmartPointer<vtkTableRadianceIntegrator>::New();
+  made.Broad->SetBRDF(broad);
+  made.Broad->SetParts(made.Sharp ? nullptr : parts);
+  made.Broad->SetEnvironment(this->Environment);
+  made.Broad->SetRest(lamps->Rest);
+  made.Broad->SetNumberOfRows(this->NumberOfRows);
+  made.Broad->SetNumberOfViewAngles(this->NumberOfViewAngles);
+  made.Broad->SetNumberOfAzimuths(this->NumberOfAzimuths);
+
+  // The table takes longest: its progress is this one's, and it stops where this one is told to.
+  vtkNew<vtkCallbackCommand> follow;
+  follow->SetClientData(this);
+  follow->SetCallback(
+    [](vtkObject* caller, unsigned long, void* self, void* progress)
+    {
+      auto* layered = static_cast<vtkHybridRadianceIntegrator*>(self);
+      layered->InvokeEvent(vtkCommand::ProgressEvent, progress);
+      static_cast<vtkTableRadianceIntegrator*>(caller)->SetAbort(layered->Abort);
+    });
+  made.Broad->AddObserver(vtkCommand::ProgressEvent, follow);
+  const bool broadly = this->Given ? made.Broad->TakePrepared(*this->Given) : made.Broad->Prepare();
+  made.Broad->RemoveObservers(vtkCommand::ProgressEvent);
+  made.Broad->SetParts(nullptr);
+  if (!broadly && this->Given)
+  {
+    return false;
+  }
+  const bool done =
+    broadly && (!made.Sharp || made.Sharp->Prepare()) && (!made.Lights || made.Lights->Prepare());
+  if (!done || this->Abort)
+  {
+    vtkErrorMacro("Prepare: " << (this->Abort ? "aborted." : "a layer cannot be prepared."));
+    return false;
+  }
+  *this->Impl = std::move(made);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkHybridRadianceIntegrator::IntegratePart(
+  int vtkNotUsed(part), const double n[3], const double o[3], const double t[3], double radiance[3])
+{
+  AddTo(this->Impl->Broad, n, o, t, radiance);
+  if (this->Impl->Sharp)
+  {
+    AddTo(this->Impl->Sharp, n, o, t, radiance);
+  }
+  if (this->Impl->Lights)
+  {
+    AddTo(this->Impl->Lights, n, o, t, radiance);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHybridRadianceIntegrator::GetPrepared()
+{
+  return this->Impl->Broad ? this->Impl->Broad->GetPrepared() : "";
+}
+
+//------------------------------------------------------------------------------
+bool vtkHybridRadianceIntegrator::TakePrepared(const std::string& bytes)
+{
+  this->Modified(); // so that Prepare does
+  this->Given = &bytes;
+  const bool taken = this->Prepare();
+  this->Given = nullptr;
+  return taken;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHybridRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
+{
+  if (!this->Prepare())
+  {
+    return false;
+  }
+  vtkBRDFShaderInputs result;
+  vtkRadianceIntegrator* const layers[] = { this->Impl->Broad, this->Impl->Sharp,
+    this->Impl->Lights };
+  for (vtkRadianceIntegrator* layer : layers)
+  {
+    vtkBRDFShaderInputs part;
+    if (!layer)
+    {
+      continue;
+    }
+    if (!layer->GetShaderInputs(part))
+    {
+      return false;
+    }
+    std::move(part.Terms.begin(), part.Terms.end(), std::back_inserter(result.Terms));
+    result.QuantizationError = std::max(result.QuantizationError, part.QuantizationError);
+    result.Description += (result.Description.empty() ? "" : "; ") + part.Description;
+  }
+  form = std::move(result);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+measuredbrdfSetClampedMacro(vtkHybridRadianceIntegrator, NumberOfRows, int, 9, 513);
+measuredbrdfSetClampedMacro(vtkHybridRadianceIntegrator, NumberOfViewAngles, int, 2, 64);
+measuredbrdfSetClampedMacro(vtkHybridRadianceIntegrator, NumberOfAzimuths, int, 4, 64);
+measuredbrdfSetClampedMacro(vtkHybridRadianceIntegrator, NumberOfSamples, int, 0, 1024);
+measuredbrdfSetClampedMacro(vtkHybridRadianceIntegrator, MaximumNumberOfLights, int, 0, 1024);
+measuredbrdfSetClampedMacro(vtkHybridRadianceIntegrator, LightAngle, double, 0.0, 30.0);
+
+//------------------------------------------------------------------------------
+void vtkHybridRadianceIntegrator::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfRows: " << this->NumberOfRows << "\n";
+  os << indent << "NumberOfViewAngles: " << this->NumberOfViewAngles << "\n";
+  os << indent << "NumberOfAzimuths: " << this->NumberOfAzimuths << "\n";
+  os << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n";
+  os << indent << "MaximumNumberOfLights: " << this->MaximumNumberOfLights << "\n";
+  os << indent << "LightAngle: " << this->LightAngle << "\n";
+  os << indent << "Lights: " << this->GetNumberOfLights() << "\n";
+  os << indent << "Sharp layer: " << (this->GetHasSharpLayer() ? "yes" : "no") << "\n";
+}

@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkLightSetRadianceIntegrator.h"
+
+#include "ModuleShader.h"
+#include "vtkBRDFLightSet.h"
+#include "LocalFrame.h"
+#include "vtkBRDF.h"
+#include "vtkBRDFShaderInputs.h"
+#include "vtkEnvironment.h"
+#include "vtkLightSet.h"
+#include "vtkObjectFactory.h"
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+#include <string>
+
+namespace
+{
+constexpr int LightsPerRow = 512; // the shader asks the texture
+constexpr int MaximumUnrolled = 16;
+
+std::string GetLoopText(bool unrolled, int count)
+{
+  if (!unrolled || count > MaximumUnrolled)
+  {
+    return "for (int k = 0; k < int(brdfNumberOfLightsINSTANCE); ++k)\n  {\n"
+           "    sum += brdfLightINSTANCE(k, perRow, frame, o);\n  }";
+  }
+  std::string text;
+  for (int k = 0; k < count; ++k)
+  {
+    text += "sum += brdfLightINSTANCE(" + std::to_string(k) + ", perRow, frame, o);\n  ";
+  }
+  return text;
+}
+
+// 1/kappa; 0 for light from the direction itself.
+double GetSpread(vtkLightSet* lights, int index)
+{
+  const double concentration = lights->GetConcentration(index);
+  return concentration > 0.0 ? 1.0 / concentration : 0.0;
+}
+}
+
+vtkStandardNewMacro(vtkLightSetRadianceIntegrator);
+
+//------------------------------------------------------------------------------
+vtkLightSetRadianceIntegrator::vtkLightSetRadianceIntegrator() = default;
+
+//------------------------------------------------------------------------------
+vtkLightSetRadianceIntegrator::~vtkLightSetRadianceIntegrator() = default;
+
+//------------------------------------------------------------------------------
+vtkCxxSetSmartPointerMacro(vtkLightSetRadianceIntegrator, LightSet, vtkLightSet);
+
+//------------------------------------------------------------------------------
+vtkLightSet* vtkLightSetRadianceIntegrator::GetLightSet() { return this->LightSet; }
+
+//------------------------------------------------------------------------------
+bool vtkLightSetRadianceIntegrator::Begin()
+{
+  if (!this->LightSet)
+  {
+    vtkErrorMacro("Integrate: there is no light set.");
+    return false;
+  }
+  this->Shaded = this->SoftLights ? this->BRDF->GetRenderable() : this->BRDF.Get();
+  this->Shaded->Prepare();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkLightSetRadianceIntegrator::IntegratePart(
+  int vtkNotUsed(part), const double n[3], const double o[3], const double t[3], double radiance[3])
+{
+  const measuredbrdf::Frame frame = measuredbrdf::FrameAbout(glm::make_vec3(n), glm::make_vec3(t));
+  // As the shader does, so that both agree at silhouettes.
+  const glm::dvec3 view = measuredbrdf::LiftView(measuredbrdf::ToLocal(frame, glm::make_vec3(o)));
+  for (int k = 0; k < this->LightSet->GetNumberOfLights(); ++k)
+  {
+    glm::dvec3 direction;
+    glm::dvec3 irradiance;
+    this->LightSet->GetDirection(k, &direction.x);
+    this->LightSet->GetIrradiance(k, &irradiance.x);
+    const glm::dvec3 light = measuredbrdf::ToLocal(frame, direction);
+    if (light.z > 0.0)
+    {
+      glm::dvec3 f;
+      const double spread = this->SoftLights ? GetSpread(this->LightSet, k) : 0.0;
+      this->Shaded->EvaluateSoft(&light.x, &view.x, spread, &f.x);
+      for (int c = 0; c < 3; ++c)
+      {
+        radiance[c] += light.z * f[c] * irradiance[c];
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkLightSetRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
+{
+  if (!this->Prepare())
+  {
+    return false;
+  }
+  const int count = this->LightSet->GetNumberOfLights();
+  vtkBRDFShaderInputs::Texture texture;
+  texture.Name = "brdfLights";
+  texture.Components = 4;
+  texture.Dimensions = { 2 * std::clamp(count, 1, LightsPerRow),
+    std::max((count + LightsPerRow - 1) / LightsPerRow, 1), 1 };
+  texture.Data.resize(4 * static_cast<std::size_t>(texture.Dimensions[0]) *
+                      static_cast<std::size_t>(texture.Dimensions[1]));
+  for (int k = 0; k < count; ++k)
+  {
+    double direction[3], irradiance[3];
+    this->LightSet->GetDirection(k, direction);
+    this->LightSet->GetIrradiance(k, irradiance);
+    float* texel = &texture.Data[8 * static_cast<std::size_t>(k)];
+    for (int c = 0; c < 3; ++c)
+    {
+      texel[c] = static_cast<float>(direction[c]);
+      texel[4 + c] = static_cast<float>(irradiance[c]);
+    }
+    texel[3] = static_cast<float>(GetSpread(this->LightSet, k));
+  }
+  vtkBRDFShaderInputs::Term term;
+  measuredbrdf::SetModuleShader(term, "vtkBRDFLightSet", vtkBRDFLightSet);
+  term.Constants.push_back({ "EVALUATE_LIGHT",
+    this->SoftLights ? "brdfEvaluateSoft(i, o, light.w)" : "brdfEvaluate(i, o)" });
+  term.Constants.push_back({ "ADD_LIGHTS", GetLoopText(this->Unrolled, count) });
+  term.Uniforms.push_back({ "brdfNumberOfLights", { static_cast<float>(count) } });
+  term.Textures.push_back(std::move(texture));
+  form = vtkBRDFShaderInputs();
+  form.Description =
+    std::to_string(count) + (this->SoftLights ? " soft" : " directional") + " lights";
+  form.Terms.push_back(std::move(term));
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkLightSetRadianceIntegrator::GetInputsMTime()
+{
+  return std::max(
+    this->Superclass::GetInputsMTime(), this->LightSet ? this->LightSet->GetMTime() : 0);
+}
+
+//------------------------------------------------------------------------------
+void vtkLightSetRadianceIntegrator::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "LightSet: " << this->LightSet.Get() << "\n";
+  os << indent << "SoftLights: " << (this->SoftLights ? "On" : "Off") << "\n";
+  os << indent << "Unrolled: " << (this->Unrolled ? "On" : "Off") << "\n";
+}

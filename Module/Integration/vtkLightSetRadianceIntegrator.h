@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkLightSetRadianceIntegrator
+ * @brief   the thesis's light loop: the sum over a light set (CPU twin of the mapper's shader)
+ *
+ * L_o = sum_j f(i_j,o) cos(theta_j) E_j (thesis 2.3.2). The light set lives in the environment's
+ * frame; an environment is only needed for its rotation and may be missing. Views closer to the
+ * horizon than 1.1 degrees are taken there, as the shader takes them.
+ *
+ * A sharp lobe shows a few lights as dots. Soft lights spread each by its concentration: the lobe
+ * is evaluated as wide as lobe and light together (vtkBRDF::EvaluateSoft). Closed forms, D-BRDFs
+ * and tables over half and difference angles have that form; measured materials that are resampled
+ * for the graphics card are shaded with the table (vtkBRDF::GetRenderable). All else stays hard.
+ */
+
+#ifndef vtkLightSetRadianceIntegrator_h
+#define vtkLightSetRadianceIntegrator_h
+
+#include "vtkRadianceIntegrator.h"
+
+class vtkLightSet;
+
+class VTKMEASUREDBRDF_EXPORT vtkLightSetRadianceIntegrator : public vtkRadianceIntegrator
+{
+public:
+  static vtkLightSetRadianceIntegrator* New();
+  vtkTypeMacro(vtkLightSetRadianceIntegrator, vtkRadianceIntegrator);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The lights.
+   */
+  void SetLightSet(vtkLightSet* lights);
+  vtkLightSet* GetLightSet();
+  ///@}
+
+  ///@{
+  /**
+   * Whether lights are as wide as their concentration says; default off. Changing it costs the
+   * shader a rebuild.
+   */
+  vtkSetMacro(SoftLights, bool);
+  vtkGetMacro(SoftLights, bool);
+  vtkBooleanMacro(SoftLights, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the shader has up to 16 lights written one by one; default off. Software renderers draw
+   * one light a third faster so, but another number of lights costs the shader a rebuild.
+   */
+  vtkSetMacro(Unrolled, bool);
+  vtkGetMacro(Unrolled, bool);
+  vtkBooleanMacro(Unrolled, bool);
+  ///@}
+
+  bool GetShaderInputs(vtkBRDFShaderInputs& form) override;
+  bool UsesBRDFOnGPU() override { return true; }
+  bool UsesSoftLights() override { return this->SoftLights; }
+  vtkMTimeType GetInputsMTime() override;
+
+protected:
+  vtkLightSetRadianceIntegrator();
+  ~vtkLightSetRadianceIntegrator() override;
+
+  bool Begin() override;
+  void IntegratePart(
+    int part, const double n[3], const double o[3], const double t[3], double radiance[3]) override;
+
+  vtkSmartPointer<vtkLightSet> LightSet;
+  vtkSmartPointer<vtkBRDF> Shaded; // the material, or what knows soft light of it
+  bool SoftLights = false;
+  bool Unrolled = false;
+
+private:
+  vtkLightSetRadianceIntegrator(const vtkLightSetRadianceIntegrator&) = delete;
+  void operator=(const vtkLightSetRadianceIntegrator&) = delete;
+};
+
+#endif

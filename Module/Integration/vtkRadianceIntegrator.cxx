@@ -1,0 +1,207 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRadianceIntegrator.h"
+
+#include "vtkBRDF.h"
+#include "vtkCommand.h"
+#include "vtkDataArray.h"
+#include "vtkEnvironment.h"
+#include "vtkSMPTools.h"
+
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <vector>
+
+namespace
+{
+// What the calling thread waits for between two looks at the abort flag and the progress.
+constexpr std::chrono::milliseconds BatchTime(50);
+
+glm::dvec3 GetDirection(vtkDataArray* array, vtkIdType index)
+{
+  glm::dvec3 d(0.0);
+  if (array)
+  {
+    array->GetTuple(index, &d.x);
+  }
+  return d;
+}
+
+// Unit vector; zero stays zero. Scaled first, so that no finite length over- or underflows.
+glm::dvec3 Normalize(const glm::dvec3& d)
+{
+  const double scale = std::max({ std::abs(d.x), std::abs(d.y), std::abs(d.z) });
+  return scale > 0.0 ? glm::normalize(d / scale) : d;
+}
+
+bool IsFinite(const glm::dvec3& d)
+{
+  return std::isfinite(d.x) && std::isfinite(d.y) && std::isfinite(d.z);
+}
+} // namespace
+
+//------------------------------------------------------------------------------
+vtkRadianceIntegrator::vtkRadianceIntegrator() = default;
+
+//------------------------------------------------------------------------------
+vtkRadianceIntegrator::~vtkRadianceIntegrator() = default;
+
+//------------------------------------------------------------------------------
+vtkCxxSetSmartPointerMacro(vtkRadianceIntegrator, BRDF, vtkBRDF);
+vtkCxxSetSmartPointerMacro(vtkRadianceIntegrator, Environment, vtkEnvironment);
+
+//------------------------------------------------------------------------------
+vtkBRDF* vtkRadianceIntegrator::GetBRDF() { return this->BRDF; }
+
+//------------------------------------------------------------------------------
+vtkEnvironment* vtkRadianceIntegrator::GetEnvironment() { return this->Environment; }
+
+//------------------------------------------------------------------------------
+bool vtkRadianceIntegrator::Prepare()
+{
+  if (!this->BRDF)
+  {
+    vtkErrorMacro("Prepare: there is no BRDF.");
+    return false;
+  }
+  if (this->PrepareTime > this->GetInputsMTime())
+  {
+    return true;
+  }
+  this->BRDF->Prepare();
+  if (!this->Begin())
+  {
+    return false;
+  }
+  this->PrepareTime.Modified();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkRadianceIntegrator::GetInputsMTime()
+{
+  return std::max({ this->GetMTime(), this->BRDF ? this->BRDF->GetMTime() : 0,
+    this->Environment ? this->Environment->GetPixelsMTime() : 0 });
+}
+
+//------------------------------------------------------------------------------
+bool vtkRadianceIntegrator::Report(double progress)
+{
+  this->InvokeEvent(vtkCommand::ProgressEvent, &progress);
+  return !this->Abort;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs&) { return false; }
+
+//------------------------------------------------------------------------------
+bool vtkRadianceIntegrator::Integrate(
+  vtkDataArray* normals, vtkDataArray* views, vtkDataArray* radiance, vtkDataArray* tangents)
+{
+  this->Abort = false;
+  if (!normals || !views || !radiance)
+  {
+    vtkErrorMacro("Integrate: normals, views and radiance are needed.");
+    return false;
+  }
+  const vtkIdType count = normals->GetNumberOfTuples();
+  for (vtkDataArray* array : { normals, views, tangents })
+  {
+    if (array && (array->GetNumberOfComponents() != 3 || array->GetNumberOfTuples() != count))
+    {
+      vtkErrorMacro("Integrate: normals, views and tangents must have 3 components and equally "
+                    "many tuples.");
+      return false;
+    }
+  }
+  for (vtkIdType k = 0; k < count; ++k)
+  {
+    const glm::dvec3 n = GetDirection(normals, k);
+    const glm::dvec3 v = GetDirection(views, k);
+    if (!IsFinite(n) || !IsFinite(v) || !IsFinite(GetDirection(tangents, k)) ||
+        n == glm::dvec3(0.0) || v == glm::dvec3(0.0))
+    {
+      vtkErrorMacro("Integrate: pair " << k << " holds a direction that is zero or not finite.");
+      return false;
+    }
+  }
+  if (!this->Prepare())
+  {
+    return false;
+  }
+
+  glm::dmat3 toEnvironment(1.0);
+  if (this->Environment)
+  {
+    double rows[9];
+    this->Environment->GetWorldToEnvironment(rows);
+    toEnvironment = glm::dmat3(rows[0], rows[3], rows[6], rows[1], rows[4], rows[7], rows[2],
+      rows[5], rows[8]); // glm takes columns
+  }
+
+  // Batches of pairs, each pair in parts; a batch grows until it takes about BatchTime.
+  const vtkIdType parts = std::max(this->GetNumberOfParts(), 1);
+  std::vector<glm::dvec3> result(static_cast<std::size_t>(count), glm::dvec3(0.0));
+  std::vector<glm::dvec3> sums;
+  vtkIdType batch = 1;
+  for (vtkIdType first = 0; first < count;)
+  {
+    const vtkIdType pairs = std::min(batch, count - first);
+    const auto start = std::chrono::steady_clock::now();
+    sums.assign(static_cast<std::size_t>(pairs * parts), glm::dvec3(0.0));
+    vtkSMPTools::For(0, pairs * parts,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType item = begin; item < end && !this->Abort; ++item)
+        {
+          const vtkIdType pair = first + item / parts;
+          const glm::dvec3 n = toEnvironment * Normalize(GetDirection(normals, pair));
+          const glm::dvec3 o = toEnvironment * Normalize(GetDirection(views, pair));
+          const glm::dvec3 t = toEnvironment * Normalize(GetDirection(tangents, pair));
+          if (glm::dot(n, o) > 0.0)
+          {
+            this->IntegratePart(static_cast<int>(item % parts), &n.x, &o.x, &t.x,
+              &sums[static_cast<std::size_t>(item)].x);
+          }
+        }
+      });
+    for (std::size_t item = 0; item < sums.size(); ++item)
+    {
+      result[static_cast<std::size_t>(first) + item / static_cast<std::size_t>(parts)] +=
+        sums[item];
+    }
+    first += pairs;
+    if (std::chrono::steady_clock::now() - start < BatchTime / 2)
+    {
+      batch *= 2;
+    }
+    double progress = static_cast<double>(first) / static_cast<double>(count);
+    this->InvokeEvent(vtkCommand::ProgressEvent, &progress);
+    if (this->Abort)
+    {
+      vtkErrorMacro("Integrate: aborted.");
+      return false;
+    }
+  }
+
+  radiance->SetNumberOfComponents(3);
+  radiance->SetNumberOfTuples(count);
+  for (vtkIdType k = 0; k < count; ++k)
+  {
+    radiance->SetTuple(k, &result[static_cast<std::size_t>(k)].x);
+  }
+  radiance->Modified();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkRadianceIntegrator::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "BRDF: " << this->BRDF.Get() << "\n";
+  os << indent << "Environment: " << this->Environment.Get() << "\n";
+  os << indent << "Abort: " << (this->Abort ? "On" : "Off") << "\n";
+}

@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkTableRadianceIntegrator
+ * @brief   outgoing radiance, integrated ahead of time into a table: a few fetches a pixel
+ *
+ * For an isotropic BRDF under a distant environment, radiance depends on the normal and the view
+ * alone. Per view angle theta_o the kernel f cos(theta_i) is split into a Lambert part c(theta_o)
+ * cos(theta_i), which needs the irradiance E over the normal only, and the rest, which is seen
+ * about its own mean direction, an axis in the plane of incidence at angle delta(theta_o) from the
+ * normal (weighted by the square of the rest: near the mirror direction for gloss, near the normal
+ * for felt). Carried into the world, the rest's radiance T depends on the axis' direction D, on
+ * theta_o and on the azimuth psi of the plane of incidence about D, to first order on D alone:
+ *
+ *   L_o = c(theta_o) E(n) + s(theta_o) T(D, theta_o, psi)
+ *
+ * s, near 1, sees to it that between the table's view angles a constant environment comes out as
+ * the directional albedo. T is a 3D texture: azimuth of D; polar angle of D; psi within view
+ * angles. Two trilinear fetches interpolate it linearly in all four, whatever the light. Rows lie
+ * on the poles and D's azimuth and psi are taken in the meridian's frame, so there is no seam and
+ * no pole to interpolate across.
+ *
+ * Building it is a convolution over the rotation group: with the environment's harmonics a_lm and
+ * the kernel's harmonics b_lk about its axis, T = sum over l, m, k of b_lk D^l_mk(D, psi)
+ * conj(a_lm), synthesized by Wigner's d functions over D's polar angle and fast Fourier transforms
+ * over both azimuths (Kostelec, Rockmore 2008; reparameterization by a lobe's direction:
+ * Ramamoorthi, Hanrahan 2002). Every texel of the environment takes part, up to the degree that the
+ * rows resolve.
+ *
+ * Cost: 2 trilinear and 4 bilinear fetches a pixel. Errors: linear interpolation in the four
+ * quantities and the harmonics' degree, second order where radiance is smooth, first order where
+ * the horizon cuts a bright light.
+ *
+ * Isotropic BRDFs only, taken as symmetric about the plane of incidence, f(theta_i, theta_o, phi) =
+ * f(theta_i, theta_o, -phi), as nearly all isotropic materials are: of one that is not, the mean of
+ * both is integrated. Views closer to the horizon than 1.1 degrees are taken there.
+ */
+
+#ifndef vtkTableRadianceIntegrator_h
+#define vtkTableRadianceIntegrator_h
+
+#include "vtkRadianceIntegrator.h"
+
+#include <memory> // for tables
+#include <string> // for bytes
+#include <vector> // for tables
+
+namespace measuredbrdf
+{
+class EnvironmentHarmonics;
+class MaterialPrecomputation;
+struct TexelChanges;
+}
+
+class VTKMEASUREDBRDF_EXPORT vtkTableRadianceIntegrator : public vtkRadianceIntegrator
+{
+public:
+  static vtkTableRadianceIntegrator* New();
+  vtkTypeMacro(vtkTableRadianceIntegrator, vtkRadianceIntegrator);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Rows of the map over D from pole to pole (default 65, in [9, 513]; twice as many columns less
+   * two), view angles (default 16, in [2, 64]), azimuths psi (default 16, in [4, 64]).
+   */
+  virtual void SetNumberOfRows(int numberOfRows);
+  vtkGetMacro(NumberOfRows, int);
+  virtual void SetNumberOfViewAngles(int numberOfViewAngles);
+  vtkGetMacro(NumberOfViewAngles, int);
+  virtual void SetNumberOfAzimuths(int numberOfAzimuths);
+  vtkGetMacro(NumberOfAzimuths, int);
+  ///@}
+
+  ///@{
+  /**
+   * Highest degree of the spherical harmonics that carry the light; 0 (default): NumberOfRows.
+   */
+  virtual void SetHarmonicDegree(int harmonicDegree);
+  vtkGetMacro(HarmonicDegree, int);
+  ///@}
+
+  ///@{
+  /**
+   * Nodes per angle of the integrals that make the kernels' harmonics (default 64, in [16, 1024]).
+   */
+  virtual void SetNumberOfNodes(int numberOfNodes);
+  vtkGetMacro(NumberOfNodes, int);
+  ///@}
+
+  bool GetShaderInputs(vtkBRDFShaderInputs& form) override;
+
+  ///@{
+  /**
+   * The prepared tables as bytes, for caches ("" before Prepare), and back: then what is set now
+   * counts as prepared with them. Take returns false, nothing changed, for bytes that are not of a
+   * table of the sizes that are set.
+   */
+  std::string GetPrepared();
+  bool TakePrepared(const std::string& bytes);
+  ///@}
+
+#ifndef __VTK_WRAP__
+  /**
+   * For the planner: what Prepare needs whatever the sizes; null (default): its own.
+   */
+  void SetParts(const std::shared_ptr<measuredbrdf::MaterialPrecomputation>& parts) { this->Parts = parts; }
+
+  /**
+   * For layers: take the environment with these texels changed; null (default): as it is.
+   */
+  void SetRest(const std::shared_ptr<const measuredbrdf::TexelChanges>& rest) { this->Rest = rest; }
+#endif
+
+protected:
+  vtkTableRadianceIntegrator();
+  ~vtkTableRadianceIntegrator() override;
+
+  bool Begin() override;
+  void IntegratePart(
+    int part, const double n[3], const double o[3], const double t[3], double radiance[3]) override;
+
+  int NumberOfRows = 65;
+  int HarmonicDegree = 0;
+  int NumberOfViewAngles = 16;
+  int NumberOfAzimuths = 16;
+  int NumberOfNodes = 64;
+
+private:
+  vtkTableRadianceIntegrator(const vtkTableRadianceIntegrator&) = delete;
+  void operator=(const vtkTableRadianceIntegrator&) = delete;
+
+  struct Tables;
+  static std::shared_ptr<const std::vector<float>> MakeIrradiance(
+    const measuredbrdf::EnvironmentHarmonics& environment);
+
+  std::shared_ptr<measuredbrdf::MaterialPrecomputation> Parts;
+  std::shared_ptr<const measuredbrdf::TexelChanges> Rest;
+  std::unique_ptr<Tables> Data;
+};
+
+#endif

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * An environment's spherical harmonics, for each channel a_lm = sum over texels of L dw Y*_lm at
+ * their centers: what the exact reference sums, seen through its degrees. The poles of the
+ * harmonics are the environment's: their frame (X, Y, Z) is the environment's (z, x, y). Private to
+ * the module.
+ */
+
+#ifndef EnvironmentHarmonics_h
+#define EnvironmentHarmonics_h
+
+#include <complex>
+#include <cstddef>
+#include <vector>
+
+class vtkEnvironment;
+
+namespace measuredbrdf
+{
+struct TexelChanges;
+
+class EnvironmentHarmonics
+{
+public:
+  /// Of an environment that is not empty, up to the given degree; changes: of its texels, or null.
+  EnvironmentHarmonics(
+    vtkEnvironment* environment, int maximumDegree, const TexelChanges* changes = nullptr);
+
+  int GetMaximumDegree() const { return this->MaximumDegree; }
+
+  /// a_lm of channel 0, 1 or 2, for 0 <= m <= l; a_l,-m = (-1)^m conj(a_lm).
+  std::complex<double> Get(int channel, int l, int m) const
+  {
+    return this->Coefficients[(static_cast<std::size_t>(channel) *
+                                  static_cast<std::size_t>(this->MaximumDegree + 1) +
+                                static_cast<std::size_t>(m)) *
+                                static_cast<std::size_t>(this->MaximumDegree + 1) +
+                              static_cast<std::size_t>(l)];
+  }
+
+private:
+  int MaximumDegree;
+  std::vector<std::complex<double>> Coefficients; // channel, m, l
+};
+} // namespace measuredbrdf
+
+#endif

@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "EnvironmentPrecomputation.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
+#include "vtkEnvironment.h"
+#include "vtkLightSet.h"
+#include "vtkNew.h"
+#include "vtkVarianceLightSetGenerator.h"
+
+#include <algorithm>
+
+namespace measuredbrdf
+{
+namespace
+{
+// Harmonics come up to these degrees, so that tables of several sizes share them.
+constexpr int Degrees[] = { 129, 257, 513 };
+}
+
+EnvironmentPrecomputation::EnvironmentPrecomputation() = default;
+
+EnvironmentPrecomputation::~EnvironmentPrecomputation() = default;
+
+std::shared_ptr<const EnvironmentPrecomputation::Lamps> EnvironmentPrecomputation::Keep(ExtractedEmitters&& bright)
+{
+  auto lamps = std::make_shared<Lamps>();
+  lamps->Lights = std::move(bright.Lights);
+  if (lamps->Lights.empty())
+  {
+    return lamps;
+  }
+  lamps->Set = vtkSmartPointer<vtkLightSet>::New();
+  for (const ExtractedEmitters::Light& light : lamps->Lights)
+  {
+    lamps->Set->AddLight(&light.Direction.x, &light.Irradiance.x);
+  }
+  const std::lock_guard<std::mutex> lock(this->Access);
+  const auto same = std::find_if(this->Rests.begin(), this->Rests.end(),
+    [&bright](const Rest& rest) { return rest->Texels == bright.Rest.Texels; });
+  if (same != this->Rests.end())
+  {
+    lamps->Rest = *same;
+    return lamps;
+  }
+  lamps->Rest = std::make_shared<TexelChanges>(std::move(bright.Rest));
+  this->Rests.push_back(lamps->Rest);
+  return lamps;
+}
+
+std::shared_ptr<const EnvironmentPrecomputation::Lamps> EnvironmentPrecomputation::GetExtractedEmitters(
+  vtkEnvironment* environment, double share, int maximum, const GoOn& goOn)
+{
+  return this->Bright.Get({ share, maximum }, goOn,
+    [&]() { return this->Keep(ExtractedEmitters(environment, share, maximum)); });
+}
+
+std::shared_ptr<const EnvironmentPrecomputation::Lamps> EnvironmentPrecomputation::GetLamps(
+  vtkEnvironment* environment, double angle, int maximum, const GoOn& goOn)
+{
+  return this->LampsOf.Get({ angle, maximum }, goOn,
+    [&]() { return this->Keep(ExtractedEmitters::FindLamps(environment, angle, maximum)); });
+}
+
+std::shared_ptr<const EnvironmentHarmonics> EnvironmentPrecomputation::GetHarmonics(
+  vtkEnvironment* environment, const Rest& rest, int degree, const GoOn& goOn)
+{
+  const int* enough = std::lower_bound(std::begin(Degrees), std::end(Degrees), degree);
+  const int made = enough != std::end(Degrees) ? *enough : degree;
+  return this->Harmonics.Get({ rest.get(), made }, goOn,
+    [&]() { return std::make_shared<EnvironmentHarmonics>(environment, made, rest.get()); });
+}
+
+std::shared_ptr<const EnvironmentPyramid> EnvironmentPrecomputation::GetPyramid(
+  vtkEnvironment* environment, const Rest& rest, const GoOn& goOn)
+{
+  return this->Pyramids.Get(rest.get(), goOn,
+    [&]() { return std::make_shared<EnvironmentPyramid>(environment, rest.get()); });
+}
+
+vtkSmartPointer<vtkLightSet> EnvironmentPrecomputation::GetLightSet(
+  vtkEnvironment* environment, const Rest& rest, int count, const GoOn& goOn)
+{
+  const auto make = [&]() -> std::shared_ptr<LightSet>
+  {
+    vtkNew<vtkVarianceLightSetGenerator> generator;
+    generator->SetTreeSize(count);
+    generator->SetChanges(rest);
+    std::pair<const GoOn*, vtkVarianceLightSetGenerator*> both(&goOn, generator);
+    vtkNew<vtkCallbackCommand> follow;
+    follow->SetClientData(&both);
+    follow->SetCallback(
+      [](vtkObject*, unsigned long, void* data, void*)
+      {
+        const auto& [mayGoOn, growing] = *static_cast<decltype(both)*>(data);
+        growing->SetAbort(!(*mayGoOn)());
+      });
+    generator->AddObserver(vtkCommand::ProgressEvent, follow);
+    // An abort is no error of the generator's: whoever aborted says so.
+    vtkNew<vtkCallbackCommand> silence;
+    generator->AddObserver(vtkCommand::ErrorEvent, silence);
+    auto set = vtkSmartPointer<vtkLightSet>::New();
+    return generator->Generate(environment, count, set) ? std::make_shared<LightSet>(set) : nullptr;
+  };
+  const auto set = this->LightSets.Get({ rest.get(), count }, goOn, make);
+  return set ? *set : nullptr;
+}
+
+std::shared_ptr<const std::vector<float>> EnvironmentPrecomputation::GetIrradiance(const Rest& rest,
+  const GoOn& goOn, const std::function<std::shared_ptr<const std::vector<float>>()>& make)
+{
+  return this->Irradiances.Get(rest.get(), goOn, make);
+}
+
+std::string EnvironmentPrecomputation::GetContentKey(const std::function<std::string()>& make)
+{
+  return *this->ContentKey.Get(
+    0, []() { return true; }, [&]() { return std::make_shared<std::string>(make()); });
+}
+} // namespace measuredbrdf

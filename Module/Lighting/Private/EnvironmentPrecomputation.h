@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What integrators and the planner make of an environment's pixels, whatever the material: made
+ * once, shared by all threads, kept and freed with the pixels, which snapshots share. Private to
+ * the module.
+ */
+
+#ifndef EnvironmentPrecomputation_h
+#define EnvironmentPrecomputation_h
+
+#include "ExtractedEmitters.h"
+#include "EnvironmentHarmonics.h"
+#include "EnvironmentPyramid.h"
+#include "MadeOnce.h"
+#include "TexelChanges.h"
+#include "vtkSmartPointer.h"
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+class vtkEnvironment;
+class vtkLightSet;
+
+namespace measuredbrdf
+{
+/**
+ * The environment that is given must be the parts' own or a snapshot of it. goOn is called now and
+ * then while it takes long, by the calling thread; where it says false the result is null. What
+ * other threads hold, too, is not to be changed.
+ */
+class EnvironmentPrecomputation
+{
+public:
+  using GoOn = std::function<bool()>;
+  /// The environment without its lights; null: there are none. The same object means the same
+  /// texels, however they were found.
+  using Rest = std::shared_ptr<const TexelChanges>;
+
+  EnvironmentPrecomputation();
+  ~EnvironmentPrecomputation();
+
+  /// Lights and what they leave.
+  struct Lamps
+  {
+    std::vector<ExtractedEmitters::Light> Lights;
+    vtkSmartPointer<vtkLightSet> Set; // the same; null: none
+    measuredbrdf::EnvironmentPrecomputation::Rest Rest;
+  };
+  ///@{
+  /// ExtractedEmitters, and its FindLamps.
+  std::shared_ptr<const Lamps> GetExtractedEmitters(
+    vtkEnvironment* environment, double share, int maximum, const GoOn& goOn);
+  std::shared_ptr<const Lamps> GetLamps(
+    vtkEnvironment* environment, double angle, int maximum, const GoOn& goOn);
+  ///@}
+
+  /// Up to the given degree at least.
+  std::shared_ptr<const EnvironmentHarmonics> GetHarmonics(
+    vtkEnvironment* environment, const Rest& rest, int degree, const GoOn& goOn);
+
+  std::shared_ptr<const EnvironmentPyramid> GetPyramid(
+    vtkEnvironment* environment, const Rest& rest, const GoOn& goOn);
+
+  /// vtkVarianceLightSetGenerator's as it is.
+  vtkSmartPointer<vtkLightSet> GetLightSet(
+    vtkEnvironment* environment, const Rest& rest, int count, const GoOn& goOn);
+
+  /// A map of irradiance as make() has it.
+  std::shared_ptr<const std::vector<float>> GetIrradiance(const Rest& rest, const GoOn& goOn,
+    const std::function<std::shared_ptr<const std::vector<float>>()>& make);
+
+  /// What tells these pixels from others, as make() has it.
+  std::string GetContentKey(const std::function<std::string()>& make);
+
+private:
+  std::shared_ptr<const Lamps> Keep(ExtractedEmitters&& bright);
+
+  using LightSet = vtkSmartPointer<vtkLightSet>;
+  std::mutex Access;
+  std::vector<Rest> Rests;
+  MadeOnce<std::pair<double, int>, Lamps> Bright;
+  MadeOnce<std::pair<double, int>, Lamps> LampsOf;
+  MadeOnce<std::pair<const TexelChanges*, int>, EnvironmentHarmonics> Harmonics; // rest, degree
+  MadeOnce<const TexelChanges*, EnvironmentPyramid> Pyramids;
+  MadeOnce<std::pair<const TexelChanges*, int>, LightSet> LightSets; // rest, count
+  MadeOnce<const TexelChanges*, std::vector<float>> Irradiances;
+  MadeOnce<int, std::string> ContentKey;
+};
+} // namespace measuredbrdf
+
+#endif

@@ -1,0 +1,246 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ExtractedEmitters.h"
+
+#include "vtkEnvironment.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <unordered_map>
+#include <utility>
+
+namespace measuredbrdf
+{
+namespace
+{
+// A light holds so many times what texels hold in the mean: in a small environment many hold a
+// large share without being lights.
+constexpr double Contrast = 32.0;
+constexpr double Glare = 0.01; // of a lamp's luminance: may lie twice as far
+constexpr int Spare = 4;       // so many times the wanted lights may be merged into them
+
+struct Lamp
+{
+  std::vector<int> Texels;
+  std::vector<glm::dvec3> Directions;
+  glm::dvec3 Moment = glm::dvec3(0.0); // directions by luminance
+  double Luminance = 0.0;
+
+  void Add(int texel, const glm::dvec3& direction, double luminance)
+  {
+    this->Texels.push_back(texel);
+    this->Directions.push_back(direction);
+    this->Moment += luminance * direction;
+    this->Luminance += luminance;
+  }
+  glm::dvec3 GetMean() const { return glm::normalize(this->Moment); }
+};
+
+// Whether all lies within the angle of the common mean; or the second is but the first's glare.
+bool AreOne(const Lamp& first, const Lamp& second, double angle)
+{
+  const bool isGlare = second.Luminance < Glare * first.Luminance;
+  const glm::dvec3 mean = glm::normalize(first.Moment + second.Moment);
+  const auto near = [&](const glm::dvec3& direction)
+  { return glm::distance(direction, mean) <= (isGlare ? 2.0 : 1.0) * angle; };
+  return std::all_of(first.Directions.begin(), first.Directions.end(), near) &&
+         std::all_of(second.Directions.begin(), second.Directions.end(), near);
+}
+
+// The brightest texel of a lamp may lie at its edge. Lamps come by their brightest texels.
+void Merge(std::vector<Lamp>& lamps, double angle)
+{
+  for (std::size_t a = 0; a < lamps.size(); ++a)
+  {
+    for (std::size_t b = a + 1; b < lamps.size(); ++b)
+    {
+      if (!AreOne(lamps[a], lamps[b], angle))
+      {
+        continue;
+      }
+      Lamp& into = lamps[a];
+      const Lamp& from = lamps[b];
+      into.Texels.insert(into.Texels.end(), from.Texels.begin(), from.Texels.end());
+      into.Directions.insert(into.Directions.end(), from.Directions.begin(), from.Directions.end());
+      into.Moment += from.Moment;
+      into.Luminance += from.Luminance;
+      lamps.erase(lamps.begin() + static_cast<std::ptrdiff_t>(b));
+      b = a; // all others again
+    }
+  }
+}
+
+// Luminance of a share, at least: no texel of a small map counts that is but a little brighter.
+double GetLeast(double total, double share, vtkEnvironment* environment)
+{
+  const double texels = static_cast<double>(environment->GetPixels().size() / 3);
+  return total * std::max(share, Contrast / texels);
+}
+}
+
+ExtractedEmitters::Ranking::Ranking(vtkEnvironment* environment, double share)
+{
+  const std::vector<float>& pixels = environment->GetPixels();
+  const int width = environment->GetWidth();
+  // Twice over the pixels is cheaper than to keep their luminances.
+  const auto visit = [&](const auto& take)
+  {
+    std::size_t k = 0;
+    for (int y = 0; y < environment->GetHeight(); ++y)
+    {
+      const double solidAngle = environment->GetTexelSolidAngle(y);
+      for (int x = 0; x < width; ++x, ++k)
+      {
+        const double rgb[3] = { pixels[3 * k], pixels[3 * k + 1], pixels[3 * k + 2] };
+        take(vtkEnvironment::GetLuminance(rgb) * solidAngle, static_cast<int>(k));
+      }
+    }
+  };
+  visit([this](double luminance, int) { this->Total += luminance; });
+  const double least = GetLeast(this->Total, share, environment);
+  visit(
+    [this, least](double luminance, int texel)
+    {
+      if (luminance > least)
+      {
+        this->Texels.emplace_back(luminance, texel);
+      }
+    });
+  std::sort(this->Texels.begin(), this->Texels.end(), std::greater<std::pair<double, int>>());
+}
+
+ExtractedEmitters::ExtractedEmitters(vtkEnvironment* environment, double share, int maximum)
+{
+  environment = environment->GetSubdivided();
+  if (share < 1.0 && maximum > 0)
+  {
+    this->Extract(environment, Ranking(environment, share), share, maximum, 0.0);
+  }
+}
+
+ExtractedEmitters ExtractedEmitters::FindLamps(vtkEnvironment* environment, double angle, int maximum)
+{
+  environment = environment->GetSubdivided();
+  ExtractedEmitters found;
+  if (maximum <= 0)
+  {
+    return found;
+  }
+  double share = LampShare;
+  const Ranking ranking(environment, share);
+  while (!found.Extract(environment, ranking, share, maximum, angle) && share < DefaultShare)
+  {
+    share *= 2.0;
+  }
+  return found;
+}
+
+bool ExtractedEmitters::Extract(
+  vtkEnvironment* environment, const Ranking& ranking, double share, int maximum, double angle)
+{
+  this->Rest.Texels.clear();
+  this->Lights.clear();
+  const int width = environment->GetWidth();
+  const int height = environment->GetHeight();
+  const std::vector<float>& pixels = environment->GetPixels();
+  const double least = GetLeast(ranking.Total, share, environment);
+  std::vector<std::pair<double, int>> brightest(
+    ranking.Texels.begin(), std::find_if(ranking.Texels.begin(), ranking.Texels.end(),
+                              [least](const auto& texel) { return !(texel.first > least); }));
+
+  std::vector<Lamp> lamps;
+  bool all = true;
+  for (const auto& texel : brightest)
+  {
+    glm::dvec3 direction;
+    environment->GetTexelDirection(texel.second % width, texel.second / width, &direction.x);
+    const auto near = [&](const Lamp& lamp)
+    { return glm::distance(direction, lamp.Directions.front()) <= angle; };
+    const auto found = angle > 0.0 ? std::find_if(lamps.begin(), lamps.end(), near) : lamps.end();
+    if (found != lamps.end())
+    {
+      found->Add(texel.second, direction, texel.first);
+    }
+    else if (lamps.size() < static_cast<std::size_t>(angle > 0.0 ? Spare * maximum : maximum))
+    {
+      lamps.emplace_back();
+      lamps.back().Add(texel.second, direction, texel.first);
+    }
+    else
+    {
+      all = false;
+    }
+  }
+  if (angle > 0.0)
+  {
+    Merge(lamps, angle);
+  }
+  if (lamps.size() > static_cast<std::size_t>(maximum))
+  {
+    std::stable_sort(lamps.begin(), lamps.end(),
+      [](const Lamp& first, const Lamp& second) { return first.Luminance > second.Luminance; });
+    lamps.resize(static_cast<std::size_t>(maximum));
+    all = false;
+  }
+  std::unordered_map<int, int> owners; // texels' lights
+  for (std::size_t lamp = 0; lamp < lamps.size(); ++lamp)
+  {
+    for (const int texel : lamps[lamp].Texels)
+    {
+      owners[texel] = static_cast<int>(lamp);
+    }
+  }
+
+  this->Lights.resize(lamps.size(), { glm::dvec3(0.0), glm::dvec3(0.0) });
+  for (const auto& texel : brightest)
+  {
+    const auto owner = owners.find(texel.second);
+    if (owner == owners.end())
+    {
+      continue;
+    }
+    const int x = texel.second % width;
+    const int y = texel.second / width;
+    // What is left is what its neighbors that are no lights show.
+    glm::dvec3 sum(0.0);
+    int neighbors = 0;
+    for (int dy = -1; dy <= 1; ++dy)
+    {
+      for (int dx = -1; dx <= 1; ++dx)
+      {
+        const int neighbor = std::clamp(y + dy, 0, height - 1) * width + (x + dx + width) % width;
+        if (owners.count(neighbor) == 0)
+        {
+          const std::size_t k = static_cast<std::size_t>(neighbor);
+          sum += glm::dvec3(pixels[3 * k], pixels[3 * k + 1], pixels[3 * k + 2]);
+          ++neighbors;
+        }
+      }
+    }
+    Light& light = this->Lights[static_cast<std::size_t>(owner->second)];
+    TexelChanges::Texel rest{ static_cast<std::size_t>(texel.second), {} };
+    glm::dvec3 irradiance;
+    for (int c = 0; c < 3; ++c)
+    {
+      const float value = pixels[3 * rest.Index + static_cast<std::size_t>(c)];
+      const double kept = std::min<double>(value, neighbors > 0 ? sum[c] / neighbors : 0.0);
+      irradiance[c] = (value - kept) * environment->GetTexelSolidAngle(y);
+      rest.Radiance[c] = static_cast<float>(kept);
+    }
+    this->Rest.Texels.push_back(rest);
+    glm::dvec3 direction;
+    environment->GetTexelDirection(x, y, &direction.x);
+    light.Direction += environment->GetLuminance(&irradiance.x) * direction;
+    light.Irradiance += irradiance;
+  }
+  std::sort(this->Rest.Texels.begin(), this->Rest.Texels.end());
+  for (std::size_t k = 0; k < this->Lights.size(); ++k)
+  {
+    const double length = glm::length(this->Lights[k].Direction);
+    this->Lights[k].Direction =
+      length > 0.0 ? this->Lights[k].Direction / length : lamps[k].GetMean();
+  }
+  return all;
+}
+} // namespace measuredbrdf

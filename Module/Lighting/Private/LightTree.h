@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * An environment's texels as a binary tree: a list of splits whose first N - 1 make N cells, for
+ * every N. Private to the lighting room.
+ */
+
+#ifndef LightTree_h
+#define LightTree_h
+
+#include <glm/glm.hpp>
+
+#include <climits>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <queue>
+#include <utility>
+#include <vector>
+
+class vtkEnvironment;
+
+namespace measuredbrdf
+{
+struct TexelChanges;
+
+class LightTree
+{
+public:
+  enum class Rule
+  {
+    Greedy,         // the cell of largest variance next, at the least sum of both variances
+    MinimumVariance // level by level, across the longer side, at the least larger variance
+  };
+
+  struct Node
+  {
+    // Texels [X0,X1) x [Y0,Y1), without the bright ones that are cells of their own.
+    int X0, Y0, X1, Y1;
+    int Split = INT_MAX; // the set of this many cells is the first without this one
+    double Luminance = 0.0;
+    glm::dvec3 Moment = glm::dvec3(0.0); // luminance-weighted sum of directions
+    glm::dvec3 Irradiance = glm::dvec3(0.0);
+    double SolidAngle = 0.0;
+
+    bool IsTexel() const { return this->X1 - this->X0 == 1 && this->Y1 - this->Y0 == 1; }
+
+    /// Sum of luminance x |direction - centroid|^2 = E - |P|^2/E (chords, to the centroid P/E).
+    double GetVariance() const;
+  };
+
+  /// Of an environment with some texels changed. brightTexels: whether outstanding texels become
+  /// cells before the rest is cut.
+  LightTree(vtkEnvironment* environment, Rule rule, bool brightTexels,
+    std::shared_ptr<const TexelChanges> changes = nullptr);
+
+  /// Split until there are `cells` or nothing is left to split. False where progress (of this call,
+  /// in [0,1]) said false: then the tree is of no more use.
+  bool Grow(vtkEnvironment* environment, int cells, const std::function<bool(double)>& progress);
+
+  int GetNumberOfCells() const { return static_cast<int>(this->Residuals.size()); }
+  bool IsComplete() const { return this->Queue.empty(); }
+
+  /// Nodes in the order in which they were made: 1 + 2 splits.
+  const std::vector<Node>& GetNodes() const { return this->Nodes; }
+
+  /// Whether node k is one of the set of this many cells.
+  bool IsIn(std::size_t k, int cells) const
+  {
+    return static_cast<int>((k + 1) / 2) < cells && cells < this->Nodes[k].Split;
+  }
+
+  /// Sum of the variances of that many cells over the energy.
+  double GetResidual(int cells) const
+  {
+    return this->Residuals[static_cast<std::size_t>(cells) - 1];
+  }
+
+private:
+  class Cutter;
+
+  const float* GetRow(
+    vtkEnvironment* environment, int y, int x0, int x1, std::vector<float>& room) const;
+  void FindExtractedEmitters(vtkEnvironment* environment);
+  void AddChildren(std::size_t parent, const Node& first, const Node& second);
+  void Push(std::size_t node, const glm::dvec4& sum, int depth);
+  void Gather(vtkEnvironment* environment, std::size_t firstNode);
+
+  struct Candidate
+  {
+    double Priority;
+    std::size_t Node;
+    int Depth;
+    bool operator<(const Candidate& other) const
+    {
+      return std::make_pair(this->Priority, other.Node) <
+             std::make_pair(other.Priority, this->Node);
+    }
+  };
+
+  Rule SplitRule;
+  int Width;
+  int Height;
+  std::shared_ptr<const TexelChanges> Changes; // null: none
+  double Total = 0.0;                          // luminance but for the bright texels
+  std::vector<std::size_t> Bright;             // texels, in the order of the pixels
+  std::vector<Node> Nodes;
+  std::vector<double> Residuals; // by number of cells, from 1
+  std::priority_queue<Candidate> Queue;
+};
+} // namespace measuredbrdf
+
+#endif

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * GLSL text of the module itself, from shaders/. Private to the module.
+ */
+
+#ifndef ModuleShader_h
+#define ModuleShader_h
+
+#include "vtkBRDFShaderInputs.h"
+
+namespace measuredbrdf
+{
+/// The term's text is the file's, whose name it gets.
+inline void SetModuleShader(vtkBRDFShaderInputs::Term& term, const char* name, const char* source)
+{
+  term.Shader = name;
+  term.Source = source;
+  term.IsTested = true;
+}
+} // namespace measuredbrdf
+
+#endif

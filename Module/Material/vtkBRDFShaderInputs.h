@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @struct  vtkBRDFShaderInputs
+ * @brief   what a shader needs to evaluate a BRDF: GLSL text, uniforms, textures
+ *
+ * Plain data without GL, made by vtkBRDF::GetShaderInputs and used by the mappers. The GLSL text of
+ * each term defines `vec3 brdfTermINSTANCE(vec3 i, vec3 o)`, the twin of vtkBRDF::Evaluate for unit
+ * i and o above the horizon of the local frame (tangent, bitangent, normal). INSTANCE becomes the
+ * term's number, in the names of uniforms and textures, too, so that one shader can hold several
+ * terms of one kind: put it into every name that the text declares. The text may add
+ * `vec3 brdfTermSoftINSTANCE(vec3 i, vec3 o, float spread)`, the twin of vtkBRDF::EvaluateSoft;
+ * without it soft lights are hard.
+ *
+ * Integrators use the same struct (vtkRadianceIntegrator::GetShaderInputs); there the text of each
+ * term defines `vec3 brdfEnvironmentINSTANCE(mat3 frame, vec3 o)`: the outgoing radiance; frame has
+ * the tangent, bitangent and normal in the environment's coordinates as columns.
+ *
+ * What shaders/vtkBRDFCommon.glsl defines may be used. Text that does not compile gives one error,
+ * and the surface is drawn as the mapper's superclass draws it.
+ */
+
+#ifndef vtkBRDFShaderInputs_h
+#define vtkBRDFShaderInputs_h
+
+#include <array>   // for dimensions
+#include <cstddef> // for size_t
+#include <functional> // for hash
+#include <string>  // for names
+#include <vector>  // for data
+
+struct vtkBRDFShaderInputs
+{
+  struct Uniform
+  {
+    std::string Name;          // without INSTANCE
+    std::vector<float> Values; // 1 or 3 floats
+  };
+
+  struct Texture
+  {
+    std::string Name; // sampler, without INSTANCE
+    std::array<int, 3> Dimensions = { 1, 1, 1 };
+    bool ThreeD = false;                                  // for a sampler3D, even of depth 1
+    int Components = 3;                                   // 1, 3 or 4
+    bool HalfFloat = false;                               // stored as 16-bit float on the GPU
+    std::array<bool, 3> Repeat = { false, false, false }; // else clamp to edge
+    std::vector<float> Data;                              // x fastest, components interleaved
+    // Whether it is stored with a fourth component: flat ones of 32 bits, which software renderers
+    // fetch faster so (7 % of a radiance table's frame).
+    bool IsPadded() const { return Components == 3 && !HalfFloat && !ThreeD; }
+    std::size_t GetBytes() const
+    {
+      const std::size_t bytes = Data.size() * (HalfFloat ? 2 : 4);
+      return IsPadded() ? bytes / 3 * 4 : bytes;
+    }
+  };
+
+  // A word of the GLSL text and what replaces it: sizes of arrays and loops.
+  struct Constant
+  {
+    std::string Name;
+    std::string Value;
+  };
+
+  struct Term
+  {
+    std::string Shader;     // what messages call the text, e.g. "vtkBRDFLambert"
+    std::string Source;     // GLSL text
+    std::string SoftSource; // more text, with brdfTermSoftINSTANCE; may be empty
+    bool IsTested = false;  // else the mapper compiles the text on its own first, for a clear error
+    std::vector<Constant> Constants;
+    std::vector<Uniform> Uniforms;
+    std::vector<Texture> Textures;
+  };
+
+  /// Said by who asks: whether soft lights are drawn. What only they need is left out else.
+  bool SoftLights = false;
+
+  std::vector<Term> Terms; // summed
+
+  /// Relative L2 error (both cosines as weights) by resampling; 0 where nothing was resampled.
+  double ResamplingError = 0.0;
+  /// Largest relative error of a stored value by texture precision: 2^-11 for 16-bit floats, 2^-23
+  /// for 32-bit; 0 without textures.
+  double QuantizationError = 0.0;
+  /// One line for people: sizes, precision, why.
+  std::string Description;
+
+  std::size_t GetTextureBytes() const
+  {
+    std::size_t bytes = 0;
+    for (const Term& term : this->Terms)
+    {
+      for (const Texture& texture : term.Textures)
+      {
+        bytes += texture.GetBytes();
+      }
+    }
+    return bytes;
+  }
+
+  /// Same key, same shader text: what differs is in uniforms and textures.
+  std::string GetShaderKey() const
+  {
+    std::string key;
+    for (const Term& term : this->Terms)
+    {
+      key += term.Shader + (term.SoftSource.empty() ? "" : ",soft");
+      if (!term.IsTested)
+      {
+        key += "," + std::to_string(std::hash<std::string>()(term.Source + term.SoftSource));
+      }
+      for (const Constant& constant : term.Constants)
+      {
+        key += "," + constant.Name + "=" + constant.Value;
+      }
+      key += ";";
+    }
+    return key;
+  }
+};
+
+#endif

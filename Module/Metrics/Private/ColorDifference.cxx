@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ColorDifference.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace measuredbrdf
+{
+namespace
+{
+constexpr double Degree = 3.14159265358979323846 / 180.0;
+
+// Linear Rec. 709 -> XYZ, D65.
+constexpr double ToXYZ[3][3] = { { 0.4123907993, 0.3575843394, 0.1804807884 },
+  { 0.2126390059, 0.7151686788, 0.0721923154 }, { 0.0193308187, 0.1191947798, 0.9505321522 } };
+constexpr double FromXYZ[3][3] = { { 3.2409699419, -1.5373831776, -0.4986107603 },
+  { -0.9692436363, 1.8759675015, 0.0415550574 }, { 0.0556300797, -0.2039769589, 1.0569715142 } };
+
+//------------------------------------------------------------------------------
+Color Multiply(const double matrix[3][3], const Color& v)
+{
+  Color result;
+  for (int r = 0; r < 3; ++r)
+  {
+    result[r] = matrix[r][0] * v[0] + matrix[r][1] * v[1] + matrix[r][2] * v[2];
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
+const Color& GetWhite()
+{
+  static const Color white = Multiply(ToXYZ, { 1.0, 1.0, 1.0 });
+  return white;
+}
+
+//------------------------------------------------------------------------------
+// Hue in [0,360), 0 of grays.
+double GetHue(double a, double b)
+{
+  const double hue = a == 0.0 && b == 0.0 ? 0.0 : std::atan2(b, a) / Degree;
+  return hue < 0.0 ? hue + 360.0 : hue;
+}
+
+//------------------------------------------------------------------------------
+// c^7 / (c^7 + 25^7), which tells grays from colors.
+double GetChromaShare(double c)
+{
+  const double c7 = std::pow(c, 7.0);
+  return c7 / (c7 + std::pow(25.0, 7.0));
+}
+
+//------------------------------------------------------------------------------
+// Perceptual quantizer of ITU-R BT.2100: cd/m2 -> [0,1].
+double EncodePQ(double luminance)
+{
+  constexpr double m1 = 2610.0 / 16384.0;
+  constexpr double m2 = 2523.0 / 4096.0 * 128.0;
+  constexpr double c1 = 3424.0 / 4096.0;
+  constexpr double c2 = 2413.0 / 4096.0 * 32.0;
+  constexpr double c3 = 2392.0 / 4096.0 * 32.0;
+  const double y = std::pow(std::clamp(luminance / 10000.0, 0.0, 1.0), m1);
+  return std::pow((c1 + c2 * y) / (1.0 + c3 * y), m2);
+}
+
+//------------------------------------------------------------------------------
+// Linear Rec. 709 in cd/m2 -> ITP of BT.2124: ICtCp of BT.2100 with Ct halved.
+Color ToITP(const Color& rgb)
+{
+  // Rec. 2020 (ITU-R BT.2087).
+  const double r = 0.6274 * rgb[0] + 0.3293 * rgb[1] + 0.0433 * rgb[2];
+  const double g = 0.0691 * rgb[0] + 0.9195 * rgb[1] + 0.0114 * rgb[2];
+  const double b = 0.0164 * rgb[0] + 0.0880 * rgb[1] + 0.8956 * rgb[2];
+  const double l = EncodePQ((1688.0 * r + 2146.0 * g + 262.0 * b) / 4096.0);
+  const double m = EncodePQ((683.0 * r + 2951.0 * g + 462.0 * b) / 4096.0);
+  const double s = EncodePQ((99.0 * r + 309.0 * g + 3688.0 * b) / 4096.0);
+  return { 0.5 * (l + m), 0.5 * (6610.0 * l - 13613.0 * m + 7003.0 * s) / 4096.0,
+    (17933.0 * l - 17390.0 * m - 543.0 * s) / 4096.0 };
+}
+}
+
+//------------------------------------------------------------------------------
+Color ToRelativeXYZ(const Color& linear)
+{
+  const Color& white = GetWhite();
+  const Color xyz = Multiply(ToXYZ, linear);
+  return { xyz[0] / white[0], xyz[1] / white[1], xyz[2] / white[2] };
+}
+
+//------------------------------------------------------------------------------
+Color FromRelativeXYZ(const Color& xyz)
+{
+  const Color& white = GetWhite();
+  return Multiply(FromXYZ, { white[0] * xyz[0], white[1] * xyz[1], white[2] * xyz[2] });
+}
+
+//------------------------------------------------------------------------------
+Color ToLab(const Color& relativeXYZ)
+{
+  Color t = relativeXYZ;
+  for (double& value : t)
+  {
+    constexpr double delta = 6.0 / 29.0;
+    value =
+      value > delta * delta * delta ? std::cbrt(value) : value / (3.0 * delta * delta) + 4.0 / 29.0;
+  }
+  return { 116.0 * t[1] - 16.0, 500.0 * (t[0] - t[1]), 200.0 * (t[1] - t[2]) };
+}
+
+//------------------------------------------------------------------------------
+double GetDeltaE2000(const Color& lab1, const Color& lab2)
+{
+  // Grays' a* is stretched: a' = (1 + G) a*.
+  const double share =
+    GetChromaShare(0.5 * (std::hypot(lab1[1], lab1[2]) + std::hypot(lab2[1], lab2[2])));
+  const double stretch = 1.0 + 0.5 * (1.0 - std::sqrt(share));
+  const double c1 = std::hypot(stretch * lab1[1], lab1[2]);
+  const double c2 = std::hypot(stretch * lab2[1], lab2[2]);
+  const double h1 = GetHue(stretch * lab1[1], lab1[2]);
+  const double h2 = GetHue(stretch * lab2[1], lab2[2]);
+
+  // The shorter way round from hue 1 to hue 2, and the hue half-way; a gray has none of its own.
+  const bool gray = c1 * c2 == 0.0;
+  double turn = gray ? 0.0 : h2 - h1;
+  turn += turn > 180.0 ? -360.0 : turn < -180.0 ? 360.0 : 0.0;
+  double hue = h1 + h2;
+  if (!gray)
+  {
+    const bool around = std::abs(h1 - h2) > 180.0;
+    hue = 0.5 * (hue + (!around ? 0.0 : hue < 360.0 ? 360.0 : -360.0));
+  }
+
+  const double dL = lab2[0] - lab1[0];
+  const double dC = c2 - c1;
+  const double dH = 2.0 * std::sqrt(c1 * c2) * std::sin(0.5 * turn * Degree);
+  const double chroma = 0.5 * (c1 + c2);
+  const double t =
+    1.0 - 0.17 * std::cos((hue - 30.0) * Degree) + 0.24 * std::cos(2.0 * hue * Degree) +
+    0.32 * std::cos((3.0 * hue + 6.0) * Degree) - 0.20 * std::cos((4.0 * hue - 63.0) * Degree);
+  const double l50 = 0.5 * (lab1[0] + lab2[0]) - 50.0;
+  const double sL = 1.0 + 0.015 * l50 * l50 / std::sqrt(20.0 + l50 * l50);
+  const double sC = 1.0 + 0.045 * chroma;
+  const double sH = 1.0 + 0.015 * chroma * t;
+  // Blues: chroma and hue are turned against each other.
+  const double bump = (hue - 275.0) / 25.0;
+  const double rotation =
+    -2.0 * std::sqrt(GetChromaShare(chroma)) * std::sin(60.0 * std::exp(-bump * bump) * Degree);
+  const double l = dL / sL;
+  const double c = dC / sC;
+  const double h = dH / sH;
+  return std::sqrt(std::max(l * l + c * c + h * h + rotation * c * h, 0.0));
+}
+
+//------------------------------------------------------------------------------
+double GetDeltaEITP(const Color& linear1, const Color& linear2)
+{
+  const Color a = ToITP(linear1);
+  const Color b = ToITP(linear2);
+  return 720.0 * std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+} // namespace measuredbrdf

@@ -1,0 +1,350 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRadianceMetrics.h"
+
+#include "ColorDifference.h"
+#include "Flip.h"
+#include "SRGB.h"
+#include "StructuralSimilarity.h"
+
+#include "vtkCommand.h"
+#include "vtkDataArray.h"
+#include "vtkEnvironment.h"
+#include "vtkObjectFactory.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+using namespace measuredbrdf;
+
+vtkStandardNewMacro(vtkRadianceMetrics);
+
+namespace
+{
+constexpr double ReferenceLuminance = 100.0; // cd/m2
+constexpr double RelMSEFloor = 0.01;         // of the squared mean
+
+//------------------------------------------------------------------------------
+// Sorts the values. share in [0,1]; linear between neighbors.
+double GetPercentile(std::vector<double>& values, double share)
+{
+  if (values.empty())
+  {
+    return 0.0;
+  }
+  std::sort(values.begin(), values.end());
+  const double at = share * static_cast<double>(values.size() - 1);
+  const auto k = static_cast<std::size_t>(at);
+  const double next = values[std::min(k + 1, values.size() - 1)];
+  return values[k] + (at - static_cast<double>(k)) * (next - values[k]);
+}
+
+//------------------------------------------------------------------------------
+Color GetColor(const std::vector<double>& rgb, std::size_t k, double scale = 1.0)
+{
+  return { scale * rgb[3 * k], scale * rgb[3 * k + 1], scale * rgb[3 * k + 2] };
+}
+
+//------------------------------------------------------------------------------
+// Two pictures and where they count.
+struct Pictures
+{
+  int Width;
+  int Height;
+  std::vector<double> Picture;   // RGB, black where nothing is covered
+  std::vector<double> Reference; // the same
+  std::vector<std::size_t> Covered;
+
+  /// The same with every value mapped.
+  template <typename Map>
+  Pictures Apply(Map map) const
+  {
+    Pictures mapped = *this;
+    std::transform(mapped.Picture.begin(), mapped.Picture.end(), mapped.Picture.begin(), map);
+    std::transform(mapped.Reference.begin(), mapped.Reference.end(), mapped.Reference.begin(), map);
+    return mapped;
+  }
+
+  double GetCoveredMean(const std::vector<double>& values) const
+  {
+    double sum = 0.0;
+    for (const std::size_t k : this->Covered)
+    {
+      sum += values[k];
+    }
+    return sum / static_cast<double>(this->Covered.size());
+  }
+
+  std::vector<double> GetFlip() const
+  {
+    return ComputeFlip(this->Width, this->Height, this->Picture, this->Reference);
+  }
+};
+
+//------------------------------------------------------------------------------
+Pictures MakePictures(
+  int width, int height, vtkDataArray* radiance, vtkDataArray* reference, vtkDataArray* coverage)
+{
+  Pictures pictures{ width, height, {}, {}, {} };
+  for (vtkIdType k = 0; k < reference->GetNumberOfTuples(); ++k)
+  {
+    const bool covered = !coverage || coverage->GetComponent(k, 0) != 0.0;
+    for (int c = 0; c < 3; ++c)
+    {
+      pictures.Picture.push_back(covered ? radiance->GetComponent(k, c) : 0.0);
+      pictures.Reference.push_back(covered ? reference->GetComponent(k, c) : 0.0);
+    }
+    if (covered)
+    {
+      pictures.Covered.push_back(static_cast<std::size_t>(k));
+    }
+  }
+  return pictures;
+}
+
+//------------------------------------------------------------------------------
+double GetMeanSimilarity(const Pictures& encoded)
+{
+  const auto toLuma = [&](const std::vector<double>& rgb)
+  {
+    Plane plane{ encoded.Width, encoded.Height, {} };
+    for (std::size_t k = 0; k < rgb.size(); k += 3)
+    {
+      plane.Values.push_back(vtkEnvironment::GetLuminance(&rgb[k]));
+    }
+    return plane;
+  };
+  const Plane similarity = ComputeSimilarity(toLuma(encoded.Picture), toLuma(encoded.Reference));
+  const auto isInside = [](int at, int size)
+  { return at >= SimilarityRadius && at < size - SimilarityRadius; };
+  double sum = 0.0;
+  double count = 0.0;
+  for (const std::size_t k : encoded.Covered)
+  {
+    const int x = static_cast<int>(k) % encoded.Width;
+    const int y = static_cast<int>(k) / encoded.Width;
+    if (isInside(x, encoded.Width) && isInside(y, encoded.Height))
+    {
+      sum += similarity.Values[k];
+      count += 1.0;
+    }
+  }
+  return count > 0.0 ? sum / count : std::numeric_limits<double>::quiet_NaN();
+}
+
+//------------------------------------------------------------------------------
+double GetMeanDeltaE2000(const Pictures& linear)
+{
+  double sum = 0.0;
+  for (const std::size_t k : linear.Covered)
+  {
+    sum += GetDeltaE2000(ToLab(ToRelativeXYZ(GetColor(linear.Picture, k))),
+      ToLab(ToRelativeXYZ(GetColor(linear.Reference, k))));
+  }
+  return sum / static_cast<double>(linear.Covered.size());
+}
+}
+
+//------------------------------------------------------------------------------
+bool vtkRadianceMetrics::Check(vtkDataArray* radiance, vtkDataArray* reference)
+{
+  for (vtkDataArray* array : { radiance, reference })
+  {
+    if (!array || array->GetNumberOfComponents() != 3 || array->GetNumberOfTuples() < 1)
+    {
+      vtkErrorMacro("Radiance and reference need 3 components and a tuple at least.");
+      return false;
+    }
+    for (vtkIdType k = 0; k < 3 * array->GetNumberOfTuples(); ++k)
+    {
+      const double value = array->GetComponent(k / 3, static_cast<int>(k % 3));
+      if (!std::isfinite(value) || value < 0.0)
+      {
+        vtkErrorMacro("The " << (array == reference ? "reference" : "radiance") << " is " << value
+                             << " at tuple " << k / 3 << ", which is negative or not finite.");
+        return false;
+      }
+    }
+  }
+  if (radiance->GetNumberOfTuples() != reference->GetNumberOfTuples())
+  {
+    vtkErrorMacro("The radiance has " << radiance->GetNumberOfTuples() << " tuples, its reference "
+                                      << reference->GetNumberOfTuples() << ".");
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRadianceMetrics::Compare(vtkDataArray* radiance, vtkDataArray* reference)
+{
+  if (!this->Check(radiance, reference))
+  {
+    return false;
+  }
+  const vtkIdType count = reference->GetNumberOfTuples();
+  double total = 0.0;
+  double luminance = 0.0;
+  double difference = 0.0;
+  double squares = 0.0;
+  double symmetric = 0.0;
+  std::vector<double> relative;
+  double x[3];
+  double r[3];
+  for (vtkIdType k = 0; k < count; ++k)
+  {
+    radiance->GetTuple(k, x);
+    reference->GetTuple(k, r);
+    double pixel = 0.0;
+    for (int c = 0; c < 3; ++c)
+    {
+      const double d = std::abs(x[c] - r[c]);
+      pixel += d;
+      squares += d * d;
+      symmetric += d > 0.0 ? d / (x[c] + r[c]) : 0.0;
+    }
+    const double sum = r[0] + r[1] + r[2];
+    total += sum;
+    difference += pixel;
+    luminance += vtkEnvironment::GetLuminance(r);
+    if (sum > 0.0)
+    {
+      relative.push_back(pixel / sum);
+    }
+  }
+  if (!(total > 0.0))
+  {
+    vtkErrorMacro("The reference is black: no error is relative to it.");
+    return false;
+  }
+  const double values = 3.0 * static_cast<double>(count);
+  const double scale = ReferenceLuminance * static_cast<double>(count) / luminance;
+  const double floor = RelMSEFloor * total * total / (values * values);
+  double deltaE = 0.0;
+  double relativeSquares = 0.0;
+  for (vtkIdType k = 0; k < count; ++k)
+  {
+    radiance->GetTuple(k, x);
+    reference->GetTuple(k, r);
+    deltaE += measuredbrdf::GetDeltaEITP(
+      { scale * x[0], scale * x[1], scale * x[2] }, { scale * r[0], scale * r[1], scale * r[2] });
+    for (int c = 0; c < 3; ++c)
+    {
+      const double d = x[c] - r[c];
+      relativeSquares += d * d / (r[c] * r[c] + floor);
+    }
+  }
+  this->RelativeL1 = difference / total;
+  this->RelativeRMSE = std::sqrt(squares / values) * values / total;
+  this->RelMSE = relativeSquares / values;
+  this->MedianRelative = GetPercentile(relative, 0.5);
+  this->P99Relative = GetPercentile(relative, 0.99);
+  this->SMAPE = symmetric / values;
+  this->DeltaEITP = deltaE / static_cast<double>(count);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRadianceMetrics::ComparePictures(
+  int width, int height, vtkDataArray* radiance, vtkDataArray* reference, vtkDataArray* coverage)
+{
+  if (!this->Check(radiance, reference))
+  {
+    return false;
+  }
+  const vtkIdType count = reference->GetNumberOfTuples();
+  if (width < 1 || height < 1 || static_cast<vtkIdType>(width) * height != count ||
+      (coverage &&
+        (coverage->GetNumberOfTuples() != count || coverage->GetNumberOfComponents() != 1)))
+  {
+    vtkErrorMacro("Pictures of " << width << " x " << height
+                                 << " pixels need as many tuples, and one component of coverage; "
+                                 << count << " tuples were given.");
+    return false;
+  }
+  this->Abort = false;
+  const Pictures pictures = MakePictures(width, height, radiance, reference, coverage);
+  std::vector<double> channels;
+  std::vector<double> luminances;
+  for (const std::size_t k : pictures.Covered)
+  {
+    const Color color = GetColor(pictures.Reference, k);
+    channels.insert(channels.end(), color.begin(), color.end());
+    luminances.push_back(vtkEnvironment::GetLuminance(color.data()));
+  }
+  const double white = GetPercentile(channels, 0.99);
+  if (!(white > 0.0))
+  {
+    vtkErrorMacro("The reference is black: nothing to set the exposure by.");
+    return false;
+  }
+  const Pictures encoded = pictures.Apply(
+    [white](double value) { return std::pow(std::min(value / white, 1.0), 1.0 / 2.2); });
+  const Pictures displayed = encoded.Apply(DecodeSRGB);
+  const double flip = displayed.GetCoveredMean(displayed.GetFlip());
+
+  const std::vector<double> exposures = FindExposures(std::move(luminances));
+  std::vector<double> largest(static_cast<std::size_t>(reference->GetNumberOfTuples()), 0.0);
+  for (std::size_t step = 0; step < exposures.size(); ++step)
+  {
+    if (!this->ReportProgress(static_cast<double>(step + 1) / (exposures.size() + 1.0)))
+    {
+      return false;
+    }
+    const double exposure = exposures[step];
+    const std::vector<double> exposed =
+      pictures.Apply([exposure](double value) { return ToneMapACES(exposure * value); }).GetFlip();
+    for (std::size_t k = 0; k < largest.size(); ++k)
+    {
+      largest[k] = std::max(largest[k], exposed[k]);
+    }
+  }
+  if (!this->ReportProgress(1.0))
+  {
+    return false;
+  }
+  this->FLIP = flip;
+  this->HDRFLIP = pictures.GetCoveredMean(largest);
+  this->SSIM = GetMeanSimilarity(encoded);
+  this->DeltaE2000 = GetMeanDeltaE2000(displayed);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRadianceMetrics::ReportProgress(double share)
+{
+  this->InvokeEvent(vtkCommand::ProgressEvent, &share);
+  if (this->Abort)
+  {
+    vtkErrorMacro("ComparePictures was aborted.");
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+double vtkRadianceMetrics::ComputeDeltaE2000(const double lab1[3], const double lab2[3])
+{
+  return measuredbrdf::GetDeltaE2000({ lab1[0], lab1[1], lab1[2] }, { lab2[0], lab2[1], lab2[2] });
+}
+
+//------------------------------------------------------------------------------
+void vtkRadianceMetrics::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "RelativeL1: " << this->RelativeL1 << "\n";
+  os << indent << "RelativeRMSE: " << this->RelativeRMSE << "\n";
+  os << indent << "RelMSE: " << this->RelMSE << "\n";
+  os << indent << "MedianRelative: " << this->MedianRelative << "\n";
+  os << indent << "P99Relative: " << this->P99Relative << "\n";
+  os << indent << "SMAPE: " << this->SMAPE << "\n";
+  os << indent << "DeltaEITP: " << this->DeltaEITP << "\n";
+  os << indent << "FLIP: " << this->FLIP << "\n";
+  os << indent << "HDRFLIP: " << this->HDRFLIP << "\n";
+  os << indent << "SSIM: " << this->SSIM << "\n";
+  os << indent << "DeltaE2000: " << this->DeltaE2000 << "\n";
+}

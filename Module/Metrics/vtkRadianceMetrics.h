@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkRadianceMetrics
+ * @brief   how far radiance is from a reference: relative errors and what a person would see of
+ * them
+ *
+ * For linear RGB radiance x of pixels (or pairs) and the reference r of the same pixels, both
+ * finite and not negative. Relative errors are shares: 0.02 is 2 %.
+ */
+
+#ifndef vtkRadianceMetrics_h
+#define vtkRadianceMetrics_h
+
+#include "vtkMeasuredBRDFModule.h" // for export macro
+#include "vtkObject.h"
+
+#include <atomic> // for Abort
+
+class vtkDataArray;
+
+class VTKMEASUREDBRDF_EXPORT vtkRadianceMetrics : public vtkObject
+{
+public:
+  static vtkRadianceMetrics* New();
+  vtkTypeMacro(vtkRadianceMetrics, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * Compare radiance with a reference, 3 components each, one tuple a pixel. Returns false with an
+   * error event, the figures unchanged, where they do not match, hold values that are negative or
+   * not finite, or the reference is black.
+   */
+  bool Compare(vtkDataArray* radiance, vtkDataArray* reference);
+
+  /**
+   * FLIP, HDRFLIP, SSIM and DeltaE2000 of two pictures of width x height pixels, rows one after the
+   * other, where coverage (one component, null: everywhere) is not 0. Elsewhere both are taken as
+   * black. Refusals as above; also false, the figures unchanged, where it was aborted. Raises
+   * ProgressEvent (calldata: double*).
+   */
+  bool ComparePictures(int width, int height, vtkDataArray* radiance, vtkDataArray* reference,
+    vtkDataArray* coverage = nullptr);
+
+  ///@{
+  /**
+   * Set from an observer or another thread to stop a running ComparePictures, which starts with it
+   * cleared.
+   */
+  void SetAbort(bool abort) { this->Abort = abort; }
+  bool GetAbort() { return this->Abort; }
+  ///@}
+
+  ///@{
+  /**
+   * mean |x - r| / mean r and sqrt(mean (x - r)^2) / mean r, over pixels and channels.
+   */
+  vtkGetMacro(RelativeL1, double);
+  vtkGetMacro(RelativeRMSE, double);
+  ///@}
+
+  /**
+   * Mean of (x - r)^2 / (r^2 + e) over pixels and channels, e = 0.01 (mean r)^2 (Rousselle et al.
+   * 2011, whose 0.01 is for pictures of a mean about 1).
+   */
+  vtkGetMacro(RelMSE, double);
+
+  ///@{
+  /**
+   * Median and 99th percentile (linear between neighbors) of the pixels' sum over channels of
+   * |x - r| over that of r; pixels with a black reference are left out.
+   */
+  vtkGetMacro(MedianRelative, double);
+  vtkGetMacro(P99Relative, double);
+  ///@}
+
+  /**
+   * Mean of |x - r| / (x + r) over pixels and channels, 0 where both are black; in [0,1].
+   */
+  vtkGetMacro(SMAPE, double);
+
+  /**
+   * Mean of the pixels' color difference Delta E ITP (ITU-R BT.2124), 1 about what can just be
+   * told apart, with radiance scaled so that the reference's mean luminance is 100 cd/m2.
+   */
+  vtkGetMacro(DeltaEITP, double);
+
+  /**
+   * Mean FLIP (Andersson et al. 2020) of the covered pixels, in [0,1], of the last ComparePictures:
+   * 67 pixels a degree, tone mapped by x^(1/2.2) with the 99th percentile of the covered
+   * reference's channels at 1.
+   */
+  vtkGetMacro(FLIP, double);
+
+  /**
+   * Mean HDR-FLIP (Andersson et al. 2021) of the covered pixels, in [0,1], of the last
+   * ComparePictures: each pixel's largest FLIP over exposures about a stop apart, from that which
+   * shows the covered reference's brightest pixel to that which shows its median (taken as 2^-23 of
+   * the brightest where it is darker), tone mapped by the ACES curve.
+   */
+  vtkGetMacro(HDRFLIP, double);
+
+  /**
+   * Mean structural similarity (Wang et al. 2004) of the last ComparePictures, in [-1,1], 1 where
+   * both are alike: of the luma (Rec. 709) of the pictures that FLIP sees, 11 x 11 Gaussian windows
+   * about covered pixels 5 or more from the border; NaN where there is none.
+   */
+  vtkGetMacro(SSIM, double);
+
+  /**
+   * Mean CIEDE2000 color difference of the covered pixels of the last ComparePictures, 1 about
+   * what can just be told apart: of the pictures that FLIP sees, on an sRGB display.
+   */
+  vtkGetMacro(DeltaE2000, double);
+
+  /**
+   * CIEDE2000 difference of two CIELAB colors (Sharma, Wu, Dalal 2005).
+   */
+  static double ComputeDeltaE2000(const double lab1[3], const double lab2[3]);
+
+protected:
+  vtkRadianceMetrics() = default;
+  ~vtkRadianceMetrics() override = default;
+
+  double RelativeL1 = 0.0;
+  double RelativeRMSE = 0.0;
+  double RelMSE = 0.0;
+  double MedianRelative = 0.0;
+  double P99Relative = 0.0;
+  double SMAPE = 0.0;
+  double DeltaEITP = 0.0;
+  double FLIP = 0.0;
+  double HDRFLIP = 0.0;
+  double SSIM = 0.0;
+  double DeltaE2000 = 0.0;
+  std::atomic<bool> Abort{ false };
+
+private:
+  vtkRadianceMetrics(const vtkRadianceMetrics&) = delete;
+  void operator=(const vtkRadianceMetrics&) = delete;
+
+  bool Check(vtkDataArray* radiance, vtkDataArray* reference);
+  bool ReportProgress(double share);
+};
+
+#endif

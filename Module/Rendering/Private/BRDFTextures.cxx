@@ -1,0 +1,258 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BRDFTextures.h"
+
+#include "ShaderTest.h"
+#include "vtkBRDF.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkRadianceIntegrator.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+#include <exception>
+#include <map>
+#include <mutex>
+#include <tuple>
+
+namespace measuredbrdf
+{
+namespace
+{
+// From the OpenGL registry: VTK 9.1 and 9.4 bring them by different headers.
+constexpr unsigned int R16F = 0x822D;
+constexpr unsigned int RGB16F = 0x881B;
+constexpr unsigned int RGBA16F = 0x881A;
+
+std::string Instance(std::size_t term) { return std::to_string(term); }
+
+bool IsLost(vtkTextureObject* texture, vtkOpenGLRenderWindow* window)
+{
+  return texture->GetHandle() == 0 || texture->GetContext() != window;
+}
+
+std::vector<float> Pad(const std::vector<float>& triples)
+{
+  std::vector<float> padded;
+  padded.reserve(triples.size() / 3 * 4);
+  for (std::size_t k = 0; k + 2 < triples.size(); k += 3)
+  {
+    padded.insert(padded.end(), { triples[k], triples[k + 1], triples[k + 2], 1.0f });
+  }
+  return padded;
+}
+
+vtkSmartPointer<vtkTextureObject> Upload(
+  vtkBRDFShaderInputs::Texture& texture, vtkOpenGLRenderWindow* window, std::string& problem)
+{
+  const int limit = texture.ThreeD ? vtkTextureObject::GetMaximumTextureSize3D(window)
+                                   : vtkTextureObject::GetMaximumTextureSize(window);
+  if (*std::max_element(texture.Dimensions.begin(), texture.Dimensions.end()) > limit)
+  {
+    problem = texture.Name + " is larger than this graphics card's limit of " +
+              std::to_string(limit) + " texels a side";
+    return nullptr;
+  }
+  const auto wrap = [&texture](int axis)
+  { return texture.Repeat[axis] ? vtkTextureObject::Repeat : vtkTextureObject::ClampToEdge; };
+  auto result = vtkSmartPointer<vtkTextureObject>::New();
+  result->SetContext(window);
+  result->SetMinificationFilter(vtkTextureObject::Linear);
+  result->SetMagnificationFilter(vtkTextureObject::Linear);
+  result->SetWrapS(wrap(0));
+  result->SetWrapT(wrap(1));
+  result->SetWrapR(wrap(2));
+  if (texture.HalfFloat)
+  {
+    result->SetInternalFormat(
+      texture.Components == 1 ? R16F : (texture.Components == 3 ? RGB16F : RGBA16F));
+  }
+  const unsigned int width = static_cast<unsigned int>(texture.Dimensions[0]);
+  const unsigned int height = static_cast<unsigned int>(texture.Dimensions[1]);
+  const unsigned int depth = static_cast<unsigned int>(texture.Dimensions[2]);
+  const int components = texture.IsPadded() ? 4 : texture.Components;
+  std::vector<float> padded;
+  if (texture.IsPadded())
+  {
+    padded = Pad(texture.Data);
+  }
+  float* data = texture.IsPadded() ? padded.data() : texture.Data.data();
+  const bool created =
+    texture.ThreeD ? result->Create3DFromRaw(width, height, depth, components, VTK_FLOAT, data)
+                   : result->Create2DFromRaw(width, height, components, VTK_FLOAT, data);
+  if (!created)
+  {
+    problem = texture.Name + " could not be uploaded";
+    return nullptr;
+  }
+  return result;
+}
+
+// What was uploaded for a source in a window, for as long as somebody holds it.
+template <typename Source>
+std::shared_ptr<FormTextures> FindShared(
+  Source* source, bool softLights, vtkOpenGLRenderWindow* window)
+{
+  using Key = std::tuple<Source*, bool, vtkOpenGLRenderWindow*>;
+  static std::map<Key, std::weak_ptr<FormTextures>> shared;
+  static std::mutex mutex; // windows may be drawn by different threads
+  const std::lock_guard<std::mutex> lock(mutex);
+  const Key key(source, softLights, window);
+  const auto known = shared.find(key);
+  std::shared_ptr<FormTextures> found = known == shared.end() ? nullptr : known->second.lock();
+  if (!found)
+  {
+    for (auto it = shared.begin(); it != shared.end();) // not for each of many actors
+    {
+      it = it->second.expired() ? shared.erase(it) : std::next(it);
+    }
+    found = std::make_shared<FormTextures>(softLights);
+    shared[key] = found;
+  }
+  return found;
+}
+}
+
+std::shared_ptr<FormTextures> FormTextures::Find(
+  vtkBRDF* brdf, bool softLights, vtkOpenGLRenderWindow* window)
+{
+  return FindShared(brdf, softLights, window);
+}
+
+std::shared_ptr<FormTextures> FormTextures::Find(
+  vtkRadianceIntegrator* integrator, vtkOpenGLRenderWindow* window)
+{
+  return FindShared(integrator, false, window);
+}
+
+bool FormTextures::IsCurrent(vtkMTimeType time, vtkOpenGLRenderWindow* window) const
+{
+  return this->Window == window && this->Time >= time &&
+         std::none_of(this->Textures.begin(), this->Textures.end(),
+           [window](const Uploaded& uploaded) { return IsLost(uploaded.Texture, window); });
+}
+
+template <typename Make>
+std::string FormTextures::UpdateAt(
+  vtkMTimeType time, vtkOpenGLRenderWindow* window, const Make& makeForm)
+{
+  if (this->IsCurrent(time, window))
+  {
+    return "";
+  }
+  if (time <= this->FailureTime)
+  {
+    return this->Failure;
+  }
+  try
+  {
+    vtkBRDFShaderInputs form;
+    form.SoftLights = this->SoftLights;
+    this->Failure = makeForm(form);
+    if (this->Failure.empty())
+    {
+      this->Failure = this->Upload(std::move(form), time, window);
+    }
+    if (this->Failure.empty())
+    {
+      return "";
+    }
+  }
+  catch (const std::exception& e) // no memory, say
+  {
+    this->Failure = e.what();
+  }
+  this->FailureTime = time;
+  return this->Failure;
+}
+
+std::string FormTextures::Update(vtkBRDF* brdf, vtkOpenGLRenderWindow* window)
+{
+  return this->UpdateAt(brdf->GetMTime(), window,
+    [brdf](vtkBRDFShaderInputs& form)
+    {
+      brdf->GetShaderInputs(form);
+      return TestShaders(form, TermKind::Material);
+    });
+}
+
+std::string FormTextures::Update(vtkRadianceIntegrator* integrator, vtkOpenGLRenderWindow* window)
+{
+  return this->UpdateAt(integrator->GetInputsMTime(), window,
+    [integrator](vtkBRDFShaderInputs& form)
+    {
+      return integrator->GetShaderInputs(form) // which says why
+               ? TestShaders(form, TermKind::Integrator)
+               : std::string(integrator->GetClassName()) + " has nothing to draw with";
+    });
+}
+
+std::string FormTextures::Upload(
+  vtkBRDFShaderInputs form, vtkMTimeType time, vtkOpenGLRenderWindow* window)
+{
+  std::vector<Uploaded> textures;
+  for (std::size_t term = 0; term < form.Terms.size(); ++term)
+  {
+    for (vtkBRDFShaderInputs::Texture& texture : form.Terms[term].Textures)
+    {
+      std::string problem;
+      vtkSmartPointer<vtkTextureObject> uploaded = measuredbrdf::Upload(texture, window, problem);
+      if (!uploaded)
+      {
+        return problem;
+      }
+      textures.push_back({ texture.Name + Instance(term), uploaded });
+    }
+  }
+  this->Bytes = form.GetTextureBytes();
+  for (vtkBRDFShaderInputs::Term& term : form.Terms)
+  {
+    term.Textures.clear();
+  }
+  this->Form = std::move(form);
+  this->Textures = std::move(textures);
+  this->Time = time;
+  this->Window = window;
+  return "";
+}
+
+void FormTextures::Activate()
+{
+  for (const Uploaded& uploaded : this->Textures)
+  {
+    uploaded.Texture->Activate();
+  }
+}
+
+void FormTextures::Deactivate()
+{
+  for (const Uploaded& uploaded : this->Textures)
+  {
+    uploaded.Texture->Deactivate();
+  }
+}
+
+void FormTextures::SetUniforms(vtkShaderProgram* program) const
+{
+  for (const Uploaded& uploaded : this->Textures)
+  {
+    program->SetUniformi(uploaded.Sampler.c_str(), uploaded.Texture->GetTextureUnit());
+  }
+  for (std::size_t term = 0; term < this->Form.Terms.size(); ++term)
+  {
+    for (const vtkBRDFShaderInputs::Uniform& uniform : this->Form.Terms[term].Uniforms)
+    {
+      const std::string name = uniform.Name + Instance(term);
+      if (uniform.Values.size() == 1)
+      {
+        program->SetUniformf(name.c_str(), uniform.Values[0]);
+      }
+      else
+      {
+        program->SetUniform3f(name.c_str(), uniform.Values.data());
+      }
+    }
+  }
+}
+
+} // namespace measuredbrdf

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The shader inputs of BRDFs and integrators on one window's GPU. Private to the rendering room.
+ */
+
+#ifndef BRDFTextures_h
+#define BRDFTextures_h
+
+#include "vtkBRDFShaderInputs.h"
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkBRDF;
+class vtkOpenGLRenderWindow;
+class vtkRadianceIntegrator;
+class vtkShaderProgram;
+class vtkTextureObject;
+
+namespace measuredbrdf
+{
+/// A shader inputs, uploaded. Shared by all mappers that use the same source in a window.
+class FormTextures
+{
+public:
+  explicit FormTextures(bool softLights)
+    : SoftLights(softLights)
+  {
+  }
+
+  ///@{
+  /// The shared object for this source and window; empty when new: Update fills it. softLights:
+  /// with what they need of the material.
+  static std::shared_ptr<FormTextures> Find(
+    vtkBRDF* brdf, bool softLights, vtkOpenGLRenderWindow* window);
+  static std::shared_ptr<FormTextures> Find(
+    vtkRadianceIntegrator* integrator, vtkOpenGLRenderWindow* window);
+  ///@}
+
+  ///@{
+  /// Upload if the source changed or the window lost the textures. Returns what went wrong, or "";
+  /// what was uploaded before then stays.
+  std::string Update(vtkBRDF* brdf, vtkOpenGLRenderWindow* window);
+  std::string Update(vtkRadianceIntegrator* integrator, vtkOpenGLRenderWindow* window);
+  ///@}
+
+  void Activate();
+  void Deactivate();
+  void SetUniforms(vtkShaderProgram* program) const;
+
+  const vtkBRDFShaderInputs& GetForm() const { return this->Form; }
+  std::size_t GetBytes() const { return this->Bytes; }
+  std::size_t GetNumberOfSamplers() const { return this->Textures.size(); }
+
+private:
+  /// The source's form, uploaded; what it can't make is not asked for again until it changes.
+  template <typename Make>
+  std::string UpdateAt(vtkMTimeType time, vtkOpenGLRenderWindow* window, const Make& makeForm);
+
+  struct Uploaded
+  {
+    std::string Sampler;
+    vtkSmartPointer<vtkTextureObject> Texture;
+  };
+
+  bool IsCurrent(vtkMTimeType time, vtkOpenGLRenderWindow* window) const;
+  std::string Upload(vtkBRDFShaderInputs form, vtkMTimeType time, vtkOpenGLRenderWindow* window);
+
+  bool SoftLights;     // what the form is asked for
+  vtkBRDFShaderInputs Form; // without the textures' data once they are uploaded
+  std::vector<Uploaded> Textures;
+  std::size_t Bytes = 0;
+  vtkMTimeType Time = 0;
+  vtkMTimeType FailureTime = 0; // of inputs that a source refused, or had no memory for
+  std::string Failure;
+  vtkOpenGLRenderWindow* Window = nullptr;
+};
+} // namespace measuredbrdf
+
+#endif

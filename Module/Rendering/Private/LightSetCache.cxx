@@ -1,0 +1,336 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LightSetCache.h"
+
+#include "ContentHash.h"
+#include "PlanCache.h"
+#include "SharedObjects.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkBRDF.h"
+#include "vtkCommand.h"
+#include "vtkEnvironment.h"
+#include "vtkEnvironmentProjection.h"
+#include "vtkImageData.h"
+#include "vtkImportanceLightSetGenerator.h"
+#include "vtkLightSet.h"
+#include "vtkLightSetRadianceIntegrator.h"
+#include "vtkMeasuredBRDFMapper.h"
+#include "vtkMedianCutLightSetGenerator.h"
+#include "vtkNew.h"
+#include "vtkTexture.h"
+#include "vtkVarianceLightSetGenerator.h"
+#include "vtkVersionMacros.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <map>
+#include <mutex>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace measuredbrdf
+{
+namespace
+{
+constexpr std::size_t MostRefused = 64; // textures that are remembered
+
+// An environment's errors, taken off its hands: the mapper says them.
+class TakenError
+{
+public:
+  explicit TakenError(vtkEnvironment* source)
+    : Source(source)
+    , Tag(source->AddObserver(vtkCommand::ErrorEvent, this, &TakenError::Take))
+  {
+  }
+  ~TakenError() { this->Source->RemoveObserver(this->Tag); }
+  TakenError(const TakenError&) = delete;
+  void operator=(const TakenError&) = delete;
+
+  // Without the place in the source and the function's name.
+  std::string GetText() const
+  {
+    const std::size_t name = this->Text.find("SetImage: ");
+    const std::size_t begin = name == std::string::npos ? 0 : name + 10;
+    return this->Text.substr(begin, this->Text.find_last_not_of(" \n") + 1 - begin);
+  }
+
+private:
+  void Take(vtkObject*, unsigned long, void* text)
+  {
+    this->Text = text ? static_cast<const char*>(text) : "";
+  }
+
+  vtkSmartPointer<vtkEnvironment> Source;
+  unsigned long Tag;
+  std::string Text;
+};
+
+// The image at one of the texture's inputs, brought up to date; null where there is none.
+vtkImageData* UpdateInput(vtkTexture* texture, int port)
+{
+  if (port >= texture->GetNumberOfInputPorts() || texture->GetNumberOfInputConnections(port) == 0)
+  {
+    return nullptr;
+  }
+  vtkAlgorithm* source = texture->GetInputAlgorithm(port, 0);
+  if (source)
+  {
+    source->Update();
+  }
+  auto* image = vtkImageData::SafeDownCast(texture->GetInputDataObject(port, 0));
+  return image && image->GetNumberOfPoints() > 0 ? image : nullptr;
+}
+
+// A cube map's face as RGB with row 0 at the bottom: VTK's cube maps begin with the top row. Empty
+// where it can't be taken.
+std::vector<float> TakeFace(vtkImageData* image, bool sRGB)
+{
+  vtkNew<vtkEnvironment> face;
+  if (!face->SetImage(image, sRGB) || face->GetWidth() != face->GetHeight())
+  {
+    return {};
+  }
+  std::vector<float> pixels = face->GetPixels();
+  const std::ptrdiff_t row = 3 * static_cast<std::ptrdiff_t>(face->GetWidth());
+  for (auto low = pixels.begin(), high = pixels.end() - row; low < high; low += row, high -= row)
+  {
+    std::swap_ranges(low, low + row, high);
+  }
+  return pixels;
+}
+
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 2, 0)
+// z -> -z turns the azimuth's sign: the columns change sides.
+void MirrorInZ(vtkEnvironment* environment)
+{
+  std::vector<float> pixels = environment->GetPixels();
+  const int width = environment->GetWidth();
+  for (int y = 0; y < environment->GetHeight(); ++y)
+  {
+    float* row = &pixels[3 * static_cast<std::size_t>(y) * static_cast<std::size_t>(width)];
+    for (int x = 0; x < width / 2; ++x)
+    {
+      std::swap_ranges(row + 3 * x, row + 3 * x + 3, row + 3 * (width - 1 - x));
+    }
+  }
+  environment->SetPixels(width, environment->GetHeight(), std::move(pixels));
+}
+#endif
+
+using EnvironmentKey = std::tuple<std::vector<vtkImageData*>, std::vector<vtkMTimeType>, bool>;
+using Environments = SharedObjects<EnvironmentKey, vtkEnvironment>;
+Environments& GetEnvironments()
+{
+  static Environments& environments = *new Environments;
+  return environments;
+}
+
+using LightSets =
+  SharedObjects<std::tuple<vtkEnvironment*, vtkMTimeType, int, int, unsigned int>, vtkLightSet>;
+LightSets& GetLightSets()
+{
+  static LightSets& lightSets = *new LightSets;
+  return lightSets;
+}
+
+// Lights' modification times do not count: the integrator looks at them.
+using LightLoops = SharedObjects<std::tuple<vtkBRDF*, vtkLightSet*, bool>, vtkLightSetRadianceIntegrator>;
+LightLoops& GetLightLoops()
+{
+  static LightLoops& loops = *new LightLoops;
+  return loops;
+}
+
+// Converting large cube maps takes seconds: the lat-long pixels are kept on disk beside the plans.
+constexpr int SmallestKeptFace = 256;
+constexpr std::uint64_t LargestCache = 512ull << 20; // as vtkRadiancePlanner's default
+
+std::string GetCubeKey(int side, const std::vector<std::vector<float>>& faces)
+{
+  ContentHash hash;
+  const std::string version =
+    "cube map, VTK " + std::to_string(VTK_VERSION_NUMBER) + " " + GetPlanVersion();
+  hash.Add(version.data(), version.size());
+  hash.AddValue(side);
+  for (const std::vector<float>& face : faces)
+  {
+    hash.AddValues(face);
+  }
+  return hash.GetText();
+}
+
+// Width and height, then the pixels.
+bool ReadPixels(const std::string& folder, const std::string& key, vtkEnvironment* environment)
+{
+  std::string contents;
+  int size[2] = { 0, 0 };
+  if (!ReadCache(folder, key, contents) || contents.size() < sizeof(size))
+  {
+    return false;
+  }
+  std::memcpy(size, contents.data(), sizeof(size));
+  const std::size_t bytes = contents.size() - sizeof(size);
+  std::vector<float> pixels(bytes / sizeof(float));
+  const bool fits = size[0] > 0 && size[1] > 0 &&
+                    bytes == 3 * sizeof(float) * static_cast<std::size_t>(size[0]) *
+                               static_cast<std::size_t>(size[1]);
+  if (fits)
+  {
+    std::memcpy(pixels.data(), contents.data() + sizeof(size), bytes);
+  }
+  return fits && environment->SetPixels(size[0], size[1], std::move(pixels));
+}
+
+void WritePixels(const std::string& folder, const std::string& key, vtkEnvironment* environment)
+{
+  const int size[2] = { environment->GetWidth(), environment->GetHeight() };
+  std::string contents(reinterpret_cast<const char*>(size), sizeof(size));
+  const std::vector<float>& pixels = environment->GetPixels();
+  contents.append(reinterpret_cast<const char*>(pixels.data()), pixels.size() * sizeof(float));
+  WriteCache(folder, key, contents, LargestCache);
+}
+
+vtkSmartPointer<vtkEnvironment> MakeFromCube(const std::vector<vtkImageData*>& images, bool sRGB)
+{
+  std::vector<std::vector<float>> faces;
+  for (vtkImageData* image : images)
+  {
+    faces.push_back(TakeFace(image, sRGB));
+    if (faces.back().empty() || faces.back().size() != faces.front().size())
+    {
+      return nullptr;
+    }
+  }
+  auto environment = vtkSmartPointer<vtkEnvironment>::New();
+  const int side = images.front()->GetDimensions()[0];
+  const std::string folder = side >= SmallestKeptFace ? GetDefaultCacheFolder() : "";
+  const std::string key = folder.empty() ? "" : GetCubeKey(side, faces);
+  if (!folder.empty() && ReadPixels(folder, key, environment))
+  {
+    return environment;
+  }
+  vtkNew<vtkEnvironmentProjection> converter;
+  if (!converter->ConvertFaces(side, faces, environment))
+  {
+    return nullptr;
+  }
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 2, 0)
+  // Face +z is what is seen towards -z since VTK 9.2; before, its skybox showed it towards +z.
+  MirrorInZ(environment);
+#endif
+  if (!folder.empty())
+  {
+    WritePixels(folder, key, environment);
+  }
+  return environment;
+}
+}
+
+vtkSmartPointer<vtkEnvironment> FindEnvironment(vtkTexture* texture, std::string& problem)
+{
+  std::vector<vtkImageData*> images;
+  std::vector<vtkMTimeType> times;
+  for (int port = 0; port < (texture->GetCubeMap() ? 6 : 1); ++port)
+  {
+    images.push_back(UpdateInput(texture, port));
+    if (!images.back())
+    {
+      problem = "it has no image" +
+                (texture->GetCubeMap() ? " for cube face " + std::to_string(port) : std::string()) +
+                ".";
+      return nullptr;
+    }
+    times.push_back(images.back()->GetMTime());
+  }
+  static std::mutex mutex;
+  static std::map<EnvironmentKey, std::string> refused;
+  const bool sRGB = texture->GetUseSRGBColorSpace();
+  const EnvironmentKey key(images, times, sRGB);
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    const auto found = refused.find(key);
+    if (found != refused.end())
+    {
+      problem = found->second;
+      return nullptr;
+    }
+  }
+  auto environment = GetEnvironments().Find(key,
+    [&images, sRGB, &problem]() -> vtkSmartPointer<vtkEnvironment>
+    {
+      if (images.size() == 6)
+      {
+        problem = "its cube faces are not square images of one size with 1, 3 or 4 components.";
+        return MakeFromCube(images, sRGB);
+      }
+      auto made = vtkSmartPointer<vtkEnvironment>::New();
+      const TakenError error(made);
+      const bool taken = made->SetImage(images.front(), sRGB);
+      problem = error.GetText();
+      return taken ? made : nullptr;
+    });
+  if (!environment)
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    if (refused.size() >= MostRefused)
+    {
+      refused.clear();
+    }
+    refused[key] = problem;
+  }
+  return environment;
+}
+
+vtkSmartPointer<vtkLightSet> FindLightSet(vtkEnvironment* environment, int method, int count,
+  unsigned int seed, vtkVarianceLightSetGenerator* variance)
+{
+  return GetLightSets().Find({ environment, environment->GetPixelsMTime(), method, count, seed },
+    [environment, method, count, seed, variance]() -> vtkSmartPointer<vtkLightSet>
+    {
+      vtkSmartPointer<vtkLightSetGenerator> generator;
+      if (method == vtkMeasuredBRDFMapper::MEDIAN_CUT)
+      {
+        generator = vtkSmartPointer<vtkMedianCutLightSetGenerator>::New();
+      }
+      else if (method == vtkMeasuredBRDFMapper::VARIANCE)
+      {
+        generator = variance;
+      }
+      else
+      {
+        vtkNew<vtkImportanceLightSetGenerator> importance;
+        importance->SetSeed(seed);
+        generator = importance;
+      }
+      auto lights = vtkSmartPointer<vtkLightSet>::New();
+      return generator->Generate(environment, count, lights) ? lights : nullptr;
+    });
+}
+
+vtkSmartPointer<vtkLightSetRadianceIntegrator> FindLightLoop(
+  vtkBRDF* brdf, vtkLightSet* lights, bool softLights)
+{
+  return GetLightLoops().Find({ brdf, lights, softLights },
+    [brdf, lights, softLights]()
+    {
+      auto loop = vtkSmartPointer<vtkLightSetRadianceIntegrator>::New();
+      loop->SetBRDF(brdf);
+      loop->SetLightSet(lights);
+      loop->SetSoftLights(softLights);
+      return loop;
+    });
+}
+
+void SweepLights()
+{
+  GetLightLoops().Sweep(); // which hold light sets
+  GetLightSets().Sweep();
+  GetEnvironments().Sweep();
+}
+} // namespace measuredbrdf

@@ -1,0 +1,340 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MapperPlans.h"
+
+#include "vtkActor.h"
+#include "vtkBRDF.h"
+#include "vtkCamera.h"
+#include "vtkEnvironment.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPolyData.h"
+#include "vtkRadiancePlanner.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkTimeStamp.h"
+#include "vtkWeakPointer.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace measuredbrdf
+{
+namespace
+{
+// An orbit would want another plan every 15 degrees; whoever has shown so many different views gets
+// one for all.
+constexpr std::size_t MostLooks = 4;
+
+// The world in the environment's frame: the renderer's turn, then the environment's own.
+void GetWorldToEnvironment(vtkRenderer* ren, vtkEnvironment* environment, double turn[9])
+{
+  double axes[3][3];
+  ren->GetEnvironmentRight(axes[0]);
+  ren->GetEnvironmentUp(axes[1]);
+  vtkMath::Cross(axes[0], axes[1], axes[2]);
+  double own[9];
+  environment->GetWorldToEnvironment(own);
+  for (int k = 0; k < 9; ++k)
+  {
+    turn[k] = 0.0;
+    for (int j = 0; j < 3; ++j)
+    {
+      turn[k] += own[k / 3 * 3 + j] * axes[j][k % 3];
+    }
+  }
+}
+
+PlanInputs GetInputsForEveryView(const PlanRequest& request)
+{
+  return PlanInputs(request.BRDF, request.Environment, request.Tolerance, request.Costs);
+}
+}
+
+struct MapperPlans::View
+{
+  vtkWeakPointer<vtkRenderer> Renderer;
+  vtkWeakPointer<vtkActor> Actor; // null but for plans for the view
+  CurrentPlan Plan;
+  bool Bridged = false; // drawn by another plan than was wanted
+
+  // What the camera saw, and the plans for it, which are taken up again when it comes back.
+  struct Seen
+  {
+    std::shared_ptr<const VisibleSurface> Surface;
+    vtkMTimeType Time = 0;
+    vtkSmartPointer<vtkRadiancePlanner> Plan; // kept for SharedPlans
+  };
+  std::vector<Seen> Looks;
+  std::size_t Current = 0;
+  double Pixels = 0.0;             // for every view instead, if above 0
+  std::vector<double> From;        // what the last look depended on
+  std::vector<vtkMTimeType> Times; // of the surfaces then
+  PlanInputs::Key Inputs;          // of the kept plans, but for what is seen
+
+  bool IsGone(const Key& key) const
+  {
+    return !this->Renderer || (std::get<1>(key) && !this->Actor);
+  }
+};
+
+MapperPlans::MapperPlans() = default;
+
+MapperPlans::~MapperPlans() = default;
+
+// What is in the making is not waited for.
+void MapperPlans::End(std::unique_ptr<View> view)
+{
+  this->Last = this->Last == view.get() ? nullptr : this->Last;
+  view->Plan.Clear();
+  view->Looks.clear();
+  this->Ended.push_back(std::move(view));
+}
+
+void MapperPlans::Clear()
+{
+  for (auto& [key, view] : this->Views)
+  {
+    this->End(std::move(view));
+  }
+  this->Views.clear();
+  this->Last = nullptr;
+  this->Sweep();
+}
+
+void MapperPlans::Clear(vtkRenderer* renderer)
+{
+  for (auto it = this->Views.begin(); it != this->Views.end();)
+  {
+    const bool its = std::get<0>(it->first) == renderer;
+    if (its)
+    {
+      this->End(std::move(it->second));
+    }
+    it = its ? this->Views.erase(it) : std::next(it);
+  }
+  this->Last = nullptr;
+  this->Sweep();
+}
+
+void MapperPlans::ReleaseUploads(vtkWindow* window)
+{
+  for (const auto& [key, view] : this->Views)
+  {
+    if (!view->Renderer || view->Renderer->GetVTKWindow() == window)
+    {
+      view->Plan.Uploads.clear();
+    }
+  }
+}
+
+vtkRadiancePlanner* MapperPlans::GetPlan() const
+{
+  return this->Last ? this->Last->Plan.GetPlan() : nullptr;
+}
+
+bool MapperPlans::IsPending() const
+{
+  return std::any_of(this->Views.begin(), this->Views.end(),
+    [](const auto& entry) { return entry.second->Bridged; });
+}
+
+bool MapperPlans::IsReady() const
+{
+  return std::any_of(this->Views.begin(), this->Views.end(),
+    [](const auto& entry) { return entry.second->Bridged && entry.second->Plan.IsReady(); });
+}
+
+// Views only now and then, so that a Render does not look at every view for each.
+void MapperPlans::Sweep()
+{
+  this->Ended.erase(std::remove_if(this->Ended.begin(), this->Ended.end(),
+                      [](const std::unique_ptr<View>& view) { return view->Plan.HasStopped(); }),
+    this->Ended.end());
+  if (++this->Updates < this->Views.size())
+  {
+    return;
+  }
+  this->Updates = 0;
+  for (auto it = this->Views.begin(); it != this->Views.end();)
+  {
+    const bool gone = it->second->IsGone(it->first);
+    if (gone)
+    {
+      this->End(std::move(it->second));
+    }
+    it = gone ? this->Views.erase(it) : std::next(it);
+  }
+}
+
+MapperPlans::View& MapperPlans::FindView(const PlanRequest& request)
+{
+  this->Sweep();
+  std::map<Key, std::unique_ptr<View>> before;
+  if (request.ForView != this->ForView)
+  {
+    this->ForView = request.ForView;
+    before.swap(this->Views);
+  }
+  const Key key(request.Renderer, request.ForView ? request.Actor : nullptr, request.Slot);
+  std::unique_ptr<View>& view = this->Views[key];
+  if (view && view->IsGone(key)) // an address used again
+  {
+    this->End(std::move(view));
+  }
+  if (!view)
+  {
+    view = std::make_unique<View>();
+    view->Renderer = request.Renderer;
+    view->Actor = request.ForView ? request.Actor : nullptr;
+  }
+  // What it was drawn by before ForView was switched stands in.
+  for (auto& [other, old] : before)
+  {
+    vtkActor* actor = std::get<1>(other);
+    if (std::get<0>(other) == request.Renderer && std::get<2>(other) == request.Slot &&
+        (!actor || actor == request.Actor))
+    {
+      view->Plan.TakeOver(old->Plan);
+    }
+    this->End(std::move(old));
+  }
+  return *view;
+}
+
+void MapperPlans::Look(View& view, const PlanRequest& request)
+{
+  vtkRenderer* ren = request.Renderer;
+  double turn[9];
+  GetWorldToEnvironment(ren, request.Environment, turn);
+  vtkCamera* camera = ren->GetActiveCamera();
+  const int* size = ren->GetSize();
+  std::vector<double> from(turn, turn + 9);
+  for (vtkMatrix4x4* matrix :
+    { camera->GetCompositeProjectionTransformMatrix(1.0, -1.0, 1.0), request.Actor->GetMatrix() })
+  {
+    from.insert(from.end(), matrix->GetData(), matrix->GetData() + 16);
+  }
+  from.insert(from.end(), { static_cast<double>(size[0]), static_cast<double>(size[1]) });
+  std::vector<vtkMTimeType> times;
+  for (vtkPolyData* surface : request.Surfaces)
+  {
+    times.push_back(surface->GetMTime());
+  }
+  if (from == view.From && times == view.Times)
+  {
+    return;
+  }
+  view.From = from;
+  view.Times = times;
+  const auto seen = std::make_shared<VisibleSurface>(
+    request.Surfaces, request.Actor->GetMatrix(), camera, size[0], size[1], turn);
+  if (seen->IsEmpty()) // out of view: as it was
+  {
+    return;
+  }
+  if (view.Pixels > 0.0)
+  {
+    view.Pixels = seen->Outgrows(view.Pixels) ? seen->GetNumberOfPixels() : view.Pixels;
+    return;
+  }
+  const auto serves = [&seen](const View::Seen& look) { return look.Surface->Covers(*seen); };
+  if (!view.Looks.empty() && serves(view.Looks[view.Current]))
+  {
+    return;
+  }
+  const auto found = std::find_if(view.Looks.begin(), view.Looks.end(), serves);
+  view.Current = static_cast<std::size_t>(found - view.Looks.begin());
+  if (found != view.Looks.end())
+  {
+    return;
+  }
+  if (view.Looks.size() < MostLooks)
+  {
+    vtkTimeStamp now;
+    now.Modified();
+    view.Looks.push_back({ seen, now.GetMTime(), nullptr });
+    return;
+  }
+  view.Pixels = seen->GetNumberOfPixels();
+  for (const View::Seen& look : view.Looks)
+  {
+    view.Pixels = std::max(view.Pixels, look.Surface->GetNumberOfPixels());
+  }
+  view.Looks.clear();
+}
+
+PlanInputs MapperPlans::GetInputs(View& view, const PlanRequest& request)
+{
+  PlanInputs inputs = GetInputsForEveryView(request);
+  if (!request.ForView)
+  {
+    return inputs;
+  }
+  Look(view, request);
+  if (inputs.GetKey() != view.Inputs)
+  {
+    view.Inputs = inputs.GetKey();
+    for (View::Seen& look : view.Looks)
+    {
+      look.Plan = nullptr;
+    }
+  }
+  if (view.Pixels > 0.0)
+  {
+    inputs.SetPixels(view.Pixels);
+  }
+  else if (!view.Looks.empty())
+  {
+    const View::Seen& look = view.Looks[view.Current];
+    inputs.Seen = look.Surface;
+    inputs.SeenTime = look.Time;
+    inputs.SetPixels(look.Surface->GetNumberOfPixels());
+  }
+  return inputs;
+}
+
+// Its own first, and only if there are others.
+void MapperPlans::BeginSideBySide(View& view, const PlanInputs& wanted, const PlanRequest& request)
+{
+  std::vector<std::pair<CurrentPlan*, PlanInputs>> others;
+  request.Others(
+    [&](MapperPlans& plans, const PlanRequest& other)
+    {
+      View& its = plans.FindView(other);
+      const PlanInputs inputs = GetInputs(its, other);
+      const bool outOfView = other.ForView && inputs.Pixels == 0;
+      if (!outOfView && inputs.GetKey() != wanted.GetKey() &&
+          its.Plan.NeedsTime(inputs, other.Timing))
+      {
+        others.emplace_back(&its.Plan, inputs);
+      }
+    });
+  if (!others.empty())
+  {
+    view.Plan.Begin(wanted);
+  }
+  for (const auto& [plan, inputs] : others)
+  {
+    plan->Begin(inputs);
+  }
+}
+
+CurrentPlan& MapperPlans::Update(const PlanRequest& request, bool& changed, std::string& problem)
+{
+  View& view = this->FindView(request);
+  this->Last = &view;
+  const PlanInputs wanted = GetInputs(view, request);
+  if (request.Others && !view.Plan.IsPending() && view.Plan.NeedsTime(wanted, request.Timing))
+  {
+    this->BeginSideBySide(view, wanted, request);
+  }
+  changed = view.Plan.Update(wanted, request.Timing, problem);
+  view.Bridged = view.Plan.IsPending();
+  if (wanted.Seen && view.Plan.IsFor(wanted))
+  {
+    view.Looks[view.Current].Plan = view.Plan.GetPlan();
+  }
+  return view.Plan;
+}
+} // namespace measuredbrdf

@@ -1,0 +1,547 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MaterialDrawing.h"
+
+#include "DrawsColor.h"
+#include "StockLevels.h"
+#include "vtkActor.h"
+#include "vtkCommand.h"
+#include "vtkCompositeMeasuredBRDFMapper.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkLightSetRadianceIntegrator.h"
+#include "vtkMeasuredBRDFMapper.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPropCollection.h"
+#include "vtkProperty.h"
+#include "vtkRadiancePlanner.h"
+#include "vtkRenderer.h"
+#include "vtkTexture.h"
+#include "vtkTextureUnitManager.h"
+
+#include <algorithm>
+#include <exception>
+
+namespace measuredbrdf
+{
+namespace
+{
+int NextPowerOfTwo(int n)
+{
+  int power = 1;
+  while (power < n)
+  {
+    power *= 2;
+  }
+  return power;
+}
+
+// Else the superclass draws it.
+bool IsShaded(vtkActor* actor)
+{
+  return actor->GetProperty()->GetLighting() &&
+         actor->GetProperty()->GetRepresentation() == VTK_SURFACE;
+}
+
+bool HasLight(vtkRenderer* renderer)
+{
+  vtkLightCollection* lights = renderer->GetLights();
+  vtkCollectionSimpleIterator it;
+  lights->InitTraversal(it);
+  while (vtkLight* light = lights->GetNextLight(it))
+  {
+    if (light->GetSwitch())
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Units that VTK's mapper may still take once ours are bound: colors, normals and edges of cells,
+// and the texture of mapped scalars.
+constexpr int UnitsOfTheMapper = 4;
+
+std::string CheckUnits(std::size_t needed, vtkOpenGLRenderWindow* window)
+{
+  vtkTextureUnitManager* manager = window->GetTextureUnitManager();
+  const int units = manager->GetNumberOfTextureUnits();
+  int taken = UnitsOfTheMapper;
+  for (int unit = 0; unit < units; ++unit)
+  {
+    taken += manager->IsAllocated(unit) ? 1 : 0;
+  }
+  if (static_cast<int>(needed) <= units - taken)
+  {
+    return "";
+  }
+  return "it needs " + std::to_string(needed) + " textures at once, and of this graphics card's " +
+         std::to_string(units) + " texture units VTK itself may need " + std::to_string(taken);
+}
+}
+
+MaterialDrawing::MaterialDrawing(vtkObject* owner, std::shared_ptr<MaterialSettings> settings,
+  std::function<std::vector<MaterialUse>()> uses)
+  : Owner(owner)
+  , Settings(std::move(settings))
+  , UsesToCome(std::move(uses))
+{
+}
+
+MaterialDrawing::~MaterialDrawing() = default;
+
+MaterialDrawing::LightsAtEnd::~LightsAtEnd() { SweepLights(); }
+
+MaterialDrawing::ViewFrame& MaterialDrawing::FindFrame(
+  vtkRenderer* renderer, vtkActor* actor, const void* part)
+{
+  const bool forActor = this->Settings->PlanForView;
+  for (auto it = this->Frames.begin(); it != this->Frames.end();)
+  {
+    const ViewFrame& frame = **it;
+    const bool gone = !frame.Renderer || (frame.ForActor && !frame.Actor);
+    it = gone ? this->Frames.erase(it) : std::next(it);
+  }
+  for (const std::unique_ptr<ViewFrame>& frame : this->Frames)
+  {
+    if (frame->Renderer == renderer && frame->Part == part && frame->ForActor == forActor &&
+        (!forActor || frame->Actor == actor))
+    {
+      return *frame;
+    }
+  }
+  this->Frames.push_back(std::make_unique<ViewFrame>());
+  ViewFrame& frame = *this->Frames.back();
+  frame.Part = part;
+  frame.Renderer = renderer;
+  frame.ForActor = forActor;
+  if (forActor)
+  {
+    frame.Actor = actor;
+  }
+  return frame;
+}
+
+// A number that stays with a material, so that plans of one never stand in for another's.
+int MaterialDrawing::FindSlot(vtkBRDF* brdf)
+{
+  if (brdf == this->Settings->BRDF)
+  {
+    return 0;
+  }
+  this->Slots.erase(std::remove_if(this->Slots.begin(), this->Slots.end(),
+                      [](const MaterialSlot& slot) { return !slot.BRDF; }),
+    this->Slots.end());
+  for (const MaterialSlot& slot : this->Slots)
+  {
+    if (slot.BRDF == brdf)
+    {
+      return slot.Slot;
+    }
+  }
+  this->Slots.push_back({ brdf, this->NextSlot });
+  return this->NextSlot++;
+}
+
+vtkSmartPointer<vtkEnvironment> MaterialDrawing::FindLight(vtkRenderer* renderer)
+{
+  vtkSmartPointer<vtkEnvironment> environment = this->Settings->Environment;
+  if (!environment && renderer->GetEnvironmentTexture())
+  {
+    std::string problem;
+    environment = FindEnvironment(renderer->GetEnvironmentTexture(), problem);
+    if (!environment && this->WarnOnce("environment: " + problem))
+    {
+      vtkWarningWithObjectMacro(
+        this->Owner, << "The renderer's environment texture lights nothing here: " << problem);
+    }
+  }
+  return environment && environment->GetWidth() > 0 ? environment : nullptr;
+}
+
+bool MaterialDrawing::IsPlanned() const
+{
+  return !this->Settings->Integrator && !this->Settings->LightSet &&
+         this->Settings->Method == vtkMeasuredBRDFMapper::AUTO;
+}
+
+PlanRequest MaterialDrawing::GetRequest(
+  const MaterialUse& use, vtkEnvironment* environment, vtkRenderer* renderer, vtkActor* actor)
+{
+  const CurrentPlan::Timing timings[] = { CurrentPlan::Timing::Foreground,
+    CurrentPlan::Timing::Changes, CurrentPlan::Timing::Always };
+  PlanRequest request;
+  request.BRDF = use.BRDF;
+  request.Environment = environment;
+  request.Tolerance = this->Settings->ErrorTolerance;
+  request.Costs = this->Settings->Costs;
+  request.Timing = timings[this->Settings->PlanningMode];
+  request.ForView = this->Settings->PlanForView;
+  request.Slot = this->FindSlot(use.BRDF);
+  request.Renderer = renderer;
+  request.Actor = actor;
+  request.Surfaces = use.Surfaces;
+  return request;
+}
+
+// What the mappers of the renderer will have planned in this frame.
+void MaterialDrawing::VisitRequests(vtkRenderer* renderer, const PlanRequest::Visit& visit)
+{
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator it;
+  props->InitTraversal(it);
+  while (vtkProp* prop = props->GetNextProp(it))
+  {
+    auto* actor = vtkActor::SafeDownCast(prop);
+    const bool seen = actor && actor->GetVisibility() && IsShaded(actor);
+    vtkMapper* mapper = seen ? actor->GetMapper() : nullptr;
+    MaterialDrawing* drawing = nullptr;
+    if (auto* plain = vtkMeasuredBRDFMapper::SafeDownCast(mapper))
+    {
+      drawing = plain->Drawing.get();
+    }
+    else if (auto* composite = vtkCompositeMeasuredBRDFMapper::SafeDownCast(mapper))
+    {
+      drawing = composite->GetDrawing();
+    }
+    if (!drawing || !drawing->IsPlanned())
+    {
+      continue;
+    }
+    if (drawing->Settings->PlanForView)
+    {
+      mapper->Update(); // it may be drawn for the first time
+    }
+    const vtkSmartPointer<vtkEnvironment> environment = drawing->FindLight(renderer);
+    for (const MaterialUse& use : drawing->UsesToCome())
+    {
+      if (environment && use.BRDF)
+      {
+        visit(drawing->Plans, drawing->GetRequest(use, environment, renderer, actor));
+      }
+    }
+  }
+}
+
+void MaterialDrawing::ResolvePlan(
+  DrawnMaterial& drawn, const MaterialUse& use, vtkRenderer* renderer, vtkActor* actor)
+{
+  PlanRequest request = this->GetRequest(use, drawn.Environment, renderer, actor);
+  request.Others = [renderer](const PlanRequest::Visit& visit) { VisitRequests(renderer, visit); };
+  bool changed = false;
+  std::string problem;
+  CurrentPlan& current = this->Plans.Update(request, changed, problem);
+  vtkRadiancePlanner* plan = current.GetPlan();
+  if (!problem.empty() && plan)
+  {
+    vtkWarningWithObjectMacro(this->Owner, << "Planning: " << problem);
+  }
+  else if (!problem.empty())
+  {
+    vtkErrorWithObjectMacro(this->Owner, << "Planning: " << problem);
+  }
+  if (plan)
+  {
+    drawn.Integrator = vtkSmartPointer<vtkRadianceIntegrator>::Take(plan->NewIntegrator());
+    drawn.BRDF = plan->GetBRDF();
+    drawn.Environment = current.GetEnvironment();
+    drawn.Plan = plan;
+    drawn.Current = &current;
+  }
+  if (changed)
+  {
+    this->Owner->InvokeEvent(vtkCommand::UpdateDataEvent);
+  }
+}
+
+void MaterialDrawing::ResolveLights(DrawnMaterial& drawn)
+{
+  const MaterialSettings& settings = *this->Settings;
+  drawn.Lights = settings.LightSet;
+  if (!drawn.Lights && drawn.Environment)
+  {
+    int count = settings.NumberOfLights;
+    if (settings.LightSetMethod == vtkMeasuredBRDFMapper::MEDIAN_CUT &&
+        count != NextPowerOfTwo(count))
+    {
+      count = NextPowerOfTwo(count);
+      if (this->WarnOnce("median cut " + std::to_string(settings.NumberOfLights)))
+      {
+        vtkWarningWithObjectMacro(this->Owner, << "Median cut makes powers of two: " << count
+                                               << " lights instead of " << settings.NumberOfLights
+                                               << ".");
+      }
+    }
+    drawn.Lights = FindLightSet(
+      drawn.Environment, settings.LightSetMethod, count, settings.Seed, this->Variance);
+  }
+  if (drawn.Lights)
+  {
+    drawn.Integrator = FindLightLoop(drawn.BRDF, drawn.Lights, settings.SoftLights);
+  }
+}
+
+std::string MaterialDrawing::Upload(DrawnMaterial& drawn, vtkRenderer* renderer)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetVTKWindow());
+  std::size_t samplers = 0;
+  if (drawn.Integrator)
+  {
+    drawn.Radiance = FormTextures::Find(drawn.Integrator, window);
+    const std::string problem = drawn.Radiance->Update(drawn.Integrator, window);
+    if (!problem.empty())
+    {
+      return problem;
+    }
+    samplers += drawn.Radiance->GetNumberOfSamplers();
+  }
+  if ((drawn.Integrator && drawn.Integrator->UsesBRDFOnGPU()) || HasLight(renderer))
+  {
+    const bool soft = drawn.Integrator && drawn.Integrator->UsesSoftLights();
+    drawn.Material = FormTextures::Find(drawn.BRDF, soft, window);
+    const std::string problem = drawn.Material->Update(drawn.BRDF, window);
+    if (!problem.empty())
+    {
+      return problem;
+    }
+    samplers += drawn.Material->GetNumberOfSamplers();
+  }
+  return CheckUnits(samplers, window);
+}
+
+DrawnMaterial MaterialDrawing::Resolve(
+  const MaterialUse& use, vtkEnvironment* environment, vtkRenderer* renderer, vtkActor* actor)
+{
+  DrawnMaterial drawn;
+  if (!use.BRDF)
+  {
+    return drawn;
+  }
+  const MaterialSettings& settings = *this->Settings;
+  drawn.BRDF = use.BRDF;
+  drawn.Environment = environment;
+  std::string problem;
+  try
+  {
+    if (environment && settings.Integrator)
+    {
+      drawn.Integrator = settings.Integrator;
+      drawn.Integrator->SetBRDF(use.BRDF);
+      drawn.Integrator->SetEnvironment(environment);
+    }
+    else if (environment && !settings.LightSet && settings.Method == vtkMeasuredBRDFMapper::AUTO)
+    {
+      this->ResolvePlan(drawn, use, renderer, actor);
+    }
+    if (!drawn.Integrator)
+    {
+      this->ResolveLights(drawn);
+    }
+    problem = this->Upload(drawn, renderer);
+    if (drawn.Current)
+    {
+      drawn.Current->Uploads = { drawn.Material, drawn.Radiance };
+      drawn.Current = nullptr; // good until the plans are asked again
+    }
+  }
+  catch (const std::exception& e) // no memory, say
+  {
+    problem = e.what();
+  }
+  drawn.IsReady = problem.empty();
+  if (!drawn.IsReady)
+  {
+    if (this->WarnOnce(problem))
+    {
+      vtkErrorWithObjectMacro(this->Owner, << "The material is not drawn: " << problem << ".");
+    }
+    return drawn; // with its textures, which know what failed: it is not tried in every frame
+  }
+  drawn.Key = (drawn.Material ? drawn.Material->GetForm().GetShaderKey() : "") + "/" +
+              (drawn.Radiance ? drawn.Radiance->GetForm().GetShaderKey() : "") +
+              (drawn.BRDF->IsIsotropic() ? "" : "/anisotropic");
+  return drawn;
+}
+
+void MaterialDrawing::BeginFrame(
+  vtkRenderer* renderer, vtkActor* actor, const void* part, const std::vector<MaterialUse>& uses)
+{
+  this->Selected = nullptr;
+  this->Frame = nullptr;
+  if (!DrawsColor(renderer, actor) || !IsShaded(actor))
+  {
+    return;
+  }
+  ViewFrame& frame = this->FindFrame(renderer, actor, part);
+  const bool any = std::any_of(
+    uses.begin(), uses.end(), [](const MaterialUse& use) { return use.BRDF != nullptr; });
+  const char* levels = any && this->WarnOnce("levels of detail")
+                         ? FindStockLevels(renderer, actor, vtkMapper::SafeDownCast(this->Owner))
+                         : nullptr;
+  if (levels)
+  {
+    vtkWarningWithObjectMacro(this->Owner,
+      << levels
+      << " draws the levels of detail that it makes itself with stock mappers: they show the "
+         "actor's vtkProperty, not the material. FitProperty(actor->GetProperty()) sets the "
+         "nearest one.");
+  }
+  const vtkSmartPointer<vtkEnvironment> environment = any ? this->FindLight(renderer) : nullptr;
+  if ((!this->Settings->BRDF && !this->Settings->HasBlockMaterials()) || !this->IsPlanned())
+  {
+    this->Plans.Clear();
+  }
+  else if (any && !environment) // other renderers may have light
+  {
+    this->Plans.Clear(renderer);
+  }
+  std::vector<DrawnMaterial> materials; // the last ones stay until these have their textures
+  for (const MaterialUse& use : uses)
+  {
+    materials.push_back(this->Resolve(use, environment, renderer, actor));
+  }
+  frame.Materials = std::move(materials);
+  this->Frame = &frame;
+  this->LastRenderer = renderer;
+}
+
+void MaterialDrawing::EndFrame()
+{
+  this->Unselect();
+  this->Frame = nullptr;
+}
+
+const std::vector<DrawnMaterial>& MaterialDrawing::GetMaterials() const
+{
+  static const std::vector<DrawnMaterial> none;
+  return this->Frame ? this->Frame->Materials : none;
+}
+
+void MaterialDrawing::Select(std::size_t material)
+{
+  this->Unselect();
+  const DrawnMaterial& drawn = this->Frame->Materials[material];
+  if (!drawn.IsReady)
+  {
+    return;
+  }
+  this->Selected = &drawn;
+  for (const std::shared_ptr<FormTextures>& textures : { drawn.Material, drawn.Radiance })
+  {
+    if (textures)
+    {
+      textures->Activate();
+    }
+  }
+}
+
+void MaterialDrawing::Unselect()
+{
+  if (this->Selected)
+  {
+    for (const std::shared_ptr<FormTextures>& textures :
+      { this->Selected->Material, this->Selected->Radiance })
+    {
+      if (textures)
+      {
+        textures->Deactivate();
+      }
+    }
+  }
+  this->Selected = nullptr;
+}
+
+std::vector<const DrawnMaterial*> MaterialDrawing::GetLastFrame() const
+{
+  std::vector<const DrawnMaterial*> materials;
+  for (const std::unique_ptr<ViewFrame>& frame : this->Frames)
+  {
+    for (const DrawnMaterial& drawn : frame->Materials)
+    {
+      if (frame->Renderer && frame->Renderer == this->LastRenderer)
+      {
+        materials.push_back(&drawn);
+      }
+    }
+  }
+  return materials;
+}
+
+void MaterialDrawing::Forget(const void* part)
+{
+  this->Frames.erase(
+    std::remove_if(this->Frames.begin(), this->Frames.end(),
+      [part](const std::unique_ptr<ViewFrame>& frame) { return frame->Part == part; }),
+    this->Frames.end());
+}
+
+std::string MaterialDrawing::GetPlan() const
+{
+  std::string text;
+  std::set<vtkRadiancePlanner*> said;
+  for (const DrawnMaterial* drawn : this->GetLastFrame())
+  {
+    if (drawn->Plan && said.insert(drawn->Plan).second)
+    {
+      text += (text.empty() ? "" : "\n") + drawn->Plan->GetPlan();
+    }
+  }
+  return text;
+}
+
+vtkIdType MaterialDrawing::GetTextureBytes() const
+{
+  std::set<const FormTextures*> counted;
+  std::size_t bytes = 0;
+  for (const DrawnMaterial* drawn : this->GetLastFrame())
+  {
+    for (const std::shared_ptr<FormTextures>& textures : { drawn->Material, drawn->Radiance })
+    {
+      bytes += textures && counted.insert(textures.get()).second ? textures->GetBytes() : 0;
+    }
+  }
+  return static_cast<vtkIdType>(bytes);
+}
+
+const vtkBRDFShaderInputs* MaterialDrawing::GetMaterialForm() const
+{
+  for (const DrawnMaterial* drawn : this->GetLastFrame())
+  {
+    if (drawn->Material)
+    {
+      return &drawn->Material->GetForm();
+    }
+  }
+  return nullptr;
+}
+
+vtkMTimeType MaterialDrawing::GetAppearanceMTime()
+{
+  const bool ready = this->Plans.IsReady();
+  if (ready && !this->WasReady)
+  {
+    this->ReadyTime.Modified();
+  }
+  this->WasReady = ready;
+  return std::max(this->Settings->GetMTime(), this->ReadyTime.GetMTime());
+}
+
+void MaterialDrawing::ReleaseGraphicsResources(vtkWindow* window, const void* part)
+{
+  this->Selected = nullptr;
+  for (const std::unique_ptr<ViewFrame>& frame : this->Frames)
+  {
+    const bool here = !window || !frame->Renderer || frame->Renderer->GetVTKWindow() == window;
+    if (here && frame->Part == part)
+    {
+      for (DrawnMaterial& drawn : frame->Materials)
+      {
+        drawn.Material.reset();
+        drawn.Radiance.reset();
+        drawn.IsReady = false;
+      }
+    }
+  }
+  this->Plans.ReleaseUploads(window);
+}
+} // namespace measuredbrdf

@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * How a mapper draws measured materials, apart from VTK's three base classes of mappers
+ * (vtkMeasuredBRDFMapperMixin): for each frame it finds the light, the plan and the textures of
+ * each material, and then gives the shader's text and uniforms. Private to the rendering room.
+ */
+
+#ifndef MaterialDrawing_h
+#define MaterialDrawing_h
+
+#include "BRDFTextures.h"
+#include "LightSetCache.h"
+#include "MapperPlans.h"
+#include "MaterialSettings.h"
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+#include "vtkVarianceLightSetGenerator.h"
+#include "vtkWeakPointer.h"
+
+#include <functional>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+class vtkActor;
+class vtkOpenGLRenderWindow;
+class vtkPolyData;
+class vtkRadiancePlanner;
+class vtkRenderer;
+class vtkShaderProgram;
+class vtkWindow;
+
+namespace measuredbrdf
+{
+/// A material and the surfaces made of it, blocks of one data set. No material: the superclass
+/// draws them.
+struct MaterialUse
+{
+  vtkBRDF* BRDF = nullptr;
+  std::vector<vtkPolyData*> Surfaces;
+};
+
+/// What a material is drawn with in one renderer.
+struct DrawnMaterial
+{
+  vtkSmartPointer<vtkBRDF> BRDF;                     // the material or, of a plan, its snapshot
+  vtkSmartPointer<vtkRadianceIntegrator> Integrator; // of the environment's light; null: none
+  vtkSmartPointer<vtkEnvironment> Environment;       // the one whose rotation applies
+  vtkSmartPointer<vtkLightSet> Lights;               // that the environment became, if it did
+  std::shared_ptr<FormTextures> Material;   // null where the shader has no use for the BRDF itself
+  std::shared_ptr<FormTextures> Radiance;   // null without environment
+  vtkSmartPointer<vtkRadiancePlanner> Plan; // null without one
+  std::string Key;                          // same key, same shader text
+  CurrentPlan* Current = nullptr;           // while the plan is looked up
+  bool IsReady = false;                     // else the superclass draws
+};
+
+class MaterialDrawing
+{
+public:
+  /// owner: the mapper that users know; warnings are its. uses: what it will draw next, as far as
+  /// it knows between its renders.
+  MaterialDrawing(vtkObject* owner, std::shared_ptr<MaterialSettings> settings,
+    std::function<std::vector<MaterialUse>()> uses);
+  ~MaterialDrawing();
+  MaterialDrawing(const MaterialDrawing&) = delete;
+  void operator=(const MaterialDrawing&) = delete;
+
+  MaterialSettings& GetSettings() const { return *this->Settings; }
+
+  /// Get ready to draw a part of a frame: bring plans and textures up to date. In passes that take
+  /// no color from the material (picking, shadow maps) the superclass draws, and nothing is
+  /// planned. part: who draws, of the mappers that share this object.
+  void BeginFrame(
+    vtkRenderer* renderer, vtkActor* actor, const void* part, const std::vector<MaterialUse>& uses);
+  void EndFrame();
+
+  /// Those that BeginFrame was given, to be drawn one after the other; none where the superclass
+  /// draws all.
+  const std::vector<DrawnMaterial>& GetMaterials() const;
+
+  ///@{
+  /// Draw with this one from now on; with none.
+  void Select(std::size_t material);
+  void Unselect();
+  ///@}
+
+  /// The selected one; null where the superclass draws.
+  const DrawnMaterial* GetSelected() const { return this->Selected; }
+
+  ///@{
+  /// About the last frame of all parts.
+  std::vector<const DrawnMaterial*> GetLastFrame() const;
+  const MapperPlans& GetPlans() const { return this->Plans; }
+  std::string GetPlan() const;                   // of each material a line
+  vtkIdType GetTextureBytes() const;             // each texture once
+  const vtkBRDFShaderInputs* GetMaterialForm() const; // of the first material that has one; or null
+  ///@}
+
+  /// When anything last changed that the next picture depends on.
+  vtkMTimeType GetAppearanceMTime();
+
+  /// Forget what a part has on this window's graphics card.
+  void ReleaseGraphicsResources(vtkWindow* window, const void* part);
+
+  /// A part that draws no more.
+  void Forget(const void* part);
+
+  /// One warning for each cause.
+  bool WarnOnce(const std::string& cause) { return this->Warned.insert(cause).second; }
+  vtkObject* GetOwner() const { return this->Owner; }
+
+private:
+  struct ViewFrame
+  {
+    const void* Part = nullptr;
+    vtkWeakPointer<vtkRenderer> Renderer;
+    vtkWeakPointer<vtkActor> Actor; // null but where plans are for the view
+    bool ForActor = false;
+    std::vector<DrawnMaterial> Materials;
+  };
+  struct MaterialSlot
+  {
+    vtkWeakPointer<vtkBRDF> BRDF;
+    int Slot;
+  };
+
+  ViewFrame& FindFrame(vtkRenderer* renderer, vtkActor* actor, const void* part);
+  int FindSlot(vtkBRDF* brdf);
+  vtkSmartPointer<vtkEnvironment> FindLight(vtkRenderer* renderer);
+  PlanRequest GetRequest(
+    const MaterialUse& use, vtkEnvironment* environment, vtkRenderer* renderer, vtkActor* actor);
+  bool IsPlanned() const; // whether plans draw the environment's light
+  static void VisitRequests(vtkRenderer* renderer, const PlanRequest::Visit& visit);
+  DrawnMaterial Resolve(
+    const MaterialUse& use, vtkEnvironment* environment, vtkRenderer* renderer, vtkActor* actor);
+  void ResolvePlan(
+    DrawnMaterial& drawn, const MaterialUse& use, vtkRenderer* renderer, vtkActor* actor);
+  void ResolveLights(DrawnMaterial& drawn);
+  std::string Upload(DrawnMaterial& drawn, vtkRenderer* renderer);
+
+  // First, so that it is the last to go: what the others held is released then.
+  struct LightsAtEnd
+  {
+    LightsAtEnd() = default;
+    ~LightsAtEnd();
+    LightsAtEnd(const LightsAtEnd&) = delete;
+    void operator=(const LightsAtEnd&) = delete;
+  };
+  LightsAtEnd AtEnd;
+
+  vtkObject* Owner;
+  std::shared_ptr<MaterialSettings> Settings;
+  std::function<std::vector<MaterialUse>()> UsesToCome;
+  MapperPlans Plans;
+  vtkNew<vtkVarianceLightSetGenerator> Variance;  // its tree serves every number of lights
+  std::vector<std::unique_ptr<ViewFrame>> Frames; // each keeps its textures for the next Render
+  std::vector<MaterialSlot> Slots;                // of blocks' materials, in MapperPlans
+  int NextSlot = 1;
+  const ViewFrame* Frame = nullptr; // drawn now
+  vtkWeakPointer<vtkRenderer> LastRenderer;
+  const DrawnMaterial* Selected = nullptr;
+  std::set<std::string> Warned;
+  bool WasReady = false; // whether a plan made in the background waited to be drawn
+  vtkTimeStamp ReadyTime;
+};
+} // namespace measuredbrdf
+
+#endif

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What a camera sees of polygonal surfaces: normals and views in proportion to the pixels that
+ * they cover, and how many those are. Private to the rendering room.
+ *
+ * Nothing is drawn: triangles are weighed by their projected areas. What hides behind other parts
+ * counts too, so that coverage is an upper bound; sides that face away count only where nearly all
+ * do (a room seen from inside). Of more than 4096 polygons every so many-th stands for its
+ * neighbors, whichever surface they belong to.
+ */
+
+#ifndef VisibleSurface_h
+#define VisibleSurface_h
+
+#include <glm/glm.hpp>
+
+#include <cstddef>
+#include <vector>
+
+class vtkCamera;
+class vtkMatrix4x4;
+class vtkPolyData;
+
+namespace measuredbrdf
+{
+class VisibleSurface
+{
+public:
+  /// No pair where hardly anything is in view. toFrame: rows of a rotation of the world, into the
+  /// frame that pairs are wanted in. width, height: of the picture in pixels.
+  VisibleSurface(const std::vector<vtkPolyData*>& surfaces, vtkMatrix4x4* toWorld,
+    vtkCamera* camera, int width, int height, const double toFrame[9]);
+
+  bool IsEmpty() const { return this->Normals.empty(); }
+
+  ///@{
+  /// Unit normals and unit directions towards the camera, as many of each.
+  const std::vector<glm::dvec3>& GetNormals() const { return this->Normals; }
+  const std::vector<glm::dvec3>& GetViews() const { return this->Views; }
+  ///@}
+
+  /// Covered pixels, about.
+  double GetNumberOfPixels() const { return this->Pixels; }
+
+  /// Whether a plan for this one serves for another, too: nearly all that is seen there looks much
+  /// like something that is seen here, at about the same size. Far from any threshold where the
+  /// view turns a few degrees, so that plans do not come and go.
+  bool Covers(const VisibleSurface& other) const;
+
+  /// Whether a plan for so many pixels is too poor for this one, whatever is seen.
+  bool Outgrows(double pixels) const;
+
+private:
+  std::vector<glm::dvec3> Normals;
+  std::vector<glm::dvec3> Views;
+  double Pixels = 0.0;
+};
+} // namespace measuredbrdf
+
+#endif

@@ -1,0 +1,427 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Definitions of vtkMeasuredBRDFMapperMixin, for the files that instantiate it.
+
+#ifndef vtkMeasuredBRDFMapperMixin_txx
+#define vtkMeasuredBRDFMapperMixin_txx
+
+#include "vtkMeasuredBRDFMapperMixin.h"
+
+#include "BRDFShader.h"
+#include "MaterialDrawing.h"
+
+#include "vtkActor.h"
+#include "vtkBRDF.h"
+#include "vtkCamera.h"
+#include "vtkEnvironment.h"
+#include "vtkMatrix3x3.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkOpenGLHelper.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkOpenGLVertexBufferObjectGroup.h"
+#include "vtkProperty.h"
+#include "vtkShader.h"
+#include "vtkShaderProgram.h"
+#include "vtkTexture.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace measuredbrdf
+{
+// The superclass declares normals and positions for lit primitives only; an environment lights
+// scenes without a single vtkLight. Works on int (VTK < 9.4) and on the enum that followed.
+template <typename Complexity>
+class ForceLit
+{
+public:
+  ForceLit(Complexity& complexity, bool force)
+    : Target(complexity)
+    , Saved(complexity)
+  {
+    if (force && static_cast<int>(complexity) == 0)
+    {
+      complexity = static_cast<Complexity>(1);
+    }
+  }
+  ~ForceLit() { this->Target = this->Saved; }
+  ForceLit(const ForceLit&) = delete;
+  void operator=(const ForceLit&) = delete;
+
+private:
+  Complexity& Target;
+  Complexity Saved;
+};
+
+// Counts calls that are not over yet, whatever way they end.
+class Depth
+{
+public:
+  explicit Depth(int& depth)
+    : Count(depth)
+  {
+    ++this->Count;
+  }
+  ~Depth() { --this->Count; }
+  Depth(const Depth&) = delete;
+  void operator=(const Depth&) = delete;
+
+private:
+  int& Count;
+};
+
+inline bool Contains(const std::string& text, const char* part)
+{
+  return text.find(part) != std::string::npos;
+}
+} // namespace measuredbrdf
+
+//------------------------------------------------------------------------------
+template <class Base>
+vtkMeasuredBRDFMapperMixin<Base>::vtkMeasuredBRDFMapperMixin() = default;
+
+//------------------------------------------------------------------------------
+template <class Base>
+vtkMeasuredBRDFMapperMixin<Base>::~vtkMeasuredBRDFMapperMixin()
+{
+  if (this->Drawing)
+  {
+    this->Drawing->Forget(this);
+  }
+}
+
+//------------------------------------------------------------------------------
+template <class Base>
+void vtkMeasuredBRDFMapperMixin<Base>::RenderPiece(vtkRenderer* ren, vtkActor* actor)
+{
+  const measuredbrdf::Depth inside(this->RenderDepth);
+  this->Base::RenderPiece(ren, actor);
+}
+
+//------------------------------------------------------------------------------
+template <class Base>
+void vtkMeasuredBRDFMapperMixin<Base>::ReleaseGraphicsResources(vtkWindow* window)
+{
+  // From inside of RenderPiece the superclass lets go of one window since another draws: the
+  // textures of the first stay, for its next frame.
+  if (this->Drawing && this->RenderDepth == 0)
+  {
+    this->Drawing->ReleaseGraphicsResources(window, this);
+  }
+  this->Base::ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+template <class Base>
+void vtkMeasuredBRDFMapperMixin<Base>::RenderPieceStart(vtkRenderer* ren, vtkActor* actor)
+{
+  this->Drawing->BeginFrame(ren, actor, this, this->GetMaterialUses());
+  this->Base::RenderPieceStart(ren, actor);
+}
+
+//------------------------------------------------------------------------------
+template <class Base>
+void vtkMeasuredBRDFMapperMixin<Base>::RenderPieceDraw(vtkRenderer* ren, vtkActor* actor)
+{
+  const std::vector<measuredbrdf::DrawnMaterial>& materials = this->Drawing->GetMaterials();
+  if (materials.empty())
+  {
+    this->Base::RenderPieceDraw(ren, actor);
+    return;
+  }
+  // Those of one shader after the other.
+  std::vector<std::size_t> order(materials.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+    [&materials](std::size_t a, std::size_t b) { return materials[a].Key < materials[b].Key; });
+  for (std::size_t material : order)
+  {
+    this->ShowOnly(static_cast<int>(material));
+    this->Drawing->Select(material);
+    this->Base::RenderPieceDraw(ren, actor);
+  }
+  this->Drawing->Unselect();
+  this->ShowOnly(-1);
+}
+
+//------------------------------------------------------------------------------
+template <class Base>
+void vtkMeasuredBRDFMapperMixin<Base>::RenderPieceFinish(vtkRenderer* ren, vtkActor* actor)
+{
+  this->Drawing->EndFrame();
+  this->Base::RenderPieceFinish(ren, actor);
+}
+
+//------------------------------------------------------------------------------
+template <class Base>
+bool vtkMeasuredBRDFMapperMixin<Base>::UsesMaterial(const vtkOpenGLHelper* cellBO)
+{
+  if (!this->Drawing->GetSelected() || this->DrawingSelection || this->DrawingVertices)
+  {
+    return false;
+  }
+  return cellBO == &this->Primitives[Base::PrimitiveTris] ||
+         cellBO == &this->Primitives[Base::PrimitiveTriStrips];
+}
+
+//------------------------------------------------------------------------------
+template <class Base>
+bool vtkMeasuredBRDFMapperMixin<Base>::HasTangents()
+{
+  return this->VBOs->GetNumberOfComponents("tangentMC") == 3;
+}
+
+//------------------------------------------------------------------------------
+template <class Base>
+bool vtkMeasuredBRDFMapperMixin<Base>::GetNeedToRebuildShaders(
+  vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor)
+{
+  const bool rebuild = this->Base::GetNeedToRebuildShaders(cellBO, ren, actor);
+  std::string key;
+  if (this->UsesMaterial(&cellBO))
+  {
+    key = this->Drawing->GetSelected()->Key + (this->HasTangents() ? "/tangents" : "");
+  }
+  std::string& last = this->ShaderKeys[&cellBO];
+  const bool changed = key != last;
+  last = key;
+  return rebuild || changed;
+}
+
+//------------------------------------------------------------------------------
+template <class Base>
+void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderColor(
+  Shaders shaders, vtkRenderer* ren, vtkActor* actor)
+{
+  const measuredbrdf::ForceLit lit(this->PrimitiveInfo[this->LastBoundBO].LastLightComplexity,
+    this->UsesMaterial(this->LastBoundBO));
+  this->Base::ReplaceShaderColor(shaders, ren, actor);
+}
+
+//------------------------------------------------------------------------------
+template <class Base>
+void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderEdges(
+  Shaders shaders, vtkRenderer* ren, vtkActor* actor)
+{
+  const measuredbrdf::ForceLit lit(this->PrimitiveInfo[this->LastBoundBO].LastLightComplexity,
+    this->UsesMaterial(this->LastBoundBO));
+  this->Base::ReplaceShaderEdges(shaders, ren, actor);
+}
+
+//------------------------------------------------------------------------------
+template <class Base>
+void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderPositionVC(
+  Shaders shaders, vtkRenderer* ren, vtkActor* actor)
+{
+  const measuredbrdf::ForceLit lit(this->PrimitiveInfo[this->LastBoundBO].LastLightComplexity,
+    this->UsesMaterial(this->LastBoundBO));
+  this->Base::ReplaceShaderPositionVC(shaders, ren, actor);
+}
+
+//------------------------------------------------------------------------------
+template <class Base>
+void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderNormal(
+  Shaders shaders, vtkRenderer* ren, vtkActor* actor)
+{
+  const bool material = this->UsesMaterial(this->LastBoundBO);
+  const measuredbrdf::ForceLit lit(
+    this->PrimitiveInfo[this->LastBoundBO].LastLightComplexity, material);
+  this->Base::ReplaceShaderNormal(shaders, ren, actor);
+  if (!material || this->Drawing->GetSelected()->BRDF->IsIsotropic() || !this->HasTangents())
+  {
+    return;
+  }
+
+  // Tangents through the stages, beside the positions (their tags are still there).
+  std::string vs = shaders[vtkShader::Vertex]->GetSource();
+  std::string declarations = "out vec3 brdfTangentVCVSOutput;\nuniform mat3 brdfTangentMatrix;\n";
+  if (!measuredbrdf::Contains(vs, "in vec3 tangentMC;"))
+  {
+    declarations += "in vec3 tangentMC;\n";
+  }
+  vtkShaderProgram::Substitute(
+    vs, "//VTK::PositionVC::Dec", "//VTK::PositionVC::Dec\n" + declarations, false);
+  vtkShaderProgram::Substitute(vs, "//VTK::PositionVC::Impl",
+    "//VTK::PositionVC::Impl\n  brdfTangentVCVSOutput = brdfTangentMatrix * tangentMC;\n", false);
+  shaders[vtkShader::Vertex]->SetSource(vs);
+
+  std::string gs = shaders[vtkShader::Geometry]->GetSource();
+  vtkShaderProgram::Substitute(gs, "//VTK::PositionVC::Dec",
+    "//VTK::PositionVC::Dec\nin vec3 brdfTangentVCVSOutput[];\nout vec3 brdfTangentVCGSOutput;\n",
+    false);
+  vtkShaderProgram::Substitute(gs, "//VTK::PositionVC::Impl",
+    "//VTK::PositionVC::Impl\n  brdfTangentVCGSOutput = brdfTangentVCVSOutput[i];\n", false);
+  shaders[vtkShader::Geometry]->SetSource(gs);
+
+  std::string fs = shaders[vtkShader::Fragment]->GetSource();
+  vtkShaderProgram::Substitute(
+    fs, "//VTK::Light::Dec", "in vec3 brdfTangentVCVSOutput;\n//VTK::Light::Dec", false);
+  shaders[vtkShader::Fragment]->SetSource(fs);
+}
+
+//------------------------------------------------------------------------------
+template <class Base>
+void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderLight(
+  Shaders shaders, vtkRenderer* ren, vtkActor* actor)
+{
+  if (!this->UsesMaterial(this->LastBoundBO))
+  {
+    this->Base::ReplaceShaderLight(shaders, ren, actor);
+    return;
+  }
+  this->WarnOfTextures(actor);
+  const measuredbrdf::DrawnMaterial& drawn = *this->Drawing->GetSelected();
+  std::string fs = shaders[vtkShader::Fragment]->GetSource();
+  std::string declarations =
+    measuredbrdf::GetShaderDeclarations(drawn.Material ? &drawn.Material->GetForm() : nullptr,
+      drawn.Radiance ? drawn.Radiance->GetForm() : vtkBRDFShaderInputs());
+  if (measuredbrdf::Contains(fs, "anisotropyUniform"))
+  {
+    // The superclass turned the tangents by a PBR property's anisotropy, with what its lights
+    // would have declared.
+    declarations += "uniform float anisotropyUniform;\nconst float PI = 3.14159265359;\n";
+  }
+  vtkShaderProgram::Substitute(
+    fs, "//VTK::Light::Dec", "//VTK::Light::Dec\n" + declarations, false);
+  vtkShaderProgram::Substitute(fs, "//VTK::Light::Dec",
+    std::string(static_cast<vtkOpenGLRenderer*>(ren)->GetLightingUniforms()), false);
+
+  measuredbrdf::ShaderBody body;
+  if (!drawn.BRDF->IsIsotropic())
+  {
+    body.Tangents =
+      this->HasTangents() ? measuredbrdf::TangentSource::Data : measuredbrdf::TangentSource::Axis;
+    if (!this->HasTangents() && this->Drawing->WarnOnce("tangents"))
+    {
+      vtkWarningWithObjectMacro(this->Drawing->GetOwner(),
+        << "The material is anisotropic but the polydata has no float point tangents "
+           "(PointData::SetTangents): they turn about the environment's up axis.");
+    }
+  }
+  const auto& info = this->PrimitiveInfo[this->LastBoundBO];
+  // Image-based lighting counts as a light in VTK 9.6; here it is none.
+  const bool lit = drawn.Material && info.LastLightCount > 0;
+  body.Complexity = lit ? static_cast<int>(info.LastLightComplexity) : 0;
+  body.LightCount = info.LastLightCount;
+  body.HasEdges = this->DrawingEdges(ren, actor);
+  body.HasEdgeOpacity = measuredbrdf::Contains(fs, "uniform float edgeOpacity");
+  body.EdgesAreTubes = measuredbrdf::Contains(fs, "vec3 tnorm"); // as the superclass bent normals
+  body.HasBlockColors = measuredbrdf::Contains(fs, "uniform bool OverridesColor");
+  vtkShaderProgram::Substitute(fs, "//VTK::Light::Impl", measuredbrdf::GetShaderBody(body), false);
+  shaders[vtkShader::Fragment]->SetSource(fs);
+}
+
+//------------------------------------------------------------------------------
+template <class Base>
+void vtkMeasuredBRDFMapperMixin<Base>::WarnOfTextures(vtkActor* actor)
+{
+  for (const char* name :
+    { "albedoTex", "materialTex", "emissiveTex", "anisotropyTex", "coatNormalTex" })
+  {
+    const auto textures = this->GetTextures(actor);
+    if (std::any_of(textures.begin(), textures.end(),
+          [name](const auto& texture) { return texture.second == name; }) &&
+        this->Drawing->WarnOnce(name))
+    {
+      vtkWarningWithObjectMacro(this->Drawing->GetOwner(),
+        << "The property's texture " << name
+        << " has no effect: the surface reflects as the measured material does. An actor's own "
+           "texture and scalars multiply its radiance.");
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+template <class Base>
+void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderTCoord(
+  Shaders shaders, vtkRenderer* ren, vtkActor* actor)
+{
+  this->Base::ReplaceShaderTCoord(shaders, ren, actor);
+  if (!this->UsesMaterial(this->LastBoundBO))
+  {
+    return;
+  }
+  // The superclass multiplies encoded radiance by the texture.
+  std::string fs = shaders[vtkShader::Fragment]->GetSource();
+  for (const auto& texture : this->GetTextures(actor))
+  {
+    if (texture.first->GetUseSRGBColorSpace() && !texture.first->GetCubeMap())
+    {
+      vtkShaderProgram::Substitute(
+        fs, "= texture(" + texture.second + ", ", "= brdfDisplayTexel(" + texture.second + ", ");
+    }
+  }
+  shaders[vtkShader::Fragment]->SetSource(fs);
+}
+
+//------------------------------------------------------------------------------
+template <class Base>
+void vtkMeasuredBRDFMapperMixin<Base>::SetMapperShaderParameters(
+  vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor)
+{
+  this->Base::SetMapperShaderParameters(cellBO, ren, actor);
+  if (!this->UsesMaterial(&cellBO))
+  {
+    return;
+  }
+  const measuredbrdf::DrawnMaterial& drawn = *this->Drawing->GetSelected();
+  vtkShaderProgram* program = cellBO.Program;
+  for (const std::shared_ptr<measuredbrdf::FormTextures>& textures :
+    { drawn.Material, drawn.Radiance })
+  {
+    if (textures)
+    {
+      textures->SetUniforms(program);
+    }
+  }
+  vtkNew<vtkMatrix3x3> matrix;
+  if (drawn.Environment)
+  {
+    double rows[9];
+    drawn.Environment->GetWorldToEnvironment(rows);
+    matrix->DeepCopy(rows);
+  }
+  matrix->Transpose(); // SetUniformMatrix hands over columns
+  program->SetUniformMatrix("brdfEnvironmentRotation", matrix);
+  if (program->IsUniformUsed("brdfTangentMatrix"))
+  {
+    // Tangents are directions of the surface: they turn and stretch with it, as normals do not.
+    vtkNew<vtkMatrix4x4> toView;
+    vtkMatrix4x4::Multiply4x4(
+      ren->GetActiveCamera()->GetModelViewTransformMatrix(), actor->GetMatrix(), toView);
+    for (int k = 0; k < 9; ++k)
+    {
+      matrix->SetElement(k % 3, k / 3, toView->GetElement(k / 3, k % 3));
+    }
+    program->SetUniformMatrix("brdfTangentMatrix", matrix);
+  }
+  const bool scalars =
+    this->GetScalarVisibility() && (this->VBOs->GetNumberOfComponents("scalarColor") != 0 ||
+                                     this->HaveCellScalars || this->ColorTextureMap);
+  const bool modulate = this->Drawing->GetSettings().ScalarColoringMode != 0;
+  program->SetUniformi("brdfModulate", modulate ? (scalars ? 2 : 1) : 0);
+}
+
+//------------------------------------------------------------------------------
+template <class Base>
+void vtkMeasuredBRDFMapperMixin<Base>::SetPropertyShaderParameters(
+  vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor)
+{
+  this->Base::SetPropertyShaderParameters(cellBO, ren, actor);
+  if (!this->UsesMaterial(&cellBO))
+  {
+    return;
+  }
+  // The measured material has no coefficient for VTK's "diffuse" part.
+  cellBO.Program->SetUniformf("diffuseIntensity", 1.0f);
+  if (vtkProperty* back = actor->GetBackfaceProperty())
+  {
+    // The superclass sets these where its own lighting reads them.
+    cellBO.Program->SetUniformf("opacityUniformBF", static_cast<float>(back->GetOpacity()));
+    cellBO.Program->SetUniform3f("diffuseColorUniformBF", back->GetDiffuseColor());
+    cellBO.Program->SetUniformf("diffuseIntensityBF", 1.0f);
+  }
+}
+
+#endif

@@ -1,0 +1,407 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// One rule for bad values in every setter: what is no number or no enumerator is refused with one
+// error, and the value stays; numbers out of range are clamped with one warning, or refused.
+
+#include "ErrorCatcher.h"
+
+#include "vtkAshikhminShirleyBRDF.h"
+#include "vtkAshikhminShirleyBRDFFitter.h"
+#include "vtkBRDFAcquisition.h"
+#include "vtkBRDFAnalysis.h"
+#include "vtkBRDFFailureMap.h"
+#include "vtkBRDFResampler.h"
+#include "vtkBasisBRDF.h"
+#include "vtkBasisExtrapolator.h"
+#include "vtkBasisProjector.h"
+#include "vtkBasisRadianceIntegrator.h"
+#include "vtkBlinnPhongBRDF.h"
+#include "vtkBlinnPhongBRDFFitter.h"
+#include "vtkDistributionBRDF.h"
+#include "vtkDistributionBRDFFitter.h"
+#include "vtkEmbeddedMaterials.h"
+#include "vtkEnvironment.h"
+#include "vtkEnvironmentProjection.h"
+#include "vtkEnvironmentReader.h"
+#include "vtkFilteredRadianceIntegrator.h"
+#include "vtkLambertBRDF.h"
+#include "vtkHybridRadianceIntegrator.h"
+#include "vtkObjectFactory.h"
+#include "vtkOutputWindow.h"
+#include "vtkRadianceCostModel.h"
+#include "vtkRadiancePlanner.h"
+#include "vtkRepresentationAdvisor.h"
+#include "vtkTableRadianceIntegrator.h"
+#include "vtkTabulatedBRDF.h"
+#include "vtkVarianceLightSetGenerator.h"
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace
+{
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+const double NaN = std::nan("");
+
+// Counts an object's errors and warnings while it lives.
+class Listener
+{
+public:
+  explicit Listener(vtkObject* object)
+    : Errors(object)
+    , Object(object)
+  {
+    this->Command->SetClientData(this);
+    this->Command->SetCallback(
+      [](vtkObject*, unsigned long, void* self, void* text)
+      {
+        ++static_cast<Listener*>(self)->Warnings;
+        static_cast<Listener*>(self)->Text = static_cast<const char*>(text);
+      });
+    this->Tag = object->AddObserver(vtkCommand::WarningEvent, this->Command);
+  }
+  ~Listener() { this->Object->RemoveObserver(this->Tag); }
+
+  // What was said since the last call, by number.
+  void Expect(const char* setter, int errors, int warnings)
+  {
+    EXPECT_EQ(this->Errors.Take(), errors) << setter << " " << this->Errors.GetText();
+    EXPECT_EQ(this->Warnings, warnings) << setter << " " << this->Text;
+    const std::string& said = errors > 0 ? this->Errors.GetText() : this->Text;
+    if (errors + warnings > 0)
+    {
+      EXPECT_NE(said.find(setter), std::string::npos) << said;
+    }
+    this->Warnings = 0;
+  }
+
+private:
+  ErrorCatcher Errors;
+  vtkNew<vtkCallbackCommand> Command;
+  vtkObject* Object;
+  unsigned long Tag;
+  int Warnings = 0;
+  std::string Text;
+};
+
+template <typename T>
+std::vector<double> GetNonNumbers()
+{
+  return std::is_floating_point<T>::value ? std::vector<double>{ NaN, Infinity, -Infinity }
+                                          : std::vector<double>();
+}
+
+template <typename Object, typename S, typename G, typename T>
+void ExpectClamped(
+  const char* setter, Object* object, void (S::*set)(T), T (G::*get)(), double low, double high)
+{
+  Listener listener(object);
+  const T before = (object->*get)();
+  const vtkMTimeType time = object->GetMTime();
+  for (const double bad : GetNonNumbers<T>())
+  {
+    (object->*set)(static_cast<T>(bad));
+    listener.Expect(setter, 1, 0);
+    EXPECT_EQ((object->*get)(), before) << setter;
+    EXPECT_EQ(object->GetMTime(), time) << setter;
+  }
+  (object->*set)(static_cast<T>(low - 1.0));
+  listener.Expect(setter, 0, 1);
+  EXPECT_EQ((object->*get)(), static_cast<T>(low)) << setter;
+  if (high < 1e9)
+  {
+    (object->*set)(static_cast<T>(high + 1.0));
+    listener.Expect(setter, 0, 1);
+    EXPECT_EQ((object->*get)(), static_cast<T>(high)) << setter;
+  }
+  (object->*set)(before);
+  listener.Expect(setter, 0, 0);
+  EXPECT_EQ((object->*get)(), before) << setter;
+}
+
+template <typename Object, typename S, typename G, typename T>
+void ExpectRefused(const char* setter, Object* object, void (S::*set)(T), T (G::*get)(), double low,
+  double high, std::vector<double> more = {})
+{
+  Listener listener(object);
+  const T before = (object->*get)();
+  const vtkMTimeType time = object->GetMTime();
+  for (const double bad : GetNonNumbers<T>())
+  {
+    more.push_back(bad);
+  }
+  more.push_back(low - 1.0);
+  if (high < 1e9)
+  {
+    more.push_back(high + 1.0);
+  }
+  for (const double bad : more)
+  {
+    (object->*set)(static_cast<T>(bad));
+    listener.Expect(setter, 1, 0);
+    EXPECT_EQ((object->*get)(), before) << setter << " " << bad;
+    EXPECT_EQ(object->GetMTime(), time) << setter;
+  }
+  (object->*set)(static_cast<T>(low));
+  listener.Expect(setter, 0, 0);
+  EXPECT_EQ((object->*get)(), static_cast<T>(low)) << setter;
+  (object->*set)(before);
+}
+
+template <typename Object>
+void ExpectFinite3(const char* setter, Object* object, void (Object::*set)(double, double, double),
+  void (Object::*setArray)(const double*), double* (Object::*get)())
+{
+  Listener listener(object);
+  const std::vector<double> before((object->*get)(), (object->*get)() + 3);
+  for (const double bad : { NaN, Infinity, -Infinity })
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      double values[3] = { 0.25, 0.5, 0.75 };
+      values[k] = bad;
+      (object->*set)(values[0], values[1], values[2]);
+      listener.Expect(setter, 1, 0);
+      (object->*setArray)(values);
+      listener.Expect(setter, 1, 0);
+      EXPECT_EQ(std::vector<double>((object->*get)(), (object->*get)() + 3), before) << setter;
+    }
+  }
+  (object->*set)(0.25, 0.5, 0.75);
+  listener.Expect(setter, 0, 0);
+  EXPECT_EQ((object->*get)()[1], 0.5) << setter;
+}
+
+template <typename Object>
+void ExpectZone(
+  const char* setter, Object* object, void (Object::*set)(double, double), double* (Object::*get)())
+{
+  Listener listener(object);
+  const double begin = (object->*get)()[0], end = (object->*get)()[1];
+  for (const auto& bad : { std::pair<double, double>(NaN, 57.0), { 9.0, Infinity }, { 57.0, 9.0 },
+         { -1.0, 57.0 }, { 9.0, 91.0 } })
+  {
+    (object->*set)(bad.first, bad.second);
+    listener.Expect(setter, 1, 0);
+    EXPECT_EQ((object->*get)()[0], begin);
+    EXPECT_EQ((object->*get)()[1], end);
+  }
+  (object->*set)(10.0, 50.0);
+  listener.Expect(setter, 0, 0);
+  EXPECT_EQ((object->*get)()[0], 10.0);
+}
+}
+
+// Members may be of a superclass.
+#define CLAMPED(type, name, low, high)                                             \
+  ExpectClamped("Set" #name, vtkSmartPointer<type>::New().Get(), &type::Set##name, \
+    &type::Get##name, low, high)
+#define REFUSED(type, name, low, ...)                                              \
+  ExpectRefused("Set" #name, vtkSmartPointer<type>::New().Get(), &type::Set##name, \
+    &type::Get##name, low, __VA_ARGS__)
+#define FINITE3(type, name)                                                        \
+  ExpectFinite3("Set" #name, vtkSmartPointer<type>::New().Get(), &type::Set##name, \
+    &type::Set##name, &type::Get##name)
+#define ZONE(type, name) \
+  ExpectZone("Set" #name, vtkSmartPointer<type>::New().Get(), &type::Set##name, &type::Get##name)
+
+TEST(Setters, OfMaterials)
+{
+  CLAMPED(vtkLambertBRDF, ResamplingTolerance, 1e-5, 0.5);
+  FINITE3(vtkLambertBRDF, Albedo);
+  FINITE3(vtkBlinnPhongBRDF, Specular);
+  CLAMPED(vtkBlinnPhongBRDF, Exponent, 0.0, 1e6);
+  FINITE3(vtkAshikhminShirleyBRDF, SpecularScale);
+  FINITE3(vtkAshikhminShirleyBRDF, Reflectance);
+  FINITE3(vtkAshikhminShirleyBRDF, Diffuse);
+  CLAMPED(vtkAshikhminShirleyBRDF, ExponentU, 0.0, 1e6);
+  CLAMPED(vtkAshikhminShirleyBRDF, ExponentV, 0.0, 1e6);
+  CLAMPED(vtkAshikhminShirleyBRDF, IndexOfRefraction, 1.0, 100.0);
+  REFUSED(vtkAshikhminShirleyBRDF, FresnelModel, 0, 1);
+  REFUSED(vtkTabulatedBRDF, Precision, 0, 2, { 7 });
+  CLAMPED(vtkTabulatedBRDF, ResamplingError, 0.0, 1e6);
+  CLAMPED(vtkBasisBRDF, ResamplingError, 0.0, 1e6);
+  CLAMPED(vtkBRDFResampler, Tolerance, 1e-6, 1.0);
+  CLAMPED(vtkBRDFResampler, MaximumNumberOfCells, 64, 1 << 26);
+
+  vtkNew<vtkDistributionBRDF> distribution;
+  Listener listener(distribution);
+  const std::vector<float> p = distribution->GetDistribution(), f = distribution->GetFresnel();
+  for (const double bad : { NaN, Infinity, -1.0 })
+  {
+    distribution->SetBlinnDistribution(bad);
+    listener.Expect("SetBlinnDistribution", 1, 0);
+    const double f0[3] = { 0.5, bad, 0.5 };
+    distribution->SetSchlickFresnel(f0);
+    listener.Expect("SetSchlickFresnel", 1, 0);
+  }
+  EXPECT_FALSE(distribution->SetDistribution(1, 1, { 1.0f }));
+  listener.Expect("SetDistribution", 1, 0);
+  EXPECT_FALSE(distribution->SetFresnel(1, { 1.0f, NAN, 1.0f }));
+  listener.Expect("SetFresnel", 1, 0);
+  EXPECT_EQ(distribution->GetDistribution(), p);
+  EXPECT_EQ(distribution->GetFresnel(), f);
+
+  vtkNew<vtkTabulatedBRDF> table;
+  Listener tableListener(table);
+  const int one[3] = { 1, 1, 1 }, none[3] = { 1, 0, 1 };
+  EXPECT_FALSE(table->SetVolume(0, 0, one, { 1.0f }));
+  tableListener.Expect("SetVolume", 1, 0);
+  EXPECT_FALSE(table->SetVolume(0, 0, none, {}));
+  tableListener.Expect("SetVolume", 1, 0);
+  EXPECT_FALSE(table->SetVolume(2, 0, one, { 1.0f, 1.0f, 1.0f }));
+  tableListener.Expect("SetVolume", 1, 0);
+}
+
+TEST(Setters, OfLightingAndReaders)
+{
+  REFUSED(vtkVarianceLightSetGenerator, Method, 0, 1);
+  CLAMPED(vtkVarianceLightSetGenerator, TreeSize, 1, vtkLightSetGenerator::MaximumNumberOfLights);
+  REFUSED(
+    vtkEnvironmentProjection, Projection, 0, vtkEnvironmentProjection::NUMBER_OF_PROJECTIONS - 1);
+  REFUSED(vtkEnvironmentProjection, Height, 0, 11585, { -1000000 });
+  REFUSED(
+    vtkEnvironmentReader, Projection, -1, vtkEnvironmentProjection::NUMBER_OF_PROJECTIONS - 1);
+  vtkNew<vtkEnvironment> environment;
+  Listener listener(environment);
+  environment->SetRotationY(NaN);
+  listener.Expect("SetWorldToEnvironment", 1, 0);
+  const double zeros[9] = {};
+  environment->SetWorldToEnvironment(zeros);
+  listener.Expect("SetWorldToEnvironment", 1, 0);
+}
+
+TEST(Setters, OfIntegrators)
+{
+  CLAMPED(vtkTableRadianceIntegrator, NumberOfRows, 9, 513);
+  CLAMPED(vtkTableRadianceIntegrator, NumberOfViewAngles, 2, 64);
+  CLAMPED(vtkTableRadianceIntegrator, NumberOfAzimuths, 4, 64);
+  CLAMPED(vtkTableRadianceIntegrator, HarmonicDegree, 0, 1024);
+  CLAMPED(vtkTableRadianceIntegrator, NumberOfNodes, 16, 1024);
+  CLAMPED(vtkBasisRadianceIntegrator, Tolerance, 1e-4, 1.0);
+  CLAMPED(vtkBasisRadianceIntegrator, MaximumNumberOfTerms, 1, 256);
+  CLAMPED(vtkBasisRadianceIntegrator, MapSize, 8, 128);
+  CLAMPED(vtkBasisRadianceIntegrator, NumberOfClusters, 64, 1048576);
+  CLAMPED(vtkFilteredRadianceIntegrator, NumberOfSamples, 1, 1024);
+  CLAMPED(vtkFilteredRadianceIntegrator, LevelBias, -4.0, 4.0);
+  CLAMPED(vtkHybridRadianceIntegrator, NumberOfRows, 9, 513);
+  CLAMPED(vtkHybridRadianceIntegrator, NumberOfViewAngles, 2, 64);
+  CLAMPED(vtkHybridRadianceIntegrator, NumberOfAzimuths, 4, 64);
+  CLAMPED(vtkHybridRadianceIntegrator, NumberOfSamples, 0, 1024);
+  CLAMPED(vtkHybridRadianceIntegrator, MaximumNumberOfLights, 0, 1024);
+  CLAMPED(vtkHybridRadianceIntegrator, LightAngle, 0.0, 30.0);
+  CLAMPED(vtkBRDFAnalysis, NumberOfPairs, 100, 100000000);
+  CLAMPED(vtkBRDFFailureMap, NumberOfCells, 2, 720);
+  CLAMPED(vtkBRDFFailureMap, NumberOfAzimuths, 2, 3600);
+  vtkNew<vtkBRDFAnalysis> analysis;
+  Listener listener(analysis);
+  for (const double bad : { NaN, Infinity, -1.0, 90.0 })
+  {
+    analysis->SetAngles(1, &bad);
+    listener.Expect("SetAngles", 1, 0);
+  }
+}
+
+TEST(Setters, OfPlanning)
+{
+  CLAMPED(vtkRadiancePlanner, ErrorTolerance, 1e-3, 1.0);
+  FINITE3(vtkRadiancePlanner, ViewDirection);
+  CLAMPED(vtkRadiancePlanner, NumberOfPixels, 1, 1e300);
+  REFUSED(vtkRadiancePlanner, MaximumTextureBytes, 0, 1e300);
+  REFUSED(vtkRadiancePlanner, MaximumCacheBytes, 0, 1e300);
+  vtkNew<vtkRadianceCostModel> costs;
+  Listener listener(costs);
+  for (const double bad : { NaN, Infinity, -1.0, 0.0 })
+  {
+    EXPECT_FALSE(costs->SetCost(vtkRadianceCostModel::LIGHT, bad));
+    listener.Expect("SetCost", 1, 0);
+  }
+  EXPECT_FALSE(costs->SetCost(77, 1.0));
+  listener.Expect("SetCost", 1, 0);
+}
+
+TEST(Setters, OfFitting)
+{
+  using Fitter = vtkAshikhminShirleyBRDFFitter;
+  REFUSED(Fitter, Loss, 0, 2, { 7, -7 });
+  REFUSED(Fitter, NumberOfSamples, 256, 1 << 22, { 0, 2147483647.0 });
+  REFUSED(Fitter, NumberOfStarts, 1, 64);
+  REFUSED(Fitter, MaximumNumberOfIterations, 1, 10000);
+  REFUSED(Fitter, Tolerance, 1e-15, 0.999, { 0.0, 1.0 });
+  REFUSED(Fitter, NumberOfLobes, 1, 3);
+  REFUSED(Fitter, Anisotropy, 0, 2);
+  REFUSED(vtkBlinnPhongBRDFFitter, NumberOfLobes, 1, 3);
+  REFUSED(vtkDistributionBRDFFitter, FresnelModel, 0, 2);
+  REFUSED(vtkDistributionBRDFFitter, NumberOfThetaSamples, 0, 4096, { 1 });
+  REFUSED(vtkDistributionBRDFFitter, NumberOfPhiSamples, 0, 1024);
+  REFUSED(vtkDistributionBRDFFitter, NumberOfFresnelSamples, 2, 1024);
+  REFUSED(vtkRepresentationAdvisor, Order, 1, 20);
+  ZONE(vtkRepresentationAdvisor, Zone);
+  CLAMPED(vtkRepresentationAdvisor, MaximumResidual, 0.0, 1e6);
+  REFUSED(vtkBasisProjector, Basis, 0, 3);
+  REFUSED(vtkBasisProjector, Order, 1, 20);
+  ZONE(vtkBasisProjector, IncidentZone);
+  ZONE(vtkBasisProjector, OutgoingZone);
+  REFUSED(vtkBasisProjector, Method, 0, 1);
+  CLAMPED(vtkBasisProjector, Regularization, 0.0, 1.0);
+  REFUSED(vtkBasisProjector, Window, 0, vtkBasisProjector::LAPLACIAN);
+  CLAMPED(vtkBasisProjector, NumberOfTheta, 2, 1024);
+  CLAMPED(vtkBasisProjector, NumberOfPhi, 4, 1024);
+  CLAMPED(vtkBasisProjector, NumberOfNodes, 8, 1024);
+  REFUSED(vtkBRDFAcquisition, Basis, 1, 3, { 7 });
+  REFUSED(vtkBRDFAcquisition, Order, 1, 20);
+  ZONE(vtkBRDFAcquisition, Zone);
+  REFUSED(vtkBRDFAcquisition, Noise, 0.0, 1e300);
+  REFUSED(vtkBRDFAcquisition, Bits, 0, 24);
+  CLAMPED(vtkBRDFAcquisition, NumberOfTheta, 2, 1024);
+  CLAMPED(vtkBRDFAcquisition, NumberOfPhi, 1, 256);
+  CLAMPED(vtkBasisExtrapolator, Order, 0, 20);
+  REFUSED(vtkBasisExtrapolator, Criterion, 0, vtkBasisExtrapolator::FIXED);
+  CLAMPED(vtkBasisExtrapolator, Lambda, 0.0, 1e6);
+  CLAMPED(vtkBasisExtrapolator, MaximumResidual, 0.0, 1e6);
+  CLAMPED(vtkBasisExtrapolator, MaximumNegativeMass, 0.0, 1.0);
+}
+
+namespace
+{
+// What was printed without an object to observe.
+class Collector : public vtkOutputWindow
+{
+public:
+  static Collector* New() { VTK_STANDARD_NEW_BODY(Collector); }
+  void DisplayErrorText(const char* text) override { this->Text += text; }
+  std::string Text;
+};
+}
+
+TEST(EmbeddedMaterials, ATypoGetsTheNearestNames)
+{
+  const vtkSmartPointer<vtkOutputWindow> before = vtkOutputWindow::GetInstance();
+  vtkNew<Collector> collector;
+  vtkOutputWindow::SetInstance(collector);
+  EXPECT_EQ(vtkEmbeddedMaterials::NewBRDF("gold_paint"), nullptr);
+  EXPECT_NE(collector->Text.find("no embedded material 'gold_paint'"), std::string::npos)
+    << collector->Text;
+  EXPECT_NE(collector->Text.find("nearest names are 'gold-paint'"), std::string::npos)
+    << collector->Text;
+  for (const auto& typo : { std::pair<const char*, const char*>("crome", "'chrome'"),
+         { "Nickel", "'nickel'" }, { "violet rubber", "'violet-rubber'" } })
+  {
+    collector->Text.clear();
+    EXPECT_EQ(vtkEmbeddedMaterials::NewBRDF(typo.first), nullptr);
+    EXPECT_NE(collector->Text.find(typo.second), std::string::npos) << collector->Text;
+  }
+  collector->Text.clear();
+  EXPECT_EQ(vtkEmbeddedMaterials::NewBRDF(std::string(1 << 20, '\x1b')), nullptr);
+  EXPECT_LT(collector->Text.size(), 1000u);
+  EXPECT_EQ(collector->Text.find('\x1b'), std::string::npos);
+  collector->Text.clear();
+  vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("gold-paint"));
+  EXPECT_EQ(collector->Text, "");
+  vtkOutputWindow::SetInstance(before);
+}

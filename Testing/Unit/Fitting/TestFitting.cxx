@@ -1,0 +1,891 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Known parameters come back, figures are what they are said to be, and bad input is refused.
+#include "ErrorCatcher.h"
+#include "TestIOHelpers.h"
+
+#include "vtkAshikhminShirleyBRDF.h"
+#include "vtkAshikhminShirleyBRDFFitter.h"
+#include "vtkBRDFResampler.h"
+#include "vtkBlinnPhongBRDF.h"
+#include "vtkBlinnPhongBRDFFitter.h"
+#include "vtkDistributionBRDF.h"
+#include "vtkDistributionBRDFFitter.h"
+#include "vtkEmbeddedMaterials.h"
+#include "vtkLambertBRDF.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkSumBRDF.h"
+#include "vtkTabulatedBRDF.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <functional>
+#include <initializer_list>
+#include <iomanip>
+#include <iostream>
+#include <limits>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace
+{
+constexpr double Pi = 3.14159265358979323846;
+const std::string SharedData = MEASUREDBRDF_SHARED_DATA;
+
+using Color = std::array<double, 3>;
+
+vtkSmartPointer<vtkLambertBRDF> MakeLambert(const Color& albedo)
+{
+  auto brdf = vtkSmartPointer<vtkLambertBRDF>::New();
+  brdf->SetAlbedo(albedo[0], albedo[1], albedo[2]);
+  return brdf;
+}
+
+vtkSmartPointer<vtkBlinnPhongBRDF> MakePhong(double exponent, const Color& specular)
+{
+  auto brdf = vtkSmartPointer<vtkBlinnPhongBRDF>::New();
+  brdf->SetExponent(exponent);
+  brdf->SetSpecular(specular[0], specular[1], specular[2]);
+  return brdf;
+}
+
+vtkSmartPointer<vtkAshikhminShirleyBRDF> MakeAshikhmin(
+  double nu, double nv, const Color& scale, const Color& reflectance)
+{
+  auto brdf = vtkSmartPointer<vtkAshikhminShirleyBRDF>::New();
+  brdf->SetExponents(nu, nv);
+  brdf->SetSpecularScale(scale[0], scale[1], scale[2]);
+  brdf->SetReflectance(reflectance[0], reflectance[1], reflectance[2]);
+  return brdf;
+}
+
+vtkSmartPointer<vtkSumBRDF> Sum(const std::vector<vtkBRDF*>& terms)
+{
+  auto sum = vtkSmartPointer<vtkSumBRDF>::New();
+  for (vtkBRDF* term : terms)
+  {
+    sum->AddTerm(term);
+  }
+  return sum;
+}
+
+template <typename T>
+T* Term(vtkBRDFFitter* fitter, int index)
+{
+  auto* sum = vtkSumBRDF::SafeDownCast(fitter->GetOutput());
+  T* term = sum ? T::SafeDownCast(sum->GetTerm(index)) : nullptr;
+  EXPECT_TRUE(term) << index;
+  return term;
+}
+
+// Within a share of the expected value (of 1e-4 where that is less).
+void ExpectClose(double value, double expected, double share, const std::string& what)
+{
+  EXPECT_NEAR(value, expected, share * std::max(std::abs(expected), 1e-4)) << what;
+}
+
+void ExpectClose(
+  const double value[3], const Color& expected, double share, const std::string& what)
+{
+  for (int c = 0; c < 3; ++c)
+  {
+    ExpectClose(value[c], expected[c], share, what);
+  }
+}
+
+void ExpectFit(vtkBRDFFitter* fitter, vtkBRDF* input)
+{
+  fitter->SetInput(input);
+  ASSERT_TRUE(fitter->Fit());
+  ASSERT_TRUE(fitter->GetOutput());
+  const std::vector<double>& history = fitter->GetResidualHistory();
+  for (std::size_t k = 1; k < history.size(); ++k)
+  {
+    EXPECT_LE(history[k], history[k - 1]) << k;
+  }
+  EXPECT_EQ(fitter->GetNumberOfIterations(), static_cast<int>(history.size()) - 1);
+}
+
+// A material of the test's own: what `function` says.
+class FunctionBRDF : public vtkBRDF
+{
+public:
+  static FunctionBRDF* New();
+  vtkTypeMacro(FunctionBRDF, vtkBRDF);
+  void GetBounds(double, double[3], double[3]) override {}
+  void GetShaderInputs(vtkBRDFShaderInputs&) override {}
+  std::function<void(const double i[3], const double o[3], double f[3])> Function;
+
+protected:
+  void EvaluateAbove(const double i[3], const double o[3], double f[3]) override
+  {
+    this->Function(i, o, f);
+  }
+};
+vtkStandardNewMacro(FunctionBRDF);
+
+// The other with a factor uniform in [1 - noise, 1 + noise] that depends on the bits of i and o.
+vtkSmartPointer<vtkBRDF> MakeNoisy(vtkBRDF* clean, double noise)
+{
+  auto noisy = vtkSmartPointer<FunctionBRDF>::New();
+  const vtkSmartPointer<vtkBRDF> kept = clean;
+  noisy->Function = [kept, noise](const double i[3], const double o[3], double f[3])
+  {
+    kept->Evaluate(i, o, f);
+    std::uint64_t hash = 1469598103934665603u;
+    for (const double value : { i[0], i[1], i[2], o[0], o[1], o[2] })
+    {
+      std::uint64_t bits;
+      std::memcpy(&bits, &value, sizeof(bits));
+      hash = (hash ^ bits) * 1099511628211u;
+      hash ^= hash >> 29;
+    }
+    for (int c = 0; c < 3; ++c)
+    {
+      hash = hash * 6364136223846793005u + 1442695040888963407u;
+      f[c] *= 1.0 + noise * (2.0 * static_cast<double>(hash >> 11) * 0x1p-53 - 1.0);
+    }
+  };
+  return noisy;
+}
+}
+
+//------------------------------------------------------------------------------
+class BlinnPhongFit : public testing::TestWithParam<double>
+{
+};
+
+TEST_P(BlinnPhongFit, ComesBack)
+{
+  const double n = GetParam();
+  const Color albedo = { 0.3, 0.1, 0.02 }, specular = { 0.05, 0.1, 0.2 };
+  const auto input = Sum({ MakeLambert(albedo), MakePhong(n, specular) });
+  vtkNew<vtkBlinnPhongBRDFFitter> fitter;
+  ExpectFit(fitter, input);
+  ExpectClose(Term<vtkLambertBRDF>(fitter, 0)->GetAlbedo(), albedo, 0.01, "albedo");
+  ExpectClose(Term<vtkBlinnPhongBRDF>(fitter, 1)->GetExponent(), n, 0.01, "exponent");
+  ExpectClose(Term<vtkBlinnPhongBRDF>(fitter, 1)->GetSpecular(), specular, 0.01, "specular");
+  EXPECT_LT(fitter->GetResidual(), 1e-5);
+  EXPECT_LT(fitter->GetRelativeL2Error(), 1e-3);
+  EXPECT_TRUE(fitter->GetConverged());
+}
+
+INSTANTIATE_TEST_SUITE_P(Exponents, BlinnPhongFit, testing::Values(10.0, 100.0, 1000.0, 30000.0));
+
+//------------------------------------------------------------------------------
+TEST(BlinnPhongFit, ThreeLobesComeBack)
+{
+  const auto input = Sum({ MakeLambert({ 0.1, 0.2, 0.3 }), MakePhong(5.0, { 0.1, 0.05, 0.1 }),
+    MakePhong(80.0, { 0.05, 0.1, 0.15 }), MakePhong(3000.0, { 0.05, 0.04, 0.03 }) });
+  vtkNew<vtkBlinnPhongBRDFFitter> fitter;
+  fitter->SetNumberOfLobes(3);
+  fitter->SetTolerance(1e-10);
+  ExpectFit(fitter, input);
+  ExpectClose(Term<vtkBlinnPhongBRDF>(fitter, 1)->GetExponent(), 5.0, 0.01, "first");
+  ExpectClose(Term<vtkBlinnPhongBRDF>(fitter, 2)->GetExponent(), 80.0, 0.01, "second");
+  ExpectClose(Term<vtkBlinnPhongBRDF>(fitter, 3)->GetExponent(), 3000.0, 0.01, "third");
+  ExpectClose(
+    Term<vtkBlinnPhongBRDF>(fitter, 2)->GetSpecular(), { 0.05, 0.1, 0.15 }, 0.01, "specular");
+}
+
+//------------------------------------------------------------------------------
+class LossFit : public testing::TestWithParam<int>
+{
+};
+
+TEST_P(LossFit, AshikhminShirleyComesBack)
+{
+  const Color albedo = { 0.2, 0.3, 0.0 }, scale = { 0.9, 0.5, 0.7 };
+  const Color reflectance = { 0.04, 0.3, 0.9 };
+  const auto input = Sum({ MakeLambert(albedo), MakeAshikhmin(150.0, 150.0, scale, reflectance) });
+  vtkNew<vtkAshikhminShirleyBRDFFitter> fitter;
+  fitter->SetLoss(GetParam());
+  ExpectFit(fitter, input);
+  auto* lobe = Term<vtkAshikhminShirleyBRDF>(fitter, 1);
+  EXPECT_TRUE(lobe->IsIsotropic());
+  ExpectClose(lobe->GetExponentU(), 150.0, 0.01, "exponent");
+  ExpectClose(lobe->GetSpecularScale(), scale, 0.01, "scale");
+  ExpectClose(lobe->GetReflectance(), reflectance, 0.01, "reflectance");
+  ExpectClose(Term<vtkLambertBRDF>(fitter, 0)->GetAlbedo(), albedo, 0.01, "albedo");
+}
+
+TEST_P(LossFit, DistributionComesClose)
+{
+  vtkNew<vtkDistributionBRDF> distribution;
+  const double f0[3] = { 0.05, 0.3, 0.8 };
+  distribution->SetBlinnDistribution(200.0);
+  distribution->SetSchlickFresnel(f0);
+  vtkNew<vtkDistributionBRDFFitter> fitter;
+  fitter->SetLoss(GetParam());
+  ExpectFit(fitter, Sum({ MakeLambert({ 0.3, 0.2, 0.1 }), distribution }));
+  EXPECT_LT(fitter->GetRelativeL2Error(), 0.01);
+}
+
+INSTANTIATE_TEST_SUITE_P(Losses, LossFit,
+  testing::Values(
+    vtkBRDFFitter::LOG_COSINE, vtkBRDFFitter::CUBE_ROOT_COSINE, vtkBRDFFitter::SQUARED));
+
+//------------------------------------------------------------------------------
+TEST(AshikhminShirleyFit, TwoLobesComeBack)
+{
+  const Color wide = { 0.6, 0.5, 0.4 }, sharp = { 0.3, 0.3, 0.3 };
+  const Color low = { 0.1, 0.2, 0.05 }, high = { 0.5, 0.4, 0.3 };
+  const auto input = Sum({ MakeLambert({ 0.1, 0.2, 0.3 }), MakeAshikhmin(8.0, 8.0, wide, low),
+    MakeAshikhmin(800.0, 800.0, sharp, high) });
+  vtkNew<vtkAshikhminShirleyBRDFFitter> fitter;
+  fitter->SetNumberOfLobes(2);
+  ExpectFit(fitter, input);
+  auto* first = Term<vtkAshikhminShirleyBRDF>(fitter, 1);
+  auto* second = Term<vtkAshikhminShirleyBRDF>(fitter, 2);
+  ExpectClose(first->GetExponentU(), 8.0, 0.01, "first exponent");
+  ExpectClose(second->GetExponentU(), 800.0, 0.01, "second exponent");
+  ExpectClose(first->GetSpecularScale(), wide, 0.01, "first scale");
+  ExpectClose(second->GetSpecularScale(), sharp, 0.01, "second scale");
+  ExpectClose(first->GetReflectance(), low, 0.01, "first reflectance");
+  ExpectClose(second->GetReflectance(), high, 0.01, "second reflectance");
+}
+
+//------------------------------------------------------------------------------
+TEST(AshikhminShirleyFit, AnisotropyComesBack)
+{
+  const Color scale = { 0.5, 0.6, 0.7 }, reflectance = { 0.2, 0.4, 0.6 };
+  const auto input =
+    Sum({ MakeLambert({ 0.1, 0.1, 0.1 }), MakeAshikhmin(900.0, 20.0, scale, reflectance) });
+  vtkNew<vtkAshikhminShirleyBRDFFitter> fitter;
+  ExpectFit(fitter, input);
+  auto* lobe = Term<vtkAshikhminShirleyBRDF>(fitter, 1);
+  ExpectClose(lobe->GetExponentU(), 900.0, 0.01, "nu");
+  ExpectClose(lobe->GetExponentV(), 20.0, 0.01, "nv");
+  ExpectClose(lobe->GetSpecularScale(), scale, 0.01, "scale");
+  ExpectClose(lobe->GetReflectance(), reflectance, 0.01, "reflectance");
+
+  // An isotropic lobe can't, an anisotropic one can be isotropic.
+  const double anisotropicResidual = fitter->GetResidual();
+  fitter->SetAnisotropy(vtkAshikhminShirleyBRDFFitter::ISOTROPIC);
+  ExpectFit(fitter, input);
+  EXPECT_GT(fitter->GetResidual(), 100.0 * anisotropicResidual);
+  EXPECT_TRUE(fitter->GetOutput()->IsIsotropic());
+  fitter->SetAnisotropy(vtkAshikhminShirleyBRDFFitter::ANISOTROPIC);
+  ExpectFit(fitter, MakeAshikhmin(50.0, 50.0, scale, reflectance));
+  ExpectClose(Term<vtkAshikhminShirleyBRDF>(fitter, 1)->GetExponentU(), 50.0, 0.01, "nu");
+  ExpectClose(Term<vtkAshikhminShirleyBRDF>(fitter, 1)->GetExponentV(), 50.0, 0.01, "nv");
+}
+
+//------------------------------------------------------------------------------
+namespace
+{
+// Mean relative difference of the tables (RGB, theta fastest) where they matter: p weighted by
+// p cos(theta_h) and its cells, F by the projected solid angle of theta_d.
+double DistributionError(vtkDistributionBRDF* a, vtkDistributionBRDF* b, int channel)
+{
+  const int n = a->GetNumberOfThetaSamples();
+  double difference = 0.0, total = 0.0;
+  for (std::size_t k = 0; k < a->GetDistribution().size() / 3; ++k)
+  {
+    const double u = (static_cast<int>(k) % n + 0.5) / n;
+    const double theta = 0.5 * Pi * u * u;
+    const double weight = u * std::sin(2.0 * theta);
+    const double p = a->GetDistribution()[3 * k + channel];
+    difference += weight * std::abs(p - b->GetDistribution()[3 * k + channel]);
+    total += weight * p;
+  }
+  return difference / total;
+}
+
+double FresnelError(vtkDistributionBRDF* a, vtkDistributionBRDF* b, int channel)
+{
+  const std::size_t n = a->GetFresnel().size() / 3;
+  double difference = 0.0, total = 0.0;
+  for (std::size_t k = 0; k < n; ++k)
+  {
+    const double weight = std::sin(Pi * (static_cast<double>(k) + 0.5) / static_cast<double>(n));
+    const double f = a->GetFresnel()[3 * k + channel];
+    difference += weight * std::abs(f - b->GetFresnel()[3 * k + channel]);
+    total += weight * f;
+  }
+  return difference / total;
+}
+
+// Two lobes of p, in color, normalized as the fitter's: integral of p cos(theta_h) = 1.
+vtkSmartPointer<vtkDistributionBRDF> MakeDistribution(int nTheta, int nPhi, int nFresnel)
+{
+  auto brdf = vtkSmartPointer<vtkDistributionBRDF>::New();
+  std::vector<float> p, fresnel;
+  for (int phi = 0; phi < nPhi; ++phi)
+  {
+    for (int k = 0; k < nTheta; ++k)
+    {
+      const double u = (k + 0.5) / nTheta;
+      const double c = std::cos(0.5 * Pi * u * u);
+      const double side = nPhi > 1 ? std::cos(2.0 * Pi * (phi + 0.5) / nPhi) : 0.0;
+      for (int channel = 0; channel < 3; ++channel)
+      {
+        const double n = (channel == 0 ? 30.0 : 120.0) * (1.0 + 0.8 * side * side);
+        p.push_back(static_cast<float>(std::pow(c, n) + 0.05 * std::pow(c, 4.0)));
+      }
+    }
+  }
+  for (int channel = 0; channel < 3; ++channel)
+  {
+    double integral = 0.0;
+    for (std::size_t k = 0; k < p.size() / 3; ++k)
+    {
+      const int cell = static_cast<int>(k) % nTheta;
+      const double low = std::sin(0.5 * Pi * std::pow(double(cell) / nTheta, 2.0));
+      const double high = std::sin(0.5 * Pi * std::pow((cell + 1.0) / nTheta, 2.0));
+      integral += p[3 * k + channel] * Pi * (high * high - low * low) / nPhi;
+    }
+    for (std::size_t k = 0; k < p.size() / 3; ++k)
+    {
+      p[3 * k + channel] = static_cast<float>(p[3 * k + channel] / integral);
+    }
+  }
+  for (int k = 0; k < nFresnel; ++k)
+  {
+    const double m = 1.0 - std::cos(0.5 * Pi * (k + 0.5) / nFresnel);
+    for (const double f0 : { 0.05, 0.2, 0.6 })
+    {
+      fresnel.push_back(static_cast<float>(f0 + (1.0 - f0) * std::pow(m, 5.0)));
+    }
+  }
+  EXPECT_TRUE(brdf->SetDistribution(nTheta, nPhi, p));
+  EXPECT_TRUE(brdf->SetFresnel(nFresnel, fresnel));
+  return brdf;
+}
+}
+
+//------------------------------------------------------------------------------
+class FresnelFit : public testing::TestWithParam<int>
+{
+};
+
+TEST_P(FresnelFit, DistributionTablesComeBack)
+{
+  const auto truth = MakeDistribution(128, 1, 32);
+  const Color albedo = { 0.3, 0.2, 0.1 };
+  vtkNew<vtkDistributionBRDFFitter> fitter;
+  fitter->SetFresnelModel(GetParam());
+  ExpectFit(fitter, Sum({ MakeLambert(albedo), truth }));
+  auto* fitted = Term<vtkDistributionBRDF>(fitter, 1);
+  ASSERT_EQ(fitted->GetDistribution().size(), truth->GetDistribution().size());
+  ASSERT_EQ(fitted->GetFresnel().size(), truth->GetFresnel().size());
+  for (int c = 0; c < 3; ++c)
+  {
+    EXPECT_LT(DistributionError(truth, fitted, c), 0.01) << c;
+    EXPECT_LT(FresnelError(truth, fitted, c), 0.01) << c;
+  }
+  ExpectClose(Term<vtkLambertBRDF>(fitter, 0)->GetAlbedo(), albedo, 0.01, "albedo");
+  EXPECT_LT(fitter->GetResidual(), 1e-6);
+  EXPECT_LT(fitter->GetRelativeL2Error(), 1e-5);
+  std::cout << "residual " << fitter->GetResidual() << ", relative L2 "
+            << fitter->GetRelativeL2Error() << ", iterations " << fitter->GetNumberOfIterations()
+            << "\n";
+  const std::vector<float>& fresnel = fitted->GetFresnel();
+  for (std::size_t k = 3; GetParam() != vtkDistributionBRDFFitter::FREE && k < fresnel.size(); ++k)
+  {
+    EXPECT_GE(fresnel[k], fresnel[k - 3]) << k;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, FresnelFit,
+  testing::Values(vtkDistributionBRDFFitter::MONOTONE, vtkDistributionBRDFFitter::FREE,
+    vtkDistributionBRDFFitter::SCHLICK));
+
+//------------------------------------------------------------------------------
+TEST(DistributionFit, AnisotropicTablesComeBack)
+{
+  const auto truth = MakeDistribution(48, 32, 32);
+  vtkNew<vtkDistributionBRDFFitter> fitter;
+  fitter->SetNumberOfSamples(1 << 17);
+  fitter->SetNumberOfStarts(1);
+  fitter->SetMaximumNumberOfIterations(15);
+  ExpectFit(fitter, truth);
+  auto* fitted = Term<vtkDistributionBRDF>(fitter, 1);
+  ASSERT_EQ(fitted->GetDistribution().size(), truth->GetDistribution().size());
+  for (int c = 0; c < 3; ++c)
+  {
+    EXPECT_LT(DistributionError(truth, fitted, c), 0.01) << c;
+    EXPECT_LT(FresnelError(truth, fitted, c), 0.01) << c;
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(Fit, LambertAloneComesBack)
+{
+  const Color albedo = { 0.6, 0.3, 0.0 };
+  vtkNew<vtkBlinnPhongBRDFFitter> phong;
+  vtkNew<vtkAshikhminShirleyBRDFFitter> ashikhmin;
+  vtkNew<vtkDistributionBRDFFitter> distribution;
+  for (vtkBRDFFitter* fitter :
+    { static_cast<vtkBRDFFitter*>(phong.Get()), static_cast<vtkBRDFFitter*>(ashikhmin.Get()),
+      static_cast<vtkBRDFFitter*>(distribution.Get()) })
+  {
+    SCOPED_TRACE(fitter->GetModelName());
+    ExpectFit(fitter, MakeLambert(albedo));
+    EXPECT_LT(fitter->GetRelativeL2Error(), 0.01);
+    ExpectClose(fitter->GetInputAlbedo(), albedo, 1e-9, "input's albedo");
+    ExpectClose(fitter->GetOutputAlbedo(), albedo, 0.01, "output's albedo");
+  }
+  ExpectClose(Term<vtkLambertBRDF>(ashikhmin, 0)->GetAlbedo(), albedo, 0.01, "albedo");
+}
+
+//------------------------------------------------------------------------------
+TEST(Fit, NoiseOfTwoPercentMovesParametersLess)
+{
+  const Color albedo = { 0.3, 0.2, 0.1 }, scale = { 0.8, 0.7, 0.6 };
+  const Color reflectance = { 0.1, 0.2, 0.3 };
+  const auto clean = Sum({ MakeLambert(albedo), MakeAshikhmin(60.0, 60.0, scale, reflectance) });
+  vtkNew<vtkAshikhminShirleyBRDFFitter> fitter;
+  ExpectFit(fitter, MakeNoisy(clean, 0.02));
+  auto* lobe = Term<vtkAshikhminShirleyBRDF>(fitter, 1);
+  ExpectClose(lobe->GetExponentU(), 60.0, 0.01, "exponent");
+  ExpectClose(lobe->GetSpecularScale(), scale, 0.01, "scale");
+  ExpectClose(lobe->GetReflectance(), reflectance, 0.01, "reflectance");
+  ExpectClose(Term<vtkLambertBRDF>(fitter, 0)->GetAlbedo(), albedo, 0.01, "albedo");
+  // What is left is the noise: uniform in +-2 % has a standard deviation of 1.15 %.
+  EXPECT_NEAR(fitter->GetRelativeL2Error(), 0.02 / std::sqrt(3.0), 0.002);
+
+  vtkNew<vtkDistributionBRDFFitter> tables;
+  const auto truth = MakeDistribution(128, 1, 32);
+  ExpectFit(tables, MakeNoisy(truth, 0.02));
+  for (int c = 0; c < 3; ++c)
+  {
+    EXPECT_LT(DistributionError(truth, Term<vtkDistributionBRDF>(tables, 1), c), 0.02) << c;
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(Fit, SameSeedSameResult)
+{
+  const auto input =
+    MakeNoisy(Sum({ MakeLambert({ 0.3, 0.2, 0.1 }), MakePhong(40.0, { 0.1, 0.2, 0.3 }) }), 0.1);
+  vtkNew<vtkAshikhminShirleyBRDFFitter> ashikhmin;
+  ashikhmin->SetNumberOfLobes(2);
+  vtkNew<vtkDistributionBRDFFitter> distribution;
+  for (vtkBRDFFitter* fitter : { static_cast<vtkBRDFFitter*>(ashikhmin.Get()),
+         static_cast<vtkBRDFFitter*>(distribution.Get()) })
+  {
+    SCOPED_TRACE(fitter->GetModelName());
+    fitter->SetNumberOfSamples(1 << 13);
+    ExpectFit(fitter, input);
+    const vtkSmartPointer<vtkBRDF> first = fitter->GetOutput();
+    const double residual = fitter->GetResidual();
+    ExpectFit(fitter, input);
+    EXPECT_NE(first, fitter->GetOutput());
+    EXPECT_EQ(residual, fitter->GetResidual());
+    testio::ExpectSameValues(first, fitter->GetOutput());
+    fitter->SetSeed(2);
+    ExpectFit(fitter, input);
+    EXPECT_NE(residual, fitter->GetResidual());
+    EXPECT_NEAR(residual, fitter->GetResidual(), 0.1 * residual);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Where there is one optimum, random starts end at the one that the fitter's own find; they differ.
+TEST(Fit, RandomStartsEndAtTheSameOptimum)
+{
+  auto input = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("gold-paint"));
+  vtkNew<vtkAshikhminShirleyBRDFFitter> lobe;
+  vtkNew<vtkDistributionBRDFFitter> distribution;
+  for (vtkBRDFFitter* fitter : std::initializer_list<vtkBRDFFitter*>{ lobe, distribution })
+  {
+    fitter->SetInput(input);
+    fitter->SetNumberOfSamples(4096);
+    ASSERT_TRUE(fitter->Fit());
+    const double own = fitter->GetResidual();
+    fitter->SetNumberOfStarts(1);
+    std::set<double> residuals;
+    for (unsigned int seed = 1; seed <= 4; ++seed)
+    {
+      fitter->SetStartSeed(seed);
+      ASSERT_TRUE(fitter->Fit());
+      std::printf("%s, start %u: residual %g, own %g\n", fitter->GetClassName(), seed,
+        fitter->GetResidual(), own);
+      EXPECT_LT(fitter->GetResidual(), 1.05 * own + 1e-6);
+      residuals.insert(fitter->GetResidual());
+    }
+    EXPECT_GT(residuals.size(), 1u);
+    const double last = fitter->GetResidual();
+    ASSERT_TRUE(fitter->Fit());
+    EXPECT_EQ(fitter->GetResidual(), last) << "the same seed, the same result";
+  }
+}
+
+//------------------------------------------------------------------------------
+namespace
+{
+// The losses as their papers write them.
+double Transform(int loss, double f, double cosine)
+{
+  return loss == vtkBRDFFitter::LOG_COSINE         ? std::log(1.0 + f * cosine)
+         : loss == vtkBRDFFitter::CUBE_ROOT_COSINE ? std::cbrt(f * cosine)
+                                                   : f * std::sqrt(cosine);
+}
+
+// Residual of two isotropic materials by the midpoint rule: sin(theta_i) cos(theta_o)
+// sin(theta_o), views to a cosine of 0.02.
+double Quadrature(vtkBRDF* a, vtkBRDF* b, int loss)
+{
+  constexpr int n = 60;
+  double sum = 0.0, weights = 0.0;
+  for (int k = 0; k < n * n * n; ++k)
+  {
+    const double ti = 0.5 * Pi * (k % n + 0.5) / n;
+    const double to = std::acos(0.02) * (k / n % n + 0.5) / n;
+    const double phi = Pi * (k / (n * n) + 0.5) / n;
+    const double i[3] = { std::sin(ti), 0.0, std::cos(ti) };
+    const double o[3] = { std::sin(to) * std::cos(phi), std::sin(to) * std::sin(phi),
+      std::cos(to) };
+    const double weight = std::sin(ti) * std::sin(to) * std::cos(to);
+    double fa[3], fb[3];
+    a->Evaluate(i, o, fa);
+    b->Evaluate(i, o, fb);
+    for (int c = 0; c < 3; ++c)
+    {
+      const double t = Transform(loss, fa[c], i[2]) - Transform(loss, fb[c], i[2]);
+      sum += weight * t * t;
+      weights += weight;
+    }
+  }
+  return std::sqrt(sum / weights);
+}
+
+// A parameter that is larger or smaller by this share makes the residual grow.
+void ExpectLeast(vtkBRDF* input, vtkBRDF* fit, int loss, double share,
+  const std::function<void(double factor)>& scale)
+{
+  const double least = Quadrature(input, fit, loss);
+  for (const double factor : { 1.0 - share, 1.0 + share })
+  {
+    scale(factor);
+    EXPECT_GT(Quadrature(input, fit, loss), least) << factor;
+    scale(1.0 / factor);
+  }
+}
+}
+
+TEST(Fit, FiguresAreWhatTheyAreSaidToBe)
+{
+  // An input that the model can't reach, smooth enough for a plain quadrature.
+  const auto input = Sum({ MakeLambert({ 0.2, 0.4, 0.1 }), MakePhong(2.0, { 0.1, 0.1, 0.2 }),
+    MakePhong(20.0, { 0.1, 0.2, 0.3 }) });
+  for (const int loss :
+    { vtkBRDFFitter::LOG_COSINE, vtkBRDFFitter::CUBE_ROOT_COSINE, vtkBRDFFitter::SQUARED })
+  {
+    SCOPED_TRACE(loss);
+    vtkNew<vtkBlinnPhongBRDFFitter> fitter;
+    fitter->SetLoss(loss);
+    ExpectFit(fitter, input);
+    const double expected = Quadrature(input, fitter->GetOutput(), loss);
+    ExpectClose(fitter->GetResidual(), expected, 0.02, "residual");
+    ExpectClose(fitter->GetRelativeL2Error(),
+      vtkBRDFResampler::GetRelativeL2Error(input, fitter->GetOutput()), 0.03, "relative L2");
+    // The least of its own loss: 2 % more or less of anything is worse.
+    auto* lobe = Term<vtkBlinnPhongBRDF>(fitter, 1);
+    ExpectLeast(input, fitter->GetOutput(), loss, 0.02,
+      [lobe](double factor) { lobe->SetExponent(factor * lobe->GetExponent()); });
+    ExpectLeast(input, fitter->GetOutput(), loss, 0.02,
+      [lobe](double factor)
+      {
+        const double* ks = lobe->GetSpecular();
+        lobe->SetSpecular(factor * ks[0], factor * ks[1], factor * ks[2]);
+      });
+  }
+}
+
+//------------------------------------------------------------------------------
+// Cells that follow the noise of the fit's own pairs do not help on others: figures are of pairs
+// that the fit did not see.
+TEST(Fit, FiguresAreOfPairsThatTheFitDidNotSee)
+{
+  vtkNew<vtkDistributionBRDFFitter> fitter;
+  fitter->SetNumberOfSamples(16384);
+  fitter->SetNumberOfThetaSamples(1024);
+  fitter->SetNumberOfStarts(1);
+  fitter->SetMaximumNumberOfIterations(5);
+  ExpectFit(fitter, MakeNoisy(MakeDistribution(128, 1, 32), 0.5));
+  std::cout << "seen " << fitter->GetResidualHistory().back() << ", unseen "
+            << fitter->GetResidual() << "\n";
+  EXPECT_GT(fitter->GetResidual(), 1.02 * fitter->GetResidualHistory().back());
+}
+
+//------------------------------------------------------------------------------
+TEST(Fit, AshikhminShirleyIsTheLeastOfItsLoss)
+{
+  const auto input = Sum(
+    { MakeLambert({ 0.2, 0.4, 0.1 }), MakeAshikhmin(6.0, 6.0, { 0.5, 0.4, 0.3 }, { 0.3, 0.4, 0.5 }),
+      MakeAshikhmin(60.0, 60.0, { 0.3, 0.4, 0.5 }, { 0.4, 0.3, 0.2 }) });
+  // Not SQUARED: there all of the loss sits at grazing, where the quadrature is too coarse.
+  for (const int loss : { vtkBRDFFitter::LOG_COSINE, vtkBRDFFitter::CUBE_ROOT_COSINE })
+  {
+    SCOPED_TRACE(loss);
+    vtkNew<vtkAshikhminShirleyBRDFFitter> fitter;
+    fitter->SetLoss(loss);
+    ExpectFit(fitter, input);
+    auto* lobe = Term<vtkAshikhminShirleyBRDF>(fitter, 1);
+    ExpectLeast(input, fitter->GetOutput(), loss, 0.02,
+      [lobe](double factor)
+      { lobe->SetExponents(factor * lobe->GetExponentU(), factor * lobe->GetExponentV()); });
+    ExpectLeast(input, fitter->GetOutput(), loss, 0.02,
+      [lobe](double factor)
+      {
+        const double* scale = lobe->GetSpecularScale();
+        lobe->SetSpecularScale(factor * scale[0], factor * scale[1], factor * scale[2]);
+      });
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(Fit, AlbedoIsTheHemispheres)
+{
+  const auto input = Sum({ MakeLambert({ 0.2, 0.4, 0.1 }),
+    MakeAshikhmin(100.0, 100.0, { 0.5, 0.7, 0.9 }, { 0.1, 0.3, 0.8 }) });
+  vtkNew<vtkBlinnPhongBRDFFitter> fitter;
+  ExpectFit(fitter, input);
+  // 2 integral a(theta) cos sin dtheta, with cos^2 as the variable.
+  Color albedo = { 0.0, 0.0, 0.0 };
+  constexpr int n = 16;
+  for (int k = 0; k < n; ++k)
+  {
+    const double z = std::sqrt((k + 0.5) / n);
+    const double o[3] = { std::sqrt(1.0 - z * z), 0.0, z };
+    double a[3];
+    input->GetDirectionalAlbedo(o, a);
+    for (int c = 0; c < 3; ++c)
+    {
+      albedo[c] += a[c] / n;
+    }
+  }
+  ExpectClose(fitter->GetInputAlbedo(), albedo, 0.01, "albedo");
+}
+
+//------------------------------------------------------------------------------
+TEST(Fit, HolesInATableDoNotCount)
+{
+  const auto source = Sum({ MakeLambert({ 0.3, 0.2, 0.1 }), MakePhong(30.0, { 0.1, 0.2, 0.3 }) });
+  vtkNew<vtkBRDFResampler> resampler;
+  resampler->SetInput(source);
+  resampler->ReciprocalOn();
+  ASSERT_TRUE(resampler->ResampleTo(16, 32, 64));
+  std::vector<float> volume = resampler->GetOutput()->GetVolume();
+  const int size[3] = { 16, 32, 64 };
+  for (std::size_t cell = 0; cell < volume.size() / 3; ++cell)
+  {
+    const std::size_t thetaD = cell / 16 % 32, thetaH = cell / (16 * 32);
+    if (thetaD > 20 || (thetaH > 20 && thetaH < 40))
+    {
+      volume[3 * cell + cell % 3] = std::numeric_limits<float>::quiet_NaN();
+    }
+  }
+  vtkNew<vtkTabulatedBRDF> table;
+  ASSERT_TRUE(
+    table->SetVolume(vtkTabulatedBRDF::HALF_DIFFERENCE, vtkTabulatedBRDF::HALF_TURN, size, volume));
+  ASSERT_GT(table->GetNumberOfInvalidCells(), 16 * 32 * 64 / 2);
+  vtkNew<vtkBlinnPhongBRDFFitter> fitter;
+  const auto sum = Sum({ table });
+  for (vtkBRDF* input : { static_cast<vtkBRDF*>(table), static_cast<vtkBRDF*>(sum) })
+  {
+    ExpectFit(fitter, input);
+    ExpectClose(Term<vtkLambertBRDF>(fitter, 0)->GetAlbedo(), { 0.3, 0.2, 0.1 }, 0.01, "albedo");
+    ExpectClose(Term<vtkBlinnPhongBRDF>(fitter, 1)->GetExponent(), 30.0, 0.02, "exponent");
+    EXPECT_LT(fitter->GetRelativeL2Error(), 0.02);
+  }
+
+  // Nothing but holes: nothing to fit.
+  std::fill(volume.begin(), volume.end(), std::numeric_limits<float>::quiet_NaN());
+  vtkNew<vtkTabulatedBRDF> empty;
+  ASSERT_TRUE(
+    empty->SetVolume(vtkTabulatedBRDF::HALF_DIFFERENCE, vtkTabulatedBRDF::HALF_TURN, size, volume));
+  ErrorCatcher errors(fitter);
+  fitter->SetInput(empty);
+  EXPECT_FALSE(fitter->Fit());
+  EXPECT_EQ(errors.Take(), 1);
+  EXPECT_NE(errors.GetText().find("valid"), std::string::npos) << errors.GetText();
+}
+
+//------------------------------------------------------------------------------
+TEST(Fit, BadOptionsAreRefused)
+{
+  const auto good = MakePhong(20.0, { 0.1, 0.1, 0.1 });
+  vtkNew<vtkAshikhminShirleyBRDFFitter> fitter;
+  ErrorCatcher errors(fitter);
+  const auto expectRefused = [&](const std::string& word)
+  {
+    vtkBRDF* before = fitter->GetOutput();
+    const double residual = fitter->GetResidual();
+    EXPECT_FALSE(fitter->Fit());
+    EXPECT_EQ(errors.Take(), 1);
+    EXPECT_NE(errors.GetText().find(word), std::string::npos) << errors.GetText();
+    EXPECT_EQ(fitter->GetOutput(), before);
+    EXPECT_EQ(fitter->GetResidual(), residual);
+  };
+  expectRefused("no input");
+  fitter->SetInput(good);
+  ASSERT_TRUE(fitter->Fit());
+  // Setters refuse what is out of range: one message each, and the value stays (TestSetters).
+  fitter->SetLoss(3);
+  EXPECT_EQ(errors.Take(), 1);
+  EXPECT_NE(errors.GetText().find("Loss: found 3"), std::string::npos) << errors.GetText();
+  EXPECT_EQ(fitter->GetLoss(), vtkBRDFFitter::LOG_COSINE);
+  fitter->SetNumberOfSamples(1024);
+  fitter->SetNumberOfStarts(1);
+  fitter->SetMaximumNumberOfIterations(10);
+  fitter->SetInput(MakeLambert({ 0.0, 0.0, 0.0 }));
+  expectRefused("nothing to fit");
+  fitter->SetInput(MakeLambert({ 1e200, 1.0, 0.0 }));
+  expectRefused("too large");
+  fitter->SetInput(nullptr);
+  expectRefused("no input");
+  fitter->SetInput(good);
+  EXPECT_TRUE(fitter->Fit());
+
+  vtkNew<vtkDistributionBRDFFitter> tables;
+  ErrorCatcher tableErrors(tables);
+  tables->SetInput(good);
+  tables->SetNumberOfThetaSamples(4096);
+  tables->SetNumberOfPhiSamples(17);
+  tables->SetNumberOfFresnelSamples(32);
+  EXPECT_FALSE(tables->Fit());
+  EXPECT_EQ(tableErrors.Take(), 1);
+  EXPECT_NE(tableErrors.GetText().find("cells of p"), std::string::npos) << tableErrors.GetText();
+  EXPECT_NE(tableErrors.GetText().find("69632"), std::string::npos) << tableErrors.GetText();
+}
+
+//------------------------------------------------------------------------------
+namespace
+{
+struct Stopper
+{
+  vtkBRDFFitter* Fitter;
+  double At;
+  double Last = -1.0;
+  int Events = 0;
+
+  void OnProgress(vtkObject*, unsigned long, void* data)
+  {
+    const double share = *static_cast<double*>(data);
+    EXPECT_GE(share, 0.0);
+    EXPECT_LE(share, 1.0);
+    EXPECT_GE(share, this->Last);
+    this->Last = share;
+    ++this->Events;
+    if (share >= this->At)
+    {
+      this->Fitter->AbortOn();
+    }
+  }
+};
+}
+
+TEST(Fit, ProgressAndAbort)
+{
+  const auto input = Sum({ MakeLambert({ 0.3, 0.2, 0.1 }),
+    MakeAshikhmin(30.0, 30.0, { 0.5, 0.7, 0.9 }, { 0.1, 0.3, 0.8 }) });
+  vtkNew<vtkBlinnPhongBRDFFitter> phong;
+  phong->SetNumberOfLobes(2);
+  vtkNew<vtkDistributionBRDFFitter> distribution;
+  for (vtkBRDFFitter* fitter :
+    { static_cast<vtkBRDFFitter*>(phong.Get()), static_cast<vtkBRDFFitter*>(distribution.Get()) })
+  {
+    SCOPED_TRACE(fitter->GetModelName());
+    ErrorCatcher errors(fitter);
+    Stopper stopper{ fitter, 2.0 };
+    fitter->AddObserver(vtkCommand::ProgressEvent, &stopper, &Stopper::OnProgress);
+    fitter->SetInput(input);
+    ASSERT_TRUE(fitter->Fit());
+    EXPECT_EQ(stopper.Last, 1.0);
+    EXPECT_GT(stopper.Events, 3);
+    vtkBRDF* before = fitter->GetOutput();
+    for (const double at : { 0.0, 0.2, 0.29 })
+    {
+      stopper.At = at;
+      stopper.Last = -1.0;
+      EXPECT_FALSE(fitter->Fit());
+      EXPECT_EQ(errors.Take(), 1);
+      EXPECT_NE(errors.GetText().find("abort"), std::string::npos) << errors.GetText();
+      EXPECT_EQ(fitter->GetOutput(), before);
+      EXPECT_LT(stopper.Last, 1.0);
+    }
+    stopper.At = 2.0;
+    stopper.Last = -1.0;
+    EXPECT_TRUE(fitter->Fit());
+    fitter->RemoveObservers(vtkCommand::ProgressEvent);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(Fit, OutputIsAMaterialLikeAnyOther)
+{
+  const auto input = Sum({ MakeLambert({ 0.3, 0.2, 0.1 }), MakePhong(30.0, { 0.1, 0.2, 0.3 }) });
+  input->SetName("paint");
+  input->SetSource("a test");
+  vtkNew<vtkDistributionBRDFFitter> fitter;
+  ExpectFit(fitter, input);
+  EXPECT_EQ(fitter->GetOutput()->GetName(), "paint");
+  EXPECT_EQ(fitter->GetOutput()->GetSource(), "D-BRDF fitted to a test");
+  EXPECT_NE(fitter->GetReport().find("diffuse albedo: "), std::string::npos);
+  EXPECT_EQ(fitter->GetOutput()->GetRenderable(), fitter->GetOutput());
+  const testio::Folder folder;
+  testio::Write(fitter->GetOutput(), folder("fit.exr"));
+  testio::ExpectSameValues(fitter->GetOutput(), testio::Read(folder("fit.exr")));
+  std::ostringstream text;
+  fitter->Print(text);
+  EXPECT_NE(text.str().find("Residual: "), std::string::npos);
+}
+
+//------------------------------------------------------------------------------
+class RealMaterialFit : public testing::TestWithParam<const char*>
+{
+};
+
+TEST_P(RealMaterialFit, TablesBeatOneLobe)
+{
+  auto input = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF(GetParam()));
+  if (!input)
+  {
+    const std::string path = SharedData + "/materials/" + GetParam();
+    if (!std::filesystem::exists(path))
+    {
+      GTEST_SKIP() << "no file " << path;
+    }
+    input = testio::Read(path);
+  }
+  vtkNew<vtkBlinnPhongBRDFFitter> phong;
+  vtkNew<vtkAshikhminShirleyBRDFFitter> one;
+  vtkNew<vtkAshikhminShirleyBRDFFitter> two;
+  two->SetNumberOfLobes(2);
+  vtkNew<vtkDistributionBRDFFitter> distribution;
+  vtkBRDFFitter* fitters[] = { phong, one, two, distribution };
+  std::cout << std::setprecision(3) << std::left;
+  for (vtkBRDFFitter* fitter : fitters)
+  {
+    ExpectFit(fitter, input);
+    std::cout << std::setw(20) << fitter->GetModelName() << std::setw(10) << fitter->GetResidual()
+              << std::setw(10) << fitter->GetRelativeL2Error() << fitter->GetNumberOfIterations()
+              << "\n";
+    // Energy: a fit of the logarithm keeps the albedo of what is not mirror-like.
+    for (int c = 0; c < 3; ++c)
+    {
+      EXPECT_GT(fitter->GetOutputAlbedo()[c], 0.4 * fitter->GetInputAlbedo()[c]);
+      EXPECT_LT(fitter->GetOutputAlbedo()[c], 1.3 * fitter->GetInputAlbedo()[c] + 0.02);
+    }
+  }
+  EXPECT_LT(distribution->GetResidual(), phong->GetResidual());
+  EXPECT_LT(two->GetResidual(), 1.02 * one->GetResidual());
+  EXPECT_LT(distribution->GetResidual(), 0.05);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shared, RealMaterialFit,
+  testing::Values(
+    "rgl/acrylic_felt_white_rgb.bsdf", "rgl/satin_purple_rgb.bsdf", "rgl/chm_light_blue_rgb.bsdf"));
+INSTANTIATE_TEST_SUITE_P(Embedded, RealMaterialFit, testing::Values("blue-car-paint"));

@@ -1,0 +1,593 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkBRDFReader's binary formats: what is read, and what bad files get.
+#include "TestIOHelpers.h"
+
+#include "vtkTabulatedBRDF.h"
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <sstream>
+
+#if !defined(_WIN32)
+#include <unistd.h>
+#endif
+
+using namespace testio;
+
+namespace
+{
+const std::string SharedData = MEASUREDBRDF_SHARED_DATA;
+const std::string Merl = "MERL binary";
+const std::string Tensor = "RGL tensor file";
+const std::string Mbsdf = "NVIDIA MBSDF";
+
+TensorField& FieldOf(std::vector<TensorField>& fields, const std::string& name)
+{
+  return *std::find_if(
+    fields.begin(), fields.end(), [&](const TensorField& f) { return f.Name == name; });
+}
+}
+
+//------------------------------------------------------------------------------
+TEST(IOReader, RefusesWhatIsNoMaterialFile)
+{
+  const Folder folder;
+  ExpectRefused(folder, folder("missing.binary"), { "no such file" });
+  ExpectRefused(folder, folder(""), { "directory" });
+  ExpectBytesRefused(folder, "", { "empty" });
+  ExpectBytesRefused(folder, std::string("\x01\x02", 2), { "no known format" });
+  ExpectBytesRefused(folder, std::string(64, '\xff'), { "no known format", "-1, -1, -1" });
+  ExpectBytesRefused(folder, std::string(64, '\0'), { "no known format", "0, 0, 0" });
+  ExpectBytesRefused(folder, "just some words\n", { "published fits", "line 1", "'='" });
+
+  vtkNew<vtkBRDFReader> reader;
+  vtkNew<ErrorCounter> errors;
+  reader->AddObserver(vtkCommand::ErrorEvent, errors);
+  EXPECT_FALSE(reader->Read()); // no name
+  EXPECT_EQ(errors->Count, 1);
+  EXPECT_EQ(reader->GetBRDF(), nullptr);
+}
+
+//------------------------------------------------------------------------------
+TEST(IOReader, RefusesWithoutPermission)
+{
+#if defined(_WIN32)
+  GTEST_SKIP() << "no POSIX permissions here";
+#else
+  if (geteuid() == 0)
+  {
+    GTEST_SKIP() << "root may read everything";
+  }
+  const Folder folder;
+  const std::string path = folder("secret.fit");
+  WriteBytes(path, SmallFit);
+  std::filesystem::permissions(path, std::filesystem::perms::none);
+  ExpectRefused(folder, path, { "cannot be opened" });
+#endif
+}
+
+//------------------------------------------------------------------------------
+TEST(IOReader, ReportsProgress)
+{
+  const Folder folder;
+  WriteBytes(folder("a.binary"), MakeMerl(2, 3, 4));
+  vtkNew<vtkBRDFReader> reader;
+  vtkNew<ErrorCounter> progress;
+  reader->AddObserver(vtkCommand::ProgressEvent, progress);
+  reader->SetFileName(folder("a.binary"));
+  ASSERT_TRUE(reader->Read());
+  EXPECT_GE(progress->Count, 2);
+}
+
+//------------------------------------------------------------------------------
+TEST(IOMerl, Reads)
+{
+  const Folder folder;
+  WriteBytes(folder("sample.binary"), MakeMerl(2, 3, 4));
+  vtkNew<vtkBRDFReader> reader;
+  reader->SetFileName(folder("sample.binary"));
+  ASSERT_TRUE(reader->Read()) << reader->GetErrorMessage();
+  EXPECT_EQ(reader->GetFormatName(), Merl);
+  EXPECT_EQ(reader->GetNumberOfNegativeValues(), 3);
+  EXPECT_EQ(reader->GetNumberOfInvalidValues(), 0);
+  auto* table = vtkTabulatedBRDF::SafeDownCast(reader->GetBRDF());
+  ASSERT_TRUE(table);
+  EXPECT_EQ(table->GetName(), "sample");
+  EXPECT_NE(table->GetSource().find("sample.binary"), std::string::npos);
+  EXPECT_EQ(table->GetParameterization(), vtkTabulatedBRDF::HALF_DIFFERENCE);
+  EXPECT_EQ(table->GetAzimuthRange(), vtkTabulatedBRDF::HALF_TURN);
+  const int* size = table->GetDimensions();
+  EXPECT_EQ(size[0], 4); // phi_d
+  EXPECT_EQ(size[1], 3); // theta_d
+  EXPECT_EQ(size[2], 2); // theta_h
+  // Cell (phi_d 1, theta_d 2, theta_h 1) is number 1 + 4 (2 + 3 * 1) = 21.
+  const double scale[3] = { 1.0 / 1500, 1.15 / 1500, 1.66 / 1500 };
+  for (int k = 0; k < 3; ++k)
+  {
+    EXPECT_FLOAT_EQ(table->GetVolume()[3 * 21 + k], float((100.0 + 21 + 1000.0 * k) * scale[k]));
+  }
+  EXPECT_EQ(table->GetNumberOfInvalidCells(), 1);
+  EXPECT_TRUE(std::isnan(table->GetVolume()[3 * 23]));
+}
+
+//------------------------------------------------------------------------------
+TEST(IOMerl, CountsWhatIsNotFinite)
+{
+  const Folder folder;
+  std::string bytes = MakeMerl(2, 2, 2);
+  Overwrite(bytes, 12, std::numeric_limits<double>::quiet_NaN());
+  Overwrite(bytes, 12 + 8, std::numeric_limits<double>::infinity());
+  Overwrite(bytes, 12 + 16, -std::numeric_limits<double>::infinity());
+  Overwrite(bytes, 12 + 24, 1e300); // beyond float
+  WriteBytes(folder("a.binary"), bytes);
+  vtkNew<vtkBRDFReader> reader;
+  reader->SetFileName(folder("a.binary"));
+  ASSERT_TRUE(reader->Read()) << reader->GetErrorMessage();
+  EXPECT_EQ(reader->GetNumberOfInvalidValues(), 4);
+  EXPECT_EQ(reader->GetNumberOfNegativeValues(), 3);
+  EXPECT_EQ(vtkTabulatedBRDF::SafeDownCast(reader->GetBRDF())->GetNumberOfInvalidCells(), 5);
+  ForPairs(100,
+    [&](const double i[3], const double o[3])
+    {
+      double f[3];
+      reader->GetBRDF()->Evaluate(i, o, f);
+      EXPECT_TRUE(std::isfinite(f[0]) && f[0] >= 0.0);
+    });
+}
+
+//------------------------------------------------------------------------------
+TEST(IOMerl, RefusesBadSizes)
+{
+  const Folder folder;
+  const std::string good = MakeMerl(2, 3, 4);
+  ExpectTruncationsRefused(folder, good, 12, 1, Merl);
+  ExpectTruncationsRefused(folder, good, 1, 1, "bytes");
+  ExpectBytesRefused(folder, good + "x", { Merl, "values" });
+  const std::vector<std::int32_t> lies = { 3, 90, 2048 };
+  for (const std::int32_t lie : lies)
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      std::string bytes = good;
+      Overwrite(bytes, 4 * axis, axis == 1 && lie == 3 ? std::int32_t(2) : lie);
+      ExpectBytesRefused(folder, bytes, { Merl, "values", "found 576" });
+    }
+  }
+  for (const std::int32_t lie : { -1, 0, std::numeric_limits<std::int32_t>::min(),
+         std::numeric_limits<std::int32_t>::max(), 2049 })
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      std::string bytes = good;
+      Overwrite(bytes, 4 * axis, lie);
+      ExpectBytesRefused(folder, bytes, { std::to_string(lie), "1 to 2048" });
+    }
+  }
+  // 2048^3 cells: the product fits 64 bits and is compared before anything is allocated.
+  std::string bytes = good;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    Overwrite(bytes, 4 * axis, std::int32_t(2048));
+  }
+  ExpectBytesRefused(folder, bytes, { Merl, "206158430208" });
+}
+
+//------------------------------------------------------------------------------
+TEST(IOMerl, ReadsFullSizeQuickly)
+{
+  const Folder folder;
+  const std::string path = folder("full.binary");
+  WriteBytes(path, MakeMerl(90, 90, 180));
+  ASSERT_EQ(std::filesystem::file_size(path), 34992012u);
+  const auto start = std::chrono::steady_clock::now();
+  const vtkSmartPointer<vtkBRDF> brdf = Read(path);
+  const double seconds =
+    std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  ASSERT_TRUE(brdf);
+  RecordProperty("seconds", std::to_string(seconds));
+  std::cout << "35 MB MERL file: " << seconds << " s\n";
+  EXPECT_LT(seconds, 3.0); // aim 0.1 s; generous for busy machines and sanitizers
+}
+
+//------------------------------------------------------------------------------
+TEST(IOTensor, Reads)
+{
+  const Folder folder;
+  const vtkAdaptiveWarpBRDF::Tables tables = MakeTables();
+  WriteBytes(folder("stuff.bsdf"), MakeTensor(MakeTensorFields(tables)));
+  vtkNew<vtkBRDFReader> reader;
+  reader->SetFileName(folder("stuff.bsdf"));
+  ASSERT_TRUE(reader->Read()) << reader->GetErrorMessage();
+  EXPECT_EQ(reader->GetFormatName(), Tensor);
+  EXPECT_EQ(
+    reader->GetNumberOfNegativeValues(), std::count_if(tables.Rgb.Values.begin(),
+                                           tables.Rgb.Values.end(), [](float v) { return v < 0; }));
+  EXPECT_GT(reader->GetNumberOfNegativeValues(), 0);
+  EXPECT_EQ(reader->GetBRDF()->GetName(), "stuff");
+  EXPECT_EQ(reader->GetBRDF()->GetSource().find("sample;"), 0u);
+  vtkNew<vtkAdaptiveWarpBRDF> expected;
+  ASSERT_EQ(expected->SetTables(tables), "");
+  ExpectSameValues(expected, reader->GetBRDF());
+}
+
+//------------------------------------------------------------------------------
+TEST(IOTensor, RefusesBadFiles)
+{
+  const Folder folder;
+  const auto fields = MakeTensorFields(MakeTables());
+  const std::string good = MakeTensor(fields);
+  const std::size_t headerEnd = good.size() - [&]
+  {
+    std::size_t sum = 0;
+    for (const TensorField& field : fields)
+    {
+      sum += field.Data.size();
+    }
+    return sum;
+  }();
+  ExpectTruncationsRefused(folder, good.substr(0, headerEnd), 12, 1, Tensor);
+  ExpectTruncationsRefused(folder, good, headerEnd, 61, Tensor);
+
+  std::string bytes = good;
+  bytes[3] = 'X';
+  ExpectBytesRefused(folder, bytes, { "no known format" });
+  bytes = good;
+  bytes[12] = 2;
+  ExpectBytesRefused(folder, bytes, { Tensor, "version", "2.0" });
+  bytes = good;
+  Overwrite(bytes, 14, std::numeric_limits<std::uint32_t>::max());
+  ExpectBytesRefused(folder, bytes, { Tensor, "field 10 of 4294967295" });
+
+  // The first field: name length at 18, name, then dimensions, type, offset, shape.
+  const std::size_t rank = 18 + 2 + fields[0].Name.size();
+  bytes = good;
+  Overwrite(bytes, rank, std::uint16_t(65535));
+  ExpectBytesRefused(folder, bytes, { Tensor, "description", "65535" });
+  bytes = good;
+  bytes[rank + 2] = 12;
+  ExpectBytesRefused(folder, bytes, { Tensor, "description", "type" });
+  for (const std::uint64_t lie :
+    { std::uint64_t(1) << 31, ~std::uint64_t(0), std::uint64_t(1) << 63 })
+  {
+    bytes = good;
+    Overwrite(bytes, rank + 3, lie);
+    ExpectBytesRefused(folder, bytes, { Tensor, "description", "data" });
+    bytes = good;
+    Overwrite(bytes, rank + 11, lie);
+    ExpectBytesRefused(folder, bytes, { Tensor, "description" });
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(IOTensor, RefusesBadFields)
+{
+  const Folder folder;
+  const auto good = MakeTensorFields(MakeTables());
+  for (const std::string name : { "phi_i", "theta_i", "sigma", "ndf", "vndf", "luminance", "rgb" })
+  {
+    SCOPED_TRACE(name);
+    auto fields = good;
+    FieldOf(fields, name).Name = "other";
+    ExpectBytesRefused(folder, MakeTensor(fields), { Tensor, name, "missing" });
+    fields = good;
+    FieldOf(fields, name).Type = 6;
+    ExpectBytesRefused(folder, MakeTensor(fields), { Tensor, name, "type 6" });
+    fields = good;
+    FieldOf(fields, name).Shape.push_back(1);
+    ExpectBytesRefused(folder, MakeTensor(fields), { Tensor, name, "dimensions" });
+    fields = good;
+    FieldOf(fields, name).Shape[0] = 0;
+    ExpectBytesRefused(folder, MakeTensor(fields), { Tensor, name, "size 0" });
+    for (const float wrong :
+      { std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity() })
+    {
+      fields = good;
+      std::memcpy(&FieldOf(fields, name).Data[0], &wrong, sizeof(wrong));
+      ExpectBytesRefused(folder, MakeTensor(fields), { Tensor, name });
+    }
+  }
+  // Sizes whose product overflows 64 bits to something small.
+  auto fields = good;
+  FieldOf(fields, "rgb").Shape = { 1, std::uint64_t(1) << 32, 3, std::uint64_t(1) << 32, 4 };
+  ExpectBytesRefused(folder, MakeTensor(fields), { Tensor, "rgb", "overflows" });
+  fields = good;
+  fields.push_back(good.back());
+  ExpectBytesRefused(folder, MakeTensor(fields), { Tensor, "jacobian", "twice" });
+  for (const char wrong : { '\x02', '\xff' })
+  {
+    fields = good;
+    FieldOf(fields, "jacobian").Data[0] = wrong;
+    ExpectBytesRefused(
+      folder, MakeTensor(fields), { Tensor, "field 'jacobian' at byte ", "0 or 1" });
+  }
+  fields = good;
+  FieldOf(fields, "rgb").Name = "spectra";
+  ExpectBytesRefused(folder, MakeTensor(fields), { Tensor, "spectral", "_rgb.bsdf" });
+}
+
+//------------------------------------------------------------------------------
+TEST(IOTensor, NamesTheFieldAndItsByte)
+{
+  const Folder folder;
+  const auto good = MakeTensorFields(MakeTables());
+  const auto refused = [&](const std::string& name, float value, const std::string& what)
+  {
+    SCOPED_TRACE(name);
+    auto fields = good;
+    std::string& data = FieldOf(fields, name).Data;
+    for (std::size_t k = 0; k < data.size(); k += sizeof(value))
+    {
+      std::memcpy(&data[k], &value, sizeof(value));
+    }
+    const std::string bytes = MakeTensor(fields);
+    std::size_t place = bytes.size();
+    for (std::size_t k = fields.size(); k > 0; --k)
+    {
+      place -= fields[k - 1].Data.size();
+      if (fields[k - 1].Name == name)
+      {
+        break;
+      }
+    }
+    ExpectBytesRefused(folder, bytes,
+      { Tensor + ", field '" + name + "' at byte " + std::to_string(place) + ": " + what });
+  };
+  refused("theta_i", 0.5f, "expected ascending finite angles");
+  refused("sigma", std::numeric_limits<float>::infinity(), "expected finite values");
+  refused("rgb", std::numeric_limits<float>::quiet_NaN(), "expected finite values");
+  refused("vndf", -1.0f, "a density cannot be negative");
+  refused("luminance", 0.0f, "a density cannot be 0 everywhere");
+}
+
+//------------------------------------------------------------------------------
+TEST(IOTensor, TakesTheJacobianFlag)
+{
+  const Folder folder;
+  for (const bool flag : { false, true })
+  {
+    vtkAdaptiveWarpBRDF::Tables tables = MakeTables();
+    auto fields = MakeTensorFields(tables);
+    FieldOf(fields, "jacobian").Data[0] = flag ? 1 : 0;
+    WriteBytes(folder("a.bsdf"), MakeTensor(fields));
+    const vtkSmartPointer<vtkBRDF> brdf = Read(folder("a.bsdf"));
+    ASSERT_TRUE(vtkAdaptiveWarpBRDF::SafeDownCast(brdf));
+    EXPECT_EQ(vtkAdaptiveWarpBRDF::SafeDownCast(brdf)->GetTables().Jacobian, flag);
+    tables.Jacobian = flag;
+    vtkNew<vtkAdaptiveWarpBRDF> expected;
+    ASSERT_EQ(expected->SetTables(tables), "");
+    ExpectSameValues(expected, brdf);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(IOTensor, AgreesWithTheAuthorsCode)
+{
+  const std::filesystem::path materials = SharedData + "/materials/rgl";
+  if (!std::filesystem::is_directory(materials))
+  {
+    GTEST_SKIP() << "no RGL files at " << materials;
+  }
+  int files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(materials))
+  {
+    SCOPED_TRACE(entry.path().filename().string());
+    const vtkSmartPointer<vtkBRDF> brdf = Read(entry.path().string());
+    ASSERT_TRUE(brdf);
+    std::string name = entry.path().stem().string();
+    name = name.substr(0, name.rfind("_rgb"));
+    std::ifstream csv(SharedData + "/expected/" + name + ".pairs.csv");
+    struct Row
+    {
+      double V[9];
+    };
+    std::vector<Row> rows;
+    double maximum = 0.0;
+    for (std::string line; std::getline(csv, line);)
+    {
+      if (line.empty() || line[0] == '#' || line[0] == 'i')
+      {
+        continue;
+      }
+      std::replace(line.begin(), line.end(), ',', ' ');
+      std::istringstream numbers(line);
+      Row row;
+      for (double& value : row.V)
+      {
+        numbers >> value;
+      }
+      ASSERT_TRUE(numbers);
+      maximum = std::max({ maximum, row.V[6], row.V[7], row.V[8] });
+      rows.push_back(row);
+    }
+    ASSERT_EQ(rows.size(), 400u);
+    for (const Row& row : rows)
+    {
+      double f[3];
+      brdf->Evaluate(row.V, row.V + 3, f);
+      for (int k = 0; k < 3; ++k)
+      {
+        const double expected = row.V[6 + k];
+        const double error = std::abs(f[k] - expected);
+        ASSERT_LE(error, 1e-3 * maximum);
+        if (expected > 0.01 * maximum)
+        {
+          ASSERT_LE(error, 1e-2 * expected);
+        }
+      }
+    }
+    ++files;
+  }
+  EXPECT_EQ(files, 12);
+}
+
+//------------------------------------------------------------------------------
+TEST(IOMbsdf, Reads)
+{
+  const Folder folder;
+  for (const bool color : { false, true })
+  {
+    for (const bool transmission : { false, true })
+    {
+      WriteBytes(folder("paint.mbsdf"), MakeMbsdf(color, 3, 4, transmission));
+      vtkNew<vtkBRDFReader> reader;
+      reader->SetFileName(folder("paint.mbsdf"));
+      ASSERT_TRUE(reader->Read()) << reader->GetErrorMessage();
+      EXPECT_EQ(reader->GetFormatName(), Mbsdf);
+      EXPECT_EQ(reader->GetNumberOfNegativeValues(), 1);
+      EXPECT_EQ(reader->GetNotes().find("transmission") != std::string::npos, transmission);
+      EXPECT_NE(reader->GetNotes().find("centers"), std::string::npos);
+      EXPECT_NE(reader->GetNotes().find("made by a test"), std::string::npos);
+      auto* table = vtkTabulatedBRDF::SafeDownCast(reader->GetBRDF());
+      ASSERT_TRUE(table);
+      EXPECT_EQ(table->GetParameterization(), vtkTabulatedBRDF::INCIDENT_OUTGOING);
+      EXPECT_EQ(table->GetDimensions()[0], 4);
+      EXPECT_EQ(table->GetDimensions()[1], 3);
+      EXPECT_EQ(table->GetDimensions()[2], 3);
+      // Value 1 is negative and kept; cell 7 is the file's value 7 (scalar) or 21, 22, 23.
+      EXPECT_EQ(table->GetVolume()[color ? 1 : 3], -0.5f);
+      EXPECT_EQ(table->GetVolume()[21], color ? 0.25f + 0.01f * 21 : 0.25f + 0.01f * 7);
+      EXPECT_EQ(table->GetVolume()[23], color ? 0.25f + 0.01f * 23 : 0.25f + 0.01f * 7);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(IOMbsdf, RefusesBadFiles)
+{
+  const Folder folder;
+  const std::string good = MakeMbsdf(true, 3, 4);
+  const std::string both = MakeMbsdf(true, 2, 2, true);
+  const std::size_t block = good.find("REFLECTION=\n") + 12;
+  ExpectTruncationsRefused(folder, good, 1, 1, Mbsdf);
+  // A cut right behind the reflection block leaves a whole file without transmission.
+  const std::size_t transmission = both.find("MBSDF_DATA_TRANSMISSION");
+  ExpectTruncationsRefused(folder, both, transmission + 1, 1, Mbsdf);
+  ExpectBytesRefused(folder, good + "x", { Mbsdf });
+  ExpectBytesRefused(folder, both + "x", { Mbsdf, "1 bytes follow" });
+
+  std::string bytes = good;
+  bytes[18] = '2'; // V2
+  ExpectBytesRefused(folder, bytes, { "published fits" });
+  for (const std::size_t field : { 4, 8 })
+  {
+    for (const std::uint32_t lie : { 0u, 2049u, 1u << 31, ~0u })
+    {
+      bytes = good;
+      Overwrite(bytes, block + field, lie);
+      ExpectBytesRefused(
+        folder, bytes, { Mbsdf, field == 4 ? "theta" : "phi", std::to_string(lie) });
+    }
+    bytes = good;
+    Overwrite(bytes, block + field, 2048u);
+    ExpectBytesRefused(folder, bytes, { Mbsdf, "values", "needs" });
+  }
+  bytes = good;
+  Overwrite(bytes, block, 2u);
+  ExpectBytesRefused(folder, bytes, { Mbsdf, "type", "found 2" });
+  bytes = both;
+  bytes.erase(bytes.find("MBSDF_DATA_REFLECTION"), transmission - both.find("MBSDF_DATA_REF"));
+  ExpectBytesRefused(folder, bytes, { Mbsdf, "transmission only" });
+}
+
+//------------------------------------------------------------------------------
+TEST(IOMbsdf, CountsWhatIsNotFinite)
+{
+  const Folder folder;
+  std::string bytes = MakeMbsdf(true, 3, 4);
+  Overwrite(bytes, bytes.size() - 4, std::numeric_limits<float>::quiet_NaN());
+  Overwrite(bytes, bytes.size() - 8, std::numeric_limits<float>::infinity());
+  WriteBytes(folder("a.mbsdf"), bytes);
+  vtkNew<vtkBRDFReader> reader;
+  reader->SetFileName(folder("a.mbsdf"));
+  ASSERT_TRUE(reader->Read());
+  EXPECT_EQ(reader->GetNumberOfInvalidValues(), 2);
+  EXPECT_EQ(vtkTabulatedBRDF::SafeDownCast(reader->GetBRDF())->GetNumberOfInvalidCells(), 1);
+}
+
+//------------------------------------------------------------------------------
+TEST(IOMbsdf, ReadsMeasuredCarPaints)
+{
+  const std::filesystem::path materials = SharedData + "/materials/mbsdf";
+  if (!std::filesystem::is_directory(materials))
+  {
+    GTEST_SKIP() << "no MBSDF files at " << materials;
+  }
+  for (const std::string name : { "carpaint_blue", "carpaint_red" })
+  {
+    vtkNew<vtkBRDFReader> reader;
+    reader->SetFileName((materials / (name + ".mbsdf")).string());
+    ASSERT_TRUE(reader->Read()) << reader->GetErrorMessage();
+    const double share = double(reader->GetNumberOfNegativeValues()) / (45 * 45 * 90 * 3);
+    EXPECT_GE(share, 0.11) << name;
+    EXPECT_LE(share, 0.14) << name;
+    EXPECT_EQ(reader->GetNumberOfInvalidValues(), 0);
+    EXPECT_EQ(reader->GetBRDF()->GetName(), name);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Bytes of valid files changed at random: whatever Read says, it comes back and bounds its memory.
+TEST(IOReader, SurvivesMutations)
+{
+  const Folder folder;
+  vtkNew<vtkAdaptiveWarpBRDF> warp;
+  ASSERT_EQ(warp->SetTables(MakeTables()), "");
+  Write(warp, folder("warp.exr"));
+  const std::vector<std::string> seeds = { MakeMerl(2, 3, 4), MakeMbsdf(true, 3, 4),
+    MakeMbsdf(false, 2, 2, true), MakeTensor(MakeTensorFields(MakeTables())),
+    ReadBytes(folder("warp.exr")), SmallFit };
+  const std::string path = folder("mutated");
+  vtkNew<vtkBRDFReader> reader;
+  reader->SetFileName(path);
+  vtkNew<ErrorCounter> errors;
+  reader->AddObserver(vtkCommand::ErrorEvent, errors);
+  std::mt19937 random(12345);
+  int reads = 0;
+  for (int round = 0; round < 1000; ++round)
+  {
+    for (const std::string& seed : seeds)
+    {
+      std::string bytes = seed;
+      const int changes = 1 + int(random() % 4);
+      for (int k = 0; k < changes; ++k)
+      {
+        // Headers come first and matter most.
+        const std::size_t range =
+          random() % 2 ? bytes.size() : std::min<std::size_t>(bytes.size(), 512);
+        const std::size_t place = random() % range;
+        switch (random() % 4)
+        {
+          case 0:
+            bytes[place] = char(random());
+            break;
+          case 1:
+            bytes[place] = char(bytes[place] ^ (1 << random() % 8));
+            break;
+          case 2:
+            bytes[place] = random() % 2 ? '\xff' : '\0';
+            break;
+          default:
+            bytes.resize(std::max<std::size_t>(1, random() % 8 ? bytes.size() : place));
+            break;
+        }
+      }
+      WriteBytes(path, bytes);
+      const int before = errors->Count;
+      if (reader->Read())
+      {
+        ++reads;
+        ASSERT_TRUE(reader->GetBRDF());
+        ASSERT_EQ(errors->Count, before);
+      }
+      else
+      {
+        ASSERT_EQ(errors->Count, before + 1);
+        ASSERT_NE(reader->GetErrorMessage().find(path), std::string::npos);
+      }
+    }
+  }
+  EXPECT_GT(reads, 100); // changed values read
+  EXPECT_GT(errors->Count, 1000);
+}

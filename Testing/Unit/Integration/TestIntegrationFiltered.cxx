@@ -1,0 +1,552 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Filtered importance sampling against the exact sum over every texel, and what must hold exactly.
+
+#include "ErrorCatcher.h"
+#include "HalfVector.h" // for Pi
+#include "vtkAshikhminShirleyBRDF.h"
+#include "vtkBRDFShaderInputs.h"
+#include "vtkBRDFReader.h"
+#include "vtkBlinnPhongBRDF.h"
+#include "vtkDistributionBRDF.h"
+#include "vtkDoubleArray.h"
+#include "vtkEmbeddedMaterials.h"
+#include "vtkEnvironment.h"
+#include "vtkEnvironmentReader.h"
+#include "vtkExactRadianceIntegrator.h"
+#include "vtkFilteredRadianceIntegrator.h"
+#include "vtkLambertBRDF.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+
+#include <glm/glm.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <random>
+#include <sstream>
+#include <string>
+#include <vector>
+
+using measuredbrdf::Pi;
+
+namespace
+{
+const std::string Data = MEASUREDBRDF_SHARED_DATA;
+
+// (normal, view) pairs and their radiance.
+struct Pairs
+{
+  vtkNew<vtkDoubleArray> Normals;
+  vtkNew<vtkDoubleArray> Views;
+  vtkNew<vtkDoubleArray> Radiance;
+
+  Pairs()
+  {
+    for (vtkDoubleArray* array : { this->Normals.Get(), this->Views.Get(), this->Radiance.Get() })
+    {
+      array->SetNumberOfComponents(3);
+    }
+  }
+
+  void Add(const glm::dvec3& n, const glm::dvec3& v)
+  {
+    this->Normals->InsertNextTuple(&n.x);
+    this->Views->InsertNextTuple(&v.x);
+  }
+
+  void AddRandom(int count, unsigned int seed = 1)
+  {
+    std::mt19937 engine(seed);
+    const auto direction = [&engine]()
+    {
+      const double z = 2.0 * (engine() * 0x1p-32) - 1.0;
+      const double phi = 2.0 * Pi * (engine() * 0x1p-32);
+      const double s = std::sqrt(1.0 - z * z);
+      return glm::dvec3(s * std::cos(phi), s * std::sin(phi), z);
+    };
+    for (int k = 0; k < count; ++k)
+    {
+      const glm::dvec3 n = direction();
+      const glm::dvec3 v = direction();
+      this->Add(n, glm::normalize((glm::dot(n, v) < 0.0 ? -v : v) + 0.2 * n));
+    }
+  }
+
+  std::vector<glm::dvec3> Integrate(vtkRadianceIntegrator* integrator) const
+  {
+    vtkNew<vtkDoubleArray> radiance;
+    std::vector<glm::dvec3> result;
+    EXPECT_TRUE(integrator->Integrate(this->Normals, this->Views, radiance));
+    for (vtkIdType k = 0; k < radiance->GetNumberOfTuples(); ++k)
+    {
+      glm::dvec3 rgb;
+      radiance->GetTuple(k, &rgb.x);
+      for (int c = 0; c < 3; ++c)
+      {
+        EXPECT_TRUE(std::isfinite(rgb[c]) && rgb[c] >= 0.0);
+      }
+      result.push_back(rgb);
+    }
+    return result;
+  }
+};
+
+// Sum of the differences over the reference's sum, all channels.
+double GetError(const std::vector<glm::dvec3>& a, const std::vector<glm::dvec3>& reference)
+{
+  double difference = 0.0;
+  double sum = 0.0;
+  for (std::size_t k = 0; k < reference.size(); ++k)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      difference += std::abs(a[k][c] - reference[k][c]);
+      sum += reference[k][c];
+    }
+  }
+  return difference / sum;
+}
+
+vtkNew<vtkEnvironment> NewConstant(int width, int height, float value)
+{
+  vtkNew<vtkEnvironment> environment;
+  EXPECT_TRUE(environment->SetPixels(
+    width, height, std::vector<float>(3 * std::size_t(width) * std::size_t(height), value)));
+  return environment;
+}
+
+vtkNew<vtkFilteredRadianceIntegrator> NewFiltered(
+  vtkBRDF* brdf, vtkEnvironment* environment, int count = 32)
+{
+  vtkNew<vtkFilteredRadianceIntegrator> integrator;
+  integrator->SetBRDF(brdf);
+  integrator->SetEnvironment(environment);
+  integrator->SetNumberOfSamples(count);
+  return integrator;
+}
+
+vtkNew<vtkBlinnPhongBRDF> NewGlossy(double exponent)
+{
+  vtkNew<vtkBlinnPhongBRDF> brdf;
+  brdf->SetSpecular(0.3, 0.3, 0.3);
+  brdf->SetExponent(exponent);
+  return brdf;
+}
+
+// Its error at N = 8, 32, 128, 512, printed.
+std::vector<double> GetErrors(const std::string& name, vtkBRDF* brdf, vtkEnvironment* environment,
+  const Pairs& pairs, const std::vector<glm::dvec3>& reference)
+{
+  std::vector<double> errors;
+  std::printf("%-34s", name.c_str());
+  for (const int count : { 8, 32, 128, 512 })
+  {
+    const auto filtered = NewFiltered(brdf, environment, count);
+    errors.push_back(GetError(pairs.Integrate(filtered), reference));
+    std::printf(" N=%d: %.4f ", count, errors.back());
+  }
+  std::printf("\n");
+  return errors;
+}
+} // namespace
+
+//------------------------------------------------------------------------------
+// Both at tabulated views and between them.
+TEST(FilteredIntegrator, WhiteFurnaceIsTheDirectionalAlbedo)
+{
+  const auto environment = NewConstant(64, 32, 1.0f);
+  std::vector<vtkSmartPointer<vtkBRDF>> materials;
+  for (int k = 0; k < vtkEmbeddedMaterials::GetNumberOfMaterials(); k += 6)
+  {
+    materials.push_back(vtkSmartPointer<vtkBRDF>::Take(
+      vtkEmbeddedMaterials::NewBRDF(vtkEmbeddedMaterials::GetName(k))));
+  }
+  materials.push_back(vtkSmartPointer<vtkBRDF>(vtkNew<vtkLambertBRDF>()));
+  materials.push_back(vtkSmartPointer<vtkBRDF>(vtkNew<vtkDistributionBRDF>()));
+  materials.push_back(vtkSmartPointer<vtkBRDF>(NewGlossy(1.0)));
+  materials.push_back(vtkSmartPointer<vtkBRDF>(NewGlossy(300.0)));
+  double worst = 0.0;
+  for (vtkBRDF* brdf : materials)
+  {
+    ASSERT_TRUE(brdf);
+    Pairs pairs;
+    std::vector<glm::dvec3> expected;
+    for (const double degrees : { 0.0, 17.0, 41.0, 63.0, 78.0, 85.0, 88.0 })
+    {
+      const double theta = degrees * Pi / 180.0;
+      const glm::dvec3 o(std::sin(theta), 0.0, std::cos(theta));
+      pairs.Add(glm::dvec3(0.0, 0.0, 1.0), o);
+      glm::dvec3 albedo;
+      brdf->GetDirectionalAlbedo(&o.x, &albedo.x);
+      expected.push_back(albedo);
+    }
+    const auto radiance = pairs.Integrate(NewFiltered(brdf, environment));
+    for (std::size_t k = 0; k < radiance.size(); ++k)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        EXPECT_NEAR(radiance[k][c], expected[k][c], 1e-3 * std::max(expected[k][c], 0.05))
+          << brdf->GetName() << " " << brdf->GetClassName() << " view " << k;
+        worst = std::max(
+          worst, std::abs(radiance[k][c] - expected[k][c]) / std::max(expected[k][c], 0.05));
+      }
+    }
+  }
+  std::printf("furnace against albedo: largest relative difference %.2e\n", worst);
+}
+
+//------------------------------------------------------------------------------
+class FilteredReference : public testing::TestWithParam<bool>
+{
+};
+
+TEST_P(FilteredReference, Converges)
+{
+  std::printf("Relative L1 error against the exact sum\n");
+  Pairs pairs;
+  pairs.AddRandom(16);
+  vtkNew<vtkAshikhminShirleyBRDF> ashikhminShirley;
+  ashikhminShirley->SetExponents(50.0, 50.0);
+  ashikhminShirley->SetDiffuse(0.3, 0.2, 0.1);
+  struct
+  {
+    const char* Name;
+    vtkSmartPointer<vtkBRDF> BRDF;
+  } const materials[] = { { "Blinn-Phong 20", NewGlossy(20.0).Get() },
+    { "Blinn-Phong 100", NewGlossy(100.0).Get() }, { "Blinn-Phong 500", NewGlossy(500.0).Get() },
+    { "Ashikhmin-Shirley 50", ashikhminShirley.Get() } };
+  const bool hall = GetParam();
+  vtkNew<vtkEnvironment> environment;
+  if (hall)
+  {
+    environment->SetToProceduralHall();
+  }
+  else
+  {
+    environment->SetToProceduralSky();
+  }
+  for (const auto& material : materials)
+  {
+    vtkNew<vtkExactRadianceIntegrator> exact;
+    exact->SetBRDF(material.BRDF);
+    exact->SetEnvironment(environment);
+    const auto errors = GetErrors(std::string(material.Name) + (hall ? ", hall" : ", sky"),
+      material.BRDF, environment, pairs, pairs.Integrate(exact));
+    EXPECT_LT(errors[1], hall ? 0.15 : 0.03);
+    EXPECT_LT(errors[2], hall ? 0.05 : 0.012);
+    EXPECT_LT(errors[3], hall ? 0.025 : 0.004);
+    EXPECT_LT(errors[3], 0.2 * errors[0]);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Procedural, FilteredReference, testing::Bool(),
+  [](const auto& info) { return info.param ? "hall" : "sky"; });
+
+//------------------------------------------------------------------------------
+// Radiance computed with the RGL authors' own code: 12 pairs each.
+class FilteredMeasured : public testing::TestWithParam<const char*>
+{
+};
+
+TEST_P(FilteredMeasured, TwelvePairs)
+{
+  if (!std::ifstream(Data + "/expected/satin_purple.studio.csv"))
+  {
+    GTEST_SKIP() << "no measured data at " << Data;
+  }
+  const std::string light = GetParam();
+  vtkNew<vtkEnvironmentReader> environment;
+  environment->SetFileName(Data + "/environments/" + light + ".exr");
+  ASSERT_TRUE(environment->Read()) << environment->GetErrorMessage();
+  for (const std::string material : { "chm_light_blue", "cc_ibiza_sunset", "satin_purple" })
+  {
+    vtkNew<vtkBRDFReader> reader;
+    reader->SetFileName(Data + "/materials/rgl/" + material + "_rgb.bsdf");
+    ASSERT_TRUE(reader->Read()) << reader->GetErrorMessage();
+    std::ifstream file(Data + "/expected/" + material + "." + light + ".csv");
+    Pairs pairs;
+    std::vector<glm::dvec3> expected;
+    for (std::string line; std::getline(file, line);)
+    {
+      std::replace(line.begin(), line.end(), ',', ' ');
+      std::istringstream text(line);
+      glm::dvec3 n, v, rgb;
+      if (text >> n.x >> n.y >> n.z >> v.x >> v.y >> v.z >> rgb.x >> rgb.y >> rgb.z)
+      {
+        pairs.Add(n, v);
+        expected.push_back(rgb);
+      }
+    }
+    ASSERT_EQ(expected.size(), 12u);
+    const auto filtered = NewFiltered(reader->GetBRDF(), environment->GetEnvironment(), 128);
+    const double error = GetError(pairs.Integrate(filtered), expected);
+    std::printf("%s, %s: N=128: %.4f\n", material.c_str(), light.c_str(), error);
+    EXPECT_LT(error, 0.1);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(RGL, FilteredMeasured, testing::Values("studio", "interior"),
+  [](const auto& info) { return std::string(info.param); });
+
+//------------------------------------------------------------------------------
+// Its sun is 2e5 times the mean and above half float's range.
+TEST(FilteredIntegrator, RealSun)
+{
+  const std::string name = Data + "/environments/pmndrs_sunrise.hdr";
+  if (!std::ifstream(name))
+  {
+    GTEST_SKIP() << "no " << name;
+  }
+  vtkNew<vtkEnvironmentReader> reader;
+  reader->SetFileName(name);
+  ASSERT_TRUE(reader->Read());
+  vtkEnvironment* environment = reader->GetEnvironment();
+  Pairs pairs;
+  pairs.AddRandom(25);
+  for (const double exponent : { 20.0, 200.0 })
+  {
+    const auto brdf = NewGlossy(exponent);
+    vtkNew<vtkExactRadianceIntegrator> exact;
+    exact->SetBRDF(brdf);
+    exact->SetEnvironment(environment);
+    const auto reference = pairs.Integrate(exact);
+    const auto filtered = NewFiltered(brdf, environment, 64);
+    const double with = GetError(pairs.Integrate(filtered), reference);
+    EXPECT_GT(filtered->GetNumberOfExtractedLights(), 0);
+    EXPECT_TRUE(filtered->UsesBRDFOnGPU());
+    vtkBRDFShaderInputs form;
+    ASSERT_TRUE(filtered->GetShaderInputs(form));
+    EXPECT_EQ(form.Terms.size(), 2u);
+    EXPECT_TRUE(form.Terms[0].Textures[0].HalfFloat);
+    const int lights = filtered->GetNumberOfExtractedLights();
+    filtered->ExtractLightsOff();
+    const double without = GetError(pairs.Integrate(filtered), reference);
+    EXPECT_EQ(filtered->GetNumberOfExtractedLights(), 0);
+    EXPECT_FALSE(filtered->UsesBRDFOnGPU());
+    ASSERT_TRUE(filtered->GetShaderInputs(form));
+    EXPECT_EQ(form.Terms.size(), 1u);
+    EXPECT_FALSE(form.Terms[0].Textures[0].HalfFloat); // above its range
+    std::printf("sunrise, Blinn-Phong %g, N=64: %.4f with %d lights, %.4f without\n", exponent,
+      with, lights, without);
+    EXPECT_LT(with, 0.05);
+    EXPECT_LT(with, without);
+  }
+}
+
+//------------------------------------------------------------------------------
+// A map that is constant stays so on every level and across every edge: N = 1 reads the coarsest.
+TEST(FilteredIntegrator, ConstantEnvironments)
+{
+  vtkNew<vtkLambertBRDF> brdf;
+  brdf->SetAlbedo(0.5, 0.25, 0.125);
+  Pairs pairs;
+  pairs.AddRandom(300);
+  const int sizes[4][2] = { { 1, 1 }, { 8, 4 }, { 37, 18 }, { 256, 128 } };
+  for (const auto& size : sizes)
+  {
+    const auto environment = NewConstant(size[0], size[1], 3.0f);
+    for (const int count : { 1, 7, 64, 1024 })
+    {
+      const auto filtered = NewFiltered(brdf, environment, count);
+      for (const glm::dvec3& rgb : pairs.Integrate(filtered))
+      {
+        EXPECT_NEAR(rgb.x, 1.5, 1e-4) << size[0] << " " << count;
+        EXPECT_NEAR(rgb.z, 0.375, 1e-4);
+      }
+      EXPECT_EQ(filtered->GetNumberOfExtractedLights(), 0);
+    }
+  }
+  for (const glm::dvec3& rgb : pairs.Integrate(NewFiltered(brdf, NewConstant(16, 8, 0.0f))))
+  {
+    EXPECT_EQ(rgb, glm::dvec3(0.0));
+  }
+}
+
+//------------------------------------------------------------------------------
+// The coarsest level is the environment's mean; a bias of 4 levels on few texels reads only that.
+TEST(FilteredIntegrator, CoarsestLevelIsTheMean)
+{
+  vtkNew<vtkEnvironment> environment;
+  environment->SetToProceduralHall();
+  vtkNew<vtkLambertBRDF> brdf;
+  brdf->SetAlbedo(1.0, 1.0, 1.0);
+  Pairs pairs;
+  pairs.AddRandom(20);
+  const auto filtered = NewFiltered(brdf, environment, 8);
+  filtered->SetLevelBias(4.0);
+  filtered->ExtractLightsOff();
+  glm::dvec3 total;
+  environment->GetTotal(&total.x);
+  for (const glm::dvec3& rgb : pairs.Integrate(filtered))
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      EXPECT_NEAR(rgb[c], total[c] / (4.0 * Pi), 1e-3 * total[c] / (4.0 * Pi));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// A mirror-like lobe shows the radiance where it looks: the map's way there and back.
+TEST(FilteredIntegrator, MirrorShowsTheEnvironment)
+{
+  const int width = 256;
+  const int height = 128;
+  std::vector<float> rgb;
+  vtkNew<vtkEnvironment> environment;
+  for (int y = 0; y < height; ++y)
+  {
+    for (int x = 0; x < width; ++x)
+    {
+      double d[3];
+      vtkEnvironment::GetDirection((x + 0.5) / width, (y + 0.5) / height, d);
+      for (const double v : d)
+      {
+        rgb.push_back(static_cast<float>(2.0 + v)); // linear in the direction
+      }
+    }
+  }
+  ASSERT_TRUE(environment->SetPixels(width, height, rgb));
+  vtkNew<vtkAshikhminShirleyBRDF> mirror;
+  mirror->SetExponents(1e5, 1e5);
+  mirror->SetReflectance(1.0, 1.0, 1.0);
+  Pairs pairs;
+  pairs.AddRandom(500);
+  const auto radiance = pairs.Integrate(NewFiltered(mirror, environment));
+  for (int k = 0; k < 500; ++k)
+  {
+    glm::dvec3 n, v;
+    pairs.Normals->GetTuple(k, &n.x);
+    pairs.Views->GetTuple(k, &v.x);
+    const glm::dvec3 i = 2.0 * glm::dot(n, v) * n - v;
+    const double cosine = glm::dot(n, v);
+    glm::dvec3 albedo;
+    const double o[3] = { std::sqrt(1.0 - cosine * cosine), 0.0, cosine };
+    mirror->GetDirectionalAlbedo(o, &albedo.x);
+    for (int c = 0; c < 3; ++c)
+    {
+      EXPECT_NEAR(radiance[std::size_t(k)][c], albedo[c] * (2.0 + i[c]), 0.02) << k;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(FilteredIntegrator, RotatingEverythingChangesNothing)
+{
+  vtkNew<vtkEnvironment> environment;
+  environment->SetToProceduralHall();
+  const auto brdf = NewGlossy(60.0);
+  const auto filtered = NewFiltered(brdf, environment);
+  Pairs pairs;
+  pairs.AddRandom(25);
+  const auto before = pairs.Integrate(filtered);
+
+  const glm::dvec3 x = glm::normalize(glm::dvec3(0.3, -0.5, 0.8));
+  const glm::dvec3 y = glm::normalize(glm::cross(x, glm::dvec3(0.9, 0.1, 0.4)));
+  const glm::dmat3 rotation(x, y, glm::cross(x, y));
+  double rows[9]; // its inverse by rows: the columns of the rotation
+  for (int k = 0; k < 9; ++k)
+  {
+    rows[k] = rotation[k / 3][k % 3];
+  }
+  environment->SetWorldToEnvironment(rows);
+  Pairs rotated;
+  for (int k = 0; k < 25; ++k)
+  {
+    glm::dvec3 n, v;
+    pairs.Normals->GetTuple(k, &n.x);
+    pairs.Views->GetTuple(k, &v.x);
+    rotated.Add(rotation * n, rotation * v);
+  }
+  EXPECT_LT(GetError(rotated.Integrate(filtered), before), 1e-5); // the map is read in floats
+  EXPECT_GT(GetError(pairs.Integrate(filtered), before), 1e-2);
+}
+
+//------------------------------------------------------------------------------
+TEST(FilteredIntegrator, FollowsItsInputs)
+{
+  const auto brdf = NewGlossy(60.0);
+  const auto environment = NewConstant(16, 8, 1.0f);
+  const auto filtered = NewFiltered(brdf, environment);
+  Pairs pairs;
+  pairs.AddRandom(3);
+  const double first = pairs.Integrate(filtered)[0].x;
+  brdf->SetSpecular(0.6, 0.6, 0.6);
+  const double second = pairs.Integrate(filtered)[0].x;
+  EXPECT_NEAR(second, 2.0 * first, 1e-5 * second);
+  ASSERT_TRUE(environment->SetPixels(16, 8, std::vector<float>(3 * 16 * 8, 5.0f)));
+  EXPECT_NEAR(pairs.Integrate(filtered)[0].x, 5.0 * second, 1e-4 * second);
+  vtkNew<vtkLambertBRDF> lambert;
+  filtered->SetBRDF(lambert);
+  EXPECT_NEAR(pairs.Integrate(filtered)[0].x, 5.0 * lambert->GetAlbedo()[0], 1e-3);
+}
+
+//------------------------------------------------------------------------------
+TEST(FilteredIntegrator, BadInputs)
+{
+  vtkNew<vtkAshikhminShirleyBRDF> anisotropic;
+  anisotropic->SetName("brushed");
+  anisotropic->SetExponents(10.0, 200.0);
+  const auto environment = NewConstant(8, 4, 1.0f);
+  const auto filtered = NewFiltered(anisotropic, environment);
+  ErrorCatcher errors(filtered);
+  EXPECT_FALSE(filtered->Prepare());
+  EXPECT_EQ(errors.Take(), 1);
+  EXPECT_NE(errors.GetText().find("'brushed'"), std::string::npos);
+  vtkBRDFShaderInputs form;
+  form.Description = "untouched";
+  EXPECT_FALSE(filtered->GetShaderInputs(form));
+  EXPECT_EQ(form.Description, "untouched");
+  EXPECT_EQ(errors.Take(), 1);
+  vtkNew<vtkEnvironment> empty;
+  vtkNew<vtkLambertBRDF> lambert;
+  filtered->SetBRDF(lambert);
+  for (vtkEnvironment* none : { static_cast<vtkEnvironment*>(nullptr), empty.Get() })
+  {
+    filtered->SetEnvironment(none);
+    EXPECT_FALSE(filtered->Prepare());
+    EXPECT_EQ(errors.Take(), 1);
+  }
+  filtered->SetEnvironment(environment);
+  EXPECT_TRUE(filtered->Prepare());
+  filtered->SetNumberOfSamples(0);
+  EXPECT_EQ(filtered->GetNumberOfSamples(), 1);
+  filtered->SetNumberOfSamples(100000);
+  EXPECT_EQ(filtered->GetNumberOfSamples(), 1024);
+}
+
+//------------------------------------------------------------------------------
+// A material that stops the preparation from inside.
+class AbortingBRDF : public vtkLambertBRDF
+{
+public:
+  static AbortingBRDF* New();
+  vtkTypeMacro(AbortingBRDF, vtkLambertBRDF);
+  void GetDirectionalAlbedo(const double o[3], double albedo[3]) override
+  {
+    this->Superclass::GetDirectionalAlbedo(o, albedo);
+    if (this->Integrator)
+    {
+      this->Integrator->SetAbort(true);
+    }
+  }
+  vtkRadianceIntegrator* Integrator = nullptr;
+};
+vtkStandardNewMacro(AbortingBRDF);
+
+TEST(FilteredIntegrator, PreparationCanBeAborted)
+{
+  vtkNew<AbortingBRDF> brdf;
+  const auto filtered = NewFiltered(brdf, NewConstant(8, 4, 1.0f));
+  ErrorCatcher errors(filtered);
+  brdf->Integrator = filtered;
+  EXPECT_FALSE(filtered->Prepare());
+  EXPECT_EQ(errors.Take(), 1);
+  brdf->Integrator = nullptr;
+  EXPECT_TRUE(filtered->Prepare()); // afresh
+  EXPECT_EQ(errors.Take(), 0);
+}

@@ -1,0 +1,573 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Suns as lights, broad layer by a table, sharp layer by samples: each part alone, and the sum
+// against the exact one.
+
+#include "ExtractedEmitters.h"
+#include "ErrorCatcher.h"
+#include "HalfVector.h" // for Pi
+#include "LobePart.h"
+#include "LobeQuadrature.h"
+#include "LobeSampler.h"
+#include "PlanReference.h"
+#include "SpherePairs.h"
+#include "vtkAshikhminShirleyBRDF.h"
+#include "vtkBRDFShaderInputs.h"
+#include "vtkBRDFReader.h"
+#include "vtkBlinnPhongBRDF.h"
+#include "vtkCallbackCommand.h"
+#include "vtkEmbeddedMaterials.h"
+#include "vtkEnvironmentReader.h"
+#include "vtkLambertBRDF.h"
+#include "vtkHybridRadianceIntegrator.h"
+#include "vtkSmartPointer.h"
+#include "vtkTableRadianceIntegrator.h"
+
+#include <cstdio>
+#include <fstream>
+#include <random>
+#include <sstream>
+#include <string>
+
+using namespace measuredbrdf;
+
+namespace
+{
+const std::string Data = MEASUREDBRDF_SHARED_DATA;
+
+// A clear coat's mirror-like lobe over a matte base.
+vtkNew<vtkAshikhminShirleyBRDF> NewCoated(double exponent)
+{
+  vtkNew<vtkAshikhminShirleyBRDF> brdf;
+  brdf->SetDiffuse(0.3, 0.1, 0.05);
+  brdf->SetExponents(exponent, exponent);
+  return brdf;
+}
+
+vtkSmartPointer<vtkBRDF> NewEmbedded(const char* name)
+{
+  auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF(name));
+  brdf->Prepare();
+  return brdf;
+}
+
+glm::dvec3 NewDirection(std::mt19937& engine)
+{
+  const double z = engine() * 0x1p-32;
+  const double phi = 2.0 * Pi * (engine() * 0x1p-32);
+  const double s = std::sqrt(1.0 - z * z);
+  return glm::dvec3(s * std::cos(phi), s * std::sin(phi), z);
+}
+
+vtkNew<vtkHybridRadianceIntegrator> NewLayered(vtkBRDF* brdf, vtkEnvironment* environment)
+{
+  vtkNew<vtkHybridRadianceIntegrator> layered;
+  layered->SetBRDF(brdf);
+  layered->SetEnvironment(environment);
+  return layered;
+}
+
+// Lamps of one texel over a smooth floor.
+vtkNew<vtkEnvironment> NewSunny(float peak, int suns)
+{
+  auto environment = NewSmallEnvironment(false);
+  std::vector<float> rgb = environment->GetPixels();
+  for (int k = 0; k < suns; ++k)
+  {
+    const std::size_t texel = static_cast<std::size_t>(128 * (12 + 3 * k) + 17 * k + 5);
+    rgb[3 * texel] = peak;
+    rgb[3 * texel + 1] = 0.9f * peak;
+    rgb[3 * texel + 2] = 0.7f * peak;
+  }
+  EXPECT_TRUE(environment->SetPixels(128, 64, rgb));
+  return environment;
+}
+
+// With some texels changed.
+std::vector<float> GetPixels(vtkEnvironment* environment, const TexelChanges& changes)
+{
+  std::vector<float> pixels;
+  std::vector<float> room;
+  const int width = environment->GetWidth();
+  for (int y = 0; y < environment->GetHeight(); ++y)
+  {
+    for (const int x : { 0, width / 3 }) // rows may come in parts
+    {
+      const int end = x == 0 ? width / 3 : width;
+      const float* row = changes.GetRow(environment, y, x, end, room);
+      pixels.insert(pixels.end(), row, row + 3 * (end - x));
+    }
+  }
+  return pixels;
+}
+} // namespace
+
+//------------------------------------------------------------------------------
+TEST(ExtractedEmitters, LightsAndRestAddUp)
+{
+  const auto environment = NewSunny(1e5f, 3);
+  const ExtractedEmitters bright(environment, ExtractedEmitters::DefaultShare, 16);
+  EXPECT_EQ(bright.Lights.size(), 3u);
+  EXPECT_EQ(ExtractedEmitters(environment, ExtractedEmitters::DefaultShare, 2).Lights.size(), 2u);
+  EXPECT_TRUE(ExtractedEmitters(environment, ExtractedEmitters::DefaultShare, 0).Lights.empty());
+  EXPECT_TRUE(ExtractedEmitters(environment, 1.0, 16).Lights.empty());
+  EXPECT_TRUE(ExtractedEmitters(NewConstantEnvironment(16, 8, 3.0f), ExtractedEmitters::DefaultShare, 16)
+                .Lights.empty());
+
+  // No light is lost or gained, channel by channel.
+  glm::dvec3 whole(0.0);
+  glm::dvec3 parts(0.0);
+  float largest = 0.0f;
+  const std::vector<float> rest = GetPixels(environment, bright.Rest);
+  for (std::size_t k = 0; k < rest.size(); ++k)
+  {
+    const double solidAngle = environment->GetTexelSolidAngle(static_cast<int>(k / 3 / 128));
+    const int c = static_cast<int>(k % 3);
+    whole[c] += environment->GetPixels()[k] * solidAngle;
+    parts[c] += rest[k] * solidAngle;
+    largest = std::max(largest, rest[k]);
+    EXPECT_GE(rest[k], 0.0f);
+    glm::dvec3 direction;
+    glm::dvec3 radiance;
+    environment->GetTexelDirection(
+      static_cast<int>(k / 3 % 128), static_cast<int>(k / 3 / 128), &direction.x);
+    bright.Rest.GetRadiance(environment, &direction.x, &radiance.x);
+    EXPECT_EQ(radiance[c], rest[k]);
+  }
+  for (const ExtractedEmitters::Light& light : bright.Lights)
+  {
+    parts += light.Irradiance;
+    EXPECT_NEAR(glm::length(light.Direction), 1.0, 1e-12);
+  }
+  for (int c = 0; c < 3; ++c)
+  {
+    EXPECT_NEAR(parts[c], whole[c], 1e-6 * whole[c]);
+  }
+  EXPECT_LT(largest, 1e3f);
+}
+
+//------------------------------------------------------------------------------
+// A sun of several texels is one light, in the middle of them; a panel is no lamp.
+TEST(ExtractedEmitters, LampsAreOneLightEach)
+{
+  constexpr int width = 512, height = 256;
+  std::vector<float> pixels(3 * width * height, 1.0f);
+  const auto light = [&](int x, int y) { pixels[3 * (y * width + x) + 1] = 1e4f; };
+  for (int k = 0; k < 4; ++k) // 2 x 2 texels of 0.7 degrees
+  {
+    light(100 + k % 2, 120 + k / 2);
+    light(300 + k % 2, 60 + k / 2);
+  }
+  vtkNew<vtkEnvironment> environment;
+  environment->SetPixels(width, height, pixels);
+  EXPECT_EQ(ExtractedEmitters(environment, ExtractedEmitters::DefaultShare, 16).Lights.size(), 8u);
+  const double angle = 1.2 * Pi / 180.0;
+  const ExtractedEmitters lamps = ExtractedEmitters::FindLamps(environment, angle, 16);
+  ASSERT_EQ(lamps.Lights.size(), 2u);
+  const std::vector<float> rest = GetPixels(environment, lamps.Rest);
+  glm::dvec3 irradiance(0.0);
+  glm::dvec3 expected(0.0);
+  for (std::size_t k = 0; k < pixels.size() / 3; ++k)
+  {
+    expected.y += (pixels[3 * k + 1] - rest[3 * k + 1]) *
+                  environment->GetTexelSolidAngle(static_cast<int>(k / width));
+  }
+  for (const ExtractedEmitters::Light& lamp : lamps.Lights)
+  {
+    glm::dvec3 middle(0.0);
+    const bool first = std::abs(lamp.Direction.y) < 0.2; // near the horizon
+    for (int k = 0; k < 4; ++k)
+    {
+      glm::dvec3 direction;
+      environment->GetTexelDirection(
+        (first ? 100 : 300) + k % 2, (first ? 120 : 60) + k / 2, &direction.x);
+      middle += 0.25 * direction;
+    }
+    EXPECT_LT(glm::distance(lamp.Direction, glm::normalize(middle)), 1e-3);
+    irradiance += lamp.Irradiance;
+  }
+  EXPECT_NEAR(irradiance.y, expected.y, 1e-6 * expected.y);
+  EXPECT_GT(irradiance.y, 0.0);
+
+  // A row of three, 1.4 degrees long, the brightest at its end: one. Five: more.
+  std::vector<float> rows(3 * width * height, 1.0f);
+  rows[3 * (128 * width + 200) + 1] = 2e4f;
+  rows[3 * (128 * width + 201) + 1] = rows[3 * (128 * width + 202) + 1] = 1e4f;
+  environment->SetPixels(width, height, rows);
+  EXPECT_EQ(ExtractedEmitters::FindLamps(environment, angle, 16).Lights.size(), 1u);
+  rows[3 * (128 * width + 203) + 1] = rows[3 * (128 * width + 204) + 1] = 1e4f;
+  environment->SetPixels(width, height, rows);
+  EXPECT_EQ(ExtractedEmitters::FindLamps(environment, angle, 16).Lights.size(), 2u);
+
+  // Glare two texels off is the lamp's; as much light as a lamp's is another lamp.
+  rows.assign(3 * width * height, 1.0f);
+  rows[3 * (128 * width + 200) + 1] = 1e6f;
+  rows[3 * (128 * width + 202) + 1] = 5e3f;
+  environment->SetPixels(width, height, rows);
+  EXPECT_EQ(ExtractedEmitters::FindLamps(environment, angle, 16).Lights.size(), 1u);
+  rows[3 * (128 * width + 202) + 1] = 5e4f;
+  environment->SetPixels(width, height, rows);
+  EXPECT_EQ(ExtractedEmitters::FindLamps(environment, angle, 16).Lights.size(), 2u);
+
+  for (int k = 0; k < 40 * 40; ++k) // a panel of 28 degrees
+  {
+    light(100 + k % 40, 100 + k / 40);
+  }
+  environment->SetPixels(width, height, pixels);
+  EXPECT_TRUE(ExtractedEmitters::FindLamps(environment, angle, 16).Lights.empty());
+}
+
+//------------------------------------------------------------------------------
+// Few views of a smooth material are evaluated; the others are near what they would have been.
+TEST(LobeViews, InterpolatesWhatIsSmooth)
+{
+  for (const char* name : { "violet-rubber", "nickel", "blue-fabric" })
+  {
+    const auto brdf = NewEmbedded(name);
+    const LobeViews views(brdf);
+    int evaluated = 0;
+    for (int k = 0; k < LobeViews::NumberOfViews; ++k)
+    {
+      const LobeViews::View& view = views.GetViews()[static_cast<std::size_t>(k)];
+      const double theta = LobeViews::GetAngle(k);
+      const glm::dvec3 o(std::sin(theta), 0.0, std::cos(theta));
+      const LobeMeans wanted(LobeQuadrature(brdf, o, 512));
+      EXPECT_LT(LobeMeans::GetDistance(view.Means, wanted), 4e-3) << name << " " << k;
+      evaluated += !view.Cells.empty();
+    }
+    EXPECT_LT(evaluated, 50) << name;
+  }
+}
+
+//------------------------------------------------------------------------------
+// The sharp layer is narrow: Markov's inequality, counted over random directions.
+TEST(LobeSplit, AddUpAndTheSharpOneIsNarrow)
+{
+  constexpr double solidAngle = 0.3;
+  std::mt19937 engine(3);
+  for (const char* name : { "nickel", "violet-rubber", "blue-fabric" })
+  {
+    const auto brdf = NewEmbedded(name);
+    const auto cut = std::make_shared<LobeSplit>(brdf, solidAngle);
+    vtkNew<LobePart> broad, sharp;
+    broad->Set(brdf, cut, false);
+    sharp->Set(brdf, cut, true);
+    EXPECT_TRUE(broad->IsIsotropic());
+    for (int view = 0; view < 8; ++view)
+    {
+      const glm::dvec3 o = glm::normalize(NewDirection(engine) + glm::dvec3(0.0, 0.0, 0.1));
+      int inside = 0;
+      constexpr int count = 4000;
+      for (int k = 0; k < count; ++k)
+      {
+        const glm::dvec3 i = NewDirection(engine);
+        glm::dvec3 whole, low, high;
+        brdf->Evaluate(&i.x, &o.x, &whole.x);
+        broad->Evaluate(&i.x, &o.x, &low.x);
+        sharp->Evaluate(&i.x, &o.x, &high.x);
+        for (int c = 0; c < 3; ++c)
+        {
+          EXPECT_GE(low[c], 0.0);
+          EXPECT_NEAR(low[c] + high[c], whole[c], 1e-12 * whole[c]);
+        }
+        inside += high.x + high.y + high.z > 0.0;
+      }
+      // Heights are interpolated between views: a little more is right.
+      EXPECT_LT(2.0 * Pi * inside / count, 1.2 * solidAngle + 0.02) << name << " " << o.z;
+    }
+  }
+  EXPECT_GT(LobeSplit(NewEmbedded("nickel"), solidAngle).GetSharpShare(), 0.5);
+  vtkNew<vtkLambertBRDF> matte;
+  EXPECT_LT(LobeSplit(matte, solidAngle).GetSharpShare(), 1e-9);
+}
+
+//------------------------------------------------------------------------------
+// E[f cos / density] is the directional albedo, and hardly varies.
+TEST(LobeSampler, DrawsByTheKernel)
+{
+  for (const char* name : { "nickel", "violet-rubber", "pink-felt", "brass" })
+  {
+    const auto brdf = NewEmbedded(name);
+    for (const double degrees : { 0.0, 40.0, 75.0 })
+    {
+      const glm::dvec3 o(std::sin(degrees * Pi / 180.0), 0.0, std::cos(degrees * Pi / 180.0));
+      const LobeSampler lobe(brdf, o);
+      ASSERT_FALSE(lobe.IsBlack());
+      constexpr int count = 4096;
+      double mean = 0.0;
+      double squares = 0.0;
+      for (int k = 0; k < count; ++k)
+      {
+        double density = 0.0;
+        const glm::dvec3 i = lobe.Sample(
+          glm::dvec2((k + 0.5) / count, std::fmod(k * 0.6180339887498949, 1.0)), density);
+        EXPECT_NEAR(glm::length(i), 1.0, 1e-9);
+        glm::dvec3 f(0.0);
+        if (i.z > 0.0)
+        {
+          brdf->Evaluate(&i.x, &o.x, &f.x);
+        }
+        const double weight = (f.x + f.y + f.z) * std::max(i.z, 0.0) / density;
+        mean += weight / count;
+        squares += weight * weight / count;
+      }
+      glm::dvec3 albedo;
+      brdf->GetDirectionalAlbedo(&o.x, &albedo.x);
+      const double expected = albedo.x + albedo.y + albedo.z;
+      std::printf("%s at %g degrees: albedo %.4f, drawn %.4f, variance of a weight %.3f\n", name,
+        degrees, expected, mean, squares / (mean * mean) - 1.0);
+      EXPECT_NEAR(mean, expected, 0.02 * expected);
+      EXPECT_LT(squares / (mean * mean) - 1.0, 0.1);
+    }
+  }
+  vtkNew<vtkLambertBRDF> black;
+  black->SetAlbedo(0.0, 0.0, 0.0);
+  EXPECT_TRUE(LobeSampler(black, glm::dvec3(0.0, 0.0, 1.0)).IsBlack());
+}
+
+//------------------------------------------------------------------------------
+// Lobes must be wider than texels: where they are not, the exact sum sees points and this does not.
+TEST(PlanReference, IsNearlyExact)
+{
+  SpherePairs pairs;
+  pairs.AddRandom(40);
+  for (const char* name : { "blue-fabric", "violet-rubber", "nickel" })
+  {
+    const auto brdf = NewEmbedded(name);
+    for (const float sun : { 1.0f, 2e5f })
+    {
+      const auto environment = NewSunny(sun, 2);
+      vtkNew<PlanReference> reference;
+      reference->SetBRDF(brdf);
+      reference->SetEnvironment(environment);
+      const double error =
+        GetRelativeError(pairs.Integrate(reference), pairs.IntegrateExactly(brdf, environment));
+      std::printf("%s, sun %g: relative L1 %.5f\n", name, sun, error);
+      EXPECT_LT(error, 5e-3);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(LayeredIntegrator, WhiteFurnaceIsTheDirectionalAlbedo)
+{
+  const auto environment = NewConstantEnvironment(256, 128, 2.0f);
+  for (const char* name : { "blue-fabric", "nickel", "violet-rubber" })
+  {
+    const auto brdf = NewEmbedded(name);
+    SpherePairs pairs;
+    std::vector<glm::dvec3> expected;
+    for (const double degrees : { 0.0, 17.0, 41.0, 63.0, 78.0, 85.0 })
+    {
+      const double theta = degrees * Pi / 180.0;
+      const glm::dvec3 o(std::sin(theta), 0.0, std::cos(theta));
+      pairs.Add(glm::dvec3(0.0, 0.0, 1.0), o);
+      glm::dvec3 albedo;
+      brdf->GetDirectionalAlbedo(&o.x, &albedo.x);
+      expected.push_back(2.0 * albedo);
+    }
+    const double error = GetRelativeError(pairs.Integrate(NewLayered(brdf, environment)), expected);
+    std::printf("%s: %.2e\n", name, error);
+    EXPECT_LT(error, 0.01);
+  }
+}
+
+//------------------------------------------------------------------------------
+// What each part gains, against the exact sum.
+TEST(LayeredIntegrator, EveryPartPays)
+{
+  SpherePairs pairs;
+  pairs.AddRandom(60);
+  const auto environment = NewSunny(2e5f, 3);
+  for (const double exponent : { 200.0, 3000.0 })
+  {
+    const auto brdf = NewCoated(exponent);
+    const auto reference = pairs.IntegrateExactly(brdf, environment);
+    vtkNew<vtkTableRadianceIntegrator> table;
+    table->SetBRDF(brdf);
+    table->SetEnvironment(environment);
+    table->SetNumberOfRows(33);
+    const double whole = GetRelativeError(pairs.Integrate(table), reference);
+    const auto layered = NewLayered(brdf, environment);
+    layered->SetNumberOfSamples(0);
+    const double lit = GetRelativeError(pairs.Integrate(layered), reference);
+    EXPECT_EQ(layered->GetNumberOfLights(), 3);
+    EXPECT_FALSE(layered->GetHasSharpLayer());
+    layered->SetNumberOfSamples(16);
+    const double both = GetRelativeError(pairs.Integrate(layered), reference);
+    EXPECT_TRUE(layered->GetHasSharpLayer());
+    std::printf(
+      "exponent %g: table %.4f, with lights %.4f, and samples %.4f\n", exponent, whole, lit, both);
+    EXPECT_LT(lit, 0.2 * whole);
+    EXPECT_LT(both, 0.01);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(LayeredIntegrator, WithoutSunsAndGlossItIsTheTable)
+{
+  SpherePairs pairs;
+  pairs.AddRandom(20);
+  vtkNew<vtkBlinnPhongBRDF> brdf;
+  brdf->SetExponent(2.0);
+  const auto environment = NewConstantEnvironment(64, 32, 1.0f);
+  const auto layered = NewLayered(brdf, environment);
+  vtkNew<vtkTableRadianceIntegrator> table;
+  table->SetBRDF(brdf);
+  table->SetEnvironment(environment);
+  table->SetNumberOfRows(33);
+  table->SetNumberOfViewAngles(12);
+  table->SetNumberOfAzimuths(16);
+  EXPECT_EQ(pairs.Integrate(layered), pairs.Integrate(table));
+  EXPECT_EQ(layered->GetNumberOfLights(), 0);
+  EXPECT_FALSE(layered->GetHasSharpLayer());
+  EXPECT_FALSE(layered->UsesBRDFOnGPU());
+}
+
+//------------------------------------------------------------------------------
+// The bytes are the table: under another light they show the one that they were made in.
+TEST(LayeredIntegrator, TakesTheTableThatItIsGiven)
+{
+  SpherePairs pairs;
+  pairs.AddRandom(20);
+  vtkNew<vtkBlinnPhongBRDF> brdf;
+  brdf->SetExponent(20.0);
+  const auto made = NewLayered(brdf, NewConstantEnvironment(64, 32, 1.0f));
+  made->SetNumberOfSamples(0);
+  const auto expected = pairs.Integrate(made);
+  const auto taker = NewLayered(brdf, NewConstantEnvironment(64, 32, 3.0f));
+  taker->SetNumberOfSamples(0);
+  ASSERT_TRUE(taker->TakePrepared(made->GetPrepared()));
+  EXPECT_EQ(pairs.Integrate(taker), expected);
+  EXPECT_FALSE(taker->TakePrepared("no table"));
+}
+
+//------------------------------------------------------------------------------
+TEST(LayeredIntegrator, RealSun)
+{
+  if (!std::ifstream(Data + "/environments/pmndrs_sunrise.hdr") ||
+      !std::ifstream(Data + "/materials/rgl/chm_light_blue_rgb.bsdf"))
+  {
+    GTEST_SKIP() << "no pmndrs_sunrise.hdr or chm_light_blue_rgb.bsdf at " << Data;
+  }
+  vtkNew<vtkEnvironmentReader> reader;
+  reader->SetFileName(Data + "/environments/pmndrs_sunrise.hdr");
+  ASSERT_TRUE(reader->Read());
+  vtkNew<vtkBRDFReader> material;
+  material->SetFileName(Data + "/materials/rgl/chm_light_blue_rgb.bsdf");
+  ASSERT_TRUE(material->Read());
+  SpherePairs pairs;
+  pairs.AddRandom(12);
+  const auto layered = NewLayered(material->GetBRDF(), reader->GetEnvironment());
+  const double error = GetRelativeError(pairs.Integrate(layered),
+    pairs.IntegrateExactly(material->GetBRDF(), reader->GetEnvironment()));
+  std::printf(
+    "chrome under sunrise: relative L1 %.4f, %d lights\n", error, layered->GetNumberOfLights());
+  EXPECT_LT(error, 0.03);
+}
+
+//------------------------------------------------------------------------------
+TEST(LayeredIntegrator, TurningEverythingChangesNothing)
+{
+  const auto brdf = NewCoated(500.0);
+  const auto environment = NewSunny(2e4f, 2);
+  const auto layered = NewLayered(brdf, environment);
+  SpherePairs pairs, turned;
+  pairs.AddRandom(30);
+  for (vtkIdType k = 0; k < 30; ++k)
+  {
+    glm::dvec3 d[2];
+    pairs.Normals->GetTuple(k, &d[0].x);
+    pairs.Views->GetTuple(k, &d[1].x);
+    for (glm::dvec3& v : d)
+    {
+      v = glm::dvec3(v.z, v.y, -v.x); // 90 degrees about y
+    }
+    turned.Add(d[0], d[1]);
+  }
+  const auto before = pairs.Integrate(layered);
+  environment->SetRotationY(90.0);
+  EXPECT_LT(GetRelativeError(turned.Integrate(layered), before), 1e-9);
+}
+
+//------------------------------------------------------------------------------
+TEST(LayeredIntegrator, BlackAndTinyEnvironments)
+{
+  SpherePairs pairs;
+  pairs.AddRandom(20);
+  const auto brdf = NewCoated(100.0);
+  for (const glm::dvec3& rgb :
+    pairs.Integrate(NewLayered(brdf, NewConstantEnvironment(16, 8, 0.0f))))
+  {
+    EXPECT_EQ(rgb, glm::dvec3(0.0));
+  }
+  for (const int height : { 1, 7 })
+  {
+    pairs.Integrate(NewLayered(brdf, NewConstantEnvironment(1, height, 1.0f))); // finite
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(LayeredIntegrator, RefusesAndKeepsGoing)
+{
+  vtkNew<vtkHybridRadianceIntegrator> layered;
+  layered->SetNumberOfRows(9);
+  ErrorCatcher errors(layered);
+  vtkBRDFShaderInputs form;
+  form.Description = "mine";
+  EXPECT_FALSE(layered->GetShaderInputs(form));
+  EXPECT_EQ(form.Description, "mine");
+  EXPECT_NE(errors.GetText().find("no BRDF"), std::string::npos);
+  vtkNew<vtkAshikhminShirleyBRDF> brushed;
+  brushed->SetName("brushed steel");
+  brushed->SetExponents(10.0, 100.0);
+  layered->SetBRDF(brushed);
+  EXPECT_FALSE(layered->Prepare());
+  EXPECT_NE(errors.GetText().find("no environment"), std::string::npos);
+  EXPECT_EQ(errors.Take(), 2);
+  layered->SetEnvironment(NewSunny(1e5f, 1));
+  EXPECT_FALSE(layered->Prepare());
+  EXPECT_EQ(errors.Take(), 1);
+  EXPECT_NE(errors.GetText().find("brushed steel"), std::string::npos) << errors.GetText();
+
+  // Aborted it says so, and works again.
+  brushed->SetExponents(100.0, 100.0);
+  vtkNew<vtkCallbackCommand> stop;
+  stop->SetCallback([](vtkObject* self, unsigned long, void*, void*)
+    { static_cast<vtkRadianceIntegrator*>(self)->SetAbort(true); });
+  const unsigned long tag = layered->AddObserver(vtkCommand::ProgressEvent, stop);
+  EXPECT_FALSE(layered->Prepare());
+  EXPECT_EQ(errors.Take(), 1);
+  EXPECT_NE(errors.GetText().find("aborted"), std::string::npos) << errors.GetText();
+  layered->RemoveObserver(tag);
+  EXPECT_TRUE(layered->Prepare());
+  EXPECT_EQ(errors.Take(), 0);
+}
+
+//------------------------------------------------------------------------------
+TEST(LayeredIntegrator, ShaderInputsAndPrint)
+{
+  const auto layered = NewLayered(NewCoated(1000.0), NewSunny(1e6f, 2));
+  vtkBRDFShaderInputs form;
+  ASSERT_TRUE(layered->GetShaderInputs(form));
+  ASSERT_EQ(form.Terms.size(), 3u);
+  EXPECT_EQ(form.Terms[0].Shader, "vtkBRDFEnvironmentTable");
+  EXPECT_EQ(form.Terms[1].Shader, "vtkBRDFEnvironmentFiltered");
+  EXPECT_EQ(form.Terms[2].Shader, "vtkBRDFLightSet");
+  EXPECT_TRUE(layered->UsesBRDFOnGPU());
+  EXPECT_NE(form.Description.find("2 directional lights"), std::string::npos) << form.Description;
+
+  layered->SetNumberOfRows(1);
+  EXPECT_EQ(layered->GetNumberOfRows(), 9);
+  layered->SetNumberOfSamples(-1);
+  EXPECT_EQ(layered->GetNumberOfSamples(), 0);
+  layered->SetMaximumNumberOfLights(100000);
+  EXPECT_EQ(layered->GetMaximumNumberOfLights(), 1024);
+  std::ostringstream text;
+  layered->Print(text);
+  for (const char* line : { "NumberOfRows: 9", "NumberOfSamples: 0", "MaximumNumberOfLights: 1024",
+         "Lights: 2", "Sharp layer: yes" })
+  {
+    EXPECT_NE(text.str().find(line), std::string::npos) << line;
+  }
+}

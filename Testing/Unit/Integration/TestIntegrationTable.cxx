@@ -1,0 +1,702 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Tables of radiance against the exact sum over every texel, and what must hold exactly.
+
+#include "ErrorCatcher.h"
+#include "HalfVector.h" // for Pi
+#include "SpherePairs.h"
+#include "vtkAshikhminShirleyBRDF.h"
+#include "vtkBRDFShaderInputs.h"
+#include "vtkBRDFReader.h"
+#include "vtkBlinnPhongBRDF.h"
+#include "vtkCallbackCommand.h"
+#include "vtkEmbeddedEnvironments.h"
+#include "vtkEmbeddedMaterials.h"
+#include "vtkEnvironment.h"
+#include "vtkEnvironmentReader.h"
+#include "vtkLambertBRDF.h"
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+#include "vtkTableRadianceIntegrator.h"
+
+#include <glm/glm.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <tuple>
+#include <vector>
+
+using measuredbrdf::Pi;
+
+namespace
+{
+const std::string Data = MEASUREDBRDF_SHARED_DATA;
+
+vtkNew<vtkTableRadianceIntegrator> NewTable(
+  vtkBRDF* brdf, vtkEnvironment* environment, int rows = 17, int angles = 8, int azimuths = 8)
+{
+  vtkNew<vtkTableRadianceIntegrator> table;
+  table->SetBRDF(brdf);
+  table->SetEnvironment(environment);
+  table->SetNumberOfRows(rows);
+  table->SetNumberOfViewAngles(angles);
+  table->SetNumberOfAzimuths(azimuths);
+  return table;
+}
+
+vtkNew<vtkBlinnPhongBRDF> NewPhong(double exponent)
+{
+  vtkNew<vtkBlinnPhongBRDF> brdf;
+  brdf->SetSpecular(0.4, 0.3, 0.2);
+  brdf->SetExponent(exponent);
+  return brdf;
+}
+
+vtkNew<vtkAshikhminShirleyBRDF> NewLayered(double exponent)
+{
+  vtkNew<vtkAshikhminShirleyBRDF> brdf;
+  brdf->SetDiffuse(0.3, 0.2, 0.1);
+  brdf->SetExponents(exponent, exponent);
+  return brdf;
+}
+
+vtkSmartPointer<vtkBRDF> ReadMaterial(const std::string& name)
+{
+  vtkNew<vtkBRDFReader> reader;
+  reader->SetFileName(Data + "/materials/rgl/" + name + "_rgb.bsdf");
+  return reader->Read() ? reader->GetBRDF() : nullptr;
+}
+
+bool HasData() { return std::ifstream(Data + "/materials/rgl/cardboard_rgb.bsdf").good(); }
+
+// Counts progress events, checks that they rise to 1, may abort at the first.
+struct ProgressWatch
+{
+  explicit ProgressWatch(vtkRadianceIntegrator* integrator, bool abort = false)
+    : Integrator(integrator)
+    , Abort(abort)
+  {
+    this->Command->SetClientData(this);
+    this->Command->SetCallback(
+      [](vtkObject*, unsigned long, void* self, void* value)
+      {
+        auto* watch = static_cast<ProgressWatch*>(self);
+        EXPECT_GT(*static_cast<double*>(value), watch->Last);
+        watch->Last = *static_cast<double*>(value);
+        ++watch->Count;
+        watch->Integrator->SetAbort(watch->Abort);
+      });
+    this->Tag = integrator->AddObserver(vtkCommand::ProgressEvent, this->Command);
+  }
+  ~ProgressWatch() { this->Integrator->RemoveObserver(this->Tag); }
+  ProgressWatch(const ProgressWatch&) = delete;
+  void operator=(const ProgressWatch&) = delete;
+
+  vtkRadianceIntegrator* Integrator;
+  bool Abort;
+  vtkNew<vtkCallbackCommand> Command;
+  unsigned long Tag = 0;
+  double Last = 0.0;
+  int Count = 0;
+};
+
+// Whether Prepare had anything to do.
+bool Rebuilds(vtkRadianceIntegrator* integrator)
+{
+  ProgressWatch watch(integrator);
+  EXPECT_TRUE(integrator->Prepare());
+  return watch.Count > 0;
+}
+
+double GetLargestDifference(const std::vector<glm::dvec3>& a, const std::vector<glm::dvec3>& b)
+{
+  double difference = 0.0;
+  double largest = 0.0;
+  for (std::size_t k = 0; k < a.size(); ++k)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      difference = std::max(difference, std::abs(a[k][c] - b[k][c]));
+      largest = std::max(largest, a[k][c]);
+    }
+  }
+  return difference / largest;
+}
+} // namespace
+
+//------------------------------------------------------------------------------
+// At views of the table and between them.
+TEST(TableIntegrator, WhiteFurnaceIsTheDirectionalAlbedo)
+{
+  std::vector<vtkSmartPointer<vtkBRDF>> materials{ NewPhong(1.0).Get(), NewPhong(20.0).Get(),
+    NewPhong(300.0).Get(), NewLayered(50.0).Get() };
+  materials.push_back(vtkSmartPointer<vtkLambertBRDF>::New());
+  for (const char* name : { "blue-fabric", "nickel", "delrin", "brass" })
+  {
+    materials.push_back(vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF(name)));
+  }
+  if (HasData())
+  {
+    materials.push_back(ReadMaterial("cardboard"));
+  }
+  const auto environment = NewConstantEnvironment(256, 128, 2.0f);
+  for (vtkBRDF* brdf : materials)
+  {
+    ASSERT_TRUE(brdf);
+    brdf->Prepare();
+    SpherePairs pairs;
+    std::vector<glm::dvec3> expected;
+    for (const double degrees : { 0.0, 17.0, 41.0, 63.0, 78.0, 85.0, 88.0 })
+    {
+      const double theta = degrees * Pi / 180.0;
+      const glm::dvec3 o(std::sin(theta), 0.0, std::cos(theta));
+      pairs.Add(glm::dvec3(0.0, 0.0, 1.0), o);
+      glm::dvec3 albedo;
+      brdf->GetDirectionalAlbedo(&o.x, &albedo.x);
+      expected.push_back(2.0 * albedo);
+    }
+    const auto radiance = pairs.Integrate(NewTable(brdf, environment));
+    double worst = 0.0;
+    double grazing = 0.0; // at 88 degrees, where the sharpest lobes are hard to see whole
+    for (std::size_t k = 0; k < radiance.size(); ++k)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        double& largest = k + 1 < radiance.size() ? worst : grazing;
+        largest = std::max(
+          largest, std::abs(radiance[k][c] - expected[k][c]) / std::max(expected[k][c], 0.05));
+      }
+    }
+    std::printf("%s %s: %.2e, at 88 degrees %.2e\n", brdf->GetClassName(), brdf->GetName().c_str(),
+      worst, grazing);
+    const bool sharpest = brdf->GetName() == "brass"; // a lobe of half a degree
+    EXPECT_LT(worst, sharpest ? 1e-2 : 3e-3);
+    EXPECT_LT(grazing, sharpest ? 1e-2 : 3e-3);
+  }
+}
+
+//------------------------------------------------------------------------------
+class TableReference : public testing::TestWithParam<std::tuple<bool, int>>
+{
+};
+
+TEST_P(TableReference, ErrorFallsWithSize)
+{
+  const bool hall = std::get<0>(GetParam());
+  const auto environment = NewSmallEnvironment(hall);
+  SpherePairs pairs;
+  pairs.AddRandom(60);
+  vtkNew<vtkLambertBRDF> lambert;
+  const struct
+  {
+    const char* Name;
+    vtkSmartPointer<vtkBRDF> BRDF;
+    double Limits[3];
+  } cases[] = { { "Lambert", lambert.Get(), { 1e-3, 1e-3, 1e-3 } },
+    { "Blinn-Phong 5", NewPhong(5.0).Get(), { 0.02, 0.006, 0.005 } },
+    { "Blinn-Phong 40", NewPhong(40.0).Get(), { 0.1, 0.03, 0.015 } },
+    { "Ashikhmin-Shirley 50", NewLayered(50.0).Get(), { 0.1, 0.05, 0.015 } } };
+  const auto& material = cases[std::get<1>(GetParam())];
+  const auto reference = pairs.IntegrateExactly(material.BRDF, environment);
+  const int sizes[3][3] = { { 17, 8, 8 }, { 33, 12, 16 }, { 65, 16, 16 } };
+  double last = 1.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    const auto table = NewTable(material.BRDF, environment, sizes[k][0], sizes[k][1], sizes[k][2]);
+    const double error = GetRelativeError(pairs.Integrate(table), reference);
+    std::printf("%s, %s, %d rows: relative L1 %.4f\n", material.Name, hall ? "hall" : "sky",
+      sizes[k][0], error);
+    EXPECT_LT(error, material.Limits[k]) << material.Name;
+    EXPECT_LE(error, last * 1.001) << material.Name;
+    last = error;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Procedural, TableReference,
+  testing::Combine(testing::Bool(), testing::Range(0, 4)),
+  [](const auto& info)
+  {
+    return std::string(std::get<0>(info.param) ? "hall" : "sky") +
+           std::to_string(std::get<1>(info.param));
+  });
+
+//------------------------------------------------------------------------------
+class TableMeasured : public testing::TestWithParam<const char*>
+{
+};
+
+TEST_P(TableMeasured, RealMaterials)
+{
+  if (!HasData())
+  {
+    GTEST_SKIP() << "no measured files at " << Data;
+  }
+  const std::string light = GetParam();
+  vtkNew<vtkEnvironmentReader> environment;
+  environment->SetFileName(Data + "/environments/" + light + ".exr");
+  ASSERT_TRUE(environment->Read());
+  for (const char* name : { "acrylic_felt_white", "cardboard", "satin_purple" })
+  {
+    const vtkSmartPointer<vtkBRDF> brdf = ReadMaterial(name);
+    ASSERT_TRUE(brdf);
+    SpherePairs pairs;
+    pairs.AddRandom(6);
+    const auto table = NewTable(brdf, environment->GetEnvironment(), 33, 12, 16);
+    const double error = GetRelativeError(
+      pairs.Integrate(table), pairs.IntegrateExactly(brdf, environment->GetEnvironment()));
+    std::printf("%s, %s, 33 rows: relative L1 %.4f\n", name, light.c_str(), error);
+    EXPECT_LT(error, 0.025) << name;
+  }
+}
+
+// The same with what the library holds: finer rows for the clear coat.
+TEST(TableIntegrator, CarPaintInTheRoom)
+{
+  const auto paint =
+    vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("blue-car-paint"));
+  const auto room =
+    vtkSmartPointer<vtkEnvironment>::Take(vtkEmbeddedEnvironments::NewEnvironment("room"));
+  ASSERT_TRUE(paint && room);
+  SpherePairs pairs;
+  pairs.AddRandom(12);
+  const auto table = NewTable(paint, room, 65, 12, 16);
+  const double error =
+    GetRelativeError(pairs.Integrate(table), pairs.IntegrateExactly(paint, room));
+  std::printf("blue-car-paint, room, 65 rows: relative L1 %.4f\n", error);
+  EXPECT_LT(error, 0.05);
+}
+
+INSTANTIATE_TEST_SUITE_P(RGL, TableMeasured, testing::Values("studio", "interior"),
+  [](const auto& info) { return std::string(info.param); });
+
+//------------------------------------------------------------------------------
+TEST(TableIntegrator, LinearInTheLight)
+{
+  const auto hall = NewSmallEnvironment(true);
+  const auto sky = NewSmallEnvironment(false);
+  vtkNew<vtkEnvironment> both;
+  std::vector<float> rgb = hall->GetPixels();
+  for (std::size_t k = 0; k < rgb.size(); ++k)
+  {
+    rgb[k] = 2.0f * rgb[k] + sky->GetPixels()[k];
+  }
+  ASSERT_TRUE(both->SetPixels(128, 64, rgb));
+  SpherePairs pairs;
+  pairs.AddRandom(60);
+  const auto brdf = NewLayered(5.0); // no ringing below 0, where radiance is cut off
+  auto sum = pairs.Integrate(NewTable(brdf, hall));
+  const auto other = pairs.Integrate(NewTable(brdf, sky));
+  for (std::size_t k = 0; k < sum.size(); ++k)
+  {
+    sum[k] = 2.0 * sum[k] + other[k];
+  }
+  const double error = GetLargestDifference(sum, pairs.Integrate(NewTable(brdf, both)));
+  std::printf("largest difference %.1e of the largest\n", error);
+  EXPECT_LT(error, 1e-5);
+}
+
+//------------------------------------------------------------------------------
+// Everything is built in the environment's own frame.
+TEST(TableIntegrator, TurningEverythingChangesNothing)
+{
+  const auto environment = NewSmallEnvironment(true);
+  const auto table = NewTable(NewLayered(50.0), environment);
+  SpherePairs pairs;
+  pairs.AddRandom(60);
+  const auto before = pairs.Integrate(table);
+  const double w = std::sqrt(0.5), x = 0.5, y = -0.3, z = std::sqrt(0.25 - 0.09); // a quaternion
+  const glm::dmat3 turn(1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w),
+    2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w), 2 * (x * z + y * w),
+    2 * (y * z - x * w), 1 - 2 * (x * x + y * y));
+  SpherePairs turned;
+  for (vtkIdType k = 0; k < pairs.Normals->GetNumberOfTuples(); ++k)
+  {
+    glm::dvec3 n, v;
+    pairs.Normals->GetTuple(k, &n.x);
+    pairs.Views->GetTuple(k, &v.x);
+    turned.Add(turn * n, turn * v);
+  }
+  environment->SetWorldToEnvironment(&turn[0][0]); // rows of the inverse: columns of the turn
+  EXPECT_FALSE(Rebuilds(table));
+  const double error = GetLargestDifference(turned.Integrate(table), before);
+  std::printf("largest difference %.1e of the largest\n", error);
+  EXPECT_LT(error, 1e-9);
+  EXPECT_GT(GetLargestDifference(pairs.Integrate(table), before), 1e-2);
+}
+
+//------------------------------------------------------------------------------
+// Steps of 1e-5 across the poles, the seam of the azimuth, and the view along the normal.
+TEST(TableIntegrator, Continuous)
+{
+  const auto environment = NewSmallEnvironment(true);
+  const double e = 0.5e-5;
+  for (const double exponent : { 5.0, 200.0 })
+  {
+    const auto table = NewTable(NewLayered(exponent), environment, 33, 12, 16);
+    const auto getLargestStep = [&](const char* what, const SpherePairs& pairs)
+    {
+      const auto radiance = pairs.Integrate(table);
+      double step = 0.0;
+      double largest = 0.0;
+      for (std::size_t k = 0; k < radiance.size(); k += 2)
+      {
+        for (int c = 0; c < 3; ++c)
+        {
+          step = std::max(step, std::abs(radiance[k][c] - radiance[k + 1][c]));
+          largest = std::max(largest, radiance[k][c]);
+        }
+      }
+      std::printf(
+        "exponent %g, %s: steps up to %.1e of the largest\n", exponent, what, step / largest);
+      return step / largest;
+    };
+    SpherePairs poles, seam, along, axes;
+    for (int k = 0; k < 48; ++k)
+    {
+      const double phi = 2.0 * Pi * k / 48;
+      const glm::dvec3 rim(std::cos(phi), 0.0, std::sin(phi));
+      const glm::dvec3 pole(0.0, k % 2 == 0 ? 1.0 : -1.0, 0.0);
+      const glm::dvec3 view = glm::normalize(pole + glm::dvec3(0.5, 0.1, 0.3));
+      poles.Add(glm::normalize(pole + e * rim), view);
+      poles.Add(glm::normalize(pole - e * rim), view);
+      // The lobe's axis through the pole: near the mirror direction, which is the pole.
+      const glm::dvec3 n = glm::normalize(pole + 0.7 * rim);
+      const glm::dvec3 mirrored = glm::normalize(2.0 * glm::dot(n, pole) * n - pole);
+      const glm::dvec3 side = glm::normalize(glm::cross(n, rim + glm::dvec3(0.1, 0.2, 0.3)));
+      axes.Add(n, glm::normalize(mirrored + e * side));
+      axes.Add(n, glm::normalize(mirrored - e * side));
+      // The azimuth of (z, x) jumps at z < 0, x = 0, that of (x, z) at x < 0, z = 0.
+      const glm::dvec3 at(0.0, std::sin(phi), -std::cos(phi));
+      const glm::dvec3 across = k % 2 == 0 ? glm::dvec3(e, 0.0, 0.0) : glm::dvec3(0.0, 0.0, e);
+      const glm::dvec3 base = k % 2 == 0 ? at : glm::dvec3(at.z, at.y, 0.0);
+      const glm::dvec3 oblique = glm::normalize(base + glm::dvec3(0.2, 0.4, 0.1));
+      seam.Add(glm::normalize(base + across), oblique);
+      seam.Add(glm::normalize(base - across), oblique);
+      const glm::dvec3 normal = glm::normalize(rim + glm::dvec3(0.1, 0.6 * std::sin(5 * phi), 0));
+      const glm::dvec3 aside = glm::normalize(glm::cross(normal, glm::dvec3(0.3, 1.0, phi)));
+      along.Add(normal, glm::normalize(normal + e * aside));
+      along.Add(normal, glm::normalize(normal - e * aside));
+    }
+    EXPECT_LT(getLargestStep("normals over the poles", poles), 1e-4);
+    EXPECT_LT(getLargestStep("axes over the poles", axes), 1e-4);
+    EXPECT_LT(getLargestStep("normals over the seam", seam), 1e-4);
+    EXPECT_LT(getLargestStep("views through the normal", along), 1e-4);
+  }
+}
+
+//------------------------------------------------------------------------------
+// What is measured along the normal need not be the same all around.
+TEST(TableIntegrator, MeasuredMaterialsSeenAlongTheNormal)
+{
+  const auto environment = NewSmallEnvironment(true);
+  for (const char* name : { "blue-car-paint", "cardboard", "satin_purple", "cc_ibiza_sunset" })
+  {
+    auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF(name));
+    if (!brdf && !HasData())
+    {
+      GTEST_SKIP() << "no measured files at " << Data << "; the embedded one passed";
+    }
+    brdf = brdf ? brdf : ReadMaterial(name);
+    ASSERT_TRUE(brdf);
+    SpherePairs pairs;
+    for (int k = 0; k < 64; ++k)
+    {
+      const glm::dvec3 n =
+        glm::normalize(glm::dvec3(std::cos(1.1 * k), std::sin(2.3 * k), std::sin(0.7 * k + 0.4)));
+      const glm::dvec3 aside = glm::normalize(glm::cross(n, glm::dvec3(0.3, 1.0, 0.1 * k)));
+      pairs.Add(n, glm::normalize(n + 1e-5 * aside));
+      pairs.Add(n, glm::normalize(n - 1e-5 * aside));
+    }
+    const auto radiance = pairs.Integrate(NewTable(brdf, environment, 33, 12, 16));
+    double step = 0.0;
+    for (std::size_t k = 0; k < radiance.size(); k += 2)
+    {
+      step = std::max(step,
+        std::abs(radiance[k].y - radiance[k + 1].y) / std::max(radiance[k].y, radiance[k + 1].y));
+    }
+    std::printf("%s: steps up to %.1e\n", name, step);
+    EXPECT_LT(step, 1e-2) << name;
+  }
+}
+
+//------------------------------------------------------------------------------
+// cos(theta_o) is at least 0.02; below the horizon there is nothing.
+TEST(TableIntegrator, GrazingViewsAreLifted)
+{
+  const auto table = NewTable(NewLayered(50.0), NewSmallEnvironment(true));
+  SpherePairs pairs;
+  const glm::dvec3 n(0.0, 0.0, 1.0);
+  for (const double cosine : { 0.02, 0.0199, 0.01, 1e-4, 1e-12, -1e-12, -0.3 })
+  {
+    pairs.Add(n, glm::dvec3(std::sqrt(1.0 - cosine * cosine), 0.0, cosine));
+  }
+  const auto radiance = pairs.Integrate(table);
+  EXPECT_GT(radiance[0].x, 0.0);
+  for (std::size_t k = 1; k < 5; ++k)
+  {
+    EXPECT_NEAR(radiance[k].x, radiance[0].x, 1e-10 * radiance[0].x) << k;
+  }
+  EXPECT_EQ(radiance[5], glm::dvec3(0.0));
+  EXPECT_EQ(radiance[6], glm::dvec3(0.0));
+}
+
+//------------------------------------------------------------------------------
+TEST(TableIntegrator, BlackAndTinyEnvironments)
+{
+  SpherePairs pairs;
+  pairs.AddRandom(40);
+  const auto brdf = NewLayered(20.0);
+  for (const glm::dvec3& rgb : pairs.Integrate(NewTable(brdf, NewConstantEnvironment(16, 8, 0.0f))))
+  {
+    EXPECT_EQ(rgb, glm::dvec3(0.0));
+  }
+  const int sizes[][2] = { { 1, 1 }, { 1, 7 }, { 5, 1 }, { 2, 1 }, { 1, 256 }, { 301, 1 } };
+  for (const auto& size : sizes)
+  {
+    const auto environment = NewConstantEnvironment(size[0], size[1], 1.0f);
+    const auto radiance = pairs.Integrate(NewTable(brdf, environment)); // finite: checked there
+    const double error = GetRelativeError(radiance, pairs.IntegrateExactly(brdf, environment));
+    std::printf("%d x %d: relative L1 %.3f\n", size[0], size[1], error);
+    EXPECT_LT(error, 1.0); // single directions are beyond the harmonics' degree
+  }
+}
+
+//------------------------------------------------------------------------------
+// One texel 2e5 and 1e7 times the rest, whose table is beyond half float.
+TEST(TableIntegrator, Suns)
+{
+  SpherePairs pairs;
+  pairs.AddRandom(60);
+  const auto environment = NewConstantEnvironment(128, 64, 1.0f);
+  std::vector<float> rgb = environment->GetPixels();
+  const struct
+  {
+    float Peak;
+    double Exponent;
+  } cases[] = { { 2e5f, 5.0 }, { 1e7f, 50.0 } };
+  for (const auto& sun : cases)
+  {
+    rgb[3 * (45 * 128 + 30)] = rgb[3 * (45 * 128 + 30) + 1] = sun.Peak;
+    ASSERT_TRUE(environment->SetPixels(128, 64, rgb));
+    const auto brdf = NewLayered(sun.Exponent);
+    const auto table = NewTable(brdf, environment, 65, 16, 16);
+    const double error =
+      GetRelativeError(pairs.Integrate(table), pairs.IntegrateExactly(brdf, environment));
+    vtkBRDFShaderInputs form;
+    ASSERT_TRUE(table->GetShaderInputs(form));
+    float largest = 0.0f;
+    for (const float value : form.Terms[0].Textures[1].Data)
+    {
+      largest = std::max(largest, std::abs(value));
+    }
+    std::printf("one texel of %g, exponent %g: relative L1 %.4f, largest stored %g\n", sun.Peak,
+      sun.Exponent, error, largest);
+    EXPECT_LT(error, 0.05);
+    EXPECT_LE(largest, 32768.0f * 1.001f); // half float ends at 65504
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(TableIntegrator, RealSun)
+{
+  if (!std::ifstream(Data + "/environments/pmndrs_sunrise.hdr"))
+  {
+    GTEST_SKIP() << "no pmndrs_sunrise.hdr at " << Data;
+  }
+  vtkNew<vtkEnvironmentReader> reader;
+  reader->SetFileName(Data + "/environments/pmndrs_sunrise.hdr");
+  ASSERT_TRUE(reader->Read());
+  SpherePairs few;
+  few.AddRandom(12);
+  const auto brdf = NewLayered(5.0);
+  const double error =
+    GetRelativeError(few.Integrate(NewTable(brdf, reader->GetEnvironment(), 65, 16, 16)),
+      few.IntegrateExactly(brdf, reader->GetEnvironment()));
+  std::printf("sunrise, exponent 5: relative L1 %.4f\n", error);
+  EXPECT_LT(error, 0.05);
+}
+
+//------------------------------------------------------------------------------
+TEST(TableIntegrator, AChannelThatReflectsNothingStaysBlack)
+{
+  vtkNew<vtkBlinnPhongBRDF> red;
+  red->SetSpecular(0.5, 0.0, 0.0);
+  red->SetExponent(20.0);
+  vtkNew<vtkLambertBRDF> blue;
+  blue->SetAlbedo(0.0, 0.0, 0.5);
+  const auto environment = NewSmallEnvironment(true);
+  SpherePairs pairs;
+  pairs.AddRandom(60);
+  for (const glm::dvec3& rgb : pairs.Integrate(NewTable(red, environment)))
+  {
+    EXPECT_EQ(rgb.y, 0.0);
+    EXPECT_EQ(rgb.z, 0.0);
+  }
+  for (const glm::dvec3& rgb : pairs.Integrate(NewTable(blue, environment)))
+  {
+    EXPECT_EQ(rgb.x, 0.0);
+    EXPECT_EQ(rgb.y, 0.0);
+    EXPECT_GT(rgb.z, 0.0);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(TableIntegrator, RefusesAndKeepsGoing)
+{
+  vtkNew<vtkTableRadianceIntegrator> table;
+  table->SetNumberOfRows(9);
+  table->SetNumberOfViewAngles(4);
+  table->SetNumberOfAzimuths(4);
+  ErrorCatcher errors(table);
+  vtkBRDFShaderInputs form;
+  form.Description = "mine";
+  EXPECT_FALSE(table->GetShaderInputs(form));
+  EXPECT_EQ(form.Description, "mine");
+  EXPECT_NE(errors.GetText().find("no BRDF"), std::string::npos);
+  vtkNew<vtkAshikhminShirleyBRDF> brushed;
+  brushed->SetName("brushed steel");
+  brushed->SetExponents(10.0, 100.0);
+  table->SetBRDF(brushed);
+  EXPECT_FALSE(table->Prepare());
+  EXPECT_NE(errors.GetText().find("no environment"), std::string::npos);
+  table->SetEnvironment(vtkNew<vtkEnvironment>()); // empty
+  EXPECT_FALSE(table->Prepare());
+  EXPECT_NE(errors.GetText().find("empty"), std::string::npos);
+  EXPECT_EQ(errors.Take(), 3);
+  const auto environment = NewSmallEnvironment(false);
+  table->SetEnvironment(environment);
+  EXPECT_FALSE(table->Prepare());
+  EXPECT_EQ(errors.Take(), 1);
+  EXPECT_NE(errors.GetText().find("brushed steel"), std::string::npos) << errors.GetText();
+  brushed->SetName("");
+  EXPECT_FALSE(table->Prepare());
+  EXPECT_EQ(errors.Take(), 1);
+  EXPECT_NE(errors.GetText().find("isotropic"), std::string::npos) << errors.GetText();
+
+  // Made isotropic it works; progress rises to 1; aborted it says so, and works again.
+  brushed->SetExponents(20.0, 20.0);
+  {
+    ProgressWatch watch(table);
+    EXPECT_TRUE(table->Prepare());
+    EXPECT_GE(watch.Count, 3);
+    EXPECT_EQ(watch.Last, 1.0);
+  }
+  brushed->SetExponents(30.0, 30.0);
+  {
+    ProgressWatch watch(table, true);
+    EXPECT_FALSE(table->Prepare());
+    EXPECT_EQ(watch.Count, 1);
+    EXPECT_EQ(errors.Take(), 1);
+    EXPECT_NE(errors.GetText().find("aborted"), std::string::npos);
+  }
+  EXPECT_TRUE(table->Prepare());
+  EXPECT_EQ(errors.Take(), 0);
+  SpherePairs pairs;
+  pairs.AddRandom(20);
+  vtkNew<vtkTableRadianceIntegrator> fresh;
+  fresh->SetNumberOfRows(9);
+  fresh->SetNumberOfViewAngles(4);
+  fresh->SetNumberOfAzimuths(4);
+  fresh->SetBRDF(brushed);
+  fresh->SetEnvironment(environment);
+  EXPECT_EQ(pairs.Integrate(table), pairs.Integrate(fresh));
+}
+
+//------------------------------------------------------------------------------
+TEST(TableIntegrator, RebuildsExactlyWhenItMust)
+{
+  const auto brdf = NewPhong(5.0);
+  const auto environment = NewSmallEnvironment(false);
+  const auto table = NewTable(brdf, environment, 9, 4, 4);
+  EXPECT_TRUE(Rebuilds(table));
+  EXPECT_FALSE(Rebuilds(table));
+  environment->SetRotationY(77.0);
+  EXPECT_FALSE(Rebuilds(table));
+  brdf->SetExponent(7.0);
+  EXPECT_TRUE(Rebuilds(table));
+  environment->SetPixels(8, 4, std::vector<float>(3 * 8 * 4, 0.3f));
+  EXPECT_TRUE(Rebuilds(table));
+  table->SetNumberOfAzimuths(5);
+  EXPECT_TRUE(Rebuilds(table));
+  table->SetHarmonicDegree(20);
+  EXPECT_TRUE(Rebuilds(table));
+  EXPECT_FALSE(Rebuilds(table));
+  table->SetBRDF(NewPhong(7.0));
+  EXPECT_TRUE(Rebuilds(table));
+}
+
+//------------------------------------------------------------------------------
+TEST(TableIntegrator, SizesAreClampedAndPrinted)
+{
+  vtkNew<vtkTableRadianceIntegrator> table;
+  EXPECT_EQ(table->GetNumberOfRows(), 65);
+  table->SetNumberOfRows(1);
+  EXPECT_EQ(table->GetNumberOfRows(), 9);
+  table->SetNumberOfRows(100000);
+  EXPECT_EQ(table->GetNumberOfRows(), 513);
+  table->SetNumberOfViewAngles(-1);
+  EXPECT_EQ(table->GetNumberOfViewAngles(), 2);
+  table->SetNumberOfViewAngles(65);
+  EXPECT_EQ(table->GetNumberOfViewAngles(), 64);
+  table->SetNumberOfAzimuths(0);
+  EXPECT_EQ(table->GetNumberOfAzimuths(), 4);
+  table->SetNumberOfAzimuths(65);
+  EXPECT_EQ(table->GetNumberOfAzimuths(), 64);
+  table->SetHarmonicDegree(-1);
+  EXPECT_EQ(table->GetHarmonicDegree(), 0);
+  table->SetHarmonicDegree(4000);
+  EXPECT_EQ(table->GetHarmonicDegree(), 1024);
+  table->SetNumberOfNodes(0);
+  EXPECT_EQ(table->GetNumberOfNodes(), 16);
+  std::ostringstream text;
+  table->Print(text);
+  for (const char* line : { "NumberOfRows: 513", "NumberOfViewAngles: 64", "NumberOfAzimuths: 64",
+         "HarmonicDegree: 1024", "NumberOfNodes: 16" })
+  {
+    EXPECT_NE(text.str().find(line), std::string::npos) << line;
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(TableIntegrator, ShaderInputs)
+{
+  const auto table = NewTable(NewLayered(20.0), NewSmallEnvironment(false), 9, 5, 6);
+  vtkBRDFShaderInputs form;
+  ASSERT_TRUE(table->GetShaderInputs(form));
+  EXPECT_FALSE(table->UsesBRDFOnGPU());
+  ASSERT_EQ(form.Terms.size(), 1u);
+  EXPECT_EQ(form.Terms[0].Shader, "vtkBRDFEnvironmentTable");
+  ASSERT_EQ(form.Terms[0].Textures.size(), 3u);
+  std::size_t bytes = 0;
+  for (const vtkBRDFShaderInputs::Texture& texture : form.Terms[0].Textures)
+  {
+    const std::size_t texels = static_cast<std::size_t>(texture.Dimensions[0]) *
+                               static_cast<std::size_t>(texture.Dimensions[1]) *
+                               static_cast<std::size_t>(texture.Dimensions[2]);
+    EXPECT_EQ(texture.Data.size(), 3 * texels) << texture.Name;
+    EXPECT_EQ(texture.GetBytes(), texels * (texture.HalfFloat ? 6 : 16)) << texture.Name;
+    bytes += texture.GetBytes();
+    for (const float value : texture.Data)
+    {
+      ASSERT_TRUE(std::isfinite(value)) << texture.Name;
+    }
+  }
+  EXPECT_EQ(form.GetTextureBytes(), bytes);
+  const vtkBRDFShaderInputs::Texture& volume = form.Terms[0].Textures[1];
+  EXPECT_EQ(volume.Dimensions[0], 16);
+  EXPECT_EQ(volume.Dimensions[1], 9);
+  EXPECT_EQ(volume.Dimensions[2], 5 * 7); // the first azimuth again after the last
+  EXPECT_TRUE(volume.ThreeD && volume.HalfFloat && volume.Repeat[0]);
+  EXPECT_NE(form.Description.find("16 x 9"), std::string::npos) << form.Description;
+
+  // Without a Lambert part there is no map of irradiance.
+  table->SetBRDF(NewPhong(1e4)); // 0 far from the lobe, to the last bit
+  ASSERT_TRUE(table->GetShaderInputs(form));
+  EXPECT_EQ(form.Terms[0].Textures.size(), 2u);
+}

@@ -1,0 +1,247 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Where one BRDF fails to be another, on materials whose difference is known in closed form.
+
+#include "ErrorCatcher.h"
+
+#include "vtkAshikhminShirleyBRDF.h"
+#include "vtkBRDFFailureMap.h"
+#include "vtkBRDFResampler.h"
+#include "vtkCommand.h"
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkLambertBRDF.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include <gtest/gtest.h>
+
+namespace
+{
+constexpr double Degree = 3.14159265358979323846 / 180.0;
+
+// Any function of a pair, in all channels.
+class FormulaBRDF : public vtkBRDF
+{
+public:
+  static FormulaBRDF* New();
+  vtkTypeMacro(FormulaBRDF, vtkBRDF);
+
+  void GetBounds(double, double lower[3], double upper[3]) override
+  {
+    std::fill_n(lower, 3, 0.0);
+    std::fill_n(upper, 3, 1e9);
+  }
+  void GetShaderInputs(vtkBRDFShaderInputs&) override {}
+  bool IsIsotropic() override { return this->Isotropic; }
+
+  std::function<double(const double i[3], const double o[3])> Formula;
+  bool Isotropic = true;
+
+protected:
+  void EvaluateAbove(const double i[3], const double o[3], double f[3]) override
+  {
+    std::fill_n(f, 3, this->Formula(i, o));
+  }
+};
+vtkStandardNewMacro(FormulaBRDF);
+
+double GetPolar(const double d[3]) { return std::acos(d[2]) / Degree; }
+
+// Of i from o, in [0,360).
+double GetAzimuth(const double i[3], const double o[3])
+{
+  const double phi = (std::atan2(i[1], i[0]) - std::atan2(o[1], o[0])) / Degree;
+  return phi < -1e-9 ? phi + 360.0 : phi;
+}
+
+double At(vtkImageData* image, int x, int y)
+{
+  return image->GetScalarComponentAsDouble(x, y, 0, 0);
+}
+}
+
+TEST(BRDFFailureMap, OfAnEvenFactorIsEven)
+{
+  vtkNew<vtkLambertBRDF> reference;
+  vtkNew<vtkLambertBRDF> darker;
+  reference->SetAlbedo(0.5, 0.25, 0.75);
+  darker->SetAlbedo(0.4, 0.25, 0.75); // 0.1 of 1.5
+  vtkNew<vtkBRDFFailureMap> map;
+  map->SetReference(reference);
+  map->SetBRDF(darker);
+  map->SetNumberOfCells(18);
+  ASSERT_TRUE(map->Update());
+  EXPECT_NEAR(map->GetRelativeL1(), 1.0 / 15.0, 1e-12);
+  int numberOfHalfCells = 0;
+  for (int k = 0; k < 18 * 18; ++k)
+  {
+    EXPECT_NEAR(At(map->GetIncidentOutgoing(), k % 18, k / 18), 1.0 / 15.0, 1e-12);
+    const double half = At(map->GetHalfDifference(), k % 18, k / 18);
+    if (!std::isnan(half))
+    {
+      ++numberOfHalfCells;
+      EXPECT_NEAR(half, 1.0 / 15.0, 1e-12);
+    }
+  }
+  EXPECT_GT(numberOfHalfCells, 18 * 18 / 2);
+  EXPECT_LT(numberOfHalfCells, 18 * 18);
+  EXPECT_EQ(map->GetNumberOfWorstAngles(), 5);
+  EXPECT_NEAR(map->GetWorstError(4), 1.0 / 15.0, 1e-12);
+}
+
+// A spot of error in i, o and azimuth is found where it is, by the share that it has of its ring.
+TEST(BRDFFailureMap, FindsTheWorstAngles)
+{
+  vtkNew<FormulaBRDF> reference;
+  vtkNew<FormulaBRDF> spotted;
+  for (const bool isotropic : { true, false })
+  {
+    reference->Formula = [](const double*, const double*) { return 2.0; };
+    spotted->Formula = [](const double* i, const double* o)
+    {
+      const bool spot = std::abs(GetPolar(i) - 63.0) < 1.0 && std::abs(GetPolar(o) - 21.0) < 1.0 &&
+                        std::abs(GetAzimuth(i, o) - 120.0) < 4.0;
+      const bool lesser = std::abs(GetPolar(i) - 9.0) < 1.0 && std::abs(GetPolar(o) - 81.0) < 1.0;
+      return spot ? 8.0 : lesser ? 2.1 : 2.0;
+    };
+    spotted->Isotropic = isotropic;
+    vtkNew<vtkBRDFFailureMap> map;
+    map->SetReference(reference);
+    map->SetBRDF(spotted);
+    map->SetNumberOfCells(45);    // 63 degrees is the center of cell 31
+    map->SetNumberOfAzimuths(36); // one of them in the spot
+    ASSERT_TRUE(map->Update());
+    ASSERT_EQ(map->GetNumberOfWorstAngles(), 2);
+    double angles[3];
+    map->GetWorstAngles(0, angles);
+    EXPECT_NEAR(angles[0], 63.0, 1e-9);
+    EXPECT_NEAR(angles[1], 21.0, 1e-9);
+    EXPECT_NEAR(angles[2], 120.0, 1e-9);
+    EXPECT_NEAR(map->GetWorstError(0), 3.0 / 36.0, 1e-9); // 6 of 2 in one azimuth of 36
+    map->GetWorstAngles(1, angles);
+    EXPECT_NEAR(angles[0], 9.0, 1e-9);
+    EXPECT_NEAR(angles[1], 81.0, 1e-9);
+    EXPECT_NEAR(map->GetWorstError(1), 0.05, 1e-9);
+    EXPECT_NEAR(At(map->GetIncidentOutgoing(), 31, 10), 3.0 / 36.0, 1e-9);
+    EXPECT_EQ(At(map->GetIncidentOutgoing(), 10, 31), 0.0);
+    EXPECT_NEAR(map->GetIncidentOutgoing()->GetOrigin()[0], 1.0, 1e-12);
+    EXPECT_NEAR(map->GetIncidentOutgoing()->GetSpacing()[0], 2.0, 1e-12);
+    map->GetWorstAngles(2, angles);
+    EXPECT_EQ(angles[0], 0.0);
+    EXPECT_EQ(map->GetWorstError(-1), 0.0);
+  }
+}
+
+// An error of the highlight only is where theta_h is small, whatever theta_d.
+TEST(BRDFFailureMap, HalfDifferenceShowsTheHighlight)
+{
+  vtkNew<FormulaBRDF> reference;
+  vtkNew<FormulaBRDF> wide;
+  reference->Formula = [](const double*, const double*) { return 1.0; };
+  wide->Formula = [](const double* i, const double* o)
+  {
+    const double h[3] = { i[0] + o[0], i[1] + o[1], i[2] + o[2] };
+    return h[2] / std::hypot(h[0], h[1], h[2]) > std::cos(10.0 * Degree) ? 1.5 : 1.0;
+  };
+  vtkNew<vtkBRDFFailureMap> map;
+  map->SetReference(reference);
+  map->SetBRDF(wide);
+  map->SetNumberOfCells(30);
+  ASSERT_TRUE(map->Update());
+  // theta_h = 90 degrees ((x + 0.5) / 30)^2 passes 10 degrees at x = 9.5.
+  for (int y = 0; y < 26; ++y)
+  {
+    EXPECT_NEAR(At(map->GetHalfDifference(), 9, y), 0.5, 1e-12) << y;
+    EXPECT_EQ(At(map->GetHalfDifference(), 10, y), 0.0) << y;
+  }
+  EXPECT_TRUE(std::isnan(At(map->GetHalfDifference(), 29, 29)));
+}
+
+// With the azimuth of the whole pair, where a BRDF has one: the mean of 1 + 0.5 cos(2 phi).
+TEST(BRDFFailureMap, AveragesAnisotropy)
+{
+  vtkNew<FormulaBRDF> reference;
+  vtkNew<FormulaBRDF> brushed;
+  reference->Formula = [](const double*, const double*) { return 1.0; };
+  brushed->Formula = [](const double*, const double* o)
+  { return 1.0 + 0.5 * std::cos(2.0 * std::atan2(o[1], o[0])); };
+  brushed->Isotropic = false;
+  vtkNew<vtkBRDFFailureMap> map;
+  map->SetReference(reference);
+  map->SetBRDF(brushed);
+  map->SetNumberOfCells(6);
+  ASSERT_TRUE(map->Update());
+  EXPECT_NEAR(At(map->GetIncidentOutgoing(), 3, 3), 1.0 / (180.0 * Degree), 2e-3); // 0.5 * 2/pi
+}
+
+TEST(BRDFFailureMap, BadInput)
+{
+  vtkNew<vtkLambertBRDF> lambert;
+  vtkNew<vtkLambertBRDF> black;
+  black->SetAlbedo(0.0, 0.0, 0.0);
+  vtkNew<vtkBRDFFailureMap> map;
+  ErrorCatcher errors(map);
+  EXPECT_FALSE(map->Update());
+  map->SetReference(lambert);
+  EXPECT_FALSE(map->Update());
+  EXPECT_EQ(errors.Take(), 2);
+  EXPECT_EQ(map->GetNumberOfWorstAngles(), 0);
+  // Nothing is relative to black.
+  map->SetReference(black);
+  map->SetBRDF(lambert);
+  map->SetNumberOfCells(4);
+  EXPECT_TRUE(map->Update());
+  EXPECT_TRUE(std::isnan(map->GetRelativeL1()));
+  EXPECT_TRUE(std::isnan(At(map->GetIncidentOutgoing(), 1, 1)));
+  EXPECT_EQ(map->GetNumberOfWorstAngles(), 0);
+}
+
+TEST(BRDFFailureMap, StopsWhereItIsAborted)
+{
+  struct Observer
+  {
+    vtkBRDFFailureMap* Map;
+    int Events = 0;
+
+    void Look(vtkObject*, unsigned long, void*) { this->Map->SetAbort(++this->Events == 2); }
+  };
+  vtkNew<vtkLambertBRDF> lambert;
+  vtkNew<vtkBRDFFailureMap> map;
+  map->SetReference(lambert);
+  map->SetBRDF(lambert);
+  ErrorCatcher errors(map);
+  Observer observer{ map };
+  map->AddObserver(vtkCommand::ProgressEvent, &observer, &Observer::Look);
+  EXPECT_FALSE(map->Update());
+  EXPECT_EQ(errors.Take(), 1);
+  EXPECT_EQ(observer.Events, 2);
+  EXPECT_EQ(map->GetIncidentOutgoing()->GetNumberOfPoints(), 0);
+  EXPECT_TRUE(map->Update());
+  EXPECT_EQ(map->GetRelativeL1(), 0.0);
+}
+
+// sqrt of the integral over c in [0,1] of (ln(1 + a c / pi) - ln(1 + b c / pi))^2, by quadrature.
+TEST(LogCosineDistance, OfLambertMaterials)
+{
+  vtkNew<vtkLambertBRDF> a;
+  vtkNew<vtkLambertBRDF> b;
+  a->SetAlbedo(0.8, 0.8, 0.8);
+  b->SetAlbedo(0.4, 0.4, 0.4);
+  EXPECT_NEAR(vtkBRDFResampler::GetLogCosineDistance(a, b), 0.0644433235, 1e-5);
+  EXPECT_NEAR(vtkBRDFResampler::GetLogCosineDistance(b, a), 0.0644433235, 1e-5);
+  EXPECT_EQ(vtkBRDFResampler::GetLogCosineDistance(a, a), 0.0);
+  b->SetAlbedo(0.8, 0.8, 0.4); // one channel of three
+  EXPECT_NEAR(vtkBRDFResampler::GetLogCosineDistance(a, b), 0.0644433235 / std::sqrt(3.0), 1e-5);
+  // f c large: a factor is its logarithm, whatever the size. 1/c keeps f c constant.
+  vtkNew<FormulaBRDF> bright;
+  vtkNew<FormulaBRDF> brighter;
+  bright->Formula = [](const double* i, const double*) { return 1e6 / i[2]; };
+  brighter->Formula = [](const double* i, const double*) { return 1.1e6 / i[2]; };
+  EXPECT_NEAR(vtkBRDFResampler::GetLogCosineDistance(bright, brighter), std::log(1.1), 1e-5);
+}

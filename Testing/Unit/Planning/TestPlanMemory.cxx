@@ -1,0 +1,202 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What plans take and keep, and what those of one environment share.
+
+#include "HeapCounter.h"
+#include "MadeOnce.h"
+#include "vtkBRDF.h"
+#include "vtkEmbeddedMaterials.h"
+#include "vtkEnvironment.h"
+#include "vtkNew.h"
+#include "vtkRadiancePlanner.h"
+#include "vtkSmartPointer.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstddef>
+#include <cstdio>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace
+{
+using measuredbrdf::MadeOnce;
+
+// A sun of 3 x 3 texels above a smooth sky.
+vtkSmartPointer<vtkEnvironment> NewSunny(int width, int height)
+{
+  std::vector<float> rgb(3 * static_cast<std::size_t>(width * height));
+  for (std::size_t k = 0; k < rgb.size(); ++k)
+  {
+    rgb[k] = 0.3f + 0.2f * static_cast<float>(k) / static_cast<float>(rgb.size());
+  }
+  for (int texel = 0; texel < 9; ++texel)
+  {
+    const int k = (height * 2 / 3 + texel / 3) * width + width / 3 + texel % 3;
+    rgb[3 * static_cast<std::size_t>(k)] = rgb[3 * static_cast<std::size_t>(k) + 1] = 2e5f;
+  }
+  auto environment = vtkSmartPointer<vtkEnvironment>::New();
+  EXPECT_TRUE(environment->SetPixels(width, height, std::move(rgb)));
+  return environment;
+}
+
+vtkSmartPointer<vtkRadiancePlanner> NewPlan(vtkBRDF* brdf, vtkEnvironment* environment)
+{
+  auto planner = vtkSmartPointer<vtkRadiancePlanner>::New();
+  planner->SetBRDF(brdf);
+  planner->SetEnvironment(
+    vtkSmartPointer<vtkEnvironment>::Take(environment->NewSnapshot())); // as mappers plan
+  EXPECT_TRUE(planner->Update());
+  return planner;
+}
+} // namespace
+
+//------------------------------------------------------------------------------
+TEST(PlanMemory, BelongsToTheEnvironment)
+{
+  constexpr int width = 2048, height = 1024;
+  constexpr double texels = 1.0 * width * height;
+  std::vector<vtkSmartPointer<vtkBRDF>> materials;
+  for (const char* name : { "violet-rubber", "gold-paint", "blue-fabric" })
+  {
+    materials.push_back(vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF(name)));
+    ASSERT_TRUE(materials.back());
+    materials.back()->Prepare();
+  }
+  NewPlan(materials[0], NewSunny(64, 32)); // what is made but once in a program
+  const long before = heap::Bytes;
+  auto environment = NewSunny(width, height);
+  const long pixels = heap::Bytes - before;
+  EXPECT_LT(pixels, 1.01 * 12 * texels);
+
+  std::vector<vtkSmartPointer<vtkRadiancePlanner>> plans;
+  for (const auto& material : materials)
+  {
+    const long start = heap::Bytes;
+    heap::Peak = start;
+    plans.push_back(NewPlan(material, environment));
+    const long kept = heap::Bytes - start;
+    const long peak = heap::Peak - start;
+    // In 32 bits here, in 16 on the graphics card.
+    const vtkIdType tables = 2 * plans.back()->GetTextureBytes(plans.back()->GetChoice());
+    std::printf("peak %.1f bytes a texel, kept %.2f MB, of tables %.2f MB\n", peak / texels,
+      1e-6 * static_cast<double>(kept), 1e-6 * static_cast<double>(tables));
+    EXPECT_LT(peak, 16 * texels);
+    if (plans.size() > 1)
+    {
+      EXPECT_LT(kept, tables + 1000000);
+    }
+  }
+  // All goes with the last of them.
+  plans.clear();
+  const long shared = heap::Bytes - before - pixels;
+  std::printf("shared %.2f MB\n", 1e-6 * static_cast<double>(shared));
+  EXPECT_GT(shared, 100000);
+  EXPECT_LT(shared, 8 * texels);
+  environment = nullptr;
+  EXPECT_LT(heap::Bytes - before, 100000);
+}
+
+//------------------------------------------------------------------------------
+// Other pixels forget what was made of these; snapshots of these keep it.
+TEST(PlanMemory, GoesWithThePixels)
+{
+  const auto material =
+    vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("violet-rubber"));
+  NewPlan(material, NewSunny(16, 8)); // what a program makes once
+  const auto environment = NewSunny(128, 64);
+  const auto snapshot = vtkSmartPointer<vtkEnvironment>::Take(environment->NewSnapshot());
+  EXPECT_EQ(&environment->GetParts(), &snapshot->GetParts());
+  const long before = heap::Bytes;
+  NewPlan(material, snapshot);
+  EXPECT_GT(heap::Bytes - before, 500000);
+  const std::vector<float> others(3 * 128 * 64, 1.0f);
+  environment->SetPixels(128, 64, others);
+  EXPECT_NE(&environment->GetParts(), &snapshot->GetParts());
+  EXPECT_GT(heap::Bytes - before, 500000);
+  snapshot->SetPixels(128, 64, others);
+  EXPECT_LT(heap::Bytes - before, 300000); // two of those, for one, and others
+}
+
+//------------------------------------------------------------------------------
+TEST(MadeOnce, ByWhoeverAsksFirst)
+{
+  MadeOnce<int, int> values;
+  std::atomic<int> made{ 0 };
+  std::atomic<int> asked{ 0 };
+  std::vector<std::shared_ptr<const int>> results(4);
+  std::vector<std::thread> threads;
+  for (std::shared_ptr<const int>& result : results)
+  {
+    threads.emplace_back(
+      [&]()
+      {
+        result = values.Get(
+          7,
+          [&]()
+          {
+            ++asked;
+            return true;
+          },
+          [&]()
+          {
+            ++made;
+            while (asked < 3) // all others wait
+            {
+              std::this_thread::yield();
+            }
+            return std::make_shared<int>(42);
+          });
+      });
+  }
+  for (std::thread& thread : threads)
+  {
+    thread.join();
+  }
+  EXPECT_EQ(made, 1);
+  for (const std::shared_ptr<const int>& result : results)
+  {
+    ASSERT_TRUE(result);
+    EXPECT_EQ(result, results[0]);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(MadeOnce, SomebodyElseWhereTheFirstStops)
+{
+  MadeOnce<int, int> values;
+  const auto always = []() { return true; };
+  // One that waits need not wait for ever.
+  std::atomic<bool> making{ false };
+  std::atomic<bool> stop{ false };
+  std::thread first(
+    [&]()
+    {
+      values.Get(1, always,
+        [&]() -> std::shared_ptr<int>
+        {
+          making = true;
+          while (!stop)
+          {
+            std::this_thread::yield();
+          }
+          return nullptr;
+        });
+    });
+  while (!making)
+  {
+    std::this_thread::yield();
+  }
+  EXPECT_FALSE(values.Get(
+    1, []() { return false; }, []() { return std::make_shared<int>(1); }));
+  stop = true;
+  first.join();
+  const auto fail = []() -> std::shared_ptr<int> { throw std::runtime_error("no memory, say"); };
+  EXPECT_THROW(values.Get(1, always, fail), std::runtime_error);
+  EXPECT_EQ(*values.Get(1, always, []() { return std::make_shared<int>(2); }), 2);
+  EXPECT_EQ(*values.Get(1, always, fail), 2);
+}

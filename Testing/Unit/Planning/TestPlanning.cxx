@@ -1,0 +1,659 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Plans: whether they keep what they promise, and when they are made.
+
+#include "ErrorCatcher.h"
+#include "SpherePairs.h"
+#include "vtkAshikhminShirleyBRDF.h"
+#include "vtkBRDFShaderInputs.h"
+#include "vtkBlinnPhongBRDF.h"
+#include "vtkCallbackCommand.h"
+#include "vtkEmbeddedMaterials.h"
+#include "vtkEnvironment.h"
+#include "vtkLambertBRDF.h"
+#include "vtkLightSetRadianceIntegrator.h"
+#include "vtkNew.h"
+#include "vtkRadianceCostModel.h"
+#include "vtkRadiancePlanner.h"
+#include "vtkSmartPointer.h"
+#include "vtkTableRadianceIntegrator.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace
+{
+vtkNew<vtkRadiancePlanner> NewPlanner(vtkBRDF* brdf, vtkEnvironment* environment, double tolerance)
+{
+  vtkNew<vtkRadiancePlanner> planner;
+  planner->SetBRDF(brdf);
+  planner->SetEnvironment(environment);
+  planner->SetErrorTolerance(tolerance);
+  return planner;
+}
+
+vtkNew<vtkBlinnPhongBRDF> NewPhong(double exponent)
+{
+  vtkNew<vtkBlinnPhongBRDF> brdf;
+  brdf->SetSpecular(0.4, 0.3, 0.2);
+  brdf->SetExponent(exponent);
+  return brdf;
+}
+
+vtkSmartPointer<vtkRadianceIntegrator> TakeChoice(vtkRadiancePlanner* planner)
+{
+  return vtkSmartPointer<vtkRadianceIntegrator>::Take(planner->NewIntegrator());
+}
+
+bool Contains(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
+} // namespace
+
+//------------------------------------------------------------------------------
+// The chosen integrator's error over pairs that the planner has not seen.
+class PlannerPromise : public testing::TestWithParam<const char*>
+{
+};
+
+TEST_P(PlannerPromise, IsKept)
+{
+  auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF(GetParam()));
+  ASSERT_TRUE(brdf);
+  for (const bool hall : { false, true })
+  {
+    const auto environment = NewSmallEnvironment(hall);
+    SpherePairs pairs; // many: one highlight is a third of a gloss's error over 1000 of them
+    pairs.AddRandom(3000, 11);
+    const auto reference = pairs.IntegrateExactly(brdf, environment);
+    double lastCost = 0.0;
+    vtkIdType lastBytes = 0;
+    for (const double tolerance : { 0.05, 0.02 })
+    {
+      const auto planner = NewPlanner(brdf, environment, tolerance);
+      ASSERT_TRUE(planner->Update());
+      const int choice = planner->GetChoice();
+      const double predicted = planner->GetPredictedError(choice);
+      const double actual = GetRelativeError(pairs.Integrate(TakeChoice(planner)), reference);
+      std::printf("%s, %s, %g: actual %.4f; %s\n", GetParam(), hall ? "hall" : "sky", tolerance,
+        actual, planner->GetPlan().c_str());
+      EXPECT_TRUE(planner->GetMeetsTolerance());
+      EXPECT_LE(predicted, tolerance);
+      EXPECT_LE(actual, tolerance);
+      EXPECT_LT(actual, 3.0 * predicted);
+      EXPECT_GT(actual, predicted / 3.0);
+      // Never less for more accuracy.
+      EXPECT_GE(planner->GetPredictedMilliseconds(choice), lastCost);
+      EXPECT_GE(planner->GetTextureBytes(choice), lastBytes);
+      lastCost = planner->GetPredictedMilliseconds(choice);
+      lastBytes = planner->GetTextureBytes(choice);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Embedded, PlannerPromise,
+  testing::Values("blue-fabric", "violet-rubber", "gold-paint", "delrin"),
+  [](const auto& info)
+  {
+    std::string name = info.param;
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+  });
+
+//------------------------------------------------------------------------------
+// Candidates that look hopeless are left out: trying them all chooses the same. What they share
+// while they are made does not show either.
+TEST(Planner, LeavesOutOnlyWhatDoesNotHelp)
+{
+  std::size_t tried = 0;
+  std::size_t all = 0;
+  const std::pair<const char*, bool> inHall[] = { { "violet-rubber", true }, { "brass", false } };
+  for (const auto& [name, hall] : inHall)
+  {
+    auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF(name));
+    const auto environment = NewSmallEnvironment(hall);
+    const auto planner = NewPlanner(brdf, environment, 0.05);
+    ASSERT_TRUE(planner->Update());
+    planner->SetErrorTolerance(0.01); // the same planner again
+    ASSERT_TRUE(planner->Update());
+    const auto thorough = NewPlanner(brdf, environment, 0.01);
+    thorough->EvaluateAllOn();
+    ASSERT_TRUE(thorough->Update());
+    const int choice = planner->GetChoice();
+    std::printf("%s: %s\n", name, planner->GetPlan().c_str());
+    EXPECT_EQ(planner->GetDescription(choice), thorough->GetDescription(thorough->GetChoice()));
+    EXPECT_EQ(
+      planner->GetPredictedError(choice), thorough->GetPredictedError(thorough->GetChoice()));
+    tried += static_cast<std::size_t>(planner->GetNumberOfCandidates());
+    all += static_cast<std::size_t>(thorough->GetNumberOfCandidates());
+  }
+  std::printf("%zu of %zu tried\n", tried, all);
+  EXPECT_LT(2 * tried, all);
+}
+
+//------------------------------------------------------------------------------
+// A mirror under lamps: nothing is accurate to a thousandth.
+TEST(Planner, SaysWhenItCannot)
+{
+  auto chrome = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("chrome"));
+  const auto environment = NewSmallEnvironment(true);
+  const auto planner = NewPlanner(chrome, environment, 1e-3);
+  planner->SetMaximumTextureBytes(8 << 20); // to be quick
+  ASSERT_TRUE(planner->Update());
+  std::printf("%s\n", planner->GetPlan().c_str());
+  EXPECT_FALSE(planner->GetMeetsTolerance());
+  EXPECT_TRUE(Contains(planner->GetReason(), "most accurate")) << planner->GetReason();
+  ASSERT_GT(planner->GetNumberOfCandidates(), 1);
+  for (int k = 0; k < planner->GetNumberOfCandidates(); ++k)
+  {
+    EXPECT_GE(
+      planner->GetPredictedError(k), 0.9 * planner->GetPredictedError(planner->GetChoice()));
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(Planner, AnisotropicMaterialsGetLightSets)
+{
+  vtkNew<vtkAshikhminShirleyBRDF> brushed;
+  brushed->SetExponents(5.0, 20.0);
+  const auto planner = NewPlanner(brushed, NewSmallEnvironment(false), 0.2);
+  ASSERT_TRUE(planner->Update());
+  std::printf("%s\n", planner->GetPlan().c_str());
+  EXPECT_EQ(planner->GetMethod(planner->GetChoice()), vtkRadiancePlanner::LIGHT_SET);
+  EXPECT_TRUE(vtkLightSetRadianceIntegrator::SafeDownCast(TakeChoice(planner)));
+  for (int k = 0; k < planner->GetNumberOfCandidates(); ++k)
+  {
+    EXPECT_EQ(planner->GetMethodName(k), "light-set");
+  }
+}
+
+//------------------------------------------------------------------------------
+// What is said of a plan's memory holds for what it uploads.
+TEST(Planner, TextureMemory)
+{
+  const auto environment = NewSmallEnvironment(true);
+  const auto brdf = NewPhong(60.0);
+  const auto planner = NewPlanner(brdf, environment, 0.01);
+  ASSERT_TRUE(planner->Update());
+  EXPECT_GT(planner->GetTextureBytes(planner->GetChoice()), 1 << 20);
+  for (const vtkIdType limit : { vtkIdType(6 << 20), vtkIdType(1 << 20) })
+  {
+    planner->SetMaximumTextureBytes(limit);
+    ASSERT_TRUE(planner->Update());
+    vtkBRDFShaderInputs form;
+    ASSERT_TRUE(TakeChoice(planner)->GetShaderInputs(form));
+    const vtkIdType said = planner->GetTextureBytes(planner->GetChoice());
+    const vtkIdType used = static_cast<vtkIdType>(form.GetTextureBytes());
+    std::printf("at most %lld bytes: said %lld, used %lld; %s\n", static_cast<long long>(limit),
+      static_cast<long long>(said), static_cast<long long>(used), planner->GetPlan().c_str());
+    EXPECT_LE(used, limit);
+    EXPECT_LE(used, said);
+    EXPECT_GE(used, said / 2);
+    for (int k = 0; k < planner->GetNumberOfCandidates(); ++k)
+    {
+      EXPECT_LE(planner->GetTextureBytes(k), limit);
+    }
+  }
+  // Less than any candidate needs: said so, and the last plan stays.
+  ErrorCatcher errors(planner);
+  const std::string plan = planner->GetPlan();
+  planner->SetMaximumTextureBytes(1000);
+  EXPECT_FALSE(planner->Update());
+  EXPECT_EQ(errors.Take(), 1);
+  EXPECT_TRUE(Contains(errors.GetText(), "1000 bytes")) << errors.GetText();
+  EXPECT_EQ(planner->GetPlan(), plan);
+}
+
+//------------------------------------------------------------------------------
+TEST(Planner, PlansAgainExactlyWhenItMust)
+{
+  const auto brdf = NewPhong(3.0);
+  const auto environment = NewSmallEnvironment(false);
+  const auto planner = NewPlanner(brdf, environment, 0.05);
+  EXPECT_EQ(planner->GetChoice(), -1);
+  EXPECT_EQ(planner->GetPlan(), "no plan yet");
+  EXPECT_EQ(planner->NewIntegrator(), nullptr);
+  ASSERT_TRUE(planner->Update());
+  const auto first = TakeChoice(planner);
+  ASSERT_TRUE(first);
+  auto last = first;
+  const auto expectNew = [&](const char* what, bool isNew)
+  {
+    ASSERT_TRUE(planner->Update());
+    const auto now = TakeChoice(planner);
+    EXPECT_EQ(now != last, isNew) << what;
+    last = now;
+  };
+  expectNew("nothing", false);
+  environment->SetRotationY(50.0);
+  expectNew("a rotation", false);
+  environment->SetPixels(32, 16, std::vector<float>(3 * 32 * 16, 0.5f));
+  expectNew("pixels", true);
+  brdf->SetExponent(4.0);
+  expectNew("a parameter", true);
+  planner->SetErrorTolerance(0.03);
+  expectNew("the tolerance", true);
+  const auto other = NewPhong(5.0);
+  planner->SetBRDF(other);
+  expectNew("the material", true);
+  const auto white = NewConstantEnvironment(32, 16, 1.0f);
+  planner->SetEnvironment(white);
+  expectNew("the environment", true);
+  planner->SetViewDirection(0.0, 0.0, 1.0);
+  expectNew("the view", true);
+  planner->SetNumberOfPixels(400);
+  expectNew("the size", true);
+  SpherePairs pairs;
+  pairs.AddRandom(20);
+  planner->SetPairs(pairs.Normals, pairs.Views);
+  expectNew("what is seen", true);
+  vtkNew<vtkRadianceCostModel> costs;
+  planner->SetCostModel(costs);
+  expectNew("another cost model", true);
+  costs->SetCost(vtkRadianceCostModel::TABLE, 40.0);
+  expectNew("a cost", true);
+  expectNew("nothing", false);
+}
+
+//------------------------------------------------------------------------------
+// A wall that faces the camera needs less than a sphere, and keeps what is promised.
+TEST(Planner, PlansForWhatIsSeen)
+{
+  const auto environment = NewSmallEnvironment(true);
+  const auto brdf = NewPhong(60.0);
+  const auto planner = NewPlanner(brdf, environment, 0.02);
+  ASSERT_TRUE(planner->Update());
+  const vtkIdType everywhere = planner->GetTextureBytes(planner->GetChoice());
+
+  SpherePairs wall;
+  const glm::dvec3 normal = glm::normalize(glm::dvec3(0.1, -0.9, 0.3));
+  for (int k = 0; k < 64; ++k)
+  {
+    const glm::dvec3 aside((k % 8 - 3.5) * 0.05, 0.0, (k / 8 - 3.5) * 0.05);
+    wall.Add(normal, glm::normalize(normal + aside));
+  }
+  ASSERT_TRUE(planner->SetPairs(wall.Normals, wall.Views));
+  EXPECT_EQ(planner->GetNumberOfPairs(), 64);
+  ASSERT_TRUE(planner->Update());
+  std::printf("%s\n", planner->GetPlan().c_str());
+  const vtkIdType seen = planner->GetTextureBytes(planner->GetChoice());
+  EXPECT_LT(seen, everywhere);
+  EXPECT_TRUE(planner->GetMeetsTolerance());
+  vtkNew<vtkExactRadianceIntegrator> exact;
+  exact->SetBRDF(brdf);
+  exact->SetEnvironment(environment);
+  EXPECT_LE(
+    GetRelativeError(wall.Integrate(TakeChoice(planner)), wall.Integrate(exact.Get())), 0.02);
+
+  ASSERT_TRUE(planner->SetPairs(nullptr, nullptr));
+  ASSERT_TRUE(planner->Update());
+  EXPECT_EQ(planner->GetTextureBytes(planner->GetChoice()), everywhere);
+}
+
+//------------------------------------------------------------------------------
+// Few pixels take lights of their own rather than a large table.
+TEST(Planner, DistantObjectsGetSmallTextures)
+{
+  const auto environment = NewSmallEnvironment(true);
+  const auto brdf = NewPhong(800.0);
+  const auto planner = NewPlanner(brdf, environment, 0.02);
+  planner->SetNumberOfPixels(4000000);
+  ASSERT_TRUE(planner->Update());
+  const vtkIdType bytes = planner->GetTextureBytes(planner->GetChoice());
+  std::printf("%s\n", planner->GetPlan().c_str());
+  planner->SetNumberOfPixels(1000);
+  ASSERT_TRUE(planner->Update());
+  std::printf("%s\n", planner->GetPlan().c_str());
+  EXPECT_LT(planner->GetTextureBytes(planner->GetChoice()), bytes);
+  EXPECT_TRUE(planner->GetMeetsTolerance());
+}
+
+//------------------------------------------------------------------------------
+TEST(Planner, RefusesPairsThatDoNotFit)
+{
+  vtkNew<vtkRadiancePlanner> planner;
+  ErrorCatcher errors(planner);
+  SpherePairs pairs;
+  pairs.AddRandom(32);
+  ASSERT_TRUE(planner->SetPairs(pairs.Normals, pairs.Views));
+  SpherePairs few;
+  few.AddRandom(15);
+  EXPECT_FALSE(planner->SetPairs(few.Normals, few.Views));
+  EXPECT_TRUE(Contains(errors.GetText(), "from 16 to 4096")) << errors.GetText();
+  EXPECT_FALSE(planner->SetPairs(pairs.Normals, few.Views));
+  EXPECT_FALSE(planner->SetPairs(pairs.Normals, nullptr));
+  SpherePairs broken;
+  broken.AddRandom(32);
+  broken.Normals->SetComponent(7, 1, std::numeric_limits<double>::quiet_NaN());
+  EXPECT_FALSE(planner->SetPairs(broken.Normals, broken.Views));
+  EXPECT_TRUE(Contains(errors.GetText(), "pair 7")) << errors.GetText();
+  EXPECT_EQ(planner->GetNumberOfPairs(), 32);
+}
+
+//------------------------------------------------------------------------------
+TEST(Planner, RefusesAndKeepsTheOldPlan)
+{
+  vtkNew<vtkRadiancePlanner> planner;
+  ErrorCatcher errors(planner);
+  EXPECT_FALSE(planner->Update());
+  EXPECT_TRUE(Contains(errors.GetText(), "no BRDF"));
+  const auto brdf = NewPhong(3.0);
+  planner->SetBRDF(brdf);
+  EXPECT_FALSE(planner->Update());
+  EXPECT_TRUE(Contains(errors.GetText(), "no environment"));
+  planner->SetEnvironment(vtkNew<vtkEnvironment>());
+  EXPECT_FALSE(planner->Update());
+  EXPECT_TRUE(Contains(errors.GetText(), "empty"));
+  EXPECT_EQ(errors.Take(), 3);
+  EXPECT_EQ(planner->GetChoice(), -1);
+
+  const auto environment = NewSmallEnvironment(false);
+  planner->SetEnvironment(environment);
+  ASSERT_TRUE(planner->Update());
+  const std::string plan = planner->GetPlan();
+  const auto integrator = TakeChoice(planner);
+  planner->SetBRDF(nullptr);
+  EXPECT_FALSE(planner->Update());
+  planner->SetBRDF(brdf);
+  planner->SetEnvironment(nullptr);
+  EXPECT_FALSE(planner->Update());
+  EXPECT_EQ(errors.Take(), 2);
+  EXPECT_EQ(planner->GetPlan(), plan);
+  EXPECT_EQ(TakeChoice(planner), integrator);
+
+  // Aborted, then again.
+  planner->SetEnvironment(environment);
+  brdf->SetExponent(4.0);
+  vtkNew<vtkCallbackCommand> stop;
+  stop->SetCallback([](vtkObject* self, unsigned long, void*, void*)
+    { static_cast<vtkRadiancePlanner*>(self)->SetAbort(true); });
+  const unsigned long tag = planner->AddObserver(vtkCommand::ProgressEvent, stop);
+  EXPECT_FALSE(planner->Update());
+  EXPECT_EQ(errors.Take(), 1);
+  EXPECT_TRUE(Contains(errors.GetText(), "aborted"));
+  EXPECT_EQ(planner->GetPlan(), plan);
+  planner->RemoveObserver(tag);
+  EXPECT_TRUE(planner->Update());
+  EXPECT_NE(TakeChoice(planner), integrator);
+  EXPECT_EQ(errors.Take(), 0);
+}
+
+//------------------------------------------------------------------------------
+TEST(Planner, BlackAndTinyEnvironments)
+{
+  const auto planner = NewPlanner(NewPhong(3.0), NewConstantEnvironment(16, 8, 0.0f), 0.02);
+  ASSERT_TRUE(planner->Update());
+  EXPECT_TRUE(planner->GetMeetsTolerance());
+  EXPECT_EQ(planner->GetPredictedError(planner->GetChoice()), 0.0);
+  for (const int height : { 1, 9 })
+  {
+    const auto tiny = NewConstantEnvironment(1, height, 1.0f);
+    planner->SetEnvironment(tiny);
+    ASSERT_TRUE(planner->Update());
+    std::printf("1 x %d: %s\n", height, planner->GetPlan().c_str());
+    EXPECT_GT(planner->GetPredictedError(planner->GetChoice()), 0.0);
+    EXPECT_LT(planner->GetPredictedError(planner->GetChoice()), 0.2);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(Planner, EvaluateAllListsEveryMethod)
+{
+  vtkNew<vtkLambertBRDF> brdf;
+  const auto environment = NewConstantEnvironment(32, 16, 1.0f);
+  const auto planner = NewPlanner(brdf, environment, 0.05);
+  ASSERT_TRUE(planner->Update());
+  EXPECT_EQ(planner->GetNumberOfCandidates(), 1);
+  const std::string description = planner->GetDescription(0);
+  planner->EvaluateAllOn();
+  planner->SetMaximumTextureBytes(16 << 20); // to be quick
+  int events = 0;
+  vtkNew<vtkCallbackCommand> counter;
+  counter->SetClientData(&events);
+  counter->SetCallback(
+    [](vtkObject*, unsigned long, void* count, void*) { ++*static_cast<int*>(count); });
+  planner->AddObserver(vtkCommand::ProgressEvent, counter);
+  ASSERT_TRUE(planner->Update());
+  EXPECT_EQ(events, planner->GetNumberOfCandidates());
+  int methods[5] = { 0, 0, 0, 0, 0 };
+  double lastOrder = 0.0;
+  for (int k = 0; k < planner->GetNumberOfCandidates(); ++k)
+  {
+    std::printf("%-9s %-45s error %.4f, %6.1f ms, %9lld bytes, set up %.0f ms\n",
+      planner->GetMethodName(k).c_str(), planner->GetDescription(k).c_str(),
+      planner->GetPredictedError(k), planner->GetPredictedMilliseconds(k),
+      static_cast<long long>(planner->GetTextureBytes(k)), planner->GetSetUpMilliseconds(k));
+    ++methods[planner->GetMethod(k)];
+    EXPECT_GT(planner->GetTextureBytes(k), 0);
+    EXPECT_TRUE(std::isfinite(planner->GetPredictedError(k)));
+    // A megabyte counts as 3 ns a pixel.
+    const double order = planner->GetPredictedMilliseconds(k) /
+                           (1e-6 * static_cast<double>(planner->GetNumberOfPixels())) +
+                         3e-6 * static_cast<double>(planner->GetTextureBytes(k));
+    EXPECT_GE(order, lastOrder);
+    lastOrder = order;
+    auto integrator = vtkSmartPointer<vtkRadianceIntegrator>::Take(planner->NewIntegrator(k));
+    ASSERT_TRUE(integrator);
+    EXPECT_EQ(integrator->GetBRDF(), brdf.Get());
+    EXPECT_EQ(integrator->GetEnvironment(), environment.Get());
+  }
+  for (const int count : methods)
+  {
+    EXPECT_GT(count, 0);
+  }
+  EXPECT_EQ(planner->GetDescription(planner->GetChoice()), description); // chooses the same
+}
+
+//------------------------------------------------------------------------------
+// A lamp two degrees long is one light for a broad lobe and several for one that tells its ends
+// apart.
+TEST(Planner, WideLampsAreSeveralLightsForSharpLobes)
+{
+  constexpr int width = 512, height = 256;
+  std::vector<float> rgb(3 * width * height, 0.01f);
+  for (int k = 0; k < 3; ++k)
+  {
+    std::fill_n(&rgb[3 * (128 * width + 200 + k)], 3, 1e4f);
+  }
+  vtkNew<vtkEnvironment> environment;
+  ASSERT_TRUE(environment->SetPixels(width, height, rgb));
+  for (const bool sharp : { false, true })
+  {
+    const auto brdf = NewPhong(sharp ? 20000.0 : 20.0);
+    const auto planner = NewPlanner(brdf, environment, 1e-4);
+    planner->SetMaximumTextureBytes(1600000);
+    ASSERT_TRUE(planner->Update());
+    int layered = 0;
+    for (int k = 0; k < planner->GetNumberOfCandidates(); ++k)
+    {
+      const std::string text = planner->GetDescription(k);
+      if (planner->GetMethod(k) == vtkRadiancePlanner::HYBRID)
+      {
+        ++layered;
+        EXPECT_EQ(Contains(text, ", 1 suns as lights"), !sharp) << text;
+        EXPECT_EQ(Contains(text, ", 2 suns as lights"), sharp) << text;
+      }
+    }
+    EXPECT_GT(layered, 0);
+  }
+}
+
+//------------------------------------------------------------------------------
+// What is cheap is tried first, and frame times are the model's.
+TEST(Planner, FollowsTheCostModel)
+{
+  vtkNew<vtkLambertBRDF> brdf;
+  const auto environment = NewConstantEnvironment(32, 16, 1.0f);
+  const auto planner = NewPlanner(brdf, environment, 0.05);
+  planner->SetMaximumTextureBytes(8 << 20);
+  planner->EvaluateAllOn();
+  ASSERT_TRUE(planner->Update());
+  EXPECT_EQ(planner->GetChoice(), 0); // anything will do
+  EXPECT_EQ(planner->GetMethod(0), vtkRadiancePlanner::TABLE);
+  EXPECT_NEAR(planner->GetPredictedMilliseconds(0), 107.0 * 196350.0 * 1e-6, 1e-9);
+
+  vtkNew<vtkRadianceCostModel> costs;
+  const double figures[] = { 1.0, 1000.0, 50.0, 2.0, 7.0 };
+  for (int type = 0; type < vtkRadianceCostModel::NUMBER_OF_COSTS; ++type)
+  {
+    ASSERT_TRUE(costs->SetCost(type, figures[type]));
+  }
+  planner->SetCostModel(costs);
+  ASSERT_TRUE(planner->Update());
+  EXPECT_EQ(planner->GetChoice(), 0);
+  // 9 functions: 64 ns; 16 samples: 33 ns, and more for its memory; a table: 1001 ns.
+  std::vector<int> methods;
+  for (int k = 0; k < planner->GetNumberOfCandidates(); ++k)
+  {
+    methods.push_back(planner->GetMethod(k));
+  }
+  const auto find = [&](int method)
+  { return std::find(methods.begin(), methods.end(), method) - methods.begin(); };
+  EXPECT_LT(find(vtkRadiancePlanner::BASIS), find(vtkRadiancePlanner::TABLE));
+  EXPECT_LT(find(vtkRadiancePlanner::FILTERED), find(vtkRadiancePlanner::TABLE));
+  EXPECT_LT(find(vtkRadiancePlanner::TABLE), find(vtkRadiancePlanner::LIGHT_SET));
+  const auto milliseconds = [&](int method)
+  { return planner->GetPredictedMilliseconds(static_cast<int>(find(method))) / 0.19635; };
+  EXPECT_NEAR(milliseconds(vtkRadiancePlanner::BASIS), 64.0, 1e-6);
+  EXPECT_NEAR(milliseconds(vtkRadiancePlanner::FILTERED), 33.0, 1e-6);
+  EXPECT_NEAR(milliseconds(vtkRadiancePlanner::TABLE), 1001.0, 1e-6);
+  EXPECT_NEAR(milliseconds(vtkRadiancePlanner::LIGHT_SET), 3201.0, 1e-6);
+
+  planner->SetCostModel(nullptr);
+  ASSERT_TRUE(planner->Update());
+  EXPECT_EQ(planner->GetMethod(0), vtkRadiancePlanner::TABLE);
+}
+
+//------------------------------------------------------------------------------
+// Why more than 4 MB.
+TEST(Planner, SaysWhyItTakesMemory)
+{
+  const auto environment = NewSmallEnvironment(true);
+  const auto brdf = NewPhong(60.0);
+  const auto planner = NewPlanner(brdf, environment, 0.05);
+  ASSERT_TRUE(planner->Update());
+  ASSERT_LE(planner->GetTextureBytes(planner->GetChoice()), 4000000);
+  EXPECT_FALSE(Contains(planner->GetReason(), "4 MB")) << planner->GetReason();
+  planner->SetErrorTolerance(0.005);
+  ASSERT_TRUE(planner->Update());
+  const int choice = planner->GetChoice();
+  ASSERT_GT(planner->GetTextureBytes(choice), 4000000);
+  std::printf("%s\n", planner->GetPlan().c_str());
+  int small = -1;
+  for (int k = 0; k < planner->GetNumberOfCandidates(); ++k)
+  {
+    const bool fits =
+      planner->GetMethod(k) == vtkRadiancePlanner::TABLE && planner->GetTextureBytes(k) <= 4000000;
+    small = fits ? k : small; // tables come in the order of their size
+  }
+  ASSERT_GE(small, 0);
+  char error[32];
+  std::snprintf(error, sizeof(error), "has %.2g %%", 100.0 * planner->GetPredictedError(small));
+  const std::string rows = planner->GetDescription(choice);
+  const std::string needs = planner->GetMethod(choice) == vtkRadiancePlanner::TABLE
+                              ? "gloss needs " + rows.substr(0, rows.find(" x"))
+                              : "more than a table";
+  EXPECT_TRUE(Contains(planner->GetReason(), needs)) << planner->GetReason();
+  EXPECT_TRUE(Contains(planner->GetReason(), planner->GetDescription(small)));
+  EXPECT_TRUE(Contains(planner->GetReason(), error)) << error;
+}
+
+//------------------------------------------------------------------------------
+TEST(CostModel, RoundTripAndRefusals)
+{
+  vtkNew<vtkRadianceCostModel> model;
+  ErrorCatcher errors(model);
+  EXPECT_EQ(model->GetCost(vtkRadianceCostModel::BASE), 55.0);
+  model->SetName("NVIDIA GeForce, 64 bit");
+  for (int type = 0; type < vtkRadianceCostModel::NUMBER_OF_COSTS; ++type)
+  {
+    ASSERT_TRUE(model->SetCost(type, std::pow(0.1, type) / 3.0));
+  }
+  const std::string text = model->GetText();
+  vtkNew<vtkRadianceCostModel> other;
+  ASSERT_TRUE(other->SetText(text));
+  EXPECT_EQ(other->GetText(), text);
+  EXPECT_EQ(other->GetName(), model->GetName());
+  for (int type = 0; type < vtkRadianceCostModel::NUMBER_OF_COSTS; ++type)
+  {
+    EXPECT_EQ(other->GetCost(type), model->GetCost(type));
+    EXPECT_TRUE(Contains(text, vtkRadianceCostModel::GetCostName(type)));
+  }
+  vtkNew<vtkRadianceCostModel> copy;
+  copy->DeepCopy(model);
+  EXPECT_EQ(copy->GetText(), text);
+
+  const vtkMTimeType time = other->GetMTime();
+  std::vector<std::string> bad = { "", "something else", text + "more", text.substr(1),
+    text.substr(0, text.size() - 8) };
+  for (const char* value : { "0", "-1", "nan", "inf", "1e9", "x" })
+  {
+    bad.push_back(
+      text.substr(0, text.find("light")) + "light " + value + "\nsample 1\nfunction 1\n");
+  }
+  for (const std::string& wrong : bad)
+  {
+    EXPECT_FALSE(other->SetText(wrong)) << wrong;
+  }
+  EXPECT_EQ(other->GetText(), text);
+  EXPECT_EQ(other->GetMTime(), time);
+
+  EXPECT_EQ(errors.Take(), 0);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const double value : { 0.0, -1.0, nan, 1e9 })
+  {
+    EXPECT_FALSE(model->SetCost(vtkRadianceCostModel::LIGHT, value));
+  }
+  EXPECT_FALSE(model->SetCost(-1, 1.0));
+  EXPECT_FALSE(model->SetCost(5, 1.0));
+  EXPECT_EQ(errors.Take(), 6);
+  EXPECT_EQ(model->GetText(), text);
+  EXPECT_EQ(model->GetCost(5), 0.0);
+  EXPECT_EQ(vtkRadianceCostModel::GetCostName(-1), "");
+}
+
+//------------------------------------------------------------------------------
+TEST(Planner, IndicesWordsAndPrint)
+{
+  const auto planner = NewPlanner(NewPhong(3.0), NewConstantEnvironment(32, 16, 1.0f), 0.05);
+  ASSERT_TRUE(planner->Update());
+  for (const int index : { -1, planner->GetNumberOfCandidates(), 1000, -1000 })
+  {
+    EXPECT_EQ(planner->NewIntegrator(index), nullptr);
+    EXPECT_EQ(planner->GetMethod(index), -1);
+    EXPECT_EQ(planner->GetMethodName(index), "");
+    EXPECT_EQ(planner->GetDescription(index), "");
+    EXPECT_EQ(planner->GetPredictedError(index), 0.0);
+    EXPECT_EQ(planner->GetPredictedMilliseconds(index), 0.0);
+    EXPECT_EQ(planner->GetTextureBytes(index), 0);
+    EXPECT_EQ(planner->GetSetUpMilliseconds(index), 0.0);
+  }
+  const int choice = planner->GetChoice();
+  EXPECT_GT(planner->GetSetUpMilliseconds(choice), 0.0);
+  EXPECT_TRUE(vtkTableRadianceIntegrator::SafeDownCast(TakeChoice(planner)));
+  EXPECT_TRUE(Contains(planner->GetPlan(), "table, ")) << planner->GetPlan();
+  EXPECT_TRUE(Contains(planner->GetPlan(), planner->GetDescription(choice)));
+  EXPECT_TRUE(Contains(planner->GetPlan(), planner->GetReason()));
+  EXPECT_TRUE(Contains(planner->GetDescription(choice), "17 rows x 8 view angles x 8 azimuths"));
+
+  planner->SetErrorTolerance(0.0);
+  EXPECT_EQ(planner->GetErrorTolerance(), 1e-3);
+  planner->SetErrorTolerance(7.0);
+  EXPECT_EQ(planner->GetErrorTolerance(), 1.0);
+  std::ostringstream text;
+  planner->Print(text);
+  for (const char* part : { "ErrorTolerance: 1\n", "EvaluateAll: Off",
+         "MaximumTextureBytes: 100663296", "NumberOfPixels: 196350", "Plan: table, 17 rows" })
+  {
+    EXPECT_TRUE(Contains(text.str(), part)) << part;
+  }
+}

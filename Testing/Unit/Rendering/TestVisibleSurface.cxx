@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What a camera sees of a surface, as plans for a view want it, against areas worked out by hand.
+
+#include "VisibleSurface.h"
+
+#include "vtkCamera.h"
+#include "vtkCubeSource.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkPlaneSource.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSphereSource.h"
+#include "vtkStripper.h"
+#include "vtkTransform.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace
+{
+using measuredbrdf::VisibleSurface;
+
+constexpr double Pi = 3.14159265358979323846;
+const double Identity[9] = { 1, 0, 0, 0, 1, 0, 0, 0, 1 };
+
+class Visible : public testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    this->Sphere->SetThetaResolution(60);
+    this->Sphere->SetPhiResolution(60);
+    this->Sphere->Update();
+    this->Camera->SetPosition(0.0, 0.0, 5.0);
+    this->Camera->SetFocalPoint(0.0, 0.0, 0.0);
+    this->Camera->SetViewUp(0.0, 1.0, 0.0);
+    this->Camera->SetClippingRange(0.1, 100.0);
+    this->Camera->ParallelProjectionOn();
+    this->Camera->SetParallelScale(1.0);
+  }
+
+  VisibleSurface See(
+    vtkPolyData* surface, int width = 400, int height = 200, const double* frame = Identity)
+  {
+    return VisibleSurface({ surface }, this->Matrix, this->Camera, width, height, frame);
+  }
+
+  vtkNew<vtkSphereSource> Sphere;
+  vtkNew<vtkCamera> Camera;
+  vtkNew<vtkMatrix4x4> Matrix;
+};
+}
+
+//------------------------------------------------------------------------------
+// A disc of radius 1/2 where 200 pixels are 2 units high.
+TEST_F(Visible, SpheresCoverTheirDiscs)
+{
+  const VisibleSurface seen = this->See(this->Sphere->GetOutput());
+  EXPECT_NEAR(seen.GetNumberOfPixels(), Pi * 50.0 * 50.0, 0.02 * Pi * 50.0 * 50.0);
+  ASSERT_EQ(seen.GetNormals().size(), 256u);
+  ASSERT_EQ(seen.GetViews().size(), 256u);
+  double mean = 0.0;
+  glm::dvec3 sum(0.0);
+  for (std::size_t k = 0; k < 256; ++k)
+  {
+    const glm::dvec3& n = seen.GetNormals()[k];
+    EXPECT_NEAR(glm::length(n), 1.0, 1e-12);
+    EXPECT_EQ(seen.GetViews()[k], glm::dvec3(0.0, 0.0, 1.0));
+    EXPECT_GE(n.z, 0.0);
+    mean += n.z / 256.0;
+    sum += n / 256.0;
+  }
+  // Uniform over the disc: the cosine's mean is 2/3.
+  EXPECT_NEAR(mean, 2.0 / 3.0, 0.02);
+  EXPECT_NEAR(sum.x, 0.0, 0.03);
+  EXPECT_NEAR(sum.y, 0.0, 0.03);
+}
+
+//------------------------------------------------------------------------------
+TEST_F(Visible, PerspectiveShrinksWithDistance)
+{
+  this->Camera->ParallelProjectionOff();
+  this->Camera->SetViewAngle(30.0);
+  const auto expected = [](double distance)
+  {
+    // The tangent cone's disc, seen by a camera of 15 degrees either side on 200 pixels.
+    const double s = 0.5 / distance;
+    const double radius = 100.0 * s / std::sqrt(1.0 - s * s) / std::tan(Pi / 12.0);
+    return Pi * radius * radius;
+  };
+  for (const double distance : { 3.0, 10.0, 40.0 })
+  {
+    this->Camera->SetPosition(0.0, 0.0, distance);
+    EXPECT_NEAR(
+      this->See(this->Sphere->GetOutput()).GetNumberOfPixels() / expected(distance), 1.0, 0.05)
+      << distance;
+  }
+}
+
+//------------------------------------------------------------------------------
+// Scaled unevenly and turned: normals by the inverse transpose, areas by the matrix.
+TEST_F(Visible, ActorsAreTransformed)
+{
+  vtkNew<vtkPlaneSource> plane; // 1 x 1, normal +z
+  plane->Update();
+  vtkNew<vtkTransform> transform;
+  transform->RotateY(60.0);
+  transform->Scale(0.5, 0.25, 7.0);
+  this->Matrix->DeepCopy(transform->GetMatrix());
+  const VisibleSurface seen = this->See(plane->GetOutput());
+  EXPECT_NEAR(seen.GetNumberOfPixels(), 0.5 * 0.25 * 1e4 * 0.5, 1.0); // cos 60 degrees
+  for (const glm::dvec3& n : seen.GetNormals())
+  {
+    EXPECT_NEAR(glm::distance(n, glm::dvec3(std::sqrt(0.75), 0.0, 0.5)), 0.0, 1e-9);
+  }
+
+  // A slanted one, stretched along x, faces further away from x.
+  vtkNew<vtkPlaneSource> slanted;
+  slanted->SetNormal(0.6, 0.0, 0.8);
+  slanted->Update();
+  vtkNew<vtkMatrix4x4> stretched;
+  stretched->SetElement(0, 0, 2.0);
+  const VisibleSurface wide({ slanted->GetOutput() }, stretched, this->Camera, 400, 200, Identity);
+  ASSERT_FALSE(wide.IsEmpty());
+  const glm::dvec3 expected = glm::normalize(glm::dvec3(0.3, 0.0, 0.8));
+  EXPECT_NEAR(glm::distance(wide.GetNormals()[0], expected), 0.0, 1e-6);
+
+  // Into another frame: z becomes x.
+  const double frame[9] = { 0, 0, 1, 1, 0, 0, 0, 1, 0 };
+  const VisibleSurface turned = this->See(plane->GetOutput(), 400, 200, frame);
+  EXPECT_NEAR(
+    glm::distance(turned.GetNormals()[0], glm::dvec3(0.5, std::sqrt(0.75), 0.0)), 0.0, 1e-9);
+  EXPECT_NEAR(glm::distance(turned.GetViews()[0], glm::dvec3(1.0, 0.0, 0.0)), 0.0, 1e-9);
+}
+
+//------------------------------------------------------------------------------
+TEST_F(Visible, OnlyWhatIsInThePictureCounts)
+{
+  // Half of the sphere right of the picture's left edge.
+  this->Camera->SetPosition(2.0, 0.0, 5.0);
+  this->Camera->SetFocalPoint(2.0, 0.0, 0.0);
+  const VisibleSurface half = this->See(this->Sphere->GetOutput());
+  EXPECT_NEAR(half.GetNumberOfPixels(), 0.5 * Pi * 2500.0, 0.05 * Pi * 2500.0);
+  for (const glm::dvec3& n : half.GetNormals())
+  {
+    EXPECT_GE(n.x, -0.05);
+  }
+  this->Camera->SetPosition(9.0, 0.0, 5.0);
+  this->Camera->SetFocalPoint(9.0, 0.0, 0.0);
+  EXPECT_TRUE(this->See(this->Sphere->GetOutput()).IsEmpty());
+  vtkNew<vtkPolyData> nothing;
+  EXPECT_TRUE(this->See(nothing).IsEmpty());
+}
+
+//------------------------------------------------------------------------------
+// A room shows the sides that face away.
+TEST_F(Visible, RoomsAreSeenFromInside)
+{
+  vtkNew<vtkCubeSource> cube;
+  cube->Update();
+  this->Camera->ParallelProjectionOff();
+  this->Camera->SetPosition(0.0, 0.0, 0.1);
+  const VisibleSurface seen = this->See(cube->GetOutput());
+  ASSERT_FALSE(seen.IsEmpty());
+  for (std::size_t k = 0; k < seen.GetNormals().size(); ++k)
+  {
+    EXPECT_GT(glm::dot(seen.GetNormals()[k], seen.GetViews()[k]), 0.0);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST_F(Visible, StripsAndLargeMeshesAreAlike)
+{
+  vtkNew<vtkStripper> stripper;
+  stripper->SetInputConnection(this->Sphere->GetOutputPort());
+  stripper->Update();
+  const VisibleSurface strips = this->See(stripper->GetOutput());
+  EXPECT_NEAR(strips.GetNumberOfPixels(), Pi * 2500.0, 0.02 * Pi * 2500.0);
+  stripper->GetOutput()->GetPointData()->SetNormals(nullptr); // the triangles' own
+  const VisibleSurface flat = this->See(stripper->GetOutput());
+  EXPECT_NEAR(flat.GetNumberOfPixels(), Pi * 2500.0, 0.02 * Pi * 2500.0);
+  EXPECT_TRUE(strips.Covers(flat));
+
+  vtkNew<vtkSphereSource> fine; // 79600 triangles
+  fine->SetThetaResolution(200);
+  fine->SetPhiResolution(200);
+  fine->Update();
+  const VisibleSurface seen = this->See(fine->GetOutput());
+  EXPECT_NEAR(seen.GetNumberOfPixels(), Pi * 2500.0, 0.05 * Pi * 2500.0);
+  EXPECT_TRUE(strips.Covers(seen));
+}
+
+//------------------------------------------------------------------------------
+TEST_F(Visible, ServesNearbyViewsOnly)
+{
+  const VisibleSurface first = this->See(this->Sphere->GetOutput());
+  EXPECT_TRUE(first.Covers(first));
+  const auto serves = [&]() { return first.Covers(this->See(this->Sphere->GetOutput())); };
+  this->Camera->Azimuth(5.0);
+  EXPECT_TRUE(serves());
+  this->Camera->Azimuth(40.0);
+  EXPECT_FALSE(serves());
+  this->Camera->Azimuth(-45.0);
+  this->Camera->SetParallelScale(1.8); // 3.2 times fewer pixels
+  EXPECT_TRUE(serves());
+  this->Camera->SetParallelScale(3.0); // 9 times
+  EXPECT_FALSE(serves());
+  this->Camera->SetParallelScale(0.45); // 4.9 times more, most of them still in the picture
+  EXPECT_FALSE(serves());
+}

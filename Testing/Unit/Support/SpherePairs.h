@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * (normal, view) pairs as spheres show them to distant cameras, radiance for them, and small
+ * environments that the exact sum is quick for.
+ */
+
+#ifndef SpherePairs_h
+#define SpherePairs_h
+
+#include "vtkDoubleArray.h"
+#include "vtkEnvironment.h"
+#include "vtkExactRadianceIntegrator.h"
+#include "vtkNew.h"
+#include "vtkRadianceIntegrator.h"
+
+#include <glm/glm.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <random>
+#include <vector>
+
+struct SpherePairs
+{
+  vtkNew<vtkDoubleArray> Normals;
+  vtkNew<vtkDoubleArray> Views;
+
+  SpherePairs()
+  {
+    this->Normals->SetNumberOfComponents(3);
+    this->Views->SetNumberOfComponents(3);
+  }
+
+  void Add(const glm::dvec3& n, const glm::dvec3& v)
+  {
+    this->Normals->InsertNextTuple(&n.x);
+    this->Views->InsertNextTuple(&v.x);
+  }
+
+  /// Views from everywhere, normals uniform over the sphere's disc, rim excluded.
+  void AddRandom(int count, unsigned int seed = 1)
+  {
+    std::mt19937 engine(seed);
+    const auto uniform = [&engine]() { return engine() * 0x1p-32; };
+    for (int k = 0; k < count; ++k)
+    {
+      const double z = 2.0 * uniform() - 1.0;
+      const double turn = 6.283185307179586 * uniform();
+      const double s = std::sqrt(1.0 - z * z);
+      const glm::dvec3 v(s * std::cos(turn), s * std::sin(turn), z);
+      const glm::dvec3 a = glm::normalize(
+        glm::cross(v, std::abs(v.x) < 0.7 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 0.0, 1.0)));
+      const double r = 0.995 * std::sqrt(uniform());
+      const double phi = 6.283185307179586 * uniform();
+      this->Add(
+        r * std::cos(phi) * a + r * std::sin(phi) * glm::cross(v, a) + std::sqrt(1.0 - r * r) * v,
+        v);
+    }
+  }
+
+  std::vector<glm::dvec3> Integrate(vtkRadianceIntegrator* integrator) const
+  {
+    vtkNew<vtkDoubleArray> radiance;
+    std::vector<glm::dvec3> result;
+    EXPECT_TRUE(integrator->Integrate(this->Normals, this->Views, radiance));
+    for (vtkIdType k = 0; k < radiance->GetNumberOfTuples(); ++k)
+    {
+      glm::dvec3 rgb;
+      radiance->GetTuple(k, &rgb.x);
+      for (int c = 0; c < 3; ++c)
+      {
+        EXPECT_TRUE(std::isfinite(rgb[c]) && rgb[c] >= 0.0) << k;
+      }
+      result.push_back(rgb);
+    }
+    return result;
+  }
+
+  std::vector<glm::dvec3> IntegrateExactly(vtkBRDF* brdf, vtkEnvironment* environment) const
+  {
+    vtkNew<vtkExactRadianceIntegrator> exact;
+    exact->SetBRDF(brdf);
+    exact->SetEnvironment(environment);
+    return this->Integrate(exact);
+  }
+};
+
+/// Relative L1 over pairs and channels.
+inline double GetRelativeError(
+  const std::vector<glm::dvec3>& a, const std::vector<glm::dvec3>& reference)
+{
+  EXPECT_EQ(a.size(), reference.size());
+  double difference = 0.0;
+  double sum = 0.0;
+  for (std::size_t k = 0; k < std::min(a.size(), reference.size()); ++k)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      difference += std::abs(a[k][c] - reference[k][c]);
+      sum += reference[k][c];
+    }
+  }
+  return difference / sum;
+}
+
+/// The same light in width x height texels, which divide the environment's.
+inline void ShrinkEnvironment(vtkEnvironment* environment, int width, int height)
+{
+  const int a = environment->GetWidth() / width;
+  const int b = environment->GetHeight() / height;
+  std::vector<float> rgb;
+  for (int y = 0; y < height; ++y)
+  {
+    for (int x = 0; x < width; ++x)
+    {
+      glm::dvec3 sum(0.0);
+      double total = 0.0;
+      for (int k = 0; k < a * b; ++k)
+      {
+        const int row = y * b + k / a;
+        const double solidAngle = environment->GetTexelSolidAngle(row);
+        glm::dvec3 texel;
+        environment->GetPixel(x * a + k % a, row, &texel.x);
+        sum += texel * solidAngle;
+        total += solidAngle;
+      }
+      for (int c = 0; c < 3; ++c)
+      {
+        rgb.push_back(static_cast<float>(sum[c] / total));
+      }
+    }
+  }
+  EXPECT_TRUE(environment->SetPixels(width, height, rgb));
+}
+
+/// The procedural sky or hall in 128 x 64 texels.
+inline vtkNew<vtkEnvironment> NewSmallEnvironment(bool hall)
+{
+  vtkNew<vtkEnvironment> environment;
+  if (hall)
+  {
+    environment->SetToProceduralHall();
+  }
+  else
+  {
+    environment->SetToProceduralSky();
+  }
+  ShrinkEnvironment(environment, 128, 64);
+  return environment;
+}
+
+inline vtkNew<vtkEnvironment> NewConstantEnvironment(int width, int height, float value)
+{
+  vtkNew<vtkEnvironment> environment;
+  EXPECT_TRUE(environment->SetPixels(
+    width, height, std::vector<float>(3 * std::size_t(width) * std::size_t(height), value)));
+  return environment;
+}
+
+#endif
