@@ -23,10 +23,12 @@
  *   property's Diffuse does not count.
  * - Clipping planes, picking, coincident topology: as the superclass. Points, lines, wireframe, and
  *   actors with vtkProperty::Lighting off are left to the superclass.
- * - A program's own replacement of //VTK::Light::Impl may read `vec3 diffuse` (the encoded colour,
- *   edges included), `vec3 specular` (0), `brdfRadiance` (linear) and `normalVCVSOutput`, after the
- *   tag has been written back: `"//VTK::Light::Impl\n gl_FragData[0] = vec4(diffuse, opacity);"`
- *   with replaceFirst false.
+ * - A program's own replacement of the tag VTK::Light::Impl may read `vec3 diffuse` (the encoded
+ *   colour, edges included), `vec3 specular` (0), `brdfRadiance` (linear) and `normalVCVSOutput`,
+ *   after the tag has been written back, with replaceFirst false:
+ *   @code
+ *   "//VTK::Light::Impl\n gl_FragData[0] = vec4(diffuse, opacity);"
+ *   @endcode
  * - Without a material it is the superclass.
  * - Anisotropic materials use the polydata's float point tangents (PointData::SetTangents), which
  *   turn and stretch with the actor; without them the tangent turns about the environment's up
