@@ -58,7 +58,7 @@ class Page(HTMLParser):
         self.feed(text)
 
     def handle_data(self, data):
-        if not self.code and re.search(r"\]\(|^\s*\|---", data):
+        if not self.code and re.search(r"\]\(|^\s*\|---|[@\\](ref|section|subsection)\b|<table", data):
             self.markdown.append((self.getpos()[0], data.strip()))
 
     def handle_endtag(self, tag):

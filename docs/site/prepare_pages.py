@@ -118,6 +118,7 @@ class Preparation:
 
     def link(self, page, match):
         picture, text, target = match.groups()
+        text = text.replace("\n", " ")
         if re.match(r"[a-z]+:", target):
             return match.group(0)
         path, _, anchor = target.partition("#")
