@@ -2,11 +2,19 @@
 # Installs the Debian packages that are missing, as root or through sudo. Nothing is downloaded when all are there.
 # Where that cannot be done it says what is needed and leaves the verdict to the build.
 #
-#   cmake/install-packages.sh [--tests]     --tests: also what only the tests need
+#   cmake/install-packages.sh [--tests]             --tests: also what only the tests need
+#   cmake/install-packages.sh --only PACKAGE...     these and nothing else
 set -u
 packages=(cmake ninja-build g++ libvtk9-dev python3-vtk9 libopenimageio-dev openimageio-tools libopenexr-dev
   libglm-dev nlohmann-json3-dev libeigen3-dev libceres-dev libcli11-dev libgl1-mesa-dri xvfb xauth)
-[ "${1:-}" = --tests ] && packages+=(libgtest-dev libbenchmark-dev)
+size=" (500 to 1100 MB download on a bare system)"
+case ${1:-} in
+  --tests) packages+=(libgtest-dev libbenchmark-dev) ;;
+  --only)
+    shift
+    packages=("$@")
+    size= ;;
+esac
 
 say() { printf '%s\n' "$*"; }
 
@@ -41,7 +49,7 @@ as_root+=(env DEBIAN_FRONTEND=noninteractive)
 cd "$(dirname "$0")/.." && mkdir -p build || exit 1
 log=build/packages.log
 : >"$log"
-say "Installing ${missing[*]} and what they need (500 to 1100 MB download on a bare system; log: $log) ..."
+say "Installing ${missing[*]} and what they need$size; log: $log ..."
 "${as_root[@]}" apt-get update -q >>"$log" 2>&1 ||
   say "The package lists could not be refreshed ($(grep -m 1 '^[WE]:' "$log")); trying with those at hand."
 

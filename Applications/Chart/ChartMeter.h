@@ -72,7 +72,8 @@ private:
   Method Make(const ChartSize& size, const Material& material, vtkEnvironment* environment,
     double& milliseconds);
   void Place(OffscreenScene& stage) const;
-  void FillErrors(ChartPoint& point, OffscreenScene& stage, const std::vector<double>& reference) const;
+  void FillErrors(
+    ChartPoint& point, OffscreenScene& stage, const std::vector<double>& reference) const;
 
   ChartScene Scene;
   std::vector<ChartSize> Sizes;

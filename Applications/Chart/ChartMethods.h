@@ -21,7 +21,7 @@ struct ChartMethod
 {
   std::string Name;  // of --methods, files and tables
   std::string Label; // for people
-  RGB Color;        // sRGB in [0,1]
+  RGB Color;         // sRGB in [0,1]
   bool Grows;        // whether the frame time is about proportional to the size's first number
   std::vector<std::string> FewSizes;                              // of --sweep small
   std::vector<std::string> AllSizes;                              // of --sweep full

@@ -34,7 +34,7 @@ struct PagePoint
 struct PageCurve
 {
   std::string Label;
-  RGB Color;                    // sRGB in [0,1]
+  RGB Color;                     // sRGB in [0,1]
   std::vector<PagePoint> Points; // dots; the label prefers the last ones
   std::vector<PagePoint> Line;   // joined in their order; empty: none
 };

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bases.h"
+#include "ContactSheet.h"
 #include "FailureMap.h"
 #include "Files.h"
 #include "Inputs.h"
@@ -8,13 +9,12 @@
 #include "Meshes.h"
 #include "Methods.h"
 #include "Progress.h"
+#include "RunWithProgress.h"
 #include "Scene.h"
-#include "ContactSheet.h"
 #include "Sizes.h"
 #include "StockScene.h"
 #include "Surface.h"
 #include "Tool.h"
-#include "RunWithProgress.h"
 
 #include "vtkBRDFFailureMap.h"
 #include "vtkBRDFResampler.h"

@@ -60,8 +60,9 @@ void Run(const Options& options)
   text += "largest absolute error met: " + tool::FormatNumber(maximum) + " 1/sr\n";
   if (output->IsReciprocal() && !material.BRDF->IsReciprocal())
   {
-    text += "note: what was written is reciprocal, f(i,o) = f(o,i), and this material is not: the mean "
-            "of both is kept, its asymmetry is lost (the errors above include that)\n";
+    text +=
+      "note: what was written is reciprocal, f(i,o) = f(o,i), and this material is not: the mean "
+      "of both is kept, its asymmetry is lost (the errors above include that)\n";
   }
   tool::PrintOut(text);
 }

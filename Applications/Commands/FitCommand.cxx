@@ -3,9 +3,9 @@
 #include "Bases.h"
 #include "Files.h"
 #include "Inputs.h"
+#include "RunWithProgress.h"
 #include "Thesis.h"
 #include "Tool.h"
-#include "RunWithProgress.h"
 
 #include "vtkAshikhminShirleyBRDFFitter.h"
 #include "vtkBRDFResampler.h"

@@ -3,9 +3,9 @@
 #include "Bases.h"
 #include "Files.h"
 #include "Inputs.h"
+#include "RunWithProgress.h"
 #include "Sizes.h"
 #include "Tool.h"
-#include "RunWithProgress.h"
 
 #include "vtkBRDFResampler.h"
 #include "vtkBasisExtrapolator.h"

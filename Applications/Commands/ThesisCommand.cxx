@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "ContactSheet.h"
 #include "Files.h"
 #include "Inputs.h"
 #include "LightMap.h"
 #include "Meshes.h"
-#include "Scene.h"
-#include "ContactSheet.h"
-#include "Tool.h"
 #include "RunWithProgress.h"
+#include "Scene.h"
+#include "Tool.h"
 
 #include "vtkBRDFAcquisition.h"
 #include "vtkBasisExtrapolator.h"
@@ -139,8 +139,8 @@ Exhibit MakeExhibit(const tool::Material& material, const std::string& standsFor
 }
 
 //------------------------------------------------------------------------------
-tool::Picture Finish(
-  tool::Picture tile, const tool::OffscreenScene& scene, const tool::Backdrop& backdrop, double exposure)
+tool::Picture Finish(tool::Picture tile, const tool::OffscreenScene& scene,
+  const tool::Backdrop& backdrop, double exposure)
 {
   tool::ComposeOver(tile, scene, backdrop, exposure);
   tool::RollOff(tile);
@@ -208,7 +208,7 @@ public:
     const int columns = static_cast<int>(exhibits.size());
     const int rows = static_cast<int>(this->Environments.size());
     tool::ContactSheet sheet("Thesis 3.3: materials under " + std::to_string(Lights) +
-                        " median-cut lights, basis pair or D-BRDF",
+                               " median-cut lights, basis pair or D-BRDF",
       columns, rows, this->Settings.Tile, this->Settings.Tile);
     tool::Scene scene;
     scene.SetMesh(tool::MakeBallOnFoot());

@@ -71,7 +71,8 @@ double ChooseExposure(vtkEnvironment* environment)
 }
 
 //------------------------------------------------------------------------------
-ContactSheet::ContactSheet(const std::string& title, int columns, int rows, int tileWidth, int tileHeight)
+ContactSheet::ContactSheet(
+  const std::string& title, int columns, int rows, int tileWidth, int tileHeight)
   : TileWidth(tileWidth)
   , TileHeight(tileHeight)
   , Font(std::clamp(tileWidth / 20, 9, 24))

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FailureMap.h"
 
-#include "TextDrawing.h"
 #include "Picture.h"
+#include "TextDrawing.h"
 #include "Tool.h"
 
 #include "vtkAxis.h"

@@ -200,7 +200,10 @@ std::array<double, 3> OffscreenScene::GetRay(double x, double y, int width, int 
 }
 
 //------------------------------------------------------------------------------
-std::string OffscreenScene::GetRendererName() { return this->GetCapability("OpenGL renderer string"); }
+std::string OffscreenScene::GetRendererName()
+{
+  return this->GetCapability("OpenGL renderer string");
+}
 
 //------------------------------------------------------------------------------
 std::string OffscreenScene::GetCapability(const std::string& name)

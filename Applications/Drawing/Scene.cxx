@@ -72,7 +72,8 @@ std::size_t Scene::GetTextureBytes()
 }
 
 //------------------------------------------------------------------------------
-void ComposeOver(Picture& picture, const OffscreenScene& scene, const Backdrop& backdrop, double exposure)
+void ComposeOver(
+  Picture& picture, const OffscreenScene& scene, const Backdrop& backdrop, double exposure)
 {
   vtkSMPTools::For(0, picture.Height,
     [&](vtkIdType begin, vtkIdType end)

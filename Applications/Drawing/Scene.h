@@ -42,7 +42,8 @@ private:
 };
 
 /// Put the scene over a backdrop; both scaled by exposure. Alpha becomes 1.
-void ComposeOver(Picture& picture, const OffscreenScene& scene, const Backdrop& backdrop, double exposure);
+void ComposeOver(
+  Picture& picture, const OffscreenScene& scene, const Backdrop& backdrop, double exposure);
 } // namespace tool
 
 #endif

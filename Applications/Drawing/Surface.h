@@ -9,8 +9,8 @@
 #ifndef Surface_h
 #define Surface_h
 
-#include "Sizes.h"
 #include "OffscreenScene.h"
+#include "Sizes.h"
 
 #include "vtkRadianceIntegrator.h"
 

@@ -3,8 +3,8 @@
 #include "Thesis.h"
 
 #include "Bases.h"
-#include "Tool.h"
 #include "RunWithProgress.h"
+#include "Tool.h"
 
 #include "vtkBasisBRDF.h"
 #include "vtkNew.h"

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StabilityRenderer.h"
 
+#include "ContactSheet.h"
 #include "Meshes.h"
 #include "Progress.h"
-#include "ContactSheet.h"
 #include "Sizes.h"
 #include "StockScene.h"
 #include "Surface.h"

@@ -9,9 +9,9 @@
 #ifndef StabilityRenderer_h
 #define StabilityRenderer_h
 
+#include "OffscreenScene.h"
 #include "Stability.h"
 #include "StabilityTools.h"
-#include "OffscreenScene.h"
 
 #include "vtkMeasuredBRDFMapper.h"
 

@@ -262,8 +262,8 @@ void RunMaterialChanges(Context& context)
 
 //------------------------------------------------------------------------------
 // A crowd: actors side by side, each with its own mapper.
-double DrawCrowd(Context& context, int actors, int materials, int frames, StabilityRenderer& theatre,
-  std::set<vtkIdType>& bytes)
+double DrawCrowd(Context& context, int actors, int materials, int frames,
+  StabilityRenderer& theatre, std::set<vtkIdType>& bytes)
 {
   vtkNew<vtkSphereSource> sphere;
   sphere->SetThetaResolution(12);

@@ -3,8 +3,8 @@
 #include "Bases.h"
 
 #include "vtkBRDFAnalysis.h"
-#include "vtkBRDFShaderInputs.h"
 #include "vtkBRDFResampler.h"
+#include "vtkBRDFShaderInputs.h"
 #include "vtkNew.h"
 
 #include <algorithm>

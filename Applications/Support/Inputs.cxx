@@ -51,8 +51,8 @@ std::string GetFormatAdvice(const std::string& file)
   {
     return "";
   }
-  return ". '" + extension + "' is none of the formats that are read: " +
-         vtkBRDFFormats::GetDescriptions();
+  return ". '" + extension +
+         "' is none of the formats that are read: " + vtkBRDFFormats::GetDescriptions();
 }
 }
 

@@ -3,8 +3,8 @@
 #include "Measuring.h"
 
 #include "Methods.h"
-#include "Tool.h"
 #include "RunWithProgress.h"
+#include "Tool.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkExactRadianceIntegrator.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Methods.h"
 
-#include "Tool.h"
 #include "RunWithProgress.h"
+#include "Tool.h"
 
 #include "vtkBasisRadianceIntegrator.h"
 #include "vtkDoubleArray.h"

@@ -98,7 +98,7 @@ int main(int argc, char* argv[])
     std::cerr << path << ": what was read is not what was written\n";
     return EXIT_FAILURE;
   }
-  std::cout << path << " is " << reader->GetFormatName() << "; formats that are known: "
-            << vtkBRDFFormats::GetDescriptions() << "\n";
+  std::cout << path << " is " << reader->GetFormatName()
+            << "; formats that are known: " << vtkBRDFFormats::GetDescriptions() << "\n";
   return EXIT_SUCCESS;
 }

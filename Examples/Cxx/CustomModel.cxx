@@ -57,9 +57,9 @@ vec3 brdfTermINSTANCE(vec3 i, vec3 o)
   return vec3(orenNayarINSTANCE.x * (orenNayarINSTANCE.y + orenNayarINSTANCE.z * s / t));
 }
 )";
-    term.Uniforms.push_back({ "orenNayar",
-      { static_cast<float>(Albedo / Pi), static_cast<float>(this->GetA()),
-        static_cast<float>(this->GetB()) } });
+    term.Uniforms.push_back(
+      { "orenNayar", { static_cast<float>(Albedo / Pi), static_cast<float>(this->GetA()),
+                       static_cast<float>(this->GetB()) } });
     inputs.Terms.push_back(term);
     inputs.Description = "Oren-Nayar, closed form";
   }

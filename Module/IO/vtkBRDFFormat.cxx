@@ -15,8 +15,7 @@ void vtkBRDFFormat::Content::AddNote(const std::string& note)
 {
   if (this->Notes.size() < MostNotes)
   {
-    this->Notes +=
-      (this->Notes.empty() ? "" : "\n") + measuredbrdf::ToPrintable(note, LongestNote);
+    this->Notes += (this->Notes.empty() ? "" : "\n") + measuredbrdf::ToPrintable(note, LongestNote);
   }
 }
 

@@ -46,8 +46,7 @@ struct Registry
   }
 };
 
-std::string List(
-  bool writable, const std::function<std::vector<std::string>(vtkBRDFFormat*)>& get)
+std::string List(bool writable, const std::function<std::vector<std::string>(vtkBRDFFormat*)>& get)
 {
   std::vector<std::string> texts;
   for (const auto& format : vtkBRDFFormats::GetFormats())
@@ -82,7 +81,7 @@ bool vtkBRDFFormats::Register(vtkBRDFFormat* format)
     if (known == format || known->GetName() == format->GetName())
     {
       vtkGenericWarningMacro("vtkBRDFFormats::Register: a format is called '"
-        << format->GetName() << "' already; expected another name.");
+                             << format->GetName() << "' already; expected another name.");
       return false;
     }
   }
@@ -147,8 +146,8 @@ vtkSmartPointer<vtkBRDFFormat> vtkBRDFFormats::FindForWriting(const std::string&
 //------------------------------------------------------------------------------
 std::string vtkBRDFFormats::GetNames(bool writable)
 {
-  return List(writable,
-    [](vtkBRDFFormat* format) { return std::vector<std::string>{ format->GetName() }; });
+  return List(
+    writable, [](vtkBRDFFormat* format) { return std::vector<std::string>{ format->GetName() }; });
 }
 
 //------------------------------------------------------------------------------

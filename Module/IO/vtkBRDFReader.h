@@ -71,7 +71,7 @@ public:
   ///@}
 
   /**
-   * The text as a terminal may show it: control characters and bytes that are no UTF-8 as \xNN,
+   * The text as a terminal may show it: control characters and bytes that are no UTF-8 as `\xNN`,
    * line ends and tabs as they are. Names and sources of materials are kept as the file has them.
    */
   static std::string GetPrintable(const std::string& text);

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBasisRadianceIntegrator.h"
 
-#include "ModuleShader.h"
-#include "vtkBRDFEnvironmentBasis.h"
 #include "AzimuthalBasis.h"
 #include "CosinePowerWarp.h"
 #include "LocalFrame.h"
+#include "ModuleShader.h"
 #include "Setters.h"
 #include "vtkBRDF.h"
+#include "vtkBRDFEnvironmentBasis.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkBasisBRDF.h"
 #include "vtkCommand.h"

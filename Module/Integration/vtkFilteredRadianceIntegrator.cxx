@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFilteredRadianceIntegrator.h"
 
-#include "ModuleShader.h"
-#include "vtkBRDFEnvironmentFiltered.h"
 #include "EnvironmentPrecomputation.h"
 #include "EnvironmentPyramid.h"
 #include "LocalFrame.h"
+#include "ModuleShader.h"
 #include "Printable.h"
 #include "ReflectionSamples.h"
 #include "Setters.h"
 #include "vtkBRDF.h"
+#include "vtkBRDFEnvironmentFiltered.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkEnvironment.h"
 #include "vtkLightSet.h"

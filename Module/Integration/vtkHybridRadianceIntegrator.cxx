@@ -4,8 +4,8 @@
 
 #include "EnvironmentPrecomputation.h"
 #include "LobePart.h"
-#include "Printable.h"
 #include "MaterialPrecomputation.h"
+#include "Printable.h"
 #include "Setters.h"
 #include "vtkBRDF.h"
 #include "vtkBRDFShaderInputs.h"
@@ -104,8 +104,8 @@ bool vtkHybridRadianceIntegrator::Begin()
   if (this->NumberOfSamples > 0)
   {
     const double spacing = Pi / (this->NumberOfRows - 1);
-    const auto cut =
-      std::make_shared<LobeSplit>(parts->GetViews(this->BRDF, this->Abort), ResolvedSquares * spacing * spacing);
+    const auto cut = std::make_shared<LobeSplit>(
+      parts->GetViews(this->BRDF, this->Abort), ResolvedSquares * spacing * spacing);
     if (cut->GetSharpShare() > LeastShare)
     {
       const auto layer = [&](bool sharp)

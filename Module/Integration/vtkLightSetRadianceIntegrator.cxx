@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLightSetRadianceIntegrator.h"
 
-#include "ModuleShader.h"
-#include "vtkBRDFLightSet.h"
 #include "LocalFrame.h"
+#include "ModuleShader.h"
 #include "vtkBRDF.h"
+#include "vtkBRDFLightSet.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkEnvironment.h"
 #include "vtkLightSet.h"

@@ -104,7 +104,10 @@ public:
   /**
    * For the planner: what Prepare needs whatever the sizes; null (default): its own.
    */
-  void SetParts(const std::shared_ptr<measuredbrdf::MaterialPrecomputation>& parts) { this->Parts = parts; }
+  void SetParts(const std::shared_ptr<measuredbrdf::MaterialPrecomputation>& parts)
+  {
+    this->Parts = parts;
+  }
 
   /**
    * For layers: take the environment with these texels changed; null (default): as it is.

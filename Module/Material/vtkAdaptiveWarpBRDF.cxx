@@ -7,8 +7,8 @@
 #include "HalfVector.h"
 #include "Printable.h"
 #include "RoundingNoise.h"
-#include "vtkBRDFShaderInputs.h"
 #include "vtkBRDFResampler.h"
+#include "vtkBRDFShaderInputs.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 

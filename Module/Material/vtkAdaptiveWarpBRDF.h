@@ -12,8 +12,8 @@
  *
  * Not reciprocal in general: measured values keep their asymmetry.
  *
- * shader inputs: resampled into a vtkTabulatedBRDF over half and difference angles with phi_d over the
- * full turn (so the asymmetry survives), sizes grown until ResamplingTolerance is met, else the
+ * shader inputs: resampled into a vtkTabulatedBRDF over half and difference angles with phi_d over
+ * the full turn (so the asymmetry survives), sizes grown until ResamplingTolerance is met, else the
  * best with a warning once; see GetRenderable().
  */
 

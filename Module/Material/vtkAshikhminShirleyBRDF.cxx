@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAshikhminShirleyBRDF.h"
 
-#include "ModuleShader.h"
-#include "vtkBRDFAshikhminShirley.h"
 #include "ContentHash.h"
 #include "HalfVector.h"
+#include "ModuleShader.h"
 #include "Setters.h"
+#include "vtkBRDFAshikhminShirley.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkObjectFactory.h"
 

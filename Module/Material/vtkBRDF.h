@@ -105,9 +105,9 @@ public:
 
   ///@{
   /**
-   * Largest relative L2 error (weighted by both cosines) that a shader inputs may add by resampling and
-   * by its texture precision; default 0.01, clamped to [1e-5, 0.5]. Only representations that have
-   * to be resampled or stored in textures use it. What was reached is in the shader inputs.
+   * Largest relative L2 error (weighted by both cosines) that a shader inputs may add by resampling
+   * and by its texture precision; default 0.01, clamped to [1e-5, 0.5]. Only representations that
+   * have to be resampled or stored in textures use it. What was reached is in the shader inputs.
    */
   virtual void SetResamplingTolerance(double resamplingTolerance);
   vtkGetMacro(ResamplingTolerance, double);
@@ -179,9 +179,9 @@ protected:
 
   /**
    * The class that answers, typeid(vtkMyBRDF), and bytes that differ wherever anything differs that
-   * f, Sample, Pdf or the shader inputs depend on: all parameters, and the data or a hash of 128 bits of
-   * them. What a superclass answers, without what its subclass adds, is not taken; default: the
-   * class does not say.
+   * f, Sample, Pdf or the shader inputs depend on: all parameters, and the data or a hash of 128
+   * bits of them. What a superclass answers, without what its subclass adds, is not taken; default:
+   * the class does not say.
    */
   virtual std::pair<std::type_index, std::string> GetContent();
 

@@ -23,11 +23,11 @@
 #ifndef vtkBRDFShaderInputs_h
 #define vtkBRDFShaderInputs_h
 
-#include <array>   // for dimensions
-#include <cstddef> // for size_t
+#include <array>      // for dimensions
+#include <cstddef>    // for size_t
 #include <functional> // for hash
-#include <string>  // for names
-#include <vector>  // for data
+#include <string>     // for names
+#include <vector>     // for data
 
 struct vtkBRDFShaderInputs
 {

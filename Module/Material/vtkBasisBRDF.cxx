@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBasisBRDF.h"
 
-#include "ModuleShader.h"
-#include "vtkBRDFBasis.h"
 #include "BasisFunctions.h"
 #include "ContentHash.h"
 #include "HalfVectorSampler.h"
 #include "LocalFrame.h"
 #include "LowDiscrepancy.h"
+#include "ModuleShader.h"
 #include "Setters.h"
 #include "ZonePairs.h"
+#include "vtkBRDFBasis.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkObjectFactory.h"
 

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBlinnPhongBRDF.h"
 
-#include "ModuleShader.h"
-#include "vtkBRDFBlinnPhong.h"
 #include "ContentHash.h"
 #include "HalfVector.h"
+#include "ModuleShader.h"
 #include "Setters.h"
+#include "vtkBRDFBlinnPhong.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkObjectFactory.h"
 

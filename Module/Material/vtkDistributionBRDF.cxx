@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDistributionBRDF.h"
 
-#include "ModuleShader.h"
-#include "vtkBRDFDistribution.h"
 #include "ContentHash.h"
 #include "DistributionLevels.h"
 #include "HalfVectorSampler.h"
+#include "ModuleShader.h"
 #include "Neighbors.h"
 #include "RoundingNoise.h"
+#include "vtkBRDFDistribution.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkObjectFactory.h"
 
@@ -166,8 +166,8 @@ void vtkDistributionBRDF::EvaluateSoftAbove(
   }
   const std::vector<float>& rows = soft ? this->WidenedLevels->GetRows() : this->Distribution;
   const Neighbors p = soft
-                         ? this->WidenedLevels->Find(HalfVectorSpread(spread, glm::dot(h, view)))
-                         : PeriodicNeighbors(std::atan2(h.y, h.x) / (2.0 * Pi), this->NumberOfPhi);
+                        ? this->WidenedLevels->Find(HalfVectorSpread(spread, glm::dot(h, view)))
+                        : PeriodicNeighbors(std::atan2(h.y, h.x) / (2.0 * Pi), this->NumberOfPhi);
   const Neighbors d =
     ClampedNeighbors(angles.ThetaD * (2.0 / Pi), static_cast<int>(this->Fresnel.size() / 3));
   const double g = 4.0 * (light.z + view.z - light.z * view.z);

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLambertBRDF.h"
 
-#include "ModuleShader.h"
-#include "vtkBRDFLambert.h"
 #include "ContentHash.h"
 #include "HalfVector.h"
+#include "ModuleShader.h"
 #include "Setters.h"
+#include "vtkBRDFLambert.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkObjectFactory.h"
 

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTabulatedBRDF.h"
 
+#include "ContentHash.h"
+#include "HalfVectorSampler.h"
 #include "ModuleShader.h"
+#include "Setters.h"
+#include "TabulatedLevels.h"
 #include "vtkBRDFHalfDifference.h"
 #include "vtkBRDFHalfDifferenceSoft.h"
 #include "vtkBRDFIncidentOutgoing.h"
-#include "ContentHash.h"
-#include "HalfVectorSampler.h"
-#include "Setters.h"
-#include "TabulatedLevels.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"

@@ -6,10 +6,10 @@
 #include "EnvironmentPyramid.h"
 #include "LobeSplit.h"
 #include "LowDiscrepancy.h"
+#include "MaterialPrecomputation.h"
 #include "PlanCache.h"
 #include "PlanCandidate.h"
 #include "PlanReference.h"
-#include "MaterialPrecomputation.h"
 #include "Setters.h"
 #include "vtkBRDF.h"
 #include "vtkBRDFShaderInputs.h"
@@ -44,8 +44,8 @@
 #include <utility>
 #include <vector>
 
-using measuredbrdf::GetSizesText;
 using measuredbrdf::CanPrune;
+using measuredbrdf::GetSizesText;
 using Candidate = measuredbrdf::PlanCandidate;
 
 namespace
@@ -87,7 +87,8 @@ std::string Percent(double value)
 class AbortForwarder
 {
 public:
-  AbortForwarder(vtkRadiancePlanner* planner, vtkRadianceIntegrator* integrator, std::string& problem)
+  AbortForwarder(
+    vtkRadiancePlanner* planner, vtkRadianceIntegrator* integrator, std::string& problem)
     : Planner(planner)
     , Integrator(integrator)
     , Problem(problem)
@@ -124,8 +125,8 @@ private:
 };
 
 // What an integrator may share with others while it prepares.
-void SetParts(
-  vtkRadianceIntegrator* integrator, const std::shared_ptr<measuredbrdf::MaterialPrecomputation>& parts)
+void SetParts(vtkRadianceIntegrator* integrator,
+  const std::shared_ptr<measuredbrdf::MaterialPrecomputation>& parts)
 {
   if (auto* table = vtkTableRadianceIntegrator::SafeDownCast(integrator))
   {
@@ -314,7 +315,8 @@ struct vtkRadiancePlanner::Internals
   double ChooseLampAngle(const std::atomic<bool>& abort)
   {
     const double radius = vtkMath::RadiansFromDegrees(2.0 * LampAngle);
-    const measuredbrdf::LobeSplit cut(this->Parts->GetViews(this->BRDF, abort), Pi * radius * radius);
+    const measuredbrdf::LobeSplit cut(
+      this->Parts->GetViews(this->BRDF, abort), Pi * radius * radius);
     return cut.GetSharpShare() > NarrowShare ? FineLampAngle : LampAngle;
   }
 

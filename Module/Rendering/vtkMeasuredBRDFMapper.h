@@ -23,10 +23,12 @@
  *   property's Diffuse does not count.
  * - Clipping planes, picking, coincident topology: as the superclass. Points, lines, wireframe, and
  *   actors with vtkProperty::Lighting off are left to the superclass.
- * - A program's own replacement of //VTK::Light::Impl may read `vec3 diffuse` (the encoded color,
- *   edges included), `vec3 specular` (0), `brdfRadiance` (linear) and `normalVCVSOutput`, after the
- *   tag has been written back: `"//VTK::Light::Impl\n gl_FragData[0] = vec4(diffuse, opacity);"`
- *   with replaceFirst false.
+ * - A program's own replacement of the tag VTK::Light::Impl may read `vec3 diffuse` (the encoded
+ *   color, edges included), `vec3 specular` (0), `brdfRadiance` (linear) and `normalVCVSOutput`,
+ *   after the tag has been written back, with replaceFirst false:
+ *   @code
+ *   "//VTK::Light::Impl\n gl_FragData[0] = vec4(diffuse, opacity);"
+ *   @endcode
  * - Without a material it is the superclass.
  * - Anisotropic materials use the polydata's float point tangents (PointData::SetTangents), which
  *   turn and stretch with the actor; without them the tangent turns about the environment's up
@@ -258,10 +260,10 @@ public:
   ///@{
   /**
    * Whether the environment's lights are as wide as the part of it that each stands for
-   * (vtkLightSetRadianceIntegrator::SetSoftLights): a sharp lobe then shows no dots. Default off. Lights of
-   * importance sampling have no width. Changing it rebuilds the shader. Tables over half and
-   * difference angles are uploaded at several widths for it (vtkTabulatedBRDF says how large that
-   * is); those over incident and outgoing angles, and bases, stay hard.
+   * (vtkLightSetRadianceIntegrator::SetSoftLights): a sharp lobe then shows no dots. Default off.
+   * Lights of importance sampling have no width. Changing it rebuilds the shader. Tables over half
+   * and difference angles are uploaded at several widths for it (vtkTabulatedBRDF says how large
+   * that is); those over incident and outgoing angles, and bases, stay hard.
    */
   void SetSoftLights(bool soft);
   bool GetSoftLights();
@@ -287,9 +289,9 @@ public:
   ///@{
   /**
    * About the last render: bytes of the textures in use (material and lights), the lights in use
-   * (null before the first render or without an environment), a line on the material's shader inputs
-   * (sizes, precision, errors), and those errors: relative L2 by resampling into a table, and the
-   * largest relative rounding of a stored value (vtkBRDFShaderInputs).
+   * (null before the first render or without an environment), a line on the material's shader
+   * inputs (sizes, precision, errors), and those errors: relative L2 by resampling into a table,
+   * and the largest relative rounding of a stored value (vtkBRDFShaderInputs).
    */
   vtkIdType GetTextureBytes();
   vtkLightSet* GetCurrentLightSet();

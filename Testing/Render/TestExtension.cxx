@@ -171,7 +171,8 @@ TEST_F(Extension, ModelsAreSummedAndPlanned)
   white->SetPixels(8, 4, std::vector<float>(96, 1.0f));
   this->Mapper->SetEnvironment(white);
   EventCounter errors(this->Mapper, vtkCommand::ErrorEvent);
-  EXPECT_NEAR(this->RenderLinear().RGBA[4 * (32 * 64 + 32) + 1], 0.1 * vtkMath::Pi(), 0.02 * 0.1 * vtkMath::Pi());
+  EXPECT_NEAR(this->RenderLinear().RGBA[4 * (32 * 64 + 32) + 1], 0.1 * vtkMath::Pi(),
+    0.02 * 0.1 * vtkMath::Pi());
   EXPECT_EQ(errors.Count, 0) << errors.Text;
 }
 

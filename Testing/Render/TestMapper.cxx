@@ -293,8 +293,7 @@ TEST_F(Mapper, CubeMapTexture)
     image->AllocateScalars(VTK_FLOAT, 3);
     for (int k = 0; k < 256; ++k)
     {
-      std::copy_n(
-        colors[face], 3, static_cast<float*>(image->GetScalarPointer(k % 16, k / 16, 0)));
+      std::copy_n(colors[face], 3, static_cast<float*>(image->GetScalarPointer(k % 16, k / 16, 0)));
     }
     texture->SetInputDataObject(face, image);
   }

@@ -32,10 +32,13 @@ bool AreFinite(const T* values, int count)
 }
 } // namespace measuredbrdf
 
-// The rest of every message: "vtkFoo: SetBar: found nan, expected ...; 2 stays."
+// The rest of every message: "vtkFoo: SetBar: found nan, expected ...; 2 stays." What was found and
+// expected may be several things with << between them, so there are no parentheses.
+// NOLINTBEGIN(bugprone-macro-parentheses)
 #define measuredbrdfRefuseMacro(name, found, expected)                                             \
   vtkErrorMacro("Set" #name ": found " << found << ", expected " << expected << "; " << this->name \
                                        << " stays.")
+// NOLINTEND(bugprone-macro-parentheses)
 
 #define measuredbrdfAssignMacro(name, value) \
   do                                         \

@@ -35,7 +35,7 @@ public:
   {
     std::array<int, 5> Unknowns; // neighbors in p, then the Lambert part
     std::array<double, 4> Weights;
-    Neighbors D; // in F
+    Neighbors D;  // in F
     double Scale; // 1 / (4 (cos_i + cos_o - cos_i cos_o))
   };
 

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ExrMaterialFile.h"
 
-#include "vtkObjectFactory.h"
 #include "ExrHeader.h"
 #include "FileBytes.h"
 #include "MaterialArchive.h"
+#include "vtkObjectFactory.h"
 
 #include <Iex.h>
 #include <ImfChannelList.h>

@@ -31,8 +31,7 @@ bool FileFormat::Read(const File& file, Content& content, std::string& error)
 }
 
 //------------------------------------------------------------------------------
-bool FileFormat::Write(
-  vtkBRDF* brdf, const std::string& path, bool halfFloats, std::string& error)
+bool FileFormat::Write(vtkBRDF* brdf, const std::string& path, bool halfFloats, std::string& error)
 {
   try
   {

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FitFile.h"
 
-#include "vtkObjectFactory.h"
 #include "FileBytes.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkLambertBRDF.h"
 #include "vtkNew.h"
+#include "vtkObjectFactory.h"
 #include "vtkSumBRDF.h"
 
 #include <algorithm>

@@ -72,7 +72,10 @@ public:
   vtkTypeMacro(FitFormat, FileFormat);
 
   std::string GetName() override { return FitFormatName; }
-  std::string GetDescription() override { return "published fits in .fit (FITS.fit#NAME for one of several)"; }
+  std::string GetDescription() override
+  {
+    return "published fits in .fit (FITS.fit#NAME for one of several)";
+  }
   std::vector<std::string> GetExtensions() override { return { ".fit" }; }
   bool CanRead(const File& file) override;
   std::vector<std::string> GetMaterialNames(const File& file) override;

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MbsdfFile.h"
 
-#include "vtkObjectFactory.h"
 #include "FileBytes.h"
 #include "vtkNew.h"
+#include "vtkObjectFactory.h"
 #include "vtkTabulatedBRDF.h"
 
 #include <cmath>

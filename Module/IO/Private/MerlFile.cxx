@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MerlFile.h"
 
-#include "vtkBRDFResampler.h"
-#include "vtkObjectFactory.h"
 #include "FileBytes.h"
+#include "vtkBRDFResampler.h"
 #include "vtkNew.h"
+#include "vtkObjectFactory.h"
 #include "vtkTabulatedBRDF.h"
 
 #include <algorithm>
@@ -194,10 +194,7 @@ void WriteMerl(vtkTabulatedBRDF* table, const std::string& path)
 vtkStandardNewMacro(MerlFormat);
 
 //------------------------------------------------------------------------------
-bool MerlFormat::CanRead(const File& file)
-{
-  return LooksLikeMerl(file.Bytes);
-}
+bool MerlFormat::CanRead(const File& file) { return LooksLikeMerl(file.Bytes); }
 
 //------------------------------------------------------------------------------
 MaterialFile MerlFormat::DoRead(const FileBytes& file, const std::string&)

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TensorFile.h"
 
-#include "vtkObjectFactory.h"
 #include "FileBytes.h"
 #include "RoundingNoise.h"
 #include "vtkAdaptiveWarpBRDF.h"
 #include "vtkNew.h"
+#include "vtkObjectFactory.h"
 
 #include <algorithm>
 #include <array>

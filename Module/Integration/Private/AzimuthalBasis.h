@@ -14,8 +14,8 @@
  * term, V, others two, V cos(m phi_i) and V sin(m phi_i). The sine part is only kept where the
  * material is not its own mirror image (isotropic measurements can be so).
  *
- * Sampled at NumberOfNodes polar angles each (CosinePowerWarp.h), theta_i down to the horizon, theta_o
- * down to MinimumViewCosine, and NumberOfAzimuths differences.
+ * Sampled at NumberOfNodes polar angles each (CosinePowerWarp.h), theta_i down to the horizon,
+ * theta_o down to MinimumViewCosine, and NumberOfAzimuths differences.
  */
 
 #ifndef AzimuthalBasis_h

@@ -52,8 +52,5 @@ bool LobePart::SampleAbove(const double o[3], double u1, double u2, double i[3])
   return this->Whole->Sample(o, u1, u2, i);
 }
 
-double LobePart::PdfAbove(const double i[3], const double o[3])
-{
-  return this->Whole->Pdf(i, o);
-}
+double LobePart::PdfAbove(const double i[3], const double o[3]) { return this->Whole->Pdf(i, o); }
 } // namespace measuredbrdf

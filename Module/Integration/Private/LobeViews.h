@@ -50,8 +50,7 @@ public:
 private:
   static const std::atomic<bool> Never;
 
-  void Evaluate(
-    vtkBRDF* brdf, const std::vector<int>& indices, const std::atomic<bool>& abort);
+  void Evaluate(vtkBRDF* brdf, const std::vector<int>& indices, const std::atomic<bool>& abort);
   LobeMeans Interpolate(const std::vector<int>& known, int index) const;
 
   std::vector<View> Views;

@@ -23,7 +23,8 @@ EnvironmentPrecomputation::EnvironmentPrecomputation() = default;
 
 EnvironmentPrecomputation::~EnvironmentPrecomputation() = default;
 
-std::shared_ptr<const EnvironmentPrecomputation::Lamps> EnvironmentPrecomputation::Keep(ExtractedEmitters&& bright)
+std::shared_ptr<const EnvironmentPrecomputation::Lamps> EnvironmentPrecomputation::Keep(
+  ExtractedEmitters&& bright)
 {
   auto lamps = std::make_shared<Lamps>();
   lamps->Lights = std::move(bright.Lights);
@@ -49,7 +50,8 @@ std::shared_ptr<const EnvironmentPrecomputation::Lamps> EnvironmentPrecomputatio
   return lamps;
 }
 
-std::shared_ptr<const EnvironmentPrecomputation::Lamps> EnvironmentPrecomputation::GetExtractedEmitters(
+std::shared_ptr<const EnvironmentPrecomputation::Lamps>
+EnvironmentPrecomputation::GetExtractedEmitters(
   vtkEnvironment* environment, double share, int maximum, const GoOn& goOn)
 {
   return this->Bright.Get({ share, maximum }, goOn,

@@ -10,9 +10,9 @@
 #ifndef EnvironmentPrecomputation_h
 #define EnvironmentPrecomputation_h
 
-#include "ExtractedEmitters.h"
 #include "EnvironmentHarmonics.h"
 #include "EnvironmentPyramid.h"
+#include "ExtractedEmitters.h"
 #include "MadeOnce.h"
 #include "TexelChanges.h"
 #include "vtkSmartPointer.h"

@@ -119,7 +119,8 @@ ExtractedEmitters::ExtractedEmitters(vtkEnvironment* environment, double share, 
   }
 }
 
-ExtractedEmitters ExtractedEmitters::FindLamps(vtkEnvironment* environment, double angle, int maximum)
+ExtractedEmitters ExtractedEmitters::FindLamps(
+  vtkEnvironment* environment, double angle, int maximum)
 {
   environment = environment->GetSubdivided();
   ExtractedEmitters found;

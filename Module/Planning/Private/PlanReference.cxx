@@ -48,8 +48,8 @@ bool PlanReference::Begin()
 {
   const auto goOn = [this]() { return this->Report(0.0); };
   EnvironmentPrecomputation& parts = this->Environment->GetParts();
-  const auto bright =
-    parts.GetExtractedEmitters(this->Environment, ExtractedEmitters::DefaultShare, MaximumSuns, goOn);
+  const auto bright = parts.GetExtractedEmitters(
+    this->Environment, ExtractedEmitters::DefaultShare, MaximumSuns, goOn);
   const auto lights =
     bright ? parts.GetLightSet(this->Environment, bright->Rest, NumberOfLights, goOn) : nullptr;
   if (!lights)
@@ -65,7 +65,8 @@ bool PlanReference::Begin()
   if (this->BRDF->IsIsotropic())
   {
     const auto known = this->Parts ? this->Parts : std::make_shared<MaterialPrecomputation>();
-    const auto cut = std::make_shared<LobeSplit>(known->GetViews(this->BRDF, this->Abort), ResolvedAngle);
+    const auto cut =
+      std::make_shared<LobeSplit>(known->GetViews(this->BRDF, this->Abort), ResolvedAngle);
     if (cut->GetSharpShare() > std::max(LeastShare, LeastShareOfTolerance * this->ErrorTolerance))
     {
       auto sharp = vtkSmartPointer<LobePart>::New();

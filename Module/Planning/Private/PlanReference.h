@@ -71,7 +71,7 @@ private:
 
   double ErrorTolerance = 1e-3;
   std::vector<ExtractedEmitters::Light> Suns;
-  EnvironmentPrecomputation::Rest Rest;             // null: there are no suns
+  EnvironmentPrecomputation::Rest Rest;         // null: there are no suns
   std::vector<ExtractedEmitters::Light> Lights; // of the rest
   std::shared_ptr<MaterialPrecomputation> Parts;
   std::shared_ptr<const LobeSplit> Cut; // null: there is no sharp layer

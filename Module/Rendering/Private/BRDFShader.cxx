@@ -26,8 +26,8 @@ std::string Numbered(const std::string& source, const std::string& placeholder, 
 }
 
 // The form's terms, and a function of the given signature that adds them up.
-std::string Sum(const vtkBRDFShaderInputs& form, const std::string& signature, const std::string& name,
-  const std::string& arguments)
+std::string Sum(const vtkBRDFShaderInputs& form, const std::string& signature,
+  const std::string& name, const std::string& arguments)
 {
   std::string text;
   std::string sum = "vec3(0.0)";
@@ -67,7 +67,8 @@ std::string SoftSum(const vtkBRDFShaderInputs& form)
 }
 }
 
-std::string GetShaderDeclarations(const vtkBRDFShaderInputs* material, const vtkBRDFShaderInputs& environment)
+std::string GetShaderDeclarations(
+  const vtkBRDFShaderInputs* material, const vtkBRDFShaderInputs& environment)
 {
   const std::string lights =
     Sum(environment, "vec3 brdfEnvironment(mat3 frame, vec3 o)", "brdfEnvironment", "(frame, o)");

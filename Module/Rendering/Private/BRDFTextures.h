@@ -71,7 +71,7 @@ private:
   bool IsCurrent(vtkMTimeType time, vtkOpenGLRenderWindow* window) const;
   std::string Upload(vtkBRDFShaderInputs form, vtkMTimeType time, vtkOpenGLRenderWindow* window);
 
-  bool SoftLights;     // what the form is asked for
+  bool SoftLights;          // what the form is asked for
   vtkBRDFShaderInputs Form; // without the textures' data once they are uploaded
   std::vector<Uploaded> Textures;
   std::size_t Bytes = 0;

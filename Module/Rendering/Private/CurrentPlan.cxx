@@ -13,7 +13,8 @@ namespace measuredbrdf
 {
 bool CurrentPlan::IsOf(const PlanInputs& wanted, bool apart) const
 {
-  return this->Inputs.BRDF && this->Inputs.GetKey() == wanted.GetKey() && (this->FromSnapshot || !apart);
+  return this->Inputs.BRDF && this->Inputs.GetKey() == wanted.GetKey() &&
+         (this->FromSnapshot || !apart);
 }
 
 // A plan of objects that changed since prepares them anew where it is drawn; snapshots never

@@ -87,7 +87,7 @@ private:
 
   vtkSmartPointer<vtkRadiancePlanner> Plan; // null: what Inputs ask for can't be planned
   PlanInputs Inputs;                        // of the plan
-  bool FromSnapshot = false;                       // whether the plan is of snapshots, if there are any
+  bool FromSnapshot = false;                // whether the plan is of snapshots, if there are any
   vtkMTimeType Times[2] = { 0, 0 };         // of the plan's own objects when it was taken up
 
   std::shared_ptr<PlanJob> Job;

@@ -140,7 +140,8 @@ LightSets& GetLightSets()
 }
 
 // Lights' modification times do not count: the integrator looks at them.
-using LightLoops = SharedObjects<std::tuple<vtkBRDF*, vtkLightSet*, bool>, vtkLightSetRadianceIntegrator>;
+using LightLoops =
+  SharedObjects<std::tuple<vtkBRDF*, vtkLightSet*, bool>, vtkLightSetRadianceIntegrator>;
 LightLoops& GetLightLoops()
 {
   static LightLoops& loops = *new LightLoops;

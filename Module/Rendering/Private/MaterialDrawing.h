@@ -95,8 +95,8 @@ public:
   /// About the last frame of all parts.
   std::vector<const DrawnMaterial*> GetLastFrame() const;
   const MapperPlans& GetPlans() const { return this->Plans; }
-  std::string GetPlan() const;                   // of each material a line
-  vtkIdType GetTextureBytes() const;             // each texture once
+  std::string GetPlan() const;                        // of each material a line
+  vtkIdType GetTextureBytes() const;                  // each texture once
   const vtkBRDFShaderInputs* GetMaterialForm() const; // of the first material that has one; or null
   ///@}
 

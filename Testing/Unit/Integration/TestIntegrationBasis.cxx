@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AzimuthalBasis.h"
-#include "ErrorCatcher.h"
 #include "CosinePowerWarp.h"
+#include "ErrorCatcher.h"
 #include "LocalFrame.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBRDFReader.h"

@@ -5,8 +5,8 @@
 #include "ErrorCatcher.h"
 #include "HalfVector.h" // for Pi
 #include "vtkAshikhminShirleyBRDF.h"
-#include "vtkBRDFShaderInputs.h"
 #include "vtkBRDFReader.h"
+#include "vtkBRDFShaderInputs.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkDistributionBRDF.h"
 #include "vtkDoubleArray.h"

@@ -3,8 +3,8 @@
 // Suns as lights, broad layer by a table, sharp layer by samples: each part alone, and the sum
 // against the exact one.
 
-#include "ExtractedEmitters.h"
 #include "ErrorCatcher.h"
+#include "ExtractedEmitters.h"
 #include "HalfVector.h" // for Pi
 #include "LobePart.h"
 #include "LobeQuadrature.h"
@@ -12,14 +12,14 @@
 #include "PlanReference.h"
 #include "SpherePairs.h"
 #include "vtkAshikhminShirleyBRDF.h"
-#include "vtkBRDFShaderInputs.h"
 #include "vtkBRDFReader.h"
+#include "vtkBRDFShaderInputs.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkCallbackCommand.h"
 #include "vtkEmbeddedMaterials.h"
 #include "vtkEnvironmentReader.h"
-#include "vtkLambertBRDF.h"
 #include "vtkHybridRadianceIntegrator.h"
+#include "vtkLambertBRDF.h"
 #include "vtkSmartPointer.h"
 #include "vtkTableRadianceIntegrator.h"
 
@@ -111,8 +111,9 @@ TEST(ExtractedEmitters, LightsAndRestAddUp)
   EXPECT_EQ(ExtractedEmitters(environment, ExtractedEmitters::DefaultShare, 2).Lights.size(), 2u);
   EXPECT_TRUE(ExtractedEmitters(environment, ExtractedEmitters::DefaultShare, 0).Lights.empty());
   EXPECT_TRUE(ExtractedEmitters(environment, 1.0, 16).Lights.empty());
-  EXPECT_TRUE(ExtractedEmitters(NewConstantEnvironment(16, 8, 3.0f), ExtractedEmitters::DefaultShare, 16)
-                .Lights.empty());
+  EXPECT_TRUE(
+    ExtractedEmitters(NewConstantEnvironment(16, 8, 3.0f), ExtractedEmitters::DefaultShare, 16)
+      .Lights.empty());
 
   // No light is lost or gained, channel by channel.
   glm::dvec3 whole(0.0);

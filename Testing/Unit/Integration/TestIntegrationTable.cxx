@@ -6,8 +6,8 @@
 #include "HalfVector.h" // for Pi
 #include "SpherePairs.h"
 #include "vtkAshikhminShirleyBRDF.h"
-#include "vtkBRDFShaderInputs.h"
 #include "vtkBRDFReader.h"
+#include "vtkBRDFShaderInputs.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkCallbackCommand.h"
 #include "vtkEmbeddedEnvironments.h"

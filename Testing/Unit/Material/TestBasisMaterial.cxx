@@ -186,8 +186,8 @@ TEST(BasisFunctions, Edges)
 }
 
 //------------------------------------------------------------------------------
-// Against the plain sum at samples of o: the error of the basis table is what the shader inputs says,
-// within the tolerance where the table may grow so far.
+// Against the plain sum at samples of o: the error of the basis table is what the shader inputs
+// says, within the tolerance where the table may grow so far.
 TEST(BasisBRDF, InterpolatesWithinItsTolerance)
 {
   for (int basis = 0; basis < 4; ++basis)

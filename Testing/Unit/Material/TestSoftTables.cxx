@@ -5,8 +5,8 @@
 
 #include "HalfVector.h"
 #include "vtkAshikhminShirleyBRDF.h"
-#include "vtkBRDFShaderInputs.h"
 #include "vtkBRDFResampler.h"
+#include "vtkBRDFShaderInputs.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"

@@ -1,0 +1,95 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The Python samples of README.md and docs/guide.md run, one after the other, and draw something.
+
+Files that they read are made here: a material and an environment of those names.
+"""
+
+import os
+import re
+import sys
+import tempfile
+
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 (the renderer)
+from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer, vtkRenderWindow
+
+from vtkmeasuredbrdf import vtkBRDFWriter, vtkEmbeddedMaterials
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+
+# What a test cannot do as a program of the reader's does: show a window, and wait for the user.
+REPLACED = {
+    "window.SetSize(": "window.SetOffScreenRendering(1)\nwindow.SetSize(",
+    "interactor.Start()": "interactor.ProcessEvents()",
+}
+
+
+def samples(page):
+    with open(os.path.join(ROOT, page), encoding="utf-8") as file:
+        found = re.findall(r"^```python\n(.*?)^```", file.read(), re.DOTALL | re.MULTILINE)
+    for text, replacement in REPLACED.items():
+        found = [sample.replace(text, replacement) for sample in found]
+    return found
+
+
+def write_files():
+    """Files are recognized by their first bytes, so that their names may be the samples'."""
+    writer = vtkBRDFWriter()
+    writer.SetBRDF(vtkEmbeddedMaterials.NewBRDF("gold-paint"))
+    writer.SetFileName("material.exr")
+    assert writer.Write()
+    os.rename("material.exr", "satin_purple_rgb.bsdf")
+    width, height = 64, 32  # Radiance's format without compression: 128/256 * 2, bright above
+    pixels = b"".join(bytes((128, 128, 128, 130 - 4 * y // height)) * width for y in range(height))
+    header = f"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y {height} +X {width}\n".encode()
+    for name in ("studio.hdr", "studio.exr"):
+        with open(name, "wb") as file:
+            file.write(header + pixels)
+
+
+def center(window):
+    window.Render()
+    width, height = window.GetSize()
+    pixel = vtkUnsignedCharArray()
+    window.GetPixelData(width // 2, height // 2, width // 2, height // 2, 0, pixel, 0)
+    return [pixel.GetValue(k) for k in range(3)]
+
+
+def run(page, names):
+    for number, sample in enumerate(samples(page), 1):
+        print(f"{page}: sample {number}", flush=True)
+        exec(compile(sample, f"{page}, sample {number}", "exec"), names)  # noqa: S102 (ours)
+    return names
+
+
+def main():
+    with tempfile.TemporaryDirectory() as folder:
+        os.chdir(folder)
+        write_files()
+
+        names = run("README.md", {"mesh": vtkSphereSource()})
+        actor = vtkActor()
+        actor.SetMapper(names["mapper"])
+        renderer = vtkRenderer()
+        renderer.AutomaticLightCreationOff()
+        renderer.AddActor(actor)
+        window = vtkRenderWindow()
+        window.SetOffScreenRendering(1)
+        window.AddRenderer(renderer)
+        assert max(center(window)) > 0
+        assert names["mapper"].GetPlan()
+
+        names = run("docs/guide.md", {})
+        assert max(center(names["window"])) > 0  # composite data with tone mapping
+        assert names["composite"].GetPlan().count("\n") >= 1  # two materials
+        names["actor"].SetMapper(names["mapper"])
+        assert max(center(names["window"])) > 0
+        assert names["mapper"].GetPlan()
+        os.chdir(ROOT)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
