@@ -63,7 +63,7 @@ void ApplyPlanner(const std::string& tolerance, MethodOptions& options)
 }
 
 const char* const Table = "table";
-const char* const Layered = "layered";
+const char* const Hybrid = "hybrid";
 const char* const Basis = "basis";
 const char* const Filtered = "filtered";
 }
@@ -80,10 +80,10 @@ const std::vector<ChartMethod>& GetChartMethods()
       { "9,6,8", "17,8,8", "33,12,16", "33,24,16", "65,8,8", "65,12,16", "65,24,24", "129,8,8",
         "129,12,16", "129,24,16", "257,8,8" },
       ApplySizes<Table> },
-    { "layered", "layers", { 0.45, 0.26, 0.65 }, false, { "33,12,16,0", "33,12,16,8" },
+    { "hybrid", "hybrid", { 0.45, 0.26, 0.65 }, false, { "33,12,16,0", "33,12,16,8" },
       { "17,8,8,0", "33,8,8,0", "33,12,16,0", "65,8,8,0", "65,12,16,0", "129,8,8,0", "129,12,16,0",
         "257,8,8,0", "65,12,16,8" },
-      ApplySizes<Layered> },
+      ApplySizes<Hybrid> },
     { "basis", "pre-integrated basis", { 0.0, 0.62, 0.45 }, true, { "9", "25", "64" },
       { "4", "9", "16", "25", "49", "64", "100", "144" }, ApplySizes<Basis> },
     { "filtered", "filtered samples", { 0.80, 0.47, 0.65 }, true, { "4", "16", "64" },

@@ -469,7 +469,7 @@ void AddCompareCommand(CLI::App& app)
     "Mesh to show it on: ply, stl, obj, vtp, vtk, gltf or glb (default: a sphere)");
   options->Method.Method = "auto";
   options->Method.AddTo(
-    command, { "light-set", "thesis", "basis", "filtered", "table", "layered", "auto" });
+    command, { "light-set", "thesis", "basis", "filtered", "table", "hybrid", "auto" });
   options->Method.Plan.AddForViewTo(command);
   command->add_option(
     "--size", options->Size, "Picture size in pixels, WIDTHxHEIGHT (default 500x500)");

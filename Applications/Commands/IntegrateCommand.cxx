@@ -65,7 +65,7 @@ void AddIntegrateCommand(CLI::App& app)
     ->required();
   options->Method.Method = "exact";
   options->Method.AddTo(
-    command, { "exact", "light-set", "thesis", "basis", "filtered", "table", "layered", "auto" });
+    command, { "exact", "light-set", "thesis", "basis", "filtered", "table", "hybrid", "auto" });
   command
     ->add_option("--on", options->On,
       "cpu (default), or gpu: what the renderer's shader makes of it (not of --method exact)")

@@ -216,7 +216,7 @@ void AddRenderCommand(CLI::App& app)
     "are made where it has none");
   options->Method.Method = "auto";
   options->Method.AddTo(
-    command, { "exact", "light-set", "thesis", "basis", "filtered", "table", "layered", "auto" });
+    command, { "exact", "light-set", "thesis", "basis", "filtered", "table", "hybrid", "auto" });
   options->Method.Plan.AddForViewTo(command);
   options->Method.Plan.AddCalibrateTo(command);
   command->add_flag("--no-cache", options->NoCache,

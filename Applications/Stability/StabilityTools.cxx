@@ -102,7 +102,7 @@ const std::vector<MethodUnderTest>& GetMethodsUnderTest()
     { "table", true,
       [](vtkBRDF* brdf, vtkEnvironment* environment)
       { return MakeTable(brdf, environment, 65, 12, 16); } },
-    { "layered", true, MakeFor<vtkHybridRadianceIntegrator> },
+    { "hybrid", true, MakeFor<vtkHybridRadianceIntegrator> },
     { "auto", true, Plan },
   };
   return contenders;

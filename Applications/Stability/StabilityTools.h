@@ -36,7 +36,7 @@ struct MethodUnderTest
 
 /// Every method, the thesis's first: "median-cut", "importance", "variance" (64 hard lights each),
 /// "thesis" (median cut over the material in harmonics of order 6), "soft-lights", "basis",
-/// "filtered", "table", "layered", "auto".
+/// "filtered", "table", "hybrid", "auto".
 const std::vector<MethodUnderTest>& GetMethodsUnderTest();
 
 /// Lights by "median-cut", "importance" or "variance".

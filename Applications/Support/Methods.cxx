@@ -35,7 +35,7 @@ struct SizeRange
 // What --sizes gives, in this order; later ones may be left out. The ranges are the integrators'.
 const std::map<std::string, std::vector<SizeRange>> SizesOf = {
   { "table", { { "rows", 9, 513 }, { "view angles", 2, 64 }, { "azimuths", 4, 64 } } },
-  { "layered", { { "rows", 9, 513 }, { "view angles", 2, 64 }, { "azimuths", 4, 64 },
+  { "hybrid", { { "rows", 9, 513 }, { "view angles", 2, 64 }, { "azimuths", 4, 64 },
                  { "samples", 0, 1024 }, { "lights", 0, 1024 } } },
   { "filtered", { { "samples", 1, 1024 } } },
   { "basis", { { "functions", 1, 256 }, { "map size", 8, 128 } } }
@@ -48,7 +48,7 @@ const std::map<std::string, std::string> MethodHelp = {
   { "basis", "maps over normals of a basis of the material" },
   { "filtered", "few samples of the reflection of a blurred environment" },
   { "table", "a table of outgoing radiance" },
-  { "layered", "the same for what is broad, samples for what is sharp, lights for suns" },
+  { "hybrid", "the same for what is broad, samples for what is sharp, lights for suns" },
   { "auto", "the cheapest that meets --tolerance" }
 };
 
@@ -59,7 +59,7 @@ std::vector<int> ParseSizes(const std::string& method, const std::string& text)
   if (found == SizesOf.end())
   {
     throw tool::UsageError(
-      "--sizes: has no effect without --method table, layered, filtered or basis");
+      "--sizes: has no effect without --method table, hybrid, filtered or basis");
   }
   std::string wanted;
   for (const SizeRange& size : found->second)
@@ -129,17 +129,17 @@ vtkSmartPointer<vtkRadianceIntegrator> NewIntegrator(
     table->SetNumberOfAzimuths(sizes.size() > 2 ? sizes[2] : table->GetNumberOfAzimuths());
     return table;
   }
-  if (options.Method == "layered")
+  if (options.Method == "hybrid")
   {
-    auto layered = vtkSmartPointer<vtkHybridRadianceIntegrator>::New();
+    auto hybrid = vtkSmartPointer<vtkHybridRadianceIntegrator>::New();
     const auto size = [&sizes](std::size_t k, int otherwise)
     { return k < sizes.size() ? sizes[k] : otherwise; };
-    layered->SetNumberOfRows(size(0, layered->GetNumberOfRows()));
-    layered->SetNumberOfViewAngles(size(1, layered->GetNumberOfViewAngles()));
-    layered->SetNumberOfAzimuths(size(2, layered->GetNumberOfAzimuths()));
-    layered->SetNumberOfSamples(size(3, layered->GetNumberOfSamples()));
-    layered->SetMaximumNumberOfLights(size(4, layered->GetMaximumNumberOfLights()));
-    return layered;
+    hybrid->SetNumberOfRows(size(0, hybrid->GetNumberOfRows()));
+    hybrid->SetNumberOfViewAngles(size(1, hybrid->GetNumberOfViewAngles()));
+    hybrid->SetNumberOfAzimuths(size(2, hybrid->GetNumberOfAzimuths()));
+    hybrid->SetNumberOfSamples(size(3, hybrid->GetNumberOfSamples()));
+    hybrid->SetMaximumNumberOfLights(size(4, hybrid->GetMaximumNumberOfLights()));
+    return hybrid;
   }
   auto lights = vtkSmartPointer<vtkLightSetRadianceIntegrator>::New();
   lights->SetLightSet(tool::MakeLightSet(environment, options.Lights));
@@ -195,7 +195,7 @@ void MethodOptions::AddTo(CLI::App* command, const std::vector<std::string>& met
   command->add_option("--method", this->Method, help)->check(CLI::IsMember(methods));
   AddToleranceOption(command, this->Plan.Tolerance);
   command->add_option("--sizes", this->Sizes,
-    "Sizes of --method table (ROWS,VIEW_ANGLES,AZIMUTHS, default 65,16,16), layered (the same, "
+    "Sizes of --method table (ROWS,VIEW_ANGLES,AZIMUTHS, default 65,16,16), hybrid (the same, "
     "SAMPLES,LIGHTS, default 33,12,16,8,16), filtered (SAMPLES, default 32) or basis "
     "(FUNCTIONS,MAP_SIZE, default 64,48)");
   this->Lights.AddTo(command, "--lights");

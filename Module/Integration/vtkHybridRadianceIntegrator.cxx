@@ -138,9 +138,9 @@ bool vtkHybridRadianceIntegrator::Begin()
   follow->SetCallback(
     [](vtkObject* caller, unsigned long, void* self, void* progress)
     {
-      auto* layered = static_cast<vtkHybridRadianceIntegrator*>(self);
-      layered->InvokeEvent(vtkCommand::ProgressEvent, progress);
-      static_cast<vtkTableRadianceIntegrator*>(caller)->SetAbort(layered->Abort);
+      auto* hybrid = static_cast<vtkHybridRadianceIntegrator*>(self);
+      hybrid->InvokeEvent(vtkCommand::ProgressEvent, progress);
+      static_cast<vtkTableRadianceIntegrator*>(caller)->SetAbort(hybrid->Abort);
     });
   made.Broad->AddObserver(vtkCommand::ProgressEvent, follow);
   const bool broadly = this->Given ? made.Broad->TakePrepared(*this->Given) : made.Broad->Prepare();

@@ -67,7 +67,7 @@ constexpr double WorthIt = 0.9; // of another's error, to be worth more cost
 constexpr std::size_t LargestCount = 100;
 constexpr vtkIdType SmallTexture = 4000000; // bytes; the reason says why a plan takes more
 
-const char* const Names[] = { "light-set", "basis", "filtered", "table", "layered" };
+const char* const Names[] = { "light-set", "basis", "filtered", "table", "hybrid" };
 
 // An environment's pyramid in 16 bits, with its levels and their borders.
 vtkIdType GetPyramidBytes(vtkEnvironment* environment)
@@ -132,9 +132,9 @@ void SetParts(vtkRadianceIntegrator* integrator,
   {
     table->SetParts(parts);
   }
-  else if (auto* layered = vtkHybridRadianceIntegrator::SafeDownCast(integrator))
+  else if (auto* hybrid = vtkHybridRadianceIntegrator::SafeDownCast(integrator))
   {
-    layered->SetParts(parts);
+    hybrid->SetParts(parts);
   }
 }
 
@@ -145,8 +145,8 @@ std::string GetPrepared(vtkRadianceIntegrator* integrator)
   {
     return table->GetPrepared();
   }
-  auto* layered = vtkHybridRadianceIntegrator::SafeDownCast(integrator);
-  return layered ? layered->GetPrepared() : "";
+  auto* hybrid = vtkHybridRadianceIntegrator::SafeDownCast(integrator);
+  return hybrid ? hybrid->GetPrepared() : "";
 }
 
 bool TakePrepared(vtkRadianceIntegrator* integrator, const std::string& bytes)
@@ -155,8 +155,8 @@ bool TakePrepared(vtkRadianceIntegrator* integrator, const std::string& bytes)
   {
     return table->TakePrepared(bytes);
   }
-  auto* layered = vtkHybridRadianceIntegrator::SafeDownCast(integrator);
-  return !layered || layered->TakePrepared(bytes);
+  auto* hybrid = vtkHybridRadianceIntegrator::SafeDownCast(integrator);
+  return !hybrid || hybrid->TakePrepared(bytes);
 }
 
 double GetMilliseconds(std::chrono::steady_clock::time_point start)
@@ -415,14 +415,14 @@ struct vtkRadiancePlanner::Internals
       }
       case HYBRID:
       {
-        vtkNew<vtkHybridRadianceIntegrator> layered;
-        layered->SetNumberOfRows(candidate.Sizes[0]);
-        layered->SetNumberOfViewAngles(candidate.Sizes[1]);
-        layered->SetNumberOfAzimuths(candidate.Sizes[2]);
-        layered->SetNumberOfSamples(candidate.Sizes[3]);
-        layered->SetMaximumNumberOfLights(MaximumLights);
-        layered->SetLightAngle(candidate.LightAngle);
-        made = layered.Get();
+        vtkNew<vtkHybridRadianceIntegrator> hybrid;
+        hybrid->SetNumberOfRows(candidate.Sizes[0]);
+        hybrid->SetNumberOfViewAngles(candidate.Sizes[1]);
+        hybrid->SetNumberOfAzimuths(candidate.Sizes[2]);
+        hybrid->SetNumberOfSamples(candidate.Sizes[3]);
+        hybrid->SetMaximumNumberOfLights(MaximumLights);
+        hybrid->SetLightAngle(candidate.LightAngle);
+        made = hybrid.Get();
         break;
       }
       default:

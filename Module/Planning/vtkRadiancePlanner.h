@@ -174,7 +174,7 @@ public:
    */
   int GetNumberOfCandidates();
   int GetMethod(int index);
-  std::string GetMethodName(int index);  // "light-set", "basis", "filtered", "table", "layered"
+  std::string GetMethodName(int index);  // "light-set", "basis", "filtered", "table", "hybrid"
   std::string GetDescription(int index); // sizes
   double GetPredictedError(int index);   // relative L1
   double GetPredictedMilliseconds(int index); // of NumberOfPixels

@@ -179,7 +179,7 @@ void MeasuredTable(benchmark::State& state)
 }
 
 // Samples of the sharp layer, and lights at most: gloss under a hall with lamps.
-void MeasuredLayered(benchmark::State& state)
+void MeasuredHybrid(benchmark::State& state)
 {
   Scene scene;
   auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("nickel"));
@@ -315,7 +315,7 @@ BENCHMARK(MeasuredTable)
   ->Args({ 129, 12, 16 })
   ->Unit(benchmark::kMillisecond)
   ->UseRealTime();
-BENCHMARK(MeasuredLayered)
+BENCHMARK(MeasuredHybrid)
   ->ArgsProduct({ { 0, 8, 16 }, { 0, 16 } })
   ->Unit(benchmark::kMillisecond)
   ->UseRealTime();

@@ -578,13 +578,13 @@ TEST_F(Parity, TableIntegrator)
   vtkNew<vtkBlinnPhongBRDF> glossy; // without a Lambert part
   glossy->SetSpecular(0.3, 0.2, 0.1);
   glossy->SetExponent(60.0);
-  vtkNew<vtkAshikhminShirleyBRDF> layered;
-  layered->SetDiffuse(0.3, 0.2, 0.1);
-  layered->SetExponents(100.0, 100.0);
+  vtkNew<vtkAshikhminShirleyBRDF> hybrid;
+  hybrid->SetDiffuse(0.3, 0.2, 0.1);
+  hybrid->SetExponents(100.0, 100.0);
   for (vtkEnvironment* environment : { hall.Get(), pixel.Get() })
   {
     for (vtkBRDF* brdf : { static_cast<vtkBRDF*>(matte), static_cast<vtkBRDF*>(glossy),
-           static_cast<vtkBRDF*>(layered) })
+           static_cast<vtkBRDF*>(hybrid) })
     {
       vtkNew<vtkTableRadianceIntegrator> integrator;
       integrator->SetNumberOfRows(33);
@@ -610,12 +610,12 @@ TEST_F(Parity, FilteredIntegrator)
   vtkNew<vtkBlinnPhongBRDF> glossy;
   glossy->SetSpecular(0.3, 0.2, 0.1);
   glossy->SetExponent(100.0);
-  vtkNew<vtkAshikhminShirleyBRDF> layered;
-  layered->SetDiffuse(0.3, 0.2, 0.1);
-  layered->SetExponents(300.0, 300.0);
+  vtkNew<vtkAshikhminShirleyBRDF> hybrid;
+  hybrid->SetDiffuse(0.3, 0.2, 0.1);
+  hybrid->SetExponents(300.0, 300.0);
   for (vtkEnvironment* environment : { hall.Get(), pixel.Get() })
   {
-    for (vtkBRDF* brdf : { static_cast<vtkBRDF*>(glossy), static_cast<vtkBRDF*>(layered) })
+    for (vtkBRDF* brdf : { static_cast<vtkBRDF*>(glossy), static_cast<vtkBRDF*>(hybrid) })
     {
       for (const bool lights : { true, false })
       {
@@ -635,7 +635,7 @@ TEST_F(Parity, FilteredIntegrator)
 }
 
 // Table, samples and lights in one shader.
-TEST_F(Parity, LayeredIntegrator)
+TEST_F(Parity, HybridIntegrator)
 {
   vtkNew<vtkEnvironment> hall;
   hall->SetToProceduralHall();

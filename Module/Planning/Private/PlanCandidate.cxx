@@ -88,16 +88,16 @@ std::vector<PlanCandidate> ListCandidates(
     }
     for (const auto& sizes : LayerSizes)
     {
-      PlanCandidate layered(vtkRadiancePlanner::HYBRID, sizes[0], sizes[1], sizes[2], sizes[3]);
-      layered.Lights = wishes.Lights;
-      layered.LightAngle = wishes.LightAngle;
-      layered.Cost = tableCost + costs[vtkRadianceCostModel::SAMPLE] * sizes[3] +
+      PlanCandidate hybrid(vtkRadiancePlanner::HYBRID, sizes[0], sizes[1], sizes[2], sizes[3]);
+      hybrid.Lights = wishes.Lights;
+      hybrid.LightAngle = wishes.LightAngle;
+      hybrid.Cost = tableCost + costs[vtkRadianceCostModel::SAMPLE] * sizes[3] +
                      costs[vtkRadianceCostModel::LIGHT] * wishes.Lights;
-      layered.Bytes =
+      hybrid.Bytes =
         GetTableBytes(sizes) + 32 * wishes.Lights + (sizes[3] > 0 ? wishes.PyramidBytes : 0);
       if (wishes.Lights > 0 || sizes[3] > 0) // else a table
       {
-        wanted.push_back(layered);
+        wanted.push_back(hybrid);
       }
     }
   }

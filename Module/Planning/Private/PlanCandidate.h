@@ -28,7 +28,7 @@ struct PlanCandidate
   }
   int Method;
   int Sizes[4];
-  int Lights = 0;          // suns and lamps that a layered one evaluates
+  int Lights = 0;          // suns and lamps that a hybrid one evaluates
   double LightAngle = 0.0; // degrees: lamps within it are one light
   double Cost = 0.0;       // ns per covered pixel
   double Error = 0.0;

@@ -63,8 +63,8 @@ std::vector<Way> GetWays(vtkBRDF* brdf, vtkEnvironment* environment, bool all = 
   table->SetNumberOfRows(33);
   table->SetNumberOfViewAngles(12);
   table->SetNumberOfAzimuths(16);
-  vtkNew<vtkHybridRadianceIntegrator> layered;
-  layered->SetNumberOfSamples(16);
+  vtkNew<vtkHybridRadianceIntegrator> hybrid;
+  hybrid->SetNumberOfSamples(16);
   vtkNew<vtkFilteredRadianceIntegrator> filtered;
   filtered->SetNumberOfSamples(256);
   vtkNew<vtkBasisRadianceIntegrator> basis;
@@ -73,7 +73,7 @@ std::vector<Way> GetWays(vtkBRDF* brdf, vtkEnvironment* environment, bool all = 
   ways.push_back({ "table", table.Get(), 0.01 });
   if (all)
   {
-    ways.push_back({ "layered", layered.Get(), 0.02 });
+    ways.push_back({ "hybrid", hybrid.Get(), 0.02 });
     ways.push_back({ "filtered", filtered.Get(), 0.02 });
     ways.push_back({ "basis", basis.Get(), 0.02 });
   }

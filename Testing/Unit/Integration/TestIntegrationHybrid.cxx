@@ -59,12 +59,12 @@ glm::dvec3 NewDirection(std::mt19937& engine)
   return glm::dvec3(s * std::cos(phi), s * std::sin(phi), z);
 }
 
-vtkNew<vtkHybridRadianceIntegrator> NewLayered(vtkBRDF* brdf, vtkEnvironment* environment)
+vtkNew<vtkHybridRadianceIntegrator> NewHybrid(vtkBRDF* brdf, vtkEnvironment* environment)
 {
-  vtkNew<vtkHybridRadianceIntegrator> layered;
-  layered->SetBRDF(brdf);
-  layered->SetEnvironment(environment);
-  return layered;
+  vtkNew<vtkHybridRadianceIntegrator> hybrid;
+  hybrid->SetBRDF(brdf);
+  hybrid->SetEnvironment(environment);
+  return hybrid;
 }
 
 // Lamps of one texel over a smooth floor.
@@ -350,7 +350,7 @@ TEST(PlanReference, IsNearlyExact)
 }
 
 //------------------------------------------------------------------------------
-TEST(LayeredIntegrator, WhiteFurnaceIsTheDirectionalAlbedo)
+TEST(HybridIntegrator, WhiteFurnaceIsTheDirectionalAlbedo)
 {
   const auto environment = NewConstantEnvironment(256, 128, 2.0f);
   for (const char* name : { "blue-fabric", "nickel", "violet-rubber" })
@@ -367,7 +367,7 @@ TEST(LayeredIntegrator, WhiteFurnaceIsTheDirectionalAlbedo)
       brdf->GetDirectionalAlbedo(&o.x, &albedo.x);
       expected.push_back(2.0 * albedo);
     }
-    const double error = GetRelativeError(pairs.Integrate(NewLayered(brdf, environment)), expected);
+    const double error = GetRelativeError(pairs.Integrate(NewHybrid(brdf, environment)), expected);
     std::printf("%s: %.2e\n", name, error);
     EXPECT_LT(error, 0.01);
   }
@@ -375,7 +375,7 @@ TEST(LayeredIntegrator, WhiteFurnaceIsTheDirectionalAlbedo)
 
 //------------------------------------------------------------------------------
 // What each part gains, against the exact sum.
-TEST(LayeredIntegrator, EveryPartPays)
+TEST(HybridIntegrator, EveryPartPays)
 {
   SpherePairs pairs;
   pairs.AddRandom(60);
@@ -389,14 +389,14 @@ TEST(LayeredIntegrator, EveryPartPays)
     table->SetEnvironment(environment);
     table->SetNumberOfRows(33);
     const double whole = GetRelativeError(pairs.Integrate(table), reference);
-    const auto layered = NewLayered(brdf, environment);
-    layered->SetNumberOfSamples(0);
-    const double lit = GetRelativeError(pairs.Integrate(layered), reference);
-    EXPECT_EQ(layered->GetNumberOfLights(), 3);
-    EXPECT_FALSE(layered->GetHasSharpLayer());
-    layered->SetNumberOfSamples(16);
-    const double both = GetRelativeError(pairs.Integrate(layered), reference);
-    EXPECT_TRUE(layered->GetHasSharpLayer());
+    const auto hybrid = NewHybrid(brdf, environment);
+    hybrid->SetNumberOfSamples(0);
+    const double lit = GetRelativeError(pairs.Integrate(hybrid), reference);
+    EXPECT_EQ(hybrid->GetNumberOfLights(), 3);
+    EXPECT_FALSE(hybrid->GetHasSharpLayer());
+    hybrid->SetNumberOfSamples(16);
+    const double both = GetRelativeError(pairs.Integrate(hybrid), reference);
+    EXPECT_TRUE(hybrid->GetHasSharpLayer());
     std::printf(
       "exponent %g: table %.4f, with lights %.4f, and samples %.4f\n", exponent, whole, lit, both);
     EXPECT_LT(lit, 0.2 * whole);
@@ -405,38 +405,38 @@ TEST(LayeredIntegrator, EveryPartPays)
 }
 
 //------------------------------------------------------------------------------
-TEST(LayeredIntegrator, WithoutSunsAndGlossItIsTheTable)
+TEST(HybridIntegrator, WithoutSunsAndGlossItIsTheTable)
 {
   SpherePairs pairs;
   pairs.AddRandom(20);
   vtkNew<vtkBlinnPhongBRDF> brdf;
   brdf->SetExponent(2.0);
   const auto environment = NewConstantEnvironment(64, 32, 1.0f);
-  const auto layered = NewLayered(brdf, environment);
+  const auto hybrid = NewHybrid(brdf, environment);
   vtkNew<vtkTableRadianceIntegrator> table;
   table->SetBRDF(brdf);
   table->SetEnvironment(environment);
   table->SetNumberOfRows(33);
   table->SetNumberOfViewAngles(12);
   table->SetNumberOfAzimuths(16);
-  EXPECT_EQ(pairs.Integrate(layered), pairs.Integrate(table));
-  EXPECT_EQ(layered->GetNumberOfLights(), 0);
-  EXPECT_FALSE(layered->GetHasSharpLayer());
-  EXPECT_FALSE(layered->UsesBRDFOnGPU());
+  EXPECT_EQ(pairs.Integrate(hybrid), pairs.Integrate(table));
+  EXPECT_EQ(hybrid->GetNumberOfLights(), 0);
+  EXPECT_FALSE(hybrid->GetHasSharpLayer());
+  EXPECT_FALSE(hybrid->UsesBRDFOnGPU());
 }
 
 //------------------------------------------------------------------------------
 // The bytes are the table: under another light they show the one that they were made in.
-TEST(LayeredIntegrator, TakesTheTableThatItIsGiven)
+TEST(HybridIntegrator, TakesTheTableThatItIsGiven)
 {
   SpherePairs pairs;
   pairs.AddRandom(20);
   vtkNew<vtkBlinnPhongBRDF> brdf;
   brdf->SetExponent(20.0);
-  const auto made = NewLayered(brdf, NewConstantEnvironment(64, 32, 1.0f));
+  const auto made = NewHybrid(brdf, NewConstantEnvironment(64, 32, 1.0f));
   made->SetNumberOfSamples(0);
   const auto expected = pairs.Integrate(made);
-  const auto taker = NewLayered(brdf, NewConstantEnvironment(64, 32, 3.0f));
+  const auto taker = NewHybrid(brdf, NewConstantEnvironment(64, 32, 3.0f));
   taker->SetNumberOfSamples(0);
   ASSERT_TRUE(taker->TakePrepared(made->GetPrepared()));
   EXPECT_EQ(pairs.Integrate(taker), expected);
@@ -444,7 +444,7 @@ TEST(LayeredIntegrator, TakesTheTableThatItIsGiven)
 }
 
 //------------------------------------------------------------------------------
-TEST(LayeredIntegrator, RealSun)
+TEST(HybridIntegrator, RealSun)
 {
   if (!std::ifstream(Data + "/environments/pmndrs_sunrise.hdr") ||
       !std::ifstream(Data + "/materials/rgl/chm_light_blue_rgb.bsdf"))
@@ -459,20 +459,20 @@ TEST(LayeredIntegrator, RealSun)
   ASSERT_TRUE(material->Read());
   SpherePairs pairs;
   pairs.AddRandom(12);
-  const auto layered = NewLayered(material->GetBRDF(), reader->GetEnvironment());
-  const double error = GetRelativeError(pairs.Integrate(layered),
+  const auto hybrid = NewHybrid(material->GetBRDF(), reader->GetEnvironment());
+  const double error = GetRelativeError(pairs.Integrate(hybrid),
     pairs.IntegrateExactly(material->GetBRDF(), reader->GetEnvironment()));
   std::printf(
-    "chrome under sunrise: relative L1 %.4f, %d lights\n", error, layered->GetNumberOfLights());
+    "chrome under sunrise: relative L1 %.4f, %d lights\n", error, hybrid->GetNumberOfLights());
   EXPECT_LT(error, 0.03);
 }
 
 //------------------------------------------------------------------------------
-TEST(LayeredIntegrator, TurningEverythingChangesNothing)
+TEST(HybridIntegrator, TurningEverythingChangesNothing)
 {
   const auto brdf = NewCoated(500.0);
   const auto environment = NewSunny(2e4f, 2);
-  const auto layered = NewLayered(brdf, environment);
+  const auto hybrid = NewHybrid(brdf, environment);
   SpherePairs pairs, turned;
   pairs.AddRandom(30);
   for (vtkIdType k = 0; k < 30; ++k)
@@ -486,48 +486,48 @@ TEST(LayeredIntegrator, TurningEverythingChangesNothing)
     }
     turned.Add(d[0], d[1]);
   }
-  const auto before = pairs.Integrate(layered);
+  const auto before = pairs.Integrate(hybrid);
   environment->SetRotationY(90.0);
-  EXPECT_LT(GetRelativeError(turned.Integrate(layered), before), 1e-9);
+  EXPECT_LT(GetRelativeError(turned.Integrate(hybrid), before), 1e-9);
 }
 
 //------------------------------------------------------------------------------
-TEST(LayeredIntegrator, BlackAndTinyEnvironments)
+TEST(HybridIntegrator, BlackAndTinyEnvironments)
 {
   SpherePairs pairs;
   pairs.AddRandom(20);
   const auto brdf = NewCoated(100.0);
   for (const glm::dvec3& rgb :
-    pairs.Integrate(NewLayered(brdf, NewConstantEnvironment(16, 8, 0.0f))))
+    pairs.Integrate(NewHybrid(brdf, NewConstantEnvironment(16, 8, 0.0f))))
   {
     EXPECT_EQ(rgb, glm::dvec3(0.0));
   }
   for (const int height : { 1, 7 })
   {
-    pairs.Integrate(NewLayered(brdf, NewConstantEnvironment(1, height, 1.0f))); // finite
+    pairs.Integrate(NewHybrid(brdf, NewConstantEnvironment(1, height, 1.0f))); // finite
   }
 }
 
 //------------------------------------------------------------------------------
-TEST(LayeredIntegrator, RefusesAndKeepsGoing)
+TEST(HybridIntegrator, RefusesAndKeepsGoing)
 {
-  vtkNew<vtkHybridRadianceIntegrator> layered;
-  layered->SetNumberOfRows(9);
-  ErrorCatcher errors(layered);
+  vtkNew<vtkHybridRadianceIntegrator> hybrid;
+  hybrid->SetNumberOfRows(9);
+  ErrorCatcher errors(hybrid);
   vtkBRDFShaderInputs form;
   form.Description = "mine";
-  EXPECT_FALSE(layered->GetShaderInputs(form));
+  EXPECT_FALSE(hybrid->GetShaderInputs(form));
   EXPECT_EQ(form.Description, "mine");
   EXPECT_NE(errors.GetText().find("no BRDF"), std::string::npos);
   vtkNew<vtkAshikhminShirleyBRDF> brushed;
   brushed->SetName("brushed steel");
   brushed->SetExponents(10.0, 100.0);
-  layered->SetBRDF(brushed);
-  EXPECT_FALSE(layered->Prepare());
+  hybrid->SetBRDF(brushed);
+  EXPECT_FALSE(hybrid->Prepare());
   EXPECT_NE(errors.GetText().find("no environment"), std::string::npos);
   EXPECT_EQ(errors.Take(), 2);
-  layered->SetEnvironment(NewSunny(1e5f, 1));
-  EXPECT_FALSE(layered->Prepare());
+  hybrid->SetEnvironment(NewSunny(1e5f, 1));
+  EXPECT_FALSE(hybrid->Prepare());
   EXPECT_EQ(errors.Take(), 1);
   EXPECT_NE(errors.GetText().find("brushed steel"), std::string::npos) << errors.GetText();
 
@@ -536,36 +536,36 @@ TEST(LayeredIntegrator, RefusesAndKeepsGoing)
   vtkNew<vtkCallbackCommand> stop;
   stop->SetCallback([](vtkObject* self, unsigned long, void*, void*)
     { static_cast<vtkRadianceIntegrator*>(self)->SetAbort(true); });
-  const unsigned long tag = layered->AddObserver(vtkCommand::ProgressEvent, stop);
-  EXPECT_FALSE(layered->Prepare());
+  const unsigned long tag = hybrid->AddObserver(vtkCommand::ProgressEvent, stop);
+  EXPECT_FALSE(hybrid->Prepare());
   EXPECT_EQ(errors.Take(), 1);
   EXPECT_NE(errors.GetText().find("aborted"), std::string::npos) << errors.GetText();
-  layered->RemoveObserver(tag);
-  EXPECT_TRUE(layered->Prepare());
+  hybrid->RemoveObserver(tag);
+  EXPECT_TRUE(hybrid->Prepare());
   EXPECT_EQ(errors.Take(), 0);
 }
 
 //------------------------------------------------------------------------------
-TEST(LayeredIntegrator, ShaderInputsAndPrint)
+TEST(HybridIntegrator, ShaderInputsAndPrint)
 {
-  const auto layered = NewLayered(NewCoated(1000.0), NewSunny(1e6f, 2));
+  const auto hybrid = NewHybrid(NewCoated(1000.0), NewSunny(1e6f, 2));
   vtkBRDFShaderInputs form;
-  ASSERT_TRUE(layered->GetShaderInputs(form));
+  ASSERT_TRUE(hybrid->GetShaderInputs(form));
   ASSERT_EQ(form.Terms.size(), 3u);
   EXPECT_EQ(form.Terms[0].Shader, "vtkBRDFEnvironmentTable");
   EXPECT_EQ(form.Terms[1].Shader, "vtkBRDFEnvironmentFiltered");
   EXPECT_EQ(form.Terms[2].Shader, "vtkBRDFLightSet");
-  EXPECT_TRUE(layered->UsesBRDFOnGPU());
+  EXPECT_TRUE(hybrid->UsesBRDFOnGPU());
   EXPECT_NE(form.Description.find("2 directional lights"), std::string::npos) << form.Description;
 
-  layered->SetNumberOfRows(1);
-  EXPECT_EQ(layered->GetNumberOfRows(), 9);
-  layered->SetNumberOfSamples(-1);
-  EXPECT_EQ(layered->GetNumberOfSamples(), 0);
-  layered->SetMaximumNumberOfLights(100000);
-  EXPECT_EQ(layered->GetMaximumNumberOfLights(), 1024);
+  hybrid->SetNumberOfRows(1);
+  EXPECT_EQ(hybrid->GetNumberOfRows(), 9);
+  hybrid->SetNumberOfSamples(-1);
+  EXPECT_EQ(hybrid->GetNumberOfSamples(), 0);
+  hybrid->SetMaximumNumberOfLights(100000);
+  EXPECT_EQ(hybrid->GetMaximumNumberOfLights(), 1024);
   std::ostringstream text;
-  layered->Print(text);
+  hybrid->Print(text);
   for (const char* line : { "NumberOfRows: 9", "NumberOfSamples: 0", "MaximumNumberOfLights: 1024",
          "Lights: 2", "Sharp layer: yes" })
   {

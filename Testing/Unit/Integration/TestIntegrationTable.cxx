@@ -58,7 +58,7 @@ vtkNew<vtkBlinnPhongBRDF> NewPhong(double exponent)
   return brdf;
 }
 
-vtkNew<vtkAshikhminShirleyBRDF> NewLayered(double exponent)
+vtkNew<vtkAshikhminShirleyBRDF> NewHybrid(double exponent)
 {
   vtkNew<vtkAshikhminShirleyBRDF> brdf;
   brdf->SetDiffuse(0.3, 0.2, 0.1);
@@ -135,7 +135,7 @@ double GetLargestDifference(const std::vector<glm::dvec3>& a, const std::vector<
 TEST(TableIntegrator, WhiteFurnaceIsTheDirectionalAlbedo)
 {
   std::vector<vtkSmartPointer<vtkBRDF>> materials{ NewPhong(1.0).Get(), NewPhong(20.0).Get(),
-    NewPhong(300.0).Get(), NewLayered(50.0).Get() };
+    NewPhong(300.0).Get(), NewHybrid(50.0).Get() };
   materials.push_back(vtkSmartPointer<vtkLambertBRDF>::New());
   for (const char* name : { "blue-fabric", "nickel", "delrin", "brass" })
   {
@@ -201,7 +201,7 @@ TEST_P(TableReference, ErrorFallsWithSize)
   } cases[] = { { "Lambert", lambert.Get(), { 1e-3, 1e-3, 1e-3 } },
     { "Blinn-Phong 5", NewPhong(5.0).Get(), { 0.02, 0.006, 0.005 } },
     { "Blinn-Phong 40", NewPhong(40.0).Get(), { 0.1, 0.03, 0.015 } },
-    { "Ashikhmin-Shirley 50", NewLayered(50.0).Get(), { 0.1, 0.05, 0.015 } } };
+    { "Ashikhmin-Shirley 50", NewHybrid(50.0).Get(), { 0.1, 0.05, 0.015 } } };
   const auto& material = cases[std::get<1>(GetParam())];
   const auto reference = pairs.IntegrateExactly(material.BRDF, environment);
   const int sizes[3][3] = { { 17, 8, 8 }, { 33, 12, 16 }, { 65, 16, 16 } };
@@ -289,7 +289,7 @@ TEST(TableIntegrator, LinearInTheLight)
   ASSERT_TRUE(both->SetPixels(128, 64, rgb));
   SpherePairs pairs;
   pairs.AddRandom(60);
-  const auto brdf = NewLayered(5.0); // no ringing below 0, where radiance is cut off
+  const auto brdf = NewHybrid(5.0); // no ringing below 0, where radiance is cut off
   auto sum = pairs.Integrate(NewTable(brdf, hall));
   const auto other = pairs.Integrate(NewTable(brdf, sky));
   for (std::size_t k = 0; k < sum.size(); ++k)
@@ -306,7 +306,7 @@ TEST(TableIntegrator, LinearInTheLight)
 TEST(TableIntegrator, TurningEverythingChangesNothing)
 {
   const auto environment = NewSmallEnvironment(true);
-  const auto table = NewTable(NewLayered(50.0), environment);
+  const auto table = NewTable(NewHybrid(50.0), environment);
   SpherePairs pairs;
   pairs.AddRandom(60);
   const auto before = pairs.Integrate(table);
@@ -338,7 +338,7 @@ TEST(TableIntegrator, Continuous)
   const double e = 0.5e-5;
   for (const double exponent : { 5.0, 200.0 })
   {
-    const auto table = NewTable(NewLayered(exponent), environment, 33, 12, 16);
+    const auto table = NewTable(NewHybrid(exponent), environment, 33, 12, 16);
     const auto getLargestStep = [&](const char* what, const SpherePairs& pairs)
     {
       const auto radiance = pairs.Integrate(table);
@@ -429,7 +429,7 @@ TEST(TableIntegrator, MeasuredMaterialsSeenAlongTheNormal)
 // cos(theta_o) is at least 0.02; below the horizon there is nothing.
 TEST(TableIntegrator, GrazingViewsAreLifted)
 {
-  const auto table = NewTable(NewLayered(50.0), NewSmallEnvironment(true));
+  const auto table = NewTable(NewHybrid(50.0), NewSmallEnvironment(true));
   SpherePairs pairs;
   const glm::dvec3 n(0.0, 0.0, 1.0);
   for (const double cosine : { 0.02, 0.0199, 0.01, 1e-4, 1e-12, -1e-12, -0.3 })
@@ -451,7 +451,7 @@ TEST(TableIntegrator, BlackAndTinyEnvironments)
 {
   SpherePairs pairs;
   pairs.AddRandom(40);
-  const auto brdf = NewLayered(20.0);
+  const auto brdf = NewHybrid(20.0);
   for (const glm::dvec3& rgb : pairs.Integrate(NewTable(brdf, NewConstantEnvironment(16, 8, 0.0f))))
   {
     EXPECT_EQ(rgb, glm::dvec3(0.0));
@@ -484,7 +484,7 @@ TEST(TableIntegrator, Suns)
   {
     rgb[3 * (45 * 128 + 30)] = rgb[3 * (45 * 128 + 30) + 1] = sun.Peak;
     ASSERT_TRUE(environment->SetPixels(128, 64, rgb));
-    const auto brdf = NewLayered(sun.Exponent);
+    const auto brdf = NewHybrid(sun.Exponent);
     const auto table = NewTable(brdf, environment, 65, 16, 16);
     const double error =
       GetRelativeError(pairs.Integrate(table), pairs.IntegrateExactly(brdf, environment));
@@ -514,7 +514,7 @@ TEST(TableIntegrator, RealSun)
   ASSERT_TRUE(reader->Read());
   SpherePairs few;
   few.AddRandom(12);
-  const auto brdf = NewLayered(5.0);
+  const auto brdf = NewHybrid(5.0);
   const double error =
     GetRelativeError(few.Integrate(NewTable(brdf, reader->GetEnvironment(), 65, 16, 16)),
       few.IntegrateExactly(brdf, reader->GetEnvironment()));
@@ -666,7 +666,7 @@ TEST(TableIntegrator, SizesAreClampedAndPrinted)
 //------------------------------------------------------------------------------
 TEST(TableIntegrator, ShaderInputs)
 {
-  const auto table = NewTable(NewLayered(20.0), NewSmallEnvironment(false), 9, 5, 6);
+  const auto table = NewTable(NewHybrid(20.0), NewSmallEnvironment(false), 9, 5, 6);
   vtkBRDFShaderInputs form;
   ASSERT_TRUE(table->GetShaderInputs(form));
   EXPECT_FALSE(table->UsesBRDFOnGPU());

@@ -161,7 +161,7 @@ TEST_F(PlanCache, FindsLayersAgain)
   this->Costs->SetCost(vtkRadianceCostModel::LIGHT, 0.1);
   const auto first = this->Plan();
   std::printf("%s\n", first->GetPlan().c_str());
-  ASSERT_EQ(first->GetMethodName(first->GetChoice()), "layered");
+  ASSERT_EQ(first->GetMethodName(first->GetChoice()), "hybrid");
   const auto second = this->Plan();
   EXPECT_TRUE(second->GetFromCache());
   EXPECT_EQ(first->GetPlan(), second->GetPlan());

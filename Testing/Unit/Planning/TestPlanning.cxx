@@ -472,18 +472,18 @@ TEST(Planner, WideLampsAreSeveralLightsForSharpLobes)
     const auto planner = NewPlanner(brdf, environment, 1e-4);
     planner->SetMaximumTextureBytes(1600000);
     ASSERT_TRUE(planner->Update());
-    int layered = 0;
+    int hybrid = 0;
     for (int k = 0; k < planner->GetNumberOfCandidates(); ++k)
     {
       const std::string text = planner->GetDescription(k);
       if (planner->GetMethod(k) == vtkRadiancePlanner::HYBRID)
       {
-        ++layered;
+        ++hybrid;
         EXPECT_EQ(Contains(text, ", 1 suns as lights"), !sharp) << text;
         EXPECT_EQ(Contains(text, ", 2 suns as lights"), sharp) << text;
       }
     }
-    EXPECT_GT(layered, 0);
+    EXPECT_GT(hybrid, 0);
   }
 }
 

@@ -1,0 +1,101 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Rooms of Module/ use the rooms that docs/architecture.md allows them, and units form no circles.
+
+usage: TestRooms.py REPOSITORY
+"""
+
+import os
+import re
+import sys
+
+ALLOWED = {
+    "Core": [],
+    "Material": ["Core"],
+    "Lighting": ["Core"],
+    "Integration": ["Core", "Material", "Lighting"],
+    "Metrics": ["Core", "Material", "Lighting"],
+    "Fitting": ["Core", "Material"],
+    "IO": ["Core", "Material", "Lighting"],
+    "Planning": ["Core", "Material", "Lighting", "Integration"],
+    "Rendering": ["Core", "Material", "Lighting", "Integration", "Fitting", "Planning"],
+}
+# Circles between units that are known, each by one of them: to be cut.
+KNOWN_CIRCLES = {
+    "vtkEnvironment": "an environment owns what is precomputed of it",
+    "vtkEnvironmentProjection": "its enumeration is what the maps are told apart by",
+    "vtkBRDFFitter": "FitSamples are drawn by a fitter's settings",
+    "vtkRadiancePlanner": "candidates are told apart by the planner's enumeration",
+    "vtkMeasuredBRDFMapper": "mapper, mixin and drawing are one class over several bases",
+}
+
+
+def find_files(module):
+    """{file name: (room, path, whether it is private)}"""
+    files = {}
+    for room in ALLOWED:
+        for folder in (room, os.path.join(room, "Private")):
+            path = os.path.join(module, folder)
+            for name in sorted(os.listdir(path)) if os.path.isdir(path) else []:
+                if name.endswith((".h", ".cxx", ".txx")):
+                    files[name] = (room, os.path.join(path, name), folder != room)
+    return files
+
+
+def get_circles(uses):
+    """Strongly connected components of more than one unit (Tarjan 1972)."""
+    index, low, stack, circles = {}, {}, [], []
+
+    def visit(unit):
+        index[unit] = low[unit] = len(index)
+        stack.append(unit)
+        for other in sorted(uses.get(unit, ())):
+            if other not in index:
+                visit(other)
+                low[unit] = min(low[unit], low[other])
+            elif other in stack:
+                low[unit] = min(low[unit], index[other])
+        if low[unit] == index[unit]:
+            circle = []
+            while not circle or circle[-1] != unit:
+                circle.append(stack.pop())
+            if len(circle) > 1:
+                circles.append(sorted(circle))
+
+    sys.setrecursionlimit(10000)
+    for unit in sorted(uses):
+        if unit not in index:
+            visit(unit)
+    return circles
+
+
+def main(repository):
+    files = find_files(os.path.join(repository, "Module"))
+    problems, uses = [], {}
+    for name, (room, path, private) in files.items():
+        with open(path, encoding="utf-8") as file:
+            included = re.findall(r'#include "([^"]+)"', file.read())
+        for other in included:
+            if other not in files:
+                continue
+            other_room, _, other_private = files[other]
+            if other_room != room and other_room not in ALLOWED[room]:
+                problems.append(f"{path}: {room} may not use {other_room} ({other})")
+            if name.endswith(".h") and not private and other_private:
+                problems.append(f"{path}: a public header includes the private {other}")
+            unit, used = name.split(".")[0], other.split(".")[0]
+            if unit != used:
+                uses.setdefault(unit, set()).add(used)
+    for room in ALLOWED:
+        if not os.path.isfile(os.path.join(repository, "Module", room, "README.md")):
+            problems.append(f"Module/{room}: there is no README.md")
+    for circle in get_circles(uses):
+        if not any(unit in KNOWN_CIRCLES for unit in circle):
+            problems.append("units form a circle: " + ", ".join(circle))
+    print("\n".join(problems) or f"{len(files)} files in {len(ALLOWED)} rooms keep to the directions")
+    return 1 if problems else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1]))
