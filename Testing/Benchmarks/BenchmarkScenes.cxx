@@ -204,9 +204,9 @@ void MeasureActors(int count, int rounds)
     }
   }
   const Times times = Measure(scenes, rounds);
-  std::printf("| %d actors | %.1f | %.1f | **%.2f** | %.1f | %.2f |\n", count, times.Frame[0],
-    times.Frame[1], times.Frame[1] / times.Frame[0], times.Frame[2],
-    times.Frame[2] / times.Frame[0]);
+  std::printf("| %d actor%s | %.1f | %.1f | **%.2f** | %.1f | %.2f |\n", count,
+    count == 1 ? "" : "s", times.Frame[0], times.Frame[1], times.Frame[1] / times.Frame[0],
+    times.Frame[2], times.Frame[2] / times.Frame[0]);
 }
 
 void MeasureBlocks(int count, int rounds)
@@ -266,7 +266,8 @@ void MeasureMaterials(int count)
   auto* changed = vtkSumBRDF::SafeDownCast(materials[0]);
   vtkBlinnPhongBRDF::SafeDownCast(changed->GetTerm(1))->SetExponent(12.3);
   const double again = scene.Render();
-  std::printf("| %d materials | %.2f | %.0f |\n", count, 1e-3 * first, again);
+  std::printf(
+    "| %d material%s | %.2f | %.0f |\n", count, count == 1 ? "" : "s", 1e-3 * first, again);
 }
 
 void MeasureMemory(int width)

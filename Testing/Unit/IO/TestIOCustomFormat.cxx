@@ -126,7 +126,7 @@ TEST_F(CustomFormat, ErrorsAreTheReaders)
 //------------------------------------------------------------------------------
 TEST_F(CustomFormat, IsListedWhileItIsRegistered)
 {
-  EXPECT_EQ(vtkBRDFFormats::GetFormats().front(), this->Format);
+  EXPECT_EQ(vtkBRDFFormats::GetFormats().front().Get(), this->Format.Get());
   EXPECT_EQ(vtkBRDFFormats::GetNames().find("own format"), 0u);
   EXPECT_NE(vtkBRDFFormats::GetDescriptions().find("the test's .own, "), std::string::npos);
   EXPECT_EQ(vtkBRDFFormats::GetExtensions(true), ".own, .exr or .binary");
