@@ -36,7 +36,7 @@ struct SizeRange
 const std::map<std::string, std::vector<SizeRange>> SizesOf = {
   { "table", { { "rows", 9, 513 }, { "view angles", 2, 64 }, { "azimuths", 4, 64 } } },
   { "hybrid", { { "rows", 9, 513 }, { "view angles", 2, 64 }, { "azimuths", 4, 64 },
-                 { "samples", 0, 1024 }, { "lights", 0, 1024 } } },
+                { "samples", 0, 1024 }, { "lights", 0, 1024 } } },
   { "filtered", { { "samples", 1, 1024 } } },
   { "basis", { { "functions", 1, 256 }, { "map size", 8, 128 } } }
 };

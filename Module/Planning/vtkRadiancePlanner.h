@@ -174,9 +174,9 @@ public:
    */
   int GetNumberOfCandidates();
   int GetMethod(int index);
-  std::string GetMethodName(int index);  // "light-set", "basis", "filtered", "table", "hybrid"
-  std::string GetDescription(int index); // sizes
-  double GetPredictedError(int index);   // relative L1
+  std::string GetMethodName(int index);       // "light-set", "basis", "filtered", "table", "hybrid"
+  std::string GetDescription(int index);      // sizes
+  double GetPredictedError(int index);        // relative L1
   double GetPredictedMilliseconds(int index); // of NumberOfPixels
   vtkIdType GetTextureBytes(int index);
   double GetSetUpMilliseconds(int index);

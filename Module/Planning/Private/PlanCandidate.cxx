@@ -92,7 +92,7 @@ std::vector<PlanCandidate> ListCandidates(
       hybrid.Lights = wishes.Lights;
       hybrid.LightAngle = wishes.LightAngle;
       hybrid.Cost = tableCost + costs[vtkRadianceCostModel::SAMPLE] * sizes[3] +
-                     costs[vtkRadianceCostModel::LIGHT] * wishes.Lights;
+                    costs[vtkRadianceCostModel::LIGHT] * wishes.Lights;
       hybrid.Bytes =
         GetTableBytes(sizes) + 32 * wishes.Lights + (sizes[3] > 0 ? wishes.PyramidBytes : 0);
       if (wishes.Lights > 0 || sizes[3] > 0) // else a table

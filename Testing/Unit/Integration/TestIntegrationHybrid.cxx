@@ -460,8 +460,8 @@ TEST(HybridIntegrator, RealSun)
   SpherePairs pairs;
   pairs.AddRandom(12);
   const auto hybrid = NewHybrid(material->GetBRDF(), reader->GetEnvironment());
-  const double error = GetRelativeError(pairs.Integrate(hybrid),
-    pairs.IntegrateExactly(material->GetBRDF(), reader->GetEnvironment()));
+  const double error = GetRelativeError(
+    pairs.Integrate(hybrid), pairs.IntegrateExactly(material->GetBRDF(), reader->GetEnvironment()));
   std::printf(
     "chrome under sunrise: relative L1 %.4f, %d lights\n", error, hybrid->GetNumberOfLights());
   EXPECT_LT(error, 0.03);
