@@ -64,7 +64,7 @@ public:
   bool Prepare();
 
   /**
-   * What a shader needs to do the same, built if necessary: GLSL files that define
+   * What a shader needs to do the same, built if necessary: terms whose GLSL text defines
    * `vec3 brdfEnvironmentINSTANCE(mat3 frame, vec3 o)`, their uniforms and textures. The columns of
    * frame are tangent, bitangent and normal in the environment's frame, o is the view in that
    * frame's coordinates, its cosine at least MinimumViewCosine. Terms are summed. Returns false

@@ -330,11 +330,11 @@ vtkBRDF* vtkAdaptiveWarpBRDF::GetRenderable()
     if (!this->IsIsotropic())
     {
       vtkWarningMacro(<< Quote(this->Name)
-                      << " is anisotropic; its shader inputs is isotropic (the view's azimuth 0).");
+                      << " is anisotropic; what shaders get is isotropic (the view's azimuth 0).");
     }
     if (!resampler->Resample())
     {
-      vtkWarningMacro(<< Quote(this->Name) << ": the shader inputs keeps a resampling error of "
+      vtkWarningMacro(<< Quote(this->Name) << ": resampling for shaders keeps an error of "
                       << resampler->GetOutput()->GetResamplingError() << ", asked for "
                       << this->ResamplingTolerance << ".");
     }

@@ -105,7 +105,7 @@ public:
 
   ///@{
   /**
-   * Largest relative L2 error (weighted by both cosines) that a shader inputs may add by resampling
+   * Largest relative L2 error (weighted by both cosines) that GetShaderInputs may add by resampling
    * and by its texture precision; default 0.01, clamped to [1e-5, 0.5]. Only representations that
    * have to be resampled or stored in textures use it. What was reached is in the shader inputs.
    */
@@ -120,7 +120,7 @@ public:
   virtual vtkBRDF* GetRenderable() { return this; }
 
   /**
-   * GLSL file, uniforms and textures that evaluate GetRenderable() on the GPU; what EvaluateSoft's
+   * GLSL text, uniforms and textures that evaluate GetRenderable() on the GPU; what EvaluateSoft's
    * twin needs on top only where form.SoftLights asks for it.
    */
   virtual void GetShaderInputs(vtkBRDFShaderInputs& form) = 0;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkBRDFFailureMap
- * @brief   at which angles a BRDF (a fit, a projection, a shader inputs) is far from a reference
+ * @brief   at which angles a BRDF (a fit, a projection, what shaders get) is far from a reference
  *
  * Two maps of relative error, each over the cells of a square grid: over the polar angles of i and
  * o, and over those of the half vector and of the difference (Rusinkiewicz 1998). A cell's error is

@@ -24,7 +24,7 @@ class vtkTextureObject;
 
 namespace measuredbrdf
 {
-/// A shader inputs, uploaded. Shared by all mappers that use the same source in a window.
+/// Shader inputs, uploaded. Shared by all mappers that use the same source in a window.
 class FormTextures
 {
 public:
