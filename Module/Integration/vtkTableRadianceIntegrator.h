@@ -110,7 +110,7 @@ public:
   }
 
   /**
-   * For layers: take the environment with these texels changed; null (default): as it is.
+   * For hybrids: take the environment with these texels changed; null (default): as it is.
    */
   void SetRest(const std::shared_ptr<const measuredbrdf::TexelChanges>& rest) { this->Rest = rest; }
 #endif

@@ -16,7 +16,7 @@
 
 namespace measuredbrdf
 {
-/// One of the two layers of a material.
+/// The low- or the high-frequency part of a material.
 class LobePart : public vtkBRDF
 {
 public:
@@ -27,7 +27,7 @@ public:
 
   void GetDirectionalAlbedo(const double o[3], double albedo[3]) override;
   void GetBounds(double minimumCosine, double lower[3], double upper[3]) override;
-  /// None: layers are integrated, not drawn.
+  /// None: parts are integrated, not drawn.
   void GetShaderInputs(vtkBRDFShaderInputs&) override {}
 
 protected:

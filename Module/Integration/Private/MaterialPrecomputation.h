@@ -35,7 +35,7 @@ public:
   const Kernels& GetKernels(
     vtkBRDF* brdf, int angles, int resolution, const std::atomic<bool>& abort);
 
-  /// The material's views: for a profile, and to be cut into layers.
+  /// The material's views: for a profile, and to be split into parts.
   const LobeViews& GetViews(vtkBRDF* brdf, const std::atomic<bool>& abort);
 
 private:
