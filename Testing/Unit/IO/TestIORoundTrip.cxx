@@ -205,7 +205,7 @@ TEST(IOWriter, RefusesBadPlaces)
   const Folder folder;
   vtkNew<vtkLambertBRDF> lambert;
   ExpectWriteRefused(lambert, "", { "no file name" });
-  ExpectWriteRefused(lambert, folder("m.txt"), { ".txt", ".binary or .exr" });
+  ExpectWriteRefused(lambert, folder("m.txt"), { ".txt", ".exr or .binary" });
   ExpectWriteRefused(nullptr, folder("m.exr"), { "no material" });
   ExpectWriteRefused(lambert, folder("missing/m.exr"), { "cannot be written" });
   std::filesystem::create_directory(folder("d.exr"));
