@@ -111,31 +111,34 @@ protected:
     const double direction[3] = { 0.0, 0.0, 1.0 };
     const double irradiance[3] = { 2.0, 2.0, 2.0 };
     this->Light->AddLight(direction, irradiance);
+    if (!IsSkipped())
+    {
+      this->Stock = this->RenderEncoded();
+    }
   }
 
   // Three frames of what is wrong: one error with these words, and the picture of no material.
   void ExpectStock(const std::string& words)
   {
-    EventCounter errors(this->Mapper, vtkCommand::ErrorEvent);
-    EventCounter warnings(this->Mapper, vtkCommand::WarningEvent);
+    this->Errors.Count = 0;
     FloatImage image;
     for (int frame = 0; frame < 3; ++frame)
     {
       image = this->RenderEncoded();
     }
-    EXPECT_EQ(errors.Count, 1);
-    EXPECT_EQ(warnings.Count, 0);
-    EXPECT_NE(errors.Text.find(words), std::string::npos) << errors.Text;
-    const float* pixel = image.At(32, 32);
-    EXPECT_NEAR(pixel[0], 0.3, 1e-5);
-    EXPECT_NEAR(pixel[1], 0.6, 1e-5);
-    EXPECT_NEAR(pixel[2], 0.9, 1e-5);
+    EXPECT_EQ(this->Errors.Count, 1);
+    EXPECT_EQ(this->Warnings.Count, 0);
+    EXPECT_NE(this->Errors.Text.find(words), std::string::npos) << this->Errors.Text;
+    EXPECT_EQ(image.RGBA, this->Stock.RGBA);
   }
 
   vtkNew<vtkMeasuredBRDFMapper> Mapper;
   vtkNew<vtkActor> Actor;
   vtkNew<vtkLightSet> Light;
   vtkNew<OwnBRDF> Material;
+  EventCounter Errors{ this->Mapper, vtkCommand::ErrorEvent };
+  EventCounter Warnings{ this->Mapper, vtkCommand::WarningEvent };
+  FloatImage Stock; // without a material
 };
 } // namespace
 
@@ -170,10 +173,9 @@ TEST_F(Extension, ModelsAreSummedAndPlanned)
   vtkNew<vtkEnvironment> white;
   white->SetPixels(8, 4, std::vector<float>(96, 1.0f));
   this->Mapper->SetEnvironment(white);
-  EventCounter errors(this->Mapper, vtkCommand::ErrorEvent);
   EXPECT_NEAR(this->RenderLinear().RGBA[4 * (32 * 64 + 32) + 1], 0.1 * vtkMath::Pi(),
     0.02 * 0.1 * vtkMath::Pi());
-  EXPECT_EQ(errors.Count, 0) << errors.Text;
+  EXPECT_EQ(this->Errors.Count, 0) << this->Errors.Text;
 }
 
 //------------------------------------------------------------------------------
