@@ -84,8 +84,8 @@ public:
 
 #ifndef __VTK_WRAP__
   /**
-   * For hybrids: take the environment with these texels changed, where no lights are extracted; null
-   * (default): as it is.
+   * For hybrids: take the environment with these texels changed, where no lights are extracted;
+   * null (default): as it is.
    */
   void SetRest(const std::shared_ptr<const measuredbrdf::TexelChanges>& rest) { this->Rest = rest; }
 #endif
