@@ -294,7 +294,7 @@ struct vtkRadiancePlanner::Internals
     }
     std::string reason;
     std::getline(text >> std::ws, reason);
-    if (!text)
+    if (!text || text.eof()) // the line has no end
     {
       return false;
     }

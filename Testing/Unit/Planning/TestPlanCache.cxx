@@ -323,6 +323,24 @@ TEST_F(PlanCache, KeepsWhatIsNotOurs)
   EXPECT_TRUE(fs::is_directory(own / ("e" + Key.substr(1))));
 }
 
+// Files that are whole by their checksum, and whose text ends too early: the plan is made again.
+TEST_F(PlanCache, ContentsThatEndEarlyAreNoPlan)
+{
+  const auto made = this->Plan();
+  const auto files = this->GetFiles();
+  ASSERT_EQ(files.size(), 1u);
+  const std::string key = files[0].filename().string();
+  const std::string basis = "1 0 1\n1 9 0 0 0 0 0 1 0 1 1\n"; // one candidate, whole
+  for (const std::string& cut : { std::string(), std::string("1"), basis, basis + "no end" })
+  {
+    SCOPED_TRACE("'" + cut + "'");
+    measuredbrdf::WriteCache(this->Folder, key, cut, 1 << 20);
+    const auto again = this->Plan();
+    EXPECT_FALSE(again->GetFromCache());
+    EXPECT_EQ(again->GetDescription(again->GetChoice()), made->GetDescription(made->GetChoice()));
+  }
+}
+
 // What lies under a plan's own key: nothing hangs, and nothing is harmed.
 TEST_F(PlanCache, AnythingMayLieUnderAKey)
 {

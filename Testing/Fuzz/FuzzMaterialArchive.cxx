@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What an OpenEXR material's header may say: a good archive, changed in a few places.
+#include "FuzzTarget.h"
+
+#include "FuzzSeeds.h"
+#include "MaterialArchive.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <cstring>
+#include <iterator>
+#include <vector>
+
+namespace
+{
+using measuredbrdf::MaterialArchive;
+
+// Takes values off the front; zeros behind the end.
+class Input
+{
+public:
+  Input(const std::uint8_t* data, std::size_t size)
+    : Data(data)
+    , Left(size)
+  {
+  }
+  bool IsAtEnd() const { return this->Left == 0; }
+  template <typename T>
+  T Take()
+  {
+    T value{};
+    const std::size_t count = std::min(sizeof(T), this->Left);
+    std::memcpy(&value, this->Data, count);
+    this->Data += count;
+    this->Left -= count;
+    return value;
+  }
+  std::string TakeText()
+  {
+    const std::size_t count = std::min<std::size_t>(this->Take<std::uint8_t>(), this->Left);
+    const std::string text(reinterpret_cast<const char*>(this->Data), count);
+    this->Data += count;
+    this->Left -= count;
+    return text;
+  }
+
+private:
+  const std::uint8_t* Data;
+  std::size_t Left;
+};
+
+template <typename Map>
+typename Map::iterator Choose(Map& map, std::uint8_t which)
+{
+  return std::next(map.begin(), static_cast<long>(which % map.size()));
+}
+
+void Change(MaterialArchive& archive, Input& input)
+{
+  const auto what = input.Take<std::uint8_t>() % 8;
+  const auto which = input.Take<std::uint8_t>();
+  if (what == 0 && !archive.Numbers.empty())
+  {
+    std::vector<double>& numbers = Choose(archive.Numbers, which)->second;
+    numbers.resize(input.Take<std::uint8_t>() % 4, 0.5);
+    if (!numbers.empty())
+    {
+      numbers.back() = input.Take<double>();
+    }
+  }
+  else if (what == 1 && !archive.Options.empty())
+  {
+    Choose(archive.Options, which)->second = input.TakeText();
+  }
+  else if (what == 2 && !archive.Arrays.empty())
+  {
+    std::vector<int>& shape = Choose(archive.Arrays, which)->second.Shape;
+    shape.resize(input.Take<std::uint8_t>() % 6, 1);
+    if (!shape.empty())
+    {
+      shape[input.Take<std::uint8_t>() % shape.size()] = input.Take<std::uint8_t>();
+    }
+  }
+  else if (what == 3 && !archive.Arrays.empty())
+  {
+    std::vector<float>& values = Choose(archive.Arrays, which)->second.Values;
+    if (!values.empty())
+    {
+      values[input.Take<std::uint16_t>() % values.size()] = input.Take<float>();
+    }
+  }
+  else if (what == 4 && !archive.Arrays.empty())
+  {
+    Choose(archive.Arrays, which)->second.Channels = which & 1 ? 1 : 3;
+  }
+  else if (what == 5 && !archive.Arrays.empty())
+  {
+    archive.Arrays.erase(Choose(archive.Arrays, which));
+  }
+  else if (what == 6 && archive.Terms.empty()) // once: each sum takes its terms' time again
+  {
+    MaterialArchive sum;
+    sum.Representation = "Sum";
+    sum.Numbers = archive.Numbers;
+    sum.Terms.assign(which % 4, archive);
+    archive = std::move(sum);
+  }
+  else if (what == 7 && !archive.Terms.empty())
+  {
+    Change(archive.Terms[which % archive.Terms.size()], input);
+  }
+}
+
+// The reader fills arrays by their shapes; false for more than a small file holds.
+bool Fill(MaterialArchive& archive)
+{
+  std::size_t values = 0;
+  for (auto& [name, array] : archive.Arrays)
+  {
+    double count = array.Channels;
+    for (const int size : array.Shape)
+    {
+      count *= size;
+    }
+    if (count < 1.0 || count > 1e5)
+    {
+      return false;
+    }
+    measuredbrdf::CheckShape(archive.Representation, array.Shape);
+    array.Values.resize(static_cast<std::size_t>(count), 0.25f);
+    values += array.Values.size();
+  }
+  for (MaterialArchive& term : archive.Terms)
+  {
+    if (!Fill(term))
+    {
+      return false;
+    }
+  }
+  return values < 100000;
+}
+}
+
+MEASUREDBRDF_FUZZ_TARGET(MaterialArchive)(const std::uint8_t* data, std::size_t size)
+{
+  static const std::vector<MaterialArchive>& good =
+    *new std::vector<MaterialArchive>(fuzz::MakeArchives());
+  const fuzz::Silence silence;
+  Input input(data, size);
+  MaterialArchive archive = good[input.Take<std::uint8_t>() % good.size()];
+  for (int changes = 0; changes < 16 && !input.IsAtEnd(); ++changes)
+  {
+    Change(archive, input);
+  }
+  try
+  {
+    if (Fill(archive))
+    {
+      fuzz::Use(measuredbrdf::FromArchive(std::move(archive)), fuzz::IsRare(data, size));
+    }
+  }
+  catch (const std::runtime_error&) // how an archive is refused
+  {
+  }
+  return 0;
+}

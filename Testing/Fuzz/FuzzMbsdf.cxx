@@ -1,0 +1,11 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FuzzTarget.h"
+
+#include "MbsdfFile.h"
+
+MEASUREDBRDF_FUZZ_TARGET(Mbsdf)(const std::uint8_t* data, std::size_t size)
+{
+  fuzz::ReadMaterial(data, size, measuredbrdf::ReadMbsdf);
+  return 0;
+}

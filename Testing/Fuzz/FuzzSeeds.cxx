@@ -1,0 +1,217 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FuzzSeeds.h"
+
+#include "ExrMaterialFile.h"
+#include "FileBytes.h"
+#include "FuzzTarget.h"
+#include "SmallFiles.h"
+#include "vtkAdaptiveWarpBRDF.h"
+#include "vtkAshikhminShirleyBRDF.h"
+#include "vtkBasisBRDF.h"
+#include "vtkBlinnPhongBRDF.h"
+#include "vtkDistributionBRDF.h"
+#include "vtkEnvironment.h"
+#include "vtkLambertBRDF.h"
+#include "vtkNew.h"
+#include "vtkRadianceCostModel.h"
+#include "vtkSmartPointer.h"
+#include "vtkSumBRDF.h"
+#include "vtkTableRadianceIntegrator.h"
+#include "vtkTabulatedBRDF.h"
+
+namespace fuzz
+{
+namespace
+{
+using namespace testio;
+using Seeds = std::vector<std::string>;
+
+// A literal with the zeros in it.
+template <std::size_t N>
+std::string Bytes(const char (&literal)[N])
+{
+  return std::string(literal, N - 1);
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkSmartPointer<vtkBRDF>> MakeMaterials()
+{
+  vtkNew<vtkLambertBRDF> lambert;
+  vtkNew<vtkBlinnPhongBRDF> phong;
+  phong->SetExponent(20.0);
+  vtkNew<vtkAshikhminShirleyBRDF> ashikhmin;
+  vtkNew<vtkSumBRDF> sum;
+  sum->AddTerm(lambert);
+  sum->AddTerm(phong);
+  vtkNew<vtkDistributionBRDF> distribution;
+  Require(distribution->SetDistribution(4, 1, std::vector<float>(12, 0.5f)));
+  Require(distribution->SetFresnel(2, std::vector<float>(6, 0.5f)));
+  vtkNew<vtkTabulatedBRDF> table;
+  const int dimensions[3] = { 3, 2, 2 };
+  Require(table->SetVolume(vtkTabulatedBRDF::HALF_DIFFERENCE, vtkTabulatedBRDF::HALF_TURN,
+    dimensions, std::vector<float>(36, 0.25f)));
+  vtkNew<vtkBasisBRDF> basis;
+  const double zone[2] = { 0.0, 90.0 };
+  Require(basis
+            ->SetCoefficients(
+              vtkBasisBRDF::HEMISPHERICAL, 1, zone, zone, 3, 1, std::vector<float>(36, 0.125f))
+            .empty());
+  vtkNew<vtkAdaptiveWarpBRDF> warp;
+  Require(warp->SetTables(MakeTables()).empty());
+  return { lambert.Get(), phong.Get(), ashikhmin.Get(), sum.Get(), distribution.Get(), table.Get(),
+    basis.Get(), warp.Get() };
+}
+
+//------------------------------------------------------------------------------
+Seeds MakeExrMaterials()
+{
+  const ScratchFolder folder;
+  const std::string path = folder.GetPath() + "/seed.exr";
+  Seeds seeds;
+  for (const auto& material : MakeMaterials())
+  {
+    measuredbrdf::WriteExrMaterial(material, path, seeds.size() % 2 == 1);
+    seeds.emplace_back(measuredbrdf::FileBytes(path).GetView());
+  }
+  return seeds;
+}
+
+//------------------------------------------------------------------------------
+Seeds MakeExrHeaders()
+{
+  Seeds seeds;
+  for (const std::string& file : MakeExrMaterials())
+  {
+    seeds.push_back(file.substr(4, 600));
+  }
+  const std::string preview = Bytes("\2\0\0\0preview\0preview\0\x0c\0\0\0\1\0\0\0\1\0\0\0abcd\0");
+  const std::string texts = Bytes("\2\0\0\0list\0stringvector\0\x0b\0\0\0\3\0\0\0abc\0\0\0\0\0");
+  seeds.push_back(preview);
+  seeds.push_back(texts);
+  return seeds;
+}
+
+//------------------------------------------------------------------------------
+Seeds MakeEnvironments()
+{
+  Seeds seeds;
+  const std::string texels = Bytes("\x80\x40\x20\x81\xff\xff\xff\xff\0\0\0\0\2\2\2\2");
+  const std::string sizes[] = { Bytes("\2\0\1\0"), Bytes("\x20\0\x18\0"), Bytes("\x30\0\x08\0"),
+    Bytes("\x08\0\x08\0"), Bytes("\xff\xff\1\0") };
+  for (char projection = 0; projection < 9; ++projection)
+  {
+    for (std::size_t k = 0; k < 5; ++k)
+    {
+      const char kind = k == 4 ? 0 : k == 3 ? 3 : 2;
+      seeds.push_back(std::string{ projection, kind } + sizes[k] + texels);
+    }
+  }
+  seeds.push_back(Bytes("\0\1") + sizes[1] + texels);
+  return seeds;
+}
+
+//------------------------------------------------------------------------------
+Seeds MakePlans()
+{
+  vtkNew<vtkLambertBRDF> brdf;
+  vtkNew<vtkEnvironment> environment;
+  Require(environment->SetPixels(8, 4, std::vector<float>(8 * 4 * 3, 0.5f)));
+  vtkNew<vtkTableRadianceIntegrator> table;
+  table->SetNumberOfRows(9);
+  table->SetNumberOfViewAngles(2);
+  table->SetNumberOfAzimuths(4);
+  table->SetBRDF(brdf);
+  table->SetEnvironment(environment);
+  Require(table->Prepare());
+  const std::string bytes = table->GetPrepared();
+  const std::string figures = " 0 0 1.5 0.01 4096 2\n"; // lights, angle, cost, error, bytes, set-up
+  const auto plan = [&](const std::string& candidates, int count, int choice)
+  { return std::to_string(count) + " " + std::to_string(choice) + " 1\n" + candidates + "why\n"; };
+  const std::string contents[] = { plan("0 4 0 0 0" + figures, 1, 0),
+    plan("1 9 0 0 0" + figures, 1, 0), plan("2 16 0 0 0" + figures, 1, 0),
+    plan("1 9 0 0 0" + figures + "3 9 2 4 0" + figures, 2, 1) + bytes,
+    plan("4 9 2 4 8" + figures, 1, 0) + bytes };
+  Seeds seeds = { '\3' + bytes };
+  for (const std::string& text : contents)
+  {
+    seeds.push_back('\1' + text);
+    seeds.push_back('\0' + ("vtkMeasuredBRDF plan 1\n" + text));
+  }
+  return seeds;
+}
+} // namespace
+
+//------------------------------------------------------------------------------
+std::vector<measuredbrdf::MaterialArchive> MakeArchives()
+{
+  std::vector<measuredbrdf::MaterialArchive> archives;
+  for (const auto& material : MakeMaterials())
+  {
+    archives.push_back(measuredbrdf::ToArchive(material));
+  }
+  return archives;
+}
+
+//------------------------------------------------------------------------------
+Seeds MakeSeeds(const std::string& target)
+{
+  if (target == "Merl")
+  {
+    return { MakeMerl(2, 2, 3), MakeMerl(1, 1, 1), MakeMerl(1, 2, 2) + std::string(16, '\0') };
+  }
+  if (target == "Tensor")
+  {
+    return { MakeTensor(MakeTensorFields(MakeTables())) };
+  }
+  if (target == "Mbsdf")
+  {
+    return { MakeMbsdf(true, 2, 3), MakeMbsdf(false, 2, 2), MakeMbsdf(true, 1, 2, true) };
+  }
+  if (target == "Fit")
+  {
+    return { SmallFit,
+      "a = Aggregate(Lambertian(albedo = [+1e-1, .2, 0]), # inside\n"
+      " NganBlinnPhong(albedo = 0.5, sharpness = 1e3))\n"
+      "b = NganAshikhminShirley(albedo = [1, 1, 1], fresnelReflectance = 0.04, sharpness = 8)\n"
+      "c = Aggregate(Aggregate(Lambertian(albedo = [0, 0, 0])))\n" };
+  }
+  if (target == "ExrHeader")
+  {
+    return MakeExrHeaders();
+  }
+  if (target == "ExrMaterial")
+  {
+    return MakeExrMaterials();
+  }
+  if (target == "MaterialArchive")
+  {
+    Seeds seeds;
+    for (char representation = 0; representation < 8; ++representation)
+    {
+      seeds.emplace_back(1, representation);
+      seeds.push_back(representation + Bytes("\6\2\0\0\1\0\0\0\0\0\0\xf0\x3f"));
+    }
+    return seeds;
+  }
+  if (target == "Environment")
+  {
+    return MakeEnvironments();
+  }
+  if (target == "PlanCache")
+  {
+    return MakePlans();
+  }
+  if (target == "CostModel")
+  {
+    vtkNew<vtkRadianceCostModel> model;
+    return { model->GetText() };
+  }
+  if (target == "DirectionsCsv")
+  {
+    return { "# pairs\nix,iy,iz,ox,oy,oz\n0,0,1,0,0,1\n0.6,0,0.8,0,0.6,0.8\n",
+      "\xEF\xBB\xBFname,\"ix\",iy,iz,ox,oy,oz\r\n\"a, b\",+1e-3,0,1,-.5,0,1e0\r\n" };
+  }
+  return {};
+}
+} // namespace fuzz

@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What the fuzz targets share. A target is a function that takes any bytes and must come back: it
+ * crashes where a reader does, throws what the reader should not, or returns nonsense.
+ *
+ * With libFuzzer each target is a program; without it TestFuzzTargets calls them by name.
+ */
+
+#ifndef FuzzTarget_h
+#define FuzzTarget_h
+
+#include "FileBytes.h"
+#include "vtkBRDF.h"
+#include "vtkObject.h"
+
+#include <unistd.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <numeric>
+#include <string>
+#include <string_view>
+
+#ifdef MEASUREDBRDF_LIBFUZZER
+#define MEASUREDBRDF_FUZZ_TARGET(name) extern "C" int LLVMFuzzerTestOneInput
+#else
+#define MEASUREDBRDF_FUZZ_TARGET(name) int Fuzz##name
+#endif
+
+namespace fuzz
+{
+/// Ends the program where a promise is broken.
+inline void Require(bool promise)
+{
+  if (!promise)
+  {
+    std::abort();
+  }
+}
+
+inline std::string_view ToView(const std::uint8_t* data, std::size_t size)
+{
+  return std::string_view(reinterpret_cast<const char*>(data), size);
+}
+
+/// VTK's messages off, while it lives.
+class Silence
+{
+public:
+  Silence()
+    : Before(vtkObject::GetGlobalWarningDisplay())
+  {
+    vtkObject::GlobalWarningDisplayOff();
+  }
+  ~Silence() { vtkObject::SetGlobalWarningDisplay(this->Before); }
+  Silence(const Silence&) = delete;
+  void operator=(const Silence&) = delete;
+
+private:
+  int Before;
+};
+
+/// A folder of this process, in memory where the system has such a place; removed at its end.
+class ScratchFolder
+{
+public:
+  ScratchFolder()
+  {
+    const std::filesystem::path memory("/dev/shm");
+    const bool inMemory = ::access(memory.c_str(), W_OK | X_OK) == 0;
+    std::string pattern =
+      ((inMemory ? memory : std::filesystem::temp_directory_path()) / "measuredbrdf-fuzz-XXXXXX")
+        .string();
+    Require(::mkdtemp(pattern.data()) != nullptr);
+    this->Path = pattern;
+  }
+  ~ScratchFolder()
+  {
+    std::error_code error;
+    std::filesystem::remove_all(this->Path, error);
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  void operator=(const ScratchFolder&) = delete;
+
+  /// The path of the file with these contents.
+  std::string Write(const std::string& name, std::string_view bytes) const
+  {
+    const std::string path = this->Path + "/" + name;
+    std::ofstream file(path, std::ios::binary | std::ios::trunc);
+    file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    file.close();
+    Require(file.good());
+    return path;
+  }
+  const std::string& GetPath() const { return this->Path; }
+
+private:
+  std::string Path;
+};
+
+/// What programs do with a material that was read. Its values keep vtkBRDF's promise. sampled:
+/// also what takes long to build.
+inline void Use(vtkBRDF* brdf, bool sampled)
+{
+  Require(brdf != nullptr);
+  constexpr double directions[][3] = { { 0.0, 0.0, 1.0 }, { 0.6, 0.0, 0.8 },
+    { -0.28, 0.9553, 0.0925 } };
+  if (sampled)
+  {
+    brdf->Prepare();
+  }
+  for (const auto& i : directions)
+  {
+    for (const auto& o : directions)
+    {
+      double f[3];
+      brdf->Evaluate(i, o, f);
+      for (const double value : f)
+      {
+        Require(std::isfinite(value) && value >= 0.0);
+      }
+      if (sampled)
+      {
+        double drawn[3];
+        brdf->Sample(o, 0.3, 0.7, drawn);
+        brdf->Pdf(i, o);
+      }
+    }
+  }
+}
+
+/// True for one input in 32, always for the same ones.
+inline bool IsRare(const std::uint8_t* data, std::size_t size)
+{
+  return std::accumulate(data, data + size, 0u) % 32 == 0;
+}
+
+/// Read a material's file by a function of the IO room. FileError is how it refuses; any other
+/// exception is a fault: what was not checked before it was used or allocated.
+template <typename Reader>
+void ReadMaterial(const std::uint8_t* data, std::size_t size, Reader reader)
+{
+  const Silence silence;
+  try
+  {
+    Use(reader(measuredbrdf::FileBytes::View("file", ToView(data, size))).BRDF, IsRare(data, size));
+  }
+  catch (const measuredbrdf::FileError&)
+  {
+  }
+}
+} // namespace fuzz
+
+#endif

@@ -1,0 +1,94 @@
+#!/bin/bash
+# SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+# SPDX-License-Identifier: BSD-3-Clause
+# Fuzzes the readers with libFuzzer and the address and undefined-behavior sanitizers:
+#
+#   cmake/ci/fuzz.sh [SECONDS] [TARGET...]
+#
+# Builds the targets of Testing/Fuzz with Clang in a tree of its own, build-fuzz (VTK and the other libraries are not
+# instrumented), and runs each, or each that is named ("Merl"), for SECONDS (default 30). What was found to be new is
+# kept in build-fuzz/corpus and used again. An input that a target does not survive is left in build-fuzz/findings, and
+# the exit status is 1; to see it once more: build-fuzz/bin/FuzzTARGET FILE.
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+
+# name, largest input in bytes, dictionary
+targets="
+  CostModel        1024 CostModel
+  DirectionsCsv    2048 DirectionsCsv
+  Environment      1024 Environment
+  ExrHeader        2048 Exr
+  ExrMaterial      8192 Exr
+  Fit              2048 Fit
+  MaterialArchive  512  Archive
+  Mbsdf            4096 Mbsdf
+  Merl             4096 Merl
+  PlanCache       49152 PlanCache
+  Tensor           8192 Tensor"
+
+usage() {
+  echo "usage: cmake/ci/fuzz.sh [SECONDS] [TARGET...]; targets:" $(awk '{ print $1 }' <<<"$targets") >&2
+  exit 2
+}
+seconds=30
+case ${1:-} in
+  '' | *[!0-9]*) ;;
+  *) seconds=$1; shift ;;
+esac
+[ "$seconds" -gt 0 ] || usage
+for name in "$@"; do
+  grep -q "^ *$name " <<<"$targets" || usage
+done
+
+cmake/install-packages.sh --tests
+# Clang's runtime library with libFuzzer is a package of its own; "clang" is the suite's default version.
+suffix=
+packages=(clang)
+if [ "$(sed -n 's/^VERSION_ID="\(.*\)"$/\1/p' /etc/os-release 2>/dev/null)" = 12 ]; then
+  suffix=-14
+  packages=(clang-14 libclang-rt-14-dev)
+fi
+cmake/install-packages.sh --only "${packages[@]}"
+if [ -z "$suffix" ] && command -v dpkg-query >/dev/null; then
+  version=$(clang -dumpversion | cut -d. -f1)
+  cmake/install-packages.sh --only "libclang-rt-$version-dev"
+fi
+
+build=build-fuzz
+mkdir -p "$build"
+if ! cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_C_COMPILER="clang$suffix" \
+  -DCMAKE_CXX_COMPILER="clang++$suffix" -DBUILD_TESTING=OFF -DMEASUREDBRDF_WRAP_PYTHON=OFF \
+  -DMEASUREDBRDF_BUILD_TOOL=OFF -DMEASUREDBRDF_BUILD_FUZZERS=ON >"$build/configure.log" 2>&1; then
+  tail -n 30 "$build/configure.log" >&2
+  exit 1
+fi
+cmake --build "$build" --target fuzzers
+
+# VTK keeps objects until the end; leaks are not what is looked for.
+export ASAN_OPTIONS=detect_leaks=0 UBSAN_OPTIONS=print_stacktrace=1 MEASUREDBRDF_CACHE=off
+findings=$build/findings
+mkdir -p "$findings"
+status=0
+while read -r name length dictionary; do
+  [ -n "$name" ] || continue
+  if [ $# -gt 0 ] && [[ " $* " != *" $name "* ]]; then
+    continue
+  fi
+  corpus=$build/corpus/$name
+  seeds=$build/seeds/$name
+  log=$build/$name.log
+  mkdir -p "$corpus" "$seeds"
+  "$build/bin/MakeFuzzSeeds" "$name" "$seeds"
+  if "$build/bin/Fuzz$name" -max_total_time="$seconds" -max_len="$length" -rss_limit_mb=2048 -timeout=20 \
+    -dict="Testing/Fuzz/$dictionary.dict" -artifact_prefix="$findings/$name-" -print_final_stats=1 -verbosity=1 \
+    "$corpus" "$seeds" >"$log" 2>&1; then
+    printf '%-16s %10s executions in %s s, %s inputs kept\n' "$name" \
+      "$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")" "$seconds" "$(find "$corpus" -type f | wc -l)"
+  else
+    status=1
+    printf '%-16s FOUND something; log: %s\n' "$name" "$log"
+    grep -E -A 12 'ERROR: |runtime error: |terminate called|what\(\)' "$log" | head -n 30 || true
+    grep -E '^artifact_prefix|Test unit written to' "$log" || true
+  fi
+done <<<"$targets"
+exit "$status"
