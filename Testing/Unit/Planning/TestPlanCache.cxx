@@ -198,7 +198,7 @@ TEST_F(PlanCache, DamagedFilesAreMadeAgain)
   for (int damage = 0; damage < 5; ++damage)
   {
     const std::uintmax_t size = fs::file_size(file); // the text has times in it: they differ
-    if (damage == 0) // a byte in the middle
+    if (damage == 0)                                 // a byte in the middle
     {
       std::fstream stream(file, std::ios::in | std::ios::out | std::ios::binary);
       stream.seekp(static_cast<std::streamoff>(size / 2));
