@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Plans as Testing/Data/golden-plans.csv holds them: a change of structure changes none; a change
 // of method writes them anew (MEASUREDBRDF_WRITE_GOLDEN=FILE) and says why.
+// Every third row is tried; all of them, which takes two minutes, where MEASUREDBRDF_ALL_PLANS is
+// set.
 
 #include "vtkBRDF.h"
 #include "vtkBRDFReader.h"
@@ -96,10 +98,12 @@ void Check(bool shared)
     written.open(output, std::ios::app);
   }
   std::map<std::string, vtkSmartPointer<vtkEnvironment>> environments;
+  const int step = output || std::getenv("MEASUREDBRDF_ALL_PLANS") ? 1 : 3;
+  int seen = 0;
   int count = 0;
   for (const Row& row : ReadRows())
   {
-    if ((IsShared(row.Material) || IsShared(row.Environment)) != shared)
+    if ((IsShared(row.Material) || IsShared(row.Environment)) != shared || seen++ % step != 0)
     {
       continue;
     }
@@ -129,7 +133,7 @@ void Check(bool shared)
     }
     ++count;
   }
-  EXPECT_GE(count, 10);
+  EXPECT_GE(count, 4);
 }
 } // namespace
 
