@@ -7,6 +7,8 @@
 #include "MeasuredBRDFToolVersion.h"
 #include "vtkBRDFReader.h"
 
+#include <CLI/CLI.hpp>
+
 #include <exception>
 #include <iostream>
 #include <sstream>

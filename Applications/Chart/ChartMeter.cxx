@@ -239,9 +239,7 @@ Method ChartMeter::Make(const ChartSize& size, const Material& material,
   const auto begin = std::chrono::steady_clock::now();
   if (size.Options.Method != "thesis")
   {
-    MethodOptions options = size.Options;
-    options.Plan.Look(this->Scene.Mesh, this->Scene.Camera, Fill, this->Scene.Picture);
-    Method made = MakeMethod(options, material, environment);
+    Method made = MakeMethod(size.Options, material, environment);
     milliseconds = GetElapsed(begin);
     return made;
   }
@@ -274,12 +272,12 @@ ChartMeter::Timed ChartMeter::Begin(const ChartSize& size, const Material& mater
   Timed timed;
   auto scene = std::make_unique<tool::Scene>();
   this->Place(*scene);
-  const Method method = this->Make(size, material, environment, timed.Point.SetUp);
+  Method method = this->Make(size, material, environment, timed.Point.SetUp);
   const auto begin = std::chrono::steady_clock::now();
-  scene->SetMaterial(method.BRDF);
-  scene->SetLight(environment, method.Integrator);
-  timed.Expected = scene->TimeFrame();
-  timed.Point.SetUp += GetElapsed(begin);
+  scene->Begin(method, environment, size.Options.Plan);
+  const double first = GetElapsed(begin);
+  timed.Point.SetUp += first;
+  timed.Expected = method.Planner ? scene->TimeFrame() : first; // without the planning
   if (method.Planner)
   {
     timed.Point.Plan = method.Planner->GetPlan();

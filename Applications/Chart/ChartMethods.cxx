@@ -4,8 +4,15 @@
 
 #include "Tool.h"
 
+#include "vtkEnvironment.h"
+#include "vtkLambertBRDF.h"
+#include "vtkNew.h"
+#include "vtkRadianceMethods.h"
+
 #include <algorithm>
+#include <cstddef>
 #include <cstdlib>
+#include <iterator>
 
 namespace
 {
@@ -39,11 +46,13 @@ void ApplySoftLights(const std::string& size, MethodOptions& options)
 }
 
 //------------------------------------------------------------------------------
-template <const char* const& Method>
-void ApplySizes(const std::string& size, MethodOptions& options)
+std::function<void(const std::string&, MethodOptions&)> ApplySizes(const std::string& method)
 {
-  options.Method = Method;
-  options.Sizes = size;
+  return [method](const std::string& size, MethodOptions& options)
+  {
+    options.Method = method;
+    options.Sizes = size;
+  };
 }
 
 //------------------------------------------------------------------------------
@@ -62,32 +71,71 @@ void ApplyPlanner(const std::string& tolerance, MethodOptions& options)
   options.Plan.Tolerance = std::atof(tolerance.c_str());
 }
 
-const char* const Table = "table";
-const char* const Hybrid = "hybrid";
-const char* const Basis = "basis";
-const char* const Filtered = "filtered";
+//------------------------------------------------------------------------------
+// What a method of somebody else's would have a planner try, as --sizes takes it.
+std::vector<std::string> ListSizes(vtkRadianceIntegrator* method)
+{
+  const auto asked = vtkSmartPointer<vtkRadianceIntegrator>::Take(method->NewCopy());
+  vtkNew<vtkLambertBRDF> brdf;
+  vtkNew<vtkEnvironment> environment;
+  environment->SetToProceduralSky();
+  asked->SetBRDF(brdf);
+  asked->SetEnvironment(environment);
+  std::vector<std::string> sizes;
+  for (const std::vector<int>& candidate : asked->GetCandidateSizes(true))
+  {
+    std::string text;
+    for (const int size : candidate)
+    {
+      text += (text.empty() ? "" : ",") + std::to_string(size);
+    }
+    sizes.push_back(text);
+  }
+  return sizes;
+}
+
+//------------------------------------------------------------------------------
+// A curve for each method that has none yet.
+void AddOthers(std::vector<tool::ChartMethod>& methods)
+{
+  const tool::RGB colors[] = { { 0.55, 0.34, 0.29 }, { 0.50, 0.50, 0.0 }, { 0.0, 0.50, 0.50 } };
+  std::size_t others = 0;
+  for (const auto& method : vtkRadianceMethods::GetMethods())
+  {
+    const std::string name = method->GetMethodName();
+    const bool known = name == "exact" || name == "light-set" || // which has three curves
+                       std::any_of(methods.begin(), methods.end(),
+                         [&name](const tool::ChartMethod& other) { return other.Name == name; });
+    const std::vector<std::string> sizes = known ? std::vector<std::string>() : ListSizes(method);
+    if (!sizes.empty())
+    {
+      methods.push_back({ name, name, colors[others++ % std::size(colors)], false,
+        { sizes.front(), sizes.back() }, sizes, ApplySizes(name) });
+    }
+  }
+}
 }
 
 namespace tool
 {
 //------------------------------------------------------------------------------
-const std::vector<ChartMethod>& GetChartMethods()
+static std::vector<ChartMethod> MakeChartMethods()
 {
   // Colors that stay apart for every kind of color vision (Okabe and Ito 2008; violet is not
   // theirs).
-  static const std::vector<ChartMethod> methods = {
+  std::vector<ChartMethod> known = {
     { "table", "radiance table", { 0.0, 0.45, 0.70 }, false, { "17,8,8", "33,12,16", "65,12,16" },
       { "9,6,8", "17,8,8", "33,12,16", "33,24,16", "65,8,8", "65,12,16", "65,24,24", "129,8,8",
         "129,12,16", "129,24,16", "257,8,8" },
-      ApplySizes<Table> },
+      ApplySizes("table") },
     { "hybrid", "hybrid", { 0.45, 0.26, 0.65 }, false, { "33,12,16,0", "33,12,16,8" },
       { "17,8,8,0", "33,8,8,0", "33,12,16,0", "65,8,8,0", "65,12,16,0", "129,8,8,0", "129,12,16,0",
         "257,8,8,0", "65,12,16,8" },
-      ApplySizes<Hybrid> },
+      ApplySizes("hybrid") },
     { "basis", "pre-integrated basis", { 0.0, 0.62, 0.45 }, true, { "9", "25", "64" },
-      { "4", "9", "16", "25", "49", "64", "100", "144" }, ApplySizes<Basis> },
+      { "4", "9", "16", "25", "49", "64", "100", "144" }, ApplySizes("basis") },
     { "filtered", "filtered samples", { 0.80, 0.47, 0.65 }, true, { "4", "16", "64" },
-      { "4", "8", "16", "32", "64", "128", "256" }, ApplySizes<Filtered> },
+      { "4", "8", "16", "32", "64", "128", "256" }, ApplySizes("filtered") },
     { "soft-lights", "soft lights", { 0.90, 0.62, 0.0 }, true, { "16", "64", "256" },
       { "4", "16", "64", "256", "1024", "4096" }, ApplySoftLights },
     { "median-cut", "median cut", { 0.84, 0.37, 0.0 }, true, { "16", "64", "256" },
@@ -100,6 +148,14 @@ const std::vector<ChartMethod>& GetChartMethods()
     { PBRMethod, "VTK's PBR", { 0.0, 0.0, 0.0 }, false, { "" }, { "" }, nullptr },
     { PlannerMethod, "planner", { 0.0, 0.0, 0.0 }, false, {}, {}, ApplyPlanner },
   };
+  AddOthers(known);
+  return known;
+}
+
+//------------------------------------------------------------------------------
+const std::vector<ChartMethod>& GetChartMethods()
+{
+  static const std::vector<ChartMethod> methods = MakeChartMethods();
   return methods;
 }
 

@@ -11,6 +11,7 @@
 #include "Methods.h"
 #include "Picture.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -23,9 +24,10 @@ struct ChartMethod
   std::string Label; // for people
   RGB Color;         // sRGB in [0,1]
   bool Grows;        // whether the frame time is about proportional to the size's first number
-  std::vector<std::string> FewSizes;                              // of --sweep small
-  std::vector<std::string> AllSizes;                              // of --sweep full
-  void (*Apply)(const std::string& size, MethodOptions& options); // null: not a measured material
+  std::vector<std::string> FewSizes; // of --sweep small
+  std::vector<std::string> AllSizes; // of --sweep full
+  // Sets a size; empty: not a measured material.
+  std::function<void(const std::string& size, MethodOptions& options)> Apply;
 };
 
 ///@{
@@ -39,7 +41,8 @@ constexpr const char* ThesisMethod = "thesis";
 constexpr const char* InView = " in view";
 bool IsInView(const std::string& size);
 
-/// All of them, those that are always there included.
+/// All of them, those that are always there included. A method of vtkRadianceMethods that is not
+/// one of the tool's curves gets one of its own, by its candidate sizes.
 const std::vector<ChartMethod>& GetChartMethods();
 
 /// One of them; throws UsageError that names the others.

@@ -10,6 +10,8 @@
 #include "vtkBRDFAcquisition.h"
 #include "vtkNew.h"
 
+#include <CLI/CLI.hpp>
+
 #include <cmath>
 #include <memory>
 

@@ -12,6 +12,8 @@
 #include "Sizes.h"
 #include "Tool.h"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>

@@ -22,6 +22,7 @@
 #include "vtkRadianceMetrics.h"
 #include "vtkVersion.h"
 
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -381,11 +382,8 @@ void Run(Options& options, const CLI::App* command)
   found.Setup = GetMilliseconds(
     [&]()
     {
-      options.Method.Plan.Look(mesh, view, Fill, size);
       method = tool::MakeMethod(options.Method, shaded, environment);
-      scene.SetMaterial(method.BRDF);
-      scene.SetLight(environment, method.Integrator);
-      scene.TimeFrame();
+      scene.Begin(method, environment, options.Method.Plan);
     });
   found.StockSetup = GetMilliseconds(
     [&]()
@@ -468,8 +466,7 @@ void AddCompareCommand(CLI::App& app)
   command->add_option("--mesh", options->Mesh,
     "Mesh to show it on: ply, stl, obj, vtp, vtk, gltf or glb (default: a sphere)");
   options->Method.Method = "auto";
-  options->Method.AddTo(
-    command, { "light-set", "thesis", "basis", "filtered", "table", "hybrid", "auto" });
+  options->Method.AddTo(command, false);
   options->Method.Plan.AddForViewTo(command);
   command->add_option(
     "--size", options->Size, "Picture size in pixels, WIDTHxHEIGHT (default 500x500)");

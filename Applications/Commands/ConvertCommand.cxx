@@ -9,6 +9,8 @@
 #include "vtkBRDFResampler.h"
 #include "vtkNew.h"
 
+#include <CLI/CLI.hpp>
+
 #include <memory>
 
 namespace

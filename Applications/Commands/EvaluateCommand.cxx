@@ -4,6 +4,8 @@
 #include "Inputs.h"
 #include "Tool.h"
 
+#include <CLI/CLI.hpp>
+
 #include <memory>
 
 namespace

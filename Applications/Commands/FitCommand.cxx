@@ -14,6 +14,7 @@
 #include "vtkNew.h"
 #include "vtkPBRPropertyFitter.h"
 
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <chrono>

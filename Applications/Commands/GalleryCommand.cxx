@@ -14,7 +14,8 @@
 #include "vtkEmbeddedMaterials.h"
 #include "vtkNew.h"
 #include "vtkRadianceIntegrator.h"
-#include "vtkRadiancePlanner.h"
+
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <memory>
@@ -63,22 +64,6 @@ std::vector<std::string> ChooseEmbedded()
     }
   }
   return names;
-}
-
-//------------------------------------------------------------------------------
-// The method that the mapper's AUTO would take: no dots, whatever the gloss.
-void Plan(tool::Scene& scene, vtkBRDF* brdf, vtkEnvironment* environment)
-{
-  vtkNew<vtkRadiancePlanner> planner;
-  planner->SetBRDF(brdf);
-  planner->SetEnvironment(environment);
-  if (!planner->Update())
-  {
-    throw tool::Error("planning: " + tool::TakeErrorText());
-  }
-  scene.SetMaterial(planner->GetBRDF());
-  scene.SetLight(
-    environment, vtkSmartPointer<vtkRadianceIntegrator>::Take(planner->NewIntegrator()));
 }
 
 //------------------------------------------------------------------------------
@@ -188,14 +173,14 @@ void Run(const Options& options)
   for (int k = 0; k < n; ++k)
   {
     materials[k].BRDF->Prepare();
+    scene.SetMaterial(materials[k].BRDF);
     if (options.UseLights)
     {
-      scene.SetMaterial(materials[k].BRDF);
       scene.SetLight(environment, options.Lights);
     }
     else
     {
-      Plan(scene, materials[k].BRDF, environment);
+      scene.SetLight(environment, nullptr);
     }
     tool::Picture tile = scene.Render(Smooth * tileWidth, Smooth * tileHeight);
     tool::ComposeOver(tile, scene, backdrop, exposure);

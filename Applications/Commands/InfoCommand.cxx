@@ -16,6 +16,7 @@
 #include "vtkSumBRDF.h"
 #include "vtkTabulatedBRDF.h"
 
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <cstdio>

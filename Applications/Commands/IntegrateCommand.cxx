@@ -7,6 +7,8 @@
 #include "Surface.h"
 #include "Tool.h"
 
+#include <CLI/CLI.hpp>
+
 #include <memory>
 
 namespace
@@ -41,7 +43,13 @@ void Run(Options& options, const CLI::App* command)
     normals.insert(normals.end(), pair.begin(), pair.begin() + 3);
     views.insert(views.end(), pair.begin() + 3, pair.end());
   }
-  const tool::Method method = tool::MakeMethod(options.Method, material, environment);
+  tool::Method method = tool::MakeMethod(options.Method, material, environment);
+  if (!method.Integrator)
+  {
+    method.Planner = tool::MakePlan(material, environment, options.Method.Plan);
+    method.Integrator =
+      vtkSmartPointer<vtkRadianceIntegrator>::Take(method.Planner->NewIntegrator());
+  }
   const auto integrate = options.On == "gpu" ? tool::DrawPairs : tool::IntegratePairs;
   tool::WriteResults(options.Output, columns, pairs, integrate(method.Integrator, normals, views));
 }
@@ -64,8 +72,7 @@ void AddIntegrateCommand(CLI::App& app)
       "viewer) in world coordinates, y up. Other columns and lines that start with # are ignored")
     ->required();
   options->Method.Method = "exact";
-  options->Method.AddTo(
-    command, { "exact", "light-set", "thesis", "basis", "filtered", "table", "hybrid", "auto" });
+  options->Method.AddTo(command, true);
   command
     ->add_option("--on", options->On,
       "cpu (default), or gpu: what the renderer's shader makes of it (not of --method exact)")

@@ -5,6 +5,8 @@
 #include "LightMap.h"
 #include "Tool.h"
 
+#include <CLI/CLI.hpp>
+
 #include <memory>
 
 namespace

@@ -5,6 +5,7 @@
 #include "vtkEmbeddedEnvironments.h"
 #include "vtkEmbeddedMaterials.h"
 
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>

@@ -4,9 +4,11 @@
 #include "Meshes.h"
 #include "Methods.h"
 #include "Progress.h"
+#include "Scene.h"
 #include "Sizes.h"
 #include "Tool.h"
 
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
@@ -34,9 +36,10 @@ constexpr double Fill = 0.9;
 nlohmann::ordered_json MakeCostsJSON(vtkRadianceCostModel* model)
 {
   nlohmann::ordered_json costs = { { "renderer", model->GetName() } };
-  for (int type = 0; type < vtkRadianceCostModel::NUMBER_OF_COSTS; ++type)
+  for (int k = 0; k < model->GetNumberOfCosts(); ++k)
   {
-    costs[vtkRadianceCostModel::GetCostName(type) + "_ns"] = model->GetCost(type);
+    const std::string name = model->GetCostName(k);
+    costs[name + "_ns"] = model->GetCost(name);
   }
   return costs;
 }
@@ -99,10 +102,17 @@ void Run(Options& options, const CLI::App* command)
   const tool::Interruptible interruptible;
   const tool::Material material = tool::LoadMaterial(options.File);
   const vtkSmartPointer<vtkEnvironment> environment = tool::LoadEnvironment(options.Environment);
-  options.Plan.Look(
-    options.Mesh.empty() ? tool::MakeSphere() : tool::LoadMesh(options.Mesh), view, Fill, size);
+  tool::VisiblePairs seen;
+  if (options.Plan.ForView)
+  {
+    tool::Scene scene;
+    scene.SetMesh(options.Mesh.empty() ? tool::MakeSphere() : tool::LoadMesh(options.Mesh));
+    scene.SetView(view.Azimuth, view.Elevation, Fill);
+    scene.SetMaterial(material.BRDF);
+    scene.Look(size.Width, size.Height, seen);
+  }
   const vtkSmartPointer<vtkRadiancePlanner> planner =
-    tool::MakePlan(material, environment, options.Plan);
+    tool::MakePlan(material, environment, options.Plan, options.Plan.ForView ? &seen : nullptr);
   if (options.JSON)
   {
     PrintJSON(planner, material.Name, environment);

@@ -12,6 +12,8 @@
 #include "vtkBasisProjector.h"
 #include "vtkNew.h"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <iterator>
 #include <memory>

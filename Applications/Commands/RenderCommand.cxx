@@ -13,6 +13,7 @@
 
 #include "vtkVersion.h"
 
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -144,18 +145,17 @@ void Run(Options& options, const CLI::App* command)
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin)
       .count();
   };
-  options.Method.Plan.Look(mesh, view, Fill, size);
-  const tool::Method method = tool::MakeMethod(options.Method, material, environment);
+  tool::Method method = tool::MakeMethod(options.Method, material, environment);
   tool::Scene scene;
   scene.SetMesh(mesh);
-  scene.SetMaterial(method.BRDF);
-  scene.SetLight(environment, exact ? nullptr : method.Integrator.Get());
   scene.SetView(view.Azimuth, view.Elevation, Fill);
   const int factor = GetFactor(options, size);
   std::vector<double> frames;
-  if (!exact && !options.Report.empty())
+  if (!exact)
   {
-    scene.Render(size.Width, size.Height);
+    scene.Open(size.Width, size.Height);
+    scene.Begin(method, environment, options.Method.Plan);
+    scene.SetLight(environment, method.Integrator); // this plan for the larger picture, too
   }
   const double setup = elapsed();
   for (int k = 0; !exact && !options.Report.empty() && k < NumberOfFrames; ++k)
@@ -215,8 +215,7 @@ void AddRenderCommand(CLI::App& app)
     "Mesh to show it on: ply, stl, obj, vtp, vtk, gltf or glb (default: a sphere). Smooth normals "
     "are made where it has none");
   options->Method.Method = "auto";
-  options->Method.AddTo(
-    command, { "exact", "light-set", "thesis", "basis", "filtered", "table", "hybrid", "auto" });
+  options->Method.AddTo(command, true);
   options->Method.Plan.AddForViewTo(command);
   options->Method.Plan.AddCalibrateTo(command);
   command->add_flag("--no-cache", options->NoCache,

@@ -20,6 +20,8 @@
 #include "vtkNew.h"
 #include "vtkRepresentationAdvisor.h"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>

@@ -10,6 +10,7 @@
 
 #include "vtkVersion.h"
 
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <sys/utsname.h>

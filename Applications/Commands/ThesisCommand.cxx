@@ -18,6 +18,8 @@
 #include "vtkNew.h"
 #include "vtkRepresentationAdvisor.h"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

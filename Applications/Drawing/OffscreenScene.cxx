@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OffscreenScene.h"
 
+#include "Progress.h"
 #include "Tool.h"
 
 #include "vtkActor.h"
@@ -118,6 +119,7 @@ Picture OffscreenScene::Capture(int width, int height)
 {
   this->Window->SetSize(width, height);
   this->Window->Render();
+  Interruptible::Check();
   const std::string errors = TakeErrorText();
   if (!errors.empty())
   {

@@ -2,8 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene.h"
 
+#include "Progress.h"
+#include "Tool.h"
+
+#include "vtkActor.h"
+#include "vtkCommand.h"
+#include "vtkLightSetRadianceIntegrator.h"
 #include "vtkMeasuredBRDFMapper.h"
+#include "vtkNew.h"
 #include "vtkRadianceIntegrator.h"
+#include "vtkRadiancePlanner.h"
+#include "vtkRenderer.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -21,48 +30,99 @@ Scene::Scene(vtkMeasuredBRDFMapper* mapper)
   : OffscreenScene(mapper)
   , Mapper(mapper)
 {
+  this->Mapper->AddObserver(vtkCommand::ProgressEvent, this, &Scene::OnProgress);
 }
 
 //------------------------------------------------------------------------------
 Scene::~Scene() = default;
 
 //------------------------------------------------------------------------------
-void Scene::SetMaterial(vtkBRDF* brdf) { this->Mapper->SetBRDF(brdf); }
-
-//------------------------------------------------------------------------------
-void Scene::SetLight(vtkEnvironment* environment, const LightSetOptions& lights)
+// VTK's mappers raise it at the end of each frame, too, with 1.
+void Scene::OnProgress(vtkObject*, unsigned long, void* share)
 {
-  this->Mapper->SetEnvironment(environment);
-  this->Mapper->SetIntegrator(nullptr);
-  this->Mapper->SetMethodToLightSet();
-  this->Mapper->SetNumberOfLights(lights.Count);
-  if (lights.IsMedianCut())
+  const double done = share ? *static_cast<double*>(share) : 1.0;
+  if (done >= 1.0)
   {
-    this->Mapper->SetLightSetMethodToMedianCut();
+    this->Bar.reset();
+    return;
   }
-  else if (lights.IsImportance())
+  if (!this->Bar)
   {
-    this->Mapper->SetLightSetMethodToImportanceSampling();
+    this->Bar = std::make_unique<ProgressBar>("planning");
   }
-  else
+  this->Bar->Update(done);
+  if (Interruptible::IsInterrupted())
   {
-    this->Mapper->SetLightSetMethodToVariance();
+    this->Mapper->SetAbortPlanning(true);
   }
-  // The mapper has no published variance minimization of its own.
-  this->Mapper->SetLightSet(
-    lights.Method == "minimum-variance" ? MakeLightSet(environment, lights) : nullptr);
-  this->Mapper->SetSeed(lights.Seed);
-  this->Mapper->SetSoftLights(lights.Soft);
 }
 
 //------------------------------------------------------------------------------
-void Scene::SetLightSet(vtkLightSet* lights) { this->Mapper->SetLightSet(lights); }
+void Scene::SetMaterial(vtkBRDF* brdf) { this->Mapper->SetBRDF(brdf); }
 
 //------------------------------------------------------------------------------
 void Scene::SetLight(vtkEnvironment* environment, vtkRadianceIntegrator* integrator)
 {
+  this->Integrator = integrator;
   this->Mapper->SetEnvironment(environment);
   this->Mapper->SetIntegrator(integrator);
+}
+
+//------------------------------------------------------------------------------
+void Scene::SetLight(vtkEnvironment* environment, const LightSetOptions& lights)
+{
+  vtkNew<vtkLightSetRadianceIntegrator> loop;
+  loop->SetLightSet(MakeLightSet(environment, lights));
+  loop->SetSoftLights(lights.Soft);
+  this->SetLight(environment, loop);
+}
+
+//------------------------------------------------------------------------------
+void Scene::SetLightSet(vtkLightSet* lights)
+{
+  vtkNew<vtkLightSetRadianceIntegrator> loop;
+  loop->SetLightSet(lights);
+  this->Mapper->SetIntegrator(lights ? loop : this->Integrator.Get());
+}
+
+//------------------------------------------------------------------------------
+void Scene::SetPlan(const PlanOptions& options)
+{
+  this->Mapper->SetErrorTolerance(options.Tolerance);
+  this->Mapper->SetPlanForView(options.ForView);
+  this->Mapper->SetCacheFolder(options.GetCacheFolder());
+  this->Mapper->SetCostModel(options.GetCosts());
+}
+
+//------------------------------------------------------------------------------
+void Scene::Begin(Method& method, vtkEnvironment* environment, const PlanOptions& options)
+{
+  if (!method.Integrator)
+  {
+    this->SetPlan(options);
+  }
+  this->SetMaterial(method.BRDF);
+  this->SetLight(environment, method.Integrator);
+  this->TimeFrame();
+  if (method.Integrator)
+  {
+    return;
+  }
+  method.Integrator = this->Mapper->GetCurrentIntegrator();
+  method.Planner = this->Mapper->GetCurrentPlanner();
+  if (!method.Planner)
+  {
+    throw Error("planning: " + TakeErrorText());
+  }
+}
+
+//------------------------------------------------------------------------------
+void Scene::Look(int width, int height, VisiblePairs& seen)
+{
+  this->Open(width, height);
+  this->PlaceCamera(width, height);
+  seen.NumberOfPixels =
+    this->Mapper->GetVisiblePairs(this->Renderer, this->Actor, seen.Normals, seen.Views);
 }
 
 //------------------------------------------------------------------------------

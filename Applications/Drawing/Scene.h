@@ -9,15 +9,19 @@
 #define Scene_h
 
 #include "Inputs.h"
+#include "Methods.h"
 #include "OffscreenScene.h"
 
 #include <cstddef>
+#include <memory>
 
 class vtkMeasuredBRDFMapper;
 class vtkRadianceIntegrator;
 
 namespace tool
 {
+class ProgressBar;
+
 class Scene : public OffscreenScene
 {
 public:
@@ -25,20 +29,34 @@ public:
   ~Scene() override;
 
   void SetMaterial(vtkBRDF* brdf);
+
+  /// The environment and what integrates it; null: what the mapper plans. Planning shows a progress
+  /// bar, and Ctrl-C stops it where there is an Interruptible.
+  void SetLight(vtkEnvironment* environment, vtkRadianceIntegrator* integrator);
   void SetLight(vtkEnvironment* environment, const LightSetOptions& lights);
 
-  /// These lights instead of an environment's, until null is set.
+  /// These lights instead of what SetLight has set, until null is set.
   void SetLightSet(vtkLightSet* lights);
 
-  /// The environment, integrated by this one instead of a light set, until null is set.
-  void SetLight(vtkEnvironment* environment, vtkRadianceIntegrator* integrator);
+  /// How the mapper plans.
+  void SetPlan(const PlanOptions& options);
+
+  /// Draw a first frame of the size that is open. Of a planned method, its integrator and its
+  /// planner are those that were drawn. Throws Error.
+  void Begin(Method& method, vtkEnvironment* environment, const PlanOptions& options);
+
+  /// What a picture of that size shows, as the mapper plans for it.
+  void Look(int width, int height, VisiblePairs& seen);
 
   std::size_t GetTextureBytes();
 
 private:
   explicit Scene(vtkMeasuredBRDFMapper* mapper);
+  void OnProgress(vtkObject*, unsigned long, void* share);
 
   vtkSmartPointer<vtkMeasuredBRDFMapper> Mapper;
+  vtkSmartPointer<vtkRadianceIntegrator> Integrator; // of SetLight
+  std::unique_ptr<ProgressBar> Bar;
 };
 
 /// Put the scene over a backdrop; both scaled by exposure. Alpha becomes 1.

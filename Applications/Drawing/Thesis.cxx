@@ -10,6 +10,8 @@
 #include "vtkNew.h"
 #include "vtkRepresentationAdvisor.h"
 
+#include <CLI/CLI.hpp>
+
 namespace tool
 {
 //------------------------------------------------------------------------------

@@ -13,9 +13,12 @@
 #include "vtkBRDF.h"
 #include "vtkSmartPointer.h"
 
-#include <CLI/CLI.hpp>
-
 #include <string>
+
+namespace CLI
+{
+class App;
+}
 
 namespace tool
 {

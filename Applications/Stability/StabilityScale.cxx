@@ -218,8 +218,7 @@ void RunMaterialChanges(Context& context)
     StabilityRenderer theatre(context);
     vtkMeasuredBRDFMapper* mapper = theatre.GetMapper();
     mapper->SetEnvironment(environment);
-    kind.Plans ? mapper->SetMethodToAuto() : mapper->SetMethodToLightSet();
-    mapper->SetNumberOfLights(16);
+    mapper->SetIntegrator(kind.Plans ? nullptr : MakeLightLoop(16).Get());
     double heap = 0.0;
     int objects = 0;
     std::vector<double> times;
@@ -277,14 +276,14 @@ double DrawCrowd(Context& context, int actors, int materials, int frames,
   }
   const int side = static_cast<int>(std::ceil(std::sqrt(actors)));
   std::vector<vtkSmartPointer<vtkMeasuredBRDFMapper>> mappers;
+  const vtkSmartPointer<vtkRadianceIntegrator> lights = MakeLightLoop(16);
   for (int k = 0; k < actors; ++k)
   {
     auto mapper = vtkSmartPointer<vtkMeasuredBRDFMapper>::New();
     mapper->SetInputConnection(sphere->GetOutputPort());
     mapper->SetBRDF(brdfs[static_cast<std::size_t>(k % materials)]);
     mapper->SetEnvironment(environment);
-    materials == 1 ? mapper->SetMethodToAuto() : mapper->SetMethodToLightSet();
-    mapper->SetNumberOfLights(16);
+    mapper->SetIntegrator(materials == 1 ? nullptr : lights.Get());
     vtkNew<vtkActor> actor;
     actor->SetMapper(mapper);
     actor->SetPosition(k % side - 0.5 * side, k / side - 0.5 * side, 0.0);

@@ -16,7 +16,9 @@
 #include "vtkLightSet.h"
 #include "vtkLightSetRadianceIntegrator.h"
 #include "vtkMath.h"
+#include "vtkMedianCutLightSetGenerator.h"
 #include "vtkNew.h"
+#include "vtkRadianceMethods.h"
 #include "vtkRadiancePlanner.h"
 #include "vtkSumBRDF.h"
 #include "vtkTableRadianceIntegrator.h"
@@ -74,10 +76,37 @@ tool::stability::MethodUnderTest MakeLightContender(const std::string& method)
 
 namespace tool::stability
 {
+namespace
+{
+//------------------------------------------------------------------------------
+// And the other methods of vtkRadianceMethods, at the sizes that they come with.
+std::vector<MethodUnderTest> AddOthers(std::vector<MethodUnderTest> known)
+{
+  for (const auto& method : vtkRadianceMethods::GetMethods())
+  {
+    const std::string name = method->GetMethodName();
+    if (name != "exact" && name != "light-set" && // which is three of them
+        std::none_of(known.begin(), known.end(),
+          [&name](const MethodUnderTest& other) { return other.Name == name; }))
+    {
+      known.push_back({ name, true,
+        [method](vtkBRDF* brdf, vtkEnvironment* environment)
+        {
+          auto made = vtkSmartPointer<vtkRadianceIntegrator>::Take(method->NewCopy());
+          made->SetBRDF(brdf);
+          made->SetEnvironment(environment);
+          return made;
+        } });
+    }
+  }
+  return known;
+}
+}
+
 //------------------------------------------------------------------------------
 const std::vector<MethodUnderTest>& GetMethodsUnderTest()
 {
-  static const std::vector<MethodUnderTest> contenders = {
+  static const std::vector<MethodUnderTest> contenders = AddOthers({
     MakeLightContender("median-cut"),
     MakeLightContender("importance"),
     MakeLightContender("variance"),
@@ -104,7 +133,7 @@ const std::vector<MethodUnderTest>& GetMethodsUnderTest()
       { return MakeTable(brdf, environment, 65, 12, 16); } },
     { "hybrid", true, MakeFor<vtkHybridRadianceIntegrator> },
     { "auto", true, Plan },
-  };
+  });
   return contenders;
 }
 
@@ -114,6 +143,15 @@ vtkSmartPointer<vtkLightSet> MakeLights(
 {
   LightSetOptions options{ count, method, seed };
   return MakeLightSet(environment, options);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkRadianceIntegrator> MakeLightLoop(int count)
+{
+  auto loop = vtkSmartPointer<vtkLightSetRadianceIntegrator>::New();
+  loop->SetGenerator(vtkNew<vtkMedianCutLightSetGenerator>());
+  loop->SetNumberOfLights(count);
+  return loop;
 }
 
 //------------------------------------------------------------------------------

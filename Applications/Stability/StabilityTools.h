@@ -39,6 +39,9 @@ struct MethodUnderTest
 /// "filtered", "table", "hybrid", "auto".
 const std::vector<MethodUnderTest>& GetMethodsUnderTest();
 
+/// The sum over so many lights by median cut, for any material and environment.
+vtkSmartPointer<vtkRadianceIntegrator> MakeLightLoop(int count);
+
 /// Lights by "median-cut", "importance" or "variance".
 vtkSmartPointer<vtkLightSet> MakeLights(
   vtkEnvironment* environment, const std::string& method, int count, unsigned int seed = 1);

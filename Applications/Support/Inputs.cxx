@@ -16,6 +16,8 @@
 #include "vtkNew.h"
 #include "vtkVarianceLightSetGenerator.h"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <filesystem>
 #include <map>

@@ -13,9 +13,12 @@
 #include "vtkLightSet.h"
 #include "vtkSmartPointer.h"
 
-#include <CLI/CLI.hpp>
-
 #include <string>
+
+namespace CLI
+{
+class App;
+}
 
 namespace tool
 {

@@ -5,67 +5,114 @@
 #include "RunWithProgress.h"
 #include "Tool.h"
 
-#include "vtkBasisRadianceIntegrator.h"
-#include "vtkDoubleArray.h"
-#include "vtkExactRadianceIntegrator.h"
-#include "vtkFilteredRadianceIntegrator.h"
-#include "vtkHybridRadianceIntegrator.h"
 #include "vtkLightSetRadianceIntegrator.h"
-#include "vtkNew.h"
 #include "vtkRadianceCostCalibrator.h"
-#include "vtkTableRadianceIntegrator.h"
+#include "vtkRadianceMethods.h"
+
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
-#include <map>
+#include <cstddef>
+#include <utility>
 
 namespace
 {
 constexpr double LeastTolerance = 1e-3; // of vtkRadiancePlanner
-constexpr int PairsOfView = 512;        // at most
 
-struct SizeRange
+const char* const Auto = "auto";
+const char* const Thesis = "thesis";
+const char* const LightSet = "light-set";
+const char* const Exact = "exact";
+
+//------------------------------------------------------------------------------
+// The sizes that --sizes gives; none of methods that have options of their own.
+std::vector<vtkRadianceIntegrator::Size> GetSizes(const std::string& method)
 {
-  const char* Name;
-  int Least;
-  int Largest;
-};
+  const auto integrator = vtkSmartPointer<vtkRadianceIntegrator>::Take(
+    method == LightSet ? nullptr : vtkRadianceMethods::NewIntegrator(method));
+  return integrator ? integrator->GetSizes() : std::vector<vtkRadianceIntegrator::Size>();
+}
 
-// What --sizes gives, in this order; later ones may be left out. The ranges are the integrators'.
-const std::map<std::string, std::vector<SizeRange>> SizesOf = {
-  { "table", { { "rows", 9, 513 }, { "view angles", 2, 64 }, { "azimuths", 4, 64 } } },
-  { "hybrid", { { "rows", 9, 513 }, { "view angles", 2, 64 }, { "azimuths", 4, 64 },
-                { "samples", 0, 1024 }, { "lights", 0, 1024 } } },
-  { "filtered", { { "samples", 1, 1024 } } },
-  { "basis", { { "functions", 1, 256 }, { "map size", 8, 128 } } }
-};
+//------------------------------------------------------------------------------
+std::string ListMethodsWithSizes()
+{
+  std::vector<std::string> names;
+  for (const auto& method : vtkRadianceMethods::GetMethods())
+  {
+    if (!GetSizes(method->GetMethodName()).empty())
+    {
+      names.push_back(method->GetMethodName());
+    }
+  }
+  std::string line;
+  for (std::size_t k = 0; k < names.size(); ++k)
+  {
+    line += (k == 0 ? "" : k + 1 < names.size() ? ", " : " or ") + names[k];
+  }
+  return line;
+}
 
-const std::map<std::string, std::string> MethodHelp = {
-  { "exact", "the sum over every texel of the environment, slow" },
-  { "light-set", "a sum over lights that stand for the environment" },
-  { "thesis", "the same with the material in a basis or, where that rings, as a D-BRDF fit" },
-  { "basis", "maps over normals of a basis of the material" },
-  { "filtered", "few samples of the reflection of a blurred environment" },
-  { "table", "a table of outgoing radiance" },
-  { "hybrid", "the same for what is broad, samples for what is sharp, lights for suns" },
-  { "auto", "the cheapest that meets --tolerance" }
-};
+//------------------------------------------------------------------------------
+// "table (ROWS,VIEW_ANGLES,AZIMUTHS, default 65,16,16)" of each.
+std::string DescribeSizes()
+{
+  std::string text;
+  for (const auto& method : vtkRadianceMethods::GetMethods())
+  {
+    std::string names;
+    std::string values;
+    for (const auto& size : GetSizes(method->GetMethodName()))
+    {
+      std::string name = size.Name;
+      std::transform(name.begin(), name.end(), name.begin(),
+        [](unsigned char c) { return c == ' ' ? '_' : static_cast<char>(std::toupper(c)); });
+      names += (names.empty() ? "" : ",") + name;
+      values += (values.empty() ? "" : ",") + std::to_string(size.Value);
+    }
+    if (!names.empty())
+    {
+      text += (text.empty() ? "" : ", ") + method->GetMethodName() + " (" + names + ", default " +
+              values + ")";
+    }
+  }
+  return text;
+}
+
+//------------------------------------------------------------------------------
+// What --method takes, with a line on each.
+std::vector<std::pair<std::string, std::string>> ListMethods(bool exact)
+{
+  std::vector<std::pair<std::string, std::string>> methods;
+  for (const auto& method : vtkRadianceMethods::GetMethods())
+  {
+    const std::string name = method->GetMethodName();
+    if (exact || name != Exact)
+    {
+      methods.emplace_back(name, method->GetMethodDescription());
+    }
+  }
+  methods.emplace_back(
+    Thesis, "light-set with the material in a basis or, where that rings, as a D-BRDF fit");
+  methods.emplace_back(Auto, "the cheapest that meets --tolerance");
+  return methods;
+}
 
 //------------------------------------------------------------------------------
 std::vector<int> ParseSizes(const std::string& method, const std::string& text)
 {
-  const auto found = SizesOf.find(method);
-  if (found == SizesOf.end())
+  const std::vector<vtkRadianceIntegrator::Size> ranges = GetSizes(method);
+  if (ranges.empty())
   {
-    throw tool::UsageError(
-      "--sizes: has no effect without --method table, hybrid, filtered or basis");
+    throw tool::UsageError("--sizes: has no effect without --method " + ListMethodsWithSizes());
   }
   std::string wanted;
-  for (const SizeRange& size : found->second)
+  for (const vtkRadianceIntegrator::Size& size : ranges)
   {
-    wanted += (wanted.empty() ? "" : ",") + std::string(size.Name) + " in [" +
-              std::to_string(size.Least) + "-" + std::to_string(size.Largest) + "]";
+    wanted += (wanted.empty() ? "" : ",") + size.Name + " in [" + std::to_string(size.Least) + "-" +
+              std::to_string(size.Largest) + "]";
   }
   const auto fail = [&]()
   {
@@ -75,7 +122,7 @@ std::vector<int> ParseSizes(const std::string& method, const std::string& text)
   std::vector<int> sizes;
   const char* at = text.data();
   const char* end = at + text.size();
-  for (const SizeRange& range : found->second)
+  for (const vtkRadianceIntegrator::Size& range : ranges)
   {
     int value = 0;
     const auto parsed = std::from_chars(at, end, value);
@@ -102,49 +149,20 @@ std::vector<int> ParseSizes(const std::string& method, const std::string& text)
 vtkSmartPointer<vtkRadianceIntegrator> NewIntegrator(
   const tool::MethodOptions& options, vtkEnvironment* environment)
 {
-  const std::vector<int> sizes =
-    options.Sizes.empty() ? std::vector<int>() : ParseSizes(options.Method, options.Sizes);
-  if (options.Method == "exact")
+  if (options.HasLights())
   {
-    return vtkSmartPointer<vtkExactRadianceIntegrator>::New();
+    auto lights = vtkSmartPointer<vtkLightSetRadianceIntegrator>::New();
+    lights->SetLightSet(tool::MakeLightSet(environment, options.Lights));
+    lights->SetSoftLights(options.Lights.Soft);
+    return lights;
   }
-  if (options.Method == "basis")
+  auto integrator =
+    vtkSmartPointer<vtkRadianceIntegrator>::Take(vtkRadianceMethods::NewIntegrator(options.Method));
+  if (!options.Sizes.empty())
   {
-    auto basis = vtkSmartPointer<vtkBasisRadianceIntegrator>::New();
-    basis->SetMaximumNumberOfTerms(!sizes.empty() ? sizes[0] : basis->GetMaximumNumberOfTerms());
-    basis->SetMapSize(sizes.size() > 1 ? sizes[1] : basis->GetMapSize());
-    return basis;
+    integrator->SetSizes(ParseSizes(options.Method, options.Sizes));
   }
-  if (options.Method == "filtered")
-  {
-    auto filtered = vtkSmartPointer<vtkFilteredRadianceIntegrator>::New();
-    filtered->SetNumberOfSamples(!sizes.empty() ? sizes[0] : filtered->GetNumberOfSamples());
-    return filtered;
-  }
-  if (options.Method == "table")
-  {
-    auto table = vtkSmartPointer<vtkTableRadianceIntegrator>::New();
-    table->SetNumberOfRows(!sizes.empty() ? sizes[0] : table->GetNumberOfRows());
-    table->SetNumberOfViewAngles(sizes.size() > 1 ? sizes[1] : table->GetNumberOfViewAngles());
-    table->SetNumberOfAzimuths(sizes.size() > 2 ? sizes[2] : table->GetNumberOfAzimuths());
-    return table;
-  }
-  if (options.Method == "hybrid")
-  {
-    auto hybrid = vtkSmartPointer<vtkHybridRadianceIntegrator>::New();
-    const auto size = [&sizes](std::size_t k, int otherwise)
-    { return k < sizes.size() ? sizes[k] : otherwise; };
-    hybrid->SetNumberOfRows(size(0, hybrid->GetNumberOfRows()));
-    hybrid->SetNumberOfViewAngles(size(1, hybrid->GetNumberOfViewAngles()));
-    hybrid->SetNumberOfAzimuths(size(2, hybrid->GetNumberOfAzimuths()));
-    hybrid->SetNumberOfSamples(size(3, hybrid->GetNumberOfSamples()));
-    hybrid->SetMaximumNumberOfLights(size(4, hybrid->GetMaximumNumberOfLights()));
-    return hybrid;
-  }
-  auto lights = vtkSmartPointer<vtkLightSetRadianceIntegrator>::New();
-  lights->SetLightSet(tool::MakeLightSet(environment, options.Lights));
-  lights->SetSoftLights(options.Lights.Soft);
-  return lights;
+  return integrator;
 }
 
 //------------------------------------------------------------------------------
@@ -180,24 +198,22 @@ vtkNew<vtkDoubleArray> ToArray(const std::vector<double>& values)
 namespace tool
 {
 //------------------------------------------------------------------------------
-void MethodOptions::AddTo(CLI::App* command, const std::vector<std::string>& methods)
+void MethodOptions::AddTo(CLI::App* command, bool exact)
 {
   std::string help;
-  for (const std::string& name : methods)
+  std::vector<std::string> names;
+  for (const auto& [name, description] : ListMethods(exact))
   {
-    help +=
-      (help.empty() ? "" : "; ") + name +
-      (name == this->Method
-          ? " (default" + std::string(name == "auto" ? ", unless lights are asked for" : "") + "): "
-          : ": ") +
-      MethodHelp.at(name);
+    names.push_back(name);
+    help += (help.empty() ? "" : "; ") + name +
+            (name != this->Method ? ": "
+              : name == Auto      ? " (default, unless lights are asked for): "
+                                  : " (default): ") +
+            description;
   }
-  command->add_option("--method", this->Method, help)->check(CLI::IsMember(methods));
+  command->add_option("--method", this->Method, help)->check(CLI::IsMember(names));
   AddToleranceOption(command, this->Plan.Tolerance);
-  command->add_option("--sizes", this->Sizes,
-    "Sizes of --method table (ROWS,VIEW_ANGLES,AZIMUTHS, default 65,16,16), hybrid (the same, "
-    "SAMPLES,LIGHTS, default 33,12,16,8,16), filtered (SAMPLES, default 32) or basis "
-    "(FUNCTIONS,MAP_SIZE, default 64,48)");
+  command->add_option("--sizes", this->Sizes, "Sizes of --method " + DescribeSizes());
   this->Lights.AddTo(command, "--lights");
   this->Lights.AddSoftTo(command);
   this->Thesis.AddTo(command);
@@ -248,12 +264,21 @@ void PlanOptions::AddForViewTo(CLI::App* command)
 }
 
 //------------------------------------------------------------------------------
-void PlanOptions::Look(vtkPolyData* mesh, const View& view, double fill, const Size& size)
+vtkSmartPointer<vtkRadianceCostModel> PlanOptions::GetCosts() const
 {
-  if (this->ForView)
+  vtkNew<vtkRadianceCostCalibrator> calibrator; // its model as it comes is the built-in one
+  if (this->Calibrate &&
+      !RunWithProgress(calibrator.Get(), &vtkRadianceCostCalibrator::Calibrate, "calibrating"))
   {
-    this->Seen = FindSurface(mesh, view, fill, size, PairsOfView);
+    throw Error("--calibrate: " + TakeErrorText());
   }
+  return calibrator->GetCostModel();
+}
+
+//------------------------------------------------------------------------------
+std::string PlanOptions::GetCacheFolder() const
+{
+  return this->UseCache ? vtkRadiancePlanner::GetDefaultCacheFolder() : std::string();
 }
 
 //------------------------------------------------------------------------------
@@ -279,34 +304,27 @@ void CheckTolerance(double tolerance)
 int Method::GetNumberOfLights() const
 {
   auto* lights = vtkLightSetRadianceIntegrator::SafeDownCast(this->Integrator);
-  return lights && lights->GetLightSet() ? lights->GetLightSet()->GetNumberOfLights() : 0;
+  return lights && lights->GetCurrentLightSet() ? lights->GetCurrentLightSet()->GetNumberOfLights()
+                                                : 0;
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkRadiancePlanner> MakePlan(
-  const Material& material, vtkEnvironment* environment, const PlanOptions& options)
+vtkSmartPointer<vtkRadiancePlanner> MakePlan(const Material& material, vtkEnvironment* environment,
+  const PlanOptions& options, const VisiblePairs* seen)
 {
-  vtkNew<vtkRadianceCostCalibrator> calibrator; // its model as it comes is the built-in one
-  if (options.Calibrate &&
-      !RunWithProgress(calibrator.Get(), &vtkRadianceCostCalibrator::Calibrate, "calibrating"))
-  {
-    throw Error("--calibrate: " + TakeErrorText());
-  }
   auto planner = vtkSmartPointer<vtkRadiancePlanner>::New();
-  planner->SetCostModel(calibrator->GetCostModel());
-  planner->SetCacheFolder(
-    options.UseCache ? vtkRadiancePlanner::GetDefaultCacheFolder() : std::string());
+  planner->SetCostModel(options.GetCosts());
+  planner->SetCacheFolder(options.GetCacheFolder());
   planner->SetBRDF(material.BRDF);
   planner->SetEnvironment(environment);
   planner->SetErrorTolerance(options.Tolerance);
   planner->SetEvaluateAll(options.All);
-  if (!options.Seen.Pixels.empty())
+  if (seen)
   {
-    planner->SetNumberOfPixels(options.Seen.NumberOfCovered);
-    if (!planner->SetPairs(ToArray(options.Seen.Normals), ToArray(options.Seen.Views)))
+    planner->SetNumberOfPixels(seen->NumberOfPixels);
+    if (!planner->SetPairs(seen->Normals, seen->Views))
     {
-      throw Error("--for-view: the picture shows only " +
-                  FormatCount(options.Seen.Pixels.size(), "pixel") + " of the mesh");
+      throw Error("--for-view: the picture shows hardly anything of the mesh");
     }
   }
   if (!RunWithProgress(planner.Get(), &vtkRadiancePlanner::Update, "planning"))
@@ -322,13 +340,11 @@ Method MakeMethod(
 {
   Method made;
   made.BRDF = material.BRDF;
-  if (options.Method == "auto")
+  if (options.Method == Auto)
   {
-    made.Planner = MakePlan(material, environment, options.Plan);
-    made.Integrator = vtkSmartPointer<vtkRadianceIntegrator>::Take(made.Planner->NewIntegrator());
     return made;
   }
-  if (options.Method == "thesis")
+  if (options.Method == Thesis)
   {
     made.Thesis = RepresentAsThesis(material, options.Thesis);
     made.BRDF = made.Thesis.BRDF;

@@ -9,10 +9,10 @@
 #define Methods_h
 
 #include "Inputs.h"
-#include "Sizes.h"
-#include "Surface.h"
 #include "Thesis.h"
 
+#include "vtkDoubleArray.h"
+#include "vtkNew.h"
 #include "vtkRadianceCostModel.h"
 #include "vtkRadianceIntegrator.h"
 #include "vtkRadiancePlanner.h"
@@ -29,8 +29,7 @@ struct PlanOptions
   bool All = false;       // try every candidate
   bool UseCache = false;  // take what an earlier run left on disk
   bool Calibrate = false; // by the costs of this machine's renderer
-  bool ForView = false;   // for what a picture shows, see Look
-  Surface Seen;           // nothing: a sphere, from everywhere
+  bool ForView = false;   // for what a picture shows, instead of for a sphere from everywhere
 
   /// Add --calibrate to a subcommand.
   void AddCalibrateTo(CLI::App* command);
@@ -38,8 +37,19 @@ struct PlanOptions
   /// Add --for-view to a subcommand.
   void AddForViewTo(CLI::App* command);
 
-  /// With ForView: find what such a picture of the mesh shows. Throws Error where that is nothing.
-  void Look(vtkPolyData* mesh, const View& view, double fill, const Size& size);
+  /// What a pixel costs: this machine's, measured now, or the built-in figures. Throws Error.
+  vtkSmartPointer<vtkRadianceCostModel> GetCosts() const;
+
+  /// Where plans are kept; "": nowhere.
+  std::string GetCacheFolder() const;
+};
+
+/// What a camera sees of a mesh.
+struct VisiblePairs
+{
+  vtkNew<vtkDoubleArray> Normals; // 3 components each
+  vtkNew<vtkDoubleArray> Views;
+  vtkIdType NumberOfPixels = 0;
 };
 
 struct MethodOptions
@@ -50,8 +60,9 @@ struct MethodOptions
   LightSetOptions Lights;
   ThesisOptions Thesis;
 
-  /// Add --method, one of these, and the methods' own options to a subcommand.
-  void AddTo(CLI::App* command, const std::vector<std::string>& methods);
+  /// Add --method and the methods' own options to a subcommand; --method exact only where it can
+  /// be integrated without a picture.
+  void AddTo(CLI::App* command, bool exact);
 
   /// To be called first: light-set takes the place of the default auto where lights were asked for.
   /// Throws UsageError where options don't go together.
@@ -70,18 +81,21 @@ void CheckTolerance(double tolerance);
 /// A method made for a material and an environment.
 struct Method
 {
-  vtkSmartPointer<vtkRadianceIntegrator> Integrator; // prepared, with its BRDF and environment
-  vtkSmartPointer<vtkBRDF> BRDF;                     // the material, or what stands for it
-  Representation Thesis;                             // of --method thesis
-  vtkSmartPointer<vtkRadiancePlanner> Planner;       // of --method auto, else null
+  /// Prepared, with its BRDF and environment; of --method auto null until something was drawn.
+  vtkSmartPointer<vtkRadianceIntegrator> Integrator;
+  vtkSmartPointer<vtkBRDF> BRDF;               // the material, or what stands for it
+  Representation Thesis;                       // of --method thesis
+  vtkSmartPointer<vtkRadiancePlanner> Planner; // of --method auto once something was drawn
 
   /// How many lights it sums over, 0 where it has none.
   int GetNumberOfLights() const;
 };
 
-/// Plan under a progress bar. Throws Error, also where Ctrl-C was pressed. Needs an Interruptible.
-vtkSmartPointer<vtkRadiancePlanner> MakePlan(
-  const Material& material, vtkEnvironment* environment, const PlanOptions& options);
+/// A planner that has planned under a progress bar. seen: what a camera sees, which Scene finds;
+/// null: a sphere from everywhere. Throws Error, also where Ctrl-C was pressed. Needs an
+/// Interruptible.
+vtkSmartPointer<vtkRadiancePlanner> MakePlan(const Material& material, vtkEnvironment* environment,
+  const PlanOptions& options, const VisiblePairs* seen = nullptr);
 
 /// Make it under a progress bar. Throws Error, also where Ctrl-C was pressed. Needs an
 /// Interruptible.

@@ -8,11 +8,14 @@
 #ifndef Tool_h
 #define Tool_h
 
-#include <CLI/CLI.hpp>
-
 #include <cstddef>
 #include <stdexcept>
 #include <string>
+
+namespace CLI
+{
+class App;
+}
 
 namespace tool
 {

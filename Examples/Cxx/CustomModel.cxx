@@ -10,6 +10,7 @@
 #include <vtkBRDFShaderInputs.h>
 #include <vtkCamera.h>
 #include <vtkLightSet.h>
+#include <vtkLightSetRadianceIntegrator.h>
 #include <vtkMeasuredBRDFMapper.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
@@ -92,10 +93,12 @@ int main(int argc, char* argv[])
   const double irradiance[3] = { 2.0, 2.0, 2.0 };
   light->AddLight(direction, irradiance);
 
+  vtkNew<vtkLightSetRadianceIntegrator> lights;
+  lights->SetLightSet(light);
   vtkNew<vtkMeasuredBRDFMapper> mapper;
   mapper->SetInputConnection(plane->GetOutputPort());
   mapper->SetBRDF(brdf);
-  mapper->SetLightSet(light);
+  mapper->SetIntegrator(lights);
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   actor->RotateY(45.0);

@@ -16,6 +16,7 @@
 #include "vtkLightSet.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkRadianceCostModel.h"
 #include "vtkSMPTools.h"
 #include "vtkVarianceLightSetGenerator.h"
 
@@ -557,6 +558,66 @@ measuredbrdfSetClampedMacro(vtkBasisRadianceIntegrator, Tolerance, double, 1e-4,
 measuredbrdfSetClampedMacro(vtkBasisRadianceIntegrator, MaximumNumberOfTerms, int, 1, 256);
 measuredbrdfSetClampedMacro(vtkBasisRadianceIntegrator, MapSize, int, 8, 128);
 measuredbrdfSetClampedMacro(vtkBasisRadianceIntegrator, NumberOfClusters, int, 64, 1048576);
+
+//------------------------------------------------------------------------------
+std::vector<vtkRadianceIntegrator::Size> vtkBasisRadianceIntegrator::GetSizes()
+{
+  return { { "functions", 1, 256, this->MaximumNumberOfTerms },
+    { "map size", 8, 128, this->MapSize } };
+}
+
+//------------------------------------------------------------------------------
+std::string vtkBasisRadianceIntegrator::GetSizesText()
+{
+  return "at most " + std::to_string(this->MaximumNumberOfTerms) + " functions";
+}
+
+//------------------------------------------------------------------------------
+void vtkBasisRadianceIntegrator::SetSize(int index, int value)
+{
+  if (index == 0)
+  {
+    this->SetMaximumNumberOfTerms(value);
+  }
+  else
+  {
+    this->SetMapSize(value);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkBasisRadianceIntegrator::CopyProperties(vtkRadianceIntegrator* source)
+{
+  this->Superclass::CopyProperties(source);
+  if (auto* basis = vtkBasisRadianceIntegrator::SafeDownCast(source))
+  {
+    this->SetTolerance(basis->Tolerance);
+    this->SetNumberOfClusters(basis->NumberOfClusters);
+    this->SetUseOwnBasis(basis->UseOwnBasis);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::vector<int>> vtkBasisRadianceIntegrator::GetCandidateSizes(bool all)
+{
+  return all && this->BRDF->IsIsotropic() ? std::vector<std::vector<int>>{ { 9 }, { 25 }, { 64 } }
+                                          : std::vector<std::vector<int>>();
+}
+
+//------------------------------------------------------------------------------
+double vtkBasisRadianceIntegrator::EstimateCost(vtkRadianceCostModel* costs)
+{
+  const int prepared = this->GetNumberOfTerms();
+  return costs->GetCost("base") +
+         costs->GetCost("function") * (prepared > 0 ? prepared : this->MaximumNumberOfTerms);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkBasisRadianceIntegrator::EstimateTextureBytes()
+{
+  const vtkIdType side = this->MapSize;
+  return 12 * 2 * side * side * this->MaximumNumberOfTerms;
+}
 
 //------------------------------------------------------------------------------
 void vtkBasisRadianceIntegrator::PrintSelf(ostream& os, vtkIndent indent)

@@ -82,10 +82,31 @@ public:
 
   bool GetShaderInputs(vtkBRDFShaderInputs& form) override;
 
+  ///@{
+  /**
+   * As a method: "basis", by the most functions and the map's size; planners try it for comparison
+   * only. Its cost is BASE and a FUNCTION each: before Prepare, all that there may be.
+   */
+  std::string GetMethodName() override { return "basis"; }
+  std::string GetMethodDescription() override
+  {
+    return "maps over normals of the material's basis";
+  }
+  std::vector<Size> GetSizes() override;
+  std::string GetSizesText() override;
+  std::vector<std::vector<int>> GetCandidateSizes(bool all) override;
+  double EstimateCost(vtkRadianceCostModel* costs) override;
+  vtkIdType EstimateTextureBytes() override;
+  std::string GetCostName() override { return "function"; }
+  std::vector<std::vector<int>> GetCalibrationSizes() override { return { { 25 } }; }
+  ///@}
+
 protected:
   vtkBasisRadianceIntegrator();
   ~vtkBasisRadianceIntegrator() override;
 
+  void SetSize(int index, int value) override;
+  void CopyProperties(vtkRadianceIntegrator* source) override;
   bool Begin() override;
   void IntegratePart(
     int part, const double n[3], const double o[3], const double t[3], double radiance[3]) override;

@@ -22,6 +22,13 @@ public:
   vtkTypeMacro(vtkExactRadianceIntegrator, vtkRadianceIntegrator);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// "exact": never a planner's choice, nothing that a mapper can draw.
+  std::string GetMethodName() override { return "exact"; }
+  std::string GetMethodDescription() override
+  {
+    return "the sum over every texel of the environment, slow";
+  }
+
 protected:
   vtkExactRadianceIntegrator() = default;
   ~vtkExactRadianceIntegrator() override = default;

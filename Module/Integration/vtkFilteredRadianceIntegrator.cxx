@@ -17,6 +17,7 @@
 #include "vtkLightSetRadianceIntegrator.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkRadianceCostModel.h"
 #include "vtkWeakPointer.h"
 
 #include <glm/gtc/type_ptr.hpp>
@@ -243,6 +244,52 @@ bool vtkFilteredRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
 //------------------------------------------------------------------------------
 measuredbrdfSetClampedMacro(vtkFilteredRadianceIntegrator, NumberOfSamples, int, 1, 1024);
 measuredbrdfSetClampedMacro(vtkFilteredRadianceIntegrator, LevelBias, double, -4.0, 4.0);
+
+//------------------------------------------------------------------------------
+std::string vtkFilteredRadianceIntegrator::GetMethodDescription()
+{
+  return "few samples of the reflection of a blurred environment";
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkRadianceIntegrator::Size> vtkFilteredRadianceIntegrator::GetSizes()
+{
+  return { { "samples", 1, 1024, this->NumberOfSamples } };
+}
+
+//------------------------------------------------------------------------------
+void vtkFilteredRadianceIntegrator::SetSize(int, int value) { this->SetNumberOfSamples(value); }
+
+//------------------------------------------------------------------------------
+void vtkFilteredRadianceIntegrator::CopyProperties(vtkRadianceIntegrator* source)
+{
+  this->Superclass::CopyProperties(source);
+  if (auto* filtered = vtkFilteredRadianceIntegrator::SafeDownCast(source))
+  {
+    this->SetLevelBias(filtered->LevelBias);
+    this->SetExtractLights(filtered->ExtractLights);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::vector<int>> vtkFilteredRadianceIntegrator::GetCandidateSizes(bool all)
+{
+  return all && this->BRDF->IsIsotropic() ? std::vector<std::vector<int>>{ { 16 }, { 64 }, { 256 } }
+                                          : std::vector<std::vector<int>>();
+}
+
+//------------------------------------------------------------------------------
+double vtkFilteredRadianceIntegrator::EstimateCost(vtkRadianceCostModel* costs)
+{
+  return costs->GetCost("base") + costs->GetCost("sample") * this->NumberOfSamples +
+         costs->GetCost("light") * this->GetNumberOfExtractedLights();
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkFilteredRadianceIntegrator::EstimateTextureBytes()
+{
+  return EnvironmentPyramid::EstimateBytes(this->Environment);
+}
 
 //------------------------------------------------------------------------------
 void vtkFilteredRadianceIntegrator::PrintSelf(ostream& os, vtkIndent indent)

@@ -82,6 +82,21 @@ public:
   bool GetShaderInputs(vtkBRDFShaderInputs& form) override;
   bool UsesBRDFOnGPU() override { return this->GetNumberOfExtractedLights() > 0; }
 
+  ///@{
+  /**
+   * As a method: "filtered", by the number of samples; planners try it for comparison only. Its
+   * cost is BASE, a SAMPLE each and a LIGHT for each light that the last preparation took out.
+   */
+  std::string GetMethodName() override { return "filtered"; }
+  std::string GetMethodDescription() override;
+  std::vector<Size> GetSizes() override;
+  std::vector<std::vector<int>> GetCandidateSizes(bool all) override;
+  double EstimateCost(vtkRadianceCostModel* costs) override;
+  vtkIdType EstimateTextureBytes() override;
+  std::string GetCostName() override { return "sample"; }
+  std::vector<std::vector<int>> GetCalibrationSizes() override { return { { 16 } }; }
+  ///@}
+
 #ifndef __VTK_WRAP__
   /**
    * For hybrids: take the environment with these texels changed, where no lights are extracted;
@@ -94,6 +109,8 @@ protected:
   vtkFilteredRadianceIntegrator();
   ~vtkFilteredRadianceIntegrator() override;
 
+  void SetSize(int index, int value) override;
+  void CopyProperties(vtkRadianceIntegrator* source) override;
   /// Fails for anisotropic materials.
   bool Begin() override;
   void IntegratePart(

@@ -3,10 +3,12 @@
 #include "vtkHybridRadianceIntegrator.h"
 
 #include "EnvironmentPrecomputation.h"
+#include "EnvironmentPyramid.h"
 #include "LobePart.h"
 #include "MaterialPrecomputation.h"
 #include "Printable.h"
 #include "Setters.h"
+#include "TableCandidates.h"
 #include "vtkBRDF.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkCallbackCommand.h"
@@ -17,9 +19,11 @@
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkRadianceCostModel.h"
 #include "vtkTableRadianceIntegrator.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <memory>
 #include <string>
@@ -32,6 +36,16 @@ namespace
 constexpr double Pi = 3.14159265358979323846;
 constexpr double ResolvedSquares = 36.0; // of the rows' spacing, that a lobe has to fill
 constexpr double LeastShare = 2e-3;      // of the albedo: below, a sharp layer is not worth it
+
+// A planner's lamps of many texels are one light each (degrees), or several where more than so much
+// of the albedo lies in lobes narrower than twice that.
+constexpr double LampAngle = 1.2;
+constexpr double FineLampAngle = 0.6;
+constexpr double NarrowShare = 0.05;
+constexpr int PlannedLights = 16; // at most
+
+constexpr double AngleUnits = 10.0; // of the size that is the light angle, per degree
+int ToAngleSize(double degrees) { return static_cast<int>(std::lround(AngleUnits * degrees)); }
 }
 
 // Layers are null where there is nothing for them.
@@ -82,7 +96,7 @@ bool vtkHybridRadianceIntegrator::Begin()
   Internals made;
 
   // Lights and what they leave.
-  const auto parts = this->Parts ? this->Parts : std::make_shared<MaterialPrecomputation>();
+  const auto parts = this->Shared ? this->Shared : std::make_shared<Precomputation>();
   const auto lamps = this->Environment->GetParts().GetLamps(this->Environment,
     vtkMath::RadiansFromDegrees(this->LightAngle), this->MaximumNumberOfLights,
     [this]() { return this->Report(0.0); });
@@ -125,7 +139,7 @@ bool vtkHybridRadianceIntegrator::Begin()
   }
   made.Broad = vtkSmartPointer<vtkTableRadianceIntegrator>::New();
   made.Broad->SetBRDF(broad);
-  made.Broad->SetParts(made.Sharp ? nullptr : parts);
+  made.Broad->SetPrecomputation(made.Sharp ? nullptr : parts);
   made.Broad->SetEnvironment(this->Environment);
   made.Broad->SetRest(lamps->Rest);
   made.Broad->SetNumberOfRows(this->NumberOfRows);
@@ -145,7 +159,7 @@ bool vtkHybridRadianceIntegrator::Begin()
   made.Broad->AddObserver(vtkCommand::ProgressEvent, follow);
   const bool broadly = this->Given ? made.Broad->TakePrepared(*this->Given) : made.Broad->Prepare();
   made.Broad->RemoveObservers(vtkCommand::ProgressEvent);
-  made.Broad->SetParts(nullptr);
+  made.Broad->SetPrecomputation(nullptr);
   if (!broadly && this->Given)
   {
     return false;
@@ -228,6 +242,135 @@ measuredbrdfSetClampedMacro(vtkHybridRadianceIntegrator, NumberOfAzimuths, int, 
 measuredbrdfSetClampedMacro(vtkHybridRadianceIntegrator, NumberOfSamples, int, 0, 1024);
 measuredbrdfSetClampedMacro(vtkHybridRadianceIntegrator, MaximumNumberOfLights, int, 0, 1024);
 measuredbrdfSetClampedMacro(vtkHybridRadianceIntegrator, LightAngle, double, 0.0, 30.0);
+
+//------------------------------------------------------------------------------
+std::string vtkHybridRadianceIntegrator::GetMethodDescription()
+{
+  return "a table for broad reflection, samples for sharp highlights, lights for bright sources";
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkRadianceIntegrator::Size> vtkHybridRadianceIntegrator::GetSizes()
+{
+  return { { "rows", 9, 513, this->NumberOfRows },
+    { "view angles", 2, 64, this->NumberOfViewAngles },
+    { "azimuths", 4, 64, this->NumberOfAzimuths }, { "samples", 0, 1024, this->NumberOfSamples },
+    { "lights", 0, 1024, this->MaximumNumberOfLights },
+    { "light angle", 0, 300, ToAngleSize(this->LightAngle) } };
+}
+
+//------------------------------------------------------------------------------
+void vtkHybridRadianceIntegrator::SetSize(int index, int value)
+{
+  switch (index)
+  {
+    case 0:
+      return this->SetNumberOfRows(value);
+    case 1:
+      return this->SetNumberOfViewAngles(value);
+    case 2:
+      return this->SetNumberOfAzimuths(value);
+    case 3:
+      return this->SetNumberOfSamples(value);
+    case 4:
+      return this->SetMaximumNumberOfLights(value);
+    default:
+      this->SetLightAngle(value / AngleUnits);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHybridRadianceIntegrator::CopyProperties(vtkRadianceIntegrator* source)
+{
+  this->Superclass::CopyProperties(source);
+  if (auto* hybrid = vtkHybridRadianceIntegrator::SafeDownCast(source))
+  {
+    this->SetLightAngle(hybrid->LightAngle); // which need not be of whole tenths
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHybridRadianceIntegrator::GetSizesText()
+{
+  const int lights = this->CountLights(this->LightAngle, this->MaximumNumberOfLights);
+  return std::to_string(this->NumberOfRows) + " rows x " +
+         std::to_string(this->NumberOfViewAngles) + " view angles x " +
+         std::to_string(this->NumberOfAzimuths) + " azimuths" +
+         (this->NumberOfSamples > 0 ? ", " + std::to_string(this->NumberOfSamples) + " samples"
+                                    : std::string()) +
+         (lights > 0 ? ", " + std::to_string(lights) + " suns as lights" : std::string());
+}
+
+//------------------------------------------------------------------------------
+// Found once for the environment, and shared. None where there is no environment, or the run was
+// aborted.
+int vtkHybridRadianceIntegrator::CountLights(double angle, int maximum)
+{
+  if (!this->Environment || this->Environment->GetPixels().empty())
+  {
+    return 0;
+  }
+  const auto lamps = this->Environment->GetParts().GetLamps(this->Environment,
+    vtkMath::RadiansFromDegrees(angle), maximum, [this]() { return this->Report(0.0); });
+  return lamps ? static_cast<int>(lamps->Lights.size()) : 0;
+}
+
+//------------------------------------------------------------------------------
+double vtkHybridRadianceIntegrator::ChooseLightAngle()
+{
+  const auto parts = this->Shared ? this->Shared : std::make_shared<Precomputation>();
+  const double radius = vtkMath::RadiansFromDegrees(2.0 * LampAngle);
+  const LobeSplit cut(parts->GetViews(this->BRDF, this->Abort), Pi * radius * radius);
+  return cut.GetSharpShare() > NarrowShare ? FineLampAngle : LampAngle;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::vector<int>> vtkHybridRadianceIntegrator::GetCandidateSizes(bool)
+{
+  if (!this->BRDF->IsIsotropic())
+  {
+    return {};
+  }
+  const double angle = this->ChooseLightAngle();
+  const bool lights = this->CountLights(angle, PlannedLights) > 0;
+  std::vector<std::vector<int>> candidates;
+  for (std::vector<int> sizes : GetHybridCandidates())
+  {
+    if (lights || sizes.back() > 0) // else it is a table
+    {
+      sizes.push_back(PlannedLights);
+      sizes.push_back(ToAngleSize(angle));
+      candidates.push_back(sizes);
+    }
+  }
+  return candidates;
+}
+
+//------------------------------------------------------------------------------
+double vtkHybridRadianceIntegrator::EstimateCost(vtkRadianceCostModel* costs)
+{
+  return costs->GetCost("base") + costs->GetCost("table") +
+         costs->GetCost("sample") * this->NumberOfSamples +
+         costs->GetCost("light") * this->CountLights(this->LightAngle, this->MaximumNumberOfLights);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkHybridRadianceIntegrator::EstimateTextureBytes()
+{
+  return GetTableBytes(this->NumberOfRows, this->NumberOfViewAngles, this->NumberOfAzimuths) +
+         32 * this->CountLights(this->LightAngle, this->MaximumNumberOfLights) +
+         (this->NumberOfSamples > 0 ? EnvironmentPyramid::EstimateBytes(this->Environment) : 0);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHybridRadianceIntegrator::CanPrune(const std::vector<Attempt>& attempts, double error)
+{
+  std::vector<Attempt> alike;
+  std::copy_if(attempts.begin(), attempts.end(), std::back_inserter(alike),
+    [this](const Attempt& attempt) { return attempt.Sizes[3] == this->NumberOfSamples; });
+  return CanPruneTable(
+    { this->NumberOfRows, this->NumberOfViewAngles, this->NumberOfAzimuths }, alike, error);
+}
 
 //------------------------------------------------------------------------------
 void vtkHybridRadianceIntegrator::PrintSelf(ostream& os, vtkIndent indent)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHybridRadianceIntegrator
- * @brief   suns and lamps as lights, broad reflection from a table, sharp reflection by samples
+ * @brief   explicit lights for bright sources, a table for broad reflection, samples for highlights
  *
  * Each method where it is best:
  *
@@ -26,11 +26,6 @@
 
 #include <memory> // for Internals
 #include <string> // for Given
-
-namespace measuredbrdf
-{
-class MaterialPrecomputation;
-}
 
 class VTKMEASUREDBRDF_EXPORT vtkHybridRadianceIntegrator : public vtkRadianceIntegrator
 {
@@ -88,31 +83,39 @@ public:
 
   ///@{
   /**
-   * The table's bytes, for caches ("" before Prepare), and back: Take prepares everything with that
-   * table, whose making takes longest. It returns false, nothing changed, where they are not of a
-   * table of the sizes that are set, or the rest can't be prepared (an error event says why).
+   * As a method: "hybrid", by the table's sizes, samples, lights and the light angle in tenths of a
+   * degree. Its cost is BASE, TABLE, a SAMPLE each and a LIGHT for each light that the environment
+   * has.
    */
-  std::string GetPrepared();
-  bool TakePrepared(const std::string& bytes);
+  std::string GetMethodName() override { return "hybrid"; }
+  std::string GetMethodDescription() override;
+  std::vector<Size> GetSizes() override;
+  std::string GetSizesText() override;
+  std::vector<std::vector<int>> GetCandidateSizes(bool all) override;
+  double EstimateCost(vtkRadianceCostModel* costs) override;
+  vtkIdType EstimateTextureBytes() override;
+  bool IsLastResort() override { return this->NumberOfSamples > 0; }
+  bool CanPrune(const std::vector<Attempt>& attempts, double error) override;
+  ///@}
+
+  ///@{
+  /**
+   * The table's bytes ("" before Prepare), and back: its making takes longest. TakePrepared also
+   * fails where the rest can't be prepared (an error event says why).
+   */
+  std::string GetPrepared() override;
+  bool TakePrepared(const std::string& bytes) override;
   ///@}
 
   bool GetShaderInputs(vtkBRDFShaderInputs& form) override;
   bool UsesBRDFOnGPU() override { return this->GetNumberOfLights() > 0; }
 
-#ifndef __VTK_WRAP__
-  /**
-   * For the planner: what Prepare needs whatever the sizes; null (default): its own.
-   */
-  void SetParts(const std::shared_ptr<measuredbrdf::MaterialPrecomputation>& parts)
-  {
-    this->Parts = parts;
-  }
-#endif
-
 protected:
   vtkHybridRadianceIntegrator();
   ~vtkHybridRadianceIntegrator() override;
 
+  void SetSize(int index, int value) override;
+  void CopyProperties(vtkRadianceIntegrator* source) override;
   /// Fails for anisotropic materials.
   bool Begin() override;
   void IntegratePart(
@@ -129,8 +132,10 @@ private:
   vtkHybridRadianceIntegrator(const vtkHybridRadianceIntegrator&) = delete;
   void operator=(const vtkHybridRadianceIntegrator&) = delete;
 
+  int CountLights(double angle, int maximum);
+  double ChooseLightAngle();
+
   struct Internals;
-  std::shared_ptr<measuredbrdf::MaterialPrecomputation> Parts;
   std::unique_ptr<Internals> Impl;
   const std::string* Given = nullptr; // TakePrepared's bytes while it prepares
 };

@@ -2,24 +2,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLightSetRadianceIntegrator.h"
 
+#include "EnvironmentPrecomputation.h"
 #include "LocalFrame.h"
 #include "ModuleShader.h"
+#include "Setters.h"
 #include "vtkBRDF.h"
 #include "vtkBRDFLightSet.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkEnvironment.h"
 #include "vtkLightSet.h"
+#include "vtkLightSetGenerator.h"
 #include "vtkObjectFactory.h"
+#include "vtkRadianceCostModel.h"
 
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <string>
 
+using measuredbrdf::EnvironmentPrecomputation;
+
 namespace
 {
 constexpr int LightsPerRow = 512; // the shader asks the texture
 constexpr int MaximumUnrolled = 16;
+const int PlannedLights[] = { 64, 256, 1024, 4096 };
+constexpr int MostPlannedLights = 256; // more cost seconds a frame without a graphics card
 
 std::string GetLoopText(bool unrolled, int count)
 {
@@ -54,18 +62,41 @@ vtkLightSetRadianceIntegrator::~vtkLightSetRadianceIntegrator() = default;
 
 //------------------------------------------------------------------------------
 vtkCxxSetSmartPointerMacro(vtkLightSetRadianceIntegrator, LightSet, vtkLightSet);
+vtkCxxSetSmartPointerMacro(vtkLightSetRadianceIntegrator, Generator, vtkLightSetGenerator);
+measuredbrdfSetClampedMacro(vtkLightSetRadianceIntegrator, NumberOfLights, int, 1,
+  static_cast<int>(vtkLightSetGenerator::MaximumNumberOfLights));
 
 //------------------------------------------------------------------------------
 vtkLightSet* vtkLightSetRadianceIntegrator::GetLightSet() { return this->LightSet; }
 
 //------------------------------------------------------------------------------
+vtkLightSetGenerator* vtkLightSetRadianceIntegrator::GetGenerator() { return this->Generator; }
+
+//------------------------------------------------------------------------------
+vtkLightSet* vtkLightSetRadianceIntegrator::GetCurrentLightSet() { return this->Current; }
+
+//------------------------------------------------------------------------------
+bool vtkLightSetRadianceIntegrator::NeedsEnvironment() { return !this->LightSet; }
+
+//------------------------------------------------------------------------------
 bool vtkLightSetRadianceIntegrator::Begin()
 {
-  if (!this->LightSet)
+  vtkSmartPointer<vtkLightSet> lights = this->LightSet;
+  if (!lights && this->Environment && this->Environment->GetWidth() > 0)
   {
-    vtkErrorMacro("Integrate: there is no light set.");
+    this->Abort = false; // one that an earlier run left
+    const auto goOn = [this]() { return this->Report(0.0); };
+    EnvironmentPrecomputation& parts = this->Environment->GetParts();
+    lights = this->Generator
+               ? parts.GetLightSet(this->Environment, this->Generator, this->NumberOfLights, goOn)
+               : parts.GetLightSet(this->Environment, nullptr, this->NumberOfLights, goOn);
+  }
+  if (!lights)
+  {
+    vtkErrorMacro("Prepare: there is no light set, and none can be made.");
     return false;
   }
+  this->Current = lights;
   this->Shaded = this->SoftLights ? this->BRDF->GetRenderable() : this->BRDF.Get();
   this->Shaded->Prepare();
   return true;
@@ -78,17 +109,17 @@ void vtkLightSetRadianceIntegrator::IntegratePart(
   const measuredbrdf::Frame frame = measuredbrdf::FrameAbout(glm::make_vec3(n), glm::make_vec3(t));
   // As the shader does, so that both agree at silhouettes.
   const glm::dvec3 view = measuredbrdf::LiftView(measuredbrdf::ToLocal(frame, glm::make_vec3(o)));
-  for (int k = 0; k < this->LightSet->GetNumberOfLights(); ++k)
+  for (int k = 0; k < this->Current->GetNumberOfLights(); ++k)
   {
     glm::dvec3 direction;
     glm::dvec3 irradiance;
-    this->LightSet->GetDirection(k, &direction.x);
-    this->LightSet->GetIrradiance(k, &irradiance.x);
+    this->Current->GetDirection(k, &direction.x);
+    this->Current->GetIrradiance(k, &irradiance.x);
     const glm::dvec3 light = measuredbrdf::ToLocal(frame, direction);
     if (light.z > 0.0)
     {
       glm::dvec3 f;
-      const double spread = this->SoftLights ? GetSpread(this->LightSet, k) : 0.0;
+      const double spread = this->SoftLights ? GetSpread(this->Current, k) : 0.0;
       this->Shaded->EvaluateSoft(&light.x, &view.x, spread, &f.x);
       for (int c = 0; c < 3; ++c)
       {
@@ -105,7 +136,7 @@ bool vtkLightSetRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
   {
     return false;
   }
-  const int count = this->LightSet->GetNumberOfLights();
+  const int count = this->Current->GetNumberOfLights();
   vtkBRDFShaderInputs::Texture texture;
   texture.Name = "brdfLights";
   texture.Components = 4;
@@ -116,15 +147,15 @@ bool vtkLightSetRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
   for (int k = 0; k < count; ++k)
   {
     double direction[3], irradiance[3];
-    this->LightSet->GetDirection(k, direction);
-    this->LightSet->GetIrradiance(k, irradiance);
+    this->Current->GetDirection(k, direction);
+    this->Current->GetIrradiance(k, irradiance);
     float* texel = &texture.Data[8 * static_cast<std::size_t>(k)];
     for (int c = 0; c < 3; ++c)
     {
       texel[c] = static_cast<float>(direction[c]);
       texel[4 + c] = static_cast<float>(irradiance[c]);
     }
-    texel[3] = static_cast<float>(GetSpread(this->LightSet, k));
+    texel[3] = static_cast<float>(GetSpread(this->Current, k));
   }
   vtkBRDFShaderInputs::Term term;
   measuredbrdf::SetModuleShader(term, "vtkBRDFLightSet", vtkBRDFLightSet);
@@ -144,14 +175,79 @@ bool vtkLightSetRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
 vtkMTimeType vtkLightSetRadianceIntegrator::GetInputsMTime()
 {
   return std::max(
-    this->Superclass::GetInputsMTime(), this->LightSet ? this->LightSet->GetMTime() : 0);
+    { this->Superclass::GetInputsMTime(), this->LightSet ? this->LightSet->GetMTime() : 0,
+      this->Generator ? this->Generator->GetMTime() : 0 });
+}
+
+//------------------------------------------------------------------------------
+std::string vtkLightSetRadianceIntegrator::GetMethodDescription()
+{
+  return "a sum over lights that stand for the environment";
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkRadianceIntegrator::Size> vtkLightSetRadianceIntegrator::GetSizes()
+{
+  return { { "lights", 1, vtkLightSetGenerator::MaximumNumberOfLights, this->NumberOfLights } };
+}
+
+//------------------------------------------------------------------------------
+void vtkLightSetRadianceIntegrator::SetSize(int, int value) { this->SetNumberOfLights(value); }
+
+//------------------------------------------------------------------------------
+void vtkLightSetRadianceIntegrator::CopyProperties(vtkRadianceIntegrator* source)
+{
+  this->Superclass::CopyProperties(source);
+  if (auto* lights = vtkLightSetRadianceIntegrator::SafeDownCast(source))
+  {
+    this->SetGenerator(lights->Generator);
+    this->SetLightSet(lights->LightSet);
+    this->SetSoftLights(lights->SoftLights);
+    this->SetUnrolled(lights->Unrolled);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkLightSetRadianceIntegrator::GetSizesText()
+{
+  return std::to_string(this->NumberOfLights) + (this->SoftLights ? " soft lights" : " lights") +
+         (this->Generator ? "" : " by variance");
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::vector<int>> vtkLightSetRadianceIntegrator::GetCandidateSizes(bool all)
+{
+  std::vector<std::vector<int>> candidates;
+  for (const int count : PlannedLights)
+  {
+    if (all || (!this->BRDF->IsIsotropic() && count <= MostPlannedLights))
+    {
+      candidates.push_back({ count });
+    }
+  }
+  return candidates;
+}
+
+//------------------------------------------------------------------------------
+double vtkLightSetRadianceIntegrator::EstimateCost(vtkRadianceCostModel* costs)
+{
+  return costs->GetCost("base") + costs->GetCost("light") * this->NumberOfLights;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkLightSetRadianceIntegrator::EstimateTextureBytes()
+{
+  return 32 * static_cast<vtkIdType>(this->NumberOfLights);
 }
 
 //------------------------------------------------------------------------------
 void vtkLightSetRadianceIntegrator::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Generator: " << this->Generator.Get() << "\n";
+  os << indent << "NumberOfLights: " << this->NumberOfLights << "\n";
   os << indent << "LightSet: " << this->LightSet.Get() << "\n";
+  os << indent << "CurrentLightSet: " << this->Current.Get() << "\n";
   os << indent << "SoftLights: " << (this->SoftLights ? "On" : "Off") << "\n";
   os << indent << "Unrolled: " << (this->Unrolled ? "On" : "Off") << "\n";
 }

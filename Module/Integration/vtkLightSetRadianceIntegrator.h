@@ -4,9 +4,10 @@
  * @class   vtkLightSetRadianceIntegrator
  * @brief   the thesis's light loop: the sum over a light set (CPU twin of the mapper's shader)
  *
- * L_o = sum_j f(i_j,o) cos(theta_j) E_j (thesis 2.3.2). The light set lives in the environment's
- * frame; an environment is only needed for its rotation and may be missing. Views closer to the
- * horizon than 1.1 degrees are taken there, as the shader takes them.
+ * L_o = sum_j f(i_j,o) cos(theta_j) E_j (thesis 2.3.2). The lights come from the environment by a
+ * generator. A light set of the program's own may take their place: it lives in the environment's
+ * frame, and an environment is then only needed for its rotation and may be missing. Views closer
+ * to the horizon than 1.1 degrees are taken there, as the shader takes them.
  *
  * A sharp lobe shows a few lights as dots. Soft lights spread each by its concentration: the lobe
  * is evaluated as wide as lobe and light together (vtkBRDF::EvaluateSoft). Closed forms, D-BRDFs
@@ -20,6 +21,7 @@
 #include "vtkRadianceIntegrator.h"
 
 class vtkLightSet;
+class vtkLightSetGenerator;
 
 class VTKMEASUREDBRDF_EXPORT vtkLightSetRadianceIntegrator : public vtkRadianceIntegrator
 {
@@ -30,11 +32,35 @@ public:
 
   ///@{
   /**
-   * The lights.
+   * How the environment becomes lights, e.g. vtkMedianCutLightSetGenerator for the thesis's; null
+   * (default): cells of least variance, vtkVarianceLightSetGenerator with its defaults. Integrators
+   * that share a generator and an environment share the lights.
+   */
+  void SetGenerator(vtkLightSetGenerator* generator);
+  vtkLightSetGenerator* GetGenerator();
+  ///@}
+
+  ///@{
+  /**
+   * Lights to make, default 64, in [1, vtkLightSetGenerator::MaximumNumberOfLights]. Median cut
+   * makes powers of two only.
+   */
+  virtual void SetNumberOfLights(int numberOfLights);
+  vtkGetMacro(NumberOfLights, int);
+  ///@}
+
+  ///@{
+  /**
+   * A ready-made light set that is used instead of making one; null (default): none.
    */
   void SetLightSet(vtkLightSet* lights);
   vtkLightSet* GetLightSet();
   ///@}
+
+  /**
+   * The lights of the last preparation; null before the first.
+   */
+  vtkLightSet* GetCurrentLightSet();
 
   ///@{
   /**
@@ -59,17 +85,39 @@ public:
   bool GetShaderInputs(vtkBRDFShaderInputs& form) override;
   bool UsesBRDFOnGPU() override { return true; }
   bool UsesSoftLights() override { return this->SoftLights; }
+  bool NeedsEnvironment() override;
   vtkMTimeType GetInputsMTime() override;
+
+  ///@{
+  /**
+   * As a method: "light-set", by the number of lights. Planners try it for anisotropic materials.
+   * Its cost is BASE and a LIGHT each.
+   */
+  std::string GetMethodName() override { return "light-set"; }
+  std::string GetMethodDescription() override;
+  std::vector<Size> GetSizes() override;
+  std::string GetSizesText() override;
+  std::vector<std::vector<int>> GetCandidateSizes(bool all) override;
+  double EstimateCost(vtkRadianceCostModel* costs) override;
+  vtkIdType EstimateTextureBytes() override;
+  std::string GetCostName() override { return "light"; }
+  std::vector<std::vector<int>> GetCalibrationSizes() override { return { { 1 }, { 64 } }; }
+  ///@}
 
 protected:
   vtkLightSetRadianceIntegrator();
   ~vtkLightSetRadianceIntegrator() override;
 
+  void SetSize(int index, int value) override;
+  void CopyProperties(vtkRadianceIntegrator* source) override;
   bool Begin() override;
   void IntegratePart(
     int part, const double n[3], const double o[3], const double t[3], double radiance[3]) override;
 
+  vtkSmartPointer<vtkLightSetGenerator> Generator;
+  int NumberOfLights = 64;
   vtkSmartPointer<vtkLightSet> LightSet;
+  vtkSmartPointer<vtkLightSet> Current;
   vtkSmartPointer<vtkBRDF> Shaded; // the material, or what knows soft light of it
   bool SoftLights = false;
   bool Unrolled = false;

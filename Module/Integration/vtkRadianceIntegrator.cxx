@@ -6,6 +6,7 @@
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkEnvironment.h"
+#include "vtkRadianceCostModel.h"
 #include "vtkSMPTools.h"
 
 #include <glm/glm.hpp>
@@ -93,6 +94,80 @@ bool vtkRadianceIntegrator::Report(double progress)
   this->InvokeEvent(vtkCommand::ProgressEvent, &progress);
   return !this->Abort;
 }
+
+//------------------------------------------------------------------------------
+vtkRadianceIntegrator* vtkRadianceIntegrator::NewCopy()
+{
+  vtkRadianceIntegrator* copy = this->NewInstance();
+  copy->CopyProperties(this);
+  return copy;
+}
+
+//------------------------------------------------------------------------------
+void vtkRadianceIntegrator::CopyProperties(vtkRadianceIntegrator* source)
+{
+  std::vector<int> values;
+  for (const Size& size : source->GetSizes())
+  {
+    values.push_back(size.Value);
+  }
+  this->SetSizes(values);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRadianceIntegrator::GetMethodName() { return this->GetClassName(); }
+
+//------------------------------------------------------------------------------
+bool vtkRadianceIntegrator::SetSizes(const std::vector<int>& values)
+{
+  const std::vector<Size> sizes = this->GetSizes();
+  if (values.size() > sizes.size())
+  {
+    vtkErrorMacro(
+      "SetSizes: found " << values.size() << " sizes, expected at most " << sizes.size() << ".");
+    return false;
+  }
+  for (std::size_t k = 0; k < values.size(); ++k)
+  {
+    if (values[k] < sizes[k].Least || values[k] > sizes[k].Largest)
+    {
+      vtkErrorMacro("SetSizes: found " << values[k] << " " << sizes[k].Name << ", expected "
+                                       << sizes[k].Least << " to " << sizes[k].Largest << ".");
+      return false;
+    }
+  }
+  for (std::size_t k = 0; k < values.size(); ++k)
+  {
+    this->SetSize(static_cast<int>(k), values[k]);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRadianceIntegrator::GetSizesText()
+{
+  std::string text;
+  for (const Size& size : this->GetSizes())
+  {
+    text += (text.empty() ? "" : " x ") + std::to_string(size.Value) + " " + size.Name;
+  }
+  return text;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::vector<int>> vtkRadianceIntegrator::GetCandidateSizes(bool) { return {}; }
+
+//------------------------------------------------------------------------------
+double vtkRadianceIntegrator::EstimateCost(vtkRadianceCostModel* costs)
+{
+  return costs->GetCost("base");
+}
+
+//------------------------------------------------------------------------------
+bool vtkRadianceIntegrator::CanPrune(const std::vector<Attempt>&, double) { return false; }
+
+//------------------------------------------------------------------------------
+bool vtkRadianceIntegrator::TakePrepared(const std::string& bytes) { return bytes.empty(); }
 
 //------------------------------------------------------------------------------
 bool vtkRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs&) { return false; }

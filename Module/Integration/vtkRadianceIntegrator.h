@@ -8,6 +8,12 @@
  * in world coordinates; the environment's rotation applies. Double precision, threads through
  * vtkSMPTools, ProgressEvent (calldata: double*) from the calling thread, interrupted by
  * SetAbort(true).
+ *
+ * A mapper draws any integrator that has shader inputs (vtkMeasuredBRDFMapper::SetIntegrator). An
+ * integrator is a method, too: it has a name and sizes. Register an instance with
+ * vtkRadianceMethods, and planners try the sizes that GetCandidateSizes lists, programs find the
+ * method by its name, and vtkRadianceCostCalibrator measures its cost. Examples/Cxx/CustomMethod is
+ * one.
  */
 
 #ifndef vtkRadianceIntegrator_h
@@ -18,12 +24,16 @@
 #include "vtkSmartPointer.h" // for BRDF, Environment
 
 #include <atomic> // for Abort
+#include <memory> // for Precomputation
+#include <string> // for names
+#include <vector> // for sizes
 
 struct vtkBRDFShaderInputs;
 
 class vtkBRDF;
 class vtkDataArray;
 class vtkEnvironment;
+class vtkRadianceCostModel;
 
 class VTKMEASUREDBRDF_EXPORT vtkRadianceIntegrator : public vtkObject
 {
@@ -84,10 +94,119 @@ public:
   virtual bool UsesSoftLights() { return false; }
 
   /**
+   * Whether it can't do without an environment (default). One that has light of its own, a given
+   * light set for instance, says no.
+   */
+  virtual bool NeedsEnvironment() { return true; }
+
+  /**
    * When anything that Prepare depends on last changed. A rotation of the environment does not
    * count: everything is built in the environment's own frame.
    */
   virtual vtkMTimeType GetInputsMTime();
+
+  /**
+   * A new integrator of this class with the same properties, but for the material and the
+   * environment. The caller has to release it.
+   */
+  VTK_NEWINSTANCE vtkRadianceIntegrator* NewCopy();
+
+  ///@{
+  /**
+   * What programs and files call the method: lower case letters, digits and hyphens (default: the
+   * class's name); and one line on it for a program's help.
+   */
+  virtual std::string GetMethodName();
+  virtual std::string GetMethodDescription() { return ""; }
+  ///@}
+
+  /// One of the integers that set how accurate and how expensive a method is.
+  struct Size
+  {
+    std::string Name; // "rows": for people
+    int Least;
+    int Largest;
+    int Value;
+  };
+
+  ///@{
+  /**
+   * The sizes of this integrator, the most important one first (default: none). SetSizes takes
+   * values in that order and leaves out the last ones where it is given fewer. It returns false
+   * with an error event, nothing changed, where there are more than that or one is out of range.
+   */
+  virtual std::vector<Size> GetSizes() { return {}; }
+  bool SetSizes(const std::vector<int>& values);
+  ///@}
+
+  /**
+   * The sizes in words, for a plan: "33 rows x 12 view angles x 16 azimuths".
+   */
+  virtual std::string GetSizesText();
+
+  ///@{
+  /**
+   * For planners (vtkRadiancePlanner). The material and the environment are set.
+   *
+   * GetCandidateSizes: the sizes to try, none (default) where the method is not for this material.
+   * all: also those that are only worth a comparison.
+   *
+   * EstimateCost: nanoseconds per covered pixel, linear in the model's costs; default: BASE.
+   *
+   * EstimateTextureBytes: of the textures, but for the material's own; default 0.
+   *
+   * IsLastResort: whether it takes so long to prepare that it is tried only where the others stay
+   * far from the tolerance; default: no.
+   */
+  virtual std::vector<std::vector<int>> GetCandidateSizes(bool all);
+  virtual double EstimateCost(vtkRadianceCostModel* costs);
+  virtual vtkIdType EstimateTextureBytes() { return 0; }
+  virtual bool IsLastResort() { return false; }
+  ///@}
+
+  /// What came of sizes that a planner has tried.
+  struct Attempt
+  {
+    std::vector<int> Sizes;
+    double Error; // relative L1
+  };
+
+  /**
+   * Whether the attempts by this method so far show that these sizes will not come below an error.
+   * Default: they never do.
+   */
+  virtual bool CanPrune(const std::vector<Attempt>& attempts, double error);
+
+  ///@{
+  /**
+   * What took long to prepare as bytes, for planners that keep it on disk (default: ""), and back:
+   * TakePrepared prepares this integrator with them. It returns false, nothing changed, for bytes
+   * that do not fit the material, the environment or the sizes.
+   */
+  virtual std::string GetPrepared() { return ""; }
+  virtual bool TakePrepared(const std::string& bytes);
+  ///@}
+
+  ///@{
+  /**
+   * For vtkRadianceCostCalibrator: the cost that this method is measured for, one of
+   * vtkRadianceCostModel's or a name of its own, and the sizes that are drawn to find it. Default:
+   * "" and none, it has no cost of its own.
+   */
+  virtual std::string GetCostName() { return ""; }
+  virtual std::vector<std::vector<int>> GetCalibrationSizes() { return {}; }
+  ///@}
+
+#ifndef __VTK_WRAP__
+  /// What integrators of one material have in common, whatever the sizes and the light.
+  class Precomputation;
+
+  /**
+   * Share it with other integrators of the same material while that does not change; null
+   * (default): an integrator computes what it needs. For one thread at a time.
+   */
+  void SetPrecomputation(const std::shared_ptr<Precomputation>& shared) { this->Shared = shared; }
+#endif
 
   ///@{
   /**
@@ -101,6 +220,13 @@ public:
 protected:
   vtkRadianceIntegrator();
   ~vtkRadianceIntegrator() override;
+
+  /// Take a size, which is in its range; index: in GetSizes.
+  virtual void SetSize(int vtkNotUsed(index), int vtkNotUsed(value)) {}
+
+  /// Take the properties of another integrator of the same class. Those that are no sizes need an
+  /// override, which calls the superclass's.
+  virtual void CopyProperties(vtkRadianceIntegrator* source);
 
   /// Check and precompute before the threads start, called when inputs changed since the last
   /// success; false (after an error event) stops.
@@ -128,6 +254,7 @@ protected:
 
   vtkSmartPointer<vtkBRDF> BRDF;
   vtkSmartPointer<vtkEnvironment> Environment;
+  std::shared_ptr<Precomputation> Shared;
   vtkTimeStamp PrepareTime;
   std::atomic<bool> Abort{ false };
 

@@ -10,6 +10,7 @@
 #include "Neighbors.h"
 #include "Printable.h"
 #include "Setters.h"
+#include "TableCandidates.h"
 #include "WignerD.h"
 #include "vtkBRDF.h"
 #include "vtkBRDFEnvironmentTable.h"
@@ -17,6 +18,7 @@
 #include "vtkCommand.h"
 #include "vtkEnvironment.h"
 #include "vtkObjectFactory.h"
+#include "vtkRadianceCostModel.h"
 #include "vtkSMPTools.h"
 
 #include <Eigen/Core>
@@ -258,7 +260,7 @@ bool vtkTableRadianceIntegrator::Begin()
   tables->Azimuths = this->NumberOfAzimuths;
   const int orders = this->NumberOfAzimuths / 2; // as many as the azimuths can tell apart
   const int degree = this->HarmonicDegree > 0 ? this->HarmonicDegree : this->NumberOfRows;
-  const auto parts = this->Parts ? this->Parts : std::make_shared<MaterialPrecomputation>();
+  const auto parts = this->Shared ? this->Shared : std::make_shared<Precomputation>();
   EnvironmentPrecomputation& ofEnvironment = this->Environment->GetParts();
   const auto goOn = [this]() { return this->Report(0.0); };
   const auto harmonics = ofEnvironment.GetHarmonics(
@@ -591,6 +593,64 @@ measuredbrdfSetClampedMacro(vtkTableRadianceIntegrator, NumberOfViewAngles, int,
 measuredbrdfSetClampedMacro(vtkTableRadianceIntegrator, NumberOfAzimuths, int, 4, 64);
 measuredbrdfSetClampedMacro(vtkTableRadianceIntegrator, HarmonicDegree, int, 0, 1024);
 measuredbrdfSetClampedMacro(vtkTableRadianceIntegrator, NumberOfNodes, int, 16, 1024);
+
+//------------------------------------------------------------------------------
+std::vector<vtkRadianceIntegrator::Size> vtkTableRadianceIntegrator::GetSizes()
+{
+  return { { "rows", 9, 513, this->NumberOfRows },
+    { "view angles", 2, 64, this->NumberOfViewAngles },
+    { "azimuths", 4, 64, this->NumberOfAzimuths } };
+}
+
+//------------------------------------------------------------------------------
+void vtkTableRadianceIntegrator::SetSize(int index, int value)
+{
+  switch (index)
+  {
+    case 0:
+      return this->SetNumberOfRows(value);
+    case 1:
+      return this->SetNumberOfViewAngles(value);
+    default:
+      this->SetNumberOfAzimuths(value);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTableRadianceIntegrator::CopyProperties(vtkRadianceIntegrator* source)
+{
+  this->Superclass::CopyProperties(source);
+  if (auto* table = vtkTableRadianceIntegrator::SafeDownCast(source))
+  {
+    this->SetHarmonicDegree(table->HarmonicDegree);
+    this->SetNumberOfNodes(table->NumberOfNodes);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::vector<int>> vtkTableRadianceIntegrator::GetCandidateSizes(bool)
+{
+  return this->BRDF->IsIsotropic() ? GetTableCandidates() : std::vector<std::vector<int>>();
+}
+
+//------------------------------------------------------------------------------
+double vtkTableRadianceIntegrator::EstimateCost(vtkRadianceCostModel* costs)
+{
+  return costs->GetCost("base") + costs->GetCost("table");
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkTableRadianceIntegrator::EstimateTextureBytes()
+{
+  return GetTableBytes(this->NumberOfRows, this->NumberOfViewAngles, this->NumberOfAzimuths);
+}
+
+//------------------------------------------------------------------------------
+bool vtkTableRadianceIntegrator::CanPrune(const std::vector<Attempt>& attempts, double error)
+{
+  return CanPruneTable(
+    { this->NumberOfRows, this->NumberOfViewAngles, this->NumberOfAzimuths }, attempts, error);
+}
 
 //------------------------------------------------------------------------------
 void vtkTableRadianceIntegrator::PrintSelf(ostream& os, vtkIndent indent)

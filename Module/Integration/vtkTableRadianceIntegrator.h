@@ -48,7 +48,6 @@
 namespace measuredbrdf
 {
 class EnvironmentHarmonics;
-class MaterialPrecomputation;
 struct TexelChanges;
 }
 
@@ -92,23 +91,30 @@ public:
 
   ///@{
   /**
-   * The prepared tables as bytes, for caches ("" before Prepare), and back: then what is set now
-   * counts as prepared with them. Take returns false, nothing changed, for bytes that are not of a
-   * table of the sizes that are set.
+   * As a method: "table", by rows, view angles and azimuths, for isotropic materials. Its cost is
+   * BASE and TABLE.
    */
-  std::string GetPrepared();
-  bool TakePrepared(const std::string& bytes);
+  std::string GetMethodName() override { return "table"; }
+  std::string GetMethodDescription() override { return "a table of outgoing radiance"; }
+  std::vector<Size> GetSizes() override;
+  std::vector<std::vector<int>> GetCandidateSizes(bool all) override;
+  double EstimateCost(vtkRadianceCostModel* costs) override;
+  vtkIdType EstimateTextureBytes() override;
+  bool CanPrune(const std::vector<Attempt>& attempts, double error) override;
+  std::string GetCostName() override { return "table"; }
+  std::vector<std::vector<int>> GetCalibrationSizes() override { return { { 33, 8, 8 } }; }
+  ///@}
+
+  ///@{
+  /**
+   * The prepared tables as bytes ("" before Prepare), and back. TakePrepared takes bytes of a table
+   * of the sizes that are set only.
+   */
+  std::string GetPrepared() override;
+  bool TakePrepared(const std::string& bytes) override;
   ///@}
 
 #ifndef __VTK_WRAP__
-  /**
-   * For the planner: what Prepare needs whatever the sizes; null (default): its own.
-   */
-  void SetParts(const std::shared_ptr<measuredbrdf::MaterialPrecomputation>& parts)
-  {
-    this->Parts = parts;
-  }
-
   /**
    * For hybrids: take the environment with these texels changed; null (default): as it is.
    */
@@ -119,6 +125,8 @@ protected:
   vtkTableRadianceIntegrator();
   ~vtkTableRadianceIntegrator() override;
 
+  void SetSize(int index, int value) override;
+  void CopyProperties(vtkRadianceIntegrator* source) override;
   bool Begin() override;
   void IntegratePart(
     int part, const double n[3], const double o[3], const double t[3], double radiance[3]) override;
@@ -137,7 +145,6 @@ private:
   static std::shared_ptr<const std::vector<float>> MakeIrradiance(
     const measuredbrdf::EnvironmentHarmonics& environment);
 
-  std::shared_ptr<measuredbrdf::MaterialPrecomputation> Parts;
   std::shared_ptr<const measuredbrdf::TexelChanges> Rest;
   std::unique_ptr<Tables> Data;
 };

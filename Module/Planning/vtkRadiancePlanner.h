@@ -5,13 +5,14 @@
  * @brief   how to integrate an environment's light for a material: the least cost that is accurate
  *          enough
  *
- * Given a BRDF, an environment and a tolerance, it looks at candidates (an integrator and its
- * sizes) from the cheapest on and chooses the first that meets the tolerance: no more than the
- * scene needs. Errors are relative L1 over a sphere, mean |x - r| / mean r, and are predicted by
- * trying: each candidate is prepared and compared on some hundred (normal, view) pairs, drawn as a
- * sphere shows them, with a nearly exact sum (suns and lamps apart, thousands of lights for what is
- * broad, thousands of directions for what is sharp); one standard error of that sample is added.
- * Costs are those of a vtkRadianceCostModel: Mesa's llvmpipe's unless another is set.
+ * Given a BRDF, an environment and a tolerance, it looks at candidates (a method of
+ * vtkRadianceMethods and its sizes) from the cheapest on and chooses the first that meets the
+ * tolerance: no more than the scene needs. Errors are relative L1 over a sphere, mean |x - r| /
+ * mean r, and are predicted by trying: each candidate is prepared and compared on some hundred
+ * (normal, view) pairs, drawn as a sphere shows them, with a nearly exact sum (suns and lamps
+ * apart, thousands of lights for what is broad, thousands of directions for what is sharp); one
+ * standard error of that sample is added. Costs are those of a vtkRadianceCostModel: Mesa's
+ * llvmpipe's unless another is set.
  *
  * The order of the candidates counts 3 % of a table's pixel (3 ns on llvmpipe), times 196350 /
  * NumberOfPixels, for every megabyte of texture on top: tables of radiance cost the same few
@@ -49,15 +50,6 @@ public:
   static vtkRadiancePlanner* New();
   vtkTypeMacro(vtkRadiancePlanner, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  enum MethodType
-  {
-    LIGHT_SET = 0, // variance light set, soft
-    BASIS = 1,
-    FILTERED = 2,
-    TABLE = 3,
-    HYBRID = 4
-  };
 
   ///@{
   /**
@@ -173,8 +165,7 @@ public:
    * The candidates that were tried, cheapest first; index in [0, GetNumberOfCandidates()).
    */
   int GetNumberOfCandidates();
-  int GetMethod(int index);
-  std::string GetMethodName(int index);       // "light-set", "basis", "filtered", "table", "hybrid"
+  std::string GetMethodName(int index);       // as vtkRadianceMethods knows it, e.g. "table"
   std::string GetDescription(int index);      // sizes
   double GetPredictedError(int index);        // relative L1
   double GetPredictedMilliseconds(int index); // of NumberOfPixels
@@ -233,6 +224,9 @@ protected:
 private:
   vtkRadiancePlanner(const vtkRadiancePlanner&) = delete;
   void operator=(const vtkRadiancePlanner&) = delete;
+
+  /// Choose anew; false with an error event where that is not possible.
+  bool Search();
 
   /// The error event of a run that can't go on; false.
   bool Fail();

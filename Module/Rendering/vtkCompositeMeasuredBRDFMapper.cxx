@@ -358,6 +358,18 @@ bool vtkCompositeMeasuredBRDFMapper::GetPlanReady()
 }
 
 //------------------------------------------------------------------------------
+void vtkCompositeMeasuredBRDFMapper::SetAbortPlanning(bool abort)
+{
+  this->Impl->Drawing->SetAbortPlanning(abort);
+}
+
+//------------------------------------------------------------------------------
+bool vtkCompositeMeasuredBRDFMapper::GetAbortPlanning()
+{
+  return this->Impl->Drawing->GetAbortPlanning();
+}
+
+//------------------------------------------------------------------------------
 double vtkCompositeMeasuredBRDFMapper::FitProperty(vtkProperty* property)
 {
   return vtkPBRPropertyFitter::Fit(this->GetBRDF(), property);

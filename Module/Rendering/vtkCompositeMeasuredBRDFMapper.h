@@ -35,7 +35,6 @@
 
 class vtkBRDF;
 class vtkEnvironment;
-class vtkLightSet;
 class vtkProperty;
 class vtkRadianceCostModel;
 class vtkRadianceIntegrator;
@@ -89,12 +88,8 @@ public:
    */
   void SetEnvironment(vtkEnvironment* environment);
   vtkEnvironment* GetEnvironment();
-  void SetLightSet(vtkLightSet* lights);
-  vtkLightSet* GetLightSet();
-  void SetMethod(int method);
-  int GetMethod();
-  void SetMethodToAuto() { this->SetMethod(vtkMeasuredBRDFMapper::AUTO); }
-  void SetMethodToLightSet() { this->SetMethod(vtkMeasuredBRDFMapper::LIGHT_SET); }
+  void SetIntegrator(vtkRadianceIntegrator* integrator);
+  vtkRadianceIntegrator* GetIntegrator();
   void SetErrorTolerance(double tolerance);
   double GetErrorTolerance();
   void SetPlanningMode(int mode);
@@ -111,36 +106,12 @@ public:
   void PlanForViewOff() { this->SetPlanForView(false); }
   void SetCostModel(vtkRadianceCostModel* model);
   vtkRadianceCostModel* GetCostModel();
-  void SetLightSetMethod(int method);
-  int GetLightSetMethod();
-  void SetLightSetMethodToMedianCut()
-  {
-    this->SetLightSetMethod(vtkMeasuredBRDFMapper::MEDIAN_CUT);
-  }
-  void SetLightSetMethodToImportanceSampling()
-  {
-    this->SetLightSetMethod(vtkMeasuredBRDFMapper::IMPORTANCE_SAMPLING);
-  }
-  void SetLightSetMethodToVariance() { this->SetLightSetMethod(vtkMeasuredBRDFMapper::VARIANCE); }
-  void SetNumberOfLights(int count);
-  int GetNumberOfLights();
-  void SetSeed(unsigned int seed);
-  unsigned int GetSeed();
-  void SetSoftLights(bool soft);
-  bool GetSoftLights();
-  void SoftLightsOn() { this->SetSoftLights(true); }
-  void SoftLightsOff() { this->SetSoftLights(false); }
+  void SetCacheFolder(std::string folder);
+  std::string GetCacheFolder();
+  void SetAbortPlanning(bool abort);
+  bool GetAbortPlanning();
   void SetScalarColoringMode(int mode);
   int GetScalarColoringMode();
-  ///@}
-
-  ///@{
-  /**
-   * An integrator in the place of both methods, as vtkMeasuredBRDFMapper has it; it holds one
-   * material at a time: for data of a single material only.
-   */
-  void SetIntegrator(vtkRadianceIntegrator* integrator);
-  vtkRadianceIntegrator* GetIntegrator();
   ///@}
 
   ///@{

@@ -64,11 +64,30 @@ double vtkMeasuredBRDFMapper::FitProperty(vtkProperty* property)
 vtkIdType vtkMeasuredBRDFMapper::GetTextureBytes() { return this->Drawing->GetTextureBytes(); }
 
 //------------------------------------------------------------------------------
-vtkLightSet* vtkMeasuredBRDFMapper::GetCurrentLightSet()
+vtkRadianceIntegrator* vtkMeasuredBRDFMapper::GetCurrentIntegrator()
 {
-  const std::vector<const DrawnMaterial*> drawn = this->Drawing->GetLastFrame();
-  return drawn.empty() ? nullptr : drawn.front()->Lights.Get();
+  return this->Drawing->GetIntegrator();
 }
+
+//------------------------------------------------------------------------------
+vtkRadiancePlanner* vtkMeasuredBRDFMapper::GetCurrentPlanner()
+{
+  return this->Drawing->GetPlanner();
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkMeasuredBRDFMapper::GetVisiblePairs(
+  vtkRenderer* renderer, vtkActor* actor, vtkDataArray* normals, vtkDataArray* views)
+{
+  this->Update();
+  return this->Drawing->GetVisiblePairs(renderer, actor, normals, views);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeasuredBRDFMapper::SetAbortPlanning(bool abort) { this->Drawing->SetAbortPlanning(abort); }
+
+//------------------------------------------------------------------------------
+bool vtkMeasuredBRDFMapper::GetAbortPlanning() { return this->Drawing->GetAbortPlanning(); }
 
 //------------------------------------------------------------------------------
 std::string vtkMeasuredBRDFMapper::GetMaterialDescription()

@@ -54,11 +54,12 @@
 #include <string> // for descriptions
 
 class vtkBRDF;
+class vtkDataArray;
 class vtkEnvironment;
-class vtkLightSet;
 class vtkProperty;
 class vtkRadianceCostModel;
 class vtkRadianceIntegrator;
+class vtkRadiancePlanner;
 
 // Wrappers see VTK's class as the superclass (as vtkFloatArray does with its template).
 #ifndef __VTK_WRAP__
@@ -91,47 +92,35 @@ public:
 
   ///@{
   /**
-   * A ready-made light set in the environment's frame, used instead of making one; null (default):
-   * make one from the environment.
+   * What integrates the environment's light. Null (default): what vtkRadiancePlanner plans for the
+   * material, the environment and the error tolerance, mostly a table of radiance that costs about
+   * as much as VTK's own PBR. Planning takes some tenths of a second (seconds for mirror-like
+   * materials) before the first frame and after a change of the material or the environment (its
+   * rotation is none), see SetPlanningMode; a later program finds the plan on disk.
+   *
+   * Any other integrator draws the same pixels as its Integrate gives:
+   * vtkLightSetRadianceIntegrator is the thesis's loop over lights. The mapper never changes it.
+   * Where it has this mapper's material and environment, it is drawn as it is, with what it has
+   * prepared; else a copy with its properties is (vtkRadianceIntegrator::NewCopy), which mappers
+   * with the same material and environment share. Its own environment counts where the mapper and
+   * the renderer have none.
    */
-  void SetLightSet(vtkLightSet* lights);
-  vtkLightSet* GetLightSet();
-  ///@}
-
-  enum MethodType
-  {
-    AUTO = 0,
-    LIGHT_SET = 1
-  };
-
-  ///@{
-  /**
-   * How the environment's light is integrated. AUTO (default): as vtkRadiancePlanner plans it for
-   * the material, the environment and the error tolerance, mostly by a table of radiance that costs
-   * about as much as VTK's own PBR; planning takes some tenths of a second (seconds for
-   * mirror-like materials) before the first frame and after a change of the material or the
-   * environment (its rotation is none), see SetPlanningMode; a later program finds the plan on
-   * disk. LIGHT_SET: the thesis's loop over a light set made as set up below; so it is too while
-   * SetLightSet has one.
-   */
-  void SetMethod(int method);
-  int GetMethod();
-  void SetMethodToAuto() { this->SetMethod(AUTO); }
-  void SetMethodToLightSet() { this->SetMethod(LIGHT_SET); }
+  void SetIntegrator(vtkRadianceIntegrator* integrator);
+  vtkRadianceIntegrator* GetIntegrator();
   ///@}
 
   ///@{
   /**
-   * With AUTO: relative L1 error over a sphere to stay below where that is possible (default 0.02,
-   * in [1e-3, 1]).
+   * Where plans are made: relative L1 error over a sphere to stay below where that is possible
+   * (default 0.02, in [1e-3, 1]).
    */
   void SetErrorTolerance(double tolerance);
   double GetErrorTolerance();
   ///@}
 
   /**
-   * With AUTO, what was chosen in the last render, with its predicted error, its size and why; ""
-   * if there was no plan.
+   * What was planned for the last render, with its predicted error, its size and why; "" if there
+   * was no plan.
    */
   std::string GetPlan();
 
@@ -144,12 +133,12 @@ public:
 
   ///@{
   /**
-   * With AUTO, when planning is done. FOREGROUND (default): Render plans, so that every picture is
+   * When planning is done. FOREGROUND (default): Render plans, so that every picture is
    * of what is set. BACKGROUND: the first Render plans; where the material, the environment, the
    * tolerance or the costs change later, a thread plans and pictures stay as they were, environment
    * and material alike, until a Render finds the new plan made. A change meanwhile stops that
-   * thread's work and begins anew. BACKGROUND_FROM_START: so is the first; until it is made, the
-   * light set that is set up below stands in for it.
+   * thread's work and begins anew. BACKGROUND_FROM_START: so is the first; until it is made, 64
+   * lights stand in for it (vtkLightSetRadianceIntegrator as it is made).
    *
    * A mapper cannot bring about a Render by itself, and programs that change a material and write
    * one picture want the new one: hence the default. Interactive programs choose BACKGROUND and
@@ -175,7 +164,7 @@ public:
 
   ///@{
   /**
-   * With AUTO, whether to plan for what the camera sees instead of for every view (default off).
+   * Whether to plan for what the camera sees instead of for every view (default off).
    * Candidates are then checked on the normals and views that are in the picture, in proportion to
    * the pixels that they cover, and memory weighs the more the fewer these are: distant or flat
    * objects get cheaper plans. Where the camera, the object or the environment's rotation bring to
@@ -190,6 +179,34 @@ public:
   bool GetPlanForView();
   void PlanForViewOn() { this->SetPlanForView(true); }
   void PlanForViewOff() { this->SetPlanForView(false); }
+  ///@}
+
+  /**
+   * What PlanForView sees of an actor that this mapper draws: unit normals and unit directions to
+   * the camera (as many of both, resized to 3 components), in proportion to the pixels that they
+   * cover, ready for vtkRadiancePlanner::SetPairs. Returns about how many pixels that are; 0 and no
+   * pairs where nothing is in view.
+   */
+  vtkIdType GetVisiblePairs(
+    vtkRenderer* renderer, vtkActor* actor, vtkDataArray* normals, vtkDataArray* views);
+
+  ///@{
+  /**
+   * A folder where plans outlive the program (vtkRadiancePlanner::SetCacheFolder); default:
+   * vtkRadiancePlanner::GetDefaultCacheFolder(); "": nowhere.
+   */
+  void SetCacheFolder(std::string folder);
+  std::string GetCacheFolder();
+  ///@}
+
+  ///@{
+  /**
+   * A Render that plans for this mapper alone raises ProgressEvent meanwhile. Set AbortPlanning
+   * from its observer to stop it: the light set of BACKGROUND_FROM_START is drawn then, with an
+   * error event, until something changes. Each planning begins with it cleared.
+   */
+  void SetAbortPlanning(bool abort);
+  bool GetAbortPlanning();
   ///@}
 
   ///@{
@@ -213,62 +230,13 @@ public:
 
   ///@{
   /**
-   * With AUTO, what a pixel costs by each method on this renderer (vtkRadianceCostCalibrator); null
+   * For plans, what a pixel costs by each method on this renderer (vtkRadianceCostCalibrator); null
    * (default): the defaults of vtkRadianceCostModel. The mapper measures nothing by itself: that
    * would stop the first frame for up to a second, and the choice would depend on what else the
    * machine does.
    */
   void SetCostModel(vtkRadianceCostModel* model);
   vtkRadianceCostModel* GetCostModel();
-  ///@}
-
-  ///@{
-  /**
-   * An integrator that takes the place of both methods, e.g. vtkFilteredRadianceIntegrator; null
-   * (default): none. It gets this mapper's material and environment (an
-   * environment of its own stays where there is none): mappers that differ in either need one each.
-   */
-  void SetIntegrator(vtkRadianceIntegrator* integrator);
-  vtkRadianceIntegrator* GetIntegrator();
-  ///@}
-
-  enum LightSetMethodType
-  {
-    MEDIAN_CUT = 0,
-    IMPORTANCE_SAMPLING = 1,
-    VARIANCE = 2
-  };
-
-  ///@{
-  /**
-   * How the environment becomes lights: median cut (default), importance sampling, or cells of
-   * least variance (vtkVarianceLightSetGenerator); how many (default 64, in [1, 1048576]; median
-   * cut takes the next power of two, with a warning); and the seed of importance sampling (default
-   * 1).
-   */
-  void SetLightSetMethod(int method);
-  int GetLightSetMethod();
-  void SetLightSetMethodToMedianCut() { this->SetLightSetMethod(MEDIAN_CUT); }
-  void SetLightSetMethodToImportanceSampling() { this->SetLightSetMethod(IMPORTANCE_SAMPLING); }
-  void SetLightSetMethodToVariance() { this->SetLightSetMethod(VARIANCE); }
-  void SetNumberOfLights(int count);
-  int GetNumberOfLights();
-  void SetSeed(unsigned int seed);
-  unsigned int GetSeed();
-  ///@}
-
-  ///@{
-  /**
-   * Whether the environment's lights are as wide as the part of it that each stands for
-   * (vtkLightSetRadianceIntegrator::SetSoftLights): a sharp lobe then shows no dots. Default off.
-   * Lights of importance sampling have no width. Changing it rebuilds the shader. Tables over half
-   * and difference angles are uploaded at several widths for it (vtkTabulatedBRDF says how large
-   * that is); those over incident and outgoing angles, and bases, stay hard.
-   */
-  void SetSoftLights(bool soft);
-  bool GetSoftLights();
-  void SoftLightsOn() { this->SetSoftLights(true); }
-  void SoftLightsOff() { this->SetSoftLights(false); }
   ///@}
 
   enum ScalarColoringModeType
@@ -288,13 +256,15 @@ public:
 
   ///@{
   /**
-   * About the last render: bytes of the textures in use (material and lights), the lights in use
-   * (null before the first render or without an environment), a line on the material's shader
-   * inputs (sizes, precision, errors), and those errors: relative L2 by resampling into a table,
-   * and the largest relative rounding of a stored value (vtkBRDFShaderInputs).
+   * About the last render: the integrator that was drawn (null before the first render or without
+   * an environment) and the planner that chose it (null without a plan), neither to be changed;
+   * bytes of the textures in use (material and lights), a line on the material's shader inputs
+   * (sizes, precision, errors), and those errors: relative L2 by resampling into a table, and the
+   * largest relative rounding of a stored value (vtkBRDFShaderInputs).
    */
+  vtkRadianceIntegrator* GetCurrentIntegrator();
+  vtkRadiancePlanner* GetCurrentPlanner();
   vtkIdType GetTextureBytes();
-  vtkLightSet* GetCurrentLightSet();
   std::string GetMaterialDescription();
   double GetResamplingError();
   double GetQuantizationError();

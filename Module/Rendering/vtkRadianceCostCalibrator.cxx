@@ -6,14 +6,11 @@
 
 #include "vtkActor.h"
 #include "vtkAshikhminShirleyBRDF.h"
-#include "vtkBasisRadianceIntegrator.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkCommand.h"
 #include "vtkEnvironment.h"
-#include "vtkFilteredRadianceIntegrator.h"
 #include "vtkFloatArray.h"
-#include "vtkLightSet.h"
 #include "vtkLightSetRadianceIntegrator.h"
 #include "vtkMeasuredBRDFMapper.h"
 #include "vtkNew.h"
@@ -22,12 +19,11 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRadianceCostModel.h"
+#include "vtkRadianceMethods.h"
 #include "vtkRadiancePlanner.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
-#include "vtkTableRadianceIntegrator.h"
-#include "vtkVarianceLightSetGenerator.h"
 
 #include <algorithm>
 #include <chrono>
@@ -39,14 +35,10 @@
 
 namespace
 {
-constexpr int Side = 512;      // of the window, pixels
-constexpr int Divisions = 16;  // of the patch, so that normals vary over it
-constexpr int Frames = 5;      // that a time is the least of: other work only adds to it
-constexpr double Enough = 5.0; // ms above the empty frame, to be told from its jitter
-constexpr int FewLights = 1;
-constexpr int ManyLights = 64;
-constexpr int Samples = 16;
-constexpr int Functions = 25;
+constexpr int Side = 512;           // of the window, pixels
+constexpr int Divisions = 16;       // of the patch, so that normals vary over it
+constexpr int Frames = 5;           // that a time is the least of: other work only adds to it
+constexpr double Enough = 5.0;      // ms above the empty frame, to be told from its jitter
 constexpr double LeastBase = 0.1;   // of a pixel with one light
 constexpr double LeastShare = 0.01; // of BASE, of any other cost
 constexpr std::uint64_t LargestCache = 512ull << 20;
@@ -96,6 +88,58 @@ vtkSmartPointer<vtkPolyData> MakePatch(int layers)
   return patch;
 }
 
+// Without lamps, which some methods draw as lights.
+void SetToSmoothSky(vtkEnvironment* environment)
+{
+  constexpr int width = 64;
+  constexpr int height = 32;
+  std::vector<float> pixels;
+  for (int k = 0; k < width * height; ++k)
+  {
+    const float up = static_cast<float>(k / width) / height;
+    const float round = static_cast<float>(k % width) / width;
+    pixels.insert(pixels.end(), { 0.5f + up, 0.7f + 0.5f * round * (1.0f - round), 1.2f - up });
+  }
+  environment->SetPixels(width, height, std::move(pixels));
+}
+
+// How much of a cost is in an integrator's: costs are linear in the model's.
+double CountUnits(vtkRadianceIntegrator* integrator, const std::string& name)
+{
+  vtkNew<vtkRadianceCostModel> model;
+  model->SetCost(name, 1.0);
+  const double one = integrator->EstimateCost(model);
+  model->SetCost(name, 2.0);
+  return integrator->EstimateCost(model) - one;
+}
+
+// The methods that have a cost of their own: lights first, which tell the cost of the bare pixel.
+std::vector<vtkSmartPointer<vtkRadianceIntegrator>> OrderForMeasuring()
+{
+  std::vector<vtkSmartPointer<vtkRadianceIntegrator>> methods;
+  for (const vtkSmartPointer<vtkRadianceIntegrator>& method : vtkRadianceMethods::GetMethods())
+  {
+    if (!method->GetCostName().empty() && !method->GetCalibrationSizes().empty())
+    {
+      methods.push_back(method);
+    }
+  }
+  std::stable_partition(methods.begin(), methods.end(),
+    [](const vtkSmartPointer<vtkRadianceIntegrator>& method)
+    { return method->GetCostName() == "light"; });
+  return methods;
+}
+
+int NumberToMeasure()
+{
+  std::size_t number = 0;
+  for (const vtkSmartPointer<vtkRadianceIntegrator>& method : OrderForMeasuring())
+  {
+    number += method->GetCalibrationSizes().size();
+  }
+  return static_cast<int>(number);
+}
+
 // "" where it has none.
 std::string GetCapability(const std::string& report, const std::string& key)
 {
@@ -118,7 +162,7 @@ public:
   explicit Bench(vtkRenderWindow* window)
     : Window(window)
   {
-    this->Environment->SetToProceduralSky();
+    SetToSmoothSky(this->Environment);
     this->BRDF->SetExponents(20.0, 20.0);
     this->BRDF->SetDiffuse(0.3, 0.3, 0.3);
     this->Mapper->SetBRDF(this->BRDF);
@@ -162,15 +206,19 @@ public:
     return 1e6 * time / pixels;
   }
 
-  vtkSmartPointer<vtkRadianceIntegrator> MakeLights(int count)
+  // A method in one size, ready to be measured.
+  vtkSmartPointer<vtkRadianceIntegrator> Make(
+    vtkRadianceIntegrator* method, const std::vector<int>& sizes)
   {
-    vtkNew<vtkLightSet> set;
-    this->Generator->Generate(this->Environment, count, set);
-    auto lights = vtkSmartPointer<vtkLightSetRadianceIntegrator>::New();
-    lights->SetLightSet(set);
-    lights->SetSoftLights(true);
-    lights->SetUnrolled(true);
-    return lights;
+    auto made = vtkSmartPointer<vtkRadianceIntegrator>::Take(method->NewCopy());
+    made->SetSizes(sizes);
+    made->SetBRDF(this->BRDF);
+    made->SetEnvironment(this->Environment);
+    if (auto* lights = vtkLightSetRadianceIntegrator::SafeDownCast(made))
+    {
+      lights->UnrolledOn(); // as hybrids draw their few lights
+    }
+    return made;
   }
 
   std::string Problem;
@@ -218,13 +266,13 @@ private:
   vtkNew<vtkMeasuredBRDFMapper> Mapper;
   vtkNew<vtkAshikhminShirleyBRDF> BRDF;
   vtkNew<vtkEnvironment> Environment;
-  vtkNew<vtkVarianceLightSetGenerator> Generator;
   int Layers = 0;
 };
 }
 
 struct vtkRadianceCostCalibrator::Internals
 {
+  int NumberMeasured = 0;
   vtkSmartPointer<vtkRenderWindow> Window;
   vtkNew<vtkRadianceCostModel> Model;
 };
@@ -261,47 +309,57 @@ vtkRadianceCostModel* vtkRadianceCostCalibrator::GetCostModel() { return this->I
 std::string vtkRadianceCostCalibrator::Measure(vtkRenderWindow* window, const std::string& name)
 {
   Bench bench(window);
-  vtkNew<vtkTableRadianceIntegrator> table;
-  table->SetNumberOfRows(33);
-  table->SetNumberOfViewAngles(8);
-  table->SetNumberOfAzimuths(8);
-  vtkNew<vtkFilteredRadianceIntegrator> filtered;
-  filtered->SetNumberOfSamples(Samples);
-  filtered->ExtractLightsOff(); // which count as lights
-  vtkNew<vtkBasisRadianceIntegrator> basis;
-  basis->SetMaximumNumberOfTerms(Functions);
-  const vtkSmartPointer<vtkRadianceIntegrator> methods[] = { bench.MakeLights(FewLights),
-    bench.MakeLights(ManyLights), table.Get(), filtered.Get(), basis.Get() };
-  std::vector<double> pixel;
-  for (const vtkSmartPointer<vtkRadianceIntegrator>& method : methods)
-  {
-    pixel.push_back(bench.Measure(method));
-    double progress = static_cast<double>(pixel.size()) / 5.0;
-    this->InvokeEvent(vtkCommand::ProgressEvent, &progress);
-    if (this->Abort)
-    {
-      return "aborted.";
-    }
-    if (!bench.Problem.empty())
-    {
-      return bench.Problem;
-    }
-  }
-  const double light = (pixel[1] - pixel[0]) / (ManyLights - FewLights);
-  // On a busy machine the lights' own time may come out as more than there is.
-  const double base = std::max(pixel[0] - FewLights * light, LeastBase * pixel[0]);
-  if (!(base > 0.0))
-  {
-    return "frame times on " + name + " tell nothing: " + std::to_string(pixel[0]) + " and " +
-           std::to_string(pixel[1]) + " ns per pixel with 1 and 64 lights.";
-  }
-  const double costs[] = { base, pixel[2] - base, light, (pixel[3] - base) / Samples,
-    (pixel[4] - base) / std::max(basis->GetNumberOfTerms(), 1) };
+  this->Impl->NumberMeasured = 0;
   vtkNew<vtkRadianceCostModel> model;
   model->SetName(name);
-  for (int type = 0; type < vtkRadianceCostModel::NUMBER_OF_COSTS; ++type)
+  bool hasBase = false;
+  for (const vtkSmartPointer<vtkRadianceIntegrator>& method : OrderForMeasuring())
   {
-    if (!model->SetCost(type, std::max(costs[type], LeastShare * base)))
+    // Nanoseconds per pixel and the units in it, for one or two sizes.
+    const std::string cost = method->GetCostName();
+    std::vector<double> pixel;
+    std::vector<double> units;
+    double known = 0.0; // costs of other names in the last one
+    for (const std::vector<int>& sizes : method->GetCalibrationSizes())
+    {
+      const auto integrator = bench.Make(method, sizes);
+      pixel.push_back(bench.Measure(integrator));
+      units.push_back(CountUnits(integrator, cost));
+      known = integrator->EstimateCost(model) - units.back() * model->GetCost(cost);
+      double progress = static_cast<double>(++this->Impl->NumberMeasured) / NumberToMeasure();
+      this->InvokeEvent(vtkCommand::ProgressEvent, &progress);
+      if (this->Abort)
+      {
+        return "aborted.";
+      }
+      if (!bench.Problem.empty())
+      {
+        return bench.Problem;
+      }
+    }
+    double each = 0.0;
+    if (!hasBase)
+    {
+      // Lights: what two numbers of them cost, and what is left without.
+      each = (pixel[1] - pixel[0]) / (units[1] - units[0]);
+      // On a busy machine the lights' own time may come out as more than there is.
+      const double base = std::max(pixel[0] - units[0] * each, LeastBase * pixel[0]);
+      if (!(base > 0.0))
+      {
+        return "frame times on " + name + " tell nothing: " + std::to_string(pixel[0]) + " and " +
+               std::to_string(pixel[1]) + " ns per pixel with 1 and 64 lights.";
+      }
+      if (!model->SetCost("base", base))
+      {
+        return "a cost on " + name + " is out of range.";
+      }
+      hasBase = true;
+    }
+    else
+    {
+      each = (pixel.back() - known) / std::max(units.back(), 1.0);
+    }
+    if (!model->SetCost(cost, std::max(each, LeastShare * model->GetCost("base"))))
     {
       return "a cost on " + name + " is out of range.";
     }
@@ -330,6 +388,7 @@ bool vtkRadianceCostCalibrator::Calibrate()
   const std::string report = window->ReportCapabilities();
   measuredbrdf::ContentHash hash;
   hash.AddText("costs");
+  hash.AddText(vtkRadianceMethods::GetNames()); // of whose costs
   for (const char* key :
     { "OpenGL vendor string:", "OpenGL renderer string:", "OpenGL version string:" })
   {

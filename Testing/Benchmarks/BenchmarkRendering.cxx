@@ -20,7 +20,9 @@
 #include "vtkImageData.h"
 #include "vtkLambertBRDF.h"
 #include "vtkLight.h"
+#include "vtkLightSetRadianceIntegrator.h"
 #include "vtkMeasuredBRDFMapper.h"
+#include "vtkMedianCutLightSetGenerator.h"
 #include "vtkNew.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
@@ -96,8 +98,10 @@ void RunMeasured(benchmark::State& state, vtkBRDF* brdf, int lights, int side = 
   mapper->SetInputConnection(scene.Sphere->GetOutputPort());
   mapper->SetBRDF(brdf);
   mapper->SetEnvironment(scene.Sky);
-  mapper->SetMethodToLightSet();
-  mapper->SetNumberOfLights(lights);
+  vtkNew<vtkLightSetRadianceIntegrator> loop;
+  loop->SetGenerator(vtkNew<vtkMedianCutLightSetGenerator>());
+  loop->SetNumberOfLights(lights);
+  mapper->SetIntegrator(loop);
   scene.Actor->SetMapper(mapper);
   scene.Measure(state, lights);
 }

@@ -14,6 +14,7 @@
 #include "vtkEnvironment.h"
 #include "vtkImageData.h"
 #include "vtkLambertBRDF.h"
+#include "vtkLightSetRadianceIntegrator.h"
 #include "vtkMeasuredBRDFMapper.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
@@ -183,6 +184,8 @@ void MeasureActors(int count, int rounds)
   for (int kind = 0; kind < 3; ++kind)
   {
     scenes.push_back(std::make_unique<Scene>(side));
+    vtkNew<vtkLightSetRadianceIntegrator> lights;
+    lights->SetNumberOfLights(16);
     for (int k = 0; k < count; ++k)
     {
       vtkSmartPointer<vtkPolyDataMapper> mapper;
@@ -194,9 +197,7 @@ void MeasureActors(int count, int rounds)
       {
         vtkNew<vtkMeasuredBRDFMapper> measured;
         measured->SetBRDF(materials[0]);
-        measured->SetNumberOfLights(16);
-        measured->SetMethod(
-          kind == 1 ? vtkMeasuredBRDFMapper::AUTO : vtkMeasuredBRDFMapper::LIGHT_SET);
+        measured->SetIntegrator(kind == 1 ? nullptr : lights.Get());
         mapper = measured.Get();
       }
       mapper->SetInputData(MakeSphere(k, side));

@@ -9,7 +9,9 @@
 #include "vtkEmbeddedMaterials.h"
 #include "vtkEnvironment.h"
 #include "vtkImageData.h"
+#include "vtkLightSetRadianceIntegrator.h"
 #include "vtkMeasuredBRDFMapper.h"
+#include "vtkMedianCutLightSetGenerator.h"
 #include "vtkNew.h"
 #include "vtkRegressionTestImage.h"
 #include "vtkRenderWindow.h"
@@ -43,6 +45,8 @@ int TestMeasuredMaterialsUnderSky(int argc, char* argv[])
   sphere->SetThetaResolution(64);
   sphere->SetPhiResolution(64);
   sphere->SetRadius(0.47);
+  vtkNew<vtkLightSetRadianceIntegrator> lights;
+  lights->SetGenerator(vtkNew<vtkMedianCutLightSetGenerator>());
   const char* names[] = { "blue-fabric", "pink-fabric2", "gold-paint", "green-metallic-paint",
     "violet-rubber", "red-fabric2", "silver-metallic-paint", "pink-felt", "cherry-235" };
   for (int k = 0; k < 9; ++k)
@@ -51,7 +55,7 @@ int TestMeasuredMaterialsUnderSky(int argc, char* argv[])
     vtkNew<vtkMeasuredBRDFMapper> mapper;
     mapper->SetInputConnection(sphere->GetOutputPort());
     mapper->SetBRDF(brdf);
-    mapper->SetMethodToLightSet();
+    mapper->SetIntegrator(lights);
     vtkNew<vtkActor> actor;
     actor->SetMapper(mapper);
     actor->SetPosition(k % 3 - 1.0, 1.0 - k / 3, 0.0);

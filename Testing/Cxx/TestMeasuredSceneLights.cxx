@@ -11,7 +11,9 @@
 #include "vtkEmbeddedMaterials.h"
 #include "vtkFloatArray.h"
 #include "vtkLight.h"
+#include "vtkLightSetRadianceIntegrator.h"
 #include "vtkMeasuredBRDFMapper.h"
+#include "vtkMedianCutLightSetGenerator.h"
 #include "vtkNew.h"
 #include "vtkParametricFunctionSource.h"
 #include "vtkParametricTorus.h"
@@ -87,10 +89,12 @@ int TestMeasuredSceneLights(int argc, char* argv[])
   brushed->SetReflectance(0.7, 0.55, 0.3);
   brushed->SetDiffuse(0.6, 0.4, 0.2);
   brushed->SetExponents(8.0, 200.0);
+  vtkNew<vtkLightSetRadianceIntegrator> lights;
+  lights->SetGenerator(vtkNew<vtkMedianCutLightSetGenerator>());
   vtkNew<vtkMeasuredBRDFMapper> ringMapper;
   ringMapper->SetInputData(ring);
   ringMapper->SetBRDF(brushed);
-  ringMapper->SetMethodToLightSet();
+  ringMapper->SetIntegrator(lights);
   vtkNew<vtkActor> ringActor;
   ringActor->SetMapper(ringMapper);
   ringActor->SetPosition(0.0, 0.3, 0.0);
@@ -108,7 +112,7 @@ int TestMeasuredSceneLights(int argc, char* argv[])
     vtkNew<vtkMeasuredBRDFMapper> mapper;
     mapper->SetInputConnection(sphere->GetOutputPort());
     mapper->SetBRDF(brdf);
-    mapper->SetMethodToLightSet();
+    mapper->SetIntegrator(lights);
     vtkNew<vtkActor> actor;
     actor->SetMapper(mapper);
     actor->SetPosition(k == 0 ? -0.7 : 0.7, -0.8, 0.3);

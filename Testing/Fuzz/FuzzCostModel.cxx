@@ -13,9 +13,10 @@ MEASUREDBRDF_FUZZ_TARGET(CostModel)(const std::uint8_t* data, std::size_t size)
   {
     vtkNew<vtkRadianceCostModel> copy;
     fuzz::Require(copy->SetText(model->GetText()));
-    for (int type = 0; type < vtkRadianceCostModel::NUMBER_OF_COSTS; ++type)
+    for (int k = 0; k < model->GetNumberOfCosts(); ++k)
     {
-      fuzz::Require(model->GetCost(type) > 0.0 && copy->GetCost(type) == model->GetCost(type));
+      const std::string name = model->GetCostName(k);
+      fuzz::Require(model->GetCost(name) > 0.0 && copy->GetCost(name) == model->GetCost(name));
     }
   }
   return 0;

@@ -8,7 +8,13 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer, vtkRenderWindow
 
-from vtkmeasuredbrdf import vtkEnvironment, vtkLambertBRDF, vtkMeasuredBRDFMapper
+from vtkmeasuredbrdf import (
+    vtkEnvironment,
+    vtkLambertBRDF,
+    vtkLightSetRadianceIntegrator,
+    vtkMeasuredBRDFMapper,
+    vtkMedianCutLightSetGenerator,
+)
 
 ALBEDO = (0.9, 0.5, 0.1)
 
@@ -45,8 +51,10 @@ mapper = vtkMeasuredBRDFMapper()
 mapper.SetInputConnection(plane.GetOutputPort())
 mapper.SetBRDF(brdf)
 mapper.SetEnvironment(uniform_environment(1.0))
-mapper.SetMethodToLightSet()
-mapper.SetNumberOfLights(1024)
+lights = vtkLightSetRadianceIntegrator()
+lights.SetGenerator(vtkMedianCutLightSetGenerator())
+lights.SetNumberOfLights(1024)
+mapper.SetIntegrator(lights)
 actor = vtkActor()
 actor.SetMapper(mapper)
 renderer = vtkRenderer()

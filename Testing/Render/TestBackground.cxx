@@ -11,6 +11,7 @@
 #include "vtkCommand.h"
 #include "vtkEnvironment.h"
 #include "vtkLight.h"
+#include "vtkLightSetRadianceIntegrator.h"
 #include "vtkMeasuredBRDFMapper.h"
 #include "vtkRadianceCostModel.h"
 #include "vtkSphereSource.h"
@@ -147,9 +148,9 @@ TEST_F(Background, AnotherKindOfMaterial)
 
 TEST_F(Background, FromTheStartWithALightSet)
 {
-  this->Measured->SetMethodToLightSet();
+  this->Measured->SetIntegrator(vtkNew<vtkLightSetRadianceIntegrator>());
   const FloatImage lights = this->RenderEncoded();
-  this->Measured->SetMethodToAuto();
+  this->Measured->SetIntegrator(nullptr);
   this->Measured->SetPlanningModeToBackgroundFromStart();
   EXPECT_EQ(this->RenderEncoded().RGBA, lights.RGBA);
   EXPECT_TRUE(this->Measured->GetPlanPending());

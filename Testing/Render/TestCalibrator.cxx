@@ -72,13 +72,13 @@ TEST_F(Calibrator, MeasuresAndKeeps)
   vtkRadianceCostModel* model = first->GetCostModel();
   std::printf("%s", model->GetText().c_str());
   EXPECT_NE(model->GetName(), vtkNew<vtkRadianceCostModel>()->GetName());
-  for (int type = 0; type < vtkRadianceCostModel::NUMBER_OF_COSTS; ++type)
+  EXPECT_EQ(model->GetNumberOfCosts(), 5);
+  for (int k = 0; k < model->GetNumberOfCosts(); ++k)
   {
-    EXPECT_GT(model->GetCost(type), 0.0) << type;
+    EXPECT_GT(model->GetCost(model->GetCostName(k)), 0.0) << model->GetCostName(k);
   }
   // Whatever the renderer: 4096 lights are not cheaper than a table.
-  EXPECT_GT(4096.0 * model->GetCost(vtkRadianceCostModel::LIGHT),
-    model->GetCost(vtkRadianceCostModel::TABLE));
+  EXPECT_GT(4096.0 * model->GetCost("light"), model->GetCost("table"));
   ASSERT_EQ(this->GetFiles().size(), 1u);
 
   const auto second = this->New();

@@ -11,6 +11,7 @@
 #include "vtkHardwareSelector.h"
 #include "vtkInformation.h"
 #include "vtkLambertBRDF.h"
+#include "vtkLightSetRadianceIntegrator.h"
 #include "vtkMeasuredBRDFMapper.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPartitionedDataSet.h"
@@ -65,7 +66,7 @@ protected:
     for (vtkCompositeMeasuredBRDFMapper* mapper : { this->Mapper.Get() })
     {
       mapper->SetEnvironment(this->Sky);
-      mapper->SetMethodToLightSet();
+      mapper->SetIntegrator(this->Lights);
     }
     this->Actor->SetMapper(this->Mapper);
     this->Renderer->AddActor(this->Actor);
@@ -103,7 +104,7 @@ protected:
       vtkNew<vtkMeasuredBRDFMapper> mapper;
       mapper->SetInputData(this->Blocks[k]);
       mapper->SetEnvironment(this->Sky);
-      mapper->SetMethodToLightSet();
+      mapper->SetIntegrator(this->Lights);
       mapper->SetBRDF(materials[k]);
       auto actor = vtkSmartPointer<vtkActor>::New();
       actor->SetMapper(mapper);
@@ -125,6 +126,7 @@ protected:
   vtkNew<vtkEnvironment> Sky;
   vtkNew<vtkLambertBRDF> Lambert;
   vtkNew<vtkBlinnPhongBRDF> Gloss;
+  vtkNew<vtkLightSetRadianceIntegrator> Lights;
   vtkNew<vtkCompositeMeasuredBRDFMapper> Mapper;
   vtkNew<vtkActor> Actor;
 };
@@ -287,7 +289,7 @@ TEST_F(Composite, MissingBlocksAreSaidOnce)
 // One plan for all blocks of a material; the picture's time follows a block's material.
 TEST_F(Composite, PlansAndRedraw)
 {
-  this->Mapper->SetMethodToAuto();
+  this->Mapper->SetIntegrator(nullptr);
   this->Mapper->SetErrorTolerance(0.1);
   this->Mapper->SetInputDataObject(this->MakeTree());
   this->Mapper->SetBRDF(this->Lambert);

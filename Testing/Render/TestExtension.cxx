@@ -9,6 +9,7 @@
 #include "vtkBRDFShaderInputs.h"
 #include "vtkEnvironment.h"
 #include "vtkLightSet.h"
+#include "vtkLightSetRadianceIntegrator.h"
 #include "vtkMath.h"
 #include "vtkMeasuredBRDFMapper.h"
 #include "vtkObjectFactory.h"
@@ -81,6 +82,10 @@ public:
                        "{\n  return vec3(0.25, 0.5, 0.75);\n}\n";
 
 protected:
+  void CopyProperties(vtkRadianceIntegrator* source) override
+  {
+    this->Source = static_cast<OwnIntegrator*>(source)->Source;
+  }
   bool Begin() override { return true; }
   void IntegratePart(
     int, const double[3], const double[3], const double[3], double radiance[3]) override
@@ -111,6 +116,7 @@ protected:
     const double direction[3] = { 0.0, 0.0, 1.0 };
     const double irradiance[3] = { 2.0, 2.0, 2.0 };
     this->Light->AddLight(direction, irradiance);
+    this->Lights->SetLightSet(this->Light);
     if (!IsSkipped())
     {
       this->Stock = this->RenderEncoded();
@@ -135,6 +141,7 @@ protected:
   vtkNew<vtkMeasuredBRDFMapper> Mapper;
   vtkNew<vtkActor> Actor;
   vtkNew<vtkLightSet> Light;
+  vtkNew<vtkLightSetRadianceIntegrator> Lights; // with that light
   vtkNew<OwnBRDF> Material;
   EventCounter Errors{ this->Mapper, vtkCommand::ErrorEvent };
   EventCounter Warnings{ this->Mapper, vtkCommand::WarningEvent };
@@ -146,7 +153,7 @@ protected:
 TEST_F(Extension, ModelsAreDrawn)
 {
   this->Mapper->SetBRDF(this->Material);
-  this->Mapper->SetLightSet(this->Light);
+  this->Mapper->SetIntegrator(this->Lights);
   const FloatImage image = this->RenderLinear();
   const float* pixel = image.At(32, 32);
   const double c = std::cos(vtkMath::RadiansFromDegrees(30.0));
@@ -164,11 +171,11 @@ TEST_F(Extension, ModelsAreSummedAndPlanned)
   sum->AddTerm(this->Material);
   sum->AddTerm(other);
   this->Mapper->SetBRDF(sum);
-  this->Mapper->SetLightSet(this->Light);
+  this->Mapper->SetIntegrator(this->Lights);
   const double c = std::cos(vtkMath::RadiansFromDegrees(30.0));
   EXPECT_NEAR(this->RenderLinear().RGBA[4 * (32 * 64 + 32) + 1], 2.0 * c * 0.2, 1e-4);
 
-  this->Mapper->SetLightSet(nullptr);
+  this->Mapper->SetIntegrator(nullptr);
   this->Mapper->SetBRDF(this->Material);
   vtkNew<vtkEnvironment> white;
   white->SetPixels(8, 4, std::vector<float>(96, 1.0f));
@@ -181,7 +188,7 @@ TEST_F(Extension, ModelsAreSummedAndPlanned)
 //------------------------------------------------------------------------------
 TEST_F(Extension, WrongModelsAreSaidOnce)
 {
-  this->Mapper->SetLightSet(this->Light);
+  this->Mapper->SetIntegrator(this->Lights);
   this->Mapper->SetBRDF(this->Material);
   this->Material->Source = "vec3 brdfTermINSTANCE(vec3 i, vec3 o) { return nonsense; }\n";
   this->Material->Modified();
@@ -210,6 +217,8 @@ TEST_F(Extension, IntegratorsAreDrawn)
   const FloatImage image = this->RenderLinear();
   EXPECT_NEAR(image.At(32, 32)[0], 0.25, 1e-4);
   EXPECT_NEAR(image.At(32, 32)[2], 0.75, 1e-4);
+  EXPECT_EQ(integrator->GetBRDF(), nullptr); // the program's object stays as it was
+  EXPECT_EQ(integrator->GetEnvironment(), nullptr);
 
   integrator->Source = "vec3 brdfEnvironmentINSTANCE(mat3 frame, vec3 o) { return o.q; }\n";
   integrator->Modified();

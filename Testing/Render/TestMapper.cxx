@@ -18,12 +18,15 @@
 #include "vtkFloatArray.h"
 #include "vtkHardwareSelector.h"
 #include "vtkImageData.h"
+#include "vtkImportanceLightSetGenerator.h"
 #include "vtkLambertBRDF.h"
 #include "vtkLight.h"
 #include "vtkLightSet.h"
+#include "vtkLightSetGenerator.h"
 #include "vtkLightSetRadianceIntegrator.h"
 #include "vtkMath.h"
 #include "vtkMeasuredBRDFMapper.h"
+#include "vtkMedianCutLightSetGenerator.h"
 #include "vtkOpenGLHelper.h"
 #include "vtkPlane.h"
 #include "vtkPlaneSource.h"
@@ -58,7 +61,17 @@ public:
   static OpenMapper* New();
   vtkTypeMacro(OpenMapper, vtkMeasuredBRDFMapper);
   int Builds = 0;
-  OpenMapper() { this->SetMethodToLightSet(); }
+  OpenMapper()
+  {
+    this->Lights->SetGenerator(vtkNew<vtkMedianCutLightSetGenerator>());
+    this->SetIntegrator(this->Lights);
+  }
+  vtkNew<vtkLightSetRadianceIntegrator> Lights; // what it draws, until SetIntegrator
+  vtkLightSet* GetCurrentLightSet()
+  {
+    auto* lights = vtkLightSetRadianceIntegrator::SafeDownCast(this->GetCurrentIntegrator());
+    return lights ? lights->GetCurrentLightSet() : nullptr;
+  }
   std::string GetFragmentShader()
   {
     return this->Primitives[PrimitiveTris].Program->GetFragmentShader()->GetSource();
@@ -298,7 +311,7 @@ TEST_F(Mapper, CubeMapTexture)
     texture->SetInputDataObject(face, image);
   }
   this->Measured->SetBRDF(this->Lambert);
-  this->Measured->SetNumberOfLights(1024);
+  this->Measured->Lights->SetNumberOfLights(1024);
   this->Renderer->SetEnvironmentTexture(texture);
   const FloatImage lit = this->RenderLinear();
   EXPECT_GT(lit.At(32, 32)[0] + lit.At(32, 32)[1] + lit.At(32, 32)[2], 0.5f);
@@ -458,12 +471,15 @@ TEST_F(Mapper, LightSetMatchesCpuPerPixel)
   camera->SetViewAngle(20.0);
   for (const bool parallel : { false, true })
   {
-    for (const int method : { vtkMeasuredBRDFMapper::MEDIAN_CUT,
-           vtkMeasuredBRDFMapper::IMPORTANCE_SAMPLING, vtkMeasuredBRDFMapper::VARIANCE })
+    const vtkSmartPointer<vtkLightSetGenerator> generators[] = {
+      vtkSmartPointer<vtkMedianCutLightSetGenerator>::New(),
+      vtkSmartPointer<vtkImportanceLightSetGenerator>::New(), nullptr
+    };
+    for (const auto& generator : generators)
     {
-      const bool soft = method == vtkMeasuredBRDFMapper::VARIANCE;
-      this->Measured->SetLightSetMethod(method);
-      this->Measured->SetSoftLights(soft);
+      const bool soft = !generator; // by variance
+      this->Measured->Lights->SetGenerator(generator);
+      this->Measured->Lights->SetSoftLights(soft);
       camera->SetParallelProjection(parallel);
       const FloatImage image = this->RenderLinear();
 
@@ -549,14 +565,17 @@ TEST_F(Mapper, ConvergesToTheExactReference)
   reference->SetBRDF(this->Phong);
   reference->SetEnvironment(environment);
   ASSERT_TRUE(reference->Integrate(ns, vs, exact));
-  for (const int method :
-    { vtkMeasuredBRDFMapper::MEDIAN_CUT, vtkMeasuredBRDFMapper::IMPORTANCE_SAMPLING })
+  const vtkSmartPointer<vtkLightSetGenerator> generators[] = {
+    vtkSmartPointer<vtkMedianCutLightSetGenerator>::New(),
+    vtkSmartPointer<vtkImportanceLightSetGenerator>::New()
+  };
+  for (const auto& generator : generators)
   {
-    this->Measured->SetLightSetMethod(method);
+    this->Measured->Lights->SetGenerator(generator);
     double first = 0.0, last = 0.0;
     for (const int lights : { 16, 64, 256, 1024, 4096 })
     {
-      this->Measured->SetNumberOfLights(lights);
+      this->Measured->Lights->SetNumberOfLights(lights);
       double error = 0.0, total = 0.0;
       for (int k = 0; k < poses; ++k)
       {
@@ -570,8 +589,8 @@ TEST_F(Mapper, ConvergesToTheExactReference)
       }
       last = error / total;
       first = lights == 16 ? last : first;
-      std::cout << (method == 0 ? "median cut " : "importance ") << lights
-                << " lights: relative L1 " << last << "\n";
+      std::cout << generator->GetClassName() << " " << lights << " lights: relative L1 " << last
+                << "\n";
     }
     EXPECT_LT(last, 0.02);
     EXPECT_LT(last, 0.5 * first);
@@ -584,7 +603,7 @@ TEST_F(Mapper, WhiteFurnace)
   vtkNew<vtkEnvironment> white;
   white->SetPixels(32, 16, ones);
   this->Measured->SetEnvironment(white);
-  this->Measured->SetNumberOfLights(512);
+  this->Measured->Lights->SetNumberOfLights(512);
   this->Measured->SetBRDF(this->Lambert);
   this->Lambert->SetAlbedo(1.0, 0.5, 0.25);
   const FloatImage image = this->RenderLinear();
@@ -601,7 +620,7 @@ TEST_F(Mapper, WhiteFurnaceOfBases)
   vtkNew<vtkEnvironment> white;
   white->SetPixels(64, 32, std::vector<float>(3 * 64 * 32, 1.0f));
   this->Measured->SetEnvironment(white);
-  this->Measured->SetNumberOfLights(128);
+  this->Measured->Lights->SetNumberOfLights(128);
   this->Phong->SetExponent(8.0);
   vtkNew<vtkBasisProjector> projector;
   projector->SetInput(this->Phong);
@@ -648,24 +667,25 @@ TEST_F(Mapper, RebuildsExactlyWhenItMust)
 
   this->Phong->SetExponent(3.0);
   expectChange("a parameter of the material", 0);
-  this->Measured->SetNumberOfLights(4);
+  this->Measured->Lights->SetNumberOfLights(4);
   expectChange("the number of lights", 0);
-  this->Measured->SetLightSetMethodToImportanceSampling();
+  vtkNew<vtkImportanceLightSetGenerator> importance;
+  this->Measured->Lights->SetGenerator(importance);
   expectChange("the method", 0);
-  this->Measured->SetSeed(5);
+  importance->SetSeed(5);
   expectChange("the seed", 0);
-  this->Measured->SetLightSetMethodToVariance();
+  this->Measured->Lights->SetGenerator(nullptr);
   expectChange("the method", 0);
-  this->Measured->SetNumberOfLights(3);
+  this->Measured->Lights->SetNumberOfLights(3);
   expectChange("the number of lights", 0);
   vtkLightSet* sameLights = this->Measured->GetCurrentLightSet();
   EXPECT_EQ(sameLights->GetNumberOfLights(), 3);
-  this->Measured->SoftLightsOn();
+  this->Measured->Lights->SoftLightsOn();
   expectChange("soft lights", 1);
   environment->SetRotationY(90.0);
   expectChange("the environment's rotation", 0);
   EXPECT_EQ(this->Measured->GetCurrentLightSet(), sameLights);
-  this->Measured->SoftLightsOff();
+  this->Measured->Lights->SoftLightsOff();
   expectChange("hard lights", 1);
   double right[3] = { 0.0, 0.0, 1.0 };
   this->Renderer->SetEnvironmentRight(right);
@@ -683,7 +703,7 @@ TEST_F(Mapper, RebuildsExactlyWhenItMust)
   const double direction[3] = { 0.0, 0.0, 1.0 };
   const double irradiance[3] = { 0.3, 0.2, 0.1 };
   lights->AddLight(direction, irradiance);
-  this->Measured->SetLightSet(lights);
+  this->Measured->Lights->SetLightSet(lights);
   expectChange("a light set", 0);
   lights->AddLight(direction, irradiance);
   expectChange("a light more in it", 0);
@@ -693,7 +713,7 @@ TEST_F(Mapper, RebuildsExactlyWhenItMust)
   expectChange("a light in the scene", 1);
 
   // A texture of the renderer whose image changes.
-  this->Measured->SetLightSet(nullptr);
+  this->Measured->Lights->SetLightSet(nullptr);
   this->Measured->SetEnvironment(nullptr);
   vtkSmartPointer<vtkTexture> texture = MakeTexture(MakeOctants());
   this->Renderer->SetEnvironmentTexture(texture);
@@ -715,15 +735,15 @@ TEST_F(Mapper, SoftLightsOfTablesCostHardOnesNothing)
   ASSERT_TRUE(resampler->ResampleTo(8, 16, 40));
   this->Measured->SetBRDF(resampler->GetOutput());
   this->Measured->SetEnvironment(MakeOctants());
-  this->Measured->SetLightSetMethodToVariance();
+  this->Measured->Lights->SetGenerator(nullptr);
   const FloatImage hard = this->RenderLinear();
   const vtkIdType bytes = this->Measured->GetTextureBytes();
   EXPECT_EQ(this->Measured->GetFragmentShader().find("brdfLevels"), std::string::npos);
-  this->Measured->SoftLightsOn();
+  this->Measured->Lights->SoftLightsOn();
   EXPECT_GT(GetLargestDifference(this->RenderLinear(), hard), 1e-3);
   EXPECT_GT(this->Measured->GetTextureBytes(), bytes);
   EXPECT_NE(this->Measured->GetFragmentShader().find("brdfLevels"), std::string::npos);
-  this->Measured->SoftLightsOff();
+  this->Measured->Lights->SoftLightsOff();
   EXPECT_EQ(GetLargestDifference(this->RenderLinear(), hard), 0.0);
   EXPECT_EQ(this->Measured->GetTextureBytes(), bytes);
 }
@@ -733,7 +753,7 @@ TEST_F(Mapper, RotatingEverythingChangesNothing)
   this->Measured->SetBRDF(this->Phong);
   vtkSmartPointer<vtkEnvironment> environment = MakeEnvironment();
   this->Measured->SetEnvironment(environment);
-  this->Measured->SetNumberOfLights(256);
+  this->Measured->Lights->SetNumberOfLights(256);
   vtkCamera* camera = this->Renderer->GetActiveCamera();
   camera->ParallelProjectionOff();
   camera->SetViewAngle(25.0);
@@ -933,7 +953,7 @@ TEST_F(Mapper, ManyLightsAndHugeValues)
   environment->SetPixels(256, 128, rgb);
   this->Measured->SetEnvironment(environment);
   this->Measured->SetBRDF(this->Phong);
-  this->Measured->SetNumberOfLights(8192);
+  this->Measured->Lights->SetNumberOfLights(8192);
   const FloatImage image = this->RenderEncoded();
   for (float v : image.RGBA)
   {
@@ -988,14 +1008,14 @@ TEST_F(Mapper, ShaderTextIsWhole)
 TEST_F(Mapper, CopiesAndPrints)
 {
   this->Measured->SetBRDF(this->Phong);
-  this->Measured->SetNumberOfLights(32);
+  this->Measured->Lights->SetNumberOfLights(32);
   vtkNew<vtkMeasuredBRDFMapper> copy;
   copy->ShallowCopy(this->Measured);
   EXPECT_EQ(copy->GetBRDF(), this->Phong.Get());
-  EXPECT_EQ(copy->GetNumberOfLights(), 32);
+  EXPECT_EQ(copy->GetIntegrator(), this->Measured->Lights.Get());
   std::ostringstream text;
   copy->Print(text);
-  EXPECT_NE(text.str().find("NumberOfLights: 32"), std::string::npos);
+  EXPECT_NE(text.str().find("ErrorTolerance: 0.02"), std::string::npos);
 }
 
 TEST_F(Mapper, WarnsOncePerCause)
@@ -1010,13 +1030,22 @@ TEST_F(Mapper, WarnsOncePerCause)
   anisotropic->SetExponents(10.0, 200.0);
   this->Measured->SetBRDF(anisotropic); // a sphere source has no tangents
   this->Measured->SetEnvironment(MakeOctants());
-  this->Measured->SetNumberOfLights(48); // not a power of two
+  this->Measured->Lights->SetNumberOfLights(48); // not a power of two
+  EventCounter errors(this->Measured, vtkCommand::ErrorEvent);
   for (int frame = 0; frame < 3; ++frame)
   {
     this->RenderEncoded();
   }
-  EXPECT_EQ(warnings, 2);
-  EXPECT_EQ(this->Measured->GetCurrentLightSet()->GetNumberOfLights(), 64);
+  EXPECT_EQ(warnings, 0);
+  EXPECT_EQ(errors.Count, 1) << errors.Text;
+  EXPECT_NE(errors.Text.find("power of two"), std::string::npos) << errors.Text;
+  this->Measured->Lights->SetNumberOfLights(64);
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    this->RenderEncoded();
+  }
+  EXPECT_EQ(warnings, 1);
+  EXPECT_EQ(errors.Count, 1);
 }
 
 namespace
@@ -1050,7 +1079,7 @@ protected:
     {
       return;
     }
-    this->Measured->SetMethodToAuto();
+    this->Measured->SetIntegrator(nullptr);
     this->Phong->SetExponent(10.0);
     this->Measured->SetBRDF(this->Phong);
     this->Measured->SetEnvironment(this->Light);
@@ -1110,7 +1139,7 @@ TEST_F(Auto, MatchesThePlannedIntegrator)
   // A mapper fresh from New plans, too.
   const FloatImage planned = this->RenderLinear();
   vtkNew<vtkMeasuredBRDFMapper> plain;
-  EXPECT_EQ(plain->GetMethod(), vtkMeasuredBRDFMapper::AUTO);
+  EXPECT_EQ(plain->GetIntegrator(), nullptr);
   plain->SetInputConnection(plane->GetOutputPort());
   plain->SetBRDF(this->Phong);
   plain->SetEnvironment(this->Light);
@@ -1135,7 +1164,7 @@ TEST_F(Auto, PlansOnce)
   const int builds = this->Measured->Builds;
 
   vtkNew<OpenMapper> other;
-  other->SetMethodToAuto();
+  other->SetIntegrator(nullptr);
   other->SetInputConnection(this->Sphere->GetOutputPort());
   other->SetBRDF(counting);
   other->SetEnvironment(this->Light);
@@ -1226,28 +1255,24 @@ TEST_F(Auto, TolerancesAreClampedWithAWarning)
   // What is no number, and what is no mode, leaves things as they are.
   this->Measured->SetErrorTolerance(std::nan(""));
   EXPECT_EQ(this->Measured->GetErrorTolerance(), 1.0);
-  this->Measured->SetMethodToLightSet();
-  this->Measured->SetMethod(7);
-  EXPECT_EQ(this->Measured->GetMethod(), vtkMeasuredBRDFMapper::LIGHT_SET);
-  this->Measured->SetLightSetMethod(-1);
   this->Measured->SetPlanningMode(3);
   this->Measured->SetScalarColoringMode(2);
-  EXPECT_EQ(errors.Count, 5);
+  EXPECT_EQ(errors.Count, 3);
 }
 
-// A light set of one's own, LIGHT_SET and AUTO again.
+// Lights, a light set of one's own, and plans again.
 TEST_F(Auto, MethodsBackAndForth)
 {
   const FloatImage planned = this->RenderEncoded();
   const std::string plan = this->Measured->GetPlan();
-  this->Measured->SetMethodToLightSet();
-  this->Measured->SetNumberOfLights(4);
+  this->Measured->SetIntegrator(this->Measured->Lights);
+  this->Measured->Lights->SetNumberOfLights(4);
   const FloatImage four = this->RenderEncoded();
   EXPECT_GT(GetLargestDifference(four, planned), 1e-2);
   EXPECT_EQ(this->Measured->GetPlan(), "");
   ASSERT_TRUE(this->Measured->GetCurrentLightSet());
   EXPECT_EQ(this->Measured->GetCurrentLightSet()->GetNumberOfLights(), 4);
-  this->Measured->SetMethodToAuto();
+  this->Measured->SetIntegrator(nullptr);
   EXPECT_EQ(GetLargestDifference(this->RenderEncoded(), planned), 0.0);
   EXPECT_EQ(this->Measured->GetPlan().substr(0, 20), plan.substr(0, 20));
   EXPECT_EQ(this->Measured->GetCurrentLightSet(), nullptr);
@@ -1256,21 +1281,20 @@ TEST_F(Auto, MethodsBackAndForth)
   const double direction[3] = { 0.0, 0.0, 1.0 };
   const double irradiance[3] = { 0.3, 0.2, 0.1 };
   lights->AddLight(direction, irradiance);
-  this->Measured->SetLightSet(lights);
+  this->Measured->Lights->SetLightSet(lights);
+  this->Measured->SetIntegrator(this->Measured->Lights);
   EXPECT_GT(GetLargestDifference(this->RenderEncoded(), planned), 1e-2);
   EXPECT_EQ(this->Measured->GetPlan(), "");
   EXPECT_EQ(this->Measured->GetCurrentLightSet(), lights.Get());
-  this->Measured->SetLightSet(nullptr);
+  this->Measured->SetIntegrator(nullptr);
   EXPECT_EQ(GetLargestDifference(this->RenderEncoded(), planned), 0.0);
 
-  this->Measured->SetMethod(77);
-  EXPECT_EQ(this->Measured->GetMethod(), vtkMeasuredBRDFMapper::AUTO);
   vtkNew<vtkMeasuredBRDFMapper> copy;
   this->Measured->SetErrorTolerance(0.04);
-  this->Measured->SetMethodToLightSet();
+  this->Measured->SetIntegrator(this->Measured->Lights);
   copy->ShallowCopy(this->Measured);
   EXPECT_EQ(copy->GetErrorTolerance(), 0.04);
-  EXPECT_EQ(copy->GetMethod(), vtkMeasuredBRDFMapper::LIGHT_SET);
+  EXPECT_EQ(copy->GetIntegrator(), this->Measured->Lights.Get());
 }
 
 // A table cannot hold an anisotropic material: said once, drawn as the superclass does, mended by
@@ -1285,13 +1309,14 @@ TEST_F(Auto, AnIntegratorThatRefuses)
   this->Measured->SetIntegrator(table);
   EventCounter warnings(this->Measured, vtkCommand::WarningEvent); // there are no tangents
   EventCounter errors(this->Measured, vtkCommand::ErrorEvent);
-  EventCounter reasons(table, vtkCommand::ErrorEvent);
+  EventCounter reasons(table, vtkCommand::ErrorEvent); // the mapper gives the reason
   for (int frame = 0; frame < 3; ++frame)
   {
     this->RenderEncoded();
   }
   EXPECT_EQ(errors.Count, 1) << errors.Text;
-  EXPECT_EQ(reasons.Count, 1) << reasons.Text;
+  EXPECT_NE(errors.Text.find("isotropic"), std::string::npos) << errors.Text;
+  EXPECT_EQ(reasons.Count, 0) << reasons.Text;
   this->Measured->SetBRDF(this->Phong);
   EXPECT_GT(this->RenderLinear().At(32, 32)[0], 0.01f);
   EXPECT_EQ(this->Measured->GetPlan(), "");
@@ -1299,7 +1324,7 @@ TEST_F(Auto, AnIntegratorThatRefuses)
   this->Measured->SetBRDF(brushed);
   EXPECT_GT(this->RenderLinear().At(32, 32)[0], 0.01f);
   EXPECT_EQ(errors.Count, 1) << errors.Text;
-  EXPECT_EQ(reasons.Count, 1) << reasons.Text;
+  EXPECT_EQ(reasons.Count, 0) << reasons.Text;
 }
 
 // Light comes and goes: black, none, another.

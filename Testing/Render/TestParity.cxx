@@ -142,8 +142,10 @@ protected:
       const double irradiance[3] = { 1.0, 1.0, 1.0 };
       vtkNew<vtkLightSet> lights;
       lights->AddLight(direction, irradiance, 0.0, light % 4 == 0 ? 0.0 : this->Concentration);
-      this->Mapper->SetLightSet(lights);
-      this->Mapper->SetSoftLights(this->Concentration > 0.0);
+      vtkNew<vtkLightSetRadianceIntegrator> loop;
+      loop->SetLightSet(lights);
+      loop->SetSoftLights(this->Concentration > 0.0);
+      this->Mapper->SetIntegrator(loop);
       const FloatImage image = this->RenderLinear();
 
       vtkNew<vtkLightSetRadianceIntegrator> integrator;
@@ -193,6 +195,8 @@ protected:
   /// a hundredth of its largest.
   double GetIntegratorError(vtkRadianceIntegrator* integrator)
   {
+    integrator->SetBRDF(this->Mapper->GetBRDF());
+    integrator->SetEnvironment(this->Mapper->GetEnvironment());
     this->Mapper->SetIntegrator(integrator);
     const FloatImage image = this->RenderLinear();
     vtkNew<vtkDoubleArray> radiance;
@@ -667,7 +671,9 @@ TEST_F(Parity, TurnedAwayNormalsAreFinite)
     lights->AddLight(direction, irradiance);
   }
   this->Mapper->SetBRDF(sharp);
-  this->Mapper->SetLightSet(lights);
+  vtkNew<vtkLightSetRadianceIntegrator> loop;
+  loop->SetLightSet(lights);
+  this->Mapper->SetIntegrator(loop);
   const FloatImage image = this->RenderEncoded();
   for (float v : image.RGBA)
   {
@@ -690,6 +696,8 @@ TEST_F(Parity, PreintegratedBasis)
     vtkNew<vtkBasisRadianceIntegrator> integrator;
     integrator->UseOwnBasisOn();
     integrator->SetMapSize(16);
+    integrator->SetBRDF(brdf);
+    integrator->SetEnvironment(sky);
     this->Mapper->SetBRDF(brdf);
     this->Mapper->SetIntegrator(integrator);
     const FloatImage image = this->RenderLinear();

@@ -11,6 +11,7 @@
 
 #include "LobeHarmonics.h"
 #include "LobeSplit.h"
+#include "vtkRadianceIntegrator.h"
 
 #include <atomic>
 #include <map>
@@ -44,5 +45,10 @@ private:
   bool AreViewsWhole = false; // else they were aborted
 };
 } // namespace measuredbrdf
+
+/// What public headers call it.
+class vtkRadianceIntegrator::Precomputation : public measuredbrdf::MaterialPrecomputation
+{
+};
 
 #endif

@@ -6,6 +6,7 @@
 #include "vtkCommand.h"
 #include "vtkEnvironment.h"
 #include "vtkLightSet.h"
+#include "vtkLightSetGenerator.h"
 #include "vtkNew.h"
 #include "vtkVarianceLightSetGenerator.h"
 
@@ -106,6 +107,20 @@ vtkSmartPointer<vtkLightSet> EnvironmentPrecomputation::GetLightSet(
     return generator->Generate(environment, count, set) ? std::make_shared<LightSet>(set) : nullptr;
   };
   const auto set = this->LightSets.Get({ rest.get(), count }, goOn, make);
+  return set ? *set : nullptr;
+}
+
+vtkSmartPointer<vtkLightSet> EnvironmentPrecomputation::GetLightSet(
+  vtkEnvironment* environment, vtkLightSetGenerator* generator, int count, const GoOn& goOn)
+{
+  const auto make = [&]() -> std::shared_ptr<LightSet>
+  {
+    static std::mutex generating; // a generator works for one thread at a time
+    const std::lock_guard<std::mutex> lock(generating);
+    auto set = vtkSmartPointer<vtkLightSet>::New();
+    return generator->Generate(environment, count, set) ? std::make_shared<LightSet>(set) : nullptr;
+  };
+  const auto set = this->GeneratedSets.Get({ generator, generator->GetMTime(), count }, goOn, make);
   return set ? *set : nullptr;
 }
 

@@ -21,11 +21,13 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 class vtkEnvironment;
 class vtkLightSet;
+class vtkLightSetGenerator;
 
 namespace measuredbrdf
 {
@@ -71,6 +73,10 @@ public:
   vtkSmartPointer<vtkLightSet> GetLightSet(
     vtkEnvironment* environment, const Rest& rest, int count, const GoOn& goOn);
 
+  /// A generator's, as it is now; null, and it has said why, where it can't make so many.
+  vtkSmartPointer<vtkLightSet> GetLightSet(
+    vtkEnvironment* environment, vtkLightSetGenerator* generator, int count, const GoOn& goOn);
+
   /// A map of irradiance as make() has it.
   std::shared_ptr<const std::vector<float>> GetIrradiance(const Rest& rest, const GoOn& goOn,
     const std::function<std::shared_ptr<const std::vector<float>>()>& make);
@@ -89,6 +95,8 @@ private:
   MadeOnce<std::pair<const TexelChanges*, int>, EnvironmentHarmonics> Harmonics; // rest, degree
   MadeOnce<const TexelChanges*, EnvironmentPyramid> Pyramids;
   MadeOnce<std::pair<const TexelChanges*, int>, LightSet> LightSets; // rest, count
+  // Generator, its modification time (never used twice: a recycled address does no harm), count.
+  MadeOnce<std::tuple<vtkLightSetGenerator*, vtkMTimeType, int>, LightSet> GeneratedSets;
   MadeOnce<const TexelChanges*, std::vector<float>> Irradiances;
   MadeOnce<int, std::string> ContentKey;
 };

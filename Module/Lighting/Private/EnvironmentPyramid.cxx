@@ -107,6 +107,12 @@ int EnvironmentPyramid::ChooseSize(vtkEnvironment* environment)
   return size;
 }
 
+vtkIdType EnvironmentPyramid::EstimateBytes(vtkEnvironment* environment)
+{
+  const vtkIdType size = ChooseSize(environment);
+  return 6 * (size + 2) * (2 * size + 24);
+}
+
 int EnvironmentPyramid::GetAtlasHeight() const
 {
   return static_cast<int>(this->Atlas.size()) / (this->Size + 2);

@@ -11,6 +11,8 @@
 #ifndef EnvironmentPyramid_h
 #define EnvironmentPyramid_h
 
+#include "vtkType.h"
+
 #include <glm/glm.hpp>
 
 #include <vector>
@@ -34,6 +36,9 @@ public:
 
   /// Texels a side of the finest level where nothing is asked for.
   static int ChooseSize(vtkEnvironment* environment);
+
+  /// Of its textures in 16 bits, with all levels and their borders.
+  static vtkIdType EstimateBytes(vtkEnvironment* environment);
 
   /// Mean radiance about unit d on level lod (0: finest; fractions in between; clamped).
   glm::vec3 Sample(const glm::vec3& d, float lod) const;

@@ -64,7 +64,7 @@ bool PlanReference::Begin()
   this->Lobes = nullptr;
   if (this->BRDF->IsIsotropic())
   {
-    const auto known = this->Parts ? this->Parts : std::make_shared<MaterialPrecomputation>();
+    const auto known = this->Shared ? this->Shared : std::make_shared<Precomputation>();
     const auto cut =
       std::make_shared<LobeSplit>(known->GetViews(this->BRDF, this->Abort), ResolvedAngle);
     if (cut->GetSharpShare() > std::max(LeastShare, LeastShareOfTolerance * this->ErrorTolerance))

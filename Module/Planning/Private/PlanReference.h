@@ -29,16 +29,12 @@
 namespace measuredbrdf
 {
 class LobeTable;
-class MaterialPrecomputation;
 
 class PlanReference : public vtkRadianceIntegrator
 {
 public:
   static PlanReference* New();
   vtkTypeMacro(PlanReference, vtkRadianceIntegrator);
-
-  /// What is known of the material; null (default): nothing.
-  void SetParts(const std::shared_ptr<MaterialPrecomputation>& parts) { this->Parts = parts; }
 
   /// What plans are made for: the sum is far more accurate than that. Default 1e-3.
   void SetErrorTolerance(double tolerance) { this->ErrorTolerance = tolerance; }
@@ -73,10 +69,9 @@ private:
   std::vector<ExtractedEmitters::Light> Suns;
   EnvironmentPrecomputation::Rest Rest;         // null: there are no suns
   std::vector<ExtractedEmitters::Light> Lights; // of the rest
-  std::shared_ptr<MaterialPrecomputation> Parts;
-  std::shared_ptr<const LobeSplit> Cut; // null: there is no sharp layer
-  vtkSmartPointer<vtkBRDF> Sharp;       // that
-  std::unique_ptr<LobeTable> Lobes;     // of that
+  std::shared_ptr<const LobeSplit> Cut;         // null: there is no sharp layer
+  vtkSmartPointer<vtkBRDF> Sharp;               // that
+  std::unique_ptr<LobeTable> Lobes;             // of that
 };
 } // namespace measuredbrdf
 

@@ -3,6 +3,7 @@
 #include "BRDFTextures.h"
 
 #include "ShaderTest.h"
+#include "TakenError.h"
 #include "vtkBRDF.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRadianceIntegrator.h"
@@ -181,9 +182,11 @@ std::string FormTextures::Update(vtkRadianceIntegrator* integrator, vtkOpenGLRen
   return this->UpdateAt(integrator->GetInputsMTime(), window,
     [integrator](vtkBRDFShaderInputs& form)
     {
-      return integrator->GetShaderInputs(form) // which says why
+      const TakenError reason(integrator);
+      return integrator->GetShaderInputs(form)
                ? TestShaders(form, TermKind::Integrator)
-               : std::string(integrator->GetClassName()) + " has nothing to draw with";
+               : std::string(integrator->GetClassName()) + " has nothing to draw with" +
+                   (reason.GetText().empty() ? "" : ": " + reason.GetText());
     });
 }
 

@@ -3,14 +3,45 @@
 #include "CurrentPlan.h"
 
 #include "vtkBRDF.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
 #include "vtkEnvironment.h"
+#include "vtkNew.h"
 #include "vtkRadiancePlanner.h"
 
 #include <algorithm>
 #include <exception>
+#include <utility>
 
 namespace measuredbrdf
 {
+namespace
+{
+bool UpdateWithProgress(vtkRadiancePlanner* planner, const CurrentPlan::Progress& progress)
+{
+  if (!progress)
+  {
+    return planner->Update();
+  }
+  std::pair<vtkRadiancePlanner*, const CurrentPlan::Progress*> both(planner, &progress);
+  vtkNew<vtkCallbackCommand> follow;
+  follow->SetClientData(&both);
+  follow->SetCallback(
+    [](vtkObject*, unsigned long, void* data, void* share)
+    {
+      const auto& [working, tell] = *static_cast<decltype(both)*>(data);
+      if (!(*tell)(*static_cast<double*>(share)))
+      {
+        working->SetAbort(true);
+      }
+    });
+  const unsigned long tag = planner->AddObserver(vtkCommand::ProgressEvent, follow);
+  const bool planned = planner->Update();
+  planner->RemoveObserver(tag);
+  return planned;
+}
+}
+
 bool CurrentPlan::IsOf(const PlanInputs& wanted, bool apart) const
 {
   return this->Inputs.BRDF && this->Inputs.GetKey() == wanted.GetKey() &&
@@ -125,11 +156,12 @@ void CurrentPlan::Begin(const PlanInputs& wanted)
   }
 }
 
-bool CurrentPlan::Update(const PlanInputs& wanted, Timing timing, std::string& problem)
+bool CurrentPlan::Update(
+  const PlanInputs& wanted, Timing timing, const Progress& progress, std::string& problem)
 {
   try
   {
-    return this->Bring(wanted, timing, problem);
+    return this->Bring(wanted, timing, progress, problem);
   }
   catch (const std::exception& e) // no memory, say
   {
@@ -140,7 +172,8 @@ bool CurrentPlan::Update(const PlanInputs& wanted, Timing timing, std::string& p
   }
 }
 
-bool CurrentPlan::Bring(const PlanInputs& wanted, Timing timing, std::string& problem)
+bool CurrentPlan::Bring(
+  const PlanInputs& wanted, Timing timing, const Progress& progress, std::string& problem)
 {
   const bool background = timing != Timing::Foreground;
   if (this->IsOf(wanted, background))
@@ -181,7 +214,7 @@ bool CurrentPlan::Bring(const PlanInputs& wanted, Timing timing, std::string& pr
   }
   vtkSmartPointer<vtkRadiancePlanner> planner = NewPlanner(wanted, background);
   planner = planner ? planner : NewPlanner(wanted, false);
-  const bool planned = planner->Update(); // which says why not
+  const bool planned = UpdateWithProgress(planner, progress); // which says why not
   this->Take(wanted, background, planned ? planner : nullptr);
   return true;
 }

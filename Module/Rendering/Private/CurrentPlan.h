@@ -12,6 +12,7 @@
 #include "PlanJob.h"
 #include "SharedPlans.h"
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -33,10 +34,15 @@ public:
     Always      // meanwhile the last plan, or none
   };
 
+  /// Called while a plan is made in the calling thread, with the share that is done; false stops
+  /// it.
+  using Progress = std::function<bool(double)>;
+
   /// Plan for this, or begin to: a new plan takes the place of the last when it is done. Returns
   /// whether it did. problem: why there is none, or what a plan made apart had to warn of, or "".
   /// What could not be planned, for lack of memory say, is not tried again until it changes.
-  bool Update(const PlanInputs& wanted, Timing timing, std::string& problem);
+  bool Update(
+    const PlanInputs& wanted, Timing timing, const Progress& progress, std::string& problem);
 
   /// Whether Update would plan in the calling thread, or wait.
   bool NeedsTime(const PlanInputs& wanted, Timing timing) const;
@@ -77,7 +83,8 @@ public:
   std::vector<std::shared_ptr<void>> Uploads;
 
 private:
-  bool Bring(const PlanInputs& wanted, Timing timing, std::string& problem);
+  bool Bring(
+    const PlanInputs& wanted, Timing timing, const Progress& progress, std::string& problem);
   bool IsBridged(Timing timing) const;
   bool IsOf(const PlanInputs& wanted, bool apart) const;
   void LeaveJob();

@@ -6,7 +6,6 @@
 #include "vtkBRDF.h"
 #include "vtkCamera.h"
 #include "vtkEnvironment.h"
-#include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPolyData.h"
 #include "vtkRadiancePlanner.h"
@@ -26,28 +25,11 @@ namespace
 // one for all.
 constexpr std::size_t MostLooks = 4;
 
-// The world in the environment's frame: the renderer's turn, then the environment's own.
-void GetWorldToEnvironment(vtkRenderer* ren, vtkEnvironment* environment, double turn[9])
-{
-  double axes[3][3];
-  ren->GetEnvironmentRight(axes[0]);
-  ren->GetEnvironmentUp(axes[1]);
-  vtkMath::Cross(axes[0], axes[1], axes[2]);
-  double own[9];
-  environment->GetWorldToEnvironment(own);
-  for (int k = 0; k < 9; ++k)
-  {
-    turn[k] = 0.0;
-    for (int j = 0; j < 3; ++j)
-    {
-      turn[k] += own[k / 3 * 3 + j] * axes[j][k % 3];
-    }
-  }
-}
-
 PlanInputs GetInputsForEveryView(const PlanRequest& request)
 {
-  return PlanInputs(request.BRDF, request.Environment, request.Tolerance, request.Costs);
+  PlanInputs inputs(request.BRDF, request.Environment, request.Tolerance, request.Costs);
+  inputs.CacheFolder = request.CacheFolder;
+  return inputs;
 }
 }
 
@@ -205,11 +187,15 @@ MapperPlans::View& MapperPlans::FindView(const PlanRequest& request)
 void MapperPlans::Look(View& view, const PlanRequest& request)
 {
   vtkRenderer* ren = request.Renderer;
-  double turn[9];
-  GetWorldToEnvironment(ren, request.Environment, turn);
+  double own[9];
+  request.Environment->GetWorldToEnvironment(own);
   vtkCamera* camera = ren->GetActiveCamera();
   const int* size = ren->GetSize();
-  std::vector<double> from(turn, turn + 9);
+  std::vector<double> from(own, own + 9);
+  for (const double* axis : { ren->GetEnvironmentRight(), ren->GetEnvironmentUp() })
+  {
+    from.insert(from.end(), axis, axis + 3);
+  }
   for (vtkMatrix4x4* matrix :
     { camera->GetCompositeProjectionTransformMatrix(1.0, -1.0, 1.0), request.Actor->GetMatrix() })
   {
@@ -228,7 +214,7 @@ void MapperPlans::Look(View& view, const PlanRequest& request)
   view.From = from;
   view.Times = times;
   const auto seen = std::make_shared<VisibleSurface>(
-    request.Surfaces, request.Actor->GetMatrix(), camera, size[0], size[1], turn);
+    VisibleSurface::InView(request.Surfaces, ren, request.Actor, own));
   if (seen->IsEmpty()) // out of view: as it was
   {
     return;
@@ -329,7 +315,7 @@ CurrentPlan& MapperPlans::Update(const PlanRequest& request, bool& changed, std:
   {
     this->BeginSideBySide(view, wanted, request);
   }
-  changed = view.Plan.Update(wanted, request.Timing, problem);
+  changed = view.Plan.Update(wanted, request.Timing, request.Progress, problem);
   view.Bridged = view.Plan.IsPending();
   if (wanted.Seen && view.Plan.IsFor(wanted))
   {

@@ -43,6 +43,7 @@ struct PlanRequest
   vtkSmartPointer<vtkEnvironment> Environment;
   double Tolerance = 0.0;
   vtkRadianceCostModel* Costs = nullptr; // null: the defaults
+  std::string CacheFolder;               // "": plans are not kept on disk
   CurrentPlan::Timing Timing = CurrentPlan::Timing::Foreground;
   bool ForView = false; // or for every view
   int Slot = 0;         // which of the mapper's materials
@@ -54,6 +55,10 @@ struct PlanRequest
   /// among them): where Update has to plan at once, it begins theirs side by side. May be empty.
   using Visit = std::function<void(MapperPlans&, const PlanRequest&)>;
   std::function<void(const Visit&)> Others;
+
+  /// Called now and then while Update plans in the calling thread, with the share that is done;
+  /// false stops it. May be empty.
+  CurrentPlan::Progress Progress;
 };
 
 class MapperPlans

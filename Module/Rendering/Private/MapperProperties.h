@@ -24,17 +24,12 @@
 #define MEASUREDBRDF_MAPPER_PROPERTIES(Class, settings)                                  \
   MEASUREDBRDF_PROPERTY(Class, settings, BRDF, BRDF, vtkBRDF*)                           \
   MEASUREDBRDF_PROPERTY(Class, settings, Environment, Environment, vtkEnvironment*)      \
-  MEASUREDBRDF_PROPERTY(Class, settings, LightSet, LightSet, vtkLightSet*)               \
   MEASUREDBRDF_PROPERTY(Class, settings, Integrator, Integrator, vtkRadianceIntegrator*) \
   MEASUREDBRDF_PROPERTY(Class, settings, CostModel, Costs, vtkRadianceCostModel*)        \
   MEASUREDBRDF_PROPERTY(Class, settings, PlanForView, PlanForView, bool)                 \
-  MEASUREDBRDF_PROPERTY(Class, settings, Seed, Seed, unsigned int)                       \
-  MEASUREDBRDF_PROPERTY(Class, settings, SoftLights, SoftLights, bool)                   \
-  MEASUREDBRDF_CHECKED_PROPERTY(Class, settings, Method, int)                            \
+  MEASUREDBRDF_PROPERTY(Class, settings, CacheFolder, CacheFolder, std::string)          \
   MEASUREDBRDF_CHECKED_PROPERTY(Class, settings, PlanningMode, int)                      \
   MEASUREDBRDF_CHECKED_PROPERTY(Class, settings, ErrorTolerance, double)                 \
-  MEASUREDBRDF_CHECKED_PROPERTY(Class, settings, LightSetMethod, int)                    \
-  MEASUREDBRDF_CHECKED_PROPERTY(Class, settings, NumberOfLights, int)                    \
   MEASUREDBRDF_CHECKED_PROPERTY(Class, settings, ScalarColoringMode, int)
 
 #endif

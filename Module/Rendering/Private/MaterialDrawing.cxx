@@ -3,13 +3,17 @@
 #include "MaterialDrawing.h"
 
 #include "DrawsColor.h"
+#include "SharedIntegrators.h"
 #include "StockLevels.h"
+#include "TextureEnvironment.h"
+#include "VisibleSurface.h"
 #include "vtkActor.h"
+#include "vtkAlgorithm.h"
 #include "vtkCommand.h"
 #include "vtkCompositeMeasuredBRDFMapper.h"
+#include "vtkDataArray.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
-#include "vtkLightSetRadianceIntegrator.h"
 #include "vtkMeasuredBRDFMapper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPropCollection.h"
@@ -26,16 +30,6 @@ namespace measuredbrdf
 {
 namespace
 {
-int NextPowerOfTwo(int n)
-{
-  int power = 1;
-  while (power < n)
-  {
-    power *= 2;
-  }
-  return power;
-}
-
 // Else the superclass draws it.
 bool IsShaded(vtkActor* actor)
 {
@@ -90,7 +84,11 @@ MaterialDrawing::MaterialDrawing(vtkObject* owner, std::shared_ptr<MaterialSetti
 
 MaterialDrawing::~MaterialDrawing() = default;
 
-MaterialDrawing::LightsAtEnd::~LightsAtEnd() { SweepLights(); }
+MaterialDrawing::SweepAtEnd::~SweepAtEnd()
+{
+  SweepIntegrators(); // which hold environments
+  SweepEnvironments();
+}
 
 MaterialDrawing::ViewFrame& MaterialDrawing::FindFrame(
   vtkRenderer* renderer, vtkActor* actor, const void* part)
@@ -143,7 +141,7 @@ int MaterialDrawing::FindSlot(vtkBRDF* brdf)
   return this->NextSlot++;
 }
 
-vtkSmartPointer<vtkEnvironment> MaterialDrawing::FindLight(vtkRenderer* renderer)
+vtkSmartPointer<vtkEnvironment> MaterialDrawing::ResolveEnvironment(vtkRenderer* renderer)
 {
   vtkSmartPointer<vtkEnvironment> environment = this->Settings->Environment;
   if (!environment && renderer->GetEnvironmentTexture())
@@ -159,27 +157,21 @@ vtkSmartPointer<vtkEnvironment> MaterialDrawing::FindLight(vtkRenderer* renderer
   return environment && environment->GetWidth() > 0 ? environment : nullptr;
 }
 
-bool MaterialDrawing::IsPlanned() const
-{
-  return !this->Settings->Integrator && !this->Settings->LightSet &&
-         this->Settings->Method == vtkMeasuredBRDFMapper::AUTO;
-}
-
-PlanRequest MaterialDrawing::GetRequest(
-  const MaterialUse& use, vtkEnvironment* environment, vtkRenderer* renderer, vtkActor* actor)
+PlanRequest MaterialDrawing::GetRequest(const MaterialUse& use, const FrameState& state)
 {
   const CurrentPlan::Timing timings[] = { CurrentPlan::Timing::Foreground,
     CurrentPlan::Timing::Changes, CurrentPlan::Timing::Always };
   PlanRequest request;
   request.BRDF = use.BRDF;
-  request.Environment = environment;
+  request.Environment = state.Environment;
+  request.CacheFolder = this->Settings->CacheFolder;
   request.Tolerance = this->Settings->ErrorTolerance;
   request.Costs = this->Settings->Costs;
   request.Timing = timings[this->Settings->PlanningMode];
   request.ForView = this->Settings->PlanForView;
   request.Slot = this->FindSlot(use.BRDF);
-  request.Renderer = renderer;
-  request.Actor = actor;
+  request.Renderer = state.Renderer;
+  request.Actor = state.Actor;
   request.Surfaces = use.Surfaces;
   return request;
 }
@@ -212,22 +204,32 @@ void MaterialDrawing::VisitRequests(vtkRenderer* renderer, const PlanRequest::Vi
     {
       mapper->Update(); // it may be drawn for the first time
     }
-    const vtkSmartPointer<vtkEnvironment> environment = drawing->FindLight(renderer);
+    const FrameState state = { renderer, actor, drawing->ResolveEnvironment(renderer) };
     for (const MaterialUse& use : drawing->UsesToCome())
     {
-      if (environment && use.BRDF)
+      if (state.Environment && use.BRDF)
       {
-        visit(drawing->Plans, drawing->GetRequest(use, environment, renderer, actor));
+        visit(drawing->Plans, drawing->GetRequest(use, state));
       }
     }
   }
 }
 
 void MaterialDrawing::ResolvePlan(
-  DrawnMaterial& drawn, const MaterialUse& use, vtkRenderer* renderer, vtkActor* actor)
+  DrawnMaterial& drawn, const MaterialUse& use, const FrameState& state)
 {
-  PlanRequest request = this->GetRequest(use, drawn.Environment, renderer, actor);
-  request.Others = [renderer](const PlanRequest::Visit& visit) { VisitRequests(renderer, visit); };
+  PlanRequest request = this->GetRequest(use, state);
+  request.Others = [&state](const PlanRequest::Visit& visit)
+  { VisitRequests(state.Renderer, visit); };
+  this->AbortPlanning = false;
+  request.Progress = [this](double progress)
+  {
+    if (auto* algorithm = vtkAlgorithm::SafeDownCast(this->Owner))
+    {
+      algorithm->UpdateProgress(progress);
+    }
+    return !this->AbortPlanning;
+  };
   bool changed = false;
   std::string problem;
   CurrentPlan& current = this->Plans.Update(request, changed, problem);
@@ -254,34 +256,31 @@ void MaterialDrawing::ResolvePlan(
   }
 }
 
-void MaterialDrawing::ResolveLights(DrawnMaterial& drawn)
+void MaterialDrawing::ResolveIntegrator(
+  DrawnMaterial& drawn, const MaterialUse& use, const FrameState& state)
 {
-  const MaterialSettings& settings = *this->Settings;
-  drawn.Lights = settings.LightSet;
-  if (!drawn.Lights && drawn.Environment)
+  if (vtkRadianceIntegrator* wanted = this->Settings->Integrator)
   {
-    int count = settings.NumberOfLights;
-    if (settings.LightSetMethod == vtkMeasuredBRDFMapper::MEDIAN_CUT &&
-        count != NextPowerOfTwo(count))
+    if (!drawn.Environment)
     {
-      count = NextPowerOfTwo(count);
-      if (this->WarnOnce("median cut " + std::to_string(settings.NumberOfLights)))
-      {
-        vtkWarningWithObjectMacro(this->Owner, << "Median cut makes powers of two: " << count
-                                               << " lights instead of " << settings.NumberOfLights
-                                               << ".");
-      }
+      drawn.Environment = wanted->GetEnvironment();
     }
-    drawn.Lights = FindLightSet(
-      drawn.Environment, settings.LightSetMethod, count, settings.Seed, this->Variance);
+    if (drawn.Environment || !wanted->NeedsEnvironment())
+    {
+      drawn.Integrator = FindIntegrator(wanted, drawn.BRDF, drawn.Environment);
+    }
   }
-  if (drawn.Lights)
+  else if (state.Environment)
   {
-    drawn.Integrator = FindLightLoop(drawn.BRDF, drawn.Lights, settings.SoftLights);
+    this->ResolvePlan(drawn, use, state);
+    if (!drawn.Integrator)
+    {
+      drawn.Integrator = FindStandIn(drawn.BRDF, drawn.Environment);
+    }
   }
 }
 
-std::string MaterialDrawing::Upload(DrawnMaterial& drawn, vtkRenderer* renderer)
+std::string MaterialDrawing::UploadForms(DrawnMaterial& drawn, vtkRenderer* renderer)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetVTKWindow());
   std::size_t samplers = 0;
@@ -309,35 +308,20 @@ std::string MaterialDrawing::Upload(DrawnMaterial& drawn, vtkRenderer* renderer)
   return CheckUnits(samplers, window);
 }
 
-DrawnMaterial MaterialDrawing::Resolve(
-  const MaterialUse& use, vtkEnvironment* environment, vtkRenderer* renderer, vtkActor* actor)
+DrawnMaterial MaterialDrawing::Resolve(const MaterialUse& use, const FrameState& state)
 {
   DrawnMaterial drawn;
   if (!use.BRDF)
   {
     return drawn;
   }
-  const MaterialSettings& settings = *this->Settings;
   drawn.BRDF = use.BRDF;
-  drawn.Environment = environment;
+  drawn.Environment = state.Environment;
   std::string problem;
   try
   {
-    if (environment && settings.Integrator)
-    {
-      drawn.Integrator = settings.Integrator;
-      drawn.Integrator->SetBRDF(use.BRDF);
-      drawn.Integrator->SetEnvironment(environment);
-    }
-    else if (environment && !settings.LightSet && settings.Method == vtkMeasuredBRDFMapper::AUTO)
-    {
-      this->ResolvePlan(drawn, use, renderer, actor);
-    }
-    if (!drawn.Integrator)
-    {
-      this->ResolveLights(drawn);
-    }
-    problem = this->Upload(drawn, renderer);
+    this->ResolveIntegrator(drawn, use, state);
+    problem = this->UploadForms(drawn, state.Renderer);
     if (drawn.Current)
     {
       drawn.Current->Uploads = { drawn.Material, drawn.Radiance };
@@ -375,9 +359,28 @@ void MaterialDrawing::BeginFrame(
   ViewFrame& frame = this->FindFrame(renderer, actor, part);
   const bool any = std::any_of(
     uses.begin(), uses.end(), [](const MaterialUse& use) { return use.BRDF != nullptr; });
-  const char* levels = any && this->WarnOnce("levels of detail")
-                         ? FindStockLevels(renderer, actor, vtkMapper::SafeDownCast(this->Owner))
-                         : nullptr;
+  const FrameState state = { renderer, actor, any ? this->ResolveEnvironment(renderer) : nullptr };
+  if (any)
+  {
+    this->WarnOfLevels(state);
+  }
+  this->DropPlans(state, any);
+  std::vector<DrawnMaterial> materials; // the last ones stay until these have their textures
+  for (const MaterialUse& use : uses)
+  {
+    materials.push_back(this->Resolve(use, state));
+  }
+  frame.Materials = std::move(materials);
+  this->Frame = &frame;
+  this->LastRenderer = renderer;
+}
+
+void MaterialDrawing::WarnOfLevels(const FrameState& state)
+{
+  const char* levels =
+    this->WarnOnce("levels of detail")
+      ? FindStockLevels(state.Renderer, state.Actor, vtkMapper::SafeDownCast(this->Owner))
+      : nullptr;
   if (levels)
   {
     vtkWarningWithObjectMacro(this->Owner,
@@ -386,23 +389,19 @@ void MaterialDrawing::BeginFrame(
          "actor's vtkProperty, not the material. FitProperty(actor->GetProperty()) sets the "
          "nearest one.");
   }
-  const vtkSmartPointer<vtkEnvironment> environment = any ? this->FindLight(renderer) : nullptr;
+}
+
+// Those that are not drawn by any more.
+void MaterialDrawing::DropPlans(const FrameState& state, bool anyMaterial)
+{
   if ((!this->Settings->BRDF && !this->Settings->HasBlockMaterials()) || !this->IsPlanned())
   {
     this->Plans.Clear();
   }
-  else if (any && !environment) // other renderers may have light
+  else if (anyMaterial && !state.Environment) // other renderers may have light
   {
-    this->Plans.Clear(renderer);
+    this->Plans.Clear(state.Renderer);
   }
-  std::vector<DrawnMaterial> materials; // the last ones stay until these have their textures
-  for (const MaterialUse& use : uses)
-  {
-    materials.push_back(this->Resolve(use, environment, renderer, actor));
-  }
-  frame.Materials = std::move(materials);
-  this->Frame = &frame;
-  this->LastRenderer = renderer;
 }
 
 void MaterialDrawing::EndFrame()
@@ -513,6 +512,52 @@ const vtkBRDFShaderInputs* MaterialDrawing::GetMaterialForm() const
     }
   }
   return nullptr;
+}
+
+vtkRadiancePlanner* MaterialDrawing::GetPlanner() const
+{
+  for (const DrawnMaterial* drawn : this->GetLastFrame())
+  {
+    if (drawn->Plan)
+    {
+      return drawn->Plan;
+    }
+  }
+  return nullptr;
+}
+
+vtkRadianceIntegrator* MaterialDrawing::GetIntegrator() const
+{
+  for (const DrawnMaterial* drawn : this->GetLastFrame())
+  {
+    if (drawn->Integrator)
+    {
+      return drawn->Integrator;
+    }
+  }
+  return nullptr;
+}
+
+vtkIdType MaterialDrawing::GetVisiblePairs(
+  vtkRenderer* renderer, vtkActor* actor, vtkDataArray* normals, vtkDataArray* views)
+{
+  std::vector<vtkPolyData*> surfaces;
+  for (const MaterialUse& use : this->UsesToCome())
+  {
+    surfaces.insert(surfaces.end(), use.Surfaces.begin(), use.Surfaces.end());
+  }
+  const VisibleSurface seen = VisibleSurface::InView(surfaces, renderer, actor);
+  for (const auto& [array, directions] :
+    { std::make_pair(normals, &seen.GetNormals()), std::make_pair(views, &seen.GetViews()) })
+  {
+    array->Initialize();
+    array->SetNumberOfComponents(3);
+    for (const glm::dvec3& direction : *directions)
+    {
+      array->InsertNextTuple(&direction.x);
+    }
+  }
+  return PlanInputs::RoundPixels(seen.GetNumberOfPixels());
 }
 
 vtkMTimeType MaterialDrawing::GetAppearanceMTime()

@@ -11,14 +11,12 @@
 #define MaterialDrawing_h
 
 #include "BRDFTextures.h"
-#include "LightSetCache.h"
 #include "MapperPlans.h"
 #include "MaterialSettings.h"
-#include "vtkNew.h"
 #include "vtkSmartPointer.h"
-#include "vtkVarianceLightSetGenerator.h"
 #include "vtkWeakPointer.h"
 
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <set>
@@ -26,6 +24,7 @@
 #include <vector>
 
 class vtkActor;
+class vtkDataArray;
 class vtkOpenGLRenderWindow;
 class vtkPolyData;
 class vtkRadiancePlanner;
@@ -49,7 +48,6 @@ struct DrawnMaterial
   vtkSmartPointer<vtkBRDF> BRDF;                     // the material or, of a plan, its snapshot
   vtkSmartPointer<vtkRadianceIntegrator> Integrator; // of the environment's light; null: none
   vtkSmartPointer<vtkEnvironment> Environment;       // the one whose rotation applies
-  vtkSmartPointer<vtkLightSet> Lights;               // that the environment became, if it did
   std::shared_ptr<FormTextures> Material;   // null where the shader has no use for the BRDF itself
   std::shared_ptr<FormTextures> Radiance;   // null without environment
   vtkSmartPointer<vtkRadiancePlanner> Plan; // null without one
@@ -98,6 +96,19 @@ public:
   std::string GetPlan() const;                        // of each material a line
   vtkIdType GetTextureBytes() const;                  // each texture once
   const vtkBRDFShaderInputs* GetMaterialForm() const; // of the first material that has one; or null
+  vtkRadiancePlanner* GetPlanner() const;       // of the first material that has a plan; or null
+  vtkRadianceIntegrator* GetIntegrator() const; // of the first material that has one; or null
+  ///@}
+
+  /// What PlanForView sees of all surfaces to come: as many normals as views, for
+  /// vtkRadiancePlanner::SetPairs. Returns the pixels that they cover, as plans count them.
+  vtkIdType GetVisiblePairs(
+    vtkRenderer* renderer, vtkActor* actor, vtkDataArray* normals, vtkDataArray* views);
+
+  ///@{
+  /// Stop the planning that a Render has begun; a Render that has to plan begins with it cleared.
+  void SetAbortPlanning(bool abort) { this->AbortPlanning = abort; }
+  bool GetAbortPlanning() const { return this->AbortPlanning; }
   ///@}
 
   /// When anything last changed that the next picture depends on.
@@ -128,35 +139,45 @@ private:
     int Slot;
   };
 
+  /// What all materials of a frame have in common.
+  struct FrameState
+  {
+    vtkRenderer* Renderer;
+    vtkActor* Actor;
+    vtkSmartPointer<vtkEnvironment> Environment; // null: there is none
+  };
+
   ViewFrame& FindFrame(vtkRenderer* renderer, vtkActor* actor, const void* part);
   int FindSlot(vtkBRDF* brdf);
-  vtkSmartPointer<vtkEnvironment> FindLight(vtkRenderer* renderer);
-  PlanRequest GetRequest(
-    const MaterialUse& use, vtkEnvironment* environment, vtkRenderer* renderer, vtkActor* actor);
-  bool IsPlanned() const; // whether plans draw the environment's light
+  PlanRequest GetRequest(const MaterialUse& use, const FrameState& state);
+  bool IsPlanned() const { return !this->Settings->Integrator; }
   static void VisitRequests(vtkRenderer* renderer, const PlanRequest::Visit& visit);
-  DrawnMaterial Resolve(
-    const MaterialUse& use, vtkEnvironment* environment, vtkRenderer* renderer, vtkActor* actor);
-  void ResolvePlan(
-    DrawnMaterial& drawn, const MaterialUse& use, vtkRenderer* renderer, vtkActor* actor);
-  void ResolveLights(DrawnMaterial& drawn);
-  std::string Upload(DrawnMaterial& drawn, vtkRenderer* renderer);
+  void WarnOfLevels(const FrameState& state);
+  void DropPlans(const FrameState& state, bool anyMaterial);
+
+  ///@{
+  /// The stages of a frame, in this order; the last three for each material.
+  vtkSmartPointer<vtkEnvironment> ResolveEnvironment(vtkRenderer* renderer);
+  DrawnMaterial Resolve(const MaterialUse& use, const FrameState& state);
+  void ResolveIntegrator(DrawnMaterial& drawn, const MaterialUse& use, const FrameState& state);
+  void ResolvePlan(DrawnMaterial& drawn, const MaterialUse& use, const FrameState& state);
+  std::string UploadForms(DrawnMaterial& drawn, vtkRenderer* renderer);
+  ///@}
 
   // First, so that it is the last to go: what the others held is released then.
-  struct LightsAtEnd
+  struct SweepAtEnd
   {
-    LightsAtEnd() = default;
-    ~LightsAtEnd();
-    LightsAtEnd(const LightsAtEnd&) = delete;
-    void operator=(const LightsAtEnd&) = delete;
+    SweepAtEnd() = default;
+    ~SweepAtEnd();
+    SweepAtEnd(const SweepAtEnd&) = delete;
+    void operator=(const SweepAtEnd&) = delete;
   };
-  LightsAtEnd AtEnd;
+  SweepAtEnd AtEnd;
 
   vtkObject* Owner;
   std::shared_ptr<MaterialSettings> Settings;
   std::function<std::vector<MaterialUse>()> UsesToCome;
   MapperPlans Plans;
-  vtkNew<vtkVarianceLightSetGenerator> Variance;  // its tree serves every number of lights
   std::vector<std::unique_ptr<ViewFrame>> Frames; // each keeps its textures for the next Render
   std::vector<MaterialSlot> Slots;                // of blocks' materials, in MapperPlans
   int NextSlot = 1;
@@ -164,6 +185,7 @@ private:
   vtkWeakPointer<vtkRenderer> LastRenderer;
   const DrawnMaterial* Selected = nullptr;
   std::set<std::string> Warned;
+  std::atomic<bool> AbortPlanning{ false };
   bool WasReady = false; // whether a plan made in the background waited to be drawn
   vtkTimeStamp ReadyTime;
 };

@@ -3,8 +3,8 @@
 #include "MaterialSettings.h"
 
 #include "Setters.h"
-#include "vtkLightSetGenerator.h"
 #include "vtkObject.h"
+#include "vtkRadiancePlanner.h"
 
 #include <algorithm>
 
@@ -14,6 +14,11 @@ namespace
 {
 constexpr double SmallestTolerance = 1e-3;
 constexpr double LargestTolerance = 1.0;
+}
+
+MaterialSettings::MaterialSettings()
+  : CacheFolder(vtkRadiancePlanner::GetDefaultCacheFolder())
+{
 }
 
 template <typename T>
@@ -49,11 +54,6 @@ void MaterialSettings::SetMode(
   this->Set(property, value);
 }
 
-void MaterialSettings::SetMethod(vtkObject* self, int method)
-{
-  this->SetMode(self, "Method", this->Method, method, 2);
-}
-
 void MaterialSettings::SetPlanningMode(vtkObject* self, int mode)
 {
   this->SetMode(self, "PlanningMode", this->PlanningMode, mode, 3);
@@ -63,17 +63,6 @@ void MaterialSettings::SetErrorTolerance(vtkObject* self, double tolerance)
 {
   this->SetClamped(
     self, "ErrorTolerance", this->ErrorTolerance, tolerance, SmallestTolerance, LargestTolerance);
-}
-
-void MaterialSettings::SetLightSetMethod(vtkObject* self, int method)
-{
-  this->SetMode(self, "LightSetMethod", this->LightSetMethod, method, 3);
-}
-
-void MaterialSettings::SetNumberOfLights(vtkObject* self, int count)
-{
-  const int most = vtkLightSetGenerator::MaximumNumberOfLights;
-  this->SetClamped(self, "NumberOfLights", this->NumberOfLights, count, 1, most);
 }
 
 void MaterialSettings::SetScalarColoringMode(vtkObject* self, int mode)
@@ -94,8 +83,7 @@ vtkMTimeType MaterialSettings::GetMTime() const
   { time = std::max(time, object ? object->GetMTime() : 0); };
   add(this->BRDF);
   add(this->Environment);
-  add(this->LightSet);
-  add(this->Integrator);
+  time = std::max(time, this->Integrator ? this->Integrator->GetInputsMTime() : 0);
   add(this->Costs);
   for (const auto& [index, brdf] : this->BlocksByIndex)
   {
@@ -110,22 +98,15 @@ vtkMTimeType MaterialSettings::GetMTime() const
 
 void MaterialSettings::Print(ostream& os, vtkIndent indent) const
 {
-  const char* const methods[] = { "auto", "light set" };
   const char* const planning[] = { "foreground", "background", "background from start" };
-  const char* const lights[] = { "median cut", "importance sampling", "variance" };
   os << indent << "BRDF: " << this->BRDF.Get() << "\n";
   os << indent << "Environment: " << this->Environment.Get() << "\n";
-  os << indent << "LightSet: " << this->LightSet.Get() << "\n";
   os << indent << "Integrator: " << this->Integrator.Get() << "\n";
   os << indent << "CostModel: " << (this->Costs ? this->Costs->GetName() : "default") << "\n";
-  os << indent << "Method: " << methods[this->Method] << "\n";
   os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";
   os << indent << "PlanningMode: " << planning[this->PlanningMode] << "\n";
   os << indent << "PlanForView: " << (this->PlanForView ? "On" : "Off") << "\n";
-  os << indent << "LightSetMethod: " << lights[this->LightSetMethod] << "\n";
-  os << indent << "NumberOfLights: " << this->NumberOfLights << "\n";
-  os << indent << "Seed: " << this->Seed << "\n";
-  os << indent << "SoftLights: " << (this->SoftLights ? "On" : "Off") << "\n";
+  os << indent << "CacheFolder: " << this->CacheFolder << "\n";
   os << indent << "ScalarColoringMode: " << (this->ScalarColoringMode ? "modulate" : "ignore")
      << "\n";
 }

@@ -11,7 +11,6 @@
 
 #include "vtkBRDF.h"
 #include "vtkEnvironment.h"
-#include "vtkLightSet.h"
 #include "vtkRadianceCostModel.h"
 #include "vtkRadianceIntegrator.h"
 #include "vtkSmartPointer.h"
@@ -26,19 +25,16 @@ namespace measuredbrdf
 {
 struct MaterialSettings
 {
+  MaterialSettings();
+
   vtkSmartPointer<vtkBRDF> BRDF;
   vtkSmartPointer<vtkEnvironment> Environment;
-  vtkSmartPointer<vtkLightSet> LightSet;
   vtkSmartPointer<vtkRadianceIntegrator> Integrator;
   vtkSmartPointer<vtkRadianceCostModel> Costs;
-  int Method = 0;
   int PlanningMode = 0;
   bool PlanForView = false;
   double ErrorTolerance = 0.02;
-  int LightSetMethod = 0;
-  int NumberOfLights = 64;
-  unsigned int Seed = 1;
-  bool SoftLights = false;
+  std::string CacheFolder;
   int ScalarColoringMode = 1;
 
   // The composite mapper's materials of single blocks; a null one draws that block as the
@@ -51,11 +47,8 @@ struct MaterialSettings
   ///@{
   /// Take a value, or say for `self` why not: what is no number and what is no enumerator is
   /// refused, numbers out of range are clamped (Setters.h).
-  void SetMethod(vtkObject* self, int method);
   void SetPlanningMode(vtkObject* self, int mode);
   void SetErrorTolerance(vtkObject* self, double tolerance);
-  void SetLightSetMethod(vtkObject* self, int method);
-  void SetNumberOfLights(vtkObject* self, int count);
   void SetScalarColoringMode(vtkObject* self, int mode);
   ///@}
 

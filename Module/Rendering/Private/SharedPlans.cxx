@@ -57,10 +57,9 @@ PlanInputs::PlanInputs(
 {
 }
 
-void PlanInputs::SetPixels(double pixels)
+vtkIdType PlanInputs::RoundPixels(double pixels)
 {
-  this->Pixels =
-    static_cast<vtkIdType>(std::exp2(std::round(std::log2(std::clamp(pixels, 1.0, 1e9)))));
+  return static_cast<vtkIdType>(std::exp2(std::round(std::log2(std::clamp(pixels, 1.0, 1e9)))));
 }
 
 vtkSmartPointer<vtkRadiancePlanner> NewPlanner(const PlanInputs& inputs, bool apart)
@@ -85,7 +84,7 @@ vtkSmartPointer<vtkRadiancePlanner> NewPlanner(const PlanInputs& inputs, bool ap
   }
   else
   {
-    planner->SetCacheFolder(vtkRadiancePlanner::GetDefaultCacheFolder());
+    planner->SetCacheFolder(inputs.CacheFolder);
   }
   if (inputs.Pixels > 0)
   {

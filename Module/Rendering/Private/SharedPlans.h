@@ -56,8 +56,11 @@ struct PlanInputs
 
   /// Covered pixels, in powers of two, so that plans are shared and found on disk; 0: the planner's
   /// default.
-  void SetPixels(double pixels);
+  void SetPixels(double pixels) { this->Pixels = RoundPixels(pixels); }
+  static vtkIdType RoundPixels(double pixels);
   vtkIdType Pixels = 0;
+
+  std::string CacheFolder; // where the plan is kept, which changes nothing about it; "": nowhere
 };
 
 /// A plan's planner, not updated yet, of the objects themselves or, apart, of snapshots of its own,

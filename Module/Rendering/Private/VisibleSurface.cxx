@@ -4,6 +4,7 @@
 
 #include "LowDiscrepancy.h"
 
+#include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -12,6 +13,7 @@
 #include "vtkMatrix4x4.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkRenderer.h"
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -262,6 +264,28 @@ VisibleSurface::VisibleSurface(const std::vector<vtkPolyData*>& surfaces, vtkMat
     this->Normals.push_back(normals[from]);
     this->Views.push_back(views[from]);
   }
+}
+
+VisibleSurface VisibleSurface::InView(const std::vector<vtkPolyData*>& surfaces,
+  vtkRenderer* renderer, vtkActor* actor, const double* toFrame)
+{
+  // Rows: the axes of the renderer's environment.
+  glm::dvec3 axes[3];
+  renderer->GetEnvironmentRight(&axes[0].x);
+  renderer->GetEnvironmentUp(&axes[1].x);
+  axes[2] = glm::cross(axes[0], axes[1]);
+  double turn[9];
+  for (int k = 0; k < 9; ++k)
+  {
+    turn[k] = toFrame ? 0.0 : axes[k / 3][k % 3];
+    for (int j = 0; toFrame && j < 3; ++j)
+    {
+      turn[k] += toFrame[k / 3 * 3 + j] * axes[j][k % 3];
+    }
+  }
+  const int* size = renderer->GetSize();
+  return VisibleSurface(
+    surfaces, actor->GetMatrix(), renderer->GetActiveCamera(), size[0], size[1], turn);
 }
 
 bool VisibleSurface::Outgrows(double pixels) const

@@ -19,9 +19,11 @@
 #include <cstddef>
 #include <vector>
 
+class vtkActor;
 class vtkCamera;
 class vtkMatrix4x4;
 class vtkPolyData;
+class vtkRenderer;
 
 namespace measuredbrdf
 {
@@ -32,6 +34,12 @@ public:
   /// frame that pairs are wanted in. width, height: of the picture in pixels.
   VisibleSurface(const std::vector<vtkPolyData*>& surfaces, vtkMatrix4x4* toWorld,
     vtkCamera* camera, int width, int height, const double toFrame[9]);
+
+  /// What the renderer's camera sees of an actor's surfaces, in the frame of the renderer's
+  /// environment: the world, turned by EnvironmentUp and EnvironmentRight, then by toFrame (null:
+  /// not at all).
+  static VisibleSurface InView(const std::vector<vtkPolyData*>& surfaces, vtkRenderer* renderer,
+    vtkActor* actor, const double* toFrame = nullptr);
 
   bool IsEmpty() const { return this->Normals.empty(); }
 

@@ -224,8 +224,9 @@ class Brushed(Material):
         self.brdf.SetExponents(5.0, 40.0)
 
     def _set(self, mapper):
-        mapper.SetMethodToLightSet()
-        mapper.SetNumberOfLights(16)
+        lights = measured.vtkLightSetRadianceIntegrator()
+        lights.SetNumberOfLights(16)
+        mapper.SetIntegrator(lights)
         return super()._set(mapper)
 
 

@@ -318,10 +318,10 @@ TEST(Setters, OfPlanning)
   Listener listener(costs);
   for (const double bad : { NaN, Infinity, -1.0, 0.0 })
   {
-    EXPECT_FALSE(costs->SetCost(vtkRadianceCostModel::LIGHT, bad));
+    EXPECT_FALSE(costs->SetCost("light", bad));
     listener.Expect("SetCost", 1, 0);
   }
-  EXPECT_FALSE(costs->SetCost(77, 1.0));
+  EXPECT_FALSE(costs->SetCost("Two words", 1.0));
   listener.Expect("SetCost", 1, 0);
 }
 

@@ -158,7 +158,7 @@ TEST_F(PlanCache, FindsLayersAgain)
   this->Tolerance = 0.08;
   this->Environment->SetToProceduralHall();
   this->Costs = vtkSmartPointer<vtkRadianceCostModel>::New();
-  this->Costs->SetCost(vtkRadianceCostModel::LIGHT, 0.1);
+  this->Costs->SetCost("light", 0.1);
   const auto first = this->Plan();
   std::printf("%s\n", first->GetPlan().c_str());
   ASSERT_EQ(first->GetMethodName(first->GetChoice()), "hybrid");
@@ -184,7 +184,7 @@ TEST_F(PlanCache, WhatItDependsOnMakesAnother)
   EXPECT_FALSE(this->Plan()->GetFromCache());
   this->Costs = vtkSmartPointer<vtkRadianceCostModel>::New();
   EXPECT_TRUE(this->Plan()->GetFromCache()); // the same figures
-  this->Costs->SetCost(vtkRadianceCostModel::SAMPLE, 1.0);
+  this->Costs->SetCost("sample", 1.0);
   EXPECT_FALSE(this->Plan()->GetFromCache());
   EXPECT_EQ(this->GetFiles().size(), 5u);
   this->Environment->SetRotationY(40.0);

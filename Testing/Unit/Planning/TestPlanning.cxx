@@ -25,6 +25,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <limits>
+#include <map>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -168,7 +169,7 @@ TEST(Planner, AnisotropicMaterialsGetLightSets)
   const auto planner = NewPlanner(brushed, NewSmallEnvironment(false), 0.2);
   ASSERT_TRUE(planner->Update());
   std::printf("%s\n", planner->GetPlan().c_str());
-  EXPECT_EQ(planner->GetMethod(planner->GetChoice()), vtkRadiancePlanner::LIGHT_SET);
+  EXPECT_EQ(planner->GetMethodName(planner->GetChoice()), "light-set");
   EXPECT_TRUE(vtkLightSetRadianceIntegrator::SafeDownCast(TakeChoice(planner)));
   for (int k = 0; k < planner->GetNumberOfCandidates(); ++k)
   {
@@ -259,7 +260,7 @@ TEST(Planner, PlansAgainExactlyWhenItMust)
   vtkNew<vtkRadianceCostModel> costs;
   planner->SetCostModel(costs);
   expectNew("another cost model", true);
-  costs->SetCost(vtkRadianceCostModel::TABLE, 40.0);
+  costs->SetCost("table", 40.0);
   expectNew("a cost", true);
   expectNew("nothing", false);
 }
@@ -424,7 +425,7 @@ TEST(Planner, EvaluateAllListsEveryMethod)
   planner->AddObserver(vtkCommand::ProgressEvent, counter);
   ASSERT_TRUE(planner->Update());
   EXPECT_EQ(events, planner->GetNumberOfCandidates());
-  int methods[5] = { 0, 0, 0, 0, 0 };
+  std::map<std::string, int> methods;
   double lastOrder = 0.0;
   for (int k = 0; k < planner->GetNumberOfCandidates(); ++k)
   {
@@ -432,7 +433,7 @@ TEST(Planner, EvaluateAllListsEveryMethod)
       planner->GetMethodName(k).c_str(), planner->GetDescription(k).c_str(),
       planner->GetPredictedError(k), planner->GetPredictedMilliseconds(k),
       static_cast<long long>(planner->GetTextureBytes(k)), planner->GetSetUpMilliseconds(k));
-    ++methods[planner->GetMethod(k)];
+    ++methods[planner->GetMethodName(k)];
     EXPECT_GT(planner->GetTextureBytes(k), 0);
     EXPECT_TRUE(std::isfinite(planner->GetPredictedError(k)));
     // A megabyte counts as 3 ns a pixel.
@@ -476,7 +477,7 @@ TEST(Planner, WideLampsAreSeveralLightsForSharpLobes)
     for (int k = 0; k < planner->GetNumberOfCandidates(); ++k)
     {
       const std::string text = planner->GetDescription(k);
-      if (planner->GetMethod(k) == vtkRadiancePlanner::HYBRID)
+      if (planner->GetMethodName(k) == "hybrid")
       {
         ++hybrid;
         EXPECT_EQ(Contains(text, ", 1 suns as lights"), !sharp) << text;
@@ -498,39 +499,39 @@ TEST(Planner, FollowsTheCostModel)
   planner->EvaluateAllOn();
   ASSERT_TRUE(planner->Update());
   EXPECT_EQ(planner->GetChoice(), 0); // anything will do
-  EXPECT_EQ(planner->GetMethod(0), vtkRadiancePlanner::TABLE);
+  EXPECT_EQ(planner->GetMethodName(0), "table");
   EXPECT_NEAR(planner->GetPredictedMilliseconds(0), 107.0 * 196350.0 * 1e-6, 1e-9);
 
   vtkNew<vtkRadianceCostModel> costs;
   const double figures[] = { 1.0, 1000.0, 50.0, 2.0, 7.0 };
-  for (int type = 0; type < vtkRadianceCostModel::NUMBER_OF_COSTS; ++type)
+  for (int k = 0; k < costs->GetNumberOfCosts(); ++k)
   {
-    ASSERT_TRUE(costs->SetCost(type, figures[type]));
+    ASSERT_TRUE(costs->SetCost(costs->GetCostName(k), figures[k]));
   }
   planner->SetCostModel(costs);
   ASSERT_TRUE(planner->Update());
   EXPECT_EQ(planner->GetChoice(), 0);
   // 9 functions: 64 ns; 16 samples: 33 ns, and more for its memory; a table: 1001 ns.
-  std::vector<int> methods;
+  std::vector<std::string> methods;
   for (int k = 0; k < planner->GetNumberOfCandidates(); ++k)
   {
-    methods.push_back(planner->GetMethod(k));
+    methods.push_back(planner->GetMethodName(k));
   }
-  const auto find = [&](int method)
+  const auto find = [&](const std::string& method)
   { return std::find(methods.begin(), methods.end(), method) - methods.begin(); };
-  EXPECT_LT(find(vtkRadiancePlanner::BASIS), find(vtkRadiancePlanner::TABLE));
-  EXPECT_LT(find(vtkRadiancePlanner::FILTERED), find(vtkRadiancePlanner::TABLE));
-  EXPECT_LT(find(vtkRadiancePlanner::TABLE), find(vtkRadiancePlanner::LIGHT_SET));
-  const auto milliseconds = [&](int method)
+  EXPECT_LT(find("basis"), find("table"));
+  EXPECT_LT(find("filtered"), find("table"));
+  EXPECT_LT(find("table"), find("light-set"));
+  const auto milliseconds = [&](const std::string& method)
   { return planner->GetPredictedMilliseconds(static_cast<int>(find(method))) / 0.19635; };
-  EXPECT_NEAR(milliseconds(vtkRadiancePlanner::BASIS), 64.0, 1e-6);
-  EXPECT_NEAR(milliseconds(vtkRadiancePlanner::FILTERED), 33.0, 1e-6);
-  EXPECT_NEAR(milliseconds(vtkRadiancePlanner::TABLE), 1001.0, 1e-6);
-  EXPECT_NEAR(milliseconds(vtkRadiancePlanner::LIGHT_SET), 3201.0, 1e-6);
+  EXPECT_NEAR(milliseconds("basis"), 64.0, 1e-6);
+  EXPECT_NEAR(milliseconds("filtered"), 33.0, 1e-6);
+  EXPECT_NEAR(milliseconds("table"), 1001.0, 1e-6);
+  EXPECT_NEAR(milliseconds("light-set"), 3201.0, 1e-6);
 
   planner->SetCostModel(nullptr);
   ASSERT_TRUE(planner->Update());
-  EXPECT_EQ(planner->GetMethod(0), vtkRadiancePlanner::TABLE);
+  EXPECT_EQ(planner->GetMethodName(0), "table");
 }
 
 //------------------------------------------------------------------------------
@@ -552,14 +553,14 @@ TEST(Planner, SaysWhyItTakesMemory)
   for (int k = 0; k < planner->GetNumberOfCandidates(); ++k)
   {
     const bool fits =
-      planner->GetMethod(k) == vtkRadiancePlanner::TABLE && planner->GetTextureBytes(k) <= 4000000;
+      planner->GetMethodName(k) == "table" && planner->GetTextureBytes(k) <= 4000000;
     small = fits ? k : small; // tables come in the order of their size
   }
   ASSERT_GE(small, 0);
   char error[32];
   std::snprintf(error, sizeof(error), "has %.2g %%", 100.0 * planner->GetPredictedError(small));
   const std::string rows = planner->GetDescription(choice);
-  const std::string needs = planner->GetMethod(choice) == vtkRadiancePlanner::TABLE
+  const std::string needs = planner->GetMethodName(choice) == "table"
                               ? "gloss needs " + rows.substr(0, rows.find(" x"))
                               : "more than a table";
   EXPECT_TRUE(Contains(planner->GetReason(), needs)) << planner->GetReason();
@@ -572,21 +573,25 @@ TEST(CostModel, RoundTripAndRefusals)
 {
   vtkNew<vtkRadianceCostModel> model;
   ErrorCatcher errors(model);
-  EXPECT_EQ(model->GetCost(vtkRadianceCostModel::BASE), 55.0);
+  EXPECT_EQ(model->GetCost("base"), 55.0);
   model->SetName("NVIDIA GeForce, 64 bit");
-  for (int type = 0; type < vtkRadianceCostModel::NUMBER_OF_COSTS; ++type)
+  ASSERT_EQ(model->GetNumberOfCosts(), 5);
+  for (int k = 0; k < model->GetNumberOfCosts(); ++k)
   {
-    ASSERT_TRUE(model->SetCost(type, std::pow(0.1, type) / 3.0));
+    ASSERT_TRUE(model->SetCost(model->GetCostName(k), std::pow(0.1, k) / 3.0));
   }
+  ASSERT_TRUE(model->SetCost("spherical-gaussian", 7.5)); // a program's own
   const std::string text = model->GetText();
   vtkNew<vtkRadianceCostModel> other;
   ASSERT_TRUE(other->SetText(text));
   EXPECT_EQ(other->GetText(), text);
   EXPECT_EQ(other->GetName(), model->GetName());
-  for (int type = 0; type < vtkRadianceCostModel::NUMBER_OF_COSTS; ++type)
+  ASSERT_EQ(other->GetNumberOfCosts(), 6);
+  for (int k = 0; k < other->GetNumberOfCosts(); ++k)
   {
-    EXPECT_EQ(other->GetCost(type), model->GetCost(type));
-    EXPECT_TRUE(Contains(text, vtkRadianceCostModel::GetCostName(type)));
+    const std::string name = model->GetCostName(k);
+    EXPECT_EQ(other->GetCost(name), model->GetCost(name));
+    EXPECT_TRUE(Contains(text, name));
   }
   vtkNew<vtkRadianceCostModel> copy;
   copy->DeepCopy(model);
@@ -599,6 +604,7 @@ TEST(CostModel, RoundTripAndRefusals)
   {
     bad.push_back(
       text.substr(0, text.find("light")) + "light " + value + "\nsample 1\nfunction 1\n");
+    bad.push_back(text + "another " + value + "\n");
   }
   for (const std::string& wrong : bad)
   {
@@ -611,14 +617,16 @@ TEST(CostModel, RoundTripAndRefusals)
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const double value : { 0.0, -1.0, nan, 1e9 })
   {
-    EXPECT_FALSE(model->SetCost(vtkRadianceCostModel::LIGHT, value));
+    EXPECT_FALSE(model->SetCost("light", value));
   }
-  EXPECT_FALSE(model->SetCost(-1, 1.0));
-  EXPECT_FALSE(model->SetCost(5, 1.0));
+  EXPECT_FALSE(model->SetCost("", 1.0));
+  EXPECT_FALSE(model->SetCost("Two words", 1.0));
   EXPECT_EQ(errors.Take(), 6);
   EXPECT_EQ(model->GetText(), text);
-  EXPECT_EQ(model->GetCost(5), 0.0);
-  EXPECT_EQ(vtkRadianceCostModel::GetCostName(-1), "");
+  EXPECT_EQ(model->GetCost("unknown"), 0.0);
+  EXPECT_EQ(model->GetCost("unknown", 3.0), 3.0);
+  EXPECT_EQ(model->GetCostName(-1), "");
+  EXPECT_EQ(model->GetCostName(6), "");
 }
 
 //------------------------------------------------------------------------------
@@ -629,7 +637,6 @@ TEST(Planner, IndicesWordsAndPrint)
   for (const int index : { -1, planner->GetNumberOfCandidates(), 1000, -1000 })
   {
     EXPECT_EQ(planner->NewIntegrator(index), nullptr);
-    EXPECT_EQ(planner->GetMethod(index), -1);
     EXPECT_EQ(planner->GetMethodName(index), "");
     EXPECT_EQ(planner->GetDescription(index), "");
     EXPECT_EQ(planner->GetPredictedError(index), 0.0);

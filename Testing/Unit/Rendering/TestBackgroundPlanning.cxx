@@ -216,9 +216,9 @@ TEST_F(Background, EverythingThatCountsBeginsAnother)
     [this]()
     {
       this->Costs = vtkSmartPointer<vtkRadianceCostModel>::New();
-      this->Costs->SetCost(vtkRadianceCostModel::SAMPLE, 1.0);
+      this->Costs->SetCost("sample", 1.0);
     });
-  expectAnother("a cost", [this]() { this->Costs->SetCost(vtkRadianceCostModel::SAMPLE, 2.0); });
+  expectAnother("a cost", [this]() { this->Costs->SetCost("sample", 2.0); });
 }
 
 // A plan of the objects themselves bridges nothing that happens to them.

@@ -4,10 +4,11 @@
  * @class   vtkRadianceCostModel
  * @brief   what a pixel costs by each way to integrate an environment's light
  *
- * Nanoseconds per covered pixel, linear in the counts: BASE for the pixel itself, and on top of it
- * TABLE for a table of radiance, LIGHT per light, SAMPLE per sample, FUNCTION per pre-integrated
- * function. Defaults are Mesa's llvmpipe on 2 cores (docs/methods.md); vtkRadianceCostCalibrator
- * measures a renderer's own.
+ * Nanoseconds per covered pixel, linear in the counts: "base" for the pixel itself, and on top of
+ * it "table" for a table of radiance, "light" per light, "sample" per sample, "function" per
+ * pre-integrated function. Methods of a program's own may have costs under other names
+ * (vtkRadianceIntegrator::GetCostName). Defaults are Mesa's llvmpipe on 2 cores (docs/methods.md);
+ * vtkRadianceCostCalibrator measures a renderer's own.
  */
 
 #ifndef vtkRadianceCostModel_h
@@ -16,7 +17,9 @@
 #include "vtkMeasuredBRDFModule.h" // for export macro
 #include "vtkObject.h"
 
-#include <string> // for Name
+#include <string>  // for names
+#include <utility> // for costs
+#include <vector>  // for costs
 
 class VTKMEASUREDBRDF_EXPORT vtkRadianceCostModel : public vtkObject
 {
@@ -25,29 +28,24 @@ public:
   vtkTypeMacro(vtkRadianceCostModel, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  enum CostType
-  {
-    BASE = 0,
-    TABLE = 1,
-    LIGHT = 2,
-    SAMPLE = 3,
-    FUNCTION = 4,
-    NUMBER_OF_COSTS = 5
-  };
+  ///@{
+  /**
+   * A cost in nanoseconds per covered pixel, in [1e-6, 1e6]. SetCost adds a name that is new: up to
+   * 32 lower case letters, digits and hyphens. It returns false with an error event for any other
+   * name or cost. GetCost gives `unknown` for a name that the model does not have.
+   */
+  bool SetCost(const std::string& name, double nanoseconds);
+  double GetCost(const std::string& name, double unknown = 0.0);
+  ///@}
 
   ///@{
   /**
-   * A cost in nanoseconds per covered pixel, in [1e-6, 1e6]: others are refused with an error event
-   * (SetCost then returns false). GetCost gives 0 for a type that is none.
+   * The names in the model; index in [0, GetNumberOfCosts()), "" for others. The five above come
+   * first and are always there.
    */
-  bool SetCost(int type, double nanoseconds);
-  double GetCost(int type);
+  int GetNumberOfCosts();
+  std::string GetCostName(int index);
   ///@}
-
-  /**
-   * "base", "table", "light", "sample", "function"; "" for a type that is none.
-   */
-  static std::string GetCostName(int type);
 
   ///@{
   /**
@@ -75,7 +73,8 @@ protected:
   vtkRadianceCostModel() = default;
   ~vtkRadianceCostModel() override = default;
 
-  double Costs[NUMBER_OF_COSTS] = { 55.0, 52.0, 20.0, 28.0, 12.0 };
+  std::vector<std::pair<std::string, double>> Costs = { { "base", 55.0 }, { "table", 52.0 },
+    { "light", 20.0 }, { "sample", 28.0 }, { "function", 12.0 } };
   std::string Name = "Mesa llvmpipe, built in";
 
 private:

@@ -1,25 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "LightSetCache.h"
+#include "TextureEnvironment.h"
 
 #include "ContentHash.h"
 #include "PlanCache.h"
 #include "SharedObjects.h"
+#include "TakenError.h"
 
 #include "vtkAlgorithm.h"
-#include "vtkBRDF.h"
-#include "vtkCommand.h"
 #include "vtkEnvironment.h"
 #include "vtkEnvironmentProjection.h"
 #include "vtkImageData.h"
-#include "vtkImportanceLightSetGenerator.h"
-#include "vtkLightSet.h"
-#include "vtkLightSetRadianceIntegrator.h"
-#include "vtkMeasuredBRDFMapper.h"
-#include "vtkMedianCutLightSetGenerator.h"
 #include "vtkNew.h"
 #include "vtkTexture.h"
-#include "vtkVarianceLightSetGenerator.h"
 #include "vtkVersionMacros.h"
 
 #include <algorithm>
@@ -38,38 +31,6 @@ namespace measuredbrdf
 namespace
 {
 constexpr std::size_t MostRefused = 64; // textures that are remembered
-
-// An environment's errors, taken off its hands: the mapper says them.
-class TakenError
-{
-public:
-  explicit TakenError(vtkEnvironment* source)
-    : Source(source)
-    , Tag(source->AddObserver(vtkCommand::ErrorEvent, this, &TakenError::Take))
-  {
-  }
-  ~TakenError() { this->Source->RemoveObserver(this->Tag); }
-  TakenError(const TakenError&) = delete;
-  void operator=(const TakenError&) = delete;
-
-  // Without the place in the source and the function's name.
-  std::string GetText() const
-  {
-    const std::size_t name = this->Text.find("SetImage: ");
-    const std::size_t begin = name == std::string::npos ? 0 : name + 10;
-    return this->Text.substr(begin, this->Text.find_last_not_of(" \n") + 1 - begin);
-  }
-
-private:
-  void Take(vtkObject*, unsigned long, void* text)
-  {
-    this->Text = text ? static_cast<const char*>(text) : "";
-  }
-
-  vtkSmartPointer<vtkEnvironment> Source;
-  unsigned long Tag;
-  std::string Text;
-};
 
 // The image at one of the texture's inputs, brought up to date; null where there is none.
 vtkImageData* UpdateInput(vtkTexture* texture, int port)
@@ -129,23 +90,6 @@ Environments& GetEnvironments()
 {
   static Environments& environments = *new Environments;
   return environments;
-}
-
-using LightSets =
-  SharedObjects<std::tuple<vtkEnvironment*, vtkMTimeType, int, int, unsigned int>, vtkLightSet>;
-LightSets& GetLightSets()
-{
-  static LightSets& lightSets = *new LightSets;
-  return lightSets;
-}
-
-// Lights' modification times do not count: the integrator looks at them.
-using LightLoops =
-  SharedObjects<std::tuple<vtkBRDF*, vtkLightSet*, bool>, vtkLightSetRadianceIntegrator>;
-LightLoops& GetLightLoops()
-{
-  static LightLoops& loops = *new LightLoops;
-  return loops;
 }
 
 // Converting large cube maps takes seconds: the lat-long pixels are kept on disk beside the plans.
@@ -288,50 +232,5 @@ vtkSmartPointer<vtkEnvironment> FindEnvironment(vtkTexture* texture, std::string
   return environment;
 }
 
-vtkSmartPointer<vtkLightSet> FindLightSet(vtkEnvironment* environment, int method, int count,
-  unsigned int seed, vtkVarianceLightSetGenerator* variance)
-{
-  return GetLightSets().Find({ environment, environment->GetPixelsMTime(), method, count, seed },
-    [environment, method, count, seed, variance]() -> vtkSmartPointer<vtkLightSet>
-    {
-      vtkSmartPointer<vtkLightSetGenerator> generator;
-      if (method == vtkMeasuredBRDFMapper::MEDIAN_CUT)
-      {
-        generator = vtkSmartPointer<vtkMedianCutLightSetGenerator>::New();
-      }
-      else if (method == vtkMeasuredBRDFMapper::VARIANCE)
-      {
-        generator = variance;
-      }
-      else
-      {
-        vtkNew<vtkImportanceLightSetGenerator> importance;
-        importance->SetSeed(seed);
-        generator = importance;
-      }
-      auto lights = vtkSmartPointer<vtkLightSet>::New();
-      return generator->Generate(environment, count, lights) ? lights : nullptr;
-    });
-}
-
-vtkSmartPointer<vtkLightSetRadianceIntegrator> FindLightLoop(
-  vtkBRDF* brdf, vtkLightSet* lights, bool softLights)
-{
-  return GetLightLoops().Find({ brdf, lights, softLights },
-    [brdf, lights, softLights]()
-    {
-      auto loop = vtkSmartPointer<vtkLightSetRadianceIntegrator>::New();
-      loop->SetBRDF(brdf);
-      loop->SetLightSet(lights);
-      loop->SetSoftLights(softLights);
-      return loop;
-    });
-}
-
-void SweepLights()
-{
-  GetLightLoops().Sweep(); // which hold light sets
-  GetLightSets().Sweep();
-  GetEnvironments().Sweep();
-}
+void SweepEnvironments() { GetEnvironments().Sweep(); }
 } // namespace measuredbrdf

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TableCandidates.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <map>
+#include <utility>
+
+namespace measuredbrdf
+{
+namespace
+{
+// A table's error falls at best by so many powers of its rows, view angles and azimuths,
+constexpr double ErrorOrders[] = { 3.0, 2.0, 2.0 };
+// and at best by so many times, in powers, what the step before gained in rows or view angles.
+constexpr double RowGainPower = 4.0;
+constexpr double ViewGainPower = 2.0;
+constexpr double ViewGainFactor = 4.0; // so many times, in error, what it gained with fewer rows
+
+constexpr vtkIdType MapBytes = 16 * (256 * 129 + 3 * 64); // irradiance and profile
+}
+
+// What linear interpolation in each size costs in error differs with the material's gloss
+// (docs/methods.md).
+std::vector<std::vector<int>> GetTableCandidates()
+{
+  return { { 17, 8, 8 }, { 33, 8, 8 }, { 33, 12, 16 }, { 33, 24, 16 }, { 65, 8, 8 }, { 65, 12, 16 },
+    { 65, 24, 24 }, { 129, 8, 8 }, { 129, 12, 16 }, { 129, 24, 16 }, { 257, 8, 8 } };
+}
+
+std::vector<std::vector<int>> GetHybridCandidates()
+{
+  return { { 17, 8, 8, 0 }, { 33, 8, 8, 0 }, { 33, 12, 16, 0 }, { 65, 8, 8, 0 }, { 65, 12, 16, 0 },
+    { 129, 8, 8, 0 }, { 129, 12, 16, 0 }, { 257, 8, 8, 0 }, { 65, 12, 16, 8 } };
+}
+
+vtkIdType GetTableBytes(int rows, int viewAngles, int azimuths)
+{
+  return MapBytes + 6 * static_cast<vtkIdType>(2 * (rows - 1)) * rows * viewAngles * (azimuths + 1);
+}
+
+bool CanPruneTable(const std::vector<int>& sizes,
+  const std::vector<vtkRadianceIntegrator::Attempt>& attempts, double tolerance)
+{
+  const int rows = sizes[0];
+  const int views = sizes[1];
+  std::map<int, std::map<int, double>> errors; // by rows and view angles
+  for (const vtkRadianceIntegrator::Attempt& other : attempts)
+  {
+    // One is too far away for what this adds.
+    double gain = 1.0;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const double ratio = static_cast<double>(sizes[k]) / other.Sizes[k];
+      gain = std::max(gain, std::pow(ratio, ErrorOrders[k]));
+    }
+    if (other.Error > tolerance * gain)
+    {
+      return true;
+    }
+    errors[other.Sizes[0]][other.Sizes[1]] = other.Error;
+  }
+  const auto ofRows = errors.find(rows);
+  std::vector<std::pair<int, double>> least; // by fewer rows
+  for (const auto& [count, byViews] : errors)
+  {
+    double best = HUGE_VAL;
+    for (const auto& [angles, error] : byViews)
+    {
+      best = std::min(best, error);
+      const auto same = byViews.find(views);
+      // More view angles alone gained more than is left: more rows do not replace them.
+      if (same != byViews.end() && angles > views && same->second - error > tolerance)
+      {
+        return true;
+      }
+      // What they gained with fewer rows is too little here.
+      if (same != byViews.end() && angles < views && count < rows && ofRows != errors.end())
+      {
+        const auto fewer = ofRows->second.find(angles);
+        if (fewer != ofRows->second.end() &&
+            fewer->second - ViewGainFactor * (error - same->second) > tolerance)
+        {
+          return true;
+        }
+      }
+    }
+    if (count < rows)
+    {
+      least.emplace_back(count, best);
+    }
+  }
+  // More view angles gained too little.
+  if (ofRows != errors.end() && ofRows->second.size() > 1)
+  {
+    const auto last = ofRows->second.rbegin();
+    const double gain = std::min(last->second / std::next(last)->second, 1.0);
+    if (last->first < views && last->second * std::pow(gain, ViewGainPower) > tolerance)
+    {
+      return true;
+    }
+  }
+  // More rows gained too little.
+  if (least.size() < 2)
+  {
+    return false;
+  }
+  const auto& [count, error] = least.back();
+  const double gain = std::min(error / least[least.size() - 2].second, 1.0);
+  return error * std::pow(gain, RowGainPower * std::log2(static_cast<double>(rows) / count)) >
+         tolerance;
+}
+} // namespace measuredbrdf

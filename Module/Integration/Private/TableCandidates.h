@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The sizes of radiance tables that a planner tries, for tables alone and within hybrids. Private
+ * to the module.
+ */
+
+#ifndef TableCandidates_h
+#define TableCandidates_h
+
+#include "vtkRadianceIntegrator.h"
+#include "vtkType.h"
+
+#include <vector>
+
+namespace measuredbrdf
+{
+/// Rows, view angles, azimuths.
+std::vector<std::vector<int>> GetTableCandidates();
+
+/// Rows, view angles, azimuths, samples.
+std::vector<std::vector<int>> GetHybridCandidates();
+
+/// Of a table's textures.
+vtkIdType GetTableBytes(int rows, int viewAngles, int azimuths);
+
+/// vtkRadianceIntegrator::CanPrune for a table with these rows, view angles and azimuths, the first
+/// three sizes of the attempts.
+bool CanPruneTable(const std::vector<int>& sizes,
+  const std::vector<vtkRadianceIntegrator::Attempt>& attempts, double tolerance);
+} // namespace measuredbrdf
+
+#endif

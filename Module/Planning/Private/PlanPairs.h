@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The (normal, view) pairs on which a planner compares its candidates. Private to the module.
+ */
+
+#ifndef PlanPairs_h
+#define PlanPairs_h
+
+#include "vtkDoubleArray.h"
+#include "vtkSmartPointer.h"
+
+#include <vector>
+
+namespace measuredbrdf
+{
+struct PlanPairs
+{
+  vtkSmartPointer<vtkDoubleArray> Normals; // unit vectors
+  vtkSmartPointer<vtkDoubleArray> Views;   // as many unit vectors
+  std::vector<double> Weights;             // of the pairs; none: 1 each
+};
+
+/// So many normals as a sphere shows them to a distant camera, uniform over its disc; but half of
+/// them are drawn near the rim, where radiance is steep, and count less. view: from the object to
+/// the camera; 0, 0, 0: from everywhere.
+PlanPairs DrawSpherePairs(int count, const double view[3]);
+} // namespace measuredbrdf
+
+#endif

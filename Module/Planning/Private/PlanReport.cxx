@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PlanReport.h"
+
+#include <cstddef>
+#include <cstdio>
+
+namespace measuredbrdf
+{
+namespace
+{
+constexpr vtkIdType SmallTexture = 4000000; // bytes; the reason says why a plan takes more
+const char* const Table = "table";          // the method that it is compared with
+
+std::string Percent(double value)
+{
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.2g %%", 100.0 * value);
+  return text;
+}
+
+// What the largest of the small tables that were tried had.
+std::string ExplainMemory(const Plan& plan)
+{
+  const PlanCandidate& chosen = plan.Candidates[static_cast<std::size_t>(plan.Choice)];
+  const PlanCandidate* small = nullptr;
+  for (const PlanCandidate& candidate : plan.Candidates)
+  {
+    const bool fits = candidate.Method == Table && candidate.Bytes <= SmallTexture;
+    small = fits && (!small || candidate.Bytes > small->Bytes) ? &candidate : small;
+  }
+  if (chosen.Bytes <= SmallTexture || !small)
+  {
+    return "";
+  }
+  const std::string needs = chosen.Method == Table
+                              ? "gloss needs " + std::to_string(chosen.Sizes[0]) + " rows"
+                              : "it needs more than a table";
+  return "; " + needs + ": the largest table within 4 MB, " + small->Description + ", has " +
+         Percent(small->Error);
+}
+}
+
+std::string ExplainChoice(const Plan& plan, double tolerance)
+{
+  const std::size_t choice = static_cast<std::size_t>(plan.Choice);
+  std::string reason;
+  if (plan.Meets)
+  {
+    reason = "the first candidate, by cost and size, within " + Percent(tolerance) +
+             (choice > 0 ? ": the one before has " + Percent(plan.Candidates[choice - 1].Error)
+                         : std::string());
+  }
+  else
+  {
+    reason = "nothing that was tried is within " + Percent(tolerance) +
+             "; this is the most accurate for its cost, with " +
+             Percent(plan.Candidates[choice].Error);
+  }
+  return reason + ExplainMemory(plan);
+}
+
+std::string DescribePlan(const Plan& plan)
+{
+  if (plan.Choice < 0)
+  {
+    return "no plan yet";
+  }
+  const PlanCandidate& chosen = plan.Candidates[static_cast<std::size_t>(plan.Choice)];
+  char figures[96];
+  std::snprintf(figures, sizeof(figures),
+    ", error %.2g %%, %.1f MB, set up in %.0f ms: ", 100.0 * chosen.Error,
+    1e-6 * static_cast<double>(chosen.Bytes), chosen.SetUp);
+  return chosen.Method + ", " + chosen.Description + figures + plan.Reason;
+}
+} // namespace measuredbrdf

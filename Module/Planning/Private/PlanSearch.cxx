@@ -1,0 +1,258 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PlanSearch.h"
+
+#include "MaterialPrecomputation.h"
+#include "vtkBRDFShaderInputs.h"
+#include "vtkCommand.h"
+#include "vtkNew.h"
+#include "vtkRadianceMethods.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace measuredbrdf
+{
+namespace
+{
+constexpr double FarAway = 3.0; // times the tolerance: where last resorts are tried
+constexpr double WorthIt = 0.9; // of another's error, to be worth more cost
+
+// The size that a method gives first.
+int GetMain(const PlanCandidate& candidate)
+{
+  return candidate.Sizes.empty() ? 0 : candidate.Sizes.front();
+}
+
+double GetMilliseconds(std::chrono::steady_clock::time_point start)
+{
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+    .count();
+}
+}
+
+AbortForwarder::AbortForwarder(
+  const IsAborted& isAborted, vtkRadianceIntegrator* integrator, std::string& problem)
+  : Aborted(isAborted)
+  , Integrator(integrator)
+  , Problem(problem)
+{
+  this->Tags[0] =
+    integrator->AddObserver(vtkCommand::ProgressEvent, this, &AbortForwarder::OnProgress);
+  this->Tags[1] = integrator->AddObserver(vtkCommand::ErrorEvent, this, &AbortForwarder::OnError);
+}
+
+AbortForwarder::~AbortForwarder()
+{
+  this->Integrator->RemoveObserver(this->Tags[0]);
+  this->Integrator->RemoveObserver(this->Tags[1]);
+}
+
+void AbortForwarder::OnProgress(vtkObject*, unsigned long, void*)
+{
+  if (this->Aborted())
+  {
+    this->Integrator->SetAbort(true);
+  }
+}
+
+void AbortForwarder::OnError(vtkObject*, unsigned long, void* text)
+{
+  this->Problem = text ? static_cast<const char*>(text) : "";
+}
+
+PlanSearch::PlanSearch(
+  const PlanTask& task, const PlanPairs& pairs, vtkDoubleArray* reference, IsAborted isAborted)
+  : Task(task)
+  , Pairs(pairs)
+  , Reference(reference)
+  , Aborted(std::move(isAborted))
+{
+}
+
+bool PlanSearch::Run(const std::vector<PlanCandidate>& candidates)
+{
+  std::vector<PlanCandidate> skipped; // the largest of each method
+  for (std::size_t k = 0; k < candidates.size() && !this->Aborted(); ++k)
+  {
+    const PlanCandidate& candidate = candidates[k];
+    if (this->Found.Meets && !this->Task.All) // others cost more
+    {
+      break;
+    }
+    if (!this->IsWorthTrying(candidate))
+    {
+      continue;
+    }
+    if (!this->Task.All && this->CanPrune(candidate, this->Task.Tolerance))
+    {
+      const auto known = std::find_if(skipped.begin(), skipped.end(),
+        [&candidate](const PlanCandidate& other) { return other.Method == candidate.Method; });
+      if (known == skipped.end())
+      {
+        skipped.push_back(candidate);
+      }
+      else if (GetMain(candidate) >= GetMain(*known))
+      {
+        *known = candidate;
+      }
+    }
+    else if (!this->Try(candidate))
+    {
+      return false;
+    }
+    if (this->Progress)
+    {
+      this->Progress((static_cast<double>(k) + 1.0) / static_cast<double>(candidates.size()));
+    }
+  }
+  return this->TrySkipped(skipped) && !this->Aborted();
+}
+
+bool PlanSearch::IsWorthTrying(const PlanCandidate& candidate) const
+{
+  return this->Task.All || this->Found.Choice < 0 || !candidate.Integrator->IsLastResort() ||
+         this->Found.Candidates[static_cast<std::size_t>(this->Found.Choice)].Error >=
+           FarAway * this->Task.Tolerance;
+}
+
+bool PlanSearch::CanPrune(const PlanCandidate& candidate, double error) const
+{
+  std::vector<vtkRadianceIntegrator::Attempt> attempts;
+  for (const PlanCandidate& tried : this->Found.Candidates)
+  {
+    if (tried.Method == candidate.Method)
+    {
+      attempts.push_back({ tried.Sizes, tried.Error });
+    }
+  }
+  return candidate.Integrator->CanPrune(attempts, error);
+}
+
+// In the order of the methods.
+bool PlanSearch::TrySkipped(const std::vector<PlanCandidate>& skipped)
+{
+  for (const vtkSmartPointer<vtkRadianceIntegrator>& method : vtkRadianceMethods::GetMethods())
+  {
+    for (const PlanCandidate& candidate : skipped)
+    {
+      if (candidate.Method != method->GetMethodName() || this->Found.Meets || this->Aborted() ||
+          this->Found.Choice < 0)
+      {
+        continue;
+      }
+      const PlanCandidate& best =
+        this->Found.Candidates[static_cast<std::size_t>(this->Found.Choice)];
+      const bool isLarger = candidate.Method != best.Method || GetMain(candidate) > GetMain(best);
+      if (isLarger && !this->CanPrune(candidate, WorthIt * best.Error) && !this->Try(candidate))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+bool PlanSearch::Try(PlanCandidate candidate)
+{
+  if (this->Prepare(candidate))
+  {
+    this->Take(candidate);
+    return true;
+  }
+  if (this->Aborted() || vtkRadianceMethods::IsBuiltIn(candidate.Method))
+  {
+    return false;
+  }
+  this->Warnings += (this->Warnings.empty() ? "" : "\n") + candidate.Method + ", " +
+                    candidate.Description + ": " + this->Problem;
+  this->Problem.clear();
+  return true;
+}
+
+// And see how far it is from the reference.
+bool PlanSearch::Prepare(PlanCandidate& candidate)
+{
+  const auto start = std::chrono::steady_clock::now();
+  const AbortForwarder supervision(this->Aborted, candidate.Integrator, this->Problem);
+  candidate.Integrator->SetPrecomputation(this->Task.Shared);
+  const bool prepared = candidate.Integrator->Prepare();
+  candidate.Integrator->SetPrecomputation(nullptr); // it may go to another thread
+  if (!prepared)
+  {
+    return false;
+  }
+  candidate.SetUp = GetMilliseconds(start);
+  if (candidate.Integrator->UsesBRDFOnGPU())
+  {
+    vtkBRDFShaderInputs form;
+    form.SoftLights = candidate.Integrator->UsesSoftLights();
+    this->Task.BRDF->GetShaderInputs(form);
+    candidate.Bytes += static_cast<vtkIdType>(form.GetTextureBytes());
+  }
+  vtkNew<vtkDoubleArray> radiance;
+  if (!candidate.Integrator->Integrate(this->Pairs.Normals, this->Pairs.Views, radiance))
+  {
+    return false;
+  }
+  candidate.Error = this->Compare(radiance);
+  return true;
+}
+
+// Relative L1, and one standard error on top: highlights are rare and decide.
+double PlanSearch::Compare(vtkDoubleArray* radiance) const
+{
+  double sum = 0.0;
+  double differences = 0.0;
+  double squares = 0.0;
+  const vtkIdType pairs = radiance->GetNumberOfTuples();
+  for (vtkIdType k = 0; k < pairs; ++k)
+  {
+    const double weight =
+      this->Pairs.Weights.empty() ? 1.0 : this->Pairs.Weights[static_cast<std::size_t>(k)];
+    double difference = 0.0;
+    for (int c = 0; c < 3; ++c)
+    {
+      difference +=
+        weight * std::abs(radiance->GetComponent(k, c) - this->Reference->GetComponent(k, c));
+      sum += weight * this->Reference->GetComponent(k, c);
+    }
+    differences += difference;
+    squares += difference * difference;
+  }
+  const double variance =
+    std::max(squares - differences * differences / static_cast<double>(pairs), 0.0);
+  return sum > 0.0 ? (differences + std::sqrt(variance)) / sum : 0.0;
+}
+
+// The first within the tolerance; else the most accurate, where that is worth its cost.
+void PlanSearch::Take(const PlanCandidate& candidate)
+{
+  Plan& plan = this->Found;
+  plan.Candidates.push_back(candidate);
+  const int last = static_cast<int>(plan.Candidates.size()) - 1;
+  const double enough = plan.Meets ? 0.0
+                        : plan.Choice < 0
+                          ? HUGE_VAL
+                          : WorthIt * plan.Candidates[static_cast<std::size_t>(plan.Choice)].Error;
+  if (!plan.Meets && candidate.Error <= this->Task.Tolerance)
+  {
+    plan.Meets = true;
+    plan.Choice = last;
+  }
+  else if (candidate.Error < enough)
+  {
+    plan.Choice = last;
+  }
+  for (int other = 0; other <= last; ++other)
+  {
+    if (other != plan.Choice)
+    {
+      plan.Candidates[static_cast<std::size_t>(other)].Integrator = nullptr;
+    }
+  }
+}
+} // namespace measuredbrdf

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The search for the cheapest candidate within a tolerance. Private to the module.
+ */
+
+#ifndef PlanSearch_h
+#define PlanSearch_h
+
+#include "PlanCandidate.h"
+#include "PlanPairs.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace measuredbrdf
+{
+/// What a planner has found.
+struct Plan
+{
+  std::vector<PlanCandidate> Candidates; // that were tried, in this order
+  int Choice = -1;
+  bool Meets = false; // the tolerance
+  std::string Reason;
+};
+
+/// Asked now and then by the thread that plans; true stops the work.
+using IsAborted = std::function<bool()>;
+
+class PlanSearch
+{
+public:
+  /// task, pairs and reference (the radiance of each pair) stay the caller's.
+  PlanSearch(
+    const PlanTask& task, const PlanPairs& pairs, vtkDoubleArray* reference, IsAborted isAborted);
+
+  /// Called with the share of the candidates that are done.
+  std::function<void(double)> Progress;
+
+  /// Try candidates in their order until one is within the tolerance, but for those that the others
+  /// show not to help. The largest of these are tried in the end where nothing is. Returns false
+  /// where it was aborted, or a candidate of the module failed.
+  bool Run(const std::vector<PlanCandidate>& candidates);
+
+  /// Without a reason.
+  const Plan& GetPlan() const { return this->Found; }
+
+  /// Why Run returned false, or "".
+  const std::string& GetProblem() const { return this->Problem; }
+
+  /// What methods of the program's own could not be prepared, one line each; they are left out.
+  const std::string& GetWarnings() const { return this->Warnings; }
+
+private:
+  bool IsWorthTrying(const PlanCandidate& candidate) const;
+  bool CanPrune(const PlanCandidate& candidate, double error) const;
+  bool Try(PlanCandidate candidate);
+  bool Prepare(PlanCandidate& candidate);
+  double Compare(vtkDoubleArray* radiance) const;
+  void Take(const PlanCandidate& candidate);
+  bool TrySkipped(const std::vector<PlanCandidate>& skipped);
+
+  const PlanTask& Task;
+  const PlanPairs& Pairs;
+  vtkDoubleArray* Reference;
+  IsAborted Aborted;
+  Plan Found;
+  std::string Problem;
+  std::string Warnings;
+};
+
+/// Hands an abort on to an integrator at work, whose errors it keeps.
+class AbortForwarder
+{
+public:
+  AbortForwarder(
+    const IsAborted& isAborted, vtkRadianceIntegrator* integrator, std::string& problem);
+  ~AbortForwarder();
+  AbortForwarder(const AbortForwarder&) = delete;
+  void operator=(const AbortForwarder&) = delete;
+
+private:
+  void OnProgress(vtkObject*, unsigned long, void*);
+  void OnError(vtkObject*, unsigned long, void* text);
+
+  const IsAborted& Aborted;
+  vtkSmartPointer<vtkRadianceIntegrator> Integrator;
+  std::string& Problem;
+  unsigned long Tags[2];
+};
+} // namespace measuredbrdf
+
+#endif

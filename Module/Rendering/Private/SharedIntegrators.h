@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The integrators that mappers draw with where a program has set one. Private to the rendering
+ * room.
+ */
+
+#ifndef SharedIntegrators_h
+#define SharedIntegrators_h
+
+#include "vtkSmartPointer.h"
+
+class vtkBRDF;
+class vtkEnvironment;
+class vtkRadianceIntegrator;
+
+namespace measuredbrdf
+{
+/// The program's integrator itself, where it has this material and environment; else a copy that
+/// has them, shared by all mappers that ask for the same. The program's object is never changed.
+vtkSmartPointer<vtkRadianceIntegrator> FindIntegrator(
+  vtkRadianceIntegrator* wanted, vtkBRDF* brdf, vtkEnvironment* environment);
+
+/// A small light set, for as long as there is no plan.
+vtkSmartPointer<vtkRadianceIntegrator> FindStandIn(vtkBRDF* brdf, vtkEnvironment* environment);
+
+/// Release the copies that no mapper holds any more.
+void SweepIntegrators();
+} // namespace measuredbrdf
+
+#endif

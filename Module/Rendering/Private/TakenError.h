@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * An object's errors, taken off its hands: the mapper says them. Private to the rendering room.
+ */
+
+#ifndef TakenError_h
+#define TakenError_h
+
+#include "vtkCommand.h"
+#include "vtkObject.h"
+#include "vtkSmartPointer.h"
+
+#include <cstddef>
+#include <string>
+
+namespace measuredbrdf
+{
+class TakenError
+{
+public:
+  explicit TakenError(vtkObject* source)
+    : Source(source)
+    , Tag(source->AddObserver(vtkCommand::ErrorEvent, this, &TakenError::Take))
+  {
+  }
+  ~TakenError() { this->Source->RemoveObserver(this->Tag); }
+  TakenError(const TakenError&) = delete;
+  void operator=(const TakenError&) = delete;
+
+  /// The last one, without the place in the source and the function's name; "" if there was none.
+  std::string GetText() const
+  {
+    // "ERROR: In FILE, line N\nCLASS (ADDRESS): FUNCTION: TEXT"
+    std::size_t begin = 0;
+    for (const char* end : { "): ", ": " })
+    {
+      const std::size_t found = this->Text.find(end, begin);
+      begin = found == std::string::npos ? begin : found + std::string(end).size();
+    }
+    const std::size_t last = this->Text.find_last_not_of(" \n.");
+    return last == std::string::npos || last < begin ? ""
+                                                     : this->Text.substr(begin, last + 1 - begin);
+  }
+
+private:
+  void Take(vtkObject*, unsigned long, void* text)
+  {
+    this->Text = text ? static_cast<const char*>(text) : "";
+  }
+
+  vtkSmartPointer<vtkObject> Source;
+  unsigned long Tag;
+  std::string Text;
+};
+} // namespace measuredbrdf
+
+#endif

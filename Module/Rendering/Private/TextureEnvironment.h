@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Environments of textures, made once and shared by all mappers that hold them. Private to the
+ * rendering room.
+ */
+
+#ifndef TextureEnvironment_h
+#define TextureEnvironment_h
+
+#include "vtkSmartPointer.h"
+
+#include <string>
+
+class vtkEnvironment;
+class vtkTexture;
+
+namespace measuredbrdf
+{
+/// The texture's lat-long image or six cube faces as an environment; null where it has none (no
+/// input, faces that are missing, not square or of different sizes), and why. What was refused once
+/// is not tried again until it changes.
+vtkSmartPointer<vtkEnvironment> FindEnvironment(vtkTexture* texture, std::string& problem);
+
+/// Release what no mapper holds any more.
+void SweepEnvironments();
+} // namespace measuredbrdf
+
+#endif
