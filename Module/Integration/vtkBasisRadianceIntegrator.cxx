@@ -4,8 +4,10 @@
 
 #include "AzimuthalBasis.h"
 #include "CosinePowerWarp.h"
+#include "LightSplatter.h"
 #include "LocalFrame.h"
 #include "ModuleShader.h"
+#include "RadialFunctions.h"
 #include "Setters.h"
 #include "vtkBRDF.h"
 #include "vtkBRDFEnvironmentBasis.h"
@@ -36,214 +38,7 @@ vtkStandardNewMacro(vtkBasisRadianceIntegrator);
 
 namespace
 {
-constexpr int IncidentNodes = 128; // of V in the maps' sums
-constexpr int ViewNodes = 256;     // of U in the texture
 constexpr int ViewColumns = ViewNodes + 2;
-
-// One radial function: its order, V cos(theta_i) at the incident nodes, U at the view nodes. Orders
-// above 0 count twice, for cosine and sine.
-struct Radial
-{
-  int Order;
-  Eigen::VectorXf Incident;
-  std::vector<glm::dvec3> Cosine;
-  std::vector<glm::dvec3> Sine; // or empty
-};
-
-std::vector<glm::dvec3> Upsample(const Eigen::MatrixXd& views, int order, double scale)
-{
-  std::vector<glm::dvec3> result;
-  const int n = static_cast<int>(views.rows());
-  for (int k = 0; n > 0 && k < ViewNodes; ++k)
-  {
-    glm::dvec3 rgb;
-    for (int c = 0; c < 3; ++c)
-    {
-      rgb[c] = scale * InterpolateWarped(views.col(c).data(), n, order, (k + 0.5) / ViewNodes);
-    }
-    result.push_back(rgb);
-  }
-  return result;
-}
-
-Radial ToRadial(const AzimuthalBasis::Term& term)
-{
-  const double scale = term.Order > 0 ? 2.0 : 1.0;
-  Radial radial{ term.Order, Eigen::VectorXf(IncidentNodes),
-    Upsample(term.Cosine, term.Order, scale), Upsample(term.Sine, term.Order, scale) };
-  const int n = AzimuthalBasis::NumberOfNodes;
-  Eigen::VectorXd weighted = term.Incident;
-  for (int k = 0; k < n; ++k)
-  {
-    weighted[k] *= WarpToCosine((k + 0.5) / n, 0.0);
-  }
-  for (int k = 0; k < IncidentNodes; ++k)
-  {
-    radial.Incident[k] = static_cast<float>(
-      InterpolateWarped(weighted.data(), n, term.Order, (k + 0.5) / IncidentNodes));
-  }
-  return radial;
-}
-
-// The coefficients of function k at a polar angle of the view, divided by the cosine they carry.
-glm::dvec3 GetCoefficient(vtkBasisBRDF* brdf, int k, double cosine)
-{
-  const double* zone = brdf->GetOutgoingZone();
-  const int n = brdf->GetNumberOfTheta();
-  const double theta = std::acos(cosine) * (180.0 / Pi);
-  const double x = std::clamp((theta - zone[0]) / (zone[1] - zone[0]), 0.0, 1.0) * (n - 1);
-  const int first = std::min(static_cast<int>(x), n - 2);
-  const float* rgb = &brdf->GetCoefficients()[3 * static_cast<std::size_t>(k * n + first)];
-  glm::dvec3 result;
-  for (int c = 0; c < 3; ++c)
-  {
-    result[c] = rgb[c] + (x - first) * (rgb[3 + c] - rgb[c]);
-  }
-  if (brdf->GetOutgoingCosine())
-  {
-    const double near = std::cos(zone[0] * Pi / 180.0);
-    const double far = std::cos(zone[1] * Pi / 180.0);
-    result /= std::max(std::clamp(cosine, far, near), 0.01); // as vtkBasisBRDF
-  }
-  return result;
-}
-
-std::vector<Radial> GetOwnBasis(vtkBasisBRDF* brdf)
-{
-  const bool zonal =
-    brdf->GetBasis() == vtkBasisBRDF::ZONAL || brdf->GetBasis() == vtkBasisBRDF::LEGENDRE_FOURIER;
-  const double near = zonal ? std::cos(brdf->GetIncidentZone()[0] * Pi / 180.0) : 1.0;
-  const double far = zonal ? std::cos(brdf->GetIncidentZone()[1] * Pi / 180.0) : 0.0;
-  std::vector<std::vector<double>> values; // of all functions, per incident node, azimuth 0
-  for (int q = 0; q < IncidentNodes; ++q)
-  {
-    const double cosine = WarpToCosine((q + 0.5) / IncidentNodes, 0.0);
-    const double inside = std::clamp(cosine, far, near);
-    const double i[3] = { std::sqrt(1.0 - inside * inside), 0.0, inside };
-    values.push_back(
-      vtkBasisBRDF::EvaluateBasis(brdf->GetBasis(), brdf->GetOrder(), brdf->GetIncidentZone(), i));
-    const double scale = brdf->GetIncidentCosine() ? cosine / std::max(inside, 0.01) : cosine;
-    for (double& value : values.back())
-    {
-      value *= scale;
-    }
-  }
-  std::vector<Radial> radials;
-  for (int m = 0; m <= brdf->GetOrder(); ++m)
-  {
-    for (int l = m; l <= brdf->GetOrder(); ++l)
-    {
-      Radial radial{ m, Eigen::VectorXf(IncidentNodes), {}, {} };
-      const int cosine = l * (l + 1) + m;
-      for (int q = 0; q < IncidentNodes; ++q)
-      {
-        radial.Incident[q] =
-          static_cast<float>(values[static_cast<std::size_t>(q)][static_cast<std::size_t>(cosine)]);
-      }
-      for (int k = 0; k < ViewNodes; ++k)
-      {
-        const double c = WarpToCosine((k + 0.5) / ViewNodes, MinimumViewCosine);
-        radial.Cosine.push_back(GetCoefficient(brdf, cosine, c));
-        if (m > 0)
-        {
-          radial.Sine.push_back(GetCoefficient(brdf, cosine - 2 * m, c));
-        }
-      }
-      radials.push_back(std::move(radial));
-    }
-  }
-  return radials;
-}
-
-// alpha / pi of CosinePowerWarp.h for cosines down to the horizon, absolute error 2e-8 (acos by
-// Abramowitz and Stegun 1964, 4.4.46): atan2 would cost more than everything else about a light.
-double FastHalfAngle(double cosine)
-{
-  const double x = std::sqrt(std::min(cosine, 1.0));
-  return (2.0 / Pi) * std::sqrt(1.0 - x) *
-         (1.5707963050 +
-           x * (-0.2145988016 +
-                 x * (0.0889789874 +
-                       x * (-0.0501743046 +
-                             x * (0.0308918810 +
-                                   x * (-0.0170881256 + x * (0.0066700901 - x * 0.0012624911)))))));
-}
-
-struct Light
-{
-  glm::dvec3 Direction;
-  glm::dvec3 Irradiance;
-};
-
-// What lights add to one normal: per order 6 rows (cosine RGB, sine RGB) over the incident nodes
-// with a mirrored one before and a repeated one after.
-class Splatter
-{
-public:
-  explicit Splatter(int orders)
-    : Values(6 * orders)
-    , Sums(6 * orders, IncidentNodes + 2)
-    , Orders(orders)
-  {
-  }
-
-  void Gather(const std::vector<Light>& lights, const Frame& frame)
-  {
-    this->Sums.setZero();
-    for (const Light& light : lights)
-    {
-      const double z = glm::dot(frame[2], light.Direction);
-      if (z > 0.0)
-      {
-        this->Add(glm::dot(frame[0], light.Direction), glm::dot(frame[1], light.Direction), z,
-          light.Irradiance);
-      }
-    }
-  }
-
-  // E of a radial function: cosine RGB, sine RGB.
-  Eigen::Matrix<float, 6, 1> Contract(const Radial& radial) const
-  {
-    const auto rows = this->Sums.middleRows<6>(6 * radial.Order);
-    const float sign = radial.Order % 2 == 0 ? 1.0f : -1.0f;
-    return rows.middleCols(1, IncidentNodes) * radial.Incident +
-           rows.col(0) * (sign * radial.Incident[0]) +
-           rows.col(IncidentNodes + 1) * radial.Incident[IncidentNodes - 1];
-  }
-
-private:
-  void Add(double x, double y, double z, const glm::dvec3& irradiance)
-  {
-    const double l = std::sqrt(x * x + y * y);
-    const float c = l > 1e-12 ? static_cast<float>(x / l) : 1.0f;
-    const float s = l > 1e-12 ? static_cast<float>(y / l) : 0.0f;
-    float cm = 1.0f;
-    float sm = 0.0f;
-    const float rgb[3] = { static_cast<float>(irradiance.x), static_cast<float>(irradiance.y),
-      static_cast<float>(irradiance.z) };
-    for (int m = 0; m < this->Orders; ++m)
-    {
-      float* values = this->Values.data() + 6 * m;
-      for (int k = 0; k < 3; ++k)
-      {
-        values[k] = cm * rgb[k];
-        values[3 + k] = sm * rgb[k];
-      }
-      const float next = cm * c - sm * s;
-      sm = cm * s + sm * c;
-      cm = next;
-    }
-    const double position = FastHalfAngle(z) * IncidentNodes + 0.5;
-    const int first = std::min(static_cast<int>(position), IncidentNodes);
-    const float weight = static_cast<float>(position - first);
-    this->Sums.col(first) += (1.0f - weight) * this->Values;
-    this->Sums.col(first + 1) += weight * this->Values;
-  }
-
-  Eigen::VectorXf Values;
-  Eigen::MatrixXf Sums;
-  int Orders;
-};
 
 // The normal at a texel of a chart (false beyond the part that look-ups reach) and its frame, which
 // goes on smoothly past the rim.
@@ -420,16 +215,16 @@ bool vtkBasisRadianceIntegrator::MakeMaps(Tables& tables)
   {
     return false;
   }
-  std::vector<Light> lights(static_cast<std::size_t>(set->GetNumberOfLights()));
+  std::vector<MapLight> lights(static_cast<std::size_t>(set->GetNumberOfLights()));
   for (int k = 0; k < set->GetNumberOfLights(); ++k)
   {
-    Light& light = lights[static_cast<std::size_t>(k)];
+    MapLight& light = lights[static_cast<std::size_t>(k)];
     set->GetDirection(k, &light.Direction.x);
     set->GetIrradiance(k, &light.Irradiance.x);
   }
   const auto makeRow = [&](int y)
   {
-    Splatter splatter(tables.Radials.back().Order + 1);
+    LightSplatter splatter(tables.Radials.back().Order + 1);
     for (int column = 0; column < 2 * side; ++column)
     {
       Frame frame;

@@ -47,7 +47,6 @@
 
 namespace measuredbrdf
 {
-class EnvironmentHarmonics;
 struct TexelChanges;
 }
 
@@ -142,8 +141,7 @@ private:
   void operator=(const vtkTableRadianceIntegrator&) = delete;
 
   struct Tables;
-  static std::shared_ptr<const std::vector<float>> MakeIrradiance(
-    const measuredbrdf::EnvironmentHarmonics& environment);
+  bool MakeTable(Tables& table);
 
   std::shared_ptr<const measuredbrdf::TexelChanges> Rest;
   std::unique_ptr<Tables> Data;

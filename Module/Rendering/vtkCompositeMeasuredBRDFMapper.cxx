@@ -343,7 +343,10 @@ void vtkCompositeMeasuredBRDFMapper::RemoveBlockBRDFs()
 }
 
 //------------------------------------------------------------------------------
-std::string vtkCompositeMeasuredBRDFMapper::GetPlan() { return this->Impl->Drawing->GetPlan(); }
+std::string vtkCompositeMeasuredBRDFMapper::GetPlan()
+{
+  return DescribePlans(this->Impl->Drawing->GetLastFrame());
+}
 
 //------------------------------------------------------------------------------
 bool vtkCompositeMeasuredBRDFMapper::GetPlanPending()
@@ -378,7 +381,7 @@ double vtkCompositeMeasuredBRDFMapper::FitProperty(vtkProperty* property)
 //------------------------------------------------------------------------------
 vtkIdType vtkCompositeMeasuredBRDFMapper::GetTextureBytes()
 {
-  return this->Impl->Drawing->GetTextureBytes();
+  return CountTextureBytes(this->Impl->Drawing->GetLastFrame());
 }
 
 //------------------------------------------------------------------------------

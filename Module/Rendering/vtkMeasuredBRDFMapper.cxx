@@ -46,7 +46,10 @@ std::vector<MaterialUse> vtkMeasuredBRDFMapper::GetMaterialUses()
 MEASUREDBRDF_MAPPER_PROPERTIES(vtkMeasuredBRDFMapper, this->Drawing->GetSettings())
 
 //------------------------------------------------------------------------------
-std::string vtkMeasuredBRDFMapper::GetPlan() { return this->Drawing->GetPlan(); }
+std::string vtkMeasuredBRDFMapper::GetPlan()
+{
+  return DescribePlans(this->Drawing->GetLastFrame());
+}
 
 //------------------------------------------------------------------------------
 bool vtkMeasuredBRDFMapper::GetPlanPending() { return this->Drawing->GetPlans().IsPending(); }
@@ -61,18 +64,21 @@ double vtkMeasuredBRDFMapper::FitProperty(vtkProperty* property)
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkMeasuredBRDFMapper::GetTextureBytes() { return this->Drawing->GetTextureBytes(); }
+vtkIdType vtkMeasuredBRDFMapper::GetTextureBytes()
+{
+  return CountTextureBytes(this->Drawing->GetLastFrame());
+}
 
 //------------------------------------------------------------------------------
 vtkRadianceIntegrator* vtkMeasuredBRDFMapper::GetCurrentIntegrator()
 {
-  return this->Drawing->GetIntegrator();
+  return FindIntegrator(this->Drawing->GetLastFrame());
 }
 
 //------------------------------------------------------------------------------
 vtkRadiancePlanner* vtkMeasuredBRDFMapper::GetCurrentPlanner()
 {
-  return this->Drawing->GetPlanner();
+  return FindPlanner(this->Drawing->GetLastFrame());
 }
 
 //------------------------------------------------------------------------------
@@ -92,21 +98,21 @@ bool vtkMeasuredBRDFMapper::GetAbortPlanning() { return this->Drawing->GetAbortP
 //------------------------------------------------------------------------------
 std::string vtkMeasuredBRDFMapper::GetMaterialDescription()
 {
-  const vtkBRDFShaderInputs* form = this->Drawing->GetMaterialForm();
+  const vtkBRDFShaderInputs* form = FindMaterialForm(this->Drawing->GetLastFrame());
   return form ? form->Description : "";
 }
 
 //------------------------------------------------------------------------------
 double vtkMeasuredBRDFMapper::GetResamplingError()
 {
-  const vtkBRDFShaderInputs* form = this->Drawing->GetMaterialForm();
+  const vtkBRDFShaderInputs* form = FindMaterialForm(this->Drawing->GetLastFrame());
   return form ? form->ResamplingError : 0.0;
 }
 
 //------------------------------------------------------------------------------
 double vtkMeasuredBRDFMapper::GetQuantizationError()
 {
-  const vtkBRDFShaderInputs* form = this->Drawing->GetMaterialForm();
+  const vtkBRDFShaderInputs* form = FindMaterialForm(this->Drawing->GetLastFrame());
   return form ? form->QuantizationError : 0.0;
 }
 

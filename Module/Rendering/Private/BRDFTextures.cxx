@@ -9,6 +9,7 @@
 #include "vtkRadianceIntegrator.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
+#include "vtkTextureUnitManager.h"
 
 #include <algorithm>
 #include <exception>
@@ -24,6 +25,10 @@ namespace
 constexpr unsigned int R16F = 0x822D;
 constexpr unsigned int RGB16F = 0x881B;
 constexpr unsigned int RGBA16F = 0x881A;
+
+// Units that VTK's mapper may still take once ours are bound: colors, normals and edges of cells,
+// and the texture of mapped scalars.
+constexpr int UnitsOfTheMapper = 4;
 
 std::string Instance(std::size_t term) { return std::to_string(term); }
 
@@ -258,4 +263,20 @@ void FormTextures::SetUniforms(vtkShaderProgram* program) const
   }
 }
 
+std::string CheckTextureUnits(std::size_t needed, vtkOpenGLRenderWindow* window)
+{
+  vtkTextureUnitManager* manager = window->GetTextureUnitManager();
+  const int units = manager->GetNumberOfTextureUnits();
+  int taken = UnitsOfTheMapper;
+  for (int unit = 0; unit < units; ++unit)
+  {
+    taken += manager->IsAllocated(unit) ? 1 : 0;
+  }
+  if (static_cast<int>(needed) <= units - taken)
+  {
+    return "";
+  }
+  return "it needs " + std::to_string(needed) + " textures at once, and of this graphics card's " +
+         std::to_string(units) + " texture units VTK itself may need " + std::to_string(taken);
+}
 } // namespace measuredbrdf

@@ -80,6 +80,9 @@ private:
   std::string Failure;
   vtkOpenGLRenderWindow* Window = nullptr;
 };
+/// Why so many textures cannot be bound at once in this window, beside those that VTK may need; ""
+/// if they can.
+std::string CheckTextureUnits(std::size_t needed, vtkOpenGLRenderWindow* window);
 } // namespace measuredbrdf
 
 #endif

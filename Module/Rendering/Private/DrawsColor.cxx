@@ -12,6 +12,7 @@
 #include "vtkOpenGLRenderPass.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkOpenGLState.h"
+#include "vtkProperty.h"
 #include "vtkRenderPassCollection.h"
 #include "vtkRenderStepsPass.h"
 #include "vtkSSAAPass.h"
@@ -116,5 +117,11 @@ bool DrawsColor(vtkRenderer* renderer, vtkActor* actor)
     return mask[0] || mask[1] || mask[2];
   }
   return true;
+}
+
+bool IsShaded(vtkActor* actor)
+{
+  return actor->GetProperty()->GetLighting() &&
+         actor->GetProperty()->GetRepresentation() == VTK_SURFACE;
 }
 } // namespace measuredbrdf

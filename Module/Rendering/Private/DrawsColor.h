@@ -19,6 +19,9 @@ namespace measuredbrdf
 /// vtkLightingMapPass). Neither plans nor textures are of use there, and the camera may be another
 /// one.
 bool DrawsColor(vtkRenderer* renderer, vtkActor* actor);
+
+/// Whether an actor is one that materials shade: a lit surface. Else the superclass draws it.
+bool IsShaded(vtkActor* actor);
 } // namespace measuredbrdf
 
 #endif

@@ -21,7 +21,6 @@
 #include "vtkRadiancePlanner.h"
 #include "vtkRenderer.h"
 #include "vtkTexture.h"
-#include "vtkTextureUnitManager.h"
 
 #include <algorithm>
 #include <exception>
@@ -30,13 +29,6 @@ namespace measuredbrdf
 {
 namespace
 {
-// Else the superclass draws it.
-bool IsShaded(vtkActor* actor)
-{
-  return actor->GetProperty()->GetLighting() &&
-         actor->GetProperty()->GetRepresentation() == VTK_SURFACE;
-}
-
 bool HasLight(vtkRenderer* renderer)
 {
   vtkLightCollection* lights = renderer->GetLights();
@@ -52,26 +44,6 @@ bool HasLight(vtkRenderer* renderer)
   return false;
 }
 
-// Units that VTK's mapper may still take once ours are bound: colors, normals and edges of cells,
-// and the texture of mapped scalars.
-constexpr int UnitsOfTheMapper = 4;
-
-std::string CheckUnits(std::size_t needed, vtkOpenGLRenderWindow* window)
-{
-  vtkTextureUnitManager* manager = window->GetTextureUnitManager();
-  const int units = manager->GetNumberOfTextureUnits();
-  int taken = UnitsOfTheMapper;
-  for (int unit = 0; unit < units; ++unit)
-  {
-    taken += manager->IsAllocated(unit) ? 1 : 0;
-  }
-  if (static_cast<int>(needed) <= units - taken)
-  {
-    return "";
-  }
-  return "it needs " + std::to_string(needed) + " textures at once, and of this graphics card's " +
-         std::to_string(units) + " texture units VTK itself may need " + std::to_string(taken);
-}
 }
 
 MaterialDrawing::MaterialDrawing(vtkObject* owner, std::shared_ptr<MaterialSettings> settings,
@@ -305,7 +277,7 @@ std::string MaterialDrawing::UploadForms(DrawnMaterial& drawn, vtkRenderer* rend
     }
     samplers += drawn.Material->GetNumberOfSamplers();
   }
-  return CheckUnits(samplers, window);
+  return CheckTextureUnits(samplers, window);
 }
 
 DrawnMaterial MaterialDrawing::Resolve(const MaterialUse& use, const FrameState& state)
@@ -472,70 +444,6 @@ void MaterialDrawing::Forget(const void* part)
     std::remove_if(this->Frames.begin(), this->Frames.end(),
       [part](const std::unique_ptr<ViewFrame>& frame) { return frame->Part == part; }),
     this->Frames.end());
-}
-
-std::string MaterialDrawing::GetPlan() const
-{
-  std::string text;
-  std::set<vtkRadiancePlanner*> said;
-  for (const DrawnMaterial* drawn : this->GetLastFrame())
-  {
-    if (drawn->Plan && said.insert(drawn->Plan).second)
-    {
-      text += (text.empty() ? "" : "\n") + drawn->Plan->GetPlan();
-    }
-  }
-  return text;
-}
-
-vtkIdType MaterialDrawing::GetTextureBytes() const
-{
-  std::set<const FormTextures*> counted;
-  std::size_t bytes = 0;
-  for (const DrawnMaterial* drawn : this->GetLastFrame())
-  {
-    for (const std::shared_ptr<FormTextures>& textures : { drawn->Material, drawn->Radiance })
-    {
-      bytes += textures && counted.insert(textures.get()).second ? textures->GetBytes() : 0;
-    }
-  }
-  return static_cast<vtkIdType>(bytes);
-}
-
-const vtkBRDFShaderInputs* MaterialDrawing::GetMaterialForm() const
-{
-  for (const DrawnMaterial* drawn : this->GetLastFrame())
-  {
-    if (drawn->Material)
-    {
-      return &drawn->Material->GetForm();
-    }
-  }
-  return nullptr;
-}
-
-vtkRadiancePlanner* MaterialDrawing::GetPlanner() const
-{
-  for (const DrawnMaterial* drawn : this->GetLastFrame())
-  {
-    if (drawn->Plan)
-    {
-      return drawn->Plan;
-    }
-  }
-  return nullptr;
-}
-
-vtkRadianceIntegrator* MaterialDrawing::GetIntegrator() const
-{
-  for (const DrawnMaterial* drawn : this->GetLastFrame())
-  {
-    if (drawn->Integrator)
-    {
-      return drawn->Integrator;
-    }
-  }
-  return nullptr;
 }
 
 vtkIdType MaterialDrawing::GetVisiblePairs(

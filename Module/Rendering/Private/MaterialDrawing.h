@@ -10,7 +10,7 @@
 #ifndef MaterialDrawing_h
 #define MaterialDrawing_h
 
-#include "BRDFTextures.h"
+#include "DrawnMaterial.h"
 #include "MapperPlans.h"
 #include "MaterialSettings.h"
 #include "vtkSmartPointer.h"
@@ -40,20 +40,6 @@ struct MaterialUse
 {
   vtkBRDF* BRDF = nullptr;
   std::vector<vtkPolyData*> Surfaces;
-};
-
-/// What a material is drawn with in one renderer.
-struct DrawnMaterial
-{
-  vtkSmartPointer<vtkBRDF> BRDF;                     // the material or, of a plan, its snapshot
-  vtkSmartPointer<vtkRadianceIntegrator> Integrator; // of the environment's light; null: none
-  vtkSmartPointer<vtkEnvironment> Environment;       // the one whose rotation applies
-  std::shared_ptr<FormTextures> Material;   // null where the shader has no use for the BRDF itself
-  std::shared_ptr<FormTextures> Radiance;   // null without environment
-  vtkSmartPointer<vtkRadiancePlanner> Plan; // null without one
-  std::string Key;                          // same key, same shader text
-  CurrentPlan* Current = nullptr;           // while the plan is looked up
-  bool IsReady = false;                     // else the superclass draws
 };
 
 class MaterialDrawing
@@ -93,11 +79,6 @@ public:
   /// About the last frame of all parts.
   std::vector<const DrawnMaterial*> GetLastFrame() const;
   const MapperPlans& GetPlans() const { return this->Plans; }
-  std::string GetPlan() const;                        // of each material a line
-  vtkIdType GetTextureBytes() const;                  // each texture once
-  const vtkBRDFShaderInputs* GetMaterialForm() const; // of the first material that has one; or null
-  vtkRadiancePlanner* GetPlanner() const;       // of the first material that has a plan; or null
-  vtkRadianceIntegrator* GetIntegrator() const; // of the first material that has one; or null
   ///@}
 
   /// What PlanForView sees of all surfaces to come: as many normals as views, for

@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FieldSynthesis.h"
+
+#include "WignerD.h"
+#include "vtkSMPTools.h"
+
+#include <unsupported/Eigen/FFT>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace measuredbrdf
+{
+namespace
+{
+constexpr double Pi = 3.14159265358979323846;
+}
+
+FieldSynthesis::FieldSynthesis(const EnvironmentHarmonics& environment, int rows, int columns)
+  : Environment(environment)
+  , Rows(rows)
+  , Columns(columns)
+{
+}
+
+void FieldSynthesis::Run(
+  int order, const std::array<Matrix, 3>& kernels, std::array<Field, 3>& result) const
+{
+  for (Field& field : result)
+  {
+    field.resize(static_cast<std::size_t>(this->Rows) * static_cast<std::size_t>(this->Columns) *
+                 static_cast<std::size_t>(kernels[0].cols()));
+  }
+  const int degree = static_cast<int>(kernels[0].rows()) - 1;
+  this->SumOrders(this->SumDegrees(order, kernels), degree, result);
+}
+
+// Real and imaginary parts of b_lk conj(a_lm), for the degrees from first on.
+FieldSynthesis::Matrix FieldSynthesis::MakeLit(
+  int m, int first, const std::array<Matrix, 3>& kernels) const
+{
+  const Eigen::Index count = kernels[0].cols();
+  const int size = static_cast<int>(kernels[0].rows()) - first;
+  Matrix lit(size, 2 * 3 * count);
+  for (int channel = 0; channel < 3; ++channel)
+  {
+    const Matrix& of = kernels[static_cast<std::size_t>(channel)];
+    for (int k = 0; k < size; ++k)
+    {
+      std::complex<double> a = this->Environment.Get(channel, first + k, std::abs(m));
+      a = m >= 0 ? std::conj(a) : (m % 2 != 0 ? -a : a);
+      for (Eigen::Index kernel = 0; kernel < count; ++kernel)
+      {
+        const Eigen::Index column = 2 * (channel * count + kernel);
+        lit(k, column) = of(first + k, kernel) * static_cast<float>(a.real());
+        lit(k, column + 1) = of(first + k, kernel) * static_cast<float>(a.imag());
+      }
+    }
+  }
+  return lit;
+}
+
+// The sum over l: [m][channel][kernel][row].
+FieldSynthesis::Field FieldSynthesis::SumDegrees(
+  int order, const std::array<Matrix, 3>& kernels) const
+{
+  const int degree = static_cast<int>(kernels[0].rows()) - 1;
+  const std::size_t kinds = 3 * static_cast<std::size_t>(kernels[0].cols());
+  const std::size_t orders = 2 * static_cast<std::size_t>(degree) + 1;
+  const std::size_t rows = static_cast<std::size_t>(this->Rows);
+  Field series(orders * kinds * rows);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(orders), 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      std::vector<double> d(static_cast<std::size_t>(degree) + 1);
+      for (vtkIdType item = begin; item < end; ++item)
+      {
+        const int m = static_cast<int>(item) - degree;
+        const WignerD functions(m, order, degree);
+        const int first = functions.GetFirst();
+        const int size = degree + 1 - first;
+        if (size <= 0)
+        {
+          continue;
+        }
+        Matrix turns(size, this->Rows); // the same for all channels and kernels
+        for (int row = 0; row < this->Rows; ++row)
+        {
+          functions.Evaluate(Pi * row / (this->Rows - 1), d.data());
+          turns.col(row) = Eigen::Map<const Eigen::VectorXd>(d.data(), size).cast<float>();
+        }
+        const Matrix product = turns.transpose() * this->MakeLit(m, first, kernels);
+        std::complex<float>* out = &series[static_cast<std::size_t>(item) * kinds * rows];
+        for (std::size_t kind = 0; kind < kinds; ++kind)
+        {
+          const Eigen::Index column = static_cast<Eigen::Index>(2 * kind);
+          for (std::size_t row = 0; row < rows; ++row)
+          {
+            const Eigen::Index r = static_cast<Eigen::Index>(row);
+            out[kind * rows + row] = { product(r, column), product(r, column + 1) };
+          }
+        }
+      }
+    });
+  return series;
+}
+
+// The sum over m, by fast Fourier transforms over the azimuth.
+void FieldSynthesis::SumOrders(const Field& series, int degree, std::array<Field, 3>& result) const
+{
+  const std::size_t rows = static_cast<std::size_t>(this->Rows);
+  const std::size_t columns = static_cast<std::size_t>(this->Columns);
+  const std::size_t orders = 2 * static_cast<std::size_t>(degree) + 1;
+  const std::size_t kinds = series.size() / (orders * rows);
+  const std::size_t each = kinds / 3;
+  vtkSMPTools::For(0, static_cast<vtkIdType>(rows), 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      Eigen::FFT<float> transform;
+      Field line(columns), field(columns);
+      for (std::size_t row = static_cast<std::size_t>(begin); row < static_cast<std::size_t>(end);
+           ++row)
+      {
+        for (std::size_t kind = 0; kind < kinds; ++kind)
+        {
+          std::fill(line.begin(), line.end(), 0.0f);
+          for (std::size_t item = 0; item < orders; ++item)
+          {
+            const int m = static_cast<int>(item) - degree;
+            const int n = this->Columns;
+            line[static_cast<std::size_t>((m % n + n) % n)] +=
+              series[(item * kinds + kind) * rows + row];
+          }
+          transform.fwd(field, line);
+          std::copy(field.begin(), field.end(),
+            result[kind / each].begin() +
+              static_cast<std::ptrdiff_t>((kind % each * rows + row) * columns));
+        }
+      }
+    });
+}
+} // namespace measuredbrdf

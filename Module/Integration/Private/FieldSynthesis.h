@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Radiance of kernels over all positions of their axis, by a convolution over the rotation group
+ * (Kostelec, Rockmore 2008). Private to the module.
+ */
+
+#ifndef FieldSynthesis_h
+#define FieldSynthesis_h
+
+#include "EnvironmentHarmonics.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <complex>
+#include <cstddef>
+#include <vector>
+
+namespace measuredbrdf
+{
+/// Kernels are given by their harmonics b_lk. Over a map of rows (poles included) x columns of the
+/// axis' polar angle and azimuth, each kernel, channel and azimuthal order k has a field of complex
+/// values G_k such that radiance = G_0 + sum_k>0 2 Re(e^(-i k psi) G_k). psi is the plane of
+/// incidence's azimuth from the meridian's direction of growing polar angle.
+/// G_k = sum_m e^(-i m phi) sum_l d^l_mk(theta) b_lk conj(a_lm).
+class FieldSynthesis
+{
+public:
+  using Matrix = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic>;
+  using Field = std::vector<std::complex<float>>;
+
+  FieldSynthesis(const EnvironmentHarmonics& environment, int rows, int columns);
+
+  /// kernels of each channel: degrees x kernels. result of each channel: [kernel][row][column].
+  void Run(int order, const std::array<Matrix, 3>& kernels, std::array<Field, 3>& result) const;
+
+private:
+  Matrix MakeLit(int m, int first, const std::array<Matrix, 3>& kernels) const;
+  Field SumDegrees(int order, const std::array<Matrix, 3>& kernels) const;
+  void SumOrders(const Field& series, int degree, std::array<Field, 3>& result) const;
+
+  const EnvironmentHarmonics& Environment;
+  int Rows;
+  int Columns;
+};
+} // namespace measuredbrdf
+
+#endif

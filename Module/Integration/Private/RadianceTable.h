@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The table of vtkTableRadianceIntegrator: its look-ups, and it as bytes. Private to the module.
+ */
+
+#ifndef RadianceTable_h
+#define RadianceTable_h
+
+#include "LobeViews.h"
+
+#include <glm/glm.hpp>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace measuredbrdf
+{
+struct RadianceTable
+{
+  static constexpr int ProfileSize = LobeViews::NumberOfViews;
+  static constexpr int IrradianceRows = 129; // of the map of irradiance, poles included
+  static constexpr int IrradianceColumns = 2 * (IrradianceRows - 1);
+
+  RadianceTable(int rows, int angles, int azimuths)
+    : Rows(rows)
+    , Columns(2 * (rows - 1))
+    , Angles(angles)
+    , Azimuths(azimuths)
+  {
+  }
+
+  int Rows;
+  int Columns;
+  int Angles;
+  int Azimuths;
+  double Scale = 1.0;
+  bool HasFloor = false;
+  std::vector<float> Profile; // RGB, ProfileSize x 3: (angle, cos, sin delta); share; c
+  // RGB, Columns x Rows x Angles (Azimuths + 1): the first azimuth comes again after the last.
+  std::vector<float> Radiance;
+  // RGB, IrradianceColumns x IrradianceRows; null: there is no floor. Of all materials.
+  std::shared_ptr<const std::vector<float>> Irradiance;
+
+  /// Radiance towards o about the normal n, as the shader looks it up; t: a unit tangent or zero.
+  glm::dvec3 Evaluate(const glm::dvec3& n, const glm::dvec3& o, const glm::dvec3& t) const;
+
+  ///@{
+  /// The table as bytes, and back: false where they are not of a table of these sizes.
+  std::string GetBytes() const;
+  bool TakeBytes(const std::string& bytes);
+  ///@}
+
+private:
+  glm::dvec3 GetProfile(int row, double u) const;
+};
+} // namespace measuredbrdf
+
+#endif

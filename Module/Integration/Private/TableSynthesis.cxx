@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TableSynthesis.h"
+
+#include "FieldSynthesis.h"
+#include "LobeHarmonics.h"
+#include "LogFactorial.h"
+#include "vtkSMPTools.h"
+
+#include <Eigen/Core>
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+
+namespace measuredbrdf
+{
+namespace
+{
+constexpr double Pi = 3.14159265358979323846;
+constexpr double LargestValue = 32768; // of a 16-bit texture, with room to spare
+
+// Of each view angle: its harmonics about the lobe's mean direction, [order][channel][degree].
+std::vector<std::vector<float>> ExpandKernels(
+  const MaterialPrecomputation::Kernels& knots, int degree, int orders)
+{
+  std::vector<std::vector<float>> kernels(knots.size());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(knots.size()), 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType k = begin; k < end; ++k)
+      {
+        const LobeHarmonics& knot = *knots[static_cast<std::size_t>(k)];
+        kernels[static_cast<std::size_t>(k)] = knot.Expand(knot.GetMeans().Delta, degree, orders);
+      }
+    });
+  return kernels;
+}
+
+// One order's, by channel: degrees x view angles.
+std::array<FieldSynthesis::Matrix, 3> PickOrder(const MaterialPrecomputation::Kernels& knots,
+  const std::vector<std::vector<float>>& kernels, int order, int degree)
+{
+  std::array<FieldSynthesis::Matrix, 3> matrices;
+  for (int channel = 0; channel < 3; ++channel)
+  {
+    FieldSynthesis::Matrix& matrix = matrices[static_cast<std::size_t>(channel)];
+    matrix.resize(degree + 1, static_cast<Eigen::Index>(knots.size()));
+    for (std::size_t angle = 0; angle < knots.size(); ++angle)
+    {
+      const std::size_t begin =
+        static_cast<std::size_t>(3 * order + channel) * static_cast<std::size_t>(degree + 1);
+      matrix.col(static_cast<Eigen::Index>(angle)) =
+        Eigen::Map<const Eigen::VectorXf>(&kernels[angle][begin], degree + 1) *
+        static_cast<float>(knots[angle]->GetMeans().Amplitude[channel]);
+    }
+  }
+  return matrices;
+}
+
+// One order's fields, turned to each azimuth of the plane of incidence.
+void AddOrder(int order, const std::array<FieldSynthesis::Field, 3>& fields, RadianceTable& table)
+{
+  const std::size_t texels =
+    static_cast<std::size_t>(table.Columns) * static_cast<std::size_t>(table.Rows);
+  const std::size_t slices = static_cast<std::size_t>(table.Azimuths) + 1;
+  vtkSMPTools::For(0, static_cast<vtkIdType>(slices), 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType azimuth = begin; azimuth < end; ++azimuth)
+      {
+        const std::complex<float> turn = std::polar(order == 0 ? 1.0f : 2.0f,
+          static_cast<float>(-2.0 * Pi * order * static_cast<double>(azimuth) / table.Azimuths));
+        for (std::size_t angle = 0; angle < static_cast<std::size_t>(table.Angles); ++angle)
+        {
+          const std::size_t slice = angle * slices + static_cast<std::size_t>(azimuth);
+          float* out = &table.Radiance[3 * slice * texels];
+          for (std::size_t channel = 0; channel < 3; ++channel)
+          {
+            const std::complex<float>* in = &fields[channel][angle * texels];
+            for (std::size_t texel = 0; texel < texels; ++texel)
+            {
+              out[3 * texel + channel] +=
+                turn.real() * in[texel].real() - turn.imag() * in[texel].imag();
+            }
+          }
+        }
+      }
+    });
+}
+
+// To the peak: 16-bit floats lose digits below 6e-5, too.
+void Normalize(RadianceTable& table)
+{
+  float largest = 0.0f;
+  for (const float value : table.Radiance)
+  {
+    largest = std::max(largest, std::abs(value));
+  }
+  table.Scale = largest > 0.0f ? largest / LargestValue : 1.0;
+  for (float& value : table.Radiance)
+  {
+    value = static_cast<float>(value / table.Scale);
+  }
+}
+}
+
+bool SynthesizeRadiance(const EnvironmentHarmonics& environment,
+  const MaterialPrecomputation::Kernels& knots, int degree, const std::function<bool(double)>& goOn,
+  RadianceTable& table)
+{
+  const int orders = table.Azimuths / 2; // as many as the azimuths can tell apart
+  const std::vector<std::vector<float>> kernels = ExpandKernels(knots, degree, orders);
+  const std::size_t texels =
+    static_cast<std::size_t>(table.Columns) * static_cast<std::size_t>(table.Rows);
+  const std::size_t slices = static_cast<std::size_t>(table.Azimuths) + 1;
+  table.Radiance.assign(3 * texels * slices * knots.size(), 0.0f);
+  const FieldSynthesis synthesis(environment, table.Rows, table.Columns);
+  std::array<FieldSynthesis::Field, 3> fields;
+  for (int order = 0; order <= orders; ++order)
+  {
+    synthesis.Run(order, PickOrder(knots, kernels, order, degree), fields);
+    AddOrder(order, fields, table);
+    if (!goOn((order + 1.0) / (orders + 1)))
+    {
+      return false;
+    }
+  }
+  Normalize(table);
+  return true;
+}
+
+void MakeProfile(
+  const LobeViews& views, const MaterialPrecomputation::Kernels& knots, RadianceTable& table)
+{
+  table.Profile.resize(3 * 3 * RadianceTable::ProfileSize);
+  for (int k = 0; k < RadianceTable::ProfileSize; ++k)
+  {
+    const LobeMeans& lobe = views.GetViews()[static_cast<std::size_t>(k)].Means;
+    const double theta = LobeViews::GetAngle(k);
+    // Between the table's view angles both parts are interpolated, however steeply one hands over
+    // to the other; what they miss of the directional albedo goes to the rest.
+    const double w =
+      std::clamp((table.Angles - 1) * theta / LobeViews::GetLastAngle(), 0.0, table.Angles - 1.0);
+    const std::size_t low = std::min(static_cast<std::size_t>(w), knots.size() - 2);
+    const double t = w - static_cast<double>(low);
+    const LobeMeans& below = knots[low]->GetMeans();
+    const LobeMeans& above = knots[low + 1]->GetMeans();
+    const glm::dvec3 floor = glm::mix(below.Floor, above.Floor, t);
+    const glm::dvec3 amplitude = glm::mix(below.Amplitude, above.Amplitude, t);
+    glm::dvec3 share(0.0);
+    for (int c = 0; c < 3; ++c)
+    {
+      const double wanted = lobe.Amplitude[c] + Pi * (lobe.Floor[c] - floor[c]);
+      share[c] = amplitude[c] > 0.0 ? std::max(wanted, 0.0) / amplitude[c] : 0.0;
+    }
+    const glm::dvec3 rowsOf[3] = { { w, std::cos(lobe.Delta), std::sin(lobe.Delta) },
+      share * table.Scale, floor };
+    for (int row = 0; row < 3; ++row)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        table.Profile[3 * static_cast<std::size_t>(row * RadianceTable::ProfileSize + k) +
+                      static_cast<std::size_t>(c)] = static_cast<float>(rowsOf[row][c]);
+      }
+    }
+    table.HasFloor = table.HasFloor || floor != glm::dvec3(0.0);
+  }
+}
+
+std::shared_ptr<const std::vector<float>> MakeIrradiance(const EnvironmentHarmonics& environment)
+{
+  // The clamped cosine's harmonics (Ramamoorthi, Hanrahan 2001).
+  FieldSynthesis::Matrix cosine = FieldSynthesis::Matrix::Zero(IrradianceDegree + 1, 1);
+  for (int l = 0; l <= IrradianceDegree; ++l)
+  {
+    double value = l == 1 ? 2.0 * Pi / 3.0 : 0.0;
+    if (l % 2 == 0)
+    {
+      value = 2.0 * Pi * (l % 4 == 0 ? -1.0 : 1.0) / ((l + 2.0) * (l - 1.0)) *
+              std::exp(LogFactorial(l) - 2.0 * LogFactorial(l / 2) - l * std::log(2.0));
+    }
+    cosine(l, 0) = static_cast<float>(value * std::sqrt((2.0 * l + 1.0) / (4.0 * Pi)));
+  }
+  const int rows = RadianceTable::IrradianceRows;
+  const int columns = RadianceTable::IrradianceColumns;
+  const FieldSynthesis synthesis(environment, rows, columns);
+  auto irradiance =
+    std::make_shared<std::vector<float>>(3 * static_cast<std::size_t>(columns * rows));
+  std::array<FieldSynthesis::Field, 3> fields;
+  synthesis.Run(0, { cosine, cosine, cosine }, fields);
+  for (std::size_t channel = 0; channel < 3; ++channel)
+  {
+    for (std::size_t texel = 0; texel < fields[channel].size(); ++texel)
+    {
+      (*irradiance)[3 * texel + channel] = fields[channel][texel].real();
+    }
+  }
+  return irradiance;
+}
+
+} // namespace measuredbrdf

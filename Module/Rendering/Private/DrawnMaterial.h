@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A material in a frame, and what mappers report of the last frame. Private to the rendering room.
+ */
+
+#ifndef DrawnMaterial_h
+#define DrawnMaterial_h
+
+#include "BRDFTextures.h"
+#include "vtkBRDF.h"
+#include "vtkEnvironment.h"
+#include "vtkRadianceIntegrator.h"
+#include "vtkRadiancePlanner.h"
+#include "vtkSmartPointer.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace measuredbrdf
+{
+class CurrentPlan;
+
+/// What a material is drawn with in one renderer.
+struct DrawnMaterial
+{
+  vtkSmartPointer<vtkBRDF> BRDF;                     // the material or, of a plan, its snapshot
+  vtkSmartPointer<vtkRadianceIntegrator> Integrator; // of the environment's light; null: none
+  vtkSmartPointer<vtkEnvironment> Environment;       // the one whose rotation applies
+  std::shared_ptr<FormTextures> Material;   // null where the shader has no use for the BRDF itself
+  std::shared_ptr<FormTextures> Radiance;   // null without environment
+  vtkSmartPointer<vtkRadiancePlanner> Plan; // null without one
+  std::string Key;                          // same key, same shader text
+  CurrentPlan* Current = nullptr;           // while the plan is looked up
+  bool IsReady = false;                     // else the superclass draws
+};
+
+using DrawnMaterials = std::vector<const DrawnMaterial*>;
+
+/// The plans, a line each.
+std::string DescribePlans(const DrawnMaterials& materials);
+
+/// Of the textures in use, each counted once.
+vtkIdType CountTextureBytes(const DrawnMaterials& materials);
+
+///@{
+/// Of the first material that has one; null where none has.
+const vtkBRDFShaderInputs* FindMaterialForm(const DrawnMaterials& materials);
+vtkRadiancePlanner* FindPlanner(const DrawnMaterials& materials);
+vtkRadianceIntegrator* FindIntegrator(const DrawnMaterials& materials);
+///@}
+} // namespace measuredbrdf
+
+#endif
