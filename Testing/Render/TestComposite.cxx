@@ -377,7 +377,7 @@ TEST_F(Composite, CopiesAndPrints)
   EXPECT_EQ(copy->GetBlockBRDF(2), this->Lambert);
   EXPECT_TRUE(copy->HasBlockBRDFByName("x"));
   EXPECT_EQ(copy->GetErrorTolerance(), 0.07);
-  EXPECT_EQ(copy->GetMethod(), this->Mapper->GetMethod());
+  EXPECT_EQ(copy->GetIntegrator(), this->Lights.Get());
   std::ostringstream text;
   copy->Print(text);
   EXPECT_NE(text.str().find("BlockBRDF 2"), std::string::npos);

@@ -526,8 +526,9 @@ TEST_F(Mapper, LightSetMatchesCpuPerPixel)
           worst = std::max(worst, std::abs(pixels[k][c] - expected) / expected);
         }
       }
-      std::cout << (parallel ? "parallel" : "perspective") << ", method " << method
-                << ": largest relative difference " << worst << "\n";
+      std::cout << (parallel ? "parallel" : "perspective")
+                << (soft ? ", soft lights" : ", hard lights") << ": largest relative difference "
+                << worst << "\n";
       EXPECT_LT(worst, 1e-4);
     }
   }

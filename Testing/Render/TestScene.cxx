@@ -14,6 +14,7 @@
 #include "vtkImageData.h"
 #include "vtkLambertBRDF.h"
 #include "vtkLight.h"
+#include "vtkLightSetRadianceIntegrator.h"
 #include "vtkMeasuredBRDFMapper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPlaneSource.h"
@@ -296,7 +297,7 @@ TEST_F(Scene, TexturesThatLightNothing)
 // Mappers that hold the same material and environment draw with the same textures.
 TEST_F(Scene, LightsAreUploadedOnce)
 {
-  this->Measured->SetMethodToLightSet();
+  this->Measured->SetIntegrator(vtkNew<vtkLightSetRadianceIntegrator>());
   const auto countTextures = [this]()
   {
     // OpenGL hands out names one after the other.
@@ -341,7 +342,7 @@ TEST_F(Scene, CubeMapsAreKeptOnDisk)
     return texture;
   };
   this->Measured->SetEnvironment(nullptr);
-  this->Measured->SetMethodToLightSet();
+  this->Measured->SetIntegrator(vtkNew<vtkLightSetRadianceIntegrator>());
   this->Renderer->SetEnvironmentTexture(makeCube());
   EXPECT_NEAR(this->RenderMiddle()[0], Albedo, 0.02); // by 64 lights
   std::vector<std::string> keys;

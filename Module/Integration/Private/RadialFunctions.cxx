@@ -3,6 +3,7 @@
 #include "RadialFunctions.h"
 
 #include "CosinePowerWarp.h"
+#include "LocalFrame.h"
 #include "vtkBasisBRDF.h"
 
 #include <algorithm>

@@ -157,7 +157,7 @@ void CurrentPlan::Begin(const PlanInputs& wanted)
 }
 
 bool CurrentPlan::Update(
-  const PlanInputs& wanted, Timing timing, const Progress& progress, std::string& problem)
+  const PlanInputs& wanted, Timing timing, std::string& problem, const Progress& progress)
 {
   try
   {

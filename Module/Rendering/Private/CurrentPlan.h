@@ -41,8 +41,8 @@ public:
   /// Plan for this, or begin to: a new plan takes the place of the last when it is done. Returns
   /// whether it did. problem: why there is none, or what a plan made apart had to warn of, or "".
   /// What could not be planned, for lack of memory say, is not tried again until it changes.
-  bool Update(
-    const PlanInputs& wanted, Timing timing, const Progress& progress, std::string& problem);
+  bool Update(const PlanInputs& wanted, Timing timing, std::string& problem,
+    const Progress& progress = nullptr);
 
   /// Whether Update would plan in the calling thread, or wait.
   bool NeedsTime(const PlanInputs& wanted, Timing timing) const;

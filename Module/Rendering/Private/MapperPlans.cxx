@@ -315,7 +315,7 @@ CurrentPlan& MapperPlans::Update(const PlanRequest& request, bool& changed, std:
   {
     this->BeginSideBySide(view, wanted, request);
   }
-  changed = view.Plan.Update(wanted, request.Timing, request.Progress, problem);
+  changed = view.Plan.Update(wanted, request.Timing, problem, request.Progress);
   view.Bridged = view.Plan.IsPending();
   if (wanted.Seen && view.Plan.IsFor(wanted))
   {
