@@ -15,6 +15,7 @@
 #include "ExtractedEmitters.h"
 #include "MadeOnce.h"
 #include "TexelChanges.h"
+#include "vtkEnvironment.h"
 #include "vtkSmartPointer.h"
 
 #include <functional>
@@ -24,7 +25,6 @@
 #include <utility>
 #include <vector>
 
-class vtkEnvironment;
 class vtkLightSet;
 
 namespace measuredbrdf
@@ -93,5 +93,10 @@ private:
   MadeOnce<int, std::string> ContentKey;
 };
 } // namespace measuredbrdf
+
+/// What an environment's GetParts gives.
+struct vtkEnvironment::Precomputation : public measuredbrdf::EnvironmentPrecomputation
+{
+};
 
 #endif
