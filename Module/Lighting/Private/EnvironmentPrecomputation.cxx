@@ -94,7 +94,7 @@ vtkSmartPointer<vtkLightSet> EnvironmentPrecomputation::GetLightSet(
     {
       return nullptr;
     }
-    const auto set = std::make_shared<LightSet>(vtkSmartPointer<vtkLightSet>::New());
+    auto set = std::make_shared<LightSet>(vtkSmartPointer<vtkLightSet>::New());
     tree.FillLightSet(count, *set);
     return set;
   };
