@@ -319,6 +319,31 @@ ChartMeter::Timed ChartMeter::BeginStock(
 }
 
 //------------------------------------------------------------------------------
+void ChartMeter::TimeFrames(std::vector<Timed>& all, const std::function<void(double)>& show) const
+{
+  for (int round = 0; round < this->Scene.Rounds; ++round)
+  {
+    for (std::size_t k = 0; k < all.size(); ++k)
+    {
+      // There and back: what changes slowly meets all alike.
+      Timed& timed = all[round % 2 == 0 ? k : all.size() - 1 - k];
+      Interruptible::Check();
+      if (!timed.Window || round >= timed.GetRounds(this->Scene.Rounds))
+      {
+        continue;
+      }
+      if (timed.Expected < WarmUpBelow)
+      {
+        timed.Window->TimeFrame();
+      }
+      timed.Frames.push_back(timed.Window->TimeFrame());
+    }
+    show(ReferenceShare + MethodShare +
+         (1.0 - ReferenceShare - MethodShare) * (round + 1.0) / this->Scene.Rounds);
+  }
+}
+
+//------------------------------------------------------------------------------
 ChartPair ChartMeter::Measure(
   const Material& material, vtkEnvironment* environment, const std::function<void(double)>& show)
 {
@@ -374,26 +399,7 @@ ChartPair ChartMeter::Measure(
     show(ReferenceShare + MethodShare * (k + 1.0) / static_cast<double>(this->Sizes.size()));
   }
 
-  for (int round = 0; round < this->Scene.Rounds; ++round)
-  {
-    for (std::size_t k = 0; k < all.size(); ++k)
-    {
-      // There and back: what changes slowly meets all alike.
-      Timed& timed = all[round % 2 == 0 ? k : all.size() - 1 - k];
-      Interruptible::Check();
-      if (!timed.Window || round >= timed.GetRounds(this->Scene.Rounds))
-      {
-        continue;
-      }
-      if (timed.Expected < WarmUpBelow)
-      {
-        timed.Window->TimeFrame();
-      }
-      timed.Frames.push_back(timed.Window->TimeFrame());
-    }
-    show(ReferenceShare + MethodShare +
-         (1.0 - ReferenceShare - MethodShare) * (round + 1.0) / this->Scene.Rounds);
-  }
+  this->TimeFrames(all, show);
   for (Timed& timed : all)
   {
     const std::vector<double>& frames =

@@ -69,6 +69,7 @@ private:
   Timed Begin(const ChartSize& size, const Material& material, vtkEnvironment* environment,
     const std::vector<double>& reference);
   Timed BeginStock(vtkEnvironment* environment, const std::vector<double>& reference);
+  void TimeFrames(std::vector<Timed>& all, const std::function<void(double)>& show) const;
   Method Make(const ChartSize& size, const Material& material, vtkEnvironment* environment,
     double& milliseconds);
   void Place(OffscreenScene& stage) const;

@@ -4,6 +4,7 @@
 
 #include "Files.h"
 #include "LabelPlaces.h"
+#include "LogAxis.h"
 #include "TextDrawing.h"
 #include "Tool.h"
 
@@ -29,14 +30,11 @@
 #include "vtkTextProperty.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <fstream>
 #include <functional>
 #include <iterator>
-#include <limits>
 
 namespace
 {
@@ -93,88 +91,6 @@ unsigned char ToByte(double value)
 {
   return static_cast<unsigned char>(std::lround(255.0 * value));
 }
-
-//------------------------------------------------------------------------------
-std::string FormatTick(double value, tool::Unit unit)
-{
-  char text[32];
-  switch (unit)
-  {
-    case tool::Unit::Milliseconds:
-      std::snprintf(
-        text, sizeof(text), value < 999.0 ? "%g ms" : "%g s", value < 999.0 ? value : 1e-3 * value);
-      break;
-    case tool::Unit::Bytes:
-      std::snprintf(text, sizeof(text),
-        value < 999.0     ? "%g B"
-        : value < 0.999e6 ? "%g kB"
-                          : "%g MB",
-        value < 999.0     ? value
-        : value < 0.999e6 ? 1e-3 * value
-                          : 1e-6 * value);
-      break;
-    case tool::Unit::Share:
-      std::snprintf(text, sizeof(text), "%g %%", 100.0 * value);
-      break;
-    default:
-      std::snprintf(text, sizeof(text), "%g", value);
-  }
-  return text;
-}
-
-//------------------------------------------------------------------------------
-/// A logarithmic axis.
-struct Scale
-{
-  double Least = std::numeric_limits<double>::infinity();
-  double Largest = -std::numeric_limits<double>::infinity();
-
-  void Take(double value)
-  {
-    if (value > 0.0 && std::isfinite(value))
-    {
-      this->Least = std::min(this->Least, std::log10(value));
-      this->Largest = std::max(this->Largest, std::log10(value));
-    }
-  }
-
-  // Air around what was taken.
-  void Widen()
-  {
-    if (!(this->Least <= this->Largest))
-    {
-      this->Least = this->Largest = 0.0;
-    }
-    const double air = std::max(0.08 * (this->Largest - this->Least), 0.15);
-    this->Least -= air;
-    this->Largest += air;
-  }
-
-  // Where a value is, as a share of the axis.
-  double Find(double value) const
-  {
-    return (std::log10(value) - this->Least) / (this->Largest - this->Least);
-  }
-
-  // Exponents of ten: powers of ten; with twice and five times where there would be few.
-  std::vector<double> GetTicks() const
-  {
-    std::vector<double> ticks;
-    const bool wide = this->Largest - this->Least > 3.2;
-    for (int k = static_cast<int>(std::floor(this->Least)); k <= this->Largest; ++k)
-    {
-      for (const double factor : { 1.0, 2.0, 5.0 })
-      {
-        const double at = k + std::log10(factor);
-        if (at >= this->Least && at <= this->Largest && (factor == 1.0 || !wide))
-        {
-          ticks.push_back(at);
-        }
-      }
-    }
-    return ticks;
-  }
-};
 
 //------------------------------------------------------------------------------
 // The size that it is meant for, and a box that lets viewers scale it.
@@ -245,7 +161,7 @@ private:
       Bottom + this->Y.Find(point.Y) * PlotHeight };
   }
 
-  void SetUpAxis(vtkAxis* axis, const Scale& scale, int length, tool::Unit unit) const;
+  void SetUpAxis(vtkAxis* axis, const tool::LogAxis& scale, int length, tool::Unit unit) const;
   void AddLine(vtkChartXY* chart, const std::vector<tool::PagePoint>& points, const RGB& color,
     double width) const;
   void DrawText(vtkContext2D* painter, double x, double y, const std::string& text, int size,
@@ -256,13 +172,14 @@ private:
   void DrawHeading(vtkContext2D* painter) const;
 
   const tool::Page& Page;
-  Scale X;
-  Scale Y;
+  tool::LogAxis X;
+  tool::LogAxis Y;
 };
 
 //------------------------------------------------------------------------------
 // The chart's own coordinates are pixels: its lines would come out stretched as SVG else.
-void Painter::SetUpAxis(vtkAxis* axis, const Scale& scale, int length, tool::Unit unit) const
+void Painter::SetUpAxis(
+  vtkAxis* axis, const tool::LogAxis& scale, int length, tool::Unit unit) const
 {
   vtkNew<vtkDoubleArray> positions;
   vtkNew<vtkStringArray> labels;
@@ -270,7 +187,7 @@ void Painter::SetUpAxis(vtkAxis* axis, const Scale& scale, int length, tool::Uni
   {
     const double value = std::pow(10.0, tick);
     positions->InsertNextValue(scale.Find(value) * length);
-    labels->InsertNextValue(FormatTick(value, unit));
+    labels->InsertNextValue(tool::FormatTick(value, unit));
   }
   axis->SetBehavior(vtkAxis::FIXED);
   axis->SetRange(0.0, length);

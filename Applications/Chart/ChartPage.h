@@ -8,6 +8,7 @@
 #ifndef ChartPage_h
 #define ChartPage_h
 
+#include "LogAxis.h"
 #include "Picture.h"
 
 #include <string>
@@ -15,15 +16,6 @@
 
 namespace tool
 {
-/// What an axis counts, and how its ticks are written.
-enum class Unit
-{
-  Milliseconds,
-  Bytes,
-  Share, // in percent
-  Number
-};
-
 struct PagePoint
 {
   double X; // in the axis' unit, positive

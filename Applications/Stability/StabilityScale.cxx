@@ -286,7 +286,8 @@ double DrawCrowd(Context& context, int actors, int materials, int frames,
     mapper->SetIntegrator(materials == 1 ? nullptr : lights.Get());
     vtkNew<vtkActor> actor;
     actor->SetMapper(mapper);
-    actor->SetPosition(k % side - 0.5 * side, k / side - 0.5 * side, 0.0);
+    const int row = k / side;
+    actor->SetPosition(k % side - 0.5 * side, row - 0.5 * side, 0.0);
     theatre.GetRenderer()->AddActor(actor);
     mappers.push_back(mapper);
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAshikhminShirleyBRDFFitter.h"
 
+#include "FitterSamples.h"
 #include "LobeFit.h"
 #include "Setters.h"
 #include "vtkAshikhminShirleyBRDF.h"
@@ -29,14 +30,14 @@ void vtkAshikhminShirleyBRDFFitter::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-vtkBRDFFitter::Result vtkAshikhminShirleyBRDFFitter::FitTo(const FitSamples& samples)
+vtkBRDFFitter::Result vtkAshikhminShirleyBRDFFitter::FitTo(const std::vector<Sample>& samples)
 {
   const bool anisotropic = this->Anisotropy == ANISOTROPIC ||
                            (this->Anisotropy == AS_INPUT && !this->Input->IsIsotropic());
-  const LobeFitResult fit =
-    FitLobes(samples, { LobeShape::AshikhminShirley, this->NumberOfLobes, anisotropic },
-      { this->NumberOfStarts, this->StartSeed, this->MaximumNumberOfIterations, this->Tolerance,
-        [this](double share) { return this->UpdateProgress(share); } });
+  const LobeFitResult fit = FitLobes(ToFitSamples(samples, this->Loss),
+    { LobeShape::AshikhminShirley, this->NumberOfLobes, anisotropic },
+    { this->NumberOfStarts, this->StartSeed, this->MaximumNumberOfIterations, this->Tolerance,
+      [this](double share) { return this->UpdateProgress(share); } });
   if (!fit.Failure.empty() || fit.Lobes.empty())
   {
     return Result();

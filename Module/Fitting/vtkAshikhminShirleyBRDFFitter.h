@@ -19,6 +19,8 @@
 
 #include "vtkBRDFFitter.h"
 
+#include <vector> // for FitTo
+
 class VTKMEASUREDBRDF_EXPORT vtkAshikhminShirleyBRDFFitter : public vtkBRDFFitter
 {
 public:
@@ -55,7 +57,7 @@ protected:
   vtkAshikhminShirleyBRDFFitter() = default;
   ~vtkAshikhminShirleyBRDFFitter() override = default;
 
-  Result FitTo(const measuredbrdf::FitSamples& samples) override;
+  Result FitTo(const std::vector<Sample>& samples) override;
 
   int NumberOfLobes = 1;
   int Anisotropy = AS_INPUT;

@@ -12,13 +12,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 using namespace measuredbrdf;
 
-namespace
-{
-}
+// The losses know their types by these numbers.
+static_assert(static_cast<int>(vtkBRDFFitter::LOG_COSINE) == FitLoss::LogCosine);
+static_assert(static_cast<int>(vtkBRDFFitter::CUBE_ROOT_COSINE) == FitLoss::CubeRootCosine);
+static_assert(static_cast<int>(vtkBRDFFitter::SQUARED) == FitLoss::Squared);
 
 //------------------------------------------------------------------------------
 vtkBRDFFitter::vtkBRDFFitter() = default;
@@ -87,6 +87,12 @@ bool vtkBRDFFitter::UpdateProgress(double share)
 }
 
 //------------------------------------------------------------------------------
+double vtkBRDFFitter::GetLossValue(double f, double cosine) const
+{
+  return FitLoss{ this->Loss }.Value(f, cosine);
+}
+
+//------------------------------------------------------------------------------
 bool vtkBRDFFitter::Fit()
 {
   this->Abort = false;
@@ -96,9 +102,16 @@ bool vtkBRDFFitter::Fit()
     vtkErrorMacro("Fit: " << wrong << ".");
     return false;
   }
-  const FitSamples samples(
-    this->Input, FitLoss{ this->Loss }, this->Seed, 0, this->NumberOfSamples);
-  if (samples.IsBlack())
+  std::vector<Sample> samples;
+  bool black = true;
+  for (const FitSample& drawn :
+    FitSamples(this->Input, FitLoss{ this->Loss }, this->Seed, 0, this->NumberOfSamples))
+  {
+    samples.push_back({ { drawn.I.x, drawn.I.y, drawn.I.z }, { drawn.O.x, drawn.O.y, drawn.O.z },
+      { drawn.F[0], drawn.F[1], drawn.F[2] }, drawn.Weight });
+    black = black && drawn.F[0] == 0.0 && drawn.F[1] == 0.0 && drawn.F[2] == 0.0;
+  }
+  if (black)
   {
     vtkErrorMacro("Fit: the input is 0 (or has no valid cell) at all "
                   << this->NumberOfSamples << " direction pairs: there is nothing to fit.");

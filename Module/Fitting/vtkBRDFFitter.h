@@ -17,6 +17,9 @@
  * that sharp lobes are met) and half over both hemispheres. Pairs that a table interpolates mostly
  * from invalid cells do not count. Same input, options and seed: same result.
  *
+ * A subclass names its model and minimizes over the samples that it gets (GetModelName, FitTo). The
+ * samples, the figures and the checks of input and output are the same for all models.
+ *
  * ProgressEvent (calldata: double*) from the calling thread; interrupted by SetAbort(true).
  */
 
@@ -33,16 +36,25 @@
 
 class vtkBRDF;
 
-namespace measuredbrdf
-{
-class FitSamples;
-}
-
 class VTKMEASUREDBRDF_EXPORT vtkBRDFFitter : public vtkObject
 {
 public:
   vtkAbstractTypeMacro(vtkBRDFFitter, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+#ifndef __VTK_WRAP__
+  /**
+   * A direction pair that the fit looks at, with the input's f and its weight; all weights sum
+   * to 1.
+   */
+  struct Sample
+  {
+    double I[3];
+    double O[3];
+    double F[3];
+    double Weight;
+  };
+#endif
 
   enum LossType
   {
@@ -203,7 +215,16 @@ protected:
    */
   virtual std::string CheckOptions() { return std::string(); }
 
-  virtual Result FitTo(const measuredbrdf::FitSamples& samples) = 0;
+  /**
+   * Fit the model: minimize the mean of (GetLossValue(f, cos_i) - GetLossValue(f', cos_i))^2 over
+   * samples and RGB. Input is set and prepared. Ask UpdateProgress now and then.
+   */
+  virtual Result FitTo(const std::vector<Sample>& samples) = 0;
+
+  /**
+   * T of the current loss.
+   */
+  double GetLossValue(double f, double cosine) const;
 
   /**
    * Tell the observers; false where the run is to stop.

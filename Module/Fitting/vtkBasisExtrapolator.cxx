@@ -11,6 +11,8 @@
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <limits>
 
 using namespace measuredbrdf;
@@ -257,6 +259,81 @@ Eigen::MatrixXd MakeSeries(int order, int n)
   }
   return series;
 }
+
+Data MakeData(vtkBasisBRDF* input, const IncidentProblem& incident)
+{
+  Data data;
+  data.Count = 6.0 * input->GetNumberOfTheta() * input->GetNumberOfPhi();
+  for (std::size_t m = 0; m < incident.Values.size(); ++m)
+  {
+    data.Samples.push_back(incident.Values[m] * Compress(Gather(input, static_cast<int>(m))));
+  }
+  return data;
+}
+
+// The input's coefficients in harmonics of i, for every sample of o.
+Table ExtendIncident(vtkBasisBRDF* input, const IncidentProblem& incident,
+  const BasisFunctions& harmonics, double lambda)
+{
+  const int views = 3 * input->GetNumberOfTheta() * input->GetNumberOfPhi();
+  Table half(harmonics.GetNumberOfFunctions(), input->GetNumberOfTheta(), input->GetNumberOfPhi());
+  for (int m = 0; m < static_cast<int>(incident.Values.size()); ++m)
+  {
+    const Eigen::MatrixXd solve =
+      MakeLeastSquares(harmonics, m, incident.Zone.Cosines, incident.Zone.Weights, lambda) *
+      incident.Values[static_cast<std::size_t>(m)];
+    const Eigen::MatrixXd c = solve * Gather(input, m);
+    for (int l = m; l <= harmonics.GetOrder(); ++l)
+    {
+      for (int v = 0; v < views; ++v)
+      {
+        half.At(BasisFunctions::Index(l, m), 0, 0, v) = c(l - m, v);
+        if (m > 0)
+        {
+          half.At(BasisFunctions::Index(l, -m), 0, 0, v) = c(l - m, views + v);
+        }
+      }
+    }
+  }
+  return half;
+}
+
+// Coefficient (l, m) over all of o. It is a function of o whose azimuthal order is the isotropic
+// form's m, or runs through a Fourier series.
+void ExtendOutgoing(Table& half, int l, int m, const std::vector<Eigen::MatrixXd>& extensions,
+  const Eigen::MatrixXd& series, Table& whole)
+{
+  const int k = BasisFunctions::Index(l, m);
+  const int nPhi = half.NumberOfPhi;
+  Eigen::MatrixXd samples(half.NumberOfTheta, nPhi);
+  for (int c = 0; c < 3; ++c)
+  {
+    for (int t = 0; t < half.NumberOfTheta; ++t)
+    {
+      for (int p = 0; p < nPhi; ++p)
+      {
+        samples(t, p) = half.At(k, t, p, c);
+      }
+    }
+    Eigen::MatrixXd spectrum = samples * series.transpose() / nPhi;
+    Eigen::MatrixXd extended(NumberOfViews, spectrum.cols());
+    for (Eigen::Index column = 0; column < spectrum.cols(); ++column)
+    {
+      const std::size_t azimuthal =
+        static_cast<std::size_t>(nPhi == 1 ? std::abs(m) : (column + 1) / 2);
+      extended.col(column) =
+        (column > 0 ? 2.0 : 1.0) * (extensions[azimuthal] * spectrum.col(column));
+    }
+    const Eigen::MatrixXd values = extended * series;
+    for (int t = 0; t < NumberOfViews; ++t)
+    {
+      for (int p = 0; p < nPhi; ++p)
+      {
+        whole.At(k, t, p, c) = values(t, p);
+      }
+    }
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -281,7 +358,6 @@ bool vtkBasisExtrapolator::Extrapolate()
   this->Abort = false;
   const int order = this->Order > 0 ? this->Order : std::max(input->GetOrder(), 1);
   const BasisFunctions harmonics(false, order, 1.0, -1.0);
-  const int nTheta = input->GetNumberOfTheta();
   const int nPhi = input->GetNumberOfPhi();
   const std::string sizeProblem = vtkBasisBRDF::FindSizeProblem(order, NumberOfViews, nPhi);
   if (!sizeProblem.empty())
@@ -290,78 +366,21 @@ bool vtkBasisExtrapolator::Extrapolate()
     return false;
   }
 
-  // Over i, for every sample of o.
-  const int orders = std::min(order, input->GetOrder()) + 1;
-  const IncidentProblem incident(input, orders);
+  const IncidentProblem incident(input, std::min(order, input->GetOrder()) + 1);
   if (this->Criterion != FIXED)
   {
-    Data data;
-    data.Count = 6.0 * nTheta * nPhi;
-    for (int m = 0; m < orders; ++m)
-    {
-      data.Samples.push_back(
-        incident.Values[static_cast<std::size_t>(m)] * Compress(Gather(input, m)));
-    }
-    this->Lambda = ChooseLambda(this->Criterion, harmonics, incident.Zone, data);
+    this->Lambda =
+      ChooseLambda(this->Criterion, harmonics, incident.Zone, MakeData(input, incident));
   }
-  Table half(harmonics.GetNumberOfFunctions(), nTheta, nPhi);
-  for (int m = 0; m < orders; ++m)
-  {
-    const Eigen::MatrixXd solve =
-      MakeLeastSquares(harmonics, m, incident.Zone.Cosines, incident.Zone.Weights, this->Lambda) *
-      incident.Values[static_cast<std::size_t>(m)];
-    const Eigen::MatrixXd c = solve * Gather(input, m);
-    for (int l = m; l <= order; ++l)
-    {
-      for (int v = 0; v < 3 * nTheta * nPhi; ++v)
-      {
-        half.At(BasisFunctions::Index(l, m), 0, 0, v) = c(l - m, v);
-        if (m > 0)
-        {
-          half.At(BasisFunctions::Index(l, -m), 0, 0, v) = c(l - m, 3 * nTheta * nPhi + v);
-        }
-      }
-    }
-  }
-
-  // Over o: each coefficient is a function of o whose azimuthal order is the isotropic form's m, or
-  // runs through a Fourier series.
+  Table half = ExtendIncident(input, incident, harmonics, this->Lambda);
   const std::vector<Eigen::MatrixXd> extensions = MakeExtensions(input, harmonics, this->Lambda);
   const Eigen::MatrixXd series = MakeSeries(order, nPhi);
   Table whole(harmonics.GetNumberOfFunctions(), NumberOfViews, nPhi);
-  Eigen::MatrixXd samples(nTheta, nPhi);
   for (int l = 0; l <= order; ++l)
   {
     for (int m = -l; m <= l; ++m)
     {
-      const int k = BasisFunctions::Index(l, m);
-      for (int c = 0; c < 3; ++c)
-      {
-        for (int t = 0; t < nTheta; ++t)
-        {
-          for (int p = 0; p < nPhi; ++p)
-          {
-            samples(t, p) = half.At(k, t, p, c);
-          }
-        }
-        Eigen::MatrixXd spectrum = samples * series.transpose() / nPhi;
-        Eigen::MatrixXd extended(NumberOfViews, spectrum.cols());
-        for (Eigen::Index column = 0; column < spectrum.cols(); ++column)
-        {
-          const std::size_t azimuthal =
-            static_cast<std::size_t>(nPhi == 1 ? std::abs(m) : (column + 1) / 2);
-          extended.col(column) =
-            (column > 0 ? 2.0 : 1.0) * (extensions[azimuthal] * spectrum.col(column));
-        }
-        const Eigen::MatrixXd values = extended * series;
-        for (int t = 0; t < NumberOfViews; ++t)
-        {
-          for (int p = 0; p < nPhi; ++p)
-          {
-            whole.At(k, t, p, c) = values(t, p);
-          }
-        }
-      }
+      ExtendOutgoing(half, l, m, extensions, series, whole);
     }
     double progress = (l + 1.0) / (order + 1.0);
     this->InvokeEvent(vtkCommand::ProgressEvent, &progress);

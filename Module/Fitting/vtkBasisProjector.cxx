@@ -11,6 +11,8 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 using namespace measuredbrdf;
 
@@ -99,6 +101,64 @@ Plan MakePlan(vtkBasisProjector* self)
   }
   return plan;
 }
+
+// f towards o times its cosines, per channel: nodes x azimuths.
+std::array<Eigen::MatrixXd, 3> SampleView(
+  vtkBasisProjector* self, const Plan& plan, const glm::dvec3& o)
+{
+  std::array<Eigen::MatrixXd, 3> samples;
+  for (Eigen::MatrixXd& channel : samples)
+  {
+    channel.resize(static_cast<Eigen::Index>(plan.Cosines.size()), NumberOfAzimuths);
+  }
+  for (std::size_t q = 0; q < plan.Cosines.size(); ++q)
+  {
+    const double cosine = plan.Cosines[q];
+    const double factor =
+      (self->GetIncidentCosine() ? cosine : 1.0) * (self->GetOutgoingCosine() ? o.z : 1.0);
+    for (int a = 0; a < NumberOfAzimuths; ++a)
+    {
+      const glm::dvec3 i = ToDirection(cosine, 2.0 * Pi * a / NumberOfAzimuths);
+      double f[3];
+      self->GetInput()->Evaluate(&i.x, &o.x, f);
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        samples[c](static_cast<Eigen::Index>(q), a) = factor * f[c];
+      }
+    }
+  }
+  return samples;
+}
+
+// Stores the coefficients of view number `view` of `views`.
+void ProjectView(const Plan& plan, const std::array<Eigen::MatrixXd, 3>& samples, std::size_t view,
+  std::size_t views, std::vector<float>& coefficients)
+{
+  const int order = plan.Functions.GetOrder();
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    const Eigen::MatrixXd even = samples[c] * plan.Cosine;
+    const Eigen::MatrixXd odd = samples[c] * plan.Sine;
+    for (int m = 0; m <= order; ++m)
+    {
+      const Eigen::MatrixXd& solve = plan.Operators[static_cast<std::size_t>(m)];
+      const Eigen::VectorXd a = solve * even.col(m);
+      const Eigen::VectorXd b = solve * odd.col(m);
+      for (int l = m; l <= order; ++l)
+      {
+        const auto store = [&](int k, double value) {
+          coefficients[3 * (static_cast<std::size_t>(k) * views + view) + c] =
+            static_cast<float>(value);
+        };
+        store(BasisFunctions::Index(l, m), a(l - m));
+        if (m > 0)
+        {
+          store(BasisFunctions::Index(l, -m), b(l - m));
+        }
+      }
+    }
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -159,66 +219,19 @@ bool vtkBasisProjector::Project()
                                   static_cast<std::size_t>(nTheta) *
                                   static_cast<std::size_t>(nPhi));
   this->Input->Prepare();
-  vtkBRDF* input = this->Input;
   this->Abort = false;
-  const int nodes = this->NumberOfNodes;
-  const auto projectView = [&](int t, int p)
+  const int views = nTheta * nPhi;
+  const auto projectView = [&](int view)
   {
-    const double theta = ToRadians(
-      this->OutgoingZone[0] + (this->OutgoingZone[1] - this->OutgoingZone[0]) * t / (nTheta - 1.0));
+    const double theta =
+      ToRadians(this->OutgoingZone[0] +
+                (this->OutgoingZone[1] - this->OutgoingZone[0]) * (view / nPhi) / (nTheta - 1.0));
     // f has no value at the horizon, where views are shaded as just above it.
-    const glm::dvec3 o = LiftView(ToDirection(std::cos(theta), 2.0 * Pi * p / nPhi));
-    Eigen::MatrixXd samples[3];
-    for (Eigen::MatrixXd& channel : samples)
-    {
-      channel.resize(nodes, NumberOfAzimuths);
-    }
-    for (int q = 0; q < nodes; ++q)
-    {
-      const double cosine = plan.Cosines[static_cast<std::size_t>(q)];
-      const double factor =
-        (this->IncidentCosine ? cosine : 1.0) * (this->OutgoingCosine ? o.z : 1.0);
-      for (int a = 0; a < NumberOfAzimuths; ++a)
-      {
-        const glm::dvec3 i = ToDirection(cosine, 2.0 * Pi * a / NumberOfAzimuths);
-        double f[3];
-        input->Evaluate(&i.x, &o.x, f);
-        for (int c = 0; c < 3; ++c)
-        {
-          samples[c](q, a) = factor * f[c];
-        }
-      }
-    }
-    for (int c = 0; c < 3; ++c)
-    {
-      const Eigen::MatrixXd even = samples[c] * plan.Cosine;
-      const Eigen::MatrixXd odd = samples[c] * plan.Sine;
-      for (int m = 0; m <= this->Order; ++m)
-      {
-        const Eigen::MatrixXd& solve = plan.Operators[static_cast<std::size_t>(m)];
-        const Eigen::VectorXd a = solve * even.col(m);
-        const Eigen::VectorXd b = solve * odd.col(m);
-        for (int l = m; l <= this->Order; ++l)
-        {
-          const auto store = [&](int k, double value)
-          {
-            coefficients[3 * ((static_cast<std::size_t>(k) * static_cast<std::size_t>(nTheta) +
-                                static_cast<std::size_t>(t)) *
-                                 static_cast<std::size_t>(nPhi) +
-                               static_cast<std::size_t>(p)) +
-                         static_cast<std::size_t>(c)] = static_cast<float>(value);
-          };
-          store(BasisFunctions::Index(l, m), a(l - m));
-          if (m > 0)
-          {
-            store(BasisFunctions::Index(l, -m), b(l - m));
-          }
-        }
-      }
-    }
+    const glm::dvec3 o = LiftView(ToDirection(std::cos(theta), 2.0 * Pi * (view % nPhi) / nPhi));
+    ProjectView(plan, SampleView(this, plan, o), static_cast<std::size_t>(view),
+      static_cast<std::size_t>(views), coefficients);
   };
   // In batches, so that progress and interruption happen on this thread.
-  const int views = nTheta * nPhi;
   constexpr int batch = 16;
   for (int first = 0; first < views; first += batch)
   {
@@ -227,7 +240,7 @@ bool vtkBasisProjector::Project()
       {
         for (vtkIdType view = begin; view < end; ++view)
         {
-          projectView(static_cast<int>(view) / nPhi, static_cast<int>(view) % nPhi);
+          projectView(static_cast<int>(view));
         }
       });
     double progress = std::min(first + batch, views) / static_cast<double>(views);

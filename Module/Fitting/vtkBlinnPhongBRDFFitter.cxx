@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBlinnPhongBRDFFitter.h"
 
+#include "FitterSamples.h"
 #include "LobeFit.h"
 #include "Setters.h"
 #include "vtkBlinnPhongBRDF.h"
@@ -27,9 +28,10 @@ void vtkBlinnPhongBRDFFitter::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-vtkBRDFFitter::Result vtkBlinnPhongBRDFFitter::FitTo(const FitSamples& samples)
+vtkBRDFFitter::Result vtkBlinnPhongBRDFFitter::FitTo(const std::vector<Sample>& samples)
 {
-  const LobeFitResult fit = FitLobes(samples, { LobeShape::BlinnPhong, this->NumberOfLobes, false },
+  const LobeFitResult fit = FitLobes(ToFitSamples(samples, this->Loss),
+    { LobeShape::BlinnPhong, this->NumberOfLobes, false },
     { this->NumberOfStarts, this->StartSeed, this->MaximumNumberOfIterations, this->Tolerance,
       [this](double share) { return this->UpdateProgress(share); } });
   if (!fit.Failure.empty() || fit.Lobes.empty())

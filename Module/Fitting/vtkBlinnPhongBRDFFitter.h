@@ -15,6 +15,8 @@
 
 #include "vtkBRDFFitter.h"
 
+#include <vector> // for FitTo
+
 class VTKMEASUREDBRDF_EXPORT vtkBlinnPhongBRDFFitter : public vtkBRDFFitter
 {
 public:
@@ -36,7 +38,7 @@ protected:
   vtkBlinnPhongBRDFFitter() = default;
   ~vtkBlinnPhongBRDFFitter() override = default;
 
-  Result FitTo(const measuredbrdf::FitSamples& samples) override;
+  Result FitTo(const std::vector<Sample>& samples) override;
 
   int NumberOfLobes = 1;
 

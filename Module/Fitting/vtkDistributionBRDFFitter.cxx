@@ -3,6 +3,7 @@
 #include "vtkDistributionBRDFFitter.h"
 
 #include "DistributionFit.h"
+#include "FitterSamples.h"
 #include "Setters.h"
 #include "vtkBRDF.h"
 #include "vtkDistributionBRDF.h"
@@ -66,7 +67,7 @@ void vtkDistributionBRDFFitter::GetSize(int& nTheta, int& nPhi)
 }
 
 //------------------------------------------------------------------------------
-vtkBRDFFitter::Result vtkDistributionBRDFFitter::FitTo(const FitSamples& samples)
+vtkBRDFFitter::Result vtkDistributionBRDFFitter::FitTo(const std::vector<Sample>& samples)
 {
   int nTheta = 0;
   int nPhi = 0;
@@ -81,7 +82,8 @@ vtkBRDFFitter::Result vtkDistributionBRDFFitter::FitTo(const FitSamples& samples
   options.MaximumNumberOfIterations = this->MaximumNumberOfIterations;
   options.Tolerance = this->Tolerance;
   options.Progress = [this](double share) { return this->UpdateProgress(share); };
-  const DistributionFitResult fit = FitDistribution(this->Input, samples, options);
+  const DistributionFitResult fit =
+    FitDistribution(this->Input, ToFitSamples(samples, this->Loss), options);
   vtkNew<vtkDistributionBRDF> distribution;
   if (!distribution->SetDistribution(nTheta, nPhi, fit.Distribution) ||
       !distribution->SetFresnel(this->NumberOfFresnelSamples, fit.Fresnel))

@@ -20,6 +20,8 @@
 
 #include "vtkBRDFFitter.h"
 
+#include <vector> // for FitTo
+
 class VTKMEASUREDBRDF_EXPORT vtkDistributionBRDFFitter : public vtkBRDFFitter
 {
 public:
@@ -77,7 +79,7 @@ protected:
   ~vtkDistributionBRDFFitter() override = default;
 
   std::string CheckOptions() override;
-  Result FitTo(const measuredbrdf::FitSamples& samples) override;
+  Result FitTo(const std::vector<Sample>& samples) override;
 
   int FresnelModel = MONOTONE;
   int NumberOfThetaSamples = 0;

@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkEnvironment.h"
 
-#include "Printable.h"
-#include "SRGB.h"
-
-#include "EnvironmentPrecomputation.h"
 #include "HalfVector.h" // for Pi
+#include "Printable.h"
 #include "ProceduralEnvironments.h"
+#include "SRGB.h"
 #include "vtkArrayDispatch.h"
 #include "vtkDataArray.h"
 #include "vtkDataArrayAccessor.h"
@@ -44,9 +42,10 @@ std::vector<float> Draw(
       glm::dvec3 sum(0.0);
       for (int k = 0; k < samples * samples; ++k)
       {
+        const int row = k / samples;
         glm::dvec3 d;
-        vtkEnvironment::GetDirection((x + (k % samples + 0.5) / samples) / width,
-          (y + (k / samples + 0.5) / samples) / height, &d.x);
+        vtkEnvironment::GetDirection(
+          (x + (k % samples + 0.5) / samples) / width, (y + (row + 0.5) / samples) / height, &d.x);
         sum += radiance(d);
       }
       for (int c = 0; c < 3; ++c)
@@ -160,7 +159,7 @@ vtkStandardNewMacro(vtkEnvironment);
 //------------------------------------------------------------------------------
 vtkEnvironment::vtkEnvironment()
   : Pixels(std::make_shared<std::vector<float>>())
-  , Parts(std::make_shared<measuredbrdf::EnvironmentPrecomputation>())
+  , Parts(vtkEnvironment::MakeParts())
 {
 }
 
@@ -244,7 +243,7 @@ void vtkEnvironment::Adopt(
   this->Height = height;
   this->Pixels = std::make_shared<const std::vector<float>>(std::move(rgb));
   this->Subdivide();
-  this->Parts = std::make_shared<measuredbrdf::EnvironmentPrecomputation>();
+  this->Parts = vtkEnvironment::MakeParts();
   this->PixelsTime.Modified();
   this->Modified();
 }

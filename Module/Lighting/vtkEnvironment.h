@@ -25,11 +25,6 @@
 
 class vtkImageData;
 
-namespace measuredbrdf
-{
-class EnvironmentPrecomputation;
-}
-
 class VTKMEASUREDBRDF_EXPORT vtkEnvironment : public vtkObject
 {
 public:
@@ -157,7 +152,8 @@ public:
   /**
    * For integrators: what they make of these pixels, once for all of them and all snapshots.
    */
-  measuredbrdf::EnvironmentPrecomputation& GetParts() { return *this->Parts; }
+  struct Precomputation;
+  Precomputation& GetParts() { return *this->Parts; }
 #endif
 
 protected:
@@ -168,7 +164,7 @@ protected:
   int Width = 0;
   int Height = 0;
   std::shared_ptr<const std::vector<float>> Pixels; // replaced, never changed: snapshots share them
-  std::shared_ptr<measuredbrdf::EnvironmentPrecomputation> Parts; // of these pixels
+  std::shared_ptr<Precomputation> Parts;            // of these pixels
   vtkIdType NumberOfNegativeValues = 0;
   vtkIdType NumberOfNonFiniteValues = 0;
   double WorldToEnvironment[9] = { 1, 0, 0, 0, 1, 0, 0, 0, 1 };
@@ -178,6 +174,9 @@ private:
   /// Take clean pixels, and how many values of theirs were not.
   void Adopt(
     int width, int height, std::vector<float> rgb, vtkIdType negative, vtkIdType notFinite);
+
+  /// Where nothing is computed yet. Defined beside Precomputation, which uses environments.
+  static std::shared_ptr<Precomputation> MakeParts();
 
   /// Make Subdivided from the pixels.
   void Subdivide();

@@ -4,6 +4,7 @@
 
 #include "ConservativeRemap.h"
 #include "ProjectionMaps.h"
+#include "Projections.h"
 #include "Setters.h"
 
 #include "vtkCommand.h"
@@ -23,6 +24,19 @@ using namespace measuredbrdf;
 
 vtkStandardNewMacro(vtkEnvironmentProjection);
 
+// The maps know the projections by these numbers.
+static_assert(static_cast<int>(vtkEnvironmentProjection::LAT_LONG) == Projections::LAT_LONG);
+static_assert(static_cast<int>(vtkEnvironmentProjection::ANGULAR_MAP) == Projections::ANGULAR_MAP);
+static_assert(static_cast<int>(vtkEnvironmentProjection::MIRROR_BALL) == Projections::MIRROR_BALL);
+static_assert(static_cast<int>(vtkEnvironmentProjection::CUBE_HORIZONTAL_CROSS) ==
+              Projections::CUBE_HORIZONTAL_CROSS);
+static_assert(static_cast<int>(vtkEnvironmentProjection::CUBE_VERTICAL_CROSS) ==
+              Projections::CUBE_VERTICAL_CROSS);
+static_assert(static_cast<int>(vtkEnvironmentProjection::CUBE_HORIZONTAL_STRIP) ==
+              Projections::CUBE_HORIZONTAL_STRIP);
+static_assert(static_cast<int>(vtkEnvironmentProjection::CUBE_VERTICAL_STRIP) ==
+              Projections::CUBE_VERTICAL_STRIP);
+
 namespace
 {
 constexpr std::int64_t MaximumTexels = std::int64_t(1) << 28;
@@ -37,7 +51,7 @@ struct ProjectionInfo
   const char* Size;
 };
 
-constexpr ProjectionInfo Projections[vtkEnvironmentProjection::NUMBER_OF_PROJECTIONS] = {
+constexpr ProjectionInfo ProjectionInfos[vtkEnvironmentProjection::NUMBER_OF_PROJECTIONS] = {
   { "lat-long", "any size" },
   { "angular map", "as many columns as rows" },
   { "mirror ball", "as many columns as rows" },
@@ -71,13 +85,13 @@ measuredbrdfSetInRangeMacro(
 //------------------------------------------------------------------------------
 std::string vtkEnvironmentProjection::GetProjectionName(int projection)
 {
-  return IsProjection(projection) ? Projections[projection].Name : "";
+  return IsProjection(projection) ? ProjectionInfos[projection].Name : "";
 }
 
 //------------------------------------------------------------------------------
 std::string vtkEnvironmentProjection::GetExpectedSize(int projection)
 {
-  return IsProjection(projection) ? Projections[projection].Size : "";
+  return IsProjection(projection) ? ProjectionInfos[projection].Size : "";
 }
 
 //------------------------------------------------------------------------------

@@ -115,6 +115,29 @@ Energy Gather(
   }
   return energy;
 }
+
+void AddLight(const Region& r, const Energy& energy, int width, int height, vtkLightSet* output)
+{
+  if (!(energy.Luminance > 0.0))
+  {
+    return;
+  }
+  // Directions that cancel (a region all around the sphere) leave only its middle to point at.
+  glm::dvec3 direction = energy.Moment;
+  if (!(glm::length(direction) > 1e-9 * energy.Luminance))
+  {
+    vtkEnvironment::GetDirection(
+      0.5 * (r.X0 + r.X1) / width, 0.5 * (r.Y0 + r.Y1) / height, &direction.x);
+  }
+  const double mean = glm::length(energy.Moment) / energy.Luminance;
+  const bool texel = r.X1 - r.X0 == 1 && r.Y1 - r.Y0 == 1;
+  const double concentration =
+    vtkLightSet::GetConcentrationOfVariance(texel ? 0.0 : 1.0 - mean * mean);
+  if (output->AddLight(&direction.x, &energy.Irradiance.x, energy.SolidAngle, concentration))
+  {
+    output->SetLastRegion(r.X0, r.Y0, r.X1, r.Y1);
+  }
+}
 } // namespace
 
 vtkStandardNewMacro(vtkMedianCutLightSetGenerator);
@@ -179,27 +202,7 @@ bool vtkMedianCutLightSetGenerator::Generate(
   output->RemoveAllLights();
   for (std::size_t k = 0; k < regions.size(); ++k)
   {
-    const Region& r = regions[k];
-    const Energy& energy = energies[k];
-    if (!(energy.Luminance > 0.0))
-    {
-      continue;
-    }
-    // Directions that cancel (a region all around the sphere) leave only its middle to point at.
-    glm::dvec3 direction = energy.Moment;
-    if (!(glm::length(direction) > 1e-9 * energy.Luminance))
-    {
-      vtkEnvironment::GetDirection(
-        0.5 * (r.X0 + r.X1) / width, 0.5 * (r.Y0 + r.Y1) / height, &direction.x);
-    }
-    const double mean = glm::length(energy.Moment) / energy.Luminance;
-    const bool texel = r.X1 - r.X0 == 1 && r.Y1 - r.Y0 == 1;
-    const double concentration =
-      vtkLightSet::GetConcentrationOfVariance(texel ? 0.0 : 1.0 - mean * mean);
-    if (output->AddLight(&direction.x, &energy.Irradiance.x, energy.SolidAngle, concentration))
-    {
-      output->SetLastRegion(r.X0, r.Y0, r.X1, r.Y1);
-    }
+    AddLight(regions[k], energies[k], width, height, output);
   }
   return true;
 }

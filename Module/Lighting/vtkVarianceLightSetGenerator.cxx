@@ -6,7 +6,6 @@
 #include "Setters.h"
 #include "vtkCommand.h"
 #include "vtkEnvironment.h"
-#include "vtkLightSet.h"
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
@@ -18,8 +17,7 @@ struct vtkVarianceLightSetGenerator::Internals
 {
   // What the tree was made from. Modification times are never used twice: a recycled address does
   // no harm.
-  using Key = std::tuple<vtkEnvironment*, vtkMTimeType, int, bool,
-    std::shared_ptr<const measuredbrdf::TexelChanges>>;
+  using Key = std::tuple<vtkEnvironment*, vtkMTimeType, int, bool>;
   Key MadeFrom;
   std::unique_ptr<measuredbrdf::LightTree> Tree;
 };
@@ -40,13 +38,13 @@ bool vtkVarianceLightSetGenerator::Grow(vtkEnvironment* environment, int count)
   environment = environment->GetSubdivided();
   const bool greedy = this->Method == GREEDY;
   const Internals::Key key{ environment, environment->GetPixelsMTime(), this->Method,
-    greedy && this->ExtractedEmitters, this->Changes };
+    greedy && this->ExtractedEmitters };
   std::unique_ptr<LightTree>& tree = this->Impl->Tree;
   if (!tree || this->Impl->MadeFrom != key)
   {
     tree = std::make_unique<LightTree>(environment,
       greedy ? LightTree::Rule::Greedy : LightTree::Rule::MinimumVariance,
-      greedy && this->ExtractedEmitters, this->Changes);
+      greedy && this->ExtractedEmitters);
     this->Impl->MadeFrom = key;
   }
   else if (count <= tree->GetNumberOfCells() || tree->IsComplete())
@@ -79,33 +77,9 @@ bool vtkVarianceLightSetGenerator::Generate(
   {
     return false;
   }
-  environment = environment->GetSubdivided();
   const measuredbrdf::LightTree& tree = *this->Impl->Tree;
-  const int cells = std::min(count, tree.GetNumberOfCells());
-  this->ResidualVariance = tree.GetResidual(cells);
-  output->RemoveAllLights();
-  // Only the first cells - 1 splits' nodes can be in the set.
-  for (std::size_t k = 0; k < 2 * static_cast<std::size_t>(cells) - 1; ++k)
-  {
-    const measuredbrdf::LightTree::Node& node = tree.GetNodes()[k];
-    if (!tree.IsIn(k, cells) || !(node.Luminance > 0.0))
-    {
-      continue;
-    }
-    // Directions that cancel (a cell all around the sphere) leave only its middle to point at.
-    glm::dvec3 direction = node.Moment;
-    if (!(glm::length(direction) > 1e-9 * node.Luminance))
-    {
-      vtkEnvironment::GetDirection(0.5 * (node.X0 + node.X1) / environment->GetWidth(),
-        0.5 * (node.Y0 + node.Y1) / environment->GetHeight(), &direction.x);
-    }
-    const double concentration =
-      vtkLightSet::GetConcentrationOfVariance(node.GetVariance() / node.Luminance);
-    if (output->AddLight(&direction.x, &node.Irradiance.x, node.SolidAngle, concentration))
-    {
-      output->SetLastRegion(node.X0, node.Y0, node.X1, node.Y1);
-    }
-  }
+  this->ResidualVariance = tree.GetResidual(std::min(count, tree.GetNumberOfCells()));
+  tree.FillLightSet(count, output);
   return true;
 }
 

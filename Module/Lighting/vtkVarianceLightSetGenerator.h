@@ -33,11 +33,6 @@
 #include <atomic> // for Abort
 #include <memory> // for Internals
 
-namespace measuredbrdf
-{
-struct TexelChanges;
-}
-
 class VTKMEASUREDBRDF_EXPORT vtkVarianceLightSetGenerator : public vtkLightSetGenerator
 {
 public:
@@ -107,16 +102,6 @@ public:
   bool GetAbort() { return this->Abort; }
   ///@}
 
-#ifndef __VTK_WRAP__
-  /**
-   * For the planner: cut the environment with these texels changed; null (default): as it is.
-   */
-  void SetChanges(const std::shared_ptr<const measuredbrdf::TexelChanges>& changes)
-  {
-    this->Changes = changes;
-  }
-#endif
-
 protected:
   vtkVarianceLightSetGenerator();
   ~vtkVarianceLightSetGenerator() override;
@@ -135,7 +120,6 @@ private:
 
   struct Internals;
   std::unique_ptr<Internals> Impl;
-  std::shared_ptr<const measuredbrdf::TexelChanges> Changes;
 };
 
 #endif

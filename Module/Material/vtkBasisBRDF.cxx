@@ -3,10 +3,10 @@
 #include "vtkBasisBRDF.h"
 
 #include "BasisFunctions.h"
+#include "BasisTables.h"
 #include "ContentHash.h"
 #include "HalfVectorSampler.h"
 #include "LocalFrame.h"
-#include "LowDiscrepancy.h"
 #include "ModuleShader.h"
 #include "Setters.h"
 #include "ZonePairs.h"
@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <sstream>
@@ -29,7 +30,6 @@ vtkStandardNewMacro(vtkBasisBRDF);
 namespace
 {
 constexpr double MinimumCosine = 0.01; // that a sum is divided by; the shader has the same
-constexpr int LargestSide = 256;       // of the basis table
 
 double ToRadians(double degrees) { return degrees * (Pi / 180.0); }
 
@@ -53,76 +53,17 @@ BasisFunctions MakeFunctions(int basis, int order, const double zone[2])
   }
 }
 
-// Two neighboring samples of an axis and the weight of the second.
-struct Interval
-{
-  int First;
-  int Second;
-  double Weight;
-};
-
-// Samples at u = k / (n-1).
-Interval OnAxis(double u, int n)
-{
-  const double x = std::clamp(u, 0.0, 1.0) * (n - 1);
-  const int first = std::min(static_cast<int>(x), n - 2);
-  return { first, first + 1, x - first };
-}
-
-// Samples at u = k / n, periodic.
-Interval OnCircle(double u, int n)
-{
-  const double x = (u - std::floor(u)) * n;
-  const int first = static_cast<int>(x) % n;
-  return { first, (first + 1) % n, x - std::floor(x) };
-}
-
 double GetTurn(double y, double x) { return std::atan2(y, x) / (2.0 * Pi); }
-
-// Four neighbors in the basis table and their weights.
-struct Corners
-{
-  const float* Rows[4];
-  double Weights[4];
-
-  double Interpolate(std::size_t k) const
-  {
-    return this->Weights[0] * this->Rows[0][k] + this->Weights[1] * this->Rows[1][k] +
-           this->Weights[2] * this->Rows[2][k] + this->Weights[3] * this->Rows[3][k];
-  }
-};
 }
 
 //------------------------------------------------------------------------------
-// What Evaluate reads: basis values and coefficients with k fastest.
-struct vtkBasisBRDF::Tables
+struct vtkBasisBRDF::Tables : public BasisTables
 {
-  BasisFunctions Functions;
+  using BasisTables::BasisTables;
+
   double Tolerance = 0.0; // that they were made for
   bool Cosines[2] = { false, false };
-  double GammaRange = Pi; // acos(x) at the last row
-  int NumberOfGamma = 2;
-  int NumberOfPhi = 1;
-  std::vector<float> Basis;        // [gamma][phi][k]
-  std::vector<float> Coefficients; // [theta_o][phi_o][channel][k]
   std::unique_ptr<HalfVectorSampler> Sampler;
-
-  Corners GetCorners(double x, double turn) const
-  {
-    const Interval g = OnAxis(std::acos(x) / this->GammaRange, this->NumberOfGamma);
-    const Interval p = OnCircle(turn, this->NumberOfPhi);
-    const auto row = [this](int gamma, int phi)
-    {
-      const std::size_t k =
-        static_cast<std::size_t>(gamma) * static_cast<std::size_t>(this->NumberOfPhi) +
-        static_cast<std::size_t>(phi);
-      return &this->Basis[k * static_cast<std::size_t>(this->Functions.GetNumberOfFunctions())];
-    };
-    return { { row(g.First, p.First), row(g.First, p.Second), row(g.Second, p.First),
-               row(g.Second, p.Second) },
-      { (1.0 - g.Weight) * (1.0 - p.Weight), (1.0 - g.Weight) * p.Weight,
-        g.Weight * (1.0 - p.Weight), g.Weight * p.Weight } };
-  }
 };
 
 //------------------------------------------------------------------------------
@@ -195,7 +136,7 @@ std::string vtkBasisBRDF::SetCoefficients(int basis, int order, const double inc
   {
     return "basis " + std::to_string(basis) + " is unknown";
   }
-  const std::string sizeProblem = FindSizeProblem(order, nTheta, nPhi);
+  std::string sizeProblem = FindSizeProblem(order, nTheta, nPhi);
   if (!sizeProblem.empty())
   {
     return sizeProblem;
@@ -204,7 +145,7 @@ std::string vtkBasisBRDF::SetCoefficients(int basis, int order, const double inc
   const double incident[2] = { ownZone ? incidentZone[0] : 0.0, ownZone ? incidentZone[1] : 90.0 };
   for (const double* zone : { incident, outgoingZone })
   {
-    const std::string problem = FindZoneProblem(zone);
+    std::string problem = FindZoneProblem(zone);
     if (!problem.empty())
     {
       return problem;
@@ -265,44 +206,13 @@ const vtkBasisBRDF::Tables& vtkBasisBRDF::GetTables()
   {
     return *this->Cached;
   }
-  auto tables = std::make_unique<Tables>();
+  auto tables =
+    std::make_unique<Tables>(MakeFunctions(this->Basis, this->Order, this->IncidentZone),
+      this->Basis == SPHERICAL_HARMONICS ? 0.5 * Pi : Pi, this->ResamplingTolerance,
+      this->Coefficients);
   tables->Tolerance = this->ResamplingTolerance;
   tables->Cosines[0] = this->IncidentCosine;
   tables->Cosines[1] = this->OutgoingCosine;
-  tables->Functions = MakeFunctions(this->Basis, this->Order, this->IncidentZone);
-  tables->GammaRange = this->Basis == SPHERICAL_HARMONICS ? 0.5 * Pi : Pi;
-  // Linear interpolation of cos(m t) at steps h has an RMS error of 0.09 (m h)^2, per axis.
-  const double step =
-    std::sqrt(this->ResamplingTolerance / 0.18) / std::max(static_cast<double>(this->Order), 1.0);
-  const auto count = [step](double range)
-  { return std::clamp(static_cast<int>(std::ceil(range / step)), 1, LargestSide - 1) + 1; };
-  tables->NumberOfGamma = count(tables->GammaRange);
-  tables->NumberOfPhi = this->Order == 0 ? 1 : count(2.0 * Pi);
-  const std::size_t functions = static_cast<std::size_t>(this->GetNumberOfFunctions());
-  std::vector<double> values(functions);
-  for (int g = 0; g < tables->NumberOfGamma; ++g)
-  {
-    const double gamma = tables->GammaRange * g / (tables->NumberOfGamma - 1.0);
-    const double cosine = tables->Functions.ToCosine(std::cos(gamma));
-    for (int p = 0; p < tables->NumberOfPhi; ++p)
-    {
-      tables->Functions.Evaluate(cosine, 2.0 * Pi * p / tables->NumberOfPhi, values.data());
-      tables->Basis.insert(tables->Basis.end(), values.begin(), values.end());
-    }
-  }
-  const std::size_t views = this->Coefficients.size() / (3 * functions);
-  tables->Coefficients.resize(this->Coefficients.size());
-  for (std::size_t k = 0; k < functions; ++k)
-  {
-    for (std::size_t v = 0; v < views; ++v)
-    {
-      for (std::size_t c = 0; c < 3; ++c)
-      {
-        tables->Coefficients[(3 * v + c) * functions + k] =
-          this->Coefficients[3 * (k * views + v) + c];
-      }
-    }
-  }
   this->Cached = std::move(tables);
   return *this->Cached;
 }
@@ -333,7 +243,7 @@ void vtkBasisBRDF::Sum(const double i[3], const double o[3], double f[3])
   const double x = tables.Functions.ToX(i[2]);
   const double turn =
     isotropic ? GetTurn(o[0] * i[1] - o[1] * i[0], i[0] * o[0] + i[1] * o[1]) : GetTurn(i[1], i[0]);
-  const Corners corners = tables.GetCorners(x, turn);
+  const BasisCorners corners = tables.GetCorners(x, turn);
   const double begin = ToRadians(this->OutgoingZone[0]);
   const double end = ToRadians(this->OutgoingZone[1]);
   const double thetaO = std::atan2(std::hypot(o[0], o[1]), o[2]);
@@ -451,7 +361,7 @@ double vtkBasisBRDF::PdfAbove(const double i[3], const double o[3])
 //------------------------------------------------------------------------------
 void vtkBasisBRDF::GetBounds(double minimumCosine, double lower[3], double upper[3])
 {
-  // sum |C_k| max |B_k|, over the least of the cosines that it is divided by.
+  // Those of the sums, over the least of the cosines that they are divided by.
   std::fill_n(lower, 3, 0.0);
   std::fill_n(upper, 3, 0.0);
   if (this->Coefficients.empty())
@@ -459,12 +369,6 @@ void vtkBasisBRDF::GetBounds(double minimumCosine, double lower[3], double upper
     return;
   }
   const Tables& tables = this->GetTables();
-  const std::size_t n = static_cast<std::size_t>(this->GetNumberOfFunctions());
-  std::vector<float> largest(n, 0.0f);
-  for (std::size_t k = 0; k < tables.Basis.size(); ++k)
-  {
-    largest[k % n] = std::max(largest[k % n], std::abs(tables.Basis[k]));
-  }
   double divisor = 1.0;
   if (this->IncidentCosine)
   {
@@ -475,58 +379,7 @@ void vtkBasisBRDF::GetBounds(double minimumCosine, double lower[3], double upper
     const double near = std::cos(ToRadians(this->OutgoingZone[0]));
     divisor *= std::max(std::min(minimumCosine, near), MinimumCosine);
   }
-  for (std::size_t row = 0; row < tables.Coefficients.size() / n; ++row)
-  {
-    double sum = 0.0;
-    for (std::size_t k = 0; k < n; ++k)
-    {
-      sum += static_cast<double>(std::abs(tables.Coefficients[row * n + k])) * largest[k];
-    }
-    sum /= divisor;
-    upper[row % 3] = std::max(upper[row % 3], sum);
-  }
-}
-
-//------------------------------------------------------------------------------
-// interpolation: relative L2 error of the sums by the basis table's steps, directions weighted by
-// the cosine. amplification: how much independent rounding errors of the stored values grow in the
-// sum, sqrt(sum (C_k B_k)^2) / |sum C_k B_k|, RMS.
-void vtkBasisBRDF::MeasureTables(double& interpolation, double& amplification)
-{
-  const Tables& tables = this->GetTables();
-  const std::size_t n = static_cast<std::size_t>(this->GetNumberOfFunctions());
-  const std::size_t views = tables.Coefficients.size() / (3 * n);
-  std::vector<double> exact(n);
-  double difference = 0.0;
-  double absolute = 0.0;
-  double plain = 0.0;
-  for (std::uint32_t sample = 1; sample <= 2000; ++sample)
-  {
-    const std::size_t view = static_cast<std::size_t>(RadicalInverse(sample, 2) * views);
-    const double cosine = std::sqrt(RadicalInverse(sample, 3));
-    const double turn = RadicalInverse(sample, 5);
-    const double x = tables.Functions.ToX(cosine);
-    tables.Functions.Evaluate(tables.Functions.ToCosine(x), 2.0 * Pi * turn, exact.data());
-    const Corners corners = tables.GetCorners(x, turn);
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      double sum = 0.0;
-      double error = 0.0;
-      double magnitude = 0.0;
-      for (std::size_t k = 0; k < n; ++k)
-      {
-        const double coefficient = tables.Coefficients[(3 * view + c) * n + k];
-        sum += coefficient * exact[k];
-        error += coefficient * (corners.Interpolate(k) - exact[k]);
-        magnitude += coefficient * exact[k] * coefficient * exact[k];
-      }
-      plain += sum * sum;
-      difference += error * error;
-      absolute += magnitude;
-    }
-  }
-  interpolation = plain > 0.0 ? std::sqrt(difference / plain) : 0.0;
-  amplification = plain > 0.0 ? std::sqrt(absolute / plain) : 1.0;
+  tables.GetBounds(divisor, upper);
 }
 
 //------------------------------------------------------------------------------
@@ -542,44 +395,13 @@ void vtkBasisBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
   constexpr double halfRounding = 1.0 / 2048.0;
   double interpolation = 0.0;
   double amplification = 1.0;
-  this->MeasureTables(interpolation, amplification);
+  tables.Measure(interpolation, amplification);
   const bool halfFloat = 4.0 * halfRounding * amplification <= this->ResamplingTolerance;
 
-  vtkBRDFShaderInputs::Texture coefficients;
-  coefficients.Name = "brdfCoefficients";
-  coefficients.ThreeD = true;
-  coefficients.Dimensions = { this->NumberOfPhi, this->NumberOfTheta, n };
-  coefficients.Repeat = { true, false, false };
-  coefficients.HalfFloat = halfFloat;
-  float peak = 0.0f;
-  for (float v : this->Coefficients)
-  {
-    peak = std::max(peak, std::abs(v));
-  }
-  const float scale = halfFloat && peak > 1e-30f ? 32768.0f / peak : 1.0f;
-  coefficients.Data.reserve(this->Coefficients.size());
-  for (float v : this->Coefficients)
-  {
-    coefficients.Data.push_back(v * scale);
-  }
-
-  vtkBRDFShaderInputs::Texture basis;
-  basis.Name = "brdfBasis";
-  basis.ThreeD = true;
-  basis.Components = 1;
-  basis.Dimensions = { tables.NumberOfPhi, tables.NumberOfGamma, n };
-  basis.Repeat = { true, false, false };
-  basis.HalfFloat = halfFloat;
-  const std::size_t lights = tables.Basis.size() / static_cast<std::size_t>(n);
-  basis.Data.reserve(tables.Basis.size());
-  for (int k = 0; k < n; ++k)
-  {
-    for (std::size_t light = 0; light < lights; ++light)
-    {
-      basis.Data.push_back(
-        tables.Basis[light * static_cast<std::size_t>(n) + static_cast<std::size_t>(k)]);
-    }
-  }
+  float scale = 1.0f;
+  vtkBRDFShaderInputs::Texture coefficients = MakeCoefficientTexture(
+    this->Coefficients, this->NumberOfPhi, this->NumberOfTheta, halfFloat, scale);
+  vtkBRDFShaderInputs::Texture basis = tables.MakeTexture(halfFloat);
 
   vtkBRDFShaderInputs::Term term;
   measuredbrdf::SetModuleShader(term, "vtkBRDFBasis", vtkBRDFBasis);

@@ -191,7 +191,6 @@ private:
   struct Tables;
   const Tables& GetTables();
   void Sum(const double i[3], const double o[3], double f[3]);
-  void MeasureTables(double& interpolation, double& amplification);
 
   std::unique_ptr<Tables> Cached;
 };

@@ -3,10 +3,13 @@
 #include "vtkTabulatedBRDF.h"
 
 #include "ContentHash.h"
+#include "HalfVector.h"
 #include "HalfVectorSampler.h"
 #include "ModuleShader.h"
+#include "Neighbors.h"
 #include "Setters.h"
 #include "TabulatedLevels.h"
+#include "VolumeInterpolation.h"
 #include "vtkBRDFHalfDifference.h"
 #include "vtkBRDFHalfDifferenceSoft.h"
 #include "vtkBRDFIncidentOutgoing.h"
@@ -21,6 +24,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <mutex>
 #include <optional>
@@ -43,39 +47,6 @@ struct vtkTabulatedBRDF::Levels
 
 namespace
 {
-// With less than this weight on valid corners there is no value. The shader has the same limit.
-constexpr double MinimumValidWeight = 1e-4;
-
-// Two neighboring samples and their weights, along one axis.
-struct Corner
-{
-  int Index[2];
-  double Weight[2];
-};
-
-Corner FindCorners(double u, int n, bool periodic)
-{
-  double x = u * n - 0.5;
-  if (!periodic)
-  {
-    x = std::clamp(x, 0.0, n - 1.0);
-  }
-  const double base = std::floor(x);
-  const double w = x - base;
-  int k0 = static_cast<int>(base);
-  int k1 = k0 + 1;
-  if (periodic)
-  {
-    k0 = ((k0 % n) + n) % n;
-    k1 = ((k1 % n) + n) % n;
-  }
-  else
-  {
-    k1 = std::min(k1, n - 1);
-  }
-  return { { k0, k1 }, { 1.0 - w, w } };
-}
-
 // Invalid cells are premultiplied away: the filter then skips them as Evaluate does.
 void Fill(vtkBRDFShaderInputs::Texture& texture, const std::vector<float>& volume, float scale)
 {
@@ -96,67 +67,21 @@ void Fill(vtkBRDFShaderInputs::Texture& texture, const std::vector<float>& volum
   }
 }
 
-// Two neighboring samples along each axis of a volume.
-struct Corners
-{
-  Corner X, Y, Z;
-};
-
-// Weighted sum of the valid corners, and their weights.
-struct Sum
-{
-  double Values[3] = { 0.0, 0.0, 0.0 };
-  double Valid = 0.0;
-};
-
-Sum Gather(const std::vector<float>& volume, const int dimensions[3], const Corners& corners)
-{
-  Sum sum;
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    const int a = corner & 1, b = (corner >> 1) & 1, c = corner >> 2;
-    const double w = corners.X.Weight[a] * corners.Y.Weight[b] * corners.Z.Weight[c];
-    const std::size_t cell =
-      static_cast<std::size_t>(corners.X.Index[a]) +
-      static_cast<std::size_t>(dimensions[0]) *
-        (static_cast<std::size_t>(corners.Y.Index[b]) +
-          static_cast<std::size_t>(dimensions[1]) * static_cast<std::size_t>(corners.Z.Index[c]));
-    const float* v = &volume[3 * cell];
-    if (!std::isnan(v[0]))
-    {
-      sum.Valid += w;
-      sum.Values[0] += w * v[0];
-      sum.Values[1] += w * v[1];
-      sum.Values[2] += w * v[2];
-    }
-  }
-  return sum;
-}
-
-// The same of a half/difference volume's level, at coordinates u.
-Sum GatherLevel(const TabulatedLevels& levels, int level, const std::vector<float>& volume,
+// What surrounds coordinates u in a half/difference volume's level.
+VolumeSum GatherLevel(const TabulatedLevels& levels, int level, const std::vector<float>& volume,
   const int dimensions[3], const glm::dvec3& u)
 {
   if (level == 0)
   {
-    return Gather(volume, dimensions,
+    return GatherCorners(volume, dimensions,
       { FindCorners(u.x, dimensions[0], true), FindCorners(u.y, dimensions[1], false),
         FindCorners(u.z, dimensions[2], false) });
   }
   const std::array<int, 3>& size = levels.GetDimensions();
   const Neighbors z = levels.FindSlices(level, u.z);
-  return Gather(levels.GetVolume(), size.data(),
+  return GatherCorners(levels.GetVolume(), size.data(),
     { FindCorners(u.x, size[0], true), FindCorners(u.y, size[1], false),
       { { z.First, z.Second }, { 1.0 - z.Weight, z.Weight } } });
-}
-
-// The mean of the valid corners over the cosine that the volume holds.
-void Divide(const Sum& sum, double cosine, double f[3])
-{
-  for (int c = 0; c < 3; ++c)
-  {
-    f[c] = sum.Valid > MinimumValidWeight ? sum.Values[c] / (sum.Valid * cosine) : 0.0;
-  }
 }
 
 // Angles of a pair in units of the axes, each in [0,1] (azimuth: any real number, periodic).
@@ -298,9 +223,10 @@ void vtkTabulatedBRDF::EvaluateAbove(const double i[3], const double o[3], doubl
   // The mirror-symmetric azimuth of incident/outgoing tables ends at 0 and pi, all others close.
   const bool periodic =
     this->Parameterization == HALF_DIFFERENCE || this->AzimuthRange == FULL_TURN;
-  const Corners corners = { FindCorners(u.x, this->Dimensions[0], periodic),
+  const VolumeCorners corners = { FindCorners(u.x, this->Dimensions[0], periodic),
     FindCorners(u.y, this->Dimensions[1], false), FindCorners(u.z, this->Dimensions[2], false) };
-  Divide(Gather(this->Volume, this->Dimensions, corners), this->CosineWeighted ? o[2] : 1.0, f);
+  DivideByValid(
+    GatherCorners(this->Volume, this->Dimensions, corners), this->CosineWeighted ? o[2] : 1.0, f);
 }
 
 //------------------------------------------------------------------------------
@@ -318,15 +244,17 @@ void vtkTabulatedBRDF::EvaluateSoftAbove(
   const glm::dvec3 u = ToUnit(this->Parameterization, this->AzimuthRange, light, view);
   const Neighbors around =
     levels->Values->FindLevels(HalfVectorSpread(spread, glm::dot(HalfVector(light, view), view)));
-  const Sum first = GatherLevel(*levels->Values, around.First, this->Volume, this->Dimensions, u);
-  const Sum second = GatherLevel(*levels->Values, around.Second, this->Volume, this->Dimensions, u);
-  Sum sum;
+  const VolumeSum first =
+    GatherLevel(*levels->Values, around.First, this->Volume, this->Dimensions, u);
+  const VolumeSum second =
+    GatherLevel(*levels->Values, around.Second, this->Volume, this->Dimensions, u);
+  VolumeSum sum;
   for (int c = 0; c < 3; ++c)
   {
     sum.Values[c] = glm::mix(first.Values[c], second.Values[c], around.Weight);
   }
   sum.Valid = glm::mix(first.Valid, second.Valid, around.Weight);
-  Divide(sum, this->CosineWeighted ? o[2] : 1.0, f);
+  DivideByValid(sum, this->CosineWeighted ? o[2] : 1.0, f);
 }
 
 //------------------------------------------------------------------------------

@@ -5,7 +5,6 @@
 #include "HalfVector.h"
 #include "LocalFrame.h"
 #include "LowDiscrepancy.h"
-#include "vtkBRDFFitter.h"
 #include "vtkSMPTools.h"
 #include "vtkSumBRDF.h"
 #include "vtkTabulatedBRDF.h"
@@ -16,6 +15,7 @@
 #include <array>
 #include <cstdint>
 #include <random>
+#include <utility>
 
 namespace measuredbrdf
 {
@@ -112,9 +112,9 @@ double FitLoss::Value(double f, double cosine) const
 {
   switch (this->Type)
   {
-    case vtkBRDFFitter::CUBE_ROOT_COSINE:
+    case CubeRootCosine:
       return std::cbrt(f * cosine + CubeRootOffset) - std::cbrt(CubeRootOffset);
-    case vtkBRDFFitter::SQUARED:
+    case Squared:
       return f * std::sqrt(cosine);
     default:
       return std::log1p(f * cosine);
@@ -126,12 +126,12 @@ double FitLoss::Slope(double f, double cosine) const
 {
   switch (this->Type)
   {
-    case vtkBRDFFitter::CUBE_ROOT_COSINE:
+    case CubeRootCosine:
     {
       const double root = std::cbrt(f * cosine + CubeRootOffset);
       return cosine / (3.0 * root * root);
     }
-    case vtkBRDFFitter::SQUARED:
+    case Squared:
       return std::sqrt(cosine);
     default:
       return cosine / (1.0 + f * cosine);
@@ -179,6 +179,13 @@ FitSamples::FitSamples(vtkBRDF* input, const FitLoss& loss, unsigned int seed, i
 }
 
 //------------------------------------------------------------------------------
+FitSamples::FitSamples(const FitLoss& loss, std::vector<FitSample> samples)
+  : Loss(loss)
+  , Samples(std::move(samples))
+{
+}
+
+//------------------------------------------------------------------------------
 void FitSamples::Normalize()
 {
   double sum = 0.0;
@@ -190,13 +197,6 @@ void FitSamples::Normalize()
   {
     sample.Weight /= sum;
   }
-}
-
-//------------------------------------------------------------------------------
-bool FitSamples::IsBlack() const
-{
-  return std::all_of(this->begin(), this->end(),
-    [](const FitSample& s) { return s.F[0] == 0.0 && s.F[1] == 0.0 && s.F[2] == 0.0; });
 }
 
 //------------------------------------------------------------------------------

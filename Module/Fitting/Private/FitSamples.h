@@ -17,9 +17,16 @@ class vtkBRDF;
 
 namespace measuredbrdf
 {
-/// The transform T(f, cos_i) of vtkBRDFFitter::LossType whose squared differences are summed.
+/// The transform T(f, cos_i) whose squared differences are summed. vtkBRDFFitter describes the
+/// types, by the same numbers.
 struct FitLoss
 {
+  enum : int
+  {
+    LogCosine = 0,
+    CubeRootCosine = 1,
+    Squared = 2
+  };
   int Type;
 
   double Value(double f, double cosine) const;
@@ -41,14 +48,14 @@ public:
    */
   FitSamples(vtkBRDF* input, const FitLoss& loss, unsigned int seed, int first, int count);
 
+  /// Those.
+  FitSamples(const FitLoss& loss, std::vector<FitSample> samples);
+
   const FitLoss& GetLoss() const { return this->Loss; }
   std::size_t size() const { return this->Samples.size(); }
   const FitSample& operator[](std::size_t k) const { return this->Samples[k]; }
   std::vector<FitSample>::const_iterator begin() const { return this->Samples.begin(); }
   std::vector<FitSample>::const_iterator end() const { return this->Samples.end(); }
-
-  /// Whether the input is 0 in every sample.
-  bool IsBlack() const;
 
   /// The first of these samples: a low-discrepancy set too.
   FitSamples GetFirst(std::size_t count) const;

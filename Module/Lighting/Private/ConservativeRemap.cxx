@@ -4,7 +4,7 @@
 
 #include "HalfVector.h" // for Pi
 #include "ProjectionMaps.h"
-#include "vtkEnvironmentProjection.h"
+#include "Projections.h"
 
 #include <algorithm>
 #include <array>
@@ -89,7 +89,7 @@ ConservativeRemap::ConservativeRemap(
   , Target(target)
   , Pixels(rgb.data())
 {
-  if (target.Projection == vtkEnvironmentProjection::LAT_LONG)
+  if (target.Projection == Projections::LAT_LONG)
   {
     this->Columns = Tabulate(target.Width, 2.0 * Pi);
     this->Rows = Tabulate(target.Height, Pi);

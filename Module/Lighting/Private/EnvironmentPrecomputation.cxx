@@ -2,15 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EnvironmentPrecomputation.h"
 
-#include "vtkCallbackCommand.h"
-#include "vtkCommand.h"
-#include "vtkEnvironment.h"
+#include "LightTree.h"
 #include "vtkLightSet.h"
 #include "vtkLightSetGenerator.h"
-#include "vtkNew.h"
-#include "vtkVarianceLightSetGenerator.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace measuredbrdf
 {
@@ -87,24 +84,19 @@ vtkSmartPointer<vtkLightSet> EnvironmentPrecomputation::GetLightSet(
 {
   const auto make = [&]() -> std::shared_ptr<LightSet>
   {
-    vtkNew<vtkVarianceLightSetGenerator> generator;
-    generator->SetTreeSize(count);
-    generator->SetChanges(rest);
-    std::pair<const GoOn*, vtkVarianceLightSetGenerator*> both(&goOn, generator);
-    vtkNew<vtkCallbackCommand> follow;
-    follow->SetClientData(&both);
-    follow->SetCallback(
-      [](vtkObject*, unsigned long, void* data, void*)
-      {
-        const auto& [mayGoOn, growing] = *static_cast<decltype(both)*>(data);
-        growing->SetAbort(!(*mayGoOn)());
-      });
-    generator->AddObserver(vtkCommand::ProgressEvent, follow);
-    // An abort is no error of the generator's: whoever aborted says so.
-    vtkNew<vtkCallbackCommand> silence;
-    generator->AddObserver(vtkCommand::ErrorEvent, silence);
-    auto set = vtkSmartPointer<vtkLightSet>::New();
-    return generator->Generate(environment, count, set) ? std::make_shared<LightSet>(set) : nullptr;
+    if (count < 1 || count > vtkLightSetGenerator::MaximumNumberOfLights)
+    {
+      return nullptr;
+    }
+    vtkEnvironment* subdivided = environment->GetSubdivided();
+    LightTree tree(subdivided, LightTree::Rule::Greedy, false, rest);
+    if (!tree.Grow(subdivided, count, [&goOn](double) { return goOn(); }))
+    {
+      return nullptr;
+    }
+    auto set = std::make_shared<LightSet>(vtkSmartPointer<vtkLightSet>::New());
+    tree.FillLightSet(count, *set);
+    return set;
   };
   const auto set = this->LightSets.Get({ rest.get(), count }, goOn, make);
   return set ? *set : nullptr;
@@ -136,3 +128,8 @@ std::string EnvironmentPrecomputation::GetContentKey(const std::function<std::st
     0, []() { return true; }, [&]() { return std::make_shared<std::string>(make()); });
 }
 } // namespace measuredbrdf
+
+std::shared_ptr<vtkEnvironment::Precomputation> vtkEnvironment::MakeParts()
+{
+  return std::make_shared<Precomputation>();
+}

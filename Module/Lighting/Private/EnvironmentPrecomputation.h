@@ -15,6 +15,7 @@
 #include "ExtractedEmitters.h"
 #include "MadeOnce.h"
 #include "TexelChanges.h"
+#include "vtkEnvironment.h"
 #include "vtkSmartPointer.h"
 
 #include <functional>
@@ -25,7 +26,6 @@
 #include <utility>
 #include <vector>
 
-class vtkEnvironment;
 class vtkLightSet;
 class vtkLightSetGenerator;
 
@@ -101,5 +101,10 @@ private:
   MadeOnce<int, std::string> ContentKey;
 };
 } // namespace measuredbrdf
+
+/// What an environment's GetParts gives.
+struct vtkEnvironment::Precomputation : public measuredbrdf::EnvironmentPrecomputation
+{
+};
 
 #endif

@@ -77,6 +77,74 @@ double GetLeast(double total, double share, vtkEnvironment* environment)
   const double texels = static_cast<double>(environment->GetPixels().size() / 3);
   return total * std::max(share, Contrast / texels);
 }
+
+// The lamps of the brightest texels, `maximum` at most: each has one texel, or those within an
+// angle of its brightest one. Returns whether all texels found a lamp.
+bool FindBrightestLamps(vtkEnvironment* environment,
+  const std::vector<std::pair<double, int>>& brightest, int maximum, double angle,
+  std::vector<Lamp>& lamps)
+{
+  const int width = environment->GetWidth();
+  bool all = true;
+  for (const auto& texel : brightest)
+  {
+    glm::dvec3 direction;
+    environment->GetTexelDirection(texel.second % width, texel.second / width, &direction.x);
+    const auto near = [&](const Lamp& lamp)
+    { return glm::distance(direction, lamp.Directions.front()) <= angle; };
+    const auto found = angle > 0.0 ? std::find_if(lamps.begin(), lamps.end(), near) : lamps.end();
+    if (found != lamps.end())
+    {
+      found->Add(texel.second, direction, texel.first);
+    }
+    else if (lamps.size() < static_cast<std::size_t>(angle > 0.0 ? Spare * maximum : maximum))
+    {
+      lamps.emplace_back();
+      lamps.back().Add(texel.second, direction, texel.first);
+    }
+    else
+    {
+      all = false;
+    }
+  }
+  if (angle > 0.0)
+  {
+    Merge(lamps, angle);
+  }
+  if (lamps.size() > static_cast<std::size_t>(maximum))
+  {
+    std::stable_sort(lamps.begin(), lamps.end(),
+      [](const Lamp& first, const Lamp& second) { return first.Luminance > second.Luminance; });
+    lamps.resize(static_cast<std::size_t>(maximum));
+    all = false;
+  }
+  return all;
+}
+
+// Mean radiance of a texel's neighbors that are no lights; 0 where all are.
+glm::dvec3 GetMeanAround(
+  vtkEnvironment* environment, int x, int y, const std::unordered_map<int, int>& owners)
+{
+  const int width = environment->GetWidth();
+  const int height = environment->GetHeight();
+  const std::vector<float>& pixels = environment->GetPixels();
+  glm::dvec3 sum(0.0);
+  int neighbors = 0;
+  for (int dy = -1; dy <= 1; ++dy)
+  {
+    for (int dx = -1; dx <= 1; ++dx)
+    {
+      const int neighbor = std::clamp(y + dy, 0, height - 1) * width + (x + dx + width) % width;
+      if (owners.count(neighbor) == 0)
+      {
+        const std::size_t k = static_cast<std::size_t>(neighbor);
+        sum += glm::dvec3(pixels[3 * k], pixels[3 * k + 1], pixels[3 * k + 2]);
+        ++neighbors;
+      }
+    }
+  }
+  return neighbors > 0 ? sum / static_cast<double>(neighbors) : glm::dvec3(0.0);
+}
 }
 
 ExtractedEmitters::Ranking::Ranking(vtkEnvironment* environment, double share)
@@ -143,7 +211,6 @@ bool ExtractedEmitters::Extract(
   this->Rest.Texels.clear();
   this->Lights.clear();
   const int width = environment->GetWidth();
-  const int height = environment->GetHeight();
   const std::vector<float>& pixels = environment->GetPixels();
   const double least = GetLeast(ranking.Total, share, environment);
   std::vector<std::pair<double, int>> brightest(
@@ -151,39 +218,7 @@ bool ExtractedEmitters::Extract(
                               [least](const auto& texel) { return !(texel.first > least); }));
 
   std::vector<Lamp> lamps;
-  bool all = true;
-  for (const auto& texel : brightest)
-  {
-    glm::dvec3 direction;
-    environment->GetTexelDirection(texel.second % width, texel.second / width, &direction.x);
-    const auto near = [&](const Lamp& lamp)
-    { return glm::distance(direction, lamp.Directions.front()) <= angle; };
-    const auto found = angle > 0.0 ? std::find_if(lamps.begin(), lamps.end(), near) : lamps.end();
-    if (found != lamps.end())
-    {
-      found->Add(texel.second, direction, texel.first);
-    }
-    else if (lamps.size() < static_cast<std::size_t>(angle > 0.0 ? Spare * maximum : maximum))
-    {
-      lamps.emplace_back();
-      lamps.back().Add(texel.second, direction, texel.first);
-    }
-    else
-    {
-      all = false;
-    }
-  }
-  if (angle > 0.0)
-  {
-    Merge(lamps, angle);
-  }
-  if (lamps.size() > static_cast<std::size_t>(maximum))
-  {
-    std::stable_sort(lamps.begin(), lamps.end(),
-      [](const Lamp& first, const Lamp& second) { return first.Luminance > second.Luminance; });
-    lamps.resize(static_cast<std::size_t>(maximum));
-    all = false;
-  }
+  const bool all = FindBrightestLamps(environment, brightest, maximum, angle, lamps);
   std::unordered_map<int, int> owners; // texels' lights
   for (std::size_t lamp = 0; lamp < lamps.size(); ++lamp)
   {
@@ -204,28 +239,14 @@ bool ExtractedEmitters::Extract(
     const int x = texel.second % width;
     const int y = texel.second / width;
     // What is left is what its neighbors that are no lights show.
-    glm::dvec3 sum(0.0);
-    int neighbors = 0;
-    for (int dy = -1; dy <= 1; ++dy)
-    {
-      for (int dx = -1; dx <= 1; ++dx)
-      {
-        const int neighbor = std::clamp(y + dy, 0, height - 1) * width + (x + dx + width) % width;
-        if (owners.count(neighbor) == 0)
-        {
-          const std::size_t k = static_cast<std::size_t>(neighbor);
-          sum += glm::dvec3(pixels[3 * k], pixels[3 * k + 1], pixels[3 * k + 2]);
-          ++neighbors;
-        }
-      }
-    }
+    const glm::dvec3 around = GetMeanAround(environment, x, y, owners);
     Light& light = this->Lights[static_cast<std::size_t>(owner->second)];
     TexelChanges::Texel rest{ static_cast<std::size_t>(texel.second), {} };
     glm::dvec3 irradiance;
     for (int c = 0; c < 3; ++c)
     {
       const float value = pixels[3 * rest.Index + static_cast<std::size_t>(c)];
-      const double kept = std::min<double>(value, neighbors > 0 ? sum[c] / neighbors : 0.0);
+      const double kept = std::min<double>(value, around[c]);
       irradiance[c] = (value - kept) * environment->GetTexelSolidAngle(y);
       rest.Radiance[c] = static_cast<float>(kept);
     }

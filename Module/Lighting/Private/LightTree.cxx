@@ -6,6 +6,7 @@
 #include "TexelChanges.h"
 #include "TexelDirections.h"
 #include "vtkEnvironment.h"
+#include "vtkLightSet.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -364,47 +365,38 @@ bool LightTree::Grow(
 }
 
 //------------------------------------------------------------------------------
+void LightTree::FillLightSet(int count, vtkLightSet* output) const
+{
+  const int cells = std::min(count, this->GetNumberOfCells());
+  output->RemoveAllLights();
+  // Only the first cells - 1 splits' nodes can be in the set.
+  for (std::size_t k = 0; k < 2 * static_cast<std::size_t>(cells) - 1; ++k)
+  {
+    const Node& node = this->Nodes[k];
+    if (!this->IsIn(k, cells) || !(node.Luminance > 0.0))
+    {
+      continue;
+    }
+    // Directions that cancel (a cell all around the sphere) leave only its middle to point at.
+    glm::dvec3 direction = node.Moment;
+    if (!(glm::length(direction) > 1e-9 * node.Luminance))
+    {
+      vtkEnvironment::GetDirection(0.5 * (node.X0 + node.X1) / this->Width,
+        0.5 * (node.Y0 + node.Y1) / this->Height, &direction.x);
+    }
+    const double concentration =
+      vtkLightSet::GetConcentrationOfVariance(node.GetVariance() / node.Luminance);
+    if (output->AddLight(&direction.x, &node.Irradiance.x, node.SolidAngle, concentration))
+    {
+      output->SetLastRegion(node.X0, node.Y0, node.X1, node.Y1);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 void LightTree::Gather(vtkEnvironment* environment, std::size_t firstNode)
 {
-  // The leaves from the pixels themselves, not from differences of sums: their energy is exact.
   const TexelDirections directions(this->Width, this->Height);
-  const auto gather = [&](Node& node)
-  {
-    std::vector<float> room;
-    for (int y = node.Y0; y < node.Y1; ++y)
-    {
-      const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(this->Width);
-      auto bright = node.IsTexel() ? this->Bright.end()
-                                   : std::lower_bound(this->Bright.begin(), this->Bright.end(),
-                                       row + static_cast<std::size_t>(node.X0));
-      const float* texels = this->GetRow(environment, y, node.X0, node.X1, room);
-      glm::dvec3 rgb(0.0);
-      glm::dvec2 moment(0.0);
-      int skipped = 0;
-      for (int x = node.X0; x < node.X1; ++x)
-      {
-        const std::size_t texel = row + static_cast<std::size_t>(x);
-        if (bright != this->Bright.end() && *bright == texel)
-        {
-          ++bright;
-          ++skipped;
-          continue;
-        }
-        const float* pixel = texels + 3 * (x - node.X0);
-        const glm::dvec3 radiance(pixel[0], pixel[1], pixel[2]);
-        rgb += radiance;
-        moment += vtkEnvironment::GetLuminance(&radiance.x) * directions.Columns[std::size_t(x)];
-      }
-      const double solidAngle = environment->GetTexelSolidAngle(y);
-      const double luminance = vtkEnvironment::GetLuminance(&rgb.x);
-      const glm::dvec2 latitude = directions.Rows[std::size_t(y)];
-      node.Irradiance += solidAngle * rgb;
-      node.Luminance += solidAngle * luminance;
-      node.Moment += solidAngle * glm::dvec3(latitude.x * moment.x, latitude.y * luminance,
-                                    latitude.x * moment.y);
-      node.SolidAngle += solidAngle * (node.X1 - node.X0 - skipped);
-    }
-  };
   vtkSMPTools::For(static_cast<vtkIdType>(firstNode), static_cast<vtkIdType>(this->Nodes.size()),
     [&](vtkIdType begin, vtkIdType end)
     {
@@ -413,7 +405,7 @@ void LightTree::Gather(vtkEnvironment* environment, std::size_t firstNode)
         Node& node = this->Nodes[static_cast<std::size_t>(k)];
         if (node.Split == INT_MAX)
         {
-          gather(node);
+          this->GatherLeaf(environment, directions, node);
         }
       }
     });
@@ -433,7 +425,52 @@ void LightTree::Gather(vtkEnvironment* environment, std::size_t firstNode)
       }
     }
   }
+  this->MeasureResiduals();
+}
 
+//------------------------------------------------------------------------------
+void LightTree::GatherLeaf(
+  vtkEnvironment* environment, const TexelDirections& directions, Node& node) const
+{
+  std::vector<float> room;
+  for (int y = node.Y0; y < node.Y1; ++y)
+  {
+    const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(this->Width);
+    auto bright = node.IsTexel() ? this->Bright.end()
+                                 : std::lower_bound(this->Bright.begin(), this->Bright.end(),
+                                     row + static_cast<std::size_t>(node.X0));
+    const float* texels = this->GetRow(environment, y, node.X0, node.X1, room);
+    glm::dvec3 rgb(0.0);
+    glm::dvec2 moment(0.0);
+    int skipped = 0;
+    for (int x = node.X0; x < node.X1; ++x)
+    {
+      const std::size_t texel = row + static_cast<std::size_t>(x);
+      if (bright != this->Bright.end() && *bright == texel)
+      {
+        ++bright;
+        ++skipped;
+        continue;
+      }
+      const float* pixel = texels + 3 * (x - node.X0);
+      const glm::dvec3 radiance(pixel[0], pixel[1], pixel[2]);
+      rgb += radiance;
+      moment += vtkEnvironment::GetLuminance(&radiance.x) * directions.Columns[std::size_t(x)];
+    }
+    const double solidAngle = environment->GetTexelSolidAngle(y);
+    const double luminance = vtkEnvironment::GetLuminance(&rgb.x);
+    const glm::dvec2 latitude = directions.Rows[std::size_t(y)];
+    node.Irradiance += solidAngle * rgb;
+    node.Luminance += solidAngle * luminance;
+    node.Moment +=
+      solidAngle * glm::dvec3(latitude.x * moment.x, latitude.y * luminance, latitude.x * moment.y);
+    node.SolidAngle += solidAngle * (node.X1 - node.X0 - skipped);
+  }
+}
+
+//------------------------------------------------------------------------------
+void LightTree::MeasureResiduals()
+{
   const double energy = this->Nodes[0].Luminance;
   if (this->Residuals.empty())
   {

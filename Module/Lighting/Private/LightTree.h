@@ -20,10 +20,12 @@
 #include <vector>
 
 class vtkEnvironment;
+class vtkLightSet;
 
 namespace measuredbrdf
 {
 struct TexelChanges;
+struct TexelDirections;
 
 class LightTree
 {
@@ -62,8 +64,17 @@ public:
   int GetNumberOfCells() const { return static_cast<int>(this->Residuals.size()); }
   bool IsComplete() const { return this->Queue.empty(); }
 
-  /// Nodes in the order in which they were made: 1 + 2 splits.
-  const std::vector<Node>& GetNodes() const { return this->Nodes; }
+  /// Sum of the variances of that many cells over the energy.
+  double GetResidual(int cells) const
+  {
+    return this->Residuals[static_cast<std::size_t>(cells) - 1];
+  }
+
+  /// One light for each of that many cells, or for all where there are fewer.
+  void FillLightSet(int count, vtkLightSet* output) const;
+
+private:
+  class Cutter;
 
   /// Whether node k is one of the set of this many cells.
   bool IsIn(std::size_t k, int cells) const
@@ -71,21 +82,15 @@ public:
     return static_cast<int>((k + 1) / 2) < cells && cells < this->Nodes[k].Split;
   }
 
-  /// Sum of the variances of that many cells over the energy.
-  double GetResidual(int cells) const
-  {
-    return this->Residuals[static_cast<std::size_t>(cells) - 1];
-  }
-
-private:
-  class Cutter;
-
   const float* GetRow(
     vtkEnvironment* environment, int y, int x0, int x1, std::vector<float>& room) const;
   void FindExtractedEmitters(vtkEnvironment* environment);
   void AddChildren(std::size_t parent, const Node& first, const Node& second);
   void Push(std::size_t node, const glm::dvec4& sum, int depth);
   void Gather(vtkEnvironment* environment, std::size_t firstNode);
+  /// From the pixels themselves, not from differences of sums: a leaf's energy is exact.
+  void GatherLeaf(vtkEnvironment* environment, const TexelDirections& directions, Node& node) const;
+  void MeasureResiduals();
 
   struct Candidate
   {
@@ -105,8 +110,8 @@ private:
   std::shared_ptr<const TexelChanges> Changes; // null: none
   double Total = 0.0;                          // luminance but for the bright texels
   std::vector<std::size_t> Bright;             // texels, in the order of the pixels
-  std::vector<Node> Nodes;
-  std::vector<double> Residuals; // by number of cells, from 1
+  std::vector<Node> Nodes;                     // in the order in which they were made: 1 + 2 splits
+  std::vector<double> Residuals;               // by number of cells, from 1
   std::priority_queue<Candidate> Queue;
 };
 } // namespace measuredbrdf

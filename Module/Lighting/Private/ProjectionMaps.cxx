@@ -3,8 +3,8 @@
 #include "ProjectionMaps.h"
 
 #include "HalfVector.h" // for Pi
+#include "Projections.h"
 #include "vtkEnvironment.h"
-#include "vtkEnvironmentProjection.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,6 @@ namespace measuredbrdf
 {
 namespace
 {
-using Projections = vtkEnvironmentProjection;
 
 //------------------------------------------------------------------------------
 // Point (a,b) in [-1,1]^2 of an upright face, a to the right, b down -> environment direction, of
