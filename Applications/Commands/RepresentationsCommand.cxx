@@ -15,6 +15,7 @@
 #include "vtkDistributionBRDFFitter.h"
 #include "vtkDoubleArray.h"
 #include "vtkEmbeddedMaterials.h"
+#include "vtkMeasuredBRDFConfigure.h"
 #include "vtkExactRadianceIntegrator.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
@@ -165,7 +166,7 @@ public:
   std::vector<Row> Make(const std::function<void(double)>& progress)
   {
     this->Progress = progress;
-    this->Steps = 4.0 * this->Settings.Orders.size() + 4.0;
+    this->Steps = 4.0 * this->Settings.Orders.size() + (MEASUREDBRDF_WITH_CERES ? 4.0 : 2.0);
     vtkNew<vtkRepresentationAdvisor> advisor;
     advisor->SetInput(this->Material.BRDF);
     advisor->SetZone(this->Zone.Begin, this->Zone.End);
@@ -191,7 +192,7 @@ public:
     vtkNew<vtkDistributionBRDFFitter> distribution;
     this->AddFit("D-BRDF", distribution);
     this->Rows.back().Recommended = !basis;
-    for (const int lobes : { 1, 2 })
+    for (int lobes = 1; MEASUREDBRDF_WITH_CERES && lobes <= 2; ++lobes)
     {
       vtkNew<vtkAshikhminShirleyBRDFFitter> ashikhmin;
       ashikhmin->SetNumberOfLobes(lobes);
