@@ -15,9 +15,9 @@
 #include "vtkDistributionBRDFFitter.h"
 #include "vtkDoubleArray.h"
 #include "vtkEmbeddedMaterials.h"
-#include "vtkMeasuredBRDFConfigure.h"
 #include "vtkExactRadianceIntegrator.h"
 #include "vtkMath.h"
+#include "vtkMeasuredBRDFConfigure.h"
 #include "vtkNew.h"
 #include "vtkRepresentationAdvisor.h"
 
