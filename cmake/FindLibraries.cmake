@@ -1,16 +1,34 @@
 # The libraries that the module is made with, beside VTK.
-find_package(OpenImageIO REQUIRED)
-# Debian 13's OpenImageIO names OpenCV's include folder, which its packages do not bring.
-get_target_property(oiio_includes OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIRECTORIES)
-foreach (folder IN LISTS oiio_includes)
-  if (IS_ABSOLUTE "${folder}" AND NOT EXISTS "${folder}")
-    list(REMOVE_ITEM oiio_includes "${folder}")
-  endif ()
-endforeach ()
-set_target_properties(OpenImageIO::OpenImageIO PROPERTIES
-  INTERFACE_INCLUDE_DIRECTORIES "${oiio_includes}")
-find_package(OpenEXR REQUIRED)
 find_package(glm REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(Eigen3 REQUIRED)
-find_package(Ceres REQUIRED)
+
+# Three more are optional. OFF: the module builds, and says when it is used what it lacks.
+option(MEASUREDBRDF_WITH_CERES "Fit Blinn-Phong and Ashikhmin-Shirley lobes (needs Ceres)" ON)
+option(MEASUREDBRDF_WITH_OPENEXR "Read and write .exr materials (needs OpenEXR)" ON)
+option(MEASUREDBRDF_WITH_OPENIMAGEIO "Read images as environments (needs OpenImageIO)" ON)
+macro (measuredbrdf_find_optional package debian_package)
+  string(TOUPPER "MEASUREDBRDF_WITH_${package}" option)
+  if (${option})
+    find_package(${package})
+    if (NOT ${package}_FOUND)
+      message(FATAL_ERROR "${package} was not found. Install it (Debian: ${debian_package}), or do "
+        "without what needs it: -D${option}=OFF.")
+    endif ()
+  endif ()
+endmacro ()
+measuredbrdf_find_optional(Ceres libceres-dev)
+measuredbrdf_find_optional(OpenEXR libopenexr-dev)
+measuredbrdf_find_optional(OpenImageIO "libopenimageio-dev openimageio-tools")
+
+if (MEASUREDBRDF_WITH_OPENIMAGEIO)
+  # Debian 13's OpenImageIO names OpenCV's include folder, which its packages do not bring.
+  get_target_property(oiio_includes OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIRECTORIES)
+  foreach (folder IN LISTS oiio_includes)
+    if (IS_ABSOLUTE "${folder}" AND NOT EXISTS "${folder}")
+      list(REMOVE_ITEM oiio_includes "${folder}")
+    endif ()
+  endforeach ()
+  set_target_properties(OpenImageIO::OpenImageIO PROPERTIES
+    INTERFACE_INCLUDE_DIRECTORIES "${oiio_includes}")
+endif ()

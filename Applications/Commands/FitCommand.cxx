@@ -11,6 +11,7 @@
 #include "vtkBRDFResampler.h"
 #include "vtkBlinnPhongBRDFFitter.h"
 #include "vtkDistributionBRDFFitter.h"
+#include "vtkMeasuredBRDFConfigure.h"
 #include "vtkNew.h"
 #include "vtkPBRPropertyFitter.h"
 
@@ -60,6 +61,7 @@ vtkSmartPointer<vtkBRDFFitter> MakeDistributionFitter(const Options& options)
   return fitter;
 }
 
+#if MEASUREDBRDF_WITH_CERES
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkBRDFFitter> MakeAshikhminShirleyFitter(const Options& options)
 {
@@ -77,6 +79,7 @@ vtkSmartPointer<vtkBRDFFitter> MakeBlinnPhongFitter(const Options& options)
   fitter->SetNumberOfLobes(options.Lobes);
   return fitter;
 }
+#endif
 
 // A model, which of the options it takes, and its fitter.
 struct Model
@@ -89,16 +92,21 @@ struct Model
 
 const std::map<std::string, Model> Models = {
   { "d-brdf", { false, true, true, MakeDistributionFitter } },
+#if MEASUREDBRDF_WITH_CERES
   { "ashikhmin-shirley", { true, false, true, MakeAshikhminShirleyFitter } },
   { "blinn-phong", { true, false, false, MakeBlinnPhongFitter } },
+#endif
 };
 
 // The vtkProperty nearest to the material, which is no vtkBRDF.
 const char* const PBR = "pbr";
 
 // What --model auto tries where a basis does not suit, each with its number of lobes.
-const std::pair<const char*, int> Candidates[] = { { "d-brdf", 1 }, { "ashikhmin-shirley", 1 },
-  { "ashikhmin-shirley", 2 } };
+const std::pair<const char*, int> Candidates[] = { { "d-brdf", 1 },
+#if MEASUREDBRDF_WITH_CERES
+  { "ashikhmin-shirley", 1 }, { "ashikhmin-shirley", 2 }
+#endif
+};
 
 //------------------------------------------------------------------------------
 void Check(const Options& options, const CLI::App* command)
@@ -392,9 +400,13 @@ void AddFitCommand(CLI::App& app)
   command
     ->add_option("--model", options->Model,
       "d-brdf: tables of the half vector's distribution and of the Fresnel term; "
+#if MEASUREDBRDF_WITH_CERES
       "ashikhmin-shirley, blinn-phong: analytic lobes. All with a Lambert part. auto: a basis "
       "where "
       "it does not ring, else the D-BRDF or 1 or 2 Ashikhmin-Shirley lobes, whichever is closest. "
+#else
+      "with a Lambert part. auto: a basis where it does not ring, else the D-BRDF. "
+#endif
       "pbr: the vtkProperty whose physically based shading comes nearest under a neutral light, "
       "for "
       "what draws or exports no measured material; printed, nothing is written")

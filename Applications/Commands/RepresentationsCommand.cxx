@@ -17,6 +17,7 @@
 #include "vtkEmbeddedMaterials.h"
 #include "vtkExactRadianceIntegrator.h"
 #include "vtkMath.h"
+#include "vtkMeasuredBRDFConfigure.h"
 #include "vtkNew.h"
 #include "vtkRepresentationAdvisor.h"
 
@@ -167,7 +168,7 @@ public:
   std::vector<Row> Make(const std::function<void(double)>& progress)
   {
     this->Progress = progress;
-    this->Steps = 4.0 * this->Settings.Orders.size() + 4.0;
+    this->Steps = 4.0 * this->Settings.Orders.size() + (MEASUREDBRDF_WITH_CERES ? 4.0 : 2.0);
     vtkNew<vtkRepresentationAdvisor> advisor;
     advisor->SetInput(this->Material.BRDF);
     advisor->SetZone(this->Zone.Begin, this->Zone.End);
@@ -193,7 +194,7 @@ public:
     vtkNew<vtkDistributionBRDFFitter> distribution;
     this->AddFit("D-BRDF", distribution);
     this->Rows.back().Recommended = !basis;
-    for (const int lobes : { 1, 2 })
+    for (int lobes = 1; MEASUREDBRDF_WITH_CERES && lobes <= 2; ++lobes)
     {
       vtkNew<vtkAshikhminShirleyBRDFFitter> ashikhmin;
       ashikhmin->SetNumberOfLobes(lobes);

@@ -8,10 +8,16 @@
 #include "vtkEnvironment.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
+#include "vtkMeasuredBRDFConfigure.h"
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
 
-#include <OpenImageIO/imageio.h>
+#if MEASUREDBRDF_WITH_OPENEXR
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfOutputFile.h>
+#endif
 
 #include <algorithm>
 #include <cmath>
@@ -149,24 +155,43 @@ void WritePNG(const std::string& path, const Picture& picture, double (*encode)(
 //------------------------------------------------------------------------------
 void WriteEXR(const std::string& path, const Picture& picture)
 {
+#if MEASUREDBRDF_WITH_OPENEXR
+  // EXR has its first row at the top.
+  const std::size_t row = 4 * static_cast<std::size_t>(picture.Width);
+  std::vector<float> pixels;
+  pixels.reserve(picture.Pixels.size());
+  for (int y = picture.Height - 1; y >= 0; --y)
+  {
+    pixels.insert(pixels.end(), picture.At(0, y), picture.At(0, y) + row);
+  }
   WriteWhole(path,
     [&](const std::string& temporary)
     {
-      auto output = OIIO::ImageOutput::create("openexr");
-      OIIO::ImageSpec spec(picture.Width, picture.Height, 4, OIIO::TypeDesc::FLOAT);
-      spec.attribute("oiio:ColorSpace", "Linear");
-      spec.attribute("compression", "zip");
-      const OIIO::stride_t row = static_cast<OIIO::stride_t>(picture.Width) * 4 * sizeof(float);
-      // EXR has its first row at the top.
-      if (!output || !output->open(temporary, spec) ||
-          !output->write_image(OIIO::TypeDesc::FLOAT, picture.At(0, picture.Height - 1),
-            OIIO::AutoStride, -row, OIIO::AutoStride) ||
-          !output->close())
+      try
       {
-        throw Error(
-          path + ": can't be written: " + (output ? output->geterror() : OIIO::geterror()));
+        Imf::Header header(picture.Width, picture.Height);
+        header.compression() = Imf::ZIP_COMPRESSION;
+        Imf::FrameBuffer buffer;
+        const char* const names[] = { "R", "G", "B", "A" };
+        for (std::size_t c = 0; c < 4; ++c)
+        {
+          header.channels().insert(names[c], Imf::Channel(Imf::FLOAT));
+          buffer.insert(names[c], Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(&pixels[c]),
+                                    4 * sizeof(float), row * sizeof(float)));
+        }
+        Imf::OutputFile output(temporary.c_str(), header);
+        output.setFrameBuffer(buffer);
+        output.writePixels(picture.Height);
+      }
+      catch (const std::exception& e)
+      {
+        throw Error(path + ": can't be written: " + e.what());
       }
     });
+#else
+  CheckWritable(path); // says why not
+  static_cast<void>(picture);
+#endif
 }
 
 //------------------------------------------------------------------------------

@@ -5,6 +5,7 @@
 #include "Tool.h"
 
 #include "vtkBRDFWriter.h"
+#include "vtkMeasuredBRDFConfigure.h"
 #include "vtkNew.h"
 
 #include <unistd.h>
@@ -306,6 +307,10 @@ void WriteWhole(
 //------------------------------------------------------------------------------
 void CheckWritable(const std::string& path)
 {
+  if (!MEASUREDBRDF_WITH_OPENEXR && Extension(path) == ".exr")
+  {
+    throw Error(path + ": can't be written: this build has no OpenEXR (MEASUREDBRDF_WITH_OPENEXR)");
+  }
   const fs::path place = FindPlace(path);
   errno = 0;
   if (!place.empty() && access(GetFolder(place).c_str(), W_OK) != 0)

@@ -12,6 +12,7 @@
 #include "vtkEnvironmentProjection.h"
 #include "vtkEnvironmentReader.h"
 #include "vtkImportanceLightSetGenerator.h"
+#include "vtkMeasuredBRDFConfigure.h"
 #include "vtkMedianCutLightSetGenerator.h"
 #include "vtkNew.h"
 #include "vtkVarianceLightSetGenerator.h"
@@ -68,9 +69,16 @@ std::string GetMaterialHelp()
 }
 
 const char* const EnvironmentHelp =
-  "Light from all around: a lat-long image, cube cross or other probe (--projection) of any format "
+  "Light from all around: "
+#if MEASUREDBRDF_WITH_OPENIMAGEIO
+  "a lat-long image, cube cross or other probe (--projection) of any format "
   "OpenImageIO reads (.exr, .hdr, ...); six cube faces, named with %s for px, nx, py, ny, pz, nz; "
-  "or 'room' (photographed), 'sky' or 'hall' (computed), which are built in";
+  "or "
+#endif
+#if MEASUREDBRDF_WITH_OPENEXR
+  "'room' (photographed), "
+#endif
+  "'sky' or 'hall' (computed), which are built in";
 
 //------------------------------------------------------------------------------
 Material LoadMaterial(const std::string& file)
@@ -146,6 +154,10 @@ vtkSmartPointer<vtkEnvironment> LoadEnvironment(const std::string& file)
         vtkSmartPointer<vtkEnvironment>::Take(vtkEmbeddedEnvironments::NewEnvironment(file)))
   {
     return embedded;
+  }
+  if (!MEASUREDBRDF_WITH_OPENEXR && file == "room")
+  {
+    throw Error(TakeErrorText());
   }
   vtkNew<vtkEnvironmentReader> reader;
   reader->SetProjection(Projections.at(Projection));

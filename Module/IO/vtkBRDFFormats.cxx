@@ -2,12 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBRDFFormats.h"
 
-#include "ExrMaterialFile.h"
 #include "FitFile.h"
 #include "MbsdfFile.h"
 #include "MerlFile.h"
 #include "TensorFile.h"
+#include "vtkMeasuredBRDFConfigure.h"
 #include "vtkObjectFactory.h"
+
+#if MEASUREDBRDF_WITH_OPENEXR
+#include "ExrMaterialFile.h"
+#endif
 
 #include <algorithm>
 #include <functional>
@@ -29,7 +33,11 @@ Formats MakeFormats()
 
 Formats MakeOwnFormats()
 {
+#if MEASUREDBRDF_WITH_OPENEXR
   return MakeFormats<TensorFormat, MbsdfFormat, ExrFormat, FitFormat, MerlFormat>();
+#else
+  return MakeFormats<TensorFormat, MbsdfFormat, FitFormat, MerlFormat>();
+#endif
 }
 
 // Never destroyed: programs may read files until their very end.

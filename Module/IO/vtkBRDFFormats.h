@@ -7,7 +7,7 @@
  * Formats that the program registered come first, the last one foremost; then those of the module:
  * RGL tensor files, NVIDIA MBSDF, OpenEXR materials, published fits, MERL binary. A file is of the
  * first format that can read it. Registering takes effect at once, in every reader and writer; any
- * thread may call these methods.
+ * thread may call these methods. A build without OpenEXR has no format of OpenEXR materials.
  */
 
 #ifndef vtkBRDFFormats_h

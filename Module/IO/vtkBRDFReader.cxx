@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBRDFReader.h"
 
+#include "AbsentLibraries.h"
+#include "ExrHeader.h"
 #include "FileBytes.h"
 #include "vtkBRDFFormats.h"
 #include "vtkCommand.h"
+#include "vtkMeasuredBRDFConfigure.h"
 #include "vtkObjectFactory.h"
 
 #include <array>
@@ -43,6 +46,10 @@ vtkSmartPointer<vtkBRDFFormat> FindFormat(const vtkBRDFFormat::File& file)
   if (format)
   {
     return format;
+  }
+  if (!MEASUREDBRDF_WITH_OPENEXR && file.Bytes.substr(0, sizeof(ExrMagic) - 1) == ExrMagic)
+  {
+    throw FileError(file.Path + ": " + NoOpenEXR + ".exr materials cannot be read");
   }
   std::string found;
   const std::string_view start = file.Bytes.substr(0, 2);

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBRDFWriter.h"
 
+#include "AbsentLibraries.h"
 #include "FileBytes.h"
 #include "vtkBRDFFormats.h"
+#include "vtkMeasuredBRDFConfigure.h"
 #include "vtkObjectFactory.h"
 
 #include <vtksys/SystemTools.hxx>
@@ -38,6 +40,10 @@ bool vtkBRDFWriter::Write()
     const std::string extension =
       vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(this->FileName));
     const auto format = vtkBRDFFormats::FindForWriting(extension);
+    if (!format && !MEASUREDBRDF_WITH_OPENEXR && extension == ".exr")
+    {
+      throw FileError(this->FileName + ": " + NoOpenEXR + ".exr materials cannot be written");
+    }
     if (!format)
     {
       throw FileError(this->FileName + ": found extension " + Quote(extension) + ", expected " +

@@ -2,13 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkEmbeddedEnvironments.h"
 
-#include "EmbeddedRoom.h" // made of EmbeddedRoom.exr
+#include "AbsentLibraries.h"
 #include "vtkEnvironment.h"
+#include "vtkMeasuredBRDFConfigure.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
+#if MEASUREDBRDF_WITH_OPENEXR
+#include "EmbeddedRoom.h" // made of EmbeddedRoom.exr
+#include "ExrImage.h"
+#include "FileBytes.h"
+#endif
 
+#include <string_view>
+#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkEmbeddedEnvironments);
@@ -22,29 +29,30 @@ struct Embedded
 };
 
 const std::vector<Embedded> Environments = {
+#if MEASUREDBRDF_WITH_OPENEXR
   { "room", "Poly Haven, as Blender's interior.exr, CC0 1.0; 512 x 256" },
+#endif
   { "sky", "procedural: a clear sky with a sun; 256 x 128" },
   { "hall", "procedural: a dark hall with bright windows and lamps; 512 x 256" },
 };
 
 //------------------------------------------------------------------------------
-// The file is this library's own: RGB, scanlines, top row first.
+// Returns whether it worked.
 bool ReadRoom(vtkEnvironment* environment)
 {
-  OIIO::Filesystem::IOMemReader bytes(EmbeddedRoom, sizeof(EmbeddedRoom));
-  const auto input = OIIO::ImageInput::open("room.exr", nullptr, &bytes);
-  if (!input || input->spec().nchannels != 3)
-  {
-    return false;
-  }
-  const int width = input->spec().width;
-  const int height = input->spec().height;
-  const std::size_t row = 3 * static_cast<std::size_t>(width);
-  std::vector<float> pixels(row * static_cast<std::size_t>(height));
-  const auto stride = static_cast<OIIO::stride_t>(row * sizeof(float));
-  return input->read_image(0, 0, 0, 3, OIIO::TypeDesc::FLOAT, pixels.data() + row * (height - 1),
-           OIIO::AutoStride, -stride) &&
-         environment->SetPixels(width, height, std::move(pixels));
+#if MEASUREDBRDF_WITH_OPENEXR
+  const auto file = measuredbrdf::FileBytes::View("embedded room",
+    std::string_view(reinterpret_cast<const char*>(EmbeddedRoom), sizeof(EmbeddedRoom)));
+  measuredbrdf::ExrImage image = measuredbrdf::ReadExrImage(file);
+  return environment->SetPixels(image.Width, image.Height, std::move(image.Pixels));
+#else
+  static_cast<void>(environment);
+  const vtkNew<vtkEmbeddedEnvironments> self; // an object to complain
+  vtkErrorWithObjectMacro(
+    self.Get(), "NewEnvironment: " << measuredbrdf::NoOpenEXR
+                                   << "the embedded environment 'room' cannot be read.");
+  return false;
+#endif
 }
 }
 

@@ -2,15 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkEmbeddedMaterials.h"
 
-#include "EmbeddedCarPaint.h" // made of EmbeddedCarPaint.exr
-#include "EmbeddedFits.h"     // made of EmbeddedFits.fit
-#include "ExrMaterialFile.h"
+#include "AbsentLibraries.h"
+#include "EmbeddedFits.h" // made of EmbeddedFits.fit
 #include "FileBytes.h"
 #include "FitFile.h"
 #include "Printable.h"
 #include "vtkBRDF.h"
+#include "vtkMeasuredBRDFConfigure.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+
+#if MEASUREDBRDF_WITH_OPENEXR
+#include "EmbeddedCarPaint.h" // made of EmbeddedCarPaint.exr
+#include "ExrMaterialFile.h"
+#endif
 
 #include <algorithm>
 #include <numeric>
@@ -56,7 +61,9 @@ const std::vector<Material> Materials = {
   { "white-marble", "stone" },
   { "hematite", "stone" },
   { "cherry-235", "wood" },
+#if MEASUREDBRDF_WITH_OPENEXR
   { CarPaint, "car paint" },
+#endif
 };
 
 // Letters to insert, remove or exchange to make one name of the other (Levenshtein 1966).
@@ -99,12 +106,14 @@ std::string FindNearest(const std::string& name)
 
 vtkSmartPointer<vtkBRDF> MakeMaterial(const std::string& name)
 {
+#if MEASUREDBRDF_WITH_OPENEXR
   if (name == CarPaint)
   {
     const auto file = measuredbrdf::FileBytes::View("embedded " + name,
       std::string_view(reinterpret_cast<const char*>(EmbeddedCarPaint), sizeof(EmbeddedCarPaint)));
     return measuredbrdf::ReadExrMaterial(file).BRDF;
   }
+#endif
   static const measuredbrdf::FitFile fits("embedded materials", EmbeddedFits);
   const vtkSmartPointer<vtkBRDF> brdf = fits.GetMaterial(name).BRDF;
   brdf->SetSource("MERL sample " + name + ", " + brdf->GetSource());
@@ -145,6 +154,13 @@ vtkBRDF* vtkEmbeddedMaterials::NewBRDF(const std::string& name)
   if (!known)
   {
     const vtkNew<vtkEmbeddedMaterials> self; // an object to complain
+    if (name == CarPaint)                    // known to other builds
+    {
+      vtkErrorWithObjectMacro(self.Get(), "NewBRDF: " << measuredbrdf::NoOpenEXR
+                                                      << "the embedded material '" << CarPaint
+                                                      << "' cannot be read.");
+      return nullptr;
+    }
     vtkErrorWithObjectMacro(self.Get(), "NewBRDF: there is no embedded material "
                                           << measuredbrdf::Quote(name) << "; the nearest names are "
                                           << FindNearest(name) << ".");

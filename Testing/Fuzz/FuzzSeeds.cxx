@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FuzzSeeds.h"
 
-#include "ExrMaterialFile.h"
 #include "FileBytes.h"
 #include "FuzzTarget.h"
 #include "SmallFiles.h"
@@ -13,12 +12,17 @@
 #include "vtkDistributionBRDF.h"
 #include "vtkEnvironment.h"
 #include "vtkLambertBRDF.h"
+#include "vtkMeasuredBRDFConfigure.h"
 #include "vtkNew.h"
 #include "vtkRadianceCostModel.h"
 #include "vtkSmartPointer.h"
 #include "vtkSumBRDF.h"
 #include "vtkTableRadianceIntegrator.h"
 #include "vtkTabulatedBRDF.h"
+
+#if MEASUREDBRDF_WITH_OPENEXR
+#include "ExrMaterialFile.h"
+#endif
 
 namespace fuzz
 {
@@ -63,6 +67,7 @@ std::vector<vtkSmartPointer<vtkBRDF>> MakeMaterials()
     basis.Get(), warp.Get() };
 }
 
+#if MEASUREDBRDF_WITH_OPENEXR
 //------------------------------------------------------------------------------
 Seeds MakeExrMaterials()
 {
@@ -91,6 +96,7 @@ Seeds MakeExrHeaders()
   seeds.push_back(texts);
   return seeds;
 }
+#endif
 
 //------------------------------------------------------------------------------
 Seeds MakeEnvironments()
@@ -176,6 +182,7 @@ Seeds MakeSeeds(const std::string& target)
       "b = NganAshikhminShirley(albedo = [1, 1, 1], fresnelReflectance = 0.04, sharpness = 8)\n"
       "c = Aggregate(Aggregate(Lambertian(albedo = [0, 0, 0])))\n" };
   }
+#if MEASUREDBRDF_WITH_OPENEXR
   if (target == "ExrHeader")
   {
     return MakeExrHeaders();
@@ -184,6 +191,7 @@ Seeds MakeSeeds(const std::string& target)
   {
     return MakeExrMaterials();
   }
+#endif
   if (target == "MaterialArchive")
   {
     Seeds seeds;

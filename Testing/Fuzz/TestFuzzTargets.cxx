@@ -3,6 +3,8 @@
 // The fuzz targets without libFuzzer: all seeds, and fixed mutations of them for a few seconds.
 #include "FuzzSeeds.h"
 
+#include "vtkMeasuredBRDFConfigure.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -151,8 +153,13 @@ INSTANTIATE_TEST_SUITE_P(All, FuzzTargets,
 #ifdef MEASUREDBRDF_FUZZ_TOOL
     Case{ "DirectionsCsv", FuzzDirectionsCsv },
 #endif
-    Case{ "Environment", FuzzEnvironment }, Case{ "ExrHeader", FuzzExrHeader },
-    Case{ "ExrMaterial", FuzzExrMaterial }, Case{ "Fit", FuzzFit },
-    Case{ "MaterialArchive", FuzzMaterialArchive }, Case{ "Mbsdf", FuzzMbsdf },
-    Case{ "Merl", FuzzMerl }, Case{ "PlanCache", FuzzPlanCache }, Case{ "Tensor", FuzzTensor }),
+#if MEASUREDBRDF_WITH_OPENIMAGEIO
+    Case{ "Environment", FuzzEnvironment },
+#endif
+#if MEASUREDBRDF_WITH_OPENEXR
+    Case{ "ExrHeader", FuzzExrHeader }, Case{ "ExrMaterial", FuzzExrMaterial },
+#endif
+    Case{ "Fit", FuzzFit }, Case{ "MaterialArchive", FuzzMaterialArchive },
+    Case{ "Mbsdf", FuzzMbsdf }, Case{ "Merl", FuzzMerl }, Case{ "PlanCache", FuzzPlanCache },
+    Case{ "Tensor", FuzzTensor }),
   [](const auto& info) { return std::string(info.param.Name); });

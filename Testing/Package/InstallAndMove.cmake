@@ -1,4 +1,4 @@
-# cmake -DBUILD=... -DSTAGE=... -DPREFIX=... -P InstallAndMove.cmake
+# cmake -DBUILD=... -DSTAGE=... -DPREFIX=... -DIMAGE_PLUGIN=... -P InstallAndMove.cmake
 # Installs BUILD, moves the tree to PREFIX and checks that what lies there only leans on itself.
 file(REMOVE_RECURSE "${STAGE}/first" "${PREFIX}" "${STAGE}/Cxx")
 execute_process(COMMAND "${CMAKE_COMMAND}" --install "${BUILD}" --prefix "${STAGE}/first"
@@ -21,6 +21,11 @@ foreach (binary IN LISTS binaries)
   execute_process(COMMAND ldd "${binary}" OUTPUT_VARIABLE needed COMMAND_ERROR_IS_FATAL ANY)
   if (needed MATCHES "(libvtkMeasuredBRDF[^\n]*)" AND NOT CMAKE_MATCH_1 MATCHES "${PREFIX}")
     message(FATAL_ERROR "${binary} finds ${CMAKE_MATCH_1}, not the library in ${PREFIX}")
+  endif ()
+  # Where there is a plugin for images, nothing else loads OpenImageIO and all that it brings.
+  get_filename_component(name "${binary}" NAME)
+  if (IMAGE_PLUGIN AND needed MATCHES "libOpenImageIO" AND NOT name STREQUAL IMAGE_PLUGIN)
+    message(FATAL_ERROR "${binary} loads OpenImageIO when it starts")
   endif ()
 endforeach ()
 

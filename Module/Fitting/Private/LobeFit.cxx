@@ -3,12 +3,13 @@
 #include "LobeFit.h"
 
 #include "HalfVector.h"
+#include "LeastSquares.h"
 #include "NonNegativeLeastSquares.h"
-
-#include <ceres/ceres.h>
+#include "vtkObject.h" // for vtkGenericWarningMacro
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <random>
 
@@ -94,28 +95,24 @@ double Dot(const double* coefficients, const Basis& basis, int count)
   return std::inner_product(coefficients, coefficients + count, basis.Values, 0.0);
 }
 
-// All residuals sqrt(w/3) (T(f') - T(f)): twice Ceres' cost is the weighted mean square.
-class Residuals : public ceres::CostFunction
+// All residuals sqrt(w/3) (T(f') - T(f)): their sum of squares is the weighted mean square.
+class Residuals
 {
 public:
   Residuals(const FitSamples& samples, const Layout& layout)
     : Samples(samples)
     , Shape(layout)
   {
-    this->set_num_residuals(static_cast<int>(3 * samples.size()));
-    this->mutable_parameter_block_sizes()->push_back(layout.GetSize());
   }
 
-  bool Evaluate(
-    double const* const* parameters, double* residuals, double** jacobians) const override
+  void Evaluate(const double* parameters, double* residuals, double* jacobian) const
   {
     const int size = this->Shape.GetSize();
     for (std::size_t k = 0; k < this->Samples.size(); ++k)
     {
-      double* rows = jacobians && jacobians[0] ? jacobians[0] + 3 * k * size : nullptr;
-      this->EvaluateSample(parameters[0], this->Samples[k], residuals + 3 * k, rows);
+      double* rows = jacobian ? jacobian + 3 * k * size : nullptr;
+      this->EvaluateSample(parameters, this->Samples[k], residuals + 3 * k, rows);
     }
-    return true;
   }
 
 private:
@@ -168,7 +165,7 @@ private:
   Layout Shape;
 };
 
-class Watcher : public ceres::IterationCallback
+class Watcher
 {
 public:
   Watcher(const LobeFitOptions& options, double from, double to, int iterations)
@@ -178,15 +175,15 @@ public:
     , Iterations(iterations)
   {
   }
-  ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override
+  bool Proceed(int iteration, bool successful, double mean)
   {
-    if (summary.step_is_successful || summary.iteration == 0)
+    if (successful || iteration == 0)
     {
-      this->History.push_back(2.0 * summary.cost);
+      this->History.push_back(mean);
     }
-    const double share = std::min(double(summary.iteration) / this->Iterations, 1.0);
+    const double share = std::min(double(iteration) / this->Iterations, 1.0);
     this->Stopped = !this->Options.Progress(this->From + (this->To - this->From) * share);
-    return this->Stopped ? ceres::SOLVER_ABORT : ceres::SOLVER_CONTINUE;
+    return !this->Stopped;
   }
 
   std::vector<double> History;
@@ -343,31 +340,25 @@ std::vector<Start> Screen(
   return starts;
 }
 
-ceres::Solver::Summary Refine(const FitSamples& samples, const Layout& layout, Start& start,
+LeastSquaresResult Refine(const FitSamples& samples, const Layout& layout, Start& start,
   Watcher& watcher, int iterations, double tolerance)
 {
-  ceres::Problem problem;
-  problem.AddResidualBlock(new Residuals(samples, layout), nullptr, start.Parameters.data());
-  for (int k = 0; k < layout.GetSize(); ++k)
-  {
-    problem.SetParameterLowerBound(start.Parameters.data(), k, 0.0);
-    if (k < layout.GetNumberOfExponents())
-    {
-      problem.SetParameterUpperBound(start.Parameters.data(), k, std::log1p(MaximumExponent));
-    }
-  }
-  ceres::Solver::Options options;
-  options.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
-  options.num_threads = 1; // the same sums in the same order: the same result
-  options.max_num_iterations = iterations;
-  options.function_tolerance = tolerance;
-  options.parameter_tolerance = 1e-10;
-  options.logging_type = ceres::SILENT;
-  options.callbacks.push_back(&watcher);
-  ceres::Solver::Summary summary;
-  ceres::Solve(options, &problem, &summary);
-  start.MeanSquare = 2.0 * summary.final_cost;
-  return summary;
+  const std::size_t size = start.Parameters.size();
+  const Residuals residuals(samples, layout);
+  LeastSquaresProblem problem;
+  problem.NumberOfResiduals = static_cast<int>(3 * samples.size());
+  problem.Lower.assign(size, 0.0);
+  problem.Upper.assign(size, std::numeric_limits<double>::max());
+  std::fill_n(problem.Upper.begin(), layout.GetNumberOfExponents(), std::log1p(MaximumExponent));
+  problem.Evaluate = [&residuals](const double* parameters, double* values, double* jacobian)
+  { residuals.Evaluate(parameters, values, jacobian); };
+  problem.Proceed = [&watcher](int iteration, bool successful, double mean)
+  { return watcher.Proceed(iteration, successful, mean); };
+  problem.MaximumNumberOfIterations = iterations;
+  problem.Tolerance = tolerance;
+  LeastSquaresResult result = SolveLeastSquares(problem, start.Parameters);
+  start.MeanSquare = result.Sum;
+  return result;
 }
 
 LobeFitResult Unpack(const Layout& layout, const std::vector<double>& parameters)
@@ -403,6 +394,15 @@ LobeFitResult FitLobes(
   const FitSamples& samples, const LobeModel& model, const LobeFitOptions& options)
 {
   constexpr double screened = 0.2, refined = 0.6; // of the progress
+  const std::string absence = GetLeastSquaresAbsence();
+  if (!absence.empty())
+  {
+    // The fitter says only that the solver failed.
+    vtkGenericWarningMacro(<< absence << ".");
+    LobeFitResult result;
+    result.Failure = absence;
+    return result;
+  }
   const Layout layout(model);
   const FitSamples few = samples.GetFirst(ScreeningSamples);
   std::vector<Start> starts =
@@ -428,12 +428,12 @@ LobeFitResult FitLobes(
   Start best = *std::min_element(starts.begin(), starts.end(),
     [](const Start& a, const Start& b) { return a.MeanSquare < b.MeanSquare; });
   Watcher watcher(options, refined, 1.0, options.MaximumNumberOfIterations);
-  const ceres::Solver::Summary summary =
+  const LeastSquaresResult solved =
     Refine(samples, layout, best, watcher, options.MaximumNumberOfIterations, options.Tolerance);
   LobeFitResult result = Unpack(layout, best.Parameters);
   result.History = watcher.History;
-  result.Converged = summary.termination_type == ceres::CONVERGENCE;
-  result.Failure = summary.IsSolutionUsable() || watcher.Stopped ? "" : summary.message;
+  result.Converged = solved.Converged;
+  result.Failure = solved.Usable || watcher.Stopped ? "" : solved.Message;
   return result;
 }
 } // namespace measuredbrdf

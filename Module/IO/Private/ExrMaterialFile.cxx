@@ -3,6 +3,7 @@
 #include "ExrMaterialFile.h"
 
 #include "ExrHeader.h"
+#include "ExrStream.h"
 #include "FileBytes.h"
 #include "MaterialArchive.h"
 #include "vtkObjectFactory.h"
@@ -11,7 +12,6 @@
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
-#include <ImfIO.h>
 #include <ImfInputPart.h>
 #include <ImfMultiPartInputFile.h>
 #include <ImfMultiPartOutputFile.h>
@@ -47,44 +47,6 @@ const char* GetChannelName(int channels, int channel)
 {
   return channels == 3 ? ColorChannels[channel] : GrayChannel;
 }
-
-//------------------------------------------------------------------------------
-class MemoryInput : public Imf::IStream
-{
-public:
-  explicit MemoryInput(const FileBytes& file)
-    : Imf::IStream(file.GetPath().c_str())
-    , File(file)
-  {
-  }
-
-  bool read(char out[], int count) override
-  {
-    const std::uint64_t left = this->File.GetSize() - this->Place;
-    if (count < 0 || static_cast<std::uint64_t>(count) > left)
-    {
-      throw Iex::InputExc("byte " + std::to_string(this->Place) + ": " + std::to_string(count) +
-                          " bytes were expected, but the file ends after " + std::to_string(left));
-    }
-    std::memcpy(out, this->File.GetData() + this->Place, static_cast<std::size_t>(count));
-    this->Place += static_cast<std::uint64_t>(count);
-    return this->Place < this->File.GetSize();
-  }
-  std::uint64_t tellg() override { return this->Place; }
-  void seekg(std::uint64_t place) override
-  {
-    if (place > this->File.GetSize())
-    {
-      throw Iex::InputExc("an offset points to byte " + std::to_string(place) +
-                          ", but the file ends at " + std::to_string(this->File.GetSize()));
-    }
-    this->Place = place;
-  }
-
-private:
-  const FileBytes& File;
-  std::uint64_t Place = 0;
-};
 
 //------------------------------------------------------------------------------
 class MemoryOutput : public Imf::OStream
@@ -346,7 +308,7 @@ MaterialFile ReadExrMaterial(const FileBytes& file)
   const std::string place = file.GetPath() + ": " + ExrFormatName + ", ";
   try
   {
-    MemoryInput stream(file);
+    ExrStream stream(file);
     // Files whose table of offsets is incomplete are refused, not repaired.
     Imf::MultiPartInputFile input(stream, 0, false);
     const Imf::StringAttribute* attribute = nullptr;

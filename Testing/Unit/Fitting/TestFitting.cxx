@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Known parameters come back, figures are what they are said to be, and bad input is refused.
 #include "ErrorCatcher.h"
+#include "NeedsLibrary.h"
 #include "TestIOHelpers.h"
 
 #include "vtkAshikhminShirleyBRDF.h"
@@ -15,6 +16,8 @@
 #include "vtkLambertBRDF.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkSmartPointer.h"
+#include "vtkStringOutputWindow.h"
 #include "vtkSumBRDF.h"
 #include "vtkTabulatedBRDF.h"
 
@@ -166,6 +169,7 @@ class BlinnPhongFit : public testing::TestWithParam<double>
 
 TEST_P(BlinnPhongFit, ComesBack)
 {
+  NEEDS_CERES();
   const double n = GetParam();
   const Color albedo = { 0.3, 0.1, 0.02 }, specular = { 0.05, 0.1, 0.2 };
   const auto input = Sum({ MakeLambert(albedo), MakePhong(n, specular) });
@@ -184,6 +188,7 @@ INSTANTIATE_TEST_SUITE_P(Exponents, BlinnPhongFit, testing::Values(10.0, 100.0, 
 //------------------------------------------------------------------------------
 TEST(BlinnPhongFit, ThreeLobesComeBack)
 {
+  NEEDS_CERES();
   const auto input = Sum({ MakeLambert({ 0.1, 0.2, 0.3 }), MakePhong(5.0, { 0.1, 0.05, 0.1 }),
     MakePhong(80.0, { 0.05, 0.1, 0.15 }), MakePhong(3000.0, { 0.05, 0.04, 0.03 }) });
   vtkNew<vtkBlinnPhongBRDFFitter> fitter;
@@ -204,6 +209,7 @@ class LossFit : public testing::TestWithParam<int>
 
 TEST_P(LossFit, AshikhminShirleyComesBack)
 {
+  NEEDS_CERES();
   const Color albedo = { 0.2, 0.3, 0.0 }, scale = { 0.9, 0.5, 0.7 };
   const Color reflectance = { 0.04, 0.3, 0.9 };
   const auto input = Sum({ MakeLambert(albedo), MakeAshikhmin(150.0, 150.0, scale, reflectance) });
@@ -237,6 +243,7 @@ INSTANTIATE_TEST_SUITE_P(Losses, LossFit,
 //------------------------------------------------------------------------------
 TEST(AshikhminShirleyFit, TwoLobesComeBack)
 {
+  NEEDS_CERES();
   const Color wide = { 0.6, 0.5, 0.4 }, sharp = { 0.3, 0.3, 0.3 };
   const Color low = { 0.1, 0.2, 0.05 }, high = { 0.5, 0.4, 0.3 };
   const auto input = Sum({ MakeLambert({ 0.1, 0.2, 0.3 }), MakeAshikhmin(8.0, 8.0, wide, low),
@@ -257,6 +264,7 @@ TEST(AshikhminShirleyFit, TwoLobesComeBack)
 //------------------------------------------------------------------------------
 TEST(AshikhminShirleyFit, AnisotropyComesBack)
 {
+  NEEDS_CERES();
   const Color scale = { 0.5, 0.6, 0.7 }, reflectance = { 0.2, 0.4, 0.6 };
   const auto input =
     Sum({ MakeLambert({ 0.1, 0.1, 0.1 }), MakeAshikhmin(900.0, 20.0, scale, reflectance) });
@@ -421,6 +429,7 @@ TEST(DistributionFit, AnisotropicTablesComeBack)
 //------------------------------------------------------------------------------
 TEST(Fit, LambertAloneComesBack)
 {
+  NEEDS_CERES();
   const Color albedo = { 0.6, 0.3, 0.0 };
   vtkNew<vtkBlinnPhongBRDFFitter> phong;
   vtkNew<vtkAshikhminShirleyBRDFFitter> ashikhmin;
@@ -441,6 +450,7 @@ TEST(Fit, LambertAloneComesBack)
 //------------------------------------------------------------------------------
 TEST(Fit, NoiseOfTwoPercentMovesParametersLess)
 {
+  NEEDS_CERES();
   const Color albedo = { 0.3, 0.2, 0.1 }, scale = { 0.8, 0.7, 0.6 };
   const Color reflectance = { 0.1, 0.2, 0.3 };
   const auto clean = Sum({ MakeLambert(albedo), MakeAshikhmin(60.0, 60.0, scale, reflectance) });
@@ -466,6 +476,7 @@ TEST(Fit, NoiseOfTwoPercentMovesParametersLess)
 //------------------------------------------------------------------------------
 TEST(Fit, SameSeedSameResult)
 {
+  NEEDS_CERES();
   const auto input =
     MakeNoisy(Sum({ MakeLambert({ 0.3, 0.2, 0.1 }), MakePhong(40.0, { 0.1, 0.2, 0.3 }) }), 0.1);
   vtkNew<vtkAshikhminShirleyBRDFFitter> ashikhmin;
@@ -494,6 +505,7 @@ TEST(Fit, SameSeedSameResult)
 // Where there is one optimum, random starts end at the one that the fitter's own find; they differ.
 TEST(Fit, RandomStartsEndAtTheSameOptimum)
 {
+  NEEDS_CERES();
   auto input = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("gold-paint"));
   vtkNew<vtkAshikhminShirleyBRDFFitter> lobe;
   vtkNew<vtkDistributionBRDFFitter> distribution;
@@ -576,6 +588,7 @@ void ExpectLeast(vtkBRDF* input, vtkBRDF* fit, int loss, double share,
 
 TEST(Fit, FiguresAreWhatTheyAreSaidToBe)
 {
+  NEEDS_CERES();
   // An input that the model can't reach, smooth enough for a plain quadrature.
   const auto input = Sum({ MakeLambert({ 0.2, 0.4, 0.1 }), MakePhong(2.0, { 0.1, 0.1, 0.2 }),
     MakePhong(20.0, { 0.1, 0.2, 0.3 }) });
@@ -622,6 +635,7 @@ TEST(Fit, FiguresAreOfPairsThatTheFitDidNotSee)
 //------------------------------------------------------------------------------
 TEST(Fit, AshikhminShirleyIsTheLeastOfItsLoss)
 {
+  NEEDS_CERES();
   const auto input = Sum(
     { MakeLambert({ 0.2, 0.4, 0.1 }), MakeAshikhmin(6.0, 6.0, { 0.5, 0.4, 0.3 }, { 0.3, 0.4, 0.5 }),
       MakeAshikhmin(60.0, 60.0, { 0.3, 0.4, 0.5 }, { 0.4, 0.3, 0.2 }) });
@@ -648,6 +662,7 @@ TEST(Fit, AshikhminShirleyIsTheLeastOfItsLoss)
 //------------------------------------------------------------------------------
 TEST(Fit, AlbedoIsTheHemispheres)
 {
+  NEEDS_CERES();
   const auto input = Sum({ MakeLambert({ 0.2, 0.4, 0.1 }),
     MakeAshikhmin(100.0, 100.0, { 0.5, 0.7, 0.9 }, { 0.1, 0.3, 0.8 }) });
   vtkNew<vtkBlinnPhongBRDFFitter> fitter;
@@ -672,6 +687,7 @@ TEST(Fit, AlbedoIsTheHemispheres)
 //------------------------------------------------------------------------------
 TEST(Fit, HolesInATableDoNotCount)
 {
+  NEEDS_CERES();
   const auto source = Sum({ MakeLambert({ 0.3, 0.2, 0.1 }), MakePhong(30.0, { 0.1, 0.2, 0.3 }) });
   vtkNew<vtkBRDFResampler> resampler;
   resampler->SetInput(source);
@@ -716,6 +732,7 @@ TEST(Fit, HolesInATableDoNotCount)
 //------------------------------------------------------------------------------
 TEST(Fit, BadOptionsAreRefused)
 {
+  NEEDS_CERES();
   const auto good = MakePhong(20.0, { 0.1, 0.1, 0.1 });
   vtkNew<vtkAshikhminShirleyBRDFFitter> fitter;
   ErrorCatcher errors(fitter);
@@ -789,6 +806,7 @@ struct Stopper
 
 TEST(Fit, ProgressAndAbort)
 {
+  NEEDS_CERES();
   const auto input = Sum({ MakeLambert({ 0.3, 0.2, 0.1 }),
     MakeAshikhmin(30.0, 30.0, { 0.5, 0.7, 0.9 }, { 0.1, 0.3, 0.8 }) });
   vtkNew<vtkBlinnPhongBRDFFitter> phong;
@@ -826,6 +844,7 @@ TEST(Fit, ProgressAndAbort)
 //------------------------------------------------------------------------------
 TEST(Fit, OutputIsAMaterialLikeAnyOther)
 {
+  NEEDS_OPENEXR();
   const auto input = Sum({ MakeLambert({ 0.3, 0.2, 0.1 }), MakePhong(30.0, { 0.1, 0.2, 0.3 }) });
   input->SetName("paint");
   input->SetSource("a test");
@@ -844,12 +863,38 @@ TEST(Fit, OutputIsAMaterialLikeAnyOther)
 }
 
 //------------------------------------------------------------------------------
+TEST(Fit, SaysThatCeresIsMissing)
+{
+  if (MEASUREDBRDF_WITH_CERES)
+  {
+    GTEST_SKIP() << "this build has Ceres";
+  }
+  vtkNew<vtkBlinnPhongBRDFFitter> phong;
+  vtkNew<vtkAshikhminShirleyBRDFFitter> ashikhmin;
+  for (vtkBRDFFitter* fitter : std::initializer_list<vtkBRDFFitter*>{ phong, ashikhmin })
+  {
+    fitter->SetInput(MakeLambert({ 0.3, 0.2, 0.1 }));
+    ErrorCatcher errors(fitter);
+    vtkNew<vtkStringOutputWindow> window; // the reason is a generic warning
+    const vtkSmartPointer<vtkOutputWindow> before = vtkOutputWindow::GetInstance();
+    vtkOutputWindow::SetInstance(window);
+    EXPECT_FALSE(fitter->Fit());
+    vtkOutputWindow::SetInstance(before);
+    EXPECT_EQ(errors.Take(), 1);
+    EXPECT_NE(window->GetOutput().find("no Ceres (MEASUREDBRDF_WITH_CERES)"), std::string::npos)
+      << window->GetOutput();
+    EXPECT_FALSE(fitter->GetOutput());
+  }
+}
+
+//------------------------------------------------------------------------------
 class RealMaterialFit : public testing::TestWithParam<const char*>
 {
 };
 
 TEST_P(RealMaterialFit, TablesBeatOneLobe)
 {
+  NEEDS_CERES();
   auto input = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF(GetParam()));
   if (!input)
   {

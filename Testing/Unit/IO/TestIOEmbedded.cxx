@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the library itself holds: a measured car paint and a photographed room; and 16-bit tables.
 #include "ErrorCatcher.h"
+#include "NeedsLibrary.h"
 #include "TestIOHelpers.h"
 
 #include "vtkEmbeddedEnvironments.h"
@@ -41,6 +42,7 @@ vtkSmartPointer<vtkTabulatedBRDF> MakeTable(std::vector<float> rgb)
 //------------------------------------------------------------------------------
 TEST(IOEmbedded, HoldsAMeasurement)
 {
+  NEEDS_OPENEXR();
   const auto paint = GetCarPaint();
   ASSERT_TRUE(paint);
   EXPECT_EQ(paint->GetName(), "blue-car-paint");
@@ -74,6 +76,7 @@ TEST(IOEmbedded, HoldsAMeasurement)
 //------------------------------------------------------------------------------
 TEST(IOEmbedded, TheMeasurementIsTheFiles)
 {
+  NEEDS_OPENEXR();
   const std::string path = SharedData + "/materials/mbsdf/carpaint_blue.mbsdf";
   if (!std::filesystem::exists(path))
   {
@@ -102,6 +105,7 @@ TEST(IOEmbedded, TheMeasurementIsTheFiles)
 //------------------------------------------------------------------------------
 TEST(IOEmbedded, HoldsARoom)
 {
+  NEEDS_OPENEXR();
   const int count = vtkEmbeddedEnvironments::GetNumberOfEnvironments();
   std::vector<std::string> names;
   for (int k = 0; k < count; ++k)
@@ -150,6 +154,8 @@ TEST(IOEmbedded, HoldsARoom)
 // Means over 2 x 2 texels of what was photographed, with their solid angles, as 16-bit floats.
 TEST(IOEmbedded, TheRoomIsThePhotographed)
 {
+  NEEDS_OPENIMAGEIO();
+  NEEDS_OPENEXR();
   vtkNew<vtkEnvironmentReader> reader;
   reader->SetFileName(SharedData + "/environments/interior.exr");
   if (!std::filesystem::exists(reader->GetFileName()))
@@ -198,6 +204,7 @@ TEST(IOEmbedded, TheRoomIsThePhotographed)
 //------------------------------------------------------------------------------
 TEST(IOHalfFloats, RoundTrip)
 {
+  NEEDS_OPENEXR();
   const Folder folder;
   const float invalid = std::numeric_limits<float>::quiet_NaN();
   const auto table =
@@ -227,6 +234,7 @@ TEST(IOHalfFloats, RoundTrip)
 //------------------------------------------------------------------------------
 TEST(IOHalfFloats, RefusesWhatIsTooLarge)
 {
+  NEEDS_OPENEXR();
   const Folder folder;
   const auto table = MakeTable({ 0.1f, 70000.0f, 0.3f });
   vtkNew<vtkBRDFWriter> writer;

@@ -3,6 +3,8 @@
 // vtkBRDFReader's binary formats: what is read, and what bad files get.
 #include "TestIOHelpers.h"
 
+#include "vtkMeasuredBRDFConfigure.h"
+
 #include "vtkTabulatedBRDF.h"
 
 #include <algorithm>
@@ -534,10 +536,14 @@ TEST(IOReader, SurvivesMutations)
   const Folder folder;
   vtkNew<vtkAdaptiveWarpBRDF> warp;
   ASSERT_EQ(warp->SetTables(MakeTables()), "");
-  Write(warp, folder("warp.exr"));
-  const std::vector<std::string> seeds = { MakeMerl(2, 3, 4), MakeMbsdf(true, 3, 4),
-    MakeMbsdf(false, 2, 2, true), MakeTensor(MakeTensorFields(MakeTables())),
-    ReadBytes(folder("warp.exr")), SmallFit };
+  std::vector<std::string> seeds = { MakeMerl(2, 3, 4), MakeMbsdf(true, 3, 4),
+    MakeMbsdf(false, 2, 2, true), MakeTensor(MakeTensorFields(MakeTables())) };
+  if (MEASUREDBRDF_WITH_OPENEXR)
+  {
+    Write(warp, folder("warp.exr"));
+    seeds.push_back(ReadBytes(folder("warp.exr")));
+  }
+  seeds.emplace_back(SmallFit);
   const std::string path = folder("mutated");
   vtkNew<vtkBRDFReader> reader;
   reader->SetFileName(path);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkBRDFWriter: what is written reads back the same.
+#include "NeedsLibrary.h"
 #include "TestIOHelpers.h"
 
 #include "vtkAshikhminShirleyBRDF.h"
@@ -12,9 +13,11 @@
 #include "vtkSumBRDF.h"
 #include "vtkTabulatedBRDF.h"
 
+#if MEASUREDBRDF_WITH_OPENEXR
 #include <ImfFrameBuffer.h>
 #include <ImfInputPart.h>
 #include <ImfMultiPartInputFile.h>
+#endif
 
 #include <limits>
 
@@ -202,6 +205,7 @@ TEST(IOMerlRoundTrip, RefusesOtherTables)
 //------------------------------------------------------------------------------
 TEST(IOWriter, RefusesBadPlaces)
 {
+  NEEDS_OPENEXR();
   const Folder folder;
   vtkNew<vtkLambertBRDF> lambert;
   ExpectWriteRefused(lambert, "", { "no file name" });
@@ -227,6 +231,7 @@ TEST(IOWriter, RefusesBadPlaces)
 //------------------------------------------------------------------------------
 TEST(IOExrRoundTrip, Lambert)
 {
+  NEEDS_OPENEXR();
   vtkNew<vtkLambertBRDF> material;
   material->SetAlbedo(0.1, 1.0 / 3.0, 1.25);
   material->SetName("paper");
@@ -239,6 +244,7 @@ TEST(IOExrRoundTrip, Lambert)
 //------------------------------------------------------------------------------
 TEST(IOExrRoundTrip, BlinnPhong)
 {
+  NEEDS_OPENEXR();
   vtkNew<vtkBlinnPhongBRDF> material;
   material->SetSpecular(0.1, 0.2, 1.0 / 7.0);
   material->SetExponent(1234.5678901234567);
@@ -250,6 +256,7 @@ TEST(IOExrRoundTrip, BlinnPhong)
 //------------------------------------------------------------------------------
 TEST(IOExrRoundTrip, AshikhminShirley)
 {
+  NEEDS_OPENEXR();
   vtkNew<vtkAshikhminShirleyBRDF> material;
   material->SetSpecularScale(0.9, 0.8, 0.7);
   material->SetReflectance(0.1, 0.2, 0.3);
@@ -266,6 +273,7 @@ TEST(IOExrRoundTrip, AshikhminShirley)
 //------------------------------------------------------------------------------
 TEST(IOExrRoundTrip, Distribution)
 {
+  NEEDS_OPENEXR();
   vtkNew<vtkDistributionBRDF> material;
   auto values = MakeValues(3 * 16 * 4);
   values[1] = 0.5f;
@@ -281,6 +289,7 @@ TEST(IOExrRoundTrip, Distribution)
 //------------------------------------------------------------------------------
 TEST(IOExrRoundTrip, Tabulated)
 {
+  NEEDS_OPENEXR();
   for (const int parameterization : { 0, 1 })
   {
     for (const int range : { 0, 1 })
@@ -302,6 +311,7 @@ TEST(IOExrRoundTrip, Tabulated)
   }
 }
 
+#if MEASUREDBRDF_WITH_OPENEXR
 //------------------------------------------------------------------------------
 // Other programs find red in channel R: writer and reader do not just agree with each other.
 TEST(IOExr, ChannelsAreNamedForTheirColors)
@@ -327,10 +337,12 @@ TEST(IOExr, ChannelsAreNamedForTheirColors)
     EXPECT_EQ(values[1], table->GetVolume()[static_cast<std::size_t>(3 + channel)]);
   }
 }
+#endif
 
 //------------------------------------------------------------------------------
 TEST(IOExrRoundTrip, Basis)
 {
+  NEEDS_OPENEXR();
   for (const int basis : { 0, 1, 2, 3 })
   {
     for (const int order : { 0, 3, 20 })
@@ -370,6 +382,7 @@ TEST(IOExrRoundTrip, Basis)
 //------------------------------------------------------------------------------
 TEST(IOExrRoundTrip, AdaptiveWarp)
 {
+  NEEDS_OPENEXR();
   vtkNew<vtkAdaptiveWarpBRDF> material;
   ASSERT_EQ(material->SetTables(MakeTables()), "");
   const auto back = RoundTrip(material.Get());
@@ -380,6 +393,7 @@ TEST(IOExrRoundTrip, AdaptiveWarp)
 //------------------------------------------------------------------------------
 TEST(IOExrRoundTrip, SumOfSums)
 {
+  NEEDS_OPENEXR();
   vtkNew<vtkAdaptiveWarpBRDF> warp;
   ASSERT_EQ(warp->SetTables(MakeTables()), "");
   vtkNew<vtkLambertBRDF> lambert;
@@ -409,6 +423,7 @@ TEST(IOExrRoundTrip, SumOfSums)
 //------------------------------------------------------------------------------
 TEST(IOExrRoundTrip, MeasuredMaterial)
 {
+  NEEDS_OPENEXR();
   const std::string path =
     std::string(MEASUREDBRDF_SHARED_DATA) + "/materials/rgl/satin_purple_rgb.bsdf";
   if (!std::filesystem::exists(path))
@@ -426,6 +441,7 @@ TEST(IOExrRoundTrip, MeasuredMaterial)
 //------------------------------------------------------------------------------
 TEST(IOExr, CountsValues)
 {
+  NEEDS_OPENEXR();
   const Folder folder;
   vtkNew<vtkTabulatedBRDF> table;
   const float nan = std::numeric_limits<float>::quiet_NaN();
@@ -443,6 +459,7 @@ TEST(IOExr, CountsValues)
 //------------------------------------------------------------------------------
 TEST(IOExr, RefusesBadFiles)
 {
+  NEEDS_OPENEXR();
   const Folder folder;
   Write(MakeMerlTable(), folder("t.exr"));
   const std::string good = ReadBytes(folder("t.exr"));
@@ -490,6 +507,7 @@ TEST(IOExr, RefusesBadFiles)
 //------------------------------------------------------------------------------
 TEST(IOExr, RefusesBadBases)
 {
+  NEEDS_OPENEXR();
   const Folder folder;
   auto material = MakeBasis(2, 3, 2);
   const std::string marker("\x11\x22\x33\x44", 4); // a coefficient of its own
@@ -532,6 +550,7 @@ TEST(IOExr, RefusesBadBases)
 //------------------------------------------------------------------------------
 TEST(IOExr, RefusesTooMuch)
 {
+  NEEDS_OPENEXR();
   // A claim is refused before the values are read: the message is not that of the part's window.
   const Folder folder;
   auto material = MakeBasis(2, 3, 2);
@@ -576,6 +595,7 @@ TEST(IOExr, RefusesTooMuch)
 //------------------------------------------------------------------------------
 TEST(IOExr, RefusesSizesThatLie)
 {
+  NEEDS_OPENEXR();
   const Folder folder;
   Write(MakeMerlTable(), folder("t.exr"));
   const std::string good = ReadBytes(folder("t.exr"));
@@ -617,6 +637,7 @@ TEST(IOExr, RefusesSizesThatLie)
 // OpenEXR allocates what an attribute claims before it reads it.
 TEST(IOExr, RefusesAttributesThatLie)
 {
+  NEEDS_OPENEXR();
   const Folder folder;
   vtkNew<vtkSumBRDF> sum;
   sum->AddTerm(MakeMerlTable());

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What instruments, converters and editors really write: taken and reported where it is harmless.
 // And what hostile files hold: never in a message as it is.
+#include "NeedsLibrary.h"
 #include "TestIOHelpers.h"
 
 #include "Printable.h"
@@ -257,6 +258,7 @@ TEST(IOMessages, PrintableText)
 // Names and values that a file chooses, in every message that quotes them.
 TEST(IOMessages, NothingOfAFileReachesTheTerminalAsItIs)
 {
+  NEEDS_OPENEXR();
   const Folder folder;
   const auto expectClean = [&](const std::string& bytes, const std::string& quoted)
   {

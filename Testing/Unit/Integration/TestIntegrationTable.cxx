@@ -4,6 +4,7 @@
 
 #include "ErrorCatcher.h"
 #include "HalfVector.h" // for Pi
+#include "NeedsLibrary.h"
 #include "SpherePairs.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBRDFReader.h"
@@ -258,6 +259,7 @@ TEST_P(TableMeasured, RealMaterials)
 // The same with what the library holds: finer rows for the clear coat.
 TEST(TableIntegrator, CarPaintInTheRoom)
 {
+  NEEDS_OPENEXR();
   const auto paint =
     vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("blue-car-paint"));
   const auto room =
@@ -394,6 +396,7 @@ TEST(TableIntegrator, Continuous)
 // What is measured along the normal need not be the same all around.
 TEST(TableIntegrator, MeasuredMaterialsSeenAlongTheNormal)
 {
+  NEEDS_OPENEXR();
   const auto environment = NewSmallEnvironment(true);
   for (const char* name : { "blue-car-paint", "cardboard", "satin_purple", "cc_ibiza_sunset" })
   {

@@ -11,6 +11,7 @@
 #include "vtkEmbeddedMaterials.h"
 #include "vtkEnvironment.h"
 #include "vtkEnvironmentReader.h"
+#include "vtkMeasuredBRDFConfigure.h"
 #include "vtkNew.h"
 #include "vtkRadiancePlanner.h"
 #include "vtkSmartPointer.h"
@@ -20,6 +21,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <iostream>
 #include <map>
 #include <sstream>
 #include <string>
@@ -105,6 +107,11 @@ void Check(bool shared)
   {
     if ((IsShared(row.Material) || IsShared(row.Environment)) != shared || seen++ % step != 0)
     {
+      continue;
+    }
+    if (!MEASUREDBRDF_WITH_OPENEXR && row.Material == "blue-car-paint")
+    {
+      std::cout << "left out, this build has no OpenEXR: " << row.Material << "\n";
       continue;
     }
     auto& environment = environments[row.Environment];

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ImageFile.h"
+
+#include "AbsentLibraries.h"
+#include "FileBytes.h"
+#include "vtkMeasuredBRDFConfigure.h"
+
+#if MEASUREDBRDF_WITH_OPENIMAGEIO
+#include <vtksys/DynamicLoader.hxx>
+
+#if !defined(_WIN32)
+#include <dlfcn.h>
+#endif
+#endif
+
+namespace measuredbrdf
+{
+#if MEASUREDBRDF_WITH_OPENIMAGEIO
+namespace
+{
+struct Plugin
+{
+  ReadImageFileInPlugin* Read = nullptr;
+  std::string Error; // why Read is null
+};
+
+//------------------------------------------------------------------------------
+// The folder of the library that holds this code, with a slash; empty where it is not known.
+std::string GetOwnFolder()
+{
+#if !defined(_WIN32)
+  Dl_info info;
+  if (::dladdr(reinterpret_cast<void*>(&ReadImageFile), &info) != 0 && info.dli_fname)
+  {
+    const std::string path = info.dli_fname;
+    return path.substr(0, path.rfind('/') + 1);
+  }
+#endif
+  return "";
+}
+
+//------------------------------------------------------------------------------
+Plugin LoadPlugin()
+{
+  using vtksys::DynamicLoader;
+  const std::string path = GetOwnFolder() + MEASUREDBRDF_IMAGE_PLUGIN;
+  Plugin plugin;
+  const DynamicLoader::LibraryHandle library = DynamicLoader::OpenLibrary(path);
+  if (library)
+  {
+    plugin.Read = reinterpret_cast<ReadImageFileInPlugin*>(
+      DynamicLoader::GetSymbolAddress(library, ReadImageFileSymbol));
+  }
+  if (!plugin.Read)
+  {
+    const char* reason = DynamicLoader::LastError();
+    plugin.Error = "images are read by the library " + path +
+                   ", which cannot be loaded: " + (reason ? reason : "no reason was given");
+  }
+  return plugin;
+}
+}
+#endif
+
+//------------------------------------------------------------------------------
+ImageFile ReadImageFile(const std::string& path, std::uintmax_t fileSize)
+{
+#if MEASUREDBRDF_WITH_OPENIMAGEIO
+  static const Plugin plugin = LoadPlugin(); // it stays loaded
+  if (!plugin.Read)
+  {
+    throw FileError(path + ": " + plugin.Error);
+  }
+  ImageFile image;
+  std::string error;
+  if (!plugin.Read(path, fileSize, image, error))
+  {
+    throw FileError(error);
+  }
+  return image;
+#else
+  static_cast<void>(fileSize);
+  throw FileError(path + ": " + NoOpenImageIO + "image files cannot be read as environments");
+#endif
+}
+} // namespace measuredbrdf

@@ -1,0 +1,35 @@
+# cmake -DSTAGE=... -DPREFIX=... -DTOOL=bin/measured-brdf -DPLUGIN=lib/NAME -P ImagePlugin.cmake
+# The moved tree reads images by its own plugin; without the plugin it says so, and does the rest.
+set(image "${STAGE}/two-texels.ppm")
+set(lights "${STAGE}/lights.csv")
+file(WRITE "${image}" "P3 2 1 255\n255 0 0 0 255 0\n")
+
+function (run prefix)
+  execute_process(COMMAND "${prefix}/${TOOL}" ${ARGN}
+    RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  set(result "${result}" PARENT_SCOPE)
+  set(output "${output}" PARENT_SCOPE)
+endfunction ()
+
+file(REMOVE "${lights}")
+run("${PREFIX}" lights "${image}" --count 2 -o "${lights}")
+if (NOT result EQUAL 0 OR NOT EXISTS "${lights}")
+  message(FATAL_ERROR "An image was not read: ${result}\n${output}")
+endif ()
+
+set(incomplete "${STAGE}/incomplete")
+file(REMOVE_RECURSE "${incomplete}")
+file(COPY "${PREFIX}/" DESTINATION "${incomplete}")
+if (NOT EXISTS "${incomplete}/${PLUGIN}")
+  message(FATAL_ERROR "${PLUGIN} is not installed")
+endif ()
+file(REMOVE "${incomplete}/${PLUGIN}")
+run("${incomplete}" lights "${image}" --count 2 -o "${lights}")
+if (NOT result EQUAL 1 OR NOT output MATCHES "images are read by the library .*cannot be loaded")
+  message(FATAL_ERROR "Without the plugin, expected status 1 and the reason: ${result}\n${output}")
+endif ()
+run("${incomplete}" list)
+if (NOT result EQUAL 0)
+  message(FATAL_ERROR "Without the plugin, nothing works: ${result}\n${output}")
+endif ()
+file(REMOVE_RECURSE "${incomplete}")

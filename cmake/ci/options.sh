@@ -1,0 +1,39 @@
+#!/bin/bash
+# SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+# SPDX-License-Identifier: BSD-3-Clause
+# Builds the library without each of the optional libraries and without all of them, and runs the unit tests there:
+#
+#   cmake/ci/options.sh [CERES|OPENEXR|OPENIMAGEIO|ALL...]
+#
+# Without arguments all four. The trees are build-without-NAME. What a build lacks is left out of its tests, or the
+# test is skipped and says why; an absent library's headers must not be needed.
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+cmake/install-packages.sh --tests
+
+names=("$@")
+[ $# -gt 0 ] || names=(CERES OPENEXR OPENIMAGEIO ALL)
+export MEASUREDBRDF_CACHE=off # nothing of earlier runs
+for name in "${names[@]}"; do
+  case $name in
+    CERES | OPENEXR | OPENIMAGEIO) off=("$name") ;;
+    ALL) off=(CERES OPENEXR OPENIMAGEIO) ;;
+    *) echo "usage: cmake/ci/options.sh [CERES|OPENEXR|OPENIMAGEIO|ALL...]" >&2; exit 2 ;;
+  esac
+  options=()
+  for library in "${off[@]}"; do
+    options+=("-DMEASUREDBRDF_WITH_$library=OFF")
+  done
+  build=build-without-${name,,}
+  mkdir -p "$build"
+  if ! cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo -DBUILD_TESTING=ON \
+    -DMEASUREDBRDF_WRAP_PYTHON=OFF -DMEASUREDBRDF_BUILD_TOOL=OFF -DMEASUREDBRDF_WARNINGS_AS_ERRORS=ON \
+    "${options[@]}" >"$build/configure.log" 2>&1; then
+    tail -n 30 "$build/configure.log" >&2
+    exit 1
+  fi
+  printf '\n== without %s\n' "${off[*]}"
+  grep '^-- Without ' "$build/configure.log"
+  cmake --build "$build" --target unit-tests
+  ctest --test-dir "$build" -L unit -j "$(nproc)" --no-tests=error --output-on-failure
+done
