@@ -68,7 +68,8 @@ void AddIntegrateCommand(CLI::App& app)
     command, { "exact", "light-set", "thesis", "basis", "filtered", "table", "hybrid", "auto" });
   command
     ->add_option("--on", options->On,
-      "cpu (default), or gpu: what the renderer's shader makes of it (not of --method exact)")
+      "Where to compute it: cpu (default), or gpu, by the renderer's shader (not with --method "
+      "exact)")
     ->check(CLI::IsMember({ "cpu", "gpu" }));
   command->add_option("-o,--output", options->Output,
     "CSV file to write: the six columns and r,g,b of the outgoing radiance, linear Rec. 709 "
