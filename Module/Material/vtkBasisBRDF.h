@@ -12,7 +12,7 @@
  * HEMISPHERICAL: the upper hemisphere (Gautron et al. 2004).
  * ZONAL: theta_i in [begin, end] (Ghosh et al. 2007).
  * LEGENDRE_FOURIER: the same zone, Legendre polynomials x Fourier series. They do not vanish at the
- * zone's edges, as those functions of the other bases do that vary with the azimuth.
+ * zone's edges; in the other bases, all functions that vary with the azimuth do.
  *
  * Order N has K = (N+1)^2 functions, k = l(l+1)+m, 0 <= l <= N, |m| <= l (Legendre x Fourier:
  * degree l - |m|).
