@@ -43,12 +43,15 @@ const std::map<std::string, std::vector<SizeRange>> SizesOf = {
 
 const std::map<std::string, std::string> MethodHelp = {
   { "exact", "the sum over every texel of the environment, slow" },
-  { "light-set", "a sum over lights that stand for the environment" },
-  { "thesis", "the same with the material in a basis or, where that rings, as a D-BRDF fit" },
-  { "basis", "maps over normals of a basis of the material" },
-  { "filtered", "few samples of the reflection of a blurred environment" },
-  { "table", "a table of outgoing radiance" },
-  { "hybrid", "the same for what is broad, samples for what is sharp, lights for suns" },
+  { "light-set", "a sum over a set of lights that replaces the environment" },
+  { "thesis",
+    "a sum over such lights of the material in a basis or, where that rings, as a D-BRDF fit" },
+  { "basis", "maps over the normal, one for each function of a basis of the material" },
+  { "filtered", "a few samples of the environment, blurred to their spacing" },
+  { "table", "a precomputed table of outgoing radiance" },
+  { "hybrid",
+    "a precomputed table for broad reflection, samples for sharp highlights, lights for bright "
+    "sources" },
   { "auto", "the cheapest that meets --tolerance" }
 };
 
@@ -188,7 +191,8 @@ void MethodOptions::AddTo(CLI::App* command, const std::vector<std::string>& met
     help +=
       (help.empty() ? "" : "; ") + name +
       (name == this->Method
-          ? " (default" + std::string(name == "auto" ? ", unless lights are asked for" : "") + "): "
+          ? " (default" +
+              std::string(name == "auto" ? ", unless options for lights are given" : "") + "): "
           : ": ") +
       MethodHelp.at(name);
   }
@@ -235,16 +239,16 @@ void MethodOptions::Check(const CLI::App* command)
 void PlanOptions::AddCalibrateTo(CLI::App* command)
 {
   command->add_flag("--calibrate", this->Calibrate,
-    "Plan by what each method costs on this machine's OpenGL renderer, measured in about a second "
-    "or found on disk, instead of by built-in figures of Mesa's software renderer");
+    "Plan with the cost of each method on this machine's OpenGL renderer, measured in about a "
+    "second or read from disk, instead of built-in figures for Mesa's software renderer");
 }
 
 //------------------------------------------------------------------------------
 void PlanOptions::AddForViewTo(CLI::App* command)
 {
   command->add_flag("--for-view", this->ForView,
-    "Plan for the normals, the views and the number of pixels of this very picture, instead of for "
-    "a sphere from everywhere");
+    "Plan for the normals, the views and the number of pixels of this picture, instead of for a "
+    "sphere seen from everywhere");
 }
 
 //------------------------------------------------------------------------------
