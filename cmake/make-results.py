@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""results.md and its charts from what `measured-brdf chart` left in folders: make-results.py FOLDER DOCS [PLANS].
+"""Writes results.md and its charts from folders that `measured-brdf chart` made: make-results.py FOLDER DOCS [PLANS].
 
-PLANS holds what the planner alone was measured on: more materials, another mesh.
+PLANS are folders of measurements of the planner alone: with more materials, on another mesh.
 
-What stands between the lines CONCLUSIONS and END of an earlier results.md is people's, and stays.
+People write the text between the lines CONCLUSIONS and END. It is kept from the earlier results.md.
 """
 
 import collections
@@ -75,7 +75,7 @@ def write_methods(pairs):
                 len(some),
             ]
         )
-    return table(["method", "size", "error %", "frame ms", "of PBR's", "set-up ms", "MB", "pairs"], rows)
+    return table(["method", "size", "error %", "frame ms", "frame / PBR's", "set-up ms", "MB", "pairs"], rows)
 
 
 def find_stock(pair):
@@ -130,11 +130,11 @@ def write_planner(pairs, front=True):
         [
             "tolerance",
             "pairs",
-            "within it",
-            "median pixel within it",
-            "promised, not kept",
-            "predicted within a factor 3, below half",
-            *(["on the front or within 20 % of its time", "worst time over the front's"] if front else []),
+            "error within it",
+            "median pixel's error within it",
+            "above it, not announced",
+            "prediction within a factor of 3; below half the error",
+            *(["at most 20 % slower than the front", "worst time / front's"] if front else []),
         ],
         fits,
     )
@@ -206,28 +206,29 @@ def main():
 
     parts = [
         "# Speed against accuracy",
-        f"{materials} materials under {environments} environments, {len(pairs)} pairs, {settings['size']} pixels of a "
-        f"{settings['mesh']}, at most {settings['reference_pixels']} of them against the exact sum. {machine['processor']}, "
+        f"{materials} materials under {environments} environments, {len(pairs)} pairs, a {settings['mesh']} in "
+        f"{settings['size']} pixels, at most {settings['reference_pixels']} of which were compared with the exact sum. "
+        f"{machine['processor']}, "
         f"{machine['threads']} threads, {machine['renderer']} ({machine['renderer_version']}), VTK {machine['vtk']}, "
-        f"{results['date']}; load of the machine when the pairs began: median {load:.1f}. Errors are relative L1, mean "
-        "|x − r| / mean r. Frame times are medians of frames taken in turns. Set-up is all until the first frame is done; "
-        "the planner's contains the planning.",
-        "Made by `cmake/make-results.sh DATA`; all figures are in the results.csv and results.json that it leaves.",
+        f"{results['date']}; median load of the machine when a pair began: {load:.1f}. Errors are relative L1, mean "
+        "|x − r| / mean r. The methods' frames were drawn in turns; a frame time is the median. Set-up is everything "
+        "until the first frame is done; the planner's includes the planning.",
+        "`cmake/make-results.sh DATA` makes this page. It also writes all figures to results.csv and results.json.",
         CONCLUSIONS + "\n\n" + kept + "\n\n" + END,
         "## Charts",
         *(f"![{caption}](results-{name}.png)\n\n*{caption}.*" for name, caption in CHARTS.items()),
         "## Methods",
-        "Geometric means over the pairs. Sizes whose frames would have taken too long in some pairs are means over the "
-        "others, which are not to be compared with the rest. `thesis` sizes are lights, order; `table` rows, view angles, "
-        "azimuths.",
+        "All figures are geometric means over the pairs. Where a size was too slow to measure in some pairs, its mean is "
+        "over the other pairs only and cannot be compared with the rest. The numbers of a size are: `thesis`, lights and "
+        "order; `table`, rows, view angles and azimuths; `hybrid`, the same and samples.",
         write_methods(pairs),
         "## The planner",
-        "The front is the least time of all that was measured on a pair and is no less accurate. In view: planned for "
-        "the normals, views and pixels of the very picture (`SetPlanForView`), else for a sphere from everywhere. Means "
-        "are geometric.",
+        "The front holds the measurements of a pair that no other beats in both frame time and error. \"In view\" plans "
+        "are made for the normals, views and pixels of the picture itself (`SetPlanForView`); the others are made for a "
+        "sphere seen from everywhere. Means are geometric.",
         write_planner(pairs),
-        f"At {percent(tolerance)} %: error in percent / frame time over that of VTK's PBR. **Bold**: above the tolerance; "
-        "†: the plan had said so.",
+        f"At {percent(tolerance)} %: error in percent / frame time relative to VTK's PBR. **Bold**: above the tolerance; "
+        "†: the plan announced it.",
         write_pairs(pairs, tolerance),
         "## Which method for what",
         write_best(pairs, tolerance),
@@ -237,7 +238,7 @@ def main():
         parts += [
             f"## The planner on a {os.path.splitext(os.path.basename(settings['mesh']))[0]}",
             f"{len({pair['material'] for pair in pairs})} materials, {len(pairs)} pairs, {settings['size']} pixels, at "
-            f"most {settings['reference_pixels']} of them against the exact sum; tables as above.",
+            f"most {settings['reference_pixels']} of which were compared with the exact sum. The tables are read as above.",
             write_planner(pairs, front=False),
             write_pairs(pairs, tolerance),
         ]

@@ -213,7 +213,8 @@ std::vector<double> ChartMeter::GetExactSums(
 void ChartMeter::Place(OffscreenScene& stage) const
 {
   stage.SetMesh(this->Scene.Mesh);
-  stage.SetView(this->Scene.Camera.Azimuth, this->Scene.Camera.Elevation, Fill);
+  stage.SetView(
+    this->Scene.Camera.Azimuth, this->Scene.Camera.Elevation, Fill, this->Scene.Camera.Angle);
   stage.Open(this->Scene.Picture.Width, this->Scene.Picture.Height);
 }
 

@@ -47,7 +47,8 @@ tool::Range Check(const Options& options, const CLI::App* command)
   }
   if (command->count("--zone") > 0)
   {
-    throw tool::UsageError("--zone: --basis hemispherical has none, it covers 0 to 90 degrees");
+    throw tool::UsageError(
+      "--zone: has no effect with --basis hemispherical, which covers 0 to 90 degrees");
   }
   return { 0.0, 90.0 };
 }
@@ -88,7 +89,7 @@ void AddAcquireCommand(CLI::App& app)
 {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand(
-    "acquire", "Measure a material as a device with a projector and a camera does, in simulation");
+    "acquire", "Simulate a device with a projector and a camera that measures a material");
   command->add_option("FILE", options->File, GetMaterialHelp())->required();
   command
     ->add_option("--basis", options->Basis,
@@ -96,7 +97,8 @@ void AddAcquireCommand(CLI::App& app)
     ->check(CLI::IsMember({ "zonal", "legendre-fourier", "hemispherical" }));
   command
     ->add_option("--order", options->Order,
-      "Order L of the basis (default 6): (L+1)^2 functions, two photographs each but the first")
+      "Order L of the basis (default 6): (L+1)^2 functions, each with two photographs except the "
+      "first")
     ->check(CLI::Range(1, static_cast<int>(vtkBasisBRDF::MaximumOrder)));
   command->add_option("--zone", options->Zone,
     "Polar angles in degrees that projector and camera cover (default 9,57)");
@@ -104,13 +106,13 @@ void AddAcquireCommand(CLI::App& app)
     "Standard deviation of the camera's noise, as a share of the brightest pixel of each pair of "
     "photographs (default 0)");
   command
-    ->add_option("--bits", options->Bits,
-      "Bits that the camera rounds a pixel to, 1 to 24; 0 (default): no rounding")
+    ->add_option(
+      "--bits", options->Bits, "Bits of the camera's pixels, 1 to 24; 0 (default): no rounding")
     ->check(CLI::Range(0, 24));
   command->add_option("--seed", options->Seed, "Seed of the noise (default 1)");
   command->add_option("-o,--output", options->Output, "File to write, ending in .exr")->required();
   command->footer(
-    "The stack of coefficients is a material like any other: 'info', 'render', ... take it.\n"
+    "The stack of coefficients is a material like any other: use it with 'info', 'render', ...\n"
     "'project OUT.exr --extrapolate' extends it beyond the zone.\n\n"
     "Example:\n  measured-brdf acquire gold-paint --order 6 --noise 0.01 --bits 12 -o stack.exr");
   command->callback([options, command]() { Run(*options, command); });

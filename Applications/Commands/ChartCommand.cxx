@@ -74,7 +74,7 @@ std::vector<std::string> SplitList(const std::string& option, const std::string&
     }
     if (!seen.insert(part).second)
     {
-      throw tool::UsageError(option + ": '" + part + "' is there twice");
+      throw tool::UsageError(option + ": '" + part + "' appears twice");
     }
   }
   return parts;
@@ -208,7 +208,7 @@ std::vector<Task> ListTasks(const std::vector<tool::Material>& materials,
       {
         throw tool::Error(folder + "/results.json: " + material.Name + " under " +
                           environment->GetName() +
-                          " is not what it was when it was measured. Write to another folder");
+                          " has changed since it was measured. Write to another folder");
       }
     }
   }
@@ -237,7 +237,7 @@ void MeasureAll(const std::vector<Task>& tasks, tool::ChartMeter& meter,
       }
       throw tool::Error("interrupted: " + std::to_string(k) + " of " +
                         std::to_string(tasks.size()) + " pairs were measured and are in " + folder +
-                        "; the same command goes on from there");
+                        "; the same command continues from there");
     }
     tool::SaveResults(folder, results);
     const tool::ChartPair& pair = results.Pairs.back();
@@ -334,7 +334,7 @@ void AddChartCommand(CLI::App& app)
 {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand(
-    "chart", "Chart the methods' speed against their accuracy on your materials and machine");
+    "chart", "Chart the speed and accuracy of the methods for your materials on your machine");
   command->add_option("FILE", options->Files,
     std::string("Materials, each as in the other commands: ") + GetMaterialHelp() +
       ". Default: " + Join(DefaultMaterials));
@@ -343,7 +343,7 @@ void AddChartCommand(CLI::App& app)
   AddProjectionOption(command);
   command->add_option("--methods", options->Methods,
     "Methods, with commas between them (default all): " + Join(ListMethods()) +
-      ". The thesis's and VTK's own shading are always there");
+      ". The thesis's method and VTK's own shading are always included");
   command->add_option("--tolerances", options->Tolerances,
     "Tolerances whose plans are marked, with commas between them, from 0.001 to 1 (default " +
       options->Tolerances + ")");
@@ -364,30 +364,31 @@ void AddChartCommand(CLI::App& app)
       "Error that the charts show (default relative_l1); the tables hold all: " + Join(metrics))
     ->check(CLI::IsMember(metrics));
   command->add_option("--mesh", options->Mesh,
-    "Mesh to show it on: ply, stl, obj, vtp, vtk, gltf or glb (default: a sphere)");
+    "Mesh to show it on: ply, stl, obj, vtp, vtk, gltf, glb or 'ball-on-foot' (default: a sphere)");
   command->add_option(
     "--size", options->Size, "Picture size in pixels, WIDTHxHEIGHT (default 500x500)");
   command->add_option("--view", options->View,
-    "Where to look from, AZIMUTH,ELEVATION in degrees, as for render (default 30,20)");
+    "Where to look from, AZIMUTH,ELEVATION[,ANGLE] in degrees, as for render (default 30,20)");
   command
     ->add_option("--reference-pixels", options->ReferencePixels,
       "Compare at most so many covered pixels, those on a regular grid (default 1024)")
     ->check(CLI::Range(1, LargestSize * LargestSize));
   command
     ->add_option("--rounds", options->Rounds,
-      "Frames of each that are timed, all methods in turn (default 9); slow ones get fewer, at "
-      "least 3, and those above 3 seconds one")
+      "Number of timed frames of each method, drawn in turns (default 9). Slow methods get fewer, "
+      "at "
+      "least 3; methods above 3 seconds get one")
     ->check(CLI::Range(3, 1000));
   command->add_option("--slowest", options->Slowest,
     "Leave out sizes whose frames would take longer than this, in ms (default 2000)");
   command->add_flag("--for-view", options->ForView,
-    "Mark what the planner chooses for the picture's own normals, views and pixels, too ('in "
-    "view'): it plans for a sphere from everywhere else");
+    "Also mark the plan for the picture's own normals, views and pixels ('in view'). Without this, "
+    "plans are made for a sphere seen from everywhere");
   command->add_option("-o,--output", options->Folder, "Folder to write to")->required();
   command->footer(
-    "Results are kept after each pair of material and environment: after Ctrl-C or a crash the "
-    "same command\ngoes on, and with more materials or environments it adds them. Times are worth "
-    "something on an\notherwise idle machine only.\n\nExample:\n  measured-brdf chart felt.bsdf "
+    "Results are kept after each pair of material and environment. After Ctrl-C or a crash the "
+    "same command\ncontinues; with more materials or environments it adds them. Times are "
+    "meaningful on an otherwise\nidle machine only.\n\nExample:\n  measured-brdf chart felt.bsdf "
     "satin.bsdf --environments studio.exr,sunset.exr --sweep full -o charts\n\nNeeds OpenGL; "
     "without a screen, put 'xvfb-run -a' before it.");
   command->callback([options]() { Run(*options); });

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bases.h"
+#include "ComparisonStrip.h"
 #include "ContactSheet.h"
 #include "FailureMap.h"
 #include "Files.h"
@@ -30,6 +31,7 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <limits>
 #include <memory>
 
 namespace
@@ -43,6 +45,7 @@ struct Options
   std::string View = "30,20";
   int ReferencePixels = 1024;
   std::string Output;
+  std::string Strip;
   std::string Report;
   std::string Fit;
   std::string FailureMap;
@@ -295,6 +298,27 @@ void WriteSheet(const Options& options, const std::string& title, const Comparis
 }
 
 //------------------------------------------------------------------------------
+// PBR, method and exact sum in front of the environment.
+void WriteStrip(const Options& options, const std::string& title, vtkEnvironment* environment,
+  const Comparison& found, tool::OffscreenScene& scene, tool::OffscreenScene& stock,
+  const tool::Surface& surface, const std::vector<double>& reference)
+{
+  const tool::Size size = tool::ParseSize("--size", options.Size, LargestSize);
+  // Times relative to PBR's, which depend less on the machine.
+  char frame[48];
+  std::snprintf(frame, sizeof(frame), ", %.2g times PBR's frame time",
+    found.Frame / std::max(found.StockFrame, 1e-6));
+  tool::ComparisonStrip strip(title, environment, size);
+  strip.AddRendered(
+    stock, "VTK's PBR, fitted", "error " + FormatPercent(found.StockMetrics->GetRelativeL1()));
+  strip.AddRendered(scene, options.Method.Method == "auto" ? "this module" : options.Method.Method,
+    "error " + FormatPercent(found.Metrics->GetRelativeL1()) + frame);
+  strip.AddRadiance(scene, surface, reference, "exact sum",
+    "the reference: every texel of the environment, for every pixel");
+  strip.Write(options.Strip);
+}
+
+//------------------------------------------------------------------------------
 // Frames of both in turns, so that whatever slows the machine down slows both.
 void TimeFrames(tool::OffscreenScene& scene, tool::OffscreenScene& stock, Comparison& found)
 {
@@ -337,14 +361,15 @@ void PrintSummary(
 void Check(Options& options, const CLI::App* command)
 {
   options.Method.Check(command);
-  for (const std::string& path : { options.Output, options.FailureMap })
+  for (const std::string& path : { options.Output, options.Strip, options.FailureMap })
   {
     if (!path.empty() && tool::Extension(path) != ".png")
     {
       throw tool::UsageError(path + ": the picture must end in .png");
     }
   }
-  for (const std::string& path : { options.Output, options.FailureMap, options.Report })
+  for (const std::string& path :
+    { options.Output, options.Strip, options.FailureMap, options.Report })
   {
     if (!path.empty())
     {
@@ -374,7 +399,7 @@ void Run(Options& options, const CLI::App* command)
     { static_cast<tool::OffscreenScene*>(&scene), static_cast<tool::OffscreenScene*>(&stock) })
   {
     stage->SetMesh(mesh);
-    stage->SetView(view.Azimuth, view.Elevation, Fill);
+    stage->SetView(view.Azimuth, view.Elevation, Fill, view.Angle);
     stage->Open(size.Width, size.Height);
   }
   Comparison found;
@@ -393,7 +418,8 @@ void Run(Options& options, const CLI::App* command)
       stock.TimeFrame();
     });
 
-  const tool::Surface surface = tool::FindSurface(mesh, view, Fill, size, options.ReferencePixels);
+  const tool::Surface surface = tool::FindSurface(mesh, view, Fill, size,
+    options.Strip.empty() ? options.ReferencePixels : std::numeric_limits<int>::max());
   const std::vector<double> reference = tool::SumExactly(material.BRDF, environment, surface);
   const tool::Picture drawn = scene.Render(size.Width, size.Height);
   const std::vector<double> rgb = tool::Pick(drawn, surface);
@@ -440,6 +466,10 @@ void Run(Options& options, const CLI::App* command)
     tool::WriteText(options.Report,
       report.dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + "\n");
   }
+  if (!options.Strip.empty())
+  {
+    WriteStrip(options, title, environment, found, scene, stock, surface, reference);
+  }
   if (!options.Output.empty())
   {
     WriteSheet(options, title, found, grid, rgb, reference, drawn, stockDrawn);
@@ -464,38 +494,44 @@ void AddCompareCommand(CLI::App& app)
   command->add_option("--environment", options->Environment, EnvironmentHelp)->required();
   AddProjectionOption(command);
   command->add_option("--mesh", options->Mesh,
-    "Mesh to show it on: ply, stl, obj, vtp, vtk, gltf or glb (default: a sphere)");
+    "Mesh to show it on: ply, stl, obj, vtp, vtk, gltf, glb or 'ball-on-foot' (default: a sphere)");
   options->Method.Method = "auto";
   options->Method.AddTo(command, false);
   options->Method.Plan.AddForViewTo(command);
   command->add_option(
     "--size", options->Size, "Picture size in pixels, WIDTHxHEIGHT (default 500x500)");
   command->add_option("--view", options->View,
-    "Where to look from, AZIMUTH,ELEVATION in degrees, as for render (default 30,20)");
+    "Where to look from, AZIMUTH,ELEVATION[,ANGLE] in degrees, as for render (default 30,20)");
   command
     ->add_option("--reference-pixels", options->ReferencePixels,
-      "Compare at most so many covered pixels, those on a regular grid (default 1024): each costs "
-      "a sum over the environment's texels")
+      "Compare at most this many covered pixels, on a regular grid (default 1024). Each takes a "
+      "sum "
+      "over the environment's texels")
     ->check(CLI::Range(1, LargestSize * LargestSize));
   command->add_option("--report", options->Report,
     "JSON file to write: relative_l1, relative_rmse, rel_mse, median_relative, p99_relative, "
-    "smape, flip, hdr_flip, ssim (null where the compared pixels are fewer than 11 x 11), "
-    "delta_e_2000, delta_e_itp, frame_ms, setup_ms, texture_bytes, lights, predicted_error, the "
-    "same of VTK's "
-    "shading (pbr_...), and what was compared");
+    "smape, flip, hdr_flip, ssim (null for fewer than 11 x 11 compared pixels), delta_e_2000, "
+    "delta_e_itp, frame_ms, setup_ms, texture_bytes, lights, predicted_error, some of these for "
+    "VTK's shading (pbr_...), and the material, environment and picture");
   command->add_option("-o,--output", options->Output,
     "Picture to write, .png: the method, the exact sum, the signed error, VTK's shading");
+  command->add_option("--strip", options->Strip,
+    "Picture to write, .png: VTK's shading, the method and the exact sum in front of the "
+    "environment, with errors and the method's frame time relative to VTK's. Every covered pixel "
+    "is compared, which takes minutes for 400x400 pixels");
   command->add_option("--fit", options->Fit,
-    "Another file of the same material (a fit, a projection): it is rendered, and compared with "
-    "FILE");
+    "Another file of the same material (a fit, a projection). It is rendered instead of FILE and "
+    "compared with the exact sum of FILE");
   command->add_option("--failure-map", options->FailureMap,
-    "Picture to write, .png: where the method fails. The error of the f that it shades with over "
-    "(theta_i, theta_o) and over (theta_h, theta_d), that of radiance over theta_o, and the worst "
-    "angles; the report gets brdf_relative_l1, brdf_log_cosine, worst_angles, radiance_by_theta_o");
-  command->footer("VTK's shading is vtkOpenGLPolyDataMapper with physically based materials and "
-                  "image-based\nlighting, its roughness, metallic part and color those of least "
-                  "error.\n\nExample:\n  measured-brdf compare gold-paint --environment hall "
-                  "--tolerance 0.02 -o gold.png");
+    "Picture to write, .png, of the angles at which the method fails: the error of its f over "
+    "(theta_i, theta_o) and over (theta_h, theta_d), the error of radiance over theta_o, and the "
+    "worst angles. The report gets brdf_relative_l1, brdf_log_cosine, worst_angles, "
+    "radiance_by_theta_o");
+  command->footer(
+    "VTK's shading is vtkOpenGLPolyDataMapper with physically based materials and "
+    "image-based\nlighting. Its roughness, metallic part and color are fitted "
+    "for the least error.\n\nExample:\n  measured-brdf compare gold-paint --environment hall "
+    "--tolerance 0.02 -o gold.png");
   command->callback([options, command]() { Run(*options, command); });
 }
 } // namespace tool

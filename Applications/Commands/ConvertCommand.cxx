@@ -76,8 +76,8 @@ namespace tool
 void AddConvertCommand(CLI::App& app)
 {
   auto options = std::make_shared<Options>();
-  CLI::App* command =
-    app.add_subcommand("convert", "Write a material in another format and print what that costs");
+  CLI::App* command = app.add_subcommand(
+    "convert", "Write a material in another format and print the error of the conversion");
   command->add_option("IN", options->Input, GetMaterialHelp())->required();
   command
     ->add_option("OUT", options->Output,
@@ -88,8 +88,8 @@ void AddConvertCommand(CLI::App& app)
     "Write the tables of .exr as 16-bit floats: a third of the size");
   command->footer(
     "Prints the relative L2 error (both cosines as weights) and the largest absolute error of the\n"
-    "written file against the input. A MERL table is reciprocal: a measurement that is not loses\n"
-    "its asymmetry.\n\n"
+    "written file against the input. A MERL table is reciprocal: a measurement that is not\n"
+    "reciprocal loses its asymmetry.\n\n"
     "Example:\n  measured-brdf convert satin_purple_rgb.bsdf satin_purple.binary");
   command->callback([options]() { Run(*options); });
 }

@@ -115,7 +115,8 @@ void Check(const Options& options, const CLI::App* command)
   {
     if (!options.Output.empty())
     {
-      throw tool::UsageError("--output: --model pbr is a vtkProperty's figures, which are printed");
+      throw tool::UsageError(
+        "--output: --model pbr prints the values of a vtkProperty and writes no file");
     }
   }
   else if (options.Output.empty())
@@ -401,23 +402,22 @@ void AddFitCommand(CLI::App& app)
     ->add_option("--model", options->Model,
       "d-brdf: tables of the half vector's distribution and of the Fresnel term; "
 #if MEASUREDBRDF_WITH_CERES
-      "ashikhmin-shirley, blinn-phong: analytic lobes. All with a Lambert part. auto: a basis "
-      "where "
-      "it does not ring, else the D-BRDF or 1 or 2 Ashikhmin-Shirley lobes, whichever is closest. "
+      "ashikhmin-shirley, blinn-phong: analytic lobes. These have a Lambert part, too. auto: a "
+      "basis where it does not ring, otherwise the closest of the D-BRDF and 1 or 2 "
+      "Ashikhmin-Shirley lobes. "
 #else
-      "with a Lambert part. auto: a basis where it does not ring, else the D-BRDF. "
+      "it has a Lambert part, too. auto: a basis where it does not ring, otherwise the D-BRDF. "
 #endif
-      "pbr: the vtkProperty whose physically based shading comes nearest under a neutral light, "
-      "for "
-      "what draws or exports no measured material; printed, nothing is written")
+      "pbr: the vtkProperty whose physically based shading is closest under a neutral light, for "
+      "programs without measured materials; it is printed and no file is written")
     ->required()
     ->check(CLI::IsMember(Names(Models, { "auto", PBR })));
   command->add_option("--lobes", options->Lobes, "Number of lobes of analytic models (default 1)")
     ->check(CLI::Range(1, 3));
   command
     ->add_option("--loss", options->Loss,
-      "What to minimize: the squared difference of log-cosine: ln(1 + f cos) (default), cube-root: "
-      "(f cos)^(1/3), squared: f itself, which gives the least relative L2 error")
+      "The loss is the squared difference of: ln(1 + f cos) (log-cosine, default); (f cos)^(1/3) "
+      "(cube-root); or f itself (squared), which gives the least relative L2 error")
     ->check(CLI::IsMember(Names(Losses)));
   command
     ->add_option("--fresnel", options->Fresnel,
@@ -436,8 +436,8 @@ void AddFitCommand(CLI::App& app)
   command->add_flag("--json", options->Json, "Write JSON instead of text");
   command->add_option("-o,--output", options->Output, "File to write, ending in .exr");
   command->footer(
-    "The residual is the root mean square of the loss' differences over direction pairs that the\n"
-    "fit did not see. The relative L2 error weights f by both cosines.\n\n"
+    "The residual is the root mean square of these differences over direction pairs that the\n"
+    "fit did not use. The relative L2 error weights f by both cosines.\n\n"
     "Example:\n  measured-brdf fit satin_purple_rgb.bsdf --model ashikhmin-shirley --lobes 2 \\\n"
     "    -o satin.exr");
   command->callback([options, command]() { Run(*options, command); });

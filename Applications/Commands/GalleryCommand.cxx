@@ -219,10 +219,9 @@ void AddGalleryCommand(CLI::App& app)
   command->add_option("-o,--output", options->Output, "PNG picture to write")->required();
   command->footer(
     "Example:\n  measured-brdf gallery --environment studio.exr -o gallery.png\n\n"
-    "With --lights the environment is that many lights; without, the planner chooses how each\n"
-    "material is drawn, to an error of 2 %.\n"
-    "The light is scaled so that a white wall would come out light gray, and "
-    "highlights are rolled off.\n"
+    "With --lights, that many lights replace the environment. Without, the planner chooses a\n"
+    "method for each material, for an error of at most 2 %.\n"
+    "The exposure makes a white wall light gray; highlights are compressed.\n"
     "Needs OpenGL; without a screen, put 'xvfb-run -a' before it.");
   command->callback(
     [options, command]()

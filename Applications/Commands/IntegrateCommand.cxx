@@ -75,7 +75,8 @@ void AddIntegrateCommand(CLI::App& app)
   options->Method.AddTo(command, true);
   command
     ->add_option("--on", options->On,
-      "cpu (default), or gpu: what the renderer's shader makes of it (not of --method exact)")
+      "Where to compute it: cpu (default), or gpu, by the renderer's shader (not with --method "
+      "exact)")
     ->check(CLI::IsMember({ "cpu", "gpu" }));
   command->add_option("-o,--output", options->Output,
     "CSV file to write: the six columns and r,g,b of the outgoing radiance, linear Rec. 709 "

@@ -84,8 +84,8 @@ void AddLightsCommand(CLI::App& app)
       "faces it) per light")
     ->required();
   command->add_option("--preview", options->Preview,
-    "PNG to write as well: the tone-mapped map with the lights and, but for importance, their "
-    "regions");
+    "PNG picture to write: the tone-mapped map with the lights and their regions (importance "
+    "sampling has no regions)");
   command->footer("Example:\n  measured-brdf lights studio.exr --count 64 -o lights.csv "
                   "--preview lights.png");
   command->callback([options]() { Run(*options); });

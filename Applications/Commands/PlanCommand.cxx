@@ -137,21 +137,24 @@ void AddPlanCommand(CLI::App& app)
   options->Plan.AddCalibrateTo(command);
   options->Plan.AddForViewTo(command);
   command->add_option("--mesh", options->Mesh,
-    "With --for-view, the mesh: ply, stl, obj, vtp, vtk, gltf or glb (default: a sphere)");
+    "With --for-view, the mesh: ply, stl, obj, vtp, vtk, gltf, glb or 'ball-on-foot' (default: a "
+    "sphere)");
   command->add_option("--size", options->Size,
     "With --for-view, the picture's size in pixels, WIDTHxHEIGHT (default 500x500)");
   command->add_option("--view", options->View,
-    "With --for-view, where to look from, AZIMUTH,ELEVATION in degrees, as for render (default "
+    "With --for-view, where to look from, AZIMUTH,ELEVATION[,ANGLE] in degrees, as for render "
+    "(default "
     "30,20)");
   command->add_flag("--choice-only", options->ChoiceOnly,
-    "Try no more candidates than the renderer does to find its choice (a second instead of many)");
-  command->add_flag("--json", options->JSON, "As JSON");
-  command->footer("A table of the candidates, the cheapest first: error relative to the mean "
-                  "radiance over a sphere (or what --for-view sees),\ntime of a frame of that "
-                  "sphere, 500x500 pixels, on the renderer that "
-                  "is named below (Mesa's software renderer\nunless --calibrate), texture memory, "
-                  "set-up time; > marks the choice. Nothing is taken from or left in\nthe cache of "
-                  "plans. --for-view needs OpenGL.\n\nExample:\n  "
+    "Try only the candidates that the renderer tries before it chooses (takes a second instead of "
+    "many)");
+  command->add_flag("--json", options->JSON, "Write JSON instead of text");
+  command->footer("Prints a table of the candidates, the cheapest first: error relative to the "
+                  "mean radiance over a sphere (with\n--for-view, over the picture), frame time of "
+                  "that sphere in 500x500 pixels on the renderer that is named\nbelow (Mesa's "
+                  "software renderer unless --calibrate), texture memory, and set-up time. > marks "
+                  "the choice.\nThe cache of plans is neither read nor written. --for-view needs "
+                  "OpenGL.\n\nExample:\n  "
                   "measured-brdf plan gold-paint --environment hall --tolerance 0.02");
   command->callback([options, command]() { Run(*options, command); });
 }

@@ -182,7 +182,7 @@ void AddProjectCommand(CLI::App& app)
 {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand(
-    "project", "Put a material into a basis, or extend one in a basis beyond its zone");
+    "project", "Project a material onto a basis, or extrapolate a basis beyond its zone");
   command->add_option("FILE", options->File, GetMaterialHelp())->required();
   command
     ->add_option("--basis", options->Basis,
@@ -191,28 +191,30 @@ void AddProjectCommand(CLI::App& app)
     ->check(CLI::IsMember(std::vector<std::string>(std::begin(BasisNames), std::end(BasisNames))));
   command
     ->add_option("--order", options->Order,
-      "Order N of the basis: (N+1)^2 functions. Of the harmonics where FILE is in a basis already "
-      "(default then: its own)")
+      "Order N of the basis: (N+1)^2 functions. For a FILE that is in a basis already: order of "
+      "the "
+      "harmonics (default: its own)")
     ->check(CLI::Range(1, static_cast<int>(vtkBasisBRDF::MaximumOrder)));
   command->add_option("--zone", options->Zone,
-    "Polar angles in degrees of light and view that the last two bases cover, and that the first "
-    "printed error is over (default 9,57)");
+    "Polar angles in degrees of light and view (default 9,57): the zone of the last two bases and "
+    "of the first printed error");
   command
     ->add_option("--window", options->Window,
       "Damp high degrees against ringing: none (default, and the most accurate), hann, lanczos or "
       "laplacian")
     ->check(CLI::IsMember(Windows));
   command->add_flag("--extrapolate", options->Extrapolate,
-    "Extend beyond the zone by spherical harmonics. A FILE that is in a basis already (from "
-    "'acquire', say) is taken as it is");
+    "Extrapolate beyond the zone by spherical harmonics. A FILE that is in a basis already (such "
+    "as "
+    "from 'acquire') is not projected again");
   command
     ->add_option("--criterion", options->Criterion,
-      "How the harmonics' smoothness is chosen: l-curve (default) or cross-validation")
+      "How the smoothness of the harmonics is chosen: l-curve (default) or cross-validation")
     ->check(CLI::IsMember({ "l-curve", "cross-validation" }));
   command
     ->add_option("--maximum-residual", options->MaximumResidual,
       "Largest relative residual inside the zone at which an extrapolation is written (default "
-      "0.1 of zonal inputs, 0.03 of others)")
+      "0.1 for zonal inputs, 0.03 for others)")
     ->check(CLI::Range(1e-6, 1e6));
   command
     ->add_option("--maximum-negative-mass", options->MaximumNegativeMass,
@@ -221,7 +223,7 @@ void AddProjectCommand(CLI::App& app)
   command->add_option("-o,--output", options->Output, "File to write, ending in .exr")->required();
   command->footer(
     "An extrapolation whose residual inside the zone is too large is refused with exit status 1:\n"
-    "such materials want a fit.\n\n"
+    "use 'fit' for such materials.\n\n"
     "Examples:\n"
     "  measured-brdf project blue-fabric --basis legendre-fourier --order 6 -o blue.exr\n"
     "  measured-brdf project stack.exr --extrapolate -o whole.exr");

@@ -148,7 +148,7 @@ void Run(Options& options, const CLI::App* command)
   tool::Method method = tool::MakeMethod(options.Method, material, environment);
   tool::Scene scene;
   scene.SetMesh(mesh);
-  scene.SetView(view.Azimuth, view.Elevation, Fill);
+  scene.SetView(view.Azimuth, view.Elevation, Fill, view.Angle);
   const int factor = GetFactor(options, size);
   std::vector<double> frames;
   if (!exact)
@@ -212,23 +212,24 @@ void AddRenderCommand(CLI::App& app)
   command->add_option("--environment", options->Environment, EnvironmentHelp)->required();
   AddProjectionOption(command);
   command->add_option("--mesh", options->Mesh,
-    "Mesh to show it on: ply, stl, obj, vtp, vtk, gltf or glb (default: a sphere). Smooth normals "
-    "are made where it has none");
+    "Mesh to show it on: ply, stl, obj, vtp, vtk, gltf or glb, or 'ball-on-foot', which is built "
+    "in "
+    "(default: a sphere). A mesh without normals gets smooth ones");
   options->Method.Method = "auto";
   options->Method.AddTo(command, true);
   options->Method.Plan.AddForViewTo(command);
   options->Method.Plan.AddCalibrateTo(command);
   command->add_flag("--no-cache", options->NoCache,
-    "Plan anew for --method auto, and leave nothing for later runs. Else plans are kept in "
-    "$MEASUREDBRDF_CACHE ('off': not at all), $XDG_CACHE_HOME/vtkMeasuredBRDF or "
+    "Plan anew for --method auto, and keep nothing on disk. By default plans are kept in "
+    "$MEASUREDBRDF_CACHE ('off': nowhere), $XDG_CACHE_HOME/vtkMeasuredBRDF or "
     "~/.cache/vtkMeasuredBRDF");
   command->add_option(
     "--size", options->Size, "Picture size in pixels, WIDTHxHEIGHT (default 800x800)");
   command->add_option("--view", options->View,
-    "Where to look from, AZIMUTH,ELEVATION in degrees: azimuth 0 is from +z, 90 from +x; elevation "
-    "is above the horizon (default 30,20)");
+    "Where to look from, AZIMUTH,ELEVATION[,ANGLE] in degrees: azimuth 0 is from +z, 90 from +x; "
+    "elevation is above the horizon; ANGLE is the vertical angle of view (default 30,20,30)");
   command->add_option("--exposure", options->Exposure,
-    "Brighten (or darken) the picture by so many stops; default 0: physical values as they are");
+    "Brighten (or darken) the picture by this many stops; default 0: unchanged physical values");
   command
     ->add_option("--background", options->Background,
       "environment or none (default: environment in .png, none, with alpha 0, in .exr)")
@@ -239,9 +240,8 @@ void AddRenderCommand(CLI::App& app)
     ->required();
   command->add_option("--report", options->Report,
     "JSON file to write: frame_ms (median), setup_ms, texture_bytes, method, lights, renderer, "
-    "vtk; of --method auto the plan, its predicted_error, whether it is from the cache and whose "
-    "costs it is by, of thesis the representation and the "
-    "reason");
+    "vtk; for --method auto also the plan, its predicted_error, whether it is from the cache, and "
+    "the name of the costs; for thesis the representation and the reason");
   command->footer("Example:\n  measured-brdf render gold-paint --environment sky --lights 256 "
                   "-o gold.png\n\nNeeds OpenGL; without a screen, put 'xvfb-run -a' before it.");
   command->callback([options, command]() { Run(*options, command); });

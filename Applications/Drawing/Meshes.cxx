@@ -321,6 +321,10 @@ namespace tool
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> LoadMesh(const std::string& path)
 {
+  if (path == "ball-on-foot")
+  {
+    return MakeBallOnFoot();
+  }
   const vtkSmartPointer<vtkAlgorithm> reader = MakeReader(path);
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored))

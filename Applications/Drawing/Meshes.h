@@ -15,8 +15,8 @@
 
 namespace tool
 {
-/// Read ply, stl, obj, vtp, vtk, gltf or glb by its ending; smooth normals are made where the file
-/// has none. Throws Error.
+/// Read ply, stl, obj, vtp, vtk, gltf or glb by its ending; a file without normals gets smooth
+/// ones. "ball-on-foot" gives MakeBallOnFoot(). Throws Error.
 vtkSmartPointer<vtkPolyData> LoadMesh(const std::string& path);
 
 /// A unit sphere with exact normals.

@@ -24,7 +24,6 @@ namespace
 {
 // The mapper puts out radiance^(1/2.2), as VTK's own physically based shading does.
 constexpr double OutputGamma = 2.2;
-constexpr double ViewAngle = 30.0;
 }
 
 namespace tool
@@ -39,7 +38,6 @@ OffscreenScene::OffscreenScene(vtkOpenGLPolyDataMapper* mapper)
   this->Renderer->AutomaticLightCreationOff(); // all light comes from the environment
   this->Renderer->SetBackground(0.0, 0.0, 0.0);
   this->Renderer->SetBackgroundAlpha(0.0);
-  this->Renderer->GetActiveCamera()->SetViewAngle(ViewAngle);
 
   vtkNew<vtkRenderStepsPass> steps;
   this->Pass->SetDelegatePass(steps);
@@ -59,11 +57,12 @@ OffscreenScene::~OffscreenScene() = default;
 void OffscreenScene::SetMesh(vtkPolyData* mesh) { this->StageMapper->SetInputData(mesh); }
 
 //------------------------------------------------------------------------------
-void OffscreenScene::SetView(double azimuth, double elevation, double fill)
+void OffscreenScene::SetView(double azimuth, double elevation, double fill, double angle)
 {
   this->Azimuth = azimuth;
   this->Elevation = elevation;
   this->Fill = fill;
+  this->ViewAngle = angle;
 }
 
 //------------------------------------------------------------------------------
@@ -90,10 +89,11 @@ void OffscreenScene::PlaceCamera(int width, int height)
     std::cos(elevation) * std::cos(azimuth) };
   // A sphere seen under the angle a has the apparent radius tan(a) = R / sqrt(d^2 - R^2).
   const double share = this->Fill * std::min(1.0, static_cast<double>(width) / height) *
-                       std::tan(vtkMath::RadiansFromDegrees(0.5 * ViewAngle));
+                       std::tan(vtkMath::RadiansFromDegrees(0.5 * this->ViewAngle));
   const double distance = radius * std::sqrt(1.0 + 1.0 / (share * share));
 
   vtkCamera* camera = this->Renderer->GetActiveCamera();
+  camera->SetViewAngle(this->ViewAngle);
   camera->SetFocalPoint(center);
   camera->SetPosition(center[0] + distance * direction[0], center[1] + distance * direction[1],
     center[2] + distance * direction[2]);
@@ -189,7 +189,7 @@ std::array<double, 3> OffscreenScene::GetRay(double x, double y, int width, int 
   vtkMath::Cross(forward, up, right);
   vtkMath::Normalize(right);
   vtkMath::Cross(right, forward, up);
-  const double scale = std::tan(vtkMath::RadiansFromDegrees(0.5 * ViewAngle));
+  const double scale = std::tan(vtkMath::RadiansFromDegrees(0.5 * this->ViewAngle));
   const double a = scale * (2.0 * x - width) / height;
   const double b = scale * (2.0 * y - height) / height;
   std::array<double, 3> ray;

@@ -38,10 +38,10 @@ public:
 
   /**
    * Look at the mesh's middle from an azimuth (about +y, 0 = from +z, 90 = from +x) and an
-   * elevation above the horizon, in degrees. fill: share of the picture's smaller side that the
-   * mesh's bounding sphere takes.
+   * elevation above the horizon, with a vertical angle of view, all in degrees. fill: share of the
+   * picture's smaller side that the mesh's bounding sphere takes.
    */
-  void SetView(double azimuth, double elevation, double fill);
+  void SetView(double azimuth, double elevation, double fill, double angle = 30.0);
 
   /// Point the camera for a picture of that size; Render does so itself. GetRay needs it.
   void PlaceCamera(int width, int height);
@@ -82,6 +82,7 @@ private:
   double Azimuth = 0.0;
   double Elevation = 0.0;
   double Fill = 0.9;
+  double ViewAngle = 30.0;
 };
 } // namespace tool
 

@@ -180,7 +180,7 @@ Surface FindSurface(vtkPolyData* mesh, const View& view, double fill, const Size
 {
   NormalStage stage;
   stage.SetMesh(mesh);
-  stage.SetView(view.Azimuth, view.Elevation, fill);
+  stage.SetView(view.Azimuth, view.Elevation, fill, view.Angle);
   const Picture normals = stage.RenderNormals(size);
 
   Surface surface;

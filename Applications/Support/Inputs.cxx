@@ -55,7 +55,7 @@ std::string GetFormatAdvice(const std::string& file)
     return "";
   }
   return ". '" + extension +
-         "' is none of the formats that are read: " + vtkBRDFFormats::GetDescriptions();
+         "' is not one of the formats that are read: " + vtkBRDFFormats::GetDescriptions();
 }
 }
 
@@ -65,7 +65,8 @@ std::string GetMaterialHelp()
 {
   return "A material: the name of an embedded one (see 'measured-brdf list'), or a file: " +
          vtkBRDFFormats::GetDescriptions() +
-         ". With a '/', a '.' or a '#' in it, it is a file; else the embedded name comes first";
+         ". A name with a '/', a '.' or a '#' is a file; of other names, embedded materials come "
+         "first";
 }
 
 const char* const EnvironmentHelp =
@@ -141,7 +142,8 @@ void AddProjectionOption(CLI::App* command)
   }
   command
     ->add_option("--projection", Projection,
-      "What environment files are: auto (default: by their aspect ratio; square ones must say), "
+      "Projection of environment files: auto (default: by the aspect ratio; needed for square "
+      "ones), "
       "lat-long, angular (Debevec's angular map), mirror-ball, horizontal-cross, vertical-cross, "
       "horizontal-strip or vertical-strip of cube faces")
     ->check(CLI::IsMember(names));
@@ -179,15 +181,14 @@ void LightSetOptions::AddTo(CLI::App* command, const std::string& countName)
 {
   command
     ->add_option(countName, this->Count,
-      "How many lights stand for the environment (default " + std::to_string(this->Count) +
-        "); median cut makes powers of two only")
+      "Number of lights that replace the environment (default " + std::to_string(this->Count) +
+        "); with median cut a power of two")
     ->check(CLI::Range(1, vtkLightSetGenerator::MaximumNumberOfLights));
   command
     ->add_option("--light-set", this->Method,
-      "How they are chosen: median-cut (regions of equal energy, one light each; default), "
-      "variance "
-      "(regions of small spread, always the widest split next), minimum-variance (the published "
-      "method of that kind) or importance (drawn at random in proportion to the energy)")
+      "How the lights are chosen: median-cut (regions of equal energy, one light each; default), "
+      "variance (regions of small spread: the widest is always split next), minimum-variance (the "
+      "published method of that kind) or importance (drawn at random in proportion to the energy)")
     ->check(CLI::IsMember({ "median-cut", "variance", "minimum-variance", "importance" }));
   command->add_option("--seed", this->Seed,
     "Seed of --light-set importance (default 1); the same seed gives the same lights");
@@ -197,7 +198,7 @@ void LightSetOptions::AddTo(CLI::App* command, const std::string& countName)
 void LightSetOptions::AddSoftTo(CLI::App* command)
 {
   command->add_flag("--soft-lights", this->Soft,
-    "Make each light as wide as the region it stands for, so that sharp lobes show no dots; lights "
+    "Make each light as wide as its region, so that sharp lobes show no dots; lights "
     "of --light-set importance have no width");
 }
 

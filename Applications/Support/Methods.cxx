@@ -95,7 +95,7 @@ std::vector<std::pair<std::string, std::string>> ListMethods(bool exact)
     }
   }
   methods.emplace_back(
-    Thesis, "light-set with the material in a basis or, where that rings, as a D-BRDF fit");
+    Thesis, "a sum over lights of the material in a basis or, where that rings, as a D-BRDF fit");
   methods.emplace_back(Auto, "the cheapest that meets --tolerance");
   return methods;
 }
@@ -207,7 +207,7 @@ void MethodOptions::AddTo(CLI::App* command, bool exact)
     names.push_back(name);
     help += (help.empty() ? "" : "; ") + name +
             (name != this->Method ? ": "
-              : name == Auto      ? " (default, unless lights are asked for): "
+              : name == Auto      ? " (default, unless options for lights are given): "
                                   : " (default): ") +
             description;
   }
@@ -251,16 +251,16 @@ void MethodOptions::Check(const CLI::App* command)
 void PlanOptions::AddCalibrateTo(CLI::App* command)
 {
   command->add_flag("--calibrate", this->Calibrate,
-    "Plan by what each method costs on this machine's OpenGL renderer, measured in about a second "
-    "or found on disk, instead of by built-in figures of Mesa's software renderer");
+    "Plan with the cost of each method on this machine's OpenGL renderer, measured in about a "
+    "second or read from disk, instead of built-in figures for Mesa's software renderer");
 }
 
 //------------------------------------------------------------------------------
 void PlanOptions::AddForViewTo(CLI::App* command)
 {
   command->add_flag("--for-view", this->ForView,
-    "Plan for the normals, the views and the number of pixels of this very picture, instead of for "
-    "a sphere from everywhere");
+    "Plan for the normals, the views and the number of pixels of this picture, instead of for a "
+    "sphere seen from everywhere");
 }
 
 //------------------------------------------------------------------------------

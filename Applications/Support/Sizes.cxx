@@ -11,6 +11,9 @@
 
 namespace
 {
+constexpr double MinimumAngle = 1.0;
+constexpr double MaximumAngle = 120.0;
+
 //------------------------------------------------------------------------------
 // Two numbers with one separator between, and nothing else.
 template <typename Number>
@@ -46,12 +49,26 @@ Size ParseSize(const std::string& option, const std::string& text, int largest)
 View ParseView(const std::string& text)
 {
   View view{};
-  if (!ParseTwo(text, ',', view.Azimuth, view.Elevation) || !std::isfinite(view.Azimuth) ||
-      !(std::abs(view.Elevation) <= 90.0))
+  const std::size_t first = text.find(',');
+  const std::size_t last = text.rfind(',');
+  bool valid = false;
+  if (first == last)
   {
-    throw UsageError(
-      "--view: '" + text +
-      "' is not AZIMUTH,ELEVATION in degrees with the elevation between -90 and 90, like 30,20");
+    valid = ParseTwo(text, ',', view.Azimuth, view.Elevation);
+  }
+  else
+  {
+    valid = ParseTwo(text.substr(0, last), ',', view.Azimuth, view.Elevation) &&
+            ParseTwo(text.substr(first + 1), ',', view.Elevation, view.Angle);
+  }
+  valid = valid && std::isfinite(view.Azimuth) && std::abs(view.Elevation) <= 90.0 &&
+          view.Angle >= MinimumAngle && view.Angle <= MaximumAngle;
+  if (!valid)
+  {
+    throw UsageError("--view: '" + text +
+                     "' is not AZIMUTH,ELEVATION or AZIMUTH,ELEVATION,ANGLE in degrees with the "
+                     "elevation between -90 and 90 and the angle of view between 1 and 120, like "
+                     "30,20");
   }
   return view;
 }

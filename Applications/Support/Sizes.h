@@ -20,8 +20,9 @@ struct Size
 
 struct View
 {
-  double Azimuth;   // degrees
-  double Elevation; // degrees, in [-90, 90]
+  double Azimuth;      // degrees
+  double Elevation;    // degrees, in [-90, 90]
+  double Angle = 30.0; // vertical angle of view in degrees, in [1, 120]
 };
 
 struct Range
@@ -33,7 +34,7 @@ struct Range
 /// "800x600" -> size, each side in [1, largest]. Throws UsageError that names the option.
 Size ParseSize(const std::string& option, const std::string& text, int largest);
 
-/// "30,-20" -> view. Throws UsageError.
+/// "30,-20" or, with the angle of view, "30,-20,50" -> view. Throws UsageError.
 View ParseView(const std::string& text);
 
 /// "9,57" -> polar angles, 0 <= begin < end <= 90, at least vtkBasisBRDF::MinimumZoneWidth apart.

@@ -4,12 +4,12 @@
  * @class   vtkAshikhminShirleyBRDFFitter
  * @brief   fits a Lambert part and 1 to 3 Ashikhmin-Shirley lobes
  *
- * Unknown: RGB albedo, and per lobe one exponent (two where it is anisotropic: along the tangent
- * and the bitangent), an RGB scale S >= 0 and an RGB reflectance R in [0,1] of Schlick's Fresnel
- * term. The solver works on S R and S (1 - R), in which the model is linear and S and R can't
- * cancel. The lobes have no coupled diffuse part: the Lambert term stands for it.
+ * The unknowns are an RGB albedo and, per lobe, one exponent (two if it is anisotropic: along the
+ * tangent and the bitangent), an RGB scale S >= 0 and an RGB reflectance R in [0,1] of Schlick's
+ * Fresnel term. The solver works on S R and S (1 - R), in which the model is linear and S and R
+ * cannot cancel. The lobes have no coupled diffuse part: the Lambert term replaces it.
  *
- * All log-spaced combinations of exponents are tried with their best coefficients, the best
+ * All log-spaced combinations of exponents are tried with their best coefficients, and the best
  * NumberOfStarts are refined with Ceres (Levenberg-Marquardt within bounds, analytic derivatives).
  * The output is a vtkSumBRDF of a vtkLambertBRDF and the lobes by ascending exponent.
  */
@@ -37,7 +37,7 @@ public:
 
   ///@{
   /**
-   * Number of lobes, 1 to 3; default 1. Others are refused.
+   * Number of lobes, 1 to 3; default 1. Other numbers are refused.
    */
   virtual void SetNumberOfLobes(int numberOfLobes);
   vtkGetMacro(NumberOfLobes, int);

@@ -2,23 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkBRDFAcquisition
- * @brief   measures a material as the device of Ghosh et al. 2007 does, in simulation
+ * @brief   simulates the measuring device of Ghosh et al. 2007
  *
  * A projector lights the sample from all directions of a zone at once with the basis functions
- * B_k, one after the other, each as two patterns, max(B_k, 0) and max(-B_k, 0), scaled to the
- * projector's range; a camera sees every direction o of the same zone in one image. The difference
- * of the two photographs, scaled back, is
+ * B_k, one after the other. Each is shown as two patterns, max(B_k, 0) and max(-B_k, 0), scaled to
+ * the projector's range. A camera sees every direction o of the same zone in one image. The
+ * difference of the two photographs, with the scale undone, is
  *
  *   C_k(o) = integral over the zone of f(i,o) cos(theta_i) B_k(i) di,
  *
- * one slice of the coefficient stack: vtkBasisBRDF with IncidentCosine on, because light that comes
- * from a projector brings the cosine along. Each pair of photographs is exposed so that its
- * brightest pixel is 1; noise is Gaussian with a standard deviation of Noise of that, and values
- * are rounded to Bits bits and clipped to [0, 1]. Isotropic materials: the camera's azimuths are
- * averaged after turning the coefficients, which also averages the noise.
+ * one slice of the coefficient stack: vtkBasisBRDF with IncidentCosine on, because the projector's
+ * light includes the cosine. Each pair of photographs is exposed so that its brightest pixel is 1.
+ * Noise is Gaussian with a standard deviation of Noise, relative to that pixel. Values are rounded
+ * to Bits bits and clipped to [0, 1]. For isotropic materials the camera's azimuths are averaged
+ * after the coefficients are rotated, which also averages the noise.
  *
  * The papers' figures (zone, orders, pixels, noise) could not be checked; the defaults are this
- * project's. Repeatable: the same Seed gives the same bits.
+ * project's. The same Seed gives the same bits.
  */
 
 #ifndef vtkBRDFAcquisition_h
@@ -48,8 +48,9 @@ public:
 
   ///@{
   /**
-   * Basis and order; default zonal of order 6. Spherical harmonics are refused: they are no basis
-   * of what a device reaches. Orders outside [1, vtkBasisBRDF::MaximumOrder] are refused.
+   * Basis and order; default zonal of order 6. Spherical harmonics are refused, because they are no
+   * basis of the directions that a device reaches. Orders outside [1, vtkBasisBRDF::MaximumOrder]
+   * are refused.
    */
   virtual void SetBasis(int basis);
   vtkGetMacro(Basis, int);
@@ -77,7 +78,7 @@ public:
 
   ///@{
   /**
-   * Bits of the camera's pixels, 1 to 24; 0 (default): no rounding. Others are refused.
+   * Bits of the camera's pixels, 1 to 24; 0 (default): no rounding. Other numbers are refused.
    */
   virtual void SetBits(int bits);
   vtkGetMacro(Bits, int);
@@ -94,7 +95,8 @@ public:
   ///@{
   /**
    * Camera pixels: polar angles (default 48, in [2, 1024]) and azimuths (default 32, in [1, 256]).
-   * So many pixels of an anisotropic sample that its responses take more than 1 GiB are refused.
+   * Numbers for which the responses of an anisotropic sample would take more than 1 GiB are
+   * refused.
    */
   virtual void SetNumberOfTheta(int numberOfTheta);
   vtkGetMacro(NumberOfTheta, int);
@@ -104,7 +106,7 @@ public:
 
   ///@{
   /**
-   * Set it in an observer of ProgressEvent (calldata: double*) to stop: Acquire returns false.
+   * Set this in an observer of ProgressEvent (calldata: double*) to stop: Acquire returns false.
    */
   vtkSetMacro(Abort, bool);
   vtkGetMacro(Abort, bool);
@@ -112,8 +114,8 @@ public:
   ///@}
 
   /**
-   * Measure. Returns false with an error event, output unchanged, without an input or with an
-   * option that is refused; false without one when aborted.
+   * Measure. Returns false with an error event and leaves the output unchanged without an input or
+   * with an invalid option; returns false without an error event when aborted.
    */
   bool Acquire();
 
@@ -123,8 +125,8 @@ public:
   vtkBasisBRDF* GetOutput() { return this->Output; }
 
   /**
-   * Photographs that were taken: two per basis function but the first, which is nowhere negative
-   * (for as many functions as have a negative part).
+   * Number of photographs that were taken: two for each basis function that has a negative part,
+   * one for each other (such as the first).
    */
   vtkGetMacro(NumberOfPhotographs, int);
 

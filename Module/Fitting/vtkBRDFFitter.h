@@ -2,25 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkBRDFFitter
- * @brief   the parameters of a model that come closest to a given BRDF (abstract)
+ * @brief   abstract class that fits the parameters of a model to a given BRDF
  *
- * Minimizes the weighted mean of (T(f) - T(f'))^2 over direction pairs and RGB, f the input and f'
- * the model. The weights are solid angle of i times projected solid angle of o (Low et al. 2012
- * with the view's weights of Bieron and Peers 2020), for views whose cosine is at least 0.02:
- * nothing else is ever shaded. T is the loss:
+ * Minimizes the weighted mean of (T(f) - T(f'))^2 over direction pairs and RGB, where f is the
+ * input and f' the model. The weights are solid angle of i times projected solid angle of o (Low et
+ * al. 2012 with the view's weights of Bieron and Peers 2020). Only views whose cosine is at least
+ * 0.02 are used, because no other view is ever shaded. T is the loss:
  *
- *     LOG_COSINE        ln(1 + f cos_i)       Low et al. 2012; close to what is seen
- *     CUBE_ROOT_COSINE  (f cos_i)^(1/3)       Fores et al. 2012; sharp lobes count less
+ *     LOG_COSINE        ln(1 + f cos_i)       Low et al. 2012; close to visible differences
+ *     CUBE_ROOT_COSINE  (f cos_i)^(1/3)       Fores et al. 2012; sharp lobes have less weight
  *     SQUARED           f sqrt(cos_i)         minimizes the relative L2 error
  *
  * Pairs are low-discrepancy points, half over half and difference angles (dense at theta_h = 0, so
- * that sharp lobes are met) and half over both hemispheres. Pairs that a table interpolates mostly
- * from invalid cells do not count. Same input, options and seed: same result.
+ * that sharp lobes are sampled) and half over both hemispheres. Pairs that a table interpolates
+ * mostly from invalid cells are left out. The same input, options and seed give the same result.
  *
  * A subclass names its model and minimizes over the samples that it gets (GetModelName, FitTo). The
  * samples, the figures and the checks of input and output are the same for all models.
  *
- * ProgressEvent (calldata: double*) from the calling thread; interrupted by SetAbort(true).
+ * Raises ProgressEvent (calldata: double*) from the calling thread; SetAbort(true) stops the fit.
  */
 
 #ifndef vtkBRDFFitter_h
@@ -65,7 +65,7 @@ public:
 
   ///@{
   /**
-   * What to fit. Only read (but for Prepare).
+   * The BRDF to fit. It is not changed, except that Prepare is called.
    */
   void SetInput(vtkBRDF* input);
   vtkBRDF* GetInput();
@@ -73,7 +73,7 @@ public:
 
   ///@{
   /**
-   * What to minimize: LOG_COSINE (default), CUBE_ROOT_COSINE or SQUARED.
+   * The loss to minimize: LOG_COSINE (default), CUBE_ROOT_COSINE or SQUARED.
    */
   virtual void SetLoss(int loss);
   vtkGetMacro(Loss, int);
@@ -93,7 +93,7 @@ public:
   ///@{
   /**
    * Number of starting points that are refined before the best of them is finished, in [1, 64];
-   * default 4. A model may have fewer to offer.
+   * default 4. A model may have fewer starting points.
    */
   virtual void SetNumberOfStarts(int numberOfStarts);
   vtkGetMacro(NumberOfStarts, int);
@@ -109,7 +109,7 @@ public:
 
   ///@{
   /**
-   * Stop where an iteration lowers the mean square by a smaller share than this, in (0,1); default
+   * Stop when an iteration lowers the mean square by a smaller share than this, in (0,1); default
    * 1e-6.
    */
   virtual void SetTolerance(double tolerance);
@@ -126,24 +126,25 @@ public:
 
   ///@{
   /**
-   * 0 (default): starting points that the data suggest. Else NumberOfStarts random ones drawn by
-   * this seed, to see how far the result depends on them: exponents log-uniform in [1, 1e5]; of a
-   * D-BRDF the Lambert part, the reflectance that F starts from, and a tilt of p.
+   * 0 (default): starting points computed from the data. Otherwise NumberOfStarts random starting
+   * points are drawn with this seed, to test how far the result depends on them. For lobes the
+   * exponents are random, log-uniform in [1, 1e5]; for a D-BRDF the Lambert part, the reflectance
+   * at which F starts, and a tilt of p.
    */
   vtkSetMacro(StartSeed, unsigned int);
   vtkGetMacro(StartSeed, unsigned int);
   ///@}
 
   /**
-   * Fit. Returns false with an error event, output and figures unchanged, when there is no input,
-   * options do not go together, the input is 0 (or has no valid cell) at every pair or too large
-   * to be squared, or the run was aborted.
+   * Fit. Returns false with an error event and leaves output and figures unchanged when there is no
+   * input, options contradict each other, the input is 0 (or has no valid cell) at every pair or is
+   * too large to be squared, or the run was aborted.
    */
   bool Fit();
 
   ///@{
   /**
-   * Set from an observer or another thread to stop a running Fit. Each Fit starts with it off.
+   * Set this from an observer or another thread to stop a running Fit. Each Fit clears it first.
    */
   void SetAbort(bool abort) { this->Abort = abort; }
   bool GetAbort() { return this->Abort; }
@@ -159,9 +160,9 @@ public:
 
   ///@{
   /**
-   * How close the output is, over fresh pairs that the fit did not see (as many, at least 16384):
-   * the root of the weighted mean of (T(f) - T(f'))^2, in units of T, and the relative L2 error
-   * in the sense of vtkBRDFResampler::GetRelativeL2Error (but invalid cells do not count).
+   * Errors of the output over new pairs that the fit did not use (as many, at least 16384): the
+   * root of the weighted mean of (T(f) - T(f'))^2, in units of T, and the relative L2 error as in
+   * vtkBRDFResampler::GetRelativeL2Error (but without invalid cells).
    */
   vtkGetMacro(Residual, double);
   vtkGetMacro(RelativeL2Error, double);
@@ -169,8 +170,8 @@ public:
 
   ///@{
   /**
-   * Hemispherical albedo of input and output, RGB, over the same pairs: the share of the light of a
-   * white sky that is reflected.
+   * Hemispherical albedo of input and output, RGB, over the same pairs: the reflected share of the
+   * light of a white sky.
    */
   vtkGetVector3Macro(InputAlbedo, double);
   vtkGetVector3Macro(OutputAlbedo, double);
@@ -178,9 +179,9 @@ public:
 
   ///@{
   /**
-   * Iterations from the best start, whether they ended by Tolerance (not by
-   * MaximumNumberOfIterations), and the residual over the fit's own pairs before and after each: it
-   * never grows.
+   * Number of iterations from the best start; whether Tolerance ended them (not
+   * MaximumNumberOfIterations); and the residual over the fit's own pairs before and after each
+   * iteration, which never grows.
    */
   int GetNumberOfIterations();
   vtkGetMacro(Converged, bool);
@@ -200,7 +201,7 @@ protected:
   ~vtkBRDFFitter() override;
 
   /**
-   * What a model's fit hands back; a null BRDF where it was aborted.
+   * The result of a model's fit; a null BRDF if it was aborted.
    */
   struct Result
   {
@@ -211,7 +212,7 @@ protected:
   };
 
   /**
-   * What is wrong with the subclass's options for this input; empty: nothing.
+   * Describes the error in the subclass's options for this input; empty if there is none.
    */
   virtual std::string CheckOptions() { return std::string(); }
 
@@ -227,7 +228,7 @@ protected:
   double GetLossValue(double f, double cosine) const;
 
   /**
-   * Tell the observers; false where the run is to stop.
+   * Report progress to the observers; returns false if the run has to stop.
    */
   bool UpdateProgress(double share);
 

@@ -2,22 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkBasisExtrapolator
- * @brief   from a zone of directions to the whole hemisphere, by spherical harmonics
+ * @brief   extrapolates from a zone of directions to the hemisphere by spherical harmonics
  *
- * What a device measures ends at its zone (Ghosh et al. 2007: extrapolated "by re-projection into
- * spherical harmonics"). Here: harmonics of a given order that fit the representation inside its
- * zones in the least-squares sense, first over i for every measured o, then over o for every
- * harmonic of i, with the penalty lambda sum (l(l+1))^2 c^2 on the Laplacian. Without it the
- * problem is ill-posed: the Gram matrix of the harmonics on 9 to 57 degrees has the condition 1e9
- * at order 4. lambda is chosen from 1e-5 ... 1 at the corner of the L-curve (Hansen 1992) or by
- * generalized cross-validation (Golub, Heath, Wahba 1979). The latter takes what the input's basis
- * can't hold for signal, not for noise, and so the least lambda there is. Below 1e-5 either may
- * choose a fit that is close inside the zone and wild outside.
+ * A device measures a zone of directions only (Ghosh et al. 2007: extrapolated "by re-projection
+ * into spherical harmonics"). This class fits harmonics of a given order to the representation
+ * inside its zones by least squares, first over i for every measured o, then over o for every
+ * harmonic of i, with the penalty lambda sum (l(l+1))^2 c^2 on the Laplacian. Without the penalty
+ * the problem is ill-posed: the Gram matrix of the harmonics on 9 to 57 degrees has the condition
+ * number 1e9 at order 4. lambda is chosen from 1e-5 ... 1 at the corner of the L-curve (Hansen
+ * 1992) or by generalized cross-validation (Golub, Heath, Wahba 1979). Cross-validation takes the
+ * part of the input that its basis cannot represent for signal instead of noise, and so chooses the
+ * least lambda. Below 1e-5 either may choose a fit that is close inside the zone and wild outside.
  *
- * Inside the zone one can tell how well that went, outside not. So the result only counts where the
- * residual inside is small and the result hardly negative: Extrapolate refuses else
- * (GetInZoneResidual, MaximumResidual, GetNegativeMass, MaximumNegativeMass); a lobe fit is the
- * better way there.
+ * The error is known inside the zone only. The result is therefore accepted only if its residual
+ * there and its negative mass are small; otherwise Extrapolate refuses it (GetInZoneResidual,
+ * MaximumResidual, GetNegativeMass, MaximumNegativeMass). Fit lobes to such materials instead.
  */
 
 #ifndef vtkBasisExtrapolator_h
@@ -45,7 +44,7 @@ public:
 
   ///@{
   /**
-   * What to extrapolate, any basis and zones.
+   * The representation to extrapolate, with any basis and zones.
    */
   void SetInput(vtkBasisBRDF* input);
   vtkBasisBRDF* GetInput() { return this->Input; }
@@ -53,7 +52,7 @@ public:
 
   ///@{
   /**
-   * Order of the harmonics; 0 (default): the input's.
+   * Order of the harmonics; 0 (default): that of the input.
    */
   virtual void SetOrder(int order);
   vtkGetMacro(Order, int);
@@ -61,8 +60,8 @@ public:
 
   ///@{
   /**
-   * How lambda is chosen; FIXED: as set by SetLambda, clamped to [0, 1e6]. GetLambda: what was
-   * used.
+   * How lambda is chosen. FIXED uses the value of SetLambda, clamped to [0, 1e6]. GetLambda returns
+   * the value that was used.
    */
   virtual void SetCriterion(int criterion);
   vtkGetMacro(Criterion, int);
@@ -72,16 +71,17 @@ public:
 
   ///@{
   /**
-   * Largest relative residual inside the zones (L2, both cosines as weights) that is accepted; 0
-   * (default): 0.10 of zonal inputs, whose own edges are most of it, 0.03 of others.
-   * GetResidualLimit: what was used.
+   * Largest accepted relative residual inside the zones (L2, both cosines as weights). 0 (default)
+   * means 0.10 for zonal inputs, most of whose residual comes from the zone's edges, and 0.03 for
+   * others. GetResidualLimit returns the limit that was used.
    *
    * Measured on 23 published fits, 14 measured materials and 8 Blinn-Phong lobes (exponents 1 to
-   * 200) at orders 4, 6, 8, 12 on 9 to 57 degrees, error over 0 to 75 degrees against that of
-   * holding the zone's edge. Zonal: of 77 accepted results 76 are better (0.21 to 0.94 times that
-   * error), one is worse (11 instead of 8.7 %); of those refused two thirds are worse, up to 2
-   * times. Legendre x Fourier: of 68 accepted 56 are better, 12 worse (at most 11 instead of 7.1
-   * %); of those refused five in six are worse, up to 3.3 times.
+   * 200) at orders 4, 6, 8, 12 on 9 to 57 degrees: the error over 0 to 75 degrees, compared with
+   * that of keeping the value at the zone's edge. Zonal: of 77 accepted results 76 are better (0.21
+   * to 0.94 times that error), one is worse (11 instead of 8.7 %); of the refused results two
+   * thirds are worse, up to 2 times. Legendre x Fourier: of 68 accepted results 56 are better, 12
+   * worse (at most 11 instead of 7.1 %); of the refused results five in six are worse, up to 3.3
+   * times.
    */
   virtual void SetMaximumResidual(double maximumResidual);
   vtkGetMacro(MaximumResidual, double);
@@ -90,8 +90,8 @@ public:
 
   ///@{
   /**
-   * Largest negative mass of the output over the hemisphere (vtkBasisBRDF::GetNegativeMass) that is
-   * accepted; default 0.05.
+   * Largest accepted negative mass of the output over the hemisphere
+   * (vtkBasisBRDF::GetNegativeMass); default 0.05.
    */
   virtual void SetMaximumNegativeMass(double maximumNegativeMass);
   vtkGetMacro(MaximumNegativeMass, double);
@@ -99,7 +99,8 @@ public:
 
   ///@{
   /**
-   * Set it in an observer of ProgressEvent (calldata: double*) to stop: Extrapolate returns false.
+   * Set this in an observer of ProgressEvent (calldata: double*) to stop: Extrapolate returns
+   * false.
    */
   vtkSetMacro(Abort, bool);
   vtkGetMacro(Abort, bool);
@@ -107,16 +108,16 @@ public:
   ///@}
 
   /**
-   * Returns whether the residual inside the zone is accepted. False with an error event without an
-   * input; false without one where the gate refuses, GetOutput() then holds the refused result, or
-   * when aborted, GetOutput() then stays.
+   * Extrapolate. Returns whether the result is accepted. Returns false with an error event without
+   * an input. Returns false without an error event if the result is refused (GetOutput() then holds
+   * it) or when aborted (GetOutput() then stays).
    */
   bool Extrapolate();
 
   ///@{
   /**
-   * About the last Extrapolate: the relative residual inside the zones and the output's negative
-   * mass.
+   * Figures of the last Extrapolate: the relative residual inside the zones and the output's
+   * negative mass.
    */
   vtkGetMacro(InZoneResidual, double);
   vtkGetMacro(NegativeMass, double);

@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkBasisProjector
- * @brief   any BRDF -> vtkBasisBRDF, by least squares over a zone of incident directions
+ * @brief   projects any BRDF onto a basis, by least squares over a zone of incident directions
  *
  * For every sample of o the coefficients minimize the integral of (f - sum_k C_k B_k)^2
- * cos(theta_i) over the zone: a Fourier series in the azimuth (2^8 equidistant nodes) and, per
- * azimuthal order, a weighted least-squares problem over Gauss-Legendre nodes in cos(theta_i) with
- * their exact weights. INNER_PRODUCT gives the plain projections C_k = integral of f [cos(theta_i)]
- * B_k di instead, as a device measures them. Spherical harmonics are not orthogonal on the upper
- * hemisphere alone, so their squares get a term Regularization x sum (l(l+1))^2 C^2, relative to
- * the data's weight.
+ * cos(theta_i) over the zone. They are computed by a Fourier series in the azimuth (2^8 equidistant
+ * nodes) and, per azimuthal order, a weighted least-squares problem over Gauss-Legendre nodes in
+ * cos(theta_i) with their exact weights. INNER_PRODUCT gives the plain projections C_k = integral
+ * of f [cos(theta_i)] B_k di instead, as a device measures them. Spherical harmonics are not
+ * orthogonal on the upper hemisphere alone, so their squares get a term Regularization x sum
+ * (l(l+1))^2 C^2, relative to the data's weight.
  *
  * Isotropic materials give the isotropic form (nPhi = 1).
  */
@@ -48,7 +48,7 @@ public:
 
   ///@{
   /**
-   * What to project.
+   * The BRDF to project.
    */
   void SetInput(vtkBRDF* input);
   vtkBRDF* GetInput() { return this->Input; }
@@ -67,8 +67,8 @@ public:
 
   ///@{
   /**
-   * Polar angles in degrees that light comes from (zonal and Legendre x Fourier; the others cover
-   * the hemisphere) and that are looked from; default 0 to 90 both.
+   * Polar angles in degrees of the light (for zonal and Legendre x Fourier; the other bases cover
+   * the hemisphere) and of the view; default 0 to 90 for both.
    */
   virtual void SetIncidentZone(double begin, double end);
   virtual void SetIncidentZone(const double incidentZone[2]);
@@ -100,8 +100,8 @@ public:
 
   ///@{
   /**
-   * Weight of the Laplacian's square, of spherical harmonics by least squares only; default 1e-6,
-   * in [0, 1].
+   * Weight of the Laplacian's square; default 1e-6, in [0, 1]. It is used only for spherical
+   * harmonics by least squares.
    */
   virtual void SetRegularization(double regularization);
   vtkGetMacro(Regularization, double);
@@ -111,8 +111,8 @@ public:
   /**
    * Factor on the coefficients of degree l against ringing (Sloan 2008): Hann (1 + cos(pi l/W)) /
    * 2, Lanczos sin(pi l/W) / (pi l/W), with W = order + 1 (the narrowest without a jump), Laplacian
-   * 1 / (1 + s l^2 (l+1)^2) with s = 1 / (order (order+1))^2 (halves the highest degree). Default:
-   * none, as that measures best: the clamp after the sum costs nothing.
+   * 1 / (1 + s l^2 (l+1)^2) with s = 1 / (order (order+1))^2 (halves the highest degree). The
+   * default is no window, which measures best, because the clamp after the sum costs nothing.
    */
   virtual void SetWindow(int window);
   vtkGetMacro(Window, int);
@@ -121,7 +121,7 @@ public:
 
   ///@{
   /**
-   * Samples of theta_o (default 64, in [2, 1024]) and, of anisotropic materials, of phi_o (default
+   * Samples of theta_o (default 64, in [2, 1024]) and, for anisotropic materials, of phi_o (default
    * 32, in [4, 1024]).
    */
   virtual void SetNumberOfTheta(int numberOfTheta);
@@ -132,8 +132,8 @@ public:
 
   ///@{
   /**
-   * Nodes in theta_i: default 96, in [8, 1024]. Sharp lobes need more; Project refuses no more than
-   * the order.
+   * Nodes in theta_i: default 96, in [8, 1024]. Sharp lobes need more nodes. Project refuses
+   * numbers that do not exceed the order.
    */
   virtual void SetNumberOfNodes(int numberOfNodes);
   vtkGetMacro(NumberOfNodes, int);
@@ -141,7 +141,7 @@ public:
 
   ///@{
   /**
-   * Set it in an observer of ProgressEvent (calldata: double*) to stop: Project returns false.
+   * Set this in an observer of ProgressEvent (calldata: double*) to stop: Project returns false.
    */
   vtkSetMacro(Abort, bool);
   vtkGetMacro(Abort, bool);
@@ -149,9 +149,9 @@ public:
   ///@}
 
   /**
-   * Returns false with an error event, output unchanged, without an input or with an order, zone
-   * (vtkBasisBRDF::FindZoneProblem) or number of nodes that is refused; false without one when
-   * aborted.
+   * Project. Returns false with an error event and leaves the output unchanged without an input or
+   * with an invalid order, zone (vtkBasisBRDF::FindZoneProblem) or number of nodes; returns false
+   * without an error event when aborted.
    */
   bool Project();
 

@@ -4,10 +4,10 @@
  * @class   vtkBlinnPhongBRDFFitter
  * @brief   fits a Lambert part and 1 to 3 Blinn-Phong lobes
  *
- * Unknown: RGB albedo, and per lobe an exponent and an RGB scale >= 0. All log-spaced combinations
- * of exponents are tried with their best scales, the best NumberOfStarts are refined with Ceres
- * (Levenberg-Marquardt within bounds, analytic derivatives). The output is a vtkSumBRDF of a
- * vtkLambertBRDF and the lobes by ascending exponent.
+ * The unknowns are an RGB albedo and, per lobe, an exponent and an RGB scale >= 0. All log-spaced
+ * combinations of exponents are tried with their best scales, and the best NumberOfStarts are
+ * refined with Ceres (Levenberg-Marquardt within bounds, analytic derivatives). The output is a
+ * vtkSumBRDF of a vtkLambertBRDF and the lobes by ascending exponent.
  */
 
 #ifndef vtkBlinnPhongBRDFFitter_h
@@ -26,7 +26,7 @@ public:
 
   ///@{
   /**
-   * Number of lobes, 1 to 3; default 1. Others are refused.
+   * Number of lobes, 1 to 3; default 1. Other numbers are refused.
    */
   virtual void SetNumberOfLobes(int numberOfLobes);
   vtkGetMacro(NumberOfLobes, int);

@@ -4,15 +4,15 @@
  * @class   vtkDistributionBRDFFitter
  * @brief   fits a Lambert part and a D-BRDF: tables of p(h) and F(theta_d)
  *
- * Start: the Lambert part from the least values within 60 degrees of the normal; p from
- * retro-reflection, p(theta) = 4 f(theta) (2 cos - cos^2) (exact but for a scale, Ashikhmin and
- * Premoze 2007); F from the mirror direction, constant, or Schlick's. Then, per channel, p and F in
- * turn, each with the Lambert part, by non-negative linear least squares on the linearized loss
- * (Gauss-Newton), as far along as the residual falls. Cells that no pair touches follow their
- * neighbors.
+ * The fit starts with the Lambert part from the least values within 60 degrees of the normal; with
+ * p from retro-reflection, p(theta) = 4 f(theta) (2 cos - cos^2) (exact except for a scale,
+ * Ashikhmin and Premoze 2007); and with F from the mirror direction, constant, or Schlick's. Then,
+ * per channel, it improves p and F in turn, each with the Lambert part, by non-negative linear
+ * least squares on the linearized loss (Gauss-Newton), with the step length that lowers the
+ * residual. Cells without pairs follow their neighbors.
  *
  * The output is a vtkSumBRDF of a vtkLambertBRDF and a vtkDistributionBRDF whose p is normalized
- * (the integral of p cos theta_h is 1), so that F carries the scale.
+ * (the integral of p cos theta_h is 1), so that F contains the scale.
  */
 
 #ifndef vtkDistributionBRDFFitter_h
@@ -38,13 +38,14 @@ public:
 
   ///@{
   /**
-   * What F may be: MONOTONE (default), FREE or SCHLICK.
+   * The form of F: MONOTONE (default), FREE or SCHLICK.
    */
   virtual void SetFresnelModel(int fresnelModel);
   vtkGetMacro(FresnelModel, int);
   ///@}
 
-  /// Most cells of p, samples along theta_h x along phi_h: the normal equations hold them squared.
+  /// Largest number of cells of p (samples along theta_h x phi_h): the size of the normal equations
+  /// is its square.
   static constexpr int MaximumNumberOfCells = 1 << 16;
 
   ///@{

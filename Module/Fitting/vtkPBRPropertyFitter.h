@@ -2,20 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPBRPropertyFitter
- * @brief   the vtkProperty whose physically based shading comes nearest to a material
+ * @brief   fits a vtkProperty whose physically based shading is closest to a material
  *
- * For everything that draws a vtkProperty and not this module's shaders: exporters (glTF, OBJ,
- * X3D), OSPRay, ANARI, glyphs, the levels of detail that vtkLODActor makes itself.
+ * Use it for code that draws a vtkProperty without this module's shaders: exporters (glTF, OBJ,
+ * X3D), OSPRay, ANARI, glyphs, and the levels of detail that vtkLODActor makes itself.
  *
  * The fit minimises the relative L1 distance, sum |model - exact| / sum exact, between two pictures
  * of a sphere under a neutral light (a gray studio: a ceiling, a key light, a fill light and a rim
- * light, all soft), drawn by the material's f and by VTK's shading of a vtkProperty without
- * image-based light's approximations. Base color, roughness and metallic part are
- * searched; then the base's index of refraction and edge tint with them; then a clear coat, too:
- * each only where it takes at least 30 % of the error away, since not all that draws a
- * vtkProperty knows it. The search is deterministic and takes some tenths of a second. Anisotropic
- * materials get the isotropic shading that is nearest over all tangents; the error counts what is
- * missing.
+ * light, all soft). One is drawn by the material's f, the other by VTK's shading of a vtkProperty
+ * without the approximations of image-based lighting. The search varies base color, roughness and
+ * metallic part; then also the base's index of refraction and edge tint; then also a clear coat.
+ * The later parameters are used only if they reduce the error by at least 30 %, because not all
+ * renderers and exporters support them. The search is deterministic and takes some tenths of a
+ * second. Anisotropic materials get the isotropic shading that is closest over all tangents; the
+ * error includes the difference.
  */
 
 #ifndef vtkPBRPropertyFitter_h
@@ -44,7 +44,7 @@ public:
   ///@}
 
   /**
-   * Fit. Returns false with an error event where there is no material; the results stay then.
+   * Fit. Returns false with an error event and keeps the results if there is no material.
    */
   bool Update();
 
@@ -69,15 +69,15 @@ public:
 
   /**
    * Set the results: interpolation PBR, colors, roughness, metallic part, indices of refraction,
-   * gray edge tint, clear coat, no anisotropy; and for what knows Phong's model only, the specular
-   * color, strength and power of a highlight of about that height and width. Opacity, edges,
-   * textures, representation and all else stay.
+   * gray edge tint, clear coat, no anisotropy. For code that only supports Phong's model, also set
+   * the specular color, strength and power of a highlight of about that height and width. Opacity,
+   * edges, textures, representation and all other properties stay.
    */
   void Apply(vtkProperty* property);
 
   /**
-   * Update and Apply in one: sets the property and returns the relative error; negative, with the
-   * property as it was, where there is no material or no property.
+   * Update and Apply in one call: sets the property and returns the relative error. Without a
+   * material or a property, returns a negative number and leaves the property unchanged.
    */
   static double Fit(vtkBRDF* brdf, vtkProperty* property);
 

@@ -2,22 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkRepresentationAdvisor
- * @brief   basis or fit: what the thesis decides by hand for the foil, measured
+ * @brief   measures a material and recommends a basis or a fit for it
  *
- * The thesis puts materials into a basis and takes the D-BRDF for the one that rings. This class
- * projects the material onto the zonal basis of a given order over the device's zone
- * (vtkBasisProjector) and measures there, with both cosines as weights,
+ * The thesis represents materials in a basis, and uses the D-BRDF for the one that rings, the foil.
+ * It decides by hand; this class measures. It projects the material onto the zonal basis of a given
+ * order over the device's zone (vtkBasisProjector) and computes there, with both cosines as
+ * weights,
  *
  * - the in-zone residual: relative L2 distance of the projection (clamped at 0, as rendered),
  * - the negative mass of the projection g (vtkBasisBRDF::GetNegativeMass),
- * - the overshoot: integral of what g adds to f / integral of |g|.
+ * - the overshoot: integral of the excess of g over f / integral of |g|.
  *
- * A basis is recommended where the first is at most MaximumResidual; else a fit. The two others say
- * how it rings, each from 0 to 1. They decide nothing: of 37 materials and the orders 4 to 12 none
- * has a negative mass above 0.3 % where the residual is below 10 %. docs/thesis.md has the figures.
+ * It recommends a basis if the residual is at most MaximumResidual, and otherwise a fit. Negative
+ * mass and overshoot, each from 0 to 1, describe how the projection rings. They do not enter the
+ * decision: for 37 materials and the orders 4 to 12 no negative mass exceeds 0.3 % where the
+ * residual is below 10 %. docs/thesis.md has the figures.
  *
  * Represent() makes the recommended material: spherical harmonics of the hemisphere of that order,
- * or the D-BRDF fit; a material that is in a basis already stays as it is.
+ * or the D-BRDF fit. A material that is in a basis already stays as it is.
  */
 
 #ifndef vtkRepresentationAdvisor_h
@@ -64,7 +66,7 @@ public:
 
   ///@{
   /**
-   * The rule's limit of the in-zone residual; default 0.10.
+   * Largest in-zone residual for which a basis is recommended; default 0.10.
    */
   virtual void SetMaximumResidual(double maximumResidual);
   vtkGetMacro(MaximumResidual, double);
@@ -77,7 +79,7 @@ public:
 
   ///@{
   /**
-   * What was measured, and the recommendation with its reason in one line.
+   * The measured values, and the recommendation with its reason in one line.
    */
   vtkGetMacro(InZoneResidual, double);
   vtkGetMacro(NegativeMass, double);
@@ -88,7 +90,7 @@ public:
 
   ///@{
   /**
-   * Set it in an observer of ProgressEvent (calldata: double*) to stop: Represent returns false.
+   * Set this in an observer of ProgressEvent (calldata: double*) to stop: Represent returns false.
    */
   vtkSetMacro(Abort, bool);
   vtkGetMacro(Abort, bool);
@@ -96,8 +98,8 @@ public:
   ///@}
 
   /**
-   * Update and make the recommended material. False with an error event as Update and the fit, or
-   * without one when aborted; the output then stays.
+   * Update and make the recommended material. Returns false and keeps the output if Update or the
+   * fit fails (with an error event) or when aborted (without one).
    */
   bool Represent();
 

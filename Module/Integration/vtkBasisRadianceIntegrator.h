@@ -90,7 +90,7 @@ public:
   std::string GetMethodName() override { return "basis"; }
   std::string GetMethodDescription() override
   {
-    return "maps over normals of the material's basis";
+    return "maps over the normal, one for each function of the material's basis";
   }
   std::vector<Size> GetSizes() override;
   std::string GetSizesText() override;

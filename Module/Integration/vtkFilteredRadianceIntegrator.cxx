@@ -248,7 +248,7 @@ measuredbrdfSetClampedMacro(vtkFilteredRadianceIntegrator, LevelBias, double, -4
 //------------------------------------------------------------------------------
 std::string vtkFilteredRadianceIntegrator::GetMethodDescription()
 {
-  return "few samples of the reflection of a blurred environment";
+  return "a few samples of the environment, blurred to their spacing";
 }
 
 //------------------------------------------------------------------------------

@@ -246,7 +246,9 @@ measuredbrdfSetClampedMacro(vtkHybridRadianceIntegrator, LightAngle, double, 0.0
 //------------------------------------------------------------------------------
 std::string vtkHybridRadianceIntegrator::GetMethodDescription()
 {
-  return "a table for broad reflection, samples for sharp highlights, lights for bright sources";
+  return "a precomputed table for broad reflection, samples for sharp highlights, lights for "
+         "bright "
+         "sources";
 }
 
 //------------------------------------------------------------------------------

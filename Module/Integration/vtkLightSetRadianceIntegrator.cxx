@@ -182,7 +182,7 @@ vtkMTimeType vtkLightSetRadianceIntegrator::GetInputsMTime()
 //------------------------------------------------------------------------------
 std::string vtkLightSetRadianceIntegrator::GetMethodDescription()
 {
-  return "a sum over lights that stand for the environment";
+  return "a sum over a set of lights that replaces the environment";
 }
 
 //------------------------------------------------------------------------------

@@ -94,7 +94,7 @@ public:
    * BASE and TABLE.
    */
   std::string GetMethodName() override { return "table"; }
-  std::string GetMethodDescription() override { return "a table of outgoing radiance"; }
+  std::string GetMethodDescription() override { return "a precomputed table of outgoing radiance"; }
   std::vector<Size> GetSizes() override;
   std::vector<std::vector<int>> GetCandidateSizes(bool all) override;
   double EstimateCost(vtkRadianceCostModel* costs) override;

@@ -34,7 +34,7 @@ public:
 
   ///@{
   /**
-   * What to call it (a file's name, say); only carried along.
+   * The environment's name, such as a file's name. It has no effect on the light.
    */
   vtkSetMacro(Name, std::string);
   vtkGetMacro(Name, std::string);
@@ -42,21 +42,21 @@ public:
 
   /**
    * Copy a lat-long image: point scalars of any type with 1 (gray), 3 or 4 components (alpha is
-   * dropped), one slice, row 0 at the bottom. Integer types are scaled by their maximum; sRGB says
-   * that they are sRGB-encoded and makes them linear. Returns false with an error event and keeps
-   * the old pixels when there is no such image.
+   * dropped), one slice, row 0 at the bottom. Integer types are scaled by their maximum. Pass true
+   * for sRGB if the values are sRGB-encoded: they are then made linear. Returns false with an error
+   * event and keeps the old pixels when the image does not fit this description.
    */
   bool SetImage(vtkImageData* image, bool sRGB = false);
 
   /**
-   * Take width x height RGB triples, row 0 at the bottom. Returns false when sizes do not match.
+   * Set width x height RGB triples, row 0 at the bottom. Returns false when sizes do not match.
    */
   bool SetPixels(int width, int height, std::vector<float> rgb);
 
   ///@{
   /**
-   * Built-in environments, computed on the spot, for when no image is at hand: a sky with a sun
-   * (256 x 128), and a dark hall with bright windows and lamps (512 x 256).
+   * Built-in environments that need no file because they are computed: a sky with a sun (256 x
+   * 128), and a dark hall with bright windows and lamps (512 x 256).
    */
   void SetToProceduralSky();
   void SetToProceduralHall();
@@ -75,7 +75,7 @@ public:
 
   ///@{
   /**
-   * How many channel values were negative or not finite in what was last set.
+   * Number of channel values that were negative or not finite in the pixels that were set last.
    */
   vtkGetMacro(NumberOfNegativeValues, vtkIdType);
   vtkGetMacro(NumberOfNonFiniteValues, vtkIdType);
@@ -83,8 +83,8 @@ public:
 
   ///@{
   /**
-   * Direction of a texel's center, or of any (u,v) in [0,1]^2, in the environment's frame; and
-   * back.
+   * Direction of a texel's center, or of any (u,v) in [0,1]^2, in the environment's frame; and the
+   * (u,v) of a direction.
    */
   void GetTexelDirection(int x, int y, double direction[3]);
   static void GetDirection(double u, double v, double direction[3]);
@@ -97,11 +97,11 @@ public:
   double GetTexelSolidAngle(int y);
 
   /**
-   * What sums over texels take: this environment where it has at least 128 x 64 texels, else one
-   * of 256 x 128 or more whose texels are equal parts of this one's. A texel is an area of constant
-   * radiance, not a point; with texels that small, a sum over their centers errs by at most 3e-4 of
-   * a white map's irradiance, wherever the surface faces. It keeps no rotation. Integrators and
-   * light set generators call this themselves.
+   * The environment to use for sums over texels. It is this environment if it has at least 128 x 64
+   * texels. Otherwise it is one of 256 x 128 or more, whose texels are equal parts of this one's. A
+   * texel is an area of constant radiance, not a point; with texels that small, a sum over their
+   * centers has an error of at most 3e-4 of a white map's irradiance, whichever way the surface
+   * faces. The result has no rotation. Integrators and light set generators call this themselves.
    */
   vtkEnvironment* GetSubdivided() { return this->Subdivided ? this->Subdivided.Get() : this; }
 
@@ -111,7 +111,7 @@ public:
   void GetRadiance(const double direction[3], double rgb[3]);
 
   /**
-   * Integral of the radiance over the sphere, RGB: what light sets must add up to.
+   * Integral of the radiance over the sphere, RGB: the total to which light sets must add up.
    */
   void GetTotal(double rgb[3]);
 
@@ -122,9 +122,9 @@ public:
 
   ///@{
   /**
-   * World direction -> environment direction, a rotation given by its rows; default identity.
-   * Refused with an error event when it is not orthonormal to 1e-6. SetRotationY turns the
-   * environment by an angle in degrees about +y (world), counterclockwise seen from above.
+   * Rotation from world directions to environment directions, given by its rows; default identity.
+   * A matrix that is not orthonormal to 1e-6 is refused with an error event. SetRotationY rotates
+   * the environment by an angle in degrees about +y (world), counterclockwise seen from above.
    */
   void SetWorldToEnvironment(const double matrix[9]);
   void GetWorldToEnvironment(double matrix[9]);
@@ -132,25 +132,26 @@ public:
   ///@}
 
   /**
-   * When the pixels last changed. GetMTime also counts rotations; light sets need not be redone
-   * for those.
+   * Time of the last change of the pixels. GetMTime also includes rotations, after which light sets
+   * need not be computed anew.
    */
   vtkMTimeType GetPixelsMTime() { return this->PixelsTime.GetMTime(); }
 
   /**
-   * The pixels as float RGB image data, row 0 at the bottom. A new object the caller owns.
+   * The pixels as float RGB image data, row 0 at the bottom. The caller owns the new object.
    */
   VTK_NEWINSTANCE vtkImageData* NewImageData();
 
   /**
-   * A copy that another thread may use while this one changes the original. It costs no memory:
-   * they share the pixels until one gets others. The caller has to release it.
+   * A copy that another thread may use while this thread changes the original. It takes no memory:
+   * both share the pixels until one of them gets new pixels. The caller has to release the copy.
    */
   VTK_NEWINSTANCE vtkEnvironment* NewSnapshot();
 
 #ifndef __VTK_WRAP__
   /**
-   * For integrators: what they make of these pixels, once for all of them and all snapshots.
+   * For integrators: data that depends on these pixels alone, computed once for all integrators and
+   * all snapshots.
    */
   struct Precomputation;
   Precomputation& GetParts() { return *this->Parts; }
@@ -171,7 +172,7 @@ protected:
   vtkTimeStamp PixelsTime;
 
 private:
-  /// Take clean pixels, and how many values of theirs were not.
+  /// Set pixels that were cleaned, and the numbers of values that were not valid before.
   void Adopt(
     int width, int height, std::vector<float> rgb, vtkIdType negative, vtkIdType notFinite);
 

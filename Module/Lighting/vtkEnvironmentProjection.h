@@ -2,35 +2,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkEnvironmentProjection
- * @brief   light probes of every usual projection <-> environments
+ * @brief   conversion between light probes in the usual projections and environments
  *
  * A probe is an image of all directions (thesis 3.2.1). Image coordinates (u,v) lie in [0,1]^2, u
  * to the right, v up; row 0 of the pixels is the bottom. Directions are the environment's own (y
- * up; vtkEnvironment). A probe is taken as made by a camera that looks towards -z, with +x on its
- * right:
+ * up; vtkEnvironment). A probe is read as if a camera that looks towards -z, with +x on its right,
+ * had made it:
  *
- * - LAT_LONG: vtkEnvironment's own: u = atan2(z,x)/(2 pi) + 1/2, v = asin(y)/pi + 1/2. Its middle
- * is +x; forward (-z) is at u = 1/4.
+ * - LAT_LONG, the projection of vtkEnvironment: u = atan2(z,x)/(2 pi) + 1/2, v = asin(y)/pi + 1/2.
+ * Its middle is +x; forward (-z) is at u = 1/4.
  * - ANGULAR_MAP (Debevec 1998): the disc in the square, X = 2u - 1, Y = 2v - 1, r = |(X,Y)| =
  *   (angle from -z)/pi. Its middle is forward; all of its rim is backward (+z).
  *   dOmega = pi sin(pi r)/r dX dY.
  * - MIRROR_BALL: the distant camera's view of a mirroring ball that fills the disc, r = sin(angle
  *   from +z / 2). Its middle is backward, where the camera stands; all of its rim is forward (-z),
- *   straight behind the ball, where a photograph holds next to nothing. dOmega = 4 dX dY.
+ *   straight behind the ball, of which a photograph shows next to nothing. dOmega = 4 dX dY.
  * - Cubes: six square faces named as OpenGL's: +x -x +y -y +z -z, seen from inside. OpenGL's cubes
  *   are left-handed: face +z is forward (-z here), -z backward; x and y are the same. (VTK's skybox
- *   and image-based lighting show cube maps so since 9.2.) Upright faces have +y up; +y has the
+ *   and image-based lighting follow this since 9.2.) Upright faces have +y up; +y has the
  *   upper edge of +z at its bottom, -y the lower edge of +z at its top.
  *   dOmega = 4 / (1 + a^2 + b^2)^(3/2) ds dt, a = 2s - 1, b = 2t - 1, per face.
  *   Horizontal cross (4 x 3 faces): +y above and -y below the second of -x +z +x -z. Vertical cross
  *   (3 x 4): +y above and -y below the middle of -x +z +x, lowest -z turned upside down. Horizontal
  *   (6 x 1) and vertical strip (1 x 6): +x -x +y -y +z -z from the left or the top, upright.
  *
- * Images are resampled by first-order conservative remapping (Jones 1999): every texel's outline is
- * carried into the other image and takes from each texel there what it covers of it, weighted by
- * exact solid angles. Constant stays constant; energy is kept whether the image grows or shrinks
- * (to 5e-3 for a single bright texel, 4e-4 for a photograph). Texels of discs whose center
- * lies outside are ignored.
+ * Images are resampled by first-order conservative remapping (Jones 1999): the outline of every new
+ * texel is projected into the other image, and the texel gets the light of the area that it covers
+ * there, weighted by exact solid angles. A constant image stays constant. Energy is kept whether
+ * the image grows or shrinks (to 5e-3 for a single bright texel, 4e-4 for a photograph). Texels
+ * whose center lies outside the disc are ignored.
  *
  * Raises vtkCommand::ProgressEvent (call data: double in [0,1]) from the calling thread; an
  * observer may SetAbort(true).
@@ -70,8 +70,8 @@ public:
 
   ///@{
   /**
-   * The probe's projection; default LAT_LONG. Others than the above are refused with an error
-   * event.
+   * The probe's projection; default LAT_LONG. Values that are not a ProjectionType are refused with
+   * an error event.
    */
   void SetProjection(int projection);
   vtkGetMacro(Projection, int);
@@ -79,9 +79,9 @@ public:
 
   ///@{
   /**
-   * Rows of the environment that Convert makes, with twice as many columns; default 0: as many as
-   * give its texels the mean solid angle of the probe's. Lat-long probes are then taken as they
-   * are.
+   * Number of rows of the environment that Convert makes; it has twice as many columns. With 0 (the
+   * default) its texels get the mean solid angle of the probe's texels, and lat-long probes keep
+   * their size.
    */
   virtual void SetHeight(int height);
   vtkGetMacro(Height, int);
@@ -96,22 +96,22 @@ public:
 
   /**
    * Six cube faces of size x size RGB triples each, +x -x +y -y +z -z, row 0 at the bottom (VTK's
-   * cube map textures hold the top row first). Projection is not asked. Errors as for Convert.
+   * cube map textures hold the top row first). Projection is not used. Errors are as for Convert.
    */
   bool ConvertFaces(int size, const std::vector<std::vector<float>>& faces, vtkEnvironment* output);
 
   /**
-   * Environment (unrotated: directions in its own frame) -> probe of the given size, float RGB, row
-   * 0 at the bottom, 0 outside discs and beside crosses. A new object that the caller owns; null
-   * with an error event when the environment is empty, the size does not fit the projection or is
-   * beyond 2^28 texels, or when aborted.
+   * Make a probe of the given size from the environment (without its rotation: in its own frame),
+   * float RGB, row 0 at the bottom, 0 outside discs and crosses. The caller owns the new object. It
+   * is null, with an error event, when the environment is empty, the size does not fit the
+   * projection or is beyond 2^28 texels, or when aborted.
    */
   VTK_NEWINSTANCE vtkImageData* NewProbe(vtkEnvironment* environment, int width, int height);
 
   ///@{
   /**
-   * How many channel values of the last converted probe were negative or not finite, outside discs
-   * and beside crosses not counted.
+   * Number of channel values of the last converted probe that were negative or not finite. Values
+   * outside discs and crosses are not counted.
    */
   vtkGetMacro(NumberOfNegativeValues, vtkIdType);
   vtkGetMacro(NumberOfNonFiniteValues, vtkIdType);
@@ -119,8 +119,8 @@ public:
 
   ///@{
   /**
-   * Set from an observer or another thread to stop a running conversion. Each starts with it
-   * cleared.
+   * Set this from an observer or another thread to stop a running conversion. Each conversion
+   * clears it first.
    */
   void SetAbort(bool abort) { this->Abort = abort; }
   bool GetAbort() { return this->Abort; }
@@ -128,8 +128,8 @@ public:
 
   ///@{
   /**
-   * A projection's name ("angular map"), empty for what is none; the size it asks for in words; and
-   * whether a size is such.
+   * A projection's name ("angular map"), empty for an invalid projection; the size that it needs,
+   * in words; and whether a size fits.
    */
   static std::string GetProjectionName(int projection);
   static std::string GetExpectedSize(int projection);
@@ -138,28 +138,29 @@ public:
 
   ///@{
   /**
-   * Image coordinates -> unit direction, false (and zeros) outside of discs, beside crosses and
-   * outside [0,1]^2; and back, for directions of any length, false (and zeros) for zero and
-   * non-finite ones. Where the rim of a disc stands for one direction, the one in its middle height
-   * on the right is given.
+   * Convert image coordinates to a unit direction; returns false and zeros outside discs, crosses
+   * and [0,1]^2. Convert a direction of any length to image coordinates; returns false and zeros
+   * for zero and non-finite directions. Where the whole rim of a disc is one direction, the result
+   * is the rim's rightmost point.
    */
   static bool GetDirection(int projection, double u, double v, double direction[3]);
   static bool GetCoordinates(int projection, const double direction[3], double& u, double& v);
   ///@}
 
   /**
-   * Solid angle per area of the unit square, dOmega/(du dv), in sr; 0 where there is no direction.
+   * Solid angle per area of the unit square, dOmega/(du dv), in sr; 0 outside discs and crosses.
    */
   static double GetJacobian(int projection, double u, double v);
 
   /**
-   * Exact solid angle of what a texel shows, in sr: rim texels of discs count with their part
+   * Exact solid angle that a texel shows, in sr; for texels on a disc's rim, that of the part
    * inside. All texels together: 4 pi.
    */
   static double GetTexelSolidAngle(int projection, int width, int height, int x, int y);
 
   /**
-   * Rows of a lat-long image (twice as wide) of the same mean texel solid angle; at least 1.
+   * Number of rows of a lat-long image (twice as wide) whose texels have the same mean solid angle;
+   * at least 1.
    */
   static int GetLatLongHeight(int projection, int width, int height);
 

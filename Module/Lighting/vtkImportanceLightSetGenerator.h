@@ -6,9 +6,9 @@
  *
  * Thesis 3.2.2 (Agarwal et al. 2003; Pharr and Humphreys 2004). Marginal/conditional CDFs over
  * luminance x solid angle; the row number is stratified ((k + xi)/N, jittered), the column and the
- * place inside the texel take the remainders and a shifted radical inverse. Every light carries
- * luminance total/N, in the color of its texel; its solid angle is the share of the texel's that
- * it stands for (irradiance / radiance). The same seed gives the same lights on every machine.
+ * place inside the texel use the remainders and a shifted radical inverse. Every light has the
+ * luminance total/N and the color of its texel. Its solid angle is the share of the texel's that
+ * it represents (irradiance / radiance). The same seed gives the same lights on every machine.
  */
 
 #ifndef vtkImportanceLightSetGenerator_h

@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkLightSet
- * @brief   directional lights that stand for an environment
+ * @brief   directional lights that represent an environment
  *
  * Each light has a unit direction towards it (environment frame), an irradiance RGB on a surface
- * that faces it (radiance x solid angle), the solid angle it stands for in sr, a concentration, and
- * optionally the region of texels it was made from.
+ * that faces it (radiance x solid angle), the solid angle that it represents in sr, a
+ * concentration, and optionally the region of texels from which it was made.
  *
- * The concentration kappa says how widely the light that it stands for is spread: as a von
- * Mises-Fisher distribution exp(kappa (cos - 1)) about its direction, about 1/sqrt(kappa) radians
- * wide. 0 means that no spread is known: all light comes from the direction itself (Dirac). Only
- * integrators with soft lights look at it.
+ * The concentration kappa says how widely the light of that region is spread: as a von Mises-Fisher
+ * distribution exp(kappa (cos - 1)) about the direction, about 1/sqrt(kappa) radians wide. 0 means
+ * that the spread is not known: all light comes from the direction itself (Dirac). Only integrators
+ * with soft lights use it.
  */
 
 #ifndef vtkLightSet_h
@@ -33,9 +33,9 @@ public:
 
   ///@{
   /**
-   * Edit. Directions are normalized; a light with a zero or non-finite direction, or an irradiance
-   * that is negative or not finite, or a concentration that is negative or NaN, is refused (returns
-   * false, set unchanged). An infinite concentration counts as 0: a Dirac light.
+   * Remove and add lights. Directions are normalized. AddLight returns false and leaves the set
+   * unchanged if the direction is zero or not finite, the irradiance negative or not finite, or the
+   * concentration negative or NaN. An infinite concentration counts as 0: a Dirac light.
    */
   void RemoveAllLights();
   bool AddLight(const double direction[3], const double irradiance[3], double solidAngle = 0.0,
@@ -44,7 +44,7 @@ public:
 
   ///@{
   /**
-   * Read; index in [0, GetNumberOfLights()), zeros elsewhere.
+   * Read the lights. The index is in [0, GetNumberOfLights()); other indices give zeros.
    */
   int GetNumberOfLights();
   void GetDirection(int index, double direction[3]);
@@ -54,9 +54,9 @@ public:
   ///@}
 
   /**
-   * Concentration of light whose directions vary by v = (mean of |direction - centroid|^2), in
-   * [0,1]: kappa = r (3 - r^2)/(1 - r^2) with the centroid's length r = sqrt(1 - v) (Banerjee et
-   * al. 2005). 0 (Dirac) for v <= 0; at least 0.003.
+   * Concentration of light whose directions have the variance v = (mean of |direction -
+   * centroid|^2), in [0,1]: kappa = r (3 - r^2)/(1 - r^2) with the centroid's length r = sqrt(1 -
+   * v) (Banerjee et al. 2005). 0 (Dirac) for v <= 0; at least 0.003.
    */
   static double GetConcentrationOfVariance(double v);
 
@@ -67,8 +67,9 @@ public:
 
   ///@{
   /**
-   * Texels [x0,x1) x [y0,y1) of the last added light, row 0 at the bottom, in the map that was cut
-   * into lights (vtkEnvironment::GetSubdivided). Get returns false where none was set.
+   * Texels [x0,x1) x [y0,y1) of the light that was added last, row 0 at the bottom, in the map that
+   * was divided into lights (vtkEnvironment::GetSubdivided). GetRegion returns false for a light
+   * without a region.
    */
   void SetLastRegion(int x0, int y0, int x1, int y1);
   bool GetRegion(int index, int region[4]);
@@ -76,9 +77,9 @@ public:
 
   ///@{
   /**
-   * As geometry and back: points on the unit sphere with vertices; point arrays "Irradiance" (3
-   * doubles), "SolidAngle", "Concentration". New object the caller owns. SetPolyData returns false
-   * (set unchanged) without points or "Irradiance".
+   * Convert to geometry and back: points on the unit sphere with vertices; point arrays
+   * "Irradiance" (3 doubles), "SolidAngle", "Concentration". The caller owns the new object.
+   * SetPolyData returns false and leaves the set unchanged without points or "Irradiance".
    */
   VTK_NEWINSTANCE vtkPolyData* NewPolyData();
   bool SetPolyData(vtkPolyData* lights);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkLightSetGenerator
- * @brief   environment -> light set (abstract)
+ * @brief   abstract class that makes a light set from an environment
  */
 
 #ifndef vtkLightSetGenerator_h
@@ -20,15 +20,16 @@ public:
   vtkAbstractTypeMacro(vtkLightSetGenerator, vtkObject);
 
   /**
-   * Largest number of lights that can be asked for.
+   * Largest number of lights that can be requested.
    */
   static constexpr int MaximumNumberOfLights = 1 << 20;
 
   /**
-   * Replace output's lights by about `count` that stand for the environment (unrotated: directions
-   * in its own frame). Their luminance adds up to the environment's. An all-black environment gives
-   * no lights. Returns false with an error event, output unchanged, when environment is empty or
-   * count is not in [1, MaximumNumberOfLights] or not one the generator can make.
+   * Replace output's lights by about `count` lights that represent the environment (without its
+   * rotation: in its own frame). Their luminance adds up to the environment's. An all-black
+   * environment gives no lights. Returns false with an error event and leaves output unchanged when
+   * environment is empty, or when count is not in [1, MaximumNumberOfLights] or not a number that
+   * the generator can make.
    */
   virtual bool Generate(vtkEnvironment* environment, int count, vtkLightSet* output) = 0;
 

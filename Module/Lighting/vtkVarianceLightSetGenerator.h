@@ -11,18 +11,20 @@
  * V2, brings that sum down greedily.
  *
  * MINIMUM_VARIANCE is Viriyothai and Debevec 2009 ("Variance Minimization Light Probe Sampling"),
- * for comparison: level by level, every cell across its longer side, at the cut whose larger V is
- * least. Between powers of two it takes a part of the next level.
+ * for comparison. It works level by level and splits every cell across its longer side, at the cut
+ * whose larger V is least. Between powers of two it splits only some cells of the last level.
  *
- * The splits are made once for each environment and serve every number of lights: N + 1 lights
- * differ from N by one split. A cell's light has the exact RGB sum of its texels as irradiance, the
- * direction P/|P|, and the concentration that follows from V/E. Cells without energy give no light,
- * cells of one texel are not split: small maps give fewer lights than asked for.
+ * The splits are made once for each environment and are valid for every number of lights: N + 1
+ * lights differ from N by one split. A cell's light has the exact RGB sum of its texels as
+ * irradiance, the direction P/|P|, and the concentration that follows from V/E. Cells without
+ * energy give no light, and cells of one texel are not split, so small maps give fewer lights than
+ * requested.
  *
- * Lights live in the environment's frame; turning it turns them and changes nothing here.
+ * Lights are in the environment's frame. A rotation of the environment rotates them and needs no
+ * new tree.
  *
- * Making the tree takes no memory to speak of: each cell's texels are summed anew. ProgressEvent
- * (calldata: double*), interrupted by SetAbort(true).
+ * The tree takes next to no memory while it is made, because each cell's texels are summed anew.
+ * Raises ProgressEvent (calldata: double*); SetAbort(true) stops it.
  */
 
 #ifndef vtkVarianceLightSetGenerator_h
@@ -58,10 +60,11 @@ public:
 
   ///@{
   /**
-   * Whether the greedy method makes up to four outstandingly bright texels (100 times the mean
-   * radiance, 5 % of the energy) lights of their own before it cuts the rest. Default off: the cuts
-   * find them by themselves where that pays. Measured with 64 lights on four maps with a sun or
-   * lamps: lobes of exponent 500 gained a quarter in RMS under two low suns, nothing else did.
+   * Whether the greedy method first makes up to four outstandingly bright texels (100 times the
+   * mean radiance, 5 % of the energy) lights of their own, and then splits the rest. Default off,
+   * because the splits find such texels by themselves where that reduces the error. In a
+   * measurement with 64 lights on four maps with a sun or lamps, the RMS error of lobes of exponent
+   * 500 fell by a quarter under two low suns; no other error fell.
    */
   vtkSetMacro(ExtractedEmitters, bool);
   vtkGetMacro(ExtractedEmitters, bool);
@@ -70,8 +73,8 @@ public:
 
   ///@{
   /**
-   * For how many lights the tree is made at first; it grows when more are asked for. Default 1024,
-   * in [1, MaximumNumberOfLights].
+   * Number of lights for which the tree is made at first; it grows when more are requested. Default
+   * 1024, in [1, MaximumNumberOfLights].
    */
   virtual void SetTreeSize(int treeSize);
   vtkGetMacro(TreeSize, int);
@@ -87,16 +90,16 @@ public:
   vtkGetMacro(ResidualVariance, double);
 
   /**
-   * The least number of lights whose sum of V over E is at most target (>= 0); the largest that can
-   * be made where none is enough. 0 with an error event when environment is empty, target is
-   * negative or NaN, or the run was aborted.
+   * The least number of lights whose sum of V over E is at most target (>= 0), or the largest
+   * number that can be made if none is enough. Returns 0 with an error event when environment is
+   * empty, target is negative or NaN, or the run was aborted.
    */
   int GetNumberOfLightsForVariance(vtkEnvironment* environment, double target);
 
   ///@{
   /**
-   * Set from an observer or another thread to stop a running call, which then fails with an error
-   * event, its output unchanged. Each call starts with it cleared.
+   * Set this from an observer or another thread to stop a running call. The call then fails with an
+   * error event and leaves its output unchanged. Each call clears it first.
    */
   void SetAbort(bool abort) { this->Abort = abort; }
   bool GetAbort() { return this->Abort; }

@@ -12,9 +12,9 @@
  *
  * Not reciprocal in general: measured values keep their asymmetry.
  *
- * shader inputs: resampled into a vtkTabulatedBRDF over half and difference angles with phi_d over
- * the full turn (so the asymmetry survives), sizes grown until ResamplingTolerance is met, else the
- * best with a warning once; see GetRenderable().
+ * For the GPU the material is resampled into a vtkTabulatedBRDF over half and difference angles,
+ * with phi_d over the full turn to keep the asymmetry; see GetRenderable(). The table grows until
+ * it meets ResamplingTolerance. If no size does, the best one is used, with one warning.
  */
 
 #ifndef vtkAdaptiveWarpBRDF_h
@@ -60,11 +60,11 @@ public:
   };
 
   /**
-   * Take the tables. Returns an empty string, or what is wrong (shapes that do not match, axes not
-   * ascending, values not finite, a warp density that is negative or sums to 0) and then leaves
-   * the material as it was. What rounding explains is repaired: densities that are negative by up
-   * to 1e-5 of their table's largest value become 0, angles that fall by up to 1e-5 rise by the
-   * least step.
+   * Set the tables. Returns an empty string on success. Otherwise it returns a description of the
+   * error (shapes that do not match, axes not ascending, values not finite, a warp density that is
+   * negative or sums to 0) and leaves the material unchanged. Rounding errors are repaired:
+   * densities that are negative by up to 1e-5 of their table's largest value become 0, and angles
+   * that decrease by up to 1e-5 are increased by the least step.
    */
   std::string SetTables(Tables tables);
   const Tables& GetTables() const { return this->Data; }
@@ -94,7 +94,7 @@ private:
   struct Warps;
   std::shared_ptr<const Warps> Warp;
   vtkSmartPointer<vtkTabulatedBRDF> Resampled;
-  double ResampledTolerance = 0.0; // what Resampled was made for
+  double ResampledTolerance = 0.0; // the tolerance for which Resampled was made
 };
 
 #endif

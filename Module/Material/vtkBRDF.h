@@ -4,16 +4,16 @@
  * @class   vtkBRDF
  * @brief   a material as its bidirectional reflectance distribution function
  *
- * A value object without graphics state: the BRDF f(i,o) in 1/sr, linear RGB with Rec. 709
- * primaries, *without* the cosine. Shareable between mappers; its MTime tells them to refresh.
+ * The BRDF f(i,o) in 1/sr, linear RGB with Rec. 709 primaries, *without* the cosine. It has no
+ * graphics state. Several mappers may share it; they update when its MTime changes.
  *
  * Local frame of every direction: z = shading normal, x = tangent; i points to the light, o to the
  * viewer; both are unit vectors (they are normalized here, so lengths other than 1 do no harm).
  * theta is the polar angle from z, phi the azimuth from x.
  *
- * The const-like queries (Evaluate, Sample, Pdf, ...) may be called from many threads at once as
- * long as no thread changes the object. Call Prepare() first after a change: it builds what is
- * built lazily.
+ * The queries (Evaluate, Sample, Pdf, ...) may be called from many threads at once as long as no
+ * thread changes the object. After a change call Prepare() first: it builds the data that is
+ * otherwise built on demand.
  */
 
 #ifndef vtkBRDF_h
@@ -37,8 +37,8 @@ public:
 
   ///@{
   /**
-   * The material's name and where its figures come from (paper, database, file). Both are empty by
-   * default and are only carried along: readers fill them, writers keep them.
+   * The material's name and the source of its data (paper, database, file). Both are empty by
+   * default. Readers set them and writers store them; they have no other effect.
    */
   vtkSetMacro(Name, std::string);
   vtkGetMacro(Name, std::string);
@@ -53,11 +53,11 @@ public:
   void Evaluate(const double i[3], const double o[3], double f[3]);
 
   /**
-   * f(i,o) blurred over i: the mean over light spread about i as a von Mises-Fisher distribution of
-   * concentration 1/spread (spread >= 0; 0: Evaluate). An approximation that only lobes
-   * about the half vector make: their own width in h grows by the light's, their integral stays.
-   * What has no such form gives f(i,o), but its GetRenderable() may have one. Cleaned as Evaluate
-   * is.
+   * f(i,o) blurred over i: the mean over light that is spread about i as a von Mises-Fisher
+   * distribution of concentration 1/spread (spread >= 0; 0: Evaluate). This is an approximation for
+   * lobes about the half vector: their width in h grows by that of the light, and their integral
+   * stays. Materials without such lobes give f(i,o), but their GetRenderable() may have one. Like
+   * Evaluate, it is never negative, NaN or infinite.
    */
   void EvaluateSoft(const double i[3], const double o[3], double spread, double f[3]);
 
@@ -69,8 +69,8 @@ public:
   bool Sample(const double o[3], double u1, double u2, double i[3]);
 
   /**
-   * Density of Sample in 1/sr (solid angle of i). Integrates over the upper hemisphere to 1 minus
-   * the share of draws that fall below the horizon.
+   * Probability density of Sample in 1/sr (solid angle of i). Its integral over the upper
+   * hemisphere is 1 minus the share of draws that fall below the horizon.
    */
   double Pdf(const double i[3], const double o[3]);
 
@@ -99,7 +99,7 @@ public:
   virtual bool IsReciprocal() { return true; }
 
   /**
-   * Build whatever Evaluate, Sample and Pdf need and build lazily. Not thread safe.
+   * Build the data that Evaluate, Sample and Pdf otherwise build on demand. Not thread safe.
    */
   virtual void Prepare() {}
 
@@ -107,35 +107,35 @@ public:
   /**
    * Largest relative L2 error (weighted by both cosines) that GetShaderInputs may add by resampling
    * and by its texture precision; default 0.01, clamped to [1e-5, 0.5]. Only representations that
-   * have to be resampled or stored in textures use it. What was reached is in the shader inputs.
+   * have to be resampled or stored in textures use it. The shader inputs hold the actual error.
    */
   virtual void SetResamplingTolerance(double resamplingTolerance);
   vtkGetMacro(ResamplingTolerance, double);
   ///@}
 
   /**
-   * The BRDF that the shader inputs evaluates: this object, unless the representation has no direct
-   * GLSL form and is resampled into one (then that one, cached until this object changes).
+   * The BRDF that the shader inputs evaluate: this object, unless its representation has no GLSL
+   * form. It is then the BRDF into which this one is resampled, cached until this object changes.
    */
   virtual vtkBRDF* GetRenderable() { return this; }
 
   /**
-   * GLSL text, uniforms and textures that evaluate GetRenderable() on the GPU; what EvaluateSoft's
-   * twin needs on top only where form.SoftLights asks for it.
+   * GLSL text, uniforms and textures that evaluate GetRenderable() on the GPU. The GLSL form of
+   * EvaluateSoft is included only if form.SoftLights requests it.
    */
   virtual void GetShaderInputs(vtkBRDFShaderInputs& form) = 0;
 
   /**
-   * A copy that shares nothing which either may change: another thread may use the one while this
-   * one changes the other. The caller has to release it. Null where a class has no copies
-   * (NewCopy).
+   * A copy that shares no data that either object may change, so that another thread may use it
+   * while this thread changes the original. The caller has to release it. Null if the class does
+   * not support copies (NewCopy).
    */
   VTK_NEWINSTANCE vtkBRDF* NewSnapshot();
 
   /**
-   * 32 hexadecimal digits that name what the material is, by its class, parameters and data (not
-   * Name and Source): plans kept on disk are found by them. "" where the class does not say
-   * (GetContent): plans of such materials are not kept on disk.
+   * 32 hexadecimal digits that identify the material by its class, parameters and data (not by Name
+   * and Source). They are the key of plans kept on disk. "" if the class does not implement
+   * GetContent: plans of such materials are not kept on disk.
    */
   std::string GetContentKey();
 
@@ -144,7 +144,8 @@ protected:
   ~vtkBRDF() override = default;
 
   /**
-   * f(i,o) for unit i, o above the horizon. May return anything for bad data: Evaluate cleans.
+   * f(i,o) for unit i, o above the horizon. The result may be negative, NaN or infinite for bad
+   * data: Evaluate replaces such values.
    */
   virtual void EvaluateAbove(const double i[3], const double o[3], double f[3]) = 0;
 
@@ -155,8 +156,8 @@ protected:
 
   ///@{
   /**
-   * Evaluate and EvaluateSoft of another BRDF, for a sum: i and o are unit vectors above the
-   * horizon already.
+   * Evaluate and EvaluateSoft of another BRDF, for a sum. i and o must be unit vectors above the
+   * horizon.
    */
   static void EvaluateTerm(vtkBRDF* term, const double i[3], const double o[3], double f[3]);
   static void EvaluateSoftTerm(
@@ -172,16 +173,17 @@ protected:
   ///@}
 
   /**
-   * A new object of the same class and parameters, but for those of this base; default: null, no
-   * copies. One that a superclass made, without what its subclass adds, is not taken.
+   * A new object of the same class with the same parameters, except those of this base class, which
+   * the caller copies; default: null, no copies. An object of another class is not used: a subclass
+   * has to override this itself.
    */
   virtual vtkBRDF* NewCopy() { return nullptr; }
 
   /**
-   * The class that answers, typeid(vtkMyBRDF), and bytes that differ wherever anything differs that
-   * f, Sample, Pdf or the shader inputs depend on: all parameters, and the data or a hash of 128
-   * bits of them. What a superclass answers, without what its subclass adds, is not taken; default:
-   * the class does not say.
+   * The class that implements this, typeid(vtkMyBRDF), and bytes that identify everything on which
+   * f, Sample, Pdf or the shader inputs depend: all parameters, and the data or a hash of 128 bits
+   * of them. The result of a superclass is not used: a subclass has to override this itself.
+   * Default: no content, so that plans are not kept.
    */
   virtual std::pair<std::type_index, std::string> GetContent();
 

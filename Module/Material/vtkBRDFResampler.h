@@ -2,19 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkBRDFResampler
- * @brief   any isotropic BRDF -> a half/difference-angle volume, with the error it costs
+ * @brief   resamples any isotropic BRDF into a half/difference-angle table and measures the error
  *
- * Cells take the value at their center. With reciprocal output (phi_d over half a turn) a cell
- * takes the mean of f(i,o) and f(o,i): that is all a reciprocal table can hold of a measurement
- * that is not; the loss is part of the reported error.
+ * A cell gets the value at its center. With reciprocal output (phi_d over half a turn) it gets the
+ * mean of f(i,o) and f(o,i), because a reciprocal table cannot represent the asymmetry of a
+ * measurement; this loss is part of the reported error.
  *
- * Else the table is cosine-weighted with phi_d over the full turn: it keeps the asymmetry, and
- * holds f cos(theta_o), which stays finite up to the horizon.
+ * Without reciprocal output the table is cosine-weighted, with phi_d over the full turn: it keeps
+ * the asymmetry, and holds f cos(theta_o), which stays finite up to the horizon.
  *
- * Cells whose i or o lies below the horizon take the value at the largest theta_d of the same h and
- * phi_d that lies above it: constant extrapolation along theta_d, so that interpolation next to the
- * horizon has something to hold on to. (Skipping those cells instead cost 2 to 6 times the error on
- * the RGL materials.)
+ * Cells whose i or o lies below the horizon get the value at the largest theta_d of the same h and
+ * phi_d that lies above it: constant extrapolation along theta_d. Interpolation next to the horizon
+ * needs these values. (Skipping these cells gave 2 to 6 times the error for the RGL materials.)
  */
 
 #ifndef vtkBRDFResampler_h
@@ -36,7 +35,7 @@ public:
 
   ///@{
   /**
-   * What to resample.
+   * The BRDF to resample.
    */
   void SetInput(vtkBRDF* input);
   vtkBRDF* GetInput();
@@ -69,9 +68,9 @@ public:
   ///@}
 
   /**
-   * Try a ladder of sizes up to one that meets the tolerance, then halve every axis that can spare
-   * it. Returns whether the tolerance was met; if not, the output is the best size tried. Raises
-   * ProgressEvent (calldata: double*) between tries.
+   * Try larger and larger sizes until one meets the tolerance, then halve every axis for which the
+   * tolerance still holds. Returns whether the tolerance was met; if not, the output is the best
+   * size tried. Raises ProgressEvent (calldata: double*) between tries.
    */
   bool Resample();
 
@@ -89,17 +88,17 @@ public:
   /**
    * Relative L2 distance of b from reference a, sqrt(sum |a-b|^2 / sum |a|^2), over the
    * hemispheres of i and o weighted by both cosines, all channels, for views whose cosine is at
-   * least 0.02: nothing else is ever shaded (measured f grows as 1/cos, so that without this limit
-   * the distance of two measured materials can be infinite). NaN with a warning without two BRDFs
-   * or pairs. From `pairs` low-discrepancy pairs,
-   * half of them from a's own lobes. maximum, if not null: the largest absolute difference met.
+   * least 0.02, because no other view is ever shaded. (Measured f grows as 1/cos; without this
+   * limit the distance of two measured materials can be infinite.) Computed from `pairs`
+   * low-discrepancy pairs, half of them from a's own lobes. NaN with a warning without two BRDFs or
+   * pairs. maximum, if not null, gets the largest absolute difference of all pairs.
    */
   static double GetRelativeL2Error(
     vtkBRDF* a, vtkBRDF* b, int pairs = 1 << 17, double* maximum = nullptr);
 
   /**
-   * The same over pairs whose polar angles lie in two zones (begin and end in degrees, of i and of
-   * o): what a device sees that only covers those. NaN with a warning for zones that
+   * The same distance over pairs whose polar angles lie in two zones (begin and end in degrees, of
+   * i and of o), such as the zones that a device covers. NaN with a warning for zones that
    * vtkBasisBRDF::FindZoneProblem refuses.
    */
   static double GetZoneRelativeL2Error(vtkBRDF* a, vtkBRDF* b, const double incident[2],
@@ -108,9 +107,9 @@ public:
   /**
    * Log-cosine distance (Low et al. 2012), sqrt(mean of (ln(1 + a c) - ln(1 + b c))^2) with c =
    * cos(theta_i), over channels, i evenly over the hemisphere's solid angle, and o evenly over its
-   * polar angle up to a cosine of 0.02. In this measure a highlight does not outweigh all else: 0
-   * is alike, 0.01 about 1 % of f where f c is large, and an absolute 0.01/sr where it is small.
-   * From `pairs` low-discrepancy pairs. NaN with a warning without two BRDFs or pairs.
+   * polar angle up to a cosine of 0.02. In this measure a highlight does not dominate: 0 means
+   * equal, 0.01 means about 1 % of f where f c is large, and an absolute 0.01/sr where it is small.
+   * Computed from `pairs` low-discrepancy pairs. NaN with a warning without two BRDFs or pairs.
    */
   static double GetLogCosineDistance(vtkBRDF* a, vtkBRDF* b, int pairs = 1 << 17);
 

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @struct  vtkBRDFShaderInputs
- * @brief   what a shader needs to evaluate a BRDF: GLSL text, uniforms, textures
+ * @brief   GLSL text, uniforms and textures with which a shader evaluates a BRDF
  *
  * Plain data without GL, made by vtkBRDF::GetShaderInputs and used by the mappers. The GLSL text of
  * each term defines `vec3 brdfTermINSTANCE(vec3 i, vec3 o)`, the twin of vtkBRDF::Evaluate for unit
- * i and o above the horizon of the local frame (tangent, bitangent, normal). INSTANCE becomes the
- * term's number, in the names of uniforms and textures, too, so that one shader can hold several
- * terms of one kind: put it into every name that the text declares. The text may add
+ * i and o above the horizon of the local frame (tangent, bitangent, normal). INSTANCE is replaced
+ * by the term's number, also in the names of uniforms and textures, so that one shader can hold
+ * several terms of the same kind. Put it into every name that the text declares. The text may add
  * `vec3 brdfTermSoftINSTANCE(vec3 i, vec3 o, float spread)`, the twin of vtkBRDF::EvaluateSoft;
  * without it soft lights are hard.
  *
@@ -16,8 +16,8 @@
  * term defines `vec3 brdfEnvironmentINSTANCE(mat3 frame, vec3 o)`: the outgoing radiance; frame has
  * the tangent, bitangent and normal in the environment's coordinates as columns.
  *
- * What shaders/vtkBRDFCommon.glsl defines may be used. Text that does not compile gives one error,
- * and the surface is drawn as the mapper's superclass draws it.
+ * The text may use the definitions of shaders/vtkBRDFCommon.glsl. Text that does not compile gives
+ * one error, and the surface is drawn as the mapper's superclass draws it.
  */
 
 #ifndef vtkBRDFShaderInputs_h
@@ -46,8 +46,8 @@ struct vtkBRDFShaderInputs
     bool HalfFloat = false;                               // stored as 16-bit float on the GPU
     std::array<bool, 3> Repeat = { false, false, false }; // else clamp to edge
     std::vector<float> Data;                              // x fastest, components interleaved
-    // Whether it is stored with a fourth component: flat ones of 32 bits, which software renderers
-    // fetch faster so (7 % of a radiance table's frame).
+    // Whether it is stored with a fourth component: true for 2D textures of 32 bits, because
+    // software renderers then fetch them faster (7 % of a radiance table's frame).
     bool IsPadded() const { return Components == 3 && !HalfFloat && !ThreeD; }
     std::size_t GetBytes() const
     {
@@ -65,16 +65,16 @@ struct vtkBRDFShaderInputs
 
   struct Term
   {
-    std::string Shader;     // what messages call the text, e.g. "vtkBRDFLambert"
+    std::string Shader;     // name of the text in messages, e.g. "vtkBRDFLambert"
     std::string Source;     // GLSL text
     std::string SoftSource; // more text, with brdfTermSoftINSTANCE; may be empty
-    bool IsTested = false;  // else the mapper compiles the text on its own first, for a clear error
+    bool IsTested = false;  // false: the mapper first compiles the text alone, for a clear error
     std::vector<Constant> Constants;
     std::vector<Uniform> Uniforms;
     std::vector<Texture> Textures;
   };
 
-  /// Said by who asks: whether soft lights are drawn. What only they need is left out else.
+  /// Set by the caller: whether soft lights are drawn. If not, data for soft lights is left out.
   bool SoftLights = false;
 
   std::vector<Term> Terms; // summed
@@ -84,7 +84,7 @@ struct vtkBRDFShaderInputs
   /// Largest relative error of a stored value by texture precision: 2^-11 for 16-bit floats, 2^-23
   /// for 32-bit; 0 without textures.
   double QuantizationError = 0.0;
-  /// One line for people: sizes, precision, why.
+  /// One line for readers: sizes, precision, reason.
   std::string Description;
 
   std::size_t GetTextureBytes() const
@@ -100,7 +100,7 @@ struct vtkBRDFShaderInputs
     return bytes;
   }
 
-  /// Same key, same shader text: what differs is in uniforms and textures.
+  /// Inputs with the same key have the same shader text; they differ in uniforms and textures only.
   std::string GetShaderKey() const
   {
     std::string key;

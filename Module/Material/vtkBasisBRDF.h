@@ -5,29 +5,28 @@
  * @brief   f(i,o) ~ sum_k C_k(o) B_k(i): the thesis's pair of tables, coefficients and basis values
  *
  * The basis representation of O'Toole 2007, 2.3.3 and 3.1, and of the device of Ghosh et al. 2007:
- * B_k is what the projector shows, C_k(o) what the camera sees. Bases, orthonormal over their
+ * the projector shows B_k, and the camera measures C_k(o). The bases are orthonormal over their
  * domain (the polar angles of i that they cover):
  *
  * SPHERICAL_HARMONICS: real harmonics of the whole sphere, used on the upper half.
  * HEMISPHERICAL: the upper hemisphere (Gautron et al. 2004).
  * ZONAL: theta_i in [begin, end] (Ghosh et al. 2007).
- * LEGENDRE_FOURIER: the same zone, Legendre polynomials x Fourier series: they do not vanish at the
- * zone's edges as the varying ones of the three others do.
+ * LEGENDRE_FOURIER: the same zone, Legendre polynomials x Fourier series. They do not vanish at the
+ * zone's edges; in the other bases, all functions that vary with the azimuth do.
  *
  * Order N has K = (N+1)^2 functions, k = l(l+1)+m, 0 <= l <= N, |m| <= l (Legendre x Fourier:
  * degree l - |m|).
  *
  * Coefficients are a table over o: nTheta samples of theta_o from the outgoing zone's begin to its
- * end, both included, times nPhi azimuths 2 pi j / nPhi. nPhi = 1 is the isotropic form: the
- * coefficients of azimuth 0; i is turned by -phi_o instead, which is what rotating the coefficients
- * would do. Both tables are interpolated linearly along directions and never across k. The basis
+ * end, both included, times nPhi azimuths 2 pi j / nPhi. nPhi = 1 is the isotropic form: the table
+ * holds the coefficients of azimuth 0, and i is rotated by -phi_o instead of the coefficients. Both
+ * tables are interpolated linearly along directions and never across k. The basis
  * table's rows lie at equal steps of acos(x), x = 2 (cos theta - cos end) / (cos begin - cos end) -
  * 1, where a function of degree l has no frequency above l; its size follows the order and
- * ResamplingTolerance up to 256 x 256 (the error that is reached is the shader inputs's
- * ResamplingError; orders above 10 or so miss the default tolerance where their highest degrees
- * dominate).
+ * ResamplingTolerance up to 256 x 256. ResamplingError of the shader inputs is the actual error;
+ * orders above about 10 miss the default tolerance where their highest degrees dominate.
  *
- * Directions outside a zone are taken as on its edge, azimuth kept: f is held constant there.
+ * Directions outside a zone are moved to its edge at the same azimuth, so f is constant there.
  * Sums may be negative (ringing); Evaluate clamps at 0 after the sum, EvaluateSigned does not.
  */
 
@@ -57,15 +56,16 @@ public:
   /// Largest order: 441 functions.
   static constexpr int MaximumOrder = 20;
 
-  /// Least width of a zone in degrees: a shader's 32-bit cosines tell its edges apart.
+  /// Least width of a zone in degrees, for which a shader's 32-bit cosines can separate its edges.
   static constexpr double MinimumZoneWidth = 1.0;
 
-  /// Where a zone may begin at most, in degrees: nothing nearer to the horizon is ever shaded.
+  /// Largest angle at which a zone may begin, in degrees: directions nearer to the horizon are
+  /// never shaded.
   static constexpr double MaximumZoneBegin = 88.0;
 
   /**
-   * What is wrong with a zone of polar angles in degrees: "" where 0 <= begin <= MaximumZoneBegin,
-   * begin + MinimumZoneWidth <= end <= 90.
+   * Describes the error in a zone of polar angles in degrees: "" where 0 <= begin <=
+   * MaximumZoneBegin, begin + MinimumZoneWidth <= end <= 90.
    */
   static std::string FindZoneProblem(const double zone[2]);
 
@@ -73,23 +73,24 @@ public:
   static constexpr int MaximumNumberOfValues = 1 << 26;
 
   /**
-   * What is wrong with a table of coefficients: "" where order is in [0, MaximumOrder], nTheta in
-   * [2, 1024], nPhi in [1, 1024] and 3 (order + 1)^2 nTheta nPhi at most MaximumNumberOfValues.
+   * Describes the error in the sizes of a table of coefficients: "" where order is in [0,
+   * MaximumOrder], nTheta in [2, 1024], nPhi in [1, 1024] and 3 (order + 1)^2 nTheta nPhi at most
+   * MaximumNumberOfValues.
    */
   static std::string FindSizeProblem(int order, int nTheta, int nPhi);
 
   /**
-   * Set everything at once. order, nTheta, nPhi: see FindSizeProblem; zones in degrees, see
-   * FindZoneProblem (of i: ignored by the first two bases, which cover 0 to 90); rgb: K x nTheta x
-   * nPhi RGB triples, phi fastest, finite. Returns "" or, leaving
-   * everything as it was, what is wrong.
+   * Set the whole representation. order, nTheta, nPhi: see FindSizeProblem; zones in degrees: see
+   * FindZoneProblem (the first two bases ignore that of i and cover 0 to 90); rgb: K x nTheta x
+   * nPhi RGB triples, phi fastest, finite. Returns "" on success; otherwise returns a description
+   * of the error and changes nothing.
    */
   std::string SetCoefficients(int basis, int order, const double incidentZone[2],
     const double outgoingZone[2], int nTheta, int nPhi, std::vector<float> rgb);
 
   ///@{
   /**
-   * What was set; zones in degrees.
+   * The values that SetCoefficients set; zones in degrees.
    */
   vtkGetMacro(Basis, int);
   vtkGetMacro(Order, int);
@@ -108,8 +109,9 @@ public:
 
   ///@{
   /**
-   * Whether the sum is f cos(theta_i) instead of f: what a device with a projector measures;
-   * default off. Evaluate divides by it (by the zone edge's beyond the zone, by 0.01 at least).
+   * Whether the sum is f cos(theta_i) instead of f, as a device with a projector measures it;
+   * default off. Evaluate divides by the cosine (beyond the zone by that of its edge; by 0.01 at
+   * least).
    */
   vtkSetMacro(IncidentCosine, bool);
   vtkGetMacro(IncidentCosine, bool);
@@ -118,8 +120,8 @@ public:
 
   ///@{
   /**
-   * Whether the sum carries cos(theta_o) as a factor: measured f grows as its inverse towards
-   * grazing, and the product is what tables interpolate well; default off.
+   * Whether the sum contains the factor cos(theta_o); default off. Measured f grows as the inverse
+   * of this cosine towards grazing angles, and tables interpolate the product well.
    */
   vtkSetMacro(OutgoingCosine, bool);
   vtkGetMacro(OutgoingCosine, bool);
@@ -128,16 +130,16 @@ public:
 
   ///@{
   /**
-   * Relative L2 error of this representation against what it was made from; 0 (default): unknown;
-   * clamped to [0, 1e6].
+   * Relative L2 error of this representation against the data from which it was made; 0 (the
+   * default) means unknown; clamped to [0, 1e6].
    */
   virtual void SetResamplingError(double resamplingError);
   vtkGetMacro(ResamplingError, double);
   ///@}
 
   /**
-   * The sum without the clamp, divided by the cosines it carries: f where it rings is negative.
-   * Directions as for Evaluate; zero at and below the horizon.
+   * The sum without the clamp, divided by the cosines that it contains. It may be negative where f
+   * rings. Directions are as for Evaluate; the result is zero at and below the horizon.
    */
   void EvaluateSigned(const double i[3], const double o[3], double f[3]);
 

@@ -39,7 +39,7 @@ public:
   bool SetDistribution(int nTheta, int nPhi, const std::vector<float>& rgb);
 
   /**
-   * Set F: n RGB triples over theta_d. Same refusals.
+   * Set F: n RGB triples over theta_d. Returns false for the same errors.
    */
   bool SetFresnel(int n, const std::vector<float>& rgb);
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkTabulatedBRDF
- * @brief   isotropic BRDF as a volume of values, trilinear in half/difference or in/out angles
+ * @brief   isotropic BRDF as a table over half/difference or incident/outgoing angles, trilinear
  *
  * HALF_DIFFERENCE (Rusinkiewicz 1998; MERL's parameters): axes (phi_d, theta_d, theta_h), x = phi_d
  * fastest. Sample k of n lies at theta_h = (pi/2) ((k+1/2)/n)^2, theta_d = (pi/2)(k+1/2)/n,
@@ -21,12 +21,12 @@
  * interpolation.
  *
  * Soft light (EvaluateSoft) reads a HALF_DIFFERENCE volume at a wider level, blurred along theta_h
- * (what is stored: f, or f cos(theta_o) where it is cosine-weighted). Levels are made, and held by
- * the shader inputs, only where soft light is asked for; theta_h's samples fall with the width and
- * phi_d's and theta_d's are averaged to 5 and 2 degrees. For MERL's 180 x 90 x 90 samples (8.7 MB
- * as 16-bit floats) of a lobe of Blinn exponent 10, 300 and 100,000: 0.5, 1.9 and 7.1 MB more.
- * Tables as coarse as that in phi_d and theta_d already take up to 8 times their bytes on top.
- * INCIDENT_OUTGOING volumes, which know no half vector, stay hard.
+ * (of the stored value: f, or f cos(theta_o) where it is cosine-weighted). Levels are made, and are
+ * part of the shader inputs, only if soft light is requested. Wider levels have fewer samples in
+ * theta_h; phi_d and theta_d are averaged to 5 and 2 degrees. For MERL's 180 x 90 x 90 samples (8.7
+ * MB as 16-bit floats) of a lobe of Blinn exponent 10, 300 and 100,000 they take 0.5, 1.9 and 7.1
+ * MB more. For tables that already are as coarse as that in phi_d and theta_d, they take up to 8
+ * times the table's size. INCIDENT_OUTGOING volumes have no half vector and stay hard.
  */
 
 #ifndef vtkTabulatedBRDF_h
@@ -66,7 +66,7 @@ public:
   };
 
   /**
-   * Set everything at once. dimensions: samples along (azimuth, second theta, first theta), each
+   * Set the whole table. dimensions: samples along (azimuth, second theta, first theta), each
    * in [1, 2048]; rgb: RGB triples, x fastest; invalid cells hold NaN in any channel. Returns false
    * with an error event and leaves the volume as it was when sizes do not match.
    */
@@ -75,7 +75,7 @@ public:
 
   ///@{
   /**
-   * What was set.
+   * The values that SetVolume set.
    */
   vtkGetMacro(Parameterization, int);
   vtkGetMacro(AzimuthRange, int);
@@ -95,7 +95,7 @@ public:
 
   /**
    * The volume as image data of the given dimensions with a 3-component float point array "BRDF"
-   * (NaN = invalid): for VTK's filters and writers. A new object the caller owns.
+   * (NaN = invalid), for VTK's filters and writers. The caller owns the new object.
    */
   VTK_NEWINSTANCE vtkImageData* NewImageData();
 
@@ -111,7 +111,8 @@ public:
 
   ///@{
   /**
-   * Relative L2 error of this table against what it was resampled from; 0 (default): original data.
+   * Relative L2 error of this table against the data from which it was resampled; 0 (the default)
+   * for original data.
    */
   virtual void SetResamplingError(double resamplingError);
   vtkGetMacro(ResamplingError, double);

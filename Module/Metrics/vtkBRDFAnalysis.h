@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkBRDFAnalysis
- * @brief   how physical a material is: albedo, energy, reciprocity, range, negative values
+ * @brief   checks how physical a material is: albedo, energy, reciprocity, range, negative values
  *
  * Measures in the sense of DeYoung 1996 ("Properties of Tabulated Bidirectional Reflectance
  * Distribution Functions"), relative and without units unless said otherwise. Pairs (i,o) are drawn
  * with a fixed seed: o by its cosine, i half by the material's own sampling and half by its cosine
- * (so lobes are hit and nothing is missed), weighted back to the measure c_i c_o di do.
+ * (so that lobes are sampled and no direction is missed), weighted for the measure c_i c_o di do.
  *
- * What holds only by construction and what a measurement breaks differ: compare
- * vtkBRDF::IsReciprocal().
+ * These figures are measured. vtkBRDF::IsReciprocal() only says whether a class is reciprocal by
+ * construction.
  */
 
 #ifndef vtkBRDFAnalysis_h
@@ -44,7 +44,7 @@ public:
   ///@{
   /**
    * Polar angles of the albedo table in degrees, each in [0,90); default 0 to 80 by 10, then 85.
-   * Others are refused with an error event.
+   * Other angles are refused with an error event.
    */
   void SetAngles(int count, const double* degrees) VTK_SIZEHINT(degrees, count);
   int GetNumberOfAngles() { return static_cast<int>(this->Angles.size()); }
@@ -66,10 +66,10 @@ public:
 
   ///@{
   /**
-   * At GetAngle(index), RGB: the directional albedo a(o) = integral of f(i,o) c_i di (what a viewer
-   * sees under a white sky; vtkBRDF::GetDirectionalAlbedo) and the reflectance r(i) = integral of
-   * f(i,o) c_o do (the share of light from i that is given back). A reciprocal material has the
-   * same of both. In the azimuth 0; of anisotropic materials the mean over 8 azimuths.
+   * At GetAngle(index), RGB: the directional albedo a(o) = integral of f(i,o) c_i di (the radiance
+   * under a white sky; vtkBRDF::GetDirectionalAlbedo) and the reflectance r(i) = integral of f(i,o)
+   * c_o do (the share of light from i that is reflected). For a reciprocal material both are equal.
+   * They are at azimuth 0; for anisotropic materials they are the mean over 8 azimuths.
    */
   void GetAlbedo(int index, double rgb[3]);
   void GetReflectance(int index, double rgb[3]);
@@ -77,8 +77,8 @@ public:
 
   ///@{
   /**
-   * Largest channel of any albedo or reflectance that was computed; and whether a reflectance is
-   * above 1 by more than its estimate's error (0.5 %): the material gives back more than it gets.
+   * Largest channel of any computed albedo or reflectance; and whether a reflectance is above 1 by
+   * more than its estimate's error (0.5 %): the material then reflects more light than it receives.
    */
   vtkGetMacro(LargestAlbedo, double);
   vtkGetMacro(GainsEnergy, bool);
@@ -103,9 +103,10 @@ public:
 
   /**
    * Share of negative values before Evaluate's clamp, integral of f's negative part / integral |f|
-   * with both cosines as weights: of a table over its cells, of a basis representation (which
-   * rings) as vtkBasisBRDF::GetNegativeMass, over the hemisphere and NumberOfPairs pairs. 0 for
-   * other representations: theirs can't be negative, or (RGL) only after interpolation.
+   * with both cosines as weights. For a table it is computed over the cells; for a basis
+   * representation (which rings) as in vtkBasisBRDF::GetNegativeMass, over the hemisphere and
+   * NumberOfPairs pairs. 0 for other representations, whose values cannot be negative, or (RGL)
+   * only after interpolation.
    */
   vtkGetMacro(NegativeMass, double);
 

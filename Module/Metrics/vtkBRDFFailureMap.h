@@ -2,17 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkBRDFFailureMap
- * @brief   at which angles a BRDF (a fit, a projection, what shaders get) is far from a reference
+ * @brief   shows at which angles a BRDF (a fit, a projection, a GPU form) differs from a reference
  *
  * Two maps of relative error, each over the cells of a square grid: over the polar angles of i and
  * o, and over those of the half vector and of the difference (Rusinkiewicz 1998). A cell's error is
- * that of its center over all azimuths together, sum |f - r| / sum r over azimuths and channels:
- * that of the light that a ring of theta_i reflects to a view of theta_o. A share: 0.02 is 2 %. NaN
- * where the reference is black or every pair lies below the horizon.
+ * computed at its center over all azimuths together, sum |f - r| / sum r over azimuths and
+ * channels. It is the error of the light that a ring of theta_i reflects to a view of theta_o.
+ * Errors are shares: 0.02 is 2 %. They are NaN where the reference is black or every pair lies
+ * below the horizon.
  *
- * Polar angles of i and o beyond those whose cosine is 0.02 count as that (88.85 degrees): nothing
- * nearer to the horizon is shaded, and measured f grows as 1/cos there. Over theta_h and theta_d
- * such pairs are left out.
+ * Polar angles of i and o whose cosine is below 0.02 (88.85 degrees) are replaced by that angle:
+ * directions nearer to the horizon are never shaded, and measured f grows as 1/cos there. Over
+ * theta_h and theta_d such pairs are left out.
  */
 
 #ifndef vtkBRDFFailureMap_h
@@ -39,7 +40,7 @@ public:
 
   ///@{
   /**
-   * What is right, and what is measured against it.
+   * The reference, and the BRDF that is compared with it.
    */
   void SetReference(vtkBRDF* reference);
   vtkBRDF* GetReference() { return this->Reference; }
@@ -57,17 +58,17 @@ public:
 
   ///@{
   /**
-   * Azimuths of each cell, evenly over the full turn (of i from o, or of the difference vector),
-   * 180 degrees among them where it is even; default 120, clamped to [2, 3600]. Where a BRDF is
-   * anisotropic, each comes with another azimuth of the whole pair.
+   * Number of azimuths of each cell, evenly over the full turn (of i from o, or of the difference
+   * vector); an even number includes 180 degrees. Default 120, clamped to [2, 3600]. For
+   * anisotropic BRDFs each is combined with a different azimuth of the whole pair.
    */
   virtual void SetNumberOfAzimuths(int numberOfAzimuths);
   vtkGetMacro(NumberOfAzimuths, int);
   ///@}
 
   /**
-   * Compute what follows. Returns false with an error event, results unchanged, without both BRDFs
-   * or where it was aborted. Raises ProgressEvent (calldata: double*).
+   * Compute the results below. Returns false with an error event and leaves them unchanged without
+   * both BRDFs or when aborted. Raises ProgressEvent (calldata: double*).
    */
   bool Update();
 
@@ -75,7 +76,7 @@ public:
   /**
    * NumberOfCells x NumberOfCells points at the cells' centers, one double each ("Error"). Empty
    * before Update. IncidentOutgoing: x is theta_i, y is theta_o, in degrees. HalfDifference: x is
-   * sqrt(theta_h / 90 degrees) in [0,1], which is MERL's axis, fine where highlights are, y is
+   * sqrt(theta_h / 90 degrees) in [0,1], as on MERL's axis, which is fine near highlights; y is
    * theta_d in degrees.
    */
   vtkImageData* GetIncidentOutgoing() { return this->IncidentOutgoing; }
@@ -89,9 +90,10 @@ public:
 
   ///@{
   /**
-   * The worst cells of IncidentOutgoing, the worst first, 5 at most, each 10 degrees or more from
-   * those before. Angles: theta_i, theta_o and the azimuth of i from o in [0,360) at which |f - r|
-   * is largest, in degrees; 180 is the mirror direction's side. Zeros for an index out of range.
+   * The worst cells of IncidentOutgoing, the worst first, at most 5, each at least 10 degrees from
+   * the ones before. Angles: theta_i, theta_o and the azimuth of i from o in [0,360) at which
+   * |f - r| is largest, in degrees; 180 is the side of the mirror direction. Zeros for an index out
+   * of range.
    */
   int GetNumberOfWorstAngles() { return static_cast<int>(this->Worst.size()); }
   void GetWorstAngles(int index, double angles[3]);
@@ -100,7 +102,7 @@ public:
 
   ///@{
   /**
-   * Set from an observer or another thread to stop a running Update, which starts with it cleared.
+   * Set this from an observer or another thread to stop a running Update. Update clears it first.
    */
   void SetAbort(bool abort) { this->Abort = abort; }
   bool GetAbort() { return this->Abort; }

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkRadianceMetrics
- * @brief   how far radiance is from a reference: relative errors and what a person would see of
- * them
+ * @brief   differences between radiance and a reference: relative errors and visible differences
  *
- * For linear RGB radiance x of pixels (or pairs) and the reference r of the same pixels, both
- * finite and not negative. Relative errors are shares: 0.02 is 2 %.
+ * x is the linear RGB radiance of pixels (or pairs), and r the reference of the same pixels. Both
+ * must be finite and not negative. Relative errors are shares: 0.02 is 2 %.
  */
 
 #ifndef vtkRadianceMetrics_h
@@ -27,25 +26,25 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Compare radiance with a reference, 3 components each, one tuple a pixel. Returns false with an
-   * error event, the figures unchanged, where they do not match, hold values that are negative or
-   * not finite, or the reference is black.
+   * Compare radiance with a reference, 3 components each, one tuple per pixel. Returns false with
+   * an error event and leaves the figures unchanged if the arrays do not match or hold values that
+   * are negative or not finite, or if the reference is black.
    */
   bool Compare(vtkDataArray* radiance, vtkDataArray* reference);
 
   /**
-   * FLIP, HDRFLIP, SSIM and DeltaE2000 of two pictures of width x height pixels, rows one after the
-   * other, where coverage (one component, null: everywhere) is not 0. Elsewhere both are taken as
-   * black. Refusals as above; also false, the figures unchanged, where it was aborted. Raises
-   * ProgressEvent (calldata: double*).
+   * Compute FLIP, HDRFLIP, SSIM and DeltaE2000 of two pictures of width x height pixels, stored row
+   * by row, where coverage (one component; null: everywhere) is not 0. Elsewhere both count as
+   * black. Returns false for the same errors as Compare, and when aborted, and then leaves the
+   * figures unchanged. Raises ProgressEvent (calldata: double*).
    */
   bool ComparePictures(int width, int height, vtkDataArray* radiance, vtkDataArray* reference,
     vtkDataArray* coverage = nullptr);
 
   ///@{
   /**
-   * Set from an observer or another thread to stop a running ComparePictures, which starts with it
-   * cleared.
+   * Set this from an observer or another thread to stop a running ComparePictures, which clears it
+   * first.
    */
   void SetAbort(bool abort) { this->Abort = abort; }
   bool GetAbort() { return this->Abort; }
@@ -67,8 +66,8 @@ public:
 
   ///@{
   /**
-   * Median and 99th percentile (linear between neighbors) of the pixels' sum over channels of
-   * |x - r| over that of r; pixels with a black reference are left out.
+   * Median and 99th percentile (linear between neighbors) over pixels of sum |x - r| / sum r,
+   * summed over channels; pixels with a black reference are left out.
    */
   vtkGetMacro(MedianRelative, double);
   vtkGetMacro(P99Relative, double);
@@ -80,36 +79,36 @@ public:
   vtkGetMacro(SMAPE, double);
 
   /**
-   * Mean of the pixels' color difference Delta E ITP (ITU-R BT.2124), 1 about what can just be
-   * told apart, with radiance scaled so that the reference's mean luminance is 100 cd/m2.
+   * Mean of the pixels' color difference Delta E ITP (ITU-R BT.2124), with radiance scaled so that
+   * the reference's mean luminance is 100 cd/m2. A difference of 1 is just visible.
    */
   vtkGetMacro(DeltaEITP, double);
 
   /**
    * Mean FLIP (Andersson et al. 2020) of the covered pixels, in [0,1], of the last ComparePictures:
-   * 67 pixels a degree, tone mapped by x^(1/2.2) with the 99th percentile of the covered
+   * 67 pixels per degree, tone mapped by x^(1/2.2) with the 99th percentile of the covered
    * reference's channels at 1.
    */
   vtkGetMacro(FLIP, double);
 
   /**
    * Mean HDR-FLIP (Andersson et al. 2021) of the covered pixels, in [0,1], of the last
-   * ComparePictures: each pixel's largest FLIP over exposures about a stop apart, from that which
-   * shows the covered reference's brightest pixel to that which shows its median (taken as 2^-23 of
-   * the brightest where it is darker), tone mapped by the ACES curve.
+   * ComparePictures: each pixel's largest FLIP over exposures about a stop apart, tone mapped by
+   * the ACES curve. The exposures reach from that for the covered reference's brightest pixel to
+   * that for its median (2^-23 of the brightest where the median is darker).
    */
   vtkGetMacro(HDRFLIP, double);
 
   /**
-   * Mean structural similarity (Wang et al. 2004) of the last ComparePictures, in [-1,1], 1 where
-   * both are alike: of the luma (Rec. 709) of the pictures that FLIP sees, 11 x 11 Gaussian windows
-   * about covered pixels 5 or more from the border; NaN where there is none.
+   * Mean structural similarity (Wang et al. 2004) of the last ComparePictures, in [-1,1]; 1 means
+   * equal. It is computed from the luma (Rec. 709) of FLIP's pictures in 11 x 11 Gaussian windows
+   * about covered pixels at least 5 from the border; NaN if there is no such pixel.
    */
   vtkGetMacro(SSIM, double);
 
   /**
-   * Mean CIEDE2000 color difference of the covered pixels of the last ComparePictures, 1 about
-   * what can just be told apart: of the pictures that FLIP sees, on an sRGB display.
+   * Mean CIEDE2000 color difference of the covered pixels of the last ComparePictures, computed
+   * from FLIP's pictures on an sRGB display. A difference of 1 is just visible.
    */
   vtkGetMacro(DeltaE2000, double);
 

@@ -320,7 +320,8 @@ int main(int argc, char* argv[])
     std::fflush(stdout);
   }
   MeasureBlocks(10000, rounds);
-  std::printf("\n| materials of their own | first frame (s) | one changed (ms) |\n|---|---|---|\n");
+  std::printf(
+    "\n| different materials | first frame (s) | frame after one change (ms) |\n|---|---|---|\n");
   for (int count : { 1, 10, 100 })
   {
     MeasureMaterials(count);

@@ -146,7 +146,8 @@ class Options(ToolTest):
         common = ["--environment", "sky", "-o", self.path("x.png")]
         self.check(run("render", "gold-paint", *common, "--size", "0x10"), 2, "--size", "0x10")
         self.check(run("render", "gold-paint", *common, "--size", "10x10x"), 2, "--size")
-        self.check(run("render", "gold-paint", *common, "--view", "10,100"), 2, "--view")
+        for view in ("10,100", "10", "10,20,0.5", "10,20,nan", "10,20,30,40", "10,20,"):
+            self.check(run("render", "gold-paint", *common, "--view", view), 2, "--view")
         self.check(run("render", "gold-paint", *common, "--lights", "0"), 2, "--lights")
         self.check(run("render", "gold-paint", *common, "--lights", "100"), 2, "64 or 128")
         self.check(run("render", "gold-paint", "--environment", "sky", "-o", "x.gif"), 2, ".png")
@@ -1088,6 +1089,35 @@ class FailureMap(Compare):
         self.check_close([found["worst_angles"][0]["error"]], [0.1 / 0.875], 1e-6)
         # Of the radiance about the same share: the light is nearly white.
         self.check_close([found["relative_l1"]], [0.1 / 0.875], 0.2)
+
+
+class CompareStrip(Compare):
+    COMMON = ["--environment", "sky", "--size", "48x40", "--reference-pixels", "64"]
+
+    def test_report(self):
+        strip = self.path("strip.png")
+        seen = ["--mesh", "ball-on-foot", "--view", "200,10,60"]
+        report = self.compare("--tolerance", "0.05", "--strip", strip, *seen)
+        self.assertEqual(report["reference_pixels"], report["covered_pixels"])
+        self.assertGreater(report["covered_pixels"], 64)
+        rows = read_png(strip)
+        gap, top = 4, 31  # of the sheet that has the panels
+        self.assertEqual(len(rows[0]), 3 * (3 * 48 + 4 * gap))
+        pbr, method, exact = (
+            [row[3 * (gap + k * (48 + gap)) :][: 3 * 48] for row in rows[top : top + 40]] for k in range(3)
+        )
+        for panel in (pbr, method):  # the same sky in the corner
+            self.check_close(list(panel[0][:3]), list(exact[0][:3]), 0.02)
+
+        def differ(panel):
+            return sum(abs(a - b) for one, other in zip(panel, exact) for a, b in zip(one, other))
+
+        self.assertGreater(differ(method), 0)
+        self.assertLess(differ(method), differ(pbr))
+
+    def test_bad_input(self):
+        common = ["compare", "blue-fabric", *self.COMMON]
+        self.check(run(*common, "--strip", self.path("strip.jpg")), 2, "strip.jpg", ".png")
 
 
 class CompareThesis(Compare):

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * 128 bits that name a content: equal contents get equal names, and others differ but by a chance
- * of 2^-128 (not where somebody constructs them: it is no cryptographic hash). Read at memory
- * speed: four lanes of xxHash64's round (Collet, "XXH64 algorithm description",
+ * A 128-bit hash of data. Equal data has equal hashes; other data has the same hash with a
+ * probability of 2^-128 (it is not a cryptographic hash, so collisions can be constructed). It
+ * works at memory speed: four lanes of xxHash64's round (Collet, "XXH64 algorithm description",
  * github.com/Cyan4973/xxHash/blob/dev/doc/xxhash_spec.md), folded into two words in two ways.
  */
 
@@ -24,7 +24,7 @@ namespace measuredbrdf
 class ContentHash
 {
 public:
-  /// Where one content ends and the next begins counts, too.
+  /// The boundary between two pieces of data is part of the hash.
   void Add(const void* data, std::size_t bytes)
   {
     const char* at = static_cast<const char*>(data);

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Polar angles as tables sample them that must be fine at grazing: cos(theta) = low + (1 - low)
- * cos^2(alpha/2). Equal steps of alpha are equal steps of theta near the normal and shrink with its
- * square root towards the horizon. A function smooth in cos(theta) is even about alpha = pi; one of
- * azimuthal order m has the parity of m about alpha = 0. (GLSL twin: vtkBRDFEnvironmentBasis.glsl)
+ * Sampling of polar angles for tables that must be fine at grazing angles: cos(theta) = low +
+ * (1 - low) cos^2(alpha/2). Equal steps of alpha are equal steps of theta near the normal and
+ * shrink with its square root towards the horizon. A function smooth in cos(theta) is even about
+ * alpha = pi; one of azimuthal order m has the parity of m about alpha = 0. (GLSL twin:
+ * vtkBRDFEnvironmentBasis.glsl)
  */
 
 #ifndef CosinePowerWarp_h

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Discrete distributions and their inversion (thesis 2.1): the one CDF piece of this project, used
- * by the samplers of BRDFs and of environments.
+ * Discrete distributions and their inversion (thesis 2.1), used by the samplers of BRDFs and of
+ * environments.
  */
 
 #ifndef Distribution_h
@@ -56,8 +56,8 @@ public:
   double GetCumulative(std::size_t k) const { return this->Cdf[k]; }
 
   /**
-   * The cell that u in [0,1) falls into (never one of probability 0), and how far u lies inside it,
-   * in [0,1): a uniform number that may be used again.
+   * The cell that contains u in [0,1) (never one of probability 0), and the position of u inside
+   * it, in [0,1), which is a uniform number and may be used again.
    */
   std::size_t Invert(double u, double& remainder) const
   {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Half vectors and lobes about them, their one C++ form (GLSL twin: shaders/vtkBRDFCommon.glsl).
+ * Half vectors and lobes about them in C++ (GLSL twin: shaders/vtkBRDFCommon.glsl).
  */
 
 #ifndef HalfVector_h
@@ -27,7 +27,8 @@ inline glm::dvec3 HalfVector(const glm::dvec3& i, const glm::dvec3& o)
 
 /**
  * ln(cos^2 theta) / sin^2 theta from s = sin^2 theta: cos^n theta = exp(n/2 s LogCosineRatio(s)).
- * Near the normal 1 - cos cancels, this does not: sharp lobes (n = 1e5) keep their digits.
+ * Near the normal 1 - cos loses digits by cancellation; this form keeps them for sharp lobes
+ * (n = 1e5).
  */
 inline double LogCosineRatio(double s)
 {
@@ -41,17 +42,17 @@ inline double PowerCosine(double n, double s) { return std::exp(0.5 * n * s * Lo
 /**
  * Variance in h, per axis, of light whose directions vary by `spread` (1/kappa of a von
  * Mises-Fisher distribution), seen from o.h = c: i turns twice as far as h in the plane of both and
- * 2c as far out of it. The mean that keeps the area, as Wang et al. 2009 take it ("All-Frequency
- * Rendering of Dynamic, Spatially-Varying Reflectance"): the wider of both (c^2) measured no better
- * but for few lights on the sharpest lobes, and far worse at grazing angles. Bounded where i and o
- * are opposite.
+ * 2c as far out of it. The result is the mean of both that keeps the area, as in Wang et al. 2009
+ * ("All-Frequency Rendering of Dynamic, Spatially-Varying Reflectance"). The wider one (c^2) was
+ * measured: it is better only for few lights on the sharpest lobes, and far worse at grazing
+ * angles. The result is bounded where i and o are opposite.
  */
 inline double HalfVectorSpread(double spread, double c)
 {
   return spread / (4.0 * std::max(c, 1e-2));
 }
 
-/// Exponent of a lobe cos^n of h that such light widens: 1/n' = 1/n + variance, as for Gaussians.
+/// Exponent of a lobe cos^n of h that this light widens: 1/n' = 1/n + variance, as for Gaussians.
 inline double WidenedExponent(double n, double variance) { return n / (1.0 + n * variance); }
 
 /// Schlick 1994: F0 + (1-F0)(1-c)^5.

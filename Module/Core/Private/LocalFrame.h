@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The local frame of a shading point, its one C++ form (GLSL twin: shaders/vtkBRDFCommon.glsl).
+ * The local frame of a shading point in C++ (GLSL twin: shaders/vtkBRDFCommon.glsl).
  */
 
 #ifndef LocalFrame_h
@@ -66,9 +66,9 @@ inline glm::dvec3 ToLocal(const Frame& frame, const glm::dvec3& d)
 }
 
 /**
- * Interpolated normals can turn away from the viewer at silhouettes; there the view is shaded as if
- * at this cosine (1.1 degrees above the horizon). Measured f grows as 1/cos towards the horizon,
- * where no instrument looks: much smaller values draw white rims.
+ * Interpolated normals can turn away from the viewer at silhouettes. The view is then shaded as if
+ * it had this cosine (1.1 degrees above the horizon). Measured f grows as 1/cos towards the
+ * horizon, where no instrument measures; much smaller cosines draw white rims.
  */
 constexpr double MinimumViewCosine = 0.02;
 

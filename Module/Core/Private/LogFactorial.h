@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * log n! for many threads at once: std::lgamma also writes the sign of the gamma function, to a
- * global variable, where the C library has one.
+ * A thread-safe log n!. (In some C libraries std::lgamma also writes the sign of the gamma function
+ * to a global variable.)
  */
 
 #ifndef LogFactorial_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Linear interpolation between samples at k + 1/2: which two of n samples, and how much of each.
+ * Linear interpolation between samples at k + 1/2: indices and weights of two of n samples.
  */
 
 #ifndef Neighbors_h
@@ -20,7 +20,7 @@ struct Neighbors
   double Weight; // of Second
 };
 
-/// Of coordinate u in [0,1], constant beyond the outermost samples.
+/// Neighbors of coordinate u in [0,1]; constant beyond the outermost samples.
 inline Neighbors ClampedNeighbors(double u, int n)
 {
   const double x = std::clamp(u * n - 0.5, 0.0, n - 1.0);
@@ -28,7 +28,7 @@ inline Neighbors ClampedNeighbors(double u, int n)
   return { first, std::min(first + 1, n - 1), x - first };
 }
 
-/// Of coordinate u, which repeats after 1.
+/// Neighbors of coordinate u, which is periodic with period 1.
 inline Neighbors PeriodicNeighbors(double u, int n)
 {
   const double x = (u - std::floor(u)) * n - 0.5;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Text of unknown origin (a file's name, what a file says) made fit for a message: a terminal obeys
- * control characters, and nobody reads a megabyte.
+ * Makes text of unknown origin (a file's name or content) safe for a message: terminals execute
+ * control characters, and messages must not be too long.
  */
 
 #ifndef Printable_h
@@ -16,7 +16,7 @@
 
 namespace measuredbrdf
 {
-/// Bytes of a quoted name in a message, and of a whole message.
+/// Largest number of bytes of a quoted name in a message, and of a whole message.
 constexpr std::size_t LongestName = 200;
 constexpr std::size_t LongestMessage = 8000;
 
@@ -50,9 +50,9 @@ inline std::size_t ReadUTF8(std::string_view text, unsigned int& code)
 
 /**
  * The text with \xNN for every byte that is neither printable ASCII nor part of a UTF-8 letter:
- * control characters, also Unicode's (U+0080 to U+009F, which terminals obey) and those that turn
- * the direction of writing or do not show; '\n' and '\t' stay where multiline is set. Cut, with
- * "...", after `longest` bytes.
+ * control characters, including Unicode's (U+0080 to U+009F, which terminals execute), and
+ * characters that change the direction of writing or are invisible; '\n' and '\t' stay if multiline
+ * is set. Text is cut, with "...", after `longest` bytes.
  */
 inline std::string ToPrintable(
   std::string_view text, std::size_t longest = LongestMessage, bool multiline = false)

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Lobes that send light back where it came from (i about o: road signs, cloth, dust). Samplers by
- * half vectors, whose cells are large far from the normal, fall between them: this finds and draws
- * them.
+ * Retro-reflective lobes, which reflect light back to where it came from (i about o: road signs,
+ * cloth, dust). Samplers by half vectors miss them, because their cells are large far from the
+ * normal. This class finds and samples such lobes.
  */
 
 #ifndef RetroLobe_h
@@ -24,7 +24,7 @@ namespace measuredbrdf
 class RetroLobe
 {
 public:
-  /// Draws of a density so many times below f cos are too few.
+  /// A sampling density is too low if f cos exceeds it by this factor.
   static constexpr double LeastPeak = 4.0;
 
   explicit RetroLobe(const glm::dvec3& o)
@@ -32,8 +32,8 @@ public:
   {
   }
 
-  /// Unit i about o from two uniform numbers, equally often in each factor of the distance; it may
-  /// lie below the horizon.
+  /// Unit i about o from two uniform numbers, with a log-uniform distance from o; it may lie below
+  /// the horizon.
   glm::dvec3 Sample(const glm::dvec2& u) const
   {
     // 1 - cos of the angle from o.
@@ -51,7 +51,7 @@ public:
     return c <= 1.0 ? 1.0 / (2.0 * Pi * GetRange() * (c + Core)) : 0.0;
   }
 
-  /// Directions at and around o above the horizon, where such a lobe shows.
+  /// Directions at and around o above the horizon, at which such a lobe is visible.
   std::vector<glm::dvec3> GetProbes() const
   {
     std::vector<glm::dvec3> probes(1, this->View[2]);
@@ -71,7 +71,7 @@ public:
     return probes;
   }
 
-  /// Whether value (f cos, sum of RGB) is too much for draws of that density (1/sr) near o.
+  /// Whether value (f cos, sum of RGB) is too large for that sampling density (1/sr) near o.
   template <typename Value, typename Density>
   bool IsMissed(Value&& value, Density&& density) const
   {
@@ -81,7 +81,7 @@ public:
   }
 
 private:
-  static constexpr double Core = 1e-6; // 1 - cos of 0.08 degrees: within, draws are even
+  static constexpr double Core = 1e-6; // 1 - cos of 0.08 degrees: inside, draws are uniform
   static double GetRange() { return std::log1p(1.0 / Core); }
 
   Frame View;

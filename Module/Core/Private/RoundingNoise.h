@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Tables of what cannot be negative often are by a hair: sums of some hundred 32-bit values that
- * cancel leave 1e-5 of the largest at most (published RGL files: -4e-10 beside 0.5).
+ * Tables of quantities that cannot be negative often contain slightly negative values: rounding in
+ * sums of some hundred 32-bit values leaves at most 1e-5 of the largest (published RGL files:
+ * -4e-10 beside 0.5).
  */
 
 #ifndef RoundingNoise_h
@@ -14,18 +15,18 @@
 
 namespace measuredbrdf
 {
-/// Share of a table's largest value.
+/// Size of rounding noise, as a share of a table's largest value.
 constexpr float RoundingNoise = 1e-5f;
 
-/// The least value that counts as 0 in a table of what cannot be negative.
+/// The least value that counts as 0 in a table whose values cannot be negative.
 inline float GetNoiseFloor(const std::vector<float>& values)
 {
   const auto largest = std::max_element(values.begin(), values.end());
   return largest == values.end() ? 0.0f : -RoundingNoise * std::max(*largest, 0.0f);
 }
 
-/// Set noise to 0 (-0, too); false, the values as they were, where one is truly negative. For
-/// finite values.
+/// Set rounding noise (and -0) to 0. Returns false and changes nothing if a value is more negative
+/// than that. For finite values.
 inline bool ClearNoise(std::vector<float>& values)
 {
   const float floor = GetNoiseFloor(values);

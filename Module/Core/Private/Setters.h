@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The one rule for bad values, and the setters that follow it: what is no number (NaN, infinity) or
- * no enumerator is refused with one error event, and the value stays; a finite number out of range
- * is clamped with a warning where the documentation says so, else refused as well. To be used in a
- * class's .cxx.
+ * The common rule for bad values, and setters that follow it. NaN, infinity and values outside an
+ * enumeration are refused with one error event, and the old value stays. A finite number out of
+ * range is clamped with a warning where the documentation says so, and refused otherwise. For use
+ * in a class's .cxx.
  */
 
 #ifndef Setters_h
@@ -32,8 +32,8 @@ bool AreFinite(const T* values, int count)
 }
 } // namespace measuredbrdf
 
-// The rest of every message: "vtkFoo: SetBar: found nan, expected ...; 2 stays." What was found and
-// expected may be several things with << between them, so there are no parentheses.
+// The rest of every message: "vtkFoo: SetBar: found nan, expected ...; 2 stays." The arguments may
+// contain several values with << between them, so there are no parentheses.
 // NOLINTBEGIN(bugprone-macro-parentheses)
 #define measuredbrdfRefuseMacro(name, found, expected)                                             \
   vtkErrorMacro("Set" #name ": found " << found << ", expected " << expected << "; " << this->name \
@@ -68,8 +68,8 @@ bool AreFinite(const T* values, int count)
     measuredbrdfAssignMacro(name, clamped);                                                     \
   }
 
-/// Everything out of [low, high] is refused: enumerators, and numbers whose neighbor means
-/// something else.
+/// All values out of [low, high] are refused: for enumerators, and for numbers that must not be
+/// replaced by a neighboring one.
 #define measuredbrdfSetInRangeMacro(className, name, type, low, high)                     \
   void className::Set##name(type value)                                                   \
   {                                                                                       \
@@ -106,7 +106,7 @@ bool AreFinite(const T* values, int count)
     this->Set##name(values[0], values[1], values[2]);                                              \
   }
 
-/// Two numbers that a function finds no problem with; it returns what is wrong.
+/// Two numbers that a function checks; it returns a description of the error, or "".
 #define measuredbrdfSetChecked2Macro(className, name, findProblem)                                \
   void className::Set##name(double x, double y)                                                   \
   {                                                                                               \

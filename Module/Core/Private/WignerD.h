@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Wigner's small d functions d^l_mk(theta), for all l at once: how spherical harmonics turn.
+ * Wigner's small d functions d^l_mk(theta), for all l at once: they rotate spherical harmonics.
  * D^l_mk(alpha, beta, gamma) = e^(-i m alpha) d^l_mk(beta) e^(-i k gamma), and
  * Y_lm(theta, phi) = sqrt((2l+1)/(4 pi)) d^l_m0(theta) e^(i m phi), with the Condon-Shortley phase.
  *

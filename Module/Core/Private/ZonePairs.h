@@ -17,8 +17,8 @@
 namespace measuredbrdf
 {
 /**
- * use(i, o) for `count` pairs of unit directions whose polar angles lie in two zones (begin and end
- * in degrees, of i and of o).
+ * Call use(i, o) for `count` pairs of unit directions whose polar angles lie in two zones (begin
+ * and end in degrees, of i and of o).
  */
 template <typename Use>
 void ForZonePairs(const double incident[2], const double outgoing[2], int count, const Use& use)

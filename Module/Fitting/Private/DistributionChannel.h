@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * One channel of a D-BRDF with a Lambert part, and the steps that bring it closer to the samples.
+ * One channel of a D-BRDF with a Lambert part, and the steps that fit it to the samples.
  */
 
 #ifndef DistributionChannel_h
@@ -38,8 +38,9 @@ public:
   double GetMeanSquare() const { return this->MeanSquare(this->Tables); }
 
   /**
-   * p, then F, each with the Lambert part: linearize T about the model as it is (Gauss-Newton),
-   * solve by non-negative least squares, and go as far along as the mean square falls.
+   * Improve p, then F, each with the Lambert part: linearize T about the current model
+   * (Gauss-Newton), solve by non-negative least squares, and choose a step length that lowers the
+   * mean square.
    */
   void Sweep();
 

@@ -35,8 +35,8 @@ struct DistributionFitOptions
   std::function<bool(double)> Progress; // false: stop
 };
 
-/// Tables in vtkDistributionBRDF's order; empty where the fit was stopped. p is normalized, F has
-/// the scale.
+/// Tables in vtkDistributionBRDF's order; empty if the fit was stopped. p is normalized, and F
+/// contains the scale.
 struct DistributionFitResult
 {
   double Albedo[3] = { 0.0, 0.0, 0.0 };

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Where each sample lies in the D-BRDF's tables, shared by the channels.
+ * The positions of the samples in the D-BRDF's tables, shared by the channels.
  */
 
 #ifndef DistributionGeometry_h
@@ -49,7 +49,7 @@ public:
   /// Zeros at all pairs of unknowns that a sample or a tie links (lower triangle).
   const Eigen::SparseMatrix<double>& GetPattern() const { return this->Pattern; }
 
-  /// Where in the pattern's values a sample's unknowns (a, b), b <= a, stand; b fastest.
+  /// Positions of a sample's unknowns (a, b), b <= a, in the pattern's values; b fastest.
   const int* GetPositions(std::size_t sample) const;
 
 private:

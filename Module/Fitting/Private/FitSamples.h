@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What a fit is judged by: direction pairs with weights and the input's values, and the losses.
+ * The data of a fit: direction pairs with weights and the input's values, and the losses.
  */
 
 #ifndef FitSamples_h
@@ -44,7 +44,7 @@ class FitSamples
 {
 public:
   /**
-   * Pairs number first ... first + count of the sequence; fewer where the input has invalid cells.
+   * Pairs first ... first + count of the sequence; fewer if the input has invalid cells.
    */
   FitSamples(vtkBRDF* input, const FitLoss& loss, unsigned int seed, int first, int count);
 
@@ -57,7 +57,7 @@ public:
   std::vector<FitSample>::const_iterator begin() const { return this->Samples.begin(); }
   std::vector<FitSample>::const_iterator end() const { return this->Samples.end(); }
 
-  /// The first of these samples: a low-discrepancy set too.
+  /// The first ones of these samples, which are a low-discrepancy set too.
   FitSamples GetFirst(std::size_t count) const;
 
 private:

@@ -5,9 +5,9 @@
  * Fits a Lambert part and up to three analytic lobes about the half vector, with Ceres.
  *
  * f = albedo/pi + sum over lobes of (base + rise (1 - h.o)^5) shape(exponents): linear in all
- * coefficients but the exponents. A-S' scale S and reflectance R are base = S R, rise = S (1 - R):
- * in S and R a change of both can cancel, in base and rise every parameter has a meaning of its own
- * and the bounds S >= 0, 0 <= R <= 1 are just base >= 0, rise >= 0.
+ * parameters except the exponents. The scale S and reflectance R of Ashikhmin-Shirley are replaced
+ * by base = S R and rise = S (1 - R). Changes of S and R can cancel each other; changes of base and
+ * rise cannot, and the bounds S >= 0, 0 <= R <= 1 become base >= 0, rise >= 0.
  */
 
 #ifndef LobeFit_h
@@ -46,7 +46,7 @@ struct LobeFitResult
   std::vector<FittedLobe> Lobes; // by ascending exponent
   std::vector<double> History;   // mean squares over the samples
   bool Converged = false;
-  std::string Failure; // what the solver said; empty: none
+  std::string Failure; // the solver's message; empty: none
 };
 
 struct LobeFitOptions

@@ -14,8 +14,8 @@ namespace measuredbrdf
 {
 /**
  * The x >= 0 that minimizes x'Hx/2 - g'x, by block principal pivoting (Portugal, Judice, Vicente
- * 1994). H: symmetric positive semidefinite, only its lower triangle is read. x is also the guess
- * of which unknowns are free (> 0). Unknowns that nothing depends on become 0.
+ * 1994). H is symmetric positive semidefinite; only its lower triangle is read. On input, x says
+ * which unknowns are probably free (> 0). Unknowns without an effect become 0.
  */
 void SolveNonNegative(
   const Eigen::SparseMatrix<double>& H, const Eigen::VectorXd& g, Eigen::VectorXd& x);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A sphere under a gray light, as a measured material and VTK's physically based shading show it:
- * one quadrature for both, so that they can be compared.
+ * Pictures of a sphere under a gray light, drawn by a measured material and by VTK's physically
+ * based shading with the same quadrature, so that they can be compared.
  */
 
 #ifndef PBRPicture_h
@@ -25,7 +25,8 @@ class PBRPicture
 public:
   using Light = std::function<double(const glm::dvec3&)>;
 
-  /// brdf: prepared; the light: gray, by direction, not sharper than ten degrees; seen from +z.
+  /// The brdf must be prepared. The light is gray radiance by direction, with no details finer than
+  /// ten degrees. The sphere is seen from +z.
   PBRPicture(vtkBRDF* brdf, const Light& light);
 
   /// Base color of least error for the other parameters (of a roughness in hundredths), and that
@@ -33,7 +34,7 @@ public:
   double FitColor(const PBRParameters& parameters, std::array<double, 3>& color);
 
 private:
-  // What a direction to the light adds to a pixel's radiance is f * Weight * L.
+  // A direction to the light adds f * Weight * L to a pixel's radiance.
   struct Direction
   {
     glm::dvec3 Local;

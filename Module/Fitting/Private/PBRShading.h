@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * VTK's physically based shading of one light, as its fragment shader has it (VTK 9.1 to 9.6,
+ * VTK's physically based shading of one light, as in its fragment shader (VTK 9.1 to 9.6,
  * vtkPBRFunctions.glsl and vtkOpenGLPolyDataMapper::ReplaceShaderLight): GGX (Walter et al. 2007)
  * with the height-correlated Smith term (Heitz 2014), Schlick's Fresnel term (1994), a Lambertian
  * base, and a clear coat.
@@ -36,8 +36,8 @@ struct PBRParameters
   double CoatIOR = 2.0; // VTK's default
 };
 
-/// D V of a lobe: f is that times the Fresnel term. VTK's V takes roughness^2 where Heitz has
-/// alpha^2 = roughness^4; what counts here is what VTK draws.
+/// D V of a lobe: f is D V times the Fresnel term. VTK's V takes roughness^2 where Heitz has
+/// alpha^2 = roughness^4; this function follows VTK.
 inline double GetPBRLobe(double ndh, double ndv, double ndl, double roughness)
 {
   constexpr double pi = 3.14159265358979323846;

@@ -27,15 +27,15 @@ public:
     int Height;
   };
 
-  /// From RGB triples, row 0 at the bottom, which must outlive this, to an image of another
-  /// projection. Finite values only.
+  /// Remaps RGB triples, row 0 at the bottom, to an image of another projection. The values must be
+  /// finite and outlive this object.
   ConservativeRemap(const Image& source, const std::vector<float>& rgb, const Image& target);
 
-  /// Mean over texel (x,y) of the target; black where that shows no direction. Thread safe.
+  /// Mean over texel (x,y) of the target; black if the texel shows no direction. Thread safe.
   glm::dvec3 GetMean(int x, int y) const;
 
 private:
-  // Of what has been covered so far: solid angle, and its integral of radiance.
+  // The solid angle that has been covered so far, and the integral of radiance over it.
   struct Sum
   {
     double SolidAngle = 0.0;
@@ -43,8 +43,8 @@ private:
   };
   struct Polygon;
   struct Cell;
-  // Cosine and sine of an angle at a lat-long texel's low and high side and its middle: most of
-  // the work, were they not the same for a whole column or row.
+  // Cosine and sine of an angle at a lat-long texel's low and high side and its middle. They are
+  // the same for a whole column or row, and computing them per texel would take most of the time.
   using Angles = std::array<glm::dvec2, 3>;
 
   static std::vector<Angles> Tabulate(int count, double range);

@@ -24,7 +24,8 @@ struct TexelChanges;
 class EnvironmentHarmonics
 {
 public:
-  /// Of an environment that is not empty, up to the given degree; changes: of its texels, or null.
+  /// Harmonics of an environment that is not empty, up to the given degree, with these changes of
+  /// its texels (or null).
   EnvironmentHarmonics(
     vtkEnvironment* environment, int maximumDegree, const TexelChanges* changes = nullptr);
 

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The few texels of an environment that outweigh all others (suns, lamps) as directional lights,
- * and the rest: what is integrated over a map is the smoother the less of them it holds. Private to
- * the module.
+ * Bright sources of an environment (suns, lamps), extracted as directional lights, and the
+ * environment without them, which is smoother and easier to integrate. Private to the module.
  */
 
 #ifndef ExtractedEmitters_h
@@ -30,25 +29,26 @@ struct ExtractedEmitters
   };
 
   static constexpr double DefaultShare = 2e-3;
-  static constexpr double LampShare = 1e-3; // the least where many texels make few lights
+  static constexpr double LampShare = 1e-3; // least share, if many texels make few lights
 
   /**
-   * Texels that hold more than share of all luminance, and 32 times what they hold in the mean (the
-   * brightest maximum of them); share >= 1: none. The environment is not empty.
+   * Extract each texel that holds more than share of all luminance and more than 32 times the mean
+   * (at most the brightest maximum texels); share >= 1: none. The environment must not be empty.
    */
   ExtractedEmitters(vtkEnvironment* environment, double share, int maximum);
 
   /**
-   * The same with lights of many texels: those within angle (radians) of its brightest one; two of
-   * which are one where all lies within the angle of the common mean, or within twice that if one
-   * holds less than 1 % of the other. Their sum comes from their mean direction. The share is the
-   * least, from LampShare to DefaultShare by factors of two, whose texels all go into maximum
-   * lights: a panel that needs more is no lamp.
+   * Extract lights of several texels each: the texels within angle (radians) of the light's
+   * brightest one. Two lights are merged if all their texels lie within the angle of the common
+   * mean, or within twice the angle if one holds less than 1 % of the other. A light has the sum of
+   * its texels and their mean direction. The share is the least one, from LampShare to DefaultShare
+   * by factors of two, for which maximum lights hold all texels. A panel that needs more is not a
+   * lamp.
    */
   static ExtractedEmitters FindLamps(vtkEnvironment* environment, double angle, int maximum);
 
   std::vector<Light> Lights;
-  /// Of GetSubdivided(): their neighbors' mean in place of the lights.
+  /// Changes of GetSubdivided(): the mean of their neighbors in place of the lights' texels.
   TexelChanges Rest;
 
 private:

@@ -52,13 +52,13 @@ public:
     double GetVariance() const;
   };
 
-  /// Of an environment with some texels changed. brightTexels: whether outstanding texels become
-  /// cells before the rest is cut.
+  /// Tree of an environment with some texels changed. brightTexels: whether outstandingly bright
+  /// texels become cells before the rest is split.
   LightTree(vtkEnvironment* environment, Rule rule, bool brightTexels,
     std::shared_ptr<const TexelChanges> changes = nullptr);
 
-  /// Split until there are `cells` or nothing is left to split. False where progress (of this call,
-  /// in [0,1]) said false: then the tree is of no more use.
+  /// Split until there are `cells` cells or no cell can be split. Returns false if progress (called
+  /// with this call's share in [0,1]) returned false; the tree must then not be used any more.
   bool Grow(vtkEnvironment* environment, int cells, const std::function<bool(double)>& progress);
 
   int GetNumberOfCells() const { return static_cast<int>(this->Residuals.size()); }
@@ -108,7 +108,7 @@ private:
   int Width;
   int Height;
   std::shared_ptr<const TexelChanges> Changes; // null: none
-  double Total = 0.0;                          // luminance but for the bright texels
+  double Total = 0.0;                          // luminance without the bright texels
   std::vector<std::size_t> Bright;             // texels, in the order of the pixels
   std::vector<Node> Nodes;                     // in the order in which they were made: 1 + 2 splits
   std::vector<double> Residuals;               // by number of cells, from 1

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Values that threads share, each made once by whoever asks first. Private to the module.
+ * Values that threads share. The first thread that asks for a value makes it. Private to the
+ * module.
  */
 
 #ifndef MadeOnce_h
@@ -15,17 +16,17 @@
 
 namespace measuredbrdf
 {
-/// Not to be asked from within a parallel loop (vtkSMPTools): a thread that makes a value may take
-/// over another part of such a loop while it waits for its own.
+/// Do not use this inside a parallel loop (vtkSMPTools): a thread that makes a value may execute
+/// another part of that loop while it waits for its own parallel loop.
 template <typename Key, typename Value>
 class MadeOnce
 {
 public:
   using Pointer = std::shared_ptr<const Value>;
 
-  /// The value, from make() where there is none. Other threads that ask for the same wait until
-  /// goOn(), which they call every now and then, says false: null. Where make gives null, or
-  /// throws, the next one makes it.
+  /// The value, made by make() if there is none. Other threads that ask for the same value wait.
+  /// They call goOn() regularly and get null once it returns false. If make returns null or throws,
+  /// the next thread makes the value.
   template <typename GoOn, typename Make>
   Pointer Get(const Key& key, const GoOn& goOn, const Make& make)
   {

@@ -19,15 +19,15 @@ struct CubeLayout
   int Columns;
   int Rows;
   glm::ivec2 Cells[6]; // of +x -x +y -y +z -z
-  bool TurnedBack;     // -z stands upside down
+  bool TurnedBack;     // -z is upside down
 };
 
-/// Null for projections that are no cubes.
+/// Null for projections that are not cubes.
 const CubeLayout* GetCubeLayout(int projection);
 
 bool IsDisc(int projection);
 
-/// Unit direction of (u,v) in [0,1]^2; false where the image shows none.
+/// Unit direction of (u,v) in [0,1]^2; false where the image shows no direction.
 bool MapToDirection(int projection, const glm::dvec2& uv, glm::dvec3& direction);
 
 /// Whether the rectangle, which lies in no two cells of a cube's layout, shows no direction at all.

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A few texels of an environment with other radiance: what is left without its suns and lamps,
- * without a copy of the map. Private to the module.
+ * A list of a few texels of an environment with changed radiance. It describes the environment
+ * without its suns and lamps and needs no copy of the map. Private to the module.
  */
 
 #ifndef TexelChanges_h
@@ -33,7 +33,8 @@ struct TexelChanges
 
   std::vector<Texel> Texels; // ascending
 
-  /// RGB of texels [x0,x1) of a row: the environment's own pixels, or in room where one is changed.
+  /// RGB of texels [x0,x1) of a row: the environment's own pixels or, if one of them is changed, a
+  /// copy in room.
   const float* GetRow(
     vtkEnvironment* environment, int y, int x0, int x1, std::vector<float>& room) const;
 

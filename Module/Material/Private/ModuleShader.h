@@ -12,7 +12,7 @@
 
 namespace measuredbrdf
 {
-/// The term's text is the file's, whose name it gets.
+/// Set the term's text to that of the file, and its name to the file's.
 inline void SetModuleShader(vtkBRDFShaderInputs::Term& term, const char* name, const char* source)
 {
   term.Shader = name;

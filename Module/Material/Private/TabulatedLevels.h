@@ -22,7 +22,7 @@ namespace measuredbrdf
  * the volume's own lobe: each level is twice as wide (in variance) as the one before. Between
  * levels: linear. Level 0 is the volume itself and not held here.
  *
- * What is wide needs few samples: four levels have the same number along theta_h, the next four
+ * Wide levels need few samples: four levels have the same number along theta_h, the next four
  * half of it; phi_d and theta_d are averaged to steps of at least 5 and 2 degrees. The levels are
  * stacked along theta_h in one volume.
  */
@@ -34,7 +34,7 @@ public:
   TabulatedLevels(
     const std::array<int, 3>& dimensions, bool halfTurn, const std::vector<float>& volume);
 
-  /// Level 0 not counted; 1 to 20.
+  /// Number of levels without level 0; 1 to 20.
   int GetNumberOfLevels() const { return this->NumberOfLevels; }
 
   double GetOwnVariance() const { return this->OwnVariance; }

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What blurs a function of theta_h over the sphere of half vectors. Private to the material room.
+ * The kernel that blurs a function of theta_h over the sphere of half vectors. Private to the
+ * material room.
  */
 
 #ifndef ZonalKernel_h
@@ -15,7 +16,7 @@ namespace measuredbrdf
 /// normalized.
 double GetRingWeight(double a, double b, double variance);
 
-/// Beyond this angle weights are below 1e-7 of the largest.
+/// Angle beyond which weights are below 1e-7 of the largest.
 double GetRingReach(double variance);
 } // namespace measuredbrdf
 

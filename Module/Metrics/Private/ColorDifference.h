@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How far two colors are apart for a person: CIELAB's Delta E 2000 and BT.2124's Delta E ITP.
+ * Visible differences between two colors: CIELAB's Delta E 2000 and BT.2124's Delta E ITP.
  */
 
 #ifndef ColorDifference_h
@@ -14,20 +14,20 @@ namespace measuredbrdf
 {
 using Color = std::array<double, 3>;
 
-/// Linear Rec. 709 -> XYZ over that of white (1,1,1), D65; and back.
+/// Linear Rec. 709 to XYZ, divided by the XYZ of white (1,1,1), D65; and back.
 Color ToRelativeXYZ(const Color& linear);
 Color FromRelativeXYZ(const Color& xyz);
 
-/// XYZ over that of white -> CIELAB (CIE 15), L* in [0,100] up to white.
+/// XYZ, divided by that of white, to CIELAB (CIE 15); L* is in [0,100] up to white.
 Color ToLab(const Color& relativeXYZ);
 
 /**
- * CIEDE2000 of two CIELAB colors, k_L = k_C = k_H = 1, 1 about what can just be told apart (CIE
+ * CIEDE2000 of two CIELAB colors, k_L = k_C = k_H = 1; a difference of 1 is just visible (CIE
  * 142:2001; branches of the hue as in Sharma, Wu, Dalal 2005).
  */
 double GetDeltaE2000(const Color& lab1, const Color& lab2);
 
-/// Delta E ITP (ITU-R BT.2124) of linear Rec. 709 in cd/m2, 1 about what can just be told apart.
+/// Delta E ITP (ITU-R BT.2124) of linear Rec. 709 in cd/m2; a difference of 1 is just visible.
 double GetDeltaEITP(const Color& linear1, const Color& linear2);
 } // namespace measuredbrdf
 

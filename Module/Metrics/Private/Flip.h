@@ -4,13 +4,13 @@
  * @file
  * FLIP, the difference that a person sees when two pictures alternate (Andersson et al., "FLIP: A
  * Difference Evaluator for Alternating Images", 2020), and the exposures and tone mapping at which
- * HDR-FLIP takes it (Andersson et al., "Visualizing Errors in Rendered High Dynamic Range Images",
- * 2021), written from the papers.
+ * HDR-FLIP computes it (Andersson et al., "Visualizing Errors in Rendered High Dynamic Range
+ * Images", 2021), written from the papers.
  *
  * Color: opponent space YCxCz, blurred by the eye's contrast sensitivity at the papers' 67.02
  * pixels per degree, then CIELAB with Hunt's adjustment and the HyAB distance. Features: edges and
  * points of the luminance by derivatives of a Gaussian; where they differ, the color difference
- * counts for more.
+ * has a larger weight.
  */
 
 #ifndef Flip_h
@@ -21,15 +21,15 @@
 namespace measuredbrdf
 {
 /// FLIP of each pixel, in [0,1]: pictures of width x height linear Rec. 709 triples in [0,1].
-/// Beyond the border the pixels on it go on.
+/// Beyond the border, the border's pixels are repeated.
 std::vector<double> ComputeFlip(
   int width, int height, const std::vector<double>& picture, const std::vector<double>& reference);
 
 /**
- * Factors of radiance, powers of 2 at equal distances of about a stop, two at least: from the
- * one that brings the reference's largest luminance to 0.85 of the display, to the one that brings
- * the median there. A median below 2^-23 of the largest counts as that. Luminances: one at least,
- * the largest above 0.
+ * Exposures: factors of radiance, powers of 2 at equal distances of about a stop, at least two. The
+ * first brings the reference's largest luminance to 0.85 of the display, the last brings the median
+ * there. A median below 2^-23 of the largest is replaced by that value. There must be at least one
+ * luminance, and the largest must be above 0.
  */
 std::vector<double> FindExposures(std::vector<double> luminances);
 

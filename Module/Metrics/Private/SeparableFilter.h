@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Pictures of one value a pixel under kernels that are a product of one along x and one along y.
+ * Filters pictures of one value per pixel with kernels that are a product of one along x and one
+ * along y.
  */
 
 #ifndef SeparableFilter_h
@@ -26,7 +27,7 @@ using Kernel = std::vector<double>;
 /// exp(-x^2 / (2 sigma^2)), divided by its sum.
 Kernel MakeGaussian(double sigma, int radius);
 
-/// The sum under both kernels; beyond the border the pixels on it go on.
+/// The sum under both kernels. Beyond the border, the border's pixels are repeated.
 Plane Filter(const Plane& plane, const Kernel& alongX, const Kernel& alongY);
 } // namespace measuredbrdf
 

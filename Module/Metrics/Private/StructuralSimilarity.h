@@ -17,7 +17,7 @@ namespace measuredbrdf
 constexpr int SimilarityRadius = 5;
 
 /**
- * SSIM about each pixel, in [-1,1], 1 where both are alike: a Gaussian window of 11 x 11 pixels,
+ * SSIM about each pixel, in [-1,1]; 1 means equal. It uses a Gaussian window of 11 x 11 pixels,
  * sigma 1.5; values in [0,1], C1 = 0.01^2, C2 = 0.03^2. Within SimilarityRadius of the border the
  * window is not whole: the paper leaves these pixels out.
  */
