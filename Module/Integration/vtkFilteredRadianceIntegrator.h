@@ -26,14 +26,10 @@
 #ifndef vtkFilteredRadianceIntegrator_h
 #define vtkFilteredRadianceIntegrator_h
 
+#include "vtkEnvironment.h" // for SetRest
 #include "vtkRadianceIntegrator.h"
 
 #include <memory> // for Internals
-
-namespace measuredbrdf
-{
-struct TexelChanges;
-}
 
 class VTKMEASUREDBRDF_EXPORT vtkFilteredRadianceIntegrator : public vtkRadianceIntegrator
 {
@@ -102,7 +98,10 @@ public:
    * For hybrids: take the environment with these texels changed, where no lights are extracted;
    * null (default): as it is.
    */
-  void SetRest(const std::shared_ptr<const measuredbrdf::TexelChanges>& rest) { this->Rest = rest; }
+  void SetRest(const std::shared_ptr<const vtkEnvironment::TexelChanges>& rest)
+  {
+    this->Rest = rest;
+  }
 #endif
 
 protected:
@@ -126,7 +125,7 @@ private:
 
   struct Internals;
   std::unique_ptr<Internals> Impl;
-  std::shared_ptr<const measuredbrdf::TexelChanges> Rest;
+  std::shared_ptr<const vtkEnvironment::TexelChanges> Rest;
 };
 
 #endif

@@ -93,10 +93,6 @@ bool vtkHybridRadianceIntegrator::Begin()
       << " is not.");
     return false;
   }
-  Internals made;
-
-  // Lights and what they leave.
-  const auto parts = this->Shared ? this->Shared : std::make_shared<Precomputation>();
   const auto lamps = this->Environment->GetParts().GetLamps(this->Environment,
     vtkMath::RadiansFromDegrees(this->LightAngle), this->MaximumNumberOfLights,
     [this]() { return this->Report(0.0); });
@@ -105,6 +101,7 @@ bool vtkHybridRadianceIntegrator::Begin()
     vtkErrorMacro("Prepare: aborted.");
     return false;
   }
+  Internals made;
   if (lamps->Set)
   {
     made.Lights = vtkSmartPointer<vtkLightSetRadianceIntegrator>::New();
@@ -112,53 +109,10 @@ bool vtkHybridRadianceIntegrator::Begin()
     made.Lights->SetLightSet(lamps->Set);
     made.Lights->UnrolledOn(); // their number is the plan's
   }
-
-  // Layers of the material.
-  vtkSmartPointer<vtkBRDF> broad = this->BRDF;
-  if (this->NumberOfSamples > 0)
-  {
-    const double spacing = Pi / (this->NumberOfRows - 1);
-    const auto cut = std::make_shared<LobeSplit>(
-      parts->GetViews(this->BRDF, this->Abort), ResolvedSquares * spacing * spacing);
-    if (cut->GetSharpShare() > LeastShare)
-    {
-      const auto layer = [&](bool sharp)
-      {
-        auto brdf = vtkSmartPointer<LobePart>::New();
-        brdf->Set(this->BRDF, cut, sharp);
-        return brdf;
-      };
-      broad = layer(false);
-      made.Sharp = vtkSmartPointer<vtkFilteredRadianceIntegrator>::New();
-      made.Sharp->SetBRDF(layer(true));
-      made.Sharp->SetEnvironment(this->Environment);
-      made.Sharp->SetRest(lamps->Rest);
-      made.Sharp->SetNumberOfSamples(this->NumberOfSamples);
-      made.Sharp->ExtractLightsOff();
-    }
-  }
-  made.Broad = vtkSmartPointer<vtkTableRadianceIntegrator>::New();
-  made.Broad->SetBRDF(broad);
+  const auto parts = this->Shared ? this->Shared : std::make_shared<Precomputation>();
+  this->MakeLayers(*parts, lamps->Rest, made);
   made.Broad->SetPrecomputation(made.Sharp ? nullptr : parts);
-  made.Broad->SetEnvironment(this->Environment);
-  made.Broad->SetRest(lamps->Rest);
-  made.Broad->SetNumberOfRows(this->NumberOfRows);
-  made.Broad->SetNumberOfViewAngles(this->NumberOfViewAngles);
-  made.Broad->SetNumberOfAzimuths(this->NumberOfAzimuths);
-
-  // The table takes longest: its progress is this one's, and it stops where this one is told to.
-  vtkNew<vtkCallbackCommand> follow;
-  follow->SetClientData(this);
-  follow->SetCallback(
-    [](vtkObject* caller, unsigned long, void* self, void* progress)
-    {
-      auto* hybrid = static_cast<vtkHybridRadianceIntegrator*>(self);
-      hybrid->InvokeEvent(vtkCommand::ProgressEvent, progress);
-      static_cast<vtkTableRadianceIntegrator*>(caller)->SetAbort(hybrid->Abort);
-    });
-  made.Broad->AddObserver(vtkCommand::ProgressEvent, follow);
-  const bool broadly = this->Given ? made.Broad->TakePrepared(*this->Given) : made.Broad->Prepare();
-  made.Broad->RemoveObservers(vtkCommand::ProgressEvent);
+  const bool broadly = this->PrepareBroad(made.Broad);
   made.Broad->SetPrecomputation(nullptr);
   if (!broadly && this->Given)
   {
@@ -173,6 +127,62 @@ bool vtkHybridRadianceIntegrator::Begin()
   }
   *this->Impl = std::move(made);
   return true;
+}
+
+//------------------------------------------------------------------------------
+// Layers of the material, under what the lights leave of the environment.
+void vtkHybridRadianceIntegrator::MakeLayers(Precomputation& parts,
+  const std::shared_ptr<const vtkEnvironment::TexelChanges>& rest, Internals& made)
+{
+  vtkSmartPointer<vtkBRDF> broad = this->BRDF;
+  if (this->NumberOfSamples > 0)
+  {
+    const double spacing = Pi / (this->NumberOfRows - 1);
+    const auto cut = std::make_shared<LobeSplit>(
+      parts.GetViews(this->BRDF, this->Abort), ResolvedSquares * spacing * spacing);
+    if (cut->GetSharpShare() > LeastShare)
+    {
+      const auto layer = [&](bool sharp)
+      {
+        auto brdf = vtkSmartPointer<LobePart>::New();
+        brdf->Set(this->BRDF, cut, sharp);
+        return brdf;
+      };
+      broad = layer(false);
+      made.Sharp = vtkSmartPointer<vtkFilteredRadianceIntegrator>::New();
+      made.Sharp->SetBRDF(layer(true));
+      made.Sharp->SetEnvironment(this->Environment);
+      made.Sharp->SetRest(rest);
+      made.Sharp->SetNumberOfSamples(this->NumberOfSamples);
+      made.Sharp->ExtractLightsOff();
+    }
+  }
+  made.Broad = vtkSmartPointer<vtkTableRadianceIntegrator>::New();
+  made.Broad->SetBRDF(broad);
+  made.Broad->SetEnvironment(this->Environment);
+  made.Broad->SetRest(rest);
+  made.Broad->SetNumberOfRows(this->NumberOfRows);
+  made.Broad->SetNumberOfViewAngles(this->NumberOfViewAngles);
+  made.Broad->SetNumberOfAzimuths(this->NumberOfAzimuths);
+}
+
+//------------------------------------------------------------------------------
+// The table takes longest: its progress is this one's, and it stops where this one is told to.
+bool vtkHybridRadianceIntegrator::PrepareBroad(vtkTableRadianceIntegrator* broad)
+{
+  vtkNew<vtkCallbackCommand> follow;
+  follow->SetClientData(this);
+  follow->SetCallback(
+    [](vtkObject* caller, unsigned long, void* self, void* progress)
+    {
+      auto* hybrid = static_cast<vtkHybridRadianceIntegrator*>(self);
+      hybrid->InvokeEvent(vtkCommand::ProgressEvent, progress);
+      static_cast<vtkTableRadianceIntegrator*>(caller)->SetAbort(hybrid->Abort);
+    });
+  const unsigned long tag = broad->AddObserver(vtkCommand::ProgressEvent, follow);
+  const bool prepared = this->Given ? broad->TakePrepared(*this->Given) : broad->Prepare();
+  broad->RemoveObserver(tag);
+  return prepared;
 }
 
 //------------------------------------------------------------------------------

@@ -22,10 +22,13 @@
 #ifndef vtkHybridRadianceIntegrator_h
 #define vtkHybridRadianceIntegrator_h
 
+#include "vtkEnvironment.h" // for what lights leave of it
 #include "vtkRadianceIntegrator.h"
 
 #include <memory> // for Internals
 #include <string> // for Given
+
+class vtkTableRadianceIntegrator;
 
 class VTKMEASUREDBRDF_EXPORT vtkHybridRadianceIntegrator : public vtkRadianceIntegrator
 {
@@ -136,6 +139,10 @@ private:
   double ChooseLightAngle();
 
   struct Internals;
+  void MakeLayers(Precomputation& parts,
+    const std::shared_ptr<const vtkEnvironment::TexelChanges>& rest, Internals& made);
+  bool PrepareBroad(vtkTableRadianceIntegrator* broad);
+
   std::unique_ptr<Internals> Impl;
   const std::string* Given = nullptr; // TakePrepared's bytes while it prepares
 };

@@ -87,9 +87,10 @@ bool vtkLightSetRadianceIntegrator::Begin()
     this->Abort = false; // one that an earlier run left
     const auto goOn = [this]() { return this->Report(0.0); };
     EnvironmentPrecomputation& parts = this->Environment->GetParts();
-    lights = this->Generator
-               ? parts.GetLightSet(this->Environment, this->Generator, this->NumberOfLights, goOn)
-               : parts.GetLightSet(this->Environment, nullptr, this->NumberOfLights, goOn);
+    lights =
+      this->Generator
+        ? parts.GetGeneratedSet(this->Environment, this->Generator, this->NumberOfLights, goOn)
+        : parts.GetLightSet(this->Environment, nullptr, this->NumberOfLights, goOn);
   }
   if (!lights)
   {

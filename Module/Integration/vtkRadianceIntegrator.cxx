@@ -44,6 +44,54 @@ bool IsFinite(const glm::dvec3& d)
 }
 } // namespace
 
+// Unit vectors; the tangent may be zero.
+struct vtkRadianceIntegrator::Pair
+{
+  glm::dvec3 Normal;
+  glm::dvec3 View;
+  glm::dvec3 Tangent;
+
+  // What is wrong with the arrays, or "".
+  static std::string Take(
+    vtkDataArray* normals, vtkDataArray* views, vtkDataArray* tangents, std::vector<Pair>& pairs)
+  {
+    const vtkIdType count = normals->GetNumberOfTuples();
+    for (vtkDataArray* array : { normals, views, tangents })
+    {
+      if (array && (array->GetNumberOfComponents() != 3 || array->GetNumberOfTuples() != count))
+      {
+        return "normals, views and tangents must have 3 components and equally many tuples.";
+      }
+    }
+    for (vtkIdType k = 0; k < count; ++k)
+    {
+      const glm::dvec3 n = GetDirection(normals, k);
+      const glm::dvec3 v = GetDirection(views, k);
+      const glm::dvec3 t = GetDirection(tangents, k);
+      if (!IsFinite(n) || !IsFinite(v) || !IsFinite(t) || n == glm::dvec3(0.0) ||
+          v == glm::dvec3(0.0))
+      {
+        return "pair " + std::to_string(k) + " holds a direction that is zero or not finite.";
+      }
+      pairs.push_back({ Normalize(n), Normalize(v), Normalize(t) });
+    }
+    return "";
+  }
+
+  // Into the environment's frame.
+  static void Turn(vtkEnvironment* environment, std::vector<Pair>& pairs)
+  {
+    double rows[9];
+    environment->GetWorldToEnvironment(rows);
+    const glm::dmat3 turn(rows[0], rows[3], rows[6], rows[1], rows[4], rows[7], rows[2], rows[5],
+      rows[8]); // glm takes columns
+    for (Pair& pair : pairs)
+    {
+      pair = { turn * pair.Normal, turn * pair.View, turn * pair.Tangent };
+    }
+  }
+};
+
 //------------------------------------------------------------------------------
 vtkRadianceIntegrator::vtkRadianceIntegrator() = default;
 
@@ -182,73 +230,74 @@ bool vtkRadianceIntegrator::Integrate(
     vtkErrorMacro("Integrate: normals, views and radiance are needed.");
     return false;
   }
-  const vtkIdType count = normals->GetNumberOfTuples();
-  for (vtkDataArray* array : { normals, views, tangents })
+  std::vector<Pair> pairs;
+  const std::string problem = Pair::Take(normals, views, tangents, pairs);
+  if (!problem.empty())
   {
-    if (array && (array->GetNumberOfComponents() != 3 || array->GetNumberOfTuples() != count))
-    {
-      vtkErrorMacro("Integrate: normals, views and tangents must have 3 components and equally "
-                    "many tuples.");
-      return false;
-    }
-  }
-  for (vtkIdType k = 0; k < count; ++k)
-  {
-    const glm::dvec3 n = GetDirection(normals, k);
-    const glm::dvec3 v = GetDirection(views, k);
-    if (!IsFinite(n) || !IsFinite(v) || !IsFinite(GetDirection(tangents, k)) ||
-        n == glm::dvec3(0.0) || v == glm::dvec3(0.0))
-    {
-      vtkErrorMacro("Integrate: pair " << k << " holds a direction that is zero or not finite.");
-      return false;
-    }
+    vtkErrorMacro("Integrate: " << problem);
+    return false;
   }
   if (!this->Prepare())
   {
     return false;
   }
-
-  glm::dmat3 toEnvironment(1.0);
   if (this->Environment)
   {
-    double rows[9];
-    this->Environment->GetWorldToEnvironment(rows);
-    toEnvironment = glm::dmat3(rows[0], rows[3], rows[6], rows[1], rows[4], rows[7], rows[2],
-      rows[5], rows[8]); // glm takes columns
+    Pair::Turn(this->Environment, pairs);
   }
+  std::vector<double> result(3 * pairs.size(), 0.0);
+  if (!this->SumPairs(pairs, result))
+  {
+    vtkErrorMacro("Integrate: aborted.");
+    return false;
+  }
+  const vtkIdType count = static_cast<vtkIdType>(pairs.size());
+  radiance->SetNumberOfComponents(3);
+  radiance->SetNumberOfTuples(count);
+  for (vtkIdType k = 0; k < count; ++k)
+  {
+    radiance->SetTuple(k, &result[3 * static_cast<std::size_t>(k)]);
+  }
+  radiance->Modified();
+  return true;
+}
 
-  // Batches of pairs, each pair in parts; a batch grows until it takes about BatchTime.
+//------------------------------------------------------------------------------
+// Batches of pairs, each pair in parts; a batch grows until it takes about BatchTime.
+bool vtkRadianceIntegrator::SumPairs(const std::vector<Pair>& pairs, std::vector<double>& result)
+{
+  const vtkIdType count = static_cast<vtkIdType>(pairs.size());
   const vtkIdType parts = std::max(this->GetNumberOfParts(), 1);
-  std::vector<glm::dvec3> result(static_cast<std::size_t>(count), glm::dvec3(0.0));
-  std::vector<glm::dvec3> sums;
+  std::vector<double> sums;
   vtkIdType batch = 1;
   for (vtkIdType first = 0; first < count;)
   {
-    const vtkIdType pairs = std::min(batch, count - first);
+    const vtkIdType size = std::min(batch, count - first);
     const auto start = std::chrono::steady_clock::now();
-    sums.assign(static_cast<std::size_t>(pairs * parts), glm::dvec3(0.0));
-    vtkSMPTools::For(0, pairs * parts,
+    sums.assign(3 * static_cast<std::size_t>(size * parts), 0.0);
+    vtkSMPTools::For(0, size * parts,
       [&](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType item = begin; item < end && !this->Abort; ++item)
         {
-          const vtkIdType pair = first + item / parts;
-          const glm::dvec3 n = toEnvironment * Normalize(GetDirection(normals, pair));
-          const glm::dvec3 o = toEnvironment * Normalize(GetDirection(views, pair));
-          const glm::dvec3 t = toEnvironment * Normalize(GetDirection(tangents, pair));
-          if (glm::dot(n, o) > 0.0)
+          const Pair& pair = pairs[static_cast<std::size_t>(first + item / parts)];
+          if (glm::dot(pair.Normal, pair.View) > 0.0)
           {
-            this->IntegratePart(static_cast<int>(item % parts), &n.x, &o.x, &t.x,
-              &sums[static_cast<std::size_t>(item)].x);
+            this->IntegratePart(static_cast<int>(item % parts), &pair.Normal.x, &pair.View.x,
+              &pair.Tangent.x, &sums[3 * static_cast<std::size_t>(item)]);
           }
         }
       });
-    for (std::size_t item = 0; item < sums.size(); ++item)
+    for (std::size_t item = 0; item < sums.size() / 3; ++item)
     {
-      result[static_cast<std::size_t>(first) + item / static_cast<std::size_t>(parts)] +=
-        sums[item];
+      const std::size_t pair =
+        static_cast<std::size_t>(first) + item / static_cast<std::size_t>(parts);
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        result[3 * pair + c] += sums[3 * item + c];
+      }
     }
-    first += pairs;
+    first += size;
     if (std::chrono::steady_clock::now() - start < BatchTime / 2)
     {
       batch *= 2;
@@ -257,18 +306,9 @@ bool vtkRadianceIntegrator::Integrate(
     this->InvokeEvent(vtkCommand::ProgressEvent, &progress);
     if (this->Abort)
     {
-      vtkErrorMacro("Integrate: aborted.");
       return false;
     }
   }
-
-  radiance->SetNumberOfComponents(3);
-  radiance->SetNumberOfTuples(count);
-  for (vtkIdType k = 0; k < count; ++k)
-  {
-    radiance->SetTuple(k, &result[static_cast<std::size_t>(k)].x);
-  }
-  radiance->Modified();
   return true;
 }
 

@@ -261,6 +261,9 @@ protected:
 private:
   vtkRadianceIntegrator(const vtkRadianceIntegrator&) = delete;
   void operator=(const vtkRadianceIntegrator&) = delete;
+
+  struct Pair;
+  bool SumPairs(const std::vector<Pair>& pairs, std::vector<double>& result);
 };
 
 #endif

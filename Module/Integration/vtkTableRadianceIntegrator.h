@@ -39,16 +39,12 @@
 #ifndef vtkTableRadianceIntegrator_h
 #define vtkTableRadianceIntegrator_h
 
+#include "vtkEnvironment.h" // for SetRest
 #include "vtkRadianceIntegrator.h"
 
 #include <memory> // for tables
 #include <string> // for bytes
 #include <vector> // for tables
-
-namespace measuredbrdf
-{
-struct TexelChanges;
-}
 
 class VTKMEASUREDBRDF_EXPORT vtkTableRadianceIntegrator : public vtkRadianceIntegrator
 {
@@ -117,7 +113,10 @@ public:
   /**
    * For hybrids: take the environment with these texels changed; null (default): as it is.
    */
-  void SetRest(const std::shared_ptr<const measuredbrdf::TexelChanges>& rest) { this->Rest = rest; }
+  void SetRest(const std::shared_ptr<const vtkEnvironment::TexelChanges>& rest)
+  {
+    this->Rest = rest;
+  }
 #endif
 
 protected:
@@ -143,7 +142,7 @@ private:
   struct Tables;
   bool MakeTable(Tables& table);
 
-  std::shared_ptr<const measuredbrdf::TexelChanges> Rest;
+  std::shared_ptr<const vtkEnvironment::TexelChanges> Rest;
   std::unique_ptr<Tables> Data;
 };
 

@@ -153,6 +153,7 @@ public:
    * For integrators: data that depends on these pixels alone, computed once for all integrators and
    * all snapshots.
    */
+  struct TexelChanges; // some texels with other values
   struct Precomputation;
   Precomputation& GetParts() { return *this->Parts; }
 #endif

@@ -195,22 +195,11 @@ double GetPriority(const Node& node)
   const glm::dvec3& w = node.Cell.Weight;
   return node.Level >= Levels ? 0.0 : (w.x + w.y + w.z) * node.Cell.SolidAngle;
 }
-}
 
-LobeQuadrature::LobeQuadrature(vtkBRDF* brdf, const glm::dvec3& o, int count)
+// Lobes that fall between the points of large cells.
+int SplitWhereLobesAre(vtkBRDF* brdf, const glm::dvec3& o, int leaves, int most, Tree& tree)
 {
-  Tree tree(brdf, o);
-  for (int level = 0, first = 0; level < 2; ++level)
-  {
-    const int last = static_cast<int>(tree.Nodes.size());
-    for (; first < last; ++first)
-    {
-      tree.Split(first);
-    }
-  }
-  // Lobes that fall between the points of large cells.
-  int leaves = 16;
-  for (int k = 0; k < Seeds && leaves < count / 2; ++k)
+  for (int k = 0; k < Seeds && leaves < most; ++k)
   {
     glm::dvec3 i;
     if (!brdf->Sample(
@@ -220,7 +209,7 @@ LobeQuadrature::LobeQuadrature(vtkBRDF* brdf, const glm::dvec3& o, int count)
     }
     const double wanted = 8.0 / (Seeds * std::max(brdf->Pdf(&i.x, &o.x), 1e-3));
     const glm::dvec2 p = ToSquare(i);
-    for (int leaf = tree.FindLeaf(p); leaves < count / 2; leaf = tree.FindLeaf(p))
+    for (int leaf = tree.FindLeaf(p); leaves < most; leaf = tree.FindLeaf(p))
     {
       const Node& node = tree.Nodes[static_cast<std::size_t>(leaf)];
       if (node.Cell.SolidAngle <= wanted || node.Level >= Levels)
@@ -231,15 +220,20 @@ LobeQuadrature::LobeQuadrature(vtkBRDF* brdf, const glm::dvec3& o, int count)
       leaves += 3;
     }
   }
-  // Retro-reflection, which neither points nor draws need show: until its cells' means do.
+  return leaves;
+}
+
+// Retro-reflection, which neither points nor draws need show: until its cells' means do.
+int SplitTowardsTheViewer(vtkBRDF* brdf, const glm::dvec3& o, int leaves, int most, Tree& tree)
+{
   for (const glm::dvec3& i : RetroLobe(o).GetProbes())
   {
     glm::dvec3 f;
     brdf->Evaluate(&i.x, &o.x, &f.x);
     const double peak = f.x + f.y + f.z;
     const glm::dvec2 p = ToSquare(i);
-    for (int leaf = tree.FindLeaf(p);
-         peak > 3.0 * RetroLobe::LeastPeak / Pi && leaves < count * 3 / 4; leaf = tree.FindLeaf(p))
+    for (int leaf = tree.FindLeaf(p); peak > 3.0 * RetroLobe::LeastPeak / Pi && leaves < most;
+         leaf = tree.FindLeaf(p))
     {
       const Node& node = tree.Nodes[static_cast<std::size_t>(leaf)];
       const glm::dvec3& w = node.Cell.Weight;
@@ -251,6 +245,12 @@ LobeQuadrature::LobeQuadrature(vtkBRDF* brdf, const glm::dvec3& o, int count)
       leaves += 3;
     }
   }
+  return leaves;
+}
+
+// The cells that matter most, while there are fewer than count.
+void SplitByPriority(int leaves, int count, Tree& tree)
+{
   std::priority_queue<std::pair<double, int>> queue;
   for (std::size_t k = 0; k < tree.Nodes.size(); ++k)
   {
@@ -271,6 +271,23 @@ LobeQuadrature::LobeQuadrature(vtkBRDF* brdf, const glm::dvec3& o, int count)
       queue.emplace(GetPriority(tree.Nodes[static_cast<std::size_t>(k)]), k);
     }
   }
+}
+}
+
+LobeQuadrature::LobeQuadrature(vtkBRDF* brdf, const glm::dvec3& o, int count)
+{
+  Tree tree(brdf, o);
+  for (int level = 0, first = 0; level < 2; ++level)
+  {
+    const int last = static_cast<int>(tree.Nodes.size());
+    for (; first < last; ++first)
+    {
+      tree.Split(first);
+    }
+  }
+  int leaves = SplitWhereLobesAre(brdf, o, 16, count / 2, tree);
+  leaves = SplitTowardsTheViewer(brdf, o, leaves, count * 3 / 4, tree);
+  SplitByPriority(leaves, count, tree);
   for (const Node& node : tree.Nodes)
   {
     if (node.Child < 0)

@@ -11,6 +11,8 @@
 #ifndef EnvironmentHarmonics_h
 #define EnvironmentHarmonics_h
 
+#include "TexelChanges.h"
+
 #include <complex>
 #include <cstddef>
 #include <vector>
@@ -19,8 +21,6 @@ class vtkEnvironment;
 
 namespace measuredbrdf
 {
-struct TexelChanges;
-
 class EnvironmentHarmonics
 {
 public:

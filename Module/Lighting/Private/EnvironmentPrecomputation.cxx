@@ -102,7 +102,7 @@ vtkSmartPointer<vtkLightSet> EnvironmentPrecomputation::GetLightSet(
   return set ? *set : nullptr;
 }
 
-vtkSmartPointer<vtkLightSet> EnvironmentPrecomputation::GetLightSet(
+vtkSmartPointer<vtkLightSet> EnvironmentPrecomputation::GetGeneratedSet(
   vtkEnvironment* environment, vtkLightSetGenerator* generator, int count, const GoOn& goOn)
 {
   const auto make = [&]() -> std::shared_ptr<LightSet>

@@ -74,7 +74,7 @@ public:
     vtkEnvironment* environment, const Rest& rest, int count, const GoOn& goOn);
 
   /// A generator's, as it is now; null, and it has said why, where it can't make so many.
-  vtkSmartPointer<vtkLightSet> GetLightSet(
+  vtkSmartPointer<vtkLightSet> GetGeneratedSet(
     vtkEnvironment* environment, vtkLightSetGenerator* generator, int count, const GoOn& goOn);
 
   /// A map of irradiance as make() has it.

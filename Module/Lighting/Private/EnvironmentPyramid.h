@@ -11,6 +11,7 @@
 #ifndef EnvironmentPyramid_h
 #define EnvironmentPyramid_h
 
+#include "TexelChanges.h"
 #include "vtkType.h"
 
 #include <glm/glm.hpp>
@@ -21,8 +22,6 @@ class vtkEnvironment;
 
 namespace measuredbrdf
 {
-struct TexelChanges;
-
 class EnvironmentPyramid
 {
 public:

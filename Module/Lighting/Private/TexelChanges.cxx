@@ -2,13 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TexelChanges.h"
 
-#include "vtkEnvironment.h"
-
 #include <algorithm>
 
-namespace measuredbrdf
-{
-const float* TexelChanges::GetRow(
+const float* vtkEnvironment::TexelChanges::GetRow(
   vtkEnvironment* environment, int y, int x0, int x1, std::vector<float>& room) const
 {
   const std::size_t row =
@@ -29,7 +25,7 @@ const float* TexelChanges::GetRow(
   return room.data();
 }
 
-void TexelChanges::GetRadiance(
+void vtkEnvironment::TexelChanges::GetRadiance(
   vtkEnvironment* environment, const double direction[3], double rgb[3]) const
 {
   environment->GetRadiance(direction, rgb);
@@ -51,4 +47,3 @@ void TexelChanges::GetRadiance(
     std::copy_n(&found->Radiance.x, 3, rgb);
   }
 }
-} // namespace measuredbrdf

@@ -9,16 +9,14 @@
 #ifndef TexelChanges_h
 #define TexelChanges_h
 
+#include "vtkEnvironment.h"
+
 #include <glm/glm.hpp>
 
 #include <cstddef>
 #include <vector>
 
-class vtkEnvironment;
-
-namespace measuredbrdf
-{
-struct TexelChanges
+struct vtkEnvironment::TexelChanges
 {
   struct Texel
   {
@@ -41,6 +39,10 @@ struct TexelChanges
   /// As vtkEnvironment::GetRadiance.
   void GetRadiance(vtkEnvironment* environment, const double direction[3], double rgb[3]) const;
 };
-} // namespace measuredbrdf
+
+namespace measuredbrdf
+{
+using TexelChanges = vtkEnvironment::TexelChanges;
+}
 
 #endif

@@ -24,11 +24,10 @@ ALLOWED = {
 }
 # Circles between units that are known, each by one of them: to be cut.
 KNOWN_CIRCLES = {
-    "vtkRadiancePlanner": "candidates are told apart by the planner's enumeration",
     "vtkMeasuredBRDFMapper": "mapper, mixin and drawing are one class over several bases",
 }
-# Rooms whose public headers still show private types: to be hidden.
-SHOW_PRIVATE_TYPES = {"Integration", "Rendering"}
+# The mapper's header brings its mixin, a template over VTK's mappers.
+SHOW_PRIVATE_TYPES = {"Rendering"}
 
 
 def find_files(module):
