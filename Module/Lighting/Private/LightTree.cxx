@@ -3,7 +3,6 @@
 #include "LightTree.h"
 
 #include "HalfVector.h" // for Pi
-#include "TexelChanges.h"
 #include "TexelDirections.h"
 #include "vtkEnvironment.h"
 #include "vtkLightSet.h"

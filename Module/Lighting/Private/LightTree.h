@@ -9,6 +9,8 @@
 #ifndef LightTree_h
 #define LightTree_h
 
+#include "TexelChanges.h"
+
 #include <glm/glm.hpp>
 
 #include <climits>
@@ -24,7 +26,6 @@ class vtkLightSet;
 
 namespace measuredbrdf
 {
-struct TexelChanges;
 struct TexelDirections;
 
 class LightTree
