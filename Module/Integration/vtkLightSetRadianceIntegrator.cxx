@@ -6,6 +6,7 @@
 #include "LocalFrame.h"
 #include "ModuleShader.h"
 #include "Setters.h"
+#include "TakenError.h"
 #include "vtkBRDF.h"
 #include "vtkBRDFLightSet.h"
 #include "vtkBRDFShaderInputs.h"
@@ -82,25 +83,38 @@ bool vtkLightSetRadianceIntegrator::NeedsEnvironment() { return !this->LightSet;
 bool vtkLightSetRadianceIntegrator::Begin()
 {
   vtkSmartPointer<vtkLightSet> lights = this->LightSet;
+  std::string problem = "there is no light set, and no environment to make one of.";
   if (!lights && this->Environment && this->Environment->GetWidth() > 0)
   {
-    this->Abort = false; // one that an earlier run left
-    const auto goOn = [this]() { return this->Report(0.0); };
-    EnvironmentPrecomputation& parts = this->Environment->GetParts();
-    lights =
-      this->Generator
-        ? parts.GetGeneratedSet(this->Environment, this->Generator, this->NumberOfLights, goOn)
-        : parts.GetLightSet(this->Environment, nullptr, this->NumberOfLights, goOn);
+    lights = this->MakeLights(problem);
   }
   if (!lights)
   {
-    vtkErrorMacro("Prepare: there is no light set, and none can be made.");
+    vtkErrorMacro("Prepare: " << problem);
     return false;
   }
   this->Current = lights;
   this->Shaded = this->SoftLights ? this->BRDF->GetRenderable() : this->BRDF.Get();
   this->Shaded->Prepare();
   return true;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkLightSet> vtkLightSetRadianceIntegrator::MakeLights(std::string& problem)
+{
+  this->Abort = false; // one that an earlier run left
+  problem = "aborted.";
+  const auto goOn = [this]() { return this->Report(0.0); };
+  EnvironmentPrecomputation& parts = this->Environment->GetParts();
+  if (!this->Generator)
+  {
+    return parts.GetLightSet(this->Environment, nullptr, this->NumberOfLights, goOn);
+  }
+  const measuredbrdf::TakenError reason(this->Generator);
+  const auto lights =
+    parts.GetGeneratedSet(this->Environment, this->Generator, this->NumberOfLights, goOn);
+  problem = reason.GetText().empty() ? problem : reason.GetText() + ".";
+  return lights;
 }
 
 //------------------------------------------------------------------------------

@@ -123,6 +123,8 @@ protected:
   bool Unrolled = false;
 
 private:
+  vtkSmartPointer<vtkLightSet> MakeLights(std::string& problem);
+
   vtkLightSetRadianceIntegrator(const vtkLightSetRadianceIntegrator&) = delete;
   void operator=(const vtkLightSetRadianceIntegrator&) = delete;
 };

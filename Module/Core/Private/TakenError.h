@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * An object's errors, taken off its hands: the mapper says them. Private to the rendering room.
+ * An object's errors, taken off its hands: whoever uses it reports them. Private to the module.
  */
 
 #ifndef TakenError_h
