@@ -255,9 +255,6 @@ vtkCompositeMeasuredBRDFMapper::vtkCompositeMeasuredBRDFMapper()
 vtkCompositeMeasuredBRDFMapper::~vtkCompositeMeasuredBRDFMapper() = default;
 
 //------------------------------------------------------------------------------
-MaterialDrawing* vtkCompositeMeasuredBRDFMapper::GetDrawing() { return this->Impl->Drawing.get(); }
-
-//------------------------------------------------------------------------------
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
 vtkCompositePolyDataMapperDelegator* vtkCompositeMeasuredBRDFMapper::CreateADelegator()
 {

@@ -151,9 +151,6 @@ protected:
   int RenderDepth = 0; // greater than 0 inside of Render
 
 private:
-  friend class measuredbrdf::MaterialDrawing; // which plans for all mappers of a renderer at once
-  measuredbrdf::MaterialDrawing* GetDrawing();
-
   vtkCompositeMeasuredBRDFMapper(const vtkCompositeMeasuredBRDFMapper&) = delete;
   void operator=(const vtkCompositeMeasuredBRDFMapper&) = delete;
 

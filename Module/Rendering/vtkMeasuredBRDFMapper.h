@@ -296,8 +296,6 @@ protected:
   std::vector<measuredbrdf::MaterialUse> GetMaterialUses() override;
 
 private:
-  friend class measuredbrdf::MaterialDrawing; // which plans for all mappers of a renderer at once
-
   vtkMeasuredBRDFMapper(const vtkMeasuredBRDFMapper&) = delete;
   void operator=(const vtkMeasuredBRDFMapper&) = delete;
 };

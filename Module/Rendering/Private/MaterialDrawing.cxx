@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MaterialDrawing.h"
 
+#include "Drawings.h"
 #include "DrawsColor.h"
 #include "SharedIntegrators.h"
 #include "StockLevels.h"
@@ -10,11 +11,10 @@
 #include "vtkActor.h"
 #include "vtkAlgorithm.h"
 #include "vtkCommand.h"
-#include "vtkCompositeMeasuredBRDFMapper.h"
 #include "vtkDataArray.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
-#include "vtkMeasuredBRDFMapper.h"
+#include "vtkMapper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
@@ -52,9 +52,10 @@ MaterialDrawing::MaterialDrawing(vtkObject* owner, std::shared_ptr<MaterialSetti
   , Settings(std::move(settings))
   , UsesToCome(std::move(uses))
 {
+  Drawings::Get().Add(owner, this);
 }
 
-MaterialDrawing::~MaterialDrawing() = default;
+MaterialDrawing::~MaterialDrawing() { Drawings::Get().Remove(this->Owner, this); }
 
 MaterialDrawing::SweepAtEnd::~SweepAtEnd()
 {
@@ -159,15 +160,7 @@ void MaterialDrawing::VisitRequests(vtkRenderer* renderer, const PlanRequest::Vi
     auto* actor = vtkActor::SafeDownCast(prop);
     const bool seen = actor && actor->GetVisibility() && IsShaded(actor);
     vtkMapper* mapper = seen ? actor->GetMapper() : nullptr;
-    MaterialDrawing* drawing = nullptr;
-    if (auto* plain = vtkMeasuredBRDFMapper::SafeDownCast(mapper))
-    {
-      drawing = plain->Drawing.get();
-    }
-    else if (auto* composite = vtkCompositeMeasuredBRDFMapper::SafeDownCast(mapper))
-    {
-      drawing = composite->GetDrawing();
-    }
+    MaterialDrawing* drawing = mapper ? Drawings::Get().Find(mapper) : nullptr;
     if (!drawing || !drawing->IsPlanned())
     {
       continue;
