@@ -21,12 +21,6 @@ ENDINGS = (".h", ".cxx", ".txx", ".glsl")
 
 # Known, to be split: path, and the function's name or None for the file itself.
 EXCEPTIONS = [
-    ("Module/IO/Private/ExrMaterialFile.cxx", "WriteExrMaterial"),
-    ("Module/IO/Private/FitFile.cxx", None),
-    ("Module/IO/Private/MaterialArchive.cxx", None),
-    ("Module/IO/Private/MbsdfFile.cxx", "ReadMbsdf"),
-    ("Module/IO/Private/MerlFile.cxx", "ReadMerl"),
-    ("Module/IO/Private/TensorFile.cxx", "ReadTensor"),
     ("Module/Integration/vtkBasisRadianceIntegrator.cxx", None),
     ("Module/Integration/vtkHybridRadianceIntegrator.cxx", "vtkHybridRadianceIntegrator::Begin"),
     ("Module/Integration/vtkRadianceIntegrator.cxx", "vtkRadianceIntegrator::Integrate"),
