@@ -31,11 +31,6 @@ EXCEPTIONS = [
     ("Module/Planning/vtkRadiancePlanner.cxx", None),
     ("Module/Planning/vtkRadiancePlanner.cxx", "vtkRadiancePlanner::Update"),
     ("Module/Rendering/Private/MaterialDrawing.cxx", None),
-    ("Applications/Commands/CompareCommand.cxx", None),
-    ("Applications/Commands/CompareCommand.cxx", "Run"),
-    ("Applications/Commands/InfoCommand.cxx", "Describe"),
-    ("Applications/Commands/RenderCommand.cxx", "Run"),
-    ("Applications/Commands/RepresentationsCommand.cxx", None),
 ]
 
 # What may hold functions.
