@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bases.h"
+#include "ComparisonSheet.h"
 #include "ComparisonStrip.h"
-#include "ContactSheet.h"
 #include "FailureMap.h"
 #include "Files.h"
 #include "Inputs.h"
@@ -82,7 +82,8 @@ struct Comparison
 };
 
 //------------------------------------------------------------------------------
-nlohmann::ordered_json MakeReport(const Options& options, const Comparison& found)
+nlohmann::ordered_json MakeReport(
+  const Options& options, const Comparison& found, const tool::Method& method, tool::Scene& scene)
 {
   vtkRadianceMetrics* metrics = found.Metrics;
   nlohmann::ordered_json report = { { "method", options.Method.Method } };
@@ -96,15 +97,17 @@ nlohmann::ordered_json MakeReport(const Options& options, const Comparison& foun
     { "pbr_material", { { "roughness", found.Stock.Roughness },
                         { "metallic", found.Stock.Metallic }, { "albedo", found.Stock.Albedo } } },
     { "frames", NumberOfFrames }, { "vtk", vtkVersion::GetVTKVersion() } });
+  report["lights"] = method.GetNumberOfLights();
+  report["texture_bytes"] = scene.GetTextureBytes();
+  report["predicted_error"] = nullptr;
+  if (method.Planner)
+  {
+    report["predicted_error"] = method.Planner->GetPredictedError(method.Planner->GetChoice());
+    report["tolerance"] = options.Method.Plan.Tolerance;
+    report["meets_tolerance"] = method.Planner->GetMeetsTolerance();
+    report["plan"] = method.Planner->GetPlan();
+  }
   return report;
-}
-
-//------------------------------------------------------------------------------
-std::string FormatPercent(double share)
-{
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.3g %%", 100.0 * share);
-  return text;
 }
 
 //------------------------------------------------------------------------------
@@ -139,7 +142,7 @@ void WriteFailureMap(const Options& options, const std::string& title, const too
     shaded == map->GetReference()
       ? "The method takes the material's own f: its errors are those of the integral alone (right)."
       : "f as " + tool::DescribeForm(shaded) + ": relative L1 " +
-          FormatPercent(map->GetRelativeL1()) + ".";
+          tool::FormatPercent(map->GetRelativeL1()) + ".";
   caption.Note += " Each cell: mean |f - r| over mean r, all azimuths. Gray: below the horizon.";
   tool::WriteFailureMap(options.FailureMap, caption, map, views);
 }
@@ -169,135 +172,6 @@ void AddFailures(
 }
 
 //------------------------------------------------------------------------------
-std::string FormatMilliseconds(double value)
-{
-  char text[32];
-  std::snprintf(text, sizeof(text), value < 100.0 ? "%.3g ms" : "%.0f ms", value);
-  return text;
-}
-
-//------------------------------------------------------------------------------
-// Values at the grid's points to every pixel that a picture covers: the nearest, or between them.
-tool::Picture Enlarge(
-  const tool::Picture& small, const tool::Picture& covered, int stride, bool smooth)
-{
-  tool::Picture result(covered.Width, covered.Height);
-  for (int y = 0; y < covered.Height; ++y)
-  {
-    for (int x = 0; x < covered.Width; ++x)
-    {
-      const double u = static_cast<double>(x - stride / 2) / stride;
-      const double v = static_cast<double>(y - stride / 2) / stride;
-      double sum[4] = {};
-      for (int j = static_cast<int>(std::floor(v)) - 1; j <= static_cast<int>(std::floor(v)) + 2;
-           ++j)
-      {
-        for (int i = static_cast<int>(std::floor(u)) - 1; i <= static_cast<int>(std::floor(u)) + 2;
-             ++i)
-        {
-          if (i < 0 || j < 0 || i >= small.Width || j >= small.Height || small.At(i, j)[3] == 0.0f)
-          {
-            continue;
-          }
-          // A tent between four neighbors; beyond the rim, those a little farther off.
-          const double du = std::abs(u - i);
-          const double dv = std::abs(v - j);
-          const double weight = smooth ? std::max(0.0, 1.0 - du) * std::max(0.0, 1.0 - dv) +
-                                           1e-6 / (0.01 + du * du + dv * dv)
-                                       : std::exp(-40.0 * std::max(du, dv));
-          for (int c = 0; c < 3; ++c)
-          {
-            sum[c] += weight * small.At(i, j)[c];
-          }
-          sum[3] += weight;
-        }
-      }
-      float* pixel = result.At(x, y);
-      for (int c = 0; c < 3 && sum[3] > 0.0; ++c)
-      {
-        pixel[c] = static_cast<float>(sum[c] / sum[3]);
-      }
-      pixel[3] = sum[3] > 0.0 ? covered.At(x, y)[3] : 0.0f;
-    }
-  }
-  return result;
-}
-
-//------------------------------------------------------------------------------
-// Blue below, white at and red above zero, at full color where |error| is 1.
-tool::RGB ColorError(double error)
-{
-  const double t = std::clamp(std::abs(error), 0.0, 1.0);
-  const tool::RGB far = error < 0.0 ? tool::RGB{ 0.02, 0.1, 0.6 } : tool::RGB{ 0.6, 0.03, 0.02 };
-  tool::RGB rgb;
-  for (int c = 0; c < 3; ++c)
-  {
-    rgb[c] = (1.0 - t) * 0.85 + t * far[c];
-  }
-  return rgb;
-}
-
-//------------------------------------------------------------------------------
-// Over dark gray, in display light.
-tool::Picture MakeTile(tool::Picture picture, double exposure)
-{
-  for (std::size_t k = 0; k < picture.Pixels.size(); k += 4)
-  {
-    const double alpha = std::clamp<double>(picture.Pixels[k + 3], 0.0, 1.0);
-    for (int c = 0; c < 3; ++c)
-    {
-      picture.Pixels[k + c] = static_cast<float>(
-        alpha * tool::RollOff(exposure * picture.Pixels[k + c]) + (1.0 - alpha) * 0.03);
-    }
-    picture.Pixels[k + 3] = 1.0f;
-  }
-  return picture;
-}
-
-//------------------------------------------------------------------------------
-// Method, exact, signed error and PBR beside each other.
-void WriteSheet(const Options& options, const std::string& title, const Comparison& found,
-  const tool::Grid& grid, const std::vector<double>& rgb, const std::vector<double>& reference,
-  const tool::Picture& drawn, const tool::Picture& stock)
-{
-  std::vector<double> sorted = reference;
-  std::sort(sorted.begin(), sorted.end());
-  const double exposure = 0.9 / std::max(sorted[sorted.size() * 99 / 100], 1e-30);
-  double mean = 0.0;
-  for (const double value : reference)
-  {
-    mean += value / static_cast<double>(reference.size());
-  }
-  // Full color at three times the mean error.
-  const double scale = std::max(3.0 * found.Metrics->GetRelativeL1(), 1e-6);
-  std::vector<double> errors;
-  for (std::size_t k = 0; k < rgb.size(); k += 3)
-  {
-    const double error =
-      (rgb[k] + rgb[k + 1] + rgb[k + 2] - reference[k] - reference[k + 1] - reference[k + 2]) /
-      (3.0 * mean);
-    const tool::RGB color = ColorError(error / scale);
-    errors.insert(errors.end(), color.begin(), color.end());
-  }
-  const int stride = grid.Surface.Stride;
-  tool::ContactSheet sheet(title, 4, 1, drawn.Width, drawn.Height);
-  sheet.Add(0, 0, MakeTile(drawn, exposure), options.Method.Method,
-    "relative L1 " + FormatPercent(found.Metrics->GetRelativeL1()) + ", " +
-      FormatMilliseconds(found.Frame) + " a frame, set-up " + FormatMilliseconds(found.Setup));
-  sheet.Add(1, 0, MakeTile(Enlarge(grid.Draw(reference), drawn, stride, true), exposure), "exact",
-    std::to_string(grid.Surface.Pixels.size()) + " of " +
-      std::to_string(grid.Surface.NumberOfCovered) + " pixels, interpolated");
-  sheet.Add(2, 0, MakeTile(Enlarge(grid.Draw(errors), drawn, stride, false), 1.0), "error",
-    "blue: too dark, red: too bright; full color at " + FormatPercent(scale) +
-      " of the mean radiance");
-  sheet.Add(3, 0, MakeTile(stock, exposure), "VTK's PBR + IBL",
-    "relative L1 " + FormatPercent(found.StockMetrics->GetRelativeL1()) + ", " +
-      FormatMilliseconds(found.StockFrame) + " a frame, set-up " +
-      FormatMilliseconds(found.StockSetup));
-  sheet.Write(options.Output);
-}
-
-//------------------------------------------------------------------------------
 // PBR, method and exact sum in front of the environment.
 void WriteStrip(const Options& options, const std::string& title, vtkEnvironment* environment,
   const Comparison& found, tool::OffscreenScene& scene, tool::OffscreenScene& stock,
@@ -309,13 +183,45 @@ void WriteStrip(const Options& options, const std::string& title, vtkEnvironment
   std::snprintf(frame, sizeof(frame), ", %.2g times PBR's frame time",
     found.Frame / std::max(found.StockFrame, 1e-6));
   tool::ComparisonStrip strip(title, environment, size);
-  strip.AddRendered(
-    stock, "VTK's PBR, fitted", "error " + FormatPercent(found.StockMetrics->GetRelativeL1()));
+  strip.AddRendered(stock, "VTK's PBR, fitted",
+    "error " + tool::FormatPercent(found.StockMetrics->GetRelativeL1()));
   strip.AddRendered(scene, options.Method.Method == "auto" ? "this module" : options.Method.Method,
-    "error " + FormatPercent(found.Metrics->GetRelativeL1()) + frame);
+    "error " + tool::FormatPercent(found.Metrics->GetRelativeL1()) + frame);
   strip.AddRadiance(scene, surface, reference, "exact sum",
     "the reference: every texel of the environment, for every pixel");
   strip.Write(options.Strip);
+}
+
+//------------------------------------------------------------------------------
+void Open(
+  tool::OffscreenScene& scene, vtkPolyData* mesh, const tool::View& view, const tool::Size& size)
+{
+  scene.SetMesh(mesh);
+  scene.SetView(view.Azimuth, view.Elevation, Fill, view.Angle);
+  scene.Open(size.Width, size.Height);
+}
+
+//------------------------------------------------------------------------------
+// Both from cold until the first frame is done, in windows that are open already. The measured
+// scene goes first: nothing of the material or the environment is prepared.
+tool::Method SetUp(const Options& options, const tool::Material& shaded,
+  vtkEnvironment* environment, tool::Scene& scene, tool::StockScene& stock, Comparison& found)
+{
+  tool::Method method;
+  found.Setup = GetMilliseconds(
+    [&]()
+    {
+      method = tool::MakeMethod(options.Method, shaded, environment);
+      scene.Begin(method, environment, options.Method.Plan);
+    });
+  found.StockSetup = GetMilliseconds(
+    [&]()
+    {
+      stock.SetLight(environment);
+      stock.SetMaterial(tool::StockMaterial());
+      stock.TimeFrame();
+    });
+  return method;
 }
 
 //------------------------------------------------------------------------------
@@ -345,11 +251,11 @@ void PrintSummary(
   const auto line =
     [](const std::string& name, vtkRadianceMetrics* metrics, double frame, double setup)
   {
-    return name + ": relative L1 " + FormatPercent(metrics->GetRelativeL1()) + ", median " +
-           FormatPercent(metrics->GetMedianRelative()) + ", 99th percentile " +
-           FormatPercent(metrics->GetP99Relative()) + ", FLIP " +
+    return name + ": relative L1 " + tool::FormatPercent(metrics->GetRelativeL1()) + ", median " +
+           tool::FormatPercent(metrics->GetMedianRelative()) + ", 99th percentile " +
+           tool::FormatPercent(metrics->GetP99Relative()) + ", FLIP " +
            tool::FormatNumber(std::round(1e4 * metrics->GetFLIP()) / 1e4) + "; frame " +
-           FormatMilliseconds(frame) + ", set-up " + FormatMilliseconds(setup) + "\n";
+           tool::FormatMilliseconds(frame) + ", set-up " + tool::FormatMilliseconds(setup) + "\n";
   };
   tool::PrintOut(title + ", " + std::to_string(grid.Surface.Pixels.size()) + " of " +
                  std::to_string(grid.Surface.NumberOfCovered) + " covered pixels\n" +
@@ -391,32 +297,12 @@ void Run(Options& options, const CLI::App* command)
   const vtkSmartPointer<vtkPolyData> mesh =
     options.Mesh.empty() ? tool::MakeSphere() : tool::LoadMesh(options.Mesh);
 
-  // Both from cold until the first frame is done, in windows that are open already. The measured
-  // scene goes first: nothing of the material or the environment is prepared.
   tool::Scene scene;
   tool::StockScene stock;
-  for (tool::OffscreenScene* stage :
-    { static_cast<tool::OffscreenScene*>(&scene), static_cast<tool::OffscreenScene*>(&stock) })
-  {
-    stage->SetMesh(mesh);
-    stage->SetView(view.Azimuth, view.Elevation, Fill, view.Angle);
-    stage->Open(size.Width, size.Height);
-  }
+  Open(scene, mesh, view, size);
+  Open(stock, mesh, view, size);
   Comparison found;
-  tool::Method method;
-  found.Setup = GetMilliseconds(
-    [&]()
-    {
-      method = tool::MakeMethod(options.Method, shaded, environment);
-      scene.Begin(method, environment, options.Method.Plan);
-    });
-  found.StockSetup = GetMilliseconds(
-    [&]()
-    {
-      stock.SetLight(environment);
-      stock.SetMaterial(tool::StockMaterial());
-      stock.TimeFrame();
-    });
+  const tool::Method method = SetUp(options, shaded, environment, scene, stock, found);
 
   const tool::Surface surface = tool::FindSurface(mesh, view, Fill, size,
     options.Strip.empty() ? options.ReferencePixels : std::numeric_limits<int>::max());
@@ -430,17 +316,7 @@ void Run(Options& options, const CLI::App* command)
   tool::Measure(found.StockMetrics, grid, tool::Pick(stockDrawn, surface), reference);
   TimeFrames(scene, stock, found);
 
-  nlohmann::ordered_json report = MakeReport(options, found);
-  report["lights"] = method.GetNumberOfLights();
-  report["texture_bytes"] = scene.GetTextureBytes();
-  report["predicted_error"] = nullptr;
-  if (method.Planner)
-  {
-    report["predicted_error"] = method.Planner->GetPredictedError(method.Planner->GetChoice());
-    report["tolerance"] = options.Method.Plan.Tolerance;
-    report["meets_tolerance"] = method.Planner->GetMeetsTolerance();
-    report["plan"] = method.Planner->GetPlan();
-  }
+  nlohmann::ordered_json report = MakeReport(options, found, method, scene);
   report["reference_pixels"] = surface.Pixels.size();
   report["covered_pixels"] = surface.NumberOfCovered;
   report["width"] = size.Width;
@@ -472,7 +348,10 @@ void Run(Options& options, const CLI::App* command)
   }
   if (!options.Output.empty())
   {
-    WriteSheet(options, title, found, grid, rgb, reference, drawn, stockDrawn);
+    tool::WriteComparisonSheet(options.Output, title, grid, rgb, reference,
+      { options.Method.Method, drawn, found.Metrics->GetRelativeL1(), found.Frame, found.Setup },
+      { "VTK's PBR + IBL", stockDrawn, found.StockMetrics->GetRelativeL1(), found.StockFrame,
+        found.StockSetup });
   }
   PrintSummary(title, options, found, grid);
   if (method.Planner)

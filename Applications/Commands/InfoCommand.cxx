@@ -20,8 +20,10 @@
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
+#include <functional>
 #include <memory>
 #include <numeric>
+#include <vector>
 
 using nlohmann::ordered_json;
 
@@ -38,96 +40,143 @@ ordered_json Triple(const double rgb[3]) { return { rgb[0], rgb[1], rgb[2] }; }
 
 //------------------------------------------------------------------------------
 // How the material is stored: representation, parameterization, sizes, its own parameters.
-ordered_json Describe(vtkBRDF* brdf)
+ordered_json Describe(vtkBRDF* brdf);
+
+ordered_json DescribeTable(vtkTabulatedBRDF* table)
+{
+  const bool half = table->GetParameterization() == vtkTabulatedBRDF::HALF_DIFFERENCE;
+  const int* n = table->GetDimensions();
+  ordered_json d;
+  d["representation"] = "tabulated";
+  d["parameterization"] = half ? "half/difference angles (phi_d, theta_d, theta_h)"
+                               : "incident/outgoing angles (delta phi, theta_o, theta_i)";
+  d["dimensions"] = { n[0], n[1], n[2] };
+  d["azimuth_range_degrees"] = table->GetAzimuthRange() == vtkTabulatedBRDF::HALF_TURN ? 180 : 360;
+  d["invalid_cells"] = table->GetNumberOfInvalidCells();
+  return d;
+}
+
+ordered_json DescribeWarp(vtkAdaptiveWarpBRDF* warp)
 {
   ordered_json d;
-  if (auto* table = vtkTabulatedBRDF::SafeDownCast(brdf))
+  d["representation"] = "adaptive warp";
+  d["parameterization"] = "warped by visible normals (phi_i, theta_i, channel, y, x)";
+  d["dimensions"] = warp->GetTables().Rgb.Shape;
+  return d;
+}
+
+ordered_json DescribeSum(vtkSumBRDF* sum)
+{
+  ordered_json d;
+  d["representation"] = "sum";
+  d["terms"] = ordered_json::array();
+  for (int k = 0; k < sum->GetNumberOfTerms(); ++k)
   {
-    const bool half = table->GetParameterization() == vtkTabulatedBRDF::HALF_DIFFERENCE;
-    const int* n = table->GetDimensions();
-    d["representation"] = "tabulated";
-    d["parameterization"] = half ? "half/difference angles (phi_d, theta_d, theta_h)"
-                                 : "incident/outgoing angles (delta phi, theta_o, theta_i)";
-    d["dimensions"] = { n[0], n[1], n[2] };
-    d["azimuth_range_degrees"] =
-      table->GetAzimuthRange() == vtkTabulatedBRDF::HALF_TURN ? 180 : 360;
-    d["invalid_cells"] = table->GetNumberOfInvalidCells();
+    d["terms"].push_back(Describe(sum->GetTerm(k)));
   }
-  else if (auto* warp = vtkAdaptiveWarpBRDF::SafeDownCast(brdf))
+  return d;
+}
+
+ordered_json DescribeLambert(vtkLambertBRDF* lambert)
+{
+  ordered_json d;
+  d["representation"] = "Lambert";
+  d["diffuse"] = Triple(lambert->GetAlbedo());
+  return d;
+}
+
+ordered_json DescribeBlinnPhong(vtkBlinnPhongBRDF* phong)
+{
+  ordered_json d;
+  d["representation"] = "Blinn-Phong";
+  d["specular"] = Triple(phong->GetSpecular());
+  d["exponent"] = phong->GetExponent();
+  return d;
+}
+
+ordered_json DescribeAshikhminShirley(vtkAshikhminShirleyBRDF* ashikhmin)
+{
+  ordered_json d;
+  d["representation"] = "Ashikhmin-Shirley";
+  d["specular"] = Triple(ashikhmin->GetSpecularScale());
+  const double* diffuse = ashikhmin->GetDiffuse();
+  const bool coupled = diffuse[0] > 0.0 || diffuse[1] > 0.0 || diffuse[2] > 0.0;
+  const bool schlick = ashikhmin->GetFresnelModel() == vtkAshikhminShirleyBRDF::SCHLICK;
+  d["fresnel_model"] = schlick ? "Schlick" : "dielectric";
+  if (schlick || coupled)
   {
-    const vtkAdaptiveWarpBRDF::Tables& tables = warp->GetTables();
-    d["representation"] = "adaptive warp";
-    d["parameterization"] = "warped by visible normals (phi_i, theta_i, channel, y, x)";
-    d["dimensions"] = tables.Rgb.Shape;
+    d["reflectance"] = Triple(ashikhmin->GetReflectance());
   }
-  else if (auto* sum = vtkSumBRDF::SafeDownCast(brdf))
+  if (!schlick)
   {
-    d["representation"] = "sum";
-    d["terms"] = ordered_json::array();
-    for (int k = 0; k < sum->GetNumberOfTerms(); ++k)
+    d["index_of_refraction"] = ashikhmin->GetIndexOfRefraction();
+  }
+  if (coupled)
+  {
+    d["diffuse"] = Triple(diffuse);
+  }
+  d["exponents"] = { ashikhmin->GetExponentU(), ashikhmin->GetExponentV() };
+  return d;
+}
+
+ordered_json DescribeDistribution(vtkDistributionBRDF* distribution)
+{
+  ordered_json d;
+  d["representation"] = "distribution (D-BRDF)";
+  d["parameterization"] = "p(theta_h, phi_h) and F(theta_d)";
+  d["dimensions"] = { distribution->GetNumberOfThetaSamples(),
+    distribution->GetNumberOfPhiSamples(), distribution->GetFresnel().size() / 3 };
+  return d;
+}
+
+ordered_json DescribeBasis(vtkBasisBRDF* basis)
+{
+  const double* incident = basis->GetIncidentZone();
+  const double* outgoing = basis->GetOutgoingZone();
+  ordered_json d;
+  d["representation"] = "basis";
+  d["parameterization"] = "coefficients (phi_o, theta_o) per function of i";
+  d["basis"] = vtkBasisBRDF::GetBasisName(basis->GetBasis());
+  d["order"] = basis->GetOrder();
+  d["incident_zone_degrees"] = { incident[0], incident[1] };
+  d["outgoing_zone_degrees"] = { outgoing[0], outgoing[1] };
+  d["dimensions"] = { basis->GetNumberOfPhi(), basis->GetNumberOfTheta(),
+    basis->GetNumberOfFunctions() };
+  d["incident_cosine"] = basis->GetIncidentCosine();
+  d["outgoing_cosine"] = basis->GetOutgoingCosine();
+  return d;
+}
+
+//------------------------------------------------------------------------------
+// A class of materials, and what describes one of it.
+struct Model
+{
+  std::function<bool(vtkBRDF*)> Includes;
+  std::function<ordered_json(vtkBRDF*)> Describe;
+};
+
+template <typename BRDF>
+Model MakeModel(ordered_json (*describe)(BRDF*))
+{
+  return { [](vtkBRDF* brdf) { return BRDF::SafeDownCast(brdf) != nullptr; },
+    [describe](vtkBRDF* brdf) { return describe(BRDF::SafeDownCast(brdf)); } };
+}
+
+ordered_json Describe(vtkBRDF* brdf)
+{
+  static const std::vector<Model> models = { MakeModel(DescribeTable), MakeModel(DescribeWarp),
+    MakeModel(DescribeSum), MakeModel(DescribeLambert), MakeModel(DescribeBlinnPhong),
+    MakeModel(DescribeAshikhminShirley), MakeModel(DescribeDistribution),
+    MakeModel(DescribeBasis) };
+  for (const Model& model : models)
+  {
+    if (model.Includes(brdf))
     {
-      d["terms"].push_back(Describe(sum->GetTerm(k)));
+      return model.Describe(brdf);
     }
   }
-  else if (auto* lambert = vtkLambertBRDF::SafeDownCast(brdf))
-  {
-    d["representation"] = "Lambert";
-    d["diffuse"] = Triple(lambert->GetAlbedo());
-  }
-  else if (auto* phong = vtkBlinnPhongBRDF::SafeDownCast(brdf))
-  {
-    d["representation"] = "Blinn-Phong";
-    d["specular"] = Triple(phong->GetSpecular());
-    d["exponent"] = phong->GetExponent();
-  }
-  else if (auto* ashikhmin = vtkAshikhminShirleyBRDF::SafeDownCast(brdf))
-  {
-    d["representation"] = "Ashikhmin-Shirley";
-    d["specular"] = Triple(ashikhmin->GetSpecularScale());
-    const double* diffuse = ashikhmin->GetDiffuse();
-    const bool coupled = diffuse[0] > 0.0 || diffuse[1] > 0.0 || diffuse[2] > 0.0;
-    const bool schlick = ashikhmin->GetFresnelModel() == vtkAshikhminShirleyBRDF::SCHLICK;
-    d["fresnel_model"] = schlick ? "Schlick" : "dielectric";
-    if (schlick || coupled)
-    {
-      d["reflectance"] = Triple(ashikhmin->GetReflectance());
-    }
-    if (!schlick)
-    {
-      d["index_of_refraction"] = ashikhmin->GetIndexOfRefraction();
-    }
-    if (coupled)
-    {
-      d["diffuse"] = Triple(diffuse);
-    }
-    d["exponents"] = { ashikhmin->GetExponentU(), ashikhmin->GetExponentV() };
-  }
-  else if (auto* distribution = vtkDistributionBRDF::SafeDownCast(brdf))
-  {
-    d["representation"] = "distribution (D-BRDF)";
-    d["parameterization"] = "p(theta_h, phi_h) and F(theta_d)";
-    d["dimensions"] = { distribution->GetNumberOfThetaSamples(),
-      distribution->GetNumberOfPhiSamples(), distribution->GetFresnel().size() / 3 };
-  }
-  else if (auto* basis = vtkBasisBRDF::SafeDownCast(brdf))
-  {
-    const double* incident = basis->GetIncidentZone();
-    const double* outgoing = basis->GetOutgoingZone();
-    d["representation"] = "basis";
-    d["parameterization"] = "coefficients (phi_o, theta_o) per function of i";
-    d["basis"] = vtkBasisBRDF::GetBasisName(basis->GetBasis());
-    d["order"] = basis->GetOrder();
-    d["incident_zone_degrees"] = { incident[0], incident[1] };
-    d["outgoing_zone_degrees"] = { outgoing[0], outgoing[1] };
-    d["dimensions"] = { basis->GetNumberOfPhi(), basis->GetNumberOfTheta(),
-      basis->GetNumberOfFunctions() };
-    d["incident_cosine"] = basis->GetIncidentCosine();
-    d["outgoing_cosine"] = basis->GetOutgoingCosine();
-  }
-  else
-  {
-    d["representation"] = brdf->GetClassName();
-  }
+  ordered_json d;
+  d["representation"] = brdf->GetClassName();
   return d;
 }
 

@@ -116,6 +116,46 @@ void WritePicture(const Options& options, const tool::OffscreenScene& scene, too
 }
 
 //------------------------------------------------------------------------------
+/// What was measured.
+struct Figures
+{
+  double Setup; // ms
+  std::vector<double> Frames;
+  tool::Size Size;
+};
+
+void WriteReport(const Options& options, const Figures& found, const tool::Material& material,
+  vtkEnvironment* environment, const tool::Method& method, tool::Scene& scene)
+{
+  const bool exact = options.Method.Method == "exact";
+  nlohmann::ordered_json report = { { "frame_ms", Median(found.Frames) },
+    { "setup_ms", found.Setup }, { "texture_bytes", exact ? 0 : scene.GetTextureBytes() },
+    { "method", options.Method.Method },
+    { "lights", options.Method.HasLights() ? options.Method.Lights.Count : 0 },
+    { "lights_in_use", method.GetNumberOfLights() }, { "light_set", options.Method.Lights.Method },
+    { "soft_lights", options.Method.Lights.Soft }, { "width", found.Size.Width },
+    { "height", found.Size.Height }, { "frames", found.Frames.size() },
+    { "material", material.Name }, { "environment", environment->GetName() },
+    { "renderer", exact ? "CPU" : scene.GetRendererName() },
+    { "vtk", vtkVersion::GetVTKVersion() } };
+  if (options.Method.Method == "thesis")
+  {
+    report["representation"] = method.Thesis.Kind;
+    report["representation_form"] = method.Thesis.Description;
+    report["reason"] = method.Thesis.Reason;
+  }
+  if (method.Planner)
+  {
+    report["plan"] = method.Planner->GetPlan();
+    report["plan_from_cache"] = method.Planner->GetFromCache();
+    report["costs"] = method.Planner->GetCostModel()->GetName();
+    report["predicted_error"] = method.Planner->GetPredictedError(method.Planner->GetChoice());
+  }
+  tool::WriteText(options.Report,
+    report.dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+}
+
+//------------------------------------------------------------------------------
 void Run(Options& options, const CLI::App* command)
 {
   const tool::Size size = tool::ParseSize("--size", options.Size, LargestSize);
@@ -170,30 +210,7 @@ void Run(Options& options, const CLI::App* command)
   }
   if (!options.Report.empty())
   {
-    nlohmann::ordered_json report = { { "frame_ms", Median(frames) }, { "setup_ms", setup },
-      { "texture_bytes", exact ? 0 : scene.GetTextureBytes() }, { "method", options.Method.Method },
-      { "lights", options.Method.HasLights() ? options.Method.Lights.Count : 0 },
-      { "lights_in_use", method.GetNumberOfLights() },
-      { "light_set", options.Method.Lights.Method }, { "soft_lights", options.Method.Lights.Soft },
-      { "width", size.Width }, { "height", size.Height }, { "frames", frames.size() },
-      { "material", material.Name }, { "environment", environment->GetName() },
-      { "renderer", exact ? "CPU" : scene.GetRendererName() },
-      { "vtk", vtkVersion::GetVTKVersion() } };
-    if (options.Method.Method == "thesis")
-    {
-      report["representation"] = method.Thesis.Kind;
-      report["representation_form"] = method.Thesis.Description;
-      report["reason"] = method.Thesis.Reason;
-    }
-    if (method.Planner)
-    {
-      report["plan"] = method.Planner->GetPlan();
-      report["plan_from_cache"] = method.Planner->GetFromCache();
-      report["costs"] = method.Planner->GetCostModel()->GetName();
-      report["predicted_error"] = method.Planner->GetPredictedError(method.Planner->GetChoice());
-    }
-    tool::WriteText(options.Report,
-      report.dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+    WriteReport(options, { setup, frames, size }, material, environment, method, scene);
   }
   scene.PlaceCamera(picture.Width, picture.Height);
   WritePicture(options, scene, std::move(picture), environment, factor);

@@ -3,6 +3,7 @@
 #include "Bases.h"
 #include "Files.h"
 #include "Inputs.h"
+#include "RepresentationRows.h"
 #include "RunWithProgress.h"
 #include "Sizes.h"
 #include "Tool.h"
@@ -26,7 +27,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <functional>
 #include <memory>
 
@@ -43,20 +43,6 @@ struct Options
   std::vector<int> Orders = { 4, 6, 8, 12 };
   std::string Zone = "9,57";
   std::string Output;
-};
-
-struct Row
-{
-  std::string Material;
-  std::string Representation;
-  int Functions = 0; // 0: no basis
-  double Zone = 0.0;
-  double Hemisphere = 0.0;
-  double NegativeMass = 0.0;
-  std::vector<double> Images; // per environment
-  std::size_t Bytes = 0;
-  double Seconds = 0.0;
-  bool Recommended = false;
 };
 
 //------------------------------------------------------------------------------
@@ -165,7 +151,7 @@ public:
     }
   }
 
-  std::vector<Row> Make(const std::function<void(double)>& progress)
+  std::vector<tool::RepresentationRow> Make(const std::function<void(double)>& progress)
   {
     this->Progress = progress;
     this->Steps = 4.0 * this->Settings.Orders.size() + (MEASUREDBRDF_WITH_CERES ? 4.0 : 2.0);
@@ -261,7 +247,7 @@ private:
   vtkSmartPointer<vtkBRDF> Add(
     const std::string& name, const std::function<vtkSmartPointer<vtkBRDF>()>& make)
   {
-    Row row;
+    tool::RepresentationRow row;
     row.Material = this->Material.Name;
     row.Representation = name;
     const auto begin = std::chrono::steady_clock::now();
@@ -301,23 +287,11 @@ private:
   const std::vector<vtkSmartPointer<vtkEnvironment>>& Environments;
   tool::Range Zone;
   std::vector<vtkSmartPointer<vtkDoubleArray>> References;
-  std::vector<Row> Rows;
+  std::vector<tool::RepresentationRow> Rows;
   std::function<void(double)> Progress;
   double Step = 0.0;
   double Steps = 1.0;
 };
-
-//------------------------------------------------------------------------------
-// A cell of text: quoted, quotes in it doubled (RFC 4180).
-std::string Quote(const std::string& text)
-{
-  std::string cell = "\"";
-  for (const char c : text)
-  {
-    cell += c == '"' ? "\"\"" : std::string(1, c);
-  }
-  return cell + "\"";
-}
 
 //------------------------------------------------------------------------------
 // The environments' names; a number tells those of the same name apart.
@@ -337,75 +311,8 @@ std::vector<std::string> GetNames(const std::vector<vtkSmartPointer<vtkEnvironme
 }
 
 //------------------------------------------------------------------------------
-std::string FormatCSV(
-  const std::vector<Row>& rows, const std::vector<vtkSmartPointer<vtkEnvironment>>& environments)
-{
-  std::string text = "material,representation,functions,relative_l2_zone,relative_l2_hemisphere,"
-                     "negative_mass";
-  for (const std::string& name : GetNames(environments))
-  {
-    text += "," + Quote("image_" + name);
-  }
-  text += ",texture_bytes,seconds,recommended\n";
-  for (const Row& row : rows)
-  {
-    char figures[160];
-    std::snprintf(figures, sizeof(figures), "%d,%.4f,%.4f,%.5f", row.Functions, row.Zone,
-      row.Hemisphere, row.NegativeMass);
-    text += Quote(row.Material) + "," + Quote(row.Representation) + "," + figures;
-    for (const double image : row.Images)
-    {
-      std::snprintf(figures, sizeof(figures), ",%.4f", image);
-      text += figures;
-    }
-    std::snprintf(
-      figures, sizeof(figures), ",%zu,%.2f,%d\n", row.Bytes, row.Seconds, row.Recommended ? 1 : 0);
-    text += figures;
-  }
-  return text;
-}
-
-//------------------------------------------------------------------------------
-std::string FormatText(
-  const std::vector<Row>& rows, const std::vector<vtkSmartPointer<vtkEnvironment>>& environments)
-{
-  std::string text =
-    "                               relative L2       negative   image, relative L1\n"
-    "representation              zone   hemisphere     mass  ";
-  for (const std::string& name : GetNames(environments))
-  {
-    char cell[32];
-    std::snprintf(cell, sizeof(cell), " %12.12s", name.c_str());
-    text += cell;
-  }
-  text += "     bytes  seconds\n";
-  std::string material;
-  for (const Row& row : rows)
-  {
-    if (row.Material != material)
-    {
-      material = row.Material;
-      text += material + "\n";
-    }
-    char figures[200];
-    std::snprintf(figures, sizeof(figures), "%s %-24.24s %6.1f %%   %7.1f %%  %6.2f %%",
-      row.Recommended ? ">" : " ", row.Representation.c_str(), 100.0 * row.Zone,
-      100.0 * row.Hemisphere, 100.0 * row.NegativeMass);
-    text += figures;
-    for (const double image : row.Images)
-    {
-      std::snprintf(figures, sizeof(figures), "   %8.2f %%", 100.0 * image);
-      text += figures;
-    }
-    std::snprintf(figures, sizeof(figures), " %9zu %8.2f\n", row.Bytes, row.Seconds);
-    text += figures;
-  }
-  return text + "> marks what the advisor recommends\n";
-}
-
-//------------------------------------------------------------------------------
 // A material's rows. Throws Error naming the file.
-std::vector<Row> Compare(const Options& options, const std::string& file,
+std::vector<tool::RepresentationRow> Compare(const Options& options, const std::string& file,
   const std::vector<vtkSmartPointer<vtkEnvironment>>& environments, const tool::Range& zone,
   const std::function<void(double)>& progress)
 {
@@ -441,15 +348,15 @@ void Run(const Options& options)
   {
     environments.push_back(Shrink(tool::LoadEnvironment(name)));
   }
-  std::vector<Row> rows;
+  std::vector<tool::RepresentationRow> rows;
   std::size_t failures = 0;
   for (std::size_t k = 0; k < files.size(); ++k)
   {
     try
     {
       tool::ProgressBar bar("measuring");
-      const std::vector<Row> more = Compare(options, files[k], environments, zone,
-        [&](double share) { bar.Update((static_cast<double>(k) + share) / files.size()); });
+      const std::vector<tool::RepresentationRow> more = Compare(options, files[k], environments,
+        zone, [&](double share) { bar.Update((static_cast<double>(k) + share) / files.size()); });
       rows.insert(rows.end(), more.begin(), more.end());
     }
     catch (const tool::Error& error)
@@ -461,12 +368,12 @@ void Run(const Options& options)
     }
     if (!options.Output.empty()) // what is done is kept
     {
-      tool::WriteText(options.Output, FormatCSV(rows, environments));
+      tool::WriteText(options.Output, tool::FormatCSV(rows, GetNames(environments)));
     }
   }
   if (options.Output.empty() && !rows.empty())
   {
-    tool::PrintOut(FormatText(rows, environments));
+    tool::PrintOut(tool::FormatText(rows, GetNames(environments)));
   }
   if (failures > 0)
   {

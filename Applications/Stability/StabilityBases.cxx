@@ -4,6 +4,7 @@
 #include "ContactSheet.h"
 #include "Meshes.h"
 #include "Stability.h"
+#include "StabilityErrors.h"
 #include "StabilityRenderer.h"
 #include "StabilityTools.h"
 #include "Tool.h"

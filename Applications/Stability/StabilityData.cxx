@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Stability: materials that no sample can be.
 #include "Stability.h"
+#include "StabilityErrors.h"
 #include "StabilityRenderer.h"
 #include "StabilityTools.h"
 #include "Tool.h"

@@ -3,6 +3,7 @@
 // Stability: conditioning, local optima, precision.
 #include "Progress.h"
 #include "Stability.h"
+#include "StabilityErrors.h"
 #include "StabilityTools.h"
 #include "Surface.h"
 #include "Tool.h"

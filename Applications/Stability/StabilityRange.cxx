@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Stability: very large and very small values, in textures and in sums.
 #include "Stability.h"
+#include "StabilityErrors.h"
 #include "StabilityRenderer.h"
 #include "StabilityTools.h"
 #include "Surface.h"

@@ -6,6 +6,7 @@
 #include "Meshes.h"
 #include "Progress.h"
 #include "Sizes.h"
+#include "StabilityErrors.h"
 #include "StockScene.h"
 #include "Surface.h"
 

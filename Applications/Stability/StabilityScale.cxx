@@ -4,6 +4,7 @@
 #include "Meshes.h"
 #include "Progress.h"
 #include "Stability.h"
+#include "StabilityErrors.h"
 #include "StabilityMemory.h"
 #include "StabilityRenderer.h"
 #include "StabilityTools.h"

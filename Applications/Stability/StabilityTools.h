@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What stability cases are made of: the methods, materials, environments, (normal, view) pairs and
- * error measures. No graphics.
+ * What stability cases are made of: the methods, materials, environments, (normal, view) pairs. No
+ * graphics.
  */
 
 #ifndef StabilityTools_h
@@ -106,23 +106,6 @@ std::vector<double> Integrate(vtkRadianceIntegrator* integrator, const Pairs& pa
 /// The sum over every texel.
 std::vector<double> IntegrateExactly(
   vtkBRDF* brdf, vtkEnvironment* environment, const Pairs& pairs);
-
-///@{
-/// mean |x - r| / mean r; sqrt(mean (x - r)^2) / mean r; median of |x - r| / r; infinite where
-/// values are not finite.
-double GetRelativeL1(const std::vector<double>& x, const std::vector<double>& reference);
-double GetRelativeRMS(const std::vector<double>& x, const std::vector<double>& reference);
-double GetMedianError(const std::vector<double>& x, const std::vector<double>& reference);
-///@}
-
-/// Largest |x|.
-double GetLargest(const std::vector<double>& x);
-
-/// How many values are negative or not finite.
-double CountBad(const std::vector<double>& x);
-
-/// Slope of log y against log x by least squares.
-double FitSlope(const std::vector<double>& x, const std::vector<double>& y);
 
 /// A number in words: 3 significant digits.
 std::string Say(double value);

@@ -11,6 +11,7 @@
 #include "vtkNew.h"
 
 #include <algorithm>
+#include <cstdio>
 
 namespace
 {
@@ -123,5 +124,21 @@ double Median(std::vector<double> values)
 {
   std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
   return values[values.size() / 2];
+}
+
+//------------------------------------------------------------------------------
+std::string FormatPercent(double share)
+{
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.3g %%", 100.0 * share);
+  return text;
+}
+
+//------------------------------------------------------------------------------
+std::string FormatMilliseconds(double value)
+{
+  char text[32];
+  std::snprintf(text, sizeof(text), value < 100.0 ? "%.3g ms" : "%.0f ms", value);
+  return text;
 }
 } // namespace tool

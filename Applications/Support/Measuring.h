@@ -63,6 +63,12 @@ std::vector<double> SumExactly(vtkBRDF* brdf, vtkEnvironment* environment, const
 
 /// The middle one of at least one value.
 double Median(std::vector<double> values);
+
+///@{
+/// Figures for people, with 3 digits: a share in percent, a time in milliseconds.
+std::string FormatPercent(double share);
+std::string FormatMilliseconds(double value);
+///@}
 } // namespace tool
 
 #endif

@@ -40,7 +40,7 @@ vtkBRDFFitter::Result vtkAshikhminShirleyBRDFFitter::FitTo(const std::vector<Sam
       [this](double share) { return this->UpdateProgress(share); } });
   if (!fit.Failure.empty() || fit.Lobes.empty())
   {
-    return Result();
+    return { nullptr, {}, false, fit.Failure };
   }
   std::ostringstream report;
   report << "diffuse albedo: " << fit.Albedo[0] << " " << fit.Albedo[1] << " " << fit.Albedo[2]

@@ -125,7 +125,8 @@ bool vtkBRDFFitter::Fit()
   Result result = this->FitTo(samples);
   if (!result.BRDF || this->Abort)
   {
-    vtkErrorMacro("Fit: " << (this->Abort ? "aborted." : "the solver failed."));
+    const std::string why = result.Report.empty() ? "" : ": " + result.Report;
+    vtkErrorMacro("Fit: " << (this->Abort ? "aborted" : "the solver failed" + why) << ".");
     return false;
   }
   result.BRDF->SetName(this->Input->GetName());

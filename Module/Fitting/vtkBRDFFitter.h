@@ -201,7 +201,7 @@ protected:
   ~vtkBRDFFitter() override;
 
   /**
-   * The result of a model's fit; a null BRDF if it was aborted.
+   * The result of a model's fit; a null BRDF if it was aborted or failed. Report then says why.
    */
   struct Result
   {

@@ -36,7 +36,7 @@ vtkBRDFFitter::Result vtkBlinnPhongBRDFFitter::FitTo(const std::vector<Sample>& 
       [this](double share) { return this->UpdateProgress(share); } });
   if (!fit.Failure.empty() || fit.Lobes.empty())
   {
-    return Result();
+    return { nullptr, {}, false, fit.Failure };
   }
   std::ostringstream report;
   report << "diffuse albedo: " << fit.Albedo[0] << " " << fit.Albedo[1] << " " << fit.Albedo[2]

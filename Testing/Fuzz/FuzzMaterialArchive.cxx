@@ -4,7 +4,7 @@
 #include "FuzzTarget.h"
 
 #include "FuzzSeeds.h"
-#include "MaterialArchive.h"
+#include "MaterialExchange.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>

@@ -4,6 +4,7 @@
 
 #include "FileBytes.h"
 #include "FuzzTarget.h"
+#include "MaterialExchange.h"
 #include "SmallFiles.h"
 #include "vtkAdaptiveWarpBRDF.h"
 #include "vtkAshikhminShirleyBRDF.h"

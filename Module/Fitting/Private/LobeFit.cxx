@@ -5,7 +5,6 @@
 #include "HalfVector.h"
 #include "LeastSquares.h"
 #include "NonNegativeLeastSquares.h"
-#include "vtkObject.h" // for vtkGenericWarningMacro
 
 #include <algorithm>
 #include <cmath>
@@ -397,8 +396,6 @@ LobeFitResult FitLobes(
   const std::string absence = GetLeastSquaresAbsence();
   if (!absence.empty())
   {
-    // The fitter says only that the solver failed.
-    vtkGenericWarningMacro(<< absence << ".");
     LobeFitResult result;
     result.Failure = absence;
     return result;

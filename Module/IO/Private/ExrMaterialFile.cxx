@@ -5,7 +5,7 @@
 #include "ExrHeader.h"
 #include "ExrStream.h"
 #include "FileBytes.h"
-#include "MaterialArchive.h"
+#include "MaterialExchange.h"
 #include "vtkObjectFactory.h"
 
 #include <Iex.h>
@@ -148,6 +148,61 @@ std::vector<half> RoundToHalf(const MaterialArchive::Array& array, const std::st
     }
   }
   return rounded;
+}
+
+//------------------------------------------------------------------------------
+// One per part. All must share one display window: the smallest that covers all.
+std::vector<Imf::Header> MakeHeaders(const std::vector<Part>& parts, Imf::PixelType type)
+{
+  Imath::Box2i display(Imath::V2i(0, 0), Imath::V2i(0, 0));
+  std::vector<Imf::Header> headers;
+  for (const Part& part : parts)
+  {
+    int width = 0;
+    int height = 0;
+    if (!GetExtent(part.Array->Shape, width, height))
+    {
+      throw std::runtime_error("array " + Quote(part.Name) + " is too large for an image");
+    }
+    const Imath::Box2i window(Imath::V2i(0, 0), Imath::V2i(width - 1, height - 1));
+    display.extendBy(window);
+    Imf::Header& exr = headers.emplace_back(window, window);
+    exr.compression() = Imf::ZIP_COMPRESSION;
+    exr.setName(part.Name);
+    exr.setType(Imf::SCANLINEIMAGE);
+    for (int k = 0; k < part.Array->Channels; ++k)
+    {
+      exr.channels().insert(GetChannelName(part.Array->Channels, k), Imf::Channel(type));
+    }
+  }
+  for (Imf::Header& exr : headers)
+  {
+    exr.displayWindow() = display;
+  }
+  return headers;
+}
+
+//------------------------------------------------------------------------------
+void WritePart(Imf::MultiPartOutputFile& output, int index, const Part& part,
+  const Imath::Box2i& window, bool halfFloats)
+{
+  const MaterialArchive::Array& array = *part.Array;
+  const std::vector<half> rounded =
+    halfFloats ? RoundToHalf(array, part.Name) : std::vector<half>();
+  const char* values = halfFloats ? reinterpret_cast<const char*>(rounded.data())
+                                  : reinterpret_cast<const char*>(array.Values.data());
+  const std::size_t size = halfFloats ? sizeof(half) : sizeof(float);
+  const std::size_t texel = size * array.Channels;
+  Imf::FrameBuffer buffer;
+  for (int channel = 0; channel < array.Channels; ++channel)
+  {
+    buffer.insert(GetChannelName(array.Channels, channel),
+      Imf::Slice(halfFloats ? Imf::HALF : Imf::FLOAT, const_cast<char*>(values) + size * channel,
+        texel, texel * (window.max.x + 1)));
+  }
+  Imf::OutputPart out(output, index);
+  out.setFrameBuffer(buffer);
+  out.writePixels(window.max.y + 1);
 }
 
 //------------------------------------------------------------------------------
@@ -354,7 +409,6 @@ MaterialFile ReadExrMaterial(const FileBytes& file)
 //------------------------------------------------------------------------------
 void WriteExrMaterial(vtkBRDF* brdf, const std::string& path, bool halfFloats)
 {
-  const Imf::PixelType type = halfFloats ? Imf::HALF : Imf::FLOAT;
   try
   {
     const MaterialArchive archive = ToArchive(brdf);
@@ -369,32 +423,7 @@ void WriteExrMaterial(vtkBRDF* brdf, const std::string& path, bool halfFloats)
       parts.push_back({ "header", &texel });
     }
 
-    // All parts must share one display window: the smallest that covers all.
-    Imath::Box2i display(Imath::V2i(0, 0), Imath::V2i(0, 0));
-    std::vector<Imf::Header> headers;
-    for (const Part& part : parts)
-    {
-      int width = 0;
-      int height = 0;
-      if (!GetExtent(part.Array->Shape, width, height))
-      {
-        throw std::runtime_error("array " + Quote(part.Name) + " is too large for an image");
-      }
-      const Imath::Box2i window(Imath::V2i(0, 0), Imath::V2i(width - 1, height - 1));
-      display.extendBy(window);
-      Imf::Header& exr = headers.emplace_back(window, window);
-      exr.compression() = Imf::ZIP_COMPRESSION;
-      exr.setName(part.Name);
-      exr.setType(Imf::SCANLINEIMAGE);
-      for (int k = 0; k < part.Array->Channels; ++k)
-      {
-        exr.channels().insert(GetChannelName(part.Array->Channels, k), Imf::Channel(type));
-      }
-    }
-    for (Imf::Header& exr : headers)
-    {
-      exr.displayWindow() = display;
-    }
+    std::vector<Imf::Header> headers = MakeHeaders(parts, halfFloats ? Imf::HALF : Imf::FLOAT);
     // Text that is not UTF-8 gets replacement characters: JSON can't hold it.
     headers[0].insert(AttributeName,
       Imf::StringAttribute(header.dump(-1, ' ', false, json::error_handler_t::replace)));
@@ -405,24 +434,7 @@ void WriteExrMaterial(vtkBRDF* brdf, const std::string& path, bool halfFloats)
         stream, headers.data(), static_cast<int>(headers.size()), false, 0);
       for (std::size_t k = 0; k < parts.size(); ++k)
       {
-        const MaterialArchive::Array& array = *parts[k].Array;
-        const Imath::Box2i window = headers[k].dataWindow();
-        const std::vector<half> rounded =
-          halfFloats ? RoundToHalf(array, parts[k].Name) : std::vector<half>();
-        const char* values = halfFloats ? reinterpret_cast<const char*>(rounded.data())
-                                        : reinterpret_cast<const char*>(array.Values.data());
-        const std::size_t size = halfFloats ? sizeof(half) : sizeof(float);
-        const std::size_t texel = size * array.Channels;
-        Imf::FrameBuffer buffer;
-        for (int channel = 0; channel < array.Channels; ++channel)
-        {
-          buffer.insert(GetChannelName(array.Channels, channel),
-            Imf::Slice(
-              type, const_cast<char*>(values) + size * channel, texel, texel * (window.max.x + 1)));
-        }
-        Imf::OutputPart out(output, static_cast<int>(k));
-        out.setFrameBuffer(buffer);
-        out.writePixels(window.max.y + 1);
+        WritePart(output, static_cast<int>(k), parts[k], headers[k].dataWindow(), halfFloats);
       }
     }
     WriteFile(path, stream.GetBytes());

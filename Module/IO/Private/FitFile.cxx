@@ -11,11 +11,8 @@
 #include "vtkSumBRDF.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <functional>
 #include <sstream>
-#include <system_error>
 
 namespace measuredbrdf
 {
@@ -25,206 +22,12 @@ namespace
 // relative to red, so their figures need it; Low et al. applied it.
 constexpr double NganScale[3] = { 1.0, 1.15, 1.66 };
 
-constexpr int MaximumDepth = 16;
 constexpr double Noise = 1e-6; // that figures may lie beyond their bounds by
 
 bool StartsWith(const std::string& text, const std::string& start)
 {
   return text.compare(0, start.size(), start) == 0;
 }
-
-[[noreturn]] void Fail(const std::string& path, int line, const std::string& what)
-{
-  throw FileError(path + ": " + FitFormatName + ", line " + std::to_string(line) + ": " + what);
-}
-
-//------------------------------------------------------------------------------
-// Recursive descent over the grammar in the header.
-class Parser
-{
-public:
-  Parser(const std::string& path, std::string_view text)
-    : Path(path)
-    , Text(text)
-  {
-  }
-
-  int GetLine() const { return this->Line; }
-  const std::string& GetComments() const { return this->Comments; }
-
-  /// Steps over white space and comments.
-  bool IsAtEnd()
-  {
-    this->SkipSpace();
-    return this->Place >= this->Text.size();
-  }
-
-  std::string ReadName(const std::string& what)
-  {
-    this->SkipSpace();
-    const std::size_t begin = this->Place;
-    while (this->Place < this->Text.size() && IsNameCharacter(this->Text[this->Place]))
-    {
-      ++this->Place;
-    }
-    if (this->Place == begin)
-    {
-      this->Expected(what);
-    }
-    return std::string(this->Text.substr(begin, this->Place - begin));
-  }
-
-  void Expect(char character)
-  {
-    if (!this->Accept(character))
-    {
-      this->Expected(std::string("'") + character + "'");
-    }
-  }
-
-  FitCall ReadCall(int depth = 0)
-  {
-    if (depth > MaximumDepth)
-    {
-      Fail(this->Path, this->Line, "models are nested too deeply");
-    }
-    FitCall call;
-    call.Model = this->ReadName("a model's name");
-    call.Line = this->Line;
-    this->Expect('(');
-    if (this->Accept(')'))
-    {
-      return call;
-    }
-    do
-    {
-      const std::size_t begin = this->Place;
-      const int line = this->Line;
-      const std::string name = this->ReadName("an attribute or a model");
-      if (name[0] >= '0' && name[0] <= '9')
-      {
-        Fail(this->Path, this->Line,
-          "expected an attribute or a model, found " + Quote(name) +
-            " (decimals follow a point, not a comma)");
-      }
-      if (this->Accept('='))
-      {
-        if (!call.Attributes.emplace(name, this->ReadValue(name)).second)
-        {
-          Fail(this->Path, this->Line, "attribute " + Quote(name) + " appears twice");
-        }
-      }
-      else
-      {
-        this->Place = begin;
-        this->Line = line;
-        call.Terms.push_back(this->ReadCall(depth + 1));
-      }
-    } while (this->Accept(','));
-    this->Expect(')');
-    return call;
-  }
-
-private:
-  static bool IsNameCharacter(char c)
-  {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
-           c == '_' || c == '.';
-  }
-
-  void SkipSpace()
-  {
-    for (; this->Place < this->Text.size(); ++this->Place)
-    {
-      const char c = this->Text[this->Place];
-      if (c == '#')
-      {
-        const std::size_t end = std::min(this->Text.find('\n', this->Place), this->Text.size());
-        // A comment inside a call is met twice where ReadCall goes back: taken once.
-        if (this->Place >= this->CommentsEnd)
-        {
-          this->Comments.append(this->Text.substr(this->Place + 1, end - this->Place - 1));
-          this->CommentsEnd = end;
-        }
-        this->Place = end;
-        if (end == this->Text.size())
-        {
-          return;
-        }
-      }
-      if (this->Text[this->Place] == '\n')
-      {
-        ++this->Line;
-      }
-      else if (c != ' ' && c != '\t' && c != '\r')
-      {
-        return;
-      }
-    }
-  }
-
-  bool Accept(char character)
-  {
-    this->SkipSpace();
-    if (this->Place < this->Text.size() && this->Text[this->Place] == character)
-    {
-      ++this->Place;
-      return true;
-    }
-    return false;
-  }
-
-  double ReadNumber(const std::string& attribute)
-  {
-    this->SkipSpace();
-    this->Place += this->Place < this->Text.size() && this->Text[this->Place] == '+';
-    const char* begin = this->Text.data() + this->Place;
-    double value = 0.0;
-    // Not strtod: its decimal sign follows the locale.
-    const auto result = std::from_chars(begin, this->Text.data() + this->Text.size(), value);
-    if (result.ec != std::errc() || !std::isfinite(value))
-    {
-      this->Expected("a finite number for attribute " + Quote(attribute));
-    }
-    this->Place += static_cast<std::size_t>(result.ptr - begin);
-    return value;
-  }
-
-  std::vector<double> ReadValue(const std::string& attribute)
-  {
-    std::vector<double> values;
-    if (!this->Accept('['))
-    {
-      values.push_back(this->ReadNumber(attribute));
-      return values;
-    }
-    do
-    {
-      values.push_back(this->ReadNumber(attribute));
-    } while (this->Accept(','));
-    this->Expect(']');
-    return values;
-  }
-
-  [[noreturn]] void Expected(const std::string& what)
-  {
-    this->SkipSpace();
-    std::string found = "the end of the file";
-    if (this->Place < this->Text.size())
-    {
-      const std::string_view rest = this->Text.substr(this->Place, 24);
-      found = Quote(rest.substr(0, rest.find_first_of("\r\n")));
-    }
-    Fail(this->Path, this->Line, "expected " + what + ", found " + found);
-  }
-
-  const std::string& Path;
-  std::string_view Text;
-  std::size_t Place = 0;
-  int Line = 1;
-  std::string Comments;
-  std::size_t CommentsEnd = 0;
-};
 
 //------------------------------------------------------------------------------
 // Makes BRDFs of calls, scaled by Scale, and complains about what does not fit.
@@ -307,7 +110,7 @@ public:
 private:
   [[noreturn]] void Complain(const FitCall& call, const std::string& what) const
   {
-    Fail(this->Path, call.Line,
+    FailAtLine(this->Path, call.Line,
       "material " + Quote(this->Name) + ", " + ToPrintable(call.Model, LongestName) + ": " + what);
   }
 
@@ -408,7 +211,7 @@ FitFile::FitFile(const std::string& path, std::string_view text)
   : Path(path)
 {
   constexpr std::string_view mark = "\xef\xbb\xbf"; // that some editors begin UTF-8 with
-  Parser parser(path, text.substr(0, mark.size()) == mark ? text.substr(mark.size()) : text);
+  FitParser parser(path, text.substr(0, mark.size()) == mark ? text.substr(mark.size()) : text);
   std::map<std::string, int> lines;
   while (!parser.IsAtEnd())
   {
@@ -420,7 +223,7 @@ FitFile::FitFile(const std::string& path, std::string_view text)
     const auto inserted = lines.emplace(entry.Name, line);
     if (!inserted.second)
     {
-      Fail(path, line,
+      FailAtLine(path, line,
         "material " + Quote(entry.Name) + " was already given in line " +
           std::to_string(inserted.first->second));
     }
@@ -428,7 +231,7 @@ FitFile::FitFile(const std::string& path, std::string_view text)
   }
   if (this->Entries.empty())
   {
-    Fail(path, parser.GetLine(), "no material; expected lines 'name = Aggregate(...)'");
+    FailAtLine(path, parser.GetLine(), "no material; expected lines 'name = Aggregate(...)'");
   }
   this->Comments = parser.GetComments();
 }

@@ -17,25 +17,14 @@
 #define FitFile_h
 
 #include "FileFormat.h"
+#include "FitParser.h"
 
-#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace measuredbrdf
 {
-constexpr const char* FitFormatName = "published fits (text)";
-
-/// Model(attribute = value, ..., Model(...), ...)
-struct FitCall
-{
-  std::string Model;
-  int Line = 0;
-  std::map<std::string, std::vector<double>> Attributes;
-  std::vector<FitCall> Terms;
-};
-
 /**
  * The text taken apart. Strict: one wrong entry makes the whole text wrong.
  */

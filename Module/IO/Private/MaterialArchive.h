@@ -2,15 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Any vtkBRDF as plain data: its representation's name, options, numbers, arrays and terms. The one
- * place that knows what each representation is made of; ExrMaterialFile puts it into a file.
+ * Any vtkBRDF as plain data: its representation's name, options, numbers, arrays and terms.
+ * MaterialExchange makes one of a material and back; ExrMaterialFile puts it into a file.
  */
 
 #ifndef MaterialArchive_h
 #define MaterialArchive_h
-
-#include "vtkBRDF.h"
-#include "vtkSmartPointer.h"
 
 #include <map>
 #include <string>
@@ -35,18 +32,6 @@ struct MaterialArchive
   std::map<std::string, Array> Arrays;
   std::vector<MaterialArchive> Terms;
 };
-
-/**
- * To call before an array's values are read: throws std::runtime_error where they are more than a
- * representation takes.
- */
-void CheckShape(const std::string& representation, const std::vector<int>& shape);
-
-/// Throws std::runtime_error naming what can't be stored.
-MaterialArchive ToArchive(vtkBRDF* brdf);
-
-/// Throws std::runtime_error naming the field that is missing or out of range.
-vtkSmartPointer<vtkBRDF> FromArchive(MaterialArchive archive);
 } // namespace measuredbrdf
 
 #endif

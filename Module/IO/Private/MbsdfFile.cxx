@@ -72,24 +72,21 @@ Block ReadBlock(ByteReader& reader, const std::string& name)
   block.Data = reader.Take(std::uint64_t(block.Values) * sizeof(float), name + " values");
   return block;
 }
-}
 
 //------------------------------------------------------------------------------
-MaterialFile ReadMbsdf(const FileBytes& file)
+// Steps over the lines before the reflection; result takes them as notes.
+void ReadHeader(ByteReader& reader, MaterialFile& result)
 {
-  ByteReader reader(file, MbsdfFormatName);
   if (ReadLine(reader) != Magic)
   {
     reader.Fail("magic", "expected the line 'NVIDIA ARC MBSDF V1'");
   }
-
-  MaterialFile result;
   for (;;)
   {
     const std::string_view line = ReadLine(reader);
     if (line == "MBSDF_DATA=" || line == "MBSDF_DATA_REFLECTION=")
     {
-      break;
+      return;
     }
     if (line == "MBSDF_DATA_TRANSMISSION=")
     {
@@ -105,8 +102,12 @@ MaterialFile ReadMbsdf(const FileBytes& file)
     }
     result.AddNote("File header: " + std::string(line));
   }
-  const Block block = ReadBlock(reader, "reflection");
+}
 
+//------------------------------------------------------------------------------
+// What follows the reflection: transmission, padding or nothing.
+void ReadRest(ByteReader& reader, MaterialFile& result)
+{
   if (!reader.IsPadding())
   {
     if (ReadLine(reader) != "MBSDF_DATA_TRANSMISSION=")
@@ -121,29 +122,36 @@ MaterialFile ReadMbsdf(const FileBytes& file)
     }
     result.AddNote("The file's transmission is left out.");
   }
-
   if (reader.GetRemaining() > 0)
   {
     result.AddNote(
       std::to_string(reader.GetRemaining()) + " bytes of padding behind the values were left out.");
   }
+}
 
+//------------------------------------------------------------------------------
+std::vector<float> GetRGB(const Block& block)
+{
   const std::size_t cells = block.Values / block.Channels;
   std::vector<float> rgb(cells * 3);
   if (block.Channels == 3)
   {
     ByteReader::Copy(rgb.data(), block.Data, rgb.size());
+    return rgb;
   }
-  else
+  std::vector<float> gray(cells);
+  ByteReader::Copy(gray.data(), block.Data, cells);
+  for (std::size_t k = 0; k < rgb.size(); ++k)
   {
-    std::vector<float> gray(cells);
-    ByteReader::Copy(gray.data(), block.Data, cells);
-    for (std::size_t k = 0; k < rgb.size(); ++k)
-    {
-      rgb[k] = gray[k / 3];
-    }
+    rgb[k] = gray[k / 3];
   }
-  // Counted as stored: a scalar counts once.
+  return rgb;
+}
+
+//------------------------------------------------------------------------------
+// Counted as stored: a scalar counts once.
+void CountValues(const std::vector<float>& rgb, const Block& block, MaterialFile& result)
+{
   const std::size_t step = block.Channels == 3 ? 1 : 3;
   for (std::size_t k = 0; k < rgb.size(); k += step)
   {
@@ -161,6 +169,19 @@ MaterialFile ReadMbsdf(const FileBytes& file)
                    std::to_string(block.Values) +
                    " values are negative: kept, clamped at 0 after interpolation.");
   }
+}
+}
+
+//------------------------------------------------------------------------------
+MaterialFile ReadMbsdf(const FileBytes& file)
+{
+  ByteReader reader(file, MbsdfFormatName);
+  MaterialFile result;
+  ReadHeader(reader, result);
+  const Block block = ReadBlock(reader, "reflection");
+  ReadRest(reader, result);
+  std::vector<float> rgb = GetRGB(block);
+  CountValues(rgb, block, result);
   result.AddNote("Samples are taken to lie at the centers of their cells, theta over [0, pi/2], "
                  "delta phi over [0, pi] (mirror-symmetric).");
 

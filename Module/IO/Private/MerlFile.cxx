@@ -31,6 +31,83 @@ constexpr std::array<int, 3> DatabaseSize = { 180, 90, 90 };
 
 // Order in the file; vtkTabulatedBRDF counts them from the fastest.
 constexpr std::array<const char*, 3> SizeNames = { "n_theta_h", "n_theta_d", "n_phi_d" };
+
+//------------------------------------------------------------------------------
+std::array<int, 3> ReadSizes(ByteReader& reader)
+{
+  std::array<int, 3> sizes;
+  for (int k = 0; k < 3; ++k)
+  {
+    sizes[k] = reader.Read<std::int32_t>(SizeNames[k]);
+    if (sizes[k] < 1 || sizes[k] > MaximumSize)
+    {
+      reader.Fail(SizeNames[k],
+        "found " + std::to_string(sizes[k]) + ", expected 1 to " + std::to_string(MaximumSize));
+    }
+  }
+  return sizes;
+}
+
+//------------------------------------------------------------------------------
+// The stored values, red first; nothing but padding is behind them.
+const char* TakeValues(ByteReader& reader, const std::array<int, 3>& sizes, std::size_t cells)
+{
+  const std::uint64_t needed = std::uint64_t(cells) * 3 * sizeof(double);
+  ByteReader rest = reader;
+  if (reader.GetRemaining() > needed)
+  {
+    rest.Take(needed, "values");
+  }
+  if (reader.GetRemaining() < needed || (reader.GetRemaining() > needed && !rest.IsPadding()))
+  {
+    reader.Fail("values", std::to_string(sizes[0]) + " x " + std::to_string(sizes[1]) + " x " +
+                            std::to_string(sizes[2]) + " RGB values need " +
+                            std::to_string(needed) + " bytes, found " +
+                            std::to_string(reader.GetRemaining()));
+  }
+  return reader.Take(needed, "values");
+}
+
+//------------------------------------------------------------------------------
+struct Cells
+{
+  std::vector<float> RGB;
+  vtkIdType Invalid = 0;
+  vtkIdType Rounded = 0; // values
+};
+
+// result counts what is negative or not finite.
+Cells ScaleValues(const char* bytes, std::size_t count, MaterialFile& result)
+{
+  Cells cells;
+  cells.RGB.resize(count * 3);
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  for (std::size_t cell = 0; cell < count; ++cell)
+  {
+    float* rgb = &cells.RGB[3 * cell];
+    bool valid = true;
+    for (int channel = 0; channel < 3; ++channel)
+    {
+      double stored;
+      ByteReader::Copy(&stored, bytes + (channel * count + cell) * sizeof(double), 1);
+      const float value = static_cast<float>(stored * Scale[channel]);
+      const bool finite = std::isfinite(value);
+      const bool negative = stored < 0.0;
+      const bool noise = negative && stored >= -Noise;
+      result.NumberOfInvalidValues += !finite;
+      result.NumberOfNegativeValues += negative && finite;
+      cells.Rounded += noise;
+      valid = valid && finite && (!negative || noise);
+      rgb[channel] = noise ? 0.0f : value;
+    }
+    if (!valid)
+    {
+      rgb[0] = rgb[1] = rgb[2] = nan;
+      ++cells.Invalid;
+    }
+  }
+  return cells;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -56,84 +133,35 @@ bool LooksLikeMerl(std::string_view bytes)
 MaterialFile ReadMerl(const FileBytes& file)
 {
   ByteReader reader(file, MerlFormatName);
-  std::array<int, 3> sizes;
-  for (int k = 0; k < 3; ++k)
-  {
-    sizes[k] = reader.Read<std::int32_t>(SizeNames[k]);
-    if (sizes[k] < 1 || sizes[k] > MaximumSize)
-    {
-      reader.Fail(SizeNames[k],
-        "found " + std::to_string(sizes[k]) + ", expected 1 to " + std::to_string(MaximumSize));
-    }
-  }
-  const std::size_t cells = std::size_t(sizes[0]) * sizes[1] * sizes[2];
-  const std::uint64_t needed = std::uint64_t(cells) * 3 * sizeof(double);
-  ByteReader rest = reader;
-  if (reader.GetRemaining() > needed)
-  {
-    rest.Take(needed, "values");
-  }
-  if (reader.GetRemaining() < needed || (reader.GetRemaining() > needed && !rest.IsPadding()))
-  {
-    reader.Fail("values", std::to_string(sizes[0]) + " x " + std::to_string(sizes[1]) + " x " +
-                            std::to_string(sizes[2]) + " RGB values need " +
-                            std::to_string(needed) + " bytes, found " +
-                            std::to_string(reader.GetRemaining()));
-  }
-  const std::uint64_t padding = reader.GetRemaining() - needed;
-  const char* bytes = reader.Take(needed, "values");
-
+  const std::array<int, 3> sizes = ReadSizes(reader);
+  const std::size_t count = std::size_t(sizes[0]) * sizes[1] * sizes[2];
+  const char* bytes = TakeValues(reader, sizes, count);
+  const std::size_t padding = reader.GetRemaining();
   MaterialFile result;
-  std::vector<float> rgb(cells * 3);
-  const float nan = std::numeric_limits<float>::quiet_NaN();
-  vtkIdType invalidCells = 0;
-  vtkIdType rounded = 0;
-  for (std::size_t cell = 0; cell < cells; ++cell)
-  {
-    bool valid = true;
-    for (int channel = 0; channel < 3; ++channel)
-    {
-      double stored;
-      ByteReader::Copy(&stored, bytes + (channel * cells + cell) * sizeof(double), 1);
-      const float value = static_cast<float>(stored * Scale[channel]);
-      const bool finite = std::isfinite(value);
-      const bool negative = stored < 0.0;
-      const bool noise = negative && stored >= -Noise;
-      result.NumberOfInvalidValues += !finite;
-      result.NumberOfNegativeValues += negative && finite;
-      rounded += noise;
-      valid = valid && finite && (!negative || noise);
-      rgb[3 * cell + channel] = noise ? 0.0f : value;
-    }
-    if (!valid)
-    {
-      rgb[3 * cell] = rgb[3 * cell + 1] = rgb[3 * cell + 2] = nan;
-      ++invalidCells;
-    }
-  }
+  Cells cells = ScaleValues(bytes, count, result);
 
   const int dimensions[3] = { sizes[2], sizes[1], sizes[0] };
   vtkNew<vtkTabulatedBRDF> table;
-  if (!table->SetVolume(
-        vtkTabulatedBRDF::HALF_DIFFERENCE, vtkTabulatedBRDF::HALF_TURN, dimensions, std::move(rgb)))
+  if (!table->SetVolume(vtkTabulatedBRDF::HALF_DIFFERENCE, vtkTabulatedBRDF::HALF_TURN, dimensions,
+        std::move(cells.RGB)))
   {
     reader.Fail("values", "the table was refused");
   }
   table->SetName(GetFileStem(file.GetPath()));
   table->SetSource("MERL binary file " + GetFileTitle(file.GetPath()));
   result.AddNote("R, G, B were multiplied by 1/1500, 1.15/1500, 1.66/1500, the format's scale.");
-  if (rounded > 0)
+  if (cells.Rounded > 0)
   {
-    result.AddNote(std::to_string(rounded) + " values are negative by rounding: taken as 0.");
+    result.AddNote(std::to_string(cells.Rounded) + " values are negative by rounding: taken as 0.");
   }
   if (padding > 0)
   {
     result.AddNote(std::to_string(padding) + " bytes of padding behind the values were left out.");
   }
-  if (invalidCells > 0)
+  if (cells.Invalid > 0)
   {
     result.AddNote(
-      std::to_string(invalidCells) + " of " + std::to_string(cells) +
+      std::to_string(cells.Invalid) + " of " + std::to_string(count) +
       " cells are invalid (a negative or non-finite channel): interpolation skips them.");
   }
   result.BRDF = table;

@@ -5,8 +5,8 @@
 #include "FileBytes.h"
 #include "RoundingNoise.h"
 #include "vtkAdaptiveWarpBRDF.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <array>
@@ -170,13 +170,10 @@ void CheckAngles(const std::vector<float>& angles, const std::string& name, Mate
     result.AddNote("Angles of " + name + " were rounded onto each other: set apart.");
   }
 }
-}
 
 //------------------------------------------------------------------------------
-MaterialFile ReadTensor(const FileBytes& file)
+void CheckFields(const ByteReader& reader, const Fields& fields)
 {
-  ByteReader reader(file, TensorFormatName);
-  const Fields fields = ReadFields(reader);
   if (!fields.count("rgb") && (fields.count("spectra") || fields.count("wavelengths")))
   {
     reader.Fail("field 'rgb'",
@@ -187,12 +184,16 @@ MaterialFile ReadTensor(const FileBytes& file)
   for (const auto& field : fields)
   {
     total += field.second.Bytes; // each at most the file's size, at most 2^32 of them
-    if (total > file.GetSize())
+    if (total > reader.GetFile().GetSize())
     {
       reader.Fail(ToField(field.first), "the fields' data overlap");
     }
   }
+}
 
+//------------------------------------------------------------------------------
+vtkAdaptiveWarpBRDF::Tables GetTables(const ByteReader& reader, const Fields& fields)
+{
   vtkAdaptiveWarpBRDF::Tables tables;
   tables.ThetaI = GetTable(reader, fields, "theta_i", 1).Values;
   tables.PhiI = GetTable(reader, fields, "phi_i", 1).Values;
@@ -213,8 +214,15 @@ MaterialFile ReadTensor(const FileBytes& file)
     }
     tables.Jacobian = *field.Data == 1;
   }
+  return tables;
+}
 
-  MaterialFile result;
+//------------------------------------------------------------------------------
+bool IsNegative(float value) { return value < 0.0f; }
+
+// Notes of what is taken otherwise than it is stored, colors aside.
+void AddNotes(const Fields& fields, const vtkAdaptiveWarpBRDF::Tables& tables, MaterialFile& result)
+{
   for (const auto& [name, field] : fields)
   {
     if (field.Type == Float64 && name != "wavelengths")
@@ -226,8 +234,7 @@ MaterialFile ReadTensor(const FileBytes& file)
   CheckAngles(tables.PhiI, "phi_i", result);
   CountNoise(tables.Vndf.Values, "vndf", result);
   CountNoise(tables.Luminance.Values, "luminance", result);
-  const auto isNegative = [](float value) { return value < 0.0f; };
-  const auto dark = std::count_if(tables.Ndf.Values.begin(), tables.Ndf.Values.end(), isNegative) +
+  const auto dark = std::count_if(tables.Ndf.Values.begin(), tables.Ndf.Values.end(), IsNegative) +
                     std::count_if(tables.Sigma.Values.begin(), tables.Sigma.Values.end(),
                       [](float value) { return value <= 0.0f; });
   if (dark > 0)
@@ -236,12 +243,13 @@ MaterialFile ReadTensor(const FileBytes& file)
                    " values of ndf are negative or of sigma not positive: the material is black "
                    "there.");
   }
-  const auto negative =
-    std::count_if(tables.Rgb.Values.begin(), tables.Rgb.Values.end(), isNegative);
-  result.NumberOfNegativeValues += negative;
-  const std::size_t values = tables.Rgb.Values.size();
+}
 
-  vtkNew<vtkAdaptiveWarpBRDF> material;
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkAdaptiveWarpBRDF> MakeMaterial(
+  const ByteReader& reader, const Fields& fields, vtkAdaptiveWarpBRDF::Tables tables)
+{
+  auto material = vtkSmartPointer<vtkAdaptiveWarpBRDF>::New();
   const std::string problem = material->SetTables(std::move(tables));
   if (!problem.empty())
   {
@@ -254,7 +262,12 @@ MaterialFile ReadTensor(const FileBytes& file)
     }
     reader.FailAt(field->second.Offset, ToField(field->first), problem.substr(colon + 2));
   }
+  return material;
+}
 
+//------------------------------------------------------------------------------
+std::string GetDescription(const Fields& fields)
+{
   std::string description;
   const auto text = fields.find("description");
   if (text != fields.end() && text->second.Type == UInt8)
@@ -263,6 +276,27 @@ MaterialFile ReadTensor(const FileBytes& file)
     // Arrays of characters are often padded.
     description.erase(description.find_last_not_of(std::string(" \t\r\n\0", 5)) + 1);
   }
+  return description;
+}
+}
+
+//------------------------------------------------------------------------------
+MaterialFile ReadTensor(const FileBytes& file)
+{
+  ByteReader reader(file, TensorFormatName);
+  const Fields fields = ReadFields(reader);
+  CheckFields(reader, fields);
+  vtkAdaptiveWarpBRDF::Tables tables = GetTables(reader, fields);
+
+  MaterialFile result;
+  AddNotes(fields, tables, result);
+  const std::size_t values = tables.Rgb.Values.size();
+  const auto negative =
+    std::count_if(tables.Rgb.Values.begin(), tables.Rgb.Values.end(), IsNegative);
+  result.NumberOfNegativeValues += negative;
+
+  const auto material = MakeMaterial(reader, fields, std::move(tables));
+  const std::string description = GetDescription(fields);
   material->SetName(GetFileStem(file.GetPath()));
   material->SetSource((description.empty() ? "" : description + "; ") +
                       "RGL-EPFL material database (Dupuy and Jakob 2018), " +

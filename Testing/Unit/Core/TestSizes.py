@@ -19,21 +19,6 @@ REASON = re.compile(r"^\s*// Long on purpose: \S")
 FOLDERS = ("Module", "Applications", "shaders")
 ENDINGS = (".h", ".cxx", ".txx", ".glsl")
 
-# Known, to be split: path, and the function's name or None for the file itself.
-EXCEPTIONS = [
-    ("Module/IO/Private/ExrMaterialFile.cxx", "WriteExrMaterial"),
-    ("Module/IO/Private/FitFile.cxx", None),
-    ("Module/IO/Private/MaterialArchive.cxx", None),
-    ("Module/IO/Private/MbsdfFile.cxx", "ReadMbsdf"),
-    ("Module/IO/Private/MerlFile.cxx", "ReadMerl"),
-    ("Module/IO/Private/TensorFile.cxx", "ReadTensor"),
-    ("Applications/Commands/CompareCommand.cxx", None),
-    ("Applications/Commands/CompareCommand.cxx", "Run"),
-    ("Applications/Commands/InfoCommand.cxx", "Describe"),
-    ("Applications/Commands/RenderCommand.cxx", "Run"),
-    ("Applications/Commands/RepresentationsCommand.cxx", None),
-]
-
 # What may hold functions.
 CONTAINER = re.compile(r"(^|\s)(namespace|class|struct|union|enum)(\s|$)|^extern\s*(\"\"\s*)?$")
 # A string, a raw string, a character or a comment; a digit separator is no character.
@@ -231,13 +216,7 @@ def check_parser():
 
 def main(repository):
     check_parser()
-    problems, unused, files, functions = [], set(EXCEPTIONS), 0, 0
-
-    def report(path, name, text):
-        unused.discard((path, name))
-        if (path, name) not in EXCEPTIONS:
-            problems.append(text)
-
+    problems, files, functions = [], 0, 0
     for folder in FOLDERS:
         for parent, _, names in sorted(os.walk(os.path.join(repository, folder))):
             for name in sorted(names):
@@ -249,7 +228,7 @@ def main(repository):
                 lines = text.splitlines()
                 files += 1
                 if len(lines) > FILE_LINES and not has_reason(lines, 1, 20):
-                    report(path, None, f"{path}: {len(lines)} lines are more than {FILE_LINES}")
+                    problems.append(f"{path}: {len(lines)} lines are more than {FILE_LINES}")
                 try:
                     found = find_functions(text)
                 except ValueError as error:
@@ -259,10 +238,8 @@ def main(repository):
                 for function, first, last in found:
                     count = last - first + 1
                     if count > FUNCTION_LINES and not has_reason(lines, first, last):
-                        report(path, function,
-                               f"{path}:{first}: {function} has {count} lines, more than {FUNCTION_LINES}")
-    for path, function in sorted(unused, key=str):
-        problems.append(f"{path}: {function or 'the file'} is short enough now, EXCEPTIONS need not name it")
+                        problems.append(
+                            f"{path}:{first}: {function} has {count} lines, more than {FUNCTION_LINES}")
     print("\n".join(problems) or f"{functions} functions in {files} files are short enough or say why not")
     return 1 if problems else 0
 

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "MaterialArchive.h"
+#include "MaterialExchange.h"
 
+#include "ArchiveFields.h"
 #include "Printable.h"
 #include "vtkAdaptiveWarpBRDF.h"
 #include "vtkAshikhminShirleyBRDF.h"
@@ -16,7 +17,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 
 namespace measuredbrdf
@@ -25,14 +25,7 @@ namespace
 {
 constexpr int MaximumDepth = 16; // of sums in sums
 
-std::string ToText(double value)
-{
-  std::ostringstream text;
-  text << value;
-  return text.str();
-}
-
-// Keeps a material from complaining on its own: a Loader says what is wrong.
+// Keeps a material from complaining on its own: an ArchiveLoader says what is wrong.
 class Silence
 {
 public:
@@ -56,152 +49,8 @@ private:
   unsigned long Tags[2];
 };
 
-/**
- * One description per representation serves both ways: Exchange functions below name each member
- * once, with its getter and its setter; a Saver fills an archive, a Loader a material.
- */
-class Saver
-{
-public:
-  explicit Saver(MaterialArchive& archive)
-    : Archive(archive)
-  {
-  }
-
-  template <typename Get, typename Set>
-  void Number(const std::string& name, Get get, Set)
-  {
-    const double value = get();
-    this->CheckFinite(name, value);
-    this->Archive.Numbers[name] = { value };
-  }
-
-  template <typename Get, typename Set>
-  void Color(const std::string& name, Get get, Set)
-  {
-    double value[3];
-    get(value);
-    for (double channel : value)
-    {
-      this->CheckFinite(name, channel);
-    }
-    this->Archive.Numbers[name].assign(value, value + 3);
-  }
-
-  template <typename Get, typename Set>
-  void Option(const std::string& name, const std::vector<std::string>& choices, Get get, Set)
-  {
-    this->Archive.Options[name] = choices.at(static_cast<std::size_t>(get()));
-  }
-
-  void Array(
-    const std::string& name, std::vector<int> shape, int channels, const std::vector<float>& values)
-  {
-    std::size_t count = static_cast<std::size_t>(channels);
-    for (const int size : shape)
-    {
-      count *= static_cast<std::size_t>(std::max(size, 0));
-    }
-    if (count == 0 || count != values.size())
-    {
-      throw std::runtime_error(this->Archive.Representation + ": array '" + name + "' is empty");
-    }
-    this->Archive.Arrays[name] = { std::move(shape), channels, values };
-  }
-
-private:
-  void CheckFinite(const std::string& name, double value)
-  {
-    if (!std::isfinite(value))
-    {
-      throw std::runtime_error(this->Archive.Representation + ": '" + name + "' is not finite");
-    }
-  }
-
-  MaterialArchive& Archive;
-};
-
 //------------------------------------------------------------------------------
-class Loader
-{
-public:
-  explicit Loader(MaterialArchive& archive)
-    : Archive(archive)
-  {
-  }
-
-  template <typename Get, typename Set>
-  void Number(const std::string& name, Get get, Set set)
-  {
-    const double value = this->GetNumbers(name, 1)[0];
-    set(value);
-    if (static_cast<double>(get()) != value) // it was clamped or refused
-    {
-      this->Fail("number '" + name + "' is out of range: " + ToText(value));
-    }
-  }
-
-  template <typename Get, typename Set>
-  void Color(const std::string& name, Get get, Set set)
-  {
-    const std::vector<double>& value = this->GetNumbers(name, 3);
-    set(value.data());
-    double taken[3];
-    get(taken);
-    if (!std::equal(taken, taken + 3, value.begin()))
-    {
-      this->Fail("number '" + name + "' is out of range");
-    }
-  }
-
-  template <typename Get, typename Set>
-  void Option(const std::string& name, const std::vector<std::string>& choices, Get, Set set)
-  {
-    const auto found = this->Archive.Options.find(name);
-    const auto choice = found == this->Archive.Options.end()
-                          ? choices.end()
-                          : std::find(choices.begin(), choices.end(), found->second);
-    if (choice == choices.end())
-    {
-      this->Fail("option '" + name + "' is missing or unknown");
-    }
-    set(static_cast<int>(choice - choices.begin()));
-  }
-
-  MaterialArchive::Array TakeArray(const std::string& name, std::size_t rank, int channels)
-  {
-    const auto found = this->Archive.Arrays.find(name);
-    if (found == this->Archive.Arrays.end())
-    {
-      this->Fail("array '" + name + "' is missing");
-    }
-    if (found->second.Shape.size() != rank || found->second.Channels != channels)
-    {
-      this->Fail("array '" + name + "' has " + std::to_string(found->second.Shape.size()) +
-                 " axes and " + std::to_string(found->second.Channels) + " channels, expected " +
-                 std::to_string(rank) + " and " + std::to_string(channels));
-    }
-    return std::move(found->second);
-  }
-
-  [[noreturn]] void Fail(const std::string& what) const
-  {
-    throw std::runtime_error(this->Archive.Representation + ": " + what);
-  }
-
-private:
-  const std::vector<double>& GetNumbers(const std::string& name, std::size_t count) const
-  {
-    const auto found = this->Archive.Numbers.find(name);
-    if (found == this->Archive.Numbers.end() || found->second.size() != count)
-    {
-      this->Fail("number '" + name + "' is missing or not of " + std::to_string(count) + " values");
-    }
-    return found->second;
-  }
-
-  MaterialArchive& Archive;
-};
+// Functions Exchange name each member of a representation once, for a saver and a loader.
 
 // A member of a material as an exchange argument: its getter and its setter.
 #define NUMBER(member) \
@@ -238,7 +87,7 @@ void Exchange(Exchanger& x, vtkAshikhminShirleyBRDF* material)
 }
 
 //------------------------------------------------------------------------------
-void Exchange(Saver& x, vtkDistributionBRDF* material)
+void Exchange(ArchiveSaver& x, vtkDistributionBRDF* material)
 {
   x.Array("distribution",
     { material->GetNumberOfPhiSamples(), material->GetNumberOfThetaSamples() }, 3,
@@ -247,7 +96,7 @@ void Exchange(Saver& x, vtkDistributionBRDF* material)
     "fresnel", { static_cast<int>(material->GetFresnel().size() / 3) }, 3, material->GetFresnel());
 }
 
-void Exchange(Loader& x, vtkDistributionBRDF* material)
+void Exchange(ArchiveLoader& x, vtkDistributionBRDF* material)
 {
   const auto distribution = x.TakeArray("distribution", 2, 3);
   const auto fresnel = x.TakeArray("fresnel", 1, 3);
@@ -273,7 +122,7 @@ void ExchangeSettings(Exchanger& x, vtkTabulatedBRDF* material)
   x.Number("resamplingError", NUMBER(ResamplingError));
 }
 
-void Exchange(Saver& x, vtkTabulatedBRDF* material)
+void Exchange(ArchiveSaver& x, vtkTabulatedBRDF* material)
 {
   ExchangeSettings(x, material);
   const auto ignore = [](int) {};
@@ -285,7 +134,7 @@ void Exchange(Saver& x, vtkTabulatedBRDF* material)
   x.Array("volume", { size[2], size[1], size[0] }, 3, material->GetVolume());
 }
 
-void Exchange(Loader& x, vtkTabulatedBRDF* material)
+void Exchange(ArchiveLoader& x, vtkTabulatedBRDF* material)
 {
   ExchangeSettings(x, material);
   const auto ignore = [] { return 0; };
@@ -313,7 +162,7 @@ void ExchangeSettings(Exchanger& x, vtkBasisBRDF* material)
   x.Number("resamplingError", NUMBER(ResamplingError));
 }
 
-void Exchange(Saver& x, vtkBasisBRDF* material)
+void Exchange(ArchiveSaver& x, vtkBasisBRDF* material)
 {
   ExchangeSettings(x, material);
   x.Option(
@@ -333,7 +182,7 @@ void Exchange(Saver& x, vtkBasisBRDF* material)
     3, material->GetCoefficients());
 }
 
-void Exchange(Loader& x, vtkBasisBRDF* material)
+void Exchange(ArchiveLoader& x, vtkBasisBRDF* material)
 {
   ExchangeSettings(x, material);
   int basis = 0;
@@ -366,7 +215,7 @@ void Exchange(Loader& x, vtkBasisBRDF* material)
 }
 
 //------------------------------------------------------------------------------
-void Exchange(Saver& x, vtkAdaptiveWarpBRDF* material)
+void Exchange(ArchiveSaver& x, vtkAdaptiveWarpBRDF* material)
 {
   const vtkAdaptiveWarpBRDF::Tables& tables = material->GetTables();
   x.Option(
@@ -380,7 +229,7 @@ void Exchange(Saver& x, vtkAdaptiveWarpBRDF* material)
   x.Array("rgb", tables.Rgb.Shape, 1, tables.Rgb.Values);
 }
 
-void Exchange(Loader& x, vtkAdaptiveWarpBRDF* material)
+void Exchange(ArchiveLoader& x, vtkAdaptiveWarpBRDF* material)
 {
   const auto table = [&](const std::string& name, std::size_t rank)
   {
@@ -417,7 +266,7 @@ bool SaveAs(const char* representation, vtkBRDF* brdf, MaterialArchive& archive)
     return false;
   }
   archive.Representation = representation;
-  Saver saver(archive);
+  ArchiveSaver saver(archive);
   Exchange(saver, material);
   return true;
 }
@@ -431,7 +280,7 @@ vtkSmartPointer<vtkBRDF> LoadAs(const char* representation, MaterialArchive& arc
   }
   auto material = vtkSmartPointer<Material>::New();
   const Silence silence(material);
-  Loader loader(archive);
+  ArchiveLoader loader(archive);
   Exchange(loader, material.Get());
   return material;
 }
@@ -508,7 +357,7 @@ vtkSmartPointer<vtkBRDF> Load(MaterialArchive& archive, int depth)
   material->SetName(archive.Name);
   material->SetSource(archive.Source);
   const Silence silence(material);
-  Loader(archive).Number("resamplingTolerance", NUMBER(ResamplingTolerance));
+  ArchiveLoader(archive).Number("resamplingTolerance", NUMBER(ResamplingTolerance));
   return material;
 }
 #undef NUMBER
