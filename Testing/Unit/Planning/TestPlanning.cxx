@@ -447,7 +447,7 @@ TEST(Planner, EvaluateAllListsEveryMethod)
     EXPECT_EQ(integrator->GetBRDF(), brdf.Get());
     EXPECT_EQ(integrator->GetEnvironment(), environment.Get());
   }
-  EXPECT_EQ(methods.size(), 5u); // all but the exact sum
+  EXPECT_EQ(methods.size(), 5u);                                         // all but the exact sum
   EXPECT_EQ(planner->GetDescription(planner->GetChoice()), description); // chooses the same
 }
 
