@@ -1328,6 +1328,108 @@ TEST_F(Auto, AnIntegratorThatRefuses)
   EXPECT_EQ(reasons.Count, 0) << reasons.Text;
 }
 
+// The program's integrator stays as it is, whatever draws by it.
+TEST_F(Auto, OneIntegratorServesManyMaterials)
+{
+  const auto drawBy = [this](vtkBRDF* brdf, vtkRadianceIntegrator* integrator)
+  {
+    this->Measured->SetBRDF(brdf);
+    this->Measured->SetIntegrator(integrator);
+    return this->RenderEncoded();
+  };
+  vtkNew<vtkTableRadianceIntegrator> shared;
+  shared->SetNumberOfRows(17);
+  const vtkMTimeType time = shared->GetMTime();
+  for (vtkBRDF* brdf : { static_cast<vtkBRDF*>(this->Phong), static_cast<vtkBRDF*>(this->Lambert) })
+  {
+    vtkNew<vtkTableRadianceIntegrator> own;
+    own->SetNumberOfRows(17);
+    own->SetBRDF(brdf);
+    own->SetEnvironment(this->Light);
+    const FloatImage expected = drawBy(brdf, own);
+    EXPECT_EQ(this->Measured->GetCurrentIntegrator(), own.Get()); // drawn as it is
+    EXPECT_EQ(drawBy(brdf, shared).RGBA, expected.RGBA);
+    EXPECT_NE(this->Measured->GetCurrentIntegrator(), shared.Get());
+  }
+  EXPECT_EQ(shared->GetMTime(), time);
+  EXPECT_EQ(shared->GetBRDF(), nullptr);
+  EXPECT_EQ(shared->GetEnvironment(), nullptr);
+
+  // Mappers with one material share the copy; a property that changes shows in the next frame.
+  vtkRadianceIntegrator* copy = this->Measured->GetCurrentIntegrator();
+  vtkNew<OpenMapper> other;
+  other->SetInputConnection(this->Sphere->GetOutputPort());
+  other->SetBRDF(this->Lambert);
+  other->SetEnvironment(this->Light);
+  other->SetIntegrator(shared);
+  this->RenderWith(other);
+  EXPECT_EQ(other->GetCurrentIntegrator(), copy);
+  const FloatImage before = drawBy(this->Phong, shared);
+  shared->SetNumberOfRows(9);
+  EXPECT_GT(GetLargestDifference(this->RenderEncoded(), before), 1e-4);
+}
+
+// An observer stops what Render plans: lights stand in until something changes.
+TEST_F(Auto, PlanningCanBeStopped)
+{
+  struct Stopper
+  {
+    vtkMeasuredBRDFMapper* Mapper;
+    int Calls = 0;
+    void Stop(vtkObject*, unsigned long, void* share)
+    {
+      if (*static_cast<double*>(share) < 1.0)
+      {
+        ++this->Calls;
+        this->Mapper->SetAbortPlanning(true);
+      }
+    }
+  } stopper{ this->Measured };
+  this->Measured->SetErrorTolerance(0.002); // several candidates
+  EventCounter errors(this->Measured, vtkCommand::ErrorEvent);
+  const unsigned long tag =
+    this->Measured->AddObserver(vtkCommand::ProgressEvent, &stopper, &Stopper::Stop);
+  const FloatImage stopped = this->RenderEncoded();
+  EXPECT_EQ(stopper.Calls, 1);
+  EXPECT_EQ(errors.Count, 1) << errors.Text;
+  EXPECT_NE(errors.Text.find("aborted"), std::string::npos) << errors.Text;
+  EXPECT_EQ(this->Measured->GetPlan(), "");
+  EXPECT_EQ(this->Measured->GetCurrentPlanner(), nullptr);
+  EXPECT_TRUE(vtkLightSetRadianceIntegrator::SafeDownCast(this->Measured->GetCurrentIntegrator()));
+  EXPECT_EQ(this->RenderEncoded().RGBA, stopped.RGBA);
+  EXPECT_EQ(errors.Count, 1);
+  this->Measured->RemoveObserver(tag);
+  this->Measured->SetErrorTolerance(0.003);
+  EXPECT_GT(GetLargestDifference(this->RenderEncoded(), stopped), 1e-3);
+  ASSERT_TRUE(this->Measured->GetCurrentPlanner());
+  EXPECT_EQ(this->Measured->GetCurrentPlanner()->GetPlan(), this->Measured->GetPlan());
+}
+
+// What PlanForView plans with: normals that face the camera, in proportion to their pixels.
+TEST_F(Auto, VisiblePairs)
+{
+  this->RenderEncoded();
+  vtkNew<vtkDoubleArray> normals, views;
+  const vtkIdType pixels =
+    this->Measured->GetVisiblePairs(this->Renderer, this->Actor, normals, views);
+  ASSERT_GE(normals->GetNumberOfTuples(), 16);
+  ASSERT_EQ(views->GetNumberOfTuples(), normals->GetNumberOfTuples());
+  int front = 0;
+  for (vtkIdType k = 0; k < normals->GetNumberOfTuples(); ++k)
+  {
+    double n[3], v[3];
+    normals->GetTuple(k, n);
+    views->GetTuple(k, v);
+    EXPECT_NEAR(n[0] * n[0] + n[1] * n[1] + n[2] * n[2], 1.0, 1e-6);
+    front += n[0] * v[0] + n[1] * v[1] + n[2] * v[2] > 0.0 ? 1 : 0;
+  }
+  EXPECT_EQ(front, normals->GetNumberOfTuples());
+  EXPECT_GT(pixels, 64 * 64 / 8); // in a window of 64 x 64
+  EXPECT_LE(pixels, 64 * 64);
+  vtkNew<vtkRadiancePlanner> planner;
+  EXPECT_TRUE(planner->SetPairs(normals, views));
+}
+
 // Light comes and goes: black, none, another.
 TEST_F(Auto, BlackAndEmptyEnvironments)
 {

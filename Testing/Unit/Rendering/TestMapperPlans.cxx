@@ -74,6 +74,7 @@ protected:
     request.BRDF = this->Material ? this->Material.Get() : this->BRDF.Get();
     request.Environment = light;
     request.Tolerance = 0.3;
+    request.CacheFolder = vtkRadiancePlanner::GetDefaultCacheFolder(); // as mappers' is
     request.Timing = this->When;
     request.ForView = this->ForView;
     request.Renderer = renderer;
