@@ -448,16 +448,17 @@ vtkIdType MaterialDrawing::GetVisiblePairs(
     surfaces.insert(surfaces.end(), use.Surfaces.begin(), use.Surfaces.end());
   }
   const VisibleSurface seen = VisibleSurface::InView(surfaces, renderer, actor);
-  for (const auto& [array, directions] :
-    { std::make_pair(normals, &seen.GetNormals()), std::make_pair(views, &seen.GetViews()) })
+  const auto fill = [](vtkDataArray* array, const std::vector<glm::dvec3>& directions)
   {
     array->Initialize();
     array->SetNumberOfComponents(3);
-    for (const glm::dvec3& direction : *directions)
+    for (const glm::dvec3& direction : directions)
     {
       array->InsertNextTuple(&direction.x);
     }
-  }
+  };
+  fill(normals, seen.GetNormals());
+  fill(views, seen.GetViews());
   return PlanInputs::RoundPixels(seen.GetNumberOfPixels());
 }
 
