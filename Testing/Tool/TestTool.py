@@ -1249,7 +1249,7 @@ class ChartResume(ChartTest):
         self.assertEqual(second[0], first[0])
         # An environment that is not the one of that name any more.
         self.write_constant_environment(32, 16)
-        self.check(self.chart("--environments", one), 1, "under one is not what it was")
+        self.check(self.chart("--environments", one), 1, "under one has changed since")
 
 
 class ChartErrors(ChartTest):
