@@ -1364,6 +1364,7 @@ TEST_F(Auto, OneIntegratorServesManyMaterials)
   other->SetIntegrator(shared);
   this->RenderWith(other);
   EXPECT_EQ(other->GetCurrentIntegrator(), copy);
+  this->Actor->SetMapper(this->Measured);
   const FloatImage before = drawBy(this->Phong, shared);
   shared->SetNumberOfRows(9);
   EXPECT_GT(GetLargestDifference(this->RenderEncoded(), before), 1e-4);

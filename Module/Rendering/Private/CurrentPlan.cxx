@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CurrentPlan.h"
 
+#include "TakenError.h"
 #include "vtkBRDF.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
@@ -214,7 +215,9 @@ bool CurrentPlan::Bring(
   }
   vtkSmartPointer<vtkRadiancePlanner> planner = NewPlanner(wanted, background);
   planner = planner ? planner : NewPlanner(wanted, false);
-  const bool planned = UpdateWithProgress(planner, progress); // which says why not
+  const TakenError reason(planner);
+  const bool planned = UpdateWithProgress(planner, progress);
+  problem = planned ? "" : reason.GetText();
   this->Take(wanted, background, planned ? planner : nullptr);
   return true;
 }

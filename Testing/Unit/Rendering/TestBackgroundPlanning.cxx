@@ -328,8 +328,8 @@ public:
 };
 vtkStandardNewMacro(Plain);
 
-/// Isotropic while candidates are listed, when the planner and three methods ask: tables are planned,
-/// and then refused.
+/// Isotropic while candidates are listed, when the planner and three methods ask: tables are
+/// planned, and then refused.
 class Fickle : public vtkBlinnPhongBRDF
 {
 public:
