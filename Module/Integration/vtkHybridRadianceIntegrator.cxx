@@ -348,7 +348,7 @@ std::vector<std::vector<int>> vtkHybridRadianceIntegrator::GetCandidateSizes(boo
   std::vector<std::vector<int>> candidates;
   for (std::vector<int> sizes : GetHybridCandidates())
   {
-    if (lights || sizes.back() > 0) // else it is a table
+    if (lights || sizes.at(3) > 0) // else it is a table
     {
       sizes.push_back(PlannedLights);
       sizes.push_back(ToAngleSize(angle));
