@@ -1,0 +1,624 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The small faults that mutate.py puts into the code, one at a time.
+
+A fault changes one behavior and compiles. Its name begins with its room. The old text must occur exactly once in its file.
+The tests are a regular expression for ctest: few and fast tests that cover the place, as Suite.Name, separated by "|".
+A fault that changes nothing that anybody could see is marked with the reason, equivalent="...".
+"""
+
+import collections
+
+ROOMS = ("Core", "Material", "Lighting", "Integration", "Metrics", "Fitting", "IO", "Planning", "Rendering", "Shaders")
+
+Fault = collections.namedtuple("Fault", "id file old new tests equivalent")
+FAULTS = []
+
+
+def add(id, file, old, new, tests, equivalent=""):
+    room = id.split(".")[0]
+    folder = "shaders" if room == "Shaders" else "Module/" + room
+    FAULTS.append(Fault(id, f"{folder}/{file}", old, new, tests, equivalent))
+
+
+# Core
+
+add("Core.half-vector-difference", "Private/HalfVector.h", "const glm::dvec3 sum = i + o;",
+    "const glm::dvec3 sum = i - o;", "BlinnPhong.PaperFormula")
+add("Core.log-cosine-sign", "Private/HalfVector.h", "std::log1p(-s) / s", "std::log1p(s) / s",
+    "BlinnPhong.PaperFormula")
+add("Core.half-vector-spread-factor", "Private/HalfVector.h", "return spread / (4.0 *", "return spread / (2.0 *",
+    "SoftLights.AreTheMeanOverTheLight|SoftTables.AgreeWithTheClosedForm")
+add("Core.schlick-fourth-power", "Private/HalfVector.h", "f0 + (1.0 - f0) * m2 * m2 * m;",
+    "f0 + (1.0 - f0) * m2 * m2;", "AshikhminShirley.PaperFormula")
+add("Core.dielectric-square", "Private/HalfVector.h", "return 0.5 * a * a * (1.0 + b * b);",
+    "return 0.5 * a * (1.0 + b * b);", "AshikhminShirley.PaperFormula|IOFits.ReadsLow")
+add("Core.half-difference-azimuth", "Private/HalfVector.h", "cosPhi * i.y - sinPhi * i.x;",
+    "cosPhi * i.y + sinPhi * i.x;", "Tabulated.InterpolatesTrilinearly|Resampler.ErrorFallsAndIsReported")
+add("Core.sample-cosine-radius", "Private/HalfVector.h", "const double r = std::sqrt(u1);", "const double r = u1;",
+    "Sampling.FollowsItsPdf")
+add("Core.gauss-legendre-weight", "Private/GaussLegendre.h", "2.0 / ((1.0 - x * x)", "1.0 / ((1.0 - x * x)",
+    "GaussLegendre.KnownRules")
+add("Core.legendre-recurrence-sign", "Private/BasisFunctions.h", "x * p1 - k * p0) / (k + 1.0)",
+    "x * p1 + k * p0) / (k + 1.0)", "BasisFunctions.Orthonormal")
+add("Core.azimuth-without-root-two", "Private/BasisFunctions.h",
+    "const double s = std::sqrt(2.0) * std::sin(m * phi);", "const double s = std::sin(m * phi);",
+    "BasisFunctions.Orthonormal")
+add("Core.zone-without-clamp", "Private/BasisFunctions.h",
+    "return std::clamp(2.0 * (cosine - this->Far) / (this->Near - this->Far) - 1.0, -1.0, 1.0);",
+    "return 2.0 * (cosine - this->Far) / (this->Near - this->Far) - 1.0;",
+    "BasisFunctions.Edges|BasisBRDF.ConstantBeyondTheZones")
+add("Core.negative-weights-count", "Private/Distribution.h", "std::isfinite(w) && w > 0.0 ? w : 0.0",
+    "std::isfinite(w) ? w : 0.0", "Distribution1D.ProbabilitiesAndInversion|Distribution1D.WithoutWeightUniform")
+add("Core.boundary-belongs-to-the-cell-before", "Private/Distribution.h",
+    "std::upper_bound(this->Cdf.begin() + 1, this->Cdf.end(), u)",
+    "std::lower_bound(this->Cdf.begin() + 1, this->Cdf.end(), u)", "Distribution1D.ProbabilitiesAndInversion")
+add("Core.row-by-the-wrong-number", "Private/Distribution.h", "y = this->Marginal.Invert(v, rv);",
+    "y = this->Marginal.Invert(u, rv);", "Distribution2D.SamplesFollowTheWeights")
+add("Core.radical-inverse-digits", "Private/LowDiscrepancy.h", "index /= base;\n    digit /= base;",
+    "index /= base;\n    digit /= 2.0;", "LowDiscrepancy.RadicalInverseAndWrap")
+add("Core.wrap-keeps-negative-numbers", "Private/LowDiscrepancy.h", "return x < 0.0 ? x + 1.0 : x;", "return x;",
+    "LowDiscrepancy.RadicalInverseAndWrap")
+add("Core.left-handed-frame", "Private/LocalFrame.h", "return Frame(p / length, glm::cross(n, p / length), n);",
+    "return Frame(p / length, glm::cross(p / length, n), n);",
+    "ExactIntegrator.EqualsAPlainSum|Integrators.RotatingEverythingChangesNothing|"
+    "MapperShading.TheTangentsDirectionCounts")
+add("Core.views-are-lifted-too-far", "Private/LocalFrame.h", "MinimumViewCosine = 0.02;", "MinimumViewCosine = 0.05;",
+    "MapperShading.GrazingViews|TableIntegrator.GrazingViewsAreLifted")
+add("Core.hash-without-the-last-word", "Private/ContentHash.h", "for (int k = 0; left > 0; ++k)",
+    "for (int k = 0; left > 8; ++k)", "ContentKey.EverythingThatCountsChangesIt")
+add("Core.warp-weights-of-slices", "Private/BilinearWarp.h", "result.Weight[k] *= 1.0 - w;", "result.Weight[k] *= w;",
+    "IOTensor.Reads|IOTensor.AgreesWithTheAuthorsCode|Sampling.FollowsItsPdf")
+add("Core.warp-inverts-without-cells", "Private/BilinearWarp.h",
+    "density = glm::mix(c0, c1, fraction.x) * this->GetCellsPerSquare();", "density = glm::mix(c0, c1, fraction.x);",
+    "IOTensor.AgreesWithTheAuthorsCode|Sampling.FollowsItsPdf")
+add("Core.srgb-exponent", "Private/SRGB.h", "1.055, 2.4)", "1.055, 2.2)", "Environment.DecodesSRGB")
+add("Core.periodic-neighbors-do-not-wrap", "Private/Neighbors.h",
+    "const int first = (static_cast<int>(base) + n) % n;", "const int first = std::max(static_cast<int>(base), 0);",
+    "Tabulated.InterpolatesTrilinearly|TableIntegrator.Continuous")
+add("Core.clamped-neighbors-half-a-cell-off", "Private/Neighbors.h", "std::clamp(u * n - 0.5, 0.0, n - 1.0)",
+    "std::clamp(u * n, 0.0, n - 1.0)", "Tabulated.InterpolatesTrilinearly")
+add("Core.retro-density-factor", "Private/RetroLobe.h", "1.0 / (2.0 * Pi * GetRange()", "1.0 / (Pi * GetRange()",
+    "RetroReflection.AlbedoCountsIt")
+add("Core.refused-numbers-are-taken", "Private/Setters.h", "if (!measuredbrdf::AreFinite(values, 3))",
+    "if (!measuredbrdf::AreFinite(values, 0))", "Setters.OfMaterials")
+
+# Material
+
+add("Material.lambert-without-pi", "vtkLambertBRDF.cxx", "f[c] = this->Albedo[c] / measuredbrdf::Pi;",
+    "f[c] = this->Albedo[c];", "Lambert.ClosedForm")
+add("Material.blinn-phong-normalization", "vtkBlinnPhongBRDF.cxx", "const double lobe = (n + 2.0)",
+    "const double lobe = (n + 1.0)", "BlinnPhong.PaperFormula")
+add("Material.blinn-phong-jacobian", "vtkBlinnPhongBRDF.cxx", "(4.0 * glm::dot(view, h));",
+    "(2.0 * glm::dot(view, h));", "Sampling.FollowsItsPdf")
+add("Material.blinn-phong-copy-without-exponent", "vtkBlinnPhongBRDF.cxx", "copy->Exponent = this->Exponent;", "",
+    "Snapshots.ClosedForms")
+add("Material.ashikhmin-shirley-swapped-exponents", "vtkAshikhminShirleyBRDF.cxx", "nu * h.x * h.x + nv * h.y * h.y",
+    "nv * h.x * h.x + nu * h.y * h.y", "AshikhminShirley.PaperFormula")
+add("Material.ashikhmin-shirley-diffuse-at-full-reflectance", "vtkAshikhminShirleyBRDF.cxx",
+    "diffuse * this->Diffuse[c] * (1.0 - this->Reflectance[c]);", "diffuse * this->Diffuse[c];",
+    "AshikhminShirley.PaperFormula")
+add("Material.ashikhmin-shirley-key-without-index", "vtkAshikhminShirleyBRDF.cxx",
+    "hash.AddValue(this->IndexOfRefraction);", "", "ContentKey.EverythingThatCountsChangesIt")
+add("Material.ashikhmin-shirley-two-quadrants", "vtkAshikhminShirleyBRDF.cxx",
+    "quadrant == 1.0 || quadrant == 2.0 ? -1.0", "quadrant >= 2.0 ? -1.0", "Sampling.FollowsItsPdf")
+add("Material.distribution-denominator", "vtkDistributionBRDF.cxx", "4.0 * (light.z + view.z - light.z * view.z)",
+    "4.0 * (light.z + view.z)", "Distribution.RetroReflectionInvertsToP|Evaluate.KeepsItsPromises|Parity.ClosedForms")
+add("Material.distribution-keeps-old-levels", "vtkDistributionBRDF.cxx",
+    "this->HalfVectorSampler.reset();\n  this->WidenedLevels.reset();", "this->HalfVectorSampler.reset();",
+    "SoftTables.AgreeWithTheClosedForm|SoftLights.LevelsOfATableAreTheClosedForm|Parity.SoftLights")
+add("Material.distribution-fresnel-unit", "vtkDistributionBRDF.cxx", "ClampedNeighbors(angles.ThetaD * (2.0 / Pi),",
+    "ClampedNeighbors(angles.ThetaD,",
+    "Distribution.RetroReflectionInvertsToP|Parity.ClosedForms|LossFit.DistributionComesClose")
+add("Material.tabulated-azimuth-range", "vtkTabulatedBRDF.cxx", "angles.PhiD / (half ? Pi : 2.0 * Pi)",
+    "angles.PhiD / (half ? 2.0 * Pi : Pi)", "Tabulated.InterpolatesTrilinearly")
+add("Material.tabulated-divides-by-the-other-cosine", "vtkTabulatedBRDF.cxx",
+    "GatherCorners(this->Volume, this->Dimensions, corners), this->CosineWeighted ? o[2]",
+    "GatherCorners(this->Volume, this->Dimensions, corners), this->CosineWeighted ? i[2]",
+    "Tabulated.InterpolatesTrilinearly|Parity.Tables|Resampler.ZonesNextToTheHorizon")
+add("Material.tabulated-invalid-cells-are-black", "vtkTabulatedBRDF.cxx",
+    "v[0] = v[1] = v[2] = std::numeric_limits<float>::quiet_NaN();", "v[0] = v[1] = v[2] = 0.0f;",
+    "IOMerl.CountsWhatIsNotFinite|Fit.HolesInATableDoNotCount")
+add("Material.tabulated-never-makes-levels", "vtkTabulatedBRDF.cxx",
+    "this->WidenedLevels = std::make_shared<Levels>();", "", "SoftTables.AgreeWithTheClosedForm")
+add("Material.tabulated-half-floats-overflow", "vtkTabulatedBRDF.cxx", "32768.0f / peak", "131072.0f / peak",
+    "Parity.Tables|Parity.EmbeddedMeasurement|Tabulated.PrecisionFollowsTheTolerance")
+add("Material.tabulated-copy-without-cosine", "vtkTabulatedBRDF.cxx", "copy->CosineWeighted = this->CosineWeighted;",
+    "", "Snapshots.Tables")
+add("Material.tabulated-theta-d-of-a-cell", "vtkTabulatedBRDF.cxx",
+    "const double second = 0.5 * Pi * (y + 0.5) / dimensions[1];",
+    "const double second = 0.5 * Pi * y / dimensions[1];",
+    "Tabulated.InterpolatesTrilinearly|Resampler.ErrorFallsAndIsReported|BRDFAnalysis.NegativeMassOfATable")
+add("Material.sum-holds-itself", "vtkSumBRDF.cxx", "if (!term || Holds(term, this))", "if (!term || term == this)",
+    "Sum.GuardsItsTerms")
+add("Material.sum-holds-one-more", "vtkSumBRDF.cxx", "this->GetNumberOfTerms() == MaximumNumberOfTerms",
+    "this->GetNumberOfTerms() > MaximumNumberOfTerms", "Sum.HoldsSoManyTermsOnly")
+add("Material.sum-of-the-last-term", "vtkSumBRDF.cxx",
+    "EvaluateTerm(term, i, o, part);\n    for (int c = 0; c < 3; ++c)\n    {\n      f[c] += part[c];",
+    "EvaluateTerm(term, i, o, part);\n    for (int c = 0; c < 3; ++c)\n    {\n      f[c] = part[c];",
+    "Evaluate.KeepsItsPromises|Parity.ClosedForms|Snapshots.SumsCopyTheirTerms|IOFits.ReadsLow")
+add("Material.snapshot-without-source", "vtkBRDF.cxx", "copy->Source = this->Source;", "",
+    "Snapshots.ClosedForms|Snapshots.Tables|Snapshots.SumsCopyTheirTerms")
+add("Material.albedo-of-cosines-alone", "vtkBRDF.cxx", "{ return 0.5 * (this->Pdf(&i.x, oUnit) + i.z / Pi); };",
+    "{ return i.z / Pi; };",
+    "ExactIntegrator.WhiteFurnaceIsTheDirectionalAlbedo|BRDFAnalysis.Lambert|RetroReflection.AlbedoCountsIt")
+
+# Lighting
+
+add("Lighting.texel-solid-angle", "vtkEnvironment.cxx", "2.0 * Pi / this->Width * 2.0 * std::sin",
+    "2.0 * Pi / this->Width * std::sin", "Environment.SolidAnglesAddUpToTheSphere")
+add("Lighting.azimuth-runs-backwards", "vtkEnvironment.cxx", "direction[2] = std::cos(latitude) * std::sin(phi);",
+    "direction[2] = -std::cos(latitude) * std::sin(phi);",
+    "Environment.DirectionsFollowVTKsImageBasedLighting|Environment.TexelDirectionsFindTheirTexel")
+add("Lighting.luminance-red-and-green", "vtkEnvironment.cxx", "0.2126 * rgb[0] + 0.7152 * rgb[1]",
+    "0.7152 * rgb[0] + 0.2126 * rgb[1]",
+    "PictureMetrics.AgreeWithOtherPrograms|Generators.SingleBrightTexel|MedianCut.HalvesAreBalanced")
+add("Lighting.rotation-the-other-way", "vtkEnvironment.cxx", "{ c, 0.0, -s, 0.0, 1.0, 0.0, s, 0.0, c }",
+    "{ c, 0.0, s, 0.0, 1.0, 0.0, -s, 0.0, c }", "Environment.Rotation")
+add("Lighting.mirrored-rotation-is-taken", "vtkEnvironment.cxx", "rows[2]) < 0.0)", "rows[2]) < -2.0)",
+    "Environment.Rotation")
+add("Lighting.swapped-counts", "vtkEnvironment.cxx", "found.Negative : found.NotFinite",
+    "found.NotFinite : found.Negative", "Environment.RepairsAndCounts")
+add("Lighting.colors-are-gray", "vtkEnvironment.cxx", "array->GetNumberOfComponents() == 1 ? 0 : 1;",
+    "array->GetNumberOfComponents() == 1 ? 0 : 0;", "Environment.TakesImagesOfAnyType")
+add("Lighting.snapshot-without-rotation", "vtkEnvironment.cxx",
+    "std::copy_n(this->WorldToEnvironment, 9, snapshot->WorldToEnvironment);", "", "Snapshots.Environments")
+add("Lighting.new-pixels-old-time", "vtkEnvironment.cxx", "this->PixelsTime.Modified();\n  this->Modified();",
+    "this->Modified();", "Variance.FollowsThePixelsNotTheRotation|Planner.PlansAgainExactlyWhenItMust")
+add("Lighting.cut-up-texels-are-mixed", "vtkEnvironment.cxx", "this->Width + x / across;",
+    "this->Width + x % this->Width;", "CoarseMaps.AreCutUpWithoutChangingTheirLight")
+add("Lighting.old-light-in-new-pixels", "vtkEnvironment.cxx",
+    "this->Parts = vtkEnvironment::MakeParts();\n  this->PixelsTime", "this->PixelsTime",
+    "PlanMemory.GoesWithThePixels|FilteredIntegrator.FollowsItsInputs|TableIntegrator.RebuildsExactlyWhenItMust")
+add("Lighting.concentration-formula", "vtkLightSet.cxx", "r * (3.0 - r * r)", "r * (2.0 - r * r)",
+    "LightConcentration.FromVariance")
+add("Lighting.light-set-without-concentration", "vtkLightSet.cxx",
+    "concentration ? concentration->GetComponent(k, 0) : 0.0))", "0.0))", "LightSet.PolyDataRoundTrip")
+add("Lighting.directions-of-any-length", "vtkLightSet.cxx", "light.Direction[c] = direction[c] / length;",
+    "light.Direction[c] = direction[c];", "LightSet.AddsAndRefuses")
+add("Lighting.total-of-red", "vtkLightSet.cxx", "rgb[c] += light.Irradiance[c];", "rgb[c] += light.Irradiance[0];",
+    "LightSet.AddsAndRefuses|Generators.KeepTheEnergy")
+add("Lighting.lower-half-of-the-octahedron", "Private/EnvironmentPyramid.cxx", "std::swap(u, v);\n    u = 1.0 - u;",
+    "u = 1.0 - u;", "EnvironmentPyramid.IsContinuousAcrossAllFourFolds|FilteredIntegrator.MirrorShowsTheEnvironment")
+add("Lighting.tree-for-the-other-rule", "vtkVarianceLightSetGenerator.cxx",
+    "environment->GetPixelsMTime(), this->Method,", "environment->GetPixelsMTime(), 0,",
+    "Variance.KeepsTheEnergy|Variance.SetsAreNested|Variance.FollowsThePixelsNotTheRotation|"
+    "Variance.RefusesAndAborts")
+add("Lighting.variance-of-another-number", "vtkVarianceLightSetGenerator.cxx",
+    "tree.GetResidual(std::min(count, tree.GetNumberOfCells()))", "tree.GetResidual(tree.GetNumberOfCells())",
+    "Variance.ClosedFormIsTheDefinition|Variance.NumberForVariance|Variance.SetsAreNested")
+add("Lighting.median-cut-takes-any-number", "vtkMedianCutLightSetGenerator.cxx", "(count & (count - 1)) != 0",
+    "(count & 1) != 0", "Generators.RefuseBadArguments")
+add("Lighting.median-cut-energy", "vtkMedianCutLightSetGenerator.cxx", "energy.Irradiance += solidAngle * rgb;",
+    "energy.Irradiance += rgb;", "Generators.KeepTheEnergy")
+add("Lighting.importance-weights", "vtkImportanceLightSetGenerator.cxx",
+    "weights.push_back(solidAngle * vtkEnvironment", "weights.push_back(vtkEnvironment",
+    "Importance.Unbiased|Generators.KeepTheEnergy")
+add("Lighting.importance-ignores-the-seed", "vtkImportanceLightSetGenerator.cxx", "std::mt19937 engine(this->Seed);",
+    "std::mt19937 engine(1);", "Importance.SeedsRepeat")
+add("Lighting.lamps-leave-their-light", "Private/ExtractedEmitters.cxx", "irradiance[c] = (value - kept) *",
+    "irradiance[c] = value *", "ExtractedEmitters.LightsAndRestAddUp")
+add("Lighting.faces-upside-down", "Private/ProjectionMaps.cxx", "return { 1.0, -b, a };", "return { 1.0, b, a };",
+    "Probes.MapsAreInverse|Probes.CubeFacesAreOpenGLs")
+add("Lighting.mirror-ball-angle", "Private/ProjectionMaps.cxx",
+    "Projections::MIRROR_BALL ? r : std::sin(0.5 * Pi * r)", "Projections::MIRROR_BALL ? r : std::sin(0.25 * Pi * r)",
+    "Probes.SolidAnglesAddUpToTheSphere|Probes.ConstantStaysConstant|Probes.EnergyIsKept")
+add("Lighting.harmonics-scale", "Private/EnvironmentHarmonics.cxx", "this->Scales[m] * std::conj(work.Series[m])",
+    "this->Scales[m] * work.Series[m]", "EnvironmentHarmonics.AreTheSumOverTexels")
+
+# Integration
+
+add("Integration.exact-without-cosine", "vtkExactRadianceIntegrator.cxx", "sum += cosine * f *", "sum += f *",
+    "ExactIntegrator.LambertUnderAConstantSkyHasAClosedForm")
+add("Integration.exact-leaves-out-the-last-part", "vtkExactRadianceIntegrator.cxx",
+    "(texels + TexelsPerPart - 1) / TexelsPerPart", "texels / TexelsPerPart", "ExactIntegrator.EqualsAPlainSum")
+add("Integration.filtered-lamps-without-cosine", "vtkFilteredRadianceIntegrator.cxx",
+    "sum += i.z * f * light.Irradiance;", "sum += f * light.Irradiance;",
+    "FilteredReference.Converges|Parity.FilteredIntegrator")
+add("Integration.filtered-keeps-samples-of-the-old-material", "vtkFilteredRadianceIntegrator.cxx",
+    "impl.SamplesTime < this->BRDF->GetMTime() ||", "", "FilteredIntegrator.FollowsItsInputs")
+add("Integration.filtered-keeps-the-number-of-samples", "vtkFilteredRadianceIntegrator.cxx",
+    "impl.Samples->GetNumberOfSamples() != this->NumberOfSamples)", "impl.Samples->GetNumberOfSamples() < 1)",
+    "FilteredIntegrator.FollowsItsInputs|FilteredReference.Converges")
+add("Integration.filtered-level-of-the-sphere", "vtkFilteredRadianceIntegrator.cxx",
+    "pyramid.GetNumberOfLevels() - 1 + bias", "pyramid.GetNumberOfLevels() + 1 + bias",
+    "FilteredReference.Converges|FilteredIntegrator.MirrorShowsTheEnvironment")
+add("Integration.filtered-copy-without-lamps", "vtkFilteredRadianceIntegrator.cxx",
+    "this->SetExtractLights(filtered->ExtractLights);", "", "RadianceMethods.CopiesHaveEveryProperty")
+add("Integration.filtered-takes-anisotropic-materials", "vtkFilteredRadianceIntegrator.cxx",
+    "if (!this->BRDF->IsIsotropic())", "if (this->BRDF == nullptr)", "FilteredIntegrator.BadInputs")
+add("Integration.samples-see-too-sharply", "Private/ReflectionSamples.cxx", "-0.5 * std::log2(4.0 * Pi * density)",
+    "-1.0 * std::log2(4.0 * Pi * density)",
+    "FilteredReference.Converges|FilteredIntegrator.RotatingEverythingChangesNothing|FilteredIntegrator.RealSun")
+add("Integration.samples-miss-the-albedo", "Private/ReflectionSamples.cxx", "static_cast<float>(albedo[c] / sum[c])",
+    "1.0f", "FilteredIntegrator.WhiteFurnaceIsTheDirectionalAlbedo")
+add("Integration.samples-do-not-interpolate", "Private/ReflectionSamples.cxx", "a.Weight + t * (b.Weight - a.Weight)",
+    "a.Weight", "Parity.FilteredIntegrator|FilteredIntegrator.WhiteFurnaceIsTheDirectionalAlbedo")
+add("Integration.light-set-without-cosine", "vtkLightSetRadianceIntegrator.cxx",
+    "radiance[c] += light.z * f[c] * irradiance[c];", "radiance[c] += f[c] * irradiance[c];",
+    "LightSetIntegrator.ConvergesToTheReference")
+add("Integration.spread-is-the-concentration", "vtkLightSetRadianceIntegrator.cxx",
+    "concentration > 0.0 ? 1.0 / concentration : 0.0", "concentration > 0.0 ? concentration : 0.0",
+    "SoftLights.LowerTheErrorOfSharpLobes|SoftLights.LowerTheErrorOfTables")
+add("Integration.light-set-changes-unseen", "vtkLightSetRadianceIntegrator.cxx",
+    "this->LightSet ? this->LightSet->GetMTime() : 0", "this->LightSet ? 1 : 0",
+    "Mapper.RebuildsExactlyWhenItMust|Scene.LightsAreUploadedOnce")
+add("Integration.light-set-copy-is-hard", "vtkLightSetRadianceIntegrator.cxx",
+    "this->SetSoftLights(lights->SoftLights);", "", "RadianceMethods.CopiesHaveEveryProperty")
+add("Integration.light-set-last-row", "vtkLightSetRadianceIntegrator.cxx",
+    "(count + LightsPerRow - 1) / LightsPerRow", "count / LightsPerRow",
+    "Mapper.ManyLightsAndHugeValues|Mapper.LightSetMatchesCpuPerPixel")
+add("Integration.lights-cost-nothing", "vtkLightSetRadianceIntegrator.cxx",
+    'costs->GetCost("light") * this->NumberOfLights', 'costs->GetCost("light")',
+    "Planner.FollowsTheCostModel|Planner.AnisotropicMaterialsGetLightSets|Planner.EvaluateAllListsEveryMethod|"
+    "GoldenPlans.EmbeddedMaterials")
+add("Integration.cost-model-loses-digits", "vtkRadianceCostModel.cxx", "text.precision(17);", "text.precision(4);",
+    "CostModel.RoundTripAndRefusals")
+add("Integration.cost-model-twice-the-same-name", "vtkRadianceCostModel.cxx", "|| known || !expected", "|| !expected",
+    "CostModel.RoundTripAndRefusals")
+add("Integration.cost-changes-unseen", "vtkRadianceCostModel.cxx",
+    "found->second = nanoseconds;\n    this->Modified();", "found->second = nanoseconds;",
+    "CostModel.RoundTripAndRefusals|Planner.FollowsTheCostModel|Planner.PlansAgainExactlyWhenItMust|"
+    "Setters.OfPlanning")
+add("Integration.table-azimuth-mirrored", "Private/RadianceTable.cxx",
+    "this->Across = glm::dvec3(azimuth.x, 0.0, -azimuth.y);",
+    "this->Across = glm::dvec3(-azimuth.x, 0.0, azimuth.y);",
+    "TableReference.ErrorFallsWithSize|TableIntegrator.TurningEverythingChangesNothing|Parity.TableIntegrator")
+add("Integration.table-polar-unit", "Private/RadianceTable.cxx", "this->Polar = std::atan2(sine, d.y) / Pi;",
+    "this->Polar = std::atan2(sine, d.y) / (2.0 * Pi);", "TableReference.ErrorFallsWithSize|Parity.TableIntegrator")
+add("Integration.table-profile-step", "Private/RadianceTable.cxx", "ProfileSize * row + low + 1), exact - low);",
+    "ProfileSize * row + low), exact - low);",
+    "Parity.TableIntegrator|TableReference.ErrorFallsWithSize|TableIntegrator.Continuous")
+add("Integration.hybrid-copy-without-angle", "vtkHybridRadianceIntegrator.cxx",
+    "this->SetLightAngle(hybrid->LightAngle);", "", "RadianceMethods.CopiesHaveEveryProperty")
+add("Integration.split-loses-the-rest", "Private/LobeSplit.cxx", "floor + (f - floor) * (this->Height / rest)",
+    "(f - floor) * (this->Height / rest)",
+    "LobeSplit.AddUpAndTheSharpOneIsNarrow|HybridIntegrator.WhiteFurnaceIsTheDirectionalAlbedo")
+
+# Metrics
+
+add("Metrics.percentile-share", "vtkRadianceMetrics.cxx", "GetPercentile(relative, 0.99)",
+    "GetPercentile(relative, 0.9)", "RadianceMetrics.ByHand")
+add("Metrics.percentile-without-fraction", "vtkRadianceMetrics.cxx",
+    "values[k] + (at - static_cast<double>(k)) * (next - values[k])", "values[k]", "RadianceMetrics.ByHand")
+add("Metrics.relmse-without-floor", "vtkRadianceMetrics.cxx", "d * d / (r[c] * r[c] + floor)",
+    "d * d / (r[c] * r[c])", "RadianceMetrics.ByHand")
+add("Metrics.smape-is-not-symmetric", "vtkRadianceMetrics.cxx", "d / (x[c] + r[c])", "d / (2.0 * r[c])",
+    "RadianceMetrics.ByHand")
+add("Metrics.rmse-without-root", "vtkRadianceMetrics.cxx", "std::sqrt(squares / values)", "(squares / values)",
+    "RadianceMetrics.ByHand")
+add("Metrics.coverage-inverted", "vtkRadianceMetrics.cxx", "coverage->GetComponent(k, 0) != 0.0",
+    "coverage->GetComponent(k, 0) == 0.0", "PictureMetrics.CoverageAndSize")
+add("Metrics.exposures-do-not-keep-the-largest", "vtkRadianceMetrics.cxx",
+    "largest[k] = std::max(largest[k], exposed[k]);", "largest[k] = exposed[k];",
+    "PictureMetrics.HDRFlipAgreesWithTheAuthors|PictureMetrics.HDRFlipOfABlackBackground")
+add("Metrics.negative-radiance-is-compared", "vtkRadianceMetrics.cxx", "!std::isfinite(value) || value < 0.0",
+    "!std::isfinite(value)", "RadianceMetrics.BadInput")
+add("Metrics.itp-constant", "Private/ColorDifference.cxx", "m2 = 2523.0 / 4096.0 * 128.0",
+    "m2 = 2523.0 / 4096.0 * 32.0", "RadianceMetrics.DeltaEITP")
+add("Metrics.itp-tritan-weight", "Private/ColorDifference.cxx", "0.5 * (6610.0 * l", "(6610.0 * l",
+    "RadianceMetrics.DeltaEITP")
+add("Metrics.lab-blue", "Private/ColorDifference.cxx", "200.0 * (t[1] - t[2]) };", "200.0 * (t[2] - t[1]) };",
+    "PictureMetrics.AgreeWithOtherPrograms|RadianceMetrics.FlipOfFlatPictures")
+add("Metrics.ciede2000-rotation-sign", "Private/ColorDifference.cxx", "+ rotation * c * h", "- rotation * c * h",
+    "PictureMetrics.DeltaE2000OfThePublishedPairs")
+add("Metrics.ciede2000-hue-mean", "Private/ColorDifference.cxx", "std::abs(h1 - h2) > 180.0;",
+    "std::abs(h1 - h2) > 360.0;", "PictureMetrics.DeltaE2000OfThePublishedPairs")
+add("Metrics.flip-without-features", "Private/Flip.cxx", "Redistribute(HyAB(seenA[k], seenB[k])), 1.0 - feature)",
+    "Redistribute(HyAB(seenA[k], seenB[k])), 1.0)",
+    "RadianceMetrics.FlipOfDetails|PictureMetrics.AgreeWithOtherPrograms")
+add("Metrics.flip-color-exponent", "Private/Flip.cxx", "ColorExponent = 0.7;", "ColorExponent = 0.8;",
+    "RadianceMetrics.FlipOfFlatPictures|PictureMetrics.AgreeWithOtherPrograms")
+add("Metrics.reciprocity-of-the-same-pair", "vtkBRDFAnalysis.cxx", "this->BRDF->Evaluate(o, i, swapped);",
+    "this->BRDF->Evaluate(i, o, swapped);", "BRDFAnalysis.ReciprocityErrorOfAKnownOne")
+add("Metrics.negative-mass-of-positive-values", "vtkBRDFAnalysis.cxx", "std::max(-value[c], 0.0f)",
+    "std::max(value[c], 0.0f)", "BRDFAnalysis.NegativeMassOfATable")
+add("Metrics.albedos-in-degrees", "vtkBRDFAnalysis.cxx", "const double theta = this->Angles[j] * Pi / 180.0;",
+    "const double theta = this->Angles[j] * Pi / 360.0;",
+    "BRDFAnalysis.Lambert|BRDFAnalysis.ReciprocityErrorOfAKnownOne|BRDFAnalysis.NegativeMassOfABasis|"
+    "BRDFAnalysis.Arguments")
+add("Metrics.failure-map-forgets-the-worst-azimuth", "vtkBRDFFailureMap.cxx",
+    "cell.Azimuth = 360.0 * k / this->Azimuths;", "cell.Azimuth = 180.0 * k / this->Azimuths;",
+    "BRDFFailureMap.FindsTheWorstAngles")
+add("Metrics.failure-map-least-first", "vtkBRDFFailureMap.cxx", "cells[a].GetError() > cells[b].GetError()",
+    "cells[a].GetError() < cells[b].GetError()", "BRDFFailureMap.FindsTheWorstAngles")
+
+# Fitting
+
+add("Fitting.pairs-without-cosine", "Private/FitSamples.cxx", "sample.Weight = sample.O.z / density;",
+    "sample.Weight = 1.0 / density;", "Fit.AlbedoIsTheHemispheres|Fit.FiguresAreWhatTheyAreSaidToBe")
+add("Fitting.pairs-density", "Private/FitSamples.cxx", "half * difference / (4.0 * cosD)",
+    "half * difference / (cosD)", "Fit.AlbedoIsTheHemispheres|Fit.FiguresAreWhatTheyAreSaidToBe")
+add("Fitting.holes-count", "Private/FitSamples.cxx", "valid[0] >= 0.5 ? sample.Weight : 0.0",
+    "valid[0] >= 0.5 ? sample.Weight : sample.Weight", "Fit.HolesInATableDoNotCount")
+add("Fitting.cube-root-without-cosine", "Private/FitSamples.cxx", "std::cbrt(f * cosine + CubeRootOffset) -",
+    "std::cbrt(f + CubeRootOffset) -", "Fit.FiguresAreWhatTheyAreSaidToBe|LossFit.AshikhminShirleyComesBack")
+add("Fitting.figures-of-the-fitted-pairs", "vtkBRDFFitter.cxx", "this->Seed, this->NumberOfSamples,\n    std::max",
+    "this->Seed, 0,\n    std::max", "Fit.FiguresAreOfPairsThatTheFitDidNotSee")
+add("Fitting.output-albedo-without-pi", "vtkBRDFFitter.cxx", "this->OutputAlbedo[c] = Pi * out[c] / cosines;",
+    "this->OutputAlbedo[c] = out[c] / cosines;", "Fit.AlbedoIsTheHemispheres")
+add("Fitting.residual-of-the-sum-of-channels", "vtkBRDFFitter.cxx", "sample.Weight * t * t / 3.0;",
+    "sample.Weight * t * t;", "Fit.FiguresAreWhatTheyAreSaidToBe")
+add("Fitting.history-of-squares", "vtkBRDFFitter.cxx", "mean = std::sqrt(mean);", "",
+    "Fit.FiguresAreWhatTheyAreSaidToBe")
+add("Fitting.relative-error-of-the-output", "vtkBRDFFitter.cxx", "total += projected * sample.F[c] * sample.F[c];",
+    "total += projected * f[c] * f[c];", "Fit.FiguresAreWhatTheyAreSaidToBe")
+add("Fitting.output-without-name", "vtkBRDFFitter.cxx", "result.BRDF->SetName(this->Input->GetName());", "",
+    "Fit.OutputIsAMaterialLikeAnyOther")
+add("Fitting.non-negative-gradient", "Private/NonNegativeLeastSquares.cxx", "gradient[k] < -tolerance;",
+    "gradient[k] > tolerance;", "LossFit.DistributionComesClose|DistributionFit.AnisotropicTablesComeBack")
+add("Fitting.half-the-cost", "Private/LeastSquares.cxx", "summary.step_is_successful, 2.0 * summary.cost)",
+    "summary.step_is_successful, summary.cost)",
+    "Fit.FiguresAreWhatTheyAreSaidToBe|Fit.AshikhminShirleyIsTheLeastOfItsLoss")
+add("Fitting.never-regularized", "Private/ZonalOperators.cxx",
+    "std::sqrt(regularization * total / (4.0 * Pi)) * l * (l + 1.0)", "0.0 * regularization * total * l",
+    "Projector.MethodsMinimizeTheirOwnNorm|Projector.ErrorFallsWithTheOrder|Extrapolator.FixedLambda|"
+    "Extrapolator.ProblemIsIllPosed")
+add("Fitting.negative-light-adds", "vtkBRDFAcquisition.cxx", "positive[pixel] -= negative[pixel];",
+    "positive[pixel] += negative[pixel];", "Acquisition.IsTheInnerProduct")
+add("Fitting.photographs-of-one-sign", "vtkBRDFAcquisition.cxx", "photographs += signedPattern ? 2 : 1;",
+    "photographs += 1;",
+    "Acquisition.IsTheInnerProduct|Acquisition.SameSeedSameBits|Acquisition.NoiseIsAveragedOverAzimuths")
+add("Fitting.isotropic-mean-sign", "vtkBRDFAcquisition.cxx", "std::sin(angle) * at(other, p) : 0.0)",
+    "-std::sin(angle) * at(other, p) : 0.0)", "Acquisition.IsTheInnerProduct")
+add("Fitting.noise-ignores-the-seed", "vtkBRDFAcquisition.cxx", ", Random(seed)", ", Random(seed * 0 + 1)",
+    "Acquisition.SameSeedSameBits")
+add("Fitting.light-without-cosine", "vtkBRDFAcquisition.cxx", "2.0 * Pi / azimuths * cosine);",
+    "2.0 * Pi / azimuths);", "Acquisition.IsTheInnerProduct")
+add("Fitting.pbr-roughness-power", "Private/PBRShading.h", "const double alpha2 = std::pow(roughness, 4);",
+    "const double alpha2 = std::pow(roughness, 2);", "PropertyFitter.FindsVTKsOwn|PropertyFitter.Gold")
+add("Fitting.pbr-metals-are-diffuse", "Private/PBRShading.h", "(1.0 - p.Metallic) * c * through", "c * through",
+    "PropertyFitter.FindsVTKsOwn|PropertyFitter.Gold")
+
+# IO
+
+add("IO.merl-green-and-blue", "Private/MerlFile.cxx", "1.15 / 1500.0, 1.66 / 1500.0 }",
+    "1.66 / 1500.0, 1.15 / 1500.0 }", "IOMerl.Reads")
+add("IO.merl-negative-values-are-valid", "Private/MerlFile.cxx", "finite && (!negative || noise);", "finite;",
+    "IOMerl.Reads|IOMerl.CountsWhatIsNotFinite|IOTolerance.MerlNoiseAndPadding")
+add("IO.merl-sizes-in-the-other-order", "Private/MerlFile.cxx",
+    "sizes = { dimensions[2], dimensions[1], dimensions[0] };",
+    "sizes = { dimensions[0], dimensions[1], dimensions[2] };", "IOMerlRoundTrip.IsExact")
+add("IO.merl-negative-tables-are-written", "Private/MerlFile.cxx", "refused += valid && values[channel] < 0.0f;",
+    "refused += 0;", "IOMerlRoundTrip.RefusesOtherTables")
+add("IO.tensor-minor-version", "Private/TensorFile.cxx", "major != 1 || minor != 0", "major != 1",
+    "IOTensor.RefusesBadFiles")
+add("IO.tensor-jacobian-ignored", "Private/TensorFile.cxx", "tables.Jacobian = *field.Data == 1;",
+    "tables.Jacobian = true;", "IOTensor.TakesTheJacobianFlag")
+add("IO.tensor-zeros-are-noise", "Private/TensorFile.cxx", "return value < 0.0f && value >= floor;",
+    "return value <= 0.0f && value >= floor;", "IOTensor.Reads|IOTolerance.TensorDensitiesWithRoundingNoise")
+add("IO.tensor-overlapping-fields", "Private/TensorFile.cxx", "total += field.second.Bytes;",
+    "total = field.second.Bytes;", "IOTensor.RefusesBadFields")
+add("IO.mbsdf-gray-planes", "Private/MbsdfFile.cxx", "rgb[k] = gray[k / 3];", "rgb[k] = gray[k % cells];",
+    "IOMbsdf.Reads")
+add("IO.mbsdf-line-ends-of-dos", "Private/MbsdfFile.cxx",
+    "length > 0 && rest[length - 1] == '\\r' ? length - 1 : length", "length", "IOTolerance.MbsdfOfDosAndPadding")
+add("IO.mbsdf-counts-gray-thrice", "Private/MbsdfFile.cxx", "block.Channels == 3 ? 1 : 3;",
+    "block.Channels == 3 ? 1 : 1;", "IOMbsdf.CountsWhatIsNotFinite|IOMbsdf.Reads")
+add("IO.fits-scale-of-ngan", "Private/FitFile.cxx", "{ 1.0, 1.15, 1.66 }", "{ 1.0, 1.66, 1.15 }", "IOFits.ScalesNgan")
+add("IO.fits-byte-order-mark", "Private/FitFile.cxx", "text.substr(0, mark.size()) == mark ?",
+    "text.substr(0, 0) == mark ?", "IOTolerance.FitsFromEditors")
+add("IO.fits-low-with-schlick", "Private/FitFile.cxx", "term->SetFresnelModelToDielectric();", "", "IOFits.ReadsLow")
+add("IO.fits-twice-the-same-name", "Private/FitFile.cxx", "if (!inserted.second)", "if (line < 0)",
+    "IOFits.RefusesBadText")
+add("IO.exr-red-and-blue", "Private/ExrMaterialFile.cxx", '{ "R", "G", "B" }', '{ "B", "G", "R" }',
+    "IOExr.ChannelsAreNamedForTheirColors")
+add("IO.exr-half-floats-overflow", "Private/ExrMaterialFile.cxx",
+    "std::isfinite(value) && !rounded.back().isFinite()", "!std::isfinite(value) && !rounded.back().isFinite()",
+    "IOHalfFloats.RefusesWhatIsTooLarge")
+add("IO.exr-any-version", "Private/ExrMaterialFile.cxx", "format != JsonFormat || version != JsonVersion",
+    "format != JsonFormat", "IOExr.RefusesBadFiles")
+add("IO.exr-terms-under-the-first", "Private/ExrMaterialFile.cxx", "parts, depth + 1));\n    ++index;",
+    "parts, depth + 1));", "IOExrRoundTrip.SumOfSums")
+add("IO.image-alpha-darkens", "Private/ImageFile.cxx", '"oiio:UnassociatedAlpha", 1)', '"oiio:UnassociatedAlpha", 0)',
+    "IOEnvironment.AlphaOfPngDoesNotDarken")
+add("IO.image-floats-are-encoded", "Private/ImageFile.cxx", "!IsFloatingPoint(spec.format) && !SaysLinear(spec);",
+    "!SaysLinear(spec);",
+    "IOEnvironment.PutsTheTopRowLast|IOEnvironment.ReadsRadianceFiles|IOEnvironment.ReadsChannelsOfAnyNumber")
+add("IO.image-upside-down", "vtkEnvironmentReader.cxx", "for (int y = 0; y < image.Height / 2; ++y)",
+    "for (int y = 0; y < image.Height / 4; ++y)", "IOEnvironment.PutsTheTopRowLast")
+add("IO.offset-beyond-the-end", "Private/FileBytes.cxx", "offset > size || count > size - offset",
+    "count > size - offset", "IOTensor.RefusesBadFields|IOTensor.RefusesBadFiles|IOTensor.NamesTheFieldAndItsByte")
+add("IO.padding-of-any-length", "Private/FileBytes.cxx", "this->GetRemaining() <= most &&", "",
+    "IOTolerance.MerlNoiseAndPadding|IOTolerance.MbsdfOfDosAndPadding|IOMerl.RefusesBadSizes")
+
+# Planning
+
+add("Planning.key-without-tolerance", "vtkRadiancePlanner.cxx", "hash.AddValue(planner->GetErrorTolerance());", "",
+    "PlanCache.WhatItDependsOnMakesAnother")
+add("Planning.key-without-view", "vtkRadiancePlanner.cxx",
+    "hash.Add(planner->GetViewDirection(), 3 * sizeof(double));", "", "PlanCache.WhatItDependsOnMakesAnother")
+add("Planning.key-without-pixels", "vtkRadiancePlanner.cxx", "hash.AddValue(planner->GetNumberOfPixels());", "",
+    "PlanCache.WhatItDependsOnMakesAnother")
+add("Planning.key-without-costs", "vtkRadiancePlanner.cxx", "hash.AddValue(costs->GetCost(costs->GetCostName(k)));",
+    "", "PlanCache.WhatItDependsOnMakesAnother")
+add("Planning.key-without-material", "vtkRadiancePlanner.cxx", "hash.AddText(material);", "",
+    "PlanCache.WhatItDependsOnMakesAnother|PlanCache.TablesThatDifferInOneCellGetTwoPlans")
+add("Planning.key-without-rotation", "vtkRadiancePlanner.cxx", "hash.AddValue(value + 0.0);", "(void)value;",
+    "PlanCache.PairsHoldForOneRotation")
+add("Planning.key-without-pixels-of-the-light", "Private/PlanCache.cxx",
+    "pixels.AddValues(environment->GetPixels());", "", "PlanCache.WhatItDependsOnMakesAnother")
+add("Planning.damaged-files-are-read", "Private/PlanCache.cxx", "|| GetChecksum(all) != checksum)",
+    "|| checksum.empty())", "PlanCache.DamagedFilesAreMadeAgain")
+add("Planning.newest-plan-goes-first", "Private/PlanCache.cxx", "return a.Time < b.Time;", "return a.Time > b.Time;",
+    "PlanCache.WhatWasUsedLongestAgoGoesFirst")
+add("Planning.reading-is-no-use", "Private/PlanCache.cxx", "::futimens(file.Get(), nullptr);", "",
+    "PlanCache.WhatWasUsedLongestAgoGoesFirst")
+add("Planning.folder-of-everybody", "Private/PlanCache.cxx", "(S_IWGRP | S_IWOTH)) == 0;", "0) == 0;",
+    "PlanCache.FolderIsForThisUserOnly")
+add("Planning.unfinished-files-stay", "Private/PlanCache.cxx",
+    "status.st_mtim.tv_sec + StaleSeconds < std::time(nullptr)",
+    "status.st_mtim.tv_sec + 1000000 * StaleSeconds < std::time(nullptr)", "PlanCache.HalfWrittenFilesOfTheDeadGo")
+add("Planning.unfinished-files-of-others-go", "Private/PlanCache.cxx", "StaleSeconds = 3600;",
+    "StaleSeconds = -3600;", "PlanCache.HalfWrittenFilesOfTheDeadGo")
+add("Planning.off-is-a-folder", "Private/PlanCache.cxx", 'std::string(own) == "off" ? "" : own;', "own;",
+    "PlanCache.DefaultFolderFollowsTheEnvironment")
+add("Planning.largest-cache", "Private/PlanCache.cxx", "if (total <= maximumBytes)", "if (total <= 2 * maximumBytes)",
+    "PlanCache.StaysWithinItsBounds")
+add("Planning.error-without-deviation", "Private/PlanSearch.cxx", "(differences + std::sqrt(variance)) / sum",
+    "differences / sum", "GoldenPlans.EmbeddedMaterials|PlannerPromise.IsKept")
+add("Planning.pairs-without-weights", "Private/PlanSearch.cxx",
+    "this->Pairs.Weights.empty() ? 1.0 : this->Pairs.Weights[static_cast<std::size_t>(k)];", "1.0;",
+    "GoldenPlans.EmbeddedMaterials|PlannerPromise.IsKept")
+add("Planning.tolerance-twice", "Private/PlanSearch.cxx", "candidate.Error <= this->Task.Tolerance)",
+    "candidate.Error <= 2.0 * this->Task.Tolerance)", "PlannerPromise.IsKept")
+add("Planning.stops-where-all-are-asked-for", "Private/PlanSearch.cxx", "if (this->Found.Meets && !this->Task.All)",
+    "if (this->Found.Meets)", "Planner.EvaluateAllListsEveryMethod")
+add("Planning.memory-without-the-material", "Private/PlanSearch.cxx",
+    "candidate.Bytes += static_cast<vtkIdType>(form.GetTextureBytes());", "",
+    "Planner.TextureMemory|GoldenPlans.EmbeddedMaterials")
+add("Planning.own-methods-stop-the-search", "Private/PlanSearch.cxx",
+    "if (this->Aborted() || vtkRadianceMethods::IsBuiltIn(candidate.Method))",
+    "if (this->Aborted() || !candidate.Method.empty())", "RadianceMethods.WhatFailsIsLeftOutWithAWarning")
+add("Planning.normals-over-half-a-turn", "Private/PlanPairs.cxx", "2.0 * Pi * RadicalInverse(index, 3)",
+    "Pi * RadicalInverse(index, 3)", "GoldenPlans.EmbeddedMaterials")
+add("Planning.file-loses-digits", "Private/PlanFile.cxx", "text.precision(17);", "text.precision(6);",
+    "PlanCache.FindsAPlanAgain|PlanCache.FindsLayersAgain")
+add("Planning.file-with-any-sizes", "Private/PlanFile.cxx", "&& candidate.Sizes[k] <= sizes[k].Largest;", ";",
+    "PlanCache.AnythingMayLieUnderAKey")
+add("Planning.file-with-a-choice-too-many", "Private/PlanFile.cxx", "read.Choice >= static_cast<int>(count)",
+    "read.Choice > static_cast<int>(count)",
+    "PlanCache.AnythingMayLieUnderAKey|PlanCache.ContentsThatEndEarlyAreNoPlan")
+
+# Rendering
+
+add("Rendering.plan-key-without-costs", "Private/SharedPlans.h", "this->Costs, this->SeenTime",
+    "std::string(), this->SeenTime", "Background.EverythingThatCountsBeginsAnother")
+add("Rendering.plan-key-without-pixels-of-the-light", "Private/SharedPlans.h", "this->Environment, this->PixelsTime,",
+    "this->Environment, vtkMTimeType(0),", "Background.EverythingThatCountsBeginsAnother")
+add("Rendering.plan-key-without-tolerance", "Private/SharedPlans.h", "this->PixelsTime, this->Tolerance,",
+    "this->PixelsTime, 0.0,", "Background.EverythingThatCountsBeginsAnother")
+add("Rendering.seen-pairs-turned-the-other-way", "Private/SharedPlans.cxx", "turned = toWorld * direction;",
+    "turned = direction * toWorld;", "Views.ATurnedLightIsTurnedPixels")
+add("Rendering.plan-without-pixels", "Private/SharedPlans.cxx", "planner->SetNumberOfPixels(inputs.Pixels);", "",
+    "Views.PixelsCount")
+add("Rendering.plan-without-tolerance", "Private/SharedPlans.cxx", "planner->SetErrorTolerance(inputs.Tolerance);",
+    "", "Background.EverythingThatCountsBeginsAnother|Auto.PlansOnce|Auto.MatchesThePlannedIntegrator")
+add("Rendering.plan-bridges-changed-pixels", "Private/CurrentPlan.cxx",
+    "this->Plan->GetEnvironment()->GetPixelsMTime() == this->Times[1];", "this->Times[1] > 0;",
+    "Background.ChangedPixelsAreNotBridgedByAPlanOfThem")
+add("Rendering.view-ignores-the-mesh", "Private/MapperPlans.cxx", "from == view.From && times == view.Times",
+    "from == view.From", "Views.WhatIsSeenDependsOn")
+add("Rendering.view-ignores-the-window", "Private/MapperPlans.cxx",
+    "from.insert(from.end(), { static_cast<double>(size[0]), static_cast<double>(size[1]) });", "(void)size;",
+    "Views.PixelsCount")
+add("Rendering.view-ignores-the-actor", "Private/MapperPlans.cxx", "matrix->GetData() + 16);",
+    "matrix->GetData() + (matrix == request.Actor->GetMatrix() ? 0 : 16));", "Views.WhatIsSeenDependsOn")
+add("Rendering.views-of-gone-actors-stay", "Private/MapperPlans.cxx", "(std::get<1>(key) && !this->Actor);", "false;",
+    "Views.GoWithTheirRenderersAndActors")
+add("Rendering.back-is-seen", "Private/VisibleSurface.cxx", "glm::dot(mean, view) > 0.0;",
+    "glm::dot(mean, view) < 0.0;", "Visible.SpheresCoverTheirDiscs")
+add("Rendering.strips-are-not-turned", "Private/VisibleSurface.cxx", "cells.Strips && corner % 2 == 1", "false",
+    "Visible.StripsAndLargeMeshesAreAlike")
+add("Rendering.parallel-scale-is-half-the-height", "Private/VisibleSurface.cxx",
+    "? 0.5 * height / camera->GetParallelScale()", "? height / camera->GetParallelScale()",
+    "Visible.SpheresCoverTheirDiscs")
+add("Rendering.normals-turn-as-points", "Private/VisibleSurface.cxx",
+    "NormalToWorld(glm::transpose(glm::inverse(glm::dmat3(toWorld))))", "NormalToWorld(glm::dmat3(toWorld))",
+    "Visible.ActorsAreTransformed")
+add("Rendering.what-is-outside-counts", "Private/VisibleSurface.cxx", "if (!eye.Sees(point) || ", "if (",
+    "Visible.OnlyWhatIsInThePictureCounts")
+add("Rendering.left-plans-go-on", "Private/PlanJob.cxx", "else\n    {\n      this->Planner->SetAbort(true);\n    }",
+    "", "Background.AChangeStopsWhatIsInTheMaking")
+add("Rendering.changed-materials-are-not-redrawn", "Private/MaterialSettings.cxx", "add(this->BRDF);", "",
+    "Mapper.RebuildsExactlyWhenItMust|Scene.RedrawTimeFollowsAppearance")
+add("Rendering.largest-tolerance", "Private/MaterialSettings.cxx", "LargestTolerance = 1.0;",
+    "LargestTolerance = 10.0;", "Auto.TolerancesAreClampedWithAWarning")
+add("Rendering.selection-plans", "Private/DrawsColor.cxx", "if (renderer->GetSelector())", "if (!renderer)",
+    "Views.SelectionNeedsNoPlans")
+add("Rendering.hidden-lines-plan", "Private/DrawsColor.cxx", "return mask[0] || mask[1] || mask[2];", "return true;",
+    "Views.HiddenLinesNeedNoPlans")
+add("Rendering.cube-faces-upside-down", "Private/TextureEnvironment.cxx", "low < high; low += row",
+    "high < low; low += row", "Mapper.CubeMapTexture")
+add("Rendering.textures-never-repeat", "Private/BRDFTextures.cxx", "texture.Repeat[axis] ? vtkTextureObject::Repeat",
+    "texture.Repeat[axis] ? vtkTextureObject::ClampToEdge", "Parity.Tables|Parity.TableIntegrator")
+add("Rendering.padding-is-transparent", "Private/BRDFTextures.cxx", "triples[k + 2], 1.0f });",
+    "triples[k + 2], 0.0f });", "Parity.Tables")
+add("Rendering.hard-lights-get-soft-textures", "Private/BRDFTextures.cxx",
+    "return FindShared(brdf, softLights, window);", "return FindShared(brdf, true, window);",
+    "Mapper.SoftLightsOfTablesCostHardOnesNothing")
+add("Rendering.block-indices-from-one", "Private/BlockMaterials.cxx", "index = this->Next++;",
+    "index = ++this->Next;", "Composite.MaterialsOfBlocks")
+add("Rendering.block-behind-the-last", "Private/BlockMaterials.cxx", "if (index >= this->Next)",
+    "if (index > this->Next)", "Composite.MissingBlocksAreSaidOnce")
+add("Rendering.blocks-do-not-inherit", "Private/BlockMaterials.cxx", "this->Visit(child, material);",
+    "this->Visit(child, this->Settings.BRDF);", "Composite.MaterialsOfBlocks")
+
+# Shaders
+
+add("Shaders.views-are-lifted-too-far", "vtkBRDFCommon.glsl", "const float minimum = 0.02;",
+    "const float minimum = 0.05;", "MapperShading.GrazingViews")
+add("Shaders.left-handed-frame", "vtkBRDFCommon.glsl", "return mat3(p / l, cross(n, p / l), n);",
+    "return mat3(p / l, cross(p / l, n), n);",
+    "MapperShading.TheTangentsDirectionCounts|Scene.TangentsFollowTheActor")
+add("Shaders.left-half-of-the-turn", "vtkBRDFCommon.glsl", "q = v.x >= 0.0 ? q : 2.0 - q;", "", "Parity.Tables")
+add("Shaders.schlick-fourth-power", "vtkBRDFCommon.glsl", "return m2 * m2 * m;", "return m2 * m2;",
+    "Parity.ClosedForms")
+add("Shaders.half-difference-sign", "vtkBRDFCommon.glsl", "dot(p, i.xy) - s * i.z,", "dot(p, i.xy) + s * i.z,",
+    "Parity.Tables")
+add("Shaders.log-cosine-series", "vtkBRDFCommon.glsl", "s * (0.5 + s * (1.0 / 3.0", "s * (0.25 + s * (1.0 / 3.0",
+    "Parity.ClosedForms")
+add("Shaders.half-vector-spread-factor", "vtkBRDFCommon.glsl", "return spread / (4.0 *", "return spread / (2.0 *",
+    "Parity.SoftLights")
+add("Shaders.validity-ignored", "vtkBRDFCommon.glsl", "max(v.rgb / v.a, vec3(0.0))", "max(v.rgb, vec3(0.0))",
+    "Parity.Tables|Parity.EmbeddedMeasurement|Parity.RealFiles")
+add("Shaders.display-texel-is-linear", "vtkBRDFCommon.glsl", "vec3(1.0 / 2.2)), texel.a)", "vec3(1.0)), texel.a)",
+    "Scene.TexturesMultiplyLinearly")
+add("Shaders.ashikhmin-shirley-exponents", "vtkBRDFAshikhminShirley.glsl",
+    "brdfHalfVector(i, o), brdfExponentsINSTANCE.xy, 1.0)", "brdfHalfVector(i, o), brdfExponentsINSTANCE.yx, 1.0)",
+    "Parity.ClosedForms")
+add("Shaders.ashikhmin-shirley-cosine", "vtkBRDFAshikhminShirley.glsl", "(hd * max(i.z, o.z))", "(hd * i.z)",
+    "Parity.ClosedForms")
+add("Shaders.blinn-phong-soft-normalization", "vtkBRDFBlinnPhong.glsl",
+    "((n + 2.0) / (brdfExponentINSTANCE + 2.0)) *", "", "Parity.SoftLights")
+add("Shaders.basis-azimuth", "vtkBRDFBasis.glsl", "o.x * i.y - o.y * i.x", "o.y * i.x + o.x * i.y",
+    "Parity.SphericalHarmonics")
+add("Shaders.basis-coefficients-of-the-view-before", "vtkBRDFBasis.glsl", "brdfCoefficientViewINSTANCE = o;",
+    "brdfCoefficientViewINSTANCE = o.xyz + vec3(1.0);", "Parity.SphericalHarmonics|Parity.BasesAfterEachOther",
+    equivalent="the coefficients of every light are fetched anew, which is slower and no other picture")
+add("Shaders.basis-is-not-clamped", "vtkBRDFBasis.glsl", "return max(sum, vec3(0.0)) /", "return sum /",
+    "Parity.SphericalHarmonics|Parity.LargeBasesAndSums")
+add("Shaders.grazing-views-are-not-lifted", "vtkBRDFBegin.glsl", "brdfLiftView(brdfView * brdfFrame)",
+    "brdfView * brdfFrame", "MapperShading.GrazingViews")
+add("Shaders.environment-does-not-turn", "vtkBRDFBegin.glsl", "brdfEnvironmentRotation * envMatrix * brdfFrame",
+    "envMatrix * brdfFrame", "Mapper.RotatingEverythingChangesNothing")
+add("Shaders.directional-light-without-cosine", "vtkBRDFDirectionalLight.glsl", "* radiance * brdfLight.z;",
+    "* radiance;", "Mapper.SceneLights")
+add("Shaders.headlight-without-cosine", "vtkBRDFHeadlight.glsl", "* radiance * brdfLight.z;", "* radiance;",
+    "MapperShading.HeadlightOnATiltedPlane")
+add("Shaders.spot-exponent-ignored", "vtkBRDFPositionalLight.glsl", "pow(brdfConeLIGHT, lightExponentLIGHT)", "1.0",
+    "MapperShading.SpotOffItsAxis")
+add("Shaders.linear-attenuation-without-distance", "vtkBRDFPositionalLight.glsl",
+    "lightAttenuationLIGHT.y * brdfDistanceLIGHT +", "lightAttenuationLIGHT.y +", "MapperShading.SpotOffItsAxis")
+add("Shaders.scalars-made-linear-by-two", "vtkBRDFEnd.glsl", "vec3(0.0)), vec3(2.2));", "vec3(0.0)), vec3(2.0));",
+    "MapperShading.HalfGrayScalars")
+add("Shaders.green-without-guard", "vtkBRDFEnd.glsl", "brdfRadiance.g > 0.0 ? min(brdfRadiance.g, 1e9) : 0.0",
+    "min(brdfRadiance.g, 1e9)", "MapperShading.NegativeLightsEndAtZero")
+add("Shaders.encoded-twice", "vtkBRDFEnd.glsl", "pow(brdfRadiance, vec3(1.0 / 2.2))",
+    "pow(brdfRadiance, vec3(1.0 / 2.4))", "Mapper.SceneLights|MapperShading.HalfGrayScalars")
+add("Shaders.preintegrated-sine-part", "vtkBRDFEnvironmentBasis.glsl", "sine * angle.x - even * angle.y;",
+    "sine * angle.x + even * angle.y;", "Parity.PreintegratedBasis")
+add("Shaders.filtered-last-view", "vtkBRDFEnvironmentFiltered.glsl", "float last = 0.887158;", "float last = 0.95;",
+    "Parity.FilteredIntegrator")
+add("Shaders.octahedron-lower-half", "vtkBRDFEnvironmentPyramid.glsl", "d.z < 0.0 ? 1.0 - uv.yx : uv;",
+    "d.z < 0.0 ? 1.0 - uv : uv;", "Parity.FilteredIntegrator")
+add("Shaders.pyramid-levels-are-not-mixed", "vtkBRDFEnvironmentPyramid.glsl", "level + 1.0), lod - level)",
+    "level + 1.0), 0.0)", "Parity.FilteredIntegrator")
+add("Shaders.table-azimuth-slices", "vtkBRDFEnvironmentTable.glsl", "fract(psi) * (slices - 1.0)",
+    "fract(psi) * (slices - 2.0)", "Parity.TableIntegrator")
+add("Shaders.table-floor-of-another-row", "vtkBRDFEnvironmentTable.glsl", "vec2(u, 2.5 / 3.0)", "vec2(u, 1.5 / 3.0)",
+    "Parity.TableIntegrator")
+add("Shaders.table-azimuth-range", "vtkBRDFHalfDifference.glsl", "u.x *= brdfTurnsINSTANCE;", "", "Parity.Tables")
+add("Shaders.soft-table-levels-are-not-mixed", "vtkBRDFHalfDifferenceSoft.glsl", "level - float(first));", "0.0);",
+    "Parity.SoftTables")
+add("Shaders.mirrored-half-turn", "vtkBRDFIncidentOutgoing.glsl", "phi = brdfTurnsINSTANCE > 1.5 ? abs(phi) : phi;",
+    "", "Parity.Tables")
+add("Shaders.cosine-weight-ignored", "vtkBRDFIncidentOutgoing.glsl", "mix(1.0, o.z, brdfCosineWeightedINSTANCE)",
+    "mix(1.0, i.z, brdfCosineWeightedINSTANCE)", "Parity.Tables|Parity.RealFiles")
+add("Shaders.lambert-without-pi", "vtkBRDFLambert.glsl", "vec3(0.0)) / brdfPi;", "vec3(0.0));", "Parity.ClosedForms")
+add("Shaders.light-set-without-cosine", "vtkBRDFLightSet.glsl", "ivec2(1, 0), 0).rgb * i.z;", "ivec2(1, 0), 0).rgb;",
+    "Mapper.LightSetMatchesCpuPerPixel")
+add("Shaders.distribution-denominator", "vtkBRDFDistribution.glsl", "i.z + o.z - i.z * o.z", "i.z + o.z",
+    "Parity.ClosedForms")
+add("Shaders.tangent-axis-across", "vtkBRDFTangentAxis.glsl", "vec3(0.0, 1.0, 0.0) * envMatrix",
+    "vec3(1.0, 0.0, 0.0) * envMatrix", "MapperShading.TheTangentsDirectionCounts")

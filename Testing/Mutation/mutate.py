@@ -1,0 +1,305 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Puts small faults into the code, one at a time, and says which tests notice them.
+
+The faults are in faults.py. Each one is written into a copy of the source tree, never into your own files; the copy is
+built, the tests that cover the place run, and the text is restored. Exit status: 0 if at least 95 % of the faults were
+noticed and all of them compile. Faults that are marked as equivalent do not count.
+"""
+
+import argparse
+import collections
+import fnmatch
+import os
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import time
+
+from faults import FAULTS, ROOMS
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+FEWEST = 100
+SHARE = 0.95
+# As in the test of sizes, what lies in these folders is no source.
+SKIPPED = (".git", "__pycache__", "output", "install")
+OPTIONS = ("-DCMAKE_BUILD_TYPE=Release", "-DBUILD_TESTING=ON", "-DMEASUREDBRDF_WRAP_PYTHON=OFF",
+           "-DMEASUREDBRDF_BUILD_TOOL=OFF", "-DMEASUREDBRDF_WARNINGS_AS_ERRORS=OFF")
+DISPLAY = ("xvfb-run", "-a", "-s", "-screen 0 1280x1024x24 -noreset")
+
+
+def read(path):
+    with open(path, encoding="utf-8", newline="") as file:
+        return file.read()
+
+
+def write(path, text):
+    with open(path, "w", encoding="utf-8", newline="") as file:
+        file.write(text)
+
+
+class Tests:
+    """The tests in the GoogleTest sources, and the CMake targets that they belong to."""
+
+    def __init__(self):
+        self.targets = {}  # by test, as Suite.Name
+        for folder in ("Unit", "Render"):
+            self.add_folder(os.path.join(ROOT, "Testing", folder))
+
+    def add_folder(self, folder):
+        lists = re.sub(r"#[^\n]*", "", read(os.path.join(folder, "CMakeLists.txt")))
+        for command in re.finditer(r"(?:add_(?:unit|internal|render)_test|target_sources)\s*\(\s*(\w+)([^)]*)\)",
+                                   lists):
+            for source in re.findall(r"(?<!\S)[\w/]+\.cxx", command.group(2)):
+                path = os.path.join(folder, source)
+                if not os.path.exists(path):
+                    continue
+                for suite, name in re.findall(r"^TEST(?:_F|_P)?\((\w+),\s*(\w+)\)", read(path), re.MULTILINE):
+                    self.targets.setdefault(f"{suite}.{name}", set()).add(command.group(1))
+
+    def find_targets(self, expression):
+        """The targets of all tests that a regular expression for ctest finds."""
+        found = set()
+        for test, targets in self.targets.items():
+            if re.search(expression, test):
+                found |= targets
+        return sorted(found)
+
+
+def find_problems(tests):
+    """What is wrong with the list of faults, one line each."""
+    problems = []
+    if len(FAULTS) < FEWEST:
+        problems.append(f"{len(FAULTS)} faults, expected at least {FEWEST}")
+    counts = collections.Counter(fault.id for fault in FAULTS)
+    problems += [f"{id}: {count} faults have this name" for id, count in counts.items() if count > 1]
+    rooms = {fault.id.split(".")[0] for fault in FAULTS}
+    problems += [f"{room}: no fault" for room in ROOMS if room not in rooms]
+    for fault in FAULTS:
+        room = fault.id.split(".")[0]
+        folder = "shaders/" if room == "Shaders" else f"Module/{room}/"
+        if room not in ROOMS or not fault.file.startswith(folder):
+            problems.append(f"{fault.id}: the name begins with the room of its file, one of {', '.join(ROOMS)}")
+        if not os.path.exists(os.path.join(ROOT, fault.file)):
+            problems.append(f"{fault.id}: there is no file {fault.file}")
+            continue
+        count = read(os.path.join(ROOT, fault.file)).count(fault.old)
+        if count != 1:
+            problems.append(f"{fault.id}: its text is {count} times in {fault.file}, expected once:\n{fault.old}")
+        if fault.new == fault.old:
+            problems.append(f"{fault.id}: changes nothing")
+        for part in fault.tests.split("|"):
+            if not tests.find_targets(part):
+                problems.append(f"{fault.id}: no test matches {part}")
+    return problems
+
+
+class Copy:
+    """A copy of the source tree and its build, in one folder."""
+
+    def __init__(self, folder, arguments):
+        self.folder = os.path.abspath(folder)
+        self.source = os.path.join(self.folder, "source")
+        self.build = os.path.join(self.folder, "build")
+        self.jobs = str(arguments.jobs)
+        self.timeout = str(arguments.timeout)
+        self.limit = arguments.limit
+        self.environment = dict(os.environ, LIBGL_ALWAYS_SOFTWARE="1", MEASUREDBRDF_CACHE="off")
+
+    def list_files(self, root):
+        for parent, folders, names in os.walk(root):
+            top = parent == root
+            folders[:] = sorted(name for name in folders if name not in SKIPPED
+                                and not (top and name.startswith("build"))
+                                and os.path.join(parent, name) != self.folder)
+            for name in names:
+                path = os.path.join(parent, name)
+                if name != ".git" and not os.path.islink(path):
+                    yield os.path.relpath(path, root)
+
+    def update(self):
+        """Brings the copy to the state of the repository; equal files keep their time, so little is rebuilt."""
+        wanted = set(self.list_files(ROOT))
+        for path in sorted(wanted):
+            there = os.path.join(self.source, path)
+            with open(os.path.join(ROOT, path), "rb") as file:
+                content = file.read()
+            if os.path.exists(there):
+                with open(there, "rb") as file:
+                    if file.read() == content:
+                        continue
+            os.makedirs(os.path.dirname(there), exist_ok=True)
+            shutil.copy(os.path.join(ROOT, path), there)
+        for path in set(self.list_files(self.source)) - wanted:
+            os.remove(os.path.join(self.source, path))
+
+    def run(self, command, log, limit=None):
+        """The exit status, None beyond the time limit; nothing of the command goes on after this returns."""
+        with open(os.path.join(self.folder, log), "w", encoding="utf-8") as file:
+            process = subprocess.Popen(command, cwd=self.folder, env=self.environment, stdout=file,
+                                       stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL, start_new_session=True)
+            try:
+                return process.wait(limit)
+            except subprocess.TimeoutExpired:
+                return None
+            finally:
+                if process.poll() is None:
+                    os.killpg(process.pid, signal.SIGTERM)
+                    try:
+                        process.wait(10)
+                    except subprocess.TimeoutExpired:
+                        os.killpg(process.pid, signal.SIGKILL)
+                        process.wait()
+
+    def configure(self):
+        status = self.run(["cmake", "-S", self.source, "-B", self.build, "-G", "Ninja", *OPTIONS], "configure.log")
+        if status != 0:
+            sys.exit(f"cmake failed, see {os.path.join(self.folder, 'configure.log')}")
+
+    def make(self, targets):
+        """Whether the targets could be built."""
+        return self.run(["cmake", "--build", self.build, "-j", self.jobs, "--target", *targets], "build.log") == 0
+
+    def test(self, expression, targets, limit):
+        """The names of the failed tests; ["time limit"] if they did not end."""
+        failures = os.path.join(self.build, "Testing", "Temporary", "LastTestsFailed.log")
+        if os.path.exists(failures):
+            os.remove(failures)
+        needs_display = any(target.startswith("Render") for target in targets) and not os.environ.get("DISPLAY")
+        status = self.run([*(DISPLAY if needs_display else ()), "ctest", "--test-dir", self.build, "-R", expression,
+                           "-j", self.jobs, "--timeout", self.timeout, "--no-tests=error", "--output-on-failure"],
+                          "test.log", limit)
+        if status is None:
+            return ["time limit"]
+        failed = []
+        if os.path.exists(failures):
+            failed = [line.split(":", 1)[1] for line in read(failures).splitlines() if ":" in line]
+        if status != 0 and not failed:
+            sys.exit(f"ctest failed without a failed test, see {os.path.join(self.folder, 'test.log')}")
+        return failed
+
+
+def get_summary(names):
+    """The first three names, and how many there are beyond."""
+    return ", ".join(names[:3]) + (f" and {len(names) - 3} more" if len(names) > 3 else "")
+
+
+def try_fault(copy, fault, tests, known):
+    """("noticed", names of tests), ("MISSED", []) or ("does not compile", [])"""
+    path = os.path.join(copy.source, fault.file)
+    text = read(path)
+    targets = tests.find_targets(fault.tests)
+    try:
+        write(path, text.replace(fault.old, fault.new))
+        if not copy.make(targets):
+            return "does not compile", []
+        failed = [name for name in copy.test(fault.tests, targets, copy.limit) if name not in known]
+        return ("noticed", failed) if failed else ("MISSED", [])
+    finally:
+        write(path, text)
+
+
+def get_failures(copy, faults, tests):
+    """Tests that fail without a fault: they notice nothing."""
+    expression = "|".join(sorted({part for fault in faults for part in fault.tests.split("|")}))
+    targets = tests.find_targets(expression)
+    print(f"Building {len(targets)} test programs and running their tests without a fault ...", flush=True)
+    copy.configure()
+    if not copy.make(targets):
+        sys.exit(f"the code does not compile, see {os.path.join(copy.folder, 'build.log')}")
+    failed = copy.test(expression, targets, None)
+    if failed:
+        print("These fail without a fault and are left out: " + ", ".join(failed))
+    return set(failed)
+
+
+def report(results):
+    """Prints the table; the exit status."""
+    print(f"\n{'room':<12} {'faults':>6} {'noticed':>7} {'missed':>6} {'equivalent':>10}")
+    all_counts = collections.Counter()
+    for room in ROOMS:
+        counts = collections.Counter()
+        for fault, verdict in results:
+            if fault.id.split(".")[0] == room:
+                counts["faults"] += 1
+                counts["equivalent" if fault.equivalent else verdict] += 1
+        if counts:
+            print(f"{room:<12} {counts['faults']:>6} {counts['noticed']:>7} {counts['MISSED']:>6} "
+                  f"{counts['equivalent']:>10}")
+        all_counts += counts
+    counted = all_counts["noticed"] + all_counts["MISSED"]
+    share = all_counts["noticed"] / counted if counted else 1.0
+    print(f"{all_counts['noticed']} of {counted} faults were noticed ({100.0 * share:.1f} %).")
+    for verdict in ("MISSED", "does not compile"):
+        names = [fault.id for fault, other in results if other == verdict and not fault.equivalent]
+        if names:
+            print(f"{verdict}: " + ", ".join(names))
+    return 0 if share >= SHARE and not all_counts["does not compile"] else 1
+
+
+def interrupt(*_):
+    raise KeyboardInterrupt
+
+
+def try_faults(faults, tests, arguments):
+    signal.signal(signal.SIGTERM, interrupt)
+    copy = Copy(arguments.build, arguments)
+    os.makedirs(copy.folder, exist_ok=True)
+    results = []
+    try:
+        copy.update()
+        known = get_failures(copy, faults, tests)
+        for number, fault in enumerate(faults, 1):
+            start = time.monotonic()
+            verdict, names = try_fault(copy, fault, tests, known)
+            results.append((fault, verdict))
+            note = f" by {get_summary(names)}" if names else ""
+            if fault.equivalent:
+                note += f" (marked as equivalent: {fault.equivalent})"
+            print(f"[{number}/{len(faults)}] {fault.id}: {verdict}{note}, {time.monotonic() - start:.0f} s", flush=True)
+    except KeyboardInterrupt:
+        print("\nInterrupted; the copy is restored.")
+        report(results)
+        return 130
+    return report(results)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("faults", nargs="*", metavar="ID", default=["*"],
+                        help="names of faults, which may have * and ? in them, e.g. 'Lighting.*'; default: all")
+    parser.add_argument("--build", default=os.path.join(ROOT, "build-mutation"), metavar="DIR",
+                        help="folder for the copy and its build, used again the next time; default: build-mutation")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, metavar="N",
+                        help="compilers and tests at once")
+    parser.add_argument("--timeout", type=int, default=300, metavar="SECONDS", help="time limit of each test")
+    parser.add_argument("--limit", type=int, default=900, metavar="SECONDS",
+                        help="time limit of all tests of a fault; one that makes them run longer is noticed")
+    parser.add_argument("--check", action="store_true",
+                        help="only check that every fault fits the code and names tests that exist")
+    parser.add_argument("--list", action="store_true", help="only print the faults, their tests and their targets")
+    arguments = parser.parse_args()
+
+    tests = Tests()
+    faults = [fault for fault in FAULTS if any(fnmatch.fnmatchcase(fault.id, name) for name in arguments.faults)]
+    if arguments.list:
+        for fault in faults:
+            print(f"{fault.id}  {fault.file}  {' '.join(tests.find_targets(fault.tests))}  {fault.tests}")
+        return 0
+    problems = find_problems(tests)
+    if problems:
+        print("\n".join(problems))
+        return 1
+    if arguments.check:
+        print(f"{len(FAULTS)} faults fit the code")
+        return 0
+    if not faults:
+        sys.exit("no fault has such a name; --list prints them all")
+    return try_faults(faults, tests, arguments)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
