@@ -204,7 +204,7 @@ TEST_F(Views, TwoWindowsGetTheirBackgroundPlan)
   }
   ASSERT_TRUE(WaitUntil([this]() { return this->BRDF->Door->IsAwaited(); }));
   EXPECT_EQ(this->Measured->GetPlan(), old);
-  this->BRDF->Door->TakePasses();
+  this->BRDF->Door->SettlePasses();
   // As many frames as it takes, in either window, do not begin it anew.
   this->Window->Render();
   window->Render();

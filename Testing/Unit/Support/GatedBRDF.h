@@ -44,6 +44,16 @@ public:
   bool IsAwaited() const { return this->Waiting > 0; }
   long TakePasses() { return this->Passes.exchange(0); }
 
+  /// Forget the passes so far. The threads of a loop come one after the other: it waits until none
+  /// came for a while.
+  void SettlePasses()
+  {
+    do
+    {
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    } while (this->TakePasses() > 0);
+  }
+
 private:
   std::mutex Mutex;
   std::condition_variable Opened;
