@@ -3,27 +3,21 @@
 #include "Inputs.h"
 #include "Tool.h"
 
-#include "vtkAdaptiveWarpBRDF.h"
-#include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBRDFAnalysis.h"
+#include "vtkBRDFData.h"
+#include "vtkBRDFModels.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkBasisBRDF.h"
-#include "vtkBlinnPhongBRDF.h"
-#include "vtkDistributionBRDF.h"
-#include "vtkLambertBRDF.h"
 #include "vtkNew.h"
 #include "vtkRepresentationAdvisor.h"
-#include "vtkSumBRDF.h"
-#include "vtkTabulatedBRDF.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
-#include <functional>
 #include <memory>
-#include <numeric>
-#include <vector>
+#include <string>
+#include <utility>
 
 using nlohmann::ordered_json;
 
@@ -39,145 +33,43 @@ struct Options
 ordered_json Triple(const double rgb[3]) { return { rgb[0], rgb[1], rgb[2] }; }
 
 //------------------------------------------------------------------------------
-// How the material is stored: representation, parameterization, sizes, its own parameters.
-ordered_json Describe(vtkBRDF* brdf);
-
-ordered_json DescribeTable(vtkTabulatedBRDF* table)
-{
-  const bool half = table->GetParameterization() == vtkTabulatedBRDF::HALF_DIFFERENCE;
-  const int* n = table->GetDimensions();
-  ordered_json d;
-  d["representation"] = "tabulated";
-  d["parameterization"] = half ? "half/difference angles (phi_d, theta_d, theta_h)"
-                               : "incident/outgoing angles (delta phi, theta_o, theta_i)";
-  d["dimensions"] = { n[0], n[1], n[2] };
-  d["azimuth_range_degrees"] = table->GetAzimuthRange() == vtkTabulatedBRDF::HALF_TURN ? 180 : 360;
-  d["invalid_cells"] = table->GetNumberOfInvalidCells();
-  return d;
-}
-
-ordered_json DescribeWarp(vtkAdaptiveWarpBRDF* warp)
+// How the material is stored: its model and the model's parameters.
+ordered_json Describe(const vtkBRDFData& data)
 {
   ordered_json d;
-  d["representation"] = "adaptive warp";
-  d["parameterization"] = "warped by visible normals (phi_i, theta_i, channel, y, x)";
-  d["dimensions"] = warp->GetTables().Rgb.Shape;
-  return d;
-}
-
-ordered_json DescribeSum(vtkSumBRDF* sum)
-{
-  ordered_json d;
-  d["representation"] = "sum";
-  d["terms"] = ordered_json::array();
-  for (int k = 0; k < sum->GetNumberOfTerms(); ++k)
+  d["model"] = data.Model;
+  const auto insert = [&d](const char* key, auto values)
   {
-    d["terms"].push_back(Describe(sum->GetTerm(k)));
-  }
-  return d;
-}
-
-ordered_json DescribeLambert(vtkLambertBRDF* lambert)
-{
-  ordered_json d;
-  d["representation"] = "Lambert";
-  d["diffuse"] = Triple(lambert->GetAlbedo());
-  return d;
-}
-
-ordered_json DescribeBlinnPhong(vtkBlinnPhongBRDF* phong)
-{
-  ordered_json d;
-  d["representation"] = "Blinn-Phong";
-  d["specular"] = Triple(phong->GetSpecular());
-  d["exponent"] = phong->GetExponent();
-  return d;
-}
-
-ordered_json DescribeAshikhminShirley(vtkAshikhminShirleyBRDF* ashikhmin)
-{
-  ordered_json d;
-  d["representation"] = "Ashikhmin-Shirley";
-  d["specular"] = Triple(ashikhmin->GetSpecularScale());
-  const double* diffuse = ashikhmin->GetDiffuse();
-  const bool coupled = diffuse[0] > 0.0 || diffuse[1] > 0.0 || diffuse[2] > 0.0;
-  const bool schlick = ashikhmin->GetFresnelModel() == vtkAshikhminShirleyBRDF::SCHLICK;
-  d["fresnel_model"] = schlick ? "Schlick" : "dielectric";
-  if (schlick || coupled)
+    if (!values.empty())
+    {
+      d[key] = std::move(values);
+    }
+  };
+  insert("options", data.Options);
+  insert("numbers", data.Numbers);
+  ordered_json arrays;
+  for (const auto& [name, array] : data.Arrays)
   {
-    d["reflectance"] = Triple(ashikhmin->GetReflectance());
+    arrays[name] = { { "shape", array.Shape }, { "channels", array.Channels } };
   }
-  if (!schlick)
+  insert("arrays", arrays);
+  ordered_json terms;
+  for (const vtkBRDFData& term : data.Terms)
   {
-    d["index_of_refraction"] = ashikhmin->GetIndexOfRefraction();
+    terms.push_back(Describe(term));
   }
-  if (coupled)
-  {
-    d["diffuse"] = Triple(diffuse);
-  }
-  d["exponents"] = { ashikhmin->GetExponentU(), ashikhmin->GetExponentV() };
+  insert("terms", terms);
   return d;
-}
-
-ordered_json DescribeDistribution(vtkDistributionBRDF* distribution)
-{
-  ordered_json d;
-  d["representation"] = "distribution (D-BRDF)";
-  d["parameterization"] = "p(theta_h, phi_h) and F(theta_d)";
-  d["dimensions"] = { distribution->GetNumberOfThetaSamples(),
-    distribution->GetNumberOfPhiSamples(), distribution->GetFresnel().size() / 3 };
-  return d;
-}
-
-ordered_json DescribeBasis(vtkBasisBRDF* basis)
-{
-  const double* incident = basis->GetIncidentZone();
-  const double* outgoing = basis->GetOutgoingZone();
-  ordered_json d;
-  d["representation"] = "basis";
-  d["parameterization"] = "coefficients (phi_o, theta_o) per function of i";
-  d["basis"] = vtkBasisBRDF::GetBasisName(basis->GetBasis());
-  d["order"] = basis->GetOrder();
-  d["incident_zone_degrees"] = { incident[0], incident[1] };
-  d["outgoing_zone_degrees"] = { outgoing[0], outgoing[1] };
-  d["dimensions"] = { basis->GetNumberOfPhi(), basis->GetNumberOfTheta(),
-    basis->GetNumberOfFunctions() };
-  d["incident_cosine"] = basis->GetIncidentCosine();
-  d["outgoing_cosine"] = basis->GetOutgoingCosine();
-  return d;
-}
-
-//------------------------------------------------------------------------------
-// A class of materials, and what describes one of it.
-struct Model
-{
-  std::function<bool(vtkBRDF*)> Includes;
-  std::function<ordered_json(vtkBRDF*)> Describe;
-};
-
-template <typename BRDF>
-Model MakeModel(ordered_json (*describe)(BRDF*))
-{
-  return { [](vtkBRDF* brdf) { return BRDF::SafeDownCast(brdf) != nullptr; },
-    [describe](vtkBRDF* brdf) { return describe(BRDF::SafeDownCast(brdf)); } };
 }
 
 ordered_json Describe(vtkBRDF* brdf)
 {
-  static const std::vector<Model> models = { MakeModel(DescribeTable), MakeModel(DescribeWarp),
-    MakeModel(DescribeSum), MakeModel(DescribeLambert), MakeModel(DescribeBlinnPhong),
-    MakeModel(DescribeAshikhminShirley), MakeModel(DescribeDistribution),
-    MakeModel(DescribeBasis) };
-  for (const Model& model : models)
+  vtkBRDFData data;
+  if (!vtkBRDFModels::Save(brdf, data).empty())
   {
-    if (model.Includes(brdf))
-    {
-      return model.Describe(brdf);
-    }
+    return { { "model", brdf->GetClassName() } };
   }
-  ordered_json d;
-  d["representation"] = brdf->GetClassName();
-  return d;
+  return Describe(data);
 }
 
 //------------------------------------------------------------------------------
@@ -263,73 +155,48 @@ std::string Short(double value)
   return text;
 }
 
-//------------------------------------------------------------------------------
-std::string ShortTriple(const ordered_json& rgb)
+// "indexOfRefraction" as "index of refraction"
+std::string ToWords(const std::string& camelCase)
 {
-  return Short(rgb[0]) + ", " + Short(rgb[1]) + ", " + Short(rgb[2]);
+  std::string words;
+  for (const char c : camelCase)
+  {
+    words += c >= 'A' && c <= 'Z' ? std::string(" ") + static_cast<char>(c - 'A' + 'a')
+                                  : std::string(1, c);
+  }
+  return words;
 }
 
 //------------------------------------------------------------------------------
-std::string FormatRepresentation(const ordered_json& d, const std::string& indent)
+std::string FormatModel(const ordered_json& d, const std::string& indent)
 {
-  std::string text = Line(indent + "representation", d["representation"]);
-  if (d.contains("parameterization"))
+  std::string text = Line(indent + "model", d["model"]);
+  const auto list = [](const ordered_json& values, const char* between)
   {
-    text += Line(indent + "parameterization", d["parameterization"]);
-  }
-  if (d.contains("dimensions"))
-  {
-    std::string sizes;
-    for (const ordered_json& n : d["dimensions"])
+    std::string line;
+    for (const ordered_json& value : values)
     {
-      sizes += (sizes.empty() ? "" : " x ") + std::to_string(n.get<long long>());
+      line += (line.empty() ? "" : between) + Short(value);
     }
-    text += Line(indent + "sizes", sizes);
-  }
-  if (d.contains("azimuth_range_degrees"))
+    return line;
+  };
+  const auto get = [&d](const char* key) { return d.value(key, ordered_json::object()); };
+  for (const auto& [name, option] : get("options").items())
   {
-    text += Line(indent + "azimuths",
-      "0 to " + std::to_string(d["azimuth_range_degrees"].get<int>()) + " degrees");
+    text += Line(indent + ToWords(name), option);
   }
-  if (d.contains("basis"))
+  for (const auto& [name, numbers] : get("numbers").items())
   {
-    const auto zone = [&d](const char* key)
-    { return Short(d[key][0]) + " to " + Short(d[key][1]) + " degrees"; };
-    text += Line(indent + "basis",
-      d["basis"].get<std::string>() + ", order " + std::to_string(d["order"].get<int>()));
-    text += Line(indent + "zones",
-      "light " + zone("incident_zone_degrees") + ", view " + zone("outgoing_zone_degrees"));
-    const bool in = d["incident_cosine"], out = d["outgoing_cosine"];
-    text += Line(indent + "cosines carried",
-      in && out ? "of light and view" : (in ? "of light" : (out ? "of view" : "none")));
+    text += Line(indent + ToWords(name), list(numbers, ", "));
   }
-  for (const char* key : { "diffuse", "specular", "reflectance" })
+  for (const auto& [name, array] : get("arrays").items())
   {
-    if (d.contains(key))
-    {
-      text += Line(indent + key, ShortTriple(d[key]));
-    }
+    text += Line(indent + ToWords(name),
+      list(array["shape"], " x ") + (array["channels"] == 3 ? " RGB triples" : " numbers"));
   }
-  if (d.contains("fresnel_model"))
+  for (const ordered_json& term : d.value("terms", ordered_json::array()))
   {
-    text += Line(indent + "Fresnel term",
-      d["fresnel_model"].get<std::string>() +
-        (d.contains("index_of_refraction") ? ", index " + Short(d["index_of_refraction"]) : ""));
-  }
-  if (d.contains("exponent"))
-  {
-    text += Line(indent + "exponent", Short(d["exponent"]));
-  }
-  if (d.contains("exponents"))
-  {
-    text += Line(indent + "exponents", Short(d["exponents"][0]) + ", " + Short(d["exponents"][1]));
-  }
-  if (d.contains("terms"))
-  {
-    for (const ordered_json& term : d["terms"])
-    {
-      text += FormatRepresentation(term, indent + "  ");
-    }
+    text += FormatModel(term, indent + "  ");
   }
   return text;
 }
@@ -339,7 +206,7 @@ std::string FormatText(const ordered_json& info)
 {
   std::string text =
     Line("name", info["name"]) + Line("source", info["source"]) + Line("format", info["format"]) +
-    FormatRepresentation(info, "") + Line("isotropic", info["isotropic"] ? "yes" : "no") +
+    FormatModel(info, "") + Line("isotropic", info["isotropic"] ? "yes" : "no") +
     Line("negative values", std::to_string(info["negative_values"].get<long long>())) +
     Line("invalid values", std::to_string(info["invalid_values"].get<long long>())) +
     Line("range (1/sr)",

@@ -4,6 +4,8 @@
 
 #include <dlfcn.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <initializer_list>
 #include <malloc.h>
 
@@ -40,6 +42,29 @@ double GetHeapInUse()
 #else
   return 0.0;
 #endif
+}
+
+//------------------------------------------------------------------------------
+void HeapGrowth::Add() { this->InUse.push_back(GetHeapInUse()); }
+
+//------------------------------------------------------------------------------
+double HeapGrowth::Get() const
+{
+  const std::size_t repetitions = this->InUse.empty() ? 0 : this->InUse.size() - 1;
+  const std::size_t parts = std::min<std::size_t>(repetitions, 5);
+  std::vector<double> growths;
+  for (std::size_t k = 0; k < parts; ++k)
+  {
+    growths.push_back(
+      this->InUse[(k + 1) * repetitions / parts] - this->InUse[k * repetitions / parts]);
+  }
+  if (growths.empty())
+  {
+    return 0.0;
+  }
+  const auto median = growths.begin() + static_cast<std::ptrdiff_t>(parts / 2);
+  std::nth_element(growths.begin(), median, growths.end());
+  return *median * static_cast<double>(parts);
 }
 
 //------------------------------------------------------------------------------

@@ -220,7 +220,7 @@ void RunMaterialChanges(Context& context)
     vtkMeasuredBRDFMapper* mapper = theatre.GetMapper();
     mapper->SetEnvironment(environment);
     mapper->SetIntegrator(kind.Plans ? nullptr : MakeLightLoop(16).Get());
-    double heap = 0.0;
+    HeapGrowth heap;
     int objects = 0;
     std::vector<double> times;
     std::set<vtkIdType> bytes;
@@ -235,13 +235,16 @@ void RunMaterialChanges(Context& context)
       // What is set up once is there by then.
       if (k == kind.Changes / 2)
       {
-        heap = GetHeapInUse();
         objects = CountOpenGLObjects();
+      }
+      if (k >= kind.Changes / 2)
+      {
+        heap.Add();
       }
     }
     const std::string what =
       "the second half of " + std::to_string(kind.Changes) + " material changes adds";
-    context.Add(kind.Name, "MB in use that " + what, GetHeapInUse() - heap, LargestGrowth,
+    context.Add(kind.Name, "MB in use that " + what, heap.Get(), LargestGrowth,
       std::to_string(*bytes.rbegin()) + " bytes of textures at most");
     context.Add(kind.Name, "OpenGL objects that " + what, CountOpenGLObjects() - objects, 0.0,
       std::to_string(objects) + " objects");
@@ -301,12 +304,14 @@ double DrawCrowd(Context& context, int actors, int materials, int frames,
     theatre.DrawAsIs(128, 128);
     bad += theatre.GetNumberOfBad();
   }
-  const double before = GetHeapInUse();
   const int objects = CountOpenGLObjects();
+  HeapGrowth heap;
+  heap.Add();
   for (int k = 0; k < frames; ++k)
   {
     theatre.DrawAsIs(128, 128);
     bad += theatre.GetNumberOfBad();
+    heap.Add();
   }
   for (const auto& mapper : mappers)
   {
@@ -316,12 +321,11 @@ double DrawCrowd(Context& context, int actors, int materials, int frames,
     std::to_string(actors) + " actors, " + std::to_string(materials) +
       " materials: negative or not finite",
     bad, 0.0);
-  const double added = GetHeapInUse() - before;
   context.Add(materials == 1 ? "auto" : "light-set",
     std::to_string(actors) + " actors, " + std::to_string(materials) +
       " materials: OpenGL objects that later frames add",
     CountOpenGLObjects() - objects, 0.0, std::to_string(objects) + " objects");
-  return added;
+  return heap.Get();
 }
 
 //------------------------------------------------------------------------------

@@ -1,16 +1,22 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
 // A BRDF model of your own, with its GLSL: Oren and Nayar's rough diffuse reflection (SIGGRAPH
-// 1994), in Fujii's form. The mapper draws it by every method; the program checks a pixel.
+// 1994), in Fujii's form. The mapper draws it by every method; the program checks a pixel. Files
+// keep it as it is: the program writes it to an OpenEXR material and reads it again.
 //
-//   CustomModel [IMAGE.png]
+//   CustomModel [IMAGE.png [MATERIAL.exr]]
 
 #include <vtkActor.h>
 #include <vtkBRDF.h>
+#include <vtkBRDFExchange.h>
+#include <vtkBRDFModels.h>
+#include <vtkBRDFReader.h>
 #include <vtkBRDFShaderInputs.h>
+#include <vtkBRDFWriter.h>
 #include <vtkCamera.h>
 #include <vtkLightSet.h>
 #include <vtkLightSetRadianceIntegrator.h>
+#include <vtkMeasuredBRDFConfigure.h>
 #include <vtkMeasuredBRDFMapper.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
@@ -65,6 +71,13 @@ vec3 brdfTermINSTANCE(vec3 i, vec3 o)
     inputs.Description = "Oren-Nayar, closed form";
   }
 
+  std::string GetModelName() override { return "OrenNayar"; }
+  void ExchangeData(vtkBRDFExchange& exchange) override
+  {
+    exchange.Number(
+      "roughness", this->Roughness, [this](double value) { this->SetRoughness(value); });
+  }
+
 protected:
   void EvaluateAbove(const double i[3], const double o[3], double f[3]) override
   {
@@ -81,6 +94,26 @@ protected:
 };
 vtkStandardNewMacro(OrenNayarBRDF);
 
+// Whether a file gives the same material back. A build without OpenEXR has no such files.
+bool IsKept(OrenNayarBRDF* brdf, const std::string& path)
+{
+  if (!MEASUREDBRDF_WITH_OPENEXR)
+  {
+    return true;
+  }
+  vtkNew<vtkBRDFWriter> writer;
+  writer->SetFileName(path);
+  writer->SetBRDF(brdf);
+  vtkNew<vtkBRDFReader> reader;
+  reader->SetFileName(path);
+  if (!writer->Write() || !reader->Update())
+  {
+    return false;
+  }
+  OrenNayarBRDF* read = OrenNayarBRDF::SafeDownCast(reader->GetOutput());
+  return read && read->GetRoughness() == brdf->GetRoughness();
+}
+
 int main(int argc, char* argv[])
 {
   const std::string image = argc > 1 ? argv[1] : "CustomModel.png";
@@ -88,6 +121,7 @@ int main(int argc, char* argv[])
   // A plane at 45 degrees to both the viewer and a light behind the viewer.
   vtkNew<vtkPlaneSource> plane;
   vtkNew<OrenNayarBRDF> brdf;
+  brdf->SetRoughness(0.6);
   vtkNew<vtkLightSet> light;
   const double direction[3] = { 0.0, 0.0, 1.0 };
   const double irradiance[3] = { 2.0, 2.0, 2.0 };
@@ -132,5 +166,9 @@ int main(int argc, char* argv[])
   writer->SetInputConnection(grab->GetOutputPort());
   writer->SetFileName(image.c_str());
   writer->Write();
-  return std::abs(pixel->GetValue(0) - expected) < 1.5 ? EXIT_SUCCESS : EXIT_FAILURE;
+
+  vtkBRDFModels::Register(vtkSmartPointer<OrenNayarBRDF>::New());
+  const bool kept = IsKept(brdf, argc > 2 ? argv[2] : "CustomModel.exr");
+  std::cout << "the file " << (kept ? "keeps" : "does not keep") << " the model\n";
+  return kept && std::abs(pixel->GetValue(0) - expected) < 1.5 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

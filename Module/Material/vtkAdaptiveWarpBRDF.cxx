@@ -7,6 +7,7 @@
 #include "HalfVector.h"
 #include "Printable.h"
 #include "RoundingNoise.h"
+#include "vtkBRDFExchange.h"
 #include "vtkBRDFResampler.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkNew.h"
@@ -351,6 +352,42 @@ vtkBRDF* vtkAdaptiveWarpBRDF::GetRenderable()
 void vtkAdaptiveWarpBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
 {
   this->GetRenderable()->GetShaderInputs(form);
+}
+
+//------------------------------------------------------------------------------
+void vtkAdaptiveWarpBRDF::ExchangeData(vtkBRDFExchange& exchange)
+{
+  if (!exchange.IsLoading())
+  {
+    const Tables& tables = this->Data;
+    exchange.Option("jacobian", { "off", "on" }, tables.Jacobian, [](int) {});
+    exchange.SaveArray("thetaI", { static_cast<int>(tables.ThetaI.size()) }, 1, tables.ThetaI);
+    exchange.SaveArray("phiI", { static_cast<int>(tables.PhiI.size()) }, 1, tables.PhiI);
+    exchange.SaveArray("ndf", tables.Ndf.Shape, 1, tables.Ndf.Values);
+    exchange.SaveArray("sigma", tables.Sigma.Shape, 1, tables.Sigma.Values);
+    exchange.SaveArray("vndf", tables.Vndf.Shape, 1, tables.Vndf.Values);
+    exchange.SaveArray("luminance", tables.Luminance.Shape, 1, tables.Luminance.Values);
+    exchange.SaveArray("rgb", tables.Rgb.Shape, 1, tables.Rgb.Values);
+    return;
+  }
+  const auto load = [&exchange](const char* name, std::size_t axes)
+  {
+    auto array = exchange.LoadArray(name, axes, 1);
+    return Table{ std::move(array.Shape), std::move(array.Values) };
+  };
+  Tables tables;
+  exchange.Option("jacobian", { "off", "on" }, 0, [&](int value) { tables.Jacobian = value == 1; });
+  tables.ThetaI = load("thetaI", 1).Values;
+  tables.PhiI = load("phiI", 1).Values;
+  tables.Ndf = load("ndf", 2);
+  tables.Sigma = load("sigma", 2);
+  tables.Vndf = load("vndf", 4);
+  tables.Luminance = load("luminance", 4);
+  tables.Rgb = load("rgb", 5);
+  if (!exchange.HasFailed())
+  {
+    exchange.Check(this->SetTables(std::move(tables)));
+  }
 }
 
 //------------------------------------------------------------------------------

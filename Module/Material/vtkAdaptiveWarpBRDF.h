@@ -74,6 +74,8 @@ public:
   bool IsReciprocal() override { return false; }
   vtkBRDF* GetRenderable() override;
   void GetShaderInputs(vtkBRDFShaderInputs& form) override;
+  std::string GetModelName() override { return "AdaptiveWarp"; }
+  void ExchangeData(vtkBRDFExchange& exchange) override;
 
 protected:
   vtkAdaptiveWarpBRDF();

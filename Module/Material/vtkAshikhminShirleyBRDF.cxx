@@ -7,6 +7,7 @@
 #include "ModuleShader.h"
 #include "Setters.h"
 #include "vtkBRDFAshikhminShirley.h"
+#include "vtkBRDFExchange.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkObjectFactory.h"
 
@@ -190,6 +191,25 @@ void vtkAshikhminShirleyBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
     { this->FresnelModel == SCHLICK ? 0.0f : static_cast<float>(this->IndexOfRefraction) } });
   form.Terms.push_back(term);
   form.Description = "Ashikhmin-Shirley, closed form";
+}
+
+//------------------------------------------------------------------------------
+void vtkAshikhminShirleyBRDF::ExchangeData(vtkBRDFExchange& exchange)
+{
+  exchange.Triple("specularScale", this->SpecularScale,
+    [this](const double* value) { this->SetSpecularScale(value); });
+  exchange.Triple(
+    "reflectance", this->Reflectance, [this](const double* value) { this->SetReflectance(value); });
+  exchange.Triple(
+    "diffuse", this->Diffuse, [this](const double* value) { this->SetDiffuse(value); });
+  exchange.Number(
+    "exponentU", this->ExponentU, [this](double value) { this->SetExponentU(value); });
+  exchange.Number(
+    "exponentV", this->ExponentV, [this](double value) { this->SetExponentV(value); });
+  exchange.Option("fresnelModel", { "schlick", "dielectric" }, this->FresnelModel,
+    [this](int value) { this->SetFresnelModel(value); });
+  exchange.Number("indexOfRefraction", this->IndexOfRefraction,
+    [this](double value) { this->SetIndexOfRefraction(value); });
 }
 
 //------------------------------------------------------------------------------

@@ -96,6 +96,8 @@ public:
   void GetBounds(double minimumCosine, double lower[3], double upper[3]) override;
   bool IsIsotropic() override { return this->ExponentU == this->ExponentV; }
   void GetShaderInputs(vtkBRDFShaderInputs& form) override;
+  std::string GetModelName() override { return "AshikhminShirley"; }
+  void ExchangeData(vtkBRDFExchange& exchange) override;
 
 protected:
   vtkAshikhminShirleyBRDF() = default;

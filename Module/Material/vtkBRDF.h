@@ -23,10 +23,12 @@
 #include "vtkObject.h"
 #include "vtkSmartPointer.h" // for Renderable
 
+#include <limits>    // for GetMaximumArraySize
 #include <string>    // for Name, Source
 #include <typeindex> // for GetContent
 #include <utility>   // for GetContent
 
+class vtkBRDFExchange;
 struct vtkBRDFShaderInputs;
 
 class VTKMEASUREDBRDF_EXPORT vtkBRDF : public vtkObject
@@ -138,6 +140,23 @@ public:
    * GetContent: plans of such materials are not kept on disk.
    */
   std::string GetContentKey();
+
+  ///@{
+  /**
+   * For files: the model's name ("Lambert"), and its parameters, each named once, so that they can
+   * be saved and loaded. A program's own model overrides both and is given to
+   * vtkBRDFModels::Register. Default: no name, not stored. Name, Source and ResamplingTolerance are
+   * stored without being named.
+   */
+  virtual std::string GetModelName() { return ""; }
+  virtual void ExchangeData(vtkBRDFExchange& vtkNotUsed(exchange)) {}
+  ///@}
+
+  /**
+   * The most values that one array of the model's data may have. Readers refuse larger ones before
+   * they allocate memory. Default: no limit but the file's size.
+   */
+  virtual double GetMaximumArraySize() { return std::numeric_limits<double>::max(); }
 
 protected:
   vtkBRDF() = default;

@@ -11,6 +11,7 @@
 #include "Setters.h"
 #include "ZonePairs.h"
 #include "vtkBRDFBasis.h"
+#include "vtkBRDFExchange.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkObjectFactory.h"
 
@@ -237,8 +238,6 @@ void vtkBasisBRDF::Sum(const double i[3], const double o[3], double f[3])
     return;
   }
   const Tables& tables = this->GetTables();
-  const std::size_t n = static_cast<std::size_t>(this->GetNumberOfFunctions());
-
   const bool isotropic = this->NumberOfPhi == 1;
   const double x = tables.Functions.ToX(i[2]);
   const double turn =
@@ -251,24 +250,7 @@ void vtkBasisBRDF::Sum(const double i[3], const double o[3], double f[3])
   const Interval q = OnCircle(isotropic ? 0.0 : GetTurn(o[1], o[0]), this->NumberOfPhi);
 
   const auto add = [&](int theta, int phi, double weight)
-  {
-    const std::size_t view =
-      static_cast<std::size_t>(theta) * static_cast<std::size_t>(this->NumberOfPhi) +
-      static_cast<std::size_t>(phi);
-    const float* r = &tables.Coefficients[3 * view * n];
-    double sum[3] = { 0.0, 0.0, 0.0 };
-    for (std::size_t k = 0; k < n; ++k)
-    {
-      const double b = corners.Interpolate(k);
-      sum[0] += b * r[k];
-      sum[1] += b * r[n + k];
-      sum[2] += b * r[2 * n + k];
-    }
-    for (int c = 0; c < 3; ++c)
-    {
-      f[c] += weight * sum[c];
-    }
-  };
+  { tables.AddView(theta * this->NumberOfPhi + phi, corners, weight, f); };
   add(t.First, q.First, (1.0 - t.Weight) * (1.0 - q.Weight));
   add(t.Second, q.First, t.Weight * (1.0 - q.Weight));
   if (!isotropic)
@@ -299,20 +281,8 @@ double vtkBasisBRDF::GetNegativeMass(const double incident[2], const double outg
   {
     return std::numeric_limits<double>::quiet_NaN();
   }
-  double negative = 0.0;
-  double total = 0.0;
-  ForZonePairs(incident, outgoing, pairs,
-    [&](const double i[3], const double o[3])
-    {
-      double f[3];
-      this->EvaluateSigned(i, o, f);
-      for (const double value : f)
-      {
-        total += std::abs(value);
-        negative += std::max(-value, 0.0);
-      }
-    });
-  return total > 0.0 ? negative / total : 0.0;
+  return measuredbrdf::GetNegativeMass(incident, outgoing, pairs,
+    [this](const double i[3], const double o[3], double f[3]) { this->EvaluateSigned(i, o, f); });
 }
 
 //------------------------------------------------------------------------------
@@ -448,6 +418,50 @@ void vtkBasisBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
     std::max(form.ResamplingError, std::hypot(this->ResamplingError, interpolation));
   form.Description = text.str();
   form.Terms.push_back(std::move(term));
+}
+
+//------------------------------------------------------------------------------
+void vtkBasisBRDF::ExchangeData(vtkBRDFExchange& exchange)
+{
+  const std::vector<std::string> onOff = { "off", "on" };
+  exchange.Option("incidentCosine", onOff, this->IncidentCosine,
+    [this](int on) { this->SetIncidentCosine(on == 1); });
+  exchange.Option("outgoingCosine", onOff, this->OutgoingCosine,
+    [this](int on) { this->SetOutgoingCosine(on == 1); });
+  exchange.Number("resamplingError", this->ResamplingError,
+    [this](double value) { this->SetResamplingError(value); });
+  int basis = this->Basis;
+  exchange.Option("basis", { "spherical-harmonics", "hemispherical", "zonal", "legendre-fourier" },
+    basis, [&](int value) { basis = value; });
+  double order = this->Order, incident[2], outgoing[2];
+  std::copy_n(this->IncidentZone, 2, incident);
+  std::copy_n(this->OutgoingZone, 2, outgoing);
+  const auto exchangeNumber = [&exchange](const char* name, double& number)
+  { exchange.Number(name, number, [&number](double value) { number = value; }); };
+  exchangeNumber("order", order);
+  exchangeNumber("incidentBegin", incident[0]);
+  exchangeNumber("incidentEnd", incident[1]);
+  exchangeNumber("outgoingBegin", outgoing[0]);
+  exchangeNumber("outgoingEnd", outgoing[1]);
+  if (!exchange.IsLoading())
+  {
+    exchange.SaveArray("coefficients",
+      { this->GetNumberOfFunctions(), this->NumberOfTheta, this->NumberOfPhi }, 3,
+      this->Coefficients);
+    return;
+  }
+  auto coefficients = exchange.LoadArray("coefficients", 3, 3);
+  const int functions = coefficients.Shape[0];
+  if (order < 0.0 || std::pow(order + 1.0, 2.0) != functions)
+  {
+    exchange.Fail("number 'order' is " + std::to_string(order) + ", which does not suit " +
+                  std::to_string(functions) + " basis functions");
+  }
+  if (!exchange.HasFailed())
+  {
+    exchange.Check(this->SetCoefficients(basis, static_cast<int>(order), incident, outgoing,
+      coefficients.Shape[1], coefficients.Shape[2], std::move(coefficients.Values)));
+  }
 }
 
 //------------------------------------------------------------------------------

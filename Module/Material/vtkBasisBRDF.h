@@ -164,6 +164,9 @@ public:
   bool IsReciprocal() override { return false; }
   void Prepare() override;
   void GetShaderInputs(vtkBRDFShaderInputs& form) override;
+  std::string GetModelName() override { return "Basis"; }
+  void ExchangeData(vtkBRDFExchange& exchange) override;
+  double GetMaximumArraySize() override { return MaximumNumberOfValues; }
 
 protected:
   vtkBasisBRDF();

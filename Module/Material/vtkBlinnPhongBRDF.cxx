@@ -7,6 +7,7 @@
 #include "ModuleShader.h"
 #include "Setters.h"
 #include "vtkBRDFBlinnPhong.h"
+#include "vtkBRDFExchange.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkObjectFactory.h"
 
@@ -99,6 +100,14 @@ void vtkBlinnPhongBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
   term.Uniforms.push_back({ "brdfExponent", { static_cast<float>(this->Exponent) } });
   form.Terms.push_back(term);
   form.Description = "Blinn-Phong, closed form";
+}
+
+//------------------------------------------------------------------------------
+void vtkBlinnPhongBRDF::ExchangeData(vtkBRDFExchange& exchange)
+{
+  exchange.Triple(
+    "specular", this->Specular, [this](const double* value) { this->SetSpecular(value); });
+  exchange.Number("exponent", this->Exponent, [this](double value) { this->SetExponent(value); });
 }
 
 //------------------------------------------------------------------------------

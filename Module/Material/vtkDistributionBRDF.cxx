@@ -9,6 +9,7 @@
 #include "Neighbors.h"
 #include "RoundingNoise.h"
 #include "vtkBRDFDistribution.h"
+#include "vtkBRDFExchange.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkObjectFactory.h"
 
@@ -289,6 +290,28 @@ void vtkDistributionBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
   form.Description = "D-BRDF, tables of " + std::to_string(this->NumberOfTheta) + " x " +
                      std::to_string(this->NumberOfPhi) + " and " +
                      std::to_string(this->Fresnel.size() / 3) + " samples, 32-bit";
+}
+
+//------------------------------------------------------------------------------
+void vtkDistributionBRDF::ExchangeData(vtkBRDFExchange& exchange)
+{
+  if (!exchange.IsLoading())
+  {
+    exchange.SaveArray(
+      "distribution", { this->NumberOfPhi, this->NumberOfTheta }, 3, this->Distribution);
+    exchange.SaveArray("fresnel", { static_cast<int>(this->Fresnel.size() / 3) }, 3, this->Fresnel);
+    return;
+  }
+  const auto distribution = exchange.LoadArray("distribution", 2, 3);
+  const auto fresnel = exchange.LoadArray("fresnel", 1, 3);
+  if (!this->SetDistribution(distribution.Shape[1], distribution.Shape[0], distribution.Values))
+  {
+    exchange.Fail("array 'distribution' was refused: negative or not finite");
+  }
+  if (!this->SetFresnel(fresnel.Shape[0], fresnel.Values))
+  {
+    exchange.Fail("array 'fresnel' was refused: negative or not finite");
+  }
 }
 
 //------------------------------------------------------------------------------

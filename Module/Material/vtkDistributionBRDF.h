@@ -67,6 +67,8 @@ public:
   bool IsIsotropic() override { return this->NumberOfPhi == 1; }
   void Prepare() override;
   void GetShaderInputs(vtkBRDFShaderInputs& form) override;
+  std::string GetModelName() override { return "Distribution"; }
+  void ExchangeData(vtkBRDFExchange& exchange) override;
 
 protected:
   vtkDistributionBRDF();

@@ -6,6 +6,7 @@
 #include "HalfVector.h"
 #include "ModuleShader.h"
 #include "Setters.h"
+#include "vtkBRDFExchange.h"
 #include "vtkBRDFLambert.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkObjectFactory.h"
@@ -68,6 +69,12 @@ void vtkLambertBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
   term.Uniforms.push_back(albedo);
   form.Terms.push_back(term);
   form.Description = "Lambert, closed form";
+}
+
+//------------------------------------------------------------------------------
+void vtkLambertBRDF::ExchangeData(vtkBRDFExchange& exchange)
+{
+  exchange.Triple("albedo", this->Albedo, [this](const double* value) { this->SetAlbedo(value); });
 }
 
 //------------------------------------------------------------------------------

@@ -32,6 +32,8 @@ public:
   void GetDirectionalAlbedo(const double o[3], double albedo[3]) override;
   void GetBounds(double minimumCosine, double lower[3], double upper[3]) override;
   void GetShaderInputs(vtkBRDFShaderInputs& form) override;
+  std::string GetModelName() override { return "Lambert"; }
+  void ExchangeData(vtkBRDFExchange& exchange) override;
 
 protected:
   vtkLambertBRDF() = default;

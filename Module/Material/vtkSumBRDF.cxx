@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSumBRDF.h"
 
+#include "vtkBRDFExchange.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkObjectFactory.h"
 
@@ -259,6 +260,12 @@ void vtkSumBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
     description += (description.empty() ? "" : " + ") + form.Description;
   }
   form.Description = description.empty() ? "nothing (black)" : description;
+}
+
+//------------------------------------------------------------------------------
+void vtkSumBRDF::ExchangeData(vtkBRDFExchange& exchange)
+{
+  exchange.Terms(this->Terms, MaximumNumberOfTerms, [this](vtkBRDF* term) { this->AddTerm(term); });
 }
 
 //------------------------------------------------------------------------------

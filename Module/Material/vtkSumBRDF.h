@@ -43,6 +43,8 @@ public:
   void Prepare() override;
   vtkBRDF* GetRenderable() override;
   void GetShaderInputs(vtkBRDFShaderInputs& form) override;
+  std::string GetModelName() override { return "Sum"; }
+  void ExchangeData(vtkBRDFExchange& exchange) override;
 
 protected:
   vtkSumBRDF();

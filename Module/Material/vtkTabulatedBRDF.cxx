@@ -10,6 +10,7 @@
 #include "Setters.h"
 #include "TabulatedLevels.h"
 #include "VolumeInterpolation.h"
+#include "vtkBRDFExchange.h"
 #include "vtkBRDFHalfDifference.h"
 #include "vtkBRDFHalfDifferenceSoft.h"
 #include "vtkBRDFIncidentOutgoing.h"
@@ -412,6 +413,35 @@ void vtkTabulatedBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
   form.ResamplingError = std::max(form.ResamplingError, this->ResamplingError);
   form.Description = text.str();
   form.Terms.push_back(std::move(term));
+}
+
+//------------------------------------------------------------------------------
+void vtkTabulatedBRDF::ExchangeData(vtkBRDFExchange& exchange)
+{
+  exchange.Option("precision", { "automatic", "float16", "float32" }, this->Precision,
+    [this](int value) { this->SetPrecision(value); });
+  exchange.Option("cosineWeighted", { "off", "on" }, this->CosineWeighted,
+    [this](int value) { this->SetCosineWeighted(value == 1); });
+  exchange.Number("resamplingError", this->ResamplingError,
+    [this](double value) { this->SetResamplingError(value); });
+  int parameterization = this->Parameterization;
+  int azimuthRange = this->AzimuthRange;
+  exchange.Option("parameterization", { "half-difference", "incident-outgoing" }, parameterization,
+    [&](int value) { parameterization = value; });
+  exchange.Option("azimuthRange", { "half-turn", "full-turn" }, azimuthRange,
+    [&](int value) { azimuthRange = value; });
+  if (!exchange.IsLoading())
+  {
+    exchange.SaveArray(
+      "volume", { this->Dimensions[2], this->Dimensions[1], this->Dimensions[0] }, 3, this->Volume);
+    return;
+  }
+  auto volume = exchange.LoadArray("volume", 3, 3);
+  const int dimensions[3] = { volume.Shape[2], volume.Shape[1], volume.Shape[0] };
+  if (!this->SetVolume(parameterization, azimuthRange, dimensions, std::move(volume.Values)))
+  {
+    exchange.Fail("array 'volume' was refused");
+  }
 }
 
 //------------------------------------------------------------------------------

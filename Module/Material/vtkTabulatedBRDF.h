@@ -133,6 +133,8 @@ public:
   }
   void Prepare() override;
   void GetShaderInputs(vtkBRDFShaderInputs& form) override;
+  std::string GetModelName() override { return "Tabulated"; }
+  void ExchangeData(vtkBRDFExchange& exchange) override;
 
 protected:
   vtkTabulatedBRDF();

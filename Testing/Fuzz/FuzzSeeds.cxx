@@ -4,10 +4,10 @@
 
 #include "FileBytes.h"
 #include "FuzzTarget.h"
-#include "MaterialExchange.h"
 #include "SmallFiles.h"
 #include "vtkAdaptiveWarpBRDF.h"
 #include "vtkAshikhminShirleyBRDF.h"
+#include "vtkBRDFModels.h"
 #include "vtkBasisBRDF.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkDistributionBRDF.h"
@@ -150,14 +150,14 @@ Seeds MakePlans()
 } // namespace
 
 //------------------------------------------------------------------------------
-std::vector<measuredbrdf::MaterialArchive> MakeArchives()
+std::vector<vtkBRDFData> MakeData()
 {
-  std::vector<measuredbrdf::MaterialArchive> archives;
+  std::vector<vtkBRDFData> all;
   for (const auto& material : MakeMaterials())
   {
-    archives.push_back(measuredbrdf::ToArchive(material));
+    vtkBRDFModels::Save(material, all.emplace_back());
   }
-  return archives;
+  return all;
 }
 
 //------------------------------------------------------------------------------
@@ -193,7 +193,7 @@ Seeds MakeSeeds(const std::string& target)
     return MakeExrMaterials();
   }
 #endif
-  if (target == "MaterialArchive")
+  if (target == "MaterialData")
   {
     Seeds seeds;
     for (char representation = 0; representation < 8; ++representation)

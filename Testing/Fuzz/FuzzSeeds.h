@@ -8,15 +8,15 @@
 #ifndef FuzzSeeds_h
 #define FuzzSeeds_h
 
-#include "MaterialArchive.h"
+#include "vtkBRDFData.h"
 
 #include <string>
 #include <vector>
 
 namespace fuzz
 {
-/// One archive of each representation.
-std::vector<measuredbrdf::MaterialArchive> MakeArchives();
+/// The data of one material of each model.
+std::vector<vtkBRDFData> MakeData();
 
 /// The seeds of a target ("Merl"); none for an unknown name.
 std::vector<std::string> MakeSeeds(const std::string& target);

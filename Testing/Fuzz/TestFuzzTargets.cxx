@@ -22,7 +22,7 @@ Target FuzzEnvironment;
 Target FuzzExrHeader;
 Target FuzzExrMaterial;
 Target FuzzFit;
-Target FuzzMaterialArchive;
+Target FuzzMaterialData;
 Target FuzzMbsdf;
 Target FuzzMerl;
 Target FuzzPlanCache;
@@ -159,7 +159,6 @@ INSTANTIATE_TEST_SUITE_P(All, FuzzTargets,
 #if MEASUREDBRDF_WITH_OPENEXR
     Case{ "ExrHeader", FuzzExrHeader }, Case{ "ExrMaterial", FuzzExrMaterial },
 #endif
-    Case{ "Fit", FuzzFit }, Case{ "MaterialArchive", FuzzMaterialArchive },
-    Case{ "Mbsdf", FuzzMbsdf }, Case{ "Merl", FuzzMerl }, Case{ "PlanCache", FuzzPlanCache },
-    Case{ "Tensor", FuzzTensor }),
+    Case{ "Fit", FuzzFit }, Case{ "MaterialData", FuzzMaterialData }, Case{ "Mbsdf", FuzzMbsdf },
+    Case{ "Merl", FuzzMerl }, Case{ "PlanCache", FuzzPlanCache }, Case{ "Tensor", FuzzTensor }),
   [](const auto& info) { return std::string(info.param.Name); });

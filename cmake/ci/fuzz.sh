@@ -20,7 +20,7 @@ targets="
   ExrHeader        2048 Exr
   ExrMaterial      8192 Exr
   Fit              2048 Fit
-  MaterialArchive  512  Archive
+  MaterialData      512 MaterialData
   Mbsdf            4096 Mbsdf
   Merl             4096 Merl
   PlanCache       49152 PlanCache

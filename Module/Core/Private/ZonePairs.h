@@ -11,6 +11,7 @@
 #include "HalfVector.h"
 #include "LowDiscrepancy.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -38,6 +39,30 @@ void ForZonePairs(const double incident[2], const double outgoing[2], int count,
     draw(outgoing, RadicalInverse(n, 5), RadicalInverse(n, 7), o);
     use(i, o);
   }
+}
+
+/**
+ * Sum of the negative parts over the sum of absolute values, of evaluate(i, o, f) at such pairs; 0
+ * where all are 0.
+ */
+template <typename Evaluate>
+double GetNegativeMass(
+  const double incident[2], const double outgoing[2], int count, const Evaluate& evaluate)
+{
+  double negative = 0.0;
+  double total = 0.0;
+  ForZonePairs(incident, outgoing, count,
+    [&](const double i[3], const double o[3])
+    {
+      double f[3];
+      evaluate(i, o, f);
+      for (const double value : f)
+      {
+        total += std::abs(value);
+        negative += std::max(-value, 0.0);
+      }
+    });
+  return total > 0.0 ? negative / total : 0.0;
 }
 } // namespace measuredbrdf
 

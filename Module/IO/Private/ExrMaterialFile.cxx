@@ -5,7 +5,8 @@
 #include "ExrHeader.h"
 #include "ExrStream.h"
 #include "FileBytes.h"
-#include "MaterialExchange.h"
+#include "vtkBRDFData.h"
+#include "vtkBRDFModels.h"
 #include "vtkObjectFactory.h"
 
 #include <Iex.h>
@@ -25,6 +26,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 namespace measuredbrdf
 {
@@ -106,35 +108,35 @@ bool GetExtent(const std::vector<int>& shape, int& width, int& height)
 struct Part
 {
   std::string Name;
-  const MaterialArchive::Array* Array;
+  const vtkBRDFData::Array* Array;
 };
 
-json ToJson(const MaterialArchive& archive, const std::string& prefix, std::vector<Part>& parts)
+json ToJson(const vtkBRDFData& data, const std::string& prefix, std::vector<Part>& parts)
 {
   json object;
-  object["representation"] = archive.Representation;
-  object["name"] = archive.Name;
-  object["source"] = archive.Source;
-  object["options"] = archive.Options;
-  object["numbers"] = archive.Numbers;
+  object["representation"] = data.Model;
+  object["name"] = data.Name;
+  object["source"] = data.Source;
+  object["options"] = data.Options;
+  object["numbers"] = data.Numbers;
   object["arrays"] = json::object();
-  for (const auto& array : archive.Arrays)
+  for (const auto& array : data.Arrays)
   {
     parts.push_back({ prefix + array.first, &array.second });
     object["arrays"][array.first] = { { "shape", array.second.Shape },
       { "channels", array.second.Channels } };
   }
   object["terms"] = json::array();
-  for (std::size_t k = 0; k < archive.Terms.size(); ++k)
+  for (std::size_t k = 0; k < data.Terms.size(); ++k)
   {
-    object["terms"].push_back(ToJson(archive.Terms[k], prefix + std::to_string(k) + ".", parts));
+    object["terms"].push_back(ToJson(data.Terms[k], prefix + std::to_string(k) + ".", parts));
   }
   return object;
 }
 
 //------------------------------------------------------------------------------
 // Invalid cells (NaN) stay invalid.
-std::vector<half> RoundToHalf(const MaterialArchive::Array& array, const std::string& name)
+std::vector<half> RoundToHalf(const vtkBRDFData::Array& array, const std::string& name)
 {
   std::vector<half> rounded;
   rounded.reserve(array.Values.size());
@@ -186,7 +188,7 @@ std::vector<Imf::Header> MakeHeaders(const std::vector<Part>& parts, Imf::PixelT
 void WritePart(Imf::MultiPartOutputFile& output, int index, const Part& part,
   const Imath::Box2i& window, bool halfFloats)
 {
-  const MaterialArchive::Array& array = *part.Array;
+  const vtkBRDFData::Array& array = *part.Array;
   const std::vector<half> rounded =
     halfFloats ? RoundToHalf(array, part.Name) : std::vector<half>();
   const char* values = halfFloats ? reinterpret_cast<const char*>(rounded.data())
@@ -223,7 +225,7 @@ public:
     }
   }
 
-  void Read(const std::string& name, MaterialArchive::Array& array)
+  void Read(const std::string& name, vtkBRDFData::Array& array)
   {
     const auto found = this->Parts.find(name);
     if (found == this->Parts.end())
@@ -304,44 +306,61 @@ private:
 };
 
 //------------------------------------------------------------------------------
-MaterialArchive FromJson(
-  const json& object, const std::string& prefix, PartReader& parts, int depth)
+// Before memory is allocated for the values.
+void CheckSize(const std::string& model, const vtkBRDFData::Array& array)
+{
+  double values = array.Channels;
+  for (const int size : array.Shape)
+  {
+    values *= size;
+  }
+  const double most = vtkBRDFModels::GetMaximumArraySize(model);
+  if (values > most)
+  {
+    std::ostringstream text;
+    text << model << ": an array has " << values << " values, expected at most " << most;
+    throw std::runtime_error(text.str());
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkBRDFData FromJson(const json& object, const std::string& prefix, PartReader& parts, int depth)
 {
   if (depth > MaximumDepth)
   {
     throw std::runtime_error("terms are nested too deeply");
   }
-  MaterialArchive archive;
-  archive.Representation = object.at("representation").get<std::string>();
-  archive.Name = object.at("name").get<std::string>();
-  archive.Source = object.at("source").get<std::string>();
-  archive.Options = object.at("options").get<std::map<std::string, std::string>>();
-  archive.Numbers = object.at("numbers").get<std::map<std::string, std::vector<double>>>();
+  vtkBRDFData data;
+  data.Model = object.at("representation").get<std::string>();
+  data.Name = object.at("name").get<std::string>();
+  data.Source = object.at("source").get<std::string>();
+  data.Options = object.at("options").get<std::map<std::string, std::string>>();
+  data.Numbers = object.at("numbers").get<std::map<std::string, std::vector<double>>>();
   for (const auto& item : object.at("arrays").items())
   {
-    MaterialArchive::Array& array = archive.Arrays[item.key()];
+    vtkBRDFData::Array& array = data.Arrays[item.key()];
     array.Shape = item.value().at("shape").get<std::vector<int>>();
     array.Channels = item.value().at("channels").get<int>();
     if (array.Channels != 1 && array.Channels != 3)
     {
       throw std::runtime_error("array " + Quote(item.key()) + ": expected 1 or 3 channels");
     }
-    CheckShape(archive.Representation, array.Shape);
+    CheckSize(data.Model, array);
     parts.Read(prefix + item.key(), array);
   }
   std::size_t index = 0;
   for (const json& term : object.at("terms"))
   {
-    archive.Terms.push_back(FromJson(term, prefix + std::to_string(index) + ".", parts, depth + 1));
+    data.Terms.push_back(FromJson(term, prefix + std::to_string(index) + ".", parts, depth + 1));
     ++index;
   }
-  return archive;
+  return data;
 }
 
 //------------------------------------------------------------------------------
-void CountValues(const MaterialArchive& archive, MaterialFile& result)
+void CountValues(const vtkBRDFData& data, MaterialFile& result)
 {
-  for (const auto& array : archive.Arrays)
+  for (const auto& array : data.Arrays)
   {
     for (const float value : array.second.Values)
     {
@@ -349,7 +368,7 @@ void CountValues(const MaterialArchive& archive, MaterialFile& result)
       result.NumberOfInvalidValues += !std::isfinite(value);
     }
   }
-  for (const MaterialArchive& term : archive.Terms)
+  for (const vtkBRDFData& term : data.Terms)
   {
     CountValues(term, result);
   }
@@ -386,10 +405,14 @@ MaterialFile ReadExrMaterial(const FileBytes& file)
                                "' version " + std::to_string(JsonVersion));
     }
     PartReader parts(input, file.GetSize());
-    MaterialArchive archive = FromJson(header.at("material"), "", parts, 0);
+    vtkBRDFData data = FromJson(header.at("material"), "", parts, 0);
     MaterialFile result;
-    CountValues(archive, result);
-    result.BRDF = FromArchive(std::move(archive));
+    CountValues(data, result);
+    const std::string problem = vtkBRDFModels::Load(data, result.BRDF);
+    if (!problem.empty())
+    {
+      throw std::runtime_error(problem);
+    }
     return result;
   }
   catch (const json::exception& e)
@@ -411,13 +434,18 @@ void WriteExrMaterial(vtkBRDF* brdf, const std::string& path, bool halfFloats)
 {
   try
   {
-    const MaterialArchive archive = ToArchive(brdf);
+    vtkBRDFData data;
+    const std::string problem = vtkBRDFModels::Save(brdf, data);
+    if (!problem.empty())
+    {
+      throw std::runtime_error(problem);
+    }
     std::vector<Part> parts;
     json header;
     header["format"] = JsonFormat;
     header["version"] = JsonVersion;
-    header["material"] = ToJson(archive, "", parts);
-    const MaterialArchive::Array texel = { { 1 }, 1, { 0.0f } };
+    header["material"] = ToJson(data, "", parts);
+    const vtkBRDFData::Array texel = { { 1 }, 1, { 0.0f } };
     if (parts.empty())
     {
       parts.push_back({ "header", &texel });

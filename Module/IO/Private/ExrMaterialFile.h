@@ -3,7 +3,7 @@
 /**
  * @file
  * This project's material format: an OpenEXR file whose first part's string attribute
- * "measuredBRDF" holds JSON (names, representation, numbers; MaterialArchive), and whose parts hold
+ * "measuredBRDF" holds JSON (names, model, numbers; vtkBRDFData), and whose parts hold
  * the tables as 32-bit or 16-bit floats, ZIP-compressed (lossless). Part "volume" or, in term 1 of
  * a sum, "1.volume": width = fastest axis, height = product of the others, channels R, G, B or Y. A
  * material without tables has one part "header" of one texel.

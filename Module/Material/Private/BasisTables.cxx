@@ -53,6 +53,25 @@ BasisTables::BasisTables(const BasisFunctions& functions, double gammaRange, dou
 }
 
 //------------------------------------------------------------------------------
+void BasisTables::AddView(int view, const BasisCorners& corners, double weight, double f[3]) const
+{
+  const std::size_t n = static_cast<std::size_t>(this->Functions.GetNumberOfFunctions());
+  const float* r = &this->Coefficients[3 * static_cast<std::size_t>(view) * n];
+  double sum[3] = { 0.0, 0.0, 0.0 };
+  for (std::size_t k = 0; k < n; ++k)
+  {
+    const double b = corners.Interpolate(k);
+    sum[0] += b * r[k];
+    sum[1] += b * r[n + k];
+    sum[2] += b * r[2 * n + k];
+  }
+  for (int c = 0; c < 3; ++c)
+  {
+    f[c] += weight * sum[c];
+  }
+}
+
+//------------------------------------------------------------------------------
 void BasisTables::Measure(double& interpolation, double& amplification) const
 {
   const std::size_t n = static_cast<std::size_t>(this->Functions.GetNumberOfFunctions());

@@ -83,6 +83,9 @@ struct BasisTables
         g.Weight * (1.0 - p.Weight), g.Weight * p.Weight } };
   }
 
+  /// Adds weight times the sum of basis functions with the coefficients of one sample of o.
+  void AddView(int view, const BasisCorners& corners, double weight, double f[3]) const;
+
   /**
    * interpolation: relative L2 error of the sums by the basis table's steps, directions weighted by
    * the cosine. amplification: how much independent rounding errors of the stored values grow in

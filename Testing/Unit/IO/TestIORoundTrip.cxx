@@ -478,8 +478,8 @@ TEST(IOExr, RefusesBadFiles)
   ExpectBytesRefused(folder, Replace(good, "\"version\":1", "\"version\":7"), { Exr, "version 7" });
   ExpectBytesRefused(
     folder, Replace(good, "\"version\":1", "\"version\";1"), { Exr, "parse error" });
-  ExpectBytesRefused(folder, Replace(good, "\"Tabulated\"", "\"Tabulatex\""),
-    { Exr, "unknown representation 'Tabulatex'" });
+  ExpectBytesRefused(
+    folder, Replace(good, "\"Tabulated\"", "\"Tabulatex\""), { Exr, "unknown model 'Tabulatex'" });
   ExpectBytesRefused(folder, Replace(good, "\"half-turn\"", "\"half-torn\""),
     { Exr, "Tabulated", "'azimuthRange'" });
   ExpectBytesRefused(folder, Replace(good, "\"azimuthRange\"", "\"azimuthRangx\""),

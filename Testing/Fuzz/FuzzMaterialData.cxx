@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What an OpenEXR material's header may say: a good archive, changed in a few places.
+// What an OpenEXR material's header may say: a good material's data, changed in a few places.
 #include "FuzzTarget.h"
 
 #include "FuzzSeeds.h"
-#include "MaterialExchange.h"
+#include "vtkBRDFModels.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
@@ -14,8 +14,6 @@
 
 namespace
 {
-using measuredbrdf::MaterialArchive;
-
 // Takes values off the front; zeros behind the end.
 class Input
 {
@@ -56,82 +54,81 @@ typename Map::iterator Choose(Map& map, std::uint8_t which)
   return std::next(map.begin(), static_cast<long>(which % map.size()));
 }
 
-void Change(MaterialArchive& archive, Input& input)
+void Change(vtkBRDFData& material, Input& input)
 {
   const auto what = input.Take<std::uint8_t>() % 8;
   const auto which = input.Take<std::uint8_t>();
-  if (what == 0 && !archive.Numbers.empty())
+  if (what == 0 && !material.Numbers.empty())
   {
-    std::vector<double>& numbers = Choose(archive.Numbers, which)->second;
+    std::vector<double>& numbers = Choose(material.Numbers, which)->second;
     numbers.resize(input.Take<std::uint8_t>() % 4, 0.5);
     if (!numbers.empty())
     {
       numbers.back() = input.Take<double>();
     }
   }
-  else if (what == 1 && !archive.Options.empty())
+  else if (what == 1 && !material.Options.empty())
   {
-    Choose(archive.Options, which)->second = input.TakeText();
+    Choose(material.Options, which)->second = input.TakeText();
   }
-  else if (what == 2 && !archive.Arrays.empty())
+  else if (what == 2 && !material.Arrays.empty())
   {
-    std::vector<int>& shape = Choose(archive.Arrays, which)->second.Shape;
+    std::vector<int>& shape = Choose(material.Arrays, which)->second.Shape;
     shape.resize(input.Take<std::uint8_t>() % 6, 1);
     if (!shape.empty())
     {
       shape[input.Take<std::uint8_t>() % shape.size()] = input.Take<std::uint8_t>();
     }
   }
-  else if (what == 3 && !archive.Arrays.empty())
+  else if (what == 3 && !material.Arrays.empty())
   {
-    std::vector<float>& values = Choose(archive.Arrays, which)->second.Values;
+    std::vector<float>& values = Choose(material.Arrays, which)->second.Values;
     if (!values.empty())
     {
       values[input.Take<std::uint16_t>() % values.size()] = input.Take<float>();
     }
   }
-  else if (what == 4 && !archive.Arrays.empty())
+  else if (what == 4 && !material.Arrays.empty())
   {
-    Choose(archive.Arrays, which)->second.Channels = which & 1 ? 1 : 3;
+    Choose(material.Arrays, which)->second.Channels = which & 1 ? 1 : 3;
   }
-  else if (what == 5 && !archive.Arrays.empty())
+  else if (what == 5 && !material.Arrays.empty())
   {
-    archive.Arrays.erase(Choose(archive.Arrays, which));
+    material.Arrays.erase(Choose(material.Arrays, which));
   }
-  else if (what == 6 && archive.Terms.empty()) // once: each sum takes its terms' time again
+  else if (what == 6 && material.Terms.empty()) // once: each sum takes its terms' time again
   {
-    MaterialArchive sum;
-    sum.Representation = "Sum";
-    sum.Numbers = archive.Numbers;
-    sum.Terms.assign(which % 4, archive);
-    archive = std::move(sum);
+    vtkBRDFData sum;
+    sum.Model = "Sum";
+    sum.Numbers = material.Numbers;
+    sum.Terms.assign(which % 4, material);
+    material = std::move(sum);
   }
-  else if (what == 7 && !archive.Terms.empty())
+  else if (what == 7 && !material.Terms.empty())
   {
-    Change(archive.Terms[which % archive.Terms.size()], input);
+    Change(material.Terms[which % material.Terms.size()], input);
   }
 }
 
 // The reader fills arrays by their shapes; false for more than a small file holds.
-bool Fill(MaterialArchive& archive)
+bool Fill(vtkBRDFData& material)
 {
   std::size_t values = 0;
-  for (auto& [name, array] : archive.Arrays)
+  for (auto& [name, array] : material.Arrays)
   {
     double count = array.Channels;
     for (const int size : array.Shape)
     {
       count *= size;
     }
-    if (count < 1.0 || count > 1e5)
+    if (count < 1.0 || count > std::min(1e5, vtkBRDFModels::GetMaximumArraySize(material.Model)))
     {
       return false;
     }
-    measuredbrdf::CheckShape(archive.Representation, array.Shape);
     array.Values.resize(static_cast<std::size_t>(count), 0.25f);
     values += array.Values.size();
   }
-  for (MaterialArchive& term : archive.Terms)
+  for (vtkBRDFData& term : material.Terms)
   {
     if (!Fill(term))
     {
@@ -142,26 +139,20 @@ bool Fill(MaterialArchive& archive)
 }
 }
 
-MEASUREDBRDF_FUZZ_TARGET(MaterialArchive)(const std::uint8_t* data, std::size_t size)
+MEASUREDBRDF_FUZZ_TARGET(MaterialData)(const std::uint8_t* data, std::size_t size)
 {
-  static const std::vector<MaterialArchive>& good =
-    *new std::vector<MaterialArchive>(fuzz::MakeArchives());
+  static const std::vector<vtkBRDFData>& good = *new std::vector<vtkBRDFData>(fuzz::MakeData());
   const fuzz::Silence silence;
   Input input(data, size);
-  MaterialArchive archive = good[input.Take<std::uint8_t>() % good.size()];
+  vtkBRDFData material = good[input.Take<std::uint8_t>() % good.size()];
   for (int changes = 0; changes < 16 && !input.IsAtEnd(); ++changes)
   {
-    Change(archive, input);
+    Change(material, input);
   }
-  try
+  vtkSmartPointer<vtkBRDF> brdf;
+  if (Fill(material) && vtkBRDFModels::Load(material, brdf).empty())
   {
-    if (Fill(archive))
-    {
-      fuzz::Use(measuredbrdf::FromArchive(std::move(archive)), fuzz::IsRare(data, size));
-    }
-  }
-  catch (const std::runtime_error&) // how an archive is refused
-  {
+    fuzz::Use(brdf, fuzz::IsRare(data, size));
   }
   return 0;
 }

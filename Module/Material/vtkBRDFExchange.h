@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkBRDFExchange
+ * @brief   carries a material's parameters to or from a vtkBRDFData
+ *
+ * A model names each of its parameters once, in vtkBRDF::ExchangeData, with its present value and
+ * the function that sets it. When the material is saved the values are read; when it is loaded the
+ * functions are called with what the data hold. Names are in lower camel case.
+ *
+ * The first problem is kept, and what follows it does nothing. A material that was loaded with a
+ * problem is discarded, so it does not matter how much of it was set.
+ */
+
+#ifndef vtkBRDFExchange_h
+#define vtkBRDFExchange_h
+
+#include "vtkBRDF.h"               // for Terms
+#include "vtkBRDFData.h"           // for LoadArray
+#include "vtkMeasuredBRDFModule.h" // for export macro
+#include "vtkSmartPointer.h"       // for Terms
+
+#include <cstddef>    // for LoadArray
+#include <functional> // for setters
+#include <string>     // for names
+#include <vector>     // for arrays
+
+class VTKMEASUREDBRDF_EXPORT vtkBRDFExchange
+{
+public:
+  vtkBRDFExchange(vtkBRDFData& data, bool loading);
+  virtual ~vtkBRDFExchange();
+  vtkBRDFExchange(const vtkBRDFExchange&) = delete;
+  void operator=(const vtkBRDFExchange&) = delete;
+
+  /// Whether the material gets its parameters from the data; otherwise the data get the material's.
+  bool IsLoading() const { return this->Loading; }
+
+  ///@{
+  /**
+   * A number, or a triple of them; member has to be the variable that set changes. Values that are
+   * not finite, and values that set refuses or clamps, are problems.
+   */
+  void Number(
+    const std::string& name, const double& member, const std::function<void(double)>& set);
+  void Number(
+    const std::string& name, double&& member, const std::function<void(double)>& set) = delete;
+  void Triple(const std::string& name, const double (&member)[3],
+    const std::function<void(const double*)>& set);
+  ///@}
+
+  /// One of a few choices, by its index; other texts in the data are problems.
+  void Option(const std::string& name, const std::vector<std::string>& choices, int value,
+    const std::function<void(int)>& set);
+
+  /// When saving: an array. Its shape has the slowest axis first; channels (1 or 3) interleave.
+  void SaveArray(const std::string& name, const std::vector<int>& shape, int channels,
+    const std::vector<float>& values);
+
+  /**
+   * When loading: take an array with that number of axes and channels out of the data. After a
+   * problem it is empty, but has that number of axes (of size 0).
+   */
+  vtkBRDFData::Array LoadArray(const std::string& name, std::size_t axes, int channels);
+
+  /// The materials of which this one is made; add is called for each one that was loaded.
+  void Terms(const std::vector<vtkSmartPointer<vtkBRDF>>& terms, int maximum,
+    const std::function<void(vtkBRDF*)>& add);
+
+  ///@{
+  /**
+   * Report a problem (Check: unless it is empty), and ask for the first one: "MODEL: what".
+   */
+  void Fail(const std::string& problem);
+  void Check(const std::string& problem);
+  bool HasFailed() const { return !this->Problem.empty(); }
+  const std::string& GetProblem() const { return this->Problem; }
+  ///@}
+
+protected:
+  ///@{
+  /**
+   * For Terms; return a problem, or "".
+   */
+  virtual std::string SaveTerm(vtkBRDF* term, vtkBRDFData& data) = 0;
+  virtual std::string LoadTerm(vtkBRDFData& data, vtkSmartPointer<vtkBRDF>& term) = 0;
+  ///@}
+
+private:
+  bool FindNumbers(const std::string& name, std::size_t count, const double*& values);
+  void SaveNumbers(const std::string& name, const double* values, std::size_t count);
+
+  vtkBRDFData& Data;
+  const bool Loading;
+  std::string Problem;
+};
+
+#endif
