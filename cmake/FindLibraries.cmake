@@ -1,7 +1,12 @@
 # The libraries that the module is made with, beside VTK.
 find_package(glm REQUIRED)
 find_package(nlohmann_json REQUIRED)
-find_package(Eigen3 REQUIRED)
+# VTK's own build has a FindEigen3 with another target, and a target `eigen` of its own, at sight of
+# which Eigen's configuration defines nothing.
+find_package(Eigen3 CONFIG REQUIRED)
+if (NOT TARGET Eigen3::Eigen)
+  include("${Eigen3_DIR}/Eigen3Targets.cmake")
+endif ()
 
 # Three more are optional. OFF: the module builds, and says when it is used what it lacks.
 option(MEASUREDBRDF_WITH_CERES "Fit Blinn-Phong and Ashikhmin-Shirley lobes (needs Ceres)" ON)

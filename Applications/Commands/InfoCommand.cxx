@@ -14,6 +14,8 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -143,7 +145,7 @@ ordered_json Inspect(const Options& options)
 std::string Line(const std::string& label, const std::string& value)
 {
   std::string padded = label;
-  padded.resize(20, ' ');
+  padded.resize(std::max<std::size_t>(26, padded.size() + 1), ' ');
   return value.empty() ? "" : padded + value + "\n";
 }
 
@@ -180,21 +182,24 @@ std::string FormatModel(const ordered_json& d, const std::string& indent)
     }
     return line;
   };
-  const auto get = [&d](const char* key) { return d.value(key, ordered_json::object()); };
-  for (const auto& [name, option] : get("options").items())
+  const ordered_json options = d.value("options", ordered_json::object());
+  const ordered_json allNumbers = d.value("numbers", ordered_json::object());
+  const ordered_json arrays = d.value("arrays", ordered_json::object());
+  for (const auto& [name, option] : options.items())
   {
     text += Line(indent + ToWords(name), option);
   }
-  for (const auto& [name, numbers] : get("numbers").items())
+  for (const auto& [name, numbers] : allNumbers.items())
   {
     text += Line(indent + ToWords(name), list(numbers, ", "));
   }
-  for (const auto& [name, array] : get("arrays").items())
+  for (const auto& [name, array] : arrays.items())
   {
     text += Line(indent + ToWords(name),
       list(array["shape"], " x ") + (array["channels"] == 3 ? " RGB triples" : " numbers"));
   }
-  for (const ordered_json& term : d.value("terms", ordered_json::array()))
+  const ordered_json terms = d.value("terms", ordered_json::array());
+  for (const ordered_json& term : terms)
   {
     text += FormatModel(term, indent + "  ");
   }

@@ -106,11 +106,11 @@ bool IsKept(OrenNayarBRDF* brdf, const std::string& path)
   writer->SetBRDF(brdf);
   vtkNew<vtkBRDFReader> reader;
   reader->SetFileName(path);
-  if (!writer->Write() || !reader->Update())
+  if (!writer->Write() || !reader->Read())
   {
     return false;
   }
-  OrenNayarBRDF* read = OrenNayarBRDF::SafeDownCast(reader->GetOutput());
+  OrenNayarBRDF* read = OrenNayarBRDF::SafeDownCast(reader->GetBRDF());
   return read && read->GetRoughness() == brdf->GetRoughness();
 }
 

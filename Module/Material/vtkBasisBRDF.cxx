@@ -454,8 +454,9 @@ void vtkBasisBRDF::ExchangeData(vtkBRDFExchange& exchange)
   const int functions = coefficients.Shape[0];
   if (order < 0.0 || std::pow(order + 1.0, 2.0) != functions)
   {
-    exchange.Fail("number 'order' is " + std::to_string(order) + ", which does not suit " +
-                  std::to_string(functions) + " basis functions");
+    std::ostringstream text;
+    text << "number 'order' is " << order << ", expected that of " << functions << " functions";
+    exchange.Fail(text.str());
   }
   if (!exchange.HasFailed())
   {

@@ -107,6 +107,7 @@ class Copy:
         self.jobs = str(arguments.jobs)
         self.timeout = str(arguments.timeout)
         self.limit = arguments.limit
+        self.all = arguments.all
         self.environment = dict(os.environ, LIBGL_ALWAYS_SOFTWARE="1", MEASUREDBRDF_CACHE="off")
 
     def list_files(self, root):
@@ -163,15 +164,15 @@ class Copy:
         """Whether the targets could be built."""
         return self.run(["cmake", "--build", self.build, "-j", self.jobs, "--target", *targets], "build.log") == 0
 
-    def test(self, expression, targets, limit):
-        """The names of the failed tests; ["time limit"] if they did not end."""
+    def test(self, expression, targets, limit, every=True):
+        """The names of the failed tests, or of the first ones; ["time limit"] if they did not end."""
         failures = os.path.join(self.build, "Testing", "Temporary", "LastTestsFailed.log")
         if os.path.exists(failures):
             os.remove(failures)
         needs_display = any(target.startswith("Render") for target in targets) and not os.environ.get("DISPLAY")
         status = self.run([*(DISPLAY if needs_display else ()), "ctest", "--test-dir", self.build, "-R", expression,
-                           "-j", self.jobs, "--timeout", self.timeout, "--no-tests=error", "--output-on-failure"],
-                          "test.log", limit)
+                           "-j", self.jobs, "--timeout", self.timeout, "--no-tests=error", "--output-on-failure",
+                           *(() if every else ("--stop-on-failure",))], "test.log", limit)
         if status is None:
             return ["time limit"]
         failed = []
@@ -196,7 +197,8 @@ def try_fault(copy, fault, tests, known):
         write(path, text.replace(fault.old, fault.new))
         if not copy.make(targets):
             return "does not compile", []
-        failed = [name for name in copy.test(fault.tests, targets, copy.limit) if name not in known]
+        every = copy.all or bool(known)  # a test that always fails must not be the last
+        failed = [name for name in copy.test(fault.tests, targets, copy.limit, every) if name not in known]
         return ("noticed", failed) if failed else ("MISSED", [])
     finally:
         write(path, text)
@@ -278,6 +280,8 @@ def main():
     parser.add_argument("--timeout", type=int, default=300, metavar="SECONDS", help="time limit of each test")
     parser.add_argument("--limit", type=int, default=900, metavar="SECONDS",
                         help="time limit of all tests of a fault; one that makes them run longer is noticed")
+    parser.add_argument("--all", action="store_true",
+                        help="run all tests of a fault; otherwise its run ends with the first test that notices it")
     parser.add_argument("--check", action="store_true",
                         help="only check that every fault fits the code and names tests that exist")
     parser.add_argument("--list", action="store_true", help="only print the faults, their tests and their targets")

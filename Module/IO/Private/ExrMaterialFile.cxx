@@ -25,7 +25,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <numeric>
 #include <sstream>
 
 namespace measuredbrdf
@@ -309,16 +311,14 @@ private:
 // Before memory is allocated for the values.
 void CheckSize(const std::string& model, const vtkBRDFData::Array& array)
 {
-  double values = array.Channels;
-  for (const int size : array.Shape)
-  {
-    values *= size;
-  }
+  const double values = std::accumulate(
+    array.Shape.begin(), array.Shape.end(), double(array.Channels), std::multiplies<>());
   const double most = vtkBRDFModels::GetMaximumArraySize(model);
   if (values > most)
   {
     std::ostringstream text;
-    text << model << ": an array has " << values << " values, expected at most " << most;
+    text << model << ": an array has " << values << " values, expected at most "
+         << std::llround(most);
     throw std::runtime_error(text.str());
   }
 }

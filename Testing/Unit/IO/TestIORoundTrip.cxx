@@ -5,6 +5,7 @@
 #include "TestIOHelpers.h"
 
 #include "vtkAshikhminShirleyBRDF.h"
+#include "vtkBRDFModels.h"
 #include "vtkBasisBRDF.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkDistributionBRDF.h"
@@ -73,6 +74,7 @@ class BrokenBRDF : public vtkLambertBRDF
 public:
   static BrokenBRDF* New();
   vtkTypeMacro(BrokenBRDF, vtkLambertBRDF);
+  std::string GetModelName() override { return "Broken"; }
 
 protected:
   BrokenBRDF() { this->Albedo[1] = std::numeric_limits<double>::quiet_NaN(); }
@@ -214,8 +216,12 @@ TEST(IOWriter, RefusesBadPlaces)
   ExpectWriteRefused(lambert, folder("missing/m.exr"), { "cannot be written" });
   std::filesystem::create_directory(folder("d.exr"));
   ExpectWriteRefused(lambert, folder("d.exr"), { "directory" });
-  ExpectWriteRefused(
-    vtkSmartPointer<BrokenBRDF>::New(), folder("m.exr"), { "Lambert", "'albedo'", "not finite" });
+  // Nor is it stored as its superclass, which it is not.
+  vtkNew<BrokenBRDF> broken;
+  ExpectWriteRefused(broken, folder("m.exr"), { "BrokenBRDF has no form" });
+  ASSERT_TRUE(vtkBRDFModels::Register(broken));
+  ExpectWriteRefused(broken, folder("m.exr"), { "Broken: ", "'albedo'", "not finite" });
+  vtkBRDFModels::Unregister(broken);
   EXPECT_EQ(folder.CountFiles(), 1u); // d.exr
 #if !defined(_WIN32)
   if (geteuid() == 0)
@@ -523,7 +529,7 @@ TEST(IOExr, RefusesBadBases)
     ExpectBytesRefused(folder, Replace(good, from, to), { Exr, "Basis", word });
   };
   const std::string order = "\"order\":[3.0]";
-  refuse(order, "\"order\":[2.0]", "'order' is 2, which does not suit 16 basis functions");
+  refuse(order, "\"order\":[2.0]", "'order' is 2, expected that of 16 functions");
   refuse(order, "\"order\":[100]", "'order' is 100,");
   refuse(order, "\"order\":[3.5]", "'order' is 3.5,");
   refuse(order, "\"order\":[-1 ]", "'order' is -1,");
