@@ -241,7 +241,7 @@ add("Integration.spread-is-the-concentration", "vtkLightSetRadianceIntegrator.cx
     "concentration > 0.0 ? 1.0 / concentration : 0.0", "concentration > 0.0 ? concentration : 0.0",
     "SoftLights.LowerTheErrorOfSharpLobes|SoftLights.LowerTheErrorOfTables")
 add("Integration.light-set-changes-unseen", "vtkLightSetRadianceIntegrator.cxx",
-    "this->LightSet ? this->LightSet->GetMTime() : 0", "this->LightSet ? 1 : 0",
+    "this->LightSet ? this->LightSet->GetMTime() : 0", "this->LightSet ? vtkMTimeType(1) : 0",
     "Mapper.RebuildsExactlyWhenItMust|Scene.LightsAreUploadedOnce")
 add("Integration.light-set-copy-is-hard", "vtkLightSetRadianceIntegrator.cxx",
     "this->SetSoftLights(lights->SoftLights);", "", "RadianceMethods.CopiesHaveEveryProperty")
@@ -342,7 +342,7 @@ add("Fitting.residual-of-the-sum-of-channels", "vtkBRDFFitter.cxx", "sample.Weig
 add("Fitting.history-of-squares", "vtkBRDFFitter.cxx", "mean = std::sqrt(mean);", "",
     "Fit.FiguresAreWhatTheyAreSaidToBe")
 add("Fitting.relative-error-of-the-output", "vtkBRDFFitter.cxx", "total += projected * sample.F[c] * sample.F[c];",
-    "total += projected * f[c] * f[c];", "Fit.FiguresAreWhatTheyAreSaidToBe")
+    "total += projected * f[c] * f[c];", "Fit.RelativeErrorIsRelativeToTheInput")
 add("Fitting.output-without-name", "vtkBRDFFitter.cxx", "result.BRDF->SetName(this->Input->GetName());", "",
     "Fit.OutputIsAMaterialLikeAnyOther")
 add("Fitting.non-negative-gradient", "Private/NonNegativeLeastSquares.cxx", "gradient[k] < -tolerance;",
@@ -414,7 +414,7 @@ add("IO.image-alpha-darkens", "Private/ImageFile.cxx", '"oiio:UnassociatedAlpha"
     "IOEnvironment.AlphaOfPngDoesNotDarken")
 add("IO.image-floats-are-encoded", "Private/ImageFile.cxx", "!IsFloatingPoint(spec.format) && !SaysLinear(spec);",
     "!SaysLinear(spec);",
-    "IOEnvironment.PutsTheTopRowLast|IOEnvironment.ReadsRadianceFiles|IOEnvironment.ReadsChannelsOfAnyNumber")
+    "IOEnvironment.DecodesIntegerFormats|IOEnvironment.ReadsRadianceFiles")
 add("IO.image-upside-down", "vtkEnvironmentReader.cxx", "for (int y = 0; y < image.Height / 2; ++y)",
     "for (int y = 0; y < image.Height / 4; ++y)", "IOEnvironment.PutsTheTopRowLast")
 add("IO.offset-beyond-the-end", "Private/FileBytes.cxx", "offset > size || count > size - offset",
@@ -466,7 +466,7 @@ add("Planning.stops-where-all-are-asked-for", "Private/PlanSearch.cxx", "if (thi
     "if (this->Found.Meets)", "Planner.EvaluateAllListsEveryMethod")
 add("Planning.memory-without-the-material", "Private/PlanSearch.cxx",
     "candidate.Bytes += static_cast<vtkIdType>(form.GetTextureBytes());", "",
-    "Planner.TextureMemory|GoldenPlans.EmbeddedMaterials")
+    "Planner.TextureMemoryOfTheMaterial|GoldenPlans.EmbeddedMaterials")
 add("Planning.own-methods-stop-the-search", "Private/PlanSearch.cxx",
     "if (this->Aborted() || vtkRadianceMethods::IsBuiltIn(candidate.Method))",
     "if (this->Aborted() || !candidate.Method.empty())", "RadianceMethods.WhatFailsIsLeftOutWithAWarning")
@@ -475,10 +475,10 @@ add("Planning.normals-over-half-a-turn", "Private/PlanPairs.cxx", "2.0 * Pi * Ra
 add("Planning.file-loses-digits", "Private/PlanFile.cxx", "text.precision(17);", "text.precision(6);",
     "PlanCache.FindsAPlanAgain|PlanCache.FindsLayersAgain")
 add("Planning.file-with-any-sizes", "Private/PlanFile.cxx", "&& candidate.Sizes[k] <= sizes[k].Largest;", ";",
-    "PlanCache.AnythingMayLieUnderAKey")
+    "PlanCache.ContentsThatEndEarlyOrLieAreNoPlan")
 add("Planning.file-with-a-choice-too-many", "Private/PlanFile.cxx", "read.Choice >= static_cast<int>(count)",
     "read.Choice > static_cast<int>(count)",
-    "PlanCache.AnythingMayLieUnderAKey|PlanCache.ContentsThatEndEarlyAreNoPlan")
+    "PlanCache.AnythingMayLieUnderAKey|PlanCache.ContentsThatEndEarlyOrLieAreNoPlan")
 
 # Rendering
 

@@ -600,6 +600,7 @@ TEST(Fit, FiguresAreWhatTheyAreSaidToBe)
     ExpectFit(fitter, input);
     const double expected = Quadrature(input, fitter->GetOutput(), loss);
     ExpectClose(fitter->GetResidual(), expected, 0.02, "residual");
+    ExpectClose(fitter->GetResidualHistory().back(), expected, 0.05, "residual of the fit's pairs");
     ExpectClose(fitter->GetRelativeL2Error(),
       vtkBRDFResampler::GetRelativeL2Error(input, fitter->GetOutput()), 0.03, "relative L2");
     // The least of its own loss: 2 % more or less of anything is worse.
@@ -613,6 +614,19 @@ TEST(Fit, FiguresAreWhatTheyAreSaidToBe)
         lobe->SetSpecular(factor * ks[0], factor * ks[1], factor * ks[2]);
       });
   }
+}
+
+//------------------------------------------------------------------------------
+// Far from the input: relative to what is a figure's own affair.
+TEST(Fit, RelativeErrorIsRelativeToTheInput)
+{
+  NEEDS_CERES();
+  const auto input = MakeAshikhmin(400.0, 2.0, { 0.5, 0.7, 0.9 }, { 0.3, 0.3, 0.3 });
+  vtkNew<vtkBlinnPhongBRDFFitter> fitter;
+  ExpectFit(fitter, input);
+  const double expected = vtkBRDFResampler::GetRelativeL2Error(input, fitter->GetOutput());
+  EXPECT_GT(expected, 0.3);
+  ExpectClose(fitter->GetRelativeL2Error(), expected, 0.03, "relative L2");
 }
 
 //------------------------------------------------------------------------------
@@ -667,20 +681,25 @@ TEST(Fit, AlbedoIsTheHemispheres)
   vtkNew<vtkBlinnPhongBRDFFitter> fitter;
   ExpectFit(fitter, input);
   // 2 integral a(theta) cos sin dtheta, with cos^2 as the variable.
-  Color albedo = { 0.0, 0.0, 0.0 };
-  constexpr int n = 16;
-  for (int k = 0; k < n; ++k)
+  const auto integrate = [](vtkBRDF* brdf)
   {
-    const double z = std::sqrt((k + 0.5) / n);
-    const double o[3] = { std::sqrt(1.0 - z * z), 0.0, z };
-    double a[3];
-    input->GetDirectionalAlbedo(o, a);
-    for (int c = 0; c < 3; ++c)
+    Color albedo = { 0.0, 0.0, 0.0 };
+    constexpr int n = 16;
+    for (int k = 0; k < n; ++k)
     {
-      albedo[c] += a[c] / n;
+      const double z = std::sqrt((k + 0.5) / n);
+      const double o[3] = { std::sqrt(1.0 - z * z), 0.0, z };
+      double a[3];
+      brdf->GetDirectionalAlbedo(o, a);
+      for (int c = 0; c < 3; ++c)
+      {
+        albedo[c] += a[c] / n;
+      }
     }
-  }
-  ExpectClose(fitter->GetInputAlbedo(), albedo, 0.01, "albedo");
+    return albedo;
+  };
+  ExpectClose(fitter->GetInputAlbedo(), integrate(input), 0.01, "albedo");
+  ExpectClose(fitter->GetOutputAlbedo(), integrate(fitter->GetOutput()), 0.01, "output's albedo");
 }
 
 //------------------------------------------------------------------------------

@@ -125,6 +125,10 @@ TEST(IOEnvironment, DecodesIntegerFormats)
   WriteImage(folder("c.exr"), 2, 1, 3, gray, OIIO::TypeDesc::HALF);
   EXPECT_EQ(ReadEnvironment(folder("c.exr"), &notes)->GetPixels()[0], 0.5f);
   EXPECT_EQ(notes, "");
+  // So are floats of which the file does not say it.
+  WriteImage(folder("d.tif"), 2, 1, 3, gray, OIIO::TypeDesc::FLOAT, "sRGB");
+  EXPECT_EQ(ReadEnvironment(folder("d.tif"), &notes)->GetPixels()[0], 0.5f);
+  EXPECT_EQ(notes, "");
 }
 
 //------------------------------------------------------------------------------

@@ -239,6 +239,9 @@ TEST(IOTensor, RefusesBadFiles)
   bytes[12] = 2;
   ExpectBytesRefused(folder, bytes, { Tensor, "version", "2.0" });
   bytes = good;
+  bytes[13] = 1;
+  ExpectBytesRefused(folder, bytes, { Tensor, "version", "1.1" });
+  bytes = good;
   Overwrite(bytes, 14, std::numeric_limits<std::uint32_t>::max());
   ExpectBytesRefused(folder, bytes, { Tensor, "field 10 of 4294967295" });
 
@@ -304,6 +307,17 @@ TEST(IOTensor, RefusesBadFields)
     ExpectBytesRefused(
       folder, MakeTensor(fields), { Tensor, "field 'jacobian' at byte ", "0 or 1" });
   }
+  // Fields whose data are all in the same place.
+  fields = good;
+  const auto rgb = static_cast<std::ptrdiff_t>(&FieldOf(fields, "rgb") - fields.data());
+  for (int k = 0; k < 20; ++k)
+  {
+    TensorField same = good[static_cast<std::size_t>(rgb)];
+    same.Name = "more" + std::to_string(k);
+    same.Data.clear();
+    fields.insert(fields.begin() + rgb, same);
+  }
+  ExpectBytesRefused(folder, MakeTensor(fields), { Tensor, "overlap" });
   fields = good;
   FieldOf(fields, "rgb").Name = "spectra";
   ExpectBytesRefused(folder, MakeTensor(fields), { Tensor, "spectral", "_rgb.bsdf" });

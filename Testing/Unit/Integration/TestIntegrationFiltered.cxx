@@ -480,6 +480,21 @@ TEST(FilteredIntegrator, FollowsItsInputs)
   EXPECT_NEAR(second, 2.0 * first, 1e-5 * second);
   ASSERT_TRUE(environment->SetPixels(16, 8, std::vector<float>(3 * 16 * 8, 5.0f)));
   EXPECT_NEAR(pairs.Integrate(filtered)[0].x, 5.0 * second, 1e-4 * second);
+  // The samples are as many as were asked for last.
+  std::vector<float> uneven(3 * 16 * 8);
+  for (std::size_t k = 0; k < uneven.size(); ++k)
+  {
+    uneven[k] = static_cast<float>(k * 37 % 11);
+  }
+  ASSERT_TRUE(environment->SetPixels(16, 8, uneven));
+  const double many = pairs.Integrate(filtered)[0].x;
+  filtered->SetNumberOfSamples(2);
+  const double few = pairs.Integrate(filtered)[0].x;
+  const auto fresh = NewFiltered(brdf, environment);
+  fresh->SetNumberOfSamples(2);
+  EXPECT_EQ(few, pairs.Integrate(fresh)[0].x);
+  EXPECT_NE(few, many);
+  ASSERT_TRUE(environment->SetPixels(16, 8, std::vector<float>(3 * 16 * 8, 5.0f)));
   vtkNew<vtkLambertBRDF> lambert;
   filtered->SetBRDF(lambert);
   EXPECT_NEAR(pairs.Integrate(filtered)[0].x, 5.0 * lambert->GetAlbedo()[0], 1e-3);

@@ -472,7 +472,16 @@ TEST(Variance, FollowsThePixelsNotTheRotation)
   SetRandom(environment, 64, 32, 2);
   ASSERT_TRUE(generator->Generate(environment, 50, lights));
   EXPECT_EQ(trees, 2);
-  EXPECT_NE(GetLights(lights), before);
+  const std::vector<Light> second = GetLights(lights);
+  EXPECT_NE(second, before);
+
+  // Each rule has its own tree.
+  const bool greedy = generator->GetMethod() == vtkVarianceLightSetGenerator::GREEDY;
+  generator->SetMethod(
+    greedy ? vtkVarianceLightSetGenerator::MINIMUM_VARIANCE : vtkVarianceLightSetGenerator::GREEDY);
+  ASSERT_TRUE(generator->Generate(environment, 50, lights));
+  EXPECT_EQ(trees, 3);
+  EXPECT_NE(GetLights(lights), second);
 }
 
 //------------------------------------------------------------------------------

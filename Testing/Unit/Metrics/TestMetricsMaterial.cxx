@@ -96,6 +96,14 @@ TEST(BRDFAnalysis, ReciprocityErrorOfAKnownOne)
   // r(i) = pi (1 + k (cos_i^2 - 1/2)).
   analysis->GetReflectance(0, rgb);
   EXPECT_NEAR(rgb[0], Pi * (1.0 + 0.5 * k), 5e-3);
+  for (int n = 1; n < analysis->GetNumberOfAngles(); ++n)
+  {
+    const double z = std::cos(analysis->GetAngle(n) * Pi / 180.0);
+    analysis->GetAlbedo(n, rgb);
+    EXPECT_NEAR(rgb[0], Pi * (1.0 + k * (0.5 - z * z)), 5e-3);
+    analysis->GetReflectance(n, rgb);
+    EXPECT_NEAR(rgb[0], Pi * (1.0 + k * (z * z - 0.5)), 5e-3);
+  }
   EXPECT_NEAR(analysis->GetLargestAlbedo(), Pi * (1.0 + 0.5 * k), 5e-3);
 }
 

@@ -70,6 +70,8 @@ protected:
     }
     planner->SetEnvironment(this->Environment);
     planner->SetErrorTolerance(this->Tolerance);
+    planner->SetViewDirection(this->View);
+    planner->SetNumberOfPixels(this->Pixels);
     planner->SetMaximumCacheBytes(this->MaximumBytes);
     planner->SetCacheFolder(this->Folder);
     planner->SetCostModel(this->Costs);
@@ -130,6 +132,8 @@ protected:
   vtkSmartPointer<vtkDoubleArray> GivenViews;
   std::string Folder;
   double Tolerance = 0.05;
+  double View[3] = { 0.0, 0.0, 1.0 };
+  vtkIdType Pixels = 200000;
   vtkSmartPointer<vtkRadianceCostModel> Costs;
   vtkIdType MaximumBytes = 512 << 20;
   vtkSmartPointer<vtkBRDF> Other; // instead of BRDF
@@ -146,7 +150,12 @@ TEST_F(PlanCache, FindsAPlanAgain)
   const auto second = this->Plan();
   EXPECT_TRUE(second->GetFromCache());
   EXPECT_EQ(first->GetPlan(), second->GetPlan());
-  EXPECT_EQ(first->GetNumberOfCandidates(), second->GetNumberOfCandidates());
+  ASSERT_EQ(first->GetNumberOfCandidates(), second->GetNumberOfCandidates());
+  for (int k = 0; k < first->GetNumberOfCandidates(); ++k)
+  {
+    EXPECT_EQ(first->GetPredictedError(k), second->GetPredictedError(k));
+    EXPECT_EQ(first->GetPredictedMilliseconds(k), second->GetPredictedMilliseconds(k));
+  }
   EXPECT_EQ(Integrate(first), Integrate(second));
 }
 
@@ -189,6 +198,10 @@ TEST_F(PlanCache, WhatItDependsOnMakesAnother)
   EXPECT_EQ(this->GetFiles().size(), 5u);
   this->Environment->SetRotationY(40.0);
   EXPECT_TRUE(this->Plan()->GetFromCache());
+  this->View[0] = 0.5;
+  EXPECT_FALSE(this->Plan()->GetFromCache());
+  this->Pixels *= 2;
+  EXPECT_FALSE(this->Plan()->GetFromCache());
 }
 
 TEST_F(PlanCache, DamagedFilesAreMadeAgain)
@@ -324,21 +337,52 @@ TEST_F(PlanCache, KeepsWhatIsNotOurs)
 }
 
 // Files that are whole by their checksum, and whose text ends too early: the plan is made again.
-TEST_F(PlanCache, ContentsThatEndEarlyAreNoPlan)
+TEST_F(PlanCache, ContentsThatEndEarlyOrLieAreNoPlan)
 {
   const auto made = this->Plan();
   const auto files = this->GetFiles();
   ASSERT_EQ(files.size(), 1u);
   const std::string key = files[0].filename().string();
-  const std::string basis = "1 0 1\n1 9 0 0 0 0 0 1 0 1 1\n"; // one candidate, whole
-  for (const std::string& cut : { std::string(), std::string("1"), basis, basis + "no end" })
+  std::string genuine;
+  ASSERT_TRUE(measuredbrdf::ReadCache(this->Folder, key, genuine));
+  std::vector<std::string> contents = { "", "1" };
+  // The number of candidates, the choice; one line each; the reason; then what is prepared.
+  const int count = made->GetNumberOfCandidates();
+  std::size_t place = 0;
+  for (int line = 0; line < count + 2; ++line)
   {
-    SCOPED_TRACE("'" + cut + "'");
-    measuredbrdf::WriteCache(this->Folder, key, cut, 1 << 20);
+    place = genuine.find('\n', place) + 1;
+    contents.push_back(genuine.substr(0, place - 1));
+    contents.push_back(genuine.substr(0, place));
+  }
+  const std::string head = std::to_string(count) + " " + std::to_string(made->GetChoice()) + " ";
+  ASSERT_EQ(genuine.substr(0, head.size()), head);
+  for (const int choice : { -1, count, count + 1 })
+  {
+    contents.push_back(
+      std::to_string(count) + " " + std::to_string(choice) + " " + genuine.substr(head.size()));
+  }
+  // The chosen one's sizes, a number of them and then each.
+  place = 0;
+  for (int line = 0; line <= made->GetChoice(); ++line)
+  {
+    place = genuine.find('\n', place) + 1;
+  }
+  place = genuine.find(' ', genuine.find(' ', place) + 1) + 1;
+  for (const char* size : { "0", "-5", "100000000" })
+  {
+    contents.push_back(genuine.substr(0, place) + size + genuine.substr(genuine.find(' ', place)));
+  }
+  for (const std::string& content : contents)
+  {
+    SCOPED_TRACE("'" + content.substr(0, 200) + "'");
+    measuredbrdf::WriteCache(this->Folder, key, content, 1 << 20);
     const auto again = this->Plan();
     EXPECT_FALSE(again->GetFromCache());
     EXPECT_EQ(again->GetDescription(again->GetChoice()), made->GetDescription(made->GetChoice()));
   }
+  measuredbrdf::WriteCache(this->Folder, key, genuine, 1 << 20);
+  EXPECT_TRUE(this->Plan()->GetFromCache());
 }
 
 // What lies under a plan's own key: nothing hangs, and nothing is harmed.

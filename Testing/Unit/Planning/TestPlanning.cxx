@@ -8,6 +8,7 @@
 #include "vtkBRDFShaderInputs.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkCallbackCommand.h"
+#include "vtkDistributionBRDF.h"
 #include "vtkEmbeddedMaterials.h"
 #include "vtkEnvironment.h"
 #include "vtkLambertBRDF.h"
@@ -212,6 +213,31 @@ TEST(Planner, TextureMemory)
   EXPECT_EQ(errors.Take(), 1);
   EXPECT_TRUE(Contains(errors.GetText(), "1000 bytes")) << errors.GetText();
   EXPECT_EQ(planner->GetPlan(), plan);
+}
+
+//------------------------------------------------------------------------------
+// Where pixels evaluate the material, its own textures count.
+TEST(Planner, TextureMemoryOfTheMaterial)
+{
+  vtkNew<vtkDistributionBRDF> brdf;
+  vtkBRDFShaderInputs form;
+  form.SoftLights = true;
+  brdf->GetShaderInputs(form);
+  ASSERT_GT(form.GetTextureBytes(), 1000u);
+  const auto environment = NewSmallEnvironment(true);
+  const auto planner = NewPlanner(brdf, environment, 0.05);
+  planner->EvaluateAllOn();
+  ASSERT_TRUE(planner->Update());
+  int lightSets = 0;
+  for (int k = 0; k < planner->GetNumberOfCandidates(); ++k)
+  {
+    if (planner->GetMethodName(k) == "light-set")
+    {
+      ++lightSets;
+      EXPECT_GE(planner->GetTextureBytes(k), static_cast<vtkIdType>(form.GetTextureBytes()));
+    }
+  }
+  EXPECT_GT(lightSets, 0);
 }
 
 //------------------------------------------------------------------------------
@@ -596,7 +622,7 @@ TEST(CostModel, RoundTripAndRefusals)
 
   const vtkMTimeType time = other->GetMTime();
   std::vector<std::string> bad = { "", "something else", text + "more", text.substr(1),
-    text.substr(0, text.size() - 8) };
+    text.substr(0, text.size() - 8), text + "light 1\n" };
   for (const char* value : { "0", "-1", "nan", "inf", "1e9", "x" })
   {
     bad.push_back(
