@@ -403,8 +403,8 @@ std::vector<std::vector<int>> vtkBasisRadianceIntegrator::GetCandidateSizes(bool
 double vtkBasisRadianceIntegrator::EstimateCost(vtkRadianceCostModel* costs)
 {
   const int prepared = this->GetNumberOfTerms();
-  return costs->GetCost("base") +
-         costs->GetCost("function") * (prepared > 0 ? prepared : this->MaximumNumberOfTerms);
+  return GetCost(costs, "base") +
+         GetCost(costs, "function") * (prepared > 0 ? prepared : this->MaximumNumberOfTerms);
 }
 
 //------------------------------------------------------------------------------

@@ -281,8 +281,8 @@ std::vector<std::vector<int>> vtkFilteredRadianceIntegrator::GetCandidateSizes(b
 //------------------------------------------------------------------------------
 double vtkFilteredRadianceIntegrator::EstimateCost(vtkRadianceCostModel* costs)
 {
-  return costs->GetCost("base") + costs->GetCost("sample") * this->NumberOfSamples +
-         costs->GetCost("light") * this->GetNumberOfExtractedLights();
+  return GetCost(costs, "base") + GetCost(costs, "sample") * this->NumberOfSamples +
+         GetCost(costs, "light") * this->GetNumberOfExtractedLights();
 }
 
 //------------------------------------------------------------------------------

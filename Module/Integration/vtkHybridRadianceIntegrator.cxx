@@ -361,9 +361,9 @@ std::vector<std::vector<int>> vtkHybridRadianceIntegrator::GetCandidateSizes(boo
 //------------------------------------------------------------------------------
 double vtkHybridRadianceIntegrator::EstimateCost(vtkRadianceCostModel* costs)
 {
-  return costs->GetCost("base") + costs->GetCost("table") +
-         costs->GetCost("sample") * this->NumberOfSamples +
-         costs->GetCost("light") * this->CountLights(this->LightAngle, this->MaximumNumberOfLights);
+  return GetCost(costs, "base") + GetCost(costs, "table") +
+         GetCost(costs, "sample") * this->NumberOfSamples +
+         GetCost(costs, "light") * this->CountLights(this->LightAngle, this->MaximumNumberOfLights);
 }
 
 //------------------------------------------------------------------------------

@@ -246,7 +246,7 @@ std::vector<std::vector<int>> vtkLightSetRadianceIntegrator::GetCandidateSizes(b
 //------------------------------------------------------------------------------
 double vtkLightSetRadianceIntegrator::EstimateCost(vtkRadianceCostModel* costs)
 {
-  return costs->GetCost("base") + costs->GetCost("light") * this->NumberOfLights;
+  return GetCost(costs, "base") + GetCost(costs, "light") * this->NumberOfLights;
 }
 
 //------------------------------------------------------------------------------

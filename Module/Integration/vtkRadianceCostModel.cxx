@@ -132,6 +132,11 @@ bool vtkRadianceCostModel::SetText(const std::string& text)
 //------------------------------------------------------------------------------
 void vtkRadianceCostModel::DeepCopy(vtkRadianceCostModel* source)
 {
+  if (!source)
+  {
+    vtkErrorMacro("DeepCopy: there is no cost model to copy.");
+    return;
+  }
   this->Costs = source->Costs;
   this->Name = source->Name;
   this->Modified();

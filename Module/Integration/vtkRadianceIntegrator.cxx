@@ -206,9 +206,15 @@ std::string vtkRadianceIntegrator::GetSizesText()
 std::vector<std::vector<int>> vtkRadianceIntegrator::GetCandidateSizes(bool) { return {}; }
 
 //------------------------------------------------------------------------------
+double vtkRadianceIntegrator::GetCost(vtkRadianceCostModel* costs, const std::string& name)
+{
+  return costs ? costs->GetCost(name) : 0.0;
+}
+
+//------------------------------------------------------------------------------
 double vtkRadianceIntegrator::EstimateCost(vtkRadianceCostModel* costs)
 {
-  return costs->GetCost("base");
+  return GetCost(costs, "base");
 }
 
 //------------------------------------------------------------------------------

@@ -151,7 +151,8 @@ public:
    * GetCandidateSizes: the sizes to try, none (default) where the method is not for this material.
    * all: also those that are only worth a comparison.
    *
-   * EstimateCost: nanoseconds per covered pixel, linear in the model's costs; default: BASE.
+   * EstimateCost: nanoseconds per covered pixel, linear in the model's costs; default: its "base".
+   * Without a model all costs are 0.
    *
    * EstimateTextureBytes: of the textures, but for the material's own; default 0.
    *
@@ -220,6 +221,9 @@ public:
 protected:
   vtkRadianceIntegrator();
   ~vtkRadianceIntegrator() override;
+
+  /// For EstimateCost: the cost of that name; 0 without a model.
+  static double GetCost(vtkRadianceCostModel* costs, const std::string& name);
 
   /// Take a size, which is in its range; index: in GetSizes.
   virtual void SetSize(int vtkNotUsed(index), int vtkNotUsed(value)) {}

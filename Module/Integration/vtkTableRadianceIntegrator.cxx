@@ -227,7 +227,7 @@ std::vector<std::vector<int>> vtkTableRadianceIntegrator::GetCandidateSizes(bool
 //------------------------------------------------------------------------------
 double vtkTableRadianceIntegrator::EstimateCost(vtkRadianceCostModel* costs)
 {
-  return costs->GetCost("base") + costs->GetCost("table");
+  return GetCost(costs, "base") + GetCost(costs, "table");
 }
 
 //------------------------------------------------------------------------------

@@ -75,7 +75,7 @@ public:
   vtkBRDF* GetRenderable() override;
   void GetShaderInputs(vtkBRDFShaderInputs& form) override;
   std::string GetModelName() override { return "AdaptiveWarp"; }
-  void ExchangeData(vtkBRDFExchange& exchange) override;
+  VTK_WRAPEXCLUDE void ExchangeData(vtkBRDFExchange& exchange) override;
 
 protected:
   vtkAdaptiveWarpBRDF();

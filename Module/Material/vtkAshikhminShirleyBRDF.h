@@ -97,7 +97,7 @@ public:
   bool IsIsotropic() override { return this->ExponentU == this->ExponentV; }
   void GetShaderInputs(vtkBRDFShaderInputs& form) override;
   std::string GetModelName() override { return "AshikhminShirley"; }
-  void ExchangeData(vtkBRDFExchange& exchange) override;
+  VTK_WRAPEXCLUDE void ExchangeData(vtkBRDFExchange& exchange) override;
 
 protected:
   vtkAshikhminShirleyBRDF() = default;

@@ -149,7 +149,7 @@ public:
    * stored without being named.
    */
   virtual std::string GetModelName() { return ""; }
-  virtual void ExchangeData(vtkBRDFExchange& vtkNotUsed(exchange)) {}
+  VTK_WRAPEXCLUDE virtual void ExchangeData(vtkBRDFExchange& vtkNotUsed(exchange)) {}
   ///@}
 
   /**

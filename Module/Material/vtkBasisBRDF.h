@@ -165,7 +165,7 @@ public:
   void Prepare() override;
   void GetShaderInputs(vtkBRDFShaderInputs& form) override;
   std::string GetModelName() override { return "Basis"; }
-  void ExchangeData(vtkBRDFExchange& exchange) override;
+  VTK_WRAPEXCLUDE void ExchangeData(vtkBRDFExchange& exchange) override;
   double GetMaximumArraySize() override { return MaximumNumberOfValues; }
 
 protected:

@@ -33,7 +33,7 @@ public:
   void GetBounds(double minimumCosine, double lower[3], double upper[3]) override;
   void GetShaderInputs(vtkBRDFShaderInputs& form) override;
   std::string GetModelName() override { return "Lambert"; }
-  void ExchangeData(vtkBRDFExchange& exchange) override;
+  VTK_WRAPEXCLUDE void ExchangeData(vtkBRDFExchange& exchange) override;
 
 protected:
   vtkLambertBRDF() = default;

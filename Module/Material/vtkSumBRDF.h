@@ -44,7 +44,7 @@ public:
   vtkBRDF* GetRenderable() override;
   void GetShaderInputs(vtkBRDFShaderInputs& form) override;
   std::string GetModelName() override { return "Sum"; }
-  void ExchangeData(vtkBRDFExchange& exchange) override;
+  VTK_WRAPEXCLUDE void ExchangeData(vtkBRDFExchange& exchange) override;
 
 protected:
   vtkSumBRDF();

@@ -134,7 +134,7 @@ public:
   void Prepare() override;
   void GetShaderInputs(vtkBRDFShaderInputs& form) override;
   std::string GetModelName() override { return "Tabulated"; }
-  void ExchangeData(vtkBRDFExchange& exchange) override;
+  VTK_WRAPEXCLUDE void ExchangeData(vtkBRDFExchange& exchange) override;
 
 protected:
   vtkTabulatedBRDF();

@@ -61,8 +61,7 @@ add("Core.wrap-keeps-negative-numbers", "Private/LowDiscrepancy.h", "return x < 
     "LowDiscrepancy.RadicalInverseAndWrap")
 add("Core.left-handed-frame", "Private/LocalFrame.h", "return Frame(p / length, glm::cross(n, p / length), n);",
     "return Frame(p / length, glm::cross(p / length, n), n);",
-    "ExactIntegrator.EqualsAPlainSum|Integrators.RotatingEverythingChangesNothing|"
-    "MapperShading.TheTangentsDirectionCounts")
+    "Parity.Tables|ExactIntegrator.EqualsAPlainSum|Integrators.RotatingEverythingChangesNothing")
 add("Core.views-are-lifted-too-far", "Private/LocalFrame.h", "MinimumViewCosine = 0.02;", "MinimumViewCosine = 0.05;",
     "MapperShading.GrazingViews|TableIntegrator.GrazingViewsAreLifted")
 add("Core.hash-without-the-last-word", "Private/ContentHash.h", "for (int k = 0; left > 0; ++k)",
@@ -77,7 +76,7 @@ add("Core.periodic-neighbors-do-not-wrap", "Private/Neighbors.h",
     "const int first = (static_cast<int>(base) + n) % n;", "const int first = std::max(static_cast<int>(base), 0);",
     "Tabulated.InterpolatesTrilinearly|TableIntegrator.Continuous")
 add("Core.clamped-neighbors-half-a-cell-off", "Private/Neighbors.h", "std::clamp(u * n - 0.5, 0.0, n - 1.0)",
-    "std::clamp(u * n, 0.0, n - 1.0)", "Tabulated.InterpolatesTrilinearly")
+    "std::clamp(u * n, 0.0, n - 1.0)", "Parity.Tables|SoftTables.FollowTheDistribution")
 add("Core.retro-density-factor", "Private/RetroLobe.h", "1.0 / (2.0 * Pi * GetRange()", "1.0 / (Pi * GetRange()",
     "RetroReflection.AlbedoCountsIt")
 add("Core.refused-numbers-are-taken", "Private/Setters.h", "if (!measuredbrdf::AreFinite(values, 3))",
@@ -106,7 +105,7 @@ add("Material.distribution-denominator", "vtkDistributionBRDF.cxx", "4.0 * (ligh
     "4.0 * (light.z + view.z)", "Distribution.RetroReflectionInvertsToP|Evaluate.KeepsItsPromises|Parity.ClosedForms")
 add("Material.distribution-keeps-old-levels", "vtkDistributionBRDF.cxx",
     "this->HalfVectorSampler.reset();\n  this->WidenedLevels.reset();", "this->HalfVectorSampler.reset();",
-    "SoftTables.AgreeWithTheClosedForm|SoftLights.LevelsOfATableAreTheClosedForm|Parity.SoftLights")
+    "SoftTables.FollowTheDistribution")
 add("Material.distribution-fresnel-unit", "vtkDistributionBRDF.cxx", "ClampedNeighbors(angles.ThetaD * (2.0 / Pi),",
     "ClampedNeighbors(angles.ThetaD,",
     "Distribution.RetroReflectionInvertsToP|Parity.ClosedForms|LossFit.DistributionComesClose")
@@ -249,7 +248,7 @@ add("Integration.light-set-last-row", "vtkLightSetRadianceIntegrator.cxx",
     "(count + LightsPerRow - 1) / LightsPerRow", "count / LightsPerRow",
     "Mapper.ManyLightsAndHugeValues|Mapper.LightSetMatchesCpuPerPixel")
 add("Integration.lights-cost-nothing", "vtkLightSetRadianceIntegrator.cxx",
-    'costs->GetCost("light") * this->NumberOfLights', 'costs->GetCost("light")',
+    'GetCost(costs, "light") * this->NumberOfLights', 'costs->GetCost("light")',
     "Planner.FollowsTheCostModel|Planner.AnisotropicMaterialsGetLightSets|Planner.EvaluateAllListsEveryMethod|"
     "GoldenPlans.EmbeddedMaterials")
 add("Integration.cost-model-loses-digits", "vtkRadianceCostModel.cxx", "text.precision(17);", "text.precision(4);",
@@ -507,7 +506,7 @@ add("Rendering.view-ignores-the-actor", "Private/MapperPlans.cxx", "matrix->GetD
 add("Rendering.views-of-gone-actors-stay", "Private/MapperPlans.cxx", "(std::get<1>(key) && !this->Actor);", "false;",
     "Views.GoWithTheirRenderersAndActors")
 add("Rendering.back-is-seen", "Private/VisibleSurface.cxx", "glm::dot(mean, view) > 0.0;",
-    "glm::dot(mean, view) < 0.0;", "Visible.SpheresCoverTheirDiscs")
+    "glm::dot(mean, view) < 0.0;", "Visible.ConesShowTheirFlank|Visible.SpheresCoverTheirDiscs")
 add("Rendering.strips-are-not-turned", "Private/VisibleSurface.cxx", "cells.Strips && corner % 2 == 1", "false",
     "Visible.StripsAndLargeMeshesAreAlike")
 add("Rendering.parallel-scale-is-half-the-height", "Private/VisibleSurface.cxx",
@@ -533,7 +532,8 @@ add("Rendering.cube-faces-upside-down", "Private/TextureEnvironment.cxx", "low <
 add("Rendering.textures-never-repeat", "Private/BRDFTextures.cxx", "texture.Repeat[axis] ? vtkTextureObject::Repeat",
     "texture.Repeat[axis] ? vtkTextureObject::ClampToEdge", "Parity.Tables|Parity.TableIntegrator")
 add("Rendering.padding-is-transparent", "Private/BRDFTextures.cxx", "triples[k + 2], 1.0f });",
-    "triples[k + 2], 0.0f });", "Parity.Tables")
+    "triples[k + 2], 0.0f });", "Parity.Tables",
+    equivalent="shaders read only red, green and blue of textures that have no fourth component")
 add("Rendering.hard-lights-get-soft-textures", "Private/BRDFTextures.cxx",
     "return FindShared(brdf, softLights, window);", "return FindShared(brdf, true, window);",
     "Mapper.SoftLightsOfTablesCostHardOnesNothing")
@@ -577,7 +577,7 @@ add("Shaders.basis-coefficients-of-the-view-before", "vtkBRDFBasis.glsl", "brdfC
     "brdfCoefficientViewINSTANCE = o.xyz + vec3(1.0);", "Parity.SphericalHarmonics|Parity.BasesAfterEachOther",
     equivalent="the coefficients of every light are fetched anew, which is slower and no other picture")
 add("Shaders.basis-is-not-clamped", "vtkBRDFBasis.glsl", "return max(sum, vec3(0.0)) /", "return sum /",
-    "Parity.SphericalHarmonics|Parity.LargeBasesAndSums")
+    "Parity.NegativeSumsAreZeroForEachLight")
 add("Shaders.grazing-views-are-not-lifted", "vtkBRDFBegin.glsl", "brdfLiftView(brdfView * brdfFrame)",
     "brdfView * brdfFrame", "MapperShading.GrazingViews")
 add("Shaders.environment-does-not-turn", "vtkBRDFBegin.glsl", "brdfEnvironmentRotation * envMatrix * brdfFrame",
@@ -619,6 +619,6 @@ add("Shaders.lambert-without-pi", "vtkBRDFLambert.glsl", "vec3(0.0)) / brdfPi;",
 add("Shaders.light-set-without-cosine", "vtkBRDFLightSet.glsl", "ivec2(1, 0), 0).rgb * i.z;", "ivec2(1, 0), 0).rgb;",
     "Mapper.LightSetMatchesCpuPerPixel")
 add("Shaders.distribution-denominator", "vtkBRDFDistribution.glsl", "i.z + o.z - i.z * o.z", "i.z + o.z",
-    "Parity.ClosedForms")
+    "Parity.Tables")
 add("Shaders.tangent-axis-across", "vtkBRDFTangentAxis.glsl", "vec3(0.0, 1.0, 0.0) * envMatrix",
     "vec3(1.0, 0.0, 0.0) * envMatrix", "MapperShading.TheTangentsDirectionCounts")

@@ -310,7 +310,7 @@ TEST_F(MapperShading, NegativeLightsEndAtZero)
 // the view's azimuth.
 TEST_F(MapperShading, TheTangentsDirectionCounts)
 {
-  // Order 1: k = 0 constant, k = 3 ~ x (l = 1, m = 1). Two azimuths: anisotropic.
+  // Order 1: k = 0 constant, k = 1 ~ y, k = 3 ~ x (l = 1, m = -1 and 1). Azimuths: anisotropic.
   vtkNew<vtkBasisBRDF> brdf;
   const double whole[2] = { 0.0, 90.0 };
   const int functions = 4, nTheta = 2, nPhi = 4;
@@ -318,6 +318,7 @@ TEST_F(MapperShading, TheTangentsDirectionCounts)
   const auto set = [&](int k, float value)
   { std::fill_n(rgb.begin() + 3 * k * nTheta * nPhi, 3 * nTheta * nPhi, value); };
   set(0, 1.0f);
+  set(1, 0.3f);
   set(3, 0.5f);
   ASSERT_EQ(
     brdf->SetCoefficients(vtkBasisBRDF::SPHERICAL_HARMONICS, 1, whole, whole, nTheta, nPhi, rgb),
@@ -346,4 +347,8 @@ TEST_F(MapperShading, TheTangentsDirectionCounts)
   }
   EXPECT_GT(std::abs(seen[0] - seen[1]), 0.05 * seen[0]);
   EXPECT_GT(std::abs(seen[2] - seen[3]), 0.05 * seen[2]);
+
+  // Without tangents they go around the environment's up axis: y x z = x.
+  this->SetQuad(normal);
+  EXPECT_NEAR(this->RenderLinear().At(32, 32)[0], seen[0], 2e-3 * seen[0]);
 }

@@ -355,6 +355,12 @@ TEST_F(Parity, Tables)
         this->Check(names[parameterization][range], table, 1e-4);
         table->SetPrecision(vtkTabulatedBRDF::FLOAT16);
         this->Check(names[parameterization][range], table, 2e-3);
+        if (parameterization == vtkTabulatedBRDF::INCIDENT_OUTGOING)
+        {
+          table->SetPrecision(vtkTabulatedBRDF::FLOAT32);
+          table->CosineWeightedOn();
+          this->Check("in/out, f cos(theta_o)", table, 1e-4);
+        }
       }
     }
   }
@@ -511,6 +517,47 @@ TEST_F(Parity, LargeBasesAndSums)
   sum->AddTerm(second);
   sum->AddTerm(first);
   this->Check("sum", sum, 1e-4);
+}
+
+// A basis that rings takes nothing away from other lights: its negative sums count as 0.
+TEST_F(Parity, NegativeSumsAreZeroForEachLight)
+{
+  // Order 1: a constant and k = 3 ~ x; negative for half of the lights.
+  vtkNew<vtkBasisBRDF> brdf;
+  const double whole[2] = { 0.0, 90.0 };
+  const int functions = 4, nTheta = 2;
+  std::vector<float> rgb(3 * functions * nTheta, 0.0f);
+  std::fill_n(rgb.begin(), 3 * nTheta, 0.2f);
+  std::fill_n(rgb.begin() + 3 * 3 * nTheta, 3 * nTheta, 2.0f);
+  ASSERT_EQ(
+    brdf->SetCoefficients(vtkBasisBRDF::SPHERICAL_HARMONICS, 1, whole, whole, nTheta, 1, rgb), "");
+  brdf->SetResamplingTolerance(1e-3);
+  vtkNew<vtkLightSet> lights;
+  const double irradiance[3] = { 0.1, 0.1, 0.1 };
+  for (int light = 0; light < NumberOfLights; ++light)
+  {
+    const glm::dvec3 direction = this->GetLight(light);
+    lights->AddLight(&direction.x, irradiance);
+  }
+  vtkNew<vtkLightSetRadianceIntegrator> loop;
+  loop->SetLightSet(lights);
+  this->Mapper->SetBRDF(brdf);
+  this->Mapper->SetIntegrator(loop);
+  const FloatImage image = this->RenderLinear();
+  vtkNew<vtkLightSetRadianceIntegrator> integrator;
+  integrator->SetBRDF(brdf);
+  integrator->SetLightSet(lights);
+  vtkNew<vtkDoubleArray> radiance;
+  ASSERT_TRUE(integrator->Integrate(this->Normals, this->Views, radiance, this->Tangents));
+  const double largest = radiance->GetRange(0)[1];
+  for (int k = 0; k < Side * Side; ++k)
+  {
+    if (this->Normals->GetComponent(k, 2) > 0.0)
+    {
+      EXPECT_NEAR(image.At(4 * (k % Side) + 2, 4 * (k / Side) + 2)[0], radiance->GetComponent(k, 0),
+        2e-3 * largest);
+    }
+  }
 }
 
 // The number of functions is part of the shader's text: every change needs another program.

@@ -419,6 +419,28 @@ TEST(Tabulated, InterpolatesTrilinearly)
       }
     }
     vtkNew<vtkTabulatedBRDF> table;
+    for (const int range : { vtkTabulatedBRDF::HALF_TURN, vtkTabulatedBRDF::FULL_TURN })
+    {
+      std::vector<float> azimuths = rgb;
+      for (std::size_t cell = 0; cell < azimuths.size() / 3; ++cell)
+      {
+        azimuths[3 * cell] = 1.0f + 0.125f * static_cast<float>(cell % 12);
+      }
+      ASSERT_TRUE(table->SetVolume(parameterization, range, dimensions, azimuths));
+      for (int x = 0; x < 12; ++x)
+      {
+        glm::dvec3 i, o;
+        ASSERT_TRUE(vtkTabulatedBRDF::GetCellDirections(
+          parameterization, range, dimensions, x, 3, 3, &i.x, &o.x));
+        EXPECT_NEAR(Evaluate(table, i, o).x, 1.0 + 0.125 * x, 1e-6);
+        if (parameterization == vtkTabulatedBRDF::INCIDENT_OUTGOING)
+        {
+          table->CosineWeightedOn();
+          EXPECT_NEAR(Evaluate(table, i, o).x * o.z, 1.0 + 0.125 * x, 1e-6);
+          table->CosineWeightedOff();
+        }
+      }
+    }
     ASSERT_TRUE(table->SetVolume(parameterization, vtkTabulatedBRDF::HALF_TURN, dimensions, rgb));
     for (int z = 0; z < 8; ++z)
     {

@@ -8,6 +8,7 @@
 #include "vtkBRDFResampler.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkBlinnPhongBRDF.h"
+#include "vtkDistributionBRDF.h"
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
 #include "vtkTabulatedBRDF.h"
@@ -152,6 +153,25 @@ TEST(SoftTables, WithoutHalfVectorsStayHard)
   form.SoftLights = true;
   table->GetShaderInputs(form);
   EXPECT_TRUE(form.Terms[0].SoftSource.empty());
+}
+
+// What was made for one distribution does not serve the next.
+TEST(SoftTables, FollowTheDistribution)
+{
+  const double i[3] = { 0.3, 0.1, 0.8 }, o[3] = { -0.2, 0.1, 0.9 };
+  const auto evaluate = [&](vtkDistributionBRDF* brdf)
+  {
+    double soft[3];
+    brdf->EvaluateSoft(i, o, 0.05, soft);
+    return soft[1];
+  };
+  vtkNew<vtkDistributionBRDF> changed, fresh;
+  changed->SetBlinnDistribution(400.0);
+  const double before = evaluate(changed);
+  changed->SetBlinnDistribution(4.0);
+  fresh->SetBlinnDistribution(4.0);
+  EXPECT_EQ(evaluate(changed), evaluate(fresh));
+  EXPECT_NE(evaluate(changed), before);
 }
 
 TEST(SoftTables, AgreeWithTheClosedForm)

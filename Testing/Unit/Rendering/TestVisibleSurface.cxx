@@ -5,6 +5,7 @@
 #include "VisibleSurface.h"
 
 #include "vtkCamera.h"
+#include "vtkConeSource.h"
 #include "vtkCubeSource.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
@@ -77,6 +78,24 @@ TEST_F(Visible, SpheresCoverTheirDiscs)
   EXPECT_NEAR(mean, 2.0 / 3.0, 0.02);
   EXPECT_NEAR(sum.x, 0.0, 0.03);
   EXPECT_NEAR(sum.y, 0.0, 0.03);
+}
+
+//------------------------------------------------------------------------------
+// A cone from its tip: the flank is seen, not the base.
+TEST_F(Visible, ConesShowTheirFlank)
+{
+  vtkNew<vtkConeSource> cone;
+  cone->SetDirection(0.0, 0.0, 1.0);
+  cone->SetHeight(1.0);
+  cone->SetRadius(0.5);
+  cone->SetResolution(100);
+  cone->Update();
+  const VisibleSurface seen = this->See(cone->GetOutput());
+  EXPECT_NEAR(seen.GetNumberOfPixels(), Pi * 50.0 * 50.0, 0.02 * Pi * 50.0 * 50.0);
+  for (const glm::dvec3& n : seen.GetNormals())
+  {
+    EXPECT_NEAR(n.z, 0.5 / std::sqrt(1.25), 0.01);
+  }
 }
 
 //------------------------------------------------------------------------------
