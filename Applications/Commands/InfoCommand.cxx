@@ -158,7 +158,7 @@ std::string Short(double value)
 }
 
 // "indexOfRefraction" as "index of refraction"
-std::string ToWords(const std::string& camelCase)
+std::string SplitWords(const std::string& camelCase)
 {
   std::string words;
   for (const char c : camelCase)
@@ -187,15 +187,15 @@ std::string FormatModel(const ordered_json& d, const std::string& indent)
   const ordered_json arrays = d.value("arrays", ordered_json::object());
   for (const auto& [name, option] : options.items())
   {
-    text += Line(indent + ToWords(name), option);
+    text += Line(indent + SplitWords(name), option);
   }
   for (const auto& [name, numbers] : allNumbers.items())
   {
-    text += Line(indent + ToWords(name), list(numbers, ", "));
+    text += Line(indent + SplitWords(name), list(numbers, ", "));
   }
   for (const auto& [name, array] : arrays.items())
   {
-    text += Line(indent + ToWords(name),
+    text += Line(indent + SplitWords(name),
       list(array["shape"], " x ") + (array["channels"] == 3 ? " RGB triples" : " numbers"));
   }
   const ordered_json terms = d.value("terms", ordered_json::array());
