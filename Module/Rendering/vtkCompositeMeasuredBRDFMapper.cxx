@@ -25,10 +25,20 @@ using GLenum = unsigned int; // which the next header takes for declared
 
 using namespace measuredbrdf;
 
+namespace
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+using BatchBase = vtkOpenGLBatchedPolyDataMapper;
+#else
+using BatchBase = vtkCompositeMapperHelper2;
+#endif
+using BatchDrawing = vtkMeasuredBRDFMapperMixin<BatchBase>::vtkInternals;
+}
+
 struct vtkCompositeMeasuredBRDFMapper::Internals
 {
   std::shared_ptr<MaterialSettings> Settings = std::make_shared<MaterialSettings>();
-  std::shared_ptr<MaterialDrawing> Drawing; // shared with the batches
+  std::shared_ptr<BatchDrawing> Drawing; // shared with the batches
   BlockMaterials Blocks;
 
   // Each material once; which blocks have it shows while they are drawn, and plans for a view with
@@ -71,12 +81,6 @@ struct vtkCompositeMeasuredBRDFMapper::Internals
 
 namespace
 {
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
-using BatchBase = vtkOpenGLBatchedPolyDataMapper;
-#else
-using BatchBase = vtkCompositeMapperHelper2;
-#endif
-
 // One of the superclass's batches: blocks that are drawn from common buffers. Those of one material
 // are drawn while the others are invisible.
 class Batch : public vtkMeasuredBRDFMapperMixin<BatchBase>
@@ -86,7 +90,7 @@ public:
   vtkTypeMacro(Batch, vtkMeasuredBRDFMapperMixin<BatchBase>);
 
   // update: what brings the blocks' materials up to date.
-  void Initialize(std::shared_ptr<MaterialDrawing> drawing, const BlockMaterials* materials,
+  void Initialize(std::shared_ptr<BatchDrawing> drawing, const BlockMaterials* materials,
     std::function<void()> update)
   {
     this->Drawing = std::move(drawing);
@@ -203,7 +207,7 @@ private:
           this->Uses.push_back({ brdf, {} });
           this->BlocksOf.emplace_back();
         }
-        this->Uses[place->second].Surfaces.push_back(surface);
+        this->Uses[place->second].second.push_back(surface);
         this->BlocksOf[place->second].push_back(this->Blocks.size());
         this->Blocks.push_back({ surface, visible, true });
       });
@@ -247,7 +251,7 @@ vtkStandardNewMacro(vtkCompositeMeasuredBRDFMapper);
 vtkCompositeMeasuredBRDFMapper::vtkCompositeMeasuredBRDFMapper()
   : Impl(new Internals)
 {
-  this->Impl->Drawing = std::make_shared<MaterialDrawing>(
+  this->Impl->Drawing = std::make_shared<BatchDrawing>(
     this, this->Impl->Settings, [this]() { return this->Impl->GetUsesToCome(); });
 }
 

@@ -20,7 +20,7 @@ vtkStandardNewMacro(vtkMeasuredBRDFMapper);
 //------------------------------------------------------------------------------
 vtkMeasuredBRDFMapper::vtkMeasuredBRDFMapper()
 {
-  this->Drawing = std::make_shared<MaterialDrawing>(this, std::make_shared<MaterialSettings>(),
+  this->Drawing = std::make_shared<vtkInternals>(this, std::make_shared<MaterialSettings>(),
     [this]() -> std::vector<MaterialUse>
     {
       vtkPolyData* surface = this->GetInput();
@@ -36,7 +36,7 @@ vtkMeasuredBRDFMapper::vtkMeasuredBRDFMapper()
 vtkMeasuredBRDFMapper::~vtkMeasuredBRDFMapper() = default;
 
 //------------------------------------------------------------------------------
-std::vector<MaterialUse> vtkMeasuredBRDFMapper::GetMaterialUses()
+std::vector<vtkMeasuredBRDFMapper::MaterialUse> vtkMeasuredBRDFMapper::GetMaterialUses()
 {
   return { { this->Drawing->GetSettings().BRDF, { this->CurrentInput } } };
 }

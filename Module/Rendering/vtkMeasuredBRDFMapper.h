@@ -293,7 +293,7 @@ protected:
   vtkMeasuredBRDFMapper();
   ~vtkMeasuredBRDFMapper() override;
 
-  std::vector<measuredbrdf::MaterialUse> GetMaterialUses() override;
+  std::vector<MaterialUse> GetMaterialUses() override;
 
 private:
   vtkMeasuredBRDFMapper(const vtkMeasuredBRDFMapper&) = delete;

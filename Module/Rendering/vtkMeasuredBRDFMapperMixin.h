@@ -16,16 +16,14 @@
 #include "vtkMeasuredBRDFModule.h"   // for export macro
 #include "vtkOpenGLPolyDataMapper.h" // for the types of its methods
 
-#include <map>    // for shaders
-#include <memory> // for Drawing
-#include <string> // for shader keys
-#include <vector> // for materials
+#include <map>     // for shaders
+#include <memory>  // for Drawing
+#include <string>  // for shader keys
+#include <utility> // for MaterialUse
+#include <vector>  // for MaterialUse
 
-namespace measuredbrdf
-{
-class MaterialDrawing;
-struct MaterialUse;
-}
+class vtkBRDF;
+class vtkPolyData;
 
 template <class Base>
 class VTKMEASUREDBRDF_EXPORT vtkMeasuredBRDFMapperMixin : public Base
@@ -34,12 +32,17 @@ public:
   void RenderPiece(vtkRenderer* ren, vtkActor* actor) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
+  class vtkInternals; // how materials are drawn
+
 protected:
   vtkMeasuredBRDFMapperMixin();
   ~vtkMeasuredBRDFMapperMixin() override;
 
+  /// A material and the surfaces made of it. No material: Base draws them.
+  using MaterialUse = std::pair<vtkBRDF*, std::vector<vtkPolyData*>>;
+
   /// The materials of what is drawn, and their surfaces.
-  virtual std::vector<measuredbrdf::MaterialUse> GetMaterialUses() = 0;
+  virtual std::vector<MaterialUse> GetMaterialUses() = 0;
 
   /// Draw only the surfaces of one material until the next call; -1: all of them. Nothing to do
   /// where there is one material.
@@ -70,7 +73,7 @@ protected:
   bool HasTangents();
 
   /// Made by the subclass; the mappers that draw the parts of one composite data set share it.
-  std::shared_ptr<measuredbrdf::MaterialDrawing> Drawing;
+  std::shared_ptr<vtkInternals> Drawing;
 
   /// Greater than 0 inside of RenderPiece.
   int RenderDepth = 0;

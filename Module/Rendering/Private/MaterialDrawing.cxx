@@ -135,17 +135,17 @@ PlanRequest MaterialDrawing::GetRequest(const MaterialUse& use, const FrameState
   const CurrentPlan::Timing timings[] = { CurrentPlan::Timing::Foreground,
     CurrentPlan::Timing::Changes, CurrentPlan::Timing::Always };
   PlanRequest request;
-  request.BRDF = use.BRDF;
+  request.BRDF = use.first;
   request.Environment = state.Environment;
   request.CacheFolder = this->Settings->CacheFolder;
   request.Tolerance = this->Settings->ErrorTolerance;
   request.Costs = this->Settings->Costs;
   request.Timing = timings[this->Settings->PlanningMode];
   request.ForView = this->Settings->PlanForView;
-  request.Slot = this->FindSlot(use.BRDF);
+  request.Slot = this->FindSlot(use.first);
   request.Renderer = state.Renderer;
   request.Actor = state.Actor;
-  request.Surfaces = use.Surfaces;
+  request.Surfaces = use.second;
   return request;
 }
 
@@ -172,7 +172,7 @@ void MaterialDrawing::VisitRequests(vtkRenderer* renderer, const PlanRequest::Vi
     const FrameState state = { renderer, actor, drawing->ResolveEnvironment(renderer) };
     for (const MaterialUse& use : drawing->UsesToCome())
     {
-      if (state.Environment && use.BRDF)
+      if (state.Environment && use.first)
       {
         visit(drawing->Plans, drawing->GetRequest(use, state));
       }
@@ -276,11 +276,11 @@ std::string MaterialDrawing::UploadForms(DrawnMaterial& drawn, vtkRenderer* rend
 DrawnMaterial MaterialDrawing::Resolve(const MaterialUse& use, const FrameState& state)
 {
   DrawnMaterial drawn;
-  if (!use.BRDF)
+  if (!use.first)
   {
     return drawn;
   }
-  drawn.BRDF = use.BRDF;
+  drawn.BRDF = use.first;
   drawn.Environment = state.Environment;
   std::string problem;
   try
@@ -323,7 +323,7 @@ void MaterialDrawing::BeginFrame(
   }
   ViewFrame& frame = this->FindFrame(renderer, actor, part);
   const bool any = std::any_of(
-    uses.begin(), uses.end(), [](const MaterialUse& use) { return use.BRDF != nullptr; });
+    uses.begin(), uses.end(), [](const MaterialUse& use) { return use.first != nullptr; });
   const FrameState state = { renderer, actor, any ? this->ResolveEnvironment(renderer) : nullptr };
   if (any)
   {
@@ -445,7 +445,7 @@ vtkIdType MaterialDrawing::GetVisiblePairs(
   std::vector<vtkPolyData*> surfaces;
   for (const MaterialUse& use : this->UsesToCome())
   {
-    surfaces.insert(surfaces.end(), use.Surfaces.begin(), use.Surfaces.end());
+    surfaces.insert(surfaces.end(), use.second.begin(), use.second.end());
   }
   const VisibleSurface seen = VisibleSurface::InView(surfaces, renderer, actor);
   const auto fill = [](vtkDataArray* array, const std::vector<glm::dvec3>& directions)

@@ -21,6 +21,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 class vtkActor;
@@ -36,11 +37,7 @@ namespace measuredbrdf
 {
 /// A material and the surfaces made of it, blocks of one data set. No material: the superclass
 /// draws them.
-struct MaterialUse
-{
-  vtkBRDF* BRDF = nullptr;
-  std::vector<vtkPolyData*> Surfaces;
-};
+using MaterialUse = std::pair<vtkBRDF*, std::vector<vtkPolyData*>>;
 
 class MaterialDrawing
 {

@@ -79,6 +79,13 @@ inline bool Contains(const std::string& text, const char* part)
 
 //------------------------------------------------------------------------------
 template <class Base>
+class vtkMeasuredBRDFMapperMixin<Base>::vtkInternals : public measuredbrdf::MaterialDrawing
+{
+  using measuredbrdf::MaterialDrawing::MaterialDrawing;
+};
+
+//------------------------------------------------------------------------------
+template <class Base>
 vtkMeasuredBRDFMapperMixin<Base>::vtkMeasuredBRDFMapperMixin() = default;
 
 //------------------------------------------------------------------------------

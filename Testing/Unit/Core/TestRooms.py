@@ -22,8 +22,6 @@ ALLOWED = {
     "Planning": ["Core", "Material", "Lighting", "Integration"],
     "Rendering": ["Core", "Material", "Lighting", "Integration", "Fitting", "Planning"],
 }
-# The mapper's header brings its mixin, a template over VTK's mappers.
-SHOW_PRIVATE_TYPES = {"Rendering"}
 
 
 def find_files(module):
@@ -72,7 +70,7 @@ def main(repository):
         with open(path, encoding="utf-8") as file:
             text = file.read()
         included = re.findall(r'#include "([^"]+)"', text)
-        if name.startswith("vtk") and name.endswith(".h") and not private and room not in SHOW_PRIVATE_TYPES:
+        if name.startswith("vtk") and name.endswith(".h") and not private:
             if "measuredbrdf" in text:
                 problems.append(f"{path}: a public header shows a type of the private namespace measuredbrdf")
         for other in included:
