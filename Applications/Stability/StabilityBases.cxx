@@ -57,7 +57,7 @@ void DrawRinging(Context& context, const std::vector<double>& exponents)
   const int columns = static_cast<int>(orders.size()) + 1;
   tool::ContactSheet sheet("Harmonics ring: one light, order x sharpness", columns,
     static_cast<int>(exponents.size()), Tile, Tile);
-  StabilityRenderer theatre(context);
+  StabilityRenderer offscreen(context);
   for (std::size_t row = 0; row < exponents.size(); ++row)
   {
     const vtkSmartPointer<vtkBRDF> lobe = MakeLobe(exponents[row]);
@@ -67,8 +67,8 @@ void DrawRinging(Context& context, const std::vector<double>& exponents)
       const int order = column > 0 ? orders[static_cast<std::size_t>(column) - 1] : 0;
       const vtkSmartPointer<vtkBRDF> brdf =
         column > 0 ? Project(lobe, vtkBasisBRDF::SPHERICAL_HARMONICS, order) : lobe;
-      theatre.SetIntegrator(MakeLightLoop(brdf, environment, light));
-      tool::Picture picture = theatre.Draw(Tile);
+      offscreen.SetIntegrator(MakeLightLoop(brdf, environment, light));
+      tool::Picture picture = offscreen.Draw(Tile);
       exposure = column == 0 ? 0.9 / GetLargest(GetCovered(picture)) : exposure;
       for (std::size_t k = 0; k < picture.Pixels.size(); ++k)
       {

@@ -99,7 +99,7 @@ void RunOddities(Context& context)
 {
   const vtkSmartPointer<vtkEnvironment> environment = context.MakeEnvironment("sky", 64);
   const Pairs pairs = MakeSpherePairs(100);
-  StabilityRenderer theatre(context);
+  StabilityRenderer offscreen(context);
   for (const Oddity& oddity : MakeOddities())
   {
     if (context.Short && (oddity.Name == "albedo 4" || oddity.Name == "not reciprocal" ||
@@ -113,10 +113,10 @@ void RunOddities(Context& context)
       const vtkSmartPointer<vtkRadianceIntegrator> integrator =
         contender.Make(oddity.BRDF, environment);
       const std::vector<double> radiance = Integrate(integrator, pairs);
-      theatre.SetIntegrator(integrator);
-      theatre.Draw(Size);
+      offscreen.SetIntegrator(integrator);
+      offscreen.Draw(Size);
       context.Add(contender.Name, "negative or not finite: " + oddity.Name,
-        CountBad(radiance) + theatre.GetNumberOfBad(), 0.0);
+        CountBad(radiance) + offscreen.GetNumberOfBad(), 0.0);
       context.Add(
         contender.Name, "error: " + oddity.Name, GetRelativeL1(radiance, reference), oddity.Limits);
     }

@@ -169,26 +169,26 @@ void RunMeshes(Context& context)
   // Interpolated, normals of any length but 0 must come out as unit ones.
   const std::vector<vtkSmartPointer<vtkPolyData>> scaled = { MakeScaledNormals(1e-3f),
     MakeScaledNormals(1e3f) };
-  StabilityRenderer theatre(context);
+  StabilityRenderer offscreen(context);
   for (const MethodUnderTest& contender : GetMethodsUnderTest())
   {
-    theatre.SetIntegrator(contender.Make(brdf, environment));
+    offscreen.SetIntegrator(contender.Make(brdf, environment));
     double bad = 0.0;
     for (const auto& mesh : meshes)
     {
-      theatre.SetMesh(mesh);
-      theatre.Draw(Size);
-      bad += theatre.GetNumberOfBad();
+      offscreen.SetMesh(mesh);
+      offscreen.Draw(Size);
+      bad += offscreen.GetNumberOfBad();
     }
     context.Add(contender.Name,
       "pixels negative or not finite: normals away, zero, NaN; triangles without area", bad, 0.0);
-    theatre.SetMesh(meshes[0]);
-    const tool::Picture unit = theatre.Draw(Size);
+    offscreen.SetMesh(meshes[0]);
+    const tool::Picture unit = offscreen.Draw(Size);
     double worst = 0.0;
     for (const auto& mesh : scaled)
     {
-      theatre.SetMesh(mesh);
-      worst = std::max(worst, GetPictureDifference(theatre.Draw(Size), unit));
+      offscreen.SetMesh(mesh);
+      worst = std::max(worst, GetPictureDifference(offscreen.Draw(Size), unit));
     }
     context.Add(contender.Name, "difference by normals of length 0.001 and 1000", worst, 1e-3);
   }

@@ -101,12 +101,12 @@ Picture MakeSphereSheet(Context& context, const std::string& title, vtkBRDF* brd
     sheet.Add(k % columns, k / columns, picture, name, note);
   };
   add(0, exact, "exact", "");
-  StabilityRenderer theatre(context);
+  StabilityRenderer offscreen(context);
   for (std::size_t k = 0; k < contenders.size(); ++k)
   {
     const vtkSmartPointer<vtkRadianceIntegrator> integrator = contenders[k].Make(brdf, environment);
-    theatre.SetIntegrator(integrator);
-    const Picture picture = theatre.Draw(Tile);
+    offscreen.SetIntegrator(integrator);
+    const Picture picture = offscreen.Draw(Tile);
     add(static_cast<int>(k) + 1, picture, contenders[k].Name,
       "error " + Say(100.0 * GetRelativeL1(Pick(picture, surface), reference)) + " %");
   }

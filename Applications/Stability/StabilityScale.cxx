@@ -72,7 +72,7 @@ void RunEnvironmentSizes(Context& context)
 //------------------------------------------------------------------------------
 void RunPictureSizes(Context& context)
 {
-  StabilityRenderer theatre(context);
+  StabilityRenderer offscreen(context);
   const vtkSmartPointer<vtkBRDF> brdf = context.Choose(MakePlastic(50.0));
   const vtkSmartPointer<vtkEnvironment> environment = context.MakeEnvironment("sky", 64);
   const int large[2] = { context.Short ? 960 : 3840, context.Short ? 540 : 2160 };
@@ -84,15 +84,15 @@ void RunPictureSizes(Context& context)
     {
       continue;
     }
-    theatre.SetIntegrator(contender.Make(brdf, environment));
-    theatre.SetView(30.0, 20.0, 0.9);
-    const std::vector<double> usual = GetCovered(theatre.Draw(128));
+    offscreen.SetIntegrator(contender.Make(brdf, environment));
+    offscreen.SetView(30.0, 20.0, 0.9);
+    const std::vector<double> usual = GetCovered(offscreen.Draw(128));
     const auto [least, most] = std::minmax_element(usual.begin(), usual.end());
     double outside = 0.0;
     for (const double fill : { 0.01, 0.03, 0.06 })
     {
-      theatre.SetView(30.0, 20.0, fill);
-      for (const double value : GetCovered(theatre.Draw(64)))
+      offscreen.SetView(30.0, 20.0, fill);
+      for (const double value : GetCovered(offscreen.Draw(64)))
       {
         outside += !(value >= 0.9 * *least && value <= 1.1 * *most);
       }
@@ -101,9 +101,9 @@ void RunPictureSizes(Context& context)
       contender.Name, "objects of 1 to 3 pixels: values beyond those of a large one", outside, 0.0);
     if (light || context.Short)
     {
-      theatre.SetView(30.0, 20.0, 0.9);
-      theatre.PlaceCamera(large[0], large[1]);
-      const std::vector<double> values = GetCovered(theatre.DrawAsIs(large[0], large[1]));
+      offscreen.SetView(30.0, 20.0, 0.9);
+      offscreen.PlaceCamera(large[0], large[1]);
+      const std::vector<double> values = GetCovered(offscreen.DrawAsIs(large[0], large[1]));
       const double mean =
         std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
       const double expected =
@@ -111,7 +111,7 @@ void RunPictureSizes(Context& context)
       context.Add(contender.Name,
         "mean radiance of a window of " + std::to_string(large[0]) + "x" +
           std::to_string(large[1]) + " against one of 128x128, and bad values",
-        std::abs(mean - expected) / expected + theatre.GetNumberOfBad(), 0.02);
+        std::abs(mean - expected) / expected + offscreen.GetNumberOfBad(), 0.02);
     }
   }
 }
@@ -148,7 +148,7 @@ vtkSmartPointer<vtkPolyData> MakeMoved(const Vector& scale, const Vector& offset
 void RunWorlds(Context& context)
 {
   const int size = 64;
-  StabilityRenderer theatre(context);
+  StabilityRenderer offscreen(context);
   const vtkSmartPointer<vtkBRDF> brdf = context.Choose(MakePlastic(50.0));
   const vtkSmartPointer<vtkEnvironment> environment = context.MakeEnvironment("sky", 64);
   for (const MethodUnderTest& contender : GetMethodsUnderTest())
@@ -157,15 +157,15 @@ void RunWorlds(Context& context)
     {
       continue; // the geometry is before the integrator: the others see the same
     }
-    theatre.SetIntegrator(contender.Make(brdf, environment));
-    theatre.SetMesh(tool::MakeSphere());
-    const tool::Picture usual = theatre.Draw(size);
+    offscreen.SetIntegrator(contender.Make(brdf, environment));
+    offscreen.SetMesh(tool::MakeSphere());
+    const tool::Picture usual = offscreen.Draw(size);
     const auto compare = [&](const std::string& what, const Vector& scale, const Vector& offset)
     {
-      theatre.SetMesh(MakeMoved(scale, offset));
-      const tool::Picture picture = theatre.Draw(size);
+      offscreen.SetMesh(MakeMoved(scale, offset));
+      const tool::Picture picture = offscreen.Draw(size);
       context.Add(contender.Name, "difference, " + what,
-        GetPictureDifference(picture, usual) + theatre.GetNumberOfBad(), { 5e-3, {}, "" });
+        GetPictureDifference(picture, usual) + offscreen.GetNumberOfBad(), { 5e-3, {}, "" });
     };
     compare("coordinates times 1e6", { 1e6, 1e6, 1e6 }, { 0.0, 0.0, 0.0 });
     compare("coordinates times 1e-6", { 1e-6, 1e-6, 1e-6 }, { 0.0, 0.0, 0.0 });
@@ -173,14 +173,14 @@ void RunWorlds(Context& context)
 
     // An actor's scale against the same in the mesh.
     const Vector scale = { 10.0, 0.1, 1.0 };
-    theatre.SetMesh(MakeMoved(scale, { 0.0, 0.0, 0.0 }));
-    const tool::Picture expected = theatre.Draw(size);
-    theatre.SetMesh(tool::MakeSphere());
-    theatre.GetActor()->SetScale(scale[0], scale[1], scale[2]);
-    const tool::Picture scaled = theatre.DrawAsIs(size, size);
+    offscreen.SetMesh(MakeMoved(scale, { 0.0, 0.0, 0.0 }));
+    const tool::Picture expected = offscreen.Draw(size);
+    offscreen.SetMesh(tool::MakeSphere());
+    offscreen.GetActor()->SetScale(scale[0], scale[1], scale[2]);
+    const tool::Picture scaled = offscreen.DrawAsIs(size, size);
     context.Add(contender.Name, "difference, an actor's scale of 10, 0.1, 1",
-      GetPictureDifference(scaled, expected) + theatre.GetNumberOfBad(), 5e-3);
-    theatre.GetActor()->SetScale(1.0);
+      GetPictureDifference(scaled, expected) + offscreen.GetNumberOfBad(), 5e-3);
+    offscreen.GetActor()->SetScale(1.0);
   }
 }
 
@@ -216,8 +216,8 @@ void RunMaterialChanges(Context& context)
     { "auto", context.Short ? 12 : 100, [](int k) { return MakePlastic(5.0 + 0.05 * k); }, true } };
   for (const Kind& kind : kinds)
   {
-    StabilityRenderer theatre(context);
-    vtkMeasuredBRDFMapper* mapper = theatre.GetMapper();
+    StabilityRenderer offscreen(context);
+    vtkMeasuredBRDFMapper* mapper = offscreen.GetMapper();
     mapper->SetEnvironment(environment);
     mapper->SetIntegrator(kind.Plans ? nullptr : MakeLightLoop(16).Get());
     HeapGrowth heap;
@@ -228,7 +228,7 @@ void RunMaterialChanges(Context& context)
     {
       const auto begin = std::chrono::steady_clock::now();
       mapper->SetBRDF(kind.Make(k));
-      theatre.Draw(32);
+      offscreen.Draw(32);
       times.push_back(
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
       bytes.insert(mapper->GetTextureBytes());
@@ -266,7 +266,7 @@ void RunMaterialChanges(Context& context)
 //------------------------------------------------------------------------------
 // A crowd: actors side by side, each with its own mapper.
 double DrawCrowd(Context& context, int actors, int materials, int frames,
-  StabilityRenderer& theatre, std::set<vtkIdType>& bytes)
+  StabilityRenderer& offscreen, std::set<vtkIdType>& bytes)
 {
   vtkNew<vtkSphereSource> sphere;
   sphere->SetThetaResolution(12);
@@ -292,25 +292,25 @@ double DrawCrowd(Context& context, int actors, int materials, int frames,
     actor->SetMapper(mapper);
     const int row = k / side;
     actor->SetPosition(k % side - 0.5 * side, row - 0.5 * side, 0.0);
-    theatre.GetRenderer()->AddActor(actor);
+    offscreen.GetRenderer()->AddActor(actor);
     mappers.push_back(mapper);
   }
-  theatre.GetActor()->VisibilityOff();
-  theatre.PlaceCamera(128, 128);
-  theatre.GetRenderer()->ResetCamera();
+  offscreen.GetActor()->VisibilityOff();
+  offscreen.PlaceCamera(128, 128);
+  offscreen.GetRenderer()->ResetCamera();
   double bad = 0.0;
   for (int k = 0; k < WarmUpFrames; ++k)
   {
-    theatre.DrawAsIs(128, 128);
-    bad += theatre.GetNumberOfBad();
+    offscreen.DrawAsIs(128, 128);
+    bad += offscreen.GetNumberOfBad();
   }
   const int objects = CountOpenGLObjects();
   HeapGrowth heap;
   heap.Add();
   for (int k = 0; k < frames; ++k)
   {
-    theatre.DrawAsIs(128, 128);
-    bad += theatre.GetNumberOfBad();
+    offscreen.DrawAsIs(128, 128);
+    bad += offscreen.GetNumberOfBad();
     heap.Add();
   }
   for (const auto& mapper : mappers)
@@ -333,17 +333,17 @@ void RunCrowds(Context& context)
 {
   const int frames = context.Short ? 3 : 10;
   {
-    StabilityRenderer theatre(context);
+    StabilityRenderer offscreen(context);
     std::set<vtkIdType> bytes;
     context.Add("light-set", "MB in use that later frames add, 100 materials",
-      DrawCrowd(context, 100, 100, frames, theatre, bytes), LargestGrowth);
+      DrawCrowd(context, 100, 100, frames, offscreen, bytes), LargestGrowth);
   }
-  StabilityRenderer theatre(context);
+  StabilityRenderer offscreen(context);
   const int actors = context.Short ? 100 : 1000;
   const double start = GetHeapInUse();
   std::set<vtkIdType> bytes;
   context.Add("auto", "MB in use that later frames add, " + std::to_string(actors) + " actors",
-    DrawCrowd(context, actors, 1, frames, theatre, bytes), LargestGrowth);
+    DrawCrowd(context, actors, 1, frames, offscreen, bytes), LargestGrowth);
   context.Add("auto",
     "kB in use that an actor adds, " + std::to_string(actors) + " actors of one material",
     1e3 * (GetHeapInUse() - start) / actors, 400.0,

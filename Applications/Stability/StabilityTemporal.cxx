@@ -277,15 +277,15 @@ void RunMapper(Context& context)
       return Pairs{ surface.Normals, surface.Views };
     } };
   const Frames reference = PlayExactly(brdf, environment, motion, frames);
-  StabilityRenderer theatre(context);
+  StabilityRenderer offscreen(context);
   for (const MethodUnderTest& contender : GetMethodsUnderTest())
   {
-    theatre.SetIntegrator(contender.Make(brdf, environment));
+    offscreen.SetIntegrator(contender.Make(brdf, environment));
     Frames drawn;
     for (int t = 0; t < frames; ++t)
     {
       environment->SetRotationY(motion.Rotation(t));
-      drawn.push_back(tool::Pick(theatre.Draw(size.Width), surface));
+      drawn.push_back(tool::Pick(offscreen.Draw(size.Width), surface));
     }
     environment->SetRotationY(0.0);
     context.Add(contender.Name, "flicker ratio of rendered frames, environment by 1 degree",
