@@ -111,7 +111,7 @@ vtkSmartPointer<vtkLightSet> vtkLightSetRadianceIntegrator::MakeLights(std::stri
     return parts.GetLightSet(this->Environment, nullptr, this->NumberOfLights, goOn);
   }
   const measuredbrdf::TakenError reason(this->Generator);
-  const auto lights =
+  auto lights =
     parts.GetGeneratedSet(this->Environment, this->Generator, this->NumberOfLights, goOn);
   problem = reason.GetText().empty() ? problem : reason.GetText() + ".";
   return lights;

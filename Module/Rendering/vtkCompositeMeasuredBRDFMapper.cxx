@@ -279,6 +279,8 @@ vtkCompositeMapperHelper2* vtkCompositeMeasuredBRDFMapper::CreateHelper()
 }
 #endif
 
+// Strings come by value, as VTK's macros take them:
+// NOLINTNEXTLINE(performance-unnecessary-value-param)
 MEASUREDBRDF_MAPPER_PROPERTIES(vtkCompositeMeasuredBRDFMapper, *this->Impl->Settings)
 
 //------------------------------------------------------------------------------

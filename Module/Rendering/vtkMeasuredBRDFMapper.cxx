@@ -43,6 +43,8 @@ std::vector<vtkMeasuredBRDFMapper::MaterialUse> vtkMeasuredBRDFMapper::GetMateri
 
 // The properties do not call Modified(): that would rebuild vertex buffers and shaders. Every
 // render compares what it used last with what is asked for.
+// Strings come by value, as VTK's macros take them:
+// NOLINTNEXTLINE(performance-unnecessary-value-param)
 MEASUREDBRDF_MAPPER_PROPERTIES(vtkMeasuredBRDFMapper, this->Drawing->GetSettings())
 
 //------------------------------------------------------------------------------

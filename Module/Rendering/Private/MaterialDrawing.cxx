@@ -252,7 +252,7 @@ std::string MaterialDrawing::UploadForms(DrawnMaterial& drawn, vtkRenderer* rend
   if (drawn.Integrator)
   {
     drawn.Radiance = FormTextures::Find(drawn.Integrator, window);
-    const std::string problem = drawn.Radiance->Update(drawn.Integrator, window);
+    std::string problem = drawn.Radiance->Update(drawn.Integrator, window);
     if (!problem.empty())
     {
       return problem;
@@ -263,7 +263,7 @@ std::string MaterialDrawing::UploadForms(DrawnMaterial& drawn, vtkRenderer* rend
   {
     const bool soft = drawn.Integrator && drawn.Integrator->UsesSoftLights();
     drawn.Material = FormTextures::Find(drawn.BRDF, soft, window);
-    const std::string problem = drawn.Material->Update(drawn.BRDF, window);
+    std::string problem = drawn.Material->Update(drawn.BRDF, window);
     if (!problem.empty())
     {
       return problem;
