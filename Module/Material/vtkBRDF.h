@@ -156,7 +156,7 @@ public:
    * The most values that one array of the model's data may have. Readers refuse larger ones before
    * they allocate memory. Default: no limit but the file's size.
    */
-  virtual double GetMaximumArraySize() { return std::numeric_limits<double>::max(); }
+  virtual double GetMaximumArraySize() { return std::numeric_limits<double>::infinity(); }
 
 protected:
   vtkBRDF() = default;

@@ -129,7 +129,12 @@ void vtkBRDFExchange::Option(const std::string& name, const std::vector<std::str
   }
   if (!this->Loading)
   {
-    this->Data.Options[name] = choices.at(static_cast<std::size_t>(value));
+    if (value < 0 || value >= static_cast<int>(choices.size()))
+    {
+      this->Fail("option '" + name + "' has no choice " + std::to_string(value));
+      return;
+    }
+    this->Data.Options[name] = choices[static_cast<std::size_t>(value)];
     return;
   }
   const auto found = this->Data.Options.find(name);

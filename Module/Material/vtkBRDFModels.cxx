@@ -276,7 +276,7 @@ std::string vtkBRDFModels::Load(vtkBRDFData& data, vtkSmartPointer<vtkBRDF>& brd
 double vtkBRDFModels::GetMaximumArraySize(const std::string& name)
 {
   const auto model = FindModel(name);
-  return model ? model->GetMaximumArraySize() : std::numeric_limits<double>::max();
+  return model ? model->GetMaximumArraySize() : std::numeric_limits<double>::infinity();
 }
 
 //------------------------------------------------------------------------------

@@ -59,7 +59,8 @@ public:
    */
   static std::string Load(vtkBRDFData& data, vtkSmartPointer<vtkBRDF>& brdf);
 
-  /// The most values that an array of a model may have: GetMaximumArraySize of the model.
+  /// The most values that an array of a model may have (vtkBRDF::GetMaximumArraySize); infinity for
+  /// names that are not known.
   static double GetMaximumArraySize(const std::string& name);
 
 protected:
