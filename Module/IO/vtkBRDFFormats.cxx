@@ -5,6 +5,7 @@
 #include "FitFile.h"
 #include "MbsdfFile.h"
 #include "MerlFile.h"
+#include "Registry.h"
 #include "TensorFile.h"
 #include "vtkMeasuredBRDFConfigure.h"
 #include "vtkObjectFactory.h"
@@ -15,44 +16,30 @@
 
 #include <algorithm>
 #include <functional>
-#include <mutex>
 
 vtkStandardNewMacro(vtkBRDFFormats);
 
 namespace
 {
 using namespace measuredbrdf;
-using Formats = std::vector<vtkSmartPointer<vtkBRDFFormat>>;
+using Formats = Registry<vtkBRDFFormat>;
 
 // The module's own, in the order in which they are asked: those that any bytes might be come last.
-template <class... Types>
-Formats MakeFormats()
-{
-  return { vtkSmartPointer<Types>::New()... };
-}
-
-Formats MakeOwnFormats()
+Formats::Items MakeOwnFormats()
 {
 #if MEASUREDBRDF_WITH_OPENEXR
-  return MakeFormats<TensorFormat, MbsdfFormat, ExrFormat, FitFormat, MerlFormat>();
+  return Formats::Make<TensorFormat, MbsdfFormat, ExrFormat, FitFormat, MerlFormat>();
 #else
-  return MakeFormats<TensorFormat, MbsdfFormat, FitFormat, MerlFormat>();
+  return Formats::Make<TensorFormat, MbsdfFormat, FitFormat, MerlFormat>();
 #endif
 }
 
 // Never destroyed: programs may read files until their very end.
-struct Registry
+Formats& GetRegistry()
 {
-  std::mutex Mutex;
-  Formats Added; // the last one foremost
-  const Formats Own = MakeOwnFormats();
-
-  static Registry& Get()
-  {
-    static Registry* registry = new Registry;
-    return *registry;
-  }
-};
+  static auto* registry = new Formats(MakeOwnFormats());
+  return *registry;
+}
 
 std::string List(bool writable, const std::function<std::vector<std::string>(vtkBRDFFormat*)>& get)
 {
@@ -67,12 +54,7 @@ std::string List(bool writable, const std::function<std::vector<std::string>(vtk
       }
     }
   }
-  std::string line;
-  for (std::size_t k = 0; k < texts.size(); ++k)
-  {
-    line += (k == 0 ? "" : k + 1 < texts.size() ? ", " : " or ") + texts[k];
-  }
-  return line;
+  return JoinNames(texts, [](const std::string& text) { return text; });
 }
 }
 
@@ -84,42 +66,25 @@ bool vtkBRDFFormats::Register(vtkBRDFFormat* format)
     vtkGenericWarningMacro("vtkBRDFFormats::Register: there is no format.");
     return false;
   }
-  for (const auto& known : GetFormats())
+  if (!GetRegistry().Add(format, [](vtkBRDFFormat* other) { return other->GetName(); }))
   {
-    if (known == format || known->GetName() == format->GetName())
-    {
-      vtkGenericWarningMacro("vtkBRDFFormats::Register: a format is called '"
-                             << format->GetName() << "' already; expected another name.");
-      return false;
-    }
+    vtkGenericWarningMacro("vtkBRDFFormats::Register: a format is called '"
+                           << format->GetName() << "' already; expected another name.");
+    return false;
   }
-  Registry& registry = Registry::Get();
-  const std::lock_guard<std::mutex> lock(registry.Mutex);
-  registry.Added.insert(registry.Added.begin(), format);
   return true;
 }
 
 //------------------------------------------------------------------------------
-bool vtkBRDFFormats::Unregister(vtkBRDFFormat* format)
-{
-  Registry& registry = Registry::Get();
-  const std::lock_guard<std::mutex> lock(registry.Mutex);
-  const auto found = std::find(registry.Added.begin(), registry.Added.end(), format);
-  if (found == registry.Added.end())
-  {
-    return false;
-  }
-  registry.Added.erase(found);
-  return true;
-}
+bool vtkBRDFFormats::Unregister(vtkBRDFFormat* format) { return GetRegistry().Remove(format); }
 
 //------------------------------------------------------------------------------
 std::vector<vtkSmartPointer<vtkBRDFFormat>> vtkBRDFFormats::GetFormats()
 {
-  Registry& registry = Registry::Get();
-  const std::lock_guard<std::mutex> lock(registry.Mutex);
-  Formats all = registry.Added;
-  all.insert(all.end(), registry.Own.begin(), registry.Own.end());
+  Formats::Items all = GetRegistry().GetAdded();
+  std::reverse(all.begin(), all.end()); // the last one foremost
+  const Formats::Items& own = GetRegistry().GetOwn();
+  all.insert(all.end(), own.begin(), own.end());
   return all;
 }
 

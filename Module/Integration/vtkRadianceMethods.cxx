@@ -3,6 +3,7 @@
 #include "vtkRadianceMethods.h"
 
 #include "Printable.h"
+#include "Registry.h"
 #include "vtkBasisRadianceIntegrator.h"
 #include "vtkExactRadianceIntegrator.h"
 #include "vtkFilteredRadianceIntegrator.h"
@@ -12,28 +13,20 @@
 #include "vtkTableRadianceIntegrator.h"
 
 #include <algorithm>
-#include <cstddef>
-#include <initializer_list>
-#include <mutex>
 
 vtkStandardNewMacro(vtkRadianceMethods);
 
 namespace
 {
-using Methods = std::vector<vtkSmartPointer<vtkRadianceIntegrator>>;
-
-template <class... Types>
-Methods MakeMethods()
-{
-  return { vtkSmartPointer<Types>::New()... };
-}
+using measuredbrdf::Registry;
+using Methods = Registry<vtkRadianceIntegrator>::Items;
 
 // The module's own. Of candidates at equal cost, planners try those of the first one first.
 Methods MakeOwnMethods()
 {
-  Methods methods = MakeMethods<vtkTableRadianceIntegrator, vtkHybridRadianceIntegrator,
-    vtkLightSetRadianceIntegrator, vtkFilteredRadianceIntegrator, vtkBasisRadianceIntegrator,
-    vtkExactRadianceIntegrator>();
+  Methods methods = Registry<vtkRadianceIntegrator>::Make<vtkTableRadianceIntegrator,
+    vtkHybridRadianceIntegrator, vtkLightSetRadianceIntegrator, vtkFilteredRadianceIntegrator,
+    vtkBasisRadianceIntegrator, vtkExactRadianceIntegrator>();
   for (const auto& method : methods)
   {
     if (auto* lights = vtkLightSetRadianceIntegrator::SafeDownCast(method))
@@ -45,18 +38,11 @@ Methods MakeOwnMethods()
 }
 
 // Never destroyed: programs may plan until their very end.
-struct Registry
+Registry<vtkRadianceIntegrator>& GetRegistry()
 {
-  std::mutex Mutex;
-  Methods Added;
-  const Methods Own = MakeOwnMethods();
-
-  static Registry& Get()
-  {
-    static Registry* registry = new Registry;
-    return *registry;
-  }
-};
+  static auto* registry = new Registry<vtkRadianceIntegrator>(MakeOwnMethods());
+  return *registry;
+}
 
 bool IsName(const std::string& name)
 {
@@ -81,51 +67,32 @@ bool vtkRadianceMethods::Register(vtkRadianceIntegrator* method)
                            << ", expected lower case letters, digits and hyphens.");
     return false;
   }
-  Registry& registry = Registry::Get();
-  const std::lock_guard<std::mutex> lock(registry.Mutex);
-  for (const Methods* known :
-    std::initializer_list<const Methods*>{ &registry.Own, &registry.Added })
+  if (!GetRegistry().Add(
+        method, [](vtkRadianceIntegrator* other) { return other->GetMethodName(); }))
   {
-    if (std::any_of(known->begin(), known->end(),
-          [&name](const auto& other) { return other->GetMethodName() == name; }))
-    {
-      vtkGenericWarningMacro("vtkRadianceMethods::Register: a method is called '"
-                             << name << "' already; expected another name.");
-      return false;
-    }
+    vtkGenericWarningMacro("vtkRadianceMethods::Register: a method is called '"
+                           << name << "' already; expected another name.");
+    return false;
   }
-  registry.Added.emplace_back(method);
   return true;
 }
 
 //------------------------------------------------------------------------------
 bool vtkRadianceMethods::Unregister(vtkRadianceIntegrator* method)
 {
-  Registry& registry = Registry::Get();
-  const std::lock_guard<std::mutex> lock(registry.Mutex);
-  const auto found = std::find(registry.Added.begin(), registry.Added.end(), method);
-  if (found == registry.Added.end())
-  {
-    return false;
-  }
-  registry.Added.erase(found);
-  return true;
+  return GetRegistry().Remove(method);
 }
 
 //------------------------------------------------------------------------------
 std::vector<vtkSmartPointer<vtkRadianceIntegrator>> vtkRadianceMethods::GetMethods()
 {
-  Registry& registry = Registry::Get();
-  const std::lock_guard<std::mutex> lock(registry.Mutex);
-  Methods all = registry.Own;
-  all.insert(all.end(), registry.Added.begin(), registry.Added.end());
-  return all;
+  return GetRegistry().GetAll();
 }
 
 //------------------------------------------------------------------------------
 bool vtkRadianceMethods::IsBuiltIn(const std::string& name)
 {
-  const Methods& own = Registry::Get().Own;
+  const Methods& own = GetRegistry().GetOwn();
   return std::any_of(own.begin(), own.end(),
     [&name](const auto& method) { return method->GetMethodName() == name; });
 }
@@ -146,13 +113,8 @@ vtkRadianceIntegrator* vtkRadianceMethods::NewIntegrator(const std::string& name
 //------------------------------------------------------------------------------
 std::string vtkRadianceMethods::GetNames()
 {
-  const Methods methods = GetMethods();
-  std::string line;
-  for (std::size_t k = 0; k < methods.size(); ++k)
-  {
-    line += (k == 0 ? "" : k + 1 < methods.size() ? ", " : " or ") + methods[k]->GetMethodName();
-  }
-  return line;
+  return measuredbrdf::JoinNames(
+    GetMethods(), [](const auto& method) { return method->GetMethodName(); });
 }
 
 //------------------------------------------------------------------------------

@@ -3,6 +3,7 @@
 #include "vtkBRDFModels.h"
 
 #include "Printable.h"
+#include "Registry.h"
 #include "vtkAdaptiveWarpBRDF.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBRDFData.h"
@@ -18,9 +19,7 @@
 #include "vtkTabulatedBRDF.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <limits>
-#include <mutex>
 #include <typeinfo>
 
 vtkStandardNewMacro(vtkBRDFModels);
@@ -28,30 +27,19 @@ vtkStandardNewMacro(vtkBRDFModels);
 namespace
 {
 using measuredbrdf::Quote;
-using Models = std::vector<vtkSmartPointer<vtkBRDF>>;
+using measuredbrdf::Registry;
+using Models = Registry<vtkBRDF>::Items;
 
 constexpr int MaximumDepth = 16; // of terms in terms
 
-template <class... Types>
-Models MakeModels()
-{
-  return { vtkSmartPointer<Types>::New()... };
-}
-
 // Never destroyed: programs may read files until their very end.
-struct Registry
+Registry<vtkBRDF>& GetRegistry()
 {
-  std::mutex Mutex;
-  Models All = MakeModels<vtkLambertBRDF, vtkBlinnPhongBRDF, vtkAshikhminShirleyBRDF,
-    vtkDistributionBRDF, vtkTabulatedBRDF, vtkBasisBRDF, vtkAdaptiveWarpBRDF, vtkSumBRDF>();
-  const std::size_t NumberOfOwn = All.size();
-
-  static Registry& Get()
-  {
-    static Registry* registry = new Registry;
-    return *registry;
-  }
-};
+  static auto* registry = new Registry<vtkBRDF>(
+    Registry<vtkBRDF>::Make<vtkLambertBRDF, vtkBlinnPhongBRDF, vtkAshikhminShirleyBRDF,
+      vtkDistributionBRDF, vtkTabulatedBRDF, vtkBasisBRDF, vtkAdaptiveWarpBRDF, vtkSumBRDF>());
+  return *registry;
+}
 
 //------------------------------------------------------------------------------
 template <class Predicate>
@@ -215,52 +203,26 @@ bool vtkBRDFModels::Register(vtkBRDF* model)
                            << Quote(name) << ", expected letters, digits and hyphens.");
     return false;
   }
-  Registry& registry = Registry::Get();
-  const std::lock_guard<std::mutex> lock(registry.Mutex);
-  if (std::any_of(registry.All.begin(), registry.All.end(),
-        [&name](const auto& other) { return other->GetModelName() == name; }))
+  if (!GetRegistry().Add(model, [](vtkBRDF* other) { return other->GetModelName(); }))
   {
     vtkGenericWarningMacro("vtkBRDFModels::Register: a model is called '"
                            << name << "' already; expected another name.");
     return false;
   }
-  registry.All.emplace_back(model);
   return true;
 }
 
 //------------------------------------------------------------------------------
-bool vtkBRDFModels::Unregister(vtkBRDF* model)
-{
-  Registry& registry = Registry::Get();
-  const std::lock_guard<std::mutex> lock(registry.Mutex);
-  const auto begin = registry.All.begin() + static_cast<std::ptrdiff_t>(registry.NumberOfOwn);
-  const auto found = std::find(begin, registry.All.end(), model);
-  if (found == registry.All.end())
-  {
-    return false;
-  }
-  registry.All.erase(found);
-  return true;
-}
+bool vtkBRDFModels::Unregister(vtkBRDF* model) { return GetRegistry().Remove(model); }
 
 //------------------------------------------------------------------------------
-std::vector<vtkSmartPointer<vtkBRDF>> vtkBRDFModels::GetModels()
-{
-  Registry& registry = Registry::Get();
-  const std::lock_guard<std::mutex> lock(registry.Mutex);
-  return registry.All;
-}
+std::vector<vtkSmartPointer<vtkBRDF>> vtkBRDFModels::GetModels() { return GetRegistry().GetAll(); }
 
 //------------------------------------------------------------------------------
 std::string vtkBRDFModels::GetNames()
 {
-  const Models models = GetModels();
-  std::string line;
-  for (std::size_t k = 0; k < models.size(); ++k)
-  {
-    line += (k == 0 ? "" : k + 1 < models.size() ? ", " : " or ") + models[k]->GetModelName();
-  }
-  return line;
+  return measuredbrdf::JoinNames(
+    GetModels(), [](const auto& model) { return model->GetModelName(); });
 }
 
 //------------------------------------------------------------------------------
