@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What the sources of a material's data have in common.
+ */
+
+#ifndef MaterialSource_h
+#define MaterialSource_h
+
+#include "HalfVector.h"
+
+#include "vtkBRDF.h"
+#include "vtkSmartPointer.h"
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace measuredbrdf
+{
+constexpr double Degree = Pi / 180.0;
+
+/// Rec. 709.
+inline double GetLuminance(const glm::dvec3& rgb)
+{
+  return glm::dot(rgb, glm::dvec3(0.2126, 0.7152, 0.0722));
+}
+
+inline vtkMTimeType GetLatestTime(vtkMTimeType time, vtkBRDF* brdf)
+{
+  return brdf ? std::max(time, brdf->GetMTime()) : time;
+}
+
+template <typename Array>
+vtkSmartPointer<Array> NewArray(const char* name, int components, vtkIdType tuples)
+{
+  auto array = vtkSmartPointer<Array>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(tuples);
+  return array;
+}
+
+/**
+ * f at the angles of Rusinkiewicz 1998, in degrees, with phi_h, which counts for anisotropic
+ * materials. Returns whether i and o are above the horizon; f is 0 where one is not.
+ */
+inline bool EvaluateHalfDifference(
+  vtkBRDF* brdf, double thetaH, double thetaD, double phiD, double phiH, double f[3])
+{
+  glm::dvec3 i, o;
+  FromHalfDifference({ thetaH * Degree, thetaD * Degree, phiD * Degree }, i, o);
+  const double c = std::cos(phiH * Degree);
+  const double s = std::sin(phiH * Degree);
+  i = { c * i.x - s * i.y, s * i.x + c * i.y, i.z };
+  o = { c * o.x - s * o.y, s * o.x + c * o.y, o.z };
+  brdf->Evaluate(glm::value_ptr(i), glm::value_ptr(o), f);
+  // Angles of 90 degrees leave a rounding error above the horizon.
+  if (i.z > 1e-9 && o.z > 1e-9)
+  {
+    return true;
+  }
+  f[0] = f[1] = f[2] = 0.0;
+  return false;
+}
+} // namespace measuredbrdf
+
+#endif
