@@ -9,6 +9,7 @@
 #include "Printable.h"
 #include "RetroLobe.h"
 #include "Setters.h"
+#include "TupleMap.h"
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -21,6 +22,9 @@ using namespace measuredbrdf;
 
 namespace
 {
+// Fewer directions are not worth a thread; an albedo alone is.
+constexpr vtkIdType Grain = 512;
+
 void Clean(double f[3])
 {
   for (int c = 0; c < 3; ++c)
@@ -153,6 +157,66 @@ double vtkBRDF::Pdf(const double i[3], const double o[3])
   }
   const double pdf = this->PdfAbove(iUnit, oUnit);
   return std::isfinite(pdf) ? std::max(pdf, 0.0) : 0.0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkBRDF::EvaluateArray(vtkDataArray* i, vtkDataArray* o, vtkDataArray* f)
+{
+  TupleMap map({ { "i", i, 3 }, { "o", o, 3 } }, { "f", f, 3 });
+  if (!map.GetProblem().empty())
+  {
+    vtkErrorMacro("EvaluateArray: " << map.GetProblem());
+    return false;
+  }
+  this->Prepare();
+  map.Run(Grain, [this](const double* const inputs[2], double* result)
+    { this->Evaluate(inputs[0], inputs[1], result); });
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkBRDF::SampleArray(vtkDataArray* o, vtkDataArray* u, vtkDataArray* i)
+{
+  TupleMap map({ { "o", o, 3 }, { "u", u, 2 } }, { "i", i, 3 });
+  if (!map.GetProblem().empty())
+  {
+    vtkErrorMacro("SampleArray: " << map.GetProblem());
+    return false;
+  }
+  this->Prepare();
+  map.Run(Grain, [this](const double* const inputs[2], double* result)
+    { this->Sample(inputs[0], inputs[1][0], inputs[1][1], result); });
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkBRDF::PdfArray(vtkDataArray* i, vtkDataArray* o, vtkDataArray* pdf)
+{
+  TupleMap map({ { "i", i, 3 }, { "o", o, 3 } }, { "pdf", pdf, 1 });
+  if (!map.GetProblem().empty())
+  {
+    vtkErrorMacro("PdfArray: " << map.GetProblem());
+    return false;
+  }
+  this->Prepare();
+  map.Run(Grain, [this](const double* const inputs[2], double* result)
+    { *result = this->Pdf(inputs[0], inputs[1]); });
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkBRDF::GetDirectionalAlbedoArray(vtkDataArray* o, vtkDataArray* albedo)
+{
+  TupleMap map({ { "o", o, 3 } }, { "albedo", albedo, 3 });
+  if (!map.GetProblem().empty())
+  {
+    vtkErrorMacro("GetDirectionalAlbedoArray: " << map.GetProblem());
+    return false;
+  }
+  this->Prepare();
+  map.Run(1, [this](const double* const inputs[2], double* result)
+    { this->GetDirectionalAlbedo(inputs[0], result); });
+  return true;
 }
 
 //------------------------------------------------------------------------------

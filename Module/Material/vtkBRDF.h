@@ -29,6 +29,7 @@
 #include <utility>   // for GetContent
 
 class vtkBRDFExchange;
+class vtkDataArray;
 struct vtkBRDFShaderInputs;
 
 class VTKMEASUREDBRDF_EXPORT vtkBRDF : public vtkObject
@@ -84,6 +85,26 @@ public:
    */
   virtual void GetDirectionalAlbedo(const double o[3], double albedo[3]);
 
+  ///@{
+  /**
+   * Evaluate, Sample, Pdf and GetDirectionalAlbedo of n directions or pairs in one call, on several
+   * threads (vtkSMPTools). Prepare() is called first.
+   *
+   * i and o have 3 components, u (two uniform numbers in [0,1)) has 2. Each has n tuples, or one,
+   * which serves for all. Their type is any; float and double are fastest. The result, of type
+   * float or double, is resized to n tuples of 3 components (pdf: 1). It may be one of the inputs.
+   * Its values are those of the calls for single directions, rounded where it holds floats.
+   * SampleArray gives i = 0 where Sample returns false.
+   *
+   * Returns false with an error event, the result unchanged, where an array is missing, or has
+   * another number of components or tuples, or the result is of another type.
+   */
+  bool EvaluateArray(vtkDataArray* i, vtkDataArray* o, vtkDataArray* f);
+  bool SampleArray(vtkDataArray* o, vtkDataArray* u, vtkDataArray* i);
+  bool PdfArray(vtkDataArray* i, vtkDataArray* o, vtkDataArray* pdf);
+  bool GetDirectionalAlbedoArray(vtkDataArray* o, vtkDataArray* albedo);
+  ///@}
+
   /**
    * Bounds on each channel of f over all pairs whose cosines are both at least minimumCosine (in
    * (0,1]): lower <= f <= upper. Conservative, not tight.
@@ -101,7 +122,8 @@ public:
   virtual bool IsReciprocal() { return true; }
 
   /**
-   * Build the data that Evaluate, Sample and Pdf otherwise build on demand. Not thread safe.
+   * Build the data that Evaluate, Sample and Pdf otherwise build on demand. Not thread safe where
+   * there is something to build; a further call, with nothing changed, changes nothing.
    */
   virtual void Prepare() {}
 

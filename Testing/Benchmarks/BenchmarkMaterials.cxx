@@ -5,8 +5,11 @@
 #include "vtkBRDFReader.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkDistributionBRDF.h"
+#include "vtkDoubleArray.h"
+#include "vtkEmbeddedMaterials.h"
 #include "vtkLambertBRDF.h"
 #include "vtkNew.h"
+#include "vtkSmartPointer.h"
 #include "vtkTabulatedBRDF.h"
 
 #include <benchmark/benchmark.h>
@@ -103,6 +106,101 @@ void EvaluateAdaptiveWarp(benchmark::State& state)
   Evaluate(state, reader->GetBRDF());
 }
 BENCHMARK(EvaluateAdaptiveWarp);
+
+// Many pairs: one call for each, one call for all (several threads).
+constexpr int Pairs = 1 << 16;
+enum Form
+{
+  SCALAR_LOOP,
+  DOUBLE_ARRAYS,
+  FLOAT_ARRAYS
+};
+
+vtkSmartPointer<vtkDataArray> NewTuples(Form form, std::size_t factor)
+{
+  auto array = vtkSmartPointer<vtkDataArray>::Take(
+    vtkDataArray::CreateDataArray(form == FLOAT_ARRAYS ? VTK_FLOAT : VTK_DOUBLE));
+  array->SetNumberOfComponents(3);
+  const std::vector<Vector> directions = NewDirections();
+  for (std::size_t k = 0; k < Pairs; ++k)
+  {
+    array->InsertNextTuple(directions[(factor * k + factor / 2) % 1024].data());
+  }
+  return array;
+}
+
+void EvaluatePairs(benchmark::State& state, vtkBRDF* brdf)
+{
+  const char* const labels[] = { "scalar loop", "double arrays", "float arrays" };
+  const Form form = static_cast<Form>(state.range(0));
+  const auto i = NewTuples(form, 1);
+  const auto o = NewTuples(form, 7);
+  auto f = vtkSmartPointer<vtkDataArray>::Take(i->NewInstance());
+  f->SetNumberOfComponents(3);
+  f->SetNumberOfTuples(Pairs);
+  brdf->Prepare();
+  for (auto _ : state)
+  {
+    if (form != SCALAR_LOOP)
+    {
+      brdf->EvaluateArray(i, o, f);
+      continue;
+    }
+    const double* to = vtkDoubleArray::FastDownCast(i)->GetPointer(0);
+    const double* from = vtkDoubleArray::FastDownCast(o)->GetPointer(0);
+    double* values = vtkDoubleArray::FastDownCast(f)->GetPointer(0);
+    for (int k = 0; k < 3 * Pairs; k += 3)
+    {
+      brdf->Evaluate(to + k, from + k, values + k);
+    }
+  }
+  state.SetItemsProcessed(state.iterations() * Pairs);
+  state.SetLabel(labels[form]);
+}
+
+void EvaluatePairsLambert(benchmark::State& state)
+{
+  EvaluatePairs(state, vtkNew<vtkLambertBRDF>());
+}
+BENCHMARK(EvaluatePairsLambert)
+  ->DenseRange(SCALAR_LOOP, FLOAT_ARRAYS)
+  ->MeasureProcessCPUTime()
+  ->UseRealTime();
+
+void EvaluatePairsEmbedded(benchmark::State& state, const char* name)
+{
+  const auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF(name));
+  if (!brdf)
+  {
+    state.SkipWithError("this build has no such material");
+    return;
+  }
+  EvaluatePairs(state, brdf);
+}
+BENCHMARK_CAPTURE(EvaluatePairsEmbedded, fit, "gold-paint")
+  ->DenseRange(SCALAR_LOOP, FLOAT_ARRAYS)
+  ->MeasureProcessCPUTime()
+  ->UseRealTime();
+BENCHMARK_CAPTURE(EvaluatePairsEmbedded, table, "blue-car-paint")
+  ->DenseRange(SCALAR_LOOP, FLOAT_ARRAYS)
+  ->MeasureProcessCPUTime()
+  ->UseRealTime();
+
+void EvaluatePairsAdaptiveWarp(benchmark::State& state)
+{
+  vtkNew<vtkBRDFReader> reader;
+  reader->SetFileName(AdaptiveFile);
+  if (!std::filesystem::exists(AdaptiveFile) || !reader->Read())
+  {
+    state.SkipWithError("no measured data beside the checkout");
+    return;
+  }
+  EvaluatePairs(state, reader->GetBRDF());
+}
+BENCHMARK(EvaluatePairsAdaptiveWarp)
+  ->DenseRange(SCALAR_LOOP, FLOAT_ARRAYS)
+  ->MeasureProcessCPUTime()
+  ->UseRealTime();
 
 // A file of MERL's size (90 x 90 x 180 RGB doubles, 35 MB) with made-up values.
 void ReadMERL(benchmark::State& state)
