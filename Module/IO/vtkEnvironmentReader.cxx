@@ -15,7 +15,6 @@
 #include <vtksys/SystemTools.hxx>
 
 #include <algorithm>
-#include <fstream>
 
 vtkStandardNewMacro(vtkEnvironmentReader);
 
@@ -38,22 +37,10 @@ struct Image
 };
 
 //------------------------------------------------------------------------------
-// OpenEXR's attributes allocate when a file is opened.
-void CheckAttributes(const std::string& path)
-{
-  char magic[sizeof(measuredbrdf::ExrMagic)] = "";
-  std::ifstream(path, std::ios::binary).read(magic, sizeof(magic) - 1);
-  if (std::string(magic) == measuredbrdf::ExrMagic)
-  {
-    measuredbrdf::CheckExrHeader(measuredbrdf::FileBytes(path), "OpenEXR image");
-  }
-}
-
-//------------------------------------------------------------------------------
 Image ReadImage(const std::string& path)
 {
   const std::uintmax_t fileSize = measuredbrdf::CheckFile(path);
-  CheckAttributes(path);
+  measuredbrdf::CheckExrImage(path);
   measuredbrdf::ImageFile file = measuredbrdf::ReadImageFile(path, fileSize);
 
   Image image;

@@ -287,23 +287,10 @@ bool vtkRadianceMetrics::ComparePictures(
   const Pictures displayed = encoded.Apply(DecodeSRGB);
   const double flip = displayed.GetCoveredMean(displayed.GetFlip());
 
-  const std::vector<double> exposures = FindExposures(std::move(luminances));
-  std::vector<double> largest(static_cast<std::size_t>(reference->GetNumberOfTuples()), 0.0);
-  for (std::size_t step = 0; step < exposures.size(); ++step)
-  {
-    if (!this->ReportProgress(static_cast<double>(step + 1) / (exposures.size() + 1.0)))
-    {
-      return false;
-    }
-    const double exposure = exposures[step];
-    const std::vector<double> exposed =
-      pictures.Apply([exposure](double value) { return ToneMapACES(exposure * value); }).GetFlip();
-    for (std::size_t k = 0; k < largest.size(); ++k)
-    {
-      largest[k] = std::max(largest[k], exposed[k]);
-    }
-  }
-  if (!this->ReportProgress(1.0))
+  const std::vector<double> largest = ComputeHDRFlip(width, height, pictures.Picture,
+    pictures.Reference, FindExposures(std::move(luminances)),
+    [this](double share) { return this->ReportProgress(share); });
+  if (largest.empty() || !this->ReportProgress(1.0))
   {
     return false;
   }

@@ -9,6 +9,7 @@
 #include "vtkEnvironmentProjection.h"
 #include "vtkEnvironmentReader.h"
 #include "vtkNew.h"
+#include "vtkPictureReader.h"
 
 namespace
 {
@@ -62,6 +63,9 @@ MEASUREDBRDF_FUZZ_TARGET(Environment)(const std::uint8_t* data, std::size_t size
     reader->SetProjection(projection);
   }
   const bool read = reader->Read();
+  vtkNew<vtkPictureReader> pictures; // the same bytes
+  pictures->SetFileName(folder.GetPath() + "/image.hdr");
+  fuzz::Require(pictures->Read() == pictures->GetErrorMessage().empty());
   fuzz::Require(read == reader->GetErrorMessage().empty());
   fuzz::Require(read == (reader->GetEnvironment() != nullptr));
   if (read)

@@ -17,6 +17,12 @@ inline double DecodeSRGB(double value)
 {
   return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
 }
+
+/// Linear value in [0,1] to encoded.
+inline double EncodeSRGB(double linear)
+{
+  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
+}
 } // namespace measuredbrdf
 
 #endif

@@ -4,6 +4,8 @@
 
 #include "FileBytes.h"
 
+#include <fstream>
+
 namespace measuredbrdf
 {
 namespace
@@ -84,6 +86,17 @@ void CheckExrHeader(const FileBytes& file, const std::string& format)
   const bool multiPart = (reader.Read<std::uint32_t>("version") & MultiPartFlag) != 0;
   while (CheckHeader(reader) && multiPart)
   {
+  }
+}
+
+//------------------------------------------------------------------------------
+void CheckExrImage(const std::string& path)
+{
+  char magic[sizeof(ExrMagic)] = "";
+  std::ifstream(path, std::ios::binary).read(magic, sizeof(magic) - 1);
+  if (std::string(magic) == ExrMagic)
+  {
+    CheckExrHeader(FileBytes(path), "OpenEXR image");
   }
 }
 } // namespace measuredbrdf

@@ -93,12 +93,12 @@ void CheckSize(const std::string& path, const OIIO::ImageSpec& spec, const std::
 }
 
 //------------------------------------------------------------------------------
-// Channels 0 to channels - 1 as the first of RGB, top row first.
-std::vector<float> ReadPixels(
-  const std::string& path, OIIO::ImageInput& input, const OIIO::ImageSpec& spec, int channels)
+// Channels 0 to channels - 1 as the first of a texel's values, top row first.
+std::vector<float> ReadPixels(const std::string& path, OIIO::ImageInput& input,
+  const OIIO::ImageSpec& spec, int channels, std::size_t values)
 {
   const bool tiled = spec.tile_width > 0;
-  const std::size_t row = std::size_t(spec.width) * 3;
+  const std::size_t row = std::size_t(spec.width) * values;
   const std::size_t total = row * spec.height;
   int rows = static_cast<int>(std::max<std::uint64_t>(16, BlockTexels / spec.width));
   if (tiled)
@@ -112,7 +112,7 @@ std::vector<float> ReadPixels(
     pixels.reserve(std::min(total, std::max(2 * pixels.size(), row * end)));
     pixels.resize(row * end);
     float* block = &pixels[row * y];
-    const OIIO::stride_t texel = 3 * sizeof(float);
+    const OIIO::stride_t texel = values * sizeof(float);
     const bool read =
       tiled ? input.read_tiles(0, 0, spec.x, spec.x + spec.width, spec.y + y, spec.y + end, spec.z,
                 spec.z + 1, 0, channels, OIIO::TypeDesc::FLOAT, block, texel, row * sizeof(float))
@@ -133,10 +133,10 @@ std::vector<float> ReadPixels(
 }
 
 //------------------------------------------------------------------------------
-ImageFile ReadImageFile(const std::string& path, std::uintmax_t fileSize)
+ImageFile ReadImageFile(const std::string& path, std::uintmax_t fileSize, ImageValues values)
 {
   OIIO::ImageSpec config;
-  config.attribute("oiio:UnassociatedAlpha", 1); // alpha is dropped, so it must not darken
+  config.attribute("oiio:UnassociatedAlpha", 1); // where alpha is dropped, it must not darken
   auto input = OIIO::ImageInput::open(path, &config);
   if (!input)
   {
@@ -149,9 +149,13 @@ ImageFile ReadImageFile(const std::string& path, std::uintmax_t fileSize)
   image.Width = spec.width;
   image.Height = spec.height;
   image.Channels = spec.nchannels >= 3 ? 3 : 1;
+  const bool alpha = values == ImageValues::ColorAndAlpha;
+  image.HasAlpha = alpha && spec.alpha_channel == image.Channels;
   image.IsEncoded = !IsFloatingPoint(spec.format) && !SaysLinear(spec);
+  image.HasBytes = spec.format.basetype == OIIO::TypeDesc::UINT8;
   image.IsWindowed = spec.full_width != spec.width || spec.full_height != spec.height;
-  image.Pixels = ReadPixels(path, *input, spec, image.Channels);
+  image.Pixels =
+    ReadPixels(path, *input, spec, image.Channels + (image.HasAlpha ? 1 : 0), alpha ? 4 : 3);
   return image;
 }
 } // namespace measuredbrdf
@@ -167,11 +171,11 @@ extern "C" IMAGE_PLUGIN_EXPORT measuredbrdf::ReadImageFileInPlugin vtkMeasuredBR
 //------------------------------------------------------------------------------
 // Exceptions stay on their side of the border.
 bool vtkMeasuredBRDFReadImageFile(const std::string& path, std::uintmax_t fileSize,
-  measuredbrdf::ImageFile& image, std::string& error)
+  measuredbrdf::ImageValues values, measuredbrdf::ImageFile& image, std::string& error)
 {
   try
   {
-    image = measuredbrdf::ReadImageFile(path, fileSize);
+    image = measuredbrdf::ReadImageFile(path, fileSize, values);
     return true;
   }
   catch (const measuredbrdf::FileError& e)

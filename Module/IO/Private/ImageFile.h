@@ -24,21 +24,31 @@ struct ImageFile
 {
   int Width = 0;
   int Height = 0;
-  int Channels = 0;          // 3, or 1: of each texel only the first value is set
+  int Channels = 0;          // 3, or 1: of each texel's color only the first value is set
+  bool HasAlpha = false;     // the value after the color's, where it was asked for
   bool IsEncoded = false;    // integers that are not said to be linear
+  bool HasBytes = false;     // integers of 8 bits
   bool IsWindowed = false;   // the data window differs from the display window
-  std::vector<float> Pixels; // 3 values a texel, top row first
+  std::vector<float> Pixels; // 3 values a texel, 4 where alpha was asked for; top row first
+};
+
+/// What to read of each texel.
+enum class ImageValues
+{
+  Color,
+  ColorAndAlpha // not multiplied into integers' colors; OpenEXR's colors keep it
 };
 
 /**
  * Read the first image of the file, which has fileSize bytes. Memory follows what the file holds,
  * not what its header promises. Throws FileError.
  */
-ImageFile ReadImageFile(const std::string& path, std::uintmax_t fileSize);
+ImageFile ReadImageFile(
+  const std::string& path, std::uintmax_t fileSize, ImageValues values = ImageValues::Color);
 
 /// What the plugin exports: the same; returns false, with the error, in place of throwing.
-using ReadImageFileInPlugin = bool(
-  const std::string& path, std::uintmax_t fileSize, ImageFile& image, std::string& error);
+using ReadImageFileInPlugin = bool(const std::string& path, std::uintmax_t fileSize,
+  ImageValues values, ImageFile& image, std::string& error);
 constexpr const char ReadImageFileSymbol[] = "vtkMeasuredBRDFReadImageFile";
 } // namespace measuredbrdf
 

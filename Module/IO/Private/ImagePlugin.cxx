@@ -64,7 +64,7 @@ Plugin LoadPlugin()
 #endif
 
 //------------------------------------------------------------------------------
-ImageFile ReadImageFile(const std::string& path, std::uintmax_t fileSize)
+ImageFile ReadImageFile(const std::string& path, std::uintmax_t fileSize, ImageValues values)
 {
 #if MEASUREDBRDF_WITH_OPENIMAGEIO
   static const Plugin plugin = LoadPlugin(); // it stays loaded
@@ -74,14 +74,15 @@ ImageFile ReadImageFile(const std::string& path, std::uintmax_t fileSize)
   }
   ImageFile image;
   std::string error;
-  if (!plugin.Read(path, fileSize, image, error))
+  if (!plugin.Read(path, fileSize, values, image, error))
   {
     throw FileError(error);
   }
   return image;
 #else
   static_cast<void>(fileSize);
-  throw FileError(path + ": " + NoOpenImageIO + "image files cannot be read as environments");
+  static_cast<void>(values);
+  throw FileError(path + ": " + NoOpenImageIO + "image files cannot be read");
 #endif
 }
 } // namespace measuredbrdf

@@ -222,4 +222,32 @@ std::vector<double> FindExposures(std::vector<double> luminances)
   }
   return exposures;
 }
+
+//------------------------------------------------------------------------------
+std::vector<double> ComputeHDRFlip(int width, int height, const std::vector<double>& picture,
+  const std::vector<double>& reference, const std::vector<double>& exposures,
+  const std::function<bool(double)>& goOn)
+{
+  const auto expose = [](std::vector<double> values, double exposure)
+  {
+    std::transform(values.begin(), values.end(), values.begin(),
+      [exposure](double value) { return ToneMapACES(exposure * value); });
+    return values;
+  };
+  std::vector<double> largest(reference.size() / 3, 0.0);
+  for (std::size_t step = 0; step < exposures.size(); ++step)
+  {
+    if (goOn && !goOn(static_cast<double>(step + 1) / (exposures.size() + 1.0)))
+    {
+      return {};
+    }
+    const std::vector<double> exposed = ComputeFlip(
+      width, height, expose(picture, exposures[step]), expose(reference, exposures[step]));
+    for (std::size_t k = 0; k < largest.size(); ++k)
+    {
+      largest[k] = std::max(largest[k], exposed[k]);
+    }
+  }
+  return largest;
+}
 } // namespace measuredbrdf

@@ -16,6 +16,7 @@
 #ifndef Flip_h
 #define Flip_h
 
+#include <functional>
 #include <vector>
 
 namespace measuredbrdf
@@ -36,6 +37,15 @@ std::vector<double> FindExposures(std::vector<double> luminances);
 /// Radiance times exposure -> linear display light in [0,1]: the papers' fit of the ACES curve
 /// (Narkowicz 2015), its input times 0.6.
 double ToneMapACES(double value);
+
+/**
+ * HDR-FLIP of each pixel, in [0,1]: the largest FLIP over the exposures of linear Rec. 709
+ * radiance, tone mapped. goOn, where there is one, gets the share done before each exposure; where
+ * it returns false, the result is empty.
+ */
+std::vector<double> ComputeHDRFlip(int width, int height, const std::vector<double>& picture,
+  const std::vector<double>& reference, const std::vector<double>& exposures,
+  const std::function<bool(double)>& goOn = nullptr);
 } // namespace measuredbrdf
 
 #endif

@@ -11,6 +11,7 @@
 #include "vtkEnvironmentReader.h"
 #include "vtkLambertBRDF.h"
 #include "vtkMeasuredBRDFConfigure.h"
+#include "vtkPictureReader.h"
 #include "vtkStringOutputWindow.h"
 
 using namespace testio;
@@ -110,6 +111,12 @@ TEST(IOAbsent, OpenImageIO)
   EXPECT_EQ(errors.Take(), 1);
   EXPECT_EQ(reader->GetErrorMessage(),
     path + ": this build has no OpenImageIO (MEASUREDBRDF_WITH_OPENIMAGEIO): image files cannot be "
-           "read as environments");
+           "read");
   EXPECT_FALSE(reader->GetEnvironment());
+  vtkNew<vtkPictureReader> pictures;
+  ErrorCatcher pictureErrors(pictures);
+  pictures->SetFileName(path);
+  EXPECT_FALSE(pictures->Read());
+  EXPECT_EQ(pictureErrors.Take(), 1);
+  EXPECT_EQ(pictures->GetErrorMessage(), reader->GetErrorMessage());
 }

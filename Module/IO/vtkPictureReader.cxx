@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPictureReader.h"
+
+#include "ExrHeader.h"
+#include "FileBytes.h"
+#include "ImageFile.h"
+
+#include "vtkImageData.h"
+#include "vtkObjectFactory.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+vtkStandardNewMacro(vtkPictureReader);
+
+namespace
+{
+using measuredbrdf::FileError;
+using measuredbrdf::ImageFile;
+
+//------------------------------------------------------------------------------
+void CheckValues(const std::string& path, const ImageFile& file)
+{
+  const auto bad = std::find_if(
+    file.Pixels.begin(), file.Pixels.end(), [](float value) { return !std::isfinite(value); });
+  if (bad != file.Pixels.end())
+  {
+    const auto at = static_cast<std::size_t>(bad - file.Pixels.begin());
+    const auto width = static_cast<std::size_t>(file.Width);
+    throw FileError(path + ": pixel (" + std::to_string(at / 4 % width) + ", " +
+                    std::to_string(at / 4 / width) + ") from the top left, channel " +
+                    std::to_string(at % 4) + ": found " + std::to_string(*bad) +
+                    ", expected a finite value");
+  }
+}
+
+//------------------------------------------------------------------------------
+// RGBA, top row first -> scalars of RGB or RGBA, bottom row first.
+template <typename Value>
+void Fill(const ImageFile& file, double scale, int components, Value* values)
+{
+  const auto width = static_cast<std::size_t>(file.Width);
+  for (int y = file.Height - 1; y >= 0; --y)
+  {
+    for (std::size_t x = 0; x < width; ++x)
+    {
+      const float* texel = &file.Pixels[4 * (static_cast<std::size_t>(y) * width + x)];
+      for (int c = 0; c < components; ++c)
+      {
+        // Alpha follows the color's values.
+        const float value = texel[c == 3 ? file.Channels : c % file.Channels];
+        *values++ = static_cast<Value>(scale > 1.0 ? std::lround(scale * value) : value);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> MakePicture(const ImageFile& file)
+{
+  const int components = file.HasAlpha ? 4 : 3;
+  auto picture = vtkSmartPointer<vtkImageData>::New();
+  picture->SetDimensions(file.Width, file.Height, 1);
+  if (!file.IsEncoded)
+  {
+    picture->AllocateScalars(VTK_FLOAT, components);
+    Fill(file, 1.0, components, static_cast<float*>(picture->GetScalarPointer()));
+  }
+  else if (file.HasBytes)
+  {
+    picture->AllocateScalars(VTK_UNSIGNED_CHAR, components);
+    Fill(file, 255.0, components, static_cast<unsigned char*>(picture->GetScalarPointer()));
+  }
+  else
+  {
+    picture->AllocateScalars(VTK_UNSIGNED_SHORT, components);
+    Fill(file, 65535.0, components, static_cast<unsigned short*>(picture->GetScalarPointer()));
+  }
+  return picture;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkPictureReader::vtkPictureReader() = default;
+vtkPictureReader::~vtkPictureReader() = default;
+
+//------------------------------------------------------------------------------
+vtkImageData* vtkPictureReader::GetPicture() { return this->Picture; }
+
+//------------------------------------------------------------------------------
+bool vtkPictureReader::Read()
+{
+  this->ErrorMessage.clear();
+  try
+  {
+    const std::uintmax_t fileSize = measuredbrdf::CheckFile(this->FileName);
+    measuredbrdf::CheckExrImage(this->FileName);
+    const ImageFile file = measuredbrdf::ReadImageFile(
+      this->FileName, fileSize, measuredbrdf::ImageValues::ColorAndAlpha);
+    CheckValues(this->FileName, file);
+    this->Picture = MakePicture(file);
+    return true;
+  }
+  catch (const FileError& e)
+  {
+    this->ErrorMessage = e.what();
+  }
+  catch (const std::exception& e) // out of memory, say
+  {
+    this->ErrorMessage = measuredbrdf::ToPrintable(this->FileName + ": " + e.what());
+  }
+  vtkErrorMacro(<< this->ErrorMessage);
+  return false;
+}
+
+//------------------------------------------------------------------------------
+void vtkPictureReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << measuredbrdf::ToPrintable(this->FileName) << "\n";
+  os << indent << "ErrorMessage: " << this->ErrorMessage << "\n";
+  os << indent << "Picture: " << this->Picture.Get() << "\n";
+}

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPictureReader
+ * @brief   a picture of any format OpenImageIO reads -> vtkImageData, for comparing
+ *
+ * PNG, JPEG, TIFF, BMP, OpenEXR, Radiance and others. The picture is as vtkPictureDifference takes
+ * it: integers become unsigned char (8 bits) or unsigned short, RGB or RGBA, sRGB-encoded; integers
+ * that the file says are linear, and floats, become linear floats. Gray becomes RGB. Row 0 is at
+ * the bottom. Colors of integers are not multiplied by alpha; those of OpenEXR are, as stored.
+ *
+ * vtkEnvironmentReader reads light probes.
+ */
+
+#ifndef vtkPictureReader_h
+#define vtkPictureReader_h
+
+#include "vtkMeasuredBRDFModule.h" // for export macro
+#include "vtkObject.h"
+#include "vtkSmartPointer.h" // for Picture
+
+#include <string> // for names
+
+class vtkImageData;
+
+class VTKMEASUREDBRDF_EXPORT vtkPictureReader : public vtkObject
+{
+public:
+  static vtkPictureReader* New();
+  vtkTypeMacro(vtkPictureReader, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The file.
+   */
+  vtkSetMacro(FileName, std::string);
+  vtkGetMacro(FileName, std::string);
+  ///@}
+
+  /**
+   * Read. Returns whether it worked; if not, an error event and GetErrorMessage name the file and
+   * what is wrong (a value that is not finite, too), and the picture that was read before stays.
+   */
+  bool Read();
+
+  /**
+   * The last picture that was read without error (a new object at each Read); null before.
+   */
+  vtkImageData* GetPicture();
+
+  /**
+   * What was wrong in the last Read; empty if nothing.
+   */
+  vtkGetMacro(ErrorMessage, std::string);
+
+protected:
+  vtkPictureReader();
+  ~vtkPictureReader() override;
+
+  std::string FileName;
+  std::string ErrorMessage;
+  vtkSmartPointer<vtkImageData> Picture;
+
+private:
+  vtkPictureReader(const vtkPictureReader&) = delete;
+  void operator=(const vtkPictureReader&) = delete;
+};
+
+#endif
