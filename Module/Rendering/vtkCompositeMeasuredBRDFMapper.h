@@ -112,6 +112,10 @@ public:
   bool GetAbortPlanning();
   void SetScalarColoringMode(int mode);
   int GetScalarColoringMode();
+  void SetUseSceneLights(bool use);
+  bool GetUseSceneLights();
+  void UseSceneLightsOn() { this->SetUseSceneLights(true); }
+  void UseSceneLightsOff() { this->SetUseSceneLights(false); }
   ///@}
 
   ///@{

@@ -256,6 +256,18 @@ public:
 
   ///@{
   /**
+   * Whether the renderer's vtkLights light the material beside the environment (default on). Off is
+   * for hosts whose own lights stand for an environment, such as ParaView's and PyVista's light
+   * kits.
+   */
+  void SetUseSceneLights(bool use);
+  bool GetUseSceneLights();
+  void UseSceneLightsOn() { this->SetUseSceneLights(true); }
+  void UseSceneLightsOff() { this->SetUseSceneLights(false); }
+  ///@}
+
+  ///@{
+  /**
    * About the last render: the integrator that was drawn (null before the first render or without
    * an environment) and the planner that chose it (null without a plan), neither to be changed;
    * bytes of the textures in use (material and lights), a line on the material's shader inputs

@@ -141,6 +141,7 @@ TEST(MapperCopy, TakesOverEveryProperty)
   original->SetCostModel(costs);
   original->SetCacheFolder("elsewhere");
   original->SetScalarColoringMode(vtkMeasuredBRDFMapper::IGNORE_SCALARS);
+  original->UseSceneLightsOff();
   vtkNew<vtkMeasuredBRDFMapper> copy;
   copy->ShallowCopy(original);
 
@@ -172,6 +173,27 @@ TEST_F(MapperShading, HeadlightOnATiltedPlane)
   EXPECT_NEAR(image.At(32, 32)[0], 2.0 * 0.9 / pi * 0.5, 2e-3);
   EXPECT_NEAR(image.At(32, 32)[1], 1.0 * 0.6 / pi * 0.5, 2e-3);
   EXPECT_NEAR(image.At(32, 32)[2], 0.5 * 0.3 / pi * 0.5, 2e-3);
+}
+
+// The environment alone where the scene's lights are not wanted, by a method that evaluates the
+// BRDF on the GPU and by one that does not; back and forth without a change of anything else.
+TEST_F(MapperShading, SceneLightsCanBeLeftOut)
+{
+  vtkNew<vtkLight> headlight;
+  headlight->SetLightTypeToHeadlight();
+  this->Renderer->AddLight(headlight);
+  this->Mapper->SetEnvironment(MakeConstant(0.5f));
+  for (vtkRadianceIntegrator* integrator : { static_cast<vtkRadianceIntegrator*>(this->Lights),
+         static_cast<vtkRadianceIntegrator*>(nullptr) })
+  {
+    this->Mapper->SetIntegrator(integrator);
+    for (const bool lights : { true, false, true })
+    {
+      this->Mapper->SetUseSceneLights(lights);
+      const double expected = 0.9 * (0.5 + (lights ? 1.0 / pi : 0.0));
+      EXPECT_NEAR(this->RenderLinear().At(32, 32)[0], expected, 0.01) << lights;
+    }
+  }
 }
 
 // Off a spot's axis: exponent, and each term of the attenuation, at a distance that is not 1.

@@ -2,21 +2,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DrawnMaterial.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <set>
+#include <string>
+#include <vector>
 
 namespace measuredbrdf
 {
 std::string DescribePlans(const DrawnMaterials& materials)
 {
-  std::string text;
+  std::vector<std::string> lines;
   std::set<vtkRadiancePlanner*> said;
   for (const DrawnMaterial* drawn : materials)
   {
     if (drawn->Plan && said.insert(drawn->Plan).second)
     {
-      text += (text.empty() ? "" : "\n") + drawn->Plan->GetPlan();
+      lines.push_back(drawn->Plan->GetPlan());
     }
+  }
+  // Materials are drawn in an order of the superclass's own, which may be another in each run.
+  std::sort(lines.begin(), lines.end());
+  std::string text;
+  for (const std::string& line : lines)
+  {
+    text += (text.empty() ? "" : "\n") + line;
   }
   return text;
 }

@@ -259,7 +259,8 @@ std::string MaterialDrawing::UploadForms(DrawnMaterial& drawn, vtkRenderer* rend
     }
     samplers += drawn.Radiance->GetNumberOfSamplers();
   }
-  if ((drawn.Integrator && drawn.Integrator->UsesBRDFOnGPU()) || HasLight(renderer))
+  if ((drawn.Integrator && drawn.Integrator->UsesBRDFOnGPU()) ||
+      (this->Settings->UseSceneLights && HasLight(renderer)))
   {
     const bool soft = drawn.Integrator && drawn.Integrator->UsesSoftLights();
     drawn.Material = FormTextures::Find(drawn.BRDF, soft, window);
@@ -308,7 +309,8 @@ DrawnMaterial MaterialDrawing::Resolve(const MaterialUse& use, const FrameState&
   }
   drawn.Key = (drawn.Material ? drawn.Material->GetForm().GetShaderKey() : "") + "/" +
               (drawn.Radiance ? drawn.Radiance->GetForm().GetShaderKey() : "") +
-              (drawn.BRDF->IsIsotropic() ? "" : "/anisotropic");
+              (drawn.BRDF->IsIsotropic() ? "" : "/anisotropic") +
+              (this->Settings->UseSceneLights ? "" : "/environment only");
   return drawn;
 }
 

@@ -109,5 +109,6 @@ void MaterialSettings::Print(ostream& os, vtkIndent indent) const
   os << indent << "CacheFolder: " << this->CacheFolder << "\n";
   os << indent << "ScalarColoringMode: " << (this->ScalarColoringMode ? "modulate" : "ignore")
      << "\n";
+  os << indent << "UseSceneLights: " << (this->UseSceneLights ? "On" : "Off") << "\n";
 }
 } // namespace measuredbrdf

@@ -36,6 +36,7 @@ struct MaterialSettings
   double ErrorTolerance = 0.02;
   std::string CacheFolder;
   int ScalarColoringMode = 1;
+  bool UseSceneLights = true;
 
   // The composite mapper's materials of single blocks; a null one draws that block as the
   // superclass does.

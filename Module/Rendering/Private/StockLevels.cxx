@@ -4,10 +4,12 @@
 
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
-#include "vtkLODActor.h"
 #include "vtkMapperCollection.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
+#if VTK_MODULE_ENABLE_VTK_RenderingLOD // ParaView's VTK has no such actors
+#include "vtkLODActor.h"
+#endif
 
 namespace measuredbrdf
 {
@@ -28,6 +30,7 @@ const char* FindStockLevels(vtkRenderer* renderer, vtkActor* actor, vtkMapper* m
     {
       return "vtkQuadricLODActor";
     }
+#if VTK_MODULE_ENABLE_VTK_RenderingLOD
     auto* levels = vtkLODActor::SafeDownCast(other);
     if (!levels || levels->GetMapper() != mapper)
     {
@@ -42,6 +45,7 @@ const char* FindStockLevels(vtkRenderer* renderer, vtkActor* actor, vtkMapper* m
         return "vtkLODActor";
       }
     }
+#endif
   }
   return nullptr;
 }

@@ -308,7 +308,8 @@ void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderLight(
   }
   const auto& info = this->PrimitiveInfo[this->LastBoundBO];
   // Image-based lighting counts as a light in VTK 9.6; here it is none.
-  const bool lit = drawn.Material && info.LastLightCount > 0;
+  const bool lit = drawn.Material && info.LastLightCount > 0 &&
+                   this->Drawing->GetSettings().UseSceneLights;
   body.Complexity = lit ? static_cast<int>(info.LastLightComplexity) : 0;
   body.LightCount = info.LastLightCount;
   body.HasEdges = this->DrawingEdges(ren, actor);
