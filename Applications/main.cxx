@@ -63,6 +63,7 @@ int main(int argc, char* argv[])
   tool::AddRenderCommand(app);
   tool::AddPlanCommand(app);
   tool::AddCompareCommand(app);
+  tool::AddDiffCommand(app);
   tool::AddChartCommand(app);
   tool::AddGalleryCommand(app);
   tool::AddConvertCommand(app);
@@ -72,6 +73,7 @@ int main(int argc, char* argv[])
   tool::AddThesisCommand(app);
   tool::AddStabilityCommand(app);
   tool::AddFitCommand(app);
+  tool::AddExportCommand(app);
 
   for (CLI::App* command : app.get_subcommands({}))
   {
@@ -108,6 +110,6 @@ int main(int argc, char* argv[])
   catch (const std::exception& e)
   {
     std::cerr << "measured-brdf: error: " << vtkBRDFReader::GetPrintable(e.what()) << std::endl;
-    return 1;
+    return dynamic_cast<const tool::InputError*>(&e) ? 2 : 1;
   }
 }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 namespace tool
 {
@@ -89,6 +90,37 @@ Picture MakeTile(Picture picture, double exposure)
 }
 
 //------------------------------------------------------------------------------
+// The brightest hundredth of the values may be white.
+double FindExposure(const std::vector<double>& radiance)
+{
+  std::vector<double> sorted = radiance;
+  std::sort(sorted.begin(), sorted.end());
+  return 0.9 / std::max(sorted[sorted.size() * 99 / 100], 1e-30);
+}
+
+//------------------------------------------------------------------------------
+// Colors of each pixel's error, a share of the mean radiance; full at the given share.
+std::vector<double> ColorErrors(
+  const std::vector<double>& rgb, const std::vector<double>& reference, double scale)
+{
+  double mean = 0.0;
+  for (const double value : reference)
+  {
+    mean += value / static_cast<double>(reference.size());
+  }
+  std::vector<double> errors;
+  for (std::size_t k = 0; k < rgb.size(); k += 3)
+  {
+    const double error =
+      (rgb[k] + rgb[k + 1] + rgb[k + 2] - reference[k] - reference[k + 1] - reference[k + 2]) /
+      (3.0 * mean);
+    const RGB color = ColorError(error / scale);
+    errors.insert(errors.end(), color.begin(), color.end());
+  }
+  return errors;
+}
+
+//------------------------------------------------------------------------------
 std::string FormatFigures(const ComparedPicture& picture)
 {
   return "relative L1 " + FormatPercent(picture.RelativeL1) + ", " +
@@ -102,25 +134,10 @@ void WriteComparisonSheet(const std::string& path, const std::string& title, con
   const std::vector<double>& rgb, const std::vector<double>& reference,
   const ComparedPicture& method, const ComparedPicture& stock)
 {
-  std::vector<double> sorted = reference;
-  std::sort(sorted.begin(), sorted.end());
-  const double exposure = 0.9 / std::max(sorted[sorted.size() * 99 / 100], 1e-30);
-  double mean = 0.0;
-  for (const double value : reference)
-  {
-    mean += value / static_cast<double>(reference.size());
-  }
+  const double exposure = FindExposure(reference);
   // Full color at three times the mean error.
   const double scale = std::max(3.0 * method.RelativeL1, 1e-6);
-  std::vector<double> errors;
-  for (std::size_t k = 0; k < rgb.size(); k += 3)
-  {
-    const double error =
-      (rgb[k] + rgb[k + 1] + rgb[k + 2] - reference[k] - reference[k + 1] - reference[k + 2]) /
-      (3.0 * mean);
-    const RGB color = ColorError(error / scale);
-    errors.insert(errors.end(), color.begin(), color.end());
-  }
+  const std::vector<double> errors = ColorErrors(rgb, reference, scale);
   const int stride = grid.Surface.Stride;
   ContactSheet sheet(title, 4, 1, method.Drawn.Width, method.Drawn.Height);
   sheet.Add(0, 0, MakeTile(method.Drawn, exposure), method.Name, FormatFigures(method));
@@ -132,6 +149,46 @@ void WriteComparisonSheet(const std::string& path, const std::string& title, con
     "blue: too dark, red: too bright; full color at " + FormatPercent(scale) +
       " of the mean radiance");
   sheet.Add(3, 0, MakeTile(stock.Drawn, exposure), stock.Name, FormatFigures(stock));
+  sheet.Write(path);
+}
+
+//------------------------------------------------------------------------------
+void WriteLightSheet(const std::string& path, const std::string& title, const std::string& name,
+  const Grid& grid, const std::vector<ComparedLight>& lights)
+{
+  constexpr int smallest = 192; // tile
+  const int enlarged = std::max((smallest + grid.Width - 1) / grid.Width, 1);
+  Picture covered(enlarged * grid.Width, enlarged * grid.Height);
+  for (int y = 0; y < covered.Height; ++y)
+  {
+    for (int x = 0; x < covered.Width; ++x)
+    {
+      const double u = 2.0 * (x + 0.5) / covered.Width - 1.0;
+      const double v = 2.0 * (y + 0.5) / covered.Height - 1.0;
+      const double inside = 0.5 * covered.Width * (1.0 - std::sqrt(u * u + v * v)); // pixels
+      covered.At(x, y)[3] = static_cast<float>(std::clamp(inside + 0.5, 0.0, 1.0));
+    }
+  }
+  ContactSheet sheet(title, 3, static_cast<int>(lights.size()), covered.Width, covered.Height);
+  for (std::size_t row = 0; row < lights.size(); ++row)
+  {
+    const ComparedLight& light = lights[row];
+    const double exposure = FindExposure(light.Reference);
+    const double scale = std::max(3.0 * light.RelativeL1, 1e-6);
+    const auto add = [&](int column, const std::vector<double>& rgb, double factor, bool smooth,
+                       const std::string& label, const std::string& note)
+    {
+      const Picture tile = Enlarge(grid.Draw(rgb), covered, enlarged, smooth);
+      sheet.Add(column, static_cast<int>(row), MakeTile(tile, factor), label, note);
+    };
+    char figures[64];
+    std::snprintf(figures, sizeof(figures), ", FLIP %.3f", light.Flip);
+    add(0, light.Reference, exposure, true, "exact", light.Name);
+    add(1, light.Radiance, exposure, true, name,
+      "relative L1 " + FormatPercent(light.RelativeL1) + figures);
+    add(2, ColorErrors(light.Radiance, light.Reference, scale), 1.0, false, "error",
+      "blue: too dark, red: too bright; full color at " + FormatPercent(scale));
+  }
   sheet.Write(path);
 }
 } // namespace tool

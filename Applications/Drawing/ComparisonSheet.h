@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A method and VTK's shading against the exact sum, as pictures: what `compare` writes.
+ * Pictures beside the exact sum: what `compare` and `export` write.
  */
 
 #ifndef ComparisonSheet_h
@@ -33,6 +33,22 @@ struct ComparedPicture
 void WriteComparisonSheet(const std::string& path, const std::string& title, const Grid& grid,
   const std::vector<double>& rgb, const std::vector<double>& reference,
   const ComparedPicture& method, const ComparedPicture& stock);
+/// A sphere by a material and by what stands for it, under one light.
+struct ComparedLight
+{
+  std::string Name;
+  std::vector<double> Reference; // 3 doubles a pixel of the grid
+  std::vector<double> Radiance;
+  double RelativeL1;
+  double Flip;
+};
+
+/**
+ * A row for each light: the reference, what stands for it (both with the same exposure) and the
+ * signed error, as PNG. The grid is a square that the sphere's disc touches.
+ */
+void WriteLightSheet(const std::string& path, const std::string& title, const std::string& name,
+  const Grid& grid, const std::vector<ComparedLight>& lights);
 } // namespace tool
 
 #endif

@@ -31,6 +31,12 @@ struct UsageError : std::runtime_error
   using std::runtime_error::runtime_error;
 };
 
+/// Bad input, in a command where exit status 1 says something else: exit status 2.
+struct InputError : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
 /// "measured-brdf: note: TEXT" on stderr; nothing where text is empty.
 void PrintNote(const std::string& text);
 
@@ -59,6 +65,7 @@ void AddLightsCommand(CLI::App& app);
 void AddRenderCommand(CLI::App& app);
 void AddPlanCommand(CLI::App& app);
 void AddCompareCommand(CLI::App& app);
+void AddDiffCommand(CLI::App& app);
 void AddChartCommand(CLI::App& app);
 void AddGalleryCommand(CLI::App& app);
 void AddConvertCommand(CLI::App& app);
@@ -68,6 +75,7 @@ void AddRepresentationsCommand(CLI::App& app);
 void AddThesisCommand(CLI::App& app);
 void AddStabilityCommand(CLI::App& app);
 void AddFitCommand(CLI::App& app);
+void AddExportCommand(CLI::App& app);
 ///@}
 } // namespace tool
 

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Drives the measured-brdf program: TestTool.py PROGRAM SHARED_DATA [unittest arguments]."""
 
+import ast
 import csv
 import json
 import math
@@ -14,6 +15,7 @@ import sys
 import tempfile
 import time
 import unittest
+import xml.etree.ElementTree
 import zlib
 
 PROGRAM = ""
@@ -128,7 +130,7 @@ class Help(ToolTest):
     def test_help(self):
         self.check(run("--help"), 0, "SUBCOMMAND", "gallery", "Exit status")
         commands = (
-            "list info evaluate integrate lights render plan compare chart gallery convert fit acquire "
+            "list info evaluate integrate lights render plan compare diff chart gallery convert fit export acquire "
             "project representations thesis stability"
         ).split()
         for command in commands:
@@ -1352,6 +1354,121 @@ class Plan(ToolTest):
         self.assertEqual(found, [False, False, True, False])
         result = run(*common, "--no-cache", "--method", "light-set", env=cache)
         self.assertIn("--no-cache has no effect", result.stderr)
+
+
+class Export(ToolTest):
+    """Under small lights, so that it is fast; the errors of real lights are in docs/exports.md."""
+
+    def export(self, target, name, *options, material="gold-paint"):
+        common = ["--fit-under", "neutral", "--environment", "sky", "--size", "12"]
+        return run("export", material, "--to", target, "-o", self.path(name), *common, *options)
+
+    def test_gltf(self):
+        sheet, report = self.path("sheet.png"), self.path("report.json")
+        result = self.export("gltf", "gold.gltf", "--sheet", sheet, "--report", report, "--json")
+        self.check(result, 0)
+        with open(report, encoding="utf-8") as file:
+            figures = json.load(file)
+        self.assertEqual(json.loads(result.stdout), figures)
+        (model,) = figures["models"]
+        self.assertEqual([error["seen_by_the_fit"] for error in model["errors"]], [True, False])
+        for error in model["errors"]:
+            self.assertTrue(0.0 < error["relative_l1"] < 0.15, error)
+            self.assertTrue(0.0 < error["flip"] < 0.2, error)
+        with open(self.path("gold.gltf"), encoding="utf-8") as file:
+            gltf = json.load(file)
+        (material,) = gltf["materials"]
+        base = material["pbrMetallicRoughness"]
+        self.assertEqual(base["baseColorFactor"][:3], model["values"]["baseColorFactor"])
+        self.assertEqual(base["roughnessFactor"], model["values"]["roughnessFactor"])
+        names = {"coat": "clearcoat"}
+        parts = ["KHR_materials_" + names.get(part, part) for part in model["parts"]]
+        self.assertEqual(gltf.get("extensionsUsed", []), parts)
+        self.assertEqual(list(material.get("extensions", {})), parts)
+        width, height = read_png_size(sheet)
+        self.assertGreater(width, 3 * 192)
+        self.assertGreater(height, 2 * 192)
+
+    def test_glb(self):
+        self.check(self.export("gltf", "felt.glb", material="pink-felt"), 0, "not see", "relative L1", "FLIP")
+        with open(self.path("felt.glb"), "rb") as file:
+            data = file.read()
+        magic, version, length, size, kind = struct.unpack("<4sII I4s", data[:20])
+        self.assertEqual((magic, version, length, kind), (b"glTF", 2, len(data), b"JSON"))
+        gltf = json.loads(data[20 : 20 + size])
+        self.assertEqual(gltf["materials"][0]["name"], "pink-felt")
+        size, kind = struct.unpack("<I4s", data[20 + size : 28 + size])
+        self.assertEqual((size, kind), (gltf["buffers"][0]["byteLength"], b"BIN\0"))
+
+    def test_materialx(self):
+        self.check(self.export("mtlx", "gold.mtlx"), 0, "standard_surface", "open_pbr_surface")
+        document = xml.etree.ElementTree.parse(self.path("gold.mtlx")).getroot()
+        self.assertEqual((document.tag, document.get("colorspace")), ("materialx", "lin_rec709"))
+        self.assertEqual(document.get("version"), "1.39")
+        for node in ("standard_surface", "open_pbr_surface"):
+            inputs = {entry.get("name"): entry.get("value") for entry in document.find(node)}
+            color = [float(value) for value in inputs["base_color"].split(",")]
+            self.assertTrue(all(0.0 <= value <= 1.0 for value in color))
+            self.assertTrue(0.0 < float(inputs["specular_roughness"]) <= 1.0)
+        self.assertEqual(len(document.findall("surfacematerial")), 2)
+        self.check(self.export("mtlx", "one.mtlx", "--model", "standard_surface"), 0)
+        document = xml.etree.ElementTree.parse(self.path("one.mtlx")).getroot()
+        self.assertEqual((document.get("version"), document.find("open_pbr_surface")), ("1.38", None))
+
+    def test_other_targets(self):
+        self.check(self.export("usda", "gold.usda"), 0, "UsdPreviewSurface")
+        with open(self.path("gold.usda"), encoding="utf-8") as file:
+            text = file.read()
+        self.assertTrue(text.startswith("#usda 1.0\n"))
+        for words in ('def Material "gold_paint"', "UsdPreviewSurface", "color3f inputs:diffuseColor = ("):
+            self.assertIn(words, text)
+        self.assertEqual(text.count("{"), text.count("}"))
+        self.check(self.export("vtk-json", "gold.json"), 0, "VTK's PBR")
+        with open(self.path("gold.json"), encoding="utf-8") as file:
+            values = json.load(file)["property"]
+        self.assertEqual((values["Interpolation"], len(values["Color"])), (3, 3))
+        self.check(self.export("paraview-state", "gold.py"), 0)
+        with open(self.path("gold.py"), encoding="utf-8") as file:
+            script = file.read()
+        compile(script, "gold.py", "exec")
+        found = ast.literal_eval(script.split("VALUES = ")[1].split("}\n")[0] + "}")
+        self.assertEqual((found["Interpolation"], found["Roughness"]), ("PBR", values["Roughness"]))
+
+    def test_names_that_mean_something_elsewhere(self):
+        data = struct.pack("<3I", 0, 2, 2) + struct.pack("<8f", *[0.5] * 8)
+        named = self.write('a"]}<b>\'.mbsdf', b"NVIDIA ARC MBSDF V1\nMBSDF_DATA=\n" + data)
+        self.check(self.export("usda", "x.usda", material=named), 0)
+        with open(self.path("x.usda"), encoding="utf-8") as file:
+            self.assertIn('def Material "a____b__"', file.read())
+        self.check(self.export("paraview-state", "x.py", material=named), 0)
+        with open(self.path("x.py"), encoding="utf-8") as file:
+            compile(file.read(), "x.py", "exec")
+
+    def test_bad_input(self):
+        self.check(run("export", "gold-paint", "-o", self.path("x.glb")), 2, "--to")
+        self.check(run("export", "gold-paint", "--to", "gltf"), 2, "--output")
+        self.check(run("export", "gold-paint", "--to", "blend", "-o", "x.blend"), 2, "--to", "blend")
+        self.check(self.export("gltf", "x.usda"), 2, "x.usda", ".gltf or .glb")
+        self.check(self.export("usda", "x.glb"), 2, "x.glb", ".usda")
+        self.check(self.export("gltf", "x.glb", "--model", "open_pbr"), 2, "--model")
+        self.check(self.export("gltf", "x.glb", "--size", "4"), 2, "--size")
+        self.check(self.export("gltf", "x.glb", "--view", "30"), 2, "--view")
+        self.check(self.export("gltf", "x.glb", "--sheet", "x.jpg"), 2, "x.jpg", ".png")
+        self.check(self.export("gltf", "x.glb", material="no-such"), 1, "no-such")
+        self.check(self.export("gltf", "no/x.glb"), 1, "no/x.glb")
+        common = ["export", "gold-paint", "--to", "gltf", "-o", self.path("x.glb")]
+        self.check(run(*common, "--environment", "no.hdr"), 1, "no.hdr")
+        self.check(run(*common, "--fit-under", "sky,no.hdr"), 1, "no.hdr")
+        self.check(run(*common, "--fit-under", "sky,,hall"), 2, "--fit-under")
+        self.check(run(*common, "--fit-under", "sky", "--environment", "sky"), 2, "--environment", "sky")
+        self.assertEqual(os.listdir(self.folder), [])
+
+    def test_interrupt(self):
+        command = [PROGRAM, "export", "gold-paint", "--to", "gltf", "-o", self.path("x.glb")]
+        status, said = self.interrupt(command)
+        self.assertEqual(status, 1, said)
+        self.assertIn("interrupted", said)
+        self.assertEqual(os.listdir(self.folder), [])
 
 
 class Stability(ToolTest):

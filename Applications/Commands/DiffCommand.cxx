@@ -1,0 +1,375 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DartMeasurements.h"
+#include "Files.h"
+#include "Tool.h"
+
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPNGWriter.h"
+#include "vtkPictureDifference.h"
+#include "vtkPictureReader.h"
+#include "vtkSmartPointer.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <vector>
+
+namespace
+{
+using Image = vtkSmartPointer<vtkImageData>;
+
+struct Options
+{
+  std::string Picture;
+  std::vector<std::string> Baselines;
+  bool Alternatives = false;
+  std::vector<std::string> Metrics;
+  std::vector<double> Thresholds;
+  int Border = 0;
+  std::string Mask;
+  bool IgnoreAlpha = false;
+  std::string Output;
+  bool Dart = false;
+};
+
+// A metric and its value that is still good.
+struct Test
+{
+  int Metric;
+  double Threshold;
+};
+
+// What one test found.
+struct Finding
+{
+  double Value;
+  bool Passed;
+  double Badness; // 1 at the threshold
+  Image HeatMap;
+};
+
+struct Comparison
+{
+  std::string Baseline;
+  std::vector<Finding> Findings; // of each test
+
+  bool HasPassed() const
+  {
+    return std::all_of(this->Findings.begin(), this->Findings.end(),
+      [](const Finding& finding) { return finding.Passed; });
+  }
+  // The test that is furthest beyond its threshold.
+  std::size_t FindWorst() const
+  {
+    const auto worst = std::max_element(this->Findings.begin(), this->Findings.end(),
+      [](const Finding& a, const Finding& b) { return a.Badness < b.Badness; });
+    return static_cast<std::size_t>(worst - this->Findings.begin());
+  }
+  double GetBadness() const { return this->Findings[this->FindWorst()].Badness; }
+};
+
+//------------------------------------------------------------------------------
+Image ReadPicture(const std::string& path)
+{
+  vtkNew<vtkPictureReader> reader;
+  reader->SetFileName(path);
+  if (!reader->Read())
+  {
+    tool::TakeErrorText(); // the same
+    throw tool::InputError(reader->GetErrorMessage());
+  }
+  return reader->GetPicture();
+}
+
+//------------------------------------------------------------------------------
+// valid.png, valid_1.png, valid_2.png and so on, as far as there are files.
+void AddAlternatives(std::vector<std::string>& baselines)
+{
+  const std::filesystem::path first = baselines.front();
+  std::error_code ignored;
+  for (int k = 1;; ++k)
+  {
+    const std::filesystem::path next =
+      first.parent_path() /
+      (first.stem().string() + "_" + std::to_string(k) + first.extension().string());
+    if (!std::filesystem::exists(next, ignored))
+    {
+      return;
+    }
+    baselines.push_back(next.string());
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<Test> MakeTests(const Options& options, bool hasFloats)
+{
+  if (!options.Thresholds.empty() &&
+      options.Thresholds.size() != std::max<std::size_t>(options.Metrics.size(), 1))
+  {
+    throw tool::UsageError("--threshold: found " + std::to_string(options.Thresholds.size()) +
+                           ", expected none or one for each --metric");
+  }
+  std::vector<Test> tests;
+  for (const std::string& name : options.Metrics)
+  {
+    tests.push_back({ vtkPictureDifference::FindMetric(name), 0.0 });
+  }
+  if (tests.empty())
+  {
+    tests.push_back(
+      { hasFloats ? vtkPictureDifference::HDR_FLIP : vtkPictureDifference::FLIP, 0.0 });
+  }
+  for (std::size_t k = 0; k < tests.size(); ++k)
+  {
+    tests[k].Threshold = options.Thresholds.empty()
+                           ? vtkPictureDifference::GetDefaultThreshold(tests[k].Metric)
+                           : options.Thresholds[k];
+  }
+  return tests;
+}
+
+//------------------------------------------------------------------------------
+double GetBadness(const Test& test, double value)
+{
+  const bool similarity = vtkPictureDifference::IsSimilarity(test.Metric);
+  const double error = similarity ? 1.0 - value : value;
+  const double allowed = similarity ? 1.0 - test.Threshold : test.Threshold;
+  return error <= 0.0    ? 0.0
+         : allowed > 0.0 ? error / allowed
+                         : std::numeric_limits<double>::infinity();
+}
+
+//------------------------------------------------------------------------------
+Comparison Compare(const Options& options, const std::vector<Test>& tests, vtkImageData* picture,
+  vtkImageData* baseline, vtkImageData* mask, const std::string& name)
+{
+  vtkNew<vtkPictureDifference> difference;
+  difference->SetBorder(options.Border);
+  difference->SetMask(mask);
+  difference->SetIgnoreAlpha(options.IgnoreAlpha);
+  Comparison comparison{ name, {} };
+  for (const Test& test : tests)
+  {
+    difference->SetMetric(test.Metric);
+    if (!difference->Compare(picture, baseline))
+    {
+      tool::TakeErrorText(); // the same
+      throw tool::InputError(
+        options.Picture + " against " + name + ": " + difference->GetErrorMessage());
+    }
+    const double value = difference->GetValue();
+    comparison.Findings.push_back({ value, difference->IsWithin(test.Threshold),
+      GetBadness(test, value), Image::Take(difference->NewHeatMap()) });
+  }
+  return comparison;
+}
+
+//------------------------------------------------------------------------------
+std::string FormatFindings(const Comparison& comparison, const std::vector<Test>& tests)
+{
+  std::string text;
+  for (std::size_t k = 0; k < tests.size(); ++k)
+  {
+    const bool similarity = vtkPictureDifference::IsSimilarity(tests[k].Metric);
+    text += (k > 0 ? ", " : "") + vtkPictureDifference::GetMetricName(tests[k].Metric) + "=" +
+            tool::FormatNumber(comparison.Findings[k].Value) +
+            (similarity ? " (at least " : " (at most ") + tool::FormatNumber(tests[k].Threshold) +
+            ")";
+  }
+  return text;
+}
+
+//------------------------------------------------------------------------------
+void WriteImage(const std::string& path, vtkImageData* image)
+{
+  tool::WriteWhole(path,
+    [&](const std::string& temporary)
+    {
+      vtkNew<vtkPNGWriter> writer;
+      writer->SetFileName(temporary.c_str());
+      writer->SetInputData(image);
+      writer->Write();
+      const std::string errors = tool::TakeErrorText();
+      if (writer->GetErrorCode() != 0 || !errors.empty())
+      {
+        throw tool::Error(path + ": can't be written: " + (errors.empty() ? "disk full?" : errors));
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+// For CDash: numbers always, pictures where the test failed, under the names that vtkTesting uses.
+void PrintMeasurements(const Options& options, const std::vector<Test>& tests,
+  const Comparison& comparison, const std::string& heatMap)
+{
+  std::string text;
+  for (std::size_t k = 0; k < tests.size(); ++k)
+  {
+    const std::string name = vtkPictureDifference::GetMetricName(tests[k].Metric);
+    text += tool::FormatMeasurement(name, comparison.Findings[k].Value) +
+            tool::FormatMeasurement(name + "_threshold", tests[k].Threshold);
+  }
+  text += tool::FormatMeasurement("BaselineImage", comparison.Baseline);
+  if (!comparison.HasPassed())
+  {
+    text += tool::FormatMeasurementFile("TestImage", options.Picture) +
+            tool::FormatMeasurementFile("DifferenceImage", heatMap) +
+            tool::FormatMeasurementFile("ValidImage", comparison.Baseline);
+  }
+  tool::PrintOut(text);
+}
+
+//------------------------------------------------------------------------------
+// The best of all baselines.
+Comparison CompareAll(const Options& options, std::vector<Test>& tests)
+{
+  const Image picture = ReadPicture(options.Picture);
+  const Image mask = options.Mask.empty() ? Image() : ReadPicture(options.Mask);
+  std::vector<std::string> baselines = options.Baselines;
+  if (options.Alternatives)
+  {
+    AddAlternatives(baselines);
+  }
+  Comparison best;
+  for (const std::string& path : baselines)
+  {
+    const Image baseline = ReadPicture(path);
+    if (tests.empty())
+    {
+      tests = MakeTests(
+        options, picture->GetScalarType() == VTK_FLOAT && baseline->GetScalarType() == VTK_FLOAT);
+    }
+    Comparison comparison = Compare(options, tests, picture, baseline, mask, path);
+    if (best.Findings.empty() || comparison.GetBadness() < best.GetBadness())
+    {
+      best = std::move(comparison);
+    }
+  }
+  return best;
+}
+
+//------------------------------------------------------------------------------
+void CheckOptions(const Options& options)
+{
+  if (options.Alternatives && options.Baselines.size() > 1)
+  {
+    throw tool::UsageError("--alternatives looks for files beside one baseline; found " +
+                           std::to_string(options.Baselines.size()));
+  }
+  if (!options.Output.empty() && tool::Extension(options.Output) != ".png")
+  {
+    throw tool::UsageError(options.Output + ": --output must end in .png");
+  }
+  if (std::any_of(options.Thresholds.begin(), options.Thresholds.end(),
+        [](double threshold) { return !std::isfinite(threshold); }))
+  {
+    throw tool::UsageError("--threshold: expected finite numbers");
+  }
+  MakeTests(options, false); // the number of thresholds
+}
+
+//------------------------------------------------------------------------------
+void Run(const Options& options)
+{
+  CheckOptions(options);
+  const bool dart = options.Dart || tool::IsRunByCTest();
+  std::vector<Test> tests;
+  Comparison comparison;
+  std::string heatMap = options.Output;
+  try
+  {
+    comparison = CompareAll(options, tests);
+    if (heatMap.empty() && dart && !comparison.HasPassed())
+    {
+      heatMap = std::filesystem::path(options.Picture).stem().string() + ".diff.png";
+    }
+    if (!heatMap.empty())
+    {
+      WriteImage(heatMap, comparison.Findings[comparison.FindWorst()].HeatMap);
+    }
+  }
+  catch (const tool::InputError&)
+  {
+    std::error_code ignored;
+    if (dart && std::filesystem::is_regular_file(options.Picture, ignored))
+    {
+      tool::PrintOut(tool::FormatMeasurementFile("TestImage", options.Picture));
+    }
+    throw;
+  }
+  catch (const tool::Error& e) // of writing
+  {
+    throw tool::InputError(e.what());
+  }
+  const std::string found = FormatFindings(comparison, tests);
+  tool::PrintOut((comparison.HasPassed() ? "passed: " : "failed: ") + found + ", baseline " +
+                 comparison.Baseline + "\n");
+  if (dart)
+  {
+    PrintMeasurements(options, tests, comparison, heatMap);
+  }
+  if (!comparison.HasPassed())
+  {
+    throw tool::Error(options.Picture + " differs from " + comparison.Baseline + ": " + found +
+                      (heatMap.empty() ? "" : "; " + heatMap + " shows where"));
+  }
+}
+}
+
+namespace tool
+{
+//------------------------------------------------------------------------------
+void AddDiffCommand(CLI::App& app)
+{
+  std::vector<std::string> names;
+  std::string thresholds;
+  for (int metric = 0; metric < vtkPictureDifference::NUMBER_OF_METRICS; ++metric)
+  {
+    names.push_back(vtkPictureDifference::GetMetricName(metric));
+    thresholds += (metric > 0 ? ", " : "") + names.back() + " " +
+                  FormatNumber(vtkPictureDifference::GetDefaultThreshold(metric));
+  }
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand(
+    "diff", "Compare a picture with a baseline: the verdict of an image regression test");
+  command->add_option("PICTURE", options->Picture, "The picture to test: PNG, JPEG, OpenEXR, ...")
+    ->required();
+  command
+    ->add_option("BASELINE", options->Baselines,
+      "What it should look like; of several files the nearest counts")
+    ->required();
+  command->add_flag("--alternatives", options->Alternatives,
+    "Take BASELINE_1.png, BASELINE_2.png and so on for baselines, too, as far as there are files");
+  command
+    ->add_option("--metric", options->Metrics,
+      "The error figure; several must all pass (default: hdr_flip if both pictures hold floats, "
+      "else flip)")
+    ->check(CLI::IsMember(names))
+    ->allow_extra_args(false);
+  command
+    ->add_option("--threshold", options->Thresholds,
+      "Largest value that passes; of ssim the least. One for each --metric (default: " +
+        thresholds + ")")
+    ->check(CLI::Range(0.0, std::numeric_limits<double>::max()))
+    ->allow_extra_args(false);
+  command->add_option("--border", options->Border, "Pixels along the edges that are not compared")
+    ->check(CLI::Range(0, 65536));
+  command->add_option("--mask", options->Mask,
+    "Picture of the same size: where it is darker than a half, nothing is compared");
+  command->add_flag("--ignore-alpha", options->IgnoreAlpha, "Take all pixels as opaque");
+  command->add_option("-o,--output", options->Output,
+    "PNG picture to write: the error of each pixel in colors from black to yellow");
+  command->add_flag("--dart", options->Dart,
+    "Print measurements and files for CDash (default: where CTest runs the command)");
+  command->footer("Exit status: 0 within the threshold, 1 beyond it, 2 bad input.\n\nExample:\n"
+                  "  measured-brdf diff out.png valid.png --metric flip --threshold 0.01 "
+                  "-o heat.png");
+  command->callback([options]() { Run(*options); });
+}
+} // namespace tool

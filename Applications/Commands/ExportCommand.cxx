@@ -1,0 +1,417 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ComparisonSheet.h"
+#include "ExportFiles.h"
+#include "Files.h"
+#include "Inputs.h"
+#include "LitSphere.h"
+#include "Measuring.h"
+#include "ModelFit.h"
+#include "Progress.h"
+#include "Sizes.h"
+#include "SpherePicture.h"
+#include "Tool.h"
+
+#include "vtkMeasuredBRDFConfigure.h"
+#include "vtkNew.h"
+#include "vtkPBRPropertyFitter.h"
+#include "vtkRadianceMetrics.h"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <stdexcept>
+
+using nlohmann::ordered_json;
+
+namespace
+{
+const char* const Neutral = "neutral";
+
+struct Options
+{
+  std::string File;
+  std::string To;
+  std::string Output;
+  std::string Model;
+  std::string FitUnder = "sky,hall,neutral";
+  std::string Environment = MEASUREDBRDF_WITH_OPENEXR ? "room" : "";
+  std::string View = "30,20";
+  std::string Sheet;
+  std::string Report;
+  int Size = 32;
+  bool Json = false;
+};
+
+/// A light, and whether a fit saw it.
+struct Light
+{
+  vtkSmartPointer<vtkEnvironment> Environment;
+  bool Seen;
+};
+
+/// A fit and its errors under each light.
+struct Export
+{
+  tool::ModelFit Fit;
+  std::vector<tool::ComparedLight> Lights;
+};
+
+//------------------------------------------------------------------------------
+const tool::ExportTarget& FindTarget(const std::string& name)
+{
+  const std::vector<tool::ExportTarget>& targets = tool::GetExportTargets();
+  return *std::find_if(targets.begin(), targets.end(),
+    [&name](const tool::ExportTarget& target) { return target.Name == name; });
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> Split(const std::string& option, const std::string& text)
+{
+  std::vector<std::string> parts;
+  std::size_t begin = 0;
+  for (std::size_t end = 0; end != std::string::npos; begin = end + 1)
+  {
+    end = text.find(',', begin);
+    parts.push_back(text.substr(begin, end - begin));
+  }
+  if (std::find(parts.begin(), parts.end(), "") != parts.end())
+  {
+    throw tool::UsageError(option + ": '" + text + "' is no list A,B,... of environments");
+  }
+  return parts;
+}
+
+//------------------------------------------------------------------------------
+// The gray studio that vtkPBRPropertyFitter fits under.
+vtkSmartPointer<vtkEnvironment> MakeNeutral()
+{
+  constexpr int height = 128;
+  std::vector<float> pixels;
+  for (int y = 0; y < height; ++y)
+  {
+    for (int x = 0; x < 2 * height; ++x)
+    {
+      double d[3];
+      vtkEnvironment::GetDirection((x + 0.5) / (2 * height), (y + 0.5) / height, d);
+      pixels.insert(
+        pixels.end(), 3, static_cast<float>(vtkPBRPropertyFitter::GetNeutralRadiance(d)));
+    }
+  }
+  auto environment = vtkSmartPointer<vtkEnvironment>::New();
+  environment->SetPixels(2 * height, height, std::move(pixels));
+  environment->SetName("neutral studio");
+  return environment;
+}
+
+//------------------------------------------------------------------------------
+std::vector<Light> LoadLights(const Options& options)
+{
+  std::vector<Light> lights;
+  for (const std::string& name : Split("--fit-under", options.FitUnder))
+  {
+    lights.push_back({ name == Neutral ? MakeNeutral() : tool::LoadEnvironment(name), true });
+  }
+  lights.push_back(
+    { options.Environment == Neutral ? MakeNeutral() : tool::LoadEnvironment(options.Environment),
+      false });
+  return lights;
+}
+
+//------------------------------------------------------------------------------
+void Check(const Options& options, const tool::ExportTarget& target)
+{
+  const std::string absence = tool::GetModelFitAbsence();
+  if (!absence.empty())
+  {
+    throw tool::Error("export: " + absence);
+  }
+  const auto& endings = target.Extensions;
+  if (std::find(endings.begin(), endings.end(), tool::Extension(options.Output)) == endings.end())
+  {
+    throw tool::UsageError(options.Output + ": the file of --to " + target.Name + " must end in " +
+                           endings.front() + (endings.size() > 1 ? " or " + endings.back() : ""));
+  }
+  if (!options.Sheet.empty() && tool::Extension(options.Sheet) != ".png")
+  {
+    throw tool::UsageError(options.Sheet + ": the picture must end in .png");
+  }
+  if (!options.Model.empty() && target.Models.size() == 1)
+  {
+    throw tool::UsageError("--model: --to " + target.Name + " has one model only");
+  }
+  if (options.Environment.empty())
+  {
+    throw tool::UsageError("--environment: this build has no 'room'; name a light that the fit "
+                           "does not see");
+  }
+  const std::vector<std::string> seen = Split("--fit-under", options.FitUnder);
+  if (std::find(seen.begin(), seen.end(), options.Environment) != seen.end())
+  {
+    throw tool::UsageError("--environment: the fit sees '" + options.Environment +
+                           "' already (--fit-under); name another light");
+  }
+  for (const std::string& path : { options.Output, options.Sheet, options.Report })
+  {
+    if (!path.empty())
+    {
+      tool::CheckWritable(path);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+tool::LitSphere MakeSphere(
+  const tool::Material& material, const std::vector<Light>& lights, const tool::View& view)
+{
+  tool::ProgressBar bar("collecting light");
+  tool::LitSphere sphere(tool::GetViewDirection(view), material.BRDF->IsIsotropic());
+  for (std::size_t k = 0; k < lights.size(); ++k)
+  {
+    tool::Interruptible::Check();
+    bar.Update(static_cast<double>(k) / static_cast<double>(lights.size()));
+    if (lights[k].Seen)
+    {
+      sphere.AddLight(lights[k].Environment);
+    }
+  }
+  return sphere;
+}
+
+//------------------------------------------------------------------------------
+tool::ModelFit Fit(
+  const std::string& model, const tool::Material& material, const tool::LitSphere& sphere)
+{
+  tool::ProgressBar bar("fitting");
+  const auto proceed = [&bar](double share)
+  {
+    tool::Interruptible::Check();
+    bar.Update(share);
+  };
+  try
+  {
+    tool::ModelFit fit = tool::FitModel(model, material.BRDF, sphere, proceed);
+    tool::RoundValues(fit.Model);
+    return fit;
+  }
+  catch (const tool::Error&)
+  {
+    throw;
+  }
+  catch (const std::runtime_error& e)
+  {
+    throw tool::Error(material.File + ": " + e.what());
+  }
+}
+
+//------------------------------------------------------------------------------
+ordered_json MakeReport(const Options& options, const tool::Material& material,
+  const std::vector<Light>& lights, const std::vector<Export>& exports, int pixels)
+{
+  ordered_json report = { { "material", material.Name }, { "target", options.To },
+    { "pixels", pixels }, { "models", ordered_json::array() } };
+  for (const Export& made : exports)
+  {
+    ordered_json values;
+    for (const tool::ModelParameter& parameter : made.Fit.Model->GetParameters())
+    {
+      if (parameter.Size == 3)
+      {
+        values[parameter.Name] = made.Fit.Model->GetColor(parameter.Name);
+      }
+      else
+      {
+        values[parameter.Name] = made.Fit.Model->GetNumber(parameter.Name);
+      }
+    }
+    ordered_json features = ordered_json::array();
+    for (const tool::Feature feature : made.Fit.Features)
+    {
+      features.push_back(tool::GetFeatureName(feature));
+    }
+    ordered_json errors = ordered_json::array();
+    for (std::size_t k = 0; k < made.Lights.size(); ++k)
+    {
+      errors.push_back({ { "light", made.Lights[k].Name }, { "seen_by_the_fit", lights[k].Seen },
+        { "relative_l1", made.Lights[k].RelativeL1 }, { "flip", made.Lights[k].Flip } });
+    }
+    report["models"].push_back({ { "model", made.Fit.Model->GetTitle() }, { "parts", features },
+      { "values", values }, { "errors", errors } });
+  }
+  return report;
+}
+
+//------------------------------------------------------------------------------
+std::string MakeText(const std::vector<Light>& lights, const std::vector<Export>& exports)
+{
+  std::string text;
+  for (const Export& made : exports)
+  {
+    text += made.Fit.Model->GetTitle();
+    for (const tool::Feature feature : made.Fit.Features)
+    {
+      text += std::string(" + ") + tool::GetFeatureName(feature);
+    }
+    text += "\n";
+    for (std::size_t k = 0; k < made.Lights.size(); ++k)
+    {
+      char flip[32];
+      std::snprintf(flip, sizeof(flip), "%.4f", made.Lights[k].Flip);
+      text += "  " + made.Lights[k].Name + ": relative L1 " +
+              tool::FormatPercent(made.Lights[k].RelativeL1) + ", FLIP " + flip +
+              (lights[k].Seen ? "" : " (a light that the fit did not see)") + "\n";
+    }
+  }
+  return text;
+}
+
+//------------------------------------------------------------------------------
+std::string MakeFile(
+  const Options& options, const std::vector<Export>& exports, const std::string& name)
+{
+  const tool::ModelFit& first = exports.front().Fit;
+  if (options.To == "gltf")
+  {
+    return tool::MakeGltf(first, name, tool::Extension(options.Output) == ".glb");
+  }
+  if (options.To == "mtlx")
+  {
+    std::vector<tool::ModelFit> fits;
+    for (const Export& made : exports)
+    {
+      fits.push_back(made.Fit);
+    }
+    return tool::MakeMaterialX(fits, name);
+  }
+  if (options.To == "usda")
+  {
+    return tool::MakeUsd(first, name);
+  }
+  return options.To == "vtk-json" ? tool::MakeVtkJson(first, name)
+                                  : tool::MakeParaViewScript(first, name);
+}
+
+//------------------------------------------------------------------------------
+void WriteSheet(const Options& options, const std::string& name, const tool::Grid& grid,
+  const std::vector<Export>& exports)
+{
+  std::vector<tool::ComparedLight> rows;
+  for (const Export& made : exports)
+  {
+    for (tool::ComparedLight row : made.Lights)
+    {
+      row.Name = made.Fit.Model->GetTitle() + ", " + row.Name;
+      rows.push_back(std::move(row));
+    }
+  }
+  tool::WriteLightSheet(options.Sheet, name, "export", grid, rows);
+}
+
+//------------------------------------------------------------------------------
+void Run(const Options& options)
+{
+  const tool::ExportTarget& target = FindTarget(options.To);
+  const tool::View view = tool::ParseView(options.View);
+  Check(options, target);
+  const tool::Interruptible interruptible;
+  const tool::Material material = tool::LoadMaterial(options.File);
+  const std::vector<Light> lights = LoadLights(options);
+  material.BRDF->Prepare();
+
+  const tool::LitSphere sphere = MakeSphere(material, lights, view);
+  std::vector<Export> exports;
+  for (const std::string& model : target.Models)
+  {
+    if (options.Model.empty() || options.Model == "both" || options.Model == model)
+    {
+      exports.push_back({ Fit(model, material, sphere), {} });
+    }
+  }
+  const tool::Surface surface = tool::MakeSphereSurface(options.Size, view);
+  const tool::Grid grid(surface, { options.Size, options.Size });
+  for (const Light& light : lights)
+  {
+    const std::vector<double> reference =
+      tool::SumExactly(material.BRDF, light.Environment, surface);
+    for (Export& made : exports)
+    {
+      tool::ComparedLight compared{ light.Environment->GetName(), reference,
+        tool::SumExactly(made.Fit.Model, light.Environment, surface), 0.0, 0.0 };
+      vtkNew<vtkRadianceMetrics> metrics;
+      tool::Measure(metrics, grid, compared.Radiance, reference);
+      compared.RelativeL1 = metrics->GetRelativeL1();
+      compared.Flip = metrics->GetFLIP();
+      made.Lights.push_back(std::move(compared));
+    }
+  }
+  const std::string file = MakeFile(options, exports, material.Name);
+  tool::WriteText(options.Output, file);
+  if (!options.Sheet.empty())
+  {
+    WriteSheet(options, material.Name, grid, exports);
+  }
+  const std::string report =
+    MakeReport(options, material, lights, exports, static_cast<int>(surface.Pixels.size()))
+      .dump(2, ' ', true, ordered_json::error_handler_t::replace) +
+    "\n";
+  if (!options.Report.empty())
+  {
+    tool::WriteText(options.Report, report);
+  }
+  tool::PrintOut(options.Json ? report : MakeText(lights, exports));
+}
+}
+
+namespace tool
+{
+//------------------------------------------------------------------------------
+void AddExportCommand(CLI::App& app)
+{
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("export",
+    "Fit another program's shading model to a material, write its file and print the error");
+  command->add_option("FILE", options->File, GetMaterialHelp())->required();
+  std::vector<std::string> names;
+  std::string help;
+  for (const ExportTarget& target : GetExportTargets())
+  {
+    names.push_back(target.Name);
+    help += (help.empty() ? "" : "; ") + target.Name + ": " + target.Description;
+  }
+  command->add_option("--to", options->To, help)->required()->check(CLI::IsMember(names));
+  command
+    ->add_option("-o,--output", options->Output,
+      "File to write: .gltf or .glb, .mtlx, .usda, .json (vtk-json), .py (paraview-state)")
+    ->required();
+  command
+    ->add_option("--model", options->Model,
+      "Of --to mtlx: standard_surface, open_pbr or both (default), a material each")
+    ->check(CLI::IsMember({ "standard_surface", "open_pbr", "both" }));
+  command->add_option("--fit-under", options->FitUnder,
+    "Lights that the fit sees, A,B,...: environments as for --environment, or 'neutral', a gray "
+    "studio (default sky,hall,neutral)");
+  command->add_option("--environment", options->Environment,
+    std::string("A light that the fit does not see, for one more error (default room). ") +
+      EnvironmentHelp);
+  AddProjectionOption(command);
+  command
+    ->add_option("--size", options->Size,
+      "Pixels across the sphere whose errors are printed (default 32). Each takes a sum over the "
+      "environments' texels")
+    ->check(CLI::Range(8, 512));
+  command->add_option("--view", options->View,
+    "Where to look at the sphere from, AZIMUTH,ELEVATION in degrees (default 30,20)");
+  command->add_option("--sheet", options->Sheet,
+    "Picture to write, .png: the exact sphere, the export's and the signed error, under each "
+    "light");
+  command->add_option("--report", options->Report, "JSON file to write: the same as --json");
+  command->add_flag("--json", options->Json, "Write JSON instead of text");
+  command->footer(
+    "Example:\n  measured-brdf export gold-paint --to gltf -o gold.glb --sheet gold.png");
+  command->callback([options]() { Run(*options); });
+}
+} // namespace tool

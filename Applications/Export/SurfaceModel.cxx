@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SurfaceModel.h"
+
+#include "GltfModel.h"
+#include "OpenPbrModel.h"
+#include "PreviewSurfaceModel.h"
+#include "StandardSurfaceModel.h"
+#include "VtkPbrModel.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace tool
+{
+const std::vector<double> Metals = { 0, 1, 0, 1, 0, 1, 0, 0.5, 0.5 };
+const std::vector<double> Roughnesses = { 0.9, 0.9, 0.5, 0.5, 0.25, 0.25, 0.12, 0.12, 0.4 };
+
+//------------------------------------------------------------------------------
+const char* GetFeatureName(Feature feature)
+{
+  static const char* const names[] = { "core", "specular", "coat", "sheen", "anisotropy" };
+  return names[static_cast<int>(feature)];
+}
+
+//------------------------------------------------------------------------------
+Directions::Directions(const glm::dvec3& light, const glm::dvec3& view)
+  : Light(light)
+  , View(view)
+  , Half(glm::normalize(light + view))
+  , NdL(light.z)
+  , NdV(view.z)
+  , NdH(std::min(this->Half.z, 1.0))
+  , VdH(std::clamp(glm::dot(view, this->Half), 0.0, 1.0))
+{
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<SurfaceModel> SurfaceModel::Make(const std::string& name)
+{
+  if (name == "gltf")
+  {
+    return vtkSmartPointer<GltfModel>::New();
+  }
+  if (name == "standard_surface")
+  {
+    return vtkSmartPointer<StandardSurfaceModel>::New();
+  }
+  if (name == "open_pbr")
+  {
+    return vtkSmartPointer<OpenPbrModel>::New();
+  }
+  if (name == "preview_surface")
+  {
+    return vtkSmartPointer<PreviewSurfaceModel>::New();
+  }
+  if (name == "vtk_pbr")
+  {
+    return vtkSmartPointer<VtkPbrModel>::New();
+  }
+  throw std::invalid_argument("no shading model is called " + name);
+}
+
+//------------------------------------------------------------------------------
+void SurfaceModel::SetNeutral()
+{
+  this->Values.clear();
+  for (const ModelParameter& parameter : this->GetParameters())
+  {
+    this->Values.insert(this->Values.end(), parameter.Size, parameter.Neutral);
+  }
+}
+
+//------------------------------------------------------------------------------
+void SurfaceModel::SetValues(const std::vector<double>& values)
+{
+  if (values.size() != this->Values.size())
+  {
+    throw std::invalid_argument(
+      this->GetTitle() + " has " + std::to_string(this->Values.size()) + " values");
+  }
+  this->Values = values;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+std::size_t SurfaceModel::Find(const std::string& name) const
+{
+  std::size_t k = 0;
+  for (const ModelParameter& parameter : this->GetParameters())
+  {
+    if (parameter.Name == name)
+    {
+      return k;
+    }
+    k += parameter.Size;
+  }
+  throw std::invalid_argument(this->GetTitle() + " has no parameter " + name);
+}
+
+//------------------------------------------------------------------------------
+double SurfaceModel::GetNumber(const std::string& name) const
+{
+  return this->Values[this->Find(name)];
+}
+
+//------------------------------------------------------------------------------
+std::array<double, 3> SurfaceModel::GetColor(const std::string& name) const
+{
+  const std::size_t k = this->Find(name);
+  return { this->Values[k], this->Values[k + 1], this->Values[k + 2] };
+}
+
+//------------------------------------------------------------------------------
+bool SurfaceModel::HasFeature(Feature feature) const
+{
+  auto value = this->Values.begin();
+  for (const ModelParameter& parameter : this->GetParameters())
+  {
+    const auto end = value + static_cast<std::ptrdiff_t>(parameter.Size);
+    if (parameter.Part == feature &&
+        std::any_of(value, end, [&](double number) { return number != parameter.Neutral; }))
+    {
+      return true;
+    }
+    value = end;
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+void SurfaceModel::GetBounds(double, double lower[3], double upper[3])
+{
+  std::fill_n(lower, 3, 0.0);
+  std::fill_n(upper, 3, 1e9);
+}
+
+//------------------------------------------------------------------------------
+void SurfaceModel::EvaluateAbove(const double i[3], const double o[3], double f[3])
+{
+  const glm::dvec3 value = this->Shade(Directions({ i[0], i[1], i[2] }, { o[0], o[1], o[2] }));
+  std::copy_n(&value.x, 3, f);
+}
+} // namespace tool

@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The shading models of other programs as BRDFs, so that what they show can be summed and measured
+ * like a measured material: glTF, standard_surface, OpenPBR, UsdPreviewSurface and VTK's PBR.
+ */
+
+#ifndef SurfaceModel_h
+#define SurfaceModel_h
+
+#include "vtkBRDF.h"
+#include "vtkSmartPointer.h"
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace tool
+{
+/// Parts of a model that a file may leave out; Core is always there.
+enum class Feature
+{
+  Core,
+  Specular,
+  Coat,
+  Sheen,
+  Anisotropy
+};
+
+/// "core", "specular", "coat", "sheen", "anisotropy".
+const char* GetFeatureName(Feature feature);
+
+/// A parameter: one number or a linear color.
+struct ModelParameter
+{
+  std::string Name; // as the target's files write it
+  std::size_t Size; // 1, or 3 for a color
+  double Least;     // the range that is searched, within the target's valid range
+  double Most;
+  double Neutral; // what stands for it where its part is left out
+  Feature Part;
+  /// Where the search begins: the k-th start takes the k-th value of every parameter of the part,
+  /// or its last one. None: the material's albedo.
+  std::vector<double> Starts;
+};
+
+///@{
+/// Starts of the core's metallic part and roughness.
+extern const std::vector<double> Metals;
+extern const std::vector<double> Roughnesses;
+///@}
+
+/// Two directions and what the formulas take of them. All unit, in the local frame.
+struct Directions
+{
+  Directions(const glm::dvec3& light, const glm::dvec3& view);
+
+  glm::dvec3 Light, View, Half;
+  double NdL, NdV, NdH, VdH;
+};
+
+/**
+ * A model with the values of its parameters. It has a C++ form only: no GLSL, and no bounds of use
+ * to a planner.
+ */
+class SurfaceModel : public vtkBRDF
+{
+public:
+  vtkAbstractTypeMacro(SurfaceModel, vtkBRDF);
+
+  /// "gltf", "standard_surface", "open_pbr", "preview_surface" or "vtk_pbr", with neutral values.
+  static vtkSmartPointer<SurfaceModel> Make(const std::string& name);
+
+  /// What people call the model.
+  virtual std::string GetTitle() const = 0;
+
+  /// Colors first take their red, then green and blue: the order of the values. All models begin
+  /// with the core's color, metallic part and roughness.
+  virtual const std::vector<ModelParameter>& GetParameters() const = 0;
+
+  ///@{
+  /// All numbers of all parameters in that order; as many as there are.
+  void SetValues(const std::vector<double>& values);
+  const std::vector<double>& GetValues() const { return this->Values; }
+  ///@}
+
+  ///@{
+  /// The values of a parameter by its name; it must be one of the model's.
+  double GetNumber(const std::string& name) const;
+  std::array<double, 3> GetColor(const std::string& name) const;
+  ///@}
+
+  /// Whether any number of the part is not neutral.
+  bool HasFeature(Feature feature) const;
+
+  void GetBounds(double minimumCosine, double lower[3], double upper[3]) override;
+  void GetShaderInputs(vtkBRDFShaderInputs&) override {}
+  bool IsIsotropic() override { return !this->HasFeature(Feature::Anisotropy); }
+  bool IsReciprocal() override { return false; } // layers may depend on the view alone
+
+protected:
+  SurfaceModel() = default;
+
+  /// f of the model, from this->Values.
+  virtual glm::dvec3 Shade(const Directions& directions) const = 0;
+
+  void EvaluateAbove(const double i[3], const double o[3], double f[3]) override;
+
+  /// For constructors: all values neutral.
+  void SetNeutral();
+
+  glm::dvec3 ColorAt(std::size_t k) const
+  {
+    return { this->Values[k], this->Values[k + 1], this->Values[k + 2] };
+  }
+
+  std::vector<double> Values;
+
+private:
+  std::size_t Find(const std::string& name) const;
+};
+} // namespace tool
+
+#endif

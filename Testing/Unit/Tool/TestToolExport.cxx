@@ -1,0 +1,548 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What `measured-brdf export` is made of: shading models, the lit sphere, the fit, the files.
+#include "ExportCases.h"
+#include "ExportFiles.h"
+#include "LitSphere.h"
+#include "PBRShading.h"
+#include "SpherePicture.h"
+
+#include "vtkActor.h"
+#include "vtkActorCollection.h"
+#include "vtkCell.h"
+#include "vtkDoubleArray.h"
+#include "vtkEnvironment.h"
+#include "vtkExactRadianceIntegrator.h"
+#include "vtkGLTFImporter.h"
+#include "vtkLambertBRDF.h"
+#include "vtkMapper.h"
+#include "vtkMath.h"
+#include "vtkMeasuredBRDFConfigure.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+#include <unistd.h>
+
+namespace
+{
+const std::string Folder = MEASUREDBRDF_EXPORT_TESTS;
+const std::array<double, 3> Front = { 0.0, 0.0, 1.0 };
+
+//------------------------------------------------------------------------------
+const ExportCase& FindCase(const std::string& name)
+{
+  static const std::vector<ExportCase> cases = ReadExportCases(Folder + "/cases.json");
+  for (const ExportCase& made : cases)
+  {
+    if (made.Name == name)
+    {
+      return made;
+    }
+  }
+  throw std::invalid_argument(name);
+}
+
+//------------------------------------------------------------------------------
+std::array<double, 3> Evaluate(vtkBRDF* brdf, const double i[3], const double o[3])
+{
+  std::array<double, 3> f{};
+  brdf->Evaluate(i, o, f.data());
+  return f;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkEnvironment> MakeSky()
+{
+  auto sky = vtkSmartPointer<vtkEnvironment>::New();
+  sky->SetToProceduralSky();
+  return sky;
+}
+
+//------------------------------------------------------------------------------
+[[maybe_unused]] vtkSmartPointer<vtkEnvironment> MakeHall()
+{
+  auto hall = vtkSmartPointer<vtkEnvironment>::New();
+  hall->SetToProceduralHall();
+  return hall;
+}
+
+//------------------------------------------------------------------------------
+// The exact radiance of a lit sphere's pixels, in its order.
+std::vector<double> SumExactly(
+  const tool::LitSphere& sphere, vtkBRDF* brdf, vtkEnvironment* environment)
+{
+  vtkNew<vtkDoubleArray> normals;
+  vtkNew<vtkDoubleArray> views;
+  vtkNew<vtkDoubleArray> tangents;
+  vtkNew<vtkDoubleArray> radiance;
+  for (vtkDoubleArray* array : { normals.Get(), views.Get(), tangents.Get() })
+  {
+    array->SetNumberOfComponents(3);
+  }
+  for (std::size_t k = 0; k < sphere.GetNumberOfPixels(); ++k)
+  {
+    const glm::dvec3 n = sphere.GetNormal(k);
+    normals->InsertNextTuple(&n.x);
+    views->InsertNextTuple(Front.data());
+    tangents->InsertNextTuple3(n.z, 0.0, -n.x);
+  }
+  vtkNew<vtkExactRadianceIntegrator> exact;
+  exact->SetBRDF(brdf);
+  exact->SetEnvironment(environment);
+  EXPECT_TRUE(exact->Integrate(normals, views, radiance, tangents));
+  const double* values = radiance->GetPointer(0);
+  return { values, values + radiance->GetNumberOfValues() };
+}
+}
+
+//------------------------------------------------------------------------------
+// Relative: single precision where OpenGL has calculated, else the digits of the record; glTF's
+// sheen takes a table of its albedo.
+double GetTolerance(const ExportCase& made)
+{
+  if (made.Fit.Model->HasFeature(tool::Feature::Sheen) && made.Model == "gltf")
+  {
+    return 4e-3;
+  }
+  return made.Model == "gltf" || made.Model == "vtk_pbr" ? 1e-6
+         : made.Model == "preview_surface"               ? 1e-4
+                                                         : 1e-5;
+}
+
+//------------------------------------------------------------------------------
+TEST(ExportModels, AgreeWithOtherImplementations)
+{
+  const nlohmann::json record = ReadJson(Folder + "/shading.json");
+  ASSERT_EQ(record.at("format"), "measured-brdf shading models");
+  int compared = 0;
+  for (const nlohmann::json& result : record.at("results"))
+  {
+    const ExportCase& made = FindCase(result.at("name"));
+    const double tolerance = GetTolerance(made);
+    double worst = 0.0;
+    for (std::size_t k = 0; k < record.at("pairs").size(); ++k)
+    {
+      const std::array<double, 3> i = record.at("pairs")[k].at("i");
+      const std::array<double, 3> o = record.at("pairs")[k].at("o");
+      const std::array<double, 3> expected = result.at("f")[k];
+      const std::array<double, 3> f = Evaluate(made.Fit.Model, i.data(), o.data());
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        EXPECT_NEAR(f[c], expected[c], tolerance * expected[c])
+          << made.Name << ", pair " << k << ", channel " << c;
+        worst = std::max(worst, std::abs(f[c] / expected[c] - 1.0));
+        ++compared;
+      }
+    }
+    std::printf("%s: off by at most %.1e\n", made.Name.c_str(), worst);
+  }
+  EXPECT_GE(compared, 3 * 12 * 20);
+}
+
+//------------------------------------------------------------------------------
+TEST(ExportModels, AgreeWithTheFittersShading)
+{
+  const auto model = tool::SurfaceModel::Make("vtk_pbr");
+  //                  color          metallic roughness index tint        coat roughness index
+  model->SetValues({ 0.5, 0.5, 0.5, 0.4, 0.3, 1.7, 0.6, 0.6, 0.6, 0.7, 0.2, 1.4, 0.0, 0.0 });
+  measuredbrdf::PBRParameters p;
+  p.Roughness = 0.3;
+  p.Metallic = 0.4;
+  p.BaseIOR = 1.7;
+  p.EdgeTint = 0.6;
+  p.CoatStrength = 0.7;
+  p.CoatRoughness = 0.2;
+  p.CoatIOR = 1.4;
+  const double f90 = measuredbrdf::GetPBRGrazing(p, { 0.5, 0.5, 0.5 });
+  for (const double theta : { 0.1, 0.7, 1.3 })
+  {
+    const double i[3] = { std::sin(theta), 0.0, std::cos(theta) };
+    const double o[3] = { -0.48, 0.36, 0.8 };
+    const tool::Directions d({ i[0], i[1], i[2] }, { o[0], o[1], o[2] });
+    const double s = std::pow(1.0 - d.VdH, 5);
+    measuredbrdf::PBRMoments moments[3];
+    const double lobes[3] = { 1.0 / vtkMath::Pi(),
+      measuredbrdf::GetPBRLobe(d.NdH, d.NdV, d.NdL, p.Roughness),
+      measuredbrdf::GetPBRLobe(d.NdH, d.NdV, d.NdL, p.CoatRoughness) };
+    for (int k = 0; k < 3; ++k)
+    {
+      moments[k] = { lobes[k], lobes[k] * s, lobes[k] * s * s, lobes[k] * s * s * s };
+    }
+    const double expected =
+      measuredbrdf::GetPBRRadiance(p, 0.5, f90, moments[0], moments[1], moments[2]);
+    EXPECT_NEAR(Evaluate(model, i, o)[1], expected, 1e-12);
+  }
+}
+
+//------------------------------------------------------------------------------
+// A part that is left out is the same as a weight of zero, whatever its other values.
+TEST(ExportModels, PartsOfNoWeightHaveNoEffect)
+{
+  const double i[3] = { 0.48, 0.36, 0.8 };
+  const double o[3] = { -0.6, 0.0, 0.8 };
+  for (const char* name : { "gltf", "standard_surface", "open_pbr", "preview_surface", "vtk_pbr" })
+  {
+    const auto model = tool::SurfaceModel::Make(name);
+    const std::array<double, 3> neutral = Evaluate(model, i, o);
+    EXPECT_GT(neutral[0], 0.0) << name;
+    std::vector<double> values = model->GetValues();
+    std::size_t at = 0;
+    for (const tool::ModelParameter& parameter : model->GetParameters())
+    {
+      const bool weighs = parameter.Neutral == 0.0 || parameter.Part == tool::Feature::Core ||
+                          parameter.Part == tool::Feature::Specular;
+      for (std::size_t c = 0; c < parameter.Size; ++c, ++at)
+      {
+        // Base indices relative to the coat's: of no weight only where that has none.
+        values[at] = weighs ? values[at] : 0.5 * (parameter.Least + parameter.Most);
+      }
+    }
+    model->SetValues(values);
+    const std::array<double, 3> same = Evaluate(model, i, o);
+    EXPECT_NEAR(same[0], neutral[0], 1e-12) << name;
+  }
+}
+
+//------------------------------------------------------------------------------
+// A white furnace: what is reflected is no more than what comes in. The models with approximate
+// layers may exceed it a little.
+TEST(ExportModels, HardlyCreateEnergy)
+{
+  for (const ExportCase& made : ReadExportCases(Folder + "/cases.json"))
+  {
+    for (const double cosine : { 0.3, 0.7, 1.0 })
+    {
+      const double o[3] = { std::sqrt(1.0 - cosine * cosine), 0.0, cosine };
+      double albedo[3];
+      made.Fit.Model->GetDirectionalAlbedo(o, albedo);
+      for (const double value : albedo)
+      {
+        EXPECT_LT(value, 1.05) << made.Name << " at " << cosine;
+        EXPECT_GT(value, 0.01) << made.Name << " at " << cosine;
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Bilinear shares of the light among the nodes: some tenths of a percent of it are elsewhere.
+TEST(ExportLitSphere, IsNearTheExactSum)
+{
+  vtkNew<vtkLambertBRDF> lambert;
+  const vtkSmartPointer<vtkEnvironment> sky = MakeSky();
+  const struct
+  {
+    vtkBRDF* BRDF;
+    double Tolerance;
+  } materials[] = { { lambert, 2e-3 }, { FindCase("gltf-core").Fit.Model, 0.02 },
+    { FindCase("gltf-coat").Fit.Model, 0.02 }, { FindCase("gltf-all").Fit.Model, 0.03 } };
+  for (const auto& material : materials)
+  {
+    tool::LitSphere sphere(Front, material.BRDF->IsIsotropic());
+    sphere.AddLight(sky);
+    const std::vector<double> exact = SumExactly(sphere, material.BRDF, sky);
+    const double error = tool::GetMeanError(sphere.Sum(material.BRDF), exact, 1);
+    EXPECT_LT(error, material.Tolerance);
+    std::printf("lit sphere: relative L1 %.3g %%\n", 100.0 * error);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(ExportLitSphere, KeepsAllLight)
+{
+  vtkNew<vtkEnvironment> white;
+  ASSERT_TRUE(white->SetPixels(64, 32, std::vector<float>(3 * 64 * 32, 2.0f)));
+  vtkNew<vtkLambertBRDF> lambert;
+  lambert->SetAlbedo(0.25, 0.5, 1.0);
+  for (const bool isotropic : { true, false })
+  {
+    tool::LitSphere sphere(Front, isotropic);
+    sphere.AddLight(white);
+    const std::vector<double> radiance = sphere.Sum(lambert);
+    ASSERT_EQ(radiance.size(), 3 * sphere.GetNumberOfPixels());
+    for (std::size_t k = 0; k < radiance.size(); ++k)
+    {
+      EXPECT_NEAR(radiance[k], 0.5 * (1 << k % 3), 1e-3);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(ExportSphere, NormalsAndViews)
+{
+  const tool::Surface surface = tool::MakeSphereSurface(16, { 90.0, 0.0 });
+  EXPECT_NEAR(surface.NumberOfCovered, 256 * vtkMath::Pi() / 4.0, 12.0);
+  double mean[3] = {};
+  for (std::size_t k = 0; k < surface.Normals.size(); k += 3)
+  {
+    EXPECT_NEAR(vtkMath::Norm(&surface.Normals[k]), 1.0, 1e-12);
+    EXPECT_NEAR(surface.Views[k], 1.0, 1e-12); // from +x
+    EXPECT_GT(vtkMath::Dot(&surface.Normals[k], &surface.Views[k]), 0.0);
+    vtkMath::Add(mean, &surface.Normals[k], mean);
+  }
+  EXPECT_NEAR(mean[1], 0.0, 1e-9);
+  EXPECT_NEAR(mean[2], 0.0, 1e-9);
+  // The picture's right is the world's -z, its top +y.
+  const double* last = &surface.Normals[surface.Normals.size() - 3];
+  EXPECT_GT(last[1], 0.9);
+  const std::array<double, 3> above = tool::GetViewDirection({ 0.0, 90.0 });
+  EXPECT_NEAR(above[1], 1.0, 1e-12);
+}
+
+#if MEASUREDBRDF_WITH_CERES
+//------------------------------------------------------------------------------
+TEST(ExportFit, FindsWhatIsThere)
+{
+  const ExportCase& coated = FindCase("gltf-coat");
+  tool::LitSphere sphere(Front, true);
+  sphere.AddLight(MakeSky());
+  sphere.AddLight(MakeHall());
+  int calls = 0;
+  const auto proceed = [&calls](double share)
+  {
+    EXPECT_TRUE(share >= 0.0 && share <= 1.0);
+    ++calls;
+  };
+  const tool::ModelFit fit = tool::FitModel("gltf", coated.Fit.Model, sphere, proceed);
+  EXPECT_GT(calls, 3);
+  EXPECT_LT(fit.Error, 0.005);
+  ASSERT_EQ(fit.Features.size(), 1u);
+  EXPECT_EQ(fit.Features[0], tool::Feature::Coat);
+  EXPECT_NEAR(fit.Model->GetNumber("clearcoatRoughnessFactor"), 0.2, 0.02);
+  EXPECT_NEAR(fit.Model->GetNumber("roughnessFactor"), 0.5, 0.03);
+}
+
+//------------------------------------------------------------------------------
+TEST(ExportFit, TakesNoPartThatIsOfNoUse)
+{
+  vtkNew<vtkLambertBRDF> lambert;
+  lambert->SetAlbedo(0.6, 0.3, 0.2);
+  tool::LitSphere sphere(Front, true);
+  sphere.AddLight(MakeSky());
+  for (const char* name : { "preview_surface", "vtk_pbr" })
+  {
+    const tool::ModelFit fit =
+      tool::FitModel(name, FindCase("preview-surface-core").Fit.Model, sphere, [](double) {});
+    EXPECT_EQ(fit.Error, tool::GetMeanError(sphere.Sum(fit.Model),
+                           sphere.Sum(FindCase("preview-surface-core").Fit.Model), 1));
+    if (std::string(name) == "preview_surface")
+    {
+      EXPECT_TRUE(fit.Features.empty());
+      EXPECT_LT(fit.Error, 1e-3);
+    }
+    EXPECT_LT(fit.Error, 0.03) << name;
+  }
+  EXPECT_THROW(tool::FitModel("phong", lambert, sphere, [](double) {}), std::invalid_argument);
+  lambert->SetAlbedo(0.0, 0.0, 0.0);
+  EXPECT_THROW(tool::FitModel("gltf", lambert, sphere, [](double) {}), std::runtime_error);
+}
+
+//------------------------------------------------------------------------------
+TEST(ExportFit, EndsWhereItIsTold)
+{
+  vtkNew<vtkLambertBRDF> lambert;
+  tool::LitSphere sphere(Front, true);
+  sphere.AddLight(MakeSky());
+  int calls = 0;
+  const auto proceed = [&calls](double)
+  {
+    if (++calls == 3)
+    {
+      throw std::range_error("enough");
+    }
+  };
+  EXPECT_THROW(tool::FitModel("gltf", lambert, sphere, proceed), std::range_error);
+  EXPECT_EQ(calls, 3);
+}
+
+//------------------------------------------------------------------------------
+// A light a thousand times as bright changes nothing: each counts by its relative error.
+TEST(ExportFit, EveryLightCountsTheSame)
+{
+  const ExportCase& coated = FindCase("gltf-coat"); // which this model cannot show exactly
+  std::vector<double> values[2];
+  for (const bool bright : { false, true })
+  {
+    const vtkSmartPointer<vtkEnvironment> hall = MakeHall();
+    std::vector<float> pixels = hall->GetPixels();
+    for (float& value : pixels)
+    {
+      value *= bright ? 1024.0f : 1.0f;
+    }
+    ASSERT_TRUE(hall->SetPixels(hall->GetWidth(), hall->GetHeight(), std::move(pixels)));
+    tool::LitSphere sphere(Front, true);
+    sphere.AddLight(MakeSky());
+    sphere.AddLight(hall);
+    values[bright] =
+      tool::FitModel("preview_surface", coated.Fit.Model, sphere, [](double) {}).Model->GetValues();
+  }
+  for (std::size_t k = 0; k < values[0].size(); ++k)
+  {
+    EXPECT_NEAR(values[1][k], values[0][k], 1e-3) << k;
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(ExportFit, FindsTheDirectionOfGrooves)
+{
+  const auto grooved = tool::SurfaceModel::Make("vtk_pbr");
+  grooved->SetValues(
+    { 0.7, 0.6, 0.5, 1.0, 0.4, 1.5, 1.0, 1.0, 1.0, 0.0, 0.0, 2.0, 0.8, 0.25 }); // across
+  tool::LitSphere sphere(Front, false);
+  sphere.AddLight(MakeHall());
+  const tool::ModelFit fit = tool::FitModel("vtk_pbr", grooved, sphere, [](double) {});
+  ASSERT_EQ(fit.Features.size(), 1u);
+  EXPECT_EQ(fit.Features[0], tool::Feature::Anisotropy);
+  EXPECT_NEAR(fit.Model->GetNumber("AnisotropyRotation"), 0.25, 0.01);
+  EXPECT_NEAR(fit.Model->GetNumber("Anisotropy"), 0.8, 0.05);
+  EXPECT_LT(fit.Error, 0.01);
+}
+#endif
+
+//------------------------------------------------------------------------------
+TEST(ExportFiles, NumbersAndNames)
+{
+  EXPECT_EQ(tool::FormatValue(1.0), "1");
+  EXPECT_EQ(tool::FormatValue(0.12345), "0.1235");
+  EXPECT_EQ(tool::FormatValue(-1e-9), "0");
+  EXPECT_EQ(tool::MakeIdentifier("gold-paint"), "gold_paint");
+  EXPECT_EQ(tool::MakeIdentifier("3M\n<red>"), "material_3M__red_");
+  EXPECT_EQ(tool::MakeIdentifier(""), "material");
+  const auto model = tool::SurfaceModel::Make("gltf");
+  std::vector<double> values = model->GetValues();
+  values[0] = 0.123456;
+  values.back() = vtkMath::Pi(); // of which 3.1416 is too much
+  model->SetValues(values);
+  tool::RoundValues(model);
+  EXPECT_DOUBLE_EQ(model->GetValues()[0], 0.1235);
+  EXPECT_DOUBLE_EQ(model->GetValues().back(), 3.1415);
+}
+
+//------------------------------------------------------------------------------
+// Every case has its values in its target's range, and so have all starts and neutral values.
+TEST(ExportFiles, RangesAreKept)
+{
+  for (const char* name : { "gltf", "standard_surface", "open_pbr", "preview_surface", "vtk_pbr" })
+  {
+    const auto model = tool::SurfaceModel::Make(name);
+    for (const tool::ModelParameter& parameter : model->GetParameters())
+    {
+      for (const double start : parameter.Starts)
+      {
+        EXPECT_TRUE(start >= 0.0 && start <= parameter.Most) << parameter.Name;
+      }
+      EXPECT_LT(parameter.Least, parameter.Most) << parameter.Name;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// VTK's own importer reads the material and the ball.
+TEST(ExportFiles, VtkReadsGltf)
+{
+  const ExportCase& made = FindCase("gltf-all");
+  for (const bool binary : { false, true })
+  {
+    const std::string path =
+      testing::TempDir() + "export-" + std::to_string(getpid()) + (binary ? ".glb" : ".gltf");
+    std::ofstream(path, std::ios::binary) << tool::MakeGltf(made.Fit, "a \"ball\"", binary);
+    vtkNew<vtkGLTFImporter> importer;
+    importer->SetFileName(path.c_str());
+    importer->Update();
+    std::remove(path.c_str());
+    ASSERT_TRUE(importer->GetRenderer());
+    vtkActorCollection* actors = importer->GetRenderer()->GetActors();
+    ASSERT_EQ(actors->GetNumberOfItems(), 1);
+    actors->InitTraversal();
+    vtkActor* actor = actors->GetNextActor();
+    vtkProperty* property = actor->GetProperty();
+    EXPECT_EQ(property->GetInterpolation(), VTK_PBR);
+    EXPECT_NEAR(property->GetMetallic(), 0.45, 1e-6);
+    EXPECT_NEAR(property->GetRoughness(), 0.35, 1e-6);
+    EXPECT_NEAR(property->GetColor()[2], 0.6, 1e-6);
+    auto* mapper = vtkPolyDataMapper::SafeDownCast(actor->GetMapper());
+    ASSERT_TRUE(mapper);
+    mapper->Update();
+    vtkPolyData* mesh = mapper->GetInput();
+    ASSERT_EQ(mesh->GetNumberOfCells(), 2 * 64 * 32);
+    ASSERT_TRUE(mesh->GetPointData()->GetNormals());
+    for (vtkIdType k = 0; k < mesh->GetNumberOfPoints(); ++k)
+    {
+      double n[3];
+      mesh->GetPointData()->GetNormals()->GetTuple(k, n);
+      EXPECT_NEAR(vtkMath::Distance2BetweenPoints(n, mesh->GetPoint(k)), 0.0, 1e-10);
+    }
+    // Counterclockwise from outside.
+    for (vtkIdType k = 5 * 64; k < 6 * 64; ++k)
+    {
+      vtkCell* cell = mesh->GetCell(k);
+      double a[3], b[3], c[3], edge1[3], edge2[3], out[3];
+      cell->GetPoints()->GetPoint(0, a);
+      cell->GetPoints()->GetPoint(1, b);
+      cell->GetPoints()->GetPoint(2, c);
+      vtkMath::Subtract(b, a, edge1);
+      vtkMath::Subtract(c, a, edge2);
+      vtkMath::Cross(edge1, edge2, out);
+      EXPECT_GT(vtkMath::Dot(out, a), 0.0);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Only the parts that the fit took are written.
+TEST(ExportFiles, GltfHasTheExtensionsThatAreUsed)
+{
+  for (const char* name : { "gltf-core", "gltf-coat", "gltf-all" })
+  {
+    const ExportCase& made = FindCase(name);
+    const nlohmann::json file = nlohmann::json::parse(tool::MakeGltf(made.Fit, name, false));
+    const nlohmann::json& material = file.at("materials")[0];
+    EXPECT_EQ(file.contains("extensionsUsed"), !made.Fit.Features.empty());
+    EXPECT_EQ(
+      material.value("extensions", nlohmann::json::object()).size(), made.Fit.Features.size());
+    for (const auto& used : file.value("extensionsUsed", nlohmann::json::array()))
+    {
+      EXPECT_TRUE(material.at("extensions").contains(used)) << used;
+    }
+    EXPECT_EQ(file.at("materials")[0].at("name"), name);
+  }
+  const nlohmann::json all = nlohmann::json::parse(
+    tool::MakeGltf(FindCase("gltf-all").Fit, "all", false))["materials"][0]["extensions"];
+  EXPECT_EQ(all["KHR_materials_clearcoat"]["clearcoatFactor"], 0.4);
+  EXPECT_EQ(all["KHR_materials_sheen"]["sheenColorFactor"][1], 0.05);
+  EXPECT_EQ(all["KHR_materials_specular"]["specularFactor"], 0.7);
+  EXPECT_EQ(all["KHR_materials_anisotropy"]["anisotropyRotation"], 0.7);
+}
+
+//------------------------------------------------------------------------------
+// The keys are the setters' names: here they are called.
+TEST(ExportFiles, VtkJsonFitsTheProperty)
+{
+  const ExportCase& made = FindCase("vtk-pbr-all");
+  const nlohmann::json file = nlohmann::json::parse(tool::MakeVtkJson(made.Fit, "a\"b"));
+  EXPECT_EQ(file.at("material"), "a\"b");
+  const nlohmann::json& values = file.at("property");
+  vtkNew<vtkProperty> property;
+  property->SetInterpolation(values.at("Interpolation"));
+  EXPECT_EQ(property->GetInterpolation(), VTK_PBR);
+  property->SetMetallic(values.at("Metallic"));
+  property->SetCoatIOR(values.at("CoatIOR"));
+  EXPECT_DOUBLE_EQ(property->GetMetallic(), 0.45);
+  EXPECT_DOUBLE_EQ(property->GetCoatIOR(), 1.5);
+  for (const char* key : { "Color", "Roughness", "BaseIOR", "EdgeTint", "CoatStrength",
+         "CoatRoughness", "CoatColor", "Anisotropy", "AnisotropyRotation", "Diffuse" })
+  {
+    EXPECT_TRUE(values.contains(key)) << key;
+  }
+}
