@@ -29,7 +29,10 @@ SWITCHES = {"Abort", "AbortPlanning"}
 FOREIGN = {
     "vtkObject",
     "vtkObjectBase",
+    "vtkImageAlgorithm",
+    "vtkPolyDataAlgorithm",
     "vtkPolyDataMapper",
+    "vtkTableAlgorithm",
     "vtkOpenGLPolyDataMapper",
     "vtkCompositePolyDataMapper",
     "vtkCompositePolyDataMapper2",

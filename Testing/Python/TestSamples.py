@@ -1,10 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The Python samples of README.md and docs/guide.md run, one after the other, and draw something.
+"""The Python samples of README.md, docs/guide.md and docs/image-tests.md run, one after the other, and draw something.
 
 Files that they read are made here: a material and an environment of those names.
 """
 
+import importlib.util
 import os
 import re
 import sys
@@ -13,6 +14,8 @@ import tempfile
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 (the renderer)
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkImagingCore import vtkImageShiftScale
+from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
 from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer, vtkRenderWindow
 
 from vtkmeasuredbrdf import vtkBRDFWriter, vtkEmbeddedMaterials
@@ -21,7 +24,7 @@ ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)
 
 # What a test cannot do as a program of the reader's does: show a window, and wait for the user.
 REPLACED = {
-    "window.SetSize(": "window.SetOffScreenRendering(1)\nwindow.SetSize(",
+    "window.SetSize(": "window.SetOffScreenRendering(1); window.SetSize(",
     "interactor.Start()": "interactor.ProcessEvents()",
 }
 
@@ -57,8 +60,40 @@ def center(window):
     return [pixel.GetValue(k) for k in range(3)]
 
 
+def check_image_test(test, name):
+    """A sample's test asks for a baseline, passes with it, and fails where it is another picture."""
+    for message in (f"{name}.png: ", None, "flip="):
+        try:
+            test()
+            assert message is None
+        except (AssertionError, ValueError) as error:
+            assert message and message in str(error), error
+        candidate = f"baselines/{name}.test.png"
+        if message is not None and os.path.exists(candidate):
+            os.rename(candidate, f"baselines/{name}.png")
+        if message is None:
+            darken(f"baselines/{name}.png")
+    assert os.path.exists(f"baselines/{name}.diff.png")
+
+
+def darken(path):
+    reader = vtkPNGReader()
+    reader.SetFileName(path)
+    half = vtkImageShiftScale()
+    half.SetInputConnection(reader.GetOutputPort())
+    half.SetScale(0.5)
+    half.Update()
+    writer = vtkPNGWriter()
+    writer.SetFileName(path)
+    writer.SetInputData(half.GetOutput())
+    writer.Write()
+
+
 def run(page, names):
     for number, sample in enumerate(samples(page), 1):
+        if "import pyvista" in sample and importlib.util.find_spec("pyvista") is None:
+            print(f"{page}: sample {number}: skipped: no PyVista", flush=True)
+            continue
         print(f"{page}: sample {number}", flush=True)
         exec(compile(sample, f"{page}, sample {number}", "exec"), names)  # noqa: S102 (ours)
     return names
@@ -87,6 +122,12 @@ def main():
         names["actor"].SetMapper(names["mapper"])
         assert max(center(names["window"])) > 0
         assert names["mapper"].GetPlan()
+
+        names = run("docs/image-tests.md", {})
+        os.mkdir("baselines")
+        check_image_test(names["test_sphere"], "sphere")
+        if "test_torus" in names:
+            check_image_test(names["test_torus"], "torus")
         os.chdir(ROOT)
     return 0
 

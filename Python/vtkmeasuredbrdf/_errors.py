@@ -1,0 +1,35 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Error events of C++ objects as texts for Python's exceptions."""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+# "ERROR: In FILE, line N\nCLASS (ADDRESS): TEXT"
+_PREFIX = re.compile(r"\A\s*(ERROR: In .*?, line \d+\n)?(\w+ \((0x)?[0-9a-fA-F]+\): )?", re.DOTALL)
+
+
+class TakenErrors:
+    """Takes the error events of a VTK object inside of a with statement: VTK does not print them then.
+
+    `text` is the last one, without the place in the source; "" if there was none.
+    """
+
+    def __init__(self, source: Any) -> None:
+        self.text = ""
+        self._source = source
+        self._tag = 0
+
+    def __enter__(self) -> TakenErrors:
+        self._tag = self._source.AddObserver("ErrorEvent", self._take)
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._source.RemoveObserver(self._tag)
+
+    def _take(self, _source: Any, _event: str, text: str) -> None:
+        self.text = _PREFIX.sub("", text or "", count=1).strip()
+
+    _take.CallDataType = "string0"  # type: ignore[attr-defined]

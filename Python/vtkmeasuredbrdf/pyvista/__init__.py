@@ -1,0 +1,80 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Measured materials in PyVista.
+
+    import pyvista as pv
+    import vtkmeasuredbrdf.pyvista
+
+    plotter = pv.Plotter()
+    plotter.measured.add_mesh(pv.Sphere(), "gold-paint")
+    plotter.measured.set_environment("room", background="blurred")
+    plotter.show()
+
+Importing this module gives every plotter the component `measured`, an object of the class `Measured`. With
+PyVista 0.48 and later the import is not even needed. The functions of this module do the same for a plotter that is
+their first argument.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pyvista as pv
+
+from ..environments import Environment
+from ..materials import Material
+from ._component import Measured, Plan
+from ._hooks import browser_colors
+from ._mappers import MeasuredCompositeMapper, MeasuredMapper
+
+__all__ = [
+    "Environment",
+    "Material",
+    "Measured",
+    "MeasuredCompositeMapper",
+    "MeasuredMapper",
+    "Plan",
+    "add_mesh",
+    "browser_colors",
+    "plans",
+    "remove_environment",
+    "set_environment",
+]
+
+_NAME = "measured"
+
+
+class _Component:
+    """Makes the component when it is first asked for: PyVista's own way, for versions before 0.48."""
+
+    def __get__(self, plotter: Any, _type: Any = None) -> Any:
+        if plotter is None:
+            return Measured
+        component = plotter.__dict__[_NAME] = Measured(plotter)
+        return component
+
+
+if hasattr(pv, "register_plotter_component"):
+    pv.register_plotter_component(_NAME)(Measured)
+else:
+    setattr(pv.BasePlotter, _NAME, _Component())
+
+
+def add_mesh(plotter: Any, mesh: Any, material: Any, **kwargs: Any) -> pv.Actor:
+    """`plotter.measured.add_mesh`: see `Measured.add_mesh`."""
+    return plotter.measured.add_mesh(mesh, material, **kwargs)
+
+
+def set_environment(plotter: Any, environment: Any, **kwargs: Any) -> None:
+    """`plotter.measured.set_environment`: see `Measured.set_environment`."""
+    plotter.measured.set_environment(environment, **kwargs)
+
+
+def remove_environment(plotter: Any, **kwargs: Any) -> None:
+    """`plotter.measured.remove_environment`: see `Measured.remove_environment`."""
+    plotter.measured.remove_environment(**kwargs)
+
+
+def plans(plotter: Any) -> list[Plan]:
+    """`plotter.measured.plans`: see `Measured.plans`."""
+    return plotter.measured.plans()

@@ -1,0 +1,33 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The lists in the ParaView plugin's panels are the module's: built-in materials and environments."""
+import os
+import sys
+import xml.etree.ElementTree as ElementTree
+
+from vtkmeasuredbrdf import vtkEmbeddedEnvironments, vtkEmbeddedMaterials
+
+FOLDER = os.path.join(os.path.dirname(__file__), "..", "..", "Hosts", "ParaView", "Plugin", "Module")
+MATERIALS = [vtkEmbeddedMaterials.GetName(k) for k in range(vtkEmbeddedMaterials.GetNumberOfMaterials())]
+ENVIRONMENTS = [vtkEmbeddedEnvironments.GetName(k) for k in range(vtkEmbeddedEnvironments.GetNumberOfEnvironments())]
+EXPECTED = {
+    "Material": ["File", *MATERIALS],
+    "MeasuredMaterial": ["File", *MATERIALS],
+    "MeasuredEnvironment": ["Automatic", "View", "File", *ENVIRONMENTS],
+}
+if "room" not in ENVIRONMENTS:
+    print("Skipped: a build without OpenEXR has fewer built-in materials and environments than the plugin")
+    sys.exit(125)
+
+seen = 0
+for name in ("MeasuredMaterials.xml", "MeasuredMaterialSources.xml"):
+    for proxy in ElementTree.parse(os.path.join(FOLDER, name)).iter():
+        for prop in proxy.findall("StringVectorProperty"):
+            domain = prop.find("StringListDomain")
+            if domain is None:
+                continue
+            values = [string.get("value") for string in domain.findall("String")]
+            assert values == EXPECTED[prop.get("name")], (name, prop.get("name"), values)
+            assert prop.get("default_values") in values, prop.get("name")
+            seen += 1
+assert seen == 5, seen
