@@ -1,0 +1,285 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MaterialFiles.h"
+
+#include "vtkBRDFFormat.h"
+#include "vtkBRDFFormats.h"
+#include "vtkBRDFReader.h"
+#include "vtkCommand.h"
+#include "vtkCommunicator.h"
+#include "vtkEmbeddedEnvironments.h"
+#include "vtkEmbeddedMaterials.h"
+#include "vtkEnvironmentReader.h"
+#include "vtkMultiProcessController.h"
+#include "vtkNew.h"
+#include "vtkWeakPointer.h"
+
+#include <vtksys/FStream.hxx>
+#include <vtksys/SystemTools.hxx>
+
+#include <cstring>
+#include <iterator>
+#include <map>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+namespace measuredmaterials
+{
+namespace
+{
+constexpr vtkIdType LargestSize = 1 << 30; // bytes that one message between processes may have
+
+//------------------------------------------------------------------------------
+// The error is the caller's to report: the reader's own event is not printed.
+template <typename Reader>
+bool ReadQuietly(Reader* reader, const std::string& path)
+{
+  const unsigned long tag =
+    reader->AddObserver(vtkCommand::ErrorEvent, reader, &vtkObject::Modified);
+  reader->SetFileName(path);
+  const bool success = reader->Read();
+  reader->RemoveObserver(tag);
+  return success;
+}
+
+// A file's path without the name of one of its materials.
+std::string GetFile(const std::string& path)
+{
+  const std::size_t hash = path.rfind('#');
+  return hash == std::string::npos || vtksys::SystemTools::FileExists(path) ? path
+                                                                            : path.substr(0, hash);
+}
+
+//------------------------------------------------------------------------------
+struct Materials
+{
+  using Object = vtkBRDF;
+
+  static vtkSmartPointer<vtkBRDF> FindBuiltIn(const std::string& name)
+  {
+    for (int k = 0; k < vtkEmbeddedMaterials::GetNumberOfMaterials(); ++k)
+    {
+      if (vtkEmbeddedMaterials::GetName(k) == name)
+      {
+        return vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF(name));
+      }
+    }
+    return nullptr;
+  }
+
+  static Found<vtkBRDF> Read(const std::string& path)
+  {
+    vtkNew<vtkBRDFReader> reader;
+    const bool success = ReadQuietly(reader.Get(), path);
+    return { success ? reader->GetBRDF() : nullptr, reader->GetErrorMessage() };
+  }
+
+  // What the others need: the file itself.
+  static std::string Pack(vtkBRDF*, const std::string& path)
+  {
+    vtksys::ifstream file(GetFile(path).c_str(), std::ios::binary);
+    std::ostringstream bytes;
+    bytes << file.rdbuf();
+    return bytes.str();
+  }
+
+  static vtkSmartPointer<vtkBRDF> Unpack(const std::string& bytes, const std::string& path)
+  {
+    const std::string file = GetFile(path);
+    const vtkBRDFFormat::File contents{ file,
+      path.size() > file.size() ? path.substr(file.size() + 1) : "", bytes };
+    vtkBRDFFormat::Content content;
+    std::string error;
+    const auto format = vtkBRDFFormats::FindForReading(contents);
+    return format && format->Read(contents, content, error) ? content.BRDF : nullptr;
+  }
+};
+
+//------------------------------------------------------------------------------
+struct Environments
+{
+  using Object = vtkEnvironment;
+
+  static vtkSmartPointer<vtkEnvironment> FindBuiltIn(const std::string& name)
+  {
+    for (int k = 0; k < vtkEmbeddedEnvironments::GetNumberOfEnvironments(); ++k)
+    {
+      if (vtkEmbeddedEnvironments::GetName(k) == name)
+      {
+        return vtkSmartPointer<vtkEnvironment>::Take(vtkEmbeddedEnvironments::NewEnvironment(name));
+      }
+    }
+    return nullptr;
+  }
+
+  static Found<vtkEnvironment> Read(const std::string& path)
+  {
+    vtkNew<vtkEnvironmentReader> reader;
+    const bool success = ReadQuietly(reader.Get(), path);
+    return { success ? reader->GetEnvironment() : nullptr, reader->GetErrorMessage() };
+  }
+
+  // Image files may need folders and libraries that other machines do not have: pixels do not.
+  static std::string Pack(vtkEnvironment* environment, const std::string&)
+  {
+    const int size[2] = { environment->GetWidth(), environment->GetHeight() };
+    const std::vector<float>& pixels = environment->GetPixels();
+    std::string bytes(reinterpret_cast<const char*>(size), sizeof(size));
+    bytes.append(reinterpret_cast<const char*>(pixels.data()), pixels.size() * sizeof(float));
+    return bytes;
+  }
+
+  static vtkSmartPointer<vtkEnvironment> Unpack(const std::string& bytes, const std::string& path)
+  {
+    int size[2] = { 0, 0 };
+    std::memcpy(size, bytes.data(), sizeof(size));
+    std::vector<float> pixels((bytes.size() - sizeof(size)) / sizeof(float));
+    std::memcpy(pixels.data(), bytes.data() + sizeof(size), pixels.size() * sizeof(float));
+    auto environment = vtkSmartPointer<vtkEnvironment>::New();
+    environment->SetName(vtksys::SystemTools::GetFilenameWithoutExtension(path));
+    return environment->SetPixels(size[0], size[1], std::move(pixels)) ? environment : nullptr;
+  }
+};
+
+//------------------------------------------------------------------------------
+std::string GetKey(const std::string& name)
+{
+  const std::string file = GetFile(name);
+  return name + "\n" + std::to_string(vtksys::SystemTools::ModifiedTime(file)) + "\n" +
+         std::to_string(vtksys::SystemTools::FileLength(file));
+}
+
+// Objects in use, by key.
+template <typename Object>
+std::map<std::string, vtkWeakPointer<Object>>& GetShared()
+{
+  static std::map<std::string, vtkWeakPointer<Object>> shared;
+  return shared;
+}
+
+template <typename Object>
+vtkSmartPointer<Object> FindShared(const std::string& key)
+{
+  const auto it = GetShared<Object>().find(key);
+  return it != GetShared<Object>().end() ? it->second.Get() : nullptr;
+}
+
+template <typename Object>
+void Share(const std::string& key, const vtkSmartPointer<Object>& object)
+{
+  auto& shared = GetShared<Object>();
+  for (auto it = shared.begin(); it != shared.end();)
+  {
+    it = it->second ? std::next(it) : shared.erase(it);
+  }
+  if (object)
+  {
+    shared[key] = object;
+  }
+}
+
+//------------------------------------------------------------------------------
+void Broadcast(vtkMultiProcessController* controller, std::string& bytes)
+{
+  vtkIdType size = static_cast<vtkIdType>(bytes.size());
+  controller->Broadcast(&size, 1, 0);
+  bytes.resize(static_cast<std::size_t>(size));
+  if (size > 0)
+  {
+    controller->Broadcast(&bytes[0], size, 0);
+  }
+}
+
+// Every process makes the same calls to the controller, whatever it finds.
+template <typename Kind>
+Found<typename Kind::Object> FindTogether(
+  const std::string& name, vtkMultiProcessController* controller)
+{
+  const bool first = controller->GetLocalProcessId() == 0;
+  std::string key = first ? GetKey(name) : "";
+  Broadcast(controller, key);
+  const auto shared = FindShared<typename Kind::Object>(key);
+  int have = shared ? 1 : 0;
+  int allHave = 0;
+  controller->AllReduce(&have, &allHave, 1, vtkCommunicator::MIN_OP);
+  if (allHave)
+  {
+    return { shared, "" };
+  }
+
+  Found<typename Kind::Object> found;
+  std::string bytes;
+  if (first)
+  {
+    found = Kind::Read(name);
+    bytes = found.Object ? Kind::Pack(found.Object, name) : "";
+    if (static_cast<vtkIdType>(bytes.size()) > LargestSize)
+    {
+      found = { nullptr, name + ": more than 1 GiB cannot be sent to the other processes." };
+      bytes.clear();
+    }
+  }
+  Broadcast(controller, bytes);
+  if (!first && !bytes.empty())
+  {
+    found.Object = Kind::Unpack(bytes, name);
+  }
+  have = found.Object ? 1 : 0;
+  controller->AllReduce(&have, &allHave, 1, vtkCommunicator::MIN_OP);
+  if (!allHave)
+  {
+    const bool failed = first && found.Error.empty();
+    return { nullptr, failed ? name + ": another process could not read it." : found.Error };
+  }
+  Share(key, found.Object);
+  return found;
+}
+
+template <typename Kind>
+Found<typename Kind::Object> Find(const std::string& name, vtkMultiProcessController* controller)
+{
+  if (name.empty())
+  {
+    return {};
+  }
+  using Object = typename Kind::Object;
+  // Built-in objects are the same everywhere.
+  vtkSmartPointer<Object> builtIn = FindShared<Object>(name);
+  if (!builtIn)
+  {
+    builtIn = Kind::FindBuiltIn(name);
+    Share(name, builtIn);
+  }
+  if (builtIn)
+  {
+    return { builtIn, "" };
+  }
+  if (controller && controller->GetNumberOfProcesses() > 1)
+  {
+    return FindTogether<Kind>(name, controller);
+  }
+  const std::string key = GetKey(name);
+  if (const auto shared = FindShared<Object>(key))
+  {
+    return { shared, "" };
+  }
+  Found<Object> found = Kind::Read(name);
+  Share(key, found.Object);
+  return found;
+}
+}
+
+//------------------------------------------------------------------------------
+Found<vtkBRDF> FindMaterial(const std::string& name, vtkMultiProcessController* controller)
+{
+  return Find<Materials>(name, controller);
+}
+
+//------------------------------------------------------------------------------
+Found<vtkEnvironment> FindEnvironment(
+  const std::string& name, vtkMultiProcessController* controller)
+{
+  return Find<Environments>(name, controller);
+}
+} // namespace measuredmaterials

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Materials and environments by name or file. The processes of a parallel server get the same ones
+ * by construction: the first process reads the file, and the others take what it has read.
+ */
+
+#ifndef MaterialFiles_h
+#define MaterialFiles_h
+
+#include "vtkBRDF.h"
+#include "vtkEnvironment.h"
+#include "vtkSmartPointer.h"
+
+#include <string>
+
+class vtkMultiProcessController;
+
+namespace measuredmaterials
+{
+/// What a name gives. Null without an error: there is none, or another process has the error.
+template <typename T>
+struct Found
+{
+  vtkSmartPointer<T> Object;
+  std::string Error;
+};
+
+///@{
+/**
+ * The built-in object of that name, or else the file's. An empty name gives null. Objects in use
+ * are shared: a name is read again only where its file has changed. With a controller of several
+ * processes the call is collective. Then all processes have the object, or none has it and the
+ * first one has the error.
+ */
+Found<vtkBRDF> FindMaterial(const std::string& name, vtkMultiProcessController* controller);
+Found<vtkEnvironment> FindEnvironment(
+  const std::string& name, vtkMultiProcessController* controller);
+///@}
+} // namespace measuredmaterials
+
+#endif

@@ -1,0 +1,445 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMeasuredMaterialRepresentation.h"
+
+#include "MaterialFiles.h"
+#include "vtkMissingNormalsFilter.h"
+
+#include "vtkCompositeMeasuredBRDFMapper.h"
+#include "vtkDataAssembly.h"
+#include "vtkDataAssemblyUtilities.h"
+#include "vtkDataObjectTree.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
+#include "vtkObjectFactory.h"
+#include "vtkPVLODActor.h"
+#include "vtkPVRenderView.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+using namespace measuredmaterials;
+
+vtkStandardNewMacro(vtkMeasuredMaterialRepresentation);
+
+namespace
+{
+const char* const File = "File";
+
+//------------------------------------------------------------------------------
+// More than one process draws: what they draw must agree.
+vtkMultiProcessController* GetController()
+{
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  return controller && controller->GetNumberOfProcesses() > 1 ? controller : nullptr;
+}
+
+//------------------------------------------------------------------------------
+std::string ToText(const char* text) { return text ? text : ""; }
+
+//------------------------------------------------------------------------------
+// The environment turned by an angle about one of the world's axes, which points up. A copy, since
+// others may use the environment as it is.
+vtkSmartPointer<vtkEnvironment> Turn(vtkEnvironment* environment, double degrees, int upAxis)
+{
+  // Rows: the environment's axes in world coordinates; its y points up.
+  const double axes[3][9] = { { 0, 1, 0, 1, 0, 0, 0, 0, -1 }, { 1, 0, 0, 0, 1, 0, 0, 0, 1 },
+    { 1, 0, 0, 0, 0, 1, 0, -1, 0 } };
+  auto turned = vtkSmartPointer<vtkEnvironment>::New();
+  turned->SetName(environment->GetName());
+  turned->SetPixels(environment->GetWidth(), environment->GetHeight(), environment->GetPixels());
+  turned->SetRotationY(degrees);
+  double rotation[9], matrix[9];
+  turned->GetWorldToEnvironment(rotation);
+  for (int row = 0; row < 3; ++row)
+  {
+    for (int column = 0; column < 3; ++column)
+    {
+      matrix[3 * row + column] = 0.0;
+      for (int k = 0; k < 3; ++k)
+      {
+        matrix[3 * row + column] += rotation[3 * row + k] * axes[upAxis][3 * k + column];
+      }
+    }
+  }
+  turned->SetWorldToEnvironment(matrix);
+  return turned;
+}
+}
+
+//------------------------------------------------------------------------------
+struct vtkMeasuredMaterialRepresentation::Internals
+{
+  std::string Material = "gold-paint";
+  std::string MaterialFile;
+  std::vector<std::pair<std::string, std::string>> BlockNames; // selector, material
+  std::string Environment = "Automatic";
+  std::string EnvironmentFile;
+  double Rotation = 0.0;
+  int UpAxis = 1;
+  double Tolerance = 0.02;
+  bool Modulate = true;
+  bool ViewLights = false;
+  bool Background = true;
+  std::string NormalArray = "None"; // of the superclass's property
+
+  // What the names gave.
+  bool IsFound = false;
+  vtkSmartPointer<vtkBRDF> BRDF;
+  std::vector<std::pair<std::string, vtkSmartPointer<vtkBRDF>>> Blocks;
+  vtkSmartPointer<vtkEnvironment> Light;  // of the environment's name; null: the view's own
+  vtkSmartPointer<vtkEnvironment> Turned; // the same in its orientation
+  std::set<std::string> Said;             // errors, each once
+  vtkMTimeType BlocksTime = 0;            // of the data whose blocks have their materials
+  bool BlocksChanged = true;
+
+  std::string GetMaterialName() const
+  {
+    return this->Material == File ? this->MaterialFile : this->Material;
+  }
+
+  // "" for the view's own. "Automatic" needs the stand-in at hand.
+  std::string GetEnvironmentName() const
+  {
+    if (this->Environment == "View")
+    {
+      return "";
+    }
+    if (this->Environment == "Automatic")
+    {
+      return "room";
+    }
+    return this->Environment == File ? this->EnvironmentFile : this->Environment;
+  }
+
+  void Say(vtkObject* self, const std::string& error)
+  {
+    if (!error.empty() && this->Said.insert(error).second)
+    {
+      vtkErrorWithObjectMacro(self, << error);
+    }
+  }
+
+  // Collective with a controller: the same calls on each process, in one order.
+  void FindAll(vtkObject* self, vtkMultiProcessController* controller)
+  {
+    const auto find = [&](const std::string& name)
+    {
+      Found<vtkBRDF> found = FindMaterial(name, controller);
+      this->Say(self, found.Error);
+      return found.Object;
+    };
+    this->BRDF = find(this->GetMaterialName());
+    this->Blocks.clear();
+    for (const auto& [selector, name] : this->BlockNames)
+    {
+      this->Blocks.emplace_back(selector, find(name));
+    }
+    Found<vtkEnvironment> environment = FindEnvironment(this->GetEnvironmentName(), controller);
+    this->Say(self, environment.Error);
+    if (environment.Object != this->Light)
+    {
+      this->Light = environment.Object;
+      this->Turned = nullptr;
+    }
+    this->IsFound = true;
+    this->BlocksChanged = true;
+  }
+
+  vtkEnvironment* GetTurned()
+  {
+    if (this->Light && !this->Turned)
+    {
+      this->Turned = this->Rotation == 0.0 && this->UpAxis == 1
+                       ? this->Light
+                       : Turn(this->Light, this->Rotation, this->UpAxis);
+    }
+    return this->Turned;
+  }
+};
+
+//------------------------------------------------------------------------------
+vtkMeasuredMaterialRepresentation::vtkMeasuredMaterialRepresentation()
+  : Impl(new Internals)
+{
+  for (vtkMapper** mapper :
+    { &this->Mapper, &this->LODMapper, &this->BackfaceMapper, &this->LODBackfaceMapper })
+  {
+    (*mapper)->Delete();
+    *mapper = vtkCompositeMeasuredBRDFMapper::New();
+  }
+  // As the superclass set them: selections are told without a conversion.
+  auto* mapper = static_cast<vtkCompositeMeasuredBRDFMapper*>(this->Mapper);
+  mapper->SetProcessIdArrayName("vtkProcessId");
+  mapper->SetCompositeIdArrayName("vtkCompositeIndex");
+  this->SetArrayIdNames(nullptr, nullptr);
+  this->SetupDefaults();
+}
+
+//------------------------------------------------------------------------------
+vtkMeasuredMaterialRepresentation::~vtkMeasuredMaterialRepresentation() = default;
+
+//------------------------------------------------------------------------------
+void vtkMeasuredMaterialRepresentation::SetupDefaults()
+{
+  this->Superclass::SetupDefaults();
+  this->Normals->SetInputConnection(this->GeometryFilter->GetOutputPort());
+  this->MultiBlockMaker->SetInputConnection(this->Normals->GetOutputPort());
+}
+
+//------------------------------------------------------------------------------
+// Names change what is read: on several processes that is done with the next update, together.
+#define measuredmaterialsSetNameMacro(Name, Member)                   \
+  void vtkMeasuredMaterialRepresentation::Set##Name(const char* text) \
+  {                                                                   \
+    if (this->Impl->Member != ToText(text))                           \
+    {                                                                 \
+      this->Impl->Member = ToText(text);                              \
+      this->NamesChanged();                                           \
+    }                                                                 \
+  }
+
+measuredmaterialsSetNameMacro(MeasuredMaterial, Material);
+measuredmaterialsSetNameMacro(MeasuredMaterialFile, MaterialFile);
+measuredmaterialsSetNameMacro(MeasuredEnvironment, Environment);
+measuredmaterialsSetNameMacro(MeasuredEnvironmentFile, EnvironmentFile);
+
+//------------------------------------------------------------------------------
+void vtkMeasuredMaterialRepresentation::NamesChanged()
+{
+  this->Impl->IsFound = false;
+  this->Impl->Said.clear();
+  if (GetController())
+  {
+    this->MarkModified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkMeasuredMaterialRepresentation::SetBlockMaterial(const char* selector, const char* material)
+{
+  if (ToText(selector).empty())
+  {
+    return; // a row of the panel's table that is being written
+  }
+  this->Impl->BlockNames.emplace_back(selector, ToText(material));
+  this->NamesChanged();
+}
+
+//------------------------------------------------------------------------------
+void vtkMeasuredMaterialRepresentation::RemoveAllBlockMaterials()
+{
+  if (!this->Impl->BlockNames.empty())
+  {
+    this->Impl->BlockNames.clear();
+    this->NamesChanged();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkMeasuredMaterialRepresentation::SetMeasuredEnvironmentRotation(double degrees)
+{
+  this->Impl->Rotation = degrees;
+  this->Impl->Turned = nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkMeasuredMaterialRepresentation::SetMeasuredEnvironmentUpAxis(int axis)
+{
+  this->Impl->UpAxis = std::clamp(axis, 0, 2);
+  this->Impl->Turned = nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkMeasuredMaterialRepresentation::SetErrorTolerance(double tolerance)
+{
+  if (!(tolerance >= 0.001 && tolerance <= 1.0)) // said here once, not by the mappers in each frame
+  {
+    vtkErrorMacro("SetErrorTolerance: found "
+                  << tolerance << ", expected a number from 0.001 to 1; " << this->Impl->Tolerance
+                  << " stays.");
+    return;
+  }
+  this->Impl->Tolerance = tolerance;
+}
+
+//------------------------------------------------------------------------------
+void vtkMeasuredMaterialRepresentation::SetModulateByScalars(bool modulate)
+{
+  this->Impl->Modulate = modulate;
+}
+
+//------------------------------------------------------------------------------
+void vtkMeasuredMaterialRepresentation::SetUseViewLights(bool use) { this->Impl->ViewLights = use; }
+
+//------------------------------------------------------------------------------
+void vtkMeasuredMaterialRepresentation::SetPlanInBackground(bool background)
+{
+  this->Impl->Background = background;
+}
+
+//------------------------------------------------------------------------------
+void vtkMeasuredMaterialRepresentation::SetGenerateMissingNormals(bool generate)
+{
+  this->Normals->SetEnabled(generate);
+  this->SetPointArrayToProcess(0, this->Impl->NormalArray.c_str());
+}
+
+//------------------------------------------------------------------------------
+void vtkMeasuredMaterialRepresentation::SetPointArrayToProcess(int index, const char* name)
+{
+  std::string array = ToText(name);
+  if (index == 0) // normals; "None", as of data that have none, would take away those that are made
+  {
+    this->Impl->NormalArray = array;
+    array = this->Normals->GetEnabled() && array == "None" ? "" : array;
+  }
+  this->Superclass::SetPointArrayToProcess(index, array.c_str());
+}
+
+//------------------------------------------------------------------------------
+void vtkMeasuredMaterialRepresentation::SetMissingNormalsFeatureAngle(double degrees)
+{
+  this->Normals->SetFeatureAngle(degrees);
+  this->MarkModified();
+}
+
+//------------------------------------------------------------------------------
+int vtkMeasuredMaterialRepresentation::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (vtkMultiProcessController* controller = GetController())
+  {
+    this->Impl->FindAll(this, controller);
+  }
+  return this->Superclass::RequestData(request, inputVector, outputVector);
+}
+
+//------------------------------------------------------------------------------
+int vtkMeasuredMaterialRepresentation::ProcessViewRequest(
+  vtkInformationRequestKey* requestType, vtkInformation* inInfo, vtkInformation* outInfo)
+{
+  if (!this->Superclass::ProcessViewRequest(requestType, inInfo, outInfo))
+  {
+    return 0;
+  }
+  if (requestType == vtkPVView::REQUEST_RENDER())
+  {
+    this->UpdateMappers(vtkPVView::GetDeliveredPiece(inInfo, this));
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkMeasuredMaterialRepresentation::UpdateMappers(vtkDataObject* data)
+{
+  if (!data || data->GetNumberOfElements(vtkDataObject::CELL) == 0)
+  {
+    return; // this process draws nothing: another one may have the files
+  }
+  Internals& impl = *this->Impl;
+  const bool parallel = GetController() != nullptr;
+  if (!impl.IsFound && !parallel)
+  {
+    impl.FindAll(this, nullptr);
+  }
+
+  auto* view = vtkPVRenderView::SafeDownCast(this->GetView());
+  vtkEnvironment* environment = impl.GetTurned();
+  if (impl.Environment == "Automatic" && view && view->GetRenderer()->GetEnvironmentTexture())
+  {
+    environment = nullptr;
+  }
+  // vtkPVRenderView asks its window for 5 frames a second while the user interacts.
+  const bool interactive = view && view->GetRenderWindow()->GetDesiredUpdateRate() > 1.0;
+  const int mode = impl.Background && interactive && !parallel ? vtkMeasuredBRDFMapper::BACKGROUND
+                                                               : vtkMeasuredBRDFMapper::FOREGROUND;
+  for (vtkMapper* any :
+    { this->Mapper, this->LODMapper, this->BackfaceMapper, this->LODBackfaceMapper })
+  {
+    auto* mapper = static_cast<vtkCompositeMeasuredBRDFMapper*>(any);
+    mapper->SetBRDF(impl.BRDF);
+    mapper->SetEnvironment(environment);
+    mapper->SetErrorTolerance(impl.Tolerance);
+    mapper->SetPlanningMode(mode);
+    mapper->SetUseSceneLights(impl.ViewLights);
+    mapper->SetScalarColoringMode(
+      impl.Modulate ? vtkMeasuredBRDFMapper::MODULATE : vtkMeasuredBRDFMapper::IGNORE_SCALARS);
+  }
+  this->UpdateBlocks(vtkDataObjectTree::SafeDownCast(data));
+}
+
+//------------------------------------------------------------------------------
+void vtkMeasuredMaterialRepresentation::UpdateBlocks(vtkDataObjectTree* data)
+{
+  Internals& impl = *this->Impl;
+  if (!data || (!impl.BlocksChanged && impl.BlocksTime == data->GetMTime()))
+  {
+    return;
+  }
+  impl.BlocksChanged = false;
+  impl.BlocksTime = data->GetMTime();
+  std::map<unsigned int, vtkBRDF*> brdfs; // by flat index; later rows go before earlier ones
+  vtkNew<vtkDataAssembly> hierarchy;
+  if (!impl.Blocks.empty() && vtkDataAssemblyUtilities::GenerateHierarchy(data, hierarchy))
+  {
+    for (const auto& [selector, brdf] : impl.Blocks)
+    {
+      const auto indices =
+        vtkDataAssemblyUtilities::GetSelectedCompositeIds({ selector }, hierarchy);
+      for (unsigned int index : indices)
+      {
+        brdfs[index] = brdf;
+      }
+      if (indices.empty())
+      {
+        impl.Say(this, "Block Materials: no block is called " + selector +
+                         ", expected a path such as /Root/Block.");
+      }
+    }
+  }
+  for (vtkMapper* any :
+    { this->Mapper, this->LODMapper, this->BackfaceMapper, this->LODBackfaceMapper })
+  {
+    auto* mapper = static_cast<vtkCompositeMeasuredBRDFMapper*>(any);
+    mapper->RemoveBlockBRDFs();
+    for (const auto& [index, brdf] : brdfs)
+    {
+      mapper->SetBlockBRDF(index, brdf);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+const char* vtkMeasuredMaterialRepresentation::GetPlan()
+{
+  this->Plan = static_cast<vtkCompositeMeasuredBRDFMapper*>(this->Mapper)->GetPlan();
+  return this->Plan.c_str();
+}
+
+//------------------------------------------------------------------------------
+void vtkMeasuredMaterialRepresentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const Internals& impl = *this->Impl;
+  os << indent << "MeasuredMaterial: " << impl.Material << "\n";
+  os << indent << "MeasuredMaterialFile: " << impl.MaterialFile << "\n";
+  os << indent << "MeasuredEnvironment: " << impl.Environment << "\n";
+  os << indent << "MeasuredEnvironmentFile: " << impl.EnvironmentFile << "\n";
+  os << indent << "MeasuredEnvironmentRotation: " << impl.Rotation << "\n";
+  os << indent << "MeasuredEnvironmentUpAxis: " << impl.UpAxis << "\n";
+  os << indent << "ErrorTolerance: " << impl.Tolerance << "\n";
+  os << indent << "ModulateByScalars: " << impl.Modulate << "\n";
+  os << indent << "UseViewLights: " << impl.ViewLights << "\n";
+  os << indent << "PlanInBackground: " << impl.Background << "\n";
+  for (const auto& [selector, material] : impl.BlockNames)
+  {
+    os << indent << "BlockMaterial: " << selector << " " << material << "\n";
+  }
+}

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkMeasuredMaterialRepresentation
+ * @brief   ParaView's representation "Measured Material": surfaces of a measured material
+ *
+ * Draws what "Surface" draws by vtkCompositeMeasuredBRDFMapper. Materials and environments are
+ * named: a built-in one, or "File" and a file's path. On a parallel server the first process reads
+ * the files and the others take its data, so that all ranks draw the same material; every rank
+ * plans from the same input in the foreground. What cannot be read is said once, and the surface is
+ * drawn as "Surface" draws it, on all ranks.
+ */
+
+#ifndef vtkMeasuredMaterialRepresentation_h
+#define vtkMeasuredMaterialRepresentation_h
+
+#include "vtkGeometryRepresentationWithFaces.h"
+#include "vtkNew.h"                       // for Normals
+#include "vtkPVMeasuredMaterialsModule.h" // for export macro
+
+#include <memory> // for Internals
+#include <string> // for Plan
+
+class vtkDataObjectTree;
+class vtkMissingNormalsFilter;
+
+class VTKPVMEASUREDMATERIALS_EXPORT vtkMeasuredMaterialRepresentation
+  : public vtkGeometryRepresentationWithFaces
+{
+public:
+  static vtkMeasuredMaterialRepresentation* New();
+  vtkTypeMacro(vtkMeasuredMaterialRepresentation, vtkGeometryRepresentationWithFaces);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The material: a name of vtkEmbeddedMaterials, or "File" for the file. Default "gold-paint".
+   */
+  void SetMeasuredMaterial(const char* name);
+  void SetMeasuredMaterialFile(const char* path);
+  ///@}
+
+  ///@{
+  /**
+   * Materials of blocks, by selector ("/Root/Wing") and name or path. The first material above
+   * serves all others.
+   */
+  void SetBlockMaterial(const char* selector, const char* material);
+  void RemoveAllBlockMaterials();
+  ///@}
+
+  ///@{
+  /**
+   * The environment: "Automatic" (default) is the view's own where it has one, else "room". "View"
+   * is the view's own only. Other names are those of vtkEmbeddedEnvironments, or "File". The
+   * up axis is the world's x, y (default) or z axis (0, 1, 2); the rotation is about it, in
+   * degrees. Both leave the view's own environment as it is.
+   */
+  void SetMeasuredEnvironment(const char* name);
+  void SetMeasuredEnvironmentFile(const char* path);
+  void SetMeasuredEnvironmentRotation(double degrees);
+  void SetMeasuredEnvironmentUpAxis(int axis);
+  ///@}
+
+  ///@{
+  /**
+   * As vtkMeasuredBRDFMapper has them: the error tolerance in [0.001, 1], default 0.02; whether
+   * scalar colors multiply the radiance (default on); whether the view's lights light the material
+   * beside the environment (default off: ParaView's light kit stands for an environment).
+   */
+  void SetErrorTolerance(double tolerance);
+  void SetModulateByScalars(bool modulate);
+  void SetUseViewLights(bool use);
+  ///@}
+
+  /**
+   * Whether plans are made in the background while the user interacts (default on). Still pictures
+   * wait for the plan. With several ranks plans are always made in the foreground.
+   */
+  void SetPlanInBackground(bool background);
+
+  ///@{
+  /**
+   * Whether surfaces without normals get some (default on), and the angle in degrees (default 30)
+   * from which edges stay sharp.
+   */
+  void SetGenerateMissingNormals(bool generate);
+  void SetMissingNormalsFeatureAngle(double degrees);
+  ///@}
+
+  /**
+   * What the last picture was drawn by: method, predicted error, memory and why, a line for each
+   * material.
+   */
+  const char* GetPlan();
+
+  int ProcessViewRequest(vtkInformationRequestKey* requestType, vtkInformation* inInfo,
+    vtkInformation* outInfo) override;
+
+protected:
+  vtkMeasuredMaterialRepresentation();
+  ~vtkMeasuredMaterialRepresentation() override;
+
+  void SetupDefaults() override;
+  void SetPointArrayToProcess(int index, const char* name) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  vtkNew<vtkMissingNormalsFilter> Normals;
+  std::string Plan;
+
+private:
+  vtkMeasuredMaterialRepresentation(const vtkMeasuredMaterialRepresentation&) = delete;
+  void operator=(const vtkMeasuredMaterialRepresentation&) = delete;
+
+  void NamesChanged();
+  void UpdateMappers(vtkDataObject* data);
+  void UpdateBlocks(vtkDataObjectTree* data);
+
+  struct Internals;
+  std::unique_ptr<Internals> Impl;
+};
+
+#endif

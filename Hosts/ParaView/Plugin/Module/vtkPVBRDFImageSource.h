@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPVBRDFImageSource
+ * @brief   vtkBRDFImageSource whose material is named, as ParaView's panels do it
+ */
+
+#ifndef vtkPVBRDFImageSource_h
+#define vtkPVBRDFImageSource_h
+
+#include "vtkBRDFImageSource.h"
+#include "vtkPVMeasuredMaterialsModule.h" // for export macro
+
+#include <string> // for names
+
+class VTKPVMEASUREDMATERIALS_EXPORT vtkPVBRDFImageSource : public vtkBRDFImageSource
+{
+public:
+  static vtkPVBRDFImageSource* New();
+  vtkTypeMacro(vtkPVBRDFImageSource, vtkBRDFImageSource);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * A name of vtkEmbeddedMaterials, or "File" (default "gold-paint"), and the file. What cannot be
+   * read gives an error and an empty output.
+   */
+  void SetMaterial(const char* name);
+  void SetMaterialFile(const char* path);
+  ///@}
+
+protected:
+  vtkPVBRDFImageSource();
+  ~vtkPVBRDFImageSource() override = default;
+
+  int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  std::string Material = "gold-paint";
+  std::string MaterialFile;
+
+private:
+  vtkPVBRDFImageSource(const vtkPVBRDFImageSource&) = delete;
+  void operator=(const vtkPVBRDFImageSource&) = delete;
+};
+
+#endif

@@ -1,0 +1,185 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The representation in one process: every kind of data, its properties, states, traces, selections, levels of detail."""
+import os
+import re
+
+import numpy as np
+from paraview import servermanager, simple, smstate
+
+from common import OUTPUT, draw, get_difference, get_plan, get_selectors, load_plugin, look, make_sphere, make_view, show
+
+load_plugin()
+
+
+def test_kinds_of_data():
+    """Whatever Surface draws is drawn, and with the material."""
+    sphere = make_sphere()
+    wavelet = simple.Wavelet(WholeExtent=[-10, 10] * 3)
+    scale = 1 / 30
+    box = simple.Transform(Input=wavelet)
+    box.Transform.Scale = [scale] * 3
+    kinds = {
+        "polydata": sphere,
+        "unstructured": simple.Tetrahedralize(Input=sphere),
+        "structured": box,
+        "multiblock": simple.GroupDatasets(Input=[sphere]),
+    }
+    image = simple.Wavelet(WholeExtent=[-10, 10] * 3)
+    kinds["image"] = image
+    for name, source in kinds.items():
+        view = make_view()
+        look(view, direction=(0.5, 0.4, 0.77), distance=60 if name == "image" else 2.4)
+        display = show(source, view)
+        measured = draw(view, "kind-" + name)
+        assert "error" in get_plan(display), (name, get_plan(display))
+        display.Representation = "Surface"
+        stock = draw(view, "kind-" + name + "-surface")
+        covered = np.abs(stock - 51).max(axis=2) > 3
+        assert covered.mean() > 0.1, name
+        changed = (np.abs(stock - measured).max(axis=2) > 3) & covered
+        assert changed.sum() > 0.8 * covered.sum(), (name, changed.sum(), covered.sum())
+        # Some of the surface may be as gray as the background.
+        assert (np.abs(measured - 51).max(axis=2)[~covered] > 3).mean() < 0.01, name
+        simple.Delete(view)
+
+
+def test_properties_change_the_picture():
+    view = make_view()
+    look(view)
+    sphere = make_sphere()
+    display = show(sphere, view)
+    first = draw(view, "gold-paint")
+    # Properties of one element are live objects in Python: what stood before is written out.
+    changes = {
+        "MeasuredMaterial": ("gold-paint", "nickel"),
+        "MeasuredEnvironment": ("Automatic", "sky"),
+        "MeasuredEnvironmentRotation": (0.0, 90.0),
+        "MeasuredEnvironmentUpAxis": ("Y", "Z"),
+        "UseViewLights": (0, 1),
+    }
+    for name, (before, after) in changes.items():
+        setattr(display, name, after)
+        picture = draw(view, "with-" + name)
+        assert get_difference(picture, first)[0] > 20, name
+        setattr(display, name, before)
+        assert get_difference(draw(view, "again"), first)[0] <= 1, name
+    # A coarser tolerance may draw by another method, within both tolerances.
+    display.ErrorTolerance = 0.2
+    assert get_difference(draw(view, "coarse"), first)[1] < 12
+    coarse = get_plan(display)
+    display.ErrorTolerance = 0.01
+    draw(view, "fine")
+    assert get_plan(display) != coarse
+
+
+def test_scalars_modulate_or_do_nothing():
+    view = make_view()
+    look(view)
+    sphere = make_sphere()
+    display = show(sphere, view)
+    plain = draw(view, "plain")
+    simple.ColorBy(display, ("POINTS", "Normals", "X"))
+    display.Representation = "Measured Material"
+    assert get_difference(draw(view, "colored"), plain)[0] > 40
+    display.ModulateByScalars = 0
+    assert get_difference(draw(view, "colors-ignored"), plain)[0] <= 1
+
+
+def test_blocks_have_materials():
+    left = make_sphere(registrationName="Left", Center=[-0.5, 0, 0], Radius=0.4)
+    right = make_sphere(registrationName="Right", Center=[0.5, 0, 0], Radius=0.4)
+    group = simple.GroupDatasets(Input=[left, right])
+    group.UpdatePipeline()
+    view = make_view()
+    look(view, distance=4)
+    display = show(group, view)
+    same = draw(view, "blocks-same")
+    display.BlockMaterials = [get_selectors(group)[1], "nickel"]
+    other = draw(view, "blocks")
+    middle = other.shape[1] // 2
+    assert get_difference(same[:, :middle], other[:, :middle])[0] <= 1
+    assert get_difference(same[:, middle:], other[:, middle:])[0] > 20
+    assert get_plan(display).count("error") == 2, get_plan(display)
+    display.BlockMaterials = []
+    assert get_difference(draw(view, "blocks-again"), same)[0] <= 1
+
+
+def test_missing_normals_are_made():
+    view = make_view()
+    look(view)
+    sphere = simple.Sphere(ThetaResolution=24, PhiResolution=24)
+    bare = simple.ProgrammableFilter(Input=sphere)
+    bare.Script = "output.VTKObject.GetPointData().SetNormals(None)\noutput.VTKObject.GetPointData().RemoveArray('Normals')"
+    display = show(bare, view)
+    display.MeasuredMaterial = "nickel"
+    smooth = draw(view, "normals-made")
+    display.GenerateMissingNormals = 0
+    assert get_difference(draw(view, "normals-missing"), smooth)[0] > 40
+
+
+def test_state_and_trace():
+    view = make_view()
+    look(view)
+    display = show(make_sphere(), view)
+    display.MeasuredMaterial = "violet-rubber"
+    display.MeasuredEnvironment = "hall"
+    display.ErrorTolerance = 0.05
+    before = draw(view, "state-before")
+    state = os.path.join(OUTPUT, "state.pvsm")
+    simple.SaveState(state)
+    # Traces and Python states are written by the same code.
+    script = smstate.get_state()
+    for name, value in (
+        ("Representation", "'Measured Material'"),
+        ("MeasuredMaterial", "'violet-rubber'"),
+        ("MeasuredEnvironment", "'hall'"),
+        ("ErrorTolerance", "0.05"),
+    ):
+        assert re.search(rf"\b{name} ?= ?{value}", script), (name, value, script)
+    simple.ResetSession()
+    load_plugin()
+    simple.LoadState(state)
+    view = simple.GetActiveViewOrCreate("RenderView")
+    view.UseFXAA = 0  # ParaView takes it from its settings, not from the state
+    assert get_difference(draw(view, "state-after"), before)[0] <= 1
+
+
+def test_levels_of_detail_and_selection():
+    view = make_view()
+    look(view)
+    sphere = simple.Sphere(ThetaResolution=200, PhiResolution=200)
+    display = show(sphere, view)
+    view.LODThreshold = 0.0
+    still = draw(view, "still")
+    view.InteractiveRender()
+    assert get_plan(display)
+    # Selections know their cells, and leave the picture as it was.
+    simple.SelectSurfaceCells(Rectangle=[140, 140, 160, 160], View=view)
+    selection = sphere.GetSelectionInput(0)
+    assert selection is not None
+    simple.ClearSelection(sphere)
+    assert get_difference(draw(view, "still-again"), still)[0] <= 1
+
+
+def test_extract_and_delete_while_shown():
+    view = make_view()
+    look(view)
+    sphere = make_sphere()
+    show(sphere, view)
+    draw(view, "before-delete")
+    simple.Delete(sphere)
+    empty = draw(view, "deleted")
+    assert (np.abs(empty - 51) <= 3).all()
+    del sphere
+
+
+if __name__ == "__main__":
+    assert servermanager.ActiveConnection
+    for name, test in list(globals().items()):
+        if name.startswith("test_") and callable(test):
+            print("--", name, flush=True)
+            test()
+            simple.ResetSession()
+            load_plugin()
+    print("passed")

@@ -1,0 +1,36 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A client of a parallel server: `test_server.py PORT`. The same picture by remote and by local rendering."""
+import sys
+import time
+
+from paraview import simple
+
+from common import draw, get_difference, get_plan, load_plugin, look, make_view, show
+
+for attempt in range(60):
+    try:
+        simple.Connect("localhost", int(sys.argv[1]))
+        break
+    except RuntimeError:
+        time.sleep(0.5)
+load_plugin(remote=False)
+load_plugin(remote=True)
+view = make_view()
+look(view, direction=(0.3, 0.4, 0.87))
+sphere = simple.Sphere(ThetaResolution=128, PhiResolution=128)
+display = show(sphere, view)
+pictures = {}
+for name, threshold in (("remote", 0.0), ("local", 1e6)):
+    view.RemoteRenderThreshold = threshold
+    pictures[name] = draw(view, "server-" + name)
+    print(name, get_plan(display))
+largest, mean = get_difference(pictures["remote"], pictures["local"])
+print(f"remote and local: largest difference {largest}, mean {mean:.4f}")
+assert pictures["local"].std() > 10
+assert largest <= 3 and mean < 0.1, (largest, mean)
+display.MeasuredMaterial = "nickel"
+nickel = draw(view, "server-nickel")
+assert get_difference(nickel, pictures["local"])[0] > 20
+simple.Disconnect()
+print("passed")
