@@ -76,6 +76,7 @@ int main(int argc, char* argv[])
   renderer->AutomaticLightCreationOff(); // the environment is all the light there is
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(1);
+  window->SetMultiSamples(0); // the same edges on every driver
   window->SetSize(400, 400);
   window->AddRenderer(renderer);
   window->Render();
