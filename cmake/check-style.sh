@@ -8,5 +8,5 @@ if ! command -v "$clang_format" >/dev/null; then
   echo "Skipped: the style check needs clang-format-14"
   exit 125
 fi
-find Module Applications Examples Testing -name '*.h' -o -name '*.cxx' | sort |
+find Module Applications Examples Hosts Testing -name '*.h' -o -name '*.cxx' | sort |
   xargs "$clang_format" --dry-run -Werror

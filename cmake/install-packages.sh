@@ -1,5 +1,6 @@
 #!/bin/bash
 # Installs the Debian packages that are missing, as root or through sudo. Nothing is downloaded when all are there.
+# Nothing is removed either: a package that conflicts with what is installed is left out, with apt-get's reason.
 # Where that cannot be done it says what is needed and leaves the verdict to the build.
 #
 #   cmake/install-packages.sh [--tests]             --tests: also what only the tests need
@@ -9,7 +10,7 @@ packages=(cmake ninja-build g++ libvtk9-dev python3-vtk9 libopenimageio-dev open
   libglm-dev nlohmann-json3-dev libeigen3-dev libceres-dev libcli11-dev libgl1-mesa-dri xvfb xauth)
 size=" (500 to 1100 MB download on a bare system)"
 case ${1:-} in
-  --tests) packages+=(libgtest-dev libbenchmark-dev) ;;
+  --tests) packages+=(libgtest-dev libbenchmark-dev python3-numpy) ;;
   --only)
     shift
     packages=("$@")
@@ -61,7 +62,7 @@ done
 [ ${#unknown[@]} -eq 0 ] ||
   say "Not offered by this system's package sources: ${unknown[*]}. Going on without; add a source that has them if the build stops."
 if [ ${#known[@]} -gt 0 ] &&
-  ! "${as_root[@]}" apt-get install -q -y --no-install-recommends -o Dpkg::Use-Pty=0 "${known[@]}" >>"$log" 2>&1 </dev/null; then
+  ! "${as_root[@]}" apt-get install -q -y --no-remove --no-install-recommends -o Dpkg::Use-Pty=0 "${known[@]}" >>"$log" 2>&1 </dev/null; then
   say "Could not be installed: ${known[*]}. What apt-get said:"
   grep -E '^[WE]:|^ .* : ' "$log" | tail -n 8
   say "Going on with what is there."

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Writes results.md and its charts from folders that `measured-brdf chart` made: make-results.py FOLDER DOCS [PLANS].
 
-PLANS are folders of measurements of the planner alone: with more materials, on another mesh.
+PLANS are folders of measurements of the planner alone: with more materials, on another mesh, or plans for the view.
 
 People write the text between the lines CONCLUSIONS and END. It is kept from the earlier results.md.
 """
@@ -82,12 +82,14 @@ def find_stock(pair):
     return next(point for point in measured(pair) if point["method"] == "pbr")
 
 
-def write_planner(pairs, front=True):
-    """A line for each tolerance, planned for every view and for this one; front: whether one was measured."""
+def write_planner(pairs, front=True, in_view=True):
+    """A line for each tolerance, planned for every view and (in_view) for this one; front: whether one was measured."""
     figures = collections.defaultdict(list)
     for pair in pairs:
         for figure in pair["planner"]:
             key = (figure.get("in_view", False), figure["tolerance"])
+            if key[0] and not in_view:
+                continue
             figures[key].append((figure["time_over_front"], pair["points"][figure["point"]], find_stock(pair)))
     fits, costs = [], []
     for (in_view, tolerance), some in sorted(figures.items()):
@@ -184,6 +186,10 @@ def keep_conclusions(path):
     return "*To be written from the tables below.*"
 
 
+def has_view(results):
+    return any(figure.get("in_view", False) for pair in results["pairs"] for figure in pair["planner"])
+
+
 def read_results(folder):
     with open(os.path.join(folder, "results.json"), encoding="utf-8") as file:
         results = json.load(file)
@@ -201,6 +207,7 @@ def main():
     tolerances = sorted({figure["tolerance"] for pair in pairs for figure in pair["planner"]})
     tolerance = 0.02 if 0.02 in tolerances else tolerances[0]
     load = statistics.median(pair["load"] for pair in pairs)
+    others = [read_results(other) for other in plans]
     path = os.path.join(docs, "results.md")
     kept = keep_conclusions(path)
 
@@ -223,18 +230,26 @@ def main():
         "order; `table`, rows, view angles and azimuths; `hybrid`, the same and samples.",
         write_methods(pairs),
         "## The planner",
-        "The front holds the measurements of a pair that no other beats in both frame time and error. \"In view\" plans "
-        "are made for the normals, views and pixels of the picture itself (`SetPlanForView`); the others are made for a "
-        "sphere seen from everywhere. Means are geometric.",
-        write_planner(pairs),
+        "The front holds the measurements of a pair that no other beats in both frame time and error. These plans are made "
+        "for a sphere seen from everywhere. Means are geometric.",
+        write_planner(pairs, in_view=not any(has_view(other) for other in others)),
         f"At {percent(tolerance)} %: error in percent / frame time relative to VTK's PBR. **Bold**: above the tolerance; "
         "†: the plan announced it.",
         write_pairs(pairs, tolerance),
         "## Which method for what",
         write_best(pairs, tolerance),
     ]
-    for other in map(read_results, plans):
+    for other in others:
         pairs, settings = other["pairs"], other["settings"]
+        if has_view(other):
+            parts += [
+                "## The planner in view",
+                "\"In view\" plans are made for the normals, views and pixels of the picture itself (`SetPlanForView`). Both "
+                f"kinds of plans were measured side by side, {other['date']}, VTK {other['machine']['vtk']}, on the same "
+                f"{len(pairs)} pairs. No front was measured with them.",
+                write_planner(pairs, front=False),
+            ]
+            continue
         parts += [
             f"## The planner on a {os.path.splitext(os.path.basename(settings['mesh']))[0]}",
             f"{len({pair['material'] for pair in pairs})} materials, {len(pairs)} pairs, {settings['size']} pixels, at "

@@ -24,17 +24,21 @@ materials=("${measured[@]}" "${published[@]}")
 environments=${RESULTS_ENVIRONMENTS:-$environments}
 
 sweep=()
-case " $* " in *" --sweep "*) ;; *) sweep=(--sweep full --for-view) ;; esac
+case " $* " in *" --sweep "*) ;; *) sweep=(--sweep full) ;; esac
 display=()
 [ -n "${DISPLAY:-}" ] || display=(xvfb-run -a -s "-screen 0 1280x1024x24 -noreset")
 "${display[@]}" build/bin/measured-brdf chart "${materials[@]}" --environments "$environments" "${sweep[@]}" "$@" \
   -o output/results
 
-# What the planner chooses, on a curved mesh.
+# What the planner chooses for every view and for the picture's.
+"${display[@]}" build/bin/measured-brdf chart "${materials[@]}" --environments "$environments" \
+  --methods planner --tolerances 0.02,0.05 --for-view --slowest 120 -o output/results-view
+
+# The same on a curved mesh.
 curved=("$data"/materials/rgl/{acrylic_felt_pink,satin_purple,irid_flake_paint2,chm_light_blue}_rgb.bsdf)
 [ -z "${RESULTS_MATERIALS:-}" ] || { curved=("${materials[@]}"); published=(); }
 [ -e output/torus.vtp ] || /usr/bin/python3 cmake/make-torus.py output/torus.vtp
 "${display[@]}" build/bin/measured-brdf chart "${curved[@]}" "${published[@]}" --environments "$environments" \
   --methods planner --tolerances 0.02,0.05 --mesh output/torus.vtp --rounds 5 --reference-pixels 300 --slowest 120 \
   -o output/results-torus
-python3 cmake/make-results.py output/results "${RESULTS_DOCS:-docs}" output/results-torus
+python3 cmake/make-results.py output/results "${RESULTS_DOCS:-docs}" output/results-view output/results-torus

@@ -9,7 +9,11 @@ A fault that changes nothing that anybody could see is marked with the reason, e
 
 import collections
 
-ROOMS = ("Core", "Material", "Lighting", "Integration", "Metrics", "Fitting", "IO", "Planning", "Rendering", "Shaders")
+ROOMS = ("Core", "Material", "Lighting", "Integration", "Metrics", "Fitting", "IO", "Planning", "Rendering",
+         "Sources", "Shaders", "Export")
+
+# Where the files of a room are, but for the module's.
+FOLDERS = {"Shaders": "shaders/", "Export": "Applications/Export/"}
 
 Fault = collections.namedtuple("Fault", "id file old new tests equivalent")
 FAULTS = []
@@ -17,8 +21,7 @@ FAULTS = []
 
 def add(id, file, old, new, tests, equivalent=""):
     room = id.split(".")[0]
-    folder = "shaders" if room == "Shaders" else "Module/" + room
-    FAULTS.append(Fault(id, f"{folder}/{file}", old, new, tests, equivalent))
+    FAULTS.append(Fault(id, FOLDERS.get(room, f"Module/{room}/") + file, old, new, tests, equivalent))
 
 
 # Core
@@ -84,6 +87,16 @@ add("Core.refused-numbers-are-taken", "Private/Setters.h", "if (!measuredbrdf::A
 
 # Material
 
+add("Material.array-of-one-tuple-is-walked", "Private/TupleMap.cxx", "== 1 ? 0 : components", "== 0 ? 0 : components",
+    "Arrays.OneTupleServesForAll")
+add("Material.array-result-overwrites-its-input", "Private/TupleMap.cxx", "this->Inputs[a].Array = this->Copies[a];", "",
+    "Arrays.TheResultMayBeAnInput")
+add("Material.array-sizes-unchecked", "Private/TupleMap.cxx", "count != 1 && this->Count != 1 && count != this->Count",
+    "count < 0", "Arrays.WhatDoesNotFitIsRefused")
+add("Material.array-result-of-any-type", "Private/TupleMap.cxx", "type != VTK_FLOAT && type != VTK_DOUBLE", "type < 0",
+    "Arrays.WhatDoesNotFitIsRefused")
+add("Material.array-sample-with-one-number", "vtkBRDF.cxx", "inputs[1][0], inputs[1][1], result",
+    "inputs[1][0], inputs[1][0], result", "Arrays.AreTheScalarCalls")
 add("Material.lambert-without-pi", "vtkLambertBRDF.cxx", "f[c] = this->Albedo[c] / measuredbrdf::Pi;",
     "f[c] = this->Albedo[c];", "Lambert.ClosedForm")
 add("Material.blinn-phong-normalization", "vtkBlinnPhongBRDF.cxx", "const double lobe = (n + 2.0)",
@@ -288,7 +301,7 @@ add("Metrics.rmse-without-root", "vtkRadianceMetrics.cxx", "std::sqrt(squares / 
     "RadianceMetrics.ByHand")
 add("Metrics.coverage-inverted", "vtkRadianceMetrics.cxx", "coverage->GetComponent(k, 0) != 0.0",
     "coverage->GetComponent(k, 0) == 0.0", "PictureMetrics.CoverageAndSize")
-add("Metrics.exposures-do-not-keep-the-largest", "vtkRadianceMetrics.cxx",
+add("Metrics.exposures-do-not-keep-the-largest", "Private/Flip.cxx",
     "largest[k] = std::max(largest[k], exposed[k]);", "largest[k] = exposed[k];",
     "PictureMetrics.HDRFlipAgreesWithTheAuthors|PictureMetrics.HDRFlipOfABlackBackground")
 add("Metrics.negative-radiance-is-compared", "vtkRadianceMetrics.cxx", "!std::isfinite(value) || value < 0.0",
@@ -308,6 +321,26 @@ add("Metrics.flip-without-features", "Private/Flip.cxx", "Redistribute(HyAB(seen
     "RadianceMetrics.FlipOfDetails|PictureMetrics.AgreeWithOtherPrograms")
 add("Metrics.flip-color-exponent", "Private/Flip.cxx", "ColorExponent = 0.7;", "ColorExponent = 0.8;",
     "RadianceMetrics.FlipOfFlatPictures|PictureMetrics.AgreeWithOtherPrograms")
+add("Metrics.bytes-are-not-decoded", "Private/PicturePair.cxx",
+    "std::transform(values.begin(), values.end(), values.begin(), DecodeSRGB);", "",
+    "PictureDifference.FiguresByHand|PictureDifference.AgreesWithOtherPrograms")
+add("Metrics.background-shines-through-what-is-opaque", "Private/PicturePair.cxx", "(1.0 - alpha) * background",
+    "alpha * background", "PictureDifference.AlphaOverBlackAndWhite")
+add("Metrics.pictures-over-black-only", "Private/PictureErrors.cxx", "metric.Compute(pair, 1.0)",
+    "metric.Compute(pair, 0.0)", "PictureDifference.AlphaOverBlackAndWhite")
+add("Metrics.masks-hide-black-only", "Private/PicturePair.cxx", "mask->GetComponent(k, 0) >= least",
+    "mask->GetComponent(k, 0) > 0.0 * least", "PictureDifference.BorderAndMask")
+add("Metrics.border-of-rows-is-compared", "Private/PicturePair.cxx", "int y = area.Border;", "int y = 0;",
+    "PictureDifference.BorderOnAllSides")
+add("Metrics.masked-pixels-show-in-their-neighbors", "Private/PicturePair.cxx", "if (isCompared[k])",
+    "if (k < isCompared.size())", "PictureDifference.BorderAndMask")
+add("Metrics.similarities-pass-below-the-threshold", "vtkPictureDifference.cxx",
+    "this->Value >= threshold : this->Value <= threshold", "this->Value <= threshold : this->Value <= threshold",
+    "PictureDifference.BorderAndMask")
+add("Metrics.ssim-with-cut-windows", "Private/PictureErrors.cxx", "isInside(static_cast<int>(k / width), pair.Height)",
+    "true", "PictureDifference.AgreesWithOtherPrograms")
+add("Metrics.heat-map-of-one-scale", "vtkPictureDifference.cxx", "GetMagmaColor(errors[k] / brightest)",
+    "GetMagmaColor(errors[k] * brightest)", "PictureDifference.HeatMap")
 add("Metrics.reciprocity-of-the-same-pair", "vtkBRDFAnalysis.cxx", "this->BRDF->Evaluate(o, i, swapped);",
     "this->BRDF->Evaluate(i, o, swapped);", "BRDFAnalysis.ReciprocityErrorOfAKnownOne")
 add("Metrics.negative-mass-of-positive-values", "vtkBRDFAnalysis.cxx", "std::max(-value[c], 0.0f)",
@@ -420,6 +453,13 @@ add("IO.offset-beyond-the-end", "Private/FileBytes.cxx", "offset > size || count
     "count > size - offset", "IOTensor.RefusesBadFields|IOTensor.RefusesBadFiles|IOTensor.NamesTheFieldAndItsByte")
 add("IO.padding-of-any-length", "Private/FileBytes.cxx", "this->GetRemaining() <= most &&", "",
     "IOTolerance.MerlNoiseAndPadding|IOTolerance.MbsdfOfDosAndPadding|IOMerl.RefusesBadSizes")
+
+add("IO.picture-upside-down", "vtkPictureReader.cxx", "for (int y = file.Height - 1; y >= 0; --y)",
+    "for (int y = 0; y < file.Height; ++y)", "IOPicture.KeepsIntegersAsTheyAre")
+add("IO.picture-alpha-of-gray", "vtkPictureReader.cxx", "c == 3 ? file.Channels :", "c == 3 ? 3 :",
+    "IOPicture.KeepsIntegersAsTheyAre")
+add("IO.picture-with-nan", "vtkPictureReader.cxx", "return !std::isfinite(value);", "return value > 1e38f;",
+    "IOPicture.RefusesBadFiles")
 
 # Planning
 
@@ -544,6 +584,28 @@ add("Rendering.block-behind-the-last", "Private/BlockMaterials.cxx", "if (index 
 add("Rendering.blocks-do-not-inherit", "Private/BlockMaterials.cxx", "this->Visit(child, material);",
     "this->Visit(child, this->Settings.BRDF);", "Composite.MaterialsOfBlocks")
 
+add("Rendering.scene-lights-stay", "Private/MaterialDrawing.cxx",
+    '(this->Settings->UseSceneLights ? "" : "/environment only")', "std::string()", "MapperShading.SceneLights")
+
+# Sources
+
+add("Sources.lobe-without-the-cosine", "vtkBRDFLobeSource.cxx", "const glm::dvec3 radiance = f * i.z;",
+    "const glm::dvec3 radiance = f;", "LobeSource.PointsLie")
+add("Sources.lobe-about-the-light", "vtkBRDFLobeSource.cxx", "{ -i.x, -i.y, i.z }", "{ i.x, i.y, i.z }",
+    "LobeSource.PointsLie")
+add("Sources.lobe-open-at-its-seam", "vtkBRDFLobeSource.cxx", "(k + 1) % this->Circular", "k + 1",
+    "LobeSource.TheSurface")
+add("Sources.slice-range-ends-early", "vtkBRDFSliceSource.cxx", "static_cast<double>(index) / (number - 1)",
+    "static_cast<double>(index) / number", "SliceSource.RowsHold")
+add("Sources.phi-h-forgotten", "Private/MaterialSource.h", "const double s = std::sin(phiH * Degree);",
+    "const double s = 0.0;", "SliceSource.RowsHold")
+add("Sources.below-the-horizon-is-valid", "Private/MaterialSource.h", "i.z > 1e-9 && o.z > 1e-9", "i.z > 1e-9",
+    "SliceSource.RowsHold|ImageSource.Pixels")
+add("Sources.image-at-pixel-corners", "vtkBRDFImageSource.cxx", "(static_cast<double>(extent[0] + k % width) + 0.5)",
+    "static_cast<double>(extent[0] + k % width)", "ImageSource.Pixels")
+add("Sources.material-changes-unseen", "Private/MaterialSource.h", "std::max(time, brdf->GetMTime())", "time",
+    "Sources.FollowTheirMaterial")
+
 # Shaders
 
 add("Shaders.views-are-lifted-too-far", "vtkBRDFCommon.glsl", "const float minimum = 0.02;",
@@ -622,3 +684,43 @@ add("Shaders.distribution-denominator", "vtkBRDFDistribution.glsl", "i.z + o.z -
     "Parity.Tables")
 add("Shaders.tangent-axis-across", "vtkBRDFTangentAxis.glsl", "vec3(0.0, 1.0, 0.0) * envMatrix",
     "vec3(1.0, 0.0, 0.0) * envMatrix", "MapperShading.TheTangentsDirectionCounts")
+
+# Export: what the tool exports with
+
+MODELS = "ExportModels.AgreeWithOtherImplementations"
+add("Export.ggx-distribution-power", "Lobes.h", "return 1.0 / (Pi * alphaX * alphaY * d * d);",
+    "return 1.0 / (Pi * alphaX * alphaY * d);", MODELS)
+add("Export.separable-shadowing", "Lobes.h", "return 1.0 / (part(ndl) * part(ndv));", "return 1.0 / (part(ndl) * part(ndl));",
+    MODELS)
+add("Export.turned-the-other-way", "Lobes.h", "return { c * v.x + s * v.y, c * v.y - s * v.x, v.z };",
+    "return { c * v.x - s * v.y, c * v.y + s * v.x, v.z };", MODELS)
+add("Export.gltf-coat-at-the-half-vector", "GltfModel.cxx", "(1.0 - DielectricF0) * Schlick(d.NdV)",
+    "(1.0 - DielectricF0) * Schlick(d.VdH)", MODELS)
+add("Export.gltf-sheen-without-scale", "GltfModel.cxx", "f = f * this->GetSheenScale(d) +", "f = f +", MODELS)
+add("Export.materialx-without-compensation", "MaterialXLobes.cxx",
+    "return dvec3(1.0) + fresnel * ((1.0 - single) / single);", "return dvec3(1.0);", MODELS)
+add("Export.materialx-layer-lets-all-through", "MaterialXLobes.h", "return top.Response + base * top.Throughput;",
+    "return top.Response + base;", MODELS)
+add("Export.openpbr-coat-leaves-the-base-smooth", "OpenPbrModel.cxx",
+    "return own + (coated - own) * this->Values[Coat];", "return own;", MODELS)
+add("Export.openpbr-coat-does-not-darken", "OpenPbrModel.cxx", "f * glm::clamp(this->GetDarkening(), 0.0, 1.0)", "f",
+    MODELS)
+add("Export.preview-surface-clearcoat-index", "PreviewSurfaceModel.cxx",
+    "coat * (reflectance + (1.0 - reflectance) * s)", "coat * (0.04 + 0.96 * s)", MODELS)
+add("Export.vtk-coat-passed-once", "VtkPbrModel.cxx", "specular * Square(1.0 - coat)", "specular * (1.0 - coat)", MODELS)
+add("Export.light-below-the-nodes-is-lost", "LitSphere.cxx", "energies[nodes[k]] += weights[k] / sum * energy;",
+    "energies[nodes[k]] += weights[k] * energy;", "ExportLitSphere.KeepsAllLight")
+add("Export.lit-sphere-without-cosine", "LitSphere.cxx", "light.z * solidAngle * rgb", "solidAngle * rgb",
+    "ExportLitSphere.KeepsAllLight")
+add("Export.every-part-is-worth-it", "ModelFit.cxx",
+    "worthIt = best.Error - next.Error >= std::max(WorthIt * best.Error, WorthAtLeast);", "worthIt = true;",
+    "ExportFit.TakesNoPartThatIsOfNoUse|ExportFit.FindsWhatIsThere")
+add("Export.lights-count-by-brightness", "ModelFit.cxx", "const double d = (radiance[k] - this->Reference[k]) * this->Scales[k / count];",
+    "const double d = radiance[k] - this->Reference[k];", "ExportFit.EveryLightCountsTheSame")
+add("Export.rounded-beyond-the-range", "ExportFiles.cxx",
+    "values[at] = rounded <= parameter.Most ? rounded : std::floor(1e4 * values[at]) / 1e4;", "values[at] = rounded;",
+    "ExportFiles.NumbersAndNames")
+add("Export.gltf-triangles-inside-out", "GltfFile.cxx", "corner, below, below + 1, corner, below + 1, corner + 1",
+    "corner, below + 1, below, corner, corner + 1, below + 1", "ExportFiles.VtkReadsGltf")
+add("Export.gltf-extension-not-declared", "GltfFile.cxx", "    used.push_back(extension);\n", "",
+    "ExportFiles.GltfHasTheExtensionsThatAreUsed")

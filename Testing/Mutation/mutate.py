@@ -19,7 +19,7 @@ import subprocess
 import sys
 import time
 
-from faults import FAULTS, ROOMS
+from faults import FAULTS, FOLDERS, ROOMS
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 FEWEST = 100
@@ -80,7 +80,7 @@ def find_problems(tests):
     problems += [f"{room}: no fault" for room in ROOMS if room not in rooms]
     for fault in FAULTS:
         room = fault.id.split(".")[0]
-        folder = "shaders/" if room == "Shaders" else f"Module/{room}/"
+        folder = FOLDERS.get(room, f"Module/{room}/")
         if room not in ROOMS or not fault.file.startswith(folder):
             problems.append(f"{fault.id}: the name begins with the room of its file, one of {', '.join(ROOMS)}")
         if not os.path.exists(os.path.join(ROOT, fault.file)):

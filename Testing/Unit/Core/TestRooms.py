@@ -21,6 +21,7 @@ ALLOWED = {
     "IO": ["Core", "Material", "Lighting"],
     "Planning": ["Core", "Material", "Lighting", "Integration"],
     "Rendering": ["Core", "Material", "Lighting", "Integration", "Fitting", "Planning"],
+    "Sources": ["Core", "Material"],
 }
 
 
