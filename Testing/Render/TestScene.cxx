@@ -5,6 +5,7 @@
 #include "EventCounter.h"
 #include "PlanCache.h"
 #include "RenderFixture.h"
+#include "TestFolder.h"
 
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkCellData.h"
@@ -324,8 +325,8 @@ TEST_F(Scene, LightsAreUploadedOnce)
 // Large cube maps are converted once, for all programs.
 TEST_F(Scene, CubeMapsAreKeptOnDisk)
 {
-  const std::string folder = ::testing::TempDir() + "measuredbrdf-cube";
-  std::filesystem::remove_all(folder);
+  const TestFolder own;
+  const std::string folder = own.GetPath().string();
   setenv("MEASUREDBRDF_CACHE", folder.c_str(), 1);
   const auto makeCube = []()
   {
@@ -367,7 +368,6 @@ TEST_F(Scene, CubeMapsAreKeptOnDisk)
   measuredbrdf::WriteCache(folder, keys[0], contents, 1u << 30);
   this->Renderer->SetEnvironmentTexture(makeCube());
   EXPECT_NEAR(this->RenderMiddle()[0], Albedo, 0.02);
-  std::filesystem::remove_all(folder);
 }
 
 // Edges as tubes are lit as tubes: brightest along their middle.

@@ -15,7 +15,6 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <fstream>
 #include <new>
 #include <stdexcept>
@@ -74,11 +73,11 @@ protected:
 
   std::string Write(const std::string& text)
   {
-    const std::string path = ::testing::TempDir() + "custom.own";
-    std::ofstream(path) << text;
-    return path;
+    testio::WriteBytes(this->Folder("custom.own"), text);
+    return this->Folder("custom.own");
   }
 
+  const testio::Folder Folder;
   vtkNew<OwnFormat> Format;
   vtkNew<vtkBRDFReader> Reader;
 };

@@ -8,6 +8,7 @@
 #include "PlanJob.h"
 #include "SharedObjects.h"
 #include "SpherePairs.h"
+#include "TestFolder.h"
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkEnvironment.h"
@@ -27,7 +28,6 @@
 #include <atomic>
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
 #include <functional>
 #include <memory>
 #include <new>
@@ -431,33 +431,18 @@ TEST_F(Views, BlocksAreSeenTogether)
 // Disk space is for plans that come again.
 TEST_F(Views, SingleViewsAreNotKeptOnDisk)
 {
-  namespace fs = std::filesystem;
-  const fs::path folder = fs::path(testing::TempDir()) / "measuredbrdf-views";
-  fs::remove_all(folder);
-  setenv("MEASUREDBRDF_CACHE", folder.c_str(), 1);
-  const auto countFiles = [&folder]()
-  {
-    int count = 0;
-    if (fs::exists(folder))
-    {
-      for (const auto& entry : fs::recursive_directory_iterator(folder))
-      {
-        count += entry.is_regular_file() ? 1 : 0;
-      }
-    }
-    return count;
-  };
+  const TestFolder folder;
+  setenv("MEASUREDBRDF_CACHE", folder.GetPath().c_str(), 1);
   vtkNew<vtkBlinnPhongBRDF> plain; // which says what it is, unlike GatedBRDF
   plain->SetExponent(this->BRDF->GetExponent());
   this->Material = plain;
   this->ForView = true;
   EXPECT_TRUE(this->Update());
-  EXPECT_EQ(countFiles(), 0);
+  EXPECT_EQ(folder.CountFiles(), 0u);
   this->ForView = false;
   EXPECT_TRUE(this->Update());
-  EXPECT_GE(countFiles(), 1);
+  EXPECT_GE(folder.CountFiles(), 1u);
   setenv("MEASUREDBRDF_CACHE", "off", 1);
-  fs::remove_all(folder);
 }
 
 //------------------------------------------------------------------------------

@@ -9,6 +9,7 @@
 #define TestIOHelpers_h
 
 #include "SmallFiles.h"
+#include "TestFolder.h"
 
 #include "vtkAdaptiveWarpBRDF.h"
 #include "vtkBRDF.h"
@@ -37,36 +38,7 @@
 
 namespace testio
 {
-/// A folder of this test's own, removed at its end.
-class Folder
-{
-public:
-  Folder()
-    : Path(std::filesystem::temp_directory_path() /
-           ("measuredbrdf-io-" + std::to_string(std::random_device()()) +
-             std::to_string(std::random_device()())))
-  {
-    std::filesystem::create_directories(this->Path);
-  }
-  ~Folder()
-  {
-    std::error_code error;
-    std::filesystem::remove_all(this->Path, error);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  std::string operator()(const std::string& name) const { return (this->Path / name).string(); }
-
-  std::size_t CountFiles() const
-  {
-    return static_cast<std::size_t>(
-      std::distance(std::filesystem::directory_iterator(this->Path), {}));
-  }
-
-private:
-  std::filesystem::path Path;
-};
+using Folder = ::TestFolder;
 
 inline void WriteBytes(const std::string& path, const std::string& bytes)
 {
