@@ -77,6 +77,7 @@ void vtkBRDFExchange::SaveNumbers(const std::string& name, const double* values,
 void vtkBRDFExchange::Number(
   const std::string& name, const double& member, const std::function<void(double)>& set)
 {
+  this->Named = true;
   const double* values = nullptr;
   if (this->HasFailed())
   {
@@ -100,6 +101,7 @@ void vtkBRDFExchange::Number(
 void vtkBRDFExchange::Triple(
   const std::string& name, const double (&member)[3], const std::function<void(const double*)>& set)
 {
+  this->Named = true;
   const double* values = nullptr;
   if (this->HasFailed())
   {
@@ -123,6 +125,7 @@ void vtkBRDFExchange::Triple(
 void vtkBRDFExchange::Option(const std::string& name, const std::vector<std::string>& choices,
   int value, const std::function<void(int)>& set)
 {
+  this->Named = true;
   if (this->HasFailed())
   {
     return;
@@ -153,6 +156,7 @@ void vtkBRDFExchange::Option(const std::string& name, const std::vector<std::str
 void vtkBRDFExchange::SaveArray(const std::string& name, const std::vector<int>& shape,
   int channels, const std::vector<float>& values)
 {
+  this->Named = true;
   if (this->HasFailed())
   {
     return;
@@ -174,6 +178,7 @@ void vtkBRDFExchange::SaveArray(const std::string& name, const std::vector<int>&
 vtkBRDFData::Array vtkBRDFExchange::LoadArray(
   const std::string& name, std::size_t axes, int channels)
 {
+  this->Named = true;
   const auto found = this->Data.Arrays.find(name);
   if (found == this->Data.Arrays.end())
   {
@@ -196,6 +201,7 @@ vtkBRDFData::Array vtkBRDFExchange::LoadArray(
 void vtkBRDFExchange::Terms(const std::vector<vtkSmartPointer<vtkBRDF>>& terms, int maximum,
   const std::function<void(vtkBRDF*)>& add)
 {
+  this->Named = true;
   if (this->HasFailed())
   {
     return;

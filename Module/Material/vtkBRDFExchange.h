@@ -63,6 +63,13 @@ public:
    */
   vtkBRDFData::Array LoadArray(const std::string& name, std::size_t axes, int channels);
 
+  /**
+   * For a model that has no parameters: it says so. One that names none and does not say so has
+   * forgotten to override vtkBRDF::ExchangeData, which is a problem.
+   */
+  void NoParameters() { this->Named = true; }
+  bool HasNamed() const { return this->Named; }
+
   /// The materials of which this one is made; add is called for each one that was loaded.
   void Terms(const std::vector<vtkSmartPointer<vtkBRDF>>& terms, int maximum,
     const std::function<void(vtkBRDF*)>& add);
@@ -92,6 +99,7 @@ private:
 
   vtkBRDFData& Data;
   const bool Loading;
+  bool Named = false;
   std::string Problem;
 };
 

@@ -112,6 +112,10 @@ private:
 void ExchangeAll(vtkBRDFExchange& x, vtkBRDF* brdf, double tolerance)
 {
   brdf->ExchangeData(x);
+  if (!x.HasNamed())
+  {
+    x.Fail("the model names no parameters (vtkBRDF::ExchangeData does)");
+  }
   x.Number("resamplingTolerance", tolerance,
     [&](double value)
     {

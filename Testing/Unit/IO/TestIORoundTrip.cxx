@@ -5,6 +5,7 @@
 #include "TestIOHelpers.h"
 
 #include "vtkAshikhminShirleyBRDF.h"
+#include "vtkBRDFExchange.h"
 #include "vtkBRDFModels.h"
 #include "vtkBasisBRDF.h"
 #include "vtkBlinnPhongBRDF.h"
@@ -80,6 +81,17 @@ protected:
   BrokenBRDF() { this->Albedo[1] = std::numeric_limits<double>::quiet_NaN(); }
 };
 vtkStandardNewMacro(BrokenBRDF);
+
+// Forgets to name its parameters.
+class SilentBRDF : public vtkLambertBRDF
+{
+public:
+  static SilentBRDF* New();
+  vtkTypeMacro(SilentBRDF, vtkLambertBRDF);
+  std::string GetModelName() override { return "Silent"; }
+  void ExchangeData(vtkBRDFExchange&) override {}
+};
+vtkStandardNewMacro(SilentBRDF);
 
 void ExpectWriteRefused(
   vtkBRDF* brdf, const std::string& path, const std::vector<std::string>& words)
@@ -222,6 +234,10 @@ TEST(IOWriter, RefusesBadPlaces)
   ASSERT_TRUE(vtkBRDFModels::Register(broken));
   ExpectWriteRefused(broken, folder("m.exr"), { "Broken: ", "'albedo'", "not finite" });
   vtkBRDFModels::Unregister(broken);
+  vtkNew<SilentBRDF> silent;
+  ASSERT_TRUE(vtkBRDFModels::Register(silent));
+  ExpectWriteRefused(silent, folder("m.exr"), { "Silent: ", "names no parameters" });
+  vtkBRDFModels::Unregister(silent);
   EXPECT_EQ(folder.CountFiles(), 1u); // d.exr
 #if !defined(_WIN32)
   if (geteuid() == 0)
