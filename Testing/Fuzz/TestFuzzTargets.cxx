@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The fuzz targets without libFuzzer: all seeds, and fixed mutations of them for a few seconds.
+// The fuzz targets without libFuzzer: all seeds, and fixed mutations of them for a few seconds, or for
+// MEASUREDBRDF_FUZZ_SECONDS.
+
 #include "FuzzSeeds.h"
 
 #include "vtkMeasuredBRDFConfigure.h"
@@ -11,6 +13,7 @@
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <random>
 #include <string>
 #include <vector>
@@ -30,8 +33,12 @@ Target FuzzTensor;
 
 namespace
 {
-constexpr int Mutations = 4000;
-constexpr std::chrono::seconds Longest(4); // per target, on a slow machine
+// Per target.
+std::chrono::seconds GetDuration()
+{
+  const char* seconds = std::getenv("MEASUREDBRDF_FUZZ_SECONDS");
+  return std::chrono::seconds(seconds ? std::atoi(seconds) : 4);
+}
 
 struct Case
 {
@@ -140,7 +147,7 @@ TEST_P(FuzzTargets, TakeSeedsAndMutations)
   }
   Mutator mutator(seeds);
   int runs = 0;
-  while (runs < Mutations && std::chrono::steady_clock::now() - start < Longest)
+  while (std::chrono::steady_clock::now() - start < GetDuration())
   {
     RunOn(tested, mutator.Next());
     ++runs;

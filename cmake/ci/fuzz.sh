@@ -3,12 +3,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Fuzzes the readers with libFuzzer and the address and undefined-behavior sanitizers:
 #
-#   cmake/ci/fuzz.sh [SECONDS] [TARGET...]
+#   cmake/ci/fuzz.sh [-x EXECUTIONS] [SECONDS] [TARGET...]
 #
 # Builds the targets of Testing/Fuzz with Clang in a tree of its own, build-fuzz (VTK and the other libraries are not
-# instrumented), and runs each, or each that is named ("Merl"), for SECONDS (default 30). What was found to be new is
-# kept in build-fuzz/corpus and used again. An input that a target does not survive is left in build-fuzz/findings, and
-# the exit status is 1; to see it once more: build-fuzz/bin/FuzzTARGET FILE.
+# instrumented), and runs each, or each that is named ("Merl"), for SECONDS (default 30), or until it was executed
+# EXECUTIONS times if that comes first. What was found to be new is kept in build-fuzz/corpus and used again. An input
+# that a target does not survive is left in build-fuzz/findings, and the exit status is 1; to see it once more:
+# build-fuzz/bin/FuzzTARGET FILE.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 
@@ -27,9 +28,15 @@ targets="
   Tensor           8192 Tensor"
 
 usage() {
-  echo "usage: cmake/ci/fuzz.sh [SECONDS] [TARGET...]; targets:" $(awk '{ print $1 }' <<<"$targets") >&2
+  echo "usage: cmake/ci/fuzz.sh [-x EXECUTIONS] [SECONDS] [TARGET...]; targets:" $(awk '{ print $1 }' <<<"$targets") >&2
   exit 2
 }
+executions=-1 # no limit
+if [ "${1:-}" = -x ]; then
+  [[ ${2:-} =~ ^[1-9][0-9]*$ ]] || usage
+  executions=$2
+  shift 2
+fi
 seconds=30
 case ${1:-} in
   '' | *[!0-9]*) ;;
@@ -79,11 +86,12 @@ while read -r name length dictionary; do
   log=$build/$name.log
   mkdir -p "$corpus" "$seeds"
   "$build/bin/MakeFuzzSeeds" "$name" "$seeds"
-  if "$build/bin/Fuzz$name" -max_total_time="$seconds" -max_len="$length" -rss_limit_mb=2048 -timeout=20 \
-    -dict="Testing/Fuzz/$dictionary.dict" -artifact_prefix="$findings/$name-" -print_final_stats=1 -verbosity=1 \
-    "$corpus" "$seeds" >"$log" 2>&1; then
+  start=$SECONDS
+  if "$build/bin/Fuzz$name" -max_total_time="$seconds" -runs="$executions" \
+    -max_len="$length" -rss_limit_mb=2048 -timeout=20 -dict="Testing/Fuzz/$dictionary.dict" \
+    -artifact_prefix="$findings/$name-" -print_final_stats=1 -verbosity=1 "$corpus" "$seeds" >"$log" 2>&1; then
     printf '%-16s %10s executions in %s s, %s inputs kept\n' "$name" \
-      "$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")" "$seconds" "$(find "$corpus" -type f | wc -l)"
+      "$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")" "$((SECONDS - start))" "$(find "$corpus" -type f | wc -l)"
   else
     status=1
     printf '%-16s FOUND something; log: %s\n' "$name" "$log"
