@@ -393,7 +393,7 @@ void vtkEnvironment::GetTotal(double rgb[3])
 //------------------------------------------------------------------------------
 double vtkEnvironment::GetLuminance(const double rgb[3])
 {
-  return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2];
+  return measuredbrdf::GetLuminance(rgb);
 }
 
 //------------------------------------------------------------------------------

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The fuzz targets without libFuzzer: all seeds, and fixed mutations of them for a few seconds, or for
-// MEASUREDBRDF_FUZZ_SECONDS.
+// The fuzz targets without libFuzzer: all seeds, and fixed mutations of them for a few seconds, or
+// for MEASUREDBRDF_FUZZ_SECONDS.
 
 #include "FuzzSeeds.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The sRGB transfer function (IEC 61966-2-1).
+ * The sRGB transfer function (IEC 61966-2-1) and the luminance of its primaries.
  */
 
 #ifndef SRGB_h
@@ -22,6 +22,13 @@ inline double DecodeSRGB(double value)
 inline double EncodeSRGB(double linear)
 {
   return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
+}
+
+/// Luminance of linear sRGB (Rec. ITU-R BT.709).
+template <typename Color>
+double GetLuminance(const Color& rgb)
+{
+  return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2];
 }
 } // namespace measuredbrdf
 

@@ -3,6 +3,7 @@
 #include "LightTree.h"
 
 #include "HalfVector.h" // for Pi
+#include "SRGB.h"
 #include "TexelDirections.h"
 #include "vtkEnvironment.h"
 #include "vtkLightSet.h"
@@ -44,12 +45,6 @@ constexpr std::int64_t LargeCell = 1 << 16;
 constexpr double BrightRadiance = 100.0; // times the mean
 constexpr double BrightShare = 0.05;     // of the energy
 constexpr std::size_t MaximumExtractedEmitters = 4;
-
-// vtkEnvironment::GetLuminance, inline.
-double GetLuminance(const float* rgb)
-{
-  return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2];
-}
 } // namespace
 
 // Finds cuts from sums over the columns and rows of a cell, made anew for each: a table of all sums

@@ -9,6 +9,7 @@
 #define MaterialSource_h
 
 #include "HalfVector.h"
+#include "SRGB.h"
 
 #include "vtkBRDF.h"
 #include "vtkSmartPointer.h"
@@ -21,12 +22,6 @@
 namespace measuredbrdf
 {
 constexpr double Degree = Pi / 180.0;
-
-/// Rec. 709.
-inline double GetLuminance(const glm::dvec3& rgb)
-{
-  return glm::dot(rgb, glm::dvec3(0.2126, 0.7152, 0.0722));
-}
 
 inline vtkMTimeType GetLatestTime(vtkMTimeType time, vtkBRDF* brdf)
 {
