@@ -391,10 +391,7 @@ void vtkEnvironment::GetTotal(double rgb[3])
 }
 
 //------------------------------------------------------------------------------
-double vtkEnvironment::GetLuminance(const double rgb[3])
-{
-  return measuredbrdf::GetLuminance(rgb);
-}
+double vtkEnvironment::GetLuminance(const double rgb[3]) { return measuredbrdf::GetLuminance(rgb); }
 
 //------------------------------------------------------------------------------
 void vtkEnvironment::SetWorldToEnvironment(const double matrix[9])
