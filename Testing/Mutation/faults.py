@@ -162,7 +162,7 @@ add("Lighting.texel-solid-angle", "vtkEnvironment.cxx", "2.0 * Pi / this->Width 
 add("Lighting.azimuth-runs-backwards", "vtkEnvironment.cxx", "direction[2] = std::cos(latitude) * std::sin(phi);",
     "direction[2] = -std::cos(latitude) * std::sin(phi);",
     "Environment.DirectionsFollowVTKsImageBasedLighting|Environment.TexelDirectionsFindTheirTexel")
-add("Core.luminance-red-and-green", "SRGB.h", "0.2126 * rgb[0] + 0.7152 * rgb[1]",
+add("Core.luminance-red-and-green", "Private/SRGB.h", "0.2126 * rgb[0] + 0.7152 * rgb[1]",
     "0.7152 * rgb[0] + 0.2126 * rgb[1]",
     "PictureMetrics.AgreeWithOtherPrograms|Generators.SingleBrightTexel|MedianCut.HalvesAreBalanced")
 add("Lighting.rotation-the-other-way", "vtkEnvironment.cxx", "{ c, 0.0, -s, 0.0, 1.0, 0.0, s, 0.0, c }",
