@@ -18,15 +18,22 @@ export MEASUREDBRDF_PARAVIEW_FIT MEASUREDBRDF_PARAVIEW_PLUGIN MEASUREDBRDF_PARAV
 mkdir -p "$MEASUREDBRDF_PARAVIEW_OUTPUT"
 [ -n "${DISPLAY:-}" ] || exec xvfb-run -a -s "-screen 0 1440x1280x24 -noreset" "$PWD/run.sh" "$build" "$@"
 
-# The first rank works in a folder of its own, which has the files.
+# The first rank works in a folder of its own, which has the files. Each rank has its log: ranks-COUNT-rank-RANK.log.
 ranks() {
+  local status=0
   mkdir -p "$MEASUREDBRDF_PARAVIEW_OUTPUT/first-rank" "$MEASUREDBRDF_PARAVIEW_OUTPUT/other-ranks"
   mpiexec -n "$1" bash -c '
     rank=${OMPI_COMM_WORLD_RANK:-${PMIX_RANK:-${PMI_RANK:?}}}
     [ "$rank" -eq 0 ] && folder=first-rank || folder=other-ranks
-    cd "$MEASUREDBRDF_PARAVIEW_OUTPUT/$folder" && exec pvbatch "$@"' rank "$PWD/$2" "${@:3}"
+    cd "$MEASUREDBRDF_PARAVIEW_OUTPUT/$folder" && log=$MEASUREDBRDF_PARAVIEW_OUTPUT/ranks-$1-rank-$rank.log
+    exec pvbatch "${@:2}" >"$log" 2>&1' rank "$1" "$PWD/$2" "${@:3}" || status=$?
+  for rank in $(seq 0 $(($1 - 1))); do
+    sed "s/^/rank $rank: /" "$MEASUREDBRDF_PARAVIEW_OUTPUT/ranks-$1-rank-$rank.log"
+  done
+  return "$status"
 }
 run_representation() { pvpython test_representation.py; }
+run_data() { pvpython test_data.py; }
 run_sources() { pvpython test_sources.py; }
 run_errors() { pvpython test_errors.py; }
 run_parallel() {
@@ -71,7 +78,7 @@ run_gui() {
 }
 
 tests=("$@")
-[ $# -gt 0 ] || tests=(representation sources errors parallel server gui)
+[ $# -gt 0 ] || tests=(representation data sources errors parallel server gui)
 failed=()
 for test in "${tests[@]}"; do
   declare -F "run_$test" >/dev/null || { echo "run.sh: no test $test" >&2; exit 2; }
