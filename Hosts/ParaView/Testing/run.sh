@@ -42,13 +42,17 @@ run_parallel() {
   done
   pvpython test_parallel.py compare
 }
-run_server() {
+# with_server TEST [OPTION...]: the test as the client of a server on two ranks with these options
+with_server() {
   port=$((20000 + RANDOM % 20000))
-  mpiexec -n 2 pvserver --server-port="$port" >"$MEASUREDBRDF_PARAVIEW_OUTPUT/pvserver.log" 2>&1 &
+  mpiexec -n 2 pvserver --server-port="$port" "${@:2}" >"$MEASUREDBRDF_PARAVIEW_OUTPUT/pvserver-$1.log" 2>&1 &
   server=$!
-  pvpython test_server.py "$port" || { kill "$server" 2>/dev/null; return 1; }
+  pvpython "test_$1.py" "$port" || { kill "$server" 2>/dev/null; return 1; }
   wait "$server"
 }
+run_server() { with_server server; }
+# Each rank's tile is a window on the one display, with borders instead of filling the screen.
+run_tiles() { PV_ICET_WINDOW_BORDERS=1 with_server tiles --tdx=2 --tdy=1; }
 
 cpu_ticks() { awk '{ print $14 + $15 }' "/proc/$1/stat"; }
 # ParaView's window, driven by its own test player. One that fails closes with an error; else it stays for the picture.
@@ -78,14 +82,14 @@ run_gui() {
 }
 
 tests=("$@")
-[ $# -gt 0 ] || tests=(representation data sources errors parallel server gui)
+[ $# -gt 0 ] || tests=(representation data sources errors parallel server tiles gui)
 failed=()
 for test in "${tests[@]}"; do
   declare -F "run_$test" >/dev/null || { echo "run.sh: no test $test" >&2; exit 2; }
   log=$MEASUREDBRDF_PARAVIEW_OUTPUT/$test.log
   printf '%-16s' "$test"
   # One that hangs is a failure, too.
-  export -f "run_$test" ranks cpu_ticks
+  export -f "run_$test" ranks with_server cpu_ticks
   if timeout -k 10 600 bash -euo pipefail -c "run_$test" >"$log" 2>&1; then
     echo "passed"
   else
