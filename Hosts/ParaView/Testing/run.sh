@@ -54,6 +54,22 @@ run_server() { with_server server; }
 # Each rank's tile is a window on the one display, with borders instead of filling the screen.
 run_tiles() { PV_ICET_WINDOW_BORDERS=1 with_server tiles --tdx=2 --tdy=1; }
 
+# One scene by three hosts. In ParaView's window the script is a macro, which the test player starts.
+run_same_scene() {
+  version=$(pvpython -c 'from paraview.simple import *; v = GetParaViewVersion(); print(f"{v.major}.{v.minor}")' | tail -n 1)
+  prefix=same-scene-paraview-$version
+  for count in 1 2; do
+    MEASUREDBRDF_PARAVIEW_PICTURE=$prefix-pvbatch-$count mpiexec -n "$count" pvbatch "$PWD/same_scene.py"
+  done
+  settings=$(mktemp -d)
+  mkdir -p "$settings/.config/ParaView/Macros"
+  cp same_scene.py "$settings/.config/ParaView/Macros/"
+  MEASUREDBRDF_PARAVIEW_PICTURE=$prefix-window PYTHONPATH=$PWD PV_PLUGIN_PATH=${MEASUREDBRDF_PARAVIEW_PLUGIN%/*} HOME=$settings \
+    QT_QPA_PLATFORM=xcb timeout 200 paraview --plugins=MeasuredMaterials --disable-registry --test-directory="$settings" \
+    --test-script="$PWD/same_scene.xml" --exit
+  pvpython test_same_scene.py "$prefix"
+}
+
 cpu_ticks() { awk '{ print $14 + $15 }' "/proc/$1/stat"; }
 # ParaView's window, driven by its own test player. One that fails closes with an error; else it stays for the picture.
 run_gui() {
@@ -82,7 +98,7 @@ run_gui() {
 }
 
 tests=("$@")
-[ $# -gt 0 ] || tests=(representation data sources errors parallel server tiles gui)
+[ $# -gt 0 ] || tests=(representation data sources errors parallel server tiles same_scene gui)
 failed=()
 for test in "${tests[@]}"; do
   declare -F "run_$test" >/dev/null || { echo "run.sh: no test $test" >&2; exit 2; }
