@@ -71,14 +71,15 @@ run_same_scene() {
 }
 
 cpu_ticks() { awk '{ print $14 + $15 }' "/proc/$1/stat"; }
-# ParaView's window, driven by its own test player. One that fails closes with an error; else it stays for the picture.
-run_gui() {
+# play SCRIPT NAME: ParaView's window with a scan, driven by its own test player. One that fails closes with an error;
+# else it stays for the picture NAME.png.
+play() {
   out=$MEASUREDBRDF_PARAVIEW_OUTPUT
-  pvpython make_knot.py "$out/knot.vtk"
+  pvpython make_scan.py "$out/vase.ply"
   settings=$(mktemp -d)
-  export PV_PLUGIN_PATH=${MEASUREDBRDF_PARAVIEW_PLUGIN%/*} HOME=$settings QT_QPA_PLATFORM=xcb
-  paraview --plugins=MeasuredMaterials --disable-registry --test-directory="$settings" "$out/knot.vtk" \
-    --test-script="$PWD/gui.xml" >"$out/gui-messages.log" 2>&1 &
+  export PV_PLUGIN_PATH=${MEASUREDBRDF_PARAVIEW_PLUGIN%/*} QT_QPA_PLATFORM=xcb
+  HOME=$settings paraview --plugins=MeasuredMaterials --disable-registry --test-directory="$settings" "$out/vase.ply" \
+    --test-script="$PWD/$1" >"$out/$2-messages.log" 2>&1 &
   window=$!
   for _ in $(seq 60); do
     sleep 1
@@ -90,11 +91,17 @@ run_gui() {
     sleep 5
     [ $(($(cpu_ticks "$window") - used)) -gt 25 ] || break
   done
-  import -window root "$out/window.png"
+  import -window root "$out/$2.png"
   kill "$window"
   wait "$window" || true
-  convert "$out/window.png" -crop 1400x1250+0+0 +repage "$out/window.png"
-  ! grep -A 6 '^critical:' "$out/gui-messages.log" # what the player says of an event or a check that failed
+  convert "$out/$2.png" -crop 1400x1250+0+0 +repage "$out/$2.png"
+  ! grep -A 6 '^critical:' "$out/$2-messages.log" # what the player says of an event or a check that failed
+}
+run_gui() { play gui.xml window; }
+# On request: the other pictures of docs/paraview.md.
+run_steps() {
+  play step-plugin.xml step-plugin
+  play step-surface.xml step-surface
 }
 
 tests=("$@")
@@ -105,7 +112,7 @@ for test in "${tests[@]}"; do
   log=$MEASUREDBRDF_PARAVIEW_OUTPUT/$test.log
   printf '%-16s' "$test"
   # One that hangs is a failure, too.
-  export -f "run_$test" ranks with_server cpu_ticks
+  export -f "run_$test" play ranks with_server cpu_ticks
   if timeout -k 10 600 bash -euo pipefail -c "run_$test" >"$log" 2>&1; then
     echo "passed"
   else
