@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 # SPDX-License-Identifier: BSD-3-Clause
 """The scene that all hosts of the module draw, to be compared between them. Saved under the name in
-MEASUREDBRDF_PARAVIEW_PICTURE, by pvbatch or as a macro of ParaView's window."""
+MEASUREDBRDF_PARAVIEW_PICTURE, by pvbatch or in ParaView's window."""
 import os
 
 from paraview import simple
