@@ -33,7 +33,10 @@ ranks() {
   return "$status"
 }
 run_representation() { pvpython test_representation.py; }
-run_data() { pvpython test_data.py; }
+run_data() {
+  pvpython test_data.py
+  mpiexec -n 2 pvbatch "$PWD/test_data.py"
+}
 run_sources() { pvpython test_sources.py; }
 run_errors() { pvpython test_errors.py; }
 run_parallel() {
