@@ -95,6 +95,8 @@ add("Material.array-sizes-unchecked", "Private/TupleMap.cxx", "count != 1 && thi
     "count < 0", "Arrays.WhatDoesNotFitIsRefused")
 add("Material.array-result-of-any-type", "Private/TupleMap.cxx", "type != VTK_FLOAT && type != VTK_DOUBLE", "type < 0",
     "Arrays.WhatDoesNotFitIsRefused")
+add("Material.array-blocks-lie-on-another", "Private/TupleMap.cxx", "this->Floats + begin * this->Components,\n      [](double",
+    "this->Floats,\n      [](double", "Arrays.AreTheScalarCalls")
 add("Material.array-sample-with-one-number", "vtkBRDF.cxx", "inputs[1][0], inputs[1][1], result",
     "inputs[1][0], inputs[1][0], result", "Arrays.AreTheScalarCalls")
 add("Material.lambert-without-pi", "vtkLambertBRDF.cxx", "f[c] = this->Albedo[c] / measuredbrdf::Pi;",
