@@ -56,6 +56,23 @@ def make_non_overlapping_amr():
     return simple.XMLUniformGridAMRReader(FileName=[writer.GetFileName()])
 
 
+def make_rectilinear():
+    source = simple.ProgrammableSource(OutputDataSetType="vtkRectilinearGrid")
+    source.Script = """
+from vtkmodules.vtkCommonCore import vtkDoubleArray
+for axis in "XYZ":
+    values = vtkDoubleArray()
+    for value in (0.0, 0.1, 0.3, 0.7, 1.0):
+        values.InsertNextValue(value)
+    getattr(output.VTKObject, f"Set{axis}Coordinates")(values)
+output.VTKObject.SetDimensions(5, 5, 5)
+"""
+    source.ScriptRequestInformation = """
+self.GetExecutive().GetOutputInformation(0).Set(self.GetExecutive().WHOLE_EXTENT(), 0, 4, 0, 4, 0, 4)
+"""
+    return source
+
+
 def make_kinds():
     """Sources by name."""
     pulse = simple.AMRGaussianPulseSource()
@@ -71,6 +88,7 @@ def make_kinds():
         "tree-random": random,
         "tree-with-holes": threshold,
         "tree-blocks": simple.GroupDatasets(Input=[grid]),
+        "rectilinear": make_rectilinear(),
         "blocks-of-kinds": simple.GroupDatasets(Input=[make_sphere(Radius=1.4), simple.Wavelet(WholeExtent=[-1, 1] * 3)]),
     }
 
@@ -100,7 +118,30 @@ def check(name, source):
     simple.Delete(view)
 
 
+def check_offers():
+    """Wherever ParaView offers Surface. Cell grids are drawn by a mapper of their own."""
+    manager = servermanager.vtkSMProxyManager.GetProxyManager().GetActiveSessionProxyManager()
+    names = manager.GetProxyDefinitionManager().NewSingleGroupIterator("representations")
+    names.InitTraversal()
+    offers = []
+    while not names.IsDoneWithTraversal():
+        name = names.GetProxyName()
+        names.GoToNextItem()
+        if not name.endswith("Representation") or name == "CellGridRepresentation":
+            continue
+        proxy = manager.NewProxy("representations", name)
+        types = proxy.GetProperty("RepresentationTypesInfo")
+        if types:
+            proxy.UpdatePropertyInformation(types)
+            texts = [types.GetElement(k) for k in range(types.GetNumberOfElements())]
+            assert ("Surface" in texts) == ("Measured Material" in texts), (name, texts)
+            offers += [name] if "Surface" in texts else []
+    print("offered for", ", ".join(offers))
+    assert len(offers) >= 6, offers
+
+
 assert servermanager.ActiveConnection
+check_offers()
 for kind, kind_source in make_kinds().items():
     check(kind, kind_source)
 print("passed")
