@@ -23,11 +23,18 @@ def get_covered(view, name):
     return pictures[0], (pictures[0] == pictures[1]).all(axis=2)
 
 
+def read_all_levels(path):
+    reader = simple.XMLUniformGridAMRReader(FileName=[path])
+    if hasattr(reader, "DefaultNumberOfLevels"):
+        reader.DefaultNumberOfLevels = 16
+    return reader
+
+
 def make_amr_file(source):
     """What the source gives, written and read again: as files of simulations are."""
     path = os.path.join(OUTPUT, "data.vthb")
     simple.SaveData(path, source, DataMode="Binary")  # 5.11 of Debian 12 cannot read raw data
-    return simple.OpenDataFile(path)
+    return read_all_levels(path)
 
 
 def make_non_overlapping_amr():
@@ -53,7 +60,7 @@ def make_non_overlapping_amr():
     writer.SetDataModeToBinary()
     writer.SetFileName(os.path.join(OUTPUT, "non-overlapping.vth"))
     assert writer.Write()
-    return simple.XMLUniformGridAMRReader(FileName=[writer.GetFileName()])
+    return read_all_levels(writer.GetFileName())
 
 
 def make_rectilinear():
