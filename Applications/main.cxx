@@ -9,6 +9,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cstdio>
 #include <exception>
 #include <iostream>
 #include <sstream>
@@ -32,9 +33,8 @@ std::string Wrap(const std::string& text)
   }
   return result;
 }
-}
 
-int main(int argc, char* argv[])
+int Run(int argc, char* argv[])
 {
   tool::RedirectMessages();
 
@@ -111,5 +111,19 @@ int main(int argc, char* argv[])
   {
     std::cerr << "measured-brdf: error: " << vtkBRDFReader::GetPrintable(e.what()) << std::endl;
     return dynamic_cast<const tool::InputError*>(&e) ? 2 : 1;
+  }
+}
+}
+
+int main(int argc, char* argv[])
+{
+  try
+  {
+    return Run(argc, argv);
+  }
+  catch (const std::exception& e) // before there was a command: no memory, say
+  {
+    std::fprintf(stderr, "measured-brdf: error: %s\n", e.what());
+    return 1;
   }
 }

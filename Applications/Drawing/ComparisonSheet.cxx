@@ -16,13 +16,14 @@ namespace
 // Values at the grid's points to every pixel that a picture covers: the nearest, or between them.
 Picture Enlarge(const Picture& small, const Picture& covered, int stride, bool smooth)
 {
+  const int first = stride / 2;
   Picture result(covered.Width, covered.Height);
   for (int y = 0; y < covered.Height; ++y)
   {
     for (int x = 0; x < covered.Width; ++x)
     {
-      const double u = static_cast<double>(x - stride / 2) / stride;
-      const double v = static_cast<double>(y - stride / 2) / stride;
+      const double u = static_cast<double>(x - first) / stride;
+      const double v = static_cast<double>(y - first) / stride;
       double sum[4] = {};
       for (int j = static_cast<int>(std::floor(v)) - 1; j <= static_cast<int>(std::floor(v)) + 2;
            ++j)

@@ -72,8 +72,9 @@ void vtkBRDFImageSource::ExecuteDataWithInformation(vtkDataObject* output, vtkIn
     {
       for (vtkIdType k = first; k < last; ++k)
       {
+        const vtkIdType row = extent[2] + k / width;
         const double x = pixel * (static_cast<double>(extent[0] + k % width) + 0.5);
-        const double thetaD = pixel * (static_cast<double>(extent[2] + k / width) + 0.5);
+        const double thetaD = pixel * (static_cast<double>(row) + 0.5);
         const double thetaH = this->UseThetaHSquared ? x * x / 90.0 : x;
         double f[3];
         EvaluateHalfDifference(this->BRDF, thetaH, thetaD, this->PhiD, this->PhiH, f);

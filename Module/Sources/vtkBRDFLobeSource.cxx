@@ -54,7 +54,8 @@ public:
     {
       return this->Axes[2];
     }
-    const double step = static_cast<double>(1 + (point - 1) / this->Circular) / this->Radial;
+    const vtkIdType circle = 1 + (point - 1) / this->Circular;
+    const double step = static_cast<double>(circle) / this->Radial;
     const double azimuth =
       2.0 * Pi * static_cast<double>((point - 1) % this->Circular) / this->Circular;
     const glm::dvec3 side = std::cos(azimuth) * this->Axes[0] + std::sin(azimuth) * this->Axes[1];
