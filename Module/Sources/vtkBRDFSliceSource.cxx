@@ -112,8 +112,7 @@ int vtkBRDFSliceSource::RequestData(
         double f[3];
         mask->SetValue(
           row, EvaluateHalfDifference(this->BRDF, thetaH, thetaD, phiD, this->PhiH, f) ? 1 : 0);
-        const double values[7] = { thetaH, thetaD, phiD, f[0], f[1], f[2],
-          GetLuminance({ f[0], f[1], f[2] }) };
+        const double values[7] = { thetaH, thetaD, phiD, f[0], f[1], f[2], GetLuminance(f) };
         for (int c = 0; c < 7; ++c)
         {
           columns[c]->SetValue(row, values[c]);
