@@ -8,9 +8,12 @@
 set -u
 packages=(cmake ninja-build g++ libvtk9-dev python3-vtk9 libopenimageio-dev openimageio-tools libopenexr-dev
   libglm-dev nlohmann-json3-dev libeigen3-dev libceres-dev libcli11-dev libgl1-mesa-dri xvfb xauth)
+optional=()
 size=" (500 to 1100 MB download on a bare system)"
 case ${1:-} in
-  --tests) packages+=(libgtest-dev libbenchmark-dev python3-numpy) ;;
+  --tests)
+    packages+=(libgtest-dev libbenchmark-dev python3-numpy)
+    optional=(python3-pyvista) ;; # where the suite has it: Debian 13 and later
   --only)
     shift
     packages=("$@")
@@ -25,12 +28,18 @@ if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
   exit 0
 fi
 
+is_installed() { [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]; }
+is_offered() { apt-cache show "$1" >/dev/null 2>&1; }
+
 missing=()
 for package in "${packages[@]}"; do
-  status=$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null)
-  [ "$status" = installed ] || missing+=("$package")
+  is_installed "$package" || missing+=("$package")
 done
-if [ ${#missing[@]} -eq 0 ]; then
+wanted=()
+for package in "${optional[@]}"; do
+  if ! is_installed "$package" && is_offered "$package"; then wanted+=("$package"); fi
+done
+if [ ${#missing[@]} -eq 0 ] && [ ${#wanted[@]} -eq 0 ]; then
   say "All there already."
   exit 0
 fi
@@ -39,7 +48,7 @@ as_root=()
 if [ "$(id -u)" != 0 ]; then
   if ! command -v sudo >/dev/null; then
     say "Packages are missing, and there is neither root nor sudo to install them. As root, run"
-    say "  apt-get install --no-install-recommends ${missing[*]}"
+    say "  apt-get install --no-install-recommends ${missing[*]} ${wanted[*]}"
     say "Going on with what is there."
     exit 0
   fi
@@ -50,21 +59,33 @@ as_root+=(env DEBIAN_FRONTEND=noninteractive)
 cd "$(dirname "$0")/.." && mkdir -p build || exit 1
 log=build/packages.log
 : >"$log"
-say "Installing ${missing[*]} and what they need$size; log: $log ..."
+install() { # PACKAGE...: all of them, or none
+  local before
+  before=$(wc -l <"$log")
+  "${as_root[@]}" apt-get install -q -y --no-remove --no-install-recommends -o Dpkg::Use-Pty=0 "$@" >>"$log" 2>&1 </dev/null ||
+    {
+      say "Could not be installed: $*. What apt-get said:"
+      tail -n "+$((before + 1))" "$log" | grep -E '^[WE]:|^ .* : ' | tail -n 8
+      say "Going on with what is there."
+    }
+}
+[ ${#missing[@]} -eq 0 ] || say "Installing ${missing[*]} and what they need$size; log: $log ..."
 "${as_root[@]}" apt-get update -q >>"$log" 2>&1 ||
   say "The package lists could not be refreshed ($(grep -m 1 '^[WE]:' "$log")); trying with those at hand."
 
 unknown=()
 known=()
 for package in "${missing[@]}"; do
-  if apt-cache show "$package" >/dev/null 2>&1; then known+=("$package"); else unknown+=("$package"); fi
+  if is_offered "$package"; then known+=("$package"); else unknown+=("$package"); fi
 done
 [ ${#unknown[@]} -eq 0 ] ||
   say "Not offered by this system's package sources: ${unknown[*]}. Going on without; add a source that has them if the build stops."
-if [ ${#known[@]} -gt 0 ] &&
-  ! "${as_root[@]}" apt-get install -q -y --no-remove --no-install-recommends -o Dpkg::Use-Pty=0 "${known[@]}" >>"$log" 2>&1 </dev/null; then
-  say "Could not be installed: ${known[*]}. What apt-get said:"
-  grep -E '^[WE]:|^ .* : ' "$log" | tail -n 8
-  say "Going on with what is there."
-fi
+[ ${#known[@]} -eq 0 ] || install "${known[@]}"
+# One by one and last: none of them is worth a build.
+for package in "${optional[@]}"; do
+  if ! is_installed "$package" && is_offered "$package"; then
+    say "Installing $package, which some tests use ..."
+    install "$package"
+  fi
+done
 exit 0

@@ -2,9 +2,10 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 # SPDX-License-Identifier: BSD-3-Clause
 # Installs the distribution's ParaView, builds the plugin, and runs its tests without a display: in one process, as
-# pvbatch on 1, 2 and 4 ranks, and as a client with a parallel server. Pictures are left in output/paraview.
+# pvbatch on 1, 2 and 4 ranks, as a client with a parallel server and with a tiled display, and in ParaView's window.
+# Pictures are left in output/paraview.
 #
-#   Hosts/ParaView/test.sh [TEST...]     names of Testing/test_*.py without test_ and .py; default: all
+#   Hosts/ParaView/test.sh [TEST...]     names of the functions run_* in Testing/run.sh; default: all
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1

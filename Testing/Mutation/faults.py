@@ -95,6 +95,8 @@ add("Material.array-sizes-unchecked", "Private/TupleMap.cxx", "count != 1 && thi
     "count < 0", "Arrays.WhatDoesNotFitIsRefused")
 add("Material.array-result-of-any-type", "Private/TupleMap.cxx", "type != VTK_FLOAT && type != VTK_DOUBLE", "type < 0",
     "Arrays.WhatDoesNotFitIsRefused")
+add("Material.array-blocks-lie-on-another", "Private/TupleMap.cxx", "this->Floats + begin * this->Components,\n      [](double",
+    "this->Floats,\n      [](double", "Arrays.AreTheScalarCalls")
 add("Material.array-sample-with-one-number", "vtkBRDF.cxx", "inputs[1][0], inputs[1][1], result",
     "inputs[1][0], inputs[1][0], result", "Arrays.AreTheScalarCalls")
 add("Material.lambert-without-pi", "vtkLambertBRDF.cxx", "f[c] = this->Albedo[c] / measuredbrdf::Pi;",
@@ -162,7 +164,7 @@ add("Lighting.texel-solid-angle", "vtkEnvironment.cxx", "2.0 * Pi / this->Width 
 add("Lighting.azimuth-runs-backwards", "vtkEnvironment.cxx", "direction[2] = std::cos(latitude) * std::sin(phi);",
     "direction[2] = -std::cos(latitude) * std::sin(phi);",
     "Environment.DirectionsFollowVTKsImageBasedLighting|Environment.TexelDirectionsFindTheirTexel")
-add("Lighting.luminance-red-and-green", "vtkEnvironment.cxx", "0.2126 * rgb[0] + 0.7152 * rgb[1]",
+add("Core.luminance-red-and-green", "Private/SRGB.h", "0.2126 * rgb[0] + 0.7152 * rgb[1]",
     "0.7152 * rgb[0] + 0.2126 * rgb[1]",
     "PictureMetrics.AgreeWithOtherPrograms|Generators.SingleBrightTexel|MedianCut.HalvesAreBalanced")
 add("Lighting.rotation-the-other-way", "vtkEnvironment.cxx", "{ c, 0.0, -s, 0.0, 1.0, 0.0, s, 0.0, c }",

@@ -22,10 +22,10 @@ import time
 CHROMIUM = os.environ.get("MEASUREDBRDF_CHROMIUM") or shutil.which("chromium")
 for module in ("pyvista", "trame", "trame_vuetify", "aiohttp"):
     if importlib.util.find_spec(module) is None:
-        print(f"Skipped: {module} is not installed")
+        print(f"Skipped: {module} is not installed; Debian has no package of trame_vuetify")
         sys.exit(77)
 if not CHROMIUM:
-    print("Skipped: Chromium is not installed")
+    print("Skipped: Chromium is not installed (./test.sh does not install it, because it takes some 300 MB)")
     sys.exit(77)
 
 import aiohttp

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the tests have in common: the plugin, one view, pictures as arrays."""
 import os
+import time
 
 import numpy as np
 from paraview import simple
@@ -14,6 +15,18 @@ SIZE = 300
 
 def load_plugin(remote=False):
     simple.LoadPlugin(os.environ["MEASUREDBRDF_PARAVIEW_PLUGIN"], remote=remote, ns=vars(simple))
+
+
+def connect(port):
+    """Becomes a client of the server that listens or will listen there, with the plugin on both sides."""
+    for _ in range(60):
+        try:
+            simple.Connect("localhost", port)
+            break
+        except RuntimeError:
+            time.sleep(0.5)
+    load_plugin(remote=False)
+    load_plugin(remote=True)
 
 
 def make_view():
@@ -54,10 +67,10 @@ def look(view, direction=(0, 0, 1), up=(0, 1, 0), distance=2.4):
     view.CameraViewAngle = 30
 
 
-def draw(view, name):
+def draw(view, name, size=(SIZE, SIZE)):
     """The view's picture, (height, width, 3) bytes, row 0 at the bottom; also kept as NAME.png."""
     path = os.path.join(OUTPUT, name + ".png")
-    simple.SaveScreenshot(path, view, ImageResolution=[SIZE, SIZE])
+    simple.SaveScreenshot(path, view, ImageResolution=list(size))
     return read(path)
 
 

@@ -18,15 +18,25 @@ export MEASUREDBRDF_PARAVIEW_FIT MEASUREDBRDF_PARAVIEW_PLUGIN MEASUREDBRDF_PARAV
 mkdir -p "$MEASUREDBRDF_PARAVIEW_OUTPUT"
 [ -n "${DISPLAY:-}" ] || exec xvfb-run -a -s "-screen 0 1440x1280x24 -noreset" "$PWD/run.sh" "$build" "$@"
 
-# The first rank works in a folder of its own, which has the files.
+# The first rank works in a folder of its own, which has the files. Each rank has its log: ranks-COUNT-rank-RANK.log.
 ranks() {
+  local status=0
   mkdir -p "$MEASUREDBRDF_PARAVIEW_OUTPUT/first-rank" "$MEASUREDBRDF_PARAVIEW_OUTPUT/other-ranks"
   mpiexec -n "$1" bash -c '
     rank=${OMPI_COMM_WORLD_RANK:-${PMIX_RANK:-${PMI_RANK:?}}}
     [ "$rank" -eq 0 ] && folder=first-rank || folder=other-ranks
-    cd "$MEASUREDBRDF_PARAVIEW_OUTPUT/$folder" && exec pvbatch "$@"' rank "$PWD/$2" "${@:3}"
+    cd "$MEASUREDBRDF_PARAVIEW_OUTPUT/$folder" && log=$MEASUREDBRDF_PARAVIEW_OUTPUT/ranks-$1-rank-$rank.log
+    exec pvbatch "${@:2}" >"$log" 2>&1' rank "$1" "$PWD/$2" "${@:3}" || status=$?
+  for rank in $(seq 0 $(($1 - 1))); do
+    sed "s/^/rank $rank: /" "$MEASUREDBRDF_PARAVIEW_OUTPUT/ranks-$1-rank-$rank.log"
+  done
+  return "$status"
 }
 run_representation() { pvpython test_representation.py; }
+run_data() {
+  pvpython test_data.py
+  mpiexec -n 2 pvbatch "$PWD/test_data.py"
+}
 run_sources() { pvpython test_sources.py; }
 run_errors() { pvpython test_errors.py; }
 run_parallel() {
@@ -35,23 +45,42 @@ run_parallel() {
   done
   pvpython test_parallel.py compare
 }
-run_server() {
+# with_server TEST [OPTION...]: the test as the client of a server on two ranks with these options
+with_server() {
   port=$((20000 + RANDOM % 20000))
-  mpiexec -n 2 pvserver --server-port="$port" >"$MEASUREDBRDF_PARAVIEW_OUTPUT/pvserver.log" 2>&1 &
+  mpiexec -n 2 pvserver --server-port="$port" "${@:2}" >"$MEASUREDBRDF_PARAVIEW_OUTPUT/pvserver-$1.log" 2>&1 &
   server=$!
-  pvpython test_server.py "$port" || { kill "$server" 2>/dev/null; return 1; }
+  pvpython "test_$1.py" "$port" || { kill "$server" 2>/dev/null; return 1; }
   wait "$server"
+}
+run_server() { with_server server; }
+# Each rank's tile is a window on the one display, with borders instead of filling the screen.
+run_tiles() { PV_ICET_WINDOW_BORDERS=1 with_server tiles --tdx=2 --tdy=1; }
+
+# One scene by three hosts. In ParaView's window the script runs first, then the test player looks at the window.
+run_same_scene() {
+  version=$(pvpython -c 'from paraview.simple import *; v = GetParaViewVersion(); print(f"{v.major}.{v.minor}")' | tail -n 1)
+  prefix=same-scene-paraview-$version
+  for count in 1 2; do
+    MEASUREDBRDF_PARAVIEW_PICTURE=$prefix-pvbatch-$count mpiexec -n "$count" pvbatch "$PWD/same_scene.py"
+  done
+  settings=$(mktemp -d)
+  MEASUREDBRDF_PARAVIEW_PICTURE=$prefix-window PYTHONPATH=$PWD PV_PLUGIN_PATH=${MEASUREDBRDF_PARAVIEW_PLUGIN%/*} HOME=$settings \
+    QT_QPA_PLATFORM=xcb timeout 200 paraview --plugins=MeasuredMaterials --disable-registry --script="$PWD/same_scene.py" \
+    --test-directory="$settings" --test-script="$PWD/same_scene.xml" --exit
+  pvpython test_same_scene.py "$prefix"
 }
 
 cpu_ticks() { awk '{ print $14 + $15 }' "/proc/$1/stat"; }
-# ParaView's window, driven by its own test player. One that fails closes with an error; else it stays for the picture.
-run_gui() {
+# play SCRIPT NAME: ParaView's window with a scan, driven by its own test player. One that fails closes with an error;
+# else it stays for the picture NAME.png.
+play() {
   out=$MEASUREDBRDF_PARAVIEW_OUTPUT
-  pvpython make_knot.py "$out/knot.vtk"
+  pvpython make_scan.py "$out/vase.ply"
   settings=$(mktemp -d)
-  export PV_PLUGIN_PATH=${MEASUREDBRDF_PARAVIEW_PLUGIN%/*} HOME=$settings QT_QPA_PLATFORM=xcb
-  paraview --plugins=MeasuredMaterials --disable-registry --test-directory="$settings" "$out/knot.vtk" \
-    --test-script="$PWD/gui.xml" >"$out/gui-messages.log" 2>&1 &
+  export PV_PLUGIN_PATH=${MEASUREDBRDF_PARAVIEW_PLUGIN%/*} QT_QPA_PLATFORM=xcb
+  HOME=$settings paraview --plugins=MeasuredMaterials --disable-registry --test-directory="$settings" "$out/vase.ply" \
+    --test-script="$PWD/$1" >"$out/$2-messages.log" 2>&1 &
   window=$!
   for _ in $(seq 60); do
     sleep 1
@@ -63,22 +92,28 @@ run_gui() {
     sleep 5
     [ $(($(cpu_ticks "$window") - used)) -gt 25 ] || break
   done
-  import -window root "$out/window.png"
+  import -window root "$out/$2.png"
   kill "$window"
   wait "$window" || true
-  convert "$out/window.png" -crop 1400x1250+0+0 +repage "$out/window.png"
-  ! grep -A 6 '^critical:' "$out/gui-messages.log" # what the player says of an event or a check that failed
+  convert "$out/$2.png" -crop 1400x1250+0+0 +repage "$out/$2.png"
+  ! grep -A 6 '^critical:' "$out/$2-messages.log" # what the player says of an event or a check that failed
+}
+run_gui() { play gui.xml window; }
+# On request: the other pictures of docs/paraview.md.
+run_steps() {
+  play step-plugin.xml step-plugin
+  play step-surface.xml step-surface
 }
 
 tests=("$@")
-[ $# -gt 0 ] || tests=(representation sources errors parallel server gui)
+[ $# -gt 0 ] || tests=(representation data sources errors parallel server tiles same_scene gui)
 failed=()
 for test in "${tests[@]}"; do
   declare -F "run_$test" >/dev/null || { echo "run.sh: no test $test" >&2; exit 2; }
   log=$MEASUREDBRDF_PARAVIEW_OUTPUT/$test.log
   printf '%-16s' "$test"
   # One that hangs is a failure, too.
-  export -f "run_$test" ranks cpu_ticks
+  export -f "run_$test" play ranks with_server cpu_ticks
   if timeout -k 10 600 bash -euo pipefail -c "run_$test" >"$log" 2>&1; then
     echo "passed"
   else

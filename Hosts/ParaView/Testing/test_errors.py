@@ -47,7 +47,20 @@ display.ErrorTolerance = 0.02
 before = len(said.GetOutput())
 display.MeasuredEnvironment = "File"
 display.MeasuredEnvironmentFile = os.path.join(OUTPUT, "missing.exr")
-draw(view, "errors-environment")
-assert "missing.exr" in said.GetOutput()[before:], said.GetOutput()[before:]
+for _ in range(3):
+    picture = draw(view, "errors-environment")
+text = said.GetOutput()[before:]
+assert text.count("ERR|") + text.count("ERROR:") == 1 and "missing.exr: no such file" in text, text
+assert get_difference(picture, stock)[0] <= 1
+display.MeasuredEnvironment = "Automatic"
+assert get_difference(draw(view, "errors-again"), gold)[0] <= 1
+
+before = len(said.GetOutput())
+display.BlockMaterials = ["/Root/Nowhere", "nickel"]
+for _ in range(3):
+    picture = draw(view, "errors-block")
+text = said.GetOutput()[before:]
+assert text.count("no block is called /Root/Nowhere") == 1, text
+assert get_difference(picture, gold)[0] <= 1
 vtkOutputWindow.SetInstance(None)
 print("passed")

@@ -14,12 +14,31 @@ from common import OUTPUT, draw, get_difference, get_plan, get_selectors, load_p
 COUNTS = (1, 2, 4)
 # A surface, blocks of two materials, files that the first rank alone has, and a surface that is sorted by depth.
 SCENES = ("sphere", "blocks", "files", "translucent")
+DEFAULTS = {"MeasuredMaterial": "gold-paint", "MeasuredEnvironment": "Automatic", "BlockMaterials": []}
+# What cannot be read: property, value, file, the words of the message, and whether the surface is drawn as Surface does.
+FAULTS = {
+    "no rank has the material": ("MeasuredMaterial", "nowhere.bsdf", "nowhere.bsdf: no such file", True),
+    "the first rank lacks the material": ("MeasuredMaterial", "others.fit#delrin", "others.fit: no such file", True),
+    "no rank can read the material": ("MeasuredMaterial", "broken.bsdf", "broken.bsdf", True),
+    "no rank has the environment": ("MeasuredEnvironment", "nowhere.hdr", "nowhere.hdr: no such file", True),
+    "the first rank lacks the environment": ("MeasuredEnvironment", "others.hdr", "others.hdr: no such file", True),
+    "no block of that name": ("BlockMaterials", ["/Root/Nowhere", "nickel"], "no block is called /Root/Nowhere", False),
+}
 
 
 def write_files():
-    """A material and an environment into the first rank's working folder."""
+    """Files that the first rank has in its working folder, files that only the others have, and one that is broken."""
     shutil.copyfile(os.environ["MEASUREDBRDF_PARAVIEW_FIT"], "material.fit")
-    with open("environment.hdr", "wb") as file:
+    shutil.copyfile("material.fit", "../other-ranks/others.fit")
+    write_environment("environment.hdr")
+    write_environment("../other-ranks/others.hdr")
+    for folder in (".", "../other-ranks"):
+        with open(os.path.join(folder, "broken.bsdf"), "wb") as file:
+            file.write(b"tensor_file\0\1\0")
+
+
+def write_environment(path):
+    with open(path, "wb") as file:
         file.write(b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 16 +X 32\n")
         for row in range(16):
             for column in range(32):
@@ -46,6 +65,49 @@ def make_scene(name, view):
     return display
 
 
+def draw_faults(ranks):
+    """Each fault in three frames, beside Surface in the same state; the log says where one begins."""
+    view = make_view()
+    view.RemoteRenderThreshold = 0
+    look(view, direction=(0.3, 0.4, 0.87))
+    display = make_scene("sphere", view)
+    good = draw(view, "fault-none")
+    display.Representation = "Surface"
+    stock = draw(view, "fault-surface")
+    display.Representation = "Measured Material"
+    for name, (variable, value, _, as_surface) in FAULTS.items():
+        os.write(2, f"-- fault: {name}\n".encode())  # in order with ParaView's messages, which are not buffered
+        if variable == "BlockMaterials":
+            display.BlockMaterials = value
+        else:
+            setattr(display, variable + "File", value)
+            setattr(display, variable, "File")
+        for angle in (0.5, 0.7, 0.3):
+            look(view, direction=(angle, 0.4, 0.87))
+            picture = draw(view, f"fault-{ranks}-{name}".replace(" ", "-"))
+        difference = get_difference(picture, stock if as_surface else good)[0]
+        assert difference <= 1, (ranks, name, difference)
+        setattr(display, variable, DEFAULTS[variable])
+        assert get_difference(draw(view, "fault-again"), good)[0] <= 1, (ranks, name)
+    os.write(2, b"-- no fault\n")
+    simple.Delete(view)
+
+
+def check_messages(count):
+    """One message for each fault, on the first rank."""
+    logs = []
+    for rank in range(count):
+        with open(os.path.join(OUTPUT, f"ranks-{count}-rank-{rank}.log"), encoding="utf-8", errors="replace") as file:
+            logs.append(file.read())
+    for rank, text in enumerate(logs[1:], 1):
+        for *_, words, _ in FAULTS.values():
+            assert words not in text, (count, rank, words, text)
+    for name, (*_, words, _) in FAULTS.items():
+        text = logs[0].split(f"-- fault: {name}\n")[1].split("\n-- ")[0]
+        assert text.count(words) == 1 and text.count("ERR|") + text.count("ERROR:") == 1, (count, name, text)
+    print(f"{count} ranks: one message for each of {len(FAULTS)} faults, on the first rank")
+
+
 def main(ranks):
     from paraview.modules.vtkRemotingCore import vtkProcessModule
 
@@ -66,6 +128,7 @@ def main(ranks):
             display.Representation = "Measured Material"
         plans[name] = sorted(line.split(" MB")[0] for line in get_plan(display).splitlines())
         simple.Delete(view)
+    draw_faults(ranks)
     with open(os.path.join(OUTPUT, f"ranks-{ranks}.json"), "w", encoding="utf-8") as file:
         json.dump(plans, file)
 
@@ -81,6 +144,7 @@ def compare():
     for count in COUNTS:
         with open(os.path.join(OUTPUT, f"ranks-{count}.json"), encoding="utf-8") as file:
             plans[count] = json.load(file)
+        check_messages(count)
     for name in SCENES:
         first = read(os.path.join(OUTPUT, f"ranks-1-{name}.png"))
         for count in COUNTS[1:]:

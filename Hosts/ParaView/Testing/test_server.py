@@ -2,20 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A client of a parallel server: `test_server.py PORT`. The same picture by remote and by local rendering."""
 import sys
-import time
 
 from paraview import simple
 
-from common import draw, get_difference, get_plan, load_plugin, look, make_view, show
+from common import connect, draw, get_difference, get_plan, look, make_view, show
 
-for attempt in range(60):
-    try:
-        simple.Connect("localhost", int(sys.argv[1]))
-        break
-    except RuntimeError:
-        time.sleep(0.5)
-load_plugin(remote=False)
-load_plugin(remote=True)
+connect(int(sys.argv[1]))
 view = make_view()
 look(view, direction=(0.3, 0.4, 0.87))
 sphere = simple.Sphere(ThetaResolution=128, PhiResolution=128)

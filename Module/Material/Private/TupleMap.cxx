@@ -4,6 +4,7 @@
 
 #include "vtkAOSDataArrayTemplate.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace measuredbrdf
@@ -53,6 +54,51 @@ TupleWriter::TupleWriter(vtkDataArray* array, int components)
   , Floats(GetValues<float>(array))
   , Components(components)
 {
+}
+
+//------------------------------------------------------------------------------
+const double* TupleReader::Get(vtkIdType begin, vtkIdType end, double* buffer) const
+{
+  if (this->Doubles)
+  {
+    return this->Doubles + begin * this->Stride;
+  }
+  if (this->Stride == 0)
+  {
+    begin = 0;
+    end = 1;
+  }
+  if (this->Floats)
+  {
+    std::copy(
+      this->Floats + begin * this->Components, this->Floats + end * this->Components, buffer);
+    return buffer;
+  }
+  for (vtkIdType k = begin; k < end; ++k)
+  {
+    this->Array->GetTuple(k, buffer + (k - begin) * this->Components);
+  }
+  return buffer;
+}
+
+//------------------------------------------------------------------------------
+void TupleWriter::Finish(vtkIdType begin, vtkIdType end, const double* buffer) const
+{
+  if (this->Doubles)
+  {
+    return; // they are where they belong
+  }
+  if (this->Floats)
+  {
+    std::transform(buffer, buffer + (end - begin) * this->Components,
+      this->Floats + begin * this->Components,
+      [](double value) { return static_cast<float>(value); });
+    return;
+  }
+  for (vtkIdType k = begin; k < end; ++k)
+  {
+    this->Array->SetTuple(k, buffer + (k - begin) * this->Components);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -14,6 +14,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <string>
@@ -21,20 +22,11 @@
 
 namespace measuredbrdf
 {
-/// One to three numbers.
-template <typename From, typename To>
-void CopyTuple(const From* from, To* to, int components)
-{
-  to[0] = static_cast<To>(from[0]);
-  if (components > 1)
-  {
-    to[1] = static_cast<To>(from[1]);
-  }
-  if (components > 2)
-  {
-    to[2] = static_cast<To>(from[2]);
-  }
-}
+/**
+ * Tuples are converted to and from doubles in blocks, ahead of their use. One at a time, the
+ * processor would wait for each: loading two doubles that were just stored one by one is slow.
+ */
+constexpr vtkIdType TupleBlock = 64;
 
 /// The tuples of an array as doubles. Contiguous doubles are read where they lie.
 class TupleReader
@@ -42,58 +34,39 @@ class TupleReader
 public:
   TupleReader(vtkDataArray* array, int components);
 
-  /// Tuple k, in the array itself or in the buffer; of an array with one tuple always that one.
-  const double* Get(vtkIdType k, double* buffer) const
-  {
-    if (this->Doubles)
-    {
-      return this->Doubles + k * this->Stride;
-    }
-    if (this->Floats)
-    {
-      CopyTuple(this->Floats + k * this->Stride, buffer, this->Components);
-    }
-    else
-    {
-      this->Array->GetTuple(this->Stride == 0 ? 0 : k, buffer);
-    }
-    return buffer;
-  }
+  /// How far apart the tuples of a block are: 0 if the array's only tuple serves for all.
+  vtkIdType GetStride() const { return this->Stride; }
+
+  /// Tuples begin to end, at most a block of them, in the array itself or in the buffer.
+  const double* Get(vtkIdType begin, vtkIdType end, double* buffer) const;
 
 private:
   vtkDataArray* Array;
   const double* Doubles;
   const float* Floats;
   int Components;
-  vtkIdType Stride; // 0: one tuple serves for all
+  vtkIdType Stride;
 };
 
-/// Writes tuples of doubles to an array of floats or doubles.
+/// Where doubles are written, for an array of floats or doubles.
 class TupleWriter
 {
 public:
   TupleWriter(vtkDataArray* array, int components);
 
-  void Set(vtkIdType k, const double* tuple) const
+  /// Where to write tuples begin and following: in the array itself or in the buffer.
+  double* Begin(vtkIdType begin, double* buffer) const
   {
-    if (this->Doubles)
-    {
-      CopyTuple(tuple, this->Doubles + k * this->Components, this->Components);
-    }
-    else if (this->Floats)
-    {
-      CopyTuple(tuple, this->Floats + k * this->Components, this->Components);
-    }
-    else
-    {
-      this->Array->SetTuple(k, tuple);
-    }
+    return this->Doubles ? this->Doubles + begin * this->Components : buffer;
   }
+
+  /// Tuples begin to end are written.
+  void Finish(vtkIdType begin, vtkIdType end, const double* buffer) const;
 
 private:
   vtkDataArray* Array;
-  double* Doubles = nullptr;
-  float* Floats = nullptr;
+  double* Doubles;
+  float* Floats;
   int Components;
 };
 
@@ -133,17 +106,26 @@ public:
     vtkSMPTools::For(0, this->Count, grain,
       [&](vtkIdType begin, vtkIdType end)
       {
-        double buffers[2][3];
+        double buffers[3][3 * TupleBlock];
         const double* inputs[2] = {};
-        double result[3];
-        for (vtkIdType k = begin; k < end; ++k)
+        for (vtkIdType from = begin; from < end; from += TupleBlock)
         {
+          const vtkIdType to = std::min(end, from + TupleBlock);
           for (std::size_t a = 0; a < readers.size(); ++a)
           {
-            inputs[a] = readers[a].Get(k, buffers[a]);
+            inputs[a] = readers[a].Get(from, to, buffers[a]);
           }
-          function(inputs, result);
-          writer.Set(k, result);
+          double* result = writer.Begin(from, buffers[2]);
+          for (vtkIdType k = from; k < to; ++k)
+          {
+            function(inputs, result);
+            for (std::size_t a = 0; a < readers.size(); ++a)
+            {
+              inputs[a] += readers[a].GetStride();
+            }
+            result += this->Result.Components;
+          }
+          writer.Finish(from, to, buffers[2]);
         }
       });
     this->Result.Array->Modified();

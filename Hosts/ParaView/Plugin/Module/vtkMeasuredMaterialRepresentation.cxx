@@ -5,6 +5,8 @@
 #include "MaterialFiles.h"
 #include "vtkMissingNormalsFilter.h"
 
+#include "vtkCommunicator.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkCompositeMeasuredBRDFMapper.h"
 #include "vtkDataAssembly.h"
 #include "vtkDataAssemblyUtilities.h"
@@ -38,6 +40,24 @@ vtkMultiProcessController* GetController()
 {
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
   return controller && controller->GetNumberOfProcesses() > 1 ? controller : nullptr;
+}
+
+//------------------------------------------------------------------------------
+// Flat indices of the blocks of each selector.
+std::vector<std::vector<unsigned int>> GetIndices(
+  vtkDataObject* data, const std::vector<std::pair<std::string, std::string>>& rows)
+{
+  std::vector<std::vector<unsigned int>> indices(rows.size());
+  auto* blocks = vtkCompositeDataSet::SafeDownCast(data);
+  vtkNew<vtkDataAssembly> hierarchy;
+  if (!rows.empty() && blocks && vtkDataAssemblyUtilities::GenerateHierarchy(blocks, hierarchy))
+  {
+    for (std::size_t k = 0; k < rows.size(); ++k)
+    {
+      indices[k] = vtkDataAssemblyUtilities::GetSelectedCompositeIds({ rows[k].first }, hierarchy);
+    }
+  }
+  return indices;
 }
 
 //------------------------------------------------------------------------------
@@ -92,11 +112,11 @@ struct vtkMeasuredMaterialRepresentation::Internals
   // What the names gave.
   bool IsFound = false;
   vtkSmartPointer<vtkBRDF> BRDF;
-  std::vector<std::pair<std::string, vtkSmartPointer<vtkBRDF>>> Blocks;
-  vtkSmartPointer<vtkEnvironment> Light;  // of the environment's name; null: the view's own
-  vtkSmartPointer<vtkEnvironment> Turned; // the same in its orientation
-  std::set<std::string> Said;             // errors, each once
-  vtkMTimeType BlocksTime = 0;            // of the data whose blocks have their materials
+  std::vector<vtkSmartPointer<vtkBRDF>> Blocks; // of BlockNames
+  vtkSmartPointer<vtkEnvironment> Light;        // of the environment's name; null: the view's own
+  vtkSmartPointer<vtkEnvironment> Turned;       // the same in its orientation
+  std::set<std::string> Said;                   // errors, each once
+  vtkMTimeType BlocksTime = 0;                  // of the data whose blocks have their materials
   bool BlocksChanged = true;
 
   std::string GetMaterialName() const
@@ -139,7 +159,7 @@ struct vtkMeasuredMaterialRepresentation::Internals
     this->Blocks.clear();
     for (const auto& [selector, name] : this->BlockNames)
     {
-      this->Blocks.emplace_back(selector, find(name));
+      this->Blocks.push_back(find(name));
     }
     Found<vtkEnvironment> environment = FindEnvironment(this->GetEnvironmentName(), controller);
     this->Say(self, environment.Error);
@@ -148,8 +168,42 @@ struct vtkMeasuredMaterialRepresentation::Internals
       this->Light = environment.Object;
       this->Turned = nullptr;
     }
+    if (!this->Light && this->Environment != "View") // black would look like a result
+    {
+      this->BRDF = nullptr;
+      std::fill(this->Blocks.begin(), this->Blocks.end(), nullptr);
+    }
     this->IsFound = true;
     this->BlocksChanged = true;
+  }
+
+  // The first process says which selectors no process has. Collective, as FindAll is.
+  void CheckSelectors(vtkObject* self, vtkDataObject* data, vtkMultiProcessController* controller)
+  {
+    if (this->BlockNames.empty())
+    {
+      return;
+    }
+    std::vector<int> have;
+    for (const auto& indices : GetIndices(data, this->BlockNames))
+    {
+      have.push_back(indices.empty() ? 0 : 1);
+    }
+    std::vector<int> anyHave = have;
+    if (controller)
+    {
+      controller->AllReduce(
+        have.data(), anyHave.data(), static_cast<vtkIdType>(have.size()), vtkCommunicator::MAX_OP);
+    }
+    for (std::size_t k = 0;
+         k < anyHave.size() && (!controller || controller->GetLocalProcessId() == 0); ++k)
+    {
+      if (!anyHave[k])
+      {
+        this->Say(self, "Block Materials: no block is called " + this->BlockNames[k].first +
+                          ", expected a path such as /Root/Block.");
+      }
+    }
   }
 
   vtkEnvironment* GetTurned()
@@ -230,6 +284,7 @@ void vtkMeasuredMaterialRepresentation::SetBlockMaterial(const char* selector, c
   }
   this->Impl->BlockNames.emplace_back(selector, ToText(material));
   this->NamesChanged();
+  this->MarkModified(); // selectors are checked where the data are
 }
 
 //------------------------------------------------------------------------------
@@ -314,11 +369,17 @@ void vtkMeasuredMaterialRepresentation::SetMissingNormalsFeatureAngle(double deg
 int vtkMeasuredMaterialRepresentation::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  if (vtkMultiProcessController* controller = GetController())
+  vtkMultiProcessController* controller = GetController();
+  if (controller)
   {
     this->Impl->FindAll(this, controller);
   }
-  return this->Superclass::RequestData(request, inputVector, outputVector);
+  const int success = this->Superclass::RequestData(request, inputVector, outputVector);
+  if (inputVector[0]->GetNumberOfInformationObjects() > 0) // a client of a server has no input
+  {
+    this->Impl->CheckSelectors(this, this->MultiBlockMaker->GetOutputDataObject(0), controller);
+  }
+  return success;
 }
 
 //------------------------------------------------------------------------------
@@ -386,22 +447,12 @@ void vtkMeasuredMaterialRepresentation::UpdateBlocks(vtkDataObjectTree* data)
   impl.BlocksChanged = false;
   impl.BlocksTime = data->GetMTime();
   std::map<unsigned int, vtkBRDF*> brdfs; // by flat index; later rows go before earlier ones
-  vtkNew<vtkDataAssembly> hierarchy;
-  if (!impl.Blocks.empty() && vtkDataAssemblyUtilities::GenerateHierarchy(data, hierarchy))
+  const auto indices = GetIndices(data, impl.BlockNames);
+  for (std::size_t k = 0; k < std::min(indices.size(), impl.Blocks.size()); ++k)
   {
-    for (const auto& [selector, brdf] : impl.Blocks)
+    for (unsigned int index : indices[k])
     {
-      const auto indices =
-        vtkDataAssemblyUtilities::GetSelectedCompositeIds({ selector }, hierarchy);
-      for (unsigned int index : indices)
-      {
-        brdfs[index] = brdf;
-      }
-      if (indices.empty())
-      {
-        impl.Say(this, "Block Materials: no block is called " + selector +
-                         ", expected a path such as /Root/Block.");
-      }
+      brdfs[index] = impl.Blocks[k];
     }
   }
   for (vtkMapper* any :
