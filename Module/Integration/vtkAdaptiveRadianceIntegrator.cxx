@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAdaptiveRadianceIntegrator.h"
 
+#include "HalfVector.h" // for Pi
 #include "LocalFrame.h"
 #include "ReflectionGuide.h"
 #include "TexelTree.h"
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <vector>
 
 vtkStandardNewMacro(vtkAdaptiveRadianceIntegrator);
@@ -24,7 +26,10 @@ using measuredbrdf::ReflectionGuide;
 using measuredbrdf::TexelTree;
 
 constexpr int WidestBase = 16; // squares across the map to begin with
-constexpr double AloneTimes = 2.0; // a draw's solid angle, that a square may keep
+// The radius that a square may keep: that of the solid angle in which a draw is alone, times this,
+// and this share of the distance to it.
+constexpr double AloneTimes = 2.0;
+constexpr double DistanceShare = 1.0;
 // What may be left where a square and its quarters agree by chance.
 constexpr double LeastRest = 0.05;
 constexpr double LargestRest = 1.0; // above, a square tells nothing
@@ -64,11 +69,10 @@ private:
     glm::dvec3 Value;       // by the quarters
     glm::dvec3 Quarters[4]; // their own
   };
-  struct Texel // that a draw falls into
+  struct Drawn
   {
-    int X;
-    int Y;
-    int Level; // of the largest square that may stay whole about it
+    glm::dvec3 Direction; // in the environment's frame
+    double Radius;        // of a square that may stay whole about it
   };
 
   glm::dvec3 Evaluate(int level, int x, int y) const;
@@ -76,8 +80,8 @@ private:
   Square Make(int level, int x, int y, const glm::dvec3& value) const;
   void AddQuarters(const Square& square);
   void Add(int level, int x, int y, const glm::dvec3& value);
-  void Force(int level, int x, int y, const glm::dvec3& value, Texel* first, Texel* last);
-  void FindTexels(const ReflectionGuide& guide);
+  bool Divides(const Drawn& drawn, const glm::dvec3& middle, double radius) const;
+  void Force(int level, int x, int y, const glm::dvec3& value, const std::vector<Drawn>& near);
 
   double EstimateError() const
   {
@@ -93,10 +97,9 @@ private:
   const glm::dvec3 View;
   int Base;
   glm::dvec3 Total = glm::dvec3(0.0);
-  double Error = 0.0;   // sum of the squares' errors
-  double Squares = 0.0; // of their squares
+  double Error = 0.0;       // sum of the squares' errors
+  double Squares = 0.0;     // of their squares
   std::vector<Square> Heap; // the largest error first
-  std::vector<Texel> Drawn;
 };
 
 //------------------------------------------------------------------------------
@@ -120,7 +123,7 @@ double AdaptiveSum::EstimateRising(int level, int x, int y) const
 {
   const TexelTree::Light light = this->Texels.Get(level, x, y);
   glm::dvec3 i = this->Local * light.Direction;
-  const double radius = this->Texels.GetRadius(level);
+  const double radius = this->Texels.GetLargestRadius(level);
   if (i.z > 0.0 || i.z + radius <= 0.0)
   {
     return 0.0;
@@ -188,11 +191,26 @@ void AdaptiveSum::AddQuarters(const Square& square)
 }
 
 //------------------------------------------------------------------------------
-// Divides where one of the draws wants smaller squares about it.
-void AdaptiveSum::Force(
-  int level, int x, int y, const glm::dvec3& value, Texel* first, Texel* last)
+bool AdaptiveSum::Divides(const Drawn& drawn, const glm::dvec3& middle, double radius) const
 {
-  if (std::all_of(first, last, [level](const Texel& texel) { return texel.Level >= level; }))
+  const double distance = std::max(glm::length(drawn.Direction - middle) - radius, 0.0);
+  return radius > drawn.Radius + DistanceShare * distance;
+}
+
+//------------------------------------------------------------------------------
+// Divides where a draw wants smaller squares about it.
+void AdaptiveSum::Force(
+  int level, int x, int y, const glm::dvec3& value, const std::vector<Drawn>& near)
+{
+  std::vector<Drawn> still;
+  if (level > 0)
+  {
+    double radius = 0.0;
+    const glm::dvec3 middle = this->Texels.GetMiddle(level, x, y, radius);
+    std::copy_if(near.begin(), near.end(), std::back_inserter(still),
+      [&](const Drawn& drawn) { return this->Divides(drawn, middle, radius); });
+  }
+  if (still.empty())
   {
     this->Add(level, x, y, value);
     return;
@@ -201,54 +219,27 @@ void AdaptiveSum::Force(
   {
     const int quarterX = 2 * x + k % 2;
     const int quarterY = 2 * y + k / 2;
-    Texel* const end = std::partition(first, last,
-      [&](const Texel& texel)
-      { return texel.X >> (level - 1) == quarterX && texel.Y >> (level - 1) == quarterY; });
-    this->Force(level - 1, quarterX, quarterY, this->Evaluate(level - 1, quarterX, quarterY), first,
-      end);
-    first = end;
-  }
-}
-
-//------------------------------------------------------------------------------
-void AdaptiveSum::FindTexels(const ReflectionGuide& guide)
-{
-  std::vector<ReflectionGuide::Draw> draws;
-  guide.Draws(this->View, draws);
-  const int width = this->Texels.GetWidth(0);
-  const int height = this->Texels.GetHeight(0);
-  for (const ReflectionGuide::Draw& draw : draws)
-  {
-    const glm::dvec3 d = draw.Direction * this->Local; // transposed: back to the environment's
-    double u;
-    double v;
-    vtkEnvironment::GetCoordinates(&d.x, u, v);
-    const int x = std::clamp(static_cast<int>(u * width), 0, width - 1);
-    const int y = std::clamp(static_cast<int>(v * height), 0, height - 1);
-    double largest = AloneTimes * draw.SolidAngle;
-    int level = 0;
-    for (double angle = this->Texels.GetSolidAngle(y); 4.0 * angle <= largest; angle *= 4.0)
-    {
-      ++level;
-    }
-    this->Drawn.push_back({ x, y, level });
+    this->Force(
+      level - 1, quarterX, quarterY, this->Evaluate(level - 1, quarterX, quarterY), still);
   }
 }
 
 //------------------------------------------------------------------------------
 glm::dvec3 AdaptiveSum::Run(const ReflectionGuide& guide, double tolerance)
 {
-  this->FindTexels(guide);
-  Texel* first = this->Drawn.data();
-  Texel* const last = first + this->Drawn.size();
+  std::vector<ReflectionGuide::Draw> draws;
+  guide.Draws(this->View, draws);
+  std::vector<Drawn> near;
+  for (const ReflectionGuide::Draw& draw : draws)
+  {
+    near.push_back({ draw.Direction * this->Local, // transposed: back to the environment's frame
+      AloneTimes * std::sqrt(draw.SolidAngle / measuredbrdf::Pi) });
+  }
   for (int y = 0; y < this->Texels.GetHeight(this->Base); ++y)
   {
     for (int x = 0; x < this->Texels.GetWidth(this->Base); ++x)
     {
-      Texel* const end = std::partition(first, last,
-        [&](const Texel& texel) { return texel.X >> this->Base == x && texel.Y >> this->Base == y; });
-      this->Force(this->Base, x, y, this->Evaluate(this->Base, x, y), first, end);
-      first = end;
+      this->Force(this->Base, x, y, this->Evaluate(this->Base, x, y), near);
     }
   }
   while (!this->Heap.empty() && this->EstimateError() > tolerance * Sum(this->Total))

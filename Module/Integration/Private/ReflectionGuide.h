@@ -36,7 +36,6 @@ public:
   void Draws(const glm::dvec3& o, std::vector<Draw>& draws) const;
 
 private:
-
   vtkSmartPointer<vtkBRDF> BRDF;
   std::vector<std::vector<Draw>> Views; // of an isotropic BRDF, their azimuth 0
 };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TexelTree.h"
 
+#include "HalfVector.h" // for Pi
 #include "SRGB.h"
 #include "vtkSMPTools.h"
 
@@ -81,9 +82,9 @@ void TexelTree::AddLevel(std::vector<glm::dvec4>& moments)
             moment += GetLuminance(light.Irradiance) * glm::dvec4(light.Direction, 1.0);
             continue;
           }
-          const glm::dvec4& fine = moments[static_cast<std::size_t>(fineY) *
-                                             static_cast<std::size_t>(fineWidth) +
-                                           static_cast<std::size_t>(fineX)];
+          const glm::dvec4& fine =
+            moments[static_cast<std::size_t>(fineY) * static_cast<std::size_t>(fineWidth) +
+                    static_cast<std::size_t>(fineX)];
           moment += fine;
           rest += GetVariance(fine);
         }
@@ -99,6 +100,23 @@ void TexelTree::AddLevel(std::vector<glm::dvec4>& moments)
   vtkSMPTools::For(0, level.Height, sumRows);
   this->Levels.push_back(std::move(level));
   moments = std::move(coarse);
+}
+
+double TexelTree::GetLargestRadius(int level) const
+{
+  return std::ldexp(std::hypot(Pi / this->GetWidth(0), 0.5 * Pi / this->GetHeight(0)), level);
+}
+
+glm::dvec3 TexelTree::GetMiddle(int level, int x, int y, double& radius) const
+{
+  const double u = std::min(std::ldexp(x + 0.5, level) / this->GetWidth(0), 1.0);
+  const double v = std::min(std::ldexp(y + 0.5, level) / this->GetHeight(0), 1.0);
+  glm::dvec3 middle;
+  vtkEnvironment::GetDirection(u, v, &middle.x);
+  radius = std::ldexp(std::hypot(Pi / this->GetWidth(0) * std::hypot(middle.x, middle.z),
+                        0.5 * Pi / this->GetHeight(0)),
+    level);
+  return middle;
 }
 
 TexelTree::Light TexelTree::Get(int level, int x, int y) const

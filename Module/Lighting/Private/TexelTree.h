@@ -15,7 +15,6 @@
 
 #include <glm/glm.hpp>
 
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -43,14 +42,11 @@ public:
   int GetWidth(int level) const { return this->Levels[static_cast<std::size_t>(level)].Width; }
   int GetHeight(int level) const { return this->Levels[static_cast<std::size_t>(level)].Height; }
 
-  /// Of a texel of a row.
-  double GetSolidAngle(int y) const { return this->SolidAngles[static_cast<std::size_t>(y)]; }
-
   /// Half the diagonal of a square at the equator, in rad: an upper bound.
-  double GetRadius(int level) const
-  {
-    return std::ldexp(2.2214414690791831 / this->GetHeight(0), level); // sqrt(2) pi / 2
-  }
+  double GetLargestRadius(int level) const;
+
+  /// A square's middle, of its area and not of its light, and half its diagonal.
+  glm::dvec3 GetMiddle(int level, int x, int y, double& radius) const;
 
   /// In the environment's frame. Black outside the map.
   Light Get(int level, int x, int y) const;

@@ -116,9 +116,8 @@ TEST(AdaptiveIntegrator, ToleranceZeroIsTheExactSum)
     const auto brdf = NewGloss(exponent, exponent);
     const auto adaptive = NewAdaptive(brdf, environment);
     adaptive->SetTolerance(0.0);
-    EXPECT_LT(GetLargestError(pairs.Integrate(adaptive),
-                pairs.IntegrateExactly(brdf, environment)),
-      1e-12);
+    EXPECT_LT(
+      GetLargestError(pairs.Integrate(adaptive), pairs.IntegrateExactly(brdf, environment)), 1e-12);
   }
 }
 
@@ -133,14 +132,15 @@ TEST(AdaptiveIntegrator, KeepsItsToleranceAtEachPair)
     vtkNew<vtkEnvironment> environment;
     hall ? environment->SetToProceduralHall() : environment->SetToProceduralSky();
     environment->SetRotationY(77.0);
-    for (const auto& [nu, nv] : { std::pair(10.0, 10.0), { 300.0, 300.0 }, { 1e4, 1e4 },
-           { 30.0, 3000.0 } })
+    for (const auto& [nu, nv] :
+      { std::pair(10.0, 10.0), { 300.0, 300.0 }, { 1e4, 1e4 }, { 30.0, 3000.0 } })
     {
       const auto brdf = NewGloss(nu, nv);
       const auto adaptive = NewAdaptive(brdf, environment);
-      const double error = GetLargestError(
-        pairs.Integrate(adaptive), pairs.IntegrateExactly(brdf, environment));
-      std::printf("%s, exponents %g and %g: %.4f %%\n", hall ? "hall" : "sky", nu, nv, 100.0 * error);
+      const double error =
+        GetLargestError(pairs.Integrate(adaptive), pairs.IntegrateExactly(brdf, environment));
+      std::printf(
+        "%s, exponents %g and %g: %.4f %%\n", hall ? "hall" : "sky", nu, nv, 100.0 * error);
       EXPECT_LT(error, 3e-3) << nu << " " << nv;
     }
   }
