@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Sums over squares of 2 x 2, 4 x 4, ... texels of an environment, for integrals that look at
+ * texels only where they have to. Private to the module.
+ */
+
+#ifndef TexelTree_h
+#define TexelTree_h
+
+#include "TexelDirections.h"
+#include "vtkEnvironment.h"
+#include "vtkSmartPointer.h"
+
+#include <glm/glm.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace measuredbrdf
+{
+class TexelTree
+{
+public:
+  /// What a square of texels sends.
+  struct Light
+  {
+    glm::dvec3 Irradiance; // on a surface that faces it: the sum of radiance times solid angle
+    glm::dvec3 Direction;  // unit: the mean, weighted by luminance
+    /// Summing over the four squares of half the size instead of this one leaves this much of what
+    /// it changes to do, for an integrand of second order: the share of the variance of directions
+    /// that remains in them. A third where radiance is constant; 0 for a texel.
+    double Rest;
+  };
+
+  /// From an environment that is not empty; the caller has asked it for GetSubdivided.
+  explicit TexelTree(vtkEnvironment* environment);
+
+  /// Level 0 has the texels; on each level up, width and height are half as large (rounded up).
+  int GetNumberOfLevels() const { return static_cast<int>(this->Levels.size()); }
+  int GetWidth(int level) const { return this->Levels[static_cast<std::size_t>(level)].Width; }
+  int GetHeight(int level) const { return this->Levels[static_cast<std::size_t>(level)].Height; }
+
+  /// Half the diagonal of a square at the equator, in rad: an upper bound.
+  double GetLargestRadius(int level) const;
+
+  /// A square's middle, of its area and not of its light, and half its diagonal.
+  glm::dvec3 GetMiddle(int level, int x, int y, double& radius) const;
+
+  /// In the environment's frame. Black outside the map.
+  Light Get(int level, int x, int y) const;
+
+private:
+  struct Sum // single precision is enough for what only says where to look
+  {
+    glm::vec3 Irradiance;
+    glm::vec3 Direction;
+    float Rest;
+  };
+  struct Level
+  {
+    int Width;
+    int Height;
+    std::vector<Sum> Sums; // none on level 0
+  };
+
+  void AddLevel(std::vector<glm::dvec4>& moments);
+
+  vtkSmartPointer<vtkEnvironment> Environment;
+  TexelDirections Directions;
+  std::vector<double> SolidAngles; // of a texel of each row
+  std::vector<Level> Levels;
+};
+} // namespace measuredbrdf
+
+#endif
