@@ -257,6 +257,18 @@ glm::dvec3 AdaptiveSum::Run(const ReflectionGuide& guide, double tolerance)
 }
 
 //------------------------------------------------------------------------------
+struct vtkAdaptiveRadianceIntegrator::Internals
+{
+  Internals(vtkEnvironment* environment, vtkBRDF* brdf)
+    : Texels(environment)
+    , Guide(brdf)
+  {
+  }
+  TexelTree Texels;
+  ReflectionGuide Guide;
+};
+
+//------------------------------------------------------------------------------
 vtkAdaptiveRadianceIntegrator::vtkAdaptiveRadianceIntegrator() = default;
 vtkAdaptiveRadianceIntegrator::~vtkAdaptiveRadianceIntegrator() = default;
 
@@ -269,8 +281,7 @@ bool vtkAdaptiveRadianceIntegrator::Begin()
     vtkErrorMacro("Integrate: there is no environment, or it is empty.");
     return false;
   }
-  this->Texels = std::make_shared<TexelTree>(environment->GetSubdivided());
-  this->Guide = std::make_shared<ReflectionGuide>(this->BRDF);
+  this->Prepared = std::make_unique<Internals>(environment->GetSubdivided(), this->BRDF);
   return true;
 }
 
@@ -280,8 +291,8 @@ void vtkAdaptiveRadianceIntegrator::IntegratePart(
 {
   const measuredbrdf::Frame frame = measuredbrdf::FrameAbout(glm::make_vec3(n), glm::make_vec3(t));
   const glm::dvec3 view = measuredbrdf::ToLocal(frame, glm::make_vec3(o));
-  AdaptiveSum sum(*this->Texels, this->BRDF, frame, view);
-  const glm::dvec3 result = sum.Run(*this->Guide, this->Tolerance);
+  AdaptiveSum sum(this->Prepared->Texels, this->BRDF, frame, view);
+  const glm::dvec3 result = sum.Run(this->Prepared->Guide, this->Tolerance);
   for (int c = 0; c < 3; ++c)
   {
     radiance[c] += result[c];

@@ -21,13 +21,7 @@
 
 #include "vtkRadianceIntegrator.h"
 
-#include <memory> // for the texels' sums
-
-namespace measuredbrdf
-{
-class ReflectionGuide;
-class TexelTree;
-}
+#include <memory> // for Prepared
 
 class VTKMEASUREDBRDF_EXPORT vtkAdaptiveRadianceIntegrator : public vtkRadianceIntegrator
 {
@@ -66,8 +60,8 @@ private:
   void operator=(const vtkAdaptiveRadianceIntegrator&) = delete;
 
   double Tolerance = 5e-4;
-  std::shared_ptr<const measuredbrdf::TexelTree> Texels;
-  std::shared_ptr<const measuredbrdf::ReflectionGuide> Guide;
+  struct Internals;
+  std::unique_ptr<const Internals> Prepared; // null: nothing yet
 };
 
 #endif
