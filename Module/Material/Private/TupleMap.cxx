@@ -82,11 +82,13 @@ const double* TupleReader::Get(vtkIdType begin, vtkIdType end, double* buffer) c
 }
 
 //------------------------------------------------------------------------------
-void TupleWriter::Finish(vtkIdType begin, vtkIdType end, const double* buffer) const
+void TupleWriter::Set(vtkIdType begin, vtkIdType end, const double* buffer) const
 {
   if (this->Doubles)
   {
-    return; // they are where they belong
+    std::copy(
+      buffer, buffer + (end - begin) * this->Components, this->Doubles + begin * this->Components);
+    return;
   }
   if (this->Floats)
   {

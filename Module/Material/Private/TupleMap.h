@@ -48,20 +48,15 @@ private:
   vtkIdType Stride;
 };
 
-/// Where doubles are written, for an array of floats or doubles.
+/// Writes blocks of doubles to an array of floats or doubles. They are not made in the array
+/// itself: it may share its memory with an input.
 class TupleWriter
 {
 public:
   TupleWriter(vtkDataArray* array, int components);
 
-  /// Where to write tuples begin and following: in the array itself or in the buffer.
-  double* Begin(vtkIdType begin, double* buffer) const
-  {
-    return this->Doubles ? this->Doubles + begin * this->Components : buffer;
-  }
-
-  /// Tuples begin to end are written.
-  void Finish(vtkIdType begin, vtkIdType end, const double* buffer) const;
+  /// Tuples begin to end.
+  void Set(vtkIdType begin, vtkIdType end, const double* buffer) const;
 
 private:
   vtkDataArray* Array;
@@ -115,7 +110,7 @@ public:
           {
             inputs[a] = readers[a].Get(from, to, buffers[a]);
           }
-          double* result = writer.Begin(from, buffers[2]);
+          double* result = buffers[2];
           for (vtkIdType k = from; k < to; ++k)
           {
             function(inputs, result);
@@ -125,7 +120,7 @@ public:
             }
             result += this->Result.Components;
           }
-          writer.Finish(from, to, buffers[2]);
+          writer.Set(from, to, buffers[2]);
         }
       });
     this->Result.Array->Modified();

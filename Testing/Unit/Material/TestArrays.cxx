@@ -247,6 +247,26 @@ TEST(Arrays, TheResultMayBeAnInput)
   }
 }
 
+// As two NumPy views of one array do.
+TEST(Arrays, TheResultMayShareMemoryWithAnInput)
+{
+  const Tuples directions = NewDirections(Count, 1);
+  const auto i = NewArray<vtkDoubleArray>(directions);
+  const auto o = NewArray<vtkDoubleArray>({ { 0.0, 0.0, 1.0 } });
+  vtkNew<vtkDoubleArray> result;
+  result->SetNumberOfComponents(3);
+  result->SetArray(i->GetPointer(0), 3 * static_cast<vtkIdType>(Count), 1);
+  vtkNew<vtkAshikhminShirleyBRDF> brdf;
+  ASSERT_TRUE(brdf->EvaluateArray(i, o, result));
+  const double view[3] = { 0.0, 0.0, 1.0 };
+  for (std::size_t k = 0; k < Count; ++k)
+  {
+    std::vector<double> f(3);
+    brdf->Evaluate(directions[k].data(), view, f.data());
+    ExpectTuple(result, k, f);
+  }
+}
+
 TEST(Arrays, MemoryOfAnotherOwnerIsFilled)
 {
   const auto i = NewArray<vtkDoubleArray>(NewDirections(10, 1));
