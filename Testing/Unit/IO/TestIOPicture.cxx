@@ -114,8 +114,8 @@ TEST(IOPicture, RefusesBadFiles)
     const char* Name;
     std::vector<std::string> Words;
   } cases[] = { { "nan.exr", { "pixel (1, 0)", "top left", "channel 2", "nan", "finite" } },
-    { "cut.png", {} }, { "huge.hdr", { "60000 x 60000" } }, { "junk.png", {} }, { "none.png", {} },
-    { ".", {} } };
+    { "cut.png", {} }, { "huge.hdr", { "60000" } }, { "junk.png", {} }, { "none.png", {} },
+    { ".", {} } }; // newer OpenImageIO refuses the huge one by itself, in its own words
   for (const auto& one : cases)
   {
     reader->SetFileName(folder(one.Name));
