@@ -214,7 +214,7 @@ class DiffBadInput(DiffTest):
         self.check(self.diff("a.png", "empty.png"), 2, "empty.png")
         huge = b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 60000 +X 60000\n"
         self.write("huge.hdr", huge + bytes(400))
-        self.check(self.diff("huge.hdr", "a.png"), 2, "huge.hdr", "60000 x 60000")
+        self.check(self.diff("huge.hdr", "a.png"), 2, "huge.hdr", "60000")
         self.draw_floats("nan.tif", [1.0, float("nan"), 1.0])
         self.check(self.diff("nan.tif", "nan.tif"), 2, "nan.tif", "pixel (1, 0)", "nan", "finite")
         self.draw_floats("negative.tif", [1.0, -2.0, 1.0])
