@@ -12,8 +12,8 @@
  * with the distance to them, so that no narrow lobe hides between the squares' middles. With a
  * tolerance of 0 it is the exact sum.
  *
- * Each pair keeps to the tolerance by an estimate, not by a bound: with the default the largest
- * error of some hundred pairs of a sphere was 0.17 %, from felt to mirror-like paint.
+ * The tolerance is compared with an estimate of the error, which is no bound. Tests hold each pair
+ * within 0.3 % of the exact sum with the default, from felt to mirror-like paint.
  */
 
 #ifndef vtkAdaptiveRadianceIntegrator_h
@@ -43,7 +43,7 @@ public:
   std::string GetMethodName() override { return "adaptive"; }
   std::string GetMethodDescription() override
   {
-    return "the exact sum to some 0.1 %, texels summed in groups where that is enough";
+    return "the exact sum to a tolerance, texels summed in groups where that is enough";
   }
 
 protected:
