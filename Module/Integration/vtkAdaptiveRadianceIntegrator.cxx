@@ -145,7 +145,7 @@ AdaptiveSum::Square AdaptiveSum::Make(int level, int x, int y, const glm::dvec3&
     square.Quarters[k] = this->Evaluate(level - 1, 2 * x + k % 2, 2 * y + k / 2);
     square.Value += square.Quarters[k];
   }
-  if (level > 1) // else it is exact
+  if (level - 1 > this->Texels.GetLowestLevel()) // else it is as exact as can be
   {
     const double rest = this->Texels.Get(level, x, y).Rest;
     const glm::dvec3 change = square.Value - value;
@@ -159,14 +159,14 @@ AdaptiveSum::Square AdaptiveSum::Make(int level, int x, int y, const glm::dvec3&
 //------------------------------------------------------------------------------
 void AdaptiveSum::Add(int level, int x, int y, const glm::dvec3& value)
 {
-  if (level == 0)
+  if (level == this->Texels.GetLowestLevel())
   {
     this->Total += value;
     return;
   }
   const Square square = this->Make(level, x, y, value);
   // Where nearly all light is in one quarter, that agrees with the square whatever it hides.
-  if (level > 1 && this->Texels.Get(level, x, y).Rest > LargestRest)
+  if (level > 0 && this->Texels.Get(level, x, y).Rest > LargestRest)
   {
     this->AddQuarters(square);
     return;
@@ -203,7 +203,7 @@ void AdaptiveSum::Force(
   int level, int x, int y, const glm::dvec3& value, const std::vector<Drawn>& near)
 {
   std::vector<Drawn> still;
-  if (level > 0)
+  if (level > this->Texels.GetLowestLevel())
   {
     double radius = 0.0;
     const glm::dvec3 middle = this->Texels.GetMiddle(level, x, y, radius);

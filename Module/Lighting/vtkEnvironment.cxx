@@ -6,6 +6,7 @@
 #include "Printable.h"
 #include "ProceduralEnvironments.h"
 #include "SRGB.h"
+#include "TexelInterpolation.h"
 #include "vtkArrayDispatch.h"
 #include "vtkDataArray.h"
 #include "vtkDataArrayAccessor.h"
@@ -24,6 +25,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -55,6 +57,16 @@ std::vector<float> Draw(
     }
   }
   return rgb;
+}
+
+// Radiance at (u,v) of an environment that is not empty.
+void Interpolate(vtkEnvironment* environment, double u, double v, double rgb[3])
+{
+  const std::size_t width = static_cast<std::size_t>(environment->GetWidth());
+  const float* pixels = environment->GetPixels().data();
+  measuredbrdf::InterpolateTexels(
+    width, static_cast<std::size_t>(environment->GetHeight()), u, v,
+    [&](std::size_t x, std::size_t y) { return pixels + 3 * (y * width + x); }, rgb);
 }
 
 struct BadValues
@@ -278,9 +290,9 @@ void vtkEnvironment::Subdivide()
   {
     for (int x = 0; x < width; ++x)
     {
-      const std::size_t texel = static_cast<std::size_t>(y / up) * this->Width + x / across;
-      const auto from = this->Pixels->begin() + static_cast<std::ptrdiff_t>(3 * texel);
-      rgb.insert(rgb.end(), from, from + 3);
+      double radiance[3];
+      Interpolate(this, (x + 0.5) / width, (y + 0.5) / height, radiance);
+      std::copy_n(radiance, 3, std::back_inserter(rgb));
     }
   }
   this->Subdivided = vtkSmartPointer<vtkEnvironment>::New();
@@ -364,13 +376,16 @@ void vtkEnvironment::GetRadiance(const double direction[3], double rgb[3])
     std::fill(rgb, rgb + 3, 0.0);
     return;
   }
-  this->GetPixel(std::clamp(static_cast<int>(u * this->Width), 0, this->Width - 1),
-    std::clamp(static_cast<int>(v * this->Height), 0, this->Height - 1), rgb);
+  Interpolate(this, u, v, rgb);
 }
 
 //------------------------------------------------------------------------------
 void vtkEnvironment::GetTotal(double rgb[3])
 {
+  if (this->Subdivided)
+  {
+    return this->Subdivided->GetTotal(rgb);
+  }
   std::fill(rgb, rgb + 3, 0.0);
   const float* pixel = this->Pixels->data();
   for (int y = 0; y < this->Height; ++y)

@@ -4,10 +4,10 @@
  * @class   vtkEnvironment
  * @brief   distant lighting: a lat-long image of linear RGB radiance
  *
- * Directions follow VTK's image-based lighting: for a unit direction d in the environment's frame
- * (y up), u = atan2(d.z, d.x)/(2 pi) + 1/2, v = asin(d.y)/pi + 1/2. Row 0 of the pixels is v = 0,
- * the bottom (-y), as in vtkImageData. Texel centers lie at (k + 1/2)/N; a texel's solid angle is
- * exact: dphi (cos theta0 - cos theta1).
+ * As in VTK's image-based lighting, a unit direction d in the environment's frame (y up) has
+ * u = atan2(d.z, d.x)/(2 pi) + 1/2, v = asin(d.y)/pi + 1/2. Row 0 of the pixels is at the bottom,
+ * v = 0; texel centers lie at (k + 1/2)/N. Between them radiance is bilinear in (u,v), as textures
+ * and other renderers have it: u goes on around the seam, v stops at the outer rows' centers.
  *
  * Negative and non-finite values are set to 0 on the way in and counted.
  */
@@ -98,20 +98,20 @@ public:
 
   /**
    * The environment to use for sums over texels. It is this environment if it has at least 128 x 64
-   * texels. Otherwise it is one of 256 x 128 or more, whose texels are equal parts of this one's. A
-   * texel is an area of constant radiance, not a point; with texels that small, a sum over their
-   * centers has an error of at most 3e-4 of a white map's irradiance, whichever way the surface
-   * faces. The result has no rotation. Integrators and light set generators call this themselves.
+   * texels. Otherwise it is one of 256 x 128 or more, interpolated from this one's texels. Texels
+   * that small stand for the sky between them: a sum over their centers has an error of at most
+   * 3e-4 of a white map's irradiance, whichever way the surface faces. The result has no rotation.
+   * Integrators and light set generators call this themselves.
    */
   vtkEnvironment* GetSubdivided() { return this->Subdivided ? this->Subdivided.Get() : this; }
 
   /**
-   * Radiance of the texel that a direction (environment frame) falls into. No interpolation.
+   * Radiance that comes from a direction (environment frame).
    */
   void GetRadiance(const double direction[3], double rgb[3]);
 
   /**
-   * Integral of the radiance over the sphere, RGB: the total to which light sets must add up.
+   * Integral of the radiance over the sphere, RGB, summed over GetSubdivided: light sets' total.
    */
   void GetTotal(double rgb[3]);
 

@@ -4,12 +4,14 @@
 
 #include "GaussLegendre.h"
 #include "TexelChanges.h"
+#include "TexelInterpolation.h"
 #include "WignerD.h"
 #include "vtkEnvironment.h"
 #include "vtkSMPTools.h"
 
 #include <unsupported/Eigen/FFT>
 
+#include <algorithm>
 #include <cmath>
 
 namespace measuredbrdf
@@ -122,6 +124,81 @@ private:
   std::vector<double> Weights;     // Points of each column
   std::vector<double> Scales;
 };
+
+// By channel, row and order.
+using Series = std::vector<std::complex<double>>;
+
+// The Fourier series of each row, of the function between its texels: that of point masses, times
+// that of the triangles that linear interpolation makes of them.
+Series TransformRows(vtkEnvironment* environment, const TexelChanges& texels, std::size_t orders)
+{
+  const std::size_t width = static_cast<std::size_t>(environment->GetWidth());
+  const std::size_t height = static_cast<std::size_t>(environment->GetHeight());
+  // The harmonics' azimuth is 3 pi/2 - phi_x: e^(-i m azimuth) = i^m e^(i m phi_x).
+  const std::complex<double> turns[4] = { 1.0, { 0.0, 1.0 }, -1.0, { 0.0, -1.0 } };
+  std::vector<std::complex<double>> factors;
+  for (std::size_t m = 0; m < orders; ++m)
+  {
+    const double half = Pi * static_cast<double>(m) / static_cast<double>(width);
+    const double sinc = m > 0 ? std::sin(half) / half : 1.0;
+    factors.push_back(turns[m % 4] * (2.0 * Pi / static_cast<double>(width) * sinc * sinc));
+  }
+  Series rows(3 * height * orders);
+  const RowTransform transform(width, orders);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(height),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      RowTransform::Workspace work;
+      std::vector<float> room;
+      for (vtkIdType row = begin; row < end; ++row)
+      {
+        const std::size_t y = static_cast<std::size_t>(row);
+        transform.Run(
+          texels.GetRow(environment, static_cast<int>(row), 0, static_cast<int>(width), room), work,
+          [&](int channel, std::size_t m, const std::complex<double>& value) {
+            rows[(static_cast<std::size_t>(channel) * height + y) * orders + m] =
+              value * factors[m];
+          });
+      }
+    });
+  return rows;
+}
+
+// A node of the integral over the polar angle, north of the equator, and its image in the south.
+struct Ring
+{
+  double Theta;
+  double Weight;       // with the sine
+  TexelNeighbors Rows; // from the south pole for the south, from the north pole for the north
+
+  std::complex<double> Mix(const std::complex<double>& first, const std::complex<double>& second) const
+  {
+    return this->Weight * (first + this->Rows.Weight * (second - first));
+  }
+};
+
+// Gauss-Legendre nodes between each two rows' centers, where rows are interpolated linearly, and
+// between the pole and the first row's.
+std::vector<Ring> MakeRings(std::size_t height, int degree)
+{
+  const double rowsOfDegree = static_cast<double>(degree) / static_cast<double>(height);
+  const Quadrature rule = GaussLegendre(rowsOfDegree <= 0.5 ? 2 : rowsOfDegree <= 1.0 ? 3 : 4);
+  std::vector<Ring> rings;
+  const double step = Pi / static_cast<double>(height);
+  for (double begin = 0.0; begin < 0.5 * Pi - 1e-6 * step;)
+  {
+    // Half a row at the pole and, where the rows are even in number, at the equator.
+    const double end = std::min(begin + (begin > 0.0 ? step : 0.5 * step), 0.5 * Pi);
+    for (std::size_t k = 0; k < rule.Nodes.size(); ++k)
+    {
+      const double theta = 0.5 * (begin + end) + 0.5 * (end - begin) * rule.Nodes[k];
+      rings.push_back({ theta, 0.5 * (end - begin) * rule.Weights[k] * std::sin(theta),
+        TexelNeighbors::InColumn(theta / Pi, height) });
+    }
+    begin = end;
+  }
+  return rings;
+}
 }
 
 EnvironmentHarmonics::EnvironmentHarmonics(
@@ -129,36 +206,15 @@ EnvironmentHarmonics::EnvironmentHarmonics(
   : MaximumDegree(maximumDegree)
 {
   environment = environment->GetSubdivided();
-  static const TexelChanges none;
-  const TexelChanges& texels = changes ? *changes : none;
-  const std::size_t width = static_cast<std::size_t>(environment->GetWidth());
-  const std::size_t height = static_cast<std::size_t>(environment->GetHeight());
   const std::size_t orders = static_cast<std::size_t>(maximumDegree) + 1;
   this->Coefficients.assign(3 * orders * orders, 0.0);
+  static const TexelChanges none;
+  const Series rows = TransformRows(environment, changes ? *changes : none, orders);
+  const std::size_t height = static_cast<std::size_t>(environment->GetHeight());
+  const std::vector<Ring> rings = MakeRings(height, maximumDegree);
 
-  // The harmonics' azimuth is 3 pi/2 - phi_x: e^(-i m azimuth) = i^m e^(i m phi_x).
-  const std::complex<double> turns[4] = { 1.0, { 0.0, 1.0 }, -1.0, { 0.0, -1.0 } };
-  std::vector<std::complex<double>> rows(3 * height * orders); // channel, row, m
-  const RowTransform transform(width, orders);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(height),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      RowTransform::Workspace work;
-      std::vector<float> room;
-      for (std::size_t y = static_cast<std::size_t>(begin); y < static_cast<std::size_t>(end); ++y)
-      {
-        const double solidAngle = environment->GetTexelSolidAngle(static_cast<int>(y));
-        transform.Run(
-          texels.GetRow(environment, static_cast<int>(y), 0, static_cast<int>(width), room), work,
-          [&](int channel, std::size_t m, const std::complex<double>& value)
-          {
-            rows[(static_cast<std::size_t>(channel) * height + y) * orders + m] =
-              solidAngle * value * turns[m % 4];
-          });
-      }
-    });
-
-  // Over the rows, order by order.
+  // Over the rings of both hemispheres, order by order: functions whose l - m is odd change sign
+  // across the equator.
   vtkSMPTools::For(0, static_cast<vtkIdType>(orders), 1,
     [&](vtkIdType begin, vtkIdType end)
     {
@@ -167,18 +223,22 @@ EnvironmentHarmonics::EnvironmentHarmonics(
       {
         const std::size_t m = static_cast<std::size_t>(order);
         const WignerD functions(static_cast<int>(m), 0, maximumDegree);
-        for (std::size_t y = 0; y < height; ++y)
+        for (const Ring& ring : rings)
         {
-          const double theta =
-            Pi * (1.0 - (static_cast<double>(y) + 0.5) / static_cast<double>(height));
-          functions.Evaluate(theta, d.data());
+          functions.Evaluate(ring.Theta, d.data());
           for (std::size_t channel = 0; channel < 3; ++channel)
           {
-            const std::complex<double> value = rows[(channel * height + y) * orders + m];
+            const auto get = [&](std::size_t y)
+            { return rows[(channel * height + y) * orders + m]; };
+            const std::size_t top = height - 1;
+            const std::complex<double> north =
+              ring.Mix(get(top - ring.Rows.First), get(top - ring.Rows.Second));
+            const std::complex<double> south = ring.Mix(get(ring.Rows.First), get(ring.Rows.Second));
+            const std::complex<double> values[2] = { north + south, north - south };
             std::complex<double>* out = &this->Coefficients[(channel * orders + m) * orders];
             for (std::size_t l = m; l < orders; ++l)
             {
-              out[l] += d[l - m] * value;
+              out[l] += d[l - m] * values[(l - m) % 2];
             }
           }
         }

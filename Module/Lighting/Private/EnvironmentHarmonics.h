@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * An environment's spherical harmonics, for each channel a_lm = sum over texels of L dw Y*_lm at
- * their centers: what the exact reference sums, seen through its degrees. The poles of the
+ * An environment's spherical harmonics, for each channel a_lm = integral of L Y*_lm dw, L
+ * interpolated between texels. The poles of the
  * harmonics are the environment's: their frame (X, Y, Z) is the environment's (z, x, y). Private to
  * the module.
  */

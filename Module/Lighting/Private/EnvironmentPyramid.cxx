@@ -3,6 +3,7 @@
 #include "EnvironmentPyramid.h"
 
 #include "TexelChanges.h"
+#include "TexelInterpolation.h"
 #include "vtkEnvironment.h"
 
 #include <algorithm>
@@ -17,8 +18,8 @@ namespace
 constexpr double Pi = 3.14159265358979323846;
 constexpr int MaximumSize = 1024;
 
-// Parts a side in which an environment's texel is spread over the map: at least so many per texel
-// of the map that flat regions stay flat (each texel takes the mean of what falls into it).
+// Points a side at which an environment's texel is interpolated: at least so many per texel of the
+// map that flat regions stay flat (each texel takes the mean of what falls into it).
 int GetParts(vtkEnvironment* environment, int size)
 {
   const double ratio =
@@ -147,18 +148,33 @@ void EnvironmentPyramid::Fill(vtkEnvironment* environment, const TexelChanges& c
     static_cast<std::size_t>(this->Size) * static_cast<std::size_t>(this->Size), glm::dvec4(0.0));
   const int parts = GetParts(environment, this->Size);
   std::vector<glm::dvec2> columns;
+  std::vector<TexelNeighbors> neighbors;
   for (int k = 0; k < width * parts; ++k)
   {
+    neighbors.push_back(
+      TexelNeighbors::InRow((k + 0.5) / (width * parts), static_cast<std::size_t>(width)));
     glm::dvec3 d;
     vtkEnvironment::GetDirection((k + 0.5) / (width * parts), 0.5, &d.x);
     columns.emplace_back(d.x, d.z);
   }
+  std::vector<float> otherRoom;
+  std::vector<float> mixed(3 * static_cast<std::size_t>(width));
   for (int row = 0; row < height * parts; ++row)
   {
     glm::dvec3 meridian;
     vtkEnvironment::GetDirection(0.5, (row + 0.5) / (height * parts), &meridian.x);
     const double cosine = std::hypot(meridian.x, meridian.z);
-    const float* pixels = changes.GetRow(environment, row / parts, 0, width, room);
+    // Between two rows of texels, then between two of their texels.
+    const TexelNeighbors rows =
+      TexelNeighbors::InColumn((row + 0.5) / (height * parts), static_cast<std::size_t>(height));
+    const float* first =
+      changes.GetRow(environment, static_cast<int>(rows.First), 0, width, room);
+    const float* second =
+      changes.GetRow(environment, static_cast<int>(rows.Second), 0, width, otherRoom);
+    for (std::size_t k = 0; k < mixed.size(); ++k)
+    {
+      mixed[k] = static_cast<float>(rows.Mix(first[k], second[k]));
+    }
     for (int column = 0; column < width * parts; ++column)
     {
       const glm::dvec3 d(cosine * columns[static_cast<std::size_t>(column)].x, meridian.y,
@@ -166,9 +182,11 @@ void EnvironmentPyramid::Fill(vtkEnvironment* environment, const TexelChanges& c
       const glm::dvec2 uv = ToSquare(d);
       const int x = std::min(static_cast<int>(uv.x * this->Size), this->Size - 1);
       const int y = std::min(static_cast<int>(uv.y * this->Size), this->Size - 1);
-      const float* pixel = pixels + 3 * (column / parts);
-      sums[static_cast<std::size_t>(y) * this->Size + x] +=
-        cosine * glm::dvec4(pixel[0], pixel[1], pixel[2], 1.0);
+      const TexelNeighbors& texels = neighbors[static_cast<std::size_t>(column)];
+      const float* a = &mixed[3 * texels.First];
+      const float* b = &mixed[3 * texels.Second];
+      sums[static_cast<std::size_t>(y) * this->Size + x] += cosine *
+        glm::dvec4(texels.Mix(a[0], b[0]), texels.Mix(a[1], b[1]), texels.Mix(a[2], b[2]), 1.0);
     }
   }
   glm::dvec3 shown(0.0);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TexelChanges.h"
 
+#include "TexelInterpolation.h"
+
 #include <algorithm>
 
 const float* vtkEnvironment::TexelChanges::GetRow(
@@ -28,22 +30,25 @@ const float* vtkEnvironment::TexelChanges::GetRow(
 void vtkEnvironment::TexelChanges::GetRadiance(
   vtkEnvironment* environment, const double direction[3], double rgb[3]) const
 {
-  environment->GetRadiance(direction, rgb);
   if (this->Texels.empty())
   {
+    environment->GetRadiance(direction, rgb);
     return;
   }
   double u;
   double v;
   vtkEnvironment::GetCoordinates(direction, u, v);
-  const int width = environment->GetWidth();
-  const int height = environment->GetHeight();
-  const std::size_t index =
-    static_cast<std::size_t>(std::clamp(static_cast<int>(v * height), 0, height - 1) * width +
-                             std::clamp(static_cast<int>(u * width), 0, width - 1));
-  const auto found = std::lower_bound(this->Texels.begin(), this->Texels.end(), Texel{ index, {} });
-  if (found != this->Texels.end() && found->Index == index)
-  {
-    std::copy_n(&found->Radiance.x, 3, rgb);
-  }
+  const std::size_t width = static_cast<std::size_t>(environment->GetWidth());
+  const float* pixels = environment->GetPixels().data();
+  measuredbrdf::InterpolateTexels(
+    width, static_cast<std::size_t>(environment->GetHeight()), u, v,
+    [&](std::size_t x, std::size_t y)
+    {
+      const std::size_t index = y * width + x;
+      const auto found =
+        std::lower_bound(this->Texels.begin(), this->Texels.end(), Texel{ index, {} });
+      return found != this->Texels.end() && found->Index == index ? &found->Radiance.x
+                                                                  : pixels + 3 * index;
+    },
+    rgb);
 }

@@ -4,7 +4,10 @@
 
 #include "HalfVector.h" // for Pi
 #include "SRGB.h"
+#include "TexelInterpolation.h"
 #include "vtkSMPTools.h"
+
+#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +17,8 @@ namespace measuredbrdf
 namespace
 {
 constexpr double MostRest = 10.0;
+constexpr double SmoothRest = 1.0 / 3.0; // of constant radiance
+constexpr int LeastParts = 16384;        // of the finest level, from pole to pole
 
 // The sum of w |d - m|^2 over directions d of weights w with mean m, from the sums of w d and w.
 double GetVariance(const glm::dvec4& moments)
@@ -39,13 +44,17 @@ glm::dvec3 GetMean(const glm::dvec4& moments)
 
 TexelTree::TexelTree(vtkEnvironment* environment)
   : Environment(vtkSmartPointer<vtkEnvironment>::Take(environment->NewSnapshot()))
-  , Directions(environment->GetWidth(), environment->GetHeight())
 {
-  for (int y = 0; y < environment->GetHeight(); ++y)
+  const int width = environment->GetWidth();
+  const int height = environment->GetHeight();
+  int times = 1;
+  do
   {
-    this->SolidAngles.push_back(environment->GetTexelSolidAngle(y));
-  }
-  this->Levels.push_back({ environment->GetWidth(), environment->GetHeight(), {} });
+    this->Parts.emplace_back(times * width, times * height);
+    times *= 2;
+  } while (times * height <= 2 * LeastParts);
+  this->AverageTexels();
+  this->Levels.push_back({ width, height, {} });
   std::vector<glm::dvec4> moments; // of the level that was made last
   while (this->Levels.back().Width > 1 || this->Levels.back().Height > 1)
   {
@@ -53,9 +62,40 @@ TexelTree::TexelTree(vtkEnvironment* environment)
   }
 }
 
+// Linear interpolation takes an eighth of a texel's mean from each neighbor.
+void TexelTree::AverageTexels()
+{
+  const int width = this->GetWidth(0);
+  const int height = this->GetHeight(0);
+  const std::vector<float>& pixels = this->Environment->GetPixels();
+  const auto get = [&](int x, int y)
+  { return glm::make_vec3(&pixels[3 * (static_cast<std::size_t>(y) * width + x)]); };
+  this->Texels.resize(pixels.size() / 3);
+  vtkSMPTools::For(0, height,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      std::vector<glm::vec3> row(static_cast<std::size_t>(width));
+      for (int y = static_cast<int>(first); y < static_cast<int>(last); ++y)
+      {
+        for (int x = 0; x < width; ++x)
+        {
+          row[static_cast<std::size_t>(x)] = 0.75f * get(x, y) +
+            0.125f * (get(x, std::max(y - 1, 0)) + get(x, std::min(y + 1, height - 1)));
+        }
+        for (int x = 0; x < width; ++x)
+        {
+          this->Texels[static_cast<std::size_t>(y) * width + x] =
+            0.75f * row[static_cast<std::size_t>(x)] +
+            0.125f * (row[static_cast<std::size_t>(x > 0 ? x - 1 : width - 1)] +
+                       row[static_cast<std::size_t>(x + 1 < width ? x + 1 : 0)]);
+        }
+      }
+    });
+}
+
 void TexelTree::AddLevel(std::vector<glm::dvec4>& moments)
 {
-  const int below = this->GetNumberOfLevels() - 1;
+  const int below = this->GetHighestLevel();
   const int fineWidth = this->GetWidth(below);
   const int fineHeight = this->GetHeight(below);
   Level level{ (fineWidth + 1) / 2, (fineHeight + 1) / 2, {} };
@@ -77,14 +117,10 @@ void TexelTree::AddLevel(std::vector<glm::dvec4>& moments)
         {
           const Light light = this->Get(below, fineX, fineY);
           irradiance += light.Irradiance;
-          if (below == 0)
-          {
-            moment += GetLuminance(light.Irradiance) * glm::dvec4(light.Direction, 1.0);
-            continue;
-          }
-          const glm::dvec4& fine =
-            moments[static_cast<std::size_t>(fineY) * static_cast<std::size_t>(fineWidth) +
-                    static_cast<std::size_t>(fineX)];
+          const glm::dvec4 fine = below > 0
+            ? moments[static_cast<std::size_t>(fineY) * static_cast<std::size_t>(fineWidth) +
+                      static_cast<std::size_t>(fineX)]
+            : this->GetTexelMoment(light, fineY);
           moment += fine;
           rest += GetVariance(fine);
         }
@@ -102,6 +138,25 @@ void TexelTree::AddLevel(std::vector<glm::dvec4>& moments)
   moments = std::move(coarse);
 }
 
+// Directions within a texel spread about its middle: the mean is shorter than 1.
+glm::dvec4 TexelTree::GetTexelMoment(const Light& light, int y) const
+{
+  const double across = 2.0 * Pi / this->GetWidth(0) * this->Parts[0].Rows[static_cast<std::size_t>(y)].x;
+  const double up = Pi / this->GetHeight(0);
+  const double variance = (across * across + up * up) / 12.0;
+  return GetLuminance(light.Irradiance) * glm::dvec4((1.0 - 0.5 * variance) * light.Direction, 1.0);
+}
+
+int TexelTree::GetWidth(int level) const
+{
+  return level < 0 ? this->GetWidth(0) << -level : this->Levels[static_cast<std::size_t>(level)].Width;
+}
+
+int TexelTree::GetHeight(int level) const
+{
+  return level < 0 ? this->GetHeight(0) << -level : this->Levels[static_cast<std::size_t>(level)].Height;
+}
+
 double TexelTree::GetLargestRadius(int level) const
 {
   return std::ldexp(std::hypot(Pi / this->GetWidth(0), 0.5 * Pi / this->GetHeight(0)), level);
@@ -109,32 +164,61 @@ double TexelTree::GetLargestRadius(int level) const
 
 glm::dvec3 TexelTree::GetMiddle(int level, int x, int y, double& radius) const
 {
-  const double u = std::min(std::ldexp(x + 0.5, level) / this->GetWidth(0), 1.0);
-  const double v = std::min(std::ldexp(y + 0.5, level) / this->GetHeight(0), 1.0);
   glm::dvec3 middle;
-  vtkEnvironment::GetDirection(u, v, &middle.x);
+  if (level <= 0)
+  {
+    middle = this->Parts[static_cast<std::size_t>(-level)].Get(x, y);
+  }
+  else
+  {
+    const double u = std::min(std::ldexp(x + 0.5, level) / this->GetWidth(0), 1.0);
+    const double v = std::min(std::ldexp(y + 0.5, level) / this->GetHeight(0), 1.0);
+    vtkEnvironment::GetDirection(u, v, &middle.x);
+  }
   radius = std::ldexp(std::hypot(Pi / this->GetWidth(0) * std::hypot(middle.x, middle.z),
                         0.5 * Pi / this->GetHeight(0)),
     level);
   return middle;
 }
 
+// Of a square of level 0 or less.
+double TexelTree::GetSolidAngle(int level, int y) const
+{
+  // dphi (cos theta0 - cos theta1) as a product.
+  return 2.0 * Pi / this->GetWidth(level) * 2.0 * std::sin(Pi / (2.0 * this->GetHeight(level))) *
+         this->Parts[static_cast<std::size_t>(-level)].Rows[static_cast<std::size_t>(y)].x;
+}
+
 TexelTree::Light TexelTree::Get(int level, int x, int y) const
 {
-  const Level& found = this->Levels[static_cast<std::size_t>(level)];
-  if (x >= found.Width || y >= found.Height)
+  const int width = this->GetWidth(level);
+  const int height = this->GetHeight(level);
+  if (x >= width || y >= height)
   {
     return { glm::dvec3(0.0), glm::dvec3(0.0, 1.0, 0.0), 0.0 };
   }
+  const std::size_t texel = static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                            static_cast<std::size_t>(x);
+  if (level > 0)
+  {
+    const Sum& sum = this->Levels[static_cast<std::size_t>(level)].Sums[texel];
+    return { sum.Irradiance, sum.Direction, sum.Rest };
+  }
+  glm::dvec3 radiance;
   if (level == 0)
   {
-    glm::dvec3 radiance;
-    this->Environment->GetPixel(x, y, &radiance.x);
-    return { radiance * this->SolidAngles[static_cast<std::size_t>(y)], this->Directions.Get(x, y),
-      0.0 };
+    radiance = this->Texels[texel];
   }
-  const Sum& sum = found.Sums[static_cast<std::size_t>(y) * static_cast<std::size_t>(found.Width) +
-                              static_cast<std::size_t>(x)];
-  return { sum.Irradiance, sum.Direction, sum.Rest };
+  else
+  {
+    const std::size_t columns = static_cast<std::size_t>(this->GetWidth(0));
+    const float* pixels = this->Environment->GetPixels().data();
+    InterpolateTexels(
+      columns, static_cast<std::size_t>(this->GetHeight(0)), (x + 0.5) / width, (y + 0.5) / height,
+      [&](std::size_t column, std::size_t row) { return pixels + 3 * (row * columns + column); },
+      &radiance.x);
+  }
+  return { radiance * this->GetSolidAngle(level, y),
+    this->Parts[static_cast<std::size_t>(-level)].Get(x, y), SmoothRest };
 }
 } // namespace measuredbrdf

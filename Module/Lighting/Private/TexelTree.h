@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Sums over squares of 2 x 2, 4 x 4, ... texels of an environment, for integrals that look at
- * texels only where they have to. Private to the module.
+ * The sky in squares of 2 x 2, 4 x 4, ... texels of an environment and in parts of texels, for
+ * integrals that look closely only where they have to. Private to the module.
  */
 
 #ifndef TexelTree_h
@@ -23,24 +23,28 @@ namespace measuredbrdf
 class TexelTree
 {
 public:
-  /// What a square of texels sends.
+  /// What a square sends.
   struct Light
   {
     glm::dvec3 Irradiance; // on a surface that faces it: the sum of radiance times solid angle
     glm::dvec3 Direction;  // unit: the mean, weighted by luminance
     /// Summing over the four squares of half the size instead of this one leaves this much of what
     /// it changes to do, for an integrand of second order: the share of the variance of directions
-    /// that remains in them. A third where radiance is constant; 0 for a texel.
+    /// that remains in them. A third where radiance is constant.
     double Rest;
   };
 
   /// From an environment that is not empty; the caller has asked it for GetSubdivided.
   explicit TexelTree(vtkEnvironment* environment);
 
-  /// Level 0 has the texels; on each level up, width and height are half as large (rounded up).
-  int GetNumberOfLevels() const { return static_cast<int>(this->Levels.size()); }
-  int GetWidth(int level) const { return this->Levels[static_cast<std::size_t>(level)].Width; }
-  int GetHeight(int level) const { return this->Levels[static_cast<std::size_t>(level)].Height; }
+  ///@{
+  /// Squares of level 0 are texels; on each level up, width and height are half as large (rounded
+  /// up). Those of negative levels are parts of texels, 2 x 2, 4 x 4, ..., down to 0.01 degrees.
+  int GetHighestLevel() const { return static_cast<int>(this->Levels.size()) - 1; }
+  int GetLowestLevel() const { return 1 - static_cast<int>(this->Parts.size()); }
+  int GetWidth(int level) const;
+  int GetHeight(int level) const;
+  ///@}
 
   /// Half the diagonal of a square at the equator, in rad: an upper bound.
   double GetLargestRadius(int level) const;
@@ -65,11 +69,14 @@ private:
     std::vector<Sum> Sums; // none on level 0
   };
 
+  void AverageTexels();
   void AddLevel(std::vector<glm::dvec4>& moments);
+  glm::dvec4 GetTexelMoment(const Light& light, int y) const;
+  double GetSolidAngle(int level, int y) const;
 
   vtkSmartPointer<vtkEnvironment> Environment;
-  TexelDirections Directions;
-  std::vector<double> SolidAngles; // of a texel of each row
+  std::vector<glm::vec3> Texels;      // the mean radiance of each one's area
+  std::vector<TexelDirections> Parts; // levels 0, -1, ...
   std::vector<Level> Levels;
 };
 } // namespace measuredbrdf
