@@ -97,7 +97,7 @@ std::vector<Oddity> MakeOddities()
 //------------------------------------------------------------------------------
 void RunOddities(Context& context)
 {
-  const vtkSmartPointer<vtkEnvironment> environment = context.MakeEnvironment("sky", 64);
+  const vtkSmartPointer<vtkEnvironment> environment = context.MakeEnvironment("sky", 128);
   const Pairs pairs = MakeSpherePairs(100);
   StabilityRenderer offscreen(context);
   for (const Oddity& oddity : MakeOddities())

@@ -258,7 +258,7 @@ void RunPoles(Context& context)
 void RunSeams(Context& context)
 {
   const vtkSmartPointer<vtkBRDF> brdf = context.Choose(MakePlastic(30.0));
-  const vtkSmartPointer<vtkEnvironment> environment = context.MakeEnvironment("sky", 64);
+  const vtkSmartPointer<vtkEnvironment> environment = context.MakeEnvironment("sky", 128);
   const Pairs pairs = MakeSpherePairs(150);
   const int width = environment->GetWidth();
   // The brightest texel comes to lie on the seam.

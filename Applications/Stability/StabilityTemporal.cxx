@@ -154,7 +154,7 @@ Frames PlayExactly(vtkBRDF* brdf, vtkEnvironment* environment, const Motion& mot
 void RunMotion(Context& context)
 {
   const int count = context.Short ? 4 : 9;
-  const int width = context.Short ? 64 : 128;
+  const int width = 128;
   const std::vector<Motion> motions = GetMotions(MakeSpherePairs(context.Short ? 100 : 250));
   struct Scene
   {

@@ -31,34 +31,6 @@
 
 namespace
 {
-// RGB of a formula, each texel the mean of samples x samples points.
-std::vector<float> Draw(
-  int width, int height, int samples, glm::dvec3 (*radiance)(const glm::dvec3&))
-{
-  std::vector<float> rgb;
-  rgb.reserve(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-  for (int y = 0; y < height; ++y)
-  {
-    for (int x = 0; x < width; ++x)
-    {
-      glm::dvec3 sum(0.0);
-      for (int k = 0; k < samples * samples; ++k)
-      {
-        const int row = k / samples;
-        glm::dvec3 d;
-        vtkEnvironment::GetDirection(
-          (x + (k % samples + 0.5) / samples) / width, (y + (row + 0.5) / samples) / height, &d.x);
-        sum += radiance(d);
-      }
-      for (int c = 0; c < 3; ++c)
-      {
-        rgb.push_back(static_cast<float>(sum[c] / (samples * samples)));
-      }
-    }
-  }
-  return rgb;
-}
-
 // Radiance at (u,v) of an environment that is not empty.
 void Interpolate(vtkEnvironment* environment, double u, double v, double rgb[3])
 {
@@ -303,14 +275,16 @@ void vtkEnvironment::Subdivide()
 //------------------------------------------------------------------------------
 void vtkEnvironment::SetToProceduralSky()
 {
-  this->SetPixels(256, 128, Draw(256, 128, 1, measuredbrdf::GetSkyRadiance));
+  this->SetPixels(
+    256, 128, measuredbrdf::DrawEnvironment(256, 128, 1, measuredbrdf::GetSkyRadiance));
   this->SetName("procedural sky");
 }
 
 //------------------------------------------------------------------------------
 void vtkEnvironment::SetToProceduralHall()
 {
-  this->SetPixels(512, 256, Draw(512, 256, 4, measuredbrdf::GetHallRadiance));
+  this->SetPixels(
+    512, 256, measuredbrdf::DrawEnvironment(512, 256, 4, measuredbrdf::GetHallRadiance));
   this->SetName("procedural hall");
 }
 

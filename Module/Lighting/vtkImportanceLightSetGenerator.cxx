@@ -25,6 +25,7 @@ bool vtkImportanceLightSetGenerator::Generate(
     return false;
   }
 
+  environment = environment->GetSubdivided();
   const int width = environment->GetWidth();
   const int height = environment->GetHeight();
   std::vector<double> weights;

@@ -141,7 +141,7 @@ class Environment:
         self._environment.SetRotationY(degrees)
 
     def radiance(self, directions: ArrayLike) -> NDArray[np.float32]:
-        """The radiance from directions, without interpolation between texels.
+        """The radiance from directions, bilinear between texels.
 
         Parameters
         ----------
@@ -161,9 +161,18 @@ class Environment:
         height, width = self.shape
         u = np.arctan2(z, x) / (2.0 * math.pi) + 0.5
         v = np.arcsin(np.clip(y, -1.0, 1.0)) / math.pi + 0.5
-        columns = np.minimum((u * width).astype(np.intp), width - 1)
-        rows = np.minimum((v * height).astype(np.intp), height - 1)
-        return self.pixels[height - 1 - rows, columns]
+        across = u * width - 0.5
+        up = np.clip(v * height - 0.5, 0.0, height - 1.0)
+        left, below = np.floor(across).astype(np.intp), np.floor(up).astype(np.intp)
+        to_right, to_above = (across - left)[..., None], (up - below)[..., None]
+
+        def get(row: NDArray[np.intp], column: NDArray[np.intp]) -> NDArray[np.float64]:
+            return self.pixels[height - 1 - np.minimum(row, height - 1), column % width].astype(np.float64)
+
+        low = get(below, left) * (1.0 - to_right) + get(below, left + 1) * to_right
+        high = get(below + 1, left) * (1.0 - to_right) + get(below + 1, left + 1) * to_right
+        radiance: NDArray[np.float32] = (low * (1.0 - to_above) + high * to_above).astype(np.float32)
+        return radiance
 
     def __copy__(self) -> Environment:
         """The same pixels, without a copy of them, and a rotation of its own."""

@@ -179,8 +179,14 @@ add("Lighting.snapshot-without-rotation", "vtkEnvironment.cxx",
     "std::copy_n(this->WorldToEnvironment, 9, snapshot->WorldToEnvironment);", "", "Snapshots.Environments")
 add("Lighting.new-pixels-old-time", "vtkEnvironment.cxx", "this->PixelsTime.Modified();\n  this->Modified();",
     "this->Modified();", "Variance.FollowsThePixelsNotTheRotation|Planner.PlansAgainExactlyWhenItMust")
-add("Lighting.cut-up-texels-are-mixed", "vtkEnvironment.cxx", "this->Width + x / across;",
-    "this->Width + x % this->Width;", "CoarseMaps.AreCutUpWithoutChangingTheirLight")
+add("Lighting.cut-up-texels-are-moved", "vtkEnvironment.cxx", "Interpolate(this, (x + 0.5) / width, (y + 0.5) / height, radiance);",
+    "Interpolate(this, (x + 1.0) / width, (y + 0.5) / height, radiance);", "CoarseMaps.AreCutUpWithoutChangingTheirLight")
+add("Lighting.seam-is-not-crossed", "TexelInterpolation.h", "first + 1 < size ? first + 1 : 0,",
+    "first + 1 < size ? first + 1 : first,", "Environment.InterpolatesBetweenTexels|EnvironmentHarmonics.AreIntegralsOfTheInterpolatedSky")
+add("Lighting.harmonics-of-point-masses", "EnvironmentHarmonics.cxx", "sinc * sinc));", "1.0));",
+    "EnvironmentHarmonics.AreIntegralsOfTheInterpolatedSky")
+add("Lighting.harmonics-of-one-hemisphere", "EnvironmentHarmonics.cxx", "{ north + south, north - south }", "{ north + south, north + south }",
+    "EnvironmentHarmonics.AreIntegralsOfTheInterpolatedSky")
 add("Lighting.old-light-in-new-pixels", "vtkEnvironment.cxx",
     "this->Parts = vtkEnvironment::MakeParts();\n  this->PixelsTime", "this->PixelsTime",
     "PlanMemory.GoesWithThePixels|FilteredIntegrator.FollowsItsInputs|TableIntegrator.RebuildsExactlyWhenItMust")

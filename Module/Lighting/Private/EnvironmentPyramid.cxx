@@ -27,6 +27,24 @@ int GetParts(vtkEnvironment* environment, int size)
   return std::clamp(static_cast<int>(std::ceil(2.0 * std::sqrt(ratio))), 1, 64);
 }
 
+// Radiance times solid angle.
+glm::dvec3 SumTexels(vtkEnvironment* environment, const TexelChanges& changes)
+{
+  const int width = environment->GetWidth();
+  std::vector<float> room;
+  glm::dvec3 sum(0.0);
+  for (int y = 0; y < environment->GetHeight(); ++y)
+  {
+    const float* pixels = changes.GetRow(environment, y, 0, width, room);
+    const double solidAngle = environment->GetTexelSolidAngle(y);
+    for (int x = 0; x < width; ++x)
+    {
+      sum += solidAngle * glm::dvec3(pixels[3 * x], pixels[3 * x + 1], pixels[3 * x + 2]);
+    }
+  }
+  return sum;
+}
+
 // atan(y/x) in right angles for x, y >= 0, as brdfQuadrant does it.
 float Quadrant(float y, float x)
 {
@@ -127,23 +145,12 @@ glm::vec4& EnvironmentPyramid::At(int level, int x, int y)
             static_cast<std::size_t>(x + 1)];
 }
 
-void EnvironmentPyramid::Fill(vtkEnvironment* environment, const TexelChanges& changes)
+// Sums of RGB and of weights, by area, of the points that fall into each texel of the map.
+std::vector<glm::dvec4> EnvironmentPyramid::Gather(
+  vtkEnvironment* environment, const TexelChanges& changes) const
 {
   const int width = environment->GetWidth();
   const int height = environment->GetHeight();
-  std::vector<float> room;
-  glm::dvec3 kept(0.0);
-  for (int y = 0; y < height; ++y)
-  {
-    const float* pixels = changes.GetRow(environment, y, 0, width, room);
-    const double solidAngle = environment->GetTexelSolidAngle(y);
-    for (int x = 0; x < width; ++x)
-    {
-      kept += solidAngle * glm::dvec3(pixels[3 * x], pixels[3 * x + 1], pixels[3 * x + 2]);
-    }
-  }
-
-  // The map's texels take the mean of what falls into them.
   std::vector<glm::dvec4> sums(
     static_cast<std::size_t>(this->Size) * static_cast<std::size_t>(this->Size), glm::dvec4(0.0));
   const int parts = GetParts(environment, this->Size);
@@ -151,44 +158,54 @@ void EnvironmentPyramid::Fill(vtkEnvironment* environment, const TexelChanges& c
   std::vector<TexelNeighbors> neighbors;
   for (int k = 0; k < width * parts; ++k)
   {
-    neighbors.push_back(
-      TexelNeighbors::InRow((k + 0.5) / (width * parts), static_cast<std::size_t>(width)));
+    const double u = (k + 0.5) / (width * parts);
     glm::dvec3 d;
-    vtkEnvironment::GetDirection((k + 0.5) / (width * parts), 0.5, &d.x);
+    vtkEnvironment::GetDirection(u, 0.5, &d.x);
     columns.emplace_back(d.x, d.z);
+    neighbors.push_back(TexelNeighbors::InRow(u, static_cast<std::size_t>(width)));
   }
-  std::vector<float> otherRoom;
+  std::vector<float> firstRoom, secondRoom;
   std::vector<float> mixed(3 * static_cast<std::size_t>(width));
   for (int row = 0; row < height * parts; ++row)
   {
+    const double v = (row + 0.5) / (height * parts);
     glm::dvec3 meridian;
-    vtkEnvironment::GetDirection(0.5, (row + 0.5) / (height * parts), &meridian.x);
+    vtkEnvironment::GetDirection(0.5, v, &meridian.x);
     const double cosine = std::hypot(meridian.x, meridian.z);
-    // Between two rows of texels, then between two of their texels.
-    const TexelNeighbors rows =
-      TexelNeighbors::InColumn((row + 0.5) / (height * parts), static_cast<std::size_t>(height));
+    // Interpolated between two rows of texels, then between two texels of that.
+    const auto rows = TexelNeighbors::InColumn(v, static_cast<std::size_t>(height));
     const float* first =
-      changes.GetRow(environment, static_cast<int>(rows.First), 0, width, room);
+      changes.GetRow(environment, static_cast<int>(rows.First), 0, width, firstRoom);
     const float* second =
-      changes.GetRow(environment, static_cast<int>(rows.Second), 0, width, otherRoom);
+      changes.GetRow(environment, static_cast<int>(rows.Second), 0, width, secondRoom);
     for (std::size_t k = 0; k < mixed.size(); ++k)
     {
       mixed[k] = static_cast<float>(rows.Mix(first[k], second[k]));
     }
-    for (int column = 0; column < width * parts; ++column)
+    for (std::size_t column = 0; column < columns.size(); ++column)
     {
-      const glm::dvec3 d(cosine * columns[static_cast<std::size_t>(column)].x, meridian.y,
-        cosine * columns[static_cast<std::size_t>(column)].y);
+      const glm::dvec3 d(cosine * columns[column].x, meridian.y, cosine * columns[column].y);
       const glm::dvec2 uv = ToSquare(d);
       const int x = std::min(static_cast<int>(uv.x * this->Size), this->Size - 1);
       const int y = std::min(static_cast<int>(uv.y * this->Size), this->Size - 1);
-      const TexelNeighbors& texels = neighbors[static_cast<std::size_t>(column)];
-      const float* a = &mixed[3 * texels.First];
-      const float* b = &mixed[3 * texels.Second];
-      sums[static_cast<std::size_t>(y) * this->Size + x] += cosine *
-        glm::dvec4(texels.Mix(a[0], b[0]), texels.Mix(a[1], b[1]), texels.Mix(a[2], b[2]), 1.0);
+      const TexelNeighbors& between = neighbors[column];
+      const float* a = &mixed[3 * between.First];
+      const float* b = &mixed[3 * between.Second];
+      glm::dvec4 value(1.0);
+      for (int c = 0; c < 3; ++c)
+      {
+        value[c] = between.Mix(a[c], b[c]);
+      }
+      sums[static_cast<std::size_t>(y) * this->Size + x] += cosine * value;
     }
   }
+  return sums;
+}
+
+void EnvironmentPyramid::Fill(vtkEnvironment* environment, const TexelChanges& changes)
+{
+  // The map's texels take the mean of what falls into them.
+  const std::vector<glm::dvec4> sums = this->Gather(environment, changes);
   glm::dvec3 shown(0.0);
   for (int y = 0; y < this->Size; ++y)
   {
@@ -209,7 +226,8 @@ void EnvironmentPyramid::Fill(vtkEnvironment* environment, const TexelChanges& c
       shown += mean * 4.0 * Pi / (static_cast<double>(this->Size) * this->Size);
     }
   }
-  // Parts straddle the map's texels: no light is lost or gained over all.
+  // Points are taken or left by the map's texels as wholes: no light is lost or gained over all.
+  const glm::dvec3 kept = SumTexels(environment, changes);
   glm::vec4 gain(1.0f);
   for (int c = 0; c < 3; ++c)
   {

@@ -62,6 +62,7 @@ public:
 private:
   glm::vec4& At(int level, int x, int y);
   glm::vec3 Bilinear(int level, float u, float v) const;
+  std::vector<glm::dvec4> Gather(vtkEnvironment* environment, const TexelChanges& changes) const;
   void Fill(vtkEnvironment* environment, const TexelChanges& changes);
   void Halve(int level);
   void ContinueBorder(int level);

@@ -53,8 +53,8 @@ TexelTree::TexelTree(vtkEnvironment* environment)
     this->Parts.emplace_back(times * width, times * height);
     times *= 2;
   } while (times * height <= 2 * LeastParts);
-  this->AverageTexels();
   this->Levels.push_back({ width, height, {} });
+  this->AverageTexels();
   std::vector<glm::dvec4> moments; // of the level that was made last
   while (this->Levels.back().Width > 1 || this->Levels.back().Height > 1)
   {
@@ -79,7 +79,8 @@ void TexelTree::AverageTexels()
       {
         for (int x = 0; x < width; ++x)
         {
-          row[static_cast<std::size_t>(x)] = 0.75f * get(x, y) +
+          row[static_cast<std::size_t>(x)] =
+            0.75f * get(x, y) +
             0.125f * (get(x, std::max(y - 1, 0)) + get(x, std::min(y + 1, height - 1)));
         }
         for (int x = 0; x < width; ++x)
@@ -117,10 +118,11 @@ void TexelTree::AddLevel(std::vector<glm::dvec4>& moments)
         {
           const Light light = this->Get(below, fineX, fineY);
           irradiance += light.Irradiance;
-          const glm::dvec4 fine = below > 0
-            ? moments[static_cast<std::size_t>(fineY) * static_cast<std::size_t>(fineWidth) +
-                      static_cast<std::size_t>(fineX)]
-            : this->GetTexelMoment(light, fineY);
+          const glm::dvec4 fine =
+            below > 0
+              ? moments[static_cast<std::size_t>(fineY) * static_cast<std::size_t>(fineWidth) +
+                        static_cast<std::size_t>(fineX)]
+              : this->GetTexelMoment(light, fineY);
           moment += fine;
           rest += GetVariance(fine);
         }
@@ -141,7 +143,8 @@ void TexelTree::AddLevel(std::vector<glm::dvec4>& moments)
 // Directions within a texel spread about its middle: the mean is shorter than 1.
 glm::dvec4 TexelTree::GetTexelMoment(const Light& light, int y) const
 {
-  const double across = 2.0 * Pi / this->GetWidth(0) * this->Parts[0].Rows[static_cast<std::size_t>(y)].x;
+  const double across =
+    2.0 * Pi / this->GetWidth(0) * this->Parts[0].Rows[static_cast<std::size_t>(y)].x;
   const double up = Pi / this->GetHeight(0);
   const double variance = (across * across + up * up) / 12.0;
   return GetLuminance(light.Irradiance) * glm::dvec4((1.0 - 0.5 * variance) * light.Direction, 1.0);
@@ -149,12 +152,14 @@ glm::dvec4 TexelTree::GetTexelMoment(const Light& light, int y) const
 
 int TexelTree::GetWidth(int level) const
 {
-  return level < 0 ? this->GetWidth(0) << -level : this->Levels[static_cast<std::size_t>(level)].Width;
+  return level < 0 ? this->GetWidth(0) << -level
+                   : this->Levels[static_cast<std::size_t>(level)].Width;
 }
 
 int TexelTree::GetHeight(int level) const
 {
-  return level < 0 ? this->GetHeight(0) << -level : this->Levels[static_cast<std::size_t>(level)].Height;
+  return level < 0 ? this->GetHeight(0) << -level
+                   : this->Levels[static_cast<std::size_t>(level)].Height;
 }
 
 double TexelTree::GetLargestRadius(int level) const
@@ -197,8 +202,8 @@ TexelTree::Light TexelTree::Get(int level, int x, int y) const
   {
     return { glm::dvec3(0.0), glm::dvec3(0.0, 1.0, 0.0), 0.0 };
   }
-  const std::size_t texel = static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                            static_cast<std::size_t>(x);
+  const std::size_t texel =
+    static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
   if (level > 0)
   {
     const Sum& sum = this->Levels[static_cast<std::size_t>(level)].Sums[texel];

@@ -37,6 +37,33 @@ constexpr double ResolvedAngle = 0.35; // sr, that the broad layer's lobes fill
 // Of the albedo, and of the tolerance: below, there is no sharp layer.
 constexpr double LeastShare = 2e-3;
 constexpr double LeastShareOfTolerance = 0.25;
+constexpr int SunPoints = 8; // a side of the square that a texel is interpolated over
+
+// Radiance is interpolated between texels: one bright texel is a pyramid over 2 x 2 texels.
+std::vector<ExtractedEmitters::Light> Spread(
+  const std::vector<ExtractedEmitters::Light>& suns, vtkEnvironment* environment)
+{
+  std::vector<ExtractedEmitters::Light> points;
+  for (const ExtractedEmitters::Light& sun : suns)
+  {
+    double u = 0.0;
+    double v = 0.0;
+    vtkEnvironment::GetCoordinates(&sun.Direction.x, u, v);
+    for (int k = 0; k < SunPoints * SunPoints; ++k)
+    {
+      const glm::dvec2 at =
+        (2.0 * glm::dvec2(k % SunPoints, k / SunPoints) + 1.0) / double(SunPoints) - 1.0;
+      const double share =
+        (1.0 - std::abs(at.x)) * (1.0 - std::abs(at.y)) * 4.0 / (SunPoints * SunPoints);
+      ExtractedEmitters::Light point = sun;
+      vtkEnvironment::GetDirection(u + at.x / environment->GetWidth(),
+        std::clamp(v + at.y / environment->GetHeight(), 0.0, 1.0), &point.Direction.x);
+      point.Irradiance *= share;
+      points.push_back(point);
+    }
+  }
+  return points;
+}
 }
 
 vtkStandardNewMacro(PlanReference);
@@ -75,6 +102,10 @@ bool PlanReference::Begin()
       this->Lobes = std::make_unique<LobeTable>(sharp);
       this->Cut = cut;
     }
+  }
+  if (this->Cut)
+  {
+    this->Suns = Spread(this->Suns, this->Environment->GetSubdivided());
   }
   return this->ChooseLights(goOn);
 }

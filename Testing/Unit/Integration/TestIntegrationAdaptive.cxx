@@ -3,6 +3,7 @@
 // The adaptive sum against the sum over the points of a fine grid.
 
 #include "ErrorCatcher.h"
+#include "HalfVector.h" // for Pi
 #include "SpherePairs.h"
 #include "TexelTree.h"
 #include "vtkAdaptiveRadianceIntegrator.h"
@@ -155,9 +156,34 @@ TEST(TexelTree, PartsAreInterpolated)
       environment->GetRadiance(&direction.x, &radiance.x);
       const TexelTree::Light part = tree.Get(level, x, y);
       EXPECT_LT(glm::distance(part.Direction, direction), 1e-14);
-      const double solidAngle = 2.0 * Pi / width * Pi / height * std::hypot(direction.x, direction.z);
-      EXPECT_LT(glm::distance(part.Irradiance, radiance * solidAngle),
-        1e-5 * glm::length(part.Irradiance));
+      const double solidAngle =
+        2.0 * Pi / width * Pi / height * std::hypot(direction.x, direction.z);
+      EXPECT_LT(
+        glm::distance(part.Irradiance, radiance * solidAngle), 1e-5 * glm::length(part.Irradiance));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(AdaptiveIntegrator, ConvergesWithItsTolerance)
+{
+  vtkNew<vtkEnvironment> environment;
+  environment->SetToProceduralSky();
+  ShrinkEnvironment(environment, 128, 64);
+  const auto fine = NewInterpolated(environment, 16);
+  SpherePairs pairs;
+  pairs.AddRandom(10);
+  for (const double exponent : { 5.0, 3000.0 })
+  {
+    const auto brdf = NewGloss(exponent, exponent);
+    const auto adaptive = NewAdaptive(brdf, environment);
+    const std::vector<glm::dvec3> exact = pairs.IntegrateExactly(brdf, fine);
+    for (const double tolerance : { 1e-2, 1e-3, 1e-4 })
+    {
+      adaptive->SetTolerance(tolerance);
+      const double error = GetLargestError(pairs.Integrate(adaptive), exact);
+      std::printf("exponent %g, tolerance %g: %.4f %%\n", exponent, tolerance, 100.0 * error);
+      EXPECT_LT(error, 6.0 * tolerance);
     }
   }
 }
@@ -173,7 +199,7 @@ TEST(AdaptiveIntegrator, KeepsItsToleranceAtEachPair)
     vtkNew<vtkEnvironment> environment;
     hall ? environment->SetToProceduralHall() : environment->SetToProceduralSky();
     environment->SetRotationY(77.0);
-    const auto fine = NewInterpolated(environment, hall ? 2 : 4);
+    const auto fine = NewInterpolated(environment, hall ? 4 : 4);
     for (const auto& [nu, nv] :
       { std::pair(10.0, 10.0), { 300.0, 300.0 }, { 3000.0, 3000.0 }, { 30.0, 3000.0 } })
     {
@@ -233,9 +259,8 @@ TEST(AdaptiveIntegrator, RealMaterials)
     environment->SetFileName(Data + "/environments/" + light + ".exr");
     ASSERT_TRUE(environment->Read());
     vtkEnvironment* sky = environment->GetEnvironment();
-    const double error =
-      GetLargestError(pairs.Integrate(NewAdaptive(reader->GetBRDF(), sky)),
-        pairs.IntegrateExactly(reader->GetBRDF(), NewInterpolated(sky, 4)));
+    const double error = GetLargestError(pairs.Integrate(NewAdaptive(reader->GetBRDF(), sky)),
+      pairs.IntegrateExactly(reader->GetBRDF(), NewInterpolated(sky, 4)));
     std::printf("%s, %s: %.4f %%\n", material, light, 100.0 * error);
     EXPECT_LT(error, 3e-3);
   }

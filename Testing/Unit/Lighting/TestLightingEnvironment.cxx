@@ -101,23 +101,47 @@ TEST(Environment, TexelDirectionsFindTheirTexel)
       EXPECT_NEAR(v, (y + 0.5) / height, 1e-14);
       double value[3];
       environment->GetRadiance(d, value);
-      EXPECT_EQ(value[0], y * width + x);
-      EXPECT_EQ(value[2], 3 * (y * width + x));
+      EXPECT_NEAR(value[0], y * width + x, 1e-12);
+      EXPECT_NEAR(value[2], 3 * (y * width + x), 1e-12);
     }
   }
-  // The seam and the poles are inside, nonsense is black.
+  // Nonsense is black.
   double value[3];
-  const double seam[3] = { -1.0, 0.0, 0.0 };
-  environment->GetRadiance(seam, value);
-  EXPECT_EQ(value[0], 4 * width + width - 1);
-  const double top[3] = { 0.0, 1.0, 0.0 };
-  environment->GetRadiance(top, value);
-  EXPECT_EQ(value[0], 8 * width + 6);
   const double nonsense[3] = { std::nan(""), 0.0, 0.0 };
   environment->GetRadiance(nonsense, value);
   EXPECT_EQ(value[0], 0.0);
   environment->GetPixel(width, 0, value);
   EXPECT_EQ(value[0], 0.0);
+}
+
+//------------------------------------------------------------------------------
+TEST(Environment, InterpolatesBetweenTexels)
+{
+  vtkNew<vtkEnvironment> environment;
+  std::vector<float> rgb;
+  for (int k = 0; k < 6; ++k) // 3 x 2
+  {
+    rgb.insert(rgb.end(), { float(k * k), 1.0f, 0.0f });
+  }
+  ASSERT_TRUE(environment->SetPixels(3, 2, rgb));
+  const auto get = [&](double u, double v)
+  {
+    double d[3], value[3];
+    vtkEnvironment::GetDirection(u, v, d);
+    environment->GetRadiance(d, value);
+    EXPECT_NEAR(value[1], 1.0, 1e-12);
+    return value[0];
+  };
+  EXPECT_NEAR(get(1.0 / 3.0, 0.25), 0.5, 1e-12);               // between 0 and 1
+  EXPECT_NEAR(get(0.5, 0.5), 8.5, 1e-12);                      // between 1 and 16
+  EXPECT_NEAR(get(0.25, 0.5), 5.5, 1e-12);                     // 3/4 of 0 and 9, 1/4 of 1 and 16
+  EXPECT_NEAR(get(1.0, 0.75), 17.0, 1e-12);                    // the seam: between 25 and 9
+  EXPECT_NEAR(get(0.0, 0.75), 17.0, 1e-12);
+  EXPECT_NEAR(get(0.5, 0.99), 16.0, 1e-12); // towards the poles
+  EXPECT_NEAR(get(0.5, 0.01), 1.0, 1e-12);
+  // A map of one texel is the same everywhere.
+  ASSERT_TRUE(environment->SetPixels(1, 1, { 5.0f, 1.0f, 0.0f }));
+  EXPECT_EQ(get(0.1, 0.9), 5.0);
 }
 
 //------------------------------------------------------------------------------

@@ -471,10 +471,15 @@ TEST(Importance, SeedsRepeat)
 //------------------------------------------------------------------------------
 TEST(Importance, SameOnEveryMachine)
 {
-  // Two texels, 1:3 in luminance x solid angle: std::mt19937's first outputs are fixed by the
+  // Two halves, 1:3 in luminance x solid angle: std::mt19937's first outputs are fixed by the
   // standard (seed 1: 1791095845, 4282876139, ...), so the lights are too.
   vtkNew<vtkEnvironment> environment;
-  ASSERT_TRUE(environment->SetPixels(2, 1, { 1, 1, 1, 3, 3, 3 }));
+  std::vector<float> rgb;
+  for (int k = 0; k < 3 * 128 * 64; ++k)
+  {
+    rgb.push_back(k % (3 * 128) < 3 * 64 ? 1.0f : 3.0f);
+  }
+  ASSERT_TRUE(environment->SetPixels(128, 64, rgb));
   vtkNew<vtkImportanceLightSetGenerator> generator;
   vtkNew<vtkLightSet> lights;
   ASSERT_TRUE(generator->Generate(environment, 1, lights));

@@ -139,11 +139,20 @@ std::vector<float> Project(vtkEnvironment* environment, int projection, const Si
   return image ? GetPixels(image) : std::vector<float>();
 }
 
+// Texel by texel, whatever is between them.
 double GetTotal(vtkEnvironment* environment)
 {
-  double total[3];
-  environment->GetTotal(total);
-  return total[0] + total[1] + total[2];
+  double total = 0.0;
+  for (int y = 0; y < environment->GetHeight(); ++y)
+  {
+    for (int x = 0; x < environment->GetWidth(); ++x)
+    {
+      double rgb[3];
+      environment->GetPixel(x, y, rgb);
+      total += environment->GetTexelSolidAngle(y) * (rgb[0] + rgb[1] + rgb[2]);
+    }
+  }
+  return total;
 }
 
 double GetProbeTotal(int projection, const Size& size, const std::vector<float>& rgb)

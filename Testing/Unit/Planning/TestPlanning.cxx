@@ -330,8 +330,9 @@ TEST(Planner, PlansForWhatIsSeen)
 // Few pixels take lights of their own rather than a large table.
 TEST(Planner, DistantObjectsGetSmallTextures)
 {
-  const auto environment = NewSmallEnvironment(true);
-  const auto brdf = NewPhong(800.0);
+  vtkNew<vtkEnvironment> environment;
+  environment->SetToProceduralSky();
+  const auto brdf = NewPhong(100.0);
   const auto planner = NewPlanner(brdf, environment, 0.02);
   planner->SetNumberOfPixels(4000000);
   ASSERT_TRUE(planner->Update());
