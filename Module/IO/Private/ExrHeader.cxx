@@ -5,6 +5,7 @@
 #include "FileBytes.h"
 
 #include <fstream>
+#include <map>
 
 namespace measuredbrdf
 {
@@ -28,8 +29,19 @@ std::string ReadText(ByteReader& reader, const std::string& field)
 }
 
 //------------------------------------------------------------------------------
-// Values that hold sizes themselves.
-void CheckValue(
+// Sizes of values that are always the same. OpenEXR takes the next attribute from behind what it
+// has read of a value, whatever the value's size claims.
+const std::map<std::string, std::size_t> FixedSizes = { { "box2f", 16 }, { "box2i", 16 },
+  { "chromaticities", 32 }, { "compression", 1 }, { "deepImageState", 1 }, { "double", 8 },
+  { "envmap", 1 }, { "float", 4 }, { "int", 4 }, { "keycode", 28 }, { "lineOrder", 1 },
+  { "m33d", 72 }, { "m33f", 36 }, { "m44d", 128 }, { "m44f", 64 }, { "rational", 8 },
+  { "tiledesc", 9 }, { "timecode", 8 }, { "v2d", 16 }, { "v2f", 8 }, { "v2i", 8 }, { "v3d", 24 },
+  { "v3f", 12 }, { "v3i", 12 } };
+constexpr std::size_t ChannelSize = 16; // behind a channel's name
+
+//------------------------------------------------------------------------------
+// How many bytes OpenEXR reads of a value that says so itself.
+std::size_t MeasureValue(
   ByteReader reader, const std::string& type, std::size_t size, const std::string& field)
 {
   const std::size_t begin = reader.GetOffset();
@@ -44,14 +56,41 @@ void CheckValue(
                            std::to_string(height) + ", but its value ends after " +
                            std::to_string(texels) + " texels");
     }
+    return 8 + 4 * static_cast<std::size_t>(width * height);
   }
-  else if (type == "stringvector")
+  if (type == "stringvector")
   {
     while (reader.GetOffset() - begin < size)
     {
       const auto length = reader.Read<std::uint32_t>(field);
       reader.Take(length, field);
     }
+  }
+  else if (type == "chlist")
+  {
+    while (!ReadText(reader, field + " (channel)").empty())
+    {
+      reader.Take(ChannelSize, field);
+    }
+  }
+  else
+  {
+    return size;
+  }
+  return reader.GetOffset() - begin;
+}
+
+//------------------------------------------------------------------------------
+void CheckValue(
+  const ByteReader& reader, const std::string& type, std::size_t size, const std::string& field)
+{
+  const auto fixed = FixedSizes.find(type);
+  const std::size_t expected =
+    fixed != FixedSizes.end() ? fixed->second : MeasureValue(reader, type, size, field);
+  if (size != expected)
+  {
+    reader.Fail(field, "found " + std::to_string(size) + " bytes of type " + Quote(type) +
+                         ", expected " + std::to_string(expected));
   }
 }
 

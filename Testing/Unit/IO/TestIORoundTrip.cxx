@@ -702,6 +702,12 @@ TEST(IOExr, RefusesAttributesThatLie)
     ExpectBytesRefused(folder, insert("preview", { 20000 }), { Exr, "'lie'" });
     ExpectBytesRefused(folder, insert("stringvector", { 0x7fffffff, 0 }),
       { Exr, "attribute 'lie' at byte ", "needs 2147483647 bytes" });
+    // Whatever the size claims, OpenEXR takes what follows an int's four bytes, or a list's last
+    // channel, for the next attribute.
+    ExpectBytesRefused(folder, insert("int", { 1, 2, 3 }),
+      { Exr, "attribute 'lie' at byte ", "found 12 bytes of type 'int', expected 4" });
+    ExpectBytesRefused(folder, insert("chlist", { 0, 0 }),
+      { Exr, "attribute 'lie' at byte ", "found 8 bytes of type 'chlist', expected 1" });
   }
   EXPECT_LT(GetPeakMemory() - before, 2e8);
 }
