@@ -204,7 +204,7 @@ std::vector<double> ChartMeter::GetExactSums(
   {
     return kept.get<std::vector<double>>();
   }
-  const std::vector<double> rgb = SumExactly(material.BRDF, environment, this->Visible);
+  const std::vector<double> rgb = IntegrateReference(material.BRDF, environment, this->Visible);
   WriteText(path, nlohmann::json(rgb).dump() + "\n");
   return rgb;
 }

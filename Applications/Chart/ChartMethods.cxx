@@ -103,7 +103,7 @@ void AddOthers(std::vector<tool::ChartMethod>& methods)
   for (const auto& method : vtkRadianceMethods::GetMethods())
   {
     const std::string name = method->GetMethodName();
-    const bool known = name == "exact" || name == "light-set" || // which has three curves
+    const bool known = tool::IsOnCpuOnly(name) || name == "light-set" || // which has three curves
                        std::any_of(methods.begin(), methods.end(),
                          [&name](const tool::ChartMethod& other) { return other.Name == name; });
     const std::vector<std::string> sizes = known ? std::vector<std::string>() : ListSizes(method);

@@ -336,11 +336,11 @@ void Run(const Options& options)
   for (const Light& light : lights)
   {
     const std::vector<double> reference =
-      tool::SumExactly(material.BRDF, light.Environment, surface);
+      tool::IntegrateReference(material.BRDF, light.Environment, surface);
     for (Export& made : exports)
     {
       tool::ComparedLight compared{ light.Environment->GetName(), reference,
-        tool::SumExactly(made.Fit.Model, light.Environment, surface), 0.0, 0.0 };
+        tool::IntegrateReference(made.Fit.Model, light.Environment, surface), 0.0, 0.0 };
       vtkNew<vtkRadianceMetrics> metrics;
       tool::Measure(metrics, grid, compared.Radiance, reference);
       compared.RelativeL1 = metrics->GetRelativeL1();

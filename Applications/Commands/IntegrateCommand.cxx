@@ -28,9 +28,9 @@ void Run(Options& options, const CLI::App* command)
 {
   static const tool::PairColumns columns = { "nx", "ny", "nz", "vx", "vy", "vz" };
   options.Method.Check(command);
-  if (options.On == "gpu" && options.Method.Method == "exact")
+  if (options.On == "gpu" && tool::IsOnCpuOnly(options.Method.Method))
   {
-    throw tool::UsageError("--on gpu: --method exact runs on the CPU only");
+    throw tool::UsageError("--on gpu: --method " + options.Method.Method + " runs on the CPU only");
   }
   tool::Interruptible interruptible;
   const std::vector<tool::Pair> pairs = tool::ReadPairs(options.Pairs, columns);
@@ -71,7 +71,7 @@ void AddIntegrateCommand(CLI::App& app)
       "CSV file with the columns nx,ny,nz (surface normal) and vx,vy,vz (from the surface to the "
       "viewer) in world coordinates, y up. Other columns and lines that start with # are ignored")
     ->required();
-  options->Method.Method = "exact";
+  options->Method.Method = "reference";
   options->Method.AddTo(command, true);
   command
     ->add_option("--on", options->On,

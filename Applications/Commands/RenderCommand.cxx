@@ -81,7 +81,7 @@ tool::Picture SumPixels(vtkRadianceIntegrator* integrator, vtkPolyData* mesh,
 int GetFactor(const Options& options, const tool::Size& size)
 {
   const bool smooth = tool::Extension(options.Output) == ".png" &&
-                      options.Method.Method != "exact" &&
+                      !tool::IsOnCpuOnly(options.Method.Method) &&
                       Smooth * std::max(size.Width, size.Height) <= LargestSize;
   return smooth ? Smooth : 1;
 }
@@ -127,16 +127,16 @@ struct Figures
 void WriteReport(const Options& options, const Figures& found, const tool::Material& material,
   vtkEnvironment* environment, const tool::Method& method, tool::Scene& scene)
 {
-  const bool exact = options.Method.Method == "exact";
+  const bool onCpu = tool::IsOnCpuOnly(options.Method.Method);
   nlohmann::ordered_json report = { { "frame_ms", Median(found.Frames) },
-    { "setup_ms", found.Setup }, { "texture_bytes", exact ? 0 : scene.GetTextureBytes() },
+    { "setup_ms", found.Setup }, { "texture_bytes", onCpu ? 0 : scene.GetTextureBytes() },
     { "method", options.Method.Method },
     { "lights", options.Method.HasLights() ? options.Method.Lights.Count : 0 },
     { "lights_in_use", method.GetNumberOfLights() }, { "light_set", options.Method.Lights.Method },
     { "soft_lights", options.Method.Lights.Soft }, { "width", found.Size.Width },
     { "height", found.Size.Height }, { "frames", found.Frames.size() },
     { "material", material.Name }, { "environment", environment->GetName() },
-    { "renderer", exact ? "CPU" : scene.GetRendererName() },
+    { "renderer", onCpu ? "CPU" : scene.GetRendererName() },
     { "vtk", vtkVersion::GetVTKVersion() } };
   if (options.Method.Method == "thesis")
   {
@@ -173,8 +173,8 @@ void Run(Options& options, const CLI::App* command)
   const vtkSmartPointer<vtkEnvironment> environment = tool::LoadEnvironment(options.Environment);
   const vtkSmartPointer<vtkPolyData> mesh =
     options.Mesh.empty() ? tool::MakeSphere() : tool::LoadMesh(options.Mesh);
-  const bool exact = options.Method.Method == "exact";
-  if (exact)
+  const bool onCpu = tool::IsOnCpuOnly(options.Method.Method);
+  if (onCpu)
   {
     tool::CheckWritable(options.Output); // before hours of work
   }
@@ -191,20 +191,20 @@ void Run(Options& options, const CLI::App* command)
   scene.SetView(view.Azimuth, view.Elevation, Fill, view.Angle);
   const int factor = GetFactor(options, size);
   std::vector<double> frames;
-  if (!exact)
+  if (!onCpu)
   {
     scene.Open(size.Width, size.Height);
     scene.Begin(method, environment, options.Method.Plan);
     scene.SetLight(environment, method.Integrator); // this plan for the larger picture, too
   }
   const double setup = elapsed();
-  for (int k = 0; !exact && !options.Report.empty() && k < NumberOfFrames; ++k)
+  for (int k = 0; !onCpu && !options.Report.empty() && k < NumberOfFrames; ++k)
   {
     frames.push_back(scene.TimeFrame());
   }
-  tool::Picture picture = exact ? SumPixels(method.Integrator, mesh, view, size)
+  tool::Picture picture = onCpu ? SumPixels(method.Integrator, mesh, view, size)
                                 : scene.Render(factor * size.Width, factor * size.Height);
-  if (exact)
+  if (onCpu)
   {
     frames.push_back(elapsed() - setup);
   }

@@ -8,6 +8,7 @@
 #include "Sizes.h"
 #include "Tool.h"
 
+#include "vtkAdaptiveRadianceIntegrator.h"
 #include "vtkAshikhminShirleyBRDFFitter.h"
 #include "vtkBRDFResampler.h"
 #include "vtkBRDFShaderInputs.h"
@@ -16,7 +17,6 @@
 #include "vtkDistributionBRDFFitter.h"
 #include "vtkDoubleArray.h"
 #include "vtkEmbeddedMaterials.h"
-#include "vtkExactRadianceIntegrator.h"
 #include "vtkMath.h"
 #include "vtkMeasuredBRDFConfigure.h"
 #include "vtkNew.h"
@@ -108,7 +108,7 @@ vtkSmartPointer<vtkDoubleArray> DrawSphere(vtkBRDF* brdf, vtkEnvironment* enviro
   {
     views->InsertNextTuple3(0.0, 0.0, 1.0);
   }
-  vtkNew<vtkExactRadianceIntegrator> integrator;
+  vtkNew<vtkAdaptiveRadianceIntegrator> integrator;
   integrator->SetBRDF(brdf);
   integrator->SetEnvironment(environment);
   auto radiance = vtkSmartPointer<vtkDoubleArray>::New();

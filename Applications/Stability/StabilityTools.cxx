@@ -5,11 +5,11 @@
 #include "Methods.h"
 #include "Tool.h"
 
+#include "vtkAdaptiveRadianceIntegrator.h"
 #include "vtkBasisBRDF.h"
 #include "vtkBasisProjector.h"
 #include "vtkBasisRadianceIntegrator.h"
 #include "vtkBlinnPhongBRDF.h"
-#include "vtkExactRadianceIntegrator.h"
 #include "vtkFilteredRadianceIntegrator.h"
 #include "vtkHybridRadianceIntegrator.h"
 #include "vtkLambertBRDF.h"
@@ -84,7 +84,7 @@ std::vector<MethodUnderTest> AddOthers(std::vector<MethodUnderTest> known)
   for (const auto& method : vtkRadianceMethods::GetMethods())
   {
     const std::string name = method->GetMethodName();
-    if (name != "exact" && name != "light-set" && // which is three of them
+    if (!IsOnCpuOnly(name) && name != "light-set" && // which is three of them
         std::none_of(known.begin(), known.end(),
           [&name](const MethodUnderTest& other) { return other.Name == name; }))
     {
@@ -412,7 +412,7 @@ std::vector<double> Integrate(vtkRadianceIntegrator* integrator, const Pairs& pa
 //------------------------------------------------------------------------------
 std::vector<double> IntegrateExactly(vtkBRDF* brdf, vtkEnvironment* environment, const Pairs& pairs)
 {
-  return Integrate(MakeFor<vtkExactRadianceIntegrator>(brdf, environment), pairs);
+  return Integrate(MakeFor<vtkAdaptiveRadianceIntegrator>(brdf, environment), pairs);
 }
 
 //------------------------------------------------------------------------------

@@ -6,8 +6,8 @@
 #include "RunWithProgress.h"
 #include "Tool.h"
 
+#include "vtkAdaptiveRadianceIntegrator.h"
 #include "vtkDoubleArray.h"
-#include "vtkExactRadianceIntegrator.h"
 #include "vtkNew.h"
 
 #include <algorithm>
@@ -111,12 +111,13 @@ void Measure(vtkRadianceMetrics* metrics, const Grid& grid, const std::vector<do
 }
 
 //------------------------------------------------------------------------------
-std::vector<double> SumExactly(vtkBRDF* brdf, vtkEnvironment* environment, const Surface& surface)
+std::vector<double> IntegrateReference(
+  vtkBRDF* brdf, vtkEnvironment* environment, const Surface& surface)
 {
-  vtkNew<vtkExactRadianceIntegrator> exact;
-  exact->SetBRDF(brdf);
-  exact->SetEnvironment(environment);
-  return IntegratePairs(exact, surface.Normals, surface.Views);
+  vtkNew<vtkAdaptiveRadianceIntegrator> reference;
+  reference->SetBRDF(brdf);
+  reference->SetEnvironment(environment);
+  return IntegratePairs(reference, surface.Normals, surface.Views);
 }
 
 //------------------------------------------------------------------------------

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Pixels of a surface against the exact sum: what `compare` and `chart` measure.
+ * Pixels of a surface against the reference: what `compare` and `chart` measure.
  */
 
 #ifndef Measuring_h
@@ -57,9 +57,10 @@ const std::vector<Metric>& GetMetrics();
 void Measure(vtkRadianceMetrics* metrics, const Grid& grid, const std::vector<double>& rgb,
   const std::vector<double>& reference);
 
-/// The exact radiance of a surface's pixels, 3 doubles each, under a progress bar. Throws Error.
-/// Needs an Interruptible.
-std::vector<double> SumExactly(vtkBRDF* brdf, vtkEnvironment* environment, const Surface& surface);
+/// The reference radiance of a surface's pixels, 3 doubles each, under a progress bar. Throws
+/// Error. Needs an Interruptible.
+std::vector<double> IntegrateReference(
+  vtkBRDF* brdf, vtkEnvironment* environment, const Surface& surface);
 
 /// The middle one of at least one value.
 double Median(std::vector<double> values);

@@ -25,7 +25,6 @@ constexpr double LeastTolerance = 1e-3; // of vtkRadiancePlanner
 const char* const Auto = "auto";
 const char* const Thesis = "thesis";
 const char* const LightSet = "light-set";
-const char* const Exact = "exact";
 
 //------------------------------------------------------------------------------
 // The sizes that --sizes gives; none of methods that have options of their own.
@@ -83,13 +82,13 @@ std::string DescribeSizes()
 
 //------------------------------------------------------------------------------
 // What --method takes, with a line on each.
-std::vector<std::pair<std::string, std::string>> ListMethods(bool exact)
+std::vector<std::pair<std::string, std::string>> ListMethods(bool onCpu)
 {
   std::vector<std::pair<std::string, std::string>> methods;
   for (const auto& method : vtkRadianceMethods::GetMethods())
   {
     const std::string name = method->GetMethodName();
-    if (exact || name != Exact)
+    if (onCpu || !tool::IsOnCpuOnly(name))
     {
       methods.emplace_back(name, method->GetMethodDescription());
     }
@@ -198,11 +197,11 @@ vtkNew<vtkDoubleArray> ToArray(const std::vector<double>& values)
 namespace tool
 {
 //------------------------------------------------------------------------------
-void MethodOptions::AddTo(CLI::App* command, bool exact)
+void MethodOptions::AddTo(CLI::App* command, bool onCpu)
 {
   std::string help;
   std::vector<std::string> names;
-  for (const auto& [name, description] : ListMethods(exact))
+  for (const auto& [name, description] : ListMethods(onCpu))
   {
     names.push_back(name);
     help += (help.empty() ? "" : "; ") + name +
@@ -299,6 +298,9 @@ void CheckTolerance(double tolerance)
       "--tolerance: " + FormatNumber(tolerance) + " is not between 0.001 and 1, like 0.02");
   }
 }
+
+//------------------------------------------------------------------------------
+bool IsOnCpuOnly(const std::string& method) { return method == "exact" || method == "reference"; }
 
 //------------------------------------------------------------------------------
 int Method::GetNumberOfLights() const

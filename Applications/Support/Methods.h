@@ -60,9 +60,9 @@ struct MethodOptions
   LightSetOptions Lights;
   ThesisOptions Thesis;
 
-  /// Add --method and the methods' own options to a subcommand; --method exact only where it can
-  /// be integrated without a picture.
-  void AddTo(CLI::App* command, bool exact);
+  /// Add --method and the methods' own options to a subcommand; those that run on the CPU only
+  /// where a picture can be made there.
+  void AddTo(CLI::App* command, bool onCpu);
 
   /// To be called first: light-set takes the place of the default auto where lights were asked for.
   /// Throws UsageError where options don't go together.
@@ -101,6 +101,9 @@ vtkSmartPointer<vtkRadiancePlanner> MakePlan(const Material& material, vtkEnviro
 /// Interruptible.
 Method MakeMethod(
   const MethodOptions& options, const Material& material, vtkEnvironment* environment);
+
+/// Whether nothing but the CPU integrates it.
+bool IsOnCpuOnly(const std::string& method);
 
 /// Radiance of an integrator for (normal, view) pairs, 3 doubles each, under a progress bar: 3
 /// doubles each. Anisotropic materials are turned about the up axis, as the mapper does without

@@ -32,7 +32,10 @@ constexpr double AloneTimes = 2.0;
 constexpr double DistanceShare = 1.0;
 // What may be left where a square and its quarters agree by chance.
 constexpr double LeastRest = 0.05;
-constexpr double LargestRest = 1.0; // above, a square tells nothing
+constexpr double LeastShare = 1.0;      // of tolerance times value: agreement by chance
+constexpr double PeakTimes = 2.0;       // of a square's mean f: less is no hidden peak
+constexpr double InheritedShare = 0.03; // of a square's error, at least, by each of its quarters
+constexpr double LargestRest = 1.0;     // above, a square tells nothing
 // Squares' errors of either sign cancel, but for the part that they have in common.
 constexpr double OwnShare = 2.0; // standard deviations
 constexpr double CommonShare = 0.2;
@@ -77,9 +80,10 @@ private:
 
   glm::dvec3 Evaluate(int level, int x, int y) const;
   double EstimateRising(int level, int x, int y) const;
+  double EstimateHidden(const Square& square) const;
   Square Make(int level, int x, int y, const glm::dvec3& value) const;
   void AddQuarters(const Square& square);
-  void Add(int level, int x, int y, const glm::dvec3& value);
+  void Add(int level, int x, int y, const glm::dvec3& value, double leastError);
   bool Divides(const Drawn& drawn, const glm::dvec3& middle, double radius) const;
   void Force(int level, int x, int y, const glm::dvec3& value, const std::vector<Drawn>& near);
 
@@ -96,10 +100,12 @@ private:
   const glm::dmat3 Local;
   const glm::dvec3 View;
   int Base;
+  double Tolerance = 0.0;
   glm::dvec3 Total = glm::dvec3(0.0);
   double Error = 0.0;       // sum of the squares' errors
   double Squares = 0.0;     // of their squares
   std::vector<Square> Heap; // the largest error first
+  ReflectionGuide::Peaks Peaks;
 };
 
 //------------------------------------------------------------------------------
@@ -136,6 +142,25 @@ double AdaptiveSum::EstimateRising(int level, int x, int y) const
 }
 
 //------------------------------------------------------------------------------
+// What a peak of f adds that lies in the square, but not where its quarters look.
+double AdaptiveSum::EstimateHidden(const Square& square) const
+{
+  const TexelTree::Light light = this->Texels.Get(square.Level, square.X, square.Y);
+  const double irradiance = Sum(light.Irradiance) / 3.0;
+  double radius = 0.0;
+  const glm::dvec3 i =
+    this->Local * this->Texels.GetMiddle(square.Level, square.X, square.Y, radius);
+  if (!(i.z > 0.0) || !(irradiance > 0.0) || radius < ReflectionGuide::Peaks::GetResolution())
+  {
+    return 0.0;
+  }
+  double solidAngle = 0.0;
+  const double peak = i.z * irradiance * this->Peaks.Get(i, radius, solidAngle);
+  const double hidden = peak - PeakTimes * Sum(square.Value);
+  return std::max(hidden, 0.0) * std::min(4.0 * solidAngle / (2.0 * radius * radius), 1.0);
+}
+
+//------------------------------------------------------------------------------
 // value: of the square as a whole.
 AdaptiveSum::Square AdaptiveSum::Make(int level, int x, int y, const glm::dvec3& value) const
 {
@@ -152,19 +177,25 @@ AdaptiveSum::Square AdaptiveSum::Make(int level, int x, int y, const glm::dvec3&
     square.Value = glm::max(square.Value + rest * change, 0.0);
     square.Error =
       std::max(rest, LeastRest) * Sum(glm::abs(change)) + this->EstimateRising(level, x, y);
+    if (level > 0)
+    {
+      square.Error += this->EstimateHidden(square);
+      square.Error = std::max(square.Error, LeastShare * this->Tolerance * Sum(square.Value));
+    }
   }
   return square;
 }
 
 //------------------------------------------------------------------------------
-void AdaptiveSum::Add(int level, int x, int y, const glm::dvec3& value)
+// leastError: a square where the larger one was wrong may agree with its quarters by chance.
+void AdaptiveSum::Add(int level, int x, int y, const glm::dvec3& value, double leastError)
 {
   if (level == this->Texels.GetLowestLevel())
   {
     this->Total += value;
     return;
   }
-  const Square square = this->Make(level, x, y, value);
+  Square square = this->Make(level, x, y, value);
   // Where nearly all light is in one quarter, that agrees with the square whatever it hides.
   if (level > 0 && this->Texels.Get(level, x, y).Rest > LargestRest)
   {
@@ -172,6 +203,10 @@ void AdaptiveSum::Add(int level, int x, int y, const glm::dvec3& value)
     return;
   }
   this->Total += square.Value;
+  if (square.Error > 0.0 || Sum(square.Value) > 0.0)
+  {
+    square.Error = std::max(square.Error, leastError);
+  }
   if (square.Error > 0.0)
   {
     this->Error += square.Error;
@@ -186,7 +221,8 @@ void AdaptiveSum::AddQuarters(const Square& square)
 {
   for (int k = 0; k < 4; ++k)
   {
-    this->Add(square.Level - 1, 2 * square.X + k % 2, 2 * square.Y + k / 2, square.Quarters[k]);
+    this->Add(square.Level - 1, 2 * square.X + k % 2, 2 * square.Y + k / 2, square.Quarters[k],
+      InheritedShare * square.Error);
   }
 }
 
@@ -212,7 +248,7 @@ void AdaptiveSum::Force(
   }
   if (still.empty())
   {
-    this->Add(level, x, y, value);
+    this->Add(level, x, y, value, 0.0);
     return;
   }
   for (int k = 0; k < 4; ++k)
@@ -227,6 +263,8 @@ void AdaptiveSum::Force(
 //------------------------------------------------------------------------------
 glm::dvec3 AdaptiveSum::Run(const ReflectionGuide& guide, double tolerance)
 {
+  this->Tolerance = tolerance;
+  this->Peaks = guide.GetPeaks(this->View);
   std::vector<ReflectionGuide::Draw> draws;
   guide.Draws(this->View, draws);
   std::vector<Drawn> near;

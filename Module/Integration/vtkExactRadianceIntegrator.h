@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkExactRadianceIntegrator
- * @brief   the reference: the sum over every texel of the environment, in double precision
+ * @brief   the sum over every texel of the environment, in double precision
  *
  * L_o = sum over texels of f(i,o) cos(theta_i) L dw with i at the texel's center and dw its exact
- * solid angle. Every other integrator is measured against this one.
+ * solid angle. Expected values of other programs are such sums. Radiance between the centers does
+ * not take part, so lobes as narrow as a texel need vtkAdaptiveRadianceIntegrator, the reference.
  */
 
 #ifndef vtkExactRadianceIntegrator_h
@@ -26,7 +27,7 @@ public:
   std::string GetMethodName() override { return "exact"; }
   std::string GetMethodDescription() override
   {
-    return "the sum over every texel of the environment, slow";
+    return "the sum over the centers of all texels, slow";
   }
 
 protected:

@@ -4,6 +4,7 @@
 
 #include "Printable.h"
 #include "Registry.h"
+#include "vtkAdaptiveRadianceIntegrator.h"
 #include "vtkBasisRadianceIntegrator.h"
 #include "vtkExactRadianceIntegrator.h"
 #include "vtkFilteredRadianceIntegrator.h"
@@ -26,7 +27,7 @@ Methods MakeOwnMethods()
 {
   Methods methods = Registry<vtkRadianceIntegrator>::Make<vtkTableRadianceIntegrator,
     vtkHybridRadianceIntegrator, vtkLightSetRadianceIntegrator, vtkFilteredRadianceIntegrator,
-    vtkBasisRadianceIntegrator, vtkExactRadianceIntegrator>();
+    vtkBasisRadianceIntegrator, vtkAdaptiveRadianceIntegrator, vtkExactRadianceIntegrator>();
   for (const auto& method : methods)
   {
     if (auto* lights = vtkLightSetRadianceIntegrator::SafeDownCast(method))

@@ -262,7 +262,7 @@ def integrate(
     views: ArrayLike,
     tangents: ArrayLike | None = None,
     *,
-    method: str | vtkRadianceIntegrator = "exact",
+    method: str | vtkRadianceIntegrator = "reference",
     sizes: Sequence[int] = (),
     tolerance: float | None = None,
 ) -> NDArray[Any]:
@@ -280,8 +280,8 @@ def integrate(
     tangents
         Shape (3,) or (..., 3): the local frame's x axis, for anisotropic materials. None: any.
     method
-        A name (`vtkRadianceMethods`): "exact" (default, the sum over every texel: slow), "table", "hybrid",
-        "light-set", "filtered", "basis"; or a `vtkRadianceIntegrator`, of which a copy is used.
+        A name (`vtkRadianceMethods`): "reference" (default, each pair within 0.3 %), "table", "hybrid", "light-set",
+        "filtered", "basis", "exact" (the sum over the texels' centers: slow); or a `vtkRadianceIntegrator`, of which a copy is used.
     sizes
         The method's sizes (`vtkRadianceIntegrator.GetSizesText`), the most important one first.
     tolerance
@@ -307,7 +307,7 @@ def integrate(
     count = int(np.prod(shape, dtype=np.intp))
     tuples = [expand(array, count) for array in tuples]
     if tolerance is not None:
-        if method != "exact" or len(sizes):
+        if method != "reference" or len(sizes):
             raise ValueError("tolerance: found a method or sizes beside it, expected neither")
         integrator = _plan(material, light, tolerance)
     else:

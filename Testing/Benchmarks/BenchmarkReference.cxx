@@ -92,16 +92,19 @@ void SumAdaptively(benchmark::State& state, const char* material, const char* li
   adaptive->Integrate(normals, views, reference);
   state.counters["error_percent"] = 100.0 * GetLargestError(radiance, reference);
   // 500 x 500 pixels, of which the sphere covers pi/4.
-  state.counters["picture_s"] = benchmark::Counter(
-    pairs / (500.0 * 500.0 * 0.785), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  state.counters["picture_s"] = benchmark::Counter(pairs / (500.0 * 500.0 * 0.785),
+    benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
-#define SUM_ADAPTIVELY(material)                                                                    \
-  BENCHMARK_CAPTURE(SumAdaptively, material/studio, #material, "studio")                           \
-    ->UseRealTime()->Unit(benchmark::kMillisecond);                                                \
-  BENCHMARK_CAPTURE(SumAdaptively, material/interior, #material, "interior")                       \
-    ->UseRealTime()->Unit(benchmark::kMillisecond);                                                \
-  BENCHMARK_CAPTURE(SumAdaptively, material/sunset, #material, "sunset")                           \
-    ->UseRealTime()->Unit(benchmark::kMillisecond)
+#define SUM_ADAPTIVELY(material)                                               \
+  BENCHMARK_CAPTURE(SumAdaptively, material / studio, #material, "studio")     \
+    ->UseRealTime()                                                            \
+    ->Unit(benchmark::kMillisecond);                                           \
+  BENCHMARK_CAPTURE(SumAdaptively, material / interior, #material, "interior") \
+    ->UseRealTime()                                                            \
+    ->Unit(benchmark::kMillisecond);                                           \
+  BENCHMARK_CAPTURE(SumAdaptively, material / sunset, #material, "sunset")     \
+    ->UseRealTime()                                                            \
+    ->Unit(benchmark::kMillisecond)
 SUM_ADAPTIVELY(acrylic_felt_white);
 SUM_ADAPTIVELY(cc_ibiza_sunset);
 SUM_ADAPTIVELY(satin_purple);

@@ -25,6 +25,46 @@ glm::dvec2 GetPoint(std::uint32_t k)
 }
 
 double GetTheta(int view) { return 0.5 * Pi * (view + 0.5) / NumberOfViews; }
+
+// Peaks: of every fourth view, over a square that the hemisphere fills by area.
+constexpr int ViewsPerPeaks = 4;
+constexpr int PeakSize = 64;
+constexpr int PeakLevels = 6; // 64, 32, ..., 2
+constexpr int PeakCellsOfView = 5460;
+
+int GetLevelOffset(int level)
+{
+  int offset = 0;
+  for (int k = 0; k < level; ++k)
+  {
+    offset += (PeakSize >> k) * (PeakSize >> k);
+  }
+  return offset;
+}
+
+// The disc's concentric map (Shirley, Chiu 1997), the disc being the hemisphere by area.
+glm::dvec2 ToSquare(const glm::dvec3& d)
+{
+  const double r = std::sqrt(std::max(1.0 - d.z, 0.0));
+  const double ax = std::abs(d.x);
+  const double ay = std::abs(d.y);
+  const double largest = std::max(ax, ay);
+  const double a = largest > 0.0 ? r * std::atan(std::min(ax, ay) / largest) * 4.0 / Pi : 0.0;
+  const glm::dvec2 p = ax > ay ? glm::dvec2(r, a) : glm::dvec2(a, r);
+  return glm::dvec2(std::copysign(p.x, d.x), std::copysign(p.y, d.y)) * 0.5 + 0.5;
+}
+
+glm::dvec3 ToHemisphere(const glm::dvec2& uv)
+{
+  const glm::dvec2 p = 2.0 * uv - 1.0;
+  const bool alongX = std::abs(p.x) > std::abs(p.y);
+  const double r = alongX ? p.x : p.y;
+  const double phi = r == 0.0 ? 0.0
+                     : alongX ? 0.25 * Pi * p.y / p.x
+                              : 0.5 * Pi - 0.25 * Pi * p.x / p.y;
+  const double s = r * std::sqrt(std::max(2.0 - r * r, 0.0));
+  return glm::dvec3(s * std::cos(phi), s * std::sin(phi), 1.0 - r * r);
+}
 }
 
 ReflectionGuide::ReflectionGuide(vtkBRDF* brdf)
@@ -55,6 +95,84 @@ ReflectionGuide::ReflectionGuide(vtkBRDF* brdf)
       }
     });
   this->Views = std::move(views);
+  this->TabulatePeaks();
+}
+
+void ReflectionGuide::TabulatePeaks()
+{
+  constexpr int views = NumberOfViews / ViewsPerPeaks;
+  this->PeakCells.resize(static_cast<std::size_t>(views) * PeakCellsOfView);
+  vtkSMPTools::For(0, views,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType view = first; view < last; ++view)
+      {
+        const double theta = 0.5 * Pi * (static_cast<double>(view) + 0.5) / views;
+        const double o[3] = { std::sin(theta), 0.0, std::cos(theta) };
+        float* fine = &this->PeakCells[static_cast<std::size_t>(view) * PeakCellsOfView];
+        for (int k = 0; k < PeakSize * PeakSize; ++k)
+        {
+          const glm::dvec3 i = ToHemisphere(
+            (glm::dvec2(k % PeakSize, k / PeakSize) + 0.5) / static_cast<double>(PeakSize));
+          glm::dvec3 f;
+          this->BRDF->Evaluate(&i.x, o, &f.x);
+          fine[k] = static_cast<float>(f.x + f.y + f.z);
+        }
+        for (int level = 1; level < PeakLevels; ++level)
+        {
+          const int size = PeakSize >> level;
+          float* coarse = fine + 4 * size * size;
+          for (int k = 0; k < size * size; ++k)
+          {
+            const float* from = fine + 2 * (k / size) * 2 * size + 2 * (k % size);
+            coarse[k] =
+              std::max(std::max(from[0], from[1]), std::max(from[2 * size], from[2 * size + 1]));
+          }
+          fine = coarse;
+        }
+      }
+    });
+}
+
+ReflectionGuide::Peaks ReflectionGuide::GetPeaks(const glm::dvec3& o) const
+{
+  Peaks peaks;
+  if (!this->PeakCells.empty())
+  {
+    constexpr int views = NumberOfViews / ViewsPerPeaks;
+    const int view = static_cast<int>(std::acos(std::min(o.z, 1.0)) / (0.5 * Pi) * views);
+    peaks.Cells =
+      &this->PeakCells[static_cast<std::size_t>(std::clamp(view, 0, views - 1)) * PeakCellsOfView];
+    const double s = std::hypot(o.x, o.y);
+    peaks.Azimuth = s > 0.0 ? glm::dvec2(o.x, o.y) / s : glm::dvec2(1.0, 0.0);
+  }
+  return peaks;
+}
+
+double ReflectionGuide::Peaks::Get(const glm::dvec3& i, double radius, double& solidAngle) const
+{
+  constexpr double cell = 2.0 * Pi / (PeakSize * PeakSize);
+  solidAngle = cell;
+  if (!this->Cells)
+  {
+    return 0.0;
+  }
+  // Two cells by two of a level whose cells are as wide as the radius, the nearest ones.
+  int level = 0;
+  while (level + 1 < PeakLevels && std::ldexp(std::sqrt(cell), level) < radius)
+  {
+    ++level;
+  }
+  const int size = PeakSize >> level;
+  const glm::dvec2 uv = ToSquare(glm::dvec3(this->Azimuth.x * i.x + this->Azimuth.y * i.y,
+                          this->Azimuth.x * i.y - this->Azimuth.y * i.x, i.z)) *
+                          static_cast<double>(size) -
+                        0.5;
+  const float* cells = this->Cells + GetLevelOffset(level);
+  const int x = std::clamp(static_cast<int>(std::floor(uv.x)), 0, size - 2);
+  const int y = std::clamp(static_cast<int>(std::floor(uv.y)), 0, size - 2);
+  const float* from = cells + y * size + x;
+  return std::max(std::max(from[0], from[1]), std::max(from[size], from[size + 1]));
 }
 
 void ReflectionGuide::Draws(const glm::dvec3& o, std::vector<Draw>& draws) const
