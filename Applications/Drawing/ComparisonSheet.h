@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Pictures beside the exact sum: what `compare` and `export` write.
+ * Pictures beside the reference: what `compare` and `export` write.
  */
 
 #ifndef ComparisonSheet_h
@@ -27,7 +27,7 @@ struct ComparedPicture
 };
 
 /**
- * Method, exact sum, signed error and VTK's shading beside each other, as PNG. rgb, reference: the
+ * Method, reference, signed error and VTK's shading beside each other, as PNG. rgb, reference: the
  * method's and the exact radiance of the grid's pixels, 3 doubles each.
  */
 void WriteComparisonSheet(const std::string& path, const std::string& title, const Grid& grid,

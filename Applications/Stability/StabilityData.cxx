@@ -107,7 +107,7 @@ void RunOddities(Context& context)
     {
       continue;
     }
-    const std::vector<double> reference = IntegrateExactly(oddity.BRDF, environment, pairs);
+    const std::vector<double> reference = IntegrateReference(oddity.BRDF, environment, pairs);
     for (const MethodUnderTest& contender : GetMethodsUnderTest())
     {
       const vtkSmartPointer<vtkRadianceIntegrator> integrator =

@@ -45,7 +45,7 @@ void RunGrazing(Context& context)
       const std::vector<double> radiance = Integrate(integrator, pairs);
       bad += CountBad(radiance);
       context.Add(contender.Name, "error at " + Say(angle) + " degrees",
-        GetRelativeL1(radiance, IntegrateExactly(brdf, environment, pairs)),
+        GetRelativeL1(radiance, IntegrateReference(brdf, environment, pairs)),
         { 0.05, { { "thesis", 0.4 } }, "harmonics are worst at grazing angles" });
     }
     context.Add(contender.Name, "negative or not finite", bad, 0.0);
@@ -242,9 +242,9 @@ void RunPoles(Context& context)
         pairs.Add(n, view);
       }
       context.Add(contender.Name,
-        "largest step over that of the exact sum, across the " + path.Name,
+        "largest step over that of the reference, across the " + path.Name,
         GetStepRatio(tool::DrawPairs(integrator, pairs.Normals, pairs.Views),
-          IntegrateExactly(brdf, environment, pairs)),
+          IntegrateReference(brdf, environment, pairs)),
         { 1.5,
           { { "median-cut", 6.0 }, { "importance", 4.0 }, { "variance", 4.0 }, { "thesis", 6.0 },
             { "filtered", 12.0 } },
@@ -267,9 +267,9 @@ void RunSeams(Context& context)
     static_cast<int>((std::max_element(pixels.begin(), pixels.end()) - pixels.begin()) / 3 % width);
   const vtkSmartPointer<vtkEnvironment> rolled = Roll(environment, width - brightest);
   rolled->SetRotationY(360.0 * (width - brightest) / width);
-  const std::vector<double> reference = IntegrateExactly(brdf, environment, pairs);
-  context.Add("exact", "difference by where the map's seam lies",
-    GetRelativeL1(IntegrateExactly(brdf, rolled, pairs), reference), 1e-6,
+  const std::vector<double> reference = IntegrateReference(brdf, environment, pairs);
+  context.Add("reference", "difference by where the map's seam lies",
+    GetRelativeL1(IntegrateReference(brdf, rolled, pairs), reference), 2e-3,
     "the sun moved onto the seam and turned back");
   for (const MethodUnderTest& contender : GetMethodsUnderTest())
   {

@@ -75,7 +75,7 @@ Picture MakeSphereSheet(Context& context, const std::string& title, vtkBRDF* brd
   const Size size = { Tile, Tile };
   const Surface surface = FindSurface(MakeSphere(), SphereView, SphereFill, size, Tile * Tile);
   const std::vector<double> reference =
-    IntegrateExactly(brdf, environment, { surface.Normals, surface.Views });
+    IntegrateReference(brdf, environment, { surface.Normals, surface.Views });
   std::vector<double> sorted = reference;
   std::sort(sorted.begin(), sorted.end());
   const double exposure = 0.9 / std::max(sorted[sorted.size() * 99 / 100], 1e-30);

@@ -47,7 +47,7 @@ private:
   double NumberOfBad = 0.0;
 };
 
-/// A sphere's picture by each method, and by the exact sum, under one exposure.
+/// A sphere's picture by each method, and by the reference, under one exposure.
 Picture MakeSphereSheet(Context& context, const std::string& title, vtkBRDF* brdf,
   vtkEnvironment* environment, const std::vector<MethodUnderTest>& contenders);
 

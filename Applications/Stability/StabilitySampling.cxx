@@ -70,7 +70,7 @@ void RunDots(Context& context)
   const vtkSmartPointer<vtkBRDF> brdf = context.Choose(MakePlastic(500.0));
   const vtkSmartPointer<vtkEnvironment> environment = context.MakeEnvironment("hall", 128);
   const Pairs pairs = MakeSpherePairs(context.Short ? 150 : 500);
-  const std::vector<double> reference = IntegrateExactly(brdf, environment, pairs);
+  const std::vector<double> reference = IntegrateReference(brdf, environment, pairs);
   for (const MethodUnderTest& contender : GetMethodsUnderTest())
   {
     const std::vector<double> radiance = Integrate(contender.Make(brdf, environment), pairs);
@@ -104,7 +104,7 @@ void RunFireflies(Context& context)
   sky->SetPixels(width, width / 2, std::move(pixels));
   const vtkSmartPointer<vtkBRDF> brdf = context.Choose(MakePlastic(20.0));
   const Pairs pairs = MakeSpherePairs(context.Short ? 200 : 600);
-  const std::vector<double> reference = IntegrateExactly(brdf, sky, pairs);
+  const std::vector<double> reference = IntegrateReference(brdf, sky, pairs);
   const auto measure = [&](vtkRadianceIntegrator* integrator)
   {
     std::vector<double> excess = Integrate(integrator, pairs);
@@ -186,7 +186,7 @@ void RunHorizon(Context& context)
       { std::sin(angle), std::cos(angle), 0.0 });
   }
   const vtkSmartPointer<vtkBRDF> brdf = context.Choose(MakePlastic(50.0));
-  const std::vector<double> reference = IntegrateExactly(brdf, strip, pairs);
+  const std::vector<double> reference = IntegrateReference(brdf, strip, pairs);
   for (const MethodUnderTest& contender : GetMethodsUnderTest())
   {
     context.Add(contender.Name, "error, a strip of light on the horizon",
@@ -253,7 +253,7 @@ void RunMissedLobe(Context& context)
 
   const vtkSmartPointer<vtkEnvironment> environment = context.MakeEnvironment("sky", 64);
   const Pairs pairs = MakeSpherePairs(context.Short ? 150 : 300);
-  const std::vector<double> reference = IntegrateExactly(brdf, environment, pairs);
+  const std::vector<double> reference = IntegrateReference(brdf, environment, pairs);
   for (const int samples : { 16, 256 })
   {
     Finding& finding = context.Add("filtered", "error, " + std::to_string(samples) + " samples",

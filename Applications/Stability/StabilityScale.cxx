@@ -48,7 +48,7 @@ void RunEnvironmentSizes(Context& context)
   const vtkSmartPointer<vtkBRDF> brdf = context.Choose(MakePlastic(20.0));
   const Pairs pairs = MakeSpherePairs(100);
   const std::vector<double> reference =
-    IntegrateExactly(brdf, MakeEnvironment(256, 128, GetSmoothRadiance), pairs);
+    IntegrateReference(brdf, MakeEnvironment(256, 128, GetSmoothRadiance), pairs);
   for (const auto& [width, height] : sizes)
   {
     const vtkSmartPointer<vtkEnvironment> environment =

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Stability: what moves must move as the exact sum does. Flicker ratio: the mean change from frame
-// to frame over that of the exact sum.
+// Stability: what moves must move as the reference does. Flicker ratio: the mean change from frame
+// to frame over that of the reference.
 #include "Meshes.h"
 #include "Stability.h"
 #include "StabilityRenderer.h"
@@ -144,7 +144,7 @@ Frames PlayExactly(vtkBRDF* brdf, vtkEnvironment* environment, const Motion& mot
   for (int t = 0; t < frames; ++t)
   {
     environment->SetRotationY(motion.Rotation(t));
-    played.push_back(IntegrateExactly(brdf, environment, motion.Points(t)));
+    played.push_back(IntegrateReference(brdf, environment, motion.Points(t)));
   }
   environment->SetRotationY(0.0);
   return played;
@@ -204,7 +204,7 @@ void RunRemade(Context& context)
   for (int t = 0; t < count; ++t)
   {
     maps.push_back(Roll(environment, step * t));
-    reference.push_back(IntegrateExactly(brdf, maps.back(), pairs));
+    reference.push_back(IntegrateReference(brdf, maps.back(), pairs));
   }
   const auto play = [&](const std::function<vtkSmartPointer<vtkRadianceIntegrator>(int)>& make)
   {
@@ -256,7 +256,7 @@ void RunPlanSwitches(Context& context)
     plans.insert(planner->GetDescription(planner->GetChoice()));
     const auto integrator = vtkSmartPointer<vtkRadianceIntegrator>::Take(planner->NewIntegrator());
     frames.push_back(Integrate(integrator, pairs));
-    reference.push_back(IntegrateExactly(brdf, environment, pairs));
+    reference.push_back(IntegrateReference(brdf, environment, pairs));
   }
   context.Add("auto", "flicker ratio, exponent 8 to 128 by frames, planned for each",
     GetFlicker(frames, reference), Threshold, std::to_string(plans.size()) + " different plans");

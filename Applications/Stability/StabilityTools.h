@@ -104,7 +104,7 @@ Vector Turn(const Vector& v, double degrees);
 std::vector<double> Integrate(vtkRadianceIntegrator* integrator, const Pairs& pairs);
 
 /// The sum over every texel.
-std::vector<double> IntegrateExactly(
+std::vector<double> IntegrateReference(
   vtkBRDF* brdf, vtkEnvironment* environment, const Pairs& pairs);
 
 /// A number in words: 3 significant digits.

@@ -28,17 +28,20 @@ using measuredbrdf::TexelTree;
 constexpr int WidestBase = 16; // squares across the map to begin with
 // The radius that a square may keep: that of the solid angle in which a draw is alone, times this,
 // and this share of the distance to it.
-constexpr double AloneTimes = 2.0;
+constexpr double AloneTimes = 2.0; // lobes are as much narrower as the view is lower
 constexpr double DistanceShare = 1.0;
-// What may be left where a square and its quarters agree by chance.
+// What may be left where a square and its quarters agree by chance: this share of the change, of
+// the error of the square that it is a quarter of, and of tolerance times value.
 constexpr double LeastRest = 0.05;
-constexpr double LeastShare = 1.0;      // of tolerance times value: agreement by chance
-constexpr double PeakTimes = 2.0;       // of a square's mean f: less is no hidden peak
-constexpr double InheritedShare = 0.03; // of a square's error, at least, by each of its quarters
-constexpr double LargestRest = 1.0;     // above, a square tells nothing
+constexpr double InheritedShare = 0.03;
+constexpr double LeastShare = 3.0;
+// Within texels radiance is smooth: what the quarters leave is not left once it is extrapolated.
+constexpr double PartRest = 0.15;
+constexpr double PeakTimes = 2.0;   // of a square's mean f: less is no hidden peak
+constexpr double LargestRest = 1.0; // above, a square tells nothing
 // Squares' errors of either sign cancel, but for the part that they have in common.
 constexpr double OwnShare = 2.0; // standard deviations
-constexpr double CommonShare = 0.2;
+constexpr double CommonShare = 0.1;
 
 double Sum(const glm::dvec3& rgb) { return rgb.x + rgb.y + rgb.z; }
 
@@ -175,8 +178,8 @@ AdaptiveSum::Square AdaptiveSum::Make(int level, int x, int y, const glm::dvec3&
     const double rest = this->Texels.Get(level, x, y).Rest;
     const glm::dvec3 change = square.Value - value;
     square.Value = glm::max(square.Value + rest * change, 0.0);
-    square.Error =
-      std::max(rest, LeastRest) * Sum(glm::abs(change)) + this->EstimateRising(level, x, y);
+    square.Error = (level > 0 ? std::max(rest, LeastRest) : PartRest) * Sum(glm::abs(change)) +
+                   this->EstimateRising(level, x, y);
     if (level > 0)
     {
       square.Error += this->EstimateHidden(square);
@@ -271,7 +274,7 @@ glm::dvec3 AdaptiveSum::Run(const ReflectionGuide& guide, double tolerance)
   for (const ReflectionGuide::Draw& draw : draws)
   {
     near.push_back({ draw.Direction * this->Local, // transposed: back to the environment's frame
-      AloneTimes * std::sqrt(draw.SolidAngle / measuredbrdf::Pi) });
+      AloneTimes * std::sqrt(draw.SolidAngle * this->View.z / measuredbrdf::Pi) });
   }
   for (int y = 0; y < this->Texels.GetHeight(this->Base); ++y)
   {

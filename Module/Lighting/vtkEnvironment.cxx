@@ -5,32 +5,56 @@
 #include "HalfVector.h" // for Pi
 #include "Printable.h"
 #include "ProceduralEnvironments.h"
+#include "RadianceValues.h"
 #include "SRGB.h"
 #include "TexelInterpolation.h"
-#include "vtkArrayDispatch.h"
 #include "vtkDataArray.h"
-#include "vtkDataArrayAccessor.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkSMPTools.h"
 
 #include <glm/glm.hpp>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
-#include <limits>
 #include <utility>
 
 namespace
 {
+// RGB of a formula, each texel the mean of samples x samples points.
+std::vector<float> Draw(
+  int width, int height, int samples, glm::dvec3 (*radiance)(const glm::dvec3&))
+{
+  std::vector<float> rgb;
+  rgb.reserve(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  for (int y = 0; y < height; ++y)
+  {
+    for (int x = 0; x < width; ++x)
+    {
+      glm::dvec3 sum(0.0);
+      for (int k = 0; k < samples * samples; ++k)
+      {
+        const int row = k / samples;
+        glm::dvec3 d;
+        vtkEnvironment::GetDirection(
+          (x + (k % samples + 0.5) / samples) / width, (y + (row + 0.5) / samples) / height, &d.x);
+        sum += radiance(d);
+      }
+      for (int c = 0; c < 3; ++c)
+      {
+        rgb.push_back(static_cast<float>(sum[c] / (samples * samples)));
+      }
+    }
+  }
+  return rgb;
+}
+
 // Radiance at (u,v) of an environment that is not empty.
 void Interpolate(vtkEnvironment* environment, double u, double v, double rgb[3])
 {
@@ -40,95 +64,6 @@ void Interpolate(vtkEnvironment* environment, double u, double v, double rgb[3])
     width, static_cast<std::size_t>(environment->GetHeight()), u, v,
     [&](std::size_t x, std::size_t y) { return pixels + 3 * (y * width + x); }, rgb);
 }
-
-struct BadValues
-{
-  vtkIdType Negative = 0;
-  vtkIdType NotFinite = 0;
-};
-
-float Clean(float value, BadValues& found)
-{
-  // In this order: NaN fails it, too.
-  if (value >= 0.0f && value <= std::numeric_limits<float>::max())
-  {
-    return value;
-  }
-  ++(std::isfinite(value) ? found.Negative : found.NotFinite);
-  return 0.0f;
-}
-
-// part(begin, end, found) over all values, in threads.
-template <typename Part>
-void ForValues(std::size_t count, BadValues& bad, Part&& part)
-{
-  std::atomic<vtkIdType> negative(0);
-  std::atomic<vtkIdType> notFinite(0);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(count), 1 << 16,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      BadValues found;
-      part(static_cast<std::size_t>(begin), static_cast<std::size_t>(end), found);
-      negative += found.Negative;
-      notFinite += found.NotFinite;
-    });
-  bad = { negative, notFinite };
-}
-
-// An image's scalars to clean RGB, for arrays of any kind.
-struct Decoder
-{
-  vtkIdType Count;
-  bool SRGB;
-  float* Out;
-  BadValues Bad;
-
-  template <typename Array>
-  void operator()(Array* array)
-  {
-    using Value = typename vtkDataArrayAccessor<Array>::APIType;
-    const int type = array->GetDataType();
-    const double scale =
-      type == VTK_FLOAT || type == VTK_DOUBLE ? 1.0 : 1.0 / array->GetDataTypeMax();
-    const auto decode = [this, scale](Value raw)
-    {
-      const double value = static_cast<double>(raw) * scale;
-      return this->SRGB && value > 0.0 ? measuredbrdf::DecodeSRGB(value) : value;
-    };
-    // Few values: each but once.
-    std::vector<float> table;
-    if (type == VTK_UNSIGNED_CHAR || type == VTK_UNSIGNED_SHORT)
-    {
-      for (double raw = 0.0; raw <= array->GetDataTypeMax(); ++raw)
-      {
-        table.push_back(static_cast<float>(decode(static_cast<Value>(raw))));
-      }
-    }
-    const int gray = array->GetNumberOfComponents() == 1 ? 0 : 1;
-    ForValues(static_cast<std::size_t>(this->Count), this->Bad,
-      [&, gray](std::size_t begin, std::size_t end, BadValues& found)
-      {
-        const vtkDataArrayAccessor<Array> values(array);
-        for (std::size_t k = begin; k < end; ++k)
-        {
-          for (int c = 0; c < 3; ++c)
-          {
-            const Value raw = values.Get(static_cast<vtkIdType>(k), gray * c);
-            if (!table.empty())
-            {
-              this->Out[3 * k + c] = table[static_cast<std::size_t>(raw)];
-              continue;
-            }
-            const double value = decode(raw);
-            // Beyond float's range counts as infinite.
-            const bool fits = std::abs(value) <= std::numeric_limits<float>::max();
-            this->Out[3 * k + c] = Clean(
-              fits ? static_cast<float>(value) : std::numeric_limits<float>::infinity(), found);
-          }
-        }
-      });
-  }
-};
 
 // Maps of fewer rows are cut up to twice as many at least, and columns alike; but no map grows
 // beyond the largest.
@@ -184,13 +119,9 @@ bool vtkEnvironment::SetImage(vtkImageData* image, bool sRGB)
     const float* first = floats->GetPointer(0);
     return this->SetPixels(size[0], size[1], std::vector<float>(first, first + 3 * count));
   }
-  std::vector<float> rgb(3 * static_cast<std::size_t>(count));
-  Decoder decoder{ count, sRGB, rgb.data(), {} };
-  if (!vtkArrayDispatch::Dispatch::Execute(scalars, decoder))
-  {
-    decoder(scalars);
-  }
-  this->Adopt(size[0], size[1], std::move(rgb), decoder.Bad.Negative, decoder.Bad.NotFinite);
+  std::vector<float> rgb;
+  const measuredbrdf::BadValues bad = measuredbrdf::DecodeRadiance(scalars, count, sRGB, rgb);
+  this->Adopt(size[0], size[1], std::move(rgb), bad.Negative, bad.NotFinite);
   return true;
 }
 
@@ -204,15 +135,7 @@ bool vtkEnvironment::SetPixels(int width, int height, std::vector<float> rgb)
                                 << height << " texels.");
     return false;
   }
-  BadValues bad;
-  ForValues(rgb.size(), bad,
-    [&rgb](std::size_t begin, std::size_t end, BadValues& found)
-    {
-      for (std::size_t k = begin; k < end; ++k)
-      {
-        rgb[k] = Clean(rgb[k], found);
-      }
-    });
+  const measuredbrdf::BadValues bad = measuredbrdf::CleanRadiance(rgb);
   this->Adopt(width, height, std::move(rgb), bad.Negative, bad.NotFinite);
   return true;
 }
@@ -275,16 +198,14 @@ void vtkEnvironment::Subdivide()
 //------------------------------------------------------------------------------
 void vtkEnvironment::SetToProceduralSky()
 {
-  this->SetPixels(
-    256, 128, measuredbrdf::DrawEnvironment(256, 128, 1, measuredbrdf::GetSkyRadiance));
+  this->SetPixels(256, 128, Draw(256, 128, 1, measuredbrdf::GetSkyRadiance));
   this->SetName("procedural sky");
 }
 
 //------------------------------------------------------------------------------
 void vtkEnvironment::SetToProceduralHall()
 {
-  this->SetPixels(
-    512, 256, measuredbrdf::DrawEnvironment(512, 256, 4, measuredbrdf::GetHallRadiance));
+  this->SetPixels(512, 256, Draw(512, 256, 4, measuredbrdf::GetHallRadiance));
   this->SetName("procedural hall");
 }
 

@@ -11,17 +11,18 @@ DATA holds materials/rgl/*_rgb.bsdf and environments/*.exr. For each (normal, vi
 sum             Mitsuba's `measured` BSDF times its `envmap` at the centers of the map's texels, times their exact solid
                 angles: no noise. As this project does, negative values are taken as 0. What it checks: reading the
                 file, the BSDF, which of the two directions is the light's, frames, how the map lies, solid angles.
-sampled         the integral by Mitsuba's own sampling of its `envmap` (sample_direction), whose radiance is a function
-                of the direction, not of texels; standard_error is that of the mean over independent runs. Negative
-                values stay.
-sum_unclamped   the sum with negative values as they are, which is what `sampled` converges to but for the difference
-                between texels' centers and texels.
+integral        the same over POINTS x POINTS points of each texel, where `envmap` interpolates: what radiance is between
+                texels, too.
+sampled         the integral by Mitsuba's own sampling of its `envmap` (sample_direction); standard_error is that of the
+                mean over independent runs. Negative values stay.
+integral_unclamped
+                the integral with negative values as they are, which is what `sampled` converges to.
 
-In both the light's direction is the first of `measured`, as the files have it. A path tracer puts the camera's there,
+In all, the light's direction is the first of `measured`, as the files have it. A path tracer puts the camera's there,
 which gives something else: these measurements are not reciprocal.
 
-Mitsuba's envmap interpolates between texels, and its first and last rows lie on the poles. It gets each texel's value
-several times instead, so that it is the piecewise constant map that this project takes an environment for.
+Mitsuba's envmap and this project's both interpolate linearly between texels, but the first and last rows of Mitsuba's
+lie on the poles. It gets a larger map, which has a row wherever one of this project's bends: the same function.
 """
 
 import argparse
@@ -32,10 +33,13 @@ import sys
 
 import numpy as np
 
-MATERIALS = "acrylic_felt_pink cardboard cc_ibiza_sunset paper_blue satin_purple vch_ultra_pink".split()
+MATERIALS = (
+    "acrylic_felt_pink cardboard cc_ibiza_sunset chm_light_blue irid_flake_paint2 paper_blue satin_purple vch_ultra_pink"
+).split()
 ENVIRONMENTS = ["studio", "interior"]
 NUMBER_OF_PAIRS = 12
-REPEAT = 4  # of each texel, per axis
+POINTS = 4  # of each texel, per axis
+ROWS, COLUMNS = 2, 3  # of the larger map, per texel
 RUNS = 8
 
 
@@ -61,21 +65,33 @@ def make_frame(normal):
 
 
 class Light:
-    """An environment as Mitsuba sees it, and its texels."""
+    """An environment as Mitsuba sees it, its texels and finer points."""
 
     def __init__(self, mi, path):
         image = mi.Bitmap(path).convert(mi.Bitmap.PixelFormat.RGB, mi.Struct.Type.Float32, False)
         image = np.maximum(np.array(image), 0.0)
         height, width = image.shape[:2]
-        nodes = np.arange(REPEAT * height + 1) / (REPEAT * height)  # rows of the large map, 0 and 1 the poles
-        rows = np.minimum((nodes * height).astype(int), height - 1)
-        large = np.ascontiguousarray(np.repeat(image[rows], REPEAT, axis=1))
+        # The first and the last row are the poles; both maps' columns begin half a column from the seam.
+        up = np.clip(np.arange(ROWS * height + 1) / ROWS - 0.5, 0.0, height - 1.0)
+        across = (np.arange(COLUMNS * width) + 0.5) / COLUMNS - 0.5
+        low, left = np.floor(up).astype(int), np.floor(across).astype(int)
+        rows = mix(image[low], image[np.minimum(low + 1, height - 1)], (up - low)[:, None, None])
+        large = mix(rows[:, left % width], rows[:, (left + 1) % width], (across - left)[None, :, None])
+        large = np.ascontiguousarray(large, dtype=np.float32)
         # Its azimuth starts elsewhere: u = atan2(x, -z) / 2 pi there, atan2(z, x) / 2 pi + 1/2 here.
         turn = mi.ScalarTransform4f(
             mi.ScalarMatrix4f([[0, 0, 1, 0], [0, 1, 0, 0], [-1, 0, 0, 0], [0, 0, 0, 1]])
         )
         self.description = {"type": "envmap", "bitmap": mi.Bitmap(large), "to_world": turn}
 
+        self.texels = Points(mi, self.description, width, height)
+        self.points = Points(mi, self.description, POINTS * width, POINTS * height)
+
+
+class Points:
+    """Directions of a map's texels, their solid angles, and the radiance there."""
+
+    def __init__(self, mi, description, width, height):
         polar = (np.arange(height) + 0.5) / height * np.pi
         azimuth = ((np.arange(width) + 0.5) / width - 0.5) * 2.0 * np.pi
         polar, azimuth = (a.ravel() for a in np.meshgrid(polar, azimuth, indexing="ij"))
@@ -84,7 +100,11 @@ class Light:
         )
         edges = np.cos(np.arange(height + 1) / height * np.pi)
         self.solid_angles = np.repeat((edges[:-1] - edges[1:]) * 2.0 * np.pi / width, width)
-        self.radiance = evaluate_envmap(mi, self.description, self.directions)
+        self.radiance = evaluate_envmap(mi, description, self.directions)
+
+
+def mix(first, second, weight):
+    return first.astype(np.float64) * (1.0 - weight) + second.astype(np.float64) * weight
 
 
 def to_vectors(mi, array):
@@ -114,13 +134,13 @@ def evaluate_bsdf(mi, bsdf, lights, view):
     return to_rows(bsdf.eval(mi.BSDFContext(), interaction, mi.Vector3f(*map(float, view)))) / view[2]
 
 
-def sum_texels(mi, bsdf, light, normal, view):
+def sum_points(mi, bsdf, points, normal, view):
     """The radiance, and the same with negative values of the BSDF."""
     frame = np.stack([*make_frame(normal), normal], axis=-1)
-    local = light.directions @ frame
+    local = points.directions @ frame
     lit = local[:, 2] > 0.0
     f = evaluate_bsdf(mi, bsdf, local[lit], view @ frame)
-    arriving = light.radiance[lit] * (light.solid_angles[lit] * local[lit, 2])[:, None]
+    arriving = points.radiance[lit] * (points.solid_angles[lit] * local[lit, 2])[:, None]
     return (np.maximum(f, 0.0) * arriving).sum(axis=0), (f * arriving).sum(axis=0)
 
 
@@ -170,28 +190,30 @@ def main():
             means, errors = sample(mi, bsdf, light, make_pairs(), RUNS, arguments.samples)
             pairs = []
             for (normal, view), mean, error in zip(make_pairs(), means, errors):
-                clamped, unclamped = sum_texels(mi, bsdf, light, normal, view)
+                clamped, _ = sum_points(mi, bsdf, light.texels, normal, view)
+                integral, unclamped = sum_points(mi, bsdf, light.points, normal, view)
                 pairs.append(
                     {
                         "normal": numbers(normal),
                         "view": numbers(view),
                         "sum": numbers(clamped),
-                        "sum_unclamped": numbers(unclamped),
+                        "integral": numbers(integral),
+                        "integral_unclamped": numbers(unclamped),
                         "sampled": numbers(mean),
                         "standard_error": numbers(error),
                     }
                 )
             results.append({"material": name, "environment": environment, "pairs": pairs})
-            off = np.array([np.array(p["sampled"]) / p["sum_unclamped"] - 1.0 for p in pairs])
-            noise = np.array([np.array(p["standard_error"]) / p["sum_unclamped"] for p in pairs])
+            off = np.array([np.array(p["sampled"]) / p["integral_unclamped"] - 1.0 for p in pairs])
+            noise = np.array([np.array(p["standard_error"]) / p["integral_unclamped"] for p in pairs])
             print(
-                f"{name}, {environment}: sampled against summed: median {np.median(np.abs(off)):.2%}, "
+                f"{name}, {environment}: sampled against integrated: median {np.median(np.abs(off)):.2%}, "
                 f"worst {np.abs(off).max():.2%}, noise {np.median(noise):.2%}",
                 flush=True,
             )
     record = {
         "format": "measured-brdf mitsuba comparison",
-        "version": 1,
+        "version": 2,
         "mitsuba": mi.__version__,
         "variant": mi.variant(),
         "date": datetime.date.today().isoformat(),

@@ -171,9 +171,9 @@ add("Lighting.rotation-the-other-way", "vtkEnvironment.cxx", "{ c, 0.0, -s, 0.0,
     "{ c, 0.0, s, 0.0, 1.0, 0.0, -s, 0.0, c }", "Environment.Rotation")
 add("Lighting.mirrored-rotation-is-taken", "vtkEnvironment.cxx", "rows[2]) < 0.0)", "rows[2]) < -2.0)",
     "Environment.Rotation")
-add("Lighting.swapped-counts", "vtkEnvironment.cxx", "found.Negative : found.NotFinite",
+add("Lighting.swapped-counts", "Private/RadianceValues.cxx", "found.Negative : found.NotFinite",
     "found.NotFinite : found.Negative", "Environment.RepairsAndCounts")
-add("Lighting.colors-are-gray", "vtkEnvironment.cxx", "array->GetNumberOfComponents() == 1 ? 0 : 1;",
+add("Lighting.colors-are-gray", "Private/RadianceValues.cxx", "array->GetNumberOfComponents() == 1 ? 0 : 1;",
     "array->GetNumberOfComponents() == 1 ? 0 : 0;", "Environment.TakesImagesOfAnyType")
 add("Lighting.snapshot-without-rotation", "vtkEnvironment.cxx",
     "std::copy_n(this->WorldToEnvironment, 9, snapshot->WorldToEnvironment);", "", "Snapshots.Environments")
@@ -181,11 +181,11 @@ add("Lighting.new-pixels-old-time", "vtkEnvironment.cxx", "this->PixelsTime.Modi
     "this->Modified();", "Variance.FollowsThePixelsNotTheRotation|Planner.PlansAgainExactlyWhenItMust")
 add("Lighting.cut-up-texels-are-moved", "vtkEnvironment.cxx", "Interpolate(this, (x + 0.5) / width, (y + 0.5) / height, radiance);",
     "Interpolate(this, (x + 1.0) / width, (y + 0.5) / height, radiance);", "CoarseMaps.AreCutUpWithoutChangingTheirLight")
-add("Lighting.seam-is-not-crossed", "TexelInterpolation.h", "first + 1 < size ? first + 1 : 0,",
+add("Lighting.seam-is-not-crossed", "Private/TexelInterpolation.h", "first + 1 < size ? first + 1 : 0,",
     "first + 1 < size ? first + 1 : first,", "Environment.InterpolatesBetweenTexels|EnvironmentHarmonics.AreIntegralsOfTheInterpolatedSky")
-add("Lighting.harmonics-of-point-masses", "EnvironmentHarmonics.cxx", "sinc * sinc));", "1.0));",
+add("Lighting.harmonics-of-point-masses", "Private/EnvironmentHarmonics.cxx", "sinc * sinc));", "1.0));",
     "EnvironmentHarmonics.AreIntegralsOfTheInterpolatedSky")
-add("Lighting.harmonics-of-one-hemisphere", "EnvironmentHarmonics.cxx", "{ north + south, north - south }", "{ north + south, north + south }",
+add("Lighting.harmonics-of-one-hemisphere", "Private/EnvironmentHarmonics.cxx", "{ north + south, north - south }", "{ north + south, north + south }",
     "EnvironmentHarmonics.AreIntegralsOfTheInterpolatedSky")
 add("Lighting.old-light-in-new-pixels", "vtkEnvironment.cxx",
     "this->Parts = vtkEnvironment::MakeParts();\n  this->PixelsTime", "this->PixelsTime",
@@ -224,10 +224,23 @@ add("Lighting.mirror-ball-angle", "Private/ProjectionMaps.cxx",
     "Projections::MIRROR_BALL ? r : std::sin(0.5 * Pi * r)", "Projections::MIRROR_BALL ? r : std::sin(0.25 * Pi * r)",
     "Probes.SolidAnglesAddUpToTheSphere|Probes.ConstantStaysConstant|Probes.EnergyIsKept")
 add("Lighting.harmonics-scale", "Private/EnvironmentHarmonics.cxx", "this->Scales[m] * std::conj(work.Series[m])",
-    "this->Scales[m] * work.Series[m]", "EnvironmentHarmonics.AreTheSumOverTexels")
+    "this->Scales[m] * work.Series[m]", "EnvironmentHarmonics.AreIntegralsOfTheInterpolatedSky")
 
 # Integration
 
+add("Lighting.parts-are-the-texel", "Private/TexelTree.cxx", "(x + 0.5) / width, (y + 0.5) / height,\n      [&]",
+    "(x + 0.0) / width, (y + 0.5) / height,\n      [&]", "TexelTree.PartsAreInterpolated")
+add("Integration.adaptive-stops-at-texels", "vtkAdaptiveRadianceIntegrator.cxx",
+    "if (level == this->Texels.GetLowestLevel())\n  {\n    this->Total", "if (level <= 0)\n  {\n    this->Total",
+    "AdaptiveIntegrator.KeepsItsToleranceAtEachPair|AdaptiveIntegrator.MissesNothingNarrow")
+add("Integration.adaptive-takes-the-square-for-its-quarters", "vtkAdaptiveRadianceIntegrator.cxx",
+    "this->Total -= square.Value;", "", "AdaptiveIntegrator.ConvergesWithItsTolerance")
+add("Integration.adaptive-looks-nowhere-first", "vtkAdaptiveRadianceIntegrator.cxx",
+    "return radius > drawn.Radius + DistanceShare * distance;", "return false;",
+    "AdaptiveIntegrator.MissesNothingNarrow|AdaptiveIntegrator.IsNotMisledByChance")
+add("Integration.peaks-of-the-wrong-azimuth", "Private/ReflectionGuide.cxx",
+    "peaks.Azimuth = s > 0.0 ? glm::dvec2(o.x, o.y) / s", "peaks.Azimuth = s > 0.0 ? glm::dvec2(o.x, -o.y) / s",
+    "ReflectionGuide.KnowsPeaks")
 add("Integration.exact-without-cosine", "vtkExactRadianceIntegrator.cxx", "sum += cosine * f *", "sum += f *",
     "ExactIntegrator.LambertUnderAConstantSkyHasAClosedForm")
 add("Integration.exact-leaves-out-the-last-part", "vtkExactRadianceIntegrator.cxx",

@@ -400,7 +400,8 @@ class Integrate(IntegrateTest):
         for method, sizes in (("table", "8"), ("table", "65,16,16,1"), ("table", "65;16"),
                               ("filtered", "0"), ("basis", "9,nan"), ("exact", "3")):
             self.check(run(*common, "--method", method, "--sizes", sizes), 2, "--sizes")
-        self.check(run(*common, "--on", "gpu"), 2, "--on", "exact")
+        self.check(run(*common, "--on", "gpu"), 2, "--on", "reference")
+        self.check(run(*common, "--on", "gpu", "--method", "exact"), 2, "--on", "exact")
         self.check(run(*common, "--on", "tpu"), 2, "--on")
         for tolerance in ("0", "-1", "nan", "inf", "1e-4", "2"):
             options = ["--method", "auto", "--tolerance", tolerance]

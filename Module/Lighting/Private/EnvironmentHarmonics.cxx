@@ -171,7 +171,8 @@ struct Ring
   double Weight;       // with the sine
   TexelNeighbors Rows; // from the south pole for the south, from the north pole for the north
 
-  std::complex<double> Mix(const std::complex<double>& first, const std::complex<double>& second) const
+  std::complex<double> Mix(
+    const std::complex<double>& first, const std::complex<double>& second) const
   {
     return this->Weight * (first + this->Rows.Weight * (second - first));
   }
@@ -233,7 +234,8 @@ EnvironmentHarmonics::EnvironmentHarmonics(
             const std::size_t top = height - 1;
             const std::complex<double> north =
               ring.Mix(get(top - ring.Rows.First), get(top - ring.Rows.Second));
-            const std::complex<double> south = ring.Mix(get(ring.Rows.First), get(ring.Rows.Second));
+            const std::complex<double> south =
+              ring.Mix(get(ring.Rows.First), get(ring.Rows.Second));
             const std::complex<double> values[2] = { north + south, north - south };
             std::complex<double>* out = &this->Coefficients[(channel * orders + m) * orders];
             for (std::size_t l = m; l < orders; ++l)

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ProceduralEnvironments.h"
 
-#include "vtkEnvironment.h"
-
 #include "HalfVector.h" // Pi
 
 #include <algorithm>
@@ -148,32 +146,5 @@ glm::dvec3 GetHallRadiance(const glm::dvec3& d)
     radiance += glm::dvec3(900.0, 620.0, 330.0) * std::exp(6000.0 * (glm::dot(d, lamp) - 1.0));
   }
   return radiance;
-}
-
-std::vector<float> DrawEnvironment(
-  int width, int height, int samples, glm::dvec3 (*radiance)(const glm::dvec3&))
-{
-  std::vector<float> rgb;
-  rgb.reserve(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-  for (int y = 0; y < height; ++y)
-  {
-    for (int x = 0; x < width; ++x)
-    {
-      glm::dvec3 sum(0.0);
-      for (int k = 0; k < samples * samples; ++k)
-      {
-        const int row = k / samples;
-        glm::dvec3 d;
-        vtkEnvironment::GetDirection(
-          (x + (k % samples + 0.5) / samples) / width, (y + (row + 0.5) / samples) / height, &d.x);
-        sum += radiance(d);
-      }
-      for (int c = 0; c < 3; ++c)
-      {
-        rgb.push_back(static_cast<float>(sum[c] / (samples * samples)));
-      }
-    }
-  }
-  return rgb;
 }
 } // namespace measuredbrdf

@@ -10,8 +10,6 @@
 
 #include <glm/glm.hpp>
 
-#include <vector>
-
 namespace measuredbrdf
 {
 /// A clear sky with a sun over brown ground.
@@ -20,10 +18,6 @@ glm::dvec3 GetSkyRadiance(const glm::dvec3& d);
 /// A dark stone hall with bright arched windows, a rose window and lamps: the kind of light that
 /// Debevec's Grace Cathedral map made common.
 glm::dvec3 GetHallRadiance(const glm::dvec3& d);
-
-/// RGB of width x height texels of a formula, each the mean of samples x samples points.
-std::vector<float> DrawEnvironment(
-  int width, int height, int samples, glm::dvec3 (*radiance)(const glm::dvec3&));
 } // namespace measuredbrdf
 
 #endif

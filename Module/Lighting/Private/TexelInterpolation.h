@@ -34,8 +34,7 @@ struct TexelNeighbors
   static TexelNeighbors InColumn(double coordinate, std::size_t size)
   {
     const double last = static_cast<double>(size) - 1.0;
-    const double position =
-      std::clamp(coordinate * static_cast<double>(size) - 0.5, 0.0, last);
+    const double position = std::clamp(coordinate * static_cast<double>(size) - 0.5, 0.0, last);
     const std::size_t first = Limit(std::floor(position), size);
     return { first, std::min(first + 1, size - 1), position - static_cast<double>(first) };
   }

@@ -39,6 +39,24 @@ constexpr double LeastShare = 2e-3;
 constexpr double LeastShareOfTolerance = 0.25;
 constexpr int SunPoints = 8; // a side of the square that a texel is interpolated over
 
+// Median of the solid angle in sr in which one of the lobe's directions is alone, times their
+// number; at 45 degrees.
+double MeasureLobe(vtkBRDF* sharp, const LobeTable& lobes)
+{
+  const LobeSampler lobe(sharp, glm::normalize(glm::dvec3(1.0, 0.0, 1.0)), &lobes);
+  std::vector<double> solidAngles;
+  for (int k = 0; k < FewestDirections && !lobe.IsBlack(); ++k)
+  {
+    double density = 0.0;
+    lobe.Sample(
+      glm::dvec2((k + 0.5) / FewestDirections, RadicalInverse(static_cast<unsigned int>(k), 2)),
+      density);
+    solidAngles.push_back(density > 0.0 ? 1.0 / density : 4.0 * Pi);
+  }
+  std::sort(solidAngles.begin(), solidAngles.end());
+  return solidAngles.empty() ? 4.0 * Pi : solidAngles[solidAngles.size() / 2];
+}
+
 // Radiance is interpolated between texels: one bright texel is a pyramid over 2 x 2 texels.
 std::vector<ExtractedEmitters::Light> Spread(
   const std::vector<ExtractedEmitters::Light>& suns, vtkEnvironment* environment)
@@ -103,9 +121,13 @@ bool PlanReference::Begin()
       this->Cut = cut;
     }
   }
+  this->SharpSeesSuns = false;
   if (this->Cut)
   {
-    this->Suns = Spread(this->Suns, this->Environment->GetSubdivided());
+    vtkEnvironment* environment = this->Environment->GetSubdivided();
+    this->Suns = Spread(this->Suns, environment);
+    this->SharpSeesSuns = MeasureLobe(this->Sharp, *this->Lobes) <
+                          4.0 * environment->GetTexelSolidAngle(environment->GetHeight() / 2);
   }
   return this->ChooseLights(goOn);
 }
@@ -219,13 +241,14 @@ void PlanReference::IntegratePart(
     const glm::dvec3 i = ToLocal(pair.Local, sun.Direction);
     if (i.z > 0.0)
     {
-      sum += i.z * this->Evaluate(i, pair) * sun.Irradiance;
+      const glm::dvec3 f = this->Evaluate(i, pair);
+      sum += i.z * (this->SharpSeesSuns ? pair.Cut.GetBroad(f, i.z) : f) * sun.Irradiance;
     }
   }
   if (this->Cut)
   {
     const TexelChanges none;
-    const TexelChanges& rest = this->Rest ? *this->Rest : none;
+    const TexelChanges& rest = this->Rest && !this->SharpSeesSuns ? *this->Rest : none;
     const LobeSampler lobe(this->Sharp, pair.View, this->Lobes.get());
     // A smaller share of the radiance may be less accurate.
     const int fewest = std::clamp(static_cast<int>(DirectionsTimesTolerance / this->ErrorTolerance),

@@ -5,11 +5,11 @@
  * @brief   what the planner measures its candidates against: nearly exact, thousands of times
  * cheaper
  *
- * Suns and lamps are lights of their own. The material's broad layer (LobeSplit) is summed over
- * the lights of a variance light set of the rest, thousands of them or, where some pairs show that
- * the material does not tell them from all, hundreds; its sharp layer over thousands of
- * directions drawn by itself for each pair, each reading the rest's texel. Unbiased but for the
- * lights; isotropic or not. Private to the module.
+ * Suns and lamps are lights of their own, but for lobes so sharp that they see them as areas. The
+ * material's broad layer (LobeSplit) is summed over the lights of a variance light set of the rest,
+ * thousands of them or, where some pairs show that the material does not tell them from all,
+ * hundreds; its sharp layer over thousands of directions drawn by itself for each pair, each
+ * reading the rest's texel. Unbiased but for the lights; isotropic or not. Private to the module.
  */
 
 #ifndef PlanReference_h
@@ -72,6 +72,7 @@ private:
   std::shared_ptr<const LobeSplit> Cut;         // null: there is no sharp layer
   vtkSmartPointer<vtkBRDF> Sharp;               // that
   std::unique_ptr<LobeTable> Lobes;             // of that
+  bool SharpSeesSuns = false;                   // in its samples: it is sharper than texels
 };
 } // namespace measuredbrdf
 

@@ -4,6 +4,7 @@
 
 #include "ErrorCatcher.h"
 #include "HalfVector.h" // for Pi
+#include "ReflectionGuide.h"
 #include "SpherePairs.h"
 #include "TexelTree.h"
 #include "vtkAdaptiveRadianceIntegrator.h"
@@ -199,7 +200,7 @@ TEST(AdaptiveIntegrator, KeepsItsToleranceAtEachPair)
     vtkNew<vtkEnvironment> environment;
     hall ? environment->SetToProceduralHall() : environment->SetToProceduralSky();
     environment->SetRotationY(77.0);
-    const auto fine = NewInterpolated(environment, hall ? 4 : 4);
+    const auto fine = NewInterpolated(environment, 4);
     for (const auto& [nu, nv] :
       { std::pair(10.0, 10.0), { 300.0, 300.0 }, { 3000.0, 3000.0 }, { 30.0, 3000.0 } })
     {
@@ -263,6 +264,62 @@ TEST(AdaptiveIntegrator, RealMaterials)
       pairs.IntegrateExactly(reader->GetBRDF(), NewInterpolated(sky, 4)));
     std::printf("%s, %s: %.4f %%\n", material, light, 100.0 * error);
     EXPECT_LT(error, 3e-3);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Hard panels, and a lobe whose peaks lie between the squares' points: agreement by chance.
+TEST(AdaptiveIntegrator, IsNotMisledByChance)
+{
+  SpherePairs pairs;
+  pairs.AddRandom(150);
+  for (const std::string material : { "satin_purple", "irid_flake_paint2" })
+  {
+    vtkNew<vtkBRDFReader> reader;
+    reader->SetFileName(Data + "/materials/rgl/" + material + "_rgb.bsdf");
+    vtkNew<vtkEnvironmentReader> environment;
+    environment->SetFileName(Data + "/environments/studio.exr");
+    if (!std::ifstream(reader->GetFileName()).good())
+    {
+      GTEST_SKIP() << "no measured data at " << Data;
+    }
+    ASSERT_TRUE(reader->Read() && environment->Read());
+    const auto adaptive = NewAdaptive(reader->GetBRDF(), environment->GetEnvironment());
+    const std::vector<glm::dvec3> radiance = pairs.Integrate(adaptive);
+    adaptive->SetTolerance(1e-4);
+    const double error = GetLargestError(radiance, pairs.Integrate(adaptive));
+    std::printf("%s: %.4f %%\n", material.c_str(), 100.0 * error);
+    EXPECT_LT(error, 3e-3);
+  }
+}
+
+//------------------------------------------------------------------------------
+// No lobe of a material is higher than the table of its peaks says.
+TEST(ReflectionGuide, KnowsPeaks)
+{
+  for (const double exponent : { 10.0, 300.0 })
+  {
+    const auto brdf = NewGloss(exponent, exponent);
+    const ReflectionGuide guide(brdf);
+    for (const double theta : { 0.1, 0.7, 1.2 })
+    {
+      const glm::dvec3 o(
+        std::sin(theta) * std::cos(0.9), std::sin(theta) * std::sin(0.9), std::cos(theta));
+      const ReflectionGuide::Peaks peaks = guide.GetPeaks(o);
+      double solidAngle = 0.0;
+      for (const double aside : { 0.0, 0.1, 0.3 })
+      {
+        const glm::dvec3 mirror(-o.x, -o.y, o.z);
+        const glm::dvec3 i = glm::normalize(mirror + glm::dvec3(-aside * o.y, aside * o.x, aside));
+        const double radius = std::max(0.05, glm::distance(i, mirror));
+        glm::dvec3 f;
+        brdf->Evaluate(&mirror.x, &o.x, &f.x);
+        const double peak = f.x + f.y + f.z;
+        EXPECT_GT(peaks.Get(i, radius, solidAngle), 0.7 * peak) << theta << " " << aside;
+        EXPECT_LT(peaks.Get(i, radius, solidAngle), 10.0 * peak) << theta << " " << aside;
+        EXPECT_GT(solidAngle, 0.0);
+      }
+    }
   }
 }
 

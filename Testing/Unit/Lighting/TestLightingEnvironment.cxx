@@ -132,10 +132,10 @@ TEST(Environment, InterpolatesBetweenTexels)
     EXPECT_NEAR(value[1], 1.0, 1e-12);
     return value[0];
   };
-  EXPECT_NEAR(get(1.0 / 3.0, 0.25), 0.5, 1e-12);               // between 0 and 1
-  EXPECT_NEAR(get(0.5, 0.5), 8.5, 1e-12);                      // between 1 and 16
-  EXPECT_NEAR(get(0.25, 0.5), 5.5, 1e-12);                     // 3/4 of 0 and 9, 1/4 of 1 and 16
-  EXPECT_NEAR(get(1.0, 0.75), 17.0, 1e-12);                    // the seam: between 25 and 9
+  EXPECT_NEAR(get(1.0 / 3.0, 0.25), 0.5, 1e-12); // between 0 and 1
+  EXPECT_NEAR(get(0.5, 0.5), 8.5, 1e-12);        // between 1 and 16
+  EXPECT_NEAR(get(0.25, 0.5), 5.5, 1e-12);       // 3/4 of 0 and 9, 1/4 of 1 and 16
+  EXPECT_NEAR(get(1.0, 0.75), 17.0, 1e-12);      // the seam: between 25 and 9
   EXPECT_NEAR(get(0.0, 0.75), 17.0, 1e-12);
   EXPECT_NEAR(get(0.5, 0.99), 16.0, 1e-12); // towards the poles
   EXPECT_NEAR(get(0.5, 0.01), 1.0, 1e-12);

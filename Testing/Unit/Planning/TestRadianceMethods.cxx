@@ -153,7 +153,8 @@ vtkSmartPointer<vtkRadiancePlanner> NewPlanner()
 //------------------------------------------------------------------------------
 TEST(RadianceMethods, SayWhatTheyAre)
 {
-  EXPECT_EQ(vtkRadianceMethods::GetNames(), "table, hybrid, light-set, filtered, basis or exact");
+  EXPECT_EQ(vtkRadianceMethods::GetNames(),
+    "table, hybrid, light-set, filtered, basis, reference or exact");
   vtkNew<vtkRadianceCostModel> costs;
   for (const auto& method : vtkRadianceMethods::GetMethods())
   {

@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RadianceValues.h"
+
+#include "SRGB.h"
+#include "vtkArrayDispatch.h"
+#include "vtkDataArray.h"
+#include "vtkDataArrayAccessor.h"
+#include "vtkSMPTools.h"
+
+#include <atomic>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace measuredbrdf
+{
+namespace
+{
+float Clean(float value, BadValues& found)
+{
+  // In this order: NaN fails it, too.
+  if (value >= 0.0f && value <= std::numeric_limits<float>::max())
+  {
+    return value;
+  }
+  ++(std::isfinite(value) ? found.Negative : found.NotFinite);
+  return 0.0f;
+}
+
+// part(begin, end, found) over all values, in threads.
+template <typename Part>
+void ForValues(std::size_t count, BadValues& bad, Part&& part)
+{
+  std::atomic<vtkIdType> negative(0);
+  std::atomic<vtkIdType> notFinite(0);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(count), 1 << 16,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      BadValues found;
+      part(static_cast<std::size_t>(begin), static_cast<std::size_t>(end), found);
+      negative += found.Negative;
+      notFinite += found.NotFinite;
+    });
+  bad = { negative, notFinite };
+}
+
+// An image's scalars to clean RGB, for arrays of any kind.
+struct Decoder
+{
+  vtkIdType Count;
+  bool SRGB;
+  float* Out;
+  BadValues Bad;
+
+  template <typename Array>
+  void operator()(Array* array)
+  {
+    using Value = typename vtkDataArrayAccessor<Array>::APIType;
+    const int type = array->GetDataType();
+    const double scale =
+      type == VTK_FLOAT || type == VTK_DOUBLE ? 1.0 : 1.0 / array->GetDataTypeMax();
+    const auto decode = [this, scale](Value raw)
+    {
+      const double value = static_cast<double>(raw) * scale;
+      return this->SRGB && value > 0.0 ? DecodeSRGB(value) : value;
+    };
+    // Few values: each but once.
+    std::vector<float> table;
+    if (type == VTK_UNSIGNED_CHAR || type == VTK_UNSIGNED_SHORT)
+    {
+      for (double raw = 0.0; raw <= array->GetDataTypeMax(); ++raw)
+      {
+        table.push_back(static_cast<float>(decode(static_cast<Value>(raw))));
+      }
+    }
+    const int gray = array->GetNumberOfComponents() == 1 ? 0 : 1;
+    ForValues(static_cast<std::size_t>(this->Count), this->Bad,
+      [&, gray](std::size_t begin, std::size_t end, BadValues& found)
+      {
+        const vtkDataArrayAccessor<Array> values(array);
+        for (std::size_t k = begin; k < end; ++k)
+        {
+          for (int c = 0; c < 3; ++c)
+          {
+            const Value raw = values.Get(static_cast<vtkIdType>(k), gray * c);
+            if (!table.empty())
+            {
+              this->Out[3 * k + c] = table[static_cast<std::size_t>(raw)];
+              continue;
+            }
+            const double value = decode(raw);
+            // Beyond float's range counts as infinite.
+            const bool fits = std::abs(value) <= std::numeric_limits<float>::max();
+            this->Out[3 * k + c] = Clean(
+              fits ? static_cast<float>(value) : std::numeric_limits<float>::infinity(), found);
+          }
+        }
+      });
+  }
+};
+}
+
+BadValues CleanRadiance(std::vector<float>& values)
+{
+  BadValues bad;
+  ForValues(values.size(), bad,
+    [&values](std::size_t begin, std::size_t end, BadValues& found)
+    {
+      for (std::size_t k = begin; k < end; ++k)
+      {
+        values[k] = Clean(values[k], found);
+      }
+    });
+  return bad;
+}
+
+BadValues DecodeRadiance(
+  vtkDataArray* scalars, vtkIdType numberOfTuples, bool sRGB, std::vector<float>& rgb)
+{
+  rgb.resize(3 * static_cast<std::size_t>(numberOfTuples));
+  Decoder decoder{ numberOfTuples, sRGB, rgb.data(), {} };
+  if (!vtkArrayDispatch::Dispatch::Execute(scalars, decoder))
+  {
+    decoder(scalars);
+  }
+  return decoder.Bad;
+}
+} // namespace measuredbrdf
