@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Directions in the local frame: z = normal, x = tangent, i to the light, o to the viewer.
-// C++ twins: Module/Core/LocalFrame.h, Module/Core/HalfVector.h.
+// C++ twins: LocalFrame.h, HalfVector.h, LobePlacement.h.
 
 const float brdfPi = 3.14159265358979;
 
@@ -102,6 +102,18 @@ float brdfTurn(vec2 v)
   float q = brdfQuadrant(abs(v.y), abs(v.x));
   q = v.x >= 0.0 ? q : 2.0 - q;
   return 0.25 * (v.y >= 0.0 ? q : -q);
+}
+
+// Azimuth in turns and polar angle in half turns of unit d about the environment's y, and the
+// directions in which they grow.
+vec2 brdfMapPosition(vec3 d, out vec3 meridian, out vec3 parallel)
+{
+  float s = length(d.zx);
+  vec2 azimuth = s > 1e-7 ? d.zx / s : vec2(1.0, 0.0);
+  meridian = vec3(azimuth.y * d.y, -s, azimuth.x * d.y);
+  parallel = vec3(azimuth.x, 0.0, -azimuth.y);
+  float polar = brdfQuadrant(s, abs(d.y));
+  return vec2(brdfTurn(azimuth), 0.5 * (d.y >= 0.0 ? polar : 2.0 - polar));
 }
 
 // Rusinkiewicz 1998 in table coordinates: phi_d in turns, theta_d in right angles, the square root

@@ -8,18 +8,6 @@ uniform sampler2D brdfTableIrradianceINSTANCE; // azimuth and polar angle of the
 uniform float brdfTableAnglesINSTANCE;
 uniform float brdfTableLastViewINSTANCE; // the profile's last theta_o, in quarter turns
 
-// Azimuth in turns and polar angle in half turns of unit d about the environment's y, and the
-// directions in which they grow.
-vec2 brdfTablePositionINSTANCE(vec3 d, out vec3 meridian, out vec3 parallel)
-{
-  float s = length(d.zx);
-  vec2 azimuth = s > 1e-7 ? d.zx / s : vec2(1.0, 0.0);
-  meridian = vec3(azimuth.y * d.y, -s, azimuth.x * d.y);
-  parallel = vec3(azimuth.x, 0.0, -azimuth.y);
-  float polar = brdfQuadrant(s, abs(d.y));
-  return vec2(brdfTurn(azimuth), 0.5 * (d.y >= 0.0 ? polar : 2.0 - polar));
-}
-
 vec3 brdfEnvironmentINSTANCE(mat3 frame, vec3 o)
 {
   float sine = length(o.xy);
@@ -33,7 +21,7 @@ vec3 brdfEnvironmentINSTANCE(mat3 frame, vec3 o)
   vec3 along = axis.y * across + axis.z * frame[2];
 
   vec3 meridian, parallel;
-  vec2 position = brdfTablePositionINSTANCE(d, meridian, parallel);
+  vec2 position = brdfMapPosition(d, meridian, parallel);
   float psi = brdfTurn(vec2(dot(along, meridian), dot(along, parallel)));
   vec3 size = vec3(textureSize(brdfTableRadianceINSTANCE, 0));
   float slices = size.z / brdfTableAnglesINSTANCE; // the first azimuth comes again after the last
@@ -48,7 +36,7 @@ vec3 brdfEnvironmentINSTANCE(mat3 frame, vec3 o)
     texture(brdfTableProfileINSTANCE, vec2(u, 1.5 / 3.0)).rgb;
   if (HAS_FLOOR != 0)
   {
-    position = brdfTablePositionINSTANCE(frame[2], meridian, parallel);
+    position = brdfMapPosition(frame[2], meridian, parallel);
     vec2 mapSize = vec2(textureSize(brdfTableIrradianceINSTANCE, 0));
     vec2 normalAt = vec2(position.x + 0.5 / mapSize.x,
       (position.y * (mapSize.y - 1.0) + 0.5) / mapSize.y);

@@ -143,7 +143,7 @@ void WriteComparisonSheet(const std::string& path, const std::string& title, con
   ContactSheet sheet(title, 4, 1, method.Drawn.Width, method.Drawn.Height);
   sheet.Add(0, 0, MakeTile(method.Drawn, exposure), method.Name, FormatFigures(method));
   sheet.Add(1, 0, MakeTile(Enlarge(grid.Draw(reference), method.Drawn, stride, true), exposure),
-    "exact",
+    "reference",
     std::to_string(grid.Surface.Pixels.size()) + " of " +
       std::to_string(grid.Surface.NumberOfCovered) + " pixels, interpolated");
   sheet.Add(2, 0, MakeTile(Enlarge(grid.Draw(errors), method.Drawn, stride, false), 1.0), "error",
@@ -184,7 +184,7 @@ void WriteLightSheet(const std::string& path, const std::string& title, const st
     };
     char figures[64];
     std::snprintf(figures, sizeof(figures), ", FLIP %.3f", light.Flip);
-    add(0, light.Reference, exposure, true, "exact", light.Name);
+    add(0, light.Reference, exposure, true, "reference", light.Name);
     add(1, light.Radiance, exposure, true, name,
       "relative L1 " + FormatPercent(light.RelativeL1) + figures);
     add(2, ColorErrors(light.Radiance, light.Reference, scale), 1.0, false, "error",

@@ -100,7 +100,7 @@ Picture MakeSphereSheet(Context& context, const std::string& title, vtkBRDF* brd
     }
     sheet.Add(k % columns, k / columns, picture, name, note);
   };
-  add(0, exact, "exact", "");
+  add(0, exact, "reference", "");
   StabilityRenderer offscreen(context);
   for (std::size_t k = 0; k < contenders.size(); ++k)
   {

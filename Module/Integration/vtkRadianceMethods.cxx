@@ -7,6 +7,7 @@
 #include "vtkAdaptiveRadianceIntegrator.h"
 #include "vtkBasisRadianceIntegrator.h"
 #include "vtkExactRadianceIntegrator.h"
+#include "vtkFactoredRadianceIntegrator.h"
 #include "vtkFilteredRadianceIntegrator.h"
 #include "vtkHybridRadianceIntegrator.h"
 #include "vtkLightSetRadianceIntegrator.h"
@@ -25,9 +26,10 @@ using Methods = Registry<vtkRadianceIntegrator>::Items;
 // The module's own. Of candidates at equal cost, planners try those of the first one first.
 Methods MakeOwnMethods()
 {
-  Methods methods = Registry<vtkRadianceIntegrator>::Make<vtkTableRadianceIntegrator,
-    vtkHybridRadianceIntegrator, vtkLightSetRadianceIntegrator, vtkFilteredRadianceIntegrator,
-    vtkBasisRadianceIntegrator, vtkAdaptiveRadianceIntegrator, vtkExactRadianceIntegrator>();
+  Methods methods =
+    Registry<vtkRadianceIntegrator>::Make<vtkTableRadianceIntegrator, vtkHybridRadianceIntegrator,
+      vtkLightSetRadianceIntegrator, vtkFilteredRadianceIntegrator, vtkBasisRadianceIntegrator,
+      vtkFactoredRadianceIntegrator, vtkAdaptiveRadianceIntegrator, vtkExactRadianceIntegrator>();
   for (const auto& method : methods)
   {
     if (auto* lights = vtkLightSetRadianceIntegrator::SafeDownCast(method))

@@ -88,9 +88,9 @@ bool vtkTableRadianceIntegrator::MakeTable(Tables& table)
   const LobeViews& views = parts->GetViews(this->BRDF, this->Abort);
   const MaterialPrecomputation::Kernels& knots =
     parts->GetKernels(this->BRDF, table.Angles, this->NumberOfNodes, this->Abort);
-  if (this->Abort ||
-      !SynthesizeRadiance(
-        *harmonics, knots, degree, [this](double share) { return this->Report(share); }, table))
+  if (this->Abort || !SynthesizeRadiance(
+                       *harmonics, knots, degree, this->SmoothingDegree,
+                       [this](double share) { return this->Report(share); }, table))
   {
     return false;
   }
@@ -183,6 +183,7 @@ measuredbrdfSetClampedMacro(vtkTableRadianceIntegrator, NumberOfRows, int, 9, 51
 measuredbrdfSetClampedMacro(vtkTableRadianceIntegrator, NumberOfViewAngles, int, 2, 64);
 measuredbrdfSetClampedMacro(vtkTableRadianceIntegrator, NumberOfAzimuths, int, 4, 64);
 measuredbrdfSetClampedMacro(vtkTableRadianceIntegrator, HarmonicDegree, int, 0, 1024);
+measuredbrdfSetClampedMacro(vtkTableRadianceIntegrator, SmoothingDegree, double, 0.0, 1024.0);
 measuredbrdfSetClampedMacro(vtkTableRadianceIntegrator, NumberOfNodes, int, 16, 1024);
 
 //------------------------------------------------------------------------------
@@ -215,6 +216,7 @@ void vtkTableRadianceIntegrator::CopyProperties(vtkRadianceIntegrator* source)
   {
     this->SetHarmonicDegree(table->HarmonicDegree);
     this->SetNumberOfNodes(table->NumberOfNodes);
+    this->SetSmoothingDegree(table->SmoothingDegree);
   }
 }
 
@@ -251,5 +253,6 @@ void vtkTableRadianceIntegrator::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfViewAngles: " << this->NumberOfViewAngles << "\n";
   os << indent << "NumberOfAzimuths: " << this->NumberOfAzimuths << "\n";
   os << indent << "HarmonicDegree: " << this->HarmonicDegree << "\n";
+  os << indent << "SmoothingDegree: " << this->SmoothingDegree << "\n";
   os << indent << "NumberOfNodes: " << this->NumberOfNodes << "\n";
 }

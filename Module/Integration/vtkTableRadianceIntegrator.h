@@ -109,6 +109,16 @@ public:
   bool TakePrepared(const std::string& bytes) override;
   ///@}
 
+  ///@{
+  /**
+   * What the table takes of the kernels, as a blur: their harmonics of degree l are multiplied by
+   * exp(-l (l + 1) / (2 SmoothingDegree^2)), which leaves nonnegative kernels nonnegative. Default
+   * 0: everything. vtkFactoredRadianceIntegrator adds what is missing.
+   */
+  virtual void SetSmoothingDegree(double smoothingDegree);
+  vtkGetMacro(SmoothingDegree, double);
+  ///@}
+
 #ifndef __VTK_WRAP__
   /**
    * For hybrids: take the environment with these texels changed; null (default): as it is.
@@ -131,6 +141,7 @@ protected:
 
   int NumberOfRows = 65;
   int HarmonicDegree = 0;
+  double SmoothingDegree = 0.0;
   int NumberOfViewAngles = 16;
   int NumberOfAzimuths = 16;
   int NumberOfNodes = 64;

@@ -241,6 +241,14 @@ add("Integration.adaptive-looks-nowhere-first", "vtkAdaptiveRadianceIntegrator.c
 add("Integration.peaks-of-the-wrong-azimuth", "Private/ReflectionGuide.cxx",
     "peaks.Azimuth = s > 0.0 ? glm::dvec2(o.x, o.y) / s", "peaks.Azimuth = s > 0.0 ? glm::dvec2(o.x, -o.y) / s",
     "ReflectionGuide.KnowsPeaks")
+add("Integration.core-takes-the-blur-too", "Private/RadianceCore.cxx", "b[at] * (1.0 - GetSmoothed(l, smoothing))", "b[at]",
+    "FactoredIntegrator.MirrorsInFewMegabytes|FactoredIntegrator.WhiteFurnaceIsTheDirectionalAlbedo")
+add("Integration.core-turns-backwards", "Private/RadianceCore.cxx", "field = turn.x * field +\n              turn.y *",
+    "field = turn.x * field -\n              turn.y *", "FactoredIntegrator.MapsConvergeToTheWholeTable|Parity.FactoredIntegrator")
+add("Integration.core-of-gray-weights", "Private/RadianceCore.cxx", "const Eigen::Index at = 3 * static_cast<Eigen::Index>(low) + c;",
+    "const Eigen::Index at = 3 * static_cast<Eigen::Index>(low);", "FactoredIntegrator.MapsConvergeToTheWholeTable")
+add("Integration.table-without-its-blur", "Private/TableSynthesis.cxx", "kernel[b] *= smoothed[b % smoothed.size()];", "",
+    "FactoredIntegrator.WhiteFurnaceIsTheDirectionalAlbedo|FactoredIntegrator.MirrorsInFewMegabytes")
 add("Integration.exact-without-cosine", "vtkExactRadianceIntegrator.cxx", "sum += cosine * f *", "sum += f *",
     "ExactIntegrator.LambertUnderAConstantSkyHasAClosedForm")
 add("Integration.exact-leaves-out-the-last-part", "vtkExactRadianceIntegrator.cxx",

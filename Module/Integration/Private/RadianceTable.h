@@ -52,9 +52,6 @@ struct RadianceTable
   std::string GetBytes() const;
   bool TakeBytes(const std::string& bytes);
   ///@}
-
-private:
-  glm::dvec3 GetProfile(int row, double u) const;
 };
 } // namespace measuredbrdf
 

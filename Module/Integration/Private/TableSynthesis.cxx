@@ -26,8 +26,13 @@ constexpr double LargestValue = 32768; // of a 16-bit texture, with room to spar
 
 // Of each view angle: its harmonics about the lobe's mean direction, [order][channel][degree].
 std::vector<std::vector<float>> ExpandKernels(
-  const MaterialPrecomputation::Kernels& knots, int degree, int orders)
+  const MaterialPrecomputation::Kernels& knots, int degree, int orders, double smoothing)
 {
+  std::vector<float> smoothed;
+  for (int l = 0; l <= degree; ++l)
+  {
+    smoothed.push_back(static_cast<float>(GetSmoothed(l, smoothing)));
+  }
   std::vector<std::vector<float>> kernels(knots.size());
   vtkSMPTools::For(0, static_cast<vtkIdType>(knots.size()), 1,
     [&](vtkIdType begin, vtkIdType end)
@@ -35,7 +40,12 @@ std::vector<std::vector<float>> ExpandKernels(
       for (vtkIdType k = begin; k < end; ++k)
       {
         const LobeHarmonics& knot = *knots[static_cast<std::size_t>(k)];
-        kernels[static_cast<std::size_t>(k)] = knot.Expand(knot.GetMeans().Delta, degree, orders);
+        std::vector<float>& kernel = kernels[static_cast<std::size_t>(k)];
+        kernel = knot.Expand(knot.GetMeans().Delta, degree, orders);
+        for (std::size_t b = 0; b < kernel.size(); ++b)
+        {
+          kernel[b] *= smoothed[b % smoothed.size()];
+        }
       }
     });
   return kernels;
@@ -110,11 +120,11 @@ void Normalize(RadianceTable& table)
 }
 
 bool SynthesizeRadiance(const EnvironmentHarmonics& environment,
-  const MaterialPrecomputation::Kernels& knots, int degree, const std::function<bool(double)>& goOn,
-  RadianceTable& table)
+  const MaterialPrecomputation::Kernels& knots, int degree, double smoothing,
+  const std::function<bool(double)>& goOn, RadianceTable& table)
 {
   const int orders = table.Azimuths / 2; // as many as the azimuths can tell apart
-  const std::vector<std::vector<float>> kernels = ExpandKernels(knots, degree, orders);
+  const std::vector<std::vector<float>> kernels = ExpandKernels(knots, degree, orders, smoothing);
   const std::size_t texels =
     static_cast<std::size_t>(table.Columns) * static_cast<std::size_t>(table.Rows);
   const std::size_t slices = static_cast<std::size_t>(table.Azimuths) + 1;

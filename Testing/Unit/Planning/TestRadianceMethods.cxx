@@ -6,6 +6,7 @@
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkEnvironment.h"
+#include "vtkFactoredRadianceIntegrator.h"
 #include "vtkFilteredRadianceIntegrator.h"
 #include "vtkHybridRadianceIntegrator.h"
 #include "vtkLambertBRDF.h"
@@ -154,7 +155,7 @@ vtkSmartPointer<vtkRadiancePlanner> NewPlanner()
 TEST(RadianceMethods, SayWhatTheyAre)
 {
   EXPECT_EQ(vtkRadianceMethods::GetNames(),
-    "table, hybrid, light-set, filtered, basis, reference or exact");
+    "table, hybrid, light-set, filtered, basis, factored, reference or exact");
   vtkNew<vtkRadianceCostModel> costs;
   for (const auto& method : vtkRadianceMethods::GetMethods())
   {
@@ -214,8 +215,14 @@ TEST(RadianceMethods, CopiesHaveEveryProperty)
   table->SetNumberOfViewAngles(5);
   table->SetNumberOfAzimuths(6);
   table->SetHarmonicDegree(17);
+  table->SetSmoothingDegree(3.0);
   table->SetNumberOfNodes(40);
   ExpectCopied(table, {});
+
+  vtkNew<vtkFactoredRadianceIntegrator> factored;
+  factored->SetSizes({ 33, 3, 17, 5, 6 });
+  factored->SetSmoothingDegree(7.0);
+  ExpectCopied(factored, {});
   vtkNew<vtkHybridRadianceIntegrator> hybrid;
   hybrid->SetNumberOfRows(21);
   hybrid->SetNumberOfViewAngles(5);

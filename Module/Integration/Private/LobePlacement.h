@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Where a pair of normal and view looks into maps over the axis of a lobe: what tables of radiance
+ * have in common, as vtkBRDFCommon.glsl's brdfMapPosition does it. Private to the module.
+ */
+
+#ifndef LobePlacement_h
+#define LobePlacement_h
+
+#include "LobeViews.h"
+#include "LocalFrame.h"
+#include "Neighbors.h"
+
+#include <glm/glm.hpp>
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace measuredbrdf
+{
+/// Where a direction lies in a map of rows (poles included) x columns: its frame is the meridian's
+/// and the parallel's direction of growing angles.
+struct MapPosition
+{
+  explicit MapPosition(const glm::dvec3& d)
+  {
+    // The harmonics' frame is the environment's (z, x, y).
+    constexpr double pi = 3.14159265358979323846;
+    const double sine = std::hypot(d.z, d.x);
+    const glm::dvec2 azimuth = sine > 1e-7 ? glm::dvec2(d.z, d.x) / sine : glm::dvec2(1.0, 0.0);
+    this->Azimuth = std::atan2(azimuth.y, azimuth.x) / (2.0 * pi);
+    this->Polar = std::atan2(sine, d.y) / pi;
+    this->Along = glm::dvec3(azimuth.y * d.y, -sine, azimuth.x * d.y);
+    this->Across = glm::dvec3(azimuth.x, 0.0, -azimuth.y);
+  }
+  double Azimuth; // in turns
+  double Polar;   // in half turns
+  glm::dvec3 Along;
+  glm::dvec3 Across;
+};
+
+/// RGB of a texel.
+inline glm::dvec3 GetTexel(const std::vector<float>& data, int index)
+{
+  return glm::dvec3(glm::make_vec3(&data[3 * static_cast<std::size_t>(index)]));
+}
+
+/// Bilinear in a map that begins at the given texel.
+inline glm::dvec3 GetMapValue(const std::vector<float>& data, int rows, int columns,
+  std::size_t firstTexel, const MapPosition& at)
+{
+  const Neighbors x = PeriodicNeighbors(at.Azimuth + 0.5 / columns, columns);
+  const double exact = at.Polar * (rows - 1);
+  const int low = std::min(static_cast<int>(exact), rows - 2);
+  const auto row = [&](int k)
+  {
+    const int first = static_cast<int>(firstTexel) + columns * k;
+    return glm::mix(GetTexel(data, first + x.First), GetTexel(data, first + x.Second), x.Weight);
+  };
+  return glm::mix(row(low), row(low + 1), exact - low);
+}
+
+/// A row of profiles over theta_o, LobeViews::NumberOfViews texels each, at u in [0,1].
+inline glm::dvec3 GetProfileValue(const std::vector<float>& profile, int row, double u)
+{
+  constexpr int size = LobeViews::NumberOfViews;
+  const double exact = u * (size - 1);
+  const int low = std::min(static_cast<int>(exact), size - 2);
+  return glm::mix(
+    GetTexel(profile, size * row + low), GetTexel(profile, size * row + low + 1), exact - low);
+}
+
+/// A pair; and, with the lobe's angle from the normal, its axis and plane.
+struct LobePlacement
+{
+  LobePlacement(const glm::dvec3& n, const glm::dvec3& o, const glm::dvec3& t)
+    : Normal(n)
+  {
+    const Frame frame = FrameAbout(n, t);
+    const glm::dvec3 view = LiftView(ToLocal(frame, o));
+    const double sine = std::hypot(view.x, view.y);
+    this->U =
+      1.0 - std::sqrt(std::max(1.0 - std::atan2(sine, view.z) / LobeViews::GetLastAngle(), 0.0));
+    const glm::dvec2 azimuth = sine > 1e-6 ? glm::dvec2(view) / sine : glm::dvec2(1.0, 0.0);
+    this->Across = frame[0] * azimuth.x + frame[1] * azimuth.y;
+  }
+
+  glm::dvec3 GetAxis(double cosine, double sine) const
+  {
+    return glm::normalize(cosine * this->Normal - sine * this->Across);
+  }
+
+  /// Cosine and sine of psi, the azimuth of the plane of incidence about the axis.
+  glm::dvec2 GetTurn(double cosine, double sine, const MapPosition& axis) const
+  {
+    const glm::dvec3 along = cosine * this->Across + sine * this->Normal;
+    const glm::dvec2 turn(glm::dot(along, axis.Along), glm::dot(along, axis.Across));
+    const double length = glm::length(turn);
+    return length > 0.0 ? turn / length : glm::dvec2(1.0, 0.0);
+  }
+
+  glm::dvec3 Normal;
+  glm::dvec3 Across; // the view's part along the surface
+  double U;          // where profiles are read
+};
+} // namespace measuredbrdf
+
+#endif

@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A small table and the maps of what it lacks, against the reference and against large tables.
+
+#include "ErrorCatcher.h"
+#include "SpherePairs.h"
+#include "vtkAdaptiveRadianceIntegrator.h"
+#include "vtkAshikhminShirleyBRDF.h"
+#include "vtkBRDFShaderInputs.h"
+#include "vtkEmbeddedMaterials.h"
+#include "vtkFactoredRadianceIntegrator.h"
+#include "vtkTableRadianceIntegrator.h"
+
+#include <cmath>
+#include <cstdio>
+#include <sstream>
+#include <string>
+
+namespace
+{
+vtkNew<vtkFactoredRadianceIntegrator> NewFactored(
+  vtkBRDF* brdf, vtkEnvironment* environment, const std::vector<int>& sizes = {})
+{
+  vtkNew<vtkFactoredRadianceIntegrator> factored;
+  factored->SetBRDF(brdf);
+  factored->SetEnvironment(environment);
+  EXPECT_TRUE(factored->SetSizes(sizes));
+  return factored;
+}
+
+vtkNew<vtkAshikhminShirleyBRDF> NewGloss(double exponent)
+{
+  vtkNew<vtkAshikhminShirleyBRDF> brdf;
+  brdf->SetDiffuse(0.1, 0.05, 0.02);
+  brdf->SetExponents(exponent, exponent);
+  return brdf;
+}
+}
+
+//------------------------------------------------------------------------------
+// What the sharp part is for: chrome under a sun of one texel, in an eleventh of the large table's
+// memory.
+TEST(FactoredIntegrator, MirrorsInFewMegabytes)
+{
+  const auto chrome = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("chrome"));
+  vtkNew<vtkEnvironment> sky;
+  sky->SetToProceduralSky();
+  SpherePairs pairs;
+  pairs.AddRandom(200);
+  vtkNew<vtkAdaptiveRadianceIntegrator> reference;
+  vtkNew<vtkTableRadianceIntegrator> table;
+  ASSERT_TRUE(table->SetSizes({ 257, 8, 8 }));
+  const auto factored = NewFactored(chrome, sky, { 257, 4 });
+  for (vtkRadianceIntegrator* way :
+    { static_cast<vtkRadianceIntegrator*>(reference), static_cast<vtkRadianceIntegrator*>(table) })
+  {
+    way->SetBRDF(chrome);
+    way->SetEnvironment(sky);
+  }
+  const auto expected = pairs.Integrate(reference);
+  const double large = GetRelativeError(pairs.Integrate(table), expected);
+  const double small = GetRelativeError(pairs.Integrate(factored), expected);
+  std::printf("table %.4f, %.1f MB; factored %.4f, %.1f MB\n", large,
+    1e-6 * static_cast<double>(table->EstimateTextureBytes()), small,
+    1e-6 * static_cast<double>(factored->EstimateTextureBytes()));
+  EXPECT_LT(small, 1.3 * large + 2e-3);
+  EXPECT_LT(factored->EstimateTextureBytes(), table->EstimateTextureBytes() / 10);
+}
+
+//------------------------------------------------------------------------------
+// With many maps it is the table of the same rows, wherever the blur cuts.
+TEST(FactoredIntegrator, MapsConvergeToTheWholeTable)
+{
+  const auto environment = NewSmallEnvironment(true);
+  const auto brdf = NewGloss(200.0);
+  SpherePairs pairs;
+  pairs.AddRandom(100);
+  vtkNew<vtkTableRadianceIntegrator> table;
+  table->SetBRDF(brdf);
+  table->SetEnvironment(environment);
+  ASSERT_TRUE(table->SetSizes({ 65, 32, 24 }));
+  const auto whole = pairs.Integrate(table);
+  double before = 1.0;
+  for (const int maps : { 2, 12, 64 })
+  {
+    const auto factored = NewFactored(brdf, environment, { 65, maps, 65, 32, 24 });
+    factored->SetSmoothingDegree(12.0);
+    const double difference = GetRelativeError(pairs.Integrate(factored), whole);
+    std::printf("%d maps: %.5f\n", maps, difference);
+    EXPECT_LT(difference, before);
+    before = difference;
+  }
+  EXPECT_LT(before, 6e-3);
+}
+
+//------------------------------------------------------------------------------
+TEST(FactoredIntegrator, WhiteFurnaceIsTheDirectionalAlbedo)
+{
+  const auto environment = NewConstantEnvironment(128, 64, 2.0f);
+  const auto chrome = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("chrome"));
+  const auto gloss = NewGloss(50.0);
+  for (vtkBRDF* brdf : { static_cast<vtkBRDF*>(gloss), chrome.Get() })
+  {
+    SpherePairs pairs;
+    std::vector<glm::dvec3> expected;
+    for (const double degrees : { 0.0, 30.0, 60.0, 80.0 })
+    {
+      const double theta = degrees * 3.14159265358979 / 180.0;
+      const glm::dvec3 o(std::sin(theta), 0.0, std::cos(theta));
+      pairs.Add(glm::dvec3(0.0, 0.0, 1.0), o);
+      glm::dvec3 albedo;
+      brdf->Prepare();
+      brdf->GetDirectionalAlbedo(&o.x, &albedo.x);
+      expected.push_back(2.0 * albedo);
+    }
+    EXPECT_LT(
+      GetRelativeError(pairs.Integrate(NewFactored(brdf, environment, { 65, 6 })), expected), 0.01);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Everything is built in the environment's own frame, and nothing depends on the tangent.
+TEST(FactoredIntegrator, FollowsARotation)
+{
+  const auto environment = NewSmallEnvironment(true);
+  const auto factored = NewFactored(NewGloss(300.0), environment, { 129, 6 });
+  SpherePairs pairs, turned;
+  pairs.AddRandom(40);
+  for (vtkIdType k = 0; k < pairs.Normals->GetNumberOfTuples(); ++k)
+  {
+    glm::dvec3 n, v;
+    pairs.Normals->GetTuple(k, &n.x);
+    pairs.Views->GetTuple(k, &v.x);
+    turned.Add(glm::dvec3(n.z, n.y, -n.x), glm::dvec3(v.z, v.y, -v.x));
+  }
+  const auto before = pairs.Integrate(factored);
+  environment->SetRotationY(90.0);
+  EXPECT_LT(GetRelativeError(turned.Integrate(factored), before), 1e-9);
+}
+
+//------------------------------------------------------------------------------
+TEST(FactoredIntegrator, RefusesWhatATableRefuses)
+{
+  vtkNew<vtkAshikhminShirleyBRDF> brushed;
+  brushed->SetExponents(10.0, 1000.0);
+  const auto environment = NewSmallEnvironment(false);
+  const auto factored = NewFactored(brushed, environment);
+  ErrorCatcher errors(factored);
+  EXPECT_FALSE(factored->Prepare());
+  EXPECT_EQ(errors.Take(), 1);
+  factored->SetBRDF(NewGloss(10.0));
+  factored->SetEnvironment(nullptr);
+  EXPECT_FALSE(factored->Prepare());
+  EXPECT_GE(errors.Take(), 1);
+}
+
+//------------------------------------------------------------------------------
+TEST(FactoredIntegrator, SizesAndShaderInputs)
+{
+  const auto factored =
+    NewFactored(NewGloss(100.0), NewSmallEnvironment(false), { 17, 5, 9, 4, 6 });
+  vtkBRDFShaderInputs form;
+  ASSERT_TRUE(factored->GetShaderInputs(form));
+  ASSERT_EQ(form.Terms.size(), 2u);
+  const vtkBRDFShaderInputs::Texture& fields = form.Terms[1].Textures[1];
+  EXPECT_EQ(fields.Dimensions[0], 32);
+  EXPECT_EQ(fields.Dimensions[1], 17);
+  EXPECT_LE(fields.Dimensions[2], 5);
+  EXPECT_GE(fields.Dimensions[2], 4);
+  for (const float value : fields.Data)
+  {
+    ASSERT_LE(std::abs(value), 32768.5f);
+  }
+  EXPECT_NE(form.Description.find("32 x 17 of its sharp part"), std::string::npos);
+  const auto copy = vtkSmartPointer<vtkRadianceIntegrator>::Take(factored->NewCopy());
+  EXPECT_EQ(copy->GetSizesText(), factored->GetSizesText());
+  std::ostringstream text;
+  factored->Print(text);
+  EXPECT_NE(text.str().find("NumberOfFields: 5"), std::string::npos);
+}
