@@ -243,8 +243,8 @@ add("Integration.peaks-of-the-wrong-azimuth", "Private/ReflectionGuide.cxx",
     "ReflectionGuide.KnowsPeaks")
 add("Integration.core-takes-the-blur-too", "Private/RadianceCore.cxx", "b[at] * (1.0 - GetSmoothed(l, smoothing))", "b[at]",
     "FactoredIntegrator.MirrorsInFewMegabytes|FactoredIntegrator.WhiteFurnaceIsTheDirectionalAlbedo")
-add("Integration.core-turns-backwards", "Private/RadianceCore.cxx", "field = turn.x * field +\n              turn.y *",
-    "field = turn.x * field -\n              turn.y *", "FactoredIntegrator.MapsConvergeToTheWholeTable|Parity.FactoredIntegrator")
+add("Integration.core-turns-backwards", "Private/RadianceCore.cxx", "turn.x * field + turn.y *",
+    "turn.x * field - turn.y *", "FactoredIntegrator.MapsConvergeToTheWholeTable|Parity.FactoredIntegrator")
 add("Integration.core-of-gray-weights", "Private/RadianceCore.cxx", "const Eigen::Index at = 3 * static_cast<Eigen::Index>(low) + c;",
     "const Eigen::Index at = 3 * static_cast<Eigen::Index>(low);", "FactoredIntegrator.MapsConvergeToTheWholeTable")
 add("Integration.table-without-its-blur", "Private/TableSynthesis.cxx", "kernel[b] *= smoothed[b % smoothed.size()];", "",
@@ -301,14 +301,14 @@ add("Integration.cost-changes-unseen", "vtkRadianceCostModel.cxx",
     "found->second = nanoseconds;\n    this->Modified();", "found->second = nanoseconds;",
     "CostModel.RoundTripAndRefusals|Planner.FollowsTheCostModel|Planner.PlansAgainExactlyWhenItMust|"
     "Setters.OfPlanning")
-add("Integration.table-azimuth-mirrored", "Private/RadianceTable.cxx",
+add("Integration.table-azimuth-mirrored", "Private/LobePlacement.h",
     "this->Across = glm::dvec3(azimuth.x, 0.0, -azimuth.y);",
     "this->Across = glm::dvec3(-azimuth.x, 0.0, azimuth.y);",
     "TableReference.ErrorFallsWithSize|TableIntegrator.TurningEverythingChangesNothing|Parity.TableIntegrator")
-add("Integration.table-polar-unit", "Private/RadianceTable.cxx", "this->Polar = std::atan2(sine, d.y) / Pi;",
-    "this->Polar = std::atan2(sine, d.y) / (2.0 * Pi);", "TableReference.ErrorFallsWithSize|Parity.TableIntegrator")
-add("Integration.table-profile-step", "Private/RadianceTable.cxx", "ProfileSize * row + low + 1), exact - low);",
-    "ProfileSize * row + low), exact - low);",
+add("Integration.table-polar-unit", "Private/LobePlacement.h", "this->Polar = std::atan2(sine, d.y) / pi;",
+    "this->Polar = std::atan2(sine, d.y) / (2.0 * pi);", "TableReference.ErrorFallsWithSize|Parity.TableIntegrator")
+add("Integration.table-profile-step", "Private/LobePlacement.h", "GetTexel(profile, size * row + low + 1), exact - low);",
+    "GetTexel(profile, size * row + low), exact - low);",
     "Parity.TableIntegrator|TableReference.ErrorFallsWithSize|TableIntegrator.Continuous")
 add("Integration.hybrid-copy-without-angle", "vtkHybridRadianceIntegrator.cxx",
     "this->SetLightAngle(hybrid->LightAngle);", "", "RadianceMethods.CopiesHaveEveryProperty")
