@@ -1,6 +1,6 @@
 #!/bin/bash
 # Draws docs/comparison.png, the picture of README.md: one object under the built-in room by VTK's PBR, by this module and
-# by the exact sum, with errors and the frame time relative to PBR's. The exact sum takes minutes. The frame time is
+# by the reference, with errors and the frame time relative to PBR's. The reference takes minutes. The frame time is
 # meaningful on an otherwise idle machine only.
 #
 #   cmake/make-readme-picture.sh [OUTPUT.png]

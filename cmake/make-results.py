@@ -214,7 +214,7 @@ def main():
     parts = [
         "# Speed against accuracy",
         f"{materials} materials under {environments} environments, {len(pairs)} pairs, a {settings['mesh']} in "
-        f"{settings['size']} pixels, at most {settings['reference_pixels']} of which were compared with the exact sum. "
+        f"{settings['size']} pixels, at most {settings['reference_pixels']} of which were compared with the reference. "
         f"{machine['processor']}, "
         f"{machine['threads']} threads, {machine['renderer']} ({machine['renderer_version']}), VTK {machine['vtk']}, "
         f"{results['date']}; median load of the machine when a pair began: {load:.1f}. Errors are relative L1, mean "
@@ -253,7 +253,7 @@ def main():
         parts += [
             f"## The planner on a {os.path.splitext(os.path.basename(settings['mesh']))[0]}",
             f"{len({pair['material'] for pair in pairs})} materials, {len(pairs)} pairs, {settings['size']} pixels, at "
-            f"most {settings['reference_pixels']} of which were compared with the exact sum. The tables are read as above.",
+            f"most {settings['reference_pixels']} of which were compared with the reference. The tables are read as above.",
             write_planner(pairs, front=False),
             write_pairs(pairs, tolerance),
         ]

@@ -82,7 +82,7 @@ void AddIntegrateCommand(CLI::App& app)
     "CSV file to write: the six columns and r,g,b of the outgoing radiance, linear Rec. 709 "
     "(default: standard output)");
   command->footer("Example:\n  measured-brdf integrate gold-paint --environment sky --pairs nv.csv "
-                  "--method exact");
+                  "--method reference");
   command->callback([options, command]() { Run(*options, command); });
 }
 } // namespace tool
