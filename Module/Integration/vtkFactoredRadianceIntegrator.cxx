@@ -12,6 +12,7 @@
 #include "vtkBRDF.h"
 #include "vtkBRDFEnvironmentCore.h"
 #include "vtkBRDFShaderInputs.h"
+#include "vtkEnvironment.h"
 #include "vtkObjectFactory.h"
 #include "vtkTableRadianceIntegrator.h"
 
@@ -45,6 +46,19 @@ vtkFactoredRadianceIntegrator::~vtkFactoredRadianceIntegrator() = default;
 bool vtkFactoredRadianceIntegrator::Begin()
 {
   this->Abort = false; // one that an earlier run left
+  if (!this->Environment || this->Environment->GetPixels().empty())
+  {
+    vtkErrorMacro("Prepare: there is no environment, or it is empty.");
+    return false;
+  }
+  if (!this->BRDF->IsIsotropic())
+  {
+    vtkErrorMacro(
+      "Prepare: factored tables are for isotropic materials; "
+      << (this->BRDF->GetName().empty() ? "this one" : measuredbrdf::Quote(this->BRDF->GetName()))
+      << " is not.");
+    return false;
+  }
   auto broad = vtkSmartPointer<vtkTableRadianceIntegrator>::New();
   broad->SetBRDF(this->BRDF);
   broad->SetEnvironment(this->Environment);

@@ -151,7 +151,7 @@ TEST(FactoredIntegrator, RefusesWhatATableRefuses)
   factored->SetBRDF(NewGloss(10.0));
   factored->SetEnvironment(nullptr);
   EXPECT_FALSE(factored->Prepare());
-  EXPECT_GE(errors.Take(), 1);
+  EXPECT_EQ(errors.Take(), 1);
 }
 
 //------------------------------------------------------------------------------
