@@ -227,7 +227,7 @@ def main():
         "## Methods",
         "All figures are geometric means over the pairs. Where a size was too slow to measure in some pairs, its mean is "
         "over the other pairs only and cannot be compared with the rest. The numbers of a size are: `thesis`, lights and "
-        "order; `table`, rows, view angles and azimuths; `hybrid`, the same and samples.",
+        "order; `table`, rows, view angles and azimuths; `hybrid`, the same and maps.",
         write_methods(pairs),
         "## The planner",
         "The front holds the measurements of a pair that no other beats in both frame time and error. These plans are made "

@@ -26,8 +26,7 @@ vec3 brdfEnvironmentINSTANCE(mat3 frame, vec3 o)
   once /= max(length(once), 1e-12);
   vec2 turn = vec2(1.0, 0.0); // cosine and sine of order times psi
   vec3 size = vec3(textureSize(brdfCoreFieldsINSTANCE, 0));
-  vec3 at = vec3(
-    position.x + 0.5 / size.x, (position.y * (size.y - 1.0) + 0.5) / size.y, 0.5 / size.z);
+  vec3 at = vec3(position, 0.5 / size.z); // values lie at texels' centers
   vec3 sum = vec3(0.0);
   int order = 0;
   for (int k = 0; k < CORE_MODES; ++k)

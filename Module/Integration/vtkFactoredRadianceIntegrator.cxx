@@ -9,6 +9,7 @@
 #include "RadianceCore.h"
 #include "Setters.h"
 #include "TableCandidates.h" // for GetTableBytes
+#include "TableSynthesis.h"
 #include "vtkBRDF.h"
 #include "vtkBRDFEnvironmentCore.h"
 #include "vtkBRDFShaderInputs.h"
@@ -20,6 +21,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <utility>
 
 using namespace measuredbrdf;
@@ -27,7 +30,7 @@ using namespace measuredbrdf;
 namespace
 {
 constexpr double Pi = 3.14159265358979323846;
-constexpr int NumberOfKnots = 32; // view angles of the kernels
+constexpr int KnotsPerViewAngle = 4; // of the kernels that the maps are made of
 constexpr int NumberOfNodes = 64;
 }
 
@@ -59,39 +62,62 @@ bool vtkFactoredRadianceIntegrator::Begin()
       << " is not.");
     return false;
   }
-  auto broad = vtkSmartPointer<vtkTableRadianceIntegrator>::New();
-  broad->SetBRDF(this->BRDF);
-  broad->SetEnvironment(this->Environment);
-  broad->SetRest(this->Rest);
-  broad->SetNumberOfRows(this->NumberOfTableRows);
-  broad->SetNumberOfViewAngles(this->NumberOfViewAngles);
-  broad->SetNumberOfAzimuths(this->NumberOfAzimuths);
-  broad->SetSmoothingDegree(this->SmoothingDegree);
+  const auto broad = this->NewTable();
   const auto parts = this->Shared ? this->Shared : std::make_shared<Precomputation>();
   broad->SetPrecomputation(parts);
-  if (!broad->Prepare())
-  {
-    vtkErrorMacro("Prepare: the table of the broad part cannot be prepared.");
-    return false;
-  }
+  const bool broadly = this->PrepareLayer(broad, nullptr);
   broad->SetPrecomputation(nullptr);
-
-  const auto harmonics = this->Environment->GetParts().GetHarmonics(
-    this->Environment, this->Rest, this->NumberOfRows, [this]() { return this->Report(0.0); });
-  const MaterialPrecomputation::Kernels& knots =
-    parts->GetKernels(this->BRDF, NumberOfKnots, NumberOfNodes, this->Abort);
   auto core = std::make_unique<Core>(this->NumberOfRows);
-  if (!harmonics || this->Abort ||
-      !core->Make(*harmonics, parts->GetViews(this->BRDF, this->Abort), knots, this->NumberOfRows,
-        this->SmoothingDegree, this->NumberOfFields,
-        [this](double share) { return this->Report(share); }))
+  if (!broadly || !this->MakeCore(*parts, broad->GetNumberOfNodes(), *core))
   {
-    vtkErrorMacro("Prepare: aborted.");
+    vtkErrorMacro("Prepare: " << (this->Abort ? "aborted."
+                                              : "the table of the broad part cannot be prepared."));
     return false;
   }
   this->Sharp = std::move(core);
   this->Broad = broad;
   return true;
+}
+
+//------------------------------------------------------------------------------
+// Of the broad part.
+vtkSmartPointer<vtkTableRadianceIntegrator> vtkFactoredRadianceIntegrator::NewTable()
+{
+  auto table = vtkSmartPointer<vtkTableRadianceIntegrator>::New();
+  table->SetBRDF(this->BRDF);
+  table->SetEnvironment(this->Environment);
+  table->SetRest(this->Rest);
+  table->SetNumberOfRows(this->NumberOfTableRows);
+  table->SetNumberOfViewAngles(this->NumberOfViewAngles);
+  table->SetNumberOfAzimuths(this->NumberOfAzimuths);
+  table->SetSmoothingDegree(this->SmoothingDegree);
+  return table;
+}
+
+//------------------------------------------------------------------------------
+// False where it was aborted. tableNodes: of the table's kernels.
+bool vtkFactoredRadianceIntegrator::MakeCore(Precomputation& parts, int tableNodes, Core& core)
+{
+  const auto harmonics = this->Environment->GetParts().GetHarmonics(
+    this->Environment, this->Rest, this->NumberOfRows, [this]() { return this->Report(0.0); });
+  if (!harmonics)
+  {
+    return false;
+  }
+  const LobeViews& views = parts.GetViews(this->BRDF, this->Abort);
+  const MaterialPrecomputation::Kernels& tableKnots =
+    parts.GetKernels(this->BRDF, this->NumberOfViewAngles, tableNodes, this->Abort);
+  const MaterialPrecomputation::Kernels& knots = parts.GetKernels(
+    this->BRDF, KnotsPerViewAngle * (this->NumberOfViewAngles - 1) + 1, NumberOfNodes, this->Abort);
+  if (this->Abort)
+  {
+    return false;
+  }
+  RadianceTable table(this->NumberOfTableRows, this->NumberOfViewAngles, this->NumberOfAzimuths);
+  MakeProfile(views, tableKnots, table);
+  const CoreKernels kernels{ knots, tableKnots, table, this->SmoothingDegree, this->NumberOfRows };
+  return core.Make(*harmonics, views, kernels, this->NumberOfFields,
+    [this](double share) { return this->Report(share); });
 }
 
 //------------------------------------------------------------------------------
@@ -154,7 +180,7 @@ bool vtkFactoredRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
 }
 
 //------------------------------------------------------------------------------
-measuredbrdfSetClampedMacro(vtkFactoredRadianceIntegrator, NumberOfRows, int, 9, 513);
+measuredbrdfSetClampedMacro(vtkFactoredRadianceIntegrator, NumberOfRows, int, 8, 512);
 measuredbrdfSetClampedMacro(vtkFactoredRadianceIntegrator, NumberOfFields, int, 1, 64);
 measuredbrdfSetClampedMacro(vtkFactoredRadianceIntegrator, NumberOfTableRows, int, 9, 513);
 measuredbrdfSetClampedMacro(vtkFactoredRadianceIntegrator, NumberOfViewAngles, int, 2, 64);
@@ -164,7 +190,7 @@ measuredbrdfSetClampedMacro(vtkFactoredRadianceIntegrator, SmoothingDegree, doub
 //------------------------------------------------------------------------------
 std::vector<vtkRadianceIntegrator::Size> vtkFactoredRadianceIntegrator::GetSizes()
 {
-  return { { "rows", 9, 513, this->NumberOfRows }, { "maps", 1, 64, this->NumberOfFields },
+  return { { "rows", 8, 512, this->NumberOfRows }, { "maps", 1, 64, this->NumberOfFields },
     { "table rows", 9, 513, this->NumberOfTableRows },
     { "view angles", 2, 64, this->NumberOfViewAngles },
     { "azimuths", 4, 64, this->NumberOfAzimuths } };
@@ -191,10 +217,55 @@ void vtkFactoredRadianceIntegrator::SetSize(int index, int value)
 //------------------------------------------------------------------------------
 vtkIdType vtkFactoredRadianceIntegrator::EstimateTextureBytes()
 {
-  const vtkIdType texels =
-    static_cast<vtkIdType>(2 * (this->NumberOfRows - 1)) * this->NumberOfRows;
+  const vtkIdType texels = static_cast<vtkIdType>(2 * this->NumberOfRows) * this->NumberOfRows;
   return GetTableBytes(this->NumberOfTableRows, this->NumberOfViewAngles, this->NumberOfAzimuths) +
          6 * texels * this->NumberOfFields;
+}
+
+//------------------------------------------------------------------------------
+double vtkFactoredRadianceIntegrator::EstimateCost(vtkRadianceCostModel* costs)
+{
+  return GetCost(costs, "base") + GetCost(costs, "table") +
+         GetCost(costs, "map") * this->NumberOfFields;
+}
+
+//------------------------------------------------------------------------------
+// How long the maps' bytes are, these, and the table's.
+std::string vtkFactoredRadianceIntegrator::GetPrepared()
+{
+  if (!this->Sharp)
+  {
+    return "";
+  }
+  const std::string maps = this->Sharp->GetBytes();
+  const std::uint64_t length = maps.size();
+  std::string bytes(sizeof(length), '\0');
+  std::memcpy(&bytes[0], &length, sizeof(length));
+  return bytes + maps + this->Broad->GetPrepared();
+}
+
+//------------------------------------------------------------------------------
+bool vtkFactoredRadianceIntegrator::TakePrepared(const std::string& bytes)
+{
+  std::uint64_t length = 0;
+  if (bytes.size() < sizeof(length))
+  {
+    return false;
+  }
+  std::memcpy(&length, bytes.data(), sizeof(length));
+  auto core = std::make_unique<Core>(this->NumberOfRows);
+  const auto broad = this->NewTable();
+  if (length > bytes.size() - sizeof(length) ||
+      !core->TakeBytes(bytes.substr(sizeof(length), static_cast<std::size_t>(length))) ||
+      core->GetNumberOfFields() > this->NumberOfFields ||
+      !broad->TakePrepared(bytes.substr(sizeof(length) + static_cast<std::size_t>(length))))
+  {
+    return false;
+  }
+  this->Sharp = std::move(core);
+  this->Broad = broad;
+  this->PrepareTime.Modified();
+  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -6,17 +6,17 @@
  *
  * A table of radiance (vtkTableRadianceIntegrator) that does justice to a mirror-like lobe takes
  * tens of megabytes: it holds a fine map over the lobe's axis D for every view angle and azimuth of
- * the plane of incidence. But the sharp part of these maps hardly depends on the two. So the
+ * the plane of incidence. But the sharp part of these maps depends on the two in few ways. So the
  * kernels are cut in two, by degree of their harmonics: what a blur leaves of them is the business
- * of a small table, and what the blur takes away is factored,
+ * of a small table, and what the table, as it is interpolated, lacks of them is factored,
  *
  *   L_o = table(D, theta_o, psi) + sum over k of W_k(theta_o) (cos(m_k psi) A_k(D) + sin(m_k psi)
  * B_k(D))
  *
  * by singular values of the kernels' harmonics, for each azimuthal order m, weighted by what the
- * environment has of each degree. A_k and B_k are fine maps, each the environment convolved with
- * one function. This is the pair of textures of O'Toole 2007, coefficients and functions, with the
- * light in one of them.
+ * environment has of each degree (its power to the 3/2, which serves the absolute error). A_k and
+ * B_k are fine maps, each the environment convolved with one function. This is the pair of textures
+ * of O'Toole 2007, coefficients and functions, with the light in one of them.
  *
  * Cost: the table's fetches, and one bilinear fetch for each field and for each weight. Errors: the
  * table's, bilinear interpolation in the maps, and the modes that are left out.
@@ -43,9 +43,10 @@ public:
 
   ///@{
   /**
-   * Rows of the fine maps from pole to pole (default 257, in [9, 513]; twice as many columns less
-   * two), and how many maps at most (default 6, in [1, 64]). A mode takes one, or two where it
-   * depends on the azimuth.
+   * Rows of the fine maps (default 256, in [8, 512]; twice as many columns), and how many maps at
+   * most (default 8, in [1, 64]). A mode takes one, or two where it depends on the azimuth. The
+   * maps' values lie at cells' centers, as an environment's do: with as many rows as the
+   * environment has, they show what a mirror shows.
    */
   virtual void SetNumberOfRows(int numberOfRows);
   vtkGetMacro(NumberOfRows, int);
@@ -72,8 +73,8 @@ public:
 
   ///@{
   /**
-   * As a method: "factored", by rows, maps, and the small table's sizes. Planners do not try it
-   * yet.
+   * As a method: "factored", by rows, maps, and the small table's sizes. Its cost is BASE, TABLE
+   * and a MAP each. Planners try it with lights (vtkHybridRadianceIntegrator).
    */
   std::string GetMethodName() override { return "factored"; }
   std::string GetMethodDescription() override
@@ -81,7 +82,18 @@ public:
     return "a small table, and maps of the sharp part with weights by view";
   }
   std::vector<Size> GetSizes() override;
+  double EstimateCost(vtkRadianceCostModel* costs) override;
   vtkIdType EstimateTextureBytes() override;
+  std::string GetCostName() override { return "map"; }
+  std::vector<std::vector<int>> GetCalibrationSizes() override { return { { 128, 8 } }; }
+  ///@}
+
+  ///@{
+  /**
+   * The maps' and the table's bytes ("" before Prepare), and back.
+   */
+  std::string GetPrepared() override;
+  bool TakePrepared(const std::string& bytes) override;
   ///@}
 
 #ifndef __VTK_WRAP__
@@ -104,8 +116,8 @@ protected:
   void IntegratePart(
     int part, const double n[3], const double o[3], const double t[3], double radiance[3]) override;
 
-  int NumberOfRows = 257;
-  int NumberOfFields = 6;
+  int NumberOfRows = 256;
+  int NumberOfFields = 8;
   int NumberOfTableRows = 33;
   int NumberOfViewAngles = 12;
   int NumberOfAzimuths = 8;
@@ -115,7 +127,11 @@ private:
   vtkFactoredRadianceIntegrator(const vtkFactoredRadianceIntegrator&) = delete;
   void operator=(const vtkFactoredRadianceIntegrator&) = delete;
 
+  vtkSmartPointer<vtkTableRadianceIntegrator> NewTable();
+
   struct Core;
+  bool MakeCore(Precomputation& parts, int tableNodes, Core& core);
+
   std::unique_ptr<Core> Sharp; // null: not prepared
   vtkSmartPointer<vtkTableRadianceIntegrator> Broad;
   std::shared_ptr<const vtkEnvironment::TexelChanges> Rest;

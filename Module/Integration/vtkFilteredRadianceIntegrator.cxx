@@ -137,8 +137,7 @@ bool vtkFilteredRadianceIntegrator::Begin()
     lights = parts.GetExtractedEmitters(
       this->Environment, ExtractedEmitters::DefaultShare, MaximumNumberOfLights, goOn);
   }
-  const auto pyramid =
-    parts.GetPyramid(this->Environment, lights ? lights->Rest : this->Rest, goOn);
+  const auto pyramid = parts.GetPyramid(this->Environment, lights ? lights->Rest : nullptr, goOn);
   if (!pyramid || (this->ExtractLights && !lights))
   {
     vtkErrorMacro("Integrate: aborted.");

@@ -26,7 +26,6 @@
 #ifndef vtkFilteredRadianceIntegrator_h
 #define vtkFilteredRadianceIntegrator_h
 
-#include "vtkEnvironment.h" // for SetRest
 #include "vtkRadianceIntegrator.h"
 
 #include <memory> // for Internals
@@ -93,17 +92,6 @@ public:
   std::vector<std::vector<int>> GetCalibrationSizes() override { return { { 16 } }; }
   ///@}
 
-#ifndef __VTK_WRAP__
-  /**
-   * For hybrids: take the environment with these texels changed, where no lights are extracted;
-   * null (default): as it is.
-   */
-  void SetRest(const std::shared_ptr<const vtkEnvironment::TexelChanges>& rest)
-  {
-    this->Rest = rest;
-  }
-#endif
-
 protected:
   vtkFilteredRadianceIntegrator();
   ~vtkFilteredRadianceIntegrator() override;
@@ -125,7 +113,6 @@ private:
 
   struct Internals;
   std::unique_ptr<Internals> Impl;
-  std::shared_ptr<const vtkEnvironment::TexelChanges> Rest;
 };
 
 #endif

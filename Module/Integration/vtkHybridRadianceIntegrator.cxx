@@ -3,21 +3,18 @@
 #include "vtkHybridRadianceIntegrator.h"
 
 #include "EnvironmentPrecomputation.h"
-#include "EnvironmentPyramid.h"
-#include "LobePart.h"
+#include "LobeSplit.h"
 #include "MaterialPrecomputation.h"
 #include "Printable.h"
 #include "Setters.h"
 #include "TableCandidates.h"
 #include "vtkBRDF.h"
 #include "vtkBRDFShaderInputs.h"
-#include "vtkCallbackCommand.h"
 #include "vtkEnvironment.h"
-#include "vtkFilteredRadianceIntegrator.h"
+#include "vtkFactoredRadianceIntegrator.h"
 #include "vtkLightSet.h"
 #include "vtkLightSetRadianceIntegrator.h"
 #include "vtkMath.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkRadianceCostModel.h"
 #include "vtkTableRadianceIntegrator.h"
@@ -34,8 +31,7 @@ using namespace measuredbrdf;
 namespace
 {
 constexpr double Pi = 3.14159265358979323846;
-constexpr double ResolvedSquares = 36.0; // of the rows' spacing, that a lobe has to fill
-constexpr double LeastShare = 2e-3;      // of the albedo: below, a sharp layer is not worth it
+constexpr int SmallTableRows = 33; // beside maps
 
 // A planner's lamps of many texels are one light each (degrees), or several where more than so much
 // of the albedo lies in lobes narrower than twice that.
@@ -48,12 +44,10 @@ constexpr double AngleUnits = 10.0; // of the size that is the light angle, per 
 int ToAngleSize(double degrees) { return static_cast<int>(std::lround(AngleUnits * degrees)); }
 }
 
-// Layers are null where there is nothing for them.
 struct vtkHybridRadianceIntegrator::Internals
 {
-  vtkSmartPointer<vtkTableRadianceIntegrator> Broad;
-  vtkSmartPointer<vtkFilteredRadianceIntegrator> Sharp;
-  vtkSmartPointer<vtkLightSetRadianceIntegrator> Lights;
+  vtkSmartPointer<vtkRadianceIntegrator> Broad;          // of the environment without the lights
+  vtkSmartPointer<vtkLightSetRadianceIntegrator> Lights; // null: there are none
 };
 
 vtkStandardNewMacro(vtkHybridRadianceIntegrator);
@@ -72,9 +66,6 @@ int vtkHybridRadianceIntegrator::GetNumberOfLights()
 {
   return this->Impl->Lights ? this->Impl->Lights->GetLightSet()->GetNumberOfLights() : 0;
 }
-
-//------------------------------------------------------------------------------
-bool vtkHybridRadianceIntegrator::GetHasSharpLayer() { return this->Impl->Sharp != nullptr; }
 
 //------------------------------------------------------------------------------
 bool vtkHybridRadianceIntegrator::Begin()
@@ -109,18 +100,15 @@ bool vtkHybridRadianceIntegrator::Begin()
     made.Lights->SetLightSet(lamps->Set);
     made.Lights->UnrolledOn(); // their number is the plan's
   }
-  const auto parts = this->Shared ? this->Shared : std::make_shared<Precomputation>();
-  this->MakeLayers(*parts, lamps->Rest, made);
-  made.Broad->SetPrecomputation(made.Sharp ? nullptr : parts);
-  const bool broadly = this->PrepareBroad(made.Broad);
+  made.Broad = this->NewBroad(lamps->Rest);
+  made.Broad->SetPrecomputation(this->Shared);
+  const bool broadly = this->PrepareLayer(made.Broad, this->Given);
   made.Broad->SetPrecomputation(nullptr);
   if (!broadly && this->Given)
   {
     return false;
   }
-  const bool done =
-    broadly && (!made.Sharp || made.Sharp->Prepare()) && (!made.Lights || made.Lights->Prepare());
-  if (!done || this->Abort)
+  if (!broadly || (made.Lights && !made.Lights->Prepare()) || this->Abort)
   {
     vtkErrorMacro("Prepare: " << (this->Abort ? "aborted." : "a layer cannot be prepared."));
     return false;
@@ -130,59 +118,34 @@ bool vtkHybridRadianceIntegrator::Begin()
 }
 
 //------------------------------------------------------------------------------
-// Layers of the material, under what the lights leave of the environment.
-void vtkHybridRadianceIntegrator::MakeLayers(Precomputation& parts,
-  const std::shared_ptr<const vtkEnvironment::TexelChanges>& rest, Internals& made)
+// What reflects the rest of the environment.
+vtkSmartPointer<vtkRadianceIntegrator> vtkHybridRadianceIntegrator::NewBroad(
+  const std::shared_ptr<const vtkEnvironment::TexelChanges>& rest)
 {
-  vtkSmartPointer<vtkBRDF> broad = this->BRDF;
-  if (this->NumberOfSamples > 0)
+  vtkSmartPointer<vtkRadianceIntegrator> broad;
+  if (this->NumberOfMaps > 0)
   {
-    const double spacing = Pi / (this->NumberOfRows - 1);
-    const auto cut = std::make_shared<LobeSplit>(
-      parts.GetViews(this->BRDF, this->Abort), ResolvedSquares * spacing * spacing);
-    if (cut->GetSharpShare() > LeastShare)
-    {
-      const auto layer = [&](bool sharp)
-      {
-        auto brdf = vtkSmartPointer<LobePart>::New();
-        brdf->Set(this->BRDF, cut, sharp);
-        return brdf;
-      };
-      broad = layer(false);
-      made.Sharp = vtkSmartPointer<vtkFilteredRadianceIntegrator>::New();
-      made.Sharp->SetBRDF(layer(true));
-      made.Sharp->SetEnvironment(this->Environment);
-      made.Sharp->SetRest(rest);
-      made.Sharp->SetNumberOfSamples(this->NumberOfSamples);
-      made.Sharp->ExtractLightsOff();
-    }
+    auto factored = vtkSmartPointer<vtkFactoredRadianceIntegrator>::New();
+    factored->SetRest(rest);
+    factored->SetNumberOfRows(this->NumberOfRows);
+    factored->SetNumberOfFields(this->NumberOfMaps);
+    factored->SetNumberOfTableRows(std::min(this->NumberOfRows, SmallTableRows));
+    factored->SetNumberOfViewAngles(this->NumberOfViewAngles);
+    factored->SetNumberOfAzimuths(this->NumberOfAzimuths);
+    broad = factored;
   }
-  made.Broad = vtkSmartPointer<vtkTableRadianceIntegrator>::New();
-  made.Broad->SetBRDF(broad);
-  made.Broad->SetEnvironment(this->Environment);
-  made.Broad->SetRest(rest);
-  made.Broad->SetNumberOfRows(this->NumberOfRows);
-  made.Broad->SetNumberOfViewAngles(this->NumberOfViewAngles);
-  made.Broad->SetNumberOfAzimuths(this->NumberOfAzimuths);
-}
-
-//------------------------------------------------------------------------------
-// The table takes longest: its progress is this one's, and it stops where this one is told to.
-bool vtkHybridRadianceIntegrator::PrepareBroad(vtkTableRadianceIntegrator* broad)
-{
-  vtkNew<vtkCallbackCommand> follow;
-  follow->SetClientData(this);
-  follow->SetCallback(
-    [](vtkObject* caller, unsigned long, void* self, void* progress)
-    {
-      auto* hybrid = static_cast<vtkHybridRadianceIntegrator*>(self);
-      hybrid->InvokeEvent(vtkCommand::ProgressEvent, progress);
-      static_cast<vtkTableRadianceIntegrator*>(caller)->SetAbort(hybrid->Abort);
-    });
-  const unsigned long tag = broad->AddObserver(vtkCommand::ProgressEvent, follow);
-  const bool prepared = this->Given ? broad->TakePrepared(*this->Given) : broad->Prepare();
-  broad->RemoveObserver(tag);
-  return prepared;
+  else
+  {
+    auto table = vtkSmartPointer<vtkTableRadianceIntegrator>::New();
+    table->SetRest(rest);
+    table->SetNumberOfRows(this->NumberOfRows);
+    table->SetNumberOfViewAngles(this->NumberOfViewAngles);
+    table->SetNumberOfAzimuths(this->NumberOfAzimuths);
+    broad = table;
+  }
+  broad->SetBRDF(this->BRDF);
+  broad->SetEnvironment(this->Environment);
+  return broad;
 }
 
 //------------------------------------------------------------------------------
@@ -190,10 +153,6 @@ void vtkHybridRadianceIntegrator::IntegratePart(
   int vtkNotUsed(part), const double n[3], const double o[3], const double t[3], double radiance[3])
 {
   AddTo(this->Impl->Broad, n, o, t, radiance);
-  if (this->Impl->Sharp)
-  {
-    AddTo(this->Impl->Sharp, n, o, t, radiance);
-  }
   if (this->Impl->Lights)
   {
     AddTo(this->Impl->Lights, n, o, t, radiance);
@@ -224,8 +183,7 @@ bool vtkHybridRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
     return false;
   }
   vtkBRDFShaderInputs result;
-  vtkRadianceIntegrator* const layers[] = { this->Impl->Broad, this->Impl->Sharp,
-    this->Impl->Lights };
+  vtkRadianceIntegrator* const layers[] = { this->Impl->Broad, this->Impl->Lights };
   for (vtkRadianceIntegrator* layer : layers)
   {
     vtkBRDFShaderInputs part;
@@ -249,16 +207,14 @@ bool vtkHybridRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
 measuredbrdfSetClampedMacro(vtkHybridRadianceIntegrator, NumberOfRows, int, 9, 513);
 measuredbrdfSetClampedMacro(vtkHybridRadianceIntegrator, NumberOfViewAngles, int, 2, 64);
 measuredbrdfSetClampedMacro(vtkHybridRadianceIntegrator, NumberOfAzimuths, int, 4, 64);
-measuredbrdfSetClampedMacro(vtkHybridRadianceIntegrator, NumberOfSamples, int, 0, 1024);
+measuredbrdfSetClampedMacro(vtkHybridRadianceIntegrator, NumberOfMaps, int, 0, 64);
 measuredbrdfSetClampedMacro(vtkHybridRadianceIntegrator, MaximumNumberOfLights, int, 0, 1024);
 measuredbrdfSetClampedMacro(vtkHybridRadianceIntegrator, LightAngle, double, 0.0, 30.0);
 
 //------------------------------------------------------------------------------
 std::string vtkHybridRadianceIntegrator::GetMethodDescription()
 {
-  return "a precomputed table for broad reflection, samples for sharp highlights, lights for "
-         "bright "
-         "sources";
+  return "lights for bright sources, a precomputed table for the rest, with maps of its sharp part";
 }
 
 //------------------------------------------------------------------------------
@@ -266,7 +222,7 @@ std::vector<vtkRadianceIntegrator::Size> vtkHybridRadianceIntegrator::GetSizes()
 {
   return { { "rows", 9, 513, this->NumberOfRows },
     { "view angles", 2, 64, this->NumberOfViewAngles },
-    { "azimuths", 4, 64, this->NumberOfAzimuths }, { "samples", 0, 1024, this->NumberOfSamples },
+    { "azimuths", 4, 64, this->NumberOfAzimuths }, { "maps", 0, 64, this->NumberOfMaps },
     { "lights", 0, 1024, this->MaximumNumberOfLights },
     { "light angle", 0, 300, ToAngleSize(this->LightAngle) } };
 }
@@ -283,7 +239,7 @@ void vtkHybridRadianceIntegrator::SetSize(int index, int value)
     case 2:
       return this->SetNumberOfAzimuths(value);
     case 3:
-      return this->SetNumberOfSamples(value);
+      return this->SetNumberOfMaps(value);
     case 4:
       return this->SetMaximumNumberOfLights(value);
     default:
@@ -308,8 +264,8 @@ std::string vtkHybridRadianceIntegrator::GetSizesText()
   return std::to_string(this->NumberOfRows) + " rows x " +
          std::to_string(this->NumberOfViewAngles) + " view angles x " +
          std::to_string(this->NumberOfAzimuths) + " azimuths" +
-         (this->NumberOfSamples > 0 ? ", " + std::to_string(this->NumberOfSamples) + " samples"
-                                    : std::string()) +
+         (this->NumberOfMaps > 0 ? ", " + std::to_string(this->NumberOfMaps) + " maps"
+                                 : std::string()) +
          (lights > 0 ? ", " + std::to_string(lights) + " suns as lights" : std::string());
 }
 
@@ -346,13 +302,20 @@ std::vector<std::vector<int>> vtkHybridRadianceIntegrator::GetCandidateSizes(boo
   const double angle = this->ChooseLightAngle();
   const bool lights = this->CountLights(angle, PlannedLights) > 0;
   std::vector<std::vector<int>> candidates;
-  for (std::vector<int> sizes : GetHybridCandidates())
+  for (const std::vector<int>& sizes : GetHybridCandidates())
   {
-    if (lights || sizes.at(3) > 0) // else it is a table
+    const auto add = [&](int largest)
     {
-      sizes.push_back(PlannedLights);
-      sizes.push_back(ToAngleSize(angle));
       candidates.push_back(sizes);
+      candidates.back().insert(candidates.back().end(), { largest, ToAngleSize(angle) });
+    };
+    if (sizes.at(3) > 0) // fine maps may see lamps as the areas that they are
+    {
+      add(0);
+    }
+    if (lights)
+    {
+      add(PlannedLights);
     }
   }
   return candidates;
@@ -362,16 +325,15 @@ std::vector<std::vector<int>> vtkHybridRadianceIntegrator::GetCandidateSizes(boo
 double vtkHybridRadianceIntegrator::EstimateCost(vtkRadianceCostModel* costs)
 {
   return GetCost(costs, "base") + GetCost(costs, "table") +
-         GetCost(costs, "sample") * this->NumberOfSamples +
+         GetCost(costs, "map") * this->NumberOfMaps +
          GetCost(costs, "light") * this->CountLights(this->LightAngle, this->MaximumNumberOfLights);
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkHybridRadianceIntegrator::EstimateTextureBytes()
 {
-  return GetTableBytes(this->NumberOfRows, this->NumberOfViewAngles, this->NumberOfAzimuths) +
-         32 * this->CountLights(this->LightAngle, this->MaximumNumberOfLights) +
-         (this->NumberOfSamples > 0 ? EnvironmentPyramid::EstimateBytes(this->Environment) : 0);
+  return this->NewBroad(nullptr)->EstimateTextureBytes() +
+         32 * this->CountLights(this->LightAngle, this->MaximumNumberOfLights);
 }
 
 //------------------------------------------------------------------------------
@@ -379,7 +341,11 @@ bool vtkHybridRadianceIntegrator::CanPrune(const std::vector<Attempt>& attempts,
 {
   std::vector<Attempt> alike;
   std::copy_if(attempts.begin(), attempts.end(), std::back_inserter(alike),
-    [this](const Attempt& attempt) { return attempt.Sizes[3] == this->NumberOfSamples; });
+    [this](const Attempt& attempt)
+    {
+      return attempt.Sizes[3] == this->NumberOfMaps &&
+             attempt.Sizes[4] == this->MaximumNumberOfLights;
+    });
   return CanPruneTable(
     { this->NumberOfRows, this->NumberOfViewAngles, this->NumberOfAzimuths }, alike, error);
 }
@@ -391,9 +357,8 @@ void vtkHybridRadianceIntegrator::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfRows: " << this->NumberOfRows << "\n";
   os << indent << "NumberOfViewAngles: " << this->NumberOfViewAngles << "\n";
   os << indent << "NumberOfAzimuths: " << this->NumberOfAzimuths << "\n";
-  os << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n";
+  os << indent << "NumberOfMaps: " << this->NumberOfMaps << "\n";
   os << indent << "MaximumNumberOfLights: " << this->MaximumNumberOfLights << "\n";
   os << indent << "LightAngle: " << this->LightAngle << "\n";
   os << indent << "Lights: " << this->GetNumberOfLights() << "\n";
-  os << indent << "Sharp layer: " << (this->GetHasSharpLayer() ? "yes" : "no") << "\n";
 }

@@ -2,18 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHybridRadianceIntegrator
- * @brief   explicit lights for bright sources, a table for broad reflection, samples for highlights
+ * @brief   lights for bright sources, a table for the rest, with maps of its sharp part
  *
  * Each method where it is best:
  *
  * - the few texels that outweigh the environment (ExtractedEmitters: suns, lamps) are evaluated as
  *   directional lights, exactly; what is left varies far less over the directions;
- * - the material's kernel f cos(theta_i) is cut, per view, at the height at which all its energy
- *   would fill the solid angle that the table's rows resolve (36 squares of their spacing). What is
- *   below is the business of a vtkTableRadianceIntegrator of few rows;
- * - what is above, a narrow lobe, is left to few samples of the filtered environment
- *   (vtkFilteredRadianceIntegrator). With NumberOfSamples = 0, or where the material has no such
- *   part, the table takes all.
+ * - what is left is the business of a vtkTableRadianceIntegrator. Or, where the material reflects
+ *   it too sharply for few rows, of a vtkFactoredRadianceIntegrator: a small table, and maps of
+ *   many rows (NumberOfMaps > 0).
  *
  * Lights are shaded with vtkBRDF::GetRenderable(), what the graphics card evaluates: materials that
  * have no GLSL of their own are resampled for that. Isotropic materials only.
@@ -28,8 +25,6 @@
 #include <memory> // for Internals
 #include <string> // for Given
 
-class vtkTableRadianceIntegrator;
-
 class VTKMEASUREDBRDF_EXPORT vtkHybridRadianceIntegrator : public vtkRadianceIntegrator
 {
 public:
@@ -39,7 +34,8 @@ public:
 
   ///@{
   /**
-   * The table's sizes, as vtkTableRadianceIntegrator has them (default 33 x 12 x 16).
+   * The table's sizes, as vtkTableRadianceIntegrator has them (default 33 x 12 x 16). With maps,
+   * the rows are those of the maps; the small table then has 33 rows at most.
    */
   virtual void SetNumberOfRows(int numberOfRows);
   vtkGetMacro(NumberOfRows, int);
@@ -51,10 +47,11 @@ public:
 
   ///@{
   /**
-   * Samples of the sharp layer, default 8, clamped to [0, 1024]; 0: no such layer.
+   * Maps of the sharp part (vtkFactoredRadianceIntegrator::SetNumberOfFields), default 0: the table
+   * takes all. Clamped to [0, 64].
    */
-  virtual void SetNumberOfSamples(int numberOfSamples);
-  vtkGetMacro(NumberOfSamples, int);
+  virtual void SetNumberOfMaps(int numberOfMaps);
+  vtkGetMacro(NumberOfMaps, int);
   ///@}
 
   ///@{
@@ -76,18 +73,15 @@ public:
   vtkGetMacro(LightAngle, double);
   ///@}
 
-  ///@{
   /**
-   * What the last preparation made of it: lights, and whether there is a sharp layer.
+   * Lights that the last preparation made.
    */
   int GetNumberOfLights();
-  bool GetHasSharpLayer();
-  ///@}
 
   ///@{
   /**
-   * As a method: "hybrid", by the table's sizes, samples, lights and the light angle in tenths of a
-   * degree. Its cost is BASE, TABLE, a SAMPLE each and a LIGHT for each light that the environment
+   * As a method: "hybrid", by the table's sizes, maps, lights and the light angle in tenths of a
+   * degree. Its cost is BASE, TABLE, a MAP each and a LIGHT for each light that the environment
    * has.
    */
   std::string GetMethodName() override { return "hybrid"; }
@@ -97,14 +91,13 @@ public:
   std::vector<std::vector<int>> GetCandidateSizes(bool all) override;
   double EstimateCost(vtkRadianceCostModel* costs) override;
   vtkIdType EstimateTextureBytes() override;
-  bool IsLastResort() override { return this->NumberOfSamples > 0; }
   bool CanPrune(const std::vector<Attempt>& attempts, double error) override;
   ///@}
 
   ///@{
   /**
-   * The table's bytes ("" before Prepare), and back: its making takes longest. TakePrepared also
-   * fails where the rest can't be prepared (an error event says why).
+   * The table's bytes and the maps' ("" before Prepare), and back: their making takes longest.
+   * TakePrepared also fails where the rest can't be prepared (an error event says why).
    */
   std::string GetPrepared() override;
   bool TakePrepared(const std::string& bytes) override;
@@ -127,7 +120,7 @@ protected:
   int NumberOfRows = 33;
   int NumberOfViewAngles = 12;
   int NumberOfAzimuths = 16;
-  int NumberOfSamples = 8;
+  int NumberOfMaps = 0;
   int MaximumNumberOfLights = 16;
   double LightAngle = 1.2;
 
@@ -138,11 +131,10 @@ private:
   int CountLights(double angle, int maximum);
   double ChooseLightAngle();
 
-  struct Internals;
-  void MakeLayers(Precomputation& parts,
-    const std::shared_ptr<const vtkEnvironment::TexelChanges>& rest, Internals& made);
-  bool PrepareBroad(vtkTableRadianceIntegrator* broad);
+  vtkSmartPointer<vtkRadianceIntegrator> NewBroad(
+    const std::shared_ptr<const vtkEnvironment::TexelChanges>& rest);
 
+  struct Internals;
   std::unique_ptr<Internals> Impl;
   const std::string* Given = nullptr; // TakePrepared's bytes while it prepares
 };

@@ -12,10 +12,10 @@
 
 namespace
 {
-constexpr char Title[] = "vtkRadianceCostModel 1"; // the number rises with the format
+constexpr char Title[] = "vtkRadianceCostModel 2"; // the number rises with the format
 constexpr double LeastCost = 1e-6;
 constexpr double LargestCost = 1e6;
-constexpr std::size_t BuiltIn = 5;
+constexpr std::size_t BuiltIn = 6;
 constexpr std::size_t MostCosts = 64;
 constexpr std::size_t LongestName = 32;
 

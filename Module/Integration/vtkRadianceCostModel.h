@@ -6,9 +6,9 @@
  *
  * Nanoseconds per covered pixel, linear in the counts: "base" for the pixel itself, and on top of
  * it "table" for a table of radiance, "light" per light, "sample" per sample, "function" per
- * pre-integrated function. Methods of a program's own may have costs under other names
- * (vtkRadianceIntegrator::GetCostName). Defaults are Mesa's llvmpipe on 2 cores (docs/methods.md);
- * vtkRadianceCostCalibrator measures a renderer's own.
+ * pre-integrated function, "map" per map of a table's sharp part. Methods of a program's own may
+ * have costs under other names (vtkRadianceIntegrator::GetCostName). Defaults are Mesa's llvmpipe
+ * on 2 cores (docs/methods.md); vtkRadianceCostCalibrator measures a renderer's own.
  */
 
 #ifndef vtkRadianceCostModel_h
@@ -40,7 +40,7 @@ public:
 
   ///@{
   /**
-   * The names in the model; index in [0, GetNumberOfCosts()), "" for others. The five above come
+   * The names in the model; index in [0, GetNumberOfCosts()), "" for others. The six above come
    * first and are always there.
    */
   int GetNumberOfCosts();
@@ -74,7 +74,7 @@ protected:
   ~vtkRadianceCostModel() override = default;
 
   std::vector<std::pair<std::string, double>> Costs = { { "base", 55.0 }, { "table", 52.0 },
-    { "light", 20.0 }, { "sample", 28.0 }, { "function", 12.0 } };
+    { "light", 20.0 }, { "sample", 28.0 }, { "function", 12.0 }, { "map", 6.0 } };
   std::string Name = "Mesa llvmpipe, built in";
 
 private:

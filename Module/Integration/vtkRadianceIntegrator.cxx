@@ -3,9 +3,11 @@
 #include "vtkRadianceIntegrator.h"
 
 #include "vtkBRDF.h"
+#include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkEnvironment.h"
+#include "vtkNew.h"
 #include "vtkRadianceCostModel.h"
 #include "vtkSMPTools.h"
 
@@ -316,6 +318,24 @@ bool vtkRadianceIntegrator::SumPairs(const std::vector<Pair>& pairs, std::vector
     }
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRadianceIntegrator::PrepareLayer(vtkRadianceIntegrator* layer, const std::string* bytes)
+{
+  vtkNew<vtkCallbackCommand> follow;
+  follow->SetClientData(this);
+  follow->SetCallback(
+    [](vtkObject* caller, unsigned long, void* self, void* progress)
+    {
+      auto* whole = static_cast<vtkRadianceIntegrator*>(self);
+      whole->InvokeEvent(vtkCommand::ProgressEvent, progress);
+      static_cast<vtkRadianceIntegrator*>(caller)->SetAbort(whole->Abort);
+    });
+  const unsigned long tag = layer->AddObserver(vtkCommand::ProgressEvent, follow);
+  const bool prepared = bytes ? layer->TakePrepared(*bytes) : layer->Prepare();
+  layer->RemoveObserver(tag);
+  return prepared;
 }
 
 //------------------------------------------------------------------------------

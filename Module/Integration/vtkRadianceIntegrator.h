@@ -256,6 +256,10 @@ protected:
     integrator->IntegratePart(0, n, o, t, radiance);
   }
 
+  /// For them, too: prepare one of the others, of these bytes (TakePrepared) where they are not
+  /// null. Its progress is this one's, and it stops where this one is told to.
+  bool PrepareLayer(vtkRadianceIntegrator* layer, const std::string* bytes);
+
   vtkSmartPointer<vtkBRDF> BRDF;
   vtkSmartPointer<vtkEnvironment> Environment;
   std::shared_ptr<Precomputation> Shared;

@@ -182,7 +182,8 @@ void MeasuredTable(benchmark::State& state)
   state.counters["bytes"] = static_cast<double>(mapper->GetTextureBytes());
 }
 
-// Samples of the sharp layer, and lights at most: gloss under a hall with lamps.
+// Maps of 128 rows of the sharp part (0: a table), and lights at most: gloss under a hall with
+// lamps.
 void MeasuredHybrid(benchmark::State& state)
 {
   Scene scene;
@@ -190,7 +191,11 @@ void MeasuredHybrid(benchmark::State& state)
   vtkNew<vtkEnvironment> hall;
   hall->SetToProceduralHall();
   vtkNew<vtkHybridRadianceIntegrator> integrator;
-  integrator->SetNumberOfSamples(static_cast<int>(state.range(0)));
+  integrator->SetNumberOfMaps(static_cast<int>(state.range(0)));
+  if (state.range(0) > 0)
+  {
+    integrator->SetSizes({ 128, 12, 8 });
+  }
   integrator->SetMaximumNumberOfLights(static_cast<int>(state.range(1)));
   vtkNew<vtkMeasuredBRDFMapper> mapper;
   mapper->SetInputConnection(scene.Sphere->GetOutputPort());

@@ -241,12 +241,16 @@ add("Integration.adaptive-looks-nowhere-first", "vtkAdaptiveRadianceIntegrator.c
 add("Integration.peaks-of-the-wrong-azimuth", "Private/ReflectionGuide.cxx",
     "peaks.Azimuth = s > 0.0 ? glm::dvec2(o.x, o.y) / s", "peaks.Azimuth = s > 0.0 ? glm::dvec2(o.x, -o.y) / s",
     "ReflectionGuide.KnowsPeaks")
-add("Integration.core-takes-the-blur-too", "Private/RadianceCore.cxx", "b[at] * (1.0 - GetSmoothed(l, smoothing))", "b[at]",
+add("Integration.core-takes-the-blur-too", "Private/CoreModes.cxx", "inTable * share[channel] * taken;", "0.0;",
     "FactoredIntegrator.MirrorsInFewMegabytes|FactoredIntegrator.WhiteFurnaceIsTheDirectionalAlbedo")
-add("Integration.core-turns-backwards", "Private/RadianceCore.cxx", "turn.x * field + turn.y *",
-    "turn.x * field - turn.y *", "FactoredIntegrator.MapsConvergeToTheWholeTable|Parity.FactoredIntegrator")
-add("Integration.core-of-gray-weights", "Private/RadianceCore.cxx", "const Eigen::Index at = 3 * static_cast<Eigen::Index>(low) + c;",
-    "const Eigen::Index at = 3 * static_cast<Eigen::Index>(low);", "FactoredIntegrator.MapsConvergeToTheWholeTable")
+add("Integration.core-turns-backwards", "Private/RadianceCore.cxx", "turn.y * GetCenteredValue(",
+    "-turn.y * GetCenteredValue(", "FactoredIntegrator.MapsConverge|Parity.FactoredIntegrator")
+add("Integration.core-of-gray-weights", "Private/CoreModes.cxx", "const Eigen::Index at = 3 * static_cast<Eigen::Index>(low) + c;",
+    "const Eigen::Index at = 3 * static_cast<Eigen::Index>(low);", "FactoredIntegrator.MapsConverge")
+add("Integration.core-forgets-the-lambert-part", "Private/CoreModes.cxx", "const double lambert = lobe.GetMeans().Floor[channel] - floor[channel];",
+    "const double lambert = 0.0;", "FactoredIntegrator.MapsConverge")
+add("Integration.maps-half-a-column-off", "Private/FieldSynthesis.cxx", "static_cast<float>(-Pi * (static_cast<double>(item) - degree)",
+    "static_cast<float>(Pi * (static_cast<double>(item) - degree)", "FactoredIntegrator.MapsConverge|FactoredIntegrator.MirrorsInFewMegabytes")
 add("Integration.table-without-its-blur", "Private/TableSynthesis.cxx", "kernel[b] *= smoothed[b % smoothed.size()];", "",
     "FactoredIntegrator.WhiteFurnaceIsTheDirectionalAlbedo|FactoredIntegrator.MirrorsInFewMegabytes")
 add("Integration.exact-without-cosine", "vtkExactRadianceIntegrator.cxx", "sum += cosine * f *", "sum += f *",

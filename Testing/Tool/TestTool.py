@@ -1334,7 +1334,7 @@ class Plan(ToolTest):
         cache = {**os.environ, "MEASUREDBRDF_CACHE": self.path("cache")}
         common = ["plan", "blue-fabric", "--environment", "hall", "--choice-only", "--json"]
         plans = [json.loads(run(*common, "--calibrate", env=cache).stdout) for _ in range(2)]
-        for cost in ("base", "table", "light", "sample", "function"):
+        for cost in ("base", "table", "light", "sample", "function", "map"):
             self.assertGreater(plans[0]["costs"][cost + "_ns"], 0)
         self.assertNotIn("built in", plans[0]["costs"]["renderer"])
         self.assertEqual(plans[0]["costs"], plans[1]["costs"])  # measured once

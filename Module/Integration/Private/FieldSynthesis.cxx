@@ -18,10 +18,12 @@ namespace
 constexpr double Pi = 3.14159265358979323846;
 }
 
-FieldSynthesis::FieldSynthesis(const EnvironmentHarmonics& environment, int rows, int columns)
+FieldSynthesis::FieldSynthesis(
+  const EnvironmentHarmonics& environment, int rows, int columns, MapNodes nodes)
   : Environment(environment)
   , Rows(rows)
   , Columns(columns)
+  , Nodes(nodes)
 {
 }
 
@@ -88,7 +90,9 @@ FieldSynthesis::Field FieldSynthesis::SumDegrees(
         Matrix turns(size, this->Rows); // the same for all channels and kernels
         for (int row = 0; row < this->Rows; ++row)
         {
-          functions.Evaluate(Pi * row / (this->Rows - 1), d.data());
+          functions.Evaluate(this->Nodes == MapNodes::Centers ? Pi * (row + 0.5) / this->Rows
+                                                              : Pi * row / (this->Rows - 1),
+            d.data());
           turns.col(row) = Eigen::Map<const Eigen::VectorXd>(d.data(), size).cast<float>();
         }
         const Matrix product = turns.transpose() * this->MakeLit(m, first, kernels);
@@ -115,6 +119,15 @@ void FieldSynthesis::SumOrders(const Field& series, int degree, std::array<Field
   const std::size_t orders = 2 * static_cast<std::size_t>(degree) + 1;
   const std::size_t kinds = series.size() / (orders * rows);
   const std::size_t each = kinds / 3;
+  std::vector<std::complex<float>> turns(orders, 1.0f); // half a column on
+  if (this->Nodes == MapNodes::Centers)
+  {
+    for (std::size_t item = 0; item < orders; ++item)
+    {
+      turns[item] = std::polar(
+        1.0f, static_cast<float>(-Pi * (static_cast<double>(item) - degree) / this->Columns));
+    }
+  }
   vtkSMPTools::For(0, static_cast<vtkIdType>(rows), 1,
     [&](vtkIdType begin, vtkIdType end)
     {
@@ -131,7 +144,7 @@ void FieldSynthesis::SumOrders(const Field& series, int degree, std::array<Field
             const int m = static_cast<int>(item) - degree;
             const int n = this->Columns;
             line[static_cast<std::size_t>((m % n + n) % n)] +=
-              series[(item * kinds + kind) * rows + row];
+              turns[item] * series[(item * kinds + kind) * rows + row];
           }
           transform.fwd(field, line);
           std::copy(field.begin(), field.end(),

@@ -20,18 +20,26 @@
 
 namespace measuredbrdf
 {
-/// Kernels are given by their harmonics b_lk. Over a map of rows (poles included) x columns of the
-/// axis' polar angle and azimuth, each kernel, channel and azimuthal order k has a field of complex
-/// values G_k such that radiance = G_0 + sum_k>0 2 Re(e^(-i k psi) G_k). psi is the plane of
-/// incidence's azimuth from the meridian's direction of growing polar angle.
-/// G_k = sum_m e^(-i m phi) sum_l d^l_mk(theta) b_lk conj(a_lm).
+/// Where the values of a map over polar angle and azimuth lie: the first and the last row at the
+/// poles and the first column at 0, or all at cells' centers, as in an environment.
+enum class MapNodes
+{
+  Poles,
+  Centers
+};
+
+/// Kernels are given by their harmonics b_lk. Over a map of rows x columns of the axis' polar angle
+/// and azimuth, each kernel, channel and azimuthal order k has a field of complex values G_k such
+/// that radiance = G_0 + sum_k>0 2 Re(e^(-i k psi) G_k). psi is the plane of incidence's azimuth
+/// from the meridian's direction of growing polar angle. G_k = sum_m e^(-i m phi) sum_l
+/// d^l_mk(theta) b_lk conj(a_lm).
 class FieldSynthesis
 {
 public:
   using Matrix = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic>;
   using Field = std::vector<std::complex<float>>;
 
-  FieldSynthesis(const EnvironmentHarmonics& environment, int rows, int columns);
+  FieldSynthesis(const EnvironmentHarmonics& environment, int rows, int columns, MapNodes nodes);
 
   /// kernels of each channel: degrees x kernels. result of each channel: [kernel][row][column].
   void Run(int order, const std::array<Matrix, 3>& kernels, std::array<Field, 3>& result) const;
@@ -44,6 +52,7 @@ private:
   const EnvironmentHarmonics& Environment;
   int Rows;
   int Columns;
+  MapNodes Nodes;
 };
 } // namespace measuredbrdf
 

@@ -50,19 +50,34 @@ inline glm::dvec3 GetTexel(const std::vector<float>& data, int index)
   return glm::dvec3(glm::make_vec3(&data[3 * static_cast<std::size_t>(index)]));
 }
 
-/// Bilinear in a map that begins at the given texel.
-inline glm::dvec3 GetMapValue(const std::vector<float>& data, int rows, int columns,
-  std::size_t firstTexel, const MapPosition& at)
+/// Between four texels of a map that begins at the given texel.
+inline glm::dvec3 MixTexels(const std::vector<float>& data, int columns, std::size_t firstTexel,
+  const Neighbors& x, const Neighbors& y)
 {
-  const Neighbors x = PeriodicNeighbors(at.Azimuth + 0.5 / columns, columns);
-  const double exact = at.Polar * (rows - 1);
-  const int low = std::min(static_cast<int>(exact), rows - 2);
   const auto row = [&](int k)
   {
     const int first = static_cast<int>(firstTexel) + columns * k;
     return glm::mix(GetTexel(data, first + x.First), GetTexel(data, first + x.Second), x.Weight);
   };
-  return glm::mix(row(low), row(low + 1), exact - low);
+  return glm::mix(row(y.First), row(y.Second), y.Weight);
+}
+
+/// Bilinear in a map with rows at the poles (MapNodes::Poles).
+inline glm::dvec3 GetMapValue(const std::vector<float>& data, int rows, int columns,
+  std::size_t firstTexel, const MapPosition& at)
+{
+  const double exact = at.Polar * (rows - 1);
+  const int low = std::min(static_cast<int>(exact), rows - 2);
+  return MixTexels(data, columns, firstTexel,
+    PeriodicNeighbors(at.Azimuth + 0.5 / columns, columns), { low, low + 1, exact - low });
+}
+
+/// Bilinear in a map of cells' centers (MapNodes::Centers).
+inline glm::dvec3 GetCenteredValue(const std::vector<float>& data, int rows, int columns,
+  std::size_t firstTexel, const MapPosition& at)
+{
+  return MixTexels(data, columns, firstTexel, PeriodicNeighbors(at.Azimuth, columns),
+    ClampedNeighbors(at.Polar, rows));
 }
 
 /// A row of profiles over theta_o, LobeViews::NumberOfViews texels each, at u in [0,1].
@@ -75,6 +90,12 @@ inline glm::dvec3 GetProfileValue(const std::vector<float>& profile, int row, do
     GetTexel(profile, size * row + low), GetTexel(profile, size * row + low + 1), exact - low);
 }
 
+/// Where profiles are read for a view angle.
+inline double GetProfilePosition(double theta)
+{
+  return 1.0 - std::sqrt(std::max(1.0 - theta / LobeViews::GetLastAngle(), 0.0));
+}
+
 /// A pair; and, with the lobe's angle from the normal, its axis and plane.
 struct LobePlacement
 {
@@ -84,8 +105,7 @@ struct LobePlacement
     const Frame frame = FrameAbout(n, t);
     const glm::dvec3 view = LiftView(ToLocal(frame, o));
     const double sine = std::hypot(view.x, view.y);
-    this->U =
-      1.0 - std::sqrt(std::max(1.0 - std::atan2(sine, view.z) / LobeViews::GetLastAngle(), 0.0));
+    this->U = GetProfilePosition(std::atan2(sine, view.z));
     const glm::dvec2 azimuth = sine > 1e-6 ? glm::dvec2(view) / sine : glm::dvec2(1.0, 0.0);
     this->Across = frame[0] * azimuth.x + frame[1] * azimuth.y;
   }

@@ -3,9 +3,9 @@
 /**
  * @file
  * What a smoothed table of radiance lacks of sharp lobes, factored: the kernels' harmonics about
- * the lobe's axis, less what the blur leaves, are decomposed by singular values for each azimuthal
- * order, weighted by what the environment's degrees make of them. Each mode is a function about the
- * axis, convolved with the environment once, times a weight over theta_o:
+ * the lobe's axis, less what the table has of them, are decomposed by singular values for each
+ * azimuthal order, weighted by what the environment's degrees make of them. Each mode is a function
+ * about the axis, convolved with the environment once, times a weight over theta_o:
  *
  *   T(axis, theta_o, psi) = sum_k W_k(theta_o) (cos(m_k psi) A_k(axis) + sin(m_k psi) B_k(axis))
  *
@@ -16,42 +16,58 @@
 #ifndef RadianceCore_h
 #define RadianceCore_h
 
+#include "CoreModes.h"
 #include "EnvironmentHarmonics.h"
 #include "LobeViews.h"
-#include "MaterialPrecomputation.h"
 
 #include <glm/glm.hpp>
 
+#include <cstddef>
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace measuredbrdf
 {
+class FieldSynthesis;
+
 struct RadianceCore
 {
   explicit RadianceCore(int rows)
     : Rows(rows)
-    , Columns(2 * (rows - 1))
+    , Columns(2 * rows)
   {
   }
 
-  int Rows; // poles included
+  int Rows; // of the fields, whose values lie at cells' centers
   int Columns;
   std::vector<int> Orders;    // m of each mode, ascending
   std::vector<float> Profile; // RGB, ProfileSize x (1 + modes): (0, cos, sin delta); W_k
   std::vector<float> Fields;  // RGB, Columns x Rows x fields: A_k and, for m > 0, B_k
 
   int GetNumberOfFields() const;
+  std::size_t GetNumberOfTexels() const
+  {
+    return static_cast<std::size_t>(this->Columns) * static_cast<std::size_t>(this->Rows);
+  }
 
   /// Radiance, of either sign, towards o about the normal n, as the shader looks it up; t: a unit
   /// tangent or zero.
   glm::dvec3 Evaluate(const glm::dvec3& n, const glm::dvec3& o, const glm::dvec3& t) const;
 
-  /// Of kernels at evenly spaced view angles, what is above a blur (GetSmoothed), by at most so
-  /// many fields. goOn gets the share that is done; where it says false, so does this.
+  /// What a table lacks of the kernels, by at most so many fields. goOn gets the share that is
+  /// done; where it says false, so does this.
   bool Make(const EnvironmentHarmonics& environment, const LobeViews& views,
-    const MaterialPrecomputation::Kernels& knots, int degree, double smoothing, int fields,
-    const std::function<bool(double)>& goOn);
+    const CoreKernels& kernels, int fields, const std::function<bool(double)>& goOn);
+
+  ///@{
+  /// As bytes, and back: false, and of no use any more, where they are not those of so many rows.
+  std::string GetBytes() const;
+  bool TakeBytes(const std::string& bytes);
+  ///@}
+
+private:
+  double AddFields(const CoreMode& mode, const FieldSynthesis& synthesis);
 };
 } // namespace measuredbrdf
 

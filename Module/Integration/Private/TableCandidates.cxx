@@ -28,13 +28,13 @@ constexpr vtkIdType MapBytes = 16 * (256 * 129 + 3 * 64); // irradiance and prof
 std::vector<std::vector<int>> GetTableCandidates()
 {
   return { { 17, 8, 8 }, { 33, 8, 8 }, { 33, 12, 16 }, { 33, 24, 16 }, { 65, 8, 8 }, { 65, 12, 16 },
-    { 65, 24, 24 }, { 129, 8, 8 }, { 129, 12, 16 }, { 129, 24, 16 }, { 257, 8, 8 } };
+    { 65, 24, 24 }, { 129, 8, 8 }, { 129, 12, 16 }, { 129, 24, 16 } };
 }
 
 std::vector<std::vector<int>> GetHybridCandidates()
 {
   return { { 17, 8, 8, 0 }, { 33, 8, 8, 0 }, { 33, 12, 16, 0 }, { 65, 8, 8, 0 }, { 65, 12, 16, 0 },
-    { 129, 8, 8, 0 }, { 129, 12, 16, 0 }, { 257, 8, 8, 0 }, { 65, 12, 16, 8 } };
+    { 129, 8, 8, 0 }, { 128, 12, 8, 8 }, { 256, 12, 8, 8 } };
 }
 
 vtkIdType GetTableBytes(int rows, int viewAngles, int azimuths)

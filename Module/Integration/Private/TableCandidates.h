@@ -19,7 +19,7 @@ namespace measuredbrdf
 /// Rows, view angles, azimuths.
 std::vector<std::vector<int>> GetTableCandidates();
 
-/// Rows, view angles, azimuths, samples.
+/// Rows, view angles, azimuths, maps.
 std::vector<std::vector<int>> GetHybridCandidates();
 
 /// Of a table's textures.

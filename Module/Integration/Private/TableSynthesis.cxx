@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TableSynthesis.h"
 
+#include "ClampedCosine.h"
 #include "FieldSynthesis.h"
 #include "LobeHarmonics.h"
-#include "LogFactorial.h"
 #include "vtkSMPTools.h"
 
 #include <Eigen/Core>
@@ -129,7 +129,7 @@ bool SynthesizeRadiance(const EnvironmentHarmonics& environment,
     static_cast<std::size_t>(table.Columns) * static_cast<std::size_t>(table.Rows);
   const std::size_t slices = static_cast<std::size_t>(table.Azimuths) + 1;
   table.Radiance.assign(3 * texels * slices * knots.size(), 0.0f);
-  const FieldSynthesis synthesis(environment, table.Rows, table.Columns);
+  const FieldSynthesis synthesis(environment, table.Rows, table.Columns, MapNodes::Poles);
   std::array<FieldSynthesis::Field, 3> fields;
   for (int order = 0; order <= orders; ++order)
   {
@@ -184,21 +184,14 @@ void MakeProfile(
 
 std::shared_ptr<const std::vector<float>> MakeIrradiance(const EnvironmentHarmonics& environment)
 {
-  // The clamped cosine's harmonics (Ramamoorthi, Hanrahan 2001).
-  FieldSynthesis::Matrix cosine = FieldSynthesis::Matrix::Zero(IrradianceDegree + 1, 1);
+  FieldSynthesis::Matrix cosine(IrradianceDegree + 1, 1);
   for (int l = 0; l <= IrradianceDegree; ++l)
   {
-    double value = l == 1 ? 2.0 * Pi / 3.0 : 0.0;
-    if (l % 2 == 0)
-    {
-      value = 2.0 * Pi * (l % 4 == 0 ? -1.0 : 1.0) / ((l + 2.0) * (l - 1.0)) *
-              std::exp(LogFactorial(l) - 2.0 * LogFactorial(l / 2) - l * std::log(2.0));
-    }
-    cosine(l, 0) = static_cast<float>(value * std::sqrt((2.0 * l + 1.0) / (4.0 * Pi)));
+    cosine(l, 0) = static_cast<float>(GetClampedCosine(l));
   }
   const int rows = RadianceTable::IrradianceRows;
   const int columns = RadianceTable::IrradianceColumns;
-  const FieldSynthesis synthesis(environment, rows, columns);
+  const FieldSynthesis synthesis(environment, rows, columns, MapNodes::Poles);
   auto irradiance =
     std::make_shared<std::vector<float>>(3 * static_cast<std::size_t>(columns * rows));
   std::array<FieldSynthesis::Field, 3> fields;

@@ -64,7 +64,7 @@ std::vector<Way> GetWays(vtkBRDF* brdf, vtkEnvironment* environment, bool all = 
   table->SetNumberOfViewAngles(12);
   table->SetNumberOfAzimuths(16);
   vtkNew<vtkHybridRadianceIntegrator> hybrid;
-  hybrid->SetNumberOfSamples(16);
+  EXPECT_TRUE(hybrid->SetSizes({ 64, 12, 16, 8 }));
   vtkNew<vtkFilteredRadianceIntegrator> filtered;
   filtered->SetNumberOfSamples(256);
   vtkNew<vtkBasisRadianceIntegrator> basis;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Suns as lights, broad layer by a table, sharp layer by samples: each part alone, and the sum
+// Suns as lights, the rest by a table, with maps of its sharp part: each part alone, and the sum
 // against the exact one.
 
 #include "ErrorCatcher.h"
@@ -29,6 +29,7 @@
 #include <random>
 #include <sstream>
 #include <string>
+#include <vector>
 
 using namespace measuredbrdf;
 
@@ -60,9 +61,11 @@ glm::dvec3 NewDirection(std::mt19937& engine)
   return glm::dvec3(s * std::cos(phi), s * std::sin(phi), z);
 }
 
-vtkNew<vtkHybridRadianceIntegrator> NewHybrid(vtkBRDF* brdf, vtkEnvironment* environment)
+vtkNew<vtkHybridRadianceIntegrator> NewHybrid(
+  vtkBRDF* brdf, vtkEnvironment* environment, const std::vector<int>& sizes = { 128, 12, 16, 8 })
 {
   vtkNew<vtkHybridRadianceIntegrator> hybrid;
+  EXPECT_TRUE(hybrid->SetSizes(sizes));
   hybrid->SetBRDF(brdf);
   hybrid->SetEnvironment(environment);
   return hybrid;
@@ -396,30 +399,27 @@ TEST(HybridIntegrator, EveryPartPays)
     table->SetEnvironment(environment);
     table->SetNumberOfRows(33);
     const double whole = GetRelativeError(pairs.Integrate(table), reference);
-    const auto hybrid = NewHybrid(brdf, environment);
-    hybrid->SetNumberOfSamples(0);
+    const auto hybrid = NewHybrid(brdf, environment, { 33, 12, 16, 0 });
     const double lit = GetRelativeError(pairs.Integrate(hybrid), reference);
     EXPECT_EQ(hybrid->GetNumberOfLights(), 3);
-    EXPECT_FALSE(hybrid->GetHasSharpLayer());
-    hybrid->SetNumberOfSamples(16);
+    ASSERT_TRUE(hybrid->SetSizes({ 128, 12, 16, 8 }));
     const double both = GetRelativeError(pairs.Integrate(hybrid), reference);
-    EXPECT_TRUE(hybrid->GetHasSharpLayer());
     std::printf(
-      "exponent %g: table %.4f, with lights %.4f, and samples %.4f\n", exponent, whole, lit, both);
+      "exponent %g: table %.4f, with lights %.4f, and maps %.4f\n", exponent, whole, lit, both);
     EXPECT_LT(lit, 0.2 * whole);
     EXPECT_LT(both, 0.01);
   }
 }
 
 //------------------------------------------------------------------------------
-TEST(HybridIntegrator, WithoutSunsAndGlossItIsTheTable)
+TEST(HybridIntegrator, WithoutSunsAndMapsItIsTheTable)
 {
   SpherePairs pairs;
   pairs.AddRandom(20);
   vtkNew<vtkBlinnPhongBRDF> brdf;
   brdf->SetExponent(2.0);
   const auto environment = NewConstantEnvironment(64, 32, 1.0f);
-  const auto hybrid = NewHybrid(brdf, environment);
+  const auto hybrid = NewHybrid(brdf, environment, { 33, 12, 16, 0 });
   vtkNew<vtkTableRadianceIntegrator> table;
   table->SetBRDF(brdf);
   table->SetEnvironment(environment);
@@ -428,26 +428,27 @@ TEST(HybridIntegrator, WithoutSunsAndGlossItIsTheTable)
   table->SetNumberOfAzimuths(16);
   EXPECT_EQ(pairs.Integrate(hybrid), pairs.Integrate(table));
   EXPECT_EQ(hybrid->GetNumberOfLights(), 0);
-  EXPECT_FALSE(hybrid->GetHasSharpLayer());
   EXPECT_FALSE(hybrid->UsesBRDFOnGPU());
 }
 
 //------------------------------------------------------------------------------
-// The bytes are the table: under another light they show the one that they were made in.
+// The bytes are the table and the maps: under another light they show the one that they were made
+// in.
 TEST(HybridIntegrator, TakesTheTableThatItIsGiven)
 {
   SpherePairs pairs;
   pairs.AddRandom(20);
   vtkNew<vtkBlinnPhongBRDF> brdf;
   brdf->SetExponent(20.0);
-  const auto made = NewHybrid(brdf, NewConstantEnvironment(64, 32, 1.0f));
-  made->SetNumberOfSamples(0);
-  const auto expected = pairs.Integrate(made);
-  const auto taker = NewHybrid(brdf, NewConstantEnvironment(64, 32, 3.0f));
-  taker->SetNumberOfSamples(0);
-  ASSERT_TRUE(taker->TakePrepared(made->GetPrepared()));
-  EXPECT_EQ(pairs.Integrate(taker), expected);
-  EXPECT_FALSE(taker->TakePrepared("no table"));
+  for (const std::vector<int>& sizes : { std::vector<int>{ 33, 12, 16, 0 }, { 32, 4, 6, 5 } })
+  {
+    const auto made = NewHybrid(brdf, NewConstantEnvironment(64, 32, 1.0f), sizes);
+    const auto expected = pairs.Integrate(made);
+    const auto taker = NewHybrid(brdf, NewConstantEnvironment(64, 32, 3.0f), sizes);
+    ASSERT_TRUE(taker->TakePrepared(made->GetPrepared()));
+    EXPECT_EQ(pairs.Integrate(taker), expected);
+    EXPECT_FALSE(taker->TakePrepared("no table"));
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -466,7 +467,7 @@ TEST(HybridIntegrator, RealSun)
   ASSERT_TRUE(material->Read());
   SpherePairs pairs;
   pairs.AddRandom(12);
-  const auto hybrid = NewHybrid(material->GetBRDF(), reader->GetEnvironment());
+  const auto hybrid = NewHybrid(material->GetBRDF(), reader->GetEnvironment(), { 256, 12, 8, 8 });
   const double error = GetRelativeError(
     pairs.Integrate(hybrid), pairs.IntegrateExactly(material->GetBRDF(), reader->GetEnvironment()));
   std::printf(
@@ -519,7 +520,7 @@ TEST(HybridIntegrator, BlackAndTinyEnvironments)
 TEST(HybridIntegrator, RefusesAndKeepsGoing)
 {
   vtkNew<vtkHybridRadianceIntegrator> hybrid;
-  hybrid->SetNumberOfRows(9);
+  hybrid->SetSizes({ 9, 4, 4, 2 });
   ErrorCatcher errors(hybrid);
   vtkBRDFShaderInputs form;
   form.Description = "mine";
@@ -560,21 +561,21 @@ TEST(HybridIntegrator, ShaderInputsAndPrint)
   ASSERT_TRUE(hybrid->GetShaderInputs(form));
   ASSERT_EQ(form.Terms.size(), 3u);
   EXPECT_EQ(form.Terms[0].Shader, "vtkBRDFEnvironmentTable");
-  EXPECT_EQ(form.Terms[1].Shader, "vtkBRDFEnvironmentFiltered");
+  EXPECT_EQ(form.Terms[1].Shader, "vtkBRDFEnvironmentCore");
   EXPECT_EQ(form.Terms[2].Shader, "vtkBRDFLightSet");
   EXPECT_TRUE(hybrid->UsesBRDFOnGPU());
   EXPECT_NE(form.Description.find("2 directional lights"), std::string::npos) << form.Description;
 
   hybrid->SetNumberOfRows(1);
   EXPECT_EQ(hybrid->GetNumberOfRows(), 9);
-  hybrid->SetNumberOfSamples(-1);
-  EXPECT_EQ(hybrid->GetNumberOfSamples(), 0);
+  hybrid->SetNumberOfMaps(-1);
+  EXPECT_EQ(hybrid->GetNumberOfMaps(), 0);
   hybrid->SetMaximumNumberOfLights(100000);
   EXPECT_EQ(hybrid->GetMaximumNumberOfLights(), 1024);
   std::ostringstream text;
   hybrid->Print(text);
-  for (const char* line : { "NumberOfRows: 9", "NumberOfSamples: 0", "MaximumNumberOfLights: 1024",
-         "Lights: 2", "Sharp layer: yes" })
+  for (const char* line :
+    { "NumberOfRows: 9", "NumberOfMaps: 0", "MaximumNumberOfLights: 1024", "Lights: 2" })
   {
     EXPECT_NE(text.str().find(line), std::string::npos) << line;
   }

@@ -1,0 +1,250 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CoreModes.h"
+
+#include "ClampedCosine.h"
+#include "LobeHarmonics.h"
+#include "LobePlacement.h"
+#include "TableSynthesis.h" // for GetSmoothed
+#include "WignerD.h"
+#include "vtkSMPTools.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <utility>
+
+namespace measuredbrdf
+{
+namespace
+{
+constexpr int LargestOrder = CoreMode::LargestOrder;
+constexpr double LeastEnergy = 1e-12; // of the mean radiance's: less is rounding
+constexpr double LeastWeight = 1e-3;  // of views along the normal and the horizon
+
+// Exponent of the environment's power by degree. 1 makes the squared error least; more serves its
+// absolute value better (docs/methods.md).
+constexpr double PowerExponent = 1.5;
+
+// Mean square of the environment's harmonics of each degree, all channels.
+std::vector<double> GetPower(const EnvironmentHarmonics& environment, int degree)
+{
+  std::vector<double> power;
+  for (int l = 0; l <= degree; ++l)
+  {
+    double sum = 0.0;
+    for (int channel = 0; channel < 3; ++channel)
+    {
+      for (int m = 0; m <= l; ++m)
+      {
+        sum += (m > 0 ? 2.0 : 1.0) * std::norm(environment.Get(channel, l, m));
+      }
+    }
+    power.push_back(sum / (2.0 * l + 1.0));
+  }
+  return power;
+}
+
+// How much of a sphere's disc is seen at a view angle, for the singular values.
+double GetViewWeight(double theta)
+{
+  return std::sqrt(std::cos(theta) * std::sin(theta) + LeastWeight);
+}
+
+std::size_t GetIndex(int order, int channel, int degree, int l)
+{
+  return static_cast<std::size_t>(3 * order + channel) * static_cast<std::size_t>(degree + 1) +
+         static_cast<std::size_t>(l);
+}
+
+// The clamped cosine's harmonics about an axis delta from the normal, as GetIndex(order, 0, ...).
+std::vector<double> TurnCosine(double delta, int degree)
+{
+  std::vector<double> turned(GetIndex(LargestOrder + 1, 0, degree, 0), 0.0);
+  std::vector<double> d(static_cast<std::size_t>(degree) + 1);
+  for (int order = 0; order <= LargestOrder; ++order)
+  {
+    const WignerD functions(order, 0, degree);
+    functions.Evaluate(std::abs(delta), d.data());
+    const double sign = delta < 0.0 && order % 2 != 0 ? -1.0 : 1.0;
+    for (int l = functions.GetFirst(); l <= degree; ++l)
+    {
+      turned[GetIndex(order, 0, degree, l)] =
+        sign * d[static_cast<std::size_t>(l - functions.GetFirst())] * GetClampedCosine(l);
+    }
+  }
+  return turned;
+}
+
+// Of the table's kernels: what the blur leaves.
+std::vector<std::vector<float>> ExpandTable(const CoreKernels& kernels)
+{
+  std::vector<std::vector<float>> expanded(kernels.TableKnots.size());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(expanded.size()), 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType knot = begin; knot < end; ++knot)
+      {
+        const LobeHarmonics& lobe = *kernels.TableKnots[static_cast<std::size_t>(knot)];
+        std::vector<float>& b = expanded[static_cast<std::size_t>(knot)];
+        b = lobe.Expand(lobe.GetMeans().Delta, kernels.Degree, LargestOrder);
+        for (int order = 0; order <= LargestOrder; ++order)
+        {
+          for (int channel = 0; channel < 3; ++channel)
+          {
+            for (int l = 0; l <= kernels.Degree; ++l)
+            {
+              b[GetIndex(order, channel, kernels.Degree, l)] *= static_cast<float>(
+                lobe.GetMeans().Amplitude[channel] * GetSmoothed(l, kernels.Smoothing));
+            }
+          }
+        }
+      }
+    });
+  return expanded;
+}
+
+using Matrices = std::vector<Eigen::MatrixXd>; // by order: degrees x (knots x channels)
+
+// What the table, as it is interpolated, lacks of a knot's kernel about the axis that pixels look
+// at: of the lobe, and of the Lambert part.
+void ExpandKnot(const CoreKernels& kernels, const std::vector<std::vector<float>>& table,
+  std::size_t knot, Matrices& result)
+{
+  const int degree = kernels.Degree;
+  const double u = GetProfilePosition(kernels.GetViewAngle(knot));
+  const glm::dvec3 place = GetProfileValue(kernels.Table.Profile, 0, u);
+  const glm::dvec3 share = GetProfileValue(kernels.Table.Profile, 1, u);
+  const glm::dvec3 floor = GetProfileValue(kernels.Table.Profile, 2, u);
+  const double delta = std::atan2(place.z, place.y);
+  const std::size_t low = std::min(static_cast<std::size_t>(place.x), table.size() - 2);
+  const double between = place.x - static_cast<double>(low);
+  const LobeHarmonics& lobe = *kernels.Knots[knot];
+  const std::vector<float> whole = lobe.Expand(delta, degree, LargestOrder);
+  const std::vector<double> cosine = TurnCosine(delta, degree);
+  for (int order = 0; order <= LargestOrder; ++order)
+  {
+    // As many orders as the table's azimuths can tell apart.
+    const double inTable = order <= kernels.Table.Azimuths / 2 ? 1.0 : 0.0;
+    for (int channel = 0; channel < 3; ++channel)
+    {
+      const double amplitude = lobe.GetMeans().Amplitude[channel];
+      const double lambert = lobe.GetMeans().Floor[channel] - floor[channel];
+      const Eigen::Index column = 3 * static_cast<Eigen::Index>(knot) + channel;
+      for (int l = order; l <= degree; ++l)
+      {
+        const std::size_t k = GetIndex(order, channel, degree, l);
+        const double taken =
+          glm::mix(table[low][k], table[low + 1][k], static_cast<float>(between));
+        result[static_cast<std::size_t>(order)](l, column) =
+          whole[k] * amplitude + lambert * cosine[GetIndex(order, 0, degree, l)] -
+          inTable * share[channel] * taken;
+      }
+    }
+  }
+}
+
+Matrices ExpandKernels(const CoreKernels& kernels)
+{
+  const std::vector<std::vector<float>> table = ExpandTable(kernels);
+  Matrices result(LargestOrder + 1,
+    Eigen::MatrixXd::Zero(kernels.Degree + 1, 3 * static_cast<Eigen::Index>(kernels.Knots.size())));
+  vtkSMPTools::For(0, static_cast<vtkIdType>(kernels.Knots.size()), 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType knot = begin; knot < end; ++knot)
+      {
+        ExpandKnot(kernels, table, static_cast<std::size_t>(knot), result);
+      }
+    });
+  return result;
+}
+
+// The modes of one order: eigenvectors of the Gram matrix are the right singular vectors.
+void Decompose(int order, const Eigen::MatrixXd& kernels, const std::vector<double>& power,
+  const Eigen::VectorXd& weights, double least, std::vector<CoreMode>& modes)
+{
+  Eigen::MatrixXd weighted = kernels;
+  for (Eigen::Index l = 0; l < weighted.rows(); ++l)
+  {
+    weighted.row(l) *= std::pow(power[static_cast<std::size_t>(l)], 0.5 * PowerExponent);
+  }
+  weighted = weighted * weights.asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(weighted.transpose() * weighted);
+  for (Eigen::Index k = weighted.cols() - 1; k >= 0; --k) // eigenvalues ascend
+  {
+    const double energy = solver.eigenvalues()[k];
+    if (!(energy > least))
+    {
+      break;
+    }
+    const Eigen::VectorXd right = solver.eigenvectors().col(k);
+    CoreMode mode;
+    mode.Order = order;
+    mode.Energy = energy; // twice that of 2 Re(e^(-i m psi) G), which takes two fields
+    mode.Function = kernels * weights.asDiagonal() * right;
+    mode.Weights = right.cwiseQuotient(weights);
+    modes.push_back(std::move(mode));
+  }
+}
+}
+
+double CoreKernels::GetViewAngle(std::size_t knot) const
+{
+  return LobeViews::GetLastAngle() * static_cast<double>(knot) /
+         (static_cast<double>(this->Knots.size()) - 1.0);
+}
+
+glm::dvec3 CoreMode::GetWeight(const CoreKernels& kernels, double theta) const
+{
+  const double last = static_cast<double>(kernels.Knots.size()) - 1.0;
+  const double exact = std::clamp(last * theta / LobeViews::GetLastAngle(), 0.0, last);
+  const double low = std::min(std::floor(exact), last - 1.0);
+  glm::dvec3 weight;
+  for (int c = 0; c < 3; ++c)
+  {
+    const Eigen::Index at = 3 * static_cast<Eigen::Index>(low) + c;
+    weight[c] = glm::mix(this->Weights[at], this->Weights[at + 3], exact - low);
+  }
+  return weight;
+}
+
+std::vector<CoreMode> ChooseModes(
+  const EnvironmentHarmonics& environment, const CoreKernels& kernels, int fields)
+{
+  const std::vector<double> power = GetPower(environment, kernels.Degree);
+  Eigen::VectorXd weights(3 * static_cast<Eigen::Index>(kernels.Knots.size()));
+  double total = 0.0;
+  for (std::size_t knot = 0; knot < kernels.Knots.size(); ++knot)
+  {
+    const double weight = GetViewWeight(kernels.GetViewAngle(knot));
+    weights.segment<3>(3 * static_cast<Eigen::Index>(knot)).setConstant(weight);
+    const glm::dvec3 seen = weight * kernels.Knots[knot]->GetMeans().Amplitude;
+    total += glm::dot(seen, seen);
+  }
+  const Matrices expanded = ExpandKernels(kernels);
+  std::vector<CoreMode> modes;
+  const double least = LeastEnergy * std::pow(power[0], PowerExponent) * total;
+  for (int order = 0; order <= LargestOrder; ++order)
+  {
+    Decompose(order, expanded[static_cast<std::size_t>(order)], power, weights, least, modes);
+  }
+  std::stable_sort(modes.begin(), modes.end(),
+    [](const CoreMode& a, const CoreMode& b) { return a.Energy > b.Energy; });
+  std::vector<CoreMode> chosen;
+  for (CoreMode& mode : modes)
+  {
+    if (CoreMode::CountFields(mode.Order) <= fields)
+    {
+      fields -= CoreMode::CountFields(mode.Order);
+      chosen.push_back(std::move(mode));
+    }
+  }
+  std::stable_sort(chosen.begin(), chosen.end(),
+    [](const CoreMode& a, const CoreMode& b) { return a.Order < b.Order; });
+  return chosen;
+}
+} // namespace measuredbrdf
