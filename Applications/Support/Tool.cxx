@@ -9,14 +9,26 @@
 #include "vtkOutputWindow.h"
 #include "vtkVersion.h"
 
+#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
-#include <regex>
 #include <sstream>
 
 namespace
 {
+//------------------------------------------------------------------------------
+// "ERROR: In FILE, line N"
+bool IsPlace(const std::string& line)
+{
+  const auto begins = [&line](const char* kind) { return line.rfind(kind, 0) == 0; };
+  const std::size_t number = line.rfind(", line ");
+  return (begins("ERROR: In ") || begins("Warning: In ") || begins("WARNING: In ") ||
+           begins("Generic Warning: In ")) &&
+         number != std::string::npos &&
+         line.find_first_not_of("0123456789", number + 7) == std::string::npos;
+}
+
 //------------------------------------------------------------------------------
 // "ERROR: In FILE, line N\nvtkFoo (0x...): text\n\n" -> "text"; so too where text is such a message
 // itself, of an object that vtkFoo forwards.
@@ -26,14 +38,17 @@ std::string StripOrigin(const char* message)
   std::string text;
   for (std::string line; std::getline(lines, line);)
   {
-    static const std::regex where("^(ERROR|Warning|WARNING|Generic Warning): In .*, line [0-9]+$");
-    static const std::regex who("^vtk[A-Za-z0-9]+ \\((0x)?[0-9A-Fa-f]+\\): ");
-    line = std::regex_replace(line, who, "");
-    if (line.empty() || std::regex_search(line, where))
+    const std::size_t object = line.find(" (");
+    const std::size_t end = line.find("): ");
+    if (line.rfind("vtk", 0) == 0 && object < end &&
+        line.find_first_not_of("0123456789abcdefABCDEFx", object + 2) == end)
     {
-      continue;
+      line.erase(0, end + 3);
     }
-    text += (text.empty() ? "" : " ") + line;
+    if (!line.empty() && !IsPlace(line))
+    {
+      text += (text.empty() ? "" : " ") + line;
+    }
   }
   return text;
 }

@@ -55,6 +55,22 @@ void* operator new[](std::size_t size, std::align_val_t alignment)
 {
   return heap::Allocate(size, static_cast<std::size_t>(alignment));
 }
+// Those that do not throw, too: the library's allocate elsewhere under the address sanitizer.
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept
+{
+  try
+  {
+    return heap::Allocate(size);
+  }
+  catch (const std::bad_alloc&)
+  {
+    return nullptr;
+  }
+}
+void* operator new[](std::size_t size, const std::nothrow_t& nothrow) noexcept
+{
+  return operator new(size, nothrow);
+}
 void operator delete(void* block) noexcept { heap::Free(block); }
 void operator delete[](void* block) noexcept { heap::Free(block); }
 void operator delete(void* block, std::size_t) noexcept { heap::Free(block); }
