@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Radiance integrated ahead of time: c E(n) + s T(axis, view angle, azimuth). C++ twin:
-// vtkTableRadianceIntegrator.
+// Radiance integrated ahead of time: c E(n) + s T(axis, view angle, azimuth), and what
+// vtkBRDFEnvironmentCore.glsl adds. C++ twin: vtkTableRadianceIntegrator.
 uniform sampler2D brdfTableProfileINSTANCE; // over theta_o: (view angle, cos, sin delta); s; c
 uniform sampler3D brdfTableRadianceINSTANCE; // azimuth and polar angle of axis; psi within view angles
 uniform sampler2D brdfTableIrradianceINSTANCE; // azimuth and polar angle of the normal
@@ -22,7 +22,9 @@ vec3 brdfEnvironmentINSTANCE(mat3 frame, vec3 o)
 
   vec3 meridian, parallel;
   vec2 position = brdfMapPosition(d, meridian, parallel);
-  float psi = brdfTurn(vec2(dot(along, meridian), dot(along, parallel)));
+  vec2 turn = vec2(dot(along, meridian), dot(along, parallel));
+  float psi = brdfTurn(turn);
+  vec3 core = SHARP_PART;
   vec3 size = vec3(textureSize(brdfTableRadianceINSTANCE, 0));
   float slices = size.z / brdfTableAnglesINSTANCE; // the first azimuth comes again after the last
   float w = clamp(axis.x, 0.0, brdfTableAnglesINSTANCE - 1.0);
@@ -43,5 +45,5 @@ vec3 brdfEnvironmentINSTANCE(mat3 frame, vec3 o)
     sum += texture(brdfTableIrradianceINSTANCE, normalAt).rgb *
       texture(brdfTableProfileINSTANCE, vec2(u, 2.5 / 3.0)).rgb;
   }
-  return max(sum, vec3(0.0));
+  return max(max(sum, vec3(0.0)) + core, vec3(0.0));
 }

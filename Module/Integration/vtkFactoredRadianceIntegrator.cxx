@@ -4,7 +4,6 @@
 
 #include "EnvironmentPrecomputation.h"
 #include "MaterialPrecomputation.h"
-#include "ModuleShader.h"
 #include "Printable.h"
 #include "RadianceCore.h"
 #include "Setters.h"
@@ -146,42 +145,55 @@ bool vtkFactoredRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
     form = std::move(inputs);
     return true;
   }
-  vtkBRDFShaderInputs::Term term;
-  measuredbrdf::SetModuleShader(term, "vtkBRDFEnvironmentCore", vtkBRDFEnvironmentCore);
-  std::string orders;
-  for (const int order : core.Orders)
+  // Both parts look at the same place of their maps: one text, the maps' before the table's.
+  vtkBRDFShaderInputs::Term& term = inputs.Terms.at(0);
+  term.Source = std::string(vtkBRDFEnvironmentCore) + term.Source;
+  term.Shader = "vtkBRDFEnvironmentCore";
+  std::string steps;
+  int order = 0;
+  for (const int next : core.Orders)
   {
-    orders += (orders.empty() ? "" : ", ") + std::to_string(order);
+    for (; order < next; ++order)
+    {
+      steps += "brdfCoreTurnINSTANCE(at); ";
+    }
+    steps +=
+      next > 0 ? "sum += brdfCoreTurnedINSTANCE(at); " : "sum += brdfCoreRoundINSTANCE(at); ";
   }
   const int modes = static_cast<int>(core.Orders.size());
-  term.Constants = { { "CORE_MODES", std::to_string(modes) }, { "CORE_ORDERS", orders } };
-  term.Uniforms.push_back(
-    { "brdfCoreLastView", { static_cast<float>(LobeViews::GetLastAngle() * 2.0 / Pi) } });
-  vtkBRDFShaderInputs::Texture profile;
-  profile.Name = "brdfCoreProfile";
-  profile.Components = 3;
-  profile.Dimensions = { LobeViews::NumberOfViews, 1 + modes, 1 };
-  profile.Data = core.Profile;
-  vtkBRDFShaderInputs::Texture fields;
-  fields.Name = "brdfCoreFields";
-  fields.Components = 3;
-  fields.Dimensions = { core.Columns, core.Rows, core.GetNumberOfFields() };
-  fields.ThreeD = true;
-  fields.HalfFloat = true;
-  fields.Repeat[0] = true;
-  fields.Data = core.Fields;
-  term.Textures = { std::move(profile), std::move(fields) };
-  inputs.Description += "; " + std::to_string(core.GetNumberOfFields()) + " maps of " +
-                        std::to_string(core.Columns) + " x " + std::to_string(core.Rows) +
-                        " of its sharp part";
-  inputs.Terms.push_back(std::move(term));
+  const int fields = core.GetNumberOfFields();
+  for (vtkBRDFShaderInputs::Constant& constant : term.Constants)
+  {
+    if (constant.Name == "SHARP_PART")
+    {
+      constant.Value = "brdfCoreINSTANCE(u, position, turn)";
+    }
+  }
+  term.Constants.push_back({ "CORE_STEPS", steps });
+  term.Constants.push_back({ "CORE_ROWS", std::to_string(1 + modes) });
+  term.Constants.push_back({ "CORE_FIELDS", std::to_string(fields) });
+  const auto add =
+    [&term](const char* name, int width, int height, bool half, const std::vector<float>& data)
+  {
+    vtkBRDFShaderInputs::Texture texture;
+    texture.Name = name;
+    texture.Dimensions = { width, height, 1 };
+    texture.HalfFloat = half;
+    texture.Repeat[0] = half; // maps are round
+    texture.Data = data;
+    term.Textures.push_back(std::move(texture));
+  };
+  add("brdfCoreProfile", LobeViews::NumberOfViews, 1 + modes, false, core.Profile);
+  add("brdfCoreFields", core.Columns, core.Rows * fields, true, core.Fields);
+  inputs.Description += "; " + std::to_string(fields) + " maps of " + std::to_string(core.Columns) +
+                        " x " + std::to_string(core.Rows) + " of its sharp part";
   form = std::move(inputs);
   return true;
 }
 
 //------------------------------------------------------------------------------
 measuredbrdfSetClampedMacro(vtkFactoredRadianceIntegrator, NumberOfRows, int, 8, 512);
-measuredbrdfSetClampedMacro(vtkFactoredRadianceIntegrator, NumberOfFields, int, 1, 64);
+measuredbrdfSetClampedMacro(vtkFactoredRadianceIntegrator, NumberOfFields, int, 1, 32);
 measuredbrdfSetClampedMacro(vtkFactoredRadianceIntegrator, NumberOfTableRows, int, 9, 513);
 measuredbrdfSetClampedMacro(vtkFactoredRadianceIntegrator, NumberOfViewAngles, int, 2, 64);
 measuredbrdfSetClampedMacro(vtkFactoredRadianceIntegrator, NumberOfAzimuths, int, 4, 64);
@@ -190,7 +202,7 @@ measuredbrdfSetClampedMacro(vtkFactoredRadianceIntegrator, SmoothingDegree, doub
 //------------------------------------------------------------------------------
 std::vector<vtkRadianceIntegrator::Size> vtkFactoredRadianceIntegrator::GetSizes()
 {
-  return { { "rows", 8, 512, this->NumberOfRows }, { "maps", 1, 64, this->NumberOfFields },
+  return { { "rows", 8, 512, this->NumberOfRows }, { "maps", 1, 32, this->NumberOfFields },
     { "table rows", 9, 513, this->NumberOfTableRows },
     { "view angles", 2, 64, this->NumberOfViewAngles },
     { "azimuths", 4, 64, this->NumberOfAzimuths } };
@@ -219,7 +231,8 @@ vtkIdType vtkFactoredRadianceIntegrator::EstimateTextureBytes()
 {
   const vtkIdType texels = static_cast<vtkIdType>(2 * this->NumberOfRows) * this->NumberOfRows;
   return GetTableBytes(this->NumberOfTableRows, this->NumberOfViewAngles, this->NumberOfAzimuths) +
-         6 * texels * this->NumberOfFields;
+         6 * texels * this->NumberOfFields +
+         16 * LobeViews::NumberOfViews * (1 + this->NumberOfFields);
 }
 
 //------------------------------------------------------------------------------

@@ -44,7 +44,7 @@ public:
   ///@{
   /**
    * Rows of the fine maps (default 256, in [8, 512]; twice as many columns), and how many maps at
-   * most (default 8, in [1, 64]). A mode takes one, or two where it depends on the azimuth. The
+   * most (default 8, in [1, 32]). A mode takes one, or two where it depends on the azimuth. The
    * maps' values lie at cells' centers, as an environment's do: with as many rows as the
    * environment has, they show what a mirror shows.
    */

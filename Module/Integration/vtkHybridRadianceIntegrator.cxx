@@ -207,7 +207,7 @@ bool vtkHybridRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
 measuredbrdfSetClampedMacro(vtkHybridRadianceIntegrator, NumberOfRows, int, 9, 513);
 measuredbrdfSetClampedMacro(vtkHybridRadianceIntegrator, NumberOfViewAngles, int, 2, 64);
 measuredbrdfSetClampedMacro(vtkHybridRadianceIntegrator, NumberOfAzimuths, int, 4, 64);
-measuredbrdfSetClampedMacro(vtkHybridRadianceIntegrator, NumberOfMaps, int, 0, 64);
+measuredbrdfSetClampedMacro(vtkHybridRadianceIntegrator, NumberOfMaps, int, 0, 32);
 measuredbrdfSetClampedMacro(vtkHybridRadianceIntegrator, MaximumNumberOfLights, int, 0, 1024);
 measuredbrdfSetClampedMacro(vtkHybridRadianceIntegrator, LightAngle, double, 0.0, 30.0);
 
@@ -222,7 +222,7 @@ std::vector<vtkRadianceIntegrator::Size> vtkHybridRadianceIntegrator::GetSizes()
 {
   return { { "rows", 9, 513, this->NumberOfRows },
     { "view angles", 2, 64, this->NumberOfViewAngles },
-    { "azimuths", 4, 64, this->NumberOfAzimuths }, { "maps", 0, 64, this->NumberOfMaps },
+    { "azimuths", 4, 64, this->NumberOfAzimuths }, { "maps", 0, 32, this->NumberOfMaps },
     { "lights", 0, 1024, this->MaximumNumberOfLights },
     { "light angle", 0, 300, ToAngleSize(this->LightAngle) } };
 }

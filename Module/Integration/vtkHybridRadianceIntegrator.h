@@ -48,7 +48,7 @@ public:
   ///@{
   /**
    * Maps of the sharp part (vtkFactoredRadianceIntegrator::SetNumberOfFields), default 0: the table
-   * takes all. Clamped to [0, 64].
+   * takes all. Clamped to [0, 32].
    */
   virtual void SetNumberOfMaps(int numberOfMaps);
   vtkGetMacro(NumberOfMaps, int);

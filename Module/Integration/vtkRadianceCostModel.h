@@ -74,7 +74,7 @@ protected:
   ~vtkRadianceCostModel() override = default;
 
   std::vector<std::pair<std::string, double>> Costs = { { "base", 55.0 }, { "table", 52.0 },
-    { "light", 20.0 }, { "sample", 28.0 }, { "function", 12.0 }, { "map", 6.0 } };
+    { "light", 20.0 }, { "sample", 28.0 }, { "function", 12.0 }, { "map", 7.0 } };
   std::string Name = "Mesa llvmpipe, built in";
 
 private:

@@ -145,7 +145,7 @@ bool vtkTableRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
   const RadianceTable& table = *this->Data;
   vtkBRDFShaderInputs::Term term;
   measuredbrdf::SetModuleShader(term, "vtkBRDFEnvironmentTable", vtkBRDFEnvironmentTable);
-  term.Constants = { { "HAS_FLOOR", table.HasFloor ? "1" : "0" } };
+  term.Constants = { { "HAS_FLOOR", table.HasFloor ? "1" : "0" }, { "SHARP_PART", "vec3(0.0)" } };
   term.Uniforms.push_back({ "brdfTableAngles", { static_cast<float>(table.Angles) } });
   term.Uniforms.push_back(
     { "brdfTableLastView", { static_cast<float>(LobeViews::GetLastAngle() * 2.0 / Pi) } });

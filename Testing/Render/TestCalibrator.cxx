@@ -68,11 +68,11 @@ TEST_F(Calibrator, MeasuresAndKeeps)
   first->AddObserver(vtkCommand::ProgressEvent, counter);
   ASSERT_TRUE(first->Calibrate());
   EXPECT_FALSE(first->GetFromCache());
-  EXPECT_EQ(events, 5);
+  EXPECT_EQ(events, 6);
   vtkRadianceCostModel* model = first->GetCostModel();
   std::printf("%s", model->GetText().c_str());
   EXPECT_NE(model->GetName(), vtkNew<vtkRadianceCostModel>()->GetName());
-  EXPECT_EQ(model->GetNumberOfCosts(), 5);
+  EXPECT_EQ(model->GetNumberOfCosts(), 6);
   for (int k = 0; k < model->GetNumberOfCosts(); ++k)
   {
     EXPECT_GT(model->GetCost(model->GetCostName(k)), 0.0) << model->GetCostName(k);

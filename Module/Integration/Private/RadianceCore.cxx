@@ -18,7 +18,7 @@ namespace measuredbrdf
 namespace
 {
 constexpr float LargestValue = 32768.0f; // of a 16-bit texture, with room to spare
-constexpr std::uint64_t MostModes = 64;
+constexpr std::uint64_t MostModes = 32;
 }
 
 int RadianceCore::GetNumberOfFields() const

@@ -292,7 +292,7 @@ TEST(Setters, OfIntegrators)
   CLAMPED(vtkHybridRadianceIntegrator, NumberOfRows, 9, 513);
   CLAMPED(vtkHybridRadianceIntegrator, NumberOfViewAngles, 2, 64);
   CLAMPED(vtkHybridRadianceIntegrator, NumberOfAzimuths, 4, 64);
-  CLAMPED(vtkHybridRadianceIntegrator, NumberOfMaps, 0, 64);
+  CLAMPED(vtkHybridRadianceIntegrator, NumberOfMaps, 0, 32);
   CLAMPED(vtkHybridRadianceIntegrator, MaximumNumberOfLights, 0, 1024);
   CLAMPED(vtkHybridRadianceIntegrator, LightAngle, 0.0, 30.0);
   CLAMPED(vtkBRDFAnalysis, NumberOfPairs, 100, 100000000);

@@ -80,7 +80,7 @@ TEST(FactoredIntegrator, MapsConverge)
   reference->SetEnvironment(environment);
   const auto expected = pairs.Integrate(reference);
   double before = 1.0;
-  for (const int maps : { 2, 12, 64 })
+  for (const int maps : { 2, 8, 32 })
   {
     const auto factored = NewFactored(brdf, environment, { 128, maps, 33, 12, 12 });
     const double error = GetRelativeError(pairs.Integrate(factored), expected);
@@ -88,7 +88,7 @@ TEST(FactoredIntegrator, MapsConverge)
     EXPECT_LT(error, before);
     before = error;
   }
-  EXPECT_LT(before, 0.015);
+  EXPECT_LT(before, 0.025);
 }
 
 //------------------------------------------------------------------------------
@@ -185,12 +185,12 @@ TEST(FactoredIntegrator, SizesAndShaderInputs)
     NewFactored(NewGloss(100.0), NewSmallEnvironment(false), { 16, 5, 9, 4, 6 });
   vtkBRDFShaderInputs form;
   ASSERT_TRUE(factored->GetShaderInputs(form));
-  ASSERT_EQ(form.Terms.size(), 2u);
-  const vtkBRDFShaderInputs::Texture& fields = form.Terms[1].Textures[1];
+  ASSERT_EQ(form.Terms.size(), 1u);
+  const vtkBRDFShaderInputs::Texture& fields = form.Terms[0].Textures.back();
   EXPECT_EQ(fields.Dimensions[0], 32);
-  EXPECT_EQ(fields.Dimensions[1], 16);
-  EXPECT_LE(fields.Dimensions[2], 5);
-  EXPECT_GE(fields.Dimensions[2], 4);
+  EXPECT_EQ(fields.Dimensions[1] % 16, 0);
+  EXPECT_LE(fields.Dimensions[1], 5 * 16);
+  EXPECT_GE(fields.Dimensions[1], 4 * 16);
   for (const float value : fields.Data)
   {
     ASSERT_LE(std::abs(value), 32768.5f);

@@ -559,10 +559,9 @@ TEST(HybridIntegrator, ShaderInputsAndPrint)
   const auto hybrid = NewHybrid(NewCoated(1000.0), NewSunny(1e6f, 2));
   vtkBRDFShaderInputs form;
   ASSERT_TRUE(hybrid->GetShaderInputs(form));
-  ASSERT_EQ(form.Terms.size(), 3u);
-  EXPECT_EQ(form.Terms[0].Shader, "vtkBRDFEnvironmentTable");
-  EXPECT_EQ(form.Terms[1].Shader, "vtkBRDFEnvironmentCore");
-  EXPECT_EQ(form.Terms[2].Shader, "vtkBRDFLightSet");
+  ASSERT_EQ(form.Terms.size(), 2u);
+  EXPECT_EQ(form.Terms[0].Shader, "vtkBRDFEnvironmentCore");
+  EXPECT_EQ(form.Terms[1].Shader, "vtkBRDFLightSet");
   EXPECT_TRUE(hybrid->UsesBRDFOnGPU());
   EXPECT_NE(form.Description.find("2 directional lights"), std::string::npos) << form.Description;
 

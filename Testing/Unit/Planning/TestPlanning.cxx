@@ -527,7 +527,7 @@ TEST(Planner, FollowsTheCostModel)
   EXPECT_NEAR(planner->GetPredictedMilliseconds(0), 107.0 * 196350.0 * 1e-6, 1e-9);
 
   vtkNew<vtkRadianceCostModel> costs;
-  const double figures[] = { 1.0, 1000.0, 50.0, 2.0, 7.0 };
+  const double figures[] = { 1.0, 1000.0, 50.0, 2.0, 7.0, 3.0 };
   for (int k = 0; k < costs->GetNumberOfCosts(); ++k)
   {
     ASSERT_TRUE(costs->SetCost(costs->GetCostName(k), figures[k]));
@@ -599,7 +599,7 @@ TEST(CostModel, RoundTripAndRefusals)
   ErrorCatcher errors(model);
   EXPECT_EQ(model->GetCost("base"), 55.0);
   model->SetName("NVIDIA GeForce, 64 bit");
-  ASSERT_EQ(model->GetNumberOfCosts(), 5);
+  ASSERT_EQ(model->GetNumberOfCosts(), 6);
   for (int k = 0; k < model->GetNumberOfCosts(); ++k)
   {
     ASSERT_TRUE(model->SetCost(model->GetCostName(k), std::pow(0.1, k) / 3.0));
@@ -610,7 +610,7 @@ TEST(CostModel, RoundTripAndRefusals)
   ASSERT_TRUE(other->SetText(text));
   EXPECT_EQ(other->GetText(), text);
   EXPECT_EQ(other->GetName(), model->GetName());
-  ASSERT_EQ(other->GetNumberOfCosts(), 6);
+  ASSERT_EQ(other->GetNumberOfCosts(), 7);
   for (int k = 0; k < other->GetNumberOfCosts(); ++k)
   {
     const std::string name = model->GetCostName(k);
@@ -627,7 +627,7 @@ TEST(CostModel, RoundTripAndRefusals)
   for (const char* value : { "0", "-1", "nan", "inf", "1e9", "x" })
   {
     bad.push_back(
-      text.substr(0, text.find("light")) + "light " + value + "\nsample 1\nfunction 1\n");
+      text.substr(0, text.find("light")) + "light " + value + "\nsample 1\nfunction 1\nmap 1\n");
     bad.push_back(text + "another " + value + "\n");
   }
   for (const std::string& wrong : bad)
