@@ -114,7 +114,8 @@ bool vtkFactoredRadianceIntegrator::MakeCore(Precomputation& parts, int tableNod
   }
   RadianceTable table(this->NumberOfTableRows, this->NumberOfViewAngles, this->NumberOfAzimuths);
   MakeProfile(views, tableKnots, table);
-  const CoreKernels kernels{ knots, tableKnots, table, this->SmoothingDegree, this->NumberOfRows };
+  const CoreKernels kernels{ knots, tableKnots, table, this->SmoothingDegree, this->NumberOfRows,
+    parts };
   return core.Make(*harmonics, views, kernels, this->NumberOfFields,
     [this](double share) { return this->Report(share); });
 }

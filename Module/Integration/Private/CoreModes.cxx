@@ -107,7 +107,7 @@ std::vector<std::vector<float>> ExpandTable(const CoreKernels& kernels)
   return expanded;
 }
 
-using Matrices = std::vector<Eigen::MatrixXd>; // by order: degrees x (knots x channels)
+using Matrices = MaterialPrecomputation::Matrices; // by order: degrees x (knots x channels)
 
 // What the table, as it is interpolated, lacks of a knot's kernel about the axis that pixels look
 // at: of the lobe, and of the Lambert part.
@@ -225,7 +225,11 @@ std::vector<CoreMode> ChooseModes(
     const glm::dvec3 seen = weight * kernels.Knots[knot]->GetMeans().Amplitude;
     total += glm::dot(seen, seen);
   }
-  const Matrices expanded = ExpandKernels(kernels);
+  const Matrices& expanded = kernels.Known.GetRemainders(
+    { static_cast<double>(kernels.Knots.size()), static_cast<double>(kernels.TableKnots.size()),
+      static_cast<double>(kernels.Table.Azimuths), static_cast<double>(kernels.Degree),
+      kernels.Smoothing },
+    [&kernels]() { return ExpandKernels(kernels); });
   std::vector<CoreMode> modes;
   const double least = LeastEnergy * std::pow(power[0], PowerExponent) * total;
   for (int order = 0; order <= LargestOrder; ++order)

@@ -30,6 +30,7 @@ struct CoreKernels
   const RadianceTable& Table;                        // its profile (MakeProfile), of scale 1
   double Smoothing;                                  // of the table, GetSmoothed
   int Degree;                                        // of the harmonics
+  MaterialPrecomputation& Known;                     // that knows the remainders, or will
 
   double GetViewAngle(std::size_t knot) const;
 };

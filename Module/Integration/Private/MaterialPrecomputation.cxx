@@ -39,6 +39,17 @@ const MaterialPrecomputation::Kernels& MaterialPrecomputation::GetKernels(
   return kernels;
 }
 
+const MaterialPrecomputation::Matrices& MaterialPrecomputation::GetRemainders(
+  const std::vector<double>& sizes, const std::function<Matrices()>& make)
+{
+  Matrices& known = this->Remainders[sizes];
+  if (known.empty())
+  {
+    known = make();
+  }
+  return known;
+}
+
 const LobeViews& MaterialPrecomputation::GetViews(vtkBRDF* brdf, const std::atomic<bool>& abort)
 {
   if (!this->AreViewsWhole)

@@ -13,7 +13,10 @@
 #include "LobeSplit.h"
 #include "vtkRadianceIntegrator.h"
 
+#include <Eigen/Core>
+
 #include <atomic>
+#include <functional>
 #include <map>
 #include <memory>
 #include <utility>
@@ -36,11 +39,18 @@ public:
   const Kernels& GetKernels(
     vtkBRDF* brdf, int angles, int resolution, const std::atomic<bool>& abort);
 
+  /// What a factored table lacks of the kernels (CoreModes.h), by what it depends on: the sizes
+  /// that made it.
+  using Matrices = std::vector<Eigen::MatrixXd>;
+  const Matrices& GetRemainders(
+    const std::vector<double>& sizes, const std::function<Matrices()>& make);
+
   /// The material's views: for a profile, and to be split into parts.
   const LobeViews& GetViews(vtkBRDF* brdf, const std::atomic<bool>& abort);
 
 private:
   std::map<std::pair<int, int>, Kernels> KernelsOf; // angles, resolution
+  std::map<std::vector<double>, Matrices> Remainders;
   std::unique_ptr<LobeViews> Views;
   bool AreViewsWhole = false; // else they were aborted
 };

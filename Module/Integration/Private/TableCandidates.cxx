@@ -34,7 +34,8 @@ std::vector<std::vector<int>> GetTableCandidates()
 std::vector<std::vector<int>> GetHybridCandidates()
 {
   return { { 17, 8, 8, 0 }, { 33, 8, 8, 0 }, { 33, 12, 16, 0 }, { 65, 8, 8, 0 }, { 65, 12, 16, 0 },
-    { 129, 8, 8, 0 }, { 128, 12, 8, 8 }, { 256, 12, 8, 8 } };
+    { 129, 8, 8, 0 }, { 129, 12, 16, 0 }, { 128, 12, 8, 8 }, { 256, 12, 8, 8 },
+    { 128, 12, 8, 16 } };
 }
 
 vtkIdType GetTableBytes(int rows, int viewAngles, int azimuths)
