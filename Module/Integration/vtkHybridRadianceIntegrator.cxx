@@ -33,6 +33,11 @@ namespace
 constexpr double Pi = 3.14159265358979323846;
 constexpr int SmallTableRows = 33; // beside maps
 
+constexpr int LampRows = 256;
+
+// Degree of the blur where lamps stay in the map: the table's rows would show in a narrower halo.
+constexpr double HaloDegree = 2.0;
+
 // A planner's lamps of many texels are one light each (degrees), or several where more than so much
 // of the albedo lies in lobes narrower than twice that.
 constexpr double LampAngle = 1.2;
@@ -132,6 +137,10 @@ vtkSmartPointer<vtkRadianceIntegrator> vtkHybridRadianceIntegrator::NewBroad(
     factored->SetNumberOfTableRows(std::min(this->NumberOfRows, SmallTableRows));
     factored->SetNumberOfViewAngles(this->NumberOfViewAngles);
     factored->SetNumberOfAzimuths(this->NumberOfAzimuths);
+    if (this->MaximumNumberOfLights == 0 && this->CountLights(this->LightAngle, PlannedLights) > 0)
+    {
+      factored->SetSmoothingDegree(HaloDegree);
+    }
     broad = factored;
   }
   else
@@ -309,7 +318,8 @@ std::vector<std::vector<int>> vtkHybridRadianceIntegrator::GetCandidateSizes(boo
       candidates.push_back(sizes);
       candidates.back().insert(candidates.back().end(), { largest, ToAngleSize(angle) });
     };
-    if (sizes.at(3) > 0) // fine maps may see lamps as the areas that they are
+    // Fine maps may see lamps as the areas that they are; in coarser ones they ring.
+    if (sizes.at(3) > 0 && (!lights || sizes.at(0) >= LampRows))
     {
       add(0);
     }

@@ -23,7 +23,9 @@ namespace
 {
 constexpr int LargestOrder = CoreMode::LargestOrder;
 constexpr double LeastEnergy = 1e-12; // of the mean radiance's: less is rounding
-constexpr double LeastWeight = 1e-3;  // of views along the normal and the horizon
+constexpr double Pi = 3.14159265358979323846;
+constexpr double TaperShare = 0.75;  // of the degrees: the others fade
+constexpr double LeastWeight = 1e-3; // of views along the normal and the horizon
 
 // Exponent of the environment's power by degree. 1 makes the squared error least; more serves its
 // absolute value better (docs/methods.md).
@@ -52,6 +54,13 @@ std::vector<double> GetPower(const EnvironmentHarmonics& environment, int degree
 double GetViewWeight(double theta)
 {
   return std::sqrt(std::cos(theta) * std::sin(theta) + LeastWeight);
+}
+
+// The last degrees fade out: where they end at once, lamps ring (docs/methods.md).
+double GetTaper(int l, int degree)
+{
+  const double from = TaperShare * degree;
+  return l <= from ? 1.0 : 0.5 + 0.5 * std::cos(Pi * (l - from) / (degree + 1.0 - from));
 }
 
 std::size_t GetIndex(int order, int channel, int degree, int l)
@@ -140,8 +149,9 @@ void ExpandKnot(const CoreKernels& kernels, const std::vector<std::vector<float>
         const double taken =
           glm::mix(table[low][k], table[low + 1][k], static_cast<float>(between));
         result[static_cast<std::size_t>(order)](l, column) =
-          whole[k] * amplitude + lambert * cosine[GetIndex(order, 0, degree, l)] -
-          inTable * share[channel] * taken;
+          GetTaper(l, degree) *
+          (whole[k] * amplitude + lambert * cosine[GetIndex(order, 0, degree, l)] -
+            inTable * share[channel] * taken);
       }
     }
   }

@@ -650,7 +650,7 @@ TEST(CostModel, RoundTripAndRefusals)
   EXPECT_EQ(model->GetCost("unknown"), 0.0);
   EXPECT_EQ(model->GetCost("unknown", 3.0), 3.0);
   EXPECT_EQ(model->GetCostName(-1), "");
-  EXPECT_EQ(model->GetCostName(6), "");
+  EXPECT_EQ(model->GetCostName(7), "");
 }
 
 //------------------------------------------------------------------------------
