@@ -241,7 +241,7 @@ add("Integration.adaptive-looks-nowhere-first", "vtkAdaptiveRadianceIntegrator.c
 add("Integration.peaks-of-the-wrong-azimuth", "Private/ReflectionGuide.cxx",
     "peaks.Azimuth = s > 0.0 ? glm::dvec2(o.x, o.y) / s", "peaks.Azimuth = s > 0.0 ? glm::dvec2(o.x, -o.y) / s",
     "ReflectionGuide.KnowsPeaks")
-add("Integration.core-takes-the-blur-too", "Private/CoreModes.cxx", "inTable * share[channel] * taken;", "0.0;",
+add("Integration.core-takes-the-blur-too", "Private/CoreModes.cxx", "inTable * share[channel] * taken", "0.0",
     "FactoredIntegrator.MirrorsInFewMegabytes|FactoredIntegrator.WhiteFurnaceIsTheDirectionalAlbedo")
 add("Integration.core-turns-backwards", "Private/RadianceCore.cxx", "turn.y * GetCenteredValue(",
     "-turn.y * GetCenteredValue(", "FactoredIntegrator.MapsConverge|Parity.FactoredIntegrator")
