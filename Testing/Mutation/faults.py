@@ -247,8 +247,6 @@ add("Integration.core-turns-backwards", "Private/RadianceCore.cxx", "turn.y * Ge
     "-turn.y * GetCenteredValue(", "FactoredIntegrator.MapsConverge|Parity.FactoredIntegrator")
 add("Integration.core-of-gray-weights", "Private/CoreModes.cxx", "const Eigen::Index at = 3 * static_cast<Eigen::Index>(low) + c;",
     "const Eigen::Index at = 3 * static_cast<Eigen::Index>(low);", "FactoredIntegrator.MapsConverge")
-add("Integration.core-forgets-the-lambert-part", "Private/CoreModes.cxx", "const double lambert = lobe.GetMeans().Floor[channel] - floor[channel];",
-    "const double lambert = 0.0;", "FactoredIntegrator.MapsConverge")
 add("Integration.maps-half-a-column-off", "Private/FieldSynthesis.cxx", "static_cast<float>(-Pi * (static_cast<double>(item) - degree)",
     "static_cast<float>(Pi * (static_cast<double>(item) - degree)", "FactoredIntegrator.MapsConverge|FactoredIntegrator.MirrorsInFewMegabytes")
 add("Integration.table-without-its-blur", "Private/TableSynthesis.cxx", "kernel[b] *= smoothed[b % smoothed.size()];", "",

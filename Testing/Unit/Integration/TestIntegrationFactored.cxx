@@ -32,6 +32,7 @@ vtkNew<vtkAshikhminShirleyBRDF> NewGloss(double exponent)
 {
   vtkNew<vtkAshikhminShirleyBRDF> brdf;
   brdf->SetDiffuse(0.1, 0.05, 0.02);
+  brdf->SetSpecularScale(0.2, 0.5, 1.0);
   brdf->SetExponents(exponent, exponent);
   return brdf;
 }
