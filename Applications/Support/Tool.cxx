@@ -40,7 +40,7 @@ std::string StripOrigin(const char* message)
   {
     const std::size_t object = line.find(" (");
     const std::size_t end = line.find("): ");
-    if (line.rfind("vtk", 0) == 0 && object < end &&
+    if (line.rfind("vtk", 0) == 0 && object == line.find(' ') && end != std::string::npos &&
         line.find_first_not_of("0123456789abcdefABCDEFx", object + 2) == end)
     {
       line.erase(0, end + 3);

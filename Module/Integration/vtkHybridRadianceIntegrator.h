@@ -35,7 +35,7 @@ public:
   ///@{
   /**
    * The table's sizes, as vtkTableRadianceIntegrator has them (default 33 x 12 x 16). With maps,
-   * the rows are those of the maps; the small table then has 33 rows at most.
+   * the rows are those of the maps (512 at most); the small table then has 33 rows at most.
    */
   virtual void SetNumberOfRows(int numberOfRows);
   vtkGetMacro(NumberOfRows, int);

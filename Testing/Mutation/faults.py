@@ -249,6 +249,8 @@ add("Integration.core-of-gray-weights", "Private/CoreModes.cxx", "const Eigen::I
     "const Eigen::Index at = 3 * static_cast<Eigen::Index>(low);", "FactoredIntegrator.MapsConverge")
 add("Integration.maps-half-a-column-off", "Private/FieldSynthesis.cxx", "static_cast<float>(-Pi * (static_cast<double>(item) - degree)",
     "static_cast<float>(Pi * (static_cast<double>(item) - degree)", "FactoredIntegrator.MapsConverge|FactoredIntegrator.MirrorsInFewMegabytes")
+add("Integration.maps-ring", "Private/CoreModes.cxx", "constexpr double TaperShare = 0.75;", "constexpr double TaperShare = 1.0;",
+    "FactoredIntegrator.MirrorsInFewMegabytes")
 add("Integration.table-without-its-blur", "Private/TableSynthesis.cxx", "kernel[b] *= smoothed[b % smoothed.size()];", "",
     "FactoredIntegrator.WhiteFurnaceIsTheDirectionalAlbedo|FactoredIntegrator.MirrorsInFewMegabytes")
 add("Integration.exact-without-cosine", "vtkExactRadianceIntegrator.cxx", "sum += cosine * f *", "sum += f *",

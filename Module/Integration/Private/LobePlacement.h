@@ -93,7 +93,7 @@ inline glm::dvec3 GetProfileValue(const std::vector<float>& profile, int row, do
 /// Where profiles are read for a view angle.
 inline double GetProfilePosition(double theta)
 {
-  return 1.0 - std::sqrt(std::max(1.0 - theta / LobeViews::GetLastAngle(), 0.0));
+  return LobeViews::GetPosition(theta) / (LobeViews::NumberOfViews - 1);
 }
 
 /// A pair; and, with the lobe's angle from the normal, its axis and plane.

@@ -64,7 +64,7 @@ TEST(FactoredIntegrator, MirrorsInFewMegabytes)
   std::printf("table %.4f, %.1f MB; factored %.4f, %.1f MB\n", large,
     1e-6 * static_cast<double>(table->EstimateTextureBytes()), small,
     1e-6 * static_cast<double>(factored->EstimateTextureBytes()));
-  EXPECT_LT(small, 1.3 * large + 2e-3);
+  EXPECT_LT(small, large); // not if the maps' harmonics end instead of fading
   EXPECT_LT(factored->EstimateTextureBytes(), table->EstimateTextureBytes() / 10);
 }
 
