@@ -17,6 +17,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPVLODActor.h"
 #include "vtkPVRenderView.h"
+#include "vtkProcessModule.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 
@@ -470,7 +471,12 @@ void vtkMeasuredMaterialRepresentation::UpdateBlocks(vtkDataObjectTree* data)
 //------------------------------------------------------------------------------
 const char* vtkMeasuredMaterialRepresentation::GetPlan()
 {
-  this->Plan = static_cast<vtkCompositeMeasuredBRDFMapper*>(this->Mapper)->GetPlan();
+  // A client that drew before the server did keeps its mapper's plan.
+  auto* view = vtkPVRenderView::SafeDownCast(this->GetView());
+  const bool serverDraws = view && view->GetUseDistributedRenderingForRender() &&
+                           vtkProcessModule::GetProcessType() == vtkProcessModule::PROCESS_CLIENT;
+  this->Plan =
+    serverDraws ? "" : static_cast<vtkCompositeMeasuredBRDFMapper*>(this->Mapper)->GetPlan();
   return this->Plan.c_str();
 }
 

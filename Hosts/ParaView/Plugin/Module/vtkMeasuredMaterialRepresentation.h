@@ -90,7 +90,7 @@ public:
 
   /**
    * What the last picture was drawn by: method, predicted error, memory and why, a line for each
-   * material.
+   * material. Empty in a client while its server draws; vtkMeasuredPlanInformation asks the server.
    */
   const char* GetPlan();
 
