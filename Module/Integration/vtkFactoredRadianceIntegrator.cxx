@@ -97,8 +97,9 @@ vtkSmartPointer<vtkTableRadianceIntegrator> vtkFactoredRadianceIntegrator::NewTa
 // False where it was aborted. tableNodes: of the table's kernels.
 bool vtkFactoredRadianceIntegrator::MakeCore(Precomputation& parts, int tableNodes, Core& core)
 {
+  const int degree = GetMapDegree(this->NumberOfRows);
   const auto harmonics = this->Environment->GetParts().GetHarmonics(
-    this->Environment, this->Rest, this->NumberOfRows, [this]() { return this->Report(0.0); });
+    this->Environment, this->Rest, degree, [this]() { return this->Report(0.0); });
   if (!harmonics)
   {
     return false;
@@ -115,7 +116,7 @@ bool vtkFactoredRadianceIntegrator::MakeCore(Precomputation& parts, int tableNod
   RadianceTable table(this->NumberOfTableRows, this->NumberOfViewAngles, this->NumberOfAzimuths);
   MakeProfile(views, tableKnots, table);
   const CoreKernels kernels{ knots, tableKnots, table, this->SmoothingDegree, this->NumberOfRows,
-    parts };
+    degree, parts };
   return core.Make(*harmonics, views, kernels, this->NumberOfFields,
     [this](double share) { return this->Report(share); });
 }

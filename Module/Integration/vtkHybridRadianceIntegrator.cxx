@@ -33,8 +33,6 @@ namespace
 constexpr double Pi = 3.14159265358979323846;
 constexpr int SmallTableRows = 33; // beside maps
 
-constexpr int LampRows = 256;
-
 // Degree of the blur where lamps stay in the map: the table's rows would show in a narrower halo.
 constexpr double HaloDegree = 2.0;
 
@@ -318,8 +316,8 @@ std::vector<std::vector<int>> vtkHybridRadianceIntegrator::GetCandidateSizes(boo
       candidates.push_back(sizes);
       candidates.back().insert(candidates.back().end(), { largest, ToAngleSize(angle) });
     };
-    // Fine maps may see lamps as the areas that they are; in coarser ones they ring.
-    if (sizes.at(3) > 0 && (!lights || sizes.at(0) >= LampRows))
+    // Maps may see lamps as the areas that they are.
+    if (sizes.at(3) > 0)
     {
       add(0);
     }

@@ -5,6 +5,7 @@
 #include "Printable.h"
 #include "Registry.h"
 #include "vtkAdaptiveRadianceIntegrator.h"
+#include "vtkAnisotropicTableRadianceIntegrator.h"
 #include "vtkBasisRadianceIntegrator.h"
 #include "vtkExactRadianceIntegrator.h"
 #include "vtkFactoredRadianceIntegrator.h"
@@ -26,10 +27,10 @@ using Methods = Registry<vtkRadianceIntegrator>::Items;
 // The module's own. Of candidates at equal cost, planners try those of the first one first.
 Methods MakeOwnMethods()
 {
-  Methods methods =
-    Registry<vtkRadianceIntegrator>::Make<vtkTableRadianceIntegrator, vtkHybridRadianceIntegrator,
-      vtkLightSetRadianceIntegrator, vtkFilteredRadianceIntegrator, vtkBasisRadianceIntegrator,
-      vtkFactoredRadianceIntegrator, vtkAdaptiveRadianceIntegrator, vtkExactRadianceIntegrator>();
+  Methods methods = Registry<vtkRadianceIntegrator>::Make<vtkTableRadianceIntegrator,
+    vtkHybridRadianceIntegrator, vtkAnisotropicTableRadianceIntegrator,
+    vtkLightSetRadianceIntegrator, vtkFilteredRadianceIntegrator, vtkBasisRadianceIntegrator,
+    vtkFactoredRadianceIntegrator, vtkAdaptiveRadianceIntegrator, vtkExactRadianceIntegrator>();
   for (const auto& method : methods)
   {
     if (auto* lights = vtkLightSetRadianceIntegrator::SafeDownCast(method))

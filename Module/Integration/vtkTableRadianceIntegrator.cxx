@@ -75,7 +75,8 @@ bool vtkTableRadianceIntegrator::Begin()
 // False where it was aborted.
 bool vtkTableRadianceIntegrator::MakeTable(Tables& table)
 {
-  const int degree = this->HarmonicDegree > 0 ? this->HarmonicDegree : this->NumberOfRows;
+  const int degree =
+    this->HarmonicDegree > 0 ? this->HarmonicDegree : GetMapDegree(this->NumberOfRows);
   const auto parts = this->Shared ? this->Shared : std::make_shared<Precomputation>();
   EnvironmentPrecomputation& ofEnvironment = this->Environment->GetParts();
   const auto goOn = [this]() { return this->Report(0.0); };

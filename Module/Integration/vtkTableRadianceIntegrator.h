@@ -68,7 +68,9 @@ public:
 
   ///@{
   /**
-   * Highest degree of the spherical harmonics that carry the light; 0 (default): NumberOfRows.
+   * Highest degree of the spherical harmonics that carry the light; 0 (default): half as many again
+   * as NumberOfRows, but at most 64 more. From three fifths of NumberOfRows on they fade out, so
+   * that lamps do not ring.
    */
   virtual void SetHarmonicDegree(int harmonicDegree);
   vtkGetMacro(HarmonicDegree, int);

@@ -7,7 +7,9 @@
 // bases against the number of functions, tables of radiance. Needs an OpenGL context.
 // ns_per_light_pixel: slope per covered pixel.
 
+#include "BrushedMetal.h"
 #include "vtkActor.h"
+#include "vtkAnisotropicTableRadianceIntegrator.h"
 #include "vtkBRDF.h"
 #include "vtkBasisProjector.h"
 #include "vtkBasisRadianceIntegrator.h"
@@ -208,6 +210,40 @@ void MeasuredHybrid(benchmark::State& state)
   state.counters["bytes"] = static_cast<double>(mapper->GetTextureBytes());
 }
 
+// Brushed metal: a table (rows, view angles, azimuths, azimuths of the view), or lights (the second
+// size is 0).
+void MeasuredAnisotropic(benchmark::State& state)
+{
+  Scene scene;
+  vtkSmartPointer<vtkRadianceIntegrator> integrator;
+  if (state.range(1) == 0)
+  {
+    auto lights = vtkSmartPointer<vtkLightSetRadianceIntegrator>::New();
+    lights->SetNumberOfLights(static_cast<int>(state.range(0)));
+    lights->SoftLightsOn();
+    integrator = lights;
+  }
+  else
+  {
+    integrator = vtkSmartPointer<vtkAnisotropicTableRadianceIntegrator>::New();
+    std::vector<int> sizes;
+    for (int k = 0; k < 4; ++k)
+    {
+      sizes.push_back(static_cast<int>(state.range(k)));
+    }
+    integrator->SetSizes(sizes);
+  }
+  vtkNew<vtkMeasuredBRDFMapper> mapper;
+  mapper->GlobalWarningDisplayOff(); // the sphere has no tangents
+  mapper->SetInputConnection(scene.Sphere->GetOutputPort());
+  mapper->SetBRDF(NewBrushedMetal(0.1, 0.4));
+  mapper->SetEnvironment(scene.Sky);
+  mapper->SetIntegrator(integrator);
+  scene.Actor->SetMapper(mapper);
+  scene.Measure(state, 0);
+  state.counters["bytes"] = static_cast<double>(mapper->GetTextureBytes());
+}
+
 void TableSetUp(benchmark::State& state)
 {
   auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("gold-paint"));
@@ -326,6 +362,15 @@ BENCHMARK(MeasuredTable)
   ->UseRealTime();
 BENCHMARK(MeasuredHybrid)
   ->ArgsProduct({ { 0, 8, 16 }, { 0, 16 } })
+  ->Unit(benchmark::kMillisecond)
+  ->UseRealTime();
+BENCHMARK(MeasuredAnisotropic)
+  ->Args({ 17, 8, 16, 8 })
+  ->Args({ 33, 6, 24, 6 })
+  ->Args({ 33, 8, 32, 8 })
+  ->Args({ 16, 0, 0, 0 })
+  ->Args({ 64, 0, 0, 0 })
+  ->Args({ 256, 0, 0, 0 })
   ->Unit(benchmark::kMillisecond)
   ->UseRealTime();
 BENCHMARK(TableSetUp)

@@ -247,12 +247,26 @@ add("Integration.core-turns-backwards", "Private/RadianceCore.cxx", "turn.y * Ge
     "-turn.y * GetCenteredValue(", "FactoredIntegrator.MapsConverge|Parity.FactoredIntegrator")
 add("Integration.core-of-gray-weights", "Private/CoreModes.cxx", "const Eigen::Index at = 3 * static_cast<Eigen::Index>(low) + c;",
     "const Eigen::Index at = 3 * static_cast<Eigen::Index>(low);", "FactoredIntegrator.MapsConverge")
-add("Integration.maps-half-a-column-off", "Private/FieldSynthesis.cxx", "static_cast<float>(-Pi * (static_cast<double>(item) - degree)",
-    "static_cast<float>(Pi * (static_cast<double>(item) - degree)", "FactoredIntegrator.MapsConverge|FactoredIntegrator.MirrorsInFewMegabytes")
-add("Integration.maps-ring", "Private/CoreModes.cxx", "constexpr double TaperShare = 0.75;", "constexpr double TaperShare = 1.0;",
-    "FactoredIntegrator.MirrorsInFewMegabytes")
-add("Integration.table-without-its-blur", "Private/TableSynthesis.cxx", "kernel[b] *= smoothed[b % smoothed.size()];", "",
+add("Integration.maps-half-a-column-off", "Private/FieldSynthesis.cxx", "std::polar(1.0f, static_cast<float>(-Pi * frequency))",
+    "std::polar(1.0f, static_cast<float>(Pi * frequency))", "FactoredIntegrator.MapsConverge|FactoredIntegrator.MirrorsInFewMegabytes")
+add("Integration.lamps-ring", "Private/TableSynthesis.h", "const double from = 0.6 * rows;", "const double from = degree;",
+    "FactoredIntegrator.*|TableIntegrator.*|TableReference.*")
+add("Integration.table-without-its-blur", "Private/TableSynthesis.cxx", "smoothed[b % size] * static_cast<float>(knot", "static_cast<float>(knot",
     "FactoredIntegrator.WhiteFurnaceIsTheDirectionalAlbedo|FactoredIntegrator.MirrorsInFewMegabytes")
+add("Integration.no-splines-along-rows", "Private/FieldSynthesis.cxx", "FitLinearSpline(above, known[row * columns + column], below)",
+    "known[row * columns + column]", "LinearSpline.*|TableReference.ErrorFallsWithSize*|AnisotropicTable.*")
+add("Integration.beyond-the-pole-unturned", "Private/FieldSynthesis.cxx", "order % 2 != 0 ? -1.0f : 1.0f", "1.0f",
+    "AnisotropicTable.*|TableIntegrator.*|LinearSpline.*")
+add("Integration.anisotropic-azimuths-from-the-axis", "Private/AnisotropicLobe.cxx", "std::polar(1.0, -k * azimuth) * turned[n]", "turned[n]",
+    "AnisotropicTable.Converges")
+add("Integration.anisotropic-conjugate-forgotten", "Private/AnisotropicLobe.cxx", "from < 0 ? std::conj(in[l]) : in[l]", "in[l]",
+    "AnisotropicTable.Converges|AnisotropicTable.ClothWithANapHasOnePeriod")
+add("Integration.anisotropic-half-turn-forgotten", "Private/AnisotropicTable.cxx", "(again ? 1.0 / this->Periods : 0.0)", "0.0",
+    "AnisotropicTable.BrushedMetalInTwelveMegabytes|AnisotropicTable.Converges")
+add("Integration.anisotropic-always-half-a-turn", "Private/AnisotropicViews.cxx", "return difference <= LargestDifference * sum;",
+    "return true;", "AnisotropicTable.ClothWithANapHasOnePeriod")
+add("Integration.anisotropic-axis-in-the-plane", "Private/AnisotropicSynthesis.cxx", "lobe.Axis.y * out.x - lobe.Axis.x * out.y, w", "0.0, w",
+    "AnisotropicTable.Converges|AnisotropicTable.ClothWithANapHasOnePeriod")
 add("Integration.exact-without-cosine", "vtkExactRadianceIntegrator.cxx", "sum += cosine * f *", "sum += f *",
     "ExactIntegrator.LambertUnderAConstantSkyHasAClosedForm")
 add("Integration.exact-leaves-out-the-last-part", "vtkExactRadianceIntegrator.cxx",
@@ -295,7 +309,7 @@ add("Integration.light-set-last-row", "vtkLightSetRadianceIntegrator.cxx",
     "Mapper.ManyLightsAndHugeValues|Mapper.LightSetMatchesCpuPerPixel")
 add("Integration.lights-cost-nothing", "vtkLightSetRadianceIntegrator.cxx",
     'GetCost(costs, "light") * this->NumberOfLights', 'costs->GetCost("light")',
-    "Planner.FollowsTheCostModel|Planner.AnisotropicMaterialsGetLightSets|Planner.EvaluateAllListsEveryMethod|"
+    "Planner.FollowsTheCostModel|Planner.AnisotropicMaterialsGetTablesOrLightSets|Planner.EvaluateAllListsEveryMethod|"
     "GoldenPlans.EmbeddedMaterials")
 add("Integration.cost-model-loses-digits", "vtkRadianceCostModel.cxx", "text.precision(17);", "text.precision(4);",
     "CostModel.RoundTripAndRefusals")

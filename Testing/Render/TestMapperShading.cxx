@@ -5,6 +5,8 @@
 
 #include "RenderFixture.h"
 
+#include "vtkAnisotropicTableRadianceIntegrator.h"
+#include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBasisBRDF.h"
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
@@ -20,9 +22,11 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkPolyDataTangents.h"
 #include "vtkProperty.h"
 #include "vtkRadianceCostModel.h"
 #include "vtkTableRadianceIntegrator.h"
+#include "vtkTriangleFilter.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <map>
@@ -373,4 +377,73 @@ TEST_F(MapperShading, TheTangentsDirectionCounts)
   // Without tangents they go around the environment's up axis: y x z = x.
   this->SetQuad(normal);
   EXPECT_NEAR(this->RenderLinear().At(32, 32)[0], seen[0], 2e-3 * seen[0]);
+}
+
+// Tangents by VTK's filter, and a vector field that is named: the table sees both.
+TEST_F(MapperShading, TangentsFromTextureCoordinatesAndFields)
+{
+  vtkNew<vtkAshikhminShirleyBRDF> brushed;
+  brushed->SetExponents(100.0, 10.0);
+  vtkNew<vtkEnvironment> hall;
+  hall->SetToProceduralHall();
+  vtkNew<vtkAnisotropicTableRadianceIntegrator> table;
+  ASSERT_TRUE(table->SetSizes({ 17, 4, 8, 4 }));
+  this->Mapper->SetIntegrator(table);
+  this->Mapper->SetBRDF(brushed);
+  this->Mapper->SetEnvironment(hall);
+  table->SetBRDF(brushed);
+  table->SetEnvironment(hall);
+  const double normal[3] = { 0.6, 0.0, 0.8 };
+  const double along[3] = { 0.8, 0.0, -0.6 };
+  const double across[3] = { 0.0, 1.0, 0.0 };
+  const auto getExpected = [&](const double* tangent)
+  {
+    const double view[3] = { 0.0, 0.0, 1.0 };
+    vtkNew<vtkDoubleArray> n, v, t, radiance;
+    for (vtkDoubleArray* array : { n.Get(), v.Get(), t.Get() })
+    {
+      array->SetNumberOfComponents(3);
+    }
+    n->InsertNextTuple(normal);
+    v->InsertNextTuple(view);
+    t->InsertNextTuple(tangent);
+    EXPECT_TRUE(table->Integrate(n, v, radiance, t));
+    return radiance->GetValue(0);
+  };
+  ASSERT_GT(std::abs(getExpected(along) - getExpected(across)), 0.05 * getExpected(along));
+
+  // Texture coordinates run along x and y of the quad, which has other normals than its own.
+  this->SetQuad(normal);
+  vtkPolyData* quad = this->Mapper->GetInput();
+  vtkNew<vtkFloatArray> coordinates;
+  coordinates->SetNumberOfComponents(2);
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    const double* p = quad->GetPoint(corner);
+    coordinates->InsertNextTuple2(p[0], p[1]);
+  }
+  quad->GetPointData()->SetTCoords(coordinates);
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputData(quad);
+  vtkNew<vtkPolyDataTangents> tangents;
+  tangents->SetInputConnection(triangles->GetOutputPort());
+  this->Mapper->SetInputConnection(tangents->GetOutputPort());
+  double expected = getExpected(along);
+  EXPECT_NEAR(this->RenderLinear().At(32, 32)[0], expected, 2e-3 * expected);
+
+  vtkNew<vtkFloatArray> field;
+  field->SetName("fibre direction");
+  field->SetNumberOfComponents(3);
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    field->InsertNextTuple3(0.0, 7.0, 3.0); // of any length, not along the surface
+  }
+  vtkNew<vtkPolyData> mesh;
+  mesh->ShallowCopy(quad);
+  mesh->GetPointData()->AddArray(field);
+  mesh->GetPointData()->SetActiveTangents("fibre direction");
+  this->Mapper->SetInputDataObject(mesh);
+  const double leaning[3] = { 0.0, 7.0, 3.0 };
+  expected = getExpected(leaning);
+  EXPECT_NEAR(this->RenderLinear().At(32, 32)[0], expected, 2e-3 * expected);
 }

@@ -7,6 +7,7 @@
 #include "RenderFixture.h"
 
 #include "vtkAdaptiveWarpBRDF.h"
+#include "vtkAnisotropicTableRadianceIntegrator.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBRDFReader.h"
 #include "vtkBasisBRDF.h"
@@ -201,7 +202,7 @@ protected:
     this->Mapper->SetIntegrator(integrator);
     const FloatImage image = this->RenderLinear();
     vtkNew<vtkDoubleArray> radiance;
-    EXPECT_TRUE(integrator->Integrate(this->Normals, this->Views, radiance));
+    EXPECT_TRUE(integrator->Integrate(this->Normals, this->Views, radiance, this->Tangents));
     double error = 0.0;
     for (int c = 0; c < 3; ++c)
     {
@@ -678,6 +679,30 @@ TEST_F(Parity, FactoredIntegrator)
       // Beside a lamp, table and maps nearly cancel: 16-bit floats show.
       EXPECT_LT(error, 8e-3);
     }
+  }
+}
+
+// f that repeats itself after half a turn, and after a whole turn only.
+TEST_F(Parity, AnisotropicTableIntegrator)
+{
+  vtkNew<vtkEnvironment> hall;
+  hall->SetToProceduralHall();
+  hall->SetRotationY(33.0);
+  vtkNew<vtkAshikhminShirleyBRDF> brushed;
+  brushed->SetDiffuse(0.3, 0.2, 0.1);
+  brushed->SetExponents(100.0, 10.0);
+  const auto lopsided = MakeBasis(vtkBasisBRDF::HEMISPHERICAL, 3, 4);
+  for (vtkBRDF* brdf : { static_cast<vtkBRDF*>(brushed), static_cast<vtkBRDF*>(lopsided) })
+  {
+    vtkNew<vtkAnisotropicTableRadianceIntegrator> integrator;
+    this->Mapper->SetBRDF(brdf);
+    this->Mapper->SetEnvironment(hall);
+    const double error = this->GetIntegratorError(integrator);
+    std::printf(
+      "%s, %d periods: %.2e\n", brdf->GetClassName(), integrator->GetNumberOfPeriods(), error);
+    EXPECT_EQ(integrator->GetNumberOfPeriods(), brdf == brushed ? 2 : 1);
+    EXPECT_GT(error, 0.0);
+    EXPECT_LT(error, 2e-3);
   }
 }
 

@@ -5,7 +5,7 @@
 #include "ClampedCosine.h"
 #include "LobeHarmonics.h"
 #include "LobePlacement.h"
-#include "TableSynthesis.h" // for GetSmoothed
+#include "TableSynthesis.h"
 #include "WignerD.h"
 #include "vtkSMPTools.h"
 
@@ -23,9 +23,7 @@ namespace
 {
 constexpr int LargestOrder = CoreMode::LargestOrder;
 constexpr double LeastEnergy = 1e-12; // of the mean radiance's: less is rounding
-constexpr double Pi = 3.14159265358979323846;
-constexpr double TaperShare = 0.75;  // of the degrees: the others fade
-constexpr double LeastWeight = 1e-3; // of views along the normal and the horizon
+constexpr double LeastWeight = 1e-3;  // of views along the normal and the horizon
 
 // Exponent of the environment's power by degree. 1 makes the squared error least; more serves its
 // absolute value better (docs/methods.md).
@@ -56,13 +54,6 @@ double GetViewWeight(double theta)
   return std::sqrt(std::cos(theta) * std::sin(theta) + LeastWeight);
 }
 
-// The last degrees fade out: where they end at once, lamps ring (docs/methods.md).
-double GetTaper(int l, int degree)
-{
-  const double from = TaperShare * degree;
-  return l <= from ? 1.0 : 0.5 + 0.5 * std::cos(Pi * (l - from) / (degree + 1.0 - from));
-}
-
 std::size_t GetIndex(int order, int channel, int degree, int l)
 {
   return static_cast<std::size_t>(3 * order + channel) * static_cast<std::size_t>(degree + 1) +
@@ -86,34 +77,6 @@ std::vector<double> TurnCosine(double delta, int degree)
     }
   }
   return turned;
-}
-
-// Of the table's kernels: what the blur leaves.
-std::vector<std::vector<float>> ExpandTable(const CoreKernels& kernels)
-{
-  std::vector<std::vector<float>> expanded(kernels.TableKnots.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(expanded.size()), 1,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType knot = begin; knot < end; ++knot)
-      {
-        const LobeHarmonics& lobe = *kernels.TableKnots[static_cast<std::size_t>(knot)];
-        std::vector<float>& b = expanded[static_cast<std::size_t>(knot)];
-        b = lobe.Expand(lobe.GetMeans().Delta, kernels.Degree, LargestOrder);
-        for (int order = 0; order <= LargestOrder; ++order)
-        {
-          for (int channel = 0; channel < 3; ++channel)
-          {
-            for (int l = 0; l <= kernels.Degree; ++l)
-            {
-              b[GetIndex(order, channel, kernels.Degree, l)] *= static_cast<float>(
-                lobe.GetMeans().Amplitude[channel] * GetSmoothed(l, kernels.Smoothing));
-            }
-          }
-        }
-      }
-    });
-  return expanded;
 }
 
 using Matrices = MaterialPrecomputation::Matrices; // by order: degrees x (knots x channels)
@@ -149,7 +112,7 @@ void ExpandKnot(const CoreKernels& kernels, const std::vector<std::vector<float>
         const double taken =
           glm::mix(table[low][k], table[low + 1][k], static_cast<float>(between));
         result[static_cast<std::size_t>(order)](l, column) =
-          GetTaper(l, degree) *
+          GetTaper(l, degree, kernels.Rows) *
           (whole[k] * amplitude + lambert * cosine[GetIndex(order, 0, degree, l)] -
             inTable * share[channel] * taken);
       }
@@ -159,7 +122,8 @@ void ExpandKnot(const CoreKernels& kernels, const std::vector<std::vector<float>
 
 Matrices ExpandKernels(const CoreKernels& kernels)
 {
-  const std::vector<std::vector<float>> table = ExpandTable(kernels);
+  const std::vector<std::vector<float>> table = ExpandTableKernels(
+    kernels.TableKnots, kernels.Degree, LargestOrder, kernels.Smoothing, kernels.Degree);
   Matrices result(LargestOrder + 1,
     Eigen::MatrixXd::Zero(kernels.Degree + 1, 3 * static_cast<Eigen::Index>(kernels.Knots.size())));
   vtkSMPTools::For(0, static_cast<vtkIdType>(kernels.Knots.size()), 1,
@@ -204,15 +168,13 @@ void Decompose(int order, const Eigen::MatrixXd& kernels, const std::vector<doub
 
 double CoreKernels::GetViewAngle(std::size_t knot) const
 {
-  return LobeViews::GetLastAngle() * static_cast<double>(knot) /
-         (static_cast<double>(this->Knots.size()) - 1.0);
+  return LobeViews::GetKnotAngle(static_cast<int>(knot), static_cast<int>(this->Knots.size()));
 }
 
 glm::dvec3 CoreMode::GetWeight(const CoreKernels& kernels, double theta) const
 {
-  const double last = static_cast<double>(kernels.Knots.size()) - 1.0;
-  const double exact = std::clamp(last * theta / LobeViews::GetLastAngle(), 0.0, last);
-  const double low = std::min(std::floor(exact), last - 1.0);
+  const double exact = LobeViews::GetKnotPosition(theta, static_cast<int>(kernels.Knots.size()));
+  const double low = std::min(std::floor(exact), static_cast<double>(kernels.Knots.size()) - 2.0);
   glm::dvec3 weight;
   for (int c = 0; c < 3; ++c)
   {

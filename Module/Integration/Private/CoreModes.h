@@ -22,13 +22,14 @@
 
 namespace measuredbrdf
 {
-/// Kernels at evenly spaced view angles, and the table that takes their broad part.
+/// Kernels at view angles (LobeViews::GetKnotAngle), and the table that takes their broad part.
 struct CoreKernels
 {
   const MaterialPrecomputation::Kernels& Knots;
   const MaterialPrecomputation::Kernels& TableKnots; // at the table's view angles
   const RadianceTable& Table;                        // its profile (MakeProfile), of scale 1
   double Smoothing;                                  // of the table, GetSmoothed
+  int Rows;                                          // of the maps
   int Degree;                                        // of the harmonics
   MaterialPrecomputation& Known;                     // that knows the remainders, or will
 

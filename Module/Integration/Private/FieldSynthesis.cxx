@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FieldSynthesis.h"
 
+#include "LinearSpline.h"
 #include "WignerD.h"
 #include "vtkSMPTools.h"
 
@@ -37,6 +38,47 @@ void FieldSynthesis::Run(
   }
   const int degree = static_cast<int>(kernels[0].rows()) - 1;
   this->SumOrders(this->SumDegrees(order, kernels), degree, result);
+  if (this->Nodes == MapNodes::Poles)
+  {
+    this->FitRows(order, result);
+  }
+}
+
+// Linear splines along the meridians. Beyond a pole the meridian opposite goes on, in a frame that
+// is turned by half a turn.
+void FieldSynthesis::FitRows(int order, std::array<Field, 3>& result) const
+{
+  const std::size_t rows = static_cast<std::size_t>(this->Rows);
+  const std::size_t columns = static_cast<std::size_t>(this->Columns);
+  const float sign = order % 2 != 0 ? -1.0f : 1.0f;
+  for (Field& field : result)
+  {
+    const std::size_t maps = field.size() / (rows * columns);
+    vtkSMPTools::For(0, static_cast<vtkIdType>(maps), 1,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        Field known(rows * columns);
+        for (vtkIdType map = begin; map < end; ++map)
+        {
+          std::complex<float>* values = &field[static_cast<std::size_t>(map) * rows * columns];
+          std::copy(values, values + known.size(), known.begin());
+          for (std::size_t row = 0; row < rows; ++row)
+          {
+            for (std::size_t column = 0; column < columns; ++column)
+            {
+              const std::size_t opposite = (column + columns / 2) % columns;
+              const std::complex<float> above =
+                row > 0 ? known[(row - 1) * columns + column] : sign * known[columns + opposite];
+              const std::complex<float> below = row + 1 < rows
+                                                  ? known[(row + 1) * columns + column]
+                                                  : sign * known[(rows - 2) * columns + opposite];
+              values[row * columns + column] =
+                FitLinearSpline(above, known[row * columns + column], below);
+            }
+          }
+        }
+      });
+  }
 }
 
 // Real and imaginary parts of b_lk conj(a_lm), for the degrees from first on.
@@ -119,14 +161,13 @@ void FieldSynthesis::SumOrders(const Field& series, int degree, std::array<Field
   const std::size_t orders = 2 * static_cast<std::size_t>(degree) + 1;
   const std::size_t kinds = series.size() / (orders * rows);
   const std::size_t each = kinds / 3;
-  std::vector<std::complex<float>> turns(orders, 1.0f); // half a column on
-  if (this->Nodes == MapNodes::Centers)
+  std::vector<std::complex<float>> turns(orders);
+  for (std::size_t item = 0; item < orders; ++item)
   {
-    for (std::size_t item = 0; item < orders; ++item)
-    {
-      turns[item] = std::polar(
-        1.0f, static_cast<float>(-Pi * (static_cast<double>(item) - degree) / this->Columns));
-    }
+    const double frequency = (static_cast<double>(item) - degree) / this->Columns;
+    turns[item] = this->Nodes == MapNodes::Centers // half a column on
+                    ? std::polar(1.0f, static_cast<float>(-Pi * frequency))
+                    : static_cast<float>(GetLinearSplineGain(frequency));
   }
   vtkSMPTools::For(0, static_cast<vtkIdType>(rows), 1,
     [&](vtkIdType begin, vtkIdType end)

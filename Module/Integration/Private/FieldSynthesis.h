@@ -21,7 +21,8 @@
 namespace measuredbrdf
 {
 /// Where the values of a map over polar angle and azimuth lie: the first and the last row at the
-/// poles and the first column at 0, or all at cells' centers, as in an environment.
+/// poles and the first column at 0, fitted for linear interpolation (LinearSpline.h); or all at
+/// cells' centers, as in an environment.
 enum class MapNodes
 {
   Poles,
@@ -47,6 +48,7 @@ public:
 private:
   Matrix MakeLit(int m, int first, const std::array<Matrix, 3>& kernels) const;
   Field SumDegrees(int order, const std::array<Matrix, 3>& kernels) const;
+  void FitRows(int order, std::array<Field, 3>& result) const;
   void SumOrders(const Field& series, int degree, std::array<Field, 3>& result) const;
 
   const EnvironmentHarmonics& Environment;

@@ -18,61 +18,6 @@ constexpr double Pi = 3.14159265358979323846;
 constexpr int Cells = 512; // that tell where the kernel is
 }
 
-// Pairs of Gauss nodes in intervals of equal energy over [0, last], half of it spread evenly:
-// angle, energy of each cell.
-std::vector<LobeHarmonics::Node> LobeHarmonics::MakeNodes(
-  const std::vector<glm::dvec2>& energy, double last, int resolution)
-{
-  constexpr int Bins = 1024;
-  std::vector<double> histogram(Bins, 0.0);
-  double total = 0.0;
-  for (const glm::dvec2& cell : energy)
-  {
-    histogram[static_cast<std::size_t>(
-      std::clamp(static_cast<int>(cell.x / last * Bins), 0, Bins - 1))] += cell.y;
-    total += cell.y;
-  }
-  // Cells are wider than bins: a few passes of a short filter close the gaps between them.
-  for (int pass = 0; pass < 4; ++pass)
-  {
-    std::vector<double> smooth(Bins);
-    for (int k = 0; k < Bins; ++k)
-    {
-      smooth[static_cast<std::size_t>(k)] =
-        0.25 * histogram[static_cast<std::size_t>(std::max(k - 1, 0))] +
-        0.5 * histogram[static_cast<std::size_t>(k)] +
-        0.25 * histogram[static_cast<std::size_t>(std::min(k + 1, Bins - 1))];
-    }
-    histogram.swap(smooth);
-  }
-  std::vector<double> edges;
-  const int intervals = std::max(resolution / 2, 1);
-  double sum = 0.0;
-  for (int k = 0; k < Bins; ++k)
-  {
-    const double next =
-      sum + (total > 0.0 ? 0.5 * histogram[static_cast<std::size_t>(k)] / total : 0.5 / Bins) +
-      0.5 / Bins;
-    while (static_cast<double>(edges.size()) < next * intervals)
-    {
-      edges.push_back(
-        last * (k + (static_cast<double>(edges.size()) / intervals - sum) / (next - sum)) / Bins);
-    }
-    sum = next;
-  }
-  edges.resize(static_cast<std::size_t>(intervals));
-  edges.push_back(last);
-  std::vector<Node> nodes;
-  for (std::size_t k = 0; k + 1 < edges.size(); ++k)
-  {
-    const double middle = 0.5 * (edges[k] + edges[k + 1]);
-    const double half = 0.5 * (edges[k + 1] - edges[k]);
-    nodes.push_back({ middle - half / std::sqrt(3.0), half });
-    nodes.push_back({ middle + half / std::sqrt(3.0), half });
-  }
-  return nodes;
-}
-
 LobeHarmonics::LobeHarmonics(vtkBRDF* brdf, double theta, int resolution)
 {
   const glm::dvec3 o(std::sin(theta), 0.0, std::cos(theta));
@@ -86,12 +31,12 @@ LobeHarmonics::LobeHarmonics(vtkBRDF* brdf, double theta, int resolution)
     polar.emplace_back(std::atan2(std::hypot(d.x, d.y), d.z), energy);
     azimuths.emplace_back(std::atan2(std::abs(d.y), d.x), energy);
   }
-  this->Polar = MakeNodes(polar, Pi / 2.0, resolution);
-  this->Azimuths = MakeNodes(azimuths, Pi, resolution);
+  this->Polar = MakeLobeNodes(polar, Pi / 2.0, resolution);
+  this->Azimuths = MakeLobeNodes(azimuths, Pi, resolution);
 
-  for (const Node& p : this->Polar)
+  for (const LobeNode& p : this->Polar)
   {
-    for (const Node& a : this->Azimuths)
+    for (const LobeNode& a : this->Azimuths)
     {
       const double s = std::sin(p.Angle);
       glm::dvec3 i(s * std::cos(a.Angle), s * std::sin(a.Angle), std::cos(p.Angle));
@@ -125,7 +70,7 @@ std::vector<float> LobeHarmonics::Expand(double delta, int degree, int orders) c
   {
     const WignerD functions(k, 0, degree);
     std::vector<double> cosines;
-    for (const Node& a : this->Azimuths)
+    for (const LobeNode& a : this->Azimuths)
     {
       cosines.push_back(2.0 * a.Weight * std::cos(k * a.Angle));
     }

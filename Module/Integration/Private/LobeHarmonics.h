@@ -10,6 +10,7 @@
 #define LobeHarmonics_h
 
 #include "LobeMeans.h"
+#include "LobeNodes.h"
 
 #include <glm/glm.hpp>
 
@@ -38,18 +39,10 @@ public:
   std::vector<float> Expand(double delta, int degree, int orders) const;
 
 private:
-  struct Node
-  {
-    double Angle;
-    double Weight;
-  };
-  static std::vector<Node> MakeNodes(
-    const std::vector<glm::dvec2>& energy, double last, int resolution);
-
   LobeMeans Means;
   glm::dvec3 Sum = glm::dvec3(0.0); // the rest over the nodes, which see less of a sharp lobe
-  std::vector<Node> Polar;
-  std::vector<Node> Azimuths;     // over [0, pi], weights for both sides
+  std::vector<LobeNode> Polar;
+  std::vector<LobeNode> Azimuths; // over [0, pi], weights for both sides
   std::vector<glm::dvec3> Kernel; // rest at (polar, azimuth), mean of both sides
 };
 } // namespace measuredbrdf

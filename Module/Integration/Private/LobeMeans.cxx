@@ -14,6 +14,13 @@ namespace
 {
 constexpr double FloorCosine = 0.17; // 80 degrees: measured f drops or soars beyond
 constexpr double LeastShare = 1e-9;  // of the albedo: below, the rest is rounding
+
+// The normal where there is no direction.
+glm::dvec3 ToUnit(const glm::dvec3& d)
+{
+  const double length = glm::length(d);
+  return length > 0.0 ? d / length : glm::dvec3(0.0, 0.0, 1.0);
+}
 }
 
 LobeMeans::LobeMeans(const LobeQuadrature& quadrature)
@@ -21,12 +28,12 @@ LobeMeans::LobeMeans(const LobeQuadrature& quadrature)
 {
   const glm::dvec3 albedo = quadrature.GetAlbedo();
   this->Albedo = albedo.x + albedo.y + albedo.z;
-  glm::dvec3 moment(0.0);
+  glm::dvec3 axis(0.0);
   for (const LobeQuadrature::Cell& cell : quadrature.GetCells())
   {
     this->Amplitude += cell.Weight - this->Floor * cell.Cosine;
     const double energy = LobeQuadrature::GetEnergy(cell, this->Floor);
-    moment += cell.Direction * (energy * energy / cell.SolidAngle);
+    axis += cell.Direction * (energy * energy / cell.SolidAngle);
   }
   for (int c = 0; c < 3; ++c)
   {
@@ -35,7 +42,8 @@ LobeMeans::LobeMeans(const LobeQuadrature& quadrature)
       this->Amplitude[c] = 0.0;
     }
   }
-  this->Delta = moment.x != 0.0 || moment.z > 0.0 ? std::atan2(-moment.x, moment.z) : 0.0;
+  this->Axis = ToUnit(axis);
+  this->Delta = std::atan2(-this->Axis.x, this->Axis.z);
 }
 
 double LobeMeans::GetDistance(const LobeMeans& a, const LobeMeans& b)
@@ -51,6 +59,7 @@ void LobeMeans::Add(const LobeMeans& other, double weight)
   this->Floor += weight * other.Floor;
   this->Amplitude += weight * other.Amplitude;
   this->Delta += weight * other.Delta;
+  this->Axis += weight * other.Axis;
   this->Albedo += weight * other.Albedo;
 }
 
@@ -59,5 +68,6 @@ void LobeMeans::Clamp()
   this->Floor = glm::max(this->Floor, glm::dvec3(0.0));
   this->Amplitude = glm::max(this->Amplitude, glm::dvec3(0.0));
   this->Albedo = std::max(this->Albedo, 0.0);
+  this->Axis = ToUnit(this->Axis);
 }
 } // namespace measuredbrdf

@@ -14,7 +14,7 @@ namespace measuredbrdf
 {
 class LobeQuadrature;
 
-/// Of a view o = (sin theta, 0, cos theta).
+/// Of a view o, which is (sin theta, 0, cos theta) for isotropic materials.
 struct LobeMeans
 {
   LobeMeans() = default;
@@ -35,9 +35,12 @@ struct LobeMeans
   /// Directional albedo of the rest, which is 0 where it is rounding; never negative.
   glm::dvec3 Amplitude = glm::dvec3(0.0);
 
+  ///@{
   /// The rest's mean direction, weighted by its square so that the sharpest part of a kernel
-  /// decides, is (-sin delta, 0, cos delta).
+  /// decides. Of an isotropic material it is (-sin delta, 0, cos delta).
+  glm::dvec3 Axis = glm::dvec3(0.0);
   double Delta = 0.0;
+  ///@}
 
   /// Directional albedo, the sum of all channels.
   double Albedo = 0.0;

@@ -21,6 +21,8 @@ constexpr int Cells = 512; // of a view's quadrature
 // of the albedo and so many radians, with what their neighbors say.
 constexpr int Stride = 8;
 constexpr double LargestBend = 1e-3;
+
+constexpr double KnotPower = 1.5; // 1: evenly spaced
 }
 
 double LobeViews::GetLastAngle() { return std::acos(MinimumViewCosine); }
@@ -34,6 +36,18 @@ double LobeViews::GetAngle(int index)
 double LobeViews::GetPosition(double angle)
 {
   return (NumberOfViews - 1) * (1.0 - std::sqrt(std::max(1.0 - angle / GetLastAngle(), 0.0)));
+}
+
+double LobeViews::GetKnotAngle(int k, int count)
+{
+  const double t = 1.0 - static_cast<double>(k) / (count - 1);
+  return GetLastAngle() * (1.0 - std::pow(t, KnotPower));
+}
+
+double LobeViews::GetKnotPosition(double angle, int count)
+{
+  const double t = std::clamp(1.0 - angle / GetLastAngle(), 0.0, 1.0);
+  return (count - 1) * (1.0 - std::pow(t, 1.0 / KnotPower));
 }
 
 const std::atomic<bool> LobeViews::Never{ false };

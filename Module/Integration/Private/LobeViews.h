@@ -32,6 +32,14 @@ public:
   /// Where between views an angle lies: 0 <= result <= NumberOfViews - 1.
   static double GetPosition(double angle);
 
+  ///@{
+  /// Polar angles of the view that a table has kernels at, from 0 to the last, k < count. They
+  /// crowd towards the horizon a little, which measured best (docs/methods.md). And where between
+  /// them an angle lies: 0 <= result <= count - 1.
+  static double GetKnotAngle(int k, int count);
+  static double GetKnotPosition(double angle, int count);
+  ///@}
+
   /// Of a prepared, isotropic BRDF. Of no use where it was aborted.
   explicit LobeViews(vtkBRDF* brdf, const std::atomic<bool>& abort = Never);
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MaterialPrecomputation.h"
 
+#include "HalfVector.h" // for Pi
 #include "LocalFrame.h"
 #include "vtkBRDF.h"
 #include "vtkSMPTools.h"
@@ -30,9 +31,8 @@ const MaterialPrecomputation::Kernels& MaterialPrecomputation::GetKernels(
       {
         for (vtkIdType k = begin; k < end && !abort; ++k)
         {
-          const double theta = LobeViews::GetLastAngle() * static_cast<double>(k) / (angles - 1);
-          kernels[static_cast<std::size_t>(k)] =
-            std::make_unique<LobeHarmonics>(brdf, theta, resolution);
+          kernels[static_cast<std::size_t>(k)] = std::make_unique<LobeHarmonics>(
+            brdf, LobeViews::GetKnotAngle(static_cast<int>(k), angles), resolution);
         }
       });
   }
@@ -58,5 +58,42 @@ const LobeViews& MaterialPrecomputation::GetViews(vtkBRDF* brdf, const std::atom
     this->AreViewsWhole = !abort;
   }
   return *this->Views;
+}
+
+const AnisotropicViews& MaterialPrecomputation::GetAnisotropicViews(
+  vtkBRDF* brdf, const std::atomic<bool>& abort)
+{
+  if (!this->AreTurnedWhole)
+  {
+    this->Turned = std::make_unique<AnisotropicViews>(brdf, abort);
+    this->AreTurnedWhole = !abort;
+  }
+  return *this->Turned;
+}
+
+const MaterialPrecomputation::AnisotropicKernels& MaterialPrecomputation::GetAnisotropicKernels(
+  vtkBRDF* brdf, int angles, int azimuths, int resolution, const std::atomic<bool>& abort)
+{
+  const int periods = this->GetAnisotropicViews(brdf, abort).GetPeriods();
+  AnisotropicKernels& kernels = this->TurnedKernels[{ angles, azimuths, resolution }];
+  if (kernels.empty() ||
+      std::any_of(kernels.begin(), kernels.end(), [](const auto& kernel) { return !kernel; }))
+  {
+    kernels.clear();
+    kernels.resize(static_cast<std::size_t>(angles * azimuths));
+    vtkSMPTools::For(0, static_cast<vtkIdType>(kernels.size()), 1,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType k = begin; k < end && !abort; ++k)
+        {
+          const int knot = static_cast<int>(k);
+          kernels[static_cast<std::size_t>(k)] = std::make_unique<AnisotropicLobe>(brdf,
+            AnisotropicViews::GetView(LobeViews::GetKnotAngle(knot / azimuths, angles),
+              2.0 * Pi * (knot % azimuths) / (periods * azimuths)),
+            resolution);
+        }
+      });
+  }
+  return kernels;
 }
 } // namespace measuredbrdf

@@ -9,12 +9,15 @@
 #ifndef MaterialPrecomputation_h
 #define MaterialPrecomputation_h
 
+#include "AnisotropicLobe.h"
+#include "AnisotropicViews.h"
 #include "LobeHarmonics.h"
 #include "LobeSplit.h"
 #include "vtkRadianceIntegrator.h"
 
 #include <Eigen/Core>
 
+#include <array>
 #include <atomic>
 #include <functional>
 #include <map>
@@ -33,8 +36,7 @@ public:
   MaterialPrecomputation();
   ~MaterialPrecomputation();
 
-  /// Kernels at so many view angles, evenly spaced from 0 to LobeViews' last. Null ones where it
-  /// was aborted.
+  /// Kernels at so many view angles (LobeViews::GetKnotAngle). Null ones where it was aborted.
   using Kernels = std::vector<std::unique_ptr<LobeHarmonics>>;
   const Kernels& GetKernels(
     vtkBRDF* brdf, int angles, int resolution, const std::atomic<bool>& abort);
@@ -45,6 +47,15 @@ public:
   const Matrices& GetRemainders(
     const std::vector<double>& sizes, const std::function<Matrices()>& make);
 
+  ///@{
+  /// Of anisotropic materials: the views, and kernels at so many polar angles of the view and
+  /// azimuths over f's period, the azimuths of one angle side by side.
+  const AnisotropicViews& GetAnisotropicViews(vtkBRDF* brdf, const std::atomic<bool>& abort);
+  using AnisotropicKernels = std::vector<std::unique_ptr<AnisotropicLobe>>;
+  const AnisotropicKernels& GetAnisotropicKernels(
+    vtkBRDF* brdf, int angles, int azimuths, int resolution, const std::atomic<bool>& abort);
+  ///@}
+
   /// The material's views: for a profile, and to be split into parts.
   const LobeViews& GetViews(vtkBRDF* brdf, const std::atomic<bool>& abort);
 
@@ -53,6 +64,9 @@ private:
   std::map<std::vector<double>, Matrices> Remainders;
   std::unique_ptr<LobeViews> Views;
   bool AreViewsWhole = false; // else they were aborted
+  std::unique_ptr<AnisotropicViews> Turned;
+  bool AreTurnedWhole = false;
+  std::map<std::array<int, 3>, AnisotropicKernels> TurnedKernels; // angles, azimuths, resolution
 };
 } // namespace measuredbrdf
 

@@ -4,7 +4,9 @@
 
 #include "ClampedCosine.h"
 #include "FieldSynthesis.h"
+#include "LinearSpline.h"
 #include "LobeHarmonics.h"
+#include "RingLimiter.h"
 #include "vtkSMPTools.h"
 
 #include <Eigen/Core>
@@ -24,49 +26,21 @@ namespace
 constexpr double Pi = 3.14159265358979323846;
 constexpr double LargestValue = 32768; // of a 16-bit texture, with room to spare
 
-// Of each view angle: its harmonics about the lobe's mean direction, [order][channel][degree].
-std::vector<std::vector<float>> ExpandKernels(
-  const MaterialPrecomputation::Kernels& knots, int degree, int orders, double smoothing)
-{
-  std::vector<float> smoothed;
-  for (int l = 0; l <= degree; ++l)
-  {
-    smoothed.push_back(static_cast<float>(GetSmoothed(l, smoothing)));
-  }
-  std::vector<std::vector<float>> kernels(knots.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(knots.size()), 1,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType k = begin; k < end; ++k)
-      {
-        const LobeHarmonics& knot = *knots[static_cast<std::size_t>(k)];
-        std::vector<float>& kernel = kernels[static_cast<std::size_t>(k)];
-        kernel = knot.Expand(knot.GetMeans().Delta, degree, orders);
-        for (std::size_t b = 0; b < kernel.size(); ++b)
-        {
-          kernel[b] *= smoothed[b % smoothed.size()];
-        }
-      }
-    });
-  return kernels;
-}
-
 // One order's, by channel: degrees x view angles.
-std::array<FieldSynthesis::Matrix, 3> PickOrder(const MaterialPrecomputation::Kernels& knots,
+std::array<FieldSynthesis::Matrix, 3> PickOrder(
   const std::vector<std::vector<float>>& kernels, int order, int degree)
 {
   std::array<FieldSynthesis::Matrix, 3> matrices;
   for (int channel = 0; channel < 3; ++channel)
   {
     FieldSynthesis::Matrix& matrix = matrices[static_cast<std::size_t>(channel)];
-    matrix.resize(degree + 1, static_cast<Eigen::Index>(knots.size()));
-    for (std::size_t angle = 0; angle < knots.size(); ++angle)
+    matrix.resize(degree + 1, static_cast<Eigen::Index>(kernels.size()));
+    for (std::size_t angle = 0; angle < kernels.size(); ++angle)
     {
       const std::size_t begin =
         static_cast<std::size_t>(3 * order + channel) * static_cast<std::size_t>(degree + 1);
       matrix.col(static_cast<Eigen::Index>(angle)) =
-        Eigen::Map<const Eigen::VectorXf>(&kernels[angle][begin], degree + 1) *
-        static_cast<float>(knots[angle]->GetMeans().Amplitude[channel]);
+        Eigen::Map<const Eigen::VectorXf>(&kernels[angle][begin], degree + 1);
     }
   }
   return matrices;
@@ -83,8 +57,10 @@ void AddOrder(int order, const std::array<FieldSynthesis::Field, 3>& fields, Rad
     {
       for (vtkIdType azimuth = begin; azimuth < end; ++azimuth)
       {
-        const std::complex<float> turn = std::polar(order == 0 ? 1.0f : 2.0f,
-          static_cast<float>(-2.0 * Pi * order * static_cast<double>(azimuth) / table.Azimuths));
+        const double gain = GetLinearSplineGain(static_cast<double>(order) / table.Azimuths);
+        const std::complex<float> turn =
+          std::polar(static_cast<float>(order == 0 ? 1.0 : 2.0 * gain),
+            static_cast<float>(-2.0 * Pi * order * static_cast<double>(azimuth) / table.Azimuths));
         for (std::size_t angle = 0; angle < static_cast<std::size_t>(table.Angles); ++angle)
         {
           const std::size_t slice = angle * slices + static_cast<std::size_t>(azimuth);
@@ -103,20 +79,49 @@ void AddOrder(int order, const std::array<FieldSynthesis::Field, 3>& fields, Rad
     });
 }
 
-// To the peak: 16-bit floats lose digits below 6e-5, too.
-void Normalize(RadianceTable& table)
+}
+
+std::vector<std::vector<float>> ExpandTableKernels(
+  const MaterialPrecomputation::Kernels& knots, int degree, int orders, double smoothing, int rows)
+{
+  const std::size_t size = static_cast<std::size_t>(degree) + 1;
+  std::vector<float> smoothed;
+  for (int l = 0; l <= degree; ++l)
+  {
+    smoothed.push_back(static_cast<float>(GetSmoothed(l, smoothing) * GetTaper(l, degree, rows)));
+  }
+  std::vector<std::vector<float>> kernels(knots.size());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(knots.size()), 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType k = begin; k < end; ++k)
+      {
+        const LobeHarmonics& knot = *knots[static_cast<std::size_t>(k)];
+        std::vector<float>& kernel = kernels[static_cast<std::size_t>(k)];
+        kernel = knot.Expand(knot.GetMeans().Delta, degree, orders);
+        for (std::size_t b = 0; b < kernel.size(); ++b)
+        {
+          const int channel = static_cast<int>(b / size % 3);
+          kernel[b] *= smoothed[b % size] * static_cast<float>(knot.GetMeans().Amplitude[channel]);
+        }
+      }
+    });
+  return kernels;
+}
+
+double NormalizeRadiance(std::vector<float>& radiance)
 {
   float largest = 0.0f;
-  for (const float value : table.Radiance)
+  for (const float value : radiance)
   {
     largest = std::max(largest, std::abs(value));
   }
-  table.Scale = largest > 0.0f ? largest / LargestValue : 1.0;
-  for (float& value : table.Radiance)
+  const double scale = largest > 0.0f ? largest / LargestValue : 1.0;
+  for (float& value : radiance)
   {
-    value = static_cast<float>(value / table.Scale);
+    value = static_cast<float>(value / scale);
   }
-}
+  return scale;
 }
 
 bool SynthesizeRadiance(const EnvironmentHarmonics& environment,
@@ -124,7 +129,8 @@ bool SynthesizeRadiance(const EnvironmentHarmonics& environment,
   const std::function<bool(double)>& goOn, RadianceTable& table)
 {
   const int orders = table.Azimuths / 2; // as many as the azimuths can tell apart
-  const std::vector<std::vector<float>> kernels = ExpandKernels(knots, degree, orders, smoothing);
+  const std::vector<std::vector<float>> kernels =
+    ExpandTableKernels(knots, degree, orders, smoothing, table.Rows);
   const std::size_t texels =
     static_cast<std::size_t>(table.Columns) * static_cast<std::size_t>(table.Rows);
   const std::size_t slices = static_cast<std::size_t>(table.Azimuths) + 1;
@@ -133,14 +139,16 @@ bool SynthesizeRadiance(const EnvironmentHarmonics& environment,
   std::array<FieldSynthesis::Field, 3> fields;
   for (int order = 0; order <= orders; ++order)
   {
-    synthesis.Run(order, PickOrder(knots, kernels, order, degree), fields);
+    synthesis.Run(order, PickOrder(kernels, order, degree), fields);
     AddOrder(order, fields, table);
     if (!goOn((order + 1.0) / (orders + 1)))
     {
       return false;
     }
   }
-  Normalize(table);
+  LiftDarkRings(
+    table.Radiance, static_cast<std::size_t>(table.Rows), static_cast<std::size_t>(table.Columns));
+  table.Scale = NormalizeRadiance(table.Radiance);
   return true;
 }
 
@@ -154,8 +162,7 @@ void MakeProfile(
     const double theta = LobeViews::GetAngle(k);
     // Between the table's view angles both parts are interpolated, however steeply one hands over
     // to the other; what they miss of the directional albedo goes to the rest.
-    const double w =
-      std::clamp((table.Angles - 1) * theta / LobeViews::GetLastAngle(), 0.0, table.Angles - 1.0);
+    const double w = LobeViews::GetKnotPosition(theta, table.Angles);
     const std::size_t low = std::min(static_cast<std::size_t>(w), knots.size() - 2);
     const double t = w - static_cast<double>(low);
     const LobeMeans& below = knots[low]->GetMeans();

@@ -12,6 +12,7 @@
 #include "MaterialPrecomputation.h"
 #include "RadianceTable.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -22,17 +23,39 @@ namespace measuredbrdf
 /// Degree of the harmonics that a map of irradiance needs: the cosine's fall as l^-2.5.
 constexpr int IrradianceDegree = 128;
 
+/// Degree of the harmonics that make a map of so many rows, unless it is set. More than the rows
+/// resolve, which measured best (docs/methods.md).
+inline int GetMapDegree(int rows) { return rows + std::min(rows / 2, 64); }
+
+/// Harmonics that end at once make lamps ring: from three fifths of the rows on they fade out.
+inline double GetTaper(int l, int degree, int rows)
+{
+  const double from = 0.6 * rows;
+  return l <= from
+           ? 1.0
+           : 0.5 + 0.5 * std::cos(3.14159265358979323846 * (l - from) / (degree + 1.0 - from));
+}
+
 /// What a blur leaves of degree l; smoothing: vtkTableRadianceIntegrator::SetSmoothingDegree.
 inline double GetSmoothed(int l, double smoothing)
 {
   return smoothing > 0.0 ? std::exp(-0.5 * l * (l + 1.0) / (smoothing * smoothing)) : 1.0;
 }
 
+/// What a table of so many rows has of the kernels at its view angles: harmonics about each one's
+/// axis, times its albedo, less what a blur takes and what fades, as LobeHarmonics::Expand has
+/// them.
+std::vector<std::vector<float>> ExpandTableKernels(
+  const MaterialPrecomputation::Kernels& knots, int degree, int orders, double smoothing, int rows);
+
 /// The table's radiance, of kernels at its view angles up to a harmonic degree. goOn gets the share
 /// that is done; where it says false, the table is not complete, and the result is false.
 bool SynthesizeRadiance(const EnvironmentHarmonics& environment,
   const MaterialPrecomputation::Kernels& knots, int degree, double smoothing,
   const std::function<bool(double)>& goOn, RadianceTable& table);
+
+/// To the peak, since 16-bit floats lose digits below 6e-5, too; returns what undoes that.
+double NormalizeRadiance(std::vector<float>& radiance);
 
 /// The profile over all view angles of a table whose radiance is there.
 void MakeProfile(

@@ -303,13 +303,14 @@ void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderLight(
     {
       vtkWarningWithObjectMacro(this->Drawing->GetOwner(),
         << "The material is anisotropic but the polydata has no float point tangents "
-           "(PointData::SetTangents): they turn about the environment's up axis.");
+           "(PointData::SetTangents, or vtkPolyDataTangents for texture coordinates): they turn "
+           "about the environment's up axis.");
     }
   }
   const auto& info = this->PrimitiveInfo[this->LastBoundBO];
   // Image-based lighting counts as a light in VTK 9.6; here it is none.
-  const bool lit = drawn.Material && info.LastLightCount > 0 &&
-                   this->Drawing->GetSettings().UseSceneLights;
+  const bool lit =
+    drawn.Material && info.LastLightCount > 0 && this->Drawing->GetSettings().UseSceneLights;
   body.Complexity = lit ? static_cast<int>(info.LastLightComplexity) : 0;
   body.LightCount = info.LastLightCount;
   body.HasEdges = this->DrawingEdges(ren, actor);

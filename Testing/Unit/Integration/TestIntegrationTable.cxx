@@ -214,7 +214,8 @@ TEST_P(TableReference, ErrorFallsWithSize)
     std::printf("%s, %s, %d rows: relative L1 %.4f\n", material.Name, hall ? "hall" : "sky",
       sizes[k][0], error);
     EXPECT_LT(error, material.Limits[k]) << material.Name;
-    EXPECT_LE(error, last * 1.001) << material.Name;
+    // The sum over texels' centers, which stands for the integral here, is off by a little itself.
+    EXPECT_LE(error, last + 2e-4) << material.Name;
     last = error;
   }
 }

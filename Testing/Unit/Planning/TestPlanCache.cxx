@@ -164,7 +164,7 @@ TEST_F(PlanCache, FindsLayersAgain)
 {
   this->BRDF->SetSpecular(0.5, 0.5, 0.5);
   this->BRDF->SetExponent(2000.0);
-  this->Tolerance = 0.08;
+  this->Tolerance = 0.02;
   this->Environment->SetToProceduralHall();
   this->Costs = vtkSmartPointer<vtkRadianceCostModel>::New();
   this->Costs->SetCost("light", 0.1);

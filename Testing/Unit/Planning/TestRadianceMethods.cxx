@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The list of methods: what each says of itself, copies, and methods of a program's own.
 #include "ErrorCatcher.h"
+#include "vtkAnisotropicTableRadianceIntegrator.h"
 #include "vtkBasisRadianceIntegrator.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
@@ -155,7 +156,7 @@ vtkSmartPointer<vtkRadiancePlanner> NewPlanner()
 TEST(RadianceMethods, SayWhatTheyAre)
 {
   EXPECT_EQ(vtkRadianceMethods::GetNames(),
-    "table, hybrid, light-set, filtered, basis, factored, reference or exact");
+    "table, hybrid, anisotropic-table, light-set, filtered, basis, factored, reference or exact");
   vtkNew<vtkRadianceCostModel> costs;
   for (const auto& method : vtkRadianceMethods::GetMethods())
   {
@@ -219,6 +220,9 @@ TEST(RadianceMethods, CopiesHaveEveryProperty)
   table->SetNumberOfNodes(40);
   ExpectCopied(table, {});
 
+  vtkNew<vtkAnisotropicTableRadianceIntegrator> turned;
+  turned->SetSizes({ 17, 3, 5, 6 });
+  ExpectCopied(turned, {});
   vtkNew<vtkFactoredRadianceIntegrator> factored;
   factored->SetSizes({ 33, 3, 17, 5, 6 });
   factored->SetSmoothingDegree(7.0);

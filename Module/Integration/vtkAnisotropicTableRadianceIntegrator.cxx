@@ -1,0 +1,276 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkAnisotropicTableRadianceIntegrator.h"
+
+#include "AnisotropicSynthesis.h"
+#include "AnisotropicTable.h"
+#include "EnvironmentPrecomputation.h"
+#include "MaterialPrecomputation.h"
+#include "ModuleShader.h"
+#include "Setters.h"
+#include "TableCandidates.h"
+#include "TableSynthesis.h"
+#include "vtkBRDF.h"
+#include "vtkBRDFEnvironmentAnisotropic.h"
+#include "vtkBRDFShaderInputs.h"
+#include "vtkEnvironment.h"
+#include "vtkObjectFactory.h"
+#include "vtkRadianceCostModel.h"
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+using namespace measuredbrdf;
+
+namespace
+{
+constexpr double Pi = 3.14159265358979323846;
+constexpr int NumberOfNodes = 64; // of the kernels' integrals over theta_i
+}
+
+struct vtkAnisotropicTableRadianceIntegrator::Tables : AnisotropicTable
+{
+  using AnisotropicTable::AnisotropicTable;
+};
+
+vtkStandardNewMacro(vtkAnisotropicTableRadianceIntegrator);
+
+//------------------------------------------------------------------------------
+vtkAnisotropicTableRadianceIntegrator::vtkAnisotropicTableRadianceIntegrator() = default;
+
+//------------------------------------------------------------------------------
+vtkAnisotropicTableRadianceIntegrator::~vtkAnisotropicTableRadianceIntegrator() = default;
+
+//------------------------------------------------------------------------------
+std::unique_ptr<vtkAnisotropicTableRadianceIntegrator::Tables>
+vtkAnisotropicTableRadianceIntegrator::NewTables() const
+{
+  return std::make_unique<Tables>(this->NumberOfRows, this->NumberOfViewAngles,
+    this->NumberOfAzimuths, this->NumberOfViewAzimuths);
+}
+
+//------------------------------------------------------------------------------
+bool vtkAnisotropicTableRadianceIntegrator::Begin()
+{
+  this->Abort = false; // one that an earlier run left
+  if (!this->Environment || this->Environment->GetPixels().empty())
+  {
+    vtkErrorMacro("Prepare: there is no environment, or it is empty.");
+    return false;
+  }
+  auto table = this->NewTables();
+  if (!this->MakeTable(*table))
+  {
+    vtkErrorMacro("Prepare: aborted.");
+    return false;
+  }
+  this->Data = std::move(table);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// False where it was aborted.
+bool vtkAnisotropicTableRadianceIntegrator::MakeTable(Tables& table)
+{
+  const int degree = GetMapDegree(this->NumberOfRows);
+  const auto parts = this->Shared ? this->Shared : std::make_shared<Precomputation>();
+  EnvironmentPrecomputation& ofEnvironment = this->Environment->GetParts();
+  const auto goOn = [this]() { return this->Report(0.0); };
+  const auto harmonics = ofEnvironment.GetHarmonics(
+    this->Environment, nullptr, std::max(degree, IrradianceDegree), goOn);
+  if (!harmonics)
+  {
+    return false;
+  }
+  const AnisotropicViews& views = parts->GetAnisotropicViews(this->BRDF, this->Abort);
+  const MaterialPrecomputation::AnisotropicKernels& knots = parts->GetAnisotropicKernels(
+    this->BRDF, table.Angles, table.ViewAzimuths, NumberOfNodes, this->Abort);
+  if (this->Abort ||
+      !SynthesizeAnisotropic(
+        *harmonics, knots, degree, [this](double share) { return this->Report(share); }, table))
+  {
+    return false;
+  }
+  MakeAnisotropicProfile(views, knots, table);
+  if (table.HasFloor)
+  {
+    table.Irradiance = ofEnvironment.GetIrradiance(
+      nullptr, goOn, [&harmonics]() { return MakeIrradiance(*harmonics); });
+  }
+  return !table.HasFloor || table.Irradiance;
+}
+
+//------------------------------------------------------------------------------
+void vtkAnisotropicTableRadianceIntegrator::IntegratePart(
+  int vtkNotUsed(part), const double n[3], const double o[3], const double t[3], double radiance[3])
+{
+  const glm::dvec3 sum =
+    this->Data->Evaluate(glm::make_vec3(n), glm::make_vec3(o), glm::make_vec3(t));
+  for (int c = 0; c < 3; ++c)
+  {
+    radiance[c] += sum[c];
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkAnisotropicTableRadianceIntegrator::GetNumberOfPeriods()
+{
+  return this->Data ? this->Data->Periods : 0;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkAnisotropicTableRadianceIntegrator::GetPrepared()
+{
+  return this->Data ? this->Data->GetBytes() : "";
+}
+
+//------------------------------------------------------------------------------
+bool vtkAnisotropicTableRadianceIntegrator::TakePrepared(const std::string& bytes)
+{
+  auto table = this->NewTables();
+  if (!table->TakeBytes(bytes))
+  {
+    return false;
+  }
+  this->Data = std::move(table);
+  this->PrepareTime.Modified();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkAnisotropicTableRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
+{
+  if (!this->Prepare())
+  {
+    return false;
+  }
+  const AnisotropicTable& table = *this->Data;
+  vtkBRDFShaderInputs::Term term;
+  measuredbrdf::SetModuleShader(
+    term, "vtkBRDFEnvironmentAnisotropic", vtkBRDFEnvironmentAnisotropic);
+  term.Constants = { { "HAS_FLOOR", table.HasFloor ? "1" : "0" },
+    { "PERIODS", std::to_string(table.Periods) + ".0" },
+    { "VIEW_ANGLES", std::to_string(table.Angles) + ".0" },
+    { "VIEW_AZIMUTHS", std::to_string(table.ViewAzimuths) + ".0" } };
+  term.Uniforms.push_back(
+    { "brdfTableLastView", { static_cast<float>(LobeViews::GetLastAngle() * 2.0 / Pi) } });
+  const auto add = [&term](const char* name, int width, int height, int depth,
+                     const std::vector<float>& data) -> vtkBRDFShaderInputs::Texture&
+  {
+    vtkBRDFShaderInputs::Texture texture;
+    texture.Name = name;
+    texture.Dimensions = { width, height, depth };
+    texture.ThreeD = depth > 1;
+    texture.Data = data;
+    term.Textures.push_back(std::move(texture));
+    return term.Textures.back();
+  };
+  add("brdfTableProfile", AnisotropicViews::Angles, AnisotropicViews::Azimuths, 3, table.Profile)
+    .Repeat[1] = true;
+  vtkBRDFShaderInputs::Texture& radiance = add("brdfTableRadiance", table.Columns,
+    table.Rows * table.ViewAzimuths, table.Angles * (table.Azimuths + 1), table.Radiance);
+  radiance.HalfFloat = true;
+  radiance.Repeat[0] = true;
+  if (table.HasFloor)
+  {
+    add("brdfTableIrradiance", RadianceTable::IrradianceColumns, RadianceTable::IrradianceRows, 1,
+      *table.Irradiance)
+      .Repeat[0] = true;
+  }
+  form = vtkBRDFShaderInputs();
+  form.QuantizationError = std::ldexp(1.0, -11);
+  form.Description = "anisotropic radiance table, " + std::to_string(table.Columns) + " x " +
+                     std::to_string(table.Rows) + " axes x " + std::to_string(table.Azimuths) +
+                     " azimuths x " + std::to_string(table.Angles) + " x " +
+                     std::to_string(table.ViewAzimuths) + " views";
+  form.Terms.push_back(std::move(term));
+  return true;
+}
+
+//------------------------------------------------------------------------------
+measuredbrdfSetClampedMacro(vtkAnisotropicTableRadianceIntegrator, NumberOfRows, int, 9, 129);
+measuredbrdfSetClampedMacro(vtkAnisotropicTableRadianceIntegrator, NumberOfViewAngles, int, 2, 32);
+measuredbrdfSetClampedMacro(vtkAnisotropicTableRadianceIntegrator, NumberOfAzimuths, int, 4, 64);
+measuredbrdfSetClampedMacro(
+  vtkAnisotropicTableRadianceIntegrator, NumberOfViewAzimuths, int, 2, 32);
+
+//------------------------------------------------------------------------------
+std::vector<vtkRadianceIntegrator::Size> vtkAnisotropicTableRadianceIntegrator::GetSizes()
+{
+  return { { "rows", 9, 129, this->NumberOfRows },
+    { "view angles", 2, 32, this->NumberOfViewAngles },
+    { "azimuths", 4, 64, this->NumberOfAzimuths },
+    { "view azimuths", 2, 32, this->NumberOfViewAzimuths } };
+}
+
+//------------------------------------------------------------------------------
+void vtkAnisotropicTableRadianceIntegrator::SetSize(int index, int value)
+{
+  switch (index)
+  {
+    case 0:
+      return this->SetNumberOfRows(value);
+    case 1:
+      return this->SetNumberOfViewAngles(value);
+    case 2:
+      return this->SetNumberOfAzimuths(value);
+    default:
+      this->SetNumberOfViewAzimuths(value);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::vector<int>> vtkAnisotropicTableRadianceIntegrator::GetCandidateSizes(bool)
+{
+  if (this->BRDF->IsIsotropic())
+  {
+    return {};
+  }
+  return { { 17, 8, 16, 8 }, { 25, 6, 16, 8 }, { 25, 8, 20, 8 }, { 33, 6, 24, 6 }, { 33, 6, 24, 8 },
+    { 33, 8, 32, 8 }, { 49, 8, 32, 8 } };
+}
+
+//------------------------------------------------------------------------------
+// As isotropic tables, whose second size is the number of views.
+bool vtkAnisotropicTableRadianceIntegrator::CanPrune(
+  const std::vector<Attempt>& attempts, double error)
+{
+  std::vector<Attempt> tables = attempts;
+  for (Attempt& attempt : tables)
+  {
+    attempt.Sizes[1] *= attempt.Sizes[3];
+  }
+  return CanPruneTable({ this->NumberOfRows, this->NumberOfViewAngles * this->NumberOfViewAzimuths,
+                         this->NumberOfAzimuths },
+    tables, error);
+}
+
+//------------------------------------------------------------------------------
+double vtkAnisotropicTableRadianceIntegrator::EstimateCost(vtkRadianceCostModel* costs)
+{
+  return GetCost(costs, "base") + 2.0 * GetCost(costs, "table");
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkAnisotropicTableRadianceIntegrator::EstimateTextureBytes()
+{
+  const vtkIdType columns = 2 * (this->NumberOfRows - 1);
+  const vtkIdType maps = static_cast<vtkIdType>(this->NumberOfViewAngles) *
+                         (this->NumberOfAzimuths + 1) * this->NumberOfViewAzimuths;
+  return 6 * columns * this->NumberOfRows * maps +
+         12 * 3 * AnisotropicViews::Angles * AnisotropicViews::Azimuths +
+         16 * RadianceTable::IrradianceColumns * RadianceTable::IrradianceRows;
+}
+
+//------------------------------------------------------------------------------
+void vtkAnisotropicTableRadianceIntegrator::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfRows: " << this->NumberOfRows << "\n";
+  os << indent << "NumberOfViewAngles: " << this->NumberOfViewAngles << "\n";
+  os << indent << "NumberOfAzimuths: " << this->NumberOfAzimuths << "\n";
+  os << indent << "NumberOfViewAzimuths: " << this->NumberOfViewAzimuths << "\n";
+}
