@@ -103,7 +103,7 @@ Vector Turn(const Vector& v, double degrees);
 /// Radiance, 3 doubles each. Throws Error. Needs an Interruptible.
 std::vector<double> Integrate(vtkRadianceIntegrator* integrator, const Pairs& pairs);
 
-/// The sum over every texel.
+/// By the reference, to 0.02 %.
 std::vector<double> IntegrateReference(
   vtkBRDF* brdf, vtkEnvironment* environment, const Pairs& pairs);
 

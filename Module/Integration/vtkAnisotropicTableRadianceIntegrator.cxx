@@ -86,6 +86,10 @@ bool vtkAnisotropicTableRadianceIntegrator::MakeTable(Tables& table)
     return false;
   }
   const AnisotropicViews& views = parts->GetAnisotropicViews(this->BRDF, this->Abort);
+  if (this->Abort)
+  {
+    return false;
+  }
   const MaterialPrecomputation::AnisotropicKernels& knots = parts->GetAnisotropicKernels(
     this->BRDF, table.Angles, table.ViewAzimuths, NumberOfNodes, this->Abort);
   if (this->Abort ||

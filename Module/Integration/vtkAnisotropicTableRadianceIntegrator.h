@@ -21,7 +21,7 @@
  * harmonics, since kernels have no plane of symmetry.
  *
  * f that is the same after half a turn of the sample, as of brushed metal, needs views over half a
- * turn only; this is found out (GetNumberOfPeriods).
+ * turn only; this is detected (GetNumberOfPeriods).
  *
  * Cost: 4 trilinear fetches, 3 of the small profile, and a bilinear one where there is a Lambert
  * part. Errors: linear interpolation, and the harmonics' degree. Narrow lobes need many rows:

@@ -24,8 +24,9 @@
  * the kernel's harmonics b_lk about its axis, T = sum over l, m, k of b_lk D^l_mk(D, psi)
  * conj(a_lm), synthesized by Wigner's d functions over D's polar angle and fast Fourier transforms
  * over both azimuths (Kostelec, Rockmore 2008; reparameterization by a lobe's direction:
- * Ramamoorthi, Hanrahan 2002). Every texel of the environment takes part, up to the degree that the
- * rows resolve.
+ * Ramamoorthi, Hanrahan 2002). Every texel of the environment takes part; the
+ * last degrees fade out. What is stored are the linear splines of least squared error, and dark
+ * rings about lamps that are sharper than the rows are lifted.
  *
  * Cost: 2 trilinear and 4 bilinear fetches a pixel. Errors: linear interpolation in the four
  * quantities and the harmonics' degree, second order where radiance is smooth, first order where

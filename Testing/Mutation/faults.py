@@ -263,7 +263,7 @@ add("Integration.anisotropic-conjugate-forgotten", "Private/AnisotropicLobe.cxx"
     "AnisotropicTable.Converges|AnisotropicTable.ClothWithANapHasOnePeriod")
 add("Integration.anisotropic-half-turn-forgotten", "Private/AnisotropicTable.cxx", "(again ? 1.0 / this->Periods : 0.0)", "0.0",
     "AnisotropicTable.BrushedMetalInTwelveMegabytes|AnisotropicTable.Converges")
-add("Integration.anisotropic-always-half-a-turn", "Private/AnisotropicViews.cxx", "return difference <= LargestDifference * sum;",
+add("Integration.anisotropic-always-half-a-turn", "Private/AnisotropicViews.cxx", "return difference <= LargestDifference * Probes;",
     "return true;", "AnisotropicTable.ClothWithANapHasOnePeriod")
 add("Integration.anisotropic-axis-in-the-plane", "Private/AnisotropicSynthesis.cxx", "lobe.Axis.y * out.x - lobe.Axis.x * out.y, w", "0.0, w",
     "AnisotropicTable.Converges|AnisotropicTable.ClothWithANapHasOnePeriod")

@@ -90,7 +90,9 @@ std::string AnisotropicTable::GetBytes() const
   const auto put = [&bytes](const void* data, std::size_t size)
   { bytes.append(static_cast<const char*>(data), size); };
   const std::uint64_t header[] = { static_cast<std::uint64_t>(this->Periods), this->Profile.size(),
-    this->Radiance.size(), irradiance.size() };
+    this->Radiance.size(), irradiance.size(), static_cast<std::uint64_t>(this->Rows),
+    static_cast<std::uint64_t>(this->Angles), static_cast<std::uint64_t>(this->Azimuths),
+    static_cast<std::uint64_t>(this->ViewAzimuths) };
   put(header, sizeof(header));
   put(&this->Scale, sizeof(this->Scale));
   for (const std::vector<float>* values : { &this->Profile, &this->Radiance, &irradiance })
@@ -102,7 +104,7 @@ std::string AnisotropicTable::GetBytes() const
 
 bool AnisotropicTable::TakeBytes(const std::string& bytes)
 {
-  std::uint64_t header[4];
+  std::uint64_t header[8];
   std::size_t at = sizeof(header) + sizeof(this->Scale);
   if (bytes.size() < at)
   {
@@ -112,7 +114,11 @@ bool AnisotropicTable::TakeBytes(const std::string& bytes)
   std::memcpy(&this->Scale, bytes.data() + sizeof(header), sizeof(this->Scale));
   const std::uint64_t irradiance =
     3ull * RadianceTable::IrradianceColumns * RadianceTable::IrradianceRows;
-  if ((header[0] != 1 && header[0] != 2) || !std::isfinite(this->Scale) ||
+  const std::uint64_t sizes[] = { static_cast<std::uint64_t>(this->Rows),
+    static_cast<std::uint64_t>(this->Angles), static_cast<std::uint64_t>(this->Azimuths),
+    static_cast<std::uint64_t>(this->ViewAzimuths) };
+  if (!std::equal(sizes, sizes + 4, header + 4) || (header[0] != 1 && header[0] != 2) ||
+      !std::isfinite(this->Scale) ||
       header[1] != 3ull * 3 * AnisotropicViews::Angles * AnisotropicViews::Azimuths ||
       header[2] != 3ull * this->GetMap(this->Angles, 0, 0) ||
       (header[3] != 0 && header[3] != irradiance) ||

@@ -30,7 +30,7 @@ glm::dvec3 ToDirection(double z, double turn)
 bool IsSameAfterHalfATurn(vtkBRDF* brdf)
 {
   const glm::dvec3 turn(-1.0, -1.0, 1.0);
-  double difference = 0.0, sum = 0.0;
+  double difference = 0.0;
   for (unsigned int k = 1; k <= Probes; ++k)
   {
     const glm::dvec3 o = ToDirection(RadicalInverse(k, 2), RadicalInverse(k, 3));
@@ -43,11 +43,12 @@ bool IsSameAfterHalfATurn(vtkBRDF* brdf)
     glm::dvec3 f, turned;
     brdf->Evaluate(&i.x, &o.x, &f.x);
     brdf->Evaluate(&turnedI.x, &turnedO.x, &turned.x);
+    // Relative, so that a bright lobe does not hide what is dim.
     const glm::dvec3 d = glm::abs(f - turned);
-    difference += d.x + d.y + d.z;
-    sum += f.x + f.y + f.z;
+    const double both = f.x + f.y + f.z + turned.x + turned.y + turned.z;
+    difference += both > 0.0 ? (d.x + d.y + d.z) / both : 0.0;
   }
-  return difference <= LargestDifference * sum;
+  return difference <= LargestDifference * Probes;
 }
 }
 

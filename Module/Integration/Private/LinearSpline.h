@@ -11,17 +11,16 @@
 #ifndef LinearSpline_h
 #define LinearSpline_h
 
-#include <algorithm>
 #include <cmath>
 #include <complex>
 
 namespace measuredbrdf
 {
 /// For a Fourier series over a circle of nodes: what a term with so many periods per node is
-/// multiplied by, up to half a period. The dual spline's spectrum, sinc^2 / ((2 + cos) / 3).
+/// multiplied by. The dual spline's spectrum, sinc^2 / ((2 + cos) / 3), beyond half a period, too.
 inline double GetLinearSplineGain(double frequency)
 {
-  const double x = 3.14159265358979323846 * std::min(std::abs(frequency), 0.5);
+  const double x = 3.14159265358979323846 * std::abs(frequency);
   const double sinc = x > 0.0 ? std::sin(x) / x : 1.0;
   return 3.0 * sinc * sinc / (2.0 + std::cos(2.0 * x));
 }

@@ -60,11 +60,17 @@ void LiftDarkRings(std::vector<float>& radiance, std::size_t rows, std::size_t c
           CombineColumns(first, columns, second, blur);
           CombineRows(second, columns, first, blur);
         }
-        CombineColumns(first, columns, second, least);
-        CombineRows(second, columns, first, least);
+        for (int pass = 0; pass < 2; ++pass) // as far as the blur reaches: edges do not bleed
+        {
+          CombineColumns(first, columns, second, least);
+          CombineRows(second, columns, first, least);
+        }
         for (std::size_t k = 0; k < size; ++k)
         {
-          values[k] = std::max(values[k], LeastShare * first[k]);
+          if (first[k] > 0.0f) // else it is negative all around: f is less than the Lambert part
+          {
+            values[k] = std::max(values[k], LeastShare * first[k]);
+          }
         }
       }
     });

@@ -16,8 +16,9 @@ namespace measuredbrdf
 /**
  * What a lobe narrower than a map's texels reflects of a lamp overshoots, and beside the lamp it
  * may fall far below what is around, even below 0. A binomial blur of what is positive shows what
- * is around: values below three quarters of its least within a texel are lifted there, as limiters
- * do in transport schemes (Zalesak 1979). Where radiance is resolved that changes nothing.
+ * is around: values below three quarters of its least within two texels are lifted there, as
+ * limiters do in transport schemes (Zalesak 1979). Where radiance is resolved that changes next
+ * to nothing.
  *
  * radiance: RGB, maps of rows x columns behind each other, columns around.
  */

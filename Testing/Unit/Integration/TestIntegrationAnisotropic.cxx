@@ -243,7 +243,10 @@ TEST(AnisotropicTable, TakesWhatItIsGiven)
     EXPECT_FALSE(taker->TakePrepared(bad));
   }
   EXPECT_EQ(pairs.Integrate(taker), expected);
-  EXPECT_FALSE(NewTable(brdf, NewSmallEnvironment(true), { 9, 3, 6, 5 })->TakePrepared(bytes));
+  for (const std::vector<int>& other : { std::vector<int>{ 9, 3, 6, 5 }, { 9, 4, 6, 3 } })
+  {
+    EXPECT_FALSE(NewTable(brdf, NewSmallEnvironment(true), other)->TakePrepared(bytes));
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -301,7 +301,7 @@ TEST(TableIntegrator, LinearInTheLight)
   }
   const double error = GetLargestDifference(sum, pairs.Integrate(NewTable(brdf, both)));
   std::printf("largest difference %.1e of the largest\n", error);
-  EXPECT_LT(error, 1e-5);
+  EXPECT_LT(error, 0.01); // dark rings are lifted, which is not linear
 }
 
 //------------------------------------------------------------------------------

@@ -70,6 +70,7 @@ protected:
     }
     planner->SetEnvironment(this->Environment);
     planner->SetErrorTolerance(this->Tolerance);
+    planner->SetMaximumTextureBytes(this->TextureBytes);
     planner->SetViewDirection(this->View);
     planner->SetNumberOfPixels(this->Pixels);
     planner->SetMaximumCacheBytes(this->MaximumBytes);
@@ -136,6 +137,7 @@ protected:
   vtkIdType Pixels = 200000;
   vtkSmartPointer<vtkRadianceCostModel> Costs;
   vtkIdType MaximumBytes = 512 << 20;
+  vtkIdType TextureBytes = 96 << 20;
   vtkSmartPointer<vtkBRDF> Other; // instead of BRDF
   vtkNew<vtkBlinnPhongBRDF> BRDF;
   vtkNew<vtkEnvironment> Environment;
@@ -165,6 +167,7 @@ TEST_F(PlanCache, FindsLayersAgain)
   this->BRDF->SetSpecular(0.5, 0.5, 0.5);
   this->BRDF->SetExponent(2000.0);
   this->Tolerance = 0.02;
+  this->TextureBytes = 10 << 20; // no room for a table that does without lights
   this->Environment->SetToProceduralHall();
   this->Costs = vtkSmartPointer<vtkRadianceCostModel>::New();
   this->Costs->SetCost("light", 0.1);
