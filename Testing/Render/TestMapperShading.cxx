@@ -432,7 +432,7 @@ TEST_F(MapperShading, TangentsFromTextureCoordinatesAndFields)
   EXPECT_NEAR(this->RenderLinear().At(32, 32)[0], expected, 2e-3 * expected);
 
   vtkNew<vtkFloatArray> field;
-  field->SetName("fibre direction");
+  field->SetName("fiber direction");
   field->SetNumberOfComponents(3);
   for (int corner = 0; corner < 4; ++corner)
   {
@@ -441,7 +441,7 @@ TEST_F(MapperShading, TangentsFromTextureCoordinatesAndFields)
   vtkNew<vtkPolyData> mesh;
   mesh->ShallowCopy(quad);
   mesh->GetPointData()->AddArray(field);
-  mesh->GetPointData()->SetActiveTangents("fibre direction");
+  mesh->GetPointData()->SetActiveTangents("fiber direction");
   this->Mapper->SetInputDataObject(mesh);
   const double leaning[3] = { 0.0, 7.0, 3.0 };
   expected = getExpected(leaning);

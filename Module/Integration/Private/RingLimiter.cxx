@@ -28,15 +28,19 @@ void CombineColumns(const std::vector<float>& in, std::size_t columns, std::vect
   }
 }
 
+// Beyond a pole the meridian opposite goes on.
 template <typename Combine>
 void CombineRows(const std::vector<float>& in, std::size_t columns, std::vector<float>& out,
   const Combine& combine)
 {
   const std::size_t width = 3 * columns;
+  const std::size_t half = columns / 2 * 3;
+  const std::size_t last = in.size() - width;
   for (std::size_t k = 0; k < in.size(); ++k)
   {
-    out[k] =
-      combine(in[k < width ? k : k - width], in[k], in[k + width < in.size() ? k + width : k]);
+    const std::size_t opposite = (k % width + half) % width;
+    out[k] = combine(in[k < width ? width + opposite : k - width], in[k],
+      in[k < last ? k + width : last - width + opposite]);
   }
 }
 }
