@@ -255,13 +255,13 @@ add("Integration.table-without-its-blur", "Private/TableSynthesis.cxx", "smoothe
     "FactoredIntegrator.WhiteFurnaceIsTheDirectionalAlbedo|FactoredIntegrator.MirrorsInFewMegabytes")
 add("Integration.no-splines-along-rows", "Private/FieldSynthesis.cxx", "FitLinearSpline(above, known[row * columns + column], below)",
     "known[row * columns + column]", "LinearSpline.*|TableReference.ErrorFallsWithSize*|AnisotropicTable.*")
-add("Integration.beyond-the-pole-unturned", "Private/FieldSynthesis.cxx", "order % 2 != 0 ? -1.0f : 1.0f", "1.0f",
+add("Integration.beyond-the-pole-unturned", "Private/FieldSynthesis.cxx", "order % 2 != 0 ? -1.0f : 1.0f", "order % 2 != 0 ? 1.0f : 1.0f",
     "AnisotropicTable.*|TableIntegrator.*|LinearSpline.*")
 add("Integration.rings-stay", "Private/RingLimiter.cxx", "constexpr float LeastShare = 0.75f;", "constexpr float LeastShare = 0.0f;",
     "RingLimiter.*")
 add("Integration.edges-bleed", "Private/RingLimiter.cxx", "for (int pass = 0; pass < 2; ++pass) // as far", "for (int pass = 0; pass < 1; ++pass) // as far",
     "RingLimiter.*")
-add("Integration.anisotropic-azimuths-from-the-axis", "Private/AnisotropicLobe.cxx", "std::polar(1.0, -k * azimuth) * turned[n]", "turned[n]",
+add("Integration.anisotropic-azimuths-from-the-axis", "Private/AnisotropicLobe.cxx", "std::polar(1.0, -k * azimuth)", "std::polar(1.0, k * azimuth)",
     "AnisotropicTable.Converges")
 add("Integration.anisotropic-conjugate-forgotten", "Private/AnisotropicLobe.cxx", "from < 0 ? std::conj(in[l]) : in[l]", "in[l]",
     "AnisotropicTable.Converges|AnisotropicTable.ClothWithANapHasOnePeriod")
