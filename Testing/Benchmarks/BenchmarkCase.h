@@ -9,6 +9,7 @@
 #ifndef BenchmarkCase_h
 #define BenchmarkCase_h
 
+#include "EverywherePairs.h"
 #include "vtkAdaptiveRadianceIntegrator.h"
 #include "vtkBRDFReader.h"
 #include "vtkDoubleArray.h"
@@ -16,7 +17,6 @@
 #include "vtkEmbeddedMaterials.h"
 #include "vtkEnvironment.h"
 #include "vtkEnvironmentReader.h"
-#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
 
@@ -53,7 +53,7 @@ struct BenchmarkCase
     }
     if (this->BRDF && this->Environment)
     {
-      this->SetPairs(1000);
+      AddEverywherePairs(1000, this->Normals, this->Views);
       vtkNew<vtkAdaptiveRadianceIntegrator> reference;
       reference->SetBRDF(this->BRDF);
       reference->SetEnvironment(this->Environment);
@@ -72,33 +72,6 @@ struct BenchmarkCase
     reader->SetFileName(folder + "/materials/" + name);
     reader->GlobalWarningDisplayOff();
     return reader->Read() ? reader->GetBRDF() : nullptr;
-  }
-
-  // Views over the sphere of directions, and for each a point of the disc that it shows:
-  // sunflowers.
-  void SetPairs(int pairs)
-  {
-    this->Normals->SetNumberOfComponents(3);
-    this->Views->SetNumberOfComponents(3);
-    for (int k = 0; k < pairs; ++k)
-    {
-      const double y = 1.0 - (2.0 * k + 1.0) / pairs;
-      const double s = std::sqrt(1.0 - y * y);
-      const double around = 2.399963229728653 * k;
-      const double view[3] = { s * std::cos(around), y, s * std::sin(around) };
-      double u[3], v[3];
-      vtkMath::Perpendiculars(view, u, v, 0.0);
-      const double r = std::sqrt(std::fmod((k + 0.5) * 0.6180339887498949, 1.0));
-      const double phi = 2.0 * vtkMath::Pi() * std::fmod(k * 0.7548776662466927, 1.0);
-      double normal[3];
-      for (int c = 0; c < 3; ++c)
-      {
-        normal[c] =
-          r * std::cos(phi) * u[c] + r * std::sin(phi) * v[c] + std::sqrt(1.0 - r * r) * view[c];
-      }
-      this->Normals->InsertNextTuple(normal);
-      this->Views->InsertNextTuple(view);
-    }
   }
 
   // Relative L1.
