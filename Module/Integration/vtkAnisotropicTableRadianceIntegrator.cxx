@@ -5,6 +5,7 @@
 #include "AnisotropicSynthesis.h"
 #include "AnisotropicTable.h"
 #include "EnvironmentPrecomputation.h"
+#include "HalfVector.h" // for Pi
 #include "MaterialPrecomputation.h"
 #include "ModuleShader.h"
 #include "Setters.h"
@@ -27,7 +28,6 @@ using namespace measuredbrdf;
 
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 constexpr int NumberOfNodes = 64; // of the kernels' integrals over theta_i
 }
 
@@ -98,7 +98,7 @@ bool vtkAnisotropicTableRadianceIntegrator::MakeTable(Tables& table)
   {
     return false;
   }
-  MakeAnisotropicProfile(views, knots, table);
+  MakeAnisotropicProfile(views, knots, NormalizeRadiance(table.Radiance), table);
   if (table.HasFloor)
   {
     table.Irradiance = ofEnvironment.GetIrradiance(

@@ -28,7 +28,6 @@ using namespace measuredbrdf;
 
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 constexpr int KnotsPerViewAngle = 4; // of the kernels that the maps are made of
 constexpr int NumberOfNodes = 64;
 }
@@ -114,7 +113,7 @@ bool vtkFactoredRadianceIntegrator::MakeCore(Precomputation& parts, int tableNod
     return false;
   }
   RadianceTable table(this->NumberOfTableRows, this->NumberOfViewAngles, this->NumberOfAzimuths);
-  MakeProfile(views, tableKnots, table);
+  MakeProfile(views, tableKnots, 1.0, table);
   const CoreKernels kernels{ knots, tableKnots, table, this->SmoothingDegree, this->NumberOfRows,
     degree, parts };
   return core.Make(*harmonics, views, kernels, this->NumberOfFields,

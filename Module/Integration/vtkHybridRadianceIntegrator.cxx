@@ -3,7 +3,7 @@
 #include "vtkHybridRadianceIntegrator.h"
 
 #include "EnvironmentPrecomputation.h"
-#include "LobeSplit.h"
+#include "HalfVector.h" // for Pi
 #include "MaterialPrecomputation.h"
 #include "Printable.h"
 #include "Setters.h"
@@ -30,7 +30,6 @@ using namespace measuredbrdf;
 
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 constexpr int SmallTableRows = 33; // beside maps
 
 // Degree of the blur where lamps stay in the map: the table's rows would show in a narrower halo.
@@ -295,8 +294,8 @@ double vtkHybridRadianceIntegrator::ChooseLightAngle()
 {
   const auto parts = this->Shared ? this->Shared : std::make_shared<Precomputation>();
   const double radius = vtkMath::RadiansFromDegrees(2.0 * LampAngle);
-  const LobeSplit cut(parts->GetViews(this->BRDF, this->Abort), Pi * radius * radius);
-  return cut.GetSharpShare() > NarrowShare ? FineLampAngle : LampAngle;
+  const double sharp = parts->GetViews(this->BRDF, this->Abort).GetSharpShare(Pi * radius * radius);
+  return sharp > NarrowShare ? FineLampAngle : LampAngle;
 }
 
 //------------------------------------------------------------------------------

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRadianceIntegrator.h"
 
+#include "LocalFrame.h"
 #include "vtkBRDF.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
@@ -75,7 +76,8 @@ struct vtkRadianceIntegrator::Pair
       {
         return "pair " + std::to_string(k) + " holds a direction that is zero or not finite.";
       }
-      pairs.push_back({ Normalize(n), Normalize(v), Normalize(t) });
+      const glm::dvec3 normal = Normalize(n);
+      pairs.push_back({ normal, measuredbrdf::LiftView(Normalize(v), normal), Normalize(t) });
     }
     return "";
   }

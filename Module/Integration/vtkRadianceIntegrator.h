@@ -61,8 +61,10 @@ public:
    * Radiance (resized to 3 components, RGB; unchanged on failure) for each tuple of normals and
    * views (3 components, directions from the surface, any length but 0). tangents may be null: then
    * any frame about the normal is used, right for isotropic materials. A view below the horizon
-   * gives 0. Returns false with an error event when arrays do not match, something is missing, a
-   * direction is zero or not finite, or the run was aborted.
+   * gives 0. One less than 1.15 degrees above it (a cosine of 0.02) counts as one at 1.15 degrees,
+   * as in shaders: measured f grows as 1/cos there, where no instrument measures. Returns false
+   * with an error event when arrays do not match, something is missing, a direction is zero or not
+   * finite, or the run was aborted.
    */
   bool Integrate(vtkDataArray* normals, vtkDataArray* views, vtkDataArray* radiance,
     vtkDataArray* tangents = nullptr);

@@ -3,6 +3,7 @@
 #include "vtkTableRadianceIntegrator.h"
 
 #include "EnvironmentPrecomputation.h"
+#include "HalfVector.h" // for Pi
 #include "MaterialPrecomputation.h"
 #include "ModuleShader.h"
 #include "Printable.h"
@@ -24,11 +25,6 @@
 #include <utility>
 
 using namespace measuredbrdf;
-
-namespace
-{
-constexpr double Pi = 3.14159265358979323846;
-}
 
 struct vtkTableRadianceIntegrator::Tables : RadianceTable
 {
@@ -95,7 +91,7 @@ bool vtkTableRadianceIntegrator::MakeTable(Tables& table)
   {
     return false;
   }
-  MakeProfile(views, knots, table);
+  MakeProfile(views, knots, NormalizeRadiance(table.Radiance), table);
   if (table.HasFloor)
   {
     table.Irradiance = ofEnvironment.GetIrradiance(

@@ -3,6 +3,7 @@
 #include "vtkRadiancePlanner.h"
 
 #include "EnvironmentPrecomputation.h"
+#include "LightsReference.h"
 #include "MaterialPrecomputation.h"
 #include "PlanCache.h"
 #include "PlanCandidate.h"
@@ -10,6 +11,7 @@
 #include "PlanPairs.h"
 #include "PlanReference.h"
 #include "PlanReport.h"
+#include "PlanSample.h"
 #include "PlanSearch.h"
 #include "Setters.h"
 #include "vtkBRDF.h"
@@ -20,6 +22,8 @@
 #include "vtkObjectFactory.h"
 #include "vtkRadianceCostModel.h"
 #include "vtkRadianceMethods.h"
+
+#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <atomic>
@@ -35,7 +39,7 @@ using measuredbrdf::PlanCandidate;
 
 namespace
 {
-constexpr int Pairs = 512;
+constexpr int SpherePairs = 8192; // of which the comparison takes a sample
 constexpr vtkIdType FewestPairs = 16;
 constexpr vtkIdType MostPairs = 4096;
 
@@ -125,7 +129,8 @@ struct vtkRadiancePlanner::Internals
           static_cast<std::size_t>(given->GetNumberOfValues()) * sizeof(double));
       }
     }
-    if (this->Given.Normals)
+    const double* view = planner->GetViewDirection();
+    if (this->Given.Normals || view[0] != 0.0 || view[1] != 0.0 || view[2] != 0.0)
     {
       double rotation[9];
       this->Environment->GetWorldToEnvironment(rotation);
@@ -144,20 +149,31 @@ struct vtkRadiancePlanner::Internals
     return hash.GetText();
   }
 
+  // Those of a sphere: many of them see a sun or a lamp, which decide for mirror-like materials.
   measuredbrdf::PlanPairs GetPairs(vtkRadiancePlanner* planner) const
   {
-    return this->Given.Normals ? this->Given
-                               : measuredbrdf::DrawSpherePairs(Pairs, planner->GetViewDirection());
+    if (this->Given.Normals)
+    {
+      return this->Given;
+    }
+    const auto bright = this->Environment->GetParts().GetExtractedEmitters(this->Environment,
+      measuredbrdf::ExtractedEmitters::DefaultShare, measuredbrdf::LightsReference::MaximumSuns,
+      [planner]() { return !planner->GetAbort(); });
+    // In the environment's frame, where plans for all views do not depend on its rotation.
+    double rows[9];
+    this->Environment->GetWorldToEnvironment(rows);
+    const glm::dvec3 view = glm::make_vec3(planner->GetViewDirection()) * glm::make_mat3(rows);
+    measuredbrdf::PlanPairs pairs = measuredbrdf::DrawSpherePairs(SpherePairs, &view.x,
+      bright ? bright->Lights : std::vector<measuredbrdf::ExtractedEmitters::Light>());
+    measuredbrdf::Turn(rows, pairs);
+    return pairs;
   }
 
   bool MakeReference(const measuredbrdf::PlanPairs& pairs, const measuredbrdf::IsAborted& isAborted,
-    vtkDoubleArray* reference)
+    const std::atomic<bool>& abort, vtkDoubleArray* reference)
   {
-    vtkNew<measuredbrdf::PlanReference> integrator;
-    integrator->SetBRDF(this->BRDF);
-    integrator->SetEnvironment(this->Environment);
-    integrator->SetErrorTolerance(this->Task.Tolerance);
-    integrator->SetPrecomputation(this->Task.Shared);
+    const auto integrator = measuredbrdf::NewPlanReference(
+      this->BRDF, this->Environment, this->Task.Tolerance, this->Task.Shared, abort);
     const AbortForwarder supervision(isAborted, integrator, this->Problem);
     return integrator->Integrate(pairs.Normals, pairs.Views, reference);
   }
@@ -318,7 +334,7 @@ bool vtkRadiancePlanner::Search()
   {
     impl.Task.Shared->GetViews(impl.BRDF, this->Abort); // which all that follows asks for
   }
-  const std::vector<PlanCandidate> candidates = measuredbrdf::ListCandidates(impl.Task);
+  std::vector<PlanCandidate> candidates = measuredbrdf::ListCandidates(impl.Task);
   if (candidates.empty() && !this->Abort)
   {
     vtkErrorMacro(
@@ -326,9 +342,10 @@ bool vtkRadiancePlanner::Search()
     return false;
   }
   const measuredbrdf::IsAborted isAborted = [this]() { return this->GetAbort(); };
-  const measuredbrdf::PlanPairs pairs = impl.GetPairs(this);
+  measuredbrdf::PlanPairs pairs = impl.GetPairs(this);
   vtkNew<vtkDoubleArray> reference;
-  if (this->Abort || !impl.MakeReference(pairs, isAborted, reference))
+  if (!measuredbrdf::SamplePairs(impl.Task, isAborted, candidates, pairs, impl.Problem) ||
+      !impl.MakeReference(pairs, isAborted, this->Abort, reference))
   {
     return this->Fail();
   }
@@ -381,6 +398,13 @@ double vtkRadiancePlanner::GetPredictedError(int index)
 {
   const PlanCandidate* candidate = this->Impl->GetCandidate(index);
   return candidate ? candidate->Error : 0.0;
+}
+
+//------------------------------------------------------------------------------
+double vtkRadiancePlanner::GetErrorUncertainty(int index)
+{
+  const PlanCandidate* candidate = this->Impl->GetCandidate(index);
+  return candidate ? candidate->Uncertainty : 0.0;
 }
 
 //------------------------------------------------------------------------------
@@ -441,7 +465,6 @@ vtkRadianceIntegrator* vtkRadiancePlanner::NewIntegrator()
   return this->NewIntegrator(this->Impl->Plan.Choice);
 }
 
-//------------------------------------------------------------------------------
 //------------------------------------------------------------------------------
 measuredbrdfSetClampedMacro(vtkRadiancePlanner, ErrorTolerance, double, 1e-3, 1.0);
 measuredbrdfSetClampedMacro(vtkRadiancePlanner, NumberOfPixels, vtkIdType, 1, VTK_ID_MAX);

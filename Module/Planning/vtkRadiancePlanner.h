@@ -9,9 +9,12 @@
  * vtkRadianceMethods and its sizes) from the cheapest on and chooses the first that meets the
  * tolerance: no more than the scene needs. Errors are relative L1 over a sphere, mean |x - r| /
  * mean r, and are predicted by trying: each candidate is prepared and compared on some hundred
- * (normal, view) pairs, drawn as a sphere shows them, with a nearly exact sum (suns and lamps
- * apart, thousands of lights for what is broad, thousands of directions for what is sharp); one
- * standard error of that sample is added. Costs are those of a vtkRadianceCostModel: Mesa's
+ * (normal, view) pairs with a nearly exact sum (for broad lobes a sum over thousands of lights, for
+ * sharp ones an adaptive integral). The pairs are a sample of thousands, as a
+ * sphere shows them to all views, drawn by where two cheap candidates differ; two standard errors
+ * of that sample are added, so that what is predicted holds. It is the mean over all views: one
+ * picture can have more or less. For one picture, plan for it (SetPairs,
+ * vtkMeasuredBRDFMapper::SetPlanForView). Costs are those of a vtkRadianceCostModel: Mesa's
  * llvmpipe's unless another is set.
  *
  * The order of the candidates counts 3 % of a table's pixel (3 ns on llvmpipe), times 196350 /
@@ -19,8 +22,8 @@
  * fetches at every size. Those that the ones before show to be hopeless are left out (EvaluateAll:
  * none). Where no candidate meets the tolerance, the most accurate one is chosen, the first of
  * those that differ by less than a tenth, and the reason says so. A plan is made again when the
- * material, the environment's pixels or the settings changed; a rotation of the environment changes
- * nothing.
+ * material, the environment's pixels or the settings changed, not when the environment turned: one
+ * for all views is the same at every rotation.
  *
  * What a camera sees can need less than the whole sphere: SetPairs checks candidates on what is in
  * view only. A megabyte is paid once a frame, whatever the object covers: NumberOfPixels weighs it
@@ -82,9 +85,10 @@ public:
   /**
    * Check candidates on these pairs instead, what a camera sees: as many unit normals as unit
    * directions towards the camera, 3 components each, world coordinates with the environment turned
-   * as it is, from 16 to 4096 of them (drawn in proportion to the pixels that they cover). Copied.
-   * Two nulls (default): a sphere's. Returns false with an error event, the pairs as they were,
-   * where the arrays do not fit, or a value is not finite.
+   * as it is, from 16 to 4096 of them (drawn in proportion to the pixels that they cover); of more
+   * than 512, a sample of about so many. Copied. Two nulls (default): a sphere's. Returns false
+   * with an error event, the pairs as they were, where the arrays do not fit, or a value is not
+   * finite.
    */
   bool SetPairs(vtkDataArray* normals, vtkDataArray* views);
 
@@ -167,7 +171,8 @@ public:
   int GetNumberOfCandidates();
   std::string GetMethodName(int index);       // as vtkRadianceMethods knows it, e.g. "table"
   std::string GetDescription(int index);      // sizes
-  double GetPredictedError(int index);        // relative L1
+  double GetPredictedError(int index);        // relative L1, that of the sample and what follows
+  double GetErrorUncertainty(int index);      // two standard errors of the sample
   double GetPredictedMilliseconds(int index); // of NumberOfPixels
   vtkIdType GetTextureBytes(int index);
   double GetSetUpMilliseconds(int index);

@@ -334,9 +334,10 @@ add("Integration.table-profile-step", "Private/LobePlacement.h", "GetTexel(profi
     "Parity.TableIntegrator|TableReference.ErrorFallsWithSize|TableIntegrator.Continuous")
 add("Integration.hybrid-copy-without-angle", "vtkHybridRadianceIntegrator.cxx",
     "this->SetLightAngle(hybrid->LightAngle);", "", "RadianceMethods.CopiesHaveEveryProperty")
-add("Integration.split-loses-the-rest", "Private/LobeSplit.cxx", "floor + (f - floor) * (this->Height / rest)",
-    "(f - floor) * (this->Height / rest)",
-    "LobeSplit.AddUpAndTheSharpOneIsNarrow|HybridIntegrator.WhiteFurnaceIsTheDirectionalAlbedo")
+add("Integration.sharp-share-is-all", "Private/LobeViews.cxx", "cell.Energy - energy / solidAngle * cell.SolidAngle",
+    "cell.Energy", "LobeViews.TellsSharpFromBroad")
+add("Integration.views-are-not-lifted", "vtkRadianceIntegrator.cxx", "measuredbrdf::LiftView(Normalize(v), normal)",
+    "Normalize(v)", "Integrators.LowViewsAreLifted")
 
 # Metrics
 
@@ -545,11 +546,19 @@ add("Planning.off-is-a-folder", "Private/PlanCache.cxx", 'std::string(own) == "o
     "PlanCache.DefaultFolderFollowsTheEnvironment")
 add("Planning.largest-cache", "Private/PlanCache.cxx", "if (total <= maximumBytes)", "if (total <= 2 * maximumBytes)",
     "PlanCache.StaysWithinItsBounds")
-add("Planning.error-without-deviation", "Private/PlanSearch.cxx", "(differences + std::sqrt(variance)) / sum",
-    "differences / sum", "GoldenPlans.EmbeddedMaterials|PlannerPromise.IsKept")
+add("Planning.error-without-deviation", "Private/PlanSearch.cxx", "candidate.Error = error + candidate.Uncertainty;",
+    "candidate.Error = error;", "GoldenPlans.EmbeddedMaterials|PlanSample.PredictionsHold")
 add("Planning.pairs-without-weights", "Private/PlanSearch.cxx",
-    "this->Pairs.Weights.empty() ? 1.0 : this->Pairs.Weights[static_cast<std::size_t>(k)];", "1.0;",
-    "GoldenPlans.EmbeddedMaterials|PlannerPromise.IsKept")
+    "this->Pairs.Weights.empty() ? 1.0 : this->Pairs.Weights[at];", "1.0;",
+    "GoldenPlans.EmbeddedMaterials|PlanSample.PredictionsHold")
+add("Planning.sample-without-weights", "Private/PlanSample.cxx", "weights[k] / draws[k]", "weights[k]",
+    "PlanSample.LooksWhereMethodsDiffer")
+add("Planning.sample-is-uniform", "Private/PlanSample.cxx", "constexpr double ShareByDifference = 0.35;",
+    "constexpr double ShareByDifference = 0.0;", "PlanSample.LooksWhereMethodsDiffer")
+add("Planning.sample-leaves-the-dark-out", "Private/PlanSample.cxx", "(1.0 - ShareByDifference - ShareByRadiance - ShareByWeight)",
+    "0.0", "PlanSample.LeavesNothingOut")
+add("Planning.lights-for-mirrors", "Private/PlanReference.cxx", "std::min(SharpShare * tolerance, LargestSharpShare)",
+    "1.0", "PlanReference.IsNearlyExact")
 add("Planning.tolerance-twice", "Private/PlanSearch.cxx", "candidate.Error <= this->Task.Tolerance)",
     "candidate.Error <= 2.0 * this->Task.Tolerance)", "PlannerPromise.IsKept")
 add("Planning.stops-where-all-are-asked-for", "Private/PlanSearch.cxx", "if (this->Found.Meets && !this->Task.All)",
@@ -560,8 +569,12 @@ add("Planning.memory-without-the-material", "Private/PlanSearch.cxx",
 add("Planning.own-methods-stop-the-search", "Private/PlanSearch.cxx",
     "if (this->Aborted() || vtkRadianceMethods::IsBuiltIn(candidate.Method))",
     "if (this->Aborted() || !candidate.Method.empty())", "RadianceMethods.WhatFailsIsLeftOutWithAWarning")
-add("Planning.normals-over-half-a-turn", "Private/PlanPairs.cxx", "2.0 * Pi * RadicalInverse(index, 3)",
-    "Pi * RadicalInverse(index, 3)", "GoldenPlans.EmbeddedMaterials")
+add("Planning.normals-over-half-a-turn", "Private/PlanPairs.cxx", "const double turn = RadicalInverse(index, 3);",
+    "const double turn = 0.5 * RadicalInverse(index, 3);", "PlanSample.CrowdsAboutLamps|GoldenPlans.EmbeddedMaterials")
+add("Planning.lamps-without-weights", "Private/PlanPairs.cxx", "const double density = share * lamps.GetDensity(mirror);",
+    "const double density = 0.0;", "PlanSample.CrowdsAboutLamps")
+add("Planning.no-pairs-at-lamps", "Private/PlanPairs.cxx", "constexpr double LampShare = 0.5;",
+    "constexpr double LampShare = 0.0;", "PlanSample.CrowdsAboutLamps")
 add("Planning.file-loses-digits", "Private/PlanFile.cxx", "text.precision(17);", "text.precision(6);",
     "PlanCache.FindsAPlanAgain|PlanCache.FindsLayersAgain")
 add("Planning.file-with-any-sizes", "Private/PlanFile.cxx", "&& candidate.Sizes[k] <= sizes[k].Largest;", ";",

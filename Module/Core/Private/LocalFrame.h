@@ -10,6 +10,7 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace measuredbrdf
@@ -83,6 +84,19 @@ inline glm::dvec3 LiftView(const glm::dvec3& o)
   const double s = std::sqrt(1.0 - MinimumViewCosine * MinimumViewCosine);
   return length > 1e-12 ? glm::dvec3(o.x * s / length, o.y * s / length, MinimumViewCosine)
                         : glm::dvec3(s, 0.0, MinimumViewCosine);
+}
+
+/// The same of a unit view about a unit normal n, in any frame, but below the horizon it stays.
+inline glm::dvec3 LiftView(const glm::dvec3& o, const glm::dvec3& n)
+{
+  const double cosine = glm::dot(o, n);
+  const double sine = std::sqrt(std::max(1.0 - cosine * cosine, 0.0));
+  if (!(cosine > 0.0) || cosine >= MinimumViewCosine || !(sine > 0.0))
+  {
+    return o;
+  }
+  const glm::dvec3 lifted = LiftView(glm::dvec3(sine, 0.0, cosine));
+  return lifted.z * n + lifted.x / sine * (o - cosine * n);
 }
 } // namespace measuredbrdf
 

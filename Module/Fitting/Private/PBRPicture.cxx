@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PBRPicture.h"
 
+#include "HalfVector.h" // for Pi
 #include "LowDiscrepancy.h"
 #include "vtkBRDF.h"
 
@@ -11,8 +12,6 @@ namespace measuredbrdf
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
-
 // Rings of pixels, each of the same area on the sphere's disc, and pixels of a ring.
 constexpr int NumberOfViews = 12;
 constexpr int NumberOfAzimuths = 16;

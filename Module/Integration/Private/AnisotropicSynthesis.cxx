@@ -125,12 +125,11 @@ bool SynthesizeAnisotropic(const EnvironmentHarmonics& environment, const Kernel
   }
   LiftDarkRings(
     table.Radiance, static_cast<std::size_t>(table.Rows), static_cast<std::size_t>(table.Columns));
-  table.Scale = NormalizeRadiance(table.Radiance);
   return true;
 }
 
 void MakeAnisotropicProfile(
-  const AnisotropicViews& views, const Kernels& knots, AnisotropicTable& table)
+  const AnisotropicViews& views, const Kernels& knots, double scale, AnisotropicTable& table)
 {
   table.Periods = views.GetPeriods();
   const int count = AnisotropicViews::Angles * AnisotropicViews::Azimuths;
@@ -165,7 +164,7 @@ void MakeAnisotropicProfile(
     const glm::dvec2 out(std::cos(phi), std::sin(phi));
     const glm::dvec3 layers[3] = { { lobe.Axis.x * out.x + lobe.Axis.y * out.y,
                                      lobe.Axis.y * out.x - lobe.Axis.x * out.y, w },
-      share * table.Scale, between.Floor };
+      share * scale, between.Floor };
     for (int layer = 0; layer < 3; ++layer)
     {
       for (int c = 0; c < 3; ++c)

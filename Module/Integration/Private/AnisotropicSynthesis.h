@@ -22,9 +22,9 @@ bool SynthesizeAnisotropic(const EnvironmentHarmonics& environment,
   const MaterialPrecomputation::AnisotropicKernels& knots, int degree,
   const std::function<bool(double)>& goOn, AnisotropicTable& table);
 
-/// The profile over all views of a table whose radiance is there.
+/// A table's profile over all views; scale: what undoes its radiance's scaling.
 void MakeAnisotropicProfile(const AnisotropicViews& views,
-  const MaterialPrecomputation::AnisotropicKernels& knots, AnisotropicTable& table);
+  const MaterialPrecomputation::AnisotropicKernels& knots, double scale, AnisotropicTable& table);
 } // namespace measuredbrdf
 
 #endif

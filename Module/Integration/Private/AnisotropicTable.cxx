@@ -4,11 +4,11 @@
 
 #include "HalfVector.h" // for Pi
 #include "LobePlacement.h"
+#include "TableBytes.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <cstring>
+#include <utility>
 
 namespace measuredbrdf
 {
@@ -82,65 +82,44 @@ glm::dvec3 AnisotropicTable::Evaluate(
   return glm::max(sum, glm::dvec3(0.0));
 }
 
+std::vector<std::uint64_t> AnisotropicTable::GetSizes() const
+{
+  return { static_cast<std::uint64_t>(this->Rows), static_cast<std::uint64_t>(this->Angles),
+    static_cast<std::uint64_t>(this->Azimuths), static_cast<std::uint64_t>(this->ViewAzimuths) };
+}
+
+// Last of the numbers: the periods.
 std::string AnisotropicTable::GetBytes() const
 {
-  std::string bytes;
   const std::vector<float> none;
-  const std::vector<float>& irradiance = this->HasFloor ? *this->Irradiance : none;
-  const auto put = [&bytes](const void* data, std::size_t size)
-  { bytes.append(static_cast<const char*>(data), size); };
-  const std::uint64_t header[] = { static_cast<std::uint64_t>(this->Periods), this->Profile.size(),
-    this->Radiance.size(), irradiance.size(), static_cast<std::uint64_t>(this->Rows),
-    static_cast<std::uint64_t>(this->Angles), static_cast<std::uint64_t>(this->Azimuths),
-    static_cast<std::uint64_t>(this->ViewAzimuths) };
-  put(header, sizeof(header));
-  put(&this->Scale, sizeof(this->Scale));
-  for (const std::vector<float>* values : { &this->Profile, &this->Radiance, &irradiance })
-  {
-    put(values->data(), values->size() * sizeof(float));
-  }
-  return bytes;
+  std::vector<std::uint64_t> numbers = this->GetSizes();
+  numbers.push_back(static_cast<std::uint64_t>(this->Periods));
+  return WriteTableBytes(
+    numbers, { &this->Profile, &this->Radiance, this->HasFloor ? this->Irradiance.get() : &none });
 }
 
 bool AnisotropicTable::TakeBytes(const std::string& bytes)
 {
-  std::uint64_t header[8];
-  std::size_t at = sizeof(header) + sizeof(this->Scale);
-  if (bytes.size() < at)
+  constexpr std::size_t profile = 3 * 3 * AnisotropicViews::Angles * AnisotropicViews::Azimuths;
+  TableParts parts;
+  if (!ReadTableBytes(bytes, parts) || parts.Numbers.empty())
   {
     return false;
   }
-  std::memcpy(header, bytes.data(), sizeof(header));
-  std::memcpy(&this->Scale, bytes.data() + sizeof(header), sizeof(this->Scale));
-  const std::uint64_t irradiance =
-    3ull * RadianceTable::IrradianceColumns * RadianceTable::IrradianceRows;
-  const std::uint64_t sizes[] = { static_cast<std::uint64_t>(this->Rows),
-    static_cast<std::uint64_t>(this->Angles), static_cast<std::uint64_t>(this->Azimuths),
-    static_cast<std::uint64_t>(this->ViewAzimuths) };
-  if (!std::equal(sizes, sizes + 4, header + 4) || (header[0] != 1 && header[0] != 2) ||
-      !std::isfinite(this->Scale) ||
-      header[1] != 3ull * 3 * AnisotropicViews::Angles * AnisotropicViews::Azimuths ||
-      header[2] != 3ull * this->GetMap(this->Angles, 0, 0) ||
-      (header[3] != 0 && header[3] != irradiance) ||
-      bytes.size() != at + sizeof(float) * (header[1] + header[2] + header[3]))
+  const std::uint64_t periods = parts.Numbers.back();
+  parts.Numbers.pop_back();
+  if (parts.Numbers != this->GetSizes() || (periods != 1 && periods != 2) ||
+      parts.Arrays.size() != 3 || parts.Arrays[0].size() != profile ||
+      parts.Arrays[1].size() != 3 * this->GetMap(this->Angles, 0, 0) ||
+      !RadianceTable::IsIrradiance(parts.Arrays[2]))
   {
     return false;
   }
-  this->Periods = static_cast<int>(header[0]);
-  this->HasFloor = header[3] != 0;
-  auto irradianceMap = std::make_shared<std::vector<float>>();
-  int part = 1;
-  for (std::vector<float>* values : { &this->Profile, &this->Radiance, irradianceMap.get() })
-  {
-    values->resize(static_cast<std::size_t>(header[part++]));
-    std::memcpy(values->data(), bytes.data() + at, values->size() * sizeof(float));
-    at += values->size() * sizeof(float);
-    if (!std::all_of(values->begin(), values->end(), [](float v) { return std::isfinite(v); }))
-    {
-      return false;
-    }
-  }
-  this->Irradiance = irradianceMap;
+  this->Periods = static_cast<int>(periods);
+  this->Profile = std::move(parts.Arrays[0]);
+  this->Radiance = std::move(parts.Arrays[1]);
+  this->HasFloor = !parts.Arrays[2].empty();
+  this->Irradiance = std::make_shared<std::vector<float>>(std::move(parts.Arrays[2]));
   return true;
 }
 } // namespace measuredbrdf

@@ -15,6 +15,7 @@
 #include <glm/glm.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -38,7 +39,6 @@ struct AnisotropicTable
   int Azimuths;
   int ViewAzimuths; // over the period
   int Periods = 1;  // of f in a turn, 1 or 2
-  double Scale = 1.0;
   bool HasFloor = false;
   // RGB, AnisotropicViews::Angles x Azimuths x 3: (the axis' parts along and across the view's part
   // along the surface, view angle); share; c
@@ -71,6 +71,7 @@ struct AnisotropicTable
   ///@}
 
 private:
+  std::vector<std::uint64_t> GetSizes() const;
   glm::dvec3 GetProfile(int layer, double u, double period) const;
 };
 } // namespace measuredbrdf

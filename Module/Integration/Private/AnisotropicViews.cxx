@@ -58,15 +58,11 @@ glm::dvec3 AnisotropicViews::GetView(double theta, double phi)
   return glm::dvec3(s * std::cos(phi), s * std::sin(phi), std::cos(theta));
 }
 
-double AnisotropicViews::GetAngle(int index)
-{
-  const double t = 1.0 - static_cast<double>(index) / (Angles - 1);
-  return LobeViews::GetLastAngle() * (1.0 - t * t);
-}
+double AnisotropicViews::GetAngle(int index) { return LobeViews::GetAngle(index, Angles); }
 
-double AnisotropicViews::GetAzimuth(int index) const
+double AnisotropicViews::GetAzimuth(int index, int count) const
 {
-  return 2.0 * Pi * index / (this->Periods * Azimuths);
+  return 2.0 * Pi * index / (this->Periods * count);
 }
 
 const LobeMeans& AnisotropicViews::Get(int angle, int azimuth) const

@@ -36,7 +36,10 @@ public:
   int GetPeriods() const { return this->Periods; }
 
   static double GetAngle(int index);
-  double GetAzimuth(int index) const;
+
+  /// Of so many azimuths over the period; those of the views where none are said. In radians.
+  double GetAzimuth(int index, int count = Azimuths) const;
+
   const LobeMeans& Get(int angle, int azimuth) const;
 
 private:

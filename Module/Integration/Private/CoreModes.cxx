@@ -122,6 +122,8 @@ void ExpandKnot(const CoreKernels& kernels, const std::vector<std::vector<float>
 
 Matrices ExpandKernels(const CoreKernels& kernels)
 {
+  // The table is smoothed, so that its harmonics end by themselves: none of those within the
+  // degree is to fade.
   const std::vector<std::vector<float>> table = ExpandTableKernels(
     kernels.TableKnots, kernels.Degree, LargestOrder, kernels.Smoothing, kernels.Degree);
   Matrices result(LargestOrder + 1,

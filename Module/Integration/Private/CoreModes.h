@@ -27,7 +27,7 @@ struct CoreKernels
 {
   const MaterialPrecomputation::Kernels& Knots;
   const MaterialPrecomputation::Kernels& TableKnots; // at the table's view angles
-  const RadianceTable& Table;                        // its profile (MakeProfile), of scale 1
+  const RadianceTable& Table;                        // its profile (MakeProfile, scale 1)
   double Smoothing;                                  // of the table, GetSmoothed
   int Rows;                                          // of the maps
   int Degree;                                        // of the harmonics

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FieldSynthesis.h"
 
+#include "HalfVector.h" // for Pi
 #include "LinearSpline.h"
 #include "WignerD.h"
 #include "vtkSMPTools.h"
@@ -14,11 +15,6 @@
 
 namespace measuredbrdf
 {
-namespace
-{
-constexpr double Pi = 3.14159265358979323846;
-}
-
 FieldSynthesis::FieldSynthesis(
   const EnvironmentHarmonics& environment, int rows, int columns, MapNodes nodes)
   : Environment(environment)

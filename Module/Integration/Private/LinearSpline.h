@@ -11,6 +11,8 @@
 #ifndef LinearSpline_h
 #define LinearSpline_h
 
+#include "HalfVector.h" // for Pi
+
 #include <cmath>
 #include <complex>
 
@@ -20,7 +22,7 @@ namespace measuredbrdf
 /// multiplied by. The dual spline's spectrum, sinc^2 / ((2 + cos) / 3), beyond half a period, too.
 inline double GetLinearSplineGain(double frequency)
 {
-  const double x = 3.14159265358979323846 * std::abs(frequency);
+  const double x = Pi * std::abs(frequency);
   const double sinc = x > 0.0 ? std::sin(x) / x : 1.0;
   return 3.0 * sinc * sinc / (2.0 + std::cos(2.0 * x));
 }

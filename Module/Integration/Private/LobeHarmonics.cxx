@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LobeHarmonics.h"
 
+#include "HalfVector.h" // for Pi
 #include "LobeQuadrature.h"
 #include "WignerD.h"
 #include "vtkBRDF.h"
@@ -14,7 +15,6 @@ namespace measuredbrdf
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 constexpr int Cells = 512; // that tell where the kernel is
 }
 

@@ -27,9 +27,9 @@ constexpr double KnotPower = 1.5; // 1: evenly spaced
 
 double LobeViews::GetLastAngle() { return std::acos(MinimumViewCosine); }
 
-double LobeViews::GetAngle(int index)
+double LobeViews::GetAngle(int index, int count)
 {
-  const double t = 1.0 - static_cast<double>(index) / (NumberOfViews - 1);
+  const double t = 1.0 - static_cast<double>(index) / (count - 1);
   return GetLastAngle() * (1.0 - t * t);
 }
 
@@ -153,5 +153,28 @@ LobeMeans LobeViews::Interpolate(const std::vector<int>& known, int index) const
   }
   sum.Clamp();
   return sum;
+}
+
+double LobeViews::GetSharpShare(double solidAngle) const
+{
+  double largest = 0.0;
+  for (const View& view : this->Views)
+  {
+    double energy = 0.0;
+    for (const Cell& cell : view.Cells)
+    {
+      energy += cell.Energy;
+    }
+    double above = 0.0;
+    for (const Cell& cell : view.Cells)
+    {
+      above += std::max(cell.Energy - energy / solidAngle * cell.SolidAngle, 0.0);
+    }
+    if (!view.Cells.empty() && view.Means.Albedo > 0.0)
+    {
+      largest = std::max(largest, above / view.Means.Albedo);
+    }
+  }
+  return largest;
 }
 } // namespace measuredbrdf

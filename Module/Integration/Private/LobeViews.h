@@ -25,8 +25,8 @@ public:
   /// They crowd towards the horizon, where measured f is steep.
   static constexpr int NumberOfViews = 64;
 
-  /// Polar angle of a view, from 0 to GetLastAngle(), the lowest that is told apart.
-  static double GetAngle(int index);
+  /// Polar angle of one of so many views, from 0 to GetLastAngle(), the lowest that is told apart.
+  static double GetAngle(int index, int count = NumberOfViews);
   static double GetLastAngle();
 
   /// Where between views an angle lies: 0 <= result <= NumberOfViews - 1.
@@ -54,6 +54,11 @@ public:
     std::vector<Cell> Cells; // none: interpolated. The first and the last view have some.
   };
   const std::vector<View>& GetViews() const { return this->Views; }
+
+  /// Largest share of a view's directional albedo that is sharp: of the kernel less its Lambert
+  /// part, what is above the height at which all its energy would fill the solid angle (sr, > 0),
+  /// and thus narrower than that (Markov's inequality).
+  double GetSharpShare(double solidAngle) const;
 
 private:
   static const std::atomic<bool> Never;

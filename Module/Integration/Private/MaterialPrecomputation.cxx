@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MaterialPrecomputation.h"
 
-#include "HalfVector.h" // for Pi
 #include "LocalFrame.h"
 #include "vtkBRDF.h"
 #include "vtkSMPTools.h"
@@ -63,19 +62,19 @@ const LobeViews& MaterialPrecomputation::GetViews(vtkBRDF* brdf, const std::atom
 const AnisotropicViews& MaterialPrecomputation::GetAnisotropicViews(
   vtkBRDF* brdf, const std::atomic<bool>& abort)
 {
-  if (!this->AreTurnedWhole)
+  if (!this->AreViewsByAzimuthWhole)
   {
-    this->Turned = std::make_unique<AnisotropicViews>(brdf, abort);
-    this->AreTurnedWhole = !abort;
+    this->ViewsByAzimuth = std::make_unique<AnisotropicViews>(brdf, abort);
+    this->AreViewsByAzimuthWhole = !abort;
   }
-  return *this->Turned;
+  return *this->ViewsByAzimuth;
 }
 
 const MaterialPrecomputation::AnisotropicKernels& MaterialPrecomputation::GetAnisotropicKernels(
   vtkBRDF* brdf, int angles, int azimuths, int resolution, const std::atomic<bool>& abort)
 {
-  const int periods = this->GetAnisotropicViews(brdf, abort).GetPeriods();
-  AnisotropicKernels& kernels = this->TurnedKernels[{ angles, azimuths, resolution }];
+  const AnisotropicViews& views = this->GetAnisotropicViews(brdf, abort);
+  AnisotropicKernels& kernels = this->KernelsByAzimuth[{ angles, azimuths, resolution }];
   if (kernels.empty() ||
       std::any_of(kernels.begin(), kernels.end(), [](const auto& kernel) { return !kernel; }))
   {
@@ -89,7 +88,7 @@ const MaterialPrecomputation::AnisotropicKernels& MaterialPrecomputation::GetAni
           const int knot = static_cast<int>(k);
           kernels[static_cast<std::size_t>(k)] = std::make_unique<AnisotropicLobe>(brdf,
             AnisotropicViews::GetView(LobeViews::GetKnotAngle(knot / azimuths, angles),
-              2.0 * Pi * (knot % azimuths) / (periods * azimuths)),
+              views.GetAzimuth(knot % azimuths, azimuths)),
             resolution);
         }
       });

@@ -12,7 +12,7 @@
 #include "AnisotropicLobe.h"
 #include "AnisotropicViews.h"
 #include "LobeHarmonics.h"
-#include "LobeSplit.h"
+#include "LobeViews.h"
 #include "vtkRadianceIntegrator.h"
 
 #include <Eigen/Core>
@@ -64,9 +64,9 @@ private:
   std::map<std::vector<double>, Matrices> Remainders;
   std::unique_ptr<LobeViews> Views;
   bool AreViewsWhole = false; // else they were aborted
-  std::unique_ptr<AnisotropicViews> Turned;
-  bool AreTurnedWhole = false;
-  std::map<std::array<int, 3>, AnisotropicKernels> TurnedKernels; // angles, azimuths, resolution
+  std::unique_ptr<AnisotropicViews> ViewsByAzimuth;
+  bool AreViewsByAzimuthWhole = false;
+  std::map<std::array<int, 3>, AnisotropicKernels> KernelsByAzimuth; // angles, azimuths, resolution
 };
 } // namespace measuredbrdf
 

@@ -4,21 +4,21 @@
 
 #include "FieldSynthesis.h"
 #include "LobePlacement.h"
+#include "TableBytes.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <cstdint>
-#include <cstring>
+#include <utility>
 
 namespace measuredbrdf
 {
 namespace
 {
 constexpr float LargestValue = 32768.0f; // of a 16-bit texture, with room to spare
-constexpr std::uint64_t MostModes = 32;
+constexpr std::size_t MostModes = 32;
 }
 
 int RadianceCore::GetNumberOfFields() const
@@ -133,59 +133,30 @@ glm::dvec3 RadianceCore::Evaluate(
   return sum;
 }
 
+// Numbers: the rows, and the modes' orders.
 std::string RadianceCore::GetBytes() const
 {
-  std::string bytes;
-  const std::uint64_t header[] = { static_cast<std::uint64_t>(this->Rows), this->Orders.size() };
-  const auto put = [&bytes](const void* data, std::size_t size)
-  { bytes.append(static_cast<const char*>(data), size); };
-  put(header, sizeof(header));
-  put(this->Orders.data(), this->Orders.size() * sizeof(int));
-  put(this->Profile.data(), this->Profile.size() * sizeof(float));
-  put(this->Fields.data(), this->Fields.size() * sizeof(float));
-  return bytes;
+  std::vector<std::uint64_t> numbers = { static_cast<std::uint64_t>(this->Rows) };
+  numbers.insert(numbers.end(), this->Orders.begin(), this->Orders.end());
+  return WriteTableBytes(numbers, { &this->Profile, &this->Fields });
 }
 
 bool RadianceCore::TakeBytes(const std::string& bytes)
 {
-  std::uint64_t header[2];
-  std::size_t at = 0;
-  const auto take = [&](void* data, std::size_t size)
-  {
-    if (bytes.size() - at < size)
-    {
-      return false;
-    }
-    std::memcpy(data, bytes.data() + at, size);
-    at += size;
-    return true;
-  };
-  if (!take(header, sizeof(header)) || header[0] != static_cast<std::uint64_t>(this->Rows) ||
-      header[1] > MostModes)
+  TableParts parts;
+  if (!ReadTableBytes(bytes, parts) || parts.Numbers.empty() ||
+      parts.Numbers.front() != static_cast<std::uint64_t>(this->Rows) ||
+      parts.Numbers.size() > 1 + MostModes || parts.Arrays.size() != 2 ||
+      !std::is_sorted(parts.Numbers.begin() + 1, parts.Numbers.end()) ||
+      (parts.Numbers.size() > 1 && parts.Numbers.back() > CoreMode::LargestOrder))
   {
     return false;
   }
-  std::vector<int> orders(header[1]);
-  const std::size_t inOrders = orders.size() * sizeof(int);
-  if (!take(orders.data(), inOrders) || !std::is_sorted(orders.begin(), orders.end()) ||
-      (!orders.empty() && (orders.front() < 0 || orders.back() > CoreMode::LargestOrder)))
-  {
-    return false;
-  }
-  this->Orders = orders;
-  const std::size_t profile = 3 * LobeViews::NumberOfViews * (1 + orders.size());
-  const std::size_t fields =
-    3 * this->GetNumberOfTexels() * static_cast<std::size_t>(this->GetNumberOfFields());
-  if (bytes.size() - at != (profile + fields) * sizeof(float))
-  {
-    return false;
-  }
-  this->Profile.resize(profile);
-  this->Fields.resize(fields);
-  take(this->Profile.data(), profile * sizeof(float));
-  take(this->Fields.data(), fields * sizeof(float));
-  const auto isFinite = [](float value) { return std::isfinite(value); };
-  return std::all_of(this->Profile.begin(), this->Profile.end(), isFinite) &&
-         std::all_of(this->Fields.begin(), this->Fields.end(), isFinite);
+  this->Orders.assign(parts.Numbers.begin() + 1, parts.Numbers.end());
+  this->Profile = std::move(parts.Arrays[0]);
+  this->Fields = std::move(parts.Arrays[1]);
+  return this->Profile.size() == 3 * LobeViews::NumberOfViews * (1 + this->Orders.size()) &&
+         this->Fields.size() ==
+           3 * this->GetNumberOfTexels() * static_cast<std::size_t>(this->GetNumberOfFields());
 }
 } // namespace measuredbrdf

@@ -12,6 +12,8 @@
 
 #include <glm/glm.hpp>
 
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -36,13 +38,19 @@ struct RadianceTable
   int Columns;
   int Angles;
   int Azimuths;
-  double Scale = 1.0;
   bool HasFloor = false;
   std::vector<float> Profile; // RGB, ProfileSize x 3: (angle, cos, sin delta); share; c
   // RGB, Columns x Rows x Angles (Azimuths + 1): the first azimuth comes again after the last.
   std::vector<float> Radiance;
   // RGB, IrradianceColumns x IrradianceRows; null: there is no floor. Of all materials.
   std::shared_ptr<const std::vector<float>> Irradiance;
+
+  /// Where the map of a view angle and an azimuth psi begins, in texels.
+  std::size_t GetMap(int angle, int azimuth) const
+  {
+    return static_cast<std::size_t>(angle * (this->Azimuths + 1) + azimuth) *
+           static_cast<std::size_t>(this->Columns) * static_cast<std::size_t>(this->Rows);
+  }
 
   /// Radiance towards o about the normal n, as the shader looks it up; t: a unit tangent or zero.
   glm::dvec3 Evaluate(const glm::dvec3& n, const glm::dvec3& o, const glm::dvec3& t) const;
@@ -52,6 +60,12 @@ struct RadianceTable
   std::string GetBytes() const;
   bool TakeBytes(const std::string& bytes);
   ///@}
+
+  /// Whether they are a map of irradiance, or none.
+  static bool IsIrradiance(const std::vector<float>& values);
+
+private:
+  std::vector<std::uint64_t> GetSizes() const;
 };
 } // namespace measuredbrdf
 

@@ -4,6 +4,7 @@
 
 #include "ClampedCosine.h"
 #include "FieldSynthesis.h"
+#include "HalfVector.h" // for Pi
 #include "LinearSpline.h"
 #include "LobeHarmonics.h"
 #include "RingLimiter.h"
@@ -23,7 +24,6 @@ namespace measuredbrdf
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 constexpr double LargestValue = 32768; // of a 16-bit texture, with room to spare
 
 // One order's, by channel: degrees x view angles.
@@ -131,10 +131,7 @@ bool SynthesizeRadiance(const EnvironmentHarmonics& environment,
   const int orders = table.Azimuths / 2; // as many as the azimuths can tell apart
   const std::vector<std::vector<float>> kernels =
     ExpandTableKernels(knots, degree, orders, smoothing, table.Rows);
-  const std::size_t texels =
-    static_cast<std::size_t>(table.Columns) * static_cast<std::size_t>(table.Rows);
-  const std::size_t slices = static_cast<std::size_t>(table.Azimuths) + 1;
-  table.Radiance.assign(3 * texels * slices * knots.size(), 0.0f);
+  table.Radiance.assign(3 * table.GetMap(table.Angles, 0), 0.0f);
   const FieldSynthesis synthesis(environment, table.Rows, table.Columns, MapNodes::Poles);
   std::array<FieldSynthesis::Field, 3> fields;
   for (int order = 0; order <= orders; ++order)
@@ -148,12 +145,11 @@ bool SynthesizeRadiance(const EnvironmentHarmonics& environment,
   }
   LiftDarkRings(
     table.Radiance, static_cast<std::size_t>(table.Rows), static_cast<std::size_t>(table.Columns));
-  table.Scale = NormalizeRadiance(table.Radiance);
   return true;
 }
 
-void MakeProfile(
-  const LobeViews& views, const MaterialPrecomputation::Kernels& knots, RadianceTable& table)
+void MakeProfile(const LobeViews& views, const MaterialPrecomputation::Kernels& knots, double scale,
+  RadianceTable& table)
 {
   table.Profile.resize(3 * 3 * RadianceTable::ProfileSize);
   for (int k = 0; k < RadianceTable::ProfileSize; ++k)
@@ -175,8 +171,8 @@ void MakeProfile(
       const double wanted = lobe.Amplitude[c] + Pi * (lobe.Floor[c] - floor[c]);
       share[c] = amplitude[c] > 0.0 ? std::max(wanted, 0.0) / amplitude[c] : 0.0;
     }
-    const glm::dvec3 rowsOf[3] = { { w, std::cos(lobe.Delta), std::sin(lobe.Delta) },
-      share * table.Scale, floor };
+    const glm::dvec3 rowsOf[3] = { { w, std::cos(lobe.Delta), std::sin(lobe.Delta) }, share * scale,
+      floor };
     for (int row = 0; row < 3; ++row)
     {
       for (int c = 0; c < 3; ++c)

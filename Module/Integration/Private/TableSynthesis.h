@@ -9,6 +9,7 @@
 #define TableSynthesis_h
 
 #include "EnvironmentHarmonics.h"
+#include "HalfVector.h" // for Pi
 #include "MaterialPrecomputation.h"
 #include "RadianceTable.h"
 
@@ -31,9 +32,7 @@ inline int GetMapDegree(int rows) { return rows + std::min(rows / 2, 64); }
 inline double GetTaper(int l, int degree, int rows)
 {
   const double from = 0.6 * rows;
-  return l <= from
-           ? 1.0
-           : 0.5 + 0.5 * std::cos(3.14159265358979323846 * (l - from) / (degree + 1.0 - from));
+  return l <= from ? 1.0 : 0.5 + 0.5 * std::cos(Pi * (l - from) / (degree + 1.0 - from));
 }
 
 /// What a blur leaves of degree l; smoothing: vtkTableRadianceIntegrator::SetSmoothingDegree.
@@ -57,9 +56,9 @@ bool SynthesizeRadiance(const EnvironmentHarmonics& environment,
 /// To the peak, since 16-bit floats lose digits below 6e-5, too; returns what undoes that.
 double NormalizeRadiance(std::vector<float>& radiance);
 
-/// The profile over all view angles of a table whose radiance is there.
-void MakeProfile(
-  const LobeViews& views, const MaterialPrecomputation::Kernels& knots, RadianceTable& table);
+/// A table's profile over all view angles; scale: what undoes its radiance's scaling.
+void MakeProfile(const LobeViews& views, const MaterialPrecomputation::Kernels& knots, double scale,
+  RadianceTable& table);
 
 /// A map of irradiance, RGB.
 std::shared_ptr<const std::vector<float>> MakeIrradiance(const EnvironmentHarmonics& environment);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EnvironmentPyramid.h"
 
+#include "HalfVector.h" // for Pi
 #include "TexelChanges.h"
 #include "TexelInterpolation.h"
 #include "vtkEnvironment.h"
@@ -15,7 +16,6 @@ namespace measuredbrdf
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 constexpr int MaximumSize = 1024;
 
 // Points a side at which an environment's texel is interpolated: at least so many per texel of the

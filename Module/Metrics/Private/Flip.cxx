@@ -3,6 +3,7 @@
 #include "Flip.h"
 
 #include "ColorDifference.h"
+#include "HalfVector.h" // for Pi
 #include "SeparableFilter.h"
 
 #include <algorithm>
@@ -14,7 +15,6 @@ namespace measuredbrdf
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 // 3840 pixels on 0.7 m, from 0.7 m away.
 constexpr double PixelsPerDegree = 3840.0 * Pi / 180.0;
 

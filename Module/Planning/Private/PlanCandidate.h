@@ -28,11 +28,18 @@ struct PlanCandidate
   std::vector<int> Sizes;
   std::string Description;                           // the sizes in words
   double Cost = 0.0;                                 // ns per covered pixel
-  double Error = 0.0;                                // relative L1
+  double Error = 0.0;                                // relative L1, with Uncertainty
+  double Uncertainty = 0.0;                          // for what the pairs may miss
   vtkIdType Bytes = 0;                               // of textures
   double SetUp = 0.0;                                // ms
   vtkSmartPointer<vtkRadianceIntegrator> Integrator; // null: to be made again
 };
+
+/// The size that its method gives first; 0 without one.
+inline int GetMainSize(const PlanCandidate& candidate)
+{
+  return candidate.Sizes.empty() ? 0 : candidate.Sizes.front();
+}
 
 /// What to plan for.
 struct PlanTask

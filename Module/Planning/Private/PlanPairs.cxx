@@ -2,22 +2,115 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PlanPairs.h"
 
+#include "HalfVector.h" // for Pi
+#include "LocalFrame.h"
 #include "LowDiscrepancy.h"
+#include "vtkEnvironment.h"
 
 #include <glm/glm.hpp>
+#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace measuredbrdf
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
+constexpr double LampShare = 0.5; // of the pairs
+
+// Densities of draws, each relative to that of a sphere's pixels.
+
+// Of the view's cosine: half by the density 2 c of a disc, half by 1 / (2 sqrt(c)).
+double DrawCosine(double x) { return x < 0.5 ? std::sqrt(2.0 * x) : std::pow(2.0 * x - 1.0, 2.0); }
+
+double GetCosineDensity(double c)
+{
+  return (c + 0.25 / std::sqrt(std::max(c, 1e-6))) / (2.0 * std::max(c, 1e-6));
 }
 
-PlanPairs DrawSpherePairs(int count, const double wanted[3])
+// Of mirror directions, about lamps: of a lamp's by its irradiance, and at distances of it that are
+// uniform in their logarithm.
+class LampDirections
 {
+public:
+  explicit LampDirections(const std::vector<ExtractedEmitters::Light>& lamps)
+  {
+    double sum = 0.0;
+    for (const ExtractedEmitters::Light& lamp : lamps)
+    {
+      const double luminance = vtkEnvironment::GetLuminance(&lamp.Irradiance.x);
+      if (luminance > 0.0)
+      {
+        this->Lamps.push_back({ lamp.Direction, luminance });
+        sum += luminance;
+      }
+    }
+    for (Lamp& lamp : this->Lamps)
+    {
+      lamp.Share /= sum;
+    }
+  }
+
+  bool IsEmpty() const { return this->Lamps.empty(); }
+
+  glm::dvec3 Draw(double which, double x, double turn) const
+  {
+    std::size_t k = 0;
+    for (; k + 1 < this->Lamps.size() && which >= this->Lamps[k].Share; ++k)
+    {
+      which -= this->Lamps[k].Share;
+    }
+    const double height = Least * std::pow(Largest / Least, x);
+    const double s = std::sqrt(height * (2.0 - height));
+    const double phi = 2.0 * Pi * turn;
+    return FrameAbout(this->Lamps[k].Direction, glm::dvec3(0.0)) *
+           glm::dvec3(s * std::cos(phi), s * std::sin(phi), 1.0 - height);
+  }
+
+  double GetDensity(const glm::dvec3& d) const
+  {
+    double sum = 0.0;
+    for (const Lamp& lamp : this->Lamps)
+    {
+      const double height = 1.0 - glm::dot(d, lamp.Direction);
+      if (height >= Least && height <= Largest)
+      {
+        sum += lamp.Share / height;
+      }
+    }
+    return 2.0 / std::log(Largest / Least) * sum;
+  }
+
+private:
+  struct Lamp
+  {
+    glm::dvec3 Direction;
+    double Share;
+  };
+  // 1 - cos of 0.06 and 26 degrees.
+  static constexpr double Least = 5e-7;
+  static constexpr double Largest = 0.1;
+  std::vector<Lamp> Lamps;
+};
+
+glm::dvec3 ToDirection(double cosine, double turn)
+{
+  const double s = std::sqrt(std::max(1.0 - cosine * cosine, 0.0));
+  return glm::dvec3(s * std::cos(2.0 * Pi * turn), s * std::sin(2.0 * Pi * turn), cosine);
+}
+}
+
+// The view, the normal and the mirror direction lie in one plane, the normal in the middle. Where
+// the view may be any, the mirror direction and the view's cosine are independent; where it is
+// given, the mirror direction says it all.
+PlanPairs DrawSpherePairs(
+  int count, const double wanted[3], const std::vector<ExtractedEmitters::Light>& sources)
+{
+  const LampDirections lamps(sources);
+  const glm::dvec3 given(wanted[0], wanted[1], wanted[2]);
+  const bool any = !(glm::length(given) > 0.0);
   PlanPairs pairs;
   pairs.Normals = vtkSmartPointer<vtkDoubleArray>::New();
   pairs.Views = vtkSmartPointer<vtkDoubleArray>::New();
@@ -26,29 +119,51 @@ PlanPairs DrawSpherePairs(int count, const double wanted[3])
   for (int k = 0; k < count; ++k)
   {
     const unsigned int index = static_cast<unsigned int>(k + 1);
-    glm::dvec3 view(wanted[0], wanted[1], wanted[2]);
-    if (!(glm::length(view) > 0.0))
+    const bool atLamp = !lamps.IsEmpty() && RadicalInverse(index, 11) < LampShare;
+    const glm::dvec3 drawn =
+      !atLamp
+        ? ToDirection(2.0 * RadicalInverse(index, 5) - 1.0, RadicalInverse(index, 7))
+        : lamps.Draw(RadicalInverse(index, 13), RadicalInverse(index, 5), RadicalInverse(index, 7));
+    double c = DrawCosine(RadicalInverse(index, 2));
+    const double turn = RadicalInverse(index, 3);
+    glm::dvec3 view, normal, mirror;
+    if (any)
     {
-      const double z = 2.0 * RadicalInverse(index, 5) - 1.0;
-      const double phi = 2.0 * Pi * RadicalInverse(index, 7);
-      const double s = std::sqrt(std::max(1.0 - z * z, 0.0));
-      view = glm::dvec3(s * std::cos(phi), z, s * std::sin(phi));
+      mirror = drawn;
+      normal = FrameAbout(mirror, glm::dvec3(0.0)) * ToDirection(c, turn);
+      view = 2.0 * c * normal - mirror;
     }
-    view = glm::normalize(view);
-    const glm::dvec3 any =
-      std::abs(view.x) < 0.5 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
-    const glm::dvec3 u = glm::normalize(glm::cross(any, view));
-    const glm::dvec3 v = glm::cross(view, u);
-    // The view's cosine by the density 2 c of a disc, or by 1 / (2 sqrt(c)).
-    const double x = RadicalInverse(index, 2);
-    const double c = x < 0.5 ? std::sqrt(2.0 * x) : (2.0 * x - 1.0) * (2.0 * x - 1.0);
-    pairs.Weights.push_back(2.0 * c / (c + 0.25 / std::sqrt(std::max(c, 1e-6))));
-    const double r = std::sqrt(1.0 - c * c);
-    const double phi = 2.0 * Pi * RadicalInverse(index, 3);
-    const glm::dvec3 n = r * std::cos(phi) * u + r * std::sin(phi) * v + c * view;
-    pairs.Normals->InsertNextTuple(&n.x);
+    else
+    {
+      view = glm::normalize(given);
+      const glm::dvec3 middle = view + drawn;
+      normal = atLamp && glm::length(middle) > 1e-6
+                 ? glm::normalize(middle)
+                 : FrameAbout(view, glm::dvec3(0.0)) * ToDirection(c, turn);
+      c = glm::dot(normal, view);
+      mirror = 2.0 * c * normal - view;
+    }
+    const double share = lamps.IsEmpty() ? 0.0 : LampShare;
+    const double density = share * lamps.GetDensity(mirror);
+    const double cosines = GetCosineDensity(c);
+    pairs.Weights.push_back(
+      1.0 / (any ? cosines * (1.0 - share + density) : (1.0 - share) * cosines + density));
+    pairs.Normals->InsertNextTuple(&normal.x);
     pairs.Views->InsertNextTuple(&view.x);
   }
   return pairs;
+}
+
+void Turn(const double columns[9], PlanPairs& pairs)
+{
+  const glm::dmat3 rotation = glm::make_mat3(columns);
+  for (vtkDoubleArray* directions : { pairs.Normals.Get(), pairs.Views.Get() })
+  {
+    for (vtkIdType k = 0; k < directions->GetNumberOfTuples(); ++k)
+    {
+      const glm::dvec3 turned = rotation * glm::make_vec3(directions->GetTuple(k));
+      directions->SetTuple(k, &turned.x);
+    }
+  }
 }
 } // namespace measuredbrdf

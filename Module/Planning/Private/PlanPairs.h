@@ -8,6 +8,7 @@
 #ifndef PlanPairs_h
 #define PlanPairs_h
 
+#include "ExtractedEmitters.h"
 #include "vtkDoubleArray.h"
 #include "vtkSmartPointer.h"
 
@@ -22,10 +23,15 @@ struct PlanPairs
   std::vector<double> Weights;             // of the pairs; none: 1 each
 };
 
-/// So many normals as a sphere shows them to a distant camera, uniform over its disc; but half of
-/// them are drawn near the rim, where radiance is steep, and count less. view: from the object to
-/// the camera; 0, 0, 0: from everywhere.
-PlanPairs DrawSpherePairs(int count, const double view[3]);
+/// So many normals as a sphere shows them to a distant camera, uniform over its disc, but many of
+/// them near the rim, where radiance is steep, and half of them where its mirror directions see one
+/// of the lamps, the more the closer, down to less than any lobe's width. Weights make up for both.
+/// view: from the object to the camera; 0, 0, 0: from everywhere.
+PlanPairs DrawSpherePairs(
+  int count, const double view[3], const std::vector<ExtractedEmitters::Light>& lamps = {});
+
+/// Turned by a rotation, whose columns follow each other.
+void Turn(const double columns[9], PlanPairs& pairs);
 } // namespace measuredbrdf
 
 #endif

@@ -67,9 +67,10 @@ std::string DescribePlan(const Plan& plan)
     return "no plan yet";
   }
   const PlanCandidate& chosen = plan.Candidates[static_cast<std::size_t>(plan.Choice)];
-  char figures[96];
+  char figures[128];
   std::snprintf(figures, sizeof(figures),
-    ", error %.2g %%, %.1f MB, set up in %.0f ms: ", 100.0 * chosen.Error,
+    ", error %.2g %% (%.2g + %.2g for chance), %.1f MB, set up in %.0f ms: ", 100.0 * chosen.Error,
+    100.0 * (chosen.Error - chosen.Uncertainty), 100.0 * chosen.Uncertainty,
     1e-6 * static_cast<double>(chosen.Bytes), chosen.SetUp);
   return chosen.Method + ", " + chosen.Description + figures + plan.Reason;
 }

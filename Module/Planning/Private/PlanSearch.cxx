@@ -18,20 +18,9 @@ namespace measuredbrdf
 {
 namespace
 {
-constexpr double FarAway = 3.0; // times the tolerance: where last resorts are tried
-constexpr double WorthIt = 0.9; // of another's error, to be worth more cost
-
-// The size that a method gives first.
-int GetMain(const PlanCandidate& candidate)
-{
-  return candidate.Sizes.empty() ? 0 : candidate.Sizes.front();
-}
-
-double GetMilliseconds(std::chrono::steady_clock::time_point start)
-{
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-    .count();
-}
+constexpr double FarAway = 3.0;        // times the tolerance: where last resorts are tried
+constexpr double WorthIt = 0.9;        // of another's error, to be worth more cost
+constexpr double StandardErrors = 2.0; // that are added: what is predicted shall hold
 }
 
 AbortForwarder::AbortForwarder(
@@ -62,6 +51,19 @@ void AbortForwarder::OnProgress(vtkObject*, unsigned long, void*)
 void AbortForwarder::OnError(vtkObject*, unsigned long, void* text)
 {
   this->Problem = text ? static_cast<const char*>(text) : "";
+}
+
+bool PrepareCandidate(
+  const PlanTask& task, const IsAborted& isAborted, PlanCandidate& candidate, std::string& problem)
+{
+  const auto start = std::chrono::steady_clock::now();
+  const AbortForwarder supervision(isAborted, candidate.Integrator, problem);
+  candidate.Integrator->SetPrecomputation(task.Shared);
+  const bool prepared = candidate.Integrator->Prepare();
+  candidate.Integrator->SetPrecomputation(nullptr); // it may go to another thread
+  const auto end = std::chrono::steady_clock::now();
+  candidate.SetUp += std::chrono::duration<double, std::milli>(end - start).count();
+  return prepared;
 }
 
 PlanSearch::PlanSearch(
@@ -95,7 +97,7 @@ bool PlanSearch::Run(const std::vector<PlanCandidate>& candidates)
       {
         skipped.push_back(candidate);
       }
-      else if (GetMain(candidate) >= GetMain(*known))
+      else if (GetMainSize(candidate) >= GetMainSize(*known))
       {
         *known = candidate;
       }
@@ -146,7 +148,8 @@ bool PlanSearch::TrySkipped(const std::vector<PlanCandidate>& skipped)
       }
       const PlanCandidate& best =
         this->Found.Candidates[static_cast<std::size_t>(this->Found.Choice)];
-      const bool isLarger = candidate.Method != best.Method || GetMain(candidate) > GetMain(best);
+      const bool isLarger =
+        candidate.Method != best.Method || GetMainSize(candidate) > GetMainSize(best);
       if (isLarger && !this->CanPrune(candidate, WorthIt * best.Error) && !this->Try(candidate))
       {
         return false;
@@ -176,16 +179,11 @@ bool PlanSearch::Try(PlanCandidate candidate)
 // And see how far it is from the reference.
 bool PlanSearch::Prepare(PlanCandidate& candidate)
 {
-  const auto start = std::chrono::steady_clock::now();
-  const AbortForwarder supervision(this->Aborted, candidate.Integrator, this->Problem);
-  candidate.Integrator->SetPrecomputation(this->Task.Shared);
-  const bool prepared = candidate.Integrator->Prepare();
-  candidate.Integrator->SetPrecomputation(nullptr); // it may go to another thread
-  if (!prepared)
+  if (!PrepareCandidate(this->Task, this->Aborted, candidate, this->Problem))
   {
     return false;
   }
-  candidate.SetUp = GetMilliseconds(start);
+  const AbortForwarder supervision(this->Aborted, candidate.Integrator, this->Problem);
   if (candidate.Integrator->UsesBRDFOnGPU())
   {
     vtkBRDFShaderInputs form;
@@ -198,34 +196,47 @@ bool PlanSearch::Prepare(PlanCandidate& candidate)
   {
     return false;
   }
-  candidate.Error = this->Compare(radiance);
+  this->Compare(radiance, candidate);
   return true;
 }
 
-// Relative L1, and one standard error on top: highlights are rare and decide.
-double PlanSearch::Compare(vtkDoubleArray* radiance) const
+// Relative L1, and standard errors of that ratio of weighted sums on top (Sarndal, Swensson,
+// Wretman 1992, "Model Assisted Survey Sampling", 5.6; for draws from all views there are, not only
+// from those that the sample was taken from): highlights are rare and decide.
+void PlanSearch::Compare(vtkDoubleArray* radiance, PlanCandidate& candidate) const
 {
-  double sum = 0.0;
-  double differences = 0.0;
-  double squares = 0.0;
   const vtkIdType pairs = radiance->GetNumberOfTuples();
+  std::vector<double> differences(static_cast<std::size_t>(pairs));
+  std::vector<double> references(static_cast<std::size_t>(pairs));
+  double difference = 0.0;
+  double sum = 0.0;
   for (vtkIdType k = 0; k < pairs; ++k)
   {
-    const double weight =
-      this->Pairs.Weights.empty() ? 1.0 : this->Pairs.Weights[static_cast<std::size_t>(k)];
-    double difference = 0.0;
+    const std::size_t at = static_cast<std::size_t>(k);
+    const double weight = this->Pairs.Weights.empty() ? 1.0 : this->Pairs.Weights[at];
     for (int c = 0; c < 3; ++c)
     {
-      difference +=
-        weight * std::abs(radiance->GetComponent(k, c) - this->Reference->GetComponent(k, c));
-      sum += weight * this->Reference->GetComponent(k, c);
+      const double reference = this->Reference->GetComponent(k, c);
+      differences[at] += weight * std::abs(radiance->GetComponent(k, c) - reference);
+      references[at] += weight * reference;
     }
-    differences += difference;
-    squares += difference * difference;
+    difference += differences[at];
+    sum += references[at];
   }
-  const double variance =
-    std::max(squares - differences * differences / static_cast<double>(pairs), 0.0);
-  return sum > 0.0 ? (differences + std::sqrt(variance)) / sum : 0.0;
+  candidate.Error = candidate.Uncertainty = 0.0;
+  if (!(sum > 0.0))
+  {
+    return;
+  }
+  const double error = difference / sum;
+  double squares = 0.0;
+  for (std::size_t k = 0; k < differences.size(); ++k)
+  {
+    const double residue = differences[k] - error * references[k];
+    squares += residue * residue;
+  }
+  candidate.Uncertainty = StandardErrors * std::sqrt(squares) / sum;
+  candidate.Error = error + candidate.Uncertainty;
 }
 
 // The first within the tolerance; else the most accurate, where that is worth its cost.

@@ -29,6 +29,11 @@ struct Plan
 /// Asked now and then by the thread that plans; true stops the work.
 using IsAborted = std::function<bool()>;
 
+/// The candidate's integrator prepared with what the task's candidates share; SetUp grows by the
+/// time. False, with a problem in words, where that failed or was aborted.
+bool PrepareCandidate(
+  const PlanTask& task, const IsAborted& isAborted, PlanCandidate& candidate, std::string& problem);
+
 class PlanSearch
 {
 public:
@@ -58,7 +63,7 @@ private:
   bool CanPrune(const PlanCandidate& candidate, double error) const;
   bool Try(PlanCandidate candidate);
   bool Prepare(PlanCandidate& candidate);
-  double Compare(vtkDoubleArray* radiance) const;
+  void Compare(vtkDoubleArray* radiance, PlanCandidate& candidate) const;
   void Take(const PlanCandidate& candidate);
   bool TrySkipped(const std::vector<PlanCandidate>& skipped);
 

@@ -20,20 +20,23 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace measuredbrdf
 {
 namespace
 {
 constexpr vtkIdType MostPolygons = 4096;
-constexpr int Samples = 1024; // of which those in view count
-constexpr std::size_t MostPairs = 256;
-constexpr std::size_t FewestPairs = 16; // as the planner asks for
-constexpr double FacingShare = 0.05;    // of the projected area: below, the surface is a room
-constexpr double NearCosine = 0.966;    // of 15 degrees
+constexpr int Samples = 4096;             // of which those in view count
+constexpr std::size_t PairsToMatch = 256; // that tell whether two views are alike
+constexpr std::size_t FewestPairs = 16;   // as the planner asks for
+constexpr double FacingShare = 0.05;      // of the projected area: below, the surface is a room
+constexpr double NearCosine = 0.966;      // of 15 degrees
 constexpr double AlikeShare = 0.9;
 constexpr double LargestGrowth = 4.0;
 constexpr double LargestShrinkage = 8.0;
+
+std::size_t GetStep(std::size_t pairs) { return (pairs + PairsToMatch - 1) / PairsToMatch; }
 
 struct Triangle
 {
@@ -256,14 +259,8 @@ VisibleSurface::VisibleSurface(const std::vector<vtkPolyData*>& surfaces, vtkMat
     return;
   }
   this->Pixels = total * inside / Samples;
-  // Spread over all of them.
-  const std::size_t count = std::min(normals.size(), MostPairs);
-  for (std::size_t k = 0; k < count; ++k)
-  {
-    const std::size_t from = k * normals.size() / count;
-    this->Normals.push_back(normals[from]);
-    this->Views.push_back(views[from]);
-  }
+  this->Normals = std::move(normals);
+  this->Views = std::move(views);
 }
 
 VisibleSurface VisibleSurface::InView(const std::vector<vtkPolyData*>& surfaces,
@@ -299,10 +296,14 @@ bool VisibleSurface::Covers(const VisibleSurface& other) const
   {
     return false;
   }
+  // Some of both, spread over all of them.
+  const std::size_t step = GetStep(this->Normals.size());
+  const std::size_t otherStep = GetStep(other.Normals.size());
   std::size_t alike = 0;
-  for (std::size_t k = 0; k < other.Normals.size(); ++k)
+  std::size_t all = 0;
+  for (std::size_t k = 0; k < other.Normals.size(); k += otherStep, ++all)
   {
-    for (std::size_t j = 0; j < this->Normals.size(); ++j)
+    for (std::size_t j = 0; j < this->Normals.size(); j += step)
     {
       if (glm::dot(this->Normals[j], other.Normals[k]) > NearCosine &&
           glm::dot(this->Views[j], other.Views[k]) > NearCosine)
@@ -312,6 +313,6 @@ bool VisibleSurface::Covers(const VisibleSurface& other) const
       }
     }
   }
-  return static_cast<double>(alike) >= AlikeShare * static_cast<double>(other.Normals.size());
+  return static_cast<double>(alike) >= AlikeShare * static_cast<double>(all);
 }
 } // namespace measuredbrdf

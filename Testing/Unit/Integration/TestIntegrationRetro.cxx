@@ -4,6 +4,7 @@
 
 #include "HalfVector.h"
 #include "LocalFrame.h"
+#include "MaterialPrecomputation.h"
 #include "PlanReference.h"
 #include "SpherePairs.h"
 #include "vtkBRDF.h"
@@ -20,6 +21,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
@@ -196,9 +198,9 @@ TEST(RetroReflection, PlansCountIt)
           return radiance;
         }));
     }
-    vtkNew<PlanReference> reference;
-    reference->SetBRDF(brdf);
-    reference->SetEnvironment(environment);
+    const std::atomic<bool> never{ false };
+    const auto reference = NewPlanReference(
+      brdf, environment, 0.03, std::make_shared<vtkRadianceIntegrator::Precomputation>(), never);
     const double off = GetRelativeError(pairs.Integrate(reference), expected);
     vtkNew<vtkRadiancePlanner> planner;
     planner->SetBRDF(brdf);

@@ -200,7 +200,13 @@ TEST_F(PlanCache, WhatItDependsOnMakesAnother)
   EXPECT_FALSE(this->Plan()->GetFromCache());
   EXPECT_EQ(this->GetFiles().size(), 5u);
   this->Environment->SetRotationY(40.0);
-  EXPECT_TRUE(this->Plan()->GetFromCache());
+  EXPECT_FALSE(this->Plan()->GetFromCache()); // seen from one side
+  const double view = this->View[2];
+  this->View[2] = 0.0;
+  EXPECT_FALSE(this->Plan()->GetFromCache());
+  this->Environment->SetRotationY(50.0);
+  EXPECT_TRUE(this->Plan()->GetFromCache()); // seen from everywhere
+  this->View[2] = view;
   this->View[0] = 0.5;
   EXPECT_FALSE(this->Plan()->GetFromCache());
   this->Pixels *= 2;

@@ -123,11 +123,14 @@ TEST(Planner, LeavesOutOnlyWhatDoesNotHelp)
   {
     auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF(name));
     const auto environment = NewSmallEnvironment(hall);
+    constexpr vtkIdType bytes = 16 << 20; // to be quick
     const auto planner = NewPlanner(brdf, environment, 0.05);
+    planner->SetMaximumTextureBytes(bytes);
     ASSERT_TRUE(planner->Update());
     planner->SetErrorTolerance(0.01); // the same planner again
     ASSERT_TRUE(planner->Update());
     const auto thorough = NewPlanner(brdf, environment, 0.01);
+    thorough->SetMaximumTextureBytes(bytes);
     thorough->EvaluateAllOn();
     ASSERT_TRUE(thorough->Update());
     const int choice = planner->GetChoice();
@@ -232,6 +235,7 @@ TEST(Planner, TextureMemoryOfTheMaterial)
   ASSERT_GT(form.GetTextureBytes(), 1000u);
   const auto environment = NewSmallEnvironment(true);
   const auto planner = NewPlanner(brdf, environment, 0.05);
+  planner->SetMaximumTextureBytes(2 << 20); // to be quick
   planner->EvaluateAllOn();
   ASSERT_TRUE(planner->Update());
   int lightSets = 0;
@@ -525,7 +529,7 @@ TEST(Planner, FollowsTheCostModel)
   vtkNew<vtkLambertBRDF> brdf;
   const auto environment = NewConstantEnvironment(32, 16, 1.0f);
   const auto planner = NewPlanner(brdf, environment, 0.05);
-  planner->SetMaximumTextureBytes(8 << 20);
+  planner->SetMaximumTextureBytes(2 << 20); // to be quick
   planner->EvaluateAllOn();
   ASSERT_TRUE(planner->Update());
   EXPECT_EQ(planner->GetChoice(), 0); // anything will do

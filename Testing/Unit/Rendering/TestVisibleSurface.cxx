@@ -61,18 +61,18 @@ TEST_F(Visible, SpheresCoverTheirDiscs)
 {
   const VisibleSurface seen = this->See(this->Sphere->GetOutput());
   EXPECT_NEAR(seen.GetNumberOfPixels(), Pi * 50.0 * 50.0, 0.02 * Pi * 50.0 * 50.0);
-  ASSERT_EQ(seen.GetNormals().size(), 256u);
-  ASSERT_EQ(seen.GetViews().size(), 256u);
+  ASSERT_EQ(seen.GetNormals().size(), 4096u);
+  ASSERT_EQ(seen.GetViews().size(), 4096u);
   double mean = 0.0;
   glm::dvec3 sum(0.0);
-  for (std::size_t k = 0; k < 256; ++k)
+  for (std::size_t k = 0; k < 4096; ++k)
   {
     const glm::dvec3& n = seen.GetNormals()[k];
     EXPECT_NEAR(glm::length(n), 1.0, 1e-12);
     EXPECT_EQ(seen.GetViews()[k], glm::dvec3(0.0, 0.0, 1.0));
     EXPECT_GE(n.z, 0.0);
-    mean += n.z / 256.0;
-    sum += n / 256.0;
+    mean += n.z / 4096.0;
+    sum += n / 4096.0;
   }
   // Uniform over the disc: the cosine's mean is 2/3.
   EXPECT_NEAR(mean, 2.0 / 3.0, 0.02);

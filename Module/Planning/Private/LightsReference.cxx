@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LightsReference.h"
+
+#include "HalfVector.h" // for Pi
+#include "LowDiscrepancy.h"
+#include "vtkBRDF.h"
+#include "vtkEnvironment.h"
+#include "vtkLightSet.h"
+#include "vtkObjectFactory.h"
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace measuredbrdf
+{
+namespace
+{
+constexpr int NumberOfLights = 4096;
+constexpr int FewerLights[] = { 256, 1024 }; // where the material tells them from all by little
+constexpr int Probes = 16;                   // pairs that show by how much
+constexpr double LittleError = 5e-4;         // relative L1 over those, or
+constexpr double LittleShare = 0.025;        // this share of the tolerance
+}
+
+vtkStandardNewMacro(LightsReference);
+
+LightsReference::LightsReference() = default;
+LightsReference::~LightsReference() = default;
+
+bool LightsReference::Begin()
+{
+  const auto goOn = [this]() { return this->Report(0.0); };
+  EnvironmentPrecomputation& parts = this->Environment->GetParts();
+  const auto bright = parts.GetExtractedEmitters(
+    this->Environment, ExtractedEmitters::DefaultShare, MaximumSuns, goOn);
+  const auto lights =
+    bright ? parts.GetLightSet(this->Environment, bright->Rest, NumberOfLights, goOn) : nullptr;
+  if (!lights)
+  {
+    vtkErrorMacro("Integrate: aborted.");
+    return false;
+  }
+  this->Suns = bright->Lights;
+  this->Others = GetLights(lights);
+  return this->ChooseLights(bright->Rest, goOn);
+}
+
+// Broad lobes do not tell a few hundred lights from all of them. Some pairs show whether this one
+// does.
+bool LightsReference::ChooseLights(
+  const EnvironmentPrecomputation::Rest& rest, const std::function<bool()>& goOn)
+{
+  const double least = std::min(LittleError, LittleShare * this->ErrorTolerance);
+  struct Pair
+  {
+    Frame Local;
+    glm::dvec3 View;
+  };
+  std::vector<Pair> pairs;
+  std::vector<glm::dvec3> all;
+  double total = 0.0;
+  for (unsigned int k = 1; k <= Probes; ++k)
+  {
+    // Normals over the sphere, views of a sphere's disc.
+    const double z = 2.0 * RadicalInverse(k, 2) - 1.0;
+    const double azimuth = 2.0 * Pi * RadicalInverse(k, 3);
+    const double s = std::sqrt(1.0 - z * z);
+    const double cosine = std::sqrt(RadicalInverse(k, 5));
+    const Frame frame =
+      FrameAbout(glm::dvec3(s * std::cos(azimuth), z, s * std::sin(azimuth)), glm::dvec3(0.0));
+    const double turn = 2.0 * Pi * RadicalInverse(k, 7);
+    const double sine = std::sqrt(1.0 - cosine * cosine);
+    pairs.push_back(
+      { frame, LiftView(glm::dvec3(sine * std::cos(turn), sine * std::sin(turn), cosine)) });
+    all.push_back(this->Sum(this->Others, frame, pairs.back().View));
+    total += all.back().x + all.back().y + all.back().z;
+  }
+  for (const int count : FewerLights)
+  {
+    const auto set =
+      this->Environment->GetParts().GetLightSet(this->Environment, rest, count, goOn);
+    if (!set)
+    {
+      vtkErrorMacro("Integrate: aborted.");
+      return false;
+    }
+    Lights lights = GetLights(set);
+    double difference = 0.0;
+    for (std::size_t k = 0; k < pairs.size(); ++k)
+    {
+      const glm::dvec3 d = glm::abs(this->Sum(lights, pairs[k].Local, pairs[k].View) - all[k]);
+      difference += d.x + d.y + d.z;
+    }
+    if (difference <= least * total)
+    {
+      this->Others = std::move(lights);
+      break;
+    }
+  }
+  return true;
+}
+
+LightsReference::Lights LightsReference::GetLights(vtkLightSet* set)
+{
+  Lights lights(static_cast<std::size_t>(set->GetNumberOfLights()));
+  for (int k = 0; k < set->GetNumberOfLights(); ++k)
+  {
+    ExtractedEmitters::Light& light = lights[static_cast<std::size_t>(k)];
+    set->GetDirection(k, &light.Direction.x);
+    set->GetIrradiance(k, &light.Irradiance.x);
+  }
+  return lights;
+}
+
+glm::dvec3 LightsReference::Sum(
+  const Lights& lights, const Frame& frame, const glm::dvec3& view) const
+{
+  glm::dvec3 sum(0.0);
+  for (const ExtractedEmitters::Light& light : lights)
+  {
+    const glm::dvec3 i = ToLocal(frame, light.Direction);
+    if (i.z > 0.0)
+    {
+      glm::dvec3 f;
+      this->BRDF->Evaluate(&i.x, &view.x, &f.x);
+      sum += i.z * f * light.Irradiance;
+    }
+  }
+  return sum;
+}
+
+void LightsReference::IntegratePart(
+  int vtkNotUsed(part), const double n[3], const double o[3], const double t[3], double radiance[3])
+{
+  const Frame frame = FrameAbout(glm::make_vec3(n), glm::make_vec3(t));
+  const glm::dvec3 view = LiftView(ToLocal(frame, glm::make_vec3(o)));
+  const glm::dvec3 sum = this->Sum(this->Others, frame, view) + this->Sum(this->Suns, frame, view);
+  for (int c = 0; c < 3; ++c)
+  {
+    radiance[c] += sum[c];
+  }
+}
+} // namespace measuredbrdf

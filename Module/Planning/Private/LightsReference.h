@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   LightsReference
+ * @brief   a nearly exact sum for lobes that are broad
+ *
+ * Suns and lamps are lights of their own. The rest is a variance light set of thousands of lights
+ * or, where some pairs show that the material does not tell them from all, of hundreds. Isotropic
+ * or not. Private to the module.
+ */
+
+#ifndef LightsReference_h
+#define LightsReference_h
+
+#include "EnvironmentPrecomputation.h"
+#include "LocalFrame.h"
+#include "vtkRadianceIntegrator.h"
+
+#include <glm/glm.hpp>
+
+#include <functional>
+#include <vector>
+
+namespace measuredbrdf
+{
+class LightsReference : public vtkRadianceIntegrator
+{
+public:
+  /// That are extracted.
+  static constexpr int MaximumSuns = 64;
+
+  static LightsReference* New();
+  vtkTypeMacro(LightsReference, vtkRadianceIntegrator);
+
+  /// What plans are made for: the sum is far more accurate than that. Default 1e-3.
+  void SetErrorTolerance(double tolerance) { this->ErrorTolerance = tolerance; }
+
+protected:
+  LightsReference();
+  ~LightsReference() override;
+
+  bool Begin() override;
+  void IntegratePart(
+    int part, const double n[3], const double o[3], const double t[3], double radiance[3]) override;
+
+private:
+  LightsReference(const LightsReference&) = delete;
+  void operator=(const LightsReference&) = delete;
+
+  using Lights = std::vector<ExtractedEmitters::Light>;
+  bool ChooseLights(const EnvironmentPrecomputation::Rest& rest, const std::function<bool()>& goOn);
+  static Lights GetLights(vtkLightSet* set);
+  glm::dvec3 Sum(const Lights& lights, const Frame& frame, const glm::dvec3& view) const;
+
+  double ErrorTolerance = 1e-3;
+  Lights Suns;
+  Lights Others;
+};
+} // namespace measuredbrdf
+
+#endif

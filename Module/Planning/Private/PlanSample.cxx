@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PlanSample.h"
+
+#include "vtkNew.h"
+#include "vtkRadianceMethods.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <random>
+#include <utility>
+
+namespace measuredbrdf
+{
+namespace
+{
+// Of the draws: by the difference of two methods, by radiance, and by weight; the others are of all
+// pairs alike, which are close together where lamps are.
+constexpr double ShareByDifference = 0.35;
+constexpr double ShareByRadiance = 0.2;
+constexpr double ShareByWeight = 0.25;
+// Of the steps through the draws: as good as random, and the same every time.
+constexpr double Start = 0.414;
+
+// How often each of them is drawn, count in all, but at most once each.
+std::vector<double> LimitToOnce(std::vector<double> draws, int count)
+{
+  for (int round = 0; round < 8; ++round) // each makes up for what the one before cut off
+  {
+    double open = count; // draws that are left for those below one
+    double sum = 0.0;    // that these have
+    for (const double draw : draws)
+    {
+      if (draw < 1.0)
+      {
+        sum += draw;
+      }
+      else
+      {
+        open -= 1.0;
+      }
+    }
+    const double scale = sum > 0.0 ? std::max(open, 0.0) / sum : 0.0;
+    for (double& draw : draws)
+    {
+      draw = draw < 1.0 ? std::min(draw * scale, 1.0) : 1.0;
+    }
+  }
+  return draws;
+}
+
+double GetFinite(double value) { return std::isfinite(value) ? value : 0.0; }
+
+// What the candidate, prepared, says that the pairs reflect.
+bool Try(const PlanTask& task, const IsAborted& isAborted, const PlanPairs& pairs,
+  PlanCandidate& candidate, vtkDoubleArray* radiance, std::string& problem)
+{
+  if (!PrepareCandidate(task, isAborted, candidate, problem))
+  {
+    return false;
+  }
+  const AbortForwarder supervision(isAborted, candidate.Integrator, problem);
+  return candidate.Integrator->Integrate(pairs.Normals, pairs.Views, radiance);
+}
+}
+
+bool SamplePairs(const PlanTask& task, const IsAborted& isAborted,
+  std::vector<PlanCandidate>& candidates, PlanPairs& pairs, std::string& problem)
+{
+  if (pairs.Normals->GetNumberOfTuples() <= PairsToCompare || isAborted())
+  {
+    return !isAborted();
+  }
+  const auto first = std::find_if(candidates.begin(), candidates.end(),
+    [](const PlanCandidate& candidate) { return vtkRadianceMethods::IsBuiltIn(candidate.Method); });
+  const auto larger = std::find_if(first, candidates.end(),
+    [&first](const PlanCandidate& other)
+    { return other.Method == first->Method && GetMainSize(other) > GetMainSize(*first); });
+  if (larger == candidates.end())
+  {
+    pairs = ChoosePairs(pairs, nullptr, nullptr, PairsToCompare);
+    return true;
+  }
+  vtkNew<vtkDoubleArray> coarse, fine;
+  if (!Try(task, isAborted, pairs, *first, coarse, problem) ||
+      !Try(task, isAborted, pairs, *larger, fine, problem))
+  {
+    return false;
+  }
+  pairs = ChoosePairs(pairs, coarse, fine, PairsToCompare);
+  return true;
+}
+
+PlanPairs ChoosePairs(const PlanPairs& all, vtkDoubleArray* coarse, vtkDoubleArray* fine, int count)
+{
+  const std::size_t number = static_cast<std::size_t>(all.Normals->GetNumberOfTuples());
+  std::vector<double> weights = all.Weights;
+  weights.resize(number, all.Weights.empty() ? 1.0 : 0.0);
+  std::vector<double> differences(number), radiances(number);
+  double sums[3] = {};
+  for (std::size_t k = 0; k < number; ++k)
+  {
+    for (int c = 0; c < 3 && fine; ++c)
+    {
+      const double value = GetFinite(fine->GetComponent(static_cast<vtkIdType>(k), c));
+      const double other = GetFinite(coarse->GetComponent(static_cast<vtkIdType>(k), c));
+      differences[k] += weights[k] * std::abs(other - value);
+      radiances[k] += weights[k] * std::abs(value);
+    }
+    sums[0] += differences[k];
+    sums[1] += radiances[k];
+    sums[2] += weights[k];
+  }
+  std::vector<double> draws(number);
+  const double others =
+    (1.0 - ShareByDifference - ShareByRadiance - ShareByWeight) / static_cast<double>(number);
+  const double shares[3] = { sums[0] > 0.0 ? ShareByDifference / sums[0] : 0.0,
+    sums[1] > 0.0 ? ShareByRadiance / sums[1] : 0.0, ShareByWeight / sums[2] };
+  for (std::size_t k = 0; k < number; ++k)
+  {
+    draws[k] = count * (others + shares[0] * differences[k] + shares[1] * radiances[k] +
+                         shares[2] * weights[k]);
+  }
+  draws = LimitToOnce(draws, count);
+  // In equal steps through the draws of all, sorted by difference: some of every size of it.
+  std::vector<double> keys(number);
+  for (std::size_t k = 0; k < number; ++k)
+  {
+    keys[k] = weights[k] > 0.0 ? differences[k] / weights[k] : 0.0;
+  }
+  std::vector<std::size_t> order(number);
+  std::iota(order.begin(), order.end(), std::size_t{ 0 });
+  std::mt19937 engine; // steps must not resonate with the sequence that drew the pairs
+  for (std::size_t k = number; k > 1; --k)
+  {
+    std::swap(order[k - 1], order[engine() % k]);
+  }
+  std::stable_sort(order.begin(), order.end(),
+    [&keys](std::size_t a, std::size_t b) { return keys[a] < keys[b]; });
+  PlanPairs chosen;
+  chosen.Normals = vtkSmartPointer<vtkDoubleArray>::New();
+  chosen.Views = vtkSmartPointer<vtkDoubleArray>::New();
+  chosen.Normals->SetNumberOfComponents(3);
+  chosen.Views->SetNumberOfComponents(3);
+  double at = Start;
+  for (const std::size_t k : order)
+  {
+    at -= draws[k];
+    if (at < 0.0)
+    {
+      at += 1.0;
+      chosen.Normals->InsertNextTuple(all.Normals->GetTuple(static_cast<vtkIdType>(k)));
+      chosen.Views->InsertNextTuple(all.Views->GetTuple(static_cast<vtkIdType>(k)));
+      chosen.Weights.push_back(weights[k] / draws[k]);
+    }
+  }
+  return chosen;
+}
+} // namespace measuredbrdf

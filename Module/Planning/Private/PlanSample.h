@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Which of many (normal, view) pairs a planner compares its candidates on. A few pairs often hold
+ * most of the error, those that see a lamp's edge for instance, and uniform samples miss them.
+ * Private to the module.
+ */
+
+#ifndef PlanSample_h
+#define PlanSample_h
+
+#include "PlanCandidate.h"
+#include "PlanPairs.h"
+#include "PlanSearch.h" // for IsAborted
+
+#include <string>
+#include <vector>
+
+namespace measuredbrdf
+{
+/// Of more pairs than PairsToCompare, about that many, drawn by how much two cheap candidates
+/// differ, by radiance, by weight, and some of all alike. Weights make up for it: sums are unbiased
+/// (Horvitz, Thompson 1952, "A Generalization of Sampling Without Replacement from a Finite
+/// Universe"). The two candidates are the first of the module's own and the first of its method
+/// that is larger; they are prepared for it. Where there are no such two, all pairs are alike.
+/// Repeatable. False, with a problem in words, where that failed or was aborted.
+bool SamplePairs(const PlanTask& task, const IsAborted& isAborted,
+  std::vector<PlanCandidate>& candidates, PlanPairs& pairs, std::string& problem);
+
+/// How many pairs candidates are compared on.
+constexpr int PairsToCompare = 512;
+
+/// Such a sample of about so many pairs, by what two methods say that they reflect (null: all pairs
+/// are alike).
+PlanPairs ChoosePairs(
+  const PlanPairs& pairs, vtkDoubleArray* coarse, vtkDoubleArray* fine, int count);
+} // namespace measuredbrdf
+
+#endif
