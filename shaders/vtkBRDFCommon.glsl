@@ -116,6 +116,15 @@ vec2 brdfMapPosition(vec3 d, out vec3 meridian, out vec3 parallel)
   return vec2(brdfTurn(azimuth), 0.5 * (d.y >= 0.0 ? polar : 2.0 - polar));
 }
 
+// Unit d in the unit square: the octahedron about the environment's y, its lower half folded out
+// (Engelhardt, Dachsbacher 2008). No angles: a third of the time of the above.
+vec2 brdfOctahedralPosition(vec3 d)
+{
+  vec2 p = d.zx / (abs(d.x) + abs(d.y) + abs(d.z));
+  vec2 side = vec2(p.x < 0.0 ? -1.0 : 1.0, p.y < 0.0 ? -1.0 : 1.0);
+  return 0.5 + 0.5 * (d.y < 0.0 ? side * (1.0 - abs(p.yx)) : p);
+}
+
 // Rusinkiewicz 1998 in table coordinates: phi_d in turns, theta_d in right angles, the square root
 // of theta_h in right angles. |i - o| / |i + o| = tan theta_d.
 vec3 brdfHalfDifference(vec3 i, vec3 o)

@@ -5,7 +5,7 @@
 uniform sampler3D brdfTableProfileINSTANCE; // theta_o; phi_o; (axis along and across the view, view angle), s, c
 // Azimuth of the axis; polar angle of the axis within phi_o; the tangent's azimuth within theta_o.
 uniform sampler3D brdfTableRadianceINSTANCE;
-uniform sampler2D brdfTableIrradianceINSTANCE; // azimuth and polar angle of the normal
+uniform sampler2D brdfTableIrradianceINSTANCE; // octahedral, over the normal
 uniform float brdfTableLastViewINSTANCE; // the last theta_o, in quarter turns
 
 // Between two view angles at one of the view's azimuths. psi in turns.
@@ -67,10 +67,8 @@ vec3 brdfEnvironmentINSTANCE(mat3 frame, vec3 o)
   if (HAS_FLOOR != 0)
   {
     place.z = 2.5 / 3.0;
-    position = brdfMapPosition(frame[2], meridian, parallel);
-    vec2 mapSize = vec2(textureSize(brdfTableIrradianceINSTANCE, 0));
-    vec2 normalAt = vec2(position.x + 0.5 / mapSize.x,
-      (position.y * (mapSize.y - 1.0) + 0.5) / mapSize.y);
+    float side = float(textureSize(brdfTableIrradianceINSTANCE, 0).x);
+    vec2 normalAt = (brdfOctahedralPosition(frame[2]) * (side - 1.0) + 0.5) / side;
     sum += texture(brdfTableIrradianceINSTANCE, normalAt).rgb *
       texture(brdfTableProfileINSTANCE, place).rgb;
   }

@@ -4,7 +4,7 @@
 // vtkBRDFEnvironmentCore.glsl adds. C++ twin: vtkTableRadianceIntegrator.
 uniform sampler2D brdfTableProfileINSTANCE; // over theta_o: (view angle, cos, sin delta); s; c
 uniform sampler3D brdfTableRadianceINSTANCE; // azimuth and polar angle of axis; psi within view angles
-uniform sampler2D brdfTableIrradianceINSTANCE; // azimuth and polar angle of the normal
+uniform sampler2D brdfTableIrradianceINSTANCE; // octahedral, over the normal
 uniform float brdfTableAnglesINSTANCE;
 uniform float brdfTableLastViewINSTANCE; // the profile's last theta_o, in quarter turns
 
@@ -38,10 +38,8 @@ vec3 brdfEnvironmentINSTANCE(mat3 frame, vec3 o)
     texture(brdfTableProfileINSTANCE, vec2(u, 1.5 / 3.0)).rgb;
   if (HAS_FLOOR != 0)
   {
-    position = brdfMapPosition(frame[2], meridian, parallel);
-    vec2 mapSize = vec2(textureSize(brdfTableIrradianceINSTANCE, 0));
-    vec2 normalAt = vec2(position.x + 0.5 / mapSize.x,
-      (position.y * (mapSize.y - 1.0) + 0.5) / mapSize.y);
+    float side = float(textureSize(brdfTableIrradianceINSTANCE, 0).x);
+    vec2 normalAt = (brdfOctahedralPosition(frame[2]) * (side - 1.0) + 0.5) / side;
     sum += texture(brdfTableIrradianceINSTANCE, normalAt).rgb *
       texture(brdfTableProfileINSTANCE, vec2(u, 2.5 / 3.0)).rgb;
   }

@@ -92,13 +92,15 @@ bool vtkAnisotropicTableRadianceIntegrator::MakeTable(Tables& table)
   }
   const MaterialPrecomputation::AnisotropicKernels& knots = parts->GetAnisotropicKernels(
     this->BRDF, table.Angles, table.ViewAzimuths, NumberOfNodes, this->Abort);
-  if (this->Abort ||
-      !SynthesizeAnisotropic(
-        *harmonics, knots, degree, [this](double share) { return this->Report(share); }, table))
+  const double scale = this->Abort ? 0.0
+                                   : SynthesizeAnisotropic(
+                                       *harmonics, knots, degree,
+                                       [this](double share) { return this->Report(share); }, table);
+  if (!(scale > 0.0))
   {
     return false;
   }
-  MakeAnisotropicProfile(views, knots, NormalizeRadiance(table.Radiance), table);
+  MakeAnisotropicProfile(views, knots, scale, table);
   if (table.HasFloor)
   {
     table.Irradiance = ofEnvironment.GetIrradiance(
@@ -161,31 +163,31 @@ bool vtkAnisotropicTableRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs&
     { "VIEW_AZIMUTHS", std::to_string(table.ViewAzimuths) + ".0" } };
   term.Uniforms.push_back(
     { "brdfTableLastView", { static_cast<float>(LobeViews::GetLastAngle() * 2.0 / Pi) } });
-  const auto add = [&term](const char* name, int width, int height, int depth,
-                     const std::vector<float>& data) -> vtkBRDFShaderInputs::Texture&
+  const auto add = [&term](const char* name, int width, int height,
+                     int depth) -> vtkBRDFShaderInputs::Texture&
   {
     vtkBRDFShaderInputs::Texture texture;
     texture.Name = name;
     texture.Dimensions = { width, height, depth };
     texture.ThreeD = depth > 1;
-    texture.Data = data;
     term.Textures.push_back(std::move(texture));
     return term.Textures.back();
   };
-  add("brdfTableProfile", AnisotropicViews::Angles, AnisotropicViews::Azimuths, 3, table.Profile)
-    .Repeat[1] = true;
+  vtkBRDFShaderInputs::Texture& profile =
+    add("brdfTableProfile", AnisotropicViews::Angles, AnisotropicViews::Azimuths, 3);
+  profile.Data = table.Profile;
+  profile.Repeat[1] = true;
   vtkBRDFShaderInputs::Texture& radiance = add("brdfTableRadiance", table.Columns,
-    table.Rows * table.ViewAzimuths, table.Angles * (table.Azimuths + 1), table.Radiance);
-  radiance.HalfFloat = true;
+    table.Rows * table.ViewAzimuths, table.Angles * (table.Azimuths + 1));
+  radiance.SharedExponents = table.Radiance;
   radiance.Repeat[0] = true;
   if (table.HasFloor)
   {
-    add("brdfTableIrradiance", RadianceTable::IrradianceColumns, RadianceTable::IrradianceRows, 1,
-      *table.Irradiance)
-      .Repeat[0] = true;
+    add("brdfTableIrradiance", RadianceTable::IrradianceSide, RadianceTable::IrradianceSide, 1)
+      .SharedExponents = *table.Irradiance;
   }
   form = vtkBRDFShaderInputs();
-  form.QuantizationError = std::ldexp(1.0, -11);
+  form.QuantizationError = std::ldexp(1.0, -9);
   form.Description = "anisotropic radiance table, " + std::to_string(table.Columns) + " x " +
                      std::to_string(table.Rows) + " axes x " + std::to_string(table.Azimuths) +
                      " azimuths x " + std::to_string(table.Angles) + " x " +
@@ -264,9 +266,9 @@ vtkIdType vtkAnisotropicTableRadianceIntegrator::EstimateTextureBytes()
   const vtkIdType columns = 2 * (this->NumberOfRows - 1);
   const vtkIdType maps = static_cast<vtkIdType>(this->NumberOfViewAngles) *
                          (this->NumberOfAzimuths + 1) * this->NumberOfViewAzimuths;
-  return 6 * columns * this->NumberOfRows * maps +
+  return 4 * columns * this->NumberOfRows * maps +
          12 * 3 * AnisotropicViews::Angles * AnisotropicViews::Azimuths +
-         16 * RadianceTable::IrradianceColumns * RadianceTable::IrradianceRows;
+         4 * RadianceTable::IrradianceSide * RadianceTable::IrradianceSide;
 }
 
 //------------------------------------------------------------------------------

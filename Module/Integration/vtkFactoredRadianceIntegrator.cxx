@@ -114,8 +114,8 @@ bool vtkFactoredRadianceIntegrator::MakeCore(Precomputation& parts, int tableNod
   }
   RadianceTable table(this->NumberOfTableRows, this->NumberOfViewAngles, this->NumberOfAzimuths);
   MakeProfile(views, tableKnots, 1.0, table);
-  const CoreKernels kernels{ knots, tableKnots, table, this->SmoothingDegree, this->NumberOfRows,
-    degree, parts };
+  const CoreKernels kernels{ knots, tableKnots, table, views, this->SmoothingDegree,
+    this->NumberOfRows, degree, parts };
   return core.Make(*harmonics, views, kernels, this->NumberOfFields,
     [this](double share) { return this->Report(share); });
 }

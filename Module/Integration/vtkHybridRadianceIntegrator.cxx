@@ -353,8 +353,13 @@ bool vtkHybridRadianceIntegrator::CanPrune(const std::vector<Attempt>& attempts,
       return attempt.Sizes[3] == this->NumberOfMaps &&
              attempt.Sizes[4] == this->MaximumNumberOfLights;
     });
-  return CanPruneTable(
-    { this->NumberOfRows, this->NumberOfViewAngles, this->NumberOfAzimuths }, alike, error);
+  std::vector<Attempt> tables; // beside the same lights
+  std::copy_if(attempts.begin(), attempts.end(), std::back_inserter(tables),
+    [this](const Attempt& attempt)
+    { return attempt.Sizes[3] == 0 && attempt.Sizes[4] == this->MaximumNumberOfLights; });
+  return CanPruneTable({ this->NumberOfRows, this->NumberOfViewAngles, this->NumberOfAzimuths },
+           alike, error) ||
+         (this->NumberOfMaps > 0 && CanPruneMaps(this->NumberOfRows, alike, tables, error));
 }
 
 //------------------------------------------------------------------------------

@@ -85,13 +85,15 @@ bool vtkTableRadianceIntegrator::MakeTable(Tables& table)
   const LobeViews& views = parts->GetViews(this->BRDF, this->Abort);
   const MaterialPrecomputation::Kernels& knots =
     parts->GetKernels(this->BRDF, table.Angles, this->NumberOfNodes, this->Abort);
-  if (this->Abort || !SynthesizeRadiance(
-                       *harmonics, knots, degree, this->SmoothingDegree,
-                       [this](double share) { return this->Report(share); }, table))
+  const double scale = this->Abort ? 0.0
+                                   : SynthesizeRadiance(
+                                       views, *harmonics, knots, degree, this->SmoothingDegree,
+                                       [this](double share) { return this->Report(share); }, table);
+  if (!(scale > 0.0))
   {
     return false;
   }
-  MakeProfile(views, knots, NormalizeRadiance(table.Radiance), table);
+  MakeProfile(views, knots, scale, table);
   if (table.HasFloor)
   {
     table.Irradiance = ofEnvironment.GetIrradiance(
@@ -146,28 +148,28 @@ bool vtkTableRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
   term.Uniforms.push_back({ "brdfTableAngles", { static_cast<float>(table.Angles) } });
   term.Uniforms.push_back(
     { "brdfTableLastView", { static_cast<float>(LobeViews::GetLastAngle() * 2.0 / Pi) } });
-  const auto add = [&term](const char* name, int width, int height, int depth, bool half,
-                     const std::vector<float>& data)
+  const auto add = [&term](const char* name, int width, int height,
+                     int depth) -> vtkBRDFShaderInputs::Texture&
   {
     vtkBRDFShaderInputs::Texture texture;
     texture.Name = name;
     texture.Dimensions = { width, height, depth };
     texture.ThreeD = depth > 1;
-    texture.HalfFloat = half;
-    texture.Repeat[0] = name != std::string("brdfTableProfile");
-    texture.Data = data;
     term.Textures.push_back(std::move(texture));
+    return term.Textures.back();
   };
-  add("brdfTableProfile", RadianceTable::ProfileSize, 3, 1, false, table.Profile);
-  add("brdfTableRadiance", table.Columns, table.Rows, table.Angles * (table.Azimuths + 1), true,
-    table.Radiance);
+  add("brdfTableProfile", RadianceTable::ProfileSize, 3, 1).Data = table.Profile;
+  vtkBRDFShaderInputs::Texture& radiance =
+    add("brdfTableRadiance", table.Columns, table.Rows, table.Angles * (table.Azimuths + 1));
+  radiance.SharedExponents = table.Radiance;
+  radiance.Repeat[0] = true;
   if (table.HasFloor)
   {
-    add("brdfTableIrradiance", RadianceTable::IrradianceColumns, RadianceTable::IrradianceRows, 1,
-      false, *table.Irradiance);
+    add("brdfTableIrradiance", RadianceTable::IrradianceSide, RadianceTable::IrradianceSide, 1)
+      .SharedExponents = *table.Irradiance;
   }
   form = vtkBRDFShaderInputs();
-  form.QuantizationError = std::ldexp(1.0, -11);
+  form.QuantizationError = std::ldexp(1.0, -9);
   form.Description = "radiance table, " + std::to_string(table.Columns) + " x " +
                      std::to_string(table.Rows) + " axes x " + std::to_string(table.Angles) +
                      " view angles x " + std::to_string(table.Azimuths) + " azimuths";

@@ -25,6 +25,7 @@
 
 #include <array>      // for dimensions
 #include <cstddef>    // for size_t
+#include <cstdint>    // for texels
 #include <functional> // for hash
 #include <string>     // for names
 #include <vector>     // for data
@@ -46,13 +47,16 @@ struct vtkBRDFShaderInputs
     bool HalfFloat = false;                               // stored as 16-bit float on the GPU
     std::array<bool, 3> Repeat = { false, false, false }; // else clamp to edge
     std::vector<float> Data;                              // x fastest, components interleaved
+    // In place of Data, where it is not empty: RGB >= 0 in 32 bits a texel (GL_RGB9_E5, see
+    // SharedExponent.h); Components and HalfFloat then do not count.
+    std::vector<std::uint32_t> SharedExponents;
     // Whether it is stored with a fourth component: true for 2D textures of 32 bits, because
     // software renderers then fetch them faster (7 % of a radiance table's frame).
     bool IsPadded() const { return Components == 3 && !HalfFloat && !ThreeD; }
     std::size_t GetBytes() const
     {
       const std::size_t bytes = Data.size() * (HalfFloat ? 2 : 4);
-      return IsPadded() ? bytes / 3 * 4 : bytes;
+      return 4 * SharedExponents.size() + (IsPadded() ? bytes / 3 * 4 : bytes);
     }
   };
 
@@ -81,8 +85,8 @@ struct vtkBRDFShaderInputs
 
   /// Relative L2 error (both cosines as weights) by resampling; 0 where nothing was resampled.
   double ResamplingError = 0.0;
-  /// Largest relative error of a stored value by texture precision: 2^-11 for 16-bit floats, 2^-23
-  /// for 32-bit; 0 without textures.
+  /// Largest relative error of a stored value by texture precision: 2^-9 of the largest component
+  /// for shared exponents, 2^-11 for 16-bit floats, 2^-23 for 32-bit; 0 without textures.
   double QuantizationError = 0.0;
   /// One line for readers: sizes, precision, reason.
   std::string Description;

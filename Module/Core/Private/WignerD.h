@@ -68,23 +68,28 @@ public:
   /// Lowest degree that is not zero.
   int GetFirst() const { return this->First; }
 
-  /// d[l] for l = GetFirst() ... maximumDegree, at d[l - GetFirst()].
-  void Evaluate(double theta, double* d) const
+  /// d[l] for l = GetFirst() ... maximumDegree, at d[l - GetFirst()]. Value: double, or one of
+  /// Eigen's arrays of them.
+  template <typename Value>
+  void Evaluate(const Value& theta, Value* d) const
   {
     if (this->First > this->Last)
     {
       return;
     }
-    const double c = std::cos(0.5 * theta);
-    const double s = std::sin(0.5 * theta);
-    double current =
-      this->Sign * std::exp(this->LogStart + Log(c, this->CosinePower) + Log(s, this->SinePower));
-    double previous = 0.0;
-    const double x = std::cos(theta);
+    using std::cos;
+    using std::exp;
+    using std::sin;
+    const Value c = cos(0.5 * theta);
+    const Value s = sin(0.5 * theta);
+    Value current =
+      this->Sign * exp(this->LogStart + Log(c, this->CosinePower) + Log(s, this->SinePower));
+    Value previous = 0.0 * current;
+    const Value x = cos(theta);
     *d++ = current;
     for (const Step& step : this->Steps)
     {
-      const double next = step.A * (x - step.B) * current - step.C * previous;
+      const Value next = step.A * (x - step.B) * current - step.C * previous;
       previous = current;
       current = next;
       *d++ = current;
@@ -101,6 +106,12 @@ private:
   static double Log(double x, int power)
   {
     return power == 0 ? 0.0 : power * std::log(std::max(x, 1e-300));
+  }
+
+  template <typename Array>
+  static Array Log(const Array& x, int power)
+  {
+    return x.unaryExpr([power](double value) { return Log(value, power); });
   }
 
   int First, Last;

@@ -67,8 +67,8 @@ std::array<FieldSynthesis::Matrix, 3> PickOrder(
 }
 
 // One order's fields of one view angle, turned to each psi.
-void AddOrder(
-  int order, int angle, const std::array<FieldSynthesis::Field, 3>& fields, AnisotropicTable& table)
+void AddOrder(int order, int angle, const std::array<FieldSynthesis::Field, 3>& fields,
+  const AnisotropicTable& table, std::vector<float>& radiance)
 {
   const std::size_t texels = table.GetNumberOfTexels();
   vtkSMPTools::For(0, table.Azimuths + 1, 1,
@@ -82,7 +82,7 @@ void AddOrder(
             static_cast<float>(-2.0 * Pi * order * static_cast<double>(azimuth) / table.Azimuths));
         for (int view = 0; view < table.ViewAzimuths; ++view)
         {
-          float* out = &table.Radiance[3 * table.GetMap(angle, azimuth, view)];
+          float* out = &radiance[3 * table.GetMap(angle, azimuth, view)];
           for (std::size_t channel = 0; channel < 3; ++channel)
           {
             const std::complex<float>* real =
@@ -101,12 +101,12 @@ void AddOrder(
 }
 }
 
-bool SynthesizeAnisotropic(const EnvironmentHarmonics& environment, const Kernels& knots,
+double SynthesizeAnisotropic(const EnvironmentHarmonics& environment, const Kernels& knots,
   int degree, const std::function<bool(double)>& goOn, AnisotropicTable& table)
 {
   const int orders = std::min(table.Azimuths / 2, degree); // as many as the azimuths can tell apart
   const Expanded kernels = ExpandKernels(knots, degree, orders);
-  table.Radiance.assign(3 * table.GetMap(table.Angles, 0, 0), 0.0f);
+  std::vector<float> radiance(3 * table.GetMap(table.Angles, 0, 0));
   const FieldSynthesis synthesis(environment, table.Rows, table.Columns, MapNodes::Poles);
   for (int angle = 0; angle < table.Angles; ++angle)
   {
@@ -116,16 +116,16 @@ bool SynthesizeAnisotropic(const EnvironmentHarmonics& environment, const Kernel
       std::array<FieldSynthesis::Field, 3> fields;
       synthesis.Run(
         order, PickOrder(kernels, first, table.ViewAzimuths, order, degree, table.Rows), fields);
-      AddOrder(order, angle, fields, table);
+      AddOrder(order, angle, fields, table, radiance);
       if (!goOn((angle * (orders + 1.0) + order + 1.0) / (table.Angles * (orders + 1.0))))
       {
-        return false;
+        return 0.0;
       }
     }
   }
   LiftDarkRings(
-    table.Radiance, static_cast<std::size_t>(table.Rows), static_cast<std::size_t>(table.Columns));
-  return true;
+    radiance, static_cast<std::size_t>(table.Rows), static_cast<std::size_t>(table.Columns));
+  return PackRadiance(radiance, table.Radiance);
 }
 
 void MakeAnisotropicProfile(

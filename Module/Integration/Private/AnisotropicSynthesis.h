@@ -17,8 +17,9 @@
 namespace measuredbrdf
 {
 /// The table's radiance, of its kernels up to a harmonic degree. goOn gets the share that is done;
-/// where it says false, the table is not complete, and the result is false.
-bool SynthesizeAnisotropic(const EnvironmentHarmonics& environment,
+/// where it says false, the table is not complete, and the result is 0. Else it is what undoes the
+/// radiance's scaling.
+double SynthesizeAnisotropic(const EnvironmentHarmonics& environment,
   const MaterialPrecomputation::AnisotropicKernels& knots, int degree,
   const std::function<bool(double)>& goOn, AnisotropicTable& table);
 

@@ -75,9 +75,8 @@ glm::dvec3 AnisotropicTable::Evaluate(
   sum *= this->GetProfile(1, u, phi);
   if (this->HasFloor)
   {
-    sum +=
-      this->GetProfile(2, u, phi) * GetMapValue(*this->Irradiance, RadianceTable::IrradianceRows,
-                                      RadianceTable::IrradianceColumns, 0, MapPosition(n));
+    sum += this->GetProfile(2, u, phi) *
+           GetOctahedralValue(*this->Irradiance, RadianceTable::IrradianceSide, n);
   }
   return glm::max(sum, glm::dvec3(0.0));
 }
@@ -91,11 +90,11 @@ std::vector<std::uint64_t> AnisotropicTable::GetSizes() const
 // Last of the numbers: the periods.
 std::string AnisotropicTable::GetBytes() const
 {
-  const std::vector<float> none;
+  const RadianceTable::Texels none;
   std::vector<std::uint64_t> numbers = this->GetSizes();
   numbers.push_back(static_cast<std::uint64_t>(this->Periods));
-  return WriteTableBytes(
-    numbers, { &this->Profile, &this->Radiance, this->HasFloor ? this->Irradiance.get() : &none });
+  return WriteTableBytes(numbers, { &this->Profile },
+    { &this->Radiance, this->HasFloor ? this->Irradiance.get() : &none });
 }
 
 bool AnisotropicTable::TakeBytes(const std::string& bytes)
@@ -109,17 +108,17 @@ bool AnisotropicTable::TakeBytes(const std::string& bytes)
   const std::uint64_t periods = parts.Numbers.back();
   parts.Numbers.pop_back();
   if (parts.Numbers != this->GetSizes() || (periods != 1 && periods != 2) ||
-      parts.Arrays.size() != 3 || parts.Arrays[0].size() != profile ||
-      parts.Arrays[1].size() != 3 * this->GetMap(this->Angles, 0, 0) ||
-      !RadianceTable::IsIrradiance(parts.Arrays[2]))
+      parts.Arrays.size() != 1 || parts.Arrays[0].size() != profile || parts.Texels.size() != 2 ||
+      parts.Texels[0].size() != this->GetMap(this->Angles, 0, 0) ||
+      !RadianceTable::IsIrradiance(parts.Texels[1]))
   {
     return false;
   }
   this->Periods = static_cast<int>(periods);
   this->Profile = std::move(parts.Arrays[0]);
-  this->Radiance = std::move(parts.Arrays[1]);
-  this->HasFloor = !parts.Arrays[2].empty();
-  this->Irradiance = std::make_shared<std::vector<float>>(std::move(parts.Arrays[2]));
+  this->Radiance = std::move(parts.Texels[0]);
+  this->HasFloor = !parts.Texels[1].empty();
+  this->Irradiance = std::make_shared<RadianceTable::Texels>(std::move(parts.Texels[1]));
   return true;
 }
 } // namespace measuredbrdf

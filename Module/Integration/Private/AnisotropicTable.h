@@ -43,10 +43,10 @@ struct AnisotropicTable
   // RGB, AnisotropicViews::Angles x Azimuths x 3: (the axis' parts along and across the view's part
   // along the surface, view angle); share; c
   std::vector<float> Profile;
-  // RGB, Columns x (Rows ViewAzimuths) x (Angles (Azimuths + 1)): psi's first value comes again
-  // after the last.
-  std::vector<float> Radiance;
-  std::shared_ptr<const std::vector<float>> Irradiance; // as RadianceTable's
+  // Columns x (Rows ViewAzimuths) x (Angles (Azimuths + 1)): psi's first value comes again after
+  // the last.
+  RadianceTable::Texels Radiance;
+  std::shared_ptr<const RadianceTable::Texels> Irradiance; // as RadianceTable's
 
   std::size_t GetNumberOfTexels() const
   {

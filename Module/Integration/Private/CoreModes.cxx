@@ -84,19 +84,17 @@ using Matrices = MaterialPrecomputation::Matrices; // by order: degrees x (knots
 // What the table, as it is interpolated, lacks of a knot's kernel about the axis that pixels look
 // at: of the lobe, and of the Lambert part.
 void ExpandKnot(const CoreKernels& kernels, const std::vector<std::vector<float>>& table,
-  std::size_t knot, Matrices& result)
+  std::size_t knot, const std::vector<float>& whole, Matrices& result)
 {
   const int degree = kernels.Degree;
   const double u = GetProfilePosition(kernels.GetViewAngle(knot));
   const glm::dvec3 place = GetProfileValue(kernels.Table.Profile, 0, u);
   const glm::dvec3 share = GetProfileValue(kernels.Table.Profile, 1, u);
   const glm::dvec3 floor = GetProfileValue(kernels.Table.Profile, 2, u);
-  const double delta = std::atan2(place.z, place.y);
   const std::size_t low = std::min(static_cast<std::size_t>(place.x), table.size() - 2);
   const double between = place.x - static_cast<double>(low);
   const LobeHarmonics& lobe = *kernels.Knots[knot];
-  const std::vector<float> whole = lobe.Expand(delta, degree, LargestOrder);
-  const std::vector<double> cosine = TurnCosine(delta, degree);
+  const std::vector<double> cosine = TurnCosine(kernels.GetAxis(knot), degree);
   for (int order = 0; order <= LargestOrder; ++order)
   {
     // As many orders as the table's azimuths can tell apart.
@@ -124,8 +122,15 @@ Matrices ExpandKernels(const CoreKernels& kernels)
 {
   // The table is smoothed, so that its harmonics end by themselves: none of those within the
   // degree is to fade.
-  const std::vector<std::vector<float>> table = ExpandTableKernels(
+  const std::vector<std::vector<float>> table = ExpandTableKernels(kernels.Views,
     kernels.TableKnots, kernels.Degree, LargestOrder, kernels.Smoothing, kernels.Degree);
+  std::vector<std::pair<const LobeHarmonics*, double>> lobes;
+  for (std::size_t knot = 0; knot < kernels.Knots.size(); ++knot)
+  {
+    lobes.emplace_back(kernels.Knots[knot].get(), kernels.GetAxis(knot));
+  }
+  const std::vector<std::vector<float>> whole =
+    LobeHarmonics::Expand(lobes, kernels.Degree, LargestOrder);
   Matrices result(LargestOrder + 1,
     Eigen::MatrixXd::Zero(kernels.Degree + 1, 3 * static_cast<Eigen::Index>(kernels.Knots.size())));
   vtkSMPTools::For(0, static_cast<vtkIdType>(kernels.Knots.size()), 1,
@@ -133,7 +138,8 @@ Matrices ExpandKernels(const CoreKernels& kernels)
     {
       for (vtkIdType knot = begin; knot < end; ++knot)
       {
-        ExpandKnot(kernels, table, static_cast<std::size_t>(knot), result);
+        const std::size_t at = static_cast<std::size_t>(knot);
+        ExpandKnot(kernels, table, at, whole[at], result);
       }
     });
   return result;
@@ -171,6 +177,11 @@ void Decompose(int order, const Eigen::MatrixXd& kernels, const std::vector<doub
 double CoreKernels::GetViewAngle(std::size_t knot) const
 {
   return LobeViews::GetKnotAngle(static_cast<int>(knot), static_cast<int>(this->Knots.size()));
+}
+
+double CoreKernels::GetAxis(std::size_t knot) const
+{
+  return this->Views.GetAxis(this->GetViewAngle(knot));
 }
 
 glm::dvec3 CoreMode::GetWeight(const CoreKernels& kernels, double theta) const

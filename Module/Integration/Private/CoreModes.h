@@ -28,12 +28,14 @@ struct CoreKernels
   const MaterialPrecomputation::Kernels& Knots;
   const MaterialPrecomputation::Kernels& TableKnots; // at the table's view angles
   const RadianceTable& Table;                        // its profile (MakeProfile, scale 1)
-  double Smoothing;                                  // of the table, GetSmoothed
-  int Rows;                                          // of the maps
-  int Degree;                                        // of the harmonics
-  MaterialPrecomputation& Known;                     // that knows the remainders, or will
+  const LobeViews& Views;
+  double Smoothing;              // of the table, GetSmoothed
+  int Rows;                      // of the maps
+  int Degree;                    // of the harmonics
+  MaterialPrecomputation& Known; // that knows the remainders, or will
 
   double GetViewAngle(std::size_t knot) const;
+  double GetAxis(std::size_t knot) const;
 };
 
 /// A function about the axis, cos or sin of order times psi, and its weight of each view.

@@ -6,8 +6,12 @@
 #include "LobeQuadrature.h"
 #include "WignerD.h"
 #include "vtkBRDF.h"
+#include "vtkSMPTools.h"
+
+#include <Eigen/Core>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 
@@ -59,76 +63,159 @@ LobeHarmonics::LobeHarmonics(vtkBRDF* brdf, double theta, int resolution)
   }
 }
 
-std::vector<float> LobeHarmonics::Expand(double delta, int degree, int orders) const
+// Of four lobes at once, one in each lane: they share the functions' coefficients, and processors
+// work on several numbers at a time.
+struct LobeHarmonics::Lanes
 {
-  // About the normal first, where the horizon is a circle of latitude: azimuth series at each polar
-  // node, then over the polar angle. n_lk at (k * 3 + channel) * size + l.
-  const std::size_t size = static_cast<std::size_t>(degree) + 1;
-  std::vector<double> about(3 * size * size, 0.0);
-  std::vector<double> d(size);
-  for (int k = 0; k <= degree; ++k)
+  static constexpr std::size_t Count = 4;
+  using Values = Eigen::Array4d;
+
+  std::array<const LobeHarmonics*, Count> Lobes;
+  Values Delta;
+  std::size_t Size; // degrees
+
+  /// About the normal, where the horizon is a circle of latitude: azimuth series at each polar
+  /// node, then over the polar angle. n_lk at (k * 3 + channel) * Size + l.
+  std::vector<Values> ExpandAboutNormal() const;
+
+  /// Then about the axis: the function seen from a frame turned by -delta about y (z towards -x).
+  /// b_lk = sum over k' of d^l_k'k(-delta) n_lk'.
+  std::vector<Values> Turn(const std::vector<Values>& about, int orders) const;
+};
+
+std::vector<LobeHarmonics::Lanes::Values> LobeHarmonics::Lanes::ExpandAboutNormal() const
+{
+  std::vector<Values> about(3 * this->Size * this->Size, Values::Zero());
+  std::vector<Values> d(this->Size);
+  std::size_t nodes = 0;
+  for (const LobeHarmonics* lobe : this->Lobes)
   {
-    const WignerD functions(k, 0, degree);
-    std::vector<double> cosines;
-    for (const LobeNode& a : this->Azimuths)
+    nodes = std::max(nodes, lobe->Polar.size());
+  }
+  std::array<std::vector<double>, Count> cosines;
+  for (std::size_t k = 0; k < this->Size; ++k)
+  {
+    const WignerD functions(static_cast<int>(k), 0, static_cast<int>(this->Size) - 1);
+    for (std::size_t lane = 0; lane < Count; ++lane)
     {
-      cosines.push_back(2.0 * a.Weight * std::cos(k * a.Angle));
-    }
-    const std::size_t first = static_cast<std::size_t>(k);
-    for (std::size_t p = 0; p < this->Polar.size(); ++p)
-    {
-      glm::dvec3 series(0.0);
-      for (std::size_t a = 0; a < cosines.size(); ++a)
+      cosines[lane].clear();
+      for (const LobeNode& a : this->Lobes[lane]->Azimuths)
       {
-        series += cosines[a] * this->Kernel[p * cosines.size() + a];
+        cosines[lane].push_back(2.0 * a.Weight * std::cos(static_cast<double>(k) * a.Angle));
       }
-      functions.Evaluate(this->Polar[p].Angle, d.data());
-      series *= this->Polar[p].Weight * std::sin(this->Polar[p].Angle);
+    }
+    for (std::size_t p = 0; p < nodes; ++p)
+    {
+      Values theta = Values::Zero();
+      Values series[3] = { Values::Zero(), Values::Zero(), Values::Zero() };
+      for (Eigen::Index lane = 0; lane < theta.size(); ++lane)
+      {
+        const LobeHarmonics& lobe = *this->Lobes[static_cast<std::size_t>(lane)];
+        if (p < lobe.Polar.size())
+        {
+          theta[lane] = lobe.Polar[p].Angle;
+          const glm::dvec3 sum = lobe.SumAzimuths(p, cosines[static_cast<std::size_t>(lane)]);
+          for (int c = 0; c < 3; ++c)
+          {
+            series[c][lane] = sum[c];
+          }
+        }
+      }
+      functions.Evaluate(theta, d.data());
       for (std::size_t c = 0; c < 3; ++c)
       {
-        double* out = &about[(3 * first + c) * size];
-        for (std::size_t l = first; l < size; ++l)
+        Values* out = &about[(3 * k + c) * this->Size];
+        for (std::size_t l = k; l < this->Size; ++l)
         {
-          out[l] += series[static_cast<int>(c)] * d[l - first];
+          out[l] += series[c] * d[l - k];
         }
       }
     }
   }
+  return about;
+}
 
-  // Then about the axis: the function seen from a frame turned by -delta about y (z towards -x).
-  // b_lk = sum over k' of d^l_k'k(-delta) n_lk'.
-  std::vector<double> turned(3 * static_cast<std::size_t>(orders + 1) * size, 0.0);
+std::vector<LobeHarmonics::Lanes::Values> LobeHarmonics::Lanes::Turn(
+  const std::vector<Values>& about, int orders) const
+{
+  const int degree = static_cast<int>(this->Size) - 1;
+  std::vector<Values> turned(3 * static_cast<std::size_t>(orders + 1) * this->Size, Values::Zero());
+  std::vector<Values> d(this->Size);
+  const Values angle = this->Delta.abs();
+  const Values odd = (this->Delta < 0.0).select(Values::Constant(-1.0), 1.0);
   for (int k = 0; k <= orders; ++k)
   {
     for (int from = -degree; from <= degree; ++from)
     {
       const WignerD functions(k, from, degree); // d_k'k(-delta) = d_kk'(delta)
-      functions.Evaluate(std::abs(delta), d.data());
+      functions.Evaluate(angle, d.data());
       // d_mk(-x) = (-1)^(m-k) d_mk(x); n_l,-k = (-1)^k n_lk.
-      double sign = delta < 0.0 && (k - from) % 2 != 0 ? -1.0 : 1.0;
-      sign = from < 0 && from % 2 != 0 ? -sign : sign;
+      Values sign = (k - from) % 2 != 0 ? odd : Values::Ones();
+      sign = from < 0 && from % 2 != 0 ? Values(-sign) : sign;
       const std::size_t first = static_cast<std::size_t>(functions.GetFirst());
       for (std::size_t c = 0; c < 3; ++c)
       {
-        const double* in = &about[(3 * static_cast<std::size_t>(std::abs(from)) + c) * size];
-        double* out = &turned[(3 * static_cast<std::size_t>(k) + c) * size];
-        for (std::size_t l = first; l < size; ++l)
+        const Values* in = &about[(3 * static_cast<std::size_t>(std::abs(from)) + c) * this->Size];
+        Values* out = &turned[(3 * static_cast<std::size_t>(k) + c) * this->Size];
+        for (std::size_t l = first; l < this->Size; ++l)
         {
           out[l] += sign * d[l - first] * in[l];
         }
       }
     }
   }
-  std::vector<float> result(turned.size());
-  for (std::size_t n = 0; n < turned.size(); ++n)
+  return turned;
+}
+
+// A polar node's series over the azimuths, with its weight.
+glm::dvec3 LobeHarmonics::SumAzimuths(std::size_t p, const std::vector<double>& cosines) const
+{
+  glm::dvec3 sum(0.0);
+  for (std::size_t a = 0; a < cosines.size(); ++a)
   {
-    const double sum = this->Sum[static_cast<int>(n / size % 3)];
-    result[n] =
-      sum > 0.0
-        ? static_cast<float>(
-            turned[n] / sum * std::sqrt((2.0 * static_cast<double>(n % size) + 1.0) / (4.0 * Pi)))
-        : 0.0f;
+    sum += cosines[a] * this->Kernel[p * cosines.size() + a];
   }
-  return result;
+  return sum * this->Polar[p].Weight * std::sin(this->Polar[p].Angle);
+}
+
+std::vector<std::vector<float>> LobeHarmonics::Expand(
+  const std::vector<std::pair<const LobeHarmonics*, double>>& lobes, int degree, int orders)
+{
+  std::vector<std::vector<float>> results(lobes.size());
+  const std::size_t blocks = (lobes.size() + Lanes::Count - 1) / Lanes::Count;
+  const auto expand = [&](std::size_t first)
+  {
+    Lanes lanes;
+    lanes.Size = static_cast<std::size_t>(degree) + 1;
+    for (std::size_t lane = 0; lane < Lanes::Count; ++lane) // the last ones again, if too few
+    {
+      const auto& lobe = lobes[std::min(first + lane, lobes.size() - 1)];
+      lanes.Lobes[lane] = lobe.first;
+      lanes.Delta[static_cast<Eigen::Index>(lane)] = lobe.second;
+    }
+    const std::vector<Lanes::Values> turned = lanes.Turn(lanes.ExpandAboutNormal(), orders);
+    for (std::size_t k = first; k < std::min(first + Lanes::Count, lobes.size()); ++k)
+    {
+      results[k].reserve(turned.size());
+      for (std::size_t n = 0; n < turned.size(); ++n)
+      {
+        const double sum = lobes[k].first->Sum[static_cast<int>(n / lanes.Size % 3)];
+        const double l = static_cast<double>(n % lanes.Size);
+        const double value = turned[n][static_cast<Eigen::Index>(k - first)];
+        results[k].push_back(
+          sum > 0.0 ? static_cast<float>(value / sum * std::sqrt((2.0 * l + 1.0) / (4.0 * Pi)))
+                    : 0.0f);
+      }
+    }
+  };
+  vtkSMPTools::For(0, static_cast<vtkIdType>(blocks), 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType block = begin; block < end; ++block)
+      {
+        expand(Lanes::Count * static_cast<std::size_t>(block));
+      }
+    });
+  return results;
 }
 } // namespace measuredbrdf

@@ -14,6 +14,8 @@
 
 #include <glm/glm.hpp>
 
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 class vtkBRDF;
@@ -31,14 +33,19 @@ public:
 
   /**
    * b_lk = integral of rest x Y*_lk / integral of rest, over the hemisphere, in the frame whose z
-   * is
-   * (-sin delta, 0, cos delta) and whose x lies in the plane of incidence on o's side, for l <=
+   * is (-sin delta, 0, cos delta) and whose x lies in the plane of incidence on o's side, for l <=
    * degree and 0 <= k <= orders; real, since the plane of incidence is taken as a mirror (what
-   * measured data break of that is averaged out). At (3 k + channel) (degree + 1) + l.
+   * measured data break of that is averaged out). At (3 k + channel) (degree + 1) + l, for each of
+   * the lobes with its delta. On several threads.
    */
-  std::vector<float> Expand(double delta, int degree, int orders) const;
+  static std::vector<std::vector<float>> Expand(
+    const std::vector<std::pair<const LobeHarmonics*, double>>& lobes, int degree, int orders);
 
 private:
+  struct Lanes;
+
+  glm::dvec3 SumAzimuths(std::size_t p, const std::vector<double>& cosines) const;
+
   LobeMeans Means;
   glm::dvec3 Sum = glm::dvec3(0.0); // the rest over the nodes, which see less of a sharp lobe
   std::vector<LobeNode> Polar;

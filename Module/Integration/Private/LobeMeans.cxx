@@ -33,7 +33,8 @@ LobeMeans::LobeMeans(const LobeQuadrature& quadrature)
   {
     this->Amplitude += cell.Weight - this->Floor * cell.Cosine;
     const double energy = LobeQuadrature::GetEnergy(cell, this->Floor);
-    axis += cell.Direction * (energy * energy / cell.SolidAngle);
+    const double density = energy / cell.SolidAngle;
+    axis += cell.Direction * (energy * density * density);
   }
   for (int c = 0; c < 3; ++c)
   {

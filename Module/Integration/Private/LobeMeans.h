@@ -36,7 +36,7 @@ struct LobeMeans
   glm::dvec3 Amplitude = glm::dvec3(0.0);
 
   ///@{
-  /// The rest's mean direction, weighted by its square so that the sharpest part of a kernel
+  /// The rest's mean direction, weighted by its cube so that the sharpest part of a kernel
   /// decides. Of an isotropic material it is (-sin delta, 0, cos delta).
   glm::dvec3 Axis = glm::dvec3(0.0);
   double Delta = 0.0;

@@ -12,6 +12,7 @@
 #include "LobeViews.h"
 #include "LocalFrame.h"
 #include "Neighbors.h"
+#include "SharedExponent.h"
 
 #include <glm/glm.hpp>
 #include <glm/gtc/type_ptr.hpp>
@@ -19,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace measuredbrdf
@@ -44,15 +46,23 @@ struct MapPosition
   glm::dvec3 Across;
 };
 
-/// RGB of a texel.
+///@{
+/// RGB of a texel, stored as three floats or with a shared exponent.
 inline glm::dvec3 GetTexel(const std::vector<float>& data, int index)
 {
   return glm::dvec3(glm::make_vec3(&data[3 * static_cast<std::size_t>(index)]));
 }
 
+inline glm::dvec3 GetTexel(const std::vector<std::uint32_t>& data, int index)
+{
+  return glm::dvec3(UnpackSharedExponent(data[static_cast<std::size_t>(index)]));
+}
+///@}
+
 /// Between four texels of a map that begins at the given texel.
-inline glm::dvec3 MixTexels(const std::vector<float>& data, int columns, std::size_t firstTexel,
-  const Neighbors& x, const Neighbors& y)
+template <typename Data>
+glm::dvec3 MixTexels(
+  const Data& data, int columns, std::size_t firstTexel, const Neighbors& x, const Neighbors& y)
 {
   const auto row = [&](int k)
   {
@@ -63,8 +73,9 @@ inline glm::dvec3 MixTexels(const std::vector<float>& data, int columns, std::si
 }
 
 /// Bilinear in a map with rows at the poles (MapNodes::Poles).
-inline glm::dvec3 GetMapValue(const std::vector<float>& data, int rows, int columns,
-  std::size_t firstTexel, const MapPosition& at)
+template <typename Data>
+glm::dvec3 GetMapValue(
+  const Data& data, int rows, int columns, std::size_t firstTexel, const MapPosition& at)
 {
   const double exact = at.Polar * (rows - 1);
   const int low = std::min(static_cast<int>(exact), rows - 2);
@@ -88,6 +99,40 @@ inline glm::dvec3 GetProfileValue(const std::vector<float>& profile, int row, do
   const int low = std::min(static_cast<int>(exact), size - 2);
   return glm::mix(
     GetTexel(profile, size * row + low), GetTexel(profile, size * row + low + 1), exact - low);
+}
+
+///@{
+/// A direction in the unit square: the octahedron about the environment's y, its lower half folded
+/// out (Engelhardt, Dachsbacher 2008), as vtkBRDFCommon.glsl's brdfOctahedralPosition; and back.
+inline glm::dvec2 GetOctahedralPosition(const glm::dvec3& d)
+{
+  const glm::dvec2 p = glm::dvec2(d.z, d.x) / (std::abs(d.x) + std::abs(d.y) + std::abs(d.z));
+  const glm::dvec2 side(p.x < 0.0 ? -1.0 : 1.0, p.y < 0.0 ? -1.0 : 1.0);
+  return 0.5 + 0.5 * (d.y < 0.0 ? side * (1.0 - glm::abs(glm::dvec2(p.y, p.x))) : p);
+}
+
+inline glm::dvec3 GetOctahedralDirection(const glm::dvec2& place)
+{
+  const glm::dvec2 p = 2.0 * place - 1.0;
+  const double y = 1.0 - std::abs(p.x) - std::abs(p.y);
+  const glm::dvec2 side(p.x < 0.0 ? -1.0 : 1.0, p.y < 0.0 ? -1.0 : 1.0);
+  const glm::dvec2 q = y < 0.0 ? side * (1.0 - glm::abs(glm::dvec2(p.y, p.x))) : p;
+  return glm::normalize(glm::dvec3(q.y, y, q.x));
+}
+///@}
+
+/// Bilinear in an octahedral map of side x side texels whose outer centers lie on the square's
+/// edge: there is no seam.
+template <typename Data>
+glm::dvec3 GetOctahedralValue(const Data& data, int side, const glm::dvec3& d)
+{
+  const glm::dvec2 exact = (side - 1.0) * GetOctahedralPosition(d);
+  const auto neighbors = [side](double at)
+  {
+    const int low = std::clamp(static_cast<int>(at), 0, side - 2);
+    return Neighbors{ low, low + 1, at - low };
+  };
+  return MixTexels(data, side, 0, neighbors(exact.x), neighbors(exact.y));
 }
 
 /// Where profiles are read for a view angle.

@@ -22,7 +22,8 @@ constexpr int Cells = 512; // of a view's quadrature
 constexpr int Stride = 8;
 constexpr double LargestBend = 1e-3;
 
-constexpr double KnotPower = 1.5; // 1: evenly spaced
+constexpr double KnotPower = 1.5;   // 1: evenly spaced
+constexpr double FastestAxis = 1.5; // times the view's angle; mirror directions: 1
 }
 
 double LobeViews::GetLastAngle() { return std::acos(MinimumViewCosine); }
@@ -107,6 +108,40 @@ LobeViews::LobeViews(vtkBRDF* brdf, const std::atomic<bool>& abort)
       view.Means = this->Interpolate(known, k);
     }
   }
+  this->LimitAxes();
+}
+
+// To the middle between the least function above and the largest below that are never steeper.
+void LobeViews::LimitAxes()
+{
+  std::vector<double> limited;
+  for (int k = 0; k < NumberOfViews; ++k)
+  {
+    double above = HUGE_VAL;
+    double below = -HUGE_VAL;
+    for (int other = 0; other < NumberOfViews; ++other)
+    {
+      const double delta = this->Views[static_cast<std::size_t>(other)].Means.Delta;
+      const double reach = FastestAxis * std::abs(GetAngle(k) - GetAngle(other));
+      above = std::min(above, delta + reach);
+      below = std::max(below, delta - reach);
+    }
+    const double farthest = FastestAxis * GetAngle(k); // seen along the normal it is the normal
+    limited.push_back(std::clamp(0.5 * (above + below), -farthest, farthest));
+  }
+  for (std::size_t k = 0; k < limited.size(); ++k)
+  {
+    this->Views[k].Means.Delta = limited[k];
+  }
+}
+
+double LobeViews::GetAxis(double theta) const
+{
+  const double exact = GetPosition(theta);
+  const int low = std::min(static_cast<int>(exact), NumberOfViews - 2);
+  const double below = this->Views[static_cast<std::size_t>(low)].Means.Delta;
+  const double above = this->Views[static_cast<std::size_t>(low) + 1].Means.Delta;
+  return below + (exact - low) * (above - below);
 }
 
 void LobeViews::Evaluate(

@@ -55,6 +55,11 @@ public:
   };
   const std::vector<View>& GetViews() const { return this->Views; }
 
+  /// The lobe's angle from the normal seen at a polar angle, between the views' Means.Delta. It
+  /// follows the lobe's own where that moves at most one and a half times as fast as the view:
+  /// where another part of f takes over, tables would turn the one before away from its place.
+  double GetAxis(double theta) const;
+
   /// Largest share of a view's directional albedo that is sharp: of the kernel less its Lambert
   /// part, what is above the height at which all its energy would fill the solid angle (sr, > 0),
   /// and thus narrower than that (Markov's inequality).
@@ -64,6 +69,7 @@ private:
   static const std::atomic<bool> Never;
 
   void Evaluate(vtkBRDF* brdf, const std::vector<int>& indices, const std::atomic<bool>& abort);
+  void LimitAxes();
   LobeMeans Interpolate(const std::vector<int>& known, int index) const;
 
   std::vector<View> Views;

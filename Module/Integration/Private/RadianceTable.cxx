@@ -33,7 +33,7 @@ glm::dvec3 RadianceTable::Evaluate(
   if (this->HasFloor)
   {
     sum += GetProfileValue(this->Profile, 2, u) *
-           GetMapValue(*this->Irradiance, IrradianceRows, IrradianceColumns, 0, MapPosition(n));
+           GetOctahedralValue(*this->Irradiance, IrradianceSide, n);
   }
   return glm::max(sum, glm::dvec3(0.0));
 }
@@ -46,29 +46,30 @@ std::vector<std::uint64_t> RadianceTable::GetSizes() const
 
 std::string RadianceTable::GetBytes() const
 {
-  const std::vector<float> none;
-  return WriteTableBytes(this->GetSizes(),
-    { &this->Profile, &this->Radiance, this->HasFloor ? this->Irradiance.get() : &none });
+  const Texels none;
+  return WriteTableBytes(this->GetSizes(), { &this->Profile },
+    { &this->Radiance, this->HasFloor ? this->Irradiance.get() : &none });
 }
 
 bool RadianceTable::TakeBytes(const std::string& bytes)
 {
   TableParts parts;
   if (!ReadTableBytes(bytes, parts) || parts.Numbers != this->GetSizes() ||
-      parts.Arrays.size() != 3 || parts.Arrays[0].size() != 3 * 3 * ProfileSize ||
-      parts.Arrays[1].size() != 3 * this->GetMap(this->Angles, 0) || !IsIrradiance(parts.Arrays[2]))
+      parts.Arrays.size() != 1 || parts.Arrays[0].size() != 3 * 3 * ProfileSize ||
+      parts.Texels.size() != 2 || parts.Texels[0].size() != this->GetMap(this->Angles, 0) ||
+      !IsIrradiance(parts.Texels[1]))
   {
     return false;
   }
   this->Profile = std::move(parts.Arrays[0]);
-  this->Radiance = std::move(parts.Arrays[1]);
-  this->HasFloor = !parts.Arrays[2].empty();
-  this->Irradiance = std::make_shared<std::vector<float>>(std::move(parts.Arrays[2]));
+  this->Radiance = std::move(parts.Texels[0]);
+  this->HasFloor = !parts.Texels[1].empty();
+  this->Irradiance = std::make_shared<Texels>(std::move(parts.Texels[1]));
   return true;
 }
 
-bool RadianceTable::IsIrradiance(const std::vector<float>& values)
+bool RadianceTable::IsIrradiance(const Texels& values)
 {
-  return values.empty() || values.size() == 3u * IrradianceColumns * IrradianceRows;
+  return values.empty() || values.size() == 1u * IrradianceSide * IrradianceSide;
 }
 } // namespace measuredbrdf

@@ -23,8 +23,9 @@ namespace measuredbrdf
 struct RadianceTable
 {
   static constexpr int ProfileSize = LobeViews::NumberOfViews;
-  static constexpr int IrradianceRows = 129; // of the map of irradiance, poles included
-  static constexpr int IrradianceColumns = 2 * (IrradianceRows - 1);
+  static constexpr int IrradianceSide = 129; // texels, of the octahedral map of irradiance
+  /// With a shared exponent (SharedExponent.h).
+  using Texels = std::vector<std::uint32_t>;
 
   RadianceTable(int rows, int angles, int azimuths)
     : Rows(rows)
@@ -40,10 +41,12 @@ struct RadianceTable
   int Azimuths;
   bool HasFloor = false;
   std::vector<float> Profile; // RGB, ProfileSize x 3: (angle, cos, sin delta); share; c
-  // RGB, Columns x Rows x Angles (Azimuths + 1): the first azimuth comes again after the last.
-  std::vector<float> Radiance;
-  // RGB, IrradianceColumns x IrradianceRows; null: there is no floor. Of all materials.
-  std::shared_ptr<const std::vector<float>> Irradiance;
+  // Columns x Rows x Angles (Azimuths + 1): the first azimuth comes again after the last. As large
+  // as the format allows: the profile's share undoes that.
+  Texels Radiance;
+  // IrradianceSide x IrradianceSide (GetOctahedralPosition); null: there is no floor. Of all
+  // materials.
+  std::shared_ptr<const Texels> Irradiance;
 
   /// Where the map of a view angle and an azimuth psi begins, in texels.
   std::size_t GetMap(int angle, int azimuth) const
@@ -62,7 +65,7 @@ struct RadianceTable
   ///@}
 
   /// Whether they are a map of irradiance, or none.
-  static bool IsIrradiance(const std::vector<float>& values);
+  static bool IsIrradiance(const Texels& values);
 
 private:
   std::vector<std::uint64_t> GetSizes() const;

@@ -4,7 +4,7 @@
 
 #include "vtkSMPTools.h"
 
-#include <algorithm>
+#include <Eigen/Core>
 
 namespace measuredbrdf
 {
@@ -12,36 +12,38 @@ namespace
 {
 constexpr float LeastShare = 0.75f; // of the blur's least
 
-// Three rows or columns, combined value by value.
+// A map, a row in each of its columns.
+using Map = Eigen::ArrayXXf;
+
+// Each value with its neighbors left and right.
 template <typename Combine>
-void CombineColumns(const std::vector<float>& in, std::size_t columns, std::vector<float>& out,
-  const Combine& combine)
+void CombineAlong(const Map& in, const Combine& combine, Map& out)
 {
-  const std::size_t width = 3 * columns;
-  for (std::size_t first = 0; first < in.size(); first += width)
-  {
-    for (std::size_t k = 0; k < width; ++k)
-    {
-      out[first + k] = combine(in[first + (k < 3 ? k + width - 3 : k - 3)], in[first + k],
-        in[first + (k + 3 < width ? k + 3 : k + 3 - width)]);
-    }
-  }
+  const Eigen::Index width = in.rows();
+  const Eigen::Index inner = width - 6;
+  out.middleRows(3, inner) =
+    combine(in.topRows(inner), in.middleRows(3, inner), in.bottomRows(inner));
+  out.topRows(3) = combine(in.bottomRows(3), in.topRows(3), in.middleRows(3, 3));
+  out.bottomRows(3) = combine(in.middleRows(width - 6, 3), in.bottomRows(3), in.topRows(3));
 }
 
-// Beyond a pole the meridian opposite goes on.
+// And above and below; beyond a pole the meridian opposite goes on.
 template <typename Combine>
-void CombineRows(const std::vector<float>& in, std::size_t columns, std::vector<float>& out,
-  const Combine& combine)
+void CombineAcross(const Map& in, const Combine& combine, Map& out)
 {
-  const std::size_t width = 3 * columns;
-  const std::size_t half = columns / 2 * 3;
-  const std::size_t last = in.size() - width;
-  for (std::size_t k = 0; k < in.size(); ++k)
+  const Eigen::Index inner = in.cols() - 2;
+  const Eigen::Index last = in.cols() - 1;
+  const Eigen::Index half = in.rows() / 6 * 3;
+  const auto beyond = [&in, half](Eigen::Index row)
   {
-    const std::size_t opposite = (k % width + half) % width;
-    out[k] = combine(in[k < width ? width + opposite : k - width], in[k],
-      in[k < last ? k + width : last - width + opposite]);
-  }
+    Eigen::ArrayXf turned(in.rows());
+    turned << in.col(row).tail(in.rows() - half), in.col(row).head(half);
+    return turned;
+  };
+  out.middleCols(1, inner) =
+    combine(in.leftCols(inner), in.middleCols(1, inner), in.rightCols(inner));
+  out.col(0) = combine(beyond(1), in.col(0), in.col(1));
+  out.col(last) = combine(in.col(last - 1), in.col(last), beyond(last - 1));
 }
 }
 
@@ -51,31 +53,28 @@ void LiftDarkRings(std::vector<float>& radiance, std::size_t rows, std::size_t c
   vtkSMPTools::For(0, static_cast<vtkIdType>(radiance.size() / size), 1,
     [&](vtkIdType begin, vtkIdType end)
     {
-      const auto blur = [](float a, float b, float c) { return 0.25f * (a + c) + 0.5f * b; };
-      const auto least = [](float a, float b, float c) { return std::min(std::min(a, b), c); };
-      std::vector<float> first(size), second(size);
-      for (vtkIdType map = begin; map < end; ++map)
+      const auto blur = [](const auto& a, const auto& b, const auto& c)
+      { return (0.25f * (a + c) + 0.5f * b).eval(); };
+      const auto least = [](const auto& a, const auto& b, const auto& c)
+      { return a.min(b).min(c).eval(); };
+      Map first, second(static_cast<Eigen::Index>(3 * columns), static_cast<Eigen::Index>(rows));
+      for (vtkIdType k = begin; k < end; ++k)
       {
-        float* values = &radiance[static_cast<std::size_t>(map) * size];
-        std::transform(
-          values, values + size, first.begin(), [](float value) { return std::max(value, 0.0f); });
+        Eigen::Map<Map> values(
+          &radiance[static_cast<std::size_t>(k) * size], second.rows(), second.cols());
+        first = values.max(0.0f);
         for (int pass = 0; pass < 2; ++pass)
         {
-          CombineColumns(first, columns, second, blur);
-          CombineRows(second, columns, first, blur);
+          CombineAlong(first, blur, second);
+          CombineAcross(second, blur, first);
         }
         for (int pass = 0; pass < 2; ++pass) // as far as the blur reaches: edges do not bleed
         {
-          CombineColumns(first, columns, second, least);
-          CombineRows(second, columns, first, least);
+          CombineAlong(first, least, second);
+          CombineAcross(second, least, first);
         }
-        for (std::size_t k = 0; k < size; ++k)
-        {
-          if (first[k] > 0.0f) // else it is negative all around: f is less than the Lambert part
-          {
-            values[k] = std::max(values[k], LeastShare * first[k]);
-          }
-        }
+        // Where that is 0 all around is negative: f is less than the Lambert part.
+        values = (first > 0.0f).select(values.max(LeastShare * first), values);
       }
     });
 }

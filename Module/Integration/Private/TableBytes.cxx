@@ -41,33 +41,46 @@ private:
   const std::string& Bytes;
   std::size_t At = 0;
 };
+
+template <typename T>
+void Append(const std::vector<const std::vector<T>*>& arrays, std::string& bytes)
+{
+  for (const std::vector<T>* array : arrays)
+  {
+    bytes.append(reinterpret_cast<const char*>(array->data()), array->size() * sizeof(T));
+  }
+}
 }
 
-// How many numbers and arrays there are, the numbers, the arrays' lengths, the arrays.
-std::string WriteTableBytes(
-  const std::vector<std::uint64_t>& numbers, const std::vector<const std::vector<float>*>& arrays)
+// How many numbers, arrays and lists of texels there are, the numbers, the lengths of the others,
+// the others.
+std::string WriteTableBytes(const std::vector<std::uint64_t>& numbers,
+  const std::vector<const std::vector<float>*>& arrays,
+  const std::vector<const std::vector<std::uint32_t>*>& texels)
 {
-  std::vector<std::uint64_t> header = { numbers.size(), arrays.size() };
+  std::vector<std::uint64_t> header = { numbers.size(), arrays.size(), texels.size() };
   header.insert(header.end(), numbers.begin(), numbers.end());
   for (const std::vector<float>* array : arrays)
   {
     header.push_back(array->size());
   }
+  for (const std::vector<std::uint32_t>* list : texels)
+  {
+    header.push_back(list->size());
+  }
   std::string bytes(
     reinterpret_cast<const char*>(header.data()), header.size() * sizeof(std::uint64_t));
-  for (const std::vector<float>* array : arrays)
-  {
-    bytes.append(reinterpret_cast<const char*>(array->data()), array->size() * sizeof(float));
-  }
+  Append(arrays, bytes);
+  Append(texels, bytes);
   return bytes;
 }
 
 bool ReadTableBytes(const std::string& bytes, TableParts& parts)
 {
   Reader reader(bytes);
-  std::vector<std::uint64_t> counts, lengths;
-  if (!reader.Read(2, counts) || !reader.Read(counts[0], parts.Numbers) ||
-      !reader.Read(counts[1], lengths))
+  std::vector<std::uint64_t> counts, lengths, lists;
+  if (!reader.Read(3, counts) || !reader.Read(counts[0], parts.Numbers) ||
+      !reader.Read(counts[1], lengths) || !reader.Read(counts[2], lists))
   {
     return false;
   }
@@ -78,6 +91,15 @@ bool ReadTableBytes(const std::string& bytes, TableParts& parts)
     std::vector<float>& array = parts.Arrays.back();
     if (!reader.Read(length, array) ||
         !std::all_of(array.begin(), array.end(), [](float value) { return std::isfinite(value); }))
+    {
+      return false;
+    }
+  }
+  parts.Texels.clear();
+  for (const std::uint64_t length : lists)
+  {
+    parts.Texels.emplace_back();
+    if (!reader.Read(length, parts.Texels.back()))
     {
       return false;
     }

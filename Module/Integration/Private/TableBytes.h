@@ -20,10 +20,12 @@ struct TableParts
 {
   std::vector<std::uint64_t> Numbers;
   std::vector<std::vector<float>> Arrays; // of finite values
+  std::vector<std::vector<std::uint32_t>> Texels;
 };
 
-std::string WriteTableBytes(
-  const std::vector<std::uint64_t>& numbers, const std::vector<const std::vector<float>*>& arrays);
+std::string WriteTableBytes(const std::vector<std::uint64_t>& numbers,
+  const std::vector<const std::vector<float>*>& arrays,
+  const std::vector<const std::vector<std::uint32_t>*>& texels = {});
 
 /// False where the bytes are no such parts; nothing larger than they are is ever allocated.
 bool ReadTableBytes(const std::string& bytes, TableParts& parts);

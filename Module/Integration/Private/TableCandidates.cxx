@@ -20,7 +20,7 @@ constexpr double RowGainPower = 4.0;
 constexpr double ViewGainPower = 2.0;
 constexpr double ViewGainFactor = 4.0; // so many times, in error, what it gained with fewer rows
 
-constexpr vtkIdType MapBytes = 16 * (256 * 129 + 3 * 64); // irradiance and profile
+constexpr vtkIdType MapBytes = 4 * 129 * 129 + 16 * 3 * 64; // irradiance and profile
 }
 
 // What linear interpolation in each size costs in error differs with the material's gloss
@@ -28,7 +28,7 @@ constexpr vtkIdType MapBytes = 16 * (256 * 129 + 3 * 64); // irradiance and prof
 std::vector<std::vector<int>> GetTableCandidates()
 {
   return { { 17, 8, 8 }, { 33, 8, 8 }, { 33, 12, 16 }, { 33, 24, 16 }, { 65, 8, 8 }, { 65, 12, 16 },
-    { 65, 24, 24 }, { 129, 8, 8 }, { 129, 12, 16 }, { 129, 24, 16 } };
+    { 65, 20, 16 }, { 65, 24, 24 }, { 129, 8, 8 }, { 129, 12, 16 }, { 129, 24, 16 } };
 }
 
 std::vector<std::vector<int>> GetHybridCandidates()
@@ -40,7 +40,7 @@ std::vector<std::vector<int>> GetHybridCandidates()
 
 vtkIdType GetTableBytes(int rows, int viewAngles, int azimuths)
 {
-  return MapBytes + 6 * static_cast<vtkIdType>(2 * (rows - 1)) * rows * viewAngles * (azimuths + 1);
+  return MapBytes + 4 * static_cast<vtkIdType>(2 * (rows - 1)) * rows * viewAngles * (azimuths + 1);
 }
 
 bool CanPruneTable(const std::vector<int>& sizes,
@@ -113,5 +113,31 @@ bool CanPruneTable(const std::vector<int>& sizes,
   const double gain = std::min(error / least[least.size() - 2].second, 1.0);
   return error * std::pow(gain, RowGainPower * std::log2(static_cast<double>(rows) / count)) >
          tolerance;
+}
+
+// By as much as CanPruneTable expects of a table.
+bool CanPruneMaps(int rows, const std::vector<vtkRadianceIntegrator::Attempt>& attempts,
+  const std::vector<vtkRadianceIntegrator::Attempt>& tables, double tolerance)
+{
+  double gain = 0.0; // by the finest tables that differ in rows alone
+  int finest = 0;
+  for (const vtkRadianceIntegrator::Attempt& fewer : tables)
+  {
+    for (const vtkRadianceIntegrator::Attempt& more : tables)
+    {
+      if (2 * fewer.Sizes[0] - 1 == more.Sizes[0] && more.Sizes[0] > finest &&
+          fewer.Sizes[1] == more.Sizes[1] && fewer.Sizes[2] == more.Sizes[2])
+      {
+        finest = more.Sizes[0];
+        gain = more.Error / fewer.Error;
+      }
+    }
+  }
+  return std::any_of(attempts.begin(), attempts.end(),
+    [=](const vtkRadianceIntegrator::Attempt& attempt)
+    {
+      return 2 * attempt.Sizes[0] == rows && finest > attempt.Sizes[0] &&
+             attempt.Error * std::pow(gain, RowGainPower) > tolerance;
+    });
 }
 } // namespace measuredbrdf

@@ -29,6 +29,11 @@ vtkIdType GetTableBytes(int rows, int viewAngles, int azimuths);
 /// three sizes of the attempts.
 bool CanPruneTable(const std::vector<int>& sizes,
   const std::vector<vtkRadianceIntegrator::Attempt>& attempts, double tolerance);
+
+/// The same for maps of the sharp part of so many rows. attempts: others with as many maps; tables:
+/// without maps, beside the same lights. These show what more rows gain.
+bool CanPruneMaps(int rows, const std::vector<vtkRadianceIntegrator::Attempt>& attempts,
+  const std::vector<vtkRadianceIntegrator::Attempt>& tables, double tolerance);
 } // namespace measuredbrdf
 
 #endif

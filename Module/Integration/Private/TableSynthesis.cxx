@@ -7,11 +7,14 @@
 #include "HalfVector.h" // for Pi
 #include "LinearSpline.h"
 #include "LobeHarmonics.h"
+#include "LobePlacement.h"
 #include "RingLimiter.h"
+#include "SharedExponent.h"
 #include "vtkSMPTools.h"
 
 #include <Eigen/Core>
 #include <glm/glm.hpp>
+#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <array>
@@ -19,12 +22,12 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <utility>
 
 namespace measuredbrdf
 {
 namespace
 {
-constexpr double LargestValue = 32768; // of a 16-bit texture, with room to spare
 
 // One order's, by channel: degrees x view angles.
 std::array<FieldSynthesis::Matrix, 3> PickOrder(
@@ -47,7 +50,8 @@ std::array<FieldSynthesis::Matrix, 3> PickOrder(
 }
 
 // One order's fields, turned to each azimuth of the plane of incidence.
-void AddOrder(int order, const std::array<FieldSynthesis::Field, 3>& fields, RadianceTable& table)
+void AddOrder(int order, const std::array<FieldSynthesis::Field, 3>& fields,
+  const RadianceTable& table, std::vector<float>& radiance)
 {
   const std::size_t texels =
     static_cast<std::size_t>(table.Columns) * static_cast<std::size_t>(table.Rows);
@@ -64,7 +68,7 @@ void AddOrder(int order, const std::array<FieldSynthesis::Field, 3>& fields, Rad
         for (std::size_t angle = 0; angle < static_cast<std::size_t>(table.Angles); ++angle)
         {
           const std::size_t slice = angle * slices + static_cast<std::size_t>(azimuth);
-          float* out = &table.Radiance[3 * slice * texels];
+          float* out = &radiance[3 * slice * texels];
           for (std::size_t channel = 0; channel < 3; ++channel)
           {
             const std::complex<float>* in = &fields[channel][angle * texels];
@@ -81,7 +85,7 @@ void AddOrder(int order, const std::array<FieldSynthesis::Field, 3>& fields, Rad
 
 }
 
-std::vector<std::vector<float>> ExpandTableKernels(
+std::vector<std::vector<float>> ExpandTableKernels(const LobeViews& views,
   const MaterialPrecomputation::Kernels& knots, int degree, int orders, double smoothing, int rows)
 {
   const std::size_t size = static_cast<std::size_t>(degree) + 1;
@@ -90,62 +94,63 @@ std::vector<std::vector<float>> ExpandTableKernels(
   {
     smoothed.push_back(static_cast<float>(GetSmoothed(l, smoothing) * GetTaper(l, degree, rows)));
   }
-  std::vector<std::vector<float>> kernels(knots.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(knots.size()), 1,
-    [&](vtkIdType begin, vtkIdType end)
+  std::vector<std::pair<const LobeHarmonics*, double>> lobes;
+  for (std::size_t k = 0; k < knots.size(); ++k)
+  {
+    lobes.emplace_back(knots[k].get(),
+      views.GetAxis(LobeViews::GetKnotAngle(static_cast<int>(k), static_cast<int>(knots.size()))));
+  }
+  std::vector<std::vector<float>> kernels = LobeHarmonics::Expand(lobes, degree, orders);
+  for (std::size_t k = 0; k < kernels.size(); ++k)
+  {
+    for (std::size_t b = 0; b < kernels[k].size(); ++b)
     {
-      for (vtkIdType k = begin; k < end; ++k)
-      {
-        const LobeHarmonics& knot = *knots[static_cast<std::size_t>(k)];
-        std::vector<float>& kernel = kernels[static_cast<std::size_t>(k)];
-        kernel = knot.Expand(knot.GetMeans().Delta, degree, orders);
-        for (std::size_t b = 0; b < kernel.size(); ++b)
-        {
-          const int channel = static_cast<int>(b / size % 3);
-          kernel[b] *= smoothed[b % size] * static_cast<float>(knot.GetMeans().Amplitude[channel]);
-        }
-      }
-    });
+      const int channel = static_cast<int>(b / size % 3);
+      kernels[k][b] *=
+        smoothed[b % size] * static_cast<float>(knots[k]->GetMeans().Amplitude[channel]);
+    }
+  }
   return kernels;
 }
 
-double NormalizeRadiance(std::vector<float>& radiance)
+double PackRadiance(const std::vector<float>& radiance, RadianceTable::Texels& texels)
 {
-  float largest = 0.0f;
-  for (const float value : radiance)
-  {
-    largest = std::max(largest, std::abs(value));
-  }
-  const double scale = largest > 0.0f ? largest / LargestValue : 1.0;
-  for (float& value : radiance)
-  {
-    value = static_cast<float>(value / scale);
-  }
-  return scale;
+  const float largest = *std::max_element(radiance.begin(), radiance.end());
+  const float scale = largest > 0.0f ? LargestSharedExponent / largest : 1.0f;
+  texels.resize(radiance.size() / 3);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(texels.size()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (std::size_t k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k)
+      {
+        texels[k] = PackSharedExponent(scale * glm::make_vec3(&radiance[3 * k]));
+      }
+    });
+  return 1.0 / static_cast<double>(scale);
 }
 
-bool SynthesizeRadiance(const EnvironmentHarmonics& environment,
+double SynthesizeRadiance(const LobeViews& views, const EnvironmentHarmonics& environment,
   const MaterialPrecomputation::Kernels& knots, int degree, double smoothing,
   const std::function<bool(double)>& goOn, RadianceTable& table)
 {
   const int orders = table.Azimuths / 2; // as many as the azimuths can tell apart
   const std::vector<std::vector<float>> kernels =
-    ExpandTableKernels(knots, degree, orders, smoothing, table.Rows);
-  table.Radiance.assign(3 * table.GetMap(table.Angles, 0), 0.0f);
+    ExpandTableKernels(views, knots, degree, orders, smoothing, table.Rows);
+  std::vector<float> radiance(3 * table.GetMap(table.Angles, 0));
   const FieldSynthesis synthesis(environment, table.Rows, table.Columns, MapNodes::Poles);
   std::array<FieldSynthesis::Field, 3> fields;
   for (int order = 0; order <= orders; ++order)
   {
     synthesis.Run(order, PickOrder(kernels, order, degree), fields);
-    AddOrder(order, fields, table);
+    AddOrder(order, fields, table, radiance);
     if (!goOn((order + 1.0) / (orders + 1)))
     {
-      return false;
+      return 0.0;
     }
   }
   LiftDarkRings(
-    table.Radiance, static_cast<std::size_t>(table.Rows), static_cast<std::size_t>(table.Columns));
-  return true;
+    radiance, static_cast<std::size_t>(table.Rows), static_cast<std::size_t>(table.Columns));
+  return PackRadiance(radiance, table.Radiance);
 }
 
 void MakeProfile(const LobeViews& views, const MaterialPrecomputation::Kernels& knots, double scale,
@@ -185,26 +190,34 @@ void MakeProfile(const LobeViews& views, const MaterialPrecomputation::Kernels& 
   }
 }
 
-std::shared_ptr<const std::vector<float>> MakeIrradiance(const EnvironmentHarmonics& environment)
+// On the octahedral map's texels, between those of a map of rows that is twice as fine.
+std::shared_ptr<const RadianceTable::Texels> MakeIrradiance(const EnvironmentHarmonics& environment)
 {
   FieldSynthesis::Matrix cosine(IrradianceDegree + 1, 1);
   for (int l = 0; l <= IrradianceDegree; ++l)
   {
     cosine(l, 0) = static_cast<float>(GetClampedCosine(l));
   }
-  const int rows = RadianceTable::IrradianceRows;
-  const int columns = RadianceTable::IrradianceColumns;
+  constexpr int side = RadianceTable::IrradianceSide;
+  const int rows = 2 * side - 1;
+  const int columns = 2 * (rows - 1);
   const FieldSynthesis synthesis(environment, rows, columns, MapNodes::Poles);
-  auto irradiance =
-    std::make_shared<std::vector<float>>(3 * static_cast<std::size_t>(columns * rows));
+  std::vector<float> map(3 * static_cast<std::size_t>(columns * rows));
   std::array<FieldSynthesis::Field, 3> fields;
   synthesis.Run(0, { cosine, cosine, cosine }, fields);
   for (std::size_t channel = 0; channel < 3; ++channel)
   {
     for (std::size_t texel = 0; texel < fields[channel].size(); ++texel)
     {
-      (*irradiance)[3 * texel + channel] = fields[channel][texel].real();
+      map[3 * texel + channel] = fields[channel][texel].real();
     }
+  }
+  auto irradiance = std::make_shared<RadianceTable::Texels>();
+  for (int k = 0; k < side * side; ++k)
+  {
+    const glm::dvec2 place(k % side, k / side);
+    const MapPosition at(GetOctahedralDirection(place / (side - 1.0)));
+    irradiance->push_back(PackSharedExponent(glm::vec3(GetMapValue(map, rows, columns, 0, at))));
   }
   return irradiance;
 }

@@ -44,24 +44,27 @@ inline double GetSmoothed(int l, double smoothing)
 /// What a table of so many rows has of the kernels at its view angles: harmonics about each one's
 /// axis, times its albedo, less what a blur takes and what fades, as LobeHarmonics::Expand has
 /// them.
-std::vector<std::vector<float>> ExpandTableKernels(
+std::vector<std::vector<float>> ExpandTableKernels(const LobeViews& views,
   const MaterialPrecomputation::Kernels& knots, int degree, int orders, double smoothing, int rows);
 
 /// The table's radiance, of kernels at its view angles up to a harmonic degree. goOn gets the share
-/// that is done; where it says false, the table is not complete, and the result is false.
-bool SynthesizeRadiance(const EnvironmentHarmonics& environment,
+/// that is done; where it says false, the table is not complete, and the result is 0. Else it is
+/// what undoes the radiance's scaling.
+double SynthesizeRadiance(const LobeViews& views, const EnvironmentHarmonics& environment,
   const MaterialPrecomputation::Kernels& knots, int degree, double smoothing,
   const std::function<bool(double)>& goOn, RadianceTable& table);
 
-/// To the peak, since 16-bit floats lose digits below 6e-5, too; returns what undoes that.
-double NormalizeRadiance(std::vector<float>& radiance);
+/// RGB scaled so that the peak is the format's largest value, since it has no small ones; negative
+/// values are 0. Returns what undoes the scaling.
+double PackRadiance(const std::vector<float>& radiance, RadianceTable::Texels& texels);
 
 /// A table's profile over all view angles; scale: what undoes its radiance's scaling.
 void MakeProfile(const LobeViews& views, const MaterialPrecomputation::Kernels& knots, double scale,
   RadianceTable& table);
 
-/// A map of irradiance, RGB.
-std::shared_ptr<const std::vector<float>> MakeIrradiance(const EnvironmentHarmonics& environment);
+/// An octahedral map of irradiance.
+std::shared_ptr<const RadianceTable::Texels> MakeIrradiance(
+  const EnvironmentHarmonics& environment);
 } // namespace measuredbrdf
 
 #endif

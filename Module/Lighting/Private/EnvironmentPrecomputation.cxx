@@ -116,8 +116,9 @@ vtkSmartPointer<vtkLightSet> EnvironmentPrecomputation::GetGeneratedSet(
   return set ? *set : nullptr;
 }
 
-std::shared_ptr<const std::vector<float>> EnvironmentPrecomputation::GetIrradiance(const Rest& rest,
-  const GoOn& goOn, const std::function<std::shared_ptr<const std::vector<float>>()>& make)
+std::shared_ptr<const std::vector<std::uint32_t>> EnvironmentPrecomputation::GetIrradiance(
+  const Rest& rest, const GoOn& goOn,
+  const std::function<std::shared_ptr<const std::vector<std::uint32_t>>()>& make)
 {
   return this->Irradiances.Get(rest.get(), goOn, make);
 }

@@ -18,6 +18,7 @@
 #include "vtkEnvironment.h"
 #include "vtkSmartPointer.h"
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -77,9 +78,10 @@ public:
   vtkSmartPointer<vtkLightSet> GetGeneratedSet(
     vtkEnvironment* environment, vtkLightSetGenerator* generator, int count, const GoOn& goOn);
 
-  /// A map of irradiance as make() has it.
-  std::shared_ptr<const std::vector<float>> GetIrradiance(const Rest& rest, const GoOn& goOn,
-    const std::function<std::shared_ptr<const std::vector<float>>()>& make);
+  /// A map of irradiance, in the form that make() gives it.
+  std::shared_ptr<const std::vector<std::uint32_t>> GetIrradiance(const Rest& rest,
+    const GoOn& goOn,
+    const std::function<std::shared_ptr<const std::vector<std::uint32_t>>()>& make);
 
   /// What tells these pixels from others, as make() has it.
   std::string GetContentKey(const std::function<std::string()>& make);
@@ -97,7 +99,7 @@ private:
   MadeOnce<std::pair<const TexelChanges*, int>, LightSet> LightSets; // rest, count
   // Generator, its modification time (never used twice: a recycled address does no harm), count.
   MadeOnce<std::tuple<vtkLightSetGenerator*, vtkMTimeType, int>, LightSet> GeneratedSets;
-  MadeOnce<const TexelChanges*, std::vector<float>> Irradiances;
+  MadeOnce<const TexelChanges*, std::vector<std::uint32_t>> Irradiances;
   MadeOnce<int, std::string> ContentKey;
 };
 } // namespace measuredbrdf

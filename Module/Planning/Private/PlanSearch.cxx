@@ -163,7 +163,10 @@ bool PlanSearch::Try(PlanCandidate candidate)
 {
   if (this->Prepare(candidate))
   {
-    this->Take(candidate);
+    if (candidate.Bytes <= this->Task.MaximumBytes) // which counts the material's textures, too
+    {
+      this->Take(candidate);
+    }
     return true;
   }
   if (this->Aborted() || vtkRadianceMethods::IsBuiltIn(candidate.Method))

@@ -25,6 +25,9 @@ namespace
 constexpr unsigned int R16F = 0x822D;
 constexpr unsigned int RGB16F = 0x881B;
 constexpr unsigned int RGBA16F = 0x881A;
+constexpr unsigned int RGB = 0x1907;
+constexpr unsigned int RGB9E5 = 0x8C3D;
+constexpr unsigned int UnsignedInt5999 = 0x8C3E; // GL_UNSIGNED_INT_5_9_9_9_REV
 
 // Units that VTK's mapper may still take once ours are bound: colors, normals and edges of cells,
 // and the texture of mapped scalars.
@@ -76,16 +79,28 @@ vtkSmartPointer<vtkTextureObject> Upload(
   const unsigned int width = static_cast<unsigned int>(texture.Dimensions[0]);
   const unsigned int height = static_cast<unsigned int>(texture.Dimensions[1]);
   const unsigned int depth = static_cast<unsigned int>(texture.Dimensions[2]);
-  const int components = texture.IsPadded() ? 4 : texture.Components;
-  std::vector<float> padded;
-  if (texture.IsPadded())
+  const auto create = [&](int components, int type, void* data)
   {
-    padded = Pad(texture.Data);
+    return texture.ThreeD ? result->Create3DFromRaw(width, height, depth, components, type, data)
+                          : result->Create2DFromRaw(width, height, components, type, data);
+  };
+  bool created = false;
+  if (!texture.SharedExponents.empty())
+  {
+    result->SetInternalFormat(RGB9E5);
+    result->SetFormat(RGB);
+    result->SetDataType(UnsignedInt5999);
+    created = create(3, VTK_UNSIGNED_INT, texture.SharedExponents.data());
   }
-  float* data = texture.IsPadded() ? padded.data() : texture.Data.data();
-  const bool created =
-    texture.ThreeD ? result->Create3DFromRaw(width, height, depth, components, VTK_FLOAT, data)
-                   : result->Create2DFromRaw(width, height, components, VTK_FLOAT, data);
+  else if (texture.IsPadded())
+  {
+    std::vector<float> padded = Pad(texture.Data);
+    created = create(4, VTK_FLOAT, padded.data());
+  }
+  else
+  {
+    created = create(texture.Components, VTK_FLOAT, texture.Data.data());
+  }
   if (!created)
   {
     problem = texture.Name + " could not be uploaded";

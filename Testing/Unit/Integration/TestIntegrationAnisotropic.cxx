@@ -137,7 +137,7 @@ TEST(AnisotropicTable, TakesIsotropicMaterials)
   const auto table = NewTable(brdf, environment, { 33, 12, 16, 8 });
   const double errors[] = { GetError(isotropic), GetError(table) };
   std::printf("table %.4f, anisotropic %.4f\n", errors[0], errors[1]);
-  EXPECT_NEAR(errors[1], errors[0], 0.005);
+  EXPECT_NEAR(errors[1], errors[0], 0.01);
 }
 
 //------------------------------------------------------------------------------

@@ -683,8 +683,10 @@ TEST(TableIntegrator, ShaderInputs)
     const std::size_t texels = static_cast<std::size_t>(texture.Dimensions[0]) *
                                static_cast<std::size_t>(texture.Dimensions[1]) *
                                static_cast<std::size_t>(texture.Dimensions[2]);
-    EXPECT_EQ(texture.Data.size(), 3 * texels) << texture.Name;
-    EXPECT_EQ(texture.GetBytes(), texels * (texture.HalfFloat ? 6 : 16)) << texture.Name;
+    const bool isPacked = !texture.SharedExponents.empty();
+    EXPECT_EQ(texture.Data.size(), isPacked ? 0 : 3 * texels) << texture.Name;
+    EXPECT_EQ(texture.SharedExponents.size(), isPacked ? texels : 0) << texture.Name;
+    EXPECT_EQ(texture.GetBytes(), texels * (isPacked ? 4 : 16)) << texture.Name;
     bytes += texture.GetBytes();
     for (const float value : texture.Data)
     {
@@ -696,7 +698,7 @@ TEST(TableIntegrator, ShaderInputs)
   EXPECT_EQ(volume.Dimensions[0], 16);
   EXPECT_EQ(volume.Dimensions[1], 9);
   EXPECT_EQ(volume.Dimensions[2], 5 * 7); // the first azimuth again after the last
-  EXPECT_TRUE(volume.ThreeD && volume.HalfFloat && volume.Repeat[0]);
+  EXPECT_TRUE(volume.ThreeD && !volume.SharedExponents.empty() && volume.Repeat[0]);
   EXPECT_NE(form.Description.find("16 x 9"), std::string::npos) << form.Description;
 
   // Without a Lambert part there is no map of irradiance.

@@ -167,7 +167,7 @@ TEST_F(PlanCache, FindsLayersAgain)
   this->BRDF->SetSpecular(0.5, 0.5, 0.5);
   this->BRDF->SetExponent(2000.0);
   this->Tolerance = 0.02;
-  this->TextureBytes = 10 << 20; // no room for a table that does without lights
+  this->TextureBytes = 6 << 20; // no room for a table that does without lights
   this->Environment->SetToProceduralHall();
   this->Costs = vtkSmartPointer<vtkRadianceCostModel>::New();
   this->Costs->SetCost("light", 0.1);

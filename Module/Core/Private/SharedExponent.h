@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * RGB in 32 bits: 9 for each component, and 5 for an exponent that they share (OpenGL 4.6 core
+ * specification, 8.5.2). Private to the module.
+ */
+
+#ifndef SharedExponent_h
+#define SharedExponent_h
+
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace measuredbrdf
+{
+/// The largest component that the format has; the error of each is at most 2^-9 of the largest.
+constexpr float LargestSharedExponent = 65408.0f;
+
+/// Negative components and NaN count as 0, larger ones as the largest. GLM's packF3x9_E1x5 ends at
+/// 32768.
+inline std::uint32_t PackSharedExponent(const glm::vec3& rgb)
+{
+  glm::vec3 clamped(0.0f);
+  for (int c = 0; c < 3; ++c)
+  {
+    clamped[c] = rgb[c] > 0.0f ? std::min(rgb[c], LargestSharedExponent) : 0.0f;
+  }
+  const float largest = std::max({ clamped.x, clamped.y, clamped.z });
+  int exponent = -15; // the largest is below 2^exponent
+  if (largest > 0.0f)
+  {
+    std::frexp(largest, &exponent);
+    exponent = std::max(exponent, -15);
+  }
+  float scale = std::ldexp(1.0f, 9 - exponent);
+  if (largest * scale + 0.5f >= 512.0f) // rounded up to the next power of two
+  {
+    ++exponent;
+    scale *= 0.5f;
+  }
+  const auto round = [scale](float value)
+  { return static_cast<std::uint32_t>(value * scale + 0.5f); };
+  return round(clamped.x) | round(clamped.y) << 9 | round(clamped.z) << 18 |
+         static_cast<std::uint32_t>(exponent + 15) << 27;
+}
+
+inline glm::vec3 UnpackSharedExponent(std::uint32_t texel)
+{
+  const float scale = std::ldexp(1.0f, static_cast<int>(texel >> 27) - 24);
+  return scale * glm::vec3(texel & 511u, texel >> 9 & 511u, texel >> 18 & 511u);
+}
+} // namespace measuredbrdf
+
+#endif
