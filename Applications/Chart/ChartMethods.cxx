@@ -188,7 +188,7 @@ std::vector<ChartSize> ListChartSizes(const std::vector<std::string>& methods,
   std::vector<ChartSize> list;
   for (const ChartMethod& method : GetChartMethods())
   {
-    const bool always = method.Name == ThesisMethod || method.Name == PBRMethod;
+    const bool always = method.Name == PBRMethod;
     if (!always && std::find(methods.begin(), methods.end(), method.Name) == methods.end())
     {
       continue;

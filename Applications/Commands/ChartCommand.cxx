@@ -343,7 +343,7 @@ void AddChartCommand(CLI::App& app)
   AddProjectionOption(command);
   command->add_option("--methods", options->Methods,
     "Methods, with commas between them (default all): " + Join(ListMethods()) +
-      ". The thesis's method and VTK's own shading are always included");
+      ". VTK's own shading is always included");
   command->add_option("--tolerances", options->Tolerances,
     "Tolerances whose plans are marked, with commas between them, from 0.001 to 1 (default " +
       options->Tolerances + ")");

@@ -1094,6 +1094,28 @@ class FailureMap(Compare):
         self.check_close([found["relative_l1"]], [0.1 / 0.875], 0.2)
 
 
+class CompareWholePicture(ToolTest):
+    def test_most_pixels_are_interpolated(self):
+        report, picture = self.path("report.json"), self.path("strip.png")
+        common = ["compare", "blue-fabric", "--environment", "hall", "--report", report]
+        result = run(*common, "--size", "112x112", "--strip", picture)
+        if "needs an X server" in result.stderr:
+            self.skipTest("skipped: no X server, which this VTK needs")
+        self.check(result, 0, "relative L1")
+        with open(report, encoding="utf-8") as file:
+            whole = json.load(file)
+        self.assertEqual(whole["reference_pixels"], whole["covered_pixels"])
+        self.assertGreater(whole["covered_pixels"], 4096)  # fewer are integrated one by one
+        self.assertLess(whole["reference_integrated"], 0.7)
+        self.assertGreaterEqual(whole["reference_within"], 0.99)
+        self.check(run(*common, "--size", "112x112", "--reference-pixels", "1000"), 0)
+        with open(report, encoding="utf-8") as file:
+            some = json.load(file)
+        self.assertLess(some["reference_pixels"], 1001)
+        self.assertEqual(some["reference_integrated"], 1)
+        self.check_close([some["relative_l1"]], [whole["relative_l1"]], 0.4)
+
+
 class CompareStrip(Compare):
     COMMON = ["--environment", "sky", "--size", "48x40", "--reference-pixels", "64"]
 
@@ -1135,7 +1157,7 @@ class CompareThesis(Compare):
 
 class ChartTest(ToolTest):
     COMMON = {
-        "--methods": "table",
+        "--methods": "table,thesis",
         "--tolerances": "0.05",
         "--size": "64x64",
         "--reference-pixels": 64,

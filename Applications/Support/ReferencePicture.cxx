@@ -1,0 +1,337 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ReferencePicture.h"
+
+#include "Methods.h"
+
+#include "vtkAdaptiveRadianceIntegrator.h"
+#include "vtkBRDF.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkTableRadianceIntegrator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace
+{
+constexpr int CoarsestStride = 8;          // pixels
+constexpr std::size_t FewestPixels = 4096; // worth a table
+constexpr double FlatTolerance = 0.0015;   // in the middle of a cell, where interpolation errs most
+constexpr double LeastShare = 0.02; // of the mean radiance: darker pixels count as that bright
+constexpr double LeastCosine = 0.9; // between the normals of a cell: no edge of the mesh
+constexpr std::size_t SampleSize = 400;
+constexpr double EnoughWithin = 0.99; // of the sample
+
+//------------------------------------------------------------------------------
+struct Cell
+{
+  int X;
+  int Y;
+};
+
+//------------------------------------------------------------------------------
+class Refinement
+{
+public:
+  Refinement(vtkBRDF* brdf, vtkEnvironment* environment, const tool::Surface& surface,
+    const tool::Size& size)
+    : Surface(surface)
+    , Size(size)
+    , Index(static_cast<std::size_t>(size.Width * size.Height), -1)
+    , Radiance(surface.Normals.size())
+    , IsKnown(surface.Pixels.size(), 0)
+    , IsGuessed(surface.Pixels.size(), 0)
+  {
+    for (std::size_t k = 0; k < surface.Pixels.size(); ++k)
+    {
+      this->Index[static_cast<std::size_t>(surface.Pixels[k])] = static_cast<int>(k);
+    }
+    this->Reference->SetBRDF(brdf);
+    this->Reference->SetEnvironment(environment);
+    this->Guess.assign(surface.Normals.size(), 0.0);
+    if (brdf->IsIsotropic() && surface.Pixels.size() >= FewestPixels)
+    {
+      vtkNew<vtkTableRadianceIntegrator> table;
+      table->SetBRDF(brdf);
+      table->SetEnvironment(environment);
+      table->SetSizes({ 65, 16, 16 });
+      this->Guess = tool::IntegratePairs(table, surface.Normals, surface.Views);
+    }
+  }
+
+  void Run(int stride)
+  {
+    std::fill(this->IsGuessed.begin(), this->IsGuessed.end(), 0);
+    std::vector<int> wanted;
+    std::vector<Cell> cells;
+    for (int y = 0; y < this->Size.Height; y += stride)
+    {
+      for (int x = 0; x < this->Size.Width; x += stride)
+      {
+        wanted.push_back(this->Find(x, y));
+        cells.push_back({ x, y });
+      }
+    }
+    this->Integrate(wanted);
+    this->FindBrightness();
+    for (int s = stride; s > 1; s /= 2)
+    {
+      cells = this->Refine(cells, s);
+    }
+    wanted.clear();
+    for (std::size_t k = 0; k < this->IsKnown.size(); ++k)
+    {
+      if (!this->IsGuessed[k])
+      {
+        wanted.push_back(static_cast<int>(k));
+      }
+    }
+    this->Integrate(wanted);
+  }
+
+  // Integrates some of the pixels that were interpolated, evenly among them.
+  void Check(tool::ReferencePicture& picture)
+  {
+    std::vector<int> guessed;
+    for (std::size_t k = 0; k < this->IsKnown.size(); ++k)
+    {
+      if (!this->IsKnown[k])
+      {
+        guessed.push_back(static_cast<int>(k));
+      }
+    }
+    picture.Integrated =
+      1.0 - static_cast<double>(guessed.size()) / static_cast<double>(this->IsKnown.size());
+    picture.Within = 1.0;
+    picture.Worst = 0.0;
+    std::vector<int> sample;
+    const std::size_t step = std::max<std::size_t>(guessed.size() / SampleSize, 1);
+    for (std::size_t k = step / 2; k < guessed.size(); k += step)
+    {
+      sample.push_back(guessed[k]);
+    }
+    const std::vector<double> before = this->Radiance;
+    this->Integrate(sample);
+    for (const int k : sample)
+    {
+      const double error = this->GetError(k, &before[3 * static_cast<std::size_t>(k)]);
+      picture.Worst = std::max(picture.Worst, error);
+      picture.Within -=
+        error > tool::ReferencePicture::Tolerance ? 1.0 / static_cast<double>(sample.size()) : 0.0;
+    }
+    picture.Radiance = this->Radiance;
+  }
+
+private:
+  /// The surface's pixel at a place, or -1.
+  int Find(int x, int y) const
+  {
+    return x < this->Size.Width && y < this->Size.Height
+             ? this->Index[static_cast<std::size_t>(y * this->Size.Width + x)]
+             : -1;
+  }
+
+  void Integrate(const std::vector<int>& wanted)
+  {
+    std::vector<int> pixels;
+    std::vector<double> normals;
+    std::vector<double> views;
+    for (const int k : wanted)
+    {
+      if (k < 0 || this->IsKnown[static_cast<std::size_t>(k)])
+      {
+        continue;
+      }
+      this->IsKnown[static_cast<std::size_t>(k)] = 1;
+      pixels.push_back(k);
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        normals.push_back(this->Surface.Normals[3 * static_cast<std::size_t>(k) + c]);
+        views.push_back(this->Surface.Views[3 * static_cast<std::size_t>(k) + c]);
+      }
+    }
+    if (pixels.empty())
+    {
+      return;
+    }
+    const std::vector<double> radiance = tool::IntegratePairs(this->Reference, normals, views);
+    for (std::size_t k = 0; k < pixels.size(); ++k)
+    {
+      std::copy_n(&radiance[3 * k], 3, &this->Radiance[3 * static_cast<std::size_t>(pixels[k])]);
+    }
+  }
+
+  void FindBrightness()
+  {
+    double sum = 0.0;
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < this->IsKnown.size(); ++k)
+    {
+      if (this->IsKnown[k])
+      {
+        sum += this->GetSum(static_cast<int>(k));
+        ++count;
+      }
+    }
+    this->LeastSum = count > 0 ? LeastShare * sum / static_cast<double>(count) : 0.0;
+  }
+
+  double GetSum(int k) const
+  {
+    const double* rgb = &this->Radiance[3 * static_cast<std::size_t>(k)];
+    return rgb[0] + rgb[1] + rgb[2];
+  }
+
+  // Of radiance that was interpolated for a known pixel.
+  double GetError(int k, const double rgb[3]) const
+  {
+    double difference = 0.0;
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      difference += std::abs(rgb[c] - this->Radiance[3 * static_cast<std::size_t>(k) + c]);
+    }
+    const double scale = std::max(this->GetSum(k), this->LeastSum);
+    return scale > 0.0 ? difference / scale : 0.0;
+  }
+
+  // What the guess lacks, bilinear between the corners; u, v in [0, 1].
+  void Interpolate(const int corners[4], double u, double v, int k, double rgb[3]) const
+  {
+    const double weights[4] = { (1.0 - u) * (1.0 - v), u * (1.0 - v), (1.0 - u) * v, u * v };
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      double value = this->Guess[3 * static_cast<std::size_t>(k) + c];
+      for (int corner = 0; corner < 4; ++corner)
+      {
+        const std::size_t at = 3 * static_cast<std::size_t>(corners[corner]) + c;
+        value += weights[corner] * (this->Radiance[at] - this->Guess[at]);
+      }
+      rgb[c] = std::max(value, 0.0);
+    }
+  }
+
+  // False where one is not covered, or the mesh has an edge between them.
+  bool FindCorners(const Cell& cell, int s, int corners[4]) const
+  {
+    for (int corner = 0; corner < 4; ++corner)
+    {
+      corners[corner] = this->Find(cell.X + corner % 2 * s, cell.Y + corner / 2 * s);
+    }
+    const int middle = this->Find(cell.X + s / 2, cell.Y + s / 2);
+    return middle >= 0 && std::all_of(corners, corners + 4,
+                            [this, middle](int k) {
+                              return k >= 0 && vtkMath::Dot(this->GetNormal(k),
+                                                 this->GetNormal(middle)) >= LeastCosine;
+                            });
+  }
+
+  const double* GetNormal(int k) const
+  {
+    return &this->Surface.Normals[3 * static_cast<std::size_t>(k)];
+  }
+
+  // Interpolates within the cells whose middle that foretells; returns the quarters of the others.
+  std::vector<Cell> Refine(const std::vector<Cell>& cells, int s)
+  {
+    const int half = s / 2;
+    int corners[4];
+    std::vector<int> wanted;
+    for (const Cell& cell : cells)
+    {
+      if (this->FindCorners(cell, s, corners))
+      {
+        wanted.push_back(this->Find(cell.X + half, cell.Y + half));
+      }
+    }
+    this->Integrate(wanted);
+    wanted.clear();
+    std::vector<Cell> finer;
+    for (const Cell& cell : cells)
+    {
+      const int middle = this->Find(cell.X + half, cell.Y + half);
+      double rgb[3];
+      bool isFlat = this->FindCorners(cell, s, corners);
+      if (isFlat)
+      {
+        this->Interpolate(corners, 0.5, 0.5, middle, rgb);
+        isFlat = this->GetError(middle, rgb) <= FlatTolerance;
+      }
+      if (isFlat)
+      {
+        this->Fill(cell, s, corners);
+        continue;
+      }
+      for (const int y : { 0, half })
+      {
+        for (const int x : { 0, half })
+        {
+          finer.push_back({ cell.X + x, cell.Y + y });
+        }
+      }
+      for (int y = 0; y <= s; y += half)
+      {
+        for (int x = 0; x <= s; x += half)
+        {
+          wanted.push_back(this->Find(cell.X + x, cell.Y + y));
+        }
+      }
+    }
+    this->Integrate(wanted);
+    return finer;
+  }
+
+  void Fill(const Cell& cell, int s, const int corners[4])
+  {
+    for (int y = 0; y <= s; ++y)
+    {
+      for (int x = 0; x <= s; ++x)
+      {
+        const int k = this->Find(cell.X + x, cell.Y + y);
+        if (k >= 0)
+        {
+          this->IsGuessed[static_cast<std::size_t>(k)] = 1;
+          if (!this->IsKnown[static_cast<std::size_t>(k)])
+          {
+            this->Interpolate(corners, static_cast<double>(x) / s, static_cast<double>(y) / s, k,
+              &this->Radiance[3 * static_cast<std::size_t>(k)]);
+          }
+        }
+      }
+    }
+  }
+
+  const tool::Surface& Surface;
+  tool::Size Size;
+  vtkNew<vtkAdaptiveRadianceIntegrator> Reference;
+  std::vector<int> Index; // of the surface's pixels, by place
+  std::vector<double> Guess;
+  std::vector<double> Radiance;
+  std::vector<char> IsKnown;   // integrated
+  std::vector<char> IsGuessed; // in a cell that is interpolated
+  double LeastSum = 0.0;
+};
+}
+
+namespace tool
+{
+//------------------------------------------------------------------------------
+ReferencePicture DrawReference(
+  vtkBRDF* brdf, vtkEnvironment* environment, const Surface& surface, const Size& size)
+{
+  Refinement refinement(brdf, environment, surface, size);
+  ReferencePicture picture;
+  for (int stride = surface.Pixels.size() < FewestPixels ? 1 : CoarsestStride; stride > 0;
+       stride /= 2)
+  {
+    refinement.Run(stride);
+    refinement.Check(picture);
+    if (picture.Within >= EnoughWithin)
+    {
+      break;
+    }
+  }
+  return picture;
+}
+} // namespace tool

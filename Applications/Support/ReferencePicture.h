@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The reference radiance of every pixel of a picture, most of them interpolated.
+ */
+
+#ifndef ReferencePicture_h
+#define ReferencePicture_h
+
+#include "Sizes.h"
+#include "Surface.h"
+
+#include <vector>
+
+class vtkBRDF;
+class vtkEnvironment;
+
+namespace tool
+{
+struct ReferencePicture
+{
+  static constexpr double Tolerance = 0.003; // relative error that a pixel may have
+
+  std::vector<double> Radiance; // 3 a pixel of the surface
+  double Integrated = 1.0;      // share of the pixels; the others are interpolated
+  double Within = 1.0;          // share within the tolerance, of a sample of the others
+  double Worst = 0.0;           // relative error in that sample
+};
+
+/**
+ * Integrates on a grid, and more finely where interpolation does not foretell the middle of a cell:
+ * of what a table of radiance lacks, which is smoother than radiance. A sample of the interpolated
+ * pixels is integrated, too; where too many of them are off, all begins again on a finer grid. The
+ * surface has all covered pixels (stride 1). Throws Error. Needs an Interruptible.
+ */
+ReferencePicture DrawReference(
+  vtkBRDF* brdf, vtkEnvironment* environment, const Surface& surface, const Size& size);
+} // namespace tool
+
+#endif
