@@ -232,7 +232,7 @@ private:
     return &this->Surface.Normals[3 * static_cast<std::size_t>(k)];
   }
 
-  // Interpolates within the cells whose middle that foretells; returns the quarters of the others.
+  // Fills the cells whose middle is foretold by their corners; returns the quarters of the others.
   std::vector<Cell> Refine(const std::vector<Cell>& cells, int s)
   {
     const int half = s / 2;
@@ -284,12 +284,13 @@ private:
 
   void Fill(const Cell& cell, int s, const int corners[4])
   {
+    const double* middle = this->GetNormal(this->Find(cell.X + s / 2, cell.Y + s / 2));
     for (int y = 0; y <= s; ++y)
     {
       for (int x = 0; x <= s; ++x)
       {
         const int k = this->Find(cell.X + x, cell.Y + y);
-        if (k >= 0)
+        if (k >= 0 && vtkMath::Dot(this->GetNormal(k), middle) >= LeastCosine)
         {
           this->IsGuessed[static_cast<std::size_t>(k)] = 1;
           if (!this->IsKnown[static_cast<std::size_t>(k)])

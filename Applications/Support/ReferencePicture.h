@@ -29,10 +29,11 @@ struct ReferencePicture
 };
 
 /**
- * Integrates on a grid, and more finely where interpolation does not foretell the middle of a cell:
- * of what a table of radiance lacks, which is smoother than radiance. A sample of the interpolated
- * pixels is integrated, too; where too many of them are off, all begins again on a finer grid. The
- * surface has all covered pixels (stride 1). Throws Error. Needs an Interruptible.
+ * Integrates on a grid, and more finely where interpolation does not foretell the middle of a cell.
+ * What is interpolated is what a table of radiance lacks, which is smoother than radiance. A sample
+ * of the interpolated pixels is integrated, too; where too many of them are off, all begins again
+ * on a finer grid. The surface has all covered pixels (stride 1). Throws Error. Needs an
+ * Interruptible.
  */
 ReferencePicture DrawReference(
   vtkBRDF* brdf, vtkEnvironment* environment, const Surface& surface, const Size& size);

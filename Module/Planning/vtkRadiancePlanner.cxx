@@ -358,6 +358,12 @@ bool vtkRadiancePlanner::Search()
   {
     vtkWarningMacro("Update: left out what could not be prepared: " << search.GetWarnings());
   }
+  if (done && search.GetPlan().Choice < 0 && impl.Problem.empty())
+  {
+    impl.Problem = "nothing fits into MaximumTextureBytes, " +
+                   std::to_string(this->MaximumTextureBytes) +
+                   " bytes, with the textures of the material.";
+  }
   if (!done || search.GetPlan().Choice < 0)
   {
     return this->Fail();

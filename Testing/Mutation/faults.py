@@ -334,6 +334,16 @@ add("Integration.table-profile-step", "Private/LobePlacement.h", "GetTexel(profi
     "Parity.TableIntegrator|TableReference.ErrorFallsWithSize|TableIntegrator.Continuous")
 add("Integration.hybrid-copy-without-angle", "vtkHybridRadianceIntegrator.cxx",
     "this->SetLightAngle(hybrid->LightAngle);", "", "RadianceMethods.CopiesHaveEveryProperty")
+add("Integration.axes-jump", "Private/LobeViews.cxx", "this->Views[k].Means.Delta = limited[k];", "",
+    "LobeViews.AxesMoveSlowly")
+add("Integration.axes-tilt-along-the-normal", "Private/LobeViews.cxx",
+    "std::clamp(0.5 * (above + below), -farthest, farthest)", "0.5 * (above + below)", "LobeViews.AxesMoveSlowly")
+add("Core.shared-exponent-rounds-down", "Private/SharedExponent.h",
+    "static_cast<std::uint32_t>(value * scale + 0.5f)", "static_cast<std::uint32_t>(value * scale)",
+    "SharedExponent.ErrorIsAPartOfTheLargestComponent|SharedExponent.Ends")
+add("Integration.octahedron-folded-once", "Private/LobePlacement.h",
+    "0.5 + 0.5 * (d.y < 0.0 ? side * (1.0 - glm::abs(glm::dvec2(p.y, p.x))) : p)", "0.5 + 0.5 * p",
+    "OctahedralMap.ThereAndBack|OctahedralMap.HasNoSeam")
 add("Integration.sharp-share-is-all", "Private/LobeViews.cxx", "cell.Energy - energy / solidAngle * cell.SolidAngle",
     "cell.Energy", "LobeViews.TellsSharpFromBroad")
 add("Integration.views-are-not-lifted", "vtkRadianceIntegrator.cxx", "measuredbrdf::LiftView(Normalize(v), normal)",

@@ -37,7 +37,8 @@ struct LobeMeans
 
   ///@{
   /// The rest's mean direction, weighted by its cube so that the sharpest part of a kernel
-  /// decides. Of an isotropic material it is (-sin delta, 0, cos delta).
+  /// decides. Of an isotropic material it is (-sin delta, 0, cos delta); LobeViews then limits how
+  /// fast its own deltas change from view to view.
   glm::dvec3 Axis = glm::dvec3(0.0);
   double Delta = 0.0;
   ///@}

@@ -28,6 +28,7 @@ namespace measuredbrdf
 {
 namespace
 {
+constexpr float LeastPeak = 1e-20f; // of radiance: less is black
 
 // One order's, by channel: degrees x view angles.
 std::array<FieldSynthesis::Matrix, 3> PickOrder(
@@ -115,8 +116,12 @@ std::vector<std::vector<float>> ExpandTableKernels(const LobeViews& views,
 
 double PackRadiance(const std::vector<float>& radiance, RadianceTable::Texels& texels)
 {
-  const float largest = *std::max_element(radiance.begin(), radiance.end());
-  const float scale = largest > 0.0f ? LargestSharedExponent / largest : 1.0f;
+  float largest = LeastPeak;
+  for (const float value : radiance)
+  {
+    largest = std::max(largest, value);
+  }
+  const float scale = LargestSharedExponent / largest;
   texels.resize(radiance.size() / 3);
   vtkSMPTools::For(0, static_cast<vtkIdType>(texels.size()),
     [&](vtkIdType begin, vtkIdType end)
