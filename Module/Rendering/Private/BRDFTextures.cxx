@@ -90,7 +90,7 @@ vtkSmartPointer<vtkTextureObject> Upload(
     result->SetInternalFormat(RGB9E5);
     result->SetFormat(RGB);
     result->SetDataType(UnsignedInt5999);
-    created = create(3, VTK_UNSIGNED_INT, texture.SharedExponents.data());
+    created = create(3, VTK_FLOAT, texture.SharedExponents.data()); // filtered as floats are
   }
   else if (texture.IsPadded())
   {
