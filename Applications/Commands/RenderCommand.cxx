@@ -6,13 +6,11 @@
 #include "Methods.h"
 #include "Picture.h"
 #include "Progress.h"
-#include "ReferencePicture.h"
 #include "Scene.h"
 #include "Sizes.h"
 #include "Surface.h"
 #include "Tool.h"
 
-#include "vtkAdaptiveRadianceIntegrator.h"
 #include "vtkVersion.h"
 
 #include <CLI/CLI.hpp>
@@ -67,11 +65,7 @@ tool::Picture SumPixels(vtkRadianceIntegrator* integrator, vtkPolyData* mesh,
 {
   const tool::Surface surface =
     tool::FindSurface(mesh, view, Fill, size, std::numeric_limits<int>::max());
-  const std::vector<double> rgb =
-    vtkAdaptiveRadianceIntegrator::SafeDownCast(integrator)
-      ? tool::DrawReference(integrator->GetBRDF(), integrator->GetEnvironment(), surface, size)
-          .Radiance
-      : tool::IntegratePairs(integrator, surface.Normals, surface.Views);
+  const std::vector<double> rgb = tool::IntegratePairs(integrator, surface.Normals, surface.Views);
   tool::Picture picture(size.Width, size.Height);
   for (std::size_t k = 0; k < surface.Pixels.size(); ++k)
   {
