@@ -9,7 +9,8 @@ uniform sampler2D brdfCoreFieldsINSTANCE; // A_k, two where turned, one above th
 struct brdfCorePlaceINSTANCE
 {
   vec2 Field; // where the next field is read
-  vec2 Weight; // and the next weight
+  float View; // and the weights
+  int Row; // the one before
   vec2 Once; // cosine and sine of the azimuth
   vec2 Turn; // and of so many times the azimuth
 };
@@ -23,8 +24,7 @@ vec3 brdfCoreFieldINSTANCE(inout brdfCorePlaceINSTANCE at)
 
 vec3 brdfCoreWeightINSTANCE(inout brdfCorePlaceINSTANCE at)
 {
-  at.Weight.y += 1.0 / float(CORE_ROWS);
-  return texture(brdfCoreProfileINSTANCE, at.Weight).rgb;
+  return brdfProfile(brdfCoreProfileINSTANCE, at.View, ++at.Row);
 }
 
 // To the next order.
@@ -54,7 +54,8 @@ vec3 brdfCoreINSTANCE(float u, vec2 position, vec2 once)
   float margin = 0.5 / float(textureSize(brdfCoreFieldsINSTANCE, 0).y);
   brdfCorePlaceINSTANCE at;
   at.Field = vec2(position.x, clamp(position.y * next, margin, next - margin));
-  at.Weight = vec2(u, 0.5 / float(CORE_ROWS));
+  at.View = u;
+  at.Row = 0;
   at.Once = once / max(length(once), 1e-12);
   at.Turn = vec2(1.0, 0.0);
   vec3 sum = vec3(0.0);

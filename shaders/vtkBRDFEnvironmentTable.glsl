@@ -12,9 +12,8 @@ vec3 brdfEnvironmentINSTANCE(mat3 frame, vec3 o)
 {
   float sine = length(o.xy);
   float u = 1.0 - sqrt(max(1.0 - brdfQuadrant(sine, o.z) / brdfTableLastViewINSTANCE, 0.0));
-  float views = float(textureSize(brdfTableProfileINSTANCE, 0).x);
-  u = (u * (views - 1.0) + 0.5) / views;
-  vec3 axis = texture(brdfTableProfileINSTANCE, vec2(u, 0.5 / 3.0)).xyz;
+  u *= float(textureSize(brdfTableProfileINSTANCE, 0).x - 1);
+  vec3 axis = brdfProfile(brdfTableProfileINSTANCE, u, 0);
   vec2 azimuth = sine > 1e-6 ? o.xy / sine : vec2(1.0, 0.0);
   vec3 across = frame[0] * azimuth.x + frame[1] * azimuth.y;
   vec3 d = normalize(axis.y * frame[2] - axis.z * across);
@@ -34,14 +33,13 @@ vec3 brdfEnvironmentINSTANCE(mat3 frame, vec3 o)
   vec3 low = texture(brdfTableRadianceINSTANCE, at).rgb;
   at.z += slices / size.z;
   vec3 high = texture(brdfTableRadianceINSTANCE, at).rgb;
-  vec3 sum = mix(low, high, w - angle) *
-    texture(brdfTableProfileINSTANCE, vec2(u, 1.5 / 3.0)).rgb;
+  vec3 sum = mix(low, high, w - angle) * brdfProfile(brdfTableProfileINSTANCE, u, 1);
   if (HAS_FLOOR != 0)
   {
     float side = float(textureSize(brdfTableIrradianceINSTANCE, 0).x);
     vec2 normalAt = (brdfOctahedralPosition(frame[2]) * (side - 1.0) + 0.5) / side;
     sum += texture(brdfTableIrradianceINSTANCE, normalAt).rgb *
-      texture(brdfTableProfileINSTANCE, vec2(u, 2.5 / 3.0)).rgb;
+      brdfProfile(brdfTableProfileINSTANCE, u, 2);
   }
   return max(max(sum, vec3(0.0)) + core, vec3(0.0));
 }

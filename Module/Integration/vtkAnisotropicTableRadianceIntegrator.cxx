@@ -113,8 +113,8 @@ bool vtkAnisotropicTableRadianceIntegrator::MakeTable(Tables& table)
 void vtkAnisotropicTableRadianceIntegrator::IntegratePart(
   int vtkNotUsed(part), const double n[3], const double o[3], const double t[3], double radiance[3])
 {
-  const glm::dvec3 sum =
-    this->Data->Evaluate(glm::make_vec3(n), glm::make_vec3(o), glm::make_vec3(t));
+  const glm::dvec3 sum = this->Data->Evaluate(
+    glm::make_vec3(n), glm::make_vec3(o), glm::make_vec3(t), { this->FilterWeightBits });
   for (int c = 0; c < 3; ++c)
   {
     radiance[c] += sum[c];

@@ -7,6 +7,7 @@
 #include "LightSplatter.h"
 #include "LocalFrame.h"
 #include "ModuleShader.h"
+#include "Neighbors.h"
 #include "RadialFunctions.h"
 #include "Setters.h"
 #include "vtkBRDF.h"
@@ -86,12 +87,13 @@ struct vtkBasisRadianceIntegrator::Tables
     }
   }
 
-  glm::dvec3 FetchMap(int function, const double texel[2], int chart) const
+  glm::dvec3 FetchMap(
+    int function, const double texel[2], int chart, const measuredbrdf::FilterWeights& filter) const
   {
     const int x = static_cast<int>(texel[0]);
     const int y = static_cast<int>(texel[1]);
-    const double u = texel[0] - x;
-    const double v = texel[1] - y;
+    const double u = filter.Round(texel[0] - x);
+    const double v = filter.Round(texel[1] - y);
     const std::size_t stride = 6 * static_cast<std::size_t>(this->Side);
     const float* p = &this->Maps[static_cast<std::size_t>(function * this->Side + y) * stride +
                                  3 * static_cast<std::size_t>(chart * this->Side + x)];
@@ -283,7 +285,8 @@ void vtkBasisRadianceIntegrator::IntegratePart(int vtkNotUsed(part), const doubl
   const double column = CosineToWarp(view.z, MinimumViewCosine) * ViewNodes + 1.5;
   const int first = std::min(static_cast<int>(column), ViewColumns - 1);
   const int second = std::min(first + 1, ViewColumns - 1);
-  const double weight = column - first;
+  const measuredbrdf::FilterWeights filter{ this->FilterWeightBits };
+  const double weight = filter.Round(column - first);
 
   glm::dvec3 sum(0.0), even(0.0), odd(0.0);
   glm::dvec2 angle(1.0, 0.0);
@@ -303,10 +306,10 @@ void vtkBasisRadianceIntegrator::IntegratePart(int vtkNotUsed(part), const doubl
       sum += u * odd;
       continue;
     }
-    even = tables.FetchMap(function++, texel, chart);
+    even = tables.FetchMap(function++, texel, chart, filter);
     if (views[0] > 0.5f)
     {
-      const glm::dvec3 sine = tables.FetchMap(function++, texel, chart);
+      const glm::dvec3 sine = tables.FetchMap(function++, texel, chart, filter);
       odd = sine * angle.x - even * angle.y;
       even = even * angle.x + sine * angle.y;
     }

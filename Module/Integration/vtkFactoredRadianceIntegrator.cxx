@@ -89,7 +89,18 @@ vtkSmartPointer<vtkTableRadianceIntegrator> vtkFactoredRadianceIntegrator::NewTa
   table->SetNumberOfViewAngles(this->NumberOfViewAngles);
   table->SetNumberOfAzimuths(this->NumberOfAzimuths);
   table->SetSmoothingDegree(this->SmoothingDegree);
+  table->SetFilterWeightBits(this->FilterWeightBits);
   return table;
+}
+
+//------------------------------------------------------------------------------
+void vtkFactoredRadianceIntegrator::SetFilterWeightBits(int bits)
+{
+  this->Superclass::SetFilterWeightBits(bits);
+  if (this->Broad)
+  {
+    this->Broad->SetFilterWeightBits(bits);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -124,7 +135,8 @@ bool vtkFactoredRadianceIntegrator::MakeCore(Precomputation& parts, int tableNod
 void vtkFactoredRadianceIntegrator::IntegratePart(
   int vtkNotUsed(part), const double n[3], const double o[3], const double t[3], double radiance[3])
 {
-  glm::dvec3 sum = this->Sharp->Evaluate(glm::make_vec3(n), glm::make_vec3(o), glm::make_vec3(t));
+  glm::dvec3 sum = this->Sharp->Evaluate(
+    glm::make_vec3(n), glm::make_vec3(o), glm::make_vec3(t), { this->FilterWeightBits });
   AddTo(this->Broad, n, o, t, &sum.x);
   for (int c = 0; c < 3; ++c)
   {

@@ -106,6 +106,8 @@ public:
   }
 #endif
 
+  void SetFilterWeightBits(int bits) override;
+
 protected:
   vtkFactoredRadianceIntegrator();
   ~vtkFactoredRadianceIntegrator() override;

@@ -151,7 +151,18 @@ vtkSmartPointer<vtkRadianceIntegrator> vtkHybridRadianceIntegrator::NewBroad(
   }
   broad->SetBRDF(this->BRDF);
   broad->SetEnvironment(this->Environment);
+  broad->SetFilterWeightBits(this->FilterWeightBits);
   return broad;
+}
+
+//------------------------------------------------------------------------------
+void vtkHybridRadianceIntegrator::SetFilterWeightBits(int bits)
+{
+  this->Superclass::SetFilterWeightBits(bits);
+  if (this->Impl->Broad)
+  {
+    this->Impl->Broad->SetFilterWeightBits(bits);
+  }
 }
 
 //------------------------------------------------------------------------------

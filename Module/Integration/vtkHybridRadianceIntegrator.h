@@ -106,6 +106,8 @@ public:
   bool GetShaderInputs(vtkBRDFShaderInputs& form) override;
   bool UsesBRDFOnGPU() override { return this->GetNumberOfLights() > 0; }
 
+  void SetFilterWeightBits(int bits) override;
+
 protected:
   vtkHybridRadianceIntegrator();
   ~vtkHybridRadianceIntegrator() override;

@@ -19,7 +19,9 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
+#include <iterator>
 #include <string>
+#include <vector>
 
 using measuredbrdf::EnvironmentPrecomputation;
 
@@ -30,26 +32,73 @@ constexpr int MaximumUnrolled = 16;
 const int PlannedLights[] = { 64, 256, 1024, 4096 };
 constexpr int MostPlannedLights = 256; // more cost seconds a frame without a graphics card
 
-std::string GetLoopText(bool unrolled, int count)
-{
-  if (!unrolled || count > MaximumUnrolled)
-  {
-    return "for (int k = 0; k < int(brdfNumberOfLightsINSTANCE); ++k)\n  {\n"
-           "    sum += brdfLightINSTANCE(k, perRow, frame, o);\n  }";
-  }
-  std::string text;
-  for (int k = 0; k < count; ++k)
-  {
-    text += "sum += brdfLightINSTANCE(" + std::to_string(k) + ", perRow, frame, o);\n  ";
-  }
-  return text;
-}
-
 // 1/kappa; 0 for light from the direction itself.
 double GetSpread(vtkLightSet* lights, int index)
 {
   const double concentration = lights->GetConcentration(index);
   return concentration > 0.0 ? 1.0 / concentration : 0.0;
+}
+
+// Lights in a texture, two texels each: direction and 1/kappa, irradiance.
+void AddLightTexture(vtkLightSet* lights, vtkBRDFShaderInputs::Term& term)
+{
+  const int count = lights->GetNumberOfLights();
+  vtkBRDFShaderInputs::Texture texture;
+  texture.Name = "brdfLights";
+  texture.Components = 4;
+  texture.Dimensions = { 2 * std::clamp(count, 1, LightsPerRow),
+    std::max((count + LightsPerRow - 1) / LightsPerRow, 1), 1 };
+  texture.Data.resize(4 * static_cast<std::size_t>(texture.Dimensions[0]) *
+                      static_cast<std::size_t>(texture.Dimensions[1]));
+  for (int k = 0; k < count; ++k)
+  {
+    double direction[3], irradiance[3];
+    lights->GetDirection(k, direction);
+    lights->GetIrradiance(k, irradiance);
+    float* texel = &texture.Data[8 * static_cast<std::size_t>(k)];
+    for (int c = 0; c < 3; ++c)
+    {
+      texel[c] = static_cast<float>(direction[c]);
+      texel[4 + c] = static_cast<float>(irradiance[c]);
+    }
+    texel[3] = static_cast<float>(GetSpread(lights, k));
+  }
+  term.Textures.push_back(std::move(texture));
+  term.Uniforms.push_back({ "brdfNumberOfLights", { static_cast<float>(count) } });
+  term.Constants.push_back({ "LIGHT_UNIFORMS",
+    "uniform sampler2D brdfLightsINSTANCE;\nuniform float brdfNumberOfLightsINSTANCE;" });
+  term.Constants.push_back({ "ADD_LIGHTS",
+    "int perRow = textureSize(brdfLightsINSTANCE, 0).x / 2;\n"
+    "  for (int k = 0; k < int(brdfNumberOfLightsINSTANCE); ++k)\n  {\n"
+    "    ivec2 texel = ivec2(2 * (k % perRow), k / perRow);\n"
+    "    sum += brdfLightINSTANCE(texelFetch(brdfLightsINSTANCE, texel, 0),\n"
+    "      texelFetch(brdfLightsINSTANCE, texel + ivec2(1, 0), 0).rgb, frame, o);\n  }" });
+}
+
+// Few lights one after the other, in uniforms: software renderers fetch slowly, and loop slowly.
+void AddLightUniforms(vtkLightSet* lights, vtkBRDFShaderInputs::Term& term)
+{
+  std::string uniforms;
+  std::string sum;
+  for (int k = 0; k < lights->GetNumberOfLights(); ++k)
+  {
+    const std::string number = std::to_string(k);
+    double direction[3], irradiance[3];
+    lights->GetDirection(k, direction);
+    lights->GetIrradiance(k, irradiance);
+    term.Uniforms.push_back(
+      { "brdfDirection" + number, std::vector<float>(std::begin(direction), std::end(direction)) });
+    term.Uniforms.push_back({ "brdfIrradiance" + number,
+      std::vector<float>(std::begin(irradiance), std::end(irradiance)) });
+    term.Uniforms.push_back(
+      { "brdfSpread" + number, { static_cast<float>(GetSpread(lights, k)) } });
+    uniforms += "uniform vec3 brdfDirection" + number + "INSTANCE;\nuniform vec3 brdfIrradiance" +
+                number + "INSTANCE;\nuniform float brdfSpread" + number + "INSTANCE;\n";
+    sum += "sum += brdfLightINSTANCE(vec4(brdfDirection" + number + "INSTANCE, brdfSpread" +
+           number + "INSTANCE), brdfIrradiance" + number + "INSTANCE, frame, o);\n  ";
+  }
+  term.Constants.push_back({ "LIGHT_UNIFORMS", uniforms });
+  term.Constants.push_back({ "ADD_LIGHTS", sum });
 }
 }
 
@@ -152,33 +201,18 @@ bool vtkLightSetRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
     return false;
   }
   const int count = this->Current->GetNumberOfLights();
-  vtkBRDFShaderInputs::Texture texture;
-  texture.Name = "brdfLights";
-  texture.Components = 4;
-  texture.Dimensions = { 2 * std::clamp(count, 1, LightsPerRow),
-    std::max((count + LightsPerRow - 1) / LightsPerRow, 1), 1 };
-  texture.Data.resize(4 * static_cast<std::size_t>(texture.Dimensions[0]) *
-                      static_cast<std::size_t>(texture.Dimensions[1]));
-  for (int k = 0; k < count; ++k)
-  {
-    double direction[3], irradiance[3];
-    this->Current->GetDirection(k, direction);
-    this->Current->GetIrradiance(k, irradiance);
-    float* texel = &texture.Data[8 * static_cast<std::size_t>(k)];
-    for (int c = 0; c < 3; ++c)
-    {
-      texel[c] = static_cast<float>(direction[c]);
-      texel[4 + c] = static_cast<float>(irradiance[c]);
-    }
-    texel[3] = static_cast<float>(GetSpread(this->Current, k));
-  }
   vtkBRDFShaderInputs::Term term;
   measuredbrdf::SetModuleShader(term, "vtkBRDFLightSet", vtkBRDFLightSet);
   term.Constants.push_back({ "EVALUATE_LIGHT",
     this->SoftLights ? "brdfEvaluateSoft(i, o, light.w)" : "brdfEvaluate(i, o)" });
-  term.Constants.push_back({ "ADD_LIGHTS", GetLoopText(this->Unrolled, count) });
-  term.Uniforms.push_back({ "brdfNumberOfLights", { static_cast<float>(count) } });
-  term.Textures.push_back(std::move(texture));
+  if (this->Unrolled && count <= MaximumUnrolled)
+  {
+    AddLightUniforms(this->Current, term);
+  }
+  else
+  {
+    AddLightTexture(this->Current, term);
+  }
   form = vtkBRDFShaderInputs();
   form.Description =
     std::to_string(count) + (this->SoftLights ? " soft" : " directional") + " lights";

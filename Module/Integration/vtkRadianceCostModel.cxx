@@ -12,12 +12,13 @@
 
 namespace
 {
-constexpr char Title[] = "vtkRadianceCostModel 2"; // the number rises with the format
+constexpr char Title[] = "vtkRadianceCostModel 3"; // the number rises with the format
 constexpr double LeastCost = 1e-6;
 constexpr double LargestCost = 1e6;
 constexpr std::size_t BuiltIn = 6;
 constexpr std::size_t MostCosts = 64;
 constexpr std::size_t LongestName = 32;
+constexpr int MostFilterBits = 23; // a float's
 
 bool IsCost(double nanoseconds) { return nanoseconds >= LeastCost && nanoseconds <= LargestCost; }
 
@@ -83,7 +84,7 @@ std::string vtkRadianceCostModel::GetText()
   std::ostringstream text;
   text.imbue(std::locale::classic());
   text.precision(17);
-  text << Title << "\n" << this->Name << "\n";
+  text << Title << "\n" << this->Name << "\n" << this->FilterWeightBits << "\n";
   for (const auto& [name, cost] : this->Costs)
   {
     text << name << " " << cost << "\n";
@@ -101,7 +102,9 @@ bool vtkRadianceCostModel::SetText(const std::string& text)
   std::getline(lines, title);
   std::getline(lines, name);
   // A last line without an end may be cut in the middle of its number.
-  if (title != Title || text.back() != '\n')
+  int bits = -1;
+  if (title != Title || text.back() != '\n' || !(lines >> bits) || bits < 0 ||
+      bits > MostFilterBits)
   {
     return false;
   }
@@ -124,6 +127,7 @@ bool vtkRadianceCostModel::SetText(const std::string& text)
     return false;
   }
   this->Name = name;
+  this->FilterWeightBits = bits;
   this->Costs = std::move(costs);
   this->Modified();
   return true;
@@ -138,6 +142,7 @@ void vtkRadianceCostModel::DeepCopy(vtkRadianceCostModel* source)
     return;
   }
   this->Costs = source->Costs;
+  this->FilterWeightBits = source->FilterWeightBits;
   this->Name = source->Name;
   this->Modified();
 }
@@ -147,6 +152,7 @@ void vtkRadianceCostModel::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Name: " << this->Name << "\n";
+  os << indent << "FilterWeightBits: " << this->FilterWeightBits << "\n";
   for (const auto& [name, cost] : this->Costs)
   {
     os << indent << name << ": " << cost << " ns\n";

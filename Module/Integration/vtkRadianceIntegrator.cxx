@@ -24,6 +24,8 @@ namespace
 // What the calling thread waits for between two looks at the abort flag and the progress.
 constexpr std::chrono::milliseconds BatchTime(50);
 
+constexpr int MostFilterBits = 23; // a float's
+
 glm::dvec3 GetDirection(vtkDataArray* array, vtkIdType index)
 {
   glm::dvec3 d(0.0);
@@ -164,6 +166,19 @@ void vtkRadianceIntegrator::CopyProperties(vtkRadianceIntegrator* source)
     values.push_back(size.Value);
   }
   this->SetSizes(values);
+  this->SetFilterWeightBits(source->FilterWeightBits);
+}
+
+//------------------------------------------------------------------------------
+// Not Modified(): then everything would be prepared anew.
+void vtkRadianceIntegrator::SetFilterWeightBits(int bits)
+{
+  this->FilterWeightBits = std::clamp(bits, 0, MostFilterBits);
+  if (bits != this->FilterWeightBits)
+  {
+    vtkWarningMacro("SetFilterWeightBits: found " << bits << ", expected 0 to " << MostFilterBits
+                                                  << "; set to " << this->FilterWeightBits << ".");
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -346,5 +361,6 @@ void vtkRadianceIntegrator::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "BRDF: " << this->BRDF.Get() << "\n";
   os << indent << "Environment: " << this->Environment.Get() << "\n";
+  os << indent << "FilterWeightBits: " << this->FilterWeightBits << "\n";
   os << indent << "Abort: " << (this->Abort ? "On" : "Off") << "\n";
 }

@@ -145,6 +145,7 @@ struct vtkRadiancePlanner::Internals
       hash.AddText(costs->GetCostName(k));
       hash.AddValue(costs->GetCost(costs->GetCostName(k)));
     }
+    hash.AddValue(costs->GetFilterWeightBits());
     hash.AddText(vtkRadianceMethods::GetNames());
     return hash.GetText();
   }

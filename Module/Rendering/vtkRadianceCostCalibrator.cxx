@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRadianceCostCalibrator.h"
 
+#include "FilterPrecision.h"
 #include "PlanCache.h"
 
 #include "vtkActor.h"
@@ -363,6 +364,11 @@ std::string vtkRadianceCostCalibrator::Measure(vtkRenderWindow* window, const st
     {
       return "a cost on " + name + " is out of range.";
     }
+  }
+  const int bits = measuredbrdf::MeasureFilterWeightBits(window);
+  if (bits >= 0) // else what nearly all have
+  {
+    model->SetFilterWeightBits(bits);
   }
   this->Impl->Model->DeepCopy(model);
   return "";

@@ -12,6 +12,9 @@
  * half or twice as much. A cost that drowns in BASE's counts as a hundredth of it, and BASE as a
  * tenth of a pixel with one light at least.
  *
+ * How many bits the weights of texture units have is measured, too: an edge between two texels is
+ * looked at in 8192 places, and the different values are counted.
+ *
  * What was measured is kept on disk per OpenGL vendor, renderer and version, and found again.
  * Nothing else should be at work on the machine meanwhile. Renderers that shade nothing which is
  * hidden by what comes later in the same draw call are measured by patches side by side only, and

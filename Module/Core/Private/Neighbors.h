@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Linear interpolation between samples at k + 1/2: indices and weights of two of n samples.
+ * Linear interpolation between samples at k + 1/2: indices and weights of two of n samples; and the
+ * steps in which texture units have these weights.
  */
 
 #ifndef Neighbors_h
@@ -18,6 +19,18 @@ struct Neighbors
   int First;
   int Second;
   double Weight; // of Second
+};
+
+/// Weights in steps of 2^-Bits; 0: any (vtkRadianceIntegrator::SetFilterWeightBits).
+struct FilterWeights
+{
+  int Bits = 0;
+
+  double Round(double weight) const
+  {
+    return this->Bits > 0 ? std::ldexp(std::round(std::ldexp(weight, this->Bits)), -this->Bits)
+                          : weight;
+  }
 };
 
 /// Neighbors of coordinate u in [0,1]; constant beyond the outermost samples.

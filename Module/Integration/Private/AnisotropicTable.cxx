@@ -13,7 +13,8 @@
 namespace measuredbrdf
 {
 // u: as profiles over theta_o are read; period: of the view's azimuth, in [0,1].
-glm::dvec3 AnisotropicTable::GetProfile(int layer, double u, double period) const
+glm::dvec3 AnisotropicTable::GetProfile(
+  int layer, double u, double period, const FilterWeights& filter) const
 {
   constexpr int angles = AnisotropicViews::Angles;
   constexpr int azimuths = AnisotropicViews::Azimuths;
@@ -21,11 +22,11 @@ glm::dvec3 AnisotropicTable::GetProfile(int layer, double u, double period) cons
   const int low = std::min(static_cast<int>(exact), angles - 2);
   return MixTexels(this->Profile, angles,
     static_cast<std::size_t>(layer) * static_cast<std::size_t>(angles * azimuths),
-    { low, low + 1, exact - low }, PeriodicNeighbors(period + 0.5 / azimuths, azimuths));
+    { low, low + 1, exact - low }, PeriodicNeighbors(period + 0.5 / azimuths, azimuths), filter);
 }
 
 glm::dvec3 AnisotropicTable::Evaluate(
-  const glm::dvec3& n, const glm::dvec3& o, const glm::dvec3& t) const
+  const glm::dvec3& n, const glm::dvec3& o, const glm::dvec3& t, const FilterWeights& filter) const
 {
   Frame frame = FrameAbout(n, t);
   glm::dvec3 view = LiftView(ToLocal(frame, o));
@@ -42,7 +43,7 @@ glm::dvec3 AnisotropicTable::Evaluate(
   const double u = GetProfilePosition(std::atan2(sine, view.z));
 
   // The axis, and the tangent carried there by the smallest rotation.
-  const glm::dvec3 parts = this->GetProfile(0, u, phi);
+  const glm::dvec3 parts = this->GetProfile(0, u, phi, filter);
   const glm::dvec2 level(
     parts.x * azimuth.x - parts.y * azimuth.y, parts.x * azimuth.y + parts.y * azimuth.x);
   const double up = std::sqrt(std::max(1.0 - glm::dot(level, level), 0.0));
@@ -65,18 +66,18 @@ glm::dvec3 AnisotropicTable::Evaluate(
     const auto map = [&](int psiIndex)
     {
       return GetMapValue(this->Radiance, this->Rows, this->Columns,
-        this->GetMap(k, psiIndex, again ? 0 : viewAzimuth), at);
+        this->GetMap(k, psiIndex, again ? 0 : viewAzimuth), at, filter);
     };
-    return glm::mix(map(turn.First), map(turn.Second), turn.Weight);
+    return glm::mix(map(turn.First), map(turn.Second), filter.Round(turn.Weight));
   };
   const auto between = [&](int k)
   { return glm::mix(value(k, first), value(k, first + 1), p - first); };
   glm::dvec3 sum = glm::mix(between(angle), between(angle + 1), w - angle);
-  sum *= this->GetProfile(1, u, phi);
+  sum *= this->GetProfile(1, u, phi, filter);
   if (this->HasFloor)
   {
-    sum += this->GetProfile(2, u, phi) *
-           GetOctahedralValue(*this->Irradiance, RadianceTable::IrradianceSide, n);
+    sum += this->GetProfile(2, u, phi, filter) *
+           GetOctahedralValue(*this->Irradiance, RadianceTable::IrradianceSide, n, filter);
   }
   return glm::max(sum, glm::dvec3(0.0));
 }

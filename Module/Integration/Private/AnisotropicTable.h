@@ -62,7 +62,8 @@ struct AnisotropicTable
   }
 
   /// Radiance towards o about the normal n, as the shader looks it up; t: a unit tangent or zero.
-  glm::dvec3 Evaluate(const glm::dvec3& n, const glm::dvec3& o, const glm::dvec3& t) const;
+  glm::dvec3 Evaluate(const glm::dvec3& n, const glm::dvec3& o, const glm::dvec3& t,
+    const FilterWeights& filter) const;
 
   ///@{
   /// The table as bytes, and back: false where they are not of a table of these sizes.
@@ -72,7 +73,7 @@ struct AnisotropicTable
 
 private:
   std::vector<std::uint64_t> GetSizes() const;
-  glm::dvec3 GetProfile(int layer, double u, double period) const;
+  glm::dvec3 GetProfile(int layer, double u, double period, const FilterWeights& filter) const;
 };
 } // namespace measuredbrdf
 

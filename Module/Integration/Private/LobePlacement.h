@@ -61,37 +61,39 @@ inline glm::dvec3 GetTexel(const std::vector<std::uint32_t>& data, int index)
 
 /// Between four texels of a map that begins at the given texel.
 template <typename Data>
-glm::dvec3 MixTexels(
-  const Data& data, int columns, std::size_t firstTexel, const Neighbors& x, const Neighbors& y)
+glm::dvec3 MixTexels(const Data& data, int columns, std::size_t firstTexel, const Neighbors& x,
+  const Neighbors& y, const FilterWeights& filter)
 {
+  const double weight = filter.Round(x.Weight);
   const auto row = [&](int k)
   {
     const int first = static_cast<int>(firstTexel) + columns * k;
-    return glm::mix(GetTexel(data, first + x.First), GetTexel(data, first + x.Second), x.Weight);
+    return glm::mix(GetTexel(data, first + x.First), GetTexel(data, first + x.Second), weight);
   };
-  return glm::mix(row(y.First), row(y.Second), y.Weight);
+  return glm::mix(row(y.First), row(y.Second), filter.Round(y.Weight));
 }
 
 /// Bilinear in a map with rows at the poles (MapNodes::Poles).
 template <typename Data>
-glm::dvec3 GetMapValue(
-  const Data& data, int rows, int columns, std::size_t firstTexel, const MapPosition& at)
+glm::dvec3 GetMapValue(const Data& data, int rows, int columns, std::size_t firstTexel,
+  const MapPosition& at, const FilterWeights& filter = {})
 {
   const double exact = at.Polar * (rows - 1);
   const int low = std::min(static_cast<int>(exact), rows - 2);
   return MixTexels(data, columns, firstTexel,
-    PeriodicNeighbors(at.Azimuth + 0.5 / columns, columns), { low, low + 1, exact - low });
+    PeriodicNeighbors(at.Azimuth + 0.5 / columns, columns), { low, low + 1, exact - low }, filter);
 }
 
 /// Bilinear in a map of cells' centers (MapNodes::Centers).
 inline glm::dvec3 GetCenteredValue(const std::vector<float>& data, int rows, int columns,
-  std::size_t firstTexel, const MapPosition& at)
+  std::size_t firstTexel, const MapPosition& at, const FilterWeights& filter)
 {
   return MixTexels(data, columns, firstTexel, PeriodicNeighbors(at.Azimuth, columns),
-    ClampedNeighbors(at.Polar, rows));
+    ClampedNeighbors(at.Polar, rows), filter);
 }
 
 /// A row of profiles over theta_o, LobeViews::NumberOfViews texels each, at u in [0,1].
+/// The shader's brdfProfile, whose weights are exact.
 inline glm::dvec3 GetProfileValue(const std::vector<float>& profile, int row, double u)
 {
   constexpr int size = LobeViews::NumberOfViews;
@@ -124,7 +126,8 @@ inline glm::dvec3 GetOctahedralDirection(const glm::dvec2& place)
 /// Bilinear in an octahedral map of side x side texels whose outer centers lie on the square's
 /// edge: there is no seam.
 template <typename Data>
-glm::dvec3 GetOctahedralValue(const Data& data, int side, const glm::dvec3& d)
+glm::dvec3 GetOctahedralValue(
+  const Data& data, int side, const glm::dvec3& d, const FilterWeights& filter = {})
 {
   const glm::dvec2 exact = (side - 1.0) * GetOctahedralPosition(d);
   const auto neighbors = [side](double at)
@@ -132,7 +135,7 @@ glm::dvec3 GetOctahedralValue(const Data& data, int side, const glm::dvec3& d)
     const int low = std::clamp(static_cast<int>(at), 0, side - 2);
     return Neighbors{ low, low + 1, at - low };
   };
-  return MixTexels(data, side, 0, neighbors(exact.x), neighbors(exact.y));
+  return MixTexels(data, side, 0, neighbors(exact.x), neighbors(exact.y), filter);
 }
 
 /// Where profiles are read for a view angle.

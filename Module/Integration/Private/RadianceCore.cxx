@@ -6,6 +6,8 @@
 #include "LobePlacement.h"
 #include "TableBytes.h"
 
+#include <glm/gtc/packing.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -60,7 +62,7 @@ double RadianceCore::AddFields(const CoreMode& mode, const FieldSynthesis& synth
   const float scale = peak > 0.0f ? LargestValue / peak : 1.0f;
   for (std::size_t k = first; k < this->Fields.size(); ++k)
   {
-    this->Fields[k] *= scale;
+    this->Fields[k] = glm::unpackHalf1x16(glm::packHalf1x16(scale * this->Fields[k]));
   }
   this->Orders.push_back(mode.Order);
   return 1.0 / static_cast<double>(scale);
@@ -103,7 +105,7 @@ bool RadianceCore::Make(const EnvironmentHarmonics& environment, const LobeViews
 }
 
 glm::dvec3 RadianceCore::Evaluate(
-  const glm::dvec3& n, const glm::dvec3& o, const glm::dvec3& t) const
+  const glm::dvec3& n, const glm::dvec3& o, const glm::dvec3& t, const FilterWeights& filter) const
 {
   const LobePlacement place(n, o, t);
   const glm::dvec3 axis = GetProfileValue(this->Profile, 0, place.U);
@@ -120,12 +122,12 @@ glm::dvec3 RadianceCore::Evaluate(
     {
       turn = glm::dvec2(turn.x * once.x - turn.y * once.y, turn.x * once.y + turn.y * once.x);
     }
-    glm::dvec3 field = GetCenteredValue(this->Fields, this->Rows, this->Columns, first, at);
+    glm::dvec3 field = GetCenteredValue(this->Fields, this->Rows, this->Columns, first, at, filter);
     first += texels;
     if (order > 0)
     {
       field = turn.x * field +
-              turn.y * GetCenteredValue(this->Fields, this->Rows, this->Columns, first, at);
+              turn.y * GetCenteredValue(this->Fields, this->Rows, this->Columns, first, at, filter);
       first += texels;
     }
     sum += field * GetProfileValue(this->Profile, static_cast<int>(1 + k), place.U);

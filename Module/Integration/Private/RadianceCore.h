@@ -19,6 +19,7 @@
 #include "CoreModes.h"
 #include "EnvironmentHarmonics.h"
 #include "LobeViews.h"
+#include "Neighbors.h"
 
 #include <glm/glm.hpp>
 
@@ -43,7 +44,7 @@ struct RadianceCore
   int Columns;
   std::vector<int> Orders;    // m of each mode, ascending
   std::vector<float> Profile; // RGB, ProfileSize x (1 + modes): (0, cos, sin delta); W_k
-  std::vector<float> Fields;  // RGB, Columns x Rows x fields: A_k and, for m > 0, B_k
+  std::vector<float> Fields;  // RGB, Columns x Rows x fields, of 16 bits: A_k and, for m > 0, B_k
 
   int GetNumberOfFields() const;
   std::size_t GetNumberOfTexels() const
@@ -53,7 +54,8 @@ struct RadianceCore
 
   /// Radiance, of either sign, towards o about the normal n, as the shader looks it up; t: a unit
   /// tangent or zero.
-  glm::dvec3 Evaluate(const glm::dvec3& n, const glm::dvec3& o, const glm::dvec3& t) const;
+  glm::dvec3 Evaluate(const glm::dvec3& n, const glm::dvec3& o, const glm::dvec3& t,
+    const FilterWeights& filter) const;
 
   /// What a table lacks of the kernels, by at most so many fields. goOn gets the share that is
   /// done; where it says false, so does this.

@@ -13,7 +13,7 @@
 namespace measuredbrdf
 {
 glm::dvec3 RadianceTable::Evaluate(
-  const glm::dvec3& n, const glm::dvec3& o, const glm::dvec3& t) const
+  const glm::dvec3& n, const glm::dvec3& o, const glm::dvec3& t, const FilterWeights& filter) const
 {
   const LobePlacement place(n, o, t);
   const double u = place.U;
@@ -25,15 +25,18 @@ glm::dvec3 RadianceTable::Evaluate(
   const double w = std::clamp(axis.x, 0.0, this->Angles - 1.0);
   const int angle = std::min(static_cast<int>(w), this->Angles - 2);
   const auto value = [&](int azimuth, int k)
-  { return GetMapValue(this->Radiance, this->Rows, this->Columns, this->GetMap(k, azimuth), at); };
+  {
+    return GetMapValue(
+      this->Radiance, this->Rows, this->Columns, this->GetMap(k, azimuth), at, filter);
+  };
   const auto between = [&](int k)
-  { return glm::mix(value(turn.First, k), value(turn.Second, k), turn.Weight); };
+  { return glm::mix(value(turn.First, k), value(turn.Second, k), filter.Round(turn.Weight)); };
   glm::dvec3 sum = glm::mix(between(angle), between(angle + 1), w - angle);
   sum *= GetProfileValue(this->Profile, 1, u);
   if (this->HasFloor)
   {
     sum += GetProfileValue(this->Profile, 2, u) *
-           GetOctahedralValue(*this->Irradiance, IrradianceSide, n);
+           GetOctahedralValue(*this->Irradiance, IrradianceSide, n, filter);
   }
   return glm::max(sum, glm::dvec3(0.0));
 }

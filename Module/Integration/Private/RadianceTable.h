@@ -9,6 +9,7 @@
 #define RadianceTable_h
 
 #include "LobeViews.h"
+#include "Neighbors.h"
 
 #include <glm/glm.hpp>
 
@@ -56,7 +57,8 @@ struct RadianceTable
   }
 
   /// Radiance towards o about the normal n, as the shader looks it up; t: a unit tangent or zero.
-  glm::dvec3 Evaluate(const glm::dvec3& n, const glm::dvec3& o, const glm::dvec3& t) const;
+  glm::dvec3 Evaluate(const glm::dvec3& n, const glm::dvec3& o, const glm::dvec3& t,
+    const FilterWeights& filter) const;
 
   ///@{
   /// The table as bytes, and back: false where they are not of a table of these sizes.

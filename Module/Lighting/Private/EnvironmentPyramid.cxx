@@ -280,15 +280,16 @@ float EnvironmentPyramid::GetLevel(double solidAngle) const
   return static_cast<float>(0.5 * std::log2(std::max(solidAngle / texel, 1e-30)));
 }
 
-glm::vec3 EnvironmentPyramid::Bilinear(int level, float u, float v) const
+glm::vec3 EnvironmentPyramid::Bilinear(
+  int level, float u, float v, const FilterWeights& filter) const
 {
   const float size = static_cast<float>(this->Size >> level);
   const float x = u * size + 0.5f;
   const float y = v * size + 0.5f;
   const int x0 = static_cast<int>(x);
   const int y0 = static_cast<int>(y);
-  const float fx = x - static_cast<float>(x0);
-  const float fy = y - static_cast<float>(y0);
+  const float fx = static_cast<float>(filter.Round(x - static_cast<float>(x0)));
+  const float fy = static_cast<float>(filter.Round(y - static_cast<float>(y0)));
   const std::size_t stride = static_cast<std::size_t>(this->Size + 2);
   const glm::vec4* row =
     &this->Atlas[static_cast<std::size_t>(this->Offsets[static_cast<std::size_t>(level)] + y0) *
@@ -299,7 +300,8 @@ glm::vec3 EnvironmentPyramid::Bilinear(int level, float u, float v) const
   return glm::vec3(low + fy * (high - low));
 }
 
-glm::vec3 EnvironmentPyramid::Sample(const glm::vec3& d, float lod) const
+glm::vec3 EnvironmentPyramid::Sample(
+  const glm::vec3& d, float lod, const FilterWeights& filter) const
 {
   const float r = std::sqrt(std::max(1.0f - std::abs(d.z), 0.0f));
   float v = r * Quadrant(std::abs(d.y), std::abs(d.x));
@@ -318,7 +320,7 @@ glm::vec3 EnvironmentPyramid::Sample(const glm::vec3& d, float lod) const
   const float clamped = std::clamp(lod, 0.0f, static_cast<float>(last));
   const int level = std::min(static_cast<int>(clamped), std::max(last - 1, 0));
   const float t = clamped - static_cast<float>(level);
-  const glm::vec3 fine = this->Bilinear(level, u, v);
-  return last > 0 && t > 0.0f ? fine + t * (this->Bilinear(level + 1, u, v) - fine) : fine;
+  const glm::vec3 fine = this->Bilinear(level, u, v, filter);
+  return last > 0 && t > 0.0f ? fine + t * (this->Bilinear(level + 1, u, v, filter) - fine) : fine;
 }
 } // namespace measuredbrdf

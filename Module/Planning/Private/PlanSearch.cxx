@@ -6,6 +6,7 @@
 #include "vtkBRDFShaderInputs.h"
 #include "vtkCommand.h"
 #include "vtkNew.h"
+#include "vtkRadianceCostModel.h"
 #include "vtkRadianceMethods.h"
 
 #include <algorithm>
@@ -194,8 +195,13 @@ bool PlanSearch::Prepare(PlanCandidate& candidate)
     this->Task.BRDF->GetShaderInputs(form);
     candidate.Bytes += static_cast<vtkIdType>(form.GetTextureBytes());
   }
+  // As the renderer's texture units would.
   vtkNew<vtkDoubleArray> radiance;
-  if (!candidate.Integrator->Integrate(this->Pairs.Normals, this->Pairs.Views, radiance))
+  candidate.Integrator->SetFilterWeightBits(this->Task.Costs->GetFilterWeightBits());
+  const bool integrated =
+    candidate.Integrator->Integrate(this->Pairs.Normals, this->Pairs.Views, radiance);
+  candidate.Integrator->SetFilterWeightBits(0);
+  if (!integrated)
   {
     return false;
   }
