@@ -206,6 +206,9 @@ void MeasuredHybrid(benchmark::State& state)
   mapper->SetIntegrator(integrator);
   scene.Actor->SetMapper(mapper);
   scene.Measure(state, 0);
+  integrator->SetBRDF(brdf); // the mapper draws a copy
+  integrator->SetEnvironment(hall);
+  integrator->Prepare();
   state.counters["lights"] = integrator->GetNumberOfLights();
   state.counters["bytes"] = static_cast<double>(mapper->GetTextureBytes());
 }
