@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAdaptiveWarpBRDF.h"
 
+#include "AnisotropicResampler.h"
 #include "BilinearWarp.h"
 #include "ContentHash.h"
 #include "HalfVector.h"
@@ -29,6 +30,21 @@ struct vtkAdaptiveWarpBRDF::Warps
   BilinearWarp Vndf;
   BilinearWarp Luminance;
   BilinearWarp Rgb[3];
+  int Parts = 1;                       // of a turn that phi_i spans, 1, 2 or 4
+  glm::dvec2 Middle = glm::dvec2(0.0); // of phi_i, as a direction
+
+  /// What x, y and z are multiplied by so that phi_i lies in its span: the same material.
+  glm::dvec3 GetFold(const glm::dvec3& incident) const
+  {
+    const glm::dvec2 along = glm::dvec2(incident) * this->Middle;
+    if (this->Parts == 2 && along.x + along.y < 0.0) // half a turn
+    {
+      return glm::dvec3(-1.0, -1.0, 1.0);
+    }
+    return this->Parts == 4
+             ? glm::dvec3(along.x < 0.0 ? -1.0 : 1.0, along.y < 0.0 ? -1.0 : 1.0, 1.0)
+             : glm::dvec3(1.0);
+  }
 };
 
 namespace
@@ -176,9 +192,12 @@ std::string vtkAdaptiveWarpBRDF::SetTables(Tables tables)
   if (tables.PhiI.size() > 2)
   {
     const double span = static_cast<double>(tables.PhiI.back()) - tables.PhiI.front();
-    if (std::abs(span - 2.0 * Pi) > 0.1)
+    const double parts = 2.0 * Pi / span;
+    const double whole = std::round(parts);
+    if ((whole != 1.0 && whole != 2.0 && whole != 4.0) || std::abs(parts - whole) > 0.05)
     {
-      return "phi_i: expected the full turn (files reduced by mirror symmetry are not supported)";
+      return "phi_i: found a span of " + std::to_string(span * 180.0 / Pi) +
+             " degrees, expected 360, 180 or 90";
     }
   }
   for (const std::string& problem :
@@ -199,6 +218,13 @@ std::string vtkAdaptiveWarpBRDF::SetTables(Tables tables)
     return BilinearWarp(
       table.Values, table.Shape[rank - 1], table.Shape[rank - 2], parameters, density);
   };
+  if (tables.PhiI.size() > 2)
+  {
+    const double middle = 0.5 * (static_cast<double>(tables.PhiI.back()) + tables.PhiI.front());
+    warps->Parts = static_cast<int>(
+      std::lround(2.0 * Pi / (static_cast<double>(tables.PhiI.back()) - tables.PhiI.front())));
+    warps->Middle = glm::dvec2(std::cos(middle), std::sin(middle));
+  }
   warps->Ndf = build(tables.Ndf, {}, false);
   warps->Sigma = build(tables.Sigma, {}, false);
   warps->Vndf = build(tables.Vndf, axes, true);
@@ -232,8 +258,9 @@ void vtkAdaptiveWarpBRDF::EvaluateAbove(const double i[3], const double o[3], do
     return;
   }
   // The tables hold f cos(theta_o) = rgb(s) ndf(h) / (4 sigma(i)), s = vndf^-1(h; i).
-  const Coordinates c =
-    ToCoordinates(glm::make_vec3(i), glm::make_vec3(o), this->Data.PhiI.size() <= 2);
+  const glm::dvec3 signs = this->Warp->GetFold(glm::make_vec3(i));
+  const Coordinates c = ToCoordinates(
+    signs * glm::make_vec3(i), signs * glm::make_vec3(o), this->Data.PhiI.size() <= 2);
   const BilinearWarp::Slices none = this->Warp->Ndf.FindSlices(nullptr);
   const BilinearWarp::Slices slices = this->Warp->Vndf.FindSlices(c.Incident);
   double density = 0.0;
@@ -259,7 +286,8 @@ bool vtkAdaptiveWarpBRDF::SampleAbove(const double o[3], double u1, double u2, d
   }
   // The warps draw the view for a light. Here the view is given, so it plays the light: measured
   // materials are nearly reciprocal, and f cos / pdf corrects what is left.
-  const glm::dvec3 incident = glm::make_vec3(o);
+  const glm::dvec3 signs = this->Warp->GetFold(glm::make_vec3(o));
+  const glm::dvec3 incident = signs * glm::make_vec3(o);
   const bool isotropic = this->Data.PhiI.size() <= 2;
   const double phi = std::atan2(incident.y, incident.x);
   const double parameters[2] = { phi, Elevation(incident) };
@@ -271,7 +299,7 @@ bool vtkAdaptiveWarpBRDF::SampleAbove(const double o[3], double u1, double u2, d
   const double phiH = (2.0 * u.y - 1.0) * Pi + (isotropic ? phi : 0.0);
   const glm::dvec3 h(
     std::sin(thetaH) * std::cos(phiH), std::sin(thetaH) * std::sin(phiH), std::cos(thetaH));
-  const glm::dvec3 direction = ReflectAbout(incident, h);
+  const glm::dvec3 direction = signs * ReflectAbout(incident, h);
   std::copy_n(glm::value_ptr(direction), 3, i);
   return direction.z > 0.0 && glm::dot(incident, h) > 0.0;
 }
@@ -283,8 +311,11 @@ double vtkAdaptiveWarpBRDF::PdfAbove(const double i[3], const double o[3])
   {
     return this->Superclass::PdfAbove(i, o);
   }
-  const glm::dvec3 incident = glm::make_vec3(o); // the view plays the light, as in SampleAbove
-  const Coordinates c = ToCoordinates(incident, glm::make_vec3(i), this->Data.PhiI.size() <= 2);
+  const glm::dvec3 signs = this->Warp->GetFold(glm::make_vec3(o));
+  const glm::dvec3 incident =
+    signs * glm::make_vec3(o); // the view plays the light, as in SampleAbove
+  const Coordinates c =
+    ToCoordinates(incident, signs * glm::make_vec3(i), this->Data.PhiI.size() <= 2);
   const BilinearWarp::Slices slices = this->Warp->Vndf.FindSlices(c.Incident);
   double density = 0.0;
   const glm::dvec2 s = this->Warp->Vndf.Invert(c.UnitHalf, slices, density);
@@ -325,21 +356,27 @@ vtkBRDF* vtkAdaptiveWarpBRDF::GetRenderable()
 {
   if (!this->Resampled || this->ResampledTolerance != this->ResamplingTolerance)
   {
-    vtkNew<vtkBRDFResampler> resampler;
-    resampler->SetInput(this);
-    resampler->SetTolerance(this->ResamplingTolerance);
-    if (!this->IsIsotropic())
+    double error = 0.0;
+    if (this->IsIsotropic())
     {
-      vtkWarningMacro(<< Quote(this->Name)
-                      << " is anisotropic; what shaders get is isotropic (the view's azimuth 0).");
+      vtkNew<vtkBRDFResampler> resampler;
+      resampler->SetInput(this);
+      resampler->SetTolerance(this->ResamplingTolerance);
+      resampler->Resample();
+      error = resampler->GetOutput()->GetResamplingError();
+      this->Resampled = resampler->GetOutput();
     }
-    if (!resampler->Resample())
+    else
     {
-      vtkWarningMacro(<< Quote(this->Name) << ": resampling for shaders keeps an error of "
-                      << resampler->GetOutput()->GetResamplingError() << ", asked for "
-                      << this->ResamplingTolerance << ".");
+      const auto table = ResampleAnisotropic(this, this->ResamplingTolerance);
+      error = table->GetResamplingError();
+      this->Resampled = table;
     }
-    this->Resampled = resampler->GetOutput();
+    if (error > this->ResamplingTolerance)
+    {
+      vtkWarningMacro(<< Quote(this->Name) << ": resampling for shaders keeps an error of " << error
+                      << ", asked for " << this->ResamplingTolerance << ".");
+    }
     this->Resampled->SetResamplingTolerance(this->ResamplingTolerance);
     this->Resampled->SetName(this->Name);
     this->Resampled->SetSource(this->Source);

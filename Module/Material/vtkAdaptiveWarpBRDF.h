@@ -12,9 +12,10 @@
  *
  * Not reciprocal in general: measured values keep their asymmetry.
  *
- * For the GPU the material is resampled into a vtkTabulatedBRDF over half and difference angles,
- * with phi_d over the full turn to keep the asymmetry; see GetRenderable(). The table grows until
- * it meets ResamplingTolerance. If no size does, the best one is used, with one warning.
+ * For the GPU the material is resampled into a vtkTabulatedBRDF or, where it is anisotropic, a
+ * vtkAnisotropicTabulatedBRDF, over half and difference angles, with phi_d over the full turn to
+ * keep the asymmetry; see GetRenderable(). The table grows until it meets ResamplingTolerance. If
+ * no size does, the best one is used, with one warning.
  */
 
 #ifndef vtkAdaptiveWarpBRDF_h
@@ -24,8 +25,6 @@
 
 #include <memory> // for warps
 #include <vector> // for tables
-
-class vtkTabulatedBRDF;
 
 class VTKMEASUREDBRDF_EXPORT vtkAdaptiveWarpBRDF : public vtkBRDF
 {
@@ -46,6 +45,8 @@ public:
   /**
    * The fields of the database's tensor files: theta_i [T] and phi_i [P] in radians, ascending; ndf
    * and sigma [.,.]; vndf [P,T,.,.]; luminance [P,T,R,R]; rgb [P,T,3,R,R]. P <= 2: isotropic.
+   * phi_i spans the full turn; half of it, where the material is the same after half a turn; or a
+   * quarter, where it is mirror-symmetric, too (as Mitsuba 3's "measured" reads such files).
    */
   struct Tables
   {
@@ -95,7 +96,7 @@ private:
 
   struct Warps;
   std::shared_ptr<const Warps> Warp;
-  vtkSmartPointer<vtkTabulatedBRDF> Resampled;
+  vtkSmartPointer<vtkBRDF> Resampled;
   double ResampledTolerance = 0.0; // the tolerance for which Resampled was made
 };
 

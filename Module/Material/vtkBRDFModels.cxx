@@ -5,6 +5,7 @@
 #include "Printable.h"
 #include "Registry.h"
 #include "vtkAdaptiveWarpBRDF.h"
+#include "vtkAnisotropicTabulatedBRDF.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBRDFData.h"
 #include "vtkBRDFExchange.h"
@@ -35,9 +36,9 @@ constexpr int MaximumDepth = 16; // of terms in terms
 // Never destroyed: programs may read files until their very end.
 Registry<vtkBRDF>& GetRegistry()
 {
-  static auto* registry = new Registry<vtkBRDF>(
-    Registry<vtkBRDF>::Make<vtkLambertBRDF, vtkBlinnPhongBRDF, vtkAshikhminShirleyBRDF,
-      vtkDistributionBRDF, vtkTabulatedBRDF, vtkBasisBRDF, vtkAdaptiveWarpBRDF, vtkSumBRDF>());
+  static auto* registry = new Registry<vtkBRDF>(Registry<vtkBRDF>::Make<vtkLambertBRDF,
+    vtkBlinnPhongBRDF, vtkAshikhminShirleyBRDF, vtkDistributionBRDF, vtkTabulatedBRDF,
+    vtkAnisotropicTabulatedBRDF, vtkBasisBRDF, vtkAdaptiveWarpBRDF, vtkSumBRDF>());
   return *registry;
 }
 

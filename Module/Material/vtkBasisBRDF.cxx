@@ -300,7 +300,7 @@ void vtkBasisBRDF::Prepare()
   }
   constexpr int nTheta = 45;
   this->Cached->Sampler = std::make_unique<HalfVectorSampler>(
-    MeanOverDifferenceAngles(nTheta,
+    MeanOverDifferenceAngles(nTheta, 1,
       [this](const double i[3], const double o[3], double f[3]) { this->Evaluate(i, o, f); }),
     nTheta, 1, 0.5);
 }

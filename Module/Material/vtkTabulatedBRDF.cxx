@@ -285,7 +285,7 @@ void vtkTabulatedBRDF::Prepare()
   // Density of h from the table itself: mean over the difference angles.
   constexpr int nTheta = 90;
   this->HalfVectorSampler = std::make_unique<Sampler>(
-    MeanOverDifferenceAngles(nTheta,
+    MeanOverDifferenceAngles(nTheta, 1,
       [this](const double i[3], const double o[3], double f[3]) { this->Evaluate(i, o, f); }),
     nTheta, 1, 0.5);
 }

@@ -8,6 +8,7 @@
 
 #include "vtkAdaptiveWarpBRDF.h"
 #include "vtkAnisotropicTableRadianceIntegrator.h"
+#include "vtkAnisotropicTabulatedBRDF.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBRDFReader.h"
 #include "vtkBasisBRDF.h"
@@ -365,6 +366,25 @@ TEST_F(Parity, Tables)
         }
       }
     }
+  }
+}
+
+TEST_F(Parity, AnisotropicTables)
+{
+  vtkNew<vtkAshikhminShirleyBRDF> brushed;
+  brushed->SetReflectance(0.4, 0.3, 0.2);
+  brushed->SetDiffuse(0.2, 0.2, 0.2);
+  brushed->SetExponents(5.0, 60.0);
+  for (const int range : { 0, 1 })
+  {
+    vtkNew<vtkAnisotropicTabulatedBRDF> table;
+    const int size[4] = { 12, 10, range == 0 ? 7 : 14, 16 };
+    ASSERT_TRUE(table->Resample(brushed, range, size));
+    this->Check("anisotropic table, 16 bits", table, 2e-3);
+    table->SetResamplingTolerance(1e-4);
+    this->Check("anisotropic table, 32 bits", table, 1e-4);
+    table->SetCosineWeighted(false);
+    this->Check("anisotropic table of f", table, 1e-4);
   }
 }
 

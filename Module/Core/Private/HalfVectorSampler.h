@@ -18,16 +18,22 @@
 namespace measuredbrdf
 {
 /**
- * Weights for a HalfVectorSampler of nTheta x 1 cells from a BRDF itself: sum of RGB times
+ * Weights for a HalfVectorSampler of nTheta x nPhi cells from a BRDF itself: sum of RGB times
  * cos(theta_i), averaged over the difference angles. evaluate(i, o, f).
  */
 template <typename Function>
-std::vector<double> MeanOverDifferenceAngles(int nTheta, Function evaluate)
+std::vector<double> MeanOverDifferenceAngles(int nTheta, int nPhi, Function evaluate)
 {
   constexpr int nThetaD = 16, nPhiD = 8;
-  std::vector<double> weights(static_cast<std::size_t>(nTheta), 0.0);
-  for (int t = 0; t < nTheta; ++t)
+  std::vector<double> weights(static_cast<std::size_t>(nTheta * nPhi), 0.0);
+  for (int cell = 0; cell < nTheta * nPhi; ++cell)
   {
+    const int t = cell % nTheta;
+    const double phi = 2.0 * Pi * (cell / nTheta + 0.5) / nPhi;
+    const double cosine = nPhi > 1 ? std::cos(phi) : 1.0; // any azimuth where there is one
+    const double sine = nPhi > 1 ? std::sin(phi) : 0.0;
+    const auto turn = [cosine, sine](const glm::dvec3& d)
+    { return glm::dvec3(cosine * d.x - sine * d.y, sine * d.x + cosine * d.y, d.z); };
     for (int d = 0; d < nThetaD; ++d)
     {
       for (int p = 0; p < nPhiD; ++p)
@@ -36,9 +42,11 @@ std::vector<double> MeanOverDifferenceAngles(int nTheta, Function evaluate)
         FromHalfDifference({ UnitToThetaH((t + 0.5) / nTheta), 0.5 * Pi * (d + 0.5) / nThetaD,
                              2.0 * Pi * (p + 0.5) / nPhiD },
           i, o);
+        i = turn(i);
+        o = turn(o);
         double f[3];
         evaluate(&i.x, &o.x, f);
-        weights[static_cast<std::size_t>(t)] += (f[0] + f[1] + f[2]) * i.z;
+        weights[static_cast<std::size_t>(cell)] += (f[0] + f[1] + f[2]) * i.z;
       }
     }
   }

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AnisotropicViews.h"
 
+#include "HalfTurn.h"
 #include "HalfVector.h" // for Pi
 #include "LobeQuadrature.h"
 #include "LobeViews.h"
-#include "LowDiscrepancy.h"
 #include "vtkBRDF.h"
 #include "vtkSMPTools.h"
 
@@ -16,40 +16,7 @@ namespace measuredbrdf
 {
 namespace
 {
-constexpr int Cells = 256;  // of a view's quadrature
-constexpr int Probes = 128; // pairs that tell whether f repeats itself
-constexpr double LargestDifference = 1e-4;
-
-glm::dvec3 ToDirection(double z, double turn)
-{
-  const double s = std::sqrt(1.0 - z * z);
-  return glm::dvec3(s * std::cos(2.0 * Pi * turn), s * std::sin(2.0 * Pi * turn), z);
-}
-
-// Brushed metal is the same after half a turn; cloth with a nap is not.
-bool IsSameAfterHalfATurn(vtkBRDF* brdf)
-{
-  const glm::dvec3 turn(-1.0, -1.0, 1.0);
-  double difference = 0.0;
-  for (unsigned int k = 1; k <= Probes; ++k)
-  {
-    const glm::dvec3 o = ToDirection(RadicalInverse(k, 2), RadicalInverse(k, 3));
-    glm::dvec3 i = ToDirection(RadicalInverse(k, 5), RadicalInverse(k, 7));
-    if (k % 2 == 0) // about the mirror direction, where a lobe is
-    {
-      i = glm::normalize(glm::dvec3(-o.x, -o.y, o.z) + 0.3 * i);
-    }
-    const glm::dvec3 turnedI = i * turn, turnedO = o * turn;
-    glm::dvec3 f, turned;
-    brdf->Evaluate(&i.x, &o.x, &f.x);
-    brdf->Evaluate(&turnedI.x, &turnedO.x, &turned.x);
-    // Relative, so that a bright lobe does not hide what is dim.
-    const glm::dvec3 d = glm::abs(f - turned);
-    const double both = f.x + f.y + f.z + turned.x + turned.y + turned.z;
-    difference += both > 0.0 ? (d.x + d.y + d.z) / both : 0.0;
-  }
-  return difference <= LargestDifference * Probes;
-}
+constexpr int Cells = 256; // of a view's quadrature
 }
 
 glm::dvec3 AnisotropicViews::GetView(double theta, double phi)

@@ -4,6 +4,7 @@
 #include "NeedsLibrary.h"
 #include "TestIOHelpers.h"
 
+#include "vtkAnisotropicTabulatedBRDF.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBRDFExchange.h"
 #include "vtkBRDFModels.h"
@@ -330,6 +331,30 @@ TEST(IOExrRoundTrip, Tabulated)
       EXPECT_TRUE(SameBits(material->GetVolume(), back->GetVolume()));
       EXPECT_EQ(back->GetNumberOfInvalidCells(), 1);
     }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(IOExrRoundTrip, AnisotropicTabulated)
+{
+  NEEDS_OPENEXR();
+  for (const int range : { 0, 1 })
+  {
+    vtkNew<vtkAnisotropicTabulatedBRDF> material;
+    const int size[4] = { 3, 2, 5, 4 };
+    ASSERT_TRUE(material->SetVolume(range, size, MakeValues(3 * 3 * 2 * 5 * 4)));
+    material->SetResamplingError(0.1 + 0.2);
+    material->SetCosineWeighted(range == 1);
+    const auto back = RoundTrip(material.Get());
+    ASSERT_TRUE(back);
+    EXPECT_EQ(back->GetAzimuthRange(), range);
+    EXPECT_EQ(back->GetCosineWeighted(), range == 1);
+    EXPECT_EQ(back->GetResamplingError(), 0.1 + 0.2);
+    for (int axis = 0; axis < 4; ++axis)
+    {
+      EXPECT_EQ(back->GetDimensions()[axis], size[axis]);
+    }
+    EXPECT_TRUE(SameBits(material->GetVolume(), back->GetVolume()));
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include "ErrorCatcher.h"
 #include "vtkAdaptiveWarpBRDF.h"
+#include "vtkAnisotropicTabulatedBRDF.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBRDFReader.h"
 #include "vtkBRDFResampler.h"
@@ -141,6 +142,10 @@ std::vector<std::pair<std::string, vtkSmartPointer<vtkBRDF>>> MakeAll()
     resampler->ResampleTo(16, 24, 48);
     all.emplace_back(reciprocal ? "table, reciprocal" : "table", resampler->GetOutput());
   }
+  auto anisotropic = vtkSmartPointer<vtkAnisotropicTabulatedBRDF>::New();
+  const int size[4] = { 16, 16, 24, 32 };
+  anisotropic->Resample(ashikhmin, vtkAnisotropicTabulatedBRDF::FULL_TURN, size);
+  all.emplace_back("anisotropic table", anisotropic);
   all.emplace_back("adaptive warp", MakeAdaptiveWarp());
   all.emplace_back("zonal basis", MakeBasis(vtkBasisBRDF::ZONAL, 1));
   all.emplace_back("Legendre x Fourier basis", MakeBasis(vtkBasisBRDF::LEGENDRE_FOURIER, 4));

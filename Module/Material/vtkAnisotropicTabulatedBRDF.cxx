@@ -1,0 +1,378 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkAnisotropicTabulatedBRDF.h"
+
+#include "ContentHash.h"
+#include "HalfVector.h"
+#include "HalfVectorSampler.h"
+#include "ModuleShader.h"
+#include "Neighbors.h"
+#include "Setters.h"
+#include "vtkBRDFAnisotropicTable.h"
+#include "vtkBRDFExchange.h"
+#include "vtkBRDFShaderInputs.h"
+#include "vtkObjectFactory.h"
+#include "vtkSMPTools.h"
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+using namespace measuredbrdf;
+
+vtkStandardNewMacro(vtkAnisotropicTabulatedBRDF);
+
+struct vtkAnisotropicTabulatedBRDF::Sampler : public HalfVectorSampler
+{
+  using HalfVectorSampler::HalfVectorSampler;
+};
+
+namespace
+{
+constexpr int SamplerTheta = 64; // cells of the sampling density
+constexpr int SamplerPhi = 32;
+constexpr double LobeShare = 0.5;
+
+std::size_t CountCells(const int dimensions[4])
+{
+  std::size_t cells = 1;
+  for (int axis = 0; axis < 4; ++axis)
+  {
+    cells *= static_cast<std::size_t>(dimensions[axis]);
+  }
+  return cells;
+}
+
+double ToRadians(int azimuthRange)
+{
+  return azimuthRange == vtkAnisotropicTabulatedBRDF::HALF_TURN ? Pi : 2.0 * Pi;
+}
+
+glm::dvec3 TurnBy(double phi, const glm::dvec3& d)
+{
+  const double c = std::cos(phi), s = std::sin(phi);
+  return glm::dvec3(c * d.x - s * d.y, s * d.x + c * d.y, d.z);
+}
+
+// A sample's directions, slid along theta_d to just above the horizon where they lie below: values
+// there are seen by interpolation only.
+void GetCell(
+  int azimuthRange, const int dimensions[4], const int index[4], glm::dvec3& i, glm::dvec3& o)
+{
+  HalfDifference angles{ UnitToThetaH((index[3] + 0.5) / dimensions[3]),
+    0.5 * Pi * (index[1] + 0.5) / dimensions[1], 2.0 * Pi * (index[0] + 0.5) / dimensions[0] };
+  const double horizon =
+    std::atan2(std::cos(angles.ThetaH), std::sin(angles.ThetaH) * std::abs(std::cos(angles.PhiD)));
+  angles.ThetaD = std::min(angles.ThetaD, horizon * (1.0 - 1e-4));
+  FromHalfDifference(angles, i, o);
+  const double phi = ToRadians(azimuthRange) * (index[2] + 0.5) / dimensions[2];
+  i = TurnBy(phi, i);
+  o = TurnBy(phi, o);
+}
+}
+
+//------------------------------------------------------------------------------
+vtkAnisotropicTabulatedBRDF::vtkAnisotropicTabulatedBRDF() = default;
+
+//------------------------------------------------------------------------------
+vtkAnisotropicTabulatedBRDF::~vtkAnisotropicTabulatedBRDF() = default;
+
+//------------------------------------------------------------------------------
+measuredbrdfSetClampedMacro(vtkAnisotropicTabulatedBRDF, ResamplingError, double, 0.0, 1e6);
+
+//------------------------------------------------------------------------------
+void vtkAnisotropicTabulatedBRDF::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "AzimuthRange: " << (this->AzimuthRange == HALF_TURN ? "pi" : "2 pi") << "\n";
+  os << indent << "Dimensions: " << this->Dimensions[0] << " " << this->Dimensions[1] << " "
+     << this->Dimensions[2] << " " << this->Dimensions[3] << "\n";
+  os << indent << "CosineWeighted: " << (this->CosineWeighted ? "On" : "Off") << "\n";
+  os << indent << "ResamplingError: " << this->ResamplingError << "\n";
+}
+
+//------------------------------------------------------------------------------
+std::string vtkAnisotropicTabulatedBRDF::FindProblem(
+  int azimuthRange, const int dimensions[4]) const
+{
+  const char* const names[] = { "phi_d", "theta_d", "phi_h", "theta_h" };
+  const int most = MaximumSamples; // not a reference to the constant
+  for (int axis = 0; axis < 4; ++axis)
+  {
+    if (dimensions[axis] < 1 || dimensions[axis] > most)
+    {
+      return "found " + std::to_string(dimensions[axis]) + " samples along " + names[axis] +
+             ", expected 1 to " + std::to_string(most);
+    }
+  }
+  if (dimensions[1] * dimensions[2] > most)
+  {
+    return "found " + std::to_string(dimensions[1]) + " x " + std::to_string(dimensions[2]) +
+           " samples along theta_d and phi_h, expected a product of at most " +
+           std::to_string(most);
+  }
+  if (azimuthRange < HALF_TURN || azimuthRange > FULL_TURN)
+  {
+    return "found azimuth range " + std::to_string(azimuthRange) + ", expected 0 or 1";
+  }
+  return "";
+}
+
+//------------------------------------------------------------------------------
+bool vtkAnisotropicTabulatedBRDF::SetVolume(
+  int azimuthRange, const int dimensions[4], std::vector<float> rgb)
+{
+  std::string problem = this->FindProblem(azimuthRange, dimensions);
+  if (problem.empty() && rgb.size() != 3 * CountCells(dimensions))
+  {
+    problem = "found " + std::to_string(rgb.size()) + " values, expected " +
+              std::to_string(3 * CountCells(dimensions));
+  }
+  const auto bad =
+    std::find_if(rgb.begin(), rgb.end(), [](float value) { return !std::isfinite(value); });
+  if (problem.empty() && bad != rgb.end())
+  {
+    problem = "value " + std::to_string(bad - rgb.begin()) + " is not finite";
+  }
+  if (!problem.empty())
+  {
+    vtkErrorMacro("SetVolume: " << problem << "; the volume stays.");
+    return false;
+  }
+  this->AzimuthRange = azimuthRange;
+  std::copy_n(dimensions, 4, this->Dimensions);
+  this->Volume = std::move(rgb);
+  this->HalfVectorSampler.reset();
+  this->Modified();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkAnisotropicTabulatedBRDF::Resample(
+  vtkBRDF* source, int azimuthRange, const int dimensions[4])
+{
+  const std::string problem =
+    source ? this->FindProblem(azimuthRange, dimensions) : "there is no source";
+  if (!problem.empty())
+  {
+    vtkErrorMacro("Resample: " << problem << "; the volume stays.");
+    return false;
+  }
+  source->Prepare();
+  const vtkIdType rows = static_cast<vtkIdType>(dimensions[2]) * dimensions[3];
+  const std::size_t row = 3u * static_cast<std::size_t>(dimensions[0] * dimensions[1]);
+  std::vector<float> rgb(row * static_cast<std::size_t>(rows));
+  vtkSMPTools::For(0, rows,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType k = begin; k < end; ++k)
+      {
+        float* value = &rgb[row * static_cast<std::size_t>(k)];
+        for (int cell = 0; cell < dimensions[0] * dimensions[1]; ++cell)
+        {
+          const int index[4] = { cell % dimensions[0], cell / dimensions[0],
+            static_cast<int>(k % dimensions[2]), static_cast<int>(k / dimensions[2]) };
+          glm::dvec3 i, o, f;
+          GetCell(azimuthRange, dimensions, index, i, o);
+          source->Evaluate(&i.x, &o.x, &f.x);
+          for (int c = 0; c < 3; ++c)
+          {
+            *value++ = static_cast<float>(
+              std::min(f[c] * o.z, static_cast<double>(std::numeric_limits<float>::max())));
+          }
+        }
+      }
+    });
+  this->SetCosineWeighted(true);
+  return this->SetVolume(azimuthRange, dimensions, std::move(rgb));
+}
+
+//------------------------------------------------------------------------------
+void vtkAnisotropicTabulatedBRDF::EvaluateAbove(const double i[3], const double o[3], double f[3])
+{
+  if (this->Volume.empty())
+  {
+    return;
+  }
+  const glm::dvec3 light = glm::make_vec3(i), view = glm::make_vec3(o);
+  const HalfDifference angles = ToHalfDifference(light, view);
+  const glm::dvec3 h = HalfVector(light, view);
+  const double phiH = std::hypot(h.x, h.y) > 1e-7 ? std::atan2(h.y, h.x) : 0.0;
+  const Neighbors axes[4] = { PeriodicNeighbors(angles.PhiD / (2.0 * Pi), this->Dimensions[0]),
+    ClampedNeighbors(angles.ThetaD * (2.0 / Pi), this->Dimensions[1]),
+    PeriodicNeighbors(phiH / ToRadians(this->AzimuthRange), this->Dimensions[2]),
+    ClampedNeighbors(ThetaHToUnit(angles.ThetaH), this->Dimensions[3]) };
+  glm::dvec3 sum(0.0);
+  for (int corner = 0; corner < 16; ++corner)
+  {
+    std::size_t cell = 0;
+    double weight = 1.0;
+    for (int axis = 3; axis >= 0; --axis)
+    {
+      const bool second = ((corner >> axis) & 1) != 0;
+      cell = cell * static_cast<std::size_t>(this->Dimensions[axis]) +
+             static_cast<std::size_t>(second ? axes[axis].Second : axes[axis].First);
+      weight *= second ? axes[axis].Weight : 1.0 - axes[axis].Weight;
+    }
+    sum += weight * glm::dvec3(glm::make_vec3(&this->Volume[3 * cell]));
+  }
+  const double divisor = this->CosineWeighted ? o[2] : 1.0;
+  for (int c = 0; c < 3; ++c)
+  {
+    f[c] = std::max(sum[c], 0.0) / divisor;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkAnisotropicTabulatedBRDF::Prepare()
+{
+  if (this->HalfVectorSampler || this->Volume.empty())
+  {
+    return;
+  }
+  // Density of h from the table itself: mean over the difference angles.
+  this->HalfVectorSampler = std::make_unique<Sampler>(
+    MeanOverDifferenceAngles(SamplerTheta, SamplerPhi,
+      [this](const double i[3], const double o[3], double f[3]) { this->Evaluate(i, o, f); }),
+    SamplerTheta, SamplerPhi, LobeShare);
+}
+
+//------------------------------------------------------------------------------
+bool vtkAnisotropicTabulatedBRDF::SampleAbove(const double o[3], double u1, double u2, double i[3])
+{
+  this->Prepare();
+  if (!this->HalfVectorSampler)
+  {
+    return this->Superclass::SampleAbove(o, u1, u2, i);
+  }
+  glm::dvec3 direction;
+  const bool above = this->HalfVectorSampler->Sample(glm::make_vec3(o), u1, u2, direction);
+  std::copy_n(glm::value_ptr(direction), 3, i);
+  return above;
+}
+
+//------------------------------------------------------------------------------
+double vtkAnisotropicTabulatedBRDF::PdfAbove(const double i[3], const double o[3])
+{
+  this->Prepare();
+  return this->HalfVectorSampler
+           ? this->HalfVectorSampler->Pdf(glm::make_vec3(i), glm::make_vec3(o))
+           : this->Superclass::PdfAbove(i, o);
+}
+
+//------------------------------------------------------------------------------
+void vtkAnisotropicTabulatedBRDF::GetBounds(double minimumCosine, double lower[3], double upper[3])
+{
+  // Interpolation never leaves the range of the samples.
+  const double divisor = this->CosineWeighted ? std::clamp(minimumCosine, 1e-6, 1.0) : 1.0;
+  for (int c = 0; c < 3; ++c)
+  {
+    float low = this->Volume.empty() ? 0.0f : std::numeric_limits<float>::max();
+    float high = 0.0f;
+    for (std::size_t k = static_cast<std::size_t>(c); k < this->Volume.size(); k += 3)
+    {
+      low = std::min(low, this->Volume[k]);
+      high = std::max(high, this->Volume[k]);
+    }
+    lower[c] = std::max(low, 0.0f);
+    upper[c] = high / divisor;
+  }
+}
+
+//------------------------------------------------------------------------------
+// theta_d within phi_h is one axis of the texture. 16-bit floats, scaled to a peak of 2^15, keep
+// their 11 bits over nine decades.
+void vtkAnisotropicTabulatedBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
+{
+  constexpr double halfRounding = 1.0 / 2048.0;
+  vtkBRDFShaderInputs::Term term;
+  vtkBRDFShaderInputs::Texture texture;
+  texture.Name = "brdfVolume";
+  texture.ThreeD = true;
+  texture.Dimensions = { std::max(this->Dimensions[0], 1),
+    std::max(this->Dimensions[1] * this->Dimensions[2], 1), std::max(this->Dimensions[3], 1) };
+  texture.Repeat = { true, false, false };
+  texture.HalfFloat = 4.0 * halfRounding <= this->ResamplingTolerance;
+  float peak = 0.0f;
+  for (const float value : this->Volume)
+  {
+    peak = std::max(peak, std::abs(value));
+  }
+  const float scale = texture.HalfFloat && peak > 0.0f ? 32768.0f / peak : 1.0f;
+  texture.Data = this->Volume;
+  texture.Data.resize(std::max<std::size_t>(texture.Data.size(), 3)); // black without a volume
+  std::transform(texture.Data.begin(), texture.Data.end(), texture.Data.begin(),
+    [scale](float value) { return value * scale; });
+  measuredbrdf::SetModuleShader(term, "vtkBRDFAnisotropicTable", vtkBRDFAnisotropicTable);
+  term.Uniforms = { { "brdfScale", { 1.0f / scale } },
+    { "brdfTurns", { this->AzimuthRange == HALF_TURN ? 2.0f : 1.0f } },
+    { "brdfAzimuths", { static_cast<float>(std::max(this->Dimensions[2], 1)) } },
+    { "brdfCosineWeighted", { this->CosineWeighted ? 1.0f : 0.0f } } };
+  std::ostringstream text;
+  text << "half/difference volume with the half vector's azimuth " << this->Dimensions[0] << " x "
+       << this->Dimensions[1] << " x " << this->Dimensions[2] << " x " << this->Dimensions[3]
+       << ", " << (texture.HalfFloat ? "16" : "32") << "-bit float, " << texture.GetBytes()
+       << " bytes";
+  if (this->ResamplingError > 0.0)
+  {
+    text << ", resampling error " << this->ResamplingError;
+  }
+  form.QuantizationError =
+    std::max(form.QuantizationError, texture.HalfFloat ? halfRounding : 0x1p-23);
+  form.ResamplingError = std::max(form.ResamplingError, this->ResamplingError);
+  form.Description = text.str();
+  term.Textures.push_back(std::move(texture));
+  form.Terms.push_back(std::move(term));
+}
+
+//------------------------------------------------------------------------------
+void vtkAnisotropicTabulatedBRDF::ExchangeData(vtkBRDFExchange& exchange)
+{
+  exchange.Option("cosineWeighted", { "off", "on" }, this->CosineWeighted,
+    [this](int value) { this->SetCosineWeighted(value == 1); });
+  exchange.Number("resamplingError", this->ResamplingError,
+    [this](double value) { this->SetResamplingError(value); });
+  int azimuthRange = this->AzimuthRange;
+  exchange.Option("azimuthRange", { "half-turn", "full-turn" }, azimuthRange,
+    [&](int value) { azimuthRange = value; });
+  if (!exchange.IsLoading())
+  {
+    exchange.SaveArray("volume",
+      { this->Dimensions[3], this->Dimensions[2], this->Dimensions[1], this->Dimensions[0] }, 3,
+      this->Volume);
+    return;
+  }
+  auto volume = exchange.LoadArray("volume", 4, 3);
+  const int dimensions[4] = { volume.Shape[3], volume.Shape[2], volume.Shape[1], volume.Shape[0] };
+  if (!this->SetVolume(azimuthRange, dimensions, std::move(volume.Values)))
+  {
+    exchange.Fail("array 'volume' was refused");
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkBRDF* vtkAnisotropicTabulatedBRDF::NewCopy()
+{
+  vtkAnisotropicTabulatedBRDF* copy = vtkAnisotropicTabulatedBRDF::New();
+  copy->AzimuthRange = this->AzimuthRange;
+  std::copy_n(this->Dimensions, 4, copy->Dimensions);
+  copy->CosineWeighted = this->CosineWeighted;
+  copy->ResamplingError = this->ResamplingError;
+  copy->Volume = this->Volume;
+  return copy;
+}
+
+//------------------------------------------------------------------------------
+std::pair<std::type_index, std::string> vtkAnisotropicTabulatedBRDF::GetContent()
+{
+  measuredbrdf::ContentHash hash;
+  hash.AddValue(this->AzimuthRange);
+  hash.Add(this->Dimensions, sizeof(this->Dimensions));
+  hash.AddValue(this->CosineWeighted);
+  hash.AddValue(this->ResamplingError);
+  hash.AddValues(this->Volume);
+  return { typeid(vtkAnisotropicTabulatedBRDF), hash.GetText() };
+}

@@ -1,0 +1,212 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Measured anisotropic materials: the table for graphics cards, and RGL's anisotropic files.
+
+#include "AnisotropicWarp.h"
+#include "BrushedMetal.h"
+#include "ErrorCatcher.h"
+
+#include "vtkAnisotropicTabulatedBRDF.h"
+#include "vtkBRDFResampler.h"
+#include "vtkBRDFShaderInputs.h"
+#include "vtkSmartPointer.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <limits>
+#include <random>
+
+namespace
+{
+glm::dvec3 Evaluate(vtkBRDF* brdf, const glm::dvec3& i, const glm::dvec3& o)
+{
+  glm::dvec3 f;
+  brdf->Evaluate(&i.x, &o.x, &f.x);
+  return f;
+}
+
+glm::dvec3 DrawDirection(std::mt19937& random)
+{
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  const double z = 0.05 + 0.95 * uniform(random);
+  const double phi = 6.283185307179586 * uniform(random);
+  const double s = std::sqrt(1.0 - z * z);
+  return glm::dvec3(s * std::cos(phi), s * std::sin(phi), z);
+}
+
+vtkNew<vtkDistributionBRDF> NewBrushed() { return NewBrushedMetal(0.3, 0.6); }
+}
+
+TEST(AnisotropicTable, InterpolatesInFourQuantities)
+{
+  // Linear in theta_d, a cosine in both azimuths: half way between two samples, the mean of both.
+  const int size[4] = { 8, 5, 6, 4 };
+  std::vector<float> rgb;
+  for (int k = 0; k < 8 * 5 * 6 * 4; ++k)
+  {
+    const int x = k % 8, y = k / 8 % 5, p = k / 40 % 6, t = k / 240;
+    rgb.insert(rgb.end(), { 1.0f + 0.1f * t + 0.2f * y + 0.05f * x * (8 - x) + 0.07f * p * (6 - p),
+                            1.0f * p, 1.0f * x });
+  }
+  vtkNew<vtkAnisotropicTabulatedBRDF> table;
+  ASSERT_TRUE(table->SetVolume(vtkAnisotropicTabulatedBRDF::FULL_TURN, size, rgb));
+  constexpr double pi = 3.14159265358979323846;
+  const auto at = [&](double x, double y, double p, double t)
+  {
+    const double thetaH = 0.5 * pi * std::pow((t + 0.5) / 4.0, 2.0);
+    const double thetaD = 0.5 * pi * (y + 0.5) / 5.0;
+    const double phiD = 2.0 * pi * (x + 0.5) / 8.0, phiH = 2.0 * pi * (p + 0.5) / 6.0;
+    // d about the normal, turned to h.
+    const glm::dvec3 d(
+      std::sin(thetaD) * std::cos(phiD), std::sin(thetaD) * std::sin(phiD), std::cos(thetaD));
+    const glm::dvec3 a(std::cos(thetaH) * d.x + std::sin(thetaH) * d.z, d.y,
+      std::cos(thetaH) * d.z - std::sin(thetaH) * d.x);
+    const glm::dvec3 i(std::cos(phiH) * a.x - std::sin(phiH) * a.y,
+      std::sin(phiH) * a.x + std::cos(phiH) * a.y, a.z);
+    const glm::dvec3 h(
+      std::sin(thetaH) * std::cos(phiH), std::sin(thetaH) * std::sin(phiH), std::cos(thetaH));
+    const glm::dvec3 o = 2.0 * glm::dot(i, h) * h - i;
+    return i.z > 0.0 && o.z > 0.0 ? Evaluate(table, i, o) : glm::dvec3(-1.0);
+  };
+  for (int p = 0; p < 6; ++p)
+  {
+    for (int x = 0; x < 8; ++x)
+    {
+      const auto value = [&](int cell) { return rgb[static_cast<std::size_t>(3 * cell)]; };
+      const int cell = x + 8 * (1 + 5 * (p + 6));
+      EXPECT_NEAR(at(x, 1, p, 1).x, value(cell), 1e-5);
+      EXPECT_NEAR(at(x, 1.5, p, 1).x, 0.5 * (value(cell) + value(cell + 8)), 1e-5);
+      EXPECT_NEAR(at(x, 1, p, 1.0).y, p, 1e-5);
+      const int next = (p + 1) % 6;
+      EXPECT_NEAR(at(x, 1, p + 0.5, 1).y, 0.5 * (p + next), 1e-5);
+      EXPECT_NEAR(at(x + 0.5, 1, p, 1).z, 0.5 * (x + (x + 1) % 8), 1e-5);
+    }
+  }
+}
+
+TEST(AnisotropicTable, RefusesAndKeeps)
+{
+  vtkNew<vtkAnisotropicTabulatedBRDF> table;
+  ErrorCatcher errors(table);
+  const int size[4] = { 2, 1, 2, 1 };
+  ASSERT_TRUE(table->SetVolume(0, size, std::vector<float>(12, 0.25f)));
+  EXPECT_EQ(errors.Take(), 0);
+  const int empty[4] = { 2, 0, 2, 1 }, huge[4] = { 2, 64, 64, 1 };
+  std::vector<float> bad(12, 0.25f);
+  EXPECT_FALSE(table->SetVolume(0, empty, {}));
+  EXPECT_FALSE(table->SetVolume(0, huge, std::vector<float>(3 * 2 * 64 * 64, 1.0f)));
+  EXPECT_FALSE(table->SetVolume(2, size, bad));
+  bad.pop_back();
+  EXPECT_FALSE(table->SetVolume(0, size, bad));
+  bad.push_back(std::numeric_limits<float>::quiet_NaN());
+  EXPECT_FALSE(table->SetVolume(0, size, bad));
+  EXPECT_FALSE(table->Resample(nullptr, 0, size));
+  EXPECT_FALSE(table->Resample(table, 0, empty));
+  EXPECT_EQ(errors.Take(), 7);
+  EXPECT_EQ(Evaluate(table, { 0.0, 0.0, 1.0 }, { 0.0, 0.0, 1.0 }), glm::dvec3(0.25));
+  // Without a volume it is black, on the graphics card, too.
+  vtkNew<vtkAnisotropicTabulatedBRDF> none;
+  vtkBRDFShaderInputs form;
+  none->GetShaderInputs(form);
+  EXPECT_EQ(form.Terms.at(0).Textures.at(0).Data, std::vector<float>(3, 0.0f));
+}
+
+TEST(AnisotropicTable, ErrorFallsWithTheSize)
+{
+  const auto brushed = NewBrushed();
+  double last = 1.0;
+  for (const int n : { 8, 16, 32 })
+  {
+    vtkNew<vtkAnisotropicTabulatedBRDF> table;
+    const int size[4] = { n, n, n / 2, n };
+    ASSERT_TRUE(table->Resample(brushed, vtkAnisotropicTabulatedBRDF::HALF_TURN, size));
+    const double error = vtkBRDFResampler::GetRelativeL2Error(brushed, table, 1 << 13);
+    std::printf("%d: %g\n", n, error);
+    EXPECT_LT(error, 0.5 * last);
+    last = error;
+  }
+  EXPECT_LT(last, 0.02);
+}
+
+// A file of the whole turn, of half of it and of a quarter is the same material where that has the
+// symmetry; and close to what it was made of.
+TEST(AnisotropicWarp, ReadsReducedFiles)
+{
+  const auto brushed = NewBrushed();
+  vtkSmartPointer<vtkAdaptiveWarpBRDF> files[3];
+  for (int k = 0; k < 3; ++k)
+  {
+    AnisotropicWarpSizes sizes;
+    sizes.Parts = 1 << k;
+    sizes.Phis = 32 / sizes.Parts + 1;
+    files[k] = vtkSmartPointer<vtkAdaptiveWarpBRDF>::New();
+    ASSERT_EQ(files[k]->SetTables(MakeAnisotropicTables(brushed, sizes)), "");
+    EXPECT_FALSE(files[k]->IsIsotropic());
+  }
+  std::mt19937 random(3);
+  double difference = 0.0, sum = 0.0, worst = 0.0;
+  for (int k = 0; k < 4000; ++k)
+  {
+    const glm::dvec3 i = DrawDirection(random), o = DrawDirection(random);
+    const glm::dvec3 whole = Evaluate(files[0], i, o);
+    const glm::dvec3 truth = Evaluate(brushed, i, o);
+    difference += std::abs(whole.x - truth.x) * i.z * o.z;
+    sum += truth.x * i.z * o.z;
+    for (int part = 1; part < 3; ++part)
+    {
+      const glm::dvec3 reduced = Evaluate(files[part], i, o);
+      worst = std::max(worst, std::abs(reduced.x - whole.x) / (whole.x + 0.01));
+    }
+  }
+  std::printf("largest difference of a reduced file: %g\n", worst);
+  EXPECT_LT(worst, 0.01);
+  std::printf("a file of 16 x 33 directions: %.3g of what it was made of\n", difference / sum);
+  EXPECT_LT(difference, 0.03 * sum);
+
+  // Draws and densities of all three agree, too.
+  for (int k = 0; k < 200; ++k)
+  {
+    const glm::dvec3 o = DrawDirection(random), i = DrawDirection(random);
+    const double pdf = files[0]->Pdf(&i.x, &o.x);
+    EXPECT_NEAR(files[1]->Pdf(&i.x, &o.x), pdf, 1e-3 * pdf);
+    EXPECT_NEAR(files[2]->Pdf(&i.x, &o.x), pdf, 1e-3 * pdf);
+  }
+}
+
+TEST(AnisotropicWarp, RefusesOtherSpans)
+{
+  AnisotropicWarpSizes sizes;
+  sizes.Thetas = 2;
+  sizes.Phis = 5;
+  sizes.Side = 4;
+  vtkAdaptiveWarpBRDF::Tables tables = MakeAnisotropicTables(NewBrushed(), sizes);
+  vtkNew<vtkAdaptiveWarpBRDF> brdf;
+  for (float& phi : tables.PhiI)
+  {
+    phi *= 0.7f;
+  }
+  EXPECT_NE(brdf->SetTables(tables).find("degrees, expected 360, 180 or 90"), std::string::npos)
+    << brdf->SetTables(tables);
+}
+
+// What graphics cards get of such a file.
+TEST(AnisotropicWarp, IsResampledForGraphicsCards)
+{
+  AnisotropicWarpSizes sizes;
+  sizes.Parts = 2;
+  vtkNew<vtkAdaptiveWarpBRDF> file;
+  ASSERT_EQ(file->SetTables(MakeAnisotropicTables(NewBrushed(), sizes)), "");
+  ErrorCatcher errors(file);
+  file->SetResamplingTolerance(0.03);
+  auto* table = vtkAnisotropicTabulatedBRDF::SafeDownCast(file->GetRenderable());
+  ASSERT_TRUE(table);
+  EXPECT_EQ(errors.Take(), 0);
+  EXPECT_EQ(table->GetAzimuthRange(), vtkAnisotropicTabulatedBRDF::HALF_TURN);
+  EXPECT_GT(table->GetResamplingError(), 0.0);
+  EXPECT_LE(table->GetResamplingError(), 0.03);
+  vtkBRDFShaderInputs form;
+  file->GetShaderInputs(form);
+  std::printf("%s\n", form.Description.c_str());
+  EXPECT_LT(form.GetTextureBytes(), 10u << 20);
+}
