@@ -80,7 +80,7 @@ bool vtkAnisotropicTableRadianceIntegrator::MakeTable(Tables& table)
   EnvironmentPrecomputation& ofEnvironment = this->Environment->GetParts();
   const auto goOn = [this]() { return this->Report(0.0); };
   const auto harmonics = ofEnvironment.GetHarmonics(
-    this->Environment, nullptr, std::max(degree, IrradianceDegree), goOn);
+    this->Environment, this->Rest, std::max(degree, IrradianceDegree), goOn);
   if (!harmonics)
   {
     return false;
@@ -104,7 +104,7 @@ bool vtkAnisotropicTableRadianceIntegrator::MakeTable(Tables& table)
   if (table.HasFloor)
   {
     table.Irradiance = ofEnvironment.GetIrradiance(
-      nullptr, goOn, [&harmonics]() { return MakeIrradiance(*harmonics); });
+      this->Rest, goOn, [&harmonics]() { return MakeIrradiance(*harmonics); });
   }
   return !table.HasFloor || table.Irradiance;
 }
@@ -235,8 +235,7 @@ std::vector<std::vector<int>> vtkAnisotropicTableRadianceIntegrator::GetCandidat
   {
     return {};
   }
-  return { { 17, 8, 16, 8 }, { 25, 6, 16, 8 }, { 25, 8, 20, 8 }, { 33, 6, 24, 6 }, { 33, 6, 24, 8 },
-    { 33, 8, 32, 8 }, { 49, 8, 32, 8 } };
+  return GetAnisotropicCandidates();
 }
 
 //------------------------------------------------------------------------------

@@ -34,6 +34,7 @@
 #ifndef vtkAnisotropicTableRadianceIntegrator_h
 #define vtkAnisotropicTableRadianceIntegrator_h
 
+#include "vtkEnvironment.h" // for SetRest
 #include "vtkRadianceIntegrator.h"
 
 #include <memory> // for tables
@@ -97,6 +98,16 @@ public:
   bool TakePrepared(const std::string& bytes) override;
   ///@}
 
+#ifndef __VTK_WRAP__
+  /**
+   * For hybrids: take the environment with these texels changed; null (default): as it is.
+   */
+  void SetRest(const std::shared_ptr<const vtkEnvironment::TexelChanges>& rest)
+  {
+    this->Rest = rest;
+  }
+#endif
+
 protected:
   vtkAnisotropicTableRadianceIntegrator();
   ~vtkAnisotropicTableRadianceIntegrator() override;
@@ -119,6 +130,7 @@ private:
   std::unique_ptr<Tables> NewTables() const;
   bool MakeTable(Tables& table);
 
+  std::shared_ptr<const vtkEnvironment::TexelChanges> Rest;
   std::unique_ptr<Tables> Data;
 };
 

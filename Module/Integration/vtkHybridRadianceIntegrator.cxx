@@ -8,6 +8,7 @@
 #include "Printable.h"
 #include "Setters.h"
 #include "TableCandidates.h"
+#include "vtkAnisotropicTableRadianceIntegrator.h"
 #include "vtkBRDF.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkEnvironment.h"
@@ -78,10 +79,10 @@ bool vtkHybridRadianceIntegrator::Begin()
     vtkErrorMacro("Prepare: there is no environment, or it is empty.");
     return false;
   }
-  if (!this->BRDF->IsIsotropic())
+  if (!this->BRDF->IsIsotropic() && this->NumberOfMaps > 0)
   {
     vtkErrorMacro(
-      "Prepare: tables of radiance are for isotropic materials; "
+      "Prepare: maps of the sharp part are for isotropic materials; "
       << (this->BRDF->GetName().empty() ? "this one" : measuredbrdf::Quote(this->BRDF->GetName()))
       << " is not.");
     return false;
@@ -125,7 +126,15 @@ vtkSmartPointer<vtkRadianceIntegrator> vtkHybridRadianceIntegrator::NewBroad(
   const std::shared_ptr<const vtkEnvironment::TexelChanges>& rest)
 {
   vtkSmartPointer<vtkRadianceIntegrator> broad;
-  if (this->NumberOfMaps > 0)
+  if (this->BRDF && !this->BRDF->IsIsotropic())
+  {
+    auto table = vtkSmartPointer<vtkAnisotropicTableRadianceIntegrator>::New();
+    table->SetRest(rest);
+    table->SetSizes({ this->NumberOfRows, this->NumberOfViewAngles, this->NumberOfAzimuths,
+      this->NumberOfViewAngles });
+    broad = table;
+  }
+  else if (this->NumberOfMaps > 0)
   {
     auto factored = vtkSmartPointer<vtkFactoredRadianceIntegrator>::New();
     factored->SetRest(rest);
@@ -312,13 +321,22 @@ double vtkHybridRadianceIntegrator::ChooseLightAngle()
 //------------------------------------------------------------------------------
 std::vector<std::vector<int>> vtkHybridRadianceIntegrator::GetCandidateSizes(bool)
 {
+  std::vector<std::vector<int>> candidates;
   if (!this->BRDF->IsIsotropic())
   {
-    return {};
+    const bool lamps = this->CountLights(LampAngle, PlannedLights) > 0;
+    for (const std::vector<int>& sizes : GetAnisotropicCandidates())
+    {
+      if (lamps && sizes[1] == sizes[3])
+      {
+        candidates.push_back(
+          { sizes[0], sizes[1], sizes[2], 0, PlannedLights, ToAngleSize(LampAngle) });
+      }
+    }
+    return candidates;
   }
   const double angle = this->ChooseLightAngle();
   const bool lights = this->CountLights(angle, PlannedLights) > 0;
-  std::vector<std::vector<int>> candidates;
   for (const std::vector<int>& sizes : GetHybridCandidates())
   {
     const auto add = [&](int largest)
@@ -342,8 +360,7 @@ std::vector<std::vector<int>> vtkHybridRadianceIntegrator::GetCandidateSizes(boo
 //------------------------------------------------------------------------------
 double vtkHybridRadianceIntegrator::EstimateCost(vtkRadianceCostModel* costs)
 {
-  return GetCost(costs, "base") + GetCost(costs, "table") +
-         GetCost(costs, "map") * this->NumberOfMaps +
+  return this->NewBroad(nullptr)->EstimateCost(costs) +
          GetCost(costs, "light") * this->CountLights(this->LightAngle, this->MaximumNumberOfLights);
 }
 

@@ -35,7 +35,9 @@ public:
   ///@{
   /**
    * The table's sizes, as vtkTableRadianceIntegrator has them (default 33 x 12 x 16). With maps,
-   * the rows are those of the maps (512 at most); the small table then has 33 rows at most.
+   * the rows are those of the maps (512 at most); the small table then has 33 rows at most. For
+   * anisotropic materials they are vtkAnisotropicTableRadianceIntegrator's (129 rows and 32 view
+   * angles at most); the view has as many azimuths as angles.
    */
   virtual void SetNumberOfRows(int numberOfRows);
   vtkGetMacro(NumberOfRows, int);
@@ -114,7 +116,7 @@ protected:
 
   void SetSize(int index, int value) override;
   void CopyProperties(vtkRadianceIntegrator* source) override;
-  /// Fails for anisotropic materials.
+  /// Fails for anisotropic materials with maps.
   bool Begin() override;
   void IntegratePart(
     int part, const double n[3], const double o[3], const double t[3], double radiance[3]) override;

@@ -214,9 +214,9 @@ public:
   ///@{
   /**
    * Texture units interpolate with weights in steps: of 2^-8 on most graphics cards, the least that
-   * Direct3D allows. Integrate takes weights of so many bits, 0 to 23; 0 (default) means exact ones,
-   * as in double precision or on Mesa's llvmpipe. It rounds those of what methods of this module
-   * look up, not those of materials' own tables, which lights read. What is prepared stays.
+   * Direct3D allows. Integrate takes weights of so many bits, 0 to 23; 0 (default) means exact
+   * ones, as in double precision or on Mesa's llvmpipe. It rounds those of what methods of this
+   * module look up, not those of materials' own tables, which lights read. What is prepared stays.
    */
   virtual void SetFilterWeightBits(int bits);
   int GetFilterWeightBits() { return this->FilterWeightBits; }

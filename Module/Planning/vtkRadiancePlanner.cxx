@@ -139,13 +139,7 @@ struct vtkRadiancePlanner::Internals
         hash.AddValue(value + 0.0); // -0 and 0 turn alike
       }
     }
-    vtkRadianceCostModel* costs = this->Task.Costs;
-    for (int k = 0; k < costs->GetNumberOfCosts(); ++k)
-    {
-      hash.AddText(costs->GetCostName(k));
-      hash.AddValue(costs->GetCost(costs->GetCostName(k)));
-    }
-    hash.AddValue(costs->GetFilterWeightBits());
+    hash.AddText(this->Task.Costs->GetText());
     hash.AddText(vtkRadianceMethods::GetNames());
     return hash.GetText();
   }

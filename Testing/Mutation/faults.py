@@ -267,7 +267,7 @@ add("Integration.anisotropic-conjugate-forgotten", "Private/AnisotropicLobe.cxx"
     "AnisotropicTable.Converges|AnisotropicTable.ClothWithANapHasOnePeriod")
 add("Integration.anisotropic-half-turn-forgotten", "Private/AnisotropicTable.cxx", "(again ? 1.0 / this->Periods : 0.0)", "0.0",
     "AnisotropicTable.BrushedMetalInTwelveMegabytes|AnisotropicTable.Converges")
-add("Integration.anisotropic-always-half-a-turn", "Private/AnisotropicViews.cxx", "return difference <= LargestDifference * Probes;",
+add("Material.anisotropic-always-half-a-turn", "Private/HalfTurn.cxx", "return difference <= LargestDifference * Probes;",
     "return true;", "AnisotropicTable.ClothWithANapHasOnePeriod")
 add("Integration.anisotropic-axis-in-the-plane", "Private/AnisotropicSynthesis.cxx", "lobe.Axis.y * out.x - lobe.Axis.x * out.y, w", "0.0, w",
     "AnisotropicTable.Converges|AnisotropicTable.ClothWithANapHasOnePeriod")
@@ -742,8 +742,20 @@ add("Shaders.pyramid-levels-are-not-mixed", "vtkBRDFEnvironmentPyramid.glsl", "l
     "level + 1.0), 0.0)", "Parity.FilteredIntegrator")
 add("Shaders.table-azimuth-slices", "vtkBRDFEnvironmentTable.glsl", "fract(psi) * (slices - 1.0)",
     "fract(psi) * (slices - 2.0)", "Parity.TableIntegrator")
-add("Shaders.table-floor-of-another-row", "vtkBRDFEnvironmentTable.glsl", "vec2(u, 2.5 / 3.0)", "vec2(u, 1.5 / 3.0)",
+add("Shaders.table-floor-of-another-row", "vtkBRDFEnvironmentTable.glsl", "brdfTableProfileINSTANCE, u, 2)", "brdfTableProfileINSTANCE, u, 1)",
     "Parity.TableIntegrator")
+add("Material.warp-folds-the-other-way", "vtkAdaptiveWarpBRDF.cxx", "along.x + along.y < 0.0", "along.x + along.y > 0.0",
+    "AnisotropicWarp.ReadsReducedFiles")
+add("Integration.hybrid-forgets-filter-weights", "vtkHybridRadianceIntegrator.cxx",
+    "this->Impl->Broad->SetFilterWeightBits(bits);", "", "FilterWeights.CostLessTheMoreBits")
+add("Planning.plans-with-exact-weights", "Private/PlanSearch.cxx",
+    "candidate.Integrator->SetFilterWeightBits(this->Task.Costs->GetFilterWeightBits());", "",
+    "Planner.KnowsTheTextureUnits")
+add("Integration.anisotropic-table-keeps-lamps", "vtkAnisotropicTableRadianceIntegrator.cxx",
+    "this->Environment, this->Rest, std::max(degree", "this->Environment, nullptr, std::max(degree",
+    "Hybrid.AnisotropicMaterialsUnderLamps")
+add("Shaders.anisotropic-table-reaches-the-next-azimuth", "vtkBRDFAnisotropicTable.glsl",
+    "clamp(u.y * rows, 0.5, rows - 0.5)", "u.y * rows", "Parity.AnisotropicTables")
 add("Shaders.table-azimuth-range", "vtkBRDFHalfDifference.glsl", "u.x *= brdfTurnsINSTANCE;", "", "Parity.Tables")
 add("Shaders.soft-table-levels-are-not-mixed", "vtkBRDFHalfDifferenceSoft.glsl", "level - float(first));", "0.0);",
     "Parity.SoftTables")
@@ -752,7 +764,7 @@ add("Shaders.mirrored-half-turn", "vtkBRDFIncidentOutgoing.glsl", "phi = brdfTur
 add("Shaders.cosine-weight-ignored", "vtkBRDFIncidentOutgoing.glsl", "mix(1.0, o.z, brdfCosineWeightedINSTANCE)",
     "mix(1.0, i.z, brdfCosineWeightedINSTANCE)", "Parity.Tables|Parity.RealFiles")
 add("Shaders.lambert-without-pi", "vtkBRDFLambert.glsl", "vec3(0.0)) / brdfPi;", "vec3(0.0));", "Parity.ClosedForms")
-add("Shaders.light-set-without-cosine", "vtkBRDFLightSet.glsl", "ivec2(1, 0), 0).rgb * i.z;", "ivec2(1, 0), 0).rgb;",
+add("Shaders.light-set-without-cosine", "vtkBRDFLightSet.glsl", "irradiance * i.z;", "irradiance;",
     "Mapper.LightSetMatchesCpuPerPixel")
 add("Shaders.distribution-denominator", "vtkBRDFDistribution.glsl", "i.z + o.z - i.z * o.z", "i.z + o.z",
     "Parity.Tables")

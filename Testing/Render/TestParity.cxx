@@ -781,6 +781,26 @@ TEST_F(Parity, HybridIntegrator)
   EXPECT_LT(error, 0.012); // 16-bit floats, as above
 }
 
+// An anisotropic table and lights.
+TEST_F(Parity, AnisotropicHybridIntegrator)
+{
+  vtkNew<vtkEnvironment> hall;
+  hall->SetToProceduralHall();
+  hall->SetRotationY(33.0);
+  vtkNew<vtkAshikhminShirleyBRDF> brushed;
+  brushed->SetDiffuse(0.3, 0.2, 0.1);
+  brushed->SetExponents(100.0, 10.0);
+  this->Mapper->SetBRDF(brushed);
+  this->Mapper->SetEnvironment(hall);
+  vtkNew<vtkHybridRadianceIntegrator> integrator;
+  ASSERT_TRUE(integrator->SetSizes({ 17, 6, 12, 0 }));
+  const double error = this->GetIntegratorError(integrator);
+  EXPECT_GT(integrator->GetNumberOfLights(), 0);
+  std::printf("%d lights: %.2e\n", integrator->GetNumberOfLights(), error);
+  EXPECT_GT(error, 0.0);
+  EXPECT_LT(error, 2e-3);
+}
+
 TEST_F(Parity, TurnedAwayNormalsAreFinite)
 {
   vtkNew<vtkAshikhminShirleyBRDF> sharp;

@@ -38,6 +38,12 @@ std::vector<std::vector<int>> GetHybridCandidates()
     { 128, 12, 8, 16 } };
 }
 
+std::vector<std::vector<int>> GetAnisotropicCandidates()
+{
+  return { { 17, 8, 16, 8 }, { 25, 6, 16, 8 }, { 25, 8, 20, 8 }, { 33, 6, 24, 6 }, { 33, 6, 24, 8 },
+    { 33, 8, 32, 8 }, { 49, 8, 32, 8 } };
+}
+
 vtkIdType GetTableBytes(int rows, int viewAngles, int azimuths)
 {
   return MapBytes + 4 * static_cast<vtkIdType>(2 * (rows - 1)) * rows * viewAngles * (azimuths + 1);

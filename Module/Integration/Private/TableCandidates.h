@@ -22,6 +22,9 @@ std::vector<std::vector<int>> GetTableCandidates();
 /// Rows, view angles, azimuths, maps.
 std::vector<std::vector<int>> GetHybridCandidates();
 
+/// Rows, view angles, azimuths, the view's azimuths.
+std::vector<std::vector<int>> GetAnisotropicCandidates();
+
 /// Of a table's textures.
 vtkIdType GetTableBytes(int rows, int viewAngles, int azimuths);
 

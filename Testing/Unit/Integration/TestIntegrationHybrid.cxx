@@ -3,6 +3,7 @@
 // Suns as lights, the rest by a table, with maps of its sharp part: each part alone, and the sum
 // against the exact one.
 
+#include "BrushedMetal.h"
 #include "ErrorCatcher.h"
 #include "ExtractedEmitters.h"
 #include "HalfVector.h" // for Pi
@@ -12,6 +13,7 @@
 #include "PlanReference.h"
 #include "SpherePairs.h"
 #include "vtkAdaptiveRadianceIntegrator.h"
+#include "vtkAnisotropicTableRadianceIntegrator.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBRDFReader.h"
 #include "vtkBRDFShaderInputs.h"
@@ -566,4 +568,47 @@ TEST(HybridIntegrator, ShaderInputsAndPrint)
   {
     EXPECT_NE(text.str().find(line), std::string::npos) << line;
   }
+}
+
+//------------------------------------------------------------------------------
+// Brushed metal under lamps: as lights, beside a small table, they cost a fraction of the error
+// that they are in the table.
+TEST(Hybrid, AnisotropicMaterialsUnderLamps)
+{
+  const auto sunny = NewSunny(3000.0f, 2);
+  const auto brushed = NewBrushedMetal(0.15, 0.4);
+  const auto hybrid = NewHybrid(brushed, sunny, { 25, 8, 20, 0, 16 });
+  vtkNew<vtkAnisotropicTableRadianceIntegrator> table;
+  table->SetSizes({ 25, 8, 20, 8 });
+  table->SetBRDF(brushed);
+  table->SetEnvironment(sunny);
+  vtkNew<vtkAdaptiveRadianceIntegrator> reference;
+  reference->SetBRDF(brushed);
+  reference->SetEnvironment(sunny);
+  SpherePairs pairs;
+  pairs.AddRandom(150);
+  const std::vector<glm::dvec3> exact = pairs.Integrate(reference);
+  const auto compare = [&](vtkRadianceIntegrator* integrator)
+  {
+    const std::vector<glm::dvec3> values = pairs.Integrate(integrator);
+    double difference = 0.0, sum = 0.0;
+    for (std::size_t k = 0; k < exact.size(); ++k)
+    {
+      difference += glm::dot(glm::abs(values[k] - exact[k]), glm::dvec3(1.0));
+      sum += glm::dot(exact[k], glm::dvec3(1.0));
+    }
+    return difference / sum;
+  };
+  const double withLights = compare(hybrid);
+  const double without = compare(table);
+  std::printf(
+    "hybrid %.3g, table %.3g, %d lights\n", withLights, without, hybrid->GetNumberOfLights());
+  EXPECT_GT(hybrid->GetNumberOfLights(), 1);
+  EXPECT_LT(withLights, 0.02);
+  EXPECT_LT(withLights, 0.3 * without);
+
+  ErrorCatcher errors(hybrid);
+  hybrid->SetNumberOfMaps(4);
+  EXPECT_FALSE(hybrid->Prepare()); // maps are for isotropic materials
+  EXPECT_EQ(errors.Take(), 1);
 }

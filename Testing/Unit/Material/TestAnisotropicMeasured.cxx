@@ -38,7 +38,7 @@ glm::dvec3 DrawDirection(std::mt19937& random)
 vtkNew<vtkDistributionBRDF> NewBrushed() { return NewBrushedMetal(0.3, 0.6); }
 }
 
-TEST(AnisotropicTable, InterpolatesInFourQuantities)
+TEST(AnisotropicTabulated, InterpolatesInFourQuantities)
 {
   // Linear in theta_d, a cosine in both azimuths: half way between two samples, the mean of both.
   const int size[4] = { 8, 5, 6, 4 };
@@ -85,7 +85,7 @@ TEST(AnisotropicTable, InterpolatesInFourQuantities)
   }
 }
 
-TEST(AnisotropicTable, RefusesAndKeeps)
+TEST(AnisotropicTabulated, RefusesAndKeeps)
 {
   vtkNew<vtkAnisotropicTabulatedBRDF> table;
   ErrorCatcher errors(table);
@@ -112,7 +112,7 @@ TEST(AnisotropicTable, RefusesAndKeeps)
   EXPECT_EQ(form.Terms.at(0).Textures.at(0).Data, std::vector<float>(3, 0.0f));
 }
 
-TEST(AnisotropicTable, ErrorFallsWithTheSize)
+TEST(AnisotropicTabulated, ErrorFallsWithTheSize)
 {
   const auto brushed = NewBrushed();
   double last = 1.0;

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Plans: whether they keep what they promise, and when they are made.
 
+#include "AnisotropicWarp.h"
+#include "BrushedMetal.h"
 #include "ErrorCatcher.h"
 #include "SpherePairs.h"
+#include "vtkAdaptiveRadianceIntegrator.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkBlinnPhongBRDF.h"
@@ -185,6 +188,43 @@ TEST(Planner, AnisotropicMaterialsGetTablesOrLightSets)
   {
     EXPECT_EQ(planner->GetMethodName(k), "light-set");
   }
+}
+
+//------------------------------------------------------------------------------
+// A measured one, too, and its promise holds.
+TEST(Planner, MeasuredAnisotropicMaterials)
+{
+  AnisotropicWarpSizes sizes;
+  sizes.Parts = 2;
+  sizes.Side = 33;
+  vtkNew<vtkAdaptiveWarpBRDF> file;
+  ASSERT_EQ(file->SetTables(MakeAnisotropicTables(NewBrushedMetal(0.3, 0.6), sizes)), "");
+  const auto environment = NewSmallEnvironment(true);
+  const auto planner = NewPlanner(file, environment, 0.03);
+  ASSERT_TRUE(planner->Update());
+  std::printf("%s\n", planner->GetPlan().c_str());
+  EXPECT_TRUE(planner->GetMeetsTolerance());
+  EXPECT_NE(planner->GetMethodName(planner->GetChoice()), "light-set");
+  const auto made = TakeChoice(planner);
+  vtkNew<vtkAdaptiveRadianceIntegrator> reference;
+  for (vtkRadianceIntegrator* integrator :
+    { made.Get(), static_cast<vtkRadianceIntegrator*>(reference) })
+  {
+    integrator->SetBRDF(file);
+    integrator->SetEnvironment(environment);
+  }
+  SpherePairs pairs;
+  pairs.AddRandom(200, 9);
+  const auto values = pairs.Integrate(made);
+  const auto exact = pairs.Integrate(reference);
+  double difference = 0.0, sum = 0.0;
+  for (std::size_t k = 0; k < exact.size(); ++k)
+  {
+    difference += glm::dot(glm::abs(values[k] - exact[k]), glm::dvec3(1.0));
+    sum += glm::dot(exact[k], glm::dvec3(1.0));
+  }
+  std::printf("error %.3g\n", difference / sum);
+  EXPECT_LT(difference, 1.25 * 0.03 * sum);
 }
 
 //------------------------------------------------------------------------------
@@ -584,8 +624,8 @@ TEST(Planner, KnowsTheTextureUnits)
     costs->SetFilterWeightBits(bits[k]);
     ASSERT_TRUE(planner->Update());
     errors[k] = planner->GetPredictedError(planner->GetChoice());
-    const auto made = vtkSmartPointer<vtkRadianceIntegrator>::Take(
-      planner->NewIntegrator(planner->GetChoice()));
+    const auto made =
+      vtkSmartPointer<vtkRadianceIntegrator>::Take(planner->NewIntegrator(planner->GetChoice()));
     EXPECT_EQ(made->GetFilterWeightBits(), 0); // exact for whoever asks
   }
   std::printf(
