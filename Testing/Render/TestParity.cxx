@@ -378,7 +378,8 @@ TEST_F(Parity, AnisotropicTables)
   for (const int range : { 0, 1 })
   {
     vtkNew<vtkAnisotropicTabulatedBRDF> table;
-    const int size[4] = { 12, 10, range == 0 ? 7 : 14, 16 };
+    // Few samples of theta_d: a mistake at the ends of that axis shows.
+    const int size[4] = { 12, range == 0 ? 3 : 10, range == 0 ? 7 : 14, 16 };
     ASSERT_TRUE(table->Resample(brushed, range, size));
     this->Check("anisotropic table, 16 bits", table, 2e-3);
     table->SetResamplingTolerance(1e-4);
