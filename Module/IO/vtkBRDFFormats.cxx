@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBRDFFormats.h"
 
+#include "BsdfXmlFile.h"
 #include "FitFile.h"
 #include "MbsdfFile.h"
 #include "MerlFile.h"
@@ -28,9 +29,10 @@ using Formats = Registry<vtkBRDFFormat>;
 Formats::Items MakeOwnFormats()
 {
 #if MEASUREDBRDF_WITH_OPENEXR
-  return Formats::Make<TensorFormat, MbsdfFormat, ExrFormat, FitFormat, MerlFormat>();
+  return Formats::Make<TensorFormat, MbsdfFormat, ExrFormat, BsdfXmlFormat, FitFormat,
+    MerlFormat>();
 #else
-  return Formats::Make<TensorFormat, MbsdfFormat, FitFormat, MerlFormat>();
+  return Formats::Make<TensorFormat, MbsdfFormat, BsdfXmlFormat, FitFormat, MerlFormat>();
 #endif
 }
 

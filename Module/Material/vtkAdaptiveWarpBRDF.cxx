@@ -2,16 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAdaptiveWarpBRDF.h"
 
-#include "AnisotropicResampler.h"
 #include "BilinearWarp.h"
 #include "ContentHash.h"
 #include "HalfVector.h"
-#include "Printable.h"
+#include "RenderableTable.h"
 #include "RoundingNoise.h"
 #include "vtkBRDFExchange.h"
-#include "vtkBRDFResampler.h"
 #include "vtkBRDFShaderInputs.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 
 #include <glm/gtc/type_ptr.hpp>
@@ -22,6 +19,10 @@
 using namespace measuredbrdf;
 
 vtkStandardNewMacro(vtkAdaptiveWarpBRDF);
+
+struct vtkAdaptiveWarpBRDF::Renderable : public RenderableTable
+{
+};
 
 struct vtkAdaptiveWarpBRDF::Warps
 {
@@ -153,7 +154,10 @@ std::string CheckDensity(const char* name, vtkAdaptiveWarpBRDF::Table& table)
 }
 
 //------------------------------------------------------------------------------
-vtkAdaptiveWarpBRDF::vtkAdaptiveWarpBRDF() = default;
+vtkAdaptiveWarpBRDF::vtkAdaptiveWarpBRDF()
+  : Resampled(std::make_unique<Renderable>())
+{
+}
 
 //------------------------------------------------------------------------------
 vtkAdaptiveWarpBRDF::~vtkAdaptiveWarpBRDF() = default;
@@ -245,7 +249,7 @@ std::string vtkAdaptiveWarpBRDF::SetTables(Tables tables)
   }
   this->Data = std::move(tables);
   this->Warp = std::move(warps);
-  this->Resampled = nullptr;
+  this->Resampled->Reset();
   this->Modified();
   return "";
 }
@@ -354,35 +358,13 @@ void vtkAdaptiveWarpBRDF::GetBounds(double minimumCosine, double lower[3], doubl
 //------------------------------------------------------------------------------
 vtkBRDF* vtkAdaptiveWarpBRDF::GetRenderable()
 {
-  if (!this->Resampled || this->ResampledTolerance != this->ResamplingTolerance)
+  std::string problem;
+  vtkBRDF* table = this->Resampled->Get(this, problem);
+  if (!problem.empty())
   {
-    double error = 0.0;
-    if (this->IsIsotropic())
-    {
-      vtkNew<vtkBRDFResampler> resampler;
-      resampler->SetInput(this);
-      resampler->SetTolerance(this->ResamplingTolerance);
-      resampler->Resample();
-      error = resampler->GetOutput()->GetResamplingError();
-      this->Resampled = resampler->GetOutput();
-    }
-    else
-    {
-      const auto table = ResampleAnisotropic(this, this->ResamplingTolerance);
-      error = table->GetResamplingError();
-      this->Resampled = table;
-    }
-    if (error > this->ResamplingTolerance)
-    {
-      vtkWarningMacro(<< Quote(this->Name) << ": resampling for shaders keeps an error of " << error
-                      << ", asked for " << this->ResamplingTolerance << ".");
-    }
-    this->Resampled->SetResamplingTolerance(this->ResamplingTolerance);
-    this->Resampled->SetName(this->Name);
-    this->Resampled->SetSource(this->Source);
-    this->ResampledTolerance = this->ResamplingTolerance;
+    vtkWarningMacro(<< problem);
   }
-  return this->Resampled;
+  return table;
 }
 
 //------------------------------------------------------------------------------

@@ -96,8 +96,8 @@ private:
 
   struct Warps;
   std::shared_ptr<const Warps> Warp;
-  vtkSmartPointer<vtkBRDF> Resampled;
-  double ResampledTolerance = 0.0; // the tolerance for which Resampled was made
+  struct Renderable;
+  std::unique_ptr<Renderable> Resampled;
 };
 
 #endif

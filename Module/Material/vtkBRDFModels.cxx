@@ -5,6 +5,7 @@
 #include "Printable.h"
 #include "Registry.h"
 #include "vtkAdaptiveWarpBRDF.h"
+#include "vtkAngleBasisBRDF.h"
 #include "vtkAnisotropicTabulatedBRDF.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBRDFData.h"
@@ -18,6 +19,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkSumBRDF.h"
 #include "vtkTabulatedBRDF.h"
+#include "vtkTensorTreeBRDF.h"
 
 #include <algorithm>
 #include <limits>
@@ -36,9 +38,10 @@ constexpr int MaximumDepth = 16; // of terms in terms
 // Never destroyed: programs may read files until their very end.
 Registry<vtkBRDF>& GetRegistry()
 {
-  static auto* registry = new Registry<vtkBRDF>(Registry<vtkBRDF>::Make<vtkLambertBRDF,
-    vtkBlinnPhongBRDF, vtkAshikhminShirleyBRDF, vtkDistributionBRDF, vtkTabulatedBRDF,
-    vtkAnisotropicTabulatedBRDF, vtkBasisBRDF, vtkAdaptiveWarpBRDF, vtkSumBRDF>());
+  static auto* registry =
+    new Registry<vtkBRDF>(Registry<vtkBRDF>::Make<vtkLambertBRDF, vtkBlinnPhongBRDF,
+      vtkAshikhminShirleyBRDF, vtkDistributionBRDF, vtkTabulatedBRDF, vtkAnisotropicTabulatedBRDF,
+      vtkAngleBasisBRDF, vtkTensorTreeBRDF, vtkBasisBRDF, vtkAdaptiveWarpBRDF, vtkSumBRDF>());
   return *registry;
 }
 

@@ -4,8 +4,11 @@
 
 #include "FileBytes.h"
 #include "FuzzTarget.h"
+#include "SmallBsdfXml.h"
 #include "SmallFiles.h"
 #include "vtkAdaptiveWarpBRDF.h"
+#include "vtkAngleBasisBRDF.h"
+#include "vtkAnisotropicTabulatedBRDF.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBRDFModels.h"
 #include "vtkBasisBRDF.h"
@@ -20,6 +23,7 @@
 #include "vtkSumBRDF.h"
 #include "vtkTableRadianceIntegrator.h"
 #include "vtkTabulatedBRDF.h"
+#include "vtkTensorTreeBRDF.h"
 
 #if MEASUREDBRDF_WITH_OPENEXR
 #include "ExrMaterialFile.h"
@@ -64,8 +68,19 @@ std::vector<vtkSmartPointer<vtkBRDF>> MakeMaterials()
             .empty());
   vtkNew<vtkAdaptiveWarpBRDF> warp;
   Require(warp->SetTables(MakeTables()).empty());
+  vtkNew<vtkAnisotropicTabulatedBRDF> turned;
+  const int size[4] = { 2, 1, 2, 2 };
+  Require(
+    turned->SetVolume(vtkAnisotropicTabulatedBRDF::FULL_TURN, size, std::vector<float>(24, 0.25f)));
+  vtkNew<vtkTensorTreeBRDF> tree;
+  Require(tree->SetTree({ 3, { { 1, 0 }, { 0, 0 } }, std::vector<int>(8, 0), { 0.25f } }).empty());
+  vtkNew<vtkAngleBasisBRDF> patches;
+  Require(patches
+            ->SetMatrix(
+              { { 90.0f }, { 2 } }, { { 45.0f, 90.0f }, { 1, 2 } }, std::vector<float>(18, 0.25f))
+            .empty());
   return { lambert.Get(), phong.Get(), ashikhmin.Get(), sum.Get(), distribution.Get(), table.Get(),
-    basis.Get(), warp.Get() };
+    basis.Get(), warp.Get(), turned.Get(), patches.Get(), tree.Get() };
 }
 
 #if MEASUREDBRDF_WITH_OPENEXR
@@ -175,6 +190,13 @@ Seeds MakeSeeds(const std::string& target)
   {
     return { MakeMbsdf(true, 2, 3), MakeMbsdf(false, 2, 2), MakeMbsdf(true, 1, 2, true) };
   }
+  if (target == "BsdfXml")
+  {
+    return { MakeBsdfXmlTree(3, "{{1}{2}{3}{4}{5}{6}{7}{1 2 3 4 5 6 7 8}}"),
+      MakeBsdfXmlTree(4, "{0.5}"), MakeBsdfXml(), MakeBsdfXml("Rows"),
+      MakeBsdfXml("Columns", MakeBsdfXmlBlock("CIE-X", "Reflection Back", 0.1) +
+                               MakeBsdfXmlBlock("CIE-Z", "Reflection Back", 0.1)) };
+  }
   if (target == "Fit")
   {
     return { SmallFit,
@@ -196,7 +218,7 @@ Seeds MakeSeeds(const std::string& target)
   if (target == "MaterialData")
   {
     Seeds seeds;
-    for (char representation = 0; representation < 8; ++representation)
+    for (char representation = 0; representation < 11; ++representation)
     {
       seeds.emplace_back(1, representation);
       seeds.push_back(representation + Bytes("\6\2\0\0\1\0\0\0\0\0\0\xf0\x3f"));

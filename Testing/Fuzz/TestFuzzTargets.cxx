@@ -19,6 +19,7 @@
 #include <vector>
 
 using Target = int(const std::uint8_t* data, std::size_t size);
+Target FuzzBsdfXml;
 Target FuzzCostModel;
 Target FuzzDirectionsCsv;
 Target FuzzEnvironment;
@@ -166,6 +167,7 @@ INSTANTIATE_TEST_SUITE_P(All, FuzzTargets,
 #if MEASUREDBRDF_WITH_OPENEXR
     Case{ "ExrHeader", FuzzExrHeader }, Case{ "ExrMaterial", FuzzExrMaterial },
 #endif
-    Case{ "Fit", FuzzFit }, Case{ "MaterialData", FuzzMaterialData }, Case{ "Mbsdf", FuzzMbsdf },
-    Case{ "Merl", FuzzMerl }, Case{ "PlanCache", FuzzPlanCache }, Case{ "Tensor", FuzzTensor }),
+    Case{ "BsdfXml", FuzzBsdfXml }, Case{ "Fit", FuzzFit },
+    Case{ "MaterialData", FuzzMaterialData }, Case{ "Mbsdf", FuzzMbsdf }, Case{ "Merl", FuzzMerl },
+    Case{ "PlanCache", FuzzPlanCache }, Case{ "Tensor", FuzzTensor }),
   [](const auto& info) { return std::string(info.param.Name); });

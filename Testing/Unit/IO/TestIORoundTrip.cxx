@@ -4,6 +4,7 @@
 #include "NeedsLibrary.h"
 #include "TestIOHelpers.h"
 
+#include "vtkAngleBasisBRDF.h"
 #include "vtkAnisotropicTabulatedBRDF.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBRDFExchange.h"
@@ -15,6 +16,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkSumBRDF.h"
 #include "vtkTabulatedBRDF.h"
+#include "vtkTensorTreeBRDF.h"
 
 #if MEASUREDBRDF_WITH_OPENEXR
 #include <ImfFrameBuffer.h>
@@ -332,6 +334,43 @@ TEST(IOExrRoundTrip, Tabulated)
       EXPECT_EQ(back->GetNumberOfInvalidCells(), 1);
     }
   }
+}
+
+//------------------------------------------------------------------------------
+TEST(IOExrRoundTrip, AngleBasis)
+{
+  NEEDS_OPENEXR();
+  vtkNew<vtkAngleBasisBRDF> material;
+  ASSERT_EQ(material->SetMatrix(
+              { { 20.0f, 90.0f }, { 1, 3 } }, { { 90.0f }, { 5 } }, MakeValues(3 * 4 * 5)),
+    "");
+  const auto back = RoundTrip(material.Get());
+  ASSERT_TRUE(back);
+  EXPECT_EQ(back->GetLightBasis().Patches, material->GetLightBasis().Patches);
+  EXPECT_EQ(back->GetLightBasis().UpperTheta, material->GetLightBasis().UpperTheta);
+  EXPECT_EQ(back->GetViewBasis().Patches, material->GetViewBasis().Patches);
+  EXPECT_TRUE(SameBits(material->GetMatrix(), back->GetMatrix()));
+}
+
+//------------------------------------------------------------------------------
+TEST(IOExrRoundTrip, TensorTree)
+{
+  NEEDS_OPENEXR();
+  vtkTensorTreeBRDF::Tree tree;
+  tree.Dimensions = 4;
+  tree.Nodes = { { 1, 0 }, { 2, 1 }, { 0, 0 } };
+  tree.Children = { 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1 };
+  tree.Values = MakeValues(17);
+  vtkNew<vtkTensorTreeBRDF> material;
+  ASSERT_EQ(material->SetTree(tree), "");
+  const auto back = RoundTrip(material.Get());
+  ASSERT_TRUE(back);
+  EXPECT_EQ(back->GetTree().Dimensions, 4);
+  ASSERT_EQ(back->GetTree().Nodes.size(), 3u);
+  EXPECT_EQ(back->GetTree().Nodes[1].Side, 2);
+  EXPECT_EQ(back->GetTree().Nodes[1].First, 1);
+  EXPECT_EQ(back->GetTree().Children, tree.Children);
+  EXPECT_TRUE(SameBits(back->GetTree().Values, tree.Values));
 }
 
 //------------------------------------------------------------------------------

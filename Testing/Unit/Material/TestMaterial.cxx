@@ -4,6 +4,7 @@
 
 #include "ErrorCatcher.h"
 #include "vtkAdaptiveWarpBRDF.h"
+#include "vtkAngleBasisBRDF.h"
 #include "vtkAnisotropicTabulatedBRDF.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBRDFReader.h"
@@ -21,6 +22,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkSumBRDF.h"
 #include "vtkTabulatedBRDF.h"
+#include "vtkTensorTreeBRDF.h"
 
 #include <glm/glm.hpp>
 
@@ -95,6 +97,22 @@ vtkSmartPointer<vtkAdaptiveWarpBRDF> MakeAdaptiveWarp()
   return brdf;
 }
 
+/// Patches of uneven values, some of them negative.
+vtkSmartPointer<vtkAngleBasisBRDF> MakeAngleBasis()
+{
+  const vtkAngleBasisBRDF::Basis light = { { 25.0f, 60.0f, 90.0f }, { 1, 4, 8 } };
+  const vtkAngleBasisBRDF::Basis view = { { 30.0f, 90.0f }, { 1, 6 } };
+  std::vector<float> rgb;
+  for (int k = 0; k < 13 * 7; ++k)
+  {
+    const float value = k % 9 == 0 ? -0.01f : 0.05f + 0.01f * static_cast<float>(k * 7 % 23);
+    rgb.insert(rgb.end(), { value, 0.5f * value, 0.1f });
+  }
+  auto brdf = vtkSmartPointer<vtkAngleBasisBRDF>::New();
+  EXPECT_EQ(brdf->SetMatrix(light, view, rgb), "");
+  return brdf;
+}
+
 /// A constant and a term towards the tangent, or (isotropic) away from the viewer's azimuth, that
 /// rings below 0; both cosines carried.
 vtkSmartPointer<vtkBasisBRDF> MakeBasis(int basis, int nPhi)
@@ -147,6 +165,12 @@ std::vector<std::pair<std::string, vtkSmartPointer<vtkBRDF>>> MakeAll()
   anisotropic->Resample(ashikhmin, vtkAnisotropicTabulatedBRDF::FULL_TURN, size);
   all.emplace_back("anisotropic table", anisotropic);
   all.emplace_back("adaptive warp", MakeAdaptiveWarp());
+  all.emplace_back("angle basis", MakeAngleBasis());
+  auto tree = vtkSmartPointer<vtkTensorTreeBRDF>::New();
+  EXPECT_EQ(tree->SetTree({ 3, { { 2, 0 }, { 1, 8 }, { 0, 0 } }, { 0, 1, 1, 0, 1, 0, 0, 1 },
+              { 0.1f, 0.2f, 0.3f, 0.4f, 0.1f, -0.1f, 0.3f, 0.2f, 0.15f } }),
+    "");
+  all.emplace_back("tensor tree", tree);
   all.emplace_back("zonal basis", MakeBasis(vtkBasisBRDF::ZONAL, 1));
   all.emplace_back("Legendre x Fourier basis", MakeBasis(vtkBasisBRDF::LEGENDRE_FOURIER, 4));
   all.emplace_back("harmonics", MakeBasis(vtkBasisBRDF::SPHERICAL_HARMONICS, 3));

@@ -1,0 +1,300 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BsdfXmlFile.h"
+
+#include "BsdfXmlParser.h"
+#include "BsdfXmlTree.h"
+#include "vtkAngleBasisBRDF.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkTensorTreeBRDF.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string_view>
+
+namespace measuredbrdf
+{
+namespace
+{
+using Basis = vtkAngleBasisBRDF::Basis;
+
+constexpr double AngleTolerance = 1e-3; // degrees
+
+// The sides as Radiance calls them, and as the files do, which look from the other side.
+struct Side
+{
+  const char* Name;
+  const char* Direction;
+};
+constexpr Side Sides[] = { { "front", "Reflection Back" }, { "back", "Reflection Front" } };
+
+struct Source
+{
+  ByteReader Reader;
+  BsdfXmlTexts Texts;
+
+  [[noreturn]] void Fail(const std::string& field, const std::string& what) const
+  {
+    this->Reader.FailAt(0, field, what);
+  }
+};
+
+double ToNumber(const Source& source, const std::string& field, const std::string& text)
+{
+  double number = 0.0;
+  if (!ToBsdfNumber(text, number))
+  {
+    source.Fail(field, "found " + Quote(text) + ", expected a number");
+  }
+  return number;
+}
+
+Basis MakeBasis(const Source& source, const std::string& name)
+{
+  const auto found = std::find_if(source.Texts.Bases.begin(), source.Texts.Bases.end(),
+    [&name](const BsdfXmlBasis& basis) { return basis.Name == name; });
+  if (found == source.Texts.Bases.end() || found->Rings.empty())
+  {
+    source.Fail("AngleBasis", "the file does not define " + Quote(name));
+  }
+  Basis basis;
+  double lower = 0.0;
+  for (const BsdfXmlRing& ring : found->Rings)
+  {
+    const std::string field = "ring " + std::to_string(basis.Patches.size()) + " of " + Quote(name);
+    if (std::abs(ToNumber(source, field + ", LowerTheta", ring.Lower) - lower) > AngleTolerance)
+    {
+      source.Fail(
+        field, "LowerTheta is " + Quote(ring.Lower) + ", expected where the ring before it ends");
+    }
+    lower = ToNumber(source, field + ", UpperTheta", ring.Upper);
+    const double patches = ToNumber(source, field + ", nPhis", ring.Patches);
+    if (!(patches >= 1.0) || patches > vtkAngleBasisBRDF::MaximumPatches ||
+        patches != std::floor(patches))
+    {
+      source.Fail(field, "nPhis is " + Quote(ring.Patches) + ", expected a whole number from 1");
+    }
+    basis.UpperTheta.push_back(static_cast<float>(lower));
+    basis.Patches.push_back(static_cast<int>(patches));
+  }
+  return basis;
+}
+
+// Exactly so many; a word that is no number is named.
+std::vector<float> ReadValues(const Source& source, const BsdfXmlBlock& block, std::size_t expected)
+{
+  const std::string field = "ScatteringData of " + Quote(block.Direction);
+  std::vector<float> values;
+  std::string_view rest = block.Values;
+  for (std::string_view word = TakeBsdfWord(rest); !word.empty(); word = TakeBsdfWord(rest))
+  {
+    double number = 0.0;
+    if (!ToBsdfNumber(word, number))
+    {
+      source.Reader.FailAt(block.Offset, field,
+        "value " + std::to_string(values.size()) + ": found " + Quote(std::string(word)) +
+          ", expected a number");
+    }
+    if (values.size() == expected)
+    {
+      source.Reader.FailAt(block.Offset, field,
+        "found more than the " + std::to_string(expected) + " values expected");
+    }
+    values.push_back(static_cast<float>(number));
+  }
+  if (values.size() != expected)
+  {
+    source.Reader.FailAt(block.Offset, field,
+      "found " + std::to_string(values.size()) + " values, expected " + std::to_string(expected));
+  }
+  return values;
+}
+
+const BsdfXmlBlock* FindBlock(
+  const BsdfXmlTexts& texts, const std::string& direction, const std::string& wavelength)
+{
+  const auto found = std::find_if(texts.Blocks.begin(), texts.Blocks.end(),
+    [&](const BsdfXmlBlock& block)
+    { return block.Direction == direction && block.Wavelength == wavelength; });
+  return found == texts.Blocks.end() ? nullptr : &*found;
+}
+
+std::vector<std::string> ListSides(const BsdfXmlTexts& texts)
+{
+  std::vector<std::string> names;
+  for (const Side& side : Sides)
+  {
+    if (FindBlock(texts, side.Direction, "Visible"))
+    {
+      names.emplace_back(side.Name);
+    }
+  }
+  return names;
+}
+
+const Side& ChooseSide(const Source& source, const std::string& material)
+{
+  const std::vector<std::string> names = ListSides(source.Texts);
+  if (names.empty())
+  {
+    source.Fail("WavelengthDataDirection", "found " + std::to_string(source.Texts.Blocks.size()) +
+                                             " blocks, none of them of visible reflection");
+  }
+  const std::string& wanted = material.empty() ? names.front() : material;
+  if (std::find(names.begin(), names.end(), wanted) == names.end())
+  {
+    source.Fail("material", "there is no reflection of " + Quote("#" + wanted) + ", only of " +
+                              Quote("#" + names.front()) +
+                              (names.size() > 1 ? " and " + Quote("#" + names[1]) : ""));
+  }
+  return wanted == Sides[0].Name ? Sides[0] : Sides[1];
+}
+
+// In the order of the material's matrix: a row for each patch of the light.
+std::vector<float> ReadMatrix(
+  const Source& source, const BsdfXmlBlock& block, std::size_t rows, std::size_t columns)
+{
+  std::vector<float> values = ReadValues(source, block, rows * columns);
+  if (source.Texts.Structure == "Rows")
+  {
+    std::vector<float> turned(values.size());
+    for (std::size_t k = 0; k < values.size(); ++k)
+    {
+      turned[k] = values[k % columns * rows + k / columns];
+    }
+    values.swap(turned);
+  }
+  return values;
+}
+
+// CIE XYZ to linear sRGB (IEC 61966-2-1), D65.
+std::array<float, 3> ToRGB(double x, double y, double z)
+{
+  return { static_cast<float>(3.2404542 * x - 1.5371385 * y - 0.4985314 * z),
+    static_cast<float>(-0.9692660 * x + 1.8760108 * y + 0.0415560 * z),
+    static_cast<float>(0.0556434 * x - 0.2040259 * y + 1.0572252 * z) };
+}
+
+vtkSmartPointer<vtkBRDF> ReadBases(const Source& source, const Side& side, MaterialFile& result)
+{
+  const BsdfXmlBlock& visible = *FindBlock(source.Texts, side.Direction, "Visible");
+  const Basis light = MakeBasis(source, visible.RowBasis);
+  const Basis view = MakeBasis(source, visible.ColumnBasis);
+  const std::size_t rows = static_cast<std::size_t>(light.GetNumberOfPatches());
+  const std::size_t columns = static_cast<std::size_t>(view.GetNumberOfPatches());
+  const std::vector<float> y = ReadMatrix(source, visible, rows, columns);
+  const BsdfXmlBlock* red = FindBlock(source.Texts, side.Direction, "CIE-X");
+  const BsdfXmlBlock* blue = FindBlock(source.Texts, side.Direction, "CIE-Z");
+  std::vector<float> rgb;
+  if (red && blue)
+  {
+    const std::vector<float> x = ReadMatrix(source, *red, rows, columns);
+    const std::vector<float> z = ReadMatrix(source, *blue, rows, columns);
+    for (std::size_t k = 0; k < y.size(); ++k)
+    {
+      const std::array<float, 3> color = ToRGB(x[k], y[k], z[k]);
+      rgb.insert(rgb.end(), color.begin(), color.end());
+    }
+  }
+  else
+  {
+    for (const float value : y)
+    {
+      rgb.insert(rgb.end(), 3, value);
+    }
+    result.AddNote("The file holds no color: values are of visible light.");
+  }
+  result.NumberOfNegativeValues =
+    std::count_if(y.begin(), y.end(), [](float value) { return value < 0.0f; });
+  auto brdf = vtkSmartPointer<vtkAngleBasisBRDF>::New();
+  const std::string problem = brdf->SetMatrix(light, view, std::move(rgb));
+  if (!problem.empty())
+  {
+    source.Fail("AngleBasis", problem);
+  }
+  return brdf;
+}
+
+vtkSmartPointer<vtkBRDF> ReadTree(const Source& source, const Side& side, MaterialFile& result)
+{
+  const BsdfXmlBlock& visible = *FindBlock(source.Texts, side.Direction, "Visible");
+  const std::string field = "ScatteringData of " + Quote(visible.Direction);
+  auto brdf = vtkSmartPointer<vtkTensorTreeBRDF>::New();
+  std::string problem;
+  try
+  {
+    const auto tree =
+      ParseBsdfTree(visible.Values, source.Texts.Structure == "TensorTree3" ? 3 : 4);
+    result.NumberOfNegativeValues = std::count_if(
+      tree.Values.begin(), tree.Values.end(), [](float value) { return value < 0.0f; });
+    problem = brdf->SetTree(tree);
+  }
+  catch (const std::runtime_error& e)
+  {
+    problem = e.what();
+  }
+  if (!problem.empty())
+  {
+    source.Reader.FailAt(visible.Offset, field, problem);
+  }
+  result.AddNote("Values are of visible light; a tree's colors are not read.");
+  return brdf;
+}
+}
+
+MaterialFile ReadBsdfXml(const FileBytes& file, const std::string& material)
+{
+  const Source source{ ByteReader(file, BsdfXmlFormatName), ParseBsdfXml(file) };
+  const BsdfXmlTexts& texts = source.Texts;
+  const std::string& structure = texts.Structure;
+  const bool isTree = structure == "TensorTree3" || structure == "TensorTree4";
+  if (!isTree && structure != "Columns" && structure != "Rows")
+  {
+    source.Fail("IncidentDataStructure",
+      "found " + Quote(structure) + ", expected 'Columns', 'Rows', 'TensorTree3' or 'TensorTree4'");
+  }
+  const Side& side = ChooseSide(source, material);
+  MaterialFile result;
+  result.BRDF = isTree ? ReadTree(source, side, result) : ReadBases(source, side, result);
+  result.AddNote("The side that Radiance calls " + std::string(side.Name) + ", in the file '" +
+                 side.Direction + "'. Transmission is left out.");
+  if (texts.Layers > 1)
+  {
+    result.AddNote("The first of " + std::to_string(texts.Layers) + " layers.");
+  }
+  const bool named = !texts.Name.empty() && texts.Name != "Name"; // genBSDF's own
+  result.BRDF->SetName(named ? texts.Name : GetFileStem(file.GetPath()));
+  result.BRDF->SetSource("BSDF XML file " + GetFileTitle(file.GetPath()));
+  return result;
+}
+
+vtkStandardNewMacro(BsdfXmlFormat);
+
+//------------------------------------------------------------------------------
+bool BsdfXmlFormat::CanRead(const File& file)
+{
+  return file.Bytes.substr(0, 4096).find("<WindowElement") != std::string_view::npos;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> BsdfXmlFormat::GetMaterialNames(const File& file)
+{
+  try
+  {
+    return ListSides(ParseBsdfXml(FileBytes::View(file.Path, file.Bytes)));
+  }
+  catch (const std::exception&)
+  {
+    return {}; // Read says what is wrong
+  }
+}
+
+//------------------------------------------------------------------------------
+MaterialFile BsdfXmlFormat::DoRead(const FileBytes& file, const std::string& material)
+{
+  return ReadBsdfXml(file, material);
+}
+} // namespace measuredbrdf

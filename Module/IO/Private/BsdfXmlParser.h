@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What a BSDF XML file holds, as texts: its bases and blocks of values. Private to the IO room.
+ */
+
+#ifndef BsdfXmlParser_h
+#define BsdfXmlParser_h
+
+#include "FileBytes.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace measuredbrdf
+{
+struct BsdfXmlRing
+{
+  std::string Lower; // degrees
+  std::string Upper;
+  std::string Patches;
+};
+
+struct BsdfXmlBasis
+{
+  std::string Name;
+  std::vector<BsdfXmlRing> Rings;
+};
+
+/// A WavelengthDataBlock, with the wavelength around it.
+struct BsdfXmlBlock
+{
+  std::string Wavelength;
+  std::string Direction; // "Reflection Back"
+  std::string ColumnBasis;
+  std::string RowBasis;
+  std::string Values;
+  std::uint64_t Offset = 0; // of the values in the file
+};
+
+struct BsdfXmlTexts
+{
+  std::string Name;
+  std::string Manufacturer;
+  std::string Structure; // "Columns", "Rows", "TensorTree3", "TensorTree4"
+  int Layers = 0;        // what is above is of the first
+  std::vector<BsdfXmlBasis> Bases;
+  std::vector<BsdfXmlBlock> Blocks;
+};
+
+/// Throws FileError where it is no well-formed XML, has a document type of its own, or is not a
+/// WindowElement. The values of other blocks than reflection are left out.
+BsdfXmlTexts ParseBsdfXml(const FileBytes& file);
+} // namespace measuredbrdf
+
+#endif

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Tables for graphics cards, of materials that have no form of their own there. Private to the
+ * module.
+ */
+
+#ifndef RenderableTable_h
+#define RenderableTable_h
+
+#include "vtkBRDF.h"
+#include "vtkSmartPointer.h"
+
+#include <string>
+
+namespace measuredbrdf
+{
+/// The material resampled within its ResamplingTolerance, made again where that has changed.
+class RenderableTable
+{
+public:
+  /// A vtkTabulatedBRDF or, where it is anisotropic, a vtkAnisotropicTabulatedBRDF, with the
+  /// material's name and source. problem: what to warn of where a new one misses the tolerance.
+  vtkBRDF* Get(vtkBRDF* material, std::string& problem);
+
+  /// The material has changed.
+  void Reset() { this->Table = nullptr; }
+
+private:
+  vtkSmartPointer<vtkBRDF> Table;
+  double Tolerance = 0.0;
+};
+} // namespace measuredbrdf
+
+#endif

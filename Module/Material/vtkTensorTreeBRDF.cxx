@@ -1,0 +1,321 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkTensorTreeBRDF.h"
+
+#include "ContentHash.h"
+#include "HalfVector.h" // for Pi
+#include "RenderableTable.h"
+#include "vtkBRDFExchange.h"
+#include "vtkBRDFShaderInputs.h"
+#include "vtkObjectFactory.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+using namespace measuredbrdf;
+
+vtkStandardNewMacro(vtkTensorTreeBRDF);
+
+struct vtkTensorTreeBRDF::Renderable : public RenderableTable
+{
+};
+
+namespace
+{
+using Tree = vtkTensorTreeBRDF::Tree;
+constexpr int LargestSide = 1 << 10;
+
+// From the unit disk, by concentric rings (Shirley, Chiu 1997), inverted.
+void ToSquare(double x, double y, double square[2])
+{
+  const double r = std::min(std::hypot(x, y), 1.0);
+  double phi = std::atan2(y, x);
+  constexpr double quarter = Pi / 4.0;
+  phi = phi < -quarter ? phi + 2.0 * Pi : phi;
+  double a = 0.0;
+  double b = 0.0;
+  if (phi < quarter)
+  {
+    a = r;
+    b = phi * r / quarter;
+  }
+  else if (phi < 3.0 * quarter)
+  {
+    a = (0.5 * Pi - phi) * r / quarter;
+    b = r;
+  }
+  else if (phi < 5.0 * quarter)
+  {
+    a = -r;
+    b = (Pi - phi) * r / quarter;
+  }
+  else
+  {
+    a = (phi - 1.5 * Pi) * r / quarter;
+    b = -r;
+  }
+  square[0] = 0.5 * (a + 1.0);
+  square[1] = 0.5 * (b + 1.0);
+}
+
+// Where a pair lies, each coordinate in [0, 1).
+std::array<double, 4> GetPlace(const Tree& tree, const double i[3], const double o[3])
+{
+  std::array<double, 4> place{};
+  if (tree.Dimensions == 4)
+  {
+    ToSquare(-o[0], -o[1], &place[0]);
+    ToSquare(i[0], i[1], &place[2]);
+  }
+  else
+  {
+    const double radius = std::hypot(o[0], o[1]);
+    const double c = radius > 1e-12 ? -o[0] / radius : 1.0;
+    const double s = radius > 1e-12 ? -o[1] / radius : 0.0;
+    place[0] = 0.5 - 0.5 * radius;
+    ToSquare(c * i[0] + s * i[1], c * i[1] - s * i[0], &place[1]);
+  }
+  for (double& coordinate : place)
+  {
+    coordinate = std::clamp(coordinate, 0.0, 1.0 - 1e-12);
+  }
+  return place;
+}
+
+float Find(const Tree& tree, std::array<double, 4> place)
+{
+  const std::size_t axes = static_cast<std::size_t>(tree.Dimensions);
+  std::size_t node = tree.Nodes.size() - 1;
+  while (tree.Nodes[node].Side == 0)
+  {
+    std::size_t child = static_cast<std::size_t>(tree.Nodes[node].First);
+    for (std::size_t axis = 0; axis < axes; ++axis)
+    {
+      place[axis] *= 2.0;
+      if (place[axis] >= 1.0)
+      {
+        child += std::size_t(1) << axis;
+        place[axis] -= 1.0;
+      }
+    }
+    node = static_cast<std::size_t>(tree.Children[child]);
+  }
+  const Tree::Node& leaf = tree.Nodes[node];
+  int cell = 0;
+  for (std::size_t axis = 0; axis < axes; ++axis)
+  {
+    cell = cell * leaf.Side + std::min(static_cast<int>(place[axis] * leaf.Side), leaf.Side - 1);
+  }
+  return tree.Values[static_cast<std::size_t>(leaf.First + cell)];
+}
+
+// Values of a leaf.
+long long CountValues(int side, int dimensions)
+{
+  long long count = 1;
+  for (int axis = 0; axis < dimensions; ++axis)
+  {
+    count *= side;
+  }
+  return count;
+}
+
+std::string FindNodeProblem(const Tree& tree, std::size_t index)
+{
+  const Tree::Node& node = tree.Nodes[index];
+  const std::string name = "node " + std::to_string(index) + ": ";
+  if (node.Side < 0 || node.Side > LargestSide || (node.Side & (node.Side - 1)) != 0)
+  {
+    return name + "found a side of " + std::to_string(node.Side) +
+           ", expected 0 for a branch or a power of two";
+  }
+  const bool branch = node.Side == 0;
+  const long long count = branch ? 1ll << tree.Dimensions : CountValues(node.Side, tree.Dimensions);
+  const std::size_t size = branch ? tree.Children.size() : tree.Values.size();
+  if (node.First < 0 || node.First + count > static_cast<long long>(size))
+  {
+    return name + "its " + (branch ? "children" : "values") + " are not there";
+  }
+  const auto first = tree.Children.begin() + (branch ? node.First : 0);
+  const auto isBefore = [index](int child)
+  { return child >= 0 && static_cast<std::size_t>(child) < index; };
+  return branch && !std::all_of(first, first + (1 << tree.Dimensions), isBefore)
+           ? name + "expected children before their parents"
+           : "";
+}
+
+std::string FindProblem(const Tree& tree)
+{
+  const std::size_t most = vtkTensorTreeBRDF::MaximumSize;
+  if (tree.Dimensions != 3 && tree.Dimensions != 4)
+  {
+    return "found " + std::to_string(tree.Dimensions) + " dimensions, expected 3 or 4";
+  }
+  if (tree.Nodes.empty() || tree.Nodes.size() > most || tree.Children.size() > most ||
+      tree.Values.size() > most)
+  {
+    return "expected 1 to " + std::to_string(most) + " nodes, and as many children and values";
+  }
+  for (std::size_t index = 0; index < tree.Nodes.size(); ++index)
+  {
+    const std::string problem = FindNodeProblem(tree, index);
+    if (!problem.empty())
+    {
+      return problem;
+    }
+  }
+  const auto bad = std::find_if(
+    tree.Values.begin(), tree.Values.end(), [](float value) { return !std::isfinite(value); });
+  return bad == tree.Values.end()
+           ? ""
+           : "value " + std::to_string(bad - tree.Values.begin()) + " is not finite";
+}
+
+// As they are stored with other arrays; what is no whole number becomes -1, which is refused.
+std::vector<float> ToFloats(const std::vector<int>& numbers)
+{
+  return std::vector<float>(numbers.begin(), numbers.end());
+}
+
+std::vector<int> ToNumbers(const std::vector<float>& values)
+{
+  std::vector<int> numbers;
+  for (const float value : values)
+  {
+    const bool whole = value >= 0.0f && value <= float(int(vtkTensorTreeBRDF::MaximumSize));
+    numbers.push_back(whole ? static_cast<int>(value) : -1);
+  }
+  return numbers;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkTensorTreeBRDF::vtkTensorTreeBRDF()
+  : Resampled(std::make_unique<Renderable>())
+{
+}
+
+//------------------------------------------------------------------------------
+vtkTensorTreeBRDF::~vtkTensorTreeBRDF() = default;
+
+//------------------------------------------------------------------------------
+void vtkTensorTreeBRDF::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Dimensions: " << this->Data.Dimensions << "\n";
+  os << indent << "Nodes: " << this->Data.Nodes.size() << "\n";
+  os << indent << "Values: " << this->Data.Values.size() << "\n";
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTensorTreeBRDF::SetTree(Tree tree)
+{
+  const std::string problem = FindProblem(tree);
+  if (problem.empty())
+  {
+    this->Data = std::move(tree);
+    this->Resampled->Reset();
+    this->Modified();
+  }
+  return problem;
+}
+
+//------------------------------------------------------------------------------
+void vtkTensorTreeBRDF::EvaluateAbove(const double i[3], const double o[3], double f[3])
+{
+  if (!this->Data.Nodes.empty())
+  {
+    const float value = Find(this->Data, GetPlace(this->Data, i, o));
+    std::fill_n(f, 3, std::max(value, 0.0f));
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTensorTreeBRDF::GetBounds(
+  double vtkNotUsed(minimumCosine), double lower[3], double upper[3])
+{
+  const std::vector<float>& values = this->Data.Values;
+  const auto ends = std::minmax_element(values.begin(), values.end());
+  std::fill_n(lower, 3, values.empty() ? 0.0 : std::max(*ends.first, 0.0f));
+  std::fill_n(upper, 3, values.empty() ? 0.0 : std::max(*ends.second, 0.0f));
+}
+
+//------------------------------------------------------------------------------
+vtkBRDF* vtkTensorTreeBRDF::GetRenderable()
+{
+  std::string problem;
+  vtkBRDF* table = this->Resampled->Get(this, problem);
+  if (!problem.empty())
+  {
+    vtkWarningMacro(<< problem);
+  }
+  return table;
+}
+
+//------------------------------------------------------------------------------
+void vtkTensorTreeBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
+{
+  this->GetRenderable()->GetShaderInputs(form);
+}
+
+//------------------------------------------------------------------------------
+void vtkTensorTreeBRDF::ExchangeData(vtkBRDFExchange& exchange)
+{
+  int dimensions = this->Data.Dimensions - 3;
+  exchange.Option("dimensions", { "3", "4" }, dimensions, [&](int value) { dimensions = value; });
+  if (!exchange.IsLoading())
+  {
+    std::vector<int> nodes;
+    for (const Tree::Node& node : this->Data.Nodes)
+    {
+      nodes.insert(nodes.end(), { node.Side, node.First });
+    }
+    exchange.SaveArray(
+      "nodes", { static_cast<int>(this->Data.Nodes.size()), 2 }, 1, ToFloats(nodes));
+    // One that is not used, where the root is a leaf: files hold no empty arrays.
+    std::vector<int> children = this->Data.Children;
+    children.resize(std::max<std::size_t>(children.size(), 1), 0);
+    exchange.SaveArray("children", { static_cast<int>(children.size()) }, 1, ToFloats(children));
+    exchange.SaveArray(
+      "values", { static_cast<int>(this->Data.Values.size()) }, 1, this->Data.Values);
+    return;
+  }
+  Tree tree;
+  tree.Dimensions = dimensions + 3;
+  const std::vector<int> nodes = ToNumbers(exchange.LoadArray("nodes", 2, 1).Values);
+  for (std::size_t k = 0; k + 1 < nodes.size(); k += 2)
+  {
+    tree.Nodes.push_back({ nodes[k], nodes[k + 1] });
+  }
+  tree.Children = ToNumbers(exchange.LoadArray("children", 1, 1).Values);
+  tree.Values = exchange.LoadArray("values", 1, 1).Values;
+  if (!exchange.HasFailed())
+  {
+    exchange.Check(this->SetTree(std::move(tree)));
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkBRDF* vtkTensorTreeBRDF::NewCopy()
+{
+  vtkTensorTreeBRDF* copy = vtkTensorTreeBRDF::New();
+  copy->Data = this->Data;
+  return copy;
+}
+
+//------------------------------------------------------------------------------
+std::pair<std::type_index, std::string> vtkTensorTreeBRDF::GetContent()
+{
+  ContentHash hash;
+  hash.AddValue(this->Data.Dimensions);
+  for (const Tree::Node& node : this->Data.Nodes)
+  {
+    hash.AddValue(node.Side);
+    hash.AddValue(node.First);
+  }
+  hash.AddValues(this->Data.Children);
+  hash.AddValues(this->Data.Values);
+  return { typeid(vtkTensorTreeBRDF), hash.GetText() };
+}

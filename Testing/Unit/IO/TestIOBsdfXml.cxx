@@ -1,0 +1,275 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// BSDF XML files of Radiance and WINDOW.
+
+#include "SmallBsdfXml.h"
+#include "TestIOHelpers.h"
+
+#include "vtkAngleBasisBRDF.h"
+#include "vtkBRDFReader.h"
+#include "vtkNew.h"
+#include "vtkTensorTreeBRDF.h"
+
+#include <glm/glm.hpp>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+using namespace testio;
+
+namespace
+{
+const std::string Format = "BSDF XML";
+const std::string SharedData = MEASUREDBRDF_SHARED_DATA;
+
+glm::dvec3 Evaluate(vtkBRDF* brdf, const glm::dvec3& i, const glm::dvec3& o)
+{
+  glm::dvec3 f;
+  brdf->Evaluate(&i.x, &o.x, &f.x);
+  return f;
+}
+
+glm::dvec3 FromDegrees(double theta, double phi)
+{
+  constexpr double degree = 3.14159265358979323846 / 180.0;
+  return glm::dvec3(std::sin(theta * degree) * std::cos(phi * degree),
+    std::sin(theta * degree) * std::sin(phi * degree), std::cos(theta * degree));
+}
+
+std::string Replace(std::string text, const std::string& old, const std::string& with)
+{
+  const std::size_t at = text.find(old);
+  EXPECT_NE(at, std::string::npos) << old;
+  return text.replace(at, old.size(), with);
+}
+}
+
+//------------------------------------------------------------------------------
+// Patch 0 is about the normal; 1 to 4 at 0, 90, 180 and 270 degrees. Columns are of the view turned
+// by half a turn: mirror directions lie on the diagonal.
+TEST(IOBsdfXml, Reads)
+{
+  const Folder folder;
+  for (const char* structure : { "Columns", "Rows" })
+  {
+    WriteBytes(folder("a.xml"), MakeBsdfXml(structure));
+    vtkNew<vtkBRDFReader> reader;
+    reader->SetFileName(folder("a.xml"));
+    ASSERT_TRUE(reader->Read()) << reader->GetErrorMessage();
+    EXPECT_EQ(reader->GetFormatName(), Format);
+    auto* brdf = vtkAngleBasisBRDF::SafeDownCast(reader->GetBRDF());
+    ASSERT_TRUE(brdf);
+    EXPECT_EQ(brdf->GetName(), "Grate & shade");
+    const bool turned = structure[0] == 'R';
+    const auto value = [&](int row, int column)
+    { return 0.1 + 0.01 * (turned ? 5 * column + row : 5 * row + column); };
+    for (int row = 0; row < 5; ++row)
+    {
+      for (int column = 0; column < 5; ++column)
+      {
+        const glm::dvec3 i =
+          row == 0 ? FromDegrees(20.0, 123.0) : FromDegrees(50.0, 90.0 * (row - 1) + 40.0);
+        const glm::dvec3 o = column == 0 ? FromDegrees(25.0, 10.0)
+                                         : FromDegrees(80.0, 90.0 * (column - 1) + 180.0 - 40.0);
+        EXPECT_NEAR(Evaluate(brdf, i, o).x, value(row, column), 1e-6) << row << " " << column;
+      }
+    }
+    EXPECT_NE(reader->GetNotes().find("no color"), std::string::npos);
+    EXPECT_NE(reader->GetNotes().find("Transmission is left out"), std::string::npos);
+  }
+  EXPECT_EQ(vtkNew<vtkBRDFReader>()->GetMaterialNames(), std::vector<std::string>());
+}
+
+//------------------------------------------------------------------------------
+TEST(IOBsdfXml, ReadsEitherSide)
+{
+  const Folder folder;
+  WriteBytes(folder("a.xml"), MakeBsdfXml());
+  vtkNew<vtkBRDFReader> reader;
+  reader->SetFileName(folder("a.xml"));
+  EXPECT_EQ(reader->GetMaterialNames(), (std::vector<std::string>{ "front", "back" }));
+  const glm::dvec3 up(0.0, 0.0, 1.0);
+  for (const auto& [name, value] :
+    { std::pair<std::string, double>{ "", 0.1 }, { "#front", 0.1 }, { "#back", 0.5 } })
+  {
+    reader->SetFileName(folder("a.xml") + name);
+    ASSERT_TRUE(reader->Read()) << reader->GetErrorMessage();
+    EXPECT_NEAR(Evaluate(reader->GetBRDF(), up, up).y, value, 1e-6) << name;
+  }
+  reader->SetFileName(folder("a.xml") + "#left");
+  EXPECT_FALSE(reader->Read());
+  EXPECT_NE(
+    reader->GetErrorMessage().find("'#left', only of '#front' and '#back'"), std::string::npos)
+    << reader->GetErrorMessage();
+}
+
+//------------------------------------------------------------------------------
+// X, Y and Z of gray at 6504 K are equal parts of red, green and blue.
+TEST(IOBsdfXml, ReadsColor)
+{
+  const Folder folder;
+  std::string more = MakeBsdfXmlBlock("CIE-X", "Reflection Back", 0.1 * 0.95047, 0.01 * 0.95047);
+  more += MakeBsdfXmlBlock("CIE-Z", "Reflection Back", 0.1 * 1.08883, 0.01 * 1.08883);
+  WriteBytes(folder("a.xml"), MakeBsdfXml("Columns", more));
+  vtkNew<vtkBRDFReader> reader;
+  reader->SetFileName(folder("a.xml"));
+  ASSERT_TRUE(reader->Read()) << reader->GetErrorMessage();
+  EXPECT_EQ(reader->GetNotes().find("no color"), std::string::npos);
+  const glm::dvec3 f = Evaluate(reader->GetBRDF(), FromDegrees(50, 0), FromDegrees(50, 180));
+  for (int c = 0; c < 3; ++c)
+  {
+    EXPECT_NEAR(f[c], 0.16, 2e-4) << c;
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(IOBsdfXml, RefusesBadFiles)
+{
+  const Folder folder;
+  const std::string good = MakeBsdfXml();
+  const std::size_t root = good.find("<WindowElement") + 14;
+  ExpectTruncationsRefused(folder, good.substr(0, good.size() - 1), root, 97, Format);
+  ExpectBytesRefused(folder, Replace(good, "<Optical>", "<Optical"), { Format, "well-formed" });
+  ExpectBytesRefused(folder, Replace(good, "0.110000", "0.11x"),
+    { Format, "Reflection Back", "value 1", "0.11x", "expected a number" });
+  ExpectBytesRefused(folder, Replace(good, "0.110000", "nan"), { Format, "value 1", "nan" });
+  ExpectBytesRefused(
+    folder, Replace(good, "0.110000,", ""), { Format, "found 24 values, expected 25" });
+  ExpectBytesRefused(folder, Replace(good, "0.110000", "0.1 0.2"), { Format, "more than the 25" });
+  ExpectBytesRefused(folder, Replace(good, "Columns", "TensorTree5"),
+    { Format, "IncidentDataStructure", "TensorTree5" });
+  ExpectBytesRefused(folder, Replace(good, "<AngleBasisName>Five", "<AngleBasisName>Six"),
+    { Format, "AngleBasis", "does not define", "Five" });
+  ExpectBytesRefused(folder, Replace(good, "<LowerTheta>30", "<LowerTheta>31"),
+    { Format, "ring 1", "LowerTheta", "31" });
+  ExpectBytesRefused(
+    folder, Replace(good, "<UpperTheta>90", "<UpperTheta>80"), { Format, "80", "expected 90" });
+  for (const char* count : { "0", "-4", "2.5", "1e9", "many", "" })
+  {
+    ExpectBytesRefused(folder, Replace(good, "<nPhis>4", std::string("<nPhis>") + count),
+      { Format, "ring 1", "nPhis" });
+  }
+  std::string none = Replace(good, ">Reflection Back", ">Transmission Back");
+  none = Replace(none, ">Reflection Front", ">Transmission Front");
+  none = Replace(none, ">Reflection Back", ">Transmission Back");
+  ExpectBytesRefused(folder, none, { Format, "none of them of visible reflection" });
+  // Texts that grow without bound, and towers of elements.
+  ExpectBytesRefused(folder,
+    Replace(
+      good, "<!-- made by a test -->", "<!DOCTYPE a [<!ENTITY b \"cc\"><!ENTITY d \"&b;&b;\">]>"),
+    { Format, "document type" });
+  std::string tower;
+  for (int k = 0; k < 100000; ++k)
+  {
+    tower += "<a>";
+  }
+  ExpectBytesRefused(folder, Replace(good, "<Optical>", "<Optical>" + tower), { Format, "deeply" });
+}
+
+//------------------------------------------------------------------------------
+// The first axis of three is the view's: child 0, bit 0 not set, is where |v| is near 1. The other
+// two are the light's, turned so that the mirror direction is towards +x.
+TEST(IOBsdfXml, ReadsTensorTrees)
+{
+  const Folder folder;
+  const std::string eighths = "{ 0.1 0.2 0.3 0.4 0.5 0.6 0.7 0.8 }";
+  WriteBytes(
+    folder("a.xml"), MakeBsdfXmlTree(3, "{" + eighths + "{1}" + eighths + "{3}{4},{5} {6} {7}}"));
+  vtkNew<vtkBRDFReader> reader;
+  reader->SetFileName(folder("a.xml"));
+  ASSERT_TRUE(reader->Read()) << reader->GetErrorMessage();
+  auto* brdf = vtkTensorTreeBRDF::SafeDownCast(reader->GetBRDF());
+  ASSERT_TRUE(brdf);
+  EXPECT_TRUE(brdf->IsIsotropic());
+  // The view's coordinate is 0.33, in the lower half. The light's radius is 0.64.
+  const glm::dvec3 o = FromDegrees(20.0, 70.0);
+  const auto at = [&](double phi)
+  { return Evaluate(brdf, FromDegrees(40.0, 70.0 + 180.0 + phi), o).x; };
+  EXPECT_NEAR(at(1.0), 6.0, 1e-6);    // x and y in the upper halves
+  EXPECT_NEAR(at(-1.0), 0.8, 1e-6);   // x in the upper half: child 2, its last cell
+  EXPECT_NEAR(at(179.0), 4.0, 1e-6);  // y in the upper half
+  EXPECT_NEAR(at(-179.0), 0.6, 1e-6); // child 0, cell (1, 0, 1)
+  EXPECT_NE(reader->GetNotes().find("visible light"), std::string::npos);
+
+  // Four axes: a single cell, and two halves along the last one, the light's y.
+  std::string cells = "{";
+  for (int k = 0; k < 16; ++k)
+  {
+    cells += "{" + std::to_string(k) + "}";
+  }
+  WriteBytes(folder("b.xml"), MakeBsdfXmlTree(4, cells + "}"));
+  reader->SetFileName(folder("b.xml"));
+  ASSERT_TRUE(reader->Read()) << reader->GetErrorMessage();
+  EXPECT_FALSE(reader->GetBRDF()->IsIsotropic());
+  for (int k = 0; k < 16; ++k)
+  {
+    const auto sign = [k](int bit) { return (k >> bit & 1) != 0 ? 0.4 : -0.4; };
+    const glm::dvec3 o(-sign(0), -sign(1), std::sqrt(0.68));
+    const glm::dvec3 i(sign(2), sign(3), std::sqrt(0.68));
+    EXPECT_NEAR(Evaluate(reader->GetBRDF(), i, o).x, k, 1e-6);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(IOBsdfXml, RefusesBadTrees)
+{
+  const Folder folder;
+  const auto refuse = [&](const std::string& tree, const std::string& what)
+  {
+    ExpectBytesRefused(
+      folder, MakeBsdfXmlTree(3, tree), { Format, "ScatteringData of 'Reflection Back'", what });
+  };
+  refuse("", "0 braces open");
+  refuse("1", "found '1'");
+  refuse("{1", "1 braces open");
+  refuse("{1}{1}", "more follows");
+  refuse("{1 2}", "2 values");
+  refuse("{}", "0 values");
+  refuse("{{1}{2}}", "2 children");
+  refuse("{{1}{2}{3}{4}{5}{6}{7}{8} 9}", "1 values");
+  refuse("{x}", "found 'x'");
+  refuse("{1e99}", "1e99");
+  refuse(std::string(100000, '{'), "too deeply");
+}
+
+//------------------------------------------------------------------------------
+// Against Radiance's own rtrace.
+TEST(IOBsdfXml, AgreesWithRadiance)
+{
+  const std::filesystem::path folder = SharedData;
+  if (!std::filesystem::is_directory(folder / "materials/radiance"))
+  {
+    GTEST_SKIP() << "no shared data";
+  }
+  for (const char* name : { "2011-SA1", "metalGrate", "t3" })
+  {
+    vtkNew<vtkBRDFReader> reader;
+    reader->SetFileName((folder / "materials/radiance" / name).string() + ".xml");
+    ASSERT_TRUE(reader->Read()) << reader->GetErrorMessage();
+    std::ifstream csv(folder / "expected" / (std::string(name) + ".pairs.csv"));
+    double largest = 0.0;
+    int pairs = 0;
+    for (std::string line; std::getline(csv, line);)
+    {
+      std::istringstream numbers(line);
+      glm::dvec3 i, o, f;
+      char comma;
+      if (numbers >> i.x >> comma >> i.y >> comma >> i.z >> comma >> o.x >> comma >> o.y >> comma >>
+          o.z >> comma >> f.x >> comma >> f.y >> comma >> f.z)
+      {
+        const double difference = std::abs(Evaluate(reader->GetBRDF(), i, o).y - f.y);
+        largest = std::max(largest, difference / f.y);
+        ++pairs;
+      }
+    }
+    std::printf("%s: %d pairs, largest relative difference %.2g\n", name, pairs, largest);
+    EXPECT_GT(pairs, 300);
+    EXPECT_LT(largest, 1e-3);
+  }
+}
