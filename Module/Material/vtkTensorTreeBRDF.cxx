@@ -74,7 +74,7 @@ std::array<double, 4> GetPlace(const Tree& tree, const double i[3], const double
     const double radius = std::hypot(o[0], o[1]);
     const double c = radius > 1e-12 ? -o[0] / radius : 1.0;
     const double s = radius > 1e-12 ? -o[1] / radius : 0.0;
-    place[0] = 0.5 - 0.5 * radius;
+    place[0] = std::min(0.5 - 0.5 * radius, 0.5 - 1e-9); // trees hold nothing beyond
     ToSquare(c * i[0] + s * i[1], c * i[1] - s * i[0], &place[1]);
   }
   for (double& coordinate : place)

@@ -195,6 +195,8 @@ TEST(IOBsdfXml, ReadsTensorTrees)
   EXPECT_NEAR(at(-1.0), 0.8, 1e-6);   // x in the upper half: child 2, its last cell
   EXPECT_NEAR(at(179.0), 4.0, 1e-6);  // y in the upper half
   EXPECT_NEAR(at(-179.0), 0.6, 1e-6); // child 0, cell (1, 0, 1)
+  // Along the normal, where the coordinate ends: nothing lies in the upper half.
+  EXPECT_NEAR(Evaluate(brdf, FromDegrees(40.0, 1.0), { 0.0, 0.0, 1.0 }).x, 6.0, 1e-6);
   EXPECT_NE(reader->GetNotes().find("visible light"), std::string::npos);
 
   // Four axes: a single cell, and two halves along the last one, the light's y.
