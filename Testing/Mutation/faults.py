@@ -531,7 +531,7 @@ add("Planning.key-without-view", "vtkRadiancePlanner.cxx",
     "hash.Add(planner->GetViewDirection(), 3 * sizeof(double));", "", "PlanCache.WhatItDependsOnMakesAnother")
 add("Planning.key-without-pixels", "vtkRadiancePlanner.cxx", "hash.AddValue(planner->GetNumberOfPixels());", "",
     "PlanCache.WhatItDependsOnMakesAnother")
-add("Planning.key-without-costs", "vtkRadiancePlanner.cxx", "hash.AddValue(costs->GetCost(costs->GetCostName(k)));",
+add("Planning.key-without-costs", "vtkRadiancePlanner.cxx", "hash.AddText(this->Task.Costs->GetText());",
     "", "PlanCache.WhatItDependsOnMakesAnother")
 add("Planning.key-without-material", "vtkRadiancePlanner.cxx", "hash.AddText(material);", "",
     "PlanCache.WhatItDependsOnMakesAnother|PlanCache.TablesThatDifferInOneCellGetTwoPlans")
@@ -744,6 +744,12 @@ add("Shaders.table-azimuth-slices", "vtkBRDFEnvironmentTable.glsl", "fract(psi) 
     "fract(psi) * (slices - 2.0)", "Parity.TableIntegrator")
 add("Shaders.table-floor-of-another-row", "vtkBRDFEnvironmentTable.glsl", "brdfTableProfileINSTANCE, u, 2)", "brdfTableProfileINSTANCE, u, 1)",
     "Parity.TableIntegrator")
+add("Material.angle-basis-patches-begin-at-zero", "vtkAngleBasisBRDF.cxx",
+    "std::atan2(y, x) / (2.0 * Pi) * count + 0.5", "std::atan2(y, x) / (2.0 * Pi) * count", "IOBsdfXml.Reads")
+add("Material.tensor-tree-bits-reversed", "vtkTensorTreeBRDF.cxx", "std::size_t(1) << axis;",
+    "std::size_t(1) << (axes - 1 - axis);", "IOBsdfXml.ReadsTensorTrees")
+add("IO.bsdf-xml-rows-as-columns", "Private/BsdfXmlFile.cxx", 'source.Texts.Structure == "Rows"',
+    'source.Texts.Structure == "Never"', "IOBsdfXml.Reads")
 add("Material.warp-folds-the-other-way", "vtkAdaptiveWarpBRDF.cxx", "along.x + along.y < 0.0", "along.x + along.y > 0.0",
     "AnisotropicWarp.ReadsReducedFiles")
 add("Integration.hybrid-forgets-filter-weights", "vtkHybridRadianceIntegrator.cxx",

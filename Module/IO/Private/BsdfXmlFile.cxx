@@ -274,6 +274,9 @@ MaterialFile ReadBsdfXml(const FileBytes& file, const std::string& material)
 vtkStandardNewMacro(BsdfXmlFormat);
 
 //------------------------------------------------------------------------------
+std::string BsdfXmlFormat::GetName() { return BsdfXmlFormatName; }
+
+//------------------------------------------------------------------------------
 bool BsdfXmlFormat::CanRead(const File& file)
 {
   return file.Bytes.substr(0, 4096).find("<WindowElement") != std::string_view::npos;

@@ -17,8 +17,6 @@
 
 namespace measuredbrdf
 {
-constexpr const char* BsdfXmlFormatName = "BSDF XML";
-
 /// material: "front" or "back", as Radiance calls the sides (the file says the opposite); empty:
 /// front, or the side that the file has.
 MaterialFile ReadBsdfXml(const FileBytes& file, const std::string& material);
@@ -29,7 +27,7 @@ public:
   static BsdfXmlFormat* New();
   vtkTypeMacro(BsdfXmlFormat, FileFormat);
 
-  std::string GetName() override { return BsdfXmlFormatName; }
+  std::string GetName() override;
   std::string GetDescription() override
   {
     return "Radiance and WINDOW BSDF .xml (FILE.xml#front or #back)";

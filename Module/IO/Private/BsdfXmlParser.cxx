@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BsdfXmlParser.h"
 
-#include "BsdfXmlFile.h" // for the format's name
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkXMLParser.h"

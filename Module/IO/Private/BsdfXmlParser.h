@@ -16,6 +16,8 @@
 
 namespace measuredbrdf
 {
+constexpr const char* BsdfXmlFormatName = "BSDF XML";
+
 struct BsdfXmlRing
 {
   std::string Lower; // degrees
