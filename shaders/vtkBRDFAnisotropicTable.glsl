@@ -17,7 +17,8 @@ vec3 brdfTermINSTANCE(vec3 i, vec3 o)
   float low = floor(at);
   float rows = float(textureSize(brdfVolumeINSTANCE, 0).y) / brdfAzimuthsINSTANCE;
   float row = clamp(u.y * rows, 0.5, rows - 0.5); // no azimuth reaches into the next
-  vec2 places = mod(vec2(low, low + 1.0) + brdfAzimuthsINSTANCE, brdfAzimuthsINSTANCE);
+  vec2 places = vec2(low < 0.0 ? brdfAzimuthsINSTANCE - 1.0 : low,
+    low + 1.5 < brdfAzimuthsINSTANCE ? low + 1.0 : 0.0);
   places = (places * rows + row) / (rows * brdfAzimuthsINSTANCE);
   vec3 value = mix(texture(brdfVolumeINSTANCE, vec3(u.x, places.x, u.z)).rgb,
     texture(brdfVolumeINSTANCE, vec3(u.x, places.y, u.z)).rgb, at - low);

@@ -50,7 +50,8 @@ public:
   ///@{
   /**
    * The bits of its texture units' weights (vtkRadianceIntegrator::SetFilterWeightBits), 0 to 23;
-   * 0: exact. Default 8, which nearly all graphics cards have. Planners predict errors with it.
+   * 0: exact. Default 8, which nearly all graphics cards have, whatever
+   * the costs are of (llvmpipe is exact). Planners predict errors with it.
    */
   vtkSetClampMacro(FilterWeightBits, int, 0, 23);
   vtkGetMacro(FilterWeightBits, int);

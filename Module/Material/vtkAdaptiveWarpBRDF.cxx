@@ -32,6 +32,7 @@ struct vtkAdaptiveWarpBRDF::Warps
   BilinearWarp Luminance;
   BilinearWarp Rgb[3];
   int Parts = 1;                       // of a turn that phi_i spans, 1, 2 or 4
+  double MiddlePhi = 0.0;              // of phi_i
   glm::dvec2 Middle = glm::dvec2(0.0); // of phi_i, as a direction
 
   /// What x, y and z are multiplied by so that phi_i lies in its span: the same material.
@@ -67,16 +68,25 @@ struct Coordinates
   glm::dvec3 H;
 };
 
-Coordinates ToCoordinates(const glm::dvec3& incident, const glm::dvec3& outgoing, bool isotropic)
+// middle: of phi_i's span; phi is counted within half a turn of it.
+double GetAzimuth(const glm::dvec3& incident, double middle)
+{
+  const double phi = std::atan2(incident.y, incident.x);
+  return phi + 2.0 * Pi * std::round((middle - phi) / (2.0 * Pi));
+}
+
+Coordinates ToCoordinates(
+  const glm::dvec3& incident, const glm::dvec3& outgoing, bool isotropic, double middle)
 {
   Coordinates c;
   c.H = HalfVector(incident, outgoing);
   const double theta = Elevation(incident);
-  const double phi = std::atan2(incident.y, incident.x);
+  const double phi = GetAzimuth(incident, middle);
   const double phiH = std::atan2(c.H.y, c.H.x);
   c.Incident[0] = phi;
   c.Incident[1] = theta;
-  c.UnitIncident = glm::dvec2(ThetaHToUnit(theta), PhiToUnit(phi));
+  c.UnitIncident =
+    glm::dvec2(ThetaHToUnit(theta), PhiToUnit(phi - 2.0 * Pi * std::floor(PhiToUnit(phi))));
   c.UnitHalf = glm::dvec2(ThetaHToUnit(Elevation(c.H)), PhiToUnit(isotropic ? phiH - phi : phiH));
   c.UnitHalf.y -= std::floor(c.UnitHalf.y);
   return c;
@@ -155,7 +165,7 @@ std::string CheckDensity(const char* name, vtkAdaptiveWarpBRDF::Table& table)
 
 //------------------------------------------------------------------------------
 vtkAdaptiveWarpBRDF::vtkAdaptiveWarpBRDF()
-  : Resampled(std::make_unique<Renderable>())
+  : Resampled(std::make_shared<Renderable>())
 {
 }
 
@@ -203,6 +213,14 @@ std::string vtkAdaptiveWarpBRDF::SetTables(Tables tables)
       return "phi_i: found a span of " + std::to_string(span * 180.0 / Pi) +
              " degrees, expected 360, 180 or 90";
     }
+    // Mirrors are the planes of x and y.
+    const double start = tables.PhiI.front() / (0.5 * Pi);
+    if (whole == 4.0 && std::abs(start - std::round(start)) > 0.05)
+    {
+      return "phi_i: found a quarter turn from " +
+             std::to_string(tables.PhiI.front() * 180.0 / Pi) +
+             " degrees, expected one from a multiple of 90";
+    }
   }
   for (const std::string& problem :
     { CheckDensity("vndf", tables.Vndf), CheckDensity("luminance", tables.Luminance) })
@@ -227,6 +245,7 @@ std::string vtkAdaptiveWarpBRDF::SetTables(Tables tables)
     const double middle = 0.5 * (static_cast<double>(tables.PhiI.back()) + tables.PhiI.front());
     warps->Parts = static_cast<int>(
       std::lround(2.0 * Pi / (static_cast<double>(tables.PhiI.back()) - tables.PhiI.front())));
+    warps->MiddlePhi = middle;
     warps->Middle = glm::dvec2(std::cos(middle), std::sin(middle));
   }
   warps->Ndf = build(tables.Ndf, {}, false);
@@ -249,7 +268,7 @@ std::string vtkAdaptiveWarpBRDF::SetTables(Tables tables)
   }
   this->Data = std::move(tables);
   this->Warp = std::move(warps);
-  this->Resampled->Reset();
+  this->Resampled = std::make_shared<Renderable>();
   this->Modified();
   return "";
 }
@@ -263,8 +282,8 @@ void vtkAdaptiveWarpBRDF::EvaluateAbove(const double i[3], const double o[3], do
   }
   // The tables hold f cos(theta_o) = rgb(s) ndf(h) / (4 sigma(i)), s = vndf^-1(h; i).
   const glm::dvec3 signs = this->Warp->GetFold(glm::make_vec3(i));
-  const Coordinates c = ToCoordinates(
-    signs * glm::make_vec3(i), signs * glm::make_vec3(o), this->Data.PhiI.size() <= 2);
+  const Coordinates c = ToCoordinates(signs * glm::make_vec3(i), signs * glm::make_vec3(o),
+    this->Data.PhiI.size() <= 2, this->Warp->MiddlePhi);
   const BilinearWarp::Slices none = this->Warp->Ndf.FindSlices(nullptr);
   const BilinearWarp::Slices slices = this->Warp->Vndf.FindSlices(c.Incident);
   double density = 0.0;
@@ -293,7 +312,7 @@ bool vtkAdaptiveWarpBRDF::SampleAbove(const double o[3], double u1, double u2, d
   const glm::dvec3 signs = this->Warp->GetFold(glm::make_vec3(o));
   const glm::dvec3 incident = signs * glm::make_vec3(o);
   const bool isotropic = this->Data.PhiI.size() <= 2;
-  const double phi = std::atan2(incident.y, incident.x);
+  const double phi = GetAzimuth(incident, this->Warp->MiddlePhi);
   const double parameters[2] = { phi, Elevation(incident) };
   const BilinearWarp::Slices slices = this->Warp->Vndf.FindSlices(parameters);
   double density = 0.0;
@@ -318,8 +337,8 @@ double vtkAdaptiveWarpBRDF::PdfAbove(const double i[3], const double o[3])
   const glm::dvec3 signs = this->Warp->GetFold(glm::make_vec3(o));
   const glm::dvec3 incident =
     signs * glm::make_vec3(o); // the view plays the light, as in SampleAbove
-  const Coordinates c =
-    ToCoordinates(incident, signs * glm::make_vec3(i), this->Data.PhiI.size() <= 2);
+  const Coordinates c = ToCoordinates(
+    incident, signs * glm::make_vec3(i), this->Data.PhiI.size() <= 2, this->Warp->MiddlePhi);
   const BilinearWarp::Slices slices = this->Warp->Vndf.FindSlices(c.Incident);
   double density = 0.0;
   const glm::dvec2 s = this->Warp->Vndf.Invert(c.UnitHalf, slices, density);
@@ -415,6 +434,7 @@ vtkBRDF* vtkAdaptiveWarpBRDF::NewCopy()
   vtkAdaptiveWarpBRDF* copy = vtkAdaptiveWarpBRDF::New();
   copy->Data = this->Data;
   copy->Warp = this->Warp; // never changes once it is made
+  copy->Resampled = this->Resampled;
   return copy;
 }
 

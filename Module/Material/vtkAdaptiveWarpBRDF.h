@@ -97,7 +97,7 @@ private:
   struct Warps;
   std::shared_ptr<const Warps> Warp;
   struct Renderable;
-  std::unique_ptr<Renderable> Resampled;
+  std::shared_ptr<Renderable> Resampled; // copies share it until either changes
 };
 
 #endif

@@ -83,7 +83,9 @@ std::string FindProblem(const char* name, const vtkAngleBasisBRDF::Basis& basis)
   long long patches = 0;
   for (std::size_t ring = 0; ring < basis.Patches.size(); ++ring)
   {
-    if (!(basis.UpperTheta[ring] > lower) || basis.Patches[ring] < 1)
+    const bool last = ring + 1 == basis.Patches.size();
+    if (!(basis.UpperTheta[ring] > lower) || basis.Patches[ring] < 1 ||
+        (!last && basis.UpperTheta[ring] > 90.0 - LastTolerance))
     {
       return std::string(name) + ": ring " + std::to_string(ring) +
              ": expected ascending angles, and at least one patch";
@@ -115,26 +117,26 @@ struct vtkAngleBasisBRDF::Sampler
       const std::size_t ring = LocatePatch(brdf.Light, static_cast<int>(row)).Ring;
       this->SolidAngles.push_back(GetProjectedSolidAngle(brdf.Light, ring));
     }
+    std::vector<double> byCosine(this->Rows);
+    std::partial_sum(this->SolidAngles.begin(), this->SolidAngles.end(), byCosine.begin());
     for (std::size_t column = 0; column < this->Columns; ++column)
     {
+      double* shares = &this->Cumulated[column * this->Rows];
       double sum = 0.0;
       for (std::size_t row = 0; row < this->Rows; ++row)
       {
         const float* f = &brdf.Matrix[3 * (row * this->Columns + column)];
-        sum += this->SolidAngles[row] *
-               (std::max(f[0], 0.0f) + std::max(f[1], 0.0f) + std::max(f[2], 0.0f));
-        this->Cumulated[column * this->Rows + row] = sum;
+        for (int c = 0; c < 3; ++c)
+        {
+          sum += this->SolidAngles[row] * std::max(static_cast<double>(f[c]), 0.0);
+        }
+        shares[row] = sum;
       }
       for (std::size_t row = 0; row < this->Rows; ++row)
       {
-        double& share = this->Cumulated[column * this->Rows + row];
-        share = sum > 0.0
-                  ? share / sum
-                  : std::accumulate(this->SolidAngles.begin(),
-                      this->SolidAngles.begin() + static_cast<std::ptrdiff_t>(row) + 1, 0.0) /
-                      Pi;
+        shares[row] = sum > 0.0 ? shares[row] / sum : byCosine[row] / byCosine.back();
       }
-      this->Cumulated[column * this->Rows + this->Rows - 1] = 1.0;
+      shares[this->Rows - 1] = 1.0;
     }
   }
 
@@ -163,14 +165,8 @@ struct vtkAngleBasisBRDF::Sampler
 };
 
 //------------------------------------------------------------------------------
-int vtkAngleBasisBRDF::Basis::GetNumberOfPatches() const
-{
-  return std::accumulate(this->Patches.begin(), this->Patches.end(), 0);
-}
-
-//------------------------------------------------------------------------------
 vtkAngleBasisBRDF::vtkAngleBasisBRDF()
-  : Resampled(std::make_unique<Renderable>())
+  : Resampled(std::make_shared<Renderable>())
 {
 }
 
@@ -208,11 +204,12 @@ std::string vtkAngleBasisBRDF::SetMatrix(Basis light, Basis view, std::vector<fl
   {
     return "matrix: value " + std::to_string(bad - rgb.begin()) + " is not finite";
   }
+  light.UpperTheta.back() = view.UpperTheta.back() = 90.0f;
   this->Light = std::move(light);
   this->View = std::move(view);
   this->Matrix = std::move(rgb);
   this->Draws.reset();
-  this->Resampled->Reset();
+  this->Resampled = std::make_shared<Renderable>();
   this->Modified();
   return "";
 }
@@ -367,6 +364,7 @@ vtkBRDF* vtkAngleBasisBRDF::NewCopy()
   copy->View = this->View;
   copy->Matrix = this->Matrix;
   copy->Draws = this->Draws;
+  copy->Resampled = this->Resampled;
   return copy;
 }
 

@@ -36,7 +36,15 @@ public:
     std::vector<float> UpperTheta; // degrees, ascending; the last is 90
     std::vector<int> Patches;      // of each ring, at least 1
 
-    int GetNumberOfPatches() const;
+    int GetNumberOfPatches() const
+    {
+      int patches = 0;
+      for (const int count : this->Patches)
+      {
+        patches += count;
+      }
+      return patches;
+    }
   };
 
   /// Of either basis.
@@ -84,7 +92,7 @@ private:
   struct Sampler;
   std::shared_ptr<const Sampler> Draws; // of this matrix
   struct Renderable;
-  std::unique_ptr<Renderable> Resampled;
+  std::shared_ptr<Renderable> Resampled; // copies share it until either changes
 };
 
 #endif

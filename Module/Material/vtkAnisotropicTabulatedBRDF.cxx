@@ -35,6 +35,7 @@ namespace
 constexpr int SamplerTheta = 64; // cells of the sampling density
 constexpr int SamplerPhi = 32;
 constexpr double LobeShare = 0.5;
+constexpr std::size_t MostCells = std::size_t(1) << 26;
 
 std::size_t CountCells(const int dimensions[4])
 {
@@ -113,6 +114,11 @@ std::string vtkAnisotropicTabulatedBRDF::FindProblem(
     return "found " + std::to_string(dimensions[1]) + " x " + std::to_string(dimensions[2]) +
            " samples along theta_d and phi_h, expected a product of at most " +
            std::to_string(most);
+  }
+  if (CountCells(dimensions) > MostCells)
+  {
+    return "found " + std::to_string(CountCells(dimensions)) + " samples, expected at most " +
+           std::to_string(MostCells);
   }
   if (azimuthRange < HALF_TURN || azimuthRange > FULL_TURN)
   {
@@ -301,7 +307,7 @@ void vtkAnisotropicTabulatedBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
   {
     peak = std::max(peak, std::abs(value));
   }
-  const float scale = texture.HalfFloat && peak > 0.0f ? 32768.0f / peak : 1.0f;
+  const float scale = texture.HalfFloat && peak > 1e-30f ? 32768.0f / peak : 1.0f;
   texture.Data = this->Volume;
   texture.Data.resize(std::max<std::size_t>(texture.Data.size(), 3)); // black without a volume
   std::transform(texture.Data.begin(), texture.Data.end(), texture.Data.begin(),

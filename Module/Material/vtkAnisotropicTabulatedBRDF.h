@@ -43,8 +43,9 @@ public:
 
   /**
    * Set the whole table. dimensions: samples along (phi_d, theta_d, phi_h, theta_h), each at least
-   * 1, with MaximumSamples; rgb: finite RGB triples, phi_d fastest. Returns false with an error
-   * event and leaves the volume as it was when sizes do not match or a value is not finite.
+   * 1, with MaximumSamples, 2^26 in all; rgb: finite RGB triples, phi_d fastest. Returns false with
+   * an error event and leaves the volume as it was when sizes do not match or a value is not
+   * finite.
    */
   bool SetVolume(int azimuthRange, const int dimensions[4], std::vector<float> rgb);
 

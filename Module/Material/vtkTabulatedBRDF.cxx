@@ -360,7 +360,7 @@ void vtkTabulatedBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
   texture.HalfFloat =
     this->Precision == FLOAT16 ||
     (this->Precision == AUTOMATIC && 4.0 * halfRounding <= this->ResamplingTolerance);
-  const float scale = texture.HalfFloat && peak > 0.0f ? 32768.0f / peak : 1.0f;
+  const float scale = texture.HalfFloat && peak > 1e-30f ? 32768.0f / peak : 1.0f;
 
   Fill(texture, this->Volume, scale);
 

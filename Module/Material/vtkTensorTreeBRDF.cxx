@@ -26,6 +26,7 @@ namespace
 {
 using Tree = vtkTensorTreeBRDF::Tree;
 constexpr int LargestSide = 1 << 10;
+constexpr int DeepestTree = 64;
 
 // From the unit disk, by concentric rings (Shirley, Chiu 1997), inverted.
 void ToSquare(double x, double y, double square[2])
@@ -146,6 +147,23 @@ std::string FindNodeProblem(const Tree& tree, std::size_t index)
            : "";
 }
 
+// Of a tree whose nodes have no problem.
+int FindDepth(const Tree& tree)
+{
+  std::vector<int> depths;
+  for (const Tree::Node& node : tree.Nodes)
+  {
+    int deepest = 0;
+    for (int k = 0; node.Side == 0 && k < 1 << tree.Dimensions; ++k)
+    {
+      const int child = tree.Children[static_cast<std::size_t>(node.First + k)];
+      deepest = std::max(deepest, depths[static_cast<std::size_t>(child)]);
+    }
+    depths.push_back(deepest + 1);
+  }
+  return depths.back();
+}
+
 std::string FindProblem(const Tree& tree)
 {
   const std::size_t most = vtkTensorTreeBRDF::MaximumSize;
@@ -165,6 +183,10 @@ std::string FindProblem(const Tree& tree)
     {
       return problem;
     }
+  }
+  if (FindDepth(tree) > DeepestTree)
+  {
+    return "expected at most " + std::to_string(DeepestTree) + " nodes above each other";
   }
   const auto bad = std::find_if(
     tree.Values.begin(), tree.Values.end(), [](float value) { return !std::isfinite(value); });
@@ -193,7 +215,7 @@ std::vector<int> ToNumbers(const std::vector<float>& values)
 
 //------------------------------------------------------------------------------
 vtkTensorTreeBRDF::vtkTensorTreeBRDF()
-  : Resampled(std::make_unique<Renderable>())
+  : Resampled(std::make_shared<Renderable>())
 {
 }
 
@@ -216,7 +238,7 @@ std::string vtkTensorTreeBRDF::SetTree(Tree tree)
   if (problem.empty())
   {
     this->Data = std::move(tree);
-    this->Resampled->Reset();
+    this->Resampled = std::make_shared<Renderable>();
     this->Modified();
   }
   return problem;
@@ -302,6 +324,7 @@ vtkBRDF* vtkTensorTreeBRDF::NewCopy()
 {
   vtkTensorTreeBRDF* copy = vtkTensorTreeBRDF::New();
   copy->Data = this->Data;
+  copy->Resampled = this->Resampled;
   return copy;
 }
 

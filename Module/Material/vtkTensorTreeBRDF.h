@@ -83,7 +83,7 @@ private:
   void operator=(const vtkTensorTreeBRDF&) = delete;
 
   struct Renderable;
-  std::unique_ptr<Renderable> Resampled;
+  std::shared_ptr<Renderable> Resampled; // copies share it until either changes
 };
 
 #endif

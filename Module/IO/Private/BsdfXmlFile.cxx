@@ -79,6 +79,11 @@ Basis MakeBasis(const Source& source, const std::string& name)
     }
     basis.UpperTheta.push_back(static_cast<float>(lower));
     basis.Patches.push_back(static_cast<int>(patches));
+    if (basis.GetNumberOfPatches() > vtkAngleBasisBRDF::MaximumPatches)
+    {
+      source.Fail("AngleBasis " + Quote(name),
+        "expected at most " + std::to_string(int(vtkAngleBasisBRDF::MaximumPatches)) + " patches");
+    }
   }
   return basis;
 }
@@ -118,7 +123,7 @@ const BsdfXmlBlock* FindBlock(
 {
   const auto found = std::find_if(texts.Blocks.begin(), texts.Blocks.end(),
     [&](const BsdfXmlBlock& block)
-    { return block.Direction == direction && block.Wavelength == wavelength; });
+    { return IsSameWord(block.Direction, direction) && IsSameWord(block.Wavelength, wavelength); });
   return found == texts.Blocks.end() ? nullptr : &*found;
 }
 
@@ -140,7 +145,7 @@ const Side& ChooseSide(const Source& source, const std::string& material)
   const std::vector<std::string> names = ListSides(source.Texts);
   if (names.empty())
   {
-    source.Fail("WavelengthDataDirection", "found " + std::to_string(source.Texts.Blocks.size()) +
+    source.Fail("WavelengthDataDirection", "found " + std::to_string(source.Texts.NumberOfBlocks) +
                                              " blocks, none of them of visible reflection");
   }
   const std::string& wanted = material.empty() ? names.front() : material;
@@ -158,7 +163,7 @@ std::vector<float> ReadMatrix(
   const Source& source, const BsdfXmlBlock& block, std::size_t rows, std::size_t columns)
 {
   std::vector<float> values = ReadValues(source, block, rows * columns);
-  if (source.Texts.Structure == "Rows")
+  if (IsSameWord(source.Texts.Structure, "Rows"))
   {
     std::vector<float> turned(values.size());
     for (std::size_t k = 0; k < values.size(); ++k)
@@ -170,12 +175,13 @@ std::vector<float> ReadMatrix(
   return values;
 }
 
-// CIE XYZ to linear sRGB (IEC 61966-2-1), D65.
+// CIE XYZ to linear sRGB (IEC 61966-2-1). X = Y = Z is gray, as in Radiance: equal energy, adapted
+// to D65 (Bradford; Lam 1985).
 std::array<float, 3> ToRGB(double x, double y, double z)
 {
-  return { static_cast<float>(3.2404542 * x - 1.5371385 * y - 0.4985314 * z),
-    static_cast<float>(-0.9692660 * x + 1.8760108 * y + 0.0415560 * z),
-    static_cast<float>(0.0556434 * x - 0.2040259 * y + 1.0572252 * z) };
+  return { static_cast<float>(3.1462519 * x - 1.6661246 * y - 0.4801273 * z),
+    static_cast<float>(-0.9955355 * x + 1.9557639 * y + 0.0397716 * z),
+    static_cast<float>(0.0635979 * x - 0.2145965 * y + 1.1509987 * z) };
 }
 
 vtkSmartPointer<vtkBRDF> ReadBases(const Source& source, const Side& side, MaterialFile& result)
@@ -207,8 +213,9 @@ vtkSmartPointer<vtkBRDF> ReadBases(const Source& source, const Side& side, Mater
     }
     result.AddNote("The file holds no color: values are of visible light.");
   }
+  const std::vector<float>& counted = red && blue ? rgb : y;
   result.NumberOfNegativeValues =
-    std::count_if(y.begin(), y.end(), [](float value) { return value < 0.0f; });
+    std::count_if(counted.begin(), counted.end(), [](float value) { return value < 0.0f; });
   auto brdf = vtkSmartPointer<vtkAngleBasisBRDF>::New();
   const std::string problem = brdf->SetMatrix(light, view, std::move(rgb));
   if (!problem.empty())
@@ -227,7 +234,7 @@ vtkSmartPointer<vtkBRDF> ReadTree(const Source& source, const Side& side, Materi
   try
   {
     const auto tree =
-      ParseBsdfTree(visible.Values, source.Texts.Structure == "TensorTree3" ? 3 : 4);
+      ParseBsdfTree(visible.Values, IsSameWord(source.Texts.Structure, "TensorTree3") ? 3 : 4);
     result.NumberOfNegativeValues = std::count_if(
       tree.Values.begin(), tree.Values.end(), [](float value) { return value < 0.0f; });
     problem = brdf->SetTree(tree);
@@ -250,8 +257,8 @@ MaterialFile ReadBsdfXml(const FileBytes& file, const std::string& material)
   const Source source{ ByteReader(file, BsdfXmlFormatName), ParseBsdfXml(file) };
   const BsdfXmlTexts& texts = source.Texts;
   const std::string& structure = texts.Structure;
-  const bool isTree = structure == "TensorTree3" || structure == "TensorTree4";
-  if (!isTree && structure != "Columns" && structure != "Rows")
+  const bool isTree = IsSameWord(structure, "TensorTree3") || IsSameWord(structure, "TensorTree4");
+  if (!isTree && !IsSameWord(structure, "Columns") && !IsSameWord(structure, "Rows"))
   {
     source.Fail("IncidentDataStructure",
       "found " + Quote(structure) + ", expected 'Columns', 'Rows', 'TensorTree3' or 'TensorTree4'");

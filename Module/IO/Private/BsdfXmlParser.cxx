@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <initializer_list>
 #include <limits>
 
 namespace measuredbrdf
@@ -24,9 +25,16 @@ std::string Trim(const std::string& text)
                                     : text.substr(first, text.find_last_not_of(white) - first + 1);
 }
 
-bool Contains(const std::string& text, const char* part)
+// Whether the block says how visible light is reflected.
+bool IsWanted(const BsdfXmlBlock& block, const std::string& wavelength)
 {
-  return text.find(part) != std::string::npos;
+  const auto isOneOf = [](const std::string& text, std::initializer_list<const char*> words)
+  {
+    return std::any_of(
+      words.begin(), words.end(), [&text](const char* word) { return IsSameWord(text, word); });
+  };
+  return isOneOf(block.Direction, { "Reflection Front", "Reflection Back" }) &&
+         isOneOf(wavelength, { "Visible", "CIE-X", "CIE-Z" });
 }
 
 // Puts texts where they belong as their elements end. The first problem counts; after it nothing is
@@ -78,7 +86,6 @@ protected:
     else if (element == "WavelengthDataBlock")
     {
       this->Block = {};
-      this->Block.Wavelength = this->Wavelength;
     }
     else if (element == "ScatteringData")
     {
@@ -131,15 +138,18 @@ private:
   {
     if (element == "ScatteringData")
     {
-      // Transmission is not drawn.
-      this->Block.Values =
-        Contains(this->Block.Direction, "Reflection") ? std::move(this->Text) : "";
+      this->Block.Values.swap(this->Text);
       return;
     }
     const std::string text = Trim(this->Text);
     if (element == "WavelengthDataBlock")
     {
-      this->Texts.Blocks.push_back(std::move(this->Block));
+      ++this->Texts.NumberOfBlocks;
+      if (IsWanted(this->Block, this->Wavelength))
+      {
+        this->Block.Wavelength = this->Wavelength;
+        this->Texts.Blocks.push_back(std::move(this->Block));
+      }
       this->Block = {};
     }
     else if (element == "Wavelength")
@@ -214,6 +224,13 @@ private:
 vtkStandardNewMacro(Parser);
 }
 
+bool IsSameWord(const std::string& a, const std::string& b)
+{
+  const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+    [lower](char x, char y) { return lower(x) == lower(y); });
+}
+
 BsdfXmlTexts ParseBsdfXml(const FileBytes& file)
 {
   const ByteReader reader(file, BsdfXmlFormatName);
@@ -222,6 +239,11 @@ BsdfXmlTexts ParseBsdfXml(const FileBytes& file)
   if (type != std::string_view::npos)
   {
     reader.FailAt(type, "document type", "found one, expected none");
+  }
+  const std::size_t zero = file.GetView().find('\0');
+  if (zero != std::string_view::npos)
+  {
+    reader.FailAt(zero, "text", "found a zero byte, expected UTF-8");
   }
   if (file.GetSize() > std::numeric_limits<int>::max())
   {

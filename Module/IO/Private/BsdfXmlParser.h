@@ -49,11 +49,15 @@ struct BsdfXmlTexts
   std::string Structure; // "Columns", "Rows", "TensorTree3", "TensorTree4"
   int Layers = 0;        // what is above is of the first
   std::vector<BsdfXmlBasis> Bases;
-  std::vector<BsdfXmlBlock> Blocks;
+  std::vector<BsdfXmlBlock> Blocks; // of reflection of visible light
+  int NumberOfBlocks = 0;           // of all
 };
 
+/// Whether two words are the same but for upper and lower case, as Radiance compares them.
+bool IsSameWord(const std::string& a, const std::string& b);
+
 /// Throws FileError where it is no well-formed XML, has a document type of its own, or is not a
-/// WindowElement. The values of other blocks than reflection are left out.
+/// WindowElement.
 BsdfXmlTexts ParseBsdfXml(const FileBytes& file);
 } // namespace measuredbrdf
 

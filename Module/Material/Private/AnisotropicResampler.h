@@ -15,7 +15,7 @@ namespace measuredbrdf
 {
 /**
  * A table of f cos(theta_o) whose relative L2 error (vtkBRDFResampler::GetRelativeL2Error) is
- * within the tolerance, or the best of seven sizes, the largest of 1.6 million cells (9.4 MB as
+ * within the tolerance, or the best of seven sizes, the largest of 1.8 million cells (10.6 MB as
  * 16-bit RGB; half as many where half a turn changes nothing). Its ResamplingError holds the error,
  * of pairs that chose nothing.
  */

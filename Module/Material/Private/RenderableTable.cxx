@@ -13,6 +13,7 @@ namespace measuredbrdf
 {
 vtkBRDF* RenderableTable::Get(vtkBRDF* material, std::string& problem)
 {
+  const std::lock_guard<std::mutex> lock(this->Mutex);
   const double tolerance = material->GetResamplingTolerance();
   if (this->Table && this->Tolerance == tolerance)
   {
@@ -44,6 +45,7 @@ vtkBRDF* RenderableTable::Get(vtkBRDF* material, std::string& problem)
   this->Table->SetResamplingTolerance(tolerance);
   this->Table->SetName(material->GetName());
   this->Table->SetSource(material->GetSource());
+  this->Table->Prepare(); // which would write to it
   this->Tolerance = tolerance;
   return this->Table;
 }

@@ -12,22 +12,23 @@
 #include "vtkBRDF.h"
 #include "vtkSmartPointer.h"
 
+#include <mutex>
 #include <string>
 
 namespace measuredbrdf
 {
-/// The material resampled within its ResamplingTolerance, made again where that has changed.
+/// A material resampled within its ResamplingTolerance, made again where that has changed. Copies
+/// of the material, in other threads, may share one.
 class RenderableTable
 {
 public:
   /// A vtkTabulatedBRDF or, where it is anisotropic, a vtkAnisotropicTabulatedBRDF, with the
-  /// material's name and source. problem: what to warn of where a new one misses the tolerance.
+  /// material's name and source, prepared. problem: what to warn of where a new one misses the
+  /// tolerance.
   vtkBRDF* Get(vtkBRDF* material, std::string& problem);
 
-  /// The material has changed.
-  void Reset() { this->Table = nullptr; }
-
 private:
+  std::mutex Mutex;
   vtkSmartPointer<vtkBRDF> Table;
   double Tolerance = 0.0;
 };

@@ -115,7 +115,8 @@ int MeasureFilterWeightBits(vtkRenderWindow* window)
   }
   std::sort(levels.begin(), levels.end());
   levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
-  if (levels.size() < 2 || levels.front() != 0.0f || levels.back() != 1.0f)
+  if (levels.size() < 3 || // one that does not interpolate
+      levels.front() != 0.0f || levels.back() != 1.0f)
   {
     return -1;
   }

@@ -6,10 +6,12 @@
 #include "BrushedMetal.h"
 #include "ErrorCatcher.h"
 
+#include "vtkAngleBasisBRDF.h"
 #include "vtkAnisotropicTabulatedBRDF.h"
 #include "vtkBRDFResampler.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkSmartPointer.h"
+#include "vtkTensorTreeBRDF.h"
 
 #include <gtest/gtest.h>
 
@@ -164,6 +166,21 @@ TEST(AnisotropicWarp, ReadsReducedFiles)
   std::printf("a file of 16 x 33 directions: %.3g of what it was made of\n", difference / sum);
   EXPECT_LT(difference, 0.03 * sum);
 
+  // In the planes of the symmetry, where the azimuth may be that of either end of the span.
+  for (const double x : { -0.6, 0.6 })
+  {
+    for (const double y : { 0.0, -0.0 })
+    {
+      const glm::dvec3 i(x, y, 0.8), o(0.1, 0.2, std::sqrt(0.95));
+      const double whole = Evaluate(files[0], i, o).x;
+      EXPECT_NEAR(Evaluate(files[1], i, o).x, whole, 1e-5 * whole);
+      EXPECT_NEAR(Evaluate(files[2], i, o).x, whole, 1e-5 * whole);
+      const glm::dvec3 across(y, x, 0.8);
+      const double other = Evaluate(files[0], across, o).x;
+      EXPECT_NEAR(Evaluate(files[2], across, o).x, other, 1e-5 * other);
+    }
+  }
+
   // Draws and densities of all three agree, too.
   for (int k = 0; k < 200; ++k)
   {
@@ -182,6 +199,13 @@ TEST(AnisotropicWarp, RefusesOtherSpans)
   sizes.Side = 4;
   vtkAdaptiveWarpBRDF::Tables tables = MakeAnisotropicTables(NewBrushed(), sizes);
   vtkNew<vtkAdaptiveWarpBRDF> brdf;
+  vtkAdaptiveWarpBRDF::Tables quarter = tables;
+  for (float& phi : quarter.PhiI)
+  {
+    phi = 0.25f * phi; // -45 to 45 degrees
+  }
+  EXPECT_NE(brdf->SetTables(quarter).find("quarter turn from -45"), std::string::npos)
+    << brdf->SetTables(quarter);
   for (float& phi : tables.PhiI)
   {
     phi *= 0.7f;
@@ -209,4 +233,51 @@ TEST(AnisotropicWarp, IsResampledForGraphicsCards)
   file->GetShaderInputs(form);
   std::printf("%s\n", form.Description.c_str());
   EXPECT_LT(form.GetTextureBytes(), 10u << 20);
+}
+
+// Copies, as planners make them, do not resample again.
+TEST(AnisotropicWarp, CopiesShareTheTable)
+{
+  AnisotropicWarpSizes sizes;
+  sizes.Parts = 2;
+  sizes.Thetas = 8;
+  sizes.Side = 17;
+  vtkNew<vtkAdaptiveWarpBRDF> file;
+  ASSERT_EQ(file->SetTables(MakeAnisotropicTables(NewBrushed(), sizes)), "");
+  file->SetResamplingTolerance(0.5);
+  const auto copy = vtkSmartPointer<vtkBRDF>::Take(file->NewSnapshot());
+  ASSERT_TRUE(copy);
+  EXPECT_EQ(copy->GetRenderable(), file->GetRenderable());
+  ASSERT_EQ(file->SetTables(MakeAnisotropicTables(NewBrushedMetal(0.5, 0.6), sizes)), "");
+  EXPECT_NE(copy->GetRenderable(), file->GetRenderable());
+}
+
+TEST(TensorTree, RefusesTowers)
+{
+  vtkTensorTreeBRDF::Tree tree;
+  tree.Nodes = { { 1, 0 } };
+  tree.Values = { 0.5f };
+  vtkNew<vtkTensorTreeBRDF> brdf;
+  for (int k = 0; k < 63; ++k)
+  {
+    tree.Nodes.push_back({ 0, 8 * k });
+    tree.Children.insert(tree.Children.end(), 8, k);
+  }
+  EXPECT_EQ(brdf->SetTree(tree), "");
+  tree.Nodes.push_back({ 0, 8 * 63 });
+  tree.Children.insert(tree.Children.end(), 8, 63);
+  EXPECT_NE(brdf->SetTree(tree).find("above each other"), std::string::npos);
+  tree = brdf->GetTree();
+  tree.Children[0] = 1; // its own parent
+  EXPECT_NE(brdf->SetTree(tree).find("children before their parents"), std::string::npos);
+}
+
+TEST(AngleBasis, RefusesRingsThatPassTheHorizon)
+{
+  vtkNew<vtkAngleBasisBRDF> brdf;
+  const std::vector<float> rgb(3 * 2, 0.5f);
+  EXPECT_EQ(brdf->SetMatrix({ { 30.0f, 90.0005f }, { 1, 1 } }, { { 90.0f }, { 1 } }, rgb), "");
+  EXPECT_EQ(brdf->GetLightBasis().UpperTheta.back(), 90.0f);
+  EXPECT_NE(brdf->SetMatrix({ { 89.9999f, 90.0005f }, { 1, 1 } }, { { 90.0f }, { 1 } }, rgb), "");
+  EXPECT_NE(brdf->SetMatrix({ { 90.0f }, { 5000 } }, { { 90.0f }, { 1 } }, rgb), "");
 }
