@@ -143,6 +143,31 @@ std::string CheckTable(
   return "";
 }
 
+// A whole turn, half of one or a quarter. One or two azimuths: it is isotropic.
+std::string CheckSpan(const std::vector<float>& phi)
+{
+  if (phi.size() <= 2)
+  {
+    return "";
+  }
+  const double span = static_cast<double>(phi.back()) - phi.front();
+  const double parts = 2.0 * Pi / span;
+  const double whole = std::round(parts);
+  if ((whole != 1.0 && whole != 2.0 && whole != 4.0) || std::abs(parts - whole) > 0.05)
+  {
+    return "phi_i: found a span of " + std::to_string(span * 180.0 / Pi) +
+           " degrees, expected 360, 180 or 90";
+  }
+  // Mirrors are the planes of x and y.
+  const double start = phi.front() / (0.5 * Pi);
+  if (whole == 4.0 && std::abs(start - std::round(start)) > 0.05)
+  {
+    return "phi_i: found a quarter turn from " + std::to_string(phi.front() * 180.0 / Pi) +
+           " degrees, expected one from a multiple of 90";
+  }
+  return "";
+}
+
 std::string CheckDensity(const char* name, vtkAdaptiveWarpBRDF::Table& table)
 {
   const int height = table.Shape[table.Shape.size() - 2];
@@ -194,32 +219,13 @@ std::string vtkAdaptiveWarpBRDF::SetTables(Tables tables)
   const std::vector<std::string> problems = { CheckAxis("theta_i", tables.ThetaI),
     CheckAxis("phi_i", tables.PhiI), CheckTable("ndf", tables.Ndf, {}),
     CheckTable("sigma", tables.Sigma, {}), CheckTable("vndf", tables.Vndf, directions),
-    CheckTable("luminance", tables.Luminance, directions),
-    CheckTable("rgb", tables.Rgb, channels) };
+    CheckTable("luminance", tables.Luminance, directions), CheckTable("rgb", tables.Rgb, channels),
+    CheckSpan(tables.PhiI) };
   for (const std::string& problem : problems)
   {
     if (!problem.empty())
     {
       return problem;
-    }
-  }
-  if (tables.PhiI.size() > 2)
-  {
-    const double span = static_cast<double>(tables.PhiI.back()) - tables.PhiI.front();
-    const double parts = 2.0 * Pi / span;
-    const double whole = std::round(parts);
-    if ((whole != 1.0 && whole != 2.0 && whole != 4.0) || std::abs(parts - whole) > 0.05)
-    {
-      return "phi_i: found a span of " + std::to_string(span * 180.0 / Pi) +
-             " degrees, expected 360, 180 or 90";
-    }
-    // Mirrors are the planes of x and y.
-    const double start = tables.PhiI.front() / (0.5 * Pi);
-    if (whole == 4.0 && std::abs(start - std::round(start)) > 0.05)
-    {
-      return "phi_i: found a quarter turn from " +
-             std::to_string(tables.PhiI.front() * 180.0 / Pi) +
-             " degrees, expected one from a multiple of 90";
     }
   }
   for (const std::string& problem :

@@ -748,8 +748,8 @@ add("Material.angle-basis-patches-begin-at-zero", "vtkAngleBasisBRDF.cxx",
     "std::atan2(y, x) / (2.0 * Pi) * count + 0.5", "std::atan2(y, x) / (2.0 * Pi) * count", "IOBsdfXml.Reads")
 add("Material.tensor-tree-bits-reversed", "vtkTensorTreeBRDF.cxx", "std::size_t(1) << axis;",
     "std::size_t(1) << (axes - 1 - axis);", "IOBsdfXml.ReadsTensorTrees")
-add("IO.bsdf-xml-rows-as-columns", "Private/BsdfXmlFile.cxx", 'source.Texts.Structure == "Rows"',
-    'source.Texts.Structure == "Never"', "IOBsdfXml.Reads")
+add("IO.bsdf-xml-rows-as-columns", "Private/BsdfXmlFile.cxx", 'IsSameWord(source.Texts.Structure, "Rows")',
+    'IsSameWord(source.Texts.Structure, "Never")', "IOBsdfXml.Reads")
 add("Material.warp-folds-the-other-way", "vtkAdaptiveWarpBRDF.cxx", "along.x + along.y < 0.0", "along.x + along.y > 0.0",
     "AnisotropicWarp.ReadsReducedFiles")
 add("Integration.hybrid-forgets-filter-weights", "vtkHybridRadianceIntegrator.cxx",

@@ -22,6 +22,7 @@ NOT_PRINTED = {
     ("vtkEnvironment", "Pixels"),
     ("vtkRadianceCostModel", "Cost"),
     ("vtkRadianceCostModel", "Text"),
+    ("vtkAnisotropicTabulatedBRDF", "Volume"),
     ("vtkTabulatedBRDF", "Volume"),
 }
 SWITCHES = {"Abort", "AbortPlanning"}
