@@ -136,8 +136,8 @@ vec3 brdfHalfDifference(vec3 i, vec3 o)
   return vec3(brdfTurn(d), brdfQuadrant(length(i - o), length(i + o)), sqrt(brdfQuadrant(s, h.z)));
 }
 
-// A row of a profile, linear between its texels; at: 0 to the last one. Two fetches of a texel cost
-// half of a filtered one in software, and graphics cards' filters have coarse weights.
+// A row of a profile, linear between its texels; at: 0 to the last one. Not filtered by the texture
+// unit: graphics cards' filters have coarse weights.
 vec3 brdfProfile(sampler2D profile, float at, int row)
 {
   int first = min(int(at), textureSize(profile, 0).x - 2);
