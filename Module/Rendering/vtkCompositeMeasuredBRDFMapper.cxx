@@ -32,7 +32,7 @@ using BatchBase = vtkOpenGLBatchedPolyDataMapper;
 #else
 using BatchBase = vtkCompositeMapperHelper2;
 #endif
-using BatchDrawing = vtkMeasuredBRDFMapperMixin<BatchBase>::vtkInternals;
+using BatchDrawing = vtkMeasuredBRDFMapperInternals;
 }
 
 struct vtkCompositeMeasuredBRDFMapper::Internals

@@ -35,6 +35,7 @@
 
 class vtkBRDF;
 class vtkEnvironment;
+class vtkMaterialMap;
 class vtkProperty;
 class vtkRadianceCostModel;
 class vtkRadianceIntegrator;
@@ -86,6 +87,8 @@ public:
   /**
    * As vtkMeasuredBRDFMapper has them.
    */
+  void SetMaterialMap(vtkMaterialMap* map);
+  vtkMaterialMap* GetMaterialMap();
   void SetEnvironment(vtkEnvironment* environment);
   vtkEnvironment* GetEnvironment();
   void SetIntegrator(vtkRadianceIntegrator* integrator);

@@ -4,7 +4,10 @@
 
 #include "vtkMeasuredBRDFMapperMixin.txx"
 
+#include "DrawsColor.h"
 #include "MapperProperties.h"
+#include "PartMappers.h"
+#include "vtkAlgorithm.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkObjectFactory.h"
 #include "vtkPBRPropertyFitter.h"
@@ -18,9 +21,19 @@ template class vtkMeasuredBRDFMapperMixin<vtkOpenGLPolyDataMapper>;
 vtkStandardNewMacro(vtkMeasuredBRDFMapper);
 
 //------------------------------------------------------------------------------
+struct vtkMeasuredBRDFMapper::MapDrawing
+{
+  explicit MapDrawing(const std::shared_ptr<vtkMeasuredBRDFMapperInternals>& drawing)
+    : Parts(drawing)
+  {
+  }
+  PartMappers Parts;
+};
+
+//------------------------------------------------------------------------------
 vtkMeasuredBRDFMapper::vtkMeasuredBRDFMapper()
 {
-  this->Drawing = std::make_shared<vtkInternals>(this, std::make_shared<MaterialSettings>(),
+  this->Drawing = std::make_shared<vtkMeasuredBRDFMapperInternals>(this, std::make_shared<MaterialSettings>(),
     [this]() -> std::vector<MaterialUse>
     {
       vtkPolyData* surface = this->GetInput();
@@ -28,7 +41,23 @@ vtkMeasuredBRDFMapper::vtkMeasuredBRDFMapper()
       {
         return {};
       }
+      if (this->Drawing->GetSettings().MaterialMap)
+      {
+        this->Update();
+        if (this->Map->Parts.Divide(surface))
+        {
+          return this->Map->Parts.GetUses();
+        }
+      }
       return { { this->Drawing->GetSettings().BRDF, { surface } } };
+    });
+  this->Map = std::make_unique<MapDrawing>(this->Drawing);
+  this->Drawing->SetToleranceFactor(
+    [this](vtkBRDF* brdf)
+    {
+      return this->Drawing->GetSettings().MaterialMap
+               ? this->Map->Parts.GetParts().GetToleranceFactor(brdf)
+               : 1.0;
     });
 }
 
@@ -50,7 +79,73 @@ MEASUREDBRDF_MAPPER_PROPERTIES(vtkMeasuredBRDFMapper, this->Drawing->GetSettings
 //------------------------------------------------------------------------------
 std::string vtkMeasuredBRDFMapper::GetPlan()
 {
-  return DescribePlans(this->Drawing->GetLastFrame());
+  const DrawnMaterials materials = this->Drawing->GetLastFrame();
+  const double error =
+    this->Drawing->GetSettings().MaterialMap ? this->Map->Parts.PredictError(materials) : -1.0;
+  return DescribePlans(materials) + DescribeMixture(error);
+}
+
+//------------------------------------------------------------------------------
+// The parts are drawn instead of the whole where materials are.
+bool vtkMeasuredBRDFMapper::RenderParts(vtkRenderer* ren, vtkActor* actor)
+{
+  if (!this->Drawing->GetSettings().MaterialMap)
+  {
+    this->Map->Parts.Clear();
+    return false;
+  }
+  if (!DrawsColor(ren, actor) || !IsShaded(actor) || this->GetNumberOfInputConnections(0) == 0)
+  {
+    return false;
+  }
+  if (!this->Static)
+  {
+    this->GetInputAlgorithm()->Update();
+  }
+  vtkPolyData* input = this->GetInput();
+  if (!this->Map->Parts.Divide(input))
+  {
+    return false;
+  }
+  this->Drawing->Forget(this); // what the whole was drawn with
+  this->Map->Parts.Render(ren, actor, this, this->vtkOpenGLPolyDataMapper::GetMTime(),
+    [this](vtkPolyDataMapper* mapper)
+    {
+      for (const auto& [name, attribute] : this->ExtraAttributes)
+      {
+        if (attribute.TextureName.empty())
+        {
+          mapper->MapDataArrayToVertexAttribute(name.c_str(), attribute.DataArrayName.c_str(),
+            attribute.FieldAssociation, attribute.ComponentNumber);
+        }
+        else
+        {
+          mapper->MapDataArrayToMultiTextureAttribute(attribute.TextureName.c_str(),
+            attribute.DataArrayName.c_str(), attribute.FieldAssociation, attribute.ComponentNumber);
+        }
+      }
+    });
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkMeasuredBRDFMapper::RenderPiece(vtkRenderer* ren, vtkActor* actor)
+{
+  const Depth inside(this->RenderDepth);
+  if (!this->RenderParts(ren, actor))
+  {
+    this->Superclass::RenderPiece(ren, actor);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkMeasuredBRDFMapper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  if (this->RenderDepth == 0)
+  {
+    this->Map->Parts.ReleaseGraphicsResources(window);
+  }
+  this->Superclass::ReleaseGraphicsResources(window);
 }
 
 //------------------------------------------------------------------------------

@@ -51,11 +51,13 @@
 #include "vtkMeasuredBRDFModule.h"      // for export macro
 #include "vtkOpenGLPolyDataMapper.h"    // superclass for wrappers
 
+#include <memory> // for Map
 #include <string> // for descriptions
 
 class vtkBRDF;
 class vtkDataArray;
 class vtkEnvironment;
+class vtkMaterialMap;
 class vtkProperty;
 class vtkRadianceCostModel;
 class vtkRadianceIntegrator;
@@ -79,6 +81,20 @@ public:
    */
   void SetBRDF(vtkBRDF* brdf);
   vtkBRDF* GetBRDF();
+  ///@}
+
+  ///@{
+  /**
+   * Which material each place of the surface is made of, by an array of the data; null (default):
+   * all of it is of BRDF. With a map, BRDF is the material of the places that the map says nothing
+   * of. Each part of the surface is drawn with the materials that meet there and no others, so that
+   * a class map costs about what one material costs. Each material has a plan of its own. The
+   * smallest ones, 2.5 % of the surface together, may have 3 times the error tolerance. Scalars
+   * that choose the material do not color it. A map that does not fit the data is reported once,
+   * and BRDF is drawn.
+   */
+  void SetMaterialMap(vtkMaterialMap* map);
+  vtkMaterialMap* GetMaterialMap();
   ///@}
 
   ///@{
@@ -291,6 +307,8 @@ public:
   void GetBounds(double bounds[6]) override { this->Superclass::GetBounds(bounds); }
   ///@}
 
+  void RenderPiece(vtkRenderer* ren, vtkActor* actor) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
   void ShallowCopy(vtkAbstractMapper* m) override;
 
   /**
@@ -308,6 +326,11 @@ protected:
   std::vector<MaterialUse> GetMaterialUses() override;
 
 private:
+  struct MapDrawing; // by a material map
+  bool RenderParts(vtkRenderer* ren, vtkActor* actor);
+
+  std::unique_ptr<MapDrawing> Map;
+
   vtkMeasuredBRDFMapper(const vtkMeasuredBRDFMapper&) = delete;
   void operator=(const vtkMeasuredBRDFMapper&) = delete;
 };

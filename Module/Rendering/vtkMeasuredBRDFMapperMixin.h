@@ -23,6 +23,7 @@
 #include <vector>  // for MaterialUse
 
 class vtkBRDF;
+class vtkMeasuredBRDFMapperInternals; // how materials are drawn
 class vtkPolyData;
 
 template <class Base>
@@ -31,8 +32,6 @@ class VTKMEASUREDBRDF_EXPORT vtkMeasuredBRDFMapperMixin : public Base
 public:
   void RenderPiece(vtkRenderer* ren, vtkActor* actor) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
-
-  class vtkInternals; // how materials are drawn
 
 protected:
   vtkMeasuredBRDFMapperMixin();
@@ -72,8 +71,8 @@ protected:
   /// Whether the material's tangents come with the data.
   bool HasTangents();
 
-  /// Made by the subclass; the mappers that draw the parts of one composite data set share it.
-  std::shared_ptr<vtkInternals> Drawing;
+  /// Made by the subclass; the mappers that draw the parts of one data set share it.
+  std::shared_ptr<vtkMeasuredBRDFMapperInternals> Drawing;
 
   /// Greater than 0 inside of RenderPiece.
   int RenderDepth = 0;

@@ -25,8 +25,17 @@ std::string Numbered(const std::string& source, const std::string& placeholder, 
   return text;
 }
 
+void ReplaceAll(std::string& text, const std::string& from, const std::string& to)
+{
+  for (std::size_t at = text.find(from); at != std::string::npos;
+       at = text.find(from, at + to.size()))
+  {
+    text.replace(at, from.size(), to);
+  }
+}
+
 // The form's terms, and a function of the given signature that adds them up.
-std::string Sum(const vtkBRDFShaderInputs& form, const std::string& signature,
+std::string Sum(const vtkBRDFShaderInputs& form, std::size_t first, const std::string& signature,
   const std::string& name, const std::string& arguments)
 {
   std::string text;
@@ -38,25 +47,25 @@ std::string Sum(const vtkBRDFShaderInputs& form, const std::string& signature,
     {
       vtkShaderProgram::Substitute(term, constant.Name, constant.Value);
     }
-    text += Numbered(term, "INSTANCE", k);
-    sum += " + " + name + std::to_string(k) + arguments;
+    text += Numbered(term, "INSTANCE", first + k);
+    sum += " + " + name + std::to_string(first + k) + arguments;
   }
   return text + signature + "\n{\n  return " + sum + ";\n}\n";
 }
 
 // The same sum for light with a spread; terms without a form for that as they are.
-std::string SoftSum(const vtkBRDFShaderInputs& form)
+std::string SoftSum(const vtkBRDFShaderInputs& form, std::size_t first)
 {
   std::string text;
   std::string sum = "vec3(0.0)";
   for (std::size_t k = 0; k < form.Terms.size(); ++k)
   {
-    const std::string number = std::to_string(k);
+    const std::string number = std::to_string(first + k);
     std::string source = form.Terms[k].Source;
     if (!form.Terms[k].SoftSource.empty())
     {
       source = form.Terms[k].SoftSource;
-      text += Numbered(source, "INSTANCE", k);
+      text += Numbered(source, "INSTANCE", first + k);
     }
     sum += source.find("brdfTermSoftINSTANCE") != std::string::npos
              ? " + brdfTermSoft" + number + "(i, o, spread)"
@@ -65,32 +74,84 @@ std::string SoftSum(const vtkBRDFShaderInputs& form)
   return text + "vec3 brdfEvaluateSoft(vec3 i, vec3 o, float spread)\n{\n  return " + sum +
          ";\n}\n";
 }
-}
 
-std::string GetShaderDeclarations(
-  const vtkBRDFShaderInputs* material, const vtkBRDFShaderInputs& environment)
+// brdfEvaluate and brdfEnvironment of one material.
+std::string DeclareMember(const ShaderMember& member, std::size_t number)
 {
-  const std::string lights =
-    Sum(environment, "vec3 brdfEnvironment(mat3 frame, vec3 o)", "brdfEnvironment", "(frame, o)");
-  std::string text = std::string(vtkBRDFCommon) + vtkBRDFEnvironmentPyramid;
-  if (material)
+  const std::size_t first = GetFirstInstance(number);
+  const vtkBRDFShaderInputs dark;
+  const std::string lights = Sum(member.Environment ? *member.Environment : dark, first,
+    "vec3 brdfEnvironment(mat3 frame, vec3 o)", "brdfEnvironment", "(frame, o)");
+  std::string text;
+  if (member.Material)
   {
-    text += Sum(*material, "vec3 brdfEvaluate(vec3 i, vec3 o)", "brdfTerm", "(i, o)");
+    text += Sum(*member.Material, first, "vec3 brdfEvaluate(vec3 i, vec3 o)", "brdfTerm", "(i, o)");
     if (lights.find("brdfEvaluateSoft") != std::string::npos)
     {
-      text += SoftSum(*material);
+      text += SoftSum(*member.Material, first);
     }
   }
+  return text + lights;
+}
+
+// The weighted sum of the members' functions of that name. A loop that may end at once and not a
+// condition: software renderers (Mesa's llvmpipe) run both sides of conditions.
+std::string Mix(const std::vector<ShaderMember>& members, const std::string& signature,
+  const std::string& name, const std::string& arguments, bool rotated)
+{
+  std::string text = signature + "\n{\n  vec3 sum = vec3(0.0);\n";
+  for (std::size_t k = 0; k < members.size(); ++k)
+  {
+    const std::string weight = "brdfWeights[" + std::to_string(members[k].Slot) + "]";
+    text += "  for (int once = 0; once < (" + weight + " > 0.0 ? 1 : 0); ++once)\n  {\n    sum += " +
+            weight + " * brdfMember" + std::to_string(k) + name + "(" +
+            (rotated ? GetRotationName(k) + " * " : "") + arguments + ");\n  }\n";
+  }
+  return text + "  return sum;\n}\n";
+}
+}
+
+std::size_t GetFirstInstance(std::size_t member) { return 100 * member; }
+
+std::string GetRotationName(std::size_t member)
+{
+  return "brdfEnvironmentRotation" + (member > 0 ? std::to_string(member) : "");
+}
+
+std::string GetShaderDeclarations(const std::vector<ShaderMember>& members)
+{
+  std::string text = std::string(vtkBRDFCommon) + vtkBRDFEnvironmentPyramid;
   text += "uniform mat3 envMatrix; // VTK's own: view -> the renderer's environment\n"
-          "uniform mat3 brdfEnvironmentRotation; // the environment's own rotation on top\n";
-  text += lights;
-  text += "uniform int brdfModulate;\n";
+          "uniform int brdfModulate;\n";
+  bool evaluate = true;
+  for (std::size_t k = 0; k < members.size(); ++k)
+  {
+    text += "uniform mat3 " + GetRotationName(k) + "; // the environment's own, on top\n";
+    evaluate = evaluate && members[k].Material;
+    std::string functions = DeclareMember(members[k], k);
+    const std::string prefix = "brdfMember" + std::to_string(k);
+    ReplaceAll(functions, "brdfEvaluate", prefix + "Evaluate");
+    ReplaceAll(functions, "vec3 brdfEnvironment(", "vec3 " + prefix + "Environment(");
+    text += functions;
+  }
+  if (members.size() > 1)
+  {
+    text += Mix(members, "vec3 brdfEnvironment(mat3 frame, vec3 o)", "Environment", "frame, o", true);
+    text += evaluate ? Mix(members, "vec3 brdfEvaluate(vec3 i, vec3 o)", "Evaluate", "i, o", false) : "";
+    return text;
+  }
+  text += "vec3 brdfEnvironment(mat3 frame, vec3 o)\n{\n  return brdfMember0Environment(" +
+          GetRotationName(0) + " * frame, o);\n}\n";
+  text += evaluate
+            ? "vec3 brdfEvaluate(vec3 i, vec3 o)\n{\n  return brdfMember0Evaluate(i, o);\n}\n"
+            : "";
   return text;
 }
 
 std::string GetShaderBody(const ShaderBody& body)
 {
   std::string text = vtkBRDFBegin;
+  vtkShaderProgram::Substitute(text, "//VTK::MeasuredBRDF::Weights", body.Weights);
   vtkShaderProgram::Substitute(text, "//VTK::MeasuredBRDF::Tangent",
     body.Tangents == TangentSource::Data
       ? vtkBRDFTangent

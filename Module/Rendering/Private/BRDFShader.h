@@ -11,6 +11,7 @@
 #include "vtkBRDFShaderInputs.h"
 
 #include <string>
+#include <vector>
 
 namespace measuredbrdf
 {
@@ -22,10 +23,25 @@ enum class TangentSource
   Axis
 };
 
-/// Declarations: shared functions, the material's terms and brdfEvaluate, the environment's terms
-/// and brdfEnvironment. Without a material there is no brdfEvaluate.
-std::string GetShaderDeclarations(
-  const vtkBRDFShaderInputs* material, const vtkBRDFShaderInputs& environment);
+/// One of the materials that a shader mixes.
+struct ShaderMember
+{
+  const vtkBRDFShaderInputs* Material;    // null: it is not asked for
+  const vtkBRDFShaderInputs* Environment; // null: there is none
+  int Slot = 0;                           // its weight is brdfWeights[Slot]
+};
+
+/// The number that stands for INSTANCE in the texts and names of a member's first term; the
+/// following terms count on.
+std::size_t GetFirstInstance(std::size_t member);
+
+/// Declarations: shared functions, the materials' terms and brdfEvaluate, their environments' terms
+/// and brdfEnvironment. Without a material there is no brdfEvaluate. Several members are mixed by
+/// brdfWeights, which are declared before.
+std::string GetShaderDeclarations(const std::vector<ShaderMember>& members);
+
+/// The uniform with the rotation of a member's environment.
+std::string GetRotationName(std::size_t member);
 
 /// What the body of a shader depends on.
 struct ShaderBody
@@ -37,6 +53,7 @@ struct ShaderBody
   bool HasEdgeOpacity = false; // and edgeOpacity (VTK 9.3)
   bool EdgesAreTubes = false;  // lit as such
   bool HasBlockColors = false; // VTK's OverridesColor is there (composite data)
+  std::string Weights;         // fills brdfWeights, where materials are mixed
 };
 
 /// For //VTK::Light::Impl.

@@ -33,8 +33,6 @@ constexpr unsigned int UnsignedInt5999 = 0x8C3E; // GL_UNSIGNED_INT_5_9_9_9_REV
 // and the texture of mapped scalars.
 constexpr int UnitsOfTheMapper = 4;
 
-std::string Instance(std::size_t term) { return std::to_string(term); }
-
 bool IsLost(vtkTextureObject* texture, vtkOpenGLRenderWindow* window)
 {
   return texture->GetHandle() == 0 || texture->GetContext() != window;
@@ -224,7 +222,7 @@ std::string FormTextures::Upload(
       {
         return problem;
       }
-      textures.push_back({ texture.Name + Instance(term), uploaded });
+      textures.push_back({ texture.Name, term, uploaded });
     }
   }
   this->Bytes = form.GetTextureBytes();
@@ -255,17 +253,20 @@ void FormTextures::Deactivate()
   }
 }
 
-void FormTextures::SetUniforms(vtkShaderProgram* program) const
+void FormTextures::SetUniforms(vtkShaderProgram* program, std::size_t firstInstance) const
 {
+  const auto numbered = [firstInstance](const std::string& name, std::size_t term)
+  { return name + std::to_string(firstInstance + term); };
   for (const Uploaded& uploaded : this->Textures)
   {
-    program->SetUniformi(uploaded.Sampler.c_str(), uploaded.Texture->GetTextureUnit());
+    program->SetUniformi(
+      numbered(uploaded.Sampler, uploaded.Term).c_str(), uploaded.Texture->GetTextureUnit());
   }
   for (std::size_t term = 0; term < this->Form.Terms.size(); ++term)
   {
     for (const vtkBRDFShaderInputs::Uniform& uniform : this->Form.Terms[term].Uniforms)
     {
-      const std::string name = uniform.Name + Instance(term);
+      const std::string name = numbered(uniform.Name, term);
       if (uniform.Values.size() == 1)
       {
         program->SetUniformf(name.c_str(), uniform.Values[0]);
@@ -278,20 +279,36 @@ void FormTextures::SetUniforms(vtkShaderProgram* program) const
   }
 }
 
-std::string CheckTextureUnits(std::size_t needed, vtkOpenGLRenderWindow* window)
+namespace
+{
+// Units that are not ours to take.
+int CountTakenUnits(vtkOpenGLRenderWindow* window)
 {
   vtkTextureUnitManager* manager = window->GetTextureUnitManager();
-  const int units = manager->GetNumberOfTextureUnits();
   int taken = UnitsOfTheMapper;
-  for (int unit = 0; unit < units; ++unit)
+  for (int unit = 0; unit < manager->GetNumberOfTextureUnits(); ++unit)
   {
     taken += manager->IsAllocated(unit) ? 1 : 0;
   }
-  if (static_cast<int>(needed) <= units - taken)
+  return taken;
+}
+}
+
+std::size_t CountTextureUnits(vtkOpenGLRenderWindow* window)
+{
+  const int units = window->GetTextureUnitManager()->GetNumberOfTextureUnits();
+  return static_cast<std::size_t>(std::max(units - CountTakenUnits(window), 0));
+}
+
+std::string CheckTextureUnits(std::size_t needed, vtkOpenGLRenderWindow* window)
+{
+  if (needed <= CountTextureUnits(window))
   {
     return "";
   }
+  const int units = window->GetTextureUnitManager()->GetNumberOfTextureUnits();
   return "it needs " + std::to_string(needed) + " textures at once, and of this graphics card's " +
-         std::to_string(units) + " texture units VTK itself may need " + std::to_string(taken);
+         std::to_string(units) + " texture units VTK itself may need " +
+         std::to_string(CountTakenUnits(window));
 }
 } // namespace measuredbrdf

@@ -51,7 +51,8 @@ public:
 
   void Activate();
   void Deactivate();
-  void SetUniforms(vtkShaderProgram* program) const;
+  /// firstInstance: the number that stands for INSTANCE in the first term's names.
+  void SetUniforms(vtkShaderProgram* program, std::size_t firstInstance) const;
 
   const vtkBRDFShaderInputs& GetForm() const { return this->Form; }
   std::size_t GetBytes() const { return this->Bytes; }
@@ -64,7 +65,8 @@ private:
 
   struct Uploaded
   {
-    std::string Sampler;
+    std::string Sampler; // without INSTANCE
+    std::size_t Term;
     vtkSmartPointer<vtkTextureObject> Texture;
   };
 
@@ -83,6 +85,9 @@ private:
 /// Why so many textures cannot be bound at once in this window, beside those that VTK may need; ""
 /// if they can.
 std::string CheckTextureUnits(std::size_t needed, vtkOpenGLRenderWindow* window);
+
+/// How many can.
+std::size_t CountTextureUnits(vtkOpenGLRenderWindow* window);
 } // namespace measuredbrdf
 
 #endif

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdio>
 #include <set>
 #include <string>
 #include <vector>
@@ -29,6 +30,17 @@ std::string DescribePlans(const DrawnMaterials& materials)
     text += (text.empty() ? "" : "\n") + line;
   }
   return text;
+}
+
+std::string DescribeMixture(double error)
+{
+  if (error < 0.0)
+  {
+    return "";
+  }
+  char percent[16];
+  std::snprintf(percent, sizeof(percent), "%.2g", 100.0 * error);
+  return std::string("\nmaterials of the map together: predicted error ") + percent + " %";
 }
 
 vtkIdType CountTextureBytes(const DrawnMaterials& materials)

@@ -26,6 +26,7 @@ class CurrentPlan;
 /// What a material is drawn with in one renderer.
 struct DrawnMaterial
 {
+  vtkBRDF* Source = nullptr;                         // the material, only compared
   vtkSmartPointer<vtkBRDF> BRDF;                     // the material or, of a plan, its snapshot
   vtkSmartPointer<vtkRadianceIntegrator> Integrator; // of the environment's light; null: none
   vtkSmartPointer<vtkEnvironment> Environment;       // the one whose rotation applies
@@ -41,6 +42,9 @@ using DrawnMaterials = std::vector<const DrawnMaterial*>;
 
 /// The plans, a line each.
 std::string DescribePlans(const DrawnMaterials& materials);
+
+/// A line on the predicted error of a surface of several materials; "" if it is negative.
+std::string DescribeMixture(double error);
 
 /// Of the textures in use, each counted once.
 vtkIdType CountTextureBytes(const DrawnMaterials& materials);

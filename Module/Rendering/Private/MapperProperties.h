@@ -23,6 +23,7 @@
 
 #define MEASUREDBRDF_MAPPER_PROPERTIES(Class, settings)                                  \
   MEASUREDBRDF_PROPERTY(Class, settings, BRDF, BRDF, vtkBRDF*)                           \
+  MEASUREDBRDF_PROPERTY(Class, settings, MaterialMap, MaterialMap, vtkMaterialMap*)      \
   MEASUREDBRDF_PROPERTY(Class, settings, Environment, Environment, vtkEnvironment*)      \
   MEASUREDBRDF_PROPERTY(Class, settings, Integrator, Integrator, vtkRadianceIntegrator*) \
   MEASUREDBRDF_PROPERTY(Class, settings, CostModel, Costs, vtkRadianceCostModel*)        \

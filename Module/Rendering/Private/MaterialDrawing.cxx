@@ -29,6 +29,8 @@ namespace measuredbrdf
 {
 namespace
 {
+constexpr double LargestTolerance = 1.0; // that planners take
+
 bool HasLight(vtkRenderer* renderer)
 {
   vtkLightCollection* lights = renderer->GetLights();
@@ -138,7 +140,8 @@ PlanRequest MaterialDrawing::GetRequest(const MaterialUse& use, const FrameState
   request.BRDF = use.first;
   request.Environment = state.Environment;
   request.CacheFolder = this->Settings->CacheFolder;
-  request.Tolerance = this->Settings->ErrorTolerance;
+  const double factor = this->ToleranceFactor ? this->ToleranceFactor(use.first) : 1.0;
+  request.Tolerance = std::min(factor * this->Settings->ErrorTolerance, LargestTolerance);
   request.Costs = this->Settings->Costs;
   request.Timing = timings[this->Settings->PlanningMode];
   request.ForView = this->Settings->PlanForView;
@@ -281,6 +284,7 @@ DrawnMaterial MaterialDrawing::Resolve(const MaterialUse& use, const FrameState&
   {
     return drawn;
   }
+  drawn.Source = use.first;
   drawn.BRDF = use.first;
   drawn.Environment = state.Environment;
   std::string problem;
@@ -317,7 +321,7 @@ DrawnMaterial MaterialDrawing::Resolve(const MaterialUse& use, const FrameState&
 void MaterialDrawing::BeginFrame(
   vtkRenderer* renderer, vtkActor* actor, const void* part, const std::vector<MaterialUse>& uses)
 {
-  this->Selected = nullptr;
+  this->Unselect();
   this->Frame = nullptr;
   if (!DrawsColor(renderer, actor) || !IsShaded(actor))
   {
@@ -361,7 +365,9 @@ void MaterialDrawing::WarnOfLevels(const FrameState& state)
 // Those that are not drawn by any more.
 void MaterialDrawing::DropPlans(const FrameState& state, bool anyMaterial)
 {
-  if ((!this->Settings->BRDF && !this->Settings->HasBlockMaterials()) || !this->IsPlanned())
+  const bool none =
+    !this->Settings->BRDF && !this->Settings->MaterialMap && !this->Settings->HasBlockMaterials();
+  if (none || !this->IsPlanned())
   {
     this->Plans.Clear();
   }
@@ -383,38 +389,67 @@ const std::vector<DrawnMaterial>& MaterialDrawing::GetMaterials() const
   return this->Frame ? this->Frame->Materials : none;
 }
 
-void MaterialDrawing::Select(std::size_t material)
+namespace
+{
+// Of all, textures that several share once.
+std::vector<std::shared_ptr<FormTextures>> GetTextures(
+  const std::vector<const DrawnMaterial*>& materials)
+{
+  std::vector<std::shared_ptr<FormTextures>> all;
+  for (const DrawnMaterial* drawn : materials)
+  {
+    for (const std::shared_ptr<FormTextures>& textures : { drawn->Material, drawn->Radiance })
+    {
+      if (textures && std::find(all.begin(), all.end(), textures) == all.end())
+      {
+        all.push_back(textures);
+      }
+    }
+  }
+  return all;
+}
+}
+
+void MaterialDrawing::Select(std::size_t material) { this->SelectMixture({ material }, {}); }
+
+void MaterialDrawing::SelectMixture(const std::vector<std::size_t>& materials, MixtureText text)
 {
   this->Unselect();
-  const DrawnMaterial& drawn = this->Frame->Materials[material];
-  if (!drawn.IsReady)
+  std::vector<const DrawnMaterial*> selected;
+  for (std::size_t material : materials)
   {
-    return;
-  }
-  this->Selected = &drawn;
-  for (const std::shared_ptr<FormTextures>& textures : { drawn.Material, drawn.Radiance })
-  {
-    if (textures)
+    selected.push_back(&this->Frame->Materials[material]);
+    if (!selected.back()->IsReady)
     {
-      textures->Activate();
+      return;
     }
+  }
+  this->Selected = std::move(selected);
+  this->Mixture = std::move(text);
+  for (const std::shared_ptr<FormTextures>& textures : GetTextures(this->Selected))
+  {
+    textures->Activate();
   }
 }
 
 void MaterialDrawing::Unselect()
 {
-  if (this->Selected)
+  for (const std::shared_ptr<FormTextures>& textures : GetTextures(this->Selected))
   {
-    for (const std::shared_ptr<FormTextures>& textures :
-      { this->Selected->Material, this->Selected->Radiance })
-    {
-      if (textures)
-      {
-        textures->Deactivate();
-      }
-    }
+    textures->Deactivate();
   }
-  this->Selected = nullptr;
+  this->Selected.clear();
+  this->Mixture = {};
+}
+
+std::string MaterialDrawing::GetSelectedKey() const
+{
+  std::string key;
+  for (const DrawnMaterial* drawn : this->Selected)
+  {
+    key += (key.empty() ? "" : "+") + drawn->Key;
+  }
+  return key + this->Mixture.Declarations + this->Mixture.Implementation;
 }
 
 std::vector<const DrawnMaterial*> MaterialDrawing::GetLastFrame() const
@@ -477,7 +512,7 @@ vtkMTimeType MaterialDrawing::GetAppearanceMTime()
 
 void MaterialDrawing::ReleaseGraphicsResources(vtkWindow* window, const void* part)
 {
-  this->Selected = nullptr;
+  this->Unselect();
   for (const std::unique_ptr<ViewFrame>& frame : this->Frames)
   {
     const bool here = !window || !frame->Renderer || frame->Renderer->GetVTKWindow() == window;

@@ -39,6 +39,14 @@ namespace measuredbrdf
 /// draws them.
 using MaterialUse = std::pair<vtkBRDF*, std::vector<vtkPolyData*>>;
 
+/// What the fragment shader needs to mix materials.
+struct MixtureText
+{
+  std::string Declarations;
+  std::string Implementation;
+  std::vector<int> Slots; // of the materials' weights
+};
+
 class MaterialDrawing
 {
 public:
@@ -64,13 +72,27 @@ public:
   const std::vector<DrawnMaterial>& GetMaterials() const;
 
   ///@{
-  /// Draw with this one from now on; with none.
+  /// Draw with this one from now on; with several, mixed as `weights` says (BRDFShader.h), which
+  /// takes the weight of each from its slot; with none.
   void Select(std::size_t material);
+  void SelectMixture(const std::vector<std::size_t>& materials, MixtureText text);
   void Unselect();
   ///@}
 
-  /// The selected one; null where the superclass draws.
-  const DrawnMaterial* GetSelected() const { return this->Selected; }
+  /// The selected ones; none where the superclass draws.
+  const std::vector<const DrawnMaterial*>& GetSelected() const { return this->Selected; }
+
+  /// Same key, same shader text.
+  std::string GetSelectedKey() const;
+
+  /// How the selected ones are mixed.
+  const MixtureText& GetMixture() const { return this->Mixture; }
+
+  /// How many times the mapper's tolerance a material may have (default: 1 for all).
+  void SetToleranceFactor(std::function<double(vtkBRDF*)> factor)
+  {
+    this->ToleranceFactor = std::move(factor);
+  }
 
   ///@{
   /// About the last frame of all parts.
@@ -155,13 +177,15 @@ private:
   vtkObject* Owner;
   std::shared_ptr<MaterialSettings> Settings;
   std::function<std::vector<MaterialUse>()> UsesToCome;
+  std::function<double(vtkBRDF*)> ToleranceFactor;
   MapperPlans Plans;
   std::vector<std::unique_ptr<ViewFrame>> Frames; // each keeps its textures for the next Render
   std::vector<MaterialSlot> Slots;                // of blocks' materials, in MapperPlans
   int NextSlot = 1;
   const ViewFrame* Frame = nullptr; // drawn now
   vtkWeakPointer<vtkRenderer> LastRenderer;
-  const DrawnMaterial* Selected = nullptr;
+  std::vector<const DrawnMaterial*> Selected;
+  MixtureText Mixture; // of several
   std::set<std::string> Warned;
   std::atomic<bool> AbortPlanning{ false };
   bool WasReady = false; // whether a plan made in the background waited to be drawn

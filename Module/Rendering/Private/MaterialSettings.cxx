@@ -82,6 +82,7 @@ vtkMTimeType MaterialSettings::GetMTime() const
   const auto add = [&time](vtkObject* object)
   { time = std::max(time, object ? object->GetMTime() : 0); };
   add(this->BRDF);
+  add(this->MaterialMap);
   add(this->Environment);
   time = std::max(time, this->Integrator ? this->Integrator->GetInputsMTime() : 0);
   add(this->Costs);
@@ -100,6 +101,7 @@ void MaterialSettings::Print(ostream& os, vtkIndent indent) const
 {
   const char* const planning[] = { "foreground", "background", "background from start" };
   os << indent << "BRDF: " << this->BRDF.Get() << "\n";
+  os << indent << "MaterialMap: " << this->MaterialMap.Get() << "\n";
   os << indent << "Environment: " << this->Environment.Get() << "\n";
   os << indent << "Integrator: " << this->Integrator.Get() << "\n";
   os << indent << "CostModel: " << (this->Costs ? this->Costs->GetName() : "default") << "\n";

@@ -11,6 +11,7 @@
 
 #include "vtkBRDF.h"
 #include "vtkEnvironment.h"
+#include "vtkMaterialMap.h"
 #include "vtkRadianceCostModel.h"
 #include "vtkRadianceIntegrator.h"
 #include "vtkSmartPointer.h"
@@ -28,6 +29,7 @@ struct MaterialSettings
   MaterialSettings();
 
   vtkSmartPointer<vtkBRDF> BRDF;
+  vtkSmartPointer<vtkMaterialMap> MaterialMap;
   vtkSmartPointer<vtkEnvironment> Environment;
   vtkSmartPointer<vtkRadianceIntegrator> Integrator;
   vtkSmartPointer<vtkRadianceCostModel> Costs;

@@ -71,6 +71,32 @@ private:
   int& Count;
 };
 
+inline bool AreAnyAnisotropic(const DrawnMaterials& materials)
+{
+  return std::any_of(materials.begin(), materials.end(),
+    [](const DrawnMaterial* drawn) { return !drawn->BRDF->IsIsotropic(); });
+}
+
+// slots: none where there is one material.
+inline std::vector<ShaderMember> GetShaderMembers(
+  const DrawnMaterials& materials, const std::vector<int>& slots)
+{
+  std::vector<ShaderMember> members;
+  for (std::size_t k = 0; k < materials.size(); ++k)
+  {
+    const DrawnMaterial& drawn = *materials[k];
+    members.push_back({ drawn.Material ? &drawn.Material->GetForm() : nullptr,
+      drawn.Radiance ? &drawn.Radiance->GetForm() : nullptr, k < slots.size() ? slots[k] : 0 });
+  }
+  return members;
+}
+
+inline bool AreAllEvaluated(const std::vector<ShaderMember>& members)
+{
+  return std::all_of(members.begin(), members.end(),
+    [](const ShaderMember& member) { return member.Material != nullptr; });
+}
+
 inline bool Contains(const std::string& text, const char* part)
 {
   return text.find(part) != std::string::npos;
@@ -78,8 +104,7 @@ inline bool Contains(const std::string& text, const char* part)
 } // namespace measuredbrdf
 
 //------------------------------------------------------------------------------
-template <class Base>
-class vtkMeasuredBRDFMapperMixin<Base>::vtkInternals : public measuredbrdf::MaterialDrawing
+class vtkMeasuredBRDFMapperInternals : public measuredbrdf::MaterialDrawing
 {
   using measuredbrdf::MaterialDrawing::MaterialDrawing;
 };
@@ -164,7 +189,7 @@ void vtkMeasuredBRDFMapperMixin<Base>::RenderPieceFinish(vtkRenderer* ren, vtkAc
 template <class Base>
 bool vtkMeasuredBRDFMapperMixin<Base>::UsesMaterial(const vtkOpenGLHelper* cellBO)
 {
-  if (!this->Drawing->GetSelected() || this->DrawingSelection || this->DrawingVertices)
+  if (this->Drawing->GetSelected().empty() || this->DrawingSelection || this->DrawingVertices)
   {
     return false;
   }
@@ -188,7 +213,7 @@ bool vtkMeasuredBRDFMapperMixin<Base>::GetNeedToRebuildShaders(
   std::string key;
   if (this->UsesMaterial(&cellBO))
   {
-    key = this->Drawing->GetSelected()->Key + (this->HasTangents() ? "/tangents" : "");
+    key = this->Drawing->GetSelectedKey() + (this->HasTangents() ? "/tangents" : "");
   }
   std::string& last = this->ShaderKeys[&cellBO];
   const bool changed = key != last;
@@ -235,7 +260,8 @@ void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderNormal(
   const measuredbrdf::ForceLit lit(
     this->PrimitiveInfo[this->LastBoundBO].LastLightComplexity, material);
   this->Base::ReplaceShaderNormal(shaders, ren, actor);
-  if (!material || this->Drawing->GetSelected()->BRDF->IsIsotropic() || !this->HasTangents())
+  if (!material || !measuredbrdf::AreAnyAnisotropic(this->Drawing->GetSelected()) ||
+      !this->HasTangents())
   {
     return;
   }
@@ -278,11 +304,12 @@ void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderLight(
     return;
   }
   this->WarnOfTextures(actor);
-  const measuredbrdf::DrawnMaterial& drawn = *this->Drawing->GetSelected();
+  const measuredbrdf::MixtureText& mixture = this->Drawing->GetMixture();
+  const std::vector<measuredbrdf::ShaderMember> members =
+    measuredbrdf::GetShaderMembers(this->Drawing->GetSelected(), mixture.Slots);
   std::string fs = shaders[vtkShader::Fragment]->GetSource();
   std::string declarations =
-    measuredbrdf::GetShaderDeclarations(drawn.Material ? &drawn.Material->GetForm() : nullptr,
-      drawn.Radiance ? drawn.Radiance->GetForm() : vtkBRDFShaderInputs());
+    mixture.Declarations + measuredbrdf::GetShaderDeclarations(members);
   if (measuredbrdf::Contains(fs, "anisotropyUniform"))
   {
     // The superclass turned the tangents by a PBR property's anisotropy, with what its lights
@@ -295,7 +322,8 @@ void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderLight(
     std::string(static_cast<vtkOpenGLRenderer*>(ren)->GetLightingUniforms()), false);
 
   measuredbrdf::ShaderBody body;
-  if (!drawn.BRDF->IsIsotropic())
+  body.Weights = mixture.Implementation;
+  if (measuredbrdf::AreAnyAnisotropic(this->Drawing->GetSelected()))
   {
     body.Tangents =
       this->HasTangents() ? measuredbrdf::TangentSource::Data : measuredbrdf::TangentSource::Axis;
@@ -309,8 +337,7 @@ void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderLight(
   }
   const auto& info = this->PrimitiveInfo[this->LastBoundBO];
   // Image-based lighting counts as a light in VTK 9.6; here it is none.
-  const bool lit =
-    drawn.Material && info.LastLightCount > 0 && this->Drawing->GetSettings().UseSceneLights;
+  const bool lit = measuredbrdf::AreAllEvaluated(members) && info.LastLightCount > 0 && this->Drawing->GetSettings().UseSceneLights;
   body.Complexity = lit ? static_cast<int>(info.LastLightComplexity) : 0;
   body.LightCount = info.LastLightCount;
   body.HasEdges = this->DrawingEdges(ren, actor);
@@ -374,25 +401,29 @@ void vtkMeasuredBRDFMapperMixin<Base>::SetMapperShaderParameters(
   {
     return;
   }
-  const measuredbrdf::DrawnMaterial& drawn = *this->Drawing->GetSelected();
   vtkShaderProgram* program = cellBO.Program;
-  for (const std::shared_ptr<measuredbrdf::FormTextures>& textures :
-    { drawn.Material, drawn.Radiance })
-  {
-    if (textures)
-    {
-      textures->SetUniforms(program);
-    }
-  }
   vtkNew<vtkMatrix3x3> matrix;
-  if (drawn.Environment)
+  for (std::size_t k = 0; k < this->Drawing->GetSelected().size(); ++k)
   {
-    double rows[9];
-    drawn.Environment->GetWorldToEnvironment(rows);
-    matrix->DeepCopy(rows);
+    const measuredbrdf::DrawnMaterial& drawn = *this->Drawing->GetSelected()[k];
+    for (const std::shared_ptr<measuredbrdf::FormTextures>& textures :
+      { drawn.Material, drawn.Radiance })
+    {
+      if (textures)
+      {
+        textures->SetUniforms(program, measuredbrdf::GetFirstInstance(k));
+      }
+    }
+    matrix->Identity();
+    if (drawn.Environment)
+    {
+      double rows[9];
+      drawn.Environment->GetWorldToEnvironment(rows);
+      matrix->DeepCopy(rows);
+    }
+    matrix->Transpose(); // SetUniformMatrix hands over columns
+    program->SetUniformMatrix(measuredbrdf::GetRotationName(k).c_str(), matrix);
   }
-  matrix->Transpose(); // SetUniformMatrix hands over columns
-  program->SetUniformMatrix("brdfEnvironmentRotation", matrix);
   if (program->IsUniformUsed("brdfTangentMatrix"))
   {
     // Tangents are directions of the surface: they turn and stretch with it, as normals do not.

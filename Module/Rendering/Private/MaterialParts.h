@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A surface in parts, so that the same few materials meet in all pixels of a part. Private to the
+ * rendering room.
+ *
+ * Each part is drawn by a shader with its own materials only: a class map costs what one material
+ * costs, whatever the number of classes, and a blend what the materials that meet cost.
+ */
+
+#ifndef MaterialParts_h
+#define MaterialParts_h
+
+#include "vtkBRDF.h"
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+class vtkMaterialMap;
+class vtkPolyData;
+
+namespace measuredbrdf
+{
+/// How the weights of a part's materials are found in a pixel.
+enum class MixtureKind
+{
+  Single,  // one material, or none
+  Weights, // point attributes
+  Nearest, // the material of the largest of them
+  Value,   // hat functions of a point attribute
+  Images   // images over the texture coordinates
+};
+
+struct MaterialPart
+{
+  vtkSmartPointer<vtkPolyData> Surface; // all parts share the points, so that no gap shows
+  std::vector<vtkSmartPointer<vtkBRDF>> Members; // none: the superclass draws
+  MixtureKind Kind = MixtureKind::Single;
+  bool HasRest = false; // Nearest: some pixels have no material; they are another part's,
+  bool IsRest = false;  // this one's: of as many weights, with the rest's as the last
+  int NumberOfWeights = 0;
+  std::vector<std::array<float, 4>> Hats; // Value: min(a + b v, c + d v), clamped, for each member
+  std::vector<int> Components;            // Images: each member's, counted over all images
+};
+
+class MaterialParts
+{
+public:
+  ///@{
+  /// Names of the point arrays that carry weights (four in each array), the value and texture
+  /// coordinates.
+  static std::string GetWeightsName(int group);
+  static const char* GetValueName() { return "brdfValue"; }
+  static const char* GetCoordinatesName() { return "brdfCoordinates"; }
+  ///@}
+
+  /// Most weights that meet in a part: vertex attributes have room for no more.
+  static constexpr int MaximumNumberOfWeights = 32;
+
+  /// Parts are merged, where weights allow that, until there are no more of them than this.
+  static constexpr int WantedNumberOfParts = 32;
+
+  /// Divide anew if the input, the map or the material for the rest changed. Returns why the map
+  /// cannot be used (there are no parts then), or "". warning: what is odd about the data, or "".
+  std::string Update(
+    vtkPolyData* input, vtkMaterialMap* map, vtkBRDF* others, std::string& warning);
+
+  void Clear();
+
+  const std::vector<MaterialPart>& Get() const { return this->Parts; }
+
+  /// Rises with each division.
+  unsigned long GetRevision() const { return this->Revision; }
+
+  /// Those that are seen somewhere.
+  std::vector<vtkBRDF*> GetBRDFs() const;
+
+  /// The share of the surface's area that is of a material, of the area that is of any.
+  double GetShare(vtkBRDF* brdf) const;
+
+  /// How many times the tolerance a material may have: 3 for those of the smallest shares, 2.5 % of
+  /// the area together, which so add at most a twentieth of the tolerance to the error of the whole.
+  double GetToleranceFactor(vtkBRDF* brdf) const;
+
+  /// All surfaces of which a material may be seen.
+  std::vector<vtkPolyData*> GetSurfaces(vtkBRDF* brdf) const;
+
+private:
+  std::string Divide(vtkPolyData* input, vtkMaterialMap* map, vtkBRDF* others);
+
+  std::vector<MaterialPart> Parts;
+  std::map<vtkBRDF*, double> Areas;
+  std::string Problem;
+  std::string Warning;
+  vtkPolyData* Input = nullptr; // only compared
+  vtkMTimeType InputTime = 0;
+  vtkSmartPointer<vtkMaterialMap> Map;
+  vtkMTimeType MapTime = 0;
+  vtkSmartPointer<vtkBRDF> Others;
+  unsigned long Revision = 0;
+};
+} // namespace measuredbrdf
+
+#endif

@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MixtureShader.h"
+
+#include "WeightImages.h"
+
+#include <set>
+
+namespace measuredbrdf
+{
+namespace
+{
+constexpr int WeightsPerGroup = 4;
+
+// In the fragment shader. The superclass renames it where there is a geometry shader.
+std::string Varying(const std::string& attribute) { return attribute + "VCVSOutput"; }
+
+std::string Weight(int slot) { return "brdfWeights[" + std::to_string(slot) + "]"; }
+
+std::string Texel(std::size_t image) { return "brdfTexel" + std::to_string(image); }
+}
+
+MixtureShader::MixtureShader(const MaterialPart& part, const std::vector<int>& imageComponents)
+  : Part(part)
+  , ImageComponents(imageComponents)
+{
+  switch (part.Kind)
+  {
+    case MixtureKind::Weights:
+    case MixtureKind::Nearest:
+      for (int first = 0; first < part.NumberOfWeights; first += WeightsPerGroup)
+      {
+        this->Attributes.emplace_back(
+          MaterialParts::GetWeightsName(first / WeightsPerGroup), "vec4");
+      }
+      break;
+    case MixtureKind::Value:
+      this->Attributes.emplace_back(MaterialParts::GetValueName(), "float");
+      break;
+    case MixtureKind::Images:
+      this->Attributes.emplace_back(MaterialParts::GetCoordinatesName(), "vec2");
+      break;
+    default:
+      break;
+  }
+}
+
+std::string MixtureShader::GetDeclarations() const
+{
+  std::string text;
+  for (const auto& [name, type] : this->Attributes)
+  {
+    text += "in " + type + " " + Varying(name) + ";\n";
+  }
+  for (std::size_t k = 0; k < this->Part.Hats.size(); ++k)
+  {
+    text += "uniform vec4 brdfHat" + std::to_string(k) + ";\n";
+  }
+  for (std::size_t k = 0; this->Part.Kind == MixtureKind::Images && k < this->ImageComponents.size();
+       ++k)
+  {
+    text += "uniform sampler2D " + WeightTextures::GetSampler(k) + ";\n";
+  }
+  return text + "float brdfWeights[" + std::to_string(this->Part.NumberOfWeights) + "];\n";
+}
+
+// Of a slot, before all are divided by their sum.
+std::string MixtureShader::GetWeight(int slot) const
+{
+  const std::string number = std::to_string(slot);
+  switch (this->Part.Kind)
+  {
+    case MixtureKind::Value:
+      return "clamp(min(brdfHat" + number + ".x + brdfHat" + number + ".y * brdfAt, brdfHat" +
+             number + ".z + brdfHat" + number + ".w * brdfAt), 0.0, 1.0)";
+    case MixtureKind::Images:
+    {
+      const auto place = static_cast<std::size_t>(slot);
+      int component = place < this->Part.Components.size() ? this->Part.Components[place] : -1;
+      std::size_t image = 0;
+      while (component >= 0 && component >= this->ImageComponents[image])
+      {
+        component -= this->ImageComponents[image++];
+      }
+      return component < 0 ? "0.0" : Texel(image) + "[" + std::to_string(component) + "]";
+    }
+    default:
+      return Varying(MaterialParts::GetWeightsName(slot / WeightsPerGroup)) + "[" +
+             std::to_string(slot % WeightsPerGroup) + "]";
+  }
+}
+
+std::string MixtureShader::GetImplementation(const std::vector<bool>& drawn) const
+{
+  const int count = this->Part.NumberOfWeights;
+  const bool nearest = this->Part.Kind == MixtureKind::Nearest;
+  std::string text;
+  if (this->Part.Kind == MixtureKind::Value)
+  {
+    text += "  float brdfAt = " + Varying(MaterialParts::GetValueName()) + ";\n";
+  }
+  for (std::size_t k = 0; this->Part.Kind == MixtureKind::Images && k < this->ImageComponents.size();
+       ++k)
+  {
+    text += "  vec4 " + Texel(k) + " = texture(" + WeightTextures::GetSampler(k) + ", " +
+            Varying(MaterialParts::GetCoordinatesName()) + ");\n";
+  }
+  std::string sum = "0.0";
+  int others = -1; // Images: of the material where there are no weights
+  for (int slot = 0; slot < count; ++slot)
+  {
+    const auto place = static_cast<std::size_t>(slot);
+    const bool given = place >= drawn.size() || drawn[place];
+    const bool ofImages = this->Part.Kind == MixtureKind::Images;
+    others = ofImages && (place >= this->Part.Components.size() || this->Part.Components[place] < 0)
+               ? slot
+               : others;
+    text += "  " + Weight(slot) + " = " + (given ? this->GetWeight(slot) : "0.0") + ";\n";
+    sum += " + " + Weight(slot);
+  }
+  if (nearest)
+  {
+    text += "  int brdfNearest = 0;\n";
+    for (int slot = 1; slot < count; ++slot)
+    {
+      text += "  brdfNearest = " + Weight(slot) + " > brdfWeights[brdfNearest] ? " +
+              std::to_string(slot) + " : brdfNearest;\n";
+    }
+    for (int slot = 0; slot < count; ++slot)
+    {
+      text += "  " + Weight(slot) + " = brdfNearest == " + std::to_string(slot) + " ? 1.0 : 0.0;\n";
+    }
+  }
+  else
+  {
+    text += "  float brdfSum = " + sum + ";\n";
+    for (int slot = 0; slot < count; ++slot)
+    {
+      text += "  " + Weight(slot) + " = brdfSum > 0.0 ? " + Weight(slot) + " / brdfSum : " +
+              (slot == others ? "1.0" : "0.0") + ";\n";
+    }
+  }
+  if (this->Part.HasRest || this->Part.IsRest)
+  {
+    text += "  if (" + Weight(count - 1) + (this->Part.HasRest ? " > 0.0" : " <= 0.0") +
+            ")\n  {\n    discard;\n  }\n";
+  }
+  return text;
+}
+} // namespace measuredbrdf

@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PartMapper.h"
+
+#include "vtkMeasuredBRDFMapperMixin.txx"
+
+#include "vtkDataObject.h"
+#include "vtkImageData.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPolyData.h"
+
+#include <numeric>
+
+namespace measuredbrdf
+{
+vtkStandardNewMacro(PartMapper);
+
+void PartMapper::SetPart(const MaterialParts* parts, std::size_t number, vtkMaterialMap* map)
+{
+  this->Parts = parts;
+  this->Part = parts->Get()[number];
+  this->Map = map;
+  this->ImageComponents.clear();
+  for (int k = 0; k < map->GetNumberOfWeightImages(); ++k)
+  {
+    this->ImageComponents.push_back(map->GetWeightImage(k)->GetNumberOfScalarComponents());
+  }
+  const bool mixed = this->Part.Kind != MixtureKind::Single;
+  this->Text =
+    mixed ? std::make_unique<MixtureShader>(this->Part, this->ImageComponents) : nullptr;
+  this->SetInputDataObject(this->Part.Surface);
+  for (std::size_t k = 0; mixed && k < this->Text->GetAttributes().size(); ++k)
+  {
+    const char* name = this->Text->GetAttributes()[k].first.c_str();
+    this->MapDataArrayToVertexAttribute(
+      name, name, vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
+  }
+}
+
+std::vector<PartMapper::MaterialUse> PartMapper::GetMaterialUses()
+{
+  if (this->Part.Members.empty())
+  {
+    return { { nullptr, {} } };
+  }
+  std::vector<MaterialUse> uses;
+  for (vtkBRDF* brdf : this->Part.Members)
+  {
+    uses.emplace_back(brdf, this->Parts->GetSurfaces(brdf));
+  }
+  return uses;
+}
+
+void PartMapper::RenderPieceDraw(vtkRenderer* ren, vtkActor* actor)
+{
+  const bool images = this->Part.Kind == MixtureKind::Images;
+  if (images)
+  {
+    auto* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetVTKWindow());
+    this->Images = WeightTextures::Find(this->Map, window);
+    const std::string problem = this->Images->Update(this->Map, window);
+    if (!problem.empty() && this->Drawing->WarnOnce(problem))
+    {
+      vtkErrorWithObjectMacro(
+        this->Drawing->GetOwner(), << "The material map is not drawn: " << problem << ".");
+    }
+    this->Images->Activate();
+  }
+  if (this->Text && !this->Part.Members.empty() && !this->Drawing->GetMaterials().empty())
+  {
+    this->DrawMixture(ren, actor);
+  }
+  else
+  {
+    this->Superclass::RenderPieceDraw(ren, actor);
+  }
+  if (images)
+  {
+    this->Images->Deactivate();
+  }
+}
+
+// Those whose textures fit into the units together, of the largest shares of the surface.
+std::vector<std::size_t> PartMapper::ChooseMembers(vtkRenderer* ren)
+{
+  const std::vector<DrawnMaterial>& materials = this->Drawing->GetMaterials();
+  std::vector<std::size_t> order(materials.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+    [this](std::size_t a, std::size_t b) {
+      return this->Parts->GetShare(this->Part.Members[a]) >
+             this->Parts->GetShare(this->Part.Members[b]);
+    });
+  std::size_t free =
+    CountTextureUnits(vtkOpenGLRenderWindow::SafeDownCast(ren->GetVTKWindow()));
+  std::vector<std::size_t> chosen;
+  for (std::size_t member : order)
+  {
+    std::size_t samplers = 0;
+    for (const auto& textures : { materials[member].Material, materials[member].Radiance })
+    {
+      samplers += textures ? textures->GetNumberOfSamplers() : 0;
+    }
+    if (samplers > free)
+    {
+      break;
+    }
+    free -= samplers;
+    chosen.push_back(member);
+  }
+  if (chosen.size() < materials.size() && this->Drawing->WarnOnce("units of a mixture"))
+  {
+    vtkWarningWithObjectMacro(this->Drawing->GetOwner(),
+      << "Up to " << materials.size() << " materials meet on a part of the surface, more than the "
+      << "graphics card's texture units suffice for: the " << chosen.size()
+      << " that cover most are mixed there.");
+  }
+  std::sort(chosen.begin(), chosen.end());
+  return chosen;
+}
+
+void PartMapper::DrawMixture(vtkRenderer* ren, vtkActor* actor)
+{
+  const std::vector<std::size_t> chosen = this->ChooseMembers(ren);
+  std::vector<bool> drawn(this->Part.Members.size(), false);
+  MixtureText text;
+  for (std::size_t member : chosen)
+  {
+    drawn[member] = true;
+    text.Slots.push_back(static_cast<int>(member));
+  }
+  text.Declarations = this->Text->GetDeclarations();
+  text.Implementation = this->Text->GetImplementation(drawn);
+  this->Drawing->SelectMixture(chosen, std::move(text));
+  this->vtkOpenGLPolyDataMapper::RenderPieceDraw(ren, actor);
+  this->Drawing->Unselect();
+}
+
+// Vertices and lines do not, nor does what is drawn for a selection.
+bool PartMapper::NeedsWeights(const vtkOpenGLHelper* cellBO)
+{
+  return this->Text && (this->UsesMaterial(cellBO) ||
+                         (this->Part.IsRest && cellBO == &this->Primitives[PrimitiveTris]));
+}
+
+// Attributes go through the stages beside the positions, as tangents do.
+void PartMapper::ReplaceShaderPositionVC(
+  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* actor)
+{
+  if (this->NeedsWeights(this->LastBoundBO))
+  {
+    std::string vertex = shaders[vtkShader::Vertex]->GetSource();
+    std::string geometry = shaders[vtkShader::Geometry]->GetSource();
+    for (const auto& [name, type] : this->Text->GetAttributes())
+    {
+      vtkShaderProgram::Substitute(vertex, "//VTK::PositionVC::Dec",
+        "//VTK::PositionVC::Dec\nin " + type + " " + name + ";\nout " + type + " " + name +
+          "VCVSOutput;\n",
+        false);
+      vtkShaderProgram::Substitute(vertex, "//VTK::PositionVC::Impl",
+        "//VTK::PositionVC::Impl\n  " + name + "VCVSOutput = " + name + ";\n", false);
+      vtkShaderProgram::Substitute(geometry, "//VTK::PositionVC::Dec",
+        "//VTK::PositionVC::Dec\nin " + type + " " + name + "VCVSOutput[];\nout " + type + " " +
+          name + "VCGSOutput;\n",
+        false);
+      vtkShaderProgram::Substitute(geometry, "//VTK::PositionVC::Impl",
+        "//VTK::PositionVC::Impl\n  " + name + "VCGSOutput = " + name + "VCVSOutput[i];\n", false);
+    }
+    shaders[vtkShader::Vertex]->SetSource(vertex);
+    shaders[vtkShader::Geometry]->SetSource(geometry);
+    if (this->Part.IsRest)
+    {
+      std::string fragment = shaders[vtkShader::Fragment]->GetSource();
+      vtkShaderProgram::Substitute(fragment, "//VTK::PositionVC::Dec",
+        "//VTK::PositionVC::Dec\n" + this->Text->GetDeclarations(), false);
+      vtkShaderProgram::Substitute(fragment, "//VTK::PositionVC::Impl",
+        "//VTK::PositionVC::Impl\n" + this->Text->GetImplementation({}), false);
+      shaders[vtkShader::Fragment]->SetSource(fragment);
+    }
+  }
+  this->Superclass::ReplaceShaderPositionVC(shaders, ren, actor);
+}
+
+void PartMapper::SetMapperShaderParameters(
+  vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor)
+{
+  this->Superclass::SetMapperShaderParameters(cellBO, ren, actor);
+  if (!this->NeedsWeights(&cellBO))
+  {
+    return;
+  }
+  for (std::size_t k = 0; k < this->Part.Hats.size(); ++k)
+  {
+    cellBO.Program->SetUniform4f(
+      ("brdfHat" + std::to_string(k)).c_str(), this->Part.Hats[k].data());
+  }
+  if (this->Images)
+  {
+    this->Images->SetUniforms(cellBO.Program);
+  }
+}
+} // namespace measuredbrdf

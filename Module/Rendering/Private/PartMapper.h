@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Draws a part of a surface that a material map divides. Private to the rendering room.
+ */
+
+#ifndef PartMapper_h
+#define PartMapper_h
+
+#include "MaterialParts.h"
+#include "MixtureShader.h"
+#include "WeightImages.h"
+#include "vtkMaterialMap.h"
+#include "vtkMeasuredBRDFMapperMixin.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace measuredbrdf
+{
+class PartMapper : public vtkMeasuredBRDFMapperMixin<vtkOpenGLPolyDataMapper>
+{
+public:
+  static PartMapper* New();
+  vtkTypeMacro(PartMapper, vtkMeasuredBRDFMapperMixin<vtkOpenGLPolyDataMapper>);
+
+  /// drawing: of the mapper that users know.
+  void SetDrawing(std::shared_ptr<vtkMeasuredBRDFMapperInternals> drawing)
+  {
+    this->Drawing = std::move(drawing);
+  }
+
+  /// Draw this part from now on. parts: all of them, which outlive this mapper's renders.
+  void SetPart(const MaterialParts* parts, std::size_t number, vtkMaterialMap* map);
+
+  void RenderPieceDraw(vtkRenderer* ren, vtkActor* actor) override;
+
+protected:
+  PartMapper() = default;
+  ~PartMapper() override = default;
+
+  std::vector<MaterialUse> GetMaterialUses() override;
+  void ReplaceShaderPositionVC(
+    std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* actor) override;
+  void SetMapperShaderParameters(
+    vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor) override;
+
+private:
+  PartMapper(const PartMapper&) = delete;
+  void operator=(const PartMapper&) = delete;
+
+  bool NeedsWeights(const vtkOpenGLHelper* cellBO);
+  void DrawMixture(vtkRenderer* ren, vtkActor* actor);
+  std::vector<std::size_t> ChooseMembers(vtkRenderer* ren);
+
+  const MaterialParts* Parts = nullptr;
+  MaterialPart Part;
+  vtkSmartPointer<vtkMaterialMap> Map;
+  std::vector<int> ImageComponents;
+  std::unique_ptr<MixtureShader> Text; // null: one material, or none
+  std::shared_ptr<WeightTextures> Images;
+};
+} // namespace measuredbrdf
+
+#endif

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Draws a surface by a material map, part by part. Private to the rendering room.
+ */
+
+#ifndef PartMappers_h
+#define PartMappers_h
+
+#include "MaterialDrawing.h"
+#include "MaterialParts.h"
+#include "PartMapper.h"
+#include "vtkSmartPointer.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkActor;
+class vtkPolyDataMapper;
+class vtkRenderer;
+class vtkWindow;
+
+namespace measuredbrdf
+{
+class PartMappers
+{
+public:
+  explicit PartMappers(std::shared_ptr<vtkMeasuredBRDFMapperInternals> drawing);
+  ~PartMappers();
+  PartMappers(const PartMappers&) = delete;
+  void operator=(const PartMappers&) = delete;
+
+  /// Divide the surface by the map of the drawing's settings. Returns whether it can be drawn by
+  /// parts; else a warning has said why not, once.
+  bool Divide(vtkPolyData* input);
+
+  /// Draw the parts as host would draw the whole, apart from the material. time: when host was last
+  /// modified; prepare: called with each mapper that was brought up to date with host.
+  void Render(vtkRenderer* renderer, vtkActor* actor, vtkPolyDataMapper* host, vtkMTimeType time,
+    const std::function<void(vtkPolyDataMapper*)>& prepare);
+
+  /// There is no map, or none that can be used.
+  void Clear();
+
+  /// What is drawn next, after Divide.
+  std::vector<MaterialUse> GetUses() const;
+
+  /// The error of the whole that the plans of the last frame predict, relative L1: that of each
+  /// material by its share of the surface and its albedo. Negative: there are no plans.
+  double PredictError(const DrawnMaterials& materials) const;
+
+  const MaterialParts& GetParts() const { return this->Parts; }
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  void Synchronize(vtkPolyDataMapper* host, const std::function<void(vtkPolyDataMapper*)>& prepare);
+
+  std::shared_ptr<vtkMeasuredBRDFMapperInternals> Drawing;
+  MaterialParts Parts;
+  std::vector<vtkSmartPointer<PartMapper>> Mappers;
+  vtkSmartPointer<vtkPolyData> Input;
+  unsigned long Revision = 0;
+  vtkMTimeType HostTime = 0;
+};
+} // namespace measuredbrdf
+
+#endif

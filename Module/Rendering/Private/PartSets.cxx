@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PartSets.h"
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+
+namespace measuredbrdf
+{
+namespace
+{
+struct Group
+{
+  CellMaterials::Set Set;
+  double Polygons;
+  std::vector<int> Origins; // sets of the cells
+
+  // What it costs to draw: each pixel asks all of the materials.
+  double GetCost() const { return this->Polygons * static_cast<double>(this->Set.size()); }
+};
+
+CellMaterials::Set Unite(const CellMaterials::Set& a, const CellMaterials::Set& b)
+{
+  CellMaterials::Set both;
+  std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
+  return both;
+}
+
+// Merge the group of the fewest polygons with the one that makes that cheapest; whether it could.
+bool MergeSmallest(std::vector<Group>& groups, std::size_t mostMaterials)
+{
+  const auto smallest = std::min_element(groups.begin(), groups.end(),
+    [](const Group& a, const Group& b) { return a.Polygons < b.Polygons; });
+  double least = std::numeric_limits<double>::infinity();
+  auto best = groups.end();
+  for (auto other = groups.begin(); other != groups.end(); ++other)
+  {
+    const std::size_t size = Unite(smallest->Set, other->Set).size();
+    const double cost = static_cast<double>(size) * (smallest->Polygons + other->Polygons) -
+                        smallest->GetCost() - other->GetCost();
+    if (other != smallest && size <= mostMaterials && cost < least)
+    {
+      least = cost;
+      best = other;
+    }
+  }
+  if (best == groups.end())
+  {
+    return false;
+  }
+  best->Set = Unite(best->Set, smallest->Set);
+  best->Polygons += smallest->Polygons;
+  best->Origins.insert(best->Origins.end(), smallest->Origins.begin(), smallest->Origins.end());
+  groups.erase(smallest);
+  return true;
+}
+}
+
+PartSets::PartSets(const CellMaterials& cells, int mostMaterials, int wanted)
+{
+  const auto most = static_cast<std::size_t>(mostMaterials);
+  std::vector<double> polygons(cells.GetSets().size(), 0.0);
+  for (int set : cells.GetSetOfPolygon())
+  {
+    polygons[static_cast<std::size_t>(set)] += 1.0;
+  }
+  this->Places.assign(polygons.size(), 0);
+  std::vector<Group> groups; // of several materials
+  for (std::size_t k = 0; k < polygons.size(); ++k)
+  {
+    CellMaterials::Set set = cells.GetSets()[k];
+    if (set.size() > most)
+    {
+      set = cells.GetHeaviest(static_cast<int>(k), most);
+      this->Dropped += static_cast<std::size_t>(polygons[k]);
+    }
+    if (set.size() > 1)
+    {
+      groups.push_back({ std::move(set), polygons[k], { static_cast<int>(k) } });
+    }
+    else
+    {
+      this->Places[k] = static_cast<int>(this->Sets.size());
+      this->Sets.push_back(std::move(set));
+    }
+  }
+  while (static_cast<int>(groups.size()) > wanted && MergeSmallest(groups, most))
+  {
+  }
+  for (Group& group : groups)
+  {
+    for (int origin : group.Origins)
+    {
+      this->Places[static_cast<std::size_t>(origin)] = static_cast<int>(this->Sets.size());
+    }
+    this->Sets.push_back(std::move(group.Set));
+  }
+}
+} // namespace measuredbrdf

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The images of weights of a material map: checked, and on a window's GPU. Private to the rendering
+ * room.
+ */
+
+#ifndef WeightImages_h
+#define WeightImages_h
+
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkImageData;
+class vtkMaterialMap;
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+class vtkTextureObject;
+
+namespace measuredbrdf
+{
+/// What is in them, texel by texel, with the weights of a texel divided by their sum where all
+/// images are of one size.
+class WeightImages
+{
+public:
+  explicit WeightImages(vtkMaterialMap* map);
+
+  ///@{
+  /// Why they cannot be used, or ""; what is odd about them, or "".
+  const std::string& GetProblem() const { return this->Problem; }
+  const std::string& GetWarning() const { return this->Warning; }
+  ///@}
+
+  /// The mean of a material's weight.
+  double GetMean(int material) const { return this->Means[static_cast<std::size_t>(material)]; }
+
+  /// The share of texels without any weight.
+  double GetEmptyShare() const { return this->Empty; }
+
+  /// Values of an image as floats, at least 0, of as many components as it has.
+  static std::vector<float> GetValues(vtkImageData* image, std::size_t& bad);
+
+private:
+  void Check(vtkMaterialMap* map);
+  void Measure(vtkMaterialMap* map);
+
+  std::string Problem;
+  std::string Warning;
+  std::vector<double> Means;
+  double Empty = 0.0;
+};
+
+/// Shared by all that draw by the map in a window.
+class WeightTextures
+{
+public:
+  static std::shared_ptr<WeightTextures> Find(vtkMaterialMap* map, vtkOpenGLRenderWindow* window);
+
+  /// Upload what changed. Returns what went wrong, or "".
+  std::string Update(vtkMaterialMap* map, vtkOpenGLRenderWindow* window);
+
+  void Activate();
+  void Deactivate();
+  void SetUniforms(vtkShaderProgram* program) const;
+  std::size_t GetNumberOfSamplers() const { return this->Textures.size(); }
+  std::size_t GetBytes() const { return this->Bytes; }
+
+  /// The sampler of an image.
+  static std::string GetSampler(std::size_t image);
+
+private:
+  std::vector<vtkSmartPointer<vtkTextureObject>> Textures;
+  std::size_t Bytes = 0;
+  vtkMTimeType Time = 0;
+  vtkOpenGLRenderWindow* Window = nullptr;
+};
+} // namespace measuredbrdf
+
+#endif
