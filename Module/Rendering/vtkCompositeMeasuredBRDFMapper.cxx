@@ -5,6 +5,7 @@
 #include "vtkMeasuredBRDFMapperMixin.txx"
 
 #include "BlockMaterials.h"
+#include "BlockParts.h"
 #include "MapperProperties.h"
 #include "vtkObjectFactory.h"
 #include "vtkPBRPropertyFitter.h"
@@ -40,6 +41,7 @@ struct vtkCompositeMeasuredBRDFMapper::Internals
   std::shared_ptr<MaterialSettings> Settings = std::make_shared<MaterialSettings>();
   std::shared_ptr<BatchDrawing> Drawing; // shared with the batches
   BlockMaterials Blocks;
+  std::unique_ptr<BlockParts> Parts; // of blocks of several materials
 
   // Each material once; which blocks have it shows while they are drawn, and plans for a view with
   // that.
@@ -63,6 +65,13 @@ struct vtkCompositeMeasuredBRDFMapper::Internals
     {
       uses.push_back({ brdf, {} });
     }
+    for (const MaterialUse& use : this->Parts->GetUses())
+    {
+      if (brdfs.insert(use.first).second)
+      {
+        uses.push_back(use);
+      }
+    }
     return uses;
   }
 
@@ -76,6 +85,7 @@ struct vtkCompositeMeasuredBRDFMapper::Internals
       vtkWarningWithObjectMacro(
         mapper, << "Materials are set for blocks that the data do not have: " << missing << ".");
     }
+    this->Parts->Update(this->Blocks);
   }
 };
 
@@ -91,10 +101,11 @@ public:
 
   // update: what brings the blocks' materials up to date.
   void Initialize(std::shared_ptr<BatchDrawing> drawing, const BlockMaterials* materials,
-    std::function<void()> update)
+    BlockParts* parts, std::function<void()> update)
   {
     this->Drawing = std::move(drawing);
     this->Materials = materials;
+    this->Parts = parts;
     this->UpdateBlocks = std::move(update);
   }
 
@@ -107,10 +118,16 @@ protected:
     this->UpdateBlocks();
     // The superclass may have moved its records of blocks: they are looked up in each frame.
     std::size_t count = 0;
-    bool same = this->Revision == this->Materials->GetRevision();
+    const unsigned long revision =
+      this->Materials->GetRevision() + this->Parts->GetRevision(); // neither ever falls
+    bool same = this->Revision == revision;
     this->ForEachBlock(
-      [this, &count, &same](vtkPolyData* surface, bool* visible)
+      [this, &count, &same](vtkPolyData* surface, bool* visible, const BlockStyle& style)
       {
+        if (this->Parts->IsDivided(surface))
+        {
+          this->Parts->Announce(surface, style);
+        }
         same = same && count < this->Blocks.size() && this->Blocks[count].Surface == surface;
         if (same)
         {
@@ -120,7 +137,7 @@ protected:
       });
     if (!same || count != this->Blocks.size())
     {
-      this->Revision = this->Materials->GetRevision();
+      this->Revision = revision;
       this->Sort();
     }
     return this->Uses;
@@ -128,7 +145,7 @@ protected:
 
   void ShowOnly(int material) override
   {
-    if (this->Uses.size() < 2)
+    if (this->Uses.size() < 2 && !this->HasDivided)
     {
       return;
     }
@@ -171,13 +188,27 @@ private:
     bool IsVisible; // what it says while others are hidden
   };
 
+  template <typename Record>
+  static BlockStyle GetStyle(const Record& block)
+  {
+    BlockStyle style;
+    style.IsVisible = block.Visibility;
+    style.IsOpaque = block.IsOpaque;
+    style.Opacity = block.Opacity;
+    style.OverridesColor = block.OverridesColor;
+    std::copy_n(block.AmbientColor.GetData(), 3, style.AmbientColor);
+    std::copy_n(block.DiffuseColor.GetData(), 3, style.DiffuseColor);
+    return style;
+  }
+
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
   template <typename Visit>
   void ForEachBlock(const Visit& visit)
   {
     for (auto& element : this->VTKPolyDataToGLBatchElement)
     {
-      visit(element.second->Parent.PolyData, &element.second->Parent.Visibility);
+      auto& block = element.second->Parent;
+      visit(block.PolyData, &block.Visibility, GetStyle(block));
     }
   }
 #else
@@ -186,7 +217,7 @@ private:
   {
     for (auto& element : this->Data)
     {
-      visit(element.first, &element.second->Visibility);
+      visit(element.first, &element.second->Visibility, GetStyle(*element.second));
     }
   }
 #endif
@@ -196,11 +227,18 @@ private:
     this->Blocks.clear();
     this->Uses.clear();
     this->BlocksOf.clear();
+    this->HasDivided = false;
     std::unordered_map<vtkBRDF*, std::size_t> places;
     this->ForEachBlock(
-      [this, &places](vtkPolyData* surface, bool* visible)
+      [this, &places](vtkPolyData* surface, bool* visible, const BlockStyle&)
       {
-        vtkBRDF* brdf = this->Materials->Get(surface);
+        if (this->Parts->IsDivided(surface)) // never shown
+        {
+          this->HasDivided = true;
+          this->Blocks.push_back({ surface, visible, true });
+          return;
+        }
+        vtkBRDF* brdf = this->Parts->GetBRDF(surface, *this->Materials);
         const auto [place, isNew] = places.try_emplace(brdf, this->Uses.size());
         if (isNew)
         {
@@ -211,15 +249,22 @@ private:
         this->BlocksOf[place->second].push_back(this->Blocks.size());
         this->Blocks.push_back({ surface, visible, true });
       });
+    if (this->Uses.empty()) // nothing is left to show
+    {
+      this->Uses.push_back({ nullptr, {} });
+      this->BlocksOf.emplace_back();
+    }
   }
 
   const BlockMaterials* Materials = nullptr;
+  BlockParts* Parts = nullptr;
   std::function<void()> UpdateBlocks;
   std::vector<Block> Blocks; // in the superclass's order
   std::vector<MaterialUse> Uses;
   std::vector<std::vector<std::size_t>> BlocksOf; // of each use
   unsigned long Revision = 0;
   int Shown = -1;
+  bool HasDivided = false;
 };
 
 vtkStandardNewMacro(Batch);
@@ -253,6 +298,8 @@ vtkCompositeMeasuredBRDFMapper::vtkCompositeMeasuredBRDFMapper()
 {
   this->Impl->Drawing = std::make_shared<BatchDrawing>(
     this, this->Impl->Settings, [this]() { return this->Impl->GetUsesToCome(); });
+  this->Impl->Drawing->SetPlansMapsForView(false); // blocks would plan one after the other
+  this->Impl->Parts = std::make_unique<BlockParts>(this->Impl->Drawing);
 }
 
 //------------------------------------------------------------------------------
@@ -264,7 +311,8 @@ vtkCompositePolyDataMapperDelegator* vtkCompositeMeasuredBRDFMapper::CreateADele
 {
   vtkNew<Batch> batch;
   batch->Initialize(
-    this->Impl->Drawing, &this->Impl->Blocks, [this]() { this->Impl->UpdateBlocks(this); });
+    this->Impl->Drawing, &this->Impl->Blocks, this->Impl->Parts.get(),
+    [this]() { this->Impl->UpdateBlocks(this); });
   Delegator* delegator = Delegator::New();
   delegator->SetBatch(batch);
   return delegator;
@@ -274,7 +322,8 @@ vtkCompositeMapperHelper2* vtkCompositeMeasuredBRDFMapper::CreateHelper()
 {
   Batch* batch = Batch::New();
   batch->Initialize(
-    this->Impl->Drawing, &this->Impl->Blocks, [this]() { this->Impl->UpdateBlocks(this); });
+    this->Impl->Drawing, &this->Impl->Blocks, this->Impl->Parts.get(),
+    [this]() { this->Impl->UpdateBlocks(this); });
   return batch;
 }
 #endif
@@ -401,7 +450,19 @@ void vtkCompositeMeasuredBRDFMapper::ShallowCopy(vtkAbstractMapper* mapper)
 void vtkCompositeMeasuredBRDFMapper::Render(vtkRenderer* renderer, vtkActor* actor)
 {
   const Depth inside(this->RenderDepth);
+  this->Impl->Parts->Begin();
   this->Superclass::Render(renderer, actor);
+  this->Impl->Parts->Render(renderer, actor, this, this->Superclass::GetMTime());
+}
+
+//------------------------------------------------------------------------------
+void vtkCompositeMeasuredBRDFMapper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  if (this->RenderDepth == 0)
+  {
+    this->Impl->Parts->ReleaseGraphicsResources(window);
+  }
+  this->Superclass::ReleaseGraphicsResources(window);
 }
 
 //------------------------------------------------------------------------------

@@ -137,6 +137,7 @@ public:
   double FitProperty(vtkProperty* property);
 
   void ShallowCopy(vtkAbstractMapper* mapper) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
   void Render(vtkRenderer* renderer, vtkActor* actor) override;
 
   /**

@@ -21,7 +21,8 @@ namespace
 class Walk
 {
 public:
-  Walk(const MaterialSettings& settings, std::unordered_map<vtkPolyData*, vtkBRDF*>& materials)
+  Walk(const MaterialSettings& settings,
+    std::unordered_map<vtkPolyData*, BlockMaterials::Material>& materials)
     : Settings(settings)
     , Materials(materials)
   {
@@ -34,7 +35,7 @@ public:
     {
       this->FindNames(tree);
     }
-    this->Visit(data, this->Settings.BRDF);
+    this->Visit(data, { this->Settings.BRDF, false });
   }
 
   std::string GetMissing() const
@@ -82,13 +83,19 @@ private:
     }
   }
 
-  void Visit(vtkDataObject* data, vtkBRDF* material)
+  void Visit(vtkDataObject* data, BlockMaterials::Material material)
   {
     const unsigned int index = this->Next++;
     const auto byName = this->Named.find(index);
-    material = byName == this->Named.end() ? material : byName->second;
+    if (byName != this->Named.end())
+    {
+      material = { byName->second, true };
+    }
     const auto byIndex = this->Settings.BlocksByIndex.find(index);
-    material = byIndex == this->Settings.BlocksByIndex.end() ? material : byIndex->second.Get();
+    if (byIndex != this->Settings.BlocksByIndex.end())
+    {
+      material = { byIndex->second, true };
+    }
     if (auto* tree = vtkDataObjectTree::SafeDownCast(data))
     {
       for (vtkDataObject* child : vtk::Range(tree, vtk::DataObjectTreeOptions::None))
@@ -103,7 +110,7 @@ private:
   }
 
   const MaterialSettings& Settings;
-  std::unordered_map<vtkPolyData*, vtkBRDF*>& Materials;
+  std::unordered_map<vtkPolyData*, BlockMaterials::Material>& Materials;
   std::unordered_map<unsigned int, vtkBRDF*> Named;
   std::set<std::string> Found;
   unsigned int Next = 0;

@@ -28,18 +28,26 @@ public:
   /// data do not have, in words, or "".
   std::string Update(vtkDataObject* data, const MaterialSettings& settings);
 
-  /// The material of a block; null: none.
-  vtkBRDF* Get(vtkPolyData* block) const
+  struct Material
+  {
+    vtkBRDF* BRDF = nullptr; // null: none
+    bool IsOwn = false;      // of the block or one above it, not the mapper's
+  };
+
+  /// The material of a block.
+  Material Get(vtkPolyData* block) const
   {
     const auto found = this->Materials.find(block);
-    return found == this->Materials.end() ? nullptr : found->second;
+    return found == this->Materials.end() ? Material() : found->second;
   }
+
+  const std::unordered_map<vtkPolyData*, Material>& GetAll() const { return this->Materials; }
 
   /// Rises with each change.
   unsigned long GetRevision() const { return this->Revision; }
 
 private:
-  std::unordered_map<vtkPolyData*, vtkBRDF*> Materials;
+  std::unordered_map<vtkPolyData*, Material> Materials;
   vtkDataObject* Data = nullptr;
   vtkMTimeType DataTime = 0;
   vtkMTimeType SettingsTime = 0;

@@ -68,7 +68,7 @@ MaterialDrawing::SweepAtEnd::~SweepAtEnd()
 MaterialDrawing::ViewFrame& MaterialDrawing::FindFrame(
   vtkRenderer* renderer, vtkActor* actor, const void* part)
 {
-  const bool forActor = this->Settings->PlanForView;
+  const bool forActor = this->IsForView();
   for (auto it = this->Frames.begin(); it != this->Frames.end();)
   {
     const ViewFrame& frame = **it;
@@ -144,7 +144,7 @@ PlanRequest MaterialDrawing::GetRequest(const MaterialUse& use, const FrameState
   request.Tolerance = std::min(factor * this->Settings->ErrorTolerance, LargestTolerance);
   request.Costs = this->Settings->Costs;
   request.Timing = timings[this->Settings->PlanningMode];
-  request.ForView = this->Settings->PlanForView;
+  request.ForView = this->IsForView();
   request.Slot = this->FindSlot(use.first);
   request.Renderer = state.Renderer;
   request.Actor = state.Actor;
@@ -168,7 +168,7 @@ void MaterialDrawing::VisitRequests(vtkRenderer* renderer, const PlanRequest::Vi
     {
       continue;
     }
-    if (drawing->Settings->PlanForView)
+    if (drawing->IsForView())
     {
       mapper->Update(); // it may be drawn for the first time
     }

@@ -94,6 +94,9 @@ public:
     this->ToleranceFactor = std::move(factor);
   }
 
+  /// Whether plans of a material map's materials are for the view where others are (default: yes).
+  void SetPlansMapsForView(bool plans) { this->PlansMapsForView = plans; }
+
   ///@{
   /// About the last frame of all parts.
   std::vector<const DrawnMaterial*> GetLastFrame() const;
@@ -150,6 +153,10 @@ private:
   ViewFrame& FindFrame(vtkRenderer* renderer, vtkActor* actor, const void* part);
   int FindSlot(vtkBRDF* brdf);
   PlanRequest GetRequest(const MaterialUse& use, const FrameState& state);
+  bool IsForView() const
+  {
+    return this->Settings->PlanForView && (this->PlansMapsForView || !this->Settings->MaterialMap);
+  }
   bool IsPlanned() const { return !this->Settings->Integrator; }
   static void VisitRequests(vtkRenderer* renderer, const PlanRequest::Visit& visit);
   void WarnOfLevels(const FrameState& state);
@@ -178,6 +185,7 @@ private:
   std::shared_ptr<MaterialSettings> Settings;
   std::function<std::vector<MaterialUse>()> UsesToCome;
   std::function<double(vtkBRDF*)> ToleranceFactor;
+  bool PlansMapsForView = true;
   MapperPlans Plans;
   std::vector<std::unique_ptr<ViewFrame>> Frames; // each keeps its textures for the next Render
   std::vector<MaterialSlot> Slots;                // of blocks' materials, in MapperPlans

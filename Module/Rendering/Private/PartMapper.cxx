@@ -182,10 +182,27 @@ void PartMapper::ReplaceShaderPositionVC(
   this->Superclass::ReplaceShaderPositionVC(shaders, ren, actor);
 }
 
+void PartMapper::SetPropertyShaderParameters(
+  vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor)
+{
+  this->Superclass::SetPropertyShaderParameters(cellBO, ren, actor);
+  if (this->Style)
+  {
+    cellBO.Program->SetUniformf("opacityUniform", static_cast<float>(this->Style->Opacity));
+    cellBO.Program->SetUniform3f("ambientColorUniform", this->Style->AmbientColor);
+    cellBO.Program->SetUniform3f("diffuseColorUniform", this->Style->DiffuseColor);
+  }
+}
+
 void PartMapper::SetMapperShaderParameters(
   vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor)
 {
   this->Superclass::SetMapperShaderParameters(cellBO, ren, actor);
+  if (this->Style && this->Style->OverridesColor && this->UsesMaterial(&cellBO) &&
+      this->Drawing->GetSettings().ScalarColoringMode != 0)
+  {
+    cellBO.Program->SetUniformi("brdfModulate", 2);
+  }
   if (!this->NeedsWeights(&cellBO))
   {
     return;

@@ -20,6 +20,17 @@
 
 namespace measuredbrdf
 {
+/// What a composite data set says of a block.
+struct BlockStyle
+{
+  bool IsVisible = true;
+  bool IsOpaque = true;
+  double Opacity = 1.0;
+  bool OverridesColor = false;
+  double AmbientColor[3] = { 1.0, 1.0, 1.0 };
+  double DiffuseColor[3] = { 1.0, 1.0, 1.0 };
+};
+
 class PartMapper : public vtkMeasuredBRDFMapperMixin<vtkOpenGLPolyDataMapper>
 {
 public:
@@ -35,6 +46,9 @@ public:
   /// Draw this part from now on. parts: all of them, which outlive this mapper's renders.
   void SetPart(const MaterialParts* parts, std::size_t number, vtkMaterialMap* map);
 
+  /// Of the block that the part belongs to; null (default): there are no blocks.
+  void SetStyle(const BlockStyle* style) { this->Style = style; }
+
   void RenderPieceDraw(vtkRenderer* ren, vtkActor* actor) override;
 
 protected:
@@ -45,6 +59,9 @@ protected:
   void ReplaceShaderPositionVC(
     std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* actor) override;
   void SetMapperShaderParameters(
+    vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor) override;
+
+  void SetPropertyShaderParameters(
     vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor) override;
 
 private:
@@ -61,6 +78,7 @@ private:
   std::vector<int> ImageComponents;
   std::unique_ptr<MixtureShader> Text; // null: one material, or none
   std::shared_ptr<WeightTextures> Images;
+  const BlockStyle* Style = nullptr;
 };
 } // namespace measuredbrdf
 

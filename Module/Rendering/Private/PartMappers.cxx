@@ -98,8 +98,18 @@ void PartMappers::Render(vtkRenderer* renderer, vtkActor* actor, vtkPolyDataMapp
   }
   for (const vtkSmartPointer<PartMapper>& mapper : this->Mappers)
   {
+    mapper->SetStyle(this->Style.get());
     mapper->RenderPiece(renderer, actor);
   }
+}
+
+void PartMappers::SetStyle(const BlockStyle& style)
+{
+  if (!this->Style)
+  {
+    this->Style = std::make_unique<BlockStyle>();
+  }
+  *this->Style = style;
 }
 
 void PartMappers::Clear()

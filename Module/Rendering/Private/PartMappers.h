@@ -42,6 +42,9 @@ public:
   void Render(vtkRenderer* renderer, vtkActor* actor, vtkPolyDataMapper* host, vtkMTimeType time,
     const std::function<void(vtkPolyDataMapper*)>& prepare);
 
+  /// Of the block that the surface is; default: there are no blocks.
+  void SetStyle(const BlockStyle& style);
+
   /// There is no map, or none that can be used.
   void Clear();
 
@@ -62,6 +65,7 @@ private:
   MaterialParts Parts;
   std::vector<vtkSmartPointer<PartMapper>> Mappers;
   vtkSmartPointer<vtkPolyData> Input;
+  std::unique_ptr<BlockStyle> Style;
   unsigned long Revision = 0;
   vtkMTimeType HostTime = 0;
 };

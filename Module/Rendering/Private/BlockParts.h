@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The blocks of a composite data set that a material map divides. Private to the rendering room.
+ */
+
+#ifndef BlockParts_h
+#define BlockParts_h
+
+#include "BlockMaterials.h"
+#include "PartMappers.h"
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
+class vtkActor;
+class vtkPolyData;
+class vtkPolyDataMapper;
+class vtkRenderer;
+class vtkWindow;
+
+namespace measuredbrdf
+{
+class BlockParts
+{
+public:
+  explicit BlockParts(std::shared_ptr<vtkMeasuredBRDFMapperInternals> drawing)
+    : Drawing(std::move(drawing))
+  {
+  }
+
+  /// Divide the blocks that have no material of their own, if there is a map.
+  void Update(const BlockMaterials& blocks);
+
+  /// Whether a block is of several materials, and drawn by Render.
+  bool IsDivided(vtkPolyData* block) const;
+
+  /// The material of a block that is not.
+  vtkBRDF* GetBRDF(vtkPolyData* block, const BlockMaterials& blocks) const;
+
+  /// Rises with each change.
+  unsigned long GetRevision() const { return this->Revision; }
+
+  ///@{
+  /// Draw the divided blocks that were announced since the last Begin, as the superclass is about
+  /// to draw the others.
+  void Begin() { this->Announced.clear(); }
+  void Announce(vtkPolyData* block, const BlockStyle& style)
+  {
+    this->Announced.emplace_back(block, style);
+  }
+  void Render(vtkRenderer* renderer, vtkActor* actor, vtkPolyDataMapper* host, vtkMTimeType time);
+  ///@}
+
+  std::vector<MaterialUse> GetUses() const;
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  struct Block
+  {
+    std::unique_ptr<PartMappers> Parts;
+    bool IsUsed = false; // the map fits
+    unsigned long Revision = 0;
+  };
+
+  std::shared_ptr<vtkMeasuredBRDFMapperInternals> Drawing;
+  std::map<vtkPolyData*, Block> Blocks;
+  std::vector<std::pair<vtkPolyData*, BlockStyle>> Announced;
+  unsigned long Revision = 0;
+};
+} // namespace measuredbrdf
+
+#endif
