@@ -310,8 +310,7 @@ vtkCompositeMeasuredBRDFMapper::~vtkCompositeMeasuredBRDFMapper() = default;
 vtkCompositePolyDataMapperDelegator* vtkCompositeMeasuredBRDFMapper::CreateADelegator()
 {
   vtkNew<Batch> batch;
-  batch->Initialize(
-    this->Impl->Drawing, &this->Impl->Blocks, this->Impl->Parts.get(),
+  batch->Initialize(this->Impl->Drawing, &this->Impl->Blocks, this->Impl->Parts.get(),
     [this]() { this->Impl->UpdateBlocks(this); });
   Delegator* delegator = Delegator::New();
   delegator->SetBatch(batch);
@@ -321,8 +320,7 @@ vtkCompositePolyDataMapperDelegator* vtkCompositeMeasuredBRDFMapper::CreateADele
 vtkCompositeMapperHelper2* vtkCompositeMeasuredBRDFMapper::CreateHelper()
 {
   Batch* batch = Batch::New();
-  batch->Initialize(
-    this->Impl->Drawing, &this->Impl->Blocks, this->Impl->Parts.get(),
+  batch->Initialize(this->Impl->Drawing, &this->Impl->Blocks, this->Impl->Parts.get(),
     [this]() { this->Impl->UpdateBlocks(this); });
   return batch;
 }

@@ -33,24 +33,25 @@ struct vtkMeasuredBRDFMapper::MapDrawing
 //------------------------------------------------------------------------------
 vtkMeasuredBRDFMapper::vtkMeasuredBRDFMapper()
 {
-  this->Drawing = std::make_shared<vtkMeasuredBRDFMapperInternals>(this, std::make_shared<MaterialSettings>(),
-    [this]() -> std::vector<MaterialUse>
-    {
-      vtkPolyData* surface = this->GetInput();
-      if (!surface) // composite data, of which nothing is drawn
+  this->Drawing =
+    std::make_shared<vtkMeasuredBRDFMapperInternals>(this, std::make_shared<MaterialSettings>(),
+      [this]() -> std::vector<MaterialUse>
       {
-        return {};
-      }
-      if (this->Drawing->GetSettings().MaterialMap)
-      {
-        this->Update();
-        if (this->Map->Parts.Divide(surface))
+        vtkPolyData* surface = this->GetInput();
+        if (!surface) // composite data, of which nothing is drawn
         {
-          return this->Map->Parts.GetUses();
+          return {};
         }
-      }
-      return { { this->Drawing->GetSettings().BRDF, { surface } } };
-    });
+        if (this->Drawing->GetSettings().MaterialMap)
+        {
+          this->Update();
+          if (this->Map->Parts.Divide(surface))
+          {
+            return this->Map->Parts.GetUses();
+          }
+        }
+        return { { this->Drawing->GetSettings().BRDF, { surface } } };
+      });
   this->Map = std::make_unique<MapDrawing>(this->Drawing);
   this->Drawing->SetToleranceFactor(
     [this](vtkBRDF* brdf)

@@ -103,9 +103,10 @@ std::string Mix(const std::vector<ShaderMember>& members, const std::string& sig
   for (std::size_t k = 0; k < members.size(); ++k)
   {
     const std::string weight = "brdfWeights[" + std::to_string(members[k].Slot) + "]";
-    text += "  for (int once = 0; once < (" + weight + " > 0.0 ? 1 : 0); ++once)\n  {\n    sum += " +
-            weight + " * brdfMember" + std::to_string(k) + name + "(" +
-            (rotated ? GetRotationName(k) + " * " : "") + arguments + ");\n  }\n";
+    text += "  for (int once = 0; once < (" + weight +
+            " > 0.0 ? 1 : 0); ++once)\n  {\n    sum += " + weight + " * brdfMember" +
+            std::to_string(k) + name + "(" + (rotated ? GetRotationName(k) + " * " : "") +
+            arguments + ");\n  }\n";
   }
   return text + "  return sum;\n}\n";
 }
@@ -136,8 +137,10 @@ std::string GetShaderDeclarations(const std::vector<ShaderMember>& members)
   }
   if (members.size() > 1)
   {
-    text += Mix(members, "vec3 brdfEnvironment(mat3 frame, vec3 o)", "Environment", "frame, o", true);
-    text += evaluate ? Mix(members, "vec3 brdfEvaluate(vec3 i, vec3 o)", "Evaluate", "i, o", false) : "";
+    text +=
+      Mix(members, "vec3 brdfEnvironment(mat3 frame, vec3 o)", "Environment", "frame, o", true);
+    text +=
+      evaluate ? Mix(members, "vec3 brdfEvaluate(vec3 i, vec3 o)", "Evaluate", "i, o", false) : "";
     return text;
   }
   text += "vec3 brdfEnvironment(mat3 frame, vec3 o)\n{\n  return brdfMember0Environment(" +

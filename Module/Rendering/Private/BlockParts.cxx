@@ -82,11 +82,10 @@ void BlockParts::Render(
   const bool translucentPass = actor->IsRenderingTranslucentPolygonalGeometry();
   for (const auto& [surface, style] : this->Announced)
   {
-    const bool inPass = translucentPass
-                          ? (!style.IsOpaque || actor->GetForceTranslucent()) &&
-                              !actor->GetForceOpaque()
-                          : (style.IsOpaque || actor->GetForceOpaque()) &&
-                              !actor->GetForceTranslucent();
+    const bool inPass =
+      translucentPass
+        ? (!style.IsOpaque || actor->GetForceTranslucent()) && !actor->GetForceOpaque()
+        : (style.IsOpaque || actor->GetForceOpaque()) && !actor->GetForceTranslucent();
     const auto found = this->Blocks.find(surface);
     if (style.IsVisible && inPass && found != this->Blocks.end())
     {

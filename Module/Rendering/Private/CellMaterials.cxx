@@ -41,8 +41,7 @@ void ForEachPolygon(vtkCellArray* polygons, const Visit& visit)
 // Same material, same number.
 int CellMaterials::Number(vtkBRDF* brdf)
 {
-  const auto [place, isNew] =
-    this->Numbers.try_emplace(brdf, static_cast<int>(this->BRDFs.size()));
+  const auto [place, isNew] = this->Numbers.try_emplace(brdf, static_cast<int>(this->BRDFs.size()));
   if (isNew)
   {
     this->BRDFs.push_back(brdf);
@@ -52,8 +51,7 @@ int CellMaterials::Number(vtkBRDF* brdf)
 
 int CellMaterials::AddSet(const Set& set)
 {
-  const auto [place, isNew] =
-    this->KnownSets.try_emplace(set, static_cast<int>(this->Sets.size()));
+  const auto [place, isNew] = this->KnownSets.try_emplace(set, static_cast<int>(this->Sets.size()));
   if (isNew)
   {
     this->Sets.push_back(set);
@@ -146,8 +144,7 @@ std::string CellMaterials::FindClasses(vtkPolyData* input, vtkMaterialMap* map,
 
 // The materials whose hats are not 0 somewhere between two values: numbers from 1, in the order of
 // their values.
-CellMaterials::Set CellMaterials::FindRange(
-  vtkMaterialMap* map, double least, double largest) const
+CellMaterials::Set CellMaterials::FindRange(vtkMaterialMap* map, double least, double largest) const
 {
   const auto valueOf = [&](int place)
   { return map->GetValue(this->Order[static_cast<std::size_t>(place)]); };
@@ -189,11 +186,10 @@ std::string CellMaterials::FindValues(vtkPolyData* input, vtkMaterialMap* map,
     this->BRDFs.push_back(map->GetBRDF(k)); // each place on the scale its own number
     this->Knots.push_back(normalize(map->GetValue(k)));
   }
-  const int unknown = this->AddSet({ 0 });
   const auto add = [&](double least, double largest, bool isNumber)
   {
     this->SetOfPolygon.push_back(
-      isNumber ? this->AddSet(this->FindRange(map, least, largest)) : unknown);
+      this->AddSet(isNumber ? this->FindRange(map, least, largest) : Set{ 0 }));
   };
   if (array.IsOfCells())
   {
@@ -372,7 +368,8 @@ CellMaterials::Set CellMaterials::GetHeaviest(int set, std::size_t most) const
     {
       total += this->GetWeight(static_cast<vtkIdType>(p), material);
     }
-    total += this->ImageShares.empty() ? 0.0 : this->ImageShares[static_cast<std::size_t>(material)];
+    total +=
+      this->ImageShares.empty() ? 0.0 : this->ImageShares[static_cast<std::size_t>(material)];
   }
   std::stable_sort(heaviest.begin(), heaviest.end(),
     [&totals](int a, int b)
@@ -385,8 +382,8 @@ CellMaterials::Set CellMaterials::GetHeaviest(int set, std::size_t most) const
 double CellMaterials::GetShare(
   vtkIdType polygon, vtkIdType count, const vtkIdType* points, int material) const
 {
-  const Set& set = this->Sets[static_cast<std::size_t>(
-    this->SetOfPolygon[static_cast<std::size_t>(polygon)])];
+  const Set& set =
+    this->Sets[static_cast<std::size_t>(this->SetOfPolygon[static_cast<std::size_t>(polygon)])];
   if (set.size() == 1)
   {
     return set.front() == material ? 1.0 : 0.0;

@@ -33,8 +33,8 @@ public:
   /// Returns why the map cannot be used, or "". warning: what is odd about the data. others: the
   /// material number 0, may be null. polygons: of the input, strips decomposed; cells: the input's
   /// cell of each.
-  std::string Find(vtkPolyData* input, vtkMaterialMap* map, vtkBRDF* others,
-    vtkCellArray* polygons, const std::vector<vtkIdType>& cells, std::string& warning);
+  std::string Find(vtkPolyData* input, vtkMaterialMap* map, vtkBRDF* others, vtkCellArray* polygons,
+    const std::vector<vtkIdType>& cells, std::string& warning);
 
   /// Of each number; null: the superclass's colors. Numbers of the same material are one, but on a
   /// scale of values.

@@ -42,7 +42,8 @@ std::array<float, 4> MakeHat(const std::vector<double>& knots, std::size_t k)
 }
 
 // What is drawn in the pixels of a set of materials.
-MaterialPart MakePart(const CellMaterials& cells, const CellMaterials::Set& set, vtkMaterialMap* map)
+MaterialPart MakePart(
+  const CellMaterials& cells, const CellMaterials::Set& set, vtkMaterialMap* map)
 {
   const std::vector<vtkBRDF*>& brdfs = cells.GetBRDFs();
   MaterialPart part;
@@ -56,9 +57,9 @@ MaterialPart MakePart(const CellMaterials& cells, const CellMaterials::Set& set,
     }
   }
   const bool alone =
-    set.size() == 1 || (!part.HasRest && std::set<vtkSmartPointer<vtkBRDF>>(part.Members.begin(),
-                                           part.Members.end())
-                                             .size() == 1);
+    set.size() == 1 ||
+    (!part.HasRest &&
+      std::set<vtkSmartPointer<vtkBRDF>>(part.Members.begin(), part.Members.end()).size() == 1);
   if (alone)
   {
     part.Members.resize(std::min<std::size_t>(part.Members.size(), 1));
@@ -135,8 +136,8 @@ std::string MaterialParts::Divide(vtkPolyData* input, vtkMaterialMap* map, vtkBR
 {
   PartSurfaces surfaces(input);
   CellMaterials cells;
-  const std::string problem = cells.Find(
-    input, map, others, surfaces.GetPolygons(), surfaces.GetCells(), this->Warning);
+  const std::string problem =
+    cells.Find(input, map, others, surfaces.GetPolygons(), surfaces.GetCells(), this->Warning);
   if (!problem.empty())
   {
     return problem;

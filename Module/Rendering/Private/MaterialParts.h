@@ -38,7 +38,7 @@ enum class MixtureKind
 
 struct MaterialPart
 {
-  vtkSmartPointer<vtkPolyData> Surface; // all parts share the points, so that no gap shows
+  vtkSmartPointer<vtkPolyData> Surface;          // all parts share the points, so that no gap shows
   std::vector<vtkSmartPointer<vtkBRDF>> Members; // none: the superclass draws
   MixtureKind Kind = MixtureKind::Single;
   bool HasRest = false; // Nearest: some pixels have no material; they are another part's,
@@ -84,7 +84,8 @@ public:
   double GetShare(vtkBRDF* brdf) const;
 
   /// How many times the tolerance a material may have: 3 for those of the smallest shares, 2.5 % of
-  /// the area together, which so add at most a twentieth of the tolerance to the error of the whole.
+  /// the area together, which so add at most a twentieth of the tolerance to the error of the
+  /// whole.
   double GetToleranceFactor(vtkBRDF* brdf) const;
 
   /// All surfaces of which a material may be seen.

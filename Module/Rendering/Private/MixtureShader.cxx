@@ -56,8 +56,8 @@ std::string MixtureShader::GetDeclarations() const
   {
     text += "uniform vec4 brdfHat" + std::to_string(k) + ";\n";
   }
-  for (std::size_t k = 0; this->Part.Kind == MixtureKind::Images && k < this->ImageComponents.size();
-       ++k)
+  for (std::size_t k = 0;
+       this->Part.Kind == MixtureKind::Images && k < this->ImageComponents.size(); ++k)
   {
     text += "uniform sampler2D " + WeightTextures::GetSampler(k) + ";\n";
   }
@@ -99,8 +99,8 @@ std::string MixtureShader::GetImplementation(const std::vector<bool>& drawn) con
   {
     text += "  float brdfAt = " + Varying(MaterialParts::GetValueName()) + ";\n";
   }
-  for (std::size_t k = 0; this->Part.Kind == MixtureKind::Images && k < this->ImageComponents.size();
-       ++k)
+  for (std::size_t k = 0;
+       this->Part.Kind == MixtureKind::Images && k < this->ImageComponents.size(); ++k)
   {
     text += "  vec4 " + Texel(k) + " = texture(" + WeightTextures::GetSampler(k) + ", " +
             Varying(MaterialParts::GetCoordinatesName()) + ");\n";
@@ -136,8 +136,8 @@ std::string MixtureShader::GetImplementation(const std::vector<bool>& drawn) con
     text += "  float brdfSum = " + sum + ";\n";
     for (int slot = 0; slot < count; ++slot)
     {
-      text += "  " + Weight(slot) + " = brdfSum > 0.0 ? " + Weight(slot) + " / brdfSum : " +
-              (slot == others ? "1.0" : "0.0") + ";\n";
+      text += "  " + Weight(slot) + " = brdfSum > 0.0 ? " + Weight(slot) +
+              " / brdfSum : " + (slot == others ? "1.0" : "0.0") + ";\n";
     }
   }
   if (this->Part.HasRest || this->Part.IsRest)

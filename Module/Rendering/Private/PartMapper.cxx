@@ -27,14 +27,12 @@ void PartMapper::SetPart(const MaterialParts* parts, std::size_t number, vtkMate
     this->ImageComponents.push_back(map->GetWeightImage(k)->GetNumberOfScalarComponents());
   }
   const bool mixed = this->Part.Kind != MixtureKind::Single;
-  this->Text =
-    mixed ? std::make_unique<MixtureShader>(this->Part, this->ImageComponents) : nullptr;
+  this->Text = mixed ? std::make_unique<MixtureShader>(this->Part, this->ImageComponents) : nullptr;
   this->SetInputDataObject(this->Part.Surface);
   for (std::size_t k = 0; mixed && k < this->Text->GetAttributes().size(); ++k)
   {
     const char* name = this->Text->GetAttributes()[k].first.c_str();
-    this->MapDataArrayToVertexAttribute(
-      name, name, vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
+    this->MapDataArrayToVertexAttribute(name, name, vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
   }
 }
 
@@ -88,12 +86,12 @@ std::vector<std::size_t> PartMapper::ChooseMembers(vtkRenderer* ren)
   std::vector<std::size_t> order(materials.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),
-    [this](std::size_t a, std::size_t b) {
+    [this](std::size_t a, std::size_t b)
+    {
       return this->Parts->GetShare(this->Part.Members[a]) >
              this->Parts->GetShare(this->Part.Members[b]);
     });
-  std::size_t free =
-    CountTextureUnits(vtkOpenGLRenderWindow::SafeDownCast(ren->GetVTKWindow()));
+  std::size_t free = CountTextureUnits(vtkOpenGLRenderWindow::SafeDownCast(ren->GetVTKWindow()));
   std::vector<std::size_t> chosen;
   for (std::size_t member : order)
   {

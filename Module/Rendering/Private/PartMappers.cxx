@@ -21,9 +21,10 @@ namespace
 bool AreColorsOfMap(vtkPolyDataMapper* mapper, vtkPolyData* input, vtkMaterialMap* map)
 {
   MapArray array;
-  const bool known = map->GetMode() == vtkMaterialMap::WEIGHTS
-                       ? array.FindWeights(input, map, 0).empty()
-                       : map->GetMode() != vtkMaterialMap::TEXTURES && array.Find(input, map).empty();
+  const bool known =
+    map->GetMode() == vtkMaterialMap::WEIGHTS
+      ? array.FindWeights(input, map, 0).empty()
+      : map->GetMode() != vtkMaterialMap::TEXTURES && array.Find(input, map).empty();
   int cellFlag = 0;
   return known &&
          vtkAbstractMapper::GetScalars(input, mapper->GetScalarMode(), mapper->GetArrayAccessMode(),
@@ -76,7 +77,7 @@ void PartMappers::Synchronize(
     }
     PartMapper* mapper = this->Mappers[k];
     mapper->vtkPolyDataMapper::ShallowCopy(host); // not of what VTK 9.1 calls deprecated
-    mapper->SetStatic(1); // its surface has no pipeline
+    mapper->SetStatic(1);                         // its surface has no pipeline
     mapper->RemoveAllVertexAttributeMappings();
     prepare(mapper);
     mapper->SetPart(&this->Parts, k, map);

@@ -155,8 +155,8 @@ void PartSurfaces::NumberCorners(const CellMaterials& cells, const PartSets& set
   for (vtkIdType k = 0; k < this->Polygons->GetNumberOfCells(); ++k)
   {
     this->Polygons->GetCellAtId(k, corners);
-    const auto set = static_cast<std::size_t>(
-      sets.Find(cells.GetSetOfPolygon()[static_cast<std::size_t>(k)]));
+    const auto set =
+      static_cast<std::size_t>(sets.Find(cells.GetSetOfPolygon()[static_cast<std::size_t>(k)]));
     const bool ofPolygon = !cells.GetPolygonValues().empty();
     const bool mixed = sets.Get()[set].size() > 1 && (ofPolygon || cells.HasPointWeights());
     const std::size_t owner = ofPolygon ? static_cast<std::size_t>(k) : set;
@@ -320,8 +320,8 @@ void PartSurfaces::Distribute(const CellMaterials& cells, const PartSets& sets)
   const vtkIdType* corner = this->Corners.data();
   for (vtkIdType k = 0; k < this->Polygons->GetNumberOfCells(); ++k)
   {
-    const auto set = static_cast<std::size_t>(
-      sets.Find(cells.GetSetOfPolygon()[static_cast<std::size_t>(k)]));
+    const auto set =
+      static_cast<std::size_t>(sets.Find(cells.GetSetOfPolygon()[static_cast<std::size_t>(k)]));
     const vtkIdType count = this->Polygons->GetCellSize(k);
     this->Surfaces[set]->GetPolys()->InsertNextCell(count, corner);
     source[set].push_back(this->Cells[static_cast<std::size_t>(k)]);
@@ -331,8 +331,7 @@ void PartSurfaces::Distribute(const CellMaterials& cells, const PartSets& sets)
   {
     vtkCellData* data = this->Surfaces[k]->GetCellData();
     data->CopyAllOn();
-    data->CopyAllocate(
-      this->Input->GetCellData(), static_cast<vtkIdType>(source[k].size()));
+    data->CopyAllocate(this->Input->GetCellData(), static_cast<vtkIdType>(source[k].size()));
     CopyTuples(this->Input->GetCellData(), data, source[k], 0);
     this->Surfaces[k]->GetFieldData()->ShallowCopy(this->Input->GetFieldData());
   }

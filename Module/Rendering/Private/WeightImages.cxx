@@ -62,8 +62,8 @@ void WeightImages::Check(vtkMaterialMap* map)
   }
   if (components < map->GetNumberOfMaterials())
   {
-    this->Problem = "its weight images have " + std::to_string(components) +
-                    " components for " + std::to_string(map->GetNumberOfMaterials()) + " materials";
+    this->Problem = "its weight images have " + std::to_string(components) + " components for " +
+                    std::to_string(map->GetNumberOfMaterials()) + " materials";
   }
   else if (components > map->GetNumberOfMaterials())
   {
@@ -119,8 +119,10 @@ void WeightImages::Measure(vtkMaterialMap* map)
         vtkImageData* image = map->GetWeightImage(k);
         int size[3];
         image->GetDimensions(size);
-        const auto components = static_cast<std::size_t>(GetScalars(image)->GetNumberOfComponents());
-        const auto column = static_cast<std::size_t>(static_cast<vtkIdType>(x) * size[0] / first[0]);
+        const auto components =
+          static_cast<std::size_t>(GetScalars(image)->GetNumberOfComponents());
+        const auto column =
+          static_cast<std::size_t>(static_cast<vtkIdType>(x) * size[0] / first[0]);
         const auto row = static_cast<std::size_t>(static_cast<vtkIdType>(y) * size[1] / first[1]);
         const std::size_t at = (row * static_cast<std::size_t>(size[0]) + column) * components;
         for (std::size_t c = 0; c < components && material < materials; ++c, ++material)

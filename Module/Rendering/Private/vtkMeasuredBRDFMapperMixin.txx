@@ -308,8 +308,7 @@ void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderLight(
   const std::vector<measuredbrdf::ShaderMember> members =
     measuredbrdf::GetShaderMembers(this->Drawing->GetSelected(), mixture.Slots);
   std::string fs = shaders[vtkShader::Fragment]->GetSource();
-  std::string declarations =
-    mixture.Declarations + measuredbrdf::GetShaderDeclarations(members);
+  std::string declarations = mixture.Declarations + measuredbrdf::GetShaderDeclarations(members);
   if (measuredbrdf::Contains(fs, "anisotropyUniform"))
   {
     // The superclass turned the tangents by a PBR property's anisotropy, with what its lights
@@ -337,7 +336,8 @@ void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderLight(
   }
   const auto& info = this->PrimitiveInfo[this->LastBoundBO];
   // Image-based lighting counts as a light in VTK 9.6; here it is none.
-  const bool lit = measuredbrdf::AreAllEvaluated(members) && info.LastLightCount > 0 && this->Drawing->GetSettings().UseSceneLights;
+  const bool lit = measuredbrdf::AreAllEvaluated(members) && info.LastLightCount > 0 &&
+                   this->Drawing->GetSettings().UseSceneLights;
   body.Complexity = lit ? static_cast<int>(info.LastLightComplexity) : 0;
   body.LightCount = info.LastLightCount;
   body.HasEdges = this->DrawingEdges(ren, actor);

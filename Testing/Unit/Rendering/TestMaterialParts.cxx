@@ -1,0 +1,429 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// How a material map divides a surface: which materials meet where, and how much of it is of each.
+
+#include "MaterialParts.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkIntArray.h"
+#include "vtkLambertBRDF.h"
+#include "vtkMaterialMap.h"
+#include "vtkNew.h"
+#include "vtkPlaneSource.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStripper.h"
+#include "vtkTriangleFilter.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace
+{
+using measuredbrdf::MaterialPart;
+using measuredbrdf::MaterialParts;
+using measuredbrdf::MixtureKind;
+
+constexpr int Side = 10; // quads along an edge of the plane, whose area is 1
+
+class Parts : public testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    vtkNew<vtkPlaneSource> plane;
+    plane->SetResolution(Side, Side);
+    plane->Update();
+    this->Plane->ShallowCopy(plane->GetOutput());
+    for (int k = 0; k < 40; ++k)
+    {
+      this->Materials.push_back(vtkSmartPointer<vtkLambertBRDF>::New());
+    }
+    this->Map->SetArrayName("data");
+  }
+
+  /// Of each cell or point.
+  template <typename Function>
+  void SetData(vtkDataSetAttributes* data, vtkIdType tuples, const Function& value)
+  {
+    vtkNew<vtkDoubleArray> array;
+    array->SetName("data");
+    for (vtkIdType k = 0; k < tuples; ++k)
+    {
+      array->InsertNextValue(value(k));
+    }
+    data->AddArray(array);
+    this->Plane->Modified();
+  }
+  template <typename Function>
+  void SetCells(const Function& value)
+  {
+    this->SetData(this->Plane->GetCellData(), this->Plane->GetNumberOfCells(), value);
+  }
+  template <typename Function>
+  void SetPoints(const Function& value)
+  {
+    this->SetData(this->Plane->GetPointData(), this->Plane->GetNumberOfPoints(), value);
+  }
+  void AddMaterials(int count)
+  {
+    for (int k = 0; k < count; ++k)
+    {
+      this->Map->AddMaterial(this->Materials[static_cast<std::size_t>(k)]);
+    }
+  }
+
+  std::string Update(vtkBRDF* others = nullptr)
+  {
+    return this->Divided.Update(this->Plane, this->Map, others, this->Warning);
+  }
+  vtkIdType CountPolygons() const
+  {
+    vtkIdType count = 0;
+    for (const MaterialPart& part : this->Divided.Get())
+    {
+      count += part.IsRest ? 0 : part.Surface->GetNumberOfPolys();
+    }
+    return count;
+  }
+  double GetShare(int material) const
+  {
+    return this->Divided.GetShare(this->Materials[static_cast<std::size_t>(material)]);
+  }
+
+  vtkNew<vtkPolyData> Plane;
+  vtkNew<vtkMaterialMap> Map;
+  std::vector<vtkSmartPointer<vtkLambertBRDF>> Materials;
+  MaterialParts Divided;
+  std::string Warning;
+};
+
+TEST_F(Parts, ClassesOfCellsAreOnePartEach)
+{
+  this->SetCells([](vtkIdType cell) { return cell % 5; });
+  this->AddMaterials(4); // 4 is of no material
+  ASSERT_EQ(this->Update(), "");
+  EXPECT_EQ(this->Divided.Get().size(), 5u);
+  EXPECT_EQ(this->CountPolygons(), Side * Side);
+  int without = 0;
+  for (const MaterialPart& part : this->Divided.Get())
+  {
+    EXPECT_EQ(part.Kind, MixtureKind::Single);
+    EXPECT_EQ(part.Surface->GetNumberOfPolys(), 20);
+    EXPECT_EQ(part.Surface->GetPoints(), this->Plane->GetPoints()); // shared, not copied
+    without += part.Members.empty() ? 1 : 0;
+  }
+  EXPECT_EQ(without, 1);
+  EXPECT_NEAR(this->GetShare(2), 0.25, 1e-6); // of what has a material
+  EXPECT_EQ(this->Divided.GetBRDFs().size(), 4u);
+}
+
+TEST_F(Parts, UnknownClassesAreOfTheOtherMaterial)
+{
+  this->SetCells([](vtkIdType cell) { return cell % 2 ? std::nan("") : cell % 4; });
+  this->AddMaterials(1);
+  ASSERT_EQ(this->Update(this->Materials[7]), "");
+  EXPECT_EQ(this->Divided.Get().size(), 2u);
+  EXPECT_NEAR(this->GetShare(0), 0.25, 0.06);
+  EXPECT_NEAR(this->GetShare(7), 0.75, 0.06);
+}
+
+TEST_F(Parts, CellsKeepTheirData)
+{
+  this->SetCells([](vtkIdType cell) { return cell % 3; });
+  this->AddMaterials(3);
+  ASSERT_EQ(this->Update(), "");
+  for (const MaterialPart& part : this->Divided.Get())
+  {
+    vtkDataArray* data = part.Surface->GetCellData()->GetArray("data");
+    ASSERT_EQ(data->GetNumberOfTuples(), part.Surface->GetNumberOfCells());
+    for (vtkIdType k = 1; k < data->GetNumberOfTuples(); ++k)
+    {
+      EXPECT_EQ(data->GetTuple1(k), data->GetTuple1(0));
+    }
+  }
+}
+
+TEST_F(Parts, PointsOfDifferentClassesMeetInTheCellsBetween)
+{
+  // Left half, right half: one column of cells in between.
+  this->SetPoints([](vtkIdType point) { return point % (Side + 1) <= Side / 2 ? 0.0 : 1.0; });
+  this->AddMaterials(2);
+  ASSERT_EQ(this->Update(), "");
+  ASSERT_EQ(this->Divided.Get().size(), 3u);
+  vtkIdType mixed = 0;
+  for (const MaterialPart& part : this->Divided.Get())
+  {
+    mixed += part.Kind == MixtureKind::Nearest ? part.Surface->GetNumberOfPolys() : 0;
+  }
+  EXPECT_EQ(mixed, Side);
+  EXPECT_NEAR(this->GetShare(0), 0.55, 1e-6);
+}
+
+TEST_F(Parts, WhereNoMaterialMeetsOneTheRestIsDrawnApart)
+{
+  this->SetPoints([](vtkIdType point) { return point % (Side + 1) <= Side / 2 ? 0.0 : 1.0; });
+  this->AddMaterials(1);
+  ASSERT_EQ(this->Update(), "");
+  int mixed = 0;
+  int rest = 0;
+  for (const MaterialPart& part : this->Divided.Get())
+  {
+    mixed += part.HasRest ? 1 : 0;
+    rest += part.IsRest ? 1 : 0;
+    EXPECT_TRUE(!part.IsRest || part.Members.empty());
+    EXPECT_TRUE(!part.HasRest || (part.Members.size() == 1 && part.NumberOfWeights == 2));
+  }
+  EXPECT_EQ(mixed, 1);
+  EXPECT_EQ(rest, 1);
+}
+
+TEST_F(Parts, ValuesMeetWhereTheirHatsOverlap)
+{
+  // From 0 to 10 across: materials at 0, 5 and 10.
+  this->SetPoints([](vtkIdType point) { return static_cast<double>(point % (Side + 1)); });
+  this->Map->SetModeToValues();
+  for (int k = 0; k < 3; ++k)
+  {
+    this->Map->AddMaterial(this->Materials[static_cast<std::size_t>(k)], 5.0 * k);
+  }
+  ASSERT_EQ(this->Update(), "");
+  ASSERT_EQ(this->Divided.Get().size(), 2u);
+  for (const MaterialPart& part : this->Divided.Get())
+  {
+    EXPECT_EQ(part.Members.size(), 2u);
+    EXPECT_EQ(part.Surface->GetNumberOfPolys(), Side * Side / 2);
+    ASSERT_EQ(part.Hats.size(), 2u);
+    EXPECT_EQ(part.Surface->GetPoints(), this->Plane->GetPoints());
+  }
+  EXPECT_NEAR(this->GetShare(0), 0.25, 1e-6);
+  EXPECT_NEAR(this->GetShare(1), 0.5, 1e-6);
+}
+
+TEST_F(Parts, AllOnOneKnotIsOneMaterial)
+{
+  this->SetPoints([](vtkIdType) { return 5.0; });
+  this->Map->SetModeToValues();
+  for (int k = 0; k < 3; ++k)
+  {
+    this->Map->AddMaterial(this->Materials[static_cast<std::size_t>(k)], 5.0 * k);
+  }
+  ASSERT_EQ(this->Update(), "");
+  ASSERT_EQ(this->Divided.Get().size(), 1u);
+  EXPECT_EQ(this->Divided.Get()[0].Kind, MixtureKind::Single);
+  EXPECT_EQ(this->Divided.Get()[0].Members[0], this->Materials[1]);
+}
+
+TEST_F(Parts, WeightsAreDividedByTheirSum)
+{
+  vtkNew<vtkFloatArray> weights;
+  weights->SetName("data");
+  weights->SetNumberOfComponents(2);
+  for (vtkIdType p = 0; p < this->Plane->GetNumberOfPoints(); ++p)
+  {
+    weights->InsertNextTuple2(3.0, p == 0 ? -1.0 : 1.0);
+  }
+  this->Plane->GetPointData()->AddArray(weights);
+  this->Map->SetModeToWeights();
+  this->AddMaterials(2);
+  ASSERT_EQ(this->Update(), "");
+  EXPECT_NE(this->Warning.find("1 weights"), std::string::npos) << this->Warning;
+  ASSERT_EQ(this->Divided.Get().size(), 1u);
+  EXPECT_NEAR(this->GetShare(0), 0.75, 1e-3);
+  vtkDataArray* stored = this->Divided.Get()[0].Surface->GetPointData()->GetArray(
+    MaterialParts::GetWeightsName(0).c_str());
+  EXPECT_NEAR(stored->GetComponent(0, 0), 1.0, 1e-6);
+  EXPECT_NEAR(stored->GetComponent(5, 0), 0.75, 1e-6);
+  EXPECT_NEAR(stored->GetComponent(5, 1), 0.25, 1e-6);
+}
+
+// 30 materials in random threes: 4,060 sets.
+TEST_F(Parts, ManySetsAreMerged)
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetResolution(40, 40);
+  plane->Update();
+  this->Plane->ShallowCopy(plane->GetOutput());
+  vtkNew<vtkFloatArray> weights;
+  weights->SetName("data");
+  weights->SetNumberOfComponents(30);
+  weights->SetNumberOfTuples(this->Plane->GetNumberOfPoints());
+  weights->FillValue(0.0f);
+  for (vtkIdType p = 0; p < this->Plane->GetNumberOfPoints(); ++p)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      weights->SetComponent(p, static_cast<int>((7 * p * p + 11 * k * p + 3 * k) % 30), 1.0);
+    }
+  }
+  this->Plane->GetPointData()->AddArray(weights);
+  this->Map->SetModeToWeights();
+  this->AddMaterials(30);
+  ASSERT_EQ(this->Update(), "");
+  EXPECT_LE(
+    this->Divided.Get().size(), static_cast<std::size_t>(MaterialParts::WantedNumberOfParts));
+  EXPECT_EQ(this->CountPolygons(), 1600);
+  double sum = 0.0;
+  for (int k = 0; k < 30; ++k)
+  {
+    sum += this->GetShare(k);
+  }
+  EXPECT_NEAR(sum, 1.0, 1e-6);
+  // Each polygon's weights are all there.
+  for (const MaterialPart& part : this->Divided.Get())
+  {
+    for (vtkIdType p = 0; p < part.Surface->GetNumberOfPolys(); ++p)
+    {
+      vtkNew<vtkIdList> corners;
+      part.Surface->GetCellPoints(p, corners);
+      double total = 0.0;
+      for (int slot = 0; slot < part.NumberOfWeights; ++slot)
+      {
+        total += part.Surface->GetPointData()
+                   ->GetArray(MaterialParts::GetWeightsName(slot / 4).c_str())
+                   ->GetComponent(corners->GetId(0), slot % 4);
+      }
+      ASSERT_NEAR(total, 1.0, 1e-6);
+    }
+  }
+}
+
+TEST_F(Parts, TooManyWeightsInOnePlaceAreCutAndSaid)
+{
+  vtkNew<vtkFloatArray> weights;
+  weights->SetName("data");
+  weights->SetNumberOfComponents(40);
+  weights->SetNumberOfTuples(this->Plane->GetNumberOfPoints());
+  weights->FillValue(1.0f);
+  weights->FillComponent(39, 5.0);
+  this->Plane->GetPointData()->AddArray(weights);
+  this->Map->SetModeToWeights();
+  this->AddMaterials(40);
+  ASSERT_EQ(this->Update(), "");
+  EXPECT_NE(this->Warning.find("more than 32"), std::string::npos) << this->Warning;
+  ASSERT_EQ(this->Divided.Get().size(), 1u);
+  EXPECT_EQ(this->Divided.Get()[0].Members.size(), 32u);
+  EXPECT_EQ(this->Divided.Get()[0].Members.back(), this->Materials[39]);
+}
+
+TEST_F(Parts, SmallMaterialsMayBeCoarse)
+{
+  // 1 % and 1 % of the area, and the rest.
+  this->SetCells([](vtkIdType cell) { return cell < 2 ? cell : 2; });
+  this->AddMaterials(3);
+  ASSERT_EQ(this->Update(), "");
+  EXPECT_EQ(this->Divided.GetToleranceFactor(this->Materials[0]), 3.0);
+  EXPECT_EQ(this->Divided.GetToleranceFactor(this->Materials[1]), 3.0);
+  EXPECT_EQ(this->Divided.GetToleranceFactor(this->Materials[2]), 1.0);
+  EXPECT_EQ(this->Divided.GetToleranceFactor(this->Materials[9]), 1.0); // seen nowhere
+  // 40 of 2.5 % each: what is small together is not small.
+  this->SetCells([](vtkIdType cell) { return std::floor(0.4 * cell); });
+  this->AddMaterials(40);
+  ASSERT_EQ(this->Update(), "");
+  EXPECT_EQ(this->Divided.GetToleranceFactor(this->Materials[5]), 1.0);
+}
+
+TEST_F(Parts, StripsAreTrianglesOfTheSameClass)
+{
+  this->SetCells([](vtkIdType cell) { return cell < Side * Side / 2 ? 0.0 : 1.0; });
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputData(this->Plane);
+  triangles->PassVertsOff();
+  vtkNew<vtkStripper> stripper;
+  stripper->SetInputConnection(triangles->GetOutputPort());
+  stripper->PassCellDataAsFieldDataOff();
+  stripper->Update();
+  this->Plane->ShallowCopy(stripper->GetOutput());
+  ASSERT_GT(this->Plane->GetNumberOfStrips(), 0);
+  this->SetCells([](vtkIdType cell) { return cell % 2; });
+  this->AddMaterials(2);
+  ASSERT_EQ(this->Update(), "");
+  EXPECT_EQ(this->CountPolygons(), 2 * Side * Side);
+  EXPECT_NEAR(this->GetShare(0) + this->GetShare(1), 1.0, 1e-6);
+  // All wind as the plane does: z of each normal is positive.
+  for (const MaterialPart& part : this->Divided.Get())
+  {
+    for (vtkIdType k = 0; k < part.Surface->GetNumberOfPolys(); ++k)
+    {
+      vtkNew<vtkIdList> corners;
+      part.Surface->GetCellPoints(k, corners);
+      double a[3];
+      double b[3];
+      double c[3];
+      part.Surface->GetPoint(corners->GetId(0), a);
+      part.Surface->GetPoint(corners->GetId(1), b);
+      part.Surface->GetPoint(corners->GetId(2), c);
+      EXPECT_GT((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]), 0.0);
+    }
+  }
+}
+
+TEST_F(Parts, DividesAnewOnlyWhereItHasTo)
+{
+  this->SetCells([](vtkIdType cell) { return cell % 2; });
+  this->AddMaterials(2);
+  ASSERT_EQ(this->Update(), "");
+  const unsigned long revision = this->Divided.GetRevision();
+  this->Materials[0]->SetAlbedo(0.1, 0.1, 0.1);
+  this->Update();
+  EXPECT_EQ(this->Divided.GetRevision(), revision);
+  this->Plane->Modified();
+  this->Update();
+  EXPECT_GT(this->Divided.GetRevision(), revision);
+}
+
+TEST_F(Parts, WhatDoesNotFitIsSaid)
+{
+  const auto expect = [this](const std::string& part)
+  {
+    this->Map->Modified();
+    const std::string problem = this->Update();
+    EXPECT_NE(problem.find(part), std::string::npos) << problem;
+    EXPECT_TRUE(this->Divided.Get().empty());
+  };
+  expect("no materials");
+  this->AddMaterials(2);
+  expect("no point or cell array \"data\"");
+  this->Map->SetArrayName("");
+  this->Plane->GetPointData()->SetActiveScalars(nullptr);
+  expect("active scalars");
+  this->Map->SetArrayName("data");
+  this->SetData(this->Plane->GetPointData(), 7, [](vtkIdType) { return 0.0; });
+  expect("has 7 tuples for 121 points");
+  this->SetPoints([](vtkIdType) { return 0.0; });
+  this->Map->SetArrayComponent(3);
+  expect("component 3");
+  this->Map->SetArrayComponent(0);
+  this->Map->SetModeToWeights();
+  expect("component 1");
+  this->Map->SetModeToTextures();
+  expect("0 components for 2 materials");
+  vtkNew<vtkImageData> image;
+  this->Map->AddWeightImage(image);
+  expect("weight image 0 is not an image");
+  this->Plane->GetPointData()->SetTCoords(nullptr);
+  expect("texture coordinates");
+  this->Map->AddMaterial(nullptr);
+  expect("has no BRDF");
+}
+
+TEST_F(Parts, EmptySurfaces)
+{
+  this->Plane->Initialize();
+  vtkNew<vtkPoints> points;
+  this->Plane->SetPoints(points);
+  this->SetPoints([](vtkIdType) { return 0.0; });
+  this->AddMaterials(1);
+  EXPECT_EQ(this->Update(), "");
+  EXPECT_EQ(this->CountPolygons(), 0);
+  EXPECT_EQ(this->GetShare(0), 0.0);
+}
+}
