@@ -716,8 +716,8 @@ add("Shaders.basis-is-not-clamped", "vtkBRDFBasis.glsl", "return max(sum, vec3(0
     "Parity.NegativeSumsAreZeroForEachLight")
 add("Shaders.grazing-views-are-not-lifted", "vtkBRDFBegin.glsl", "brdfLiftView(brdfView * brdfFrame)",
     "brdfView * brdfFrame", "MapperShading.GrazingViews")
-add("Shaders.environment-does-not-turn", "vtkBRDFBegin.glsl", "brdfEnvironmentRotation * envMatrix * brdfFrame",
-    "envMatrix * brdfFrame", "Mapper.RotatingEverythingChangesNothing")
+add("Shaders.environment-does-not-turn", "vtkBRDFBegin.glsl", "envMatrix * brdfFrame", "brdfFrame",
+    "Mapper.RotatingEverythingChangesNothing")
 add("Shaders.directional-light-without-cosine", "vtkBRDFDirectionalLight.glsl", "* radiance * brdfLight.z;",
     "* radiance;", "Mapper.SceneLights")
 add("Shaders.headlight-without-cosine", "vtkBRDFHeadlight.glsl", "* radiance * brdfLight.z;", "* radiance;",
@@ -816,3 +816,31 @@ add("Export.gltf-triangles-inside-out", "GltfFile.cxx", "corner, below, below + 
     "corner, below + 1, below, corner, corner + 1, below + 1", "ExportFiles.VtkReadsGltf")
 add("Export.gltf-extension-not-declared", "GltfFile.cxx", "    used.push_back(extension);\n", "",
     "ExportFiles.GltfHasTheExtensionsThatAreUsed")
+
+add("Material.map-weights-fall-below-0", "vtkMaterialMap.cxx",
+    "return std::max(1.0 - (value - material->Value) / distance, 0.0);",
+    "return 1.0 - (value - material->Value) / distance;", "MaterialMap.ValuesBlendLinearly")
+add("Material.map-parameters-divide-anew", "vtkMaterialMap.cxx", "vtkMTimeType time = this->Superclass::GetMTime();",
+    "vtkMTimeType time = this->Materials.empty() || !this->Materials[0].BRDF ? this->Superclass::GetMTime() : "
+    "this->Materials[0].BRDF->GetMTime();", "MaterialMap.ParametersOfAMaterialDivideNothingAnew")
+add("Rendering.map-weights-are-not-divided-by-their-sum", "CellMaterials.cxx", "static_cast<float>(weight / sum)",
+    "static_cast<float>(weight)", "Parts.WeightsAreDividedByTheirSum")
+add("Rendering.map-strips-wind-alternately", "PartSurfaces.cxx", "strip->GetId(c + 1 + c % 2)", "strip->GetId(c + 1)",
+    "Parts.StripsAreTrianglesOfTheSameClass")
+add("Rendering.map-points-of-two-parts-are-not-doubled", "PartSurfaces.cxx", "if (!mixed || first == owner)",
+    "if (!mixed || first != NoOwner)", "MaterialMapping.ClassesOfPointsAreThoseOfTheNearest")
+add("Rendering.map-nearest-is-blended", "MixtureShader.cxx", "const bool nearest = this->Part.Kind == MixtureKind::Nearest;",
+    "const bool nearest = false;", "MaterialMapping.ClassesOfPointsAreThoseOfTheNearest")
+add("Rendering.map-hats-fall-at-the-ends", "MaterialParts.cxx", "if (k + 1 < knots.size())",
+    "if (k + 2 < knots.size())", "MaterialMapping.ValuesBlendInEachPixel")
+add("Rendering.map-the-rest-is-drawn-twice", "MixtureShader.cxx", "(this->Part.HasRest ? \" > 0.0\" : \" <= 0.0\")",
+    "(this->Part.HasRest ? \" > 2.0\" : \" <= 0.0\")", "MaterialMapping.NoMaterialIsTheSuperclass")
+add("Rendering.map-scalars-that-choose-color", "PartMappers.cxx", "if (colored && ", "if (!colored && ",
+    "MaterialMapping.ScalarsThatChooseDoNotColor")
+add("Rendering.map-members-share-instances", "BRDFShader.cxx", "return 100 * member;", "return 0 * member;",
+    "MaterialMapping.ValuesBlendInEachPixel")
+add("Rendering.map-divided-blocks-are-drawn-whole", "vtkCompositeMeasuredBRDFMapper.cxx",
+    "if (this->Uses.size() < 2 && !this->HasDivided)", "if (this->Uses.size() < 2)",
+    "MaterialMapping.CompositeDataShowTheSame")
+add("Rendering.map-small-shares-add-up-unseen", "MaterialParts.cxx", "smaller += share <= own ? share : 0.0;",
+    "smaller = own;", "Parts.SmallMaterialsMayBeCoarse")

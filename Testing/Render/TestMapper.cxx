@@ -1010,7 +1010,7 @@ TEST_F(Mapper, ShaderTextIsWhole)
   this->Measured->SetEnvironment(MakeOctants());
   this->RenderEncoded();
   const std::string text = this->Measured->GetFragmentShader();
-  EXPECT_NE(text.find("brdfEnvironment(brdfEnvironmentRotation"), std::string::npos);
+  EXPECT_NE(text.find("brdfMember0Environment(brdfEnvironmentRotation"), std::string::npos);
   for (const char* left : { "//VTK::MeasuredBRDF", "INSTANCE" })
   {
     EXPECT_EQ(text.find(left), std::string::npos) << left;

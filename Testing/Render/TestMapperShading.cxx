@@ -16,6 +16,7 @@
 #include "vtkLight.h"
 #include "vtkLightSet.h"
 #include "vtkLightSetRadianceIntegrator.h"
+#include "vtkMaterialMap.h"
 #include "vtkMeasuredBRDFMapper.h"
 #include "vtkMedianCutLightSetGenerator.h"
 #include "vtkPlaneSource.h"
@@ -137,6 +138,8 @@ TEST(MapperCopy, TakesOverEveryProperty)
   vtkNew<vtkRadianceCostModel> costs;
   costs->SetName("another");
   original->SetBRDF(brdf);
+  vtkNew<vtkMaterialMap> map;
+  original->SetMaterialMap(map);
   original->SetEnvironment(environment);
   original->SetIntegrator(integrator);
   original->SetErrorTolerance(0.125);
