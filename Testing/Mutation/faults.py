@@ -823,24 +823,24 @@ add("Material.map-weights-fall-below-0", "vtkMaterialMap.cxx",
 add("Material.map-parameters-divide-anew", "vtkMaterialMap.cxx", "vtkMTimeType time = this->Superclass::GetMTime();",
     "vtkMTimeType time = this->Materials.empty() || !this->Materials[0].BRDF ? this->Superclass::GetMTime() : "
     "this->Materials[0].BRDF->GetMTime();", "MaterialMap.ParametersOfAMaterialDivideNothingAnew")
-add("Rendering.map-weights-are-not-divided-by-their-sum", "CellMaterials.cxx", "static_cast<float>(weight / sum)",
+add("Rendering.map-weights-are-not-divided-by-their-sum", "Private/CellMaterials.cxx", "static_cast<float>(weight / sum)",
     "static_cast<float>(weight)", "Parts.WeightsAreDividedByTheirSum")
-add("Rendering.map-strips-wind-alternately", "PartSurfaces.cxx", "strip->GetId(c + 1 + c % 2)", "strip->GetId(c + 1)",
+add("Rendering.map-strips-wind-alternately", "Private/PartSurfaces.cxx", "strip->GetId(c + 1 + c % 2)", "strip->GetId(c + 1)",
     "Parts.StripsAreTrianglesOfTheSameClass")
-add("Rendering.map-points-of-two-parts-are-not-doubled", "PartSurfaces.cxx", "if (!mixed || first == owner)",
+add("Rendering.map-points-of-two-parts-are-not-doubled", "Private/PartSurfaces.cxx", "if (!mixed || first == owner)",
     "if (!mixed || first != NoOwner)", "MaterialMapping.ClassesOfPointsAreThoseOfTheNearest")
-add("Rendering.map-nearest-is-blended", "MixtureShader.cxx", "const bool nearest = this->Part.Kind == MixtureKind::Nearest;",
+add("Rendering.map-nearest-is-blended", "Private/MixtureShader.cxx", "const bool nearest = this->Part.Kind == MixtureKind::Nearest;",
     "const bool nearest = false;", "MaterialMapping.ClassesOfPointsAreThoseOfTheNearest")
-add("Rendering.map-hats-fall-at-the-ends", "MaterialParts.cxx", "if (k + 1 < knots.size())",
+add("Rendering.map-hats-fall-at-the-ends", "Private/MaterialParts.cxx", "if (k + 1 < knots.size())",
     "if (k + 2 < knots.size())", "MaterialMapping.ValuesBlendInEachPixel")
-add("Rendering.map-the-rest-is-drawn-twice", "MixtureShader.cxx", "(this->Part.HasRest ? \" > 0.0\" : \" <= 0.0\")",
+add("Rendering.map-the-rest-is-drawn-twice", "Private/MixtureShader.cxx", "(this->Part.HasRest ? \" > 0.0\" : \" <= 0.0\")",
     "(this->Part.HasRest ? \" > 2.0\" : \" <= 0.0\")", "MaterialMapping.NoMaterialIsTheSuperclass")
-add("Rendering.map-scalars-that-choose-color", "PartMappers.cxx", "if (colored && ", "if (!colored && ",
+add("Rendering.map-scalars-that-choose-color", "Private/PartMappers.cxx", "if (colored && ", "if (!colored && ",
     "MaterialMapping.ScalarsThatChooseDoNotColor")
-add("Rendering.map-members-share-instances", "BRDFShader.cxx", "return 100 * member;", "return 0 * member;",
+add("Rendering.map-members-share-instances", "Private/BRDFShader.cxx", "return 100 * member;", "return 0 * member;",
     "MaterialMapping.ValuesBlendInEachPixel")
 add("Rendering.map-divided-blocks-are-drawn-whole", "vtkCompositeMeasuredBRDFMapper.cxx",
     "if (this->Uses.size() < 2 && !this->HasDivided)", "if (this->Uses.size() < 2)",
     "MaterialMapping.CompositeDataShowTheSame")
-add("Rendering.map-small-shares-add-up-unseen", "MaterialParts.cxx", "smaller += share <= own ? share : 0.0;",
+add("Rendering.map-small-shares-add-up-unseen", "Private/MaterialParts.cxx", "smaller += share <= own ? share : 0.0;",
     "smaller = own;", "Parts.SmallMaterialsMayBeCoarse")
