@@ -429,14 +429,12 @@ TEST_F(MaterialMapping, NoMaterialIsTheSuperclass)
   light->SetLightTypeToHeadlight();
   this->Renderer->AddLight(light);
   this->Actor->GetProperty()->SetColor(0.9, 0.3, 0.2);
+  this->AddMaterials(1);
+  this->Map->AddMaterial(nullptr, 1.0);
+  this->Mapper->ScalarVisibilityOff();
   vtkNew<vtkPolyDataMapper> stock;
   stock->SetInputData(this->Sheet);
-  this->Actor->SetMapper(stock);
-  const FloatImage plain = this->RenderLinear();
-  this->Actor->SetMapper(this->Mapper);
-  this->AddMaterials(1);
-  this->RenderAlone();
-  this->Map->AddMaterial(nullptr, 1.0);
+  stock->ScalarVisibilityOff();
   for (const bool cells : { true, false })
   {
     this->Sheet->GetPointData()->RemoveArray("data");
@@ -449,23 +447,36 @@ TEST_F(MaterialMapping, NoMaterialIsTheSuperclass)
     {
       this->SetPoints([](vtkIdType point, int) { return static_cast<double>(point % 2); });
     }
-    this->Mapper->ScalarVisibilityOff();
-    const FloatImage mixed = this->RenderLinear();
-    for (int y = 0; y < Pixels; ++y)
+    for (const double opacity : { 1.0, 0.5 }) // what is drawn twice shows where it is translucent
     {
-      for (int x = 0; x < Pixels; ++x)
+      this->Actor->GetProperty()->SetOpacity(opacity);
+      this->Actor->SetMapper(stock);
+      const FloatImage plain = this->RenderEncoded();
+      this->Actor->SetMapper(this->Mapper);
+      this->Mapper->SetMaterialMap(nullptr);
+      this->Mapper->SetBRDF(this->Materials[0]);
+      const FloatImage alone = this->RenderEncoded();
+      this->Mapper->SetBRDF(nullptr);
+      this->Mapper->SetMaterialMap(this->Map);
+      const FloatImage mixed = this->RenderEncoded();
+      for (int y = 0; y < Pixels; ++y)
       {
-        const Place place(x, y);
-        const double odd = cells ? static_cast<double>(place.Cell % 2)
-                                 : place.Interpolate([](vtkIdType p) { return p % 2 ? 1.0 : 0.0; });
-        if (place.OnDiagonal || std::abs(odd - 0.5) < 1e-4)
+        for (int x = 0; x < Pixels; ++x)
         {
-          continue;
-        }
-        const FloatImage& wanted = odd > 0.5 ? plain : this->Alone[0];
-        for (int c = 0; c < 3; ++c)
-        {
-          ASSERT_NEAR(mixed.At(x, y)[c], wanted.At(x, y)[c], Same) << x << " " << y;
+          const Place place(x, y);
+          const double odd = cells
+                               ? static_cast<double>(place.Cell % 2)
+                               : place.Interpolate([](vtkIdType p) { return p % 2 ? 1.0 : 0.0; });
+          if (place.OnDiagonal || std::abs(odd - 0.5) < 1e-4)
+          {
+            continue;
+          }
+          const FloatImage& wanted = odd > 0.5 ? plain : alone;
+          for (int c = 0; c < 3; ++c)
+          {
+            ASSERT_NEAR(mixed.At(x, y)[c], wanted.At(x, y)[c], Same)
+              << x << " " << y << " opacity " << opacity;
+          }
         }
       }
     }
@@ -618,6 +629,18 @@ TEST_F(MaterialMapping, CompositeDataShowTheSame)
   {
     ASSERT_NEAR(image.RGBA[k], plain.RGBA[k], Same);
   }
+  this->Actor->SetMapper(this->Mapper);
+  this->Actor->GetProperty()->SetOpacity(0.5);
+  const FloatImage thin = this->RenderEncoded();
+  this->Actor->GetProperty()->SetOpacity(1.0);
+  this->Actor->SetMapper(composite);
+  composite->SetBlockOpacity(1, 0.5);
+  const FloatImage thinBlock = this->RenderEncoded();
+  for (std::size_t k = 0; k < thin.RGBA.size(); ++k)
+  {
+    ASSERT_NEAR(thinBlock.RGBA[k], thin.RGBA[k], Same);
+  }
+  composite->RemoveBlockOpacity(1);
   composite->SetBlockBRDF(1, this->Materials[0]);
   EXPECT_NEAR(this->RenderLinear().At(30, 30)[0], this->Alone[0].At(30, 30)[0], Same);
   composite->RemoveBlockBRDFs();

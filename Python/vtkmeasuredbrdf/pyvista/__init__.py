@@ -22,6 +22,7 @@ from typing import Any
 import pyvista as pv
 
 from ..environments import Environment
+from ..maps import MaterialMap
 from ..materials import Material
 from ._component import Measured, Plan
 from ._hooks import browser_colors
@@ -30,6 +31,7 @@ from ._mappers import MeasuredCompositeMapper, MeasuredMapper
 __all__ = [
     "Environment",
     "Material",
+    "MaterialMap",
     "Measured",
     "MeasuredCompositeMapper",
     "MeasuredMapper",

@@ -14,6 +14,7 @@ import pyvista as pv
 
 from .. import vtkPBRPropertyFitter
 from ..environments import Environment
+from ..maps import MaterialMap
 from ..materials import Material
 from ._backgrounds import BACKGROUNDS, blur, get_axes, new_skybox, new_texture
 from ._hooks import add_hooks, get_measured_actors
@@ -36,16 +37,16 @@ class Plan:
     actor
         The actor's name in the plotter.
     material
-        The material's name; of a MultiBlock "" where the blocks have materials of their own.
+        The material's name; "" where a map chooses materials, or blocks of a MultiBlock have their own.
     method
         The method that integrates the environment's light, "table" for instance. "" before the first picture,
-        without an environment, and for a MultiBlock.
+        without an environment, for a map of materials and for a MultiBlock.
     error
         The predicted relative L1 error over a sphere; None where there is no method.
     tolerance
         The error to stay below.
     text
-        The plan in words; of a MultiBlock a line for each material.
+        The plan in words; of a map or a MultiBlock a line for each material.
     """
 
     actor: str
@@ -88,7 +89,7 @@ class Measured:
             A `Material`, or what makes one: an embedded material's name, a file, a `vtkBRDF`. The same text gives
             the same material. Of a MultiBlock also a sequence, one for each block, or a mapping from names or
             indices of blocks (as in `mesh[index]`) to materials, with the key None for the rest. None: drawn as
-            PyVista draws it.
+            PyVista draws it. A `MaterialMap`: data choose the material of each place.
         tolerance
             The relative error to stay below, from 0.001 to 1.
         scalars
@@ -116,6 +117,8 @@ class Measured:
         self._warn_of_replaced(kwargs)
         mesh = mesh if is_algorithm(mesh) or pv.is_pyvista_dataset(mesh) else pv.wrap(mesh)
         blocks = None
+        material_map = material if isinstance(material, MaterialMap) else None
+        material = material_map.others if material_map else material
         if isinstance(mesh, pv.MultiBlock):
             material, blocks = resolve_materials(mesh, material)
             blocks = {index: find_material(given) for index, given in blocks.items()}
@@ -130,13 +133,15 @@ class Measured:
             new: Any = MeasuredMapper.from_mapper(old, material)
         else:
             new = MeasuredCompositeMapper.from_mapper(old, material, blocks)
+        new.material_map = material_map
         new.tolerance = tolerance
         actor.mapper = new
         self._replace_mapper(old, new)
         if smooth:
             actor.prop.interpolation = "Phong"
-        if fit_property and material is not None and kwargs.get("style") in (None, "surface"):
-            _fit(material, actor.prop)
+        shown = _get_first(material_map, material)
+        if fit_property and shown is not None and kwargs.get("style") in (None, "surface"):
+            _fit(shown, actor.prop)
         if render:
             self._plotter.render()
         return actor
@@ -177,10 +182,13 @@ class Measured:
         actor = self._plotter.renderer.actors[actor] if isinstance(actor, str) else actor
         if not isinstance(actor.mapper, (MeasuredMapper, MeasuredCompositeMapper)):
             raise ValueError(f"actor: found one with a {type(actor.mapper).__name__}, expected one of add_mesh")
-        material = find_material(material)
+        material_map = material if isinstance(material, MaterialMap) else None
+        material = material_map.others if material_map else find_material(material)
         actor.mapper.material = material
-        if material is not None:
-            _fit(material, actor.prop)
+        actor.mapper.material_map = material_map
+        shown = _get_first(material_map, material)
+        if shown is not None:
+            _fit(shown, actor.prop)
         if render:
             self._plotter.render()
 
@@ -270,10 +278,17 @@ class Measured:
             self._plans = [_describe(name, actor.mapper) for name, actor in get_measured_actors(self._plotter)]
 
 
+def _get_first(material_map: MaterialMap | None, material: Material | None) -> Material | None:
+    """The material that stands for all of a map where only one can be shown."""
+    materials = [one for one in material_map.materials if one is not None] if material_map else []
+    return materials[0] if materials else material
+
+
 def _describe(name: str, mapper: Any) -> Plan:
-    planner: Any = mapper.GetCurrentPlanner() if isinstance(mapper, MeasuredMapper) else None
+    single = isinstance(mapper, MeasuredMapper) and mapper.material_map is None
+    planner: Any = mapper.GetCurrentPlanner() if single else None
     choice = planner.GetChoice() if planner else -1
-    material = mapper.material.name if mapper.material else ""
+    material = mapper.material.name if mapper.material and mapper.material_map is None else ""
     method = planner.GetMethodName(choice) if choice >= 0 else ""
     error = planner.GetPredictedError(choice) if choice >= 0 else None
     return Plan(name, material, method, error, mapper.tolerance, mapper.plan)

@@ -10,6 +10,7 @@ import pyvista as pv
 from vtkmodules.vtkCommonCore import vtkObject
 
 from .. import vtkCompositeMeasuredBRDFMapper, vtkMeasuredBRDFMapper
+from ..maps import MaterialMap
 from ..materials import Material
 
 OLDEST = 0, 44  # of PyVista
@@ -19,7 +20,7 @@ if tuple(map(int, pv.__version__.split(".")[:2])) < OLDEST:
 # What pv.DataSetMapper adds to VTK's mapper: `dataset`, `lookup_table`, `scalar_range`, `copy()` and others.
 _DataSetMethods: Any = pv.DataSetMapper.__bases__[0]
 # What a new mapper has of its own.
-_OWN = ("_material", "_block_materials", "_attr", "_dataset")
+_OWN = ("_material", "_material_map", "_block_materials", "_attr", "_dataset")
 
 
 class _Measured:
@@ -27,6 +28,7 @@ class _Measured:
 
     # PyVista refuses new attributes of objects; these are the class's.
     _material: Material | None = None
+    _material_map: MaterialMap | None = None
 
     @property
     def material(self) -> Material | None:
@@ -37,6 +39,18 @@ class _Measured:
     def material(self: Any, material: Any) -> None:
         self._material = None if material is None else to_material(material)
         self.SetBRDF(self._material.brdf if self._material else None)
+
+    @property
+    def material_map(self) -> MaterialMap | None:
+        """Data that choose the materials; `material` is of the places that they say nothing of."""
+        return self._material_map
+
+    @material_map.setter
+    def material_map(self: Any, material_map: MaterialMap | None) -> None:
+        self._material_map = material_map
+        self.SetMaterialMap(material_map.map if material_map else None)
+        if material_map:
+            self.material = material_map.others
 
     @property
     def tolerance(self: Any) -> float:
@@ -82,6 +96,7 @@ class MeasuredMapper(_Measured, _DataSetMethods, vtkMeasuredBRDFMapper):  # type
         if mapper.GetNumberOfInputConnections(0):
             new.SetInputConnection(0, mapper.GetInputConnection(0, 0))
         new.material = material
+        new.material_map = getattr(mapper, "material_map", None)
         return new
 
     def copy(self) -> MeasuredMapper:
@@ -114,6 +129,7 @@ class MeasuredCompositeMapper(_Measured, pv.CompositePolyDataMapper, vtkComposit
                 if value is not None:
                     setattr(new.block_attr[index], name, value)
         new.material = material
+        new.material_map = getattr(mapper, "material_map", None)
         new.block_materials = block_materials
         return new
 

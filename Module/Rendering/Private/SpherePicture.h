@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A picture of a sphere of a material, computed on the CPU. Private to the rendering room.
+ */
+
+#ifndef SpherePicture_h
+#define SpherePicture_h
+
+#include "vtkSmartPointer.h"
+
+class vtkBRDF;
+class vtkEnvironment;
+class vtkImageData;
+
+namespace measuredbrdf
+{
+/// RGBA in 8 bits, radiance^(1/2.2), transparent around the sphere. Seen along -z from a great
+/// distance. Null where there is nothing to integrate with.
+vtkSmartPointer<vtkImageData> MakeSpherePicture(
+  vtkBRDF* brdf, vtkEnvironment* environment, int pixels, double tolerance);
+} // namespace measuredbrdf
+
+#endif

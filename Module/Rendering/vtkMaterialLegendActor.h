@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkMaterialLegendActor
+ * @brief   a legend of materials: a lit sphere and a name for each
+ *
+ * What vtkScalarBarActor is for colors: add it to a renderer (AddActor2D), give it the mapper's
+ * vtkMaterialMap, and each material of the map shows as a sphere under an environment, with its
+ * name beside it, or with its class or value where it has none. Materials without a BRDF are left
+ * out.
+ *
+ * The spheres are pictures computed on the CPU, within 5 % of the exact radiance where that is
+ * possible, seen along the environment's -z axis from a great distance. They are made when a
+ * material or the environment changes: in some 0.1 s each, more for mirror-like ones. Colors are
+ * radiance^(1/2.2), as the mappers write them.
+ *
+ * Position is the lower left corner and Position2 the size, in shares of the viewport (defaults:
+ * 0.8, 0.1 and 0.18, 0.8).
+ */
+
+#ifndef vtkMaterialLegendActor_h
+#define vtkMaterialLegendActor_h
+
+#include "vtkActor2D.h"
+#include "vtkMeasuredBRDFModule.h" // for export macro
+
+#include <memory> // for Impl
+#include <string> // for labels
+
+class vtkEnvironment;
+class vtkImageData;
+class vtkMaterialMap;
+class vtkTextProperty;
+
+class VTKMEASUREDBRDF_EXPORT vtkMaterialLegendActor : public vtkActor2D
+{
+public:
+  static vtkMaterialLegendActor* New();
+  vtkTypeMacro(vtkMaterialLegendActor, vtkActor2D);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The materials; null (default): nothing is drawn.
+   */
+  void SetMaterialMap(vtkMaterialMap* map);
+  vtkMaterialMap* GetMaterialMap();
+  ///@}
+
+  ///@{
+  /**
+   * The light; null (default): a procedural sky, so that legends of different scenes can be
+   * compared. Its rotation applies.
+   */
+  void SetEnvironment(vtkEnvironment* environment);
+  vtkEnvironment* GetEnvironment();
+  ///@}
+
+  ///@{
+  /**
+   * A line above the spheres; "" (default): none.
+   */
+  void SetTitle(const std::string& title);
+  std::string GetTitle();
+  ///@}
+
+  ///@{
+  /**
+   * Whether materials stand side by side, with their names below, instead of below each other
+   * (default: off).
+   */
+  vtkSetMacro(Horizontal, bool);
+  vtkGetMacro(Horizontal, bool);
+  vtkBooleanMacro(Horizontal, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Pixels across the picture of a sphere, which is scaled to its place; default 96, clamped to
+   * [8, 512].
+   */
+  virtual void SetSphereResolution(int pixels);
+  vtkGetMacro(SphereResolution, int);
+  ///@}
+
+  /**
+   * Font, color and style of the names and the title. Sizes are found so that all fit.
+   */
+  vtkTextProperty* GetTextProperty();
+
+  /**
+   * How many materials are shown; and the text of one, "" where there is none of that number.
+   */
+  int GetNumberOfEntries();
+  std::string GetLabel(int entry);
+
+  /**
+   * The picture of an entry's sphere: SphereResolution squared, RGBA in 8 bits; null where there is
+   * none of that number, or where it could not be made, after an error event.
+   */
+  vtkImageData* GetSphere(int entry);
+
+  int RenderOverlay(vtkViewport* viewport) override;
+  int RenderOpaqueGeometry(vtkViewport* viewport) override;
+  int RenderTranslucentPolygonalGeometry(vtkViewport*) override { return 0; }
+  vtkTypeBool HasTranslucentPolygonalGeometry() override { return 0; }
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkMaterialLegendActor();
+  ~vtkMaterialLegendActor() override;
+
+private:
+  vtkMaterialLegendActor(const vtkMaterialLegendActor&) = delete;
+  void operator=(const vtkMaterialLegendActor&) = delete;
+
+  void UpdateEntries();
+  void UpdateLayout(vtkViewport* viewport);
+
+  bool Horizontal = false;
+  int SphereResolution = 96;
+
+  struct Internals;
+  std::unique_ptr<Internals> Impl;
+};
+
+#endif
