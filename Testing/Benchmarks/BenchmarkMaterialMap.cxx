@@ -1,0 +1,264 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Surfaces of several materials: frame times beside one material's, of a sphere of 64,000 triangles
+// in 500 x 500 pixels, in one run, frames taken in turns. Prints the table of docs/maps.md. Needs
+// an OpenGL context.
+//
+//   BenchmarkMaterialMap [ROUNDS]      frames of each kind in turns (default 25)
+
+#include "vtkActor.h"
+#include "vtkBlinnPhongBRDF.h"
+#include "vtkCamera.h"
+#include "vtkCellData.h"
+#include "vtkEnvironment.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkIntArray.h"
+#include "vtkLambertBRDF.h"
+#include "vtkMaterialMap.h"
+#include "vtkMeasuredBRDFMapper.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+#include "vtkSphereSource.h"
+#include "vtkSumBRDF.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+namespace
+{
+using Clock = std::chrono::steady_clock;
+
+double GetMilliseconds(Clock::time_point start)
+{
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+/// Materials that differ, drawn by tables of one size.
+std::vector<vtkSmartPointer<vtkBRDF>> MakeMaterials(int count)
+{
+  std::vector<vtkSmartPointer<vtkBRDF>> materials;
+  for (int k = 0; k < count; ++k)
+  {
+    vtkNew<vtkLambertBRDF> base;
+    base->SetAlbedo(0.1 + 0.8 * k / count, 0.3, 0.2);
+    vtkNew<vtkBlinnPhongBRDF> gloss;
+    gloss->SetSpecular(0.1, 0.1, 0.1);
+    gloss->SetExponent(8.0 + 0.1 * k);
+    vtkNew<vtkSumBRDF> material;
+    material->AddTerm(base);
+    material->AddTerm(gloss);
+    materials.push_back(material.Get());
+  }
+  return materials;
+}
+
+vtkSmartPointer<vtkPolyData> MakeSphere()
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(180);
+  sphere->SetPhiResolution(180);
+  sphere->Update();
+  auto copy = vtkSmartPointer<vtkPolyData>::New();
+  copy->ShallowCopy(sphere->GetOutput());
+  vtkNew<vtkFloatArray> coordinates;
+  coordinates->SetName("coordinates");
+  coordinates->SetNumberOfComponents(2);
+  for (vtkIdType p = 0; p < copy->GetNumberOfPoints(); ++p)
+  {
+    const double* at = copy->GetPoint(p);
+    coordinates->InsertNextTuple2(at[0] + 0.5, at[1] + 0.5);
+  }
+  copy->GetPointData()->SetTCoords(coordinates);
+  return copy;
+}
+
+struct Kind
+{
+  std::string Name;
+  int Meeting; // materials in a pixel
+  vtkSmartPointer<vtkMeasuredBRDFMapper> Mapper;
+  double First = 0.0;
+  double Least = 1e9;
+};
+
+class Benchmark
+{
+public:
+  Benchmark()
+  {
+    this->Environment->SetToProceduralSky();
+    this->Window->SetOffScreenRendering(1);
+    this->Window->SetMultiSamples(0);
+    this->Window->SetSize(500, 500);
+    this->Window->AddRenderer(this->Renderer);
+    this->Renderer->SetAutomaticLightCreation(false);
+    this->Renderer->AddActor(this->Actor);
+    this->Materials = MakeMaterials(24);
+  }
+
+  void AddAll()
+  {
+    this->Add("one material", 1, MakeSphere(), nullptr)->SetBRDF(this->Materials[0]);
+    for (int classes : { 2, 8, 24 })
+    {
+      this->AddClasses(classes, true);
+    }
+    this->AddClasses(8, false);
+    this->AddValues(8);
+    for (int weights : { 2, 3, 4 })
+    {
+      this->AddWeights(weights);
+    }
+    for (int weights : { 2, 4 })
+    {
+      this->AddImages(weights);
+    }
+  }
+
+  void Run(int rounds)
+  {
+    for (Kind& kind : this->Kinds)
+    {
+      this->Actor->SetMapper(kind.Mapper);
+      this->Renderer->ResetCamera();
+      this->Renderer->GetActiveCamera()->Zoom(1.5);
+      const auto start = Clock::now();
+      this->Window->Render();
+      kind.First = GetMilliseconds(start);
+    }
+    for (int round = 0; round < rounds; ++round)
+    {
+      for (Kind& kind : this->Kinds)
+      {
+        this->Actor->SetMapper(kind.Mapper);
+        this->Window->Render(); // what the last kind left in caches
+        const auto start = Clock::now();
+        this->Window->Render();
+        kind.Least = std::min(kind.Least, GetMilliseconds(start));
+      }
+    }
+    std::printf(
+      "| surface | materials in a pixel | frame, ms | times one material | of that times their "
+      "number |\n|---|---|---|---|---|\n");
+    for (const Kind& kind : this->Kinds)
+    {
+      const double ratio = kind.Least / this->Kinds.front().Least;
+      std::printf("| %s | %d | %.1f | %.2f | %.2f |\n", kind.Name.c_str(), kind.Meeting, kind.Least,
+        ratio, ratio / kind.Meeting);
+    }
+  }
+
+private:
+  vtkMeasuredBRDFMapper* Add(
+    const std::string& name, int meeting, vtkPolyData* surface, vtkMaterialMap* map)
+  {
+    Kind kind{ name, meeting, vtkSmartPointer<vtkMeasuredBRDFMapper>::New() };
+    kind.Mapper->SetInputData(surface);
+    kind.Mapper->SetEnvironment(this->Environment);
+    kind.Mapper->SetMaterialMap(map);
+    kind.Mapper->SetCacheFolder("");
+    this->Kinds.push_back(kind);
+    return kind.Mapper;
+  }
+
+  vtkSmartPointer<vtkMaterialMap> NewMap(int mode, int materials)
+  {
+    auto map = vtkSmartPointer<vtkMaterialMap>::New();
+    map->SetMode(mode);
+    map->SetArrayName("data");
+    for (int k = 0; k < materials; ++k)
+    {
+      map->AddMaterial(this->Materials[static_cast<std::size_t>(k)]);
+    }
+    return map;
+  }
+
+  // Wedges about the z axis.
+  void AddClasses(int classes, bool ofCells)
+  {
+    const vtkSmartPointer<vtkPolyData> sphere = MakeSphere();
+    vtkNew<vtkIntArray> array;
+    array->SetName("data");
+    const vtkIdType count = ofCells ? sphere->GetNumberOfCells() : sphere->GetNumberOfPoints();
+    for (vtkIdType k = 0; k < count; ++k)
+    {
+      double bounds[6];
+      double* p = ofCells ? bounds : sphere->GetPoint(k);
+      if (ofCells)
+      {
+        sphere->GetCellBounds(k, bounds);
+        bounds[1] = bounds[2];
+      }
+      const double turn = std::atan2(p[1], p[0]) / 6.2831854 + 0.5;
+      array->InsertNextValue(std::min(static_cast<int>(turn * classes), classes - 1));
+    }
+    (ofCells ? static_cast<vtkDataSetAttributes*>(sphere->GetCellData()) : sphere->GetPointData())
+      ->AddArray(array);
+    this->Add(std::to_string(classes) + " classes of " + (ofCells ? "cells" : "points"), 1, sphere,
+      this->NewMap(vtkMaterialMap::CLASSES, classes));
+  }
+
+  void AddValues(int materials)
+  {
+    const vtkSmartPointer<vtkPolyData> sphere = MakeSphere();
+    vtkNew<vtkFloatArray> array;
+    array->SetName("data");
+    for (vtkIdType p = 0; p < sphere->GetNumberOfPoints(); ++p)
+    {
+      array->InsertNextValue(static_cast<float>((sphere->GetPoint(p)[0] + 0.5) * (materials - 1)));
+    }
+    sphere->GetPointData()->AddArray(array);
+    this->Add(std::to_string(materials) + " materials on a scale", 2, sphere,
+      this->NewMap(vtkMaterialMap::VALUES, materials));
+  }
+
+  void AddWeights(int materials)
+  {
+    const vtkSmartPointer<vtkPolyData> sphere = MakeSphere();
+    vtkNew<vtkFloatArray> array;
+    array->SetName("data");
+    array->SetNumberOfComponents(materials);
+    array->SetNumberOfTuples(sphere->GetNumberOfPoints());
+    array->FillValue(1.0f);
+    sphere->GetPointData()->AddArray(array);
+    this->Add(std::to_string(materials) + " weights of points", materials, sphere,
+      this->NewMap(vtkMaterialMap::WEIGHTS, materials));
+  }
+
+  void AddImages(int materials)
+  {
+    const auto map = this->NewMap(vtkMaterialMap::TEXTURES, materials);
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(256, 256, 1);
+    image->AllocateScalars(VTK_UNSIGNED_CHAR, materials);
+    image->GetPointData()->GetScalars()->Fill(100.0);
+    map->AddWeightImage(image);
+    this->Add(std::to_string(materials) + " weights in an image", materials, MakeSphere(), map);
+  }
+
+  vtkNew<vtkEnvironment> Environment;
+  vtkNew<vtkRenderWindow> Window;
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkActor> Actor;
+  std::vector<vtkSmartPointer<vtkBRDF>> Materials;
+  std::vector<Kind> Kinds;
+};
+}
+
+int main(int argc, char* argv[])
+{
+  Benchmark benchmark;
+  benchmark.AddAll();
+  benchmark.Run(argc > 1 ? std::max(std::atoi(argv[1]), 1) : 25);
+  return EXIT_SUCCESS;
+}
