@@ -73,6 +73,38 @@ def test_properties_change_the_picture():
     assert get_plan(display) != coarse
 
 
+def test_material_maps():
+    """Above the middle one material, below it another; between two values a blend."""
+    view = make_view()
+    look(view)
+    sphere = make_sphere()
+    data = simple.Calculator(Input=sphere, ResultArrayName="half", Function="coordsY > 0")
+    simple.Hide(sphere)
+    display = show(data, view)
+    alone = {}
+    for name in ("nickel", "pink-felt"):
+        display.MeasuredMaterial = name
+        alone[name] = draw(view, "map-" + name)
+    display.MeasuredMaterial = "blue-rubber"
+    plain = draw(view, "map-others")
+    display.MaterialMapArray = "half"
+    display.MapMaterials = ["0", "nickel", "1", "pink-felt"]
+    pictures = {}
+    for mode in ("Classes", "Values"):
+        display.MaterialMapMode = mode
+        picture = pictures[mode] = draw(view, "map-" + mode)
+        assert get_plan(display).count("\n") == 1, get_plan(display)  # a line for each material
+        for name, rows in (("pink-felt", slice(170, 240)), ("nickel", slice(60, 130))):
+            assert np.abs(picture[rows] - alone[name][rows]).max() <= 6, (mode, name)
+    assert np.abs(pictures["Classes"] - pictures["Values"]).max() > 6  # a border, a blend
+    display.MapMaterials = ["1", "pink-felt"]  # the rest is of the material above
+    display.MaterialMapMode = "Classes"
+    picture = draw(view, "map-rest")
+    assert np.abs(picture[60:130] - plain[60:130]).max() <= 6
+    display.MaterialMapMode = "None"
+    assert get_difference(draw(view, "map-none"), plain)[0] <= 1
+
+
 def test_scalars_modulate_or_do_nothing():
     view = make_view()
     look(view)

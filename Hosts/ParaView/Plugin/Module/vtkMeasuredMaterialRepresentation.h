@@ -51,6 +51,20 @@ public:
 
   ///@{
   /**
+   * Whether data choose the materials (vtkMaterialMap): 0 no (default), 1 an array of classes, 2 an
+   * array of values on a scale, 3 components of a point array as weights. The array is a point or
+   * cell array; the materials are pairs of a class or value (for weights the component's number)
+   * and a name or path. The first material above is that of places that the data say nothing of.
+   * Levels of detail show it everywhere.
+   */
+  void SetMaterialMapMode(int mode);
+  void SetMaterialMapArray(const char* name);
+  void SetMapMaterial(const char* value, const char* material);
+  void RemoveAllMapMaterials();
+  ///@}
+
+  ///@{
+  /**
    * The environment: "Automatic" (default) is the view's own where it has one, else "room". "View"
    * is the view's own only. Other names are those of vtkEmbeddedEnvironments, or "File". The
    * up axis is the world's x, y (default) or z axis (0, 1, 2); the rotation is about it, in
@@ -116,6 +130,7 @@ private:
   void NamesChanged();
   void UpdateMappers(vtkDataObject* data);
   void UpdateBlocks(vtkDataObjectTree* data);
+  void UpdateMap();
 
   struct Internals;
   std::unique_ptr<Internals> Impl;
