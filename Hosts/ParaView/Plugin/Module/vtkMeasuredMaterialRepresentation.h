@@ -53,9 +53,9 @@ public:
   /**
    * Whether data choose the materials (vtkMaterialMap): 0 no (default), 1 an array of classes, 2 an
    * array of values on a scale, 3 components of a point array as weights. The array is a point or
-   * cell array; the materials are pairs of a class or value (for weights the component's number)
-   * and a name or path. The first material above is that of places that the data say nothing of.
-   * Levels of detail show it everywhere.
+   * cell array; the materials are pairs of a class or value (for weights a number, in whose
+   * order they belong to the components) and a name or path. The first material above is that of
+   * places that the data say nothing of. Levels of detail show it everywhere.
    */
   void SetMaterialMapMode(int mode);
   void SetMaterialMapArray(const char* name);
