@@ -321,7 +321,7 @@ DrawnMaterial MaterialDrawing::Resolve(const MaterialUse& use, const FrameState&
 void MaterialDrawing::BeginFrame(
   vtkRenderer* renderer, vtkActor* actor, const void* part, const std::vector<MaterialUse>& uses)
 {
-  this->Unselect();
+  this->Selected.Clear();
   this->Frame = nullptr;
   if (!DrawsColor(renderer, actor) || !IsShaded(actor))
   {
@@ -379,7 +379,7 @@ void MaterialDrawing::DropPlans(const FrameState& state, bool anyMaterial)
 
 void MaterialDrawing::EndFrame()
 {
-  this->Unselect();
+  this->Selected.Clear();
   this->Frame = nullptr;
 }
 
@@ -389,67 +389,16 @@ const std::vector<DrawnMaterial>& MaterialDrawing::GetMaterials() const
   return this->Frame ? this->Frame->Materials : none;
 }
 
-namespace
-{
-// Of all, textures that several share once.
-std::vector<std::shared_ptr<FormTextures>> GetTextures(
-  const std::vector<const DrawnMaterial*>& materials)
-{
-  std::vector<std::shared_ptr<FormTextures>> all;
-  for (const DrawnMaterial* drawn : materials)
-  {
-    for (const std::shared_ptr<FormTextures>& textures : { drawn->Material, drawn->Radiance })
-    {
-      if (textures && std::find(all.begin(), all.end(), textures) == all.end())
-      {
-        all.push_back(textures);
-      }
-    }
-  }
-  return all;
-}
-}
-
 void MaterialDrawing::Select(std::size_t material) { this->SelectMixture({ material }, {}); }
 
 void MaterialDrawing::SelectMixture(const std::vector<std::size_t>& materials, MixtureText text)
 {
-  this->Unselect();
-  std::vector<const DrawnMaterial*> selected;
+  DrawnMaterials selected;
   for (std::size_t material : materials)
   {
     selected.push_back(&this->Frame->Materials[material]);
-    if (!selected.back()->IsReady)
-    {
-      return;
-    }
   }
-  this->Selected = std::move(selected);
-  this->Mixture = std::move(text);
-  for (const std::shared_ptr<FormTextures>& textures : GetTextures(this->Selected))
-  {
-    textures->Activate();
-  }
-}
-
-void MaterialDrawing::Unselect()
-{
-  for (const std::shared_ptr<FormTextures>& textures : GetTextures(this->Selected))
-  {
-    textures->Deactivate();
-  }
-  this->Selected.clear();
-  this->Mixture = {};
-}
-
-std::string MaterialDrawing::GetSelectedKey() const
-{
-  std::string key;
-  for (const DrawnMaterial* drawn : this->Selected)
-  {
-    key += (key.empty() ? "" : "+") + drawn->Key;
-  }
-  return key + this->Mixture.Declarations + this->Mixture.Implementation;
+  this->Selected.Set(selected, std::move(text));
 }
 
 std::vector<const DrawnMaterial*> MaterialDrawing::GetLastFrame() const
@@ -512,7 +461,7 @@ vtkMTimeType MaterialDrawing::GetAppearanceMTime()
 
 void MaterialDrawing::ReleaseGraphicsResources(vtkWindow* window, const void* part)
 {
-  this->Unselect();
+  this->Selected.Clear();
   for (const std::unique_ptr<ViewFrame>& frame : this->Frames)
   {
     const bool here = !window || !frame->Renderer || frame->Renderer->GetVTKWindow() == window;

@@ -13,6 +13,7 @@
 #include "DrawnMaterial.h"
 #include "MapperPlans.h"
 #include "MaterialSettings.h"
+#include "SelectedMaterials.h"
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
@@ -39,14 +40,6 @@ namespace measuredbrdf
 /// draws them.
 using MaterialUse = std::pair<vtkBRDF*, std::vector<vtkPolyData*>>;
 
-/// What the fragment shader needs to mix materials.
-struct MixtureText
-{
-  std::string Declarations;
-  std::string Implementation;
-  std::vector<int> Slots; // of the materials' weights
-};
-
 class MaterialDrawing
 {
 public:
@@ -72,21 +65,14 @@ public:
   const std::vector<DrawnMaterial>& GetMaterials() const;
 
   ///@{
-  /// Draw with this one from now on; with several, mixed as `weights` says (BRDFShader.h), which
-  /// takes the weight of each from its slot; with none.
+  /// Draw with this one from now on, or with several, mixed as the text says; with none.
   void Select(std::size_t material);
   void SelectMixture(const std::vector<std::size_t>& materials, MixtureText text);
-  void Unselect();
+  void Unselect() { this->Selected.Clear(); }
   ///@}
 
   /// The selected ones; none where the superclass draws.
-  const std::vector<const DrawnMaterial*>& GetSelected() const { return this->Selected; }
-
-  /// Same key, same shader text.
-  std::string GetSelectedKey() const;
-
-  /// How the selected ones are mixed.
-  const MixtureText& GetMixture() const { return this->Mixture; }
+  const SelectedMaterials& GetSelected() const { return this->Selected; }
 
   /// How many times the mapper's tolerance a material may have (default: 1 for all).
   void SetToleranceFactor(std::function<double(vtkBRDF*)> factor)
@@ -192,8 +178,7 @@ private:
   int NextSlot = 1;
   const ViewFrame* Frame = nullptr; // drawn now
   vtkWeakPointer<vtkRenderer> LastRenderer;
-  std::vector<const DrawnMaterial*> Selected;
-  MixtureText Mixture; // of several
+  SelectedMaterials Selected;
   std::set<std::string> Warned;
   std::atomic<bool> AbortPlanning{ false };
   bool WasReady = false; // whether a plan made in the background waited to be drawn

@@ -96,11 +96,6 @@ MaterialPart MakePart(
 }
 }
 
-std::string MaterialParts::GetWeightsName(int group)
-{
-  return "brdfWeights" + std::to_string(group);
-}
-
 void MaterialParts::Clear()
 {
   if (this->Input)

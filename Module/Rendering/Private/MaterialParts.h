@@ -51,14 +51,6 @@ struct MaterialPart
 class MaterialParts
 {
 public:
-  ///@{
-  /// Names of the point arrays that carry weights (four in each array), the value and texture
-  /// coordinates.
-  static std::string GetWeightsName(int group);
-  static const char* GetValueName() { return "brdfValue"; }
-  static const char* GetCoordinatesName() { return "brdfCoordinates"; }
-  ///@}
-
   /// Most weights that meet in a part: vertex attributes have room for no more.
   static constexpr int MaximumNumberOfWeights = 32;
 

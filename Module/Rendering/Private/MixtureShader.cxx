@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MixtureShader.h"
 
+#include "PartArrays.h"
 #include "WeightImages.h"
 
 #include <set>
@@ -10,7 +11,7 @@ namespace measuredbrdf
 {
 namespace
 {
-constexpr int WeightsPerGroup = 4;
+using partarrays::WeightsPerGroup;
 
 // In the fragment shader. The superclass renames it where there is a geometry shader.
 std::string Varying(const std::string& attribute) { return attribute + "VCVSOutput"; }
@@ -30,15 +31,14 @@ MixtureShader::MixtureShader(const MaterialPart& part, const std::vector<int>& i
     case MixtureKind::Nearest:
       for (int first = 0; first < part.NumberOfWeights; first += WeightsPerGroup)
       {
-        this->Attributes.emplace_back(
-          MaterialParts::GetWeightsName(first / WeightsPerGroup), "vec4");
+        this->Attributes.emplace_back(partarrays::GetWeights(first / WeightsPerGroup), "vec4");
       }
       break;
     case MixtureKind::Value:
-      this->Attributes.emplace_back(MaterialParts::GetValueName(), "float");
+      this->Attributes.emplace_back(partarrays::Value, "float");
       break;
     case MixtureKind::Images:
-      this->Attributes.emplace_back(MaterialParts::GetCoordinatesName(), "vec2");
+      this->Attributes.emplace_back(partarrays::Coordinates, "vec2");
       break;
     default:
       break;
@@ -85,7 +85,7 @@ std::string MixtureShader::GetWeight(int slot) const
       return component < 0 ? "0.0" : Texel(image) + "[" + std::to_string(component) + "]";
     }
     default:
-      return Varying(MaterialParts::GetWeightsName(slot / WeightsPerGroup)) + "[" +
+      return Varying(partarrays::GetWeights(slot / WeightsPerGroup)) + "[" +
              std::to_string(slot % WeightsPerGroup) + "]";
   }
 }
@@ -97,13 +97,13 @@ std::string MixtureShader::GetImplementation(const std::vector<bool>& drawn) con
   std::string text;
   if (this->Part.Kind == MixtureKind::Value)
   {
-    text += "  float brdfAt = " + Varying(MaterialParts::GetValueName()) + ";\n";
+    text += "  float brdfAt = " + Varying(partarrays::Value) + ";\n";
   }
   for (std::size_t k = 0;
        this->Part.Kind == MixtureKind::Images && k < this->ImageComponents.size(); ++k)
   {
     text += "  vec4 " + Texel(k) + " = texture(" + WeightTextures::GetSampler(k) + ", " +
-            Varying(MaterialParts::GetCoordinatesName()) + ");\n";
+            Varying(partarrays::Coordinates) + ");\n";
   }
   std::string sum = "0.0";
   int others = -1; // Images: of the material where there are no weights

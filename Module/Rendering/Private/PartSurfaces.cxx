@@ -3,7 +3,7 @@
 #include "PartSurfaces.h"
 
 #include "CellMaterials.h"
-#include "MaterialParts.h"
+#include "PartArrays.h"
 #include "PartSets.h"
 #include "vtkBRDF.h"
 #include "vtkCellArray.h"
@@ -26,7 +26,7 @@ namespace measuredbrdf
 namespace
 {
 constexpr std::size_t NoOwner = std::numeric_limits<std::size_t>::max();
-constexpr int WeightsPerGroup = 4; // components of a vertex attribute
+using partarrays::WeightsPerGroup;
 
 double GetArea(vtkPoints* points, vtkIdType count, const vtkIdType* corners)
 {
@@ -236,7 +236,7 @@ void PartSurfaces::AddWeights(const CellMaterials& cells, const PartSets& sets)
   for (int group = 0; group < groups; ++group)
   {
     vtkNew<vtkFloatArray> array;
-    array->SetName(MaterialParts::GetWeightsName(group).c_str());
+    array->SetName(partarrays::GetWeights(group).c_str());
     array->SetNumberOfComponents(WeightsPerGroup);
     array->SetNumberOfTuples(this->Base->GetNumberOfPoints());
     array->FillValue(0.0f);
@@ -262,7 +262,7 @@ void PartSurfaces::AddWeights(const CellMaterials& cells, const PartSets& sets)
 void PartSurfaces::AddValues(const CellMaterials& cells)
 {
   vtkNew<vtkFloatArray> array;
-  array->SetName(MaterialParts::GetValueName());
+  array->SetName(partarrays::Value);
   const vtkIdType points = this->Input->GetNumberOfPoints();
   array->SetNumberOfTuples(this->Base->GetNumberOfPoints());
   for (vtkIdType p = 0; p < this->Base->GetNumberOfPoints(); ++p)
@@ -288,7 +288,7 @@ void PartSurfaces::AddCoordinates()
   vtkDataArray* coordinates = this->Base->GetPointData()->GetTCoords();
   const auto named = vtkSmartPointer<vtkDataArray>::Take(coordinates->NewInstance());
   named->ShallowCopy(coordinates);
-  named->SetName(MaterialParts::GetCoordinatesName());
+  named->SetName(partarrays::Coordinates);
   this->Base->GetPointData()->AddArray(named);
 }
 

@@ -71,12 +71,6 @@ private:
   int& Count;
 };
 
-inline bool AreAnyAnisotropic(const DrawnMaterials& materials)
-{
-  return std::any_of(materials.begin(), materials.end(),
-    [](const DrawnMaterial* drawn) { return !drawn->BRDF->IsIsotropic(); });
-}
-
 // slots: none where there is one material.
 inline std::vector<ShaderMember> GetShaderMembers(
   const DrawnMaterials& materials, const std::vector<int>& slots)
@@ -189,7 +183,7 @@ void vtkMeasuredBRDFMapperMixin<Base>::RenderPieceFinish(vtkRenderer* ren, vtkAc
 template <class Base>
 bool vtkMeasuredBRDFMapperMixin<Base>::UsesMaterial(const vtkOpenGLHelper* cellBO)
 {
-  if (this->Drawing->GetSelected().empty() || this->DrawingSelection || this->DrawingVertices)
+  if (this->Drawing->GetSelected().IsEmpty() || this->DrawingSelection || this->DrawingVertices)
   {
     return false;
   }
@@ -213,7 +207,7 @@ bool vtkMeasuredBRDFMapperMixin<Base>::GetNeedToRebuildShaders(
   std::string key;
   if (this->UsesMaterial(&cellBO))
   {
-    key = this->Drawing->GetSelectedKey() + (this->HasTangents() ? "/tangents" : "");
+    key = this->Drawing->GetSelected().GetKey() + (this->HasTangents() ? "/tangents" : "");
   }
   std::string& last = this->ShaderKeys[&cellBO];
   const bool changed = key != last;
@@ -260,7 +254,7 @@ void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderNormal(
   const measuredbrdf::ForceLit lit(
     this->PrimitiveInfo[this->LastBoundBO].LastLightComplexity, material);
   this->Base::ReplaceShaderNormal(shaders, ren, actor);
-  if (!material || !measuredbrdf::AreAnyAnisotropic(this->Drawing->GetSelected()) ||
+  if (!material || !this->Drawing->GetSelected().AreAnyAnisotropic() ||
       !this->HasTangents())
   {
     return;
@@ -304,9 +298,9 @@ void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderLight(
     return;
   }
   this->WarnOfTextures(actor);
-  const measuredbrdf::MixtureText& mixture = this->Drawing->GetMixture();
+  const measuredbrdf::MixtureText& mixture = this->Drawing->GetSelected().GetMixture();
   const std::vector<measuredbrdf::ShaderMember> members =
-    measuredbrdf::GetShaderMembers(this->Drawing->GetSelected(), mixture.Slots);
+    measuredbrdf::GetShaderMembers(this->Drawing->GetSelected().Get(), mixture.Slots);
   std::string fs = shaders[vtkShader::Fragment]->GetSource();
   std::string declarations = mixture.Declarations + measuredbrdf::GetShaderDeclarations(members);
   if (measuredbrdf::Contains(fs, "anisotropyUniform"))
@@ -322,7 +316,7 @@ void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderLight(
 
   measuredbrdf::ShaderBody body;
   body.Weights = mixture.Implementation;
-  if (measuredbrdf::AreAnyAnisotropic(this->Drawing->GetSelected()))
+  if (this->Drawing->GetSelected().AreAnyAnisotropic())
   {
     body.Tangents =
       this->HasTangents() ? measuredbrdf::TangentSource::Data : measuredbrdf::TangentSource::Axis;
@@ -403,9 +397,9 @@ void vtkMeasuredBRDFMapperMixin<Base>::SetMapperShaderParameters(
   }
   vtkShaderProgram* program = cellBO.Program;
   vtkNew<vtkMatrix3x3> matrix;
-  for (std::size_t k = 0; k < this->Drawing->GetSelected().size(); ++k)
+  for (std::size_t k = 0; k < this->Drawing->GetSelected().Get().size(); ++k)
   {
-    const measuredbrdf::DrawnMaterial& drawn = *this->Drawing->GetSelected()[k];
+    const measuredbrdf::DrawnMaterial& drawn = *this->Drawing->GetSelected().Get()[k];
     for (const std::shared_ptr<measuredbrdf::FormTextures>& textures :
       { drawn.Material, drawn.Radiance })
     {

@@ -3,6 +3,7 @@
 // How a material map divides a surface: which materials meet where, and how much of it is of each.
 
 #include "MaterialParts.h"
+#include "PartArrays.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -239,7 +240,7 @@ TEST_F(Parts, WeightsAreDividedByTheirSum)
   ASSERT_EQ(this->Divided.Get().size(), 1u);
   EXPECT_NEAR(this->GetShare(0), 0.75, 1e-3);
   vtkDataArray* stored = this->Divided.Get()[0].Surface->GetPointData()->GetArray(
-    MaterialParts::GetWeightsName(0).c_str());
+    measuredbrdf::partarrays::GetWeights(0).c_str());
   EXPECT_NEAR(stored->GetComponent(0, 0), 1.0, 1e-6);
   EXPECT_NEAR(stored->GetComponent(5, 0), 0.75, 1e-6);
   EXPECT_NEAR(stored->GetComponent(5, 1), 0.25, 1e-6);
@@ -288,7 +289,7 @@ TEST_F(Parts, ManySetsAreMerged)
       for (int slot = 0; slot < part.NumberOfWeights; ++slot)
       {
         total += part.Surface->GetPointData()
-                   ->GetArray(MaterialParts::GetWeightsName(slot / 4).c_str())
+                   ->GetArray(measuredbrdf::partarrays::GetWeights(slot / 4).c_str())
                    ->GetComponent(corners->GetId(0), slot % 4);
       }
       ASSERT_NEAR(total, 1.0, 1e-6);
