@@ -8,6 +8,7 @@
 #include "MerlFile.h"
 #include "Registry.h"
 #include "TensorFile.h"
+#include "UtiaFile.h"
 #include "vtkMeasuredBRDFConfigure.h"
 #include "vtkObjectFactory.h"
 
@@ -29,10 +30,11 @@ using Formats = Registry<vtkBRDFFormat>;
 Formats::Items MakeOwnFormats()
 {
 #if MEASUREDBRDF_WITH_OPENEXR
-  return Formats::Make<TensorFormat, MbsdfFormat, ExrFormat, BsdfXmlFormat, FitFormat,
+  return Formats::Make<TensorFormat, MbsdfFormat, ExrFormat, BsdfXmlFormat, FitFormat, UtiaFormat,
     MerlFormat>();
 #else
-  return Formats::Make<TensorFormat, MbsdfFormat, BsdfXmlFormat, FitFormat, MerlFormat>();
+  return Formats::Make<TensorFormat, MbsdfFormat, BsdfXmlFormat, FitFormat, UtiaFormat,
+    MerlFormat>();
 #endif
 }
 

@@ -6,6 +6,7 @@
 #include "Registry.h"
 #include "vtkAdaptiveWarpBRDF.h"
 #include "vtkAngleBasisBRDF.h"
+#include "vtkAngularTableBRDF.h"
 #include "vtkAnisotropicTabulatedBRDF.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBRDFData.h"
@@ -38,10 +39,10 @@ constexpr int MaximumDepth = 16; // of terms in terms
 // Never destroyed: programs may read files until their very end.
 Registry<vtkBRDF>& GetRegistry()
 {
-  static auto* registry =
-    new Registry<vtkBRDF>(Registry<vtkBRDF>::Make<vtkLambertBRDF, vtkBlinnPhongBRDF,
-      vtkAshikhminShirleyBRDF, vtkDistributionBRDF, vtkTabulatedBRDF, vtkAnisotropicTabulatedBRDF,
-      vtkAngleBasisBRDF, vtkTensorTreeBRDF, vtkBasisBRDF, vtkAdaptiveWarpBRDF, vtkSumBRDF>());
+  static auto* registry = new Registry<vtkBRDF>(
+    Registry<vtkBRDF>::Make<vtkLambertBRDF, vtkBlinnPhongBRDF, vtkAshikhminShirleyBRDF,
+      vtkDistributionBRDF, vtkTabulatedBRDF, vtkAnisotropicTabulatedBRDF, vtkAngleBasisBRDF,
+      vtkAngularTableBRDF, vtkTensorTreeBRDF, vtkBasisBRDF, vtkAdaptiveWarpBRDF, vtkSumBRDF>());
   return *registry;
 }
 

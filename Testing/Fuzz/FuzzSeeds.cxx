@@ -8,6 +8,7 @@
 #include "SmallFiles.h"
 #include "vtkAdaptiveWarpBRDF.h"
 #include "vtkAngleBasisBRDF.h"
+#include "vtkAngularTableBRDF.h"
 #include "vtkAnisotropicTabulatedBRDF.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBRDFModels.h"
@@ -79,8 +80,11 @@ std::vector<vtkSmartPointer<vtkBRDF>> MakeMaterials()
             ->SetMatrix(
               { { 90.0f }, { 2 } }, { { 45.0f, 90.0f }, { 1, 2 } }, std::vector<float>(18, 0.25f))
             .empty());
+  vtkNew<vtkAngularTableBRDF> nodes;
+  Require(nodes->SetValues({ { 0.0f }, 2 }, { { 0.0f, 45.0f }, 1 }, std::vector<float>(12, 0.25f))
+            .empty());
   return { lambert.Get(), phong.Get(), ashikhmin.Get(), sum.Get(), distribution.Get(), table.Get(),
-    basis.Get(), warp.Get(), turned.Get(), patches.Get(), tree.Get() };
+    basis.Get(), warp.Get(), turned.Get(), patches.Get(), tree.Get(), nodes.Get() };
 }
 
 #if MEASUREDBRDF_WITH_OPENEXR
@@ -190,6 +194,11 @@ Seeds MakeSeeds(const std::string& target)
   {
     return { MakeMbsdf(true, 2, 3), MakeMbsdf(false, 2, 2), MakeMbsdf(true, 1, 2, true) };
   }
+  if (target == "Utia") // FuzzUtia.cxx repeats them
+  {
+    const std::string numbers = Bytes("\x9a\x99\x99\x99\x99\x99\xb9\x3f\0\0\0\0\0\0\xf0\x3f");
+    return { "\1" + numbers, "\3" + numbers + numbers, Bytes("\0") + numbers };
+  }
   if (target == "BsdfXml")
   {
     return { MakeBsdfXmlTree(3, "{{1}{2}{3}{4}{5}{6}{7}{1 2 3 4 5 6 7 8}}"),
@@ -218,7 +227,7 @@ Seeds MakeSeeds(const std::string& target)
   if (target == "MaterialData")
   {
     Seeds seeds;
-    for (char representation = 0; representation < 11; ++representation)
+    for (char representation = 0; representation < 12; ++representation)
     {
       seeds.emplace_back(1, representation);
       seeds.push_back(representation + Bytes("\6\2\0\0\1\0\0\0\0\0\0\xf0\x3f"));

@@ -31,6 +31,7 @@ Target FuzzMbsdf;
 Target FuzzMerl;
 Target FuzzPlanCache;
 Target FuzzTensor;
+Target FuzzUtia;
 
 namespace
 {
@@ -169,5 +170,5 @@ INSTANTIATE_TEST_SUITE_P(All, FuzzTargets,
 #endif
     Case{ "BsdfXml", FuzzBsdfXml }, Case{ "Fit", FuzzFit },
     Case{ "MaterialData", FuzzMaterialData }, Case{ "Mbsdf", FuzzMbsdf }, Case{ "Merl", FuzzMerl },
-    Case{ "PlanCache", FuzzPlanCache }, Case{ "Tensor", FuzzTensor }),
+    Case{ "PlanCache", FuzzPlanCache }, Case{ "Tensor", FuzzTensor }, Case{ "Utia", FuzzUtia }),
   [](const auto& info) { return std::string(info.param.Name); });

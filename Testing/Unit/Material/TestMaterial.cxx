@@ -5,6 +5,7 @@
 #include "ErrorCatcher.h"
 #include "vtkAdaptiveWarpBRDF.h"
 #include "vtkAngleBasisBRDF.h"
+#include "vtkAngularTableBRDF.h"
 #include "vtkAnisotropicTabulatedBRDF.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBRDFReader.h"
@@ -97,6 +98,22 @@ vtkSmartPointer<vtkAdaptiveWarpBRDF> MakeAdaptiveWarp()
   return brdf;
 }
 
+/// Nodes of uneven values, some of them negative.
+vtkSmartPointer<vtkAngularTableBRDF> MakeAngularTable()
+{
+  const vtkAngularTableBRDF::Nodes light = { { 0.0f, 30.0f, 70.0f }, 4 };
+  const vtkAngularTableBRDF::Nodes view = { { 10.0f, 60.0f }, 3 };
+  std::vector<float> rgb;
+  for (int k = 0; k < 12 * 6; ++k)
+  {
+    const float value = k % 19 == 0 ? -0.01f : 0.1f + 0.004f * static_cast<float>(k * 7 % 23);
+    rgb.insert(rgb.end(), { value, 0.5f * value, 0.1f });
+  }
+  auto brdf = vtkSmartPointer<vtkAngularTableBRDF>::New();
+  EXPECT_EQ(brdf->SetValues(light, view, rgb), "");
+  return brdf;
+}
+
 /// Patches of uneven values, some of them negative.
 vtkSmartPointer<vtkAngleBasisBRDF> MakeAngleBasis()
 {
@@ -165,6 +182,7 @@ std::vector<std::pair<std::string, vtkSmartPointer<vtkBRDF>>> MakeAll()
   anisotropic->Resample(ashikhmin, vtkAnisotropicTabulatedBRDF::FULL_TURN, size);
   all.emplace_back("anisotropic table", anisotropic);
   all.emplace_back("adaptive warp", MakeAdaptiveWarp());
+  all.emplace_back("angular table", MakeAngularTable());
   all.emplace_back("angle basis", MakeAngleBasis());
   auto tree = vtkSmartPointer<vtkTensorTreeBRDF>::New();
   EXPECT_EQ(tree->SetTree({ 3, { { 2, 0 }, { 1, 8 }, { 0, 0 } }, { 0, 1, 1, 0, 1, 0, 0, 1 },

@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "UtiaFile.h"
+
+#include "MerlFile.h"
+#include "SRGB.h"
+#include "vtkAngularTableBRDF.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+namespace measuredbrdf
+{
+vtkStandardNewMacro(UtiaFormat);
+
+namespace
+{
+const char* const Name = "UTIA binary";
+const char* const Display = "display";
+constexpr int PolarAngles = 6;
+constexpr float PolarStep = 15.0f; // degrees
+constexpr int Azimuths = 48;
+constexpr std::size_t Side = PolarAngles * Azimuths;
+constexpr std::size_t Plane = Side * Side;
+
+// dj_brdf (Dupuy 2015), which has them from the database's authors.
+constexpr double DisplayUnit = 140.0;
+constexpr double DisplayScale = 100.0;
+
+bool HasExtension(const std::string& path)
+{
+  std::string end = path.size() < 4 ? "" : path.substr(path.size() - 4);
+  std::transform(end.begin(), end.end(), end.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return end == ".bin";
+}
+
+// f = 100 sRGB^-1(v / 140).
+double DecodeDisplay(double value)
+{
+  return DisplayScale * DecodeSRGB(std::max(value, 0.0) / DisplayUnit);
+}
+
+// What the material reflects of light at 30 degrees; more than all of it cannot be.
+std::string DescribeAlbedo(vtkBRDF* brdf)
+{
+  const double o[3] = { 0.5, 0.0, std::sqrt(0.75) };
+  double albedo[3];
+  brdf->GetDirectionalAlbedo(o, albedo);
+  const double largest = *std::max_element(albedo, albedo + 3);
+  if (largest <= 1.0)
+  {
+    return "";
+  }
+  char text[16];
+  std::snprintf(text, sizeof(text), "%.3g", largest);
+  return std::string("The material reflects ") + text +
+         " times the light at 30 degrees: its values are scaled in some way, or display colors "
+         "(FILE.bin#display).";
+}
+}
+
+//------------------------------------------------------------------------------
+MaterialFile ReadUtia(const FileBytes& file, const std::string& material)
+{
+  ByteReader reader(file, Name);
+  if (!material.empty() && material != Display)
+  {
+    reader.Fail("name", "found \"" + material + "\", expected \"display\" or none");
+  }
+  ByteReader rest = reader;
+  if (reader.GetRemaining() > UtiaBytes)
+  {
+    rest.Take(UtiaBytes, "values");
+  }
+  if (reader.GetRemaining() < UtiaBytes || (reader.GetRemaining() > UtiaBytes && !rest.IsPadding()))
+  {
+    reader.Fail("values", "3 planes of 288 x 288 numbers need " + std::to_string(UtiaBytes) +
+                            " bytes, found " + std::to_string(reader.GetRemaining()));
+  }
+  const char* bytes = reader.Take(UtiaBytes, "values");
+  MaterialFile result;
+  std::vector<float> rgb(3 * Plane);
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    for (std::size_t k = 0; k < Plane; ++k)
+    {
+      const std::size_t place = (c * Plane + k) * sizeof(double);
+      double value;
+      ByteReader::Copy(&value, bytes + place, 1);
+      const auto stored = static_cast<float>(material == Display ? DecodeDisplay(value) : value);
+      if (!std::isfinite(value) || !std::isfinite(stored))
+      {
+        reader.FailAt(place, "values", "found " + std::to_string(value) + ", expected a number");
+      }
+      result.NumberOfNegativeValues += value < 0.0;
+      rgb[3 * k + c] = stored;
+    }
+  }
+  vtkAngularTableBRDF::Nodes nodes;
+  for (int k = 0; k < PolarAngles; ++k)
+  {
+    nodes.Theta.push_back(PolarStep * static_cast<float>(k));
+  }
+  nodes.Azimuths = Azimuths;
+  vtkNew<vtkAngularTableBRDF> table;
+  const std::string problem = table->SetValues(nodes, nodes, std::move(rgb));
+  if (!problem.empty())
+  {
+    reader.FailAt(0, "values", problem);
+  }
+  table->SetName(GetFileStem(file.GetPath()));
+  table->SetSource("UTIA binary file " + GetFileTitle(file.GetPath()) +
+                   (material.empty() ? "" : ", its values taken as display colors"));
+  result.AddNote(material == Display
+                   ? "Values were taken as display colors: f = 100 sRGB^-1(v / 140)."
+                   : "Values were taken as they are, in 1/sr.");
+  const std::string albedo = DescribeAlbedo(table);
+  if (!albedo.empty())
+  {
+    result.AddNote(albedo);
+  }
+  result.BRDF = table;
+  return result;
+}
+
+//------------------------------------------------------------------------------
+std::string UtiaFormat::GetName() { return Name; }
+
+//------------------------------------------------------------------------------
+// There is no magic. What MERL's files with this extension begin with are three small integers.
+bool UtiaFormat::CanRead(const File& file)
+{
+  return HasExtension(file.Path) && (file.Bytes.size() == UtiaBytes || !LooksLikeMerl(file.Bytes));
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> UtiaFormat::GetMaterialNames(const File&) { return { Display }; }
+
+//------------------------------------------------------------------------------
+MaterialFile UtiaFormat::DoRead(const FileBytes& file, const std::string& material)
+{
+  return ReadUtia(file, material);
+}
+} // namespace measuredbrdf

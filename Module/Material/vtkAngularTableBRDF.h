@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkAngularTableBRDF
+ * @brief   BRDF at nodes over both directions' polar angles and azimuths
+ *
+ * The form of goniometers' data, such as the UTIA database's (Filip and Vavra 2014, "Template-based
+ * sampling of anisotropic BRDFs"): values at each pair of nodes, which are polar angles and evenly
+ * spaced azimuths from the tangent. It is interpolated linearly along all four axes, azimuths
+ * around the circle. Beyond the last polar angle it is extrapolated linearly; what comes out
+ * negative is 0.
+ *
+ * Nothing is assumed of isotropy or reciprocity. For lights graphics cards get a resampled
+ * vtkAnisotropicTabulatedBRDF, with one warning where that exceeds ResamplingTolerance.
+ */
+
+#ifndef vtkAngularTableBRDF_h
+#define vtkAngularTableBRDF_h
+
+#include "vtkBRDF.h"
+
+#include <memory> // for the resampled table
+#include <vector> // for values
+
+class VTKMEASUREDBRDF_EXPORT vtkAngularTableBRDF : public vtkBRDF
+{
+public:
+  static vtkAngularTableBRDF* New();
+  vtkTypeMacro(vtkAngularTableBRDF, vtkBRDF);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// Nodes of a direction.
+  struct Nodes
+  {
+    std::vector<float> Theta; // degrees, ascending, from 0 to less than 90; at least one
+    int Azimuths = 1;         // multiples of 360 / Azimuths degrees
+
+    int GetNumberOfNodes() const { return static_cast<int>(this->Theta.size()) * this->Azimuths; }
+  };
+
+  /// Of either direction.
+  static constexpr int MaximumNodes = 16384;
+
+  /// Of both together, in millions.
+  static constexpr int MaximumMegavalues = 64;
+
+  /**
+   * Set the nodes and the values: finite RGB triples in 1/sr, a row for each node of the light, in
+   * it a triple for each node of the view; polar angle by polar angle, azimuths in each. Returns an
+   * empty string, or what is wrong, the material unchanged. Negative values are kept.
+   */
+  std::string SetValues(Nodes light, Nodes view, std::vector<float> rgb);
+  const Nodes& GetLightNodes() const { return this->Light; }
+  const Nodes& GetViewNodes() const { return this->View; }
+  const std::vector<float>& GetValues() const { return this->Values; }
+
+  void GetBounds(double minimumCosine, double lower[3], double upper[3]) override;
+  bool IsIsotropic() override { return false; }
+  bool IsReciprocal() override { return false; }
+  vtkBRDF* GetRenderable() override;
+  void GetShaderInputs(vtkBRDFShaderInputs& form) override;
+  std::string GetModelName() override { return "AngularTable"; }
+  VTK_WRAPEXCLUDE void ExchangeData(vtkBRDFExchange& exchange) override;
+
+protected:
+  vtkAngularTableBRDF();
+  ~vtkAngularTableBRDF() override;
+
+  vtkBRDF* NewCopy() override;
+  std::pair<std::type_index, std::string> GetContent() override;
+  void EvaluateAbove(const double i[3], const double o[3], double f[3]) override;
+
+  Nodes Light;
+  Nodes View;
+  std::vector<float> Values;
+
+private:
+  vtkAngularTableBRDF(const vtkAngularTableBRDF&) = delete;
+  void operator=(const vtkAngularTableBRDF&) = delete;
+
+  struct Renderable;
+  std::shared_ptr<Renderable> Resampled;
+};
+
+#endif

@@ -1,0 +1,218 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// UTIA's .bin, written here from its published layout: no file of the database was at hand.
+
+#include "NeedsLibrary.h"
+#include "TestIOHelpers.h"
+
+#include "vtkAngularTableBRDF.h"
+
+#include <limits>
+
+namespace
+{
+using namespace testio;
+
+constexpr double Degree = 3.14159265358979323846 / 180.0;
+constexpr std::size_t Side = 288;
+
+// Linear in each of the four angles between the nodes: interpolation is exact. Degrees.
+double Tent(double phi) { return std::abs(std::remainder(phi, 360.0)) / 180.0; }
+
+double Formula(int channel, double thetaI, double phiI, double thetaO, double phiO)
+{
+  const double light = 0.1 + 0.001 * thetaI + 0.05 * Tent(phiI);
+  const double view = 0.9 - 0.004 * thetaO + 0.2 * Tent(phiO - 90.0);
+  return light * view * (channel + 1.0);
+}
+
+std::string MakeUtia(double scale = 1.0)
+{
+  std::string bytes(3 * Side * Side * sizeof(double), '\0');
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    for (std::size_t row = 0; row < Side; ++row)
+    {
+      for (std::size_t column = 0; column < Side; ++column)
+      {
+        const double value = scale * Formula(static_cast<int>(c), 15.0 * (row / 48),
+                                       7.5 * (row % 48), 15.0 * (column / 48), 7.5 * (column % 48));
+        std::memcpy(
+          &bytes[((c * Side + row) * Side + column) * sizeof(double)], &value, sizeof(double));
+      }
+    }
+  }
+  return bytes;
+}
+
+void Point(double theta, double phi, double d[3])
+{
+  d[0] = std::sin(theta * Degree) * std::cos(phi * Degree);
+  d[1] = std::sin(theta * Degree) * std::sin(phi * Degree);
+  d[2] = std::cos(theta * Degree);
+}
+
+vtkSmartPointer<vtkBRDF> ReadUtia(const std::string& path, vtkBRDFReader* reader)
+{
+  reader->SetFileName(path);
+  return reader->Read() ? reader->GetBRDF() : nullptr;
+}
+
+TEST(IOUtia, InterpolatesAlongAllFourAxes)
+{
+  const Folder folder;
+  WriteBytes(folder("cloth.bin"), MakeUtia());
+  vtkNew<vtkBRDFReader> reader;
+  const auto brdf = ReadUtia(folder("cloth.bin"), reader);
+  ASSERT_TRUE(brdf) << reader->GetErrorMessage();
+  EXPECT_EQ(reader->GetFormatName(), "UTIA binary");
+  EXPECT_EQ(brdf->GetName(), "cloth");
+  EXPECT_FALSE(brdf->IsIsotropic());
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> number(0.0, 1.0);
+  for (int k = 0; k < 2000; ++k)
+  {
+    const double angles[4] = { 88.0 * number(random), 360.0 * number(random), 88.0 * number(random),
+      360.0 * number(random) }; // beyond 75 degrees: extrapolated
+    double i[3];
+    double o[3];
+    double f[3];
+    Point(angles[0], angles[1], i);
+    Point(angles[2], angles[3], o);
+    brdf->Evaluate(i, o, f);
+    for (int c = 0; c < 3; ++c)
+    {
+      ASSERT_NEAR(f[c], Formula(c, angles[0], angles[1], angles[2], angles[3]), 1e-6) << k;
+    }
+  }
+}
+
+TEST(IOUtia, DisplayColorsAreDecoded)
+{
+  const Folder folder;
+  WriteBytes(folder("cloth.bin"), MakeUtia(10.0));
+  vtkNew<vtkBRDFReader> reader;
+  const auto brdf = ReadUtia(folder("cloth.bin#display"), reader);
+  ASSERT_TRUE(brdf) << reader->GetErrorMessage();
+  double i[3];
+  double o[3];
+  double f[3];
+  Point(30.0, 15.0, i);
+  Point(45.0, 90.0, o);
+  brdf->Evaluate(i, o, f);
+  for (int c = 0; c < 3; ++c)
+  {
+    const double encoded = 10.0 * Formula(c, 30.0, 15.0, 45.0, 90.0) / 140.0;
+    const double linear =
+      encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+    EXPECT_NEAR(f[c], 100.0 * linear, 1e-5);
+  }
+  EXPECT_FALSE(ReadUtia(folder("cloth.bin#other"), reader));
+}
+
+TEST(IOUtia, MoreLightThanThereIsIsNoted)
+{
+  const Folder folder;
+  WriteBytes(folder("dim.bin"), MakeUtia());
+  WriteBytes(folder("bright.bin"), MakeUtia(30.0));
+  vtkNew<vtkBRDFReader> reader;
+  ASSERT_TRUE(ReadUtia(folder("dim.bin"), reader));
+  EXPECT_EQ(reader->GetNotes().find("times the light"), std::string::npos);
+  ASSERT_TRUE(ReadUtia(folder("bright.bin"), reader));
+  EXPECT_NE(reader->GetNotes().find("times the light"), std::string::npos) << reader->GetNotes();
+}
+
+TEST(IOUtia, NegativeValuesCountAsNothing)
+{
+  const Folder folder;
+  std::string bytes = MakeUtia();
+  Overwrite(bytes, 0, -5.0);
+  WriteBytes(folder("a.bin"), bytes);
+  vtkNew<vtkBRDFReader> reader;
+  const auto brdf = ReadUtia(folder("a.bin"), reader);
+  ASSERT_TRUE(brdf);
+  EXPECT_EQ(reader->GetNumberOfNegativeValues(), 1);
+  const double normal[3] = { 0.0, 0.0, 1.0 };
+  double f[3];
+  brdf->Evaluate(normal, normal, f);
+  EXPECT_EQ(f[0], 0.0);
+  EXPECT_GT(f[1], 0.0);
+}
+
+TEST(IOUtia, RefusesOtherFiles)
+{
+  const Folder folder;
+  const std::string good = MakeUtia();
+  const auto expect = [&folder](const std::string& bytes, const std::string& part)
+  {
+    WriteBytes(folder("a.bin"), bytes);
+    vtkNew<vtkBRDFReader> reader;
+    vtkNew<vtkAngularTableBRDF> before;
+    const auto counter = vtkSmartPointer<ErrorCounter>::Take(ErrorCounter::New());
+    reader->AddObserver(vtkCommand::ErrorEvent, counter);
+    EXPECT_FALSE(ReadUtia(folder("a.bin"), reader));
+    EXPECT_EQ(counter->Count, 1);
+    EXPECT_NE(reader->GetErrorMessage().find(part), std::string::npos) << reader->GetErrorMessage();
+    EXPECT_NE(reader->GetErrorMessage().find("a.bin"), std::string::npos);
+  };
+  expect(good.substr(0, good.size() - 1), "1990656 bytes, found 1990655");
+  expect(good + "x", "found 1990657");
+  std::string bytes = good;
+  Overwrite(bytes, 8 * 1000, std::numeric_limits<double>::quiet_NaN());
+  expect(bytes, "byte 8000");
+  Overwrite(bytes, 8 * 1000, 1e300); // no float
+  expect(bytes, "byte 8000");
+  WriteBytes(folder("a.bin"), good + std::string(100, '\0')); // padding
+  vtkNew<vtkBRDFReader> reader;
+  EXPECT_TRUE(ReadUtia(folder("a.bin"), reader)) << reader->GetErrorMessage();
+}
+
+TEST(IOUtia, TablesAreChecked)
+{
+  using Nodes = vtkAngularTableBRDF::Nodes;
+  vtkNew<vtkAngularTableBRDF> table;
+  const Nodes one = { { 0.0f }, 1 };
+  ASSERT_EQ(table->SetValues(one, one, { 0.1f, 0.2f, 0.3f }), "");
+  const auto expect =
+    [&](const Nodes& light, const Nodes& view, std::vector<float> rgb, const std::string& part)
+  {
+    const std::string problem = table->SetValues(light, view, std::move(rgb));
+    EXPECT_NE(problem.find(part), std::string::npos) << problem;
+    EXPECT_EQ(table->GetValues().size(), 3u); // as it was
+  };
+  expect({ {}, 1 }, one, {}, "at least one");
+  expect({ { 0.0f }, 0 }, one, {}, "at least one");
+  expect(one, { { 10.0f, 10.0f }, 1 }, std::vector<float>(6), "ascending");
+  expect(one, { { 0.0f, 90.0f }, 1 }, std::vector<float>(6), "less than 90");
+  expect(one, { { std::nanf("") }, 1 }, std::vector<float>(3), "ascending");
+  expect(one, { { 0.0f }, 1 << 30 }, {}, "at most 16384");
+  expect({ { 0.0f }, 16384 }, { { 0.0f }, 16384 }, {}, "at most 64 million");
+  expect(one, one, std::vector<float>(4), "found 4, expected 3");
+  expect(
+    one, one, { 0.0f, std::numeric_limits<float>::infinity(), 0.0f }, "number 1 is not finite");
+}
+
+TEST(IOUtia, KeptInOpenEXR)
+{
+  NEEDS_OPENEXR();
+  const Folder folder;
+  vtkNew<vtkAngularTableBRDF> table;
+  std::vector<float> values;
+  for (int k = 0; k < 3 * 4 * 6; ++k)
+  {
+    values.push_back(0.01f * static_cast<float>(k) - 0.02f);
+  }
+  ASSERT_EQ(table->SetValues({ { 0.0f, 40.0f }, 2 }, { { 5.0f, 50.0f }, 3 }, values), "");
+  vtkNew<vtkBRDFWriter> writer;
+  writer->SetFileName(folder("a.exr"));
+  writer->SetBRDF(table);
+  ASSERT_TRUE(writer->Write());
+  vtkNew<vtkBRDFReader> reader;
+  const auto back = ReadUtia(folder("a.exr"), reader);
+  auto* same = vtkAngularTableBRDF::SafeDownCast(back);
+  ASSERT_TRUE(same) << reader->GetErrorMessage();
+  EXPECT_EQ(same->GetValues(), values);
+  EXPECT_EQ(same->GetLightNodes().Theta, table->GetLightNodes().Theta);
+  EXPECT_EQ(same->GetViewNodes().Azimuths, 3);
+}
+}
