@@ -108,7 +108,7 @@ struct vtkMaterialLegendActor::Internals
   vtkSmartPointer<vtkEnvironment> Sky; // where there is none
   std::string Title;
   vtkNew<vtkTextProperty> TextProperty;
-  vtkNew<vtkTextActor> TitleActor;
+  vtkSmartPointer<vtkTextActor> TitleActor; // made when it is drawn: it needs VTK's fonts
   std::vector<Entry> Entries;
 
   template <typename Visit>
@@ -122,7 +122,7 @@ struct vtkMaterialLegendActor::Internals
       }
       visit(entry.Text);
     }
-    if (!this->Title.empty() && !this->Entries.empty())
+    if (!this->Title.empty() && !this->Entries.empty() && this->TitleActor)
     {
       visit(this->TitleActor);
     }
@@ -279,6 +279,10 @@ void vtkMaterialLegendActor::UpdateLayout(vtkViewport* viewport)
   if (!this->Impl->Title.empty())
   {
     const double share = TitleShare * height;
+    if (!this->Impl->TitleActor)
+    {
+      this->Impl->TitleActor = vtkSmartPointer<vtkTextActor>::New();
+    }
     vtkTextActor* title = this->Impl->TitleActor;
     title->SetInput(this->Impl->Title.c_str());
     title->GetTextProperty()->ShallowCopy(this->Impl->TextProperty);
@@ -294,9 +298,12 @@ void vtkMaterialLegendActor::UpdateLayout(vtkViewport* viewport)
   const double lines = this->Horizontal ? NameShare * height : LargestText * sphere;
   vtkTextActor::SetMultipleConstrainedFontSize(viewport, static_cast<int>(std::max(room, 1.0)),
     static_cast<int>(std::max(lines, 1.0)), texts.data(), static_cast<int>(texts.size()), size);
-  vtkTextProperty* title = this->Impl->TitleActor->GetTextProperty();
-  title->SetFontSize(std::min(title->GetFontSize(),
-    static_cast<int>(TitleTimes * texts.front()->GetTextProperty()->GetFontSize())));
+  if (!this->Impl->Title.empty())
+  {
+    vtkTextProperty* title = this->Impl->TitleActor->GetTextProperty();
+    title->SetFontSize(std::min(title->GetFontSize(),
+      static_cast<int>(TitleTimes * texts.front()->GetTextProperty()->GetFontSize())));
+  }
   for (std::size_t k = 0; k < entries.size(); ++k)
   {
     const double at = static_cast<double>(k);

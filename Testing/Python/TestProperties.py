@@ -20,6 +20,9 @@ NOT_PRINTED = {
     ("vtkCompositeMeasuredBRDFMapper", "BlockBRDF"),
     ("vtkCompositeMeasuredBRDFMapper", "BlockBRDFByName"),
     ("vtkEnvironment", "Pixels"),
+    ("vtkMaterialMap", "BRDF"),
+    ("vtkMaterialMap", "Name"),
+    ("vtkMaterialMap", "WeightArrayName"),
     ("vtkRadianceCostModel", "Cost"),
     ("vtkRadianceCostModel", "Text"),
     ("vtkAnisotropicTabulatedBRDF", "Volume"),
@@ -30,6 +33,7 @@ SWITCHES = {"Abort", "AbortPlanning"}
 FOREIGN = {
     "vtkObject",
     "vtkObjectBase",
+    "vtkActor2D",
     "vtkImageAlgorithm",
     "vtkPolyDataAlgorithm",
     "vtkPolyDataMapper",

@@ -113,7 +113,7 @@ TEST(IOUtia, DisplayColorsAreDecoded)
 TEST(IOUtia, MoreLightThanThereIsIsNoted)
 {
   const Folder folder;
-  WriteBytes(folder("dim.bin"), MakeUtia());
+  WriteBytes(folder("dim.bin"), MakeUtia(0.5));
   WriteBytes(folder("bright.bin"), MakeUtia(30.0));
   vtkNew<vtkBRDFReader> reader;
   ASSERT_TRUE(ReadUtia(folder("dim.bin"), reader));
