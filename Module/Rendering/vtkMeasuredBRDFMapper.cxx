@@ -44,7 +44,10 @@ vtkMeasuredBRDFMapper::vtkMeasuredBRDFMapper()
         }
         if (this->Drawing->GetSettings().MaterialMap)
         {
-          this->Update();
+          if (!this->Static)
+          {
+            this->Update();
+          }
           if (this->Map->Parts.Divide(surface))
           {
             return this->Map->Parts.GetUses();

@@ -5,7 +5,7 @@
 #include "PartArrays.h"
 #include "WeightImages.h"
 
-#include <set>
+#include <algorithm>
 
 namespace measuredbrdf
 {
@@ -106,22 +106,22 @@ std::string MixtureShader::GetImplementation(const std::vector<bool>& drawn) con
             Varying(partarrays::Coordinates) + ");\n";
   }
   std::string sum = "0.0";
-  int others = -1; // Images: of the material where there are no weights
+  int others = -1; // the material where no other has a weight
   for (int slot = 0; slot < count; ++slot)
   {
     const auto place = static_cast<std::size_t>(slot);
     const bool given = place >= drawn.size() || drawn[place];
     const bool ofImages = this->Part.Kind == MixtureKind::Images;
-    others = ofImages && (place >= this->Part.Components.size() || this->Part.Components[place] < 0)
-               ? slot
-               : others;
+    const bool isOthers =
+      ofImages && (place >= this->Part.Components.size() || this->Part.Components[place] < 0);
+    others = given && (isOthers || others < 0) ? slot : others;
     text += "  " + Weight(slot) + " = " + (given ? this->GetWeight(slot) : "0.0") + ";\n";
     sum += " + " + Weight(slot);
   }
   if (nearest)
   {
-    text += "  int brdfNearest = 0;\n";
-    for (int slot = 1; slot < count; ++slot)
+    text += "  int brdfNearest = " + std::to_string(std::max(others, 0)) + ";\n";
+    for (int slot = 0; slot < count; ++slot)
     {
       text += "  brdfNearest = " + Weight(slot) + " > brdfWeights[brdfNearest] ? " +
               std::to_string(slot) + " : brdfNearest;\n";

@@ -58,10 +58,14 @@ void PartMapper::RenderPieceDraw(vtkRenderer* ren, vtkActor* actor)
     auto* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetVTKWindow());
     this->Images = WeightTextures::Find(this->Map, window);
     const std::string problem = this->Images->Update(this->Map, window);
-    if (!problem.empty() && this->Drawing->WarnOnce(problem))
+    if (!problem.empty())
     {
-      vtkErrorWithObjectMacro(
-        this->Drawing->GetOwner(), << "The material map is not drawn: " << problem << ".");
+      if (this->Drawing->WarnOnce(problem))
+      {
+        vtkErrorWithObjectMacro(
+          this->Drawing->GetOwner(), << "The material map is not drawn: " << problem << ".");
+      }
+      return;
     }
     this->Images->Activate();
   }
