@@ -844,3 +844,11 @@ add("Rendering.map-divided-blocks-are-drawn-whole", "vtkCompositeMeasuredBRDFMap
     "MaterialMapping.CompositeDataShowTheSame")
 add("Rendering.map-small-shares-add-up-unseen", "Private/MaterialParts.cxx", "smaller += share <= own ? share : 0.0;",
     "smaller = own;", "Parts.SmallMaterialsMayBeCoarse")
+add("Material.angular-table-azimuths-end", "vtkAngularTableBRDF.cxx",
+    "const std::size_t right = (left + 1) % azimuths;", "const std::size_t right = std::min(left + 1, azimuths - 1);",
+    "IOUtia.InterpolatesAlongAllFourAxes")
+add("IO.utia-blue-first", "Private/UtiaFile.cxx", "rgb[3 * k + c] = stored;", "rgb[3 * k + 2 - c] = stored;",
+    "IOUtia.InterpolatesAlongAllFourAxes")
+add("Rendering.legend-shows-the-last-first", "vtkMaterialLegendActor.cxx",
+    "const double middle = bottom + height - (at + 0.5) * cell;", "const double middle = bottom + (at + 0.5) * cell;",
+    "MaterialLegend.DrawsSpheresBelowEachOtherOrSideBySide")
