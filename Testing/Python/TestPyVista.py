@@ -415,8 +415,8 @@ class TestMaps(PlotterTest):
             MaterialMap.images(np.zeros((4, 4)), ["nickel", "gold-paint"])
         with self.assertRaisesRegex(ValueError, "unsigned integers"):
             MaterialMap.images(np.zeros((4, 4, 1), int), ["nickel"])
-        with self.assertRaisesRegex(ValueError, "nickle"):
-            MaterialMap.classes("rock", {1: "nickle"})
+        with self.assertRaisesRegex(ValueError, "nicke1"):
+            MaterialMap.classes("rock", {1: "nicke1"})
 
 
 class TestPlotter(PlotterTest):
