@@ -3,7 +3,7 @@
 #include "vtkMaterialLegendActor.h"
 
 #include "Setters.h"
-#include "SpherePicture.h"
+#include "MaterialPicture.h"
 #include "vtkBRDF.h"
 #include "vtkCellArray.h"
 #include "vtkEnvironment.h"
@@ -239,7 +239,7 @@ void vtkMaterialLegendActor::UpdateEntries()
       entry.Time = time;
       entry.Resolution = this->SphereResolution;
       entry.Picture =
-        measuredbrdf::MakeSpherePicture(brdf, light, this->SphereResolution, Tolerance);
+        measuredbrdf::MakeMaterialPicture(brdf, light, this->SphereResolution, Tolerance);
       if (!entry.Picture)
       {
         vtkErrorMacro("There is no picture of material " << k << ".");

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Rooms of Module/ use the rooms that docs/architecture.md allows them, units form no circles, and public headers show
-no private type.
+"""Rooms of Module/ use the rooms that docs/architecture.md allows them, units form no circles, public headers show no
+private type, and no two headers share a name: tests see several folders of them, where the first one found wins.
 
 usage: TestRooms.py REPOSITORY
 """
@@ -64,9 +64,20 @@ def get_circles(uses):
     return circles
 
 
+def find_same_headers(repository):
+    """Problems: headers of one name in several folders."""
+    folders = {}
+    for top in ("Module", "Applications", "Testing"):
+        for folder, _, names in os.walk(os.path.join(repository, top)):
+            for name in names:
+                if name.endswith(".h"):
+                    folders.setdefault(name, []).append(os.path.relpath(folder, repository))
+    return [f"{name} is in {' and in '.join(sorted(where))}" for name, where in sorted(folders.items()) if len(where) > 1]
+
+
 def main(repository):
     files = find_files(os.path.join(repository, "Module"))
-    problems, uses = [], {}
+    problems, uses = find_same_headers(repository), {}
     for name, (room, path, private) in files.items():
         with open(path, encoding="utf-8") as file:
             text = file.read()

@@ -5,8 +5,8 @@
  * A picture of a sphere of a material, computed on the CPU. Private to the rendering room.
  */
 
-#ifndef SpherePicture_h
-#define SpherePicture_h
+#ifndef MaterialPicture_h
+#define MaterialPicture_h
 
 #include "vtkSmartPointer.h"
 
@@ -18,7 +18,7 @@ namespace measuredbrdf
 {
 /// RGBA in 8 bits, radiance^(1/2.2), transparent around the sphere. Seen along -z from a great
 /// distance. Null where there is nothing to integrate with.
-vtkSmartPointer<vtkImageData> MakeSpherePicture(
+vtkSmartPointer<vtkImageData> MakeMaterialPicture(
   vtkBRDF* brdf, vtkEnvironment* environment, int pixels, double tolerance);
 } // namespace measuredbrdf
 

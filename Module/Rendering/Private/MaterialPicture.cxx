@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SpherePicture.h"
+#include "MaterialPicture.h"
 
 #include "vtkBRDF.h"
 #include "vtkDoubleArray.h"
@@ -17,7 +17,7 @@
 
 namespace measuredbrdf
 {
-vtkSmartPointer<vtkImageData> MakeSpherePicture(
+vtkSmartPointer<vtkImageData> MakeMaterialPicture(
   vtkBRDF* brdf, vtkEnvironment* environment, int pixels, double tolerance)
 {
   vtkNew<vtkRadiancePlanner> planner;
