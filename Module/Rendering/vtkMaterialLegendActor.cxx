@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMaterialLegendActor.h"
 
-#include "Setters.h"
 #include "MaterialPicture.h"
+#include "Setters.h"
 #include "vtkBRDF.h"
 #include "vtkCellArray.h"
 #include "vtkEnvironment.h"
