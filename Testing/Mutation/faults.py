@@ -10,7 +10,7 @@ A fault that changes nothing that anybody could see is marked with the reason, e
 import collections
 
 ROOMS = ("Core", "Material", "Lighting", "Integration", "Metrics", "Fitting", "IO", "Planning", "Rendering",
-         "Sources", "Shaders", "Export")
+         "Sources", "Visibility", "Shaders", "Export")
 
 # Where the files of a room are, but for the module's.
 FOLDERS = {"Shaders": "shaders/", "Export": "Applications/Export/"}
@@ -679,6 +679,19 @@ add("Sources.image-at-pixel-corners", "vtkBRDFImageSource.cxx", "(static_cast<do
     "static_cast<double>(extent[0] + k % width)", "ImageSource.Pixels")
 add("Sources.material-changes-unseen", "Private/MaterialSource.h", "std::max(time, brdf->GetMTime())", "time",
     "Sources.FollowTheirMaterial")
+
+# Visibility
+
+add("Visibility.edges-of-one-sign", "Private/TriangleSet.h", "(u < 0.0 || v < 0.0 || w < 0.0) && (u > 0.0",
+    "(u < 0.0 || v < 0.0 || w < 0.0) || (u > 0.0", "EitherTracer.IsWatertight|EitherTracer.DescribesTheHit")
+add("Visibility.offset-to-the-other-side", "Private/SurfaceTracer.cxx", "origin[c] = point[c] + side * n[c];",
+    "origin[c] = point[c] - side * n[c];", "EitherTracer.PointsOfASphereSeeOut")
+add("Visibility.strips-turn-over", "Private/TriangleSet.cxx", "{ ids[k - 2], ids[k - 1 + k % 2], ids[k - k % 2] }",
+    "{ ids[k - 2], ids[k - 1], ids[k] }", "EitherTracer.ReadsStrips")
+add("Visibility.matrix-by-columns", "Private/TriangleSet.cxx", "m[4 * c + 2] * p.z + m[4 * c + 3]",
+    "m[4 * c + 2] * p.z + m[12 + c]", "EitherTracer.DescribesTheHit")
+add("Visibility.farthest-triangle", "Private/TriangleTree.cxx", "ray.Most = t = at;", "t = at;",
+    "SurfaceTracer.BackendsAgree")
 
 # Shaders
 

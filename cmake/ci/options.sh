@@ -3,22 +3,22 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Builds the library without each of the optional libraries and without all of them, and runs the unit tests there:
 #
-#   cmake/ci/options.sh [CERES|OPENEXR|OPENIMAGEIO|ALL...]
+#   cmake/ci/options.sh [CERES|EMBREE|OPENEXR|OPENIMAGEIO|ALL...]
 #
-# Without arguments all four. The trees are build-without-NAME. What a build lacks is left out of its tests, or the
+# Without arguments all five. The trees are build-without-NAME. What a build lacks is left out of its tests, or the
 # test is skipped and says why; an absent library's headers must not be needed.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 cmake/install-packages.sh --tests
 
 names=("$@")
-[ $# -gt 0 ] || names=(CERES OPENEXR OPENIMAGEIO ALL)
+[ $# -gt 0 ] || names=(CERES EMBREE OPENEXR OPENIMAGEIO ALL)
 export MEASUREDBRDF_CACHE=off # nothing of earlier runs
 for name in "${names[@]}"; do
   case $name in
-    CERES | OPENEXR | OPENIMAGEIO) off=("$name") ;;
-    ALL) off=(CERES OPENEXR OPENIMAGEIO) ;;
-    *) echo "usage: cmake/ci/options.sh [CERES|OPENEXR|OPENIMAGEIO|ALL...]" >&2; exit 2 ;;
+    CERES | EMBREE | OPENEXR | OPENIMAGEIO) off=("$name") ;;
+    ALL) off=(CERES EMBREE OPENEXR OPENIMAGEIO) ;;
+    *) echo "usage: cmake/ci/options.sh [CERES|EMBREE|OPENEXR|OPENIMAGEIO|ALL...]" >&2; exit 2 ;;
   esac
   options=()
   for library in "${off[@]}"; do

@@ -16,6 +16,7 @@ ALLOWED = {
     "Material": ["Core"],
     "Lighting": ["Core"],
     "Integration": ["Core", "Material", "Lighting"],
+    "Visibility": ["Core"],
     "Metrics": ["Core", "Material", "Lighting"],
     "Fitting": ["Core", "Material"],
     "IO": ["Core", "Material", "Lighting"],

@@ -1,0 +1,431 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Rays against surfaces: closed forms, and both backends against each other.
+#include "SurfaceTracer.h"
+
+#include "vtkCellArray.h"
+#include "vtkIdList.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkPlaneSource.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkRegularPolygonSource.h"
+#include "vtkSMPTools.h"
+#include "vtkSphereSource.h"
+#include "vtkStripper.h"
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <vector>
+
+namespace
+{
+using measuredbrdf::SurfaceTracer;
+using Backend = SurfaceTracer::Backend;
+
+constexpr double Far = std::numeric_limits<double>::infinity();
+
+vtkSmartPointer<vtkPolyData> MakeSphere(int resolution)
+{
+  vtkNew<vtkSphereSource> source;
+  source->SetRadius(1.0);
+  source->SetThetaResolution(resolution);
+  source->SetPhiResolution(resolution);
+  source->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  source->Update();
+  return source->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> MakeSurface(
+  const std::vector<glm::dvec3>& points, const std::vector<std::vector<vtkIdType>>& polygons)
+{
+  const auto result = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> positions;
+  positions->SetDataTypeToDouble();
+  for (const glm::dvec3& p : points)
+  {
+    positions->InsertNextPoint(p.x, p.y, p.z);
+  }
+  vtkNew<vtkCellArray> cells;
+  for (const std::vector<vtkIdType>& polygon : polygons)
+  {
+    cells->InsertNextCell(static_cast<vtkIdType>(polygon.size()), polygon.data());
+  }
+  result->SetPoints(positions);
+  result->SetPolys(cells);
+  return result;
+}
+
+glm::dvec3 Draw(std::mt19937& random)
+{
+  std::normal_distribution<double> normal;
+  const double x = normal(random);
+  const double y = normal(random);
+  const double z = normal(random);
+  return glm::normalize(glm::dvec3(x, y, z));
+}
+
+class EitherTracer : public testing::TestWithParam<Backend>
+{
+protected:
+  void SetUp() override
+  {
+    if (GetParam() == Backend::Embree && !SurfaceTracer::HasEmbree())
+    {
+      GTEST_SKIP() << "this build has no Embree";
+    }
+  }
+};
+
+// In a cloud of triangles: how often the nearest hit of both backends is not the same triangle.
+TEST(SurfaceTracer, BackendsAgree)
+{
+  if (!SurfaceTracer::HasEmbree())
+  {
+    GTEST_SKIP() << "this build has no Embree";
+  }
+  std::mt19937 random(7);
+  std::vector<glm::dvec3> points;
+  std::vector<std::vector<vtkIdType>> triangles;
+  for (vtkIdType k = 0; k < 20000; ++k)
+  {
+    const glm::dvec3 middle = 0.8 * Draw(random);
+    for (int c = 0; c < 3; ++c)
+    {
+      points.push_back(glm::dvec3(100.0, -30.0, 5.0) + middle + 0.03 * Draw(random));
+    }
+    triangles.push_back({ 3 * k, 3 * k + 1, 3 * k + 2 });
+  }
+  const vtkSmartPointer<vtkPolyData> cloud = MakeSurface(points, triangles);
+  SurfaceTracer own(Backend::Own);
+  SurfaceTracer embree(Backend::Embree);
+  own.AddSurface(cloud);
+  embree.AddSurface(cloud);
+  own.Build();
+  embree.Build();
+  ASSERT_EQ(embree.GetBackend(), Backend::Embree);
+  ASSERT_EQ(own.GetBackend(), Backend::Own);
+  constexpr int Rays = 100000;
+  int hits = 0;
+  int different = 0;
+  int occlusions = 0;
+  double worst = 0.0;
+  for (int k = 0; k < Rays; ++k)
+  {
+    const glm::dvec3 origin = glm::dvec3(100.0, -30.0, 5.0) + 2.0 * Draw(random);
+    const glm::dvec3 direction = Draw(random);
+    SurfaceTracer::Hit a{};
+    SurfaceTracer::Hit b{};
+    const bool hitA = own.Intersect(&origin.x, &direction.x, 0.0, Far, a);
+    const bool hitB = embree.Intersect(&origin.x, &direction.x, 0.0, Far, b);
+    hits += hitA ? 1 : 0;
+    different += hitA != hitB || (hitA && a.Cell != b.Cell) ? 1 : 0;
+    occlusions += own.IsOccluded(&origin.x, &direction.x, 0.0, Far) != hitA ||
+                      embree.IsOccluded(&origin.x, &direction.x, 0.0, Far) != hitB
+                    ? 1
+                    : 0;
+    if (hitA && hitB && a.Cell == b.Cell)
+    {
+      worst = std::max(worst, std::abs(a.T - b.T));
+      worst = std::max(worst, std::abs(a.Barycentrics[1] - b.Barycentrics[1]));
+    }
+  }
+  std::printf("%d of %d rays hit, %d differ; same triangle: t and weights within %g\n", hits, Rays,
+    different, worst);
+  EXPECT_GT(hits, Rays / 30);
+  EXPECT_LE(different, Rays / 20000); // rays within rounding of an edge
+  EXPECT_LE(occlusions, Rays / 20000);
+  EXPECT_LT(worst, 1e-3); // weights of slivers on their edges; else rounding
+}
+
+// From inside a closed surface no ray escapes, not through edges and corners either.
+TEST_P(EitherTracer, IsWatertight)
+{
+  const vtkSmartPointer<vtkPolyData> sphere = MakeSphere(40);
+  SurfaceTracer tracer(GetParam());
+  tracer.AddSurface(sphere);
+  tracer.Build();
+  std::mt19937 random(3);
+  const glm::dvec3 inside(0.1, 0.2, -0.05);
+  int escaped = 0;
+  for (int k = 0; k < 50000; ++k)
+  {
+    const glm::dvec3 d = Draw(random);
+    escaped += tracer.IsOccluded(&inside.x, &d.x, 0.0, Far) ? 0 : 1;
+  }
+  for (vtkIdType k = 0; k < sphere->GetNumberOfPoints(); ++k)
+  {
+    for (const double share : { 0.0, 0.5, 1.0 / 3.0 })
+    {
+      glm::dvec3 p;
+      glm::dvec3 q;
+      sphere->GetPoint(k, &p.x);
+      sphere->GetPoint((k + 1) % sphere->GetNumberOfPoints(), &q.x);
+      const glm::dvec3 d = glm::mix(p, q, share) - inside;
+      escaped += tracer.IsOccluded(&inside.x, &d.x, 0.0, Far) ? 0 : 1;
+    }
+  }
+  // Embree computes in single precision: of the rays aimed at a corner itself some pass.
+  std::printf("%d rays escaped\n", escaped);
+  EXPECT_LE(escaped, GetParam() == Backend::Own ? 0 : 5);
+}
+
+// A surface's points do not hide it from itself; what is below the surface is hidden.
+TEST_P(EitherTracer, PointsOfASphereSeeOut)
+{
+  for (const double size : { 1e-30, 1e-3, 1.0, 1e6, 1e30 })
+  {
+    for (const double away : { 0.0, 1e4 })
+    {
+      const double matrix[16] = { size, 0, 0, away * size, 0, size, 0, 0, 0, 0, size, -away * size,
+        0, 0, 0, 1 };
+      const vtkSmartPointer<vtkPolyData> sphere = MakeSphere(60);
+      SurfaceTracer tracer(GetParam());
+      tracer.AddSurface(sphere, matrix);
+      tracer.Build();
+      std::mt19937 random(5);
+      const glm::dvec3 middle(away * size, 0.0, -away * size);
+      int wrong = 0;
+      for (int k = 0; k < 4000; ++k)
+      {
+        const glm::dvec3 from = middle + 3.0 * size * Draw(random);
+        const glm::dvec3 to = middle - from + 0.5 * size * Draw(random);
+        SurfaceTracer::Hit hit{};
+        ASSERT_TRUE(tracer.Intersect(&from.x, &to.x, 0.0, Far, hit)) << size;
+        const glm::dvec3 point = from + hit.T * to;
+        EXPECT_NEAR(glm::length(point - middle) / size, 1.0, 0.01);
+        const glm::dvec3 direction = Draw(random);
+        glm::dvec3 origin;
+        tracer.OffsetOrigin(&point.x, hit.Normal, &direction.x, &origin.x);
+        const double cosine = glm::dot(direction, glm::make_vec3(hit.Normal));
+        const bool hidden = tracer.IsOccluded(&origin.x, &direction.x, 0.0, Far);
+        wrong += std::abs(cosine) > 1e-3 && hidden != (cosine < 0.0) ? 1 : 0;
+      }
+      EXPECT_EQ(wrong, 0) << "size " << size << ", " << away << " sizes away";
+    }
+  }
+}
+
+// What a hit says: surface, cell, corners, weights, normal, t in lengths of the direction.
+TEST_P(EitherTracer, DescribesTheHit)
+{
+  // A pentagon and two quads, the second one concave, after a vertex and a line.
+  const std::vector<glm::dvec3> points = { { 0, 0, 0 }, { 2, 0, 0 }, { 2, 2, 0 }, { 1, 3, 0 },
+    { 0, 2, 0 }, { 5, 0, 0 }, { 7, 0, 0 }, { 5.5, 0.5, 0 }, { 5, 2, 0 } };
+  const vtkSmartPointer<vtkPolyData> surface =
+    MakeSurface(points, { { 0, 1, 2, 3, 4 }, { 5, 6, 7, 8 } });
+  const vtkIdType ids[2] = { 0, 5 };
+  vtkNew<vtkCellArray> verts;
+  verts->InsertNextCell(1, ids);
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell(2, ids);
+  surface->SetVerts(verts);
+  surface->SetLines(lines);
+  vtkNew<vtkPlaneSource> other;
+  other->Update();
+  SurfaceTracer tracer(GetParam());
+  EXPECT_EQ(tracer.AddSurface(other->GetOutput()), 0); // 1 x 1 about the origin
+  const double mirror[16] = { -1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 10, 0, 0, 0, 1 };
+  EXPECT_EQ(tracer.AddSurface(surface, mirror), 1);
+  tracer.Build();
+  EXPECT_EQ(tracer.GetNumberOfTriangles(), 2 + 3 + 2);
+  EXPECT_EQ(tracer.GetNumberOfSkippedTriangles(), 0);
+  double bounds[6];
+  ASSERT_TRUE(tracer.GetBounds(bounds));
+  EXPECT_NEAR(bounds[0], -7.0, 1e-6);
+  EXPECT_NEAR(bounds[1], 0.5, 1e-6);
+  EXPECT_NEAR(bounds[5], 10.0, 1e-6);
+
+  const double down[3] = { 0.0, 0.0, -2.0 };
+  const auto trace = [&](double x, double y, SurfaceTracer::Hit& hit)
+  {
+    const double origin[3] = { x, y, 14.0 };
+    return tracer.Intersect(origin, down, 0.0, Far, hit);
+  };
+  SurfaceTracer::Hit hit{};
+  ASSERT_TRUE(trace(-1.0, 2.9, hit)); // the pentagon's tip
+  EXPECT_EQ(hit.Surface, 1);
+  EXPECT_EQ(hit.Cell, 2);
+  EXPECT_NEAR(hit.T, 2.0, 1e-6);
+  EXPECT_NEAR(hit.Normal[2], -1.0, 1e-12); // mirrored
+  glm::dvec3 position(0.0);
+  for (int c = 0; c < 3; ++c)
+  {
+    position += hit.Barycentrics[c] * points[static_cast<std::size_t>(hit.Points[c])];
+  }
+  EXPECT_NEAR(position.x, 1.0, 1e-6); // of the surface itself
+  EXPECT_NEAR(position.y, 2.9, 1e-6);
+  ASSERT_TRUE(trace(-6.5, 0.1, hit));
+  EXPECT_EQ(hit.Cell, 3);
+  EXPECT_FALSE(trace(-6.0, 1.0, hit)) << "the concave quad's notch";
+  ASSERT_TRUE(trace(0.2, 0.1, hit));
+  EXPECT_EQ(hit.Surface, 0);
+  EXPECT_EQ(hit.Cell, 0);
+  EXPECT_NEAR(hit.Normal[2], 1.0, 1e-12);
+  EXPECT_NEAR(hit.T, 7.0, 1e-6);
+
+  const double origin[3] = { 0.2, 0.1, 14.0 };
+  EXPECT_TRUE(tracer.IsOccluded(origin, down, 0.0, 7.1));
+  EXPECT_FALSE(tracer.IsOccluded(origin, down, 0.0, 6.9));
+  EXPECT_FALSE(tracer.IsOccluded(origin, down, 7.1, Far));
+}
+
+// Strips count as their triangles do.
+TEST_P(EitherTracer, ReadsStrips)
+{
+  vtkNew<vtkStripper> stripper;
+  const vtkSmartPointer<vtkPolyData> sphere = MakeSphere(12);
+  stripper->SetInputData(sphere);
+  stripper->Update();
+  SurfaceTracer tracer(GetParam());
+  tracer.AddSurface(stripper->GetOutput());
+  tracer.Build();
+  EXPECT_GT(stripper->GetOutput()->GetNumberOfStrips(), 0);
+  EXPECT_EQ(tracer.GetNumberOfTriangles(), sphere->GetNumberOfPolys());
+  std::mt19937 random(1);
+  for (int k = 0; k < 200; ++k)
+  {
+    const glm::dvec3 from = 2.0 * Draw(random);
+    const glm::dvec3 to = -from;
+    SurfaceTracer::Hit hit{};
+    ASSERT_TRUE(tracer.Intersect(&from.x, &to.x, 0.0, Far, hit));
+    EXPECT_LT(glm::dot(to, glm::make_vec3(hit.Normal)), 0.0) << "all face outwards";
+  }
+}
+
+// Nothing, points alone, NaN, no area: no crash, and all of it is counted.
+TEST_P(EitherTracer, SkipsWhatCannotHide)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double origin[3] = { 0.2, 0.2, 1.0 };
+  const double down[3] = { 0.0, 0.0, -1.0 };
+  vtkNew<vtkPolyData> nothing;
+  SurfaceTracer empty(GetParam());
+  EXPECT_EQ(empty.AddSurface(nullptr), -1);
+  EXPECT_EQ(empty.AddSurface(nothing), 0);
+  empty.Build();
+  double bounds[6];
+  EXPECT_FALSE(empty.GetBounds(bounds));
+  EXPECT_FALSE(empty.IsOccluded(origin, down, 0.0, Far));
+
+  const vtkSmartPointer<vtkPolyData> odd =
+    MakeSurface({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { nan, 0, 0 }, { 0, Far, 1 }, { 2, 0, 0 },
+                  { 1e300, 0, 0 } },
+      { { 0, 1, 2 }, { 0, 1, 3 }, { 0, 4, 2 }, { 0, 1, 5 }, { 0, 0, 1 }, { 0, 1 } });
+  SurfaceTracer tracer(GetParam());
+  tracer.AddSurface(odd);
+  tracer.Build();
+  EXPECT_EQ(tracer.GetNumberOfTriangles(), 1);
+  EXPECT_EQ(tracer.GetNumberOfSkippedTriangles(), 5);
+  EXPECT_TRUE(tracer.IsOccluded(origin, down, 0.0, Far));
+  const double bad[3] = { nan, 0.0, -1.0 };
+  const double zero[3] = { 0.0, 0.0, 0.0 };
+  EXPECT_FALSE(tracer.IsOccluded(bad, down, 0.0, Far));
+  EXPECT_FALSE(tracer.IsOccluded(origin, bad, 0.0, Far));
+  EXPECT_FALSE(tracer.IsOccluded(origin, zero, 0.0, Far));
+  EXPECT_FALSE(tracer.IsOccluded(origin, down, nan, Far));
+}
+
+// Many triangles in one place, and nested ones: no recursion, no endless depth.
+TEST_P(EitherTracer, TakesPilesAndNests)
+{
+  std::vector<glm::dvec3> points;
+  std::vector<std::vector<vtkIdType>> triangles;
+  for (vtkIdType k = 0; k < 3000; ++k)
+  {
+    const double size = k < 1500 ? 1.0 : std::pow(1.02, -static_cast<double>(k - 1500));
+    for (const glm::dvec3& corner :
+      { glm::dvec3(0, 0, 0), glm::dvec3(size, 0, 0), glm::dvec3(0, size, 0) })
+    {
+      points.push_back(corner);
+    }
+    triangles.push_back({ 3 * k, 3 * k + 1, 3 * k + 2 });
+  }
+  SurfaceTracer tracer(GetParam());
+  tracer.AddSurface(MakeSurface(points, triangles));
+  tracer.Build();
+  const double down[3] = { 0.0, 0.0, -1.0 };
+  const double inside[3] = { 0.2, 0.2, 1.0 };
+  const double outside[3] = { 0.6, 0.6, 1.0 };
+  EXPECT_TRUE(tracer.IsOccluded(inside, down, 0.0, Far));
+  EXPECT_FALSE(tracer.IsOccluded(outside, down, 0.0, Far));
+}
+
+// The offset's rule, and slits: four offsets wide is seen, narrower than the offset is not.
+TEST_P(EitherTracer, SeesSlitsWiderThanTheOffset)
+{
+  for (const double width : { 0.25, 4.0 })
+  {
+    // Two sheets of 2 x 2, their distance in offsets of 2^-20.
+    const double gap = width * 0x1p-20;
+    const vtkSmartPointer<vtkPolyData> sheets =
+      MakeSurface({ { -1, -1, 0 }, { 1, -1, 0 }, { 1, 1, 0 }, { -1, 1, 0 }, { -1, -1, gap },
+                    { 1, -1, gap }, { 1, 1, gap }, { -1, 1, gap } },
+        { { 0, 1, 2, 3 }, { 4, 5, 6, 7 } });
+    SurfaceTracer tracer(GetParam());
+    tracer.AddSurface(sheets);
+    tracer.Build();
+    EXPECT_NEAR(tracer.GetOffset(), 0x1p-20, 1e-3 * 0x1p-20);
+    const double point[3] = { 0.1, 0.3, 0.0 };
+    const double up[3] = { 0.0, 0.0, 1.0 };
+    double origin[3];
+    tracer.OffsetOrigin(point, up, up, origin);
+    EXPECT_EQ(tracer.IsOccluded(origin, up, 0.0, Far), width > 1.0);
+  }
+}
+
+// Any number of threads get what one gets.
+TEST_P(EitherTracer, IsThreadSafe)
+{
+  SurfaceTracer tracer(GetParam());
+  tracer.AddSurface(MakeSphere(50));
+  tracer.Build();
+  constexpr vtkIdType Rays = 20000;
+  std::vector<glm::dvec3> from;
+  std::mt19937 random(9);
+  for (vtkIdType k = 0; k < 2 * Rays; ++k)
+  {
+    from.push_back(Draw(random));
+  }
+  std::vector<double> alone(Rays, -1.0);
+  std::vector<double> together(Rays, -1.0);
+  const auto trace = [&](vtkIdType begin, vtkIdType end, std::vector<double>& result)
+  {
+    for (vtkIdType k = begin; k < end; ++k)
+    {
+      SurfaceTracer::Hit hit{};
+      const glm::dvec3 origin = 2.0 * from[static_cast<std::size_t>(k)];
+      if (tracer.Intersect(&origin.x, &from[static_cast<std::size_t>(Rays + k)].x, 0.0, Far, hit))
+      {
+        result[static_cast<std::size_t>(k)] = hit.T;
+      }
+    }
+  };
+  trace(0, Rays, alone);
+  vtkSMPTools::For(0, Rays, [&](vtkIdType begin, vtkIdType end) { trace(begin, end, together); });
+  EXPECT_EQ(alone, together);
+}
+
+// docs/methods.md quotes the bytes.
+TEST_P(EitherTracer, IsSmall)
+{
+  SurfaceTracer tracer(GetParam());
+  tracer.AddSurface(MakeSphere(300));
+  tracer.Build();
+  const double bytes =
+    static_cast<double>(tracer.GetBytes()) / static_cast<double>(tracer.GetNumberOfTriangles());
+  std::printf("%.0f bytes a triangle\n", bytes);
+  EXPECT_LT(bytes, 120.0); // 10^7 triangles in 1.2 GB
+}
+
+INSTANTIATE_TEST_SUITE_P(Backends, EitherTracer, testing::Values(Backend::Own, Backend::Embree),
+  [](const testing::TestParamInfo<Backend>& backend)
+  { return backend.param == Backend::Own ? "Own" : "Embree"; });
+} // namespace
