@@ -6,6 +6,7 @@
 #include "FitFile.h"
 #include "MbsdfFile.h"
 #include "MerlFile.h"
+#include "OpenMaterialFile.h"
 #include "Registry.h"
 #include "TensorFile.h"
 #include "UtiaFile.h"
@@ -30,11 +31,11 @@ using Formats = Registry<vtkBRDFFormat>;
 Formats::Items MakeOwnFormats()
 {
 #if MEASUREDBRDF_WITH_OPENEXR
-  return Formats::Make<TensorFormat, MbsdfFormat, ExrFormat, BsdfXmlFormat, FitFormat, UtiaFormat,
-    MerlFormat>();
+  return Formats::Make<TensorFormat, MbsdfFormat, ExrFormat, BsdfXmlFormat, OpenMaterialFormat,
+    FitFormat, UtiaFormat, MerlFormat>();
 #else
-  return Formats::Make<TensorFormat, MbsdfFormat, BsdfXmlFormat, FitFormat, UtiaFormat,
-    MerlFormat>();
+  return Formats::Make<TensorFormat, MbsdfFormat, BsdfXmlFormat, OpenMaterialFormat, FitFormat,
+    UtiaFormat, MerlFormat>();
 #endif
 }
 

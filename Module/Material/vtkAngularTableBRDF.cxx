@@ -27,6 +27,7 @@ namespace
 {
 constexpr double Degree = Pi / 180.0;
 constexpr double Horizon = 90.0; // degrees
+constexpr double FullTurn = 360.0;
 
 // The four nodes about a direction, and their weights; the sum of these is 1, those of an
 // extrapolation may be negative.
@@ -36,9 +37,9 @@ struct Around
   std::array<double, 4> Weights;
 };
 
-Around Find(const vtkAngularTableBRDF::Nodes& nodes, const double d[3])
+// phi: degrees.
+Around Find(const vtkAngularTableBRDF::Nodes& nodes, double theta, double phi)
 {
-  const double theta = std::atan2(std::hypot(d[0], d[1]), d[2]) / Degree;
   const std::size_t last = nodes.Theta.size() - 1;
   std::size_t low = 0;
   while (low + 2 < nodes.Theta.size() && theta >= nodes.Theta[low + 1])
@@ -47,39 +48,60 @@ Around Find(const vtkAngularTableBRDF::Nodes& nodes, const double d[3])
   }
   const std::size_t high = std::min(low + 1, last);
   const double t =
-    high > low ? (theta - nodes.Theta[low]) / (nodes.Theta[high] - nodes.Theta[low]) : 0.0;
-  const auto azimuths = static_cast<std::size_t>(nodes.Azimuths);
-  double turn = std::atan2(d[1], d[0]) / (2.0 * Pi);
-  turn = (turn < 0.0 ? turn + 1.0 : turn) * nodes.Azimuths;
-  const double first = std::floor(turn);
-  const double u = turn - first;
-  const std::size_t left = static_cast<std::size_t>(first) % azimuths;
-  const std::size_t right = (left + 1) % azimuths;
-  return { { low * azimuths + left, low * azimuths + right, high * azimuths + left,
-             high * azimuths + right },
+    high > low ? std::max((theta - nodes.Theta[low]) / (nodes.Theta[high] - nodes.Theta[low]), 0.0)
+               : 0.0;
+
+  const std::vector<float>& azimuths = nodes.Phi;
+  const std::size_t count = azimuths.size();
+  const auto next = static_cast<std::size_t>(
+    std::upper_bound(azimuths.begin(), azimuths.end(), phi) - azimuths.begin());
+  const std::size_t left = (next + count - 1) % count; // before the first one: the last
+  const std::size_t right = next % count;
+  const auto turn = [](double angle) { return angle < 0.0 ? angle + FullTurn : angle; };
+  const double gap = turn(double(azimuths[right]) - azimuths[left]);
+  const double u = gap > 0.0 ? turn(phi - azimuths[left]) / gap : 0.0;
+  return { { low * count + left, low * count + right, high * count + left, high * count + right },
     { (1.0 - t) * (1.0 - u), (1.0 - t) * u, t * (1.0 - u), t * u } };
+}
+
+double GetTheta(const double d[3]) { return std::atan2(std::hypot(d[0], d[1]), d[2]) / Degree; }
+
+// In [0, 360).
+double GetPhi(double x, double y)
+{
+  const double phi = std::atan2(y, x) / Degree;
+  const double positive = phi < 0.0 ? phi + FullTurn : phi;
+  return positive < FullTurn ? positive : 0.0;
 }
 
 std::string FindProblem(const char* name, const vtkAngularTableBRDF::Nodes& nodes)
 {
   const std::string of = std::string(name) + ": ";
   const int most = vtkAngularTableBRDF::MaximumNodes; // not a reference to the constant
-  if (nodes.Theta.empty() || nodes.Azimuths < 1)
+  if (nodes.Theta.empty() || nodes.Phi.empty())
   {
     return of + "expected at least one polar angle and one azimuth";
   }
-  if (nodes.Theta.size() > static_cast<std::size_t>(most) ||
-      nodes.Azimuths > most / static_cast<int>(nodes.Theta.size()))
+  if (nodes.Phi.size() > static_cast<std::size_t>(most) / nodes.Theta.size())
   {
     return of + "expected at most " + std::to_string(most) + " nodes";
   }
+  const auto isInOrder = [](const std::vector<float>& angles, std::size_t k)
+  { return k == 0 ? angles[0] >= 0.0f : angles[k] > angles[k - 1]; };
   for (std::size_t k = 0; k < nodes.Theta.size(); ++k)
   {
-    const bool ascends = k == 0 ? nodes.Theta[0] >= 0.0f : nodes.Theta[k] > nodes.Theta[k - 1];
-    if (!ascends || !(nodes.Theta[k] < Horizon))
+    if (!isInOrder(nodes.Theta, k) || !(nodes.Theta[k] <= Horizon))
     {
       return of + "polar angle " + std::to_string(k) +
-             ": expected ascending ones from 0 to less than 90 degrees";
+             ": expected ascending ones from 0 to 90 degrees";
+    }
+  }
+  for (std::size_t k = 0; k < nodes.Phi.size(); ++k)
+  {
+    if (!isInOrder(nodes.Phi, k) || !(nodes.Phi[k] < FullTurn))
+    {
+      return of + "azimuth " + std::to_string(k) +
+             ": expected ascending ones from 0 to less than 360 degrees";
     }
   }
   return "";
@@ -101,15 +123,28 @@ void vtkAngularTableBRDF::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   const auto print = [&os, indent](const char* name, const Nodes& nodes)
   {
-    os << indent << name << ": " << nodes.Theta.size() << " polar angles x " << nodes.Azimuths
+    os << indent << name << ": " << nodes.Theta.size() << " polar angles x " << nodes.Phi.size()
        << " azimuths\n";
   };
   print("LightNodes", this->Light);
   print("ViewNodes", this->View);
+  os << indent << "AzimuthOrigin: " << (this->Origin == LIGHT ? "light" : "tangent") << "\n";
 }
 
 //------------------------------------------------------------------------------
-std::string vtkAngularTableBRDF::SetValues(Nodes light, Nodes view, std::vector<float> rgb)
+std::vector<float> vtkAngularTableBRDF::GetEvenAzimuths(int count)
+{
+  std::vector<float> azimuths;
+  for (int k = 0; k < count; ++k)
+  {
+    azimuths.push_back(static_cast<float>(FullTurn * k / count));
+  }
+  return azimuths;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkAngularTableBRDF::SetValues(
+  Nodes light, Nodes view, std::vector<float> rgb, AzimuthOrigin origin)
 {
   for (const std::string& problem : { FindProblem("light", light), FindProblem("view", view) })
   {
@@ -117,6 +152,10 @@ std::string vtkAngularTableBRDF::SetValues(Nodes light, Nodes view, std::vector<
     {
       return problem;
     }
+  }
+  if (origin == LIGHT && (light.Phi.size() != 1 || light.Phi[0] != 0.0f))
+  {
+    return "light: expected the azimuth 0 only, because the view's are counted from it";
   }
   const std::size_t count = 3u * static_cast<std::size_t>(light.GetNumberOfNodes()) *
                             static_cast<std::size_t>(view.GetNumberOfNodes());
@@ -137,6 +176,7 @@ std::string vtkAngularTableBRDF::SetValues(Nodes light, Nodes view, std::vector<
   this->Light = std::move(light);
   this->View = std::move(view);
   this->Values = std::move(rgb);
+  this->Origin = origin;
   this->Resampled = std::make_shared<Renderable>();
   this->Modified();
   return "";
@@ -149,8 +189,14 @@ void vtkAngularTableBRDF::EvaluateAbove(const double i[3], const double o[3], do
   {
     return;
   }
-  const Around light = Find(this->Light, i);
-  const Around view = Find(this->View, o);
+  const bool turned = this->Origin == LIGHT;
+  const Around light = Find(this->Light, GetTheta(i), turned ? 0.0 : GetPhi(i[0], i[1]));
+  // The view's azimuth from the light's: of o's projection times the conjugate of i's. A light on
+  // the normal has none, as every azimuth of the view.
+  const bool hasAzimuth = turned && (i[0] != 0.0 || i[1] != 0.0);
+  const double phi = hasAzimuth ? GetPhi(i[0] * o[0] + i[1] * o[1], i[0] * o[1] - i[1] * o[0])
+                                : (turned ? 0.0 : GetPhi(o[0], o[1]));
+  const Around view = Find(this->View, GetTheta(o), phi);
   const auto columns = static_cast<std::size_t>(this->View.GetNumberOfNodes());
   double sum[3] = { 0.0, 0.0, 0.0 };
   for (std::size_t a = 0; a < 4; ++a)
@@ -225,19 +271,18 @@ void vtkAngularTableBRDF::ExchangeData(vtkBRDFExchange& exchange)
   const auto save = [&exchange](const std::string& name, const Nodes& nodes)
   {
     exchange.SaveArray(name + "Theta", { static_cast<int>(nodes.Theta.size()) }, 1, nodes.Theta);
-    exchange.SaveArray(name + "Azimuths", { 1 }, 1, { static_cast<float>(nodes.Azimuths) });
+    exchange.SaveArray(name + "Phi", { static_cast<int>(nodes.Phi.size()) }, 1, nodes.Phi);
   };
   const auto load = [&exchange](const std::string& name)
   {
     Nodes nodes;
     nodes.Theta = exchange.LoadArray(name + "Theta", 1, 1).Values;
-    const std::vector<float> azimuths = exchange.LoadArray(name + "Azimuths", 1, 1).Values;
-    // What is no such number becomes 0, which SetValues refuses.
-    const bool good = azimuths.size() == 1 && azimuths[0] >= 1.0f &&
-                      azimuths[0] <= static_cast<float>(int(MaximumNodes));
-    nodes.Azimuths = good ? static_cast<int>(azimuths[0]) : 0;
+    nodes.Phi = exchange.LoadArray(name + "Phi", 1, 1).Values;
     return nodes;
   };
+  AzimuthOrigin origin = this->Origin;
+  exchange.Option("azimuthOrigin", { "tangent", "light" }, origin,
+    [&origin](int value) { origin = static_cast<AzimuthOrigin>(value); });
   if (!exchange.IsLoading())
   {
     save("light", this->Light);
@@ -251,7 +296,8 @@ void vtkAngularTableBRDF::ExchangeData(vtkBRDFExchange& exchange)
   auto values = exchange.LoadArray("values", 2, 3);
   if (!exchange.HasFailed())
   {
-    exchange.Check(this->SetValues(std::move(light), std::move(view), std::move(values.Values)));
+    exchange.Check(
+      this->SetValues(std::move(light), std::move(view), std::move(values.Values), origin));
   }
 }
 
@@ -262,6 +308,7 @@ vtkBRDF* vtkAngularTableBRDF::NewCopy()
   copy->Light = this->Light;
   copy->View = this->View;
   copy->Values = this->Values;
+  copy->Origin = this->Origin;
   copy->Resampled = this->Resampled;
   return copy;
 }
@@ -273,8 +320,9 @@ std::pair<std::type_index, std::string> vtkAngularTableBRDF::GetContent()
   for (const Nodes* nodes : { &this->Light, &this->View })
   {
     hash.AddValues(nodes->Theta);
-    hash.AddValues(std::vector<int>{ nodes->Azimuths });
+    hash.AddValues(nodes->Phi);
   }
+  hash.AddValues(std::vector<int>{ this->Origin });
   hash.AddValues(this->Values);
   return { typeid(vtkAngularTableBRDF), hash.GetText() };
 }

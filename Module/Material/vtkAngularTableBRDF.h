@@ -5,13 +5,17 @@
  * @brief   BRDF at nodes over both directions' polar angles and azimuths
  *
  * The form of goniometers' data, such as the UTIA database's (Filip and Vavra 2014, "Template-based
- * sampling of anisotropic BRDFs"): values at each pair of nodes, which are polar angles and evenly
- * spaced azimuths from the tangent. It is interpolated linearly along all four axes, azimuths
- * around the circle. Beyond the last polar angle it is extrapolated linearly; what comes out
- * negative is 0.
+ * sampling of anisotropic BRDFs"): values at each pair of nodes, which are polar angles and
+ * azimuths. It is interpolated linearly along all axes, azimuths around the circle. Before the
+ * first polar angle it is constant. Beyond the last one it is extrapolated linearly; what comes out
+ * negative is 0. A last polar angle of 90 degrees leaves nothing to extrapolate.
  *
- * Nothing is assumed of isotropy or reciprocity. For lights graphics cards get a resampled
- * vtkAnisotropicTabulatedBRDF, with one warning where that exceeds ResamplingTolerance.
+ * Azimuths are counted from the tangent, or those of the view from the light's: then the material
+ * is isotropic, and the light's nodes have one azimuth.
+ *
+ * Nothing is assumed of reciprocity or symmetry. For lights graphics cards get a resampled table
+ * (vtkAnisotropicTabulatedBRDF or, of an isotropic material, vtkTabulatedBRDF), with one warning
+ * where that exceeds ResamplingTolerance.
  */
 
 #ifndef vtkAngularTableBRDF_h
@@ -32,11 +36,21 @@ public:
   /// Nodes of a direction.
   struct Nodes
   {
-    std::vector<float> Theta; // degrees, ascending, from 0 to less than 90; at least one
-    int Azimuths = 1;         // multiples of 360 / Azimuths degrees
+    std::vector<float> Theta; // degrees, ascending, in [0, 90]; at least one
+    std::vector<float> Phi;   // degrees, ascending, in [0, 360); at least one
 
-    int GetNumberOfNodes() const { return static_cast<int>(this->Theta.size()) * this->Azimuths; }
+    int GetNumberOfNodes() const { return static_cast<int>(this->Theta.size() * this->Phi.size()); }
   };
+
+  /// Where the view's azimuths are counted from; the light's always are from the tangent.
+  enum AzimuthOrigin
+  {
+    TANGENT = 0,
+    LIGHT = 1
+  };
+
+  /// 0, 360 / count, ... degrees.
+  static std::vector<float> GetEvenAzimuths(int count);
 
   /// Of either direction.
   static constexpr int MaximumNodes = 16384;
@@ -46,16 +60,19 @@ public:
 
   /**
    * Set the nodes and the values: finite RGB triples in 1/sr, a row for each node of the light, in
-   * it a triple for each node of the view; polar angle by polar angle, azimuths in each. Returns an
-   * empty string, or what is wrong, the material unchanged. Negative values are kept.
+   * it a triple for each node of the view; polar angle by polar angle, azimuths in each. origin:
+   * with LIGHT the light's only azimuth must be 0. Returns an empty string, or what is wrong, the
+   * material unchanged. Negative values are kept.
    */
-  std::string SetValues(Nodes light, Nodes view, std::vector<float> rgb);
+  std::string SetValues(
+    Nodes light, Nodes view, std::vector<float> rgb, AzimuthOrigin origin = TANGENT);
   const Nodes& GetLightNodes() const { return this->Light; }
   const Nodes& GetViewNodes() const { return this->View; }
   const std::vector<float>& GetValues() const { return this->Values; }
+  AzimuthOrigin GetAzimuthOrigin() const { return this->Origin; }
 
   void GetBounds(double minimumCosine, double lower[3], double upper[3]) override;
-  bool IsIsotropic() override { return false; }
+  bool IsIsotropic() override { return this->Origin == LIGHT; }
   bool IsReciprocal() override { return false; }
   vtkBRDF* GetRenderable() override;
   void GetShaderInputs(vtkBRDFShaderInputs& form) override;
@@ -73,6 +90,7 @@ protected:
   Nodes Light;
   Nodes View;
   std::vector<float> Values;
+  AzimuthOrigin Origin = TANGENT;
 
 private:
   vtkAngularTableBRDF(const vtkAngularTableBRDF&) = delete;

@@ -48,8 +48,9 @@ class Material:
     ----------
     source
         * the name of an embedded material (`Material.names()`),
-        * a file: MERL `.binary`, RGL `.bsdf`, NVIDIA `.mbsdf`, published fits (`file#name` picks one), or `.exr`
-          of this project,
+        * a file: MERL `.binary`, RGL `.bsdf`, NVIDIA `.mbsdf`, BSDF `.xml`, UTIA `.bin`,
+          OpenMATERIAL 3D `.xompt`, published fits (`file#name` picks one), or this
+          project's `.exr`,
         * a `vtkBRDF` or another `Material`, which is then shared.
 
     Raises

@@ -6,6 +6,7 @@
 #include "FuzzTarget.h"
 #include "SmallBsdfXml.h"
 #include "SmallFiles.h"
+#include "SmallOpenMaterial.h"
 #include "vtkAdaptiveWarpBRDF.h"
 #include "vtkAngleBasisBRDF.h"
 #include "vtkAngularTableBRDF.h"
@@ -81,7 +82,9 @@ std::vector<vtkSmartPointer<vtkBRDF>> MakeMaterials()
               { { 90.0f }, { 2 } }, { { 45.0f, 90.0f }, { 1, 2 } }, std::vector<float>(18, 0.25f))
             .empty());
   vtkNew<vtkAngularTableBRDF> nodes;
-  Require(nodes->SetValues({ { 0.0f }, 2 }, { { 0.0f, 45.0f }, 1 }, std::vector<float>(12, 0.25f))
+  Require(nodes
+            ->SetValues({ { 0.0f }, { 0.0f, 180.0f } }, { { 0.0f, 45.0f }, { 0.0f } },
+              std::vector<float>(12, 0.25f))
             .empty());
   return { lambert.Get(), phong.Get(), ashikhmin.Get(), sum.Get(), distribution.Get(), table.Get(),
     basis.Get(), warp.Get(), turned.Get(), patches.Get(), tree.Get(), nodes.Get() };
@@ -188,7 +191,15 @@ Seeds MakeSeeds(const std::string& target)
   }
   if (target == "Tensor")
   {
-    return { MakeTensor(MakeTensorFields(MakeTables())) };
+    auto spectral = MakeTensorFields(MakeTables()); // whose three channels are wavelengths
+    spectral[7].Name = "spectra";
+    std::string wavelengths;
+    for (const float wavelength : { 400.0f, 550.0f, 700.0f })
+    {
+      Append<float>(wavelengths, wavelength);
+    }
+    spectral.push_back({ "wavelengths", 10, { 3 }, wavelengths });
+    return { MakeTensor(MakeTensorFields(MakeTables())), MakeTensor(spectral) };
   }
   if (target == "Mbsdf")
   {
@@ -205,6 +216,15 @@ Seeds MakeSeeds(const std::string& target)
       MakeBsdfXmlTree(4, "{0.5}"), MakeBsdfXml(), MakeBsdfXml("Rows"),
       MakeBsdfXml("Columns", MakeBsdfXmlBlock("CIE-X", "Reflection Back", 0.1) +
                                MakeBsdfXmlBlock("CIE-Z", "Reflection Back", 0.1)) };
+  }
+  if (target == "OpenMaterial")
+  {
+    const auto value = [](double l, double i, double o, double p)
+    { return 1e-4 * l + 0.001 * (i + o) + 1e-4 * p; };
+    return { MakeOpenMaterial({ 905.0 }, { 0.0, 45.0 }, { 0.0, 60.0 }, { 0.0, 180.0 }, value),
+      MakeOpenMaterial(
+        { 400.0, 550.0, 700.0 }, { 0.0 }, { 0.0, 30.0 }, { 0.0, 90.0, 270.0 }, value),
+      MakeOpenMaterialFile("5e-7", "[5e-7, 1, 0, 0, null], [5e-7, 0.5, 0.5, 0.5, -0.1]") };
   }
   if (target == "Fit")
   {

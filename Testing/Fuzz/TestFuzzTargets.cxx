@@ -29,6 +29,7 @@ Target FuzzFit;
 Target FuzzMaterialData;
 Target FuzzMbsdf;
 Target FuzzMerl;
+Target FuzzOpenMaterial;
 Target FuzzPlanCache;
 Target FuzzTensor;
 Target FuzzUtia;
@@ -170,5 +171,6 @@ INSTANTIATE_TEST_SUITE_P(All, FuzzTargets,
 #endif
     Case{ "BsdfXml", FuzzBsdfXml }, Case{ "Fit", FuzzFit },
     Case{ "MaterialData", FuzzMaterialData }, Case{ "Mbsdf", FuzzMbsdf }, Case{ "Merl", FuzzMerl },
-    Case{ "PlanCache", FuzzPlanCache }, Case{ "Tensor", FuzzTensor }, Case{ "Utia", FuzzUtia }),
+    Case{ "OpenMaterial", FuzzOpenMaterial }, Case{ "PlanCache", FuzzPlanCache },
+    Case{ "Tensor", FuzzTensor }, Case{ "Utia", FuzzUtia }),
   [](const auto& info) { return std::string(info.param.Name); });

@@ -858,10 +858,32 @@ add("Rendering.map-divided-blocks-are-drawn-whole", "vtkCompositeMeasuredBRDFMap
 add("Rendering.map-small-shares-add-up-unseen", "Private/MaterialParts.cxx", "smaller += share <= own ? share : 0.0;",
     "smaller = own;", "Parts.SmallMaterialsMayBeCoarse")
 add("Material.angular-table-azimuths-end", "vtkAngularTableBRDF.cxx",
-    "const std::size_t right = (left + 1) % azimuths;", "const std::size_t right = std::min(left + 1, azimuths - 1);",
+    "const std::size_t right = next % count;", "const std::size_t right = std::min(next, count - 1);",
     "IOUtia.InterpolatesAlongAllFourAxes")
 add("IO.utia-blue-first", "Private/UtiaFile.cxx", "rgb[3 * k + c] = stored;", "rgb[3 * k + 2 - c] = stored;",
     "IOUtia.InterpolatesAlongAllFourAxes")
+add("Material.angular-table-turned-the-other-way", "vtkAngularTableBRDF.cxx", "i[0] * o[1] - i[1] * o[0])", "i[1] * o[0] - i[0] * o[1])",
+    "IOOpenMaterial.InterpolatesBetweenUnevenAngles")
+add("Material.angular-table-copy-forgets-the-origin", "vtkAngularTableBRDF.cxx", "  copy->Origin = this->Origin;\n", "",
+    "IOOpenMaterial.CopiesAreIsotropic")
+add("IO.gonio-mirrors-about-the-other-plane", "Private/GonioTable.cxx", "mirrored.PhiO = FullTurn - mirrored.PhiO;",
+    "mirrored.PhiO = HalfTurn + mirrored.PhiO;", "IOOpenMaterial.InterpolatesBetweenUnevenAngles")
+add("IO.gonio-extrapolates", "Private/GonioGrid.cxx", "  AddHorizon(grid, rgb);\n", "", "IOOpenMaterial.HolesAreFilledAndReported")
+add("IO.gonio-holes-stay", "Private/GonioGrid.cxx", "this->Set(first + p, first + left, first + right, share);", "",
+    "IOOpenMaterial.HolesAreFilledAndReported")
+add("IO.gonio-scatter-takes-the-nearest", "Private/GonioScatter.cxx", "constexpr int Neighbors = 4;", "constexpr int Neighbors = 1;",
+    "IOOpenMaterial.ScatteredViewsAreInterpolated")
+add("IO.open-material-swaps-directions", "Private/OpenMaterialFile.cxx",
+    "{ angles.ThetaI, angles.ThetaO, angles.PhiO };", "{ angles.ThetaO, angles.ThetaO, angles.PhiO };",
+    "IOOpenMaterial.InterpolatesBetweenUnevenAngles")
+add("IO.open-material-any-depth", "Private/OpenMaterialParser.cxx", "constexpr std::size_t DeepestLevel = 32;",
+    "constexpr std::size_t DeepestLevel = 1u << 30;", "IOOpenMaterial.HostileFilesAreRefusedInLittleMemory")
+add("IO.spectra-under-equal-energy", "Private/SpectralColor.cxx", "const double light = GetEntry(l, 3) * GetEntry(l, j);",
+    "const double light = GetEntry(l, j);", "IOSpectral.AgreesWithAnotherProgramsSum")
+add("IO.spectra-not-scaled-to-white", "Private/SpectralColor.cxx", "xyz[j] = weight[j] / sums[j] * white;",
+    "xyz[j] = weight[j] / sums[1];", "IOSpectral.FlatSpectraAreGray")
+add("IO.spectral-planes-in-a-row", "Private/TensorFile.cxx", "sum += weights[k][c] * first[k * texels + texel];",
+    "sum += weights[k][c] * first[k + wavelengths.size() * texel];", "IOSpectral.AgreesWithAnotherProgramsSum")
 add("Rendering.legend-shows-the-last-first", "vtkMaterialLegendActor.cxx",
     "const double middle = bottom + height - (at + 0.5) * cell;", "const double middle = bottom + (at + 0.5) * cell;",
     "MaterialLegend.DrawsSpheresBelowEachOtherOrSideBySide")

@@ -208,6 +208,18 @@ class Materials(ToolTest):
         xompt = self.write("road.xompt", "LIDAR 905 nm\n0.1 0.2\n")
         self.check(run("info", xompt), 1, "road.xompt", "formats that are read", ".binary", ".bsdf")
 
+    def test_open_material(self):
+        rows = [[w, i, o, 0.0, 0.1] for w in (5e-7, 9.05e-7) for i in (0.0, 1.0) for o in (0.0, 1.2)]
+        table = {"metadata": {"name": "road", "openMaterial3dVersion": "1.0.0"},
+                 "brdf": {"wavelengths": [5e-7, 9.05e-7], "lookupTable": rows}}
+        road = self.write("road.xompt", json.dumps(table))
+        self.check(run("info", road), 0, "OpenMATERIAL 3D", "500nm", "constant outside these angles")
+        info = json.loads(run("info", road + "#905nm", "--json").stdout)
+        self.assertEqual(info["name"], "road 905nm")
+        self.check_close(info["range"]["maximum"], [0.1] * 3, 1e-6)
+        for name in ("road.exr", "road.binary"):
+            self.check(run("convert", road, self.path(name)), 0, "relative L2 error")
+
     def test_a_typo_gets_the_nearest_names(self):
         self.check(run("info", "gold_paint"), 1, "unknown material 'gold_paint'", "'gold-paint'")
 

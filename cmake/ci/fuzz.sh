@@ -15,6 +15,7 @@ cd "$(dirname "$0")/../.."
 
 # name, largest input in bytes, dictionary
 targets="
+  BsdfXml          8192 BsdfXml
   CostModel        1024 CostModel
   DirectionsCsv    2048 DirectionsCsv
   Environment      1024 Environment
@@ -24,8 +25,10 @@ targets="
   MaterialData      512 MaterialData
   Mbsdf            4096 Mbsdf
   Merl             4096 Merl
+  OpenMaterial     2048 OpenMaterial
   PlanCache       49152 PlanCache
-  Tensor           8192 Tensor"
+  Tensor           8192 Tensor
+  Utia              256 Utia"
 
 usage() {
   echo "usage: cmake/ci/fuzz.sh [-x EXECUTIONS] [SECONDS] [TARGET...]; targets:" $(awk '{ print $1 }' <<<"$targets") >&2

@@ -4,12 +4,14 @@
 
 #include "FileBytes.h"
 #include "RoundingNoise.h"
+#include "SpectralColor.h"
 #include "vtkAdaptiveWarpBRDF.h"
 #include "vtkObjectFactory.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <map>
@@ -174,11 +176,6 @@ void CheckAngles(const std::vector<float>& angles, const std::string& name, Mate
 //------------------------------------------------------------------------------
 void CheckFields(const ByteReader& reader, const Fields& fields)
 {
-  if (!fields.count("rgb") && (fields.count("spectra") || fields.count("wavelengths")))
-  {
-    reader.Fail("field 'rgb'",
-      "is missing: this is the spectral form of the material; take its RGB form (NAME_rgb.bsdf)");
-  }
   // The fields' data may overlap in a file that lies; then they add up to more than the file.
   std::uint64_t total = 0;
   for (const auto& field : fields)
@@ -192,6 +189,78 @@ void CheckFields(const ByteReader& reader, const Fields& fields)
 }
 
 //------------------------------------------------------------------------------
+bool IsSpectral(const Fields& fields) { return !fields.count("rgb") && fields.count("spectra"); }
+
+// nm.
+std::vector<double> GetWavelengths(const ByteReader& reader, const Fields& fields)
+{
+  const std::vector<float> stored = GetTable(reader, fields, "wavelengths", 1).Values;
+  const std::vector<double> wavelengths(stored.begin(), stored.end());
+  const std::uint64_t offset = fields.at("wavelengths").Offset;
+  for (std::size_t k = 0; k < wavelengths.size(); ++k)
+  {
+    // Also false where it is not a number.
+    if (!(wavelengths[k] > (k == 0 ? 0.0 : wavelengths[k - 1])) || !std::isfinite(wavelengths[k]))
+    {
+      reader.FailAt(offset, ToField("wavelengths"),
+        "number " + std::to_string(k) + " is " + std::to_string(wavelengths[k]) +
+          ", expected ascending ones, in nm");
+    }
+  }
+  if (wavelengths.front() > LastVisible || wavelengths.back() < FirstVisible)
+  {
+    reader.FailAt(offset, ToField("wavelengths"),
+      "found " + std::to_string(wavelengths.front()) + " to " + std::to_string(wavelengths.back()) +
+        ", expected visible ones, in nm");
+  }
+  return wavelengths;
+}
+
+// The spectra's RGB, as the file's RGB form has it: a color for each texel.
+vtkAdaptiveWarpBRDF::Table GetColors(const ByteReader& reader, const Fields& fields)
+{
+  const std::vector<double> wavelengths = GetWavelengths(reader, fields);
+  vtkAdaptiveWarpBRDF::Table spectra = GetTable(reader, fields, "spectra", 5);
+  if (static_cast<std::size_t>(spectra.Shape[2]) != wavelengths.size())
+  {
+    reader.FailAt(fields.at("spectra").Offset, ToField("spectra"),
+      "found " + std::to_string(spectra.Shape[2]) + " wavelengths, expected the " +
+        std::to_string(wavelengths.size()) + " of field 'wavelengths'");
+  }
+  const auto bad = std::find_if(spectra.Values.begin(), spectra.Values.end(),
+    [](float value) { return !std::isfinite(value); });
+  if (bad != spectra.Values.end())
+  {
+    reader.FailAt(fields.at("spectra").Offset, ToField("spectra"),
+      "value " + std::to_string(bad - spectra.Values.begin()) + " is not finite");
+  }
+  const std::vector<std::array<double, 3>> weights = GetSpectralWeights(wavelengths);
+  const std::size_t texels = std::size_t(spectra.Shape[3]) * std::size_t(spectra.Shape[4]);
+  const std::size_t directions = spectra.Values.size() / texels / wavelengths.size();
+  vtkAdaptiveWarpBRDF::Table colors;
+  colors.Shape = spectra.Shape;
+  colors.Shape[2] = 3;
+  colors.Values.reserve(3 * directions * texels);
+  for (std::size_t direction = 0; direction < directions; ++direction)
+  {
+    const float* first = &spectra.Values[direction * wavelengths.size() * texels];
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      for (std::size_t texel = 0; texel < texels; ++texel)
+      {
+        double sum = 0.0;
+        for (std::size_t k = 0; k < wavelengths.size(); ++k)
+        {
+          sum += weights[k][c] * first[k * texels + texel];
+        }
+        colors.Values.push_back(static_cast<float>(sum));
+      }
+    }
+  }
+  return colors;
+}
+
+//------------------------------------------------------------------------------
 vtkAdaptiveWarpBRDF::Tables GetTables(const ByteReader& reader, const Fields& fields)
 {
   vtkAdaptiveWarpBRDF::Tables tables;
@@ -201,7 +270,7 @@ vtkAdaptiveWarpBRDF::Tables GetTables(const ByteReader& reader, const Fields& fi
   tables.Sigma = GetTable(reader, fields, "sigma", 2);
   tables.Vndf = GetTable(reader, fields, "vndf", 4);
   tables.Luminance = GetTable(reader, fields, "luminance", 4);
-  tables.Rgb = GetTable(reader, fields, "rgb", 5);
+  tables.Rgb = IsSpectral(fields) ? GetColors(reader, fields) : GetTable(reader, fields, "rgb", 5);
 
   const auto jacobian = fields.find("jacobian");
   if (jacobian != fields.end())
@@ -295,6 +364,19 @@ MaterialFile ReadTensor(const FileBytes& file)
     std::count_if(tables.Rgb.Values.begin(), tables.Rgb.Values.end(), IsNegative);
   result.NumberOfNegativeValues += negative;
 
+  if (IsSpectral(fields))
+  {
+    const std::vector<double> wavelengths = GetWavelengths(reader, fields);
+    std::ostringstream note;
+    note << "Spectra at " << wavelengths.size() << " wavelengths, " << wavelengths.front() << " to "
+         << wavelengths.back()
+         << " nm: summed over the CIE 1931 color-matching functions under D65.";
+    if (wavelengths.front() > FirstVisible || wavelengths.back() < LastVisible)
+    {
+      note << " Constant beyond, to " << FirstVisible << " and " << LastVisible << " nm.";
+    }
+    result.AddNote(note.str());
+  }
   const auto material = MakeMaterial(reader, fields, std::move(tables));
   const std::string description = GetDescription(fields);
   material->SetName(GetFileStem(file.GetPath()));
@@ -305,9 +387,9 @@ MaterialFile ReadTensor(const FileBytes& file)
     "The file holds f cos(theta_o); evaluation divides by that cosine. Not reciprocal.");
   if (negative > 0)
   {
-    result.AddNote(
-      std::to_string(negative) + " of " + std::to_string(values) +
-      " stored color values are negative (outside sRGB): clamped at 0 after interpolation.");
+    result.AddNote(std::to_string(negative) + " of " + std::to_string(values) +
+                   (IsSpectral(fields) ? "" : " stored") +
+                   " color values are negative (outside sRGB): clamped at 0 after interpolation.");
   }
   result.BRDF = material;
   return result;

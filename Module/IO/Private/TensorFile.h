@@ -4,7 +4,9 @@
  * @file
  * The RGL-EPFL database's "tensor_file" (Dupuy and Jakob 2018; layout after the authors' loader
  * github.com/rgl-epfl/brdf-loader): 12 bytes of magic, version 1.0, then named fields with type,
- * shape and the offset of their data. Only its RGB form is read.
+ * shape and the offset of their data. Both forms are read: NAME_rgb.bsdf, and NAME_spec.bsdf, whose
+ * field "spectra" has one f cos(theta_o) for each of the field "wavelengths" (nm). Spectra become
+ * RGB as SpectralColor.h says: sums over the CIE 1931 color-matching functions under D65.
  */
 
 #ifndef TensorFile_h
@@ -30,7 +32,7 @@ public:
   vtkTypeMacro(TensorFormat, FileFormat);
 
   std::string GetName() override { return TensorFormatName; }
-  std::string GetDescription() override { return "RGL .bsdf (RGB)"; }
+  std::string GetDescription() override { return "RGL .bsdf (RGB or spectral)"; }
   std::vector<std::string> GetExtensions() override { return { ".bsdf" }; }
   bool CanRead(const File& file) override;
 

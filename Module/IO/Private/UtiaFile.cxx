@@ -107,7 +107,7 @@ MaterialFile ReadUtia(const FileBytes& file, const std::string& material)
   {
     nodes.Theta.push_back(PolarStep * static_cast<float>(k));
   }
-  nodes.Azimuths = Azimuths;
+  nodes.Phi = vtkAngularTableBRDF::GetEvenAzimuths(Azimuths);
   vtkNew<vtkAngularTableBRDF> table;
   const std::string problem = table->SetValues(nodes, nodes, std::move(rgb));
   if (!problem.empty())

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ColorDifference.h"
 
+#include "XYZColor.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,12 +12,6 @@ namespace measuredbrdf
 namespace
 {
 constexpr double Degree = 3.14159265358979323846 / 180.0;
-
-// Linear Rec. 709 -> XYZ, D65.
-constexpr double ToXYZ[3][3] = { { 0.4123907993, 0.3575843394, 0.1804807884 },
-  { 0.2126390059, 0.7151686788, 0.0721923154 }, { 0.0193308187, 0.1191947798, 0.9505321522 } };
-constexpr double FromXYZ[3][3] = { { 3.2409699419, -1.5373831776, -0.4986107603 },
-  { -0.9692436363, 1.8759675015, 0.0415550574 }, { 0.0556300797, -0.2039769589, 1.0569715142 } };
 
 //------------------------------------------------------------------------------
 Color Multiply(const double matrix[3][3], const Color& v)
@@ -31,7 +27,7 @@ Color Multiply(const double matrix[3][3], const Color& v)
 //------------------------------------------------------------------------------
 const Color& GetWhite()
 {
-  static const Color white = Multiply(ToXYZ, { 1.0, 1.0, 1.0 });
+  static const Color white = Multiply(RGBToXYZ, { 1.0, 1.0, 1.0 });
   return white;
 }
 
@@ -84,7 +80,7 @@ Color ToITP(const Color& rgb)
 Color ToRelativeXYZ(const Color& linear)
 {
   const Color& white = GetWhite();
-  const Color xyz = Multiply(ToXYZ, linear);
+  const Color xyz = Multiply(RGBToXYZ, linear);
   return { xyz[0] / white[0], xyz[1] / white[1], xyz[2] / white[2] };
 }
 
@@ -92,7 +88,7 @@ Color ToRelativeXYZ(const Color& linear)
 Color FromRelativeXYZ(const Color& xyz)
 {
   const Color& white = GetWhite();
-  return Multiply(FromXYZ, { white[0] * xyz[0], white[1] * xyz[1], white[2] * xyz[2] });
+  return Multiply(XYZToRGB, { white[0] * xyz[0], white[1] * xyz[1], white[2] * xyz[2] });
 }
 
 //------------------------------------------------------------------------------

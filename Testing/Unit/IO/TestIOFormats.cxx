@@ -318,9 +318,6 @@ TEST(IOTensor, RefusesBadFields)
     fields.insert(fields.begin() + rgb, same);
   }
   ExpectBytesRefused(folder, MakeTensor(fields), { Tensor, "overlap" });
-  fields = good;
-  FieldOf(fields, "rgb").Name = "spectra";
-  ExpectBytesRefused(folder, MakeTensor(fields), { Tensor, "spectral", "_rgb.bsdf" });
 }
 
 //------------------------------------------------------------------------------

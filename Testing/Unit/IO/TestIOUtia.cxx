@@ -171,7 +171,7 @@ TEST(IOUtia, TablesAreChecked)
 {
   using Nodes = vtkAngularTableBRDF::Nodes;
   vtkNew<vtkAngularTableBRDF> table;
-  const Nodes one = { { 0.0f }, 1 };
+  const Nodes one = { { 0.0f }, { 0.0f } };
   ASSERT_EQ(table->SetValues(one, one, { 0.1f, 0.2f, 0.3f }), "");
   const auto expect =
     [&](const Nodes& light, const Nodes& view, std::vector<float> rgb, const std::string& part)
@@ -180,13 +180,16 @@ TEST(IOUtia, TablesAreChecked)
     EXPECT_NE(problem.find(part), std::string::npos) << problem;
     EXPECT_EQ(table->GetValues().size(), 3u); // as it was
   };
-  expect({ {}, 1 }, one, {}, "at least one");
-  expect({ { 0.0f }, 0 }, one, {}, "at least one");
-  expect(one, { { 10.0f, 10.0f }, 1 }, std::vector<float>(6), "ascending");
-  expect(one, { { 0.0f, 90.0f }, 1 }, std::vector<float>(6), "less than 90");
-  expect(one, { { std::nanf("") }, 1 }, std::vector<float>(3), "ascending");
-  expect(one, { { 0.0f }, 1 << 30 }, {}, "at most 16384");
-  expect({ { 0.0f }, 16384 }, { { 0.0f }, 16384 }, {}, "at most 64 million");
+  expect({ {}, { 0.0f } }, one, {}, "at least one");
+  expect({ { 0.0f }, {} }, one, {}, "at least one");
+  expect(one, { { 10.0f, 10.0f }, { 0.0f } }, std::vector<float>(6), "ascending");
+  expect(one, { { 0.0f, 90.5f }, { 0.0f } }, std::vector<float>(6), "from 0 to 90");
+  expect(one, { { 0.0f }, { -1.0f } }, std::vector<float>(3), "azimuth 0");
+  expect(one, { { 0.0f }, { 0.0f, 360.0f } }, std::vector<float>(6), "less than 360");
+  expect(one, { { std::nanf("") }, { 0.0f } }, std::vector<float>(3), "ascending");
+  expect(one, { { 0.0f }, std::vector<float>(16385) }, {}, "at most 16384");
+  const Nodes many = { { 0.0f }, vtkAngularTableBRDF::GetEvenAzimuths(16384) };
+  expect(many, many, {}, "at most 64 million");
   expect(one, one, std::vector<float>(4), "found 4, expected 3");
   expect(
     one, one, { 0.0f, std::numeric_limits<float>::infinity(), 0.0f }, "number 1 is not finite");
@@ -202,7 +205,9 @@ TEST(IOUtia, KeptInOpenEXR)
   {
     values.push_back(0.01f * static_cast<float>(k) - 0.02f);
   }
-  ASSERT_EQ(table->SetValues({ { 0.0f, 40.0f }, 2 }, { { 5.0f, 50.0f }, 3 }, values), "");
+  ASSERT_EQ(table->SetValues({ { 0.0f, 40.0f }, { 0.0f, 180.0f } },
+              { { 5.0f, 50.0f }, { 0.0f, 90.0f, 250.0f } }, values),
+    "");
   vtkNew<vtkBRDFWriter> writer;
   writer->SetFileName(folder("a.exr"));
   writer->SetBRDF(table);
@@ -213,6 +218,7 @@ TEST(IOUtia, KeptInOpenEXR)
   ASSERT_TRUE(same) << reader->GetErrorMessage();
   EXPECT_EQ(same->GetValues(), values);
   EXPECT_EQ(same->GetLightNodes().Theta, table->GetLightNodes().Theta);
-  EXPECT_EQ(same->GetViewNodes().Azimuths, 3);
+  EXPECT_EQ(same->GetViewNodes().Phi, table->GetViewNodes().Phi);
+  EXPECT_EQ(same->GetAzimuthOrigin(), vtkAngularTableBRDF::TANGENT);
 }
 }

@@ -101,8 +101,9 @@ vtkSmartPointer<vtkAdaptiveWarpBRDF> MakeAdaptiveWarp()
 /// Nodes of uneven values, some of them negative.
 vtkSmartPointer<vtkAngularTableBRDF> MakeAngularTable()
 {
-  const vtkAngularTableBRDF::Nodes light = { { 0.0f, 30.0f, 70.0f }, 4 };
-  const vtkAngularTableBRDF::Nodes view = { { 10.0f, 60.0f }, 3 };
+  const vtkAngularTableBRDF::Nodes light = { { 0.0f, 30.0f, 70.0f },
+    { 0.0f, 90.0f, 180.0f, 270.0f } };
+  const vtkAngularTableBRDF::Nodes view = { { 10.0f, 60.0f }, { 5.0f, 100.0f, 300.0f } };
   std::vector<float> rgb;
   for (int k = 0; k < 12 * 6; ++k)
   {

@@ -1,0 +1,365 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// OpenMATERIAL 3D: tables of a formula, and the measured asphalt where it is at hand.
+
+#include "NeedsLibrary.h"
+#include "SmallOpenMaterial.h"
+#include "SpectraForTests.h"
+#include "TestIOHelpers.h"
+
+#include "vtkAngularTableBRDF.h"
+
+#include <numeric>
+
+namespace
+{
+using namespace testio;
+
+constexpr double Degree = 3.14159265358979323846 / 180.0;
+const std::string Format = "OpenMATERIAL 3D";
+const std::string SharedData = MEASUREDBRDF_SHARED_DATA;
+
+void Point(double theta, double phi, double d[3])
+{
+  d[0] = std::sin(theta * Degree) * std::cos(phi * Degree);
+  d[1] = std::sin(theta * Degree) * std::sin(phi * Degree);
+  d[2] = std::cos(theta * Degree);
+}
+
+// Linear in each angle, and one value along the normals: interpolation between any nodes is exact.
+double Shape(double thetaI, double thetaO, double phi)
+{
+  const double tent = std::abs(std::remainder(phi, 360.0)) / 180.0;
+  return 0.05 + 0.001 * thetaI + 0.0005 * thetaO + 1e-5 * thetaI * thetaO * tent;
+}
+
+std::vector<double> Count(double first, double step, int count)
+{
+  std::vector<double> numbers;
+  for (int k = 0; k < count; ++k)
+  {
+    numbers.push_back(first + step * k);
+  }
+  return numbers;
+}
+
+void ExpectFormula(vtkBRDF* brdf, const double color[3], double tolerance, double horizon = 89.0)
+{
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> number(0.0, 1.0);
+  for (int k = 0; k < 1000; ++k)
+  {
+    const double light = 360.0 * number(random);
+    const double angles[3] = { horizon * number(random), horizon * number(random),
+      360.0 * number(random) };
+    double i[3];
+    double o[3];
+    double f[3];
+    Point(angles[0], light, i);
+    Point(angles[1], light + angles[2], o);
+    brdf->Evaluate(i, o, f);
+    for (int c = 0; c < 3; ++c)
+    {
+      ASSERT_NEAR(f[c], color[c] * Shape(angles[0], angles[1], angles[2]), tolerance)
+        << angles[0] << " " << angles[1] << " " << angles[2];
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(IOOpenMaterial, InterpolatesBetweenUnevenAngles)
+{
+  const Folder folder;
+  const auto value = [](double, double i, double o, double p) { return Shape(i, o, p); };
+  const double gray[3] = { 1.0, 1.0, 1.0 };
+  // A half turn is mirrored; a whole one is taken as it is, its end once.
+  for (const std::vector<double>& phi :
+    { std::vector<double>{ 0.0, 30.0, 100.0, 180.0 }, Count(0.0, 45.0, 9) })
+  {
+    WriteBytes(
+      folder("road.xompt"), MakeOpenMaterial({ 400.0, 555.5, 700.0 }, { 0.0, 10.0, 45.0, 90.0 },
+                              { 0.0, 5.0, 60.0, 90.0 }, phi, value));
+    vtkNew<vtkBRDFReader> reader;
+    reader->SetFileName(folder("road.xompt"));
+    ASSERT_TRUE(reader->Read()) << reader->GetErrorMessage();
+    EXPECT_EQ(reader->GetFormatName(), Format);
+    EXPECT_EQ(reader->GetBRDF()->GetName(), "road");
+    EXPECT_NE(reader->GetBRDF()->GetSource().find("CC0-1.0"), std::string::npos);
+    EXPECT_TRUE(reader->GetBRDF()->IsIsotropic());
+    EXPECT_EQ(reader->GetNotes().find("mirrored") != std::string::npos, phi.back() == 180.0);
+    EXPECT_EQ(reader->GetNotes().find("missing"), std::string::npos) << reader->GetNotes();
+    ExpectFormula(reader->GetBRDF(), gray, 2e-6);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(IOOpenMaterial, CopiesAreIsotropic)
+{
+  const Folder folder;
+  WriteBytes(
+    folder("a.xompt"), MakeOpenMaterial({ 905.0 }, { 0.0, 90.0 }, { 0.0, 90.0 }, { 0.0, 180.0 },
+                         [](double, double i, double o, double p) { return Shape(i, o, p); }));
+  const auto brdf = Read(folder("a.xompt"));
+  ASSERT_TRUE(brdf);
+  const auto copy = vtkSmartPointer<vtkBRDF>::Take(brdf->NewSnapshot());
+  EXPECT_TRUE(copy->IsIsotropic());
+  ExpectSameValues(brdf, copy);
+}
+
+//------------------------------------------------------------------------------
+TEST(IOOpenMaterial, SpectraBecomeColors)
+{
+  const Folder folder;
+  for (const TestSpectrum& spectrum : TestSpectra)
+  {
+    SCOPED_TRACE(spectrum.Name);
+    // Infrared and radar stand in the same file, and do not count.
+    std::vector<double> nanometers = Count(380.0, 2.0, 201);
+    nanometers.push_back(905.0);
+    nanometers.push_back(3.9e6);
+    WriteBytes(
+      folder("a.xompt"), MakeOpenMaterial(nanometers, { 0.0, 90.0 }, { 0.0, 90.0 }, { 0.0, 180.0 },
+                           [&](double l, double i, double o, double p)
+                           { return (l < 800.0 ? spectrum.Value(l) : 1e3) * Shape(i, o, p); }));
+    const auto brdf = Read(folder("a.xompt"));
+    ASSERT_TRUE(brdf);
+    const double color[3] = { std::max(spectrum.RGB[0], 0.0), std::max(spectrum.RGB[1], 0.0),
+      std::max(spectrum.RGB[2], 0.0) };
+    ExpectFormula(brdf, color, 0.15 * SpectrumTolerance);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(IOOpenMaterial, OneWavelengthIsGray)
+{
+  const Folder folder;
+  WriteBytes(folder("a.xompt"),
+    MakeOpenMaterial({ 905.0, 1550.0 }, { 0.0, 90.0 }, { 0.0, 90.0 }, { 0.0, 180.0 },
+      [](double l, double i, double o, double p) { return l / 1000.0 * Shape(i, o, p); }));
+  const double first[3] = { 0.905, 0.905, 0.905 };
+  ExpectFormula(Read(folder("a.xompt")), first, 2e-6);
+  const double second[3] = { 1.55, 1.55, 1.55 };
+  ExpectFormula(Read(folder("a.xompt#1550nm")), second, 2e-6);
+  ExpectRefused(folder, folder("a.xompt#550nm"), { Format, "'550nm'", "905nm, 1550nm" });
+  vtkNew<vtkBRDFReader> reader;
+  reader->SetFileName(folder("a.xompt"));
+  EXPECT_EQ(reader->GetMaterialNames(), (std::vector<std::string>{ "905nm", "1550nm" }));
+}
+
+//------------------------------------------------------------------------------
+// Views on the normal have one azimuth, as goniometers list them; one row in seven is missing; and
+// what was measured ends at 60 degrees.
+TEST(IOOpenMaterial, HolesAreFilledAndReported)
+{
+  const Folder folder;
+  const std::vector<double> nodes = Count(0.0, 10.0, 7);
+  std::string rows;
+  int k = 0;
+  for (const double i : nodes)
+  {
+    for (const double o : nodes)
+    {
+      for (const double p : o == 0.0 ? std::vector<double>{ 0.0 } : Count(0.0, 20.0, 10))
+      {
+        if (std::fmod(p, 180.0) == 0.0 || ++k % 7 != 3) // where the formula has no kink
+        {
+          rows += (rows.empty() ? "" : ",") + MakeOpenMaterialRow(905.0, i, o, p, Shape(i, o, p));
+        }
+      }
+    }
+  }
+  rows += ",[9.05e-7, 0.1, 0.1, 0.1, null]";
+  WriteBytes(folder("a.xompt"), MakeOpenMaterialFile("9.05e-7", rows));
+  vtkNew<vtkBRDFReader> reader;
+  reader->SetFileName(folder("a.xompt"));
+  ASSERT_TRUE(reader->Read()) << reader->GetErrorMessage();
+  for (const char* part : { "values are missing in the grid", "1 rows hold a null", "mirrored",
+         "light at 0 to 60 and views at 0 to 60" })
+  {
+    EXPECT_NE(reader->GetNotes().find(part), std::string::npos) << reader->GetNotes();
+  }
+  const double gray[3] = { 1.0, 1.0, 1.0 };
+  ExpectFormula(reader->GetBRDF(), gray, 2e-6, 60.0); // holes lie on lines: exact again
+  double i[3];
+  double o[3];
+  double f[3];
+  Point(80.0, 10.0, i);
+  Point(85.0, 40.0, o);
+  reader->GetBRDF()->Evaluate(i, o, f);
+  EXPECT_NEAR(f[0], Shape(60.0, 60.0, 30.0), 2e-6); // constant beyond
+}
+
+//------------------------------------------------------------------------------
+TEST(IOOpenMaterial, ScatteredViewsAreInterpolated)
+{
+  const Folder folder;
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> number(0.0, 1.0);
+  std::string rows;
+  for (const double i : { 0.0, 30.0, 60.0, 85.0 })
+  {
+    for (int k = 0; k < 600; ++k)
+    {
+      const double o = std::acos(number(random)) / Degree;
+      const double p = 360.0 * number(random);
+      rows += (rows.empty() ? "" : ",") + MakeOpenMaterialRow(905.0, i, o, p, Shape(i, o, p));
+    }
+  }
+  WriteBytes(folder("a.xompt"), MakeOpenMaterialFile("9.05e-7", rows));
+  vtkNew<vtkBRDFReader> reader;
+  reader->SetFileName(folder("a.xompt"));
+  ASSERT_TRUE(reader->Read()) << reader->GetErrorMessage();
+  const std::string notes = reader->GetNotes();
+  EXPECT_NE(notes.find("The views are scattered"), std::string::npos) << notes;
+  const std::size_t at = notes.find("readings is ");
+  ASSERT_NE(at, std::string::npos) << notes;
+  const double error = std::stod(notes.substr(at + 12));
+  EXPECT_GT(error, 0.0);
+  EXPECT_LT(error, 0.05);
+  const double gray[3] = { 1.0, 1.0, 1.0 };
+  ExpectFormula(reader->GetBRDF(), gray, 0.03, 80.0); // of up to 0.24
+}
+
+//------------------------------------------------------------------------------
+TEST(IOOpenMaterial, StrangeAlbedosAreNoted)
+{
+  const Folder folder;
+  const auto getNotes = [&folder](double scale)
+  {
+    WriteBytes(folder("a.xompt"), MakeOpenMaterial({ 905.0 }, { 0.0, 90.0 }, { 0.0, 90.0 }, { 0.0 },
+                                    [scale](double, double, double, double) { return scale; }));
+    vtkNew<vtkBRDFReader> reader;
+    reader->SetFileName(folder("a.xompt"));
+    EXPECT_TRUE(reader->Read()) << reader->GetErrorMessage();
+    return reader->GetNotes();
+  };
+  EXPECT_EQ(getNotes(0.1).find("another unit"), std::string::npos);
+  EXPECT_NE(getNotes(1e-4).find("another unit"), std::string::npos);
+  EXPECT_NE(getNotes(1.0).find("another unit"), std::string::npos);
+}
+
+//------------------------------------------------------------------------------
+TEST(IOOpenMaterial, RefusesBadFiles)
+{
+  const Folder folder;
+  const auto expect = [&folder](const std::string& bytes, std::vector<std::string> words)
+  {
+    words.push_back(Format);
+    WriteBytes(folder("a.xompt"), bytes);
+    ExpectRefused(folder, folder("a.xompt"), words);
+  };
+  const std::string good = "[5e-7, 0.1, 0.2, 0.3, 0.4]";
+  const auto rows = [](const std::string& text) { return MakeOpenMaterialFile("5e-7", text); };
+  expect(rows(good + ", [5e-7, 0.1, 0.2, 0.3]"), { "row 2", "found 4 numbers, expected 5" });
+  expect(rows(good + ", [5e-7, 0, 0, 0, 1, 2]"), { "row 2", "found 6" });
+  expect(rows("5"), { "row 1", "a number alone" });
+  expect(rows("[5e-7, 0, 0, 0, \"x\"]"), { "row 1", "found a text" });
+  expect(rows("[5e-7, 0, 0, 0, [1]]"), { "row 1", "found a list" });
+  expect(rows("[5e-7, 0, 0, 0, {}]"), { "row 1", "found an object" });
+  expect(rows("[5e-7, 0, 0, true, 0]"), { "row 1", "found a truth value" });
+  expect(rows(""), { "lookupTable", "no row" });
+  expect(rows("[null, 0, 0, 0, 0]"), { "lookupTable", "no row" });
+  expect(rows("[500, 0, 0, 0, 1]"), { "row 1", "wavelength is 500", "0.01716" });
+  expect(rows("[5e-7, 45, 0, 0, 1]"), { "row 1", "incident zenith angle is 45" });
+  expect(rows("[5e-7, 0, -0.1, 0, 1]"), { "row 1", "exit zenith angle is -0.1" });
+  expect(rows("[5e-7, 0, 0, 7, 1]"), { "row 1", "azimuth angle is 7" });
+  expect(rows("[5e-7, 0, 0, 0, 1e39]"), { "row 1", "value is 1e+39" });
+  expect(rows("[5e-7, 0, 0, 0, 1e999]"), { "JSON at byte ", "1e999" });
+  expect(rows("[5e-7, 0, 0, 0, nan]"), { "JSON at byte " });
+  expect("{\"metadata\": {}}", { "brdf", "missing" });
+  expect("{\"brdf\": {\"wavelengths\": []}}", { "lookupTable", "missing" });
+  expect("{\"brdf\": {\"lookupTable\": [], \"lookupTable\": []}}", { "twice" });
+  expect(rows(good) + "x", { "JSON at byte " });
+  WriteBytes(folder("a.xompt"), "\xef\xbb\xbf\r\n" + rows(good)); // editors add these
+  EXPECT_TRUE(Read(folder("a.xompt")));
+  ExpectTruncationsRefused(folder, rows(good), 280, 23, Format);
+}
+
+//------------------------------------------------------------------------------
+TEST(IOOpenMaterial, HostileFilesAreRefusedInLittleMemory)
+{
+  const Folder folder;
+  const auto expect = [&folder](const std::string& bytes, const std::string& word)
+  {
+    WriteBytes(folder("a.xompt"), bytes);
+    ExpectRefused(folder, folder("a.xompt"), { Format, word });
+  };
+  const double before = GetPeakMemory();
+  expect("{\"brdf\":" + std::string(1 << 20, '['), "deeper than 32");
+  std::string objects;
+  for (int k = 0; k < 100000; ++k)
+  {
+    objects += "{\"a\":";
+  }
+  expect("{\"x\":" + objects, "deeper than 32");
+  // Each row's angles are its own: a full grid of them would have 1e12 nodes.
+  std::string sparse;
+  std::string many;
+  for (int k = 0; k < 10000; ++k)
+  {
+    sparse += (k > 0 ? "," : "") +
+              MakeOpenMaterialRow(500.0, 0.0089 * k, 0.0087 * (k * 7 % 10000), 0.03 * k, 0.1);
+    many += (k > 0 ? "," : "") + MakeOpenMaterialRow(400.0 + 0.01 * k, 10.0, 20.0, 30.0, 0.1);
+  }
+  expect(MakeOpenMaterialFile("5e-7", sparse), "expected a grid");
+  expect(MakeOpenMaterialFile("5e-7", many), "at most 4096");
+  std::string apart; // wavelengths that share no directions
+  for (int k = 0; k < 3000; ++k)
+  {
+    apart +=
+      (k > 0 ? "," : "") + MakeOpenMaterialRow(400.0 + 0.1 * k, 0.02 * k, 0.02 * k, 0.02 * k, 0.1);
+  }
+  expect(MakeOpenMaterialFile("5e-7", apart), "in common");
+  EXPECT_LT(GetPeakMemory() - before, 3e8);
+}
+
+//------------------------------------------------------------------------------
+TEST(IOOpenMaterial, KeptInOpenEXR)
+{
+  NEEDS_OPENEXR();
+  const Folder folder;
+  WriteBytes(folder("a.xompt"),
+    MakeOpenMaterial({ 905.0 }, { 0.0, 90.0 }, { 0.0, 50.0 }, { 0.0, 60.0, 180.0 },
+      [](double, double i, double o, double p) { return Shape(i, o, p); }));
+  const auto brdf = Read(folder("a.xompt"));
+  ASSERT_TRUE(brdf);
+  Write(brdf, folder("a.exr"));
+  const auto back = Read(folder("a.exr"));
+  ASSERT_TRUE(vtkAngularTableBRDF::SafeDownCast(back));
+  EXPECT_TRUE(back->IsIsotropic());
+  ExpectSameValues(brdf, back);
+}
+
+//------------------------------------------------------------------------------
+// The standard's own examples.
+TEST(IOOpenMaterial, ReadsMeasuredAsphalt)
+{
+  const std::filesystem::path folder = std::filesystem::path(SharedData) / "materials/asphalt";
+  if (!std::filesystem::is_directory(folder))
+  {
+    GTEST_SKIP() << "no shared data";
+  }
+  const auto camera = Read((folder / "example_material_camera_brdf.xompt").string());
+  ASSERT_TRUE(camera);
+  EXPECT_EQ(camera->GetName(), "asphalt_brdf_for_camera");
+  double i[3];
+  double o[3];
+  double f[3];
+  Point(30.0, 0.0, i);
+  Point(0.0, 0.0, o);
+  camera->Evaluate(i, o, f);
+  // By the program that SpectraForTests.h names.
+  const double expected[3] = { 2.36343433e-5, 1.94732855e-5, 1.57571673e-5 };
+  for (int c = 0; c < 3; ++c)
+  {
+    EXPECT_NEAR(f[c], expected[c], SpectrumTolerance * expected[c]);
+  }
+  const auto lidar = Read((folder / "example_material_lidar_brdf.xompt").string());
+  ASSERT_TRUE(lidar);
+  Point(88.0, 20.0, i);
+  Point(40.0, 200.0, o);
+  lidar->Evaluate(i, o, f);
+  EXPECT_NEAR(f[0], 0.000663154, 1e-7); // a row of the file
+  EXPECT_EQ(f[0], f[2]);
+}
+}
