@@ -33,7 +33,7 @@ fi
 # One X server around all of ctest, and the software renderer everywhere: the same pixels on every machine.
 export LIBGL_ALWAYS_SOFTWARE=1
 export MEASUREDBRDF_CACHE=off # nothing of earlier runs
-export MEASUREDBRDF_FUZZ_SECONDS=15 # each of the readers' fuzz targets
+export MEASUREDBRDF_FUZZ_SECONDS=8 # each of the readers' fuzz targets
 status=0
 xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" \
   ctest --test-dir build --output-on-failure --output-junit ctest.xml -j "$jobs" "$@" || status=$?

@@ -194,7 +194,7 @@ TEST(AdaptiveIntegrator, ConvergesWithItsTolerance)
 TEST(AdaptiveIntegrator, KeepsItsToleranceAtEachPair)
 {
   SpherePairs pairs;
-  pairs.AddRandom(24);
+  pairs.AddRandom(10);
   for (const bool hall : { false, true })
   {
     vtkNew<vtkEnvironment> environment;
