@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBRDFFormats.h"
 
+#include "AstmFile.h"
 #include "BsdfXmlFile.h"
 #include "FitFile.h"
 #include "MbsdfFile.h"
@@ -32,10 +33,10 @@ Formats::Items MakeOwnFormats()
 {
 #if MEASUREDBRDF_WITH_OPENEXR
   return Formats::Make<TensorFormat, MbsdfFormat, ExrFormat, BsdfXmlFormat, OpenMaterialFormat,
-    FitFormat, UtiaFormat, MerlFormat>();
+    AstmFormat, FitFormat, UtiaFormat, MerlFormat>();
 #else
-  return Formats::Make<TensorFormat, MbsdfFormat, BsdfXmlFormat, OpenMaterialFormat, FitFormat,
-    UtiaFormat, MerlFormat>();
+  return Formats::Make<TensorFormat, MbsdfFormat, BsdfXmlFormat, OpenMaterialFormat, AstmFormat,
+    FitFormat, UtiaFormat, MerlFormat>();
 #endif
 }
 

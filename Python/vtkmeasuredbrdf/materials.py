@@ -49,7 +49,7 @@ class Material:
     source
         * the name of an embedded material (`Material.names()`),
         * a file: MERL `.binary`, RGL `.bsdf`, NVIDIA `.mbsdf`, BSDF `.xml`, UTIA `.bin`,
-          OpenMATERIAL 3D `.xompt`, published fits (`file#name` picks one), or this
+          OpenMATERIAL 3D `.xompt`, ASTM `.astm`, published fits (`file#name` picks one), or this
           project's `.exr`,
         * a `vtkBRDF` or another `Material`, which is then shared.
 

@@ -210,6 +210,15 @@ Seeds MakeSeeds(const std::string& target)
     const std::string numbers = Bytes("\x9a\x99\x99\x99\x99\x99\xb9\x3f\0\0\0\0\0\0\xf0\x3f");
     return { "\1" + numbers, "\3" + numbers + numbers, Bytes("\0") + numbers };
   }
+  if (target == "Astm")
+  {
+    return { "SAMPLE paint\nNUM_POINTS 2\nVARS theta_i,phi_i,theta_s,phi_s,R,G,B\n"
+             "0.5,0,0.5,3.1,0.1,0.2,0.3\n0.5,0,0.1,-3.1,0.1,0.2,0.3\n",
+      "VARS theta_i,phi_i,theta_s,phi_s,450nm,550nm,650nm\r\n10,90,-20,0,.1,.2,.3\r\n"
+      "60,180,30,45,+1e-1,0,-1\r\n",
+      "VARS theta_s,phi_s,theta_i,X,Y,Z\n0.1,0.2,0.3,1,1,1\n",
+      "VARS theta_i,theta_s,phi_s,Integrated 300-700nm\n0.3,0.1,0.2,1\n0,1,2,3\n" };
+  }
   if (target == "BsdfXml")
   {
     return { MakeBsdfXmlTree(3, "{{1}{2}{3}{4}{5}{6}{7}{1 2 3 4 5 6 7 8}}"),

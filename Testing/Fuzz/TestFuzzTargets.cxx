@@ -19,6 +19,7 @@
 #include <vector>
 
 using Target = int(const std::uint8_t* data, std::size_t size);
+Target FuzzAstm;
 Target FuzzBsdfXml;
 Target FuzzCostModel;
 Target FuzzDirectionsCsv;
@@ -169,7 +170,7 @@ INSTANTIATE_TEST_SUITE_P(All, FuzzTargets,
 #if MEASUREDBRDF_WITH_OPENEXR
     Case{ "ExrHeader", FuzzExrHeader }, Case{ "ExrMaterial", FuzzExrMaterial },
 #endif
-    Case{ "BsdfXml", FuzzBsdfXml }, Case{ "Fit", FuzzFit },
+    Case{ "Astm", FuzzAstm }, Case{ "BsdfXml", FuzzBsdfXml }, Case{ "Fit", FuzzFit },
     Case{ "MaterialData", FuzzMaterialData }, Case{ "Mbsdf", FuzzMbsdf }, Case{ "Merl", FuzzMerl },
     Case{ "OpenMaterial", FuzzOpenMaterial }, Case{ "PlanCache", FuzzPlanCache },
     Case{ "Tensor", FuzzTensor }, Case{ "Utia", FuzzUtia }),

@@ -878,6 +878,14 @@ add("IO.open-material-swaps-directions", "Private/OpenMaterialFile.cxx",
     "IOOpenMaterial.InterpolatesBetweenUnevenAngles")
 add("IO.open-material-any-depth", "Private/OpenMaterialParser.cxx", "constexpr std::size_t DeepestLevel = 32;",
     "constexpr std::size_t DeepestLevel = 1u << 30;", "IOOpenMaterial.HostileFilesAreRefusedInLittleMemory")
+add("IO.astm-angles-always-in-degrees", "Private/AstmFile.cxx", "angles[k] = degrees ? angle : angle / Degree;", "angles[k] = angle;",
+    "IOAstm.InterpolatesOnAGrid")
+add("IO.astm-other-side-forgotten", "Private/AstmFile.cxx", "      angles[k + 1] += 180.0;\n", "",
+    "IOAstm.NegativePolarAnglesAreOnTheOtherSide")
+add("IO.astm-number-of-points-ignored", "Private/AstmParser.cxx", "if (rows == 0 || (this->Points > 0.0 &&", "if (rows == 0 || (false &&",
+    "IOAstm.RefusesBadFiles")
+add("IO.infrared-counts-as-visible", "Private/SpectralChannels.cxx", "name.empty() ? IsVisible(wavelengths[k]) :", "name.empty() ? true :",
+    "IOOpenMaterial.SpectraBecomeColors")
 add("IO.spectra-under-equal-energy", "Private/SpectralColor.cxx", "const double light = GetEntry(l, 3) * GetEntry(l, j);",
     "const double light = GetEntry(l, j);", "IOSpectral.AgreesWithAnotherProgramsSum")
 add("IO.spectra-not-scaled-to-white", "Private/SpectralColor.cxx", "xyz[j] = weight[j] / sums[j] * white;",

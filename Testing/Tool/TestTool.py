@@ -220,6 +220,14 @@ class Materials(ToolTest):
         for name in ("road.exr", "road.binary"):
             self.check(run("convert", road, self.path(name)), 0, "relative L2 error")
 
+    def test_goniometer_text(self):
+        rows = [f"{i},0,{o},{p},0.1,0.2,0.3\n" for i in (0, 60) for o in (0, 30, 60) for p in (0, 90, 180)]
+        plate = self.write("plate.astm", "VARS theta_i,phi_i,theta_s,phi_s,R,G,B\n" + "".join(rows))
+        self.check(run("info", plate), 0, "ASTM E1392 text", "degrees", "mirrored")
+        info = json.loads(run("info", plate, "--json").stdout)
+        self.check_close(info["range"]["maximum"], [0.1, 0.2, 0.3], 1e-6)
+        self.check(run("convert", plate, self.path("plate.exr")), 0, "relative L2 error", ": 0\n")
+
     def test_a_typo_gets_the_nearest_names(self):
         self.check(run("info", "gold_paint"), 1, "unknown material 'gold_paint'", "'gold-paint'")
 

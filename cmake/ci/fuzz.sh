@@ -15,6 +15,7 @@ cd "$(dirname "$0")/../.."
 
 # name, largest input in bytes, dictionary
 targets="
+  Astm             2048 Astm
   BsdfXml          8192 BsdfXml
   CostModel        1024 CostModel
   DirectionsCsv    2048 DirectionsCsv

@@ -27,7 +27,8 @@ inline void PointGonio(float theta, float phi, double d[3])
 
 /**
  * Give the grid even views, about as dense as the readings, and values there: of each light's four
- * nearest readings, by inverse squared distance. Returns an empty string, or what is wrong.
+ * nearest readings, by inverse squared distance. Readings that lack a channel are left out.
+ * Returns an empty string, or what is wrong.
  */
 std::string ScatterGonioReadings(
   GonioGrid& grid, const GonioReadings& readings, std::vector<float>& rgb);

@@ -90,6 +90,36 @@ std::string Print(double value)
   return text.str();
 }
 
+// Where the readings are.
+std::string DescribeAngles(const GonioReadings& readings)
+{
+  const auto range = [&readings](const float GonioAngles::*member)
+  {
+    const auto [low, high] = std::minmax_element(readings.Angles.begin(), readings.Angles.end(),
+      [member](const GonioAngles& a, const GonioAngles& b) { return a.*member < b.*member; });
+    return Print((*low).*member) + " to " + Print((*high).*member);
+  };
+  return "Measured with light at " + range(&GonioAngles::ThetaI) + " and views at " +
+         range(&GonioAngles::ThetaO) + " degrees from the normal; constant outside these angles.";
+}
+
+// What the material reflects toward a view at 30 degrees, where that is strange.
+std::string DescribeAlbedo(vtkBRDF* brdf)
+{
+  constexpr double darkest = 0.005; // soot reflects more
+  const double o[3] = { 0.5, 0.0, std::sqrt(0.75) };
+  double albedo[3];
+  brdf->GetDirectionalAlbedo(o, albedo);
+  const double largest = *std::max_element(albedo, albedo + 3);
+  if (largest <= 1.0 && largest >= darkest)
+  {
+    return "";
+  }
+  return "The material reflects " + Print(largest) +
+         " times the light toward a view at 30 degrees: its values may be in another unit than "
+         "1/sr.";
+}
+
 // Relative root mean square.
 double GetError(vtkBRDF* brdf, const GonioReadings& readings)
 {
@@ -125,6 +155,7 @@ std::string GonioTable::Make(GonioReadings readings)
   {
     return "found no readings";
   }
+  this->Notes.push_back(DescribeAngles(readings));
   const bool isotropic = TurnAzimuths(readings.Angles);
   if (isotropic && Mirror(readings))
   {
@@ -178,6 +209,11 @@ std::string GonioTable::Make(GonioReadings readings)
                           std::to_string(grid.View.Phi.size()) +
                           " even nodes, whose relative RMS difference from the readings is " +
                           Print(GetError(table, readings)) + ".");
+  }
+  const std::string albedo = DescribeAlbedo(table);
+  if (!albedo.empty())
+  {
+    this->Notes.push_back(albedo);
   }
   this->BRDF = table;
   return "";

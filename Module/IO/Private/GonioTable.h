@@ -37,7 +37,7 @@ public:
   std::string Make(GonioReadings readings);
 
   vtkSmartPointer<vtkAngularTableBRDF> BRDF;
-  std::vector<std::string> Notes;
+  std::vector<std::string> Notes; // for people: angles, repairs, an albedo that cannot be
 };
 } // namespace measuredbrdf
 

@@ -3,7 +3,7 @@
 #include "OpenMaterialFile.h"
 
 #include "GonioTable.h"
-#include "SpectralColor.h"
+#include "SpectralChannels.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 
@@ -26,7 +26,6 @@ constexpr double Degree = 3.14159265358979323846 / 180.0;
 constexpr double Nanometer = 1e-9;
 constexpr double SameWavelength = 1e-6; // relative
 constexpr std::size_t MostWavelengths = 4096;
-constexpr std::size_t ListedNames = 8;
 // What rounding to six decimals adds to an angle, rad.
 constexpr double Rounding = 1e-5;
 // Cells of angles and wavelengths for each row; small tables may be emptier.
@@ -43,14 +42,6 @@ std::string Print(double value)
   char text[32];
   std::snprintf(text, sizeof(text), "%.6g", value);
   return text;
-}
-
-std::string GetWavelengthName(double wavelength) { return Print(wavelength / Nanometer) + "nm"; }
-
-bool IsVisible(double wavelength)
-{
-  const double nanometers = wavelength / Nanometer;
-  return nanometers > FirstVisible - 0.5 && nanometers < LastVisible + 0.5;
 }
 
 //------------------------------------------------------------------------------
@@ -106,39 +97,19 @@ std::vector<double> FindWavelengths(const FileBytes& file, const std::vector<Row
   return different;
 }
 
+std::vector<double> ToNanometers(std::vector<double> wavelengths)
+{
+  for (double& wavelength : wavelengths)
+  {
+    wavelength /= Nanometer;
+  }
+  return wavelengths;
+}
+
 std::size_t FindWavelength(const std::vector<double>& wavelengths, double wavelength)
 {
   const auto next = std::upper_bound(wavelengths.begin(), wavelengths.end(), wavelength);
   return static_cast<std::size_t>(next - wavelengths.begin()) - 1;
-}
-
-//------------------------------------------------------------------------------
-// Which wavelengths make the material.
-std::vector<double> Choose(
-  const FileBytes& file, const std::vector<double>& wavelengths, const std::string& name)
-{
-  if (name.empty())
-  {
-    std::vector<double> visible;
-    std::copy_if(wavelengths.begin(), wavelengths.end(), std::back_inserter(visible), IsVisible);
-    return visible.size() > 1 ? visible : std::vector<double>{ wavelengths.front() };
-  }
-  std::string names;
-  for (std::size_t k = 0; k < wavelengths.size(); ++k)
-  {
-    const std::string other = GetWavelengthName(wavelengths[k]);
-    if (other == name)
-    {
-      return { wavelengths[k] };
-    }
-    if (k < ListedNames)
-    {
-      names += (k > 0 ? ", " : "") + other;
-    }
-  }
-  Fail(file, "name",
-    "there is no wavelength " + Quote(name) + ", only " + names +
-      (wavelengths.size() > ListedNames ? ", ..." : ""));
 }
 
 //------------------------------------------------------------------------------
@@ -197,49 +168,6 @@ GonioReadings Arrange(const FileBytes& file, const std::vector<Row>& rows,
 }
 
 //------------------------------------------------------------------------------
-// What the material reflects of light at 30 degrees, where that is strange.
-std::string DescribeAlbedo(vtkBRDF* brdf)
-{
-  constexpr double darkest = 0.005; // soot reflects more
-  const double o[3] = { 0.5, 0.0, std::sqrt(0.75) };
-  double albedo[3];
-  brdf->GetDirectionalAlbedo(o, albedo);
-  const double largest = *std::max_element(albedo, albedo + 3);
-  if (largest <= 1.0 && largest >= darkest)
-  {
-    return "";
-  }
-  return "The material reflects " + Print(largest) +
-         " times the light toward a view at 30 degrees: its values may be in another unit than "
-         "1/sr.";
-}
-
-std::string DescribeAngles(const GonioReadings& readings)
-{
-  const auto range = [&readings](const float GonioAngles::*member)
-  {
-    const auto [low, high] = std::minmax_element(readings.Angles.begin(), readings.Angles.end(),
-      [member](const GonioAngles& a, const GonioAngles& b) { return a.*member < b.*member; });
-    return Print((*low).*member) + " to " + Print((*high).*member);
-  };
-  return "Measured with light at " + range(&GonioAngles::ThetaI) + " and views at " +
-         range(&GonioAngles::ThetaO) + " degrees from the normal; constant outside these angles.";
-}
-
-std::string DescribeColor(const std::vector<double>& wavelengths, const std::vector<double>& chosen,
-  const std::string& name)
-{
-  if (chosen.size() > 1)
-  {
-    return std::to_string(chosen.size()) + " of " + std::to_string(wavelengths.size()) +
-           " wavelengths, " + GetWavelengthName(chosen.front()) + " to " +
-           GetWavelengthName(chosen.back()) +
-           ": summed over the CIE 1931 color-matching functions under D65.";
-  }
-  return "Gray, of the wavelength " + GetWavelengthName(chosen.front()) +
-         (name.empty() && wavelengths.size() > 1 ? " (FILE#905nm picks another one)." : ".");
-}
-
 std::string DescribeSource(const FileBytes& file, const OpenMaterialTexts& texts)
 {
   std::string source = "OpenMATERIAL 3D file " + GetFileTitle(file.GetPath());
@@ -270,18 +198,20 @@ MaterialFile ReadOpenMaterial(const FileBytes& file, const std::string& material
     result.NumberOfNegativeValues += texts.Rows[k][4] < 0.0;
   }
   const std::vector<double> wavelengths = FindWavelengths(file, texts.Rows);
-  const std::vector<double> chosen = Choose(file, wavelengths, material);
-  GonioReadings readings = Arrange(file, texts.Rows, wavelengths, chosen);
-  readings.Weights = { { 1.0, 1.0, 1.0 } };
-  if (chosen.size() > 1)
+  SpectralChannels channels;
+  const std::string unknown = channels.Choose(ToNanometers(wavelengths), material);
+  if (!unknown.empty())
   {
-    std::vector<double> nanometers;
-    std::transform(chosen.begin(), chosen.end(), std::back_inserter(nanometers),
-      [](double wavelength) { return wavelength / Nanometer; });
-    readings.Weights = GetSpectralWeights(nanometers);
+    Fail(file, "name", unknown);
   }
-  result.AddNote(DescribeColor(wavelengths, chosen, material));
-  result.AddNote(DescribeAngles(readings));
+  result.AddNote(channels.Note);
+  std::vector<double> chosen;
+  for (const std::size_t k : channels.Chosen)
+  {
+    chosen.push_back(wavelengths[k]);
+  }
+  GonioReadings readings = Arrange(file, texts.Rows, wavelengths, chosen);
+  readings.Weights = channels.Weights;
   GonioTable table;
   const std::string problem = table.Make(std::move(readings));
   if (!problem.empty())
@@ -295,11 +225,6 @@ MaterialFile ReadOpenMaterial(const FileBytes& file, const std::string& material
   if (texts.Nulls > 0)
   {
     result.AddNote(std::to_string(texts.Nulls) + " rows hold a null: left out.");
-  }
-  const std::string albedo = DescribeAlbedo(table.BRDF);
-  if (!albedo.empty())
-  {
-    result.AddNote(albedo);
   }
   const auto name = texts.Metadata.find("name");
   const bool named = name != texts.Metadata.end() && !name->second.empty();
@@ -337,7 +262,8 @@ std::vector<std::string> OpenMaterialFormat::GetMaterialNames(const File& file)
   try
   {
     const FileBytes bytes = FileBytes::View(file.Path, file.Bytes);
-    for (const double wavelength : FindWavelengths(bytes, ParseOpenMaterial(bytes).Rows))
+    for (const double wavelength :
+      ToNanometers(FindWavelengths(bytes, ParseOpenMaterial(bytes).Rows)))
     {
       names.push_back(GetWavelengthName(wavelength));
     }

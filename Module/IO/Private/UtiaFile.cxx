@@ -46,6 +46,13 @@ double DecodeDisplay(double value)
   return DisplayScale * DecodeSRGB(std::max(value, 0.0) / DisplayUnit);
 }
 
+std::string Print(double value)
+{
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.3g", value);
+  return text;
+}
+
 // What the material reflects of light at 30 degrees; more than all of it cannot be.
 std::string DescribeAlbedo(vtkBRDF* brdf)
 {
@@ -57,9 +64,7 @@ std::string DescribeAlbedo(vtkBRDF* brdf)
   {
     return "";
   }
-  char text[16];
-  std::snprintf(text, sizeof(text), "%.3g", largest);
-  return std::string("The material reflects ") + text +
+  return "The material reflects " + Print(largest) +
          " times the light at 30 degrees: its values are scaled in some way, or display colors "
          "(FILE.bin#display).";
 }
@@ -71,7 +76,8 @@ MaterialFile ReadUtia(const FileBytes& file, const std::string& material)
   ByteReader reader(file, Name);
   if (!material.empty() && material != Display)
   {
-    reader.Fail("name", "found \"" + material + "\", expected \"display\" or none");
+    throw FileError(file.GetPath() + ": " + Name + ", name: found " + Quote("#" + material) +
+                    ", expected '#display' or none");
   }
   ByteReader rest = reader;
   if (reader.GetRemaining() > UtiaBytes)
@@ -96,7 +102,9 @@ MaterialFile ReadUtia(const FileBytes& file, const std::string& material)
       const auto stored = static_cast<float>(material == Display ? DecodeDisplay(value) : value);
       if (!std::isfinite(value) || !std::isfinite(stored))
       {
-        reader.FailAt(place, "values", "found " + std::to_string(value) + ", expected a number");
+        reader.FailAt(place, "values",
+          std::string("found ") + Print(value) +
+            ", expected a finite number that 32 bits can hold");
       }
       result.NumberOfNegativeValues += value < 0.0;
       rgb[3 * k + c] = stored;
@@ -120,6 +128,18 @@ MaterialFile ReadUtia(const FileBytes& file, const std::string& material)
   result.AddNote(material == Display
                    ? "Values were taken as display colors: f = 100 sRGB^-1(v / 140)."
                    : "Values were taken as they are, in 1/sr.");
+  if (result.NumberOfNegativeValues > 0)
+  {
+    result.AddNote(
+      std::to_string(result.NumberOfNegativeValues) + " of " + std::to_string(3 * Plane) +
+      " values are negative: " +
+      (material == Display ? "taken as 0." : "kept, clamped at 0 after interpolation."));
+  }
+  if (reader.GetRemaining() > 0)
+  {
+    result.AddNote(
+      std::to_string(reader.GetRemaining()) + " bytes of padding behind the values were left out.");
+  }
   const std::string albedo = DescribeAlbedo(table);
   if (!albedo.empty())
   {

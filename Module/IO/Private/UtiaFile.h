@@ -23,7 +23,9 @@ namespace measuredbrdf
 constexpr std::size_t UtiaBytes = 3u * 288u * 288u * 8u;
 
 /// material: "" for the values as they are, in 1/sr; "display" for values that are display colors
-/// (sRGB) of f / 100 in units of 140, as Dupuy's dj_brdf takes the database's files.
+/// (sRGB) of f / 100 in units of 140, as Dupuy's dj_brdf takes the database's files. Colors are
+/// decoded at the nodes, and interpolation is linear in f; dj_brdf interpolates first, and changes
+/// from sRGB's line to its curve at 0.0375 instead of 0.04045.
 MaterialFile ReadUtia(const FileBytes& file, const std::string& material);
 
 class UtiaFormat : public FileFormat

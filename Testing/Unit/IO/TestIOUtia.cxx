@@ -107,7 +107,7 @@ TEST(IOUtia, DisplayColorsAreDecoded)
       encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
     EXPECT_NEAR(f[c], 100.0 * linear, 1e-5);
   }
-  EXPECT_FALSE(ReadUtia(folder("cloth.bin#other"), reader));
+  ExpectRefused(folder, folder("cloth.bin#other"), { "UTIA binary", "'#other'", "'#display'" });
 }
 
 TEST(IOUtia, MoreLightThanThereIsIsNoted)
@@ -132,6 +132,7 @@ TEST(IOUtia, NegativeValuesCountAsNothing)
   const auto brdf = ReadUtia(folder("a.bin"), reader);
   ASSERT_TRUE(brdf);
   EXPECT_EQ(reader->GetNumberOfNegativeValues(), 1);
+  EXPECT_NE(reader->GetNotes().find("1 of 248832 values are negative"), std::string::npos);
   const double normal[3] = { 0.0, 0.0, 1.0 };
   double f[3];
   brdf->Evaluate(normal, normal, f);
@@ -161,10 +162,11 @@ TEST(IOUtia, RefusesOtherFiles)
   Overwrite(bytes, 8 * 1000, std::numeric_limits<double>::quiet_NaN());
   expect(bytes, "byte 8000");
   Overwrite(bytes, 8 * 1000, 1e300); // no float
-  expect(bytes, "byte 8000");
+  expect(bytes, "found 1e+300");
   WriteBytes(folder("a.bin"), good + std::string(100, '\0')); // padding
   vtkNew<vtkBRDFReader> reader;
   EXPECT_TRUE(ReadUtia(folder("a.bin"), reader)) << reader->GetErrorMessage();
+  EXPECT_NE(reader->GetNotes().find("100 bytes of padding"), std::string::npos);
 }
 
 TEST(IOUtia, TablesAreChecked)
