@@ -44,6 +44,14 @@ std::string_view Take(std::string_view& text, char separator)
   return part;
 }
 
+void SkipMark(std::string_view& text) // of byte order
+{
+  if (text.substr(0, 3) == "\xef\xbb\xbf")
+  {
+    text.remove_prefix(3);
+  }
+}
+
 bool ToNumber(std::string_view word, double& number)
 {
   if (!word.empty() && word.front() == '+')
@@ -62,10 +70,7 @@ public:
     , Format(format)
     , Rest(file.GetView())
   {
-    if (this->Rest.substr(0, 3) == "\xef\xbb\xbf") // byte order mark
-    {
-      this->Rest.remove_prefix(3);
-    }
+    SkipMark(this->Rest);
   }
 
   AstmTexts Parse(bool onlyHeader)
@@ -198,6 +203,7 @@ private:
 bool HasAstmColumns(std::string_view text)
 {
   std::string_view rest = text.substr(0, LongestHeader);
+  SkipMark(rest);
   while (!rest.empty())
   {
     std::string_view value;

@@ -278,7 +278,7 @@ TEST(IOAstm, RefusesBadFiles)
   expect("SAMPLE x\n", { "VARS", "no such line" });
   expect("VARS\n" + row, { "line 1, VARS", "no column" });
   expect("VARS theta_i,,theta_s\n", { "VARS", "with commas" });
-  expect("VARS theta_i,theta_i,theta_s,phi_s,R\n" + row, { "'theta_i' twice" });
+  expect("VARS theta_i,theta_i,theta_s,phi_s,R\n0,0,0,0,1\n", { "'theta_i' twice" });
   expect("VARS theta_i,phi_i,theta_s,R,G,B\n0,0,0,1,1,1\n", { "names no phi_s" });
   expect("VARS theta_i,phi_i,theta_s,phi_s\n0,0,0,0\n", { "no column of values" });
   expect("VARS theta_i,phi_i,theta_s,phi_s,R,G\n0,0,0,0,1,1\n", { "'R,G'", "550nm" });
