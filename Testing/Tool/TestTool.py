@@ -205,8 +205,10 @@ class Materials(ToolTest):
         self.check(run("info", self.write("empty.binary", "")), 1, "empty.binary")
         self.check(run("info", self.write("cut.bsdf", b"tensor_file\0\1")), 1, "cut.bsdf")
         self.check(run("info", self.write_fits() + "#other"), 1, "other")
+        other = self.write("road.other", "LIDAR 905 nm\n0.1 0.2\n")
+        self.check(run("info", other), 1, "road.other", "formats that are read", ".binary", ".bsdf", ".xompt", ".astm")
         xompt = self.write("road.xompt", "LIDAR 905 nm\n0.1 0.2\n")
-        self.check(run("info", xompt), 1, "road.xompt", "formats that are read", ".binary", ".bsdf")
+        self.check(run("info", xompt), 1, "road.xompt", "OpenMATERIAL 3D, JSON at byte 1")
 
     def test_open_material(self):
         rows = [[w, i, o, 0.0, 0.1] for w in (5e-7, 9.05e-7) for i in (0.0, 1.0) for o in (0.0, 1.2)]

@@ -239,20 +239,18 @@ MaterialFile ReadOpenMaterial(const FileBytes& file, const std::string& material
 vtkStandardNewMacro(OpenMaterialFormat);
 
 //------------------------------------------------------------------------------
-// JSON of the extension, or with the names that the format's files begin with.
+// The extension, or JSON with the names that the format's files begin with.
 bool OpenMaterialFormat::CanRead(const File& file)
 {
-  const std::string_view start = file.Bytes.substr(0, 4096);
-  const std::size_t first = start.find_first_not_of(std::string_view("\xef\xbb\xbf \t\r\n", 7));
-  if (first == std::string_view::npos || start[first] != '{')
-  {
-    return false;
-  }
   std::string extension = file.Path.size() < 6 ? "" : file.Path.substr(file.Path.size() - 6);
   std::transform(extension.begin(), extension.end(), extension.begin(),
     [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension == ".xompt" || start.find("OpenMATERIAL-3D") != std::string_view::npos ||
-         start.find("openMaterial3dVersion") != std::string_view::npos;
+  const std::string_view start = file.Bytes.substr(0, 4096);
+  const std::size_t first = start.find_first_not_of(std::string_view("\xef\xbb\xbf \t\r\n", 7));
+  return extension == ".xompt" ||
+         (first != std::string_view::npos && start[first] == '{' &&
+           (start.find("OpenMATERIAL-3D") != std::string_view::npos ||
+             start.find("openMaterial3dVersion") != std::string_view::npos));
 }
 
 //------------------------------------------------------------------------------
