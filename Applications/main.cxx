@@ -56,6 +56,7 @@ int Run(int argc, char* argv[])
              "Exit status: 0 done, 1 failed (a bad file, say), 2 called the wrong way.");
 
   tool::AddListCommand(app);
+  tool::AddFetchCommand(app);
   tool::AddInfoCommand(app);
   tool::AddEvaluateCommand(app);
   tool::AddIntegrateCommand(app);

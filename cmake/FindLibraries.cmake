@@ -38,6 +38,15 @@ if (MEASUREDBRDF_WITH_EMBREE)
   endif ()
 endif ()
 
+# One is optional for the command line tool.
+if (MEASUREDBRDF_BUILD_TOOL)
+  option(MEASUREDBRDF_WITH_CURL "Download materials and environments (needs libcurl)" ON)
+  measuredbrdf_find_optional(CURL libcurl4-openssl-dev)
+  if (MEASUREDBRDF_WITH_CURL)
+    find_package(ZLIB REQUIRED) # which libcurl and VTK use, too
+  endif ()
+endif ()
+
 if (MEASUREDBRDF_WITH_OPENIMAGEIO)
   # Debian 13's OpenImageIO names OpenCV's include folder, which its packages do not bring.
   get_target_property(oiio_includes OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIRECTORIES)

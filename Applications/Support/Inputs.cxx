@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Inputs.h"
 
+#include "FetchAdvice.h"
 #include "Files.h"
 #include "Tool.h"
 
@@ -101,28 +102,36 @@ Material LoadMaterial(const std::string& file)
         return result;
       }
     }
-    std::error_code ignored;
-    if (!std::filesystem::exists(file, ignored))
+  }
+  const std::string path = ResolveFetched(file, "material");
+  std::error_code ignored;
+  if (!isPath && !std::filesystem::exists(path, ignored))
+  {
+    const std::string advice = GetFetchAdvice(file, "material");
+    if (!advice.empty())
     {
-      vtkEmbeddedMaterials::NewBRDF(file); // says which names are near
-      throw Error("unknown material '" + file + "': there is no such file, and " + TakeErrorText() +
-                  " 'measured-brdf list' names them all");
+      throw Error("material '" + file + "': there is no such file yet." + advice);
     }
+    vtkEmbeddedMaterials::NewBRDF(file); // says which names are near
+    throw Error("unknown material '" + file + "': there is no such file, and " + TakeErrorText() +
+                " 'measured-brdf list' names them all");
   }
 
   vtkNew<vtkBRDFReader> reader;
-  reader->SetFileName(file);
+  reader->SetFileName(path);
   if (!reader->Read() || !reader->GetBRDF())
   {
     const std::string logged = TakeErrorText();
     const std::string said = reader->GetErrorMessage();
-    throw Error((!said.empty() ? said : file + ": " + logged) + GetFormatAdvice(file));
+    const std::string advice = GetFetchAdvice(file, "material");
+    throw Error((!said.empty() ? said : file + ": " + logged) + GetFormatAdvice(path) +
+                (advice.empty() ? "" : "." + advice));
   }
   result.BRDF = reader->GetBRDF();
   result.Name = result.BRDF->GetName();
   if (result.Name.empty())
   {
-    result.Name = std::filesystem::path(file).stem().string();
+    result.Name = std::filesystem::path(path).stem().string();
   }
   result.Source = result.BRDF->GetSource();
   result.Format = reader->GetFormatName();
@@ -162,17 +171,20 @@ vtkSmartPointer<vtkEnvironment> LoadEnvironment(const std::string& file)
     throw Error(TakeErrorText());
   }
   vtkNew<vtkEnvironmentReader> reader;
+  const std::string path = ResolveFetched(file, "environment");
   reader->SetProjection(Projections.at(Projection));
-  reader->SetFileName(file);
+  reader->SetFileName(path);
   if (!reader->Read() || !reader->GetEnvironment())
   {
     const std::string logged = TakeErrorText();
     const std::string said = reader->GetErrorMessage();
-    throw Error(!said.empty() ? said : file + ": " + logged);
+    const std::string advice = GetFetchAdvice(file, "environment");
+    throw Error(
+      (!said.empty() ? said : file + ": " + logged) + (advice.empty() ? "" : "." + advice));
   }
   PrintNote(reader->GetNotes());
   vtkSmartPointer<vtkEnvironment> environment = reader->GetEnvironment();
-  environment->SetName(std::filesystem::path(file).stem().string());
+  environment->SetName(std::filesystem::path(path).stem().string());
   return environment;
 }
 

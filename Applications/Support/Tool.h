@@ -58,6 +58,7 @@ std::string FormatCount(std::size_t count, const std::string& noun);
 ///@{
 /// Add one subcommand each.
 void AddListCommand(CLI::App& app);
+void AddFetchCommand(CLI::App& app);
 void AddInfoCommand(CLI::App& app);
 void AddEvaluateCommand(CLI::App& app);
 void AddIntegrateCommand(CLI::App& app);

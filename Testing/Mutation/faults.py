@@ -10,10 +10,10 @@ A fault that changes nothing that anybody could see is marked with the reason, e
 import collections
 
 ROOMS = ("Core", "Material", "Lighting", "Integration", "Metrics", "Fitting", "IO", "Planning", "Rendering",
-         "Sources", "Visibility", "Shaders", "Export")
+         "Sources", "Visibility", "Shaders", "Export", "Fetch")
 
 # Where the files of a room are, but for the module's.
-FOLDERS = {"Shaders": "shaders/", "Export": "Applications/Export/"}
+FOLDERS = {"Shaders": "shaders/", "Export": "Applications/Export/", "Fetch": "Applications/Fetch/"}
 
 Fault = collections.namedtuple("Fault", "id file old new tests equivalent")
 FAULTS = []
@@ -895,3 +895,25 @@ add("IO.spectral-planes-in-a-row", "Private/TensorFile.cxx", "sum += weights[k][
 add("Rendering.legend-shows-the-last-first", "vtkMaterialLegendActor.cxx",
     "const double middle = bottom + height - (at + 0.5) * cell;", "const double middle = bottom + (at + 0.5) * cell;",
     "MaterialLegend.DrawsSpheresBelowEachOtherOrSideBySide")
+
+
+# Fetch
+
+add("Fetch.sum-turns-a-word-too-far", "Sha256.cxx", "Rotate(w[t - 2], 17)", "Rotate(w[t - 2], 18)", "Sha256.KnownSums")
+add("Fetch.sum-without-a-waiting-block", "Sha256.cxx", "if (waiting + taken == BlockSize)",
+    "if (waiting + taken > BlockSize)", "Sha256.PiecesDoNotMatter|Sha256.KnownSums")
+add("Fetch.http-from-anywhere", "WebAddress.cxx", "return scheme == \"http\" && IsThisMachine(",
+    "return scheme == \"http\" || IsThisMachine(", "WebAddress.OnlyHttpsElsewhere")
+add("Fetch.name-and-password", "WebAddress.cxx", "authority.find('@') != std::string::npos", "authority.front() == '@'",
+    "WebAddress.OnlyHttpsElsewhere")
+add("Fetch.range-beyond-the-end", "WebAddress.cxx", "range.Last >= range.Total", "range.Last > range.Total",
+    "WebAddress.Ranges")
+add("Fetch.weak-tag-counts", "WebAddress.cxx", "tag.front() == '\"'", "tag.back() == '\"'", "WebAddress.Ranges")
+add("Fetch.member-larger-than-it-says", "ZipMember.cxx", "if (count > this->Member.Size - this->Done)",
+    "if (count > 2 * this->Member.Size)", "ZipMember.RefusesWhatIsWrong")
+add("Fetch.member-with-any-checksum", "ZipMember.cxx", "if (this->Crc != this->Member.Crc)", "if (this->Crc == 0)",
+    "ZipMember.RefusesWhatIsWrong")
+add("Fetch.encrypted-member", "ZipMember.cxx", "(Get(directory, at + 8, 2) & 1) != 0", "(Get(directory, at + 8, 2) & 1) > 1",
+    "ZipMember.RefusesWhatIsWrong")
+add("Fetch.files-have-no-names", "FetchCatalog.cxx", "return entry.Name == name || entry.File == name;",
+    "return entry.Name == name;", "FetchCatalog.NamesAndFiles")

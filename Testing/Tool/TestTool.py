@@ -130,7 +130,7 @@ class Help(ToolTest):
     def test_help(self):
         self.check(run("--help"), 0, "SUBCOMMAND", "gallery", "Exit status")
         commands = (
-            "list info evaluate integrate lights render plan compare diff chart gallery convert fit export acquire "
+            "list fetch info evaluate integrate lights render plan compare diff chart gallery convert fit export acquire "
             "project representations thesis stability"
         ).split()
         for command in commands:

@@ -1,24 +1,27 @@
 #!/bin/bash
 # SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 # SPDX-License-Identifier: BSD-3-Clause
-# Builds the library without each of the optional libraries and without all of them, and runs the unit tests there:
+# Builds the library without each of the optional libraries and without all of them, and runs the unit tests there; and
+# the command line tool without libcurl:
 #
-#   cmake/ci/options.sh [CERES|EMBREE|OPENEXR|OPENIMAGEIO|ALL...]
+#   cmake/ci/options.sh [CERES|EMBREE|OPENEXR|OPENIMAGEIO|ALL|CURL...]
 #
-# Without arguments all five. The trees are build-without-NAME. What a build lacks is left out of its tests, or the
+# Without arguments all six. The trees are build-without-NAME. What a build lacks is left out of its tests, or the
 # test is skipped and says why; an absent library's headers must not be needed.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 cmake/install-packages.sh --tests
 
 names=("$@")
-[ $# -gt 0 ] || names=(CERES EMBREE OPENEXR OPENIMAGEIO ALL)
+[ $# -gt 0 ] || names=(CERES EMBREE OPENEXR OPENIMAGEIO ALL CURL)
 export MEASUREDBRDF_CACHE=off # nothing of earlier runs
 for name in "${names[@]}"; do
+  tool=OFF
   case $name in
     CERES | EMBREE | OPENEXR | OPENIMAGEIO) off=("$name") ;;
+    CURL) off=("$name") tool=ON ;;
     ALL) off=(CERES EMBREE OPENEXR OPENIMAGEIO) ;;
-    *) echo "usage: cmake/ci/options.sh [CERES|EMBREE|OPENEXR|OPENIMAGEIO|ALL...]" >&2; exit 2 ;;
+    *) echo "usage: cmake/ci/options.sh [CERES|EMBREE|OPENEXR|OPENIMAGEIO|ALL|CURL...]" >&2; exit 2 ;;
   esac
   options=()
   for library in "${off[@]}"; do
@@ -27,13 +30,18 @@ for name in "${names[@]}"; do
   build=build-without-${name,,}
   mkdir -p "$build"
   if ! cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo -DBUILD_TESTING=ON \
-    -DMEASUREDBRDF_WRAP_PYTHON=OFF -DMEASUREDBRDF_BUILD_TOOL=OFF -DMEASUREDBRDF_WARNINGS_AS_ERRORS=ON \
+    -DMEASUREDBRDF_WRAP_PYTHON=OFF -DMEASUREDBRDF_BUILD_TOOL=$tool -DMEASUREDBRDF_WARNINGS_AS_ERRORS=ON \
     "${options[@]}" >"$build/configure.log" 2>&1; then
     tail -n 30 "$build/configure.log" >&2
     exit 1
   fi
   printf '\n== without %s\n' "${off[*]}"
   grep '^-- Without ' "$build/configure.log"
+  if [ "$name" = CURL ]; then
+    cmake --build "$build" --target measured-brdf
+    ctest --test-dir "$build" -R '^Tool.FetchAbsent$' --no-tests=error --output-on-failure
+    continue
+  fi
   cmake --build "$build" --target unit-tests
   ctest --test-dir "$build" -L unit -j "$(nproc)" --no-tests=error --output-on-failure
 done

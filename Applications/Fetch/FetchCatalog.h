@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What `measured-brdf fetch` knows: published materials and environments, where they are, their
+ * licences and sums. The data stand in FetchCatalog.json, which the build puts into the tool.
+ */
+
+#ifndef FetchCatalog_h
+#define FetchCatalog_h
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace tool
+{
+/// Files of one source under one licence.
+struct FetchCollection
+{
+  std::string Id;
+  std::string Title;
+  std::string Kind; // "material" or "environment"
+  std::string Licence;
+  std::string LicenceUrl;
+  std::string Terms;           // in words
+  bool NeedsAgreement = false; // whether the licence sets conditions
+  std::string BeginsWith;      // the first bytes of every file; "": any
+};
+
+/// One file.
+struct FetchEntry
+{
+  std::string Name;              // what the user says
+  std::string File;              // as it is called on disk
+  std::string Url;               // of the file, or of the archive that holds it
+  std::string Page;              // for people
+  std::string Member;            // its name in the ZIP archive at Url; "": Url is the file
+  std::uint64_t ArchiveSize = 0; // bytes of that archive
+  std::uint64_t Size = 0;        // bytes of the file; 0: not known
+  std::uint64_t Limit = 0;       // bytes that it cannot exceed
+  std::string Sha256;            // lower case; "": not known
+  std::string SumKind; // "published": by people who downloaded it there; "copy": of a copy at hand
+  const FetchCollection* Collection = nullptr;
+};
+
+/// All entries, in the order of the data.
+const std::vector<FetchEntry>& GetFetchCatalog();
+
+/// The entry of that name, or whose file has that name; null if there is none.
+const FetchEntry* FindFetchEntry(const std::string& name);
+
+/// Names that look like this one, the nearest first, at most that many.
+std::vector<std::string> FindNearFetchNames(const std::string& name, std::size_t count);
+} // namespace tool
+
+#endif

@@ -1,0 +1,299 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What downloads are checked with, and what servers and archives say.
+#include "FetchCatalog.h"
+#include "Sha256.h"
+#include "WebAddress.h"
+#include "ZipMember.h"
+
+#include <gtest/gtest.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <cstring>
+#include <random>
+#include <string>
+
+namespace
+{
+//------------------------------------------------------------------------------
+std::string GetSum(const std::string& text)
+{
+  tool::Sha256 sum;
+  sum.Add(text.data(), text.size());
+  return sum.GetText();
+}
+
+//------------------------------------------------------------------------------
+std::string Number(std::uint64_t value, int bytes)
+{
+  std::string text;
+  for (int k = 0; k < bytes; ++k)
+  {
+    text += static_cast<char>(value >> (8 * k));
+  }
+  return text;
+}
+
+//------------------------------------------------------------------------------
+// An archive of one member, as APPNOTE.TXT lays it out.
+struct SmallArchive
+{
+  explicit SmallArchive(const std::string& content, bool deflated = true)
+  {
+    std::string packed = content;
+    if (deflated)
+    {
+      z_stream stream{};
+      deflateInit2(&stream, 9, Z_DEFLATED, -MAX_WBITS, 8, Z_DEFAULT_STRATEGY);
+      packed.resize(deflateBound(&stream, content.size()));
+      stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(content.data()));
+      stream.avail_in = static_cast<uInt>(content.size());
+      stream.next_out = reinterpret_cast<Bytef*>(packed.data());
+      stream.avail_out = static_cast<uInt>(packed.size());
+      deflate(&stream, Z_FINISH);
+      packed.resize(stream.total_out);
+      deflateEnd(&stream);
+    }
+    const auto* bytes = reinterpret_cast<const Bytef*>(content.data());
+    const uLong crc = crc32(crc32(0, nullptr, 0), bytes, static_cast<uInt>(content.size()));
+    const std::string name = "folder/file";
+    const std::string common = Number(0, 2) + Number(deflated ? 8 : 0, 2) + Number(0, 4) +
+                               Number(crc, 4) + Number(packed.size(), 4) +
+                               Number(content.size(), 4) + Number(name.size(), 2);
+    this->Text = "before" + ("PK\3\4" + Number(20, 2)) + common + Number(3, 2) + name + "abc";
+    this->First = this->Text.size();
+    this->Text += packed;
+    this->Directory = this->Text.size();
+    this->Text += "PK\1\2" + Number(20, 2) + Number(20, 2) + common + Number(0, 2) + Number(0, 2) +
+                  Number(0, 2) + Number(0, 2) + Number(0, 4) + Number(6, 4) + name;
+    const std::size_t size = this->Text.size() - this->Directory;
+    this->Text += "PK\5\6" + Number(0, 4) + Number(1, 2) + Number(1, 2) + Number(size, 4) +
+                  Number(this->Directory, 4) + Number(2, 2) + "hi";
+  }
+
+  std::string Read(const std::string& name = "folder/file") const
+  {
+    const tool::ZipDirectory directory = tool::FindZipDirectory(this->Text, this->Text.size());
+    const tool::ZipMember member = tool::FindZipMember(
+      this->Text.substr(directory.First, directory.Size), name, this->Text.size());
+    const std::uint64_t first =
+      member.Header + tool::GetZipDataOffset(this->Text.substr(member.Header, tool::ZipHeaderSize));
+    std::string content;
+    tool::UnpackZipMember(
+      member,
+      [&](std::uint64_t at, char* bytes, std::size_t count)
+      {
+        const std::size_t begin = std::min<std::size_t>(first + at, this->Text.size());
+        count = std::min(count, this->Text.size() - begin);
+        std::memcpy(bytes, this->Text.data() + begin, count);
+        return count;
+      },
+      [&](const char* bytes, std::size_t count) { content.append(bytes, count); });
+    return content;
+  }
+
+  std::string Text;
+  std::size_t First = 0;
+  std::size_t Directory = 0;
+};
+}
+
+//------------------------------------------------------------------------------
+// The examples that NIST publishes with FIPS 180, and the empty message of its byte test vectors.
+TEST(Sha256, KnownSums)
+{
+  EXPECT_EQ(GetSum(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+  EXPECT_EQ(GetSum("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  EXPECT_EQ(GetSum("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq"),
+    "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
+  EXPECT_EQ(GetSum("abcdefghbcdefghicdefghijdefghijkefghijklfghijklmghijklmnhijklmno"
+                   "ijklmnopjklmnopqklmnopqrlmnopqrsmnopqrstnopqrstu"),
+    "cf5b16a778af8380036ce59e7b0492370b249b11e8f07a51afac45037afee9d1");
+  EXPECT_EQ(GetSum(std::string(1000000, 'a')),
+    "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
+}
+
+//------------------------------------------------------------------------------
+TEST(Sha256, PiecesDoNotMatter)
+{
+  std::mt19937 random(5);
+  std::string text(1000, '\0');
+  std::generate(text.begin(), text.end(), [&random]() { return static_cast<char>(random()); });
+  for (std::size_t size = 0; size < 200; ++size) // all paddings
+  {
+    const std::string part = text.substr(0, size);
+    tool::Sha256 sum;
+    for (std::size_t at = 0; at < size;)
+    {
+      const std::size_t count = std::min<std::size_t>(size - at, 1 + random() % 130);
+      sum.Add(part.data() + at, count);
+      at += count;
+    }
+    EXPECT_EQ(sum.GetText(), GetSum(part)) << size;
+  }
+  EXPECT_TRUE(tool::IsSha256(GetSum("")));
+  EXPECT_FALSE(tool::IsSha256(GetSum("").substr(1)));
+  EXPECT_FALSE(tool::IsSha256("g" + GetSum("").substr(1)));
+}
+
+//------------------------------------------------------------------------------
+TEST(WebAddress, OnlyHttpsElsewhere)
+{
+  for (const char* url :
+    { "https://example.org/a", "HTTPS://example.org", "http://127.0.0.1:8080/a",
+      "http://127.1.2.3/", "http://localhost/a", "http://[::1]:80/a" })
+  {
+    EXPECT_TRUE(tool::IsAllowedUrl(url)) << url;
+  }
+  for (const char* url : { "", "example.org", "http://example.org/a", "ftp://127.0.0.1/",
+         "file:///etc/passwd", "https://", "https:///a", "http://127.0.0.1@example.org/",
+         "https://user@example.org/", "http://127.0.0.1.example.org/",
+         "http://localhost.example.org", "http://10.0.0.1/", "http://[::2]/", "https://a b/",
+         "https://a\n/", "http://example.org#127.0.0.1", "http://example.org?http://localhost" })
+  {
+    EXPECT_FALSE(tool::IsAllowedUrl(url)) << url;
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(WebAddress, Mirrors)
+{
+  EXPECT_EQ(tool::MoveToBase("https://a.org/b/c", ""), "https://a.org/b/c");
+  EXPECT_EQ(
+    tool::MoveToBase("https://a.org/b/c", "http://localhost:1"), "http://localhost:1/a.org/b/c");
+  EXPECT_EQ(tool::MoveToBase("https://a.org/b/c", "https://m.org/x/"), "https://m.org/x/a.org/b/c");
+}
+
+//------------------------------------------------------------------------------
+TEST(WebAddress, Ranges)
+{
+  const auto range = tool::ParseContentRange("bytes 5-9/100");
+  ASSERT_TRUE(range.has_value());
+  EXPECT_EQ(range->First, 5u);
+  EXPECT_EQ(range->Last, 9u);
+  EXPECT_EQ(range->Total, 100u);
+  for (const char* text : { "", "bytes", "bytes 5-9", "bytes 5-9/*", "bytes */100", "bytes 9-5/100",
+         "bytes 5-100/100", "bytes 5-9/100 ", "items 5-9/100", "bytes -5-9/100", "bytes 5-/100",
+         "bytes 5-99999999999999999999999/100", "bytes 5/9-100" })
+  {
+    EXPECT_FALSE(tool::ParseContentRange(text).has_value()) << text;
+  }
+  EXPECT_TRUE(tool::IsStrongTag("\"a-1\""));
+  for (const char* tag : { "", "\"", "a", "W/\"a\"", "\"a\" b\"", "\"a\n\"", "\"a\"b\"" })
+  {
+    EXPECT_FALSE(tool::IsStrongTag(tag)) << tag;
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(FetchCatalog, NamesAndFiles)
+{
+  const tool::FetchEntry* entry = tool::FindFetchEntry("satin_purple");
+  ASSERT_TRUE(entry);
+  EXPECT_EQ(entry->File, "satin_purple_rgb.bsdf");
+  EXPECT_EQ(tool::FindFetchEntry("satin_purple_rgb.bsdf"), entry);
+  EXPECT_EQ(entry->Url,
+    "https://d38rqfq1h7iukm.cloudfront.net/media/materials/satin_purple/satin_purple_rgb.bsdf");
+  EXPECT_FALSE(tool::FindFetchEntry("satin"));
+  const tool::FetchEntry* merl = tool::FindFetchEntry("merl-gold-paint");
+  ASSERT_TRUE(merl);
+  EXPECT_EQ(merl->Member, "BRDFDatabase/brdfs/gold-paint.binary");
+  EXPECT_EQ(merl->Size, 12u + 8u * 3u * 90u * 90u * 180u); // the format's
+  EXPECT_TRUE(merl->Collection->NeedsAgreement);
+  for (const tool::FetchEntry& each : tool::GetFetchCatalog())
+  {
+    EXPECT_TRUE(each.Sha256.empty() || tool::IsSha256(each.Sha256)) << each.Name;
+    EXPECT_TRUE(tool::IsAllowedUrl(each.Url)) << each.Name;
+    EXPECT_GT(each.Limit, 0u) << each.Name;
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(FetchCatalog, NearNames)
+{
+  EXPECT_EQ(
+    tool::FindNearFetchNames("satin_purpel", 1), std::vector<std::string>{ "satin_purple" });
+  EXPECT_EQ(
+    tool::FindNearFetchNames("gold-paint", 1), std::vector<std::string>{ "merl-gold-paint" });
+  EXPECT_EQ(tool::FindNearFetchNames("satin", 3).size(), 3u);
+  EXPECT_TRUE(tool::FindNearFetchNames(std::string(100000, 'x'), 5).empty());
+}
+
+//------------------------------------------------------------------------------
+TEST(ZipMember, ReadsWhatIsThere)
+{
+  std::string content;
+  for (int k = 0; k < 50000; ++k)
+  {
+    content += std::to_string(k * 7919);
+  }
+  EXPECT_EQ(SmallArchive(content).Read(), content);
+  EXPECT_EQ(SmallArchive(content, false).Read(), content);
+  EXPECT_THROW(SmallArchive(content).Read("folder/other"), tool::ZipError);
+}
+
+//------------------------------------------------------------------------------
+TEST(ZipMember, RefusesWhatIsWrong)
+{
+  const std::string content(5000, 'x');
+  for (const bool deflated : { true, false })
+  {
+    SmallArchive archive(content, deflated);
+    archive.Text[archive.First + 3] ^= 1; // the data
+    EXPECT_THROW(archive.Read(), tool::ZipError);
+  }
+  const auto broken = [&content](std::size_t at, const std::string& bytes, bool inEnd = false)
+  {
+    SmallArchive archive(content);
+    archive.Text.replace(
+      inEnd ? archive.Text.size() - 24 + at : archive.Directory + at, bytes.size(), bytes);
+    EXPECT_THROW(archive.Read(), tool::ZipError) << at;
+  };
+  broken(0, "xx");                       // not an entry
+  broken(8, Number(1, 2));               // encrypted
+  broken(10, Number(12, 2));             // another method
+  broken(16, Number(0, 4));              // another CRC
+  broken(20, Number(0xffffffff, 4));     // packed size of ZIP64
+  broken(24, Number(4999, 4));           // more than it says
+  broken(24, Number(5001, 4));           // less than it says
+  broken(28, Number(60000, 2));          // a name beyond the directory
+  broken(42, Number(0xfffffff0, 4));     // a header beyond the archive
+  broken(42, Number(7, 4));              // no header there
+  broken(0, "xx", true);                 // no end record
+  broken(4, Number(1, 2), true);         // several disks
+  broken(12, Number(0xffffff, 4), true); // a directory too large
+  broken(16, Number(0xffffffff, 4), true);
+  EXPECT_THROW(tool::FindZipDirectory("", 0), tool::ZipError);
+}
+
+//------------------------------------------------------------------------------
+// Any byte changed, and any end: the content, or an error.
+TEST(ZipMember, GivesTheContentOrAnError)
+{
+  const std::string content =
+    "The content of a small file, which is long enough to be packed well.";
+  const std::string text = SmallArchive(content).Text;
+  SmallArchive archive(content);
+  const auto check = [&archive, &content](std::size_t at)
+  {
+    try
+    {
+      EXPECT_EQ(archive.Read(), content) << at;
+    }
+    catch (const tool::ZipError&)
+    {
+    }
+  };
+  for (std::size_t at = 0; at < text.size(); ++at)
+  {
+    for (const int flip : { 1, 0x80, 0xff })
+    {
+      archive.Text = text;
+      archive.Text[at] = static_cast<char>(archive.Text[at] ^ flip);
+      check(at);
+    }
+    archive.Text = text.substr(0, at);
+    check(at);
+  }
+}
