@@ -1,5 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "FetchCatalog.h"
+#include "FetchFolder.h"
+#include "MeasuredBRDFToolVersion.h"
 #include "Tool.h"
 
 #include "vtkEmbeddedEnvironments.h"
@@ -13,6 +16,24 @@
 
 namespace
 {
+//------------------------------------------------------------------------------
+// What was downloaded, and that there is more.
+std::string ListFetched()
+{
+  std::string text;
+  for (const tool::FetchEntry& entry : tool::GetFetchCatalog())
+  {
+    if (!tool::FindFetchedFile(entry).empty())
+    {
+      text += entry.Name + "  " + entry.Collection->Kind + "  " + entry.Collection->Title + "\n";
+    }
+  }
+  return (text.empty() ? "" : "\nFetched:\n" + text) +
+         (MEASUREDBRDF_WITH_CURL
+             ? "\nMore can be downloaded: 'measured-brdf fetch --list' shows what.\n"
+             : "");
+}
+
 //------------------------------------------------------------------------------
 void Run(bool json)
 {
@@ -55,6 +76,7 @@ void Run(bool json)
   {
     row(vtkEmbeddedEnvironments::GetName(k), "", vtkEmbeddedEnvironments::GetSource(k));
   }
+  text += ListFetched();
   tool::PrintOut(text);
 }
 }

@@ -15,7 +15,7 @@ class Resource:
     cut: the connection ends after so many bytes of an answer's body, in the first `cuts` answers that are longer.
     pause: seconds of silence after those bytes, instead of an end.
     status: answers with this status, in the first `failures` answers (all: None).
-    redirect: where to. ignores_range, ignores_if_range, without_length, without_tag: as they say.
+    redirect: where to. date: Last-Modified. encoding: Content-Encoding. ignores_range, ignores_if_range, without_length, without_tag: as they say.
     extra: bytes that are sent beyond what was announced (no length is announced then).
     range_shift: serves another range than the one asked for.
     """
@@ -23,7 +23,7 @@ class Resource:
     def __init__(self, content, tag='"one"', **faults):
         self.content = content
         self.tag = tag
-        self.cut = self.status = self.redirect = self.failures = self.encoding = None
+        self.cut = self.status = self.redirect = self.failures = self.encoding = self.date = None
         self.pause = self.range_shift = 0
         self.cuts = 1
         self.extra = b""
@@ -68,7 +68,7 @@ class Handler(http.server.BaseHTTPRequestHandler):
         if not match or resource.ignores_range:
             return None
         condition = self.headers.get("If-Range")
-        if condition and condition != resource.tag and not resource.ignores_if_range:
+        if condition and condition not in (resource.tag, resource.date) and not resource.ignores_if_range:
             return None
         first = int(match.group(1)) + resource.range_shift
         last = int(match.group(2) or len(resource.content) - 1)
@@ -86,6 +86,8 @@ class Handler(http.server.BaseHTTPRequestHandler):
             self.send_header("Content-Range", f"bytes {span[0]}-{span[1]}/{total}")
         if not resource.without_tag:
             self.send_header("ETag", resource.tag)
+        if resource.date:
+            self.send_header("Last-Modified", resource.date)
         if resource.encoding:
             self.send_header("Content-Encoding", resource.encoding)
         if not (resource.without_length or resource.extra):

@@ -9,6 +9,7 @@ import hashlib
 import io
 import json
 import os
+import pty
 import random
 import resource
 import shutil
@@ -334,6 +335,12 @@ class Resume(FetchTest):
         self.check_nothing_kept()
         self.check_fetched(self.fetch_free())
 
+    def test_date_instead_of_tag(self):
+        self.serve(cut=100000, without_tag=True, date="Tue, 15 Nov 1994 12:45:26 GMT")
+        self.check(self.fetch_free(), 1, "100000 bytes are kept")
+        self.check_fetched(self.fetch_free())
+        self.assertEqual(self.server.requests[1][1]["If-Range"], "Tue, 15 Nov 1994 12:45:26 GMT")
+
     def test_changed_file(self):
         old = make_bytes(300000, seed=2)
         for ignores in (False, True):
@@ -530,6 +537,36 @@ class Archive(FetchTest):
         result = self.fetch("merl-gold-paint", "--trust-first")
         self.check(result, 1, "CC BY-SA 4.0", "Name the authors", "--accept-license")
         self.assertEqual(self.server.requests, [])
+
+    def run_on_terminal(self, answer):
+        """Status and what is said of a program that can ask."""
+        ours, its = pty.openpty()
+        command = self.get_command("merl-gold-paint", "--sha256", sha256(self.content))
+        with subprocess.Popen(command, env=self.environment, stdin=its, stderr=its,
+                              stdout=subprocess.DEVNULL) as process:
+            os.close(its)
+            os.write(ours, answer)
+            said = b""
+            try:
+                while piece := os.read(ours, 4096):
+                    said += piece
+            except OSError:  # the terminal's other end is closed
+                pass
+            os.close(ours)
+            process.wait(timeout=60)
+        return process.returncode, said.decode()
+
+    def test_question(self):
+        self.serve_archive()
+        for answer in (b"n\n", b"\n", b"no way\n"):
+            status, said = self.run_on_terminal(answer)
+            self.assertEqual(status, 1, said)
+            self.assertIn("Do you agree", said)
+        self.assertEqual(self.server.requests, [])
+        status, said = self.run_on_terminal(b"y\n")
+        self.assertEqual(status, 0, said)
+        self.assertIn("100 %", said)  # the progress
+        self.assertEqual(self.read(self.file), self.content)
 
     def test_member(self):
         self.serve_archive()
