@@ -147,6 +147,28 @@ TEST_F(MaterialMapping, ScalarsThatChooseDoNotColor)
   EXPECT_LT(colored.At(20, 30)[1], 0.01 * this->Alone[0].At(20, 30)[1]);
 }
 
+// Each of several arrays of weights.
+TEST_F(MaterialMapping, ScalarsThatWeighDoNotColor)
+{
+  this->AddMaterials(3);
+  this->RenderAlone();
+  this->Map->SetModeToWeights();
+  for (int k = 0; k < 3; ++k)
+  {
+    this->SetPoints([k](vtkIdType, int) { return k + 1.0; });
+    const std::string name = "weight " + std::to_string(k);
+    this->Sheet->GetPointData()->GetArray("data")->SetName(name.c_str());
+    this->Map->SetWeightArrayName(k, name);
+  }
+  for (int k = 0; k < 3; ++k)
+  {
+    this->Sheet->GetPointData()->SetActiveScalars(("weight " + std::to_string(k)).c_str());
+    this->Sheet->Modified();
+    SCOPED_TRACE(k);
+    this->ExpectMixture([](const Place&, int material) { return (material + 1.0) / 6.0; }, 1e-4);
+  }
+}
+
 TEST_F(MaterialMapping, DataAndMaterialsMayChange)
 {
   this->AddMaterials(3);

@@ -16,19 +16,30 @@ namespace measuredbrdf
 {
 namespace
 {
-// Whether the mapper's colors are those of the array that chooses the materials: it has done its
-// work then.
+// Whether the mapper's colors are those of an array that chooses or weighs the materials: it has
+// done its work then.
 bool AreColorsOfMap(vtkPolyDataMapper* mapper, vtkPolyData* input, vtkMaterialMap* map)
 {
-  MapArray array;
-  const bool known =
-    map->GetMode() == vtkMaterialMap::WEIGHTS
-      ? array.FindWeights(input, map, 0).empty()
-      : map->GetMode() != vtkMaterialMap::TEXTURES && array.Find(input, map).empty();
   int cellFlag = 0;
-  return known &&
-         vtkAbstractMapper::GetScalars(input, mapper->GetScalarMode(), mapper->GetArrayAccessMode(),
-           mapper->GetArrayId(), mapper->GetArrayName(), cellFlag) == array.GetArray();
+  const vtkDataArray* colors = vtkAbstractMapper::GetScalars(input, mapper->GetScalarMode(),
+    mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), cellFlag);
+  MapArray array;
+  if (!colors || map->GetMode() == vtkMaterialMap::TEXTURES)
+  {
+    return false;
+  }
+  if (map->GetMode() != vtkMaterialMap::WEIGHTS)
+  {
+    return array.Find(input, map).empty() && array.GetArray() == colors;
+  }
+  for (int k = 0; k < map->GetNumberOfMaterials(); ++k)
+  {
+    if (array.FindWeights(input, map, k).empty() && array.GetArray() == colors)
+    {
+      return true;
+    }
+  }
+  return false;
 }
 }
 
