@@ -202,7 +202,7 @@ bool vtkTracedRadianceIntegrator::Integrate(vtkPolyData* points, vtkDataArray* v
   }
   Run run;
   run.Tracer =
-    std::make_unique<TracedRadiance>(this->Scene->GetInternals(), this->Environment, materials);
+    std::make_unique<TracedRadiance>(this->Scene->GetSurfaces(), this->Environment, materials);
   vtkPointData* data = points->GetPointData();
   const vtkIdType count = points->GetNumberOfPoints();
   vtkDataArray* facets = data->GetArray("FacetNormals");

@@ -5,7 +5,6 @@
 #include "HalfVector.h" // for Pi
 #include "LocalFrame.h"
 #include "LowDiscrepancy.h"
-#include "TracedScene.h"
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
@@ -17,6 +16,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
+#include "vtkTracedSurfaces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -83,7 +83,7 @@ vtkStandardNewMacro(vtkTracedScene);
 
 //------------------------------------------------------------------------------
 vtkTracedScene::vtkTracedScene()
-  : Data(std::make_unique<Internals>())
+  : Data(std::make_unique<vtkTracedSurfaces>())
 {
 }
 
@@ -98,7 +98,7 @@ int vtkTracedScene::AddSurface(vtkPolyData* surface, vtkMatrix4x4* matrix)
     vtkErrorMacro("AddSurface: there is no surface.");
     return -1;
   }
-  Internals::Surface added;
+  vtkTracedSurfaces::Surface added;
   vtkNew<vtkMatrix4x4> identity;
   vtkMatrix4x4* taken = matrix ? matrix : identity;
   for (int k = 0; k < 16; ++k)
@@ -115,7 +115,7 @@ int vtkTracedScene::AddSurface(vtkPolyData* surface, vtkMatrix4x4* matrix)
   }
   double points = static_cast<double>(surface->GetNumberOfPoints());
   double cells = static_cast<double>(surface->GetNumberOfCells());
-  for (const Internals::Surface& other : this->Data->Surfaces)
+  for (const vtkTracedSurfaces::Surface& other : this->Data->Surfaces)
   {
     points += static_cast<double>(other.Mesh->GetNumberOfPoints());
     cells += static_cast<double>(other.Mesh->GetNumberOfCells());
@@ -165,7 +165,7 @@ void vtkTracedScene::Build()
   }
   auto tracer = std::make_unique<SurfaceTracer>(
     this->UseEmbree ? SurfaceTracer::Backend::Best : SurfaceTracer::Backend::Own);
-  for (Internals::Surface& surface : this->Data->Surfaces)
+  for (vtkTracedSurfaces::Surface& surface : this->Data->Surfaces)
   {
     tracer->AddSurface(surface.Mesh, surface.Matrix.data());
     this->Data->TakeNormals(surface);
@@ -175,7 +175,7 @@ void vtkTracedScene::Build()
 }
 
 //------------------------------------------------------------------------------
-const vtkTracedScene::Internals& vtkTracedScene::GetInternals()
+const vtkTracedSurfaces& vtkTracedScene::GetSurfaces()
 {
   this->Build();
   return *this->Data;
@@ -207,7 +207,7 @@ vtkIdType vtkTracedScene::GetNumberOfBytes()
 {
   this->Build();
   std::size_t bytes = this->Data->Tracer->GetBytes();
-  for (const Internals::Surface& surface : this->Data->Surfaces)
+  for (const vtkTracedSurfaces::Surface& surface : this->Data->Surfaces)
   {
     bytes += surface.Normals.capacity() * sizeof(float);
   }
@@ -234,7 +234,7 @@ bool vtkTracedScene::CastRays(vtkDataArray* origins, vtkDataArray* directions, v
       "and there must be hits to fill.");
     return false;
   }
-  const Internals& scene = this->GetInternals();
+  const vtkTracedSurfaces& scene = this->GetSurfaces();
   const vtkIdType count = origins->GetNumberOfTuples();
   std::vector<SurfacePoint> found(static_cast<std::size_t>(count), GetMiss());
   vtkSMPTools::For(0, count,
@@ -267,7 +267,7 @@ bool vtkTracedScene::DrawVisiblePoints(
   }
   double bounds[6];
   this->GetBounds(bounds);
-  const Internals& scene = this->GetInternals();
+  const vtkTracedSurfaces& scene = this->GetSurfaces();
   const glm::dvec3 low(bounds[0], bounds[2], bounds[4]);
   const glm::dvec3 high(bounds[1], bounds[3], bounds[5]);
   const double radius = 0.5 * glm::length(high - low);

@@ -20,12 +20,13 @@
 #include "vtkMeasuredBRDFModule.h" // for export macro
 #include "vtkObject.h"
 
-#include <memory> // for Internals
+#include <memory> // for surfaces
 #include <string> // for names
 
 class vtkDataArray;
 class vtkMatrix4x4;
 class vtkPolyData;
+class vtkTracedSurfaces;
 
 class VTKMEASUREDBRDF_EXPORT vtkTracedScene : public vtkObject
 {
@@ -106,8 +107,7 @@ public:
 
 #ifndef __VTK_WRAP__
   /// For integrators.
-  class Internals;
-  const Internals& GetInternals();
+  const vtkTracedSurfaces& GetSurfaces();
 #endif
 
 protected:
@@ -120,7 +120,7 @@ private:
   vtkTracedScene(const vtkTracedScene&) = delete;
   void operator=(const vtkTracedScene&) = delete;
 
-  std::unique_ptr<Internals> Data;
+  std::unique_ptr<vtkTracedSurfaces> Data;
 };
 
 #endif

@@ -11,7 +11,7 @@
 
 #include "LocalFrame.h"
 #include "SkySampler.h"
-#include "TracedScene.h"
+#include "vtkTracedSurfaces.h"
 
 #include <glm/glm.hpp>
 
@@ -35,8 +35,8 @@ public:
   };
 
   /// materials: of each surface; all prepared.
-  TracedRadiance(const vtkTracedScene::Internals& scene, vtkEnvironment* environment,
-    std::vector<vtkBRDF*> materials)
+  TracedRadiance(
+    const vtkTracedSurfaces& scene, vtkEnvironment* environment, std::vector<vtkBRDF*> materials)
     : Scene(scene)
     , Sky(environment)
     , Environment(environment)
@@ -89,7 +89,7 @@ private:
     std::uint64_t path, Sums& sums, std::size_t half) const;
   glm::dvec3 Follow(SurfacePoint point, glm::dvec3 view, int bounces, std::uint64_t path) const;
 
-  const vtkTracedScene::Internals& Scene;
+  const vtkTracedSurfaces& Scene;
   SkySampler Sky;
   vtkEnvironment* Environment;
   std::vector<vtkBRDF*> Materials;

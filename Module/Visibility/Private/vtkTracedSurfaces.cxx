@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "TracedScene.h"
+#include "vtkTracedSurfaces.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
@@ -22,7 +22,7 @@ glm::dvec3 Toward(const glm::dvec3& normal, const glm::dvec3& side)
 
 //------------------------------------------------------------------------------
 // By the inverse transposed matrix, up to a factor: its cofactors.
-void vtkTracedScene::Internals::TakeNormals(Surface& surface) const
+void vtkTracedSurfaces::TakeNormals(Surface& surface) const
 {
   vtkDataArray* normals = surface.Mesh->GetPointData()->GetNormals();
   surface.Normals.clear();
@@ -53,7 +53,7 @@ void vtkTracedScene::Internals::TakeNormals(Surface& surface) const
 }
 
 //------------------------------------------------------------------------------
-bool vtkTracedScene::Internals::Cast(
+bool vtkTracedSurfaces::Cast(
   const glm::dvec3& origin, const glm::dvec3& direction, measuredbrdf::SurfacePoint& point) const
 {
   measuredbrdf::SurfaceTracer::Hit hit{};
@@ -100,13 +100,13 @@ bool vtkTracedScene::Internals::Cast(
 }
 
 //------------------------------------------------------------------------------
-glm::dvec3 vtkTracedScene::Internals::Leave(const measuredbrdf::SurfacePoint& from) const
+glm::dvec3 vtkTracedSurfaces::Leave(const measuredbrdf::SurfacePoint& from) const
 {
   return from.Position + this->Tracer->GetOffset() * from.Facet;
 }
 
 //------------------------------------------------------------------------------
-bool vtkTracedScene::Internals::IsHidden(
+bool vtkTracedSurfaces::IsHidden(
   const measuredbrdf::SurfacePoint& from, const glm::dvec3& direction) const
 {
   const glm::dvec3 origin = this->Leave(from);

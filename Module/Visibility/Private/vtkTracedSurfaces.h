@@ -5,12 +5,11 @@
  * What vtkTracedScene holds: surfaces, a tracer and normals. Private to the module.
  */
 
-#ifndef TracedScene_h
-#define TracedScene_h
+#ifndef vtkTracedSurfaces_h
+#define vtkTracedSurfaces_h
 
 #include "SurfaceTracer.h"
 #include "vtkSmartPointer.h"
-#include "vtkTracedScene.h"
 
 #include <glm/glm.hpp>
 
@@ -31,7 +30,7 @@ struct SurfacePoint
 };
 } // namespace measuredbrdf
 
-class vtkTracedScene::Internals
+class vtkTracedSurfaces
 {
 public:
   /// What the ray meets first, or false.
