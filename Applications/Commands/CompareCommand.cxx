@@ -17,6 +17,7 @@
 #include "StockScene.h"
 #include "Surface.h"
 #include "Tool.h"
+#include "TracedSurface.h"
 
 #include "vtkBRDFFailureMap.h"
 #include "vtkBRDFResampler.h"
@@ -51,6 +52,8 @@ struct Options
   std::string Fit;
   std::string FailureMap;
   tool::MethodOptions Method;
+  tool::TraceOptions Trace;
+  bool Occlusion = false;
 };
 
 // Frames that frame_ms is the median of, and those before that are not counted.
@@ -194,6 +197,26 @@ void WriteStrip(const Options& options, const std::string& title, vtkEnvironment
 }
 
 //------------------------------------------------------------------------------
+// The light that nothing hides, the method, and the truth.
+void WriteOcclusionStrip(const Options& options, const std::string& title,
+  vtkEnvironment* environment, const Comparison& found, tool::OffscreenScene& scene,
+  const tool::Surface& surface, const tool::TracedSurface& traced)
+{
+  const tool::Size size = tool::ParseSize("--size", options.Size, LargestSize);
+  vtkNew<vtkRadianceMetrics> metrics;
+  tool::Measure(metrics, tool::Grid(surface, size), traced.Unoccluded, traced.Radiance);
+  tool::ComparisonStrip strip(title, environment, size);
+  strip.AddRadiance(scene, surface, traced.Unoccluded, "light that nothing hides",
+    "error " + tool::FormatPercent(metrics->GetRelativeL1()));
+  strip.AddRendered(scene, options.Method.Method == "auto" ? "this module" : options.Method.Method,
+    "error " + tool::FormatPercent(found.Metrics->GetRelativeL1()));
+  strip.AddRadiance(scene, surface, traced.Radiance, "traced",
+    options.Trace.Bounces > 0 ? "the reference with occlusion and bounces"
+                              : "the reference with occlusion");
+  strip.Write(options.Strip);
+}
+
+//------------------------------------------------------------------------------
 void Open(
   tool::OffscreenScene& scene, vtkPolyData* mesh, const tool::View& view, const tool::Size& size)
 {
@@ -300,6 +323,50 @@ tool::ReferencePicture GetReference(
 }
 
 //------------------------------------------------------------------------------
+/// What the mesh hides, measured or only predicted.
+struct Occlusion
+{
+  vtkSmartPointer<vtkOcclusionPredictor> Predicted;
+  tool::TracedSurface Traced; // empty: not asked for
+};
+
+Occlusion FindOcclusion(const Options& options, vtkPolyData* mesh, vtkBRDF* brdf,
+  vtkEnvironment* environment, const tool::OffscreenScene& camera, const tool::Surface& surface,
+  const tool::Size& size)
+{
+  Occlusion found;
+  const vtkSmartPointer<vtkTracedScene> traced = tool::MakeTracedScene(mesh);
+  found.Predicted = tool::PredictOcclusion(traced, brdf, environment);
+  if (options.Occlusion)
+  {
+    found.Traced =
+      tool::TraceSurface(traced, brdf, environment, camera, surface, size, options.Trace);
+  }
+  return found;
+}
+
+void AddOcclusion(const Options& options, const Occlusion& found, nlohmann::ordered_json& report)
+{
+  report["unoccluded_error"] = found.Predicted->GetError();
+  report["unoccluded_uncertainty"] = found.Predicted->GetUncertainty();
+  report["occlusion"] = options.Occlusion;
+  if (options.Occlusion)
+  {
+    double difference = 0.0;
+    double sum = 0.0;
+    for (std::size_t k = 0; k < found.Traced.Radiance.size(); ++k)
+    {
+      difference += std::abs(found.Traced.Unoccluded[k] - found.Traced.Radiance[k]);
+      sum += found.Traced.Radiance[k];
+    }
+    report["traced_samples"] = options.Trace.Samples;
+    report["traced_bounces"] = options.Trace.Bounces;
+    report["traced_noise"] = found.Traced.Noise;
+    report["unoccluded_error_in_view"] = difference / std::max(sum, 1e-300);
+  }
+}
+
+//------------------------------------------------------------------------------
 void Run(Options& options, const CLI::App* command)
 {
   const tool::Size size = tool::ParseSize("--size", options.Size, LargestSize);
@@ -321,7 +388,11 @@ void Run(Options& options, const CLI::App* command)
 
   const tool::Surface surface = tool::FindSurface(mesh, view, Fill, size,
     options.Strip.empty() ? options.ReferencePixels : std::numeric_limits<int>::max());
-  const tool::ReferencePicture whole = GetReference(material.BRDF, environment, surface, size);
+  const Occlusion occlusion =
+    FindOcclusion(options, mesh, material.BRDF, environment, scene, surface, size);
+  const tool::ReferencePicture whole = options.Occlusion
+                                         ? tool::ReferencePicture{ occlusion.Traced.Radiance }
+                                         : GetReference(material.BRDF, environment, surface, size);
   const std::vector<double>& reference = whole.Radiance;
   const tool::Picture drawn = scene.Render(size.Width, size.Height);
   const std::vector<double> rgb = tool::Pick(drawn, surface);
@@ -336,6 +407,7 @@ void Run(Options& options, const CLI::App* command)
   report["reference_pixels"] = surface.Pixels.size();
   report["reference_integrated"] = whole.Integrated; // share of them; the others are interpolated,
   report["reference_within"] = whole.Within;         // and this share of a sample within 0.3 %
+  AddOcclusion(options, occlusion, report);
   report["covered_pixels"] = surface.NumberOfCovered;
   report["width"] = size.Width;
   report["height"] = size.Height;
@@ -362,7 +434,9 @@ void Run(Options& options, const CLI::App* command)
   }
   if (!options.Strip.empty())
   {
-    WriteStrip(options, title, environment, found, scene, stock, surface, reference);
+    options.Occlusion
+      ? WriteOcclusionStrip(options, title, environment, found, scene, surface, occlusion.Traced)
+      : WriteStrip(options, title, environment, found, scene, stock, surface, reference);
   }
   if (!options.Output.empty())
   {
@@ -372,6 +446,8 @@ void Run(Options& options, const CLI::App* command)
         found.StockSetup });
   }
   PrintSummary(title, options, found, grid);
+  tool::PrintOut(occlusion.Predicted->GetText() +
+                 (options.Occlusion ? "; the reference has occlusion\n" : "\n"));
   if (method.Planner)
   {
     tool::PrintOut("plan: " + method.Planner->GetPlan() + "\n");
@@ -416,6 +492,11 @@ void AddCompareCommand(CLI::App& app)
     "Picture to write, .png: VTK's shading, the method and the reference in front of the "
     "environment, with errors and the method's frame time relative to VTK's. Every covered pixel "
     "is compared");
+  command->add_flag("--occlusion", options->Occlusion,
+    "Compare with a reference that has what the mesh hides of the environment, traced. --strip "
+    "then "
+    "shows the light that nothing hides, the method and that reference");
+  options->Trace.AddTo(command);
   command->add_option("--fit", options->Fit,
     "Another file of the same material (a fit, a projection). It is rendered instead of FILE and "
     "compared with the reference of FILE");

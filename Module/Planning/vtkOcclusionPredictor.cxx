@@ -132,10 +132,10 @@ bool vtkOcclusionPredictor::Update()
 }
 
 //------------------------------------------------------------------------------
-std::string vtkOcclusionPredictor::GetText() { return GetText(this->Error, this->Uncertainty); }
+std::string vtkOcclusionPredictor::GetText() { return FormatText(this->Error, this->Uncertainty); }
 
 //------------------------------------------------------------------------------
-std::string vtkOcclusionPredictor::GetText(double error, double uncertainty)
+std::string vtkOcclusionPredictor::FormatText(double error, double uncertainty)
 {
   if (!std::isfinite(error))
   {

@@ -98,7 +98,7 @@ public:
    * In words: "unoccluded light: 9 % on this surface (+- 2 %)".
    */
   std::string GetText();
-  static std::string GetText(double error, double uncertainty);
+  static std::string FormatText(double error, double uncertainty);
 
   /**
    * Whether occlusion should be modeled: its error exceeds what the tolerance leaves beside the

@@ -129,7 +129,7 @@ TEST(OcclusionPredictor, Decision)
   EXPECT_TRUE(vtkOcclusionPredictor::IsWorthModeling(0.014, 0.015, 0.02)); // 0.0132 is left
   EXPECT_FALSE(vtkOcclusionPredictor::IsWorthModeling(0.009, 0.05, 0.02)); // a bad plan
   EXPECT_TRUE(vtkOcclusionPredictor::IsWorthModeling(0.011, 0.05, 0.02));
-  EXPECT_EQ(vtkOcclusionPredictor::GetText(0.0921, 0.0104),
+  EXPECT_EQ(vtkOcclusionPredictor::FormatText(0.0921, 0.0104),
     "unoccluded light: 9.2 % on this surface (+- 1 %)");
 }
 
