@@ -25,6 +25,9 @@ constexpr int MostPoints = 1000000;
 constexpr int FewestSamples = 8;
 constexpr int MostSamples = 100000;
 constexpr int MostBounces = 1000;
+constexpr double SureShare = 0.25;   // of the error, as its uncertainty: sure enough
+constexpr double SmallError = 0.002; // nobody asks how far below it is
+constexpr int Growth = 4;
 constexpr double LeastShare = 0.5; // of the tolerance, left for occlusion whatever the plan's error
 
 /// The ratio of two means, sum of errors / sum of values, and twice its standard error.
@@ -72,6 +75,8 @@ vtkCxxSetSmartPointerMacro(vtkOcclusionPredictor, Scene, vtkTracedScene);
 vtkCxxSetSmartPointerMacro(vtkOcclusionPredictor, BRDF, vtkBRDF);
 vtkCxxSetSmartPointerMacro(vtkOcclusionPredictor, Environment, vtkEnvironment);
 measuredbrdfSetFinite3Macro(vtkOcclusionPredictor, ViewDirection);
+measuredbrdfSetClampedMacro(
+  vtkOcclusionPredictor, MaximumNumberOfPoints, int, FewestPoints, MostPoints);
 measuredbrdfSetClampedMacro(vtkOcclusionPredictor, NumberOfPoints, int, FewestPoints, MostPoints);
 measuredbrdfSetClampedMacro(
   vtkOcclusionPredictor, NumberOfSamples, int, FewestSamples, MostSamples);
@@ -95,6 +100,27 @@ bool vtkOcclusionPredictor::Update()
   {
     return true;
   }
+  const int most = std::max(this->MaximumNumberOfPoints, this->NumberOfPoints);
+  for (int count = this->NumberOfPoints;; count = count > most / Growth ? most : Growth * count)
+  {
+    if (!this->Predict(count))
+    {
+      vtkErrorMacro("Update: nothing can be predicted.");
+      return false;
+    }
+    if (count >= most || this->Uncertainty <= SureShare * this->Error ||
+        this->Error + this->Uncertainty <= SmallError)
+    {
+      break;
+    }
+  }
+  this->UpdateTime.Modified();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkOcclusionPredictor::Predict(int numberOfPoints)
+{
   vtkNew<vtkPolyData> points;
   vtkNew<vtkDoubleArray> views;
   vtkNew<vtkDoubleArray> radiance;
@@ -107,10 +133,9 @@ bool vtkOcclusionPredictor::Update()
   integrator->SetNumberOfBounces(this->NumberOfBounces);
   // Both sums of one set of samples: what they have in common cancels.
   integrator->UnoccludedReferenceOff();
-  if (!this->Scene->DrawVisiblePoints(this->NumberOfPoints, this->ViewDirection, points, views) ||
+  if (!this->Scene->DrawVisiblePoints(numberOfPoints, this->ViewDirection, points, views) ||
       !integrator->Integrate(points, views, radiance, open))
   {
-    vtkErrorMacro("Update: nothing can be predicted.");
     return false;
   }
   std::vector<double> errors;
@@ -127,7 +152,6 @@ bool vtkOcclusionPredictor::Update()
   const Ratio ratio(errors, values);
   this->Error = ratio.Value;
   this->Uncertainty = ratio.Uncertainty;
-  this->UpdateTime.Modified();
   return true;
 }
 
@@ -169,6 +193,7 @@ void vtkOcclusionPredictor::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ViewDirection: " << this->ViewDirection[0] << " " << this->ViewDirection[1]
      << " " << this->ViewDirection[2] << "\n";
   os << indent << "NumberOfPoints: " << this->NumberOfPoints << "\n";
+  os << indent << "MaximumNumberOfPoints: " << this->MaximumNumberOfPoints << "\n";
   os << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n";
   os << indent << "NumberOfBounces: " << this->NumberOfBounces << "\n";
   os << indent << "Error: " << this->Error << "\n";

@@ -62,10 +62,15 @@ public:
 
   ///@{
   /**
-   * Points (default 400, from 16 to 10^6) and directions a point (default 64, from 8 to 10^5).
+   * Points (default 400, from 16 to 10^6), and directions a point (default 64, from 8 to 10^5).
+   * Where the uncertainty then exceeds a quarter of the error (and the error, with it, 0.2 %), four
+   * times as many points are traced, and again, up to MaximumNumberOfPoints (default 6400):
+   * reflections of lamps in gloss are rare. At or below NumberOfPoints it is never more than those.
    */
   virtual void SetNumberOfPoints(int numberOfPoints);
   vtkGetMacro(NumberOfPoints, int);
+  virtual void SetMaximumNumberOfPoints(int maximumNumberOfPoints);
+  vtkGetMacro(MaximumNumberOfPoints, int);
   virtual void SetNumberOfSamples(int numberOfSamples);
   vtkGetMacro(NumberOfSamples, int);
   ///@}
@@ -114,6 +119,7 @@ protected:
 
   double ViewDirection[3] = { 0.0, 0.0, 0.0 };
   int NumberOfPoints = 400;
+  int MaximumNumberOfPoints = 6400;
   int NumberOfSamples = 64;
   int NumberOfBounces = 0;
   double Error = 0.0;
@@ -122,6 +128,9 @@ protected:
 private:
   vtkOcclusionPredictor(const vtkOcclusionPredictor&) = delete;
   void operator=(const vtkOcclusionPredictor&) = delete;
+
+  /// From so many points; false where that fails.
+  bool Predict(int numberOfPoints);
 
   vtkSmartPointer<vtkTracedScene> Scene;
   vtkSmartPointer<vtkBRDF> BRDF;

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Whether the error of leaving occlusion out is what a few hundred traced points foretell: meshes,
-// materials and maps, against pictures from several sides with many more rays. A line of CSV for
-// each mesh, material and map, then how far the predictions were off. Errors, not times.
+// materials and maps, against many more points as cameras all around see them, with other rays. A
+// line of CSV for each mesh, material and map, then how far the predictions were off. Errors, not
+// times.
 #include "vtkAppendPolyData.h"
 #include "vtkBRDF.h"
 #include "vtkBRDFReader.h"
@@ -20,6 +21,7 @@
 #include "vtkParametricFunctionSource.h"
 #include "vtkParametricTorus.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataNormals.h"
 #include "vtkRTAnalyticSource.h"
@@ -32,7 +34,6 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <ctime>
@@ -44,6 +45,7 @@ namespace
 constexpr double Within = 1.5;
 // Errors below a tenth of the usual tolerance count as this much: nobody asks for their ratio.
 constexpr double LeastError = 0.002;
+constexpr int MostPredicted = 6400;
 constexpr double SharpAngle = 40.0; // degrees: edges that stay sharp
 
 //------------------------------------------------------------------------------
@@ -159,71 +161,34 @@ std::string GetStem(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
-/// A mesh, and the pixels of parallel pictures from the corners and faces of a cube: 14 sides.
+/// A mesh, and points of it as cameras all around see them.
 struct Case
 {
-  std::string Name;
   vtkNew<vtkTracedScene> Scene;
   vtkNew<vtkPolyData> Hits;
   vtkNew<vtkDoubleArray> Views;
-
-  void Look(int pixels)
-  {
-    double bounds[6];
-    this->Scene->GetBounds(bounds);
-    const double center[3] = { 0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]),
-      0.5 * (bounds[4] + bounds[5]) };
-    const double radius =
-      0.5 * std::sqrt(std::pow(bounds[1] - bounds[0], 2) + std::pow(bounds[3] - bounds[2], 2) +
-                      std::pow(bounds[5] - bounds[4], 2));
-    vtkNew<vtkDoubleArray> origins;
-    vtkNew<vtkDoubleArray> directions;
-    for (vtkDoubleArray* array : { origins.Get(), directions.Get(), this->Views.Get() })
-    {
-      array->SetNumberOfComponents(3);
-    }
-    for (int side = 0; side < 14; ++side)
-    {
-      std::array<double, 3> d{};
-      for (int c = 0; c < 3; ++c)
-      {
-        const int axis = side - 8;
-        d[static_cast<std::size_t>(c)] =
-          side < 8        ? ((side >> c) % 2 == 0 ? 1.0 : -1.0) * std::sqrt(1.0 / 3.0)
-          : axis / 2 == c ? (axis % 2 == 0 ? 1.0 : -1.0)
-                          : 0.0;
-      }
-      std::array<double, 3> a = { -d[1], d[0], 0.0 };
-      if (std::abs(d[2]) > 0.9)
-      {
-        a = { 1.0, 0.0, 0.0 };
-      }
-      const double length = std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
-      for (double& value : a)
-      {
-        value /= length;
-      }
-      const std::array<double, 3> b = { d[1] * a[2] - d[2] * a[1], d[2] * a[0] - d[0] * a[2],
-        d[0] * a[1] - d[1] * a[0] };
-      for (int k = 0; k < pixels * pixels; ++k)
-      {
-        const double u = radius * (2.0 * (k % pixels + 0.5) / pixels - 1.0);
-        const double v = radius * (2.0 * (k / pixels + 0.5) / pixels - 1.0);
-        double origin[3];
-        double direction[3];
-        for (std::size_t c = 0; c < 3; ++c)
-        {
-          origin[c] = center[c] + 2.0 * radius * d[c] + u * a[c] + v * b[c];
-          direction[c] = -d[c];
-        }
-        origins->InsertNextTuple(origin);
-        directions->InsertNextTuple(direction);
-        this->Views->InsertNextTuple(d.data());
-      }
-    }
-    this->Scene->CastRays(origins, directions, this->Hits);
-  }
 };
+
+// The last so many points.
+void KeepLast(vtkPolyData* drawn, vtkDoubleArray* views, int count, Case& mesh)
+{
+  const vtkIdType all = drawn->GetNumberOfPoints();
+  const vtkIdType first = std::max<vtkIdType>(all - count, 0);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  mesh.Views->SetNumberOfComponents(3);
+  vtkPointData* from = drawn->GetPointData();
+  vtkPointData* to = mesh.Hits->GetPointData();
+  to->CopyAllOn();
+  to->CopyAllocate(from);
+  for (vtkIdType k = first; k < all; ++k)
+  {
+    points->InsertNextPoint(drawn->GetPoint(k));
+    mesh.Views->InsertNextTuple(views->GetTuple(k));
+    to->CopyData(from, k, k - first);
+  }
+  mesh.Hits->SetPoints(points);
+}
 
 double Measure(Case& mesh, vtkBRDF* brdf, vtkEnvironment* environment, int samples)
 {
@@ -252,15 +217,15 @@ int main(int argc, char** argv)
 {
   std::vector<std::string> materials, environments;
   std::vector<std::string> shapes = { "torus", "isosurface", "molecule", "machine-part" };
-  int pixels = 24;
-  int samples = 128;
+  int points = 10000;
+  int samples = 64;
   CLI::App app("Whether the error of leaving occlusion out is what a few points foretell.");
   app.add_option("--materials", materials, "Files or embedded names")->required();
   app.add_option("--environments", environments, "Files or embedded names")->required();
   app.add_option(
     "--shapes", shapes, "torus, isosurface, molecule, machine-part, or .vtp and .ply files");
-  app.add_option("--pixels", pixels, "Of each of 14 pictures, across");
-  app.add_option("--samples", samples, "Directions a pixel");
+  app.add_option("--points", points, "That errors are measured at");
+  app.add_option("--samples", samples, "Directions a point");
   CLI11_PARSE(app, argc, argv);
 
   std::printf("mesh,triangles,material,environment,predicted,uncertainty,measured,cpu_seconds\n");
@@ -272,7 +237,12 @@ int main(int argc, char** argv)
   {
     Case mesh;
     mesh.Scene->AddSurface(MakeMesh(shape));
-    mesh.Look(pixels);
+    const double everywhere[3] = { 0.0, 0.0, 0.0 };
+    vtkNew<vtkPolyData> drawn;
+    vtkNew<vtkDoubleArray> views;
+    // None of those that predictions see: these are the first.
+    mesh.Scene->DrawVisiblePoints(points + MostPredicted, everywhere, drawn, views);
+    KeepLast(drawn, views, points, mesh);
     for (const std::string& light : environments)
     {
       const vtkSmartPointer<vtkEnvironment> environment = FindEnvironment(light);

@@ -109,6 +109,7 @@ TEST(OcclusionPredictor, FewPointsForetellMany)
       predictor->SetScene(scene);
       predictor->SetBRDF(brdf);
       predictor->SetEnvironment(environment);
+      predictor->SetMaximumNumberOfPoints(400);
       ASSERT_TRUE(predictor->Update());
       const double error = predictor->GetError();
       const double uncertainty = predictor->GetUncertainty();
