@@ -197,23 +197,20 @@ void WriteStrip(const Options& options, const std::string& title, vtkEnvironment
 }
 
 //------------------------------------------------------------------------------
-// The light that nothing hides, the method, and the truth.
-void WriteOcclusionStrip(const Options& options, const std::string& title,
-  vtkEnvironment* environment, const Comparison& found, tool::OffscreenScene& scene,
-  const tool::Surface& surface, const tool::TracedSurface& traced)
+void WriteAnyStrip(const Options& options, const std::string& title, vtkEnvironment* environment,
+  const Comparison& found, tool::OffscreenScene& scene, tool::OffscreenScene& stock,
+  const tool::Surface& surface, const tool::Occlusion& occlusion,
+  const std::vector<double>& reference)
 {
-  const tool::Size size = tool::ParseSize("--size", options.Size, LargestSize);
-  vtkNew<vtkRadianceMetrics> metrics;
-  tool::Measure(metrics, tool::Grid(surface, size), traced.Unoccluded, traced.Radiance);
-  tool::ComparisonStrip strip(title, environment, size);
-  strip.AddRadiance(scene, surface, traced.Unoccluded, "light that nothing hides",
-    "error " + tool::FormatPercent(metrics->GetRelativeL1()));
-  strip.AddRendered(scene, options.Method.Method == "auto" ? "this module" : options.Method.Method,
-    "error " + tool::FormatPercent(found.Metrics->GetRelativeL1()));
-  strip.AddRadiance(scene, surface, traced.Radiance, "traced",
-    options.Trace.Bounces > 0 ? "the reference with occlusion and bounces"
-                              : "the reference with occlusion");
-  strip.Write(options.Strip);
+  if (!options.Occlusion)
+  {
+    WriteStrip(options, title, environment, found, scene, stock, surface, reference);
+    return;
+  }
+  const std::string name = options.Method.Method == "auto" ? "this module" : options.Method.Method;
+  tool::WriteOcclusionStrip(options.Strip, title, environment,
+    tool::ParseSize("--size", options.Size, LargestSize), scene, surface, occlusion.Traced, name,
+    found.Metrics->GetRelativeL1());
 }
 
 //------------------------------------------------------------------------------
@@ -288,6 +285,18 @@ void PrintSummary(
 }
 
 //------------------------------------------------------------------------------
+void PrintPlan(
+  const Options& options, vtkOcclusionPredictor& predictor, vtkRadiancePlanner* planner)
+{
+  tool::PrintOut(
+    predictor.GetText() + (options.Occlusion ? "; the reference has occlusion\n" : "\n"));
+  if (planner)
+  {
+    tool::PrintOut("plan: " + planner->GetPlan() + "\n");
+  }
+}
+
+//------------------------------------------------------------------------------
 void Check(Options& options, const CLI::App* command)
 {
   options.Method.Check(command);
@@ -323,50 +332,6 @@ tool::ReferencePicture GetReference(
 }
 
 //------------------------------------------------------------------------------
-/// What the mesh hides, measured or only predicted.
-struct Occlusion
-{
-  vtkSmartPointer<vtkOcclusionPredictor> Predicted;
-  tool::TracedSurface Traced; // empty: not asked for
-};
-
-Occlusion FindOcclusion(const Options& options, vtkPolyData* mesh, vtkBRDF* brdf,
-  vtkEnvironment* environment, const tool::OffscreenScene& camera, const tool::Surface& surface,
-  const tool::Size& size)
-{
-  Occlusion found;
-  const vtkSmartPointer<vtkTracedScene> traced = tool::MakeTracedScene(mesh);
-  found.Predicted = tool::PredictOcclusion(traced, brdf, environment);
-  if (options.Occlusion)
-  {
-    found.Traced =
-      tool::TraceSurface(traced, brdf, environment, camera, surface, size, options.Trace);
-  }
-  return found;
-}
-
-void AddOcclusion(const Options& options, const Occlusion& found, nlohmann::ordered_json& report)
-{
-  report["unoccluded_error"] = found.Predicted->GetError();
-  report["unoccluded_uncertainty"] = found.Predicted->GetUncertainty();
-  report["occlusion"] = options.Occlusion;
-  if (options.Occlusion)
-  {
-    double difference = 0.0;
-    double sum = 0.0;
-    for (std::size_t k = 0; k < found.Traced.Radiance.size(); ++k)
-    {
-      difference += std::abs(found.Traced.Unoccluded[k] - found.Traced.Radiance[k]);
-      sum += found.Traced.Radiance[k];
-    }
-    report["traced_samples"] = options.Trace.Samples;
-    report["traced_bounces"] = options.Trace.Bounces;
-    report["traced_noise"] = found.Traced.Noise;
-    report["unoccluded_error_in_view"] = difference / std::max(sum, 1e-300);
-  }
-}
-
-//------------------------------------------------------------------------------
 void Run(Options& options, const CLI::App* command)
 {
   const tool::Size size = tool::ParseSize("--size", options.Size, LargestSize);
@@ -388,8 +353,8 @@ void Run(Options& options, const CLI::App* command)
 
   const tool::Surface surface = tool::FindSurface(mesh, view, Fill, size,
     options.Strip.empty() ? options.ReferencePixels : std::numeric_limits<int>::max());
-  const Occlusion occlusion =
-    FindOcclusion(options, mesh, material.BRDF, environment, scene, surface, size);
+  const tool::Occlusion occlusion = tool::FindOcclusion(mesh, material.BRDF, environment, scene,
+    surface, size, options.Occlusion ? &options.Trace : nullptr);
   const tool::ReferencePicture whole = options.Occlusion
                                          ? tool::ReferencePicture{ occlusion.Traced.Radiance }
                                          : GetReference(material.BRDF, environment, surface, size);
@@ -407,13 +372,10 @@ void Run(Options& options, const CLI::App* command)
   report["reference_pixels"] = surface.Pixels.size();
   report["reference_integrated"] = whole.Integrated; // share of them; the others are interpolated,
   report["reference_within"] = whole.Within;         // and this share of a sample within 0.3 %
-  AddOcclusion(options, occlusion, report);
+  report.update(tool::DescribeOcclusion(occlusion, options.Trace));
   report["covered_pixels"] = surface.NumberOfCovered;
-  report["width"] = size.Width;
-  report["height"] = size.Height;
-  report["material"] = material.Name;
-  report["environment"] = environment->GetName();
-  report["renderer"] = scene.GetRendererName();
+  report.update({ { "width", size.Width }, { "height", size.Height }, { "material", material.Name },
+    { "environment", environment->GetName() }, { "renderer", scene.GetRendererName() } });
   if (!options.Fit.empty())
   {
     report["fit"] = shaded.Name;
@@ -434,9 +396,7 @@ void Run(Options& options, const CLI::App* command)
   }
   if (!options.Strip.empty())
   {
-    options.Occlusion
-      ? WriteOcclusionStrip(options, title, environment, found, scene, surface, occlusion.Traced)
-      : WriteStrip(options, title, environment, found, scene, stock, surface, reference);
+    WriteAnyStrip(options, title, environment, found, scene, stock, surface, occlusion, reference);
   }
   if (!options.Output.empty())
   {
@@ -446,12 +406,7 @@ void Run(Options& options, const CLI::App* command)
         found.StockSetup });
   }
   PrintSummary(title, options, found, grid);
-  tool::PrintOut(occlusion.Predicted->GetText() +
-                 (options.Occlusion ? "; the reference has occlusion\n" : "\n"));
-  if (method.Planner)
-  {
-    tool::PrintOut("plan: " + method.Planner->GetPlan() + "\n");
-  }
+  PrintPlan(options, *occlusion.Predicted, method.Planner);
 }
 }
 

@@ -293,7 +293,7 @@ std::string FormatMesh(const ordered_json& info)
   std::string text =
     Line("mesh", info["name"]) + Line("points", std::to_string(info["points"].get<long long>())) +
     Line("triangles", std::to_string(info["triangles"].get<long long>())) +
-    Line("without area, or not finite", std::to_string(info["skipped_triangles"].get<long long>()));
+    Line("degenerate triangles", std::to_string(info["skipped_triangles"].get<long long>()));
   text += "\nunoccluded light: error of leaving out what this mesh hides of the environment\n"
           "  environment   material   relative L1\n";
   for (const ordered_json& row : info["unoccluded"])

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TracedSurface.h"
 
+#include "ComparisonStrip.h"
+#include "Measuring.h"
 #include "Methods.h"
 #include "RunWithProgress.h"
 #include "Tool.h"
@@ -12,10 +14,12 @@
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkRadianceMetrics.h"
 #include "vtkTracedRadianceIntegrator.h"
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -193,5 +197,58 @@ vtkSmartPointer<vtkOcclusionPredictor> PredictOcclusion(
     throw Error("predicting occlusion: " + TakeErrorText());
   }
   return predictor;
+}
+
+//------------------------------------------------------------------------------
+Occlusion FindOcclusion(vtkPolyData* mesh, vtkBRDF* brdf, vtkEnvironment* environment,
+  const OffscreenScene& camera, const Surface& surface, const Size& size,
+  const TraceOptions* options)
+{
+  Occlusion found;
+  const vtkSmartPointer<vtkTracedScene> traced = MakeTracedScene(mesh);
+  found.Predicted = PredictOcclusion(traced, brdf, environment);
+  if (options)
+  {
+    found.Traced = TraceSurface(traced, brdf, environment, camera, surface, size, *options);
+  }
+  return found;
+}
+
+//------------------------------------------------------------------------------
+nlohmann::ordered_json DescribeOcclusion(const Occlusion& found, const TraceOptions& options)
+{
+  const bool traced = !found.Traced.Radiance.empty();
+  nlohmann::ordered_json report = { { "unoccluded_error", found.Predicted->GetError() },
+    { "unoccluded_uncertainty", found.Predicted->GetUncertainty() }, { "occlusion", traced } };
+  if (traced)
+  {
+    double difference = 0.0;
+    double sum = 0.0;
+    for (std::size_t k = 0; k < found.Traced.Radiance.size(); ++k)
+    {
+      difference += std::abs(found.Traced.Unoccluded[k] - found.Traced.Radiance[k]);
+      sum += found.Traced.Radiance[k];
+    }
+    report["traced_samples"] = options.Samples;
+    report["traced_bounces"] = options.Bounces;
+    report["traced_noise"] = found.Traced.Noise;
+    report["unoccluded_error_in_view"] = difference / std::max(sum, 1e-300);
+  }
+  return report;
+}
+
+//------------------------------------------------------------------------------
+void WriteOcclusionStrip(const std::string& path, const std::string& title,
+  vtkEnvironment* environment, const Size& size, OffscreenScene& scene, const Surface& surface,
+  const TracedSurface& traced, const std::string& name, double error)
+{
+  vtkNew<vtkRadianceMetrics> metrics;
+  Measure(metrics, Grid(surface, size), traced.Unoccluded, traced.Radiance);
+  ComparisonStrip strip(title, environment, size);
+  strip.AddRadiance(scene, surface, traced.Unoccluded, "light that nothing hides",
+    "error " + FormatPercent(metrics->GetRelativeL1()));
+  strip.AddRendered(scene, name, "error " + FormatPercent(error));
+  strip.AddRadiance(scene, surface, traced.Radiance, "traced", "the reference with occlusion");
+  strip.Write(path);
 }
 } // namespace tool

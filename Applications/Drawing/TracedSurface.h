@@ -15,6 +15,9 @@
 #include "vtkOcclusionPredictor.h"
 #include "vtkTracedScene.h"
 
+#include <nlohmann/json.hpp>
+
+#include <string>
 #include <vector>
 
 class vtkBRDF;
@@ -55,6 +58,27 @@ vtkSmartPointer<vtkTracedScene> MakeTracedScene(vtkPolyData* mesh);
 TracedSurface TraceSurface(vtkTracedScene* traced, vtkBRDF* brdf, vtkEnvironment* environment,
   const OffscreenScene& camera, const Surface& surface, const Size& size,
   const TraceOptions& options);
+
+/// What a mesh hides: predicted and, where that was asked for, traced.
+struct Occlusion
+{
+  vtkSmartPointer<vtkOcclusionPredictor> Predicted;
+  TracedSurface Traced;
+};
+
+/// options: null, only predict. Throws Error. Needs an Interruptible.
+Occlusion FindOcclusion(vtkPolyData* mesh, vtkBRDF* brdf, vtkEnvironment* environment,
+  const OffscreenScene& camera, const Surface& surface, const Size& size,
+  const TraceOptions* options);
+
+/// For a report.
+nlohmann::ordered_json DescribeOcclusion(const Occlusion& found, const TraceOptions& options);
+
+/// A picture, .png, of the light that nothing hides, a scene of that name with that error, and the
+/// traced reference. Throws Error.
+void WriteOcclusionStrip(const std::string& path, const std::string& title,
+  vtkEnvironment* environment, const Size& size, OffscreenScene& scene, const Surface& surface,
+  const TracedSurface& traced, const std::string& name, double error);
 
 /// The error of leaving occlusion out, as seen from everywhere. Throws Error.
 vtkSmartPointer<vtkOcclusionPredictor> PredictOcclusion(
