@@ -163,6 +163,18 @@ def write_pairs(pairs, tolerance):
     return table(["material", *environments], rows)
 
 
+def describe_occlusion(pairs):
+    """What leaving occlusion out costs on this mesh, where the chart says so."""
+    errors = [pair.get("unoccluded_error") for pair in pairs]
+    if any(value is None for value in errors):
+        return "No prediction of occlusion was measured."
+    middle, largest = statistics.median(errors), max(errors)
+    return (
+        f"Light is unoccluded in all of these figures. On this mesh that alone is predicted to be {percent(middle)} % off in "
+        f"the median, at most {percent(largest)} %."
+    )
+
+
 def write_best(pairs, tolerance):
     """Per material, the fastest of all that was measured within the tolerance, by environment."""
     best = collections.defaultdict(collections.Counter)
@@ -236,6 +248,7 @@ def main():
         f"At {percent(tolerance)} %: error in percent / frame time relative to VTK's PBR. **Bold**: above the tolerance; "
         "†: the plan announced it.",
         write_pairs(pairs, tolerance),
+        describe_occlusion(pairs),
         "## Which method for what",
         write_best(pairs, tolerance),
     ]
@@ -256,6 +269,7 @@ def main():
             f"most {settings['reference_pixels']} of which were compared with the reference. The tables are read as above.",
             write_planner(pairs, front=False),
             write_pairs(pairs, tolerance),
+            describe_occlusion(pairs),
         ]
     for name in CHARTS:
         shutil.copyfile(os.path.join(folder, name + ".png"), os.path.join(docs, f"results-{name}.png"))

@@ -8,6 +8,7 @@
 #include "Scene.h"
 #include "StockScene.h"
 #include "Tool.h"
+#include "TracedSurface.h"
 
 #include "vtkBRDF.h"
 #include "vtkEnvironment.h"
@@ -354,6 +355,10 @@ ChartPair ChartMeter::Measure(
   pair.Fingerprint = this->GetFingerprint(material, environment);
   pair.NumberOfPixels = this->Visible.Pixels.size();
   pair.Load = GetLoad();
+  const auto occlusion =
+    PredictOcclusion(MakeTracedScene(this->Scene.Mesh), material.BRDF, environment);
+  pair.UnoccludedError = occlusion->GetError();
+  pair.UnoccludedUncertainty = occlusion->GetUncertainty();
   const std::vector<double> reference = this->GetExactSums(material, environment, pair.Fingerprint);
   show(ReferenceShare);
 

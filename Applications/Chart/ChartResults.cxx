@@ -114,7 +114,9 @@ JSON WritePair(const tool::ChartPair& pair)
   const std::string metric = tool::GetMetrics().front().Name;
   JSON json = { { "material", pair.Material }, { "environment", pair.Environment },
     { "fingerprint", pair.Fingerprint }, { "pixels", pair.NumberOfPixels }, { "load", pair.Load },
-    { "points", JSON::array() }, { "front", JSON::array() }, { "planner", JSON::array() } };
+    { "unoccluded_error", pair.UnoccludedError },
+    { "unoccluded_uncertainty", pair.UnoccludedUncertainty }, { "points", JSON::array() },
+    { "front", JSON::array() }, { "planner", JSON::array() } };
   for (const tool::ChartPoint& point : pair.Points)
   {
     json["points"].push_back(WritePoint(point));
@@ -142,6 +144,11 @@ tool::ChartPair ReadPair(const JSON& json)
   pair.Fingerprint = json.at("fingerprint").get<std::string>();
   pair.NumberOfPixels = json.at("pixels").get<std::size_t>();
   pair.Load = json.at("load").get<double>();
+  if (json.contains("unoccluded_error")) // earlier versions did not have it
+  {
+    pair.UnoccludedError = GetNumber(json.at("unoccluded_error"));
+    pair.UnoccludedUncertainty = GetNumber(json.at("unoccluded_uncertainty"));
+  }
   for (const JSON& point : json.at("points"))
   {
     pair.Points.push_back(ReadPoint(point));
@@ -176,7 +183,7 @@ std::string MakeCSV(const tool::ChartResults& results)
   {
     text += "," + metric.Name;
   }
-  text += "\n";
+  text += ",unoccluded_error\n";
   for (const tool::ChartPair& pair : results.Pairs)
   {
     const std::vector<std::size_t> front = tool::FindFront(pair, tool::GetMetrics().front().Name);
@@ -198,7 +205,7 @@ std::string MakeCSV(const tool::ChartResults& results)
         const auto error = point.Errors.find(metric.Name);
         text += "," + (error == point.Errors.end() ? "" : FormatFinite(error->second));
       }
-      text += "\n";
+      text += "," + FormatFinite(pair.UnoccludedError) + "\n";
     }
   }
   return text;

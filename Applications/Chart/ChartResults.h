@@ -45,6 +45,9 @@ struct ChartPair
   std::string Fingerprint; // of what both hold
   std::size_t NumberOfPixels = 0;
   double Load = 0.0; // of the machine when it began, as uptime says: what else was running
+  // Of leaving occlusion out on this mesh, predicted: relative L1, and two standard errors of it.
+  double UnoccludedError = std::numeric_limits<double>::quiet_NaN();
+  double UnoccludedUncertainty = std::numeric_limits<double>::quiet_NaN();
   std::vector<ChartPoint> Points;
 };
 

@@ -17,6 +17,7 @@
 #include "StockScene.h"
 #include "Surface.h"
 #include "Tool.h"
+#include "TracedSurface.h"
 
 #include "vtkBRDFFailureMap.h"
 #include "vtkBRDFResampler.h"
@@ -51,6 +52,8 @@ struct Options
   std::string Fit;
   std::string FailureMap;
   tool::MethodOptions Method;
+  tool::TraceOptions Trace;
+  bool Occlusion = false;
 };
 
 // Frames that frame_ms is the median of, and those before that are not counted.
@@ -194,6 +197,23 @@ void WriteStrip(const Options& options, const std::string& title, vtkEnvironment
 }
 
 //------------------------------------------------------------------------------
+void WriteAnyStrip(const Options& options, const std::string& title, vtkEnvironment* environment,
+  const Comparison& found, tool::OffscreenScene& scene, tool::OffscreenScene& stock,
+  const tool::Surface& surface, const tool::Occlusion& occlusion,
+  const std::vector<double>& reference)
+{
+  if (!options.Occlusion)
+  {
+    WriteStrip(options, title, environment, found, scene, stock, surface, reference);
+    return;
+  }
+  const std::string name = options.Method.Method == "auto" ? "this module" : options.Method.Method;
+  tool::WriteOcclusionStrip(options.Strip, title, environment,
+    tool::ParseSize("--size", options.Size, LargestSize), scene, surface, occlusion.Traced, name,
+    found.Metrics->GetRelativeL1());
+}
+
+//------------------------------------------------------------------------------
 void Open(
   tool::OffscreenScene& scene, vtkPolyData* mesh, const tool::View& view, const tool::Size& size)
 {
@@ -265,6 +285,18 @@ void PrintSummary(
 }
 
 //------------------------------------------------------------------------------
+void PrintPlan(
+  const Options& options, vtkOcclusionPredictor& predictor, vtkRadiancePlanner* planner)
+{
+  tool::PrintOut(
+    predictor.GetText() + (options.Occlusion ? "; the reference has occlusion\n" : "\n"));
+  if (planner)
+  {
+    tool::PrintOut("plan: " + planner->GetPlan() + "\n");
+  }
+}
+
+//------------------------------------------------------------------------------
 void Check(Options& options, const CLI::App* command)
 {
   options.Method.Check(command);
@@ -321,7 +353,11 @@ void Run(Options& options, const CLI::App* command)
 
   const tool::Surface surface = tool::FindSurface(mesh, view, Fill, size,
     options.Strip.empty() ? options.ReferencePixels : std::numeric_limits<int>::max());
-  const tool::ReferencePicture whole = GetReference(material.BRDF, environment, surface, size);
+  const tool::Occlusion occlusion = tool::FindOcclusion(mesh, material.BRDF, environment, scene,
+    surface, size, options.Occlusion ? &options.Trace : nullptr);
+  const tool::ReferencePicture whole = options.Occlusion
+                                         ? tool::ReferencePicture{ occlusion.Traced.Radiance }
+                                         : GetReference(material.BRDF, environment, surface, size);
   const std::vector<double>& reference = whole.Radiance;
   const tool::Picture drawn = scene.Render(size.Width, size.Height);
   const std::vector<double> rgb = tool::Pick(drawn, surface);
@@ -336,12 +372,10 @@ void Run(Options& options, const CLI::App* command)
   report["reference_pixels"] = surface.Pixels.size();
   report["reference_integrated"] = whole.Integrated; // share of them; the others are interpolated,
   report["reference_within"] = whole.Within;         // and this share of a sample within 0.3 %
+  report.update(tool::DescribeOcclusion(occlusion, options.Trace));
   report["covered_pixels"] = surface.NumberOfCovered;
-  report["width"] = size.Width;
-  report["height"] = size.Height;
-  report["material"] = material.Name;
-  report["environment"] = environment->GetName();
-  report["renderer"] = scene.GetRendererName();
+  report.update({ { "width", size.Width }, { "height", size.Height }, { "material", material.Name },
+    { "environment", environment->GetName() }, { "renderer", scene.GetRendererName() } });
   if (!options.Fit.empty())
   {
     report["fit"] = shaded.Name;
@@ -362,7 +396,7 @@ void Run(Options& options, const CLI::App* command)
   }
   if (!options.Strip.empty())
   {
-    WriteStrip(options, title, environment, found, scene, stock, surface, reference);
+    WriteAnyStrip(options, title, environment, found, scene, stock, surface, occlusion, reference);
   }
   if (!options.Output.empty())
   {
@@ -372,10 +406,7 @@ void Run(Options& options, const CLI::App* command)
         found.StockSetup });
   }
   PrintSummary(title, options, found, grid);
-  if (method.Planner)
-  {
-    tool::PrintOut("plan: " + method.Planner->GetPlan() + "\n");
-  }
+  PrintPlan(options, *occlusion.Predicted, method.Planner);
 }
 }
 
@@ -416,6 +447,11 @@ void AddCompareCommand(CLI::App& app)
     "Picture to write, .png: VTK's shading, the method and the reference in front of the "
     "environment, with errors and the method's frame time relative to VTK's. Every covered pixel "
     "is compared");
+  command->add_flag("--occlusion", options->Occlusion,
+    "Compare with a reference that has what the mesh hides of the environment, traced. --strip "
+    "then "
+    "shows the light that nothing hides, the method and that reference");
+  options->Trace.AddTo(command);
   command->add_option("--fit", options->Fit,
     "Another file of the same material (a fit, a projection). It is rendered instead of FILE and "
     "compared with the reference of FILE");

@@ -1,13 +1,20 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Inputs.h"
+#include "Meshes.h"
+#include "Progress.h"
 #include "Tool.h"
+#include "TracedSurface.h"
 
 #include "vtkBRDFAnalysis.h"
 #include "vtkBRDFData.h"
 #include "vtkBRDFModels.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkBasisBRDF.h"
+#include "vtkBlinnPhongBRDF.h"
+#include "vtkEmbeddedEnvironments.h"
+#include "vtkEnvironment.h"
+#include "vtkLambertBRDF.h"
 #include "vtkNew.h"
 #include "vtkRepresentationAdvisor.h"
 
@@ -25,6 +32,8 @@ using nlohmann::ordered_json;
 
 namespace
 {
+constexpr double GlossExponent = 50.0;
+
 struct Options
 {
   std::string File;
@@ -249,8 +258,66 @@ std::string FormatText(const ordered_json& info)
 }
 
 //------------------------------------------------------------------------------
+// What leaving occlusion out costs on a mesh: a matte and a glossy material under built-in maps.
+ordered_json InspectMesh(const std::string& file)
+{
+  const vtkSmartPointer<vtkPolyData> mesh = tool::LoadMesh(file);
+  const vtkSmartPointer<vtkTracedScene> traced = tool::MakeTracedScene(mesh);
+  double bounds[6];
+  traced->GetBounds(bounds);
+  ordered_json info = { { "name", file }, { "points", mesh->GetNumberOfPoints() },
+    { "triangles", traced->GetNumberOfTriangles() },
+    { "skipped_triangles", traced->GetNumberOfSkippedTriangles() }, { "bounds", bounds },
+    { "unoccluded", ordered_json::array() } };
+  vtkNew<vtkLambertBRDF> matte;
+  vtkNew<vtkBlinnPhongBRDF> gloss;
+  gloss->SetExponent(GlossExponent);
+  for (int k = 0; k < vtkEmbeddedEnvironments::GetNumberOfEnvironments(); ++k)
+  {
+    const std::string name = vtkEmbeddedEnvironments::GetName(k);
+    const vtkSmartPointer<vtkEnvironment> environment = tool::LoadEnvironment(name);
+    for (vtkBRDF* brdf : { static_cast<vtkBRDF*>(matte), static_cast<vtkBRDF*>(gloss) })
+    {
+      const auto predictor = tool::PredictOcclusion(traced, brdf, environment);
+      info["unoccluded"].push_back(
+        { { "environment", name }, { "material", brdf == matte.Get() ? "diffuse" : "gloss" },
+          { "error", predictor->GetError() }, { "uncertainty", predictor->GetUncertainty() } });
+    }
+  }
+  return info;
+}
+
+//------------------------------------------------------------------------------
+std::string FormatMesh(const ordered_json& info)
+{
+  std::string text =
+    Line("mesh", info["name"]) + Line("points", std::to_string(info["points"].get<long long>())) +
+    Line("triangles", std::to_string(info["triangles"].get<long long>())) +
+    Line("degenerate triangles", std::to_string(info["skipped_triangles"].get<long long>()));
+  text += "\nunoccluded light: error of leaving out what this mesh hides of the environment\n"
+          "  environment   material   relative L1\n";
+  for (const ordered_json& row : info["unoccluded"])
+  {
+    char line[160];
+    std::snprintf(line, sizeof(line), "  %-13s %-10s %5.1f %% +- %.1f %%\n",
+      row["environment"].get<std::string>().c_str(), row["material"].get<std::string>().c_str(),
+      100.0 * row["error"].get<double>(), 100.0 * row["uncertainty"].get<double>());
+    text += line;
+  }
+  return text + "\nAs seen from everywhere; gloss: a Blinn-Phong lobe of exponent 50.\n";
+}
+
+//------------------------------------------------------------------------------
 void Run(const Options& options)
 {
+  if (tool::IsMeshFile(options.File))
+  {
+    const ordered_json mesh = InspectMesh(options.File);
+    tool::PrintOut(options.Json
+                     ? mesh.dump(2, ' ', true, ordered_json::error_handler_t::replace) + "\n"
+                     : FormatMesh(mesh));
+    return;
+  }
   const ordered_json info = Inspect(options);
   // Names come from files: bytes that are no UTF-8 are replaced rather than fatal.
   tool::PrintOut(options.Json
@@ -265,9 +332,14 @@ namespace tool
 void AddInfoCommand(CLI::App& app)
 {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand(
-    "info", "Describe a material: format, sizes, range, albedo per angle, reciprocity, bad values");
-  command->add_option("FILE", options->File, GetMaterialHelp())->required();
+  CLI::App* command =
+    app.add_subcommand("info", "Describe a material: format, sizes, range, albedo per angle, "
+                               "reciprocity, bad values; or a mesh: "
+                               "what it hides of the environment");
+  command
+    ->add_option("FILE", options->File,
+      GetMaterialHelp() + "; or a mesh: ply, stl, obj, vtp, vtk, gltf, glb or 'ball-on-foot'")
+    ->required();
   command->add_flag("--json", options->Json, "Write JSON instead of text");
   command->footer("Example:\n  measured-brdf info gold-paint");
   command->callback([options]() { Run(*options); });

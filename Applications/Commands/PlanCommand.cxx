@@ -7,6 +7,7 @@
 #include "Scene.h"
 #include "Sizes.h"
 #include "Tool.h"
+#include "TracedSurface.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -57,11 +58,17 @@ void PrintJSON(
       { "texture_bytes", planner->GetTextureBytes(k) },
       { "setup_ms", planner->GetSetUpMilliseconds(k) } });
   }
-  const nlohmann::ordered_json plan = { { "material", material },
+  nlohmann::ordered_json plan = { { "material", material },
     { "environment", environment->GetName() }, { "tolerance", planner->GetErrorTolerance() },
     { "costs", MakeCostsJSON(planner->GetCostModel()) }, { "candidates", candidates },
     { "choice", planner->GetChoice() }, { "meets_tolerance", planner->GetMeetsTolerance() },
     { "reason", planner->GetReason() }, { "plan", planner->GetPlan() } };
+  if (planner->GetScene())
+  {
+    plan["unoccluded_error"] = planner->GetUnoccludedError();
+    plan["unoccluded_uncertainty"] = planner->GetUnoccludedErrorUncertainty();
+    plan["needs_occlusion"] = planner->GetNeedsOcclusion();
+  }
   tool::PrintOut(plan.dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 
@@ -92,7 +99,7 @@ void Run(Options& options, const CLI::App* command)
   options.Plan.All = !options.ChoiceOnly;
   const tool::Size size = tool::ParseSize("--size", options.Size, LargestSize);
   const tool::View view = tool::ParseView(options.View);
-  for (const char* name : { "--mesh", "--size", "--view" })
+  for (const char* name : { "--size", "--view" })
   {
     if (command->count(name) > 0 && !options.Plan.ForView)
     {
@@ -102,17 +109,27 @@ void Run(Options& options, const CLI::App* command)
   const tool::Interruptible interruptible;
   const tool::Material material = tool::LoadMaterial(options.File);
   const vtkSmartPointer<vtkEnvironment> environment = tool::LoadEnvironment(options.Environment);
+  const vtkSmartPointer<vtkPolyData> mesh =
+    options.Mesh.empty() ? tool::MakeSphere() : tool::LoadMesh(options.Mesh);
   tool::VisiblePairs seen;
   if (options.Plan.ForView)
   {
     tool::Scene scene;
-    scene.SetMesh(options.Mesh.empty() ? tool::MakeSphere() : tool::LoadMesh(options.Mesh));
+    scene.SetMesh(mesh);
     scene.SetView(view.Azimuth, view.Elevation, Fill);
     scene.SetMaterial(material.BRDF);
     scene.Look(size.Width, size.Height, seen);
   }
   const vtkSmartPointer<vtkRadiancePlanner> planner =
     tool::MakePlan(material, environment, options.Plan, options.Plan.ForView ? &seen : nullptr);
+  if (!options.Mesh.empty())
+  {
+    planner->SetScene(tool::MakeTracedScene(mesh));
+    if (!planner->Update())
+    {
+      throw tool::Error(options.Mesh + ": " + tool::TakeErrorText());
+    }
+  }
   if (options.JSON)
   {
     PrintJSON(planner, material.Name, environment);
@@ -137,8 +154,9 @@ void AddPlanCommand(CLI::App& app)
   options->Plan.AddCalibrateTo(command);
   options->Plan.AddForViewTo(command);
   command->add_option("--mesh", options->Mesh,
-    "With --for-view, the mesh: ply, stl, obj, vtp, vtk, gltf, glb or 'ball-on-foot' (default: a "
-    "sphere)");
+    "Also predict the error of leaving out what this mesh hides of the environment; with "
+    "--for-view, "
+    "plan for it: ply, stl, obj, vtp, vtk, gltf, glb or 'ball-on-foot' (default: a sphere)");
   command->add_option("--size", options->Size,
     "With --for-view, the picture's size in pixels, WIDTHxHEIGHT (default 500x500)");
   command->add_option("--view", options->View,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Files.h"
 #include "Inputs.h"
+#include "Measuring.h"
 #include "Meshes.h"
 #include "Methods.h"
 #include "Picture.h"
@@ -10,6 +11,7 @@
 #include "Sizes.h"
 #include "Surface.h"
 #include "Tool.h"
+#include "TracedSurface.h"
 
 #include "vtkVersion.h"
 
@@ -36,6 +38,7 @@ struct Options
   std::string Output;
   std::string Report;
   tool::MethodOptions Method;
+  tool::TraceOptions Trace;
   bool NoCache = false;
 };
 
@@ -59,13 +62,32 @@ double Median(std::vector<double> values)
 double EncodeGamma(double linear) { return std::pow(linear, 1.0 / 2.2); }
 
 //------------------------------------------------------------------------------
+// With what the mesh hides.
+std::vector<double> TracePixels(vtkRadianceIntegrator* integrator, vtkPolyData* mesh,
+  const tool::View& view, const tool::Size& size, const tool::Surface& surface,
+  const tool::TraceOptions& options)
+{
+  tool::Scene camera;
+  camera.SetMesh(mesh);
+  camera.SetView(view.Azimuth, view.Elevation, Fill, view.Angle);
+  camera.PlaceCamera(size.Width, size.Height);
+  const tool::TracedSurface traced = tool::TraceSurface(tool::MakeTracedScene(mesh),
+    integrator->GetBRDF(), integrator->GetEnvironment(), camera, surface, size, options);
+  tool::PrintNote("traced: other samples would differ by " + tool::FormatPercent(traced.Noise) +
+                  " in a pixel, on average");
+  return traced.Radiance;
+}
+
+//------------------------------------------------------------------------------
 // The same pixels by an integrator on the CPU.
 tool::Picture SumPixels(vtkRadianceIntegrator* integrator, vtkPolyData* mesh,
-  const tool::View& view, const tool::Size& size)
+  const tool::View& view, const tool::Size& size, const tool::TraceOptions* trace)
 {
   const tool::Surface surface =
     tool::FindSurface(mesh, view, Fill, size, std::numeric_limits<int>::max());
-  const std::vector<double> rgb = tool::IntegratePairs(integrator, surface.Normals, surface.Views);
+  const std::vector<double> rgb =
+    trace ? TracePixels(integrator, mesh, view, size, surface, *trace)
+          : tool::IntegratePairs(integrator, surface.Normals, surface.Views);
   tool::Picture picture(size.Width, size.Height);
   for (std::size_t k = 0; k < surface.Pixels.size(); ++k)
   {
@@ -167,6 +189,13 @@ void Run(Options& options, const CLI::App* command)
   }
   options.Method.Check(command);
   options.Method.Plan.UseCache = !options.NoCache;
+  for (const char* name : { "--samples", "--bounces" })
+  {
+    if (command->count(name) > 0 && options.Method.Method != "traced")
+    {
+      tool::PrintNote(std::string(name) + " has no effect without --method traced");
+    }
+  }
 
   const tool::Interruptible interruptible;
   const tool::Material material = tool::LoadMaterial(options.File);
@@ -202,7 +231,8 @@ void Run(Options& options, const CLI::App* command)
   {
     frames.push_back(scene.TimeFrame());
   }
-  tool::Picture picture = onCpu ? SumPixels(method.Integrator, mesh, view, size)
+  tool::Picture picture = onCpu ? SumPixels(method.Integrator, mesh, view, size,
+                                    options.Method.Method == "traced" ? &options.Trace : nullptr)
                                 : scene.Render(factor * size.Width, factor * size.Height);
   if (onCpu)
   {
@@ -233,7 +263,8 @@ void AddRenderCommand(CLI::App& app)
     "in "
     "(default: a sphere). A mesh without normals gets smooth ones");
   options->Method.Method = "auto";
-  options->Method.AddTo(command, true);
+  options->Method.AddTo(command, true, true);
+  options->Trace.AddTo(command);
   options->Method.Plan.AddForViewTo(command);
   options->Method.Plan.AddCalibrateTo(command);
   command->add_flag("--no-cache", options->NoCache,

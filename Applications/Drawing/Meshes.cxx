@@ -319,6 +319,20 @@ vtkSmartPointer<vtkPolyData> MakeParametric(
 namespace tool
 {
 //------------------------------------------------------------------------------
+bool IsMeshFile(const std::string& path)
+{
+  const std::string extension = Extension(path);
+  for (const char* known : { ".ply", ".stl", ".obj", ".vtp", ".vtk", ".gltf", ".glb" })
+  {
+    if (extension == known)
+    {
+      return true;
+    }
+  }
+  return path == "ball-on-foot";
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> LoadMesh(const std::string& path)
 {
   if (path == "ball-on-foot")

@@ -19,6 +19,9 @@ namespace tool
 /// ones. "ball-on-foot" gives MakeBallOnFoot(). Throws Error.
 vtkSmartPointer<vtkPolyData> LoadMesh(const std::string& path);
 
+/// Whether LoadMesh takes it, by its ending or name.
+bool IsMeshFile(const std::string& path);
+
 /// A unit sphere with exact normals.
 vtkSmartPointer<vtkPolyData> MakeSphere();
 

@@ -178,6 +178,14 @@ void OffscreenScene::Open(int width, int height)
 }
 
 //------------------------------------------------------------------------------
+std::array<double, 3> OffscreenScene::GetEye() const
+{
+  std::array<double, 3> eye;
+  this->Renderer->GetActiveCamera()->GetPosition(eye.data());
+  return eye;
+}
+
+//------------------------------------------------------------------------------
 std::array<double, 3> OffscreenScene::GetRay(double x, double y, int width, int height) const
 {
   vtkCamera* camera = this->Renderer->GetActiveCamera();

@@ -60,6 +60,9 @@ public:
   /// World direction that pixel (x, y) of a picture of the given size looks along.
   std::array<double, 3> GetRay(double x, double y, int width, int height) const;
 
+  /// Where the camera is that PlaceCamera placed.
+  std::array<double, 3> GetEye() const;
+
   std::string GetRendererName();
 
   /// What follows that name, such as "OpenGL version string", in what the driver says of itself.

@@ -24,6 +24,7 @@ constexpr double LeastTolerance = 1e-3; // of vtkRadiancePlanner
 
 const char* const Auto = "auto";
 const char* const Thesis = "thesis";
+const char* const Traced = "traced";
 const char* const LightSet = "light-set";
 
 //------------------------------------------------------------------------------
@@ -82,7 +83,7 @@ std::string DescribeSizes()
 
 //------------------------------------------------------------------------------
 // What --method takes, with a line on each.
-std::vector<std::pair<std::string, std::string>> ListMethods(bool onCpu)
+std::vector<std::pair<std::string, std::string>> ListMethods(bool onCpu, bool traced)
 {
   std::vector<std::pair<std::string, std::string>> methods;
   for (const auto& method : vtkRadianceMethods::GetMethods())
@@ -95,6 +96,11 @@ std::vector<std::pair<std::string, std::string>> ListMethods(bool onCpu)
   }
   methods.emplace_back(
     Thesis, "a sum over lights of the material in a basis or, where that rings, as a D-BRDF fit");
+  if (traced)
+  {
+    methods.emplace_back(
+      Traced, "the reference with what the mesh hides of the environment, by rays, slow");
+  }
   methods.emplace_back(Auto, "the cheapest that meets --tolerance");
   return methods;
 }
@@ -155,29 +161,13 @@ vtkSmartPointer<vtkRadianceIntegrator> NewIntegrator(
     lights->SetSoftLights(options.Lights.Soft);
     return lights;
   }
-  auto integrator =
-    vtkSmartPointer<vtkRadianceIntegrator>::Take(vtkRadianceMethods::NewIntegrator(options.Method));
+  auto integrator = vtkSmartPointer<vtkRadianceIntegrator>::Take(vtkRadianceMethods::NewIntegrator(
+    options.Method == Traced ? "reference" : options.Method)); // the light that is hidden or not
   if (!options.Sizes.empty())
   {
     integrator->SetSizes(ParseSizes(options.Method, options.Sizes));
   }
   return integrator;
-}
-
-//------------------------------------------------------------------------------
-// About the up axis, as the mapper takes them where the data has none.
-vtkSmartPointer<vtkDoubleArray> MakeTangents(const std::vector<double>& normals)
-{
-  auto tangents = vtkSmartPointer<vtkDoubleArray>::New();
-  tangents->SetNumberOfComponents(3);
-  for (std::size_t k = 0; k < normals.size(); k += 3)
-  {
-    const double x = normals[k + 2];
-    const double z = -normals[k];
-    const bool pole = std::hypot(x, z) <= 1e-6 * std::abs(normals[k + 1]);
-    tangents->InsertNextTuple3(pole ? 1.0 : x, 0.0, pole ? 0.0 : z);
-  }
-  return tangents;
 }
 
 //------------------------------------------------------------------------------
@@ -197,11 +187,11 @@ vtkNew<vtkDoubleArray> ToArray(const std::vector<double>& values)
 namespace tool
 {
 //------------------------------------------------------------------------------
-void MethodOptions::AddTo(CLI::App* command, bool onCpu)
+void MethodOptions::AddTo(CLI::App* command, bool onCpu, bool traced)
 {
   std::string help;
   std::vector<std::string> names;
-  for (const auto& [name, description] : ListMethods(onCpu))
+  for (const auto& [name, description] : ListMethods(onCpu, traced))
   {
     names.push_back(name);
     help += (help.empty() ? "" : "; ") + name +
@@ -300,7 +290,10 @@ void CheckTolerance(double tolerance)
 }
 
 //------------------------------------------------------------------------------
-bool IsOnCpuOnly(const std::string& method) { return method == "exact" || method == "reference"; }
+bool IsOnCpuOnly(const std::string& method)
+{
+  return method == "exact" || method == "reference" || method == Traced;
+}
 
 //------------------------------------------------------------------------------
 int Method::GetNumberOfLights() const
@@ -359,6 +352,21 @@ Method MakeMethod(
     throw Error(material.File + ": --method " + options.Method + ": " + TakeErrorText());
   }
   return made;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDoubleArray> MakeTangents(const std::vector<double>& normals)
+{
+  auto tangents = vtkSmartPointer<vtkDoubleArray>::New();
+  tangents->SetNumberOfComponents(3);
+  for (std::size_t k = 0; k < normals.size(); k += 3)
+  {
+    const double x = normals[k + 2];
+    const double z = -normals[k];
+    const bool pole = std::hypot(x, z) <= 1e-6 * std::abs(normals[k + 1]);
+    tangents->InsertNextTuple3(pole ? 1.0 : x, 0.0, pole ? 0.0 : z);
+  }
+  return tangents;
 }
 
 //------------------------------------------------------------------------------

@@ -61,8 +61,8 @@ struct MethodOptions
   ThesisOptions Thesis;
 
   /// Add --method and the methods' own options to a subcommand; those that run on the CPU only
-  /// where a picture can be made there.
-  void AddTo(CLI::App* command, bool onCpu);
+  /// where a picture can be made there, and "traced" where there is a surface.
+  void AddTo(CLI::App* command, bool onCpu, bool traced = false);
 
   /// To be called first: light-set takes the place of the default auto where lights were asked for.
   /// Throws UsageError where options don't go together.
@@ -104,6 +104,10 @@ Method MakeMethod(
 
 /// Whether nothing but the CPU integrates it.
 bool IsOnCpuOnly(const std::string& method);
+
+/// Tangents of normals, 3 doubles each: about the up axis, as the mapper takes them where the data
+/// has none.
+vtkSmartPointer<vtkDoubleArray> MakeTangents(const std::vector<double>& normals);
 
 /// Radiance of an integrator for (normal, view) pairs, 3 doubles each, under a progress bar: 3
 /// doubles each. Anisotropic materials are turned about the up axis, as the mapper does without

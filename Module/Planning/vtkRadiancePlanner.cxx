@@ -20,6 +20,7 @@
 #include "vtkEnvironment.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkOcclusionPredictor.h"
 #include "vtkRadianceCostModel.h"
 #include "vtkRadianceMethods.h"
 
@@ -280,7 +281,7 @@ bool vtkRadiancePlanner::Fail()
 }
 
 //------------------------------------------------------------------------------
-bool vtkRadiancePlanner::Update()
+bool vtkRadiancePlanner::Choose()
 {
   Internals& impl = *this->Impl;
   const ClearAtEnd clear(this->Abort, impl.Task);
@@ -439,7 +440,10 @@ bool vtkRadiancePlanner::GetMeetsTolerance() { return this->Impl->Plan.Meets; }
 std::string vtkRadiancePlanner::GetReason() { return this->Impl->Plan.Reason; }
 
 //------------------------------------------------------------------------------
-std::string vtkRadiancePlanner::GetPlan() { return measuredbrdf::DescribePlan(this->Impl->Plan); }
+std::string vtkRadiancePlanner::GetPlan()
+{
+  return measuredbrdf::DescribePlan(this->Impl->Plan) + this->DescribeOcclusion();
+}
 
 //------------------------------------------------------------------------------
 vtkRadianceIntegrator* vtkRadiancePlanner::NewIntegrator(int index)

@@ -44,8 +44,10 @@
 class vtkBRDF;
 class vtkDataArray;
 class vtkEnvironment;
+class vtkOcclusionPredictor;
 class vtkRadianceCostModel;
 class vtkRadianceIntegrator;
+class vtkTracedScene;
 
 class VTKMEASUREDBRDF_EXPORT vtkRadiancePlanner : public vtkObject
 {
@@ -153,6 +155,27 @@ public:
   vtkGetMacro(MaximumCacheBytes, vtkIdType);
   ///@}
 
+  ///@{
+  /**
+   * Surfaces whose occlusion Update predicts, too (vtkOcclusionPredictor): by how much a picture of
+   * them is off in this material and light, as long as occlusion is left out. Null (default): it is
+   * not predicted. The choice does not depend on it, and it is not kept on disk.
+   */
+  void SetScene(vtkTracedScene* scene);
+  vtkTracedScene* GetScene();
+  ///@}
+
+  ///@{
+  /**
+   * That error, relative L1, and two standard errors of it (both 0 without a scene); and whether it
+   * exceeds what the tolerance leaves beside the choice's error
+   * (vtkOcclusionPredictor::IsWorthModeling).
+   */
+  double GetUnoccludedError();
+  double GetUnoccludedErrorUncertainty();
+  bool GetNeedsOcclusion();
+  ///@}
+
   /**
    * Whether the last plan came from the cache.
    */
@@ -189,7 +212,8 @@ public:
   ///@}
 
   /**
-   * The plan in words: the choice, its figures and the reason.
+   * The plan in words: the choice, its figures and the reason; with a scene also the error of
+   * leaving occlusion out.
    */
   std::string GetPlan();
 
@@ -230,14 +254,22 @@ private:
   vtkRadiancePlanner(const vtkRadiancePlanner&) = delete;
   void operator=(const vtkRadiancePlanner&) = delete;
 
-  /// Choose anew; false with an error event where that is not possible.
+  /// Choose, unless nothing changed; false with an error event where that is not possible.
+  bool Choose();
+
+  /// Choose anew.
   bool Search();
+
+  /// Predict the error of leaving occlusion out of the scene, where there is one.
+  bool PredictOcclusion();
+  std::string DescribeOcclusion();
 
   /// The error event of a run that can't go on; false.
   bool Fail();
 
   struct Internals;
   std::unique_ptr<Internals> Impl;
+  vtkSmartPointer<vtkOcclusionPredictor> Occlusion; // null: no scene
 };
 
 #endif

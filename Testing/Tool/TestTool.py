@@ -1566,6 +1566,61 @@ class Stability(ToolTest):
         self.assertEqual(os.listdir(folder), [])
 
 
+class Occlusion(ToolTest):
+    """What a mesh hides: predicted, traced, compared."""
+
+    def test_mesh(self):
+        mesh = json.loads(run("info", "ball-on-foot", "--json").stdout)
+        self.assertEqual(mesh["triangles"] + mesh["skipped_triangles"], 2 * 360 * 240)
+        rows = {(row["environment"], row["material"]): row for row in mesh["unoccluded"]}
+        self.assertGreaterEqual(len(rows), 4)
+        for row in rows.values():
+            self.assertGreater(row["error"], 0.005)
+            self.assertLess(row["error"], 0.5)
+            self.assertLess(row["uncertainty"], 0.5 * row["error"] + 0.01)
+        self.check(run("info", "ball-on-foot"), 0, "unoccluded light", "sky", "diffuse", "gloss")
+        self.check(run("info", self.path("none.ply")), 1, "none.ply")
+
+    def test_plan(self):
+        common = ["plan", "gold-paint", "--environment", "sky", "--choice-only", "--json"]
+        self.assertNotIn("unoccluded_error", json.loads(run(*common).stdout))
+        plan = json.loads(run(*common, "--mesh", "ball-on-foot").stdout)
+        self.assertGreater(plan["unoccluded_error"], 0.005)
+        self.assertIn("unoccluded light: ", plan["plan"])
+        self.assertEqual(plan["needs_occlusion"], plan["unoccluded_error"] > 0.02)
+
+    def test_compare(self):
+        report, strip = self.path("r.json"), self.path("strip.png")
+        options = ["--environment", "sky", "--mesh", "ball-on-foot", "--size", "48x48", "--report", report]
+        result = run("compare", "blue-fabric", *options, "--occlusion", "--samples", "64", "--strip", strip)
+        self.check(result, 0, "unoccluded light: ", "the reference has occlusion")
+        with open(report, encoding="utf-8") as file:
+            found = json.load(file)
+        self.assertTrue(found["occlusion"])
+        self.assertLess(found["traced_noise"], 0.1)
+        # One side of it, and all sides.
+        self.assertLess(found["unoccluded_error_in_view"], 4.0 * found["unoccluded_error"] + 0.02)
+        self.assertGreater(found["unoccluded_error_in_view"], 0.25 * found["unoccluded_error"] - 0.02)
+        self.assertTrue(os.path.exists(strip))
+
+    def test_render(self):
+        report = self.path("r.json")
+        common = ["--environment", "sky", "--mesh", "ball-on-foot", "--size", "24x24", "--report", report]
+
+        def render(*options):
+            result = run("render", "blue-fabric", *common, "-o", self.path("x.exr"), *options)
+            self.check(result, 0)
+            with open(report, encoding="utf-8") as file:
+                self.assertEqual(json.load(file)["method"], options[1])
+            return result.stderr
+
+        traced = render("--method", "traced", "--samples", "32", "--bounces", "1")
+        self.assertIn("other samples would differ by", traced)
+        plain = render("--method", "reference", "--samples", "32")
+        self.assertIn("--samples has no effect without --method traced", plain)
+        self.check(run("render", "blue-fabric", "--environment", "sky", "--bounces", "-1", "-o", "x.png"), 2, "--bounces")
+
+
 class PlanErrors(ToolTest):
     COMPARE = ["compare", "blue-fabric", *Compare.COMMON]
 

@@ -122,6 +122,21 @@ bool SurfaceTracer::Intersect(
 }
 
 //------------------------------------------------------------------------------
+void SurfaceTracer::GetCorners(const Hit& hit, double corners[3][3]) const
+{
+  const TriangleSet& set = this->Data->Triangles;
+  for (int k = 0; k < 3; ++k)
+  {
+    const std::uint32_t start = set.GetStart(hit.Surface).Point;
+    const glm::dvec3 own = set.GetPoint(start + static_cast<std::uint32_t>(hit.Points[k]));
+    for (int c = 0; c < 3; ++c)
+    {
+      corners[k][c] = set.GetMiddle()[c] + own[c] / set.GetScale();
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 void SurfaceTracer::OffsetOrigin(
   const double point[3], const double normal[3], const double direction[3], double origin[3]) const
 {

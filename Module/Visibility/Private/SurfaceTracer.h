@@ -83,6 +83,9 @@ public:
   bool Intersect(
     const double origin[3], const double direction[3], double tMin, double tMax, Hit& hit) const;
 
+  /// Of a hit's triangle, in Hit::Points' order.
+  void GetCorners(const Hit& hit, double corners[3][3]) const;
+
   /**
    * Where a ray begins that leaves a point of a surface, so that it does not meet that surface
    * itself by rounding: the point moved by GetOffset along the triangle's (not the interpolated)

@@ -15,13 +15,13 @@ ALLOWED = {
     "Core": [],
     "Material": ["Core"],
     "Lighting": ["Core"],
-    "Integration": ["Core", "Material", "Lighting"],
+    "Integration": ["Core", "Material", "Lighting", "Visibility"],
     "Visibility": ["Core"],
     "Metrics": ["Core", "Material", "Lighting"],
     "Fitting": ["Core", "Material"],
     "IO": ["Core", "Material", "Lighting"],
-    "Planning": ["Core", "Material", "Lighting", "Integration"],
-    "Rendering": ["Core", "Material", "Lighting", "Integration", "Fitting", "Planning"],
+    "Planning": ["Core", "Material", "Lighting", "Visibility", "Integration"],
+    "Rendering": ["Core", "Material", "Lighting", "Visibility", "Integration", "Fitting", "Planning"],
     "Sources": ["Core", "Material"],
 }
 

@@ -1,0 +1,254 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TracedSurface.h"
+
+#include "ComparisonStrip.h"
+#include "Measuring.h"
+#include "Methods.h"
+#include "RunWithProgress.h"
+#include "Tool.h"
+
+#include "vtkBRDF.h"
+#include "vtkDoubleArray.h"
+#include "vtkEnvironment.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkRadianceMetrics.h"
+#include "vtkTracedRadianceIntegrator.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace
+{
+// Where a pixel is looked through until something is met: its middle, then around that, in pixels.
+constexpr int Turns = 8;
+constexpr std::array<double, 5> Radii = { 0.0, 0.15, 0.35, 0.55, 0.75 };
+
+std::array<double, 2> GetPlace(int attempt)
+{
+  if (attempt == 0)
+  {
+    return { 0.5, 0.5 };
+  }
+  const double radius = Radii[static_cast<std::size_t>(1 + (attempt - 1) / Turns)];
+  const double angle = 2.0 * 3.14159265358979 * (attempt - 1) / Turns;
+  return { 0.5 + radius * std::cos(angle), 0.5 + radius * std::sin(angle) };
+}
+
+/// Rays through pixels, and what they meet.
+class Rays
+{
+public:
+  Rays(vtkTracedScene* traced, const tool::OffscreenScene& camera, const tool::Surface& surface,
+    const tool::Size& size)
+    : Traced(traced)
+    , Camera(camera)
+    , Surface(surface)
+    , Size(size)
+  {
+    this->Hits = vtkSmartPointer<vtkPolyData>::New();
+    for (vtkDoubleArray* array : { this->Origins.Get(), this->Directions.Get(), this->Views.Get() })
+    {
+      array->SetNumberOfComponents(3);
+      array->SetNumberOfTuples(static_cast<vtkIdType>(surface.Pixels.size()));
+    }
+    std::vector<vtkIdType> missing;
+    for (std::size_t k = 0; k < surface.Pixels.size(); ++k)
+    {
+      missing.push_back(static_cast<vtkIdType>(k));
+    }
+    constexpr int attempts = 1 + (static_cast<int>(Radii.size()) - 1) * Turns;
+    for (int attempt = 0; attempt < attempts && !missing.empty(); ++attempt)
+    {
+      this->Aim(missing, GetPlace(attempt));
+      missing = this->Cast();
+    }
+  }
+
+  vtkSmartPointer<vtkPolyData> Hits;
+  vtkNew<vtkDoubleArray> Views;
+
+private:
+  void Aim(const std::vector<vtkIdType>& pixels, const std::array<double, 2>& place)
+  {
+    const std::array<double, 3> eye = this->Camera.GetEye();
+    for (const vtkIdType k : pixels)
+    {
+      const int pixel = this->Surface.Pixels[static_cast<std::size_t>(k)];
+      const std::array<double, 3> ray = this->Camera.GetRay(pixel % this->Size.Width + place[0],
+        pixel / this->Size.Width + place[1], this->Size.Width, this->Size.Height);
+      this->Origins->SetTuple(k, eye.data());
+      this->Directions->SetTuple(k, ray.data());
+      this->Views->SetTuple3(k, -ray[0], -ray[1], -ray[2]);
+    }
+  }
+
+  // The pixels that meet nothing.
+  std::vector<vtkIdType> Cast()
+  {
+    this->Traced->CastRays(this->Origins, this->Directions, this->Hits);
+    auto* surfaces = vtkIntArray::SafeDownCast(this->Hits->GetPointData()->GetArray("Surface"));
+    std::vector<vtkIdType> missing;
+    for (vtkIdType k = 0; k < surfaces->GetNumberOfTuples(); ++k)
+    {
+      if (surfaces->GetValue(k) < 0)
+      {
+        missing.push_back(k);
+      }
+    }
+    return missing;
+  }
+
+  vtkTracedScene* Traced;
+  const tool::OffscreenScene& Camera;
+  const tool::Surface& Surface;
+  tool::Size Size;
+  vtkNew<vtkDoubleArray> Origins;
+  vtkNew<vtkDoubleArray> Directions;
+};
+
+std::vector<double> ToVector(vtkDoubleArray* array)
+{
+  return std::vector<double>(
+    array->GetPointer(0), array->GetPointer(0) + array->GetNumberOfValues());
+}
+}
+
+namespace tool
+{
+//------------------------------------------------------------------------------
+void TraceOptions::AddTo(CLI::App* command)
+{
+  command
+    ->add_option("--samples", this->Samples,
+      "Where light is traced, directions a pixel (default 512), or 0: the middle of every texel of "
+      "the map")
+    ->check(CLI::Range(0, 1 << 24));
+  command
+    ->add_option("--bounces", this->Bounces,
+      "Where light is traced, how often that of surfaces was reflected at most (default 0: what "
+      "hides the sky is black)")
+    ->check(CLI::Range(0, 1000));
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkTracedScene> MakeTracedScene(vtkPolyData* mesh)
+{
+  auto traced = vtkSmartPointer<vtkTracedScene>::New();
+  traced->AddSurface(mesh);
+  if (traced->GetNumberOfTriangles() == 0)
+  {
+    throw Error("the mesh has no triangle that could hide anything");
+  }
+  return traced;
+}
+
+//------------------------------------------------------------------------------
+TracedSurface TraceSurface(vtkTracedScene* traced, vtkBRDF* brdf, vtkEnvironment* environment,
+  const OffscreenScene& camera, const Surface& surface, const Size& size,
+  const TraceOptions& options)
+{
+  const Rays rays(traced, camera, surface, size);
+  vtkNew<vtkTracedRadianceIntegrator> integrator;
+  integrator->SetScene(traced);
+  integrator->SetBRDF(brdf);
+  integrator->SetEnvironment(environment);
+  integrator->SetNumberOfSamples(options.Samples);
+  integrator->SetNumberOfBounces(options.Bounces);
+  vtkNew<vtkDoubleArray> radiance;
+  vtkNew<vtkDoubleArray> unoccluded;
+  vtkSmartPointer<vtkDoubleArray> tangents;
+  if (!brdf->IsIsotropic())
+  {
+    std::vector<double> normals(3 * surface.Pixels.size());
+    for (std::size_t k = 0; k < surface.Pixels.size(); ++k)
+    {
+      rays.Hits->GetPointData()->GetNormals()->GetTuple(static_cast<vtkIdType>(k), &normals[3 * k]);
+    }
+    tangents = MakeTangents(normals);
+  }
+  const bool done = RunWithProgress(
+    integrator.Get(),
+    [&](vtkTracedRadianceIntegrator* made)
+    { return made->Integrate(rays.Hits, rays.Views, radiance, unoccluded, tangents); },
+    "tracing");
+  if (!done)
+  {
+    throw Error("tracing: " + TakeErrorText());
+  }
+  return { ToVector(radiance), ToVector(unoccluded), integrator->GetNoise() };
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkOcclusionPredictor> PredictOcclusion(
+  vtkTracedScene* traced, vtkBRDF* brdf, vtkEnvironment* environment)
+{
+  auto predictor = vtkSmartPointer<vtkOcclusionPredictor>::New();
+  predictor->SetScene(traced);
+  predictor->SetBRDF(brdf);
+  predictor->SetEnvironment(environment);
+  if (!predictor->Update())
+  {
+    throw Error("predicting occlusion: " + TakeErrorText());
+  }
+  return predictor;
+}
+
+//------------------------------------------------------------------------------
+Occlusion FindOcclusion(vtkPolyData* mesh, vtkBRDF* brdf, vtkEnvironment* environment,
+  const OffscreenScene& camera, const Surface& surface, const Size& size,
+  const TraceOptions* options)
+{
+  Occlusion found;
+  const vtkSmartPointer<vtkTracedScene> traced = MakeTracedScene(mesh);
+  found.Predicted = PredictOcclusion(traced, brdf, environment);
+  if (options)
+  {
+    found.Traced = TraceSurface(traced, brdf, environment, camera, surface, size, *options);
+  }
+  return found;
+}
+
+//------------------------------------------------------------------------------
+nlohmann::ordered_json DescribeOcclusion(const Occlusion& found, const TraceOptions& options)
+{
+  const bool traced = !found.Traced.Radiance.empty();
+  nlohmann::ordered_json report = { { "unoccluded_error", found.Predicted->GetError() },
+    { "unoccluded_uncertainty", found.Predicted->GetUncertainty() }, { "occlusion", traced } };
+  if (traced)
+  {
+    double difference = 0.0;
+    double sum = 0.0;
+    for (std::size_t k = 0; k < found.Traced.Radiance.size(); ++k)
+    {
+      difference += std::abs(found.Traced.Unoccluded[k] - found.Traced.Radiance[k]);
+      sum += found.Traced.Radiance[k];
+    }
+    report["traced_samples"] = options.Samples;
+    report["traced_bounces"] = options.Bounces;
+    report["traced_noise"] = found.Traced.Noise;
+    report["unoccluded_error_in_view"] = difference / std::max(sum, 1e-300);
+  }
+  return report;
+}
+
+//------------------------------------------------------------------------------
+void WriteOcclusionStrip(const std::string& path, const std::string& title,
+  vtkEnvironment* environment, const Size& size, OffscreenScene& scene, const Surface& surface,
+  const TracedSurface& traced, const std::string& name, double error)
+{
+  vtkNew<vtkRadianceMetrics> metrics;
+  Measure(metrics, Grid(surface, size), traced.Unoccluded, traced.Radiance);
+  ComparisonStrip strip(title, environment, size);
+  strip.AddRadiance(scene, surface, traced.Unoccluded, "light that nothing hides",
+    "error " + FormatPercent(metrics->GetRelativeL1()));
+  strip.AddRendered(scene, name, "error " + FormatPercent(error));
+  strip.AddRadiance(scene, surface, traced.Radiance, "traced", "the reference with occlusion");
+  strip.Write(path);
+}
+} // namespace tool

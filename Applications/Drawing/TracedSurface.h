@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The radiance of a picture's pixels with occlusion, by rays, and how much it matters.
+ */
+
+#ifndef TracedSurface_h
+#define TracedSurface_h
+
+#include "OffscreenScene.h"
+#include "Sizes.h"
+#include "Surface.h"
+
+#include "vtkOcclusionPredictor.h"
+#include "vtkTracedScene.h"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <vector>
+
+class vtkBRDF;
+class vtkEnvironment;
+
+namespace CLI
+{
+class App;
+}
+
+namespace tool
+{
+struct TraceOptions
+{
+  int Samples = 512;
+  int Bounces = 0;
+
+  /// Add --samples and --bounces to a subcommand.
+  void AddTo(CLI::App* command);
+};
+
+/// One value a pixel of a surface; radiance has 3.
+struct TracedSurface
+{
+  std::vector<double> Radiance;
+  std::vector<double> Unoccluded; // the reference without occlusion
+  double Noise = 0.0;             // vtkTracedRadianceIntegrator::GetNoise
+};
+
+/// A mesh alone. Throws Error where it has no triangle.
+vtkSmartPointer<vtkTracedScene> MakeTracedScene(vtkPolyData* mesh);
+
+/**
+ * Trace the pixels of a surface that a camera sees, which has to be placed for that size
+ * (OffscreenScene::PlaceCamera). Pixels whose middle just misses the mesh take the nearest point
+ * that does not. Throws Error. Needs an Interruptible.
+ */
+TracedSurface TraceSurface(vtkTracedScene* traced, vtkBRDF* brdf, vtkEnvironment* environment,
+  const OffscreenScene& camera, const Surface& surface, const Size& size,
+  const TraceOptions& options);
+
+/// What a mesh hides: predicted and, where that was asked for, traced.
+struct Occlusion
+{
+  vtkSmartPointer<vtkOcclusionPredictor> Predicted;
+  TracedSurface Traced;
+};
+
+/// options: null, only predict. Throws Error. Needs an Interruptible.
+Occlusion FindOcclusion(vtkPolyData* mesh, vtkBRDF* brdf, vtkEnvironment* environment,
+  const OffscreenScene& camera, const Surface& surface, const Size& size,
+  const TraceOptions* options);
+
+/// For a report.
+nlohmann::ordered_json DescribeOcclusion(const Occlusion& found, const TraceOptions& options);
+
+/// A picture, .png, of the light that nothing hides, a scene of that name with that error, and the
+/// traced reference. Throws Error.
+void WriteOcclusionStrip(const std::string& path, const std::string& title,
+  vtkEnvironment* environment, const Size& size, OffscreenScene& scene, const Surface& surface,
+  const TracedSurface& traced, const std::string& name, double error);
+
+/// The error of leaving occlusion out, as seen from everywhere. Throws Error.
+vtkSmartPointer<vtkOcclusionPredictor> PredictOcclusion(
+  vtkTracedScene* traced, vtkBRDF* brdf, vtkEnvironment* environment);
+} // namespace tool
+
+#endif

@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkOcclusionPredictor.h"
+
+#include "Setters.h"
+#include "vtkBRDF.h"
+#include "vtkDoubleArray.h"
+#include "vtkEnvironment.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkTracedRadianceIntegrator.h"
+#include "vtkTracedScene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <vector>
+
+namespace
+{
+constexpr int FewestPoints = 16;
+constexpr int MostPoints = 1000000;
+constexpr int FewestSamples = 8;
+constexpr int MostSamples = 100000;
+constexpr int MostBounces = 1000;
+constexpr double SureShare = 0.25;   // of the error, as its uncertainty: sure enough
+constexpr double SmallError = 0.002; // nobody asks how far below it is
+constexpr int Growth = 4;
+constexpr double LeastShare = 0.5; // of the tolerance, left for occlusion whatever the plan's error
+
+/// The ratio of two means, sum of errors / sum of values, and twice its standard error.
+struct Ratio
+{
+  double Value = 0.0;
+  double Uncertainty = 0.0;
+
+  Ratio(const std::vector<double>& errors, const std::vector<double>& values)
+  {
+    double error = 0.0;
+    double value = 0.0;
+    for (std::size_t k = 0; k < errors.size(); ++k)
+    {
+      error += errors[k];
+      value += values[k];
+    }
+    if (!(value > 0.0))
+    {
+      this->Value = this->Uncertainty = error > 0.0 ? std::numeric_limits<double>::infinity() : 0.0;
+      return;
+    }
+    this->Value = error / value;
+    double squares = 0.0;
+    for (std::size_t k = 0; k < errors.size(); ++k)
+    {
+      const double rest = errors[k] - this->Value * values[k];
+      squares += rest * rest;
+    }
+    const double count = static_cast<double>(errors.size());
+    this->Uncertainty =
+      count > 1.0 ? 2.0 * std::sqrt(squares * count / (count - 1.0)) / value : this->Value;
+  }
+};
+} // namespace
+
+vtkStandardNewMacro(vtkOcclusionPredictor);
+
+//------------------------------------------------------------------------------
+vtkOcclusionPredictor::vtkOcclusionPredictor() = default;
+vtkOcclusionPredictor::~vtkOcclusionPredictor() = default;
+
+//------------------------------------------------------------------------------
+vtkCxxSetSmartPointerMacro(vtkOcclusionPredictor, Scene, vtkTracedScene);
+vtkCxxSetSmartPointerMacro(vtkOcclusionPredictor, BRDF, vtkBRDF);
+vtkCxxSetSmartPointerMacro(vtkOcclusionPredictor, Environment, vtkEnvironment);
+measuredbrdfSetFinite3Macro(vtkOcclusionPredictor, ViewDirection);
+measuredbrdfSetClampedMacro(
+  vtkOcclusionPredictor, MaximumNumberOfPoints, int, FewestPoints, MostPoints);
+measuredbrdfSetClampedMacro(vtkOcclusionPredictor, NumberOfPoints, int, FewestPoints, MostPoints);
+measuredbrdfSetClampedMacro(
+  vtkOcclusionPredictor, NumberOfSamples, int, FewestSamples, MostSamples);
+measuredbrdfSetClampedMacro(vtkOcclusionPredictor, NumberOfBounces, int, 0, MostBounces);
+
+//------------------------------------------------------------------------------
+vtkTracedScene* vtkOcclusionPredictor::GetScene() { return this->Scene; }
+vtkBRDF* vtkOcclusionPredictor::GetBRDF() { return this->BRDF; }
+vtkEnvironment* vtkOcclusionPredictor::GetEnvironment() { return this->Environment; }
+
+//------------------------------------------------------------------------------
+bool vtkOcclusionPredictor::Update()
+{
+  if (!this->Scene || !this->BRDF || !this->Environment)
+  {
+    vtkErrorMacro("Update: a scene, a BRDF and an environment are needed.");
+    return false;
+  }
+  if (this->UpdateTime > std::max({ this->GetMTime(), this->Scene->GetMTime(),
+                           this->BRDF->GetMTime(), this->Environment->GetMTime() }))
+  {
+    return true;
+  }
+  const int most = std::max(this->MaximumNumberOfPoints, this->NumberOfPoints);
+  for (int count = this->NumberOfPoints;; count = count > most / Growth ? most : Growth * count)
+  {
+    if (!this->Predict(count))
+    {
+      vtkErrorMacro("Update: nothing can be predicted.");
+      return false;
+    }
+    if (count >= most || this->Uncertainty <= SureShare * this->Error ||
+        this->Error + this->Uncertainty <= SmallError)
+    {
+      break;
+    }
+  }
+  this->UpdateTime.Modified();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkOcclusionPredictor::Predict(int numberOfPoints)
+{
+  vtkNew<vtkPolyData> points;
+  vtkNew<vtkDoubleArray> views;
+  vtkNew<vtkDoubleArray> radiance;
+  vtkNew<vtkDoubleArray> open;
+  vtkNew<vtkTracedRadianceIntegrator> integrator;
+  integrator->SetScene(this->Scene);
+  integrator->SetBRDF(this->BRDF);
+  integrator->SetEnvironment(this->Environment);
+  integrator->SetNumberOfSamples(this->NumberOfSamples);
+  integrator->SetNumberOfBounces(this->NumberOfBounces);
+  // Both sums of one set of samples: what they have in common cancels.
+  integrator->UnoccludedReferenceOff();
+  if (!this->Scene->DrawVisiblePoints(numberOfPoints, this->ViewDirection, points, views) ||
+      !integrator->Integrate(points, views, radiance, open))
+  {
+    return false;
+  }
+  std::vector<double> errors;
+  std::vector<double> values;
+  for (vtkIdType k = 0; k < radiance->GetNumberOfTuples(); ++k)
+  {
+    double r[3];
+    double u[3];
+    radiance->GetTuple(k, r);
+    open->GetTuple(k, u);
+    errors.push_back(std::abs(u[0] - r[0]) + std::abs(u[1] - r[1]) + std::abs(u[2] - r[2]));
+    values.push_back(r[0] + r[1] + r[2]);
+  }
+  const Ratio ratio(errors, values);
+  this->Error = ratio.Value;
+  this->Uncertainty = ratio.Uncertainty;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkOcclusionPredictor::GetText() { return FormatText(this->Error, this->Uncertainty); }
+
+//------------------------------------------------------------------------------
+std::string vtkOcclusionPredictor::FormatText(double error, double uncertainty)
+{
+  if (!std::isfinite(error))
+  {
+    return "unoccluded light: no light reaches this surface";
+  }
+  const auto toPercent = [](double share)
+  {
+    std::ostringstream text;
+    text.precision(share < 0.1 ? 2 : 3);
+    text << (share < 0.1 ? 100.0 * share : std::round(100.0 * share)) << " %";
+    return text.str();
+  };
+  return "unoccluded light: " + toPercent(error) + " on this surface (+- " +
+         toPercent(uncertainty) + ")";
+}
+
+//------------------------------------------------------------------------------
+bool vtkOcclusionPredictor::IsWorthModeling(double error, double planError, double tolerance)
+{
+  const double left = std::sqrt(std::max(tolerance * tolerance - planError * planError, 0.0));
+  return error > std::max(left, LeastShare * tolerance);
+}
+
+//------------------------------------------------------------------------------
+void vtkOcclusionPredictor::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Scene: " << this->Scene.Get() << "\n";
+  os << indent << "BRDF: " << this->BRDF.Get() << "\n";
+  os << indent << "Environment: " << this->Environment.Get() << "\n";
+  os << indent << "ViewDirection: " << this->ViewDirection[0] << " " << this->ViewDirection[1]
+     << " " << this->ViewDirection[2] << "\n";
+  os << indent << "NumberOfPoints: " << this->NumberOfPoints << "\n";
+  os << indent << "MaximumNumberOfPoints: " << this->MaximumNumberOfPoints << "\n";
+  os << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n";
+  os << indent << "NumberOfBounces: " << this->NumberOfBounces << "\n";
+  os << indent << "Error: " << this->Error << "\n";
+  os << indent << "Uncertainty: " << this->Uncertainty << "\n";
+}

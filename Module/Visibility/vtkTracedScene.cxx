@@ -1,0 +1,314 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkTracedScene.h"
+
+#include "HalfVector.h" // for Pi
+#include "LocalFrame.h"
+#include "LowDiscrepancy.h"
+#include "vtkDataArray.h"
+#include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+#include "vtkTracedSurfaces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace
+{
+using measuredbrdf::SurfacePoint;
+using measuredbrdf::SurfaceTracer;
+
+constexpr vtkIdType MostPoints = 10000000;
+constexpr vtkIdType MostTries = 64; // rays a point that is wanted
+constexpr vtkIdType FewestTries = 4096;
+
+// Into a polydata as CastRays describes it.
+void FillHits(const std::vector<SurfacePoint>& found, vtkPolyData* hits)
+{
+  const auto count = static_cast<vtkIdType>(found.size());
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(count);
+  vtkNew<vtkFloatArray> normals;
+  vtkNew<vtkFloatArray> facets;
+  vtkNew<vtkIntArray> surfaces;
+  vtkNew<vtkIdTypeArray> cells;
+  normals->SetName("Normals");
+  facets->SetName("FacetNormals");
+  surfaces->SetName("Surface");
+  cells->SetName("Cell");
+  for (vtkDataArray* array :
+    { static_cast<vtkDataArray*>(normals), static_cast<vtkDataArray*>(facets) })
+  {
+    array->SetNumberOfComponents(3);
+    array->SetNumberOfTuples(count);
+  }
+  surfaces->SetNumberOfTuples(count);
+  cells->SetNumberOfTuples(count);
+  for (vtkIdType k = 0; k < count; ++k)
+  {
+    const SurfacePoint& point = found[static_cast<std::size_t>(k)];
+    points->SetPoint(k, &point.Position.x);
+    normals->SetTuple(k, &point.Normal.x);
+    facets->SetTuple(k, &point.Facet.x);
+    surfaces->SetValue(k, point.Surface);
+    cells->SetValue(k, point.Cell);
+  }
+  hits->Initialize();
+  hits->SetPoints(points);
+  hits->GetPointData()->SetNormals(normals);
+  hits->GetPointData()->AddArray(facets);
+  hits->GetPointData()->AddArray(surfaces);
+  hits->GetPointData()->AddArray(cells);
+}
+
+SurfacePoint GetMiss()
+{
+  SurfacePoint miss;
+  miss.Position = miss.Normal = miss.Facet = glm::dvec3(0.0);
+  return miss;
+}
+} // namespace
+
+vtkStandardNewMacro(vtkTracedScene);
+
+//------------------------------------------------------------------------------
+vtkTracedScene::vtkTracedScene()
+  : Data(std::make_unique<vtkTracedSurfaces>())
+{
+}
+
+//------------------------------------------------------------------------------
+vtkTracedScene::~vtkTracedScene() = default;
+
+//------------------------------------------------------------------------------
+int vtkTracedScene::AddSurface(vtkPolyData* surface, vtkMatrix4x4* matrix)
+{
+  if (!surface)
+  {
+    vtkErrorMacro("AddSurface: there is no surface.");
+    return -1;
+  }
+  vtkTracedSurfaces::Surface added;
+  vtkNew<vtkMatrix4x4> identity;
+  vtkMatrix4x4* taken = matrix ? matrix : identity;
+  for (int k = 0; k < 16; ++k)
+  {
+    added.Matrix[static_cast<std::size_t>(k)] = taken->GetElement(k / 4, k % 4);
+  }
+  const std::array<double, 16>& m = added.Matrix;
+  if (!std::all_of(m.begin(), m.end(), [](double value) { return std::isfinite(value); }) ||
+      m[12] != 0.0 || m[13] != 0.0 || m[14] != 0.0 || m[15] != 1.0)
+  {
+    vtkErrorMacro(
+      "AddSurface: found a matrix that is not finite, or whose last row is not 0, 0, 0, 1.");
+    return -1;
+  }
+  double points = static_cast<double>(surface->GetNumberOfPoints());
+  double cells = static_cast<double>(surface->GetNumberOfCells());
+  for (const vtkTracedSurfaces::Surface& other : this->Data->Surfaces)
+  {
+    points += static_cast<double>(other.Mesh->GetNumberOfPoints());
+    cells += static_cast<double>(other.Mesh->GetNumberOfCells());
+  }
+  if (std::max(points, cells) > 4294967294.0)
+  {
+    vtkErrorMacro("AddSurface: found " << points << " points and " << cells
+                                       << " cells in all, expected at most 2^32 - 2.");
+    return -1;
+  }
+  added.Mesh = vtkSmartPointer<vtkPolyData>::New();
+  added.Mesh->ShallowCopy(surface);
+  this->Data->Surfaces.push_back(added);
+  this->Data->Tracer.reset();
+  this->Modified();
+  return this->GetNumberOfSurfaces() - 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkTracedScene::RemoveAllSurfaces()
+{
+  this->Data->Surfaces.clear();
+  this->Data->Tracer.reset();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+int vtkTracedScene::GetNumberOfSurfaces() { return static_cast<int>(this->Data->Surfaces.size()); }
+
+//------------------------------------------------------------------------------
+void vtkTracedScene::SetUseEmbree(bool useEmbree)
+{
+  if (this->UseEmbree != useEmbree)
+  {
+    this->UseEmbree = useEmbree;
+    this->Data->Tracer.reset();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTracedScene::Build()
+{
+  if (this->Data->Tracer)
+  {
+    return;
+  }
+  auto tracer = std::make_unique<SurfaceTracer>(
+    this->UseEmbree ? SurfaceTracer::Backend::Best : SurfaceTracer::Backend::Own);
+  for (vtkTracedSurfaces::Surface& surface : this->Data->Surfaces)
+  {
+    tracer->AddSurface(surface.Mesh, surface.Matrix.data());
+    this->Data->TakeNormals(surface);
+  }
+  tracer->Build();
+  this->Data->Tracer = std::move(tracer);
+}
+
+//------------------------------------------------------------------------------
+const vtkTracedSurfaces& vtkTracedScene::GetSurfaces()
+{
+  this->Build();
+  return *this->Data;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTracedScene::IsTracedByEmbree()
+{
+  this->Build();
+  return this->Data->Tracer->GetBackend() == SurfaceTracer::Backend::Embree;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkTracedScene::GetNumberOfTriangles()
+{
+  this->Build();
+  return this->Data->Tracer->GetNumberOfTriangles();
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkTracedScene::GetNumberOfSkippedTriangles()
+{
+  this->Build();
+  return this->Data->Tracer->GetNumberOfSkippedTriangles();
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkTracedScene::GetNumberOfBytes()
+{
+  this->Build();
+  std::size_t bytes = this->Data->Tracer->GetBytes();
+  for (const vtkTracedSurfaces::Surface& surface : this->Data->Surfaces)
+  {
+    bytes += surface.Normals.capacity() * sizeof(float);
+  }
+  return static_cast<vtkIdType>(bytes);
+}
+
+//------------------------------------------------------------------------------
+void vtkTracedScene::GetBounds(double bounds[6])
+{
+  this->Build();
+  std::fill(bounds, bounds + 6, 0.0);
+  this->Data->Tracer->GetBounds(bounds);
+}
+
+//------------------------------------------------------------------------------
+bool vtkTracedScene::CastRays(vtkDataArray* origins, vtkDataArray* directions, vtkPolyData* hits)
+{
+  if (!origins || !directions || !hits || origins->GetNumberOfComponents() != 3 ||
+      directions->GetNumberOfComponents() != 3 ||
+      origins->GetNumberOfTuples() != directions->GetNumberOfTuples())
+  {
+    vtkErrorMacro(
+      "CastRays: origins and directions must have 3 components and equally many tuples, "
+      "and there must be hits to fill.");
+    return false;
+  }
+  const vtkTracedSurfaces& scene = this->GetSurfaces();
+  const vtkIdType count = origins->GetNumberOfTuples();
+  std::vector<SurfacePoint> found(static_cast<std::size_t>(count), GetMiss());
+  vtkSMPTools::For(0, count,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType k = begin; k < end; ++k)
+      {
+        glm::dvec3 origin;
+        glm::dvec3 direction;
+        origins->GetTuple(k, &origin.x);
+        directions->GetTuple(k, &direction.x);
+        scene.Cast(origin, direction, found[static_cast<std::size_t>(k)]);
+      }
+    });
+  FillHits(found, hits);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTracedScene::DrawVisiblePoints(
+  vtkIdType count, const double viewDirection[3], vtkPolyData* hits, vtkDataArray* views)
+{
+  const glm::dvec3 given(viewDirection[0], viewDirection[1], viewDirection[2]);
+  const double length = glm::length(given);
+  if (!hits || !views || count < 1 || count > MostPoints || !std::isfinite(length))
+  {
+    vtkErrorMacro("DrawVisiblePoints: found " << count << " points, expected 1 to " << MostPoints
+                                              << ", a finite view direction, hits and views.");
+    return false;
+  }
+  double bounds[6];
+  this->GetBounds(bounds);
+  const vtkTracedSurfaces& scene = this->GetSurfaces();
+  const glm::dvec3 low(bounds[0], bounds[2], bounds[4]);
+  const glm::dvec3 high(bounds[1], bounds[3], bounds[5]);
+  const double radius = 0.5 * glm::length(high - low);
+  std::vector<SurfacePoint> found;
+  std::vector<glm::dvec3> towards;
+  const vtkIdType tries = radius > 0.0 ? std::max(MostTries * count, FewestTries) : 0;
+  for (vtkIdType k = 0; k < tries && static_cast<vtkIdType>(found.size()) < count; ++k)
+  {
+    const auto index = static_cast<std::uint32_t>(k + 1);
+    const double z = 1.0 - 2.0 * measuredbrdf::RadicalInverse(index, 2);
+    const double azimuth = 2.0 * measuredbrdf::Pi * measuredbrdf::RadicalInverse(index, 3);
+    const double sine = std::sqrt(std::max(1.0 - z * z, 0.0));
+    const glm::dvec3 view = length > 0.0
+                              ? given / length
+                              : glm::dvec3(sine * std::cos(azimuth), sine * std::sin(azimuth), z);
+    const measuredbrdf::Frame frame = measuredbrdf::FrameAbout(view);
+    const double r = radius * std::sqrt(measuredbrdf::RadicalInverse(index, 5));
+    const double turn = 2.0 * measuredbrdf::Pi * measuredbrdf::RadicalInverse(index, 7);
+    const glm::dvec3 origin = 0.5 * low + 0.5 * high + 2.0 * radius * view +
+                              r * (std::cos(turn) * frame[0] + std::sin(turn) * frame[1]);
+    SurfacePoint point;
+    if (scene.Cast(origin, -view, point))
+    {
+      found.push_back(point);
+      towards.push_back(view);
+    }
+  }
+  FillHits(found, hits);
+  views->SetNumberOfComponents(3);
+  views->SetNumberOfTuples(static_cast<vtkIdType>(towards.size()));
+  for (std::size_t k = 0; k < towards.size(); ++k)
+  {
+    views->SetTuple(static_cast<vtkIdType>(k), &towards[k].x);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkTracedScene::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfSurfaces: " << this->GetNumberOfSurfaces() << "\n";
+  os << indent << "UseEmbree: " << (this->UseEmbree ? "On" : "Off") << "\n";
+}

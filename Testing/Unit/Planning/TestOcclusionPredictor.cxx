@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What leaving occlusion out costs: predicted from few points, against many and closed forms.
+#include "ErrorCatcher.h"
+#include "vtkBlinnPhongBRDF.h"
+#include "vtkDoubleArray.h"
+#include "vtkEnvironment.h"
+#include "vtkLambertBRDF.h"
+#include "vtkNew.h"
+#include "vtkOcclusionPredictor.h"
+#include "vtkParametricFunctionSource.h"
+#include "vtkParametricTorus.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkRadiancePlanner.h"
+#include "vtkSphereSource.h"
+#include "vtkTracedScene.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace
+{
+vtkSmartPointer<vtkPolyData> MakeTorus()
+{
+  vtkNew<vtkParametricTorus> torus;
+  torus->SetCrossSectionRadius(0.7);
+  vtkNew<vtkParametricFunctionSource> source;
+  source->SetParametricFunction(torus);
+  source->Update();
+  return source->GetOutput();
+}
+
+// A sphere hides nothing of itself.
+TEST(OcclusionPredictor, NothingOnASphere)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(40);
+  sphere->SetPhiResolution(40);
+  sphere->Update();
+  vtkNew<vtkTracedScene> scene;
+  scene->AddSurface(sphere->GetOutput());
+  vtkNew<vtkLambertBRDF> white;
+  vtkNew<vtkEnvironment> sky;
+  sky->SetToProceduralSky();
+  vtkNew<vtkOcclusionPredictor> predictor;
+  predictor->SetScene(scene);
+  predictor->SetBRDF(white);
+  predictor->SetEnvironment(sky);
+  ASSERT_TRUE(predictor->Update());
+  EXPECT_LT(predictor->GetError(), 1e-3);
+  EXPECT_LT(predictor->GetUncertainty(), 2e-3);
+}
+
+// A half sphere under a white sky, seen from its opening: half of the light is hidden, so the
+// error is 1 of what is left.
+TEST(OcclusionPredictor, ABowl)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(120);
+  sphere->SetPhiResolution(60);
+  sphere->SetStartPhi(90.0);
+  sphere->Update();
+  vtkNew<vtkPolyData> bowl;
+  bowl->ShallowCopy(sphere->GetOutput());
+  bowl->GetPointData()->SetNormals(nullptr);
+  vtkNew<vtkTracedScene> scene;
+  scene->AddSurface(bowl);
+  vtkNew<vtkLambertBRDF> white;
+  vtkNew<vtkEnvironment> sky;
+  sky->SetPixels(64, 32, std::vector<float>(3 * 64 * 32, 1.0f));
+  vtkNew<vtkOcclusionPredictor> predictor;
+  predictor->SetScene(scene);
+  predictor->SetBRDF(white);
+  predictor->SetEnvironment(sky);
+  predictor->SetViewDirection(0.0, 0.0, 1.0);
+  ASSERT_TRUE(predictor->Update());
+  EXPECT_NEAR(predictor->GetError(), 1.0, 0.05);
+  EXPECT_LT(predictor->GetUncertainty(), 0.1);
+  predictor->SetNumberOfBounces(40); // the light that was hidden comes all the same
+  ASSERT_TRUE(predictor->Update());
+  EXPECT_LT(predictor->GetError(), 0.25); // what is left is the noise of single paths
+  predictor->SetNumberOfBounces(0);
+  predictor->SetViewDirection(0.0, 0.0, -1.0); // from below it bulges
+  ASSERT_TRUE(predictor->Update());
+  EXPECT_LT(predictor->GetError(), 0.01);
+}
+
+// The default's prediction and uncertainty, against 20 times as many points.
+TEST(OcclusionPredictor, FewPointsForetellMany)
+{
+  const vtkSmartPointer<vtkPolyData> torus = MakeTorus();
+  vtkNew<vtkTracedScene> scene;
+  scene->AddSurface(torus);
+  vtkNew<vtkLambertBRDF> white;
+  vtkNew<vtkBlinnPhongBRDF> gloss;
+  gloss->SetExponent(50.0);
+  vtkNew<vtkEnvironment> sky;
+  vtkNew<vtkEnvironment> hall;
+  sky->SetToProceduralSky();
+  hall->SetToProceduralHall();
+  for (vtkBRDF* brdf : { static_cast<vtkBRDF*>(white), static_cast<vtkBRDF*>(gloss) })
+  {
+    for (vtkEnvironment* environment : { sky.Get(), hall.Get() })
+    {
+      vtkNew<vtkOcclusionPredictor> predictor;
+      predictor->SetScene(scene);
+      predictor->SetBRDF(brdf);
+      predictor->SetEnvironment(environment);
+      predictor->SetMaximumNumberOfPoints(400);
+      ASSERT_TRUE(predictor->Update());
+      const double error = predictor->GetError();
+      const double uncertainty = predictor->GetUncertainty();
+      predictor->SetNumberOfPoints(8000);
+      ASSERT_TRUE(predictor->Update());
+      std::printf("%.4f +- %.4f, many points %.4f\n", error, uncertainty, predictor->GetError());
+      EXPECT_LT(std::abs(std::log(error / predictor->GetError())), std::log(1.5));
+      EXPECT_LT(std::abs(error - predictor->GetError()), 2.0 * uncertainty);
+      EXPECT_LT(predictor->GetUncertainty(), uncertainty);
+    }
+  }
+}
+
+TEST(OcclusionPredictor, Decision)
+{
+  EXPECT_FALSE(vtkOcclusionPredictor::IsWorthModeling(0.009, 0.015, 0.02));
+  EXPECT_TRUE(vtkOcclusionPredictor::IsWorthModeling(0.021, 0.0, 0.02));
+  EXPECT_TRUE(vtkOcclusionPredictor::IsWorthModeling(0.014, 0.015, 0.02)); // 0.0132 is left
+  EXPECT_FALSE(vtkOcclusionPredictor::IsWorthModeling(0.009, 0.05, 0.02)); // a bad plan
+  EXPECT_TRUE(vtkOcclusionPredictor::IsWorthModeling(0.011, 0.05, 0.02));
+  EXPECT_EQ(vtkOcclusionPredictor::FormatText(0.0921, 0.0104),
+    "unoccluded light: 9.2 % on this surface (+- 1 %)");
+}
+
+// A planner says it, and whether it is worth modeling.
+TEST(OcclusionPredictor, InThePlan)
+{
+  vtkNew<vtkTracedScene> scene;
+  scene->AddSurface(MakeTorus());
+  vtkNew<vtkLambertBRDF> white;
+  vtkNew<vtkEnvironment> sky;
+  sky->SetToProceduralSky();
+  vtkNew<vtkRadiancePlanner> planner;
+  planner->SetBRDF(white);
+  planner->SetEnvironment(sky);
+  ASSERT_TRUE(planner->Update());
+  EXPECT_EQ(planner->GetUnoccludedError(), 0.0);
+  EXPECT_FALSE(planner->GetNeedsOcclusion());
+  const std::string alone = planner->GetPlan();
+  planner->SetScene(scene);
+  ASSERT_TRUE(planner->Update());
+  EXPECT_NEAR(planner->GetUnoccludedError(), 0.0204, 0.01); // many points: 0.0204
+  EXPECT_GT(planner->GetUnoccludedErrorUncertainty(), 0.0);
+  EXPECT_EQ(planner->GetPlan().find(alone + "; unoccluded light: "), 0u) << planner->GetPlan();
+  planner->SetErrorTolerance(0.01);
+  ASSERT_TRUE(planner->Update());
+  EXPECT_TRUE(planner->GetNeedsOcclusion());
+  planner->SetErrorTolerance(0.2);
+  ASSERT_TRUE(planner->Update());
+  EXPECT_FALSE(planner->GetNeedsOcclusion());
+}
+
+TEST(OcclusionPredictor, NothingToSee)
+{
+  vtkNew<vtkTracedScene> scene;
+  vtkNew<vtkPolyData> nothing;
+  scene->AddSurface(nothing);
+  vtkNew<vtkLambertBRDF> white;
+  vtkNew<vtkEnvironment> sky;
+  sky->SetToProceduralSky();
+  vtkNew<vtkOcclusionPredictor> predictor;
+  {
+    ErrorCatcher errors(predictor);
+    EXPECT_FALSE(predictor->Update());
+    EXPECT_EQ(errors.Take(), 1);
+  }
+  predictor->SetScene(scene);
+  predictor->SetBRDF(white);
+  predictor->SetEnvironment(sky);
+  ASSERT_TRUE(predictor->Update());
+  EXPECT_EQ(predictor->GetError(), 0.0);
+}
+} // namespace
