@@ -62,6 +62,7 @@ int Run(int argc, char* argv[])
   tool::AddIntegrateCommand(app);
   tool::AddLightsCommand(app);
   tool::AddRenderCommand(app);
+  tool::AddExploreCommand(app);
   tool::AddPlanCommand(app);
   tool::AddCompareCommand(app);
   tool::AddDiffCommand(app);
