@@ -262,8 +262,12 @@ vtkSmartPointer<vtkImageData> Evaluation::MakeDifference(double& mean) const
   image->SetDimensions(this->Size.Width, this->Size.Height, 1);
   image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
   auto* bytes = static_cast<unsigned char*>(image->GetScalarPointer());
-  std::fill_n(bytes, 4 * static_cast<std::size_t>(this->Size.Width) * this->Size.Height,
-    static_cast<unsigned char>(0));
+  constexpr unsigned char gray[4] = { 40, 41, 44, 255 }; // where there is no mesh
+  const std::size_t pixels = static_cast<std::size_t>(this->Size.Width) * this->Size.Height;
+  for (std::size_t k = 0; k < 4 * pixels; ++k)
+  {
+    bytes[k] = gray[k % 4];
+  }
   double sum = 0.0;
   for (std::size_t k = 0; k < a.size(); k += 3)
   {

@@ -22,7 +22,7 @@ namespace
 void StepBack()
 {
 #ifdef __linux__
-  constexpr int niceness = 10;
+  constexpr int niceness = 5;
   setpriority(PRIO_PROCESS, static_cast<id_t>(syscall(SYS_gettid)), niceness);
 #endif
 }

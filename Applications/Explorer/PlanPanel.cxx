@@ -100,24 +100,7 @@ PlanPanel::PlanPanel(
       MakeTable({ tr("Method"), tr("Error"), tr("Frame"), tr("MB"), tr("Set-up"), tr("Sizes") },
         tr("Candidates of the plan")))
 {
-  this->Slider->setRange(0, Steps);
-  this->Slider->setPageStep(StepsPerDecade / 4);
-  this->Slider->setTickInterval(StepsPerDecade);
-  this->Slider->setTickPosition(QSlider::TicksBelow);
-  this->Slider->setToolTip(
-    tr("Error that a plan has to stay below, relative to the mean radiance"));
-  this->Slider->setAccessibleName(tr("Tolerance"));
-  this->Percent->setRange(0.1, 100.0);
-  this->Percent->setDecimals(2);
-  this->Percent->setSuffix(" %");
-  this->Percent->setKeyboardTracking(false);
-  this->Percent->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-  this->Plan->setWordWrap(true);
-  this->Plan->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-  this->Plan->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-  this->Candidates->horizontalHeader()->setStretchLastSection(true);
-  this->Figures->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-
+  this->SetUpWidgets();
   auto* tolerance = new QHBoxLayout;
   auto* label = new QLabel(tr("&Tolerance "));
   label->setBuddy(this->Slider);
@@ -165,6 +148,28 @@ PlanPanel::PlanPanel(
   connect(evaluation, &Evaluation::changed, this, &PlanPanel::UpdateFigures);
   this->UpdateTolerance();
   this->UpdatePlan();
+}
+
+//------------------------------------------------------------------------------
+void PlanPanel::SetUpWidgets()
+{
+  this->Slider->setRange(0, Steps);
+  this->Slider->setPageStep(StepsPerDecade / 4);
+  this->Slider->setTickInterval(StepsPerDecade);
+  this->Slider->setTickPosition(QSlider::TicksBelow);
+  this->Slider->setToolTip(
+    tr("Error that a plan has to stay below, relative to the mean radiance"));
+  this->Slider->setAccessibleName(tr("Tolerance"));
+  this->Percent->setRange(0.1, 100.0);
+  this->Percent->setDecimals(2);
+  this->Percent->setSuffix(" %");
+  this->Percent->setKeyboardTracking(false);
+  this->Percent->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+  this->Plan->setWordWrap(true);
+  this->Plan->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+  this->Plan->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  this->Candidates->horizontalHeader()->setStretchLastSection(true);
+  this->Figures->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
 }
 
 //------------------------------------------------------------------------------

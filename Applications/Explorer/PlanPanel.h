@@ -37,6 +37,7 @@ public:
   void SetFrameTime(double milliseconds);
 
 private:
+  void SetUpWidgets();
   void UpdateTolerance();
   void UpdatePlan();
   void UpdateFigures();

@@ -7,22 +7,12 @@
 #include "Meshes.h"
 #include "Tool.h"
 
-#include "vtkEmbeddedEnvironments.h"
-#include "vtkEmbeddedMaterials.h"
-
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <utility>
 
 namespace
 {
-//------------------------------------------------------------------------------
-explorer::Item MakeFileItem(const std::string& file)
-{
-  return { file, std::filesystem::path(file).filename().string(), "Files", file };
-}
-
 //------------------------------------------------------------------------------
 void AddOnce(std::vector<std::string>& list, const std::string& file)
 {
@@ -30,32 +20,6 @@ void AddOnce(std::vector<std::string>& list, const std::string& file)
   {
     list.push_back(file);
   }
-}
-
-//------------------------------------------------------------------------------
-bool IsEmbeddedMaterial(const std::string& name)
-{
-  for (int k = 0; k < vtkEmbeddedMaterials::GetNumberOfMaterials(); ++k)
-  {
-    if (vtkEmbeddedMaterials::GetName(k) == name)
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-//------------------------------------------------------------------------------
-bool IsEmbeddedEnvironment(const std::string& name)
-{
-  for (int k = 0; k < vtkEmbeddedEnvironments::GetNumberOfEnvironments(); ++k)
-  {
-    if (vtkEmbeddedEnvironments::GetName(k) == name)
-    {
-      return true;
-    }
-  }
-  return false;
 }
 
 //------------------------------------------------------------------------------
@@ -90,7 +54,7 @@ void Session::Say(const QString& text, bool isError) { emit this->messaged(text,
 
 //------------------------------------------------------------------------------
 // What is on the screen stays until the new state's objects have been read.
-void Session::Replace(const State& state)
+void Session::Replace(const State& state, bool withCamera)
 {
   const State before = this->Current;
   this->Current = state;
@@ -107,6 +71,7 @@ void Session::Replace(const State& state)
   else
   {
     this->SetMesh(state.Mesh);
+    this->IsCameraGiven = withCamera;
   }
   if (this->Environment)
   {
@@ -124,52 +89,17 @@ void Session::Replace(const State& state)
 //------------------------------------------------------------------------------
 std::vector<Item> Session::GetMaterials() const
 {
-  std::vector<Item> items;
-  for (int k = 0; k < vtkEmbeddedMaterials::GetNumberOfMaterials(); ++k)
-  {
-    const std::string name = vtkEmbeddedMaterials::GetName(k);
-    items.push_back(
-      { name, name, vtkEmbeddedMaterials::GetKind(k), vtkEmbeddedMaterials::GetSource(k) });
-  }
-  std::stable_sort(
-    items.begin(), items.end(), [](const Item& a, const Item& b) { return a.Kind < b.Kind; });
-  std::vector<Item> files;
-  for (const std::string& file : this->Current.MaterialFiles)
-  {
-    files.push_back(MakeFileItem(file));
-  }
-  files.insert(files.end(), items.begin(), items.end());
-  return files;
+  return ListMaterials(this->Current.MaterialFiles);
 }
 
 //------------------------------------------------------------------------------
 std::vector<Item> Session::GetEnvironments() const
 {
-  std::vector<Item> items;
-  for (int k = 0; k < vtkEmbeddedEnvironments::GetNumberOfEnvironments(); ++k)
-  {
-    const std::string name = vtkEmbeddedEnvironments::GetName(k);
-    items.push_back({ name, name, "Built-in", vtkEmbeddedEnvironments::GetSource(k) });
-  }
-  for (const std::string& file : this->Current.EnvironmentFiles)
-  {
-    items.push_back(MakeFileItem(file));
-  }
-  return items;
+  return ListEnvironments(this->Current.EnvironmentFiles);
 }
 
 //------------------------------------------------------------------------------
-std::vector<Item> Session::GetMeshes() const
-{
-  std::vector<Item> items = { { "sphere", "Sphere", "Built-in", "A unit sphere" },
-    { "ball-on-foot", "Ball on foot", "Built-in",
-      "The gallery's piece: a ball on a fluted foot" } };
-  if (this->MeshFile.find_first_of("/.") != std::string::npos)
-  {
-    items.push_back(MakeFileItem(this->MeshFile));
-  }
-  return items;
-}
+std::vector<Item> Session::GetMeshes() const { return ListMeshes(this->MeshFile); }
 
 //------------------------------------------------------------------------------
 void Session::Open(const QStringList& files)
@@ -211,12 +141,22 @@ void Session::OpenOne(const std::string& file, JobThread& thread)
   {
     tool::Material material = tool::LoadMaterial(file);
     material.BRDF->Prepare();
-    thread.Post([this, material]() { this->Take(material); });
+    thread.Post(
+      [this, material]()
+      {
+        this->Background->Stop("material"); // asked for before
+        this->Take(material);
+      });
   };
   const auto tryEnvironment = [&]()
   {
     const vtkSmartPointer<vtkEnvironment> environment = tool::LoadEnvironment(file);
-    thread.Post([this, environment, file]() { this->Take(environment, file); });
+    thread.Post(
+      [this, environment, file]()
+      {
+        this->Background->Stop("environment");
+        this->Take(environment, file);
+      });
   };
   if (IsEmbeddedEnvironment(file))
   {
@@ -231,7 +171,12 @@ void Session::OpenOne(const std::string& file, JobThread& thread)
     case FileKind::Mesh:
     {
       const vtkSmartPointer<vtkPolyData> mesh = LoadMeshByName(file);
-      thread.Post([this, mesh, file]() { this->Take(mesh, file); });
+      thread.Post(
+        [this, mesh, file]()
+        {
+          this->Background->Stop("mesh");
+          this->Take(mesh, file);
+        });
       break;
     }
     case FileKind::Environment:
@@ -313,6 +258,7 @@ void Session::SetMesh(const std::string& file)
     this->Background->Stop("mesh");
     return;
   }
+  this->IsCameraGiven = false;
   this->Background->Start(
     "mesh", tr("reading"),
     [this, file](JobThread& thread)
@@ -361,8 +307,15 @@ void Session::Take(vtkPolyData* mesh, const std::string& file)
   this->Mesh = mesh;
   this->MeshFile = file;
   this->Current.Mesh = file;
+  const CameraState camera = this->Current.Camera;
   emit this->listsChanged();
-  emit this->meshChanged();
+  emit this->meshChanged(); // the view looks at all of it
+  if (this->IsCameraGiven)
+  {
+    this->Current.Camera = camera;
+    emit this->cameraReplaced();
+  }
+  this->IsCameraGiven = false;
 }
 
 //------------------------------------------------------------------------------

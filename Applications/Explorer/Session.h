@@ -10,6 +10,7 @@
 
 #include "Inputs.h"
 #include "Jobs.h"
+#include "Lists.h"
 #include "State.h"
 
 #include "vtkEnvironment.h"
@@ -25,15 +26,6 @@
 
 namespace explorer
 {
-/// A line of a list.
-struct Item
-{
-  std::string File; // name or path, as State has it
-  std::string Name;
-  std::string Kind; // heading
-  std::string Source;
-};
-
 /**
  * Files are read in the background; what was shown before stays until one has been read, and stays
  * where it cannot be read, with a message.
@@ -48,8 +40,8 @@ public:
 
   const State& GetState() const { return this->Current; }
 
-  /// Show what a state says.
-  void Replace(const State& state);
+  /// Show what a state says; without its camera: the whole mesh.
+  void Replace(const State& state, bool withCamera = true);
 
   /// Open files of any kind: materials, environments, meshes, states.
   void Open(const QStringList& files);
@@ -127,7 +119,8 @@ private:
   tool::Material Material;
   vtkSmartPointer<vtkEnvironment> Environment;
   vtkSmartPointer<vtkPolyData> Mesh;
-  std::string MeshFile; // of Mesh, where it is no built-in one
+  std::string MeshFile;       // of Mesh
+  bool IsCameraGiven = false; // by the state that the next mesh belongs to
 };
 
 /// A mesh by name or file. Throws tool::Error.

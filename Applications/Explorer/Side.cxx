@@ -54,6 +54,8 @@ Side::Side(int index, Session* session, Jobs* jobs, QObject* parent)
 {
   this->Mapper->ScalarVisibilityOff();
   this->Mapper->SetPlanningModeToBackgroundFromStart();
+  this->Mapper->SetCostModel(
+    tool::PlanOptions().GetCosts()); // as Capture's scene: one plan for both
   this->Actor->SetMapper(this->Mapper);
   this->StockMapper->ScalarVisibilityOff();
   this->StockActor->SetMapper(this->StockMapper);
@@ -95,7 +97,7 @@ QString Side::GetJobKey() const { return QString("method %1").arg(this->Index); 
 //------------------------------------------------------------------------------
 bool Side::IsReady() const
 {
-  return this->IsMade &&
+  return this->Light && this->IsMade &&
          (!this->IsPlanned || (this->GetPlanner() && !this->Mapper->GetPlanPending()));
 }
 

@@ -33,7 +33,7 @@ constexpr int Albedo = 3;
 const char* const ChartNames[4] = { "theta_h", "theta_d", "phi_d", "albedo" };
 const char* const Channels[3] = { "red", "green", "blue" };
 constexpr unsigned char Colors[3][3] = { { 214, 64, 54 }, { 46, 140, 62 }, { 52, 98, 204 } };
-constexpr int FontSize = 12; // points at one pixel a point
+constexpr int FontSize = 12; // the window's resolution counts, too
 
 //------------------------------------------------------------------------------
 void SetTicks(vtkAxis* axis, const std::vector<double>& exponents)
@@ -238,13 +238,12 @@ void SliceView::Draw(int chart, vtkTable* table, bool logarithmic)
   }
   const char* const titles[4] = { "f (1/sr) over theta_h", "f (1/sr) over theta_d",
     "f (1/sr) over phi_d", "albedo over theta_o" };
-  const int font = static_cast<int>(std::lround(FontSize * this->devicePixelRatioF()));
   drawn->SetTitle(titles[chart]);
-  drawn->GetTitleProperties()->SetFontSize(font + 1);
+  drawn->GetTitleProperties()->SetFontSize(FontSize + 1);
   for (const int which : { vtkAxis::LEFT, vtkAxis::BOTTOM })
   {
     vtkAxis* axis = drawn->GetAxis(which);
-    axis->GetLabelProperties()->SetFontSize(font);
+    axis->GetLabelProperties()->SetFontSize(FontSize);
     axis->SetTitle("");
     axis->GetGridPen()->SetColor(225, 225, 225);
     axis->SetBehavior(vtkAxis::FIXED);

@@ -3,19 +3,15 @@
 #include "SplitView.h"
 
 #include "Display.h"
-#include "ErrorColors.h"
+#include "Overlays.h"
 
 #include "vtkActor.h"
 #include "vtkActor2D.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
-#include "vtkCoordinate.h"
-#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInteractorStyleTrackballCamera.h"
-#include "vtkLookupTable.h"
-#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
@@ -28,7 +24,6 @@
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
 #include "vtkTexture.h"
-#include "vtkTexturedActor2D.h"
 
 #include <QEvent>
 #include <QKeyEvent>
@@ -41,71 +36,14 @@
 namespace
 {
 constexpr int GrabWidth = 7;        // pixels beside the line where it is taken
-constexpr double LeastWidth = 1e-3; // of a side that is drawn, share of the window
+constexpr double LeastWidth = 3e-3; // of a side that is drawn, share of the window
 constexpr double Fill = 0.9;        // as the tool's pictures
 constexpr double Azimuth = 30.0;    // degrees
 constexpr double Elevation = 20.0;  // degrees
-
-//------------------------------------------------------------------------------
-// The sphere of all directions of an environment, from inside.
-vtkSmartPointer<vtkPolyData> MakeSky()
-{
-  constexpr int columns = 96;
-  constexpr int rows = 48;
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkCellArray> quads;
-  vtkNew<vtkFloatArray> coordinates;
-  coordinates->SetNumberOfComponents(2);
-  for (int y = 0; y <= rows; ++y)
-  {
-    for (int x = 0; x <= columns; ++x)
-    {
-      const double u = static_cast<double>(x) / columns;
-      const double v = static_cast<double>(y) / rows;
-      double direction[3];
-      vtkEnvironment::GetDirection(u, v, direction);
-      points->InsertNextPoint(direction);
-      coordinates->InsertNextTuple2(u, v);
-      if (x < columns && y < rows)
-      {
-        const vtkIdType corner = y * (columns + 1) + x;
-        const vtkIdType quad[4] = { corner, corner + 1, corner + columns + 2,
-          corner + columns + 1 };
-        quads->InsertNextCell(4, quad);
-      }
-    }
-  }
-  auto sky = vtkSmartPointer<vtkPolyData>::New();
-  sky->SetPoints(points);
-  sky->SetPolys(quads);
-  sky->GetPointData()->SetTCoords(coordinates);
-  return sky;
-}
-
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyDataMapper2D> MakeMapper(vtkPolyData* data)
-{
-  vtkNew<vtkCoordinate> coordinate;
-  coordinate->SetCoordinateSystemToNormalizedViewport();
-  auto mapper = vtkSmartPointer<vtkPolyDataMapper2D>::New();
-  mapper->SetInputData(data);
-  mapper->SetTransformCoordinate(coordinate);
-  return mapper;
-}
 }
 
 namespace explorer
 {
-struct SplitView::Quad
-{
-  vtkNew<vtkPoints> Points;
-  vtkNew<vtkFloatArray> Coordinates;
-  vtkNew<vtkPolyData> Data;
-  vtkNew<vtkTexture> Texture;
-  vtkNew<vtkTexturedActor2D> Actor;
-  bool HasImage = false;
-};
-
 //------------------------------------------------------------------------------
 SplitView::SplitView(Session* session, Jobs* jobs, std::array<Side*, 2> sides, QWidget* parent)
   : QVTKOpenGLNativeWidget(parent)
@@ -146,7 +84,7 @@ SplitView::SplitView(Session* session, Jobs* jobs, std::array<Side*, 2> sides, Q
   this->Camera = this->Front->GetActiveCamera();
   for (int k = 0; k < 3; ++k)
   {
-    this->MakeQuad(k);
+    this->Quads[static_cast<std::size_t>(k)] = std::make_unique<ImageQuad>(this->Front);
   }
   this->MakeLabels();
 
@@ -171,28 +109,6 @@ SplitView::SplitView(Session* session, Jobs* jobs, std::array<Side*, 2> sides, Q
 SplitView::~SplitView() = default;
 
 //------------------------------------------------------------------------------
-void SplitView::MakeQuad(int which)
-{
-  auto quad = std::make_unique<Quad>();
-  quad->Points->SetNumberOfPoints(4);
-  quad->Coordinates->SetNumberOfComponents(2);
-  quad->Coordinates->SetNumberOfTuples(4);
-  vtkNew<vtkCellArray> cells;
-  const vtkIdType corners[4] = { 0, 1, 2, 3 };
-  cells->InsertNextCell(4, corners);
-  quad->Data->SetPoints(quad->Points);
-  quad->Data->SetPolys(cells);
-  quad->Data->GetPointData()->SetTCoords(quad->Coordinates);
-  quad->Texture->SetColorModeToDirectScalars();
-  quad->Actor->SetMapper(MakeMapper(quad->Data));
-  quad->Actor->SetTexture(quad->Texture);
-  quad->Actor->SetLayerNumber(0);
-  quad->Actor->VisibilityOff();
-  this->Front->AddActor2D(quad->Actor);
-  this->Quads[static_cast<std::size_t>(which)] = std::move(quad);
-}
-
-//------------------------------------------------------------------------------
 void SplitView::MakeLabels()
 {
   vtkNew<vtkCellArray> cells;
@@ -202,7 +118,7 @@ void SplitView::MakeLabels()
   vtkNew<vtkPolyData> line;
   line->SetPoints(this->LinePoints);
   line->SetLines(cells);
-  this->Line->SetMapper(MakeMapper(line));
+  this->Line->SetMapper(MakeViewportMapper(line));
   this->Line->GetProperty()->SetColor(1.0, 1.0, 1.0);
   this->Line->GetProperty()->SetLineWidth(2.0f);
   this->Line->SetLayerNumber(1);
@@ -222,36 +138,7 @@ void SplitView::MakeLabels()
     label->SetLayerNumber(2);
     this->Front->AddActor2D(label);
   }
-  vtkNew<vtkLookupTable> table;
-  const auto colors = tool::MakeErrorColors();
-  constexpr int entries = 256;
-  table->SetNumberOfTableValues(entries);
-  table->SetScaleToLog10();
-  table->SetTableRange(std::pow(10.0, tool::LowestError + 2.0), 100.0); // percent
-  for (int k = 0; k < entries; ++k)
-  {
-    double rgb[3];
-    colors->GetColor(
-      tool::LowestError + (tool::HighestError - tool::LowestError) * (k + 0.5) / entries, rgb);
-    table->SetTableValue(k, rgb[0], rgb[1], rgb[2]);
-  }
-  this->Legend->SetLookupTable(table);
-  this->Legend->SetTitle("error, % of mean");
-  this->Legend->SetNumberOfLabels(4);
-  this->Legend->SetLabelFormat("%g");
-  this->Legend->SetUnconstrainedFontSize(true);
-  this->Legend->GetLabelTextProperty()->SetFontSize(14);
-  this->Legend->GetTitleTextProperty()->SetFontSize(14);
-  for (vtkTextProperty* text :
-    { this->Legend->GetLabelTextProperty(), this->Legend->GetTitleTextProperty() })
-  {
-    text->ItalicOff();
-    text->BoldOff();
-    text->ShadowOff();
-  }
-  this->Legend->SetOrientationToHorizontal();
-  this->Legend->SetPosition(0.25, 0.02);
-  this->Legend->SetPosition2(0.5, 0.1);
+  this->Legend = MakeErrorLegend();
   this->Legend->VisibilityOff();
   this->Front->AddActor2D(this->Legend);
 }
@@ -259,48 +146,27 @@ void SplitView::MakeLabels()
 //------------------------------------------------------------------------------
 bool SplitView::IsDifference() const
 {
-  return this->Model->GetState().Show == Shown::Difference && this->Quads[DifferenceQuad]->HasImage;
-}
-
-//------------------------------------------------------------------------------
-void SplitView::UpdateQuad(int which, double begin, double end)
-{
-  Quad& quad = *this->Quads[static_cast<std::size_t>(which)];
-  const double corners[4][2] = { { begin, 0.0 }, { end, 0.0 }, { end, 1.0 }, { begin, 1.0 } };
-  for (int k = 0; k < 4; ++k)
-  {
-    quad.Points->SetPoint(k, corners[k][0], corners[k][1], 0.0);
-    quad.Coordinates->SetTuple(k, corners[k]);
-  }
-  quad.Points->Modified();
-  quad.Coordinates->Modified();
-  quad.Data->Modified();
+  return this->Model->GetState().Show == Shown::Difference &&
+         this->Quads[DifferenceQuad]->HasImage();
 }
 
 //------------------------------------------------------------------------------
 void SplitView::SetPicture(int side, std::shared_ptr<const tool::Picture> radiance)
 {
-  Quad& quad = *this->Quads[static_cast<std::size_t>(side)];
-  this->Pictures[static_cast<std::size_t>(side)] = radiance;
-  quad.HasImage = radiance != nullptr;
-  if (radiance)
+  const auto k = static_cast<std::size_t>(side);
+  if (radiance == this->Pictures[k])
   {
-    quad.Texture->SetInputData(MakeImage(
-      *radiance, FindExposure(this->Model->GetEnvironment(), this->Model->GetState().Exposure)));
-    quad.Texture->SetInterpolate(radiance->Width != this->width());
+    return;
   }
+  this->Pictures[k] = radiance;
+  this->Quads[k]->SetImage(radiance ? MakeImage(*radiance, this->Factor).Get() : nullptr);
   this->UpdatePicture();
 }
 
 //------------------------------------------------------------------------------
 void SplitView::SetDifference(vtkImageData* colors)
 {
-  Quad& quad = *this->Quads[DifferenceQuad];
-  quad.HasImage = colors != nullptr;
-  if (colors)
-  {
-    quad.Texture->SetInputData(colors);
-  }
+  this->Quads[DifferenceQuad]->SetImage(colors);
   this->UpdatePicture();
 }
 
@@ -321,17 +187,28 @@ void SplitView::UpdateExposure()
 {
   const double factor =
     FindExposure(this->Model->GetEnvironment(), this->Model->GetState().Exposure);
+  if (factor == this->Factor)
+  {
+    return;
+  }
+  this->Factor = factor;
   for (std::size_t k = 0; k < 2; ++k)
   {
     this->Sides[k]->SetExposure(factor);
     if (this->Pictures[k])
     {
-      this->Quads[k]->Texture->SetInputData(MakeImage(*this->Pictures[k], factor));
+      this->Quads[k]->SetImage(MakeImage(*this->Pictures[k], factor));
     }
   }
+  this->ShowBackdrop();
+}
+
+//------------------------------------------------------------------------------
+void SplitView::ShowBackdrop()
+{
   if (this->BackdropPicture)
   {
-    this->BackdropTexture->SetInputData(MakeImage(*this->BackdropPicture, factor));
+    this->BackdropTexture->SetInputData(MakeImage(*this->BackdropPicture, this->Factor));
     this->BackdropActor->SetTexture(this->BackdropTexture);
   }
 }
@@ -345,18 +222,16 @@ void SplitView::UpdatePicture()
   const double ends[3][2] = { { 0.0, split }, { split, 1.0 }, { 0.0, 1.0 } };
   for (int k = 0; k < 3; ++k)
   {
-    Quad& quad = *this->Quads[static_cast<std::size_t>(k)];
-    this->UpdateQuad(k, ends[k][0], ends[k][1]);
-    quad.Actor->SetVisibility(quad.HasImage && difference == (k == DifferenceQuad));
+    ImageQuad& quad = *this->Quads[static_cast<std::size_t>(k)];
+    quad.SetSpan(ends[k][0], ends[k][1]);
+    quad.SetVisible(difference == (k == DifferenceQuad));
   }
   for (std::size_t k = 0; k < 2; ++k)
   {
-    const double width = ends[k][1] - ends[k][0];
-    vtkRenderer* renderer = this->Sides[k]->GetRenderer();
-    renderer->SetDraw(width >= LeastWidth && !difference);
-    renderer->SetViewport(
+    // Never nothing: what is not drawn is not planned for.
+    this->Sides[k]->GetRenderer()->SetViewport(
       std::min(ends[k][0], 1.0 - LeastWidth), 0.0, std::max(ends[k][1], LeastWidth), 1.0);
-    this->Sides[k]->SetVisible(!this->Quads[k]->HasImage);
+    this->Sides[k]->SetVisible(!this->Quads[k]->HasImage());
     this->Labels[k]->SetVisibility(!difference);
   }
   this->LinePoints->SetPoint(0, split, 0.0, 0.0);
@@ -384,6 +259,7 @@ void SplitView::UpdateBackdrop()
         [this, picture]()
         {
           this->BackdropPicture = picture;
+          this->ShowBackdrop();
           this->UpdatePicture();
         });
     },
@@ -451,9 +327,6 @@ void SplitView::OnMoved()
 void SplitView::PlaceCameras()
 {
   vtkPolyData* mesh = this->Model->GetMesh();
-  const double split = this->Model->GetState().Split;
-  const double centers[3] = { split > 0.0 ? 1.0 - 1.0 / split : 0.0,
-    split < 1.0 ? 1.0 / (1.0 - split) - 1.0 : 0.0, 0.0 };
   vtkRenderer* renderers[3] = { this->Sides[0]->GetRenderer(), this->Sides[1]->GetRenderer(),
     this->Behind.Get() };
   for (int k = 0; k < 3; ++k)
@@ -463,7 +336,8 @@ void SplitView::PlaceCameras()
     camera->SetFocalPoint(this->Camera->GetFocalPoint());
     camera->SetViewUp(this->Camera->GetViewUp());
     camera->SetViewAngle(this->Camera->GetViewAngle());
-    camera->SetWindowCenter(centers[k], 0.0);
+    const double* part = renderers[k]->GetViewport();
+    camera->SetWindowCenter((part[0] + part[2] - 1.0) / (part[2] - part[0]), 0.0);
     if (k < 2 && mesh)
     {
       renderers[k]->ResetCameraClippingRange(mesh->GetBounds());

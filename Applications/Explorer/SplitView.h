@@ -33,6 +33,8 @@ class vtkTexture;
 
 namespace explorer
 {
+class ImageQuad;
+
 /**
  * Left of the line is side A, right of it side B. Each has a viewport and a camera that looks
  * through its part of the window, so that no pixel is drawn twice. Pictures that the CPU made lie
@@ -76,9 +78,8 @@ protected:
 private:
   void UpdatePicture();
   void UpdateExposure();
+  void ShowBackdrop();
   void UpdateBackdrop();
-  void UpdateQuad(int which, double begin, double end);
-  void MakeQuad(int which);
   void MakeLabels();
   void PlaceCameras();
   void OnBegin();
@@ -88,9 +89,7 @@ private:
   void TakeCamera();
   bool IsDifference() const;
 
-  /// Pictures over the sides and over everything.
-  struct Quad;
-  static constexpr int DifferenceQuad = 2;
+  static constexpr int DifferenceQuad = 2; // over everything; the others over their sides
 
   Session* Model;
   Jobs* Background;
@@ -102,13 +101,14 @@ private:
   vtkNew<vtkActor> BackdropActor;
   vtkNew<vtkTexture> BackdropTexture;
   std::shared_ptr<const tool::Picture> BackdropPicture;
-  std::array<std::unique_ptr<Quad>, 3> Quads;
+  std::array<std::unique_ptr<ImageQuad>, 3> Quads;
   std::array<std::shared_ptr<const tool::Picture>, 2> Pictures;
   vtkNew<vtkPoints> LinePoints;
   vtkNew<vtkActor2D> Line;
   std::array<vtkNew<vtkTextActor>, 2> Labels;
-  vtkNew<vtkScalarBarActor> Legend;
+  vtkSmartPointer<vtkScalarBarActor> Legend;
   std::chrono::steady_clock::time_point Begin;
+  double Factor = 1.0; // of radiance
   bool IsDragging = false;
   bool IsRequested = false;
 };

@@ -79,11 +79,19 @@ Window::Window(const State& state, QWidget* parent)
   }
   connect(this->Measured, &Evaluation::changed, this, &Window::UpdateOverlays);
   connect(this->Model, &Session::methodsChanged, this, &Window::UpdateOverlays);
+  connect(this->Model, &Session::pictureChanged, this,
+    [this]()
+    {
+      if (this->Model->GetState().Show == Shown::Difference)
+      {
+        this->UpdateOverlays();
+      }
+    });
   connect(this->View, &SplitView::framed, this,
     [this](double milliseconds) { this->Plan->SetFrameTime(milliseconds); });
   connect(&this->Poller, &QTimer::timeout, this, &Window::Poll);
   this->Poller.start(PollTime);
-  this->Model->Replace(state);
+  this->Model->Replace(state, false);
 }
 
 //------------------------------------------------------------------------------

@@ -337,6 +337,11 @@ void ExplorerWindow::stateComesBack()
     session->SetTolerance(0.05);
     session->SetRotation(33.0);
     session->SetLights(16);
+    session->SetMesh("ball-on-foot");
+    QTRY_COMPARE_WITH_TIMEOUT(session->GetState().Mesh, std::string("ball-on-foot"), Patience);
+    CameraState camera = session->GetState().Camera;
+    camera.Position[0] += 0.5;
+    session->SetCamera(camera);
     QVERIFY(session->Save(path.toStdString()));
     saved = WriteState(session->GetState());
   }
