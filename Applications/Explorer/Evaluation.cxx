@@ -30,6 +30,31 @@ double GetMean(const std::vector<double>& rgb)
 }
 
 //------------------------------------------------------------------------------
+// Gives pixels beside covered ones their color, not their alpha: edges do not become dark where the
+// picture is stretched.
+void Dilate(tool::Picture& picture)
+{
+  const tool::Picture covered = picture;
+  for (int y = 0; y < picture.Height; ++y)
+  {
+    for (int x = 0; x < picture.Width; ++x)
+    {
+      for (int k = 0; k < 9 && covered.At(x, y)[3] == 0.0f; ++k)
+      {
+        const int i = x + k % 3 - 1;
+        const int j = y + k / 3 - 1;
+        if (i >= 0 && j >= 0 && i < picture.Width && j < picture.Height &&
+            covered.At(i, j)[3] > 0.0f)
+        {
+          std::copy_n(covered.At(i, j), 3, picture.At(x, y));
+          break;
+        }
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 // Mean |x - r| / mean r; negative where there is no light to compare with.
 double GetRelativeL1(const std::vector<double>& rgb, const std::vector<double>& reference)
 {
@@ -207,6 +232,7 @@ void Evaluation::TakeReference(const std::vector<double>& radiance, bool complet
     std::copy_n(&radiance[3 * k], 3, pixel);
     pixel[3] = 1.0f;
   }
+  Dilate(*picture);
   this->Reference = picture;
   this->Measure();
   emit this->changed();

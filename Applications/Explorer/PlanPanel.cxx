@@ -145,7 +145,7 @@ PlanPanel::PlanPanel(
   {
     connect(side, &Side::changed, this, &PlanPanel::UpdatePlan);
   }
-  connect(evaluation, &Evaluation::changed, this, &PlanPanel::UpdateFigures);
+  connect(evaluation, &Evaluation::changed, this, &PlanPanel::UpdatePlan);
   this->UpdateTolerance();
   this->UpdatePlan();
 }

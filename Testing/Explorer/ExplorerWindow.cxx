@@ -52,6 +52,7 @@ State MakeState()
   state.Environment = "sky";
   state.ReferenceHeight = 48;
   state.Backdrop = false;
+  state.Lights = 4;
   return state;
 }
 
@@ -59,7 +60,7 @@ State MakeState()
 std::unique_ptr<Window> MakeWindow(const State& state)
 {
   auto window = std::make_unique<Window>(state);
-  window->resize(1000, 620);
+  window->resize(960, 480);
   window->show();
   return window;
 }
@@ -79,6 +80,8 @@ class ExplorerWindow : public QObject
   Q_OBJECT
 
 private slots:
+  void initTestCase() { this->Shared = MakeWindow(MakeState()); }
+  void cleanupTestCase() { this->Shared.reset(); }
   void settlesWithinTheTolerance();
   void toleranceGivesANewPlan();
   void lineIsDragged();
@@ -93,12 +96,38 @@ private slots:
   void slicesAndFindings();
   void pictureAndReport();
   void closesWhileWorking();
+
+private:
+  /// The one window of most tests, whose shaders have been compiled, with another state.
+  Window* Show(const State& state)
+  {
+    Session* session = this->Shared->GetSession();
+    this->Shared->GetTabs()->setCurrentIndex(0);
+    session->Replace(state, false);
+    const bool read = QTest::qWaitFor(
+      [&]()
+      {
+        const State& now = session->GetState();
+        return session->GetMaterial().BRDF && session->GetEnvironment() && session->GetMesh() &&
+               now.Material == state.Material && now.Environment == state.Environment &&
+               now.Mesh == state.Mesh;
+      },
+      Patience);
+    if (!read)
+    {
+      qWarning("the state's files were not read");
+    }
+    this->Shared->GetView()->ResetCamera();
+    return this->Shared.get();
+  }
+
+  std::unique_ptr<Window> Shared;
 };
 
 //------------------------------------------------------------------------------
 void ExplorerWindow::settlesWithinTheTolerance()
 {
-  const auto window = MakeWindow(MakeState());
+  Window* window = this->Show(MakeState());
   QTRY_VERIFY_WITH_TIMEOUT(window->IsSettled(), Patience);
   Evaluation* evaluation = window->GetEvaluation();
   QVERIFY(evaluation->IsComplete());
@@ -114,7 +143,7 @@ void ExplorerWindow::settlesWithinTheTolerance()
 //------------------------------------------------------------------------------
 void ExplorerWindow::toleranceGivesANewPlan()
 {
-  const auto window = MakeWindow(MakeState());
+  Window* window = this->Show(MakeState());
   Side* side = window->GetSide(0);
   QTRY_VERIFY_WITH_TIMEOUT(side->IsReady(), Patience);
   QCOMPARE(side->GetPlanner()->GetErrorTolerance(), 0.02);
@@ -134,7 +163,7 @@ void ExplorerWindow::toleranceGivesANewPlan()
 //------------------------------------------------------------------------------
 void ExplorerWindow::lineIsDragged()
 {
-  const auto window = MakeWindow(MakeState());
+  Window* window = this->Show(MakeState());
   QTRY_VERIFY_WITH_TIMEOUT(window->GetSide(0)->IsReady(), Patience);
   SplitView* view = window->GetView();
   Session* session = window->GetSession();
@@ -173,7 +202,7 @@ void ExplorerWindow::sidesContinueEachOther()
 {
   State state = MakeState();
   state.Methods = { method::Planned, method::Planned };
-  const auto window = MakeWindow(state);
+  Window* window = this->Show(state);
   QTRY_VERIFY_WITH_TIMEOUT(window->IsSettled(), Patience);
   SplitView* view = window->GetView();
   QImage pictures[2];
@@ -216,7 +245,7 @@ void ExplorerWindow::screenShowsRadiance()
   state.Methods = { method::Planned, method::Planned };
   state.Split = 1.0;
   state.Exposure = 1.0; // so that some of it is rolled off
-  const auto window = MakeWindow(state);
+  Window* window = this->Show(state);
   QTRY_VERIFY_WITH_TIMEOUT(window->IsSettled(), Patience);
   QTest::qWait(200);
   SplitView* view = window->GetView();
@@ -253,7 +282,7 @@ void ExplorerWindow::sameMethodsDoNotDiffer()
 {
   State state = MakeState();
   state.Methods = { method::Planned, method::Planned };
-  const auto window = MakeWindow(state);
+  Window* window = this->Show(state);
   QTRY_VERIFY_WITH_TIMEOUT(window->IsSettled(), Patience);
   double mean = -1.0;
   QVERIFY(window->GetEvaluation()->MakeDifference(mean));
@@ -273,7 +302,7 @@ void ExplorerWindow::sameMethodsDoNotDiffer()
 //------------------------------------------------------------------------------
 void ExplorerWindow::badFilesChangeNothing()
 {
-  const auto window = MakeWindow(MakeState());
+  Window* window = this->Show(MakeState());
   QTRY_VERIFY_WITH_TIMEOUT(window->GetSide(0)->IsReady(), Patience);
   const std::string before = WriteState(window->GetSession()->GetState());
   const QTemporaryDir folder;
@@ -296,7 +325,7 @@ void ExplorerWindow::badFilesChangeNothing()
 //------------------------------------------------------------------------------
 void ExplorerWindow::filesAreOpened()
 {
-  const auto window = MakeWindow(MakeState());
+  Window* window = this->Show(MakeState());
   QTRY_VERIFY_WITH_TIMEOUT(window->GetSide(0)->IsReady(), Patience);
   const QTemporaryDir folder;
   const QString path = folder.filePath("gold.mbsdf");
@@ -329,10 +358,7 @@ void ExplorerWindow::stateComesBack()
   {
     State state = MakeState();
     state.Methods = { method::LightSet, method::PBR };
-    const auto window = MakeWindow(state);
-    Session* session = window->GetSession();
-    QTRY_VERIFY_WITH_TIMEOUT(
-      session->GetMesh() && session->GetEnvironment() && session->GetMaterial().BRDF, Patience);
+    Session* session = this->Show(state)->GetSession();
     session->SetSplit(0.3);
     session->SetTolerance(0.05);
     session->SetRotation(33.0);
@@ -345,8 +371,7 @@ void ExplorerWindow::stateComesBack()
     QVERIFY(session->Save(path.toStdString()));
     saved = WriteState(session->GetState());
   }
-  const auto window = MakeWindow(MakeState());
-  QTRY_VERIFY_WITH_TIMEOUT(window->GetSession()->GetMesh(), Patience);
+  Window* window = this->Show(MakeState());
   Drop(*window, path);
   QTRY_COMPARE_WITH_TIMEOUT(WriteState(window->GetSession()->GetState()), saved, Patience);
   QCOMPARE(window->GetPictureBar()->GetMethods(1)->currentData().toString(), QString("pbr"));
@@ -364,7 +389,7 @@ void ExplorerWindow::stateComesBack()
 //------------------------------------------------------------------------------
 void ExplorerWindow::environmentIsDragged()
 {
-  const auto window = MakeWindow(MakeState());
+  Window* window = this->Show(MakeState());
   window->GetTabs()->setCurrentWidget(window->GetEnvironmentPanel());
   EnvironmentView* view = window->GetEnvironmentPanel()->GetView();
   QTRY_VERIFY_WITH_TIMEOUT(!view->GetImage().isNull(), Patience);
@@ -387,7 +412,7 @@ void ExplorerWindow::environmentIsDragged()
 //------------------------------------------------------------------------------
 void ExplorerWindow::lightIsDragged()
 {
-  const auto window = MakeWindow(MakeState());
+  Window* window = this->Show(MakeState());
   window->GetTabs()->setCurrentWidget(window->GetLobePanel());
   LobeView* view = window->GetLobePanel()->GetView();
   Session* session = window->GetSession();
@@ -413,7 +438,7 @@ void ExplorerWindow::lightIsDragged()
 //------------------------------------------------------------------------------
 void ExplorerWindow::slicesAndFindings()
 {
-  const auto window = MakeWindow(MakeState());
+  Window* window = this->Show(MakeState());
   window->GetTabs()->setCurrentWidget(window->GetSlicePanel());
   SliceView* view = window->GetSlicePanel()->GetView();
   QTRY_VERIFY_WITH_TIMEOUT(!window->GetFindingsPanel()->GetInspection().is_null(), Patience);
@@ -436,7 +461,7 @@ void ExplorerWindow::pictureAndReport()
 {
   State state = MakeState();
   state.Methods = { method::Planned, method::LightSet };
-  const auto window = MakeWindow(state);
+  Window* window = this->Show(state);
   QTRY_VERIFY_WITH_TIMEOUT(window->IsSettled(), Patience);
   const QTemporaryDir folder;
   QVERIFY(window->SavePicture(folder.filePath("picture.png")));
