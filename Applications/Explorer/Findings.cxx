@@ -10,7 +10,8 @@
 namespace
 {
 // Where a deviation is worth a warning.
-constexpr double ReciprocityLimit = 0.01;   // relative
+constexpr double ReciprocityLimit = 0.01; // relative
+constexpr double Rounding = 1e-9;
 constexpr double NegativeMassLimit = 0.001; // share
 
 //------------------------------------------------------------------------------
@@ -30,8 +31,10 @@ std::vector<Finding> FindFindings(const nlohmann::ordered_json& info)
   std::vector<Finding> findings;
   const double reciprocity = info["reciprocity_error"];
   findings.push_back({ reciprocity <= ReciprocityLimit, "Reciprocity",
-    "f(i,o) and f(o,i) differ by " + tool::FormatPercent(reciprocity) + " (RMS " +
-      tool::FormatPercent(info["reciprocity_rms_error"]) + ")" +
+    (reciprocity < Rounding
+        ? std::string("f(i,o) and f(o,i) are equal but for rounding")
+        : "f(i,o) and f(o,i) differ by " + tool::FormatPercent(reciprocity) + " (RMS " +
+            tool::FormatPercent(info["reciprocity_rms_error"]) + ")") +
       (info["reciprocal_by_construction"] ? "; reciprocal by construction" : "") });
   const double albedo = info["largest_albedo"];
   const bool gains = info["gains_energy"];

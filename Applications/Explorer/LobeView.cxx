@@ -135,9 +135,9 @@ void LobeView::MakeScene()
   this->LobeMapper->SetInputConnection(normals->GetOutputPort());
   this->LobeMapper->ScalarVisibilityOff();
   this->Lobe->SetMapper(this->LobeMapper);
-  this->Lobe->GetProperty()->SetColor(0.75, 0.78, 0.82);
+  this->Lobe->GetProperty()->SetColor(0.56, 0.59, 0.64);
   this->Lobe->GetProperty()->SetSpecular(0.15);
-  this->Lobe->GetProperty()->SetAmbient(0.2);
+  this->Lobe->GetProperty()->SetAmbient(0.15);
   this->Lobe->VisibilityOff(); // until there is a material
   this->Renderer->AddActor(this->Lobe);
 
@@ -193,6 +193,8 @@ void LobeView::RequestRender()
       if (this->isVisible())
       {
         this->Renderer->ResetCameraClippingRange();
+        this->Renderer->GetActiveCamera()->SetUseHorizontalViewAngle(
+          this->width() < this->height()); // the smaller side holds all of it
         this->Window->Render();
       }
     });

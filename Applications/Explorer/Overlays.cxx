@@ -12,6 +12,7 @@
 #include "vtkLookupTable.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkProperty2D.h"
 #include "vtkRenderer.h"
 #include "vtkScalarBarActor.h"
 #include "vtkTextProperty.h"
@@ -117,7 +118,10 @@ vtkSmartPointer<vtkScalarBarActor> MakeErrorLegend()
   }
   legend->SetOrientationToHorizontal();
   legend->SetPosition(0.25, 0.02);
-  legend->SetPosition2(0.5, 0.1);
+  legend->SetPosition2(0.5, 0.12);
+  legend->DrawBackgroundOn();
+  legend->GetBackgroundProperty()->SetColor(0.16, 0.165, 0.175);
+  legend->GetBackgroundProperty()->SetOpacity(0.8);
   return legend;
 }
 

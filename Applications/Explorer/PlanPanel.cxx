@@ -23,6 +23,7 @@ namespace
 {
 constexpr int StepsPerDecade = 40; // of the slider, from 0.1 % to 100 %
 constexpr int Steps = 3 * StepsPerDecade;
+constexpr int SizesColumn = 5; // words, not figures
 
 //------------------------------------------------------------------------------
 QTableWidget* MakeTable(const QStringList& columns, const QString& name)
@@ -48,7 +49,7 @@ void SetCell(QTableWidget* table, int row, int column, const QString& text, bool
     item = new QTableWidgetItem;
     table->setItem(row, column, item);
   }
-  if (column > 0)
+  if (column > 0 && column != SizesColumn)
   {
     item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
   }
@@ -170,6 +171,7 @@ void PlanPanel::SetUpWidgets()
   this->Plan->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   this->Candidates->horizontalHeader()->setStretchLastSection(true);
   this->Figures->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  this->Figures->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
 }
 
 //------------------------------------------------------------------------------

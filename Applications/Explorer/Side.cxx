@@ -97,6 +97,10 @@ QString Side::GetJobKey() const { return QString("method %1").arg(this->Index); 
 //------------------------------------------------------------------------------
 bool Side::IsReady() const
 {
+  if (this->IsReference())
+  {
+    return this->Light != nullptr; // the exact picture may lie over it already
+  }
   return this->Light && this->IsMade &&
          (!this->IsPlanned || (this->GetPlanner() && !this->Mapper->GetPlanPending()));
 }
@@ -318,9 +322,7 @@ QString Side::Describe() const
   }
   if (this->IsStock)
   {
-    return tr("%1: fitted within %2 % under a neutral light")
-      .arg(name)
-      .arg(100.0 * this->FitError, 0, 'g', 2);
+    return tr("%1: fitted within %2 %").arg(name).arg(100.0 * this->FitError, 0, 'g', 2);
   }
   if (!this->IsPlanned)
   {

@@ -252,10 +252,10 @@ void SliceView::Draw(int chart, vtkTable* table, bool logarithmic)
   bottom->SetRange(0.0, chart == PhiD ? 180.0 : 90.0);
   vtkNew<vtkDoubleArray> degrees;
   vtkNew<vtkStringArray> words;
-  for (int k = 0; k <= 6; ++k)
+  for (int k = 0; k <= 3; ++k)
   {
-    degrees->InsertNextValue((chart == PhiD ? 30.0 : 15.0) * k);
-    words->InsertNextValue(std::to_string((chart == PhiD ? 30 : 15) * k));
+    degrees->InsertNextValue((chart == PhiD ? 60.0 : 30.0) * k);
+    words->InsertNextValue(std::to_string((chart == PhiD ? 60 : 30) * k));
   }
   bottom->SetCustomTickPositions(degrees, words);
   vtkAxis* left = drawn->GetAxis(vtkAxis::LEFT);

@@ -134,7 +134,7 @@ void SplitView::MakeLabels()
     text->SetVerticalJustificationToTop();
     k == 0 ? text->SetJustificationToLeft() : text->SetJustificationToRight();
     label->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
-    label->SetPosition(k == 0 ? 0.01 : 0.99, 0.985);
+    label->SetPosition(k == 0 ? 0.01 : 0.99, 0.985); // B's line is below A's: PlaceCameras
     label->SetLayerNumber(2);
     this->Front->AddActor2D(label);
   }
@@ -343,6 +343,8 @@ void SplitView::PlaceCameras()
       renderers[k]->ResetCameraClippingRange(mesh->GetBounds());
     }
   }
+  constexpr double line = 26.0; // pixels
+  this->Labels[1]->SetPosition(0.99, 0.985 - line / std::max(1, this->height()));
   // Behind everything there are only directions.
   double forward[3];
   this->Camera->GetDirectionOfProjection(forward);

@@ -65,11 +65,11 @@ Window::Window(const State& state, QWidget* parent)
   , Measured(new Evaluation(Model, Background, Sides, View->GetCamera(), this))
 {
   this->setAcceptDrops(true);
+  this->resize(1440, 900); // the docks take their shares of it
   this->MakePanels();
   this->MakeStatusBar();
   this->MakeMenus();
   this->UpdateTitle();
-  this->resize(1440, 900);
 
   connect(this->Model, &Session::messaged, this,
     [this](const QString& text, bool isError) { this->Messages->Show(text, isError); });
@@ -126,6 +126,7 @@ void Window::MakePanels()
   this->Plan = new PlanPanel(this->Model, this->Sides, this->Measured);
   this->Tabs = new QTabWidget;
   this->Tabs->setDocumentMode(true);
+  this->Tabs->setMinimumWidth(430);
   this->Tabs->addTab(this->Plan, tr("Plan"));
   this->Lobe = new LobePanel(this->Model);
   this->Slices = new SlicePanel(this->Model);

@@ -70,6 +70,9 @@ void Drop(Window& window, const QString& file)
 {
   QMimeData data;
   data.setUrls({ QUrl::fromLocalFile(file) });
+  // Qt delivers a drop to what accepted the drag before.
+  QDragEnterEvent enter(QPoint(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&window, &enter);
   QDropEvent event(QPoint(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
   QApplication::sendEvent(&window, &event);
 }
@@ -484,7 +487,7 @@ void ExplorerWindow::pictureAndReport()
   QFile page(folder.filePath("report.html"));
   QVERIFY(page.open(QIODevice::ReadOnly));
   const QByteArray text = page.readAll();
-  QCOMPARE(text.count("data:image/png;base64,"), 4);
+  QCOMPARE(static_cast<int>(text.count("data:image/png;base64,")), 4);
   QVERIFY(text.contains("Reciprocity"));
   window->SaveReport(folder.filePath("report.doc"));
   QTRY_VERIFY_WITH_TIMEOUT(window->GetMessage().contains("report.doc"), Patience);
