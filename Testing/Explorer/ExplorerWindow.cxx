@@ -446,7 +446,8 @@ void ExplorerWindow::slicesAndFindings()
   SliceView* view = window->GetSlicePanel()->GetView();
   QTRY_VERIFY_WITH_TIMEOUT(!window->GetFindingsPanel()->GetInspection().is_null(), Patience);
   QTRY_VERIFY(view->GetTable(3)->GetNumberOfRows() == 10); // the albedo's angles
-  QCOMPARE(view->GetTable(0)->GetNumberOfRows(), vtkIdType(361));
+  QVERIFY(
+    view->GetTable(0)->GetNumberOfRows() >= 360); // theta_h = 90 degrees may be below the horizon
   // Half vector 0, difference 30 degrees: light from there, seen from the mirror direction.
   window->GetSession()->SetSlices(0.0, 30.0, 90.0, false);
   const double s = 0.5;
