@@ -34,6 +34,32 @@ std::string Wrap(const std::string& text)
   return result;
 }
 
+void AddCommands(CLI::App& app)
+{
+  tool::AddListCommand(app);
+  tool::AddFetchCommand(app);
+  tool::AddInfoCommand(app);
+  tool::AddEvaluateCommand(app);
+  tool::AddIntegrateCommand(app);
+  tool::AddLightsCommand(app);
+  tool::AddRenderCommand(app);
+  tool::AddExploreCommand(app);
+  tool::AddPlanCommand(app);
+  tool::AddCompareCommand(app);
+  tool::AddDiffCommand(app);
+  tool::AddChartCommand(app);
+  tool::AddGalleryCommand(app);
+  tool::AddConvertCommand(app);
+  tool::AddAcquireCommand(app);
+  tool::AddProjectCommand(app);
+  tool::AddRepresentationsCommand(app);
+  tool::AddThesisCommand(app);
+  tool::AddStabilityCommand(app);
+  tool::AddFitCommand(app);
+  tool::AddExportCommand(app);
+}
+
+//------------------------------------------------------------------------------
 int Run(int argc, char* argv[])
 {
   tool::RedirectMessages();
@@ -55,26 +81,7 @@ int Run(int argc, char* argv[])
              "  measured-brdf COMMAND --help            what a command does and its options\n\n"
              "Exit status: 0 done, 1 failed (a bad file, say), 2 called the wrong way.");
 
-  tool::AddListCommand(app);
-  tool::AddFetchCommand(app);
-  tool::AddInfoCommand(app);
-  tool::AddEvaluateCommand(app);
-  tool::AddIntegrateCommand(app);
-  tool::AddLightsCommand(app);
-  tool::AddRenderCommand(app);
-  tool::AddPlanCommand(app);
-  tool::AddCompareCommand(app);
-  tool::AddDiffCommand(app);
-  tool::AddChartCommand(app);
-  tool::AddGalleryCommand(app);
-  tool::AddConvertCommand(app);
-  tool::AddAcquireCommand(app);
-  tool::AddProjectCommand(app);
-  tool::AddRepresentationsCommand(app);
-  tool::AddThesisCommand(app);
-  tool::AddStabilityCommand(app);
-  tool::AddFitCommand(app);
-  tool::AddExportCommand(app);
+  AddCommands(app);
 
   for (CLI::App* command : app.get_subcommands({}))
   {

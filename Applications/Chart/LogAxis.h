@@ -34,6 +34,12 @@ public:
   /// Air around what was taken.
   void Widen();
 
+  ///@{
+  /// The ends, as exponents of ten.
+  double GetLeast() const { return this->Least; }
+  double GetLargest() const { return this->Largest; }
+  ///@}
+
   /// Where a value is, as a share of the axis.
   double Find(double value) const;
 

@@ -1,39 +1,21 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Inputs.h"
+#include "Inspection.h"
+#include "MeshInspection.h"
 #include "Meshes.h"
-#include "Progress.h"
 #include "Tool.h"
-#include "TracedSurface.h"
-
-#include "vtkBRDFAnalysis.h"
-#include "vtkBRDFData.h"
-#include "vtkBRDFModels.h"
-#include "vtkBRDFShaderInputs.h"
-#include "vtkBasisBRDF.h"
-#include "vtkBlinnPhongBRDF.h"
-#include "vtkEmbeddedEnvironments.h"
-#include "vtkEnvironment.h"
-#include "vtkLambertBRDF.h"
-#include "vtkNew.h"
-#include "vtkRepresentationAdvisor.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <cstddef>
-#include <cstdio>
 #include <memory>
 #include <string>
-#include <utility>
 
 using nlohmann::ordered_json;
 
 namespace
 {
-constexpr double GlossExponent = 50.0;
-
 struct Options
 {
   std::string File;
@@ -41,288 +23,16 @@ struct Options
 };
 
 //------------------------------------------------------------------------------
-ordered_json Triple(const double rgb[3]) { return { rgb[0], rgb[1], rgb[2] }; }
-
-//------------------------------------------------------------------------------
-// How the material is stored: its model and the model's parameters.
-ordered_json Describe(const vtkBRDFData& data)
-{
-  ordered_json d;
-  d["model"] = data.Model;
-  const auto insert = [&d](const char* key, auto values)
-  {
-    if (!values.empty())
-    {
-      d[key] = std::move(values);
-    }
-  };
-  insert("options", data.Options);
-  insert("numbers", data.Numbers);
-  ordered_json arrays;
-  for (const auto& [name, array] : data.Arrays)
-  {
-    arrays[name] = { { "shape", array.Shape }, { "channels", array.Channels } };
-  }
-  insert("arrays", arrays);
-  ordered_json terms;
-  for (const vtkBRDFData& term : data.Terms)
-  {
-    terms.push_back(Describe(term));
-  }
-  insert("terms", terms);
-  return d;
-}
-
-ordered_json Describe(vtkBRDF* brdf)
-{
-  vtkBRDFData data;
-  if (!vtkBRDFModels::Save(brdf, data).empty())
-  {
-    return { { "model", brdf->GetClassName() } };
-  }
-  return Describe(data);
-}
-
-//------------------------------------------------------------------------------
-// Which representation suits (thesis mode): measured, with the figures behind it.
-ordered_json Advise(const std::string& file, vtkBRDF* brdf)
-{
-  vtkNew<vtkRepresentationAdvisor> advisor;
-  advisor->SetInput(brdf);
-  if (!advisor->Update())
-  {
-    throw tool::Error(file + ": " + tool::TakeErrorText());
-  }
-  const bool basis = advisor->GetRecommendation() == vtkRepresentationAdvisor::BASIS;
-  return { { "representation", basis ? "basis" : "fit" }, { "order", advisor->GetOrder() },
-    { "in_zone_residual", advisor->GetInZoneResidual() },
-    { "negative_mass", advisor->GetNegativeMass() }, { "overshoot", advisor->GetOvershoot() },
-    { "reason", advisor->GetReason() } };
-}
-
-//------------------------------------------------------------------------------
-ordered_json Inspect(const Options& options)
-{
-  const tool::Material material = tool::LoadMaterial(options.File);
-  vtkBRDF* brdf = material.BRDF;
-  brdf->Prepare();
-  vtkNew<vtkBRDFAnalysis> analysis;
-  analysis->SetBRDF(brdf);
-  if (!analysis->Update())
-  {
-    throw tool::Error(options.File + ": " + tool::TakeErrorText());
-  }
-
-  ordered_json info = { { "name", material.Name }, { "source", material.Source },
-    { "format", material.Format } };
-  info.update(Describe(brdf));
-  info["isotropic"] = brdf->IsIsotropic();
-  info["reciprocal_by_construction"] = brdf->IsReciprocal();
-  info["negative_values"] = material.NumberOfNegativeValues;
-  info["invalid_values"] = material.NumberOfInvalidValues;
-  info["negative_mass"] = analysis->GetNegativeMass();
-  info["range"] = { { "minimum", Triple(analysis->GetMinimum()) },
-    { "maximum", Triple(analysis->GetMaximum()) } };
-  info["reciprocity_error"] = analysis->GetReciprocityError();
-  info["reciprocity_rms_error"] = analysis->GetReciprocityRMSError();
-  info["albedo"] = ordered_json::array();
-  for (int k = 0; k < analysis->GetNumberOfAngles(); ++k)
-  {
-    double rgb[3];
-    analysis->GetAlbedo(k, rgb);
-    info["albedo"].push_back({ { "degrees", analysis->GetAngle(k) }, { "rgb", Triple(rgb) } });
-    analysis->GetReflectance(k, rgb);
-    info["reflectance_per_angle"].push_back(
-      { { "degrees", analysis->GetAngle(k) }, { "rgb", Triple(rgb) } });
-  }
-  info["largest_albedo"] = analysis->GetLargestAlbedo();
-  info["gains_energy"] = analysis->GetGainsEnergy();
-  vtkBRDFShaderInputs form;
-  brdf->GetShaderInputs(form);
-  info["shader_inputs"] = { { "description", form.Description },
-    { "texture_bytes", form.GetTextureBytes() }, { "resampling_error", form.ResamplingError },
-    { "quantization_error", form.QuantizationError } };
-  if (!vtkBasisBRDF::SafeDownCast(brdf))
-  {
-    info["recommendation"] = Advise(options.File, brdf);
-  }
-  info["notes"] = material.Notes;
-  return info;
-}
-
-//------------------------------------------------------------------------------
-std::string Line(const std::string& label, const std::string& value)
-{
-  std::string padded = label;
-  padded.resize(std::max<std::size_t>(26, padded.size() + 1), ' ');
-  return value.empty() ? "" : padded + value + "\n";
-}
-
-//------------------------------------------------------------------------------
-std::string Short(double value)
-{
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.4g", value);
-  return text;
-}
-
-// "indexOfRefraction" as "index of refraction"
-std::string SplitWords(const std::string& camelCase)
-{
-  std::string words;
-  for (const char c : camelCase)
-  {
-    words += c >= 'A' && c <= 'Z' ? std::string(" ") + static_cast<char>(c - 'A' + 'a')
-                                  : std::string(1, c);
-  }
-  return words;
-}
-
-//------------------------------------------------------------------------------
-std::string FormatModel(const ordered_json& d, const std::string& indent)
-{
-  std::string text = Line(indent + "model", d["model"]);
-  const auto list = [](const ordered_json& values, const char* between)
-  {
-    std::string line;
-    for (const ordered_json& value : values)
-    {
-      line += (line.empty() ? "" : between) + Short(value);
-    }
-    return line;
-  };
-  const ordered_json options = d.value("options", ordered_json::object());
-  const ordered_json allNumbers = d.value("numbers", ordered_json::object());
-  const ordered_json arrays = d.value("arrays", ordered_json::object());
-  for (const auto& [name, option] : options.items())
-  {
-    text += Line(indent + SplitWords(name), option);
-  }
-  for (const auto& [name, numbers] : allNumbers.items())
-  {
-    text += Line(indent + SplitWords(name), list(numbers, ", "));
-  }
-  for (const auto& [name, array] : arrays.items())
-  {
-    text += Line(indent + SplitWords(name),
-      list(array["shape"], " x ") + (array["channels"] == 3 ? " RGB triples" : " numbers"));
-  }
-  const ordered_json terms = d.value("terms", ordered_json::array());
-  for (const ordered_json& term : terms)
-  {
-    text += FormatModel(term, indent + "  ");
-  }
-  return text;
-}
-
-//------------------------------------------------------------------------------
-std::string FormatText(const ordered_json& info)
-{
-  std::string text =
-    Line("name", info["name"]) + Line("source", info["source"]) + Line("format", info["format"]) +
-    FormatModel(info, "") + Line("isotropic", info["isotropic"] ? "yes" : "no") +
-    Line("negative values", std::to_string(info["negative_values"].get<long long>())) +
-    Line("invalid values", std::to_string(info["invalid_values"].get<long long>())) +
-    Line("range (1/sr)",
-      "R " + Short(info["range"]["minimum"][0]) + " to " + Short(info["range"]["maximum"][0]) +
-        ", G " + Short(info["range"]["minimum"][1]) + " to " + Short(info["range"]["maximum"][1]) +
-        ", B " + Short(info["range"]["minimum"][2]) + " to " + Short(info["range"]["maximum"][2])) +
-    Line("reciprocity error",
-      Short(info["reciprocity_error"]) + " relative (RMS " + Short(info["reciprocity_rms_error"]) +
-        ")" + (info["reciprocal_by_construction"] ? "; reciprocal by construction" : "")) +
-    (info["negative_mass"] > 0.0
-        ? Line("negative mass", Short(info["negative_mass"]) + " of all, before the clamp")
-        : "") +
-    Line("shader inputs", info["shader_inputs"]["description"]) +
-    (info.contains("recommendation") ? Line("thesis mode", info["recommendation"]["reason"]) : "");
-  text += "\n        directional albedo         reflectance\n"
-          "        (view at that angle)       (light from that angle)\n"
-          "  angle      R       G       B         R       G       B\n";
-  for (std::size_t k = 0; k < info["albedo"].size(); ++k)
-  {
-    const ordered_json& albedo = info["albedo"][k]["rgb"];
-    const ordered_json& reflectance = info["reflectance_per_angle"][k]["rgb"];
-    char line[120];
-    std::snprintf(line, sizeof(line), "  %4.0f  %7.4f %7.4f %7.4f   %7.4f %7.4f %7.4f\n",
-      info["albedo"][k]["degrees"].get<double>(), albedo[0].get<double>(), albedo[1].get<double>(),
-      albedo[2].get<double>(), reflectance[0].get<double>(), reflectance[1].get<double>(),
-      reflectance[2].get<double>());
-    text += line;
-  }
-  if (info["gains_energy"])
-  {
-    text += "  (a reflectance above 1: this material gives back more light than it gets)\n";
-  }
-  const std::string notes = info["notes"];
-  return text + (notes.empty() ? "" : "\nnotes: " + notes + "\n");
-}
-
-//------------------------------------------------------------------------------
-// What leaving occlusion out costs on a mesh: a matte and a glossy material under built-in maps.
-ordered_json InspectMesh(const std::string& file)
-{
-  const vtkSmartPointer<vtkPolyData> mesh = tool::LoadMesh(file);
-  const vtkSmartPointer<vtkTracedScene> traced = tool::MakeTracedScene(mesh);
-  double bounds[6];
-  traced->GetBounds(bounds);
-  ordered_json info = { { "name", file }, { "points", mesh->GetNumberOfPoints() },
-    { "triangles", traced->GetNumberOfTriangles() },
-    { "skipped_triangles", traced->GetNumberOfSkippedTriangles() }, { "bounds", bounds },
-    { "unoccluded", ordered_json::array() } };
-  vtkNew<vtkLambertBRDF> matte;
-  vtkNew<vtkBlinnPhongBRDF> gloss;
-  gloss->SetExponent(GlossExponent);
-  for (int k = 0; k < vtkEmbeddedEnvironments::GetNumberOfEnvironments(); ++k)
-  {
-    const std::string name = vtkEmbeddedEnvironments::GetName(k);
-    const vtkSmartPointer<vtkEnvironment> environment = tool::LoadEnvironment(name);
-    for (vtkBRDF* brdf : { static_cast<vtkBRDF*>(matte), static_cast<vtkBRDF*>(gloss) })
-    {
-      const auto predictor = tool::PredictOcclusion(traced, brdf, environment);
-      info["unoccluded"].push_back(
-        { { "environment", name }, { "material", brdf == matte.Get() ? "diffuse" : "gloss" },
-          { "error", predictor->GetError() }, { "uncertainty", predictor->GetUncertainty() } });
-    }
-  }
-  return info;
-}
-
-//------------------------------------------------------------------------------
-std::string FormatMesh(const ordered_json& info)
-{
-  std::string text =
-    Line("mesh", info["name"]) + Line("points", std::to_string(info["points"].get<long long>())) +
-    Line("triangles", std::to_string(info["triangles"].get<long long>())) +
-    Line("degenerate triangles", std::to_string(info["skipped_triangles"].get<long long>()));
-  text += "\nunoccluded light: error of leaving out what this mesh hides of the environment\n"
-          "  environment   material   relative L1\n";
-  for (const ordered_json& row : info["unoccluded"])
-  {
-    char line[160];
-    std::snprintf(line, sizeof(line), "  %-13s %-10s %5.1f %% +- %.1f %%\n",
-      row["environment"].get<std::string>().c_str(), row["material"].get<std::string>().c_str(),
-      100.0 * row["error"].get<double>(), 100.0 * row["uncertainty"].get<double>());
-    text += line;
-  }
-  return text + "\nAs seen from everywhere; gloss: a Blinn-Phong lobe of exponent 50.\n";
-}
-
-//------------------------------------------------------------------------------
 void Run(const Options& options)
 {
-  if (tool::IsMeshFile(options.File))
-  {
-    const ordered_json mesh = InspectMesh(options.File);
-    tool::PrintOut(options.Json
-                     ? mesh.dump(2, ' ', true, ordered_json::error_handler_t::replace) + "\n"
-                     : FormatMesh(mesh));
-    return;
-  }
-  const ordered_json info = Inspect(options);
+  const bool isMesh = tool::IsMeshFile(options.File);
+  const ordered_json info = isMesh ? tool::InspectMesh(options.File)
+                                   : tool::InspectMaterial(tool::LoadMaterial(options.File));
   // Names come from files: bytes that are no UTF-8 are replaced rather than fatal.
   tool::PrintOut(options.Json
                    ? info.dump(2, ' ', true, ordered_json::error_handler_t::replace) + "\n"
-                   : FormatText(info));
+                 : isMesh ? tool::FormatMeshInspection(info)
+                          : tool::FormatInspection(info));
 }
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FailureMap.h"
 
+#include "ErrorColors.h"
 #include "Picture.h"
 #include "TextDrawing.h"
 #include "Tool.h"
@@ -39,8 +40,8 @@ namespace
 constexpr double ViewStep = 5.0; // degrees
 
 // Range of the colors and of the radiance chart: logarithms of shares.
-constexpr double Lowest = -3.0;
-constexpr double Highest = 0.0;
+constexpr double Lowest = tool::LowestError;
+constexpr double Highest = tool::HighestError;
 constexpr double NoValue = -99.0; // in a map
 
 // The figure, in pixels.
@@ -62,13 +63,6 @@ constexpr tool::RGB Ink = { 0.1, 0.1, 0.12 };
 constexpr tool::RGB PaleInk = { 0.4, 0.4, 0.43 };
 constexpr tool::RGB L1Color = { 0.267, 0.005, 0.329 };
 constexpr tool::RGB P99Color = { 0.2, 0.62, 0.35 };
-
-// Nine colors of viridis at equal steps (S. van der Walt, N. Smith, CC0): even for the eye, and
-// for eyes that tell fewer colors.
-constexpr double Viridis[9][3] = { { 0.267, 0.005, 0.329 }, { 0.279, 0.175, 0.483 },
-  { 0.230, 0.322, 0.546 }, { 0.173, 0.449, 0.558 }, { 0.128, 0.567, 0.551 },
-  { 0.158, 0.684, 0.502 }, { 0.369, 0.789, 0.383 }, { 0.678, 0.864, 0.190 },
-  { 0.993, 0.906, 0.144 } };
 
 using Ticks = std::vector<std::pair<double, std::string>>;
 
@@ -93,21 +87,6 @@ double ToLogarithm(double share)
 {
   return std::isnan(share) ? NoValue
                            : std::clamp(std::log10(std::max(share, 1e-12)), Lowest, Highest);
-}
-
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkColorTransferFunction> MakeColors()
-{
-  auto colors = vtkSmartPointer<vtkColorTransferFunction>::New();
-  for (int k = 0; k < 9; ++k)
-  {
-    colors->AddRGBPoint(
-      Lowest + (Highest - Lowest) * k / 8.0, Viridis[k][0], Viridis[k][1], Viridis[k][2]);
-  }
-  colors->SetBelowRangeColor(0.87, 0.87, 0.87);
-  colors->UseBelowRangeColorOn();
-  colors->Build();
-  return colors;
 }
 
 //------------------------------------------------------------------------------
@@ -155,7 +134,7 @@ void AddCells(vtkChartXY* chart, vtkImageData* cells, const vtkRectf& where)
   cells->SetSpacing(where.GetWidth() / size[0], where.GetHeight() / size[1], 1.0);
   vtkNew<vtkPlotHistogram2D> plot;
   plot->SetInputData(cells);
-  plot->SetTransferFunction(MakeColors());
+  plot->SetTransferFunction(tool::MakeErrorColors());
   plot->SetPosition(where);
   chart->AddPlot(plot);
 }

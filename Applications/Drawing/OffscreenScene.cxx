@@ -66,8 +66,22 @@ void OffscreenScene::SetView(double azimuth, double elevation, double fill, doub
 }
 
 //------------------------------------------------------------------------------
+void OffscreenScene::SetCamera(vtkCamera* camera) { this->Camera = camera; }
+
+//------------------------------------------------------------------------------
 void OffscreenScene::PlaceCamera(int width, int height)
 {
+  if (this->Camera)
+  {
+    vtkCamera* active = this->Renderer->GetActiveCamera();
+    active->SetPosition(this->Camera->GetPosition());
+    active->SetFocalPoint(this->Camera->GetFocalPoint());
+    active->SetViewUp(this->Camera->GetViewUp());
+    active->SetViewAngle(this->Camera->GetViewAngle());
+    this->ViewAngle = this->Camera->GetViewAngle();
+    this->Renderer->ResetCameraClippingRange();
+    return;
+  }
   double bounds[6];
   this->StageMapper->GetBounds(bounds);
   double center[3];

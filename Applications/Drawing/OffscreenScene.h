@@ -19,6 +19,7 @@
 #include <string>
 
 class vtkActor;
+class vtkCamera;
 class vtkFramebufferPass;
 class vtkRenderWindow;
 class vtkRenderer;
@@ -42,6 +43,9 @@ public:
    * picture's smaller side that the mesh's bounding sphere takes.
    */
   void SetView(double azimuth, double elevation, double fill, double angle = 30.0);
+
+  /// Look as that camera (perspective) does instead; null: as SetView says. Not copied.
+  void SetCamera(vtkCamera* camera);
 
   /// Point the camera for a picture of that size; Render does so itself. GetRay needs it.
   void PlaceCamera(int width, int height);
@@ -82,6 +86,7 @@ protected:
 private:
   vtkNew<vtkFramebufferPass> Pass;
   vtkNew<vtkRenderWindow> Window;
+  vtkSmartPointer<vtkCamera> Camera; // of SetCamera
   double Azimuth = 0.0;
   double Elevation = 0.0;
   double Fill = 0.9;

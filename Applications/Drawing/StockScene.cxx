@@ -78,6 +78,10 @@ void StockScene::SetLight(vtkEnvironment* environment)
   texture->InterpolateOn();
   this->Renderer->UseImageBasedLightingOn();
   this->Renderer->SetEnvironmentTexture(texture);
+  double rows[9]; // of a rotation from the world: where the environment's axes point
+  environment->GetWorldToEnvironment(rows);
+  this->Renderer->SetEnvironmentRight(rows);
+  this->Renderer->SetEnvironmentUp(rows + 3);
 }
 
 //------------------------------------------------------------------------------

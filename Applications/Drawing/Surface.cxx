@@ -105,6 +105,40 @@ std::vector<int> FindCovered(const tool::Picture& picture, int stride)
 }
 
 //------------------------------------------------------------------------------
+tool::Surface FindSurface(NormalStage& stage, const tool::Size& size, int largest)
+{
+  const tool::Picture normals = stage.RenderNormals(size);
+  tool::Surface surface;
+  surface.Pixels = FindCovered(normals, 1);
+  surface.NumberOfCovered = static_cast<int>(surface.Pixels.size());
+  if (surface.Pixels.empty())
+  {
+    throw tool::Error("--size: not a single pixel of the mesh shows");
+  }
+  while (static_cast<int>(surface.Pixels.size()) > largest)
+  {
+    surface.Pixels = FindCovered(normals, ++surface.Stride);
+  }
+  for (const int pixel : surface.Pixels)
+  {
+    const int x = pixel % size.Width;
+    const int y = pixel / size.Width;
+    const float* normal = normals.At(x, y);
+    double n[3] = { normal[0], normal[1], normal[2] };
+    vtkMath::Normalize(n);
+    std::array<double, 3> v = stage.GetRay(x + 0.5, y + 0.5, size.Width, size.Height);
+    for (double& value : v)
+    {
+      value = -value;
+    }
+    LiftView(n, v.data());
+    surface.Normals.insert(surface.Normals.end(), n, n + 3);
+    surface.Views.insert(surface.Views.end(), v.begin(), v.end());
+  }
+  return surface;
+}
+
+//------------------------------------------------------------------------------
 /// A square of quads that face the camera, each with one normal.
 class PairStage : public tool::OffscreenScene
 {
@@ -181,36 +215,16 @@ Surface FindSurface(vtkPolyData* mesh, const View& view, double fill, const Size
   NormalStage stage;
   stage.SetMesh(mesh);
   stage.SetView(view.Azimuth, view.Elevation, fill, view.Angle);
-  const Picture normals = stage.RenderNormals(size);
+  return FindSurface(stage, size, largest);
+}
 
-  Surface surface;
-  surface.Pixels = FindCovered(normals, 1);
-  surface.NumberOfCovered = static_cast<int>(surface.Pixels.size());
-  if (surface.Pixels.empty())
-  {
-    throw Error("--size: not a single pixel of the mesh shows");
-  }
-  while (static_cast<int>(surface.Pixels.size()) > largest)
-  {
-    surface.Pixels = FindCovered(normals, ++surface.Stride);
-  }
-  for (const int pixel : surface.Pixels)
-  {
-    const int x = pixel % size.Width;
-    const int y = pixel / size.Width;
-    const float* normal = normals.At(x, y);
-    double n[3] = { normal[0], normal[1], normal[2] };
-    vtkMath::Normalize(n);
-    std::array<double, 3> v = stage.GetRay(x + 0.5, y + 0.5, size.Width, size.Height);
-    for (double& value : v)
-    {
-      value = -value;
-    }
-    LiftView(n, v.data());
-    surface.Normals.insert(surface.Normals.end(), n, n + 3);
-    surface.Views.insert(surface.Views.end(), v.begin(), v.end());
-  }
-  return surface;
+//------------------------------------------------------------------------------
+Surface FindSurface(vtkPolyData* mesh, vtkCamera* camera, const Size& size, int largest)
+{
+  NormalStage stage;
+  stage.SetMesh(mesh);
+  stage.SetCamera(camera);
+  return FindSurface(stage, size, largest);
 }
 
 //------------------------------------------------------------------------------

@@ -16,6 +16,8 @@
 
 #include <vector>
 
+class vtkCamera;
+
 namespace tool
 {
 /// The covered pixels that lie on a grid: where they are and their unit normals and views in the
@@ -35,6 +37,9 @@ struct Surface
  */
 Surface FindSurface(
   vtkPolyData* mesh, const View& view, double fill, const Size& size, int largest);
+
+/// The same for what a camera (perspective) sees.
+Surface FindSurface(vtkPolyData* mesh, vtkCamera* camera, const Size& size, int largest);
 
 /**
  * Draw (normal, view) pairs, 3 doubles each, with an integrator that has its BRDF and environment:

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Progress.h"
 
+#include "BackgroundWork.h"
 #include "Tool.h"
 
 #include "vtkBRDFReader.h"
@@ -36,7 +37,11 @@ Interruptible::Interruptible()
 Interruptible::~Interruptible() { std::signal(SIGINT, Previous); }
 
 //------------------------------------------------------------------------------
-bool Interruptible::IsInterrupted() { return Interrupted != 0; }
+bool Interruptible::IsInterrupted()
+{
+  const BackgroundWork* work = BackgroundWork::Get();
+  return work ? work->IsStopped() : Interrupted != 0;
+}
 
 //------------------------------------------------------------------------------
 void Interruptible::Check()
@@ -50,7 +55,8 @@ void Interruptible::Check()
 //------------------------------------------------------------------------------
 ProgressBar::ProgressBar(std::string label)
   : Label(vtkBRDFReader::GetPrintable(label))
-  , Terminal(Bars++ == 0 && isatty(STDERR_FILENO) != 0)
+  , Work(BackgroundWork::Get())
+  , Terminal(!Work && Bars++ == 0 && isatty(STDERR_FILENO) != 0)
   , Begin(std::chrono::steady_clock::now())
 {
   this->Update(0.0);
@@ -59,7 +65,7 @@ ProgressBar::ProgressBar(std::string label)
 //------------------------------------------------------------------------------
 ProgressBar::~ProgressBar()
 {
-  --Bars;
+  Bars -= this->Work ? 0 : 1;
   if (this->Terminal)
   {
     std::cerr << "\r\033[K" << std::flush;
@@ -84,6 +90,11 @@ std::string ProgressBar::GetTimeLeft(double share) const
 void ProgressBar::Update(double share)
 {
   const int percent = static_cast<int>(100.0 * std::clamp(share, 0.0, 1.0));
+  if (this->Work)
+  {
+    this->Work->Show(this->Label, share);
+    return;
+  }
   if (!this->Terminal || percent == this->Shown)
   {
     return;

@@ -13,7 +13,10 @@
 
 namespace tool
 {
-/// While one of these lives, Ctrl-C only sets a flag.
+class BackgroundWork;
+
+/// While one of these lives, Ctrl-C only sets a flag. On a thread with a BackgroundWork, which
+/// needs none of these, the flag is that work's.
 class Interruptible
 {
 public:
@@ -28,8 +31,8 @@ public:
   static void Check();
 };
 
-/// A bar on stderr where that is a terminal; nothing else. With the time left where it takes long;
-/// a bar within another one is not shown.
+/// A bar on stderr where that is a terminal; nothing else. On a thread with a BackgroundWork, that
+/// shows it. With the time left where it takes long; a bar within another one is not shown.
 class ProgressBar
 {
 public:
@@ -44,6 +47,7 @@ private:
   std::string GetTimeLeft(double share) const;
 
   std::string Label;
+  BackgroundWork* Work; // shows it instead; may be null
   bool Terminal;
   std::chrono::steady_clock::time_point Begin;
   int Shown = -1;

@@ -36,9 +36,10 @@ class Refinement
 {
 public:
   Refinement(vtkBRDF* brdf, vtkEnvironment* environment, const tool::Surface& surface,
-    const tool::Size& size)
+    const tool::Size& size, const tool::ShowReference& show)
     : Surface(surface)
     , Size(size)
+    , Show(show)
     , Index(static_cast<std::size_t>(size.Width * size.Height), -1)
     , Radiance(surface.Normals.size())
     , IsKnown(surface.Pixels.size(), 0)
@@ -58,6 +59,8 @@ public:
       table->SetEnvironment(environment);
       table->SetSizes({ 65, 16, 16 });
       this->Guess = tool::IntegratePairs(table, surface.Normals, surface.Views);
+      this->HasGuess = true;
+      this->ShowPicture(CoarsestStride);
     }
   }
 
@@ -76,9 +79,11 @@ public:
     }
     this->Integrate(wanted);
     this->FindBrightness();
+    this->ShowPicture(stride);
     for (int s = stride; s > 1; s /= 2)
     {
       cells = this->Refine(cells, s);
+      this->ShowPicture(s / 2);
     }
     wanted.clear();
     for (std::size_t k = 0; k < this->IsKnown.size(); ++k)
@@ -161,6 +166,30 @@ private:
     {
       std::copy_n(&radiance[3 * k], 3, &this->Radiance[3 * static_cast<std::size_t>(pixels[k])]);
     }
+  }
+
+  // What is known so far; elsewhere the guess or, without one, the nearest point of the grid.
+  void ShowPicture(int stride) const
+  {
+    if (!this->Show)
+    {
+      return;
+    }
+    std::vector<double> radiance = this->Radiance;
+    for (std::size_t k = 0; k < this->IsKnown.size(); ++k)
+    {
+      if (this->IsKnown[k] || this->IsGuessed[k])
+      {
+        continue;
+      }
+      const int x = this->Surface.Pixels[k] % this->Size.Width;
+      const int y = this->Surface.Pixels[k] / this->Size.Width;
+      const int near = this->Find(x / stride * stride, y / stride * stride);
+      const std::vector<double>& source = this->HasGuess || near < 0 ? this->Guess : this->Radiance;
+      const std::size_t at = this->HasGuess || near < 0 ? k : static_cast<std::size_t>(near);
+      std::copy_n(&source[3 * at], 3, &radiance[3 * k]);
+    }
+    this->Show(radiance);
   }
 
   void FindBrightness()
@@ -305,9 +334,11 @@ private:
 
   const tool::Surface& Surface;
   tool::Size Size;
+  const tool::ShowReference& Show;
   vtkNew<vtkAdaptiveRadianceIntegrator> Reference;
   std::vector<int> Index; // of the surface's pixels, by place
   std::vector<double> Guess;
+  bool HasGuess = false;
   std::vector<double> Radiance;
   std::vector<char> IsKnown;   // integrated
   std::vector<char> IsGuessed; // in a cell that is interpolated
@@ -318,10 +349,10 @@ private:
 namespace tool
 {
 //------------------------------------------------------------------------------
-ReferencePicture DrawReference(
-  vtkBRDF* brdf, vtkEnvironment* environment, const Surface& surface, const Size& size)
+ReferencePicture DrawReference(vtkBRDF* brdf, vtkEnvironment* environment, const Surface& surface,
+  const Size& size, const ShowReference& show)
 {
-  Refinement refinement(brdf, environment, surface, size);
+  Refinement refinement(brdf, environment, surface, size, show);
   ReferencePicture picture;
   for (int stride = surface.Pixels.size() < FewestPixels ? 1 : CoarsestStride; stride > 0;
        stride /= 2)

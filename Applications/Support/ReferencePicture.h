@@ -11,6 +11,7 @@
 #include "Sizes.h"
 #include "Surface.h"
 
+#include <functional>
 #include <vector>
 
 class vtkBRDF;
@@ -28,15 +29,19 @@ struct ReferencePicture
   double Worst = 0.0;           // relative error in that sample
 };
 
+/// Gets what is known so far of the radiance, 3 doubles a pixel of the surface.
+using ShowReference = std::function<void(const std::vector<double>& radiance)>;
+
 /**
  * Integrates on a grid, and more finely where interpolation does not foretell the middle of a cell.
  * What is interpolated is what a table of radiance lacks, which is smoother than radiance. A sample
  * of the interpolated pixels is integrated, too; where too many of them are off, all begins again
- * on a finer grid. The surface has all covered pixels (stride 1). Throws Error. Needs an
- * Interruptible.
+ * on a finer grid. The surface has all covered pixels (stride 1). show, where there is one, gets
+ * the picture as it becomes better, on this thread. Throws Error. Needs an Interruptible or a
+ * BackgroundWork.
  */
-ReferencePicture DrawReference(
-  vtkBRDF* brdf, vtkEnvironment* environment, const Surface& surface, const Size& size);
+ReferencePicture DrawReference(vtkBRDF* brdf, vtkEnvironment* environment, const Surface& surface,
+  const Size& size, const ShowReference& show = nullptr);
 } // namespace tool
 
 #endif

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Tool.h"
 
+#include "BackgroundWork.h"
+
 #include "vtkBRDFReader.h"
 #include "vtkLogger.h"
 #include "vtkNew.h"
@@ -13,7 +15,9 @@
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
+#include <mutex>
 #include <sstream>
+#include <utility>
 
 namespace
 {
@@ -75,7 +79,18 @@ public:
       std::_Exit(1);
     }
 #endif
-    this->Errors += (this->Errors.empty() ? "" : "; ") + text;
+    tool::BackgroundWork* work = tool::BackgroundWork::Get();
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    std::string& errors = work ? work->Errors : this->Errors;
+    errors += (errors.empty() ? "" : "; ") + text;
+  }
+
+  // This thread's where it has its own, else those of all others.
+  std::string TakeErrors()
+  {
+    tool::BackgroundWork* work = tool::BackgroundWork::Get();
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    return std::exchange(work ? work->Errors : this->Errors, std::string());
   }
 
   void DisplayWarningText(const char* message) override
@@ -93,11 +108,13 @@ public:
   }
   void DisplayDebugText(const char*) override {}
 
-  std::string Errors;
-
 protected:
   MessageWindow() = default;
   ~MessageWindow() override = default;
+
+private:
+  std::mutex Mutex; // threads plan, read and integrate
+  std::string Errors;
 };
 vtkStandardNewMacro(MessageWindow);
 }
@@ -107,7 +124,12 @@ namespace tool
 //------------------------------------------------------------------------------
 void PrintNote(const std::string& text)
 {
-  if (!text.empty())
+  BackgroundWork* work = BackgroundWork::Get();
+  if (work && !text.empty())
+  {
+    work->Notes += (work->Notes.empty() ? "" : "\n") + text;
+  }
+  else if (!text.empty())
   {
     std::cerr << "measured-brdf: note: " << vtkBRDFReader::GetPrintable(text)
               << (text.back() == '\n' ? "" : "\n") << std::flush;
@@ -135,12 +157,8 @@ void RedirectMessages()
 //------------------------------------------------------------------------------
 std::string TakeErrorText()
 {
-  std::string errors;
-  if (auto* window = MessageWindow::SafeDownCast(vtkOutputWindow::GetInstance()))
-  {
-    errors.swap(window->Errors);
-  }
-  return errors;
+  auto* window = MessageWindow::SafeDownCast(vtkOutputWindow::GetInstance());
+  return window ? window->TakeErrors() : std::string();
 }
 
 //------------------------------------------------------------------------------

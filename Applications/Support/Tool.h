@@ -37,7 +37,8 @@ struct InputError : std::runtime_error
   using std::runtime_error::runtime_error;
 };
 
-/// "measured-brdf: note: TEXT" on stderr; nothing where text is empty.
+/// "measured-brdf: note: TEXT" on stderr, or to this thread's BackgroundWork; nothing where text is
+/// empty.
 void PrintNote(const std::string& text);
 
 /// Text on stdout, flushed; Error where stdout can't take it (a full disk, a closed pipe).
@@ -46,7 +47,8 @@ void PrintOut(const std::string& text);
 /// VTK's messages become the tool's: warnings go to stderr, errors wait for TakeErrorText.
 void RedirectMessages();
 
-/// What VTK's error events said since the last call, without file and line; "" if nothing.
+/// What VTK's error events said since the last call, without file and line; "" if nothing. Of this
+/// thread where it has a BackgroundWork.
 std::string TakeErrorText();
 
 /// Figures that stand in CSV files: 9 significant digits, enough to give back any float.
@@ -61,6 +63,7 @@ void AddListCommand(CLI::App& app);
 void AddFetchCommand(CLI::App& app);
 void AddInfoCommand(CLI::App& app);
 void AddEvaluateCommand(CLI::App& app);
+void AddExploreCommand(CLI::App& app);
 void AddIntegrateCommand(CLI::App& app);
 void AddLightsCommand(CLI::App& app);
 void AddRenderCommand(CLI::App& app);

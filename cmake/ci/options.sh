@@ -2,26 +2,26 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 # SPDX-License-Identifier: BSD-3-Clause
 # Builds the library without each of the optional libraries and without all of them, and runs the unit tests there; and
-# the command line tool without libcurl:
+# the command line tool without libcurl and without Qt, where it has to say that it has no explorer:
 #
-#   cmake/ci/options.sh [CERES|EMBREE|OPENEXR|OPENIMAGEIO|ALL|CURL...]
+#   cmake/ci/options.sh [CERES|EMBREE|OPENEXR|OPENIMAGEIO|ALL|CURL|QT...]
 #
-# Without arguments all six. The trees are build-without-NAME. What a build lacks is left out of its tests, or the
+# Without arguments all seven. The trees are build-without-NAME. What a build lacks is left out of its tests, or the
 # test is skipped and says why; an absent library's headers must not be needed.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 cmake/install-packages.sh --tests
 
 names=("$@")
-[ $# -gt 0 ] || names=(CERES EMBREE OPENEXR OPENIMAGEIO ALL CURL)
+[ $# -gt 0 ] || names=(CERES EMBREE OPENEXR OPENIMAGEIO ALL CURL QT)
 export MEASUREDBRDF_CACHE=off # nothing of earlier runs
 for name in "${names[@]}"; do
   tool=OFF
   case $name in
     CERES | EMBREE | OPENEXR | OPENIMAGEIO) off=("$name") ;;
-    CURL) off=("$name") tool=ON ;;
+    CURL | QT) off=("$name") tool=ON ;;
     ALL) off=(CERES EMBREE OPENEXR OPENIMAGEIO) ;;
-    *) echo "usage: cmake/ci/options.sh [CERES|EMBREE|OPENEXR|OPENIMAGEIO|ALL|CURL...]" >&2; exit 2 ;;
+    *) echo "usage: cmake/ci/options.sh [CERES|EMBREE|OPENEXR|OPENIMAGEIO|ALL|CURL|QT...]" >&2; exit 2 ;;
   esac
   options=()
   for library in "${off[@]}"; do
@@ -40,6 +40,16 @@ for name in "${names[@]}"; do
   if [ "$name" = CURL ]; then
     cmake --build "$build" --target measured-brdf
     ctest --test-dir "$build" -R '^Tool.FetchAbsent$' --no-tests=error --output-on-failure
+    continue
+  fi
+  if [ "$name" = QT ]; then
+    cmake --build "$build" --target measured-brdf
+    said=$("$build/bin/measured-brdf" explore 2>&1) && status=0 || status=$?
+    echo "$said"
+    if [ "$status" != 1 ] || [[ $said != *"has no explorer"* ]]; then
+      echo "options.sh: measured-brdf explore should say that it has no explorer and exit with 1" >&2
+      exit 1
+    fi
     continue
   fi
   cmake --build "$build" --target unit-tests

@@ -1,0 +1,317 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Evaluation.h"
+
+#include "ErrorColors.h"
+#include "ReferencePicture.h"
+#include "StockScene.h"
+#include "Tool.h"
+
+#include "vtkCamera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace
+{
+constexpr int SettleTime = 250; // ms
+const char* const JobKey = "reference";
+
+//------------------------------------------------------------------------------
+double GetMean(const std::vector<double>& rgb)
+{
+  double sum = 0.0;
+  for (const double value : rgb)
+  {
+    sum += value;
+  }
+  return rgb.empty() ? 0.0 : sum / static_cast<double>(rgb.size());
+}
+
+//------------------------------------------------------------------------------
+// Gives pixels beside covered ones their color, not their alpha: edges do not become dark where the
+// picture is stretched.
+void Dilate(tool::Picture& picture)
+{
+  const tool::Picture covered = picture;
+  for (int y = 0; y < picture.Height; ++y)
+  {
+    for (int x = 0; x < picture.Width; ++x)
+    {
+      for (int k = 0; k < 9 && covered.At(x, y)[3] == 0.0f; ++k)
+      {
+        const int i = x + k % 3 - 1;
+        const int j = y + k / 3 - 1;
+        if (i >= 0 && j >= 0 && i < picture.Width && j < picture.Height &&
+            covered.At(i, j)[3] > 0.0f)
+        {
+          std::copy_n(covered.At(i, j), 3, picture.At(x, y));
+          break;
+        }
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Mean |x - r| / mean r; negative where there is no light to compare with.
+double GetRelativeL1(const std::vector<double>& rgb, const std::vector<double>& reference)
+{
+  const double mean = GetMean(reference);
+  double sum = 0.0;
+  for (std::size_t k = 0; k < rgb.size(); ++k)
+  {
+    sum += std::abs(rgb[k] - reference[k]);
+  }
+  return mean > 0.0 ? sum / static_cast<double>(rgb.size()) / mean : -1.0;
+}
+}
+
+namespace explorer
+{
+//------------------------------------------------------------------------------
+Evaluation::Evaluation(
+  Session* session, Jobs* jobs, std::array<Side*, 2> sides, vtkCamera* camera, QObject* parent)
+  : QObject(parent)
+  , Model(session)
+  , Background(jobs)
+  , Sides(sides)
+  , Camera(camera)
+{
+  this->Timer.setSingleShot(true);
+  this->Timer.setInterval(SettleTime);
+  connect(&this->Timer, &QTimer::timeout, this, &Evaluation::Settle);
+  for (const auto signal : { &Session::materialChanged, &Session::environmentChanged,
+         &Session::rotationChanged, &Session::meshChanged, &Session::cameraChanged,
+         &Session::cameraReplaced, &Session::referenceHeightChanged })
+  {
+    connect(session, signal, this, &Evaluation::Restart);
+  }
+  for (Side* side : this->Sides)
+  {
+    connect(side, &Side::changed, this, &Evaluation::RestartSides);
+  }
+}
+
+//------------------------------------------------------------------------------
+Evaluation::~Evaluation() = default;
+
+//------------------------------------------------------------------------------
+void Evaluation::SetAspect(double aspect)
+{
+  if (aspect > 0.0 && aspect != this->Aspect)
+  {
+    this->Aspect = aspect;
+    this->Restart();
+  }
+}
+
+//------------------------------------------------------------------------------
+void Evaluation::Restart()
+{
+  this->Background->Stop(JobKey);
+  this->Visible.reset();
+  this->Reference.reset();
+  this->Radiance.clear();
+  this->Complete = false;
+  this->RestartSides();
+}
+
+//------------------------------------------------------------------------------
+void Evaluation::RestartSides()
+{
+  this->Pictures = {};
+  this->Figures = {};
+  this->Failed = false;
+  this->Timer.start();
+  emit this->changed();
+}
+
+//------------------------------------------------------------------------------
+bool Evaluation::IsSettled() const
+{
+  const auto isDone = [this](std::size_t k) { return this->Figures[k].IsMeasured; };
+  return this->Failed || (this->Complete && isDone(0) && isDone(1));
+}
+
+//------------------------------------------------------------------------------
+void Evaluation::Settle()
+{
+  if (!this->Model->GetMaterial().BRDF || !this->Model->GetEnvironment() ||
+      !this->Model->GetMesh() || this->Failed)
+  {
+    return;
+  }
+  try
+  {
+    if (!this->Visible)
+    {
+      const int height = this->Model->GetState().ReferenceHeight;
+      this->Size = { std::max(1, static_cast<int>(std::lround(height * this->Aspect))), height };
+      this->Visible = std::make_shared<const tool::Surface>(tool::FindSurface(
+        this->Model->GetMesh(), this->Camera, this->Size, std::numeric_limits<int>::max()));
+    }
+    this->Capture();
+    // Plans and methods first: they take less time, and show more.
+    if (!this->Complete && !this->Background->IsRunning(JobKey) && this->Sides[0]->IsReady() &&
+        this->Sides[1]->IsReady())
+    {
+      this->StartReference();
+    }
+  }
+  catch (const std::exception&)
+  {
+    this->Failed = true; // nothing of the mesh is in view
+  }
+  this->Measure();
+  if (!this->IsSettled())
+  {
+    this->Timer.start(); // a plan or a method is being made
+  }
+  emit this->changed();
+}
+
+//------------------------------------------------------------------------------
+void Evaluation::Capture()
+{
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    if (this->Figures[k].IsMeasured || !this->Sides[k]->IsReady())
+    {
+      continue;
+    }
+    if (!this->Sides[k]->IsReference())
+    {
+      this->Pictures[k] = std::make_shared<const tool::Picture>(
+        this->Sides[k]->Capture(this->Camera, this->Size, this->Figures[k].Frame));
+    }
+    this->Figures[k].IsMeasured = true;
+  }
+}
+
+//------------------------------------------------------------------------------
+void Evaluation::StartReference()
+{
+  const vtkSmartPointer<vtkBRDF> original = this->Model->GetMaterial().BRDF;
+  auto brdf = vtkSmartPointer<vtkBRDF>::Take(original->NewSnapshot());
+  if (!brdf)
+  {
+    brdf = original;
+  }
+  const auto environment =
+    vtkSmartPointer<vtkEnvironment>::Take(this->Model->GetEnvironment()->NewSnapshot());
+  const auto surface = this->Visible;
+  const tool::Size size = this->Size;
+  this->Background->Start(
+    JobKey, tr("exact picture"),
+    [this, brdf, environment, surface, size](JobThread& thread)
+    {
+      const auto show = [&](const std::vector<double>& radiance)
+      { thread.Post([this, radiance]() { this->TakeReference(radiance, false); }); };
+      const tool::ReferencePicture picture =
+        tool::DrawReference(brdf, environment, *surface, size, show);
+      thread.Post([this, picture]() { this->TakeReference(picture.Radiance, true); });
+    },
+    [this](const QString& text)
+    {
+      this->Failed = true;
+      this->Model->Say(text, true);
+    });
+}
+
+//------------------------------------------------------------------------------
+void Evaluation::TakeReference(const std::vector<double>& radiance, bool complete)
+{
+  this->Radiance = radiance;
+  this->Complete = complete;
+  auto picture = std::make_shared<tool::Picture>(this->Size.Width, this->Size.Height);
+  for (std::size_t k = 0; k < this->Visible->Pixels.size(); ++k)
+  {
+    float* pixel = &picture->Pixels[4 * static_cast<std::size_t>(this->Visible->Pixels[k])];
+    std::copy_n(&radiance[3 * k], 3, pixel);
+    pixel[3] = 1.0f;
+  }
+  Dilate(*picture);
+  this->Reference = picture;
+  this->Measure();
+  emit this->changed();
+}
+
+//------------------------------------------------------------------------------
+std::shared_ptr<const tool::Picture> Evaluation::GetPicture(int side) const
+{
+  const auto k = static_cast<std::size_t>(side);
+  return this->Sides[k]->IsReference() ? this->Reference : this->Pictures[k];
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> Evaluation::GetRadiance(int side) const
+{
+  const auto picture = this->GetPicture(side);
+  return picture && this->Visible ? tool::Pick(*picture, *this->Visible) : std::vector<double>();
+}
+
+//------------------------------------------------------------------------------
+void Evaluation::Measure()
+{
+  for (int k = 0; k < 2 && this->Complete; ++k)
+  {
+    const std::vector<double> radiance = this->GetRadiance(k);
+    if (radiance.size() == this->Radiance.size())
+    {
+      this->Figures[static_cast<std::size_t>(k)].Error =
+        this->Sides[static_cast<std::size_t>(k)]->IsReference()
+          ? 0.0
+          : GetRelativeL1(radiance, this->Radiance);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> Evaluation::MakeDifference(double& mean) const
+{
+  const std::vector<double> a = this->GetRadiance(0);
+  const std::vector<double> b = this->GetRadiance(1);
+  mean = -1.0;
+  if (a.empty() || b.empty())
+  {
+    return nullptr;
+  }
+  const double scale = GetMean(this->Complete ? this->Radiance : b);
+  if (!(scale > 0.0))
+  {
+    return nullptr;
+  }
+  const auto colors = tool::MakeErrorColors();
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(this->Size.Width, this->Size.Height, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+  auto* bytes = static_cast<unsigned char*>(image->GetScalarPointer());
+  constexpr unsigned char gray[4] = { 40, 41, 44, 255 }; // where there is no mesh
+  const std::size_t pixels = static_cast<std::size_t>(this->Size.Width) * this->Size.Height;
+  for (std::size_t k = 0; k < 4 * pixels; ++k)
+  {
+    bytes[k] = gray[k % 4];
+  }
+  double sum = 0.0;
+  for (std::size_t k = 0; k < a.size(); k += 3)
+  {
+    const double share =
+      (std::abs(a[k] - b[k]) + std::abs(a[k + 1] - b[k + 1]) + std::abs(a[k + 2] - b[k + 2])) /
+      (3.0 * scale);
+    sum += share;
+    const double logarithm = std::log10(std::max(share, 1e-12));
+    double rgb[3];
+    colors->GetColor(std::clamp(logarithm, tool::LowestError, tool::HighestError), rgb);
+    unsigned char* pixel = bytes + 4 * static_cast<std::size_t>(this->Visible->Pixels[k / 3]);
+    for (int c = 0; c < 3; ++c)
+    {
+      pixel[c] = static_cast<unsigned char>(std::lround(255.0 * rgb[c]));
+    }
+    pixel[3] = 255;
+  }
+  mean = sum / static_cast<double>(a.size() / 3);
+  return image;
+}
+} // namespace explorer

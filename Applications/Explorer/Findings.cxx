@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Findings.h"
+
+#include "Measuring.h"
+#include "Tool.h"
+
+#include <cstdio>
+
+namespace
+{
+// Where a deviation is worth a warning.
+constexpr double ReciprocityLimit = 0.01; // relative
+constexpr double Rounding = 1e-9;
+constexpr double NegativeMassLimit = 0.001; // share
+
+//------------------------------------------------------------------------------
+std::string Format(const char* format, double value)
+{
+  char text[64];
+  std::snprintf(text, sizeof(text), format, value);
+  return text;
+}
+}
+
+namespace explorer
+{
+//------------------------------------------------------------------------------
+std::vector<Finding> FindFindings(const nlohmann::ordered_json& info)
+{
+  std::vector<Finding> findings;
+  const double reciprocity = info["reciprocity_error"];
+  findings.push_back({ reciprocity <= ReciprocityLimit, "Reciprocity",
+    (reciprocity < Rounding
+        ? std::string("f(i,o) and f(o,i) are equal but for rounding")
+        : "f(i,o) and f(o,i) differ by " + tool::FormatPercent(reciprocity) + " (RMS " +
+            tool::FormatPercent(info["reciprocity_rms_error"]) + ")") +
+      (info["reciprocal_by_construction"] ? "; reciprocal by construction" : "") });
+  const double albedo = info["largest_albedo"];
+  const bool gains = info["gains_energy"];
+  findings.push_back({ !gains, "Energy",
+    "The largest albedo is " + Format("%.3f", albedo) +
+      (gains ? ": the material gives back more light than it gets"
+             : "; no reflectance is above 1") });
+  const auto negative = info["negative_values"].get<long long>();
+  const double mass = info["negative_mass"];
+  findings.push_back({ mass <= NegativeMassLimit, "Negative values",
+    negative == 0 && !(mass > 0.0)
+      ? std::string("None")
+      : tool::FormatCount(static_cast<std::size_t>(negative), "stored value") + ", " +
+          tool::FormatPercent(mass) + " of all f, clamped to 0" });
+  const auto invalid = info["invalid_values"].get<long long>();
+  findings.push_back({ invalid == 0, "Invalid values",
+    invalid == 0 ? std::string("None")
+                 : tool::FormatCount(static_cast<std::size_t>(invalid), "stored value") +
+                     " not finite, replaced" });
+  return findings;
+}
+} // namespace explorer

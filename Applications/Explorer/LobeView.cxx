@@ -1,0 +1,321 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LobeView.h"
+
+#include "vtkActor.h"
+#include "vtkArcSource.h"
+#include "vtkBRDFLobeSource.h"
+#include "vtkCamera.h"
+#include "vtkInteractorStyleTerrain.h"
+#include "vtkLight.h"
+#include "vtkLineSource.h"
+#include "vtkMath.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkPolyDataNormals.h"
+#include "vtkProperty.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkRenderer.h"
+#include "vtkSphereSource.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QTimer>
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+constexpr double HandleRadius = 1.25; // of the sphere that the ball is on; lobes reach 1
+constexpr double GrabDistance = 16.0; // pixels
+constexpr double KeyStep = 5.0;       // degrees
+constexpr int Fine = 128;             // points of the lobe
+constexpr int Coarse = 48;            // while the light moves
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkActor> MakeActor(vtkAlgorithm* source, const double rgb[3], double width)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(source->GetOutputPort());
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(rgb[0], rgb[1], rgb[2]);
+  actor->GetProperty()->SetLineWidth(static_cast<float>(width));
+  actor->GetProperty()->LightingOff();
+  return actor;
+}
+
+//------------------------------------------------------------------------------
+// A circle about z at a polar angle of the unit hemisphere.
+vtkSmartPointer<vtkArcSource> MakeCircle(double degrees)
+{
+  const double theta = vtkMath::RadiansFromDegrees(degrees);
+  auto circle = vtkSmartPointer<vtkArcSource>::New();
+  circle->UseNormalAndAngleOn();
+  circle->SetCenter(0.0, 0.0, std::cos(theta));
+  circle->SetPolarVector(std::sin(theta), 0.0, 0.0);
+  circle->SetNormal(0.0, 0.0, 1.0);
+  circle->SetAngle(360.0);
+  circle->SetResolution(96);
+  return circle;
+}
+
+//------------------------------------------------------------------------------
+void ToDirection(double thetaDegrees, double phiDegrees, double direction[3])
+{
+  const double theta = vtkMath::RadiansFromDegrees(thetaDegrees);
+  const double phi = vtkMath::RadiansFromDegrees(phiDegrees);
+  direction[0] = std::sin(theta) * std::cos(phi);
+  direction[1] = std::sin(theta) * std::sin(phi);
+  direction[2] = std::cos(theta);
+}
+}
+
+namespace explorer
+{
+//------------------------------------------------------------------------------
+LobeView::LobeView(Session* session, QWidget* parent)
+  : QVTKOpenGLNativeWidget(parent)
+  , Model(session)
+{
+  this->setRenderWindow(this->Window);
+  this->setAcceptDrops(false);
+  this->setFocusPolicy(Qt::StrongFocus);
+  this->setMinimumSize(240, 200);
+  this->setAccessibleName(tr("Lobe"));
+  this->setToolTip(tr(
+    "Drag the yellow ball: the light's direction. Drag elsewhere: turn the view. Arrow keys move "
+    "the light"));
+  this->Window->SetMultiSamples(0);
+  this->Window->AddRenderer(this->Renderer);
+  this->MakeScene();
+  vtkNew<vtkInteractorStyleTerrain> style;
+  style->LatLongLinesOff();
+  this->interactor()->SetInteractorStyle(style);
+  for (const auto signal : { &Session::materialChanged, &Session::lobeChanged })
+  {
+    connect(session, signal, this, &LobeView::Update);
+  }
+}
+
+//------------------------------------------------------------------------------
+LobeView::~LobeView() = default;
+
+//------------------------------------------------------------------------------
+void LobeView::MakeScene()
+{
+  const double pale[3] = { 0.45, 0.46, 0.48 };
+  const double yellow[3] = { 1.0, 0.82, 0.2 };
+  const double white[3] = { 0.9, 0.9, 0.9 };
+  const double red[3] = { 0.85, 0.35, 0.3 };
+  const double blue[3] = { 0.4, 0.6, 1.0 };
+  this->Renderer->SetBackground(0.16, 0.165, 0.175);
+  this->Renderer->UseFXAAOn();
+  for (const double degrees : { 30.0, 60.0, 90.0 })
+  {
+    this->Renderer->AddActor(MakeActor(MakeCircle(degrees), pale, degrees < 90.0 ? 1.0 : 2.0));
+  }
+  vtkNew<vtkLineSource> normal;
+  normal->SetPoint2(0.0, 0.0, 1.15);
+  vtkNew<vtkLineSource> tangent;
+  tangent->SetPoint2(1.15, 0.0, 0.0);
+  this->Renderer->AddActor(MakeActor(normal, blue, 2.0));
+  this->Renderer->AddActor(MakeActor(tangent, red, 2.0));
+  this->Renderer->AddActor(MakeActor(this->Ray, yellow, 2.0));
+  this->Renderer->AddActor(MakeActor(this->Mirror, white, 1.0));
+  this->Handle->SetRadius(0.05);
+  this->Handle->SetThetaResolution(24);
+  this->Handle->SetPhiResolution(16);
+  this->Renderer->AddActor(MakeActor(this->Handle, yellow, 1.0));
+
+  this->Source->NormalizeOn();
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputConnection(this->Source->GetOutputPort());
+  normals->SplittingOff();
+  this->LobeMapper->SetInputConnection(normals->GetOutputPort());
+  this->LobeMapper->ScalarVisibilityOff();
+  this->Lobe->SetMapper(this->LobeMapper);
+  this->Lobe->GetProperty()->SetColor(0.56, 0.59, 0.64);
+  this->Lobe->GetProperty()->SetSpecular(0.15);
+  this->Lobe->GetProperty()->SetAmbient(0.15);
+  this->Lobe->VisibilityOff(); // until there is a material
+  this->Renderer->AddActor(this->Lobe);
+
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  camera->SetFocalPoint(0.0, 0.0, 0.42);
+  camera->SetPosition(0.6, -4.2, 2.2);
+  camera->SetViewUp(0.0, 0.0, 1.0);
+  camera->SetViewAngle(32.0);
+  camera->SetClippingRange(0.1, 20.0);
+}
+
+//------------------------------------------------------------------------------
+void LobeView::Update()
+{
+  vtkBRDF* brdf = this->Model->GetMaterial().BRDF;
+  if (!brdf)
+  {
+    return;
+  }
+  const State& state = this->Model->GetState();
+  this->Source->SetBRDF(brdf);
+  this->Source->SetThetaI(state.LobeThetaI);
+  this->Source->SetPhiI(state.LobePhiI);
+  this->Source->SetScaling(
+    state.LobeLogarithmic ? vtkBRDFLobeSource::LOGARITHMIC : vtkBRDFLobeSource::LINEAR);
+  const int resolution = this->IsDragging ? Coarse : Fine;
+  this->Source->SetRadialResolution(resolution);
+  this->Source->SetCircularResolution(resolution);
+  this->Lobe->VisibilityOn();
+  double light[3];
+  ToDirection(state.LobeThetaI, state.LobePhiI, light);
+  double mirror[3] = { -light[0], -light[1], light[2] };
+  vtkMath::MultiplyScalar(light, HandleRadius);
+  vtkMath::MultiplyScalar(mirror, HandleRadius);
+  this->Ray->SetPoint2(light);
+  this->Mirror->SetPoint2(mirror);
+  this->Handle->SetCenter(light);
+  this->RequestRender();
+}
+
+//------------------------------------------------------------------------------
+void LobeView::RequestRender()
+{
+  if (this->IsRequested)
+  {
+    return;
+  }
+  this->IsRequested = true;
+  QTimer::singleShot(0, this,
+    [this]()
+    {
+      this->IsRequested = false;
+      if (this->isVisible())
+      {
+        this->Renderer->ResetCameraClippingRange();
+        this->Renderer->GetActiveCamera()->SetUseHorizontalViewAngle(
+          this->width() < this->height()); // the smaller side holds all of it
+        this->Window->Render();
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+QPoint LobeView::GetHandlePosition()
+{
+  const double* center = this->Handle->GetCenter();
+  this->Renderer->SetWorldPoint(center[0], center[1], center[2], 1.0);
+  this->Renderer->WorldToDisplay();
+  const double* display = this->Renderer->GetDisplayPoint();
+  const double ratio = this->devicePixelRatioF();
+  return { static_cast<int>(std::lround(display[0] / ratio)),
+    static_cast<int>(std::lround(this->height() - 1 - display[1] / ratio)) };
+}
+
+//------------------------------------------------------------------------------
+// Onto the ball's sphere where the mouse meets its front; beside it, onto its rim.
+void LobeView::MoveHandle(const QPoint& place)
+{
+  const double ratio = this->devicePixelRatioF();
+  double ends[2][3];
+  for (int k = 0; k < 2; ++k)
+  {
+    this->Renderer->SetDisplayPoint(
+      ratio * place.x(), ratio * (this->height() - 1 - place.y()), k == 0 ? 0.0 : 1.0);
+    this->Renderer->DisplayToWorld();
+    const double* world = this->Renderer->GetWorldPoint();
+    for (int c = 0; c < 3; ++c)
+    {
+      ends[k][c] = world[c] / world[3];
+    }
+  }
+  double ray[3];
+  vtkMath::Subtract(ends[1], ends[0], ray);
+  vtkMath::Normalize(ray);
+  const double along = -vtkMath::Dot(ends[0], ray); // to the nearest point to the center
+  double point[3];
+  for (int c = 0; c < 3; ++c)
+  {
+    point[c] = ends[0][c] + along * ray[c];
+  }
+  const double rest = HandleRadius * HandleRadius - vtkMath::Dot(point, point);
+  for (int c = 0; c < 3 && rest > 0.0; ++c)
+  {
+    point[c] -= std::sqrt(rest) * ray[c];
+  }
+  vtkMath::Normalize(point);
+  const double theta = vtkMath::DegreesFromRadians(std::acos(std::clamp(point[2], -1.0, 1.0)));
+  const double phi = vtkMath::DegreesFromRadians(std::atan2(point[1], point[0]));
+  this->Model->SetLobe(std::min(theta, 89.0), phi, this->Model->GetState().LobeLogarithmic);
+}
+
+//------------------------------------------------------------------------------
+bool LobeView::DragHandle(QEvent* event)
+{
+  auto* mouse = static_cast<QMouseEvent*>(event);
+  const QPoint distance = mouse->pos() - this->GetHandlePosition();
+  const bool near = std::hypot(distance.x(), distance.y()) <= GrabDistance;
+  switch (event->type())
+  {
+    case QEvent::MouseButtonPress:
+      this->IsDragging = near && mouse->button() == Qt::LeftButton;
+      break;
+    case QEvent::MouseMove:
+      if (this->IsDragging)
+      {
+        this->MoveHandle(mouse->pos());
+      }
+      else if (mouse->buttons() == Qt::NoButton)
+      {
+        near ? this->setCursor(Qt::OpenHandCursor) : this->unsetCursor();
+      }
+      break;
+    case QEvent::MouseButtonRelease:
+      if (this->IsDragging)
+      {
+        this->IsDragging = false;
+        this->Update(); // finely
+        return true;
+      }
+      break;
+    default:
+      break;
+  }
+  return this->IsDragging;
+}
+
+//------------------------------------------------------------------------------
+bool LobeView::event(QEvent* event)
+{
+  switch (event->type())
+  {
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseMove:
+    case QEvent::MouseButtonRelease:
+      if (this->DragHandle(event))
+      {
+        event->accept();
+        return true;
+      }
+      break;
+    case QEvent::KeyPress:
+    {
+      const State& state = this->Model->GetState();
+      const int key = static_cast<QKeyEvent*>(event)->key();
+      const double phi = key == Qt::Key_Left ? -KeyStep : key == Qt::Key_Right ? KeyStep : 0.0;
+      const double theta = key == Qt::Key_Up ? -KeyStep : key == Qt::Key_Down ? KeyStep : 0.0;
+      if (phi != 0.0 || theta != 0.0)
+      {
+        this->Model->SetLobe(state.LobeThetaI + theta, state.LobePhiI + phi, state.LobeLogarithmic);
+        return true;
+      }
+      return QOpenGLWidget::event(event); // VTK's own keys would close the program
+    }
+    case QEvent::KeyRelease:
+      return QOpenGLWidget::event(event);
+    default:
+      break;
+  }
+  return QVTKOpenGLNativeWidget::event(event);
+}
+} // namespace explorer

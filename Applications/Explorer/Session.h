@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What is being explored: the state, the objects that it names, and what changes them. No widgets.
+ */
+
+#ifndef Session_h
+#define Session_h
+
+#include "Inputs.h"
+#include "Jobs.h"
+#include "Lists.h"
+#include "State.h"
+
+#include "vtkEnvironment.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <QObject>
+#include <QString>
+#include <QStringList>
+
+#include <string>
+#include <vector>
+
+namespace explorer
+{
+/**
+ * Files are read in the background; what was shown before stays until one has been read, and stays
+ * where it cannot be read, with a message.
+ */
+class Session : public QObject
+{
+  Q_OBJECT
+
+public:
+  explicit Session(Jobs* jobs, QObject* parent = nullptr);
+  ~Session() override;
+
+  const State& GetState() const { return this->Current; }
+
+  /// Show what a state says; without its camera: the whole mesh.
+  void Replace(const State& state, bool withCamera = true);
+
+  /// Open files of any kind: materials, environments, meshes, states.
+  void Open(const QStringList& files);
+
+  ///@{
+  /// What the lists hold: built-in ones, then files.
+  std::vector<Item> GetMaterials() const;
+  std::vector<Item> GetEnvironments() const;
+  std::vector<Item> GetMeshes() const;
+  ///@}
+
+  ///@{
+  /// Read it and show it.
+  void SetMaterial(const std::string& file);
+  void SetEnvironment(const std::string& file);
+  void SetMesh(const std::string& file);
+  ///@}
+
+  ///@{
+  /// What was read; null before.
+  const tool::Material& GetMaterial() const { return this->Material; }
+  vtkEnvironment* GetEnvironment() const { return this->Environment; }
+  vtkPolyData* GetMesh() const { return this->Mesh; }
+  ///@}
+
+  ///@{
+  /// Values outside of what State allows are taken as the nearest that is.
+  void SetRotation(double degrees);
+  void SetTolerance(double tolerance);
+  void SetMethod(int side, const std::string& key);
+  void SetLights(int count);
+  void SetShown(Shown shown);
+  void SetSplit(double share);
+  void SetExposure(double stops);
+  void SetBackdrop(bool shown);
+  void SetReferenceHeight(int pixels);
+  void SetCamera(const CameraState& camera);
+  void SetLobe(double thetaI, double phiI, bool logarithmic);
+  void SetSlices(double thetaH, double thetaD, double phiD, bool logarithmic);
+  ///@}
+
+  ///@{
+  /// State files. False with a message where that does not work.
+  bool Save(const std::string& path);
+  bool Load(const std::string& path);
+  ///@}
+
+  /// Something to tell people.
+  void Say(const QString& text, bool isError);
+
+signals:
+  void listsChanged();
+  void materialChanged();
+  void environmentChanged();
+  void rotationChanged();
+  void meshChanged();
+  void toleranceChanged();
+  void methodsChanged();
+  void pictureChanged(); // how the picture is shown: split, exposure, backdrop
+  void referenceHeightChanged();
+  void cameraChanged();
+  void cameraReplaced(); // by another state
+  void lobeChanged();
+  void slicesChanged();
+  void messaged(const QString& text, bool isError);
+
+private:
+  void OpenOne(const std::string& file, JobThread& thread);
+  void Take(const tool::Material& material);
+  void Take(vtkEnvironment* environment, const std::string& file);
+  void Take(vtkPolyData* mesh, const std::string& file);
+
+  Jobs* Background;
+  State Current;
+  tool::Material Material;
+  vtkSmartPointer<vtkEnvironment> Environment;
+  vtkSmartPointer<vtkPolyData> Mesh;
+  std::string MeshFile;       // of Mesh
+  bool IsCameraGiven = false; // by the state that the next mesh belongs to
+};
+
+/// A mesh by name or file. Throws tool::Error.
+vtkSmartPointer<vtkPolyData> LoadMeshByName(const std::string& file);
+} // namespace explorer
+
+#endif

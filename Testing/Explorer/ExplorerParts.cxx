@@ -1,0 +1,318 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The explorer's parts that need no window: states, jobs, kinds of files, findings.
+#include "BackgroundWork.h"
+#include "EnvironmentView.h"
+#include "FileKinds.h"
+#include "Findings.h"
+#include "Jobs.h"
+#include "Session.h"
+#include "State.h"
+#include "Tool.h"
+
+#include "vtkEnvironment.h"
+
+#include <QCoreApplication>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include <cmath>
+#include <fstream>
+#include <stdexcept>
+
+using namespace explorer;
+
+class ExplorerParts : public QObject
+{
+  Q_OBJECT
+
+private slots:
+  void stateRoundTrip();
+  void stateDefaults();
+  void badStates_data();
+  void badStates();
+  void stateFindsFilesBesideIt();
+  void fileKinds();
+  void newestJobWins();
+  void jobsStopAndReport();
+  void failedJobsSaySo();
+  void environmentShowsDirections();
+  void findings();
+};
+
+//------------------------------------------------------------------------------
+void ExplorerParts::stateRoundTrip()
+{
+  State state;
+  state.MaterialFiles = { "/a/b.binary", "/c d.bsdf#name" };
+  state.EnvironmentFiles = { "/e.hdr" };
+  state.Material = "/a/b.binary";
+  state.Environment = "sky";
+  state.Rotation = -12.25;
+  state.Mesh = "ball-on-foot";
+  state.Tolerance = 0.07;
+  state.Methods = { method::PBR, method::Thesis };
+  state.Lights = 256;
+  state.Show = Shown::Difference;
+  state.Split = 0.25;
+  state.Exposure = -1.5;
+  state.Backdrop = false;
+  state.ReferenceHeight = 64;
+  state.Camera = { { 1.0, 2.0, 3.0 }, { 0.5, 0.25, 0.125 }, { 0.0, 0.0, 1.0 }, 45.0 };
+  state.LobeThetaI = 10.0;
+  state.LobePhiI = 20.0;
+  state.LobeLogarithmic = false;
+  state.SliceThetaH = 30.0;
+  state.SliceThetaD = 40.0;
+  state.SlicePhiD = 50.0;
+  state.SliceLogarithmic = false;
+  const std::string text = WriteState(state);
+  const State again = ReadState(text, "state");
+  QCOMPARE(WriteState(again), text);
+  QCOMPARE(again.Tolerance, 0.07);
+  QCOMPARE(again.Methods[1], std::string("thesis"));
+  QCOMPARE(again.Camera.ViewUp[2], 1.0);
+  QVERIFY(again.Show == Shown::Difference);
+  QVERIFY(WriteState(State()) != text);
+}
+
+//------------------------------------------------------------------------------
+void ExplorerParts::stateDefaults()
+{
+  const State state =
+    ReadState(R"({"format": "measured-brdf explorer state", "version": 1, "lights": 16})", "s");
+  QCOMPARE(state.Lights, 16);
+  State expected;
+  expected.Lights = 16;
+  QCOMPARE(WriteState(state), WriteState(expected));
+}
+
+//------------------------------------------------------------------------------
+void ExplorerParts::badStates_data()
+{
+  QTest::addColumn<QString>("field");
+  QTest::addColumn<QString>("said");
+  QTest::newRow("tolerance") << R"("tolerance": 7)"
+                             << "tolerance";
+  QTest::newRow("NaN") << R"("tolerance": null)"
+                       << "from 0.001 to 1";
+  QTest::newRow("text for a number") << R"("split": "half")"
+                                     << "split";
+  QTest::newRow("lights") << R"("lights": 63)"
+                          << "power of two";
+  QTest::newRow("half a light") << R"("lights": 2.5)"
+                                << "whole number";
+  QTest::newRow("method") << R"("methods": ["planned", "magic"])"
+                          << "two of planned";
+  QTest::newRow("one method") << R"("methods": ["planned"])"
+                              << "two of";
+  QTest::newRow("list") << R"("material_files": [1])"
+                        << "material_files";
+  QTest::newRow("camera") << R"("camera": 3)"
+                          << "an object";
+  QTest::newRow("camera in itself")
+    << R"("camera": {"position": [0, 0, 0], "focal_point": [0, 0, 0]})"
+    << "position";
+  QTest::newRow("no up") << R"("camera": {"view_up": [0, 0, 0]})"
+                         << "view_up";
+  QTest::newRow("two coordinates") << R"("camera": {"view_up": [0, 1]})"
+                                   << "three numbers";
+  QTest::newRow("show") << R"("show": "all")"
+                        << "difference";
+  QTest::newRow("later version") << R"("version": 2)"
+                                 << "version";
+  QTest::newRow("other format") << R"("format": "another")"
+                                << "format";
+  QTest::newRow("no JSON") << "}"
+                           << "JSON";
+}
+
+//------------------------------------------------------------------------------
+void ExplorerParts::badStates()
+{
+  QFETCH(QString, field);
+  QFETCH(QString, said);
+  QString text = R"({"format": "measured-brdf explorer state", "version": 1, )" + field + "}";
+  if (field.startsWith("\"version\"") || field.startsWith("\"format\""))
+  {
+    text = "{" +
+           QString(field.startsWith("\"version\"") ? R"("format": "measured-brdf explorer state", )"
+                                                   : R"("version": 1, )") +
+           field + "}";
+  }
+  try
+  {
+    ReadState(text.toStdString(), "file.json");
+    QFAIL("it was read");
+  }
+  catch (const tool::Error& error)
+  {
+    QVERIFY2(QString(error.what()).contains("file.json"), error.what());
+    QVERIFY2(QString(error.what()).contains(said), error.what());
+  }
+}
+
+//------------------------------------------------------------------------------
+void ExplorerParts::stateFindsFilesBesideIt()
+{
+  const QTemporaryDir folder;
+  const std::string path = folder.path().toStdString();
+  std::ofstream(path + "/metal.binary") << "x";
+  State state;
+  state.Material = "metal.binary";
+  state.Mesh = "missing.ply";
+  SaveState(state, path + "/state.json");
+  const State read = LoadState(path + "/state.json");
+  QCOMPARE(read.Material, path + "/metal.binary");
+  QCOMPARE(read.Mesh, std::string("missing.ply"));
+  QVERIFY_EXCEPTION_THROWN(LoadState(path + "/none.json"), tool::Error);
+  std::ofstream(path + "/large.json") << std::string(2 << 20, ' ');
+  QVERIFY_EXCEPTION_THROWN(LoadState(path + "/large.json"), tool::Error);
+}
+
+//------------------------------------------------------------------------------
+void ExplorerParts::fileKinds()
+{
+  QVERIFY(FindFileKind("a.binary") == FileKind::Material);
+  QVERIFY(FindFileKind("gold-paint") == FileKind::Material);
+  QVERIFY(FindFileKind("a.HDR") == FileKind::Environment);
+  QVERIFY(FindFileKind("a.ply") == FileKind::Mesh);
+  QVERIFY(FindFileKind("a.json") == FileKind::State);
+  QVERIFY(FindFileKind("a.unknown") == FileKind::Material);
+}
+
+//------------------------------------------------------------------------------
+// A job that is replaced stops, and what it posts no longer arrives.
+void ExplorerParts::newestJobWins()
+{
+  Jobs jobs;
+  std::vector<int> arrived;
+  std::atomic<bool> stopped{ false };
+  jobs.Start(
+    "a", "first",
+    [&](JobThread& thread)
+    {
+      while (!tool::BackgroundWork::Get()->IsStopped())
+      {
+        QThread::msleep(1);
+      }
+      stopped = true;
+      thread.Post([&]() { arrived.push_back(1); });
+    },
+    [](const QString&) {});
+  QVERIFY(jobs.IsRunning("a"));
+  jobs.Start(
+    "a", "second", [&](JobThread& thread) { thread.Post([&]() { arrived.push_back(2); }); },
+    [](const QString&) {});
+  QTRY_VERIFY(jobs.IsIdle() && stopped);
+  QCOMPARE(arrived, std::vector<int>{ 2 });
+}
+
+//------------------------------------------------------------------------------
+// The destructor waits for threads that work.
+void ExplorerParts::jobsStopAndReport()
+{
+  std::atomic<int> ended{ 0 };
+  QStringList lines;
+  {
+    Jobs jobs;
+    QObject::connect(
+      &jobs, &Jobs::progressed, &jobs, [&](const QString& line, double) { lines << line; });
+    for (const char* key : { "a", "b" })
+    {
+      jobs.Start(
+        key, key,
+        [&](JobThread&)
+        {
+          while (!tool::BackgroundWork::Get()->IsStopped())
+          {
+            QThread::msleep(1);
+          }
+          QThread::msleep(20);
+          ++ended;
+        },
+        [](const QString&) {});
+    }
+  }
+  QCOMPARE(ended.load(), 2);
+  QCOMPARE(lines.last(), QString("a, b"));
+}
+
+//------------------------------------------------------------------------------
+void ExplorerParts::failedJobsSaySo()
+{
+  Jobs jobs;
+  QString said;
+  QString noted;
+  QObject::connect(&jobs, &Jobs::noted, &jobs, [&](const QString& text) { noted = text; });
+  jobs.Start(
+    "a", "a",
+    [](JobThread&)
+    {
+      tool::PrintNote("a note");
+      throw std::runtime_error("it broke");
+    },
+    [&](const QString& text) { said = text; });
+  QTRY_COMPARE(said, QString("it broke"));
+  QTRY_COMPARE(noted, QString("a note"));
+  QVERIFY(jobs.IsIdle());
+}
+
+//------------------------------------------------------------------------------
+// A direction of the world is shown where the turned environment has it.
+void ExplorerParts::environmentShowsDirections()
+{
+  vtkNew<vtkEnvironment> environment;
+  environment->SetToProceduralSky();
+  for (const double degrees : { 0.0, 30.0, -100.0, 179.0 })
+  {
+    environment->SetRotationY(degrees);
+    double rows[9];
+    environment->GetWorldToEnvironment(rows);
+    const double world[3] = { 0.6, 0.0, 0.8 };
+    double own[3];
+    for (int r = 0; r < 3; ++r)
+    {
+      own[r] = rows[3 * r] * world[0] + rows[3 * r + 1] * world[1] + rows[3 * r + 2] * world[2];
+    }
+    double u[2];
+    double v;
+    vtkEnvironment::GetCoordinates(world, u[0], v);
+    vtkEnvironment::GetCoordinates(own, u[1], v);
+    const double shown = EnvironmentView::FindShown(u[1], degrees);
+    QVERIFY2(std::abs(shown - u[0]) < 1e-9, qPrintable(QString::number(degrees)));
+  }
+}
+
+//------------------------------------------------------------------------------
+void ExplorerParts::findings()
+{
+  nlohmann::ordered_json info = { { "reciprocity_error", 0.0 }, { "reciprocity_rms_error", 0.0 },
+    { "reciprocal_by_construction", true }, { "largest_albedo", 0.5 }, { "gains_energy", false },
+    { "negative_values", 0 }, { "negative_mass", 0.0 }, { "invalid_values", 0 } };
+  for (const Finding& finding : FindFindings(info))
+  {
+    QVERIFY2(finding.IsGood, finding.Name.c_str());
+  }
+  info["reciprocity_error"] = 0.2;
+  info["gains_energy"] = true;
+  info["negative_values"] = 12;
+  info["negative_mass"] = 0.01;
+  info["invalid_values"] = 1;
+  for (const Finding& finding : FindFindings(info))
+  {
+    QVERIFY2(!finding.IsGood, finding.Name.c_str());
+  }
+  QVERIFY(FindFindings(info)[2].Text.find("12 stored values") != std::string::npos);
+}
+
+//------------------------------------------------------------------------------
+int main(int argc, char* argv[])
+{
+  tool::RedirectMessages();
+  QCoreApplication application(argc, argv);
+  ExplorerParts test;
+  return QTest::qExec(&test, argc, argv);
+}
+
+#include "ExplorerParts.moc"

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Makes the pictures of docs/explorer.md: ExplorerScreenshots FOLDER [HEIGHT]
+#include "Application.h"
+#include "EnvironmentPanel.h"
+#include "FindingsPanel.h"
+#include "ImagePanel.h"
+#include "LobePanel.h"
+#include "SlicePanel.h"
+#include "Window.h"
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QTabWidget>
+#include <QThread>
+
+#include <cstdio>
+#include <cstdlib>
+
+using namespace explorer;
+
+namespace
+{
+constexpr int Patience = 600000; // ms
+
+//------------------------------------------------------------------------------
+void Wait(int milliseconds)
+{
+  QElapsedTimer timer;
+  timer.start();
+  while (timer.elapsed() < milliseconds)
+  {
+    QCoreApplication::processEvents(QEventLoop::AllEvents, 20);
+    QThread::msleep(5);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Settle(Window& window)
+{
+  QElapsedTimer timer;
+  timer.start();
+  Wait(500);
+  while (!window.IsSettled() && timer.elapsed() < Patience)
+  {
+    Wait(100);
+  }
+  Wait(500);
+}
+
+//------------------------------------------------------------------------------
+void Shoot(Window& window, const QString& folder, const char* name)
+{
+  Wait(500);
+  const QString path = folder + "/explorer-" + name + ".png";
+  const QImage image = window.grab().toImage().convertToFormat(QImage::Format_RGB32);
+  image.save(path, "PNG");
+  std::printf("%s\n", qPrintable(path));
+}
+}
+
+int main(int argc, char* argv[])
+{
+  if (argc < 2)
+  {
+    std::puts("usage: ExplorerScreenshots FOLDER [HEIGHT of exact pictures]");
+    return 2;
+  }
+  const QString folder = argv[1];
+  PrepareApplication();
+  QApplication application(argc, argv);
+  PrepareLocale();
+  State state;
+  state.Material = "gold-paint";
+  state.Environment = "hall";
+  state.Mesh = "ball-on-foot";
+  state.Methods = { method::Planned, method::Reference };
+  state.ReferenceHeight = argc > 2 ? std::atoi(argv[2]) : 512;
+  Window window(state);
+  window.resize(1280, 800);
+  window.show();
+  Settle(window);
+  Shoot(window, folder, "window");
+  window.GetSession()->SetMethod(1, method::LightSet);
+  Settle(window);
+  window.GetTabs()->setCurrentWidget(window.GetEnvironmentPanel());
+  Shoot(window, folder, "lights");
+  window.GetSession()->SetShown(Shown::Difference);
+  window.GetTabs()->setCurrentWidget(window.GetFindingsPanel());
+  Settle(window);
+  Shoot(window, folder, "difference");
+  window.GetSession()->SetShown(Shown::Split);
+  window.GetSession()->SetMethod(1, method::PBR);
+  window.GetTabs()->setCurrentWidget(window.GetLobePanel());
+  Settle(window);
+  Shoot(window, folder, "lobe");
+  window.GetTabs()->setCurrentWidget(window.GetSlicePanel());
+  Shoot(window, folder, "slices");
+  window.GetTabs()->setCurrentWidget(window.GetImagePanel());
+  Shoot(window, folder, "image");
+  return 0;
+}

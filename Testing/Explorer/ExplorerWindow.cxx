@@ -1,0 +1,531 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The explorer's window, driven as people do, under an X server.
+#include "Application.h"
+#include "Display.h"
+#include "EnvironmentPanel.h"
+#include "EnvironmentView.h"
+#include "Files.h"
+#include "FindingsPanel.h"
+#include "LobePanel.h"
+#include "LobeView.h"
+#include "PictureBar.h"
+#include "PlanPanel.h"
+#include "SlicePanel.h"
+#include "SliceView.h"
+#include "Tool.h"
+#include "Window.h"
+
+#include "vtkEmbeddedMaterials.h"
+#include "vtkRadiancePlanner.h"
+
+#include <QApplication>
+#include <QComboBox>
+#include <QDropEvent>
+#include <QFile>
+#include <QMimeData>
+#include <QSlider>
+#include <QTabWidget>
+#include <QTemporaryDir>
+#include <QUrl>
+#include <QtTest>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <memory>
+
+using namespace explorer;
+
+namespace
+{
+constexpr int Patience = 120000; // ms, for a busy machine
+
+//------------------------------------------------------------------------------
+// Small and quickly planned.
+State MakeState()
+{
+  State state;
+  state.Material = "pink-felt";
+  state.Environment = "sky";
+  state.ReferenceHeight = 48;
+  state.Backdrop = false;
+  state.Lights = 4;
+  return state;
+}
+
+//------------------------------------------------------------------------------
+std::unique_ptr<Window> MakeWindow(const State& state)
+{
+  auto window = std::make_unique<Window>(state);
+  window->resize(960, 480);
+  window->show();
+  return window;
+}
+
+//------------------------------------------------------------------------------
+void Drop(Window& window, const QString& file)
+{
+  QMimeData data;
+  data.setUrls({ QUrl::fromLocalFile(file) });
+  // Qt delivers a drop to what accepted the drag before.
+  QDragEnterEvent enter(QPoint(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&window, &enter);
+  QDropEvent event(QPoint(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&window, &event);
+}
+}
+
+class ExplorerWindow : public QObject
+{
+  Q_OBJECT
+
+private slots:
+  void initTestCase() { this->Shared = MakeWindow(MakeState()); }
+  void cleanupTestCase() { this->Shared.reset(); }
+  void settlesWithinTheTolerance();
+  void toleranceGivesANewPlan();
+  void lineIsDragged();
+  void sidesContinueEachOther();
+  void screenShowsRadiance();
+  void sameMethodsDoNotDiffer();
+  void badFilesChangeNothing();
+  void filesAreOpened();
+  void stateComesBack();
+  void environmentIsDragged();
+  void lightIsDragged();
+  void slicesAndFindings();
+  void pictureAndReport();
+  void closesWhileWorking();
+
+private:
+  /// The one window of most tests, whose shaders have been compiled, with another state.
+  Window* Show(const State& state)
+  {
+    Session* session = this->Shared->GetSession();
+    this->Shared->GetTabs()->setCurrentIndex(0);
+    session->Replace(state, false);
+    const bool read = QTest::qWaitFor(
+      [&]()
+      {
+        const State& now = session->GetState();
+        return session->GetMaterial().BRDF && session->GetEnvironment() && session->GetMesh() &&
+               now.Material == state.Material && now.Environment == state.Environment &&
+               now.Mesh == state.Mesh;
+      },
+      Patience);
+    if (!read)
+    {
+      qWarning("the state's files were not read");
+    }
+    this->Shared->GetView()->ResetCamera();
+    return this->Shared.get();
+  }
+
+  std::unique_ptr<Window> Shared;
+};
+
+//------------------------------------------------------------------------------
+void ExplorerWindow::settlesWithinTheTolerance()
+{
+  Window* window = this->Show(MakeState());
+  QTRY_VERIFY_WITH_TIMEOUT(window->IsSettled(), Patience);
+  Evaluation* evaluation = window->GetEvaluation();
+  QVERIFY(evaluation->IsComplete());
+  // The plan's tolerance is a mean over all views; one view may have more.
+  const double error = evaluation->GetFigures(0).Error;
+  QVERIFY2(error > 0.0 && error < 3.0 * 0.02, qPrintable(QString::number(error)));
+  QVERIFY(evaluation->GetFigures(0).Frame > 0.0);
+  QCOMPARE(evaluation->GetFigures(1).Error, 0.0); // the reference
+  QVERIFY(window->GetMessage().isEmpty());
+  QVERIFY(window->GetSide(0)->Describe().startsWith("Planned: "));
+}
+
+//------------------------------------------------------------------------------
+void ExplorerWindow::toleranceGivesANewPlan()
+{
+  Window* window = this->Show(MakeState());
+  Side* side = window->GetSide(0);
+  QTRY_VERIFY_WITH_TIMEOUT(side->IsReady(), Patience);
+  QCOMPARE(side->GetPlanner()->GetErrorTolerance(), 0.02);
+  QSlider* slider = window->GetPlanPanel()->GetSlider();
+  slider->setFocus();
+  QTest::keyClick(slider, Qt::Key_End); // 100 %
+  QCOMPARE(window->GetSession()->GetState().Tolerance, 1.0);
+  QTRY_VERIFY_WITH_TIMEOUT(
+    side->IsReady() && side->GetPlanner()->GetErrorTolerance() == 1.0, Patience);
+  slider->setValue(40);
+  QTRY_VERIFY_WITH_TIMEOUT(
+    side->IsReady() && std::abs(side->GetPlanner()->GetErrorTolerance() - 0.01) < 1e-9, Patience);
+  QTRY_VERIFY_WITH_TIMEOUT(window->IsSettled(), Patience);
+  QVERIFY(window->GetEvaluation()->GetFigures(0).Error < 0.03);
+}
+
+//------------------------------------------------------------------------------
+void ExplorerWindow::lineIsDragged()
+{
+  Window* window = this->Show(MakeState());
+  QTRY_VERIFY_WITH_TIMEOUT(window->GetSide(0)->IsReady(), Patience);
+  SplitView* view = window->GetView();
+  Session* session = window->GetSession();
+  const QString camera = QString::number(session->GetState().Camera.Position[0], 'g', 17);
+  const QPoint begin(view->GetLinePosition(), view->height() / 2);
+  const QPoint end(view->width() / 4, view->height() / 3);
+  QTest::mousePress(view, Qt::LeftButton, {}, begin);
+  QTest::mouseMove(view, end);
+  QMouseEvent move(
+    QEvent::MouseMove, end, view->mapToGlobal(end), Qt::NoButton, Qt::LeftButton, {});
+  QApplication::sendEvent(view, &move);
+  QTest::mouseRelease(view, Qt::LeftButton, {}, end);
+  QVERIFY(std::abs(view->GetLinePosition() - end.x()) <= 1);
+  QCOMPARE(QString::number(session->GetState().Camera.Position[0], 'g', 17), camera);
+  // Beside the line the mesh turns and the line stays.
+  const double split = session->GetState().Split;
+  const QPoint beside(3 * view->width() / 4, view->height() / 2);
+  const QPoint later = beside + QPoint(40, 10);
+  QTest::mousePress(view, Qt::LeftButton, {}, beside);
+  QMouseEvent turn(
+    QEvent::MouseMove, later, view->mapToGlobal(later), Qt::NoButton, Qt::LeftButton, {});
+  QApplication::sendEvent(view, &turn);
+  QTest::mouseRelease(view, Qt::LeftButton, {}, later);
+  QTRY_VERIFY(QString::number(session->GetState().Camera.Position[0], 'g', 17) != camera);
+  QCOMPARE(session->GetState().Split, split);
+  // Keys move it, and those that would close VTK's own windows do nothing.
+  QTest::keyClick(view, Qt::Key_Right);
+  QVERIFY(std::abs(session->GetState().Split - split - 0.01) < 1e-12);
+  QTest::keyClick(view, Qt::Key_Q);
+  QVERIFY(window->isVisible());
+}
+
+//------------------------------------------------------------------------------
+// With one method on both sides the line must not be seen in the picture.
+void ExplorerWindow::sidesContinueEachOther()
+{
+  State state = MakeState();
+  state.Methods = { method::Planned, method::Planned };
+  Window* window = this->Show(state);
+  QTRY_VERIFY_WITH_TIMEOUT(window->IsSettled(), Patience);
+  SplitView* view = window->GetView();
+  QImage pictures[2];
+  for (const int k : { 0, 1 })
+  {
+    window->GetSession()->SetSplit(k == 0 ? 0.37 : 1.0);
+    QTest::qWait(200);
+    pictures[k] = view->grabFramebuffer().convertToFormat(QImage::Format_RGB32);
+  }
+  const int line = static_cast<int>(0.37 * pictures[0].width());
+  int different = 0;
+  int compared = 0;
+  for (int y = pictures[0].height() / 4; y < pictures[0].height() * 3 / 4;
+       ++y) // without the labels
+  {
+    for (int x = 0; x < pictures[0].width() - 8; ++x)
+    {
+      if (std::abs(x - line) < 5)
+      {
+        continue;
+      }
+      const QColor a(pictures[0].pixel(x, y));
+      const QColor b(pictures[1].pixel(x, y));
+      ++compared;
+      different += std::abs(a.red() - b.red()) + std::abs(a.green() - b.green()) +
+                     std::abs(a.blue() - b.blue()) >
+                   6;
+    }
+  }
+  // Rounding at the mesh's edge.
+  QVERIFY2(
+    different < compared / 200, qPrintable(QString("%1 of %2").arg(different).arg(compared)));
+}
+
+//------------------------------------------------------------------------------
+// The shader's exposure, roll-off and encoding are those of the pictures.
+void ExplorerWindow::screenShowsRadiance()
+{
+  State state = MakeState();
+  state.Methods = { method::Planned, method::Planned };
+  state.Split = 1.0;
+  state.Exposure = 1.0; // so that some of it is rolled off
+  Window* window = this->Show(state);
+  QTRY_VERIFY_WITH_TIMEOUT(window->IsSettled(), Patience);
+  QTest::qWait(200);
+  SplitView* view = window->GetView();
+  const QImage shown = view->grabFramebuffer();
+  double frame = 0.0;
+  const tool::Picture radiance =
+    window->GetSide(0)->Capture(view->GetCamera(), { shown.width(), shown.height() }, frame);
+  const auto expected =
+    MakeImage(radiance, FindExposure(window->GetSession()->GetEnvironment(), 1.0));
+  int brightest = 0;
+  for (const int dx : { -60, -20, 0, 20, 60 })
+  {
+    const int x = shown.width() / 2 + dx;
+    const int y = shown.height() / 2;
+    const QColor pixel(shown.pixel(x, y));
+    const auto* bytes =
+      static_cast<unsigned char*>(expected->GetScalarPointer(x, shown.height() - 1 - y, 0));
+    QVERIFY2(std::abs(pixel.red() - bytes[0]) <= 2 && std::abs(pixel.green() - bytes[1]) <= 2 &&
+               std::abs(pixel.blue() - bytes[2]) <= 2,
+      qPrintable(QString("%1 %2 %3, not %4 %5 %6")
+                   .arg(pixel.red())
+                   .arg(pixel.green())
+                   .arg(pixel.blue())
+                   .arg(bytes[0])
+                   .arg(bytes[1])
+                   .arg(bytes[2])));
+    brightest = std::max(brightest, pixel.red());
+  }
+  QVERIFY(brightest > 100);
+}
+
+//------------------------------------------------------------------------------
+void ExplorerWindow::sameMethodsDoNotDiffer()
+{
+  State state = MakeState();
+  state.Methods = { method::Planned, method::Planned };
+  Window* window = this->Show(state);
+  QTRY_VERIFY_WITH_TIMEOUT(window->IsSettled(), Patience);
+  double mean = -1.0;
+  QVERIFY(window->GetEvaluation()->MakeDifference(mean));
+  QCOMPARE(mean, 0.0);
+  for (const char* key : { method::LightSet, method::PBR, method::Thesis })
+  {
+    window->GetSession()->SetMethod(1, key);
+    QVERIFY(!window->IsSettled());
+    QTRY_VERIFY_WITH_TIMEOUT(window->IsSettled(), Patience);
+    QVERIFY(window->GetEvaluation()->MakeDifference(mean));
+    QVERIFY2(mean > 0.0 && mean < 1.5, key);
+    const double error = window->GetEvaluation()->GetFigures(1).Error;
+    QVERIFY2(error > 0.0 && error < 1.5, key);
+  }
+}
+
+//------------------------------------------------------------------------------
+void ExplorerWindow::badFilesChangeNothing()
+{
+  Window* window = this->Show(MakeState());
+  QTRY_VERIFY_WITH_TIMEOUT(window->GetSide(0)->IsReady(), Patience);
+  const std::string before = WriteState(window->GetSession()->GetState());
+  const QTemporaryDir folder;
+  const auto brdf = window->GetSession()->GetMaterial().BRDF;
+  for (const char* name : { "bad.binary", "bad.hdr", "bad.ply", "bad.json", "bad.xyz" })
+  {
+    const QString path = folder.filePath(name);
+    std::ofstream(path.toStdString()) << "no such thing";
+    Drop(*window, path);
+    QTRY_VERIFY_WITH_TIMEOUT(window->GetMessage().contains(name), Patience);
+    QTRY_VERIFY(!window->GetJobs()->IsRunning("open"));
+    QCOMPARE(WriteState(window->GetSession()->GetState()), before);
+    QVERIFY(window->GetSession()->GetMaterial().BRDF == brdf);
+  }
+  Drop(*window, folder.filePath("none.bsdf"));
+  QTRY_VERIFY_WITH_TIMEOUT(window->GetMessage().contains("none.bsdf"), Patience);
+  QCOMPARE(WriteState(window->GetSession()->GetState()), before);
+}
+
+//------------------------------------------------------------------------------
+void ExplorerWindow::filesAreOpened()
+{
+  Window* window = this->Show(MakeState());
+  QTRY_VERIFY_WITH_TIMEOUT(window->GetSide(0)->IsReady(), Patience);
+  const QTemporaryDir folder;
+  const QString path = folder.filePath("gold.mbsdf");
+  const auto gold = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("gold-paint"));
+  try
+  {
+    tool::WriteMaterial(gold, path.toStdString());
+  }
+  catch (const tool::Error& error)
+  {
+    QFAIL(error.what());
+  }
+  Drop(*window, path);
+  Session* session = window->GetSession();
+  QTRY_COMPARE_WITH_TIMEOUT(session->GetState().Material, path.toStdString(), Patience);
+  QCOMPARE(session->GetState().MaterialFiles, std::vector<std::string>{ path.toStdString() });
+  QCOMPARE(session->GetMaterials().front().File, path.toStdString());
+  QTRY_VERIFY_WITH_TIMEOUT(window->GetSide(0)->IsReady(), Patience);
+  QVERIFY(window->windowTitle().contains("under sky"));
+  session->SetMesh("ball-on-foot");
+  QTRY_COMPARE_WITH_TIMEOUT(session->GetState().Mesh, std::string("ball-on-foot"), Patience);
+}
+
+//------------------------------------------------------------------------------
+void ExplorerWindow::stateComesBack()
+{
+  const QTemporaryDir folder;
+  const QString path = folder.filePath("state.json");
+  std::string saved;
+  {
+    State state = MakeState();
+    state.Methods = { method::LightSet, method::PBR };
+    Session* session = this->Show(state)->GetSession();
+    session->SetSplit(0.3);
+    session->SetTolerance(0.05);
+    session->SetRotation(33.0);
+    session->SetLights(16);
+    session->SetMesh("ball-on-foot");
+    QTRY_COMPARE_WITH_TIMEOUT(session->GetState().Mesh, std::string("ball-on-foot"), Patience);
+    CameraState camera = session->GetState().Camera;
+    camera.Position[0] += 0.5;
+    session->SetCamera(camera);
+    QVERIFY(session->Save(path.toStdString()));
+    saved = WriteState(session->GetState());
+  }
+  Window* window = this->Show(MakeState());
+  Drop(*window, path);
+  QTRY_COMPARE_WITH_TIMEOUT(WriteState(window->GetSession()->GetState()), saved, Patience);
+  QCOMPARE(window->GetPictureBar()->GetMethods(1)->currentData().toString(), QString("pbr"));
+  // What a state names but is not there leaves what is shown.
+  QFile file(path);
+  QVERIFY(file.open(QIODevice::ReadOnly));
+  const QByteArray text = file.readAll().replace("\"pink-felt\"", "\"no-such-felt\"");
+  const QString other = folder.filePath("other.json");
+  std::ofstream(other.toStdString()) << text.toStdString();
+  QVERIFY(window->GetSession()->Load(other.toStdString()));
+  QTRY_VERIFY_WITH_TIMEOUT(window->GetMessage().contains("no-such-felt"), Patience);
+  QCOMPARE(window->GetSession()->GetState().Material, std::string("pink-felt"));
+}
+
+//------------------------------------------------------------------------------
+void ExplorerWindow::environmentIsDragged()
+{
+  Window* window = this->Show(MakeState());
+  window->GetTabs()->setCurrentWidget(window->GetEnvironmentPanel());
+  EnvironmentView* view = window->GetEnvironmentPanel()->GetView();
+  QTRY_VERIFY_WITH_TIMEOUT(!view->GetImage().isNull(), Patience);
+  const int width = std::min(view->width(), 2 * view->height());
+  const QPoint begin(view->width() / 2, view->height() / 2);
+  const QPoint end = begin + QPoint(width / 8, 0);
+  QTest::mousePress(view, Qt::LeftButton, {}, begin);
+  QMouseEvent move(
+    QEvent::MouseMove, end, view->mapToGlobal(end), Qt::NoButton, Qt::LeftButton, {});
+  QApplication::sendEvent(view, &move);
+  QTest::mouseRelease(view, Qt::LeftButton, {}, end);
+  const double rotation = window->GetSession()->GetState().Rotation;
+  QVERIFY2(
+    std::abs(rotation + 360.0 * (width / 8) / width) < 1e-9, qPrintable(QString::number(rotation)));
+  view->setFocus();
+  QTest::keyClick(view, Qt::Key_Left, Qt::ShiftModifier);
+  QVERIFY(std::abs(window->GetSession()->GetState().Rotation - rotation - 15.0) < 1e-9);
+}
+
+//------------------------------------------------------------------------------
+void ExplorerWindow::lightIsDragged()
+{
+  Window* window = this->Show(MakeState());
+  window->GetTabs()->setCurrentWidget(window->GetLobePanel());
+  LobeView* view = window->GetLobePanel()->GetView();
+  Session* session = window->GetSession();
+  QTRY_VERIFY_WITH_TIMEOUT(session->GetMaterial().BRDF, Patience);
+  QTest::qWait(300);
+  const QPoint begin = view->GetHandlePosition();
+  QVERIFY(view->rect().contains(begin));
+  const QPoint end = begin + QPoint(30, 20);
+  QTest::mousePress(view, Qt::LeftButton, {}, begin);
+  QMouseEvent move(
+    QEvent::MouseMove, end, view->mapToGlobal(end), Qt::NoButton, Qt::LeftButton, {});
+  QApplication::sendEvent(view, &move);
+  QTest::mouseRelease(view, Qt::LeftButton, {}, end);
+  QTest::qWait(300);
+  const QPoint distance = view->GetHandlePosition() - end;
+  QVERIFY2(distance.manhattanLength() <= 3,
+    qPrintable(QString("%1 %2").arg(distance.x()).arg(distance.y())));
+  const double theta = session->GetState().LobeThetaI;
+  QTest::keyClick(view, Qt::Key_Up);
+  QVERIFY(std::abs(session->GetState().LobeThetaI - std::max(0.0, theta - 5.0)) < 1e-9);
+}
+
+//------------------------------------------------------------------------------
+void ExplorerWindow::slicesAndFindings()
+{
+  Window* window = this->Show(MakeState());
+  window->GetTabs()->setCurrentWidget(window->GetSlicePanel());
+  SliceView* view = window->GetSlicePanel()->GetView();
+  QTRY_VERIFY_WITH_TIMEOUT(!window->GetFindingsPanel()->GetInspection().is_null(), Patience);
+  QTRY_VERIFY(view->GetTable(3)->GetNumberOfRows() == 10); // the albedo's angles
+  QVERIFY(
+    view->GetTable(0)->GetNumberOfRows() >= 360); // theta_h = 90 degrees may be below the horizon
+  // Half vector 0, difference 30 degrees: light from there, seen from the mirror direction.
+  window->GetSession()->SetSlices(0.0, 30.0, 90.0, false);
+  const double s = 0.5;
+  const double c = std::sqrt(0.75);
+  const double i[3] = { 0.0, s, c };
+  const double o[3] = { 0.0, -s, c };
+  double f[3];
+  window->GetSession()->GetMaterial().BRDF->Evaluate(i, o, f);
+  const double drawn = view->GetTable(0)->GetValueByName(0, "green").ToDouble();
+  QVERIFY2(std::abs(drawn - f[1]) < 1e-3 * f[1], qPrintable(QString::number(drawn)));
+}
+
+//------------------------------------------------------------------------------
+void ExplorerWindow::pictureAndReport()
+{
+  State state = MakeState();
+  state.Methods = { method::Planned, method::LightSet };
+  Window* window = this->Show(state);
+  QTRY_VERIFY_WITH_TIMEOUT(window->IsSettled(), Patience);
+  const QTemporaryDir folder;
+  QVERIFY(window->SavePicture(folder.filePath("picture.png")));
+  QCOMPARE(QImage(folder.filePath("picture.png")).height(), window->GetView()->height());
+  QVERIFY(!window->SavePicture(folder.filePath("none/picture.png")));
+  QVERIFY(window->GetMessage().contains("none"));
+  window->SaveReport(folder.filePath("report.json"));
+  QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(folder.filePath("report.json")), Patience);
+  QTRY_VERIFY_WITH_TIMEOUT(!window->GetJobs()->IsRunning("report"), Patience);
+  QFile file(folder.filePath("report.json"));
+  QVERIFY(file.open(QIODevice::ReadOnly));
+  const auto report = nlohmann::ordered_json::parse(file.readAll().toStdString());
+  for (int k = 0; k < 2; ++k)
+  {
+    const double error = report["sides"][static_cast<std::size_t>(k)]["errors"]["relative_l1"];
+    QVERIFY(std::abs(error - window->GetEvaluation()->GetFigures(k).Error) < 1e-6);
+  }
+  window->SaveReport(folder.filePath("report.html"));
+  QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(folder.filePath("report.html")), Patience);
+  QFile page(folder.filePath("report.html"));
+  QVERIFY(page.open(QIODevice::ReadOnly));
+  const QByteArray text = page.readAll();
+  QCOMPARE(static_cast<int>(text.count("data:image/png;base64,")), 4);
+  QVERIFY(text.contains("Reciprocity"));
+  window->SaveReport(folder.filePath("report.doc"));
+  QTRY_VERIFY_WITH_TIMEOUT(window->GetMessage().contains("report.doc"), Patience);
+}
+
+//------------------------------------------------------------------------------
+// Plans, exact pictures, fits and readers all run when the window goes.
+void ExplorerWindow::closesWhileWorking()
+{
+  for (const char* key : { method::Planned, method::Thesis, method::PBR })
+  {
+    State state = MakeState();
+    state.Material = "gold-paint";
+    state.Tolerance = 0.001;
+    state.ReferenceHeight = 256;
+    state.Methods = { key, method::Reference };
+    const auto window = MakeWindow(state);
+    QTRY_VERIFY_WITH_TIMEOUT(window->GetJobs()->IsRunning("reference"), Patience);
+    QTest::qWait(50);
+    QVERIFY(!window->IsSettled());
+    window->close();
+  }
+}
+
+//------------------------------------------------------------------------------
+int main(int argc, char* argv[])
+{
+  if (!std::getenv("DISPLAY"))
+  {
+    std::puts("Skipped: the explorer's window needs an X server");
+    return 125;
+  }
+  PrepareApplication();
+  QApplication application(argc, argv);
+  PrepareLocale();
+  ExplorerWindow test;
+  return QTest::qExec(&test, argc, argv);
+}
+
+#include "ExplorerWindow.moc"
