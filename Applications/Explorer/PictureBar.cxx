@@ -38,7 +38,7 @@ PictureBar::PictureBar(Session* session, QWidget* parent)
         methods->count() - 1, QString::fromStdString(name.Description), Qt::ToolTipRole);
     }
     methods->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    methods->setMinimumContentsLength(13);
+    methods->setMinimumContentsLength(10);
     methods->setToolTip(
       k == 0 ? tr("What the left side is drawn by") : tr("What the right side is drawn by"));
     methods->setAccessibleName(k == 0 ? tr("Method A") : tr("Method B"));
@@ -62,7 +62,7 @@ PictureBar::PictureBar(Session* session, QWidget* parent)
   lights->setBuddy(this->Lights);
   this->Difference->setText(tr("Difference"));
   this->Difference->setCheckable(true);
-  this->Difference->setToolTip(tr("Show |A - B| instead of the pictures (D)"));
+  this->Difference->setToolTip(tr("Show |A - B| instead of the pictures (Ctrl+D)"));
   this->Exposure->setRange(-MostStops * StepsPerStop, MostStops * StepsPerStop);
   this->Exposure->setPageStep(StepsPerStop);
   this->Exposure->setMinimumWidth(70);

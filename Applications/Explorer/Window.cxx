@@ -126,7 +126,7 @@ void Window::MakePanels()
   this->Plan = new PlanPanel(this->Model, this->Sides, this->Measured);
   this->Tabs = new QTabWidget;
   this->Tabs->setDocumentMode(true);
-  this->Tabs->setMinimumWidth(430);
+  this->Tabs->setMinimumWidth(400);
   this->Tabs->addTab(this->Plan, tr("Plan"));
   this->Lobe = new LobePanel(this->Model);
   this->Slices = new SlicePanel(this->Model);
