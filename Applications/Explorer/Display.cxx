@@ -18,7 +18,8 @@ namespace
 const char* const DisplayCode = R"(//VTK::Light::Impl
   {
     vec3 light = explorerExposure * pow(max(gl_FragData[0].rgb, vec3(0.0)), vec3(2.2));
-    light = min(light, vec3(0.7)) + 0.3 * (vec3(1.0) - exp(-max(light - vec3(0.7), vec3(0.0)) / 0.3));
+    vec3 over = max(light - vec3(0.7), vec3(0.0));
+    light = min(light, vec3(0.7)) + 0.3 * (vec3(1.0) - exp(-over / 0.3));
     gl_FragData[0].rgb = mix(12.92 * light, 1.055 * pow(light, vec3(1.0 / 2.4)) - vec3(0.055),
       step(vec3(0.0031308), light));
   }
