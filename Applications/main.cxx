@@ -69,6 +69,8 @@ int Run(int argc, char* argv[])
   tool::AddGalleryCommand(app);
   tool::AddConvertCommand(app);
   tool::AddAcquireCommand(app);
+  tool::AddPhotographCommand(app);
+  tool::AddSvbrdfCommand(app);
   tool::AddProjectCommand(app);
   tool::AddRepresentationsCommand(app);
   tool::AddThesisCommand(app);
