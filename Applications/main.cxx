@@ -34,27 +34,9 @@ std::string Wrap(const std::string& text)
   return result;
 }
 
-int Run(int argc, char* argv[])
+//------------------------------------------------------------------------------
+void AddCommands(CLI::App& app)
 {
-  tool::RedirectMessages();
-
-  CLI::App app("Measured materials (BRDFs): look into them, evaluate them, light them with an HDR\n"
-               "environment, render and convert them.",
-    "measured-brdf");
-#if CLI11_VERSION_MAJOR > 2 || CLI11_VERSION_MINOR >= 5
-  // From 2.5 on CLI11 fills paragraphs; these have their line breaks already.
-  app.get_formatter()->enable_description_formatting(false);
-  app.get_formatter()->enable_footer_formatting(false);
-#endif
-  app.require_subcommand(1);
-  app.set_version_flag("--version", "measured-brdf " MEASUREDBRDF_VERSION);
-  app.footer("Start with:\n"
-             "  measured-brdf list                      the materials that come with the tool\n"
-             "  measured-brdf gallery -o gallery.png    a picture of them\n"
-             "  measured-brdf render gold-paint --environment sky -o gold.png\n"
-             "  measured-brdf COMMAND --help            what a command does and its options\n\n"
-             "Exit status: 0 done, 1 failed (a bad file, say), 2 called the wrong way.");
-
   tool::AddListCommand(app);
   tool::AddFetchCommand(app);
   tool::AddInfoCommand(app);
@@ -77,6 +59,31 @@ int Run(int argc, char* argv[])
   tool::AddStabilityCommand(app);
   tool::AddFitCommand(app);
   tool::AddExportCommand(app);
+}
+
+//------------------------------------------------------------------------------
+int Run(int argc, char* argv[])
+{
+  tool::RedirectMessages();
+
+  CLI::App app("Measured materials (BRDFs): look into them, evaluate them, light them with an HDR\n"
+               "environment, render and convert them.",
+    "measured-brdf");
+#if CLI11_VERSION_MAJOR > 2 || CLI11_VERSION_MINOR >= 5
+  // From 2.5 on CLI11 fills paragraphs; these have their line breaks already.
+  app.get_formatter()->enable_description_formatting(false);
+  app.get_formatter()->enable_footer_formatting(false);
+#endif
+  app.require_subcommand(1);
+  app.set_version_flag("--version", "measured-brdf " MEASUREDBRDF_VERSION);
+  app.footer("Start with:\n"
+             "  measured-brdf list                      the materials that come with the tool\n"
+             "  measured-brdf gallery -o gallery.png    a picture of them\n"
+             "  measured-brdf render gold-paint --environment sky -o gold.png\n"
+             "  measured-brdf COMMAND --help            what a command does and its options\n\n"
+             "Exit status: 0 done, 1 failed (a bad file, say), 2 called the wrong way.");
+
+  AddCommands(app);
 
   for (CLI::App* command : app.get_subcommands({}))
   {

@@ -9,7 +9,7 @@
 #ifndef MapFindings_h
 #define MapFindings_h
 
-#include "MaterialMapFit.h"
+#include "MapFitData.h"
 
 #include <Eigen/Core>
 

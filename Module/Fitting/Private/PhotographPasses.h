@@ -9,7 +9,7 @@
 #ifndef PhotographPasses_h
 #define PhotographPasses_h
 
-#include "MaterialMapFit.h"
+#include "MapFitData.h"
 #include "PhotographPixels.h"
 #include "TexelSums.h"
 

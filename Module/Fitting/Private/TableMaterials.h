@@ -9,7 +9,7 @@
 #define TableMaterials_h
 
 #include "ConvexFactorization.h"
-#include "MaterialMapFit.h"
+#include "MapFitData.h"
 #include "PhotographPixels.h"
 
 #include <Eigen/Core>
