@@ -14,7 +14,6 @@ import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 (the renderer)
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
-from vtkmodules.vtkImagingCore import vtkImageAppend
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer, vtkRenderWindow, vtkTextActor, vtkWindowToImageFilter
 
@@ -139,16 +138,20 @@ options = parser.parse_args()
 
 original = make_sample(options.texels)
 taken = photograph(original, options.photographs)
-pictures = vtkImageAppend()
 reference, reference_pixels = draw(original, "the sample", options.size)
-pictures.AddInputData(reference)
+pictures = [reference]
 for tables, title in ((False, "found: built-in materials"), (True, "found: new materials")):
     picture, pixels = draw(find(taken, tables).GetOutput(), title, options.size)
     error = np.abs(pixels - reference_pixels).sum() / reference_pixels.sum()
     print(f"{title}: relative L1 of the picture {error:.4f}")
-    pictures.AddInputData(picture)
+    pictures.append(picture)
+parts = [vtk_to_numpy(picture.GetPointData().GetScalars()).reshape(options.size, options.size, 3) for picture in pictures]
+row = np.ascontiguousarray(np.concatenate(parts, axis=1))
+image = vtkImageData()
+image.SetDimensions(row.shape[1], row.shape[0], 1)
+image.GetPointData().SetScalars(numpy_to_vtk(row.reshape(-1, 3), deep=True))
 writer = vtkPNGWriter()
-writer.SetInputConnection(pictures.GetOutputPort())
+writer.SetInputData(image)
 writer.SetFileName(options.output)
 writer.Write()
 print(f"wrote {options.output}")

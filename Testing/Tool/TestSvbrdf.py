@@ -82,6 +82,10 @@ class SvbrdfTest(unittest.TestCase):
         with open(self.path(name), encoding="utf-8") as file:
             return json.load(file)
 
+    def read_bytes(self, name):
+        with open(self.path(name), "rb") as file:
+            return file.read()
+
     def check_weights(self, tolerance):
         rows = read_png16(self.path("found/weights-1.png"))
         self.assertEqual(len(rows), SIDE)
@@ -104,10 +108,10 @@ class Library(SvbrdfTest):
         self.assertEqual(said["size"], [SIDE, SIDE])
         self.check_weights(1e-3)
         again = [os.path.join("found", name) for name in ("map.json", "weights-1.png", "error.png")]
-        before = [open(self.path(name), "rb").read() for name in again]
+        before = [self.read_bytes(name) for name in again]
         self.check(run("svbrdf", self.path("photos/photographs.json"), "-o", self.path("found")), 0,
                    "relative error of a texel", "red-fabric2", "nickel", "0 saturated")
-        self.assertEqual([open(self.path(name), "rb").read() for name in again], before)
+        self.assertEqual([self.read_bytes(name) for name in again], before)
         # The map is photographed as the original was.
         self.check(run("photograph", self.path("found/map.json"), "--count", 2, "-o", self.path("again")), 0)
 
