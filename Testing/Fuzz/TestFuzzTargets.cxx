@@ -174,6 +174,5 @@ INSTANTIATE_TEST_SUITE_P(All, FuzzTargets,
     Case{ "Astm", FuzzAstm }, Case{ "BsdfXml", FuzzBsdfXml }, Case{ "Fit", FuzzFit },
     Case{ "MaterialData", FuzzMaterialData }, Case{ "Mbsdf", FuzzMbsdf }, Case{ "Merl", FuzzMerl },
     Case{ "OpenMaterial", FuzzOpenMaterial }, Case{ "PhotographList", FuzzPhotographList },
-    Case{ "PlanCache", FuzzPlanCache },
-    Case{ "Tensor", FuzzTensor }, Case{ "Utia", FuzzUtia }),
+    Case{ "PlanCache", FuzzPlanCache }, Case{ "Tensor", FuzzTensor }, Case{ "Utia", FuzzUtia }),
   [](const auto& info) { return std::string(info.param.Name); });
