@@ -272,7 +272,10 @@ private:
   {
     for (std::size_t k = 0; k < this->Fields.size(); ++k)
     {
-      this->Columns[this->Fields[k]] = k;
+      if (!this->Columns.emplace(this->Fields[k], k).second)
+      {
+        throw FileError(this->Where + ": found two columns " + Quote(this->Fields[k]));
+      }
     }
     for (const std::string direction : { "light", "view" })
     {

@@ -183,6 +183,8 @@ TEST(IOPhotographs, RefusesHostileLists)
     { std::string(100000, '['), "" },
     { "file\na.exr\n", "line 1: found no column 'light_x'" },
     { "file,light_theta,view_theta,view_phi\n", "found no column 'light_phi'" },
+    { "file,file,light_theta,light_phi,view_theta,view_phi\n0,0,0,0,a.exr\n",
+      "found two columns 'file'" },
     { "light_theta,light_phi,view_theta,view_phi\n", "found no column 'file'" },
     { "file,light_theta,light_phi,view_theta,view_phi\n", "found 0 photographs" },
     { "file,light_theta,light_phi,view_theta,view_phi\na.exr,1,2,3\n", "line 2: found 4 columns" },
