@@ -34,6 +34,7 @@ std::string Wrap(const std::string& text)
   return result;
 }
 
+//------------------------------------------------------------------------------
 void AddCommands(CLI::App& app)
 {
   tool::AddListCommand(app);
@@ -51,6 +52,8 @@ void AddCommands(CLI::App& app)
   tool::AddGalleryCommand(app);
   tool::AddConvertCommand(app);
   tool::AddAcquireCommand(app);
+  tool::AddPhotographCommand(app);
+  tool::AddSvbrdfCommand(app);
   tool::AddProjectCommand(app);
   tool::AddRepresentationsCommand(app);
   tool::AddThesisCommand(app);

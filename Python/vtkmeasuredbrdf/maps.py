@@ -12,14 +12,16 @@ attribute `map`.
 
 from __future__ import annotations
 
+import json
+import os
 from typing import Any, Mapping, Sequence, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
-from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
-from . import vtkMaterialMap
+from . import vtkMaterialMap, vtkPictureReader
 from ._errors import TakenErrors
 from .materials import Material, Source
 
@@ -31,7 +33,7 @@ _MOST_COMPONENTS = 4  # of a texture
 class MaterialMap:
     """Data that choose and mix the materials of a surface: a `vtkMaterialMap` (`map`).
 
-    Make one with `classes`, `values`, `weights` or `images`. A material is a `Material` or what makes one. others is
+    Make one with `classes`, `values`, `weights`, `images` or `read`. A material is a `Material` or what makes one. others is
     the material of places that the data say nothing of (an unknown class, NaN, weights that are all 0); None: they
     are drawn as without materials.
     """
@@ -102,6 +104,22 @@ class MaterialMap:
         made._map.SetRepeatWeightImages(repeat)
         return made
 
+    @classmethod
+    def read(cls, path: Union[str, os.PathLike[str]], *, others: Source | None = None) -> MaterialMap:
+        """The map that `measured-brdf svbrdf` found: its map.json, with the images and materials beside it."""
+        folder = os.path.dirname(os.fspath(path))
+        with open(path, encoding="utf-8") as file:
+            description = json.load(file)
+        try:
+            sources = [material["material"] for material in description["materials"]]
+            names = [str(name) for name in description["weights"]]
+        except (KeyError, TypeError) as error:
+            raise ValueError(f"{os.fspath(path)}: no material map: {error!r}") from error
+        # What has none of these characters is a built-in material, the others are files.
+        materials = [os.path.join(folder, source) if set("/.#") & set(source) else source for source in sources]
+        weights = np.concatenate([_read_weights(os.path.join(folder, name)) for name in names], axis=2)
+        return cls.images(weights[:, :, :len(materials)], materials, others=others)
+
     def _add_values(self, materials: Mapping[float, Source | None]) -> None:
         for value, material in materials.items():
             self._add(material, float(value))
@@ -135,6 +153,17 @@ class MaterialMap:
     def __repr__(self) -> str:
         names = [material.name if material else None for material in self._materials]
         return f"MaterialMap({names})"
+
+
+def _read_weights(path: str) -> Any:
+    reader = vtkPictureReader()
+    reader.SetFileName(path)
+    with TakenErrors(reader) as errors:
+        if not reader.Read():
+            raise ValueError(errors.text)
+    picture = reader.GetPicture()
+    width, height, _ = picture.GetDimensions()
+    return vtk_to_numpy(picture.GetPointData().GetScalars()).reshape(height, width, -1)[::-1]
 
 
 def _to_material(source: Source | None) -> Material | None:

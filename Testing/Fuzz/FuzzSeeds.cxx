@@ -243,6 +243,14 @@ Seeds MakeSeeds(const std::string& target)
       "b = NganAshikhminShirley(albedo = [1, 1, 1], fresnelReflectance = 0.04, sharpness = 8)\n"
       "c = Aggregate(Aggregate(Lambertian(albedo = [0, 0, 0])))\n" };
   }
+  if (target == "PhotographList")
+  {
+    return { R"({"irradiance": 2, "transfer": "srgb", "levels_for_floats": true, "photographs": [
+{"file": "a.png", "light": {"theta": 15, "phi": 30}, "view": [0.5, 0, 1], "exposure": 0.5}]})",
+      "file,light_theta,light_phi,view_theta,view_phi,exposure\n# one\na.png,15,30,45,-60,1e-1\n",
+      "light_x, light_y, light_z, view_x, view_y, view_z, file\n0, 0, 1, 0.3, 0.1, 1, a.exr\r\n",
+      "tv045_pv060/00001 tl015 pl030 tv045 pv-60.jpg" };
+  }
 #if MEASUREDBRDF_WITH_OPENEXR
   if (target == "ExrHeader")
   {

@@ -31,6 +31,7 @@ Target FuzzMaterialData;
 Target FuzzMbsdf;
 Target FuzzMerl;
 Target FuzzOpenMaterial;
+Target FuzzPhotographList;
 Target FuzzPlanCache;
 Target FuzzTensor;
 Target FuzzUtia;
@@ -172,6 +173,6 @@ INSTANTIATE_TEST_SUITE_P(All, FuzzTargets,
 #endif
     Case{ "Astm", FuzzAstm }, Case{ "BsdfXml", FuzzBsdfXml }, Case{ "Fit", FuzzFit },
     Case{ "MaterialData", FuzzMaterialData }, Case{ "Mbsdf", FuzzMbsdf }, Case{ "Merl", FuzzMerl },
-    Case{ "OpenMaterial", FuzzOpenMaterial }, Case{ "PlanCache", FuzzPlanCache },
-    Case{ "Tensor", FuzzTensor }, Case{ "Utia", FuzzUtia }),
+    Case{ "OpenMaterial", FuzzOpenMaterial }, Case{ "PhotographList", FuzzPhotographList },
+    Case{ "PlanCache", FuzzPlanCache }, Case{ "Tensor", FuzzTensor }, Case{ "Utia", FuzzUtia }),
   [](const auto& info) { return std::string(info.param.Name); });

@@ -157,6 +157,12 @@ add("Material.albedo-of-cosines-alone", "vtkBRDF.cxx", "{ return 0.5 * (this->Pd
     "{ return i.z / Pi; };",
     "ExactIntegrator.WhiteFurnaceIsTheDirectionalAlbedo|BRDFAnalysis.Lambert|RetroReflection.AlbedoCountsIt")
 
+add("Material.photographs-without-cosine", "vtkPhotographSet.cxx",
+    "photograph->Exposure * this->Irradiance * photograph->Light[2]", "photograph->Exposure * this->Irradiance",
+    "SimulatedPhotographSet.IsTheExactMixture")
+add("Material.bonn-azimuths", "vtkPhotographSet.cxx", "360.0 * index / ring.Azimuths", "360.0 * (index + 1) / ring.Azimuths",
+    "PhotographSet.HasBonnsDirections")
+
 # Lighting
 
 add("Lighting.texel-solid-angle", "vtkEnvironment.cxx", "2.0 * Pi / this->Width * 2.0 * std::sin",
@@ -464,6 +470,19 @@ add("Fitting.pbr-roughness-power", "Private/PBRShading.h", "const double alpha2 
 add("Fitting.pbr-metals-are-diffuse", "Private/PBRShading.h", "(1.0 - p.Metallic) * c * through", "c * through",
     "PropertyFitter.FindsVTKsOwn|PropertyFitter.Gold")
 
+add("Fitting.multiplier-is-not-removed", "Private/SimplexLeastSquares.cxx", "this->Z -= this->Multiplier * solved.col(1);", "",
+    "SimplexLeastSquares.NothingNearbyIsBetter")
+add("Fitting.masked-photographs-count", "Private/TexelSums.cxx", "if (this->IsMasked(k, p) != subtract)",
+    "if (this->IsMasked(k, p) == subtract)", "MaterialMapFitter.LeavesOutSpoiledPixels")
+add("Fitting.saturated-pixels-count", "Private/PhotographPixels.cxx", "most >= this->Saturation", "most > this->Saturation",
+    "MaterialMapFitter.IntegersAreSharesOfTheirLargest|MaterialMapFitter.LeavesOutSpoiledPixels")
+add("Fitting.library-without-exchange-of-weights", "Private/TexelWeights.cxx", "solution.Weights.dot(matrix * solution.Weights)",
+    "solution.Weights.dot(right)", "MaterialMapFitter.FindsTheMaterialsOfALibraryAndTheirWeights")
+add("Fitting.tables-without-refinement", "Private/TableCompletion.cxx", "cells += smooth(target - model.array().log().matrix());",
+    "", "MaterialMapFitter.FindsMaterialsAsTables")
+add("Fitting.noise-without-seed", "vtkSimulatedPhotographSet.cxx", "NormalNumbers noise(this->Seed, index);",
+    "NormalNumbers noise(1, index);", "SimulatedPhotographSet.NoiseIsSeededAndHasItsDeviation")
+
 # IO
 
 add("IO.merl-green-and-blue", "Private/MerlFile.cxx", "1.15 / 1500.0, 1.66 / 1500.0 }",
@@ -506,7 +525,7 @@ add("IO.exr-terms-under-the-first", "Private/ExrMaterialFile.cxx", "parts, depth
     "parts, depth + 1));", "IOExrRoundTrip.SumOfSums")
 add("IO.image-alpha-darkens", "Private/ImageFile.cxx", '"oiio:UnassociatedAlpha", 1)', '"oiio:UnassociatedAlpha", 0)',
     "IOEnvironment.AlphaOfPngDoesNotDarken")
-add("IO.image-floats-are-encoded", "Private/ImageFile.cxx", "!IsFloatingPoint(spec.format) && !SaysLinear(spec);",
+add("IO.image-floats-are-encoded", "Private/ImageFile.cxx", "image.IsInteger && !SaysLinear(spec);",
     "!SaysLinear(spec);",
     "IOEnvironment.DecodesIntegerFormats|IOEnvironment.ReadsRadianceFiles")
 add("IO.image-upside-down", "vtkEnvironmentReader.cxx", "for (int y = 0; y < image.Height / 2; ++y)",
@@ -522,6 +541,11 @@ add("IO.picture-alpha-of-gray", "vtkPictureReader.cxx", "c == 3 ? file.Channels 
     "IOPicture.KeepsIntegersAsTheyAre")
 add("IO.picture-with-nan", "vtkPictureReader.cxx", "return !std::isfinite(value);", "return value > 1e38f;",
     "IOPicture.RefusesBadFiles")
+
+add("IO.photograph-light-is-the-view", "Private/PhotographList.cxx", "angles[2], angles[3], photograph.View",
+    "angles[0], angles[1], photograph.View", "IOPhotographs.ReadsFoldersNamedAsBonnNamesThem")
+add("IO.photograph-upside-down", "vtkPhotographSetReader.cxx", "for (int y = file.Height - 1; y >= 0; --y)",
+    "for (int y = 0; y < file.Height; ++y)", "IOPhotographs.ReadsLists")
 
 # Planning
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The Python samples of README.md, docs/guide.md and docs/image-tests.md run, one after the other, and draw something.
+"""The Python samples of README.md, docs/guide.md, docs/svbrdf.md and docs/image-tests.md run, one after the other, and draw something.
 
 Files that they read are made here: a material and an environment of those names.
 """
@@ -122,6 +122,12 @@ def main():
         names["actor"].SetMapper(names["mapper"])
         assert max(center(names["window"])) > 0
         assert names["mapper"].GetPlan()
+
+        if importlib.util.find_spec("numpy") is None:
+            print("docs/svbrdf.md: skipped: no NumPy", flush=True)
+        else:
+            found = run("docs/svbrdf.md", {})["fitter"].GetOutput()
+            assert [found.GetName(k) for k in range(found.GetNumberOfMaterials())] == ["red-fabric2", "nickel"]
 
         names = run("docs/image-tests.md", {})
         os.mkdir("baselines")

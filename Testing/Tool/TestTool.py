@@ -131,7 +131,7 @@ class Help(ToolTest):
         self.check(run("--help"), 0, "SUBCOMMAND", "gallery", "Exit status")
         commands = (
             "list fetch info evaluate integrate lights render plan compare diff chart gallery convert fit export acquire "
-            "project representations thesis stability"
+            "project representations thesis stability photograph svbrdf"
         ).split()
         for command in commands:
             self.check(run(command, "--help"), 0, "measured-brdf", "--help")

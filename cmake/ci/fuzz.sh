@@ -27,6 +27,7 @@ targets="
   Mbsdf            4096 Mbsdf
   Merl             4096 Merl
   OpenMaterial     2048 OpenMaterial
+  PhotographList   2048 PhotographList
   PlanCache       49152 PlanCache
   Tensor           8192 Tensor
   Utia              256 Utia"

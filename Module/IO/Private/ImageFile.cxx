@@ -151,7 +151,8 @@ ImageFile ReadImageFile(const std::string& path, std::uintmax_t fileSize, ImageV
   image.Channels = spec.nchannels >= 3 ? 3 : 1;
   const bool alpha = values == ImageValues::ColorAndAlpha;
   image.HasAlpha = alpha && spec.alpha_channel == image.Channels;
-  image.IsEncoded = !IsFloatingPoint(spec.format) && !SaysLinear(spec);
+  image.IsInteger = !IsFloatingPoint(spec.format);
+  image.IsEncoded = image.IsInteger && !SaysLinear(spec);
   image.HasBytes = spec.format.basetype == OIIO::TypeDesc::UINT8;
   image.IsWindowed = spec.full_width != spec.width || spec.full_height != spec.height;
   image.Pixels =

@@ -27,6 +27,7 @@ struct ImageFile
   int Channels = 0;          // 3, or 1: of each texel's color only the first value is set
   bool HasAlpha = false;     // the value after the color's, where it was asked for
   bool IsEncoded = false;    // integers that are not said to be linear
+  bool IsInteger = false;    // else floats
   bool HasBytes = false;     // integers of 8 bits
   bool IsWindowed = false;   // the data window differs from the display window
   std::vector<float> Pixels; // 3 values a texel, 4 where alpha was asked for; top row first

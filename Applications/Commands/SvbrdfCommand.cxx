@@ -1,0 +1,380 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Files.h"
+#include "Inputs.h"
+#include "MaterialMapFiles.h"
+#include "Picture.h"
+#include "RunWithProgress.h"
+#include "Tool.h"
+
+#include "vtkEmbeddedMaterials.h"
+#include "vtkImageData.h"
+#include "vtkMaterialMapFitter.h"
+#include "vtkMeasuredBRDFConfigure.h"
+#include "vtkNew.h"
+#include "vtkPhotographSet.h"
+#include "vtkPhotographSetReader.h"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <sstream>
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+namespace
+{
+struct Options
+{
+  std::string Input;
+  std::string Output;
+  std::vector<std::string> Library;
+  bool Tables = false;
+  int Materials = 4;
+  double Tolerance = 0.02;
+  double Smoothness = 0.01;
+  int Sample = 4096;
+  int Memory = 1024;
+  unsigned int Seed = 1;
+  std::string Transfer;
+  double Irradiance = 0.0;
+  bool Json = false;
+};
+
+const std::map<std::string, int> Transfers = { { "automatic", vtkPhotographSet::AUTOMATIC },
+  { "linear", vtkPhotographSet::LINEAR }, { "srgb", vtkPhotographSet::SRGB },
+  { "gamma", vtkPhotographSet::POWER } };
+
+//------------------------------------------------------------------------------
+void Check(const Options& options, const CLI::App* command)
+{
+  if (options.Tables && !options.Library.empty())
+  {
+    throw tool::UsageError("--library: --tables finds materials of its own");
+  }
+  if (!options.Tables && command->count("--smoothness") > 0)
+  {
+    throw tool::UsageError("--smoothness: has no effect without --tables");
+  }
+  if (options.Tables && command->count("--tolerance") > 0)
+  {
+    throw tool::UsageError("--tolerance: has no effect with --tables, which finds as many "
+                           "materials as --materials says");
+  }
+  if (!MEASUREDBRDF_WITH_OPENEXR && options.Tables)
+  {
+    throw tool::UsageError("--tables: this build writes no .exr materials, without OpenEXR");
+  }
+  if (command->count("--irradiance") > 0 &&
+      (!(options.Irradiance > 0.0) || !std::isfinite(options.Irradiance)))
+  {
+    throw tool::UsageError("--irradiance: expected a finite number > 0");
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPhotographSet> ReadPhotographs(const Options& options)
+{
+  vtkNew<vtkPhotographSetReader> reader;
+  reader->SetFileName(options.Input);
+  if (!reader->Read())
+  {
+    tool::TakeErrorText();
+    throw tool::Error(reader->GetErrorMessage());
+  }
+  if (reader->GetNumberOfIgnoredFiles() > 0)
+  {
+    tool::PrintNote(
+      options.Input + ": " +
+      tool::FormatCount(static_cast<std::size_t>(reader->GetNumberOfIgnoredFiles()), "file") +
+      " ignored, whose names say no directions");
+  }
+  vtkSmartPointer<vtkPhotographSet> photographs = reader->GetPhotographs();
+  if (!options.Transfer.empty())
+  {
+    photographs->SetTransfer(Transfers.at(options.Transfer));
+  }
+  if (options.Irradiance > 0.0)
+  {
+    photographs->SetIrradiance(options.Irradiance);
+  }
+  return photographs;
+}
+
+//------------------------------------------------------------------------------
+void AddLibrary(const Options& options, vtkMaterialMapFitter* fitter)
+{
+  std::vector<std::string> names = options.Library;
+  const int embedded = names.empty() ? vtkEmbeddedMaterials::GetNumberOfMaterials() : 0;
+  for (int k = 0; k < embedded; ++k)
+  {
+    names.push_back(vtkEmbeddedMaterials::GetName(k));
+  }
+  for (const std::string& name : names)
+  {
+    tool::Interruptible::Check();
+    fitter->AddMaterial(tool::LoadMaterial(name).BRDF, name);
+  }
+}
+
+//------------------------------------------------------------------------------
+// What map.json calls a material: a built-in name, or a file relative to its folder.
+std::string GetReference(const std::string& name, const std::string& folder)
+{
+  if (name.find_first_of("/.#") == std::string::npos)
+  {
+    return name;
+  }
+  const std::size_t hash = name.find('#');
+  std::error_code error;
+  const fs::path relative = fs::relative(name.substr(0, hash), folder, error);
+  std::string reference = error || relative.empty() ? name : relative.string();
+  reference += error || hash == std::string::npos ? "" : name.substr(hash);
+  // A plain file's name must be told from a built-in one.
+  return reference.find_first_of("/.#") == std::string::npos ? "./" + reference : reference;
+}
+
+//------------------------------------------------------------------------------
+// JSON has no infinity.
+ordered_json ToJson(double value)
+{
+  return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
+}
+
+//------------------------------------------------------------------------------
+// Writes those that were found.
+ordered_json DescribeMaterials(const Options& options, vtkMaterialMapFitter* fitter)
+{
+  ordered_json materials = ordered_json::array();
+  vtkMaterialMap* map = fitter->GetOutput();
+  for (int k = 0; k < map->GetNumberOfMaterials(); ++k)
+  {
+    std::string reference = GetReference(map->GetName(k), options.Output);
+    if (options.Tables)
+    {
+      reference = "material-" + std::to_string(k + 1) + ".exr";
+      tool::WriteMaterial(map->GetBRDF(k), (fs::path(options.Output) / reference).string());
+    }
+    materials.push_back({ { "material", reference }, { "coverage", fitter->GetCoverage(k) },
+      { "largest_weight", fitter->GetLargestWeight(k) },
+      { "weight_uncertainty", ToJson(fitter->GetUncertainty(k)) } });
+  }
+  return materials;
+}
+
+//------------------------------------------------------------------------------
+ordered_json DescribeFit(const Options& options, vtkMaterialMapFitter* fitter)
+{
+  vtkPhotographSet* photographs = fitter->GetPhotographs();
+  const int* size = fitter->GetErrorImage()->GetDimensions();
+  const int* worst = fitter->GetWorstTexel();
+  ordered_json fit = { { "photographs", photographs->GetNumberOfPhotographs() },
+    { "method", options.Tables ? "tables" : "library" }, { "size", { size[0], size[1] } },
+    { "mean_error", fitter->GetMeanError() }, { "error_95_percent", fitter->GetError95() },
+    { "worst_error", fitter->GetWorstError() },
+    { "worst_texel_from_top_left", { worst[0], size[1] - 1 - worst[1] } },
+    { "saturated_pixels", fitter->GetNumberOfSaturatedPixels() },
+    { "black_pixels", fitter->GetNumberOfBlackPixels() },
+    { "invalid_pixels", fitter->GetNumberOfInvalidPixels() },
+    { "texels_without_data", fitter->GetNumberOfTexelsWithoutData() },
+    { "passes", fitter->GetNumberOfPasses() }, { "seed", options.Seed } };
+  if (options.Tables)
+  {
+    fit["factorization_error"] = fitter->GetFactorizationError();
+    fit["iterations"] = fitter->GetNumberOfIterations();
+    fit["converged"] = fitter->GetConverged();
+    fit["share_of_table_seen"] = fitter->GetSeenShare();
+  }
+  fit["findings"] = ordered_json::array();
+  for (int k = 0; k < fitter->GetNumberOfFindings(); ++k)
+  {
+    fit["findings"].push_back(fitter->GetFinding(k));
+  }
+  return fit;
+}
+
+//------------------------------------------------------------------------------
+// error.exr: the errors as they are; error.png: from black to white, the 99th percentile.
+void WriteErrors(const Options& options, vtkImageData* errors, ordered_json& fit)
+{
+  const int* size = errors->GetDimensions();
+  const auto* values = static_cast<const float*>(errors->GetScalarPointer());
+  const std::size_t texels = static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]);
+  std::vector<float> sorted(values, values + texels);
+  const std::size_t rank = std::min(texels - 1, texels * 99 / 100);
+  std::nth_element(
+    sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(rank), sorted.end());
+  const double white = std::max<double>(sorted[rank], 1e-6);
+  tool::Picture exact(size[0], size[1]), shown(size[0], size[1]);
+  for (std::size_t k = 0; k < 4 * texels; ++k)
+  {
+    const float error = values[k / 4];
+    exact.Pixels[k] = k % 4 == 3 ? 1.0f : error;
+    shown.Pixels[k] = k % 4 == 3 ? 1.0f : static_cast<float>(error / white);
+  }
+  const fs::path folder(options.Output);
+  if (MEASUREDBRDF_WITH_OPENEXR)
+  {
+    tool::WriteEXR((folder / "error.exr").string(), exact);
+  }
+  tool::WritePNG((folder / "error.png").string(), shown, [](double value) { return value; });
+  fit["white_of_error_png"] = white;
+}
+
+//------------------------------------------------------------------------------
+std::string FormatPercent(double share)
+{
+  std::ostringstream text;
+  text.precision(3);
+  text << 100.0 * share << " %";
+  return text.str();
+}
+
+//------------------------------------------------------------------------------
+std::string FormatText(
+  const Options& options, vtkMaterialMapFitter* fitter, const ordered_json& materials)
+{
+  const int* size = fitter->GetErrorImage()->GetDimensions();
+  std::ostringstream text;
+  text << options.Input << " -> " << (fs::path(options.Output) / "map.json").string() << "\n"
+       << tool::FormatCount(
+            static_cast<std::size_t>(fitter->GetPhotographs()->GetNumberOfPhotographs()),
+            "photograph")
+       << " of " << size[0] << " x " << size[1] << " texels\n"
+       << "relative error of a texel: mean " << FormatPercent(fitter->GetMeanError()) << ", 95 % "
+       << FormatPercent(fitter->GetError95()) << ", worst "
+       << FormatPercent(fitter->GetWorstError()) << "\n";
+  if (options.Tables)
+  {
+    text << "of that the factors alone " << FormatPercent(fitter->GetFactorizationError()) << " ("
+         << fitter->GetNumberOfIterations() << " iterations"
+         << (fitter->GetConverged() ? "" : ", not converged") << "); the photographs touch "
+         << FormatPercent(fitter->GetSeenShare()) << " of the tables\n";
+  }
+  text << "pixels left out: " << fitter->GetNumberOfSaturatedPixels() << " saturated, "
+       << fitter->GetNumberOfBlackPixels() << " black, " << fitter->GetNumberOfInvalidPixels()
+       << " not finite; texels without any: " << fitter->GetNumberOfTexelsWithoutData() << "\n";
+  text.precision(3);
+  for (std::size_t k = 0; k < materials.size(); ++k)
+  {
+    text << "  " << materials[k]["material"].get<std::string>() << ": "
+         << FormatPercent(fitter->GetCoverage(static_cast<int>(k)))
+         << " of the surface, weights +- " << fitter->GetUncertainty(static_cast<int>(k)) << "\n";
+  }
+  for (int k = 0; k < fitter->GetNumberOfFindings(); ++k)
+  {
+    text << "note: " << fitter->GetFinding(k) << "\n";
+  }
+  return text.str();
+}
+
+//------------------------------------------------------------------------------
+void Run(const Options& options, const CLI::App* command)
+{
+  Check(options, command);
+  tool::Interruptible interruptible;
+  vtkNew<vtkMaterialMapFitter> fitter;
+  fitter->SetPhotographs(ReadPhotographs(options));
+  if (options.Tables)
+  {
+    fitter->SetMethodToTables();
+  }
+  else
+  {
+    AddLibrary(options, fitter);
+  }
+  fitter->SetMaximumNumberOfMaterials(options.Materials);
+  fitter->SetTolerance(options.Tolerance);
+  fitter->SetSmoothness(options.Smoothness);
+  fitter->SetNumberOfSampleTexels(options.Sample);
+  fitter->SetMemoryLimit(options.Memory);
+  fitter->SetSeed(options.Seed);
+  tool::MakeFolder(options.Output);
+  if (!tool::RunWithProgress(fitter.Get(), &vtkMaterialMapFitter::Fit, "fitting"))
+  {
+    throw tool::Error(options.Input + ": " + tool::TakeErrorText());
+  }
+  ordered_json fit = DescribeFit(options, fitter);
+  WriteErrors(options, fitter->GetErrorImage(), fit);
+  const ordered_json materials = DescribeMaterials(options, fitter);
+  tool::WriteMaterialMap(fitter->GetOutput(), options.Output, materials, { { "fit", fit } });
+  if (options.Json)
+  {
+    fit["materials"] = materials;
+    tool::PrintOut(fit.dump(2, ' ', true, ordered_json::error_handler_t::replace) + "\n");
+    return;
+  }
+  tool::PrintOut(FormatText(options, fitter, materials));
+}
+}
+
+namespace tool
+{
+//------------------------------------------------------------------------------
+void AddSvbrdfCommand(CLI::App& app)
+{
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("svbrdf",
+    "Photographs of a flat sample under known lights and views -> a map of materials: weights for "
+    "each texel");
+  command
+    ->add_option("PHOTOGRAPHS", options->Input,
+      "A list in JSON or CSV with files, directions and exposures, or a folder of files named like "
+      "tl015_pl030_tv045_pv060.jpg (light and view, polar angle and azimuth), as the Bonn and UTIA "
+      "databases name them")
+    ->required();
+  command
+    ->add_option("--library", options->Library,
+      "The materials to choose from (default: all built-in ones). A material: " + GetMaterialHelp())
+    ->delimiter(',');
+  command->add_flag("--tables", options->Tables,
+    "Find the materials, too: tables over half and difference angles, instead of a library");
+  command
+    ->add_option("--materials", options->Materials,
+      "Most materials of the map; with --tables, how many (default 4)")
+    ->check(CLI::Range(1, 32));
+  command
+    ->add_option("--tolerance", options->Tolerance,
+      "A further material of the library must lower the sum of squared errors by this share "
+      "(default 0.02)")
+    ->check(CLI::Range(0.0, 1.0));
+  command
+    ->add_option("--smoothness", options->Smoothness,
+      "How smooth tables are where photographs are few (default 0.01)")
+    ->check(CLI::Range(1e-8, 1e4));
+  command
+    ->add_option("--sample", options->Sample,
+      "Number of texels by which materials are chosen or found (default 4096)")
+    ->check(CLI::Range(64, 1 << 20));
+  command
+    ->add_option("--memory", options->Memory,
+      "Mebibytes for sums (default 1024); with less, photographs are read more often")
+    ->check(CLI::Range(1, 1 << 20));
+  command->add_option(
+    "--seed", options->Seed, "Seed of the sample (default 1); the same seed gives the same map");
+  command
+    ->add_option("--transfer", options->Transfer,
+      "What pixels of the files mean: automatic (integers by sRGB's curve, floats linear), linear, "
+      "srgb or gamma (2.2, or the list's); default: what the list says, or automatic")
+    ->check(CLI::IsMember({ "automatic", "linear", "srgb", "gamma" }));
+  command->add_option("--irradiance", options->Irradiance,
+    "Irradiance of a surface that faces the light, at exposure 1 (default: the list's, or pi: a "
+    "white diffuse surface below the light has the value 1)");
+  command->add_flag("--json", options->Json, "Write JSON instead of text");
+  command
+    ->add_option("-o,--output", options->Output,
+      "Folder for map.json, weights-N.png, error.exr, error.png and found materials")
+    ->required();
+  command->footer(
+    "The error of a texel is sqrt(sum of squares left / sum of squares) over its\n"
+    "photographs, which count alike. 'photograph' simulates photographs.\n\n"
+    "Example:\n  measured-brdf svbrdf UBO_CORDUROY256 --tables --materials 3 -o cord");
+  command->callback([options, command]() { Run(*options, command); });
+}
+} // namespace tool

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A material map as files: a description in JSON, weights as PNG images of 16 bits, materials.
+ */
+
+#ifndef MaterialMapFiles_h
+#define MaterialMapFiles_h
+
+#include "vtkMaterialMap.h"
+#include "vtkSmartPointer.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <string>
+#include <vector>
+
+class vtkImageData;
+
+namespace tool
+{
+/**
+ * A map from materials (as on the command line) and images of weights; each image has the weights
+ * of the next three or four of them in its channels. Throws Error.
+ */
+vtkSmartPointer<vtkMaterialMap> MakeMaterialMap(
+  const std::vector<std::string>& materials, const std::vector<std::string>& images);
+
+/// A map that WriteMaterialMap wrote. Throws Error.
+vtkSmartPointer<vtkMaterialMap> ReadMaterialMap(const std::string& path);
+
+/**
+ * Write FOLDER/map.json and FOLDER/weights-N.png, three materials in each. materials: what the
+ * description says of each of them, "material" being a built-in name or a file, which is relative
+ * to the folder. facts: what else the description says. Throws Error.
+ */
+void WriteMaterialMap(vtkMaterialMap* map, const std::string& folder,
+  const nlohmann::ordered_json& materials, const nlohmann::ordered_json& facts);
+
+/// An image as PNG, whole or not at all. Throws Error.
+void WriteImage(vtkImageData* image, const std::string& path);
+
+/// Make a folder where there is none. Throws Error.
+void MakeFolder(const std::string& path);
+} // namespace tool
+
+#endif

@@ -1,0 +1,216 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TexelWeights.h"
+
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace measuredbrdf
+{
+namespace
+{
+constexpr int MostRounds = 8;         // of exchanges
+constexpr double Exchange = 1e-3;     // an exchange must lower the sum by this share
+constexpr double NothingLeft = 1e-14; // of the sum of squares: rounding
+
+class Selection
+{
+public:
+  Selection(const TexelSums& sums, const SelectionOptions& options, int materials)
+    : Sums(sums)
+    , Options(options)
+    , Materials(materials)
+  {
+    for (std::size_t k = 0; k < sums.GetNumberOfTexels(); ++k)
+    {
+      this->Squares += sums.GetSquares(k);
+    }
+  }
+
+  std::vector<int> Run()
+  {
+    while (static_cast<int>(this->Chosen.size()) < std::min(this->Options.Most, this->Materials))
+    {
+      const double before = this->Error;
+      const int best = this->FindAddition();
+      if (best < 0)
+      {
+        return {};
+      }
+      const bool pays =
+        this->Chosen.empty() || this->Error < (1.0 - this->Options.Tolerance) * before;
+      if (!pays)
+      {
+        this->Error = before;
+        break;
+      }
+      this->Chosen.push_back(best);
+      if (this->Error <= NothingLeft * this->Squares)
+      {
+        break;
+      }
+    }
+    for (int round = 0; round < MostRounds && this->Improve(); ++round)
+    {
+    }
+    this->RemoveIdle();
+    std::sort(this->Chosen.begin(), this->Chosen.end());
+    return this->IsStopped ? std::vector<int>() : this->Chosen;
+  }
+
+private:
+  // Texels in a fixed order, so that the sum does not depend on threads.
+  double GetError(const std::vector<int>& columns) const
+  {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < this->Sums.GetNumberOfTexels(); ++k)
+    {
+      sum += SolveTexel(this->Sums, k, columns).Residual;
+    }
+    return sum;
+  }
+
+  // The errors of many sets, a thread for some of them.
+  std::vector<double> GetErrors(const std::vector<std::vector<int>>& sets)
+  {
+    std::vector<double> errors(sets.size());
+    constexpr std::size_t batch = 32; // so that Proceed is asked now and then
+    for (std::size_t first = 0; first < sets.size() && !this->IsStopped; first += batch)
+    {
+      vtkSMPTools::For(static_cast<vtkIdType>(first),
+        static_cast<vtkIdType>(std::min(first + batch, sets.size())), 1,
+        [&](vtkIdType begin, vtkIdType end)
+        {
+          for (vtkIdType k = begin; k < end; ++k)
+          {
+            errors[static_cast<std::size_t>(k)] = this->GetError(sets[static_cast<std::size_t>(k)]);
+          }
+        });
+      const double share = static_cast<double>(this->Chosen.size()) / this->Options.Most;
+      this->IsStopped = !this->Options.Proceed(std::min(share, 1.0));
+    }
+    return errors;
+  }
+
+  bool IsChosen(int material) const
+  {
+    return std::find(this->Chosen.begin(), this->Chosen.end(), material) != this->Chosen.end();
+  }
+
+  // The material whose addition leaves least, and in Error how much; -1: stopped.
+  int FindAddition()
+  {
+    std::vector<int> candidates;
+    std::vector<std::vector<int>> sets;
+    for (int k = 0; k < this->Materials; ++k)
+    {
+      if (!this->IsChosen(k))
+      {
+        candidates.push_back(k);
+        sets.push_back(this->Chosen);
+        sets.back().push_back(k);
+      }
+    }
+    const std::vector<double> errors = this->GetErrors(sets);
+    if (this->IsStopped)
+    {
+      return -1;
+    }
+    const auto best = std::min_element(errors.begin(), errors.end());
+    this->Error = *best;
+    return candidates[static_cast<std::size_t>(best - errors.begin())];
+  }
+
+  // Exchange one material where that helps.
+  bool Improve()
+  {
+    for (std::size_t place = 0; place < this->Chosen.size(); ++place)
+    {
+      std::vector<std::vector<int>> sets;
+      for (int k = 0; k < this->Materials; ++k)
+      {
+        if (!this->IsChosen(k))
+        {
+          sets.push_back(this->Chosen);
+          sets.back()[place] = k;
+        }
+      }
+      const std::vector<double> errors = this->GetErrors(sets);
+      if (this->IsStopped || errors.empty())
+      {
+        return false;
+      }
+      const auto best = std::min_element(errors.begin(), errors.end());
+      if (*best < (1.0 - Exchange) * this->Error - NothingLeft * this->Squares)
+      {
+        this->Error = *best;
+        this->Chosen = sets[static_cast<std::size_t>(best - errors.begin())];
+        return true;
+      }
+    }
+    return false;
+  }
+
+  // What earlier choices no longer need.
+  void RemoveIdle()
+  {
+    for (std::size_t place = 0; place < this->Chosen.size() && this->Chosen.size() > 1;)
+    {
+      std::vector<int> without = this->Chosen;
+      without.erase(without.begin() + static_cast<std::ptrdiff_t>(place));
+      const double error = this->GetError(without);
+      if ((1.0 - this->Options.Tolerance) * error <= this->Error + NothingLeft * this->Squares)
+      {
+        this->Chosen = without;
+        this->Error = error;
+      }
+      else
+      {
+        ++place;
+      }
+    }
+  }
+
+  const TexelSums& Sums;
+  const SelectionOptions& Options;
+  int Materials;
+  std::vector<int> Chosen;
+  double Squares = 0.0;
+  double Error = std::numeric_limits<double>::infinity();
+  bool IsStopped = false;
+};
+}
+
+//------------------------------------------------------------------------------
+WeightSolution SolveTexel(const TexelSums& sums, std::size_t k, const std::vector<int>& columns)
+{
+  WeightSolution solution;
+  if (sums.GetNumberOfPhotographs(k) == 0)
+  {
+    solution.Weights = SmallVector::Zero(static_cast<Eigen::Index>(columns.size()));
+    return solution;
+  }
+  const SmallMatrix matrix = sums.GetMatrix(k, columns);
+  const SmallVector right = sums.GetRight(k, columns);
+  solution.Weights = SolveConstrained(matrix, right, UnknownsAre::Shares);
+  const double residual = sums.GetSquares(k) - 2.0 * right.dot(solution.Weights) +
+                          solution.Weights.dot(matrix * solution.Weights);
+  solution.Residual = std::max(residual, 0.0); // rounding
+  return solution;
+}
+
+//------------------------------------------------------------------------------
+std::vector<int> SelectMaterials(const TexelSums& sums, const SelectionOptions& options)
+{
+  const int materials = sums.GetNumberOfMaterials();
+  bool any = false;
+  for (std::size_t k = 0; k < sums.GetNumberOfTexels(); ++k)
+  {
+    any = any || sums.GetNumberOfPhotographs(k) > 0;
+  }
+  return any ? Selection(sums, options, materials).Run() : std::vector<int>();
+}
+} // namespace measuredbrdf

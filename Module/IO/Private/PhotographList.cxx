@@ -1,0 +1,470 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PhotographList.h"
+
+#include "vtkPhotographSet.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <initializer_list>
+#include <map>
+#include <sstream>
+
+namespace measuredbrdf
+{
+namespace
+{
+using nlohmann::json;
+
+constexpr std::size_t MostFolderEntries = std::size_t(1) << 21;
+constexpr int DeepestFolder = 8;
+
+const std::map<std::string, int> Transfers = { { "automatic", vtkPhotographSet::AUTOMATIC },
+  { "linear", vtkPhotographSet::LINEAR }, { "srgb", vtkPhotographSet::SRGB },
+  { "power", vtkPhotographSet::POWER } };
+
+//------------------------------------------------------------------------------
+std::string Quote(const std::string& text) { return "'" + ToPrintable(text, LongestName) + "'"; }
+
+//------------------------------------------------------------------------------
+// Throws where a direction or the exposure cannot be used.
+void Check(const std::string& where, const ListedPhotograph& photograph)
+{
+  std::string problem = vtkPhotographSet::FindDirectionProblem(photograph.Light, "light");
+  problem =
+    !problem.empty() ? problem : vtkPhotographSet::FindDirectionProblem(photograph.View, "view");
+  problem = !problem.empty() ? problem : vtkPhotographSet::FindExposureProblem(photograph.Exposure);
+  if (problem.empty() &&
+      (photograph.File.empty() || photograph.File.find('\0') != std::string::npos))
+  {
+    problem = "file: found " + Quote(photograph.File) + ", expected a file's name";
+  }
+  if (!problem.empty())
+  {
+    throw FileError(where + ": " + problem);
+  }
+}
+
+//------------------------------------------------------------------------------
+void SetAngles(const std::string& where, double theta, double phi, double direction[3])
+{
+  if (!(theta >= 0.0 && theta < 90.0) || !std::isfinite(phi))
+  {
+    std::ostringstream found;
+    found << where << ": found a polar angle of " << theta << " and an azimuth of " << phi
+          << " degrees, expected a direction above the horizon, 0 to less than 90";
+    throw FileError(found.str());
+  }
+  vtkPhotographSet::GetDirection(theta, phi, direction);
+}
+
+//------------------------------------------------------------------------------
+// A list in JSON.
+class JsonList
+{
+public:
+  explicit JsonList(const FileBytes& file)
+    : Path(file.GetPath())
+  {
+    try
+    {
+      this->Root = json::parse(file.GetView());
+    }
+    catch (const json::exception& e)
+    {
+      throw FileError(this->Path + ": JSON: " + e.what());
+    }
+  }
+
+  PhotographList Parse() const
+  {
+    this->CheckKeys(this->Path, this->Root,
+      { "photographs", "irradiance", "transfer", "gamma", "saturation", "black",
+        "levels_for_floats", "comment" });
+    PhotographList list;
+    this->ParseSettings(list);
+    const auto found = this->Root.find("photographs");
+    if (found == this->Root.end() || !found->is_array())
+    {
+      throw FileError(this->Path + ": expected an array named 'photographs'");
+    }
+    for (std::size_t k = 0; k < found->size(); ++k)
+    {
+      const std::string where = this->Path + ": photograph " + std::to_string(k);
+      const json& entry = (*found)[k];
+      this->CheckKeys(where, entry, { "file", "light", "view", "exposure", "comment" });
+      ListedPhotograph photograph;
+      const auto file = entry.find("file");
+      photograph.File = file != entry.end() && file->is_string() ? file->get<std::string>() : "";
+      this->ParseDirection(where, entry, "light", photograph.Light);
+      this->ParseDirection(where, entry, "view", photograph.View);
+      photograph.Exposure = this->GetNumber(where, entry, "exposure", 1.0);
+      Check(where, photograph);
+      list.Photographs.push_back(photograph);
+    }
+    return list;
+  }
+
+private:
+  void CheckKeys(
+    const std::string& where, const json& object, std::initializer_list<const char*> allowed) const
+  {
+    if (!object.is_object())
+    {
+      throw FileError(where + ": expected an object in braces");
+    }
+    for (const auto& item : object.items())
+    {
+      if (std::find(allowed.begin(), allowed.end(), item.key()) == allowed.end())
+      {
+        std::string names;
+        for (const char* name : allowed)
+        {
+          names += (names.empty() ? "" : ", ") + std::string(name);
+        }
+        throw FileError(where + ": found the key " + Quote(item.key()) + ", expected " + names);
+      }
+    }
+  }
+
+  double GetNumber(
+    const std::string& where, const json& object, const char* key, double otherwise) const
+  {
+    const auto found = object.find(key);
+    if (found == object.end())
+    {
+      return otherwise;
+    }
+    const double value = found->is_number() ? found->get<double>() : NAN;
+    if (!std::isfinite(value))
+    {
+      throw FileError(where + ": " + key + ": expected a finite number");
+    }
+    return value;
+  }
+
+  void ParseDirection(
+    const std::string& where, const json& entry, const char* key, double direction[3]) const
+  {
+    const auto found = entry.find(key);
+    const std::string place = where + ": " + key;
+    if (found != entry.end() && found->is_object())
+    {
+      this->CheckKeys(place, *found, { "theta", "phi" });
+      SetAngles(place, this->GetNumber(place, *found, "theta", NAN),
+        this->GetNumber(place, *found, "phi", 0.0), direction);
+      return;
+    }
+    const bool isTriple = found != entry.end() && found->is_array() && found->size() == 3;
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      if (!isTriple || !(*found)[c].is_number())
+      {
+        throw FileError(
+          place + R"(: expected three numbers, or {"theta": ..., "phi": ...} in degrees)");
+      }
+      direction[c] = (*found)[c].get<double>();
+    }
+  }
+
+  void ParseSettings(PhotographList& list) const
+  {
+    list.Irradiance = this->GetNumber(this->Path, this->Root, "irradiance", list.Irradiance);
+    list.Gamma = this->GetNumber(this->Path, this->Root, "gamma", list.Gamma);
+    list.SaturationLevel =
+      this->GetNumber(this->Path, this->Root, "saturation", list.SaturationLevel);
+    list.BlackLevel = this->GetNumber(this->Path, this->Root, "black", list.BlackLevel);
+    if (!(list.Irradiance > 0.0) || !(list.Gamma >= 0.1 && list.Gamma <= 10.0))
+    {
+      throw FileError(this->Path + ": expected an irradiance > 0 and a gamma from 0.1 to 10");
+    }
+    const auto levels = this->Root.find("levels_for_floats");
+    if (levels != this->Root.end() && !levels->is_boolean())
+    {
+      throw FileError(this->Path + ": levels_for_floats: expected true or false");
+    }
+    list.LevelsForFloats = levels != this->Root.end() && levels->get<bool>();
+    const auto transfer = this->Root.find("transfer");
+    if (transfer != this->Root.end())
+    {
+      const auto known =
+        Transfers.find(transfer->is_string() ? transfer->get<std::string>() : std::string());
+      if (known == Transfers.end())
+      {
+        throw FileError(this->Path + ": transfer: expected automatic, linear, srgb or power");
+      }
+      list.Transfer = known->second;
+    }
+  }
+
+  std::string Path;
+  json Root;
+};
+
+//------------------------------------------------------------------------------
+std::vector<std::string> SplitLine(const std::string& line)
+{
+  std::vector<std::string> fields(1);
+  for (const char letter : line)
+  {
+    if (letter == ',')
+    {
+      fields.emplace_back();
+    }
+    else if (letter != '\r')
+    {
+      fields.back() += letter;
+    }
+  }
+  for (std::string& field : fields)
+  {
+    const std::size_t first = field.find_first_not_of(" \t");
+    const std::size_t last = field.find_last_not_of(" \t");
+    field = first == std::string::npos ? "" : field.substr(first, last + 1 - first);
+  }
+  return fields;
+}
+
+//------------------------------------------------------------------------------
+// A list in CSV, whose first line names the columns.
+class CsvList
+{
+public:
+  explicit CsvList(const FileBytes& file)
+    : Path(file.GetPath())
+    , Text(std::string(file.GetView()))
+  {
+  }
+
+  PhotographList Parse()
+  {
+    PhotographList list;
+    std::string line;
+    for (int number = 1; std::getline(this->Text, line); ++number)
+    {
+      const std::size_t first = line.find_first_not_of(" \t\r");
+      if (first == std::string::npos || line[first] == '#')
+      {
+        continue;
+      }
+      this->Where = this->Path + ": line " + std::to_string(number);
+      this->Fields = SplitLine(line);
+      if (this->Columns.empty())
+      {
+        this->ParseHeader();
+      }
+      else
+      {
+        list.Photographs.push_back(this->ParseRow());
+      }
+    }
+    return list;
+  }
+
+private:
+  void ParseHeader()
+  {
+    for (std::size_t k = 0; k < this->Fields.size(); ++k)
+    {
+      if (!this->Columns.emplace(this->Fields[k], k).second)
+      {
+        throw FileError(this->Where + ": found two columns " + Quote(this->Fields[k]));
+      }
+    }
+    for (const std::string direction : { "light", "view" })
+    {
+      const bool angles = this->Columns.count(direction + "_theta") > 0;
+      for (const char* part : { "_x", "_y", "_z", "_theta", "_phi" })
+      {
+        const bool isAngle = std::string(part).size() > 2;
+        if (isAngle == angles && this->Columns.count(direction + part) == 0)
+        {
+          throw FileError(this->Where + ": found no column '" + direction + part +
+                          "', expected file, light_theta, light_phi, view_theta, view_phi in "
+                          "degrees, or light_x ... view_z, and where wanted exposure");
+        }
+      }
+    }
+    if (this->Columns.count("file") == 0)
+    {
+      throw FileError(this->Where + ": found no column 'file'");
+    }
+  }
+
+  double GetNumber(const std::string& column) const
+  {
+    const std::string& text = this->Fields[this->Columns.at(column)];
+    char* end = nullptr;
+    const double value = std::strtod(text.c_str(), &end);
+    if (text.empty() || *end != '\0' || !std::isfinite(value))
+    {
+      throw FileError(
+        this->Where + ": " + column + ": found " + Quote(text) + ", expected a finite number");
+    }
+    return value;
+  }
+
+  void ParseDirection(const std::string& name, double direction[3]) const
+  {
+    if (this->Columns.count(name + "_theta") > 0)
+    {
+      SetAngles(this->Where + ": " + name, this->GetNumber(name + "_theta"),
+        this->GetNumber(name + "_phi"), direction);
+      return;
+    }
+    direction[0] = this->GetNumber(name + "_x");
+    direction[1] = this->GetNumber(name + "_y");
+    direction[2] = this->GetNumber(name + "_z");
+  }
+
+  ListedPhotograph ParseRow() const
+  {
+    if (this->Fields.size() != this->Columns.size())
+    {
+      throw FileError(this->Where + ": found " + std::to_string(this->Fields.size()) +
+                      " columns, expected " + std::to_string(this->Columns.size()));
+    }
+    ListedPhotograph photograph;
+    photograph.File = this->Fields[this->Columns.at("file")];
+    this->ParseDirection("light", photograph.Light);
+    this->ParseDirection("view", photograph.View);
+    photograph.Exposure = this->Columns.count("exposure") > 0 ? this->GetNumber("exposure") : 1.0;
+    Check(this->Where, photograph);
+    return photograph;
+  }
+
+  std::string Path;
+  std::istringstream Text;
+  std::string Where;
+  std::vector<std::string> Fields;
+  std::map<std::string, std::size_t> Columns;
+};
+
+//------------------------------------------------------------------------------
+// The number behind a key of two letters that begins a word; returns how many there are.
+int FindAngle(const std::string& name, const char* key, double& angle)
+{
+  const auto letter = [&name](std::size_t k)
+  { return k < name.size() ? std::tolower(static_cast<unsigned char>(name[k])) : 0; };
+  int count = 0;
+  for (std::size_t k = 0; k + 2 < name.size(); ++k)
+  {
+    const bool begins = k == 0 || std::isalnum(static_cast<unsigned char>(name[k - 1])) == 0;
+    if (!begins || letter(k) != key[0] || letter(k + 1) != key[1])
+    {
+      continue;
+    }
+    const std::size_t first = k + 2;
+    std::size_t last = name.find_first_not_of("0123456789", first + (name[first] == '-' ? 1 : 0));
+    last = last == std::string::npos ? name.size() : last;
+    if (last > first && std::isdigit(static_cast<unsigned char>(name[last - 1])) != 0 &&
+        last - first < 10)
+    {
+      angle = std::atof(name.substr(first, last - first).c_str());
+      ++count;
+    }
+  }
+  return count;
+}
+}
+
+//------------------------------------------------------------------------------
+PhotographList ParsePhotographList(const FileBytes& file)
+{
+  if (file.GetSize() > MostListBytes)
+  {
+    throw FileError(file.GetPath() + ": found " + std::to_string(file.GetSize()) +
+                    " bytes, expected a list of at most " + std::to_string(MostListBytes));
+  }
+  const std::string_view text = file.GetView();
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  const bool isJson = first != std::string_view::npos && text[first] == '{';
+  PhotographList list = isJson ? JsonList(file).Parse() : CsvList(file).Parse();
+  if (list.Photographs.empty() ||
+      list.Photographs.size() > std::size_t(vtkPhotographSet::MaximumNumberOfPhotographs))
+  {
+    throw FileError(file.GetPath() + ": found " + std::to_string(list.Photographs.size()) +
+                    " photographs, expected 1 to " +
+                    std::to_string(vtkPhotographSet::MaximumNumberOfPhotographs));
+  }
+  return list;
+}
+
+//------------------------------------------------------------------------------
+bool ParsePhotographName(const std::string& path, ListedPhotograph& photograph)
+{
+  const std::string name = GetFileTitle(path);
+  std::array<double, 4> angles{};
+  const char* const keys[] = { "tl", "pl", "tv", "pv" };
+  for (std::size_t k = 0; k < 4; ++k)
+  {
+    if (FindAngle(name, keys[k], angles[k]) != 1)
+    {
+      return false;
+    }
+  }
+  photograph.File = path;
+  photograph.Exposure = 1.0;
+  SetAngles(path + ": light (tl, pl)", angles[0], angles[1], photograph.Light);
+  SetAngles(path + ": view (tv, pv)", angles[2], angles[3], photograph.View);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+PhotographList ListPhotographFolder(const std::string& folder, std::size_t& ignored)
+{
+  PhotographList list;
+  ignored = 0;
+  std::error_code error;
+  std::size_t entries = 0;
+  // It does not follow links to folders.
+  auto entry = std::filesystem::recursive_directory_iterator(folder, error);
+  for (; !error && entry != std::filesystem::end(entry); entry.increment(error))
+  {
+    if (++entries > MostFolderEntries)
+    {
+      throw FileError(folder + ": found more than " + std::to_string(MostFolderEntries) +
+                      " entries, expected a folder of photographs");
+    }
+    if (entry.depth() >= DeepestFolder)
+    {
+      entry.disable_recursion_pending();
+    }
+    std::error_code ignoredError;
+    if (!entry->is_regular_file(ignoredError))
+    {
+      continue;
+    }
+    ListedPhotograph photograph;
+    if (ParsePhotographName(entry->path().string(), photograph))
+    {
+      list.Photographs.push_back(photograph);
+    }
+    else
+    {
+      ++ignored;
+    }
+  }
+  if (error)
+  {
+    throw FileError(folder + ": " + error.message());
+  }
+  if (list.Photographs.empty() ||
+      list.Photographs.size() > std::size_t(vtkPhotographSet::MaximumNumberOfPhotographs))
+  {
+    throw FileError(folder + ": found " + std::to_string(list.Photographs.size()) +
+                    " files whose names say directions, like tl015_pl030_tv045_pv060.jpg; "
+                    "expected 1 to " +
+                    std::to_string(vtkPhotographSet::MaximumNumberOfPhotographs));
+  }
+  std::sort(list.Photographs.begin(), list.Photographs.end(),
+    [](const ListedPhotograph& a, const ListedPhotograph& b) { return a.File < b.File; });
+  return list;
+}
+} // namespace measuredbrdf

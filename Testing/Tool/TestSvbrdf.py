@@ -1,0 +1,203 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Drives `measured-brdf photograph` and `svbrdf`: TestSvbrdf.py PROGRAM [unittest arguments]."""
+
+import json
+import os
+import shutil
+import signal
+import struct
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+import zlib
+
+PROGRAM = ""
+SIDE = 16
+
+
+def run(*arguments):
+    return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=300)
+
+
+def read_png16(path):
+    """Rows of RGB values, top first, of a 16-bit RGB PNG."""
+    with open(path, "rb") as file:
+        data = file.read()
+    width, height, depth, color = struct.unpack(">2I2B", data[16:26])
+    assert (depth, color) == (16, 2)
+    packed, at = b"", 8
+    while at < len(data):
+        length = struct.unpack(">I", data[at:at + 4])[0]
+        packed += data[at + 8:at + 8 + length] if data[at + 4:at + 8] == b"IDAT" else b""
+        at += 12 + length
+    raw, step = zlib.decompress(packed), 6 * width
+    rows, above = [], bytes(step)
+    for y in range(height):
+        kind, row = raw[y * (step + 1)], bytearray(raw[y * (step + 1) + 1:(y + 1) * (step + 1)])
+        for x in range(step):
+            a, b, c = (row[x - 6] if x >= 6 else 0), above[x], (above[x - 6] if x >= 6 else 0)
+            p = a + b - c
+            paeth = min((abs(p - a), 0, a), (abs(p - b), 1, b), (abs(p - c), 2, c))[2]
+            row[x] = (row[x] + (0, a, b, (a + b) // 2, paeth)[kind]) & 255
+        rows.append(struct.unpack(f">{3 * width}H", bytes(row)))
+        above = bytes(row)
+    return rows
+
+
+def share(x, y):
+    """Of the second material, in 255ths."""
+    return min(255, max(0, 24 * (x - 3) + 3 * y))
+
+
+class SvbrdfTest(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.mkdtemp()
+        self.addCleanup(shutil.rmtree, self.folder)
+        rows = b"".join(b"\0" + b"".join(bytes((255 - share(x, y), share(x, y), 0)) for x in range(SIDE))
+                        for y in range(SIDE))
+        chunks = b"\x89PNG\r\n\x1a\n"
+        head = struct.pack(">2I5B", SIDE, SIDE, 8, 2, 0, 0, 0)
+        for kind, data in ((b"IHDR", head), (b"IDAT", zlib.compress(rows)), (b"IEND", b"")):
+            chunks += struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+        with open(self.path("weights.png"), "wb") as file:
+            file.write(chunks)
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def check(self, result, status, *words):
+        said = result.stdout if status == 0 else result.stderr
+        self.assertEqual(result.returncode, status, result.stdout + result.stderr)
+        for word in words:
+            self.assertIn(word, said)
+
+    def photograph(self, *options):
+        self.check(run("photograph", "red-fabric2", "nickel", "--weights", self.path("weights.png"), "-o",
+                       self.path("photos"), *options), 0, "simulated", "photographs.json")
+
+    def read(self, name):
+        with open(self.path(name), encoding="utf-8") as file:
+            return json.load(file)
+
+    def read_bytes(self, name):
+        with open(self.path(name), "rb") as file:
+            return file.read()
+
+    def check_weights(self, tolerance):
+        rows = read_png16(self.path("found/weights-1.png"))
+        self.assertEqual(len(rows), SIDE)
+        for y, row in enumerate(rows):
+            for x in range(SIDE):
+                self.assertAlmostEqual(row[3 * x + 1] / 65535.0, share(x, y) / 255.0, delta=tolerance)
+
+
+class Library(SvbrdfTest):
+    def test_round_trip(self):
+        self.photograph("--count", 40)
+        listed = self.read("photos/photographs.json")
+        self.assertIn("SIMULATED", listed["comment"])
+        self.assertEqual(len(listed["photographs"]), 40)
+        result = run("svbrdf", self.path("photos/photographs.json"), "-o", self.path("found"), "--json")
+        self.check(result, 0)
+        said = json.loads(result.stdout)
+        self.assertLess(said["worst_error"], 1e-4)
+        self.assertEqual([material["material"] for material in said["materials"]], ["red-fabric2", "nickel"])
+        self.assertEqual(said["size"], [SIDE, SIDE])
+        self.check_weights(1e-3)
+        again = [os.path.join("found", name) for name in ("map.json", "weights-1.png", "error.png")]
+        before = [self.read_bytes(name) for name in again]
+        self.check(run("svbrdf", self.path("photos/photographs.json"), "-o", self.path("found")), 0,
+                   "relative error of a texel", "red-fabric2", "nickel", "0 saturated")
+        self.assertEqual([self.read_bytes(name) for name in again], before)
+        # The map is photographed as the original was.
+        self.check(run("photograph", self.path("found/map.json"), "--count", 2, "-o", self.path("again")), 0)
+
+    def test_a_folder_of_bonns_names(self):
+        self.photograph("--count", 60, "--exposure", 0.5, "--format", "png")
+        os.remove(self.path("photos/photographs.json"))
+        self.assertTrue(all(name.startswith("tl0") and "_pv" in name for name in os.listdir(self.path("photos"))))
+        with open(self.path("photos/readme.txt"), "w", encoding="ascii") as file:
+            file.write("no photograph")
+        result = run("svbrdf", self.path("photos"), "--irradiance", 0.5 * 3.14159265, "--library", "nickel,red-fabric2,delrin",
+                     "-o", self.path("found"), "--json")
+        self.check(result, 0)
+        self.assertIn("1 file ignored", result.stderr)
+        said = json.loads(result.stdout)
+        self.assertEqual(sorted(material["material"] for material in said["materials"]), ["nickel", "red-fabric2"])
+        self.assertLess(said["mean_error"], 0.1)  # 8 bits
+        self.assertGreater(said["black_pixels"] + said["saturated_pixels"], 0)
+
+
+class Tables(SvbrdfTest):
+    def test_round_trip(self):
+        self.photograph("--count", 80, "--directions", "half-vector", "--noise", 0.002)
+        result = run("svbrdf", self.path("photos/photographs.json"), "--tables", "--materials", 2, "-o",
+                     self.path("found"), "--json")
+        self.check(result, 0)
+        said = json.loads(result.stdout)
+        self.assertLess(said["mean_error"], 0.05)
+        self.assertTrue(said["converged"])
+        self.assertEqual(self.read("found/map.json")["materials"][1]["material"], "material-2.exr")
+        self.check(run("info", self.path("found/material-1.exr")), 0, "half/difference")
+        self.check(run("photograph", self.path("found/map.json"), "--count", 1, "-o", self.path("again")), 0)
+
+    def test_interrupted(self):
+        self.photograph("--count", 200)
+        command = [PROGRAM, "svbrdf", self.path("photos/photographs.json"), "-o", self.path("found")]
+        with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as process:
+            while process.poll() is None:
+                with open(f"/proc/{process.pid}/status", encoding="ascii") as file:
+                    caught = [line for line in file if line.startswith("SigCgt")]
+                if caught and int(caught[0].split()[1], 16) & (1 << (signal.SIGINT - 1)):
+                    break
+                time.sleep(0.02)
+            if process.poll() is not None:
+                self.skipTest("skipped: finished too soon to be interrupted")
+            process.send_signal(signal.SIGINT)
+            said = process.communicate(timeout=120)[1]
+        self.assertEqual(process.returncode, 1)
+        self.assertIn("interrupted", said)
+        self.assertFalse(os.path.exists(self.path("found/map.json")))
+
+
+class Errors(SvbrdfTest):
+    def test_usage(self):
+        out = ["-o", self.path("x")]
+        weights = ["--weights", self.path("weights.png")]
+        self.check(run("photograph", "nickel", *out), 2, "--weights is required")
+        self.check(run("photograph", "map.json", *weights, *out), 2, "--weights", "already")
+        self.check(run("photograph", "nickel", *weights, "--exposure", "bright", *out), 2, "--exposure", "bright")
+        self.check(run("photograph", "nickel", *weights, "--noise", "-1", *out), 2, "--noise")
+        self.check(run("photograph", "nickel", *weights, "--pairs", "p.csv", "--count", 3, *out), 2, "--count")
+        self.check(run("svbrdf", "list.json", "--tables", "--library", "nickel", *out), 2, "--library")
+        self.check(run("svbrdf", "list.json", "--tables", "--tolerance", "0.1", *out), 2, "--tolerance")
+        self.check(run("svbrdf", "list.json", "--smoothness", "0.1", *out), 2, "--smoothness")
+        self.check(run("svbrdf", "list.json", "--irradiance", "0", *out), 2, "--irradiance")
+        self.check(run("svbrdf", "list.json", "--materials", "33", *out), 2, "--materials")
+        self.assertFalse(os.path.exists(self.path("x")))
+
+    def test_bad_input(self):
+        out = ["-o", self.path("x")]
+        self.check(run("svbrdf", self.path("absent.json"), *out), 1, "absent.json")
+        self.check(run("svbrdf", self.folder, *out), 1, "names say directions")
+        with open(self.path("list.csv"), "w", encoding="ascii") as file:
+            file.write("file,light_theta,light_phi,view_theta,view_phi\nweights.png,100,0,0,0\n")
+        self.check(run("svbrdf", self.path("list.csv"), *out), 1, "list.csv: line 2", "100")
+        with open(self.path("list.csv"), "w", encoding="ascii") as file:
+            file.write("file,light_theta,light_phi,view_theta,view_phi\nlist.csv,10,0,0,0\n")
+        self.check(run("svbrdf", self.path("list.csv"), *out), 1, "list.csv")
+        self.check(run("photograph", "nickel", "no-such-paint", "--weights", self.path("weights.png"), *out), 1,
+                   "no-such-paint")
+        self.check(run("photograph", *["nickel"] * 5, "--weights", self.path("weights.png"), *out), 1,
+                   "5 materials with 3 components")
+        with open(self.path("map.json"), "w", encoding="ascii") as file:
+            file.write("{}")
+        self.check(run("photograph", self.path("map.json"), *out), 1, "map.json: no material map")
+
+
+if __name__ == "__main__":
+    PROGRAM = os.path.abspath(sys.argv[1])
+    unittest.main(argv=sys.argv[:1] + sys.argv[2:])

@@ -1,0 +1,467 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The edges of vtkMaterialMapFitter and of its photographs: tiny, broken, masked and mismatched.
+
+#include "ErrorCatcher.h"
+#include "MappedSample.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
+#include "vtkFloatArray.h"
+#include "vtkMaterialMapFitter.h"
+#include "vtkPointData.h"
+#include "vtkSMPTools.h"
+#include "vtkTabulatedBRDF.h"
+
+#include <cstring>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+namespace
+{
+const std::vector<std::string> Two = { "nickel", "red-fabric2" };
+
+vtkSmartPointer<vtkMaterialMapFitter> NewFitter(
+  vtkPhotographSet* photographs, vtkMaterialMap* library)
+{
+  auto fitter = vtkSmartPointer<vtkMaterialMapFitter>::New();
+  fitter->SetPhotographs(photographs);
+  fitter->SetTableDimensions(6, 8, 16); // small ones, for speed
+  for (int k = 0; k < library->GetNumberOfMaterials(); ++k)
+  {
+    fitter->AddMaterial(library->GetBRDF(k), library->GetName(k));
+  }
+  return fitter;
+}
+
+/// The same photographs as plain pictures, which a test may spoil.
+struct Pictures
+{
+  explicit Pictures(vtkPhotographSet* source)
+  {
+    for (int k = 0; k < source->GetNumberOfPhotographs(); ++k)
+    {
+      double light[3], view[3];
+      source->GetLight(k, light);
+      source->GetView(k, view);
+      const auto picture = vtkSmartPointer<vtkImageData>::Take(source->NewPicture(k));
+      this->Set->AddPhotograph(picture, light, view, source->GetExposure(k));
+      this->Images.push_back(picture);
+    }
+  }
+
+  vtkNew<vtkPhotographSet> Set;
+  std::vector<vtkSmartPointer<vtkImageData>> Images;
+};
+
+double GetLargestDifference(vtkMaterialMap* a, vtkMaterialMap* b)
+{
+  double largest = 0.0;
+  for (int texel = 0; texel < a->GetWeightImage(0)->GetNumberOfPoints(); ++texel)
+  {
+    for (int k = 0; k < a->GetNumberOfMaterials(); ++k)
+    {
+      largest = std::max(largest, std::abs(GetWeight(a, k, texel) - GetWeight(b, k, texel)));
+    }
+  }
+  return largest;
+}
+
+std::vector<float> GetValues(vtkMaterialMapFitter* fitter)
+{
+  std::vector<float> values;
+  vtkImageData* images[] = { fitter->GetOutput()->GetWeightImage(0), fitter->GetErrorImage() };
+  for (vtkImageData* image : images)
+  {
+    auto* array = vtkFloatArray::SafeDownCast(image->GetPointData()->GetScalars());
+    values.insert(
+      values.end(), array->GetPointer(0), array->GetPointer(array->GetNumberOfValues()));
+  }
+  for (int k = 0; k < fitter->GetOutput()->GetNumberOfMaterials(); ++k)
+  {
+    if (auto* table = vtkTabulatedBRDF::SafeDownCast(fitter->GetOutput()->GetBRDF(k)))
+    {
+      values.insert(values.end(), table->GetVolume().begin(), table->GetVolume().end());
+    }
+  }
+  return values;
+}
+}
+
+//------------------------------------------------------------------------------
+TEST(MaterialMapFitter, OneTexelAndOnePhotograph)
+{
+  const auto original = NewMappedSample(Two, 1);
+  for (const int count : { 1, 30 })
+  {
+    const auto fitter = NewFitter(NewPhotographs(original, count), original);
+    ASSERT_TRUE(fitter->Fit());
+    EXPECT_LT(fitter->GetWorstError(), 1e-5);
+    fitter->SetMethodToTables();
+    fitter->SetMaximumNumberOfMaterials(4); // more than there can be
+    ASSERT_TRUE(fitter->Fit());
+    double sum = 0.0;
+    for (int k = 0; k < 4; ++k)
+    {
+      sum += GetWeight(fitter->GetOutput(), k, 0);
+    }
+    EXPECT_NEAR(sum, 1.0, 1e-6);
+    EXPECT_GT(fitter->GetNumberOfFindings(), 0); // one texel does not tell four materials
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(MaterialMapFitter, WantsPhotographsAndALibrary)
+{
+  vtkNew<vtkMaterialMapFitter> fitter;
+  ErrorCatcher errors(fitter);
+  EXPECT_FALSE(fitter->Fit());
+  EXPECT_NE(errors.GetText().find("no photographs"), std::string::npos);
+  vtkNew<vtkPhotographSet> none;
+  fitter->SetPhotographs(none);
+  EXPECT_FALSE(fitter->Fit());
+  const auto original = NewMappedSample(Two, 2);
+  fitter->SetPhotographs(NewPhotographs(original, 2));
+  EXPECT_FALSE(fitter->Fit());
+  EXPECT_NE(errors.GetText().find("no material in the library"), std::string::npos);
+  fitter->AddMaterial(nullptr, "");
+  fitter->SetMaximumNumberOfMaterials(33);
+  fitter->SetMethod(2);
+  EXPECT_EQ(errors.Take(), 6);
+  EXPECT_EQ(fitter->GetMaximumNumberOfMaterials(), 4);
+  EXPECT_EQ(fitter->GetOutput(), nullptr);
+}
+
+//------------------------------------------------------------------------------
+TEST(MaterialMapFitter, PhotographsOfOneSize)
+{
+  const auto original = NewMappedSample(Two, 4);
+  const auto photographs = NewPhotographs(original, 8);
+  const auto fitter = NewFitter(photographs, original);
+  ASSERT_TRUE(fitter->Fit());
+  vtkMaterialMap* const output = fitter->GetOutput();
+  Pictures pictures(photographs);
+  vtkNew<vtkImageData> other;
+  other->SetDimensions(4, 5, 1);
+  other->AllocateScalars(VTK_FLOAT, 3);
+  const double up[3] = { 0.0, 0.0, 1.0 };
+  pictures.Set->AddPhotograph(other, up, up, 1.0, "odd.png");
+  fitter->SetPhotographs(pictures.Set);
+  ErrorCatcher errors(fitter);
+  EXPECT_FALSE(fitter->Fit());
+  EXPECT_NE(
+    errors.GetText().find("odd.png: size: found 4 x 5, expected the first photograph's 4 x 4"),
+    std::string::npos)
+    << errors.GetText();
+  EXPECT_EQ(fitter->GetOutput(), output); // stays
+  other->SetDimensions(4, 4, 1);
+  other->AllocateScalars(VTK_FLOAT, 2);
+  EXPECT_FALSE(fitter->Fit());
+  EXPECT_NE(errors.GetText().find("odd.png: found 2 components"), std::string::npos);
+}
+
+//------------------------------------------------------------------------------
+// Spoiled pixels are left out and counted; what is left still gives the weights.
+TEST(MaterialMapFitter, LeavesOutSpoiledPixels)
+{
+  const auto original = NewMappedSample(Two, 6);
+  Pictures pictures(NewPhotographs(original, 20));
+  const float spoiled[] = { std::numeric_limits<float>::quiet_NaN(),
+    std::numeric_limits<float>::infinity(), 1e30f };
+  for (std::size_t k = 0; k < pictures.Images.size(); ++k)
+  {
+    auto* values = static_cast<float*>(pictures.Images[k]->GetScalarPointer());
+    for (std::size_t texel = 0; texel < 36; ++texel)
+    {
+      if ((texel + k) % 5 == 0 || texel == 7) // the eighth one always
+      {
+        values[3 * texel + (texel + k) % 3] = spoiled[k % 3];
+      }
+      else if ((texel + k) % 5 == 1)
+      {
+        values[3 * texel] = values[3 * texel + 1] = values[3 * texel + 2] = -3.0f;
+      }
+      else if ((texel + k) % 5 == 2)
+      {
+        values[3 * texel + 2] = 100.0f;
+      }
+    }
+  }
+  pictures.Set->LevelsForFloatsOn();
+  pictures.Set->SetSaturationLevel(50.0);
+  const auto fitter = NewFitter(pictures.Set, original);
+  ASSERT_TRUE(fitter->Fit());
+  EXPECT_EQ(fitter->GetNumberOfTexelsWithoutData(), 1);
+  EXPECT_EQ(fitter->GetNumberOfInvalidPixels(), 36 * 20 / 5 + 20 - 4);
+  EXPECT_EQ(fitter->GetNumberOfBlackPixels(), 36 * 20 / 5 - 4);
+  EXPECT_EQ(fitter->GetNumberOfSaturatedPixels(), 36 * 20 / 5 - 4);
+  EXPECT_EQ(fitter->GetErrorImage()->GetScalarComponentAsDouble(1, 1, 0, 0), -1.0);
+  EXPECT_EQ(GetWeight(fitter->GetOutput(), 0, 7) + GetWeight(fitter->GetOutput(), 1, 7), 0.0);
+  EXPECT_LT(fitter->GetWorstError(), 1e-5);
+  for (int texel = 0; texel < 36; ++texel)
+  {
+    if (texel != 7)
+    {
+      EXPECT_NEAR(GetWeight(fitter->GetOutput(), 0, texel), GetWeight(original, 0, texel), 2e-5);
+    }
+  }
+  fitter->SetMethodToTables();
+  fitter->SetMaximumNumberOfMaterials(2);
+  ASSERT_TRUE(fitter->Fit());
+  EXPECT_LT(fitter->GetFactorizationError(), 0.01);
+}
+
+//------------------------------------------------------------------------------
+TEST(MaterialMapFitter, NothingButSpoiledPixels)
+{
+  const auto original = NewMappedSample(Two, 3);
+  Pictures pictures(NewPhotographs(original, 4));
+  for (vtkImageData* image : pictures.Images)
+  {
+    image->GetPointData()->GetScalars()->Fill(std::numeric_limits<double>::quiet_NaN());
+  }
+  const auto fitter = NewFitter(pictures.Set, original);
+  ErrorCatcher errors(fitter);
+  for (const int method : { vtkMaterialMapFitter::LIBRARY, vtkMaterialMapFitter::TABLES })
+  {
+    fitter->SetMethod(method);
+    EXPECT_FALSE(fitter->Fit());
+    EXPECT_NE(errors.GetText().find("no pixel is valid"), std::string::npos);
+  }
+}
+
+//------------------------------------------------------------------------------
+// 12 bits with a clipped highlight, and 8 bits by sRGB's curve.
+TEST(MaterialMapFitter, IntegersAreSharesOfTheirLargest)
+{
+  const auto original = NewMappedSample(Two, 8);
+  const auto photographs = NewPhotographs(original, 60);
+  photographs->SetBits(12);
+  const auto fitter = NewFitter(photographs, original);
+  ASSERT_TRUE(fitter->Fit());
+  EXPECT_GT(fitter->GetNumberOfSaturatedPixels(), 0);
+  EXPECT_LT(GetLargestDifference(fitter->GetOutput(), original), 0.02);
+
+  vtkNew<vtkPhotographSet> bytes;
+  for (int k = 0; k < photographs->GetNumberOfPhotographs(); ++k)
+  {
+    const auto picture = vtkSmartPointer<vtkImageData>::Take(photographs->NewPicture(k));
+    vtkNew<vtkImageData> encoded;
+    encoded->SetDimensions(8, 8, 1);
+    encoded->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+    auto* codes = static_cast<unsigned char*>(encoded->GetScalarPointer());
+    vtkDataArray* values = picture->GetPointData()->GetScalars();
+    for (vtkIdType v = 0; v < 3 * 64; ++v)
+    {
+      const double linear = values->GetComponent(v / 3, static_cast<int>(v % 3)) / 65535.0;
+      const double code =
+        linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
+      codes[v] = static_cast<unsigned char>(std::lround(255.0 * code));
+    }
+    double light[3], view[3];
+    photographs->GetLight(k, light);
+    photographs->GetView(k, view);
+    bytes->AddPhotograph(encoded, light, view);
+  }
+  const auto other = NewFitter(bytes, original);
+  ASSERT_TRUE(other->Fit());
+  EXPECT_LT(GetLargestDifference(other->GetOutput(), original), 0.05);
+}
+
+//------------------------------------------------------------------------------
+// One thread or several, one band of texels or many: the same bits.
+TEST(MaterialMapFitter, TheSameBitsOnAnyNumberOfThreads)
+{
+  const auto original = NewMappedSample(Two, 40);
+  const auto photographs = NewPhotographs(original, 30);
+  photographs->SetNoise(0.01);
+  const auto fitter = NewFitter(photographs, original);
+  fitter->SetNumberOfSampleTexels(500);
+  const std::string usual = vtkSMPTools::GetBackend();
+  for (const int method : { vtkMaterialMapFitter::LIBRARY, vtkMaterialMapFitter::TABLES })
+  {
+    fitter->SetMethod(method);
+    fitter->SetMaximumNumberOfMaterials(2);
+    ASSERT_TRUE(vtkSMPTools::SetBackend("Sequential"));
+    ASSERT_TRUE(fitter->Fit());
+    const std::vector<float> one = GetValues(fitter);
+    ASSERT_TRUE(vtkSMPTools::SetBackend("STDThread"));
+    vtkSMPTools::Initialize(3);
+    ASSERT_TRUE(fitter->Fit());
+    const std::vector<float> three = GetValues(fitter);
+    vtkSMPTools::Initialize();
+    vtkSMPTools::SetBackend(usual.c_str());
+    ASSERT_EQ(one.size(), three.size());
+    EXPECT_EQ(std::memcmp(one.data(), three.data(), one.size() * sizeof(float)), 0);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(MaterialMapFitter, BandsOfTexelsChangeNothing)
+{
+  const auto original = NewMappedSample(Two, 150);
+  const auto photographs = NewPhotographs(original, 5);
+  const auto fitter = NewFitter(photographs, original);
+  ASSERT_TRUE(fitter->Fit());
+  EXPECT_EQ(fitter->GetNumberOfPasses(), 2);
+  const std::vector<float> whole = GetValues(fitter);
+  fitter->SetMemoryLimit(1);
+  ASSERT_TRUE(fitter->Fit());
+  EXPECT_GE(fitter->GetNumberOfPasses(), 3);
+  const std::vector<float> bands = GetValues(fitter);
+  EXPECT_EQ(std::memcmp(whole.data(), bands.data(), whole.size() * sizeof(float)), 0);
+}
+
+//------------------------------------------------------------------------------
+TEST(MaterialMapFitter, StopsWhenAskedTo)
+{
+  const auto original = NewMappedSample(Two, 8);
+  const auto fitter = NewFitter(NewPhotographs(original, 20), original);
+  ErrorCatcher errors(fitter);
+  struct Watch
+  {
+    double Last = -1.0;
+    double StopAt = 0.0;
+    bool Grows = true;
+  } watch;
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(&watch);
+  command->SetCallback(
+    [](vtkObject* caller, unsigned long, void* data, void* share)
+    {
+      auto* w = static_cast<Watch*>(data);
+      w->Grows = w->Grows && *static_cast<double*>(share) >= w->Last;
+      w->Last = *static_cast<double*>(share);
+      if (w->Last >= w->StopAt)
+      {
+        static_cast<vtkMaterialMapFitter*>(caller)->AbortOn();
+      }
+    });
+  fitter->AddObserver(vtkCommand::ProgressEvent, command);
+  for (const int method : { vtkMaterialMapFitter::LIBRARY, vtkMaterialMapFitter::TABLES })
+  {
+    fitter->SetMethod(method);
+    for (const double share : { 0.0, 0.2, 0.4, 0.7 })
+    {
+      watch = Watch();
+      watch.StopAt = share;
+      EXPECT_FALSE(fitter->Fit());
+      EXPECT_TRUE(watch.Grows);
+      EXPECT_EQ(fitter->GetOutput(), nullptr);
+    }
+  }
+  EXPECT_EQ(errors.Take(), 0);
+  watch = Watch();
+  watch.StopAt = 2.0;
+  EXPECT_TRUE(fitter->Fit());
+  EXPECT_EQ(watch.Last, 1.0);
+}
+
+//------------------------------------------------------------------------------
+TEST(PhotographSet, RefusesDirectionsBelowTheHorizon)
+{
+  vtkNew<vtkPhotographSet> set;
+  ErrorCatcher errors(set);
+  vtkNew<vtkImageData> picture;
+  const double up[3] = { 0.0, 0.0, 2.0 }, level[3] = { 1.0, 0.0, 0.0 },
+               down[3] = { 0.0, 0.1, -1.0 }, none[3] = { 0.0, 0.0, 0.0 },
+               broken[3] = { std::numeric_limits<double>::quiet_NaN(), 0.0, 1.0 };
+  for (const double* bad : { level, down, none, broken })
+  {
+    EXPECT_EQ(set->AddPhotograph(picture, bad, up, 1.0, "a.png"), -1);
+    EXPECT_NE(errors.GetText().find("a.png: light: found ("), std::string::npos);
+    EXPECT_EQ(set->AddPhotograph(picture, up, bad), -1);
+  }
+  EXPECT_EQ(set->AddPhotograph(picture, up, up, 0.0), -1);
+  EXPECT_EQ(set->AddPhotograph(picture, up, up, std::numeric_limits<double>::infinity()), -1);
+  EXPECT_EQ(set->AddPhotograph(nullptr, up, up), -1);
+  EXPECT_EQ(errors.Take(), 11);
+  EXPECT_EQ(set->GetNumberOfPhotographs(), 0);
+  EXPECT_EQ(set->AddPhotograph(picture, up, up, 2.0), 0);
+  double light[3];
+  set->GetLight(0, light);
+  EXPECT_EQ(light[2], 1.0);
+  EXPECT_DOUBLE_EQ(set->GetScale(0), 2.0 * set->GetIrradiance());
+  EXPECT_EQ(set->NewPicture(1), nullptr);
+}
+
+//------------------------------------------------------------------------------
+// Sattler et al. 2003: 81 directions, the steps of whose azimuths are 60, 30, 20, 18 and 15
+// degrees.
+TEST(PhotographSet, HasBonnsDirections)
+{
+  double angles[2];
+  EXPECT_TRUE(vtkPhotographSet::GetBonnDirection(0, angles));
+  EXPECT_EQ(angles[0], 0.0);
+  EXPECT_TRUE(vtkPhotographSet::GetBonnDirection(1 + 6 + 12 + 18 + 3, angles));
+  EXPECT_EQ(angles[0], 60.0);
+  EXPECT_EQ(angles[1], 54.0);
+  EXPECT_TRUE(vtkPhotographSet::GetBonnDirection(80, angles));
+  EXPECT_EQ(angles[0], 75.0);
+  EXPECT_EQ(angles[1], 345.0);
+  EXPECT_FALSE(vtkPhotographSet::GetBonnDirection(81, angles));
+  EXPECT_FALSE(vtkPhotographSet::GetBonnDirection(-1, angles));
+}
+
+//------------------------------------------------------------------------------
+// The formula: exposure times irradiance times f times cosine.
+TEST(SimulatedPhotographSet, IsTheExactMixture)
+{
+  const auto original = NewMappedSample(Two, 4);
+  vtkNew<vtkSimulatedPhotographSet> set;
+  set->SetMaterialMap(original);
+  const double light[3] = { 0.3, -0.2, 0.7 }, view[3] = { -0.5, 0.1, 0.6 };
+  ASSERT_EQ(set->AddDirections(light, view, 0.5), 0);
+  const auto picture = vtkSmartPointer<vtkImageData>::Take(set->NewPicture(0));
+  double f[2][3];
+  original->GetBRDF(0)->Evaluate(light, view, f[0]);
+  original->GetBRDF(1)->Evaluate(light, view, f[1]);
+  const double cosine = 0.7 / std::hypot(0.3, 0.2, 0.7);
+  for (int texel = 0; texel < 16; ++texel)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      const double expected =
+        0.5 * 3.14159265358979323846 * cosine *
+        (GetWeight(original, 0, texel) * f[0][c] + GetWeight(original, 1, texel) * f[1][c]);
+      EXPECT_NEAR(
+        picture->GetScalarComponentAsDouble(texel % 4, texel / 4, 0, c), expected, 1e-6 * expected);
+    }
+  }
+  ErrorCatcher errors(set);
+  EXPECT_EQ(set->NewPicture(1), nullptr);
+  original->RemoveAllWeightImages();
+  EXPECT_EQ(set->NewPicture(0), nullptr);
+  EXPECT_EQ(set->AddDirections(light, light, -1.0), -1);
+  set->SetNoise(-1.0);
+  set->SetBits(17);
+  EXPECT_EQ(errors.Take(), 5);
+}
+
+//------------------------------------------------------------------------------
+TEST(SimulatedPhotographSet, NoiseIsSeededAndHasItsDeviation)
+{
+  const auto original = NewMappedSample(Two, 64);
+  const auto clean = NewPhotographs(original, 3);
+  const auto noisy = NewPhotographs(original, 3);
+  noisy->SetNoise(0.05);
+  const auto take = [](vtkPhotographSet* set, int k)
+  { return vtkSmartPointer<vtkImageData>::Take(set->NewPicture(k)); };
+  const auto a = take(clean, 2), b = take(noisy, 2), again = take(noisy, 2);
+  double sum = 0.0, squares = 0.0;
+  for (int texel = 0; texel < 64 * 64; ++texel)
+  {
+    const int x = texel % 64, y = texel / 64;
+    const double value = b->GetScalarComponentAsDouble(x, y, 0, 1);
+    const double difference = value - a->GetScalarComponentAsDouble(x, y, 0, 1);
+    sum += difference;
+    squares += difference * difference;
+    EXPECT_EQ(value, again->GetScalarComponentAsDouble(x, y, 0, 1));
+  }
+  EXPECT_NEAR(sum / (64 * 64), 0.0, 4.0 * 0.05 / 64.0);
+  EXPECT_NEAR(std::sqrt(squares / (64 * 64)), 0.05, 0.05 * 4.0 / 90.0);
+  noisy->SetSeed(2);
+  EXPECT_NE(take(noisy, 2)->GetScalarComponentAsDouble(0, 0, 0, 0),
+    b->GetScalarComponentAsDouble(0, 0, 0, 0));
+}
