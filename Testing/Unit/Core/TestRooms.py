@@ -21,7 +21,9 @@ ALLOWED = {
     "Fitting": ["Core", "Material"],
     "IO": ["Core", "Material", "Lighting"],
     "Planning": ["Core", "Material", "Lighting", "Integration"],
-    "Rendering": ["Core", "Material", "Lighting", "Integration", "Fitting", "Planning"],
+    "Rendering": [
+        "Core", "Material", "Lighting", "Integration", "Fitting", "Planning", "Visibility"
+    ],
     "Sources": ["Core", "Material"],
 }
 
