@@ -33,13 +33,14 @@ vec3 brdfEnvironmentINSTANCE(mat3 frame, vec3 o)
   vec3 low = texture(brdfTableRadianceINSTANCE, at).rgb;
   at.z += slices / size.z;
   vec3 high = texture(brdfTableRadianceINSTANCE, at).rgb;
-  vec3 sum = mix(low, high, w - angle) * brdfProfile(brdfTableProfileINSTANCE, u, 1);
+  vec3 sum = BRDF_OPEN_LOBE(mix(low, high, w - angle) *
+    brdfProfile(brdfTableProfileINSTANCE, u, 1));
   if (HAS_FLOOR != 0)
   {
     float side = float(textureSize(brdfTableIrradianceINSTANCE, 0).x);
     vec2 normalAt = (brdfOctahedralPosition(frame[2]) * (side - 1.0) + 0.5) / side;
-    sum += texture(brdfTableIrradianceINSTANCE, normalAt).rgb *
+    sum += BRDF_OPEN_IRRADIANCE(texture(brdfTableIrradianceINSTANCE, normalAt).rgb) *
       brdfProfile(brdfTableProfileINSTANCE, u, 2);
   }
-  return max(max(sum, vec3(0.0)) + core, vec3(0.0));
+  return max(max(sum, vec3(0.0)) + BRDF_OPEN_LOBE(core), vec3(0.0));
 }

@@ -17,5 +17,5 @@ vec3 brdfEnvironmentINSTANCE(mat3 frame, vec3 o)
 {
   vec3 sum = vec3(0.0);
   ADD_LIGHTS
-  return sum;
+  return BRDF_OPEN_LIGHTS(sum);
 }

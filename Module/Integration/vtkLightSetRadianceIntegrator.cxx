@@ -94,8 +94,9 @@ void AddLightUniforms(vtkLightSet* lights, vtkBRDFShaderInputs::Term& term)
       { "brdfSpread" + number, { static_cast<float>(GetSpread(lights, k)) } });
     uniforms += "uniform vec3 brdfDirection" + number + "INSTANCE;\nuniform vec3 brdfIrradiance" +
                 number + "INSTANCE;\nuniform float brdfSpread" + number + "INSTANCE;\n";
-    sum += "sum += brdfLightINSTANCE(vec4(brdfDirection" + number + "INSTANCE, brdfSpread" +
-           number + "INSTANCE), brdfIrradiance" + number + "INSTANCE, frame, o);\n  ";
+    sum += "sum += BRDF_OPEN_LAMP(" + number + ") brdfLightINSTANCE(vec4(brdfDirection" + number +
+           "INSTANCE, brdfSpread" + number + "INSTANCE), brdfIrradiance" + number +
+           "INSTANCE, frame, o);\n  ";
   }
   term.Constants.push_back({ "LIGHT_UNIFORMS", uniforms });
   term.Constants.push_back({ "ADD_LIGHTS", sum });

@@ -4,6 +4,8 @@
 
 #include "vtkMeasuredBRDFMapperMixin.txx"
 
+#include "BatchBase.h"
+#include "BatchOcclusion.h"
 #include "BlockMaterials.h"
 #include "BlockParts.h"
 #include "MapperProperties.h"
@@ -11,13 +13,6 @@
 #include "vtkPBRPropertyFitter.h"
 #include "vtkPolyData.h"
 #include "vtkRadiancePlanner.h"
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
-#include "vtkOpenGLBatchedPolyDataMapper.h"
-#include "vtkOpenGLCompositePolyDataMapperDelegator.h"
-#else
-using GLenum = unsigned int; // which the next header takes for declared
-#include "vtkCompositeMapperHelper2.h"
-#endif
 
 #include <functional>
 #include <set>
@@ -28,11 +23,6 @@ using namespace measuredbrdf;
 
 namespace
 {
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
-using BatchBase = vtkOpenGLBatchedPolyDataMapper;
-#else
-using BatchBase = vtkCompositeMapperHelper2;
-#endif
 using BatchDrawing = vtkMeasuredBRDFMapperInternals;
 }
 
@@ -141,6 +131,27 @@ protected:
       this->Sort();
     }
     return this->Uses;
+  }
+
+  void AddOcclusion(vtkRenderer*) override
+  {
+    this->Occlusion.Clear();
+    this->ForEachBlock([this](vtkPolyData* surface, bool*, const BlockStyle&)
+      { this->Occlusion.Announce(this->Drawing->FindOcclusion(surface, false)); });
+  }
+
+  void AppendOneBufferObject(vtkRenderer* ren, vtkActor* actor, BlockRecord* record,
+    vtkIdType& offset, std::vector<unsigned char>& colors, std::vector<float>& normals) override
+  {
+    vtkPolyData* surface = GetSurface(record);
+    const vtkIdType before = BatchOcclusion::CountVertices(this->VBOs, surface);
+    this->vtkMeasuredBRDFMapperMixin<BatchBase>::AppendOneBufferObject(
+      ren, actor, record, offset, colors, normals);
+    if (BatchOcclusion::CountVertices(this->VBOs, surface) != before)
+    {
+      this->Occlusion.Append(
+        this->VBOs, surface->GetNumberOfPoints(), this->Drawing->FindOcclusion(surface, false));
+    }
   }
 
   void ShowOnly(int material) override
@@ -265,6 +276,7 @@ private:
   unsigned long Revision = 0;
   int Shown = -1;
   bool HasDivided = false;
+  BatchOcclusion Occlusion;
 };
 
 vtkStandardNewMacro(Batch);

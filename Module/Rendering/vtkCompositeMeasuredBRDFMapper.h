@@ -115,6 +115,11 @@ public:
   bool GetAbortPlanning();
   void SetScalarColoringMode(int mode);
   int GetScalarColoringMode();
+  void SetOcclusionMode(int mode);
+  int GetOcclusionMode();
+  void SetOcclusionModeToOff() { this->SetOcclusionMode(vtkMeasuredBRDFMapper::OCCLUSION_OFF); }
+  void SetOcclusionModeToAuto() { this->SetOcclusionMode(vtkMeasuredBRDFMapper::OCCLUSION_AUTO); }
+  void SetOcclusionModeToOn() { this->SetOcclusionMode(vtkMeasuredBRDFMapper::OCCLUSION_ON); }
   void SetUseSceneLights(bool use);
   bool GetUseSceneLights();
   void UseSceneLightsOn() { this->SetUseSceneLights(true); }

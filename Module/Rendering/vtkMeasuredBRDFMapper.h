@@ -282,6 +282,32 @@ public:
   void UseSceneLightsOff() { this->SetUseSceneLights(false); }
   ///@}
 
+  enum OcclusionModeType
+  {
+    OCCLUSION_OFF = 0,
+    OCCLUSION_AUTO = 1,
+    OCCLUSION_ON = 2
+  };
+
+  ///@{
+  /**
+   * Whether the surface hides the environment from itself. OCCLUSION_AUTO (default): where it has
+   * the point arrays of vtkSurfaceVisibilityFilter. OCCLUSION_ON: where it has none, too; the first
+   * Render and each one after a change of the surface then run that filter (seconds for half a
+   * million triangles), but for surfaces that a material map divides. OCCLUSION_OFF: never. Arrays
+   * of another surface, or damaged ones, are reported once and not used. vtkLights are not hidden:
+   * vtkShadowMapPass does that. A change of the environment, its rotation and the material cost
+   * what they cost without. Methods that tell a material's matte part and its lobe apart (table,
+   * factored, hybrid; what plans choose) are the most accurate; others take what is reflected as
+   * one lobe.
+   */
+  void SetOcclusionMode(int mode);
+  int GetOcclusionMode();
+  void SetOcclusionModeToOff() { this->SetOcclusionMode(OCCLUSION_OFF); }
+  void SetOcclusionModeToAuto() { this->SetOcclusionMode(OCCLUSION_AUTO); }
+  void SetOcclusionModeToOn() { this->SetOcclusionMode(OCCLUSION_ON); }
+  ///@}
+
   ///@{
   /**
    * About the last render: the integrator that was drawn (null before the first render or without

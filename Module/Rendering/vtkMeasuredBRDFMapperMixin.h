@@ -25,6 +25,7 @@
 class vtkBRDF;
 class vtkMeasuredBRDFMapperInternals; // how materials are drawn
 class vtkPolyData;
+class vtkShaderProgram;
 
 template <class Base>
 class VTKMEASUREDBRDF_EXPORT vtkMeasuredBRDFMapperMixin : public Base
@@ -50,6 +51,8 @@ protected:
   void RenderPieceStart(vtkRenderer* ren, vtkActor* actor) override;
   void RenderPieceDraw(vtkRenderer* ren, vtkActor* actor) override;
   void RenderPieceFinish(vtkRenderer* ren, vtkActor* actor) override;
+  bool GetNeedToRebuildBufferObjects(vtkRenderer* ren, vtkActor* actor) override;
+  void BuildBufferObjects(vtkRenderer* ren, vtkActor* actor) override;
   bool GetNeedToRebuildShaders(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor) override;
 
   using Shaders = std::map<vtkShader::Type, vtkShader*>;
@@ -71,6 +74,16 @@ protected:
   /// Whether the material's tangents come with the data.
   bool HasTangents();
 
+  /// Hand what the surface hides from itself to the buffers that are being built.
+  virtual void AddOcclusion(vtkRenderer* ren);
+
+  /// Whether what is drawn is a part of a surface that a material map divides.
+  virtual bool IsPart() { return false; }
+
+  /// Whether the buffers have what the surface hides from itself; from both sides.
+  bool HasOcclusion();
+  bool HasTwoSidedOcclusion();
+
   /// Made by the subclass; the mappers that draw the parts of one data set share it.
   std::shared_ptr<vtkMeasuredBRDFMapperInternals> Drawing;
 
@@ -82,8 +95,11 @@ private:
   void operator=(const vtkMeasuredBRDFMapperMixin&) = delete;
 
   void WarnOfTextures(vtkActor* actor);
+  void ReplaceShaderOcclusion(Shaders shaders);
+  void SetOcclusionParameters(vtkShaderProgram* program, vtkRenderer* ren, vtkActor* actor);
 
   std::map<const vtkOpenGLHelper*, std::string> ShaderKeys;
+  int BuiltOcclusionMode = -1; // of the buffers
 };
 
 #endif

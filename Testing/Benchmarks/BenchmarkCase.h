@@ -38,19 +38,7 @@ struct BenchmarkCase
   BenchmarkCase(vtkBRDF* brdf, const std::string& light)
     : BRDF(brdf)
   {
-    const std::string folder = MEASUREDBRDF_SHARED_DATA;
-    vtkNew<vtkEnvironmentReader> map;
-    map->SetFileName(folder + "/environments/" + light);
-    map->GlobalWarningDisplayOff();
-    if (light.find('.') == std::string::npos)
-    {
-      this->Environment =
-        vtkSmartPointer<vtkEnvironment>::Take(vtkEmbeddedEnvironments::NewEnvironment(light));
-    }
-    else if (map->Read())
-    {
-      this->Environment = map->GetEnvironment();
-    }
+    this->Environment = FindEnvironment(light);
     if (this->BRDF && this->Environment)
     {
       AddEverywherePairs(1000, this->Normals, this->Views);
@@ -59,6 +47,19 @@ struct BenchmarkCase
       reference->SetEnvironment(this->Environment);
       reference->Integrate(this->Normals, this->Views, this->Reference);
     }
+  }
+
+  static vtkSmartPointer<vtkEnvironment> FindEnvironment(const std::string& light)
+  {
+    if (light.find('.') == std::string::npos)
+    {
+      return vtkSmartPointer<vtkEnvironment>::Take(vtkEmbeddedEnvironments::NewEnvironment(light));
+    }
+    const std::string folder = MEASUREDBRDF_SHARED_DATA;
+    vtkNew<vtkEnvironmentReader> map;
+    map->SetFileName(folder + "/environments/" + light);
+    map->GlobalWarningDisplayOff();
+    return map->Read() ? map->GetEnvironment() : nullptr;
   }
 
   static vtkSmartPointer<vtkBRDF> FindBRDF(const std::string& name)

@@ -941,3 +941,33 @@ add("Fetch.encrypted-member", "ZipMember.cxx", "(Get(directory, at + 8, 2) & 1) 
     "ZipMember.RefusesWhatIsWrong")
 add("Fetch.files-have-no-names", "FetchCatalog.cxx", "return entry.Name == name || entry.File == name;",
     "return entry.Name == name;", "FetchCatalog.NamesAndFiles")
+
+# What surfaces hide
+
+add("Visibility.hidden-rays-without-cosine", "Private/HiddenSky.cxx", "transfer[j] += d.z * values[j];",
+    "transfer[j] += values[j];", "HiddenSky.ACraterHidesTheLowSky")
+add("Visibility.sectors-count-backwards", "Private/HiddenSky.cxx", "return 2.0 * Pi * sector / HiddenSky::Sectors;",
+    "return -2.0 * Pi * sector / HiddenSky::Sectors;", "OcclusionTest.LobesLackTheirHiddenShare")
+add("Visibility.strata-without-offset", "Private/HiddenSky.cxx",
+    "return ReverseBits(static_cast<unsigned>(sector)) + 0.5 / HiddenSky::Sectors;", "return 0.5;",
+    "SurfaceVisibility.BlocksHideOneAnother")
+add("Visibility.wide-lobes-see-no-light", "Private/HiddenSky.cxx",
+    "const double power = 1.0 / (1.0 + kappa / CorrelationKappa);", "const double power = 0.0 * kappa;",
+    "HiddenSky.BrightHiddenSkiesCountMore")
+add("Visibility.origins-on-edges", "Private/SurfacePoints.cxx", "constexpr double Inwards = 0.02;",
+    "constexpr double Inwards = 0.0;", "SurfaceVisibility.EdgesBelongToTheirOwnSide")
+add("Visibility.key-without-cells", "Private/SurfacePoints.cxx", "hash.AddValues(ids);", "",
+    "SurfaceVisibility.KeysSeePointsAndCells")
+add("Visibility.same-side-twice", "vtkSurfaceVisibilityFilter.cxx", "side == 0 ? 1.0 : -1.0, hidden",
+    "1.0, hidden", "SurfaceVisibility.TheOtherSideHasItsOwnSky")
+add("Visibility.traced-again", "vtkSurfaceVisibilityFilter.cxx", "bool whole = key == this->Impl->Key;",
+    "bool whole = false;", "SurfaceVisibility.WhatIsKnownIsNotTracedAgain")
+add("Rendering.stale-visibility", "Private/OcclusionArrays.cxx", "problem = isPart ? \"\" : CheckKey(surface);",
+    "problem = \"\";", "OcclusionTest.BadArraysAreSaidOnceAndNotUsed")
+add("Rendering.hidden-light-unturned", "Private/OcclusionAxes.cxx",
+    "this->ToEnvironment.push_back(own * toRenderer * turned);",
+    "this->ToEnvironment.push_back(own * toRenderer);", "OcclusionTest.ActorsMayBeTurnedMirroredAndScaled")
+add("Shaders.hidden-sky-odds", "vtkBRDFHiddenSky.glsl", "vec3(1.0 / (1.0 + kappa / 12.0))",
+    "vec3(1.0 / (1.0 + kappa / 3.0))", "OcclusionTest.LobesLackTheirHiddenShare")
+add("Shaders.hidden-irradiance-counts", "vtkBRDFEnvironmentTable.glsl", "sum += BRDF_OPEN_IRRADIANCE(",
+    "sum += (", "OcclusionTest.MatteSurfacesLackTheHiddenIrradiance")

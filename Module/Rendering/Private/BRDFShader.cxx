@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BRDFShader.h"
 
+#include "OcclusionShader.h"
+
 #include "vtkShaderProgram.h"
 
 #include "vtkBRDFBegin.h"
@@ -48,7 +50,10 @@ std::string Sum(const vtkBRDFShaderInputs& form, std::size_t first, const std::s
       vtkShaderProgram::Substitute(term, constant.Name, constant.Value);
     }
     text += Numbered(term, "INSTANCE", first + k);
-    sum += " + " + name + std::to_string(first + k) + arguments;
+    const std::string call = name + std::to_string(first + k) + arguments;
+    // A method that tells no parts of its light apart is taken as one lobe.
+    const bool whole = name == "brdfEnvironment" && term.find("BRDF_OPEN_") == std::string::npos;
+    sum += " + " + (whole ? "BRDF_OPEN_LOBE(" + call + ")" : call);
   }
   return text + signature + "\n{\n  return " + sum + ";\n}\n";
 }
@@ -82,7 +87,7 @@ std::string DeclareMember(const ShaderMember& member, std::size_t number)
   const vtkBRDFShaderInputs dark;
   const std::string lights = Sum(member.Environment ? *member.Environment : dark, first,
     "vec3 brdfEnvironment(mat3 frame, vec3 o)", "brdfEnvironment", "(frame, o)");
-  std::string text;
+  std::string text = DefineOcclusion(member.Occlusion, number);
   if (member.Material)
   {
     text += Sum(*member.Material, first, "vec3 brdfEvaluate(vec3 i, vec3 o)", "brdfTerm", "(i, o)");

@@ -8,6 +8,7 @@
 #ifndef BRDFShader_h
 #define BRDFShader_h
 
+#include "OcclusionLight.h"
 #include "vtkBRDFShaderInputs.h"
 
 #include <string>
@@ -26,9 +27,10 @@ enum class TangentSource
 /// One of the materials that a shader mixes.
 struct ShaderMember
 {
-  const vtkBRDFShaderInputs* Material;    // null: it is not asked for
-  const vtkBRDFShaderInputs* Environment; // null: there is none
-  int Slot = 0;                           // its weight is brdfWeights[Slot]
+  const vtkBRDFShaderInputs* Material;       // null: it is not asked for
+  const vtkBRDFShaderInputs* Environment;    // null: there is none
+  int Slot = 0;                              // its weight is brdfWeights[Slot]
+  const OcclusionLight* Occlusion = nullptr; // null: nothing is hidden
 };
 
 /// The number that stands for INSTANCE in the texts and names of a member's first term; the

@@ -32,6 +32,7 @@
   MEASUREDBRDF_PROPERTY(Class, settings, CacheFolder, CacheFolder, std::string)          \
   MEASUREDBRDF_CHECKED_PROPERTY(Class, settings, PlanningMode, int)                      \
   MEASUREDBRDF_CHECKED_PROPERTY(Class, settings, ErrorTolerance, double)                 \
-  MEASUREDBRDF_CHECKED_PROPERTY(Class, settings, ScalarColoringMode, int)
+  MEASUREDBRDF_CHECKED_PROPERTY(Class, settings, ScalarColoringMode, int)                \
+  MEASUREDBRDF_CHECKED_PROPERTY(Class, settings, OcclusionMode, int)
 
 #endif

@@ -342,6 +342,7 @@ void MaterialDrawing::BeginFrame(
     materials.push_back(this->Resolve(use, state));
   }
   frame.Materials = std::move(materials);
+  this->DropOcclusionLights();
   this->Frame = &frame;
   this->LastRenderer = renderer;
 }

@@ -13,12 +13,16 @@
 #include "DrawnMaterial.h"
 #include "MapperPlans.h"
 #include "MaterialSettings.h"
+#include "OcclusionArrays.h"
+#include "OcclusionLight.h"
+#include "OcclusionShader.h"
 #include "SelectedMaterials.h"
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
 #include <atomic>
 #include <functional>
+#include <map>
 #include <memory>
 #include <set>
 #include <string>
@@ -73,6 +77,16 @@ public:
 
   /// The selected ones; none where the superclass draws.
   const SelectedMaterials& GetSelected() const { return this->Selected; }
+
+  ///@{
+  /// For surfaces that hide the sky from themselves (SetOcclusionMode): the attributes of one that
+  /// is drawn, null where it has none; of a material, null without an environment. isPart: of a
+  /// surface that a material map divides. Both stay valid until the next frame.
+  std::shared_ptr<OcclusionArrays> FindOcclusion(vtkPolyData* surface, bool isPart);
+  const OcclusionLight* FindOcclusionLight(const DrawnMaterial& drawn);
+  /// Of the selected materials; none where nothing is hidden. any: whether the buffers have some.
+  OcclusionLights GetSelectedOcclusion(bool any);
+  ///@}
 
   /// How many times the mapper's tolerance a material may have (default: 1 for all).
   void SetToleranceFactor(std::function<double(vtkBRDF*)> factor)
@@ -147,6 +161,7 @@ private:
   static void VisitRequests(vtkRenderer* renderer, const PlanRequest::Visit& visit);
   void WarnOfLevels(const FrameState& state);
   void DropPlans(const FrameState& state, bool anyMaterial);
+  void DropOcclusionLights();
 
   ///@{
   /// The stages of a frame, in this order; the last three for each material.
@@ -181,6 +196,13 @@ private:
   SelectedMaterials Selected;
   std::set<std::string> Warned;
   std::atomic<bool> AbortPlanning{ false };
+  struct KnownLight
+  {
+    vtkMTimeType Time;
+    std::unique_ptr<OcclusionLight> Light;
+  };
+  std::map<vtkSmartPointer<vtkRadianceIntegrator>, KnownLight> KnownLights;
+  OcclusionCache Occlusion;
   bool WasReady = false; // whether a plan made in the background waited to be drawn
   vtkTimeStamp ReadyTime;
 };

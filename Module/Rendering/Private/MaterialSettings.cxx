@@ -70,6 +70,11 @@ void MaterialSettings::SetScalarColoringMode(vtkObject* self, int mode)
   this->SetMode(self, "ScalarColoringMode", this->ScalarColoringMode, mode, 2);
 }
 
+void MaterialSettings::SetOcclusionMode(vtkObject* self, int mode)
+{
+  this->SetMode(self, "OcclusionMode", this->OcclusionMode, mode, 3);
+}
+
 void MaterialSettings::Copy(const MaterialSettings& other)
 {
   *this = other;
@@ -111,6 +116,8 @@ void MaterialSettings::Print(ostream& os, vtkIndent indent) const
   os << indent << "CacheFolder: " << this->CacheFolder << "\n";
   os << indent << "ScalarColoringMode: " << (this->ScalarColoringMode ? "modulate" : "ignore")
      << "\n";
+  const char* const occlusion[] = { "off", "auto", "on" };
+  os << indent << "OcclusionMode: " << occlusion[this->OcclusionMode] << "\n";
   os << indent << "UseSceneLights: " << (this->UseSceneLights ? "On" : "Off") << "\n";
 }
 } // namespace measuredbrdf

@@ -39,6 +39,7 @@ struct MaterialSettings
   std::string CacheFolder;
   int ScalarColoringMode = 1;
   bool UseSceneLights = true;
+  int OcclusionMode = 1;
 
   // The composite mapper's materials of single blocks; a null one draws that block as the
   // superclass does.
@@ -53,6 +54,7 @@ struct MaterialSettings
   void SetPlanningMode(vtkObject* self, int mode);
   void SetErrorTolerance(vtkObject* self, double tolerance);
   void SetScalarColoringMode(vtkObject* self, int mode);
+  void SetOcclusionMode(vtkObject* self, int mode);
   ///@}
 
   /// Any other property.

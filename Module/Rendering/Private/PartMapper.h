@@ -56,6 +56,7 @@ protected:
   ~PartMapper() override = default;
 
   std::vector<MaterialUse> GetMaterialUses() override;
+  bool IsPart() override { return true; }
   void ReplaceShaderPositionVC(
     std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* actor) override;
   void SetMapperShaderParameters(

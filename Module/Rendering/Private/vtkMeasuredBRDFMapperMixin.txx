@@ -9,6 +9,7 @@
 
 #include "BRDFShader.h"
 #include "MaterialDrawing.h"
+#include "OcclusionShader.h"
 
 #include "vtkActor.h"
 #include "vtkBRDF.h"
@@ -73,14 +74,15 @@ private:
 
 // slots: none where there is one material.
 inline std::vector<ShaderMember> GetShaderMembers(
-  const DrawnMaterials& materials, const std::vector<int>& slots)
+  const DrawnMaterials& materials, const std::vector<int>& slots, const OcclusionLights& lights)
 {
   std::vector<ShaderMember> members;
   for (std::size_t k = 0; k < materials.size(); ++k)
   {
     const DrawnMaterial& drawn = *materials[k];
     members.push_back({ drawn.Material ? &drawn.Material->GetForm() : nullptr,
-      drawn.Radiance ? &drawn.Radiance->GetForm() : nullptr, k < slots.size() ? slots[k] : 0 });
+      drawn.Radiance ? &drawn.Radiance->GetForm() : nullptr, k < slots.size() ? slots[k] : 0,
+      k < lights.size() ? lights[k] : nullptr });
   }
   return members;
 }
@@ -207,7 +209,9 @@ bool vtkMeasuredBRDFMapperMixin<Base>::GetNeedToRebuildShaders(
   std::string key;
   if (this->UsesMaterial(&cellBO))
   {
-    key = this->Drawing->GetSelected().GetKey() + (this->HasTangents() ? "/tangents" : "");
+    key = this->Drawing->GetSelected().GetKey() + (this->HasTangents() ? "/tangents" : "") +
+          measuredbrdf::GetOcclusionKey(this->Drawing->GetSelectedOcclusion(this->HasOcclusion()),
+            this->HasTwoSidedOcclusion());
   }
   std::string& last = this->ShaderKeys[&cellBO];
   const bool changed = key != last;
@@ -254,8 +258,11 @@ void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderNormal(
   const measuredbrdf::ForceLit lit(
     this->PrimitiveInfo[this->LastBoundBO].LastLightComplexity, material);
   this->Base::ReplaceShaderNormal(shaders, ren, actor);
-  if (!material || !this->Drawing->GetSelected().AreAnyAnisotropic() ||
-      !this->HasTangents())
+  if (material)
+  {
+    this->ReplaceShaderOcclusion(shaders);
+  }
+  if (!material || !this->Drawing->GetSelected().AreAnyAnisotropic() || !this->HasTangents())
   {
     return;
   }
@@ -298,11 +305,17 @@ void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderLight(
     return;
   }
   this->WarnOfTextures(actor);
+  const measuredbrdf::OcclusionLights lights =
+    this->Drawing->GetSelectedOcclusion(this->HasOcclusion());
   const measuredbrdf::MixtureText& mixture = this->Drawing->GetSelected().GetMixture();
   const std::vector<measuredbrdf::ShaderMember> members =
-    measuredbrdf::GetShaderMembers(this->Drawing->GetSelected().Get(), mixture.Slots);
+    measuredbrdf::GetShaderMembers(this->Drawing->GetSelected().Get(), mixture.Slots, lights);
   std::string fs = shaders[vtkShader::Fragment]->GetSource();
-  std::string declarations = mixture.Declarations + measuredbrdf::GetShaderDeclarations(members);
+  const measuredbrdf::OcclusionText occlusion =
+    lights.empty() ? measuredbrdf::OcclusionText()
+                   : measuredbrdf::MakeOcclusionText(lights, this->HasTwoSidedOcclusion());
+  std::string declarations = occlusion.FragmentDeclarations + mixture.Declarations +
+                             measuredbrdf::GetShaderDeclarations(members);
   if (measuredbrdf::Contains(fs, "anisotropyUniform"))
   {
     // The superclass turned the tangents by a PBR property's anisotropy, with what its lights
@@ -315,7 +328,8 @@ void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderLight(
     std::string(static_cast<vtkOpenGLRenderer*>(ren)->GetLightingUniforms()), false);
 
   measuredbrdf::ShaderBody body;
-  body.Weights = mixture.Implementation;
+  body.Weights = occlusion.FragmentCode + mixture.Implementation;
+
   if (this->Drawing->GetSelected().AreAnyAnisotropic())
   {
     body.Tangents =
@@ -430,6 +444,7 @@ void vtkMeasuredBRDFMapperMixin<Base>::SetMapperShaderParameters(
     }
     program->SetUniformMatrix("brdfTangentMatrix", matrix);
   }
+  this->SetOcclusionParameters(program, ren, actor);
   const bool scalars =
     this->GetScalarVisibility() && (this->VBOs->GetNumberOfComponents("scalarColor") != 0 ||
                                      this->HaveCellScalars || this->ColorTextureMap);
@@ -457,5 +472,7 @@ void vtkMeasuredBRDFMapperMixin<Base>::SetPropertyShaderParameters(
     cellBO.Program->SetUniformf("diffuseIntensityBF", 1.0f);
   }
 }
+
+#include "vtkMeasuredBRDFMapperMixinOcclusion.txx"
 
 #endif

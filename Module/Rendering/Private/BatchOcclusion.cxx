@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BatchOcclusion.h"
+
+#include "vtkOpenGLVertexBufferObjectGroup.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <string>
+
+namespace measuredbrdf
+{
+void BatchOcclusion::Clear()
+{
+  this->Any = false;
+  this->AnyBack = false;
+  this->Kept.clear();
+}
+
+void BatchOcclusion::Announce(const std::shared_ptr<OcclusionArrays>& arrays)
+{
+  this->Any = this->Any || arrays;
+  this->AnyBack = this->AnyBack || (arrays && arrays->HasBack);
+}
+
+void BatchOcclusion::Append(vtkOpenGLVertexBufferObjectGroup* buffers, vtkIdType points,
+  const std::shared_ptr<OcclusionArrays>& arrays)
+{
+  if (!this->Any)
+  {
+    return;
+  }
+  const bool whole = arrays && (arrays->HasBack || !this->AnyBack);
+  const std::shared_ptr<OcclusionArrays> open = whole ? nullptr : OcclusionArrays::MakeOpen(points);
+  this->Kept.push_back(arrays);
+  this->Kept.push_back(open);
+  const OcclusionArrays::Side& front = arrays ? arrays->Front : open->Front;
+  for (std::size_t k = 0; k < OcclusionArrays::Attributes; ++k)
+  {
+    const std::string number = std::to_string(k);
+    buffers->AppendDataArray(("brdfSky" + number).c_str(), front[k], VTK_FLOAT);
+    if (this->AnyBack)
+    {
+      buffers->AppendDataArray(("brdfSkyBack" + number).c_str(),
+        arrays && arrays->HasBack ? arrays->Back[k] : open->Front[k], VTK_FLOAT);
+    }
+  }
+}
+
+vtkIdType BatchOcclusion::CountVertices(
+  vtkOpenGLVertexBufferObjectGroup* buffers, vtkPolyData* surface)
+{
+  vtkIdType place = 0;
+  vtkIdType count = 0;
+  if (surface && surface->GetPoints())
+  {
+    buffers->ArrayExists("vertexMC", surface->GetPoints()->GetData(), place, count);
+  }
+  return count;
+}
+} // namespace measuredbrdf

@@ -1,0 +1,217 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OcclusionArrays.h"
+
+#include "HiddenSky.h"
+#include "SurfacePoints.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkFieldData.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+#include "vtkSurfaceVisibilityFilter.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace measuredbrdf
+{
+namespace
+{
+constexpr std::size_t Largest = 1024; // surfaces that are remembered
+
+OcclusionArrays::Side MakeSide(vtkIdType points)
+{
+  OcclusionArrays::Side side;
+  for (vtkSmartPointer<vtkFloatArray>& array : side)
+  {
+    array = vtkSmartPointer<vtkFloatArray>::New();
+    array->SetNumberOfComponents(4);
+    array->SetNumberOfTuples(points);
+  }
+  return side;
+}
+
+void SetCode(const OcclusionArrays::Side& side, vtkIdType point, const HiddenSky::Code& code)
+{
+  static_assert(HiddenSky::Bytes == 3 * 4 * OcclusionArrays::Attributes, "three bytes a float");
+  for (std::size_t k = 0; 3 * k < code.size(); ++k)
+  {
+    const int packed = code[3 * k] + 256 * code[3 * k + 1] + 65536 * code[3 * k + 2];
+    side[k / 4]->SetTypedComponent(point, static_cast<int>(k % 4), static_cast<float>(packed));
+  }
+}
+
+std::string Describe(const std::string& name, const std::string& problem)
+{
+  return "the point array \"" + name + "\" " + problem;
+}
+
+// Null, with a reason, where the array is not what the filter writes.
+vtkUnsignedCharArray* FindArray(
+  vtkPolyData* surface, const std::string& name, int components, std::string& problem)
+{
+  vtkAbstractArray* any = surface->GetPointData()->GetAbstractArray(name.c_str());
+  auto* array = vtkUnsignedCharArray::SafeDownCast(any);
+  if (any && !array)
+  {
+    problem = Describe(
+      name, std::string("is of type ") + any->GetDataTypeAsString() + ", expected unsigned char");
+  }
+  else if (!array)
+  {
+    problem = Describe(name, "is missing");
+  }
+  else if (array->GetNumberOfComponents() != components ||
+           array->GetNumberOfTuples() != surface->GetNumberOfPoints())
+  {
+    problem = Describe(name, "has " + std::to_string(array->GetNumberOfTuples()) + " tuples of " +
+                               std::to_string(array->GetNumberOfComponents()) + ", expected " +
+                               std::to_string(surface->GetNumberOfPoints()) + " of " +
+                               std::to_string(components));
+  }
+  return problem.empty() ? array : nullptr;
+}
+
+bool ReadSide(vtkPolyData* surface, const std::string& suffix, OcclusionArrays::Side& side,
+  std::string& problem)
+{
+  vtkUnsignedCharArray* sky = FindArray(surface,
+    vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName() + suffix, HiddenSky::SectorBytes, problem);
+  vtkUnsignedCharArray* light =
+    sky ? FindArray(surface, vtkSurfaceVisibilityFilter::GetHiddenLightArrayName() + suffix,
+            HiddenSky::TransferBytes, problem)
+        : nullptr;
+  if (!light)
+  {
+    return false;
+  }
+  const vtkIdType points = surface->GetNumberOfPoints();
+  side = MakeSide(points);
+  HiddenSky::Code code;
+  for (vtkIdType k = 0; k < points; ++k)
+  {
+    std::copy_n(sky->GetPointer(k * HiddenSky::SectorBytes), HiddenSky::SectorBytes, code.begin());
+    std::copy_n(light->GetPointer(k * HiddenSky::TransferBytes), HiddenSky::TransferBytes,
+      code.begin() + HiddenSky::SectorBytes);
+    SetCode(side, k, code);
+  }
+  return true;
+}
+
+std::string CheckKey(vtkPolyData* surface)
+{
+  auto* keys = vtkStringArray::SafeDownCast(
+    surface->GetFieldData()->GetAbstractArray(vtkSurfaceVisibilityFilter::GetKeyArrayName()));
+  const std::string key =
+    keys && keys->GetNumberOfValues() > 0 ? std::string(keys->GetValue(0)) : "";
+  const std::string version = "1:";
+  if (key.compare(0, version.size(), version) != 0)
+  {
+    return "its field data have no \"" +
+           std::string(vtkSurfaceVisibilityFilter::GetKeyArrayName()) +
+           "\" of this version, which says of what surface its visibility is";
+  }
+  return key == version + GetSurfaceKey(surface)
+           ? ""
+           : "its points or cells have changed since its visibility was computed";
+}
+}
+
+std::shared_ptr<OcclusionArrays> OcclusionArrays::MakeOpen(vtkIdType points)
+{
+  auto arrays = std::make_shared<OcclusionArrays>();
+  arrays->Front = MakeSide(points);
+  const HiddenSky::Code open = HiddenSky::MakeOpen({ 0.0, 0.0, 1.0 });
+  for (vtkIdType k = 0; k < points; ++k)
+  {
+    SetCode(arrays->Front, k, open);
+  }
+  return arrays;
+}
+
+std::shared_ptr<OcclusionArrays> OcclusionArrays::Read(
+  vtkPolyData* surface, bool isPart, std::string& problem)
+{
+  vtkPointData* data = surface->GetPointData();
+  const char* const names[] = { vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName(),
+    vtkSurfaceVisibilityFilter::GetHiddenLightArrayName() };
+  if (surface->GetNumberOfPoints() == 0 || (!data->HasArray(names[0]) && !data->HasArray(names[1])))
+  {
+    return nullptr;
+  }
+  problem = isPart ? "" : CheckKey(surface);
+  auto arrays = std::make_shared<OcclusionArrays>();
+  if (!problem.empty() || !ReadSide(surface, "", arrays->Front, problem))
+  {
+    return nullptr;
+  }
+  arrays->HasBack = data->HasArray((std::string(names[0]) + "Back").c_str()) &&
+                    ReadSide(surface, "Back", arrays->Back, problem);
+  return problem.empty() ? arrays : nullptr;
+}
+
+OcclusionCache::OcclusionCache() = default;
+
+OcclusionCache::~OcclusionCache() = default;
+
+// The block of what the filter makes of the input that stands for the surface; null: there is none.
+vtkPolyData* OcclusionCache::Trace(vtkPolyData* surface, vtkDataObject* input)
+{
+  if (!input)
+  {
+    return nullptr;
+  }
+  if (!this->Filter)
+  {
+    this->Filter = vtkSmartPointer<vtkSurfaceVisibilityFilter>::New();
+    this->Filter->BothSidesOn(); // whichever way the normals point
+  }
+  auto copy = vtkSmartPointer<vtkDataObject>::Take(input->NewInstance());
+  copy->ShallowCopy(input); // no pipeline of the program's hangs on it
+  this->Filter->SetInputDataObject(copy);
+  this->Filter->Update();
+  auto* composite = vtkCompositeDataSet::SafeDownCast(input);
+  if (!composite)
+  {
+    return input == surface ? vtkPolyData::SafeDownCast(this->Filter->GetOutputDataObject(0))
+                            : nullptr;
+  }
+  auto* traced = vtkCompositeDataSet::SafeDownCast(this->Filter->GetOutputDataObject(0));
+  auto it = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+  for (it->InitTraversal(); traced && !it->IsDoneWithTraversal(); it->GoToNextItem())
+  {
+    if (it->GetCurrentDataObject() == surface)
+    {
+      return vtkPolyData::SafeDownCast(traced->GetDataSet(it));
+    }
+  }
+  return nullptr;
+}
+
+std::shared_ptr<OcclusionArrays> OcclusionCache::Find(
+  vtkPolyData* surface, vtkDataObject* input, bool make, bool isPart, std::string& problem)
+{
+  if (this->Entries.size() > Largest)
+  {
+    this->Entries.clear();
+  }
+  const vtkMTimeType inputTime = make && input ? input->GetMTime() : 0;
+  const vtkMTimeType time = std::max(surface->GetMTime(), inputTime);
+  Entry& entry = this->Entries[surface];
+  if (entry.Time != time || entry.Made != make)
+  {
+    entry = { time, make, nullptr, "" };
+    entry.Arrays = OcclusionArrays::Read(surface, isPart, entry.Problem);
+    if (!entry.Arrays && entry.Problem.empty() && make)
+    {
+      vtkPolyData* traced = this->Trace(surface, input);
+      entry.Arrays = traced ? OcclusionArrays::Read(traced, false, entry.Problem) : nullptr;
+    }
+  }
+  problem = entry.Problem;
+  return entry.Arrays;
+}
+} // namespace measuredbrdf

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * vtkSurfaceVisibilityFilter's arrays as vertex attributes. Private to the rendering room.
+ */
+
+#ifndef OcclusionArrays_h
+#define OcclusionArrays_h
+
+#include "vtkFloatArray.h"
+#include "vtkSmartPointer.h"
+
+#include <array>
+#include <map>
+#include <memory>
+#include <string>
+
+class vtkDataObject;
+class vtkPolyData;
+class vtkSurfaceVisibilityFilter;
+
+namespace measuredbrdf
+{
+/// Codes of all points, three bytes in each float.
+struct OcclusionArrays
+{
+  static constexpr std::size_t Attributes = 5; // of four floats
+  using Side = std::array<vtkSmartPointer<vtkFloatArray>, Attributes>;
+  Side Front;
+  Side Back;
+  bool HasBack = false;
+
+  /// Points that see all of their sky.
+  static std::shared_ptr<OcclusionArrays> MakeOpen(vtkIdType points);
+
+  /// What the surface's arrays say. Null where there are none, or a reason why not is in problem.
+  /// isPart: the surface is a part of another one, whose key it has.
+  static std::shared_ptr<OcclusionArrays> Read(
+    vtkPolyData* surface, bool isPart, std::string& problem);
+};
+
+/// Those of the surfaces that a mapper draws, kept while these stay as they are.
+class OcclusionCache
+{
+public:
+  OcclusionCache();
+  ~OcclusionCache();
+
+  /// input: the mapper's, of which the surface is a block, or itself. make: trace the input where
+  /// the surface has no arrays.
+  std::shared_ptr<OcclusionArrays> Find(
+    vtkPolyData* surface, vtkDataObject* input, bool make, bool isPart, std::string& problem);
+
+private:
+  struct Entry
+  {
+    vtkMTimeType Time = 0;
+    bool Made = false;
+    std::shared_ptr<OcclusionArrays> Arrays;
+    std::string Problem;
+  };
+
+  vtkPolyData* Trace(vtkPolyData* surface, vtkDataObject* input);
+
+  std::map<vtkPolyData*, Entry> Entries;
+  vtkSmartPointer<vtkSurfaceVisibilityFilter> Filter;
+};
+} // namespace measuredbrdf
+
+#endif

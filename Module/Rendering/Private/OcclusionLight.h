@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What shading with hidden skies (HiddenSky.h) needs of a material and its light. Private to the
+ * rendering room.
+ */
+
+#ifndef OcclusionLight_h
+#define OcclusionLight_h
+
+#include "SkyHarmonics.h"
+#include "vtkSmartPointer.h"
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+class vtkBRDF;
+class vtkEnvironment;
+class vtkRadianceIntegrator;
+
+namespace measuredbrdf
+{
+/// The lobe of a material, less what the integrator reflects as a Lambert surface does.
+class OcclusionLobes
+{
+public:
+  static constexpr int Views = 16; // polar angles of the view, evenly spaced
+
+  OcclusionLobes() = default;
+  OcclusionLobes(vtkBRDF* brdf, bool withFloor);
+
+  struct Lobe
+  {
+    double Cosine = 1.0; // the axis is (-Sine, 0, Cosine) seen from (sin theta, 0, cos theta)
+    double Sine = 0.0;
+    double Kappa = 1.0; // of exp(kappa (d . axis))
+  };
+  /// Between the two nearest views.
+  Lobe Get(double cosine) const;
+  const std::array<Lobe, Views>& GetLobes() const { return this->Lobes; }
+
+private:
+  std::array<Lobe, Views> Lobes;
+};
+
+struct OcclusionLight
+{
+  OcclusionLight(vtkBRDF* brdf, vtkEnvironment* environment, vtkRadianceIntegrator* integrator);
+
+  /// More lamps are not tested: they shine through.
+  static constexpr std::size_t MaximumLamps = 16;
+
+  OcclusionLobes Lobes;
+  sky::Colors Light;             // without the lamps, in the environment's frame
+  std::vector<glm::dvec3> Lamps; // directions in the environment's frame
+  bool IsSplit = false;          // whether the integrator tells Lambert part, lobe and lamps apart
+
+  /// Light for a surface whose axes the matrix turns into the environment's.
+  sky::Colors GetLight(const glm::dmat3& toEnvironment) const
+  {
+    return sky::Rotate(this->Light, toEnvironment);
+  }
+};
+
+/// Irradiance as a quadratic form of (n, 1), for a channel; by columns.
+glm::mat4 GetIrradianceForm(const sky::Colors& light, int channel);
+} // namespace measuredbrdf
+
+#endif

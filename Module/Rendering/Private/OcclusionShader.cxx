@@ -1,0 +1,352 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OcclusionShader.h"
+
+#include "HiddenSky.h"
+#include "LocalFrame.h"
+#include "OcclusionArrays.h"
+#include "vtkBRDFHiddenSky.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace measuredbrdf
+{
+namespace
+{
+constexpr double Pi = 3.14159265358979323846;
+constexpr std::size_t LampsOfMixtures = 4; // of each of several materials
+
+std::string Number(double value)
+{
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.9f", value);
+  return text;
+}
+
+std::string Along(int sector)
+{
+  const double azimuth = 2.0 * Pi * sector / HiddenSky::Sectors;
+  return "vec2(" + Number(std::cos(azimuth)) + ", " + Number(std::sin(azimuth)) + ")";
+}
+
+// Byte k of a point's code.
+std::string Byte(int k) { return "brdfCode" + std::to_string(k / 3) + "." + "xyz"[k % 3]; }
+
+std::string Bounds(int sector)
+{
+  return "vec2(" + Byte(3 + 2 * sector) + ", " + Byte(4 + 2 * sector) + ")";
+}
+
+std::size_t CountLamps(const OcclusionLights& lights, std::size_t member)
+{
+  const std::size_t most = lights.size() > 1 ? LampsOfMixtures : OcclusionLight::MaximumLamps;
+  return std::min(lights[member]->Lamps.size(), most);
+}
+
+struct Varying
+{
+  std::string Type;
+  std::string Name; // brdf...; stages add VSOutput
+};
+
+std::vector<Varying> GetVaryings(const OcclusionLights& lights)
+{
+  std::vector<Varying> varyings = { { "vec3", "brdfSkyNormal" } };
+  for (std::size_t m = 0; m < lights.size(); ++m)
+  {
+    if (lights[m])
+    {
+      const std::string number = std::to_string(m);
+      varyings.push_back({ "vec3", "brdfHiddenLight" + number });
+      varyings.push_back({ "vec3", "brdfHiddenLobe" + number });
+      for (std::size_t k = 0; k < (CountLamps(lights, m) + 3) / 4; ++k)
+      {
+        varyings.push_back({ "vec4", "brdfLamps" + number + "_" + std::to_string(k) });
+      }
+    }
+  }
+  return varyings;
+}
+
+// The code's floats, of the side that faces the viewer, as bytes.
+std::string UnpackCode(bool twoSided)
+{
+  std::string text;
+  for (int k = 0; k < HiddenSky::Bytes / 3; ++k)
+  {
+    const std::string number = std::to_string(k);
+    const std::string part =
+      std::to_string(k / 4) + "." + std::string(1, "xyzw"[k % 4]); // of the attribute
+    std::string from = "brdfSky" + part;
+    if (twoSided && k > 0)
+    {
+      from = "(brdfSkyFront ? brdfSky" + part + " : brdfSkyBack" + part + ")";
+    }
+    text += "  vec3 brdfCode" + number + " = brdfSkyBytes(" + from + ");\n";
+    if (k == 0)
+    {
+      text += "  vec3 brdfSkyN = brdfSkyNormal(brdfCode0);\n"
+              "  vec3 brdfSkyO = brdfSkyParallel > 0.5 ? vec3(0.0, 0.0, 1.0)\n"
+              "    : normalize(-vertexVCVSOutput.xyz);\n"
+              "  vec3 brdfSkyNormalVC = normalize(brdfSkyN * brdfSkyToModel);\n";
+      text += twoSided ? "  bool brdfSkyFront = dot(brdfSkyNormalVC, brdfSkyO) >= 0.0;\n"
+                         "  if (!brdfSkyFront)\n  {\n"
+                         "    brdfSkyN = brdfSkyNormal(brdfSkyBytes(brdfSkyBack0.x));\n"
+                         "    brdfSkyNormalVC = normalize(brdfSkyN * brdfSkyToModel);\n  }\n"
+                       : "";
+    }
+  }
+  return text;
+}
+
+// From the normal and the view: what all materials have in common.
+const char* const CommonCode =
+  "  mat3 brdfSkyAxes = brdfSkyFrame(brdfSkyN);\n"
+  "  float brdfSkyCosine = dot(brdfSkyNormalVC, brdfSkyO);\n"
+  "  vec3 brdfSkyAcross = brdfSkyO - brdfSkyCosine * brdfSkyNormalVC;\n"
+  "  brdfSkyAcross /= max(length(brdfSkyAcross), 1e-6);\n"
+  "  float brdfSkyView = acos(clamp(brdfSkyCosine, BRDF_LEAST, 1.0)) * BRDF_VIEWS;\n"
+  "  int brdfSkyKnot = min(int(brdfSkyView), BRDF_LAST_KNOT);\n"
+  "  brdfSkyView -= float(brdfSkyKnot);\n"
+  "  float brdfSkyHidden = clamp((BRDF_FIRST - 127.0) * BRDF_COSINE, 0.0, 1.0);\n"
+  "  brdfSkyNormalVSOutput = brdfSkyNormalVC;\n";
+
+std::string MakeCommonCode()
+{
+  std::string text = CommonCode;
+  const double last = std::acos(MinimumViewCosine);
+  vtkShaderProgram::Substitute(text, "BRDF_LEAST", Number(MinimumViewCosine));
+  vtkShaderProgram::Substitute(text, "BRDF_VIEWS", Number((OcclusionLobes::Views - 1) / last));
+  vtkShaderProgram::Substitute(text, "BRDF_LAST_KNOT", std::to_string(OcclusionLobes::Views - 2));
+  vtkShaderProgram::Substitute(text, "BRDF_FIRST", Byte(HiddenSky::SectorBytes));
+  vtkShaderProgram::Substitute(
+    text, "BRDF_COSINE", Number(HiddenSky::TransferStep * std::sqrt(4.0 * Pi) / Pi));
+  // Most points are open, or turned away: they need no sums over sectors.
+  std::string highs = "0.0";
+  for (int s = 0; s < HiddenSky::Sectors; ++s)
+  {
+    highs += " + " + Byte(4 + 2 * s);
+  }
+  return text + "  bool brdfSkyMatters = brdfSkyCosine > -0.5 && " + highs + " > 0.5;\n";
+}
+
+std::string MakeMemberCode(const OcclusionLights& lights, std::size_t member)
+{
+  const std::string m = std::to_string(member);
+  std::string text = "  vec3 brdfSum" + m + " = vec3(0.0);\n";
+  for (int j = 0; j < HiddenSky::TransferBytes; ++j)
+  {
+    text += "  brdfSum" + m + " += (" + Byte(HiddenSky::SectorBytes + j) +
+            " - 127.0) * brdfSkyLight" + m + "[" + std::to_string(j) + "];\n";
+  }
+  text += "  brdfHiddenLight" + m + "VSOutput = max(brdfSum" + m + ", vec3(0.0));\n";
+  text += "  brdfHiddenLobe" + m + "VSOutput = vec3(0.0);\n";
+  for (std::size_t k = 0; k < (CountLamps(lights, member) + 3) / 4; ++k)
+  {
+    text += "  brdfLamps" + m + "_" + std::to_string(k) + "VSOutput = vec4(1.0);\n";
+  }
+  text += "  if (brdfSkyMatters)\n  {\n";
+  text += "  vec3 brdfLobe" + m + " = mix(brdfSkyLobes" + m + "[brdfSkyKnot], brdfSkyLobes" + m +
+          "[brdfSkyKnot + 1], brdfSkyView);\n" + "  vec3 brdfAxis" + m +
+          " = normalize(brdfSkyToModel * (brdfLobe" + m + ".x * brdfSkyNormalVC - brdfLobe" + m +
+          ".y * brdfSkyAcross)) * brdfSkyAxes;\n  vec2 brdfShare" + m + " = vec2(0.0);\n";
+  for (int s = 0; s < HiddenSky::Sectors; ++s)
+  {
+    text += "  brdfSkySector(" + Along(s) + ", " + Bounds(s) + ", brdfAxis" + m + ", brdfLobe" + m +
+            ".z * 1.442695041, brdfShare" + m + ");\n";
+  }
+  text += "  brdfHiddenLobe" + m + "VSOutput = brdfSkyLobe(clamp(brdfShare" + m +
+          ".x / max(brdfShare" + m + ".y, 1e-30), 0.0, 1.0), brdfLobe" + m + ".z, brdfHiddenLight" +
+          m + "VSOutput, brdfSkyIrradiance(brdfSkyRed" + m + ", brdfSkyGreen" + m +
+          ", brdfSkyBlue" + m + ", brdfSkyN), brdfSkyHidden);\n";
+  for (std::size_t k = 0; k < CountLamps(lights, member); ++k)
+  {
+    const std::string lamp = m + "_" + std::to_string(k);
+    text += "  vec3 brdfLamp" + lamp + " = brdfSkyLamp" + m + "[" + std::to_string(k) +
+            "] * brdfSkyAxes;\n  vec2 brdfAzimuth" + lamp + " = brdfLamp" + lamp +
+            ".xy / max(length(brdfLamp" + lamp + ".xy), 1e-6);\n  vec3 brdfBounds" + lamp +
+            " = vec3(0.0);\n";
+    for (int s = 0; s < HiddenSky::Sectors; ++s)
+    {
+      text += "  brdfSkyLampSector(" + Along(s) + ", " + Bounds(s) + ", brdfAzimuth" + lamp +
+              ", brdfBounds" + lamp + ");\n";
+    }
+    text += "  brdfLamps" + m + "_" + std::to_string(k / 4) + "VSOutput." +
+            std::string(1, "xyzw"[k % 4]) + " = brdfSkyLamp(brdfBounds" + lamp + ", brdfLamp" +
+            lamp + ".z);\n";
+  }
+  return text + "  }\n";
+}
+
+std::string DeclareMember(const OcclusionLights& lights, std::size_t member)
+{
+  const std::string m = std::to_string(member);
+  const std::size_t lamps = CountLamps(lights, member);
+  return "uniform vec3 brdfSkyLight" + m + "[" + std::to_string(sky::Harmonics) +
+         "];\nuniform vec3 brdfSkyLobes" + m + "[" + std::to_string(OcclusionLobes::Views) +
+         "];\nuniform mat4 brdfSkyRed" + m + ";\nuniform mat4 brdfSkyGreen" + m +
+         ";\nuniform mat4 brdfSkyBlue" + m + ";\n" +
+         (lamps > 0 ? "uniform vec3 brdfSkyLamp" + m + "[" + std::to_string(lamps) + "];\n" : "");
+}
+
+// What the macros of DefineOcclusion read, on the side that was traced.
+std::string MakeFragmentCode(const OcclusionLights& lights, bool twoSided)
+{
+  std::string text = "  float brdfSkySide = ";
+  text += twoSided ? "1.0;\n" : "dot(normalVCVSOutput, brdfSkyNormalVSOutput) > 0.0 ? 1.0 : 0.0;\n";
+  for (std::size_t m = 0; m < lights.size(); ++m)
+  {
+    if (lights[m])
+    {
+      const std::string number = std::to_string(m);
+      text += "  brdfHidden" + number + " = brdfSkySide * brdfHiddenLight" + number +
+              "VSOutput;\n  brdfOpenLobe" + number + " = 1.0 - brdfSkySide * brdfHiddenLobe" +
+              number + "VSOutput;\n";
+      for (std::size_t k = 0; k < CountLamps(lights, m); ++k)
+      {
+        text += "  brdfOpenLamp" + number + "[" + std::to_string(k) + "] = mix(1.0, brdfLamps" +
+                number + "_" + std::to_string(k / 4) + "VSOutput." + std::string(1, "xyzw"[k % 4]) +
+                ", brdfSkySide);\n";
+      }
+      for (std::size_t k = CountLamps(lights, m); k < lights[m]->Lamps.size(); ++k)
+      {
+        text += "  brdfOpenLamp" + number + "[" + std::to_string(k) + "] = 1.0;\n";
+      }
+    }
+  }
+  return text;
+}
+}
+
+std::string GetOcclusionKey(const OcclusionLights& lights, bool twoSided)
+{
+  std::string key;
+  for (const OcclusionLight* light : lights)
+  {
+    key +=
+      light ? "/sky" + std::to_string(light->Lamps.size()) + (light->IsSplit ? "s" : "w") : "/open";
+  }
+  return key + (twoSided ? "/both" : "");
+}
+
+OcclusionText MakeOcclusionText(const OcclusionLights& lights, bool twoSided)
+{
+  OcclusionText text;
+  for (std::size_t k = 0; k < OcclusionArrays::Attributes; ++k)
+  {
+    const std::string number = std::to_string(k);
+    text.VertexDeclarations +=
+      "in vec4 brdfSky" + number + ";\n" + (twoSided ? "in vec4 brdfSkyBack" + number + ";\n" : "");
+  }
+  text.VertexDeclarations += "uniform mat3 brdfSkyToModel;\nuniform float brdfSkyParallel;\n";
+  text.VertexDeclarations += vtkBRDFHiddenSky;
+  text.VertexCode = UnpackCode(twoSided) + MakeCommonCode();
+  for (std::size_t m = 0; m < lights.size(); ++m)
+  {
+    if (lights[m])
+    {
+      text.VertexDeclarations += DeclareMember(lights, m);
+      text.VertexCode += MakeMemberCode(lights, m);
+    }
+  }
+  for (const Varying& varying : GetVaryings(lights))
+  {
+    text.VertexDeclarations += "out " + varying.Type + " " + varying.Name + "VSOutput;\n";
+    text.GeometryDeclarations += "in " + varying.Type + " " + varying.Name + "VSOutput[];\nout " +
+                                 varying.Type + " " + varying.Name + "GSOutput;\n";
+    text.GeometryCode += "  " + varying.Name + "GSOutput = " + varying.Name + "VSOutput[i];\n";
+    text.FragmentDeclarations += "in " + varying.Type + " " + varying.Name + "VSOutput;\n";
+  }
+  text.FragmentCode = MakeFragmentCode(lights, twoSided);
+  return text;
+}
+
+std::string DefineOcclusion(const OcclusionLight* light, std::size_t member)
+{
+  const std::string m = std::to_string(member);
+  std::string text = "#undef BRDF_OPEN_IRRADIANCE\n#undef BRDF_OPEN_LOBE\n"
+                     "#undef BRDF_OPEN_LAMP\n#undef BRDF_OPEN_LIGHTS\n";
+  if (!light)
+  {
+    return text + "#define BRDF_OPEN_IRRADIANCE(e) (e)\n#define BRDF_OPEN_LOBE(l) (l)\n"
+                  "#define BRDF_OPEN_LAMP(k)\n#define BRDF_OPEN_LIGHTS(l) (l)\n";
+  }
+  text += "vec3 brdfHidden" + m + " = vec3(0.0);\nvec3 brdfOpenLobe" + m + " = vec3(1.0);\n";
+  if (!light->Lamps.empty())
+  {
+    text += "float brdfOpenLamp" + m + "[" + std::to_string(light->Lamps.size()) + "];\n";
+  }
+  text += light->IsSplit
+            ? "#define BRDF_OPEN_IRRADIANCE(e) max((e) - brdfHidden" + m + ", vec3(0.0))\n"
+            : "#define BRDF_OPEN_IRRADIANCE(e) ((e) * brdfOpenLobe" + m + ")\n";
+  text += "#define BRDF_OPEN_LOBE(l) ((l) * brdfOpenLobe" + m + ")\n";
+  text += light->Lamps.empty() ? "#define BRDF_OPEN_LAMP(k)\n"
+                               : "#define BRDF_OPEN_LAMP(k) brdfOpenLamp" + m + "[k] *\n";
+  text += light->Lamps.empty() ? "#define BRDF_OPEN_LIGHTS(l) ((l) * brdfOpenLobe" + m + ")\n"
+                               : "#define BRDF_OPEN_LIGHTS(l) (l)\n";
+  return text;
+}
+
+void SetOcclusionUniforms(vtkShaderProgram* program, const OcclusionLights& lights,
+  const glm::dmat3& toModel, bool parallel, const std::vector<glm::dmat3>& toEnvironment)
+{
+  float columns[9];
+  for (int k = 0; k < 9; ++k)
+  {
+    columns[k] = static_cast<float>(toModel[k / 3][k % 3]);
+  }
+  program->SetUniformMatrix3x3("brdfSkyToModel", columns);
+  program->SetUniformf("brdfSkyParallel", parallel ? 1.0f : 0.0f);
+  for (std::size_t m = 0; m < lights.size(); ++m)
+  {
+    if (!lights[m])
+    {
+      continue;
+    }
+    const std::string number = std::to_string(m);
+    const sky::Colors light = lights[m]->GetLight(toEnvironment[m]);
+    std::vector<float> values;
+    for (const glm::dvec3& color : light)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        values.push_back(static_cast<float>(color[c] * HiddenSky::TransferStep));
+      }
+    }
+    program->SetUniform3fv(
+      ("brdfSkyLight" + number).c_str(), static_cast<int>(light.size()), values.data());
+    const char* const channels[] = { "brdfSkyRed", "brdfSkyGreen", "brdfSkyBlue" };
+    for (int c = 0; c < 3; ++c)
+    {
+      glm::mat4 form = GetIrradianceForm(light, c); // symmetric
+      program->SetUniformMatrix4x4((channels[c] + number).c_str(), &form[0][0]);
+    }
+    values.clear();
+    for (const OcclusionLobes::Lobe& lobe : lights[m]->Lobes.GetLobes())
+    {
+      for (const double value : { lobe.Cosine, lobe.Sine, lobe.Kappa })
+      {
+        values.push_back(static_cast<float>(value));
+      }
+    }
+    program->SetUniform3fv(("brdfSkyLobes" + number).c_str(), OcclusionLobes::Views, values.data());
+    values.clear();
+    for (std::size_t k = 0; k < CountLamps(lights, m); ++k)
+    {
+      const glm::dvec3 lamp = glm::transpose(toEnvironment[m]) * lights[m]->Lamps[k];
+      for (int c = 0; c < 3; ++c)
+      {
+        values.push_back(static_cast<float>(lamp[c]));
+      }
+    }
+    if (!values.empty())
+    {
+      program->SetUniform3fv(
+        ("brdfSkyLamp" + number).c_str(), static_cast<int>(values.size() / 3), values.data());
+    }
+  }
+}
+} // namespace measuredbrdf

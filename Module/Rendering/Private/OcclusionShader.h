@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Shader text and uniforms for shading with hidden skies. The vertex shader evaluates a point's
+ * code for each material; the fragment shader interpolates. Private to the rendering room.
+ */
+
+#ifndef OcclusionShader_h
+#define OcclusionShader_h
+
+#include "OcclusionLight.h"
+
+#include <glm/glm.hpp>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+class vtkShaderProgram;
+
+namespace measuredbrdf
+{
+/// More materials, mixed in one shader, would need too many varyings.
+constexpr std::size_t MaximumOccludedMembers = 4;
+
+/// For each material of a shader; null: it is not occluded.
+using OcclusionLights = std::vector<const OcclusionLight*>;
+
+/// Same key, same text. "" without any.
+std::string GetOcclusionKey(const OcclusionLights& lights, bool twoSided);
+
+/// In which direction a value goes through the stages.
+struct OcclusionText
+{
+  std::string VertexDeclarations;
+  std::string VertexCode;
+  std::string GeometryDeclarations;
+  std::string GeometryCode;
+  std::string FragmentDeclarations;
+  std::string FragmentCode; // before anything is integrated
+};
+OcclusionText MakeOcclusionText(const OcclusionLights& lights, bool twoSided);
+
+/// The macros that the environment's terms of a member use; light null: for no occlusion.
+std::string DefineOcclusion(const OcclusionLight* light, std::size_t member);
+
+/// Uniforms. toModel: directions of the view's axes to the model's; parallel: the projection;
+/// toEnvironment, of each material: the model's axes to the environment's, orthogonal.
+void SetOcclusionUniforms(vtkShaderProgram* program, const OcclusionLights& lights,
+  const glm::dmat3& toModel, bool parallel, const std::vector<glm::dmat3>& toEnvironment);
+} // namespace measuredbrdf
+
+#endif

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The part of vtkMeasuredBRDFMapperMixin that shades with what surfaces hide from themselves.
+// vtkMeasuredBRDFMapperMixin.txx includes it after the class.
+
+#ifndef vtkMeasuredBRDFMapperMixinOcclusion_txx
+#define vtkMeasuredBRDFMapperMixinOcclusion_txx
+
+#include "MaterialDrawing.h"
+#include "OcclusionAxes.h"
+#include "OcclusionShader.h"
+
+#include "vtkCamera.h"
+#include "vtkOpenGLVertexBufferObjectGroup.h"
+#include "vtkRenderer.h"
+#include "vtkShader.h"
+#include "vtkShaderProgram.h"
+
+#include <string>
+#include <vector>
+
+//------------------------------------------------------------------------------
+template <class Base>
+bool vtkMeasuredBRDFMapperMixin<Base>::GetNeedToRebuildBufferObjects(
+  vtkRenderer* ren, vtkActor* actor)
+{
+  return this->Base::GetNeedToRebuildBufferObjects(ren, actor) ||
+         this->BuiltOcclusionMode != this->Drawing->GetSettings().OcclusionMode;
+}
+
+//------------------------------------------------------------------------------
+template <class Base>
+void vtkMeasuredBRDFMapperMixin<Base>::BuildBufferObjects(vtkRenderer* ren, vtkActor* actor)
+{
+  this->BuiltOcclusionMode = this->Drawing->GetSettings().OcclusionMode;
+  this->AddOcclusion(ren);
+  this->Base::BuildBufferObjects(ren, actor);
+}
+
+//------------------------------------------------------------------------------
+template <class Base>
+void vtkMeasuredBRDFMapperMixin<Base>::AddOcclusion(vtkRenderer* ren)
+{
+  const auto arrays = this->Drawing->FindOcclusion(this->CurrentInput, this->IsPart());
+  for (std::size_t k = 0; k < measuredbrdf::OcclusionArrays::Attributes; ++k)
+  {
+    const std::string number = std::to_string(k);
+    this->VBOs->CacheDataArray(
+      ("brdfSky" + number).c_str(), arrays ? arrays->Front[k].Get() : nullptr, ren, VTK_FLOAT);
+    this->VBOs->CacheDataArray(("brdfSkyBack" + number).c_str(),
+      arrays && arrays->HasBack ? arrays->Back[k].Get() : nullptr, ren, VTK_FLOAT);
+  }
+}
+
+//------------------------------------------------------------------------------
+template <class Base>
+bool vtkMeasuredBRDFMapperMixin<Base>::HasOcclusion()
+{
+  return this->VBOs->GetNumberOfComponents("brdfSky0") == 4;
+}
+
+//------------------------------------------------------------------------------
+template <class Base>
+bool vtkMeasuredBRDFMapperMixin<Base>::HasTwoSidedOcclusion()
+{
+  return this->VBOs->GetNumberOfComponents("brdfSkyBack0") == 4;
+}
+
+//------------------------------------------------------------------------------
+// Through the stages beside the positions (their tags are still there); the fragment shader's part
+// comes with the lights.
+template <class Base>
+void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderOcclusion(Shaders shaders)
+{
+  const measuredbrdf::OcclusionLights lights =
+    this->Drawing->GetSelectedOcclusion(this->HasOcclusion());
+  if (lights.empty())
+  {
+    return;
+  }
+  const measuredbrdf::OcclusionText text =
+    measuredbrdf::MakeOcclusionText(lights, this->HasTwoSidedOcclusion());
+  const auto add = [&shaders](vtkShader::Type stage, const char* tag, const std::string& lines)
+  {
+    std::string source = shaders[stage]->GetSource();
+    vtkShaderProgram::Substitute(source, tag, std::string(tag) + "\n" + lines, false);
+    shaders[stage]->SetSource(source);
+  };
+  add(vtkShader::Vertex, "//VTK::PositionVC::Dec", text.VertexDeclarations);
+  add(vtkShader::Vertex, "//VTK::PositionVC::Impl", text.VertexCode);
+  add(vtkShader::Geometry, "//VTK::PositionVC::Dec", text.GeometryDeclarations);
+  add(vtkShader::Geometry, "//VTK::PositionVC::Impl", text.GeometryCode);
+}
+
+//------------------------------------------------------------------------------
+template <class Base>
+void vtkMeasuredBRDFMapperMixin<Base>::SetOcclusionParameters(
+  vtkShaderProgram* program, vtkRenderer* ren, vtkActor* actor)
+{
+  const measuredbrdf::OcclusionLights lights =
+    this->Drawing->GetSelectedOcclusion(this->HasOcclusion());
+  if (lights.empty())
+  {
+    return;
+  }
+  std::vector<vtkEnvironment*> environments;
+  for (const measuredbrdf::DrawnMaterial* drawn : this->Drawing->GetSelected().Get())
+  {
+    environments.push_back(drawn->Environment);
+  }
+  const measuredbrdf::OcclusionAxes axes(ren, actor, environments);
+  measuredbrdf::SetOcclusionUniforms(program, lights, axes.ToModel,
+    ren->GetActiveCamera()->GetParallelProjection() != 0, axes.ToEnvironment);
+}
+
+#endif

@@ -1,0 +1,309 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "HiddenSky.h"
+
+#include "LocalFrame.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace measuredbrdf
+{
+namespace
+{
+constexpr double Pi = 3.14159265358979323846;
+constexpr int NormalSteps = 4096; // of each side of the octahedron
+
+// What a degree of the light makes of irradiance (Ramamoorthi, Hanrahan 2001, eq. 8); the higher
+// ones make less than 1 %.
+constexpr double CosineBand[] = { Pi, 2.0 * Pi / 3.0, Pi / 4.0 };
+
+// Lobes narrower than this do not feel what the sky beside them is like.
+constexpr double CorrelationKappa = 12.0;
+constexpr double LargestOdds = 50.0;
+
+double GetAzimuth(int sector) { return 2.0 * Pi * sector / HiddenSky::Sectors; }
+
+// Base 2, from the last bit on (van der Corput).
+double ReverseBits(unsigned k)
+{
+  double value = 0.0;
+  for (double place = 0.5; k > 0; k >>= 1, place *= 0.5)
+  {
+    value += (k & 1u) ? place : 0.0;
+  }
+  return value;
+}
+}
+
+namespace
+{
+// Where rays lie in their strata of elevation: sectors differ, so that errors do not add up.
+double GetOffset(int sector)
+{
+  return ReverseBits(static_cast<unsigned>(sector)) + 0.5 / HiddenSky::Sectors;
+}
+
+glm::dvec3 MakeRay(int sector, double across, double z)
+{
+  const double azimuth = GetAzimuth(sector) + across * 2.0 * Pi / HiddenSky::Sectors;
+  const double sine = std::sqrt(std::max(1.0 - z * z, 0.0));
+  return { sine * std::cos(azimuth), sine * std::sin(azimuth), z };
+}
+
+// The place of the edge between the sines of a hidden and a visible ray, or the other way round.
+double FindEdge(int sector, double from, double to, bool hiddenBelow, const HiddenSky::Test& test)
+{
+  constexpr int tests = 4;
+  constexpr double across[tests] = { -0.125, 0.375, -0.375, 0.125 }; // of a sector
+  int below = 0;
+  for (int k = 0; k < tests; ++k)
+  {
+    const double z = from + (to - from) * (k + 0.5) / tests;
+    below += test(MakeRay(sector, across[k], z)) == hiddenBelow ? 1 : 0;
+  }
+  return from + (to - from) * below / tests;
+}
+
+// The hidden sines of elevation of a sector, of so many rays: as many as are hidden, where most of
+// them are. One that is cut across, by the edge of a wall, keeps its share.
+std::pair<double, double> FindInterval(
+  const char* hidden, int elevations, int sector, const HiddenSky::Test& test)
+{
+  const auto isHidden = [](char ray) { return ray != 0; };
+  const int count = static_cast<int>(std::count_if(hidden, hidden + elevations, isHidden));
+  int best = -1;
+  int first = 0;
+  for (int begin = 0; begin + count <= elevations; ++begin)
+  {
+    const int inside =
+      static_cast<int>(std::count_if(hidden + begin, hidden + begin + count, isHidden));
+    if (inside > best)
+    {
+      best = inside;
+      first = begin;
+    }
+  }
+  const int last = first + count; // the first ray above
+  const auto place = [&](int k) { return (k + GetOffset(sector)) / elevations; };
+  if (count == 0)
+  {
+    return { 0.0, 0.0 };
+  }
+  return { first == 0 ? 0.0 : FindEdge(sector, place(first - 1), place(first), false, test),
+    last == elevations ? 1.0 : FindEdge(sector, place(last - 1), place(last), true, test) };
+}
+}
+
+void HiddenSky::PackNormal(const glm::dvec3& normal, std::uint8_t bytes[3])
+{
+  const glm::dvec3 n = normal / (std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z));
+  glm::dvec2 p(n);
+  if (n.z < 0.0)
+  {
+    p = { (1.0 - std::abs(n.y)) * (n.x < 0.0 ? -1.0 : 1.0),
+      (1.0 - std::abs(n.x)) * (n.y < 0.0 ? -1.0 : 1.0) };
+  }
+  unsigned cell[2];
+  for (int c = 0; c < 2; ++c)
+  {
+    cell[c] = static_cast<unsigned>(
+      std::clamp(std::floor((0.5 * p[c] + 0.5) * NormalSteps), 0.0, NormalSteps - 1.0));
+  }
+  bytes[0] = static_cast<std::uint8_t>(cell[0] & 255u);
+  bytes[1] = static_cast<std::uint8_t>((cell[0] >> 8u) | ((cell[1] & 15u) << 4u));
+  bytes[2] = static_cast<std::uint8_t>(cell[1] >> 4u);
+}
+
+glm::dvec3 HiddenSky::UnpackNormal(const std::uint8_t bytes[3])
+{
+  // Every step up to the square root is exact in single precision, too: the shader sees the same
+  // sign of z, which decides on the frame.
+  const double u = bytes[0] + 256.0 * (bytes[1] % 16);
+  const double v = bytes[1] / 16 + 16.0 * bytes[2];
+  glm::dvec3 n((2.0 * u + 1.0) / NormalSteps - 1.0, (2.0 * v + 1.0) / NormalSteps - 1.0, 0.0);
+  n.z = 1.0 - std::abs(n.x) - std::abs(n.y);
+  if (n.z < 0.0)
+  {
+    n = { (1.0 - std::abs(n.y)) * (n.x < 0.0 ? -1.0 : 1.0),
+      (1.0 - std::abs(n.x)) * (n.y < 0.0 ? -1.0 : 1.0), n.z };
+  }
+  return glm::normalize(n);
+}
+
+HiddenSky::Code HiddenSky::MakeOpen(const glm::dvec3& normal)
+{
+  Code code{};
+  PackNormal(normal, code.data());
+  std::fill(code.begin() + SectorBytes, code.end(), static_cast<std::uint8_t>(OpenTransfer));
+  return code;
+}
+
+HiddenSky::Rays::Rays(int elevations)
+  : Elevations(elevations)
+{
+  for (int s = 0; s < Sectors; ++s)
+  {
+    for (int k = 0; k < elevations; ++k)
+    {
+      const double z = (k + GetOffset(s)) / elevations;
+      const double across = ReverseBits(static_cast<unsigned>(k)) - 0.5 + 0.5 / elevations;
+      this->Directions.push_back(MakeRay(s, across, z));
+    }
+  }
+}
+
+double HiddenSky::Rays::GetSolidAngle() const { return 2.0 * Pi / (Sectors * this->Elevations); }
+
+HiddenSky::Code HiddenSky::Encode(
+  const glm::dvec3& normal, const Rays& rays, const std::vector<char>& hidden, const Test& test)
+{
+  Code code = MakeOpen(normal);
+  const glm::dmat3 frame = FrameAbout(UnpackNormal(code.data()));
+  const int elevations = rays.GetElevations();
+  std::array<double, sky::Harmonics> transfer{};
+  for (int s = 0; s < Sectors; ++s)
+  {
+    for (int k = 0; k < elevations; ++k)
+    {
+      const auto ray = static_cast<std::size_t>(s * elevations + k);
+      if (hidden[ray])
+      {
+        const glm::dvec3& d = rays.GetDirections()[ray];
+        const sky::Values values = sky::Evaluate(frame * d);
+        for (std::size_t j = 0; j < values.size(); ++j)
+        {
+          transfer[j] += d.z * values[j];
+        }
+      }
+    }
+    const auto [low, high] =
+      FindInterval(&hidden[static_cast<std::size_t>(s * elevations)], elevations, s, test);
+    code[static_cast<std::size_t>(3 + 2 * s)] = static_cast<std::uint8_t>(std::lround(255.0 * low));
+    code[static_cast<std::size_t>(4 + 2 * s)] =
+      static_cast<std::uint8_t>(std::lround(255.0 * high));
+  }
+  for (std::size_t j = 0; j < transfer.size(); ++j)
+  {
+    const double step = std::round(transfer[j] * rays.GetSolidAngle() / TransferStep);
+    code[SectorBytes + j] = static_cast<std::uint8_t>(std::clamp(OpenTransfer + step, 0.0, 255.0));
+  }
+  return code;
+}
+
+HiddenSky::HiddenSky(const Code& code)
+  : Frame(FrameAbout(UnpackNormal(code.data())))
+{
+  for (std::size_t s = 0; s < Sectors; ++s)
+  {
+    this->Low[s] = code[3 + 2 * s] / 255.0;
+    this->High[s] = code[4 + 2 * s] / 255.0;
+  }
+  for (std::size_t j = 0; j < sky::Harmonics; ++j)
+  {
+    this->Transfer[j] = (code[SectorBytes + j] - OpenTransfer) * TransferStep;
+  }
+}
+
+double HiddenSky::GetHiddenCosine() const
+{
+  return std::clamp(this->Transfer[0] * std::sqrt(4.0 * Pi) / Pi, 0.0, 1.0);
+}
+
+glm::dvec3 HiddenSky::GetHiddenIrradiance(const sky::Colors& light) const
+{
+  glm::dvec3 sum(0.0);
+  for (std::size_t j = 0; j < sky::Harmonics; ++j)
+  {
+    sum += this->Transfer[j] * light[j];
+  }
+  return glm::max(sum, glm::dvec3(0.0));
+}
+
+double HiddenSky::GetHiddenShare(const glm::dvec3& axis, double kappa) const
+{
+  const glm::dvec3 local = ToLocal(this->Frame, axis);
+  const double k = std::min(kappa, static_cast<double>(LargestKappa));
+  double hidden = 0.0;
+  double all = 0.0;
+  for (std::size_t s = 0; s < Sectors; ++s)
+  {
+    const double azimuth = GetAzimuth(static_cast<int>(s));
+    const double across = local.x * std::cos(azimuth) + local.y * std::sin(azimuth);
+    const double low = this->Low[s] * Elevations;
+    const double high = this->High[s] * Elevations;
+    for (int e = 0; e < Elevations; ++e)
+    {
+      const double z = (e + 0.5) / Elevations;
+      const double weight = std::exp(k * (across * std::sqrt(1.0 - z * z) + local.z * z - 1.0));
+      all += weight;
+      hidden += weight * (std::clamp(high - e, 0.0, 1.0) - std::clamp(low - e, 0.0, 1.0));
+    }
+  }
+  return std::clamp(hidden / std::max(all, 1e-30), 0.0, 1.0);
+}
+
+double HiddenSky::GetVisibleLamp(const glm::dvec3& direction) const
+{
+  const glm::dvec3 local = ToLocal(this->Frame, direction);
+  const double sine = std::sqrt(std::max(local.x * local.x + local.y * local.y, 1e-12));
+  const double step = std::cos(2.0 * Pi / Sectors);
+  double sum = 0.0;
+  double low = 0.0;
+  double high = 0.0;
+  for (std::size_t s = 0; s < Sectors; ++s)
+  {
+    const double azimuth = GetAzimuth(static_cast<int>(s));
+    const double cosine =
+      (local.x * std::cos(azimuth) + local.y * std::sin(azimuth)) / sine; // of the azimuths
+    const double weight = std::max(cosine - step, 0.0);
+    sum += weight;
+    low += weight * this->Low[s];
+    high += weight * this->High[s];
+  }
+  low /= sum;
+  high /= sum;
+  constexpr double edge = 0.04; // sine of elevation: half a stratum of the rays or so
+  const auto above = [&local](double bound)
+  { return std::clamp((local.z - bound) / edge + 0.5, 0.0, 1.0); };
+  const double hidden =
+    high > low ? (low > 0.5 / 255.0 ? above(low) : 1.0) - (high < 254.5 / 255.0 ? above(high) : 0.0)
+               : 0.0;
+  return std::clamp(1.0 - hidden, 0.0, 1.0);
+}
+
+glm::dvec3 HiddenSky::GetHiddenLight(double hiddenShare, double kappa,
+  const glm::dvec3& hiddenIrradiance, const glm::dvec3& irradiance) const
+{
+  const double cosine = this->GetHiddenCosine();
+  const double power = 1.0 / (1.0 + kappa / CorrelationKappa);
+  glm::dvec3 result(hiddenShare);
+  for (int c = 0; c < 3; ++c)
+  {
+    const double share =
+      std::clamp(hiddenIrradiance[c] / std::max(irradiance[c], 1e-12), 0.0, 0.999);
+    const double odds = share * (1.0 - cosine) / std::max((1.0 - share) * cosine, 1e-6);
+    const double factor = std::pow(std::clamp(odds, 1.0 / LargestOdds, LargestOdds), power);
+    const double seen = std::max(1.0 - hiddenShare, 0.0);
+    result[c] = hiddenShare * factor / std::max(hiddenShare * factor + seen, 1e-12);
+  }
+  return result;
+}
+
+glm::dvec3 sky::GetIrradiance(const Colors& light, const glm::dvec3& normal)
+{
+  const Values values = Evaluate(normal);
+  glm::dvec3 sum(0.0);
+  for (int l = 0; l <= 2; ++l)
+  {
+    for (int m = 0; m < 2 * l + 1; ++m)
+    {
+      const auto at = static_cast<std::size_t>(l * l + m);
+      sum += CosineBand[l] * values[at] * light[at];
+    }
+  }
+  return glm::max(sum, glm::dvec3(0.0));
+}
+} // namespace measuredbrdf

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SkyHarmonics.h"
+
+#include <Eigen/Dense>
+
+#include <cmath>
+#include <vector>
+
+namespace measuredbrdf
+{
+namespace sky
+{
+namespace
+{
+constexpr int Width = 2 * Degree + 1; // functions of the last degree
+
+// Directions about an axis that is no axis of the functions: their matrices are well conditioned.
+std::vector<glm::dvec3> MakeDirections()
+{
+  const double golden = 2.39996322972865332; // angle, in radians
+  std::vector<glm::dvec3> directions;
+  for (int k = 0; k < Width; ++k)
+  {
+    const double z = 1.0 - (k + 0.5) / Width;
+    const double s = std::sqrt(1.0 - z * z);
+    directions.emplace_back(s * std::cos(golden * k + 0.3), s * std::sin(golden * k + 0.3), z);
+  }
+  return directions;
+}
+
+struct Band
+{
+  Eigen::MatrixXd FromValues; // at the directions
+};
+
+// Least squares: more directions than functions, but for the last degree.
+std::vector<Band> MakeBands(const std::vector<glm::dvec3>& directions)
+{
+  std::vector<Band> bands;
+  for (int l = 0; l <= Degree; ++l)
+  {
+    Eigen::MatrixXd values(Width, 2 * l + 1);
+    for (int k = 0; k < Width; ++k)
+    {
+      const Values at = Evaluate(directions[static_cast<std::size_t>(k)]);
+      for (int m = 0; m < 2 * l + 1; ++m)
+      {
+        values(k, m) = at[static_cast<std::size_t>(l * l + m)];
+      }
+    }
+    bands.push_back({ values.completeOrthogonalDecomposition().pseudoInverse() });
+  }
+  return bands;
+}
+}
+
+Colors Rotate(const Colors& light, const glm::dmat3& r)
+{
+  static const std::vector<glm::dvec3> directions = MakeDirections();
+  static const std::vector<Band> bands = MakeBands(directions);
+  Colors result;
+  std::array<Values, Width> turned;
+  for (std::size_t k = 0; k < directions.size(); ++k)
+  {
+    turned[k] = Evaluate(r * directions[k]);
+  }
+  for (int l = 0; l <= Degree; ++l)
+  {
+    for (int m = 0; m < 2 * l + 1; ++m)
+    {
+      glm::dvec3 sum(0.0);
+      for (int k = 0; k < Width; ++k)
+      {
+        glm::dvec3 value(0.0);
+        for (int n = 0; n < 2 * l + 1; ++n)
+        {
+          const auto at = static_cast<std::size_t>(l * l + n);
+          value += turned[static_cast<std::size_t>(k)][at] * light[at];
+        }
+        sum += bands[static_cast<std::size_t>(l)].FromValues(m, k) * value;
+      }
+      result[static_cast<std::size_t>(l * l + m)] = sum;
+    }
+  }
+  return result;
+}
+} // namespace sky
+} // namespace measuredbrdf

@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SurfacePoints.h"
+
+#include "ContentHash.h"
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+namespace measuredbrdf
+{
+namespace
+{
+// From a point to the middle of one of its polygons: far enough not to begin on a wall that meets
+// the surface there, near enough to count as the point.
+constexpr double Inwards = 0.02;
+constexpr vtkIdType Piece = 4096; // values that are hashed at a time
+
+struct Face
+{
+  glm::dvec3 Area = glm::dvec3(0.0); // normal times twice the area
+  glm::dvec3 Middle = glm::dvec3(0.0);
+};
+
+glm::dvec3 GetPoint(vtkPolyData* surface, vtkIdType id)
+{
+  glm::dvec3 p;
+  surface->GetPoints()->GetPoint(id, &p.x);
+  return p;
+}
+
+bool IsFinite(const glm::dvec3& p)
+{
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+// Newell's normal, which polygons of any shape have.
+Face MakeFace(vtkPolyData* surface, const vtkIdType* ids, vtkIdType count)
+{
+  Face face;
+  const glm::dvec3 first = GetPoint(surface, ids[0]); // large coordinates cancel
+  glm::dvec3 before(0.0);
+  for (vtkIdType k = 1; k < count; ++k)
+  {
+    const glm::dvec3 at = GetPoint(surface, ids[k]) - first;
+    face.Area += glm::cross(before, at);
+    face.Middle += at;
+    before = at;
+  }
+  face.Middle = first + face.Middle / static_cast<double>(count);
+  return face;
+}
+
+// Visit each polygon, and each triangle of strips: visit(face, ids, count).
+template <typename Visit>
+void ForEachFace(vtkPolyData* surface, const Visit& visit)
+{
+  const vtkIdType points = surface->GetNumberOfPoints();
+  const auto isValid = [points](const vtkIdType* ids, vtkIdType count)
+  {
+    return std::all_of(ids, ids + count, [points](vtkIdType id) { return id >= 0 && id < points; });
+  };
+  const auto go = [&](vtkCellArray* cells, bool strips)
+  {
+    vtkIdType count = 0;
+    const vtkIdType* ids = nullptr;
+    for (vtkIdType cell = 0; cells && cell < cells->GetNumberOfCells(); ++cell)
+    {
+      cells->GetCellAtId(cell, count, ids);
+      if (count < 3 || !isValid(ids, count))
+      {
+        continue;
+      }
+      for (vtkIdType k = 0; strips && k + 2 < count; ++k)
+      {
+        const std::array<vtkIdType, 3> corners = { ids[k], ids[k + 1 + k % 2], ids[k + 2 - k % 2] };
+        visit(MakeFace(surface, corners.data(), 3), corners.data(), 3);
+      }
+      if (!strips)
+      {
+        visit(MakeFace(surface, ids, count), ids, count);
+      }
+    }
+  };
+  go(surface->GetPolys(), false);
+  go(surface->GetStrips(), true);
+}
+
+void HashArray(ContentHash& hash, vtkDataArray* array)
+{
+  std::vector<double> values;
+  const vtkIdType count = array ? array->GetNumberOfValues() : 0;
+  const int components = array ? array->GetNumberOfComponents() : 1;
+  for (vtkIdType begin = 0; begin < count; begin += Piece * components)
+  {
+    const vtkIdType end = std::min(begin + Piece * components, count);
+    values.clear();
+    for (vtkIdType tuple = begin / components; tuple < end / components; ++tuple)
+    {
+      for (int c = 0; c < components; ++c)
+      {
+        values.push_back(array->GetComponent(tuple, c));
+      }
+    }
+    hash.AddValues(values);
+  }
+}
+}
+
+std::vector<SurfacePoint> FindSurfacePoints(vtkPolyData* surface)
+{
+  std::vector<SurfacePoint> points(static_cast<std::size_t>(surface->GetNumberOfPoints()));
+  if (points.empty())
+  {
+    return points;
+  }
+  vtkDataArray* normals = surface->GetPointData()->GetNormals();
+  const bool given = normals && normals->GetNumberOfComponents() == 3 &&
+                     normals->GetNumberOfTuples() >= surface->GetNumberOfPoints();
+  std::vector<char> used(points.size(), 0);
+  ForEachFace(surface,
+    [&](const Face& face, const vtkIdType* ids, vtkIdType count)
+    {
+      for (vtkIdType k = 0; IsFinite(face.Area) && k < count; ++k)
+      {
+        points[static_cast<std::size_t>(ids[k])].Normal += face.Area;
+        used[static_cast<std::size_t>(ids[k])] = 1;
+      }
+    });
+  for (std::size_t k = 0; k < points.size(); ++k)
+  {
+    glm::dvec3 normal = points[k].Normal;
+    if (given)
+    {
+      glm::dvec3 own;
+      normals->GetTuple(static_cast<vtkIdType>(k), &own.x);
+      const double length = glm::length(own);
+      normal = length > 0.0 && std::isfinite(length) ? own / length : normal;
+    }
+    const double length = glm::length(normal);
+    const bool any = used[k] && length > 0.0 && std::isfinite(length);
+    points[k].Normal = any ? normal / length : glm::dvec3(0.0);
+    points[k].Origin = GetPoint(surface, static_cast<vtkIdType>(k));
+    points[k].FaceNormal = points[k].Normal;
+  }
+  // The polygon that turns most towards the normal; of several, the largest.
+  std::vector<double> best(points.size(), 0.0);
+  ForEachFace(surface,
+    [&](const Face& face, const vtkIdType* ids, vtkIdType count)
+    {
+      const double area = glm::length(face.Area);
+      for (vtkIdType k = 0; area > 0.0 && std::isfinite(area) && k < count; ++k)
+      {
+        SurfacePoint& point = points[static_cast<std::size_t>(ids[k])];
+        const double cosine = glm::dot(face.Area, point.Normal) / area;
+        const double merit = cosine * cosine * cosine * cosine * std::sqrt(area);
+        if (merit > best[static_cast<std::size_t>(ids[k])])
+        {
+          best[static_cast<std::size_t>(ids[k])] = merit;
+          point.Origin = glm::mix(GetPoint(surface, ids[k]), face.Middle, Inwards);
+          point.FaceNormal = face.Area / (cosine < 0.0 ? -area : area);
+        }
+      }
+    });
+  return points;
+}
+
+std::string GetSurfaceKey(vtkPolyData* surface)
+{
+  ContentHash hash;
+  hash.AddValue<std::int64_t>(surface->GetNumberOfPoints());
+  HashArray(hash, surface->GetPoints() ? surface->GetPoints()->GetData() : nullptr);
+  std::vector<std::int64_t> ids;
+  for (vtkCellArray* cells : { surface->GetPolys(), surface->GetStrips() })
+  {
+    const vtkIdType number = cells ? cells->GetNumberOfCells() : 0;
+    hash.AddValue<std::int64_t>(number);
+    for (vtkIdType cell = 0; cell < number; ++cell)
+    {
+      vtkIdType count = 0;
+      const vtkIdType* corners = nullptr;
+      cells->GetCellAtId(cell, count, corners);
+      ids.push_back(count);
+      ids.insert(ids.end(), corners, corners + count);
+      if (static_cast<vtkIdType>(ids.size()) >= Piece || cell + 1 == number)
+      {
+        hash.AddValues(ids);
+        ids.clear();
+      }
+    }
+  }
+  return hash.GetText();
+}
+} // namespace measuredbrdf

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Where rays leave the points of a surface: normals, and origins beside edges. Private to the
+ * module.
+ */
+
+#ifndef SurfacePoints_h
+#define SurfacePoints_h
+
+#include "vtkType.h"
+
+#include <glm/glm.hpp>
+
+#include <string>
+#include <vector>
+
+class vtkPolyData;
+
+namespace measuredbrdf
+{
+struct SurfacePoint
+{
+  glm::dvec3 Normal = glm::dvec3(0.0);     // unit; zero: the point is of no polygon
+  glm::dvec3 Origin = glm::dvec3(0.0);     // on one of its polygons, close to the point
+  glm::dvec3 FaceNormal = glm::dvec3(0.0); // of that polygon, on the side of Normal
+};
+
+/// One for each point of polygons and strips. Normals are the data's point normals, if they have
+/// three components; else the polygons' mean by area.
+std::vector<SurfacePoint> FindSurfacePoints(vtkPolyData* surface);
+
+/// What tells the points and cells of a surface from others, whatever the types of its arrays of
+/// indices: 32 hexadecimal digits.
+std::string GetSurfaceKey(vtkPolyData* surface);
+} // namespace measuredbrdf
+
+#endif

@@ -1,0 +1,470 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Shading with what surfaces hide from themselves: the shaders against HiddenSky in C++, and the
+// mappers' use of vtkSurfaceVisibilityFilter's arrays.
+#include "EnvironmentPrecomputation.h"
+#include "HiddenSky.h"
+#include "OcclusionAxes.h"
+#include "OcclusionLight.h"
+#include "RenderFixture.h"
+#include "vtkBlinnPhongBRDF.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
+#include "vtkCompositeMeasuredBRDFMapper.h"
+#include "vtkEmbeddedEnvironments.h"
+#include "vtkEnvironment.h"
+#include "vtkFilteredRadianceIntegrator.h"
+#include "vtkHybridRadianceIntegrator.h"
+#include "vtkLambertBRDF.h"
+#include "vtkMath.h"
+#include "vtkMeasuredBRDFMapper.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPlaneSource.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkReverseSense.h"
+#include "vtkSphereSource.h"
+#include "vtkSurfaceVisibilityFilter.h"
+#include "vtkTableRadianceIntegrator.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+using measuredbrdf::HiddenSky;
+
+namespace
+{
+// A square that faces the camera beside a tilted wall.
+vtkSmartPointer<vtkPolyData> MakeSquare(double half = 0.9, int resolution = 2)
+{
+  vtkNew<vtkPlaneSource> source;
+  source->SetOrigin(-half, -half, 0.0);
+  source->SetPoint1(half, -half, 0.0);
+  source->SetPoint2(-half, half, 0.0);
+  source->SetResolution(resolution, resolution);
+  source->Update();
+  return source->GetOutput();
+}
+
+vtkUnsignedCharArray* GetBytes(vtkPolyData* surface, const char* name)
+{
+  return vtkUnsignedCharArray::SafeDownCast(surface->GetPointData()->GetArray(name));
+}
+
+HiddenSky::Code GetCode(vtkPolyData* surface, vtkIdType point)
+{
+  HiddenSky::Code code;
+  std::copy_n(GetBytes(surface, vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName())
+                ->GetPointer(point * HiddenSky::SectorBytes),
+    HiddenSky::SectorBytes, code.begin());
+  std::copy_n(GetBytes(surface, vtkSurfaceVisibilityFilter::GetHiddenLightArrayName())
+                ->GetPointer(point * HiddenSky::TransferBytes),
+    HiddenSky::TransferBytes, code.begin() + HiddenSky::SectorBytes);
+  return code;
+}
+
+// All points like this one, so that interpolation between them changes nothing.
+void SpreadCode(vtkPolyData* surface, vtkIdType point)
+{
+  for (const char* name : { vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName(),
+         vtkSurfaceVisibilityFilter::GetHiddenLightArrayName() })
+  {
+    vtkUnsignedCharArray* bytes = GetBytes(surface, name);
+    for (vtkIdType k = 0; k < bytes->GetNumberOfTuples(); ++k)
+    {
+      bytes->SetTuple(k, point, bytes);
+    }
+  }
+}
+
+// Collects a mapper's warnings instead of printing them.
+struct WarningTexts
+{
+  explicit WarningTexts(vtkObject* object)
+    : Object(object)
+  {
+    this->Command->SetClientData(this);
+    this->Command->SetCallback([](vtkObject*, unsigned long, void* self, void* text)
+      { static_cast<WarningTexts*>(self)->Texts.emplace_back(static_cast<const char*>(text)); });
+    this->Tag = object->AddObserver(vtkCommand::WarningEvent, this->Command);
+  }
+  ~WarningTexts() { this->Object->RemoveObserver(this->Tag); }
+  WarningTexts(const WarningTexts&) = delete;
+  WarningTexts& operator=(const WarningTexts&) = delete;
+
+  std::vector<std::string> Texts;
+
+private:
+  vtkNew<vtkCallbackCommand> Command;
+  vtkObject* Object;
+  unsigned long Tag;
+};
+
+glm::dvec3 ToVector(const float* pixel) { return { pixel[0], pixel[1], pixel[2] }; }
+}
+
+// Small tables: their own errors cancel.
+template <typename Integrator>
+void MakeSmall(Integrator* integrator)
+{
+  integrator->SetNumberOfRows(17);
+  integrator->SetNumberOfViewAngles(6);
+  integrator->SetNumberOfAzimuths(4);
+}
+
+class OcclusionTest : public RenderFixture
+{
+protected:
+  void SetUp() override
+  {
+    this->RenderFixture::SetUp();
+    this->Environment =
+      vtkSmartPointer<vtkEnvironment>::Take(vtkEmbeddedEnvironments::NewEnvironment("sky"));
+    // Two blocks above the square, seen from its middle to one side.
+    this->Filter->AddOccluder(MakeBlock({ -1.2, 0.3, 0.7 }, 0.5));
+    this->Filter->AddOccluder(MakeBlock({ 1.0, 1.0, 0.2 }, 0.9));
+    this->Filter->SetInputData(MakeSquare());
+    this->Filter->Update();
+    this->Surface->DeepCopy(this->Filter->GetOutputDataObject(0));
+    this->Mapper->SetInputData(this->Surface);
+    this->Mapper->SetEnvironment(this->Environment);
+    this->Actor->SetMapper(this->Mapper);
+    this->Renderer->AddActor(this->Actor);
+  }
+
+  static vtkSmartPointer<vtkPolyData> MakeBlock(const glm::dvec3& center, double radius)
+  {
+    vtkNew<vtkSphereSource> source;
+    source->SetCenter(center.x, center.y, center.z);
+    source->SetRadius(radius);
+    source->SetThetaResolution(20);
+    source->SetPhiResolution(20);
+    source->Update();
+    return source->GetOutput();
+  }
+
+  glm::dvec3 RenderMiddle(int mode)
+  {
+    this->Mapper->SetOcclusionMode(mode);
+    return ToVector(this->RenderLinear().At(32, 32));
+  }
+
+  /// What the C++ forms say, in the model's axes.
+  struct Expected
+  {
+    glm::dvec3 HiddenIrradiance, HiddenLight;
+    std::vector<double> Lamps;
+  };
+  Expected Evaluate(vtkBRDF* brdf, vtkRadianceIntegrator* integrator, const glm::dvec3& view)
+  {
+    const measuredbrdf::OcclusionLight light(brdf, this->Environment, integrator);
+    const measuredbrdf::OcclusionAxes axes(this->Renderer, this->Actor, { this->Environment });
+    const measuredbrdf::sky::Colors turned = light.GetLight(axes.ToEnvironment[0]);
+    const HiddenSky sky(GetCode(this->Surface, 4));
+    const glm::dvec3 n = sky.GetNormal();
+    Expected expected;
+    expected.HiddenIrradiance = sky.GetHiddenIrradiance(turned);
+    const double cosine = glm::dot(n, view);
+    const auto lobe = light.Lobes.Get(cosine);
+    const glm::dvec3 rest = view - cosine * n;
+    const glm::dvec3 across = rest / std::max(glm::length(rest), 1e-6);
+    const double share =
+      sky.GetHiddenShare(glm::normalize(lobe.Cosine * n - lobe.Sine * across), lobe.Kappa);
+    expected.HiddenLight = sky.GetHiddenLight(
+      share, lobe.Kappa, expected.HiddenIrradiance, measuredbrdf::sky::GetIrradiance(turned, n));
+    for (const glm::dvec3& lamp : light.Lamps)
+    {
+      expected.Lamps.push_back(sky.GetVisibleLamp(glm::transpose(axes.ToEnvironment[0]) * lamp));
+    }
+    return expected;
+  }
+
+  /// The camera at an angle from the square's normal.
+  void Tilt(double degrees)
+  {
+    this->Renderer->GetActiveCamera()->SetPosition(0.0, 0.0, 5.0);
+    this->Renderer->GetActiveCamera()->SetViewUp(0.0, 1.0, 0.0);
+    this->Renderer->GetActiveCamera()->Azimuth(degrees);
+    this->Renderer->ResetCameraClippingRange();
+  }
+
+  glm::dvec3 GetView() const
+  {
+    glm::dvec3 p;
+    this->Renderer->GetActiveCamera()->GetPosition(&p.x);
+    return glm::normalize(p);
+  }
+
+  vtkSmartPointer<vtkEnvironment> Environment;
+  vtkNew<vtkSurfaceVisibilityFilter> Filter;
+  vtkNew<vtkPolyData> Surface;
+  vtkNew<vtkMeasuredBRDFMapper> Mapper;
+  vtkNew<vtkActor> Actor;
+};
+
+// A matte surface: the picture lacks albedo / pi times the hidden irradiance.
+TEST_F(OcclusionTest, MatteSurfacesLackTheHiddenIrradiance)
+{
+  SpreadCode(this->Surface, 4);
+  vtkNew<vtkLambertBRDF> brdf;
+  vtkNew<vtkTableRadianceIntegrator> table;
+  MakeSmall(table.Get());
+  this->Mapper->SetBRDF(brdf);
+  this->Mapper->SetIntegrator(table);
+  double f[3];
+  const double up[3] = { 0.0, 0.0, 1.0 };
+  brdf->Evaluate(up, up, f);
+  double largest = 0.0;
+  for (const double rotation : { 0.0, 100.0, 200.0 })
+  {
+    this->Environment->SetRotationY(rotation);
+    const glm::dvec3 off = this->RenderMiddle(0);
+    const glm::dvec3 on = this->RenderMiddle(1);
+    const Expected expected = this->Evaluate(brdf, table, this->GetView());
+    const glm::dvec3 wanted = off - glm::dvec3(f[0], f[1], f[2]) * expected.HiddenIrradiance;
+    EXPECT_LT(glm::length(on - wanted), 2e-3 * glm::length(off)) << rotation;
+    largest = std::max(largest, glm::length(off - on) / glm::length(off));
+  }
+  EXPECT_GT(largest, 0.02);
+}
+
+// A glossy one: a share of its lobe's light, per channel, from several views.
+TEST_F(OcclusionTest, LobesLackTheirHiddenShare)
+{
+  SpreadCode(this->Surface, 4);
+  vtkNew<vtkBlinnPhongBRDF> brdf;
+  brdf->SetSpecular(0.5, 0.5, 0.5);
+  brdf->SetExponent(40.0);
+  vtkNew<vtkTableRadianceIntegrator> table;
+  MakeSmall(table.Get());
+  this->Mapper->SetBRDF(brdf);
+  this->Mapper->SetIntegrator(table);
+  double largest = 0.0;
+  for (const double degrees : { 0.0, 35.0, -35.0, 60.0, -60.0 })
+  {
+    this->Tilt(degrees);
+    const glm::dvec3 off = this->RenderMiddle(0);
+    const glm::dvec3 on = this->RenderMiddle(1);
+    const Expected expected = this->Evaluate(brdf, table, this->GetView());
+    EXPECT_LT(glm::length(on - off * (1.0 - expected.HiddenLight)), 3e-3 * glm::length(off))
+      << degrees;
+    largest = std::max(largest, expected.HiddenLight.x);
+  }
+  EXPECT_GT(largest, 0.1);
+}
+
+// Lamps on their own: what a hybrid shows more than its rest is what of them is visible.
+TEST_F(OcclusionTest, LampsAreHiddenOneByOne)
+{
+  SpreadCode(this->Surface, 4);
+  vtkNew<vtkLambertBRDF> brdf;
+  vtkNew<vtkHybridRadianceIntegrator> hybrid;
+  MakeSmall(hybrid.Get());
+  this->Mapper->SetBRDF(brdf);
+  this->Mapper->SetIntegrator(hybrid);
+  double f[3];
+  const double up[3] = { 0.0, 0.0, 1.0 };
+  brdf->Evaluate(up, up, f);
+  const auto lamps = this->Environment->GetParts().GetLamps(this->Environment,
+    vtkMath::RadiansFromDegrees(hybrid->GetLightAngle()), hybrid->GetMaximumNumberOfLights(),
+    []() { return true; });
+  int dark = 0;
+  int lit = 0;
+  for (double rotation = 0.0; rotation < 360.0; rotation += 60.0)
+  {
+    this->Environment->SetRotationY(rotation);
+    const glm::dvec3 off = this->RenderMiddle(0);
+    const glm::dvec3 on = this->RenderMiddle(1);
+    const Expected expected = this->Evaluate(brdf, hybrid, this->GetView());
+    ASSERT_EQ(expected.Lamps.size(), lamps->Lights.size());
+    glm::dvec3 hidden = expected.HiddenIrradiance;
+    const measuredbrdf::OcclusionAxes axes(this->Renderer, this->Actor, { this->Environment });
+    for (std::size_t k = 0; k < lamps->Lights.size(); ++k)
+    {
+      const double cosine = (glm::transpose(axes.ToEnvironment[0]) * lamps->Lights[k].Direction).z;
+      hidden += (1.0 - expected.Lamps[k]) * std::max(cosine, 0.0) * lamps->Lights[k].Irradiance;
+      dark += cosine > 0.0 && expected.Lamps[k] < 0.5 ? 1 : 0;
+      lit += cosine > 0.0 && expected.Lamps[k] > 0.5 ? 1 : 0;
+    }
+    const glm::dvec3 wanted = off - glm::dvec3(f[0], f[1], f[2]) * hidden;
+    EXPECT_LT(glm::length(on - wanted), 3e-3 * glm::length(off)) << rotation;
+  }
+  EXPECT_GT(lit, 0);
+  EXPECT_GT(dark, 0);
+}
+
+// Other methods take all that is reflected as one lobe.
+TEST_F(OcclusionTest, OtherMethodsAreDarkened)
+{
+  vtkNew<vtkLambertBRDF> brdf;
+  vtkNew<vtkFilteredRadianceIntegrator> filtered;
+  this->Mapper->SetBRDF(brdf);
+  this->Mapper->SetIntegrator(filtered);
+  const glm::dvec3 off = this->RenderMiddle(0);
+  const glm::dvec3 on = this->RenderMiddle(1);
+  EXPECT_LT(on.x, 0.97 * off.x);
+  EXPECT_GT(on.x, 0.2 * off.x);
+}
+
+// Without occluders the same arrays change no pixel.
+TEST_F(OcclusionTest, OpenSurfacesStayAsTheyAre)
+{
+  this->Filter->RemoveAllOccluders();
+  this->Filter->Update();
+  this->Mapper->SetInputData(vtkPolyData::SafeDownCast(this->Filter->GetOutputDataObject(0)));
+  vtkNew<vtkBlinnPhongBRDF> brdf;
+  this->Mapper->SetBRDF(brdf);
+  vtkNew<vtkHybridRadianceIntegrator> hybrid;
+  MakeSmall(hybrid.Get());
+  this->Mapper->SetIntegrator(hybrid);
+  const glm::dvec3 off = this->RenderMiddle(0);
+  EXPECT_LT(glm::length(off - this->RenderMiddle(1)), 1e-5 * glm::length(off));
+}
+
+// A turned, mirrored and stretched actor under a turned environment shows what the same surface
+// shows that was moved before it was traced.
+TEST_F(OcclusionTest, ActorsMayBeTurnedMirroredAndScaled)
+{
+  SpreadCode(this->Surface, 4);
+  vtkNew<vtkLambertBRDF> brdf;
+  vtkNew<vtkTableRadianceIntegrator> table;
+  MakeSmall(table.Get());
+  this->Mapper->SetBRDF(brdf);
+  this->Mapper->SetIntegrator(table);
+  const glm::dvec3 before = this->RenderMiddle(1);
+  const glm::dvec3 off = this->RenderMiddle(0);
+  // Half a turn of all about the view's axis: surface, light, and nothing else.
+  this->Actor->RotateZ(180.0);
+  this->Actor->SetScale(0.5);
+  this->Renderer->SetEnvironmentUp(0.0, -1.0, 0.0);
+  this->Renderer->SetEnvironmentRight(-1.0, 0.0, 0.0);
+  EXPECT_GT(glm::length(off - before), 0.01 * glm::length(off));
+  EXPECT_LT(glm::length(this->RenderMiddle(1) - before), 1e-3 * glm::length(off));
+  // A mirror image, left for right, of a surface whose corners run the other way round: VTK takes
+  // other mirrored surfaces for seen from behind.
+  vtkNew<vtkReverseSense> reversed;
+  reversed->SetInputData(MakeSquare());
+  reversed->Update();
+  this->Filter->SetInputData(reversed->GetOutput());
+  this->Filter->Update();
+  this->Surface->DeepCopy(this->Filter->GetOutputDataObject(0));
+  SpreadCode(this->Surface, 4);
+  this->Actor->SetOrientation(0.0, 0.0, 0.0);
+  this->Actor->SetScale(-1.0, 1.0, 1.0);
+  this->Renderer->SetEnvironmentUp(0.0, 1.0, 0.0);
+  this->Renderer->SetEnvironmentRight(1.0, 0.0, 0.0);
+  const glm::dvec3 mirrored = this->RenderMiddle(1);
+  const glm::dvec3 lit = this->RenderMiddle(0);
+  EXPECT_GT(glm::length(lit - mirrored), 0.01 * glm::length(lit));
+  const measuredbrdf::OcclusionLight light(brdf, this->Environment, table);
+  const measuredbrdf::OcclusionAxes axes(this->Renderer, this->Actor, { this->Environment });
+  double f[3];
+  const double up[3] = { 0.0, 0.0, 1.0 };
+  brdf->Evaluate(up, up, f);
+  const glm::dvec3 hidden =
+    HiddenSky(GetCode(this->Surface, 4)).GetHiddenIrradiance(light.GetLight(axes.ToEnvironment[0]));
+  EXPECT_LT(
+    glm::length(lit - glm::dvec3(f[0], f[1], f[2]) * hidden - mirrored), 2e-3 * glm::length(lit));
+}
+
+// Blocks with arrays and blocks without share buffers.
+TEST_F(OcclusionTest, CompositeMappersDrawTheSame)
+{
+  vtkNew<vtkBlinnPhongBRDF> brdf;
+  brdf->SetExponent(20.0);
+  vtkNew<vtkHybridRadianceIntegrator> hybrid;
+  MakeSmall(hybrid.Get());
+  this->Mapper->SetBRDF(brdf);
+  this->Mapper->SetIntegrator(hybrid);
+  const glm::dvec3 plain = this->RenderMiddle(1);
+  const glm::dvec3 off = this->RenderMiddle(0);
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  vtkNew<vtkPolyData> other;
+  other->DeepCopy(MakeSquare(0.05));
+  for (vtkIdType k = 0; k < other->GetNumberOfPoints(); ++k)
+  {
+    double p[3];
+    other->GetPoint(k, p);
+    other->GetPoints()->SetPoint(k, p[0] + 0.8, p[1] + 0.8, 0.5);
+  }
+  blocks->SetBlock(0, other); // without arrays
+  blocks->SetBlock(2, this->Surface);
+  vtkNew<vtkCompositeMeasuredBRDFMapper> composite;
+  composite->SetInputDataObject(blocks);
+  composite->SetBRDF(brdf);
+  composite->SetIntegrator(hybrid);
+  composite->SetEnvironment(this->Environment);
+  this->Actor->SetMapper(composite);
+  EXPECT_LT(glm::length(ToVector(this->RenderLinear().At(32, 32)) - plain), 1e-4 * plain.x);
+  composite->SetOcclusionModeToOff();
+  EXPECT_LT(glm::length(ToVector(this->RenderLinear().At(32, 32)) - off), 1e-4 * plain.x);
+}
+
+// On request the mapper traces what has no arrays.
+TEST_F(OcclusionTest, OnTracesWhatHasNoArrays)
+{
+  vtkNew<vtkSphereSource> lid; // above a square
+  lid->SetCenter(0.5, 0.0, 0.35);
+  lid->SetRadius(0.3);
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  lid->Update();
+  blocks->SetBlock(0, MakeSquare());
+  blocks->SetBlock(1, lid->GetOutput());
+  vtkNew<vtkLambertBRDF> brdf;
+  vtkNew<vtkTableRadianceIntegrator> table;
+  MakeSmall(table.Get());
+  vtkNew<vtkCompositeMeasuredBRDFMapper> composite;
+  composite->SetInputDataObject(blocks);
+  composite->SetBRDF(brdf);
+  composite->SetIntegrator(table);
+  composite->SetEnvironment(this->Environment);
+  this->Actor->SetMapper(composite);
+  const glm::dvec3 off = ToVector(this->RenderLinear().At(32, 32)); // auto: there are no arrays
+  composite->SetOcclusionModeToOn();
+  const glm::dvec3 on = ToVector(this->RenderLinear().At(32, 32));
+  EXPECT_LT(on.x, 0.98 * off.x);
+  vtkNew<vtkSurfaceVisibilityFilter> filter;
+  filter->SetInputDataObject(blocks);
+  composite->SetInputConnection(filter->GetOutputPort());
+  composite->SetOcclusionModeToAuto();
+  EXPECT_LT(glm::length(ToVector(this->RenderLinear().At(32, 32)) - on), 1e-5 * off.x);
+}
+
+// Arrays of another shape, type or size: one warning, drawn without.
+TEST_F(OcclusionTest, BadArraysAreSaidOnceAndNotUsed)
+{
+  vtkNew<vtkLambertBRDF> brdf;
+  vtkNew<vtkTableRadianceIntegrator> table;
+  MakeSmall(table.Get());
+  this->Mapper->SetBRDF(brdf);
+  this->Mapper->SetIntegrator(table);
+  const glm::dvec3 off = this->RenderMiddle(0);
+  const auto expectOff = [&](const char* words)
+  {
+    WarningTexts warnings(this->Mapper);
+    EXPECT_LT(glm::length(this->RenderMiddle(1) - off), 1e-5 * off.x) << words;
+    this->RenderMiddle(1);
+    ASSERT_EQ(warnings.Texts.size(), 1u) << words;
+    EXPECT_NE(warnings.Texts[0].find(words), std::string::npos) << warnings.Texts[0];
+  };
+  vtkNew<vtkPolyData> good;
+  good->DeepCopy(this->Surface);
+  this->Surface->GetPoints()->SetPoint(0, -0.8, -0.9, 0.0);
+  this->Surface->GetPoints()->Modified();
+  this->Surface->Modified();
+  expectOff("have changed");
+  this->Surface->DeepCopy(good);
+  this->Surface->GetPointData()->RemoveArray(vtkSurfaceVisibilityFilter::GetHiddenLightArrayName());
+  expectOff("is missing");
+  this->Surface->DeepCopy(good);
+  GetBytes(this->Surface, vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName())
+    ->SetNumberOfTuples(3);
+  expectOff("has 3 tuples");
+}

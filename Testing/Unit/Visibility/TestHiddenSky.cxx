@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Codes of hidden skies against closed forms.
+#include "HiddenSky.h"
+#include "LocalFrame.h"
+
+#include <glm/glm.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace
+{
+using measuredbrdf::HiddenSky;
+namespace sky = measuredbrdf::sky;
+
+constexpr double Pi = 3.14159265358979323846;
+
+glm::dvec3 RandomDirection(std::mt19937& generator)
+{
+  std::normal_distribution<double> normal;
+  return glm::normalize(glm::dvec3(normal(generator), normal(generator), normal(generator)));
+}
+
+// The code of a point about which `isHidden(direction in the code's frame)`.
+template <typename IsHidden>
+HiddenSky::Code Encode(const glm::dvec3& normal, int elevations, const IsHidden& isHidden)
+{
+  const HiddenSky::Rays rays(elevations);
+  std::vector<char> hidden;
+  for (const glm::dvec3& d : rays.GetDirections())
+  {
+    hidden.push_back(isHidden(d) ? 1 : 0);
+  }
+  return HiddenSky::Encode(normal, rays, hidden, isHidden);
+}
+
+// Light of random harmonics.
+sky::Colors RandomLight(std::mt19937& generator)
+{
+  std::uniform_real_distribution<double> value(-1.0, 1.0);
+  sky::Colors light;
+  for (glm::dvec3& color : light)
+  {
+    color = { value(generator), value(generator), value(generator) };
+  }
+  return light;
+}
+
+glm::dvec3 GetRadiance(const sky::Colors& light, const glm::dvec3& d)
+{
+  const sky::Values values = sky::Evaluate(d);
+  glm::dvec3 sum(0.0);
+  for (std::size_t k = 0; k < values.size(); ++k)
+  {
+    sum += values[k] * light[k];
+  }
+  return sum;
+}
+
+TEST(HiddenSky, HarmonicsAreOrthonormal)
+{
+  // Rays of both hemispheres; 4096 of them integrate products of degree 8 to 1e-3.
+  const HiddenSky::Rays rays(256);
+  std::vector<std::vector<double>> products(
+    sky::Harmonics, std::vector<double>(sky::Harmonics, 0.0));
+  for (glm::dvec3 d : rays.GetDirections())
+  {
+    for (int side = 0; side < 2; ++side, d = -d)
+    {
+      const sky::Values values = sky::Evaluate(d);
+      for (std::size_t a = 0; a < values.size(); ++a)
+      {
+        for (std::size_t b = 0; b < values.size(); ++b)
+        {
+          products[a][b] += values[a] * values[b] * rays.GetSolidAngle();
+        }
+      }
+    }
+  }
+  for (std::size_t a = 0; a < sky::Harmonics; ++a)
+  {
+    for (std::size_t b = 0; b < sky::Harmonics; ++b)
+    {
+      EXPECT_NEAR(products[a][b], a == b ? 1.0 : 0.0, 5e-3) << a << ", " << b;
+    }
+  }
+}
+
+TEST(HiddenSky, RotatesLight)
+{
+  std::mt19937 generator(3);
+  for (int k = 0; k < 20; ++k)
+  {
+    const sky::Colors light = RandomLight(generator);
+    glm::dmat3 r = measuredbrdf::FrameAbout(RandomDirection(generator));
+    r = k % 2 ? r : glm::dmat3(-r[0], r[1], r[2]); // mirrors, too
+    const sky::Colors turned = sky::Rotate(light, r);
+    const glm::dvec3 d = RandomDirection(generator);
+    EXPECT_LT(glm::length(GetRadiance(turned, d) - GetRadiance(light, r * d)), 1e-9);
+  }
+}
+
+TEST(HiddenSky, KeepsNormals)
+{
+  std::mt19937 generator(4);
+  for (int k = 0; k < 1000; ++k)
+  {
+    const glm::dvec3 normal = RandomDirection(generator);
+    std::uint8_t bytes[3];
+    HiddenSky::PackNormal(normal, bytes);
+    EXPECT_GT(glm::dot(normal, HiddenSky::UnpackNormal(bytes)), std::cos(1e-3));
+  }
+}
+
+TEST(HiddenSky, NothingIsHiddenInTheOpen)
+{
+  std::mt19937 generator(5);
+  const HiddenSky open(HiddenSky::MakeOpen(RandomDirection(generator)));
+  const sky::Colors light = RandomLight(generator);
+  EXPECT_EQ(open.GetHiddenIrradiance(light), glm::dvec3(0.0));
+  EXPECT_EQ(open.GetHiddenCosine(), 0.0);
+  for (int k = 0; k < 10; ++k)
+  {
+    const glm::dvec3 d = RandomDirection(generator);
+    EXPECT_EQ(open.GetHiddenShare(d, 5.0), 0.0);
+    EXPECT_EQ(open.GetVisibleLamp(d), 1.0);
+  }
+}
+
+// Everything hidden: the hidden irradiance is the irradiance, which GetIrradiance has from degrees
+// up to 2; degree 4 adds little.
+TEST(HiddenSky, AllIsHiddenInACavity)
+{
+  std::mt19937 generator(6);
+  for (int k = 0; k < 20; ++k)
+  {
+    const glm::dvec3 normal = RandomDirection(generator);
+    const HiddenSky closed(Encode(normal, 16, [](const glm::dvec3&) { return true; }));
+    sky::Colors light = RandomLight(generator);
+    light[0] = glm::dvec3(4.0);
+    const glm::dvec3 irradiance = sky::GetIrradiance(light, normal);
+    const glm::dvec3 hidden = closed.GetHiddenIrradiance(light);
+    EXPECT_LT(glm::length(hidden - irradiance), 0.06 * glm::length(irradiance));
+    EXPECT_NEAR(closed.GetHiddenCosine(), 1.0, 0.01);
+    EXPECT_NEAR(closed.GetHiddenShare(normal, 8.0), 1.0, 1e-6);
+    EXPECT_NEAR(closed.GetVisibleLamp(normal), 0.0, 1e-6);
+  }
+}
+
+// A wall hides half of the sky: half of the irradiance from a uniform sky.
+TEST(HiddenSky, AWallHidesHalf)
+{
+  const glm::dvec3 normal(0.0, 0.0, 1.0);
+  // x < 0 about the frame's own axes, which are the world's here; the wall lies between sectors
+  // of the rays as in their middles.
+  const HiddenSky wall(Encode(normal, 16, [](const glm::dvec3& d) { return d.x < 0.0; }));
+  EXPECT_NEAR(wall.GetHiddenCosine(), 0.5, 0.02);
+  EXPECT_NEAR(
+    wall.GetHiddenShare(normal, 4.0), 0.5, 0.06); // sectors cut in half count at the horizon
+  EXPECT_NEAR(wall.GetHiddenShare(glm::normalize(glm::dvec3(-1.0, 0.0, 1.0)), 30.0), 1.0, 0.02);
+  EXPECT_NEAR(wall.GetHiddenShare(glm::normalize(glm::dvec3(1.0, 0.0, 1.0)), 30.0), 0.0, 0.02);
+  EXPECT_EQ(wall.GetVisibleLamp(glm::normalize(glm::dvec3(-1.0, 0.1, 0.5))), 0.0);
+  EXPECT_EQ(wall.GetVisibleLamp(glm::normalize(glm::dvec3(1.0, 0.1, 0.5))), 1.0);
+}
+
+// Up to an elevation all around, as in the middle of a crater: cos^2 of it is hidden... of a
+// uniform sky sin^2 of the elevation is.
+TEST(HiddenSky, ACraterHidesTheLowSky)
+{
+  const double sine = 0.5;
+  const HiddenSky crater(
+    Encode({ 0.6, 0.0, 0.8 }, 16, [&](const glm::dvec3& d) { return d.z < sine; }));
+  EXPECT_NEAR(crater.GetHiddenCosine(), sine * sine, 0.01);
+  const glm::dvec3 normal = crater.GetNormal();
+  // The share of exp(kappa cos theta) below the angle, in closed form.
+  for (const double kappa : { 1.0, 4.0, 16.0 })
+  {
+    const double expected = (std::exp(kappa * sine) - 1.0) / (std::exp(kappa) - 1.0);
+    EXPECT_NEAR(crater.GetHiddenShare(normal, kappa), expected, 0.02) << kappa;
+  }
+  EXPECT_EQ(crater.GetVisibleLamp(normal), 1.0);
+}
+
+// A roof: hidden is the sky about the zenith, not the horizon. Horizons alone could not say so.
+TEST(HiddenSky, ARoofLeavesTheHorizon)
+{
+  const HiddenSky roof(
+    Encode({ 0.0, 0.0, 1.0 }, 16, [](const glm::dvec3& d) { return d.z > 0.5; }));
+  EXPECT_NEAR(roof.GetHiddenCosine(), 0.75, 0.01);
+  EXPECT_EQ(roof.GetVisibleLamp({ 0.0, 0.0, 1.0 }), 0.0);
+  EXPECT_EQ(roof.GetVisibleLamp(glm::normalize(glm::dvec3(0.9, 0.1, 0.2))), 1.0);
+}
+
+// Where the lobe is wide and the hidden sky bright, more than the hidden share of its light is
+// gone.
+TEST(HiddenSky, BrightHiddenSkiesCountMore)
+{
+  const HiddenSky wall(
+    Encode({ 0.0, 0.0, 1.0 }, 16, [](const glm::dvec3& d) { return d.x < 0.0; }));
+  const glm::dvec3 bright = wall.GetHiddenLight(0.5, 1.0, glm::dvec3(0.9), glm::dvec3(1.0));
+  const glm::dvec3 even = wall.GetHiddenLight(0.5, 1.0, glm::dvec3(0.5), glm::dvec3(1.0));
+  const glm::dvec3 narrow = wall.GetHiddenLight(0.5, 1e6, glm::dvec3(0.9), glm::dvec3(1.0));
+  EXPECT_GT(bright.x, 0.8);
+  EXPECT_NEAR(even.x, 0.5, 0.02);
+  EXPECT_NEAR(narrow.x, 0.5, 0.01);
+  EXPECT_LE(bright.x, 1.0);
+}
+}

@@ -1,0 +1,331 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkSurfaceVisibilityFilter: what it finds, keeps, and survives.
+#include "HiddenSky.h"
+#include "SurfacePoints.h"
+#include "vtkSurfaceVisibilityFilter.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCellArray.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkMatrix4x4.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkPlaneSource.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+#include "vtkSphereSource.h"
+#include "vtkStringArray.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkXMLPolyDataReader.h"
+#include "vtkXMLPolyDataWriter.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <vector>
+
+namespace
+{
+using measuredbrdf::HiddenSky;
+
+vtkSmartPointer<vtkPolyData> MakeSphere(double radius, double z)
+{
+  vtkNew<vtkSphereSource> source;
+  source->SetRadius(radius);
+  source->SetCenter(0.0, 0.0, z);
+  source->SetThetaResolution(24);
+  source->SetPhiResolution(16);
+  source->Update();
+  return source->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> MakePlane(double half, double z, int resolution)
+{
+  vtkNew<vtkPlaneSource> source;
+  source->SetOrigin(-half, -half, z);
+  source->SetPoint1(half, -half, z);
+  source->SetPoint2(-half, half, z);
+  source->SetResolution(resolution, resolution);
+  source->Update();
+  return source->GetOutput();
+}
+
+vtkUnsignedCharArray* GetArray(vtkPolyData* surface, const std::string& name)
+{
+  return vtkUnsignedCharArray::SafeDownCast(surface->GetPointData()->GetArray(name.c_str()));
+}
+
+HiddenSky GetSky(vtkPolyData* surface, vtkIdType point, const std::string& suffix = "")
+{
+  HiddenSky::Code code;
+  std::copy_n(GetArray(surface, vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName() + suffix)
+                ->GetPointer(point * HiddenSky::SectorBytes),
+    HiddenSky::SectorBytes, code.begin());
+  std::copy_n(GetArray(surface, vtkSurfaceVisibilityFilter::GetHiddenLightArrayName() + suffix)
+                ->GetPointer(point * HiddenSky::TransferBytes),
+    HiddenSky::TransferBytes, code.begin() + HiddenSky::SectorBytes);
+  return HiddenSky(code);
+}
+
+vtkPolyData* Trace(vtkSurfaceVisibilityFilter* filter, vtkDataObject* input)
+{
+  filter->SetInputDataObject(input);
+  filter->Update();
+  return vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0));
+}
+
+bool AreEqual(vtkPolyData* a, vtkPolyData* b)
+{
+  const char* const names[] = { vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName(),
+    vtkSurfaceVisibilityFilter::GetHiddenLightArrayName() };
+  return std::all_of(std::begin(names), std::end(names),
+    [&](const char* name)
+    {
+      vtkUnsignedCharArray* x = GetArray(a, name);
+      vtkUnsignedCharArray* y = GetArray(b, name);
+      return x && y && x->GetNumberOfValues() == y->GetNumberOfValues() &&
+             std::memcmp(x->GetPointer(0), y->GetPointer(0),
+               static_cast<std::size_t>(x->GetNumberOfValues())) == 0;
+    });
+}
+
+TEST(SurfaceVisibility, AConvexBodyHidesNothing)
+{
+  vtkNew<vtkSurfaceVisibilityFilter> filter;
+  vtkPolyData* output = Trace(filter, MakeSphere(1.0, 0.0));
+  for (vtkIdType k = 0; k < output->GetNumberOfPoints(); ++k)
+  {
+    EXPECT_LT(GetSky(output, k).GetHiddenCosine(), 0.01) << k;
+  }
+}
+
+// A sphere above a plane hides (r / d)^2 of the irradiance below its center: Lambert's cosine law.
+TEST(SurfaceVisibility, ASphereHidesItsFormFactor)
+{
+  vtkNew<vtkSurfaceVisibilityFilter> filter;
+  filter->SetNumberOfRays(1024);
+  filter->AddOccluder(MakeSphere(1.0, 2.0));
+  const auto plane = MakePlane(2.0, 0.0, 4);
+  vtkPolyData* output = Trace(filter, plane);
+  const vtkIdType middle = output->FindPoint(0.0, 0.0, 0.0);
+  EXPECT_NEAR(GetSky(output, middle).GetHiddenCosine(), 0.25, 0.02);
+  EXPECT_EQ(GetSky(output, middle).GetVisibleLamp({ 0.0, 0.0, 1.0 }), 0.0);
+  filter->RemoveAllOccluders();
+  vtkNew<vtkMatrix4x4> away;
+  away->SetElement(2, 3, -10.0);
+  filter->AddOccluder(MakeSphere(1.0, 2.0), away); // below
+  output = Trace(filter, plane);
+  EXPECT_EQ(GetSky(output, middle).GetHiddenCosine(), 0.0);
+}
+
+TEST(SurfaceVisibility, MaximumDistanceForgetsWhatIsFar)
+{
+  vtkNew<vtkSurfaceVisibilityFilter> filter;
+  filter->AddOccluder(MakeSphere(1.0, 2.0));
+  filter->SetMaximumDistance(0.9);
+  vtkPolyData* output = Trace(filter, MakePlane(2.0, 0.0, 4));
+  EXPECT_EQ(GetSky(output, output->FindPoint(0.0, 0.0, 0.0)).GetHiddenCosine(), 0.0);
+}
+
+TEST(SurfaceVisibility, TheOtherSideHasItsOwnSky)
+{
+  vtkNew<vtkSurfaceVisibilityFilter> filter;
+  filter->BothSidesOn();
+  filter->AddOccluder(MakePlane(1000.0, -0.1, 1));
+  vtkPolyData* output = Trace(filter, MakePlane(2.0, 0.0, 4));
+  EXPECT_LT(GetSky(output, 12).GetHiddenCosine(), 0.01);
+  EXPECT_GT(GetSky(output, 12, "Back").GetHiddenCosine(), 0.95);
+}
+
+// Where two walls meet each hides half of what the other could see, to the last point.
+TEST(SurfaceVisibility, EdgesBelongToTheirOwnSide)
+{
+  vtkNew<vtkPolyData> corner;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkFloatArray> normals;
+  normals->SetNumberOfComponents(3);
+  // A floor and a wall, two squares each; their points on the common edge are different ones.
+  const double places[12][3] = { { 0, 0, 0 }, { 50, 0, 0 }, { 50, 50, 0 }, { 0, 50, 0 },
+    { 50, 100, 0 }, { 0, 100, 0 }, { 0, 0, 0 }, { 0, 50, 0 }, { 0, 50, 50 }, { 0, 0, 50 },
+    { 0, 100, 0 }, { 0, 100, 50 } };
+  for (int k = 0; k < 12; ++k)
+  {
+    points->InsertNextPoint(places[k]);
+    normals->InsertNextTuple3(k < 6 ? 0.0 : 1.0, 0.0, k < 6 ? 1.0 : 0.0);
+  }
+  vtkNew<vtkCellArray> polygons;
+  const vtkIdType squares[4][4] = { { 0, 1, 2, 3 }, { 3, 2, 4, 5 }, { 6, 7, 8, 9 },
+    { 7, 10, 11, 8 } };
+  for (const vtkIdType* ids : squares)
+  {
+    polygons->InsertNextCell(4, ids);
+  }
+  corner->SetPoints(points);
+  corner->SetPolys(polygons);
+  corner->GetPointData()->SetNormals(normals);
+  vtkNew<vtkSurfaceVisibilityFilter> filter;
+  vtkPolyData* output = Trace(filter, corner);
+  EXPECT_NEAR(GetSky(output, 3).GetHiddenCosine(), 0.5, 0.05);
+  EXPECT_NEAR(GetSky(output, 7).GetHiddenCosine(), 0.5, 0.05);
+  EXPECT_LT(GetSky(output, 2).GetHiddenCosine(), 0.25);
+}
+
+TEST(SurfaceVisibility, ThreadsAndRepetitionChangeNothing)
+{
+  const auto sphere = MakeSphere(1.0, 0.5);
+  vtkNew<vtkSurfaceVisibilityFilter> a;
+  vtkNew<vtkSurfaceVisibilityFilter> b;
+  a->AddOccluder(MakePlane(3.0, 0.0, 1));
+  b->AddOccluder(MakePlane(3.0, 0.0, 1));
+  vtkPolyData* first = Trace(a, sphere);
+  vtkPolyData* second = nullptr;
+  vtkSMPTools::LocalScope(vtkSMPTools::Config{ 1 }, [&]() { second = Trace(b, sphere); });
+  EXPECT_TRUE(AreEqual(first, second));
+}
+
+TEST(SurfaceVisibility, WhatIsKnownIsNotTracedAgain)
+{
+  const auto sphere = MakeSphere(1.0, 0.5);
+  vtkNew<vtkSurfaceVisibilityFilter> filter;
+  Trace(filter, sphere);
+  EXPECT_EQ(filter->GetNumberOfTraces(), 1);
+  vtkNew<vtkFloatArray> scalars;
+  scalars->SetNumberOfValues(sphere->GetNumberOfPoints());
+  scalars->Fill(1.0);
+  sphere->GetPointData()->SetScalars(scalars);
+  vtkPolyData* output = Trace(filter, sphere);
+  EXPECT_EQ(filter->GetNumberOfTraces(), 1);
+  EXPECT_TRUE(GetArray(output, vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName()));
+  EXPECT_EQ(output->GetPointData()->GetScalars(), scalars);
+  sphere->GetPoints()->SetPoint(3, 0.0, 0.0, 3.0);
+  sphere->GetPoints()->Modified();
+  sphere->Modified();
+  Trace(filter, sphere);
+  EXPECT_EQ(filter->GetNumberOfTraces(), 2);
+  filter->SetNumberOfRays(256);
+  Trace(filter, sphere);
+  EXPECT_EQ(filter->GetNumberOfTraces(), 3);
+}
+
+TEST(SurfaceVisibility, ArraysSurviveFiles)
+{
+  vtkNew<vtkSurfaceVisibilityFilter> filter;
+  filter->AddOccluder(MakePlane(3.0, 0.0, 1));
+  vtkPolyData* output = Trace(filter, MakeSphere(1.0, 0.5));
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetInputData(output);
+  writer->WriteToOutputStringOn();
+  ASSERT_TRUE(writer->Write());
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->ReadFromInputStringOn();
+  reader->SetInputString(writer->GetOutputString());
+  reader->Update();
+  EXPECT_TRUE(AreEqual(output, reader->GetOutput()));
+  const char* const name = vtkSurfaceVisibilityFilter::GetKeyArrayName();
+  auto* before = vtkStringArray::SafeDownCast(output->GetFieldData()->GetAbstractArray(name));
+  auto* after =
+    vtkStringArray::SafeDownCast(reader->GetOutput()->GetFieldData()->GetAbstractArray(name));
+  ASSERT_TRUE(before && after);
+  EXPECT_EQ(before->GetValue(0), after->GetValue(0));
+}
+
+TEST(SurfaceVisibility, KeysSeePointsAndCells)
+{
+  const auto plane = MakePlane(1.0, 0.0, 2);
+  const std::string key = measuredbrdf::GetSurfaceKey(plane);
+  vtkNew<vtkPolyData> copy;
+  copy->DeepCopy(plane);
+  EXPECT_EQ(measuredbrdf::GetSurfaceKey(copy), key);
+  copy->GetPoints()->SetPoint(4, 0.0, 0.0, 1e-3);
+  EXPECT_NE(measuredbrdf::GetSurfaceKey(copy), key);
+  copy->DeepCopy(plane);
+  const vtkIdType turned[4] = { 3, 4, 1, 0 };
+  copy->GetPolys()->ReplaceCellAtId(0, 4, turned);
+  EXPECT_NE(measuredbrdf::GetSurfaceKey(copy), key);
+}
+
+TEST(SurfaceVisibility, BlocksHideOneAnother)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  vtkNew<vtkMultiBlockDataSet> nested;
+  nested->SetBlock(1, MakePlane(2.0, 0.0, 4));
+  blocks->SetBlock(0, MakeSphere(1.0, 2.0));
+  blocks->SetBlock(2, nested);
+  vtkNew<vtkSurfaceVisibilityFilter> filter;
+  filter->SetInputDataObject(blocks);
+  filter->Update();
+  auto* output = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+  ASSERT_TRUE(output);
+  auto* inner = vtkMultiBlockDataSet::SafeDownCast(output->GetBlock(2));
+  ASSERT_TRUE(inner);
+  auto* plane = vtkPolyData::SafeDownCast(inner->GetBlock(1));
+  ASSERT_TRUE(plane);
+  EXPECT_NEAR(GetSky(plane, plane->FindPoint(0.0, 0.0, 0.0)).GetHiddenCosine(), 0.25, 0.04);
+  EXPECT_FALSE(vtkPolyData::SafeDownCast(nested->GetBlock(1))
+                 ->GetPointData()
+                 ->HasArray(vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName()));
+}
+
+void ExpectAllOpen(vtkPolyData* input)
+{
+  vtkNew<vtkSurfaceVisibilityFilter> filter;
+  vtkPolyData* output = Trace(filter, input);
+  ASSERT_TRUE(output);
+  EXPECT_EQ(output->GetNumberOfPoints(), input->GetNumberOfPoints());
+  for (vtkIdType k = 0; k < output->GetNumberOfPoints(); ++k)
+  {
+    EXPECT_LT(GetSky(output, k).GetHiddenCosine(), 0.02);
+  }
+}
+
+TEST(SurfaceVisibility, TakesOddSurfaces)
+{
+  vtkNew<vtkPolyData> empty;
+  ExpectAllOpen(empty);
+  vtkNew<vtkPolyData> pointless;
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(0.0, 0.0, 0.0);
+  points->InsertNextPoint(1.0, 0.0, 0.0);
+  points->InsertNextPoint(std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0);
+  points->InsertNextPoint(0.0, 1.0, 0.0);
+  pointless->SetPoints(points);
+  ExpectAllOpen(pointless); // points of no polygon
+  vtkNew<vtkCellArray> polygons;
+  for (const std::vector<vtkIdType>& ids :
+    { std::vector<vtkIdType>{ 0, 1, 3 }, { 0, 0, 1 }, { 0, 2, 3 }, { 1, 0, 3 } })
+  {
+    polygons->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
+  }
+  pointless->SetPolys(polygons); // twice the same triangle, one without area, one without a place
+  ExpectAllOpen(pointless);
+  // Far away in large steps, and small.
+  ExpectAllOpen(MakeSphere(1e6, 1e8));
+  ExpectAllOpen(MakeSphere(1e-6, 0.0));
+}
+
+TEST(SurfaceVisibility, CanBeStopped)
+{
+  vtkNew<vtkSurfaceVisibilityFilter> filter;
+  vtkNew<vtkCallbackCommand> stop;
+  stop->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
+    { vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1); });
+  filter->AddObserver(vtkCommand::ProgressEvent, stop);
+  vtkPolyData* output = Trace(filter, MakePlane(1.0, 0.0, 80));
+  EXPECT_FALSE(
+    output->GetPointData()->HasArray(vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName()));
+  filter->RemoveAllObservers();
+  filter->SetAbortExecute(0);
+  filter->Modified();
+  output = Trace(filter, MakePlane(1.0, 0.0, 80));
+  EXPECT_TRUE(
+    output->GetPointData()->HasArray(vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName()));
+}
+}

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What of the sky is hidden from a point, for the vertex shader. C++ twin: HiddenSky.
+
+// Three bytes of a code, which one float holds.
+vec3 brdfSkyBytes(float three)
+{
+  float high = floor(three * (1.0 / 65536.0));
+  three -= high * 65536.0;
+  float middle = floor(three * (1.0 / 256.0));
+  return vec3(three - middle * 256.0, middle, high);
+}
+
+vec3 brdfSkyNormal(vec3 bytes)
+{
+  float high = floor(bytes.y * (1.0 / 16.0));
+  vec2 cell = vec2(bytes.x + 256.0 * (bytes.y - 16.0 * high), high + 16.0 * bytes.z);
+  vec3 n = vec3((2.0 * cell + 1.0) * (1.0 / 4096.0) - 1.0, 0.0);
+  n.z = 1.0 - abs(n.x) - abs(n.y);
+  if (n.z < 0.0)
+  {
+    n.xy = (1.0 - abs(n.yx)) * vec2(n.x < 0.0 ? -1.0 : 1.0, n.y < 0.0 ? -1.0 : 1.0);
+  }
+  return normalize(n);
+}
+
+// Frame about unit n, columns tangent, bitangent, normal (Duff et al. 2017).
+mat3 brdfSkyFrame(vec3 n)
+{
+  float s = n.z >= 0.0 ? 1.0 : -1.0;
+  float a = -1.0 / (s + n.z);
+  float b = n.x * n.y * a;
+  return mat3(vec3(1.0 + s * n.x * n.x * a, s * b, -s * n.x), vec3(b, s + n.y * n.y * a, -n.y), n);
+}
+
+// Six elevations of a sector: sines and cosines.
+const vec3 brdfSkySine0 = vec3(1.0, 3.0, 5.0) / 12.0;
+const vec3 brdfSkySine1 = vec3(7.0, 9.0, 11.0) / 12.0;
+const vec3 brdfSkyCosine0 = vec3(0.9965217285917832, 0.9682458365518543, 0.9090593428630952);
+const vec3 brdfSkyCosine1 = vec3(0.8122328620674136, 0.6614378277661477, 0.39965262694272663);
+
+// Add a sector's share of a lobe exp(kappa (d . axis)), hidden and all, to sum. kappa: times log2(e).
+void brdfSkySector(vec2 along, vec2 bounds, vec3 axis, float kappa, inout vec2 sum)
+{
+  float across = dot(along, axis.xy);
+  vec3 low = exp2(kappa * (across * brdfSkyCosine0 + (axis.z * brdfSkySine0 - 1.0)));
+  vec3 high = exp2(kappa * (across * brdfSkyCosine1 + (axis.z * brdfSkySine1 - 1.0)));
+  vec2 at = bounds * (6.0 / 255.0);
+  vec3 first = clamp(vec3(at.y) - vec3(0.0, 1.0, 2.0), 0.0, 1.0) -
+    clamp(vec3(at.x) - vec3(0.0, 1.0, 2.0), 0.0, 1.0);
+  vec3 second = clamp(vec3(at.y) - vec3(3.0, 4.0, 5.0), 0.0, 1.0) -
+    clamp(vec3(at.x) - vec3(3.0, 4.0, 5.0), 0.0, 1.0);
+  sum += vec2(dot(low, first) + dot(high, second), dot(low + high, vec3(1.0)));
+}
+
+// Add a sector's bounds to sum, by how near it is to an azimuth (unit).
+void brdfSkyLampSector(vec2 along, vec2 bounds, vec2 azimuth, inout vec3 sum)
+{
+  float weight = max(dot(along, azimuth) - 0.9238795325112867, 0.0);
+  sum += weight * vec3(bounds, 1.0);
+}
+
+// Visible share of a lamp with this sine of elevation.
+float brdfSkyLamp(vec3 sum, float sine)
+{
+  vec2 bounds = sum.xy / max(sum.z, 1e-6) * (1.0 / 255.0);
+  vec2 above = clamp((sine - bounds) / 0.04 + 0.5, 0.0, 1.0);
+  float hidden = (bounds.x > 0.5 / 255.0 ? above.x : 1.0) -
+    (bounds.y < 254.5 / 255.0 ? above.y : 0.0);
+  return bounds.y > bounds.x ? clamp(1.0 - hidden, 0.0, 1.0) : 1.0;
+}
+
+// Hidden share of a lobe's light: odds of the lobe's hidden share, times how much brighter than the
+// rest the hidden sky is where the lobe is wide. cosine: hidden share under a uniform sky.
+vec3 brdfSkyLobe(float share, float kappa, vec3 hidden, vec3 irradiance, float cosine)
+{
+  vec3 part = clamp(hidden / max(irradiance, vec3(1e-12)), 0.0, 0.999);
+  vec3 odds = part * (1.0 - cosine) / max((1.0 - part) * cosine, vec3(1e-6));
+  vec3 factor = pow(clamp(odds, 1.0 / 50.0, 50.0), vec3(1.0 / (1.0 + kappa / 12.0)));
+  return share * factor / max(share * factor + max(1.0 - share, 0.0), vec3(1e-12));
+}
+
+// Irradiance about n: a quadratic form for each channel (Ramamoorthi, Hanrahan 2001, eq. 11).
+vec3 brdfSkyIrradiance(mat4 red, mat4 green, mat4 blue, vec3 n)
+{
+  vec4 v = vec4(n, 1.0);
+  return max(vec3(dot(v, red * v), dot(v, green * v), dot(v, blue * v)), vec3(0.0));
+}
