@@ -4,19 +4,21 @@
 
 #include "vtkMeasuredBRDFMapperMixin.txx"
 
-#include "BatchBase.h"
-#include "BatchOcclusion.h"
+#include "BlockBatch.h"
 #include "BlockMaterials.h"
 #include "BlockParts.h"
+#include "DrawTimer.h"
+#include "DrawsColor.h"
 #include "MapperProperties.h"
 #include "vtkObjectFactory.h"
 #include "vtkPBRPropertyFitter.h"
 #include "vtkPolyData.h"
 #include "vtkRadiancePlanner.h"
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+#include "vtkOpenGLCompositePolyDataMapperDelegator.h"
+#endif
 
-#include <functional>
 #include <set>
-#include <unordered_map>
 #include <utility>
 
 using namespace measuredbrdf;
@@ -32,6 +34,7 @@ struct vtkCompositeMeasuredBRDFMapper::Internals
   std::shared_ptr<BatchDrawing> Drawing; // shared with the batches
   BlockMaterials Blocks;
   std::unique_ptr<BlockParts> Parts; // of blocks of several materials
+  DrawTimer Timer;
 
   // Each material once; which blocks have it shows while they are drawn, and plans for a view with
   // that.
@@ -79,209 +82,9 @@ struct vtkCompositeMeasuredBRDFMapper::Internals
   }
 };
 
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
 namespace
 {
-// One of the superclass's batches: blocks that are drawn from common buffers. Those of one material
-// are drawn while the others are invisible.
-class Batch : public vtkMeasuredBRDFMapperMixin<BatchBase>
-{
-public:
-  static Batch* New();
-  vtkTypeMacro(Batch, vtkMeasuredBRDFMapperMixin<BatchBase>);
-
-  // update: what brings the blocks' materials up to date.
-  void Initialize(std::shared_ptr<BatchDrawing> drawing, const BlockMaterials* materials,
-    BlockParts* parts, std::function<void()> update)
-  {
-    this->Drawing = std::move(drawing);
-    this->Materials = materials;
-    this->Parts = parts;
-    this->UpdateBlocks = std::move(update);
-  }
-
-protected:
-  Batch() = default;
-  ~Batch() override = default;
-
-  std::vector<MaterialUse> GetMaterialUses() override
-  {
-    this->UpdateBlocks();
-    // The superclass may have moved its records of blocks: they are looked up in each frame.
-    std::size_t count = 0;
-    const unsigned long revision =
-      this->Materials->GetRevision() + this->Parts->GetRevision(); // neither ever falls
-    bool same = this->Revision == revision;
-    this->ForEachBlock(
-      [this, &count, &same](vtkPolyData* surface, bool* visible, const BlockStyle& style)
-      {
-        if (this->Parts->IsDivided(surface))
-        {
-          this->Parts->Announce(surface, style);
-        }
-        same = same && count < this->Blocks.size() && this->Blocks[count].Surface == surface;
-        if (same)
-        {
-          this->Blocks[count].Visible = visible;
-        }
-        ++count;
-      });
-    if (!same || count != this->Blocks.size())
-    {
-      this->Revision = revision;
-      this->Sort();
-    }
-    return this->Uses;
-  }
-
-  void AddOcclusion(vtkRenderer*) override
-  {
-    this->Occlusion.Clear();
-    this->ForEachBlock([this](vtkPolyData* surface, bool*, const BlockStyle&)
-      { this->Occlusion.Announce(this->Drawing->FindOcclusion(surface, false)); });
-  }
-
-  void AppendOneBufferObject(vtkRenderer* ren, vtkActor* actor, BlockRecord* record,
-    vtkIdType& offset, std::vector<unsigned char>& colors, std::vector<float>& normals) override
-  {
-    vtkPolyData* surface = GetSurface(record);
-    const vtkIdType before = BatchOcclusion::CountVertices(this->VBOs, surface);
-    this->vtkMeasuredBRDFMapperMixin<BatchBase>::AppendOneBufferObject(
-      ren, actor, record, offset, colors, normals);
-    if (BatchOcclusion::CountVertices(this->VBOs, surface) != before)
-    {
-      this->Occlusion.Append(
-        this->VBOs, surface->GetNumberOfPoints(), this->Drawing->FindOcclusion(surface, false));
-    }
-  }
-
-  void ShowOnly(int material) override
-  {
-    if (this->Uses.size() < 2 && !this->HasDivided)
-    {
-      return;
-    }
-    if (material < 0)
-    {
-      for (Block& block : this->Blocks)
-      {
-        *block.Visible = block.IsVisible;
-      }
-    }
-    else if (this->Shown < 0)
-    {
-      for (Block& block : this->Blocks)
-      {
-        block.IsVisible = *block.Visible;
-        *block.Visible = false;
-      }
-    }
-    else
-    {
-      for (std::size_t k : this->BlocksOf[static_cast<std::size_t>(this->Shown)])
-      {
-        *this->Blocks[k].Visible = false;
-      }
-    }
-    this->Shown = material;
-    for (std::size_t k = 0;
-         material >= 0 && k < this->BlocksOf[static_cast<std::size_t>(material)].size(); ++k)
-    {
-      Block& block = this->Blocks[this->BlocksOf[static_cast<std::size_t>(material)][k]];
-      *block.Visible = block.IsVisible;
-    }
-  }
-
-private:
-  struct Block
-  {
-    vtkPolyData* Surface;
-    bool* Visible;  // the superclass's record
-    bool IsVisible; // what it says while others are hidden
-  };
-
-  template <typename Record>
-  static BlockStyle GetStyle(const Record& block)
-  {
-    BlockStyle style;
-    style.IsVisible = block.Visibility;
-    style.IsOpaque = block.IsOpaque;
-    style.Opacity = block.Opacity;
-    style.OverridesColor = block.OverridesColor;
-    std::copy_n(block.AmbientColor.GetData(), 3, style.AmbientColor);
-    std::copy_n(block.DiffuseColor.GetData(), 3, style.DiffuseColor);
-    return style;
-  }
-
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
-  template <typename Visit>
-  void ForEachBlock(const Visit& visit)
-  {
-    for (auto& element : this->VTKPolyDataToGLBatchElement)
-    {
-      auto& block = element.second->Parent;
-      visit(block.PolyData, &block.Visibility, GetStyle(block));
-    }
-  }
-#else
-  template <typename Visit>
-  void ForEachBlock(const Visit& visit)
-  {
-    for (auto& element : this->Data)
-    {
-      visit(element.first, &element.second->Visibility, GetStyle(*element.second));
-    }
-  }
-#endif
-
-  void Sort()
-  {
-    this->Blocks.clear();
-    this->Uses.clear();
-    this->BlocksOf.clear();
-    this->HasDivided = false;
-    std::unordered_map<vtkBRDF*, std::size_t> places;
-    this->ForEachBlock(
-      [this, &places](vtkPolyData* surface, bool* visible, const BlockStyle&)
-      {
-        if (this->Parts->IsDivided(surface)) // never shown
-        {
-          this->HasDivided = true;
-          this->Blocks.push_back({ surface, visible, true });
-          return;
-        }
-        vtkBRDF* brdf = this->Parts->GetBRDF(surface, *this->Materials);
-        const auto [place, isNew] = places.try_emplace(brdf, this->Uses.size());
-        if (isNew)
-        {
-          this->Uses.push_back({ brdf, {} });
-          this->BlocksOf.emplace_back();
-        }
-        this->Uses[place->second].second.push_back(surface);
-        this->BlocksOf[place->second].push_back(this->Blocks.size());
-        this->Blocks.push_back({ surface, visible, true });
-      });
-    if (this->Uses.empty()) // nothing is left to show
-    {
-      this->Uses.push_back({ nullptr, {} });
-      this->BlocksOf.emplace_back();
-    }
-  }
-
-  const BlockMaterials* Materials = nullptr;
-  BlockParts* Parts = nullptr;
-  std::function<void()> UpdateBlocks;
-  std::vector<Block> Blocks; // in the superclass's order
-  std::vector<MaterialUse> Uses;
-  std::vector<std::vector<std::size_t>> BlocksOf; // of each use
-  unsigned long Revision = 0;
-  int Shown = -1;
-  bool HasDivided = false;
-  BatchOcclusion Occlusion;
-};
-
-vtkStandardNewMacro(Batch);
-
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
 // Hands blocks to a batch of ours instead of VTK's.
 class Delegator : public vtkOpenGLCompositePolyDataMapperDelegator
 {
@@ -289,7 +92,7 @@ public:
   static Delegator* New();
   vtkTypeMacro(Delegator, vtkOpenGLCompositePolyDataMapperDelegator);
 
-  void SetBatch(Batch* batch)
+  void SetBatch(BlockBatch* batch)
   {
     this->GLDelegate = batch;
     this->Delegate = batch;
@@ -297,10 +100,8 @@ public:
 };
 
 vtkStandardNewMacro(Delegator);
-#endif
 }
-
-template class vtkMeasuredBRDFMapperMixin<BatchBase>;
+#endif
 
 vtkStandardNewMacro(vtkCompositeMeasuredBRDFMapper);
 
@@ -321,7 +122,7 @@ vtkCompositeMeasuredBRDFMapper::~vtkCompositeMeasuredBRDFMapper() = default;
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
 vtkCompositePolyDataMapperDelegator* vtkCompositeMeasuredBRDFMapper::CreateADelegator()
 {
-  vtkNew<Batch> batch;
+  vtkNew<BlockBatch> batch;
   batch->Initialize(this->Impl->Drawing, &this->Impl->Blocks, this->Impl->Parts.get(),
     [this]() { this->Impl->UpdateBlocks(this); });
   Delegator* delegator = Delegator::New();
@@ -331,7 +132,7 @@ vtkCompositePolyDataMapperDelegator* vtkCompositeMeasuredBRDFMapper::CreateADele
 #else
 vtkCompositeMapperHelper2* vtkCompositeMeasuredBRDFMapper::CreateHelper()
 {
-  Batch* batch = Batch::New();
+  BlockBatch* batch = BlockBatch::New();
   batch->Initialize(this->Impl->Drawing, &this->Impl->Blocks, this->Impl->Parts.get(),
     [this]() { this->Impl->UpdateBlocks(this); });
   return batch;
@@ -443,7 +244,8 @@ double vtkCompositeMeasuredBRDFMapper::FitProperty(vtkProperty* property)
 //------------------------------------------------------------------------------
 vtkIdType vtkCompositeMeasuredBRDFMapper::GetTextureBytes()
 {
-  return CountTextureBytes(this->Impl->Drawing->GetLastFrame());
+  return CountTextureBytes(this->Impl->Drawing->GetLastFrame()) +
+         this->Impl->Parts->GetImageBytes();
 }
 
 //------------------------------------------------------------------------------
@@ -461,8 +263,16 @@ void vtkCompositeMeasuredBRDFMapper::Render(vtkRenderer* renderer, vtkActor* act
 {
   const Depth inside(this->RenderDepth);
   this->Impl->Parts->Begin();
+  vtkDataObject* input = this->GetInputDataObject(0, 0);
+  this->Impl->Timer.Start(input ? input->GetNumberOfElements(vtkDataObject::CELL) : 0);
   this->Superclass::Render(renderer, actor);
-  this->Impl->Parts->Render(renderer, actor, this, this->Superclass::GetMTime());
+  this->Impl->Parts->Render(renderer, actor);
+  this->Impl->Timer.Stop();
+  this->TimeToDraw = this->Impl->Timer.GetSeconds();
+  if (DrawsColor(renderer, actor))
+  {
+    this->Impl->Drawing->KeepPlansInUse();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -471,6 +281,7 @@ void vtkCompositeMeasuredBRDFMapper::ReleaseGraphicsResources(vtkWindow* window)
   if (this->RenderDepth == 0)
   {
     this->Impl->Parts->ReleaseGraphicsResources(window);
+    this->Impl->Timer.ReleaseGraphicsResources();
   }
   this->Superclass::ReleaseGraphicsResources(window);
 }

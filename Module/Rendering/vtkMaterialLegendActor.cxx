@@ -2,85 +2,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMaterialLegendActor.h"
 
+#include "LegendShapes.h"
 #include "MaterialPicture.h"
 #include "Setters.h"
 #include "vtkBRDF.h"
-#include "vtkCellArray.h"
 #include "vtkEnvironment.h"
-#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkMaterialMap.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
-#include "vtkPolyDataMapper2D.h"
 #include "vtkProperty2D.h"
 #include "vtkSmartPointer.h"
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
-#include "vtkTexture.h"
-#include "vtkTexturedActor2D.h"
 #include "vtkViewport.h"
+#include "vtkWindow.h"
 
 #include <algorithm>
 #include <sstream>
 #include <vector>
 
+using namespace measuredbrdf;
+
 namespace
 {
 constexpr double Tolerance = 0.05;   // of the pictures
-constexpr double Gap = 0.06;         // between entries, as a share of their size
-constexpr double NameShare = 0.25;   // of an entry's height, for a name below its sphere
 constexpr double LargestText = 0.33; // of a sphere's diameter, for a name beside it
 constexpr double TitleShare = 0.1;   // of the legend's height, at most
+constexpr int SmallestText = 9;      // pixels
 constexpr double TitleTimes = 1.2;   // as large as the names, at most
-
-// A square with a texture.
-struct Sphere
-{
-  Sphere()
-  {
-    const float corners[4][2] = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } };
-    this->Coordinates->SetNumberOfComponents(2);
-    for (const float* corner : corners)
-    {
-      this->Points->InsertNextPoint(0.0, 0.0, 0.0);
-      this->Coordinates->InsertNextTuple(corner);
-    }
-    const vtkIdType ids[4] = { 0, 1, 2, 3 };
-    vtkNew<vtkCellArray> polygons;
-    polygons->InsertNextCell(4, ids);
-    vtkNew<vtkPolyData> square;
-    square->SetPoints(this->Points);
-    square->SetPolys(polygons);
-    square->GetPointData()->SetTCoords(this->Coordinates);
-    vtkNew<vtkPolyDataMapper2D> mapper;
-    mapper->SetInputData(square);
-    this->Texture->InterpolateOn();
-    this->Texture->SetColorModeToDirectScalars();
-    this->Actor->SetMapper(mapper);
-    this->Actor->SetTexture(this->Texture);
-  }
-
-  void Place(double x, double y, double size)
-  {
-    const double corners[4][2] = { { x, y }, { x + size, y }, { x + size, y + size },
-      { x, y + size } };
-    for (vtkIdType k = 0; k < 4; ++k)
-    {
-      this->Points->SetPoint(k, corners[k][0], corners[k][1], 0.0);
-    }
-    this->Points->Modified();
-    this->Points->GetData()->Modified();
-  }
-
-  vtkNew<vtkPoints> Points;
-  vtkNew<vtkFloatArray> Coordinates;
-  vtkNew<vtkTexture> Texture;
-  vtkNew<vtkTexturedActor2D> Actor;
-};
 
 struct Entry
 {
@@ -89,7 +39,7 @@ struct Entry
   vtkSmartPointer<vtkImageData> Picture; // null: it could not be made
   vtkMTimeType Time = 0;                 // of what it was made of
   int Resolution = 0;
-  std::shared_ptr<Sphere> Square;
+  std::shared_ptr<LegendSphere> Square;
   vtkSmartPointer<vtkTextActor> Text;
 };
 
@@ -110,10 +60,24 @@ struct vtkMaterialLegendActor::Internals
   vtkNew<vtkTextProperty> TextProperty;
   vtkSmartPointer<vtkTextActor> TitleActor; // made when it is drawn: it needs VTK's fonts
   std::vector<Entry> Entries;
+  LegendRectangle Background{ true };
+  LegendRectangle Frame{ false };
+  bool HasBackground = false; // in the last layout
+  bool HasFrame = false;
+  std::vector<double> LayoutOf; // what the last layout depended on
+  vtkMTimeType LayoutTime = 0;
 
   template <typename Visit>
   void ForEachActor(const Visit& visit)
   {
+    if (this->HasBackground && !this->Entries.empty())
+    {
+      visit(this->Background.Actor);
+    }
+    if (this->HasFrame && !this->Entries.empty())
+    {
+      visit(this->Frame.Actor);
+    }
     for (Entry& entry : this->Entries)
     {
       if (entry.Picture)
@@ -189,9 +153,23 @@ measuredbrdfSetClampedMacro(vtkMaterialLegendActor, SphereResolution, int, 8, 51
 vtkTextProperty* vtkMaterialLegendActor::GetTextProperty() { return this->Impl->TextProperty; }
 
 //------------------------------------------------------------------------------
+vtkProperty2D* vtkMaterialLegendActor::GetBackgroundProperty()
+{
+  return this->Impl->Background.Actor->GetProperty();
+}
+
+//------------------------------------------------------------------------------
+vtkProperty2D* vtkMaterialLegendActor::GetFrameProperty()
+{
+  return this->Impl->Frame.Actor->GetProperty();
+}
+
+//------------------------------------------------------------------------------
 vtkMTimeType vtkMaterialLegendActor::GetMTime()
 {
   vtkMTimeType time = std::max(this->Superclass::GetMTime(), this->Impl->TextProperty->GetMTime());
+  time = std::max(time, this->GetBackgroundProperty()->GetMTime());
+  time = std::max(time, this->GetFrameProperty()->GetMTime());
   time = std::max(time, this->Impl->Map ? this->Impl->Map->GetMTime() : 0);
   return std::max(time, this->Impl->Environment ? this->Impl->Environment->GetMTime() : 0);
 }
@@ -229,7 +207,7 @@ void vtkMaterialLegendActor::UpdateEntries()
     }
     if (!entry.Square)
     {
-      entry.Square = std::make_shared<Sphere>();
+      entry.Square = std::make_shared<LegendSphere>();
       entry.Text = vtkSmartPointer<vtkTextActor>::New();
     }
     const vtkMTimeType time = std::max(brdf->GetMTime(), light->GetMTime());
@@ -238,8 +216,11 @@ void vtkMaterialLegendActor::UpdateEntries()
       entry.BRDF = brdf;
       entry.Time = time;
       entry.Resolution = this->SphereResolution;
-      entry.Picture =
-        measuredbrdf::MakeMaterialPicture(brdf, light, this->SphereResolution, Tolerance);
+      const auto same = std::find_if(
+        entries.begin(), entries.end(), [brdf](const Entry& other) { return other.BRDF == brdf; });
+      entry.Picture = same != entries.end()
+                        ? same->Picture
+                        : MakeMaterialPicture(brdf, light, this->SphereResolution, Tolerance);
       if (!entry.Picture)
       {
         vtkErrorMacro("There is no picture of material " << k << ".");
@@ -255,75 +236,122 @@ void vtkMaterialLegendActor::UpdateEntries()
 //------------------------------------------------------------------------------
 void vtkMaterialLegendActor::UpdateLayout(vtkViewport* viewport)
 {
-  this->UpdateEntries();
-  std::vector<Entry>& entries = this->Impl->Entries;
-  if (entries.empty())
-  {
-    return;
-  }
   const int* low = this->PositionCoordinate->GetComputedViewportValue(viewport);
   const double left = low[0];
   const double bottom = low[1];
   const int* high = this->Position2Coordinate->GetComputedViewportValue(viewport);
   const double width = std::max(high[0] - left, 8.0);
-  double height = std::max(high[1] - bottom, 8.0);
-  const double count = static_cast<double>(entries.size());
+  const double height = std::max(high[1] - bottom, 8.0);
+  vtkWindow* window = viewport->GetVTKWindow();
+  const std::vector<double> from = { left, bottom, width, height,
+    static_cast<double>(window ? window->GetDPI() : 0) };
+  const vtkMTimeType time = this->GetMTime();
+  if (from == this->Impl->LayoutOf && time == this->Impl->LayoutTime)
+  {
+    return; // fonts take time
+  }
+  this->Impl->LayoutOf = from;
+  this->Impl->LayoutTime = time;
+  this->UpdateEntries();
+  this->Impl->HasBackground = this->DrawBackground;
+  this->Impl->HasFrame = this->DrawFrame;
+  this->Impl->Background.Place(left, bottom, left + width, bottom + height);
+  this->Impl->Frame.Place(left, bottom, left + width, bottom + height);
+  if (this->Impl->Entries.empty())
+  {
+    return;
+  }
+  const double room = this->Impl->Title.empty() ? height : (1.0 - 1.2 * TitleShare) * height;
+  if (!this->Impl->Title.empty())
+  {
+    this->PlaceTitle(viewport, left, bottom + height, width, TitleShare * height);
+  }
+  this->PlaceEntries(viewport, left, bottom, width, room);
+}
+
+//------------------------------------------------------------------------------
+void vtkMaterialLegendActor::PlaceTitle(
+  vtkViewport* viewport, double left, double top, double width, double height)
+{
+  if (!this->Impl->TitleActor)
+  {
+    this->Impl->TitleActor = vtkSmartPointer<vtkTextActor>::New();
+  }
+  vtkTextActor* title = this->Impl->TitleActor;
+  title->SetInput(this->Impl->Title.c_str());
+  title->GetTextProperty()->ShallowCopy(this->Impl->TextProperty);
+  title->SetConstrainedFontSize(viewport, static_cast<int>(width), static_cast<int>(height));
+  title->GetTextProperty()->SetVerticalJustificationToTop();
+  title->SetPosition(left, top);
+}
+
+//------------------------------------------------------------------------------
+void vtkMaterialLegendActor::PlaceEntries(
+  vtkViewport* viewport, double left, double bottom, double width, double height)
+{
+  std::vector<Entry>& entries = this->Impl->Entries;
+  const int count = static_cast<int>(entries.size());
+  const LegendGrid grid = LegendGrid::Find(count, width, height, this->Horizontal);
+  const double sphere = grid.Sphere;
+  const double room = this->Horizontal ? (1.0 - LegendGap) * grid.Width
+                                       : grid.Width - (1.0 + 2.0 * LegendGap) * sphere;
+  this->SizeNames(viewport, std::max(room, 1.0),
+    std::max(this->Horizontal ? LegendNameShare * grid.Height : LargestText * sphere, 1.0));
+  for (int k = 0; k < count; ++k)
+  {
+    const int column = this->Horizontal ? k % grid.Columns : k / grid.Rows;
+    const int row = this->Horizontal ? k / grid.Columns : k % grid.Rows;
+    const double x = left + column * grid.Width;
+    const double top = bottom + height - row * grid.Height; // the first one on top
+    Entry& entry = entries[static_cast<std::size_t>(k)];
+    vtkTextProperty* text = entry.Text->GetTextProperty();
+    if (this->Horizontal)
+    {
+      const double middle = x + 0.5 * grid.Width;
+      entry.Square->Place(middle - 0.5 * sphere, top - sphere, sphere);
+      text->SetJustificationToCentered();
+      text->SetVerticalJustificationToTop();
+      entry.Text->SetPosition(middle, top - (1.0 + LegendGap) * sphere);
+    }
+    else
+    {
+      const double middle = top - 0.5 * grid.Height;
+      entry.Square->Place(x, middle - 0.5 * sphere, sphere);
+      text->SetJustificationToLeft();
+      text->SetVerticalJustificationToCentered();
+      entry.Text->SetPosition(x + (1.0 + LegendGap) * sphere, middle);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// One size for all: the largest with which they fit, or names are cut.
+void vtkMaterialLegendActor::SizeNames(vtkViewport* viewport, double width, double height)
+{
   std::vector<vtkTextActor*> texts;
-  for (Entry& entry : entries)
+  for (Entry& entry : this->Impl->Entries)
   {
     entry.Text->SetInput(entry.Label.c_str());
     entry.Text->GetTextProperty()->ShallowCopy(this->Impl->TextProperty);
     texts.push_back(entry.Text);
   }
   int size[2];
-  if (!this->Impl->Title.empty())
+  vtkTextActor::SetMultipleConstrainedFontSize(viewport, static_cast<int>(width),
+    static_cast<int>(height), texts.data(), static_cast<int>(texts.size()), size);
+  int font = texts.front()->GetTextProperty()->GetFontSize();
+  if (font < SmallestText)
   {
-    const double share = TitleShare * height;
-    if (!this->Impl->TitleActor)
+    font = SmallestText;
+    for (Entry& entry : this->Impl->Entries)
     {
-      this->Impl->TitleActor = vtkSmartPointer<vtkTextActor>::New();
+      entry.Text->GetTextProperty()->SetFontSize(font);
+      CutToWidth(entry.Text, entry.Label, viewport, width);
     }
-    vtkTextActor* title = this->Impl->TitleActor;
-    title->SetInput(this->Impl->Title.c_str());
-    title->GetTextProperty()->ShallowCopy(this->Impl->TextProperty);
-    title->SetConstrainedFontSize(viewport, static_cast<int>(width), static_cast<int>(share));
-    title->GetTextProperty()->SetVerticalJustificationToTop();
-    title->SetPosition(left, bottom + height);
-    height -= 1.2 * share;
   }
-  const double cell = this->Horizontal ? width / count : height / count;
-  const double sphere = (1.0 - Gap) * (this->Horizontal ? std::min(cell, (1.0 - NameShare) * height)
-                                                        : std::min(cell, 0.5 * width));
-  const double room = this->Horizontal ? (1.0 - Gap) * cell : width - (1.0 + Gap) * sphere;
-  const double lines = this->Horizontal ? NameShare * height : LargestText * sphere;
-  vtkTextActor::SetMultipleConstrainedFontSize(viewport, static_cast<int>(std::max(room, 1.0)),
-    static_cast<int>(std::max(lines, 1.0)), texts.data(), static_cast<int>(texts.size()), size);
   if (!this->Impl->Title.empty())
   {
     vtkTextProperty* title = this->Impl->TitleActor->GetTextProperty();
-    title->SetFontSize(std::min(title->GetFontSize(),
-      static_cast<int>(TitleTimes * texts.front()->GetTextProperty()->GetFontSize())));
-  }
-  for (std::size_t k = 0; k < entries.size(); ++k)
-  {
-    const double at = static_cast<double>(k);
-    vtkTextProperty* text = entries[k].Text->GetTextProperty();
-    if (this->Horizontal)
-    {
-      const double middle = left + (at + 0.5) * cell;
-      entries[k].Square->Place(middle - 0.5 * sphere, bottom + height - sphere, sphere);
-      text->SetJustificationToCentered();
-      text->SetVerticalJustificationToTop();
-      entries[k].Text->SetPosition(middle, bottom + height - (1.0 + Gap) * sphere);
-    }
-    else
-    {
-      const double middle = bottom + height - (at + 0.5) * cell; // the first one on top
-      entries[k].Square->Place(left, middle - 0.5 * sphere, sphere);
-      text->SetJustificationToLeft();
-      text->SetVerticalJustificationToCentered();
-      entries[k].Text->SetPosition(left + (1.0 + Gap) * sphere, middle);
-    }
+    title->SetFontSize(std::min(title->GetFontSize(), static_cast<int>(TitleTimes * font)));
   }
 }
 
@@ -383,5 +411,7 @@ void vtkMaterialLegendActor::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Environment: " << this->Impl->Environment.Get() << "\n";
   os << indent << "Title: " << this->Impl->Title << "\n";
   os << indent << "Horizontal: " << (this->Horizontal ? "On" : "Off") << "\n";
+  os << indent << "DrawBackground: " << (this->DrawBackground ? "On" : "Off") << "\n";
+  os << indent << "DrawFrame: " << (this->DrawFrame ? "On" : "Off") << "\n";
   os << indent << "SphereResolution: " << this->SphereResolution << "\n";
 }

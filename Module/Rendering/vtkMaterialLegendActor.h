@@ -30,6 +30,7 @@
 class vtkEnvironment;
 class vtkImageData;
 class vtkMaterialMap;
+class vtkProperty2D;
 class vtkTextProperty;
 
 class VTKMEASUREDBRDF_EXPORT vtkMaterialLegendActor : public vtkActor2D
@@ -67,11 +68,25 @@ public:
   ///@{
   /**
    * Whether materials stand side by side, with their names below, instead of below each other
-   * (default: off).
+   * (default: off). Where there are many, they stand in several rows or columns.
    */
   vtkSetMacro(Horizontal, bool);
   vtkGetMacro(Horizontal, bool);
   vtkBooleanMacro(Horizontal, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether a rectangle behind the legend and one around it are drawn (default: neither), and how.
+   */
+  vtkSetMacro(DrawBackground, bool);
+  vtkGetMacro(DrawBackground, bool);
+  vtkBooleanMacro(DrawBackground, bool);
+  vtkSetMacro(DrawFrame, bool);
+  vtkGetMacro(DrawFrame, bool);
+  vtkBooleanMacro(DrawFrame, bool);
+  vtkProperty2D* GetBackgroundProperty();
+  vtkProperty2D* GetFrameProperty();
   ///@}
 
   ///@{
@@ -84,7 +99,8 @@ public:
   ///@}
 
   /**
-   * Font, color and style of the names and the title. Sizes are found so that all fit.
+   * Font, color and style of the names and the title. Sizes are found so that all fit; names that
+   * would be less than 9 pixels high for that are cut, with dots.
    */
   vtkTextProperty* GetTextProperty();
 
@@ -117,8 +133,13 @@ private:
 
   void UpdateEntries();
   void UpdateLayout(vtkViewport* viewport);
+  void PlaceTitle(vtkViewport* viewport, double left, double top, double width, double height);
+  void PlaceEntries(vtkViewport* viewport, double left, double bottom, double width, double height);
+  void SizeNames(vtkViewport* viewport, double width, double height);
 
   bool Horizontal = false;
+  bool DrawBackground = false;
+  bool DrawFrame = false;
   int SphereResolution = 96;
 
   struct Internals;

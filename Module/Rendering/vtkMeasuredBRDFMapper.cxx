@@ -4,6 +4,7 @@
 
 #include "vtkMeasuredBRDFMapperMixin.txx"
 
+#include "DrawTimer.h"
 #include "DrawsColor.h"
 #include "MapperProperties.h"
 #include "PartMappers.h"
@@ -28,6 +29,7 @@ struct vtkMeasuredBRDFMapper::MapDrawing
   {
   }
   PartMappers Parts;
+  DrawTimer Timer;
 };
 
 //------------------------------------------------------------------------------
@@ -112,6 +114,7 @@ bool vtkMeasuredBRDFMapper::RenderParts(vtkRenderer* ren, vtkActor* actor)
     return false;
   }
   this->Drawing->Forget(this); // what the whole was drawn with
+  this->Map->Timer.Start(input->GetNumberOfCells());
   this->Map->Parts.Render(ren, actor, this, this->vtkOpenGLPolyDataMapper::GetMTime(),
     [this](vtkPolyDataMapper* mapper)
     {
@@ -129,6 +132,8 @@ bool vtkMeasuredBRDFMapper::RenderParts(vtkRenderer* ren, vtkActor* actor)
         }
       }
     });
+  this->Map->Timer.Stop();
+  this->TimeToDraw = this->Map->Timer.GetSeconds();
   return true;
 }
 
@@ -140,6 +145,10 @@ void vtkMeasuredBRDFMapper::RenderPiece(vtkRenderer* ren, vtkActor* actor)
   {
     this->Superclass::RenderPiece(ren, actor);
   }
+  if (DrawsColor(ren, actor))
+  {
+    this->Drawing->KeepPlansInUse();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -148,6 +157,7 @@ void vtkMeasuredBRDFMapper::ReleaseGraphicsResources(vtkWindow* window)
   if (this->RenderDepth == 0)
   {
     this->Map->Parts.ReleaseGraphicsResources(window);
+    this->Map->Timer.ReleaseGraphicsResources();
   }
   this->Superclass::ReleaseGraphicsResources(window);
 }
@@ -167,7 +177,7 @@ double vtkMeasuredBRDFMapper::FitProperty(vtkProperty* property)
 //------------------------------------------------------------------------------
 vtkIdType vtkMeasuredBRDFMapper::GetTextureBytes()
 {
-  return CountTextureBytes(this->Drawing->GetLastFrame());
+  return CountTextureBytes(this->Drawing->GetLastFrame()) + this->Map->Parts.GetImageBytes();
 }
 
 //------------------------------------------------------------------------------

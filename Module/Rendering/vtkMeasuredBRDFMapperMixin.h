@@ -48,6 +48,9 @@ protected:
   /// where there is one material.
   virtual void ShowOnly(int vtkNotUsed(material)) {}
 
+  /// Whether scalars do not color the surfaces that are drawn now, whatever the mapper says.
+  virtual bool IgnoresScalars() { return false; }
+
   void RenderPieceStart(vtkRenderer* ren, vtkActor* actor) override;
   void RenderPieceDraw(vtkRenderer* ren, vtkActor* actor) override;
   void RenderPieceFinish(vtkRenderer* ren, vtkActor* actor) override;

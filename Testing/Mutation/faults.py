@@ -872,15 +872,16 @@ add("Rendering.map-hats-fall-at-the-ends", "Private/MaterialParts.cxx", "if (k +
     "if (k + 2 < knots.size())", "MaterialMapping.ValuesBlendInEachPixel")
 add("Rendering.map-the-rest-is-drawn-twice", "Private/MixtureShader.cxx", "(this->Part.HasRest ? \" > 0.0\" : \" <= 0.0\")",
     "(this->Part.HasRest ? \" > 2.0\" : \" <= 0.0\")", "MaterialMapping.NoMaterialIsTheSuperclass")
-add("Rendering.map-scalars-that-choose-color", "Private/PartMappers.cxx", "if (colored && ", "if (!colored && ",
+add("Rendering.map-scalars-that-choose-color", "Private/PartMappers.cxx", "if ((colored && ",
+    "if ((!colored && ",
     "MaterialMapping.ScalarsThatChooseDoNotColor")
 add("Rendering.map-members-share-instances", "Private/BRDFShader.cxx", "return 100 * member;", "return 0 * member;",
     "MaterialMapping.ValuesBlendInEachPixel")
-add("Rendering.map-divided-blocks-are-drawn-whole", "vtkCompositeMeasuredBRDFMapper.cxx",
+add("Rendering.map-divided-blocks-are-drawn-whole", "Private/BlockBatch.cxx",
     "if (this->Uses.size() < 2 && !this->HasDivided)", "if (this->Uses.size() < 2)",
     "MaterialMapping.CompositeDataShowTheSame")
-add("Rendering.map-small-shares-add-up-unseen", "Private/MaterialParts.cxx", "smaller += share <= own ? share : 0.0;",
-    "smaller = own;", "Parts.SmallMaterialsMayBeCoarse")
+add("Rendering.map-small-shares-add-up-unseen", "Private/MaterialParts.cxx",
+    "smaller += smallestFirst[end].first / sum;", "smaller = smallestFirst[end].first / sum;", "Parts.SmallMaterialsMayBeCoarse")
 add("Material.angular-table-azimuths-end", "vtkAngularTableBRDF.cxx",
     "const std::size_t right = next % count;", "const std::size_t right = std::min(next, count - 1);",
     "IOUtia.InterpolatesAlongAllFourAxes")
@@ -917,7 +918,7 @@ add("IO.spectra-not-scaled-to-white", "Private/SpectralColor.cxx", "xyz[j] = wei
 add("IO.spectral-planes-in-a-row", "Private/TensorFile.cxx", "sum += weights[k][c] * first[k * texels + texel];",
     "sum += weights[k][c] * first[k + wavelengths.size() * texel];", "IOSpectral.AgreesWithAnotherProgramsSum")
 add("Rendering.legend-shows-the-last-first", "vtkMaterialLegendActor.cxx",
-    "const double middle = bottom + height - (at + 0.5) * cell;", "const double middle = bottom + (at + 0.5) * cell;",
+    "const double top = bottom + height - row * grid.Height;", "const double top = bottom + (row + 1) * grid.Height;",
     "MaterialLegend.DrawsSpheresBelowEachOtherOrSideBySide")
 
 
@@ -971,3 +972,26 @@ add("Shaders.hidden-sky-odds", "vtkBRDFHiddenSky.glsl", "vec3(1.0 / (1.0 + kappa
     "vec3(1.0 / (1.0 + kappa / 3.0))", "OcclusionTest.LobesLackTheirHiddenShare")
 add("Shaders.hidden-irradiance-counts", "vtkBRDFEnvironmentTable.glsl", "sum += BRDF_OPEN_IRRADIANCE(",
     "sum += (", "OcclusionTest.MatteSurfacesLackTheHiddenIrradiance")
+
+add("Rendering.map-bands-of-a-scale-overlap", "Private/MixtureShader.cxx", "brdfAt < brdfBand.x || brdfAt >= brdfBand.y",
+    "brdfAt < brdfBand.x", "MaterialMapping.ManyMaterialsOfAScaleInOneTriangle")
+add("Rendering.map-values-end-at-points", "Private/CellMaterials.cxx", "-FarOff, FarOff)", "0.0, 1.0)",
+    "MaterialMapping.ManyMaterialsOfAScaleInOneTriangle")
+add("Rendering.map-colors-blocks-of-one-class", "Private/BlockBatch.cxx",
+    "return this->AreColorsOfMap[static_cast<std::size_t>(std::max(this->Shown, 0))];", "return false;",
+    "MaterialMapBlocks.ScalarsThatChooseColorNoBlock")
+add("Rendering.map-scalars-hide-blocks-colors", "Private/PartMappers.cxx", "|| this->OverridesColor)", ")",
+    "MaterialMapBlocks.ABlocksColorGoesBeforeScalars")
+add("Rendering.map-second-weight-array-colors", "Private/MapArrays.cxx", "for (int k = 0; k < map->GetNumberOfMaterials(); ++k)",
+    "for (int k = 0; k < 1; ++k)", "MaterialMapping.NoneOfSeveralWeightArraysColors")
+add("Rendering.map-images-are-looked-at-by-the-first", "Private/WeightImages.cxx", "for (int size : sizes)",
+    "for (int size : { sizes.front() })", "Parts.ImagesMayDifferInSize")
+add("Rendering.map-waits-for-materials-that-left", "Private/MapperPlans.cxx", "inUse.count(slot) == 0", "false",
+    "MaterialMapping.PlansOfMaterialsThatLeaveAreGivenUp")
+add("Rendering.map-time-is-not-taken", "vtkMeasuredBRDFMapper.cxx", "this->TimeToDraw = this->Map->Timer.GetSeconds();", "",
+    "MaterialMapping.TimeOfAllPartsIsTaken")
+add("Rendering.map-nothing-is-highlighted", "Private/PartMappers.cxx", "this->Highlight->SetSelection(selection);", "",
+    "MaterialMapping.SelectedCellsAreHighlighted")
+add("Rendering.map-names-upload-images", "Private/WeightImages.cxx",
+    "source.emplace_back(map->GetWeightImage(k), map->GetWeightImage(k)->GetMTime());",
+    "source.emplace_back(map->GetWeightImage(k), map->GetMTime());", "MaterialMapping.OnlyChangedImagesAreUploaded")

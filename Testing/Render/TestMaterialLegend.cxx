@@ -8,8 +8,10 @@
 #include "vtkLambertBRDF.h"
 #include "vtkMaterialLegendActor.h"
 #include "vtkMaterialMap.h"
+#include "vtkProperty2D.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -98,5 +100,70 @@ TEST_F(MaterialLegend, DrawsSpheresBelowEachOtherOrSideBySide)
   this->Legend->SetTitle("materials");
   ExpectAlbedo(this->GetPixel(50, 140), 0.5, 0.1, 0.1);
   ExpectAlbedo(this->GetPixel(150, 140), 0.3, 0.3, 0.3);
+}
+
+// Nothing is drawn without materials; behind them a rectangle, if that is wanted.
+TEST_F(MaterialLegend, BackgroundAndFrame)
+{
+  this->Legend->DrawBackgroundOn();
+  this->Legend->GetBackgroundProperty()->SetColor(0.2, 0.4, 0.6);
+  EXPECT_NEAR(this->GetPixel(2, 100)[1], 0.4, 0.01);
+  ExpectAlbedo(this->GetPixel(50, 150), 0.5, 0.1, 0.1);
+  this->Legend->GetBackgroundProperty()->SetColor(0.2, 0.8, 0.6);
+  EXPECT_NEAR(this->GetPixel(2, 100)[1], 0.8, 0.01);
+  this->Legend->SetPosition(0.25, 0.25);
+  this->Legend->SetPosition2(0.5, 0.5);
+  this->Legend->DrawFrameOn();
+  this->Legend->GetFrameProperty()->SetColor(1.0, 0.0, 0.0);
+  this->Legend->GetFrameProperty()->SetLineWidth(3.0f);
+  double reddest = 0.0; // where the line is to a pixel is VTK's
+  for (int x = 48; x <= 52; ++x)
+  {
+    reddest = std::max(reddest, this->GetPixel(x, 100)[0]);
+  }
+  EXPECT_NEAR(reddest, 1.0, 0.01);
+  EXPECT_EQ(this->GetPixel(40, 100)[1], 0.0);
+  this->Map->RemoveAllMaterials();
+  EXPECT_EQ(this->GetPixel(60, 60)[1], 0.0);
+}
+
+// 60 materials in four columns; in a window of another size, too; the map's changes show.
+TEST_F(MaterialLegend, ManyMaterialsInColumns)
+{
+  this->Map->RemoveAllMaterials();
+  this->Legend->SetSphereResolution(16);
+  for (int k = 0; k < 60; ++k)
+  {
+    this->Map->AddMaterial(k == 15 ? this->Blue : this->Red, k);
+  }
+  ExpectAlbedo(this->GetPixel(6, 193), 0.5, 0.1, 0.1);
+  ExpectAlbedo(this->GetPixel(56, 193), 0.1, 0.1, 0.5);
+  ExpectAlbedo(this->GetPixel(56, 180), 0.5, 0.1, 0.1);
+  this->Map->SetBRDF(15, this->Red);
+  this->Map->SetBRDF(16, this->Blue);
+  ExpectAlbedo(this->GetPixel(56, 193), 0.5, 0.1, 0.1);
+  ExpectAlbedo(this->GetPixel(56, 180), 0.1, 0.1, 0.5);
+  this->Window->SetSize(400, 400);
+  ExpectAlbedo(this->GetPixel(112, 360), 0.1, 0.1, 0.5);
+}
+
+// Names that are too long are cut where the legend ends.
+TEST_F(MaterialLegend, LongNamesEndWithTheLegend)
+{
+  this->Map->SetName(0, "the name of a material that is far too long for a legend of 100 pixels");
+  this->Map->SetName(2, "\xC3\xA4\xC3\xB6\xC3\xBC\xC3\xA4\xC3\xB6\xC3\xBC\xC3\xA4\xC3\xB6\xC3\xBC");
+  this->Legend->SetPosition2(0.5, 1.0);
+  this->Window->Render();
+  vtkNew<vtkUnsignedCharArray> pixels;
+  this->Window->GetRGBACharPixelData(0, 0, 199, 199, 0, pixels);
+  int lit = 0;
+  for (vtkIdType p = 0; p < 200 * 200; ++p)
+  {
+    const bool isText = pixels->GetTypedComponent(p, 0) > 100 &&
+                        pixels->GetTypedComponent(p, 0) == pixels->GetTypedComponent(p, 2);
+    lit += isText ? 1 : 0;
+    ASSERT_TRUE(p % 200 < 102 || pixels->GetTypedComponent(p, 0) == 0) << p % 200 << " " << p / 200;
+  }
+  EXPECT_GT(lit, 30);
 }
 }

@@ -7,7 +7,7 @@
 #include "DrawsColor.h"
 #include "vtkPolyData.h"
 
-#include <set>
+#include <algorithm>
 
 namespace measuredbrdf
 {
@@ -49,6 +49,10 @@ void BlockParts::Update(const BlockMaterials& blocks)
       block.IsUsed = used;
       block.Revision = revision;
       ++this->Revision;
+      if (!used || IsWhole(block.Parts->GetParts()))
+      {
+        block.Parts->DropMappers();
+      }
     }
   }
 }
@@ -71,8 +75,14 @@ vtkBRDF* BlockParts::GetBRDF(vtkPolyData* block, const BlockMaterials& blocks) c
   return brdfs.empty() ? nullptr : brdfs.front();
 }
 
-void BlockParts::Render(
-  vtkRenderer* renderer, vtkActor* actor, vtkPolyDataMapper* host, vtkMTimeType time)
+bool BlockParts::AreColorsOfMap(vtkPolyData* block, const ScalarStyle& colors) const
+{
+  const auto found = this->Blocks.find(block);
+  return found != this->Blocks.end() && found->second.IsUsed &&
+         measuredbrdf::AreColorsOfMap(colors, block, this->Drawing->GetSettings().MaterialMap);
+}
+
+void BlockParts::Render(vtkRenderer* renderer, vtkActor* actor)
 {
   if (!DrawsColor(renderer, actor) || !IsShaded(actor))
   {
@@ -80,7 +90,7 @@ void BlockParts::Render(
   }
   // As the superclass decides for its own blocks.
   const bool translucentPass = actor->IsRenderingTranslucentPolygonalGeometry();
-  for (const auto& [surface, style] : this->Announced)
+  for (const auto& [surface, style, batch] : this->Announced)
   {
     const bool inPass =
       translucentPass
@@ -90,7 +100,8 @@ void BlockParts::Render(
     if (style.IsVisible && inPass && found != this->Blocks.end())
     {
       found->second.Parts->SetStyle(style);
-      found->second.Parts->Render(renderer, actor, host, time, [](vtkPolyDataMapper*) {});
+      found->second.Parts->Render(
+        renderer, actor, batch, batch->GetMTime(), [](vtkPolyDataMapper*) {});
     }
   }
 }
@@ -107,6 +118,17 @@ std::vector<MaterialUse> BlockParts::GetUses() const
     }
   }
   return { surfaces.begin(), surfaces.end() };
+}
+
+// All blocks share them.
+vtkIdType BlockParts::GetImageBytes() const
+{
+  vtkIdType bytes = 0;
+  for (const auto& [surface, block] : this->Blocks)
+  {
+    bytes = std::max(bytes, block.Parts->GetImageBytes());
+  }
+  return bytes;
 }
 
 void BlockParts::ReleaseGraphicsResources(vtkWindow* window)

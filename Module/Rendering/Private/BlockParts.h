@@ -14,12 +14,11 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <utility>
 #include <vector>
 
 class vtkActor;
+class vtkOpenGLPolyDataMapper;
 class vtkPolyData;
-class vtkPolyDataMapper;
 class vtkRenderer;
 class vtkWindow;
 
@@ -42,6 +41,9 @@ public:
   /// The material of a block that is not.
   vtkBRDF* GetBRDF(vtkPolyData* block, const BlockMaterials& blocks) const;
 
+  /// Whether a block's colors are those of an array that chooses its material.
+  bool AreColorsOfMap(vtkPolyData* block, const ScalarStyle& colors) const;
+
   /// Rises with each change.
   unsigned long GetRevision() const { return this->Revision; }
 
@@ -49,14 +51,17 @@ public:
   /// Draw the divided blocks that were announced since the last Begin, as the superclass is about
   /// to draw the others.
   void Begin() { this->Announced.clear(); }
-  void Announce(vtkPolyData* block, const BlockStyle& style)
+  void Announce(vtkPolyData* block, const BlockStyle& style, vtkOpenGLPolyDataMapper* batch)
   {
-    this->Announced.emplace_back(block, style);
+    this->Announced.push_back({ block, style, batch });
   }
-  void Render(vtkRenderer* renderer, vtkActor* actor, vtkPolyDataMapper* host, vtkMTimeType time);
+  void Render(vtkRenderer* renderer, vtkActor* actor);
   ///@}
 
   std::vector<MaterialUse> GetUses() const;
+
+  /// Of the images of weights on the graphics card.
+  vtkIdType GetImageBytes() const;
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
@@ -67,9 +72,16 @@ private:
     unsigned long Revision = 0;
   };
 
+  struct Announcement
+  {
+    vtkPolyData* Surface;
+    BlockStyle Style;
+    vtkOpenGLPolyDataMapper* Batch; // that would have drawn it
+  };
+
   std::shared_ptr<vtkMeasuredBRDFMapperInternals> Drawing;
   std::map<vtkPolyData*, Block> Blocks;
-  std::vector<std::pair<vtkPolyData*, BlockStyle>> Announced;
+  std::vector<Announcement> Announced;
   unsigned long Revision = 0;
 };
 } // namespace measuredbrdf

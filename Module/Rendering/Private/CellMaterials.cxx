@@ -23,6 +23,8 @@ namespace measuredbrdf
 {
 namespace
 {
+constexpr double FarOff = 1000.0; // times a scale of values, from its ends: floats are exact enough
+
 // Calls visit(polygon, number of corners, corners).
 template <typename Visit>
 void ForEachPolygon(vtkCellArray* polygons, const Visit& visit)
@@ -179,8 +181,9 @@ std::string CellMaterials::FindValues(vtkPolyData* input, vtkMaterialMap* map,
     [map](int a, int b) { return map->GetValue(a) < map->GetValue(b); });
   const double low = map->GetValue(this->Order.front());
   const double span = map->GetValue(this->Order.back()) - low;
+  // Values beyond the scale are interpolated as they are: where they enter it depends on them.
   const auto normalize = [&](double value)
-  { return span > 0.0 ? std::clamp((value - low) / span, 0.0, 1.0) : 0.0; };
+  { return span > 0.0 ? std::clamp((value - low) / span, -FarOff, FarOff) : 0.0; };
   for (int k : this->Order)
   {
     this->BRDFs.push_back(map->GetBRDF(k)); // each place on the scale its own number

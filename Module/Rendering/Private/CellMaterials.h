@@ -53,7 +53,7 @@ public:
   ///@}
 
   ///@{
-  /// Values at points, or of polygons, from 0 (the map's first) to 1 (its last); empty: there are
+  /// Values at points, or of polygons, 0 at the map's first and 1 at its last; empty: there are
   /// none.
   const std::vector<float>& GetPointValues() const { return this->PointValues; }
   const std::vector<float>& GetPolygonValues() const { return this->PolygonValues; }

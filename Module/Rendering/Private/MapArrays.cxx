@@ -68,4 +68,26 @@ std::string MapArray::FindWeights(vtkPolyData* input, vtkMaterialMap* map, int m
   }
   return this->Check(own.empty() ? material : 0, input->GetNumberOfPoints(), name);
 }
+
+bool MapArray::IsRead(vtkPolyData* input, vtkMaterialMap* map, vtkAbstractArray* array)
+{
+  const int mode = map->GetMode();
+  if (!array || mode == vtkMaterialMap::TEXTURES)
+  {
+    return false;
+  }
+  MapArray own;
+  if (mode != vtkMaterialMap::WEIGHTS)
+  {
+    return own.Find(input, map).empty() && own.GetArray() == array;
+  }
+  for (int k = 0; k < map->GetNumberOfMaterials(); ++k)
+  {
+    if (own.FindWeights(input, map, k).empty() && own.GetArray() == array)
+    {
+      return true;
+    }
+  }
+  return false;
+}
 } // namespace measuredbrdf

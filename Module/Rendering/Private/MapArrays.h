@@ -26,6 +26,9 @@ public:
   std::string FindWeights(vtkPolyData* input, vtkMaterialMap* map, int material);
   ///@}
 
+  /// Whether an array is among those that the map reads of this surface.
+  static bool IsRead(vtkPolyData* input, vtkMaterialMap* map, vtkAbstractArray* array);
+
   bool IsOfCells() const { return this->OfCells; }
   double Get(vtkIdType tuple) const { return this->Array->GetComponent(tuple, this->Component); }
   vtkDataArray* GetArray() const { return this->Array; }

@@ -99,6 +99,27 @@ void MapperPlans::Clear(vtkRenderer* renderer)
   this->Sweep();
 }
 
+void MapperPlans::Keep(const std::set<int>& inUse, const std::set<int>& known)
+{
+  bool ended = false;
+  for (auto it = this->Views.begin(); it != this->Views.end();)
+  {
+    const int slot = std::get<2>(it->first);
+    const bool goes =
+      known.count(slot) == 0 || (it->second->Plan.IsPending() && inUse.count(slot) == 0);
+    if (goes)
+    {
+      this->End(std::move(it->second));
+      ended = true;
+    }
+    it = goes ? this->Views.erase(it) : std::next(it);
+  }
+  if (ended)
+  {
+    this->Sweep();
+  }
+}
+
 void MapperPlans::ReleaseUploads(vtkWindow* window)
 {
   for (const auto& [key, view] : this->Views)

@@ -19,6 +19,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -80,6 +81,10 @@ public:
   void Clear();
   void Clear(vtkRenderer* renderer);
   ///@}
+
+  /// In all views: materials in other slots than these, in the making or made, go (known), or only
+  /// what is in the making (inUse).
+  void Keep(const std::set<int>& inUse, const std::set<int>& known);
 
   /// Let go of what was uploaded to a window.
   void ReleaseUploads(vtkWindow* window);

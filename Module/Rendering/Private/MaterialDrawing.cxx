@@ -24,6 +24,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <iterator>
 
 namespace measuredbrdf
 {
@@ -65,36 +66,6 @@ MaterialDrawing::SweepAtEnd::~SweepAtEnd()
   SweepEnvironments();
 }
 
-MaterialDrawing::ViewFrame& MaterialDrawing::FindFrame(
-  vtkRenderer* renderer, vtkActor* actor, const void* part)
-{
-  const bool forActor = this->IsForView();
-  for (auto it = this->Frames.begin(); it != this->Frames.end();)
-  {
-    const ViewFrame& frame = **it;
-    const bool gone = !frame.Renderer || (frame.ForActor && !frame.Actor);
-    it = gone ? this->Frames.erase(it) : std::next(it);
-  }
-  for (const std::unique_ptr<ViewFrame>& frame : this->Frames)
-  {
-    if (frame->Renderer == renderer && frame->Part == part && frame->ForActor == forActor &&
-        (!forActor || frame->Actor == actor))
-    {
-      return *frame;
-    }
-  }
-  this->Frames.push_back(std::make_unique<ViewFrame>());
-  ViewFrame& frame = *this->Frames.back();
-  frame.Part = part;
-  frame.Renderer = renderer;
-  frame.ForActor = forActor;
-  if (forActor)
-  {
-    frame.Actor = actor;
-  }
-  return frame;
-}
-
 // A number that stays with a material, so that plans of one never stand in for another's.
 int MaterialDrawing::FindSlot(vtkBRDF* brdf)
 {
@@ -102,18 +73,60 @@ int MaterialDrawing::FindSlot(vtkBRDF* brdf)
   {
     return 0;
   }
-  this->Slots.erase(std::remove_if(this->Slots.begin(), this->Slots.end(),
-                      [](const MaterialSlot& slot) { return !slot.BRDF; }),
-    this->Slots.end());
-  for (const MaterialSlot& slot : this->Slots)
+  if (this->Slots.size() > 2 * this->SlotsSwept + 16)
   {
-    if (slot.BRDF == brdf)
+    for (auto it = this->Slots.begin(); it != this->Slots.end();)
     {
-      return slot.Slot;
+      it = it->second.BRDF ? std::next(it) : this->Slots.erase(it);
     }
+    this->SlotsSwept = this->Slots.size();
   }
-  this->Slots.push_back({ brdf, this->NextSlot });
-  return this->NextSlot++;
+  MaterialSlot& slot = this->Slots[brdf];
+  if (!slot.BRDF) // new, or at the address of one that is gone
+  {
+    slot = { brdf, this->NextSlot++ };
+  }
+  return slot.Slot;
+}
+
+void MaterialDrawing::KeepPlansInUse()
+{
+  if (this->Slots.empty()) // the mapper's own material is all there is
+  {
+    return;
+  }
+  std::set<int> inUse;
+  std::set<int> known = { 0 };
+  const auto add = [this](std::set<int>& slots, vtkBRDF* brdf)
+  {
+    if (brdf)
+    {
+      slots.insert(this->FindSlot(brdf));
+    }
+  };
+  for (const MaterialUse& use : this->UsesToCome())
+  {
+    add(inUse, use.first);
+  }
+  if (this->Settings->BRDF)
+  {
+    inUse.insert(0); // blocks of it may be there, too
+  }
+  for (const auto& [index, brdf] : this->Settings->BlocksByIndex)
+  {
+    add(inUse, brdf);
+  }
+  for (const auto& [name, brdf] : this->Settings->BlocksByName)
+  {
+    add(inUse, brdf);
+  }
+  vtkMaterialMap* map = this->Settings->MaterialMap;
+  for (int k = 0; map && k < map->GetNumberOfMaterials(); ++k)
+  {
+    add(known, map->GetBRDF(k));
+  }
+  known.insert(inUse.begin(), inUse.end());
+  this->Plans.Keep(inUse, known);
 }
 
 vtkSmartPointer<vtkEnvironment> MaterialDrawing::ResolveEnvironment(vtkRenderer* renderer)
@@ -327,7 +340,7 @@ void MaterialDrawing::BeginFrame(
   {
     return;
   }
-  ViewFrame& frame = this->FindFrame(renderer, actor, part);
+  ViewFrame& frame = this->Frames.Find(renderer, this->IsForView() ? actor : nullptr, part);
   const bool any = std::any_of(
     uses.begin(), uses.end(), [](const MaterialUse& use) { return use.first != nullptr; });
   const FrameState state = { renderer, actor, any ? this->ResolveEnvironment(renderer) : nullptr };
@@ -405,7 +418,7 @@ void MaterialDrawing::SelectMixture(const std::vector<std::size_t>& materials, M
 std::vector<const DrawnMaterial*> MaterialDrawing::GetLastFrame() const
 {
   std::vector<const DrawnMaterial*> materials;
-  for (const std::unique_ptr<ViewFrame>& frame : this->Frames)
+  for (const std::unique_ptr<ViewFrame>& frame : this->Frames.GetAll())
   {
     for (const DrawnMaterial& drawn : frame->Materials)
     {
@@ -418,13 +431,7 @@ std::vector<const DrawnMaterial*> MaterialDrawing::GetLastFrame() const
   return materials;
 }
 
-void MaterialDrawing::Forget(const void* part)
-{
-  this->Frames.erase(
-    std::remove_if(this->Frames.begin(), this->Frames.end(),
-      [part](const std::unique_ptr<ViewFrame>& frame) { return frame->Part == part; }),
-    this->Frames.end());
-}
+void MaterialDrawing::Forget(const void* part) { this->Frames.Forget(part); }
 
 vtkIdType MaterialDrawing::GetVisiblePairs(
   vtkRenderer* renderer, vtkActor* actor, vtkDataArray* normals, vtkDataArray* views)
@@ -463,7 +470,7 @@ vtkMTimeType MaterialDrawing::GetAppearanceMTime()
 void MaterialDrawing::ReleaseGraphicsResources(vtkWindow* window, const void* part)
 {
   this->Selected.Clear();
-  for (const std::unique_ptr<ViewFrame>& frame : this->Frames)
+  for (const std::unique_ptr<ViewFrame>& frame : this->Frames.GetAll())
   {
     const bool here = !window || !frame->Renderer || frame->Renderer->GetVTKWindow() == window;
     if (here && frame->Part == part)

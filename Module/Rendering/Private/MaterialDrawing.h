@@ -17,6 +17,7 @@
 #include "OcclusionLight.h"
 #include "OcclusionShader.h"
 #include "SelectedMaterials.h"
+#include "ViewFrames.h"
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
@@ -26,6 +27,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -123,19 +125,15 @@ public:
   /// A part that draws no more.
   void Forget(const void* part);
 
+  /// Give up plans in the making that nothing to come is drawn by, and those of materials that the
+  /// mapper has no more.
+  void KeepPlansInUse();
+
   /// One warning for each cause.
   bool WarnOnce(const std::string& cause) { return this->Warned.insert(cause).second; }
   vtkObject* GetOwner() const { return this->Owner; }
 
 private:
-  struct ViewFrame
-  {
-    const void* Part = nullptr;
-    vtkWeakPointer<vtkRenderer> Renderer;
-    vtkWeakPointer<vtkActor> Actor; // null but where plans are for the view
-    bool ForActor = false;
-    std::vector<DrawnMaterial> Materials;
-  };
   struct MaterialSlot
   {
     vtkWeakPointer<vtkBRDF> BRDF;
@@ -150,7 +148,6 @@ private:
     vtkSmartPointer<vtkEnvironment> Environment; // null: there is none
   };
 
-  ViewFrame& FindFrame(vtkRenderer* renderer, vtkActor* actor, const void* part);
   int FindSlot(vtkBRDF* brdf);
   PlanRequest GetRequest(const MaterialUse& use, const FrameState& state);
   bool IsForView() const
@@ -188,8 +185,9 @@ private:
   std::function<double(vtkBRDF*)> ToleranceFactor;
   bool PlansMapsForView = true;
   MapperPlans Plans;
-  std::vector<std::unique_ptr<ViewFrame>> Frames; // each keeps its textures for the next Render
-  std::vector<MaterialSlot> Slots;                // of blocks' materials, in MapperPlans
+  ViewFrames Frames;                                // each keeps its textures for the next Render
+  std::unordered_map<vtkBRDF*, MaterialSlot> Slots; // in MapperPlans, but of the mapper's material
+  std::size_t SlotsSwept = 0;                       // how many stayed when dead ones were removed
   int NextSlot = 1;
   const ViewFrame* Frame = nullptr; // drawn now
   vtkWeakPointer<vtkRenderer> LastRenderer;

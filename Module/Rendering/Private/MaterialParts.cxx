@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 namespace measuredbrdf
 {
@@ -21,29 +22,9 @@ namespace
 constexpr double CoarseShare = 0.025;
 constexpr double CoarseFactor = 3.0;
 
-// min(a + b v, c + d v), clamped to [0, 1], is the weight of a material on a scale of values; at
-// the ends of the scale it does not fall again.
-std::array<float, 4> MakeHat(const std::vector<double>& knots, std::size_t k)
-{
-  std::array<float, 4> hat = { 1.0f, 0.0f, 1.0f, 0.0f };
-  if (k > 0)
-  {
-    const double slope = 1.0 / (knots[k] - knots[k - 1]);
-    hat[0] = static_cast<float>(-knots[k - 1] * slope);
-    hat[1] = static_cast<float>(slope);
-  }
-  if (k + 1 < knots.size())
-  {
-    const double slope = 1.0 / (knots[k + 1] - knots[k]);
-    hat[2] = static_cast<float>(knots[k + 1] * slope);
-    hat[3] = static_cast<float>(-slope);
-  }
-  return hat;
-}
-
 // What is drawn in the pixels of a set of materials.
 MaterialPart MakePart(
-  const CellMaterials& cells, const CellMaterials::Set& set, vtkMaterialMap* map)
+  const CellMaterials& cells, const CellMaterials::Set& set, vtkMaterialMap* map, bool isBand)
 {
   const std::vector<vtkBRDF*>& brdfs = cells.GetBRDFs();
   MaterialPart part;
@@ -60,7 +41,7 @@ MaterialPart MakePart(
     set.size() == 1 ||
     (!part.HasRest &&
       std::set<vtkSmartPointer<vtkBRDF>>(part.Members.begin(), part.Members.end()).size() == 1);
-  if (alone)
+  if (alone && !isBand)
   {
     part.Members.resize(std::min<std::size_t>(part.Members.size(), 1));
     part.HasRest = false;
@@ -78,8 +59,13 @@ MaterialPart MakePart(
       part.Kind = MixtureKind::Value;
       for (int material : set)
       {
-        part.Hats.push_back(MakeHat(cells.GetKnots(), static_cast<std::size_t>(material - 1)));
+        part.Knots.push_back(cells.GetKnots()[static_cast<std::size_t>(material - 1)]);
       }
+      part.IsBand = isBand;
+      part.Band[0] = set.front() > 1 ? static_cast<float>(part.Knots.front()) : part.Band[0];
+      part.Band[1] = set.back() < static_cast<int>(cells.GetKnots().size())
+                       ? static_cast<float>(part.Knots.back())
+                       : part.Band[1];
       break;
     default:
       part.Kind = MixtureKind::Images;
@@ -94,6 +80,24 @@ MaterialPart MakePart(
   part.NumberOfWeights = static_cast<int>(part.Members.size()) + (part.HasRest ? 1 : 0);
   return part;
 }
+}
+
+std::array<float, 4> MakeHat(const std::vector<double>& knots, std::size_t k)
+{
+  std::array<float, 4> hat = { 1.0f, 0.0f, 1.0f, 0.0f };
+  if (k > 0)
+  {
+    const double slope = 1.0 / (knots[k] - knots[k - 1]);
+    hat[0] = static_cast<float>(-knots[k - 1] * slope);
+    hat[1] = static_cast<float>(slope);
+  }
+  if (k + 1 < knots.size())
+  {
+    const double slope = 1.0 / (knots[k + 1] - knots[k]);
+    hat[2] = static_cast<float>(knots[k + 1] * slope);
+    hat[3] = static_cast<float>(-slope);
+  }
+  return hat;
 }
 
 void MaterialParts::Clear()
@@ -119,7 +123,8 @@ std::string MaterialParts::Update(
     this->Others = others;
     ++this->Revision;
     this->Parts.clear();
-    this->Areas.clear();
+    this->BRDFs.clear();
+    this->Uses.clear();
     this->Warning.clear();
     this->Problem = this->Divide(input, map, others);
   }
@@ -137,7 +142,9 @@ std::string MaterialParts::Divide(vtkPolyData* input, vtkMaterialMap* map, vtkBR
   {
     return problem;
   }
-  const PartSets sets(cells, MaximumNumberOfWeights, WantedNumberOfParts);
+  const bool onScale = map->GetMode() == vtkMaterialMap::VALUES;
+  const PartSets sets(
+    cells, onScale ? MaximumNumberInBand : MaximumNumberOfWeights, WantedNumberOfParts);
   if (sets.GetNumberOfDropped() > 0)
   {
     this->Warning += (this->Warning.empty() ? "in " : "; in ") +
@@ -145,82 +152,91 @@ std::string MaterialParts::Divide(vtkPolyData* input, vtkMaterialMap* map, vtkBR
                      std::to_string(MaximumNumberOfWeights) +
                      " materials meet: those of the least weights are left out there";
   }
-  for (const auto& [brdf, area] : surfaces.GetAreas(cells))
-  {
-    this->Areas[brdf] += area;
-  }
   surfaces.Distribute(cells, sets);
   for (std::size_t k = 0; k < sets.Get().size(); ++k)
   {
-    MaterialPart part = MakePart(cells, sets.Get()[k], map);
+    MaterialPart part = MakePart(cells, sets.Get()[k], map, sets.IsBand(k));
     part.Surface = surfaces.GetSurface(k);
-    this->Parts.push_back(part);
+    this->AddPart(part);
     if (part.HasRest)
     {
       part.Members.clear();
       part.HasRest = false;
       part.IsRest = true;
-      this->Parts.push_back(std::move(part));
+      this->AddPart(std::move(part));
     }
   }
   if (vtkPolyData* verticesAndLines = surfaces.GetVerticesAndLines())
   {
     MaterialPart part;
     part.Surface = verticesAndLines;
-    this->Parts.push_back(std::move(part));
+    this->AddPart(std::move(part));
   }
+  this->MeasureShares(surfaces.GetAreas(cells));
   return "";
 }
 
-double MaterialParts::GetShare(vtkBRDF* brdf) const
+void MaterialParts::AddPart(MaterialPart part)
 {
-  double sum = 0.0;
-  for (const auto& [other, area] : this->Areas)
+  for (vtkBRDF* brdf : part.Members)
   {
-    sum += other ? area : 0.0;
-  }
-  const auto found = this->Areas.find(brdf);
-  return sum > 0.0 && found != this->Areas.end() ? found->second / sum : 0.0;
-}
-
-double MaterialParts::GetToleranceFactor(vtkBRDF* brdf) const
-{
-  const double own = this->GetShare(brdf);
-  double smaller = 0.0; // of all that are not larger
-  for (const auto& [other, area] : this->Areas)
-  {
-    const double share = other ? this->GetShare(other) : 0.0;
-    smaller += share <= own ? share : 0.0;
-  }
-  return own > 0.0 && smaller <= CoarseShare ? CoarseFactor : 1.0;
-}
-
-std::vector<vtkPolyData*> MaterialParts::GetSurfaces(vtkBRDF* brdf) const
-{
-  std::vector<vtkPolyData*> surfaces;
-  for (const MaterialPart& part : this->Parts)
-  {
-    if (std::find(part.Members.begin(), part.Members.end(), brdf) != part.Members.end())
+    const auto [use, isNew] = this->Uses.try_emplace(brdf);
+    if (isNew)
+    {
+      this->BRDFs.push_back(brdf);
+    }
+    std::vector<vtkPolyData*>& surfaces = use->second.Surfaces;
+    if (surfaces.empty() || surfaces.back() != part.Surface) // a material may be there twice
     {
       surfaces.push_back(part.Surface);
     }
   }
-  return surfaces;
+  this->Parts.push_back(std::move(part));
 }
 
-std::vector<vtkBRDF*> MaterialParts::GetBRDFs() const
+const MaterialParts::Use& MaterialParts::Find(vtkBRDF* brdf) const
 {
-  std::vector<vtkBRDF*> brdfs;
-  for (const MaterialPart& part : this->Parts)
+  static const Use none;
+  const auto found = this->Uses.find(brdf);
+  return found == this->Uses.end() ? none : found->second;
+}
+
+const std::vector<vtkPolyData*>& MaterialParts::GetSurfaces(vtkBRDF* brdf) const
+{
+  return this->Find(brdf).Surfaces;
+}
+
+void MaterialParts::MeasureShares(const std::map<vtkBRDF*, double>& areas)
+{
+  double sum = 0.0;
+  std::vector<std::pair<double, vtkBRDF*>> smallestFirst;
+  for (const auto& [brdf, area] : areas)
   {
-    for (vtkBRDF* brdf : part.Members)
+    if (brdf)
     {
-      if (std::find(brdfs.begin(), brdfs.end(), brdf) == brdfs.end())
-      {
-        brdfs.push_back(brdf);
-      }
+      sum += area;
+      smallestFirst.emplace_back(area, brdf);
     }
   }
-  return brdfs;
+  if (!(sum > 0.0))
+  {
+    return;
+  }
+  std::sort(smallestFirst.begin(), smallestFirst.end());
+  double smaller = 0.0; // of all that are not larger
+  for (std::size_t k = 0; k < smallestFirst.size();)
+  {
+    std::size_t end = k;
+    for (; end < smallestFirst.size() && smallestFirst[end].first <= smallestFirst[k].first; ++end)
+    {
+      smaller += smallestFirst[end].first / sum;
+    }
+    for (; k < end; ++k)
+    {
+      Use& use = this->Uses[smallestFirst[k].second];
+      use.Share = smallestFirst[k].first / sum;
+      use.ToleranceFactor = use.Share > 0.0 && smaller <= CoarseShare ? CoarseFactor : 1.0;
+    }
+  }
 }
 } // namespace measuredbrdf

@@ -19,6 +19,7 @@
 #include <array>
 #include <map>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 class vtkMaterialMap;
@@ -44,15 +45,25 @@ struct MaterialPart
   bool HasRest = false; // Nearest: some pixels have no material; they are another part's,
   bool IsRest = false;  // this one's: of as many weights, with the rest's as the last
   int NumberOfWeights = 0;
-  std::vector<std::array<float, 4>> Hats; // Value: min(a + b v, c + d v), clamped, for each member
-  std::vector<int> Components;            // Images: each member's, counted over all images
+  std::vector<double> Knots; // Value: each member's place on the scale, from 0 to 1, rising
+  bool IsBand = false;       // Value: places out of Band are another part's, its end, too
+  std::array<float, 2> Band = { -1e30f, 1e30f };
+  std::vector<int> Components; // Images: each member's, counted over all images
 };
+
+/// min(a + b v, c + d v), clamped to [0, 1], is the weight of a material on a scale of values: a
+/// hat that ends at its neighbors. At the ends of the scale it does not fall again.
+std::array<float, 4> MakeHat(const std::vector<double>& knots, std::size_t k);
 
 class MaterialParts
 {
 public:
   /// Most weights that meet in a part: vertex attributes have room for no more.
   static constexpr int MaximumNumberOfWeights = 32;
+
+  /// The same on a scale of values, so that their textures fit into the 16 units that every
+  /// graphics card has. Polygons of more of them are drawn in bands (PartSets).
+  static constexpr int MaximumNumberInBand = 5;
 
   /// Parts are merged, where weights allow that, until there are no more of them than this.
   static constexpr int WantedNumberOfParts = 32;
@@ -70,24 +81,36 @@ public:
   unsigned long GetRevision() const { return this->Revision; }
 
   /// Those that are seen somewhere.
-  std::vector<vtkBRDF*> GetBRDFs() const;
+  const std::vector<vtkBRDF*>& GetBRDFs() const { return this->BRDFs; }
 
   /// The share of the surface's area that is of a material, of the area that is of any.
-  double GetShare(vtkBRDF* brdf) const;
+  double GetShare(vtkBRDF* brdf) const { return this->Find(brdf).Share; }
 
   /// How many times the tolerance a material may have: 3 for those of the smallest shares, 2.5 % of
   /// the area together, which so add at most a twentieth of the tolerance to the error of the
   /// whole.
-  double GetToleranceFactor(vtkBRDF* brdf) const;
+  double GetToleranceFactor(vtkBRDF* brdf) const { return this->Find(brdf).ToleranceFactor; }
 
-  /// All surfaces of which a material may be seen.
-  std::vector<vtkPolyData*> GetSurfaces(vtkBRDF* brdf) const;
+  /// All surfaces on which a material may be seen.
+  const std::vector<vtkPolyData*>& GetSurfaces(vtkBRDF* brdf) const;
 
 private:
   std::string Divide(vtkPolyData* input, vtkMaterialMap* map, vtkBRDF* others);
+  void AddPart(MaterialPart part);
+  void MeasureShares(const std::map<vtkBRDF*, double>& areas);
+
+  // Looked up in every frame.
+  struct Use
+  {
+    double Share = 0.0;
+    double ToleranceFactor = 1.0;
+    std::vector<vtkPolyData*> Surfaces;
+  };
+  const Use& Find(vtkBRDF* brdf) const;
 
   std::vector<MaterialPart> Parts;
-  std::map<vtkBRDF*, double> Areas;
+  std::vector<vtkBRDF*> BRDFs;
+  std::unordered_map<vtkBRDF*, Use> Uses;
   std::string Problem;
   std::string Warning;
   vtkPolyData* Input = nullptr; // only compared

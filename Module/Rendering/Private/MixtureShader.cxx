@@ -52,10 +52,11 @@ std::string MixtureShader::GetDeclarations() const
   {
     text += "in " + type + " " + Varying(name) + ";\n";
   }
-  for (std::size_t k = 0; k < this->Part.Hats.size(); ++k)
+  for (std::size_t k = 0; k < this->Part.Knots.size(); ++k)
   {
     text += "uniform vec4 brdfHat" + std::to_string(k) + ";\n";
   }
+  text += this->Part.IsBand ? "uniform vec2 brdfBand;\n" : "";
   for (std::size_t k = 0;
        this->Part.Kind == MixtureKind::Images && k < this->ImageComponents.size(); ++k)
   {
@@ -98,6 +99,9 @@ std::string MixtureShader::GetImplementation(const std::vector<bool>& drawn) con
   if (this->Part.Kind == MixtureKind::Value)
   {
     text += "  float brdfAt = " + Varying(partarrays::Value) + ";\n";
+    text += this->Part.IsBand
+              ? "  if (brdfAt < brdfBand.x || brdfAt >= brdfBand.y)\n  {\n    discard;\n  }\n"
+              : "";
   }
   for (std::size_t k = 0;
        this->Part.Kind == MixtureKind::Images && k < this->ImageComponents.size(); ++k)

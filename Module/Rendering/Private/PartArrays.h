@@ -21,7 +21,7 @@ constexpr int WeightsPerGroup = 4;
 /// The weights of slots from WeightsPerGroup times group on.
 inline std::string GetWeights(int group) { return "brdfWeights" + std::to_string(group); }
 
-/// The place on a map's scale of values, from 0 to 1.
+/// The place on a map's scale of values: 0 is its first, 1 its last.
 constexpr const char* Value = "brdfValue";
 
 /// Texture coordinates of weights in images.

@@ -20,6 +20,11 @@ void PartMapper::SetPart(const MaterialParts* parts, std::size_t number, vtkMate
 {
   this->Parts = parts;
   this->Part = parts->Get()[number];
+  if (this->Part.Kind != MixtureKind::Images || this->Map != map)
+  {
+    this->Images = nullptr;
+    this->ImagesOf.clear();
+  }
   this->Map = map;
   this->ImageComponents.clear();
   for (int k = 0; k < map->GetNumberOfWeightImages(); ++k)
@@ -28,26 +33,21 @@ void PartMapper::SetPart(const MaterialParts* parts, std::size_t number, vtkMate
   }
   const bool mixed = this->Part.Kind != MixtureKind::Single;
   this->Text = mixed ? std::make_unique<MixtureShader>(this->Part, this->ImageComponents) : nullptr;
+  this->Uses.clear();
+  for (vtkBRDF* brdf : this->Part.Members)
+  {
+    this->Uses.emplace_back(brdf, parts->GetSurfaces(brdf));
+  }
+  if (this->Uses.empty())
+  {
+    this->Uses.push_back({ nullptr, {} });
+  }
   this->SetInputDataObject(this->Part.Surface);
   for (std::size_t k = 0; mixed && k < this->Text->GetAttributes().size(); ++k)
   {
     const char* name = this->Text->GetAttributes()[k].first.c_str();
     this->MapDataArrayToVertexAttribute(name, name, vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
   }
-}
-
-std::vector<PartMapper::MaterialUse> PartMapper::GetMaterialUses()
-{
-  if (this->Part.Members.empty())
-  {
-    return { { nullptr, {} } };
-  }
-  std::vector<MaterialUse> uses;
-  for (vtkBRDF* brdf : this->Part.Members)
-  {
-    uses.emplace_back(brdf, this->Parts->GetSurfaces(brdf));
-  }
-  return uses;
 }
 
 void PartMapper::RenderPieceDraw(vtkRenderer* ren, vtkActor* actor)
@@ -57,6 +57,7 @@ void PartMapper::RenderPieceDraw(vtkRenderer* ren, vtkActor* actor)
   {
     auto* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetVTKWindow());
     this->Images = WeightTextures::Find(this->Map, window);
+    this->ImagesOf[window] = this->Images; // they stay while other windows are drawn
     const std::string problem = this->Images->Update(this->Map, window);
     if (!problem.empty())
     {
@@ -131,6 +132,17 @@ void PartMapper::DrawMixture(vtkRenderer* ren, vtkActor* actor)
   {
     drawn[member] = true;
     text.Slots.push_back(static_cast<int>(member));
+  }
+  // Hats of those that are drawn: they end at the next one of these.
+  std::vector<double> knots;
+  for (std::size_t k = 0; k < chosen.size() && !this->Part.Knots.empty(); ++k)
+  {
+    knots.push_back(this->Part.Knots[chosen[k]]);
+  }
+  this->Hats.clear();
+  for (std::size_t k = 0; k < knots.size(); ++k)
+  {
+    this->Hats.emplace_back(chosen[k], MakeHat(knots, k));
   }
   text.Declarations = this->Text->GetDeclarations();
   text.Implementation = this->Text->GetImplementation(drawn);
@@ -209,10 +221,13 @@ void PartMapper::SetMapperShaderParameters(
   {
     return;
   }
-  for (std::size_t k = 0; k < this->Part.Hats.size(); ++k)
+  for (const auto& [member, hat] : this->Hats)
   {
-    cellBO.Program->SetUniform4f(
-      ("brdfHat" + std::to_string(k)).c_str(), this->Part.Hats[k].data());
+    cellBO.Program->SetUniform4f(("brdfHat" + std::to_string(member)).c_str(), hat.data());
+  }
+  if (this->Part.IsBand)
+  {
+    cellBO.Program->SetUniform2f("brdfBand", this->Part.Band.data());
   }
   if (this->Images)
   {

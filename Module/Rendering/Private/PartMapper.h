@@ -8,29 +8,24 @@
 #ifndef PartMapper_h
 #define PartMapper_h
 
+#include "BlockStyle.h"
 #include "MaterialParts.h"
 #include "MixtureShader.h"
 #include "WeightImages.h"
 #include "vtkMaterialMap.h"
 #include "vtkMeasuredBRDFMapperMixin.h"
 
+#include <array>
+#include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
+
+class vtkOpenGLRenderWindow;
 
 namespace measuredbrdf
 {
-/// What a composite data set says of a block.
-struct BlockStyle
-{
-  bool IsVisible = true;
-  bool IsOpaque = true;
-  double Opacity = 1.0;
-  bool OverridesColor = false;
-  double AmbientColor[3] = { 1.0, 1.0, 1.0 };
-  double DiffuseColor[3] = { 1.0, 1.0, 1.0 };
-};
-
 class PartMapper : public vtkMeasuredBRDFMapperMixin<vtkOpenGLPolyDataMapper>
 {
 public:
@@ -49,13 +44,19 @@ public:
   /// Of the block that the part belongs to; null (default): there are no blocks.
   void SetStyle(const BlockStyle* style) { this->Style = style; }
 
+  /// Of the images of weights on the graphics card.
+  vtkIdType GetImageBytes() const
+  {
+    return this->Images ? static_cast<vtkIdType>(this->Images->GetBytes()) : 0;
+  }
+
   void RenderPieceDraw(vtkRenderer* ren, vtkActor* actor) override;
 
 protected:
   PartMapper() = default;
   ~PartMapper() override = default;
 
-  std::vector<MaterialUse> GetMaterialUses() override;
+  std::vector<MaterialUse> GetMaterialUses() override { return this->Uses; }
   bool IsPart() override { return true; }
   void ReplaceShaderPositionVC(
     std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* actor) override;
@@ -75,10 +76,13 @@ private:
 
   const MaterialParts* Parts = nullptr;
   MaterialPart Part;
+  std::vector<MaterialUse> Uses;
   vtkSmartPointer<vtkMaterialMap> Map;
   std::vector<int> ImageComponents;
-  std::unique_ptr<MixtureShader> Text; // null: one material, or none
-  std::shared_ptr<WeightTextures> Images;
+  std::vector<std::pair<std::size_t, std::array<float, 4>>> Hats; // of the members drawn now
+  std::unique_ptr<MixtureShader> Text;                            // null: one material, or none
+  std::shared_ptr<WeightTextures> Images;                         // of the window drawn last
+  std::map<vtkOpenGLRenderWindow*, std::shared_ptr<WeightTextures>> ImagesOf;
   const BlockStyle* Style = nullptr;
 };
 } // namespace measuredbrdf

@@ -6,46 +6,55 @@
 
 #include "MapArrays.h"
 #include "vtkActor.h"
+#include "vtkCommand.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkSelection.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 namespace measuredbrdf
 {
 namespace
 {
-// Whether the mapper's colors are those of an array that chooses or weighs the materials: it has
-// done its work then.
-bool AreColorsOfMap(vtkPolyDataMapper* mapper, vtkPolyData* input, vtkMaterialMap* map)
+// Not of the input, nor of what VTK 9.1 calls deprecated.
+void CopySettings(vtkOpenGLPolyDataMapper* from, vtkOpenGLPolyDataMapper* to)
+{
+  to->vtkMapper::ShallowCopy(from);
+  to->SetSeamlessU(from->GetSeamlessU());
+  to->SetSeamlessV(from->GetSeamlessV());
+  to->SetVBOShiftScaleMethod(from->GetVBOShiftScaleMethod());
+  to->SetStatic(1); // its surface has no pipeline
+}
+
+// Without numbers: data that change from frame to frame have one cause.
+std::string GetCause(std::string text)
+{
+  text.erase(
+    std::remove_if(text.begin(), text.end(), [](unsigned char c) { return std::isdigit(c) != 0; }),
+    text.end());
+  return "map: " + text;
+}
+}
+
+bool AreColorsOfMap(const ScalarStyle& colors, vtkPolyData* input, vtkMaterialMap* map)
 {
   int cellFlag = 0;
-  const vtkDataArray* colors = vtkAbstractMapper::GetScalars(input, mapper->GetScalarMode(),
-    mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), cellFlag);
-  MapArray array;
-  if (!colors || map->GetMode() == vtkMaterialMap::TEXTURES)
-  {
-    return false;
-  }
-  if (map->GetMode() != vtkMaterialMap::WEIGHTS)
-  {
-    return array.Find(input, map).empty() && array.GetArray() == colors;
-  }
-  for (int k = 0; k < map->GetNumberOfMaterials(); ++k)
-  {
-    if (array.FindWeights(input, map, k).empty() && array.GetArray() == colors)
-    {
-      return true;
-    }
-  }
-  return false;
-}
+  return map && colors.Visibility &&
+         MapArray::IsRead(input, map,
+           vtkAbstractMapper::GetAbstractScalars(input, colors.ScalarMode, colors.ArrayAccessMode,
+             colors.ArrayId, colors.ArrayName.c_str(), cellFlag));
 }
 
 PartMappers::PartMappers(std::shared_ptr<vtkMeasuredBRDFMapperInternals> drawing)
   : Drawing(std::move(drawing))
 {
+  // Programs set their uniforms when the mapper that they know says so.
+  this->ForwardEvents->SetClientData(this->Drawing->GetOwner());
+  this->ForwardEvents->SetCallback([](vtkObject*, unsigned long event, void* owner, void* program)
+    { static_cast<vtkObject*>(owner)->InvokeEvent(event, program); });
 }
 
 PartMappers::~PartMappers() = default;
@@ -62,7 +71,7 @@ bool PartMappers::Divide(vtkPolyData* input)
     this->Parts.Update(input, settings.MaterialMap, settings.BRDF, warning);
   for (const std::string& text : { problem, warning })
   {
-    if (!text.empty() && this->Drawing->WarnOnce("map: " + text))
+    if (!text.empty() && this->Drawing->WarnOnce(GetCause(text)))
     {
       vtkWarningWithObjectMacro(this->Drawing->GetOwner(),
         << (problem.empty() ? "The material map: " : "The material map is not used: ") << text
@@ -70,14 +79,22 @@ bool PartMappers::Divide(vtkPolyData* input)
     }
   }
   this->Input = input;
+  if (!problem.empty())
+  {
+    this->DropMappers();
+  }
   return problem.empty();
 }
 
 void PartMappers::Synchronize(
-  vtkPolyDataMapper* host, const std::function<void(vtkPolyDataMapper*)>& prepare)
+  vtkOpenGLPolyDataMapper* host, const std::function<void(vtkPolyDataMapper*)>& prepare)
 {
   vtkMaterialMap* map = this->Drawing->GetSettings().MaterialMap;
-  const bool colored = AreColorsOfMap(host, this->Input, map);
+  if (!this->Style)
+  {
+    this->Scalars.Read(host);
+  }
+  const bool colored = AreColorsOfMap(this->Scalars, this->Input, map);
   this->Mappers.resize(this->Parts.Get().size());
   for (std::size_t k = 0; k < this->Mappers.size(); ++k)
   {
@@ -85,34 +102,67 @@ void PartMappers::Synchronize(
     {
       this->Mappers[k] = vtkSmartPointer<PartMapper>::New();
       this->Mappers[k]->SetDrawing(this->Drawing);
+      this->Mappers[k]->AddObserver(vtkCommand::UpdateShaderEvent, this->ForwardEvents);
     }
     PartMapper* mapper = this->Mappers[k];
-    mapper->vtkPolyDataMapper::ShallowCopy(host); // not of what VTK 9.1 calls deprecated
-    mapper->SetStatic(1);                         // its surface has no pipeline
+    CopySettings(host, mapper);
+    this->Scalars.Write(mapper);
     mapper->RemoveAllVertexAttributeMappings();
     prepare(mapper);
     mapper->SetPart(&this->Parts, k, map);
-    if (colored && !this->Parts.Get()[k].Members.empty())
+    // An array that chooses materials has done its work; a block's own color comes first.
+    if ((colored && !this->Parts.Get()[k].Members.empty()) || this->OverridesColor)
     {
       mapper->ScalarVisibilityOff();
     }
   }
 }
 
-void PartMappers::Render(vtkRenderer* renderer, vtkActor* actor, vtkPolyDataMapper* host,
+void PartMappers::Render(vtkRenderer* renderer, vtkActor* actor, vtkOpenGLPolyDataMapper* host,
   vtkMTimeType time, const std::function<void(vtkPolyDataMapper*)>& prepare)
 {
-  if (this->Revision != this->Parts.GetRevision() || this->HostTime != time)
+  const bool overrides = this->Style && this->Style->OverridesColor;
+  if (this->Revision != this->Parts.GetRevision() || this->HostTime != time || this->Host != host ||
+      this->OverridesColor != overrides ||
+      (this->Style && !(this->Style->Scalars == this->Scalars)))
   {
+    this->OverridesColor = overrides;
+    this->Scalars = this->Style ? this->Style->Scalars : this->Scalars;
     this->Synchronize(host, prepare);
     this->Revision = this->Parts.GetRevision();
     this->HostTime = time;
+    this->Host = host;
   }
   for (const vtkSmartPointer<PartMapper>& mapper : this->Mappers)
   {
     mapper->SetStyle(this->Style.get());
     mapper->RenderPiece(renderer, actor);
   }
+  this->RenderHighlight(renderer, actor, host);
+}
+
+void PartMappers::RenderHighlight(
+  vtkRenderer* renderer, vtkActor* actor, vtkOpenGLPolyDataMapper* host)
+{
+  vtkSelection* selection = host->GetSelection();
+  if (!selection || selection->GetNumberOfNodes() == 0)
+  {
+    return;
+  }
+  if (!this->Highlight || this->Highlight->GetSelection() != selection ||
+      this->Highlight->GetInput() != this->Input || this->HighlightTime != this->Input->GetMTime())
+  {
+    this->Highlight = vtkSmartPointer<HighlightMapper>::New(); // it looks at each selection once
+    this->Highlight->SetInputDataObject(this->Input);
+    this->HighlightTime = this->Input->GetMTime();
+  }
+  CopySettings(host, this->Highlight);
+  this->Highlight->SetSelection(selection);
+  this->Highlight->SetPointIdArrayName(host->GetPointIdArrayName());
+  this->Highlight->SetCellIdArrayName(host->GetCellIdArrayName());
+  this->Highlight->SetProcessIdArrayName(host->GetProcessIdArrayName());
+  this->Highlight->SetCompositeIdArrayName(host->GetCompositeIdArrayName());
+  this->Highlight->RenderPiece(renderer, actor);
 }
 
 void PartMappers::SetStyle(const BlockStyle& style)
@@ -124,9 +174,16 @@ void PartMappers::SetStyle(const BlockStyle& style)
   *this->Style = style;
 }
 
-void PartMappers::Clear()
+void PartMappers::DropMappers()
 {
   this->Mappers.clear();
+  this->Highlight = nullptr;
+  this->Host = nullptr;
+}
+
+void PartMappers::Clear()
+{
+  this->DropMappers();
   this->Parts.Clear();
   this->Input = nullptr;
 }
@@ -163,11 +220,26 @@ double PartMappers::PredictError(const DrawnMaterials& materials) const
   return total > 0.0 ? sum / total : -1.0;
 }
 
+// All parts share them.
+vtkIdType PartMappers::GetImageBytes() const
+{
+  vtkIdType bytes = 0;
+  for (const vtkSmartPointer<PartMapper>& mapper : this->Mappers)
+  {
+    bytes = std::max(bytes, mapper->GetImageBytes());
+  }
+  return bytes;
+}
+
 void PartMappers::ReleaseGraphicsResources(vtkWindow* window)
 {
   for (const vtkSmartPointer<PartMapper>& mapper : this->Mappers)
   {
     mapper->ReleaseGraphicsResources(window);
+  }
+  if (this->Highlight)
+  {
+    this->Highlight->ReleaseGraphicsResources(window);
   }
 }
 } // namespace measuredbrdf

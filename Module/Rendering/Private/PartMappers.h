@@ -8,9 +8,12 @@
 #ifndef PartMappers_h
 #define PartMappers_h
 
+#include "HighlightMapper.h"
 #include "MaterialDrawing.h"
 #include "MaterialParts.h"
 #include "PartMapper.h"
+#include "vtkCallbackCommand.h"
+#include "vtkNew.h"
 #include "vtkSmartPointer.h"
 
 #include <functional>
@@ -19,12 +22,16 @@
 #include <vector>
 
 class vtkActor;
+class vtkOpenGLPolyDataMapper;
 class vtkPolyDataMapper;
 class vtkRenderer;
 class vtkWindow;
 
 namespace measuredbrdf
 {
+/// Whether colors are those of an array that chooses materials.
+bool AreColorsOfMap(const ScalarStyle& colors, vtkPolyData* input, vtkMaterialMap* map);
+
 class PartMappers
 {
 public:
@@ -39,14 +46,17 @@ public:
 
   /// Draw the parts as host would draw the whole, apart from the material. time: when host was last
   /// modified; prepare: called with each mapper that was brought up to date with host.
-  void Render(vtkRenderer* renderer, vtkActor* actor, vtkPolyDataMapper* host, vtkMTimeType time,
-    const std::function<void(vtkPolyDataMapper*)>& prepare);
+  void Render(vtkRenderer* renderer, vtkActor* actor, vtkOpenGLPolyDataMapper* host,
+    vtkMTimeType time, const std::function<void(vtkPolyDataMapper*)>& prepare);
 
   /// Of the block that the surface is; default: there are no blocks.
   void SetStyle(const BlockStyle& style);
 
-  /// There is no map, or none that can be used.
+  ///@{
+  /// There is no map; nothing is drawn by parts for now.
   void Clear();
+  void DropMappers();
+  ///@}
 
   /// What is drawn next, after Divide.
   std::vector<MaterialUse> GetUses() const;
@@ -56,18 +66,30 @@ public:
   double PredictError(const DrawnMaterials& materials) const;
 
   const MaterialParts& GetParts() const { return this->Parts; }
+
+  /// Of the images of weights on the graphics card.
+  vtkIdType GetImageBytes() const;
+
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  void Synchronize(vtkPolyDataMapper* host, const std::function<void(vtkPolyDataMapper*)>& prepare);
+  void Synchronize(
+    vtkOpenGLPolyDataMapper* host, const std::function<void(vtkPolyDataMapper*)>& prepare);
+  void RenderHighlight(vtkRenderer* renderer, vtkActor* actor, vtkOpenGLPolyDataMapper* host);
 
   std::shared_ptr<vtkMeasuredBRDFMapperInternals> Drawing;
   MaterialParts Parts;
+  vtkNew<vtkCallbackCommand> ForwardEvents;
   std::vector<vtkSmartPointer<PartMapper>> Mappers;
+  vtkSmartPointer<HighlightMapper> Highlight; // null: nothing was ever selected
+  vtkMTimeType HighlightTime = 0;             // of its input
   vtkSmartPointer<vtkPolyData> Input;
   std::unique_ptr<BlockStyle> Style;
   unsigned long Revision = 0;
   vtkMTimeType HostTime = 0;
+  const void* Host = nullptr; // only compared
+  bool OverridesColor = false;
+  ScalarStyle Scalars; // of the block
 };
 } // namespace measuredbrdf
 

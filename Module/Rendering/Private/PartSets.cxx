@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
+#include <numeric>
+#include <utility>
 
 namespace measuredbrdf
 {
@@ -60,41 +62,91 @@ bool MergeSmallest(std::vector<Group>& groups, std::size_t mostMaterials)
 PartSets::PartSets(const CellMaterials& cells, int mostMaterials, int wanted)
 {
   const auto most = static_cast<std::size_t>(mostMaterials);
+  const bool onScale = !cells.GetKnots().empty();
   std::vector<double> polygons(cells.GetSets().size(), 0.0);
   for (int set : cells.GetSetOfPolygon())
   {
     polygons[static_cast<std::size_t>(set)] += 1.0;
   }
-  this->Places.assign(polygons.size(), 0);
+  this->Places.resize(polygons.size());
   std::vector<Group> groups; // of several materials
+  std::vector<int> inBands;
   for (std::size_t k = 0; k < polygons.size(); ++k)
   {
+    const int origin = static_cast<int>(k);
     CellMaterials::Set set = cells.GetSets()[k];
+    if (set.size() > most && onScale)
+    {
+      inBands.push_back(origin);
+      continue;
+    }
     if (set.size() > most)
     {
-      set = cells.GetHeaviest(static_cast<int>(k), most);
+      set = cells.GetHeaviest(origin, most);
       this->Dropped += static_cast<std::size_t>(polygons[k]);
     }
     if (set.size() > 1)
     {
-      groups.push_back({ std::move(set), polygons[k], { static_cast<int>(k) } });
+      groups.push_back({ std::move(set), polygons[k], { origin } });
     }
     else
     {
-      this->Places[k] = static_cast<int>(this->Sets.size());
+      this->Places[k].push_back(static_cast<int>(this->Sets.size()));
       this->Sets.push_back(std::move(set));
     }
   }
   while (static_cast<int>(groups.size()) > wanted && MergeSmallest(groups, most))
   {
   }
+  const bool stillMany = onScale && static_cast<int>(groups.size()) > wanted &&
+                         groups.size() * most > cells.GetKnots().size();
   for (Group& group : groups)
   {
     for (int origin : group.Origins)
     {
-      this->Places[static_cast<std::size_t>(origin)] = static_cast<int>(this->Sets.size());
+      if (stillMany)
+      {
+        inBands.push_back(origin);
+      }
+      else
+      {
+        this->Places[static_cast<std::size_t>(origin)].push_back(
+          static_cast<int>(this->Sets.size()));
+      }
     }
-    this->Sets.push_back(std::move(group.Set));
+    if (!stillMany)
+    {
+      this->Sets.push_back(std::move(group.Set));
+    }
+  }
+  this->FirstBand = this->Sets.size();
+  this->AddBands(cells, inBands, mostMaterials);
+}
+
+void PartSets::AddBands(
+  const CellMaterials& cells, const std::vector<int>& origins, int mostMaterials)
+{
+  const int last = static_cast<int>(cells.GetKnots().size()); // materials count from 1
+  for (int first = 1; first < last; first += mostMaterials - 1)
+  {
+    const int end = std::min(first + mostMaterials - 1, last);
+    bool used = false;
+    for (int origin : origins)
+    {
+      const CellMaterials::Set& set = cells.GetSets()[static_cast<std::size_t>(origin)];
+      if (std::max(set.front(), first) < std::min(set.back(), end))
+      {
+        this->Places[static_cast<std::size_t>(origin)].push_back(
+          static_cast<int>(this->Sets.size()));
+        used = true;
+      }
+    }
+    if (used)
+    {
+      CellMaterials::Set band(static_cast<std::size_t>(end - first) + 1);
+      std::iota(band.begin(), band.end(), first);
+      this->Sets.push_back(std::move(band));
+    }
   }
 }
 } // namespace measuredbrdf

@@ -155,8 +155,9 @@ void PartSurfaces::NumberCorners(const CellMaterials& cells, const PartSets& set
   for (vtkIdType k = 0; k < this->Polygons->GetNumberOfCells(); ++k)
   {
     this->Polygons->GetCellAtId(k, corners);
-    const auto set =
-      static_cast<std::size_t>(sets.Find(cells.GetSetOfPolygon()[static_cast<std::size_t>(k)]));
+    // Bands do not differ in what they need.
+    const auto set = static_cast<std::size_t>(
+      sets.Find(cells.GetSetOfPolygon()[static_cast<std::size_t>(k)]).front());
     const bool ofPolygon = !cells.GetPolygonValues().empty();
     const bool mixed = sets.Get()[set].size() > 1 && (ofPolygon || cells.HasPointWeights());
     const std::size_t owner = ofPolygon ? static_cast<std::size_t>(k) : set;
@@ -320,11 +321,13 @@ void PartSurfaces::Distribute(const CellMaterials& cells, const PartSets& sets)
   const vtkIdType* corner = this->Corners.data();
   for (vtkIdType k = 0; k < this->Polygons->GetNumberOfCells(); ++k)
   {
-    const auto set =
-      static_cast<std::size_t>(sets.Find(cells.GetSetOfPolygon()[static_cast<std::size_t>(k)]));
     const vtkIdType count = this->Polygons->GetCellSize(k);
-    this->Surfaces[set]->GetPolys()->InsertNextCell(count, corner);
-    source[set].push_back(this->Cells[static_cast<std::size_t>(k)]);
+    for (int place : sets.Find(cells.GetSetOfPolygon()[static_cast<std::size_t>(k)]))
+    {
+      const auto set = static_cast<std::size_t>(place);
+      this->Surfaces[set]->GetPolys()->InsertNextCell(count, corner);
+      source[set].push_back(this->Cells[static_cast<std::size_t>(k)]);
+    }
     corner += count;
   }
   for (std::size_t k = 0; k < source.size(); ++k)

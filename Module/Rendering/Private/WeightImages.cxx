@@ -7,6 +7,7 @@
 #include "vtkMaterialMap.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPointData.h"
+#include "vtkSMPTools.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
@@ -92,57 +93,160 @@ std::vector<float> WeightImages::GetValues(vtkImageData* image, std::size_t& bad
   return values;
 }
 
-// Images of different sizes are compared texel by texel of the first: as many rows and columns of
-// the others are looked at.
+namespace
+{
+// Where a line across the images is looked at: at the centers of all texels. Between these weights
+// are linear, so that nothing is missed that is seen anywhere.
+struct Samples
+{
+  Samples(std::vector<int> sizes, bool repeats)
+  {
+    std::sort(sizes.begin(), sizes.end());
+    sizes.erase(std::unique(sizes.begin(), sizes.end()), sizes.end());
+    for (int size : sizes)
+    {
+      for (int k = 0; k < size; ++k)
+      {
+        this->At.push_back((k + 0.5) / size);
+      }
+    }
+    std::sort(this->At.begin(), this->At.end());
+    this->At.erase(std::unique(this->At.begin(), this->At.end()), this->At.end());
+    for (std::size_t k = 0; k < this->At.size(); ++k)
+    {
+      const double before =
+        k > 0 ? this->At[k - 1] : (repeats ? this->At.back() - 1.0 : -this->At[0]);
+      const double after = k + 1 < this->At.size()
+                             ? this->At[k + 1]
+                             : (repeats ? this->At[0] + 1.0 : 2.0 - this->At.back());
+      this->Shares.push_back(0.5 * (after - before));
+    }
+  }
+
+  std::vector<double> At;     // from 0 to 1
+  std::vector<double> Shares; // of the line; their sum is 1
+};
+
+// The texels of an image that a sample lies between, as textures are interpolated.
+struct Between
+{
+  Between(double at, int size, bool repeats)
+  {
+    const double texel = at * size - 0.5;
+    const double below = std::floor(texel + Exact);
+    this->Share = texel - below < Exact ? 0.0 : texel - below;
+    const auto limit = [size, repeats](double k)
+    {
+      const double turned =
+        repeats ? k - size * std::floor(k / size) : std::clamp(k, 0.0, size - 1.0);
+      return static_cast<std::size_t>(turned);
+    };
+    this->Low = limit(below);
+    this->High = this->Share > 0.0 ? limit(below + 1.0) : this->Low;
+  }
+
+  static constexpr double Exact = 1e-9; // texels
+  std::size_t Low;
+  std::size_t High;
+  double Share; // of High
+};
+
+struct MeasuredImage
+{
+  std::vector<float> Values;
+  std::size_t Width;
+  std::size_t Components;
+  std::vector<Between> Columns;
+  std::vector<Between> Rows;
+
+  double Get(std::size_t column, std::size_t row, std::size_t component) const
+  {
+    const Between& x = this->Columns[column];
+    const Between& y = this->Rows[row];
+    const auto texel = [&](std::size_t at, std::size_t line)
+    {
+      return static_cast<double>(
+        this->Values[(line * this->Width + at) * this->Components + component]);
+    };
+    const double low = texel(x.Low, y.Low) * (1.0 - x.Share) + texel(x.High, y.Low) * x.Share;
+    const double high = texel(x.Low, y.High) * (1.0 - x.Share) + texel(x.High, y.High) * x.Share;
+    return low * (1.0 - y.Share) + high * y.Share;
+  }
+};
+}
+
 void WeightImages::Measure(vtkMaterialMap* map)
 {
   const auto materials = static_cast<std::size_t>(map->GetNumberOfMaterials());
-  this->Means.assign(materials, 0.0);
-  std::size_t bad = 0;
-  std::vector<std::vector<float>> values;
+  const bool repeats = map->GetRepeatWeightImages();
+  std::vector<int> sizes[2];
   for (int k = 0; k < map->GetNumberOfWeightImages(); ++k)
   {
-    values.push_back(GetValues(map->GetWeightImage(k), bad));
+    int size[3];
+    map->GetWeightImage(k)->GetDimensions(size);
+    sizes[0].push_back(size[0]);
+    sizes[1].push_back(size[1]);
   }
-  int first[3];
-  map->GetWeightImage(0)->GetDimensions(first);
-  std::vector<double> texel(materials);
-  std::size_t empty = 0;
-  for (int y = 0; y < first[1]; ++y)
+  const Samples columns(sizes[0], repeats);
+  const Samples rows(sizes[1], repeats);
+  std::size_t bad = 0;
+  std::vector<MeasuredImage> images;
+  for (int k = 0; k < map->GetNumberOfWeightImages(); ++k)
   {
-    for (int x = 0; x < first[0]; ++x)
+    vtkImageData* image = map->GetWeightImage(k);
+    const auto place = static_cast<std::size_t>(k);
+    MeasuredImage measured;
+    measured.Values = GetValues(image, bad);
+    measured.Width = static_cast<std::size_t>(sizes[0][place]);
+    measured.Components = static_cast<std::size_t>(GetScalars(image)->GetNumberOfComponents());
+    for (double at : columns.At)
     {
-      std::size_t material = 0;
-      double sum = 0.0;
-      for (int k = 0; k < map->GetNumberOfWeightImages(); ++k)
+      measured.Columns.emplace_back(at, sizes[0][place], repeats);
+    }
+    for (double at : rows.At)
+    {
+      measured.Rows.emplace_back(at, sizes[1][place], repeats);
+    }
+    images.push_back(std::move(measured));
+  }
+  // Of each row: the materials' means, then the share without any.
+  std::vector<double> sums(rows.At.size() * (materials + 1), 0.0);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(rows.At.size()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      std::vector<double> weights(materials);
+      for (auto row = static_cast<std::size_t>(begin); row < static_cast<std::size_t>(end); ++row)
       {
-        vtkImageData* image = map->GetWeightImage(k);
-        int size[3];
-        image->GetDimensions(size);
-        const auto components =
-          static_cast<std::size_t>(GetScalars(image)->GetNumberOfComponents());
-        const auto column =
-          static_cast<std::size_t>(static_cast<vtkIdType>(x) * size[0] / first[0]);
-        const auto row = static_cast<std::size_t>(static_cast<vtkIdType>(y) * size[1] / first[1]);
-        const std::size_t at = (row * static_cast<std::size_t>(size[0]) + column) * components;
-        for (std::size_t c = 0; c < components && material < materials; ++c, ++material)
+        double* means = &sums[row * (materials + 1)];
+        for (std::size_t column = 0; column < columns.At.size(); ++column)
         {
-          texel[material] = values[static_cast<std::size_t>(k)][at + c];
-          sum += texel[material];
+          std::size_t material = 0;
+          double sum = 0.0;
+          for (const MeasuredImage& image : images)
+          {
+            for (std::size_t c = 0; c < image.Components && material < materials; ++c, ++material)
+            {
+              weights[material] = image.Get(column, row, c);
+              sum += weights[material];
+            }
+          }
+          const double share = columns.Shares[column] * rows.Shares[row];
+          means[materials] += sum > 0.0 ? 0.0 : share;
+          for (std::size_t k = 0; k < materials && sum > 0.0; ++k)
+          {
+            means[k] += share * weights[k] / sum;
+          }
         }
       }
-      empty += sum > 0.0 ? 0 : 1;
-      for (std::size_t k = 0; k < materials && sum > 0.0; ++k)
-      {
-        this->Means[k] += texel[k] / sum;
-      }
-    }
-  }
-  const double texels = static_cast<double>(first[0]) * first[1];
-  this->Empty = static_cast<double>(empty) / texels;
-  for (double& mean : this->Means)
+    });
+  this->Means.assign(materials, 0.0);
+  for (std::size_t row = 0; row < rows.At.size(); ++row)
   {
-    mean /= texels;
+    for (std::size_t k = 0; k < materials; ++k)
+    {
+      this->Means[k] += sums[row * (materials + 1) + k];
+    }
+    this->Empty += sums[row * (materials + 1) + materials];
   }
   if (bad > 0)
   {
@@ -177,7 +281,13 @@ std::string WeightTextures::Update(vtkMaterialMap* map, vtkOpenGLRenderWindow* w
   const bool lost = std::any_of(this->Textures.begin(), this->Textures.end(),
     [window](const vtkSmartPointer<vtkTextureObject>& texture)
     { return texture->GetHandle() == 0 || texture->GetContext() != window; });
-  if (this->Window == window && this->Time >= map->GetMTime() && !lost)
+  std::vector<std::pair<vtkImageData*, vtkMTimeType>> source;
+  for (int k = 0; k < map->GetNumberOfWeightImages(); ++k)
+  {
+    source.emplace_back(map->GetWeightImage(k), map->GetWeightImage(k)->GetMTime());
+  }
+  const bool repeats = map->GetRepeatWeightImages();
+  if (this->Window == window && source == this->Source && repeats == this->Repeats && !lost)
   {
     return "";
   }
@@ -196,8 +306,7 @@ std::string WeightTextures::Update(vtkMaterialMap* map, vtkOpenGLRenderWindow* w
     std::vector<float> values = WeightImages::GetValues(image, bad);
     auto texture = vtkSmartPointer<vtkTextureObject>::New();
     texture->SetContext(window);
-    const int wrap =
-      map->GetRepeatWeightImages() ? vtkTextureObject::Repeat : vtkTextureObject::ClampToEdge;
+    const int wrap = repeats ? vtkTextureObject::Repeat : vtkTextureObject::ClampToEdge;
     texture->SetWrapS(wrap);
     texture->SetWrapT(wrap);
     texture->SetGenerateMipmap(true); // radiance is linear in the weights: means are right
@@ -214,7 +323,9 @@ std::string WeightTextures::Update(vtkMaterialMap* map, vtkOpenGLRenderWindow* w
   }
   this->Textures = std::move(textures);
   this->Bytes = bytes;
-  this->Time = map->GetMTime();
+  ++this->Uploads;
+  this->Source = std::move(source);
+  this->Repeats = repeats;
   this->Window = window;
   return "";
 }

@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 class vtkImageData;
@@ -25,8 +26,7 @@ class vtkTextureObject;
 
 namespace measuredbrdf
 {
-/// What is in them, texel by texel, with the weights of a texel divided by their sum where all
-/// images are of one size.
+/// What is in them, with the weights of a place divided by their sum. Images may differ in size.
 class WeightImages
 {
 public:
@@ -72,13 +72,18 @@ public:
   std::size_t GetNumberOfSamplers() const { return this->Textures.size(); }
   std::size_t GetBytes() const { return this->Bytes; }
 
+  /// How often the images were uploaded: for tests.
+  int GetNumberOfUploads() const { return this->Uploads; }
+
   /// The sampler of an image.
   static std::string GetSampler(std::size_t image);
 
 private:
   std::vector<vtkSmartPointer<vtkTextureObject>> Textures;
   std::size_t Bytes = 0;
-  vtkMTimeType Time = 0;
+  int Uploads = 0;
+  std::vector<std::pair<vtkImageData*, vtkMTimeType>> Source; // only compared
+  bool Repeats = false;
   vtkOpenGLRenderWindow* Window = nullptr;
 };
 } // namespace measuredbrdf

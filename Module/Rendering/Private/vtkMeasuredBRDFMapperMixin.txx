@@ -446,7 +446,8 @@ void vtkMeasuredBRDFMapperMixin<Base>::SetMapperShaderParameters(
   }
   this->SetOcclusionParameters(program, ren, actor);
   const bool scalars =
-    this->GetScalarVisibility() && (this->VBOs->GetNumberOfComponents("scalarColor") != 0 ||
+    this->GetScalarVisibility() && !this->IgnoresScalars() &&
+    (this->VBOs->GetNumberOfComponents("scalarColor") != 0 ||
                                      this->HaveCellScalars || this->ColorTextureMap);
   const bool modulate = this->Drawing->GetSettings().ScalarColoringMode != 0;
   program->SetUniformi("brdfModulate", modulate ? (scalars ? 2 : 1) : 0);

@@ -23,6 +23,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -202,11 +204,113 @@ TEST_F(Parts, ValuesMeetWhereTheirHatsOverlap)
   {
     EXPECT_EQ(part.Members.size(), 2u);
     EXPECT_EQ(part.Surface->GetNumberOfPolys(), Side * Side / 2);
-    ASSERT_EQ(part.Hats.size(), 2u);
+    ASSERT_EQ(part.Knots.size(), 2u);
     EXPECT_EQ(part.Surface->GetPoints(), this->Plane->GetPoints());
   }
   EXPECT_NEAR(this->GetShare(0), 0.25, 1e-6);
   EXPECT_NEAR(this->GetShare(1), 0.5, 1e-6);
+}
+
+// From 0 to 39 in each quad of a column: bands of 5 materials that cover the scale without a gap.
+TEST_F(Parts, ManyMaterialsOfAScaleInOnePolygonAreDrawnInBands)
+{
+  this->SetPoints([](vtkIdType point) { return (point % (Side + 1)) % 2 ? 45.0 : -3.0; });
+  this->Map->SetModeToValues();
+  this->AddMaterials(40);
+  ASSERT_EQ(this->Update(), "");
+  EXPECT_EQ(this->Warning, "");
+  ASSERT_EQ(this->Divided.Get().size(), 10u);
+  EXPECT_EQ(this->Divided.GetBRDFs().size(), 40u);
+  float end = -1e30f;
+  for (const MaterialPart& part : this->Divided.Get())
+  {
+    EXPECT_LE(part.Members.size(), 5u);
+    EXPECT_EQ(part.Members.size(), part.Knots.size());
+    EXPECT_EQ(part.Surface->GetNumberOfPolys(), Side * Side);
+    ASSERT_TRUE(part.IsBand);
+    EXPECT_EQ(part.Band[0], end);
+    end = part.Band[1];
+  }
+  EXPECT_EQ(end, 1e30f);
+}
+
+// Hundreds of sets of neighbors on a scale: parts are no more than bands.
+TEST_F(Parts, ManySetsOnAScaleAreBands)
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetResolution(30, 30);
+  plane->Update();
+  this->Plane->ShallowCopy(plane->GetOutput());
+  this->SetPoints([](vtkIdType point) { return 1.3 * static_cast<double>((7 * point) % 310); });
+  this->Map->SetModeToValues();
+  for (int k = 0; k < 400; ++k)
+  {
+    this->Map->AddMaterial(this->Materials[static_cast<std::size_t>(k % 40)], k);
+  }
+  ASSERT_EQ(this->Update(), "");
+  EXPECT_LE(this->Divided.Get().size(), 140u);
+}
+
+// A mixture of a part's few materials is that of the whole scale.
+TEST_F(Parts, HatsEndAtTheNextMaterial)
+{
+  const std::vector<double> knots = { 0.1, 0.4, 0.5, 0.9 };
+  for (const double value : { 0.0, 0.1, 0.2, 0.45, 0.5, 0.6, 1.0 })
+  {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < knots.size(); ++k)
+    {
+      const std::array<float, 4> hat = measuredbrdf::MakeHat(knots, k);
+      sum +=
+        std::min(std::max(std::min(hat[0] + hat[1] * value, hat[2] + hat[3] * value), 0.0), 1.0);
+    }
+    EXPECT_NEAR(sum, 1.0, 1e-6) << value;
+  }
+}
+
+// The second image's only texel with a weight lies between the first's; the third's shares.
+TEST_F(Parts, ImagesMayDifferInSize)
+{
+  const auto addImage = [this](int side, int x, int y, double value)
+  {
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(side, side, 1);
+    image->AllocateScalars(VTK_FLOAT, 1);
+    image->GetPointData()->GetScalars()->Fill(x < 0 ? value : 0.0);
+    if (x >= 0)
+    {
+      image->SetScalarComponentFromDouble(x, y, 0, 0, value);
+    }
+    this->Map->AddWeightImage(image);
+  };
+  this->Map->SetModeToTextures();
+  this->AddMaterials(2);
+  addImage(2, -1, -1, 1.0);
+  addImage(7, 5, 5, 1.0);
+  ASSERT_EQ(this->Update(), "");
+  ASSERT_EQ(this->Divided.Get().size(), 1u);
+  EXPECT_EQ(this->Divided.Get()[0].Members.size(), 2u);
+  // The integral of w / (1 + w) over a bilinear hat of 2 x 2 texels: by sampling it.
+  double expected = 0.0;
+  constexpr int steps = 400;
+  for (int y = 0; y < steps; ++y)
+  {
+    for (int x = 0; x < steps; ++x)
+    {
+      const double w = (1.0 - std::abs(2.0 * (x + 0.5) / steps - 1.0)) *
+                       (1.0 - std::abs(2.0 * (y + 0.5) / steps - 1.0));
+      expected += w / (1.0 + w) / (steps * steps) * 4.0 / 49.0;
+    }
+  }
+  EXPECT_NEAR(this->GetShare(1), expected, 0.3 * expected);
+  // Nowhere but in one corner of the second image is a weight: the rest is of no material.
+  this->Map->RemoveAllWeightImages();
+  addImage(3, 0, 0, 0.0);
+  addImage(8, 1, 1, 1.0);
+  ASSERT_EQ(this->Update(this->Materials[9]), "");
+  EXPECT_GT(this->GetShare(9), 0.9);
+  EXPECT_GT(this->GetShare(1), 0.0);
+  EXPECT_EQ(this->GetShare(0), 0.0);
 }
 
 TEST_F(Parts, AllOnOneKnotIsOneMaterial)

@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BlockBatch.h"
+
+#include "vtkMeasuredBRDFMapperMixin.txx"
+
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+#include "vtkCompositePolyDataMapper.h"
+#else
+#include "vtkCompositePolyDataMapper2.h"
+#endif
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+template class vtkMeasuredBRDFMapperMixin<measuredbrdf::BatchBase>;
+
+namespace measuredbrdf
+{
+vtkStandardNewMacro(BlockBatch);
+
+void BlockBatch::Initialize(std::shared_ptr<vtkMeasuredBRDFMapperInternals> drawing,
+  const BlockMaterials* materials, BlockParts* parts, std::function<void()> update)
+{
+  this->Drawing = std::move(drawing);
+  this->Materials = materials;
+  this->Parts = parts;
+  this->UpdateBlocks = std::move(update);
+}
+
+template <typename Record>
+BlockStyle BlockBatch::GetStyle(const Record& block)
+{
+  BlockStyle style;
+  style.IsVisible = block.Visibility;
+  style.IsOpaque = block.IsOpaque;
+  style.Opacity = block.Opacity;
+  style.OverridesColor = block.OverridesColor;
+  std::copy_n(block.AmbientColor.GetData(), 3, style.AmbientColor);
+  std::copy_n(block.DiffuseColor.GetData(), 3, style.DiffuseColor);
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+  style.Scalars.ReadRecord(block);
+#else
+  style.Scalars.Read(this);
+#endif
+  return style;
+}
+
+template <typename Visit>
+void BlockBatch::ForEachBlock(const Visit& visit)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+  for (auto& element : this->VTKPolyDataToGLBatchElement)
+  {
+    auto& block = element.second->Parent;
+    visit(block.PolyData, &block.Visibility, [this, &block]() { return this->GetStyle(block); });
+  }
+#else
+  for (auto& element : this->Data)
+  {
+    visit(element.first, &element.second->Visibility,
+      [this, &element]() { return this->GetStyle(*element.second); });
+  }
+#endif
+}
+
+std::vector<BlockBatch::MaterialUse> BlockBatch::GetMaterialUses()
+{
+  this->UpdateBlocks();
+  // The superclass may have moved its records of blocks: they are looked up in each frame.
+  std::size_t count = 0;
+  const unsigned long revision =
+    this->Materials->GetRevision() + this->Parts->GetRevision(); // neither ever falls
+  // What colors blocks counts, too.
+  const vtkMTimeType time = std::max(this->GetMTime(), this->Parent->GetMTime());
+  bool same = this->Revision == revision && this->SortTime == time;
+  this->ForEachBlock(
+    [this, &count, &same](vtkPolyData* surface, bool* visible, const auto& getStyle)
+    {
+      if (this->Parts->IsDivided(surface))
+      {
+        this->Parts->Announce(surface, getStyle(), this);
+      }
+      same = same && count < this->Blocks.size() && this->Blocks[count].Surface == surface;
+      if (same)
+      {
+        this->Blocks[count].Visible = visible;
+      }
+      ++count;
+    });
+  if (!same || count != this->Blocks.size())
+  {
+    this->Revision = revision;
+    this->SortTime = time;
+    this->Sort();
+  }
+  return this->Uses;
+}
+
+// A block of a single class, for one, is not colored by the array of classes.
+bool BlockBatch::IgnoresScalars()
+{
+  return this->AreColorsOfMap[static_cast<std::size_t>(std::max(this->Shown, 0))];
+}
+
+void BlockBatch::AddOcclusion(vtkRenderer*)
+{
+  this->Occlusion.Clear();
+  this->ForEachBlock([this](vtkPolyData* surface, bool*, const auto&)
+    { this->Occlusion.Announce(this->Drawing->FindOcclusion(surface, false)); });
+}
+
+void BlockBatch::AppendOneBufferObject(vtkRenderer* ren, vtkActor* actor, BlockRecord* record,
+  vtkIdType& offset, std::vector<unsigned char>& colors, std::vector<float>& normals)
+{
+  vtkPolyData* surface = GetSurface(record);
+  const vtkIdType before = BatchOcclusion::CountVertices(this->VBOs, surface);
+  this->vtkMeasuredBRDFMapperMixin<BatchBase>::AppendOneBufferObject(
+    ren, actor, record, offset, colors, normals);
+  if (BatchOcclusion::CountVertices(this->VBOs, surface) != before)
+  {
+    this->Occlusion.Append(
+      this->VBOs, surface->GetNumberOfPoints(), this->Drawing->FindOcclusion(surface, false));
+  }
+}
+
+void BlockBatch::ShowOnly(int material)
+{
+  if (this->Uses.size() < 2 && !this->HasDivided)
+  {
+    return;
+  }
+  if (material < 0)
+  {
+    for (Block& block : this->Blocks)
+    {
+      *block.Visible = block.IsVisible;
+    }
+  }
+  else if (this->Shown < 0)
+  {
+    for (Block& block : this->Blocks)
+    {
+      block.IsVisible = *block.Visible;
+      *block.Visible = false;
+    }
+  }
+  else
+  {
+    for (std::size_t k : this->BlocksOf[static_cast<std::size_t>(this->Shown)])
+    {
+      *this->Blocks[k].Visible = false;
+    }
+  }
+  this->Shown = material;
+  for (std::size_t k = 0;
+       material >= 0 && k < this->BlocksOf[static_cast<std::size_t>(material)].size(); ++k)
+  {
+    Block& block = this->Blocks[this->BlocksOf[static_cast<std::size_t>(material)][k]];
+    *block.Visible = block.IsVisible;
+  }
+}
+
+void BlockBatch::Sort()
+{
+  this->Blocks.clear();
+  this->Uses.clear();
+  this->BlocksOf.clear();
+  this->AreColorsOfMap.clear();
+  this->HasDivided = false;
+  std::map<std::pair<vtkBRDF*, bool>, std::size_t> places;
+  this->ForEachBlock(
+    [this, &places](vtkPolyData* surface, bool* visible, const auto& getStyle)
+    {
+      if (this->Parts->IsDivided(surface)) // never shown
+      {
+        this->HasDivided = true;
+        this->Blocks.push_back({ surface, visible, true });
+        return;
+      }
+      vtkBRDF* brdf = this->Parts->GetBRDF(surface, *this->Materials);
+      const bool colors = this->Parts->AreColorsOfMap(surface, getStyle().Scalars);
+      const auto [place, isNew] = places.try_emplace({ brdf, colors }, this->Uses.size());
+      if (isNew)
+      {
+        this->Uses.push_back({ brdf, {} });
+        this->AreColorsOfMap.push_back(colors);
+        this->BlocksOf.emplace_back();
+      }
+      this->Uses[place->second].second.push_back(surface);
+      this->BlocksOf[place->second].push_back(this->Blocks.size());
+      this->Blocks.push_back({ surface, visible, true });
+    });
+  if (this->Uses.empty()) // nothing is left to show
+  {
+    this->Uses.push_back({ nullptr, {} });
+    this->AreColorsOfMap.push_back(false);
+    this->BlocksOf.emplace_back();
+  }
+}
+} // namespace measuredbrdf

@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Material maps of composite data: blocks of one class, blocks' own colors, cells split into
+// blocks.
+
+#include "MaterialMapFixture.h"
+
+#include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkCompositeMeasuredBRDFMapper.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPolyDataNormals.h"
+#include "vtkSphereSource.h"
+
+#include <cmath>
+#include <cstddef>
+#include <functional>
+
+namespace
+{
+class MaterialMapBlocks : public MaterialMapping
+{
+protected:
+  void SetUp() override
+  {
+    MaterialMapping::SetUp();
+    if (IsSkipped())
+    {
+      return;
+    }
+    this->Composite->SetEnvironment(this->Environment);
+    this->Composite->SetIntegrator(this->Table);
+    this->Composite->SetCompositeDataDisplayAttributes(this->Attributes);
+    this->Composite->SetInputDataObject(this->Blocks);
+  }
+
+  /// Of a pixel's material and channel, the radiance relative to the material alone.
+  void ExpectScaled(const FloatImage& image, const std::function<int(const Place&)>& material,
+    const std::function<double(int)>& scale)
+  {
+    for (int y = 0; y < Pixels; ++y)
+    {
+      for (int x = 0; x < Pixels; ++x)
+      {
+        const Place place(x, y);
+        const auto k = static_cast<std::size_t>(material(place));
+        for (int c = 0; c < 3 && !place.OnDiagonal; ++c)
+        {
+          ASSERT_NEAR(image.At(x, y)[c], scale(c) * this->Alone[k].At(x, y)[c], 1e-4)
+            << x << " " << y;
+        }
+      }
+    }
+  }
+
+  vtkNew<vtkCompositeMeasuredBRDFMapper> Composite;
+  vtkNew<vtkCompositeDataDisplayAttributes> Attributes;
+  vtkNew<vtkMultiBlockDataSet> Blocks;
+};
+
+// The array of classes is the active scalars: it chooses, and colors neither a block of one class
+// nor one of several.
+TEST_F(MaterialMapBlocks, ScalarsThatChooseColorNoBlock)
+{
+  this->AddMaterials(2);
+  this->RenderAlone();
+  this->Blocks->SetBlock(0, this->Sheet);
+  this->Composite->SetMaterialMap(this->Map);
+  this->Actor->SetMapper(this->Composite);
+  for (const int classes : { 1, 2 })
+  {
+    const auto classOf = [classes](vtkIdType cell) { return static_cast<int>(cell % classes); };
+    this->SetCells([&](vtkIdType cell, int) { return static_cast<double>(classOf(cell)); });
+    this->Sheet->GetCellData()->SetActiveScalars("data");
+    this->Blocks->Modified();
+    this->ExpectScaled(
+      this->RenderLinear(), [&](const Place& place) { return classOf(place.Cell); },
+      [](int) { return 1.0; });
+  }
+  // Other scalars color both.
+  vtkNew<vtkFloatArray> other;
+  other->SetName("other");
+  other->SetNumberOfTuples(2 * Side * Side);
+  other->FillValue(0.0f);
+  this->Sheet->GetCellData()->SetScalars(other);
+  for (const int classes : { 1, 2 })
+  {
+    this->SetCells([classes](vtkIdType cell, int) { return static_cast<double>(cell % classes); });
+    this->Blocks->Modified();
+    const FloatImage red = this->RenderLinear(); // the lookup table's first color
+    EXPECT_LT(red.At(20, 30)[1], 0.01 * this->Alone[0].At(20, 30)[1]) << classes;
+  }
+}
+
+// A block's own color takes the place of scalars, divided or not.
+TEST_F(MaterialMapBlocks, ABlocksColorGoesBeforeScalars)
+{
+  this->AddMaterials(2);
+  this->RenderAlone();
+  vtkNew<vtkFloatArray> other;
+  other->SetName("other");
+  other->SetNumberOfTuples(2 * Side * Side);
+  other->FillValue(0.0f);
+  this->Sheet->GetCellData()->SetScalars(other);
+  this->Blocks->SetBlock(0, this->Sheet);
+  this->Composite->SetMaterialMap(this->Map);
+  this->Actor->SetMapper(this->Composite);
+  const double color[3] = { 0.9, 0.5, 0.7 };
+  for (const int classes : { 1, 2 })
+  {
+    const auto classOf = [classes](vtkIdType cell) { return static_cast<int>(cell % classes); };
+    this->SetCells([&](vtkIdType cell, int) { return static_cast<double>(classOf(cell)); });
+    this->Blocks->Modified();
+    this->RenderLinear(); // colored by scalars before
+    this->Composite->SetBlockColor(1, color);
+    this->ExpectScaled(
+      this->RenderLinear(), [&](const Place& place) { return classOf(place.Cell); },
+      [&color](int c) { return std::pow(color[c], 2.2); });
+    this->Composite->RemoveBlockColor(1);
+    EXPECT_LT(this->RenderLinear().At(20, 30)[1], 0.01 * this->Alone[0].At(20, 30)[1]) << classes;
+  }
+}
+
+// Classes of cells against the same cells in a block for each class, in perspective: the same
+// pixels, to the last one along borders and silhouette.
+TEST_F(MaterialMapBlocks, BordersOfCellsAreThoseOfBlocks)
+{
+  this->AddMaterials(5);
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(0.9);
+  sphere->SetThetaResolution(23);
+  sphere->SetPhiResolution(17);
+  vtkNew<vtkPolyDataNormals> facets; // a point of its own for each corner
+  facets->SetInputConnection(sphere->GetOutputPort());
+  facets->SplittingOff();
+  facets->Update();
+  this->Sheet->ShallowCopy(facets->GetOutput());
+  const vtkIdType cells = this->Sheet->GetNumberOfCells();
+  const auto classOf = [](vtkIdType cell)
+  { return static_cast<int>((7 * cell * cell + cell) % 5); };
+  this->SetArray(this->Sheet->GetCellData(), cells, 1,
+    [&](vtkIdType cell, int) { return static_cast<double>(classOf(cell)); });
+  this->Actor->RotateX(40.0);
+  this->Actor->RotateY(25.0);
+  this->Renderer->GetActiveCamera()->ParallelProjectionOff();
+  this->Renderer->GetActiveCamera()->SetViewAngle(24.0);
+  this->Window->SetSize(150, 150);
+  this->Mapper->SetMaterialMap(this->Map);
+  const FloatImage mapped = this->RenderEncoded();
+  for (int k = 0; k < 5; ++k)
+  {
+    vtkNew<vtkPolyData> block;
+    block->ShallowCopy(this->Sheet);
+    vtkNew<vtkCellArray> polygons;
+    for (vtkIdType cell = 0; cell < cells; ++cell)
+    {
+      vtkNew<vtkIdList> corners;
+      this->Sheet->GetCellPoints(cell, corners);
+      if (classOf(cell) == k)
+      {
+        polygons->InsertNextCell(corners);
+      }
+    }
+    block->SetPolys(polygons);
+    block->GetCellData()->Initialize();
+    const auto index = static_cast<unsigned int>(k);
+    this->Blocks->SetBlock(index, block);
+    this->Composite->SetBlockBRDF(index + 1, this->Materials[static_cast<std::size_t>(k)]);
+  }
+  this->Actor->SetMapper(this->Composite);
+  const FloatImage blocks = this->RenderEncoded();
+  std::size_t covered = 0;
+  for (std::size_t k = 0; k < mapped.RGBA.size(); ++k)
+  {
+    ASSERT_NEAR(mapped.RGBA[k], blocks.RGBA[k], Same);
+    covered += k % 4 == 0 && mapped.RGBA[k] > 0.0f ? 1 : 0;
+  }
+  EXPECT_GT(covered, 10000u);
+}
+}
