@@ -717,6 +717,22 @@ add("Visibility.matrix-by-columns", "Private/TriangleSet.cxx", "m[4 * c + 2] * p
 add("Visibility.farthest-triangle", "Private/TriangleTree.cxx", "ray.Most = t = at;", "t = at;",
     "SurfaceTracer.BackendsAgree")
 
+add("Visibility.points-below-the-facet", "Private/vtkTracedSurfaces.cxx", "return from.Position + this->Tracer->GetOffset()",
+    "return from.Position - this->Tracer->GetOffset()", "Traced.TwoSidedSheets")
+add("Visibility.no-lift-above-facets", "Private/vtkTracedSurfaces.cxx", "point.Position += lift;", "",
+    "Traced.ConvexSurfacesHideNothing")
+add("Integration.traced-one-bounce-too-many", "Private/TracedRadiance.cxx", "for (int k = 0; k < bounces; ++k)",
+    "for (int k = 0; k <= bounces; ++k)", "Traced.BowlsAndFurnaces")
+add("Integration.traced-density-without-cosine", "Private/TracedRadiance.cxx",
+    "shares[ByCosine] * draw.Local.z / Pi", "shares[ByCosine] / Pi", "Traced.BowlsAndFurnaces|Traced.AgreesWithMitsuba")
+add("Integration.sky-density-of-the-whole-map", "Private/SkySampler.cxx", "width * height / (2.0 * Pi * Pi * cosine)",
+    "width * height / (4.0 * Pi * Pi * cosine)", "Traced.WaysToTraceAgree|Traced.ThinSlits")
+add("Planning.occlusion-tolerance-adds-up", "vtkOcclusionPredictor.cxx",
+    "tolerance * tolerance - planError * planError", "tolerance * tolerance + planError * planError",
+    "OcclusionPredictor.Decision")
+add("Planning.occlusion-relative-to-open-light", "vtkOcclusionPredictor.cxx", "values.push_back(r[0] + r[1] + r[2]);",
+    "values.push_back(u[0] + u[1] + u[2]);", "OcclusionPredictor.ABowl")
+
 # Shaders
 
 add("Shaders.views-are-lifted-too-far", "vtkBRDFCommon.glsl", "const float minimum = 0.02;",
