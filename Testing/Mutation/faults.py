@@ -863,7 +863,7 @@ add("Material.angular-table-azimuths-end", "vtkAngularTableBRDF.cxx",
 add("IO.utia-blue-first", "Private/UtiaFile.cxx", "rgb[3 * k + c] = stored;", "rgb[3 * k + 2 - c] = stored;",
     "IOUtia.InterpolatesAlongAllFourAxes")
 add("Material.angular-table-turned-the-other-way", "vtkAngularTableBRDF.cxx", "i[0] * o[1] - i[1] * o[0])", "i[1] * o[0] - i[0] * o[1])",
-    "IOOpenMaterial.InterpolatesBetweenUnevenAngles")
+    "IOOpenMaterial.AzimuthsRunAboutTheNormal")
 add("Material.angular-table-copy-forgets-the-origin", "vtkAngularTableBRDF.cxx", "  copy->Origin = this->Origin;\n", "",
     "IOOpenMaterial.CopiesAreIsotropic")
 add("IO.gonio-mirrors-about-the-other-plane", "Private/GonioTable.cxx", "mirrored.PhiO = FullTurn - mirrored.PhiO;",
@@ -887,7 +887,7 @@ add("IO.astm-other-side-forgotten", "Private/AstmFile.cxx", "      angles[k + 1]
 add("IO.astm-number-of-points-ignored", "Private/AstmParser.cxx", "if (rows == 0 || (this->Points > 0.0 &&", "if (rows == 0 || (false &&",
     "IOAstm.RefusesBadFiles")
 add("IO.infrared-counts-as-visible", "Private/SpectralChannels.cxx", "wavelength < LastVisible + 0.5;", "wavelength < 2.0 * LastVisible;",
-    "IOOpenMaterial.SpectraBecomeColors")
+    "IOOpenMaterial.OneWavelengthIsGray")
 add("IO.spectra-under-equal-energy", "Private/SpectralColor.cxx", "const double light = GetEntry(l, 3) * GetEntry(l, j);",
     "const double light = GetEntry(l, j);", "IOSpectral.AgreesWithAnotherProgramsSum")
 add("IO.spectra-not-scaled-to-white", "Private/SpectralColor.cxx", "xyz[j] = weight[j] / sums[j] * white;",

@@ -108,6 +108,31 @@ TEST(IOOpenMaterial, InterpolatesBetweenUnevenAngles)
 }
 
 //------------------------------------------------------------------------------
+// A material that is not symmetric about the plane of incidence.
+TEST(IOOpenMaterial, AzimuthsRunAboutTheNormal)
+{
+  const Folder folder;
+  const auto value = [](double, double i, double o, double p) { return 0.1 + i * o * p * 1e-7; };
+  WriteBytes(folder("a.xompt"),
+    MakeOpenMaterial({ 905.0 }, { 0.0, 90.0 }, { 0.0, 90.0 }, { 0.0, 90.0, 180.0, 270.0 }, value));
+  const auto brdf = Read(folder("a.xompt"));
+  ASSERT_TRUE(brdf);
+  for (const double light : { 0.0, 77.0, 200.0, 359.0 })
+  {
+    for (const double azimuth : { 45.0, 90.0, 135.0, 270.0 })
+    {
+      double i[3];
+      double o[3];
+      double f[3];
+      Point(50.0, light, i);
+      Point(70.0, light + azimuth, o);
+      brdf->Evaluate(i, o, f);
+      EXPECT_NEAR(f[0], value(905.0, 50.0, 70.0, azimuth), 1e-6) << light << " " << azimuth;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 TEST(IOOpenMaterial, CopiesAreIsotropic)
 {
   const Folder folder;
@@ -159,6 +184,8 @@ TEST(IOOpenMaterial, OneWavelengthIsGray)
   vtkNew<vtkBRDFReader> reader;
   reader->SetFileName(folder("a.xompt"));
   EXPECT_EQ(reader->GetMaterialNames(), (std::vector<std::string>{ "905nm", "1550nm" }));
+  ASSERT_TRUE(reader->Read());
+  EXPECT_NE(reader->GetNotes().find("Gray, of the wavelength 905nm"), std::string::npos);
 }
 
 //------------------------------------------------------------------------------
