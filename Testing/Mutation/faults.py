@@ -904,15 +904,17 @@ add("Material.angular-table-azimuths-end", "vtkAngularTableBRDF.cxx",
 add("IO.utia-blue-first", "Private/UtiaFile.cxx", "rgb[3 * k + c] = stored;", "rgb[3 * k + 2 - c] = stored;",
     "IOUtia.InterpolatesAlongAllFourAxes")
 add("Material.angular-table-turned-the-other-way", "vtkAngularTableBRDF.cxx", "i[0] * o[1] - i[1] * o[0])", "i[1] * o[0] - i[0] * o[1])",
-    "IOOpenMaterial.InterpolatesBetweenUnevenAngles")
+    "IOOpenMaterial.AzimuthsRunAboutTheNormal")
 add("Material.angular-table-copy-forgets-the-origin", "vtkAngularTableBRDF.cxx", "  copy->Origin = this->Origin;\n", "",
     "IOOpenMaterial.CopiesAreIsotropic")
 add("IO.gonio-mirrors-about-the-other-plane", "Private/GonioTable.cxx", "mirrored.PhiO = FullTurn - mirrored.PhiO;",
     "mirrored.PhiO = HalfTurn + mirrored.PhiO;", "IOOpenMaterial.InterpolatesBetweenUnevenAngles")
-add("IO.gonio-extrapolates", "Private/GonioGrid.cxx", "  AddHorizon(grid, rgb);\n", "", "IOOpenMaterial.HolesAreFilledAndReported")
-add("IO.gonio-holes-stay", "Private/GonioGrid.cxx", "this->Set(first + p, first + left, first + right, share);", "",
+add("IO.gonio-extrapolates", "Private/GonioGrid.cxx", "nodes.Theta.back() < Horizon", "nodes.Theta.back() < 0.0f",
     "IOOpenMaterial.HolesAreFilledAndReported")
-add("IO.gonio-scatter-takes-the-nearest", "Private/GonioScatter.cxx", "constexpr int Neighbors = 4;", "constexpr int Neighbors = 1;",
+add("IO.gonio-holes-take-one-neighbor", "Private/GonioGrid.cxx", "this->Set(first + p, first + left, first + right, share);",
+    "this->Set(first + p, first + left, first + left, share);",
+    "IOOpenMaterial.HolesAreFilledAndReported")
+add("IO.gonio-scatter-takes-the-nearest", "Private/GonioScatter.cxx", "constexpr int Neighbors = 8;", "constexpr int Neighbors = 1;",
     "IOOpenMaterial.ScatteredViewsAreInterpolated")
 add("IO.open-material-swaps-directions", "Private/OpenMaterialFile.cxx",
     "{ angles.ThetaI, angles.ThetaO, angles.PhiO };", "{ angles.ThetaO, angles.ThetaO, angles.PhiO };",
@@ -925,12 +927,12 @@ add("IO.astm-other-side-forgotten", "Private/AstmFile.cxx", "      angles[k + 1]
     "IOAstm.NegativePolarAnglesAreOnTheOtherSide")
 add("IO.astm-number-of-points-ignored", "Private/AstmParser.cxx", "if (rows == 0 || (this->Points > 0.0 &&", "if (rows == 0 || (false &&",
     "IOAstm.RefusesBadFiles")
-add("IO.infrared-counts-as-visible", "Private/SpectralChannels.cxx", "name.empty() ? IsVisible(wavelengths[k]) :", "name.empty() ? true :",
-    "IOOpenMaterial.SpectraBecomeColors")
+add("IO.infrared-counts-as-visible", "Private/SpectralChannels.cxx", "wavelength < LastVisible + 0.5;", "wavelength < 2.0 * LastVisible;",
+    "IOOpenMaterial.OneWavelengthIsGray")
 add("IO.spectra-under-equal-energy", "Private/SpectralColor.cxx", "const double light = GetEntry(l, 3) * GetEntry(l, j);",
     "const double light = GetEntry(l, j);", "IOSpectral.AgreesWithAnotherProgramsSum")
 add("IO.spectra-not-scaled-to-white", "Private/SpectralColor.cxx", "xyz[j] = weight[j] / sums[j] * white;",
-    "xyz[j] = weight[j] / sums[1];", "IOSpectral.FlatSpectraAreGray")
+    "xyz[j] = weight[j] / sums[1] * white;", "IOSpectral.FlatSpectraAreGray")
 add("IO.spectral-planes-in-a-row", "Private/TensorFile.cxx", "sum += weights[k][c] * first[k * texels + texel];",
     "sum += weights[k][c] * first[k + wavelengths.size() * texel];", "IOSpectral.AgreesWithAnotherProgramsSum")
 add("Rendering.legend-shows-the-last-first", "vtkMaterialLegendActor.cxx",

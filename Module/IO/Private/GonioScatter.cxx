@@ -8,6 +8,8 @@
 #include "vtkPolyData.h"
 #include "vtkStaticPointLocator.h"
 
+#include <Eigen/Dense>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,12 +19,74 @@ namespace measuredbrdf
 namespace
 {
 constexpr float Horizon = 90.0f;
+constexpr double Degree = 3.14159265358979323846 / 180.0;
 constexpr std::size_t LeastViews = 4; // for each light
-constexpr int Neighbors = 4;
+constexpr int Neighbors = 8;
 constexpr double FinestStep = 1.5; // degrees
 constexpr double CoarsestStep = 10.0;
 constexpr double NodesPerReading = 16.0;
 constexpr double FewNodes = 4096.0;
+constexpr double MostNodes = 1e6;
+
+// The readings around a view.
+class Surroundings
+{
+public:
+  Surroundings(float theta, float phi)
+    : Across{ -std::sin(phi * Degree), std::cos(phi * Degree), 0.0 }
+    , Down{ std::cos(theta * Degree) * std::cos(phi * Degree),
+      std::cos(theta * Degree) * std::sin(phi * Degree), -std::sin(theta * Degree) }
+  {
+  }
+
+  void Add(const double direction[3], const std::array<double, 3>& color)
+  {
+    const Eigen::Map<const Eigen::Vector3d> d(direction);
+    this->Places.emplace_back(1.0, this->Across.dot(d), this->Down.dot(d));
+    this->Colors.emplace_back(color.data());
+  }
+
+  /// The plane through them, by least squares with weights of the inverse squared distance, at the
+  /// view, but within the range of their values: nothing overshoots.
+  std::array<float, 3> Interpolate() const
+  {
+    double farthest = 0.0;
+    for (const Eigen::Vector3d& place : this->Places)
+    {
+      farthest = std::max(farthest, place.tail<2>().squaredNorm());
+    }
+    Eigen::Matrix3d left = Eigen::Matrix3d::Zero();
+    Eigen::Matrix3d right = Eigen::Matrix3d::Zero(); // a column for each of R, G, B
+    Eigen::Vector3d least = this->Colors.front();
+    Eigen::Vector3d most = least;
+    for (std::size_t k = 0; k < this->Places.size(); ++k)
+    {
+      const Eigen::Vector3d& place = this->Places[k];
+      const double weight = farthest / (place.tail<2>().squaredNorm() + 1e-4 * farthest + 1e-12);
+      left += weight * place * place.transpose();
+      right += weight * place * this->Colors[k].transpose();
+      least = least.cwiseMin(this->Colors[k]);
+      most = most.cwiseMax(this->Colors[k]);
+    }
+    // Readings in a line, or a single one, say nothing across it: no slope there.
+    left.diagonal().tail<2>().array() += 1e-6 * left(0, 0) * farthest + 1e-12;
+    left(0, 0) += 1e-12;
+    const Eigen::Vector3d value = left.ldlt().solve(right).row(0).transpose();
+    std::array<float, 3> color;
+    for (int c = 0; c < 3; ++c)
+    {
+      const double bounded = std::min(std::max(value[c], least[c]), most[c]);
+      color[static_cast<std::size_t>(c)] = static_cast<float>(bounded);
+    }
+    return color;
+  }
+
+private:
+  Eigen::Vector3d Across;
+  Eigen::Vector3d Down;
+  std::vector<Eigen::Vector3d> Places; // 1, and where they are on the tangent plane
+  std::vector<Eigen::Vector3d> Colors;
+};
 
 // The views of one light, onto the nodes.
 void Scatter(const GonioGrid& grid, const GonioReadings& readings,
@@ -52,24 +116,14 @@ void Scatter(const GonioGrid& grid, const GonioReadings& readings,
       double d[3];
       PointGonio(theta, phi, d);
       locator->FindClosestNPoints(Neighbors, d, found);
-      double sum[4] = { 0.0, 0.0, 0.0, 0.0 };
+      Surroundings near(theta, phi);
       for (vtkIdType k = 0; k < found->GetNumberOfIds(); ++k)
       {
         double at[3];
         points->GetPoint(found->GetId(k), at);
-        const double distance = std::hypot(d[0] - at[0], d[1] - at[1], d[2] - at[2]);
-        const double weight = 1.0 / std::max(distance * distance, 1e-12);
-        const std::array<double, 3>& color = colors[static_cast<std::size_t>(found->GetId(k))];
-        for (std::size_t c = 0; c < 3; ++c)
-        {
-          sum[c] += weight * color[c];
-        }
-        sum[3] += weight;
+        near.Add(at, colors[static_cast<std::size_t>(found->GetId(k))]);
       }
-      for (std::size_t c = 0; c < 3; ++c)
-      {
-        *rgb++ = static_cast<float>(sum[c] / sum[3]);
-      }
+      rgb = std::copy_n(near.Interpolate().data(), 3, rgb);
     }
   }
 }
@@ -80,7 +134,7 @@ bool ChooseViews(GonioGrid& grid, double readings, double lights)
   const double each = readings / lights;
   const double spacing = std::sqrt(2.0 / each / 3.14159265358979323846) * 90.0; // 2 pi sr
   double step = std::clamp(spacing / 1.5, FinestStep, CoarsestStep);
-  const double most = std::min(NodesPerReading * readings + FewNodes, MaximumGonioNodes);
+  const double most = std::min(NodesPerReading * readings + FewNodes, MostNodes);
   while (step < 2.0 * CoarsestStep && lights * (90.0 / step + 1.0) * (360.0 / step) > most)
   {
     step *= 1.1;
@@ -93,7 +147,7 @@ bool ChooseViews(GonioGrid& grid, double readings, double lights)
   }
   grid.View.Phi = vtkAngularTableBRDF::GetEvenAzimuths(static_cast<int>(std::lround(360.0 / step)));
   return each >= static_cast<double>(LeastViews) &&
-         lights * static_cast<double>(grid.GetViews()) <= MaximumGonioNodes;
+         lights * static_cast<double>(grid.GetViews()) <= MostNodes;
 }
 }
 

@@ -26,9 +26,10 @@ inline void PointGonio(float theta, float phi, double d[3])
 }
 
 /**
- * Give the grid even views, about as dense as the readings, and values there: of each light's four
- * nearest readings, by inverse squared distance. Readings that lack a channel are left out.
- * Returns an empty string, or what is wrong.
+ * Give the grid even views, about as dense as the readings, and values there: on the plane through
+ * each light's eight nearest readings (moving least squares, Lancaster and Salkauskas 1981), within
+ * the range of these. Readings that lack a channel are left out. Returns an empty string, or what
+ * is wrong.
  */
 std::string ScatterGonioReadings(
   GonioGrid& grid, const GonioReadings& readings, std::vector<float>& rgb);

@@ -21,19 +21,18 @@ namespace measuredbrdf
 /**
  * Readings on a grid become the table's nodes, as they are. Holes in the grid are filled linearly
  * around the circle of the same polar angle, empty circles from their neighbors; what is not so
- * much as a quarter full is no grid. Then each light's views are interpolated by inverse squared
- * distance from the four nearest ones onto even nodes, about as dense as the readings.
+ * much as a quarter full is no grid. Then each light's views are interpolated onto even nodes,
+ * about as dense as the readings (GonioScatter.h).
  *
  * Where PhiI is the same in all, the material is taken to be isotropic. One whose azimuths are all
- * in [0, 180] is mirrored. Its value for light or view
- * along the normal is the mean over azimuths. Angles less than 0.01 degrees apart are one;
- * readings of the same directions are averaged. Beyond the last polar angle the value is constant.
+ * in [0, 180] is mirrored. Its value for light or view along the normal is the mean over azimuths.
+ * Angles less than 0.01 degrees apart are one; readings of the same directions are averaged. Beyond
+ * the last polar angle the value is constant.
  */
 class GonioTable
 {
 public:
-  /// Empty, or what is wrong with the readings. The table has at most
-  /// MaximumGonioNodes.
+  /// Empty, or what is wrong with the readings. The table has at most MaximumGonioNodes.
   std::string Make(GonioReadings readings);
 
   vtkSmartPointer<vtkAngularTableBRDF> BRDF;

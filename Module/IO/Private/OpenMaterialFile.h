@@ -5,7 +5,8 @@
  * ASAM OpenMATERIAL 3D's BRDF look-up tables (.xompt; schema material_brdf_schema.json of versions
  * 1.0 and 1.1): JSON with "metadata" and "brdf". "brdf" holds rows of wavelength (m), zenith angles
  * of incidence and exit, azimuth of exit from incidence (rad), and f (1/sr). The material is
- * isotropic. An azimuth of 0 is on the side from which the light comes.
+ * isotropic. An azimuth of 0 is on the side from which the light comes; azimuths run
+ * counterclockwise, seen from above the surface (the standard does not say).
  *
  * Several visible wavelengths become RGB (SpectralColor.h). A single one, or wavelengths of which
  * fewer than two are visible, give gray, by the first of them; `path#905nm` picks one.
