@@ -91,6 +91,7 @@ def draw(material_map, title, size):
     mapper = vtkMeasuredBRDFMapper()
     mapper.SetInputData(sheet)
     mapper.SetMaterialMap(material_map)
+    mapper.SetErrorTolerance(options.tolerance)
     mapper.SetEnvironment(vtkEmbeddedEnvironments.NewEnvironment("room"))
     actor = vtkActor()
     actor.SetMapper(mapper)
@@ -135,6 +136,7 @@ parser.add_argument("-o", "--output", default="photographs-to-map.png", help="th
 parser.add_argument("--photographs", type=int, default=200, help="how many (default 200)")
 parser.add_argument("--texels", type=int, default=96, help="along an edge of the sample (default 96)")
 parser.add_argument("--size", type=int, default=360, help="of each picture in pixels (default 360)")
+parser.add_argument("--tolerance", type=float, default=0.02, help="of the mappers' plans (default 0.02)")
 options = parser.parse_args()
 
 original = make_sample(options.texels)
