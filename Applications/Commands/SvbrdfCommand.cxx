@@ -252,7 +252,8 @@ std::string FormatText(
        << FormatPercent(fitter->GetWorstError()) << "\n";
   if (options.Tables)
   {
-    text << "of that the factors alone " << FormatPercent(fitter->GetFactorizationError()) << " ("
+    text << "error of the factors alone, of all texels together: "
+         << FormatPercent(fitter->GetFactorizationError()) << " ("
          << fitter->GetNumberOfIterations() << " iterations"
          << (fitter->GetConverged() ? "" : ", not converged") << "); the photographs touch "
          << FormatPercent(fitter->GetSeenShare()) << " of the tables\n";
