@@ -136,13 +136,13 @@ vec3 brdfHalfDifference(vec3 i, vec3 o)
   return vec3(brdfTurn(d), brdfQuadrant(length(i - o), length(i + o)), sqrt(brdfQuadrant(s, h.z)));
 }
 
-// A row of a profile, linear between its texels; at: 0 to the last one. Not filtered by the texture
+// Four values of a profile, linear between its texels; at: 0 to the last one. Not filtered by the texture
 // unit: graphics cards' filters have coarse weights.
-vec3 brdfProfile(sampler2D profile, float at, int row)
+vec4 brdfProfile(sampler2D profile, float at, int row)
 {
   int first = min(int(at), textureSize(profile, 0).x - 2);
-  return mix(texelFetch(profile, ivec2(first, row), 0).rgb,
-    texelFetch(profile, ivec2(first + 1, row), 0).rgb, at - float(first));
+  return mix(texelFetch(profile, ivec2(first, row), 0),
+    texelFetch(profile, ivec2(first + 1, row), 0), at - float(first));
 }
 
 // Values of valid cells are premultiplied by their validity (alpha): the quotient skips the rest.

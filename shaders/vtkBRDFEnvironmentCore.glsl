@@ -3,14 +3,12 @@
 // What vtkBRDFEnvironmentTable.glsl, which comes behind it, lacks of sharp lobes: sum over k of
 // W_k(theta_o) A_k(axis), A_k turned by the azimuth of the plane of incidence. C++ twin:
 // RadianceCore.
-uniform sampler2D brdfCoreProfileINSTANCE; // over theta_o: its first row is the table's; W_k
+uniform sampler2D brdfCoreProfileINSTANCE; // over theta_o: W_0, W_1, ..., four numbers a row
 uniform sampler2D brdfCoreFieldsINSTANCE; // A_k, two where turned, one above the other
 
 struct brdfCorePlaceINSTANCE
 {
   vec2 Field; // where the next field is read
-  float View; // and the weights
-  int Row; // the one before
   vec2 Once; // cosine and sine of the azimuth
   vec2 Turn; // and of so many times the azimuth
 };
@@ -22,11 +20,6 @@ vec3 brdfCoreFieldINSTANCE(inout brdfCorePlaceINSTANCE at)
   return field;
 }
 
-vec3 brdfCoreWeightINSTANCE(inout brdfCorePlaceINSTANCE at)
-{
-  return brdfProfile(brdfCoreProfileINSTANCE, at.View, ++at.Row);
-}
-
 // To the next order.
 void brdfCoreTurnINSTANCE(inout brdfCorePlaceINSTANCE at)
 {
@@ -34,16 +27,11 @@ void brdfCoreTurnINSTANCE(inout brdfCorePlaceINSTANCE at)
     at.Turn.x * at.Once.y + at.Turn.y * at.Once.x);
 }
 
-vec3 brdfCoreRoundINSTANCE(inout brdfCorePlaceINSTANCE at)
-{
-  return brdfCoreFieldINSTANCE(at) * brdfCoreWeightINSTANCE(at);
-}
-
 vec3 brdfCoreTurnedINSTANCE(inout brdfCorePlaceINSTANCE at)
 {
   vec3 cosine = brdfCoreFieldINSTANCE(at);
   vec3 sine = brdfCoreFieldINSTANCE(at);
-  return (at.Turn.x * cosine + at.Turn.y * sine) * brdfCoreWeightINSTANCE(at);
+  return at.Turn.x * cosine + at.Turn.y * sine;
 }
 
 // u: where profiles are read; position: of the axis in maps; once: cosine and sine of the azimuth,
@@ -54,8 +42,6 @@ vec3 brdfCoreINSTANCE(float u, vec2 position, vec2 once)
   float margin = 0.5 / float(textureSize(brdfCoreFieldsINSTANCE, 0).y);
   brdfCorePlaceINSTANCE at;
   at.Field = vec2(position.x, clamp(position.y * next, margin, next - margin));
-  at.View = u;
-  at.Row = 0;
   at.Once = once / max(length(once), 1e-12);
   at.Turn = vec2(1.0, 0.0);
   vec3 sum = vec3(0.0);

@@ -13,6 +13,7 @@
 #include "vtkBRDFEnvironmentCore.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkEnvironment.h"
+#include "vtkLightSet.h"
 #include "vtkObjectFactory.h"
 #include "vtkTableRadianceIntegrator.h"
 
@@ -30,6 +31,27 @@ namespace
 {
 constexpr int KnotsPerViewAngle = 4; // of the kernels that the maps are made of
 constexpr int NumberOfNodes = 64;
+
+// Where the shader finds a weight: four in a row of the profile.
+std::string GetWeightName(int number)
+{
+  return "weights" + std::to_string(number / 4) + "." + "xyzw"[number % 4];
+}
+
+std::vector<float> PackWeights(const RadianceCore& core, int rows)
+{
+  constexpr std::size_t size = LobeViews::NumberOfViews;
+  std::vector<float> packed(4 * size * static_cast<std::size_t>(rows), 0.0f);
+  for (std::size_t number = 0; number < 3 * core.Orders.size(); ++number)
+  {
+    for (std::size_t view = 0; view < size; ++view)
+    {
+      packed[4 * (number / 4 * size + view) + number % 4] =
+        core.Profile[3 * ((1 + number / 3) * size + view) + number % 3];
+    }
+  }
+  return packed;
+}
 }
 
 struct vtkFactoredRadianceIntegrator::Core : RadianceCore
@@ -42,6 +64,16 @@ vtkStandardNewMacro(vtkFactoredRadianceIntegrator);
 //------------------------------------------------------------------------------
 vtkFactoredRadianceIntegrator::vtkFactoredRadianceIntegrator() = default;
 vtkFactoredRadianceIntegrator::~vtkFactoredRadianceIntegrator() = default;
+
+//------------------------------------------------------------------------------
+void vtkFactoredRadianceIntegrator::SetLamps(vtkLightSet* lamps)
+{
+  this->Lamps = lamps;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+bool vtkFactoredRadianceIntegrator::UsesBRDFOnGPU() { return this->Lamps != nullptr; }
 
 //------------------------------------------------------------------------------
 bool vtkFactoredRadianceIntegrator::Begin()
@@ -85,6 +117,7 @@ vtkSmartPointer<vtkTableRadianceIntegrator> vtkFactoredRadianceIntegrator::NewTa
   table->SetBRDF(this->BRDF);
   table->SetEnvironment(this->Environment);
   table->SetRest(this->Rest);
+  table->SetLamps(this->Lamps);
   table->SetNumberOfRows(this->NumberOfTableRows);
   table->SetNumberOfViewAngles(this->NumberOfViewAngles);
   table->SetNumberOfAzimuths(this->NumberOfAzimuths);
@@ -164,16 +197,28 @@ bool vtkFactoredRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
   term.Shader = "vtkBRDFEnvironmentCore";
   std::string steps;
   int order = 0;
+  int number = 0; // of weights
   for (const int next : core.Orders)
   {
     for (; order < next; ++order)
     {
       steps += "brdfCoreTurnINSTANCE(at); ";
     }
-    steps +=
-      next > 0 ? "sum += brdfCoreTurnedINSTANCE(at); " : "sum += brdfCoreRoundINSTANCE(at); ";
+    steps += std::string("sum += ") +
+             (next > 0 ? "brdfCoreTurnedINSTANCE" : "brdfCoreFieldINSTANCE") + "(at) * vec3(";
+    for (int c = 0; c < 3; ++c, ++number)
+    {
+      steps += (c > 0 ? ", " : "") + GetWeightName(number);
+    }
+    steps += "); ";
   }
-  const int modes = static_cast<int>(core.Orders.size());
+  const int rows = (number + 3) / 4;
+  for (int row = rows - 1; row >= 0; --row)
+  {
+    const std::string index = std::to_string(row);
+    steps = "vec4 weights" + index + " = brdfProfile(brdfCoreProfileINSTANCE, u, " + index + "); " +
+            steps;
+  }
   const int fields = core.GetNumberOfFields();
   for (vtkBRDFShaderInputs::Constant& constant : term.Constants)
   {
@@ -183,7 +228,6 @@ bool vtkFactoredRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
     }
   }
   term.Constants.push_back({ "CORE_STEPS", steps });
-  term.Constants.push_back({ "CORE_ROWS", std::to_string(1 + modes) });
   term.Constants.push_back({ "CORE_FIELDS", std::to_string(fields) });
   const auto add =
     [&term](const char* name, int width, int height, bool half, const std::vector<float>& data)
@@ -191,12 +235,13 @@ bool vtkFactoredRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
     vtkBRDFShaderInputs::Texture texture;
     texture.Name = name;
     texture.Dimensions = { width, height, 1 };
+    texture.Components = half ? 3 : 4;
     texture.HalfFloat = half;
     texture.Repeat[0] = half; // maps are round
     texture.Data = data;
     term.Textures.push_back(std::move(texture));
   };
-  add("brdfCoreProfile", LobeViews::NumberOfViews, 1 + modes, false, core.Profile);
+  add("brdfCoreProfile", LobeViews::NumberOfViews, rows, false, PackWeights(core, rows));
   add("brdfCoreFields", core.Columns, core.Rows * fields, true, core.Fields);
   inputs.Description += "; " + std::to_string(fields) + " maps of " + std::to_string(core.Columns) +
                         " x " + std::to_string(core.Rows) + " of its sharp part";

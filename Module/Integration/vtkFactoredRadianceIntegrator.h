@@ -32,6 +32,7 @@
 
 #include <memory> // for parts
 
+class vtkLightSet;
 class vtkTableRadianceIntegrator;
 
 class VTKMEASUREDBRDF_EXPORT vtkFactoredRadianceIntegrator : public vtkRadianceIntegrator
@@ -104,7 +105,12 @@ public:
   {
     this->Rest = rest;
   }
+
+  /// For hybrids: vtkTableRadianceIntegrator::SetLamps of the small table.
+  void SetLamps(vtkLightSet* lamps);
 #endif
+
+  bool UsesBRDFOnGPU() override;
 
   void SetFilterWeightBits(int bits) override;
 
@@ -137,6 +143,7 @@ private:
   std::unique_ptr<Core> Sharp; // null: not prepared
   vtkSmartPointer<vtkTableRadianceIntegrator> Broad;
   std::shared_ptr<const vtkEnvironment::TexelChanges> Rest;
+  vtkSmartPointer<vtkLightSet> Lamps;
 };
 
 #endif

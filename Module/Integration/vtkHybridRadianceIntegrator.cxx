@@ -4,6 +4,7 @@
 
 #include "EnvironmentPrecomputation.h"
 #include "HalfVector.h" // for Pi
+#include "LampWindow.h"
 #include "MaterialPrecomputation.h"
 #include "Printable.h"
 #include "Setters.h"
@@ -43,14 +44,21 @@ constexpr double FineLampAngle = 0.6;
 constexpr double NarrowShare = 0.05;
 constexpr int PlannedLights = 16; // at most
 
+// Few lights are evaluated everywhere, more of them near the lobe's axis only (TableLamps). What
+// finding those costs, and each that is to be found, in lights that are evaluated (llvmpipe).
+constexpr int LightsEverywhere = 2;
+constexpr double Finding = 1.8;
+constexpr double Found = 0.15;
+
 constexpr double AngleUnits = 10.0; // of the size that is the light angle, per degree
 int ToAngleSize(double degrees) { return static_cast<int>(std::lround(AngleUnits * degrees)); }
 }
 
 struct vtkHybridRadianceIntegrator::Internals
 {
-  vtkSmartPointer<vtkRadianceIntegrator> Broad;          // of the environment without the lights
-  vtkSmartPointer<vtkLightSetRadianceIntegrator> Lights; // null: there are none
+  vtkSmartPointer<vtkRadianceIntegrator> Broad;          // with lamps, if they are windowed
+  vtkSmartPointer<vtkLightSetRadianceIntegrator> Lights; // else; null: there are none
+  int NumberOfLights = 0;
 };
 
 vtkStandardNewMacro(vtkHybridRadianceIntegrator);
@@ -65,10 +73,7 @@ vtkHybridRadianceIntegrator::vtkHybridRadianceIntegrator()
 vtkHybridRadianceIntegrator::~vtkHybridRadianceIntegrator() = default;
 
 //------------------------------------------------------------------------------
-int vtkHybridRadianceIntegrator::GetNumberOfLights()
-{
-  return this->Impl->Lights ? this->Impl->Lights->GetLightSet()->GetNumberOfLights() : 0;
-}
+int vtkHybridRadianceIntegrator::GetNumberOfLights() { return this->Impl->NumberOfLights; }
 
 //------------------------------------------------------------------------------
 bool vtkHybridRadianceIntegrator::Begin()
@@ -96,14 +101,16 @@ bool vtkHybridRadianceIntegrator::Begin()
     return false;
   }
   Internals made;
-  if (lamps->Set)
+  made.NumberOfLights = lamps->Set ? lamps->Set->GetNumberOfLights() : 0;
+  const bool isWindowed = this->IsWindowed(made.NumberOfLights);
+  if (lamps->Set && !isWindowed)
   {
     made.Lights = vtkSmartPointer<vtkLightSetRadianceIntegrator>::New();
     made.Lights->SetBRDF(this->BRDF->GetRenderable());
     made.Lights->SetLightSet(lamps->Set);
     made.Lights->UnrolledOn(); // their number is the plan's
   }
-  made.Broad = this->NewBroad(lamps->Rest);
+  made.Broad = this->NewBroad(lamps->Rest, isWindowed ? lamps->Set.Get() : nullptr);
   made.Broad->SetPrecomputation(this->Shared);
   const bool broadly = this->PrepareLayer(made.Broad, this->Given);
   made.Broad->SetPrecomputation(nullptr);
@@ -121,9 +128,9 @@ bool vtkHybridRadianceIntegrator::Begin()
 }
 
 //------------------------------------------------------------------------------
-// What reflects the rest of the environment.
+// What reflects the rest of the environment and, unless they are null, lamps.
 vtkSmartPointer<vtkRadianceIntegrator> vtkHybridRadianceIntegrator::NewBroad(
-  const std::shared_ptr<const vtkEnvironment::TexelChanges>& rest)
+  const std::shared_ptr<const vtkEnvironment::TexelChanges>& rest, vtkLightSet* lamps)
 {
   vtkSmartPointer<vtkRadianceIntegrator> broad;
   if (this->BRDF && !this->BRDF->IsIsotropic())
@@ -138,6 +145,7 @@ vtkSmartPointer<vtkRadianceIntegrator> vtkHybridRadianceIntegrator::NewBroad(
   {
     auto factored = vtkSmartPointer<vtkFactoredRadianceIntegrator>::New();
     factored->SetRest(rest);
+    factored->SetLamps(lamps);
     factored->SetNumberOfRows(this->NumberOfRows);
     factored->SetNumberOfFields(this->NumberOfMaps);
     factored->SetNumberOfTableRows(std::min(this->NumberOfRows, SmallTableRows));
@@ -153,6 +161,7 @@ vtkSmartPointer<vtkRadianceIntegrator> vtkHybridRadianceIntegrator::NewBroad(
   {
     auto table = vtkSmartPointer<vtkTableRadianceIntegrator>::New();
     table->SetRest(rest);
+    table->SetLamps(lamps);
     table->SetNumberOfRows(this->NumberOfRows);
     table->SetNumberOfViewAngles(this->NumberOfViewAngles);
     table->SetNumberOfAzimuths(this->NumberOfAzimuths);
@@ -310,6 +319,15 @@ int vtkHybridRadianceIntegrator::CountLights(double angle, int maximum)
 }
 
 //------------------------------------------------------------------------------
+bool vtkHybridRadianceIntegrator::AreWindowed(int lights) { return lights > LightsEverywhere; }
+
+//------------------------------------------------------------------------------
+bool vtkHybridRadianceIntegrator::IsWindowed(int lights)
+{
+  return AreWindowed(lights) && this->BRDF && this->BRDF->IsIsotropic();
+}
+
+//------------------------------------------------------------------------------
 double vtkHybridRadianceIntegrator::ChooseLightAngle()
 {
   const auto parts = this->Shared ? this->Shared : std::make_shared<Precomputation>();
@@ -360,14 +378,21 @@ std::vector<std::vector<int>> vtkHybridRadianceIntegrator::GetCandidateSizes(boo
 //------------------------------------------------------------------------------
 double vtkHybridRadianceIntegrator::EstimateCost(vtkRadianceCostModel* costs)
 {
-  return this->NewBroad(nullptr)->EstimateCost(costs) +
-         GetCost(costs, "light") * this->CountLights(this->LightAngle, this->MaximumNumberOfLights);
+  const int count = this->CountLights(this->LightAngle, this->MaximumNumberOfLights);
+  double lights = count;
+  if (this->IsWindowed(count))
+  {
+    const LampWindow window(
+      this->NumberOfMaps > 0 ? std::min(this->NumberOfRows, SmallTableRows) : this->NumberOfRows);
+    lights = Finding + count * (Found + window.GetShare());
+  }
+  return this->NewBroad(nullptr, nullptr)->EstimateCost(costs) + GetCost(costs, "light") * lights;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkHybridRadianceIntegrator::EstimateTextureBytes()
 {
-  return this->NewBroad(nullptr)->EstimateTextureBytes() +
+  return this->NewBroad(nullptr, nullptr)->EstimateTextureBytes() +
          32 * this->CountLights(this->LightAngle, this->MaximumNumberOfLights);
 }
 
@@ -381,13 +406,20 @@ bool vtkHybridRadianceIntegrator::CanPrune(const std::vector<Attempt>& attempts,
       return attempt.Sizes[3] == this->NumberOfMaps &&
              attempt.Sizes[4] == this->MaximumNumberOfLights;
     });
-  std::vector<Attempt> tables; // beside the same lights
+  std::vector<Attempt> mapped; // beside the same lights: with maps, not more of them,
+  std::copy_if(attempts.begin(), attempts.end(), std::back_inserter(mapped),
+    [this](const Attempt& attempt)
+    {
+      return attempt.Sizes[3] > 0 && attempt.Sizes[3] <= this->NumberOfMaps &&
+             attempt.Sizes[4] == this->MaximumNumberOfLights;
+    });
+  std::vector<Attempt> tables; // and without
   std::copy_if(attempts.begin(), attempts.end(), std::back_inserter(tables),
     [this](const Attempt& attempt)
     { return attempt.Sizes[3] == 0 && attempt.Sizes[4] == this->MaximumNumberOfLights; });
   return CanPruneTable({ this->NumberOfRows, this->NumberOfViewAngles, this->NumberOfAzimuths },
            alike, error) ||
-         (this->NumberOfMaps > 0 && CanPruneMaps(this->NumberOfRows, alike, tables, error));
+         (this->NumberOfMaps > 0 && CanPruneMaps(this->NumberOfRows, mapped, tables, error));
 }
 
 //------------------------------------------------------------------------------

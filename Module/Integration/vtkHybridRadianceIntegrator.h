@@ -7,7 +7,9 @@
  * Each method where it is best:
  *
  * - the few texels that outweigh the environment (ExtractedEmitters: suns, lamps) are evaluated as
- *   directional lights, exactly; what is left varies far less over the directions;
+ *   directional lights, exactly; what is left varies far less over the directions. More than two
+ *   lights on an isotropic material are evaluated near the lobe's axis only; what they show
+ *   elsewhere is smooth and goes into the table;
  * - what is left is the business of a vtkTableRadianceIntegrator. Or, where the material reflects
  *   it too sharply for few rows, of a vtkFactoredRadianceIntegrator: a small table, and maps of
  *   many rows (NumberOfMaps > 0).
@@ -24,6 +26,8 @@
 
 #include <memory> // for Internals
 #include <string> // for Given
+
+class vtkLightSet;
 
 class VTKMEASUREDBRDF_EXPORT vtkHybridRadianceIntegrator : public vtkRadianceIntegrator
 {
@@ -80,6 +84,12 @@ public:
    */
   int GetNumberOfLights();
 
+  /**
+   * True if, of an isotropic material, so many lights are evaluated near the lobe's axis only. The
+   * table then holds the rest of what they reflect, their Lambert part included.
+   */
+  static bool AreWindowed(int lights);
+
   ///@{
   /**
    * As a method: "hybrid", by the table's sizes, maps, lights and the light angle in tenths of a
@@ -133,10 +143,11 @@ private:
   void operator=(const vtkHybridRadianceIntegrator&) = delete;
 
   int CountLights(double angle, int maximum);
+  bool IsWindowed(int lights); // evaluated near the lobe's axis only
   double ChooseLightAngle();
 
   vtkSmartPointer<vtkRadianceIntegrator> NewBroad(
-    const std::shared_ptr<const vtkEnvironment::TexelChanges>& rest);
+    const std::shared_ptr<const vtkEnvironment::TexelChanges>& rest, vtkLightSet* lamps);
 
   struct Internals;
   std::unique_ptr<Internals> Impl;

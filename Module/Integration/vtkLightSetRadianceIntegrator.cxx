@@ -3,6 +3,7 @@
 #include "vtkLightSetRadianceIntegrator.h"
 
 #include "EnvironmentPrecomputation.h"
+#include "LightTexture.h"
 #include "LocalFrame.h"
 #include "ModuleShader.h"
 #include "Setters.h"
@@ -24,46 +25,19 @@
 #include <vector>
 
 using measuredbrdf::EnvironmentPrecomputation;
+using measuredbrdf::GetSpread;
+using measuredbrdf::MakeLightTexture;
 
 namespace
 {
-constexpr int LightsPerRow = 512; // the shader asks the texture
 constexpr int MaximumUnrolled = 16;
 const int PlannedLights[] = { 64, 256, 1024, 4096 };
 constexpr int MostPlannedLights = 256; // more cost seconds a frame without a graphics card
 
-// 1/kappa; 0 for light from the direction itself.
-double GetSpread(vtkLightSet* lights, int index)
-{
-  const double concentration = lights->GetConcentration(index);
-  return concentration > 0.0 ? 1.0 / concentration : 0.0;
-}
-
-// Lights in a texture, two texels each: direction and 1/kappa, irradiance.
 void AddLightTexture(vtkLightSet* lights, vtkBRDFShaderInputs::Term& term)
 {
   const int count = lights->GetNumberOfLights();
-  vtkBRDFShaderInputs::Texture texture;
-  texture.Name = "brdfLights";
-  texture.Components = 4;
-  texture.Dimensions = { 2 * std::clamp(count, 1, LightsPerRow),
-    std::max((count + LightsPerRow - 1) / LightsPerRow, 1), 1 };
-  texture.Data.resize(4 * static_cast<std::size_t>(texture.Dimensions[0]) *
-                      static_cast<std::size_t>(texture.Dimensions[1]));
-  for (int k = 0; k < count; ++k)
-  {
-    double direction[3], irradiance[3];
-    lights->GetDirection(k, direction);
-    lights->GetIrradiance(k, irradiance);
-    float* texel = &texture.Data[8 * static_cast<std::size_t>(k)];
-    for (int c = 0; c < 3; ++c)
-    {
-      texel[c] = static_cast<float>(direction[c]);
-      texel[4 + c] = static_cast<float>(irradiance[c]);
-    }
-    texel[3] = static_cast<float>(GetSpread(lights, k));
-  }
-  term.Textures.push_back(std::move(texture));
+  term.Textures.push_back(MakeLightTexture(lights));
   term.Uniforms.push_back({ "brdfNumberOfLights", { static_cast<float>(count) } });
   term.Constants.push_back({ "LIGHT_UNIFORMS",
     "uniform sampler2D brdfLightsINSTANCE;\nuniform float brdfNumberOfLightsINSTANCE;" });

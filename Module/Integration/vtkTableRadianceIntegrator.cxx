@@ -10,11 +10,13 @@
 #include "RadianceTable.h"
 #include "Setters.h"
 #include "TableCandidates.h"
+#include "TableLamps.h"
 #include "TableSynthesis.h"
 #include "vtkBRDF.h"
 #include "vtkBRDFEnvironmentTable.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkEnvironment.h"
+#include "vtkLightSet.h"
 #include "vtkObjectFactory.h"
 #include "vtkRadianceCostModel.h"
 
@@ -29,7 +31,29 @@ using namespace measuredbrdf;
 struct vtkTableRadianceIntegrator::Tables : RadianceTable
 {
   using RadianceTable::RadianceTable;
+  std::unique_ptr<TableLamps> Lamps; // beside it; null: none
 };
+
+namespace
+{
+// For the shader: share and view angle in the first row, the Lambert part and sin delta in the
+// second.
+std::vector<float> PackProfile(const RadianceTable& table)
+{
+  constexpr std::size_t size = RadianceTable::ProfileSize;
+  std::vector<float> packed;
+  for (const auto& [row, last] : { std::pair<std::size_t, std::size_t>(1, 0), { 2, 2 } })
+  {
+    for (std::size_t view = 0; view < size; ++view)
+    {
+      const float* values = &table.Profile[3 * (row * size + view)];
+      packed.insert(packed.end(), values, values + 3);
+      packed.push_back(table.Profile[3 * view + last]);
+    }
+  }
+  return packed;
+}
+}
 
 vtkStandardNewMacro(vtkTableRadianceIntegrator);
 
@@ -38,6 +62,28 @@ vtkTableRadianceIntegrator::vtkTableRadianceIntegrator() = default;
 
 //------------------------------------------------------------------------------
 vtkTableRadianceIntegrator::~vtkTableRadianceIntegrator() = default;
+
+//------------------------------------------------------------------------------
+void vtkTableRadianceIntegrator::SetLamps(vtkLightSet* lamps)
+{
+  this->Lamps = lamps;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+bool vtkTableRadianceIntegrator::UsesBRDFOnGPU() { return this->Lamps != nullptr; }
+
+//------------------------------------------------------------------------------
+// Of the material as it is now.
+void vtkTableRadianceIntegrator::AddLamps(Tables& table)
+{
+  if (this->Lamps)
+  {
+    const vtkSmartPointer<vtkBRDF> shaded = this->BRDF->GetRenderable();
+    shaded->Prepare();
+    table.Lamps = std::make_unique<TableLamps>(this->Lamps, shaded, LampWindow(this->NumberOfRows));
+  }
+}
 
 //------------------------------------------------------------------------------
 bool vtkTableRadianceIntegrator::Begin()
@@ -63,6 +109,7 @@ bool vtkTableRadianceIntegrator::Begin()
     vtkErrorMacro("Prepare: aborted.");
     return false;
   }
+  this->AddLamps(*table);
   this->Data = std::move(table);
   return true;
 }
@@ -76,18 +123,25 @@ bool vtkTableRadianceIntegrator::MakeTable(Tables& table)
   const auto parts = this->Shared ? this->Shared : std::make_shared<Precomputation>();
   EnvironmentPrecomputation& ofEnvironment = this->Environment->GetParts();
   const auto goOn = [this]() { return this->Report(0.0); };
-  const auto harmonics = ofEnvironment.GetHarmonics(
-    this->Environment, this->Rest, std::max(degree, IrradianceDegree), goOn);
-  if (!harmonics)
+  const auto getHarmonics = [&](const EnvironmentPrecomputation::Rest& rest)
+  {
+    return ofEnvironment.GetHarmonics(
+      this->Environment, rest, std::max(degree, IrradianceDegree), goOn);
+  };
+  const auto harmonics = getHarmonics(this->Rest);
+  const auto all = this->Lamps ? getHarmonics(nullptr) : harmonics;
+  if (!harmonics || !all)
   {
     return false;
   }
+  const TableLight light{ *harmonics, this->Lamps ? all.get() : nullptr,
+    LampWindow(this->NumberOfRows) };
   const LobeViews& views = parts->GetViews(this->BRDF, this->Abort);
   const MaterialPrecomputation::Kernels& knots =
     parts->GetKernels(this->BRDF, table.Angles, this->NumberOfNodes, this->Abort);
   const double scale = this->Abort ? 0.0
                                    : SynthesizeRadiance(
-                                       views, *harmonics, knots, degree, this->SmoothingDegree,
+                                       views, light, knots, degree, this->SmoothingDegree,
                                        [this](double share) { return this->Report(share); }, table);
   if (!(scale > 0.0))
   {
@@ -97,7 +151,7 @@ bool vtkTableRadianceIntegrator::MakeTable(Tables& table)
   if (table.HasFloor)
   {
     table.Irradiance = ofEnvironment.GetIrradiance(
-      this->Rest, goOn, [&harmonics]() { return MakeIrradiance(*harmonics); });
+      this->Lamps ? nullptr : this->Rest, goOn, [&all]() { return MakeIrradiance(*all); });
   }
   return !table.HasFloor || table.Irradiance;
 }
@@ -106,8 +160,8 @@ bool vtkTableRadianceIntegrator::MakeTable(Tables& table)
 void vtkTableRadianceIntegrator::IntegratePart(
   int vtkNotUsed(part), const double n[3], const double o[3], const double t[3], double radiance[3])
 {
-  const glm::dvec3 sum = this->Data->Evaluate(
-    glm::make_vec3(n), glm::make_vec3(o), glm::make_vec3(t), { this->FilterWeightBits });
+  const glm::dvec3 sum = this->Data->Evaluate(glm::make_vec3(n), glm::make_vec3(o),
+    glm::make_vec3(t), { this->FilterWeightBits }, this->Data->Lamps.get());
   for (int c = 0; c < 3; ++c)
   {
     radiance[c] += sum[c];
@@ -129,6 +183,7 @@ bool vtkTableRadianceIntegrator::TakePrepared(const std::string& bytes)
   {
     return false;
   }
+  this->AddLamps(*table);
   this->Data = std::move(table);
   this->PrepareTime.Modified();
   return true;
@@ -141,10 +196,11 @@ bool vtkTableRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
   {
     return false;
   }
-  const RadianceTable& table = *this->Data;
+  const Tables& table = *this->Data;
   vtkBRDFShaderInputs::Term term;
   measuredbrdf::SetModuleShader(term, "vtkBRDFEnvironmentTable", vtkBRDFEnvironmentTable);
-  term.Constants = { { "HAS_FLOOR", table.HasFloor ? "1" : "0" }, { "SHARP_PART", "vec3(0.0)" } };
+  term.Constants = { { "HAS_FLOOR", table.HasFloor ? "1" : "0" }, { "SHARP_PART", "vec3(0.0)" },
+    { "LAMPS_PART", "vec3(0.0)" } };
   term.Uniforms.push_back({ "brdfTableAngles", { static_cast<float>(table.Angles) } });
   term.Uniforms.push_back(
     { "brdfTableLastView", { static_cast<float>(LobeViews::GetLastAngle() * 2.0 / Pi) } });
@@ -158,7 +214,9 @@ bool vtkTableRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
     term.Textures.push_back(std::move(texture));
     return term.Textures.back();
   };
-  add("brdfTableProfile", RadianceTable::ProfileSize, 3, 1).Data = table.Profile;
+  vtkBRDFShaderInputs::Texture& profile = add("brdfTableProfile", RadianceTable::ProfileSize, 2, 1);
+  profile.Components = 4;
+  profile.Data = PackProfile(table);
   vtkBRDFShaderInputs::Texture& radiance =
     add("brdfTableRadiance", table.Columns, table.Rows, table.Angles * (table.Azimuths + 1));
   radiance.SharedExponents = table.Radiance;
@@ -173,6 +231,12 @@ bool vtkTableRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
   form.Description = "radiance table, " + std::to_string(table.Columns) + " x " +
                      std::to_string(table.Rows) + " axes x " + std::to_string(table.Angles) +
                      " view angles x " + std::to_string(table.Azimuths) + " azimuths";
+  if (this->Data->Lamps)
+  {
+    this->Data->Lamps->AddTo(term);
+    form.Description += "; " + std::to_string(this->Lamps->GetNumberOfLights()) +
+                        " directional lights near the lobe's axis";
+  }
   form.Terms.push_back(std::move(term));
   return true;
 }

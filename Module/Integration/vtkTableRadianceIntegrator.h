@@ -47,6 +47,8 @@
 #include <string> // for bytes
 #include <vector> // for tables
 
+class vtkLightSet;
+
 class VTKMEASUREDBRDF_EXPORT vtkTableRadianceIntegrator : public vtkRadianceIntegrator
 {
 public:
@@ -130,7 +132,14 @@ public:
   {
     this->Rest = rest;
   }
+
+  /// For hybrids: lights that together are what the rest lacks. Pixels add what they see of them
+  /// within a window about the lobe's axis; the table holds what lies outside of it. Null
+  /// (default): there are none.
+  void SetLamps(vtkLightSet* lamps);
 #endif
+
+  bool UsesBRDFOnGPU() override;
 
 protected:
   vtkTableRadianceIntegrator();
@@ -155,8 +164,10 @@ private:
 
   struct Tables;
   bool MakeTable(Tables& table);
+  void AddLamps(Tables& table);
 
   std::shared_ptr<const vtkEnvironment::TexelChanges> Rest;
+  vtkSmartPointer<vtkLightSet> Lamps;
   std::unique_ptr<Tables> Data;
 };
 

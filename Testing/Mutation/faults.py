@@ -306,7 +306,7 @@ add("Integration.samples-do-not-interpolate", "Private/ReflectionSamples.cxx", "
 add("Integration.light-set-without-cosine", "vtkLightSetRadianceIntegrator.cxx",
     "radiance[c] += light.z * f[c] * irradiance[c];", "radiance[c] += f[c] * irradiance[c];",
     "LightSetIntegrator.ConvergesToTheReference")
-add("Integration.spread-is-the-concentration", "vtkLightSetRadianceIntegrator.cxx",
+add("Integration.spread-is-the-concentration", "Private/LightTexture.cxx",
     "concentration > 0.0 ? 1.0 / concentration : 0.0", "concentration > 0.0 ? concentration : 0.0",
     "SoftLights.LowerTheErrorOfSharpLobes|SoftLights.LowerTheErrorOfTables")
 add("Integration.light-set-changes-unseen", "vtkLightSetRadianceIntegrator.cxx",
@@ -314,7 +314,7 @@ add("Integration.light-set-changes-unseen", "vtkLightSetRadianceIntegrator.cxx",
     "Mapper.RebuildsExactlyWhenItMust|Scene.LightsAreUploadedOnce")
 add("Integration.light-set-copy-is-hard", "vtkLightSetRadianceIntegrator.cxx",
     "this->SetSoftLights(lights->SoftLights);", "", "RadianceMethods.CopiesHaveEveryProperty")
-add("Integration.light-set-last-row", "vtkLightSetRadianceIntegrator.cxx",
+add("Integration.light-set-last-row", "Private/LightTexture.cxx",
     "(count + LightsPerRow - 1) / LightsPerRow", "count / LightsPerRow",
     "Mapper.ManyLightsAndHugeValues|Mapper.LightSetMatchesCpuPerPixel")
 add("Integration.lights-cost-nothing", "vtkLightSetRadianceIntegrator.cxx",
@@ -795,8 +795,18 @@ add("Shaders.pyramid-levels-are-not-mixed", "vtkBRDFEnvironmentPyramid.glsl", "l
     "level + 1.0), 0.0)", "Parity.FilteredIntegrator")
 add("Shaders.table-azimuth-slices", "vtkBRDFEnvironmentTable.glsl", "fract(psi) * (slices - 1.0)",
     "fract(psi) * (slices - 2.0)", "Parity.TableIntegrator")
-add("Shaders.table-floor-of-another-row", "vtkBRDFEnvironmentTable.glsl", "brdfTableProfileINSTANCE, u, 2)", "brdfTableProfileINSTANCE, u, 1)",
+add("Shaders.table-floor-of-another-row", "vtkBRDFEnvironmentTable.glsl", "brdfTableProfileINSTANCE, u, 1)", "brdfTableProfileINSTANCE, u, 0)",
     "Parity.TableIntegrator")
+add("Integration.lamps-window-with-an-edge", "Private/LampWindow.h", "x < 1.0 ? root * root : 0.0", "x < 1.0 ? 1.0 : 0.0",
+    "LampWindow.EndsWithoutAnEdge|HybridLamps.NothingShowsWhereTheWindowEnds")
+add("Integration.lamps-in-the-table-again", "Private/LobeHarmonics.cxx", "1.0 - window.GetWeight(i, axis)", "1.0",
+    "HybridLamps.AddUpToTheLamps")
+add("Integration.lamps-lambert-part-twice", "Private/TableLamps.cxx", "(f - lambert) * irradiance", "f * irradiance",
+    "HybridLamps.AddUpToTheLamps|Parity.HybridIntegrator")
+add("Shaders.lamps-only-the-first", "vtkBRDFEnvironmentLamps.glsl", "lamps.Wanted < lamps.Count", "false",
+    "Parity.HybridOfManyLamps")
+add("Shaders.lamps-of-the-next-row", "vtkBRDFEnvironmentLamps.glsl", "+ part), int(row))", "+ 1.0 - part), int(row))",
+    "Parity.HybridIntegrator|Parity.HybridOfManyLamps")
 add("Material.angle-basis-patches-begin-at-zero", "vtkAngleBasisBRDF.cxx",
     "std::atan2(y, x) / (2.0 * Pi) * count + 0.5", "std::atan2(y, x) / (2.0 * Pi) * count", "IOBsdfXml.Reads")
 add("Material.tensor-tree-bits-reversed", "vtkTensorTreeBRDF.cxx", "std::size_t(1) << axis;",

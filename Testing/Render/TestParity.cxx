@@ -782,6 +782,39 @@ TEST_F(Parity, HybridIntegrator)
   EXPECT_LT(error, 0.012); // 16-bit floats, as above
 }
 
+// More lamps than are unrolled, some of them near each other.
+TEST_F(Parity, HybridOfManyLamps)
+{
+  constexpr int width = 256;
+  std::vector<float> rgb(3 * width * 128, 0.01f);
+  for (int k = 0; k < 40; ++k)
+  {
+    const int y = 30 + 7 * k % 60;
+    const int x = k < 3 ? 11 + 3 * k : (37 * k + 11) % width;
+    for (int c = 0; c < 3; ++c)
+    {
+      rgb[static_cast<std::size_t>(3 * (width * y + x) + c)] = 1e4f / static_cast<float>(c + 1);
+    }
+  }
+  vtkNew<vtkEnvironment> dark;
+  ASSERT_TRUE(dark->SetPixels(width, 128, rgb));
+  vtkNew<vtkAshikhminShirleyBRDF> coated;
+  coated->SetDiffuse(0.3, 0.2, 0.1);
+  coated->SetExponents(300.0, 300.0);
+  this->Mapper->SetBRDF(coated);
+  this->Mapper->SetEnvironment(dark);
+  for (const int most : { 8, 64 })
+  {
+    vtkNew<vtkHybridRadianceIntegrator> integrator;
+    ASSERT_TRUE(integrator->SetSizes({ 33, 8, 8, 0, most }));
+    const double error = this->GetIntegratorError(integrator);
+    std::printf("%d lights: %.2e\n", integrator->GetNumberOfLights(), error);
+    EXPECT_GT(integrator->GetNumberOfLights(), most > 32 ? 32 : 4);
+    EXPECT_GT(error, 0.0);
+    EXPECT_LT(error, 2e-3);
+  }
+}
+
 // An anisotropic table and lights.
 TEST_F(Parity, AnisotropicHybridIntegrator)
 {

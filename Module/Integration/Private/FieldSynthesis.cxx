@@ -15,6 +15,34 @@
 
 namespace measuredbrdf
 {
+namespace
+{
+// Real and imaginary parts of b_lk conj(a_lm), for the degrees from first on.
+FieldSynthesis::Matrix MakeLit(
+  const EnvironmentHarmonics& light, int m, int first, const FieldSynthesis::Kernels& kernels)
+{
+  const Eigen::Index count = kernels[0].cols();
+  const int size = static_cast<int>(kernels[0].rows()) - first;
+  FieldSynthesis::Matrix lit(size, 2 * 3 * count);
+  for (int channel = 0; channel < 3; ++channel)
+  {
+    const FieldSynthesis::Matrix& of = kernels[static_cast<std::size_t>(channel)];
+    for (int k = 0; k < size; ++k)
+    {
+      std::complex<double> a = light.Get(channel, first + k, std::abs(m));
+      a = m >= 0 ? std::conj(a) : (m % 2 != 0 ? -a : a);
+      for (Eigen::Index kernel = 0; kernel < count; ++kernel)
+      {
+        const Eigen::Index column = 2 * (channel * count + kernel);
+        lit(k, column) = of(first + k, kernel) * static_cast<float>(a.real());
+        lit(k, column + 1) = of(first + k, kernel) * static_cast<float>(a.imag());
+      }
+    }
+  }
+  return lit;
+}
+}
+
 FieldSynthesis::FieldSynthesis(
   const EnvironmentHarmonics& environment, int rows, int columns, MapNodes nodes)
   : Environment(environment)
@@ -25,7 +53,7 @@ FieldSynthesis::FieldSynthesis(
 }
 
 void FieldSynthesis::Run(
-  int order, const std::array<Matrix, 3>& kernels, std::array<Field, 3>& result) const
+  int order, const Kernels& kernels, std::array<Field, 3>& result, const More* more) const
 {
   for (Field& field : result)
   {
@@ -33,7 +61,7 @@ void FieldSynthesis::Run(
                  static_cast<std::size_t>(kernels[0].cols()));
   }
   const int degree = static_cast<int>(kernels[0].rows()) - 1;
-  this->SumOrders(this->SumDegrees(order, kernels), degree, result);
+  this->SumOrders(this->SumDegrees(order, kernels, more), degree, result);
   if (this->Nodes == MapNodes::Poles)
   {
     this->FitRows(order, result);
@@ -77,34 +105,9 @@ void FieldSynthesis::FitRows(int order, std::array<Field, 3>& result) const
   }
 }
 
-// Real and imaginary parts of b_lk conj(a_lm), for the degrees from first on.
-FieldSynthesis::Matrix FieldSynthesis::MakeLit(
-  int m, int first, const std::array<Matrix, 3>& kernels) const
-{
-  const Eigen::Index count = kernels[0].cols();
-  const int size = static_cast<int>(kernels[0].rows()) - first;
-  Matrix lit(size, 2 * 3 * count);
-  for (int channel = 0; channel < 3; ++channel)
-  {
-    const Matrix& of = kernels[static_cast<std::size_t>(channel)];
-    for (int k = 0; k < size; ++k)
-    {
-      std::complex<double> a = this->Environment.Get(channel, first + k, std::abs(m));
-      a = m >= 0 ? std::conj(a) : (m % 2 != 0 ? -a : a);
-      for (Eigen::Index kernel = 0; kernel < count; ++kernel)
-      {
-        const Eigen::Index column = 2 * (channel * count + kernel);
-        lit(k, column) = of(first + k, kernel) * static_cast<float>(a.real());
-        lit(k, column + 1) = of(first + k, kernel) * static_cast<float>(a.imag());
-      }
-    }
-  }
-  return lit;
-}
-
 // The sum over l: [m][channel][kernel][row].
 FieldSynthesis::Field FieldSynthesis::SumDegrees(
-  int order, const std::array<Matrix, 3>& kernels) const
+  int order, const Kernels& kernels, const More* more) const
 {
   const int degree = static_cast<int>(kernels[0].rows()) - 1;
   const std::size_t kinds = 3 * static_cast<std::size_t>(kernels[0].cols());
@@ -133,7 +136,12 @@ FieldSynthesis::Field FieldSynthesis::SumDegrees(
             d.data());
           turns.col(row) = Eigen::Map<const Eigen::VectorXd>(d.data(), size).cast<float>();
         }
-        const Matrix product = turns.transpose() * this->MakeLit(m, first, kernels);
+        Matrix lit = MakeLit(this->Environment, m, first, kernels);
+        if (more)
+        {
+          lit += MakeLit(more->Light, m, first, more->Kernels);
+        }
+        const Matrix product = turns.transpose() * lit;
         std::complex<float>* out = &series[static_cast<std::size_t>(item) * kinds * rows];
         for (std::size_t kind = 0; kind < kinds; ++kind)
         {

@@ -42,12 +42,22 @@ public:
 
   FieldSynthesis(const EnvironmentHarmonics& environment, int rows, int columns, MapNodes nodes);
 
-  /// kernels of each channel: degrees x kernels. result of each channel: [kernel][row][column].
-  void Run(int order, const std::array<Matrix, 3>& kernels, std::array<Field, 3>& result) const;
+  /// Of each channel: degrees x kernels.
+  using Kernels = std::array<Matrix, 3>;
+
+  /// Light of its own for kernels of its own, added to the others.
+  struct More
+  {
+    const EnvironmentHarmonics& Light;
+    std::array<Matrix, 3> Kernels;
+  };
+
+  /// result of each channel: [kernel][row][column]. more: as many kernels, or null.
+  void Run(int order, const Kernels& kernels, std::array<Field, 3>& result,
+    const More* more = nullptr) const;
 
 private:
-  Matrix MakeLit(int m, int first, const std::array<Matrix, 3>& kernels) const;
-  Field SumDegrees(int order, const std::array<Matrix, 3>& kernels) const;
+  Field SumDegrees(int order, const Kernels& kernels, const More* more) const;
   void FitRows(int order, std::array<Field, 3>& result) const;
   void SumOrders(const Field& series, int degree, std::array<Field, 3>& result) const;
 

@@ -20,6 +20,44 @@ namespace measuredbrdf
 namespace
 {
 constexpr int Cells = 512; // that tell where the kernel is
+
+// Nodes that tell whether f is the same on both sides of the plane of incidence: one in so many.
+constexpr std::size_t ProbeStride = 37;
+constexpr double LargestAsymmetry = 1e-9; // of the value: less is rounding
+
+glm::dvec3 Evaluate(vtkBRDF* brdf, const glm::dvec3& i, const glm::dvec3& o)
+{
+  glm::dvec3 f;
+  brdf->Evaluate(&i.x, &o.x, &f.x);
+  return f;
+}
+
+glm::dvec3 Mirror(const glm::dvec3& d) { return glm::dvec3(d.x, -d.y, d.z); }
+
+glm::dvec3 MakeDirection(double polar, double azimuth)
+{
+  const double s = std::sin(polar);
+  return glm::dvec3(s * std::cos(azimuth), s * std::sin(azimuth), std::cos(polar));
+}
+
+// Nearly all isotropic materials: half of the evaluations are enough then.
+bool IsMirrored(vtkBRDF* brdf, const std::vector<LobeNode>& polar,
+  const std::vector<LobeNode>& azimuths, const glm::dvec3& o)
+{
+  const std::size_t nodes = polar.size() * azimuths.size();
+  for (std::size_t k = 0; k < nodes; k += ProbeStride)
+  {
+    const glm::dvec3 i =
+      MakeDirection(polar[k / azimuths.size()].Angle, azimuths[k % azimuths.size()].Angle);
+    const glm::dvec3 f = Evaluate(brdf, i, o);
+    const glm::dvec3 difference = glm::abs(f - Evaluate(brdf, Mirror(i), o));
+    if (glm::any(glm::greaterThan(difference, LargestAsymmetry * glm::abs(f))))
+    {
+      return false;
+    }
+  }
+  return true;
+}
 }
 
 LobeHarmonics::LobeHarmonics(vtkBRDF* brdf, double theta, int resolution)
@@ -38,19 +76,20 @@ LobeHarmonics::LobeHarmonics(vtkBRDF* brdf, double theta, int resolution)
   this->Polar = MakeLobeNodes(polar, Pi / 2.0, resolution);
   this->Azimuths = MakeLobeNodes(azimuths, Pi, resolution);
 
+  const bool isMirrored = IsMirrored(brdf, this->Polar, this->Azimuths, o);
   for (const LobeNode& p : this->Polar)
   {
     for (const LobeNode& a : this->Azimuths)
     {
-      const double s = std::sin(p.Angle);
-      glm::dvec3 i(s * std::cos(a.Angle), s * std::sin(a.Angle), std::cos(p.Angle));
-      glm::dvec3 f, mirrored;
-      brdf->Evaluate(&i.x, &o.x, &f.x);
-      i.y = -i.y;
-      brdf->Evaluate(&i.x, &o.x, &mirrored.x);
-      const glm::dvec3 rest = (0.5 * (f + mirrored) - this->Means.Floor) * i.z;
+      const glm::dvec3 i = MakeDirection(p.Angle, a.Angle);
+      glm::dvec3 f = Evaluate(brdf, i, o);
+      if (!isMirrored)
+      {
+        f = 0.5 * (f + Evaluate(brdf, Mirror(i), o));
+      }
+      const glm::dvec3 rest = (f - this->Means.Floor) * i.z;
       this->Kernel.push_back(rest);
-      const double weight = 2.0 * p.Weight * a.Weight * s;
+      const double weight = 2.0 * p.Weight * a.Weight * std::sin(p.Angle);
       this->Sum += rest * weight;
     }
   }
@@ -61,6 +100,22 @@ LobeHarmonics::LobeHarmonics(vtkBRDF* brdf, double theta, int resolution)
       this->Means.Amplitude[c] = this->Sum[c] = 0.0;
     }
   }
+}
+
+LobeHarmonics LobeHarmonics::GetOutside(const LampWindow& window, double delta) const
+{
+  LobeHarmonics outside = *this;
+  const glm::dvec3 axis(-std::sin(delta), 0.0, std::cos(delta));
+  std::size_t k = 0;
+  for (const LobeNode& p : this->Polar)
+  {
+    for (const LobeNode& a : this->Azimuths)
+    {
+      const glm::dvec3 i = MakeDirection(p.Angle, a.Angle);
+      outside.Kernel[k++] *= 1.0 - window.GetWeight(i, axis);
+    }
+  }
+  return outside;
 }
 
 // Of four lobes at once, one in each lane: they share the functions' coefficients, and processors

@@ -9,6 +9,7 @@
 #ifndef LobeHarmonics_h
 #define LobeHarmonics_h
 
+#include "LampWindow.h"
 #include "LobeMeans.h"
 #include "LobeNodes.h"
 
@@ -30,6 +31,10 @@ public:
   LobeHarmonics(vtkBRDF* brdf, double theta, int resolution);
 
   const LobeMeans& GetMeans() const { return this->Means; }
+
+  /// The rest outside of a window about the axis at delta, in the same unit: Expand divides it by
+  /// the whole rest's integral.
+  LobeHarmonics GetOutside(const LampWindow& window, double delta) const;
 
   /**
    * b_lk = integral of rest x Y*_lk / integral of rest, over the hemisphere, in the frame whose z

@@ -103,6 +103,12 @@ inline glm::dvec3 GetProfileValue(const std::vector<float>& profile, int row, do
     GetTexel(profile, size * row + low), GetTexel(profile, size * row + low + 1), exact - low);
 }
 
+/// Cosine and sine of the axis' angle from the normal, of which a profile holds (., ., sine).
+inline glm::dvec2 GetAxisTurn(const glm::dvec3& values)
+{
+  return glm::dvec2(std::sqrt(std::max(1.0 - values.z * values.z, 0.0)), values.z);
+}
+
 ///@{
 /// A direction in the unit square: the octahedron about the environment's y, its lower half folded
 /// out (Engelhardt, Dachsbacher 2008), as vtkBRDFCommon.glsl's brdfOctahedralPosition; and back.
@@ -148,14 +154,15 @@ inline double GetProfilePosition(double theta)
 struct LobePlacement
 {
   LobePlacement(const glm::dvec3& n, const glm::dvec3& o, const glm::dvec3& t)
-    : Normal(n)
+    : Local(FrameAbout(n, t))
+    , View(LiftView(ToLocal(this->Local, o)))
+    , Normal(n)
   {
-    const Frame frame = FrameAbout(n, t);
-    const glm::dvec3 view = LiftView(ToLocal(frame, o));
+    const glm::dvec3& view = this->View;
     const double sine = std::hypot(view.x, view.y);
     this->U = GetProfilePosition(std::atan2(sine, view.z));
     const glm::dvec2 azimuth = sine > 1e-6 ? glm::dvec2(view) / sine : glm::dvec2(1.0, 0.0);
-    this->Across = frame[0] * azimuth.x + frame[1] * azimuth.y;
+    this->Across = this->Local[0] * azimuth.x + this->Local[1] * azimuth.y;
   }
 
   glm::dvec3 GetAxis(double cosine, double sine) const
@@ -172,6 +179,8 @@ struct LobePlacement
     return length > 0.0 ? turn / length : glm::dvec2(1.0, 0.0);
   }
 
+  Frame Local;     // about the normal
+  glm::dvec3 View; // in that frame
   glm::dvec3 Normal;
   glm::dvec3 Across; // the view's part along the surface
   double U;          // where profiles are read

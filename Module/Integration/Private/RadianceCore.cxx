@@ -108,9 +108,9 @@ glm::dvec3 RadianceCore::Evaluate(
   const glm::dvec3& n, const glm::dvec3& o, const glm::dvec3& t, const FilterWeights& filter) const
 {
   const LobePlacement place(n, o, t);
-  const glm::dvec3 axis = GetProfileValue(this->Profile, 0, place.U);
-  const MapPosition at(place.GetAxis(axis.y, axis.z));
-  const glm::dvec2 once = place.GetTurn(axis.y, axis.z, at);
+  const glm::dvec2 delta = GetAxisTurn(GetProfileValue(this->Profile, 0, place.U));
+  const MapPosition at(place.GetAxis(delta.x, delta.y));
+  const glm::dvec2 once = place.GetTurn(delta.x, delta.y, at);
   const std::size_t texels = this->GetNumberOfTexels();
   glm::dvec2 turn(1.0, 0.0); // cosine and sine of order times psi
   glm::dvec3 sum(0.0);

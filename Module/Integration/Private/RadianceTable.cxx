@@ -5,6 +5,7 @@
 #include "HalfVector.h" // for Pi
 #include "LobePlacement.h"
 #include "TableBytes.h"
+#include "TableLamps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,14 +13,16 @@
 
 namespace measuredbrdf
 {
-glm::dvec3 RadianceTable::Evaluate(
-  const glm::dvec3& n, const glm::dvec3& o, const glm::dvec3& t, const FilterWeights& filter) const
+glm::dvec3 RadianceTable::Evaluate(const glm::dvec3& n, const glm::dvec3& o, const glm::dvec3& t,
+  const FilterWeights& filter, const TableLamps* lamps) const
 {
   const LobePlacement place(n, o, t);
   const double u = place.U;
   const glm::dvec3 axis = GetProfileValue(this->Profile, 0, u);
-  const MapPosition at(place.GetAxis(axis.y, axis.z));
-  const glm::dvec2 around = place.GetTurn(axis.y, axis.z, at);
+  const glm::dvec2 delta = GetAxisTurn(axis);
+  const glm::dvec3 d = place.GetAxis(delta.x, delta.y);
+  const MapPosition at(d);
+  const glm::dvec2 around = place.GetTurn(delta.x, delta.y, at);
   const double psi = std::atan2(around.y, around.x) / (2.0 * Pi);
   const Neighbors turn = PeriodicNeighbors(psi + 0.5 / this->Azimuths, this->Azimuths);
   const double w = std::clamp(axis.x, 0.0, this->Angles - 1.0);
@@ -33,10 +36,15 @@ glm::dvec3 RadianceTable::Evaluate(
   { return glm::mix(value(turn.First, k), value(turn.Second, k), filter.Round(turn.Weight)); };
   glm::dvec3 sum = glm::mix(between(angle), between(angle + 1), w - angle);
   sum *= GetProfileValue(this->Profile, 1, u);
+  const glm::dvec3 lambert =
+    this->HasFloor ? GetProfileValue(this->Profile, 2, u) : glm::dvec3(0.0);
   if (this->HasFloor)
   {
-    sum += GetProfileValue(this->Profile, 2, u) *
-           GetOctahedralValue(*this->Irradiance, IrradianceSide, n, filter);
+    sum += lambert * GetOctahedralValue(*this->Irradiance, IrradianceSide, n, filter);
+  }
+  if (lamps)
+  {
+    sum += lamps->Sum(place.Local, place.View, d, lambert);
   }
   return glm::max(sum, glm::dvec3(0.0));
 }

@@ -21,6 +21,8 @@
 
 namespace measuredbrdf
 {
+class TableLamps;
+
 struct RadianceTable
 {
   static constexpr int ProfileSize = LobeViews::NumberOfViews;
@@ -56,9 +58,10 @@ struct RadianceTable
            static_cast<std::size_t>(this->Columns) * static_cast<std::size_t>(this->Rows);
   }
 
-  /// Radiance towards o about the normal n, as the shader looks it up; t: a unit tangent or zero.
+  /// Radiance towards o about the normal n, as the shader looks it up; t: a unit tangent or zero;
+  /// lamps: beside the table, or null.
   glm::dvec3 Evaluate(const glm::dvec3& n, const glm::dvec3& o, const glm::dvec3& t,
-    const FilterWeights& filter) const;
+    const FilterWeights& filter, const TableLamps* lamps = nullptr) const;
 
   ///@{
   /// The table as bytes, and back: false where they are not of a table of these sizes.

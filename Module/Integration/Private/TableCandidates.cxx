@@ -34,7 +34,7 @@ std::vector<std::vector<int>> GetTableCandidates()
 std::vector<std::vector<int>> GetHybridCandidates()
 {
   return { { 17, 8, 8, 0 }, { 33, 8, 8, 0 }, { 33, 12, 16, 0 }, { 65, 8, 8, 0 }, { 65, 12, 16, 0 },
-    { 129, 8, 8, 0 }, { 129, 12, 16, 0 }, { 128, 12, 8, 8 }, { 256, 12, 8, 8 },
+    { 129, 8, 8, 0 }, { 129, 12, 16, 0 }, { 128, 12, 8, 4 }, { 256, 12, 8, 4 }, { 256, 12, 8, 8 },
     { 128, 12, 8, 16 } };
 }
 
@@ -135,7 +135,7 @@ bool CanPruneMaps(int rows, const std::vector<vtkRadianceIntegrator::Attempt>& a
           fewer.Sizes[1] == more.Sizes[1] && fewer.Sizes[2] == more.Sizes[2])
       {
         finest = more.Sizes[0];
-        gain = more.Error / fewer.Error;
+        gain = std::min(more.Error / fewer.Error, 1.0);
       }
     }
   }

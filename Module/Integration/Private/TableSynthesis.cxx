@@ -22,6 +22,7 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <functional>
 #include <utility>
 
 namespace measuredbrdf
@@ -87,7 +88,8 @@ void AddOrder(int order, const std::array<FieldSynthesis::Field, 3>& fields,
 }
 
 std::vector<std::vector<float>> ExpandTableKernels(const LobeViews& views,
-  const MaterialPrecomputation::Kernels& knots, int degree, int orders, double smoothing, int rows)
+  const MaterialPrecomputation::Kernels& knots, int degree, int orders, double smoothing, int rows,
+  const LampWindow* window)
 {
   const std::size_t size = static_cast<std::size_t>(degree) + 1;
   std::vector<float> smoothed;
@@ -96,10 +98,17 @@ std::vector<std::vector<float>> ExpandTableKernels(const LobeViews& views,
     smoothed.push_back(static_cast<float>(GetSmoothed(l, smoothing) * GetTaper(l, degree, rows)));
   }
   std::vector<std::pair<const LobeHarmonics*, double>> lobes;
+  std::vector<LobeHarmonics> outside;
+  outside.reserve(knots.size());
   for (std::size_t k = 0; k < knots.size(); ++k)
   {
-    lobes.emplace_back(knots[k].get(),
-      views.GetAxis(LobeViews::GetKnotAngle(static_cast<int>(k), static_cast<int>(knots.size()))));
+    const double axis =
+      views.GetAxis(LobeViews::GetKnotAngle(static_cast<int>(k), static_cast<int>(knots.size())));
+    if (window)
+    {
+      outside.push_back(knots[k]->GetOutside(*window, axis));
+    }
+    lobes.emplace_back(window ? &outside.back() : knots[k].get(), axis);
   }
   std::vector<std::vector<float>> kernels = LobeHarmonics::Expand(lobes, degree, orders);
   for (std::size_t k = 0; k < kernels.size(); ++k)
@@ -134,19 +143,39 @@ double PackRadiance(const std::vector<float>& radiance, RadianceTable::Texels& t
   return 1.0 / static_cast<double>(scale);
 }
 
-double SynthesizeRadiance(const LobeViews& views, const EnvironmentHarmonics& environment,
+double SynthesizeRadiance(const LobeViews& views, const TableLight& light,
   const MaterialPrecomputation::Kernels& knots, int degree, double smoothing,
   const std::function<bool(double)>& goOn, RadianceTable& table)
 {
   const int orders = table.Azimuths / 2; // as many as the azimuths can tell apart
-  const std::vector<std::vector<float>> kernels =
+  std::vector<std::vector<float>> kernels =
     ExpandTableKernels(views, knots, degree, orders, smoothing, table.Rows);
+  // Lamps are what the one environment has more than the other: K rest + K_out (all - rest) =
+  // (K - K_out) rest + K_out all. They are not smoothed: no maps add what they would lack.
+  std::vector<std::vector<float>> outside;
+  if (light.All)
+  {
+    outside = ExpandTableKernels(views, knots, degree, orders, 0.0, table.Rows, &light.Window);
+    for (std::size_t k = 0; k < kernels.size(); ++k)
+    {
+      std::transform(kernels[k].begin(), kernels[k].end(), outside[k].begin(), kernels[k].begin(),
+        std::minus<float>());
+    }
+  }
   std::vector<float> radiance(3 * table.GetMap(table.Angles, 0));
-  const FieldSynthesis synthesis(environment, table.Rows, table.Columns, MapNodes::Poles);
+  const FieldSynthesis synthesis(light.Environment, table.Rows, table.Columns, MapNodes::Poles);
   std::array<FieldSynthesis::Field, 3> fields;
   for (int order = 0; order <= orders; ++order)
   {
-    synthesis.Run(order, PickOrder(kernels, order, degree), fields);
+    if (light.All)
+    {
+      const FieldSynthesis::More more{ *light.All, PickOrder(outside, order, degree) };
+      synthesis.Run(order, PickOrder(kernels, order, degree), fields, &more);
+    }
+    else
+    {
+      synthesis.Run(order, PickOrder(kernels, order, degree), fields);
+    }
     AddOrder(order, fields, table, radiance);
     if (!goOn((order + 1.0) / (orders + 1)))
     {

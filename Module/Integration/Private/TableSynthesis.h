@@ -10,6 +10,7 @@
 
 #include "EnvironmentHarmonics.h"
 #include "HalfVector.h" // for Pi
+#include "LampWindow.h"
 #include "MaterialPrecomputation.h"
 #include "RadianceTable.h"
 
@@ -43,14 +44,23 @@ inline double GetSmoothed(int l, double smoothing)
 
 /// What a table of so many rows has of the kernels at its view angles: harmonics about each one's
 /// axis, times its albedo, less what a blur takes and what fades, as LobeHarmonics::Expand has
-/// them.
+/// them. window: only what lies outside of it; null: all.
 std::vector<std::vector<float>> ExpandTableKernels(const LobeViews& views,
-  const MaterialPrecomputation::Kernels& knots, int degree, int orders, double smoothing, int rows);
+  const MaterialPrecomputation::Kernels& knots, int degree, int orders, double smoothing, int rows,
+  const LampWindow* window = nullptr);
+
+/// What a table shows.
+struct TableLight
+{
+  const EnvironmentHarmonics& Environment; // without lamps, if All is given
+  const EnvironmentHarmonics* All;         // with them; null: there are none
+  LampWindow Window;                       // about the axis: the table has no lamps within it
+};
 
 /// The table's radiance, of kernels at its view angles up to a harmonic degree. goOn gets the share
 /// that is done; where it says false, the table is not complete, and the result is 0. Else it is
 /// what undoes the radiance's scaling.
-double SynthesizeRadiance(const LobeViews& views, const EnvironmentHarmonics& environment,
+double SynthesizeRadiance(const LobeViews& views, const TableLight& light,
   const MaterialPrecomputation::Kernels& knots, int degree, double smoothing,
   const std::function<bool(double)>& goOn, RadianceTable& table);
 

@@ -120,7 +120,11 @@ OcclusionLight::OcclusionLight(
     const auto lamps = environment->GetParts().GetLamps(environment,
       vtkMath::RadiansFromDegrees(hybrid->GetLightAngle()), hybrid->GetMaximumNumberOfLights(),
       []() { return true; });
-    rest = lamps->Rest;
+    const auto count = static_cast<int>(lamps->Lights.size());
+    if (!vtkHybridRadianceIntegrator::AreWindowed(count))
+    {
+      rest = lamps->Rest; // else E(n) holds what the lamps' Lambert part reflects
+    }
     for (const ExtractedEmitters::Light& lamp : lamps->Lights)
     {
       this->Lamps.push_back(lamp.Direction);
