@@ -236,9 +236,9 @@ void ExplorerWindow::sidesContinueEachOther()
                    6;
     }
   }
-  // Rounding at the mesh's edge.
+  // The edge of the mesh is smoothed in each part by itself.
   QVERIFY2(
-    different < compared / 200, qPrintable(QString("%1 of %2").arg(different).arg(compared)));
+    different < compared / 100, qPrintable(QString("%1 of %2").arg(different).arg(compared)));
 }
 
 //------------------------------------------------------------------------------
@@ -477,6 +477,9 @@ void ExplorerWindow::pictureAndReport()
   QCOMPARE(QImage(folder.filePath("picture.png")).height(), window->GetView()->height());
   QVERIFY(!window->SavePicture(folder.filePath("none/picture.png")));
   QVERIFY(window->GetMessage().contains("none"));
+  // The report's panels may give the picture another size, which is then measured anew.
+  const double errors[2] = { window->GetEvaluation()->GetFigures(0).Error,
+    window->GetEvaluation()->GetFigures(1).Error };
   window->SaveReport(folder.filePath("report.json"));
   QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(folder.filePath("report.json")), Patience);
   QTRY_VERIFY_WITH_TIMEOUT(!window->GetJobs()->IsRunning("report"), Patience);
@@ -486,7 +489,7 @@ void ExplorerWindow::pictureAndReport()
   for (int k = 0; k < 2; ++k)
   {
     const double error = report["sides"][static_cast<std::size_t>(k)]["errors"]["relative_l1"];
-    QVERIFY(std::abs(error - window->GetEvaluation()->GetFigures(k).Error) < 1e-6);
+    QVERIFY2(std::abs(error - errors[k]) < 1e-6, qPrintable(QString::number(error - errors[k])));
   }
   window->SaveReport(folder.filePath("report.html"));
   QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(folder.filePath("report.html")), Patience);
