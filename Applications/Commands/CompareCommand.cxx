@@ -348,6 +348,10 @@ void Run(Options& options, const CLI::App* command)
   tool::StockScene stock;
   Open(scene, mesh, view, size);
   Open(stock, mesh, view, size);
+  if (options.Occlusion)
+  {
+    scene.ModelOcclusion();
+  }
   Comparison found;
   const tool::Method method = SetUp(options, shaded, environment, scene, stock, found);
 

@@ -86,6 +86,9 @@ void Scene::SetLightSet(vtkLightSet* lights)
 }
 
 //------------------------------------------------------------------------------
+void Scene::ModelOcclusion() { this->Mapper->SetOcclusionModeToOn(); }
+
+//------------------------------------------------------------------------------
 void Scene::SetPlan(const PlanOptions& options)
 {
   this->Mapper->SetErrorTolerance(options.Tolerance);
