@@ -473,11 +473,12 @@ void ExplorerWindow::pictureAndReport()
   Window* window = this->Show(state);
   QTRY_VERIFY_WITH_TIMEOUT(window->IsSettled(), Patience);
   const QTemporaryDir folder;
+  const int height = window->GetView()->height(); // a message above it takes some of it
   QVERIFY(window->SavePicture(folder.filePath("picture.png")));
-  QCOMPARE(QImage(folder.filePath("picture.png")).height(), window->GetView()->height());
+  QCOMPARE(QImage(folder.filePath("picture.png")).height(), height);
   QVERIFY(!window->SavePicture(folder.filePath("none/picture.png")));
   QVERIFY(window->GetMessage().contains("none"));
-  // The report's panels may give the picture another size, which is then measured anew.
+  QTRY_VERIFY_WITH_TIMEOUT(window->IsSettled(), Patience); // at its new size
   const double errors[2] = { window->GetEvaluation()->GetFigures(0).Error,
     window->GetEvaluation()->GetFigures(1).Error };
   window->SaveReport(folder.filePath("report.json"));
