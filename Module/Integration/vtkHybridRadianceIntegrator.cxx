@@ -9,6 +9,7 @@
 #include "Printable.h"
 #include "Setters.h"
 #include "TableCandidates.h"
+#include "TailRegularity.h"
 #include "vtkAnisotropicTableRadianceIntegrator.h"
 #include "vtkBRDF.h"
 #include "vtkBRDFShaderInputs.h"
@@ -47,6 +48,7 @@ constexpr int PlannedLights = 16; // at most
 // Few lights are evaluated everywhere, more of them near the lobe's axis only (TableLamps). What
 // finding those costs, and each that is to be found, in lights that are evaluated (llvmpipe).
 constexpr int LightsEverywhere = 2;
+constexpr double LargestIrregularity = 0.1; // of materials whose tails a table holds
 constexpr double Finding = 1.8;
 constexpr double Found = 0.15;
 
@@ -319,13 +321,14 @@ int vtkHybridRadianceIntegrator::CountLights(double angle, int maximum)
 }
 
 //------------------------------------------------------------------------------
-bool vtkHybridRadianceIntegrator::AreWindowed(int lights) { return lights > LightsEverywhere; }
+bool vtkHybridRadianceIntegrator::AreWindowed(vtkBRDF* brdf, int lights)
+{
+  return lights > LightsEverywhere && brdf && brdf->IsIsotropic() &&
+         GetTailIrregularity(brdf) < LargestIrregularity;
+}
 
 //------------------------------------------------------------------------------
-bool vtkHybridRadianceIntegrator::IsWindowed(int lights)
-{
-  return AreWindowed(lights) && this->BRDF && this->BRDF->IsIsotropic();
-}
+bool vtkHybridRadianceIntegrator::IsWindowed(int lights) { return AreWindowed(this->BRDF, lights); }
 
 //------------------------------------------------------------------------------
 double vtkHybridRadianceIntegrator::ChooseLightAngle()

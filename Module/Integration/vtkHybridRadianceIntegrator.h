@@ -85,10 +85,11 @@ public:
   int GetNumberOfLights();
 
   /**
-   * True if, of an isotropic material, so many lights are evaluated near the lobe's axis only. The
-   * table then holds the rest of what they reflect, their Lambert part included.
+   * True if so many lights are evaluated near the lobe's axis only. The table then holds the rest
+   * of what they reflect, their Lambert part included. Not of anisotropic materials, nor of those
+   * whose f a table cannot hold there: noise from cell to cell, no symmetry.
    */
-  static bool AreWindowed(int lights);
+  static bool AreWindowed(vtkBRDF* brdf, int lights);
 
   ///@{
   /**

@@ -483,6 +483,7 @@ void vtkRadiancePlanner::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "BRDF: " << this->Impl->BRDF.Get() << "\n";
   os << indent << "Environment: " << this->Impl->Environment.Get() << "\n";
+  os << indent << "Scene: " << this->GetScene() << "\n";
   os << indent
      << "CostModel: " << (this->Impl->Costs ? this->Impl->Costs->GetName() : "the default") << "\n";
   os << indent << "ErrorTolerance: " << this->ErrorTolerance << "\n";

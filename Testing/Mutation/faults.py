@@ -1023,3 +1023,5 @@ add("Rendering.map-nothing-is-highlighted", "Private/PartMappers.cxx", "this->Hi
 add("Rendering.map-names-upload-images", "Private/WeightImages.cxx",
     "source.emplace_back(map->GetWeightImage(k), map->GetWeightImage(k)->GetMTime());",
     "source.emplace_back(map->GetWeightImage(k), map->GetMTime());", "MaterialMapping.OnlyChangedImagesAreUploaded")
+add("Integration.tails-of-one-side", "Private/TailRegularity.cxx", "for (const double turn : { azimuth, -azimuth })",
+    "for (const double turn : { azimuth, azimuth })", "TailRegularity.OfOddTables")

@@ -27,6 +27,7 @@ NOT_PRINTED = {
     ("vtkRadianceCostModel", "Text"),
     ("vtkAnisotropicTabulatedBRDF", "Volume"),
     ("vtkTabulatedBRDF", "Volume"),
+    ("vtkTracedRadianceIntegrator", "SurfaceBRDF"),
 }
 SWITCHES = {"Abort", "AbortPlanning"}
 # No base of ours: VTK's own, from here on.
@@ -35,6 +36,7 @@ FOREIGN = {
     "vtkObjectBase",
     "vtkActor2D",
     "vtkImageAlgorithm",
+    "vtkPassInputTypeAlgorithm",
     "vtkPolyDataAlgorithm",
     "vtkPolyDataMapper",
     "vtkTableAlgorithm",

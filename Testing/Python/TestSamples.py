@@ -117,6 +117,7 @@ def main():
         assert names["mapper"].GetPlan()
 
         names = run("docs/guide.md", {})
+        names["actor"].SetMapper(names["composite"])
         assert max(center(names["window"])) > 0  # composite data with tone mapping
         assert names["composite"].GetPlan().count("\n") >= 1  # two materials
         names["actor"].SetMapper(names["mapper"])

@@ -149,6 +149,7 @@ TEST(MapperCopy, TakesOverEveryProperty)
   original->SetCacheFolder("elsewhere");
   original->SetScalarColoringMode(vtkMeasuredBRDFMapper::IGNORE_SCALARS);
   original->UseSceneLightsOff();
+  original->SetOcclusionModeToOff();
   vtkNew<vtkMeasuredBRDFMapper> copy;
   copy->ShallowCopy(original);
 

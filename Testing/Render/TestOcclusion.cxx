@@ -267,6 +267,7 @@ TEST_F(OcclusionTest, LampsAreHiddenOneByOne)
   vtkNew<vtkLambertBRDF> brdf;
   vtkNew<vtkHybridRadianceIntegrator> hybrid;
   MakeSmall(hybrid.Get());
+  hybrid->SetMaximumNumberOfLights(2); // so few are evaluated everywhere
   this->Mapper->SetBRDF(brdf);
   this->Mapper->SetIntegrator(hybrid);
   double f[3];
@@ -298,6 +299,33 @@ TEST_F(OcclusionTest, LampsAreHiddenOneByOne)
   }
   EXPECT_GT(lit, 0);
   EXPECT_GT(dark, 0);
+}
+
+// Of many lamps the irradiance holds the Lambert part: what is hidden of it is that of the whole
+// map.
+TEST_F(OcclusionTest, ManyLampsAreHiddenWithTheMap)
+{
+  SpreadCode(this->Surface, 4);
+  vtkNew<vtkLambertBRDF> brdf;
+  vtkNew<vtkHybridRadianceIntegrator> hybrid;
+  MakeSmall(hybrid.Get());
+  this->Mapper->SetBRDF(brdf);
+  this->Mapper->SetIntegrator(hybrid);
+  double f[3];
+  const double up[3] = { 0.0, 0.0, 1.0 };
+  brdf->Evaluate(up, up, f);
+  for (const double rotation : { 0.0, 240.0 })
+  {
+    this->Environment->SetRotationY(rotation);
+    const glm::dvec3 off = this->RenderMiddle(0);
+    const glm::dvec3 on = this->RenderMiddle(1);
+    const Expected expected = this->Evaluate(brdf, hybrid, this->GetView());
+    ASSERT_TRUE(
+      vtkHybridRadianceIntegrator::AreWindowed(brdf, static_cast<int>(expected.Lamps.size())));
+    const glm::dvec3 wanted = off - glm::dvec3(f[0], f[1], f[2]) * expected.HiddenIrradiance;
+    EXPECT_LT(glm::length(on - wanted), 3e-3 * glm::length(off)) << rotation;
+    EXPECT_LT(glm::length(on), 0.99 * glm::length(off)) << rotation;
+  }
 }
 
 // Other methods take all that is reflected as one lobe.

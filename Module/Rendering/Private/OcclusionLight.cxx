@@ -121,7 +121,7 @@ OcclusionLight::OcclusionLight(
       vtkMath::RadiansFromDegrees(hybrid->GetLightAngle()), hybrid->GetMaximumNumberOfLights(),
       []() { return true; });
     const auto count = static_cast<int>(lamps->Lights.size());
-    if (!vtkHybridRadianceIntegrator::AreWindowed(count))
+    if (!vtkHybridRadianceIntegrator::AreWindowed(brdf, count))
     {
       rest = lamps->Rest; // else E(n) holds what the lamps' Lambert part reflects
     }
