@@ -29,7 +29,7 @@ public:
 
   OpenMaterialTexts Texts;
   bool HasBrdf = false;
-  bool HasTable = false;
+  bool HasReadings = false;
 
   [[noreturn]] void Fail(const std::string& field, const std::string& what) const
   {
@@ -94,11 +94,11 @@ public:
   {
     if (this->Levels.size() == 2 && this->IsIn(TableName))
     {
-      if (this->HasTable)
+      if (this->HasReadings)
       {
         this->Fail(TableName, "appears twice");
       }
-      this->HasTable = true;
+      this->HasReadings = true;
     }
     else if (this->IsInRow())
     {
@@ -238,7 +238,7 @@ OpenMaterialTexts ParseOpenMaterial(const FileBytes& file)
     handler.Fail("brdf",
       "is missing: expected the look-up table of a BRDF (NAME_brdf.xompt), not another property");
   }
-  if (!handler.HasTable)
+  if (!handler.HasReadings)
   {
     handler.Fail(TableName, "is missing in 'brdf'");
   }
