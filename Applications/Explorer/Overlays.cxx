@@ -42,7 +42,7 @@ ImageQuad::ImageQuad(vtkRenderer* renderer)
   this->Actor->SetLayerNumber(0);
   this->Actor->VisibilityOff();
   this->SetSpan(0.0, 1.0);
-  renderer->AddActor2D(this->Actor);
+  renderer->AddViewProp(this->Actor);
 }
 
 //------------------------------------------------------------------------------

@@ -122,7 +122,7 @@ void SplitView::MakeLabels()
   this->Line->GetProperty()->SetColor(1.0, 1.0, 1.0);
   this->Line->GetProperty()->SetLineWidth(2.0f);
   this->Line->SetLayerNumber(1);
-  this->Front->AddActor2D(this->Line);
+  this->Front->AddViewProp(this->Line);
   for (int k = 0; k < 2; ++k)
   {
     vtkTextActor* label = this->Labels[static_cast<std::size_t>(k)];
@@ -136,11 +136,11 @@ void SplitView::MakeLabels()
     label->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
     label->SetPosition(k == 0 ? 0.01 : 0.99, 0.985); // B's line is below A's: PlaceCameras
     label->SetLayerNumber(2);
-    this->Front->AddActor2D(label);
+    this->Front->AddViewProp(label);
   }
   this->Legend = MakeErrorLegend();
   this->Legend->VisibilityOff();
-  this->Front->AddActor2D(this->Legend);
+  this->Front->AddViewProp(this->Legend);
 }
 
 //------------------------------------------------------------------------------

@@ -39,7 +39,7 @@ protected:
     this->Legend->SetEnvironment(this->White);
     this->Legend->SetPosition(0.0, 0.0);
     this->Legend->SetPosition2(1.0, 1.0);
-    this->Renderer->AddActor2D(this->Legend);
+    this->Renderer->AddViewProp(this->Legend);
     this->Window->SetSize(200, 200);
   }
 
