@@ -270,8 +270,8 @@ void Side::UpdateRotation()
   this->Light->SetRotationY(this->Model->GetState().Rotation);
   double rows[9]; // of a rotation from the world: where the environment's axes point
   this->Light->GetWorldToEnvironment(rows);
-  const double identity[6] = { 1.0, 0.0, 0.0, 0.0, 1.0, 0.0 }; // the mapper's light turns by itself
-  const double* axes = this->IsStock ? rows : identity;
+  double identity[6] = { 1.0, 0.0, 0.0, 0.0, 1.0, 0.0 }; // the mapper's light turns by itself
+  double* axes = this->IsStock ? rows : identity;
   this->Renderer->SetEnvironmentRight(axes);
   this->Renderer->SetEnvironmentUp(axes + 3);
 }
