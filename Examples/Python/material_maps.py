@@ -129,9 +129,10 @@ def images():
     return source.GetOutput(), surface, "surface"
 
 
-def draw(surface, material_map, title, path, camera):
+def draw(surface, material_map, title, path, camera, tolerance):
     """A picture with a legend."""
     mapper = vtkMeasuredBRDFMapper()
+    mapper.SetErrorTolerance(tolerance)
     mapper.SetInputData(surface)
     mapper.SetMaterialMap(material_map)
     mapper.SetEnvironment(vtkEmbeddedEnvironments.NewEnvironment("room"))
@@ -169,7 +170,8 @@ def draw(surface, material_map, title, path, camera):
 
 parser = argparse.ArgumentParser(description=__doc__)
 parser.add_argument("-o", "--output", default=".", help="a folder for the pictures (default: this one)")
+parser.add_argument("--tolerance", type=float, default=0.02, help="relative error of the reflected light (default: %(default)s)")
 options = parser.parse_args()
 os.makedirs(options.output, exist_ok=True)
 for made, camera in ((classes, (1.5, -4.0, 1.2)), (values, (0.0, -4.0, 3.0)), (images, (0.5, -3.0, 3.0))):
-    draw(*made(), os.path.join(options.output, f"map-{made.__name__}.png"), camera)
+    draw(*made(), os.path.join(options.output, f"map-{made.__name__}.png"), camera, options.tolerance)

@@ -53,7 +53,7 @@ std::vector<vtkSmartPointer<vtkBRDF>> MakeMaterials(int count)
     base->SetAlbedo(0.1 + 0.8 * k / count, 0.3, 0.2);
     vtkNew<vtkBlinnPhongBRDF> gloss;
     gloss->SetSpecular(0.1, 0.1, 0.1);
-    gloss->SetExponent(8.0 + 0.1 * k);
+    gloss->SetExponent(8.0 + 0.1 * (k % 256));
     vtkNew<vtkSumBRDF> material;
     material->AddTerm(base);
     material->AddTerm(gloss);
@@ -104,7 +104,7 @@ public:
     this->Window->AddRenderer(this->Renderer);
     this->Renderer->SetAutomaticLightCreation(false);
     this->Renderer->AddActor(this->Actor);
-    this->Materials = MakeMaterials(256);
+    this->Materials = MakeMaterials(1024);
   }
 
   void AddAll(const std::string& wanted)
@@ -112,7 +112,7 @@ public:
     this->Wanted = wanted;
     this->Add("one material", 1, MakeSphere(), nullptr);
     this->Kinds.front().Mapper->SetBRDF(this->Materials[0]);
-    for (int classes : { 2, 8, 24, 256 })
+    for (int classes : { 2, 8, 24, 256, 1024 })
     {
       this->AddClasses(classes, true);
     }

@@ -36,7 +36,11 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <functional>
 #include <memory>
+#include <string>
+#include <utility>
+#include <vector>
 
 using namespace explorer;
 
@@ -504,19 +508,33 @@ void ExplorerWindow::pictureAndReport()
 }
 
 //------------------------------------------------------------------------------
-// Plans, exact pictures, fits and readers all run when the window goes.
+// A plan that takes long, a fit and an exact picture run when the window goes.
 void ExplorerWindow::closesWhileWorking()
 {
-  for (const char* key : { method::Planned, method::Thesis })
+  State planning = MakeState();
+  planning.Material = "gold-paint";
+  planning.Tolerance = 0.001;
+  planning.Methods = { method::Planned, method::Reference };
+  State fitting = planning;
+  fitting.Methods = { method::Thesis, method::Reference };
+  State integrating = MakeState();
+  integrating.ReferenceHeight = 512;
+  integrating.Methods = { method::Planned, method::Reference };
+  const std::vector<std::pair<State, std::function<bool(Window*)>>> cases = {
+    { planning,
+      [](Window* window)
+      {
+        return window->GetSession()->GetMesh() &&
+               window->GetSide(0)->Describe().endsWith(": planning");
+      } },
+    { fitting, [](Window* window) { return window->GetJobs()->IsRunning("method 0"); } },
+    { integrating, [](Window* window) { return window->GetJobs()->IsRunning("reference"); } }
+  };
+  for (const auto& [state, isWorking] : cases)
   {
-    State state = MakeState();
-    state.Material = "gold-paint";
-    state.Tolerance = 0.001;
-    state.ReferenceHeight = 256;
-    state.Methods = { key, method::Reference };
     const auto window = MakeWindow(state);
-    QTRY_VERIFY_WITH_TIMEOUT(window->GetJobs()->IsRunning("reference"), Patience);
-    QTest::qWait(50);
+    QTRY_VERIFY_WITH_TIMEOUT(isWorking(window.get()), Patience);
+    QTest::qWait(300);
     QVERIFY(!window->IsSettled());
     window->close();
   }
