@@ -295,11 +295,7 @@ void vtkSurfaceVisibilityFilter::AddOccluder(vtkPolyData* surface, vtkMatrix4x4*
   }
   Internals::Occluder occluder;
   occluder.Surface = surface;
-  if (matrix)
-  {
-    occluder.Matrix = vtkSmartPointer<vtkMatrix4x4>::New();
-    occluder.Matrix->DeepCopy(matrix);
-  }
+  occluder.Matrix = matrix;
   this->Impl->Occluders.push_back(occluder);
   this->Modified();
 }
@@ -356,6 +352,7 @@ vtkMTimeType vtkSurfaceVisibilityFilter::GetMTime()
   for (const Internals::Occluder& occluder : this->Impl->Occluders)
   {
     time = std::max(time, occluder.Surface->GetMTime());
+    time = std::max(time, occluder.Matrix ? occluder.Matrix->GetMTime() : 0);
   }
   return time;
 }

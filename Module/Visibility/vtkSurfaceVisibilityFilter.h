@@ -91,7 +91,7 @@ public:
   ///@{
   /**
    * Further surfaces that hide. matrix takes an occluder's coordinates to the input's; null: they
-   * are the same. The surface is shared, not copied: a change of it shows in the next Update.
+   * are the same. Both are shared, not copied: a change of them shows in the next Update.
    */
   void AddOccluder(vtkPolyData* surface, vtkMatrix4x4* matrix = nullptr);
   void RemoveAllOccluders();

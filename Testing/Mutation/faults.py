@@ -1025,3 +1025,5 @@ add("Rendering.map-names-upload-images", "Private/WeightImages.cxx",
     "source.emplace_back(map->GetWeightImage(k), map->GetMTime());", "MaterialMapping.OnlyChangedImagesAreUploaded")
 add("Integration.tails-of-one-side", "Private/TailRegularity.cxx", "for (const double turn : { azimuth, -azimuth })",
     "for (const double turn : { azimuth, azimuth })", "TailRegularity.OfOddTables")
+add("Visibility.occluders-stay", "vtkSurfaceVisibilityFilter.cxx", "occluder.Matrix ? occluder.Matrix->GetMTime() : 0", "0",
+    "OcclusionStability.OccludersMayMove")
