@@ -37,7 +37,7 @@ using namespace measuredbrdf;
 namespace
 {
 constexpr int Chunk = 4096; // points between two reports of progress
-constexpr const char* Version = "1:";
+constexpr const char* Version = "2:";
 
 // The point arrays of one side of a surface.
 struct SideArrays
@@ -77,7 +77,7 @@ private:
 struct SurfaceArrays
 {
   std::vector<SideArrays> Sides;
-  std::string Key; // of the points and cells
+  std::string Key; // of the points, normals and cells
 };
 
 // Two passes over the same points write the same bytes: threads share nothing but the tracer.
@@ -176,10 +176,6 @@ struct vtkSurfaceVisibilityFilter::Internals
     for (vtkPolyData* surface : surfaces)
     {
       hash.AddText(GetSurfaceKey(surface));
-      for (const SurfacePoint& point : FindSurfacePoints(surface))
-      {
-        hash.Add(&point.Normal, sizeof(point.Normal));
-      }
     }
     for (const Occluder& occluder : this->Occluders)
     {
