@@ -314,7 +314,6 @@ void RunOccluded(Context& context)
   everyTexel.Samples = 0;
   const auto traced = tool::MakeTracedScene(mesh);
   vtkNew<vtkSurfaceVisibilityFilter> filter;
-  filter->BothSidesOn();
   filter->SetInputData(mesh);
   std::vector<std::pair<std::string, vtkSmartPointer<vtkBRDF>>> materials = { { "exponent 50",
     context.Choose(MakePlastic(50.0)) } };
