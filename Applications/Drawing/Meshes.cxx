@@ -266,7 +266,8 @@ struct Point
 };
 
 //------------------------------------------------------------------------------
-// position(s, t), s and t in [0,1], as a grid of quads with normals by central differences.
+// position(s, t), s and t in [0,1], as a grid of quads with normals by central differences, on the
+// side from which s runs to the right where t runs downwards.
 vtkSmartPointer<vtkPolyData> MakeParametric(
   int ns, int nt, const std::function<Point(double, double)>& position)
 {
@@ -293,7 +294,7 @@ vtkSmartPointer<vtkPolyData> MakeParametric(
       const double ds[3] = { s1.X - s0.X, s1.Y - s0.Y, s1.Z - s0.Z };
       const double dt[3] = { t1.X - t0.X, t1.Y - t0.Y, t1.Z - t0.Z };
       double n[3];
-      vtkMath::Cross(ds, dt, n);
+      vtkMath::Cross(dt, ds, n);
       vtkMath::Normalize(n);
       normals->InsertNextTuple(n);
     }
@@ -304,7 +305,7 @@ vtkSmartPointer<vtkPolyData> MakeParametric(
     for (int a = 0; a < ns; ++a)
     {
       const vtkIdType k = static_cast<vtkIdType>(b) * (ns + 1) + a;
-      const vtkIdType quad[4] = { k, k + 1, k + ns + 2, k + ns + 1 };
+      const vtkIdType quad[4] = { k, k + ns + 1, k + ns + 2, k + 1 };
       quads->InsertNextCell(4, quad);
     }
   }

@@ -8,16 +8,19 @@
 #include "StabilityTools.h"
 #include "StockScene.h"
 #include "Surface.h"
+#include "TracedSurface.h"
 
 #include "vtkLightSet.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkRadiancePlanner.h"
+#include "vtkSurfaceVisibilityFilter.h"
 #include "vtkTableRadianceIntegrator.h"
 
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 using namespace tool::stability;
 
@@ -294,6 +297,66 @@ void RunMapper(Context& context)
         "dots and rings that pass over the surface" });
   }
 }
+
+//------------------------------------------------------------------------------
+// Under what the mesh hides of it. The map turns by a column of texels a frame, so that the traced
+// truth, a ray to each texel, has the same directions in all frames.
+void RunOccluded(Context& context)
+{
+  const int frames = context.Short ? 3 : 6;
+  const int width = 128;
+  const tool::Size size = { 96, 96 };
+  const tool::View view = { 14.0, 30.0 };
+  const double fill = 0.9;
+  const vtkSmartPointer<vtkPolyData> mesh = tool::LoadMesh("ball-on-foot");
+  const tool::Surface surface = tool::FindSurface(mesh, view, fill, size, 150);
+  tool::TraceOptions everyTexel;
+  everyTexel.Samples = 0;
+  const auto traced = tool::MakeTracedScene(mesh);
+  vtkNew<vtkSurfaceVisibilityFilter> filter;
+  filter->SetInputData(mesh);
+  std::vector<std::pair<std::string, vtkSmartPointer<vtkBRDF>>> materials = { { "exponent 50",
+    context.Choose(MakePlastic(50.0)) } };
+  if (!context.Short)
+  {
+    materials.emplace_back("Lambert", MakeLambert(0.5));
+  }
+  for (const auto& [name, brdf] : materials)
+  {
+    const vtkSmartPointer<vtkEnvironment> environment = context.MakeEnvironment("sky", width);
+    StabilityRenderer offscreen(context);
+    offscreen.SetMesh(mesh);
+    offscreen.SetView(view.Azimuth, view.Elevation, fill);
+    offscreen.PlaceCamera(size.Width, size.Height);
+    const auto setRotation = [&](int t) { environment->SetRotationY(360.0 / width * t); };
+    Frames truth;
+    for (int t = 0; t < frames; ++t)
+    {
+      setRotation(t);
+      truth.push_back(
+        tool::TraceSurface(traced, brdf, environment, offscreen, surface, size, everyTexel)
+          .Radiance);
+    }
+    offscreen.GetMapper()->SetInputConnection(filter->GetOutputPort());
+    for (const MethodUnderTest& contender : GetMethodsUnderTest())
+    {
+      if (contender.Name != "table" && contender.Name != "hybrid" && contender.Name != "auto")
+      {
+        continue;
+      }
+      offscreen.SetIntegrator(contender.Make(brdf, environment));
+      Frames drawn;
+      for (int t = 0; t < frames; ++t)
+      {
+        setRotation(t);
+        drawn.push_back(tool::Pick(offscreen.Draw(size.Width), surface));
+      }
+      context.Add(contender.Name, "flicker ratio with occlusion, " + name + ", environment turns",
+        GetFlicker(drawn, truth), Threshold);
+    }
+    environment->SetRotationY(0.0);
+  }
+}
 }
 
 namespace tool::stability
@@ -306,5 +369,7 @@ void AddTemporalCases(std::vector<Case>& cases)
   cases.push_back({ "plan-switches", "temporal", "plans that change on the way", RunPlanSwitches });
   cases.push_back(
     { "rendered-motion", "temporal", "the environment turns, on the GPU", RunMapper });
+  cases.push_back({ "occluded-motion", "temporal",
+    "the environment turns about a mesh that hides a part of it, on the GPU", RunOccluded });
 }
 } // namespace tool::stability

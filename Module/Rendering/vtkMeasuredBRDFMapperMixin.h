@@ -87,6 +87,12 @@ protected:
   bool HasOcclusion();
   bool HasTwoSidedOcclusion();
 
+  ///@{
+  /// OcclusionSides of the buffers.
+  double LeastOcclusionCosine = 1.0;
+  bool IsOtherSideClosed = false;
+  ///@}
+
   /// Made by the subclass; the mappers that draw the parts of one data set share it.
   std::shared_ptr<vtkMeasuredBRDFMapperInternals> Drawing;
 

@@ -37,7 +37,7 @@ using namespace measuredbrdf;
 namespace
 {
 constexpr int Chunk = 4096; // points between two reports of progress
-constexpr const char* Version = "1:";
+constexpr const char* Version = "2:";
 
 // The point arrays of one side of a surface.
 struct SideArrays
@@ -77,7 +77,7 @@ private:
 struct SurfaceArrays
 {
   std::vector<SideArrays> Sides;
-  std::string Key; // of the points and cells
+  std::string Key; // of the points, normals and cells
 };
 
 // Two passes over the same points write the same bytes: threads share nothing but the tracer.
@@ -176,10 +176,6 @@ struct vtkSurfaceVisibilityFilter::Internals
     for (vtkPolyData* surface : surfaces)
     {
       hash.AddText(GetSurfaceKey(surface));
-      for (const SurfacePoint& point : FindSurfacePoints(surface))
-      {
-        hash.Add(&point.Normal, sizeof(point.Normal));
-      }
     }
     for (const Occluder& occluder : this->Occluders)
     {
@@ -295,11 +291,7 @@ void vtkSurfaceVisibilityFilter::AddOccluder(vtkPolyData* surface, vtkMatrix4x4*
   }
   Internals::Occluder occluder;
   occluder.Surface = surface;
-  if (matrix)
-  {
-    occluder.Matrix = vtkSmartPointer<vtkMatrix4x4>::New();
-    occluder.Matrix->DeepCopy(matrix);
-  }
+  occluder.Matrix = matrix;
   this->Impl->Occluders.push_back(occluder);
   this->Modified();
 }
@@ -356,6 +348,7 @@ vtkMTimeType vtkSurfaceVisibilityFilter::GetMTime()
   for (const Internals::Occluder& occluder : this->Impl->Occluders)
   {
     time = std::max(time, occluder.Surface->GetMTime());
+    time = std::max(time, occluder.Matrix ? occluder.Matrix->GetMTime() : 0);
   }
   return time;
 }

@@ -21,8 +21,8 @@
  *   of the hidden part of cos(theta) about the normal, in the surface's own axes; 127 for 0, steps
  *   of 1.05 / 127.
  * - Both again with the suffix "Back", for the other side, with BothSides.
- * - Field data "MeasuredBRDFVisibilityKey": a version, and a hash of the surface's points and
- *   cells. Mappers compare it: arrays of a surface that has changed since are not used.
+ * - Field data "MeasuredBRDFVisibilityKey": a version, and a hash of the surface's points, normals
+ *   and cells. Mappers compare it: arrays of a surface that has changed since are not used.
  *
  * Normals are the point normals of the data, otherwise the polygons' means by area. Points that
  * belong to no polygon see the whole sky. Polygons and strips hide from both sides; vertices and
@@ -91,7 +91,7 @@ public:
   ///@{
   /**
    * Further surfaces that hide. matrix takes an occluder's coordinates to the input's; null: they
-   * are the same. The surface is shared, not copied: a change of it shows in the next Update.
+   * are the same. Both are shared, not copied: a change of them shows in the next Update.
    */
   void AddOccluder(vtkPolyData* surface, vtkMatrix4x4* matrix = nullptr);
   void RemoveAllOccluders();

@@ -13,6 +13,7 @@
 #include "vtkCameraPass.h"
 #include "vtkFramebufferPass.h"
 #include "vtkImageData.h"
+#include "vtkImageProcessingPass.h"
 #include "vtkLightsPass.h"
 #include "vtkNew.h"
 #include "vtkOpaquePass.h"
@@ -20,6 +21,7 @@
 #include "vtkPixelBufferObject.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkRenderPass.h"
 #include "vtkRenderPassCollection.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -103,7 +105,24 @@ public:
 
   int GetSize() const { return Side; }
 
-  void Draw() { this->Window->Render(); }
+  vtkRenderer* GetRenderer() { return this->Renderer; }
+
+  /// In place of lights and opaque surfaces.
+  void SetScenePass(vtkRenderPass* pass) { this->CameraPass->SetDelegatePass(pass); }
+
+  /// Over the picture; it draws the picture by its delegate.
+  void SetImagePass(vtkImageProcessingPass* pass)
+  {
+    pass->SetDelegatePass(this->CameraPass);
+    this->Framebuffer->SetDelegatePass(pass);
+  }
+
+  /// Ends when the frame is done.
+  void Draw()
+  {
+    this->Window->Render();
+    this->Window->WaitForCompletion();
+  }
 
   FloatPicture Render()
   {

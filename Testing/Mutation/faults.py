@@ -986,7 +986,16 @@ add("Visibility.wide-lobes-see-no-light", "Private/HiddenSky.cxx",
 add("Visibility.origins-on-edges", "Private/SurfacePoints.cxx", "constexpr double Inwards = 0.02;",
     "constexpr double Inwards = 0.0;", "SurfaceVisibility.EdgesBelongToTheirOwnSide")
 add("Visibility.key-without-cells", "Private/SurfacePoints.cxx", "hash.AddValues(ids);", "",
-    "SurfaceVisibility.KeysSeePointsAndCells")
+    "SurfaceVisibility.KeysSeePointsNormalsAndCells")
+add("Visibility.key-without-normals", "Private/SurfacePoints.cxx", "HashArray(hash, surface->GetPointData()->GetNormals());", "",
+    "OcclusionTest.BadArraysAreSaidOnceAndNotUsed")
+add("Visibility.rays-begin-below-twisted-quads", "Private/SurfacePoints.cxx", "ForEachFace(surface, Faces::Triangles,",
+    "ForEachFace(surface, Faces::Polygons,", "SurfaceVisibility.TwistedQuadsAreLeftFromTheirTriangles")
+add("Rendering.hidden-sky-of-the-wrong-side", "Private/OcclusionShader.cxx",
+    "dot(normalVCVSOutput, brdfSkyNormalVSOutput) > 0.0", "dot(normalVCVSOutput, brdfSkyNormalVSOutput) < 2.0",
+    "OcclusionTest.NormalsMayPointEitherWay")
+add("Rendering.outlines-without-hidden-sky", "Private/OcclusionArrays.cxx", "return -std::sqrt(1.0 - cosine * cosine) - margin;",
+    "return 0.6 * cosine / margin;", "OcclusionTest.NormalsMayPointEitherWay")
 add("Visibility.same-side-twice", "vtkSurfaceVisibilityFilter.cxx", "side == 0 ? 1.0 : -1.0, hidden",
     "1.0, hidden", "SurfaceVisibility.TheOtherSideHasItsOwnSky")
 add("Visibility.traced-again", "vtkSurfaceVisibilityFilter.cxx", "bool whole = key == this->Impl->Key;",
@@ -1025,3 +1034,5 @@ add("Rendering.map-names-upload-images", "Private/WeightImages.cxx",
     "source.emplace_back(map->GetWeightImage(k), map->GetMTime());", "MaterialMapping.OnlyChangedImagesAreUploaded")
 add("Integration.tails-of-one-side", "Private/TailRegularity.cxx", "for (const double turn : { azimuth, -azimuth })",
     "for (const double turn : { azimuth, azimuth })", "TailRegularity.OfOddTables")
+add("Visibility.occluders-stay", "vtkSurfaceVisibilityFilter.cxx", "occluder.Matrix ? occluder.Matrix->GetMTime() : 0", "0",
+    "OcclusionStability.OccludersMayMove")

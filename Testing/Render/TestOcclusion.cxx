@@ -4,6 +4,7 @@
 // mappers' use of vtkSurfaceVisibilityFilter's arrays.
 #include "EnvironmentPrecomputation.h"
 #include "HiddenSky.h"
+#include "OcclusionArrays.h"
 #include "OcclusionAxes.h"
 #include "OcclusionLight.h"
 #include "RenderFixture.h"
@@ -465,6 +466,77 @@ TEST_F(OcclusionTest, OnTracesWhatHasNoArrays)
   EXPECT_LT(glm::length(ToVector(this->RenderLinear().At(32, 32)) - on), 1e-5 * off.x);
 }
 
+// A bowl, seen from outside, hides nothing there and much inside. Each triangle shows its own side,
+// also at the outline, where the normals of its points face different ways; whichever way normals
+// and corners run. And from inside.
+TEST_F(OcclusionTest, NormalsMayPointEitherWay)
+{
+  vtkNew<vtkSphereSource> bowl;
+  bowl->SetRadius(0.9);
+  bowl->SetThetaResolution(40);
+  bowl->SetPhiResolution(24);
+  bowl->SetEndPhi(115.0);
+  vtkNew<vtkReverseSense> reversed;
+  reversed->SetInputConnection(bowl->GetOutputPort());
+  reversed->ReverseNormalsOn();
+  reversed->Update();
+  vtkNew<vtkLambertBRDF> brdf;
+  vtkNew<vtkTableRadianceIntegrator> table;
+  MakeSmall(table.Get());
+  this->Mapper->SetBRDF(brdf);
+  this->Mapper->SetIntegrator(table);
+  const auto render = [&](vtkPolyData* surface, int mode, double side)
+  {
+    this->Mapper->SetInputData(surface);
+    this->Renderer->GetActiveCamera()->SetPosition(0.0, 0.0, 5.0 * side);
+    this->Mapper->SetOcclusionMode(mode);
+    return this->RenderLinear();
+  };
+  const auto compare = [](const FloatImage& one, const FloatImage& other)
+  {
+    double largest = 0.0;
+    for (std::size_t k = 0; k < one.RGBA.size(); k += 4)
+    {
+      const double scale = std::max(one.RGBA[k], 1e-3f);
+      largest = std::max(largest, std::abs(one.RGBA[k] - other.RGBA[k]) / scale);
+    }
+    return largest;
+  };
+  FloatImage inside;
+  for (vtkPolyData* surface : { bowl->GetOutput(), reversed->GetOutput() })
+  {
+    const FloatImage open = render(surface, 0, 1.0);
+    EXPECT_GT(open.At(32, 32)[0], 0.1f);
+    EXPECT_LT(compare(open, render(surface, 2, 1.0)), 0.02);
+    const FloatImage within = render(surface, 2, -1.0);
+    EXPECT_LT(within.At(32, 32)[0], 0.5f * render(surface, 0, -1.0).At(32, 32)[0]);
+    EXPECT_LT(inside.RGBA.empty() ? 0.0 : compare(inside, within), 0.03);
+    inside = within;
+  }
+}
+
+// A side that sees nothing of the sky, as the inside of a closed surface, costs nothing.
+TEST_F(OcclusionTest, ClosedSidesAreLeftOut)
+{
+  vtkNew<vtkSphereSource> ball;
+  vtkNew<vtkReverseSense> reversed;
+  reversed->SetInputConnection(ball->GetOutputPort());
+  reversed->ReverseNormalsOn();
+  this->Filter->RemoveAllOccluders();
+  this->Filter->BothSidesOn();
+  this->Filter->SetInputConnection(reversed->GetOutputPort());
+  this->Filter->Update();
+  std::string problem;
+  const auto arrays = measuredbrdf::OcclusionArrays::Read(
+    vtkPolyData::SafeDownCast(this->Filter->GetOutputDataObject(0)), false, problem);
+  ASSERT_TRUE(arrays) << problem;
+  EXPECT_FALSE(arrays->HasBack);
+  EXPECT_TRUE(arrays->IsOtherClosed);
+  // Triangles and normals of a ball of 8 x 8 are up to 26 degrees apart.
+  EXPECT_LT(arrays->LeastCosine, -0.1);
+  EXPECT_GT(arrays->LeastCosine, -0.6);
+}
+
 // Arrays of another shape, type or size: one warning, drawn without.
 TEST_F(OcclusionTest, BadArraysAreSaidOnceAndNotUsed)
 {
@@ -488,6 +560,11 @@ TEST_F(OcclusionTest, BadArraysAreSaidOnceAndNotUsed)
   this->Surface->GetPoints()->Modified();
   this->Surface->Modified();
   expectOff("have changed");
+  this->Surface->DeepCopy(good);
+  this->Surface->GetPointData()->GetNormals()->SetTuple3(0, 0.6, 0.0, 0.8);
+  this->Surface->GetPointData()->GetNormals()->Modified();
+  this->Surface->Modified();
+  EXPECT_LT(glm::length(this->RenderMiddle(1) - off), 1e-5 * off.x); // warned of already
   this->Surface->DeepCopy(good);
   this->Surface->GetPointData()->RemoveArray(vtkSurfaceVisibilityFilter::GetHiddenLightArrayName());
   expectOff("is missing");

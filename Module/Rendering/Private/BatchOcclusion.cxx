@@ -13,14 +13,18 @@ namespace measuredbrdf
 void BatchOcclusion::Clear()
 {
   this->Any = false;
-  this->AnyBack = false;
+  this->Sides = {};
   this->Kept.clear();
 }
 
 void BatchOcclusion::Announce(const std::shared_ptr<OcclusionArrays>& arrays)
 {
   this->Any = this->Any || arrays;
-  this->AnyBack = this->AnyBack || (arrays && arrays->HasBack);
+  this->Sides.IsOtherClosed = this->Sides.IsOtherClosed && arrays;
+  if (arrays)
+  {
+    this->Sides.Add(*arrays);
+  }
 }
 
 void BatchOcclusion::Append(vtkOpenGLVertexBufferObjectGroup* buffers, vtkIdType points,
@@ -30,7 +34,7 @@ void BatchOcclusion::Append(vtkOpenGLVertexBufferObjectGroup* buffers, vtkIdType
   {
     return;
   }
-  const bool whole = arrays && (arrays->HasBack || !this->AnyBack);
+  const bool whole = arrays && (arrays->HasBack || !this->Sides.Both);
   const std::shared_ptr<OcclusionArrays> open = whole ? nullptr : OcclusionArrays::MakeOpen(points);
   this->Kept.push_back(arrays);
   this->Kept.push_back(open);
@@ -39,7 +43,7 @@ void BatchOcclusion::Append(vtkOpenGLVertexBufferObjectGroup* buffers, vtkIdType
   {
     const std::string number = std::to_string(k);
     buffers->AppendDataArray(("brdfSky" + number).c_str(), front[k], VTK_FLOAT);
-    if (this->AnyBack)
+    if (this->Sides.Both)
     {
       buffers->AppendDataArray(("brdfSkyBack" + number).c_str(),
         arrays && arrays->HasBack ? arrays->Back[k] : open->Front[k], VTK_FLOAT);

@@ -10,6 +10,7 @@
 #define BatchOcclusion_h
 
 #include "OcclusionArrays.h"
+#include "OcclusionShader.h"
 #include "vtkType.h"
 
 #include <memory>
@@ -25,8 +26,10 @@ class BatchOcclusion
 public:
   void Clear();
 
-  /// What one of the blocks has, all of them before the first Append; null: nothing.
+  /// What one of the blocks has, all of them before the first Append; null: it is all open.
   void Announce(const std::shared_ptr<OcclusionArrays>& arrays);
+
+  const OcclusionSides& GetSides() const { return this->Sides; }
 
   /// Beside a block's other attributes.
   void Append(vtkOpenGLVertexBufferObjectGroup* buffers, vtkIdType points,
@@ -37,7 +40,7 @@ public:
 
 private:
   bool Any = false;
-  bool AnyBack = false;
+  OcclusionSides Sides;
   std::vector<std::shared_ptr<OcclusionArrays>> Kept; // until the buffers are built
 };
 } // namespace measuredbrdf

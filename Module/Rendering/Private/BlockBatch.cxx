@@ -111,6 +111,8 @@ void BlockBatch::AddOcclusion(vtkRenderer*)
   this->Occlusion.Clear();
   this->ForEachBlock([this](vtkPolyData* surface, bool*, const auto&)
     { this->Occlusion.Announce(this->Drawing->FindOcclusion(surface, false)); });
+  this->LeastOcclusionCosine = this->Occlusion.GetSides().LeastCosine;
+  this->IsOtherSideClosed = this->Occlusion.GetSides().IsOtherClosed;
 }
 
 void BlockBatch::AppendOneBufferObject(vtkRenderer* ren, vtkActor* actor, BlockRecord* record,

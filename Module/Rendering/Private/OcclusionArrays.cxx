@@ -4,6 +4,7 @@
 
 #include "HiddenSky.h"
 #include "SurfacePoints.h"
+#include "vtkCellArray.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkFieldData.h"
@@ -14,7 +15,9 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
+#include <vector>
 
 namespace measuredbrdf
 {
@@ -101,13 +104,63 @@ bool ReadSide(vtkPolyData* surface, const std::string& suffix, OcclusionArrays::
   return true;
 }
 
+// Whether nothing of the sky is seen from any point of a polygon, as from inside of a closed
+// surface.
+bool IsClosed(vtkPolyData* surface, const std::string& suffix)
+{
+  auto* sky = vtkUnsignedCharArray::SafeDownCast(surface->GetPointData()->GetAbstractArray(
+    (vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName() + suffix).c_str()));
+  const auto isClosed = [sky](vtkIdType point)
+  {
+    const unsigned char* bytes = sky->GetPointer(point * HiddenSky::SectorBytes);
+    for (int s = 0; s < HiddenSky::Sectors; ++s)
+    {
+      if (bytes[3 + 2 * s] != 0 || bytes[4 + 2 * s] != 255)
+      {
+        return false;
+      }
+    }
+    return true;
+  };
+  for (vtkCellArray* cells : { surface->GetPolys(), surface->GetStrips() })
+  {
+    vtkIdType count = 0;
+    const vtkIdType* ids = nullptr;
+    for (vtkIdType cell = 0; cells && cell < cells->GetNumberOfCells(); ++cell)
+    {
+      cells->GetCellAtId(cell, count, ids);
+      if (!std::all_of(ids, ids + count, isClosed))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+// Triangles turned away from the viewer are not seen: of their points, those that no other triangle
+// has need no code.
+double FindLeastCosine(vtkPolyData* surface)
+{
+  auto* sky = vtkUnsignedCharArray::SafeDownCast(
+    surface->GetPointData()->GetAbstractArray(vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName()));
+  std::vector<glm::dvec3> normals;
+  for (vtkIdType k = 0; k < surface->GetNumberOfPoints(); ++k)
+  {
+    normals.push_back(HiddenSky::UnpackNormal(sky->GetPointer(k * HiddenSky::SectorBytes)));
+  }
+  constexpr double margin = 0.05; // views differ within a triangle
+  const double cosine = GetLeastCosine(surface, normals);
+  return -std::sqrt(1.0 - cosine * cosine) - margin;
+}
+
 std::string CheckKey(vtkPolyData* surface)
 {
   auto* keys = vtkStringArray::SafeDownCast(
     surface->GetFieldData()->GetAbstractArray(vtkSurfaceVisibilityFilter::GetKeyArrayName()));
   const std::string key =
     keys && keys->GetNumberOfValues() > 0 ? std::string(keys->GetValue(0)) : "";
-  const std::string version = "1:";
+  const std::string version = "2:";
   if (key.compare(0, version.size(), version) != 0)
   {
     return "its field data have no \"" +
@@ -116,7 +169,7 @@ std::string CheckKey(vtkPolyData* surface)
   }
   return key == version + GetSurfaceKey(surface)
            ? ""
-           : "its points or cells have changed since its visibility was computed";
+           : "its points, normals or cells have changed since its visibility was computed";
 }
 }
 
@@ -150,7 +203,34 @@ std::shared_ptr<OcclusionArrays> OcclusionArrays::Read(
   }
   arrays->HasBack = data->HasArray((std::string(names[0]) + "Back").c_str()) &&
                     ReadSide(surface, "Back", arrays->Back, problem);
-  return problem.empty() ? arrays : nullptr;
+  if (!problem.empty())
+  {
+    return nullptr;
+  }
+  arrays->LeastCosine = FindLeastCosine(surface);
+  if (arrays->HasBack)
+  {
+    arrays->LeaveOutClosedSide(surface);
+  }
+  return arrays;
+}
+
+void OcclusionArrays::LeaveOutClosedSide(vtkPolyData* surface)
+{
+  if (IsClosed(surface, "Back"))
+  {
+    this->IsOtherClosed = true;
+  }
+  else if (IsClosed(surface, ""))
+  {
+    this->Front = this->Back;
+    this->IsOtherClosed = true;
+  }
+  if (this->IsOtherClosed)
+  {
+    this->Back = Side();
+    this->HasBack = false;
+  }
 }
 
 OcclusionCache::OcclusionCache() = default;

@@ -30,6 +30,8 @@ struct OcclusionArrays
   Side Front;
   Side Back;
   bool HasBack = false;
+  bool IsOtherClosed = false; // no back: the side that Front is not about sees nothing of the sky
+  double LeastCosine = -1.0;  // of the view and normals of points whose code triangles may show
 
   /// Points that see all of their sky.
   static std::shared_ptr<OcclusionArrays> MakeOpen(vtkIdType points);
@@ -38,6 +40,9 @@ struct OcclusionArrays
   /// isPart: the surface is a part of another one, whose key it has.
   static std::shared_ptr<OcclusionArrays> Read(
     vtkPolyData* surface, bool isPart, std::string& problem);
+
+private:
+  void LeaveOutClosedSide(vtkPolyData* surface);
 };
 
 /// Those of the surfaces that a mapper draws, kept while these stay as they are.

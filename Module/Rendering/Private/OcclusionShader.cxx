@@ -4,7 +4,6 @@
 
 #include "HiddenSky.h"
 #include "LocalFrame.h"
-#include "OcclusionArrays.h"
 #include "vtkBRDFHiddenSky.h"
 #include "vtkShaderProgram.h"
 
@@ -18,6 +17,7 @@ namespace
 {
 constexpr double Pi = 3.14159265358979323846;
 constexpr std::size_t LampsOfMixtures = 4; // of each of several materials
+constexpr float LargestIrradiance = 1e30f;
 
 std::string Number(double value)
 {
@@ -40,9 +40,11 @@ std::string Bounds(int sector)
   return "vec2(" + Byte(3 + 2 * sector) + ", " + Byte(4 + 2 * sector) + ")";
 }
 
-std::size_t CountLamps(const OcclusionLights& lights, std::size_t member)
+// Both sides of three materials or four leave no varyings for lamps.
+std::size_t CountLamps(const OcclusionLights& lights, bool twoSided, std::size_t member)
 {
-  const std::size_t most = lights.size() > 1 ? LampsOfMixtures : OcclusionLight::MaximumLamps;
+  const std::size_t mixed = twoSided && lights.size() > 2 ? 0 : LampsOfMixtures;
+  const std::size_t most = lights.size() > 1 ? mixed : OcclusionLight::MaximumLamps;
   return std::min(lights[member]->Lamps.size(), most);
 }
 
@@ -52,52 +54,59 @@ struct Varying
   std::string Name; // brdf...; stages add VSOutput
 };
 
-std::vector<Varying> GetVaryings(const OcclusionLights& lights)
+// What one side of the surface shows; the other one's names end in "Back".
+const char* const SideNames[] = { "", "Back" };
+
+void AddVaryings(
+  const OcclusionLights& lights, bool twoSided, std::size_t side, std::vector<Varying>& varyings)
 {
-  std::vector<Varying> varyings = { { "vec3", "brdfSkyNormal" } };
   for (std::size_t m = 0; m < lights.size(); ++m)
   {
     if (lights[m])
     {
-      const std::string number = std::to_string(m);
+      const std::string number = SideNames[side] + std::to_string(m);
       varyings.push_back({ "vec3", "brdfHiddenLight" + number });
       varyings.push_back({ "vec3", "brdfHiddenLobe" + number });
-      for (std::size_t k = 0; k < (CountLamps(lights, m) + 3) / 4; ++k)
+      for (std::size_t k = 0; k < (CountLamps(lights, twoSided, m) + 3) / 4; ++k)
       {
         varyings.push_back({ "vec4", "brdfLamps" + number + "_" + std::to_string(k) });
       }
     }
   }
+}
+
+std::vector<Varying> GetVaryings(const OcclusionLights& lights, bool twoSided)
+{
+  std::vector<Varying> varyings = { { "vec3", "brdfSkyNormal" } };
+  for (std::size_t side = 0; side < (twoSided ? 2 : 1); ++side)
+  {
+    AddVaryings(lights, twoSided, side, varyings);
+  }
   return varyings;
 }
 
-// The code's floats, of the side that faces the viewer, as bytes.
-std::string UnpackCode(bool twoSided)
+// Where a side does not matter to any triangle, it is not evaluated: it hides nothing.
+std::string MakeOpenOutputs(const OcclusionLights& lights, bool twoSided, std::size_t side)
+{
+  std::vector<Varying> varyings;
+  AddVaryings(lights, twoSided, side, varyings);
+  std::string text;
+  for (const Varying& varying : varyings)
+  {
+    text += "  " + varying.Name +
+            (varying.Type == "vec4" ? "VSOutput = vec4(1.0);\n" : "VSOutput = vec3(0.0);\n");
+  }
+  return text;
+}
+
+// The code's floats of a side as bytes, but for the first three.
+std::string UnpackCode(std::size_t side)
 {
   std::string text;
-  for (int k = 0; k < HiddenSky::Bytes / 3; ++k)
+  for (int k = 1; k < HiddenSky::Bytes / 3; ++k)
   {
-    const std::string number = std::to_string(k);
-    const std::string part =
-      std::to_string(k / 4) + "." + std::string(1, "xyzw"[k % 4]); // of the attribute
-    std::string from = "brdfSky" + part;
-    if (twoSided && k > 0)
-    {
-      from = "(brdfSkyFront ? brdfSky" + part + " : brdfSkyBack" + part + ")";
-    }
-    text += "  vec3 brdfCode" + number + " = brdfSkyBytes(" + from + ");\n";
-    if (k == 0)
-    {
-      text += "  vec3 brdfSkyN = brdfSkyNormal(brdfCode0);\n"
-              "  vec3 brdfSkyO = brdfSkyParallel > 0.5 ? vec3(0.0, 0.0, 1.0)\n"
-              "    : normalize(-vertexVCVSOutput.xyz);\n"
-              "  vec3 brdfSkyNormalVC = normalize(brdfSkyN * brdfSkyToModel);\n";
-      text += twoSided ? "  bool brdfSkyFront = dot(brdfSkyNormalVC, brdfSkyO) >= 0.0;\n"
-                         "  if (!brdfSkyFront)\n  {\n"
-                         "    brdfSkyN = brdfSkyNormal(brdfSkyBytes(brdfSkyBack0.x));\n"
-                         "    brdfSkyNormalVC = normalize(brdfSkyN * brdfSkyToModel);\n  }\n"
-                       : "";
-    }
+    text += "  vec3 brdfCode" + std::to_string(k) + " = brdfSkyBytes(brdfSky" + SideNames[side] +
+            std::to_string(k / 4) + "." + std::string(1, "xyzw"[k % 4]) + ");\n";
   }
   return text;
 }
@@ -105,14 +114,12 @@ std::string UnpackCode(bool twoSided)
 // From the normal and the view: what all materials have in common.
 const char* const CommonCode =
   "  mat3 brdfSkyAxes = brdfSkyFrame(brdfSkyN);\n"
-  "  float brdfSkyCosine = dot(brdfSkyNormalVC, brdfSkyO);\n"
   "  vec3 brdfSkyAcross = brdfSkyO - brdfSkyCosine * brdfSkyNormalVC;\n"
   "  brdfSkyAcross /= max(length(brdfSkyAcross), 1e-6);\n"
   "  float brdfSkyView = acos(clamp(brdfSkyCosine, BRDF_LEAST, 1.0)) * BRDF_VIEWS;\n"
   "  int brdfSkyKnot = min(int(brdfSkyView), BRDF_LAST_KNOT);\n"
   "  brdfSkyView -= float(brdfSkyKnot);\n"
-  "  float brdfSkyHidden = clamp((BRDF_FIRST - 127.0) * BRDF_COSINE, 0.0, 1.0);\n"
-  "  brdfSkyNormalVSOutput = brdfSkyNormalVC;\n";
+  "  float brdfSkyHidden = clamp((BRDF_FIRST - 127.0) * BRDF_COSINE, 0.0, 1.0);\n";
 
 std::string MakeCommonCode()
 {
@@ -124,30 +131,27 @@ std::string MakeCommonCode()
   vtkShaderProgram::Substitute(text, "BRDF_FIRST", Byte(HiddenSky::SectorBytes));
   vtkShaderProgram::Substitute(
     text, "BRDF_COSINE", Number(HiddenSky::TransferStep * std::sqrt(4.0 * Pi) / Pi));
-  // Most points are open, or turned away: they need no sums over sectors.
+  // Most points are open: they need no sums over sectors.
   std::string highs = "0.0";
   for (int s = 0; s < HiddenSky::Sectors; ++s)
   {
     highs += " + " + Byte(4 + 2 * s);
   }
-  return text + "  bool brdfSkyMatters = brdfSkyCosine > -0.5 && " + highs + " > 0.5;\n";
+  return text + "  bool brdfSkyMatters = " + highs + " > 0.5;\n";
 }
 
-std::string MakeMemberCode(const OcclusionLights& lights, std::size_t member)
+std::string MakeMemberCode(
+  const OcclusionLights& lights, bool twoSided, std::size_t side, std::size_t member)
 {
   const std::string m = std::to_string(member);
+  const std::string out = SideNames[side] + m;
   std::string text = "  vec3 brdfSum" + m + " = vec3(0.0);\n";
   for (int j = 0; j < HiddenSky::TransferBytes; ++j)
   {
     text += "  brdfSum" + m + " += (" + Byte(HiddenSky::SectorBytes + j) +
             " - 127.0) * brdfSkyLight" + m + "[" + std::to_string(j) + "];\n";
   }
-  text += "  brdfHiddenLight" + m + "VSOutput = max(brdfSum" + m + ", vec3(0.0));\n";
-  text += "  brdfHiddenLobe" + m + "VSOutput = vec3(0.0);\n";
-  for (std::size_t k = 0; k < (CountLamps(lights, member) + 3) / 4; ++k)
-  {
-    text += "  brdfLamps" + m + "_" + std::to_string(k) + "VSOutput = vec4(1.0);\n";
-  }
+  text += "  brdfHiddenLight" + out + "VSOutput = max(brdfSum" + m + ", vec3(0.0));\n";
   text += "  if (brdfSkyMatters)\n  {\n";
   text += "  vec3 brdfLobe" + m + " = mix(brdfSkyLobes" + m + "[brdfSkyKnot], brdfSkyLobes" + m +
           "[brdfSkyKnot + 1], brdfSkyView);\n" + "  vec3 brdfAxis" + m +
@@ -158,11 +162,11 @@ std::string MakeMemberCode(const OcclusionLights& lights, std::size_t member)
     text += "  brdfSkySector(" + Along(s) + ", " + Bounds(s) + ", brdfAxis" + m + ", brdfLobe" + m +
             ".z * 1.442695041, brdfShare" + m + ");\n";
   }
-  text += "  brdfHiddenLobe" + m + "VSOutput = brdfSkyLobe(clamp(brdfShare" + m +
+  text += "  brdfHiddenLobe" + out + "VSOutput = brdfSkyLobe(clamp(brdfShare" + m +
           ".x / max(brdfShare" + m + ".y, 1e-30), 0.0, 1.0), brdfLobe" + m + ".z, brdfHiddenLight" +
-          m + "VSOutput, brdfSkyIrradiance(brdfSkyRed" + m + ", brdfSkyGreen" + m +
+          out + "VSOutput, brdfSkyIrradiance(brdfSkyRed" + m + ", brdfSkyGreen" + m +
           ", brdfSkyBlue" + m + ", brdfSkyN), brdfSkyHidden);\n";
-  for (std::size_t k = 0; k < CountLamps(lights, member); ++k)
+  for (std::size_t k = 0; k < CountLamps(lights, twoSided, member); ++k)
   {
     const std::string lamp = m + "_" + std::to_string(k);
     text += "  vec3 brdfLamp" + lamp + " = brdfSkyLamp" + m + "[" + std::to_string(k) +
@@ -174,17 +178,34 @@ std::string MakeMemberCode(const OcclusionLights& lights, std::size_t member)
       text += "  brdfSkyLampSector(" + Along(s) + ", " + Bounds(s) + ", brdfAzimuth" + lamp +
               ", brdfBounds" + lamp + ");\n";
     }
-    text += "  brdfLamps" + m + "_" + std::to_string(k / 4) + "VSOutput." +
+    text += "  brdfLamps" + out + "_" + std::to_string(k / 4) + "VSOutput." +
             std::string(1, "xyzw"[k % 4]) + " = brdfSkyLamp(brdfBounds" + lamp + ", brdfLamp" +
             lamp + ".z);\n";
   }
   return text + "  }\n";
 }
 
-std::string DeclareMember(const OcclusionLights& lights, std::size_t member)
+// A side of a point, outputs open where no triangle shows it.
+std::string MakeSideCode(const OcclusionLights& lights, bool twoSided, std::size_t side)
+{
+  std::string text = MakeOpenOutputs(lights, twoSided, side);
+  text += std::string("  {\n  vec3 brdfCode0 = brdfSkyBytes(brdfSky") + SideNames[side] + "0.x);\n";
+  text += "  vec3 brdfSkyN = brdfSkyNormal(brdfCode0);\n"
+          "  vec3 brdfSkyNormalVC = normalize(brdfSkyN * brdfSkyToModel);\n"
+          "  float brdfSkyCosine = dot(brdfSkyNormalVC, brdfSkyO);\n";
+  text += side == 0 ? "  brdfSkyNormalVSOutput = brdfSkyNormalVC;\n" : "";
+  text += "  if (brdfSkyCosine > brdfSkyLeast)\n  {\n" + UnpackCode(side) + MakeCommonCode();
+  for (std::size_t m = 0; m < lights.size(); ++m)
+  {
+    text += lights[m] ? MakeMemberCode(lights, twoSided, side, m) : "";
+  }
+  return text + "  }\n  }\n";
+}
+
+std::string DeclareMember(const OcclusionLights& lights, bool twoSided, std::size_t member)
 {
   const std::string m = std::to_string(member);
-  const std::size_t lamps = CountLamps(lights, member);
+  const std::size_t lamps = CountLamps(lights, twoSided, member);
   return "uniform vec3 brdfSkyLight" + m + "[" + std::to_string(sky::Harmonics) +
          "];\nuniform vec3 brdfSkyLobes" + m + "[" + std::to_string(OcclusionLobes::Views) +
          "];\nuniform mat4 brdfSkyRed" + m + ";\nuniform mat4 brdfSkyGreen" + m +
@@ -192,26 +213,32 @@ std::string DeclareMember(const OcclusionLights& lights, std::size_t member)
          (lamps > 0 ? "uniform vec3 brdfSkyLamp" + m + "[" + std::to_string(lamps) + "];\n" : "");
 }
 
-// What the macros of DefineOcclusion read, on the side that was traced.
+// What the macros of DefineOcclusion read, of the side that the fragment's triangle shows.
 std::string MakeFragmentCode(const OcclusionLights& lights, bool twoSided)
 {
-  std::string text = "  float brdfSkySide = ";
-  text += twoSided ? "1.0;\n" : "dot(normalVCVSOutput, brdfSkyNormalVSOutput) > 0.0 ? 1.0 : 0.0;\n";
+  std::string text = "  bool brdfSkyFront = dot(normalVCVSOutput, brdfSkyNormalVSOutput) > 0.0;\n";
+  const auto shown = [twoSided](
+                       const std::string& name, const std::string& rest, const std::string& other)
+  { return "brdfSkyFront ? " + name + rest + " : " + (twoSided ? name + "Back" + rest : other); };
   for (std::size_t m = 0; m < lights.size(); ++m)
   {
     if (lights[m])
     {
       const std::string number = std::to_string(m);
-      text += "  brdfHidden" + number + " = brdfSkySide * brdfHiddenLight" + number +
-              "VSOutput;\n  brdfOpenLobe" + number + " = 1.0 - brdfSkySide * brdfHiddenLobe" +
-              number + "VSOutput;\n";
-      for (std::size_t k = 0; k < CountLamps(lights, m); ++k)
+      text += "  brdfHidden" + number + " = " +
+              shown("brdfHiddenLight", number + "VSOutput", "vec3(brdfSkyOther)") + ";\n";
+      text += "  brdfOpenLobe" + number + " = 1.0 - (" +
+              shown("brdfHiddenLobe", number + "VSOutput", "vec3(min(brdfSkyOther, 1.0))") + ");\n";
+      for (std::size_t k = 0; k < CountLamps(lights, twoSided, m); ++k)
       {
-        text += "  brdfOpenLamp" + number + "[" + std::to_string(k) + "] = mix(1.0, brdfLamps" +
-                number + "_" + std::to_string(k / 4) + "VSOutput." + std::string(1, "xyzw"[k % 4]) +
-                ", brdfSkySide);\n";
+        text +=
+          "  brdfOpenLamp" + number + "[" + std::to_string(k) + "] = " +
+          shown("brdfLamps",
+            number + "_" + std::to_string(k / 4) + "VSOutput." + std::string(1, "xyzw"[k % 4]),
+            "1.0 - min(brdfSkyOther, 1.0)") +
+          ";\n";
       }
-      for (std::size_t k = CountLamps(lights, m); k < lights[m]->Lamps.size(); ++k)
+      for (std::size_t k = CountLamps(lights, twoSided, m); k < lights[m]->Lamps.size(); ++k)
       {
         text += "  brdfOpenLamp" + number + "[" + std::to_string(k) + "] = 1.0;\n";
       }
@@ -241,18 +268,21 @@ OcclusionText MakeOcclusionText(const OcclusionLights& lights, bool twoSided)
     text.VertexDeclarations +=
       "in vec4 brdfSky" + number + ";\n" + (twoSided ? "in vec4 brdfSkyBack" + number + ";\n" : "");
   }
-  text.VertexDeclarations += "uniform mat3 brdfSkyToModel;\nuniform float brdfSkyParallel;\n";
+  text.VertexDeclarations +=
+    "uniform mat3 brdfSkyToModel;\nuniform float brdfSkyParallel, brdfSkyLeast;\n";
   text.VertexDeclarations += vtkBRDFHiddenSky;
-  text.VertexCode = UnpackCode(twoSided) + MakeCommonCode();
+  text.VertexCode = "  vec3 brdfSkyO = brdfSkyParallel > 0.5 ? vec3(0.0, 0.0, 1.0)\n"
+                    "    : normalize(-vertexVCVSOutput.xyz);\n";
+  for (std::size_t side = 0; side < (twoSided ? 2 : 1); ++side)
+  {
+    text.VertexCode += MakeSideCode(lights, twoSided, side);
+  }
   for (std::size_t m = 0; m < lights.size(); ++m)
   {
-    if (lights[m])
-    {
-      text.VertexDeclarations += DeclareMember(lights, m);
-      text.VertexCode += MakeMemberCode(lights, m);
-    }
+    text.VertexDeclarations += lights[m] ? DeclareMember(lights, twoSided, m) : "";
   }
-  for (const Varying& varying : GetVaryings(lights))
+  text.FragmentDeclarations = twoSided ? "" : "uniform float brdfSkyOther;\n";
+  for (const Varying& varying : GetVaryings(lights, twoSided))
   {
     text.VertexDeclarations += "out " + varying.Type + " " + varying.Name + "VSOutput;\n";
     text.GeometryDeclarations += "in " + varying.Type + " " + varying.Name + "VSOutput[];\nout " +
@@ -291,7 +321,8 @@ std::string DefineOcclusion(const OcclusionLight* light, std::size_t member)
 }
 
 void SetOcclusionUniforms(vtkShaderProgram* program, const OcclusionLights& lights,
-  const glm::dmat3& toModel, bool parallel, const std::vector<glm::dmat3>& toEnvironment)
+  const OcclusionSides& sides, const glm::dmat3& toModel, bool parallel,
+  const std::vector<glm::dmat3>& toEnvironment)
 {
   float columns[9];
   for (int k = 0; k < 9; ++k)
@@ -300,6 +331,11 @@ void SetOcclusionUniforms(vtkShaderProgram* program, const OcclusionLights& ligh
   }
   program->SetUniformMatrix3x3("brdfSkyToModel", columns);
   program->SetUniformf("brdfSkyParallel", parallel ? 1.0f : 0.0f);
+  program->SetUniformf("brdfSkyLeast", static_cast<float>(sides.LeastCosine));
+  if (!sides.Both)
+  {
+    program->SetUniformf("brdfSkyOther", sides.IsOtherClosed ? LargestIrradiance : 0.0f);
+  }
   for (std::size_t m = 0; m < lights.size(); ++m)
   {
     if (!lights[m])
@@ -334,7 +370,7 @@ void SetOcclusionUniforms(vtkShaderProgram* program, const OcclusionLights& ligh
     }
     program->SetUniform3fv(("brdfSkyLobes" + number).c_str(), OcclusionLobes::Views, values.data());
     values.clear();
-    for (std::size_t k = 0; k < CountLamps(lights, m); ++k)
+    for (std::size_t k = 0; k < CountLamps(lights, sides.Both, m); ++k)
     {
       const glm::dvec3 lamp = glm::transpose(toEnvironment[m]) * lights[m]->Lamps[k];
       for (int c = 0; c < 3; ++c)

@@ -9,10 +9,12 @@
 #ifndef OcclusionShader_h
 #define OcclusionShader_h
 
+#include "OcclusionArrays.h"
 #include "OcclusionLight.h"
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -45,10 +47,26 @@ OcclusionText MakeOcclusionText(const OcclusionLights& lights, bool twoSided);
 /// The macros that the environment's terms of a member use; light null: for no occlusion.
 std::string DefineOcclusion(const OcclusionLight* light, std::size_t member);
 
+/// What the buffers hold.
+struct OcclusionSides
+{
+  bool Both = false;
+  bool IsOtherClosed = true; // one side: whether the other one sees nothing, or all of its sky
+  double LeastCosine = 1.0;  // OcclusionArrays'
+
+  void Add(const OcclusionArrays& arrays)
+  {
+    this->Both = this->Both || arrays.HasBack;
+    this->IsOtherClosed = this->IsOtherClosed && arrays.IsOtherClosed;
+    this->LeastCosine = std::min(this->LeastCosine, arrays.LeastCosine);
+  }
+};
+
 /// Uniforms. toModel: directions of the view's axes to the model's; parallel: the projection;
 /// toEnvironment, of each material: the model's axes to the environment's, orthogonal.
 void SetOcclusionUniforms(vtkShaderProgram* program, const OcclusionLights& lights,
-  const glm::dmat3& toModel, bool parallel, const std::vector<glm::dmat3>& toEnvironment);
+  const OcclusionSides& sides, const glm::dmat3& toModel, bool parallel,
+  const std::vector<glm::dmat3>& toEnvironment);
 } // namespace measuredbrdf
 
 #endif

@@ -42,6 +42,8 @@ template <class Base>
 void vtkMeasuredBRDFMapperMixin<Base>::AddOcclusion(vtkRenderer* ren)
 {
   const auto arrays = this->Drawing->FindOcclusion(this->CurrentInput, this->IsPart());
+  this->LeastOcclusionCosine = arrays ? arrays->LeastCosine : 1.0;
+  this->IsOtherSideClosed = arrays && arrays->IsOtherClosed;
   for (std::size_t k = 0; k < measuredbrdf::OcclusionArrays::Attributes; ++k)
   {
     const std::string number = std::to_string(k);
@@ -109,7 +111,9 @@ void vtkMeasuredBRDFMapperMixin<Base>::SetOcclusionParameters(
     environments.push_back(drawn->Environment);
   }
   const measuredbrdf::OcclusionAxes axes(ren, actor, environments);
-  measuredbrdf::SetOcclusionUniforms(program, lights, axes.ToModel,
+  const measuredbrdf::OcclusionSides sides = { this->HasTwoSidedOcclusion(),
+    this->IsOtherSideClosed, this->LeastOcclusionCosine };
+  measuredbrdf::SetOcclusionUniforms(program, lights, sides, axes.ToModel,
     ren->GetActiveCamera()->GetParallelProjection() != 0, axes.ToEnvironment);
 }
 

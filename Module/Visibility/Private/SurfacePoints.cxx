@@ -3,6 +3,7 @@
 #include "SurfacePoints.h"
 
 #include "ContentHash.h"
+#include "PolygonTriangles.h"
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
@@ -18,7 +19,7 @@ namespace measuredbrdf
 {
 namespace
 {
-// From a point to the middle of one of its polygons: far enough not to begin on a wall that meets
+// From a point to the middle of one of its triangles: far enough not to begin on a wall that meets
 // the surface there, near enough to count as the point.
 constexpr double Inwards = 0.02;
 constexpr vtkIdType Piece = 4096; // values that are hashed at a time
@@ -58,10 +59,17 @@ Face MakeFace(vtkPolyData* surface, const vtkIdType* ids, vtkIdType count)
   return face;
 }
 
-// Visit each polygon, and each triangle of strips: visit(face, ids, count).
-template <typename Visit>
-void ForEachFace(vtkPolyData* surface, const Visit& visit)
+enum class Faces
 {
+  Polygons, // and each triangle of strips
+  Triangles // that rays meet; polygons need not be flat
+};
+
+// visit(face, ids, count).
+template <typename Visit>
+void ForEachFace(vtkPolyData* surface, Faces faces, const Visit& visit)
+{
+  std::vector<vtkIdType> triangles;
   const vtkIdType points = surface->GetNumberOfPoints();
   const auto isValid = [points](const vtkIdType* ids, vtkIdType count)
   {
@@ -83,9 +91,19 @@ void ForEachFace(vtkPolyData* surface, const Visit& visit)
         const std::array<vtkIdType, 3> corners = { ids[k], ids[k + 1 + k % 2], ids[k + 2 - k % 2] };
         visit(MakeFace(surface, corners.data(), 3), corners.data(), 3);
       }
-      if (!strips)
+      if (!strips && (count == 3 || faces == Faces::Polygons))
       {
         visit(MakeFace(surface, ids, count), ids, count);
+        continue;
+      }
+      triangles.clear();
+      if (!strips)
+      {
+        TriangulatePolygon(surface, count, ids, triangles);
+      }
+      for (std::size_t k = 0; k + 2 < triangles.size(); k += 3)
+      {
+        visit(MakeFace(surface, &triangles[k], 3), &triangles[k], 3);
       }
     }
   };
@@ -125,7 +143,7 @@ std::vector<SurfacePoint> FindSurfacePoints(vtkPolyData* surface)
   const bool given = normals && normals->GetNumberOfComponents() == 3 &&
                      normals->GetNumberOfTuples() >= surface->GetNumberOfPoints();
   std::vector<char> used(points.size(), 0);
-  ForEachFace(surface,
+  ForEachFace(surface, Faces::Polygons,
     [&](const Face& face, const vtkIdType* ids, vtkIdType count)
     {
       for (vtkIdType k = 0; IsFinite(face.Area) && k < count; ++k)
@@ -150,9 +168,9 @@ std::vector<SurfacePoint> FindSurfacePoints(vtkPolyData* surface)
     points[k].Origin = GetPoint(surface, static_cast<vtkIdType>(k));
     points[k].FaceNormal = points[k].Normal;
   }
-  // The polygon that turns most towards the normal; of several, the largest.
+  // The triangle that turns most towards the normal; of several, the largest.
   std::vector<double> best(points.size(), 0.0);
-  ForEachFace(surface,
+  ForEachFace(surface, Faces::Triangles,
     [&](const Face& face, const vtkIdType* ids, vtkIdType count)
     {
       const double area = glm::length(face.Area);
@@ -172,11 +190,41 @@ std::vector<SurfacePoint> FindSurfacePoints(vtkPolyData* surface)
   return points;
 }
 
+double GetLeastCosine(vtkPolyData* surface, const std::vector<glm::dvec3>& normals)
+{
+  constexpr std::size_t steps = 200;
+  std::array<double, steps + 1> areas{}; // of polygons, by their least cosine
+  double all = 0.0;
+  ForEachFace(surface, Faces::Polygons,
+    [&](const Face& face, const vtkIdType* ids, vtkIdType count)
+    {
+      const double area = glm::length(face.Area);
+      double least = area > 0.0 && std::isfinite(area) ? 1.0 : -1.0;
+      for (vtkIdType k = 0; least >= 0.0 && k < count; ++k)
+      {
+        const glm::dvec3& normal = normals[static_cast<std::size_t>(ids[k])];
+        least = std::min(least, std::abs(glm::dot(face.Area, normal)) / area);
+      }
+      if (least >= 0.0)
+      {
+        areas[static_cast<std::size_t>(least * steps)] += area;
+        all += area;
+      }
+    });
+  std::size_t step = 0;
+  for (double below = areas[0]; step < steps && below <= 0.01 * all; below += areas[step])
+  {
+    ++step;
+  }
+  return static_cast<double>(step) / steps;
+}
+
 std::string GetSurfaceKey(vtkPolyData* surface)
 {
   ContentHash hash;
   hash.AddValue<std::int64_t>(surface->GetNumberOfPoints());
   HashArray(hash, surface->GetPoints() ? surface->GetPoints()->GetData() : nullptr);
+  HashArray(hash, surface->GetPointData()->GetNormals());
   std::vector<std::int64_t> ids;
   for (vtkCellArray* cells : { surface->GetPolys(), surface->GetStrips() })
   {

@@ -244,7 +244,7 @@ TEST(SurfaceVisibility, ArraysSurviveFiles)
   EXPECT_EQ(before->GetValue(0), after->GetValue(0));
 }
 
-TEST(SurfaceVisibility, KeysSeePointsAndCells)
+TEST(SurfaceVisibility, KeysSeePointsNormalsAndCells)
 {
   const auto plane = MakePlane(1.0, 0.0, 2);
   const std::string key = measuredbrdf::GetSurfaceKey(plane);
@@ -257,6 +257,31 @@ TEST(SurfaceVisibility, KeysSeePointsAndCells)
   const vtkIdType turned[4] = { 3, 4, 1, 0 };
   copy->GetPolys()->ReplaceCellAtId(0, 4, turned);
   EXPECT_NE(measuredbrdf::GetSurfaceKey(copy), key);
+  copy->DeepCopy(plane);
+  copy->GetPointData()->GetNormals()->SetTuple3(0, 0.0, 0.6, 0.8);
+  EXPECT_NE(measuredbrdf::GetSurfaceKey(copy), key);
+}
+
+// Quads of a saddle are not flat: rays that began at their corners' mean would begin below the
+// triangles that rays meet.
+TEST(SurfaceVisibility, TwistedQuadsAreLeftFromTheirTriangles)
+{
+  const auto saddle = MakePlane(1.0, 0.0, 8);
+  saddle->GetPointData()->SetNormals(nullptr);
+  for (vtkIdType k = 0; k < saddle->GetNumberOfPoints(); ++k)
+  {
+    double p[3];
+    saddle->GetPoint(k, p);
+    saddle->GetPoints()->SetPoint(k, p[0], p[1], p[0] * p[1]);
+  }
+  vtkNew<vtkSurfaceVisibilityFilter> filter;
+  filter->BothSidesOn();
+  vtkPolyData* output = Trace(filter, saddle);
+  for (vtkIdType k = 0; k < output->GetNumberOfPoints(); ++k)
+  {
+    EXPECT_LT(GetSky(output, k).GetHiddenCosine(), 0.35) << k;
+    EXPECT_LT(GetSky(output, k, "Back").GetHiddenCosine(), 0.35) << k;
+  }
 }
 
 TEST(SurfaceVisibility, BlocksHideOneAnother)

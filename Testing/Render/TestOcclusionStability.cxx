@@ -1,0 +1,221 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Drawing with vtkSurfaceVisibilityFilter's arrays where it tends to break: levels of detail,
+// decimated meshes, arrays of anything.
+#include "RenderFixture.h"
+#include "vtkBlinnPhongBRDF.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
+#include "vtkDecimatePro.h"
+#include "vtkEmbeddedEnvironments.h"
+#include "vtkEnvironment.h"
+#include "vtkFloatArray.h"
+#include "vtkHybridRadianceIntegrator.h"
+#include "vtkLODProp3D.h"
+#include "vtkMeasuredBRDFMapper.h"
+#include "vtkPlaneSource.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSphereSource.h"
+#include "vtkSurfaceVisibilityFilter.h"
+#include "vtkTriangleFilter.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace
+{
+// A square in front of the camera, beside a sphere that hides a part of its sky.
+vtkSmartPointer<vtkPolyData> MakeTraced(int resolution)
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(-0.9, -0.9, 0.0);
+  plane->SetPoint1(0.9, -0.9, 0.0);
+  plane->SetPoint2(-0.9, 0.9, 0.0);
+  plane->SetResolution(resolution, resolution);
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputConnection(plane->GetOutputPort());
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetCenter(1.2, 1.2, 0.5);
+  sphere->SetRadius(0.8);
+  sphere->SetThetaResolution(24);
+  sphere->SetPhiResolution(16);
+  sphere->Update();
+  vtkNew<vtkSurfaceVisibilityFilter> filter;
+  filter->AddOccluder(sphere->GetOutput());
+  filter->SetInputConnection(triangles->GetOutputPort());
+  filter->Update();
+  return vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0));
+}
+
+double Compare(const FloatImage& a, const FloatImage& b)
+{
+  double difference = 0.0;
+  double sum = 0.0;
+  for (std::size_t k = 0; k < a.RGBA.size(); ++k)
+  {
+    if (k % 4 != 3)
+    {
+      difference += std::abs(a.RGBA[k] - b.RGBA[k]);
+      sum += b.RGBA[k];
+    }
+  }
+  return difference / sum;
+}
+}
+
+class OcclusionStability : public RenderFixture
+{
+protected:
+  void SetUp() override
+  {
+    this->RenderFixture::SetUp();
+    this->Environment =
+      vtkSmartPointer<vtkEnvironment>::Take(vtkEmbeddedEnvironments::NewEnvironment("sky"));
+    this->BRDF->SetSpecular(0.5, 0.5, 0.5);
+    this->BRDF->SetExponent(40.0);
+    this->Integrator->SetNumberOfRows(17);
+    this->Integrator->SetNumberOfViewAngles(6);
+    this->Integrator->SetNumberOfAzimuths(4);
+    this->Actor->SetMapper(this->Mapper);
+    this->Renderer->AddActor(this->Actor);
+    this->SetUpMapper(this->Mapper);
+    this->Warned->SetClientData(&this->Warnings);
+    this->Warned->SetCallback([](vtkObject*, unsigned long, void* texts, void* text)
+      { static_cast<std::vector<std::string>*>(texts)->emplace_back(static_cast<char*>(text)); });
+    this->Mapper->AddObserver(vtkCommand::WarningEvent, this->Warned);
+  }
+
+  void SetUpMapper(vtkMeasuredBRDFMapper* mapper)
+  {
+    mapper->SetBRDF(this->BRDF);
+    mapper->SetEnvironment(this->Environment);
+    mapper->SetIntegrator(this->Integrator);
+  }
+
+  // One warning for two frames, which look as without arrays.
+  void ExpectLeftOut(vtkPolyData* surface, const char* words)
+  {
+    this->Mapper->SetInputData(surface);
+    this->Mapper->SetOcclusionModeToOff();
+    const FloatImage off = this->RenderLinear();
+    this->Mapper->SetOcclusionModeToAuto();
+    this->Warnings.clear();
+    EXPECT_LT(Compare(this->RenderLinear(), off), 1e-6) << words;
+    this->RenderLinear();
+    ASSERT_EQ(this->Warnings.size(), 1u) << words;
+    EXPECT_NE(this->Warnings[0].find(words), std::string::npos) << this->Warnings[0];
+  }
+
+  vtkSmartPointer<vtkEnvironment> Environment;
+  vtkNew<vtkBlinnPhongBRDF> BRDF;
+  vtkNew<vtkHybridRadianceIntegrator> Integrator;
+  vtkNew<vtkMeasuredBRDFMapper> Mapper;
+  vtkNew<vtkActor> Actor;
+  vtkNew<vtkCallbackCommand> Warned;
+  std::vector<std::string> Warnings;
+};
+
+// Each level has arrays of its own mesh: it looks as that mesh alone does.
+TEST_F(OcclusionStability, LevelsOfDetailHaveTheirOwnArrays)
+{
+  vtkNew<vtkMeasuredBRDFMapper> mappers[2];
+  vtkNew<vtkLODProp3D> levels;
+  levels->AutomaticLODSelectionOff();
+  int ids[2];
+  FloatImage alone[2];
+  for (int k = 0; k < 2; ++k)
+  {
+    const auto surface = MakeTraced(k == 0 ? 12 : 3);
+    this->SetUpMapper(mappers[k]);
+    mappers[k]->SetInputData(surface);
+    ids[k] = levels->AddLOD(mappers[k], 0.0);
+    this->Mapper->SetInputData(surface);
+    alone[k] = this->RenderLinear();
+    this->Mapper->SetOcclusionModeToOff();
+    EXPECT_GT(Compare(this->RenderLinear(), alone[k]), 0.03);
+    this->Mapper->SetOcclusionModeToAuto();
+  }
+  EXPECT_GT(Compare(alone[0], alone[1]), 1e-4);
+  this->Renderer->RemoveActor(this->Actor);
+  this->Renderer->AddViewProp(levels);
+  for (const int k : { 0, 1, 0 })
+  {
+    levels->SetSelectedLODID(ids[k]);
+    EXPECT_LT(Compare(this->RenderLinear(), alone[k]), 1e-6) << k;
+  }
+}
+
+// Decimation passes on points' arrays and the surface's key; they are no longer of this surface.
+TEST_F(OcclusionStability, DecimatedMeshesNeedATraceOfTheirOwn)
+{
+  vtkNew<vtkDecimatePro> decimated;
+  decimated->SetInputData(MakeTraced(12));
+  decimated->SetTargetReduction(0.5);
+  decimated->Update();
+  vtkPolyData* surface = decimated->GetOutput();
+  ASSERT_TRUE(
+    surface->GetPointData()->HasArray(vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName()));
+  this->ExpectLeftOut(surface, "have changed");
+  vtkNew<vtkSurfaceVisibilityFilter> again;
+  again->SetInputData(surface);
+  again->Update();
+  this->Warnings.clear();
+  this->Mapper->SetInputConnection(again->GetOutputPort());
+  this->RenderLinear();
+  EXPECT_TRUE(this->Warnings.empty());
+}
+
+// Numbers that are no bytes, NaN among them.
+TEST_F(OcclusionStability, ArraysOfNaNAreSaidOnceAndNotUsed)
+{
+  for (const char* name : { vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName(),
+         vtkSurfaceVisibilityFilter::GetHiddenLightArrayName() })
+  {
+    vtkNew<vtkPolyData> surface;
+    surface->DeepCopy(MakeTraced(3));
+    vtkDataArray* bytes = surface->GetPointData()->GetArray(name);
+    vtkNew<vtkFloatArray> numbers;
+    numbers->DeepCopy(bytes);
+    numbers->Fill(std::numeric_limits<double>::quiet_NaN());
+    surface->GetPointData()->RemoveArray(name);
+    surface->GetPointData()->AddArray(numbers);
+    this->ExpectLeftOut(surface, "is of type float");
+  }
+}
+
+// Bytes of anything: no pixel is negative, not finite or brighter than without occlusion.
+TEST_F(OcclusionStability, AnyBytesGiveAPicture)
+{
+  std::mt19937 generator(5);
+  vtkNew<vtkPolyData> surface;
+  surface->DeepCopy(MakeTraced(12));
+  this->Mapper->SetInputData(surface);
+  this->Mapper->SetOcclusionModeToOff();
+  const FloatImage off = this->RenderLinear();
+  this->Mapper->SetOcclusionModeToAuto();
+  for (int k = 0; k < 3; ++k)
+  {
+    for (const char* name : { vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName(),
+           vtkSurfaceVisibilityFilter::GetHiddenLightArrayName() })
+    {
+      auto* bytes = vtkUnsignedCharArray::SafeDownCast(surface->GetPointData()->GetArray(name));
+      for (vtkIdType v = 0; v < bytes->GetNumberOfValues(); ++v)
+      {
+        bytes->SetValue(v, k == 0 ? 255 : static_cast<unsigned char>(generator() % 256));
+      }
+      bytes->Modified();
+    }
+    surface->Modified();
+    const FloatImage drawn = this->RenderEncoded();
+    for (const float value : drawn.RGBA)
+    {
+      ASSERT_TRUE(std::isfinite(value) && value >= 0.0f) << k;
+    }
+    EXPECT_TRUE(this->Warnings.empty());
+  }
+}
