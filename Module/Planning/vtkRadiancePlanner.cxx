@@ -7,6 +7,7 @@
 #include "MaterialPrecomputation.h"
 #include "PlanCache.h"
 #include "PlanCandidate.h"
+#include "PlanComparison.h"
 #include "PlanFile.h"
 #include "PlanPairs.h"
 #include "PlanReference.h"
@@ -165,13 +166,18 @@ struct vtkRadiancePlanner::Internals
     return pairs;
   }
 
-  bool MakeReference(const measuredbrdf::PlanPairs& pairs, const measuredbrdf::IsAborted& isAborted,
-    const std::atomic<bool>& abort, vtkDoubleArray* reference)
+  // What the pairs reflect.
+  bool MakeReference(const measuredbrdf::IsAborted& isAborted, const std::atomic<bool>& abort,
+    measuredbrdf::PlanComparison& comparison)
   {
     const auto integrator = measuredbrdf::NewPlanReference(
       this->BRDF, this->Environment, this->Task.Tolerance, this->Task.Shared, abort);
     const AbortForwarder supervision(isAborted, integrator, this->Problem);
-    return integrator->Integrate(pairs.Normals, pairs.Views, reference);
+    comparison.Reference = vtkSmartPointer<vtkDoubleArray>::New();
+    const bool made =
+      integrator->Integrate(comparison.Pairs.Normals, comparison.Pairs.Views, comparison.Reference);
+    comparison.ReferenceError = measuredbrdf::GetReferenceError(integrator);
+    return made;
   }
 };
 
@@ -338,14 +344,21 @@ bool vtkRadiancePlanner::Search()
     return false;
   }
   const measuredbrdf::IsAborted isAborted = [this]() { return this->GetAbort(); };
-  measuredbrdf::PlanPairs pairs = impl.GetPairs(this);
-  vtkNew<vtkDoubleArray> reference;
-  if (!measuredbrdf::SamplePairs(impl.Task, isAborted, candidates, pairs, impl.Problem) ||
-      !impl.MakeReference(pairs, isAborted, this->Abort, reference))
+  measuredbrdf::PlanComparison first, second;
+  first.Pairs = impl.GetPairs(this);
+  if (!measuredbrdf::SamplePairs(
+        impl.Task, isAborted, candidates, first.Pairs, second.Pairs, impl.Problem) ||
+      !impl.MakeReference(isAborted, this->Abort, first))
   {
     return this->Fail();
   }
-  measuredbrdf::PlanSearch search(impl.Task, pairs, reference, isAborted);
+  measuredbrdf::PlanSearch search(impl.Task, first, isAborted);
+  search.GetSecond = [&]() -> const measuredbrdf::PlanComparison*
+  {
+    const bool known = second.Reference ||
+                       (second.Pairs.Normals && impl.MakeReference(isAborted, this->Abort, second));
+    return known ? &second : nullptr;
+  };
   search.Progress = [this](double progress)
   { this->InvokeEvent(vtkCommand::ProgressEvent, &progress); };
   const bool done = search.Run(candidates);

@@ -20,6 +20,7 @@ constexpr double SharpShare = 15.0;
 constexpr double LargestSharpShare = 0.3;
 constexpr double ShareOfTolerance = 0.5; // that the adaptive integral may be off in a pair, but
 constexpr double LargestTolerance = 0.01;
+constexpr double AdaptiveError = 5e-4; // in the mean, measured (docs/methods.md)
 }
 
 vtkSmartPointer<vtkRadianceIntegrator> NewPlanReference(vtkBRDF* brdf, vtkEnvironment* environment,
@@ -43,5 +44,11 @@ vtkSmartPointer<vtkRadianceIntegrator> NewPlanReference(vtkBRDF* brdf, vtkEnviro
   reference->SetBRDF(brdf);
   reference->SetEnvironment(environment);
   return reference;
+}
+
+double GetReferenceError(vtkRadianceIntegrator* reference)
+{
+  const auto* lights = LightsReference::SafeDownCast(reference);
+  return lights ? lights->GetError() : AdaptiveError;
 }
 } // namespace measuredbrdf

@@ -25,6 +25,9 @@ namespace measuredbrdf
 vtkSmartPointer<vtkRadianceIntegrator> NewPlanReference(vtkBRDF* brdf, vtkEnvironment* environment,
   double tolerance, const std::shared_ptr<vtkRadianceIntegrator::Precomputation>& shared,
   const std::atomic<bool>& abort);
+
+/// How far it is from the truth, relative, as far as that can be told; after it integrated.
+double GetReferenceError(vtkRadianceIntegrator* reference);
 } // namespace measuredbrdf
 
 #endif
