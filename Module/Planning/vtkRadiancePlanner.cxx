@@ -5,6 +5,7 @@
 #include "EnvironmentPrecomputation.h"
 #include "LightsReference.h"
 #include "MaterialPrecomputation.h"
+#include "MaterialStore.h"
 #include "PlanCache.h"
 #include "PlanCandidate.h"
 #include "PlanComparison.h"
@@ -19,7 +20,6 @@
 #include "vtkCommand.h"
 #include "vtkDoubleArray.h"
 #include "vtkEnvironment.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOcclusionPredictor.h"
 #include "vtkRadianceCostModel.h"
@@ -36,7 +36,6 @@
 #include <string>
 #include <vector>
 
-using measuredbrdf::AbortForwarder;
 using measuredbrdf::PlanCandidate;
 
 namespace
@@ -102,7 +101,6 @@ struct vtkRadiancePlanner::Internals
     task.All = planner->GetEvaluateAll();
     task.MaximumBytes = planner->GetMaximumTextureBytes();
     task.Pixels = static_cast<double>(planner->GetNumberOfPixels());
-    task.Shared = std::make_shared<vtkRadianceIntegrator::Precomputation>();
     return task;
   }
 
@@ -164,20 +162,6 @@ struct vtkRadiancePlanner::Internals
       bright ? bright->Lights : std::vector<measuredbrdf::ExtractedEmitters::Light>());
     measuredbrdf::Turn(rows, pairs);
     return pairs;
-  }
-
-  // What the pairs reflect.
-  bool MakeReference(const measuredbrdf::IsAborted& isAborted, const std::atomic<bool>& abort,
-    measuredbrdf::PlanComparison& comparison)
-  {
-    const auto integrator = measuredbrdf::NewPlanReference(
-      this->BRDF, this->Environment, this->Task.Tolerance, this->Task.Shared, abort);
-    const AbortForwarder supervision(isAborted, integrator, this->Problem);
-    comparison.Reference = vtkSmartPointer<vtkDoubleArray>::New();
-    const bool made =
-      integrator->Integrate(comparison.Pairs.Normals, comparison.Pairs.Views, comparison.Reference);
-    comparison.ReferenceError = measuredbrdf::GetReferenceError(integrator);
-    return made;
   }
 };
 
@@ -332,6 +316,8 @@ bool vtkRadiancePlanner::Choose()
 bool vtkRadiancePlanner::Search()
 {
   Internals& impl = *this->Impl;
+  const std::string material = impl.BRDF->IsIsotropic() ? impl.BRDF->GetContentKey() : "";
+  impl.Task.Shared = measuredbrdf::MaterialStore::Get().Take(material);
   if (impl.BRDF->IsIsotropic())
   {
     impl.Task.Shared->GetViews(impl.BRDF, this->Abort); // which all that follows asks for
@@ -348,16 +334,16 @@ bool vtkRadiancePlanner::Search()
   first.Pairs = impl.GetPairs(this);
   if (!measuredbrdf::SamplePairs(
         impl.Task, isAborted, candidates, first.Pairs, second.Pairs, impl.Problem) ||
-      !impl.MakeReference(isAborted, this->Abort, first))
+      !measuredbrdf::MakeReference(impl.Task, isAborted, this->Abort, first, impl.Problem))
   {
     return this->Fail();
   }
   measuredbrdf::PlanSearch search(impl.Task, first, isAborted);
-  search.GetSecond = [&]() -> const measuredbrdf::PlanComparison*
+  search.GetSecond = [&]()
   {
-    const bool known = second.Reference ||
-                       (second.Pairs.Normals && impl.MakeReference(isAborted, this->Abort, second));
-    return known ? &second : nullptr;
+    return measuredbrdf::MakeReference(impl.Task, isAborted, this->Abort, second, impl.Problem)
+             ? &second
+             : nullptr;
   };
   search.Progress = [this](double progress)
   { this->InvokeEvent(vtkCommand::ProgressEvent, &progress); };
@@ -377,6 +363,7 @@ bool vtkRadiancePlanner::Search()
   {
     return this->Fail();
   }
+  measuredbrdf::MaterialStore::Get().PutBack(material, impl.Task.Shared);
   impl.Plan = search.GetPlan();
   impl.Plan.Reason = measuredbrdf::ExplainChoice(impl.Plan, this->ErrorTolerance);
   return true;

@@ -129,11 +129,6 @@ bool PlanSearch::CanPrune(const PlanCandidate& candidate, double error) const
     {
       attempts.push_back({ tried.Sizes, tried.Error });
     }
-    else if (candidate.Method == "hybrid" && tried.Method == "table")
-    {
-      attempts.push_back({ tried.Sizes, tried.Error }); // one without maps and lights
-      attempts.back().Sizes.resize(candidate.Sizes.size(), 0);
-    }
   }
   return candidate.Integrator->CanPrune(attempts, error);
 }
