@@ -422,7 +422,8 @@ bool vtkHybridRadianceIntegrator::CanPrune(const std::vector<Attempt>& attempts,
     { return attempt.Sizes[3] == 0 && attempt.Sizes[4] == this->MaximumNumberOfLights; });
   return CanPruneTable({ this->NumberOfRows, this->NumberOfViewAngles, this->NumberOfAzimuths },
            alike, error) ||
-         (this->NumberOfMaps > 0 && CanPruneMaps(this->NumberOfRows, mapped, tables, error));
+         (this->NumberOfMaps > 0 &&
+           CanPruneMaps(this->NumberOfRows, this->NumberOfMaps, mapped, tables, error));
 }
 
 //------------------------------------------------------------------------------

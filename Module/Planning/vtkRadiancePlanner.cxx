@@ -5,8 +5,10 @@
 #include "EnvironmentPrecomputation.h"
 #include "LightsReference.h"
 #include "MaterialPrecomputation.h"
+#include "MaterialStore.h"
 #include "PlanCache.h"
 #include "PlanCandidate.h"
+#include "PlanComparison.h"
 #include "PlanFile.h"
 #include "PlanPairs.h"
 #include "PlanReference.h"
@@ -18,7 +20,6 @@
 #include "vtkCommand.h"
 #include "vtkDoubleArray.h"
 #include "vtkEnvironment.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOcclusionPredictor.h"
 #include "vtkRadianceCostModel.h"
@@ -35,7 +36,6 @@
 #include <string>
 #include <vector>
 
-using measuredbrdf::AbortForwarder;
 using measuredbrdf::PlanCandidate;
 
 namespace
@@ -101,7 +101,6 @@ struct vtkRadiancePlanner::Internals
     task.All = planner->GetEvaluateAll();
     task.MaximumBytes = planner->GetMaximumTextureBytes();
     task.Pixels = static_cast<double>(planner->GetNumberOfPixels());
-    task.Shared = std::make_shared<vtkRadianceIntegrator::Precomputation>();
     return task;
   }
 
@@ -163,15 +162,6 @@ struct vtkRadiancePlanner::Internals
       bright ? bright->Lights : std::vector<measuredbrdf::ExtractedEmitters::Light>());
     measuredbrdf::Turn(rows, pairs);
     return pairs;
-  }
-
-  bool MakeReference(const measuredbrdf::PlanPairs& pairs, const measuredbrdf::IsAborted& isAborted,
-    const std::atomic<bool>& abort, vtkDoubleArray* reference)
-  {
-    const auto integrator = measuredbrdf::NewPlanReference(
-      this->BRDF, this->Environment, this->Task.Tolerance, this->Task.Shared, abort);
-    const AbortForwarder supervision(isAborted, integrator, this->Problem);
-    return integrator->Integrate(pairs.Normals, pairs.Views, reference);
   }
 };
 
@@ -326,6 +316,8 @@ bool vtkRadiancePlanner::Choose()
 bool vtkRadiancePlanner::Search()
 {
   Internals& impl = *this->Impl;
+  const std::string material = impl.BRDF->IsIsotropic() ? impl.BRDF->GetContentKey() : "";
+  impl.Task.Shared = measuredbrdf::MaterialStore::Get().Take(material);
   if (impl.BRDF->IsIsotropic())
   {
     impl.Task.Shared->GetViews(impl.BRDF, this->Abort); // which all that follows asks for
@@ -338,14 +330,21 @@ bool vtkRadiancePlanner::Search()
     return false;
   }
   const measuredbrdf::IsAborted isAborted = [this]() { return this->GetAbort(); };
-  measuredbrdf::PlanPairs pairs = impl.GetPairs(this);
-  vtkNew<vtkDoubleArray> reference;
-  if (!measuredbrdf::SamplePairs(impl.Task, isAborted, candidates, pairs, impl.Problem) ||
-      !impl.MakeReference(pairs, isAborted, this->Abort, reference))
+  measuredbrdf::PlanComparison first, second;
+  first.Pairs = impl.GetPairs(this);
+  if (!measuredbrdf::SamplePairs(
+        impl.Task, isAborted, candidates, first.Pairs, second.Pairs, impl.Problem) ||
+      !measuredbrdf::MakeReference(impl.Task, isAborted, this->Abort, first, impl.Problem))
   {
     return this->Fail();
   }
-  measuredbrdf::PlanSearch search(impl.Task, pairs, reference, isAborted);
+  measuredbrdf::PlanSearch search(impl.Task, first, isAborted);
+  search.GetSecond = [&]()
+  {
+    return measuredbrdf::MakeReference(impl.Task, isAborted, this->Abort, second, impl.Problem)
+             ? &second
+             : nullptr;
+  };
   search.Progress = [this](double progress)
   { this->InvokeEvent(vtkCommand::ProgressEvent, &progress); };
   const bool done = search.Run(candidates);
@@ -364,6 +363,7 @@ bool vtkRadiancePlanner::Search()
   {
     return this->Fail();
   }
+  measuredbrdf::MaterialStore::Get().PutBack(material, impl.Task.Shared);
   impl.Plan = search.GetPlan();
   impl.Plan.Reason = measuredbrdf::ExplainChoice(impl.Plan, this->ErrorTolerance);
   return true;

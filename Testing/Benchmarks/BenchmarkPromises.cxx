@@ -5,6 +5,7 @@
 // the reference. A line of CSV for each picture, then how many promises were broken, by how much,
 // and how far the predictions were off. Minutes for each tolerance; errors, not times.
 #include "EverywherePairs.h"
+#include "OcclusionMeshes.h"
 #include "vtkAdaptiveRadianceIntegrator.h"
 #include "vtkBRDF.h"
 #include "vtkBRDFReader.h"
@@ -38,6 +39,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
+#include <fstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -62,7 +65,7 @@ struct Pixels
 struct Picture
 {
   std::string Name;
-  Pixels Compared, Planned;
+  Pixels Compared, Planned, Finer;
 };
 
 vtkSmartPointer<vtkPolyData> MakeMesh(const std::string& name)
@@ -94,6 +97,10 @@ vtkSmartPointer<vtkPolyData> MakeMesh(const std::string& name)
     contour->SetInputConnection(source->GetOutputPort());
     contour->SetValue(0, 157.0);
     normals->SetInputConnection(contour->GetOutputPort());
+  }
+  else if (name == "knob" || name == "bumps")
+  {
+    return MakeOcclusionMesh(name);
   }
   else
   {
@@ -200,10 +207,12 @@ struct Error
 {
   double Value = 0.0;
   double Deviation = 0.0;
+  vtkIdType Pixels = 0;
 
+  Error() = default;
   Error(vtkDoubleArray* radiance, vtkDoubleArray* reference)
   {
-    const vtkIdType pixels = reference->GetNumberOfTuples();
+    const vtkIdType pixels = this->Pixels = reference->GetNumberOfTuples();
     std::vector<double> differences(static_cast<std::size_t>(pixels));
     std::vector<double> references(static_cast<std::size_t>(pixels));
     double sum = 0.0;
@@ -228,6 +237,40 @@ struct Error
     this->Deviation = std::sqrt(this->Deviation) / sum;
   }
 };
+
+// The reference takes nearly all of the time, and does not change with the planner.
+bool ReadDoubles(const std::string& file, vtkDoubleArray* values, vtkIdType tuples)
+{
+  values->SetNumberOfComponents(3);
+  values->SetNumberOfTuples(tuples);
+  std::ifstream stream(file, std::ios::binary);
+  const auto bytes = static_cast<std::streamsize>(3 * sizeof(double)) * tuples;
+  return stream.read(reinterpret_cast<char*>(values->GetPointer(0)), bytes) &&
+         stream.peek() == std::ifstream::traits_type::eof();
+}
+
+bool MakeReference(vtkBRDF* brdf, vtkEnvironment* environment, const Pixels& pixels,
+  const std::string& file, vtkDoubleArray* reference)
+{
+  if (!file.empty() && ReadDoubles(file, reference, pixels.Normals->GetNumberOfTuples()))
+  {
+    return true;
+  }
+  vtkNew<vtkAdaptiveRadianceIntegrator> integrator;
+  integrator->SetBRDF(brdf);
+  integrator->SetEnvironment(environment);
+  if (!integrator->Integrate(pixels.Normals, pixels.Views, reference))
+  {
+    return false;
+  }
+  if (!file.empty())
+  {
+    std::ofstream(file, std::ios::binary)
+      .write(reinterpret_cast<const char*>(reference->GetPointer(0)),
+        static_cast<std::streamsize>(sizeof(double)) * reference->GetNumberOfValues());
+  }
+  return true;
+}
 
 std::string GetStem(const std::string& path)
 {
@@ -279,13 +322,20 @@ int main(int argc, char** argv)
   std::vector<double> tolerances = { 0.02 };
   int pixels = 1000;
   bool forView = false;
+  std::string references;
+  int refine = 1;
   CLI::App app("Whether plans keep what they say.");
   app.add_option("--materials", materials, "Files or embedded names")->required();
   app.add_option("--environments", environments, "Files or embedded names")->required();
-  app.add_option("--shapes", shapes, "Those above or .vtp files");
+  app.add_option("--shapes", shapes, "Those above, knob, bumps or .vtp files");
   app.add_option("--tolerances", tolerances);
   app.add_option("--pixels", pixels, "Of each picture, about");
   app.add_flag("--for-view", forView, "One plan for each picture");
+  app.add_option("--references", references,
+    "A folder that keeps the reference for the next run, of the same meshes and pixels");
+  app.add_option("--refine", refine,
+    "Where an error is above the promise by less than its two standard errors, measure it again "
+    "with so many times the pixels");
   CLI11_PARSE(app, argc, argv);
 
   std::vector<Picture> pictures;
@@ -299,16 +349,19 @@ int main(int argc, char** argv)
     {
       AddEverywherePairs(pixels, picture.Compared.Normals, picture.Compared.Views);
       AddEverywherePairs(PlannedPixels, picture.Planned.Normals, picture.Planned.Views);
+      AddEverywherePairs(refine * pixels, picture.Finer.Normals, picture.Finer.Views);
     }
     else
     {
       const vtkSmartPointer<vtkPolyData> mesh = MakeMesh(shape);
       Look(mesh, pixels, picture.Compared);
       Look(mesh, PlannedPixels, picture.Planned);
+      Look(mesh, refine * pixels, picture.Finer);
     }
   }
-  std::printf("material,environment,shape,pixels,tolerance,method,sizes,MB,ms,predicted,measured,"
-              "deviation\n");
+  std::printf(
+    "material,environment,shape,pixels,tolerance,method,sizes,MB,ms,predicted,uncertainty,"
+    "measured,deviation,tried,cpu\n");
   std::vector<Count> counts(shapes.size());
   Count all;
   for (const std::string& light : environments)
@@ -333,15 +386,19 @@ int main(int argc, char** argv)
       for (std::size_t k = 0; k < pictures.size(); ++k)
       {
         Picture& picture = pictures[k];
-        vtkNew<vtkDoubleArray> reference;
-        vtkNew<vtkAdaptiveRadianceIntegrator> integrator;
-        integrator->SetBRDF(brdf);
-        integrator->SetEnvironment(environment);
-        if (!integrator->Integrate(picture.Compared.Normals, picture.Compared.Views, reference) ||
-            reference->GetNumberOfTuples() == 0)
+        const auto measure =
+          [&](vtkRadianceIntegrator* method, const Pixels& compared, const char* suffix)
         {
-          return 1;
-        }
+          vtkNew<vtkDoubleArray> reference, radiance;
+          const std::string file = references.empty()
+                                     ? ""
+                                     : references + "/" + GetStem(material) + "-" + GetStem(light) +
+                                         "-" + GetStem(picture.Name) + suffix + ".double";
+          return MakeReference(brdf, environment, compared, file, reference) &&
+                     method->Integrate(compared.Normals, compared.Views, radiance)
+                   ? Error(radiance, reference)
+                   : Error();
+        };
         for (std::size_t t = 0; t < tolerances.size(); ++t)
         {
           vtkRadiancePlanner* planner = planners[t];
@@ -349,27 +406,34 @@ int main(int argc, char** argv)
           {
             planner->SetPairs(picture.Planned.Normals, picture.Planned.Views);
           }
+          const std::clock_t start = std::clock();
           if (!planner->Update())
           {
             return 1;
           }
+          const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
           const int choice = planner->GetChoice();
           const auto chosen =
             vtkSmartPointer<vtkRadianceIntegrator>::Take(planner->NewIntegrator());
-          vtkNew<vtkDoubleArray> radiance;
-          if (!chosen->Integrate(picture.Compared.Normals, picture.Compared.Views, radiance))
+          const double predicted = planner->GetPredictedError(choice);
+          Error measured = measure(chosen, picture.Compared, "");
+          if (refine > 1 && measured.Value > predicted &&
+              measured.Value - 2.0 * measured.Deviation <= predicted)
+          {
+            measured = measure(chosen, picture.Finer, "-finer");
+          }
+          if (measured.Pixels == 0)
           {
             return 1;
           }
-          const Error measured(radiance, reference);
-          const double predicted = planner->GetPredictedError(choice);
-          std::printf("%s,%s,%s,%lld,%g,%s,\"%s\",%.2f,%.2f,%.5f,%.5f,%.5f\n",
+          std::printf("%s,%s,%s,%lld,%g,%s,\"%s\",%.2f,%.2f,%.5f,%.5f,%.5f,%.5f,%d,%.2f\n",
             GetStem(material).c_str(), GetStem(light).c_str(), picture.Name.c_str(),
-            static_cast<long long>(reference->GetNumberOfTuples()), tolerances[t],
+            static_cast<long long>(measured.Pixels), tolerances[t],
             planner->GetMethodName(choice).c_str(), planner->GetDescription(choice).c_str(),
             1e-6 * static_cast<double>(planner->GetTextureBytes(choice)),
-            planner->GetPredictedMilliseconds(choice), predicted, measured.Value,
-            measured.Deviation);
+            planner->GetPredictedMilliseconds(choice), predicted,
+            planner->GetErrorUncertainty(choice), measured.Value, measured.Deviation,
+            planner->GetNumberOfCandidates(), seconds);
           std::fflush(stdout);
           counts[k].Add(predicted, measured);
           all.Add(predicted, measured);

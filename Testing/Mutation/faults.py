@@ -580,11 +580,20 @@ add("Planning.off-is-a-folder", "Private/PlanCache.cxx", 'std::string(own) == "o
     "PlanCache.DefaultFolderFollowsTheEnvironment")
 add("Planning.largest-cache", "Private/PlanCache.cxx", "if (total <= maximumBytes)", "if (total <= 2 * maximumBytes)",
     "PlanCache.StaysWithinItsBounds")
-add("Planning.error-without-deviation", "Private/PlanSearch.cxx", "candidate.Error = error + candidate.Uncertainty;",
-    "candidate.Error = error;", "GoldenPlans.EmbeddedMaterials|PlanSample.PredictionsHold")
-add("Planning.pairs-without-weights", "Private/PlanSearch.cxx",
-    "this->Pairs.Weights.empty() ? 1.0 : this->Pairs.Weights[at];", "1.0;",
-    "GoldenPlans.EmbeddedMaterials|PlanSample.PredictionsHold")
+add("Planning.error-without-deviation", "Private/PlanComparison.cxx", "return { error + uncertainty, uncertainty };",
+    "return { error, uncertainty };", "PlanComparison.PoolsSamplesAndAddsTheReferencesError|GoldenPlans.EmbeddedMaterials|PlanSample.PredictionsHold")
+add("Planning.pairs-without-weights", "Private/PlanComparison.cxx",
+    "weights.empty() ? 1.0 : weights[static_cast<std::size_t>(k)];", "1.0;",
+    "PlanComparison.PoolsSamplesAndAddsTheReferencesError|GoldenPlans.EmbeddedMaterials|PlanSample.PredictionsHold")
+add("Planning.reference-is-exact", "Private/PlanComparison.cxx", "squares) / sum, ownError)", "squares) / sum, 0.0 * ownError)",
+    "PlanComparison.PoolsSamplesAndAddsTheReferencesError")
+add("Integration.maps-halve-the-error", "Private/TableCandidates.cxx", "constexpr double LeastOfMaps = 0.7;",
+    "constexpr double LeastOfMaps = 0.01;", "MapCandidates.TooManyAreLeftOut")
+add("Planning.luck-is-merit", "Private/PlanSearch.cxx", "return !this->MayBeLuck(candidate) || this->Check(candidate);",
+    "return true;", "PlanSearch.DoesNotTakeLuckForMerit")
+add("Planning.store-lends-twice", "Private/MaterialStore.cxx", "  Parts parts = std::move(known->Material);\n  this->Entries.erase(known);",
+    "  Parts parts = known->Material;", "MaterialStore.KeepsTheLastOnes")
+add("Planning.store-has-no-bound", "Private/MaterialStore.cxx", "sum > this->Most ?", "false ?", "MaterialStore.KeepsTheLastOnes")
 add("Planning.sample-without-weights", "Private/PlanSample.cxx", "weights[k] / draws[k]", "weights[k]",
     "PlanSample.LooksWhereMethodsDiffer")
 add("Planning.sample-is-uniform", "Private/PlanSample.cxx", "constexpr double ShareByDifference = 0.35;",

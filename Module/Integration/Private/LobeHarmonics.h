@@ -32,6 +32,13 @@ public:
 
   const LobeMeans& GetMeans() const { return this->Means; }
 
+  /// On the heap, about.
+  std::size_t GetBytes() const
+  {
+    return sizeof(*this) + this->Kernel.size() * sizeof(this->Kernel[0]) +
+           (this->Polar.size() + this->Azimuths.size()) * sizeof(LobeNode);
+  }
+
   /// The rest outside of a window about the axis at delta, in the same unit: Expand divides it by
   /// the whole rest's integral.
   LobeHarmonics GetOutside(const LampWindow& window, double delta) const;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 
 namespace measuredbrdf
 {
@@ -57,6 +58,35 @@ const LobeViews& MaterialPrecomputation::GetViews(vtkBRDF* brdf, const std::atom
     this->AreViewsWhole = !abort;
   }
   return *this->Views;
+}
+
+void MaterialPrecomputation::Trim(int mostAngles)
+{
+  this->Remainders.clear();
+  for (auto it = this->KernelsOf.begin(); it != this->KernelsOf.end();)
+  {
+    it = it->first.first > mostAngles ? this->KernelsOf.erase(it) : std::next(it);
+  }
+}
+
+std::size_t MaterialPrecomputation::GetBytes() const
+{
+  std::size_t bytes = 0;
+  for (const auto& [sizes, kernels] : this->KernelsOf)
+  {
+    for (const auto& kernel : kernels)
+    {
+      bytes += kernel ? kernel->GetBytes() : 0;
+    }
+  }
+  if (this->Views)
+  {
+    for (const LobeViews::View& view : this->Views->GetViews())
+    {
+      bytes += sizeof(view) + view.Cells.size() * sizeof(LobeViews::Cell);
+    }
+  }
+  return bytes;
 }
 
 const AnisotropicViews& MaterialPrecomputation::GetAnisotropicViews(

@@ -19,6 +19,7 @@
 
 #include <array>
 #include <atomic>
+#include <cstddef>
 #include <functional>
 #include <map>
 #include <memory>
@@ -58,6 +59,13 @@ public:
 
   /// The material's views: for a profile, and to be split into parts.
   const LobeViews& GetViews(vtkBRDF* brdf, const std::atomic<bool>& abort);
+
+  /// Without what few plans need: kernels at more than so many angles, and what a factored table
+  /// lacks.
+  void Trim(int mostAngles);
+
+  /// Of an isotropic material's data on the heap, about.
+  std::size_t GetBytes() const;
 
 private:
   std::map<std::pair<int, int>, Kernels> KernelsOf; // angles, resolution

@@ -33,9 +33,9 @@ vtkIdType GetTableBytes(int rows, int viewAngles, int azimuths);
 bool CanPruneTable(const std::vector<int>& sizes,
   const std::vector<vtkRadianceIntegrator::Attempt>& attempts, double tolerance);
 
-/// The same for maps of the sharp part of so many rows. attempts: others with as many maps; tables:
-/// without maps, beside the same lights. These show what more rows gain.
-bool CanPruneMaps(int rows, const std::vector<vtkRadianceIntegrator::Attempt>& attempts,
+/// The same for so many maps of the sharp part of so many rows. attempts: with maps, no more of
+/// them; tables: without maps, beside the same lights. These show what more rows gain.
+bool CanPruneMaps(int rows, int maps, const std::vector<vtkRadianceIntegrator::Attempt>& attempts,
   const std::vector<vtkRadianceIntegrator::Attempt>& tables, double tolerance);
 } // namespace measuredbrdf
 

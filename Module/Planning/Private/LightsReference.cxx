@@ -23,8 +23,9 @@ namespace
 constexpr int NumberOfLights = 4096;
 constexpr int FewerLights[] = { 256, 1024 }; // where the material tells them from all by little
 constexpr int Probes = 16;                   // pairs that show by how much
-constexpr double LittleError = 5e-4;         // relative L1 over those, or
-constexpr double LittleShare = 0.025;        // this share of the tolerance
+constexpr double LittleError = 1e-3;         // relative L1 over those, or
+constexpr double OwnError = 2.5e-4;          // of all lights
+constexpr double LittleShare = 0.05;         // this share of the tolerance
 }
 
 vtkStandardNewMacro(LightsReference);
@@ -80,6 +81,7 @@ bool LightsReference::ChooseLights(
     all.push_back(this->Sum(this->Others, frame, pairs.back().View));
     total += all.back().x + all.back().y + all.back().z;
   }
+  this->Error = OwnError;
   for (const int count : FewerLights)
   {
     const auto set =
@@ -99,6 +101,7 @@ bool LightsReference::ChooseLights(
     if (difference <= least * total)
     {
       this->Others = std::move(lights);
+      this->Error = OwnError + difference / std::max(total, 1e-30);
       break;
     }
   }

@@ -35,6 +35,9 @@ public:
   /// What plans are made for: the sum is far more accurate than that. Default 1e-3.
   void SetErrorTolerance(double tolerance) { this->ErrorTolerance = tolerance; }
 
+  /// Relative, by what the pairs told when the lights were chosen; after Prepare.
+  double GetError() const { return this->Error; }
+
 protected:
   LightsReference();
   ~LightsReference() override;
@@ -53,6 +56,7 @@ private:
   glm::dvec3 Sum(const Lights& lights, const Frame& frame, const glm::dvec3& view) const;
 
   double ErrorTolerance = 1e-3;
+  double Error = 0.0;
   Lights Suns;
   Lights Others;
 };

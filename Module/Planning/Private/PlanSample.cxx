@@ -21,8 +21,10 @@ namespace
 constexpr double ShareByDifference = 0.35;
 constexpr double ShareByRadiance = 0.2;
 constexpr double ShareByWeight = 0.25;
-// Of the steps through the draws: as good as random, and the same every time.
+// Of the steps through the draws, and from one sample to the next: as good as random, and the same
+// every time.
 constexpr double Start = 0.414;
+constexpr double NextStart = 0.618;
 
 // How often each of them is drawn, count in all, but at most once each.
 std::vector<double> LimitToOnce(std::vector<double> draws, int count)
@@ -67,12 +69,13 @@ bool Try(const PlanTask& task, const IsAborted& isAborted, const PlanPairs& pair
 }
 
 bool SamplePairs(const PlanTask& task, const IsAborted& isAborted,
-  std::vector<PlanCandidate>& candidates, PlanPairs& pairs, std::string& problem)
+  std::vector<PlanCandidate>& candidates, PlanPairs& pairs, PlanPairs& second, std::string& problem)
 {
   if (pairs.Normals->GetNumberOfTuples() <= PairsToCompare || isAborted())
   {
     return !isAborted();
   }
+  const PlanPairs all = pairs;
   const auto first = std::find_if(candidates.begin(), candidates.end(),
     [](const PlanCandidate& candidate) { return vtkRadianceMethods::IsBuiltIn(candidate.Method); });
   const auto larger = std::find_if(first, candidates.end(),
@@ -80,7 +83,8 @@ bool SamplePairs(const PlanTask& task, const IsAborted& isAborted,
     { return other.Method == first->Method && GetMainSize(other) > GetMainSize(*first); });
   if (larger == candidates.end())
   {
-    pairs = ChoosePairs(pairs, nullptr, nullptr, PairsToCompare);
+    pairs = ChoosePairs(all, nullptr, nullptr, PairsToCompare);
+    second = ChoosePairs(all, nullptr, nullptr, PairsToCompare, 1);
     return true;
   }
   vtkNew<vtkDoubleArray> coarse, fine;
@@ -89,11 +93,13 @@ bool SamplePairs(const PlanTask& task, const IsAborted& isAborted,
   {
     return false;
   }
-  pairs = ChoosePairs(pairs, coarse, fine, PairsToCompare);
+  pairs = ChoosePairs(all, coarse, fine, PairsToCompare);
+  second = ChoosePairs(all, coarse, fine, PairsToCompare, 1);
   return true;
 }
 
-PlanPairs ChoosePairs(const PlanPairs& all, vtkDoubleArray* coarse, vtkDoubleArray* fine, int count)
+PlanPairs ChoosePairs(
+  const PlanPairs& all, vtkDoubleArray* coarse, vtkDoubleArray* fine, int count, unsigned int index)
 {
   const std::size_t number = static_cast<std::size_t>(all.Normals->GetNumberOfTuples());
   std::vector<double> weights = all.Weights;
@@ -132,7 +138,8 @@ PlanPairs ChoosePairs(const PlanPairs& all, vtkDoubleArray* coarse, vtkDoubleArr
   }
   std::vector<std::size_t> order(number);
   std::iota(order.begin(), order.end(), std::size_t{ 0 });
-  std::mt19937 engine; // steps must not resonate with the sequence that drew the pairs
+  std::mt19937 engine(std::mt19937::default_seed +
+                      index); // steps must not resonate with the sequence that drew the pairs
   for (std::size_t k = number; k > 1; --k)
   {
     std::swap(order[k - 1], order[engine() % k]);
@@ -144,7 +151,7 @@ PlanPairs ChoosePairs(const PlanPairs& all, vtkDoubleArray* coarse, vtkDoubleArr
   chosen.Views = vtkSmartPointer<vtkDoubleArray>::New();
   chosen.Normals->SetNumberOfComponents(3);
   chosen.Views->SetNumberOfComponents(3);
-  double at = Start;
+  double at = std::fmod(Start + index * NextStart, 1.0);
   for (const std::size_t k : order)
   {
     at -= draws[k];

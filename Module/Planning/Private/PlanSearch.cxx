@@ -19,9 +19,9 @@ namespace measuredbrdf
 {
 namespace
 {
-constexpr double FarAway = 3.0;        // times the tolerance: where last resorts are tried
-constexpr double WorthIt = 0.9;        // of another's error, to be worth more cost
-constexpr double StandardErrors = 2.0; // that are added: what is predicted shall hold
+constexpr double FarAway = 3.0; // times the tolerance: where last resorts are tried
+constexpr double WorthIt = 0.9; // of another's error, to be worth more cost
+constexpr int Few = 3;          // so many tried, and luck does not matter
 }
 
 AbortForwarder::AbortForwarder(
@@ -67,11 +67,9 @@ bool PrepareCandidate(
   return prepared;
 }
 
-PlanSearch::PlanSearch(
-  const PlanTask& task, const PlanPairs& pairs, vtkDoubleArray* reference, IsAborted isAborted)
+PlanSearch::PlanSearch(const PlanTask& task, const PlanComparison& comparison, IsAborted isAborted)
   : Task(task)
-  , Pairs(pairs)
-  , Reference(reference)
+  , First(comparison)
   , Aborted(std::move(isAborted))
 {
 }
@@ -112,7 +110,7 @@ bool PlanSearch::Run(const std::vector<PlanCandidate>& candidates)
       this->Progress((static_cast<double>(k) + 1.0) / static_cast<double>(candidates.size()));
     }
   }
-  return this->TrySkipped(skipped) && !this->Aborted();
+  return this->TrySkipped(skipped) && this->CheckChoice() && !this->Aborted();
 }
 
 bool PlanSearch::IsWorthTrying(const PlanCandidate& candidate) const
@@ -187,7 +185,6 @@ bool PlanSearch::Prepare(PlanCandidate& candidate)
   {
     return false;
   }
-  const AbortForwarder supervision(this->Aborted, candidate.Integrator, this->Problem);
   if (candidate.Integrator->UsesBRDFOnGPU())
   {
     vtkBRDFShaderInputs form;
@@ -195,57 +192,66 @@ bool PlanSearch::Prepare(PlanCandidate& candidate)
     this->Task.BRDF->GetShaderInputs(form);
     candidate.Bytes += static_cast<vtkIdType>(form.GetTextureBytes());
   }
-  // As the renderer's texture units would.
   vtkNew<vtkDoubleArray> radiance;
-  candidate.Integrator->SetFilterWeightBits(this->Task.Costs->GetFilterWeightBits());
-  const bool integrated =
-    candidate.Integrator->Integrate(this->Pairs.Normals, this->Pairs.Views, radiance);
-  candidate.Integrator->SetFilterWeightBits(0);
-  if (!integrated)
+  if (!this->Integrate(candidate, this->First.Pairs, radiance))
   {
     return false;
   }
-  this->Compare(radiance, candidate);
+  const PlanError found = Compare({ &this->First }, { radiance });
+  candidate.Error = found.Error;
+  candidate.Uncertainty = found.Uncertainty;
+  ++this->Tried;
+  return !this->MayBeLuck(candidate) || this->Check(candidate);
+}
+
+// As the renderer's texture units would.
+bool PlanSearch::Integrate(
+  PlanCandidate& candidate, const PlanPairs& pairs, vtkDoubleArray* radiance)
+{
+  const AbortForwarder supervision(this->Aborted, candidate.Integrator, this->Problem);
+  candidate.Integrator->SetFilterWeightBits(this->Task.Costs->GetFilterWeightBits());
+  const bool integrated = candidate.Integrator->Integrate(pairs.Normals, pairs.Views, radiance);
+  candidate.Integrator->SetFilterWeightBits(0);
+  return integrated;
+}
+
+// Within the tolerance, but no further than the sample's error again, after some that were not.
+bool PlanSearch::MayBeLuck(const PlanCandidate& candidate) const
+{
+  return !this->Task.All && !this->Found.Meets && this->Tried > Few &&
+         candidate.Error <= this->Task.Tolerance &&
+         candidate.Error + candidate.Uncertainty > this->Task.Tolerance;
+}
+
+// On both samples.
+bool PlanSearch::Check(PlanCandidate& candidate)
+{
+  const PlanComparison* second = this->GetSecond ? this->GetSecond() : nullptr;
+  if (!second)
+  {
+    return !this->Aborted();
+  }
+  vtkNew<vtkDoubleArray> radiance, other;
+  if (!this->Integrate(candidate, this->First.Pairs, radiance) ||
+      !this->Integrate(candidate, second->Pairs, other))
+  {
+    return false;
+  }
+  const PlanError found = Compare({ &this->First, second }, { radiance, other });
+  candidate.Error = found.Error;
+  candidate.Uncertainty = found.Uncertainty;
   return true;
 }
 
-// Relative L1, and standard errors of that ratio of weighted sums on top (Sarndal, Swensson,
-// Wretman 1992, "Model Assisted Survey Sampling", 5.6; for draws from all views there are, not only
-// from those that the sample was taken from): highlights are rare and decide.
-void PlanSearch::Compare(vtkDoubleArray* radiance, PlanCandidate& candidate) const
+// The best of those that miss the tolerance, too.
+bool PlanSearch::CheckChoice()
 {
-  const vtkIdType pairs = radiance->GetNumberOfTuples();
-  std::vector<double> differences(static_cast<std::size_t>(pairs));
-  std::vector<double> references(static_cast<std::size_t>(pairs));
-  double difference = 0.0;
-  double sum = 0.0;
-  for (vtkIdType k = 0; k < pairs; ++k)
+  Plan& plan = this->Found;
+  if (this->Task.All || plan.Meets || plan.Choice < 0 || this->Tried <= Few || this->Aborted())
   {
-    const std::size_t at = static_cast<std::size_t>(k);
-    const double weight = this->Pairs.Weights.empty() ? 1.0 : this->Pairs.Weights[at];
-    for (int c = 0; c < 3; ++c)
-    {
-      const double reference = this->Reference->GetComponent(k, c);
-      differences[at] += weight * std::abs(radiance->GetComponent(k, c) - reference);
-      references[at] += weight * reference;
-    }
-    difference += differences[at];
-    sum += references[at];
+    return true;
   }
-  candidate.Error = candidate.Uncertainty = 0.0;
-  if (!(sum > 0.0))
-  {
-    return;
-  }
-  const double error = difference / sum;
-  double squares = 0.0;
-  for (std::size_t k = 0; k < differences.size(); ++k)
-  {
-    const double residue = differences[k] - error * references[k];
-    squares += residue * residue;
-  }
-  candidate.Uncertainty = StandardErrors * std::sqrt(squares) / sum;
-  candidate.Error = error + candidate.Uncertainty;
+  return this->Check(plan.Candidates[static_cast<std::size_t>(plan.Choice)]);
 }
 
 // The first within the tolerance; else the most accurate, where that is worth its cost.

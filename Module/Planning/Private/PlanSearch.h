@@ -9,7 +9,7 @@
 #define PlanSearch_h
 
 #include "PlanCandidate.h"
-#include "PlanPairs.h"
+#include "PlanComparison.h"
 
 #include <functional>
 #include <string>
@@ -37,9 +37,12 @@ bool PrepareCandidate(
 class PlanSearch
 {
 public:
-  /// task, pairs and reference (the radiance of each pair) stay the caller's.
-  PlanSearch(
-    const PlanTask& task, const PlanPairs& pairs, vtkDoubleArray* reference, IsAborted isAborted);
+  /// task and comparison stay the caller's.
+  PlanSearch(const PlanTask& task, const PlanComparison& comparison, IsAborted isAborted);
+
+  /// Asked for other pairs when a choice may be luck: the best of many on the same pairs looks
+  /// better than it is. Null: there are none. It stays the caller's.
+  std::function<const PlanComparison*()> GetSecond;
 
   /// Called with the share of the candidates that are done.
   std::function<void(double)> Progress;
@@ -63,17 +66,20 @@ private:
   bool CanPrune(const PlanCandidate& candidate, double error) const;
   bool Try(PlanCandidate candidate);
   bool Prepare(PlanCandidate& candidate);
-  void Compare(vtkDoubleArray* radiance, PlanCandidate& candidate) const;
+  bool Integrate(PlanCandidate& candidate, const PlanPairs& pairs, vtkDoubleArray* radiance);
+  bool MayBeLuck(const PlanCandidate& candidate) const;
+  bool Check(PlanCandidate& candidate);
+  bool CheckChoice();
   void Take(const PlanCandidate& candidate);
   bool TrySkipped(const std::vector<PlanCandidate>& skipped);
 
   const PlanTask& Task;
-  const PlanPairs& Pairs;
-  vtkDoubleArray* Reference;
+  const PlanComparison& First;
   IsAborted Aborted;
   Plan Found;
   std::string Problem;
   std::string Warnings;
+  int Tried = 0;
 };
 
 /// Hands an abort on to an integrator at work, whose errors it keeps.

@@ -280,11 +280,12 @@ TEST(PlanSample, StopsAndTakesAnything)
   const measuredbrdf::PlanTask task;
   std::vector<measuredbrdf::PlanCandidate> none;
   PlanPairs pairs = all;
+  PlanPairs second;
   std::string problem;
   const measuredbrdf::IsAborted yes = []() { return true; };
   const measuredbrdf::IsAborted no = []() { return false; };
-  EXPECT_FALSE(measuredbrdf::SamplePairs(task, yes, none, pairs, problem));
+  EXPECT_FALSE(measuredbrdf::SamplePairs(task, yes, none, pairs, second, problem));
   EXPECT_EQ(pairs.Normals->GetNumberOfTuples(), Many);
-  ASSERT_TRUE(measuredbrdf::SamplePairs(task, no, none, pairs, problem));
+  ASSERT_TRUE(measuredbrdf::SamplePairs(task, no, none, pairs, second, problem));
   EXPECT_NEAR(pairs.Normals->GetNumberOfTuples(), measuredbrdf::PairsToCompare, 1);
 }

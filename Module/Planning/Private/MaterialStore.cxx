@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MaterialStore.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace measuredbrdf
+{
+namespace
+{
+constexpr int MostAngles = 12; // of views that kernels are kept for
+}
+
+MaterialStore& MaterialStore::Get()
+{
+  static MaterialStore store(MostBytes);
+  return store;
+}
+
+MaterialStore::Parts MaterialStore::Take(const std::string& key)
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  const auto known = std::find_if(this->Entries.begin(), this->Entries.end(),
+    [&key](const Entry& entry) { return entry.Key == key; });
+  if (key.empty() || known == this->Entries.end())
+  {
+    return std::make_shared<vtkRadianceIntegrator::Precomputation>();
+  }
+  Parts parts = std::move(known->Material);
+  this->Entries.erase(known);
+  return parts;
+}
+
+void MaterialStore::PutBack(const std::string& key, Parts parts)
+{
+  if (key.empty() || !parts)
+  {
+    return;
+  }
+  parts->Trim(MostAngles);
+  const std::size_t bytes = parts->GetBytes();
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  this->Entries.remove_if([&key](const Entry& entry) { return entry.Key == key; });
+  this->Entries.push_front({ key, std::move(parts), bytes });
+  std::size_t sum = 0;
+  for (auto it = this->Entries.begin(); it != this->Entries.end();)
+  {
+    sum += it->Bytes;
+    it = sum > this->Most ? this->Entries.erase(it) : std::next(it);
+  }
+}
+
+std::size_t MaterialStore::GetBytes()
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  std::size_t sum = 0;
+  for (const Entry& entry : this->Entries)
+  {
+    sum += entry.Bytes;
+  }
+  return sum;
+}
+} // namespace measuredbrdf

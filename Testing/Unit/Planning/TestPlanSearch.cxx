@@ -1,0 +1,242 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// How a search weighs what a sample says: pooled samples, choices by luck, and what plans of one
+// material share.
+
+#include "MaterialStore.h"
+#include "PlanComparison.h"
+#include "PlanSearch.h"
+#include "TableCandidates.h"
+#include "vtkBRDF.h"
+#include "vtkEmbeddedMaterials.h"
+#include "vtkEnvironment.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkRadianceCostModel.h"
+#include "vtkRadianceIntegrator.h"
+#include "vtkRadiancePlanner.h"
+#include "vtkSmartPointer.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+using measuredbrdf::MaterialStore;
+using measuredbrdf::PlanCandidate;
+using measuredbrdf::PlanComparison;
+
+namespace
+{
+// Radiance 1 + Errors[0] where the normal is z, 1 + Errors[1] where it is x.
+class Wrong : public vtkRadianceIntegrator
+{
+public:
+  static Wrong* New();
+  vtkTypeMacro(Wrong, vtkRadianceIntegrator);
+  double Errors[2] = { 0.0, 0.0 };
+
+protected:
+  bool Begin() override { return true; }
+  void IntegratePart(int vtkNotUsed(part), const double n[3], const double vtkNotUsed(o)[3],
+    const double vtkNotUsed(t)[3], double radiance[3]) override
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      radiance[c] = 1.0 + this->Errors[n[0] > 0.5 ? 1 : 0];
+    }
+  }
+};
+vtkStandardNewMacro(Wrong);
+
+// Radiance 1 of so many pairs.
+PlanComparison MakeComparison(int count, bool alongX)
+{
+  PlanComparison comparison;
+  vtkNew<vtkDoubleArray> directions;
+  directions->SetNumberOfComponents(3);
+  comparison.Reference = vtkSmartPointer<vtkDoubleArray>::New();
+  comparison.Reference->SetNumberOfComponents(3);
+  for (int k = 0; k < count; ++k)
+  {
+    directions->InsertNextTuple3(alongX ? 1.0 : 0.0, 0.0, alongX ? 0.0 : 1.0);
+    comparison.Reference->InsertNextTuple3(1.0, 1.0, 1.0);
+  }
+  comparison.Pairs.Normals = comparison.Pairs.Views = directions;
+  return comparison;
+}
+
+PlanCandidate MakeCandidate(int size, double first, double second)
+{
+  PlanCandidate candidate;
+  candidate.Method = "wrong";
+  candidate.Sizes = { size };
+  const auto integrator = vtkSmartPointer<Wrong>::New();
+  integrator->Errors[0] = first;
+  integrator->Errors[1] = second;
+  integrator->SetBRDF(vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("pink-felt")));
+  candidate.Integrator = integrator;
+  return candidate;
+}
+
+vtkSmartPointer<vtkEnvironment> NewEnvironment(double share)
+{
+  auto environment = vtkSmartPointer<vtkEnvironment>::New();
+  std::vector<float> pixels(3 * 64 * 32, 0.2f);
+  for (std::size_t k = 0; k < pixels.size() / 3; ++k)
+  {
+    pixels[3 * k] += static_cast<float>(share * static_cast<double>(k % 64) / 64.0);
+  }
+  environment->SetPixels(64, 32, pixels);
+  return environment;
+}
+} // namespace
+
+//------------------------------------------------------------------------------
+// Against the ratio and its residues by hand.
+TEST(PlanComparison, PoolsSamplesAndAddsTheReferencesError)
+{
+  PlanComparison first = MakeComparison(2, false);
+  first.Pairs.Weights = { 1.0, 3.0 };
+  PlanComparison second = MakeComparison(1, false);
+  second.Pairs.Weights = { 4.0 };
+  second.ReferenceError = 0.03;
+  vtkNew<vtkDoubleArray> radiance, other;
+  radiance->SetNumberOfComponents(3);
+  other->SetNumberOfComponents(3);
+  radiance->InsertNextTuple3(1.1, 0.9, 1.1); // differences of 0.3, 0, 0.12 of 3
+  radiance->InsertNextTuple3(1.0, 1.0, 1.0);
+  other->InsertNextTuple3(1.04, 1.04, 0.96);
+  const auto found = measuredbrdf::Compare({ &first, &second }, { radiance, other });
+  const double error = (0.3 + 4.0 * 0.12) / 24.0;
+  const double squares =
+    std::pow(0.3 - 3.0 * error, 2) + std::pow(9.0 * error, 2) + std::pow(0.48 - 12.0 * error, 2);
+  EXPECT_NEAR(found.Uncertainty, std::hypot(2.0 * std::sqrt(squares) / 24.0, 0.03), 1e-12);
+  EXPECT_NEAR(found.Error, error + found.Uncertainty, 1e-12);
+}
+
+//------------------------------------------------------------------------------
+// The fifth looks good on the pairs that all are compared on, and is not: the sixth is chosen. With
+// fewer tried before, or far below the tolerance, no other pairs are asked for.
+TEST(PlanSearch, DoesNotTakeLuckForMerit)
+{
+  measuredbrdf::PlanTask task;
+  task.BRDF = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("pink-felt"));
+  task.Costs = vtkSmartPointer<vtkRadianceCostModel>::New();
+  task.Tolerance = 0.02;
+  task.MaximumBytes = 1000;
+  PlanComparison first = MakeComparison(20, false);
+  first.ReferenceError = 1e-3; // some uncertainty: here all pairs have the same error
+  PlanComparison second = MakeComparison(20, true);
+  const auto run = [&](const std::vector<PlanCandidate>& candidates, int& asked)
+  {
+    measuredbrdf::PlanSearch search(task, first, []() { return false; });
+    search.GetSecond = [&]()
+    {
+      ++asked;
+      return &second;
+    };
+    EXPECT_TRUE(search.Run(candidates)) << search.GetProblem();
+    return search.GetPlan();
+  };
+  int asked = 0;
+  const std::vector<PlanCandidate> many = { MakeCandidate(1, 0.5, 0.5), MakeCandidate(2, 0.4, 0.4),
+    MakeCandidate(3, 0.3, 0.3), MakeCandidate(4, 0.2, 0.2), MakeCandidate(5, 0.0185, 0.06),
+    MakeCandidate(6, 0.0185, 0.017) };
+  const measuredbrdf::Plan plan = run(many, asked);
+  EXPECT_EQ(plan.Choice, 5);
+  EXPECT_TRUE(plan.Meets);
+  EXPECT_EQ(asked, 2);
+  EXPECT_NEAR(plan.Candidates[5].Error - plan.Candidates[5].Uncertainty, 0.01775, 1e-9);
+  EXPECT_NEAR(plan.Candidates[4].Error - plan.Candidates[4].Uncertainty, 0.03925, 1e-9);
+
+  asked = 0;
+  EXPECT_EQ(run({ MakeCandidate(1, 0.5, 0.5), MakeCandidate(2, 0.0185, 0.06) }, asked).Choice, 1);
+  EXPECT_EQ(asked, 0);
+  const std::vector<PlanCandidate> sure = { MakeCandidate(1, 0.5, 0.5), MakeCandidate(2, 0.4, 0.4),
+    MakeCandidate(3, 0.3, 0.3), MakeCandidate(4, 0.01, 0.06) };
+  EXPECT_EQ(run(sure, asked).Choice, 3);
+  EXPECT_EQ(asked, 0);
+
+  // The best that misses says what it has on both, too.
+  const std::vector<PlanCandidate> missed(many.begin(), many.begin() + 4);
+  const measuredbrdf::Plan best = run(missed, asked);
+  EXPECT_EQ(asked, 1);
+  EXPECT_FALSE(best.Meets);
+}
+
+//------------------------------------------------------------------------------
+TEST(MaterialStore, KeepsTheLastOnes)
+{
+  const auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("pink-felt"));
+  brdf->Prepare();
+  const std::atomic<bool> never{ false };
+  const auto make = [&](MaterialStore& store, const std::string& key)
+  {
+    MaterialStore::Parts parts = store.Take(key);
+    parts->GetKernels(brdf, 8, 16, never);
+    parts->GetKernels(brdf, 24, 16, never); // which are not kept
+    store.PutBack(key, parts);
+    return parts.get();
+  };
+  MaterialStore one(1000000);
+  make(one, "a");
+  const std::size_t bytes = one.GetBytes();
+  EXPECT_GT(bytes, 8 * 16 * 16 * sizeof(double) * 3);
+  EXPECT_LT(bytes, 1.5 * 8 * 16 * 16 * sizeof(double) * 3);
+  MaterialStore two(bytes * 5 / 2);
+  const auto* a = make(two, "a");
+  make(two, "b");
+  EXPECT_EQ(two.GetBytes(), 2 * bytes);
+  const MaterialStore::Parts taken = two.Take("a");
+  EXPECT_EQ(taken.get(), a);
+  EXPECT_NE(two.Take("a").get(), a); // nobody else's
+  EXPECT_EQ(two.GetBytes(), bytes);
+  two.PutBack("a", taken);
+  make(two, "c"); // b goes
+  EXPECT_EQ(two.GetBytes(), 2 * bytes);
+  EXPECT_EQ(two.Take("a").get(), a);
+  make(two, ""); // says not what it is
+  EXPECT_EQ(two.GetBytes(), bytes);
+}
+
+//------------------------------------------------------------------------------
+// A known material under another map: the same plan as if it were new.
+TEST(MaterialStore, ChangesNoPlan)
+{
+  const auto known = NewEnvironment(0.1);
+  const auto other = NewEnvironment(3.0);
+  const auto plan = [](vtkBRDF* brdf, vtkEnvironment* environment)
+  {
+    vtkNew<vtkRadiancePlanner> planner;
+    planner->SetBRDF(brdf);
+    planner->SetEnvironment(environment);
+    EXPECT_TRUE(planner->Update());
+    std::string text = planner->GetDescription(planner->GetChoice());
+    return text + " " + std::to_string(planner->GetPredictedError(planner->GetChoice()));
+  };
+  const auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("violet-rubber"));
+  MaterialStore::Get().Take(brdf->GetContentKey()); // nothing known
+  const std::string expected = plan(brdf, other);
+  plan(brdf, known);
+  EXPECT_GT(MaterialStore::Get().GetBytes(), 100000u);
+  EXPECT_EQ(plan(brdf, other), expected);
+  EXPECT_LE(MaterialStore::Get().GetBytes(), MaterialStore::MostBytes);
+}
+
+//------------------------------------------------------------------------------
+// More maps of no more rows are left out where fewer are too far away, not where rows were missing.
+TEST(MapCandidates, TooManyAreLeftOut)
+{
+  using Attempts = std::vector<vtkRadianceIntegrator::Attempt>;
+  const Attempts far = { { { 256, 12, 8, 4, 0, 0 }, 0.06 } };
+  EXPECT_TRUE(measuredbrdf::CanPruneMaps(256, 8, far, {}, 0.02));
+  EXPECT_TRUE(measuredbrdf::CanPruneMaps(128, 16, far, {}, 0.02));
+  const Attempts near = { { { 256, 12, 8, 4, 0, 0 }, 0.025 } };
+  EXPECT_FALSE(measuredbrdf::CanPruneMaps(256, 8, near, {}, 0.02));
+  const Attempts coarse = { { { 128, 12, 8, 4, 0, 0 }, 0.36 } };
+  EXPECT_FALSE(measuredbrdf::CanPruneMaps(256, 4, coarse, {}, 0.01));
+}
