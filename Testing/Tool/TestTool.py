@@ -4,6 +4,7 @@
 
 import ast
 import csv
+import itertools
 import json
 import math
 import os
@@ -1569,6 +1570,24 @@ class Stability(ToolTest):
 class Occlusion(ToolTest):
     """What a mesh hides: predicted, traced, compared."""
 
+    def write_bowl(self):
+        """Two half spheres, open towards z, the inner one with normals inwards."""
+        path = self.path("bowl.ply")
+        points, faces = [], []
+        for i, j in itertools.product(range(32), range(24)):
+            u, t = i * math.pi / 16, 0.5 * math.pi * (0.05 + 0.95 * (j if j < 12 else 23 - j) / 11)
+            radius, side = (1.0, 1.0) if j < 12 else (0.9, -1.0)
+            direction = (math.sin(t) * math.cos(u), math.sin(t) * math.sin(u), -math.cos(t))
+            points.append([*(radius * d for d in direction), *(side * d for d in direction)])
+            if j > 0:
+                faces.append([4, *(24 * ((i + k) % 32) + j - m for k, m in ((0, 0), (0, 1), (1, 1), (1, 0)))])
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(f"ply\nformat ascii 1.0\nelement vertex {len(points)}\n")
+            file.writelines(f"property float {name}\n" for name in ("x", "y", "z", "nx", "ny", "nz"))
+            file.write(f"element face {len(faces)}\nproperty list uchar int vertex_indices\nend_header\n")
+            file.writelines(" ".join(map(str, row)) + "\n" for row in points + faces)
+        return path
+
     def test_mesh(self):
         mesh = json.loads(run("info", "ball-on-foot", "--json").stdout)
         self.assertEqual(mesh["triangles"] + mesh["skipped_triangles"], 2 * 360 * 240)
@@ -1591,7 +1610,7 @@ class Occlusion(ToolTest):
 
     def test_compare(self):
         report, strip = self.path("r.json"), self.path("strip.png")
-        options = ["--environment", "sky", "--mesh", "ball-on-foot", "--size", "48x48", "--report", report]
+        options = ["--environment", "sky", "--mesh", self.write_bowl(), "--size", "48x48", "--report", report]
         result = run("compare", "blue-fabric", *options, "--occlusion", "--samples", "64", "--strip", strip)
         self.check(result, 0, "unoccluded light: ", "the reference has occlusion")
         with open(report, encoding="utf-8") as file:
@@ -1605,7 +1624,7 @@ class Occlusion(ToolTest):
 
     def test_render(self):
         report = self.path("r.json")
-        common = ["--environment", "sky", "--mesh", "ball-on-foot", "--size", "24x24", "--report", report]
+        common = ["--environment", "sky", "--mesh", self.write_bowl(), "--size", "24x24", "--report", report]
 
         def render(*options):
             result = run("render", "blue-fabric", *common, "-o", self.path("x.exr"), *options)
