@@ -3,10 +3,12 @@
 #include "OcclusionForecast.h"
 
 #include "ContentHash.h"
+#include "LocalFrame.h"
 #include "SurfaceBlocks.h"
 #include "SurfacePoints.h"
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkNew.h"
 #include "vtkOcclusionPredictor.h"
 #include "vtkPointData.h"
@@ -14,9 +16,11 @@
 #include "vtkPolyData.h"
 #include "vtkSurfaceVisibilityFilter.h"
 #include "vtkTracedScene.h"
+#include "vtkTracedSurfaces.h"
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <thread>
 
 namespace measuredbrdf
@@ -25,7 +29,7 @@ namespace
 {
 constexpr int MostChanges = 3; // of a surface, in frames one after the other
 constexpr int ProbePoints = 64;
-constexpr int ProbeSamples = 16;
+constexpr int ProbeRays = 16;
 constexpr double LeastError = 0.002; // to be spoken of
 
 template <typename Visit>
@@ -35,6 +39,43 @@ void ForEachArray(vtkPolyData* surface, const Visit& visit)
   visit(surface->GetPointData()->GetNormals());
   visit(surface->GetPolys());
   visit(surface->GetStrips());
+}
+
+// Whether a thousand rays from points as cameras all around see them find that the scene hides
+// anything from itself.
+bool HidesAnything(vtkTracedScene* scene)
+{
+  vtkNew<vtkPolyData> hits;
+  vtkNew<vtkDoubleArray> views;
+  const double around[3] = { 0.0, 0.0, 0.0 };
+  if (!scene->DrawVisiblePoints(ProbePoints, around, hits, views))
+  {
+    return false;
+  }
+  const vtkTracedSurfaces& surfaces = scene->GetSurfaces();
+  vtkDataArray* normals = hits->GetPointData()->GetNormals();
+  vtkDataArray* facets = hits->GetPointData()->GetArray("FacetNormals");
+  constexpr double golden = 2.399963229728653; // radians
+  for (vtkIdType k = 0; k < hits->GetNumberOfPoints(); ++k)
+  {
+    SurfacePoint point;
+    hits->GetPoint(k, &point.Position.x);
+    normals->GetTuple(k, &point.Normal.x);
+    facets->GetTuple(k, &point.Facet.x);
+    const glm::dmat3 frame = FrameAbout(point.Normal);
+    for (int s = 0; s < ProbeRays; ++s)
+    {
+      const double z = std::sqrt((s + 0.5) / ProbeRays); // by cosines
+      const double across = std::sqrt(1.0 - z * z);
+      const double azimuth = golden * static_cast<double>(ProbeRays * k + s);
+      if (surfaces.IsHidden(
+            point, frame * glm::dvec3(across * std::cos(azimuth), across * std::sin(azimuth), z)))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
 }
 
 // What rays meet and where they begin; nothing else of the data.
@@ -89,16 +130,7 @@ public:
   void operator=(const Job&) = delete;
 
   // Whether the answer takes no time, because a look at few points finds nothing hidden.
-  bool IsEasy()
-  {
-    return this->Points <= MostPoints && std::all_of(this->Materials.begin(), this->Materials.end(),
-                                           [this](const OcclusionQuestion::Material& material)
-                                           {
-                                             vtkNew<vtkOcclusionPredictor> predictor;
-                                             return this->Probe(predictor, material) &&
-                                                    predictor->GetError() == 0.0;
-                                           });
-  }
+  bool IsEasy() { return this->Points <= MostPoints && !HidesAnything(this->GetScene()); }
 
   void Start()
   {
@@ -115,6 +147,11 @@ public:
   {
     if (this->Points > MostPointsInBackground)
     {
+      return;
+    }
+    if (!HidesAnything(this->GetScene()))
+    {
+      this->Error = 0.0;
       return;
     }
     bool worth = false;
@@ -147,8 +184,7 @@ public:
   vtkSmartPointer<vtkDataObject> Traced;
 
 private:
-  // A thousand rays.
-  bool Probe(vtkOcclusionPredictor* predictor, const OcclusionQuestion::Material& material)
+  vtkTracedScene* GetScene()
   {
     if (!this->Scene)
     {
@@ -158,28 +194,17 @@ private:
         this->Scene->AddSurface(surface, this->ToEnvironment);
       }
     }
-    predictor->SetScene(this->Scene);
-    predictor->SetBRDF(material.BRDF);
-    predictor->SetEnvironment(material.Environment);
-    predictor->SetNumberOfPoints(ProbePoints);
-    predictor->SetMaximumNumberOfPoints(ProbePoints);
-    predictor->SetNumberOfSamples(ProbeSamples);
-    return predictor->Update();
+    return this->Scene;
   }
 
   // Whether it is worth modeling.
   bool Predict(const OcclusionQuestion::Material& material)
   {
     vtkNew<vtkOcclusionPredictor> predictor;
-    bool done = this->Probe(predictor, material);
-    if (done && predictor->GetError() > 0.0)
-    {
-      vtkNew<vtkOcclusionPredictor> defaults;
-      predictor->SetNumberOfSamples(defaults->GetNumberOfSamples());
-      predictor->SetNumberOfPoints(defaults->GetNumberOfPoints());
-      predictor->SetMaximumNumberOfPoints(defaults->GetMaximumNumberOfPoints());
-      done = predictor->Update();
-    }
+    predictor->SetScene(this->GetScene());
+    predictor->SetBRDF(material.BRDF);
+    predictor->SetEnvironment(material.Environment);
+    const bool done = predictor->Update();
     if (done && predictor->GetError() > this->Error)
     {
       this->Error = predictor->GetError();
