@@ -224,6 +224,7 @@ void Run(Options& options, const CLI::App* command)
   {
     scene.Open(size.Width, size.Height);
     scene.Begin(method, environment, options.Method.Plan);
+    scene.ModelOcclusion(vtkMeasuredBRDFMapper::OCCLUSION_AUTO); // what the mesh's arrays say
     scene.SetLight(environment, method.Integrator); // this plan for the larger picture, too
   }
   const double setup = elapsed();

@@ -31,6 +31,7 @@ Scene::Scene(vtkMeasuredBRDFMapper* mapper)
   , Mapper(mapper)
 {
   this->Mapper->AddObserver(vtkCommand::ProgressEvent, this, &Scene::OnProgress);
+  this->Mapper->SetOcclusionModeToOff(); // as the references
 }
 
 //------------------------------------------------------------------------------
@@ -86,7 +87,10 @@ void Scene::SetLightSet(vtkLightSet* lights)
 }
 
 //------------------------------------------------------------------------------
-void Scene::ModelOcclusion() { this->Mapper->SetOcclusionModeToOn(); }
+void Scene::ModelOcclusion(vtkMeasuredBRDFMapper::OcclusionModeType mode)
+{
+  this->Mapper->SetOcclusionMode(mode);
+}
 
 //------------------------------------------------------------------------------
 void Scene::SetPlan(const PlanOptions& options)

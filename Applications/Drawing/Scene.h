@@ -11,6 +11,7 @@
 #include "Inputs.h"
 #include "Methods.h"
 #include "OffscreenScene.h"
+#include "vtkMeasuredBRDFMapper.h"
 
 #include <cstddef>
 #include <memory>
@@ -39,7 +40,7 @@ public:
   void SetLightSet(vtkLightSet* lights);
 
   /// Draw what the mesh hides of the environment; its visibility is traced in the next frame.
-  void ModelOcclusion();
+  void ModelOcclusion(vtkMeasuredBRDFMapper::OcclusionModeType mode);
 
   /// How the mapper plans.
   void SetPlan(const PlanOptions& options);

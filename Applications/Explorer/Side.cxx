@@ -54,6 +54,7 @@ Side::Side(int index, Session* session, Jobs* jobs, QObject* parent)
 {
   this->Mapper->ScalarVisibilityOff();
   this->Mapper->SetPlanningModeToBackgroundFromStart();
+  this->Mapper->SetOcclusionModeToOff(); // as the exact picture
   this->Mapper->SetCostModel(
     tool::PlanOptions().GetCosts()); // as Capture's scene: one plan for both
   this->Actor->SetMapper(this->Mapper);

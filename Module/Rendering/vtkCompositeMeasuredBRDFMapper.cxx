@@ -208,20 +208,15 @@ void vtkCompositeMeasuredBRDFMapper::RemoveBlockBRDFs()
 //------------------------------------------------------------------------------
 std::string vtkCompositeMeasuredBRDFMapper::GetPlan()
 {
-  return DescribePlans(this->Impl->Drawing->GetLastFrame());
+  return DescribePlans(this->Impl->Drawing->GetLastFrame()) +
+         this->Impl->Drawing->DescribeOcclusion();
 }
 
 //------------------------------------------------------------------------------
-bool vtkCompositeMeasuredBRDFMapper::GetPlanPending()
-{
-  return this->Impl->Drawing->GetPlans().IsPending();
-}
+bool vtkCompositeMeasuredBRDFMapper::GetPlanPending() { return this->Impl->Drawing->IsPending(); }
 
 //------------------------------------------------------------------------------
-bool vtkCompositeMeasuredBRDFMapper::GetPlanReady()
-{
-  return this->Impl->Drawing->GetPlans().IsReady();
-}
+bool vtkCompositeMeasuredBRDFMapper::GetPlanReady() { return this->Impl->Drawing->IsReady(); }
 
 //------------------------------------------------------------------------------
 void vtkCompositeMeasuredBRDFMapper::SetAbortPlanning(bool abort)

@@ -88,7 +88,7 @@ std::string vtkMeasuredBRDFMapper::GetPlan()
   const DrawnMaterials materials = this->Drawing->GetLastFrame();
   const double error =
     this->Drawing->GetSettings().MaterialMap ? this->Map->Parts.PredictError(materials) : -1.0;
-  return DescribePlans(materials) + DescribeMixture(error);
+  return DescribePlans(materials) + DescribeMixture(error) + this->Drawing->DescribeOcclusion();
 }
 
 //------------------------------------------------------------------------------
@@ -163,10 +163,10 @@ void vtkMeasuredBRDFMapper::ReleaseGraphicsResources(vtkWindow* window)
 }
 
 //------------------------------------------------------------------------------
-bool vtkMeasuredBRDFMapper::GetPlanPending() { return this->Drawing->GetPlans().IsPending(); }
+bool vtkMeasuredBRDFMapper::GetPlanPending() { return this->Drawing->IsPending(); }
 
 //------------------------------------------------------------------------------
-bool vtkMeasuredBRDFMapper::GetPlanReady() { return this->Drawing->GetPlans().IsReady(); }
+bool vtkMeasuredBRDFMapper::GetPlanReady() { return this->Drawing->IsReady(); }
 
 //------------------------------------------------------------------------------
 double vtkMeasuredBRDFMapper::FitProperty(vtkProperty* property)

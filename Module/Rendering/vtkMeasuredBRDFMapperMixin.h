@@ -109,6 +109,7 @@ private:
 
   std::map<const vtkOpenGLHelper*, std::string> ShaderKeys;
   int BuiltOcclusionMode = -1; // of the buffers
+  const void* BuiltTracedOcclusion = nullptr;
 };
 
 #endif

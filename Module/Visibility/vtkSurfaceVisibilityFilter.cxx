@@ -87,7 +87,7 @@ struct PointTask
   const HiddenSky::Rays& Rays;
   double Farthest;
 
-  HiddenSky::Code Trace(const SurfacePoint& point, double side, std::vector<char>& hidden) const
+  HiddenSky::Code Trace(const SurfaceVertex& point, double side, std::vector<char>& hidden) const
   {
     const glm::dvec3 normal = side * point.Normal;
     if (glm::dot(normal, normal) == 0.0)
@@ -220,7 +220,7 @@ struct vtkSurfaceVisibilityFilter::Internals
       SurfaceArrays arrays;
       arrays.Key = GetSurfaceKey(surface);
       const vtkIdType count = surface->GetNumberOfPoints();
-      const std::vector<SurfacePoint> points = FindSurfacePoints(surface);
+      const std::vector<SurfaceVertex> points = FindSurfacePoints(surface);
       for (int side = 0; side < (self->BothSides ? 2 : 1); ++side)
       {
         arrays.Sides.emplace_back(count, side == 0 ? "" : "Back");

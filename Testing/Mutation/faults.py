@@ -1000,6 +1000,10 @@ add("Visibility.key-without-normals", "Private/SurfacePoints.cxx", "HashArray(ha
     "OcclusionTest.BadArraysAreSaidOnceAndNotUsed")
 add("Visibility.rays-begin-below-twisted-quads", "Private/SurfacePoints.cxx", "ForEachFace(surface, Faces::Triangles,",
     "ForEachFace(surface, Faces::Polygons,", "SurfaceVisibility.TwistedQuadsAreLeftFromTheirTriangles")
+add("Rendering.occlusion-whatever-it-costs", "Private/OcclusionForecast.cxx", "if (!worth || this->IsStopped || this->Points > this->Most)",
+    "if (this->IsStopped || this->Points > this->Most)", "OcclusionTest.AutoModelsWhatIsWorthIt")
+add("Rendering.moving-surfaces-are-traced", "Private/OcclusionForecast.cxx", "return this->Changes <= MostChanges;", "return true;",
+    "OcclusionTest.ForecastsFollowTheSurface")
 add("Rendering.hidden-sky-of-the-wrong-side", "Private/OcclusionShader.cxx",
     "dot(normalVCVSOutput, brdfSkyNormalVSOutput) > 0.0", "dot(normalVCVSOutput, brdfSkyNormalVSOutput) < 2.0",
     "OcclusionTest.NormalsMayPointEitherWay")

@@ -6,17 +6,21 @@
 #include "HiddenSky.h"
 #include "OcclusionArrays.h"
 #include "OcclusionAxes.h"
+#include "OcclusionForecast.h"
 #include "OcclusionLight.h"
 #include "RenderFixture.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkCallbackCommand.h"
+#include "vtkCellData.h"
 #include "vtkCommand.h"
 #include "vtkCompositeMeasuredBRDFMapper.h"
 #include "vtkEmbeddedEnvironments.h"
 #include "vtkEnvironment.h"
 #include "vtkFilteredRadianceIntegrator.h"
 #include "vtkHybridRadianceIntegrator.h"
+#include "vtkIntArray.h"
 #include "vtkLambertBRDF.h"
+#include "vtkMaterialMap.h"
 #include "vtkMath.h"
 #include "vtkMeasuredBRDFMapper.h"
 #include "vtkMultiBlockDataSet.h"
@@ -34,8 +38,10 @@
 #include <glm/glm.hpp>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <string>
+#include <thread>
 #include <vector>
 
 using measuredbrdf::HiddenSky;
@@ -52,6 +58,18 @@ vtkSmartPointer<vtkPolyData> MakeSquare(double half = 0.9, int resolution = 2)
   source->SetResolution(resolution, resolution);
   source->Update();
   return source->GetOutput();
+}
+
+// A hollow that is open downwards.
+vtkSmartPointer<vtkPolyData> MakeBowl()
+{
+  vtkNew<vtkSphereSource> bowl;
+  bowl->SetRadius(0.9);
+  bowl->SetThetaResolution(40);
+  bowl->SetPhiResolution(24);
+  bowl->SetEndPhi(115.0);
+  bowl->Update();
+  return bowl->GetOutput();
 }
 
 vtkUnsignedCharArray* GetBytes(vtkPolyData* surface, const char* name)
@@ -471,13 +489,9 @@ TEST_F(OcclusionTest, OnTracesWhatHasNoArrays)
 // and corners run. And from inside.
 TEST_F(OcclusionTest, NormalsMayPointEitherWay)
 {
-  vtkNew<vtkSphereSource> bowl;
-  bowl->SetRadius(0.9);
-  bowl->SetThetaResolution(40);
-  bowl->SetPhiResolution(24);
-  bowl->SetEndPhi(115.0);
+  const auto bowl = MakeBowl();
   vtkNew<vtkReverseSense> reversed;
-  reversed->SetInputConnection(bowl->GetOutputPort());
+  reversed->SetInputData(bowl);
   reversed->ReverseNormalsOn();
   reversed->Update();
   vtkNew<vtkLambertBRDF> brdf;
@@ -503,7 +517,7 @@ TEST_F(OcclusionTest, NormalsMayPointEitherWay)
     return largest;
   };
   FloatImage inside;
-  for (vtkPolyData* surface : { bowl->GetOutput(), reversed->GetOutput() })
+  for (vtkPolyData* surface : { bowl.Get(), reversed->GetOutput() })
   {
     const FloatImage open = render(surface, 0, 1.0);
     EXPECT_GT(open.At(32, 32)[0], 0.1f);
@@ -513,6 +527,125 @@ TEST_F(OcclusionTest, NormalsMayPointEitherWay)
     EXPECT_LT(inside.RGBA.empty() ? 0.0 : compare(inside, within), 0.03);
     inside = within;
   }
+}
+
+// On traces what a material map divides before it is divided.
+TEST_F(OcclusionTest, OnTracesSurfacesOfSeveralMaterials)
+{
+  const auto bowl = MakeBowl();
+  vtkNew<vtkIntArray> classes;
+  classes->SetName("class");
+  for (vtkIdType cell = 0; cell < bowl->GetNumberOfCells(); ++cell)
+  {
+    classes->InsertNextValue(cell % 2);
+  }
+  bowl->GetCellData()->AddArray(classes);
+  vtkNew<vtkLambertBRDF> brdf;
+  vtkNew<vtkLambertBRDF> same;
+  vtkNew<vtkMaterialMap> map;
+  map->SetArrayName("class");
+  map->AddMaterial(brdf, 0.0);
+  map->AddMaterial(same, 1.0);
+  vtkNew<vtkTableRadianceIntegrator> table;
+  MakeSmall(table.Get());
+  this->Renderer->GetActiveCamera()->SetPosition(0.0, 0.0, -5.0); // into it
+  this->Mapper->SetBRDF(brdf);
+  this->Mapper->SetIntegrator(table);
+  this->Mapper->SetInputData(bowl);
+  const glm::dvec3 off = this->RenderMiddle(0);
+  const glm::dvec3 on = this->RenderMiddle(2);
+  EXPECT_LT(on.x, 0.7 * off.x);
+  this->Mapper->SetMaterialMap(map);
+  EXPECT_LT(glm::length(this->RenderMiddle(2) - on), 1e-4 * off.x);
+  EXPECT_LT(glm::length(this->RenderMiddle(0) - off), 1e-4 * off.x);
+}
+
+// Auto makes the arrays where leaving occlusion out costs more than the tolerance leaves, and says
+// so.
+TEST_F(OcclusionTest, AutoModelsWhatIsWorthIt)
+{
+  const auto bowl = MakeBowl();
+  vtkNew<vtkLambertBRDF> brdf;
+  this->Renderer->GetActiveCamera()->SetPosition(0.0, 0.0, -5.0); // into it
+  this->Mapper->SetBRDF(brdf);
+  this->Mapper->SetInputData(bowl);
+  const glm::dvec3 off = this->RenderMiddle(0);
+  EXPECT_EQ(this->Mapper->GetPlan().find("unoccluded"), std::string::npos);
+  const glm::dvec3 on = this->RenderMiddle(2);
+  EXPECT_LT(on.x, 0.7 * off.x);
+  EXPECT_LT(glm::length(this->RenderMiddle(1) - on), 1e-5 * off.x);
+  const std::string plan = this->Mapper->GetPlan();
+  EXPECT_NE(plan.find("; unoccluded light: "), std::string::npos) << plan;
+  EXPECT_NE(plan.find(", modeled"), std::string::npos) << plan;
+  // A rotation changes nothing about it.
+  this->Environment->SetRotationY(40.0);
+  EXPECT_LT(this->RenderMiddle(1).x, 0.8 * off.x);
+  EXPECT_EQ(this->Mapper->GetPlan(), plan);
+  this->Environment->SetRotationY(0.0);
+  // Not for a hand-set method, and not where the tolerance allows for it.
+  vtkNew<vtkTableRadianceIntegrator> table;
+  MakeSmall(table.Get());
+  this->Mapper->SetIntegrator(table);
+  EXPECT_GT(this->RenderMiddle(1).x, 0.9 * off.x);
+  this->Mapper->SetIntegrator(nullptr);
+  this->Mapper->SetErrorTolerance(1.0);
+  EXPECT_GT(this->RenderMiddle(1).x, 0.9 * off.x);
+  EXPECT_NE(this->Mapper->GetPlan().find("within the tolerance"), std::string::npos);
+  // A ball hides nothing.
+  vtkNew<vtkSphereSource> ball;
+  this->Mapper->SetErrorTolerance(0.02);
+  this->Mapper->SetInputConnection(ball->GetOutputPort());
+  this->RenderMiddle(1);
+  EXPECT_EQ(this->Mapper->GetPlan().find("unoccluded"), std::string::npos)
+    << this->Mapper->GetPlan();
+}
+
+// On a thread the same arrays are made, and a surface that never rests is left alone.
+TEST_F(OcclusionTest, ForecastsFollowTheSurface)
+{
+  const auto bowl = MakeBowl();
+  vtkNew<vtkLambertBRDF> brdf;
+  measuredbrdf::OcclusionQuestion question;
+  question.Input = bowl;
+  question.Materials.push_back(
+    { brdf.Get(), this->Environment, this->Environment->GetPixelsMTime(), 0.01 });
+  measuredbrdf::OcclusionForecast here;
+  here.Update(question);
+  EXPECT_FALSE(here.IsPending());
+  ASSERT_TRUE(here.GetTraced());
+  EXPECT_GT(here.GetError(), 0.1);
+  measuredbrdf::OcclusionForecast there;
+  question.InBackground = true;
+  there.Update(question);
+  EXPECT_FALSE(there.GetTraced());
+  EXPECT_TRUE(there.IsPending());
+  while (there.IsPending())
+  {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    there.Update(question);
+  }
+  ASSERT_TRUE(there.GetTraced());
+  EXPECT_EQ(there.GetText(), here.GetText());
+  EXPECT_EQ(GetCode(vtkPolyData::SafeDownCast(there.GetTraced()), 77),
+    GetCode(vtkPolyData::SafeDownCast(here.GetTraced()), 77));
+  // Other colors on the same points are no other surface.
+  question.InBackground = false;
+  vtkDataObject* traced = here.GetTraced();
+  vtkNew<vtkPolyData> same;
+  same->DeepCopy(bowl);
+  question.Input = same;
+  here.Update(question);
+  EXPECT_EQ(here.GetTraced(), traced);
+  for (int frame = 0; frame < 6; ++frame)
+  {
+    same->GetPoints()->SetPoint(0, 0.0, 0.0, 0.9 + 0.001 * frame);
+    same->GetPoints()->Modified();
+    here.Update(question);
+    EXPECT_EQ(here.GetTraced() != nullptr, frame < 4) << frame;
+  }
+  EXPECT_NE(here.GetText().find("while the surface changes"), std::string::npos);
+  here.Update(question); // it rests
+  EXPECT_TRUE(here.GetTraced());
 }
 
 // A side that sees nothing of the sky, as the inside of a closed surface, costs nothing.

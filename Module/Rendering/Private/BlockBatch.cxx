@@ -110,7 +110,7 @@ void BlockBatch::AddOcclusion(vtkRenderer*)
 {
   this->Occlusion.Clear();
   this->ForEachBlock([this](vtkPolyData* surface, bool*, const auto&)
-    { this->Occlusion.Announce(this->Drawing->FindOcclusion(surface, false)); });
+    { this->Occlusion.Announce(this->Drawing->FindOcclusion(surface, this, false)); });
   this->LeastOcclusionCosine = this->Occlusion.GetSides().LeastCosine;
   this->IsOtherSideClosed = this->Occlusion.GetSides().IsOtherClosed;
 }
@@ -125,7 +125,7 @@ void BlockBatch::AppendOneBufferObject(vtkRenderer* ren, vtkActor* actor, BlockR
   if (BatchOcclusion::CountVertices(this->VBOs, surface) != before)
   {
     this->Occlusion.Append(
-      this->VBOs, surface->GetNumberOfPoints(), this->Drawing->FindOcclusion(surface, false));
+      this->VBOs, surface->GetNumberOfPoints(), this->Drawing->FindOcclusion(surface, this, false));
   }
 }
 

@@ -356,6 +356,7 @@ void MaterialDrawing::BeginFrame(
   }
   frame.Materials = std::move(materials);
   this->DropOcclusionLights();
+  this->ForecastOcclusion(state, part, frame);
   this->Frame = &frame;
   this->LastRenderer = renderer;
 }
@@ -431,7 +432,11 @@ std::vector<const DrawnMaterial*> MaterialDrawing::GetLastFrame() const
   return materials;
 }
 
-void MaterialDrawing::Forget(const void* part) { this->Frames.Forget(part); }
+void MaterialDrawing::Forget(const void* part)
+{
+  this->Frames.Forget(part);
+  this->Forecasts.erase(part);
+}
 
 vtkIdType MaterialDrawing::GetVisiblePairs(
   vtkRenderer* renderer, vtkActor* actor, vtkDataArray* normals, vtkDataArray* views)
@@ -458,7 +463,7 @@ vtkIdType MaterialDrawing::GetVisiblePairs(
 
 vtkMTimeType MaterialDrawing::GetAppearanceMTime()
 {
-  const bool ready = this->Plans.IsReady();
+  const bool ready = this->IsReady();
   if (ready && !this->WasReady)
   {
     this->ReadyTime.Modified();

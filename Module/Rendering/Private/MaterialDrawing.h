@@ -14,6 +14,7 @@
 #include "MapperPlans.h"
 #include "MaterialSettings.h"
 #include "OcclusionArrays.h"
+#include "OcclusionForecast.h"
 #include "OcclusionLight.h"
 #include "OcclusionShader.h"
 #include "SelectedMaterials.h"
@@ -84,8 +85,15 @@ public:
   /// For surfaces that hide the sky from themselves (SetOcclusionMode): the attributes of one that
   /// is drawn, null where it has none; of a material, null without an environment. isPart: of a
   /// surface that a material map divides. Both stay valid until the next frame.
-  std::shared_ptr<OcclusionArrays> FindOcclusion(vtkPolyData* surface, bool isPart);
+  /// part: who draws it.
+  std::shared_ptr<OcclusionArrays> FindOcclusion(
+    vtkPolyData* surface, const void* part, bool isPart);
   const OcclusionLight* FindOcclusionLight(const DrawnMaterial& drawn);
+  /// Of a surface that a material map will divide: itself, or with the arrays that it has to have
+  /// (SetOcclusionModeToOn). The same object while nothing changes.
+  vtkSmartPointer<vtkPolyData> FindWhole(vtkPolyData* surface);
+  /// What was traced for a part because it is worth that (OcclusionForecast); null: nothing.
+  vtkDataObject* GetTracedOcclusion(const void* part) const;
   /// Of the selected materials; none where nothing is hidden. any: whether the buffers have some.
   OcclusionLights GetSelectedOcclusion(bool any);
   ///@}
@@ -103,6 +111,11 @@ public:
   /// About the last frame of all parts.
   std::vector<const DrawnMaterial*> GetLastFrame() const;
   const MapperPlans& GetPlans() const { return this->Plans; }
+  /// Plans, or what is traced beside them: whether some are in the making; made and not drawn yet.
+  bool IsPending() const;
+  bool IsReady() const;
+  /// What leaving occlusion out costs, and whether it is: a line of a plan, or "".
+  std::string DescribeOcclusion() const;
   ///@}
 
   /// What PlanForView sees of all surfaces to come: as many normals as views, for
@@ -159,6 +172,7 @@ private:
   void WarnOfLevels(const FrameState& state);
   void DropPlans(const FrameState& state, bool anyMaterial);
   void DropOcclusionLights();
+  void ForecastOcclusion(const FrameState& state, const void* part, const ViewFrame& frame);
 
   ///@{
   /// The stages of a frame, in this order; the last three for each material.
@@ -201,6 +215,7 @@ private:
   };
   std::map<vtkSmartPointer<vtkRadianceIntegrator>, KnownLight> KnownLights;
   OcclusionCache Occlusion;
+  std::map<const void*, std::unique_ptr<OcclusionForecast>> Forecasts; // of parts
   bool WasReady = false; // whether a plan made in the background waited to be drawn
   vtkTimeStamp ReadyTime;
 };

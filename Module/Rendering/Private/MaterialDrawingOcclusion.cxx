@@ -3,7 +3,17 @@
 // MaterialDrawing's part in shading with what surfaces hide from themselves.
 #include "MaterialDrawing.h"
 
+#include "SurfaceBlocks.h"
+#include "vtkActor.h"
+#include "vtkEnvironment.h"
 #include "vtkMapper.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkRadiancePlanner.h"
+#include "vtkRenderer.h"
+#include "vtkSurfaceVisibilityFilter.h"
 
 #include <algorithm>
 #include <iterator>
@@ -11,7 +21,119 @@
 
 namespace measuredbrdf
 {
-std::shared_ptr<OcclusionArrays> MaterialDrawing::FindOcclusion(vtkPolyData* surface, bool isPart)
+namespace
+{
+// Arrays of whoever made the surfaces.
+bool HasArrays(const std::vector<vtkPolyData*>& surfaces)
+{
+  return std::any_of(surfaces.begin(), surfaces.end(),
+    [](vtkPolyData* surface) {
+      return surface->GetPointData()->HasArray(vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName());
+    });
+}
+
+// From a surface's axes to those in which the renderer's environment is given.
+vtkSmartPointer<vtkMatrix4x4> FindToEnvironment(vtkRenderer* renderer, vtkActor* actor)
+{
+  const double* right = renderer->GetEnvironmentRight();
+  const double* up = renderer->GetEnvironmentUp();
+  const glm::dvec3 x(right[0], right[1], right[2]);
+  const glm::dvec3 y(up[0], up[1], up[2]);
+  // As VTK's envMatrix has them.
+  const glm::dvec3 rows[3] = { x, y, glm::cross(x, y) };
+  vtkNew<vtkMatrix4x4> turn;
+  for (int row = 0; row < 3; ++row)
+  {
+    for (int column = 0; column < 3; ++column)
+    {
+      turn->SetElement(row, column, rows[row][column]);
+    }
+  }
+  auto matrix = vtkSmartPointer<vtkMatrix4x4>::New();
+  vtkMatrix4x4::Multiply4x4(turn, actor->GetMatrix(), matrix);
+  return matrix;
+}
+}
+
+// Only where a plan's error is promised, and no arrays are there.
+void MaterialDrawing::ForecastOcclusion(
+  const FrameState& state, const void* part, const ViewFrame& frame)
+{
+  auto* owner = vtkMapper::SafeDownCast(this->Owner);
+  vtkDataObject* input =
+    owner && owner->GetNumberOfInputConnections(0) > 0 ? owner->GetInputDataObject(0, 0) : nullptr;
+  if (this->Settings->OcclusionMode != 1 || !this->IsPlanned() || this->Settings->MaterialMap ||
+      !input || HasArrays(GetBlocks(input)))
+  {
+    this->Forecasts.erase(part);
+    return;
+  }
+  OcclusionQuestion question;
+  question.Input = input;
+  question.Tolerance = this->Settings->ErrorTolerance;
+  question.InBackground = this->Settings->PlanningMode != 0;
+  question.ToEnvironment = FindToEnvironment(state.Renderer, state.Actor);
+  for (const DrawnMaterial& drawn : frame.Materials)
+  {
+    if (drawn.IsReady && drawn.Plan && drawn.Environment)
+    {
+      const auto environment =
+        vtkSmartPointer<vtkEnvironment>::Take(drawn.Environment->NewSnapshot());
+      question.Materials.push_back({ drawn.BRDF, environment, drawn.Environment->GetPixelsMTime(),
+        drawn.Plan->GetPredictedError(drawn.Plan->GetChoice()) });
+      question.InBackground = question.InBackground && drawn.BRDF != drawn.Source;
+    }
+  }
+  std::unique_ptr<OcclusionForecast>& forecast = this->Forecasts[part];
+  if (!forecast)
+  {
+    forecast = std::make_unique<OcclusionForecast>();
+  }
+  forecast->Update(question);
+}
+
+vtkDataObject* MaterialDrawing::GetTracedOcclusion(const void* part) const
+{
+  const auto found = this->Forecasts.find(part);
+  return found == this->Forecasts.end() ? nullptr : found->second->GetTraced();
+}
+
+vtkSmartPointer<vtkPolyData> MaterialDrawing::FindWhole(vtkPolyData* surface)
+{
+  auto* owner = vtkMapper::SafeDownCast(this->Owner);
+  vtkDataObject* input = owner ? owner->GetInputDataObject(0, 0) : nullptr;
+  return this->Settings->OcclusionMode == 2 && input && !HasArrays({ surface })
+           ? this->Occlusion.FindWhole(surface, input)
+           : vtkSmartPointer<vtkPolyData>(surface);
+}
+
+std::string MaterialDrawing::DescribeOcclusion() const
+{
+  const OcclusionForecast* worst = nullptr;
+  for (const auto& [part, forecast] : this->Forecasts)
+  {
+    worst = !worst || forecast->GetError() > worst->GetError() ? forecast.get() : worst;
+  }
+  const std::string text = worst ? worst->GetText() : "";
+  return text.empty() ? "" : "; " + text;
+}
+
+bool MaterialDrawing::IsPending() const
+{
+  return this->Plans.IsPending() ||
+         std::any_of(this->Forecasts.begin(), this->Forecasts.end(),
+           [](const auto& forecast) { return forecast.second->IsPending(); });
+}
+
+bool MaterialDrawing::IsReady() const
+{
+  return this->Plans.IsReady() ||
+         std::any_of(this->Forecasts.begin(), this->Forecasts.end(),
+           [](const auto& forecast) { return forecast.second->IsReady(); });
+}
+
+std::shared_ptr<OcclusionArrays> MaterialDrawing::FindOcclusion(
+  vtkPolyData* surface, const void* part, bool isPart)
 {
   const int mode = this->Settings->OcclusionMode;
   if (mode == 0 || !surface)
@@ -20,9 +142,10 @@ std::shared_ptr<OcclusionArrays> MaterialDrawing::FindOcclusion(vtkPolyData* sur
   }
   auto* owner = vtkMapper::SafeDownCast(this->Owner);
   const bool make = mode == 2 && !isPart && owner;
+  vtkDataObject* traced = mode == 1 && !isPart && owner ? this->GetTracedOcclusion(part) : nullptr;
   std::string problem;
-  auto arrays = this->Occlusion.Find(
-    surface, make ? owner->GetInputDataObject(0, 0) : nullptr, make, isPart, problem);
+  auto arrays = this->Occlusion.Find(surface,
+    make || traced ? owner->GetInputDataObject(0, 0) : nullptr, traced, make, isPart, problem);
   if (!problem.empty() && this->WarnOnce("occlusion: " + problem))
   {
     vtkWarningWithObjectMacro(

@@ -3,10 +3,10 @@
 #include "OcclusionArrays.h"
 
 #include "HiddenSky.h"
+#include "SurfaceBlocks.h"
 #include "SurfacePoints.h"
 #include "vtkCellArray.h"
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
+#include "vtkDataObject.h"
 #include "vtkFieldData.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -237,13 +237,9 @@ OcclusionCache::OcclusionCache() = default;
 
 OcclusionCache::~OcclusionCache() = default;
 
-// The block of what the filter makes of the input that stands for the surface; null: there is none.
-vtkPolyData* OcclusionCache::Trace(vtkPolyData* surface, vtkDataObject* input)
+// What the filter makes of the input.
+vtkDataObject* OcclusionCache::Trace(vtkDataObject* input)
 {
-  if (!input)
-  {
-    return nullptr;
-  }
   if (!this->Filter)
   {
     this->Filter = vtkSmartPointer<vtkSurfaceVisibilityFilter>::New();
@@ -253,26 +249,31 @@ vtkPolyData* OcclusionCache::Trace(vtkPolyData* surface, vtkDataObject* input)
   copy->ShallowCopy(input); // no pipeline of the program's hangs on it
   this->Filter->SetInputDataObject(copy);
   this->Filter->Update();
-  auto* composite = vtkCompositeDataSet::SafeDownCast(input);
-  if (!composite)
-  {
-    return input == surface ? vtkPolyData::SafeDownCast(this->Filter->GetOutputDataObject(0))
-                            : nullptr;
-  }
-  auto* traced = vtkCompositeDataSet::SafeDownCast(this->Filter->GetOutputDataObject(0));
-  auto it = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-  for (it->InitTraversal(); traced && !it->IsDoneWithTraversal(); it->GoToNextItem())
-  {
-    if (it->GetCurrentDataObject() == surface)
-    {
-      return vtkPolyData::SafeDownCast(traced->GetDataSet(it));
-    }
-  }
-  return nullptr;
+  return this->Filter->GetOutputDataObject(0);
 }
 
-std::shared_ptr<OcclusionArrays> OcclusionCache::Find(
-  vtkPolyData* surface, vtkDataObject* input, bool make, bool isPart, std::string& problem)
+vtkSmartPointer<vtkPolyData> OcclusionCache::FindWhole(vtkPolyData* surface, vtkDataObject* input)
+{
+  if (this->Wholes.size() > Largest)
+  {
+    this->Wholes.clear();
+  }
+  const vtkMTimeType time = std::max(surface->GetMTime(), input->GetMTime());
+  Whole& whole = this->Wholes[surface];
+  if (whole.Time != time)
+  {
+    whole = { time, surface };
+    if (vtkPolyData* traced = FindBlock(this->Trace(input), input, surface))
+    {
+      whole.Surface = vtkSmartPointer<vtkPolyData>::New(); // the filter's own changes with others
+      whole.Surface->ShallowCopy(traced);
+    }
+  }
+  return whole.Surface;
+}
+
+std::shared_ptr<OcclusionArrays> OcclusionCache::Find(vtkPolyData* surface, vtkDataObject* input,
+  vtkDataObject* traced, bool make, bool isPart, std::string& problem)
 {
   if (this->Entries.size() > Largest)
   {
@@ -281,14 +282,14 @@ std::shared_ptr<OcclusionArrays> OcclusionCache::Find(
   const vtkMTimeType inputTime = make && input ? input->GetMTime() : 0;
   const vtkMTimeType time = std::max(surface->GetMTime(), inputTime);
   Entry& entry = this->Entries[surface];
-  if (entry.Time != time || entry.Made != make)
+  if (entry.Time != time || entry.Made != make || entry.Traced != traced)
   {
-    entry = { time, make, nullptr, "" };
+    entry = { time, make, traced, nullptr, "" };
     entry.Arrays = OcclusionArrays::Read(surface, isPart, entry.Problem);
-    if (!entry.Arrays && entry.Problem.empty() && make)
+    if (!entry.Arrays && entry.Problem.empty() && input && (make || traced))
     {
-      vtkPolyData* traced = this->Trace(surface, input);
-      entry.Arrays = traced ? OcclusionArrays::Read(traced, false, entry.Problem) : nullptr;
+      vtkPolyData* block = FindBlock(make ? this->Trace(input) : traced, input, surface);
+      entry.Arrays = block ? OcclusionArrays::Read(block, false, entry.Problem) : nullptr;
     }
   }
   problem = entry.Problem;

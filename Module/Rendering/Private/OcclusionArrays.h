@@ -8,7 +8,9 @@
 #ifndef OcclusionArrays_h
 #define OcclusionArrays_h
 
+#include "vtkDataObject.h"
 #include "vtkFloatArray.h"
+#include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
 #include <array>
@@ -16,8 +18,6 @@
 #include <memory>
 #include <string>
 
-class vtkDataObject;
-class vtkPolyData;
 class vtkSurfaceVisibilityFilter;
 
 namespace measuredbrdf
@@ -52,23 +52,33 @@ public:
   OcclusionCache();
   ~OcclusionCache();
 
-  /// input: the mapper's, of which the surface is a block, or itself. make: trace the input where
-  /// the surface has no arrays.
-  std::shared_ptr<OcclusionArrays> Find(
-    vtkPolyData* surface, vtkDataObject* input, bool make, bool isPart, std::string& problem);
+  /// input: the mapper's, of which the surface is a block, or itself. Where the surface has no
+  /// arrays, those of traced, which stands for the input, or, with make, of the input traced now.
+  std::shared_ptr<OcclusionArrays> Find(vtkPolyData* surface, vtkDataObject* input,
+    vtkDataObject* traced, bool make, bool isPart, std::string& problem);
+
+  /// The surface with arrays; itself where it cannot be traced.
+  vtkSmartPointer<vtkPolyData> FindWhole(vtkPolyData* surface, vtkDataObject* input);
 
 private:
+  struct Whole
+  {
+    vtkMTimeType Time = 0;
+    vtkSmartPointer<vtkPolyData> Surface;
+  };
   struct Entry
   {
     vtkMTimeType Time = 0;
     bool Made = false;
+    vtkSmartPointer<vtkDataObject> Traced;
     std::shared_ptr<OcclusionArrays> Arrays;
     std::string Problem;
   };
 
-  vtkPolyData* Trace(vtkPolyData* surface, vtkDataObject* input);
+  vtkDataObject* Trace(vtkDataObject* input);
 
   std::map<vtkPolyData*, Entry> Entries;
+  std::map<vtkPolyData*, Whole> Wholes;
   vtkSmartPointer<vtkSurfaceVisibilityFilter> Filter;
 };
 } // namespace measuredbrdf

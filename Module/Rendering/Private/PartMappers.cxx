@@ -67,8 +67,9 @@ bool PartMappers::Divide(vtkPolyData* input)
     return false;
   }
   std::string warning;
+  const vtkSmartPointer<vtkPolyData> whole = this->Drawing->FindWhole(input);
   const std::string problem =
-    this->Parts.Update(input, settings.MaterialMap, settings.BRDF, warning);
+    this->Parts.Update(whole, settings.MaterialMap, settings.BRDF, warning);
   for (const std::string& text : { problem, warning })
   {
     if (!text.empty() && this->Drawing->WarnOnce(GetCause(text)))

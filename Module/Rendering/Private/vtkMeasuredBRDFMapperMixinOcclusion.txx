@@ -25,7 +25,8 @@ bool vtkMeasuredBRDFMapperMixin<Base>::GetNeedToRebuildBufferObjects(
   vtkRenderer* ren, vtkActor* actor)
 {
   return this->Base::GetNeedToRebuildBufferObjects(ren, actor) ||
-         this->BuiltOcclusionMode != this->Drawing->GetSettings().OcclusionMode;
+         this->BuiltOcclusionMode != this->Drawing->GetSettings().OcclusionMode ||
+         this->BuiltTracedOcclusion != this->Drawing->GetTracedOcclusion(this);
 }
 
 //------------------------------------------------------------------------------
@@ -33,6 +34,7 @@ template <class Base>
 void vtkMeasuredBRDFMapperMixin<Base>::BuildBufferObjects(vtkRenderer* ren, vtkActor* actor)
 {
   this->BuiltOcclusionMode = this->Drawing->GetSettings().OcclusionMode;
+  this->BuiltTracedOcclusion = this->Drawing->GetTracedOcclusion(this);
   this->AddOcclusion(ren);
   this->Base::BuildBufferObjects(ren, actor);
 }
@@ -41,7 +43,7 @@ void vtkMeasuredBRDFMapperMixin<Base>::BuildBufferObjects(vtkRenderer* ren, vtkA
 template <class Base>
 void vtkMeasuredBRDFMapperMixin<Base>::AddOcclusion(vtkRenderer* ren)
 {
-  const auto arrays = this->Drawing->FindOcclusion(this->CurrentInput, this->IsPart());
+  const auto arrays = this->Drawing->FindOcclusion(this->CurrentInput, this, this->IsPart());
   this->LeastOcclusionCosine = arrays ? arrays->LeastCosine : 1.0;
   this->IsOtherSideClosed = arrays && arrays->IsOtherClosed;
   for (std::size_t k = 0; k < measuredbrdf::OcclusionArrays::Attributes; ++k)

@@ -132,9 +132,9 @@ void HashArray(ContentHash& hash, vtkDataArray* array)
 }
 }
 
-std::vector<SurfacePoint> FindSurfacePoints(vtkPolyData* surface)
+std::vector<SurfaceVertex> FindSurfacePoints(vtkPolyData* surface)
 {
-  std::vector<SurfacePoint> points(static_cast<std::size_t>(surface->GetNumberOfPoints()));
+  std::vector<SurfaceVertex> points(static_cast<std::size_t>(surface->GetNumberOfPoints()));
   if (points.empty())
   {
     return points;
@@ -176,7 +176,7 @@ std::vector<SurfacePoint> FindSurfacePoints(vtkPolyData* surface)
       const double area = glm::length(face.Area);
       for (vtkIdType k = 0; area > 0.0 && std::isfinite(area) && k < count; ++k)
       {
-        SurfacePoint& point = points[static_cast<std::size_t>(ids[k])];
+        SurfaceVertex& point = points[static_cast<std::size_t>(ids[k])];
         const double cosine = glm::dot(face.Area, point.Normal) / area;
         const double merit = cosine * cosine * cosine * cosine * std::sqrt(area);
         if (merit > best[static_cast<std::size_t>(ids[k])])

@@ -20,7 +20,7 @@ class vtkPolyData;
 
 namespace measuredbrdf
 {
-struct SurfacePoint
+struct SurfaceVertex
 {
   glm::dvec3 Normal = glm::dvec3(0.0);     // unit; zero: the point is of no polygon
   glm::dvec3 Origin = glm::dvec3(0.0);     // on one of its triangles, close to the point
@@ -29,7 +29,7 @@ struct SurfacePoint
 
 /// One for each point of polygons and strips. Normals are the data's point normals, if they have
 /// three components; else the polygons' mean by area.
-std::vector<SurfacePoint> FindSurfacePoints(vtkPolyData* surface);
+std::vector<SurfaceVertex> FindSurfacePoints(vtkPolyData* surface);
 
 /// The least cosine between a polygon and the normals of its points, whichever way these point; the
 /// polygons where it is less make up a hundredth of the area. 1 where there is none.

@@ -1,0 +1,325 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OcclusionForecast.h"
+
+#include "ContentHash.h"
+#include "LocalFrame.h"
+#include "SurfaceBlocks.h"
+#include "SurfacePoints.h"
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkNew.h"
+#include "vtkOcclusionPredictor.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSurfaceVisibilityFilter.h"
+#include "vtkTracedScene.h"
+#include "vtkTracedSurfaces.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <thread>
+
+namespace measuredbrdf
+{
+namespace
+{
+constexpr int MostChanges = 3; // of a surface, in frames one after the other
+constexpr int ProbePoints = 64;
+constexpr int ProbeRays = 16;
+constexpr double LeastError = 0.002; // to be spoken of
+
+template <typename Visit>
+void ForEachArray(vtkPolyData* surface, const Visit& visit)
+{
+  visit(surface->GetPoints());
+  visit(surface->GetPointData()->GetNormals());
+  visit(surface->GetPolys());
+  visit(surface->GetStrips());
+}
+
+// Whether a thousand rays from points as cameras all around see them find that the scene hides
+// anything from itself.
+bool HidesAnything(vtkTracedScene* scene)
+{
+  vtkNew<vtkPolyData> hits;
+  vtkNew<vtkDoubleArray> views;
+  const double around[3] = { 0.0, 0.0, 0.0 };
+  if (!scene->DrawVisiblePoints(ProbePoints, around, hits, views))
+  {
+    return false;
+  }
+  const vtkTracedSurfaces& surfaces = scene->GetSurfaces();
+  vtkDataArray* normals = hits->GetPointData()->GetNormals();
+  vtkDataArray* facets = hits->GetPointData()->GetArray("FacetNormals");
+  constexpr double golden = 2.399963229728653; // radians
+  for (vtkIdType k = 0; k < hits->GetNumberOfPoints(); ++k)
+  {
+    SurfacePoint point;
+    hits->GetPoint(k, &point.Position.x);
+    normals->GetTuple(k, &point.Normal.x);
+    facets->GetTuple(k, &point.Facet.x);
+    const glm::dmat3 frame = FrameAbout(point.Normal);
+    for (int s = 0; s < ProbeRays; ++s)
+    {
+      const double z = std::sqrt((s + 0.5) / ProbeRays); // by cosines
+      const double across = std::sqrt(1.0 - z * z);
+      const double azimuth = golden * static_cast<double>(ProbeRays * k + s);
+      if (surfaces.IsHidden(
+            point, frame * glm::dvec3(across * std::cos(azimuth), across * std::sin(azimuth), z)))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+// What rays meet and where they begin; nothing else of the data.
+vtkSmartPointer<vtkPolyData> CopySurface(vtkPolyData* surface, bool deep)
+{
+  auto copy = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPolyData> shallow;
+  shallow->SetPoints(surface->GetPoints());
+  shallow->SetPolys(surface->GetPolys());
+  shallow->SetStrips(surface->GetStrips());
+  shallow->GetPointData()->SetNormals(surface->GetPointData()->GetNormals());
+  if (deep)
+  {
+    copy->DeepCopy(shallow);
+  }
+  else
+  {
+    copy->ShallowCopy(shallow);
+  }
+  return copy;
+}
+}
+
+//------------------------------------------------------------------------------
+class OcclusionForecast::Job
+{
+public:
+  Job(const OcclusionQuestion& question, bool apart)
+    : Materials(question.Materials)
+    , ToEnvironment(question.ToEnvironment)
+    , Tolerance(question.Tolerance)
+    , Most(apart ? MostPointsInBackground : MostPoints)
+    , Input(CopyBlocks(
+        question.Input, [apart](vtkPolyData* surface) { return CopySurface(surface, apart); }))
+  {
+    for (vtkPolyData* surface : GetBlocks(this->Input))
+    {
+      this->Points += surface->GetNumberOfPoints();
+    }
+  }
+
+  ~Job()
+  {
+    this->Filter->SetAbortExecute(1);
+    this->IsStopped = true;
+    if (this->Thread.joinable())
+    {
+      this->Thread.join();
+    }
+  }
+  Job(const Job&) = delete;
+  void operator=(const Job&) = delete;
+
+  // Whether the answer takes no time, because a look at few points finds nothing hidden.
+  bool IsEasy() { return this->Points <= MostPoints && !HidesAnything(this->GetScene()); }
+
+  void Start()
+  {
+    this->Done = false;
+    this->Thread = std::thread(
+      [this]()
+      {
+        this->Run();
+        this->Done = true;
+      });
+  }
+
+  void Run()
+  {
+    if (this->Points > MostPointsInBackground)
+    {
+      return;
+    }
+    if (!HidesAnything(this->GetScene()))
+    {
+      this->Error = 0.0;
+      return;
+    }
+    bool worth = false;
+    for (const OcclusionQuestion::Material& material : this->Materials)
+    {
+      worth = !this->IsStopped && (this->Predict(material) || worth);
+    }
+    if (!worth || this->IsStopped || this->Points > this->Most)
+    {
+      this->IsLeftOut = worth;
+      return;
+    }
+    this->Filter->BothSidesOn(); // whichever way the normals point
+    this->Filter->SetInputDataObject(this->Input);
+    this->Filter->Update();
+    this->Traced = this->IsStopped ? nullptr : this->Filter->GetOutputDataObject(0);
+  }
+
+  std::vector<OcclusionQuestion::Material> Materials;
+  vtkSmartPointer<vtkMatrix4x4> ToEnvironment;
+  double Tolerance;
+  vtkIdType Most;
+  vtkSmartPointer<vtkDataObject> Input;
+  vtkIdType Points = 0;
+  std::atomic<bool> Done{ true };
+
+  double Error = -1.0; // of the material with the largest one
+  double Uncertainty = 0.0;
+  bool IsLeftOut = false; // worth modeling, but too large
+  vtkSmartPointer<vtkDataObject> Traced;
+
+private:
+  vtkTracedScene* GetScene()
+  {
+    if (!this->Scene)
+    {
+      this->Scene = vtkSmartPointer<vtkTracedScene>::New();
+      for (vtkPolyData* surface : GetBlocks(this->Input))
+      {
+        this->Scene->AddSurface(surface, this->ToEnvironment);
+      }
+    }
+    return this->Scene;
+  }
+
+  // Whether it is worth modeling.
+  bool Predict(const OcclusionQuestion::Material& material)
+  {
+    vtkNew<vtkOcclusionPredictor> predictor;
+    predictor->SetScene(this->GetScene());
+    predictor->SetBRDF(material.BRDF);
+    predictor->SetEnvironment(material.Environment);
+    const bool done = predictor->Update();
+    if (done && predictor->GetError() > this->Error)
+    {
+      this->Error = predictor->GetError();
+      this->Uncertainty = predictor->GetUncertainty();
+    }
+    return done && vtkOcclusionPredictor::IsWorthModeling(
+                     predictor->GetError(), material.PlanError, this->Tolerance);
+  }
+
+  vtkSmartPointer<vtkTracedScene> Scene;
+  vtkNew<vtkSurfaceVisibilityFilter> Filter;
+  std::atomic<bool> IsStopped{ false };
+  std::thread Thread;
+};
+
+//------------------------------------------------------------------------------
+OcclusionForecast::OcclusionForecast() = default;
+
+OcclusionForecast::~OcclusionForecast() = default;
+
+// Whether it is the same surface as in the frame before, or one that is worth an answer yet.
+bool OcclusionForecast::FollowsSurface(vtkDataObject* input)
+{
+  std::vector<std::pair<void*, vtkMTimeType>> stamp;
+  const std::vector<vtkPolyData*> surfaces = GetBlocks(input);
+  for (vtkPolyData* surface : surfaces)
+  {
+    ForEachArray(surface,
+      [&stamp](vtkObject* array) { stamp.emplace_back(array, array ? array->GetMTime() : 0); });
+  }
+  const std::string before = this->Content;
+  if (stamp != this->Stamp)
+  {
+    this->Stamp = std::move(stamp);
+    ContentHash hash;
+    for (vtkPolyData* surface : surfaces)
+    {
+      hash.AddText(GetSurfaceKey(surface));
+    }
+    this->Content = hash.GetText();
+  }
+  this->Changes = this->Content == before ? 0 : this->Changes + 1;
+  return this->Changes <= MostChanges;
+}
+
+bool OcclusionForecast::IsReady() const { return this->Work && this->Work->Done; }
+
+void OcclusionForecast::Take()
+{
+  this->Answer = std::shared_ptr<const Job>(this->Work.release());
+  this->Traced = this->Answer->Traced;
+  this->Answered = this->Asked;
+}
+
+void OcclusionForecast::Update(const OcclusionQuestion& question)
+{
+  const bool follows = this->FollowsSurface(question.Input);
+  Key key = { this->Content, std::to_string(question.Tolerance) };
+  for (const OcclusionQuestion::Material& material : question.Materials)
+  {
+    key.push_back(std::to_string(reinterpret_cast<std::uintptr_t>(material.BRDF.Get())) + "/" +
+                  std::to_string(material.BRDF->GetMTime()) + "/" +
+                  std::to_string(material.PixelsTime));
+  }
+  if (this->Work && this->Asked != key)
+  {
+    this->Work.reset();
+  }
+  if (this->Answered != key && !this->Work)
+  {
+    this->Answered.clear();
+    this->Answer.reset();
+    this->Traced = nullptr;
+    if (!follows || question.Materials.empty())
+    {
+      return;
+    }
+    this->Asked = key;
+    this->Work = std::make_unique<Job>(question, question.InBackground);
+    if (question.InBackground && !this->Work->IsEasy())
+    {
+      this->Work->Start();
+    }
+    else
+    {
+      this->Work->Run();
+    }
+  }
+  if (this->IsReady())
+  {
+    this->Take();
+  }
+}
+
+double OcclusionForecast::GetError() const { return this->Answer ? this->Answer->Error : -1.0; }
+
+std::string OcclusionForecast::GetText() const
+{
+  if (!this->Answer)
+  {
+    return this->Changes > MostChanges ? "occlusion is left out while the surface changes" : "";
+  }
+  if (this->Answer->Error + this->Answer->Uncertainty < LeastError)
+  {
+    return "";
+  }
+  const std::string text =
+    vtkOcclusionPredictor::FormatText(this->Answer->Error, this->Answer->Uncertainty);
+  if (this->Traced)
+  {
+    return text + ", modeled";
+  }
+  return text + (this->Answer->IsLeftOut
+                    ? ", not modeled: " + std::to_string(this->Answer->Points) +
+                        " points are more than " + std::to_string(this->Answer->Most)
+                    : ", within the tolerance");
+}
+} // namespace measuredbrdf

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Whether what a surface hides from itself is worth modeling (vtkOcclusionPredictor), and where it
+ * is, vtkSurfaceVisibilityFilter's arrays: made at once, or on a thread. Private to the rendering
+ * room.
+ */
+
+#ifndef OcclusionForecast_h
+#define OcclusionForecast_h
+
+#include "vtkBRDF.h"
+#include "vtkDataObject.h"
+#include "vtkEnvironment.h"
+#include "vtkMatrix4x4.h"
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace measuredbrdf
+{
+/// What is drawn, with which light.
+struct OcclusionQuestion
+{
+  struct Material
+  {
+    vtkSmartPointer<vtkBRDF> BRDF;
+    vtkSmartPointer<vtkEnvironment> Environment;
+    vtkMTimeType PixelsTime = 0; // of the environment, which may be a snapshot
+    double PlanError = 0.0;
+  };
+  vtkDataObject* Input = nullptr; // polydata, or composite data
+  std::vector<Material> Materials;
+  vtkSmartPointer<vtkMatrix4x4> ToEnvironment; // from the input's axes; null: the same
+  double Tolerance = 0.02;
+  bool InBackground = false; // materials are then snapshots
+};
+
+class OcclusionForecast
+{
+public:
+  OcclusionForecast();
+
+  /// Stops what is in the making and waits for that.
+  ~OcclusionForecast();
+  OcclusionForecast(const OcclusionForecast&) = delete;
+  void operator=(const OcclusionForecast&) = delete;
+
+  /// Once a frame: answer, or begin to. What was answered holds until the surface, a material or
+  /// the environment's pixels change; a rotation does not change it. A surface that changes in
+  /// every frame is left alone after the third, until it rests.
+  void Update(const OcclusionQuestion& question);
+
+  /// The input as it was last, with arrays; null: not worth it, or not known yet.
+  vtkDataObject* GetTraced() const { return this->Traced; }
+
+  /// The predicted error of leaving occlusion out; negative: not known.
+  double GetError() const;
+
+  /// For a plan: "" where next to nothing is hidden.
+  std::string GetText() const;
+
+  bool IsPending() const { return this->Work != nullptr; }
+  bool IsReady() const;
+
+  /// More points are not traced before a frame, and still more on no thread.
+  static constexpr vtkIdType MostPoints = 20000;
+  static constexpr vtkIdType MostPointsInBackground = 2000000;
+
+private:
+  class Job;
+  using Key = std::vector<std::string>;
+
+  bool FollowsSurface(vtkDataObject* input);
+  void Take();
+
+  std::vector<std::pair<void*, vtkMTimeType>> Stamp; // of the surfaces' arrays in the last frame
+  std::string Content;                               // hash of what they hold
+  int Changes = 0;                                   // frames in a row with another content
+  Key Answered;
+  Key Asked;
+  std::unique_ptr<Job> Work;         // on its thread
+  std::shared_ptr<const Job> Answer; // null: none
+  vtkSmartPointer<vtkDataObject> Traced;
+};
+} // namespace measuredbrdf
+
+#endif
