@@ -9,9 +9,11 @@
 #include "SurfacePoints.h"
 #include "SurfaceTracer.h"
 #include "vtkActor.h"
+#include "vtkCellArray.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkFieldData.h"
+#include "vtkIdList.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMapper.h"
@@ -60,6 +62,16 @@ struct SideArrays
       code.begin(), HiddenSky::SectorBytes, this->Sky->GetPointer(point * HiddenSky::SectorBytes));
     std::copy_n(code.begin() + HiddenSky::SectorBytes, HiddenSky::TransferBytes,
       this->Light->GetPointer(point * HiddenSky::TransferBytes));
+  }
+
+  HiddenSky::Code Get(vtkIdType point) const
+  {
+    HiddenSky::Code code;
+    std::copy_n(
+      this->Sky->GetPointer(point * HiddenSky::SectorBytes), HiddenSky::SectorBytes, code.begin());
+    std::copy_n(this->Light->GetPointer(point * HiddenSky::TransferBytes), HiddenSky::TransferBytes,
+      code.begin() + HiddenSky::SectorBytes);
+    return code;
   }
 
 private:
@@ -133,6 +145,46 @@ std::vector<vtkPolyData*> GetSurfaces(vtkDataObject* data)
     surfaces.push_back(surface);
   }
   return surfaces;
+}
+
+// Points inside another body see nothing. Where a polygon of theirs sticks out, what is seen of it
+// would darken towards them: they take what its most open point has.
+void OpenBuriedPoints(vtkPolyData* surface, const SideArrays& side)
+{
+  constexpr double buried = 0.99; // of the irradiance is hidden
+  std::vector<double> hidden;
+  std::vector<vtkIdType> sources;
+  for (vtkIdType k = 0; k < surface->GetNumberOfPoints(); ++k)
+  {
+    hidden.push_back(HiddenSky(side.Get(k)).GetHiddenCosine());
+    sources.push_back(k);
+  }
+  const auto isMoreOpen = [&hidden](vtkIdType a, vtkIdType b)
+  { return hidden[static_cast<std::size_t>(a)] < hidden[static_cast<std::size_t>(b)]; };
+  vtkNew<vtkIdList> corners;
+  for (vtkCellArray* cells : { surface->GetPolys(), surface->GetStrips() })
+  {
+    for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
+    {
+      cells->GetCellAtId(cell, corners);
+      const vtkIdType open = *std::min_element(corners->begin(), corners->end(), isMoreOpen);
+      for (const vtkIdType corner : *corners)
+      {
+        vtkIdType& source = sources[static_cast<std::size_t>(corner)];
+        if (hidden[static_cast<std::size_t>(corner)] > buried && isMoreOpen(open, source))
+        {
+          source = open;
+        }
+      }
+    }
+  }
+  for (vtkIdType k = 0; k < surface->GetNumberOfPoints(); ++k)
+  {
+    if (sources[static_cast<std::size_t>(k)] != k)
+    {
+      side.Set(k, side.Get(sources[static_cast<std::size_t>(k)]));
+    }
+  }
 }
 
 void AddArrays(vtkPolyData* surface, const SurfaceArrays& arrays)
@@ -246,6 +298,10 @@ struct vtkSurfaceVisibilityFilter::Internals
         {
           return false;
         }
+      }
+      for (const SideArrays& side : arrays.Sides)
+      {
+        OpenBuriedPoints(surface, side);
       }
       traced.push_back(std::move(arrays));
     }

@@ -7,7 +7,9 @@
 //
 // off            nothing is hidden
 // ambient        a factor of ambient occlusion for each point, as scalars
-// ssao RADIUS    vtkSSAOPass over the picture of "off"; radius over the mesh's diagonal
+// ssao RADIUS    vtkSSAOPass over the picture of "off", whose display values it multiplies; radius
+//                over the mesh's diagonal
+// ssao linear RADIUS   if it multiplied the radiance
 // shadows N      vtkShadowMapPass: the N strongest cones of the map as lights, the rest without
 //                shadows; or, N = 16, all of the map as lights
 // on             vtkSurfaceVisibilityFilter's arrays
@@ -138,7 +140,8 @@ vtkSmartPointer<vtkPolyData> MakeAmbient(vtkPolyData* traced)
     std::copy_n(sky->GetPointer(k * HiddenSky::SectorBytes), HiddenSky::SectorBytes, code.begin());
     std::copy_n(light->GetPointer(k * HiddenSky::TransferBytes), HiddenSky::TransferBytes,
       code.begin() + HiddenSky::SectorBytes);
-    const double open = 255.0 * (1.0 - HiddenSky(code).GetHiddenCosine());
+    // Scalars are display values.
+    const double open = 255.0 * std::pow(1.0 - HiddenSky(code).GetHiddenCosine(), 1.0 / 2.2);
     shares->InsertNextTuple3(open, open, open);
   }
   surface->GetPointData()->SetScalars(shares);
@@ -170,6 +173,7 @@ struct Bench
   std::vector<std::vector<StrongLights>> Lights; // of each map, of each kind of shadows
   int NumberOfPixels = 200;
   int Rounds = 3;
+  bool WithShadows = true;
   std::vector<OcclusionMethodRow> Rows;
 
   void Measure(const std::string& mesh);
@@ -178,7 +182,7 @@ struct Bench
 // All methods on one mesh.
 struct Stages
 {
-  explicit Stages(vtkPolyData* surface)
+  Stages(vtkPolyData* surface, bool withShadows)
     : Filter(Trace(surface))
     , Plain(vtkPolyData::SafeDownCast(this->Filter->GetOutputDataObject(0)))
     , Ambient(MakeAmbient(vtkPolyData::SafeDownCast(this->Filter->GetOutputDataObject(0))))
@@ -189,6 +193,10 @@ struct Stages
     this->Screen.Window.SetImagePass(this->SSAO);
     for (const int count : { NumberOfStrongest[0], NumberOfStrongest[1], NumberOfAll })
     {
+      if (!withShadows)
+      {
+        break;
+      }
       this->Shadows.push_back(
         std::make_unique<ShadowStages>(surface, "shadows " + std::to_string(count)));
     }
@@ -292,7 +300,7 @@ void Bench::Measure(const std::string& mesh)
   SurfaceTracer tracer;
   tracer.AddSurface(surface);
   tracer.Build();
-  Stages stages(surface);
+  Stages stages(surface, this->WithShadows);
   std::vector<Pixel> pixels =
     FindPixels(surface, tracer, stages.Plain.Window, this->NumberOfPixels);
   TracePixels(tracer, pixels);
@@ -304,8 +312,14 @@ void Bench::Measure(const std::string& mesh)
   for (const double radius : Radii)
   {
     char name[32];
-    std::snprintf(name, sizeof(name), "ssao %g", radius);
-    factors[name] = GetFactors(stages.Screen, stages.SSAO, radius * surface->GetLength(), pixels);
+    std::snprintf(name, sizeof(name), "%g", radius);
+    const std::vector<double> found =
+      GetFactors(stages.Screen, stages.SSAO, radius * surface->GetLength(), pixels);
+    factors["ssao " + std::string(name)] = found;
+    for (const double factor : found)
+    {
+      factors["ssao linear " + std::string(name)].push_back(std::pow(factor, 1.0 / 2.2));
+    }
   }
   for (const Material& material : this->Materials)
   {
@@ -371,6 +385,7 @@ int main(int argc, char** argv)
   app.add_option("--maps", maps, "Files of the data folder, or embedded names");
   app.add_option("--pixels", bench.NumberOfPixels, "Of each picture");
   app.add_option("--rounds", bench.Rounds, "Of frames for times");
+  app.add_flag("!--no-shadows", bench.WithShadows, "Leave out shadow maps, which take most time");
   app.add_option("--from", from, "A file with lines that were written before: nothing is measured");
   app.add_option("--chart", chart, "Chart to draw: this name with .png and .svg");
   CLI11_PARSE(app, argc, argv);

@@ -32,7 +32,7 @@ struct OcclusionMethodMean
   int Count;
 };
 
-/// "ssao RADIUS" become "ssao": those of the radius with the least mean error on each mesh.
+/// "ssao RADIUS" become one: those of the radius with the least mean error on each mesh.
 std::vector<OcclusionMethodMean> GetOcclusionMethodMeans(
   const std::vector<OcclusionMethodRow>& rows);
 

@@ -1049,3 +1049,5 @@ add("Integration.tails-of-one-side", "Private/TailRegularity.cxx", "for (const d
     "for (const double turn : { azimuth, azimuth })", "TailRegularity.OfOddTables")
 add("Visibility.occluders-stay", "vtkSurfaceVisibilityFilter.cxx", "occluder.Matrix ? occluder.Matrix->GetMTime() : 0", "0",
     "OcclusionStability.OccludersMayMove")
+add("Visibility.buried-points-darken", "vtkSurfaceVisibilityFilter.cxx", "constexpr double buried = 0.99;",
+    "constexpr double buried = 2.0;", "OcclusionStability.PointsInsideOtherBodiesDarkenNothing")

@@ -6,6 +6,7 @@
 #include "vtkSurfaceVisibilityFilter.h"
 
 #include "vtkCellArray.h"
+#include "vtkCubeSource.h"
 #include "vtkFloatArray.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
@@ -161,6 +162,32 @@ TEST(OcclusionStability, OccludersMayMove)
   EXPECT_EQ(filter->GetNumberOfTraces(), 3);
   EXPECT_NEAR(GetHidden(Trace(filter, floor), 0), 1.0 / 2.25, 0.02);
   EXPECT_EQ(filter->GetNumberOfTraces(), 3);
+}
+
+// A floor that goes on below a wall: points beyond the wall see nothing, but the triangles that
+// stick out are to be as bright at the wall's foot as they are there, half.
+TEST(OcclusionStability, PointsInsideOtherBodiesDarkenNothing)
+{
+  vtkNew<vtkPlaneSource> floor;
+  floor->SetOrigin(-1.95, -1.95, 0.0);
+  floor->SetPoint1(2.05, -1.95, 0.0); // points at -0.05 and 0.05, the wall at 0
+  floor->SetPoint2(-1.95, 2.05, 0.0);
+  floor->SetResolution(40, 40);
+  vtkNew<vtkCubeSource> wall;
+  wall->SetBounds(0.0, 200.0, -200.0, 200.0, -1.0, 200.0);
+  wall->Update();
+  vtkNew<vtkSurfaceVisibilityFilter> filter;
+  filter->SetNumberOfRays(512);
+  filter->AddOccluder(wall->GetOutput());
+  floor->Update();
+  vtkPolyData* traced = Trace(filter, floor->GetOutput());
+  for (const double x : { -0.05, 0.05 })
+  {
+    double foot[3] = { x, 0.05, 0.0 };
+    EXPECT_NEAR(GetHidden(traced, traced->FindPoint(foot)), 0.5, 0.03) << x;
+  }
+  double inside[3] = { 1.05, 0.05, 0.0 };
+  EXPECT_GT(GetHidden(traced, traced->FindPoint(inside)), 0.98);
 }
 
 // Two sheets that almost touch: the sides between them are dark, the others see all.
