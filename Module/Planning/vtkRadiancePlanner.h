@@ -12,8 +12,9 @@
  * (normal, view) pairs with a nearly exact sum (for broad lobes a sum over thousands of lights, for
  * sharp ones an adaptive integral). The pairs are a sample of thousands, as a
  * sphere shows them to all views, drawn by where two cheap candidates differ; two standard errors
- * of that sample are added, so that what is predicted holds. It is the mean over all views: one
- * picture can have more or less. For one picture, plan for it (SetPairs,
+ * of that sample are added, with the sum's own error, so that what is predicted holds. A choice
+ * that may be luck is checked on a second sample. It is the mean over all views: one picture can
+ * have more or less. For one picture, plan for it (SetPairs,
  * vtkMeasuredBRDFMapper::SetPlanForView). Costs are those of a vtkRadianceCostModel: Mesa's
  * llvmpipe's unless another is set.
  *
@@ -195,7 +196,7 @@ public:
   std::string GetMethodName(int index);       // as vtkRadianceMethods knows it, e.g. "table"
   std::string GetDescription(int index);      // sizes
   double GetPredictedError(int index);        // relative L1, that of the sample and what follows
-  double GetErrorUncertainty(int index);      // two standard errors of the sample
+  double GetErrorUncertainty(int index);      // two standard errors and the reference's
   double GetPredictedMilliseconds(int index); // of NumberOfPixels
   vtkIdType GetTextureBytes(int index);
   double GetSetUpMilliseconds(int index);

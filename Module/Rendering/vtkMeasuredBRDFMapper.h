@@ -153,8 +153,9 @@ public:
    * of what is set. BACKGROUND: the first Render plans; where the material, the environment, the
    * tolerance or the costs change later, a thread plans and pictures stay as they were, environment
    * and material alike, until a Render finds the new plan made. A change meanwhile stops that
-   * thread's work and begins anew. BACKGROUND_FROM_START: so is the first; until it is made, 64
-   * lights stand in for it (vtkLightSetRadianceIntegrator as it is made).
+   * thread's work and begins anew. BACKGROUND_FROM_START: so is the first; until it is made, a
+   * vtkHybridRadianceIntegrator of 33 x 8 x 8 stands in for it or, for anisotropic materials, 64
+   * lights (vtkLightSetRadianceIntegrator as it is made).
    *
    * A mapper cannot bring about a Render by itself, and programs that change a material and write
    * one picture want the new one: hence the default. Interactive programs choose BACKGROUND and
@@ -218,8 +219,8 @@ public:
   ///@{
   /**
    * A Render that plans for this mapper alone raises ProgressEvent meanwhile. Set AbortPlanning
-   * from its observer to stop it: the light set of BACKGROUND_FROM_START is drawn then, with an
-   * error event, until something changes. Each planning begins with it cleared.
+   * from its observer to stop it: what stands in for plans in BACKGROUND_FROM_START is drawn then,
+   * with an error event, until something changes. Each planning begins with it cleared.
    */
   void SetAbortPlanning(bool abort);
   bool GetAbortPlanning();

@@ -17,6 +17,7 @@
 #include "vtkExactRadianceIntegrator.h"
 #include "vtkFloatArray.h"
 #include "vtkHardwareSelector.h"
+#include "vtkHybridRadianceIntegrator.h"
 #include "vtkImageData.h"
 #include "vtkImportanceLightSetGenerator.h"
 #include "vtkLambertBRDF.h"
@@ -1382,7 +1383,7 @@ TEST_F(Auto, OneIntegratorServesManyMaterials)
   EXPECT_GT(GetLargestDifference(this->RenderEncoded(), before), 1e-4);
 }
 
-// An observer stops what Render plans: lights stand in until something changes.
+// An observer stops what Render plans: a small table stands in until something changes.
 TEST_F(Auto, PlanningCanBeStopped)
 {
   struct Stopper
@@ -1408,7 +1409,9 @@ TEST_F(Auto, PlanningCanBeStopped)
   EXPECT_NE(errors.Text.find("aborted"), std::string::npos) << errors.Text;
   EXPECT_EQ(this->Measured->GetPlan(), "");
   EXPECT_EQ(this->Measured->GetCurrentPlanner(), nullptr);
-  EXPECT_TRUE(vtkLightSetRadianceIntegrator::SafeDownCast(this->Measured->GetCurrentIntegrator()));
+  auto* standIn = vtkHybridRadianceIntegrator::SafeDownCast(this->Measured->GetCurrentIntegrator());
+  ASSERT_TRUE(standIn);
+  EXPECT_EQ(standIn->GetNumberOfRows(), 33);
   EXPECT_EQ(this->RenderEncoded().RGBA, stopped.RGBA);
   EXPECT_EQ(errors.Count, 1);
   this->Measured->RemoveObserver(tag);

@@ -21,11 +21,11 @@ namespace measuredbrdf
 namespace
 {
 constexpr int NumberOfLights = 4096;
-constexpr int FewerLights[] = { 256, 1024 }; // where the material tells them from all by little
-constexpr int Probes = 16;                   // pairs that show by how much
-constexpr double LittleError = 1e-3;         // relative L1 over those, or
-constexpr double OwnError = 2.5e-4;          // of all lights
-constexpr double LittleShare = 0.05;         // this share of the tolerance
+constexpr int FewerLights[] = { 256, 1024, 2048 }; // where the material tells them by little
+constexpr int Probes = 16;                         // pairs that show by how much
+constexpr double LittleError = 1e-3;               // relative L1 over those, or
+constexpr double OwnError = 2.5e-4;                // of all lights
+constexpr double LittleShare = 0.05;               // this share of the tolerance
 }
 
 vtkStandardNewMacro(LightsReference);

@@ -5,6 +5,7 @@
 #include "SharedObjects.h"
 #include "vtkBRDF.h"
 #include "vtkEnvironment.h"
+#include "vtkHybridRadianceIntegrator.h"
 #include "vtkLightSetRadianceIntegrator.h"
 
 #include <tuple>
@@ -21,6 +22,16 @@ Copies& GetCopies()
 {
   static Copies& copies = *new Copies;
   return copies;
+}
+
+// Made in a tenth of a second.
+vtkHybridRadianceIntegrator* NewSmallTable()
+{
+  vtkHybridRadianceIntegrator* table = vtkHybridRadianceIntegrator::New();
+  table->SetNumberOfRows(33);
+  table->SetNumberOfViewAngles(8);
+  table->SetNumberOfAzimuths(8);
+  return table;
 }
 }
 
@@ -43,8 +54,10 @@ vtkSmartPointer<vtkRadianceIntegrator> FindIntegrator(
 
 vtkSmartPointer<vtkRadianceIntegrator> FindStandIn(vtkBRDF* brdf, vtkEnvironment* environment)
 {
-  static vtkLightSetRadianceIntegrator& standIn = *vtkLightSetRadianceIntegrator::New();
-  return FindIntegrator(&standIn, brdf, environment);
+  static vtkLightSetRadianceIntegrator& lights = *vtkLightSetRadianceIntegrator::New();
+  static vtkHybridRadianceIntegrator& table = *NewSmallTable();
+  return FindIntegrator(
+    brdf->IsIsotropic() ? static_cast<vtkRadianceIntegrator*>(&table) : &lights, brdf, environment);
 }
 
 void SweepIntegrators() { GetCopies().Sweep(); }

@@ -22,7 +22,8 @@ namespace measuredbrdf
 vtkSmartPointer<vtkRadianceIntegrator> FindIntegrator(
   vtkRadianceIntegrator* wanted, vtkBRDF* brdf, vtkEnvironment* environment);
 
-/// A small light set, for as long as there is no plan.
+/// For as long as there is no plan: a small table with suns and lamps as lights or, for anisotropic
+/// materials, a small light set.
 vtkSmartPointer<vtkRadianceIntegrator> FindStandIn(vtkBRDF* brdf, vtkEnvironment* environment);
 
 /// Release the copies that no mapper holds any more.

@@ -91,8 +91,8 @@ TEST(PlanMemory, BelongsToTheEnvironment)
       EXPECT_LT(kept, tables + 1000000);
     }
   }
-  // All goes with the last of them, but for what plans of these materials have in common: at most 16
-  // MB in a program, however many materials there are.
+  // All goes with the last of them, but for what plans of these materials have in common: at most
+  // 16 MB in a program, however many materials there are.
   plans.clear();
   const long shared = heap::Bytes - before - pixels;
   std::printf("shared %.2f MB\n", 1e-6 * static_cast<double>(shared));
