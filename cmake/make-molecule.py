@@ -5,7 +5,7 @@
 
 usage: make-molecule.py OUTPUT.vtp
 
-Positions in 1e-10 m as in PubChem's conformer of CID 2519 (public domain), radii by Bondi (1964), of hydrogen 1.1.
+Positions in 1e-10 m are about those of the molecule, which is enough for a picture. Radii by Bondi (1964), of hydrogen 1.1.
 """
 
 import sys

@@ -115,9 +115,9 @@ void PrintOcclusionMethodMeans(const std::vector<OcclusionMethodMean>& means)
 void DrawOcclusionMethods(const std::vector<OcclusionMethodMean>& means, const std::string& stem)
 {
   const std::vector<std::pair<std::string, tool::PageCurve>> methods = {
-    { "off", { "without occlusion", { 0.45, 0.45, 0.45 }, {}, {} } },
-    { "ambient", { "ambient occlusion", { 0.75, 0.45, 0.05 }, {}, {} } },
-    { "ssao", { "screen space", { 0.65, 0.15, 0.55 }, {}, {} } },
+    { "off", { "off", { 0.45, 0.45, 0.45 }, {}, {} } },
+    { "ambient", { "AO factor", { 0.75, 0.45, 0.05 }, {}, {} } },
+    { "ssao", { "SSAO", { 0.65, 0.15, 0.55 }, {}, {} } },
     { "shadows 1", { "1 shadow map", { 0.15, 0.55, 0.65 }, {}, {} } },
     { "shadows 4", { "4 shadow maps", { 0.1, 0.45, 0.75 }, {}, {} } },
     { "shadows 16", { "16 shadow maps", { 0.05, 0.25, 0.8 }, {}, {} } },
@@ -161,6 +161,6 @@ void DrawOcclusionMethods(const std::vector<OcclusionMethodMean>& means, const s
                   " pictures: a dot for each mesh, a square for the mean of all; llvmpipe, 500x500";
   page.XLabel = "processor time of a frame, over one without occlusion";
   page.XUnit = tool::Unit::Number;
-  page.YLabel = "error of what occlusion leaves (relative L1)";
+  page.YLabel = "relative L1 error, of occlusion alone";
   tool::DrawPage(page, stem);
 }
