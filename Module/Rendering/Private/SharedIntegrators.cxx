@@ -8,6 +8,7 @@
 #include "vtkHybridRadianceIntegrator.h"
 #include "vtkLightSetRadianceIntegrator.h"
 
+#include <exception>
 #include <tuple>
 
 namespace measuredbrdf
@@ -22,6 +23,28 @@ Copies& GetCopies()
 {
   static Copies& copies = *new Copies;
   return copies;
+}
+
+vtkSmartPointer<vtkRadianceIntegrator> NewCopyFor(
+  vtkRadianceIntegrator* wanted, vtkBRDF* brdf, vtkEnvironment* environment)
+{
+  auto copy = vtkSmartPointer<vtkRadianceIntegrator>::Take(wanted->NewCopy());
+  copy->SetBRDF(brdf);
+  copy->SetEnvironment(environment);
+  return copy;
+}
+
+// Not one that cannot tell, for lack of memory say: asked once, not in each frame.
+bool IsIsotropic(vtkBRDF* brdf)
+{
+  try
+  {
+    return brdf->IsIsotropic();
+  }
+  catch (const std::exception&)
+  {
+    return false;
+  }
 }
 
 // Made in a tenth of a second.
@@ -43,21 +66,19 @@ vtkSmartPointer<vtkRadianceIntegrator> FindIntegrator(
     return wanted;
   }
   return GetCopies().Find({ wanted, wanted->GetMTime(), brdf, environment },
-    [&]()
-    {
-      auto copy = vtkSmartPointer<vtkRadianceIntegrator>::Take(wanted->NewCopy());
-      copy->SetBRDF(brdf);
-      copy->SetEnvironment(environment);
-      return copy;
-    });
+    [&]() { return NewCopyFor(wanted, brdf, environment); });
 }
 
 vtkSmartPointer<vtkRadianceIntegrator> FindStandIn(vtkBRDF* brdf, vtkEnvironment* environment)
 {
   static vtkLightSetRadianceIntegrator& lights = *vtkLightSetRadianceIntegrator::New();
   static vtkHybridRadianceIntegrator& table = *NewSmallTable();
-  return FindIntegrator(
-    brdf->IsIsotropic() ? static_cast<vtkRadianceIntegrator*>(&table) : &lights, brdf, environment);
+  return GetCopies().Find({ &table, brdf->GetMTime(), brdf, environment },
+    [&]()
+    {
+      return NewCopyFor(IsIsotropic(brdf) ? static_cast<vtkRadianceIntegrator*>(&table) : &lights,
+        brdf, environment);
+    });
 }
 
 void SweepIntegrators() { GetCopies().Sweep(); }
