@@ -1036,6 +1036,8 @@ add("Rendering.map-second-weight-array-colors", "Private/MapArrays.cxx", "for (i
     "for (int k = 0; k < 1; ++k)", "MaterialMapping.NoneOfSeveralWeightArraysColors")
 add("Rendering.map-images-are-looked-at-by-the-first", "Private/WeightImages.cxx", "for (int size : sizes)",
     "for (int size : { sizes.front() })", "Parts.ImagesMayDifferInSize")
+add("Rendering.map-images-of-zeros-are-odd", "Private/WeightImages.cxx", "else if (anyLeft)",
+    "else if (components > map->GetNumberOfMaterials())", "MaterialMapping.WeightsOfNoMaterialAreSaidUnlessTheyAreZero")
 add("Rendering.map-waits-for-materials-that-left", "Private/MapperPlans.cxx", "inUse.count(slot) == 0", "false",
     "MaterialMapping.PlansOfMaterialsThatLeaveAreGivenUp")
 add("Rendering.map-time-is-not-taken", "vtkMeasuredBRDFMapper.cxx", "this->TimeToDraw = this->Map->Timer.GetSeconds();", "",

@@ -271,6 +271,30 @@ TEST_F(MaterialMapping, OddDataAreSaidOnce)
   EXPECT_EQ(warnings.Count, 1);
 }
 
+// Image files have three components for two materials, too.
+TEST_F(MaterialMapping, WeightsOfNoMaterialAreSaidUnlessTheyAreZero)
+{
+  this->AddMaterials(2);
+  this->Map->SetModeToTextures();
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(4, 4, 1);
+  image->AllocateScalars(VTK_FLOAT, 3);
+  vtkDataArray* weights = image->GetPointData()->GetScalars();
+  weights->Fill(1.0);
+  weights->FillComponent(2, 0.0);
+  this->Map->AddWeightImage(image);
+  this->Mapper->SetMaterialMap(this->Map);
+  EventCounter warnings(this->Mapper, vtkCommand::WarningEvent);
+  this->Window->Render();
+  EXPECT_EQ(warnings.Count, 0);
+  weights->FillComponent(2, 0.5);
+  weights->Modified();
+  image->Modified();
+  this->Window->Render();
+  this->Window->Render();
+  EXPECT_EQ(warnings.Count, 1);
+}
+
 // Two windows that are drawn in turns keep their images of weights.
 TEST_F(MaterialMapping, TwoWindowsKeepTheirImages)
 {

@@ -6,8 +6,9 @@ import time
 
 import numpy as np
 from paraview import simple
-from paraview.vtk.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkIOImage import vtkPNGReader
+from paraview.vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
 
 OUTPUT = os.environ["MEASUREDBRDF_PARAVIEW_OUTPUT"]
 SIZE = 300
@@ -82,6 +83,18 @@ def read(path):
     pixels = vtk_to_numpy(image.GetPointData().GetScalars())
     width, height, _ = image.GetDimensions()
     return pixels.reshape(height, width, -1)[:, :, :3].astype(int)
+
+
+def write(path, pixels):
+    """A PNG file of bytes (height, width, components), row 0 at the bottom."""
+    image = vtkImageData()
+    image.SetDimensions(pixels.shape[1], pixels.shape[0], 1)
+    flat = np.ascontiguousarray(pixels, np.uint8).reshape(-1, pixels.shape[2])
+    image.GetPointData().SetScalars(numpy_to_vtk(flat, deep=True))
+    writer = vtkPNGWriter()
+    writer.SetFileName(path)
+    writer.SetInputData(image)
+    writer.Write()
 
 
 def get_plan(display):

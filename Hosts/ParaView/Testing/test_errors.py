@@ -3,10 +3,11 @@
 """What cannot be read is said once, and the surface is drawn as Surface draws it."""
 import os
 
+import numpy as np
 from paraview.vtk import vtkStringOutputWindow
 from vtkmodules.vtkCommonCore import vtkOutputWindow
 
-from common import OUTPUT, draw, get_difference, load_plugin, look, make_sphere, make_view, show
+from common import OUTPUT, draw, get_difference, load_plugin, look, make_sphere, make_view, show, write
 
 load_plugin()
 view = make_view()
@@ -62,5 +63,29 @@ for _ in range(3):
 text = said.GetOutput()[before:]
 assert text.count("no block is called /Root/Nowhere") == 1, text
 assert get_difference(picture, gold)[0] <= 1
+display.BlockMaterials = []
+
+# Weights of an image, or a material of weights, that cannot be read are not given to the others.
+display.MaterialMapMode = "Images"
+broken = os.path.join(OUTPUT, "broken.png")
+with open(broken, "wb") as file:
+    file.write(b"\x89PNG\r\n\x1a\n")
+weights = os.path.join(OUTPUT, "white.png")
+write(weights, np.full((8, 8, 3), 255))
+for images, materials, words in (
+    ([os.path.join(OUTPUT, "missing.png")], ["0", "nickel"], "missing.png: no such file"),
+    ([broken], ["0", "nickel"], "broken.png"),
+    ([weights], ["0", "nickel", "1", "missing.bsdf"], "missing.bsdf: no such file"),
+    ([weights], ["0", "nickel", "one", "delrin"], 'Map Materials: found "one", expected a number'),
+    ([weights], ["0", "nickel"], "no texture coordinates"),
+):
+    before = len(said.GetOutput())
+    display.WeightImages = images
+    display.MapMaterials = materials
+    for _ in range(3):
+        picture = draw(view, "errors-images")
+    text = said.GetOutput()[before:]
+    assert text.count(words) == 1, (words, text)
+    assert get_difference(picture, gold)[0] <= 1, words
 vtkOutputWindow.SetInstance(None)
 print("passed")

@@ -7,14 +7,16 @@ import os
 import shutil
 import sys
 
+import numpy as np
 from paraview import simple
 
-from common import OUTPUT, draw, get_difference, get_plan, get_selectors, load_plugin, look, make_view, read, show
+from common import OUTPUT, draw, get_difference, get_plan, get_selectors, load_plugin, look, make_view, read, show, write
 
 COUNTS = (1, 2, 4)
 # A surface, blocks of two materials, files that the first rank alone has, and a surface that is sorted by depth.
-SCENES = ("sphere", "blocks", "files", "translucent")
-DEFAULTS = {"MeasuredMaterial": "gold-paint", "MeasuredEnvironment": "Automatic", "BlockMaterials": []}
+SCENES = ("sphere", "blocks", "files", "images", "translucent")
+DEFAULTS = {"MeasuredMaterial": "gold-paint", "MeasuredEnvironment": "Automatic", "BlockMaterials": [],
+            "WeightImages": []}
 # What cannot be read: property, value, file, the words of the message, and whether the surface is drawn as Surface does.
 FAULTS = {
     "no rank has the material": ("MeasuredMaterial", "nowhere.bsdf", "nowhere.bsdf: no such file", True),
@@ -22,6 +24,7 @@ FAULTS = {
     "no rank can read the material": ("MeasuredMaterial", "broken.bsdf", "broken.bsdf", True),
     "no rank has the environment": ("MeasuredEnvironment", "nowhere.hdr", "nowhere.hdr: no such file", True),
     "the first rank lacks the environment": ("MeasuredEnvironment", "others.hdr", "others.hdr: no such file", True),
+    "the first rank lacks the image": ("WeightImages", ["others.png"], "others.png: no such file", False),
     "no block of that name": ("BlockMaterials", ["/Root/Nowhere", "nickel"], "no block is called /Root/Nowhere", False),
 }
 
@@ -32,6 +35,8 @@ def write_files():
     shutil.copyfile("material.fit", "../other-ranks/others.fit")
     write_environment("environment.hdr")
     write_environment("../other-ranks/others.hdr")
+    write("weights.png", 255 * np.stack([np.eye(4), 1 - np.eye(4), np.zeros((4, 4))], axis=2))
+    shutil.copyfile("weights.png", "../other-ranks/others.png")
     for folder in (".", "../other-ranks"):
         with open(os.path.join(folder, "broken.bsdf"), "wb") as file:
             file.write(b"tensor_file\0\1\0")
@@ -60,6 +65,12 @@ def make_scene(name, view):
         display.MeasuredMaterialFile = "material.fit#delrin"
         display.MeasuredEnvironment = "File"
         display.MeasuredEnvironmentFile = "environment.hdr"
+    elif name == "images":
+        display = show(simple.TextureMaptoSphere(Input=sphere, PreventSeam=1), view)
+        simple.Hide(sphere, view)
+        display.MapMaterials = ["0", "nickel", "1", "material.fit#delrin"]
+        display.WeightImages = ["weights.png"]
+        display.MaterialMapMode = "Images"
     elif name == "translucent":
         display.Opacity = 0.5
     return display
@@ -77,8 +88,8 @@ def draw_faults(ranks):
     display.Representation = "Measured Material"
     for name, (variable, value, _, as_surface) in FAULTS.items():
         os.write(2, f"-- fault: {name}\n".encode())  # in order with ParaView's messages, which are not buffered
-        if variable == "BlockMaterials":
-            display.BlockMaterials = value
+        if isinstance(value, list):
+            setattr(display, variable, value)
         else:
             setattr(display, variable + "File", value)
             setattr(display, variable, "File")

@@ -6,8 +6,11 @@ import re
 
 import numpy as np
 from paraview import servermanager, simple, smstate
+from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 
-from common import OUTPUT, draw, get_difference, get_plan, get_selectors, load_plugin, look, make_sphere, make_view, show
+from common import (OUTPUT, draw, get_difference, get_plan, get_selectors, load_plugin, look, make_sphere, make_view, read, show,
+                    write)
 
 load_plugin()
 
@@ -103,6 +106,79 @@ def test_material_maps():
     assert np.abs(picture[60:130] - plain[60:130]).max() <= 6
     display.MaterialMapMode = "None"
     assert get_difference(draw(view, "map-none"), plain)[0] <= 1
+
+
+def write_weights(name, columns):
+    """An image of 64 x 64 texels: a list of components for each of as many stripes, from the left."""
+    pixels = np.repeat(np.array(columns), 64 // len(columns), axis=0)
+    path = os.path.join(OUTPUT, name + ".png")
+    write(path, np.broadcast_to(255 * pixels, (64, *pixels.shape)))
+    return path
+
+
+def test_weight_images():
+    """Left one material, right another, by the red and the green of an image; a second image goes on counting."""
+    view = make_view()
+    look(view)
+    display = show(simple.Plane(), view)
+    alone = {}
+    for name in ("nickel", "pink-felt", "violet-rubber", "blue-rubber"):
+        display.MeasuredMaterial = name
+        alone[name] = draw(view, "images-" + name)
+    display.MapMaterials = ["0", "nickel", "1", "pink-felt", "2", "gold-paint", "3", "delrin", "4", "violet-rubber"]
+    display.MaterialMapMode = "Images"
+    # Red and green, then the red of the next image, and nothing.
+    first = write_weights("weights-1", [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 0, 0], [0, 0, 0, 0]])
+    second = write_weights("weights-2", [[0, 0, 0], [0, 0, 0], [1, 0, 0], [0, 0, 0]])
+    display.WeightImages = [first, second]
+    picture = draw(view, "images")
+    covered = np.where(np.abs(alone["pink-felt"][150] - 51).max(axis=1) > 3)[0]
+    left, width = covered[0], (covered[-1] + 1 - covered[0]) / 4
+    for k, name in enumerate(("nickel", "pink-felt", "violet-rubber", "blue-rubber")):
+        columns = slice(int(left + (k + 0.15) * width), int(left + (k + 0.85) * width))
+        assert np.abs(picture[60:240, columns] - alone[name][60:240, columns]).max() <= 6, name
+    assert get_plan(display).count("error") >= 3, get_plan(display)
+    display.WeightImages = []
+    display.MaterialMapMode = "None"
+    assert get_difference(draw(view, "images-none"), alone["blue-rubber"])[0] <= 1
+
+
+def draw_interactively(view, name):
+    view.InteractiveRender()
+    grab = vtkWindowToImageFilter()
+    grab.SetInput(view.GetRenderWindow())
+    grab.ShouldRerenderOff()
+    grab.ReadFrontBufferOff()
+    writer = vtkPNGWriter()
+    writer.SetFileName(os.path.join(OUTPUT, name + ".png"))
+    writer.SetInputConnection(grab.GetOutputPort())
+    writer.Write()
+    return read(os.path.join(OUTPUT, name + ".png"))
+
+
+def test_levels_of_detail_show_maps():
+    """While the camera moves, too, the material above is another than the one below."""
+    view = make_view()
+    look(view)
+    view.LODThreshold = 0.0
+    sphere = simple.Sphere(ThetaResolution=200, PhiResolution=200)
+    data = simple.Calculator(Input=sphere, ResultArrayName="half", Function="coordsY > 0")
+    display = show(data, view)
+    display.PlanInBackground = 0
+    alone = {}
+    for name in ("nickel", "pink-felt"):
+        display.MeasuredMaterial = name
+        draw(view, "moving-still")
+        alone[name] = draw_interactively(view, "moving-" + name)
+    assert get_difference(alone["nickel"], draw(view, "moving-still"))[0] > 6  # another mesh
+    display.MeasuredMaterial = "blue-rubber"
+    display.MaterialMapArray = "half"
+    display.MapMaterials = ["0", "nickel", "1", "pink-felt"]
+    display.MaterialMapMode = "Classes"
+    draw(view, "moving-still")
+    picture = draw_interactively(view, "moving-map")
+    for name, rows in (("pink-felt", slice(180, 240)), ("nickel", slice(60, 120))):
+        assert np.abs(picture[rows] - alone[name][rows]).max() <= 6, name
 
 
 def test_scalars_modulate_or_do_nothing():

@@ -38,6 +38,7 @@ WeightImages::WeightImages(vtkMaterialMap* map)
 void WeightImages::Check(vtkMaterialMap* map)
 {
   int components = 0;
+  bool anyLeft = false; // weights of no material
   for (int k = 0; k < map->GetNumberOfWeightImages(); ++k)
   {
     vtkImageData* image = map->GetWeightImage(k);
@@ -59,14 +60,22 @@ void WeightImages::Check(vtkMaterialMap* map)
                       std::to_string(image->GetNumberOfPoints()) + " tuples";
       return;
     }
-    components += scalars->GetNumberOfComponents();
+    for (int c = 0; c < scalars->GetNumberOfComponents(); ++c)
+    {
+      double range[2] = { 0.0, 0.0 };
+      if (components++ >= map->GetNumberOfMaterials())
+      {
+        scalars->GetRange(range, c);
+      }
+      anyLeft = anyLeft || range[0] != 0.0 || range[1] != 0.0;
+    }
   }
   if (components < map->GetNumberOfMaterials())
   {
     this->Problem = "its weight images have " + std::to_string(components) + " components for " +
                     std::to_string(map->GetNumberOfMaterials()) + " materials";
   }
-  else if (components > map->GetNumberOfMaterials())
+  else if (anyLeft) // image files often have three components for two materials
   {
     this->Warning = "the last " + std::to_string(components - map->GetNumberOfMaterials()) +
                     " components of the weight images belong to no material";

@@ -3,6 +3,7 @@
 #include "vtkMeasuredMaterialRepresentation.h"
 
 #include "MaterialFiles.h"
+#include "NamedMap.h"
 #include "vtkMissingNormalsFilter.h"
 
 #include "vtkCommunicator.h"
@@ -13,7 +14,6 @@
 #include "vtkDataObjectTree.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkMaterialMap.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVLODActor.h"
@@ -23,10 +23,9 @@
 #include "vtkRenderer.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
 #include <map>
 #include <set>
+#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -103,9 +102,7 @@ struct vtkMeasuredMaterialRepresentation::Internals
   std::string Material = "gold-paint";
   std::string MaterialFile;
   std::vector<std::pair<std::string, std::string>> BlockNames; // selector, material
-  int MapMode = 0;
-  std::string MapArray;
-  std::vector<std::pair<std::string, std::string>> MapNames; // value, material
+  NamedMap Map;
   std::string Environment = "Automatic";
   std::string EnvironmentFile;
   double Rotation = 0.0;
@@ -120,13 +117,10 @@ struct vtkMeasuredMaterialRepresentation::Internals
   bool IsFound = false;
   vtkSmartPointer<vtkBRDF> BRDF;
   std::vector<vtkSmartPointer<vtkBRDF>> Blocks; // of BlockNames
-  vtkSmartPointer<vtkMaterialMap> Map;          // null: none, or not made yet
-  std::vector<vtkSmartPointer<vtkBRDF>> Mapped; // of MapNames
-  bool MapChanged = true;
-  vtkSmartPointer<vtkEnvironment> Light;  // of the environment's name; null: the view's own
-  vtkSmartPointer<vtkEnvironment> Turned; // the same in its orientation
-  std::set<std::string> Said;             // errors, each once
-  vtkMTimeType BlocksTime = 0;            // of the data whose blocks have their materials
+  vtkSmartPointer<vtkEnvironment> Light;        // of the environment's name; null: the view's own
+  vtkSmartPointer<vtkEnvironment> Turned;       // the same in its orientation
+  std::set<std::string> Said;                   // errors, each once
+  vtkMTimeType BlocksTime = 0;                  // of the data whose blocks have their materials
   bool BlocksChanged = true;
 
   std::string GetMaterialName() const
@@ -171,12 +165,7 @@ struct vtkMeasuredMaterialRepresentation::Internals
     {
       this->Blocks.push_back(find(name));
     }
-    this->Mapped.clear();
-    for (const auto& [value, name] : this->MapNames)
-    {
-      this->Mapped.push_back(find(name));
-    }
-    this->MapChanged = true;
+    this->Map.Find(controller, [&](const std::string& error) { this->Say(self, error); });
     Found<vtkEnvironment> environment = FindEnvironment(this->GetEnvironmentName(), controller);
     this->Say(self, environment.Error);
     if (environment.Object != this->Light)
@@ -188,7 +177,7 @@ struct vtkMeasuredMaterialRepresentation::Internals
     {
       this->BRDF = nullptr;
       std::fill(this->Blocks.begin(), this->Blocks.end(), nullptr);
-      std::fill(this->Mapped.begin(), this->Mapped.end(), nullptr);
+      this->Map.DropMaterials();
     }
     this->IsFound = true;
     this->BlocksChanged = true;
@@ -317,15 +306,13 @@ void vtkMeasuredMaterialRepresentation::RemoveAllBlockMaterials()
 //------------------------------------------------------------------------------
 void vtkMeasuredMaterialRepresentation::SetMaterialMapMode(int mode)
 {
-  this->Impl->MapMode = std::clamp(mode, 0, 3);
-  this->Impl->MapChanged = true;
+  this->Impl->Map.SetMode(mode);
 }
 
 //------------------------------------------------------------------------------
 void vtkMeasuredMaterialRepresentation::SetMaterialMapArray(const char* name)
 {
-  this->Impl->MapArray = ToText(name);
-  this->Impl->MapChanged = true;
+  this->Impl->Map.SetArray(ToText(name));
 }
 
 //------------------------------------------------------------------------------
@@ -335,59 +322,52 @@ void vtkMeasuredMaterialRepresentation::SetMapMaterial(const char* value, const 
   {
     return; // a row of the panel's table that is being written
   }
-  this->Impl->MapNames.emplace_back(value, ToText(material));
+  this->Impl->Map.AddMaterial(value, ToText(material));
   this->NamesChanged();
 }
 
 //------------------------------------------------------------------------------
 void vtkMeasuredMaterialRepresentation::RemoveAllMapMaterials()
 {
-  if (!this->Impl->MapNames.empty())
+  if (this->Impl->Map.RemoveAllMaterials())
   {
-    this->Impl->MapNames.clear();
     this->NamesChanged();
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkMeasuredMaterialRepresentation::UpdateMap()
+void vtkMeasuredMaterialRepresentation::AddWeightImage(const char* path)
+{
+  if (!ToText(path).empty())
+  {
+    this->Impl->Map.AddImage(path);
+    this->NamesChanged();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkMeasuredMaterialRepresentation::RemoveAllWeightImages()
+{
+  if (this->Impl->Map.RemoveAllImages())
+  {
+    this->NamesChanged();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkMeasuredMaterialRepresentation::UpdateMap(vtkDataObject* levelOfDetail)
 {
   Internals& impl = *this->Impl;
-  if (impl.MapChanged)
-  {
-    impl.MapChanged = false;
-    impl.Map = nullptr;
-    if (impl.MapMode > 0)
-    {
-      const int modes[] = { vtkMaterialMap::CLASSES, vtkMaterialMap::VALUES,
-        vtkMaterialMap::WEIGHTS };
-      impl.Map = vtkSmartPointer<vtkMaterialMap>::New();
-      impl.Map->SetMode(modes[impl.MapMode - 1]);
-      impl.Map->SetArrayName(impl.MapArray);
-    }
-    std::map<double, std::pair<vtkBRDF*, std::string>> rows; // weights go by the order of numbers
-    for (std::size_t k = 0; impl.Map && k < std::min(impl.MapNames.size(), impl.Mapped.size()); ++k)
-    {
-      const auto& [value, name] = impl.MapNames[k];
-      char* end = nullptr;
-      const double number = std::strtod(value.c_str(), &end);
-      if (*end != '\0' || !std::isfinite(number))
-      {
-        impl.Say(this, "Map Materials: found \"" + value + "\", expected a number.");
-      }
-      else if (impl.Mapped[k]) // what cannot be read has been said
-      {
-        rows[number] = { impl.Mapped[k], name };
-      }
-    }
-    for (const auto& [number, row] : rows)
-    {
-      impl.Map->AddMaterial(row.first, number, row.second);
-    }
-  }
+  vtkMaterialMap* map = impl.Map.Get([&](const std::string& error) { impl.Say(this, error); });
   for (vtkMapper* any : { this->Mapper, this->BackfaceMapper })
   {
-    static_cast<vtkCompositeMeasuredBRDFMapper*>(any)->SetMaterialMap(impl.Map);
+    static_cast<vtkCompositeMeasuredBRDFMapper*>(any)->SetMaterialMap(map);
+  }
+  // What stands for the surface while the camera moves may lack the data.
+  map = map && impl.Map.CanRead(levelOfDetail) ? map : nullptr;
+  for (vtkMapper* any : { this->LODMapper, this->LODBackfaceMapper })
+  {
+    static_cast<vtkCompositeMeasuredBRDFMapper*>(any)->SetMaterialMap(map);
   }
 }
 
@@ -486,13 +466,15 @@ int vtkMeasuredMaterialRepresentation::ProcessViewRequest(
   }
   if (requestType == vtkPVView::REQUEST_RENDER())
   {
-    this->UpdateMappers(vtkPVView::GetDeliveredPiece(inInfo, this));
+    this->UpdateMappers(
+      vtkPVView::GetDeliveredPiece(inInfo, this), vtkPVView::GetDeliveredPieceLOD(inInfo, this));
   }
   return 1;
 }
 
 //------------------------------------------------------------------------------
-void vtkMeasuredMaterialRepresentation::UpdateMappers(vtkDataObject* data)
+void vtkMeasuredMaterialRepresentation::UpdateMappers(
+  vtkDataObject* data, vtkDataObject* levelOfDetail)
 {
   if (!data || data->GetNumberOfElements(vtkDataObject::CELL) == 0)
   {
@@ -527,7 +509,7 @@ void vtkMeasuredMaterialRepresentation::UpdateMappers(vtkDataObject* data)
     mapper->SetScalarColoringMode(
       impl.Modulate ? vtkMeasuredBRDFMapper::MODULATE : vtkMeasuredBRDFMapper::IGNORE_SCALARS);
   }
-  this->UpdateMap();
+  this->UpdateMap(levelOfDetail);
   this->UpdateBlocks(vtkDataObjectTree::SafeDownCast(data));
 }
 
@@ -581,12 +563,9 @@ void vtkMeasuredMaterialRepresentation::PrintSelf(ostream& os, vtkIndent indent)
   const Internals& impl = *this->Impl;
   os << indent << "MeasuredMaterial: " << impl.Material << "\n";
   os << indent << "MeasuredMaterialFile: " << impl.MaterialFile << "\n";
-  os << indent << "MaterialMapMode: " << impl.MapMode << "\n";
-  os << indent << "MaterialMapArray: " << impl.MapArray << "\n";
-  for (const auto& [value, material] : impl.MapNames)
-  {
-    os << indent << "MapMaterial: " << value << " " << material << "\n";
-  }
+  std::ostringstream spaces;
+  spaces << indent;
+  impl.Map.Print(os, spaces.str());
   os << indent << "MeasuredEnvironment: " << impl.Environment << "\n";
   os << indent << "MeasuredEnvironmentFile: " << impl.EnvironmentFile << "\n";
   os << indent << "MeasuredEnvironmentRotation: " << impl.Rotation << "\n";

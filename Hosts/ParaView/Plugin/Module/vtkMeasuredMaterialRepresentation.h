@@ -52,15 +52,20 @@ public:
   ///@{
   /**
    * Whether data choose the materials (vtkMaterialMap): 0 no (default), 1 an array of classes, 2 an
-   * array of values on a scale, 3 components of a point array as weights. The array is a point or
-   * cell array; the materials are pairs of a class or value (for weights a number, in whose
-   * order they belong to the components) and a name or path. The first material above is that of
-   * places that the data say nothing of. Levels of detail show it everywhere.
+   * array of values on a scale, 3 components of a point array as weights, 4 images of weights over
+   * the texture coordinates. The array is a point or cell array; the materials are pairs of a class
+   * or value (for weights a number, in whose order they belong to the components) and a name or
+   * path. The images are files (vtkPictureReader) of three components each, or four with alpha. The
+   * first material above is that of places that the data say nothing of. It is drawn everywhere
+   * where an image or a material of weights cannot be read, and by levels of detail that lack the
+   * array.
    */
   void SetMaterialMapMode(int mode);
   void SetMaterialMapArray(const char* name);
   void SetMapMaterial(const char* value, const char* material);
   void RemoveAllMapMaterials();
+  void AddWeightImage(const char* path);
+  void RemoveAllWeightImages();
   ///@}
 
   ///@{
@@ -128,9 +133,9 @@ private:
   void operator=(const vtkMeasuredMaterialRepresentation&) = delete;
 
   void NamesChanged();
-  void UpdateMappers(vtkDataObject* data);
+  void UpdateMappers(vtkDataObject* data, vtkDataObject* levelOfDetail);
   void UpdateBlocks(vtkDataObjectTree* data);
-  void UpdateMap();
+  void UpdateMap(vtkDataObject* levelOfDetail);
 
   struct Internals;
   std::unique_ptr<Internals> Impl;

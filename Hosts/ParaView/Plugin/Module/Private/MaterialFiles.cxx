@@ -7,11 +7,14 @@
 #include "vtkBRDFReader.h"
 #include "vtkCommand.h"
 #include "vtkCommunicator.h"
+#include "vtkDataArray.h"
 #include "vtkEmbeddedEnvironments.h"
 #include "vtkEmbeddedMaterials.h"
 #include "vtkEnvironmentReader.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
+#include "vtkPictureReader.h"
+#include "vtkPointData.h"
 #include "vtkWeakPointer.h"
 
 #include <vtksys/FStream.hxx>
@@ -139,6 +142,51 @@ struct Environments
     auto environment = vtkSmartPointer<vtkEnvironment>::New();
     environment->SetName(vtksys::SystemTools::GetFilenameWithoutExtension(path));
     return environment->SetPixels(size[0], size[1], std::move(pixels)) ? environment : nullptr;
+  }
+};
+
+//------------------------------------------------------------------------------
+struct WeightImages
+{
+  using Object = vtkImageData;
+
+  static vtkSmartPointer<vtkImageData> FindBuiltIn(const std::string&) { return nullptr; }
+
+  static Found<vtkImageData> Read(const std::string& path)
+  {
+    vtkNew<vtkPictureReader> reader;
+    const bool success = ReadQuietly(reader.Get(), path);
+    return { success ? reader->GetPicture() : nullptr, reader->GetErrorMessage() };
+  }
+
+  static std::string Pack(vtkImageData* image, const std::string&)
+  {
+    const int* size = image->GetDimensions();
+    vtkDataArray* weights = image->GetPointData()->GetScalars();
+    const int header[4] = { size[0], size[1], weights->GetDataType(),
+      weights->GetNumberOfComponents() };
+    std::string bytes(reinterpret_cast<const char*>(header), sizeof(header));
+    bytes.append(static_cast<const char*>(weights->GetVoidPointer(0)), GetBytes(weights));
+    return bytes;
+  }
+
+  static vtkSmartPointer<vtkImageData> Unpack(const std::string& bytes, const std::string&)
+  {
+    int header[4] = { 0, 0, 0, 0 };
+    std::memcpy(header, bytes.data(), sizeof(header));
+    auto image = vtkSmartPointer<vtkImageData>::New();
+    image->SetDimensions(header[0], header[1], 1);
+    image->AllocateScalars(header[2], header[3]);
+    vtkDataArray* weights = image->GetPointData()->GetScalars();
+    std::memcpy(weights->GetVoidPointer(0), bytes.data() + sizeof(header), GetBytes(weights));
+    return image;
+  }
+
+private:
+  static std::size_t GetBytes(vtkDataArray* array)
+  {
+    return static_cast<std::size_t>(array->GetNumberOfValues()) *
+           static_cast<std::size_t>(array->GetDataTypeSize());
   }
 };
 
@@ -281,5 +329,11 @@ Found<vtkEnvironment> FindEnvironment(
   const std::string& name, vtkMultiProcessController* controller)
 {
   return Find<Environments>(name, controller);
+}
+
+//------------------------------------------------------------------------------
+Found<vtkImageData> FindWeightImage(const std::string& path, vtkMultiProcessController* controller)
+{
+  return Find<WeightImages>(path, controller);
 }
 } // namespace measuredmaterials

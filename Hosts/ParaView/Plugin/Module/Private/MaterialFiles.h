@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Materials and environments by name or file. The processes of a parallel server get the same ones
- * by construction: the first process reads the file, and the others take what it has read.
+ * Materials, environments and images of weights by name or file. The processes of a parallel server
+ * get the same ones by construction: the first process reads the file, and the others take what it
+ * has read.
  */
 
 #ifndef MaterialFiles_h
@@ -11,6 +12,7 @@
 
 #include "vtkBRDF.h"
 #include "vtkEnvironment.h"
+#include "vtkImageData.h"
 #include "vtkSmartPointer.h"
 
 #include <string>
@@ -37,6 +39,7 @@ struct Found
 Found<vtkBRDF> FindMaterial(const std::string& name, vtkMultiProcessController* controller);
 Found<vtkEnvironment> FindEnvironment(
   const std::string& name, vtkMultiProcessController* controller);
+Found<vtkImageData> FindWeightImage(const std::string& path, vtkMultiProcessController* controller);
 ///@}
 } // namespace measuredmaterials
 
