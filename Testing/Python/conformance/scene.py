@@ -183,10 +183,14 @@ class Plain(Stock):
     """Ours without a material."""
 
     def mapper(self):
-        return measured.vtkMeasuredBRDFMapper()
+        mapper = measured.vtkMeasuredBRDFMapper()
+        mapper.SetOcclusionModeToOff()  # VTK's mappers hide nothing of the furnace
+        return mapper
 
     def composite(self):
-        return measured.vtkCompositeMeasuredBRDFMapper()
+        mapper = measured.vtkCompositeMeasuredBRDFMapper()
+        mapper.SetOcclusionModeToOff()  # VTK's mappers hide nothing of the furnace
+        return mapper
 
 
 class Material(Plain):
