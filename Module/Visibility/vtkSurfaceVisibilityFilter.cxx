@@ -167,6 +167,12 @@ void OpenBuriedPoints(vtkPolyData* surface, const SideArrays& side)
     for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
     {
       cells->GetCellAtId(cell, corners);
+      if (corners->GetNumberOfIds() == 0 ||
+          std::any_of(corners->begin(), corners->end(),
+            [&hidden](vtkIdType k) { return k < 0 || k >= static_cast<vtkIdType>(hidden.size()); }))
+      {
+        continue; // no polygon of this surface
+      }
       const vtkIdType open = *std::min_element(corners->begin(), corners->end(), isMoreOpen);
       for (const vtkIdType corner : *corners)
       {

@@ -636,6 +636,17 @@ TEST_F(OcclusionTest, ForecastsFollowTheSurface)
   question.Input = same;
   here.Update(question);
   EXPECT_EQ(here.GetTraced(), traced);
+  // Two views with different questions, in turns: each is answered once, the arrays serve both.
+  vtkNew<vtkLambertBRDF> second;
+  measuredbrdf::OcclusionQuestion other = question;
+  other.Materials[0].BRDF = second;
+  here.Update(other);
+  EXPECT_EQ(here.GetTraced(), traced);
+  question.InBackground = true;
+  here.Update(question);
+  EXPECT_FALSE(here.IsPending());
+  EXPECT_EQ(here.GetTraced(), traced);
+  question.InBackground = false;
   for (int frame = 0; frame < 6; ++frame)
   {
     same->GetPoints()->SetPoint(0, 0.0, 0.0, 0.9 + 0.001 * frame);

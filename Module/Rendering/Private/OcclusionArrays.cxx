@@ -112,6 +112,10 @@ bool IsClosed(vtkPolyData* surface, const std::string& suffix)
     (vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName() + suffix).c_str()));
   const auto isClosed = [sky](vtkIdType point)
   {
+    if (point < 0 || point >= sky->GetNumberOfTuples())
+    {
+      return false;
+    }
     const unsigned char* bytes = sky->GetPointer(point * HiddenSky::SectorBytes);
     for (int s = 0; s < HiddenSky::Sectors; ++s)
     {

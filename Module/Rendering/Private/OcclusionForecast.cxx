@@ -21,6 +21,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <thread>
 
 namespace measuredbrdf
@@ -30,7 +32,8 @@ namespace
 constexpr int MostChanges = 3; // of a surface, in frames one after the other
 constexpr int ProbePoints = 64;
 constexpr int ProbeRays = 16;
-constexpr double LeastError = 0.002; // to be spoken of
+constexpr double LeastError = 0.002;   // to be spoken of
+constexpr std::size_t MostAnswers = 4; // about a surface
 
 template <typename Visit>
 void ForEachArray(vtkPolyData* surface, const Visit& visit)
@@ -164,10 +167,21 @@ public:
       this->IsLeftOut = worth;
       return;
     }
+    if (this->Traced) // for other materials, or another map
+    {
+      return;
+    }
     this->Filter->BothSidesOn(); // whichever way the normals point
     this->Filter->SetInputDataObject(this->Input);
     this->Filter->Update();
     this->Traced = this->IsStopped ? nullptr : this->Filter->GetOutputDataObject(0);
+  }
+
+  // Once it is done: answers are kept, and the tree of half a million triangles takes 40 MB.
+  void DropScene()
+  {
+    this->Scene = nullptr;
+    this->Input = nullptr;
   }
 
   std::vector<OcclusionQuestion::Material> Materials;
@@ -254,14 +268,28 @@ bool OcclusionForecast::IsReady() const { return this->Work && this->Work->Done;
 
 void OcclusionForecast::Take()
 {
-  this->Answer = std::shared_ptr<const Job>(this->Work.release());
-  this->Traced = this->Answer->Traced;
-  this->Answered = this->Asked;
+  this->Work->DropScene();
+  std::shared_ptr<const Job> answer(this->Work.release());
+  this->Traced = answer->Traced ? answer->Traced : this->Traced;
+  if (this->Known.size() >= MostAnswers)
+  {
+    this->Known.clear();
+  }
+  this->Known[this->Asked] = std::move(answer);
 }
 
+// Views with different lights ask in turns: each has its answer, and what was traced serves all.
 void OcclusionForecast::Update(const OcclusionQuestion& question)
 {
+  const std::string before = this->Content;
   const bool follows = this->FollowsSurface(question.Input);
+  if (this->Content != before)
+  {
+    this->Work.reset();
+    this->Known.clear();
+    this->Answer.reset();
+    this->Traced = nullptr;
+  }
   Key key = { this->Content, std::to_string(question.Tolerance) };
   for (const OcclusionQuestion::Material& material : question.Materials)
   {
@@ -269,21 +297,15 @@ void OcclusionForecast::Update(const OcclusionQuestion& question)
                   std::to_string(material.BRDF->GetMTime()) + "/" +
                   std::to_string(material.PixelsTime));
   }
-  if (this->Work && this->Asked != key)
+  if (this->IsReady())
   {
-    this->Work.reset();
+    this->Take();
   }
-  if (this->Answered != key && !this->Work)
+  if (!this->Work && this->Known.count(key) == 0 && follows && !question.Materials.empty())
   {
-    this->Answered.clear();
-    this->Answer.reset();
-    this->Traced = nullptr;
-    if (!follows || question.Materials.empty())
-    {
-      return;
-    }
     this->Asked = key;
     this->Work = std::make_unique<Job>(question, question.InBackground);
+    this->Work->Traced = this->Traced;
     if (question.InBackground && !this->Work->IsEasy())
     {
       this->Work->Start();
@@ -291,12 +313,11 @@ void OcclusionForecast::Update(const OcclusionQuestion& question)
     else
     {
       this->Work->Run();
+      this->Take();
     }
   }
-  if (this->IsReady())
-  {
-    this->Take();
-  }
+  const auto known = this->Known.find(key);
+  this->Answer = known == this->Known.end() ? nullptr : known->second;
 }
 
 double OcclusionForecast::GetError() const { return this->Answer ? this->Answer->Error : -1.0; }

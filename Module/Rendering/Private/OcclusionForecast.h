@@ -17,6 +17,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
+#include <map>
 #include <memory>
 #include <string>
 #include <utility>
@@ -82,10 +83,10 @@ private:
   std::vector<std::pair<void*, vtkMTimeType>> Stamp; // of the surfaces' arrays in the last frame
   std::string Content;                               // hash of what they hold
   int Changes = 0;                                   // frames in a row with another content
-  Key Answered;
   Key Asked;
-  std::unique_ptr<Job> Work;         // on its thread
-  std::shared_ptr<const Job> Answer; // null: none
+  std::unique_ptr<Job> Work;                       // on its thread
+  std::map<Key, std::shared_ptr<const Job>> Known; // of this content
+  std::shared_ptr<const Job> Answer;               // to the last question; null: none
   vtkSmartPointer<vtkDataObject> Traced;
 };
 } // namespace measuredbrdf
