@@ -1004,6 +1004,8 @@ add("Rendering.occlusion-whatever-it-costs", "Private/OcclusionForecast.cxx", "i
     "if (this->IsStopped || this->Points > this->Most)", "OcclusionTest.AutoModelsWhatIsWorthIt")
 add("Rendering.moving-surfaces-are-traced", "Private/OcclusionForecast.cxx", "return this->Changes <= MostChanges;", "return true;",
     "OcclusionTest.ForecastsFollowTheSurface")
+add("Rendering.views-forget-each-other", "Private/OcclusionForecast.cxx", "this->Known.count(key) == 0 && follows",
+    "(this->Answer == nullptr || this->Asked != key) && follows", "OcclusionTest.ForecastsFollowTheSurface")
 add("Rendering.hidden-sky-of-the-wrong-side", "Private/OcclusionShader.cxx",
     "dot(normalVCVSOutput, brdfSkyNormalVSOutput) > 0.0", "dot(normalVCVSOutput, brdfSkyNormalVSOutput) < 2.0",
     "OcclusionTest.NormalsMayPointEitherWay")

@@ -209,3 +209,18 @@ TEST(OcclusionStability, SheetsOnOneAnother)
   }
 }
 }
+
+// Polygons without points, or with points that the surface lacks, are none: nothing is read.
+TEST(OcclusionStability, PolygonsThatAreNoneChangeNothing)
+{
+  const auto floor = MakeFloor({ { 0.0, 0.0, 0.0 }, { 3.0, 0.0, 0.0 } }, 1.0);
+  vtkNew<vtkSurfaceVisibilityFilter> filter;
+  const double before = GetHidden(Trace(filter, floor), 0);
+  const vtkIdType wrong[3] = { 0, 1, 1000000 };
+  vtkNew<vtkCellArray> polygons;
+  polygons->DeepCopy(floor->GetPolys());
+  polygons->InsertNextCell(0, wrong);
+  polygons->InsertNextCell(3, wrong);
+  floor->SetPolys(polygons);
+  EXPECT_EQ(GetHidden(Trace(filter, floor), 0), before);
+}
