@@ -74,6 +74,9 @@ protected:
   /// Whether the primitives now being set up are shaded by a material.
   bool UsesMaterial(const vtkOpenGLHelper* cellBO);
 
+  /// Same key, same text of the materials in the shaders; "" where there are none.
+  std::string GetShaderKey(const vtkOpenGLHelper* cellBO);
+
   /// Whether the material's tangents come with the data.
   bool HasTangents();
 
@@ -96,6 +99,9 @@ protected:
   /// Made by the subclass; the mappers that draw the parts of one data set share it.
   std::shared_ptr<vtkMeasuredBRDFMapperInternals> Drawing;
 
+  /// Those that the shaders were made for.
+  std::map<const vtkOpenGLHelper*, std::string> ShaderKeys;
+
   /// Greater than 0 inside of RenderPiece.
   int RenderDepth = 0;
 
@@ -107,7 +113,6 @@ private:
   void ReplaceShaderOcclusion(Shaders shaders);
   void SetOcclusionParameters(vtkShaderProgram* program, vtkRenderer* ren, vtkActor* actor);
 
-  std::map<const vtkOpenGLHelper*, std::string> ShaderKeys;
   int BuiltOcclusionMode = -1; // of the buffers
   const void* BuiltTracedOcclusion = nullptr;
 };

@@ -907,9 +907,21 @@ add("Rendering.map-hats-fall-at-the-ends", "Private/MaterialParts.cxx", "if (k +
     "if (k + 2 < knots.size())", "MaterialMapping.ValuesBlendInEachPixel")
 add("Rendering.map-the-rest-is-drawn-twice", "Private/MixtureShader.cxx", "(this->Part.HasRest ? \" > 0.0\" : \" <= 0.0\")",
     "(this->Part.HasRest ? \" > 2.0\" : \" <= 0.0\")", "MaterialMapping.NoMaterialIsTheSuperclass")
-add("Rendering.map-scalars-that-choose-color", "Private/PartMappers.cxx", "if ((colored && ",
-    "if ((!colored && ",
+add("Rendering.map-scalars-that-choose-color", "Private/PartMappers.cxx", "if (colored || ",
+    "if (!colored || ",
     "MaterialMapping.ScalarsThatChooseDoNotColor")
+add("Rendering.map-classes-keep-the-last-textures", "Private/BRDFTextures.cxx",
+    "if (uploaded.Texture != last.Textures[k].Texture)", "if (false)",
+    "ManyClasses.OfSeveralShadersUnderALight")
+add("Rendering.map-classes-keep-the-last-numbers", "Private/BRDFTextures.cxx",
+    "if (last && last->Form.Terms[term].Uniforms[k].Values == uniform.Values)", "if (last)",
+    "ManyClasses.OfSeveralShadersUnderALight")
+add("Rendering.map-classes-share-cell-colors", "Private/ClassesMapper.cxx",
+    "if (this->HaveCellScalars || this->HaveCellNormals)", "if (false)",
+    "ManyClasses.ColorsOfCellsStayTheirOwn")
+add("Rendering.map-changed-materials-stay", "Private/MaterialDrawingFrames.cxx",
+    "stamp.SettingsTime = this->Settings->GetMTime();", "stamp.SettingsTime = 1;",
+    "ManyClasses.FollowEveryChange")
 add("Rendering.map-members-share-instances", "Private/BRDFShader.cxx", "return 100 * member;", "return 0 * member;",
     "MaterialMapping.ValuesBlendInEachPixel")
 add("Rendering.map-divided-blocks-are-drawn-whole", "Private/BlockBatch.cxx",

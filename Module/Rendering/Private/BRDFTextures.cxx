@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BRDFTextures.h"
 
+#include "ContentHash.h"
 #include "ShaderTest.h"
 #include "TakenError.h"
 #include "vtkBRDF.h"
@@ -10,6 +11,7 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 #include "vtkTextureUnitManager.h"
+#include "vtkWeakPointer.h"
 
 #include <algorithm>
 #include <exception>
@@ -107,6 +109,52 @@ vtkSmartPointer<vtkTextureObject> Upload(
   return result;
 }
 
+std::string GetContent(const vtkBRDFShaderInputs::Texture& texture)
+{
+  ContentHash hash;
+  hash.AddText(texture.Name);
+  hash.AddValue(texture.Components);
+  hash.AddValue(texture.ThreeD);
+  hash.AddValue(texture.HalfFloat);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    hash.AddValue(texture.Dimensions[static_cast<std::size_t>(axis)]);
+    hash.AddValue(static_cast<bool>(texture.Repeat[static_cast<std::size_t>(axis)]));
+  }
+  hash.AddValues(texture.SharedExponents);
+  hash.AddValues(texture.Data);
+  return hash.GetText();
+}
+
+// Tables of many materials under one environment have the same map of irradiance.
+vtkSmartPointer<vtkTextureObject> FindOrUpload(
+  vtkBRDFShaderInputs::Texture& texture, vtkOpenGLRenderWindow* window, std::string& problem)
+{
+  using Key = std::pair<std::string, vtkOpenGLRenderWindow*>;
+  static std::map<Key, vtkWeakPointer<vtkTextureObject>> shared;
+  static std::mutex mutex; // windows may be drawn by different threads
+  const Key key(GetContent(texture), window);
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    const auto known = shared.find(key);
+    if (known != shared.end() && known->second && !IsLost(known->second, window))
+    {
+      return known->second.Get();
+    }
+  }
+  vtkSmartPointer<vtkTextureObject> uploaded = Upload(texture, window, problem);
+  const std::lock_guard<std::mutex> lock(mutex);
+  for (auto it = shared.begin(); it != shared.end();)
+  {
+    it = it->second ? std::next(it) : shared.erase(it);
+  }
+  if (uploaded)
+  {
+    shared[key] = uploaded;
+  }
+  return uploaded;
+}
+
 // What was uploaded for a source in a window, for as long as somebody holds it.
 template <typename Source>
 std::shared_ptr<FormTextures> FindShared(
@@ -146,7 +194,12 @@ std::shared_ptr<FormTextures> FormTextures::Find(
 
 bool FormTextures::IsCurrent(vtkMTimeType time, vtkOpenGLRenderWindow* window) const
 {
-  return this->Window == window && this->Time >= time &&
+  return this->Time >= time && this->IsIn(window);
+}
+
+bool FormTextures::IsIn(vtkOpenGLRenderWindow* window) const
+{
+  return this->Window == window &&
          std::none_of(this->Textures.begin(), this->Textures.end(),
            [window](const Uploaded& uploaded) { return IsLost(uploaded.Texture, window); });
 }
@@ -217,15 +270,15 @@ std::string FormTextures::Upload(
     for (vtkBRDFShaderInputs::Texture& texture : form.Terms[term].Textures)
     {
       std::string problem;
-      vtkSmartPointer<vtkTextureObject> uploaded = measuredbrdf::Upload(texture, window, problem);
+      const std::size_t bytes = texture.GetBytes();
+      vtkSmartPointer<vtkTextureObject> uploaded = FindOrUpload(texture, window, problem);
       if (!uploaded)
       {
         return problem;
       }
-      textures.push_back({ texture.Name, term, uploaded });
+      textures.push_back({ texture.Name, term, uploaded, bytes });
     }
   }
-  this->Bytes = form.GetTextureBytes();
   for (vtkBRDFShaderInputs::Term& term : form.Terms)
   {
     term.Textures.clear();
@@ -239,9 +292,10 @@ std::string FormTextures::Upload(
 
 void FormTextures::Activate()
 {
-  for (const Uploaded& uploaded : this->Textures)
+  for (Uploaded& uploaded : this->Textures)
   {
     uploaded.Texture->Activate();
+    uploaded.Unit = uploaded.Texture->GetTextureUnit();
   }
 }
 
@@ -253,19 +307,57 @@ void FormTextures::Deactivate()
   }
 }
 
-void FormTextures::SetUniforms(vtkShaderProgram* program, std::size_t firstInstance) const
+void FormTextures::ActivateAfter(FormTextures& last)
+{
+  for (std::size_t k = 0; k < this->Textures.size(); ++k)
+  {
+    Uploaded& uploaded = this->Textures[k];
+    if (uploaded.Texture != last.Textures[k].Texture)
+    {
+      last.Textures[k].Texture->Deactivate();
+      uploaded.Texture->Activate();
+      uploaded.Unit = uploaded.Texture->GetTextureUnit();
+    }
+    else
+    {
+      uploaded.Unit = last.Textures[k].Unit;
+    }
+  }
+}
+
+std::size_t FormTextures::CountBytes(std::set<const vtkTextureObject*>& counted) const
+{
+  std::size_t bytes = 0;
+  for (const Uploaded& uploaded : this->Textures)
+  {
+    bytes += counted.insert(uploaded.Texture).second ? uploaded.Bytes : 0;
+  }
+  return bytes;
+}
+
+void FormTextures::SetUniforms(
+  vtkShaderProgram* program, std::size_t firstInstance, const FormTextures* last) const
 {
   const auto numbered = [firstInstance](const std::string& name, std::size_t term)
   { return name + std::to_string(firstInstance + term); };
-  for (const Uploaded& uploaded : this->Textures)
+  for (std::size_t k = 0; k < this->Textures.size(); ++k)
   {
-    program->SetUniformi(
-      numbered(uploaded.Sampler, uploaded.Term).c_str(), uploaded.Texture->GetTextureUnit());
+    const Uploaded& uploaded = this->Textures[k];
+    if (!last || last->Textures[k].Unit != uploaded.Unit)
+    {
+      program->SetUniformi(numbered(uploaded.Sampler, uploaded.Term).c_str(), uploaded.Unit);
+    }
   }
   for (std::size_t term = 0; term < this->Form.Terms.size(); ++term)
   {
-    for (const vtkBRDFShaderInputs::Uniform& uniform : this->Form.Terms[term].Uniforms)
+    const auto& uniforms = this->Form.Terms[term].Uniforms;
+    for (std::size_t k = 0; k < uniforms.size(); ++k)
     {
+      const vtkBRDFShaderInputs::Uniform& uniform = uniforms[k];
+      if (last && last->Form.Terms[term].Uniforms[k].Values == uniform.Values)
+      {
+        continue;
+      }
       const std::string name = numbered(uniform.Name, term);
       if (uniform.Values.size() == 1)
       {

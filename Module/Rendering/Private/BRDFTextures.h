@@ -13,6 +13,7 @@
 #include "vtkType.h"
 
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -49,13 +50,21 @@ public:
   std::string Update(vtkRadianceIntegrator* integrator, vtkOpenGLRenderWindow* window);
   ///@}
 
+  /// Whether all were uploaded to this window, which has not lost them.
+  bool IsIn(vtkOpenGLRenderWindow* window) const;
+
   void Activate();
   void Deactivate();
-  /// firstInstance: the number that stands for INSTANCE in the first term's names.
-  void SetUniforms(vtkShaderProgram* program, std::size_t firstInstance) const;
+  /// Instead of last, of the same shader: what both share stays bound.
+  void ActivateAfter(FormTextures& last);
+  /// firstInstance: the number that stands for INSTANCE in the first term's names. last: whose
+  /// uniforms of the same names the program has, bound to the same units; null: nobody's.
+  void SetUniforms(
+    vtkShaderProgram* program, std::size_t firstInstance, const FormTextures* last = nullptr) const;
 
   const vtkBRDFShaderInputs& GetForm() const { return this->Form; }
-  std::size_t GetBytes() const { return this->Bytes; }
+  /// Those that are not counted yet.
+  std::size_t CountBytes(std::set<const vtkTextureObject*>& counted) const;
   std::size_t GetNumberOfSamplers() const { return this->Textures.size(); }
 
 private:
@@ -68,6 +77,8 @@ private:
     std::string Sampler; // without INSTANCE
     std::size_t Term;
     vtkSmartPointer<vtkTextureObject> Texture;
+    std::size_t Bytes;
+    int Unit = -1; // where it was bound last
   };
 
   bool IsCurrent(vtkMTimeType time, vtkOpenGLRenderWindow* window) const;
@@ -76,7 +87,6 @@ private:
   bool SoftLights;          // what the form is asked for
   vtkBRDFShaderInputs Form; // without the textures' data once they are uploaded
   std::vector<Uploaded> Textures;
-  std::size_t Bytes = 0;
   vtkMTimeType Time = 0;
   vtkMTimeType FailureTime = 0; // of inputs that a source refused, or had no memory for
   std::string Failure;

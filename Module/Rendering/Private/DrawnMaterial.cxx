@@ -45,13 +45,13 @@ std::string DescribeMixture(double error)
 
 vtkIdType CountTextureBytes(const DrawnMaterials& materials)
 {
-  std::set<const FormTextures*> counted;
+  std::set<const vtkTextureObject*> counted;
   std::size_t bytes = 0;
   for (const DrawnMaterial* drawn : materials)
   {
     for (const std::shared_ptr<FormTextures>& textures : { drawn->Material, drawn->Radiance })
     {
-      bytes += textures && counted.insert(textures.get()).second ? textures->GetBytes() : 0;
+      bytes += textures ? textures->CountBytes(counted) : 0;
     }
   }
   return static_cast<vtkIdType>(bytes);

@@ -8,6 +8,8 @@
 #include "vtkImageProcessingPass.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
 #include "vtkLightingMapPass.h"
 #include "vtkOpenGLRenderPass.h"
 #include "vtkOpenGLRenderer.h"
@@ -124,4 +126,20 @@ bool IsShaded(vtkActor* actor)
   return actor->GetProperty()->GetLighting() &&
          actor->GetProperty()->GetRepresentation() == VTK_SURFACE;
 }
+
+bool HasLight(vtkRenderer* renderer)
+{
+  vtkLightCollection* lights = renderer->GetLights();
+  vtkCollectionSimpleIterator it;
+  lights->InitTraversal(it);
+  while (vtkLight* light = lights->GetNextLight(it))
+  {
+    if (light->GetSwitch())
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 } // namespace measuredbrdf

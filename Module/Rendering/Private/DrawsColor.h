@@ -22,6 +22,9 @@ bool DrawsColor(vtkRenderer* renderer, vtkActor* actor);
 
 /// Whether an actor is one that materials shade: a lit surface. Else the superclass draws it.
 bool IsShaded(vtkActor* actor);
+
+/// Whether any light of the scene is on.
+bool HasLight(vtkRenderer* renderer);
 } // namespace measuredbrdf
 
 #endif

@@ -12,8 +12,6 @@
 #include "vtkAlgorithm.h"
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
-#include "vtkLight.h"
-#include "vtkLightCollection.h"
 #include "vtkMapper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPropCollection.h"
@@ -28,27 +26,6 @@
 
 namespace measuredbrdf
 {
-namespace
-{
-constexpr double LargestTolerance = 1.0; // that planners take
-
-bool HasLight(vtkRenderer* renderer)
-{
-  vtkLightCollection* lights = renderer->GetLights();
-  vtkCollectionSimpleIterator it;
-  lights->InitTraversal(it);
-  while (vtkLight* light = lights->GetNextLight(it))
-  {
-    if (light->GetSwitch())
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-}
-
 MaterialDrawing::MaterialDrawing(vtkObject* owner, std::shared_ptr<MaterialSettings> settings,
   std::function<std::vector<MaterialUse>()> uses)
   : Owner(owner)
@@ -91,7 +68,9 @@ int MaterialDrawing::FindSlot(vtkBRDF* brdf)
 
 void MaterialDrawing::KeepPlansInUse()
 {
-  if (this->Slots.empty()) // the mapper's own material is all there is
+  const bool same = !this->AreUsesNew || this->Slots.empty(); // or there is only its own material
+  this->AreUsesNew = false;
+  if (same)
   {
     return;
   }
@@ -153,8 +132,7 @@ PlanRequest MaterialDrawing::GetRequest(const MaterialUse& use, const FrameState
   request.BRDF = use.first;
   request.Environment = state.Environment;
   request.CacheFolder = this->Settings->CacheFolder;
-  const double factor = this->ToleranceFactor ? this->ToleranceFactor(use.first) : 1.0;
-  request.Tolerance = std::min(factor * this->Settings->ErrorTolerance, LargestTolerance);
+  request.Tolerance = this->GetTolerance(use.first);
   request.Costs = this->Settings->Costs;
   request.Timing = timings[this->Settings->PlanningMode];
   request.ForView = this->IsForView();
@@ -349,12 +327,7 @@ void MaterialDrawing::BeginFrame(
     this->WarnOfLevels(state);
   }
   this->DropPlans(state, any);
-  std::vector<DrawnMaterial> materials; // the last ones stay until these have their textures
-  for (const MaterialUse& use : uses)
-  {
-    materials.push_back(this->Resolve(use, state));
-  }
-  frame.Materials = std::move(materials);
+  this->ResolveAll(frame, state, uses);
   this->DropOcclusionLights();
   this->ForecastOcclusion(state, part, frame);
   this->Frame = &frame;

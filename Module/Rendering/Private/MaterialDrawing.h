@@ -163,6 +163,7 @@ private:
 
   int FindSlot(vtkBRDF* brdf);
   PlanRequest GetRequest(const MaterialUse& use, const FrameState& state);
+  double GetTolerance(vtkBRDF* brdf) const;
   bool IsForView() const
   {
     return this->Settings->PlanForView && (this->PlansMapsForView || !this->Settings->MaterialMap);
@@ -177,6 +178,8 @@ private:
   ///@{
   /// The stages of a frame, in this order; the last three for each material.
   vtkSmartPointer<vtkEnvironment> ResolveEnvironment(vtkRenderer* renderer);
+  FrameStamp GetStamp(const FrameState& state, const std::vector<MaterialUse>& uses);
+  void ResolveAll(ViewFrame& frame, const FrameState& state, const std::vector<MaterialUse>& uses);
   DrawnMaterial Resolve(const MaterialUse& use, const FrameState& state);
   void ResolveIntegrator(DrawnMaterial& drawn, const MaterialUse& use, const FrameState& state);
   void ResolvePlan(DrawnMaterial& drawn, const MaterialUse& use, const FrameState& state);
@@ -203,6 +206,7 @@ private:
   std::unordered_map<vtkBRDF*, MaterialSlot> Slots; // in MapperPlans, but of the mapper's material
   std::size_t SlotsSwept = 0;                       // how many stayed when dead ones were removed
   int NextSlot = 1;
+  bool AreUsesNew = true;           // whether materials were looked up since KeepPlansInUse
   const ViewFrame* Frame = nullptr; // drawn now
   vtkWeakPointer<vtkRenderer> LastRenderer;
   SelectedMaterials Selected;

@@ -16,10 +16,10 @@ namespace measuredbrdf
 {
 vtkStandardNewMacro(PartMapper);
 
-void PartMapper::SetPart(const MaterialParts* parts, std::size_t number, vtkMaterialMap* map)
+void PartMapper::SetPart(const MaterialParts* parts, MaterialPart part, vtkMaterialMap* map)
 {
   this->Parts = parts;
-  this->Part = parts->Get()[number];
+  this->Part = std::move(part);
   if (this->Part.Kind != MixtureKind::Images || this->Map != map)
   {
     this->Images = nullptr;

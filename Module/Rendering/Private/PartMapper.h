@@ -38,8 +38,8 @@ public:
     this->Drawing = std::move(drawing);
   }
 
-  /// Draw this part from now on. parts: all of them, which outlive this mapper's renders.
-  void SetPart(const MaterialParts* parts, std::size_t number, vtkMaterialMap* map);
+  /// Draw this part from now on. parts: of all of them, which outlive this mapper's renders.
+  void SetPart(const MaterialParts* parts, MaterialPart part, vtkMaterialMap* map);
 
   /// Of the block that the part belongs to; null (default): there are no blocks.
   void SetStyle(const BlockStyle* style) { this->Style = style; }

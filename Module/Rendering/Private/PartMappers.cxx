@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <type_traits>
 
 namespace measuredbrdf
 {
@@ -87,6 +88,32 @@ bool PartMappers::Divide(vtkPolyData* input)
   return problem.empty();
 }
 
+void PartMappers::ForEachMapper(const std::function<void(PartMapper*)>& visit) const
+{
+  if (this->Classes)
+  {
+    visit(this->Classes);
+  }
+  for (const vtkSmartPointer<PartMapper>& mapper : this->Mappers)
+  {
+    visit(mapper);
+  }
+}
+
+void PartMappers::SetUp(PartMapper* mapper, vtkOpenGLPolyDataMapper* host, bool colored,
+  const std::function<void(vtkPolyDataMapper*)>& prepare)
+{
+  CopySettings(host, mapper);
+  this->Scalars.Write(mapper);
+  mapper->RemoveAllVertexAttributeMappings();
+  prepare(mapper);
+  // An array that chooses materials has done its work; a block's own color comes first.
+  if (colored || this->OverridesColor)
+  {
+    mapper->ScalarVisibilityOff();
+  }
+}
+
 void PartMappers::Synchronize(
   vtkOpenGLPolyDataMapper* host, const std::function<void(vtkPolyDataMapper*)>& prepare)
 {
@@ -96,26 +123,39 @@ void PartMappers::Synchronize(
     this->Scalars.Read(host);
   }
   const bool colored = AreColorsOfMap(this->Scalars, this->Input, map);
-  this->Mappers.resize(this->Parts.Get().size());
-  for (std::size_t k = 0; k < this->Mappers.size(); ++k)
+  const auto make = [this](auto& mapper)
   {
-    if (!this->Mappers[k])
+    if (!mapper)
     {
-      this->Mappers[k] = vtkSmartPointer<PartMapper>::New();
-      this->Mappers[k]->SetDrawing(this->Drawing);
-      this->Mappers[k]->AddObserver(vtkCommand::UpdateShaderEvent, this->ForwardEvents);
+      mapper = std::decay_t<decltype(mapper)>::New();
+      mapper->SetDrawing(this->Drawing);
+      mapper->AddObserver(vtkCommand::UpdateShaderEvent, this->ForwardEvents);
     }
-    PartMapper* mapper = this->Mappers[k];
-    CopySettings(host, mapper);
-    this->Scalars.Write(mapper);
-    mapper->RemoveAllVertexAttributeMappings();
-    prepare(mapper);
-    mapper->SetPart(&this->Parts, k, map);
-    // An array that chooses materials has done its work; a block's own color comes first.
-    if ((colored && !this->Parts.Get()[k].Members.empty()) || this->OverridesColor)
-    {
-      mapper->ScalarVisibilityOff();
-    }
+  };
+  std::vector<std::size_t> single;
+  std::vector<std::size_t> others;
+  for (std::size_t k = 0; k < this->Parts.Get().size(); ++k)
+  {
+    (this->Together && ClassesMapper::IsSingle(this->Parts.Get()[k]) ? single : others)
+      .push_back(k);
+  }
+  if (single.empty())
+  {
+    this->Classes = nullptr;
+  }
+  else
+  {
+    make(this->Classes);
+    this->SetUp(this->Classes, host, colored, prepare);
+    this->Classes->SetParts(&this->Parts, single, map);
+  }
+  this->Mappers.resize(others.size());
+  for (std::size_t k = 0; k < others.size(); ++k)
+  {
+    const MaterialPart& part = this->Parts.Get()[others[k]];
+    make(this->Mappers[k]);
+    this->SetUp(this->Mappers[k], host, colored && !part.Members.empty(), prepare);
+    this->Mappers[k]->SetPart(&this->Parts, part, map);
   }
 }
 
@@ -123,10 +163,12 @@ void PartMappers::Render(vtkRenderer* renderer, vtkActor* actor, vtkOpenGLPolyDa
   vtkMTimeType time, const std::function<void(vtkPolyDataMapper*)>& prepare)
 {
   const bool overrides = this->Style && this->Style->OverridesColor;
-  if (this->Revision != this->Parts.GetRevision() || this->HostTime != time || this->Host != host ||
-      this->OverridesColor != overrides ||
+  const bool together = ClassesMapper::CanDraw(actor);
+  if (this->Together != together || this->Revision != this->Parts.GetRevision() ||
+      this->HostTime != time || this->Host != host || this->OverridesColor != overrides ||
       (this->Style && !(this->Style->Scalars == this->Scalars)))
   {
+    this->Together = together;
     this->OverridesColor = overrides;
     this->Scalars = this->Style ? this->Style->Scalars : this->Scalars;
     this->Synchronize(host, prepare);
@@ -134,11 +176,12 @@ void PartMappers::Render(vtkRenderer* renderer, vtkActor* actor, vtkOpenGLPolyDa
     this->HostTime = time;
     this->Host = host;
   }
-  for (const vtkSmartPointer<PartMapper>& mapper : this->Mappers)
-  {
-    mapper->SetStyle(this->Style.get());
-    mapper->RenderPiece(renderer, actor);
-  }
+  this->ForEachMapper(
+    [&](PartMapper* mapper)
+    {
+      mapper->SetStyle(this->Style.get());
+      mapper->RenderPiece(renderer, actor);
+    });
   this->RenderHighlight(renderer, actor, host);
 }
 
@@ -177,6 +220,7 @@ void PartMappers::SetStyle(const BlockStyle& style)
 
 void PartMappers::DropMappers()
 {
+  this->Classes = nullptr;
   this->Mappers.clear();
   this->Highlight = nullptr;
   this->Host = nullptr;
@@ -225,19 +269,14 @@ double PartMappers::PredictError(const DrawnMaterials& materials) const
 vtkIdType PartMappers::GetImageBytes() const
 {
   vtkIdType bytes = 0;
-  for (const vtkSmartPointer<PartMapper>& mapper : this->Mappers)
-  {
-    bytes = std::max(bytes, mapper->GetImageBytes());
-  }
+  this->ForEachMapper(
+    [&bytes](PartMapper* mapper) { bytes = std::max(bytes, mapper->GetImageBytes()); });
   return bytes;
 }
 
 void PartMappers::ReleaseGraphicsResources(vtkWindow* window)
 {
-  for (const vtkSmartPointer<PartMapper>& mapper : this->Mappers)
-  {
-    mapper->ReleaseGraphicsResources(window);
-  }
+  this->ForEachMapper([window](PartMapper* mapper) { mapper->ReleaseGraphicsResources(window); });
   if (this->Highlight)
   {
     this->Highlight->ReleaseGraphicsResources(window);

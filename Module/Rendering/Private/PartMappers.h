@@ -8,6 +8,7 @@
 #ifndef PartMappers_h
 #define PartMappers_h
 
+#include "ClassesMapper.h"
 #include "HighlightMapper.h"
 #include "MaterialDrawing.h"
 #include "MaterialParts.h"
@@ -75,14 +76,19 @@ public:
 private:
   void Synchronize(
     vtkOpenGLPolyDataMapper* host, const std::function<void(vtkPolyDataMapper*)>& prepare);
+  void SetUp(PartMapper* mapper, vtkOpenGLPolyDataMapper* host, bool colored,
+    const std::function<void(vtkPolyDataMapper*)>& prepare);
+  void ForEachMapper(const std::function<void(PartMapper*)>& visit) const;
   void RenderHighlight(vtkRenderer* renderer, vtkActor* actor, vtkOpenGLPolyDataMapper* host);
 
   std::shared_ptr<vtkMeasuredBRDFMapperInternals> Drawing;
   MaterialParts Parts;
   vtkNew<vtkCallbackCommand> ForwardEvents;
-  std::vector<vtkSmartPointer<PartMapper>> Mappers;
-  vtkSmartPointer<HighlightMapper> Highlight; // null: nothing was ever selected
-  vtkMTimeType HighlightTime = 0;             // of its input
+  vtkSmartPointer<ClassesMapper> Classes;           // of all single parts; null: each has its own
+  std::vector<vtkSmartPointer<PartMapper>> Mappers; // of each other part
+  bool Together = false;                            // whether single parts have one, where possible
+  vtkSmartPointer<HighlightMapper> Highlight;       // null: nothing was ever selected
+  vtkMTimeType HighlightTime = 0;                   // of its input
   vtkSmartPointer<vtkPolyData> Input;
   std::unique_ptr<BlockStyle> Style;
   unsigned long Revision = 0;

@@ -9,46 +9,64 @@ namespace measuredbrdf
 {
 void SelectedMaterials::Set(const DrawnMaterials& materials, MixtureText text)
 {
-  this->Clear();
   const bool ready = std::all_of(
     materials.begin(), materials.end(), [](const DrawnMaterial* drawn) { return drawn->IsReady; });
+  if (ready && this->FollowOn(materials, text))
+  {
+    return;
+  }
+  this->Clear();
   if (!ready)
   {
     return;
   }
   this->Materials = materials;
   this->Mixture = std::move(text);
-  for (const std::shared_ptr<FormTextures>& textures : this->GetTextures())
+  for (const DrawnMaterial* drawn : this->Materials)
   {
-    textures->Activate();
+    for (FormTextures* textures : { drawn->Material.get(), drawn->Radiance.get() })
+    {
+      if (textures &&
+          std::find(this->Textures.begin(), this->Textures.end(), textures) == this->Textures.end())
+      {
+        this->Textures.push_back(textures);
+        textures->Activate();
+      }
+    }
   }
+}
+
+// One after another of the same shader.
+bool SelectedMaterials::FollowOn(const DrawnMaterials& materials, const MixtureText& text)
+{
+  if (this->Materials.size() != 1 || materials.size() != 1 || !text.Slots.empty() ||
+      !this->Mixture.Slots.empty() || this->Materials[0]->Key != materials[0]->Key)
+  {
+    return false;
+  }
+  std::size_t place = 0;
+  for (FormTextures* textures : { materials[0]->Material.get(), materials[0]->Radiance.get() })
+  {
+    if (textures && textures != this->Textures[place])
+    {
+      textures->ActivateAfter(*this->Textures[place]);
+      this->Textures[place] = textures;
+    }
+    place += textures ? 1 : 0;
+  }
+  this->Materials = materials;
+  return true;
 }
 
 void SelectedMaterials::Clear()
 {
-  for (const std::shared_ptr<FormTextures>& textures : this->GetTextures())
+  for (FormTextures* textures : this->Textures)
   {
     textures->Deactivate();
   }
+  this->Textures.clear();
   this->Materials.clear();
   this->Mixture = {};
-}
-
-// Textures that several share once.
-std::vector<std::shared_ptr<FormTextures>> SelectedMaterials::GetTextures() const
-{
-  std::vector<std::shared_ptr<FormTextures>> all;
-  for (const DrawnMaterial* drawn : this->Materials)
-  {
-    for (const std::shared_ptr<FormTextures>& textures : { drawn->Material, drawn->Radiance })
-    {
-      if (textures && std::find(all.begin(), all.end(), textures) == all.end())
-      {
-        all.push_back(textures);
-      }
-    }
-  }
-  return all;
 }
 
 std::string SelectedMaterials::GetKey() const

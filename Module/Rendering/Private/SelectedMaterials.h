@@ -43,9 +43,10 @@ public:
   bool AreAnyAnisotropic() const;
 
 private:
-  std::vector<std::shared_ptr<FormTextures>> GetTextures() const;
+  bool FollowOn(const DrawnMaterials& materials, const MixtureText& text);
 
   DrawnMaterials Materials;
+  std::vector<FormTextures*> Textures; // of the materials, those that several share once
   MixtureText Mixture;
 };
 } // namespace measuredbrdf

@@ -7,6 +7,16 @@
 
 namespace measuredbrdf
 {
+bool ViewFrame::Stays(const FrameStamp& stamp, vtkOpenGLRenderWindow* window) const
+{
+  const auto isThere = [window](const std::shared_ptr<FormTextures>& textures)
+  { return !textures || textures->IsIn(window); };
+  return !stamp.Uses.empty() && this->Stamp == stamp &&
+         std::all_of(this->Materials.begin(), this->Materials.end(),
+           [&isThere](const DrawnMaterial& drawn)
+           { return drawn.IsReady && isThere(drawn.Material) && isThere(drawn.Radiance); });
+}
+
 template <typename IsWanted>
 void ViewFrames::Remove(const IsWanted& isWanted)
 {

@@ -17,10 +17,31 @@
 #include <map>
 #include <memory>
 #include <tuple>
+#include <utility>
 #include <vector>
+
+class vtkOpenGLRenderWindow;
 
 namespace measuredbrdf
 {
+/// What the materials of a frame follow from, where plans are not for the view and none is in the
+/// making. Modification times are never used twice: a recycled address does no harm.
+struct FrameStamp
+{
+  vtkMTimeType SettingsTime = 0; // of the mapper's materials, too
+  vtkEnvironment* Environment = nullptr;
+  vtkMTimeType EnvironmentTime = 0;
+  bool HasLight = false;
+  std::vector<std::pair<vtkBRDF*, double>> Uses; // with tolerances
+
+  bool operator==(const FrameStamp& other) const
+  {
+    return this->SettingsTime == other.SettingsTime && this->Environment == other.Environment &&
+           this->EnvironmentTime == other.EnvironmentTime && this->HasLight == other.HasLight &&
+           this->Uses == other.Uses;
+  }
+};
+
 struct ViewFrame
 {
   const void* Part = nullptr;
@@ -28,6 +49,10 @@ struct ViewFrame
   vtkWeakPointer<vtkActor> Actor; // null but where plans are for the view
   bool ForActor = false;
   std::vector<DrawnMaterial> Materials;
+  FrameStamp Stamp; // of these; empty: they have to be looked up
+
+  /// Whether the materials would be the same again, with all their textures.
+  bool Stays(const FrameStamp& stamp, vtkOpenGLRenderWindow* window) const;
 
   bool IsGone() const { return !this->Renderer || (this->ForActor && !this->Actor); }
 };

@@ -161,8 +161,12 @@ void vtkMeasuredBRDFMapperMixin<Base>::RenderPieceDraw(vtkRenderer* ren, vtkActo
   // Those of one shader after the other.
   std::vector<std::size_t> order(materials.size());
   std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(),
-    [&materials](std::size_t a, std::size_t b) { return materials[a].Key < materials[b].Key; });
+  const auto before = [&materials](std::size_t a, std::size_t b)
+  { return materials[a].Key < materials[b].Key; };
+  if (!std::is_sorted(order.begin(), order.end(), before)) // most often all are of one
+  {
+    std::stable_sort(order.begin(), order.end(), before);
+  }
   for (std::size_t material : order)
   {
     this->ShowOnly(static_cast<int>(material));
@@ -202,20 +206,27 @@ bool vtkMeasuredBRDFMapperMixin<Base>::HasTangents()
 
 //------------------------------------------------------------------------------
 template <class Base>
+std::string vtkMeasuredBRDFMapperMixin<Base>::GetShaderKey(const vtkOpenGLHelper* cellBO)
+{
+  if (!this->UsesMaterial(cellBO))
+  {
+    return "";
+  }
+  return this->Drawing->GetSelected().GetKey() + (this->HasTangents() ? "/tangents" : "") +
+         measuredbrdf::GetOcclusionKey(this->Drawing->GetSelectedOcclusion(this->HasOcclusion()),
+           this->HasTwoSidedOcclusion());
+}
+
+//------------------------------------------------------------------------------
+template <class Base>
 bool vtkMeasuredBRDFMapperMixin<Base>::GetNeedToRebuildShaders(
   vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor)
 {
   const bool rebuild = this->Base::GetNeedToRebuildShaders(cellBO, ren, actor);
-  std::string key;
-  if (this->UsesMaterial(&cellBO))
-  {
-    key = this->Drawing->GetSelected().GetKey() + (this->HasTangents() ? "/tangents" : "") +
-          measuredbrdf::GetOcclusionKey(this->Drawing->GetSelectedOcclusion(this->HasOcclusion()),
-            this->HasTwoSidedOcclusion());
-  }
+  std::string key = this->GetShaderKey(&cellBO);
   std::string& last = this->ShaderKeys[&cellBO];
   const bool changed = key != last;
-  last = key;
+  last = std::move(key);
   return rebuild || changed;
 }
 

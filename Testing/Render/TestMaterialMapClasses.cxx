@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Many classes of cells, which are drawn one after the other from common buffers: each shows what
+// its material shows alone, whatever the last one has left behind.
+
+#include "MaterialMapFixture.h"
+
+#include "vtkLight.h"
+#include "vtkProperty.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <string>
+#include <vector>
+
+namespace
+{
+class ManyClasses : public MaterialMapping
+{
+protected:
+  static constexpr int Count = 12;
+
+  void SetUp() override
+  {
+    MaterialMapping::SetUp();
+    if (!IsSkipped())
+    {
+      this->SetCells([](vtkIdType cell, int) { return static_cast<double>((5 * cell) % Count); });
+    }
+  }
+
+  /// Three shaders: with a diffuse part, with gloss, with both.
+  void AddMaterialsOfSeveralShaders()
+  {
+    this->AddMaterials(Count);
+    for (std::size_t k = 0; k < Count; ++k)
+    {
+      vtkNew<vtkLambertBRDF> diffuse;
+      diffuse->SetAlbedo(0.05 * static_cast<double>(k), 0.3, 0.2);
+      vtkNew<vtkBlinnPhongBRDF> gloss;
+      gloss->SetSpecular(0.2, 0.1, 0.02 * static_cast<double>(k));
+      if (k % 3 != 0)
+      {
+        this->Materials[k]->RemoveAllTerms();
+        this->Materials[k]->AddTerm(k % 3 == 1 ? static_cast<vtkBRDF*>(diffuse) : gloss);
+      }
+    }
+  }
+
+  void AddLight()
+  {
+    vtkNew<vtkLight> light;
+    light->SetLightTypeToSceneLight();
+    light->SetPosition(1.0, 2.0, 4.0);
+    this->Renderer->AddLight(light);
+  }
+
+  void ExpectEachAlone()
+  {
+    this->RenderAlone();
+    this->ExpectMixture([](const Place& place, int k)
+      { return place.OnDiagonal ? -1.0 : ((5 * place.Cell) % Count == k ? 1.0 : 0.0); });
+  }
+
+  /// The picture of another mapper that never drew anything else.
+  FloatImage RenderAnew()
+  {
+    vtkNew<vtkMeasuredBRDFMapper> other;
+    other->ShallowCopy(this->Mapper);
+    this->Actor->SetMapper(other);
+    const FloatImage picture = this->RenderLinear();
+    this->Actor->SetMapper(this->Mapper);
+    return picture;
+  }
+
+  void ExpectSame(const FloatImage& a, const FloatImage& b, const char* what)
+  {
+    for (int y = 0; y < Pixels; ++y)
+    {
+      for (int x = 0; x < Pixels; ++x)
+      {
+        for (int c = 0; c < 3; ++c)
+        {
+          ASSERT_NEAR(a.At(x, y)[c], b.At(x, y)[c], Same) << what << ": " << x << " " << y;
+        }
+      }
+    }
+  }
+};
+
+TEST_F(ManyClasses, OfSeveralShadersUnderALight)
+{
+  this->AddMaterialsOfSeveralShaders();
+  this->AddLight();
+  this->ExpectEachAlone();
+  const FloatImage first = this->RenderLinear();
+  this->Renderer->RemoveAllLights();
+  this->ExpectSame(this->RenderLinear(), this->RenderAnew(), "without the light");
+  this->AddLight();
+  this->ExpectSame(this->RenderLinear(), first, "with it again");
+}
+
+// A cell's color is found by the number of its triangle in what is drawn at once.
+TEST_F(ManyClasses, ColorsOfCellsStayTheirOwn)
+{
+  this->AddMaterialsOfSeveralShaders();
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetName("colors");
+  colors->SetNumberOfComponents(3);
+  for (int cell = 0; cell < 2 * Side * Side; ++cell)
+  {
+    colors->InsertNextTuple3(40 + cell, 255 - cell, 50 + (37 * cell) % 200);
+  }
+  this->Sheet->GetCellData()->AddArray(colors);
+  this->Mapper->SetScalarModeToUseCellFieldData();
+  this->Mapper->SelectColorArray("colors");
+  this->ExpectEachAlone();
+}
+
+// What is known of a frame's materials holds until something changes.
+TEST_F(ManyClasses, FollowEveryChange)
+{
+  this->AddMaterials(Count);
+  this->Mapper->SetIntegrator(nullptr);
+  this->Mapper->SetErrorTolerance(0.3);
+  this->Mapper->SetCacheFolder("");
+  this->Mapper->SetMaterialMap(this->Map);
+  FloatImage last = this->RenderLinear();
+  this->ExpectSame(this->RenderLinear(), last, "nothing changed");
+  const auto expectChange = [this, &last](const char* what)
+  {
+    const FloatImage now = this->RenderLinear();
+    this->ExpectSame(now, this->RenderAnew(), what);
+    double largest = 0.0;
+    for (int y = 0; y < Pixels; ++y)
+    {
+      for (int x = 0; x < Pixels; ++x)
+      {
+        largest = std::max(largest, std::abs(double(now.At(x, y)[1]) - last.At(x, y)[1]));
+      }
+    }
+    EXPECT_GT(largest, 1e-3) << what;
+    last = now;
+  };
+  vtkLambertBRDF::SafeDownCast(this->Materials[3]->GetTerm(0))->SetAlbedo(0.9, 0.9, 0.9);
+  expectChange("a material");
+  this->Environment->SetRotationY(90.0);
+  expectChange("the environment's rotation");
+  this->Map->SetBRDF(5, this->Materials[3]);
+  expectChange("the map");
+  this->SetCells([](vtkIdType cell, int) { return static_cast<double>((7 * cell) % Count); });
+  expectChange("the data");
+  this->Mapper->ReleaseGraphicsResources(this->Window);
+  this->ExpectSame(this->RenderLinear(), last, "resources released");
+  this->Actor->GetProperty()->EdgeVisibilityOn(); // each class has a mapper of its own now
+  expectChange("edges");
+  this->Actor->GetProperty()->EdgeVisibilityOff();
+  expectChange("no edges");
+}
+}
