@@ -5,8 +5,9 @@
 // all threads: a software renderer's, whatever else the machine does. Prints the table of
 // docs/maps.md. Needs an OpenGL context.
 //
-//   BenchmarkMaterialMap [ROUNDS [NAME]]      frames of each kind in turns (default 25); only those
-//                                             of which NAME is a part, and the first
+//   BenchmarkMaterialMap [ROUNDS [NAME [CACHE]]]    frames of each kind in turns (default 25); only
+//                                             those of which NAME is a part, and the first; plans
+//                                             from a folder and into it, for a second run
 
 #include "vtkActor.h"
 #include "vtkBlinnPhongBRDF.h"
@@ -107,16 +108,20 @@ public:
     this->Materials = MakeMaterials(1024);
   }
 
-  void AddAll(const std::string& wanted)
+  void AddAll(const std::string& wanted, const std::string& cache)
   {
     this->Wanted = wanted;
+    this->Cache = cache;
     this->Add("one material", 1, MakeSphere(), nullptr);
     this->Kinds.front().Mapper->SetBRDF(this->Materials[0]);
     for (int classes : { 2, 8, 24, 256, 1024 })
     {
       this->AddClasses(classes, true);
     }
-    this->AddClasses(8, false);
+    for (int classes : { 8, 64 })
+    {
+      this->AddClasses(classes, false);
+    }
     this->AddValues(8);
     for (int weights : { 2, 3, 4 })
     {
@@ -170,7 +175,7 @@ private:
     kind.Mapper->SetInputData(surface);
     kind.Mapper->SetEnvironment(this->Environment);
     kind.Mapper->SetMaterialMap(map);
-    kind.Mapper->SetCacheFolder("");
+    kind.Mapper->SetCacheFolder(this->Cache);
     if (this->Kinds.empty() || name.find(this->Wanted) != std::string::npos)
     {
       this->Kinds.push_back(kind);
@@ -261,13 +266,14 @@ private:
   std::vector<vtkSmartPointer<vtkBRDF>> Materials;
   std::vector<Kind> Kinds;
   std::string Wanted;
+  std::string Cache;
 };
 }
 
 int main(int argc, char* argv[])
 {
   Benchmark benchmark;
-  benchmark.AddAll(argc > 2 ? argv[2] : "");
+  benchmark.AddAll(argc > 2 ? argv[2] : "", argc > 3 ? argv[3] : "");
   benchmark.Run(argc > 1 ? std::max(std::atoi(argv[1]), 1) : 25);
   return EXIT_SUCCESS;
 }

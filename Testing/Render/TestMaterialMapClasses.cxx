@@ -65,7 +65,12 @@ protected:
   FloatImage RenderAnew()
   {
     vtkNew<vtkMeasuredBRDFMapper> other;
-    other->ShallowCopy(this->Mapper);
+    other->SetInputData(this->Sheet);
+    other->SetEnvironment(this->Environment);
+    other->SetMaterialMap(this->Map);
+    other->SetIntegrator(this->Mapper->GetIntegrator());
+    other->SetErrorTolerance(this->Mapper->GetErrorTolerance());
+    other->SetCacheFolder("");
     this->Actor->SetMapper(other);
     const FloatImage picture = this->RenderLinear();
     this->Actor->SetMapper(this->Mapper);
