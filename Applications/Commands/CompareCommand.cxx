@@ -350,7 +350,7 @@ void Run(Options& options, const CLI::App* command)
   Open(stock, mesh, view, size);
   if (options.Occlusion)
   {
-    scene.ModelOcclusion(vtkMeasuredBRDFMapper::OCCLUSION_ON);
+    scene.ModelOcclusion(vtkMeasuredBRDFMapper::OCCLUSION_ON, options.Trace.Bounces > 0);
   }
   Comparison found;
   const tool::Method method = SetUp(options, shaded, environment, scene, stock, found);

@@ -40,7 +40,7 @@ public:
   void SetLightSet(vtkLightSet* lights);
 
   /// Draw what the mesh hides of the environment; its visibility is traced in the next frame.
-  void ModelOcclusion(vtkMeasuredBRDFMapper::OcclusionModeType mode);
+  void ModelOcclusion(vtkMeasuredBRDFMapper::OcclusionModeType mode, bool bounce);
 
   /// How the mapper plans.
   void SetPlan(const PlanOptions& options);

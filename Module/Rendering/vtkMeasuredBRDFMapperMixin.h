@@ -83,9 +83,10 @@ protected:
   /// Whether what is drawn is a part of a surface that a material map divides.
   virtual bool IsPart() { return false; }
 
-  /// Whether the buffers have what the surface hides from itself; from both sides.
+  /// Whether the buffers have what the surface hides from itself; from both sides; what comes back.
   bool HasOcclusion();
   bool HasTwoSidedOcclusion();
+  bool HasOcclusionBounce();
 
   ///@{
   /// OcclusionSides of the buffers.
@@ -109,6 +110,7 @@ private:
 
   std::map<const vtkOpenGLHelper*, std::string> ShaderKeys;
   int BuiltOcclusionMode = -1; // of the buffers
+  bool BuiltOcclusionBounce = false;
   const void* BuiltTracedOcclusion = nullptr;
 };
 

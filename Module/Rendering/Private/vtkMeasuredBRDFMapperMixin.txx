@@ -211,7 +211,7 @@ bool vtkMeasuredBRDFMapperMixin<Base>::GetNeedToRebuildShaders(
   {
     key = this->Drawing->GetSelected().GetKey() + (this->HasTangents() ? "/tangents" : "") +
           measuredbrdf::GetOcclusionKey(this->Drawing->GetSelectedOcclusion(this->HasOcclusion()),
-            this->HasTwoSidedOcclusion());
+            { this->HasTwoSidedOcclusion(), this->HasOcclusionBounce() });
   }
   std::string& last = this->ShaderKeys[&cellBO];
   const bool changed = key != last;
@@ -313,7 +313,8 @@ void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderLight(
   std::string fs = shaders[vtkShader::Fragment]->GetSource();
   const measuredbrdf::OcclusionText occlusion =
     lights.empty() ? measuredbrdf::OcclusionText()
-                   : measuredbrdf::MakeOcclusionText(lights, this->HasTwoSidedOcclusion());
+                   : measuredbrdf::MakeOcclusionText(
+                       lights, { this->HasTwoSidedOcclusion(), this->HasOcclusionBounce() });
   std::string declarations = occlusion.FragmentDeclarations + mixture.Declarations +
                              measuredbrdf::GetShaderDeclarations(members);
   if (measuredbrdf::Contains(fs, "anisotropyUniform"))
@@ -445,10 +446,9 @@ void vtkMeasuredBRDFMapperMixin<Base>::SetMapperShaderParameters(
     program->SetUniformMatrix("brdfTangentMatrix", matrix);
   }
   this->SetOcclusionParameters(program, ren, actor);
-  const bool scalars =
-    this->GetScalarVisibility() && !this->IgnoresScalars() &&
-    (this->VBOs->GetNumberOfComponents("scalarColor") != 0 ||
-                                     this->HaveCellScalars || this->ColorTextureMap);
+  const bool scalars = this->GetScalarVisibility() && !this->IgnoresScalars() &&
+                       (this->VBOs->GetNumberOfComponents("scalarColor") != 0 ||
+                         this->HaveCellScalars || this->ColorTextureMap);
   const bool modulate = this->Drawing->GetSettings().ScalarColoringMode != 0;
   program->SetUniformi("brdfModulate", modulate ? (scalars ? 2 : 1) : 0);
 }
