@@ -321,7 +321,7 @@ public:
    * Whether what the surface hides from itself sends light back: one bounce (default off: hidden
    * parts of the sky are black). Counts where OcclusionMode shades with arrays. Those of a program
    * need vtkSurfaceVisibilityFilter::BounceOn, which is reported once where it is missing; those
-   * that the mapper makes have what it takes, which adds about half to their time. What hides is
+   * that the mapper makes have what it takes, which nearly doubles their time. What hides is
    * taken to be matte, of the point's own material and albedo. GetPlan then ends with "one bounce
    * modeled". A change of the environment, its rotation and the material cost what they cost
    * without.

@@ -88,7 +88,7 @@ public:
   ///@{
   /**
    * Whether points also get what comes back to them from what hides the sky, after one bounce;
-   * default off. It takes about half as long as the rest, on top, and 9 bytes a point:
+   * default off. It takes nearly as long as the rest, on top, and 9 bytes a point:
    * vtkMeasuredBRDFMapper::OcclusionBounceOn shades with it. Occluders reflect nothing; nor does
    * the other side of a surface without BothSides.
    */
