@@ -2,9 +2,10 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 # SPDX-License-Identifier: BSD-3-Clause
 # Draws docs/occlusion.png, a molecule that hides much of the sky from itself: light that nothing hides, this module, and the
-# traced reference, with errors. It takes about a minute of a core, and VTK's Python modules for the mesh.
+# traced reference, with errors; and docs/occlusion-bounce.png, a white bowl whose hidden parts send light back: without occlusion,
+# black, with one bounce, and traced with one. It takes some minutes of a core, and VTK's Python modules for the meshes.
 #
-#   cmake/make-occlusion-picture.sh [OUTPUT.png]
+#   cmake/make-occlusion-picture.sh [OUTPUT.png [BOUNCE.png]]
 set -euo pipefail
 cd "$(dirname "$0")/.."
 display=()
@@ -13,3 +14,6 @@ mkdir -p output
 python3 cmake/make-molecule.py output/molecule.vtp
 "${display[@]}" build/bin/measured-brdf compare gold-paint --environment room --mesh output/molecule.vtp --size 300x270 \
   --view 20,25,40 --occlusion --strip "${1:-docs/occlusion.png}" --report output/occlusion.json
+python3 cmake/make-bowl.py output/bowl.vtp
+"${display[@]}" build/bin/measured-brdf compare delrin --environment room --mesh output/bowl.vtp --size 230x210 \
+  --view 20,40,40 --occlusion --bounces 1 --strip "${2:-docs/occlusion-bounce.png}" --report output/occlusion-bounce.json

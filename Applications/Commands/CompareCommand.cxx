@@ -198,7 +198,7 @@ void WriteStrip(const Options& options, const std::string& title, vtkEnvironment
 
 //------------------------------------------------------------------------------
 void WriteAnyStrip(const Options& options, const std::string& title, vtkEnvironment* environment,
-  const Comparison& found, tool::OffscreenScene& scene, tool::OffscreenScene& stock,
+  const Comparison& found, tool::Scene& scene, tool::OffscreenScene& stock,
   const tool::Surface& surface, const tool::Occlusion& occlusion,
   const std::vector<double>& reference)
 {
@@ -208,9 +208,16 @@ void WriteAnyStrip(const Options& options, const std::string& title, vtkEnvironm
     return;
   }
   const std::string name = options.Method.Method == "auto" ? "this module" : options.Method.Method;
-  tool::WriteOcclusionStrip(options.Strip, title, environment,
-    tool::ParseSize("--size", options.Size, LargestSize), scene, surface, occlusion.Traced, name,
-    found.Metrics->GetRelativeL1());
+  const tool::Size size = tool::ParseSize("--size", options.Size, LargestSize);
+  std::vector<double> black;
+  if (options.Trace.Bounces > 0)
+  {
+    scene.ModelOcclusion(vtkMeasuredBRDFMapper::OCCLUSION_ON, false);
+    black = tool::Pick(scene.Render(size.Width, size.Height), surface);
+    scene.ModelOcclusion(vtkMeasuredBRDFMapper::OCCLUSION_ON, true);
+  }
+  tool::WriteOcclusionStrip(options.Strip, title, environment, size, scene, surface,
+    occlusion.Traced, name, found.Metrics->GetRelativeL1(), black);
 }
 
 //------------------------------------------------------------------------------
@@ -350,7 +357,7 @@ void Run(Options& options, const CLI::App* command)
   Open(stock, mesh, view, size);
   if (options.Occlusion)
   {
-    scene.ModelOcclusion(vtkMeasuredBRDFMapper::OCCLUSION_ON);
+    scene.ModelOcclusion(vtkMeasuredBRDFMapper::OCCLUSION_ON, options.Trace.Bounces > 0);
   }
   Comparison found;
   const tool::Method method = SetUp(options, shaded, environment, scene, stock, found);
@@ -452,9 +459,9 @@ void AddCompareCommand(CLI::App& app)
     "environment, with errors and the method's frame time relative to VTK's. Every covered pixel "
     "is compared");
   command->add_flag("--occlusion", options->Occlusion,
-    "Compare with a reference that has what the mesh hides of the environment, traced. --strip "
-    "then "
-    "shows the light that nothing hides, the method and that reference");
+    "Compare with a reference that has what the mesh hides of the environment, traced; with "
+    "--bounces the method models one bounce. --strip then shows the light that nothing hides, with "
+    "--bounces the method without a bounce, the method and that reference");
   options->Trace.AddTo(command);
   command->add_option("--fit", options->Fit,
     "Another file of the same material (a fit, a projection). It is rendered instead of FILE and "

@@ -224,7 +224,8 @@ void Run(Options& options, const CLI::App* command)
   {
     scene.Open(size.Width, size.Height);
     scene.Begin(method, environment, options.Method.Plan);
-    scene.ModelOcclusion(vtkMeasuredBRDFMapper::OCCLUSION_AUTO); // what the mesh's arrays say
+    scene.ModelOcclusion( // what the mesh's arrays say
+      vtkMeasuredBRDFMapper::OCCLUSION_AUTO, options.Trace.Bounces > 0);
     scene.SetLight(environment, method.Integrator); // this plan for the larger picture, too
   }
   const double setup = elapsed();

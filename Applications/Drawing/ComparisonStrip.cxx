@@ -11,7 +11,6 @@
 
 namespace
 {
-constexpr int NumberOfColumns = 3;
 constexpr int Smooth = 2; // panels are rendered at this multiple and averaged
 
 //------------------------------------------------------------------------------
@@ -54,11 +53,11 @@ namespace tool
 {
 //------------------------------------------------------------------------------
 ComparisonStrip::ComparisonStrip(
-  const std::string& title, vtkEnvironment* environment, const Size& size)
+  const std::string& title, vtkEnvironment* environment, const Size& size, int panels)
   : PanelSize(size)
   , Background(environment)
   , Exposure(ChooseExposure(environment))
-  , Sheet(title, NumberOfColumns, 1, size.Width, size.Height)
+  , Sheet(title, panels, 1, size.Width, size.Height)
 {
 }
 

@@ -23,8 +23,9 @@ namespace tool
 class ComparisonStrip
 {
 public:
-  /// Three panels of the given size. The environment sets the exposure, too.
-  ComparisonStrip(const std::string& title, vtkEnvironment* environment, const Size& size);
+  /// So many panels of the given size. The environment sets the exposure, too.
+  ComparisonStrip(
+    const std::string& title, vtkEnvironment* environment, const Size& size, int panels = 3);
 
   /// Add a panel: what a scene renders, with smooth edges. Throws Error.
   void AddRendered(OffscreenScene& scene, const std::string& name, const std::string& note);

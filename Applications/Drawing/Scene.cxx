@@ -87,9 +87,10 @@ void Scene::SetLightSet(vtkLightSet* lights)
 }
 
 //------------------------------------------------------------------------------
-void Scene::ModelOcclusion(vtkMeasuredBRDFMapper::OcclusionModeType mode)
+void Scene::ModelOcclusion(vtkMeasuredBRDFMapper::OcclusionModeType mode, bool bounce)
 {
   this->Mapper->SetOcclusionMode(mode);
+  this->Mapper->SetOcclusionBounce(bounce);
 }
 
 //------------------------------------------------------------------------------

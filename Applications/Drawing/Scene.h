@@ -39,8 +39,9 @@ public:
   /// These lights instead of what SetLight has set, until null is set.
   void SetLightSet(vtkLightSet* lights);
 
-  /// Draw what the mesh hides of the environment; its visibility is traced in the next frame.
-  void ModelOcclusion(vtkMeasuredBRDFMapper::OcclusionModeType mode);
+  /// Draw what the mesh hides of the environment, black or with a bounce; its visibility is traced
+  /// in the next frame.
+  void ModelOcclusion(vtkMeasuredBRDFMapper::OcclusionModeType mode, bool bounce);
 
   /// How the mapper plans.
   void SetPlan(const PlanOptions& options);

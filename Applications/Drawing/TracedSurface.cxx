@@ -240,13 +240,22 @@ nlohmann::ordered_json DescribeOcclusion(const Occlusion& found, const TraceOpti
 //------------------------------------------------------------------------------
 void WriteOcclusionStrip(const std::string& path, const std::string& title,
   vtkEnvironment* environment, const Size& size, OffscreenScene& scene, const Surface& surface,
-  const TracedSurface& traced, const std::string& name, double error)
+  const TracedSurface& traced, const std::string& name, double error,
+  const std::vector<double>& black)
 {
-  vtkNew<vtkRadianceMetrics> metrics;
-  Measure(metrics, Grid(surface, size), traced.Unoccluded, traced.Radiance);
-  ComparisonStrip strip(title, environment, size);
-  strip.AddRadiance(scene, surface, traced.Unoccluded, "light that nothing hides",
-    "error " + FormatPercent(metrics->GetRelativeL1()));
+  ComparisonStrip strip(title, environment, size, black.empty() ? 3 : 4);
+  const auto add = [&](const std::vector<double>& radiance, const std::string& label)
+  {
+    vtkNew<vtkRadianceMetrics> metrics;
+    Measure(metrics, Grid(surface, size), radiance, traced.Radiance);
+    strip.AddRadiance(
+      scene, surface, radiance, label, "error " + FormatPercent(metrics->GetRelativeL1()));
+  };
+  add(traced.Unoccluded, "light that nothing hides");
+  if (!black.empty())
+  {
+    add(black, "black where the sky is hidden");
+  }
   strip.AddRendered(scene, name, "error " + FormatPercent(error));
   strip.AddRadiance(scene, surface, traced.Radiance, "traced", "the reference with occlusion");
   strip.Write(path);

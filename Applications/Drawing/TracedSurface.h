@@ -74,11 +74,13 @@ Occlusion FindOcclusion(vtkPolyData* mesh, vtkBRDF* brdf, vtkEnvironment* enviro
 /// For a report.
 nlohmann::ordered_json DescribeOcclusion(const Occlusion& found, const TraceOptions& options);
 
-/// A picture, .png, of the light that nothing hides, a scene of that name with that error, and the
-/// traced reference. Throws Error.
+/// A picture, .png, of the light that nothing hides, of the pixels' radiance with hidden sky black
+/// (empty: left out), of a scene of that name with that error, and of the traced reference. Throws
+/// Error.
 void WriteOcclusionStrip(const std::string& path, const std::string& title,
   vtkEnvironment* environment, const Size& size, OffscreenScene& scene, const Surface& surface,
-  const TracedSurface& traced, const std::string& name, double error);
+  const TracedSurface& traced, const std::string& name, double error,
+  const std::vector<double>& black);
 
 /// The error of leaving occlusion out, as seen from everywhere. Throws Error.
 vtkSmartPointer<vtkOcclusionPredictor> PredictOcclusion(

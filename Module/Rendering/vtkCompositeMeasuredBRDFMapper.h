@@ -120,6 +120,10 @@ public:
   void SetOcclusionModeToOff() { this->SetOcclusionMode(vtkMeasuredBRDFMapper::OCCLUSION_OFF); }
   void SetOcclusionModeToAuto() { this->SetOcclusionMode(vtkMeasuredBRDFMapper::OCCLUSION_AUTO); }
   void SetOcclusionModeToOn() { this->SetOcclusionMode(vtkMeasuredBRDFMapper::OCCLUSION_ON); }
+  void SetOcclusionBounce(bool bounce);
+  bool GetOcclusionBounce();
+  void OcclusionBounceOn() { this->SetOcclusionBounce(true); }
+  void OcclusionBounceOff() { this->SetOcclusionBounce(false); }
   void SetUseSceneLights(bool use);
   bool GetUseSceneLights();
   void UseSceneLightsOn() { this->SetUseSceneLights(true); }

@@ -318,6 +318,22 @@ public:
 
   ///@{
   /**
+   * Whether what the surface hides from itself sends light back: one bounce (default off: hidden
+   * parts of the sky are black). Counts where OcclusionMode shades with arrays. Those of a program
+   * need vtkSurfaceVisibilityFilter::BounceOn, which is reported once where it is missing; those
+   * that the mapper makes have what it takes, which nearly doubles their time. What hides is
+   * taken to be matte, of the point's own material and albedo. GetPlan then ends with "one bounce
+   * modeled". A change of the environment, its rotation and the material cost what they cost
+   * without.
+   */
+  void SetOcclusionBounce(bool bounce);
+  bool GetOcclusionBounce();
+  void OcclusionBounceOn() { this->SetOcclusionBounce(true); }
+  void OcclusionBounceOff() { this->SetOcclusionBounce(false); }
+  ///@}
+
+  ///@{
+  /**
    * About the last render: the integrator that was drawn (null before the first render or without
    * an environment) and the planner that chose it (null without a plan), neither to be changed;
    * bytes of the textures in use (material and lights), a line on the material's shader inputs

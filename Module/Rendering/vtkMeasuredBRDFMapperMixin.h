@@ -86,9 +86,10 @@ protected:
   /// Whether what is drawn is a part of a surface that a material map divides.
   virtual bool IsPart() { return false; }
 
-  /// Whether the buffers have what the surface hides from itself; from both sides.
+  /// Whether the buffers have what the surface hides from itself; from both sides; what comes back.
   bool HasOcclusion();
   bool HasTwoSidedOcclusion();
+  bool HasOcclusionBounce();
 
   ///@{
   /// OcclusionSides of the buffers.
@@ -114,6 +115,7 @@ private:
   void SetOcclusionParameters(vtkShaderProgram* program, vtkRenderer* ren, vtkActor* actor);
 
   int BuiltOcclusionMode = -1; // of the buffers
+  bool BuiltOcclusionBounce = false;
   const void* BuiltTracedOcclusion = nullptr;
 };
 

@@ -4,16 +4,15 @@
 
 #include "ContentHash.h"
 #include "HiddenSky.h"
-#include "LocalFrame.h"
 #include "Setters.h"
 #include "SurfacePoints.h"
 #include "SurfaceTracer.h"
+#include "VisibilityArrays.h"
+#include "VisibilityTask.h"
 #include "vtkActor.h"
-#include "vtkCellArray.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkFieldData.h"
-#include "vtkIdList.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMapper.h"
@@ -22,7 +21,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
 #include "vtkUnsignedCharArray.h"
@@ -38,93 +36,7 @@ using namespace measuredbrdf;
 
 namespace
 {
-constexpr int Chunk = 4096; // points between two reports of progress
 constexpr const char* Version = "2:";
-
-// The point arrays of one side of a surface.
-struct SideArrays
-{
-  vtkSmartPointer<vtkUnsignedCharArray> Sky;
-  vtkSmartPointer<vtkUnsignedCharArray> Light;
-
-  SideArrays() = default;
-  SideArrays(vtkIdType points, const std::string& suffix)
-    : Sky(Make(vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName() + suffix, points,
-        HiddenSky::SectorBytes))
-    , Light(Make(vtkSurfaceVisibilityFilter::GetHiddenLightArrayName() + suffix, points,
-        HiddenSky::TransferBytes))
-  {
-  }
-
-  void Set(vtkIdType point, const HiddenSky::Code& code) const
-  {
-    std::copy_n(
-      code.begin(), HiddenSky::SectorBytes, this->Sky->GetPointer(point * HiddenSky::SectorBytes));
-    std::copy_n(code.begin() + HiddenSky::SectorBytes, HiddenSky::TransferBytes,
-      this->Light->GetPointer(point * HiddenSky::TransferBytes));
-  }
-
-  HiddenSky::Code Get(vtkIdType point) const
-  {
-    HiddenSky::Code code;
-    std::copy_n(
-      this->Sky->GetPointer(point * HiddenSky::SectorBytes), HiddenSky::SectorBytes, code.begin());
-    std::copy_n(this->Light->GetPointer(point * HiddenSky::TransferBytes), HiddenSky::TransferBytes,
-      code.begin() + HiddenSky::SectorBytes);
-    return code;
-  }
-
-private:
-  static vtkSmartPointer<vtkUnsignedCharArray> Make(
-    const std::string& name, vtkIdType points, int components)
-  {
-    auto array = vtkSmartPointer<vtkUnsignedCharArray>::New();
-    array->SetName(name.c_str());
-    array->SetNumberOfComponents(components);
-    array->SetNumberOfTuples(points);
-    return array;
-  }
-};
-
-struct SurfaceArrays
-{
-  std::vector<SideArrays> Sides;
-  std::string Key; // of the points, normals and cells
-};
-
-// Two passes over the same points write the same bytes: threads share nothing but the tracer.
-struct PointTask
-{
-  const SurfaceTracer& Tracer;
-  const HiddenSky::Rays& Rays;
-  double Farthest;
-
-  HiddenSky::Code Trace(const SurfaceVertex& point, double side, std::vector<char>& hidden) const
-  {
-    const glm::dvec3 normal = side * point.Normal;
-    if (glm::dot(normal, normal) == 0.0)
-    {
-      return HiddenSky::MakeOpen({ 0.0, 0.0, 1.0 });
-    }
-    std::uint8_t packed[3];
-    HiddenSky::PackNormal(normal, packed);
-    const glm::dmat3 frame = FrameAbout(HiddenSky::UnpackNormal(packed));
-    const glm::dvec3 face = side * point.FaceNormal;
-    glm::dvec3 origin;
-    this->Tracer.OffsetOrigin(&point.Origin.x, &face.x, &face.x, &origin.x);
-    const auto test = [&](const glm::dvec3& direction)
-    {
-      const glm::dvec3 d = frame * direction;
-      return this->Tracer.IsOccluded(&origin.x, &d.x, 0.0, this->Farthest);
-    };
-    hidden.clear();
-    for (const glm::dvec3& direction : this->Rays.GetDirections())
-    {
-      hidden.push_back(test(direction) ? 1 : 0);
-    }
-    return HiddenSky::Encode(normal, this->Rays, hidden, test);
-  }
-};
 
 std::vector<vtkPolyData*> GetSurfaces(vtkDataObject* data)
 {
@@ -147,58 +59,23 @@ std::vector<vtkPolyData*> GetSurfaces(vtkDataObject* data)
   return surfaces;
 }
 
-// Points inside another body see nothing. Where a polygon of theirs sticks out, what is seen of it
-// would darken towards them: they take what its most open point has.
-void OpenBuriedPoints(vtkPolyData* surface, const SideArrays& side)
+SideNames GetNames(const std::string& suffix)
 {
-  constexpr double buried = 0.99; // of the irradiance is hidden
-  std::vector<double> hidden;
-  std::vector<vtkIdType> sources;
-  for (vtkIdType k = 0; k < surface->GetNumberOfPoints(); ++k)
-  {
-    hidden.push_back(HiddenSky(side.Get(k)).GetHiddenCosine());
-    sources.push_back(k);
-  }
-  const auto isMoreOpen = [&hidden](vtkIdType a, vtkIdType b)
-  { return hidden[static_cast<std::size_t>(a)] < hidden[static_cast<std::size_t>(b)]; };
-  vtkNew<vtkIdList> corners;
-  for (vtkCellArray* cells : { surface->GetPolys(), surface->GetStrips() })
-  {
-    for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
-    {
-      cells->GetCellAtId(cell, corners);
-      if (corners->GetNumberOfIds() == 0 ||
-          std::any_of(corners->begin(), corners->end(),
-            [&hidden](vtkIdType k) { return k < 0 || k >= static_cast<vtkIdType>(hidden.size()); }))
-      {
-        continue; // no polygon of this surface
-      }
-      const vtkIdType open = *std::min_element(corners->begin(), corners->end(), isMoreOpen);
-      for (const vtkIdType corner : *corners)
-      {
-        vtkIdType& source = sources[static_cast<std::size_t>(corner)];
-        if (hidden[static_cast<std::size_t>(corner)] > buried && isMoreOpen(open, source))
-        {
-          source = open;
-        }
-      }
-    }
-  }
-  for (vtkIdType k = 0; k < surface->GetNumberOfPoints(); ++k)
-  {
-    if (sources[static_cast<std::size_t>(k)] != k)
-    {
-      side.Set(k, side.Get(sources[static_cast<std::size_t>(k)]));
-    }
-  }
+  return { vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName() + suffix,
+    vtkSurfaceVisibilityFilter::GetHiddenLightArrayName() + suffix,
+    vtkSurfaceVisibilityFilter::GetBouncedLightArrayName() + suffix };
 }
 
-void AddArrays(vtkPolyData* surface, const SurfaceArrays& arrays)
+void AddArrays(vtkPolyData* surface, const SurfaceArrays& arrays, bool bounce)
 {
   for (const SideArrays& side : arrays.Sides)
   {
     surface->GetPointData()->AddArray(side.Sky);
     surface->GetPointData()->AddArray(side.Light);
+    if (bounce)
+    {
+      surface->GetPointData()->AddArray(side.Bounced);
+    }
   }
   vtkNew<vtkStringArray> key;
   key->SetName(vtkSurfaceVisibilityFilter::GetKeyArrayName());
@@ -221,6 +98,7 @@ struct vtkSurfaceVisibilityFilter::Internals
 
   // What was traced last.
   std::string Key;
+  bool HasBounce = false;
   std::vector<SurfaceArrays> Arrays;
 
   std::string MakeKey(
@@ -246,10 +124,10 @@ struct vtkSurfaceVisibilityFilter::Internals
     return hash.GetText();
   }
 
-  // Returns whether it was not aborted.
-  bool Trace(vtkSurfaceVisibilityFilter* self, const std::vector<vtkPolyData*>& surfaces)
+  // Build what rays meet: surfaces first, in their order.
+  void Build(vtkSurfaceVisibilityFilter* self, const std::vector<vtkPolyData*>& surfaces,
+    SurfaceTracer& tracer) const
   {
-    SurfaceTracer tracer;
     for (vtkPolyData* surface : surfaces)
     {
       if (self->SelfOcclusion)
@@ -262,56 +140,35 @@ struct vtkSurfaceVisibilityFilter::Internals
       tracer.AddSurface(occluder.Surface, occluder.Matrix ? occluder.Matrix->GetData() : nullptr);
     }
     tracer.Build();
-    const HiddenSky::Rays rays(self->NumberOfRays / HiddenSky::Sectors);
-    const PointTask task = { tracer, rays,
+  }
+
+  // What is asked for and not there. Returns whether it was not aborted.
+  bool Trace(
+    vtkSurfaceVisibilityFilter* self, const std::vector<vtkPolyData*>& surfaces, bool withSky)
+  {
+    SurfaceTracer tracer;
+    this->Build(self, surfaces, tracer);
+    std::vector<SideNames> sides = { GetNames("") };
+    if (self->BothSides)
+    {
+      sides.push_back(GetNames("Back"));
+    }
+    const VisibilityTask::Settings settings = { self->NumberOfRays, sides, self->SelfOcclusion,
       self->MaximumDistance > 0.0 ? self->MaximumDistance
                                   : std::numeric_limits<double>::infinity() };
-    vtkIdType all = 1;
-    for (vtkPolyData* surface : surfaces)
+    VisibilityTask task(tracer, surfaces, settings, (withSky ? 1 : 0) + (self->Bounce ? 1 : 0),
+      [self](double progress)
+      {
+        self->UpdateProgress(progress);
+        return !self->GetAbortExecute();
+      });
+    std::vector<SurfaceArrays> traced = withSky ? std::vector<SurfaceArrays>() : this->Arrays;
+    if ((withSky && !task.TraceSky(traced)) || (self->Bounce && !task.TraceBounce(traced)))
     {
-      all += surface->GetNumberOfPoints();
-    }
-    vtkIdType done = 0;
-    std::vector<SurfaceArrays> traced;
-    for (vtkPolyData* surface : surfaces)
-    {
-      SurfaceArrays arrays;
-      arrays.Key = GetSurfaceKey(surface);
-      const vtkIdType count = surface->GetNumberOfPoints();
-      const std::vector<SurfaceVertex> points = FindSurfacePoints(surface);
-      for (int side = 0; side < (self->BothSides ? 2 : 1); ++side)
-      {
-        arrays.Sides.emplace_back(count, side == 0 ? "" : "Back");
-      }
-      for (vtkIdType first = 0; first < count; first += Chunk)
-      {
-        vtkSMPTools::For(first, std::min(first + Chunk, count), 64,
-          [&](vtkIdType begin, vtkIdType end)
-          {
-            std::vector<char> hidden;
-            for (vtkIdType k = begin; k < end; ++k)
-            {
-              for (std::size_t side = 0; side < arrays.Sides.size(); ++side)
-              {
-                arrays.Sides[side].Set(k,
-                  task.Trace(points[static_cast<std::size_t>(k)], side == 0 ? 1.0 : -1.0, hidden));
-              }
-            }
-          });
-        done += std::min<vtkIdType>(Chunk, count - first);
-        self->UpdateProgress(static_cast<double>(done) / static_cast<double>(all));
-        if (self->GetAbortExecute())
-        {
-          return false;
-        }
-      }
-      for (const SideArrays& side : arrays.Sides)
-      {
-        OpenBuriedPoints(surface, side);
-      }
-      traced.push_back(std::move(arrays));
+      return false;
     }
     this->Arrays = std::move(traced);
+    this->HasBounce = self->Bounce;
     return true;
   }
 };
@@ -436,11 +293,12 @@ int vtkSurfaceVisibilityFilter::RequestData(vtkInformation* vtkNotUsed(request),
   }
   const std::vector<vtkPolyData*> surfaces = GetSurfaces(input);
   const std::string key = this->Impl->MakeKey(this, surfaces);
-  bool whole = key == this->Impl->Key;
+  const bool isKnown = key == this->Impl->Key;
+  bool whole = isKnown && (!this->Bounce || this->Impl->HasBounce);
   if (!whole)
   {
-    whole = this->Impl->Trace(this, surfaces);
-    this->Impl->Key = whole ? key : "";
+    whole = this->Impl->Trace(this, surfaces, !isKnown);
+    this->Impl->Key = whole || isKnown ? key : "";
     this->NumberOfTraces += whole ? 1 : 0;
   }
   auto* composite = vtkCompositeDataSet::SafeDownCast(input);
@@ -449,7 +307,7 @@ int vtkSurfaceVisibilityFilter::RequestData(vtkInformation* vtkNotUsed(request),
     output->ShallowCopy(input);
     if (whole && !surfaces.empty())
     {
-      AddArrays(vtkPolyData::SafeDownCast(output), this->Impl->Arrays[0]);
+      AddArrays(vtkPolyData::SafeDownCast(output), this->Impl->Arrays[0], this->Bounce);
     }
     return 1;
   }
@@ -466,7 +324,7 @@ int vtkSurfaceVisibilityFilter::RequestData(vtkInformation* vtkNotUsed(request),
     auto* surface = vtkPolyData::SafeDownCast(copy);
     if (surface && whole)
     {
-      AddArrays(surface, this->Impl->Arrays[number++]);
+      AddArrays(surface, this->Impl->Arrays[number++], this->Bounce);
     }
     blocks->SetDataSet(it, copy);
   }
@@ -480,6 +338,7 @@ void vtkSurfaceVisibilityFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfRays: " << this->NumberOfRays << "\n";
   os << indent << "MaximumDistance: " << this->MaximumDistance << "\n";
   os << indent << "BothSides: " << (this->BothSides ? "On" : "Off") << "\n";
+  os << indent << "Bounce: " << (this->Bounce ? "On" : "Off") << "\n";
   os << indent << "SelfOcclusion: " << (this->SelfOcclusion ? "On" : "Off") << "\n";
   os << indent << "NumberOfOccluders: " << this->GetNumberOfOccluders() << "\n";
   os << indent << "NumberOfTraces: " << this->NumberOfTraces << "\n";

@@ -1023,10 +1023,20 @@ add("Rendering.hidden-sky-of-the-wrong-side", "Private/OcclusionShader.cxx",
     "OcclusionTest.NormalsMayPointEitherWay")
 add("Rendering.outlines-without-hidden-sky", "Private/OcclusionArrays.cxx", "return -std::sqrt(1.0 - cosine * cosine) - margin;",
     "return 0.6 * cosine / margin;", "OcclusionTest.NormalsMayPointEitherWay")
-add("Visibility.same-side-twice", "vtkSurfaceVisibilityFilter.cxx", "side == 0 ? 1.0 : -1.0, hidden",
+add("Visibility.same-side-twice", "Private/VisibilityTask.cxx", "side == 0 ? 1.0 : -1.0, hidden",
     "1.0, hidden", "SurfaceVisibility.TheOtherSideHasItsOwnSky")
-add("Visibility.traced-again", "vtkSurfaceVisibilityFilter.cxx", "bool whole = key == this->Impl->Key;",
-    "bool whole = false;", "SurfaceVisibility.WhatIsKnownIsNotTracedAgain")
+add("Visibility.traced-again", "vtkSurfaceVisibilityFilter.cxx",
+    "const bool isKnown = key == this->Impl->Key;", "const bool isKnown = false;", "SurfaceVisibility.WhatIsKnownIsNotTracedAgain")
+add("Visibility.bounce-beyond-the-sky", "Private/BouncedLight.cxx", "std::floor(root / RootStep)", "std::ceil(root / RootStep)",
+    "BouncedLight.CodesKeepTransfers")
+add("Visibility.bounce-of-all-rays", "Private/BounceTracer.cxx", "met > 0.0 ? hidden / met : 0.0", "hidden",
+    "BouncedLight.HollowsGetLighterAndNeverLighterThanTheSky|BouncedLight.BouncesAreThoseOfTracedLight")
+add("Visibility.bounce-of-the-other-side", "Private/BounceTracer.cxx", "== (glm::dot(facet, direction) > 0.0)",
+    "!= (glm::dot(facet, direction) > 0.0)", "BouncedLight.BouncesAreThoseOfTracedLight")
+add("Rendering.bounce-without-albedo", "Private/OcclusionBounce.cxx", "this->Albedo * turned[j] *", "turned[j] *",
+    "BounceTest.ShadersAgreeWithTheCppForms|BounceTest.PicturesComeNearTracedLight")
+add("Shaders.bounce-by-the-root", "vtkBRDFBouncedLight.glsl", "max(a.x * a.x * sum, vec3(0.0))",
+    "max(a.x * sum, vec3(0.0))", "BounceTest.ShadersAgreeWithTheCppForms")
 add("Rendering.stale-visibility", "Private/OcclusionArrays.cxx", "problem = isPart ? \"\" : CheckKey(surface);",
     "problem = \"\";", "OcclusionTest.BadArraysAreSaidOnceAndNotUsed")
 add("Rendering.hidden-light-unturned", "Private/OcclusionAxes.cxx",
@@ -1065,5 +1075,5 @@ add("Integration.tails-of-one-side", "Private/TailRegularity.cxx", "for (const d
     "for (const double turn : { azimuth, azimuth })", "TailRegularity.OfOddTables")
 add("Visibility.occluders-stay", "vtkSurfaceVisibilityFilter.cxx", "occluder.Matrix ? occluder.Matrix->GetMTime() : 0", "0",
     "OcclusionStability.OccludersMayMove")
-add("Visibility.buried-points-darken", "vtkSurfaceVisibilityFilter.cxx", "constexpr double buried = 0.99;",
+add("Visibility.buried-points-darken", "Private/VisibilityTask.cxx", "constexpr double buried = 0.99;",
     "constexpr double buried = 2.0;", "OcclusionStability.PointsInsideOtherBodiesDarkenNothing")

@@ -672,7 +672,7 @@ TEST_F(OcclusionTest, ClosedSidesAreLeftOut)
   this->Filter->Update();
   std::string problem;
   const auto arrays = measuredbrdf::OcclusionArrays::Read(
-    vtkPolyData::SafeDownCast(this->Filter->GetOutputDataObject(0)), false, problem);
+    vtkPolyData::SafeDownCast(this->Filter->GetOutputDataObject(0)), false, false, problem);
   ASSERT_TRUE(arrays) << problem;
   EXPECT_FALSE(arrays->HasBack);
   EXPECT_TRUE(arrays->IsOtherClosed);

@@ -41,7 +41,8 @@ std::string Sum(const vtkBRDFShaderInputs& form, std::size_t first, const std::s
   const std::string& name, const std::string& arguments)
 {
   std::string text;
-  std::string sum = "vec3(0.0)";
+  // What hidden surfaces send back comes once for all terms.
+  std::string sum = name == "brdfEnvironment" ? "BRDF_BOUNCED" : "vec3(0.0)";
   for (std::size_t k = 0; k < form.Terms.size(); ++k)
   {
     std::string term = form.Terms[k].Source;

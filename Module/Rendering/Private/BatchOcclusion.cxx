@@ -38,6 +38,20 @@ void BatchOcclusion::Append(vtkOpenGLVertexBufferObjectGroup* buffers, vtkIdType
   const std::shared_ptr<OcclusionArrays> open = whole ? nullptr : OcclusionArrays::MakeOpen(points);
   this->Kept.push_back(arrays);
   this->Kept.push_back(open);
+  if (this->Sides.Bounced)
+  {
+    const bool has = arrays && arrays->HasBounce;
+    const std::shared_ptr<OcclusionArrays> dark =
+      open || (has && whole) ? open : OcclusionArrays::MakeOpen(points);
+    this->Kept.push_back(dark);
+    buffers->AppendDataArray(
+      "brdfBounce", has ? arrays->BounceFront : dark->BounceFront, VTK_FLOAT);
+    if (this->Sides.Both)
+    {
+      buffers->AppendDataArray("brdfBounceBack",
+        has && arrays->HasBack ? arrays->BounceBack : dark->BounceFront, VTK_FLOAT);
+    }
+  }
   const OcclusionArrays::Side& front = arrays ? arrays->Front : open->Front;
   for (std::size_t k = 0; k < OcclusionArrays::Attributes; ++k)
   {

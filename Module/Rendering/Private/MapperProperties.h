@@ -29,6 +29,7 @@
   MEASUREDBRDF_PROPERTY(Class, settings, CostModel, Costs, vtkRadianceCostModel*)        \
   MEASUREDBRDF_PROPERTY(Class, settings, PlanForView, PlanForView, bool)                 \
   MEASUREDBRDF_PROPERTY(Class, settings, UseSceneLights, UseSceneLights, bool)           \
+  MEASUREDBRDF_PROPERTY(Class, settings, OcclusionBounce, OcclusionBounce, bool)         \
   MEASUREDBRDF_PROPERTY(Class, settings, CacheFolder, CacheFolder, std::string)          \
   MEASUREDBRDF_CHECKED_PROPERTY(Class, settings, PlanningMode, int)                      \
   MEASUREDBRDF_CHECKED_PROPERTY(Class, settings, ErrorTolerance, double)                 \

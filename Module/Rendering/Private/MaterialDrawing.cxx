@@ -409,6 +409,7 @@ void MaterialDrawing::Forget(const void* part)
 {
   this->Frames.Forget(part);
   this->Forecasts.erase(part);
+  this->BouncingParts.erase(part);
 }
 
 vtkIdType MaterialDrawing::GetVisiblePairs(

@@ -88,6 +88,8 @@ public:
   /// part: who draws it.
   std::shared_ptr<OcclusionArrays> FindOcclusion(
     vtkPolyData* surface, const void* part, bool isPart);
+  /// Before those that a part's new buffers ask for.
+  void BeginOcclusion(const void* part) { this->BouncingParts.erase(part); }
   const OcclusionLight* FindOcclusionLight(const DrawnMaterial& drawn);
   /// Of a surface that a material map will divide: itself, or with the arrays that it has to have
   /// (SetOcclusionModeToOn). The same object while nothing changes.
@@ -220,7 +222,8 @@ private:
   std::map<vtkSmartPointer<vtkRadianceIntegrator>, KnownLight> KnownLights;
   OcclusionCache Occlusion;
   std::map<const void*, std::unique_ptr<OcclusionForecast>> Forecasts; // of parts
-  bool WasReady = false; // whether a plan made in the background waited to be drawn
+  std::set<const void*> BouncingParts; // whose buffers have what comes back
+  bool WasReady = false;               // whether a plan made in the background waited to be drawn
   vtkTimeStamp ReadyTime;
 };
 } // namespace measuredbrdf

@@ -72,6 +72,7 @@ void MaterialDrawing::ForecastOcclusion(
   question.Input = input;
   question.Tolerance = this->Settings->ErrorTolerance;
   question.InBackground = this->Settings->PlanningMode != 0;
+  question.WithBounce = this->Settings->OcclusionBounce;
   question.ToEnvironment = FindToEnvironment(state.Renderer, state.Actor);
   for (const DrawnMaterial& drawn : frame.Materials)
   {
@@ -103,7 +104,7 @@ vtkSmartPointer<vtkPolyData> MaterialDrawing::FindWhole(vtkPolyData* surface)
   auto* owner = vtkMapper::SafeDownCast(this->Owner);
   vtkDataObject* input = owner ? owner->GetInputDataObject(0, 0) : nullptr;
   return this->Settings->OcclusionMode == 2 && input && !HasArrays({ surface })
-           ? this->Occlusion.FindWhole(surface, input)
+           ? this->Occlusion.FindWhole(surface, input, this->Settings->OcclusionBounce)
            : vtkSmartPointer<vtkPolyData>(surface);
 }
 
@@ -115,7 +116,8 @@ std::string MaterialDrawing::DescribeOcclusion() const
     worst = !worst || forecast->GetError() > worst->GetError() ? forecast.get() : worst;
   }
   const std::string text = worst ? worst->GetText() : "";
-  return text.empty() ? "" : "; " + text;
+  return (text.empty() ? "" : "; " + text) +
+         (this->BouncingParts.empty() ? "" : "; one bounce modeled");
 }
 
 bool MaterialDrawing::IsPending() const
@@ -143,13 +145,20 @@ std::shared_ptr<OcclusionArrays> MaterialDrawing::FindOcclusion(
   auto* owner = vtkMapper::SafeDownCast(this->Owner);
   const bool make = mode == 2 && !isPart && owner;
   vtkDataObject* traced = mode == 1 && !isPart && owner ? this->GetTracedOcclusion(part) : nullptr;
+  vtkDataObject* input = make || traced ? owner->GetInputDataObject(0, 0) : nullptr;
   std::string problem;
-  auto arrays = this->Occlusion.Find(surface,
-    make || traced ? owner->GetInputDataObject(0, 0) : nullptr, traced, make, isPart, problem);
+  auto arrays = this->Occlusion.Find(
+    { surface, input, traced, make, isPart, this->Settings->OcclusionBounce }, problem);
+  if (arrays && arrays->HasBounce)
+  {
+    this->BouncingParts.insert(part);
+  }
   if (!problem.empty() && this->WarnOnce("occlusion: " + problem))
   {
-    vtkWarningWithObjectMacro(
-      this->Owner, << "The surface is drawn as if it hid nothing from itself: " << problem << ".");
+    vtkWarningWithObjectMacro(this->Owner,
+      << (arrays ? "What the surface hides from itself is drawn black, without a bounce: "
+                 : "The surface is drawn as if it hid nothing from itself: ")
+      << problem << ".");
   }
   return arrays;
 }
@@ -162,13 +171,15 @@ const OcclusionLight* MaterialDrawing::FindOcclusionLight(const DrawnMaterial& d
     return nullptr;
   }
   const vtkMTimeType time = integrator->GetInputsMTime();
+  const bool bounces = this->Settings->OcclusionBounce;
   const auto found = this->KnownLights.find(integrator);
-  if (found != this->KnownLights.end() && found->second.Time == time)
+  if (found != this->KnownLights.end() && found->second.Time == time &&
+      (found->second.Light->Bounce != nullptr) == bounces)
   {
     return found->second.Light.get();
   }
   KnownLight known = { time,
-    std::make_unique<OcclusionLight>(drawn.BRDF, drawn.Environment, integrator) };
+    std::make_unique<OcclusionLight>(drawn.BRDF, drawn.Environment, integrator, bounces) };
   KnownLight& kept = this->KnownLights[integrator];
   kept = std::move(known);
   return kept.Light.get();

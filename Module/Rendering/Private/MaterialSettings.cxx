@@ -118,6 +118,7 @@ void MaterialSettings::Print(ostream& os, vtkIndent indent) const
      << "\n";
   const char* const occlusion[] = { "off", "auto", "on" };
   os << indent << "OcclusionMode: " << occlusion[this->OcclusionMode] << "\n";
+  os << indent << "OcclusionBounce: " << (this->OcclusionBounce ? "On" : "Off") << "\n";
   os << indent << "UseSceneLights: " << (this->UseSceneLights ? "On" : "Off") << "\n";
 }
 } // namespace measuredbrdf

@@ -40,6 +40,7 @@ struct MaterialSettings
   int ScalarColoringMode = 1;
   bool UseSceneLights = true;
   int OcclusionMode = 1;
+  bool OcclusionBounce = false;
 
   // The composite mapper's materials of single blocks; a null one draws that block as the
   // superclass does.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OcclusionArrays.h"
 
+#include "BouncedLight.h"
 #include "HiddenSky.h"
 #include "SurfaceBlocks.h"
 #include "SurfacePoints.h"
@@ -76,6 +77,41 @@ vtkUnsignedCharArray* FindArray(
                                std::to_string(components));
   }
   return problem.empty() ? array : nullptr;
+}
+
+vtkSmartPointer<vtkFloatArray> MakeBounce(vtkIdType points)
+{
+  auto array = vtkSmartPointer<vtkFloatArray>::New();
+  array->SetNumberOfComponents(BouncedLight::Bytes / 3);
+  array->SetNumberOfTuples(points);
+  return array;
+}
+
+void SetBounce(vtkFloatArray* array, vtkIdType point, const unsigned char* code)
+{
+  for (int k = 0; k < BouncedLight::Bytes / 3; ++k)
+  {
+    const int packed = code[3 * k] + 256 * code[3 * k + 1] + 65536 * code[3 * k + 2];
+    array->SetTypedComponent(point, k, static_cast<float>(packed));
+  }
+}
+
+// Null, with a reason, where there is none.
+vtkSmartPointer<vtkFloatArray> ReadBounceSide(
+  vtkPolyData* surface, const std::string& suffix, std::string& problem)
+{
+  vtkUnsignedCharArray* bytes = FindArray(surface,
+    vtkSurfaceVisibilityFilter::GetBouncedLightArrayName() + suffix, BouncedLight::Bytes, problem);
+  if (!bytes)
+  {
+    return nullptr;
+  }
+  vtkSmartPointer<vtkFloatArray> array = MakeBounce(surface->GetNumberOfPoints());
+  for (vtkIdType k = 0; k < surface->GetNumberOfPoints(); ++k)
+  {
+    SetBounce(array, k, bytes->GetPointer(k * BouncedLight::Bytes));
+  }
+  return array;
 }
 
 bool ReadSide(vtkPolyData* surface, const std::string& suffix, OcclusionArrays::Side& side,
@@ -186,11 +222,17 @@ std::shared_ptr<OcclusionArrays> OcclusionArrays::MakeOpen(vtkIdType points)
   {
     SetCode(arrays->Front, k, open);
   }
+  const BouncedLight::Code dark = BouncedLight::MakeDark();
+  arrays->BounceFront = MakeBounce(points);
+  for (vtkIdType k = 0; k < points; ++k)
+  {
+    SetBounce(arrays->BounceFront, k, dark.data());
+  }
   return arrays;
 }
 
 std::shared_ptr<OcclusionArrays> OcclusionArrays::Read(
-  vtkPolyData* surface, bool isPart, std::string& problem)
+  vtkPolyData* surface, bool isPart, bool withBounce, std::string& problem)
 {
   vtkPointData* data = surface->GetPointData();
   const char* const names[] = { vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName(),
@@ -212,11 +254,23 @@ std::shared_ptr<OcclusionArrays> OcclusionArrays::Read(
     return nullptr;
   }
   arrays->LeastCosine = FindLeastCosine(surface);
+  if (withBounce)
+  {
+    arrays->ReadBounce(surface, problem);
+  }
   if (arrays->HasBack)
   {
     arrays->LeaveOutClosedSide(surface);
   }
   return arrays;
+}
+
+void OcclusionArrays::ReadBounce(vtkPolyData* surface, std::string& problem)
+{
+  this->BounceFront = ReadBounceSide(surface, "", problem);
+  this->BounceBack =
+    this->BounceFront && this->HasBack ? ReadBounceSide(surface, "Back", problem) : nullptr;
+  this->HasBounce = problem.empty();
 }
 
 void OcclusionArrays::LeaveOutClosedSide(vtkPolyData* surface)
@@ -228,11 +282,13 @@ void OcclusionArrays::LeaveOutClosedSide(vtkPolyData* surface)
   else if (IsClosed(surface, ""))
   {
     this->Front = this->Back;
+    this->BounceFront = this->BounceBack;
     this->IsOtherClosed = true;
   }
   if (this->IsOtherClosed)
   {
     this->Back = Side();
+    this->BounceBack = nullptr;
     this->HasBack = false;
   }
 }
@@ -242,7 +298,7 @@ OcclusionCache::OcclusionCache() = default;
 OcclusionCache::~OcclusionCache() = default;
 
 // What the filter makes of the input.
-vtkDataObject* OcclusionCache::Trace(vtkDataObject* input)
+vtkDataObject* OcclusionCache::Trace(vtkDataObject* input, bool withBounce)
 {
   if (!this->Filter)
   {
@@ -251,12 +307,14 @@ vtkDataObject* OcclusionCache::Trace(vtkDataObject* input)
   }
   auto copy = vtkSmartPointer<vtkDataObject>::Take(input->NewInstance());
   copy->ShallowCopy(input); // no pipeline of the program's hangs on it
+  this->Filter->SetBounce(withBounce);
   this->Filter->SetInputDataObject(copy);
   this->Filter->Update();
   return this->Filter->GetOutputDataObject(0);
 }
 
-vtkSmartPointer<vtkPolyData> OcclusionCache::FindWhole(vtkPolyData* surface, vtkDataObject* input)
+vtkSmartPointer<vtkPolyData> OcclusionCache::FindWhole(
+  vtkPolyData* surface, vtkDataObject* input, bool withBounce)
 {
   if (this->Wholes.size() > Largest)
   {
@@ -264,10 +322,10 @@ vtkSmartPointer<vtkPolyData> OcclusionCache::FindWhole(vtkPolyData* surface, vtk
   }
   const vtkMTimeType time = std::max(surface->GetMTime(), input->GetMTime());
   Whole& whole = this->Wholes[surface];
-  if (whole.Time != time)
+  if (whole.Time != time || whole.WithBounce != withBounce)
   {
-    whole = { time, surface };
-    if (vtkPolyData* traced = FindBlock(this->Trace(input), input, surface))
+    whole = { time, withBounce, surface };
+    if (vtkPolyData* traced = FindBlock(this->Trace(input, withBounce), input, surface))
     {
       whole.Surface = vtkSmartPointer<vtkPolyData>::New(); // the filter's own changes with others
       whole.Surface->ShallowCopy(traced);
@@ -276,24 +334,28 @@ vtkSmartPointer<vtkPolyData> OcclusionCache::FindWhole(vtkPolyData* surface, vtk
   return whole.Surface;
 }
 
-std::shared_ptr<OcclusionArrays> OcclusionCache::Find(vtkPolyData* surface, vtkDataObject* input,
-  vtkDataObject* traced, bool make, bool isPart, std::string& problem)
+std::shared_ptr<OcclusionArrays> OcclusionCache::Find(
+  const Question& question, std::string& problem)
 {
   if (this->Entries.size() > Largest)
   {
     this->Entries.clear();
   }
+  const auto& [surface, input, traced, make, isPart, withBounce] = question;
   const vtkMTimeType inputTime = make && input ? input->GetMTime() : 0;
   const vtkMTimeType time = std::max(surface->GetMTime(), inputTime);
   Entry& entry = this->Entries[surface];
-  if (entry.Time != time || entry.Made != make || entry.Traced != traced)
+  if (entry.Time != time || entry.Made != make || entry.WithBounce != withBounce ||
+      entry.Traced != traced)
   {
-    entry = { time, make, traced, nullptr, "" };
-    entry.Arrays = OcclusionArrays::Read(surface, isPart, entry.Problem);
+    entry = { time, make, withBounce, traced, nullptr, "" };
+    entry.Arrays = OcclusionArrays::Read(surface, isPart, withBounce, entry.Problem);
     if (!entry.Arrays && entry.Problem.empty() && input && (make || traced))
     {
-      vtkPolyData* block = FindBlock(make ? this->Trace(input) : traced, input, surface);
-      entry.Arrays = block ? OcclusionArrays::Read(block, false, entry.Problem) : nullptr;
+      vtkPolyData* block =
+        FindBlock(make ? this->Trace(input, withBounce) : traced, input, surface);
+      entry.Arrays =
+        block ? OcclusionArrays::Read(block, false, withBounce, entry.Problem) : nullptr;
     }
   }
   problem = entry.Problem;

@@ -29,6 +29,12 @@ struct OcclusionArrays
   using Side = std::array<vtkSmartPointer<vtkFloatArray>, Attributes>;
   Side Front;
   Side Back;
+  ///@{
+  /// What comes back from what is hidden, likewise: one attribute of three floats.
+  vtkSmartPointer<vtkFloatArray> BounceFront;
+  vtkSmartPointer<vtkFloatArray> BounceBack;
+  bool HasBounce = false;
+  ///@}
   bool HasBack = false;
   bool IsOtherClosed = false; // no back: the side that Front is not about sees nothing of the sky
   double LeastCosine = -1.0;  // of the view and normals of points whose code triangles may show
@@ -37,11 +43,13 @@ struct OcclusionArrays
   static std::shared_ptr<OcclusionArrays> MakeOpen(vtkIdType points);
 
   /// What the surface's arrays say. Null where there are none, or a reason why not is in problem.
-  /// isPart: the surface is a part of another one, whose key it has.
+  /// isPart: the surface is a part of another one, whose key it has. withBounce: whether it is to
+  /// have what comes back; where that is not there, problem says so, and the rest counts.
   static std::shared_ptr<OcclusionArrays> Read(
-    vtkPolyData* surface, bool isPart, std::string& problem);
+    vtkPolyData* surface, bool isPart, bool withBounce, std::string& problem);
 
 private:
+  void ReadBounce(vtkPolyData* surface, std::string& problem);
   void LeaveOutClosedSide(vtkPolyData* surface);
 };
 
@@ -54,28 +62,39 @@ public:
 
   /// input: the mapper's, of which the surface is a block, or itself. Where the surface has no
   /// arrays, those of traced, which stands for the input, or, with make, of the input traced now.
-  std::shared_ptr<OcclusionArrays> Find(vtkPolyData* surface, vtkDataObject* input,
-    vtkDataObject* traced, bool make, bool isPart, std::string& problem);
+  struct Question
+  {
+    vtkPolyData* Surface = nullptr;
+    vtkDataObject* Input = nullptr;
+    vtkDataObject* Traced = nullptr;
+    bool Make = false;
+    bool IsPart = false;
+    bool WithBounce = false;
+  };
+  std::shared_ptr<OcclusionArrays> Find(const Question& question, std::string& problem);
 
   /// The surface with arrays; itself where it cannot be traced.
-  vtkSmartPointer<vtkPolyData> FindWhole(vtkPolyData* surface, vtkDataObject* input);
+  vtkSmartPointer<vtkPolyData> FindWhole(
+    vtkPolyData* surface, vtkDataObject* input, bool withBounce);
 
 private:
   struct Whole
   {
     vtkMTimeType Time = 0;
+    bool WithBounce = false;
     vtkSmartPointer<vtkPolyData> Surface;
   };
   struct Entry
   {
     vtkMTimeType Time = 0;
     bool Made = false;
+    bool WithBounce = false;
     vtkSmartPointer<vtkDataObject> Traced;
     std::shared_ptr<OcclusionArrays> Arrays;
     std::string Problem;
   };
 
-  vtkDataObject* Trace(vtkDataObject* input);
+  vtkDataObject* Trace(vtkDataObject* input, bool withBounce);
 
   std::map<vtkPolyData*, Entry> Entries;
   std::map<vtkPolyData*, Whole> Wholes;

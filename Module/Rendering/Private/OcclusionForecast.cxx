@@ -172,6 +172,7 @@ public:
       return;
     }
     this->Filter->BothSidesOn(); // whichever way the normals point
+    this->Filter->SetBounce(this->WithBounce);
     this->Filter->SetInputDataObject(this->Input);
     this->Filter->Update();
     this->Traced = this->IsStopped ? nullptr : this->Filter->GetOutputDataObject(0);
@@ -187,6 +188,7 @@ public:
   std::vector<OcclusionQuestion::Material> Materials;
   vtkSmartPointer<vtkMatrix4x4> ToEnvironment;
   double Tolerance;
+  bool WithBounce = false;
   vtkIdType Most;
   vtkSmartPointer<vtkDataObject> Input;
   vtkIdType Points = 0;
@@ -283,8 +285,9 @@ void OcclusionForecast::Update(const OcclusionQuestion& question)
 {
   const std::string before = this->Content;
   const bool follows = this->FollowsSurface(question.Input);
-  if (this->Content != before)
+  if (this->Content != before || (question.WithBounce && !this->WithBounce))
   {
+    this->WithBounce = question.WithBounce;
     this->Work.reset();
     this->Known.clear();
     this->Answer.reset();
@@ -305,6 +308,7 @@ void OcclusionForecast::Update(const OcclusionQuestion& question)
   {
     this->Asked = key;
     this->Work = std::make_unique<Job>(question, question.InBackground);
+    this->Work->WithBounce = this->WithBounce;
     this->Work->Traced = this->Traced;
     if (question.InBackground && !this->Work->IsEasy())
     {

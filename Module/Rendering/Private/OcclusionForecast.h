@@ -40,6 +40,7 @@ struct OcclusionQuestion
   vtkSmartPointer<vtkMatrix4x4> ToEnvironment; // from the input's axes; null: the same
   double Tolerance = 0.02;
   bool InBackground = false; // materials are then snapshots
+  bool WithBounce = false;   // whether what is traced has to have vtkSurfaceVisibilityFilter's
 };
 
 class OcclusionForecast
@@ -88,6 +89,7 @@ private:
   std::map<Key, std::shared_ptr<const Job>> Known; // of this content
   std::shared_ptr<const Job> Answer;               // to the last question; null: none
   vtkSmartPointer<vtkDataObject> Traced;
+  bool WithBounce = false; // whether it has the bounce
 };
 } // namespace measuredbrdf
 

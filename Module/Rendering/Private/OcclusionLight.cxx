@@ -91,6 +91,8 @@ OcclusionLobes::OcclusionLobes(vtkBRDF* brdf, bool withFloor)
     lobe.Sine = s > 0.0 ? -axis.x / s : 0.0;
     lobe.Kappa = std::min(mean * (3.0 - mean * mean) / (1.0 - mean * mean),
       static_cast<double>(HiddenSky::LargestKappa));
+    lobe.Lambert = floor;
+    lobe.Albedo = means.Amplitude + Pi * (means.Floor - floor);
   }
 }
 
@@ -103,11 +105,12 @@ OcclusionLobes::Lobe OcclusionLobes::Get(double cosine) const
   const Lobe& a = this->Lobes[low];
   const Lobe& b = this->Lobes[low + 1];
   return { a.Cosine + t * (b.Cosine - a.Cosine), a.Sine + t * (b.Sine - a.Sine),
-    a.Kappa + t * (b.Kappa - a.Kappa) };
+    a.Kappa + t * (b.Kappa - a.Kappa), glm::mix(a.Lambert, b.Lambert, t),
+    glm::mix(a.Albedo, b.Albedo, t) };
 }
 
 OcclusionLight::OcclusionLight(
-  vtkBRDF* brdf, vtkEnvironment* environment, vtkRadianceIntegrator* integrator)
+  vtkBRDF* brdf, vtkEnvironment* environment, vtkRadianceIntegrator* integrator, bool withBounce)
 {
   auto* hybrid = vtkHybridRadianceIntegrator::SafeDownCast(integrator);
   this->IsSplit =
@@ -131,6 +134,18 @@ OcclusionLight::OcclusionLight(
     }
   }
   this->Light = MakeLight(environment, rest);
+  if (withBounce)
+  {
+    static_assert(OcclusionBounce::Views == OcclusionLobes::Views, "the same views");
+    std::vector<glm::dvec3> lambert;
+    std::vector<glm::dvec3> albedos;
+    for (const OcclusionLobes::Lobe& lobe : this->Lobes.GetLobes())
+    {
+      lambert.push_back(lobe.Lambert);
+      albedos.push_back(lobe.Albedo);
+    }
+    this->Bounce = std::make_shared<OcclusionBounce>(lambert, albedos, MakeLight(environment, {}));
+  }
 }
 
 glm::mat4 GetIrradianceForm(const sky::Colors& light, int channel)

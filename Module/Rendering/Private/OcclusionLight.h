@@ -9,6 +9,7 @@
 #ifndef OcclusionLight_h
 #define OcclusionLight_h
 
+#include "OcclusionBounce.h"
 #include "SkyHarmonics.h"
 #include "vtkSmartPointer.h"
 
@@ -37,7 +38,9 @@ public:
   {
     double Cosine = 1.0; // the axis is (-Sine, 0, Cosine) seen from (sin theta, 0, cos theta)
     double Sine = 0.0;
-    double Kappa = 1.0; // of exp(kappa (d . axis))
+    double Kappa = 1.0;                   // of exp(kappa (d . axis))
+    glm::dvec3 Lambert = glm::dvec3(0.0); // what is left out, in 1/sr
+    glm::dvec3 Albedo = glm::dvec3(0.0);  // directional, of the lobe
   };
   /// Between the two nearest views.
   Lobe Get(double cosine) const;
@@ -49,7 +52,9 @@ private:
 
 struct OcclusionLight
 {
-  OcclusionLight(vtkBRDF* brdf, vtkEnvironment* environment, vtkRadianceIntegrator* integrator);
+  /// withBounce: whether what is hidden reflects.
+  OcclusionLight(vtkBRDF* brdf, vtkEnvironment* environment, vtkRadianceIntegrator* integrator,
+    bool withBounce = false);
 
   /// More lamps are not tested: they shine through.
   static constexpr std::size_t MaximumLamps = 16;
@@ -58,6 +63,7 @@ struct OcclusionLight
   sky::Colors Light;             // without the lamps, in the environment's frame
   std::vector<glm::dvec3> Lamps; // directions in the environment's frame
   bool IsSplit = false;          // whether the integrator tells Lambert part, lobe and lamps apart
+  std::shared_ptr<const OcclusionBounce> Bounce; // null: what is hidden is black
 
   /// Light for a surface whose axes the matrix turns into the environment's.
   sky::Colors GetLight(const glm::dmat3& toEnvironment) const

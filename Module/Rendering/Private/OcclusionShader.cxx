@@ -4,6 +4,7 @@
 
 #include "HiddenSky.h"
 #include "LocalFrame.h"
+#include "OcclusionBounce.h"
 #include "vtkBRDFHiddenSky.h"
 #include "vtkShaderProgram.h"
 
@@ -48,6 +49,12 @@ std::size_t CountLamps(const OcclusionLights& lights, bool twoSided, std::size_t
   return std::min(lights[member]->Lamps.size(), most);
 }
 
+// Nor do they leave any for what bounces.
+bool Bounces(const OcclusionLights& lights, const OcclusionLayout& layout, std::size_t member)
+{
+  return layout.Bounced && lights[member]->Bounce && !(layout.TwoSided && lights.size() > 2);
+}
+
 struct Varying
 {
   std::string Type;
@@ -57,8 +64,8 @@ struct Varying
 // What one side of the surface shows; the other one's names end in "Back".
 const char* const SideNames[] = { "", "Back" };
 
-void AddVaryings(
-  const OcclusionLights& lights, bool twoSided, std::size_t side, std::vector<Varying>& varyings)
+void AddVaryings(const OcclusionLights& lights, const OcclusionLayout& layout, std::size_t side,
+  std::vector<Varying>& varyings)
 {
   for (std::size_t m = 0; m < lights.size(); ++m)
   {
@@ -67,7 +74,11 @@ void AddVaryings(
       const std::string number = SideNames[side] + std::to_string(m);
       varyings.push_back({ "vec3", "brdfHiddenLight" + number });
       varyings.push_back({ "vec3", "brdfHiddenLobe" + number });
-      for (std::size_t k = 0; k < (CountLamps(lights, twoSided, m) + 3) / 4; ++k)
+      if (Bounces(lights, layout, m))
+      {
+        varyings.push_back({ "vec3", "brdfBounced" + number });
+      }
+      for (std::size_t k = 0; k < (CountLamps(lights, layout.TwoSided, m) + 3) / 4; ++k)
       {
         varyings.push_back({ "vec4", "brdfLamps" + number + "_" + std::to_string(k) });
       }
@@ -75,21 +86,22 @@ void AddVaryings(
   }
 }
 
-std::vector<Varying> GetVaryings(const OcclusionLights& lights, bool twoSided)
+std::vector<Varying> GetVaryings(const OcclusionLights& lights, const OcclusionLayout& layout)
 {
   std::vector<Varying> varyings = { { "vec3", "brdfSkyNormal" } };
-  for (std::size_t side = 0; side < (twoSided ? 2 : 1); ++side)
+  for (std::size_t side = 0; side < (layout.TwoSided ? 2 : 1); ++side)
   {
-    AddVaryings(lights, twoSided, side, varyings);
+    AddVaryings(lights, layout, side, varyings);
   }
   return varyings;
 }
 
 // Where a side does not matter to any triangle, it is not evaluated: it hides nothing.
-std::string MakeOpenOutputs(const OcclusionLights& lights, bool twoSided, std::size_t side)
+std::string MakeOpenOutputs(
+  const OcclusionLights& lights, const OcclusionLayout& layout, std::size_t side)
 {
   std::vector<Varying> varyings;
-  AddVaryings(lights, twoSided, side, varyings);
+  AddVaryings(lights, layout, side, varyings);
   std::string text;
   for (const Varying& varying : varyings)
   {
@@ -140,8 +152,8 @@ std::string MakeCommonCode()
   return text + "  bool brdfSkyMatters = " + highs + " > 0.5;\n";
 }
 
-std::string MakeMemberCode(
-  const OcclusionLights& lights, bool twoSided, std::size_t side, std::size_t member)
+std::string MakeMemberCode(const OcclusionLights& lights, const OcclusionLayout& layout,
+  std::size_t side, std::size_t member)
 {
   const std::string m = std::to_string(member);
   const std::string out = SideNames[side] + m;
@@ -162,11 +174,16 @@ std::string MakeMemberCode(
     text += "  brdfSkySector(" + Along(s) + ", " + Bounds(s) + ", brdfAxis" + m + ", brdfLobe" + m +
             ".z * 1.442695041, brdfShare" + m + ");\n";
   }
-  text += "  brdfHiddenLobe" + out + "VSOutput = brdfSkyLobe(clamp(brdfShare" + m +
-          ".x / max(brdfShare" + m + ".y, 1e-30), 0.0, 1.0), brdfLobe" + m + ".z, brdfHiddenLight" +
-          out + "VSOutput, brdfSkyIrradiance(brdfSkyRed" + m + ", brdfSkyGreen" + m +
-          ", brdfSkyBlue" + m + ", brdfSkyN), brdfSkyHidden);\n";
-  for (std::size_t k = 0; k < CountLamps(lights, twoSided, member); ++k)
+  const std::string share =
+    "clamp(brdfShare" + m + ".x / max(brdfShare" + m + ".y, 1e-30), 0.0, 1.0)";
+  if (Bounces(lights, layout, member))
+  {
+    text += OcclusionBounce::MakeMemberCode(member, SideNames[side], share);
+  }
+  text += "  brdfHiddenLobe" + out + "VSOutput = brdfSkyLobe(" + share + ", brdfLobe" + m +
+          ".z, brdfHiddenLight" + out + "VSOutput, brdfSkyIrradiance(brdfSkyRed" + m +
+          ", brdfSkyGreen" + m + ", brdfSkyBlue" + m + ", brdfSkyN), brdfSkyHidden);\n";
+  for (std::size_t k = 0; k < CountLamps(lights, layout.TwoSided, member); ++k)
   {
     const std::string lamp = m + "_" + std::to_string(k);
     text += "  vec3 brdfLamp" + lamp + " = brdfSkyLamp" + m + "[" + std::to_string(k) +
@@ -186,9 +203,10 @@ std::string MakeMemberCode(
 }
 
 // A side of a point, outputs open where no triangle shows it.
-std::string MakeSideCode(const OcclusionLights& lights, bool twoSided, std::size_t side)
+std::string MakeSideCode(
+  const OcclusionLights& lights, const OcclusionLayout& layout, std::size_t side)
 {
-  std::string text = MakeOpenOutputs(lights, twoSided, side);
+  std::string text = MakeOpenOutputs(lights, layout, side);
   text += std::string("  {\n  vec3 brdfCode0 = brdfSkyBytes(brdfSky") + SideNames[side] + "0.x);\n";
   text += "  vec3 brdfSkyN = brdfSkyNormal(brdfCode0);\n"
           "  vec3 brdfSkyNormalVC = normalize(brdfSkyN * brdfSkyToModel);\n"
@@ -197,16 +215,18 @@ std::string MakeSideCode(const OcclusionLights& lights, bool twoSided, std::size
   text += "  if (brdfSkyCosine > brdfSkyLeast)\n  {\n" + UnpackCode(side) + MakeCommonCode();
   for (std::size_t m = 0; m < lights.size(); ++m)
   {
-    text += lights[m] ? MakeMemberCode(lights, twoSided, side, m) : "";
+    text += lights[m] ? MakeMemberCode(lights, layout, side, m) : "";
   }
   return text + "  }\n  }\n";
 }
 
-std::string DeclareMember(const OcclusionLights& lights, bool twoSided, std::size_t member)
+std::string DeclareMember(
+  const OcclusionLights& lights, const OcclusionLayout& layout, std::size_t member)
 {
   const std::string m = std::to_string(member);
-  const std::size_t lamps = CountLamps(lights, twoSided, member);
-  return "uniform vec3 brdfSkyLight" + m + "[" + std::to_string(sky::Harmonics) +
+  const std::size_t lamps = CountLamps(lights, layout.TwoSided, member);
+  return (Bounces(lights, layout, member) ? OcclusionBounce::DeclareMember(member) : "") +
+         "uniform vec3 brdfSkyLight" + m + "[" + std::to_string(sky::Harmonics) +
          "];\nuniform vec3 brdfSkyLobes" + m + "[" + std::to_string(OcclusionLobes::Views) +
          "];\nuniform mat4 brdfSkyRed" + m + ";\nuniform mat4 brdfSkyGreen" + m +
          ";\nuniform mat4 brdfSkyBlue" + m + ";\n" +
@@ -214,8 +234,9 @@ std::string DeclareMember(const OcclusionLights& lights, bool twoSided, std::siz
 }
 
 // What the macros of DefineOcclusion read, of the side that the fragment's triangle shows.
-std::string MakeFragmentCode(const OcclusionLights& lights, bool twoSided)
+std::string MakeFragmentCode(const OcclusionLights& lights, const OcclusionLayout& layout)
 {
+  const bool twoSided = layout.TwoSided;
   std::string text = "  bool brdfSkyFront = dot(normalVCVSOutput, brdfSkyNormalVSOutput) > 0.0;\n";
   const auto shown = [twoSided](
                        const std::string& name, const std::string& rest, const std::string& other)
@@ -227,6 +248,11 @@ std::string MakeFragmentCode(const OcclusionLights& lights, bool twoSided)
       const std::string number = std::to_string(m);
       text += "  brdfHidden" + number + " = " +
               shown("brdfHiddenLight", number + "VSOutput", "vec3(brdfSkyOther)") + ";\n";
+      if (Bounces(lights, layout, m))
+      {
+        text += "  brdfBounced" + number + " = " +
+                shown("brdfBounced", number + "VSOutput", "vec3(0.0)") + ";\n";
+      }
       text += "  brdfOpenLobe" + number + " = 1.0 - (" +
               shown("brdfHiddenLobe", number + "VSOutput", "vec3(min(brdfSkyOther, 1.0))") + ");\n";
       for (std::size_t k = 0; k < CountLamps(lights, twoSided, m); ++k)
@@ -248,19 +274,21 @@ std::string MakeFragmentCode(const OcclusionLights& lights, bool twoSided)
 }
 }
 
-std::string GetOcclusionKey(const OcclusionLights& lights, bool twoSided)
+std::string GetOcclusionKey(const OcclusionLights& lights, const OcclusionLayout& layout)
 {
   std::string key;
   for (const OcclusionLight* light : lights)
   {
-    key +=
-      light ? "/sky" + std::to_string(light->Lamps.size()) + (light->IsSplit ? "s" : "w") : "/open";
+    key += light ? "/sky" + std::to_string(light->Lamps.size()) + (light->IsSplit ? "s" : "w") +
+                     (light->Bounce ? "b" : "")
+                 : "/open";
   }
-  return key + (twoSided ? "/both" : "");
+  return key + (layout.TwoSided ? "/both" : "") + (layout.Bounced ? "/bounced" : "");
 }
 
-OcclusionText MakeOcclusionText(const OcclusionLights& lights, bool twoSided)
+OcclusionText MakeOcclusionText(const OcclusionLights& lights, const OcclusionLayout& layout)
 {
+  const bool twoSided = layout.TwoSided;
   OcclusionText text;
   for (std::size_t k = 0; k < OcclusionArrays::Attributes; ++k)
   {
@@ -271,18 +299,19 @@ OcclusionText MakeOcclusionText(const OcclusionLights& lights, bool twoSided)
   text.VertexDeclarations +=
     "uniform mat3 brdfSkyToModel;\nuniform float brdfSkyParallel, brdfSkyLeast;\n";
   text.VertexDeclarations += vtkBRDFHiddenSky;
+  text.VertexDeclarations += layout.Bounced ? OcclusionBounce::Declare(twoSided) : "";
   text.VertexCode = "  vec3 brdfSkyO = brdfSkyParallel > 0.5 ? vec3(0.0, 0.0, 1.0)\n"
                     "    : normalize(-vertexVCVSOutput.xyz);\n";
   for (std::size_t side = 0; side < (twoSided ? 2 : 1); ++side)
   {
-    text.VertexCode += MakeSideCode(lights, twoSided, side);
+    text.VertexCode += MakeSideCode(lights, layout, side);
   }
   for (std::size_t m = 0; m < lights.size(); ++m)
   {
-    text.VertexDeclarations += lights[m] ? DeclareMember(lights, twoSided, m) : "";
+    text.VertexDeclarations += lights[m] ? DeclareMember(lights, layout, m) : "";
   }
   text.FragmentDeclarations = twoSided ? "" : "uniform float brdfSkyOther;\n";
-  for (const Varying& varying : GetVaryings(lights, twoSided))
+  for (const Varying& varying : GetVaryings(lights, layout))
   {
     text.VertexDeclarations += "out " + varying.Type + " " + varying.Name + "VSOutput;\n";
     text.GeometryDeclarations += "in " + varying.Type + " " + varying.Name + "VSOutput[];\nout " +
@@ -290,7 +319,7 @@ OcclusionText MakeOcclusionText(const OcclusionLights& lights, bool twoSided)
     text.GeometryCode += "  " + varying.Name + "GSOutput = " + varying.Name + "VSOutput[i];\n";
     text.FragmentDeclarations += "in " + varying.Type + " " + varying.Name + "VSOutput;\n";
   }
-  text.FragmentCode = MakeFragmentCode(lights, twoSided);
+  text.FragmentCode = MakeFragmentCode(lights, layout);
   return text;
 }
 
@@ -298,17 +327,21 @@ std::string DefineOcclusion(const OcclusionLight* light, std::size_t member)
 {
   const std::string m = std::to_string(member);
   std::string text = "#undef BRDF_OPEN_IRRADIANCE\n#undef BRDF_OPEN_LOBE\n"
-                     "#undef BRDF_OPEN_LAMP\n#undef BRDF_OPEN_LIGHTS\n";
+                     "#undef BRDF_OPEN_LAMP\n#undef BRDF_OPEN_LIGHTS\n#undef BRDF_BOUNCED\n";
   if (!light)
   {
     return text + "#define BRDF_OPEN_IRRADIANCE(e) (e)\n#define BRDF_OPEN_LOBE(l) (l)\n"
-                  "#define BRDF_OPEN_LAMP(k)\n#define BRDF_OPEN_LIGHTS(l) (l)\n";
+                  "#define BRDF_OPEN_LAMP(k)\n#define BRDF_OPEN_LIGHTS(l) (l)\n"
+                  "#define BRDF_BOUNCED vec3(0.0)\n";
   }
   text += "vec3 brdfHidden" + m + " = vec3(0.0);\nvec3 brdfOpenLobe" + m + " = vec3(1.0);\n";
   if (!light->Lamps.empty())
   {
     text += "float brdfOpenLamp" + m + "[" + std::to_string(light->Lamps.size()) + "];\n";
   }
+  text += light->Bounce
+            ? "vec3 brdfBounced" + m + " = vec3(0.0);\n#define BRDF_BOUNCED brdfBounced" + m + "\n"
+            : "#define BRDF_BOUNCED vec3(0.0)\n";
   text += light->IsSplit
             ? "#define BRDF_OPEN_IRRADIANCE(e) max((e) - brdfHidden" + m + ", vec3(0.0))\n"
             : "#define BRDF_OPEN_IRRADIANCE(e) ((e) * brdfOpenLobe" + m + ")\n";
@@ -369,6 +402,10 @@ void SetOcclusionUniforms(vtkShaderProgram* program, const OcclusionLights& ligh
       }
     }
     program->SetUniform3fv(("brdfSkyLobes" + number).c_str(), OcclusionLobes::Views, values.data());
+    if (Bounces(lights, { sides.Both, sides.Bounced }, m))
+    {
+      lights[m]->Bounce->SetUniforms(program, m, toEnvironment[m]);
+    }
     values.clear();
     for (std::size_t k = 0; k < CountLamps(lights, sides.Both, m); ++k)
     {

@@ -29,8 +29,15 @@ constexpr std::size_t MaximumOccludedMembers = 4;
 /// For each material of a shader; null: it is not occluded.
 using OcclusionLights = std::vector<const OcclusionLight*>;
 
+/// Which attributes the buffers have.
+struct OcclusionLayout
+{
+  bool TwoSided = false;
+  bool Bounced = false; // what comes back from what is hidden
+};
+
 /// Same key, same text. "" without any.
-std::string GetOcclusionKey(const OcclusionLights& lights, bool twoSided);
+std::string GetOcclusionKey(const OcclusionLights& lights, const OcclusionLayout& layout);
 
 /// In which direction a value goes through the stages.
 struct OcclusionText
@@ -42,7 +49,7 @@ struct OcclusionText
   std::string FragmentDeclarations;
   std::string FragmentCode; // before anything is integrated
 };
-OcclusionText MakeOcclusionText(const OcclusionLights& lights, bool twoSided);
+OcclusionText MakeOcclusionText(const OcclusionLights& lights, const OcclusionLayout& layout);
 
 /// The macros that the environment's terms of a member use; light null: for no occlusion.
 std::string DefineOcclusion(const OcclusionLight* light, std::size_t member);
@@ -51,12 +58,14 @@ std::string DefineOcclusion(const OcclusionLight* light, std::size_t member);
 struct OcclusionSides
 {
   bool Both = false;
+  bool Bounced = false;      // what comes back from what is hidden
   bool IsOtherClosed = true; // one side: whether the other one sees nothing, or all of its sky
   double LeastCosine = 1.0;  // OcclusionArrays'
 
   void Add(const OcclusionArrays& arrays)
   {
     this->Both = this->Both || arrays.HasBack;
+    this->Bounced = this->Bounced || arrays.HasBounce;
     this->IsOtherClosed = this->IsOtherClosed && arrays.IsOtherClosed;
     this->LeastCosine = std::min(this->LeastCosine, arrays.LeastCosine);
   }

@@ -214,7 +214,7 @@ std::string vtkMeasuredBRDFMapperMixin<Base>::GetShaderKey(const vtkOpenGLHelper
   }
   return this->Drawing->GetSelected().GetKey() + (this->HasTangents() ? "/tangents" : "") +
          measuredbrdf::GetOcclusionKey(this->Drawing->GetSelectedOcclusion(this->HasOcclusion()),
-           this->HasTwoSidedOcclusion());
+           { this->HasTwoSidedOcclusion(), this->HasOcclusionBounce() });
 }
 
 //------------------------------------------------------------------------------
@@ -324,7 +324,8 @@ void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderLight(
   std::string fs = shaders[vtkShader::Fragment]->GetSource();
   const measuredbrdf::OcclusionText occlusion =
     lights.empty() ? measuredbrdf::OcclusionText()
-                   : measuredbrdf::MakeOcclusionText(lights, this->HasTwoSidedOcclusion());
+                   : measuredbrdf::MakeOcclusionText(
+                       lights, { this->HasTwoSidedOcclusion(), this->HasOcclusionBounce() });
   std::string declarations = occlusion.FragmentDeclarations + mixture.Declarations +
                              measuredbrdf::GetShaderDeclarations(members);
   if (measuredbrdf::Contains(fs, "anisotropyUniform"))
@@ -456,10 +457,9 @@ void vtkMeasuredBRDFMapperMixin<Base>::SetMapperShaderParameters(
     program->SetUniformMatrix("brdfTangentMatrix", matrix);
   }
   this->SetOcclusionParameters(program, ren, actor);
-  const bool scalars =
-    this->GetScalarVisibility() && !this->IgnoresScalars() &&
-    (this->VBOs->GetNumberOfComponents("scalarColor") != 0 ||
-                                     this->HaveCellScalars || this->ColorTextureMap);
+  const bool scalars = this->GetScalarVisibility() && !this->IgnoresScalars() &&
+                       (this->VBOs->GetNumberOfComponents("scalarColor") != 0 ||
+                         this->HaveCellScalars || this->ColorTextureMap);
   const bool modulate = this->Drawing->GetSettings().ScalarColoringMode != 0;
   program->SetUniformi("brdfModulate", modulate ? (scalars ? 2 : 1) : 0);
 }

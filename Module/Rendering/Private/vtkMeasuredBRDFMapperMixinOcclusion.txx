@@ -26,6 +26,7 @@ bool vtkMeasuredBRDFMapperMixin<Base>::GetNeedToRebuildBufferObjects(
 {
   return this->Base::GetNeedToRebuildBufferObjects(ren, actor) ||
          this->BuiltOcclusionMode != this->Drawing->GetSettings().OcclusionMode ||
+         this->BuiltOcclusionBounce != this->Drawing->GetSettings().OcclusionBounce ||
          this->BuiltTracedOcclusion != this->Drawing->GetTracedOcclusion(this);
 }
 
@@ -34,7 +35,9 @@ template <class Base>
 void vtkMeasuredBRDFMapperMixin<Base>::BuildBufferObjects(vtkRenderer* ren, vtkActor* actor)
 {
   this->BuiltOcclusionMode = this->Drawing->GetSettings().OcclusionMode;
+  this->BuiltOcclusionBounce = this->Drawing->GetSettings().OcclusionBounce;
   this->BuiltTracedOcclusion = this->Drawing->GetTracedOcclusion(this);
+  this->Drawing->BeginOcclusion(this);
   this->AddOcclusion(ren);
   this->Base::BuildBufferObjects(ren, actor);
 }
@@ -54,6 +57,11 @@ void vtkMeasuredBRDFMapperMixin<Base>::AddOcclusion(vtkRenderer* ren)
     this->VBOs->CacheDataArray(("brdfSkyBack" + number).c_str(),
       arrays && arrays->HasBack ? arrays->Back[k].Get() : nullptr, ren, VTK_FLOAT);
   }
+  const bool bounced = arrays && arrays->HasBounce;
+  this->VBOs->CacheDataArray(
+    "brdfBounce", bounced ? arrays->BounceFront.Get() : nullptr, ren, VTK_FLOAT);
+  this->VBOs->CacheDataArray(
+    "brdfBounceBack", bounced ? arrays->BounceBack.Get() : nullptr, ren, VTK_FLOAT);
 }
 
 //------------------------------------------------------------------------------
@@ -71,6 +79,13 @@ bool vtkMeasuredBRDFMapperMixin<Base>::HasTwoSidedOcclusion()
 }
 
 //------------------------------------------------------------------------------
+template <class Base>
+bool vtkMeasuredBRDFMapperMixin<Base>::HasOcclusionBounce()
+{
+  return this->VBOs->GetNumberOfComponents("brdfBounce") == 3;
+}
+
+//------------------------------------------------------------------------------
 // Through the stages beside the positions (their tags are still there); the fragment shader's part
 // comes with the lights.
 template <class Base>
@@ -82,8 +97,8 @@ void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderOcclusion(Shaders shaders)
   {
     return;
   }
-  const measuredbrdf::OcclusionText text =
-    measuredbrdf::MakeOcclusionText(lights, this->HasTwoSidedOcclusion());
+  const measuredbrdf::OcclusionText text = measuredbrdf::MakeOcclusionText(
+    lights, { this->HasTwoSidedOcclusion(), this->HasOcclusionBounce() });
   const auto add = [&shaders](vtkShader::Type stage, const char* tag, const std::string& lines)
   {
     std::string source = shaders[stage]->GetSource();
@@ -114,7 +129,7 @@ void vtkMeasuredBRDFMapperMixin<Base>::SetOcclusionParameters(
   }
   const measuredbrdf::OcclusionAxes axes(ren, actor, environments);
   const measuredbrdf::OcclusionSides sides = { this->HasTwoSidedOcclusion(),
-    this->IsOtherSideClosed, this->LeastOcclusionCosine };
+    this->HasOcclusionBounce(), this->IsOtherSideClosed, this->LeastOcclusionCosine };
   measuredbrdf::SetOcclusionUniforms(program, lights, sides, axes.ToModel,
     ren->GetActiveCamera()->GetParallelProjection() != 0, axes.ToEnvironment);
 }

@@ -55,6 +55,21 @@ std::vector<Band> MakeBands(const std::vector<glm::dvec3>& directions)
 }
 }
 
+Values GetCosineTransfer(const glm::dvec3& n)
+{
+  constexpr double pi = 3.14159265358979323846;
+  constexpr double bands[] = { pi, 2.0 * pi / 3.0, pi / 4.0, 0.0, -pi / 24.0 };
+  Values values = Evaluate(n);
+  for (int l = 0; l <= Degree; ++l)
+  {
+    for (int m = 0; m < 2 * l + 1; ++m)
+    {
+      values[static_cast<std::size_t>(l * l + m)] *= bands[l];
+    }
+  }
+  return values;
+}
+
 Colors Rotate(const Colors& light, const glm::dmat3& r)
 {
   static const std::vector<glm::dvec3> directions = MakeDirections();

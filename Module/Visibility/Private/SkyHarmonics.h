@@ -54,6 +54,10 @@ inline Values Evaluate(const glm::dvec3& d)
     0.625835735449176030 * c4 };
 }
 
+/// Harmonics of max(n . d, 0) over d, n a unit vector: those of a product with light are irradiance
+/// (Ramamoorthi, Hanrahan 2001, eq. 8).
+Values GetCosineTransfer(const glm::dvec3& n);
+
 /// The coefficients of light(R d) over d, of an orthogonal R, mirrors too: each degree goes through
 /// as many directions as it has functions.
 Colors Rotate(const Colors& light, const glm::dmat3& r);
