@@ -123,8 +123,15 @@ bool CanPruneTable(const std::vector<int>& sizes,
     return false;
   }
   const auto& [count, error] = least.back();
-  const double gain = std::min(error / least[least.size() - 2].second, 1.0);
-  return error * std::pow(gain, RowGainPower * std::log2(static_cast<double>(rows) / count)) >
+  const auto& [fewer, before] = least[least.size() - 2];
+  double gain = std::min(error / before, 1.0);
+  for (const auto& [angles, more] : errors[count])
+  {
+    const auto same = errors[fewer].find(angles);
+    gain = same != errors[fewer].end() ? std::min(gain, more / same->second) : gain;
+  }
+  return std::min(error, before) *
+           std::pow(gain, RowGainPower * std::log2(static_cast<double>(rows) / count)) >
          tolerance;
 }
 
