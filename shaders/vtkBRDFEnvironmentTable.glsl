@@ -5,6 +5,7 @@
 uniform sampler2D brdfTableProfileINSTANCE; // over theta_o: (s, view angle); (c, sin delta)
 uniform sampler3D brdfTableRadianceINSTANCE; // azimuth and polar angle of axis; psi within view angles
 uniform sampler2D brdfTableIrradianceINSTANCE; // octahedral, over the normal
+uniform float brdfTableRowsINSTANCE; // of the map that is everywhere; tiles lie below it
 uniform float brdfTableAnglesINSTANCE;
 uniform float brdfTableLastViewINSTANCE; // the profile's last theta_o, in quarter turns
 
@@ -30,7 +31,9 @@ vec3 brdfEnvironmentINSTANCE(mat3 frame, vec3 o)
   float slices = size.z / brdfTableAnglesINSTANCE; // the first azimuth comes again after the last
   float w = clamp(share.w, 0.0, brdfTableAnglesINSTANCE - 1.0);
   float angle = min(floor(w), brdfTableAnglesINSTANCE - 2.0);
-  vec3 at = vec3(position.x + 0.5 / size.x, (position.y * (size.y - 1.0) + 0.5) / size.y,
+  vec2 tile = TILE_PART; // texels
+  vec2 inMap = position * vec2(size.x, brdfTableRowsINSTANCE - 1.0);
+  vec3 at = vec3(((tile.y < 0.0 ? inMap : tile) + 0.5) / size.xy,
     (angle * slices + fract(psi) * (slices - 1.0) + 0.5) / size.z);
   vec3 low = texture(brdfTableRadianceINSTANCE, at).rgb;
   at.z += slices / size.z;

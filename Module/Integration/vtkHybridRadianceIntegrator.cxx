@@ -9,6 +9,7 @@
 #include "Printable.h"
 #include "Setters.h"
 #include "TableCandidates.h"
+#include "TableTiles.h"
 #include "TailRegularity.h"
 #include "vtkAnisotropicTableRadianceIntegrator.h"
 #include "vtkBRDF.h"
@@ -385,8 +386,8 @@ double vtkHybridRadianceIntegrator::EstimateCost(vtkRadianceCostModel* costs)
   double lights = count;
   if (this->IsWindowed(count))
   {
-    const LampWindow window(
-      this->NumberOfMaps > 0 ? std::min(this->NumberOfRows, SmallTableRows) : this->NumberOfRows);
+    const LampWindow window(this->NumberOfMaps > 0 ? std::min(this->NumberOfRows, SmallTableRows)
+                                                   : TableTiles::GetRows(this->NumberOfRows));
     lights = Finding + count * (Found + window.GetShare());
   }
   return this->NewBroad(nullptr, nullptr)->EstimateCost(costs) + GetCost(costs, "light") * lights;

@@ -14,6 +14,7 @@
 #include "TableSynthesis.h"
 #include "vtkBRDF.h"
 #include "vtkBRDFEnvironmentTable.h"
+#include "vtkBRDFEnvironmentTiles.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkEnvironment.h"
 #include "vtkLightSet.h"
@@ -36,6 +37,13 @@ struct vtkTableRadianceIntegrator::Tables : RadianceTable
 
 namespace
 {
+std::string GetTilesText(const TableTiles& tiles)
+{
+  return tiles.Places.empty() ? ""
+                              : " (" + std::to_string(tiles.GetFineColumns()) + " x " +
+                                  std::to_string(tiles.FineRows) + " where they bend most)";
+}
+
 // For the shader: share and view angle in the first row, the Lambert part and sin delta in the
 // second.
 std::vector<float> PackProfile(const RadianceTable& table)
@@ -81,7 +89,7 @@ void vtkTableRadianceIntegrator::AddLamps(Tables& table)
   {
     const vtkSmartPointer<vtkBRDF> shaded = this->BRDF->GetRenderable();
     shaded->Prepare();
-    table.Lamps = std::make_unique<TableLamps>(this->Lamps, shaded, LampWindow(this->NumberOfRows));
+    table.Lamps = std::make_unique<TableLamps>(this->Lamps, shaded, LampWindow(table.Rows));
   }
 }
 
@@ -118,8 +126,8 @@ bool vtkTableRadianceIntegrator::Begin()
 // False where it was aborted.
 bool vtkTableRadianceIntegrator::MakeTable(Tables& table)
 {
-  const int degree =
-    this->HarmonicDegree > 0 ? this->HarmonicDegree : GetMapDegree(this->NumberOfRows);
+  const int rows = table.Tiles.FineRows > 0 ? table.Tiles.FineRows : table.Rows;
+  const int degree = this->HarmonicDegree > 0 ? this->HarmonicDegree : GetMapDegree(rows);
   const auto parts = this->Shared ? this->Shared : std::make_shared<Precomputation>();
   EnvironmentPrecomputation& ofEnvironment = this->Environment->GetParts();
   const auto goOn = [this]() { return this->Report(0.0); };
@@ -134,8 +142,7 @@ bool vtkTableRadianceIntegrator::MakeTable(Tables& table)
   {
     return false;
   }
-  const TableLight light{ *harmonics, this->Lamps ? all.get() : nullptr,
-    LampWindow(this->NumberOfRows) };
+  const TableLight light{ *harmonics, this->Lamps ? all.get() : nullptr, LampWindow(table.Rows) };
   const LobeViews& views = parts->GetViews(this->BRDF, this->Abort);
   const MaterialPrecomputation::Kernels& knots =
     parts->GetKernels(this->BRDF, table.Angles, this->NumberOfNodes, this->Abort);
@@ -200,7 +207,8 @@ bool vtkTableRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
   vtkBRDFShaderInputs::Term term;
   measuredbrdf::SetModuleShader(term, "vtkBRDFEnvironmentTable", vtkBRDFEnvironmentTable);
   term.Constants = { { "HAS_FLOOR", table.HasFloor ? "1" : "0" }, { "SHARP_PART", "vec3(0.0)" },
-    { "LAMPS_PART", "vec3(0.0)" } };
+    { "LAMPS_PART", "vec3(0.0)" }, { "TILE_PART", "vec2(-1.0)" } };
+  term.Uniforms.push_back({ "brdfTableRows", { static_cast<float>(table.Rows) } });
   term.Uniforms.push_back({ "brdfTableAngles", { static_cast<float>(table.Angles) } });
   term.Uniforms.push_back(
     { "brdfTableLastView", { static_cast<float>(LobeViews::GetLastAngle() * 2.0 / Pi) } });
@@ -218,9 +226,20 @@ bool vtkTableRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
   profile.Components = 4;
   profile.Data = PackProfile(table);
   vtkBRDFShaderInputs::Texture& radiance =
-    add("brdfTableRadiance", table.Columns, table.Rows, table.Angles * (table.Azimuths + 1));
+    add("brdfTableRadiance", table.Columns, table.GetHeight(), table.Angles * (table.Azimuths + 1));
   radiance.SharedExponents = table.Radiance;
   radiance.Repeat[0] = true;
+  const TableTiles& tiles = table.Tiles;
+  if (!tiles.Places.empty())
+  {
+    term.Source = std::string(vtkBRDFEnvironmentTiles) + term.Source;
+    term.Constants.back().Value = "brdfTilePositionINSTANCE(position, brdfTableRowsINSTANCE)";
+    term.Uniforms.push_back({ "brdfTileAcross", { static_cast<float>(tiles.Across) } });
+    vtkBRDFShaderInputs::Texture& places =
+      add("brdfTilePlaces", tiles.CountColumns(), tiles.CountRows(), 1);
+    places.Components = 1;
+    places.Data = tiles.Places;
+  }
   if (table.HasFloor)
   {
     add("brdfTableIrradiance", RadianceTable::IrradianceSide, RadianceTable::IrradianceSide, 1)
@@ -229,8 +248,9 @@ bool vtkTableRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
   form = vtkBRDFShaderInputs();
   form.QuantizationError = std::ldexp(1.0, -9);
   form.Description = "radiance table, " + std::to_string(table.Columns) + " x " +
-                     std::to_string(table.Rows) + " axes x " + std::to_string(table.Angles) +
-                     " view angles x " + std::to_string(table.Azimuths) + " azimuths";
+                     std::to_string(table.Rows) + " axes" + GetTilesText(tiles) + " x " +
+                     std::to_string(table.Angles) + " view angles x " +
+                     std::to_string(table.Azimuths) + " azimuths";
   if (this->Data->Lamps)
   {
     this->Data->Lamps->AddTo(term);

@@ -259,8 +259,11 @@ add("Integration.lamps-ring", "Private/TableSynthesis.h", "const double from = 0
     "FactoredIntegrator.*|TableIntegrator.*|TableReference.*")
 add("Integration.table-without-its-blur", "Private/TableSynthesis.cxx", "smoothed[b % size] * static_cast<float>(knot", "static_cast<float>(knot",
     "FactoredIntegrator.WhiteFurnaceIsTheDirectionalAlbedo|FactoredIntegrator.MirrorsInFewMegabytes")
-add("Integration.no-splines-along-rows", "Private/FieldSynthesis.cxx", "FitLinearSpline(above, known[row * columns + column], below)",
-    "known[row * columns + column]", "LinearSpline.*|TableReference.ErrorFallsWithSize*|AnisotropicTable.*")
+add("Integration.no-splines-along-rows", "Private/FieldSynthesis.cxx", "above != none && below != none && column < columns;", "false;", "LinearSpline.*|TableReference.ErrorFallsWithSize*|AnisotropicTable.*")
+add("Integration.tiles-where-nothing-bends", "Private/TableTiles.cxx", "scores[a] > scores[b]", "scores[a] < scores[b]",
+    "TableTiles.*")
+add("Integration.tiles-with-seams", "Private/TableTiles.cxx", "this->IsInside(row, column % this->GetFineColumns())", "true",
+    "TableTiles.NoSeams")
 add("Integration.beyond-the-pole-unturned", "Private/FieldSynthesis.cxx", "order % 2 != 0 ? -1.0f : 1.0f", "order % 2 != 0 ? 1.0f : 1.0f",
     "AnisotropicTable.*|TableIntegrator.*|LinearSpline.*")
 add("Integration.rings-stay", "Private/RingLimiter.cxx", "constexpr float LeastShare = 0.75f;", "constexpr float LeastShare = 0.0f;",

@@ -673,6 +673,29 @@ TEST_F(Parity, TableIntegrator)
   }
 }
 
+// Tiles of a finer map beside the map that is everywhere.
+TEST_F(Parity, TableIntegratorWithTiles)
+{
+  vtkNew<vtkEnvironment> hall;
+  hall->SetToProceduralHall();
+  hall->SetRotationY(33.0);
+  vtkNew<vtkAshikhminShirleyBRDF> coated;
+  coated->SetDiffuse(0.3, 0.2, 0.1);
+  coated->SetExponents(3000.0, 3000.0);
+  this->Mapper->SetBRDF(coated);
+  this->Mapper->SetEnvironment(hall);
+  double errors[2];
+  for (int k = 0; k < 2; ++k)
+  {
+    vtkNew<vtkTableRadianceIntegrator> integrator;
+    integrator->SetSizes({ k == 0 ? 137 : 193, 4, 4 });
+    errors[k] = this->GetIntegratorError(integrator);
+    std::printf("%d rows: %.2e\n", integrator->GetNumberOfRows(), errors[k]);
+    EXPECT_GT(errors[k], 0.0);
+    EXPECT_LT(errors[k], 2e-3);
+  }
+}
+
 // The small table, and maps of the sharp part with and without the azimuth.
 TEST_F(Parity, FactoredIntegrator)
 {

@@ -43,13 +43,19 @@ FieldSynthesis::Matrix MakeLit(
 }
 }
 
-FieldSynthesis::FieldSynthesis(
-  const EnvironmentHarmonics& environment, int rows, int columns, MapNodes nodes)
+FieldSynthesis::FieldSynthesis(const EnvironmentHarmonics& environment, int rows, int columns,
+  MapNodes nodes, const std::vector<int>& chosen)
   : Environment(environment)
-  , Rows(rows)
+  , AllRows(rows)
+  , Chosen(chosen)
   , Columns(columns)
   , Nodes(nodes)
 {
+  for (int row = 0; chosen.empty() && row < rows; ++row)
+  {
+    this->Chosen.push_back(row);
+  }
+  this->Rows = static_cast<int>(this->Chosen.size());
 }
 
 void FieldSynthesis::Run(
@@ -72,8 +78,14 @@ void FieldSynthesis::Run(
 // is turned by half a turn.
 void FieldSynthesis::FitRows(int order, std::array<Field, 3>& result) const
 {
+  constexpr std::size_t none = static_cast<std::size_t>(-1);
   const std::size_t rows = static_cast<std::size_t>(this->Rows);
   const std::size_t columns = static_cast<std::size_t>(this->Columns);
+  std::vector<std::size_t> places(static_cast<std::size_t>(this->AllRows), none);
+  for (std::size_t row = 0; row < rows; ++row)
+  {
+    places[static_cast<std::size_t>(this->Chosen[row])] = row;
+  }
   const float sign = order % 2 != 0 ? -1.0f : 1.0f;
   for (Field& field : result)
   {
@@ -88,16 +100,21 @@ void FieldSynthesis::FitRows(int order, std::array<Field, 3>& result) const
           std::copy(values, values + known.size(), known.begin());
           for (std::size_t row = 0; row < rows; ++row)
           {
-            for (std::size_t column = 0; column < columns; ++column)
+            const int at = this->Chosen[row];
+            const bool isFirst = at == 0;
+            const bool isLast = at + 1 == this->AllRows;
+            const std::size_t above = places[static_cast<std::size_t>(isFirst ? 1 : at - 1)];
+            const std::size_t below = places[static_cast<std::size_t>(isLast ? at - 1 : at + 1)];
+            for (std::size_t column = 0; above != none && below != none && column < columns;
+                 ++column)
             {
               const std::size_t opposite = (column + columns / 2) % columns;
-              const std::complex<float> above =
-                row > 0 ? known[(row - 1) * columns + column] : sign * known[columns + opposite];
-              const std::complex<float> below = row + 1 < rows
-                                                  ? known[(row + 1) * columns + column]
-                                                  : sign * known[(rows - 2) * columns + opposite];
               values[row * columns + column] =
-                FitLinearSpline(above, known[row * columns + column], below);
+                FitLinearSpline(isFirst ? sign * known[above * columns + opposite]
+                                        : known[above * columns + column],
+                  known[row * columns + column],
+                  isLast ? sign * known[below * columns + opposite]
+                         : known[below * columns + column]);
             }
           }
         }
@@ -131,8 +148,9 @@ FieldSynthesis::Field FieldSynthesis::SumDegrees(
         Matrix turns(size, this->Rows); // the same for all channels and kernels
         for (int row = 0; row < this->Rows; ++row)
         {
-          functions.Evaluate(this->Nodes == MapNodes::Centers ? Pi * (row + 0.5) / this->Rows
-                                                              : Pi * row / (this->Rows - 1),
+          const int at = this->Chosen[static_cast<std::size_t>(row)];
+          functions.Evaluate(this->Nodes == MapNodes::Centers ? Pi * (at + 0.5) / this->AllRows
+                                                              : Pi * at / (this->AllRows - 1),
             d.data());
           turns.col(row) = Eigen::Map<const Eigen::VectorXd>(d.data(), size).cast<float>();
         }

@@ -40,7 +40,10 @@ public:
   using Matrix = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic>;
   using Field = std::vector<std::complex<float>>;
 
-  FieldSynthesis(const EnvironmentHarmonics& environment, int rows, int columns, MapNodes nodes);
+  /// chosen: of a map's rows only these, ascending, as if they were all of its rows (splines need
+  /// both neighbors; a row without has its own values). None: all of them.
+  FieldSynthesis(const EnvironmentHarmonics& environment, int rows, int columns, MapNodes nodes,
+    const std::vector<int>& chosen = {});
 
   /// Of each channel: degrees x kernels.
   using Kernels = std::array<Matrix, 3>;
@@ -62,7 +65,9 @@ private:
   void SumOrders(const Field& series, int degree, std::array<Field, 3>& result) const;
 
   const EnvironmentHarmonics& Environment;
-  int Rows;
+  int AllRows;
+  std::vector<int> Chosen; // of these
+  int Rows;                // that are chosen
   int Columns;
   MapNodes Nodes;
 };

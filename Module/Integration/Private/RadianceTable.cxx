@@ -13,6 +13,50 @@
 
 namespace measuredbrdf
 {
+namespace
+{
+// Of the axis in a slice: in the map that is everywhere, or in a tile.
+struct SlicePlace
+{
+  Neighbors X;
+  Neighbors Y;
+
+  SlicePlace(const RadianceTable& table, const MapPosition& at)
+  {
+    const double exact = at.Polar * (table.Rows - 1);
+    const int low = std::min(static_cast<int>(exact), table.Rows - 2);
+    this->Y = { low, low + 1, exact - low };
+    this->X = PeriodicNeighbors(at.Azimuth + 0.5 / table.Columns, table.Columns);
+    const TableTiles& tiles = table.Tiles;
+    if (tiles.Places.empty())
+    {
+      return;
+    }
+    const double x = (at.Azimuth - std::floor(at.Azimuth)) * tiles.GetFineColumns();
+    const double y = at.Polar * (tiles.FineRows - 1);
+    const int columns = tiles.CountColumns();
+    const int across = std::min(static_cast<int>(x) / TableTiles::Intervals, columns - 1);
+    const int down = std::min(static_cast<int>(y) / TableTiles::Intervals, tiles.CountRows() - 1);
+    const int place =
+      static_cast<int>(tiles.Places[static_cast<std::size_t>(down * columns + across)]) - 1;
+    if (place >= 0)
+    {
+      this->X = GetNeighbors(place % tiles.Across, x - TableTiles::Intervals * across);
+      this->Y = GetNeighbors(place / tiles.Across, y - TableTiles::Intervals * down);
+      this->Y.First += table.Rows;
+      this->Y.Second += table.Rows;
+    }
+  }
+
+  static Neighbors GetNeighbors(int tile, double within)
+  {
+    const int low = std::clamp(static_cast<int>(within), 0, TableTiles::Intervals - 1);
+    const int first = TableTiles::Texels * tile + low;
+    return { first, first + 1, within - low };
+  }
+};
+}
+
 glm::dvec3 RadianceTable::Evaluate(const glm::dvec3& n, const glm::dvec3& o, const glm::dvec3& t,
   const FilterWeights& filter, const TableLamps* lamps) const
 {
@@ -27,10 +71,11 @@ glm::dvec3 RadianceTable::Evaluate(const glm::dvec3& n, const glm::dvec3& o, con
   const Neighbors turn = PeriodicNeighbors(psi + 0.5 / this->Azimuths, this->Azimuths);
   const double w = std::clamp(axis.x, 0.0, this->Angles - 1.0);
   const int angle = std::min(static_cast<int>(w), this->Angles - 2);
+  const SlicePlace slice(*this, at);
   const auto value = [&](int azimuth, int k)
   {
-    return GetMapValue(
-      this->Radiance, this->Rows, this->Columns, this->GetMap(k, azimuth), at, filter);
+    return MixTexels(
+      this->Radiance, this->Columns, this->GetMap(k, azimuth), slice.X, slice.Y, filter);
   };
   const auto between = [&](int k)
   { return glm::mix(value(turn.First, k), value(turn.Second, k), filter.Round(turn.Weight)); };
@@ -58,21 +103,32 @@ std::vector<std::uint64_t> RadianceTable::GetSizes() const
 std::string RadianceTable::GetBytes() const
 {
   const Texels none;
-  return WriteTableBytes(this->GetSizes(), { &this->Profile },
+  std::vector<std::uint64_t> numbers = this->GetSizes();
+  numbers.push_back(static_cast<std::uint64_t>(this->Tiles.Down));
+  return WriteTableBytes(numbers, { &this->Profile, &this->Tiles.Places },
     { &this->Radiance, this->HasFloor ? this->Irradiance.get() : &none });
 }
 
 bool RadianceTable::TakeBytes(const std::string& bytes)
 {
   TableParts parts;
-  if (!ReadTableBytes(bytes, parts) || parts.Numbers != this->GetSizes() ||
-      parts.Arrays.size() != 1 || parts.Arrays[0].size() != 3 * 3 * ProfileSize ||
+  std::vector<std::uint64_t> sizes = this->GetSizes();
+  if (!ReadTableBytes(bytes, parts) || parts.Numbers.size() != sizes.size() + 1 ||
+      parts.Numbers.back() > static_cast<std::uint64_t>(this->Tiles.Down))
+  {
+    return false;
+  }
+  sizes.push_back(parts.Numbers.back());
+  this->Tiles.Down = static_cast<int>(parts.Numbers.back());
+  if (parts.Numbers != sizes || parts.Arrays.size() != 2 ||
+      parts.Arrays[0].size() != 3 * 3 * ProfileSize || !this->Tiles.ArePlaces(parts.Arrays[1]) ||
       parts.Texels.size() != 2 || parts.Texels[0].size() != this->GetMap(this->Angles, 0) ||
       !IsIrradiance(parts.Texels[1]))
   {
     return false;
   }
   this->Profile = std::move(parts.Arrays[0]);
+  this->Tiles.Places = std::move(parts.Arrays[1]);
   this->Radiance = std::move(parts.Texels[0]);
   this->HasFloor = !parts.Texels[1].empty();
   this->Irradiance = std::make_shared<Texels>(std::move(parts.Texels[1]));

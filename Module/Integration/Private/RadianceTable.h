@@ -10,6 +10,7 @@
 
 #include "LobeViews.h"
 #include "Neighbors.h"
+#include "TableTiles.h"
 
 #include <glm/glm.hpp>
 
@@ -30,32 +31,38 @@ struct RadianceTable
   /// With a shared exponent (SharedExponent.h).
   using Texels = std::vector<std::uint32_t>;
 
+  /// rows: more than TableTiles::LargestWhole are those of tiles.
   RadianceTable(int rows, int angles, int azimuths)
-    : Rows(rows)
-    , Columns(2 * (rows - 1))
+    : Rows(TableTiles::GetRows(rows))
+    , Columns(2 * (this->Rows - 1))
     , Angles(angles)
     , Azimuths(azimuths)
+    , Tiles(rows, angles * (azimuths + 1))
   {
   }
 
-  int Rows;
+  int Rows; // of the map that is everywhere
   int Columns;
   int Angles;
   int Azimuths;
+  TableTiles Tiles;
   bool HasFloor = false;
   std::vector<float> Profile; // RGB, ProfileSize x 3: (angle, cos, sin delta); share; c
-  // Columns x Rows x Angles (Azimuths + 1): the first azimuth comes again after the last. As large
-  // as the format allows: the profile's share undoes that.
+  // Columns x GetHeight() x Angles (Azimuths + 1): the first azimuth comes again after the last. As
+  // large as the format allows: the profile's share undoes that.
   Texels Radiance;
   // IrradianceSide x IrradianceSide (GetOctahedralPosition); null: there is no floor. Of all
   // materials.
   std::shared_ptr<const Texels> Irradiance;
 
+  /// Of a slice: the map, and tiles below it.
+  int GetHeight() const { return this->Rows + TableTiles::Texels * this->Tiles.Down; }
+
   /// Where the map of a view angle and an azimuth psi begins, in texels.
   std::size_t GetMap(int angle, int azimuth) const
   {
     return static_cast<std::size_t>(angle * (this->Azimuths + 1) + azimuth) *
-           static_cast<std::size_t>(this->Columns) * static_cast<std::size_t>(this->Rows);
+           static_cast<std::size_t>(this->Columns) * static_cast<std::size_t>(this->GetHeight());
   }
 
   /// Radiance towards o about the normal n, as the shader looks it up; t: a unit tangent or zero;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TableCandidates.h"
 
+#include "RadianceTable.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -31,13 +33,13 @@ constexpr vtkIdType MapBytes = 4 * 129 * 129 + 16 * 3 * 64; // irradiance and pr
 std::vector<std::vector<int>> GetTableCandidates()
 {
   return { { 17, 8, 8 }, { 33, 8, 8 }, { 33, 12, 16 }, { 33, 24, 16 }, { 65, 8, 8 }, { 65, 12, 16 },
-    { 65, 20, 16 }, { 65, 24, 24 }, { 129, 8, 8 }, { 129, 12, 16 }, { 129, 24, 16 } };
+    { 65, 20, 16 }, { 65, 24, 24 }, { 129, 8, 8 }, { 257, 12, 16 }, { 257, 24, 16 } };
 }
 
 std::vector<std::vector<int>> GetHybridCandidates()
 {
   return { { 17, 8, 8, 0 }, { 33, 8, 8, 0 }, { 33, 12, 16, 0 }, { 65, 8, 8, 0 }, { 65, 12, 16, 0 },
-    { 129, 8, 8, 0 }, { 129, 12, 16, 0 }, { 128, 12, 8, 4 }, { 256, 12, 8, 4 }, { 256, 12, 8, 8 },
+    { 129, 8, 8, 0 }, { 257, 12, 16, 0 }, { 128, 12, 8, 4 }, { 256, 12, 8, 4 }, { 256, 12, 8, 8 },
     { 128, 12, 8, 16 } };
 }
 
@@ -49,7 +51,9 @@ std::vector<std::vector<int>> GetAnisotropicCandidates()
 
 vtkIdType GetTableBytes(int rows, int viewAngles, int azimuths)
 {
-  return MapBytes + 4 * static_cast<vtkIdType>(2 * (rows - 1)) * rows * viewAngles * (azimuths + 1);
+  const RadianceTable table(rows, viewAngles, azimuths);
+  return MapBytes +
+         4 * static_cast<vtkIdType>(table.GetMap(viewAngles, 0) + table.Tiles.Places.size());
 }
 
 bool CanPruneTable(const std::vector<int>& sizes,
@@ -119,8 +123,15 @@ bool CanPruneTable(const std::vector<int>& sizes,
     return false;
   }
   const auto& [count, error] = least.back();
-  const double gain = std::min(error / least[least.size() - 2].second, 1.0);
-  return error * std::pow(gain, RowGainPower * std::log2(static_cast<double>(rows) / count)) >
+  const auto& [fewer, before] = least[least.size() - 2];
+  double gain = std::min(error / before, 1.0);
+  for (const auto& [angles, more] : errors[count])
+  {
+    const auto same = errors[fewer].find(angles);
+    gain = same != errors[fewer].end() ? std::min(gain, more / same->second) : gain;
+  }
+  return std::min(error, before) *
+           std::pow(gain, RowGainPower * std::log2(static_cast<double>(rows) / count)) >
          tolerance;
 }
 

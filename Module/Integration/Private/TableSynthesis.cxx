@@ -10,6 +10,7 @@
 #include "LobePlacement.h"
 #include "RingLimiter.h"
 #include "SharedExponent.h"
+#include "TableTiles.h"
 #include "vtkSMPTools.h"
 
 #include <Eigen/Core>
@@ -53,10 +54,8 @@ std::array<FieldSynthesis::Matrix, 3> PickOrder(
 
 // One order's fields, turned to each azimuth of the plane of incidence.
 void AddOrder(int order, const std::array<FieldSynthesis::Field, 3>& fields,
-  const RadianceTable& table, std::vector<float>& radiance)
+  const RadianceTable& table, std::size_t texels, std::vector<float>& radiance)
 {
-  const std::size_t texels =
-    static_cast<std::size_t>(table.Columns) * static_cast<std::size_t>(table.Rows);
   const std::size_t slices = static_cast<std::size_t>(table.Azimuths) + 1;
   vtkSMPTools::For(0, static_cast<vtkIdType>(slices), 1,
     [&](vtkIdType begin, vtkIdType end)
@@ -143,27 +142,45 @@ double PackRadiance(const std::vector<float>& radiance, RadianceTable::Texels& t
   return 1.0 / static_cast<double>(scale);
 }
 
-double SynthesizeRadiance(const LobeViews& views, const TableLight& light,
-  const MaterialPrecomputation::Kernels& knots, int degree, double smoothing,
-  const std::function<bool(double)>& goOn, RadianceTable& table)
+namespace
+{
+// RGB of a table's slices over some rows of a map.
+struct SliceMaps
+{
+  int AllRows;
+  std::vector<int> Chosen; // none: all
+  int Degree;
+};
+
+// None where goOn said false.
+std::vector<float> SynthesizeMaps(const LobeViews& views, const TableLight& light,
+  const MaterialPrecomputation::Kernels& knots, double smoothing, const SliceMaps& maps,
+  const std::function<bool(double)>& goOn, const RadianceTable& table)
 {
   const int orders = table.Azimuths / 2; // as many as the azimuths can tell apart
+  const int degree = maps.Degree;
   std::vector<std::vector<float>> kernels =
-    ExpandTableKernels(views, knots, degree, orders, smoothing, table.Rows);
+    ExpandTableKernels(views, knots, degree, orders, smoothing, maps.AllRows);
   // Lamps are what the one environment has more than the other: K rest + K_out (all - rest) =
   // (K - K_out) rest + K_out all. They are not smoothed: no maps add what they would lack.
   std::vector<std::vector<float>> outside;
   if (light.All)
   {
-    outside = ExpandTableKernels(views, knots, degree, orders, 0.0, table.Rows, &light.Window);
+    outside = ExpandTableKernels(views, knots, degree, orders, 0.0, maps.AllRows, &light.Window);
     for (std::size_t k = 0; k < kernels.size(); ++k)
     {
       std::transform(kernels[k].begin(), kernels[k].end(), outside[k].begin(), kernels[k].begin(),
         std::minus<float>());
     }
   }
-  std::vector<float> radiance(3 * table.GetMap(table.Angles, 0));
-  const FieldSynthesis synthesis(light.Environment, table.Rows, table.Columns, MapNodes::Poles);
+  const std::size_t rows =
+    maps.Chosen.empty() ? static_cast<std::size_t>(maps.AllRows) : maps.Chosen.size();
+  const int columns = 2 * (maps.AllRows - 1);
+  const std::size_t texels = rows * static_cast<std::size_t>(columns);
+  std::vector<float> radiance(
+    3 * texels * static_cast<std::size_t>(table.Angles * (table.Azimuths + 1)));
+  const FieldSynthesis synthesis(
+    light.Environment, maps.AllRows, columns, MapNodes::Poles, maps.Chosen);
   std::array<FieldSynthesis::Field, 3> fields;
   for (int order = 0; order <= orders; ++order)
   {
@@ -176,14 +193,61 @@ double SynthesizeRadiance(const LobeViews& views, const TableLight& light,
     {
       synthesis.Run(order, PickOrder(kernels, order, degree), fields);
     }
-    AddOrder(order, fields, table, radiance);
+    AddOrder(order, fields, table, texels, radiance);
     if (!goOn((order + 1.0) / (orders + 1)))
     {
-      return 0.0;
+      return {};
     }
   }
-  LiftDarkRings(
-    radiance, static_cast<std::size_t>(table.Rows), static_cast<std::size_t>(table.Columns));
+  LiftDarkRings(radiance, rows, static_cast<std::size_t>(columns));
+  return radiance;
+}
+
+// How much of a sphere's disc is seen at each slice's view angle.
+std::vector<double> GetSliceWeights(const RadianceTable& table)
+{
+  std::vector<double> weights;
+  for (int k = 0; k < table.Angles; ++k)
+  {
+    const double theta = LobeViews::GetKnotAngle(k, table.Angles);
+    const double before = LobeViews::GetKnotAngle(std::max(k - 1, 0), table.Angles);
+    const double after = LobeViews::GetKnotAngle(std::min(k + 1, table.Angles - 1), table.Angles);
+    const double weight = std::sin(theta) * std::cos(theta) * (after - before);
+    weights.insert(weights.end(), static_cast<std::size_t>(table.Azimuths), weight);
+    weights.push_back(0.0); // the first azimuth again
+  }
+  return weights;
+}
+}
+
+double SynthesizeRadiance(const LobeViews& views, const TableLight& light,
+  const MaterialPrecomputation::Kernels& knots, int degree, double smoothing,
+  const std::function<bool(double)>& goOn, RadianceTable& table)
+{
+  const int fineRows = table.Tiles.FineRows;
+  std::vector<float> radiance = SynthesizeMaps(views, light, knots, smoothing,
+    { table.Rows, {}, fineRows > 0 ? std::min(GetMapDegree(table.Rows), degree) : degree }, goOn,
+    table);
+  if (radiance.empty())
+  {
+    return 0.0;
+  }
+  if (fineRows > 0)
+  {
+    table.Tiles.Choose(radiance, GetSliceWeights(table));
+    const std::vector<int> rows = table.Tiles.GetFineRowsOfTiles();
+    std::vector<float> fine;
+    if (!rows.empty())
+    {
+      fine =
+        SynthesizeMaps(views, light, knots, smoothing, { fineRows, rows, degree }, goOn, table);
+      if (fine.empty())
+      {
+        return 0.0;
+      }
+    }
+    radiance = table.Tiles.Join(radiance, fine);
+  }
   return PackRadiance(radiance, table.Radiance);
 }
 

@@ -147,8 +147,9 @@ bool PlanSearch::TrySkipped(const std::vector<PlanCandidate>& skipped)
       }
       const PlanCandidate& best =
         this->Found.Candidates[static_cast<std::size_t>(this->Found.Choice)];
-      const bool isLarger =
-        candidate.Method != best.Method || GetMainSize(candidate) > GetMainSize(best);
+      const bool isLarger = candidate.Method != best.Method ||
+                            GetMainSize(candidate) > GetMainSize(best) ||
+                            candidate.Bytes > best.Bytes;
       if (isLarger && !this->CanPrune(candidate, WorthIt * best.Error) && !this->Try(candidate))
       {
         return false;

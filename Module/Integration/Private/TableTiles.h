@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * How a table of radiance of many rows is stored: a map of a quarter of the rows everywhere, and
+ * tiles of all rows where radiance bends most. Such places are few: the edges of panels and lamps.
+ * Private to the module.
+ */
+
+#ifndef TableTiles_h
+#define TableTiles_h
+
+#include <cstddef>
+#include <vector>
+
+namespace measuredbrdf
+{
+/// Of one table; the nodes of the coarse map are nodes of the fine one.
+struct TableTiles
+{
+  static constexpr int LargestWhole = 129; // rows of a table without tiles
+  static constexpr int Ratio = 4;          // fine intervals in a coarse one
+  static constexpr int Intervals = 8;      // fine ones along a tile's side
+  static constexpr int Texels = Intervals + 1;
+  static constexpr double MostBytes = 5e6; // about, of all tiles
+
+  /// rows: that were asked for. slices: a map each, one above the other in the texture.
+  TableTiles(int rows, int slices);
+
+  ///@{
+  /// Rows of the map that is everywhere, and of the one that tiles are cut from: 0 where there are
+  /// no tiles, else a multiple of 8 and one.
+  static int GetRows(int rows);
+  static int GetFineRows(int rows);
+  ///@}
+
+  int FineRows = 0;
+  int Across = 0; // tiles side by side in the texture, below the coarse map
+  int Down = 0;   // rows of them; before Choose: at most
+  /// For each tile of the sphere, side by side: 1 + its place in the texture; 0: it has none.
+  std::vector<float> Places;
+
+  int GetFineColumns() const { return 2 * (this->FineRows - 1); }
+  int CountRows() const { return (this->FineRows - 1) / Intervals; }
+  int CountColumns() const { return 2 * this->CountRows(); }
+
+  /// Whether they can be Places of this table.
+  bool ArePlaces(const std::vector<float>& places) const;
+
+  /// Where radiance (RGB, coarse columns x coarse rows x slices) bends most, each slice with its
+  /// weight: as many tiles as there are places, or fewer that hold nearly all.
+  void Choose(const std::vector<float>& radiance, const std::vector<double>& weights);
+
+  /// The fine rows that FieldSynthesis must know for these tiles, with some beside them.
+  std::vector<int> GetFineRowsOfTiles() const;
+
+  /// The coarse map and, below it, the tiles, of each slice; fine: of the rows above. Where a tile
+  /// borders on none it takes the coarse map's values, which are linear there: no seam shows.
+  std::vector<float> Join(const std::vector<float>& coarse, const std::vector<float>& fine) const;
+
+private:
+  /// Whether all tiles that meet at a fine node have a place.
+  bool IsInside(int row, int column) const;
+};
+} // namespace measuredbrdf
+
+#endif

@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Tables of many rows: a coarse map everywhere, and tiles of a fine one where radiance bends most.
+
+#include "HalfVector.h" // for Pi
+#include "SpherePairs.h"
+#include "TableTiles.h"
+#include "vtkAdaptiveRadianceIntegrator.h"
+#include "vtkAshikhminShirleyBRDF.h"
+#include "vtkBRDFShaderInputs.h"
+#include "vtkEnvironment.h"
+#include "vtkNew.h"
+#include "vtkTableRadianceIntegrator.h"
+
+#include <glm/glm.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <vector>
+
+using measuredbrdf::Pi;
+using measuredbrdf::TableTiles;
+
+namespace
+{
+// Two bright panels in a dim room, one of them across the seam of the azimuth and near a pole.
+vtkNew<vtkEnvironment> NewPanels()
+{
+  constexpr int width = 256;
+  constexpr int height = 128;
+  std::vector<float> pixels;
+  for (int y = 0; y < height; ++y)
+  {
+    for (int x = 0; x < width; ++x)
+    {
+      const bool panel =
+        (y >= 50 && y < 66 && x >= 60 && x < 70) || (y >= 6 && y < 20 && (x < 16 || x >= 240));
+      for (int c = 0; c < 3; ++c)
+      {
+        pixels.push_back(panel ? 40.0f - 5.0f * static_cast<float>(c) : 0.1f);
+      }
+    }
+  }
+  vtkNew<vtkEnvironment> room;
+  room->SetPixels(width, height, pixels);
+  return room;
+}
+
+vtkNew<vtkAshikhminShirleyBRDF> NewPaint()
+{
+  vtkNew<vtkAshikhminShirleyBRDF> paint;
+  paint->SetDiffuse(0.05, 0.1, 0.2);
+  paint->SetSpecularScale(0.3, 0.3, 0.3);
+  paint->SetExponents(10000.0, 10000.0);
+  return paint;
+}
+
+vtkNew<vtkTableRadianceIntegrator> NewTable(vtkBRDF* brdf, vtkEnvironment* room, int rows)
+{
+  vtkNew<vtkTableRadianceIntegrator> table;
+  table->SetSizes({ rows, 6, 8 });
+  table->SetBRDF(brdf);
+  table->SetEnvironment(room);
+  return table;
+}
+
+glm::dvec3 GetDirection(double row, double column, const TableTiles& tiles)
+{
+  const double polar = Pi * row / (tiles.FineRows - 1);
+  const double azimuth = 2.0 * Pi * column / tiles.GetFineColumns();
+  return { std::sin(polar) * std::sin(azimuth), std::cos(polar),
+    std::sin(polar) * std::cos(azimuth) };
+}
+}
+
+//------------------------------------------------------------------------------
+// What they are for: the edges of panels in gloss, of which the coarse map shows little.
+TEST(TableTiles, ShowHardEdgesInFewMegabytes)
+{
+  const auto room = NewPanels();
+  const auto paint = NewPaint();
+  SpherePairs drawn, pairs; // seen along the normals: the view angles' spacing does not count
+  drawn.AddRandom(600);
+  for (vtkIdType k = 0; k < drawn.Normals->GetNumberOfTuples(); ++k)
+  {
+    glm::dvec3 n;
+    drawn.Normals->GetTuple(k, &n.x);
+    pairs.Add(n, n);
+  }
+  vtkNew<vtkAdaptiveRadianceIntegrator> reference;
+  reference->SetBRDF(paint);
+  reference->SetEnvironment(room);
+  const auto expected = pairs.Integrate(reference);
+  double errors[2];
+  for (int k = 0; k < 2; ++k)
+  {
+    const auto table = NewTable(paint, room, k == 0 ? 41 : 161);
+    errors[k] = GetRelativeError(pairs.Integrate(table), expected);
+    vtkBRDFShaderInputs inputs;
+    ASSERT_TRUE(table->GetShaderInputs(inputs));
+    const double bytes = static_cast<double>(inputs.GetTextureBytes());
+    std::printf(
+      "%d rows: %.2f MB, error %.4f\n", table->GetNumberOfRows(), 1e-6 * bytes, errors[k]);
+    EXPECT_LE(bytes, static_cast<double>(table->EstimateTextureBytes()));
+    EXPECT_LT(bytes, 6e6);
+  }
+  EXPECT_LT(errors[1], 0.25 * errors[0]);
+  EXPECT_LT(errors[1], 0.02);
+}
+
+//------------------------------------------------------------------------------
+// Steps of 1e-5 across all borders of tiles, whether the neighbor has a tile or none.
+TEST(TableTiles, NoSeams)
+{
+  const auto room = NewPanels();
+  const auto paint = NewPaint();
+  const TableTiles tiles(161, 54);
+  SpherePairs across;
+  constexpr int side = TableTiles::Intervals;
+  const double e = 1e-4; // of a fine interval
+  for (int down = 1; down < tiles.CountRows(); ++down)
+  {
+    for (int right = 0; right < tiles.CountColumns(); ++right)
+    {
+      const double row = side * down;
+      const double column = side * right;
+      const glm::dvec2 steps[] = { { row, column + 3.3 }, { row - 5.1, column } };
+      for (int k = 0; k < 2; ++k)
+      {
+        const glm::dvec2 step = k == 0 ? glm::dvec2(e, 0.0) : glm::dvec2(0.0, e);
+        for (const double sign : { -1.0, 1.0 })
+        {
+          const glm::dvec2 at = steps[k] + sign * step;
+          const glm::dvec3 d = GetDirection(at.x, at.y, tiles);
+          across.Add(d, d); // seen along the normal, which is the axis then
+        }
+      }
+    }
+  }
+  const auto radiance = across.Integrate(NewTable(paint, room, 161));
+  double largest = 0.0;
+  double step = 0.0;
+  for (std::size_t k = 0; k < radiance.size(); k += 2)
+  {
+    largest = std::max(largest, radiance[k].x);
+    step = std::max(step, std::abs(radiance[k].x - radiance[k + 1].x));
+  }
+  std::printf("steps up to %.1e of the largest\n", step / largest);
+  EXPECT_LT(step / largest, 4e-3); // the format has 9 bits
+}
+
+//------------------------------------------------------------------------------
+TEST(TableTiles, SizesAndPlaces)
+{
+  for (const int rows : { 9, 33, 128, 129 })
+  {
+    EXPECT_EQ(TableTiles::GetFineRows(rows), 0);
+    EXPECT_EQ(TableTiles::GetRows(rows), rows);
+    EXPECT_TRUE(TableTiles(rows, 72).Places.empty());
+  }
+  for (const int rows : { 130, 137, 200, 257, 258, 513 })
+  {
+    TableTiles tiles(rows, 64 * 65);
+    EXPECT_GE(tiles.FineRows, rows);
+    EXPECT_LT(tiles.FineRows, rows + TableTiles::Intervals);
+    EXPECT_EQ(tiles.FineRows % TableTiles::Intervals, 1);
+    EXPECT_EQ(TableTiles::GetRows(rows) - 1, (tiles.FineRows - 1) / TableTiles::Ratio);
+    EXPECT_GT(tiles.Across, 0);
+    EXPECT_GT(tiles.Down, 0);
+    std::vector<float> places = tiles.Places;
+    EXPECT_TRUE(tiles.ArePlaces(places));
+    places[3] = static_cast<float>(tiles.Across * tiles.Down);
+    EXPECT_TRUE(tiles.ArePlaces(places));
+    for (const float wrong : { -1.0f, 0.5f, places[3] + 1.0f })
+    {
+      places[3] = wrong;
+      EXPECT_FALSE(tiles.ArePlaces(places));
+    }
+    places.pop_back();
+    EXPECT_FALSE(tiles.ArePlaces(places));
+  }
+}
+
+//------------------------------------------------------------------------------
+// Light that is the same everywhere needs none.
+TEST(TableTiles, AsBytesAndWithoutNeed)
+{
+  const auto paint = NewPaint();
+  const auto room = NewPanels();
+  SpherePairs pairs;
+  pairs.AddRandom(200);
+  const auto table = NewTable(paint, room, 137);
+  const auto before = pairs.Integrate(table);
+  const auto other = NewTable(paint, room, 137);
+  ASSERT_TRUE(other->TakePrepared(table->GetPrepared()));
+  EXPECT_EQ(pairs.Integrate(other), before);
+  EXPECT_FALSE(NewTable(paint, room, 145)->TakePrepared(table->GetPrepared()));
+
+  vtkNew<vtkEnvironment> black;
+  ASSERT_TRUE(black->SetPixels(4, 2, std::vector<float>(24, 0.0f)));
+  for (const glm::dvec3& radiance : pairs.Integrate(NewTable(paint, black, 137)))
+  {
+    EXPECT_EQ(radiance, glm::dvec3(0.0));
+  }
+}
