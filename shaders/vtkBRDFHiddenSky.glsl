@@ -70,6 +70,60 @@ float brdfSkyLamp(vec3 sum, float sine)
   return bounds.y > bounds.x ? clamp(1.0 - hidden, 0.0, 1.0) : 1.0;
 }
 
+// Where a panel is, in the code's frame: azimuth (unit), and the cosine of azimuths that are too far
+// from it, below -1 where none is.
+vec3 brdfSkyPanelAzimuth(vec3 d, float radius)
+{
+  float sine = max(length(d.xy), 1e-6);
+  float width = max(radius, 0.04) / max(sine, 1e-3) + 0.39269908169872414;
+  return vec3(d.xy / sine,
+    cos(min(width, 3.14159265358979)) - max(width - 3.14159265358979, 0.0));
+}
+
+// A sector's part of the hidden irradiance from a uniform sky.
+float brdfSkySquare(vec2 bounds)
+{
+  return (bounds.y * bounds.y - bounds.x * bounds.x) * (1.0 / (16.0 * 255.0 * 255.0));
+}
+
+// Where a panel begins and ends above the horizon, in the sine of elevation as bytes are.
+vec2 brdfSkyPanelEnds(vec3 d, float radius)
+{
+  float extent = max(radius * max(length(d.xy), 1e-6), 0.04);
+  return vec2(max(d.z - extent, 0.0), min(d.z + extent, 1.0)) * 255.0;
+}
+
+// Add a sector's hidden part of a panel's irradiance, and its weight, to sum.
+void brdfSkyPanelSector(vec2 along, vec2 bounds, vec3 azimuth, vec2 ends, inout vec2 sum)
+{
+  float weight = max(dot(along, azimuth.xy) - azimuth.z, 0.0);
+  vec2 part = clamp(bounds, ends.x, ends.y);
+  sum += weight * vec2(part.y * part.y - part.x * part.x, 1.0);
+}
+
+// Hidden share of a panel.
+float brdfSkyPanelHidden(vec2 sum, vec2 ends)
+{
+  float all = sum.y * (ends.y * ends.y - ends.x * ends.x);
+  return ends.y > ends.x ? clamp(sum.x / max(all, 0.065), 0.0, 1.0) : 0.0;
+}
+
+// A panel of this radius (radians) whose middle has sine z of elevation: its mean max(z, 0), and
+// how much of it has risen.
+vec2 brdfSkyPanelRise(float z, float radius)
+{
+  float rise = max(z + radius, 0.0);
+  return vec2(z > radius ? z : rise * rise / (4.0 * radius), min(rise / (2.0 * radius), 1.0));
+}
+
+// A panel's radiance in a lobe exp(kappa (d . axis)) of integral 1, over its irradiance: both are
+// such lobes, with this cosine between their axes.
+float brdfSkyPanelInLobe(float concentration, float kappa, float cosine)
+{
+  float both = kappa * concentration / (kappa + concentration);
+  return both * 0.15915494309189535 * exp2(both * 1.442695041 * (cosine - 1.0));
+}
+
 // Hidden share of a lobe's light: odds of the lobe's hidden share, times how much brighter than the
 // rest the hidden sky is where the lobe is wide. cosine: hidden share under a uniform sky.
 vec3 brdfSkyLobe(float share, float kappa, vec3 hidden, vec3 irradiance, float cosine)

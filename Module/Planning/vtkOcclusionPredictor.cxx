@@ -3,7 +3,10 @@
 #include "vtkOcclusionPredictor.h"
 
 #include "Setters.h"
+#include "TakenError.h"
 #include "vtkBRDF.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
 #include "vtkDoubleArray.h"
 #include "vtkEnvironment.h"
 #include "vtkNew.h"
@@ -100,12 +103,15 @@ bool vtkOcclusionPredictor::Update()
   {
     return true;
   }
+  const double before[] = { this->Error, this->Uncertainty };
   const int most = std::max(this->MaximumNumberOfPoints, this->NumberOfPoints);
   for (int count = this->NumberOfPoints;; count = count > most / Growth ? most : Growth * count)
   {
     if (!this->Predict(count))
     {
-      vtkErrorMacro("Update: nothing can be predicted.");
+      this->Error = before[0];
+      this->Uncertainty = before[1];
+      vtkErrorMacro(<< (this->Abort ? "Update: aborted." : "Update: nothing can be predicted."));
       return false;
     }
     if (count >= most || this->Uncertainty <= SureShare * this->Error ||
@@ -133,7 +139,19 @@ bool vtkOcclusionPredictor::Predict(int numberOfPoints)
   integrator->SetNumberOfBounces(this->NumberOfBounces);
   // Both sums of one set of samples: what they have in common cancels.
   integrator->UnoccludedReferenceOff();
-  if (!this->Scene->DrawVisiblePoints(numberOfPoints, this->ViewDirection, points, views) ||
+  vtkNew<vtkCallbackCommand> follow;
+  follow->SetClientData(this);
+  follow->SetCallback(
+    [](vtkObject* caller, unsigned long, void* self, void* progress)
+    {
+      auto* predictor = static_cast<vtkOcclusionPredictor*>(self);
+      predictor->InvokeEvent(vtkCommand::ProgressEvent, progress);
+      static_cast<vtkTracedRadianceIntegrator*>(caller)->SetAbort(predictor->Abort);
+    });
+  integrator->AddObserver(vtkCommand::ProgressEvent, follow);
+  const measuredbrdf::TakenError error(integrator); // Update says it
+  if (this->Abort ||
+      !this->Scene->DrawVisiblePoints(numberOfPoints, this->ViewDirection, points, views) ||
       !integrator->Integrate(points, views, radiance, open))
   {
     return false;
@@ -196,6 +214,7 @@ void vtkOcclusionPredictor::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumNumberOfPoints: " << this->MaximumNumberOfPoints << "\n";
   os << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n";
   os << indent << "NumberOfBounces: " << this->NumberOfBounces << "\n";
+  os << indent << "Abort: " << (this->Abort ? "On" : "Off") << "\n";
   os << indent << "Error: " << this->Error << "\n";
   os << indent << "Uncertainty: " << this->Uncertainty << "\n";
 }

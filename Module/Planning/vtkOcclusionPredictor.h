@@ -25,6 +25,7 @@
 #include "vtkObject.h"
 #include "vtkSmartPointer.h" // for BRDF, Environment, Scene
 
+#include <atomic> // for Abort
 #include <string> // for GetText
 
 class vtkBRDF;
@@ -91,6 +92,15 @@ public:
 
   ///@{
   /**
+   * Stop Update, also from another thread or an observer of ProgressEvent: it returns false with an
+   * error event, the last prediction unchanged. Until it is false again, Update fails.
+   */
+  void SetAbort(bool abort) { this->Abort = abort; }
+  bool GetAbort() const { return this->Abort; }
+  ///@}
+
+  ///@{
+  /**
    * The predicted relative L1 error of leaving occlusion out, and its uncertainty (two standard
    * errors). An error above 1 is possible: where the scene hides most of the light. No light at all
    * reaches the scene: both are infinite.
@@ -124,6 +134,7 @@ protected:
   int NumberOfBounces = 0;
   double Error = 0.0;
   double Uncertainty = 0.0;
+  std::atomic<bool> Abort{ false };
 
 private:
   vtkOcclusionPredictor(const vtkOcclusionPredictor&) = delete;

@@ -999,6 +999,8 @@ add("Fetch.files-have-no-names", "FetchCatalog.cxx", "return entry.Name == name 
 
 add("Visibility.hidden-rays-without-cosine", "Private/HiddenSky.cxx", "transfer[j] += d.z * values[j];",
     "transfer[j] += values[j];", "HiddenSky.ACraterHidesTheLowSky")
+add("Visibility.panels-hidden-by-slivers", "Private/HiddenSky.cxx", "return this->Trust * std::clamp(", "return std::clamp(",
+    "HiddenSky.SliversAtTheHorizonHideNoPanel")
 add("Visibility.sectors-count-backwards", "Private/HiddenSky.cxx", "return 2.0 * Pi * sector / HiddenSky::Sectors;",
     "return -2.0 * Pi * sector / HiddenSky::Sectors;", "OcclusionTest.LobesLackTheirHiddenShare")
 add("Visibility.strata-without-offset", "Private/HiddenSky.cxx",

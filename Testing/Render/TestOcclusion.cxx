@@ -42,6 +42,7 @@
 #include <cmath>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 using measuredbrdf::HiddenSky;
@@ -185,19 +186,9 @@ protected:
   {
     const measuredbrdf::OcclusionLight light(brdf, this->Environment, integrator);
     const measuredbrdf::OcclusionAxes axes(this->Renderer, this->Actor, { this->Environment });
-    const measuredbrdf::sky::Colors turned = light.GetLight(axes.ToEnvironment[0]);
     const HiddenSky sky(GetCode(this->Surface, 4));
-    const glm::dvec3 n = sky.GetNormal();
-    Expected expected;
-    expected.HiddenIrradiance = sky.GetHiddenIrradiance(turned);
-    const double cosine = glm::dot(n, view);
-    const auto lobe = light.Lobes.Get(cosine);
-    const glm::dvec3 rest = view - cosine * n;
-    const glm::dvec3 across = rest / std::max(glm::length(rest), 1e-6);
-    const double share =
-      sky.GetHiddenShare(glm::normalize(lobe.Cosine * n - lobe.Sine * across), lobe.Kappa);
-    expected.HiddenLight = sky.GetHiddenLight(
-      share, lobe.Kappa, expected.HiddenIrradiance, measuredbrdf::sky::GetIrradiance(turned, n));
+    const auto hidden = light.GetHidden(sky, view, axes.ToEnvironment[0]);
+    Expected expected = { hidden.Irradiance, hidden.Lobe, {} };
     for (const glm::dvec3& lamp : light.Lamps)
     {
       expected.Lamps.push_back(sky.GetVisibleLamp(glm::transpose(axes.ToEnvironment[0]) * lamp));
@@ -320,9 +311,59 @@ TEST_F(OcclusionTest, LampsAreHiddenOneByOne)
   EXPECT_GT(dark, 0);
 }
 
-// Of many lamps the irradiance holds the Lambert part: what is hidden of it is that of the whole
-// map.
-TEST_F(OcclusionTest, ManyLampsAreHiddenWithTheMap)
+// Large panels: each is hidden on its own, of matte surfaces and in lobes.
+TEST_F(OcclusionTest, PanelsAreHiddenOneByOne)
+{
+  SpreadCode(this->Surface, 4);
+  std::vector<float> pixels(3 * 64 * 32, 0.05f);
+  for (const auto& [row, column] : { std::pair(8, 5), std::pair(11, 20), std::pair(6, 43) })
+  {
+    for (int k = 0; k < 16; ++k)
+    {
+      const int at = 3 * (64 * (row + k / 4) + column + k % 4);
+      pixels[static_cast<std::size_t>(at)] = 8.0f;
+      pixels[static_cast<std::size_t>(at + 1)] = 6.0f;
+      pixels[static_cast<std::size_t>(at + 2)] = static_cast<float>(row);
+    }
+  }
+  this->Environment->SetPixels(64, 32, pixels);
+  vtkNew<vtkLambertBRDF> matte;
+  vtkNew<vtkBlinnPhongBRDF> gloss;
+  gloss->SetSpecular(0.5, 0.5, 0.5);
+  gloss->SetExponent(20.0);
+  vtkNew<vtkTableRadianceIntegrator> table;
+  MakeSmall(table.Get());
+  ASSERT_GE(measuredbrdf::OcclusionLight(matte, this->Environment, table).Panels.size(), 3u);
+  double f[3];
+  const double up[3] = { 0.0, 0.0, 1.0 };
+  matte->Evaluate(up, up, f);
+  double largest = 0.0;
+  for (const double rotation : { 0.0, 60.0, 150.0, 270.0 })
+  {
+    this->Tilt(0.2 * rotation - 20.0);
+    this->Environment->SetRotationY(rotation);
+    this->Mapper->SetBRDF(matte);
+    this->Mapper->SetIntegrator(table);
+    const glm::dvec3 off = this->RenderMiddle(0);
+    const glm::dvec3 on = this->RenderMiddle(1);
+    const Expected expected = this->Evaluate(matte, table, this->GetView());
+    const glm::dvec3 wanted = off - glm::dvec3(f[0], f[1], f[2]) * expected.HiddenIrradiance;
+    EXPECT_LT(glm::length(on - wanted), 2e-3 * glm::length(off)) << rotation;
+    largest = std::max(largest, glm::length(off - on) / glm::length(off));
+    vtkNew<vtkTableRadianceIntegrator> other;
+    MakeSmall(other.Get());
+    this->Mapper->SetBRDF(gloss);
+    this->Mapper->SetIntegrator(other);
+    const glm::dvec3 shiny = this->RenderMiddle(0);
+    const glm::dvec3 left =
+      shiny * (1.0 - this->Evaluate(gloss, other, this->GetView()).HiddenLight);
+    EXPECT_LT(glm::length(this->RenderMiddle(1) - left), 3e-3 * glm::length(shiny)) << rotation;
+  }
+  EXPECT_GT(largest, 0.1);
+}
+
+// Of many lamps the irradiance holds the Lambert part, of which each lamp takes its own away.
+TEST_F(OcclusionTest, ManyLampsAreHiddenOneByOne)
 {
   SpreadCode(this->Surface, 4);
   vtkNew<vtkLambertBRDF> brdf;

@@ -79,6 +79,18 @@ std::shared_ptr<const EnvironmentPyramid> EnvironmentPrecomputation::GetPyramid(
     [&]() { return std::make_shared<EnvironmentPyramid>(environment, rest.get()); });
 }
 
+std::shared_ptr<const EnvironmentPanels> EnvironmentPrecomputation::GetPanels(
+  vtkEnvironment* environment, const Rest& rest, const GoOn& goOn)
+{
+  return this->Panels.Get(rest.get(), goOn,
+    [&]() -> std::shared_ptr<EnvironmentPanels>
+    {
+      const auto lights = this->GetLightSet(environment, rest, EnvironmentPanels::Lights, goOn);
+      return lights ? std::make_shared<EnvironmentPanels>(environment, rest.get(), lights)
+                    : nullptr;
+    });
+}
+
 vtkSmartPointer<vtkLightSet> EnvironmentPrecomputation::GetLightSet(
   vtkEnvironment* environment, const Rest& rest, int count, const GoOn& goOn)
 {

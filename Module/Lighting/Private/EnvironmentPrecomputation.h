@@ -11,6 +11,7 @@
 #define EnvironmentPrecomputation_h
 
 #include "EnvironmentHarmonics.h"
+#include "EnvironmentPanels.h"
 #include "EnvironmentPyramid.h"
 #include "ExtractedEmitters.h"
 #include "MadeOnce.h"
@@ -70,6 +71,10 @@ public:
   std::shared_ptr<const EnvironmentPyramid> GetPyramid(
     vtkEnvironment* environment, const Rest& rest, const GoOn& goOn);
 
+  /// Null where goOn says so.
+  std::shared_ptr<const EnvironmentPanels> GetPanels(
+    vtkEnvironment* environment, const Rest& rest, const GoOn& goOn);
+
   /// vtkVarianceLightSetGenerator's as it is.
   vtkSmartPointer<vtkLightSet> GetLightSet(
     vtkEnvironment* environment, const Rest& rest, int count, const GoOn& goOn);
@@ -95,6 +100,7 @@ private:
   MadeOnce<std::pair<double, int>, Lamps> Bright;
   MadeOnce<std::pair<double, int>, Lamps> LampsOf;
   MadeOnce<std::pair<const TexelChanges*, int>, EnvironmentHarmonics> Harmonics; // rest, degree
+  MadeOnce<const TexelChanges*, EnvironmentPanels> Panels;
   MadeOnce<const TexelChanges*, EnvironmentPyramid> Pyramids;
   MadeOnce<std::pair<const TexelChanges*, int>, LightSet> LightSets; // rest, count
   // Generator, its modification time (never used twice: a recycled address does no harm), count.

@@ -78,10 +78,9 @@ void MaterialDrawing::ForecastOcclusion(
   {
     if (drawn.IsReady && drawn.Plan && drawn.Environment)
     {
-      const auto environment =
-        vtkSmartPointer<vtkEnvironment>::Take(drawn.Environment->NewSnapshot());
-      question.Materials.push_back({ drawn.BRDF, environment, drawn.Environment->GetPixelsMTime(),
-        drawn.Plan->GetPredictedError(drawn.Plan->GetChoice()) });
+      question.Materials.push_back(
+        { drawn.BRDF, drawn.Environment, drawn.Environment->GetPixelsMTime(),
+          drawn.Plan->GetPredictedError(drawn.Plan->GetChoice()) });
       question.InBackground = question.InBackground && drawn.BRDF != drawn.Source;
     }
   }

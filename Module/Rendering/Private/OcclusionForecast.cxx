@@ -6,7 +6,9 @@
 #include "LocalFrame.h"
 #include "SurfaceBlocks.h"
 #include "SurfacePoints.h"
+#include "TakenError.h"
 #include "vtkCellArray.h"
+#include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkNew.h"
@@ -100,6 +102,18 @@ vtkSmartPointer<vtkPolyData> CopySurface(vtkPolyData* surface, bool deep)
   }
   return copy;
 }
+
+// As environments are now: the job may go on while they are changed.
+std::vector<OcclusionQuestion::Material> TakeSnapshots(
+  std::vector<OcclusionQuestion::Material> materials)
+{
+  for (OcclusionQuestion::Material& material : materials)
+  {
+    material.Environment =
+      vtkSmartPointer<vtkEnvironment>::Take(material.Environment->NewSnapshot());
+  }
+  return materials;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -107,7 +121,7 @@ class OcclusionForecast::Job
 {
 public:
   Job(const OcclusionQuestion& question, bool apart)
-    : Materials(question.Materials)
+    : Materials(TakeSnapshots(question.Materials))
     , ToEnvironment(question.ToEnvironment)
     , Tolerance(question.Tolerance)
     , Most(apart ? MostPointsInBackground : MostPoints)
@@ -122,8 +136,8 @@ public:
 
   ~Job()
   {
-    this->Filter->SetAbortExecute(1);
     this->IsStopped = true;
+    this->Predictor->SetAbort(true);
     if (this->Thread.joinable())
     {
       this->Thread.join();
@@ -171,6 +185,7 @@ public:
     {
       return;
     }
+    this->Filter->AddObserver(vtkCommand::ProgressEvent, this, &Job::FollowFilter);
     this->Filter->BothSidesOn(); // whichever way the normals point
     this->Filter->SetBounce(this->WithBounce);
     this->Filter->SetInputDataObject(this->Input);
@@ -213,13 +228,23 @@ private:
     return this->Scene;
   }
 
+  // On its own thread: a request from another one could come before it begins.
+  void FollowFilter(vtkObject*, unsigned long, void*)
+  {
+    if (this->IsStopped)
+    {
+      this->Filter->SetAbortExecute(1);
+    }
+  }
+
   // Whether it is worth modeling.
   bool Predict(const OcclusionQuestion::Material& material)
   {
-    vtkNew<vtkOcclusionPredictor> predictor;
+    vtkOcclusionPredictor* predictor = this->Predictor;
     predictor->SetScene(this->GetScene());
     predictor->SetBRDF(material.BRDF);
     predictor->SetEnvironment(material.Environment);
+    const TakenError stopped(predictor); // nobody waits for it any more
     const bool done = predictor->Update();
     if (done && predictor->GetError() > this->Error)
     {
@@ -231,6 +256,7 @@ private:
   }
 
   vtkSmartPointer<vtkTracedScene> Scene;
+  vtkNew<vtkOcclusionPredictor> Predictor;
   vtkNew<vtkSurfaceVisibilityFilter> Filter;
   std::atomic<bool> IsStopped{ false };
   std::thread Thread;

@@ -32,14 +32,14 @@ struct OcclusionQuestion
   {
     vtkSmartPointer<vtkBRDF> BRDF;
     vtkSmartPointer<vtkEnvironment> Environment;
-    vtkMTimeType PixelsTime = 0; // of the environment, which may be a snapshot
+    vtkMTimeType PixelsTime = 0; // of the environment
     double PlanError = 0.0;
   };
   vtkDataObject* Input = nullptr; // polydata, or composite data
   std::vector<Material> Materials;
   vtkSmartPointer<vtkMatrix4x4> ToEnvironment; // from the input's axes; null: the same
   double Tolerance = 0.02;
-  bool InBackground = false; // materials are then snapshots
+  bool InBackground = false; // BRDFs are then snapshots
   bool WithBounce = false;   // whether what is traced has to have vtkSurfaceVisibilityFilter's
 };
 

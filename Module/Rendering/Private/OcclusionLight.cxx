@@ -56,6 +56,26 @@ sky::Colors MakeLight(vtkEnvironment* environment, const EnvironmentPrecomputati
   const glm::dmat3 axes({ 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 }, { 1.0, 0.0, 0.0 });
   return sky::Rotate(colors, axes);
 }
+// Less the harmonics of a von Mises-Fisher lobe: its bands follow the recurrence of modified
+// spherical Bessel functions.
+void Subtract(const EnvironmentPanels::Panel& panel, sky::Colors& light)
+{
+  const double k = panel.Concentration;
+  double bands[sky::Degree + 1] = { 1.0, 1.0 / std::tanh(k) - 1.0 / k };
+  for (int l = 1; l < sky::Degree; ++l)
+  {
+    bands[l + 1] = bands[l - 1] - (2 * l + 1) / k * bands[l];
+  }
+  const sky::Values values = sky::Evaluate(panel.Direction);
+  for (int l = 0; l <= sky::Degree; ++l)
+  {
+    for (int j = l * l; j < (l + 1) * (l + 1); ++j)
+    {
+      const auto at = static_cast<std::size_t>(j);
+      light[at] -= panel.Irradiance * (bands[l] * values[at]);
+    }
+  }
+}
 }
 
 OcclusionLobes::OcclusionLobes(vtkBRDF* brdf, bool withFloor)
@@ -124,13 +144,15 @@ OcclusionLight::OcclusionLight(
       vtkMath::RadiansFromDegrees(hybrid->GetLightAngle()), hybrid->GetMaximumNumberOfLights(),
       []() { return true; });
     const auto count = static_cast<int>(lamps->Lights.size());
-    if (!vtkHybridRadianceIntegrator::AreWindowed(brdf, count))
-    {
-      rest = lamps->Rest; // else E(n) holds what the lamps' Lambert part reflects
-    }
+    rest = lamps->Rest;
+    const bool inIrradiance = vtkHybridRadianceIntegrator::AreWindowed(brdf, count);
     for (const ExtractedEmitters::Light& lamp : lamps->Lights)
     {
       this->Lamps.push_back(lamp.Direction);
+      if (inIrradiance)
+      {
+        this->LampLight.push_back(lamp.Irradiance);
+      }
     }
   }
   this->Light = MakeLight(environment, rest);
@@ -146,6 +168,73 @@ OcclusionLight::OcclusionLight(
     }
     this->Bounce = std::make_shared<OcclusionBounce>(lambert, albedos, MakeLight(environment, {}));
   }
+  const auto panels = environment->GetParts().GetPanels(environment, rest, []() { return true; });
+  for (std::size_t k = 0; panels && k < panels->GetPanels().size(); ++k)
+  {
+    this->Panels.push_back(panels->GetPanels()[k]);
+    Subtract(this->Panels.back(), this->Light);
+  }
+}
+
+sky::Colors OcclusionLight::GetLight(const glm::dmat3& toEnvironment, std::size_t tested) const
+{
+  sky::Colors light = this->Light;
+  for (std::size_t k = tested; k < this->LampLight.size(); ++k)
+  {
+    const sky::Values values = sky::Evaluate(this->Lamps[k]);
+    for (std::size_t j = 0; j < sky::Harmonics; ++j)
+    {
+      light[j] += values[j] * this->LampLight[k];
+    }
+  }
+  return sky::Rotate(light, toEnvironment);
+}
+
+OcclusionLight::Hidden OcclusionLight::GetHidden(
+  const HiddenSky& sky, const glm::dvec3& view, const glm::dmat3& toEnvironment) const
+{
+  const glm::dvec3 n = sky.GetNormal();
+  const double cosine = glm::dot(n, view);
+  const OcclusionLobes::Lobe lobe = this->Lobes.Get(cosine);
+  const glm::dvec3 rest = view - cosine * n;
+  const glm::dvec3 across = rest / std::max(glm::length(rest), 1e-6);
+  const glm::dvec3 axis = glm::normalize(lobe.Cosine * n - lobe.Sine * across);
+  const sky::Colors light = this->GetLight(toEnvironment);
+  const glm::dvec3 irradiance = sky::GetIrradiance(light, n);
+  Hidden hidden = { sky.GetHiddenIrradiance(light), glm::dvec3(0.0) };
+  const glm::dvec3 share = sky.GetHiddenLight(
+    sky.GetHiddenShare(axis, lobe.Kappa), lobe.Kappa, hidden.Irradiance, irradiance);
+  // Radiance in the lobe: of the rest, then of panels.
+  glm::dvec3 all = glm::max(irradiance, glm::dvec3(1e-12)) / Pi;
+  glm::dvec3 lost = share * all;
+  for (const EnvironmentPanels::Panel& panel : this->Panels)
+  {
+    const glm::dvec3 d = glm::transpose(toEnvironment) * panel.Direction;
+    const double radius = GetPanelRadius(panel);
+    const double z = glm::dot(d, n);
+    const double rise = std::max(z + radius, 0.0);
+    const double part = sky.GetHiddenPanel(d, radius);
+    hidden.Irradiance += part * (z > radius ? z : rise * rise / (4.0 * radius)) * panel.Irradiance;
+    const double both = lobe.Kappa * panel.Concentration / (lobe.Kappa + panel.Concentration);
+    const glm::dvec3 inLobe =
+      panel.Irradiance * (std::min(rise / (2.0 * radius), 1.0) * both / (2.0 * Pi) *
+                           std::exp(both * (glm::dot(d, axis) - 1.0)));
+    all += inLobe;
+    lost += part * inLobe;
+  }
+  hidden.Lobe = lost / all;
+  for (std::size_t k = 0; k < std::min(this->LampLight.size(), MaximumLamps); ++k)
+  {
+    const glm::dvec3 d = glm::transpose(toEnvironment) * this->Lamps[k];
+    hidden.Irradiance +=
+      (1.0 - sky.GetVisibleLamp(d)) * std::max(glm::dot(d, n), 0.0) * this->LampLight[k];
+  }
+  return hidden;
+}
+
+double GetPanelRadius(const EnvironmentPanels::Panel& panel)
+{
+  return std::sqrt(0.5 / panel.Concentration);
 }
 
 glm::mat4 GetIrradianceForm(const sky::Colors& light, int channel)

@@ -10,6 +10,7 @@
 #define OcclusionLight_h
 
 #include "OcclusionBounce.h"
+#include "EnvironmentPanels.h"
 #include "SkyHarmonics.h"
 #include "vtkSmartPointer.h"
 
@@ -25,6 +26,8 @@ class vtkRadianceIntegrator;
 
 namespace measuredbrdf
 {
+class HiddenSky;
+
 /// The lobe of a material, less what the integrator reflects as a Lambert surface does.
 class OcclusionLobes
 {
@@ -60,17 +63,29 @@ struct OcclusionLight
   static constexpr std::size_t MaximumLamps = 16;
 
   OcclusionLobes Lobes;
-  sky::Colors Light;             // without the lamps, in the environment's frame
-  std::vector<glm::dvec3> Lamps; // directions in the environment's frame
-  bool IsSplit = false;          // whether the integrator tells Lambert part, lobe and lamps apart
+  sky::Colors Light;                 // without lamps and panels, in the environment's frame
+  std::vector<glm::dvec3> Lamps;     // directions in the environment's frame
+  std::vector<glm::dvec3> LampLight; // irradiance of lamps that E(n) holds; else empty
+  std::vector<EnvironmentPanels::Panel> Panels;
+  bool IsSplit = false; // whether the integrator tells Lambert part, lobe and lamps apart
   std::shared_ptr<const OcclusionBounce> Bounce; // null: what is hidden is black
 
-  /// Light for a surface whose axes the matrix turns into the environment's.
-  sky::Colors GetLight(const glm::dmat3& toEnvironment) const
+  /// Light for a surface whose axes the matrix turns into the environment's, of which the first
+  /// lamps are tested. Others stay in it where E(n) holds them.
+  sky::Colors GetLight(const glm::dmat3& toEnvironment, std::size_t tested = MaximumLamps) const;
+
+  /// What a point hides, seen from a unit direction in the surface's axes: irradiance, and the
+  /// share of the lobe's light. Lamps' own lobes apart. C++ twin of what OcclusionShader writes.
+  struct Hidden
   {
-    return sky::Rotate(this->Light, toEnvironment);
-  }
+    glm::dvec3 Irradiance, Lobe;
+  };
+  Hidden GetHidden(
+    const HiddenSky& sky, const glm::dvec3& view, const glm::dmat3& toEnvironment) const;
 };
+
+/// How large a panel is taken to be: an angular radius in radians.
+double GetPanelRadius(const EnvironmentPanels::Panel& panel);
 
 /// Irradiance as a quadratic form of (n, 1), for a channel; by columns.
 glm::mat4 GetIrradianceForm(const sky::Colors& light, int channel);

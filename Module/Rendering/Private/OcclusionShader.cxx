@@ -152,6 +152,48 @@ std::string MakeCommonCode()
   return text + "  bool brdfSkyMatters = " + highs + " > 0.5;\n";
 }
 
+// After the rest of the light: panels, each on its own.
+std::string MakePanelCode(const std::string& m, const std::string& out, std::size_t panels)
+{
+  // How much less the harmonics say is hidden than the sectors.
+  std::string text = "  float brdfInSectors#M = 0.0;\n";
+  for (int s = 0; s < HiddenSky::Sectors; ++s)
+  {
+    text += "  brdfInSectors#M += brdfSkySquare(" + Bounds(s) + ");\n";
+  }
+  text += R"(  vec3 brdfLobeAll#M = max(brdfRest#M, vec3(1e-12)) * 0.3183098861837907;
+  vec3 brdfLobeLost#M = brdfHiddenLobe#OUTVSOutput * brdfLobeAll#M;
+  float brdfSkyTrust#M = clamp(brdfSkyHidden / max(brdfInSectors#M, 1e-6), 0.0, 1.0);
+  for (int k = 0; k < #COUNT; ++k)
+  {
+    vec4 panel = brdfSkyPanel#M[k];
+    vec3 direction = panel.xyz * brdfSkyAxes;
+    float radius = sqrt(0.5 / panel.w);
+    vec3 azimuth = brdfSkyPanelAzimuth(direction, radius);
+    vec2 ends = brdfSkyPanelEnds(direction, radius);
+    vec2 sum = vec2(0.0);
+)";
+  for (int s = 0; s < HiddenSky::Sectors; ++s)
+  {
+    text += "    brdfSkyPanelSector(" + Along(s) + ", " + Bounds(s) + ", azimuth, ends, sum);\n";
+  }
+  text += R"(    float hidden = brdfSkyPanelHidden(sum, ends) * brdfSkyTrust#M;
+    vec2 rise = brdfSkyPanelRise(direction.z, radius);
+    vec3 light = brdfSkyPanelLight#M[k];
+    float cosine = dot(direction, brdfAxis#M);
+    vec3 inLobe = light * (rise.y * brdfSkyPanelInLobe(panel.w, brdfLobe#M.z, cosine));
+    brdfHiddenLight#OUTVSOutput += hidden * rise.x * light;
+    brdfLobeAll#M += inLobe;
+    brdfLobeLost#M += hidden * inLobe;
+  }
+  brdfHiddenLobe#OUTVSOutput = brdfLobeLost#M / brdfLobeAll#M;
+)";
+  vtkShaderProgram::Substitute(text, "#OUT", out);
+  vtkShaderProgram::Substitute(text, "#M", m);
+  vtkShaderProgram::Substitute(text, "#COUNT", std::to_string(panels));
+  return text;
+}
+
 std::string MakeMemberCode(const OcclusionLights& lights, const OcclusionLayout& layout,
   std::size_t side, std::size_t member)
 {
@@ -180,9 +222,12 @@ std::string MakeMemberCode(const OcclusionLights& lights, const OcclusionLayout&
   {
     text += OcclusionBounce::MakeMemberCode(member, SideNames[side], share);
   }
+  text += "  vec3 brdfRest" + m + " = brdfSkyIrradiance(brdfSkyRed" + m + ", brdfSkyGreen" + m +
+          ", brdfSkyBlue" + m + ", brdfSkyN);\n";
   text += "  brdfHiddenLobe" + out + "VSOutput = brdfSkyLobe(" + share + ", brdfLobe" + m +
-          ".z, brdfHiddenLight" + out + "VSOutput, brdfSkyIrradiance(brdfSkyRed" + m +
-          ", brdfSkyGreen" + m + ", brdfSkyBlue" + m + ", brdfSkyN), brdfSkyHidden);\n";
+          ".z, brdfHiddenLight" + out + "VSOutput, brdfRest" + m + ", brdfSkyHidden);\n";
+  const std::size_t panels = lights[member]->Panels.size();
+  text += panels > 0 ? MakePanelCode(m, out, panels) : "";
   for (std::size_t k = 0; k < CountLamps(lights, layout.TwoSided, member); ++k)
   {
     const std::string lamp = m + "_" + std::to_string(k);
@@ -198,6 +243,13 @@ std::string MakeMemberCode(const OcclusionLights& lights, const OcclusionLayout&
     text += "  brdfLamps" + out + "_" + std::to_string(k / 4) + "VSOutput." +
             std::string(1, "xyzw"[k % 4]) + " = brdfSkyLamp(brdfBounds" + lamp + ", brdfLamp" +
             lamp + ".z);\n";
+    if (!lights[member]->LampLight.empty())
+    {
+      text += "  brdfHiddenLight" + out + "VSOutput += (1.0 - brdfLamps" + out + "_" +
+              std::to_string(k / 4) + "VSOutput." + std::string(1, "xyzw"[k % 4]) +
+              ") * max(brdfLamp" + lamp + ".z, 0.0) * brdfSkyLampLight" + m + "[" +
+              std::to_string(k) + "];\n";
+    }
   }
   return text + "  }\n";
 }
@@ -220,6 +272,14 @@ std::string MakeSideCode(
   return text + "  }\n  }\n";
 }
 
+std::string DeclarePanels(const std::string& m, std::size_t panels)
+{
+  const std::string size = "[" + std::to_string(panels) + "];\n";
+  return panels > 0
+           ? "uniform vec4 brdfSkyPanel" + m + size + "uniform vec3 brdfSkyPanelLight" + m + size
+           : "";
+}
+
 std::string DeclareMember(
   const OcclusionLights& lights, const OcclusionLayout& layout, std::size_t member)
 {
@@ -230,7 +290,11 @@ std::string DeclareMember(
          "];\nuniform vec3 brdfSkyLobes" + m + "[" + std::to_string(OcclusionLobes::Views) +
          "];\nuniform mat4 brdfSkyRed" + m + ";\nuniform mat4 brdfSkyGreen" + m +
          ";\nuniform mat4 brdfSkyBlue" + m + ";\n" +
-         (lamps > 0 ? "uniform vec3 brdfSkyLamp" + m + "[" + std::to_string(lamps) + "];\n" : "");
+         DeclarePanels(m, lights[member]->Panels.size()) +
+         (lamps > 0 ? "uniform vec3 brdfSkyLamp" + m + "[" + std::to_string(lamps) + "];\n" : "") +
+         (lamps > 0 && !lights[member]->LampLight.empty()
+             ? "uniform vec3 brdfSkyLampLight" + m + "[" + std::to_string(lamps) + "];\n"
+             : "");
 }
 
 // What the macros of DefineOcclusion read, of the side that the fragment's triangle shows.
@@ -280,6 +344,7 @@ std::string GetOcclusionKey(const OcclusionLights& lights, const OcclusionLayout
   for (const OcclusionLight* light : lights)
   {
     key += light ? "/sky" + std::to_string(light->Lamps.size()) + (light->IsSplit ? "s" : "w") +
+                     (light->LampLight.empty() ? "" : "e") + std::to_string(light->Panels.size()) +
                      (light->Bounce ? "b" : "")
                  : "/open";
   }
@@ -353,6 +418,50 @@ std::string DefineOcclusion(const OcclusionLight* light, std::size_t member)
   return text;
 }
 
+namespace
+{
+void SetLampLight(vtkShaderProgram* program, const std::string& number,
+  const std::vector<glm::dvec3>& light, std::size_t lamps)
+{
+  std::vector<float> values;
+  for (std::size_t k = 0; k < std::min(light.size(), lamps); ++k)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      values.push_back(static_cast<float>(light[k][c]));
+    }
+  }
+  if (!values.empty())
+  {
+    program->SetUniform3fv(
+      ("brdfSkyLampLight" + number).c_str(), static_cast<int>(values.size() / 3), values.data());
+  }
+}
+
+void SetPanels(vtkShaderProgram* program, const std::string& number,
+  const std::vector<EnvironmentPanels::Panel>& panels, const glm::dmat3& toEnvironment)
+{
+  std::vector<float> places;
+  std::vector<float> light;
+  for (const EnvironmentPanels::Panel& panel : panels)
+  {
+    const glm::dvec3 d = glm::transpose(toEnvironment) * panel.Direction;
+    for (int c = 0; c < 3; ++c)
+    {
+      places.push_back(static_cast<float>(d[c]));
+      light.push_back(static_cast<float>(panel.Irradiance[c]));
+    }
+    places.push_back(static_cast<float>(panel.Concentration));
+  }
+  const int count = static_cast<int>(panels.size());
+  if (count > 0)
+  {
+    program->SetUniform4fv(("brdfSkyPanel" + number).c_str(), count, places.data());
+    program->SetUniform3fv(("brdfSkyPanelLight" + number).c_str(), count, light.data());
+  }
+}
+}
+
 void SetOcclusionUniforms(vtkShaderProgram* program, const OcclusionLights& lights,
   const OcclusionSides& sides, const glm::dmat3& toModel, bool parallel,
   const std::vector<glm::dmat3>& toEnvironment)
@@ -376,7 +485,8 @@ void SetOcclusionUniforms(vtkShaderProgram* program, const OcclusionLights& ligh
       continue;
     }
     const std::string number = std::to_string(m);
-    const sky::Colors light = lights[m]->GetLight(toEnvironment[m]);
+    const sky::Colors light =
+      lights[m]->GetLight(toEnvironment[m], CountLamps(lights, sides.Both, m));
     std::vector<float> values;
     for (const glm::dvec3& color : light)
     {
@@ -406,6 +516,7 @@ void SetOcclusionUniforms(vtkShaderProgram* program, const OcclusionLights& ligh
     {
       lights[m]->Bounce->SetUniforms(program, m, toEnvironment[m]);
     }
+    SetPanels(program, number, lights[m]->Panels, toEnvironment[m]);
     values.clear();
     for (std::size_t k = 0; k < CountLamps(lights, sides.Both, m); ++k)
     {
@@ -419,6 +530,7 @@ void SetOcclusionUniforms(vtkShaderProgram* program, const OcclusionLights& ligh
     {
       program->SetUniform3fv(
         ("brdfSkyLamp" + number).c_str(), static_cast<int>(values.size() / 3), values.data());
+      SetLampLight(program, number, lights[m]->LampLight, values.size() / 3);
     }
   }
 }

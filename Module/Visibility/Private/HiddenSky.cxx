@@ -196,15 +196,18 @@ HiddenSky::Code HiddenSky::Encode(
 HiddenSky::HiddenSky(const Code& code)
   : Frame(FrameAbout(UnpackNormal(code.data())))
 {
+  double inSectors = 0.0;
   for (std::size_t s = 0; s < Sectors; ++s)
   {
     this->Low[s] = code[3 + 2 * s] / 255.0;
     this->High[s] = code[4 + 2 * s] / 255.0;
+    inSectors += (this->High[s] * this->High[s] - this->Low[s] * this->Low[s]) / Sectors;
   }
   for (std::size_t j = 0; j < sky::Harmonics; ++j)
   {
     this->Transfer[j] = (code[SectorBytes + j] - OpenTransfer) * TransferStep;
   }
+  this->Trust = std::clamp(this->GetHiddenCosine() / std::max(inSectors, 1e-6), 0.0, 1.0);
 }
 
 double HiddenSky::GetHiddenCosine() const
@@ -272,6 +275,37 @@ double HiddenSky::GetVisibleLamp(const glm::dvec3& direction) const
     high > low ? (low > 0.5 / 255.0 ? above(low) : 1.0) - (high < 254.5 / 255.0 ? above(high) : 0.0)
                : 0.0;
   return std::clamp(1.0 - hidden, 0.0, 1.0);
+}
+
+double HiddenSky::GetHiddenPanel(const glm::dvec3& direction, double radius) const
+{
+  const glm::dvec3 local = ToLocal(this->Frame, direction);
+  const double sine = std::max(std::hypot(local.x, local.y), 1e-6);
+  // Azimuths that it covers, to a sector more; about the zenith all of them alike.
+  const double width = std::max(radius, 0.04) / std::max(sine, 1e-3) + 2.0 * Pi / Sectors;
+  const double last = std::cos(std::min(width, Pi)) - std::max(width - Pi, 0.0);
+  // What of it is above the horizon, in the sine of elevation.
+  const double half = std::max(radius * sine, 0.04);
+  const double bottom = std::max(local.z - half, 0.0);
+  const double top = std::min(local.z + half, 1.0);
+  if (top <= bottom)
+  {
+    return 0.0;
+  }
+  double sum = 0.0;
+  double hidden = 0.0;
+  for (std::size_t s = 0; s < Sectors; ++s)
+  {
+    const double azimuth = GetAzimuth(static_cast<int>(s));
+    const double cosine = (local.x * std::cos(azimuth) + local.y * std::sin(azimuth)) / sine;
+    const double weight = std::max(cosine - last, 0.0);
+    sum += weight;
+    const double low = std::clamp(this->Low[s], bottom, top);
+    const double high = std::clamp(this->High[s], bottom, top);
+    hidden += weight * (high * high - low * low); // its irradiance
+  }
+  const double all = sum * (top * top - bottom * bottom);
+  return this->Trust * std::clamp(hidden / std::max(all, 1e-6), 0.0, 1.0);
 }
 
 glm::dvec3 HiddenSky::GetHiddenLight(double hiddenShare, double kappa,

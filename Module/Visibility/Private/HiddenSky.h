@@ -89,6 +89,9 @@ public:
   /// Visible share of a small lamp in this unit direction, 0 to 1.
   double GetVisibleLamp(const glm::dvec3& direction) const;
 
+  /// Hidden share, 0 to 1, of a panel about this unit direction, of an angular radius in radians.
+  double GetHiddenPanel(const glm::dvec3& direction, double radius) const;
+
   /// Hidden share of the light in a lobe, per channel: the lobe's hidden share, and where the lobe
   /// is wide, how much brighter than the rest the hidden part of the sky is. irradiance: of the
   /// whole sky of light's harmonics about the normal.
@@ -104,6 +107,9 @@ private:
   std::array<double, Sectors> Low;
   std::array<double, Sectors> High;
   std::array<double, sky::Harmonics> Transfer;
+  // How much less the harmonics say is hidden than the sectors, whose lowest rays may hit the
+  // point's own facets: 0 to 1.
+  double Trust;
 };
 
 namespace sky

@@ -1,13 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What is made of an environment once: its harmonics, its pyramid.
+// What is made of an environment once: its harmonics, its pyramid, its panels.
 
 #include "EnvironmentHarmonics.h"
+#include "EnvironmentPanels.h"
+#include "EnvironmentPrecomputation.h"
 #include "EnvironmentPyramid.h"
 #include "HalfVector.h" // for Pi
 #include "WignerD.h"
 #include "vtkEnvironment.h"
 #include "vtkNew.h"
+#include "vtkSmartPointer.h"
 
 #include <glm/glm.hpp>
 #include <gtest/gtest.h>
@@ -17,6 +20,7 @@
 #include <complex>
 #include <cstddef>
 #include <random>
+#include <utility>
 #include <vector>
 
 using namespace measuredbrdf;
@@ -126,4 +130,68 @@ TEST(EnvironmentPyramid, IsContinuousAcrossAllFourFolds)
       EXPECT_LT(jump, 0.03 * contrast) << "level " << level << ", " << fold.x << " " << fold.y;
     }
   }
+}
+
+namespace
+{
+// A radiance everywhere, and some in discs of 12 degrees about directions.
+vtkSmartPointer<vtkEnvironment> MakePanels(
+  float rest, const std::vector<std::pair<glm::dvec3, float>>& panels)
+{
+  constexpr int width = 128;
+  constexpr int height = 64;
+  std::vector<float> pixels;
+  for (int k = 0; k < width * height; ++k)
+  {
+    glm::dvec3 d;
+    vtkEnvironment::GetDirection((k % width + 0.5) / width, (k / width + 0.5) / height, &d.x);
+    float value = rest;
+    for (const auto& [direction, radiance] : panels)
+    {
+      value = glm::dot(d, direction) > std::cos(glm::radians(12.0)) ? radiance : value;
+    }
+    pixels.insert(pixels.end(), { value, value, 0.5f * value });
+  }
+  auto environment = vtkSmartPointer<vtkEnvironment>::New();
+  environment->SetPixels(width, height, pixels);
+  return environment;
+}
+
+std::vector<measuredbrdf::EnvironmentPanels::Panel> FindPanels(vtkEnvironment* environment)
+{
+  const auto panels =
+    environment->GetParts().GetPanels(environment, nullptr, []() { return true; });
+  return panels ? panels->GetPanels() : std::vector<measuredbrdf::EnvironmentPanels::Panel>();
+}
+}
+
+// Panels are found where they are, with their light, the brightest first; the rest is none.
+TEST(EnvironmentPanels, AreFoundWithTheirLight)
+{
+  const glm::dvec3 left = glm::normalize(glm::dvec3(-1.0, 0.4, 0.3));
+  const glm::dvec3 right = glm::normalize(glm::dvec3(0.6, 0.2, -0.9));
+  const auto found = FindPanels(MakePanels(0.01f, { { left, 20.0f }, { right, 60.0f } }));
+  ASSERT_GE(found.size(), 2u);
+  EXPECT_GT(glm::dot(found[0].Direction, right), std::cos(glm::radians(10.0)));
+  const double solidAngle = 2.0 * 3.14159265358979 * (1.0 - std::cos(glm::radians(12.0)));
+  double light[2] = { 0.0, 0.0 };
+  for (const auto& panel : found)
+  {
+    EXPECT_GE(panel.Concentration, 40.0);
+    EXPECT_NEAR(panel.Irradiance.z, 0.5 * panel.Irradiance.x, 1e-4 * panel.Irradiance.x);
+    const bool isLeft = glm::dot(panel.Direction, left) > glm::dot(panel.Direction, right);
+    EXPECT_GT(glm::dot(panel.Direction, isLeft ? left : right), std::cos(glm::radians(15.0)));
+    light[isLeft ? 0 : 1] += panel.Irradiance.x;
+  }
+  EXPECT_NEAR(light[0], 20.0 * solidAngle, 2.0 * solidAngle);
+  EXPECT_NEAR(light[1], 60.0 * solidAngle, 6.0 * solidAngle);
+}
+
+TEST(EnvironmentPanels, AreNotInSmoothSkies)
+{
+  EXPECT_TRUE(FindPanels(MakePanels(1.0f, {})).empty());
+  EXPECT_TRUE(FindPanels(MakePanels(0.0f, {})).empty());
+  vtkNew<vtkEnvironment> tiny;
+  tiny->SetPixels(2, 1, { 1.0f, 1.0f, 1.0f, 0.5f, 0.5f, 0.5f });
+  EXPECT_TRUE(FindPanels(tiny).empty());
 }

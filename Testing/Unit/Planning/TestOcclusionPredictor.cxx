@@ -3,6 +3,8 @@
 // What leaving occlusion out costs: predicted from few points, against many and closed forms.
 #include "ErrorCatcher.h"
 #include "vtkBlinnPhongBRDF.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
 #include "vtkDoubleArray.h"
 #include "vtkEnvironment.h"
 #include "vtkLambertBRDF.h"
@@ -52,6 +54,37 @@ TEST(OcclusionPredictor, NothingOnASphere)
   ASSERT_TRUE(predictor->Update());
   EXPECT_LT(predictor->GetError(), 1e-3);
   EXPECT_LT(predictor->GetUncertainty(), 2e-3);
+}
+
+// From its own events, as from another thread: the last prediction stays.
+TEST(OcclusionPredictor, Aborts)
+{
+  const auto torus = MakeTorus();
+  vtkNew<vtkTracedScene> scene;
+  scene->AddSurface(torus);
+  vtkNew<vtkLambertBRDF> brdf;
+  vtkNew<vtkEnvironment> sky;
+  sky->SetToProceduralSky();
+  vtkNew<vtkOcclusionPredictor> predictor;
+  predictor->SetScene(scene);
+  predictor->SetBRDF(brdf);
+  predictor->SetEnvironment(sky);
+  ASSERT_TRUE(predictor->Update());
+  const double error = predictor->GetError();
+  vtkNew<vtkCallbackCommand> stop;
+  stop->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
+    { static_cast<vtkOcclusionPredictor*>(caller)->SetAbort(true); });
+  predictor->AddObserver(vtkCommand::ProgressEvent, stop);
+  predictor->SetNumberOfPoints(5000);
+  ErrorCatcher errors(predictor);
+  EXPECT_FALSE(predictor->Update());
+  EXPECT_EQ(errors.Take(), 1);
+  EXPECT_EQ(predictor->GetError(), error);
+  EXPECT_FALSE(predictor->Update()); // until it is false again
+  predictor->RemoveAllObservers();
+  predictor->SetAbort(false);
+  EXPECT_TRUE(predictor->Update());
+  EXPECT_NE(predictor->GetError(), error);
 }
 
 // A half sphere under a white sky, seen from its opening: half of the light is hidden, so the

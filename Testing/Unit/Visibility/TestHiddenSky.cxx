@@ -129,6 +129,7 @@ TEST(HiddenSky, NothingIsHiddenInTheOpen)
     const glm::dvec3 d = RandomDirection(generator);
     EXPECT_EQ(open.GetHiddenShare(d, 5.0), 0.0);
     EXPECT_EQ(open.GetVisibleLamp(d), 1.0);
+    EXPECT_EQ(open.GetHiddenPanel(d, 0.2), 0.0);
   }
 }
 
@@ -149,6 +150,7 @@ TEST(HiddenSky, AllIsHiddenInACavity)
     EXPECT_NEAR(closed.GetHiddenCosine(), 1.0, 0.01);
     EXPECT_NEAR(closed.GetHiddenShare(normal, 8.0), 1.0, 1e-6);
     EXPECT_NEAR(closed.GetVisibleLamp(normal), 0.0, 1e-6);
+    EXPECT_NEAR(closed.GetHiddenPanel(normal, 0.2), 1.0, 0.01);
   }
 }
 
@@ -166,6 +168,13 @@ TEST(HiddenSky, AWallHidesHalf)
   EXPECT_NEAR(wall.GetHiddenShare(glm::normalize(glm::dvec3(1.0, 0.0, 1.0)), 30.0), 0.0, 0.02);
   EXPECT_EQ(wall.GetVisibleLamp(glm::normalize(glm::dvec3(-1.0, 0.1, 0.5))), 0.0);
   EXPECT_EQ(wall.GetVisibleLamp(glm::normalize(glm::dvec3(1.0, 0.1, 0.5))), 1.0);
+  for (const double radius : { 1e-3, 0.05, 0.2 })
+  {
+    EXPECT_NEAR(wall.GetHiddenPanel(glm::normalize(glm::dvec3(-1.0, 0.0, 0.5)), radius), 1.0, 0.02);
+    EXPECT_NEAR(wall.GetHiddenPanel(glm::normalize(glm::dvec3(1.0, 0.0, 0.5)), radius), 0.0, 0.02);
+    EXPECT_NEAR(wall.GetHiddenPanel(normal, radius), 0.5, 0.07);
+    EXPECT_EQ(wall.GetHiddenPanel({ 0.0, 0.0, -1.0 }, radius), 0.0); // it never rises
+  }
 }
 
 // Up to an elevation all around, as in the middle of a crater: cos^2 of it is hidden... of a
@@ -184,6 +193,23 @@ TEST(HiddenSky, ACraterHidesTheLowSky)
     EXPECT_NEAR(crater.GetHiddenShare(normal, kappa), expected, 0.02) << kappa;
   }
   EXPECT_EQ(crater.GetVisibleLamp(normal), 1.0);
+  // A panel across the crater's edge: half of its height is hidden, and less of its irradiance.
+  const glm::dvec3 across = glm::normalize(glm::dvec3(-0.8, 0.0, 0.6));
+  const auto at = [&](double z) { return z * normal + std::sqrt(1.0 - z * z) * across; };
+  EXPECT_NEAR(crater.GetHiddenPanel(at(sine), 0.1), 0.46, 0.03);
+  EXPECT_NEAR(crater.GetHiddenPanel(at(sine - 0.15), 0.1), 1.0, 0.02);
+  EXPECT_NEAR(crater.GetHiddenPanel(at(sine + 0.15), 0.1), 0.0, 0.02);
+}
+
+// Sectors of which the harmonics see nothing: rays that only just left the horizon hide no panel.
+TEST(HiddenSky, SliversAtTheHorizonHideNoPanel)
+{
+  HiddenSky::Code code = HiddenSky::MakeOpen({ 0.0, 0.0, 1.0 });
+  for (int s = 0; s < HiddenSky::Sectors; s += 2)
+  {
+    code[static_cast<std::size_t>(4 + 2 * s)] = 20;
+  }
+  EXPECT_EQ(HiddenSky(code).GetHiddenPanel({ 1.0, 0.0, 0.0 }, 0.1), 0.0);
 }
 
 // A roof: hidden is the sky about the zenith, not the horizon. Horizons alone could not say so.
