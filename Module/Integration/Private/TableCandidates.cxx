@@ -143,27 +143,15 @@ bool CanPruneMaps(int rows, int maps, const std::vector<vtkRadianceIntegrator::A
     }
   }
   return std::any_of(attempts.begin(), attempts.end(),
-    [&](const vtkRadianceIntegrator::Attempt& attempt)
+    [=](const vtkRadianceIntegrator::Attempt& attempt)
     {
       if (attempt.Sizes[0] >= rows) // maps of as many rows, but fewer
       {
         const double doublings = std::log2(static_cast<double>(maps) / attempt.Sizes[3]);
         return attempt.Error * std::pow(LeastOfMaps, doublings) > tolerance;
       }
-      if (2 * attempt.Sizes[0] == rows && finest > attempt.Sizes[0] &&
-          attempt.Error * std::pow(gain, RowGainPower) > tolerance)
-      {
-        return true;
-      }
-      // More rows take no more than what rows cost, which is less than all that a table of fewer
-      // rows lacks; the rest is the maps' number.
-      const double doublings = std::log2(static_cast<double>(maps) / attempt.Sizes[3]);
-      return std::any_of(tables.begin(), tables.end(),
-        [&](const vtkRadianceIntegrator::Attempt& table)
-        {
-          return table.Sizes[0] <= attempt.Sizes[0] + 1 &&
-                 (attempt.Error - table.Error) * std::pow(LeastOfMaps, doublings) > tolerance;
-        });
+      return 2 * attempt.Sizes[0] == rows && finest > attempt.Sizes[0] &&
+             attempt.Error * std::pow(gain, RowGainPower) > tolerance;
     });
 }
 } // namespace measuredbrdf

@@ -129,12 +129,6 @@ bool PlanSearch::CanPrune(const PlanCandidate& candidate, double error) const
     {
       attempts.push_back({ tried.Sizes, tried.Error });
     }
-    else if (tried.Method == "table" && candidate.Method == "hybrid")
-    {
-      // A hybrid without maps and lights.
-      attempts.push_back({ tried.Sizes, tried.Error });
-      attempts.back().Sizes.resize(candidate.Sizes.size(), 0);
-    }
   }
   return candidate.Integrator->CanPrune(attempts, error);
 }

@@ -239,11 +239,4 @@ TEST(MapCandidates, TooManyAreLeftOut)
   EXPECT_FALSE(measuredbrdf::CanPruneMaps(256, 8, near, {}, 0.02));
   const Attempts coarse = { { { 128, 12, 8, 4, 0, 0 }, 0.36 } };
   EXPECT_FALSE(measuredbrdf::CanPruneMaps(256, 4, coarse, {}, 0.01));
-  // A table of fewer rows lacks much less: rows are not what the maps lack.
-  const Attempts maps = { { { 128, 12, 8, 4, 0, 0 }, 0.12 } };
-  const Attempts good = { { { 65, 8, 8, 0, 0, 0 }, 0.06 } };
-  EXPECT_TRUE(measuredbrdf::CanPruneMaps(256, 4, maps, good, 0.02));
-  EXPECT_TRUE(measuredbrdf::CanPruneMaps(256, 8, maps, good, 0.02));
-  const Attempts poor = { { { 65, 8, 8, 0, 0, 0 }, 0.23 } };
-  EXPECT_FALSE(measuredbrdf::CanPruneMaps(256, 4, maps, poor, 0.02));
 }
