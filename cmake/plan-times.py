@@ -1,26 +1,34 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""How long plans take for materials that are new under a map that is known: plan-times.py DATA [TOLERANCE].
+"""Plans for materials that are new under a map that is known: processor time, choice, prediction, and frames.
+
+usage: plan-times.py DATA [--tolerance 0.02] [--only PART ...] [--known] [--frames] [--csv FILE]
 
 DATA: materials/rgl, materials/mbsdf and environments. PYTHONPATH: the build's lib/python3/dist-packages. Plans on disk
-are not used.
+are not used. Times are the processor's, of all threads. --known: each plan again under a map that is known, too, for a
+material that is. --frames: a 500 x 500 frame of a sphere of 64,000 triangles relative to VTK's PBR, drawn in turns
+(needs a display).
 """
 
-import sys
+import argparse
+import csv
+import statistics
 import time
 from pathlib import Path
 
-from vtkmeasuredbrdf import vtkBRDFReader, vtkEmbeddedMaterials, vtkEnvironmentReader, vtkRadiancePlanner
+from vtkmeasuredbrdf import (
+    vtkBRDFReader, vtkEmbeddedMaterials, vtkEnvironmentReader, vtkMeasuredBRDFMapper, vtkRadiancePlanner)
 
-ENVIRONMENTS = ("studio.exr", "interior.exr", "city.exr", "sunset.exr")
+ENVIRONMENTS = ("studio.exr", "interior.exr", "city.exr", "sunset.exr", "forest.exr", "pmndrs_sunrise.hdr")
 PUBLISHED = ("blue-fabric", "gold-metallic-paint3", "violet-rubber", "nickel", "pink-felt", "gold-paint")
+TURNS = 5
 
 
 def read(reader, path):
     reader.SetFileName(str(path))
     if not reader.Read():
-        sys.exit(f"{path} can't be read")
+        raise SystemExit(f"{path} can't be read")
     return reader
 
 
@@ -29,26 +37,130 @@ def plan(brdf, environment, tolerance):
     planner.SetBRDF(brdf)
     planner.SetEnvironment(environment)
     planner.SetErrorTolerance(tolerance)
-    start = time.perf_counter()
+    start = time.process_time()
     if not planner.Update():
-        sys.exit("no plan")
-    return time.perf_counter() - start, planner
+        raise SystemExit("no plan")
+    return time.process_time() - start, planner
 
 
-def main(data, tolerance):
+class Picture:
+    """A sphere that fills a window."""
+
+    def __init__(self, mapper):
+        from vtkmodules.vtkFiltersSources import vtkSphereSource
+        from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer, vtkRenderWindow
+        import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
+        self.sphere = vtkSphereSource()
+        self.sphere.SetThetaResolution(180)
+        self.sphere.SetPhiResolution(180)
+        mapper.SetInputConnection(self.sphere.GetOutputPort())
+        self.actor = vtkActor()
+        self.actor.SetMapper(mapper)
+        self.renderer = vtkRenderer()
+        self.renderer.AddActor(self.actor)
+        self.renderer.SetAutomaticLightCreation(False)
+        self.window = vtkRenderWindow()
+        self.window.SetOffScreenRendering(1)
+        self.window.SetMultiSamples(0)
+        self.window.SetSize(500, 500)
+        self.window.AddRenderer(self.renderer)
+        camera = self.renderer.GetActiveCamera()
+        camera.ParallelProjectionOn()
+        camera.SetParallelScale(0.5)
+        camera.SetPosition(0.0, 0.0, 2.0)
+        self.renderer.ResetCameraClippingRange()
+
+    def draw(self):
+        start = time.process_time()
+        for _ in range(2):
+            self.window.Render()
+            self.window.WaitForCompletion()
+        return time.process_time() - start
+
+
+def make_pbr(environment):
+    from vtkmodules.vtkRenderingCore import vtkPolyDataMapper, vtkTexture
+    picture = Picture(vtkPolyDataMapper())
+    picture.actor.GetProperty().SetInterpolationToPBR()
+    picture.actor.GetProperty().SetMetallic(0.7)
+    picture.actor.GetProperty().SetRoughness(0.3)
+    texture = vtkTexture()
+    texture.SetInputData(environment.NewImageData())
+    texture.SetColorModeToDirectScalars()
+    texture.MipmapOn()
+    texture.InterpolateOn()
+    picture.renderer.UseImageBasedLightingOn()
+    picture.renderer.SetEnvironmentTexture(texture)
+    return picture
+
+
+def compare_frames(pbr, brdf, environment, planner):
+    mapper = vtkMeasuredBRDFMapper()
+    mapper.SetBRDF(brdf)
+    mapper.SetEnvironment(environment)
+    mapper.SetIntegrator(planner.NewIntegrator())
+    pictures = (pbr, Picture(mapper))
+    times = ([], [])
+    for turn in range(TURNS + 1):
+        for picture, known in zip(pictures, times):
+            seconds = picture.draw()
+            if turn > 0:
+                known.append(seconds)
+    return statistics.median(times[1]) / statistics.median(times[0])
+
+
+def find_materials(data):
     files = sorted((data / "materials/rgl").glob("*.bsdf")) + sorted((data / "materials/mbsdf").glob("*.mbsdf"))
-    materials = {path.stem: read(vtkBRDFReader(), path).GetBRDF() for path in files}
-    materials.update((name, vtkEmbeddedMaterials.NewBRDF(name)) for name in PUBLISHED)
+    finders = {path.stem: lambda path=path: read(vtkBRDFReader(), path).GetBRDF() for path in files}
+    finders.update({name: lambda name=name: vtkEmbeddedMaterials.NewBRDF(name) for name in PUBLISHED})
+    return finders
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("data", type=Path)
+    parser.add_argument("--tolerance", type=float, default=0.02)
+    parser.add_argument("--only", nargs="*", default=[], help="parts of MATERIAL/MAP")
+    parser.add_argument("--known", action="store_true")
+    parser.add_argument("--frames", action="store_true")
+    parser.add_argument("--csv", type=Path)
+    options = parser.parse_args()
+    rows = []
     for name in ENVIRONMENTS:
-        environment = read(vtkEnvironmentReader(), data / "environments" / name).GetEnvironment()
-        plan(vtkEmbeddedMaterials.NewBRDF("pink-felt"), environment, tolerance)  # the map is known from here on
-        for material, brdf in materials.items():
+        finders = {material: find for material, find in find_materials(options.data).items()
+                   if not options.only or any(part in f"{material}/{name}" for part in options.only)}
+        if not finders:
+            continue
+        environment = read(vtkEnvironmentReader(), options.data / "environments" / name).GetEnvironment()
+        plan(vtkEmbeddedMaterials.NewBRDF("pink-felt"), environment, options.tolerance)  # the map is known from here on
+        pbr = make_pbr(environment) if options.frames else None
+        for material, find in finders.items():
+            brdf = find()
             brdf.Prepare()
-            seconds, planner = plan(brdf, environment, tolerance)
-            print(f"{material:26} {name:13} {seconds:5.2f} s  {planner.GetPlan().split(':')[0]}", flush=True)
+            seconds, planner = plan(brdf, environment, options.tolerance)
+            choice = planner.GetChoice()
+            row = {"material": material, "map": name, "seconds": round(seconds, 3),
+                   "candidates": planner.GetNumberOfCandidates(), "meets": int(planner.GetMeetsTolerance()),
+                   "error_percent": round(100.0 * planner.GetPredictedError(choice), 3),
+                   "MB": round(planner.GetTextureBytes(choice) / 1e6, 2),
+                   "choice": f"{planner.GetMethodName(choice)}, {planner.GetDescription(choice)}"}
+            if options.known:
+                row["known_seconds"] = round(plan(brdf, environment, options.tolerance)[0], 3)
+            if options.frames:
+                row["frame"] = round(compare_frames(pbr, brdf, environment, planner), 3)
+            rows.append(row)
+            print(" | ".join(str(value) for value in row.values()), flush=True)
+            if options.csv:
+                with options.csv.open("w", newline="", encoding="utf-8") as file:
+                    writer = csv.DictWriter(file, rows[0])
+                    writer.writeheader()
+                    writer.writerows(rows)
+    for column in ("seconds", "known_seconds", "frame"):
+        values = sorted(row[column] for row in rows if column in row)
+        if values:
+            print(f"{column}: geometric mean {statistics.geometric_mean(values):.3g}, median "
+                  f"{statistics.median(values):.3g}, largest {values[-1]:.3g}, of {len(values)}")
 
 
 if __name__ == "__main__":
-    if len(sys.argv) not in (2, 3):
-        sys.exit(__doc__)
-    main(Path(sys.argv[1]), float(sys.argv[2]) if len(sys.argv) == 3 else 0.02)
+    main()

@@ -148,7 +148,7 @@ bool vtkTableRadianceIntegrator::MakeTable(Tables& table)
     parts->GetKernels(this->BRDF, table.Angles, this->NumberOfNodes, this->Abort);
   const double scale = this->Abort ? 0.0
                                    : SynthesizeRadiance(
-                                       views, light, knots, degree, this->SmoothingDegree,
+                                       *parts, views, light, knots, degree, this->SmoothingDegree,
                                        [this](double share) { return this->Report(share); }, table);
   if (!(scale > 0.0))
   {

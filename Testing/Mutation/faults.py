@@ -266,6 +266,12 @@ add("Integration.tiles-with-seams", "Private/TableTiles.cxx", "this->IsInside(ro
     "TableTiles.NoSeams")
 add("Integration.beyond-the-pole-unturned", "Private/FieldSynthesis.cxx", "order % 2 != 0 ? -1.0f : 1.0f", "order % 2 != 0 ? 1.0f : 1.0f",
     "AnisotropicTable.*|TableIntegrator.*|LinearSpline.*")
+add("Integration.products-miss-a-vector", "Private/MatrixProduct.cxx", "this->Second += left[0] * second;", "this->Second += left[0] * first;",
+    "MatrixProduct.*")
+add("Integration.expanded-kernels-of-other-orders", "Private/MaterialPrecomputation.cxx", "static_cast<std::ptrdiff_t>(row) * (known.Degree + 1)",
+    "static_cast<std::ptrdiff_t>(row) * (degree + 1)", "MaterialPrecomputation.KeepsExpandedKernels")
+add("Integration.degrees-left-out", "Private/TableSynthesis.cxx", "constexpr double LeastShare = 1e-4;", "constexpr double LeastShare = 1e9;",
+    "TableReference.*|TableIntegrator.*")
 add("Integration.rings-stay", "Private/RingLimiter.cxx", "constexpr float LeastShare = 0.75f;", "constexpr float LeastShare = 0.0f;",
     "RingLimiter.*")
 add("Integration.edges-bleed", "Private/RingLimiter.cxx", "for (int pass = 0; pass < 2; ++pass) // as far", "for (int pass = 0; pass < 1; ++pass) // as far",

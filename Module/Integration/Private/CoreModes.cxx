@@ -122,15 +122,10 @@ Matrices ExpandKernels(const CoreKernels& kernels)
 {
   // The table is smoothed, so that its harmonics end by themselves: none of those within the
   // degree is to fade.
-  const std::vector<std::vector<float>> table = ExpandTableKernels(kernels.Views,
+  const std::vector<std::vector<float>> table = ExpandTableKernels(kernels.Known, kernels.Views,
     kernels.TableKnots, kernels.Degree, LargestOrder, kernels.Smoothing, kernels.Degree);
-  std::vector<std::pair<const LobeHarmonics*, double>> lobes;
-  for (std::size_t knot = 0; knot < kernels.Knots.size(); ++knot)
-  {
-    lobes.emplace_back(kernels.Knots[knot].get(), kernels.GetAxis(knot));
-  }
   const std::vector<std::vector<float>> whole =
-    LobeHarmonics::Expand(lobes, kernels.Degree, LargestOrder);
+    kernels.Known.GetExpanded(kernels.Knots, kernels.Degree, LargestOrder);
   Matrices result(LargestOrder + 1,
     Eigen::MatrixXd::Zero(kernels.Degree + 1, 3 * static_cast<Eigen::Index>(kernels.Knots.size())));
   vtkSMPTools::For(0, static_cast<vtkIdType>(kernels.Knots.size()), 1,

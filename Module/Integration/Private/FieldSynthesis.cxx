@@ -4,6 +4,7 @@
 
 #include "HalfVector.h" // for Pi
 #include "LinearSpline.h"
+#include "MatrixProduct.h"
 #include "WignerD.h"
 #include "vtkSMPTools.h"
 
@@ -17,29 +18,35 @@ namespace measuredbrdf
 {
 namespace
 {
-// Real and imaginary parts of b_lk conj(a_lm), for the degrees from first on.
-FieldSynthesis::Matrix MakeLit(
-  const EnvironmentHarmonics& light, int m, int first, const FieldSynthesis::Kernels& kernels)
+constexpr double LeastTurn = 1e-15; // less is 0: slow in floats, and nothing
+constexpr std::size_t Lanes = 4;    // rows at a time
+
+// Adds real and imaginary parts of b_lk conj(a_lm), for the degrees from first on, row by row.
+void AddLit(const EnvironmentHarmonics& light, int m, int first,
+  const FieldSynthesis::Kernels& kernels, std::size_t columns, std::vector<float>& lit)
 {
-  const Eigen::Index count = kernels[0].cols();
-  const int size = static_cast<int>(kernels[0].rows()) - first;
-  FieldSynthesis::Matrix lit(size, 2 * 3 * count);
-  for (int channel = 0; channel < 3; ++channel)
+  const std::size_t count = static_cast<std::size_t>(kernels[0].cols());
+  const std::size_t size = lit.size() / columns;
+  std::vector<std::complex<float>> values(size);
+  for (std::size_t channel = 0; channel < 3; ++channel)
   {
-    const FieldSynthesis::Matrix& of = kernels[static_cast<std::size_t>(channel)];
-    for (int k = 0; k < size; ++k)
+    for (std::size_t k = 0; k < size; ++k)
     {
-      std::complex<double> a = light.Get(channel, first + k, std::abs(m));
-      a = m >= 0 ? std::conj(a) : (m % 2 != 0 ? -a : a);
-      for (Eigen::Index kernel = 0; kernel < count; ++kernel)
+      const std::complex<double> a =
+        light.Get(static_cast<int>(channel), first + static_cast<int>(k), std::abs(m));
+      values[k] = m >= 0 ? std::conj(a) : (m % 2 != 0 ? -a : a);
+    }
+    for (std::size_t kernel = 0; kernel < count; ++kernel)
+    {
+      const float* of = kernels[channel].col(static_cast<Eigen::Index>(kernel)).data() + first;
+      float* out = &lit[2 * (channel * count + kernel)];
+      for (std::size_t k = 0; k < size; ++k, out += columns)
       {
-        const Eigen::Index column = 2 * (channel * count + kernel);
-        lit(k, column) = of(first + k, kernel) * static_cast<float>(a.real());
-        lit(k, column + 1) = of(first + k, kernel) * static_cast<float>(a.imag());
+        out[0] += of[k] * values[k].real();
+        out[1] += of[k] * values[k].imag();
       }
     }
   }
-  return lit;
 }
 }
 
@@ -122,53 +129,85 @@ void FieldSynthesis::FitRows(int order, std::array<Field, 3>& result) const
   }
 }
 
-// The sum over l: [m][channel][kernel][row].
+// d^l_mk at each row's polar angle, row by row, and the rows where it is not 0.
+FieldSynthesis::Turns FieldSynthesis::GetTurns(int m, int order, int degree) const
+{
+  using Values = Eigen::Array<double, Lanes, 1>;
+  const WignerD functions(m, order, degree);
+  const std::size_t rows = static_cast<std::size_t>(this->Rows);
+  Turns turns;
+  turns.First = functions.GetFirst();
+  turns.Size = static_cast<std::size_t>(std::max(degree + 1 - turns.First, 0));
+  turns.Begin = turns.End = 0;
+  turns.Values.resize((RoundUp(rows, Lanes) + ProductRows) * turns.Size);
+  std::vector<Values> d(turns.Size);
+  for (std::size_t row = 0; row < rows && turns.Size > 0; row += Lanes)
+  {
+    Values theta;
+    for (std::size_t lane = 0; lane < Lanes; ++lane)
+    {
+      const int at = this->Chosen[std::min(row + lane, rows - 1)];
+      theta[static_cast<Eigen::Index>(lane)] = this->Nodes == MapNodes::Centers
+                                                 ? Pi * (at + 0.5) / this->AllRows
+                                                 : Pi * at / (this->AllRows - 1);
+    }
+    functions.Evaluate(theta, d.data());
+    bool any = false;
+    for (std::size_t lane = 0; lane < Lanes; ++lane)
+    {
+      float* out = &turns.Values[(row + lane) * turns.Size];
+      for (std::size_t l = 0; l < turns.Size; ++l)
+      {
+        const double value = d[l][static_cast<Eigen::Index>(lane)];
+        const bool isNone = std::abs(value) < LeastTurn;
+        any = any || !isNone;
+        out[l] = isNone ? 0.0f : static_cast<float>(value);
+      }
+    }
+    turns.Begin = any && turns.End == 0 ? row : turns.Begin;
+    turns.End = any ? row + Lanes : turns.End;
+  }
+  turns.End = std::min(turns.End, rows);
+  return turns;
+}
+
+// The sum over l: [row][m][channel][kernel].
 FieldSynthesis::Field FieldSynthesis::SumDegrees(
   int order, const Kernels& kernels, const More* more) const
 {
   const int degree = static_cast<int>(kernels[0].rows()) - 1;
   const std::size_t kinds = 3 * static_cast<std::size_t>(kernels[0].cols());
   const std::size_t orders = 2 * static_cast<std::size_t>(degree) + 1;
-  const std::size_t rows = static_cast<std::size_t>(this->Rows);
-  Field series(orders * kinds * rows);
+  const std::size_t columns = RoundUp(2 * kinds, ProductColumns);
+  Field series(orders * kinds * static_cast<std::size_t>(this->Rows));
   vtkSMPTools::For(0, static_cast<vtkIdType>(orders), 1,
     [&](vtkIdType begin, vtkIdType end)
     {
-      std::vector<double> d(static_cast<std::size_t>(degree) + 1);
-      for (vtkIdType item = begin; item < end; ++item)
+      std::vector<float> lit, product;
+      for (std::size_t item = static_cast<std::size_t>(begin); item < static_cast<std::size_t>(end);
+           ++item)
       {
         const int m = static_cast<int>(item) - degree;
-        const WignerD functions(m, order, degree);
-        const int first = functions.GetFirst();
-        const int size = degree + 1 - first;
-        if (size <= 0)
+        const Turns turns = this->GetTurns(m, order, degree); // for all channels and kernels
+        if (turns.Begin == turns.End)
         {
           continue;
         }
-        Matrix turns(size, this->Rows); // the same for all channels and kernels
-        for (int row = 0; row < this->Rows; ++row)
-        {
-          const int at = this->Chosen[static_cast<std::size_t>(row)];
-          functions.Evaluate(this->Nodes == MapNodes::Centers ? Pi * (at + 0.5) / this->AllRows
-                                                              : Pi * at / (this->AllRows - 1),
-            d.data());
-          turns.col(row) = Eigen::Map<const Eigen::VectorXd>(d.data(), size).cast<float>();
-        }
-        Matrix lit = MakeLit(this->Environment, m, first, kernels);
+        lit.assign(turns.Size * columns, 0.0f);
+        AddLit(this->Environment, m, turns.First, kernels, columns, lit);
         if (more)
         {
-          lit += MakeLit(more->Light, m, first, more->Kernels);
+          AddLit(more->Light, m, turns.First, more->Kernels, columns, lit);
         }
-        const Matrix product = turns.transpose() * lit;
-        std::complex<float>* out = &series[static_cast<std::size_t>(item) * kinds * rows];
-        for (std::size_t kind = 0; kind < kinds; ++kind)
+        const std::size_t height = RoundUp(turns.End - turns.Begin, ProductRows);
+        product.resize(height * columns);
+        Multiply(&turns.Values[turns.Begin * turns.Size], lit.data(), height, turns.Size, columns,
+          product.data());
+        for (std::size_t row = turns.Begin; row < turns.End; ++row)
         {
-          const Eigen::Index column = static_cast<Eigen::Index>(2 * kind);
-          for (std::size_t row = 0; row < rows; ++row)
-          {
-            const Eigen::Index r = static_cast<Eigen::Index>(row);
-            out[kind * rows + row] = { product(r, column), product(r, column + 1) };
-          }
+          const auto* in =
+            reinterpret_cast<const std::complex<float>*>(&product[(row - turns.Begin) * columns]);
+          std::copy(in, in + kinds, &series[(row * orders + item) * kinds]);
         }
       }
     });
@@ -207,7 +246,7 @@ void FieldSynthesis::SumOrders(const Field& series, int degree, std::array<Field
             const int m = static_cast<int>(item) - degree;
             const int n = this->Columns;
             line[static_cast<std::size_t>((m % n + n) % n)] +=
-              turns[item] * series[(item * kinds + kind) * rows + row];
+              turns[item] * series[(row * orders + item) * kinds + kind];
           }
           transform.fwd(field, line);
           std::copy(field.begin(), field.end(),

@@ -60,6 +60,14 @@ public:
     const More* more = nullptr) const;
 
 private:
+  struct Turns
+  {
+    int First;                 // degree
+    std::size_t Size;          // degrees
+    std::size_t Begin, End;    // rows that are not 0
+    std::vector<float> Values; // by row
+  };
+  Turns GetTurns(int m, int order, int degree) const;
   Field SumDegrees(int order, const Kernels& kernels, const More* more) const;
   void FitRows(int order, std::array<Field, 3>& result) const;
   void SumOrders(const Field& series, int degree, std::array<Field, 3>& result) const;

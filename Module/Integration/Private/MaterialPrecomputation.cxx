@@ -25,6 +25,7 @@ const MaterialPrecomputation::Kernels& MaterialPrecomputation::GetKernels(
       std::any_of(kernels.begin(), kernels.end(), [](const auto& kernel) { return !kernel; }))
   {
     kernels.clear();
+    this->Expansions.erase(&kernels);
     kernels.resize(static_cast<std::size_t>(angles));
     vtkSMPTools::For(0, angles, 1,
       [&](vtkIdType begin, vtkIdType end)
@@ -37,6 +38,40 @@ const MaterialPrecomputation::Kernels& MaterialPrecomputation::GetKernels(
       });
   }
   return kernels;
+}
+
+std::vector<std::vector<float>> MaterialPrecomputation::GetExpanded(
+  const Kernels& kernels, int degree, int orders)
+{
+  Expansion& known = this->Expansions[&kernels];
+  if (known.Degree < degree || known.Orders < orders)
+  {
+    known.Degree = std::max(known.Degree, degree);
+    known.Orders = std::max(known.Orders, orders);
+    std::vector<std::pair<const LobeHarmonics*, double>> lobes;
+    for (std::size_t k = 0; k < kernels.size(); ++k)
+    {
+      const double angle =
+        LobeViews::GetKnotAngle(static_cast<int>(k), static_cast<int>(kernels.size()));
+      lobes.emplace_back(kernels[k].get(), this->Views->GetAxis(angle));
+    }
+    known.Harmonics = LobeHarmonics::Expand(lobes, known.Degree, known.Orders);
+  }
+  if (known.Degree == degree && known.Orders == orders)
+  {
+    return known.Harmonics;
+  }
+  std::vector<std::vector<float>> parts;
+  for (const std::vector<float>& all : known.Harmonics)
+  {
+    parts.emplace_back();
+    for (int row = 0; row < 3 * (orders + 1); ++row)
+    {
+      const auto first = all.begin() + static_cast<std::ptrdiff_t>(row) * (known.Degree + 1);
+      parts.back().insert(parts.back().end(), first, first + degree + 1);
+    }
+  }
+  return parts;
 }
 
 const MaterialPrecomputation::Matrices& MaterialPrecomputation::GetRemainders(
@@ -65,7 +100,15 @@ void MaterialPrecomputation::Trim(int mostAngles)
   this->Remainders.clear();
   for (auto it = this->KernelsOf.begin(); it != this->KernelsOf.end();)
   {
-    it = it->first.first > mostAngles ? this->KernelsOf.erase(it) : std::next(it);
+    if (it->first.first > mostAngles)
+    {
+      this->Expansions.erase(&it->second);
+      it = this->KernelsOf.erase(it);
+    }
+    else
+    {
+      ++it;
+    }
   }
 }
 
@@ -77,6 +120,13 @@ std::size_t MaterialPrecomputation::GetBytes() const
     for (const auto& kernel : kernels)
     {
       bytes += kernel ? kernel->GetBytes() : 0;
+    }
+  }
+  for (const auto& [kernels, expansion] : this->Expansions)
+  {
+    for (const std::vector<float>& harmonics : expansion.Harmonics)
+    {
+      bytes += harmonics.size() * sizeof(float);
     }
   }
   if (this->Views)

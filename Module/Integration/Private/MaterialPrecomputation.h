@@ -42,6 +42,10 @@ public:
   const Kernels& GetKernels(
     vtkBRDF* brdf, int angles, int resolution, const std::atomic<bool>& abort);
 
+  /// Their harmonics about the axes of the views, as LobeHarmonics::Expand has them: of these
+  /// sizes, taken from larger ones where these are known.
+  std::vector<std::vector<float>> GetExpanded(const Kernels& kernels, int degree, int orders);
+
   /// What a factored table lacks of the kernels (CoreModes.h), by what it depends on: the sizes
   /// that made it.
   using Matrices = std::vector<Eigen::MatrixXd>;
@@ -69,6 +73,13 @@ public:
 
 private:
   std::map<std::pair<int, int>, Kernels> KernelsOf; // angles, resolution
+  struct Expansion
+  {
+    int Degree = -1;
+    int Orders = -1;
+    std::vector<std::vector<float>> Harmonics;
+  };
+  std::map<const Kernels*, Expansion> Expansions;
   std::map<std::vector<double>, Matrices> Remainders;
   std::unique_ptr<LobeViews> Views;
   bool AreViewsWhole = false; // else they were aborted

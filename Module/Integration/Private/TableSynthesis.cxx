@@ -32,21 +32,73 @@ namespace
 {
 constexpr float LeastPeak = 1e-20f; // of radiance: less is black
 
-// One order's, by channel: degrees x view angles.
+// What degrees may add at most, of the mean radiance, to be left out: a twentieth of the format's
+// rounding.
+constexpr double LeastShare = 1e-4;
+
+// By channel and degree: the largest value that the environment's part of that degree can have in
+// any direction about any axis, by Cauchy's inequality, over that of degree 0.
+std::array<std::vector<double>, 3> GetStrengths(const EnvironmentHarmonics& light, int degree)
+{
+  std::array<std::vector<double>, 3> strengths;
+  for (int channel = 0; channel < 3; ++channel)
+  {
+    for (int l = 0; l <= degree; ++l)
+    {
+      double sum = std::norm(light.Get(channel, l, 0));
+      for (int m = 1; m <= l; ++m)
+      {
+        sum += 2.0 * std::norm(light.Get(channel, l, m));
+      }
+      strengths[static_cast<std::size_t>(channel)].push_back(std::sqrt(sum));
+    }
+  }
+  return strengths;
+}
+
+// The highest degree that one order needs: those above add next to nothing. Broad lobes have few.
+int GetNeededDegree(const std::vector<std::vector<float>>& kernels,
+  const std::array<std::vector<double>, 3>& strengths, int order, int degree)
+{
+  const std::size_t size = static_cast<std::size_t>(degree) + 1;
+  int needed = order;
+  for (const std::vector<float>& kernel : kernels)
+  {
+    for (std::size_t channel = 0; channel < 3; ++channel)
+    {
+      const float* of = &kernel[(3 * static_cast<std::size_t>(order) + channel) * size];
+      const double mean =
+        static_cast<double>(std::abs(kernel[channel * size])) * strengths[channel][0];
+      double rest = 0.0; // 2 Re(e^(-i k psi) G_k)
+      for (int l = degree; l > needed; --l)
+      {
+        const std::size_t at = static_cast<std::size_t>(l);
+        rest += 2.0 * static_cast<double>(std::abs(of[at])) * strengths[channel][at];
+        if (rest > LeastShare * mean)
+        {
+          needed = l;
+        }
+      }
+    }
+  }
+  return std::min(needed, degree);
+}
+
+// One order's, by channel: degrees up to the last x view angles.
 std::array<FieldSynthesis::Matrix, 3> PickOrder(
-  const std::vector<std::vector<float>>& kernels, int order, int degree)
+  const std::vector<std::vector<float>>& kernels, int order, int degree, int last)
 {
   std::array<FieldSynthesis::Matrix, 3> matrices;
   for (int channel = 0; channel < 3; ++channel)
   {
     FieldSynthesis::Matrix& matrix = matrices[static_cast<std::size_t>(channel)];
-    matrix.resize(degree + 1, static_cast<Eigen::Index>(kernels.size()));
+    matrix.resize(last + 1, static_cast<Eigen::Index>(kernels.size()));
     for (std::size_t angle = 0; angle < kernels.size(); ++angle)
     {
       const std::size_t begin =
         static_cast<std::size_t>(3 * order + channel) * static_cast<std::size_t>(degree + 1);
       matrix.col(static_cast<Eigen::Index>(angle)) =
-        Eigen::Map<const Eigen::VectorXf>(&kernels[angle][begin], degree + 1);
+        Eigen::Map<const Eigen::VectorXf>(&kernels[angle][begin], last + 1);
     }
   }
   return matrices;
@@ -86,9 +138,9 @@ void AddOrder(int order, const std::array<FieldSynthesis::Field, 3>& fields,
 
 }
 
-std::vector<std::vector<float>> ExpandTableKernels(const LobeViews& views,
-  const MaterialPrecomputation::Kernels& knots, int degree, int orders, double smoothing, int rows,
-  const LampWindow* window)
+std::vector<std::vector<float>> ExpandTableKernels(MaterialPrecomputation& parts,
+  const LobeViews& views, const MaterialPrecomputation::Kernels& knots, int degree, int orders,
+  double smoothing, int rows, const LampWindow* window)
 {
   const std::size_t size = static_cast<std::size_t>(degree) + 1;
   std::vector<float> smoothed;
@@ -99,17 +151,15 @@ std::vector<std::vector<float>> ExpandTableKernels(const LobeViews& views,
   std::vector<std::pair<const LobeHarmonics*, double>> lobes;
   std::vector<LobeHarmonics> outside;
   outside.reserve(knots.size());
-  for (std::size_t k = 0; k < knots.size(); ++k)
+  for (std::size_t k = 0; window && k < knots.size(); ++k)
   {
     const double axis =
       views.GetAxis(LobeViews::GetKnotAngle(static_cast<int>(k), static_cast<int>(knots.size())));
-    if (window)
-    {
-      outside.push_back(knots[k]->GetOutside(*window, axis));
-    }
-    lobes.emplace_back(window ? &outside.back() : knots[k].get(), axis);
+    outside.push_back(knots[k]->GetOutside(*window, axis));
+    lobes.emplace_back(&outside.back(), axis);
   }
-  std::vector<std::vector<float>> kernels = LobeHarmonics::Expand(lobes, degree, orders);
+  std::vector<std::vector<float>> kernels = window ? LobeHarmonics::Expand(lobes, degree, orders)
+                                                   : parts.GetExpanded(knots, degree, orders);
   for (std::size_t k = 0; k < kernels.size(); ++k)
   {
     for (std::size_t b = 0; b < kernels[k].size(); ++b)
@@ -153,20 +203,21 @@ struct SliceMaps
 };
 
 // None where goOn said false.
-std::vector<float> SynthesizeMaps(const LobeViews& views, const TableLight& light,
-  const MaterialPrecomputation::Kernels& knots, double smoothing, const SliceMaps& maps,
+std::vector<float> SynthesizeMaps(MaterialPrecomputation& parts, const LobeViews& views,
+  const TableLight& light, const MaterialPrecomputation::Kernels& knots, double smoothing, const SliceMaps& maps,
   const std::function<bool(double)>& goOn, const RadianceTable& table)
 {
   const int orders = table.Azimuths / 2; // as many as the azimuths can tell apart
   const int degree = maps.Degree;
   std::vector<std::vector<float>> kernels =
-    ExpandTableKernels(views, knots, degree, orders, smoothing, maps.AllRows);
+    ExpandTableKernels(parts, views, knots, degree, orders, smoothing, maps.AllRows);
   // Lamps are what the one environment has more than the other: K rest + K_out (all - rest) =
   // (K - K_out) rest + K_out all. They are not smoothed: no maps add what they would lack.
   std::vector<std::vector<float>> outside;
   if (light.All)
   {
-    outside = ExpandTableKernels(views, knots, degree, orders, 0.0, maps.AllRows, &light.Window);
+    outside =
+      ExpandTableKernels(parts, views, knots, degree, orders, 0.0, maps.AllRows, &light.Window);
     for (std::size_t k = 0; k < kernels.size(); ++k)
     {
       std::transform(kernels[k].begin(), kernels[k].end(), outside[k].begin(), kernels[k].begin(),
@@ -182,16 +233,18 @@ std::vector<float> SynthesizeMaps(const LobeViews& views, const TableLight& ligh
   const FieldSynthesis synthesis(
     light.Environment, maps.AllRows, columns, MapNodes::Poles, maps.Chosen);
   std::array<FieldSynthesis::Field, 3> fields;
+  const auto strengths = GetStrengths(light.Environment, degree);
   for (int order = 0; order <= orders; ++order)
   {
-    if (light.All)
+    if (light.All) // lamps have all degrees
     {
-      const FieldSynthesis::More more{ *light.All, PickOrder(outside, order, degree) };
-      synthesis.Run(order, PickOrder(kernels, order, degree), fields, &more);
+      const FieldSynthesis::More more{ *light.All, PickOrder(outside, order, degree, degree) };
+      synthesis.Run(order, PickOrder(kernels, order, degree, degree), fields, &more);
     }
     else
     {
-      synthesis.Run(order, PickOrder(kernels, order, degree), fields);
+      const int last = GetNeededDegree(kernels, strengths, order, degree);
+      synthesis.Run(order, PickOrder(kernels, order, degree, last), fields);
     }
     AddOrder(order, fields, table, texels, radiance);
     if (!goOn((order + 1.0) / (orders + 1)))
@@ -220,12 +273,12 @@ std::vector<double> GetSliceWeights(const RadianceTable& table)
 }
 }
 
-double SynthesizeRadiance(const LobeViews& views, const TableLight& light,
-  const MaterialPrecomputation::Kernels& knots, int degree, double smoothing,
-  const std::function<bool(double)>& goOn, RadianceTable& table)
+double SynthesizeRadiance(MaterialPrecomputation& parts, const LobeViews& views,
+  const TableLight& light, const MaterialPrecomputation::Kernels& knots, int degree,
+  double smoothing, const std::function<bool(double)>& goOn, RadianceTable& table)
 {
   const int fineRows = table.Tiles.FineRows;
-  std::vector<float> radiance = SynthesizeMaps(views, light, knots, smoothing,
+  std::vector<float> radiance = SynthesizeMaps(parts, views, light, knots, smoothing,
     { table.Rows, {}, fineRows > 0 ? std::min(GetMapDegree(table.Rows), degree) : degree }, goOn,
     table);
   if (radiance.empty())
@@ -240,7 +293,7 @@ double SynthesizeRadiance(const LobeViews& views, const TableLight& light,
     if (!rows.empty())
     {
       fine =
-        SynthesizeMaps(views, light, knots, smoothing, { fineRows, rows, degree }, goOn, table);
+        SynthesizeMaps(parts, views, light, knots, smoothing, { fineRows, rows, degree }, goOn, table);
       if (fine.empty())
       {
         return 0.0;

@@ -45,9 +45,9 @@ inline double GetSmoothed(int l, double smoothing)
 /// What a table of so many rows has of the kernels at its view angles: harmonics about each one's
 /// axis, times its albedo, less what a blur takes and what fades, as LobeHarmonics::Expand has
 /// them. window: only what lies outside of it; null: all.
-std::vector<std::vector<float>> ExpandTableKernels(const LobeViews& views,
-  const MaterialPrecomputation::Kernels& knots, int degree, int orders, double smoothing, int rows,
-  const LampWindow* window = nullptr);
+std::vector<std::vector<float>> ExpandTableKernels(MaterialPrecomputation& parts,
+  const LobeViews& views, const MaterialPrecomputation::Kernels& knots, int degree, int orders,
+  double smoothing, int rows, const LampWindow* window = nullptr);
 
 /// What a table shows.
 struct TableLight
@@ -60,9 +60,9 @@ struct TableLight
 /// The table's radiance, of kernels at its view angles up to a harmonic degree. goOn gets the share
 /// that is done; where it says false, the table is not complete, and the result is 0. Else it is
 /// what undoes the radiance's scaling.
-double SynthesizeRadiance(const LobeViews& views, const TableLight& light,
-  const MaterialPrecomputation::Kernels& knots, int degree, double smoothing,
-  const std::function<bool(double)>& goOn, RadianceTable& table);
+double SynthesizeRadiance(MaterialPrecomputation& parts, const LobeViews& views,
+  const TableLight& light, const MaterialPrecomputation::Kernels& knots, int degree,
+  double smoothing, const std::function<bool(double)>& goOn, RadianceTable& table);
 
 /// RGB scaled so that the peak is the format's largest value, since it has no small ones; negative
 /// values are 0. Returns what undoes the scaling.

@@ -9,9 +9,11 @@
 #include "vtkEnvironment.h"
 #include "vtkSMPTools.h"
 
+#include <Eigen/Core>
 #include <unsupported/Eigen/FFT>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace measuredbrdf
@@ -200,6 +202,55 @@ std::vector<Ring> MakeRings(std::size_t height, int degree)
   }
   return rings;
 }
+// Of several rings at once.
+constexpr std::size_t RingLanes = 4;
+using RingValues = Eigen::Array<double, RingLanes, 1>;
+
+// One order's sums over the rings of both hemispheres, lane by lane: by degree and channel, real
+// and imaginary parts. Functions whose l - m is odd change sign across the equator.
+void SumRings(const Series& rows, const std::vector<Ring>& rings, std::size_t height,
+  std::size_t orders, std::size_t m, std::vector<RingValues>& sums)
+{
+  const WignerD functions(static_cast<int>(m), 0, static_cast<int>(orders) - 1);
+  std::vector<RingValues> d(orders);
+  sums.assign(6 * orders, RingValues::Zero());
+  for (std::size_t first = 0; first < rings.size(); first += RingLanes)
+  {
+    RingValues theta = RingValues::Zero();
+    std::array<std::array<RingValues, 6>, 2> values; // where l - m is even, and odd
+    values[0].fill(RingValues::Zero());
+    values[1].fill(RingValues::Zero());
+    for (std::size_t lane = 0; lane < RingLanes && first + lane < rings.size(); ++lane)
+    {
+      const Eigen::Index at = static_cast<Eigen::Index>(lane);
+      const Ring& ring = rings[first + lane];
+      theta[at] = ring.Theta;
+      for (std::size_t channel = 0; channel < 3; ++channel)
+      {
+        const auto get = [&](std::size_t y) { return rows[(channel * height + y) * orders + m]; };
+        const std::size_t top = height - 1;
+        const std::complex<double> north =
+          ring.Mix(get(top - ring.Rows.First), get(top - ring.Rows.Second));
+        const std::complex<double> south = ring.Mix(get(ring.Rows.First), get(ring.Rows.Second));
+        const std::complex<double> both[2] = { north + south, north - south };
+        for (std::size_t odd = 0; odd < 2; ++odd)
+        {
+          values[odd][2 * channel][at] = both[odd].real();
+          values[odd][2 * channel + 1][at] = both[odd].imag();
+        }
+      }
+    }
+    functions.Evaluate(theta, d.data());
+    for (std::size_t l = m; l < orders; ++l)
+    {
+      const std::array<RingValues, 6>& of = values[(l - m) % 2];
+      for (std::size_t part = 0; part < of.size(); ++part)
+      {
+        sums[6 * l + part] += d[l - m] * of[part];
+      }
+    }
+  }
+}
 }
 
 EnvironmentHarmonics::EnvironmentHarmonics(
@@ -214,42 +265,22 @@ EnvironmentHarmonics::EnvironmentHarmonics(
   const std::size_t height = static_cast<std::size_t>(environment->GetHeight());
   const std::vector<Ring> rings = MakeRings(height, maximumDegree);
 
-  // Over the rings of both hemispheres, order by order: functions whose l - m is odd change sign
-  // across the equator.
   vtkSMPTools::For(0, static_cast<vtkIdType>(orders), 1,
     [&](vtkIdType begin, vtkIdType end)
     {
-      std::vector<double> d(orders);
+      std::vector<RingValues> sums;
       for (vtkIdType order = begin; order < end; ++order)
       {
         const std::size_t m = static_cast<std::size_t>(order);
-        const WignerD functions(static_cast<int>(m), 0, maximumDegree);
-        for (const Ring& ring : rings)
-        {
-          functions.Evaluate(ring.Theta, d.data());
-          for (std::size_t channel = 0; channel < 3; ++channel)
-          {
-            const auto get = [&](std::size_t y)
-            { return rows[(channel * height + y) * orders + m]; };
-            const std::size_t top = height - 1;
-            const std::complex<double> north =
-              ring.Mix(get(top - ring.Rows.First), get(top - ring.Rows.Second));
-            const std::complex<double> south =
-              ring.Mix(get(ring.Rows.First), get(ring.Rows.Second));
-            const std::complex<double> values[2] = { north + south, north - south };
-            std::complex<double>* out = &this->Coefficients[(channel * orders + m) * orders];
-            for (std::size_t l = m; l < orders; ++l)
-            {
-              out[l] += d[l - m] * values[(l - m) % 2];
-            }
-          }
-        }
+        SumRings(rows, rings, height, orders, m, sums);
         for (std::size_t channel = 0; channel < 3; ++channel)
         {
           for (std::size_t l = m; l < orders; ++l)
           {
-            this->Coefficients[(channel * orders + m) * orders + l] *=
-              std::sqrt((2.0 * static_cast<double>(l) + 1.0) / (4.0 * Pi));
+            const RingValues* of = &sums[6 * l + 2 * channel];
+            this->Coefficients[(channel * orders + m) * orders + l] =
+              std::sqrt((2.0 * static_cast<double>(l) + 1.0) / (4.0 * Pi)) *
+              std::complex<double>(of[0].sum(), of[1].sum());
           }
         }
       }

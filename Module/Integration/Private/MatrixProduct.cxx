@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MatrixProduct.h"
+
+#include <cstring>
+
+// Compilers that have vectors of any width, and functions for processors that not all have.
+#if defined(__GNUC__) && defined(__x86_64__)
+#define MEASUREDBRDF_HAS_VECTORS
+#define MEASUREDBRDF_INLINE inline __attribute__((always_inline))
+#endif
+
+namespace measuredbrdf
+{
+namespace
+{
+#ifdef MEASUREDBRDF_HAS_VECTORS
+// So aligned that they may lie anywhere.
+using Vector4 = float __attribute__((vector_size(16), aligned(4), may_alias));
+using Vector8 = float __attribute__((vector_size(32), aligned(4), may_alias));
+
+// What stays in registers: some rows by two vectors, a row after the other.
+template <typename Vector, std::size_t Count>
+struct Tile
+{
+  MEASUREDBRDF_INLINE void Add(
+    const float* left, std::size_t depth, const Vector& first, const Vector& second)
+  {
+    this->First += left[0] * first;
+    this->Second += left[0] * second;
+    this->Others.Add(left + depth, depth, first, second);
+  }
+  MEASUREDBRDF_INLINE void Store(float* result, std::size_t columns) const
+  {
+    Vector* out = reinterpret_cast<Vector*>(result);
+    out[0] = this->First;
+    out[1] = this->Second;
+    this->Others.Store(result + columns, columns);
+  }
+  Vector First = {};
+  Vector Second = {};
+  Tile<Vector, Count - 1> Others;
+};
+
+template <typename Vector>
+struct Tile<Vector, 0>
+{
+  MEASUREDBRDF_INLINE void Add(const float*, std::size_t, const Vector&, const Vector&) {}
+  MEASUREDBRDF_INLINE void Store(float*, std::size_t) const {}
+};
+
+template <typename Vector, std::size_t Count>
+MEASUREDBRDF_INLINE void MultiplyTiles(const float* left, const float* right, std::size_t rows,
+  std::size_t depth, std::size_t columns, float* result)
+{
+  constexpr std::size_t width = sizeof(Vector) / sizeof(float);
+  for (std::size_t column = 0; column < columns; column += 2 * width)
+  {
+    for (std::size_t row = 0; row < rows; row += Count)
+    {
+      Tile<Vector, Count> tile;
+      for (std::size_t k = 0; k < depth; ++k)
+      {
+        const Vector* of = reinterpret_cast<const Vector*>(right + k * columns + column);
+        tile.Add(left + row * depth + k, depth, of[0], of[1]);
+      }
+      tile.Store(result + row * columns + column, columns);
+    }
+  }
+}
+
+__attribute__((target("avx2,fma"))) void MultiplyWide(const float* left, const float* right,
+  std::size_t rows, std::size_t depth, std::size_t columns, float* result)
+{
+  MultiplyTiles<Vector8, ProductRows>(left, right, rows, depth, columns, result);
+}
+#endif
+
+void MultiplyAnywhere(const float* left, const float* right, std::size_t rows, std::size_t depth,
+  std::size_t columns, float* result)
+{
+#ifdef MEASUREDBRDF_HAS_VECTORS
+  MultiplyTiles<Vector4, ProductRows>(left, right, rows, depth, columns, result);
+#else
+  std::memset(result, 0, rows * columns * sizeof(float));
+  for (std::size_t row = 0; row < rows; ++row)
+  {
+    for (std::size_t k = 0; k < depth; ++k)
+    {
+      const float factor = left[row * depth + k];
+      for (std::size_t column = 0; column < columns; ++column)
+      {
+        result[row * columns + column] += factor * right[k * columns + column];
+      }
+    }
+  }
+#endif
+}
+}
+
+void Multiply(const float* left, const float* right, std::size_t rows, std::size_t depth,
+  std::size_t columns, float* result)
+{
+#ifdef MEASUREDBRDF_HAS_VECTORS
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+  {
+    return MultiplyWide(left, right, rows, depth, columns, result);
+  }
+#endif
+  MultiplyAnywhere(left, right, rows, depth, columns, result);
+}
+} // namespace measuredbrdf

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What the synthesis of tables is made of: products in wide vectors, and kernels' harmonics that
+// are kept for other sizes.
+
+#include "LobeHarmonics.h"
+#include "MaterialPrecomputation.h"
+#include "MatrixProduct.h"
+#include "vtkBRDF.h"
+#include "vtkEmbeddedMaterials.h"
+#include "vtkSmartPointer.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+using namespace measuredbrdf;
+
+//------------------------------------------------------------------------------
+TEST(MatrixProduct, AgreesWithSumsInDouble)
+{
+  for (const std::size_t depth : { 1u, 7u, 130u })
+  {
+    const std::size_t rows = 3 * ProductRows;
+    const std::size_t columns = 2 * ProductColumns;
+    std::vector<float> left(rows * depth), right(depth * columns), result(rows * columns, -1.0f);
+    for (std::size_t k = 0; k < left.size(); ++k)
+    {
+      left[k] = static_cast<float>(std::sin(0.7 * static_cast<double>(k)));
+    }
+    for (std::size_t k = 0; k < right.size(); ++k)
+    {
+      right[k] = static_cast<float>(std::cos(1.3 * static_cast<double>(k)));
+    }
+    Multiply(left.data(), right.data(), rows, depth, columns, result.data());
+    for (std::size_t row = 0; row < rows; ++row)
+    {
+      for (std::size_t column = 0; column < columns; ++column)
+      {
+        double sum = 0.0;
+        for (std::size_t k = 0; k < depth; ++k)
+        {
+          sum += static_cast<double>(left[row * depth + k]) *
+                 static_cast<double>(right[k * columns + column]);
+        }
+        ASSERT_NEAR(static_cast<double>(result[row * columns + column]), sum, 1e-5)
+          << row << " " << column << " of " << depth;
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Smaller sizes are parts of larger ones, and larger ones are made anew.
+TEST(MaterialPrecomputation, KeepsExpandedKernels)
+{
+  const auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("nickel"));
+  brdf->Prepare();
+  const std::atomic<bool> never{ false };
+  MaterialPrecomputation parts;
+  const LobeViews& views = parts.GetViews(brdf, never);
+  const auto& kernels = parts.GetKernels(brdf, 4, 32, never);
+  const auto expand = [&](int degree, int orders)
+  {
+    std::vector<std::pair<const LobeHarmonics*, double>> lobes;
+    for (int k = 0; k < 4; ++k)
+    {
+      lobes.emplace_back(
+        kernels[static_cast<std::size_t>(k)].get(), views.GetAxis(LobeViews::GetKnotAngle(k, 4)));
+    }
+    return LobeHarmonics::Expand(lobes, degree, orders);
+  };
+  const int sizes[][2] = { { 20, 4 }, { 12, 2 }, { 30, 3 }, { 30, 4 }, { 9, 0 } };
+  for (const auto& [degree, orders] : sizes)
+  {
+    const auto wanted = expand(degree, orders);
+    const auto known = parts.GetExpanded(kernels, degree, orders);
+    ASSERT_EQ(known.size(), wanted.size());
+    for (std::size_t k = 0; k < known.size(); ++k)
+    {
+      ASSERT_EQ(known[k].size(), wanted[k].size());
+      for (std::size_t n = 0; n < known[k].size(); ++n)
+      {
+        ASSERT_NEAR(known[k][n], wanted[k][n], 1e-6f) << degree << " " << orders << ": " << n;
+      }
+    }
+  }
+  const std::size_t bytes = parts.GetBytes();
+  parts.Trim(3); // and what was expanded of them
+  EXPECT_LT(parts.GetBytes() + 4 * 3 * 5 * 31 * sizeof(float), bytes);
+}
