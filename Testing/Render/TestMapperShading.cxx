@@ -150,6 +150,7 @@ TEST(MapperCopy, TakesOverEveryProperty)
   original->SetScalarColoringMode(vtkMeasuredBRDFMapper::IGNORE_SCALARS);
   original->UseSceneLightsOff();
   original->SetOcclusionModeToOff();
+  original->OcclusionBounceOn();
   vtkNew<vtkMeasuredBRDFMapper> copy;
   copy->ShallowCopy(original);
 
