@@ -124,7 +124,7 @@ TEST_F(ManyClasses, ColorsOfCellsStayTheirOwn)
 // Three meet in a triangle, in more ways than there are parts for: none is left out.
 TEST_F(ManyClasses, OfPointsMeetInManyWays)
 {
-  constexpr int classes = 2 * Count;
+  constexpr int classes = Count + 4;
   this->AddMaterials(classes);
   this->Sheet->GetCellData()->RemoveArray("data");
   const auto classOf = [](vtkIdType point)
