@@ -37,9 +37,10 @@ void CheckValues(const std::string& path, const ImageFile& file)
 }
 
 //------------------------------------------------------------------------------
-// RGBA, top row first -> scalars of RGB or RGBA, bottom row first.
+// RGBA, top row first -> scalars of colors (1 or 3), and alpha where there is one, bottom row
+// first.
 template <typename Value>
-void Fill(const ImageFile& file, double scale, int components, Value* values)
+void Fill(const ImageFile& file, double scale, int colors, Value* values)
 {
   const auto width = static_cast<std::size_t>(file.Width);
   for (int y = file.Height - 1; y >= 0; --y)
@@ -47,10 +48,10 @@ void Fill(const ImageFile& file, double scale, int components, Value* values)
     for (std::size_t x = 0; x < width; ++x)
     {
       const float* texel = &file.Pixels[4 * (static_cast<std::size_t>(y) * width + x)];
-      for (int c = 0; c < components; ++c)
+      for (int c = 0; c < colors + (file.HasAlpha ? 1 : 0); ++c)
       {
         // Alpha follows the color's values.
-        const float value = texel[c == 3 ? file.Channels : c % file.Channels];
+        const float value = texel[c == colors ? file.Channels : c % file.Channels];
         *values++ = static_cast<Value>(scale > 1.0 ? std::lround(scale * value) : value);
       }
     }
@@ -58,25 +59,26 @@ void Fill(const ImageFile& file, double scale, int components, Value* values)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkImageData> MakePicture(const ImageFile& file)
+vtkSmartPointer<vtkImageData> MakePicture(const ImageFile& file, bool keepsGray)
 {
-  const int components = file.HasAlpha ? 4 : 3;
+  const int colors = keepsGray && file.Channels == 1 ? 1 : 3;
+  const int components = colors + (file.HasAlpha ? 1 : 0);
   auto picture = vtkSmartPointer<vtkImageData>::New();
   picture->SetDimensions(file.Width, file.Height, 1);
   if (!file.IsEncoded)
   {
     picture->AllocateScalars(VTK_FLOAT, components);
-    Fill(file, 1.0, components, static_cast<float*>(picture->GetScalarPointer()));
+    Fill(file, 1.0, colors, static_cast<float*>(picture->GetScalarPointer()));
   }
   else if (file.HasBytes)
   {
     picture->AllocateScalars(VTK_UNSIGNED_CHAR, components);
-    Fill(file, 255.0, components, static_cast<unsigned char*>(picture->GetScalarPointer()));
+    Fill(file, 255.0, colors, static_cast<unsigned char*>(picture->GetScalarPointer()));
   }
   else
   {
     picture->AllocateScalars(VTK_UNSIGNED_SHORT, components);
-    Fill(file, 65535.0, components, static_cast<unsigned short*>(picture->GetScalarPointer()));
+    Fill(file, 65535.0, colors, static_cast<unsigned short*>(picture->GetScalarPointer()));
   }
   return picture;
 }
@@ -100,7 +102,7 @@ bool vtkPictureReader::Read()
     const ImageFile file = measuredbrdf::ReadImageFile(
       this->FileName, fileSize, measuredbrdf::ImageValues::ColorAndAlpha);
     CheckValues(this->FileName, file);
-    this->Picture = MakePicture(file);
+    this->Picture = MakePicture(file, this->KeepsGray);
     return true;
   }
   catch (const FileError& e)
@@ -120,6 +122,7 @@ void vtkPictureReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << measuredbrdf::ToPrintable(this->FileName) << "\n";
+  os << indent << "KeepsGray: " << (this->KeepsGray ? "On" : "Off") << "\n";
   os << indent << "ErrorMessage: " << this->ErrorMessage << "\n";
   os << indent << "Picture: " << this->Picture.Get() << "\n";
 }

@@ -38,6 +38,16 @@ public:
   vtkGetMacro(FileName, std::string);
   ///@}
 
+  ///@{
+  /**
+   * Whether a gray image keeps its one component (two with alpha), as weights do, instead of three
+   * equal ones (four with alpha), as colors do (default: off).
+   */
+  vtkSetMacro(KeepsGray, bool);
+  vtkGetMacro(KeepsGray, bool);
+  vtkBooleanMacro(KeepsGray, bool);
+  ///@}
+
   /**
    * Read. Returns whether it worked; if not, an error event and GetErrorMessage name the file and
    * what is wrong (a value that is not finite, too), and the picture that was read before stays.
@@ -59,6 +69,7 @@ protected:
   ~vtkPictureReader() override;
 
   std::string FileName;
+  bool KeepsGray = false;
   std::string ErrorMessage;
   vtkSmartPointer<vtkImageData> Picture;
 

@@ -546,7 +546,7 @@ add("IO.padding-of-any-length", "Private/FileBytes.cxx", "this->GetRemaining() <
 
 add("IO.picture-upside-down", "vtkPictureReader.cxx", "for (int y = file.Height - 1; y >= 0; --y)",
     "for (int y = 0; y < file.Height; ++y)", "IOPicture.KeepsIntegersAsTheyAre")
-add("IO.picture-alpha-of-gray", "vtkPictureReader.cxx", "c == 3 ? file.Channels :", "c == 3 ? 3 :",
+add("IO.picture-alpha-of-gray", "vtkPictureReader.cxx", "c == colors ? file.Channels :", "c == 3 ? 3 :",
     "IOPicture.KeepsIntegersAsTheyAre")
 add("IO.picture-with-nan", "vtkPictureReader.cxx", "return !std::isfinite(value);", "return value > 1e38f;",
     "IOPicture.RefusesBadFiles")

@@ -138,6 +138,16 @@ def test_weight_images():
         columns = slice(int(left + (k + 0.15) * width), int(left + (k + 0.85) * width))
         assert np.abs(picture[60:240, columns] - alone[name][60:240, columns]).max() <= 6, name
     assert get_plan(display).count("error") >= 3, get_plan(display)
+    # Two gray images are the weights of two materials.
+    gray = [os.path.join(OUTPUT, f"weights-gray-{k}.png") for k in range(2)]
+    for k, path in enumerate(gray):
+        write(path, np.broadcast_to(255.0 * (np.arange(64) // 32 == k)[None, :, None], (64, 64, 1)))
+    display.MapMaterials = ["0", "nickel", "1", "pink-felt"]
+    display.WeightImages = gray
+    picture = draw(view, "images-gray")
+    for k, name in enumerate(("nickel", "pink-felt")):
+        columns = slice(int(left + (2 * k + 0.15) * width), int(left + (2 * k + 1.85) * width))
+        assert np.abs(picture[60:240, columns] - alone[name][60:240, columns]).max() <= 6, name
     display.WeightImages = []
     display.MaterialMapMode = "None"
     assert get_difference(draw(view, "images-none"), alone["blue-rubber"])[0] <= 1

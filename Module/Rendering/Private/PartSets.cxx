@@ -12,6 +12,10 @@ namespace measuredbrdf
 {
 namespace
 {
+// Most materials of sets that are merged: their textures fit into the 16 units that every graphics
+// card has, and none is left out where fewer meet.
+constexpr std::size_t MostMerged = 5;
+
 struct Group
 {
   CellMaterials::Set Set;
@@ -95,7 +99,8 @@ PartSets::PartSets(const CellMaterials& cells, int mostMaterials, int wanted)
       this->Sets.push_back(std::move(set));
     }
   }
-  while (static_cast<int>(groups.size()) > wanted && MergeSmallest(groups, most))
+  while (
+    static_cast<int>(groups.size()) > wanted && MergeSmallest(groups, std::min(most, MostMerged)))
   {
   }
   const bool stillMany = onScale && static_cast<int>(groups.size()) > wanted &&

@@ -29,9 +29,10 @@ void WriteImage(const std::string& path, int width, int height, int channels,
 }
 
 void ExpectPicture(const std::string& path, int type, int width, int height, int components,
-  const std::vector<double>& values)
+  const std::vector<double>& values, bool keepsGray = false)
 {
   vtkNew<vtkPictureReader> reader;
+  reader->SetKeepsGray(keepsGray);
   reader->SetFileName(path);
   ASSERT_TRUE(reader->Read()) << reader->GetErrorMessage();
   vtkImageData* picture = reader->GetPicture();
@@ -78,6 +79,19 @@ TEST(IOPicture, KeepsIntegersAsTheyAre)
     WriteImage(folder(name), 1, 1, 3, { Byte(10), Byte(20), Byte(30) }, byte);
     ExpectPicture(folder(name), VTK_UNSIGNED_CHAR, 1, 1, 3, { 10, 20, 30 });
   }
+}
+
+//------------------------------------------------------------------------------
+TEST(IOPicture, GrayStaysGrayWhereThatIsAsked)
+{
+  const Folder folder;
+  const auto byte = OIIO::TypeDesc::UINT8;
+  WriteImage(folder("gray.png"), 2, 1, 1, { Byte(7), Byte(8) }, byte);
+  WriteImage(folder("ya.png"), 1, 1, 2, { Byte(90), Byte(30) }, byte);
+  WriteImage(folder("rgb.png"), 1, 1, 3, { Byte(5), Byte(5), Byte(5) }, byte);
+  ExpectPicture(folder("gray.png"), VTK_UNSIGNED_CHAR, 2, 1, 1, { 7, 8 }, true);
+  ExpectPicture(folder("ya.png"), VTK_UNSIGNED_CHAR, 1, 1, 2, { 90, 30 }, true);
+  ExpectPicture(folder("rgb.png"), VTK_UNSIGNED_CHAR, 1, 1, 3, { 5, 5, 5 }, true);
 }
 
 //------------------------------------------------------------------------------

@@ -155,6 +155,7 @@ struct WeightImages
   static Found<vtkImageData> Read(const std::string& path)
   {
     vtkNew<vtkPictureReader> reader;
+    reader->KeepsGrayOn();
     const bool success = ReadQuietly(reader.Get(), path);
     return { success ? reader->GetPicture() : nullptr, reader->GetErrorMessage() };
   }
