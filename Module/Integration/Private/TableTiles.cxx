@@ -212,10 +212,24 @@ std::vector<float> TableTiles::Join(
   {
     float* const out = &all[slice * joined];
     std::copy_n(&coarse[slice * texels], texels, out);
-    const MapView map{ &coarse[slice * texels], rows, columns };
+    const MapView map{ out, rows, columns };
     const MapView finer{ fine.data() + 3 * slice * known.size() *
                                          static_cast<std::size_t>(this->GetFineColumns()),
       static_cast<int>(known.size()), this->GetFineColumns() };
+    // The coarse map rings about lamps: where it meets tiles it takes their values.
+    constexpr int side = Intervals / Ratio + 1;
+    for (std::size_t tile = 0; tile < this->Places.size(); ++tile)
+    {
+      const int first = static_cast<int>(tile) / this->CountColumns() * (side - 1);
+      const int left = static_cast<int>(tile) % this->CountColumns() * (side - 1);
+      for (int k = 0; this->Places[tile] > 0.0f && k < side * side; ++k)
+      {
+        const int row = first + k / side;
+        const int column = (left + k % side) % columns;
+        std::copy_n(finer.Get(placeOf[static_cast<std::size_t>(Ratio * row)], Ratio * column), 3,
+          out + 3 * (row * columns + column));
+      }
+    }
     for (std::size_t tile = 0; tile < this->Places.size(); ++tile)
     {
       const int place = static_cast<int>(this->Places[tile]) - 1;
