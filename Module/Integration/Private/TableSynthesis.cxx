@@ -204,8 +204,8 @@ struct SliceMaps
 
 // None where goOn said false.
 std::vector<float> SynthesizeMaps(MaterialPrecomputation& parts, const LobeViews& views,
-  const TableLight& light, const MaterialPrecomputation::Kernels& knots, double smoothing, const SliceMaps& maps,
-  const std::function<bool(double)>& goOn, const RadianceTable& table)
+  const TableLight& light, const MaterialPrecomputation::Kernels& knots, double smoothing,
+  const SliceMaps& maps, const std::function<bool(double)>& goOn, const RadianceTable& table)
 {
   const int orders = table.Azimuths / 2; // as many as the azimuths can tell apart
   const int degree = maps.Degree;
@@ -292,8 +292,8 @@ double SynthesizeRadiance(MaterialPrecomputation& parts, const LobeViews& views,
     std::vector<float> fine;
     if (!rows.empty())
     {
-      fine =
-        SynthesizeMaps(parts, views, light, knots, smoothing, { fineRows, rows, degree }, goOn, table);
+      fine = SynthesizeMaps(
+        parts, views, light, knots, smoothing, { fineRows, rows, degree }, goOn, table);
       if (fine.empty())
       {
         return 0.0;

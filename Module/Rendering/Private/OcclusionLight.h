@@ -9,8 +9,8 @@
 #ifndef OcclusionLight_h
 #define OcclusionLight_h
 
-#include "OcclusionBounce.h"
 #include "EnvironmentPanels.h"
+#include "OcclusionBounce.h"
 #include "SkyHarmonics.h"
 #include "vtkSmartPointer.h"
 

@@ -5,12 +5,13 @@
 #include "HiddenSky.h"
 #include "LocalFrame.h"
 #include "OcclusionBounce.h"
+#include "OcclusionPanels.h"
+#include "SkyCodeText.h"
 #include "vtkBRDFHiddenSky.h"
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace measuredbrdf
 {
@@ -19,27 +20,6 @@ namespace
 constexpr double Pi = 3.14159265358979323846;
 constexpr std::size_t LampsOfMixtures = 4; // of each of several materials
 constexpr float LargestIrradiance = 1e30f;
-
-std::string Number(double value)
-{
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.9f", value);
-  return text;
-}
-
-std::string Along(int sector)
-{
-  const double azimuth = 2.0 * Pi * sector / HiddenSky::Sectors;
-  return "vec2(" + Number(std::cos(azimuth)) + ", " + Number(std::sin(azimuth)) + ")";
-}
-
-// Byte k of a point's code.
-std::string Byte(int k) { return "brdfCode" + std::to_string(k / 3) + "." + "xyz"[k % 3]; }
-
-std::string Bounds(int sector)
-{
-  return "vec2(" + Byte(3 + 2 * sector) + ", " + Byte(4 + 2 * sector) + ")";
-}
 
 // Both sides of three materials or four leave no varyings for lamps.
 std::size_t CountLamps(const OcclusionLights& lights, bool twoSided, std::size_t member)
@@ -152,48 +132,6 @@ std::string MakeCommonCode()
   return text + "  bool brdfSkyMatters = " + highs + " > 0.5;\n";
 }
 
-// After the rest of the light: panels, each on its own.
-std::string MakePanelCode(const std::string& m, const std::string& out, std::size_t panels)
-{
-  // How much less the harmonics say is hidden than the sectors.
-  std::string text = "  float brdfInSectors#M = 0.0;\n";
-  for (int s = 0; s < HiddenSky::Sectors; ++s)
-  {
-    text += "  brdfInSectors#M += brdfSkySquare(" + Bounds(s) + ");\n";
-  }
-  text += R"(  vec3 brdfLobeAll#M = max(brdfRest#M, vec3(1e-12)) * 0.3183098861837907;
-  vec3 brdfLobeLost#M = brdfHiddenLobe#OUTVSOutput * brdfLobeAll#M;
-  float brdfSkyTrust#M = clamp(brdfSkyHidden / max(brdfInSectors#M, 1e-6), 0.0, 1.0);
-  for (int k = 0; k < #COUNT; ++k)
-  {
-    vec4 panel = brdfSkyPanel#M[k];
-    vec3 direction = panel.xyz * brdfSkyAxes;
-    float radius = sqrt(0.5 / panel.w);
-    vec3 azimuth = brdfSkyPanelAzimuth(direction, radius);
-    vec2 ends = brdfSkyPanelEnds(direction, radius);
-    vec2 sum = vec2(0.0);
-)";
-  for (int s = 0; s < HiddenSky::Sectors; ++s)
-  {
-    text += "    brdfSkyPanelSector(" + Along(s) + ", " + Bounds(s) + ", azimuth, ends, sum);\n";
-  }
-  text += R"(    float hidden = brdfSkyPanelHidden(sum, ends) * brdfSkyTrust#M;
-    vec2 rise = brdfSkyPanelRise(direction.z, radius);
-    vec3 light = brdfSkyPanelLight#M[k];
-    float cosine = dot(direction, brdfAxis#M);
-    vec3 inLobe = light * (rise.y * brdfSkyPanelInLobe(panel.w, brdfLobe#M.z, cosine));
-    brdfHiddenLight#OUTVSOutput += hidden * rise.x * light;
-    brdfLobeAll#M += inLobe;
-    brdfLobeLost#M += hidden * inLobe;
-  }
-  brdfHiddenLobe#OUTVSOutput = brdfLobeLost#M / brdfLobeAll#M;
-)";
-  vtkShaderProgram::Substitute(text, "#OUT", out);
-  vtkShaderProgram::Substitute(text, "#M", m);
-  vtkShaderProgram::Substitute(text, "#COUNT", std::to_string(panels));
-  return text;
-}
-
 std::string MakeMemberCode(const OcclusionLights& lights, const OcclusionLayout& layout,
   std::size_t side, std::size_t member)
 {
@@ -270,14 +208,6 @@ std::string MakeSideCode(
     text += lights[m] ? MakeMemberCode(lights, layout, side, m) : "";
   }
   return text + "  }\n  }\n";
-}
-
-std::string DeclarePanels(const std::string& m, std::size_t panels)
-{
-  const std::string size = "[" + std::to_string(panels) + "];\n";
-  return panels > 0
-           ? "uniform vec4 brdfSkyPanel" + m + size + "uniform vec3 brdfSkyPanelLight" + m + size
-           : "";
 }
 
 std::string DeclareMember(
@@ -438,28 +368,6 @@ void SetLampLight(vtkShaderProgram* program, const std::string& number,
   }
 }
 
-void SetPanels(vtkShaderProgram* program, const std::string& number,
-  const std::vector<EnvironmentPanels::Panel>& panels, const glm::dmat3& toEnvironment)
-{
-  std::vector<float> places;
-  std::vector<float> light;
-  for (const EnvironmentPanels::Panel& panel : panels)
-  {
-    const glm::dvec3 d = glm::transpose(toEnvironment) * panel.Direction;
-    for (int c = 0; c < 3; ++c)
-    {
-      places.push_back(static_cast<float>(d[c]));
-      light.push_back(static_cast<float>(panel.Irradiance[c]));
-    }
-    places.push_back(static_cast<float>(panel.Concentration));
-  }
-  const int count = static_cast<int>(panels.size());
-  if (count > 0)
-  {
-    program->SetUniform4fv(("brdfSkyPanel" + number).c_str(), count, places.data());
-    program->SetUniform3fv(("brdfSkyPanelLight" + number).c_str(), count, light.data());
-  }
-}
 }
 
 void SetOcclusionUniforms(vtkShaderProgram* program, const OcclusionLights& lights,

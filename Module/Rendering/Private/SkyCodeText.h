@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * How shader text names the parts of a point's code (HiddenSky.h). Private to the rendering room.
+ */
+
+#ifndef SkyCodeText_h
+#define SkyCodeText_h
+
+#include "HiddenSky.h"
+
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+namespace measuredbrdf
+{
+inline std::string Number(double value)
+{
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.9f", value);
+  return text;
+}
+
+inline std::string Along(int sector)
+{
+  const double azimuth = 2.0 * 3.14159265358979323846 * sector / HiddenSky::Sectors;
+  return "vec2(" + Number(std::cos(azimuth)) + ", " + Number(std::sin(azimuth)) + ")";
+}
+
+// Byte k of a point's code.
+inline std::string Byte(int k) { return "brdfCode" + std::to_string(k / 3) + "." + "xyz"[k % 3]; }
+
+inline std::string Bounds(int sector)
+{
+  return "vec2(" + Byte(3 + 2 * sector) + ", " + Byte(4 + 2 * sector) + ")";
+}
+} // namespace measuredbrdf
+
+#endif
