@@ -28,9 +28,9 @@
  * last degrees fade out. What is stored are the linear splines of least squared error, and dark
  * rings about lamps that are sharper than the rows are lifted.
  *
- * Cost: 2 trilinear and 4 bilinear fetches a pixel. Errors: linear interpolation in the four
- * quantities and the harmonics' degree, second order where radiance is smooth, first order where
- * the horizon cuts a bright light.
+ * Cost: 2 trilinear and 4 bilinear fetches a pixel, and with tiles one of a single texel. Errors:
+ * linear interpolation in the four quantities and the harmonics' degree, second order where
+ * radiance is smooth, first order where the horizon cuts a bright light.
  *
  * Isotropic BRDFs only, taken as symmetric about the plane of incidence, f(theta_i, theta_o, phi) =
  * f(theta_i, theta_o, -phi), as nearly all isotropic materials are: of one that is not, the mean of

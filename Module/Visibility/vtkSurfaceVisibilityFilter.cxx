@@ -59,6 +59,8 @@ std::vector<vtkPolyData*> GetSurfaces(vtkDataObject* data)
   return surfaces;
 }
 
+constexpr const char* BackSuffix = "Back";
+
 SideNames GetNames(const std::string& suffix)
 {
   return { vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName() + suffix,
@@ -66,8 +68,17 @@ SideNames GetNames(const std::string& suffix)
     vtkSurfaceVisibilityFilter::GetBouncedLightArrayName() + suffix };
 }
 
+// In place of all that an earlier run left there: the key speaks for all of them.
 void AddArrays(vtkPolyData* surface, const SurfaceArrays& arrays, bool bounce)
 {
+  for (const char* suffix : { "", BackSuffix })
+  {
+    const SideNames names = GetNames(suffix);
+    for (const std::string& name : { names.Sky, names.Light, names.Bounced })
+    {
+      surface->GetPointData()->RemoveArray(name.c_str());
+    }
+  }
   for (const SideArrays& side : arrays.Sides)
   {
     surface->GetPointData()->AddArray(side.Sky);
@@ -151,7 +162,7 @@ struct vtkSurfaceVisibilityFilter::Internals
     std::vector<SideNames> sides = { GetNames("") };
     if (self->BothSides)
     {
-      sides.push_back(GetNames("Back"));
+      sides.push_back(GetNames(BackSuffix));
     }
     const VisibilityTask::Settings settings = { self->NumberOfRays, sides, self->SelfOcclusion,
       self->MaximumDistance > 0.0 ? self->MaximumDistance

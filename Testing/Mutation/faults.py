@@ -920,8 +920,10 @@ add("Rendering.map-scalars-that-choose-color", "Private/PartMappers.cxx", "if (c
     "if (!colored || ",
     "MaterialMapping.ScalarsThatChooseDoNotColor")
 add("Rendering.map-classes-keep-the-last-textures", "Private/BRDFTextures.cxx",
-    "if (uploaded.Texture != last.Textures[k].Texture)", "if (false)",
+    "if (!last.Has(uploaded.Texture))", "if (false)",
     "ManyClasses.OfSeveralShadersUnderALight")
+add("Rendering.map-classes-released-elsewhere", "Private/ClassesMapper.cxx",
+    "this->OwnWindow->PushContext();", "", "ManyClasses.LeaveOtherWindowsAlone")
 add("Rendering.map-classes-keep-the-last-numbers", "Private/BRDFTextures.cxx",
     "if (last && last->Form.Terms[term].Uniforms[k].Values == uniform.Values)", "if (last)",
     "ManyClasses.OfSeveralShadersUnderALight")
@@ -1086,5 +1088,7 @@ add("Integration.tails-of-one-side", "Private/TailRegularity.cxx", "for (const d
     "for (const double turn : { azimuth, azimuth })", "TailRegularity.OfOddTables")
 add("Visibility.occluders-stay", "vtkSurfaceVisibilityFilter.cxx", "occluder.Matrix ? occluder.Matrix->GetMTime() : 0", "0",
     "OcclusionStability.OccludersMayMove")
+add("Visibility.bounce-of-an-earlier-run-stays", "vtkSurfaceVisibilityFilter.cxx",
+    "surface->GetPointData()->RemoveArray(name.c_str());", "", "BouncedLight.OfAnEarlierRunGoes")
 add("Visibility.buried-points-darken", "Private/VisibilityTask.cxx", "constexpr double buried = 0.99;",
     "constexpr double buried = 2.0;", "OcclusionStability.PointsInsideOtherBodiesDarkenNothing")

@@ -5,8 +5,12 @@
 
 #include "MaterialMapFixture.h"
 
+#include "vtkActor.h"
 #include "vtkLight.h"
+#include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <string>
@@ -185,5 +189,44 @@ TEST_F(ManyClasses, FollowEveryChange)
   expectChange("edges");
   this->Actor->GetProperty()->EdgeVisibilityOff();
   expectChange("no edges");
+}
+
+// A window that the surface leaves loses none of its own buffers, although the mapper's are in
+// another window by then; nor does it where the data change.
+TEST_F(ManyClasses, LeaveOtherWindowsAlone)
+{
+  this->AddMaterialsOfSeveralShaders();
+  this->Mapper->SetMaterialMap(this->Map);
+  vtkNew<vtkPolyDataMapper> plain;
+  plain->SetInputData(this->Sheet);
+  plain->ScalarVisibilityOff();
+  vtkNew<vtkActor> stays;
+  stays->SetMapper(plain);
+  stays->SetScale(0.5);
+  this->AddLight();
+  this->Renderer->RemoveActor(this->Actor);
+  this->Renderer->AddActor(stays);
+  const FloatImage alone = this->RenderLinear();
+  vtkNew<vtkRenderer> otherRenderer;
+  vtkNew<vtkRenderWindow> other;
+  other->SetOffScreenRendering(1);
+  other->SetSize(32, 32);
+  other->AddRenderer(otherRenderer);
+  otherRenderer->AddActor(this->Actor);
+  for (int turn = 1; turn <= 2; ++turn)
+  {
+    this->Renderer->AddActor(this->Actor);
+    this->RenderLinear();
+    other->Render();
+    this->SetCells([turn](vtkIdType cell, int) { return (cell + turn) % Count; });
+    if (turn == 2)
+    {
+      this->RenderLinear();
+      other->Render();
+    }
+    this->Renderer->RemoveActor(this->Actor);
+    this->ExpectSame(this->RenderLinear(), alone, "after the surface has left");
+    other->Render();
+  }
 }
 }

@@ -15,9 +15,8 @@ namespace measuredbrdf
 namespace
 {
 #ifdef MEASUREDBRDF_HAS_VECTORS
-// So aligned that they may lie anywhere.
-using Vector4 = float __attribute__((vector_size(16), aligned(4), may_alias));
-using Vector8 = float __attribute__((vector_size(32), aligned(4), may_alias));
+using Vector4 = float __attribute__((vector_size(16)));
+using Vector8 = float __attribute__((vector_size(32)));
 
 // What stays in registers: some rows by two vectors, a row after the other.
 template <typename Vector, std::size_t Count>
@@ -32,9 +31,8 @@ struct Tile
   }
   MEASUREDBRDF_INLINE void Store(float* result, std::size_t columns) const
   {
-    Vector* out = reinterpret_cast<Vector*>(result);
-    out[0] = this->First;
-    out[1] = this->Second;
+    std::memcpy(result, &this->First, sizeof(Vector)); // anywhere: memory is not aligned
+    std::memcpy(result + sizeof(Vector) / sizeof(float), &this->Second, sizeof(Vector));
     this->Others.Store(result + columns, columns);
   }
   Vector First = {};
@@ -61,7 +59,8 @@ MEASUREDBRDF_INLINE void MultiplyTiles(const float* left, const float* right, st
       Tile<Vector, Count> tile;
       for (std::size_t k = 0; k < depth; ++k)
       {
-        const Vector* of = reinterpret_cast<const Vector*>(right + k * columns + column);
+        Vector of[2];
+        std::memcpy(of, right + k * columns + column, sizeof(of));
         tile.Add(left + row * depth + k, depth, of[0], of[1]);
       }
       tile.Store(result + row * columns + column, columns);

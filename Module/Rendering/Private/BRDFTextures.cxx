@@ -146,7 +146,8 @@ vtkSmartPointer<vtkTextureObject> FindOrUpload(
   const std::lock_guard<std::mutex> lock(mutex);
   for (auto it = shared.begin(); it != shared.end();)
   {
-    it = it->second ? std::next(it) : shared.erase(it);
+    // Other windows' textures may be deleted by their own threads meanwhile.
+    it = it->first.second != window || it->second ? std::next(it) : shared.erase(it);
   }
   if (uploaded)
   {
@@ -307,21 +308,29 @@ void FormTextures::Deactivate()
   }
 }
 
-void FormTextures::ActivateAfter(FormTextures& last)
+bool FormTextures::Has(const vtkTextureObject* texture) const
 {
-  for (std::size_t k = 0; k < this->Textures.size(); ++k)
+  return std::any_of(this->Textures.begin(), this->Textures.end(),
+    [texture](const Uploaded& uploaded) { return uploaded.Texture == texture; });
+}
+
+// A texture may stand for several samplers of either form.
+void FormTextures::ActivateAfter(const FormTextures& last)
+{
+  for (const Uploaded& uploaded : last.Textures)
   {
-    Uploaded& uploaded = this->Textures[k];
-    if (uploaded.Texture != last.Textures[k].Texture)
+    if (!this->Has(uploaded.Texture))
     {
-      last.Textures[k].Texture->Deactivate();
+      uploaded.Texture->Deactivate();
+    }
+  }
+  for (Uploaded& uploaded : this->Textures)
+  {
+    if (!last.Has(uploaded.Texture))
+    {
       uploaded.Texture->Activate();
-      uploaded.Unit = uploaded.Texture->GetTextureUnit();
     }
-    else
-    {
-      uploaded.Unit = last.Textures[k].Unit;
-    }
+    uploaded.Unit = uploaded.Texture->GetTextureUnit();
   }
 }
 

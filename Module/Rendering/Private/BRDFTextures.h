@@ -56,7 +56,7 @@ public:
   void Activate();
   void Deactivate();
   /// Instead of last, of the same shader: what both share stays bound.
-  void ActivateAfter(FormTextures& last);
+  void ActivateAfter(const FormTextures& last);
   /// firstInstance: the number that stands for INSTANCE in the first term's names. last: whose
   /// uniforms of the same names the program has, bound to the same units; null: nobody's.
   void SetUniforms(
@@ -68,6 +68,7 @@ public:
   std::size_t GetNumberOfSamplers() const { return this->Textures.size(); }
 
 private:
+  bool Has(const vtkTextureObject* texture) const;
   /// The source's form, uploaded; what it can't make is not asked for again until it changes.
   template <typename Make>
   std::string UpdateAt(vtkMTimeType time, vtkOpenGLRenderWindow* window, const Make& makeForm);

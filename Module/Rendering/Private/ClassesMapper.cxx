@@ -10,6 +10,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLHelper.h"
 #include "vtkOpenGLIndexBufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLVertexArrayObject.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -68,7 +69,39 @@ vtkSmartPointer<vtkPolyData> Join(const std::vector<vtkPolyData*>& surfaces)
 
 ClassesMapper::ClassesMapper() = default;
 
-ClassesMapper::~ClassesMapper() = default;
+ClassesMapper::~ClassesMapper()
+{
+  this->ReleaseIndices();
+  this->InOwnWindow([this]() { this->DropShaders(this->OwnWindow); });
+}
+
+// A window that is gone took its objects with it: it had this mapper release them.
+template <typename Release>
+void ClassesMapper::InOwnWindow(const Release& release)
+{
+  if (this->OwnWindow)
+  {
+    this->OwnWindow->PushContext();
+    release();
+    this->OwnWindow->PopContext();
+  }
+}
+
+void ClassesMapper::ReleaseIndices()
+{
+  this->InOwnWindow(
+    [this]()
+    {
+      for (const Class& one : this->Classes)
+      {
+        if (one.Indices)
+        {
+          one.Indices->ReleaseGraphicsResources();
+        }
+      }
+    });
+  this->AreBuilt = false;
+}
 
 bool ClassesMapper::CanDraw(vtkActor* actor)
 {
@@ -85,8 +118,8 @@ bool ClassesMapper::IsSingle(const MaterialPart& part)
 void ClassesMapper::SetParts(
   const MaterialParts* parts, const std::vector<std::size_t>& numbers, vtkMaterialMap* map)
 {
+  this->ReleaseIndices();
   this->Classes.clear();
-  this->AreBuilt = false;
   MaterialPart all;
   std::vector<vtkPolyData*> surfaces;
   for (std::size_t number : numbers)
@@ -101,12 +134,13 @@ void ClassesMapper::SetParts(
 }
 
 // Instead of the superclass's, which would be of all classes together.
-void ClassesMapper::BuildIBO(vtkRenderer*, vtkActor*, vtkPolyData*)
+void ClassesMapper::BuildIBO(vtkRenderer* ren, vtkActor*, vtkPolyData*)
 {
   if (this->AreBuilt)
   {
     return;
   }
+  this->OwnWindow = vtkOpenGLRenderWindow::SafeDownCast(ren->GetVTKWindow());
   int first = 0;
   for (Class& one : this->Classes)
   {
@@ -221,17 +255,11 @@ void ClassesMapper::UpdateShaders(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtk
   this->Superclass::UpdateShaders(cellBO, ren, actor);
 }
 
+// window need not be the one that was drawn in last.
 void ClassesMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
-  for (const Class& one : this->Classes)
-  {
-    if (one.Indices)
-    {
-      one.Indices->ReleaseGraphicsResources();
-    }
-  }
-  this->AreBuilt = false;
-  this->DropShaders(window);
+  this->ReleaseIndices();
+  this->InOwnWindow([this]() { this->DropShaders(this->OwnWindow); });
   this->Superclass::ReleaseGraphicsResources(window);
 }
 } // namespace measuredbrdf

@@ -16,6 +16,7 @@
 #include "DrawnMaterial.h"
 #include "PartMapper.h"
 #include "vtkSmartPointer.h"
+#include "vtkWeakPointer.h"
 
 #include <cstddef>
 #include <map>
@@ -25,6 +26,7 @@
 
 class vtkOpenGLHelper;
 class vtkOpenGLIndexBufferObject;
+class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
 
 namespace measuredbrdf
@@ -67,13 +69,18 @@ private:
     int FirstPrimitive = 0;                              // counted over all classes
   };
 
+  // Deletes OpenGL objects in the window that they are in, whichever is current.
+  template <typename Release>
+  void InOwnWindow(const Release& release);
+  void ReleaseIndices();
   void UseShadersOf(const std::string& key);
   void DropShaders(vtkWindow* window);
   bool FollowOn(vtkShaderProgram* program);
 
   std::vector<Class> Classes;
-  bool AreBuilt = false;                       // the classes' indices
-  vtkOpenGLIndexBufferObject* Whole = nullptr; // the superclass's, while a class is shown
+  bool AreBuilt = false;                           // the classes' indices
+  vtkWeakPointer<vtkOpenGLRenderWindow> OwnWindow; // in which they and the shaders are
+  vtkOpenGLIndexBufferObject* Whole = nullptr;     // the superclass's, while a class is shown
   // What the superclass keeps for shaders that are not in use now; the key of the one that is.
   std::map<std::string, std::unique_ptr<vtkOpenGLHelper>> OtherShaders;
   std::string ShadersInUse;

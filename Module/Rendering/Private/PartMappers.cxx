@@ -163,9 +163,11 @@ void PartMappers::Render(vtkRenderer* renderer, vtkActor* actor, vtkOpenGLPolyDa
   vtkMTimeType time, const std::function<void(vtkPolyDataMapper*)>& prepare)
 {
   const bool overrides = this->Style && this->Style->OverridesColor;
-  const bool together = ClassesMapper::CanDraw(actor);
-  if (this->Together != together || this->Revision != this->Parts.GetRevision() ||
-      this->HostTime != time || this->Host != host || this->OverridesColor != overrides ||
+  // Apart for good, until the map changes: actors that share a mapper may differ in this.
+  const bool isNew = this->Revision != this->Parts.GetRevision();
+  const bool together = ClassesMapper::CanDraw(actor) && (isNew || this->Together);
+  if (isNew || this->Together != together || this->HostTime != time || this->Host != host ||
+      this->OverridesColor != overrides ||
       (this->Style && !(this->Style->Scalars == this->Scalars)))
   {
     this->Together = together;

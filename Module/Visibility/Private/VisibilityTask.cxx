@@ -55,7 +55,8 @@ struct PointTask
 };
 
 // Points inside another body see nothing. Where a polygon of theirs sticks out, what is seen of it
-// would darken towards them: they take what its most open point has.
+// would darken towards them: they take what the most hidden of its other points has, which is the
+// nearest to the other body. (The sky of one farther out would shine into the crease.)
 void OpenBuriedPoints(vtkPolyData* surface, SideArrays& side)
 {
   constexpr double buried = 0.99; // of the irradiance is hidden
@@ -66,27 +67,35 @@ void OpenBuriedPoints(vtkPolyData* surface, SideArrays& side)
     hidden.push_back(HiddenSky(side.Get(k)).GetHiddenCosine());
     sources.push_back(k);
   }
-  const auto isMoreOpen = [&hidden](vtkIdType a, vtkIdType b)
-  { return hidden[static_cast<std::size_t>(a)] < hidden[static_cast<std::size_t>(b)]; };
+  const auto isMoreHidden = [&hidden](vtkIdType a, vtkIdType b)
+  { return hidden[static_cast<std::size_t>(a)] > hidden[static_cast<std::size_t>(b)]; };
+  const auto isBuried = [&hidden](vtkIdType k)
+  { return hidden[static_cast<std::size_t>(k)] > buried; };
   vtkNew<vtkIdList> corners;
   for (vtkCellArray* cells : { surface->GetPolys(), surface->GetStrips() })
   {
     for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
     {
       cells->GetCellAtId(cell, corners);
-      if (corners->GetNumberOfIds() == 0 ||
-          std::any_of(corners->begin(), corners->end(),
+      if (std::any_of(corners->begin(), corners->end(),
             [&hidden](vtkIdType k) { return k < 0 || k >= static_cast<vtkIdType>(hidden.size()); }))
       {
         continue; // no polygon of this surface
       }
-      const vtkIdType open = *std::min_element(corners->begin(), corners->end(), isMoreOpen);
+      vtkIdType nearest = -1;
+      for (const vtkIdType corner : *corners)
+      {
+        if (!isBuried(corner) && (nearest < 0 || isMoreHidden(corner, nearest)))
+        {
+          nearest = corner;
+        }
+      }
       for (const vtkIdType corner : *corners)
       {
         vtkIdType& source = sources[static_cast<std::size_t>(corner)];
-        if (hidden[static_cast<std::size_t>(corner)] > buried && isMoreOpen(open, source))
+        if (nearest >= 0 && isBuried(corner) && (source == corner || isMoreHidden(nearest, source)))
         {
-          source = open;
+          source = nearest;
         }
       }
     }

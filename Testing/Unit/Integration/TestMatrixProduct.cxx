@@ -21,13 +21,15 @@
 using namespace measuredbrdf;
 
 //------------------------------------------------------------------------------
+// Memory need not be aligned.
 TEST(MatrixProduct, AgreesWithSumsInDouble)
 {
   for (const std::size_t depth : { 1u, 7u, 130u })
   {
     const std::size_t rows = 3 * ProductRows;
     const std::size_t columns = 2 * ProductColumns;
-    std::vector<float> left(rows * depth), right(depth * columns), result(rows * columns, -1.0f);
+    std::vector<float> left(rows * depth), right(depth * columns + 1),
+      result(rows * columns + 1, -1.0f);
     for (std::size_t k = 0; k < left.size(); ++k)
     {
       left[k] = static_cast<float>(std::sin(0.7 * static_cast<double>(k)));
@@ -36,7 +38,7 @@ TEST(MatrixProduct, AgreesWithSumsInDouble)
     {
       right[k] = static_cast<float>(std::cos(1.3 * static_cast<double>(k)));
     }
-    Multiply(left.data(), right.data(), rows, depth, columns, result.data());
+    Multiply(left.data(), right.data() + 1, rows, depth, columns, result.data() + 1);
     for (std::size_t row = 0; row < rows; ++row)
     {
       for (std::size_t column = 0; column < columns; ++column)
@@ -45,9 +47,9 @@ TEST(MatrixProduct, AgreesWithSumsInDouble)
         for (std::size_t k = 0; k < depth; ++k)
         {
           sum += static_cast<double>(left[row * depth + k]) *
-                 static_cast<double>(right[k * columns + column]);
+                 static_cast<double>(right[1 + k * columns + column]);
         }
-        ASSERT_NEAR(static_cast<double>(result[row * columns + column]), sum, 1e-5)
+        ASSERT_NEAR(static_cast<double>(result[1 + row * columns + column]), sum, 1e-5)
           << row << " " << column << " of " << depth;
       }
     }

@@ -327,6 +327,23 @@ TEST(BouncedLight, IsTracedOnTopOfTheSky)
   }
 }
 
+// What an input has of an earlier run is not passed on beside new arrays, which have the key.
+TEST(BouncedLight, OfAnEarlierRunGoes)
+{
+  vtkNew<vtkSurfaceVisibilityFilter> filter;
+  filter->BothSidesOn();
+  filter->BounceOn();
+  vtkNew<vtkPolyData> old;
+  old->DeepCopy(Trace(filter, MakeHollow(90.0)));
+  vtkNew<vtkSurfaceVisibilityFilter> again;
+  vtkPolyData* anew = Trace(again, old);
+  EXPECT_FALSE(GetBounced(anew));
+  EXPECT_FALSE(GetBounced(anew, "Back"));
+  EXPECT_EQ(
+    anew->GetPointData()->GetNumberOfArrays(), old->GetPointData()->GetNumberOfArrays() - 4);
+  EXPECT_TRUE(GetBounced(old));
+}
+
 // Stopped within the bounce: no arrays; and it begins anew.
 TEST(BouncedLight, CanBeStopped)
 {
