@@ -10,10 +10,13 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 display=()
 [ -n "${DISPLAY:-}" ] || display=(xvfb-run -a -s "-screen 0 1280x1024x24 -noreset")
+for python in /usr/bin/python3 python3; do # VTK's modules belong to one interpreter
+  "$python" -c 'import vtkmodules' 2>/dev/null && break
+done
 mkdir -p output
-python3 cmake/make-molecule.py output/molecule.vtp
+"$python" cmake/make-molecule.py output/molecule.vtp
 "${display[@]}" build/bin/measured-brdf compare gold-paint --environment room --mesh output/molecule.vtp --size 300x270 \
   --view 20,25,40 --occlusion --strip "${1:-docs/occlusion.png}" --report output/occlusion.json
-python3 cmake/make-bowl.py output/bowl.vtp
+"$python" cmake/make-bowl.py output/bowl.vtp
 "${display[@]}" build/bin/measured-brdf compare delrin --environment room --mesh output/bowl.vtp --size 230x210 \
   --view 20,40,40 --occlusion --bounces 1 --strip "${2:-docs/occlusion-bounce.png}" --report output/occlusion-bounce.json
