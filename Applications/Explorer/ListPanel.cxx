@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ListPanel.h"
 
+#include "Comparison.h"
+
+#include <QCheckBox>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -83,9 +86,10 @@ QWidget* MakeHeading(
 namespace explorer
 {
 //------------------------------------------------------------------------------
-ListPanel::ListPanel(Session* session, QWidget* parent)
+ListPanel::ListPanel(Session* session, Comparison* comparison, QWidget* parent)
   : QWidget(parent)
   , Model(session)
+  , Compared(comparison)
   , Search(new QLineEdit)
   , Materials(MakeList(this, tr("Materials")))
   , Environments(MakeList(this, tr("Environments")))
@@ -117,6 +121,12 @@ ListPanel::ListPanel(Session* session, QWidget* parent)
     tr("Open environment images; or drop them into the window"));
   add(tr("M&esh"), this->Meshes, "meshes", 0, tr("Open a mesh; or drop it into the window"));
   this->setMinimumWidth(200);
+  this->Materials->setColumnCount(2); // the second: whether it is in the charts
+  this->Materials->header()->setStretchLastSection(false);
+  this->Materials->header()->setMinimumSectionSize(8);
+  this->Materials->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+  this->Materials->header()->setSectionResizeMode(1, QHeaderView::Fixed);
+  this->Materials->header()->resizeSection(1, QCheckBox().sizeHint().width() + 6);
 
   connect(this->Materials, &QTreeWidget::currentItemChanged, this,
     [this](QTreeWidgetItem* item)
@@ -141,6 +151,7 @@ ListPanel::ListPanel(Session* session, QWidget* parent)
     { this->Model->SetMesh(this->Meshes->itemData(index).toString().toStdString()); });
   connect(this->Search, &QLineEdit::textChanged, this, &ListPanel::Filter);
   connect(session, &Session::listsChanged, this, &ListPanel::Update);
+  connect(session, &Session::comparedChanged, this, &ListPanel::UpdateCompareBoxes);
   this->Update();
 }
 
@@ -150,6 +161,7 @@ void ListPanel::Update()
   this->IsUpdating = true;
   const State& state = this->Model->GetState();
   Fill(this->Materials, this->Model->GetMaterials(), state.Material);
+  this->AddCompareBoxes();
   Fill(this->Environments, this->Model->GetEnvironments(), state.Environment);
   this->Meshes->clear();
   for (const Item& item : this->Model->GetMeshes())
@@ -161,6 +173,47 @@ void ListPanel::Update()
   this->Meshes->setCurrentIndex(this->Meshes->findData(QString::fromStdString(state.Mesh)));
   this->IsUpdating = false;
   this->Filter();
+}
+
+//------------------------------------------------------------------------------
+// Widgets: a tick of a list's own would also choose the material.
+void ListPanel::AddCompareBoxes()
+{
+  this->CompareBoxes.clear(); // the list has deleted them
+  for (int k = 0; k < this->Materials->topLevelItemCount(); ++k)
+  {
+    QTreeWidgetItem* heading = this->Materials->topLevelItem(k);
+    for (int j = 0; j < heading->childCount(); ++j)
+    {
+      QTreeWidgetItem* item = heading->child(j);
+      const std::string file = item->data(0, Qt::UserRole).toString().toStdString();
+      auto* box = new QCheckBox;
+      box->setFocusPolicy(Qt::NoFocus); // View, Compare has a key
+      box->setToolTip(tr("Draw it in the slices' charts, too"));
+      box->setAccessibleName(tr("Compare %1").arg(item->text(0)));
+      this->Materials->setItemWidget(item, 1, box);
+      this->CompareBoxes[file] = box;
+      connect(box, &QCheckBox::clicked, this,
+        [this, file](bool on) { this->Compared->SetCompared(file, on); });
+    }
+  }
+  this->UpdateCompareBoxes();
+}
+
+//------------------------------------------------------------------------------
+void ListPanel::UpdateCompareBoxes()
+{
+  for (const auto& [file, box] : this->CompareBoxes)
+  {
+    box->setChecked(this->Compared->IsCompared(file));
+  }
+}
+
+//------------------------------------------------------------------------------
+QCheckBox* ListPanel::GetCompareBox(const std::string& file) const
+{
+  const auto found = this->CompareBoxes.find(file);
+  return found == this->CompareBoxes.end() ? nullptr : found->second;
 }
 
 //------------------------------------------------------------------------------

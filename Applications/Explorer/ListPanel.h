@@ -12,22 +12,29 @@
 
 #include <QWidget>
 
-#include <functional>
+#include <map>
+#include <string>
 
+class QCheckBox;
 class QComboBox;
 class QLineEdit;
 class QTreeWidget;
 
 namespace explorer
 {
+class Comparison;
+
 class ListPanel : public QWidget
 {
   Q_OBJECT
 
 public:
-  explicit ListPanel(Session* session, QWidget* parent = nullptr);
+  ListPanel(Session* session, Comparison* comparison, QWidget* parent = nullptr);
 
   QTreeWidget* GetMaterials() const { return this->Materials; }
+
+  /// The box that takes a material into the charts; null where there is no such material.
+  QCheckBox* GetCompareBox(const std::string& file) const;
 
 signals:
   /// The button for files of that kind: "materials", "environments", "meshes".
@@ -36,12 +43,16 @@ signals:
 private:
   void Update();
   void Filter();
+  void AddCompareBoxes();
+  void UpdateCompareBoxes();
 
   Session* Model;
+  Comparison* Compared;
   QLineEdit* Search;
   QTreeWidget* Materials;
   QTreeWidget* Environments;
   QComboBox* Meshes;
+  std::map<std::string, QCheckBox*> CompareBoxes; // of the material's file
   bool IsUpdating = false;
 };
 } // namespace explorer

@@ -61,8 +61,16 @@ void Session::Replace(const State& state, bool withCamera)
   this->Current.Material = before.Material;
   this->Current.Environment = before.Environment;
   this->Current.Mesh = before.Mesh;
+  for (const std::string& file : state.Compared)
+  {
+    if (!IsEmbeddedMaterial(file))
+    {
+      AddOnce(this->Current.MaterialFiles, file); // so that it can be taken out
+    }
+  }
   emit this->listsChanged();
   this->SetMaterial(state.Material);
+  this->SetCompared(state.Compared);
   this->SetEnvironment(state.Environment);
   if (this->Mesh && this->MeshFile == state.Mesh)
   {
@@ -274,6 +282,13 @@ void Session::SetMesh(const std::string& file)
 }
 
 //------------------------------------------------------------------------------
+void Session::SetCompared(const std::vector<std::string>& files)
+{
+  this->Current.Compared = files;
+  emit this->comparedChanged();
+}
+
+//------------------------------------------------------------------------------
 void Session::Take(const tool::Material& material)
 {
   if (!IsEmbeddedMaterial(material.File))
@@ -429,6 +444,13 @@ void Session::SetSlices(double thetaH, double thetaD, double phiD, bool logarith
   this->Current.SliceThetaD = std::clamp(thetaD, 0.0, 90.0);
   this->Current.SlicePhiD = std::clamp(phiD, 0.0, 180.0);
   this->Current.SliceLogarithmic = logarithmic;
+  emit this->slicesChanged();
+}
+
+//------------------------------------------------------------------------------
+void Session::SetSlicePolar(bool polar)
+{
+  this->Current.SlicePolar = polar;
   emit this->slicesChanged();
 }
 

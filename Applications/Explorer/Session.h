@@ -60,6 +60,9 @@ public:
   void SetMesh(const std::string& file);
   ///@}
 
+  /// Which materials the charts have beside the one that is shown. Comparison reads them.
+  void SetCompared(const std::vector<std::string>& files);
+
   ///@{
   /// What was read; null before.
   const tool::Material& GetMaterial() const { return this->Material; }
@@ -81,6 +84,7 @@ public:
   void SetCamera(const CameraState& camera);
   void SetLobe(double thetaI, double phiI, bool logarithmic);
   void SetSlices(double thetaH, double thetaD, double phiD, bool logarithmic);
+  void SetSlicePolar(bool polar);
   ///@}
 
   ///@{
@@ -95,6 +99,7 @@ public:
 signals:
   void listsChanged();
   void materialChanged();
+  void comparedChanged();
   void environmentChanged();
   void rotationChanged();
   void meshChanged();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SlicePanel.h"
 
+#include "ChartLines.h"
 #include "SliceView.h"
 
 #include <QCheckBox>
@@ -13,11 +14,13 @@
 namespace explorer
 {
 //------------------------------------------------------------------------------
-SlicePanel::SlicePanel(Session* session, QWidget* parent)
+SlicePanel::SlicePanel(Session* session, Comparison* comparison, QWidget* parent)
   : QWidget(parent)
   , Model(session)
-  , View(new SliceView(session))
+  , View(new SliceView(session, comparison))
   , Logarithmic(new QCheckBox(tr("Lo&g")))
+  , Polar(new QCheckBox(tr("&Polar")))
+  , Legend(new QLabel)
 {
   auto* row = new QHBoxLayout;
   const QString names[3] = { tr("θ&h"), tr("θ&d"), tr("&φd") };
@@ -38,13 +41,28 @@ SlicePanel::SlicePanel(Session* session, QWidget* parent)
     this->Angles[static_cast<std::size_t>(k)] = box;
   }
   this->Logarithmic->setToolTip(tr("Draw f on a logarithmic axis"));
+  this->Polar->setToolTip(
+    tr("f in the plane of incidence of the lobe's light, whose direction is yellow"));
+  this->Legend->setTextFormat(Qt::RichText);
+  this->Legend->setWordWrap(true);
   row->addWidget(this->Logarithmic);
+  row->addWidget(this->Polar);
   row->addStretch(1);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(6, 6, 6, 6);
   layout->addLayout(row);
   layout->addWidget(this->View, 1);
+  layout->addWidget(this->Legend);
   connect(this->Logarithmic, &QCheckBox::toggled, this, &SlicePanel::Set);
+  connect(this->Polar, &QCheckBox::toggled, this,
+    [this](bool on)
+    {
+      if (!this->IsUpdating)
+      {
+        this->Model->SetSlicePolar(on);
+      }
+    });
+  connect(this->View, &SliceView::updated, this, &SlicePanel::UpdateLegend);
   connect(session, &Session::slicesChanged, this, &SlicePanel::Update);
   this->Update();
 }
@@ -70,6 +88,26 @@ void SlicePanel::Update()
     this->Angles[k]->setValue(values[k]);
   }
   this->Logarithmic->setChecked(state.SliceLogarithmic);
+  this->Polar->setChecked(state.SlicePolar);
   this->IsUpdating = false;
 }
+
+//------------------------------------------------------------------------------
+void SlicePanel::UpdateLegend()
+{
+  const std::vector<ComparedMaterial> materials = this->View->GetMaterials();
+  QStringList names;
+  for (std::size_t k = 0; k < materials.size() && materials.size() > 1; ++k)
+  {
+    const Color color = GetMaterialColor(k);
+    names << QString("<span style='color:%1'>&#9632;</span>&nbsp;%2")
+               .arg(QColor(color[0], color[1], color[2]).name(),
+                 QString::fromStdString(materials[k].Name).toHtmlEscaped());
+  }
+  this->Legend->setText(names.isEmpty() ? QString() : tr("Luminance: ") + names.join("&ensp; "));
+  this->Legend->setVisible(!names.isEmpty());
+}
+
+//------------------------------------------------------------------------------
+QString SlicePanel::GetLegend() const { return this->Legend->text(); }
 } // namespace explorer

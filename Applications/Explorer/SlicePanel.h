@@ -16,9 +16,11 @@
 
 class QCheckBox;
 class QDoubleSpinBox;
+class QLabel;
 
 namespace explorer
 {
+class Comparison;
 class SliceView;
 
 class SlicePanel : public QWidget
@@ -26,18 +28,25 @@ class SlicePanel : public QWidget
   Q_OBJECT
 
 public:
-  explicit SlicePanel(Session* session, QWidget* parent = nullptr);
+  SlicePanel(Session* session, Comparison* comparison, QWidget* parent = nullptr);
 
   SliceView* GetView() const { return this->View; }
+  QCheckBox* GetPolar() const { return this->Polar; }
+
+  /// Names of materials in the colors of their curves; "" of one material.
+  QString GetLegend() const;
 
 private:
   void Update();
   void Set();
+  void UpdateLegend();
 
   Session* Model;
   SliceView* View;
   std::array<QDoubleSpinBox*, 3> Angles;
   QCheckBox* Logarithmic;
+  QCheckBox* Polar;
+  QLabel* Legend;
   bool IsUpdating = false;
 };
 } // namespace explorer

@@ -2,68 +2,46 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SliceView.h"
 
-#include "LogAxis.h"
+#include "ChartLines.h"
+#include "PolarChart.h"
 
 #include "vtkAxis.h"
-#include "vtkBRDFSliceSource.h"
 #include "vtkChartXY.h"
 #include "vtkContextActor.h"
 #include "vtkContextScene.h"
-#include "vtkDoubleArray.h"
 #include "vtkPen.h"
-#include "vtkPlot.h"
 #include "vtkRect.h"
 #include "vtkRenderer.h"
-#include "vtkStringArray.h"
-#include "vtkTable.h"
 #include "vtkTextProperty.h"
 
 #include <QEvent>
 #include <QTimer>
 
 #include <algorithm>
-#include <cmath>
 
 namespace
 {
-constexpr int ThetaH = 0;
-constexpr int ThetaD = 1;
-constexpr int PhiD = 2;
-constexpr int Albedo = 3;
-const char* const ChartNames[4] = { "theta_h", "theta_d", "phi_d", "albedo" };
-const char* const Channels[3] = { "red", "green", "blue" };
-constexpr unsigned char Colors[3][3] = { { 214, 64, 54 }, { 46, 140, 62 }, { 52, 98, 204 } };
+const char* const Titles[5] = { "f (1/sr) over theta_h", "f (1/sr) over theta_d",
+  "f (1/sr) over phi_d", "albedo over theta_o",
+  "f (1/sr) over theta_o, negative towards the light" };
 constexpr int FontSize = 12; // the window's resolution counts, too
 
 //------------------------------------------------------------------------------
-void SetTicks(vtkAxis* axis, const std::vector<double>& exponents)
+// Degrees at which a chart begins and ends.
+std::pair<double, double> GetRange(int chart)
 {
-  vtkNew<vtkDoubleArray> positions;
-  vtkNew<vtkStringArray> labels;
-  for (const double exponent : exponents)
-  {
-    positions->InsertNextValue(exponent);
-    labels->InsertNextValue(tool::FormatTick(std::pow(10.0, exponent), tool::Unit::Number));
-  }
-  axis->SetCustomTickPositions(positions, labels);
-}
-
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkDoubleArray> AddColumn(vtkTable* table, const char* name)
-{
-  auto column = vtkSmartPointer<vtkDoubleArray>::New();
-  column->SetName(name);
-  table->AddColumn(column);
-  return column;
+  return { chart == explorer::SliceView::Plane ? -90.0 : 0.0,
+    chart == explorer::SliceView::PhiD ? 180.0 : 90.0 };
 }
 }
 
 namespace explorer
 {
 //------------------------------------------------------------------------------
-SliceView::SliceView(Session* session, QWidget* parent)
+SliceView::SliceView(Session* session, Comparison* comparison, QWidget* parent)
   : QVTKOpenGLNativeWidget(parent)
   , Model(session)
+  , Compared(comparison)
 {
   this->setRenderWindow(this->Window);
   this->setAcceptDrops(false);
@@ -81,13 +59,23 @@ SliceView::SliceView(Session* session, QWidget* parent)
     chart->SetShowLegend(false);
     this->Scene->GetScene()->AddItem(chart);
   }
+  this->Polar = std::make_unique<PolarChart>(this->Scene->GetScene());
   connect(session, &Session::materialChanged, this,
     [this]()
     {
-      this->Info = nullptr;
+      this->Albedos = Curve();
       this->Update();
     });
   connect(session, &Session::slicesChanged, this, &SliceView::Update);
+  connect(comparison, &Comparison::changed, this, &SliceView::Update);
+  connect(session, &Session::lobeChanged, this,
+    [this]()
+    {
+      if (this->Model->GetState().SlicePolar)
+      {
+        this->Update();
+      }
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -96,9 +84,45 @@ SliceView::~SliceView() = default;
 //------------------------------------------------------------------------------
 void SliceView::SetInspection(const nlohmann::ordered_json& info)
 {
-  this->Info = info;
-  this->UpdateAlbedo();
-  this->RequestRender();
+  this->Albedos = Curve();
+  for (const auto& row : info["albedo"])
+  {
+    this->Albedos.Degrees.push_back(row["degrees"]);
+    this->Albedos.Values.push_back(row["rgb"]);
+  }
+  this->Update();
+}
+
+//------------------------------------------------------------------------------
+std::vector<ComparedMaterial> SliceView::GetMaterials() const
+{
+  const tool::Material& shown = this->Model->GetMaterial();
+  std::vector<ComparedMaterial> materials = { { shown.File, shown.Name, shown.BRDF,
+    this->Albedos } };
+  for (const ComparedMaterial& material : this->Compared->GetMaterials())
+  {
+    if (material.File != shown.File)
+    {
+      materials.push_back(material);
+    }
+  }
+  return materials;
+}
+
+//------------------------------------------------------------------------------
+Curve SliceView::Sample(int chart, const ComparedMaterial& material) const
+{
+  const State& state = this->Model->GetState();
+  switch (chart)
+  {
+    case Albedo:
+      return material.Albedo;
+    case Plane:
+      return SamplePlaneOfIncidence(material.BRDF, state.LobeThetaI, state.LobePhiI);
+    default:
+      return SampleSlice(
+        material.BRDF, chart, { state.SliceThetaH, state.SliceThetaD, state.SlicePhiD });
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -108,137 +132,62 @@ void SliceView::Update()
   {
     return;
   }
-  this->Source->SetBRDF(this->Model->GetMaterial().BRDF);
-  for (const int chart : { ThetaH, ThetaD, PhiD })
+  const State& state = this->Model->GetState();
+  const std::vector<ComparedMaterial> materials = this->GetMaterials();
+  for (int chart = 0; chart < NumberOfCharts; ++chart)
   {
-    this->UpdateSlice(chart);
+    std::vector<Curve>& curves = this->Curves[static_cast<std::size_t>(chart)];
+    curves.clear();
+    const bool shown = (chart == Plane) == state.SlicePolar;
+    this->Charts[static_cast<std::size_t>(chart)]->SetVisible(shown);
+    if (!shown)
+    {
+      continue;
+    }
+    for (const ComparedMaterial& material : materials)
+    {
+      curves.push_back(this->Sample(chart, material));
+    }
+    this->Draw(chart);
   }
-  this->UpdateAlbedo();
+  this->Polar->SetVisible(state.SlicePolar);
+  if (state.SlicePolar)
+  {
+    this->Polar->Draw(MakeLines(this->Curves[Plane]), state.LobeThetaI, state.SliceLogarithmic,
+      this->devicePixelRatioF());
+  }
   this->PlaceCharts();
   this->RequestRender();
+  emit this->updated();
 }
 
 //------------------------------------------------------------------------------
-void SliceView::UpdateSlice(int chart)
+void SliceView::Draw(int chart)
 {
   const State& state = this->Model->GetState();
-  const double at[3] = { state.SliceThetaH, state.SliceThetaD, state.SlicePhiD };
-  const double ends[3] = { 90.0, 90.0, 180.0 };
-  const auto range = [&](int angle, double values[2])
-  {
-    values[0] = angle == chart ? 0.0 : at[angle];
-    values[1] = angle == chart ? ends[angle] : at[angle];
-  };
-  double values[2];
-  range(ThetaH, values);
-  this->Source->SetThetaHRange(values);
-  range(ThetaD, values);
-  this->Source->SetThetaDRange(values);
-  range(PhiD, values);
-  this->Source->SetPhiDRange(values);
-  constexpr int samples = 361;
-  this->Source->SetNumberOfThetaH(chart == ThetaH ? samples : 1);
-  this->Source->SetNumberOfThetaD(chart == ThetaD ? samples : 1);
-  this->Source->SetNumberOfPhiD(chart == PhiD ? samples : 1);
-  this->Source->SetUseThetaHSquared(true);
-  this->Source->Update();
-
-  vtkTable* slice = this->Source->GetOutput();
-  const bool logarithmic = state.SliceLogarithmic;
-  vtkNew<vtkTable> table;
-  const auto angles = AddColumn(table, ChartNames[chart]);
-  vtkSmartPointer<vtkDoubleArray> columns[3];
-  for (int c = 0; c < 3; ++c)
-  {
-    columns[c] = AddColumn(table, Channels[c]);
-  }
-  for (vtkIdType row = 0; row < slice->GetNumberOfRows(); ++row)
-  {
-    if (slice->GetValueByName(row, "vtkValidPointMask").ToInt() == 0)
-    {
-      continue;
-    }
-    angles->InsertNextValue(slice->GetValueByName(row, ChartNames[chart]).ToDouble());
-    for (int c = 0; c < 3; ++c)
-    {
-      columns[c]->InsertNextValue(slice->GetValueByName(row, Channels[c]).ToDouble());
-    }
-  }
-  this->Tables[static_cast<std::size_t>(chart)]->ShallowCopy(table);
-  this->Draw(chart, table, logarithmic);
-}
-
-//------------------------------------------------------------------------------
-void SliceView::UpdateAlbedo()
-{
-  vtkNew<vtkTable> table;
-  const auto angles = AddColumn(table, "degrees");
-  vtkSmartPointer<vtkDoubleArray> columns[3];
-  for (int c = 0; c < 3; ++c)
-  {
-    columns[c] = AddColumn(table, Channels[c]);
-  }
-  if (this->Info.is_object())
-  {
-    for (const auto& row : this->Info["albedo"])
-    {
-      angles->InsertNextValue(row["degrees"]);
-      for (int c = 0; c < 3; ++c)
-      {
-        columns[c]->InsertNextValue(row["rgb"][static_cast<std::size_t>(c)]);
-      }
-    }
-  }
-  this->Tables[Albedo]->ShallowCopy(table);
-  this->Draw(Albedo, table, false);
-}
-
-//------------------------------------------------------------------------------
-// Logarithms are drawn as such: VTK's own logarithmic axes refuse zeros and label badly.
-void SliceView::Draw(int chart, vtkTable* table, bool logarithmic)
-{
+  const bool logarithmic = state.SliceLogarithmic && chart != Albedo;
+  const double ratio = this->devicePixelRatioF();
+  const std::vector<ChartLine> lines = MakeLines(this->Curves[static_cast<std::size_t>(chart)]);
+  const ChartScale scale(lines, logarithmic);
   vtkChartXY* drawn = this->Charts[static_cast<std::size_t>(chart)];
   drawn->ClearPlots();
-  tool::LogAxis scale;
-  double largest = 0.0;
-  double peak = 0.0;
-  for (int c = 0; c < 3; ++c)
+  if (chart == Plane)
   {
-    auto* values = vtkDoubleArray::SafeDownCast(table->GetColumnByName(Channels[c]));
-    for (vtkIdType k = 0; k < values->GetNumberOfValues(); ++k)
-    {
-      peak = std::max(peak, values->GetValue(k));
-    }
+    AddLine(drawn, { -state.LobeThetaI, -state.LobeThetaI },
+      { scale.GetLeast(), scale.GetLargest() }, PolarChart::LightColor, 3.0 * ratio);
+    AddLine(drawn, { state.LobeThetaI, state.LobeThetaI }, { scale.GetLeast(), scale.GetLargest() },
+      PolarChart::LightColor, ratio, true);
   }
-  const double floor = 1e-6 * peak; // a zero is drawn as this
-  for (int c = 0; c < 3; ++c)
+  for (const ChartLine& line : lines)
   {
-    auto* values = vtkDoubleArray::SafeDownCast(table->GetColumnByName(Channels[c]));
-    vtkNew<vtkDoubleArray> y;
-    y->SetName(Channels[c]);
-    for (vtkIdType k = 0; k < values->GetNumberOfValues(); ++k)
+    std::vector<double> y;
+    for (const double value : line.Values)
     {
-      const double value = values->GetValue(k);
-      largest = std::max(largest, value);
-      scale.Take(std::max(value, floor));
-      y->InsertNextValue(
-        !logarithmic ? value : std::log10(std::max(value, std::max(floor, 1e-300))));
+      y.push_back(scale.Find(value));
     }
-    if (table->GetNumberOfRows() < 2)
-    {
-      continue;
-    }
-    vtkNew<vtkTable> line;
-    line->AddColumn(table->GetColumn(0));
-    line->AddColumn(y);
-    vtkPlot* plot = drawn->AddPlot(vtkChart::LINE);
-    plot->SetInputData(line, 0, 1);
-    plot->SetColor(Colors[c][0], Colors[c][1], Colors[c][2], 255);
-    plot->SetWidth(2.0f * static_cast<float>(this->devicePixelRatioF()));
+    AddLine(drawn, line.Degrees, y, line.Rgb, 2.0 * ratio);
   }
-  const char* const titles[4] = { "f (1/sr) over theta_h", "f (1/sr) over theta_d",
-    "f (1/sr) over phi_d", "albedo over theta_o" };
-  drawn->SetTitle(titles[chart]);
+  drawn->SetTitle(Titles[chart]);
   drawn->GetTitleProperties()->SetFontSize(FontSize + 1);
   for (const int which : { vtkAxis::LEFT, vtkAxis::BOTTOM })
   {
@@ -248,53 +197,49 @@ void SliceView::Draw(int chart, vtkTable* table, bool logarithmic)
     axis->GetGridPen()->SetColor(225, 225, 225);
     axis->SetBehavior(vtkAxis::FIXED);
   }
-  vtkAxis* bottom = drawn->GetAxis(vtkAxis::BOTTOM);
-  bottom->SetRange(0.0, chart == PhiD ? 180.0 : 90.0);
-  vtkNew<vtkDoubleArray> degrees;
-  vtkNew<vtkStringArray> words;
-  for (int k = 0; k <= 3; ++k)
+  const auto [first, last] = GetRange(chart);
+  std::vector<std::pair<double, std::string>> degrees;
+  for (double at = first; at <= last; at += last > 90.0 ? 60.0 : 30.0)
   {
-    degrees->InsertNextValue((chart == PhiD ? 60.0 : 30.0) * k);
-    words->InsertNextValue(std::to_string((chart == PhiD ? 60 : 30) * k));
+    degrees.emplace_back(at, std::to_string(static_cast<int>(at)));
   }
-  bottom->SetCustomTickPositions(degrees, words);
-  vtkAxis* left = drawn->GetAxis(vtkAxis::LEFT);
-  if (logarithmic)
-  {
-    scale.Widen();
-    const std::vector<double> ticks = scale.GetTicks();
-    SetTicks(left, ticks);
-    left->SetRange(scale.GetLeast(), scale.GetLargest());
-  }
-  else
-  {
-    left->SetCustomTickPositions(nullptr, nullptr);
-    left->SetRange(0.0, largest > 0.0 ? 1.05 * largest : 1.0);
-  }
+  drawn->GetAxis(vtkAxis::BOTTOM)->SetRange(first, last);
+  SetTicks(drawn->GetAxis(vtkAxis::BOTTOM), degrees);
+  drawn->GetAxis(vtkAxis::LEFT)->SetRange(scale.GetLeast(), scale.GetLargest());
+  SetTicks(drawn->GetAxis(vtkAxis::LEFT), scale.GetTicks());
   drawn->RecalculateBounds();
 }
 
 //------------------------------------------------------------------------------
-// Two by two, the first in the upper left.
+// Slices two by two, the first in the upper left. Or the polar chart above the same over an axis.
 void SliceView::PlaceCharts()
 {
-  const auto ratio = static_cast<float>(this->devicePixelRatioF());
-  const float width = ratio * static_cast<float>(this->width()) / 2.0f;
-  const float height = ratio * static_cast<float>(this->height()) / 2.0f;
+  const double ratio = this->devicePixelRatioF();
+  const double gap = 4.0 * ratio;
+  const double width = ratio * this->width();
+  const double height = ratio * this->height();
+  const auto place = [&](int chart, double left, double bottom, double w, double h)
+  {
+    this->Charts[static_cast<std::size_t>(chart)]->SetSize(
+      vtkRectf(static_cast<float>(left + gap), static_cast<float>(bottom + gap),
+        static_cast<float>(w - 2.0 * gap), static_cast<float>(h - 2.0 * gap)));
+  };
   for (int k = 0; k < 4; ++k)
   {
-    const float gap = 4.0f * ratio;
-    this->Charts[static_cast<std::size_t>(k)]->SetSize(
-      vtkRectf(static_cast<float>(k % 2) * width + gap,
-        static_cast<float>(1 - k / 2) * height + gap, width - 2.0f * gap, height - 2.0f * gap));
+    place(k, k % 2 == 0 ? 0.0 : 0.5 * width, k < 2 ? 0.5 * height : 0.0, 0.5 * width, 0.5 * height);
   }
+  const double texts = PolarChart::GetHeight(0.0, ratio);
+  const double polar = std::min(width - 2.0 * gap, std::max(gap, 1.2 * height - 2.0 * texts));
+  const double rest = height - PolarChart::GetHeight(polar, ratio);
+  this->Polar->Place(0.5 * (width - polar), rest, polar, ratio);
+  place(Plane, 0.0, 0.0, width, rest);
 }
 
 //------------------------------------------------------------------------------
 void SliceView::resizeEvent(QResizeEvent* event)
 {
+  this->PlaceCharts(); // first: the superclass draws at once
   QVTKOpenGLNativeWidget::resizeEvent(event);
-  this->PlaceCharts();
 }
 
 //------------------------------------------------------------------------------

@@ -2,47 +2,67 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Charts of a material: slices over theta_h, theta_d and phi_d, and its albedo.
+ * Charts of materials: slices over theta_h, theta_d and phi_d, and the albedo; or f in the plane of
+ * incidence of the lobe's light.
  */
 
 #ifndef SliceView_h
 #define SliceView_h
 
+#include "Comparison.h"
+#include "Curves.h"
 #include "Session.h"
 
 #include "vtkGenericOpenGLRenderWindow.h"
 #include "vtkNew.h"
-#include "vtkSmartPointer.h"
-#include "vtkTable.h"
 
 #include <QVTKOpenGLNativeWidget.h>
 
 #include <nlohmann/json.hpp>
 
 #include <array>
+#include <memory>
+#include <vector>
 
-class vtkBRDFSliceSource;
 class vtkChartXY;
 class vtkContextActor;
 class vtkRenderer;
 
 namespace explorer
 {
+class PolarChart;
+
 class SliceView : public QVTKOpenGLNativeWidget
 {
   Q_OBJECT
 
 public:
-  explicit SliceView(Session* session, QWidget* parent = nullptr);
+  enum Chart
+  {
+    ThetaH,
+    ThetaD,
+    PhiD,
+    Albedo,
+    Plane, // of incidence, also as a polar chart
+    NumberOfCharts
+  };
+
+  SliceView(Session* session, Comparison* comparison, QWidget* parent = nullptr);
   ~SliceView() override;
 
-  /// What tool::InspectMaterial found; null: nothing yet.
+  /// What tool::InspectMaterial found.
   void SetInspection(const nlohmann::ordered_json& info);
 
   void RequestRender();
 
-  /// Rows of a chart (theta_h, theta_d, phi_d, albedo) as they are drawn.
-  vtkTable* GetTable(int chart) const { return this->Tables[static_cast<std::size_t>(chart)]; }
+  /// The curves of a chart as they are drawn, of GetMaterials; none of a chart that is not shown.
+  const std::vector<Curve>& GetCurves(Chart chart) const { return this->Curves[chart]; }
+
+  /// The material that is shown, then those that it is compared with.
+  std::vector<ComparedMaterial> GetMaterials() const;
+
+signals:
+  void updated();
 
 protected:
   bool event(QEvent* event) override;
@@ -50,19 +70,19 @@ protected:
 
 private:
   void Update();
-  void UpdateSlice(int chart);
-  void UpdateAlbedo();
-  void Draw(int chart, vtkTable* table, bool logarithmic);
+  Curve Sample(int chart, const ComparedMaterial& material) const;
+  void Draw(int chart);
   void PlaceCharts();
 
   Session* Model;
+  Comparison* Compared;
   vtkNew<vtkGenericOpenGLRenderWindow> Window;
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkContextActor> Scene;
-  std::array<vtkNew<vtkChartXY>, 4> Charts;
-  std::array<vtkNew<vtkTable>, 4> Tables;
-  vtkNew<vtkBRDFSliceSource> Source;
-  nlohmann::ordered_json Info;
+  std::array<vtkNew<vtkChartXY>, NumberOfCharts> Charts;
+  std::unique_ptr<PolarChart> Polar;
+  std::array<std::vector<explorer::Curve>, NumberOfCharts> Curves;
+  Curve Albedos; // of the material that is shown; empty until it was measured
   bool IsRequested = false;
 };
 } // namespace explorer

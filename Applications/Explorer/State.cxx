@@ -14,6 +14,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <sstream>
 
 using nlohmann::ordered_json;
@@ -181,6 +182,19 @@ void TakeMethods(const Fields& fields, explorer::State& state)
 }
 
 //------------------------------------------------------------------------------
+void TakeCompared(const Fields& fields, std::vector<std::string>& compared)
+{
+  fields.Take("compared", compared);
+  const std::set<std::string> different(compared.begin(), compared.end());
+  if (compared.size() > explorer::MostCompared || different.size() != compared.size() ||
+      different.count("") != 0)
+  {
+    fields.Fail(
+      "compared", "at most " + std::to_string(explorer::MostCompared) + " different materials");
+  }
+}
+
+//------------------------------------------------------------------------------
 // A built-in name, or a path as it is; a relative one that is not here but beside the state file.
 std::string Resolve(const std::string& file, const std::filesystem::path& folder)
 {
@@ -246,16 +260,16 @@ std::string WriteState(const State& state)
     { "view_angle", state.Camera.ViewAngle } };
   const ordered_json json = { { "format", FormatName }, { "version", FormatVersion },
     { "material_files", state.MaterialFiles }, { "environment_files", state.EnvironmentFiles },
-    { "material", state.Material }, { "environment", state.Environment },
-    { "rotation", state.Rotation }, { "mesh", state.Mesh }, { "tolerance", state.Tolerance },
-    { "methods", state.Methods }, { "lights", state.Lights },
+    { "material", state.Material }, { "compared", state.Compared },
+    { "environment", state.Environment }, { "rotation", state.Rotation }, { "mesh", state.Mesh },
+    { "tolerance", state.Tolerance }, { "methods", state.Methods }, { "lights", state.Lights },
     { "show", state.Show == Shown::Split ? "split" : "difference" }, { "split", state.Split },
     { "exposure", state.Exposure }, { "backdrop", state.Backdrop },
     { "reference_height", state.ReferenceHeight }, { "camera", camera },
     { "lobe_theta_i", state.LobeThetaI }, { "lobe_phi_i", state.LobePhiI },
     { "lobe_logarithmic", state.LobeLogarithmic }, { "slice_theta_h", state.SliceThetaH },
     { "slice_theta_d", state.SliceThetaD }, { "slice_phi_d", state.SlicePhiD },
-    { "slice_logarithmic", state.SliceLogarithmic } };
+    { "slice_logarithmic", state.SliceLogarithmic }, { "slice_polar", state.SlicePolar } };
   return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
@@ -282,6 +296,7 @@ State ReadState(const std::string& text, const std::string& name)
   fields.Take("material_files", state.MaterialFiles);
   fields.Take("environment_files", state.EnvironmentFiles);
   fields.Take("material", state.Material);
+  TakeCompared(fields, state.Compared);
   fields.Take("environment", state.Environment);
   fields.Take("rotation", state.Rotation, -360.0, 360.0);
   fields.Take("mesh", state.Mesh);
@@ -318,6 +333,7 @@ State ReadState(const std::string& text, const std::string& name)
   fields.Take("slice_theta_d", state.SliceThetaD, 0.0, 90.0);
   fields.Take("slice_phi_d", state.SlicePhiD, 0.0, 180.0);
   fields.Take("slice_logarithmic", state.SliceLogarithmic);
+  fields.Take("slice_polar", state.SlicePolar);
   return state;
 }
 
@@ -354,7 +370,7 @@ State LoadState(const std::string& path)
   {
     *one = Resolve(*one, folder);
   }
-  for (auto* list : { &state.MaterialFiles, &state.EnvironmentFiles })
+  for (auto* list : { &state.MaterialFiles, &state.EnvironmentFiles, &state.Compared })
   {
     std::transform(list->begin(), list->end(), list->begin(),
       [&](const std::string& file) { return Resolve(file, folder); });

@@ -9,6 +9,7 @@
 #define State_h
 
 #include <array>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -52,11 +53,15 @@ enum class Shown
   Difference
 };
 
+/// So many materials are drawn in one chart beside the one that is shown.
+constexpr std::size_t MostCompared = 8;
+
 struct State
 {
   std::vector<std::string> MaterialFiles; // opened, beside the built-in ones
   std::vector<std::string> EnvironmentFiles;
   std::string Material = "gold-paint"; // a built-in name or a file
+  std::vector<std::string> Compared;   // materials in the charts beside it, at most MostCompared
   std::string Environment = "hall";
   double Rotation = 0.0;       // of the environment about +y, degrees in [-180, 180)
   std::string Mesh = "sphere"; // or "ball-on-foot", or a file
@@ -76,6 +81,7 @@ struct State
   double SliceThetaD = 0.0;
   double SlicePhiD = 90.0; // degrees, [0, 180]
   bool SliceLogarithmic = true;
+  bool SlicePolar = false; // a polar plot for the lobe's light in the slices' place
 };
 
 /// As JSON.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Window.h"
 
+#include "Comparison.h"
 #include "EnvironmentPanel.h"
 #include "EnvironmentView.h"
 #include "FileKinds.h"
@@ -60,6 +61,7 @@ Window::Window(const State& state, QWidget* parent)
   : QMainWindow(parent)
   , Background(new Jobs)
   , Model(new Session(Background, this))
+  , Compared(new Comparison(Model, Background, this))
   , Sides{ new Side(0, Model, Background, this), new Side(1, Model, Background, this) }
   , View(new SplitView(Model, Background, Sides))
   , Measured(new Evaluation(Model, Background, Sides, View->GetCamera(), this))
@@ -116,7 +118,7 @@ void Window::MakePanels()
   layout->addWidget(this->View, 1);
   this->setCentralWidget(middle);
 
-  this->Lists = new ListPanel(this->Model);
+  this->Lists = new ListPanel(this->Model, this->Compared);
   auto* left = new QDockWidget(tr("Scene"));
   left->setObjectName("scene");
   left->setWidget(this->Lists);
@@ -129,7 +131,7 @@ void Window::MakePanels()
   this->Tabs->setMinimumWidth(400);
   this->Tabs->addTab(this->Plan, tr("Plan"));
   this->Lobe = new LobePanel(this->Model);
-  this->Slices = new SlicePanel(this->Model);
+  this->Slices = new SlicePanel(this->Model, this->Compared);
   this->Image = new ImagePanel(this->Model, this->Background);
   this->Light = new EnvironmentPanel(this->Model, this->Background);
   this->Findings = new FindingsPanel(this->Model, this->Background);
@@ -246,6 +248,13 @@ void Window::MakeViewMenu()
       difference->setChecked(this->Model->GetState().Show == Shown::Difference);
       backdrop->setChecked(this->Model->GetState().Backdrop);
     });
+  QAction* compare = view->addAction(tr("&Compare this material"), this,
+    [this]()
+    {
+      const std::string& file = this->Model->GetState().Material;
+      this->Compared->SetCompared(file, !this->Compared->IsCompared(file));
+    });
+  compare->setShortcut(Qt::CTRL | Qt::Key_T);
   QMenu* heights = view->addMenu(tr("Exact &picture"));
   for (const int height : { 128, 256, 512, 1024 })
   {

@@ -26,6 +26,7 @@ class QTabWidget;
 
 namespace explorer
 {
+class Comparison;
 class EnvironmentPanel;
 class FindingsPanel;
 class ImagePanel;
@@ -52,6 +53,7 @@ public:
   Side* GetSide(int k) { return this->Sides[static_cast<std::size_t>(k)]; }
   PlanPanel* GetPlanPanel() { return this->Plan; }
   PictureBar* GetPictureBar() { return this->Bar; }
+  Comparison* GetComparison() { return this->Compared; }
   ListPanel* GetListPanel() { return this->Lists; }
 
   LobePanel* GetLobePanel() { return this->Lobe; }
@@ -94,6 +96,7 @@ private:
 
   Jobs* Background; // the first to be deleted: no job finds anything gone
   Session* Model;
+  Comparison* Compared;
   std::array<Side*, 2> Sides;
   SplitView* View;
   Evaluation* Measured;

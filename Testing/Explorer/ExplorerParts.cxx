@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The explorer's parts that need no window: states, jobs, kinds of files, findings.
 #include "BackgroundWork.h"
+#include "ChartLines.h"
+#include "Comparison.h"
+#include "Curves.h"
 #include "EnvironmentView.h"
 #include "FileKinds.h"
 #include "Findings.h"
@@ -10,7 +13,9 @@
 #include "State.h"
 #include "Tool.h"
 
+#include "vtkEmbeddedMaterials.h"
 #include "vtkEnvironment.h"
+#include "vtkMath.h"
 
 #include <QCoreApplication>
 #include <QTemporaryDir>
@@ -38,6 +43,9 @@ private slots:
   void failedJobsSaySo();
   void environmentShowsDirections();
   void findings();
+  void planeOfIncidence();
+  void chartScales();
+  void comparedMaterials();
 };
 
 //------------------------------------------------------------------------------
@@ -66,10 +74,14 @@ void ExplorerParts::stateRoundTrip()
   state.SliceThetaD = 40.0;
   state.SlicePhiD = 50.0;
   state.SliceLogarithmic = false;
+  state.SlicePolar = true;
+  state.Compared = { "chrome", "/a/b.binary" };
   const std::string text = WriteState(state);
   const State again = ReadState(text, "state");
   QCOMPARE(WriteState(again), text);
   QCOMPARE(again.Tolerance, 0.07);
+  QCOMPARE(again.Compared, state.Compared);
+  QVERIFY(again.SlicePolar);
   QCOMPARE(again.Methods[1], std::string("thesis"));
   QCOMPARE(again.Camera.ViewUp[2], 1.0);
   QVERIFY(again.Show == Shown::Difference);
@@ -108,6 +120,13 @@ void ExplorerParts::badStates_data()
                               << "two of";
   QTest::newRow("list") << R"("material_files": [1])"
                         << "material_files";
+  QTest::newRow("too many to compare")
+    << R"("compared": ["a", "b", "c", "d", "e", "f", "g", "h", "i"])"
+    << "at most 8";
+  QTest::newRow("one to compare twice") << R"("compared": ["a", "a"])"
+                                        << "different";
+  QTest::newRow("polar") << R"("slice_polar": 1)"
+                         << "slice_polar";
   QTest::newRow("camera") << R"("camera": 3)"
                           << "an object";
   QTest::newRow("camera in itself")
@@ -304,6 +323,77 @@ void ExplorerParts::findings()
     QVERIFY2(!finding.IsGood, finding.Name.c_str());
   }
   QVERIFY(FindFindings(info)[2].Text.find("12 stored values") != std::string::npos);
+}
+
+//------------------------------------------------------------------------------
+// Light on the left, so the mirror direction is theta_i; nothing is seen from below.
+void ExplorerParts::planeOfIncidence()
+{
+  const auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("gold-paint"));
+  brdf->Prepare();
+  const double thetaI = 40.0;
+  const double phiI = 70.0;
+  const Curve curve = SamplePlaneOfIncidence(brdf, thetaI, phiI);
+  QCOMPARE(curve.Degrees.size(), curve.Values.size());
+  QVERIFY(curve.Degrees.front() > -90.0 && curve.Degrees.back() < 90.0);
+  QVERIFY(std::is_sorted(curve.Degrees.begin(), curve.Degrees.end()));
+  const auto direction = [&](double theta, double phi)
+  {
+    const double t = vtkMath::RadiansFromDegrees(theta);
+    const double p = vtkMath::RadiansFromDegrees(phi);
+    return std::array<double, 3>{ std::sin(t) * std::cos(p), std::sin(t) * std::sin(p),
+      std::cos(t) };
+  };
+  const auto at = std::find(curve.Degrees.begin(), curve.Degrees.end(), thetaI);
+  QVERIFY(at != curve.Degrees.end());
+  double f[3];
+  brdf->Evaluate(direction(thetaI, phiI).data(), direction(thetaI, phiI + 180.0).data(), f);
+  const auto& mirror = curve.Values[static_cast<std::size_t>(at - curve.Degrees.begin())];
+  QVERIFY2(std::abs(mirror[0] - f[0]) < 1e-6 * f[0], qPrintable(QString::number(mirror[0])));
+  const double back = curve.Degrees.front(); // on the light's side
+  brdf->Evaluate(direction(thetaI, phiI).data(), direction(-back, phiI).data(), f);
+  QVERIFY(std::abs(curve.Values.front()[1] - f[1]) < 1e-6 * f[1]);
+}
+
+//------------------------------------------------------------------------------
+void ExplorerParts::chartScales()
+{
+  const std::vector<ChartLine> lines = { { {}, { 0.0, 1.0, 2.0 }, { 0.0, 0.5, 20.0 } } };
+  const ChartScale linear(lines, false);
+  QCOMPARE(linear.GetLeast(), 0.0);
+  QVERIFY(linear.GetLargest() >= 20.0);
+  QCOMPARE(linear.Find(0.5), 0.5);
+  QVERIFY(linear.GetTicks().size() >= 3);
+  const ChartScale logarithmic(lines, true);
+  QVERIFY(std::abs(logarithmic.Find(0.1) + 1.0) < 1e-9);
+  QVERIFY(std::abs(logarithmic.Find(0.0) - std::log10(20e-6)) < 1e-9); // no infinity
+  QVERIFY(logarithmic.GetLeast() > -10.0);
+  QVERIFY(logarithmic.GetLargest() >= std::log10(20.0));
+  const ChartScale nothing({ { {}, { 0.0, 1.0 }, { 0.0, 0.0 } } }, true);
+  QVERIFY(std::isfinite(nothing.Find(0.0)) && nothing.GetLargest() > nothing.GetLeast());
+}
+
+//------------------------------------------------------------------------------
+// One material in its colors; several by luminance, each in a color of its own.
+void ExplorerParts::comparedMaterials()
+{
+  const Curve red = { { 0.0, 1.0 }, { { 1.0, 0.0, 0.0 }, { 0.5, 0.0, 0.0 } } };
+  const Curve gray = { { 0.0, 2.0 }, { { 0.3, 0.3, 0.3 }, { 0.1, 0.1, 0.1 } } };
+  const std::vector<ChartLine> channels = MakeLines({ red });
+  QCOMPARE(channels.size(), std::size_t(3));
+  QCOMPARE(channels[0].Values, (std::vector<double>{ 1.0, 0.5 }));
+  QCOMPARE(channels[1].Values, (std::vector<double>{ 0.0, 0.0 }));
+  const std::vector<ChartLine> materials = MakeLines({ red, gray });
+  QCOMPARE(materials.size(), std::size_t(2));
+  QVERIFY(std::abs(materials[1].Values[0] - 0.3) < 1e-3);
+  QVERIFY(materials[0].Values[0] < 0.3); // luminance of red
+  for (std::size_t a = 0; a <= MostCompared; ++a)
+  {
+    for (std::size_t b = 0; b < a; ++b)
+    {
+      QVERIFY(GetMaterialColor(a) != GetMaterialColor(b));
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -96,6 +96,12 @@ int main(int argc, char* argv[])
   Shoot(window, folder, "lobe");
   window.GetTabs()->setCurrentWidget(window.GetSlicePanel());
   Shoot(window, folder, "slices");
+  window.GetSession()->SetCompared({ "nickel", "yellow-matte-plastic", "blue-car-paint" });
+  window.GetSession()->SetSlicePolar(true);
+  Settle(window);
+  Shoot(window, folder, "polar");
+  window.GetSession()->SetSlicePolar(false);
+  window.GetSession()->SetCompared({});
   window.GetTabs()->setCurrentWidget(window.GetImagePanel());
   Shoot(window, folder, "image");
   return 0;

@@ -7,6 +7,7 @@
 #include "EnvironmentView.h"
 #include "Files.h"
 #include "FindingsPanel.h"
+#include "ListPanel.h"
 #include "LobePanel.h"
 #include "LobeView.h"
 #include "PictureBar.h"
@@ -21,6 +22,7 @@
 #include "vtkRadiancePlanner.h"
 
 #include <QApplication>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDropEvent>
 #include <QFile>
@@ -102,6 +104,7 @@ private slots:
   void environmentIsDragged();
   void lightIsDragged();
   void slicesAndFindings();
+  void materialsAreCompared();
   void pictureAndReport();
   void closesWhileWorking();
 
@@ -454,9 +457,9 @@ void ExplorerWindow::slicesAndFindings()
   window->GetTabs()->setCurrentWidget(window->GetSlicePanel());
   SliceView* view = window->GetSlicePanel()->GetView();
   QTRY_VERIFY_WITH_TIMEOUT(!window->GetFindingsPanel()->GetInspection().is_null(), Patience);
-  QTRY_VERIFY(view->GetTable(3)->GetNumberOfRows() == 10); // the albedo's angles
-  QVERIFY(
-    view->GetTable(0)->GetNumberOfRows() >= 360); // theta_h = 90 degrees may be below the horizon
+  QTRY_VERIFY(view->GetCurves(SliceView::Albedo).front().Degrees.size() == 10);
+  // theta_h = 90 degrees may be below the horizon
+  QVERIFY(view->GetCurves(SliceView::ThetaH).front().Degrees.size() >= 360);
   // Half vector 0, difference 30 degrees: light from there, seen from the mirror direction.
   window->GetSession()->SetSlices(0.0, 30.0, 90.0, false);
   const double s = 0.5;
@@ -465,8 +468,32 @@ void ExplorerWindow::slicesAndFindings()
   const double o[3] = { 0.0, -s, c };
   double f[3];
   window->GetSession()->GetMaterial().BRDF->Evaluate(i, o, f);
-  const double drawn = view->GetTable(0)->GetValueByName(0, "green").ToDouble();
+  const double drawn = view->GetCurves(SliceView::ThetaH).front().Values[0][1];
   QVERIFY2(std::abs(drawn - f[1]) < 1e-3 * f[1], qPrintable(QString::number(drawn)));
+}
+
+//------------------------------------------------------------------------------
+// Ticked materials are in all charts, the polar one too, until they are taken out.
+void ExplorerWindow::materialsAreCompared()
+{
+  Window* window = this->Show(MakeState());
+  window->GetTabs()->setCurrentWidget(window->GetSlicePanel());
+  SlicePanel* panel = window->GetSlicePanel();
+  SliceView* view = panel->GetView();
+  QTRY_VERIFY_WITH_TIMEOUT(window->GetSession()->GetMaterial().BRDF, Patience);
+  QVERIFY(panel->GetLegend().isEmpty());
+  QCheckBox* box = window->GetListPanel()->GetCompareBox("nickel");
+  QVERIFY(box);
+  box->click();
+  QTRY_VERIFY_WITH_TIMEOUT(view->GetMaterials().size() == 2, Patience);
+  QTRY_VERIFY(view->GetCurves(SliceView::ThetaH).size() == 2);
+  QTRY_VERIFY(panel->GetLegend().contains("nickel"));
+  window->GetSession()->SetSlicePolar(true);
+  QTRY_VERIFY(view->GetCurves(SliceView::Plane).size() == 2);
+  QCOMPARE(window->GetSession()->GetState().Compared, std::vector<std::string>{ "nickel" });
+  box->click();
+  QTRY_VERIFY(view->GetCurves(SliceView::Plane).size() == 1);
+  QVERIFY(panel->GetLegend().isEmpty());
 }
 
 //------------------------------------------------------------------------------
