@@ -8,6 +8,7 @@
 #include "OcclusionAxes.h"
 #include "OcclusionForecast.h"
 #include "OcclusionLight.h"
+#include "OcclusionTools.h"
 #include "RenderFixture.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkCallbackCommand.h"
@@ -73,11 +74,6 @@ vtkSmartPointer<vtkPolyData> MakeBowl()
   return bowl->GetOutput();
 }
 
-vtkUnsignedCharArray* GetBytes(vtkPolyData* surface, const char* name)
-{
-  return vtkUnsignedCharArray::SafeDownCast(surface->GetPointData()->GetArray(name));
-}
-
 HiddenSky::Code GetCode(vtkPolyData* surface, vtkIdType point)
 {
   HiddenSky::Code code;
@@ -104,39 +100,7 @@ void SpreadCode(vtkPolyData* surface, vtkIdType point)
   }
 }
 
-// Collects a mapper's warnings instead of printing them.
-struct WarningTexts
-{
-  explicit WarningTexts(vtkObject* object)
-    : Object(object)
-  {
-    this->Command->SetClientData(this);
-    this->Command->SetCallback([](vtkObject*, unsigned long, void* self, void* text)
-      { static_cast<WarningTexts*>(self)->Texts.emplace_back(static_cast<const char*>(text)); });
-    this->Tag = object->AddObserver(vtkCommand::WarningEvent, this->Command);
-  }
-  ~WarningTexts() { this->Object->RemoveObserver(this->Tag); }
-  WarningTexts(const WarningTexts&) = delete;
-  WarningTexts& operator=(const WarningTexts&) = delete;
-
-  std::vector<std::string> Texts;
-
-private:
-  vtkNew<vtkCallbackCommand> Command;
-  vtkObject* Object;
-  unsigned long Tag;
-};
-
 glm::dvec3 ToVector(const float* pixel) { return { pixel[0], pixel[1], pixel[2] }; }
-}
-
-// Small tables: their own errors cancel.
-template <typename Integrator>
-void MakeSmall(Integrator* integrator)
-{
-  integrator->SetNumberOfRows(17);
-  integrator->SetNumberOfViewAngles(6);
-  integrator->SetNumberOfAzimuths(4);
 }
 
 class OcclusionTest : public RenderFixture

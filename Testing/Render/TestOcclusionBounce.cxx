@@ -7,6 +7,7 @@
 #include "OcclusionAxes.h"
 #include "OcclusionBounce.h"
 #include "OcclusionLight.h"
+#include "OcclusionTools.h"
 #include "RenderFixture.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkCallbackCommand.h"
@@ -65,42 +66,7 @@ vtkSmartPointer<vtkPolyData> MakeHollow(double endPhi = 125.0)
   return inwards->GetOutput();
 }
 
-template <typename Integrator>
-void MakeSmall(Integrator* integrator)
-{
-  integrator->SetNumberOfRows(17);
-  integrator->SetNumberOfViewAngles(6);
-  integrator->SetNumberOfAzimuths(4);
-}
-
-vtkUnsignedCharArray* GetBytes(vtkPolyData* surface, const char* name)
-{
-  return vtkUnsignedCharArray::SafeDownCast(surface->GetPointData()->GetArray(name));
-}
-
 const char* const BouncedName = vtkSurfaceVisibilityFilter::GetBouncedLightArrayName();
-
-struct WarningTexts
-{
-  explicit WarningTexts(vtkObject* object)
-    : Object(object)
-  {
-    this->Command->SetClientData(this);
-    this->Command->SetCallback([](vtkObject*, unsigned long, void* self, void* text)
-      { static_cast<WarningTexts*>(self)->Texts.emplace_back(static_cast<const char*>(text)); });
-    this->Tag = object->AddObserver(vtkCommand::WarningEvent, this->Command);
-  }
-  ~WarningTexts() { this->Object->RemoveObserver(this->Tag); }
-  WarningTexts(const WarningTexts&) = delete;
-  WarningTexts& operator=(const WarningTexts&) = delete;
-
-  std::vector<std::string> Texts;
-
-private:
-  vtkNew<vtkCallbackCommand> Command;
-  vtkObject* Object;
-  unsigned long Tag;
-};
 }
 
 class BounceTest : public RenderFixture

@@ -14,7 +14,8 @@ namespace measuredbrdf
 namespace
 {
 constexpr double Enough = 0.97; // of all bends
-constexpr int Margin = 3; // fine rows beside tiles: the splines' neighbor, and two that rings reach
+constexpr int Margin =
+  5; // fine rows beside tiles: four that RingLimiter reads, a spline's neighbor
 
 // A map of RGB, round along the rows.
 struct MapView

@@ -62,7 +62,7 @@ struct Lobe
            std::exp(k * (glm::dot(d, this->Panel.Direction) - 1.0));
   }
 
-  // Concentration from the mean cosine: Banerjee et al. 2005, eq. 4.4.
+  // The length of the mean direction gives the concentration.
   void Move(double all)
   {
     const double light = Sum(this->Light);
@@ -73,8 +73,9 @@ struct Lobe
     {
       const double mean = std::min(length / light, 0.9999);
       this->Panel.Direction = this->Mean / length;
-      this->Panel.Concentration = std::clamp(
-        mean * (3.0 - mean * mean) / (1.0 - mean * mean), LeastConcentration, MostConcentration);
+      this->Panel.Concentration =
+        std::clamp(vtkLightSet::GetConcentrationOfVariance(1.0 - mean * mean), LeastConcentration,
+          MostConcentration);
     }
     this->Mean = this->Light = glm::dvec3(0.0);
   }

@@ -16,6 +16,7 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace measuredbrdf
@@ -118,8 +119,6 @@ bool ClassesMapper::IsSingle(const MaterialPart& part)
 void ClassesMapper::SetParts(
   const MaterialParts* parts, const std::vector<std::size_t>& numbers, vtkMaterialMap* map)
 {
-  this->ReleaseIndices();
-  this->Classes.clear();
   MaterialPart all;
   std::vector<vtkPolyData*> surfaces;
   for (std::size_t number : numbers)
@@ -127,9 +126,20 @@ void ClassesMapper::SetParts(
     const MaterialPart& part = parts->Get()[number];
     all.Members.push_back(part.Members.front());
     surfaces.push_back(part.Surface);
-    this->Classes.push_back({ part.Surface, nullptr, 0 });
   }
-  all.Surface = Join(surfaces);
+  // Where only settings have changed, buffers stay. Divided data are new objects.
+  const bool same = std::equal(this->Classes.begin(), this->Classes.end(), surfaces.begin(),
+    surfaces.end(), [](const Class& one, vtkPolyData* surface) { return one.Surface == surface; });
+  if (!same)
+  {
+    this->ReleaseIndices();
+    this->Classes.clear();
+    for (vtkPolyData* surface : surfaces)
+    {
+      this->Classes.push_back({ surface, nullptr, 0 });
+    }
+  }
+  all.Surface = same ? vtkSmartPointer<vtkPolyData>(this->GetInput()) : Join(surfaces);
   this->SetPart(parts, std::move(all), map);
 }
 

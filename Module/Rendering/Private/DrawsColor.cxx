@@ -141,5 +141,4 @@ bool HasLight(vtkRenderer* renderer)
   }
   return false;
 }
-
 } // namespace measuredbrdf

@@ -4,8 +4,8 @@
 
 #include "BouncedLight.h"
 #include "LocalFrame.h"
+#include "UniformVectors.h"
 #include "vtkBRDFBouncedLight.h"
-#include "vtkShaderProgram.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,20 +17,6 @@ namespace
 {
 constexpr double Pi = 3.14159265358979323846;
 constexpr double LeastHidden = 1e-3;
-
-void SetColors(
-  vtkShaderProgram* program, const std::string& name, const std::vector<glm::dvec3>& colors)
-{
-  std::vector<float> values;
-  for (const glm::dvec3& color : colors)
-  {
-    for (int c = 0; c < 3; ++c)
-    {
-      values.push_back(static_cast<float>(color[c]));
-    }
-  }
-  program->SetUniform3fv(name.c_str(), static_cast<int>(colors.size()), values.data());
-}
 }
 
 OcclusionBounce::OcclusionBounce(const std::vector<glm::dvec3>& lambert,
@@ -96,8 +82,8 @@ void OcclusionBounce::SetUniforms(
   {
     light.push_back(this->Albedo * turned[j] * (j == 0 ? root : root * BouncedLight::RatioStep));
   }
-  SetColors(program, "brdfBouncedLight" + m, light);
-  SetColors(program, "brdfBouncedLambert" + m, this->Lambert);
-  SetColors(program, "brdfBouncedLobe" + m, this->Lobe);
+  SetVectors(program, "brdfBouncedLight" + m, light);
+  SetVectors(program, "brdfBouncedLambert" + m, this->Lambert);
+  SetVectors(program, "brdfBouncedLobe" + m, this->Lobe);
 }
 } // namespace measuredbrdf

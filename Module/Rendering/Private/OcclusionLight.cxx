@@ -11,6 +11,7 @@
 #include "vtkEnvironment.h"
 #include "vtkFactoredRadianceIntegrator.h"
 #include "vtkHybridRadianceIntegrator.h"
+#include "vtkLightSet.h"
 #include "vtkMath.h"
 #include "vtkTableRadianceIntegrator.h"
 
@@ -56,6 +57,7 @@ sky::Colors MakeLight(vtkEnvironment* environment, const EnvironmentPrecomputati
   const glm::dmat3 axes({ 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 }, { 1.0, 0.0, 0.0 });
   return sky::Rotate(colors, axes);
 }
+
 // Less the harmonics of a von Mises-Fisher lobe: its bands follow the recurrence of modified
 // spherical Bessel functions.
 void Subtract(const EnvironmentPanels::Panel& panel, sky::Colors& light)
@@ -103,13 +105,13 @@ OcclusionLobes::OcclusionLobes(vtkBRDF* brdf, bool withFloor)
       energy += part;
       along += part * glm::dot(cell.Direction, axis);
     }
-    // Concentration of the von Mises-Fisher lobe with this mean cosine (Banerjee et al. 2005).
+    // The von Mises-Fisher lobe with this mean cosine.
     const double mean = energy > 0.0 ? std::clamp(along / energy, 0.0, 0.9999) : 0.0;
     const double s = std::hypot(axis.x, axis.z);
     Lobe& lobe = this->Lobes[k];
     lobe.Cosine = s > 0.0 ? axis.z / s : 1.0;
     lobe.Sine = s > 0.0 ? -axis.x / s : 0.0;
-    lobe.Kappa = std::min(mean * (3.0 - mean * mean) / (1.0 - mean * mean),
+    lobe.Kappa = std::min(vtkLightSet::GetConcentrationOfVariance(1.0 - mean * mean),
       static_cast<double>(HiddenSky::LargestKappa));
     lobe.Lambert = floor;
     lobe.Albedo = means.Amplitude + Pi * (means.Floor - floor);

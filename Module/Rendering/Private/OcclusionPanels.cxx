@@ -3,7 +3,7 @@
 #include "OcclusionPanels.h"
 
 #include "SkyCodeText.h"
-#include "vtkShaderProgram.h"
+#include "UniformVectors.h"
 
 namespace measuredbrdf
 {
@@ -60,22 +60,21 @@ void SetPanels(vtkShaderProgram* program, const std::string& number,
   const std::vector<EnvironmentPanels::Panel>& panels, const glm::dmat3& toEnvironment)
 {
   std::vector<float> places;
-  std::vector<float> light;
+  std::vector<glm::dvec3> light;
   for (const EnvironmentPanels::Panel& panel : panels)
   {
     const glm::dvec3 d = glm::transpose(toEnvironment) * panel.Direction;
-    for (int c = 0; c < 3; ++c)
+    for (const double value : { d.x, d.y, d.z, panel.Concentration })
     {
-      places.push_back(static_cast<float>(d[c]));
-      light.push_back(static_cast<float>(panel.Irradiance[c]));
+      places.push_back(static_cast<float>(value));
     }
-    places.push_back(static_cast<float>(panel.Concentration));
+    light.push_back(panel.Irradiance);
   }
-  const int count = static_cast<int>(panels.size());
-  if (count > 0)
+  if (!panels.empty())
   {
-    program->SetUniform4fv(("brdfSkyPanel" + number).c_str(), count, places.data());
-    program->SetUniform3fv(("brdfSkyPanelLight" + number).c_str(), count, light.data());
+    program->SetUniform4fv(
+      ("brdfSkyPanel" + number).c_str(), static_cast<int>(panels.size()), places.data());
+    SetVectors(program, "brdfSkyPanelLight" + number, light);
   }
 }
 } // namespace measuredbrdf

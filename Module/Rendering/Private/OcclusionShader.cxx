@@ -7,6 +7,7 @@
 #include "OcclusionBounce.h"
 #include "OcclusionPanels.h"
 #include "SkyCodeText.h"
+#include "UniformVectors.h"
 #include "vtkBRDFHiddenSky.h"
 #include "vtkShaderProgram.h"
 
@@ -348,28 +349,6 @@ std::string DefineOcclusion(const OcclusionLight* light, std::size_t member)
   return text;
 }
 
-namespace
-{
-void SetLampLight(vtkShaderProgram* program, const std::string& number,
-  const std::vector<glm::dvec3>& light, std::size_t lamps)
-{
-  std::vector<float> values;
-  for (std::size_t k = 0; k < std::min(light.size(), lamps); ++k)
-  {
-    for (int c = 0; c < 3; ++c)
-    {
-      values.push_back(static_cast<float>(light[k][c]));
-    }
-  }
-  if (!values.empty())
-  {
-    program->SetUniform3fv(
-      ("brdfSkyLampLight" + number).c_str(), static_cast<int>(values.size() / 3), values.data());
-  }
-}
-
-}
-
 void SetOcclusionUniforms(vtkShaderProgram* program, const OcclusionLights& lights,
   const OcclusionSides& sides, const glm::dmat3& toModel, bool parallel,
   const std::vector<glm::dmat3>& toEnvironment)
@@ -395,51 +374,39 @@ void SetOcclusionUniforms(vtkShaderProgram* program, const OcclusionLights& ligh
     const std::string number = std::to_string(m);
     const sky::Colors light =
       lights[m]->GetLight(toEnvironment[m], CountLamps(lights, sides.Both, m));
-    std::vector<float> values;
+    std::vector<glm::dvec3> vectors;
     for (const glm::dvec3& color : light)
     {
-      for (int c = 0; c < 3; ++c)
-      {
-        values.push_back(static_cast<float>(color[c] * HiddenSky::TransferStep));
-      }
+      vectors.push_back(color * static_cast<double>(HiddenSky::TransferStep));
     }
-    program->SetUniform3fv(
-      ("brdfSkyLight" + number).c_str(), static_cast<int>(light.size()), values.data());
+    SetVectors(program, "brdfSkyLight" + number, vectors);
     const char* const channels[] = { "brdfSkyRed", "brdfSkyGreen", "brdfSkyBlue" };
     for (int c = 0; c < 3; ++c)
     {
       glm::mat4 form = GetIrradianceForm(light, c); // symmetric
       program->SetUniformMatrix4x4((channels[c] + number).c_str(), &form[0][0]);
     }
-    values.clear();
+    vectors.clear();
     for (const OcclusionLobes::Lobe& lobe : lights[m]->Lobes.GetLobes())
     {
-      for (const double value : { lobe.Cosine, lobe.Sine, lobe.Kappa })
-      {
-        values.push_back(static_cast<float>(value));
-      }
+      vectors.emplace_back(lobe.Cosine, lobe.Sine, lobe.Kappa);
     }
-    program->SetUniform3fv(("brdfSkyLobes" + number).c_str(), OcclusionLobes::Views, values.data());
+    SetVectors(program, "brdfSkyLobes" + number, vectors);
     if (Bounces(lights, { sides.Both, sides.Bounced }, m))
     {
       lights[m]->Bounce->SetUniforms(program, m, toEnvironment[m]);
     }
     SetPanels(program, number, lights[m]->Panels, toEnvironment[m]);
-    values.clear();
-    for (std::size_t k = 0; k < CountLamps(lights, sides.Both, m); ++k)
+    const std::size_t lamps = CountLamps(lights, sides.Both, m);
+    vectors.clear();
+    for (std::size_t k = 0; k < lamps; ++k)
     {
-      const glm::dvec3 lamp = glm::transpose(toEnvironment[m]) * lights[m]->Lamps[k];
-      for (int c = 0; c < 3; ++c)
-      {
-        values.push_back(static_cast<float>(lamp[c]));
-      }
+      vectors.push_back(glm::transpose(toEnvironment[m]) * lights[m]->Lamps[k]);
     }
-    if (!values.empty())
-    {
-      program->SetUniform3fv(
-        ("brdfSkyLamp" + number).c_str(), static_cast<int>(values.size() / 3), values.data());
-      SetLampLight(program, number, lights[m]->LampLight, values.size() / 3);
-    }
+    SetVectors(program, "brdfSkyLamp" + number, vectors);
+    vectors = lights[m]->LampLight;
+    vectors.resize(std::min(vectors.size(), lamps));
+    SetVectors(program, "brdfSkyLampLight" + number, vectors);
   }
 }
 } // namespace measuredbrdf
