@@ -305,9 +305,10 @@ public:
    * (seconds for half a million triangles). OCCLUSION_OFF: never.
    * Arrays of another surface, or damaged ones, are reported once and not used. vtkLights are not
    * hidden: vtkShadowMapPass does that. The material and the environment's rotation change at the
-   * cost that they have without; a new environment takes some 0.03 s more. Methods that tell a material's matte part and its lobe apart
-   * (table, factored, hybrid; what plans choose) are the most accurate; others take what is
-   * reflected as one lobe.
+   * cost that they have without; a new environment takes some 0.03 s more. Methods that tell a
+   * material's matte part and its lobe apart (table, factored, hybrid; what plans choose) are the
+   * most accurate; others take what is reflected
+   * as one lobe.
    */
   void SetOcclusionMode(int mode);
   int GetOcclusionMode();
