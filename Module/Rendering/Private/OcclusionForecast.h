@@ -25,6 +25,8 @@
 
 namespace measuredbrdf
 {
+class SharedTrace;
+
 /// What is drawn, with which light.
 struct OcclusionQuestion
 {
@@ -89,6 +91,7 @@ private:
   std::map<Key, std::shared_ptr<const Job>> Known; // of this content
   std::shared_ptr<const Job> Answer;               // to the last question; null: none
   vtkSmartPointer<vtkDataObject> Traced;
+  std::shared_ptr<SharedTrace> Trace; // of which Traced has its arrays
   bool WithBounce = false; // whether it has the bounce
 };
 } // namespace measuredbrdf
