@@ -63,7 +63,8 @@ protected:
   }
 
   // What one more mapper shows of a surface.
-  vtkSmartPointer<vtkMeasuredBRDFMapper> Show(vtkPolyData* surface, bool bounce, FloatImage& picture)
+  vtkSmartPointer<vtkMeasuredBRDFMapper> Show(
+    vtkPolyData* surface, bool bounce, FloatImage& picture)
   {
     auto mapper = vtkSmartPointer<vtkMeasuredBRDFMapper>::New();
     mapper->SetInputData(surface);
@@ -194,8 +195,8 @@ TEST_F(SharedTraceTest, ThreadsWaitForOneAnother)
   ASSERT_TRUE(HasArrays(results[0]));
   EXPECT_EQ(GetBytes(vtkPolyData::SafeDownCast(results[0]),
               vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName()),
-    GetBytes(vtkPolyData::SafeDownCast(results[1]),
-      vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName()));
+    GetBytes(
+      vtkPolyData::SafeDownCast(results[1]), vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName()));
   const auto other = MakeBowl(8);
   const auto inside = SharedTrace::Find(other);
   int asked = 0;

@@ -92,7 +92,7 @@ private:
   std::shared_ptr<const Job> Answer;               // to the last question; null: none
   vtkSmartPointer<vtkDataObject> Traced;
   std::shared_ptr<SharedTrace> Trace; // of which Traced has its arrays
-  bool WithBounce = false; // whether it has the bounce
+  bool WithBounce = false;            // whether it has the bounce
 };
 } // namespace measuredbrdf
 

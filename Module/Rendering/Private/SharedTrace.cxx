@@ -171,8 +171,7 @@ vtkSmartPointer<vtkDataObject> SharedTrace::Attach(
 }
 
 // Without the lock: whoever reads what is written here waits.
-void SharedTrace::Trace(
-  vtkDataObject* input, bool withBounce, const std::function<bool()>& goesOn)
+void SharedTrace::Trace(vtkDataObject* input, bool withBounce, const std::function<bool()>& goesOn)
 {
   if (!this->Filter)
   {
