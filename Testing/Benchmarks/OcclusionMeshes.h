@@ -117,13 +117,13 @@ inline void AddMolecule(vtkAppendPolyData* all)
   }
 }
 
-// A sphere with dents.
-inline void AddBumps(vtkAppendPolyData* all)
+// A sphere with dents, of 1.5 steps^2 points.
+inline void AddBumps(vtkAppendPolyData* all, int steps)
 {
   vtkNew<vtkSphereSource> source;
   source->SetRadius(1.0);
-  source->SetThetaResolution(240);
-  source->SetPhiResolution(160);
+  source->SetThetaResolution(3 * steps / 2);
+  source->SetPhiResolution(steps);
   source->Update();
   vtkNew<vtkPolyData> surface;
   surface->DeepCopy(source->GetOutput());
@@ -216,9 +216,9 @@ inline vtkSmartPointer<vtkPolyData> MakeOcclusionMesh(const std::string& name)
   {
     occlusionmeshes::AddMolecule(all);
   }
-  else if (name == "bumps")
+  else if (name == "bumps" || name == "fine-bumps")
   {
-    occlusionmeshes::AddBumps(all);
+    occlusionmeshes::AddBumps(all, name == "bumps" ? 160 : 378);
   }
   else if (name == "gear")
   {

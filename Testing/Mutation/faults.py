@@ -1027,6 +1027,17 @@ add("Visibility.rays-begin-below-twisted-quads", "Private/SurfacePoints.cxx", "F
     "ForEachFace(surface, Faces::Polygons,", "SurfaceVisibility.TwistedQuadsAreLeftFromTheirTriangles")
 add("Rendering.occlusion-whatever-it-costs", "Private/OcclusionForecast.cxx", "if (!worth || this->IsStopped || this->Points > this->Most)",
     "if (this->IsStopped || this->Points > this->Most)", "OcclusionTest.AutoModelsWhatIsWorthIt")
+add("Rendering.mappers-trace-apart", "Private/SharedTrace.cxx", "found = traces[content].lock();", "found;",
+    "SharedTraceTest.MappersOfOneSurfaceTraceOnce|SharedTraceTest.OccludersAreNotShared")
+add("Rendering.shared-without-the-bounce", "Private/SharedTrace.h", "(!withBounce || this->HasBounce)", "true",
+    "SharedTraceTest.MappersOfOneSurfaceTraceOnce")
+add("Rendering.threads-trace-at-once", "Private/SharedTrace.cxx", "while (this->Maker != std::thread::id())", "while (false)",
+    "SharedTraceTest.ThreadsWaitForOneAnother")
+add("Rendering.forecasts-outlive-mappers", "Private/OcclusionForecast.cxx", "[this]() { return !this->IsStopped; }",
+    "[]() { return true; }", "SharedTraceTest.ForecastsStopWhenTheyGo")
+add("Rendering.levels-are-looked-for-once", "Private/MaterialDrawing.cxx",
+    "state.Actor->GetMapper() != mapper && this->WarnOnce", "this->WarnOnce",
+    "OcclusionStability.ActorsWithLevelsKeepTheSurfacesArrays")
 add("Rendering.moving-surfaces-are-traced", "Private/OcclusionForecast.cxx", "return this->Changes <= MostChanges;", "return true;",
     "OcclusionTest.ForecastsFollowTheSurface")
 add("Rendering.views-forget-each-other", "Private/OcclusionForecast.cxx", "this->Known.count(key) == 0 && follows",

@@ -11,11 +11,14 @@
 #include "vtkEnvironment.h"
 #include "vtkFloatArray.h"
 #include "vtkHybridRadianceIntegrator.h"
+#include "vtkLODActor.h"
 #include "vtkLODProp3D.h"
 #include "vtkMeasuredBRDFMapper.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkQuadricLODActor.h"
+#include "vtkRenderWindowInteractor.h"
 #include "vtkSphereSource.h"
 #include "vtkSurfaceVisibilityFilter.h"
 #include "vtkTriangleFilter.h"
@@ -148,6 +151,100 @@ TEST_F(OcclusionStability, LevelsOfDetailHaveTheirOwnArrays)
     levels->SetSelectedLODID(ids[k]);
     EXPECT_LT(Compare(this->RenderLinear(), alone[k]), 1e-6) << k;
   }
+}
+
+// Levels that VTK's actors make themselves are drawn by stock mappers from decimated points. What
+// shows the surface itself keeps its arrays, whatever was drawn between.
+TEST_F(OcclusionStability, ActorsWithLevelsKeepTheSurfacesArrays)
+{
+  const auto surface = MakeTraced(12);
+  this->Mapper->SetInputData(surface);
+  const FloatImage alone = this->RenderLinear();
+  this->Mapper->SetOcclusionModeToOff();
+  const FloatImage off = this->RenderLinear();
+  EXPECT_GT(Compare(off, alone), 0.03);
+  this->Mapper->SetOcclusionModeToAuto();
+  this->Renderer->RemoveActor(this->Actor);
+  vtkNew<vtkRenderWindowInteractor> interactor; // vtkQuadricLODActor needs one
+  interactor->SetRenderWindow(this->Window);
+  vtkNew<vtkLODActor> levels;
+  levels->SetMapper(this->Mapper);
+  vtkNew<vtkQuadricLODActor> quadric;
+  quadric->SetMapper(this->Mapper);
+  for (vtkActor* actor : { static_cast<vtkActor*>(levels), static_cast<vtkActor*>(quadric) })
+  {
+    this->Renderer->AddActor(actor);
+    for (int round = 0; round < 2; ++round)
+    {
+      for (const double rate : { 1e6, 1e6, 1e-4 }) // frames a second: coarse, coarse, fine
+      {
+        this->Window->SetDesiredUpdateRate(rate);
+        const FloatImage drawn = this->RenderLinear();
+        for (const float value : drawn.RGBA)
+        {
+          ASSERT_TRUE(std::isfinite(value) && value >= 0.0f) << actor->GetClassName();
+        }
+        if (rate < 1.0)
+        {
+          EXPECT_LT(Compare(drawn, alone), 1e-6) << actor->GetClassName();
+        }
+      }
+    }
+    this->Renderer->RemoveActor(actor);
+  }
+  EXPECT_EQ(this->Warnings.size(), 1u); // of levels by stock mappers
+}
+
+// Levels of our own mappers, which trace: each its own mesh, and anew where that changes.
+TEST_F(OcclusionStability, LevelsTraceTheirOwnMeshes)
+{
+  vtkNew<vtkSphereSource> sources[2];
+  vtkNew<vtkMeasuredBRDFMapper> mappers[2];
+  vtkNew<vtkLODProp3D> levels;
+  levels->AutomaticLODSelectionOff();
+  int ids[2];
+  for (int k = 0; k < 2; ++k)
+  {
+    sources[k]->SetThetaResolution(k == 0 ? 32 : 12);
+    sources[k]->SetPhiResolution(k == 0 ? 24 : 9);
+    sources[k]->SetRadius(0.9);
+    sources[k]->SetEndPhi(115.0); // a bowl, seen from outside until it is turned
+    this->SetUpMapper(mappers[k]);
+    mappers[k]->SetInputConnection(sources[k]->GetOutputPort());
+    mappers[k]->SetOcclusionModeToOn();
+    ids[k] = levels->AddLOD(mappers[k], 0.0);
+  }
+  levels->RotateX(180.0);
+  this->Mapper->SetOcclusionModeToOn();
+  this->Actor->RotateX(180.0);
+  const auto drawAlone = [&](int k)
+  {
+    this->Mapper->SetInputConnection(sources[k]->GetOutputPort());
+    levels->VisibilityOff();
+    this->Actor->VisibilityOn();
+    const FloatImage picture = this->RenderLinear();
+    this->Actor->VisibilityOff();
+    levels->VisibilityOn();
+    return picture;
+  };
+  this->Renderer->AddViewProp(levels);
+  FloatImage before[2];
+  for (const double end : { 115.0, 150.0 })
+  {
+    sources[0]->SetEndPhi(end); // the other one stays as it is
+    for (const int k : { 0, 1, 0 })
+    {
+      const FloatImage alone = drawAlone(k);
+      levels->SetSelectedLODID(ids[k]);
+      EXPECT_LT(Compare(this->RenderLinear(), alone), 1e-6) << k << ", " << end;
+      EXPECT_EQ(end > 120.0 && k == 0 && Compare(alone, before[0]) < 0.02, false);
+      if (end < 120.0)
+      {
+        before[k] = alone;
+      }
+    }
+  }
+  EXPECT_TRUE(this->Warnings.empty());
 }
 
 // Decimation passes on points' arrays and the surface's key; they are no longer of this surface.

@@ -336,10 +336,11 @@ void MaterialDrawing::BeginFrame(
 
 void MaterialDrawing::WarnOfLevels(const FrameState& state)
 {
-  const char* levels =
-    this->WarnOnce("levels of detail")
-      ? FindStockLevels(state.Renderer, state.Actor, vtkMapper::SafeDownCast(this->Owner))
-      : nullptr;
+  // Such actors draw through one that has no mapper; others may have shown it before.
+  auto* mapper = vtkMapper::SafeDownCast(this->Owner);
+  const char* levels = state.Actor->GetMapper() != mapper && this->WarnOnce("levels of detail")
+                         ? FindStockLevels(state.Renderer, state.Actor, mapper)
+                         : nullptr;
   if (levels)
   {
     vtkWarningWithObjectMacro(this->Owner,

@@ -4,6 +4,7 @@
 
 #include "BouncedLight.h"
 #include "HiddenSky.h"
+#include "SharedTrace.h"
 #include "SurfaceBlocks.h"
 #include "SurfacePoints.h"
 #include "vtkCellArray.h"
@@ -297,20 +298,23 @@ OcclusionCache::OcclusionCache() = default;
 
 OcclusionCache::~OcclusionCache() = default;
 
-// What the filter makes of the input.
+// The input with arrays, for all of its blocks, which ask one by one.
 vtkDataObject* OcclusionCache::Trace(vtkDataObject* input, bool withBounce)
 {
-  if (!this->Filter)
+  vtkMTimeType time = input->GetMTime();
+  for (vtkPolyData* surface : GetBlocks(input))
   {
-    this->Filter = vtkSmartPointer<vtkSurfaceVisibilityFilter>::New();
-    this->Filter->BothSidesOn(); // whichever way the normals point
+    time = std::max(time, surface->GetMTime());
   }
-  auto copy = vtkSmartPointer<vtkDataObject>::Take(input->NewInstance());
-  copy->ShallowCopy(input); // no pipeline of the program's hangs on it
-  this->Filter->SetBounce(withBounce);
-  this->Filter->SetInputDataObject(copy);
-  this->Filter->Update();
-  return this->Filter->GetOutputDataObject(0);
+  if (!this->Traced || this->TracedTime != time || this->TracedBounce != withBounce)
+  {
+    const auto before = std::move(this->Shared); // the sky of the same surface is not traced again
+    this->Shared = SharedTrace::Find(input);
+    this->Traced = this->Shared->Attach(input, withBounce, []() { return true; });
+    this->TracedTime = time; // no other object ever has it
+    this->TracedBounce = withBounce;
+  }
+  return this->Traced;
 }
 
 vtkSmartPointer<vtkPolyData> OcclusionCache::FindWhole(

@@ -18,10 +18,10 @@
 #include <memory>
 #include <string>
 
-class vtkSurfaceVisibilityFilter;
-
 namespace measuredbrdf
 {
+class SharedTrace;
+
 /// Codes of all points, three bytes in each float.
 struct OcclusionArrays
 {
@@ -98,7 +98,13 @@ private:
 
   std::map<vtkPolyData*, Entry> Entries;
   std::map<vtkPolyData*, Whole> Wholes;
-  vtkSmartPointer<vtkSurfaceVisibilityFilter> Filter;
+  ///@{
+  /// The input, traced as it was last asked for.
+  std::shared_ptr<SharedTrace> Shared;
+  vtkSmartPointer<vtkDataObject> Traced;
+  vtkMTimeType TracedTime = 0;
+  bool TracedBounce = false;
+  ///@}
 };
 } // namespace measuredbrdf
 

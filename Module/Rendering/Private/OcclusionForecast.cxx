@@ -4,11 +4,11 @@
 
 #include "ContentHash.h"
 #include "LocalFrame.h"
+#include "SharedTrace.h"
 #include "SurfaceBlocks.h"
 #include "SurfacePoints.h"
 #include "TakenError.h"
 #include "vtkCellArray.h"
-#include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkNew.h"
@@ -16,7 +16,6 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkSurfaceVisibilityFilter.h"
 #include "vtkTracedScene.h"
 #include "vtkTracedSurfaces.h"
 
@@ -185,12 +184,9 @@ public:
     {
       return;
     }
-    this->Filter->AddObserver(vtkCommand::ProgressEvent, this, &Job::FollowFilter);
-    this->Filter->BothSidesOn(); // whichever way the normals point
-    this->Filter->SetBounce(this->WithBounce);
-    this->Filter->SetInputDataObject(this->Input);
-    this->Filter->Update();
-    this->Traced = this->IsStopped ? nullptr : this->Filter->GetOutputDataObject(0);
+    this->Trace = SharedTrace::Find(this->Input);
+    this->Traced =
+      this->Trace->Attach(this->Input, this->WithBounce, [this]() { return !this->IsStopped; });
   }
 
   // Once it is done: answers are kept, and the tree of half a million triangles takes 40 MB.
@@ -213,6 +209,7 @@ public:
   double Uncertainty = 0.0;
   bool IsLeftOut = false; // worth modeling, but too large
   vtkSmartPointer<vtkDataObject> Traced;
+  std::shared_ptr<SharedTrace> Trace;
 
 private:
   vtkTracedScene* GetScene()
@@ -226,15 +223,6 @@ private:
       }
     }
     return this->Scene;
-  }
-
-  // On its own thread: a request from another one could come before it begins.
-  void FollowFilter(vtkObject*, unsigned long, void*)
-  {
-    if (this->IsStopped)
-    {
-      this->Filter->SetAbortExecute(1);
-    }
   }
 
   // Whether it is worth modeling.
@@ -257,7 +245,6 @@ private:
 
   vtkSmartPointer<vtkTracedScene> Scene;
   vtkNew<vtkOcclusionPredictor> Predictor;
-  vtkNew<vtkSurfaceVisibilityFilter> Filter;
   std::atomic<bool> IsStopped{ false };
   std::thread Thread;
 };
@@ -298,7 +285,11 @@ void OcclusionForecast::Take()
 {
   this->Work->DropScene();
   std::shared_ptr<const Job> answer(this->Work.release());
-  this->Traced = answer->Traced ? answer->Traced : this->Traced;
+  if (answer->Traced)
+  {
+    this->Traced = answer->Traced;
+    this->Trace = answer->Trace;
+  }
   if (this->Known.size() >= MostAnswers)
   {
     this->Known.clear();
@@ -318,6 +309,7 @@ void OcclusionForecast::Update(const OcclusionQuestion& question)
     this->Known.clear();
     this->Answer.reset();
     this->Traced = nullptr;
+    this->Trace = this->Content != before ? nullptr : this->Trace; // which knows the sky
   }
   Key key = { this->Content, std::to_string(question.Tolerance) };
   for (const OcclusionQuestion::Material& material : question.Materials)
@@ -336,6 +328,7 @@ void OcclusionForecast::Update(const OcclusionQuestion& question)
     this->Work = std::make_unique<Job>(question, question.InBackground);
     this->Work->WithBounce = this->WithBounce;
     this->Work->Traced = this->Traced;
+    this->Work->Trace = this->Trace;
     if (question.InBackground && !this->Work->IsEasy())
     {
       this->Work->Start();

@@ -25,6 +25,8 @@
 
 namespace measuredbrdf
 {
+class SharedTrace;
+
 /// What is drawn, with which light.
 struct OcclusionQuestion
 {
@@ -89,7 +91,8 @@ private:
   std::map<Key, std::shared_ptr<const Job>> Known; // of this content
   std::shared_ptr<const Job> Answer;               // to the last question; null: none
   vtkSmartPointer<vtkDataObject> Traced;
-  bool WithBounce = false; // whether it has the bounce
+  std::shared_ptr<SharedTrace> Trace; // of which Traced has its arrays
+  bool WithBounce = false;            // whether it has the bounce
 };
 } // namespace measuredbrdf
 

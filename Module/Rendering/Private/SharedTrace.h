@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What surfaces hide from themselves, traced once for all mappers that show them. Private to the
+ * rendering room.
+ */
+
+#ifndef SharedTrace_h
+#define SharedTrace_h
+
+#include "vtkDataObject.h"
+#include "vtkSmartPointer.h"
+
+#include <condition_variable>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+class vtkPolyData;
+class vtkSurfaceVisibilityFilter;
+
+namespace measuredbrdf
+{
+/// vtkSurfaceVisibilityFilter's arrays, of both sides and without occluders, of surfaces of one
+/// content. They stay for as long as anybody holds this.
+class SharedTrace
+{
+public:
+  SharedTrace();
+  ~SharedTrace();
+  SharedTrace(const SharedTrace&) = delete;
+  void operator=(const SharedTrace&) = delete;
+
+  /// The one of all surfaces with these points, point normals and cells: polydata, or composite
+  /// data. Whatever thread asks, it is the same while somebody holds it.
+  static std::shared_ptr<SharedTrace> Find(vtkDataObject* input);
+
+  /// A shallow copy of such surfaces with the arrays. They are traced now where nobody has done it;
+  /// where another thread does, this one waits. Null where goesOn has answered false meanwhile.
+  vtkSmartPointer<vtkDataObject> Attach(
+    vtkDataObject* input, bool withBounce, const std::function<bool()>& goesOn);
+
+  /// How many times this was traced; a bounce that was added later counts again.
+  int GetNumberOfTraces() const { return this->NumberOfTraces; }
+
+private:
+  class Making;
+  bool Has(bool withBounce) const
+  {
+    return !this->Arrays.empty() && (!withBounce || this->HasBounce);
+  }
+  void Trace(vtkDataObject* input, bool withBounce, const std::function<bool()>& goesOn);
+
+  std::mutex Mutex;
+  std::condition_variable Changed;
+  std::thread::id Maker; // which traces now; default: none
+  // Of each surface, without points: whoever has these may change them.
+  std::vector<vtkSmartPointer<vtkPolyData>> Arrays;
+  bool HasBounce = false;
+  int NumberOfTraces = 0;
+  vtkSmartPointer<vtkSurfaceVisibilityFilter> Filter; // knows the sky when a bounce is to follow
+};
+} // namespace measuredbrdf
+
+#endif
