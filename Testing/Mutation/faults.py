@@ -598,6 +598,14 @@ add("Planning.reference-is-exact", "Private/PlanComparison.cxx", "squares) / sum
     "PlanComparison.PoolsSamplesAndAddsTheReferencesError")
 add("Integration.maps-halve-the-error", "Private/TableCandidates.cxx", "constexpr double LeastOfMaps = 0.7;",
     "constexpr double LeastOfMaps = 0.01;", "MapCandidates.TooManyAreLeftOut")
+add("Integration.maps-lack-nothing-but-rows", "Private/TableCandidates.cxx", "if (table.Sizes[0] < attempt.Sizes[0])", "if (false)",
+    "MapCandidates.AreLeftOutWhereFewerRowsHaveMore|MapCandidates.LearnFromTables")
+add("Integration.tables-teach-hybrids-nothing", "vtkHybridRadianceIntegrator.cxx", "return method == table->GetMethodName()", "return method.empty()",
+    "MapCandidates.LearnFromTables")
+add("Integration.other-half-unmirrored", "Private/FieldSynthesis.cxx", "mirrored ? rows - 1 - row : row;", "row;",
+    "FieldSynthesis.IsTheSumOverHarmonics")
+add("Integration.azimuths-turn-backwards", "Private/AzimuthSeries.cxx", "gain * std::sin(angle)", "-gain * std::sin(angle)",
+    "AzimuthSeries.TurnsEachOrder")
 add("Planning.luck-is-merit", "Private/PlanSearch.cxx", "return !this->MayBeLuck(candidate) || this->Check(candidate);",
     "return true;", "PlanSearch.DoesNotTakeLuckForMerit")
 add("Planning.store-lends-twice", "Private/MaterialStore.cxx", "  Parts parts = std::move(known->Material);\n  this->Entries.erase(known);",
