@@ -63,11 +63,11 @@ std::vector<vtkSmartPointer<vtkBRDF>> MakeMaterials(int count)
   return materials;
 }
 
-vtkSmartPointer<vtkPolyData> MakeSphere()
+vtkSmartPointer<vtkPolyData> MakeSphere(int resolution = 180)
 {
   vtkNew<vtkSphereSource> sphere;
-  sphere->SetThetaResolution(180);
-  sphere->SetPhiResolution(180);
+  sphere->SetThetaResolution(resolution);
+  sphere->SetPhiResolution(resolution);
   sphere->Update();
   auto copy = vtkSmartPointer<vtkPolyData>::New();
   copy->ShallowCopy(sphere->GetOutput());
@@ -121,6 +121,13 @@ public:
     for (int classes : { 8, 64 })
     {
       this->AddClasses(classes, false);
+    }
+    this->AddWholeClasses(64);
+    const std::string fine = "one material, as many triangles as 64 classes of points";
+    this->Add(fine, 1, MakeSphere(235), nullptr);
+    if (this->Kinds.back().Name == fine)
+    {
+      this->Kinds.back().Mapper->SetBRDF(this->Materials[0]);
     }
     this->AddValues(8);
     for (int weights : { 2, 3, 4 })
@@ -219,6 +226,20 @@ private:
       ->AddArray(array);
     this->Add(std::to_string(classes) + " classes of " + (ofCells ? "cells" : "points"), 1, sphere,
       this->NewMap(vtkMaterialMap::CLASSES, classes));
+  }
+
+  // Classes of points whose polygons are not cut along the borders: vertices have an attribute that
+  // a program might read.
+  void AddWholeClasses(int classes)
+  {
+    const std::size_t before = this->Kinds.size();
+    this->AddClasses(classes, false);
+    if (this->Kinds.size() > before)
+    {
+      this->Kinds.back().Name += ", not cut";
+      this->Kinds.back().Mapper->MapDataArrayToVertexAttribute(
+        "unused", "data", vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
+    }
   }
 
   void AddValues(int materials)
