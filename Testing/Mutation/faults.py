@@ -916,8 +916,8 @@ add("Rendering.map-edges-are-cut-twice", "Private/ClassBorders.cxx", "if (isNew)
     "Parts.BordersBetweenClassesOfPointsAreCut")
 add("Rendering.map-lone-corners-lose-their-class", "Private/ClassBorders.cxx", "this->AddPiece(3, tip, this->GetClass(alone));",
     "this->AddPiece(3, tip, this->GetClass(a));", "ClassBorders.AreThoseOfWholePolygons")
-add("Rendering.map-colored-points-are-cut", "Private/PartMappers.cxx", "(!ColorsPoints(scalars, input) ||",
-    "(true ||", "ClassBorders.ColorsOfPointsKeepPolygonsWhole")
+add("Rendering.map-colored-points-are-cut", "Private/PartMappers.cxx", "cellFlag == 0;", "cellFlag == 7;",
+    "ClassBorders.ColorsOfPointsKeepPolygonsWhole")
 add("Rendering.map-hidden-skies-are-cut", "Private/PartMappers.cxx", "return settings.OcclusionMode != 0 &&",
     "return settings.OcclusionMode > 5 &&", "ClassBorders.HiddenSkiesKeepPolygonsWhole")
 add("Rendering.map-nearest-is-blended", "Private/MixtureShader.cxx", "const bool nearest = this->Part.Kind == MixtureKind::Nearest;",
