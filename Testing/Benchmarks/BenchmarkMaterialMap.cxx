@@ -5,9 +5,11 @@
 // all threads: a software renderer's, whatever else the machine does. Prints the table of
 // docs/maps.md. Needs an OpenGL context.
 //
-//   BenchmarkMaterialMap [ROUNDS [NAME [CACHE]]]    frames of each kind in turns (default 25); only
-//                                             those of which NAME is a part, and the first; plans
-//                                             from a folder and into it, for a second run
+//   BenchmarkMaterialMap [ROUNDS [NAME [CACHE [PIXELS]]]]
+//
+// ROUNDS: frames of each kind in turns (default 25). NAME: only those of which it is a part, and
+// the first. CACHE: a folder that plans come from and go to, for a second run. PIXELS: the window's
+// width and height (default 500).
 
 #include "vtkActor.h"
 #include "vtkBlinnPhongBRDF.h"
@@ -96,12 +98,12 @@ struct Kind
 class Benchmark
 {
 public:
-  Benchmark()
+  explicit Benchmark(int pixels)
   {
     this->Environment->SetToProceduralSky();
     this->Window->SetOffScreenRendering(1);
     this->Window->SetMultiSamples(0);
-    this->Window->SetSize(500, 500);
+    this->Window->SetSize(pixels, pixels);
     this->Window->AddRenderer(this->Renderer);
     this->Renderer->SetAutomaticLightCreation(false);
     this->Renderer->AddActor(this->Actor);
@@ -293,7 +295,7 @@ private:
 
 int main(int argc, char* argv[])
 {
-  Benchmark benchmark;
+  Benchmark benchmark(argc > 4 ? std::max(std::atoi(argv[4]), 1) : 500);
   benchmark.AddAll(argc > 2 ? argv[2] : "", argc > 3 ? argv[3] : "");
   benchmark.Run(argc > 1 ? std::max(std::atoi(argv[1]), 1) : 25);
   return EXIT_SUCCESS;

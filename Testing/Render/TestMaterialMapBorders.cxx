@@ -62,11 +62,15 @@ protected:
     this->Mapper->AddObserver(vtkCommand::UpdateShaderEvent, this->Events);
   }
 
-  /// Two or three meet in most polygons.
+  /// Two meet in many polygons, and three in others.
   void SetClasses(unsigned int seed)
   {
-    this->SetPoints([seed](vtkIdType point, int)
-      { return static_cast<double>((2654435761u * (static_cast<unsigned int>(point) + seed)) >> 29); });
+    this->SetPoints(
+      [seed](vtkIdType point, int)
+      {
+        const unsigned int number = static_cast<unsigned int>(point) / 2 + seed; // in pairs
+        return static_cast<double>((2654435761u * number) >> 29);
+      });
   }
 
   /// wanted: whether shaders choose among several materials.
@@ -93,8 +97,8 @@ protected:
     int seen = 0;
     for (std::size_t k = 0; k < a.RGBA.size(); ++k)
     {
-      ASSERT_NEAR(a.RGBA[k], b.RGBA[k], 1.0 / 255.0) << what << ": " << k / 4 % Pixels << " "
-                                                     << k / 4 / Pixels;
+      ASSERT_NEAR(a.RGBA[k], b.RGBA[k], 1.0 / 255.0)
+        << what << ": " << k / 4 % Pixels << " " << k / 4 / Pixels;
       seen += k % 4 == 0 && a.RGBA[k] > 0.02f ? 1 : 0;
     }
     EXPECT_GT(seen, Pixels * Pixels / 3) << what;

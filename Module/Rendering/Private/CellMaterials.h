@@ -53,8 +53,8 @@ public:
   ///@}
 
   ///@{
-  /// Classes of points, as numbers; empty: there are none. From SetClasses on each polygon is of one
-  /// class, and the points are of none.
+  /// Classes of points, as numbers; empty: there are none. From SetClasses on each polygon is of
+  /// one class, and the points are of none.
   const std::vector<int>& GetPointClasses() const { return this->PointClasses; }
   void SetClasses(const std::vector<int>& ofPolygons);
   ///@}

@@ -59,9 +59,8 @@ bool ClassBorders::CanInterpolate(vtkPolyData* surface)
            {
              vtkAbstractArray* array = surface->GetPointData()->GetAbstractAttribute(attribute);
              auto* numbers = vtkDataArray::SafeDownCast(array);
-             return !array ||
-                    (numbers && IsReal(numbers) &&
-                      numbers->GetNumberOfTuples() == surface->GetNumberOfPoints());
+             return !array || (numbers && IsReal(numbers) &&
+                                numbers->GetNumberOfTuples() == surface->GetNumberOfPoints());
            });
 }
 

@@ -80,8 +80,7 @@ bool AreColorsOfMap(const ScalarStyle& colors, vtkPolyData* input, vtkMaterialMa
              colors.ArrayId, colors.ArrayName.c_str(), cellFlag));
 }
 
-PartMappers::PartMappers(
-  std::shared_ptr<vtkMeasuredBRDFMapperInternals> drawing, bool mayCut)
+PartMappers::PartMappers(std::shared_ptr<vtkMeasuredBRDFMapperInternals> drawing, bool mayCut)
   : Drawing(std::move(drawing))
   , MayCut(mayCut)
 {
@@ -93,8 +92,8 @@ PartMappers::PartMappers(
 
 PartMappers::~PartMappers() = default;
 
-// Where edges are drawn, the pieces' would be; what is selected is drawn over the whole polygons, in
-// the same depth.
+// Where edges are drawn, the pieces' would be; what is selected is drawn over the whole polygons,
+// in the same depth.
 void PartMappers::Expect(vtkPolyData* input, vtkActor* actor, vtkOpenGLPolyDataMapper* host,
   const ScalarStyle& scalars, bool hasOwnAttributes)
 {
@@ -103,8 +102,8 @@ void PartMappers::Expect(vtkPolyData* input, vtkActor* actor, vtkOpenGLPolyDataM
   this->MayCut =
     settings.MaterialMap && input && ClassesMapper::CanDraw(actor) && !hasOwnAttributes &&
     !(selection && selection->GetNumberOfNodes() > 0) &&
-    (!ColorsPoints(scalars, input) || (AreColorsOfMap(scalars, input, settings.MaterialMap) &&
-                                        AreAllOfMaterials(settings)));
+    (!ColorsPoints(scalars, input) ||
+      (AreColorsOfMap(scalars, input, settings.MaterialMap) && AreAllOfMaterials(settings)));
 }
 
 bool PartMappers::Divide(vtkPolyData* input)

@@ -42,8 +42,9 @@ public:
   PartMappers(const PartMappers&) = delete;
   void operator=(const PartMappers&) = delete;
 
-  /// Say before Divide how host will draw the surface: whether borders between classes of points may
-  /// be cut depends on it. scalars: that color it; hasOwnAttributes: vertices have what programs add.
+  /// Say before Divide how host will draw the surface: whether borders between classes of points
+  /// may be cut depends on it. scalars: that color it; hasOwnAttributes: vertices have what a
+  /// program adds.
   void Expect(vtkPolyData* input, vtkActor* actor, vtkOpenGLPolyDataMapper* host,
     const ScalarStyle& scalars, bool hasOwnAttributes);
 
