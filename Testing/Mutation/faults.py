@@ -918,6 +918,16 @@ add("Rendering.map-strips-wind-alternately", "Private/PartSurfaces.cxx", "strip-
     "Parts.StripsAreTrianglesOfTheSameClass")
 add("Rendering.map-points-of-two-parts-are-not-doubled", "Private/PartSurfaces.cxx", "if (!mixed || first == owner)",
     "if (!mixed || first != NoOwner)", "MaterialMapping.ClassesOfPointsAreThoseOfTheNearest")
+add("Rendering.map-borders-run-off-the-middle", "Private/ClassBorders.cxx", "c < 0 ? 0.5 * sum", "c < 0 ? 0.51 * sum",
+    "Parts.BordersBetweenClassesOfPointsAreCut")
+add("Rendering.map-edges-are-cut-twice", "Private/ClassBorders.cxx", "if (isNew)", "if (true)",
+    "Parts.BordersBetweenClassesOfPointsAreCut")
+add("Rendering.map-lone-corners-lose-their-class", "Private/ClassBorders.cxx", "this->AddPiece(3, tip, this->GetClass(alone));",
+    "this->AddPiece(3, tip, this->GetClass(a));", "ClassBorders.AreThoseOfWholePolygons")
+add("Rendering.map-colored-points-are-cut", "Private/PartMappers.cxx", "cellFlag == 0;", "cellFlag == 7;",
+    "ClassBorders.ColorsOfPointsKeepPolygonsWhole")
+add("Rendering.map-hidden-skies-are-cut", "Private/PartMappers.cxx", "return settings.OcclusionMode != 0 &&",
+    "return settings.OcclusionMode > 5 &&", "ClassBorders.HiddenSkiesKeepPolygonsWhole")
 add("Rendering.map-nearest-is-blended", "Private/MixtureShader.cxx", "const bool nearest = this->Part.Kind == MixtureKind::Nearest;",
     "const bool nearest = false;", "MaterialMapping.ClassesOfPointsAreThoseOfTheNearest")
 add("Rendering.map-hats-fall-at-the-ends", "Private/MaterialParts.cxx", "if (k + 1 < knots.size())",
