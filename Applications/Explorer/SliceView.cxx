@@ -101,7 +101,8 @@ std::vector<ComparedMaterial> SliceView::GetMaterials() const
     this->Albedos } };
   for (const ComparedMaterial& material : this->Compared->GetMaterials())
   {
-    if (material.File != shown.File)
+    // An edited material may be seen beside its original.
+    if (material.File != shown.File || shown.BRDF != this->Model->GetOriginal().BRDF)
     {
       materials.push_back(material);
     }

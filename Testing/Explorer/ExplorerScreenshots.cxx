@@ -3,15 +3,24 @@
 // Makes the pictures of docs/explorer.md: ExplorerScreenshots FOLDER [HEIGHT]
 #include "Application.h"
 #include "EnvironmentPanel.h"
+#include "Files.h"
 #include "FindingsPanel.h"
 #include "ImagePanel.h"
 #include "LobePanel.h"
+#include "SampleModel.h"
+#include "SamplePanel.h"
 #include "SlicePanel.h"
 #include "Window.h"
+
+#include "vtkBRDFResampler.h"
+#include "vtkEmbeddedMaterials.h"
+#include "vtkTabulatedBRDF.h"
 
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QTabWidget>
+#include <QTableView>
+#include <QTemporaryDir>
 #include <QThread>
 
 #include <cstdio>
@@ -56,6 +65,40 @@ void Shoot(Window& window, const QString& folder, const char* name)
   const QImage image = window.grab().toImage().convertToFormat(QImage::Format_RGB32);
   image.save(path, "PNG");
   std::printf("%s\n", qPrintable(path));
+}
+
+//------------------------------------------------------------------------------
+// The directional light with a model, and the samples of a table.
+void ShootEditing(Window& window, const QString& folder)
+{
+  Session* session = window.GetSession();
+  session->SetEnvironment(DirectionalLightName);
+  session->SetMethod(1, method::Reference);
+  session->SetModelValues("Distribution", "f0", { 0.9, 0.6, 0.35 });
+  session->SetModelValues("Distribution", "exponent", { 60.0 });
+  session->SetModelValues("Distribution", "albedo", { 0.06, 0.03, 0.02 });
+  session->SetMaterial("model:Distribution");
+  window.GetTabs()->setCurrentWidget(window.GetModelPanel());
+  Settle(window);
+  Shoot(window, folder, "model");
+
+  const QTemporaryDir files;
+  const std::string table = files.filePath("gold-paint.exr").toStdString();
+  const auto gold = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("gold-paint"));
+  vtkNew<vtkBRDFResampler> resampler;
+  resampler->SetInput(gold);
+  resampler->ReciprocalOn();
+  resampler->ResampleTo(36, 18, 45);
+  tool::WriteMaterial(resampler->GetOutput(), table);
+  session->SetMaterial(table);
+  Settle(window);
+  SamplePanel* panel = window.GetSamplePanel();
+  window.GetTabs()->setCurrentWidget(panel);
+  panel->GoToLobe();
+  const int row = panel->GetView()->currentIndex().row();
+  panel->GetModel()->setData(panel->GetModel()->index(row, 3), "2.5");
+  Settle(window);
+  Shoot(window, folder, "samples");
 }
 }
 
@@ -104,5 +147,6 @@ int main(int argc, char* argv[])
   window.GetSession()->SetCompared({});
   window.GetTabs()->setCurrentWidget(window.GetImagePanel());
   Shoot(window, folder, "image");
+  ShootEditing(window, folder);
   return 0;
 }
