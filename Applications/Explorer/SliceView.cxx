@@ -98,7 +98,7 @@ std::vector<ComparedMaterial> SliceView::GetMaterials() const
 {
   const tool::Material& shown = this->Model->GetMaterial();
   std::vector<ComparedMaterial> materials = { { shown.File, shown.Name, shown.BRDF,
-    this->Albedos } };
+    this->Albedos, {} } };
   for (const ComparedMaterial& material : this->Compared->GetMaterials())
   {
     // An edited material may be seen beside its original.

@@ -354,7 +354,8 @@ void ExplorerEditing::modelIsSaved()
   Window* window = this->Show(state);
   const QString path = this->Folder.filePath("model.exr");
   window->GetSession()->SaveMaterial(path.toStdString());
-  QTRY_VERIFY_WITH_TIMEOUT(window->GetMessage().contains("Saved"), Patience);
+  QTRY_VERIFY_WITH_TIMEOUT(
+    QFile::exists(path) && !window->GetJobs()->IsRunning("save material"), Patience);
   const tool::Material read = tool::LoadMaterial(path.toStdString());
   const double up[3] = { 0.0, 0.0, 1.0 };
   double f[3];
@@ -418,6 +419,7 @@ void ExplorerEditing::samplesAreEdited()
   line->selectAll();
   QTest::keyClicks(line, "0.5");
   QTest::keyClick(line, Qt::Key_Return);
+  QTRY_VERIFY(window->GetSession()->GetState().Edits.count(state.Material) == 1); // queued by Qt
   QCOMPARE(window->GetSession()->GetState().Edits.at(state.Material).at(0)[0], 0.5f);
   QCOMPARE(model->data(model->index(0, 3)).toString(), QString("0.5"));
   QVERIFY(panel->GetNote().contains("Edited rows: 1"));
@@ -466,7 +468,8 @@ void ExplorerEditing::editsAreSaved()
   QVERIFY(!window->GetSamplePanel()->GetUndoStack()->canUndo());
   const QString path = this->Folder.filePath("edited.exr");
   window->GetSession()->SaveMaterial(path.toStdString());
-  QTRY_VERIFY_WITH_TIMEOUT(window->GetMessage().contains("Saved"), Patience);
+  QTRY_VERIFY_WITH_TIMEOUT(
+    QFile::exists(path) && !window->GetJobs()->IsRunning("save material"), Patience);
   const tool::Material read = tool::LoadMaterial(path.toStdString());
   auto* again = vtkTabulatedBRDF::SafeDownCast(read.BRDF);
   QVERIFY(again);

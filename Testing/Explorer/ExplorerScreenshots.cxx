@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Makes the pictures of docs/explorer.md: ExplorerScreenshots FOLDER [HEIGHT]
+// Makes the pictures of docs/explorer.md: ExplorerScreenshots FOLDER [HEIGHT [editing]]
 #include "Application.h"
 #include "EnvironmentPanel.h"
 #include "Files.h"
 #include "FindingsPanel.h"
 #include "ImagePanel.h"
 #include "LobePanel.h"
+#include "ModelPanel.h"
 #include "SampleModel.h"
 #include "SamplePanel.h"
 #include "SlicePanel.h"
@@ -25,6 +26,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <string>
 
 using namespace explorer;
 
@@ -106,7 +108,7 @@ int main(int argc, char* argv[])
 {
   if (argc < 2)
   {
-    std::puts("usage: ExplorerScreenshots FOLDER [HEIGHT of exact pictures]");
+    std::puts("usage: ExplorerScreenshots FOLDER [HEIGHT of exact pictures [editing: only what is set]]");
     return 2;
   }
   const QString folder = argv[1];
@@ -119,10 +121,17 @@ int main(int argc, char* argv[])
   state.Mesh = "ball-on-foot";
   state.Methods = { method::Planned, method::Reference };
   state.ReferenceHeight = argc > 2 ? std::atoi(argv[2]) : 512;
+  const bool onlyEditing = argc > 3 && std::string(argv[3]) == "editing";
+  state.Environment = onlyEditing ? DirectionalLightName : state.Environment;
   Window window(state);
   window.resize(1280, 800);
   window.show();
   Settle(window);
+  if (onlyEditing)
+  {
+    ShootEditing(window, folder);
+    return 0;
+  }
   Shoot(window, folder, "window");
   window.GetSession()->SetMethod(1, method::LightSet);
   Settle(window);
