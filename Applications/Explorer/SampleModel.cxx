@@ -118,7 +118,8 @@ QVariant SampleModel::data(const QModelIndex& index, int role) const
   }
   if (!isColor)
   {
-    return QString::number(this->Table.GetAngles(index.row())[column], 'f', 2) + "°";
+    const double degrees = this->Table.GetAngles(index.row())[column];
+    return QString::number(degrees, 'f', degrees < 10.0 ? 2 : 1) + "°";
   }
   Value rgb;
   if (!this->Find(index.row(), rgb))
@@ -127,7 +128,7 @@ QVariant SampleModel::data(const QModelIndex& index, int role) const
   }
   // Texts, so that the editor is a line that takes numbers of any size.
   const double value = rgb[column - FirstColor];
-  return role == Qt::DisplayRole ? QString::number(value, 'g', 5) : QString::number(value, 'g', 9);
+  return role == Qt::DisplayRole ? QString::number(value, 'g', 4) : QString::number(value, 'g', 9);
 }
 
 //------------------------------------------------------------------------------

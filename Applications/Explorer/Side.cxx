@@ -358,7 +358,7 @@ QString Side::Describe() const
   }
   if (this->IsDirect())
   {
-    return this->IsReference() ? tr("%1: f E cos θ").arg(name)
+    return this->IsReference() ? tr("%1: f E cos(theta)").arg(name)
                                : tr("Material under one light (no plan, no light set)");
   }
   if (this->IsStock)

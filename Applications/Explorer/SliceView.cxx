@@ -97,8 +97,8 @@ void SliceView::SetInspection(const nlohmann::ordered_json& info)
 std::vector<ComparedMaterial> SliceView::GetMaterials() const
 {
   const tool::Material& shown = this->Model->GetMaterial();
-  std::vector<ComparedMaterial> materials = { { shown.File, shown.Name, shown.BRDF,
-    this->Albedos, {} } };
+  std::vector<ComparedMaterial> materials = { { shown.File, shown.Name, shown.BRDF, this->Albedos,
+    {} } };
   for (const ComparedMaterial& material : this->Compared->GetMaterials())
   {
     // An edited material may be seen beside its original.

@@ -108,7 +108,8 @@ int main(int argc, char* argv[])
 {
   if (argc < 2)
   {
-    std::puts("usage: ExplorerScreenshots FOLDER [HEIGHT of exact pictures [editing: only what is set]]");
+    std::puts(
+      "usage: ExplorerScreenshots FOLDER [HEIGHT of exact pictures [editing: only what is set]]");
     return 2;
   }
   const QString folder = argv[1];
