@@ -264,6 +264,10 @@ add("Integration.tiles-where-nothing-bends", "Private/TableTiles.cxx", "scores[a
     "TableTiles.*")
 add("Integration.tiles-with-seams", "Private/TableTiles.cxx", "this->IsInside(row, column % this->GetFineColumns())", "true",
     "TableTiles.NoSeams")
+add("Integration.tiles-of-few-nodes", "vtkTableRadianceIntegrator.cxx", "constexpr int NodesOfTiles = 2;", "constexpr int NodesOfTiles = 1;",
+    "TableTiles.KernelsHaveNodesEnough")
+add("Integration.fine-kernels-stay", "Private/MaterialPrecomputation.cxx", " || it->first.second > mostNodes", "",
+    "MaterialPrecomputation.KeepsExpandedKernels")
 add("Integration.beyond-the-pole-unturned", "Private/FieldSynthesis.cxx", "order % 2 != 0 ? -1.0f : 1.0f", "order % 2 != 0 ? 1.0f : 1.0f",
     "AnisotropicTable.*|TableIntegrator.*|LinearSpline.*")
 add("Integration.products-miss-a-vector", "Private/MatrixProduct.cxx", "this->Second += left[0] * second;", "this->Second += left[0] * first;",
