@@ -296,7 +296,7 @@ TEST_F(OcclusionTest, LobesHaveTheKernelsMean)
       integral += part;
     }
     EXPECT_LT(glm::length(model / integral - kernel / energy), 0.01) << degrees;
-    EXPECT_NEAR(lobe.Integral * rows * rows / (2.0 * vtkMath::Pi() * integral), 1.0, 0.03)
+    EXPECT_NEAR(lobe.Integral * rows * rows / (2.0 * vtkMath::Pi() * integral), 1.0, 0.05)
       << degrees;
   }
 }
@@ -394,7 +394,7 @@ TEST_F(OcclusionTest, OddsOfLobesAreInterpolated)
   this->Environment->SetPixels(4, 2, std::vector<float>(24, 0.5f));
   this->Mapper->SetBRDF(brdf);
   this->Mapper->SetIntegrator(table);
-  this->SetHorizons(0.8, 0.98);
+  this->SetHorizons(0.62, 0.99);
   this->Tilt(0.0);
   this->Mapper->SetOcclusionMode(0);
   const FloatImage off = this->RenderLinear();
@@ -413,11 +413,19 @@ TEST_F(OcclusionTest, OddsOfLobesAreInterpolated)
   const double few = getHidden(4);
   const double many = getHidden(5);
   ASSERT_GT(many - few, 0.3);
-  const double across = 5.0 * std::tan(vtkMath::RadiansFromDegrees(15.0)) * 8.5 / 32.0 / 0.9;
-  const auto odds = [](double share) { return std::log(share / (1.0 - share)); };
+  const auto column = [&](double x)
+  {
+    this->Renderer->SetWorldPoint(x, 0.0, 0.0, 1.0);
+    this->Renderer->WorldToDisplay();
+    return this->Renderer->GetDisplayPoint()[0];
+  };
+  const double across = (40.5 - column(0.0)) / (column(0.9) - column(0.0));
+  const auto odds = [](double share)
+  { return std::log((0.002 + 0.996 * share) / (0.998 - 0.996 * share)); };
   const double between = (1.0 - across) * odds(few) + across * odds(many);
-  EXPECT_NEAR(1.0 - on.At(40, 32)[0] / off.At(40, 32)[0], 1.0 / (1.0 + std::exp(-between)), 0.02);
-  EXPECT_GT(std::abs(few + across * (many - few) - 1.0 / (1.0 + std::exp(-between))), 0.05);
+  const double wanted = (1.0 / (1.0 + std::exp(-between)) - 0.002) / 0.996;
+  EXPECT_NEAR(1.0 - on.At(40, 32)[0] / off.At(40, 32)[0], wanted, 0.02);
+  EXPECT_GT(few + across * (many - few), wanted + 0.1); // between the shares
 }
 
 // Large panels: each is hidden on its own, of matte surfaces and in lobes.
@@ -497,17 +505,23 @@ TEST_F(OcclusionTest, ManyLampsAreHiddenOneByOne)
   }
 }
 
-// Other methods take all that is reflected as one lobe.
+// Other methods take all that is reflected as one lobe, which of a matte surface is a cosine: it
+// loses about what the matte part of a table does.
 TEST_F(OcclusionTest, OtherMethodsAreDarkened)
 {
   vtkNew<vtkLambertBRDF> brdf;
-  vtkNew<vtkFilteredRadianceIntegrator> filtered;
   this->Mapper->SetBRDF(brdf);
+  vtkNew<vtkTableRadianceIntegrator> table;
+  MakeSmall(table.Get());
+  this->Mapper->SetIntegrator(table);
+  const double all = this->RenderMiddle(0).x;
+  const double left = this->RenderMiddle(1).x / all;
+  vtkNew<vtkFilteredRadianceIntegrator> filtered;
   this->Mapper->SetIntegrator(filtered);
   const glm::dvec3 off = this->RenderMiddle(0);
   const glm::dvec3 on = this->RenderMiddle(1);
   EXPECT_LT(on.x, 0.97 * off.x);
-  EXPECT_GT(on.x, 0.2 * off.x);
+  EXPECT_NEAR(on.x / off.x, left, 0.05);
 }
 
 // Without occluders the same arrays change no pixel.
