@@ -1031,6 +1031,10 @@ add("Visibility.hidden-rays-without-cosine", "Private/HiddenSky.cxx", "transfer[
     "transfer[j] += values[j];", "HiddenSky.ACraterHidesTheLowSky")
 add("Visibility.panels-hidden-by-slivers", "Private/HiddenSky.cxx", "return this->Trust * std::clamp(", "return std::clamp(",
     "HiddenSky.SliversAtTheHorizonHideNoPanel")
+add("Visibility.lobes-beyond-the-horizon", "Private/HiddenSky.cxx", "const double weight = z * std::exp(", "const double weight = std::exp(",
+    "HiddenSky.ACraterHidesTheLowSky")
+add("Visibility.margins-of-lamps-cut-off", "Private/HiddenSky.cxx", "-LargestMargin, LargestMargin);", "-0.5, 0.5);",
+    "HiddenSky.MarginsSayHowFarLampsAreFromShadows")
 add("Visibility.sectors-count-backwards", "Private/HiddenSky.cxx", "return 2.0 * Pi * sector / HiddenSky::Sectors;",
     "return -2.0 * Pi * sector / HiddenSky::Sectors;", "OcclusionTest.LobesLackTheirHiddenShare")
 add("Visibility.strata-without-offset", "Private/HiddenSky.cxx",
@@ -1088,6 +1092,10 @@ add("Rendering.stale-visibility", "Private/OcclusionArrays.cxx", "problem = isPa
 add("Rendering.hidden-light-unturned", "Private/OcclusionAxes.cxx",
     "this->ToEnvironment.push_back(own * toRenderer * turned);",
     "this->ToEnvironment.push_back(own * toRenderer);", "OcclusionTest.ActorsMayBeTurnedMirroredAndScaled")
+add("Rendering.lobes-without-cosine", "Private/OcclusionLobes.cxx", "cell.Cosine * std::exp(", "cell.SolidAngle * std::exp(",
+    "OcclusionTest.LobesHaveTheKernelsMean")
+add("Shaders.lamps-edges-on-points", "vtkBRDFHiddenSky.glsl", "clamp(max(below, above), -3.0, 3.0)", "clamp(max(below, above), -0.5, 0.5)",
+    "OcclusionTest.ShadowEdgesCrossTriangles")
 add("Shaders.hidden-sky-odds", "vtkBRDFHiddenSky.glsl", "vec3(1.0 / (1.0 + kappa / 12.0))",
     "vec3(1.0 / (1.0 + kappa / 3.0))", "OcclusionTest.LobesLackTheirHiddenShare")
 add("Shaders.hidden-irradiance-counts", "vtkBRDFEnvironmentTable.glsl", "sum += BRDF_OPEN_IRRADIANCE(",
