@@ -308,6 +308,7 @@ void Session::Take(const MadeMaterial& made)
   {
     AddOnce(this->Current.MaterialFiles, file);
   }
+  this->Background->Stop("remake"); // of what was shown
   this->Made = made;
   this->Current.Material = file;
   this->Say(QString::fromStdString(made.Shown.Notes), false);
@@ -331,6 +332,7 @@ void Session::RemakeMaterial()
   const std::string file = this->Made.Shown.File;
   if (!this->Made.Shown.BRDF || !this->Made.IsAnother(settings))
   {
+    this->Background->Stop("remake"); // of settings that are taken back
     return;
   }
   this->Background->Start(
