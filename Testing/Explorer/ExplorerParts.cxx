@@ -161,7 +161,7 @@ void ExplorerParts::badStates_data()
   QTest::newRow("edit of a negative row") << R"("edits": {"a.exr": [[-1, 0, 0, 0]]})"
                                           << "\"a.exr\"";
   QTest::newRow("endless edit") << R"("edits": {"a.exr": [[1, 0, 0, 1e300]]})"
-                                 << "\"a.exr\"";
+                                << "\"a.exr\"";
   QTest::newRow("camera") << R"("camera": 3)"
                           << "an object";
   QTest::newRow("camera in itself")
