@@ -57,6 +57,7 @@ void Session::Replace(const State& state, bool withCamera)
 {
   const State before = this->Current;
   this->Current = state;
+  this->SavedEdits = state.Edits;
   this->Current.Material = before.Material;
   this->Current.Environment = before.Environment;
   this->Current.Mesh = before.Mesh;
@@ -411,11 +412,18 @@ void Session::SaveMaterial(const std::string& path)
   }
   this->Background->Start(
     "save material", tr("writing the material"),
-    [this, brdf, path](JobThread& thread)
+    [this, brdf, path, file = this->Current.Material, edits = this->Made.Edits](JobThread& thread)
     {
       tool::WriteMaterial(brdf, path);
       thread.Post(
-        [this, path]() { this->Say(tr("Saved: %1").arg(QString::fromStdString(path)), false); });
+        [this, path, file, edits]()
+        {
+          if (!edits.empty())
+          {
+            this->SavedEdits[file] = edits;
+          }
+          this->Say(tr("Saved: %1").arg(QString::fromStdString(path)), false);
+        });
     },
     [this](const QString& text) { this->Say(text, true); });
 }
@@ -426,6 +434,7 @@ bool Session::Save(const std::string& path)
   try
   {
     SaveState(this->Current, path);
+    this->SavedEdits = this->Current.Edits;
     this->Say(tr("Saved: %1").arg(QString::fromStdString(path)), false);
     return true;
   }

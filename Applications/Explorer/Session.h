@@ -23,6 +23,7 @@
 #include <QStringList>
 #include <QTimer>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -111,6 +112,9 @@ public:
   void SetEdits(const std::string& file, const SampleEdits& edits);
   ///@}
 
+  /// Whether samples were edited since the state was opened or saved, or the material was saved.
+  bool HasUnsavedEdits() const { return this->Current.Edits != this->SavedEdits; }
+
   ///@{
   /// State files. False with a message where that does not work.
   bool Save(const std::string& path);
@@ -156,6 +160,7 @@ private:
 
   Jobs* Background;
   State Current;
+  std::map<std::string, SampleEdits> SavedEdits; // those that are in a file
   MadeMaterial Made;
   QTimer Remake;
   vtkSmartPointer<vtkEnvironment> Environment;

@@ -26,16 +26,20 @@
 #include "vtkRadiancePlanner.h"
 
 #include <QApplication>
+#include <QCloseEvent>
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QLabel>
+#include <QMessageBox>
 #include <QMimeData>
 #include <QProgressBar>
 #include <QStatusBar>
 #include <QTabWidget>
 #include <QUrl>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace
 {
@@ -194,8 +198,41 @@ void Window::OpenFiles(const QString& kind)
                               : kind == "meshes"
                                 ? QStringList{ meshes, all }
                                 : QStringList{ all, materials, environments, meshes, states };
-  this->Model->Open(QFileDialog::getOpenFileNames(this, tr("Open"), QString(), filters.join(";;")));
+  this->Open(QFileDialog::getOpenFileNames(this, tr("Open"), QString(), filters.join(";;")));
 }
+
+//------------------------------------------------------------------------------
+void Window::Open(const QStringList& files)
+{
+  const bool isState = std::any_of(files.begin(), files.end(),
+    [](const QString& file) { return file.endsWith(".json", Qt::CaseInsensitive); });
+  if (!isState || this->MayDropEdits())
+  {
+    this->Model->Open(files);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Asks where samples were edited and are in no file.
+bool Window::MayDropEdits()
+{
+  if (!this->Model->HasUnsavedEdits())
+  {
+    return true;
+  }
+  const auto answer = QMessageBox::question(this, tr("Edited samples"),
+    tr("Samples were edited and are not saved. Save them in a state?"),
+    QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
+  if (answer == QMessageBox::Save)
+  {
+    this->AskForState();
+    return !this->Model->HasUnsavedEdits();
+  }
+  return answer == QMessageBox::Discard;
+}
+
+//------------------------------------------------------------------------------
+void Window::closeEvent(QCloseEvent* event) { event->setAccepted(this->MayDropEdits()); }
 
 //------------------------------------------------------------------------------
 void Window::Ask(const QString& title, const QString& name, const QString& filter,
@@ -213,6 +250,13 @@ void Window::AskForMaterial()
 {
   this->Ask(tr("Save material"), "material.exr", tr("Materials (*.exr)"),
     [this](const QString& path) { this->Model->SaveMaterial(path.toStdString()); });
+}
+
+//------------------------------------------------------------------------------
+void Window::AskForState()
+{
+  this->Ask(tr("Save state"), "explorer.json", tr("States (*.json)"),
+    [this](const QString& path) { this->Model->Save(path.toStdString()); });
 }
 
 //------------------------------------------------------------------------------
@@ -323,7 +367,7 @@ void Window::dropEvent(QDropEvent* event)
     }
   }
   event->acceptProposedAction();
-  this->Model->Open(files);
+  this->Open(files);
 }
 
 //------------------------------------------------------------------------------

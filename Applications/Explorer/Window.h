@@ -81,6 +81,7 @@ public:
   bool IsSettled() const;
 
 protected:
+  void closeEvent(QCloseEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
 
@@ -92,7 +93,10 @@ private:
   void MakeViewMenu();
   void MakeStatusBar();
   void OpenFiles(const QString& kind);
+  void Open(const QStringList& files);
+  bool MayDropEdits();
   void AskForMaterial();
+  void AskForState();
   void Poll();
   void UpdateOverlays();
   void UpdateTitle();

@@ -39,12 +39,7 @@ void Window::MakeFileMenu()
   QAction* open = file->addAction(tr("&Open…"), this, [this]() { this->OpenFiles(""); });
   open->setShortcut(QKeySequence::Open);
   file->addSeparator();
-  QAction* state = file->addAction(tr("&Save state…"), this,
-    [this]()
-    {
-      this->Ask(tr("Save state"), "explorer.json", tr("States (*.json)"),
-        [this](const QString& path) { this->Model->Save(path.toStdString()); });
-    });
+  QAction* state = file->addAction(tr("&Save state…"), this, [this]() { this->AskForState(); });
   state->setShortcut(QKeySequence::Save);
   QAction* picture = file->addAction(tr("Save &picture…"), this,
     [this]()

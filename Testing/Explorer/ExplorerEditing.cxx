@@ -29,10 +29,13 @@
 #include <QDoubleSpinBox>
 #include <QFile>
 #include <QLineEdit>
+#include <QMessageBox>
+#include <QPushButton>
 #include <QSlider>
 #include <QTabWidget>
 #include <QTableView>
 #include <QTemporaryDir>
+#include <QTimer>
 #include <QUndoStack>
 #include <QtTest>
 
@@ -114,6 +117,7 @@ private slots:
   void samplesOfATable();
   void samplesAreEdited();
   void editsAreSaved();
+  void editsAreNotLostOnClosing();
   void otherMaterialsAreReadOnly();
 
 private:
@@ -475,6 +479,55 @@ void ExplorerEditing::editsAreSaved()
   QVERIFY(again);
   QCOMPARE(again->GetVolume()[11], 4.0f);
   QCOMPARE(again->GetVolume()[12], 0.25f);
+}
+
+//------------------------------------------------------------------------------
+void ExplorerEditing::editsAreNotLostOnClosing()
+{
+#if !MEASUREDBRDF_WITH_OPENEXR
+  QSKIP("without OpenEXR there is no small file of a table to write");
+#endif
+  State state = MakeState();
+  state.Material = this->WriteTable();
+  Window* window = this->Show(state);
+  int asked = 0;
+  const auto close = [&](QMessageBox::StandardButton answer)
+  {
+    QTimer::singleShot(0, window,
+      [&asked, answer]()
+      {
+        if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget()))
+        {
+          ++asked;
+          box->button(answer)->click();
+        }
+      });
+    const bool closed = window->close();
+    QCoreApplication::processEvents(); // the timer's, where nothing was asked
+    window->show();
+    return closed;
+  };
+  QVERIFY(close(QMessageBox::Cancel));
+  QCOMPARE(asked, 0);
+  QVERIFY(window->GetSamplePanel()->GetModel()->setData(
+    window->GetSamplePanel()->GetModel()->index(0, 3), "0.5"));
+  QVERIFY(window->GetSession()->HasUnsavedEdits());
+  QVERIFY(!close(QMessageBox::Cancel));
+  QCOMPARE(asked, 1);
+  QVERIFY(close(QMessageBox::Discard));
+  QCOMPARE(asked, 2);
+  // A state has them, or the material's own file.
+  QVERIFY(window->GetSession()->Save(this->Folder.filePath("edited.json").toStdString()));
+  QVERIFY(close(QMessageBox::Cancel));
+  QVERIFY(window->GetSamplePanel()->GetModel()->setData(
+    window->GetSamplePanel()->GetModel()->index(1, 3), "0.5"));
+  QVERIFY(!close(QMessageBox::Cancel));
+  QTRY_VERIFY_WITH_TIMEOUT(
+    !window->GetSession()->IsWaiting() && !window->GetJobs()->IsRunning("remake"), Patience);
+  window->GetSession()->SaveMaterial(this->Folder.filePath("again.exr").toStdString());
+  QTRY_VERIFY_WITH_TIMEOUT(!window->GetSession()->HasUnsavedEdits(), Patience);
+  QVERIFY(close(QMessageBox::Cancel));
+  QCOMPARE(asked, 3);
 }
 
 //------------------------------------------------------------------------------
