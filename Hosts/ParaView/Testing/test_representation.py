@@ -280,6 +280,34 @@ def test_levels_of_detail_and_selection():
     assert get_difference(draw(view, "still-again"), still)[0] <= 1
 
 
+def test_occlusion():
+    """A bowl hides most of the sky from its inside: off, on, decided by the error, with a bounce, by the filter's arrays."""
+    view = make_view()
+    look(view, direction=(0, 0, -1))
+    bowl = simple.Sphere(ThetaResolution=48, PhiResolution=32, EndPhi=115)
+    simple.Hide(bowl)
+    display = show(bowl, view, MeasuredMaterial="pink-felt")
+    pictures = {}
+    for mode in ("Off", "Auto", "On"):
+        display.OcclusionMode = mode
+        pictures[mode] = draw(view, "occlusion-" + mode)
+        assert ("modeled" in get_plan(display)) == (mode == "Auto"), (mode, get_plan(display))
+    assert (pictures["Off"] - pictures["On"])[130:170, 130:170].mean() > 20
+    assert get_difference(pictures["Auto"], pictures["On"])[0] <= 1
+    display.OcclusionBounce = 1
+    bounced = draw(view, "occlusion-bounce")
+    assert 2 < (bounced - pictures["On"])[130:170, 130:170].mean()
+    assert (bounced <= pictures["Off"] + 1).all()
+    # Traced by the filter, nothing is left to be traced, and nothing to be predicted.
+    simple.Hide(bowl, view)
+    visibility = simple.SurfaceVisibility(Input=bowl, BothSides=1)
+    display = show(visibility, view, MeasuredMaterial="pink-felt")
+    assert get_difference(draw(view, "occlusion-filter"), pictures["On"])[0] <= 1
+    assert "modeled" not in get_plan(display)
+    arrays = visibility.PointData.keys()
+    assert {"MeasuredBRDFHiddenSky", "MeasuredBRDFHiddenSkyBack"} <= set(arrays), arrays
+
+
 def test_extract_and_delete_while_shown():
     view = make_view()
     look(view)

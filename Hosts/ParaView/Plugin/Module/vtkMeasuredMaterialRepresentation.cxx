@@ -111,6 +111,8 @@ struct vtkMeasuredMaterialRepresentation::Internals
   bool Modulate = true;
   bool ViewLights = false;
   bool Background = true;
+  int Occlusion = vtkMeasuredBRDFMapper::OCCLUSION_AUTO;
+  bool Bounce = false;
   std::string NormalArray = "None"; // of the superclass's property
 
   // What the names gave.
@@ -414,6 +416,18 @@ void vtkMeasuredMaterialRepresentation::SetPlanInBackground(bool background)
 }
 
 //------------------------------------------------------------------------------
+void vtkMeasuredMaterialRepresentation::SetOcclusionMode(int mode)
+{
+  this->Impl->Occlusion = std::clamp(mode, 0, 2);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeasuredMaterialRepresentation::SetOcclusionBounce(bool bounce)
+{
+  this->Impl->Bounce = bounce;
+}
+
+//------------------------------------------------------------------------------
 void vtkMeasuredMaterialRepresentation::SetGenerateMissingNormals(bool generate)
 {
   this->Normals->SetEnabled(generate);
@@ -497,10 +511,16 @@ void vtkMeasuredMaterialRepresentation::UpdateMappers(
   const bool interactive = view && view->GetRenderWindow()->GetDesiredUpdateRate() > 1.0;
   const int mode = impl.Background && interactive && !parallel ? vtkMeasuredBRDFMapper::BACKGROUND
                                                                : vtkMeasuredBRDFMapper::FOREGROUND;
+  // Ranks that predict for their own parts would not agree.
+  const int occlusion = parallel && impl.Occlusion == vtkMeasuredBRDFMapper::OCCLUSION_AUTO
+                          ? vtkMeasuredBRDFMapper::OCCLUSION_OFF
+                          : impl.Occlusion;
   for (vtkMapper* any :
     { this->Mapper, this->LODMapper, this->BackfaceMapper, this->LODBackfaceMapper })
   {
     auto* mapper = static_cast<vtkCompositeMeasuredBRDFMapper*>(any);
+    mapper->SetOcclusionMode(occlusion);
+    mapper->SetOcclusionBounce(impl.Bounce);
     mapper->SetBRDF(impl.BRDF);
     mapper->SetEnvironment(environment);
     mapper->SetErrorTolerance(impl.Tolerance);
@@ -574,6 +594,8 @@ void vtkMeasuredMaterialRepresentation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ModulateByScalars: " << impl.Modulate << "\n";
   os << indent << "UseViewLights: " << impl.ViewLights << "\n";
   os << indent << "PlanInBackground: " << impl.Background << "\n";
+  os << indent << "OcclusionMode: " << impl.Occlusion << "\n";
+  os << indent << "OcclusionBounce: " << impl.Bounce << "\n";
   for (const auto& [selector, material] : impl.BlockNames)
   {
     os << indent << "BlockMaterial: " << selector << " " << material << "\n";

@@ -92,6 +92,17 @@ public:
   void SetUseViewLights(bool use);
   ///@}
 
+  ///@{
+  /**
+   * What the surface hides of the environment from itself, as vtkMeasuredBRDFMapper has it: 0 off,
+   * 1 (default) where its predicted error exceeds what the tolerance leaves, 2 on; and whether what
+   * hides reflects, too (default off). With several ranks each knows its own part of the surface
+   * only: 1 is off there, and 2 models what each part hides from itself.
+   */
+  void SetOcclusionMode(int mode);
+  void SetOcclusionBounce(bool bounce);
+  ///@}
+
   /**
    * Whether plans are made in the background while the user interacts (default on). Still pictures
    * wait for the plan. With several ranks plans are always made in the foreground.
