@@ -33,18 +33,27 @@ mat3 brdfSkyFrame(vec3 n)
   return mat3(vec3(1.0 + s * n.x * n.x * a, s * b, -s * n.x), vec3(b, s + n.y * n.y * a, -n.y), n);
 }
 
+// What a lobe's exponent grows by in the model's axes, times log2(e): turned, not stretched. normal
+// and across: unit, across towards the viewer.
+vec3 brdfSkySlope(vec2 lobe, mat3 toModel, vec3 normal, vec3 across)
+{
+  vec3 slope = lobe.y * normal - lobe.x * across;
+  vec3 turned = toModel * slope;
+  return turned * (1.442695041 * length(slope) / max(length(turned), 1e-12));
+}
+
 // Six elevations of a sector: sines and cosines.
 const vec3 brdfSkySine0 = vec3(1.0, 3.0, 5.0) / 12.0;
 const vec3 brdfSkySine1 = vec3(7.0, 9.0, 11.0) / 12.0;
 const vec3 brdfSkyCosine0 = vec3(0.9965217285917832, 0.9682458365518543, 0.9090593428630952);
 const vec3 brdfSkyCosine1 = vec3(0.8122328620674136, 0.6614378277661477, 0.39965262694272663);
 
-// Add a sector's share of a lobe exp(kappa (d . axis)), hidden and all, to sum. kappa: times log2(e).
-void brdfSkySector(vec2 along, vec2 bounds, vec3 axis, float kappa, inout vec2 sum)
+// Add a sector's share of a lobe cos(theta) exp2(slope . d - kappa), hidden and all, to sum.
+void brdfSkySector(vec2 along, vec2 bounds, vec3 slope, float kappa, inout vec2 sum)
 {
-  float across = dot(along, axis.xy);
-  vec3 low = exp2(kappa * (across * brdfSkyCosine0 + (axis.z * brdfSkySine0 - 1.0)));
-  vec3 high = exp2(kappa * (across * brdfSkyCosine1 + (axis.z * brdfSkySine1 - 1.0)));
+  float across = dot(along, slope.xy);
+  vec3 low = brdfSkySine0 * exp2(across * brdfSkyCosine0 + (slope.z * brdfSkySine0 - kappa));
+  vec3 high = brdfSkySine1 * exp2(across * brdfSkyCosine1 + (slope.z * brdfSkySine1 - kappa));
   vec2 at = bounds * (6.0 / 255.0);
   vec3 first = clamp(vec3(at.y) - vec3(0.0, 1.0, 2.0), 0.0, 1.0) -
     clamp(vec3(at.x) - vec3(0.0, 1.0, 2.0), 0.0, 1.0);
@@ -60,14 +69,13 @@ void brdfSkyLampSector(vec2 along, vec2 bounds, vec2 azimuth, inout vec3 sum)
   sum += weight * vec3(bounds, 1.0);
 }
 
-// Visible share of a lamp with this sine of elevation.
-float brdfSkyLamp(vec3 sum, float sine)
+// Of a lamp with this sine of elevation: how far it is from what is hidden, in widths of an edge.
+float brdfSkyLampMargin(vec3 sum, float sine)
 {
   vec2 bounds = sum.xy / max(sum.z, 1e-6) * (1.0 / 255.0);
-  vec2 above = clamp((sine - bounds) / 0.04 + 0.5, 0.0, 1.0);
-  float hidden = (bounds.x > 0.5 / 255.0 ? above.x : 1.0) -
-    (bounds.y < 254.5 / 255.0 ? above.y : 0.0);
-  return bounds.y > bounds.x ? clamp(1.0 - hidden, 0.0, 1.0) : 1.0;
+  float below = bounds.x > 0.5 / 255.0 ? (bounds.x - sine) / 0.04 : -3.0;
+  float above = bounds.y < 254.5 / 255.0 ? (sine - bounds.y) / 0.04 : -3.0;
+  return bounds.y > bounds.x ? clamp(max(below, above), -3.0, 3.0) : 3.0;
 }
 
 // Where a panel is, in the code's frame: azimuth (unit), and the cosine of azimuths that are too far
@@ -108,20 +116,19 @@ float brdfSkyPanelHidden(vec2 sum, vec2 ends)
   return ends.y > ends.x ? clamp(sum.x / max(all, 0.065), 0.0, 1.0) : 0.0;
 }
 
-// A panel of this radius (radians) whose middle has sine z of elevation: its mean max(z, 0), and
-// how much of it has risen.
-vec2 brdfSkyPanelRise(float z, float radius)
+// A panel of this radius (radians) whose middle has sine z of elevation: its mean max(z, 0).
+float brdfSkyPanelRise(float z, float radius)
 {
   float rise = max(z + radius, 0.0);
-  return vec2(z > radius ? z : rise * rise / (4.0 * radius), min(rise / (2.0 * radius), 1.0));
+  return z > radius ? z : rise * rise / (4.0 * radius);
 }
 
-// A panel's radiance in a lobe exp(kappa (d . axis)) of integral 1, over its irradiance: both are
-// such lobes, with this cosine between their axes.
-float brdfSkyPanelInLobe(float concentration, float kappa, float cosine)
+// The mean of exp2(slope . d - kappa) over a panel about unit d.
+float brdfSkyPanelInLobe(vec3 d, float concentration, vec3 slope, float kappa)
 {
-  float both = kappa * concentration / (kappa + concentration);
-  return both * 0.15915494309189535 * exp2(both * 1.442695041 * (cosine - 1.0));
+  float own = concentration * 1.442695041;
+  float both = max(length(slope + own * d), 1e-3);
+  return own / both * exp2(both - own - kappa);
 }
 
 // Hidden share of a lobe's light: odds of the lobe's hidden share, times how much brighter than the
@@ -132,6 +139,14 @@ vec3 brdfSkyLobe(float share, float kappa, vec3 hidden, vec3 irradiance, float c
   vec3 odds = part * (1.0 - cosine) / max((1.0 - part) * cosine, vec3(1e-6));
   vec3 factor = pow(clamp(odds, 1.0 / 50.0, 50.0), vec3(1.0 / (1.0 + kappa / 12.0)));
   return share * factor / max(share * factor + max(1.0 - share, 0.0), vec3(1e-12));
+}
+
+// Hidden shares as what is interpolated between points: the logarithm (of base 2) of their odds,
+// within +-8.963. Inverse: OcclusionShader's.
+vec3 brdfSkyOdds(vec3 hidden)
+{
+  vec3 share = 0.002 + 0.996 * clamp(hidden, 0.0, 1.0);
+  return log2(share / (1.0 - share));
 }
 
 // Irradiance about n: a quadratic form for each channel (Ramamoorthi, Hanrahan 2001, eq. 11).

@@ -3,6 +3,7 @@
 #include "Comparison.h"
 
 #include "BackgroundWork.h"
+#include "ModelMaterials.h"
 
 #include <algorithm>
 
@@ -15,6 +16,17 @@ Comparison::Comparison(Session* session, Jobs* jobs, QObject* parent)
   , Background(jobs)
 {
   connect(session, &Session::comparedChanged, this, &Comparison::Update);
+  connect(session, &Session::settingsSettled, this,
+    [this]()
+    {
+      const ModelStates& models = this->Model->GetState().Models;
+      if (std::any_of(this->Materials.begin(), this->Materials.end(),
+            [&](const ComparedMaterial& one)
+            { return one.Values != FindValues(one.File, models); }))
+      {
+        this->Update();
+      }
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -49,19 +61,20 @@ bool Comparison::IsCompared(const std::string& file) const
 // One job reads what is missing, one after the other: they may be large.
 void Comparison::Update()
 {
+  const ModelStates models = this->Model->GetState().Models;
   std::vector<ComparedMaterial> kept;
   std::vector<std::string> missing;
   for (const std::string& file : this->Model->GetState().Compared)
   {
     const auto found = std::find_if(this->Materials.begin(), this->Materials.end(),
       [&](const ComparedMaterial& material) { return material.File == file; });
-    if (found == this->Materials.end())
+    if (found != this->Materials.end())
+    {
+      kept.push_back(*found); // of a model until it is made with its new parameters
+    }
+    if (found == this->Materials.end() || found->Values != FindValues(file, models))
     {
       missing.push_back(file);
-    }
-    else
-    {
-      kept.push_back(*found);
     }
   }
   this->Materials = kept;
@@ -73,13 +86,13 @@ void Comparison::Update()
   }
   this->Background->Start(
     "compare", tr("reading for comparison"),
-    [this, missing](JobThread& thread)
+    [this, missing, models](JobThread& thread)
     {
       for (const std::string& file : missing)
       {
         if (!tool::BackgroundWork::Get()->IsStopped())
         {
-          this->Read(file, thread);
+          this->Read(file, models, thread);
         }
       }
     },
@@ -88,13 +101,14 @@ void Comparison::Update()
 
 //------------------------------------------------------------------------------
 // On a thread.
-void Comparison::Read(const std::string& file, JobThread& thread)
+void Comparison::Read(const std::string& file, const ModelStates& models, JobThread& thread)
 {
   try
   {
-    const tool::Material read = tool::LoadMaterial(file);
+    const tool::Material read = LoadMaterial(file, models);
     read.BRDF->Prepare();
-    const ComparedMaterial material{ file, read.Name, read.BRDF, SampleAlbedo(read.BRDF) };
+    const ComparedMaterial material{ file, read.Name, read.BRDF, SampleAlbedo(read.BRDF),
+      FindValues(file, models) };
     thread.Post([this, material]() { this->Take(material); });
   }
   catch (const std::exception& error)
@@ -112,6 +126,12 @@ void Comparison::Read(const std::string& file, JobThread& thread)
 //------------------------------------------------------------------------------
 void Comparison::Take(const ComparedMaterial& material)
 {
+  const auto before = std::find_if(this->Materials.begin(), this->Materials.end(),
+    [&](const ComparedMaterial& one) { return one.File == material.File; });
+  if (before != this->Materials.end())
+  {
+    this->Materials.erase(before);
+  }
   this->Materials.push_back(material);
   const std::vector<std::string>& files = this->Model->GetState().Compared;
   const auto place = [&](const ComparedMaterial& one)

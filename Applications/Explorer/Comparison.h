@@ -9,6 +9,7 @@
 #define Comparison_h
 
 #include "Curves.h"
+#include "MadeMaterial.h"
 #include "Session.h"
 
 #include "vtkBRDF.h"
@@ -27,6 +28,7 @@ struct ComparedMaterial
   std::string Name;
   vtkSmartPointer<vtkBRDF> BRDF; // prepared
   Curve Albedo;
+  ModelValues Values; // of a model
 };
 
 /// Reads in the background what State::Compared names; what cannot be read is taken out of it, with
@@ -50,7 +52,7 @@ signals:
 
 private:
   void Update();
-  void Read(const std::string& file, JobThread& thread);
+  void Read(const std::string& file, const ModelStates& models, JobThread& thread);
   void Take(const ComparedMaterial& material);
 
   Session* Model;

@@ -6,6 +6,7 @@
 
 #include "vtkActor.h"
 #include "vtkEnvironment.h"
+#include "vtkMath.h"
 #include "vtkShaderProperty.h"
 #include "vtkUniforms.h"
 
@@ -54,7 +55,8 @@ void SetExposure(vtkActor* actor, double factor)
 //------------------------------------------------------------------------------
 double FindExposure(vtkEnvironment* environment, double stops)
 {
-  return (environment ? tool::ChooseExposure(environment) : 1.0) * std::exp2(stops);
+  // A white diffuse surface that faces the light shows 0.7, as one in an environment does.
+  return (environment ? tool::ChooseExposure(environment) : 0.7 * vtkMath::Pi()) * std::exp2(stops);
 }
 
 //------------------------------------------------------------------------------

@@ -26,7 +26,7 @@ void ShowRadiance(vtkActor* actor);
 /// The factor of radiance for an actor of ShowRadiance.
 void SetExposure(vtkActor* actor, double factor);
 
-/// The factor that suits an environment, times 2^stops.
+/// The factor that suits an environment, or, of null, a light of irradiance 1; times 2^stops.
 double FindExposure(vtkEnvironment* environment, double stops);
 
 /// tool::RollOff and tool::EncodeSRGB of radiance times a factor, RGBA of unsigned char.

@@ -5,6 +5,7 @@
 #include "Display.h"
 #include "EnvironmentView.h"
 #include "LightMap.h"
+#include "LightPanel.h"
 
 #include "vtkEnvironment.h"
 #include "vtkLightSet.h"
@@ -32,6 +33,8 @@ EnvironmentPanel::EnvironmentPanel(Session* session, Jobs* jobs, QWidget* parent
   , Lights(new QCheckBox(tr("Li&ghts")))
   , Regions(new QCheckBox(tr("Re&gions")))
   , Text(new QLabel)
+  , Surroundings(new QWidget)
+  , Directional(new LightPanel(session))
 {
   this->Rotation->setRange(-180.0, 180.0);
   this->Rotation->setWrapping(true);
@@ -43,20 +46,17 @@ EnvironmentPanel::EnvironmentPanel(Session* session, Jobs* jobs, QWidget* parent
   this->Lights->setToolTip(tr("The median-cut lights, as many as the picture's light sets have"));
   this->Regions->setToolTip(tr("The part of the environment that each light stands for"));
   this->Text->setWordWrap(true);
-  auto* row = new QHBoxLayout;
-  auto* label = new QLabel(tr("&Rotation"));
-  label->setBuddy(this->Rotation);
-  row->addWidget(label);
-  row->addWidget(this->Rotation);
-  row->addWidget(this->Lights);
-  row->addWidget(this->Regions);
-  row->addStretch(1);
+  auto* inner = new QVBoxLayout(this->Surroundings);
+  inner->setContentsMargins(0, 0, 0, 0);
+  inner->addLayout(this->MakeRow());
+  inner->addWidget(this->View);
+  inner->addWidget(this->Text);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(6, 6, 6, 6);
-  layout->addLayout(row);
-  layout->addWidget(this->View);
-  layout->addWidget(this->Text);
+  layout->addWidget(this->Surroundings);
+  layout->addWidget(this->Directional);
   layout->addStretch(1);
+  this->Directional->hide();
 
   connect(this->Rotation, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
     [this](double degrees)
@@ -82,10 +82,27 @@ EnvironmentPanel::EnvironmentPanel(Session* session, Jobs* jobs, QWidget* parent
 }
 
 //------------------------------------------------------------------------------
+QLayout* EnvironmentPanel::MakeRow()
+{
+  auto* row = new QHBoxLayout;
+  auto* label = new QLabel(tr("&Rotation"));
+  label->setBuddy(this->Rotation);
+  row->addWidget(label);
+  row->addWidget(this->Rotation);
+  row->addWidget(this->Lights);
+  row->addWidget(this->Regions);
+  row->addStretch(1);
+  return row;
+}
+
+//------------------------------------------------------------------------------
 void EnvironmentPanel::Start()
 {
+  this->Surroundings->setVisible(!this->Model->IsDirectional());
+  this->Directional->setVisible(this->Model->IsDirectional());
   if (!this->Model->GetEnvironment())
   {
+    this->Background->Stop("light map");
     return;
   }
   const auto environment =

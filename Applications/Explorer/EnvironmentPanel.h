@@ -15,10 +15,12 @@
 class QCheckBox;
 class QDoubleSpinBox;
 class QLabel;
+class QLayout;
 
 namespace explorer
 {
 class EnvironmentView;
+class LightPanel;
 
 class EnvironmentPanel : public QWidget
 {
@@ -28,10 +30,12 @@ public:
   EnvironmentPanel(Session* session, Jobs* jobs, QWidget* parent = nullptr);
 
   EnvironmentView* GetView() const { return this->View; }
+  LightPanel* GetLightPanel() const { return this->Directional; }
 
 private:
   void Start();
   void UpdateRotation();
+  QLayout* MakeRow();
 
   Session* Model;
   Jobs* Background;
@@ -40,6 +44,8 @@ private:
   QCheckBox* Lights;
   QCheckBox* Regions;
   QLabel* Text;
+  QWidget* Surroundings; // all of the above
+  LightPanel* Directional;
   int Drawn = 0; // number of lights
   bool IsUpdating = false;
 };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Evaluation.h"
 
+#include "DirectionalLight.h"
 #include "ErrorColors.h"
 #include "ReferencePicture.h"
 #include "StockScene.h"
@@ -88,6 +89,14 @@ Evaluation::Evaluation(
   {
     connect(session, signal, this, &Evaluation::Restart);
   }
+  connect(session, &Session::lightChanged, this,
+    [this]()
+    {
+      if (this->Model->IsDirectional())
+      {
+        this->RestartLight();
+      }
+    });
   for (Side* side : this->Sides)
   {
     connect(side, &Side::changed, this, &Evaluation::RestartSides);
@@ -110,8 +119,15 @@ void Evaluation::SetAspect(double aspect)
 //------------------------------------------------------------------------------
 void Evaluation::Restart()
 {
-  this->Background->Stop(JobKey);
   this->Visible.reset();
+  this->RestartLight();
+}
+
+//------------------------------------------------------------------------------
+// The surface stays.
+void Evaluation::RestartLight()
+{
+  this->Background->Stop(JobKey);
   this->Reference.reset();
   this->Radiance.clear();
   this->Complete = false;
@@ -138,8 +154,8 @@ bool Evaluation::IsSettled() const
 //------------------------------------------------------------------------------
 void Evaluation::Settle()
 {
-  if (!this->Model->GetMaterial().BRDF || !this->Model->GetEnvironment() ||
-      !this->Model->GetMesh() || this->Failed)
+  if (!this->Model->GetMaterial().BRDF || !this->Model->IsLit() || !this->Model->GetMesh() ||
+      this->Failed)
   {
     return;
   }
@@ -199,14 +215,23 @@ void Evaluation::StartReference()
   {
     brdf = original;
   }
-  const auto environment =
-    vtkSmartPointer<vtkEnvironment>::Take(this->Model->GetEnvironment()->NewSnapshot());
+  const bool isDirectional = this->Model->IsDirectional();
+  const LightState light = this->Model->GetState().Light;
+  const auto environment = isDirectional ? vtkSmartPointer<vtkEnvironment>()
+                                         : vtkSmartPointer<vtkEnvironment>::Take(
+                                             this->Model->GetEnvironment()->NewSnapshot());
   const auto surface = this->Visible;
   const tool::Size size = this->Size;
   this->Background->Start(
     JobKey, tr("exact picture"),
-    [this, brdf, environment, surface, size](JobThread& thread)
+    [this, brdf, environment, isDirectional, light, surface, size](JobThread& thread)
     {
+      if (isDirectional)
+      {
+        const std::vector<double> exact = DrawDirectional(brdf, *surface, light);
+        thread.Post([this, exact]() { this->TakeReference(exact, true); });
+        return;
+      }
       const auto show = [&](const std::vector<double>& radiance)
       { thread.Post([this, radiance]() { this->TakeReference(radiance, false); }); };
       const tool::ReferencePicture picture =

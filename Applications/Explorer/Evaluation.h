@@ -89,6 +89,7 @@ signals:
 
 private:
   void Restart();
+  void RestartLight();
   void RestartSides();
   void Settle();
   void StartReference();

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Lists.h"
 
+#include "ModelMaterials.h"
+#include "State.h"
+
 #include "vtkEmbeddedEnvironments.h"
 #include "vtkEmbeddedMaterials.h"
 
@@ -62,6 +65,8 @@ std::vector<Item> ListMaterials(const std::vector<std::string>& opened)
   {
     files.push_back(MakeFileItem(file));
   }
+  const std::vector<Item> models = ListModels();
+  files.insert(files.end(), models.begin(), models.end());
   files.insert(files.end(), items.begin(), items.end());
   return files;
 }
@@ -75,6 +80,8 @@ std::vector<Item> ListEnvironments(const std::vector<std::string>& opened)
     const std::string name = vtkEmbeddedEnvironments::GetName(k);
     items.push_back({ name, name, "Built-in", vtkEmbeddedEnvironments::GetSource(k) });
   }
+  items.push_back({ DirectionalLightName, "Directional light", "Built-in",
+    "One light from one direction; its direction and irradiance are in the Light tab" });
   for (const std::string& file : opened)
   {
     items.push_back(MakeFileItem(file));

@@ -92,6 +92,7 @@ PictureBar::PictureBar(Session* session, QWidget* parent)
     });
   connect(session, &Session::methodsChanged, this, &PictureBar::Update);
   connect(session, &Session::pictureChanged, this, &PictureBar::Update);
+  connect(session, &Session::environmentChanged, this, &PictureBar::Update);
   this->Update();
 }
 
@@ -106,6 +107,7 @@ void PictureBar::Update()
       this->Methods[k]->findData(QString::fromStdString(state.Methods[k])));
   }
   this->Lights->setCurrentIndex(this->Lights->findData(state.Lights));
+  this->Lights->setEnabled(!this->Model->IsDirectional()); // there is one, whatever is chosen
   this->Difference->setChecked(state.Show == Shown::Difference);
   this->Exposure->setValue(static_cast<int>(std::lround(state.Exposure * StepsPerStop)));
   this->IsUpdating = false;

@@ -195,7 +195,10 @@ void PlanPanel::UpdatePlan()
   if (planned == this->Sides.end())
   {
     this->Candidates->setRowCount(0);
-    this->Plan->setText(tr("No plan: neither side is planned, or the plan is being made."));
+    this->Plan->setText(
+      this->Model->IsDirectional()
+        ? tr("No plan: under one directional light there is nothing to integrate.")
+        : tr("No plan: neither side is planned, or the plan is being made."));
     return;
   }
   vtkRadiancePlanner* planner = (*planned)->GetPlanner();

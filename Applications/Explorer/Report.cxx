@@ -95,6 +95,14 @@ QString MakePage(const explorer::ReportData& data, const ordered_json& report)
                   "frame is one of that size.</p>")
             .arg(data.Size.Width)
             .arg(data.Size.Height);
+  if (report.contains("light"))
+  {
+    const explorer::LightState& light = data.Explored.Light;
+    page += QString("<p>One directional light: polar angle %1°, azimuth %2°, irradiance %3.</p>")
+              .arg(light.Theta)
+              .arg(light.Phi)
+              .arg(light.Irradiance);
+  }
   if (!data.Plan.empty())
   {
     page += "<h2>Plan</h2><pre>" + Escape(data.Plan) + "</pre>";
@@ -147,6 +155,12 @@ ordered_json MakeReport(const ReportData& data)
     { "material", data.Material }, { "environment", data.Explored.Environment },
     { "width", data.Size.Width }, { "height", data.Size.Height }, { "sides", sides },
     { "plan", data.Plan }, { "state", ordered_json::parse(WriteState(data.Explored)) } };
+  if (data.Explored.Environment == DirectionalLightName)
+  {
+    const LightState& light = data.Explored.Light;
+    report["light"] = { { "theta", light.Theta }, { "phi", light.Phi },
+      { "irradiance", light.Irradiance } };
+  }
   if (data.Inspection.is_object())
   {
     report["info"] = data.Inspection;

@@ -5,14 +5,16 @@
 #include "FileKinds.h"
 #include "Files.h"
 #include "Meshes.h"
+#include "ModelMaterials.h"
 #include "Tool.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace
 {
+constexpr int RemakeTime = 80; // ms after a slider moved
+
 //------------------------------------------------------------------------------
 void AddOnce(std::vector<std::string>& list, const std::string& file)
 {
@@ -20,13 +22,6 @@ void AddOnce(std::vector<std::string>& list, const std::string& file)
   {
     list.push_back(file);
   }
-}
-
-//------------------------------------------------------------------------------
-double WrapDegrees(double degrees)
-{
-  const double turned = std::fmod(degrees + 180.0, 360.0);
-  return (turned < 0.0 ? turned + 360.0 : turned) - 180.0;
 }
 }
 
@@ -43,6 +38,9 @@ Session::Session(Jobs* jobs, QObject* parent)
   : QObject(parent)
   , Background(jobs)
 {
+  this->Remake.setSingleShot(true);
+  this->Remake.setInterval(RemakeTime);
+  connect(&this->Remake, &QTimer::timeout, this, &Session::RemakeMaterial);
   connect(jobs, &Jobs::noted, this, [this](const QString& text) { this->Say(text, false); });
 }
 
@@ -63,15 +61,20 @@ void Session::Replace(const State& state, bool withCamera)
   this->Current.Mesh = before.Mesh;
   for (const std::string& file : state.Compared)
   {
-    if (!IsEmbeddedMaterial(file))
+    if (!IsEmbeddedMaterial(file) && !FindModel(file))
     {
       AddOnce(this->Current.MaterialFiles, file); // so that it can be taken out
     }
   }
+  emit this->replaced();
   emit this->listsChanged();
+  emit this->modelsChanged();
+  emit this->editsChanged();
   this->SetMaterial(state.Material);
+  this->Remake.start(); // where it is the one that is shown
   this->SetCompared(state.Compared);
   this->SetEnvironment(state.Environment);
+  emit this->lightChanged();
   if (this->Mesh && this->MeshFile == state.Mesh)
   {
     emit this->cameraReplaced();
@@ -123,13 +126,13 @@ void Session::Open(const QStringList& files)
   }
   this->Background->Start(
     "open", tr("reading"),
-    [this, names](JobThread& thread)
+    [this, names, settings = this->GetMaterialSettings()](JobThread& thread)
     {
       for (const std::string& name : names)
       {
         try
         {
-          this->OpenOne(name, thread);
+          this->OpenOne(name, settings, thread);
         }
         catch (const std::exception& error)
         {
@@ -143,17 +146,16 @@ void Session::Open(const QStringList& files)
 
 //------------------------------------------------------------------------------
 // On a thread.
-void Session::OpenOne(const std::string& file, JobThread& thread)
+void Session::OpenOne(const std::string& file, const MaterialSettings& settings, JobThread& thread)
 {
   const auto tryMaterial = [&]()
   {
-    tool::Material material = tool::LoadMaterial(file);
-    material.BRDF->Prepare();
+    const MadeMaterial made = MakeMaterial(file, settings);
     thread.Post(
-      [this, material]()
+      [this, made]()
       {
         this->Background->Stop("material"); // asked for before
-        this->Take(material);
+        this->Take(made);
       });
   };
   const auto tryEnvironment = [&]()
@@ -166,6 +168,11 @@ void Session::OpenOne(const std::string& file, JobThread& thread)
         this->Take(environment, file);
       });
   };
+  if (file == DirectionalLightName)
+  {
+    thread.Post([this, file]() { this->SetEnvironment(file); });
+    return;
+  }
   if (IsEmbeddedEnvironment(file))
   {
     tryEnvironment();
@@ -216,18 +223,17 @@ void Session::OpenOne(const std::string& file, JobThread& thread)
 //------------------------------------------------------------------------------
 void Session::SetMaterial(const std::string& file)
 {
-  if (this->Material.BRDF && file == this->Current.Material)
+  if (this->GetMaterial().BRDF && file == this->Current.Material)
   {
     this->Background->Stop("material");
     return;
   }
   this->Background->Start(
     "material", tr("reading"),
-    [this, file](JobThread& thread)
+    [this, file, settings = this->GetMaterialSettings()](JobThread& thread)
     {
-      const tool::Material material = tool::LoadMaterial(file);
-      material.BRDF->Prepare();
-      thread.Post([this, material]() { this->Take(material); });
+      const MadeMaterial made = MakeMaterial(file, settings);
+      thread.Post([this, made]() { this->Take(made); });
     },
     [this](const QString& text)
     {
@@ -239,9 +245,15 @@ void Session::SetMaterial(const std::string& file)
 //------------------------------------------------------------------------------
 void Session::SetEnvironment(const std::string& file)
 {
-  if (this->Environment && file == this->Current.Environment)
+  if (this->IsLit() && file == this->Current.Environment)
   {
     this->Background->Stop("environment");
+    return;
+  }
+  if (file == DirectionalLightName)
+  {
+    this->Background->Stop("environment");
+    this->Take(static_cast<vtkEnvironment*>(nullptr), file);
     return;
   }
   this->Background->Start(
@@ -289,28 +301,72 @@ void Session::SetCompared(const std::vector<std::string>& files)
 }
 
 //------------------------------------------------------------------------------
-void Session::Take(const tool::Material& material)
+void Session::Take(const MadeMaterial& made)
 {
-  if (!IsEmbeddedMaterial(material.File))
+  const std::string& file = made.Shown.File;
+  if (!IsEmbeddedMaterial(file) && !FindModel(file))
   {
-    AddOnce(this->Current.MaterialFiles, material.File);
+    AddOnce(this->Current.MaterialFiles, file);
   }
-  this->Material = material;
-  this->Current.Material = material.File;
-  this->Say(QString::fromStdString(material.Notes), false);
+  this->Made = made;
+  this->Current.Material = file;
+  this->Say(QString::fromStdString(made.Shown.Notes), false);
   emit this->listsChanged();
   emit this->materialChanged();
+  this->Remake.start(); // where settings have changed since it was asked for
+}
+
+//------------------------------------------------------------------------------
+MaterialSettings Session::GetMaterialSettings() const
+{
+  return { this->Current.Models, this->Current.Edits };
+}
+
+//------------------------------------------------------------------------------
+// The material that is shown with other parameters or edits; another one is not waited for.
+void Session::RemakeMaterial()
+{
+  emit this->settingsSettled();
+  const MaterialSettings settings = this->GetMaterialSettings();
+  const std::string file = this->Made.Shown.File;
+  if (!this->Made.Shown.BRDF || !this->Made.IsAnother(settings))
+  {
+    return;
+  }
+  this->Background->Start(
+    "remake", tr("making the material"),
+    [this, original = this->Made.Original, settings](JobThread& thread)
+    {
+      const MadeMaterial made = RemakeMaterialOf(original, settings);
+      thread.Post(
+        [this, made]()
+        {
+          if (made.Shown.File == this->Made.Shown.File)
+          {
+            this->Made = made;
+            if (made.Shown.Notes != made.Original.Notes)
+            {
+              this->Say(QString::fromStdString(made.Shown.Notes), true);
+            }
+            emit this->materialChanged();
+          }
+        });
+    },
+    [this](const QString& text) { this->Say(text, true); });
 }
 
 //------------------------------------------------------------------------------
 void Session::Take(vtkEnvironment* environment, const std::string& file)
 {
-  if (!IsEmbeddedEnvironment(file))
+  if (environment && !IsEmbeddedEnvironment(file))
   {
     AddOnce(this->Current.EnvironmentFiles, file);
   }
   this->Environment = environment;
-  this->Environment->SetRotationY(this->Current.Rotation);
+  if (environment)
+  {
+    this->Environment->SetRotationY(this->Current.Rotation);
+  }
   this->Current.Environment = file;
   emit this->listsChanged();
   emit this->environmentChanged();
@@ -334,124 +390,26 @@ void Session::Take(vtkPolyData* mesh, const std::string& file)
 }
 
 //------------------------------------------------------------------------------
-void Session::SetRotation(double degrees)
+void Session::SaveMaterial(const std::string& path)
 {
-  const double wrapped = WrapDegrees(degrees);
-  if (!std::isfinite(wrapped) || wrapped == this->Current.Rotation)
+  vtkSmartPointer<vtkBRDF> brdf = this->Made.Shown.BRDF;
+  if (!brdf)
   {
     return;
   }
-  this->Current.Rotation = wrapped;
-  if (this->Environment)
+  if (auto copy = vtkSmartPointer<vtkBRDF>::Take(brdf->NewSnapshot()))
   {
-    this->Environment->SetRotationY(wrapped);
+    brdf = copy;
   }
-  emit this->rotationChanged();
-}
-
-//------------------------------------------------------------------------------
-void Session::SetTolerance(double tolerance)
-{
-  const double value = std::clamp(tolerance, 1e-3, 1.0);
-  if (value != this->Current.Tolerance)
-  {
-    this->Current.Tolerance = value;
-    emit this->toleranceChanged();
-  }
-}
-
-//------------------------------------------------------------------------------
-void Session::SetMethod(int side, const std::string& key)
-{
-  std::string& method = this->Current.Methods[side == 0 ? 0 : 1];
-  if (method != key && explorer::GetMethodName(key) != key)
-  {
-    method = key;
-    emit this->methodsChanged();
-  }
-}
-
-//------------------------------------------------------------------------------
-void Session::SetLights(int count)
-{
-  int power = 1;
-  while (power * 2 <= std::clamp(count, 1, 4096))
-  {
-    power *= 2;
-  }
-  if (power != this->Current.Lights)
-  {
-    this->Current.Lights = power;
-    emit this->methodsChanged();
-  }
-}
-
-//------------------------------------------------------------------------------
-void Session::SetShown(Shown shown)
-{
-  this->Current.Show = shown;
-  emit this->pictureChanged();
-}
-
-//------------------------------------------------------------------------------
-void Session::SetSplit(double share)
-{
-  this->Current.Split = std::clamp(share, 0.0, 1.0);
-  emit this->pictureChanged();
-}
-
-//------------------------------------------------------------------------------
-void Session::SetExposure(double stops)
-{
-  this->Current.Exposure = std::clamp(stops, -10.0, 10.0);
-  emit this->pictureChanged();
-}
-
-//------------------------------------------------------------------------------
-void Session::SetBackdrop(bool shown)
-{
-  this->Current.Backdrop = shown;
-  emit this->pictureChanged();
-}
-
-//------------------------------------------------------------------------------
-void Session::SetReferenceHeight(int pixels)
-{
-  this->Current.ReferenceHeight = std::clamp(pixels, 32, 2048);
-  emit this->referenceHeightChanged();
-}
-
-//------------------------------------------------------------------------------
-void Session::SetCamera(const CameraState& camera)
-{
-  this->Current.Camera = camera;
-  emit this->cameraChanged();
-}
-
-//------------------------------------------------------------------------------
-void Session::SetLobe(double thetaI, double phiI, bool logarithmic)
-{
-  this->Current.LobeThetaI = std::clamp(thetaI, 0.0, 89.0);
-  this->Current.LobePhiI = WrapDegrees(phiI - 180.0) + 180.0; // [0, 360)
-  this->Current.LobeLogarithmic = logarithmic;
-  emit this->lobeChanged();
-}
-
-//------------------------------------------------------------------------------
-void Session::SetSlices(double thetaH, double thetaD, double phiD, bool logarithmic)
-{
-  this->Current.SliceThetaH = std::clamp(thetaH, 0.0, 90.0);
-  this->Current.SliceThetaD = std::clamp(thetaD, 0.0, 90.0);
-  this->Current.SlicePhiD = std::clamp(phiD, 0.0, 180.0);
-  this->Current.SliceLogarithmic = logarithmic;
-  emit this->slicesChanged();
-}
-
-//------------------------------------------------------------------------------
-void Session::SetSlicePolar(bool polar)
-{
-  this->Current.SlicePolar = polar;
-  emit this->slicesChanged();
+  this->Background->Start(
+    "save material", tr("writing the material"),
+    [this, brdf, path](JobThread& thread)
+    {
+      tool::WriteMaterial(brdf, path);
+      thread.Post(
+        [this, path]() { this->Say(tr("Saved: %1").arg(QString::fromStdString(path)), false); });
+    },
+    [this](const QString& text) { this->Say(text, true); });
 }
 
 //------------------------------------------------------------------------------

@@ -11,6 +11,7 @@
 #include "Inputs.h"
 #include "Jobs.h"
 #include "Lists.h"
+#include "MadeMaterial.h"
 #include "State.h"
 
 #include "vtkEnvironment.h"
@@ -20,6 +21,7 @@
 #include <QObject>
 #include <QString>
 #include <QStringList>
+#include <QTimer>
 
 #include <string>
 #include <vector>
@@ -64,15 +66,29 @@ public:
   void SetCompared(const std::vector<std::string>& files);
 
   ///@{
-  /// What was read; null before.
-  const tool::Material& GetMaterial() const { return this->Material; }
+  /// What was read; null before. The environment is null, too, where there is one directional
+  /// light.
+  const tool::Material& GetMaterial() const { return this->Made.Shown; }
   vtkEnvironment* GetEnvironment() const { return this->Environment; }
   vtkPolyData* GetMesh() const { return this->Mesh; }
   ///@}
 
+  /// The material without the edits of its samples.
+  const tool::Material& GetOriginal() const { return this->Made.Original; }
+
+  /// Whether one directional light is in an environment's place.
+  bool IsDirectional() const { return this->Current.Environment == DirectionalLightName; }
+
+  /// Whether there is light: an environment that has been read, or the directional light.
+  bool IsLit() const { return this->Environment || this->IsDirectional(); }
+
+  /// Whether the material waits for parameters or edits to come to rest.
+  bool IsWaiting() const { return this->Remake.isActive(); }
+
   ///@{
   /// Values outside of what State allows are taken as the nearest that is.
   void SetRotation(double degrees);
+  void SetLight(const LightState& light);
   void SetTolerance(double tolerance);
   void SetMethod(int side, const std::string& key);
   void SetLights(int count);
@@ -88,10 +104,22 @@ public:
   ///@}
 
   ///@{
+  /// A parameter of a model, and the edits of a table: what is shown of it follows in the
+  /// background. Parameters that are not known change nothing.
+  void SetModelValues(
+    const std::string& key, const std::string& parameter, const std::vector<double>& values);
+  void SetEdits(const std::string& file, const SampleEdits& edits);
+  ///@}
+
+  ///@{
   /// State files. False with a message where that does not work.
   bool Save(const std::string& path);
   bool Load(const std::string& path);
   ///@}
+
+  /// The material that is shown, with its parameters and edits, as a file (.exr), in the
+  /// background.
+  void SaveMaterial(const std::string& path);
 
   /// Something to tell people.
   void Say(const QString& text, bool isError);
@@ -102,6 +130,10 @@ signals:
   void comparedChanged();
   void environmentChanged();
   void rotationChanged();
+  void lightChanged();
+  void modelsChanged();
+  void editsChanged();
+  void settingsSettled(); // models and edits, for a moment
   void meshChanged();
   void toleranceChanged();
   void methodsChanged();
@@ -109,19 +141,23 @@ signals:
   void referenceHeightChanged();
   void cameraChanged();
   void cameraReplaced(); // by another state
+  void replaced();       // all of the state, by another
   void lobeChanged();
   void slicesChanged();
   void messaged(const QString& text, bool isError);
 
 private:
-  void OpenOne(const std::string& file, JobThread& thread);
-  void Take(const tool::Material& material);
+  void OpenOne(const std::string& file, const MaterialSettings& settings, JobThread& thread);
+  MaterialSettings GetMaterialSettings() const;
+  void RemakeMaterial();
+  void Take(const MadeMaterial& made);
   void Take(vtkEnvironment* environment, const std::string& file);
   void Take(vtkPolyData* mesh, const std::string& file);
 
   Jobs* Background;
   State Current;
-  tool::Material Material;
+  MadeMaterial Made;
+  QTimer Remake;
   vtkSmartPointer<vtkEnvironment> Environment;
   vtkSmartPointer<vtkPolyData> Mesh;
   std::string MeshFile;       // of Mesh

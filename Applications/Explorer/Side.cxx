@@ -2,14 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Side.h"
 
+#include "DirectionalLight.h"
 #include "Display.h"
 #include "Scene.h"
-#include "StockScene.h"
+#include "SideScenes.h"
 #include "Tool.h"
 
 #include "vtkActor.h"
 #include "vtkCommand.h"
 #include "vtkImageData.h"
+#include "vtkLight.h"
 #include "vtkMeasuredBRDFMapper.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkPBRPropertyFitter.h"
@@ -22,14 +24,6 @@
 
 namespace
 {
-//------------------------------------------------------------------------------
-/// VTK's own shading of a property.
-class FittedScene : public tool::StockScene
-{
-public:
-  void SetProperty(vtkProperty* property) { this->Actor->GetProperty()->DeepCopy(property); }
-};
-
 //------------------------------------------------------------------------------
 // A copy for another thread; the material itself where its class has none.
 tool::Material MakeSnapshot(const tool::Material& material)
@@ -70,6 +64,8 @@ Side::Side(int index, Session* session, Jobs* jobs, QObject* parent)
     this->Renderer->AddActor(actor);
   }
   this->Renderer->AutomaticLightCreationOff();
+  this->Renderer->AddLight(this->Lamp);
+  this->Lamp->SwitchOff();
   this->UpdateVisibility();
   this->Mapper->AddObserver(vtkCommand::UpdateDataEvent, this, &Side::OnPlan);
   connect(session, &Session::materialChanged, this, &Side::UpdateMethod);
@@ -77,6 +73,7 @@ Side::Side(int index, Session* session, Jobs* jobs, QObject* parent)
   connect(session, &Session::methodsChanged, this, &Side::UpdateMethod);
   connect(session, &Session::toleranceChanged, this, &Side::UpdateTolerance);
   connect(session, &Session::rotationChanged, this, &Side::UpdateRotation);
+  connect(session, &Session::lightChanged, this, &Side::UpdateLight);
   connect(session, &Session::meshChanged, this, &Side::UpdateMesh);
 }
 
@@ -100,9 +97,9 @@ bool Side::IsReady() const
 {
   if (this->IsReference())
   {
-    return this->Light != nullptr; // the exact picture may lie over it already
+    return this->Light || this->IsDirectlyLit; // the exact picture may lie over it already
   }
-  return this->Light && this->IsMade &&
+  return (this->Light || this->IsDirectlyLit) && this->IsMade &&
          (!this->IsPlanned || (this->GetPlanner() && !this->Mapper->GetPlanPending()));
 }
 
@@ -131,20 +128,24 @@ vtkRadiancePlanner* Side::GetPlanner() const
 //------------------------------------------------------------------------------
 void Side::UpdateMethod()
 {
-  if (!this->Model->GetMaterial().BRDF || !this->Model->GetEnvironment())
+  if (!this->Model->GetMaterial().BRDF || !this->Model->IsLit())
   {
     return;
   }
   this->Background->Stop(this->GetJobKey());
   this->IsMade = true;
   const std::string& key = this->GetKey();
-  if (key == method::Planned || key == method::Reference)
-  {
-    this->DrawPlanned();
-  }
-  else if (key == method::PBR)
+  if (key == method::PBR)
   {
     this->StartFit();
+  }
+  else if (this->Model->IsDirectional())
+  {
+    this->DrawDirect();
+  }
+  else if (key == method::Planned || key == method::Reference)
+  {
+    this->DrawPlanned();
   }
   else
   {
@@ -163,6 +164,22 @@ void Side::DrawPlanned()
   this->Mapper->SetIntegrator(nullptr);
   this->Mapper->SetErrorTolerance(this->Model->GetState().Tolerance);
   this->IsPlanned = true;
+  this->IsDirectlyLit = false;
+  this->IsStock = false;
+  this->UpdateVisibility();
+}
+
+//------------------------------------------------------------------------------
+// Whatever the method: there is no environment to be integrated.
+void Side::DrawDirect()
+{
+  this->Made = tool::Method();
+  this->Light = nullptr;
+  this->Mapper->SetBRDF(this->Model->GetMaterial().BRDF);
+  this->Mapper->SetEnvironment(nullptr);
+  this->Mapper->SetIntegrator(nullptr);
+  this->IsPlanned = false;
+  this->IsDirectlyLit = true;
   this->IsStock = false;
   this->UpdateVisibility();
 }
@@ -205,6 +222,7 @@ void Side::DrawMade(const tool::Method& made, vtkEnvironment* environment)
   this->Mapper->SetIntegrator(made.Integrator);
   this->IsMade = true;
   this->IsPlanned = false;
+  this->IsDirectlyLit = false;
   this->IsStock = false;
   this->UpdateVisibility();
   emit this->changed();
@@ -240,15 +258,29 @@ void Side::DrawFitted(vtkProperty* fitted, double error)
 {
   this->FitError = error;
   this->StockActor->GetProperty()->DeepCopy(fitted);
-  const auto image =
-    vtkSmartPointer<vtkImageData>::Take(this->Model->GetEnvironment()->NewImageData());
-  this->StockLight->SetInputData(image);
+  this->IsDirectlyLit = this->Model->IsDirectional();
+  if (!this->IsDirectlyLit)
+  {
+    const auto image =
+      vtkSmartPointer<vtkImageData>::Take(this->Model->GetEnvironment()->NewImageData());
+    this->StockLight->SetInputData(image);
+  }
   this->Light = this->Model->GetEnvironment();
   this->IsMade = true;
   this->IsPlanned = false;
   this->IsStock = true;
   this->UpdateVisibility();
   emit this->changed();
+}
+
+//------------------------------------------------------------------------------
+void Side::UpdateLight()
+{
+  PlaceLight(this->Lamp, this->Model->GetState().Light);
+  if (this->IsDirectlyLit)
+  {
+    emit this->changed();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -294,8 +326,11 @@ void Side::UpdateVisibility()
 {
   this->Actor->SetVisibility(this->IsVisible && !this->IsStock && this->Mapper->GetBRDF());
   this->StockActor->SetVisibility(this->IsVisible && this->IsStock);
-  this->Renderer->SetEnvironmentTexture(this->IsStock ? this->StockLight.Get() : nullptr);
-  this->Renderer->SetUseImageBasedLighting(this->IsStock);
+  const bool isUnderImage = this->IsStock && !this->IsDirectlyLit;
+  this->Renderer->SetEnvironmentTexture(isUnderImage ? this->StockLight.Get() : nullptr);
+  this->Renderer->SetUseImageBasedLighting(isUnderImage);
+  this->Lamp->SetSwitch(this->IsDirectlyLit);
+  PlaceLight(this->Lamp, this->Model->GetState().Light);
   this->UpdateRotation();
 }
 
@@ -321,6 +356,11 @@ QString Side::Describe() const
   {
     return tr("%1: being prepared").arg(name);
   }
+  if (this->IsDirect())
+  {
+    return this->IsReference() ? tr("%1: f E cos(theta)").arg(name)
+                               : tr("Material under one light (no plan, no light set)");
+  }
   if (this->IsStock)
   {
     return tr("%1: fitted within %2 %").arg(name).arg(100.0 * this->FitError, 0, 'g', 2);
@@ -345,23 +385,36 @@ QString Side::Describe() const
 }
 
 //------------------------------------------------------------------------------
+void Side::OpenScene()
+{
+  if (this->Scene && this->SceneIsStock == this->IsStock && this->SceneIsDirect == this->IsDirect())
+  {
+    return;
+  }
+  this->SceneIsStock = this->IsStock;
+  this->SceneIsDirect = this->IsDirect();
+  this->Scene.reset(); // one window at a time
+  this->Scene.reset(this->IsStock      ? static_cast<tool::OffscreenScene*>(new FittedScene())
+                    : this->IsDirect() ? new LampScene(this->Lamp)
+                                       : static_cast<tool::OffscreenScene*>(new tool::Scene()));
+  this->Scene->SetMesh(this->Model->GetMesh());
+}
+
+//------------------------------------------------------------------------------
 // Scenes of their own: radiance above 1 and alpha, which a widget's window does not keep. A planned
 // method finds the mapper's plan, which mappers of one material and environment share.
 tool::Picture Side::Capture(vtkCamera* camera, const tool::Size& size, double& frame)
 {
-  if (!this->Scene || this->SceneIsStock != this->IsStock)
-  {
-    this->SceneIsStock = this->IsStock;
-    this->Scene.reset(); // one window at a time
-    this->Scene.reset(
-      this->IsStock ? static_cast<tool::OffscreenScene*>(new FittedScene()) : new tool::Scene());
-    this->Scene->SetMesh(this->Model->GetMesh());
-  }
+  this->OpenScene();
   if (this->IsStock)
   {
     auto* stock = static_cast<FittedScene*>(this->Scene.get());
     stock->SetProperty(this->StockActor->GetProperty());
-    stock->SetLight(this->Light);
+    this->IsDirectlyLit ? stock->SetLamp(this->Lamp) : stock->SetEnvironment(this->Light);
+  }
+  else if (this->IsDirect())
+  {
+    static_cast<LampScene*>(this->Scene.get())->SetMaterial(this->Mapper->GetBRDF());
   }
   else
   {

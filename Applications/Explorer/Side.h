@@ -26,6 +26,7 @@
 
 class vtkActor;
 class vtkCamera;
+class vtkLight;
 class vtkMeasuredBRDFMapper;
 class vtkOpenGLPolyDataMapper;
 class vtkProperty;
@@ -57,6 +58,9 @@ public:
   const std::string& GetKey() const;
   bool IsReference() const;
 
+  /// Whether the material itself is drawn under the directional light: nothing is planned or made.
+  bool IsDirect() const { return this->IsDirectlyLit && !this->IsStock; }
+
   /// Whether what is asked for is drawn.
   bool IsReady() const;
 
@@ -86,14 +90,17 @@ private:
   void UpdateMethod();
   void UpdateMesh();
   void UpdateRotation();
+  void UpdateLight();
   void UpdateTolerance();
   void StartMethod(const std::string& key);
   void StartFit();
   void DrawPlanned();
+  void DrawDirect();
   void DrawMade(const tool::Method& method, vtkEnvironment* environment);
   void DrawFitted(vtkProperty* fitted, double error);
   void UpdateVisibility();
   void OnPlan();
+  void OpenScene();
   QString GetJobKey() const;
 
   int Index;
@@ -105,16 +112,19 @@ private:
   vtkNew<vtkActor> StockActor;
   vtkNew<vtkOpenGLPolyDataMapper> StockMapper;
   vtkNew<vtkTexture> StockLight;
+  vtkNew<vtkLight> Lamp;                 // on where there is the directional light
   vtkSmartPointer<vtkEnvironment> Light; // of the actor's mapper
   tool::Method Made;
   double FitError = 0.0;
-  bool IsStock = false;   // what is drawn
-  bool IsPlanned = false; // what is drawn
-  bool IsMade = true;     // false while a job makes the method
+  bool IsStock = false;       // what is drawn
+  bool IsPlanned = false;     // what is drawn
+  bool IsDirectlyLit = false; // by the directional light
+  bool IsMade = true;         // false while a job makes the method
   bool IsVisible = true;
   std::string Plan;                            // that was told of
   std::unique_ptr<tool::OffscreenScene> Scene; // for Capture
   bool SceneIsStock = false;
+  bool SceneIsDirect = false;
 };
 } // namespace explorer
 

@@ -97,11 +97,12 @@ void SliceView::SetInspection(const nlohmann::ordered_json& info)
 std::vector<ComparedMaterial> SliceView::GetMaterials() const
 {
   const tool::Material& shown = this->Model->GetMaterial();
-  std::vector<ComparedMaterial> materials = { { shown.File, shown.Name, shown.BRDF,
-    this->Albedos } };
+  std::vector<ComparedMaterial> materials = { { shown.File, shown.Name, shown.BRDF, this->Albedos,
+    {} } };
   for (const ComparedMaterial& material : this->Compared->GetMaterials())
   {
-    if (material.File != shown.File)
+    // An edited material may be seen beside its original.
+    if (material.File != shown.File || shown.BRDF != this->Model->GetOriginal().BRDF)
     {
       materials.push_back(material);
     }

@@ -50,6 +50,7 @@ SplitView::SplitView(Session* session, Jobs* jobs, std::array<Side*, 2> sides, Q
   , Model(session)
   , Background(jobs)
   , Sides(sides)
+  , Light(session)
 {
   this->setRenderWindow(this->Window);
   this->setAcceptDrops(false); // the window's
@@ -100,6 +101,7 @@ SplitView::SplitView(Session* session, Jobs* jobs, std::array<Side*, 2> sides, Q
   connect(session, &Session::pictureChanged, this, &SplitView::UpdatePicture);
   connect(session, &Session::rotationChanged, this, &SplitView::UpdatePicture);
   connect(session, &Session::environmentChanged, this, &SplitView::UpdateBackdrop);
+  connect(session, &Session::lightChanged, this, &SplitView::RequestRender);
   connect(session, &Session::meshChanged, this, &SplitView::ResetCamera);
   connect(session, &Session::cameraReplaced, this, &SplitView::TakeCamera);
   this->UpdatePicture();
@@ -248,6 +250,13 @@ void SplitView::UpdatePicture()
 //------------------------------------------------------------------------------
 void SplitView::UpdateBackdrop()
 {
+  if (!this->Model->GetEnvironment()) // there is nothing behind a directional light
+  {
+    this->Background->Stop("backdrop");
+    this->BackdropPicture.reset();
+    this->UpdatePicture();
+    return;
+  }
   const auto environment =
     vtkSmartPointer<vtkEnvironment>::Take(this->Model->GetEnvironment()->NewSnapshot());
   this->Background->Start(
@@ -432,6 +441,11 @@ bool SplitView::DragLine(QEvent* event)
 //------------------------------------------------------------------------------
 bool SplitView::event(QEvent* event)
 {
+  if (this->Light.Handle(event, this->Camera))
+  {
+    event->accept();
+    return true;
+  }
   switch (event->type())
   {
     case QEvent::MouseButtonPress:

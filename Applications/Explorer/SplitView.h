@@ -8,6 +8,7 @@
 #ifndef SplitView_h
 #define SplitView_h
 
+#include "LightDrag.h"
 #include "Picture.h"
 #include "Session.h"
 #include "Side.h"
@@ -94,6 +95,7 @@ private:
   Session* Model;
   Jobs* Background;
   std::array<Side*, 2> Sides;
+  LightDrag Light;
   vtkNew<vtkGenericOpenGLRenderWindow> Window;
   vtkNew<vtkRenderer> Behind;
   vtkNew<vtkRenderer> Front;

@@ -4,6 +4,8 @@
 
 #include "Files.h"
 #include "Methods.h"
+#include "ModelMaterials.h"
+#include "StateFields.h"
 #include "Tool.h"
 
 #include "vtkRadianceMethods.h"
@@ -24,119 +26,11 @@ namespace
 const char* const FormatName = "measured-brdf explorer state";
 constexpr int FormatVersion = 1;
 constexpr std::uintmax_t LargestFile = 1 << 20; // bytes
-constexpr std::size_t MostFiles = 10000;
-
-//------------------------------------------------------------------------------
-/// Takes fields of an object and says which one is wrong.
-class Fields
-{
-public:
-  Fields(const ordered_json& object, std::string name)
-    : Object(object)
-    , Name(std::move(name))
-  {
-  }
-
-  [[noreturn]] void Fail(const std::string& key, const std::string& expected) const
-  {
-    throw tool::Error(this->Name + ": \"" + key + "\": expected " + expected);
-  }
-
-  void Take(const char* key, double& value, double least, double largest) const
-  {
-    const auto found = this->Object.find(key);
-    if (found == this->Object.end())
-    {
-      return;
-    }
-    const double given = found->is_number() ? found->get<double>() : NAN;
-    if (!(given >= least && given <= largest))
-    {
-      this->Fail(
-        key, "a number from " + tool::FormatNumber(least) + " to " + tool::FormatNumber(largest));
-    }
-    value = given;
-  }
-
-  void Take(const char* key, int& value, int least, int largest) const
-  {
-    double given = value;
-    this->Take(key, given, least, largest);
-    if (given != std::floor(given))
-    {
-      this->Fail(key, "a whole number");
-    }
-    value = static_cast<int>(given);
-  }
-
-  void Take(const char* key, bool& value) const
-  {
-    const auto found = this->Object.find(key);
-    if (found != this->Object.end() && !found->is_boolean())
-    {
-      this->Fail(key, "true or false");
-    }
-    value = found != this->Object.end() ? found->get<bool>() : value;
-  }
-
-  void Take(const char* key, std::string& value) const
-  {
-    const auto found = this->Object.find(key);
-    if (found == this->Object.end())
-    {
-      return;
-    }
-    if (!found->is_string() || found->get<std::string>().empty())
-    {
-      this->Fail(key, "a text");
-    }
-    value = found->get<std::string>();
-  }
-
-  void Take(const char* key, std::vector<std::string>& values) const
-  {
-    const auto found = this->Object.find(key);
-    if (found == this->Object.end())
-    {
-      return;
-    }
-    const bool good = found->is_array() && found->size() <= MostFiles &&
-                      std::all_of(found->begin(), found->end(),
-                        [](const ordered_json& item) { return item.is_string(); });
-    if (!good)
-    {
-      this->Fail(key, "a list of texts");
-    }
-    values = found->get<std::vector<std::string>>();
-  }
-
-  void Take(const char* key, std::array<double, 3>& values) const
-  {
-    const auto found = this->Object.find(key);
-    if (found == this->Object.end())
-    {
-      return;
-    }
-    const bool good = found->is_array() && found->size() == 3 &&
-                      std::all_of(found->begin(), found->end(),
-                        [](const ordered_json& item)
-                        { return item.is_number() && std::abs(item.get<double>()) < 1e30; });
-    if (!good)
-    {
-      this->Fail(key, "three numbers");
-    }
-    values = found->get<std::array<double, 3>>();
-  }
-
-private:
-  const ordered_json& Object;
-  std::string Name;
-};
 
 //------------------------------------------------------------------------------
 void TakeCamera(const ordered_json& object, const std::string& name, explorer::CameraState& camera)
 {
-  const Fields fields(object, name + ": \"camera\"");
+  const explorer::Fields fields(object, name + ": \"camera\"");
   explorer::CameraState read = camera;
   fields.Take("position", read.Position);
   fields.Take("focal_point", read.FocalPoint);
@@ -161,7 +55,7 @@ void TakeCamera(const ordered_json& object, const std::string& name, explorer::C
 }
 
 //------------------------------------------------------------------------------
-void TakeMethods(const Fields& fields, explorer::State& state)
+void TakeMethods(const explorer::Fields& fields, explorer::State& state)
 {
   std::vector<std::string> methods = { state.Methods[0], state.Methods[1] };
   fields.Take("methods", methods);
@@ -182,7 +76,7 @@ void TakeMethods(const Fields& fields, explorer::State& state)
 }
 
 //------------------------------------------------------------------------------
-void TakeCompared(const Fields& fields, std::vector<std::string>& compared)
+void TakeCompared(const explorer::Fields& fields, std::vector<std::string>& compared)
 {
   fields.Take("compared", compared);
   const std::set<std::string> different(compared.begin(), compared.end());
@@ -192,6 +86,99 @@ void TakeCompared(const Fields& fields, std::vector<std::string>& compared)
     fields.Fail(
       "compared", "at most " + std::to_string(explorer::MostCompared) + " different materials");
   }
+}
+
+//------------------------------------------------------------------------------
+void TakeModels(const explorer::Fields& fields, explorer::ModelStates& states)
+{
+  const ordered_json* object = fields.FindObject("models");
+  if (!object)
+  {
+    return;
+  }
+  const explorer::Fields models(*object, fields.GetName() + ": \"models\"");
+  for (const auto& [key, values] : object->items())
+  {
+    const explorer::ParametricModel* model = explorer::FindModel("model:" + key);
+    const ordered_json* given = models.FindObject(key);
+    if (!model)
+    {
+      models.Fail(key, "the name of a model, such as \"Lambert\"");
+    }
+    const explorer::Fields parameters(*given, models.GetName() + ": \"" + key + "\"");
+    for (const auto& [name, value] : values.items())
+    {
+      const auto parameter = std::find_if(model->Parameters.begin(), model->Parameters.end(),
+        [&name = name](const explorer::ModelParameter& one) { return one.Key == name; });
+      if (parameter == model->Parameters.end())
+      {
+        parameters.Fail(name, "a parameter of this model");
+      }
+      std::vector<double> numbers = parameter->Default;
+      parameters.Take(name, numbers, parameter->Least, parameter->Largest);
+      if (!parameter->Choices.empty() && numbers[0] != std::floor(numbers[0]))
+      {
+        parameters.Fail(name, "a whole number");
+      }
+      states[key][name] = numbers;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool IsEdit(const ordered_json& edit)
+{
+  return edit.is_array() && edit.size() == 4 && edit[0].is_number_integer() &&
+         edit[0].get<double>() >= 0.0 && edit[0].get<double>() < 2147483647.0 &&
+         std::all_of(edit.begin() + 1, edit.end(),
+           [](const ordered_json& value)
+           {
+             return value.is_number() && value.get<double>() >= 0.0 &&
+                    value.get<double>() <= explorer::LargestSample;
+           });
+}
+
+//------------------------------------------------------------------------------
+// {"a.binary": [[row, red, green, blue], ...]}
+void TakeEdits(const explorer::Fields& fields, std::map<std::string, explorer::SampleEdits>& edits)
+{
+  const ordered_json* object = fields.FindObject("edits");
+  if (!object)
+  {
+    return;
+  }
+  const explorer::Fields materials(*object, fields.GetName() + ": \"edits\"");
+  std::size_t count = 0;
+  for (const auto& [file, list] : object->items())
+  {
+    count += list.size();
+    if (!list.is_array() || count > explorer::MostEdits ||
+        !std::all_of(list.begin(), list.end(), IsEdit))
+    {
+      materials.Fail(file, "a list of [row, red, green, blue] with values from 0 to " +
+                             tool::FormatNumber(explorer::LargestSample) + ", at most " +
+                             std::to_string(explorer::MostEdits) + " of all materials");
+    }
+    for (const ordered_json& edit : list)
+    {
+      edits[file][edit[0].get<int>()] = { edit[1].get<float>(), edit[2].get<float>(),
+        edit[3].get<float>() };
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+ordered_json WriteEdits(const std::map<std::string, explorer::SampleEdits>& edits)
+{
+  ordered_json object = ordered_json::object();
+  for (const auto& [file, list] : edits)
+  {
+    for (const auto& [row, rgb] : list)
+    {
+      object[file].push_back({ row, rgb[0], rgb[1], rgb[2] });
+    }
+  }
+  return object;
 }
 
 //------------------------------------------------------------------------------
@@ -260,11 +247,13 @@ std::string WriteState(const State& state)
     { "view_angle", state.Camera.ViewAngle } };
   const ordered_json json = { { "format", FormatName }, { "version", FormatVersion },
     { "material_files", state.MaterialFiles }, { "environment_files", state.EnvironmentFiles },
-    { "material", state.Material }, { "compared", state.Compared },
-    { "environment", state.Environment }, { "rotation", state.Rotation }, { "mesh", state.Mesh },
-    { "tolerance", state.Tolerance }, { "methods", state.Methods }, { "lights", state.Lights },
-    { "show", state.Show == Shown::Split ? "split" : "difference" }, { "split", state.Split },
-    { "exposure", state.Exposure }, { "backdrop", state.Backdrop },
+    { "material", state.Material }, { "compared", state.Compared }, { "models", state.Models },
+    { "edits", WriteEdits(state.Edits) }, { "environment", state.Environment },
+    { "light_theta", state.Light.Theta }, { "light_phi", state.Light.Phi },
+    { "light_irradiance", state.Light.Irradiance }, { "rotation", state.Rotation },
+    { "mesh", state.Mesh }, { "tolerance", state.Tolerance }, { "methods", state.Methods },
+    { "lights", state.Lights }, { "show", state.Show == Shown::Split ? "split" : "difference" },
+    { "split", state.Split }, { "exposure", state.Exposure }, { "backdrop", state.Backdrop },
     { "reference_height", state.ReferenceHeight }, { "camera", camera },
     { "lobe_theta_i", state.LobeThetaI }, { "lobe_phi_i", state.LobePhiI },
     { "lobe_logarithmic", state.LobeLogarithmic }, { "slice_theta_h", state.SliceThetaH },
@@ -297,7 +286,12 @@ State ReadState(const std::string& text, const std::string& name)
   fields.Take("environment_files", state.EnvironmentFiles);
   fields.Take("material", state.Material);
   TakeCompared(fields, state.Compared);
+  TakeModels(fields, state.Models);
+  TakeEdits(fields, state.Edits);
   fields.Take("environment", state.Environment);
+  fields.Take("light_theta", state.Light.Theta, 0.0, 180.0);
+  fields.Take("light_phi", state.Light.Phi, -180.0, 180.0);
+  fields.Take("light_irradiance", state.Light.Irradiance, 0.0, LargestIrradiance);
   fields.Take("rotation", state.Rotation, -360.0, 360.0);
   fields.Take("mesh", state.Mesh);
   fields.Take("tolerance", state.Tolerance, 1e-3, 1.0);
@@ -375,6 +369,12 @@ State LoadState(const std::string& path)
     std::transform(list->begin(), list->end(), list->begin(),
       [&](const std::string& file) { return Resolve(file, folder); });
   }
+  std::map<std::string, SampleEdits> edits;
+  for (const auto& [file, list] : state.Edits)
+  {
+    edits[Resolve(file, folder)] = list;
+  }
+  state.Edits = edits;
   return state;
 }
 } // namespace explorer

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstddef>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,28 @@ const std::vector<MethodName>& GetMethodNames();
 /// For people; of a key that is not known, the key.
 std::string GetMethodName(const std::string& key);
 
+/// The name, in State::Environment, of one directional light in an environment's place.
+constexpr const char* DirectionalLightName = "directional-light";
+
+/// That light.
+struct LightState
+{
+  double Theta = 40.0;     // degrees from +y, [0, 180]
+  double Phi = -20.0;      // degrees about +y from +z to +x, [-180, 180]
+  double Irradiance = 1.0; // of a surface that faces it, [0, 1000]
+};
+constexpr double LargestIrradiance = 1000.0;
+
+/// Parameters of a model, by their keys: one number, or red, green and blue.
+using ModelValues = std::map<std::string, std::vector<double>>;
+/// What was set of each model, by its key (ModelMaterials.h).
+using ModelStates = std::map<std::string, ModelValues>;
+
+/// Samples of a table that were changed: their red, green and blue, by row (SampleTable.h).
+using SampleEdits = std::map<int, std::array<float, 3>>;
+constexpr std::size_t MostEdits = 5000; // of all materials of a state
+constexpr double LargestSample = 1e6;   // that can be entered
+
 struct CameraState
 {
   std::array<double, 3> Position = { 2.0, 1.7, 3.5 };
@@ -62,7 +85,10 @@ struct State
   std::vector<std::string> EnvironmentFiles;
   std::string Material = "gold-paint"; // a built-in name or a file
   std::vector<std::string> Compared;   // materials in the charts beside it, at most MostCompared
-  std::string Environment = "hall";
+  ModelStates Models;                  // of "model:KEY" in a material's place
+  std::map<std::string, SampleEdits> Edits; // of materials, by their files; none is empty
+  std::string Environment = "hall";         // or DirectionalLightName
+  LightState Light;
   double Rotation = 0.0;       // of the environment about +y, degrees in [-180, 180)
   std::string Mesh = "sphere"; // or "ball-on-foot", or a file
   double Tolerance = 0.02;     // [1e-3, 1]

@@ -13,9 +13,11 @@
 #include "LobePanel.h"
 #include "LobeView.h"
 #include "MessageBar.h"
+#include "ModelPanel.h"
 #include "PictureBar.h"
 #include "PlanPanel.h"
 #include "Report.h"
+#include "SamplePanel.h"
 #include "SlicePanel.h"
 #include "SliceView.h"
 #include "Tool.h"
@@ -23,14 +25,11 @@
 #include "vtkImageData.h"
 #include "vtkRadiancePlanner.h"
 
-#include <QAction>
 #include <QApplication>
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QLabel>
-#include <QMenuBar>
-#include <QMessageBox>
 #include <QMimeData>
 #include <QProgressBar>
 #include <QStatusBar>
@@ -140,6 +139,11 @@ void Window::MakePanels()
   this->Tabs->addTab(this->Image, tr("Image"));
   this->Tabs->addTab(this->Light, tr("Light"));
   this->Tabs->addTab(this->Findings, tr("Material"));
+  this->Models = new ModelPanel(this->Model);
+  this->Samples = new SamplePanel(this->Model);
+  this->Tabs->addTab(this->Models, tr("Model"));
+  this->Tabs->addTab(this->Samples, tr("Samples"));
+  connect(this->Models, &ModelPanel::saveRequested, this, &Window::AskForMaterial);
   connect(this->Findings, &FindingsPanel::inspected, this,
     [this]() { this->Slices->GetView()->SetInspection(this->Findings->GetInspection()); });
   connect(this->Tabs, &QTabWidget::currentChanged, this,
@@ -177,98 +181,6 @@ void Window::MakeStatusBar()
 }
 
 //------------------------------------------------------------------------------
-void Window::MakeMenus()
-{
-  this->MakeFileMenu();
-  this->MakeViewMenu();
-  QMenu* help = this->menuBar()->addMenu(tr("&Help"));
-  help->addAction(tr("&About"), this,
-    [this]()
-    {
-      QMessageBox::about(this, tr("About"),
-        tr("<b>vtkMeasuredBRDF explorer</b><p>Measured materials in VTK scenes in real time.</p>"
-           "<p>Drag in the picture to turn the mesh, drag the line to compare both methods; drop "
-           "files into the "
-           "window to open them.</p>"));
-    });
-}
-
-//------------------------------------------------------------------------------
-void Window::MakeFileMenu()
-{
-  QMenu* file = this->menuBar()->addMenu(tr("&File"));
-  QAction* open = file->addAction(tr("&Open…"), this, [this]() { this->OpenFiles(""); });
-  open->setShortcut(QKeySequence::Open);
-  file->addSeparator();
-  QAction* state = file->addAction(tr("&Save state…"), this,
-    [this]()
-    {
-      this->Ask(tr("Save state"), "explorer.json", tr("States (*.json)"),
-        [this](const QString& path) { this->Model->Save(path.toStdString()); });
-    });
-  state->setShortcut(QKeySequence::Save);
-  QAction* picture = file->addAction(tr("Save &picture…"), this,
-    [this]()
-    {
-      this->Ask(tr("Save picture"), "explorer.png", tr("Pictures (*.png)"),
-        [this](const QString& path) { this->SavePicture(path); });
-    });
-  picture->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_P);
-  QAction* report = file->addAction(tr("Save &report…"), this,
-    [this]()
-    {
-      this->Ask(tr("Save report"), "explorer.html", tr("Reports (*.html *.json)"),
-        [this](const QString& path) { this->SaveReport(path); });
-    });
-  report->setShortcut(Qt::CTRL | Qt::Key_R);
-  file->addSeparator();
-  QAction* quit = file->addAction(tr("&Quit"), this, &QWidget::close);
-  quit->setShortcut(QKeySequence::Quit);
-}
-
-//------------------------------------------------------------------------------
-void Window::MakeViewMenu()
-{
-  QMenu* view = this->menuBar()->addMenu(tr("&View"));
-  QAction* reset =
-    view->addAction(tr("&Reset camera"), this, [this]() { this->View->ResetCamera(); });
-  reset->setShortcut(Qt::Key_Home);
-  QAction* difference = view->addAction(tr("&Difference"));
-  difference->setCheckable(true);
-  difference->setShortcut(Qt::CTRL | Qt::Key_D);
-  connect(difference, &QAction::triggered, this,
-    [this](bool on) { this->Model->SetShown(on ? Shown::Difference : Shown::Split); });
-  QAction* backdrop = view->addAction(tr("&Backdrop"));
-  backdrop->setCheckable(true);
-  backdrop->setShortcut(Qt::CTRL | Qt::Key_B);
-  connect(backdrop, &QAction::triggered, this, [this](bool on) { this->Model->SetBackdrop(on); });
-  connect(this->Model, &Session::pictureChanged, this,
-    [this, difference, backdrop]()
-    {
-      difference->setChecked(this->Model->GetState().Show == Shown::Difference);
-      backdrop->setChecked(this->Model->GetState().Backdrop);
-    });
-  QAction* compare = view->addAction(tr("&Compare this material"), this,
-    [this]()
-    {
-      const std::string& file = this->Model->GetState().Material;
-      this->Compared->SetCompared(file, !this->Compared->IsCompared(file));
-    });
-  compare->setShortcut(Qt::CTRL | Qt::Key_T);
-  QMenu* heights = view->addMenu(tr("Exact &picture"));
-  for (const int height : { 128, 256, 512, 1024 })
-  {
-    heights->addAction(tr("%1 pixels high").arg(height), this,
-      [this, height]() { this->Model->SetReferenceHeight(height); });
-  }
-  view->addSeparator();
-  for (QDockWidget* dock : this->findChildren<QDockWidget*>())
-  {
-    view->addAction(dock->toggleViewAction());
-  }
-}
-
-//------------------------------------------------------------------------------
 void Window::OpenFiles(const QString& kind)
 {
   std::vector<std::string> endings = GetMaterialExtensions();
@@ -294,6 +206,13 @@ void Window::Ask(const QString& title, const QString& name, const QString& filte
   {
     save(path);
   }
+}
+
+//------------------------------------------------------------------------------
+void Window::AskForMaterial()
+{
+  this->Ask(tr("Save material"), "material.exr", tr("Materials (*.exr)"),
+    [this](const QString& path) { this->Model->SaveMaterial(path.toStdString()); });
 }
 
 //------------------------------------------------------------------------------
@@ -435,6 +354,7 @@ void Window::UpdateOverlays()
     if (isReference && !this->Measured->IsComplete())
     {
       text += this->Measured->GetReference() ? tr(" (becoming exact)")
+              : this->Model->IsDirectional() ? tr(" (soon; the graphics card's is shown)")
                                              : tr(" (soon; planned picture shown)");
     }
     this->View->SetLabel(k, text);
@@ -457,5 +377,8 @@ void Window::UpdateTitle()
 QString Window::GetMessage() const { return this->Messages->GetText(); }
 
 //------------------------------------------------------------------------------
-bool Window::IsSettled() const { return this->Background->IsIdle() && this->Measured->IsSettled(); }
+bool Window::IsSettled() const
+{
+  return this->Background->IsIdle() && !this->Model->IsWaiting() && this->Measured->IsSettled();
+}
 } // namespace explorer

@@ -33,8 +33,10 @@ class ImagePanel;
 class ListPanel;
 class LobePanel;
 class MessageBar;
+class ModelPanel;
 class PictureBar;
 class PlanPanel;
+class SamplePanel;
 class SlicePanel;
 struct ReportData;
 
@@ -61,6 +63,8 @@ public:
   SlicePanel* GetSlicePanel() { return this->Slices; }
   EnvironmentPanel* GetEnvironmentPanel() { return this->Light; }
   FindingsPanel* GetFindingsPanel() { return this->Findings; }
+  ModelPanel* GetModelPanel() { return this->Models; }
+  SamplePanel* GetSamplePanel() { return this->Samples; }
   QTabWidget* GetTabs() { return this->Tabs; }
 
   ///@{
@@ -84,9 +88,11 @@ private:
   void MakePanels();
   void MakeMenus();
   void MakeFileMenu();
+  void MakeEditMenu();
   void MakeViewMenu();
   void MakeStatusBar();
   void OpenFiles(const QString& kind);
+  void AskForMaterial();
   void Poll();
   void UpdateOverlays();
   void UpdateTitle();
@@ -109,6 +115,8 @@ private:
   ImagePanel* Image;
   EnvironmentPanel* Light;
   FindingsPanel* Findings;
+  ModelPanel* Models;
+  SamplePanel* Samples;
   QTabWidget* Tabs;
   QLabel* Working;
   QProgressBar* Progress;

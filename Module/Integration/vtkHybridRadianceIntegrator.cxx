@@ -19,6 +19,7 @@
 #include "vtkLightSet.h"
 #include "vtkLightSetRadianceIntegrator.h"
 #include "vtkMath.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkRadianceCostModel.h"
 #include "vtkTableRadianceIntegrator.h"
@@ -398,6 +399,17 @@ vtkIdType vtkHybridRadianceIntegrator::EstimateTextureBytes()
 {
   return this->NewBroad(nullptr, nullptr)->EstimateTextureBytes() +
          32 * this->CountLights(this->LightAngle, this->MaximumNumberOfLights);
+}
+
+//------------------------------------------------------------------------------
+// A table alone is one without lights and maps.
+std::vector<int> vtkHybridRadianceIntegrator::GetEquivalentSizes(
+  const std::string& method, const std::vector<int>& sizes)
+{
+  vtkNew<vtkTableRadianceIntegrator> table;
+  return method == table->GetMethodName() ? std::vector<int>{ sizes.at(0), sizes.at(1), sizes.at(2),
+    0, 0, ToAngleSize(this->LightAngle) }
+                                          : std::vector<int>();
 }
 
 //------------------------------------------------------------------------------

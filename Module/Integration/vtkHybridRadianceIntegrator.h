@@ -104,6 +104,8 @@ public:
   std::vector<std::vector<int>> GetCandidateSizes(bool all) override;
   double EstimateCost(vtkRadianceCostModel* costs) override;
   vtkIdType EstimateTextureBytes() override;
+  std::vector<int> GetEquivalentSizes(
+    const std::string& method, const std::vector<int>& sizes) override;
   bool CanPrune(const std::vector<Attempt>& attempts, double error) override;
   ///@}
 

@@ -237,6 +237,13 @@ double vtkRadianceIntegrator::EstimateCost(vtkRadianceCostModel* costs)
 }
 
 //------------------------------------------------------------------------------
+std::vector<int> vtkRadianceIntegrator::GetEquivalentSizes(
+  const std::string&, const std::vector<int>&)
+{
+  return {};
+}
+
+//------------------------------------------------------------------------------
 bool vtkRadianceIntegrator::CanPrune(const std::vector<Attempt>&, double) { return false; }
 
 //------------------------------------------------------------------------------

@@ -175,8 +175,15 @@ public:
   };
 
   /**
-   * Whether the attempts by this method so far show that these sizes will not come below an error.
-   * Default: they never do.
+   * The sizes with which this method does the same as another one does with its sizes, so that
+   * CanPrune learns from that one's attempts, too. Empty (default): there are none.
+   */
+  virtual std::vector<int> GetEquivalentSizes(
+    const std::string& method, const std::vector<int>& sizes);
+
+  /**
+   * Whether the attempts by this method so far, and those that GetEquivalentSizes knows, show that
+   * these sizes will not come below an error. Default: they never do.
    */
   virtual bool CanPrune(const std::vector<Attempt>& attempts, double error);
 

@@ -37,6 +37,8 @@ struct vtkTableRadianceIntegrator::Tables : RadianceTable
 
 namespace
 {
+constexpr int NodesOfTiles = 2; // times NumberOfNodes, where there are tiles
+
 std::string GetTilesText(const TableTiles& tiles)
 {
   return tiles.Places.empty() ? ""
@@ -144,8 +146,10 @@ bool vtkTableRadianceIntegrator::MakeTable(Tables& table)
   }
   const TableLight light{ *harmonics, this->Lamps ? all.get() : nullptr, LampWindow(table.Rows) };
   const LobeViews& views = parts->GetViews(this->BRDF, this->Abort);
+  // Lobes that need tiles fall between the usual nodes.
+  const int nodes = (table.Tiles.FineRows > 0 ? NodesOfTiles : 1) * this->NumberOfNodes;
   const MaterialPrecomputation::Kernels& knots =
-    parts->GetKernels(this->BRDF, table.Angles, this->NumberOfNodes, this->Abort);
+    parts->GetKernels(this->BRDF, table.Angles, nodes, this->Abort);
   const double scale = this->Abort ? 0.0
                                    : SynthesizeRadiance(
                                        *parts, views, light, knots, degree, this->SmoothingDegree,

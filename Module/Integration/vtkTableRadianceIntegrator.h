@@ -83,7 +83,8 @@ public:
 
   ///@{
   /**
-   * Nodes per angle of the integrals that make the kernels' harmonics (default 64, in [16, 1024]).
+   * Nodes per angle of the integrals that make the kernels' harmonics (default 64, in [16, 1024]);
+   * twice as many where there are tiles.
    */
   virtual void SetNumberOfNodes(int numberOfNodes);
   vtkGetMacro(NumberOfNodes, int);

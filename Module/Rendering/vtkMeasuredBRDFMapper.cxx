@@ -25,7 +25,7 @@ vtkStandardNewMacro(vtkMeasuredBRDFMapper);
 struct vtkMeasuredBRDFMapper::MapDrawing
 {
   explicit MapDrawing(const std::shared_ptr<vtkMeasuredBRDFMapperInternals>& drawing)
-    : Parts(drawing)
+    : Parts(drawing, true)
   {
   }
   PartMappers Parts;
@@ -109,6 +109,9 @@ bool vtkMeasuredBRDFMapper::RenderParts(vtkRenderer* ren, vtkActor* actor)
     this->GetInputAlgorithm()->Update();
   }
   vtkPolyData* input = this->GetInput();
+  ScalarStyle scalars;
+  scalars.Read(this);
+  this->Map->Parts.Expect(input, actor, this, scalars, !this->ExtraAttributes.empty());
   if (!this->Map->Parts.Divide(input))
   {
     return false;

@@ -5,9 +5,11 @@
 // all threads: a software renderer's, whatever else the machine does. Prints the table of
 // docs/maps.md. Needs an OpenGL context.
 //
-//   BenchmarkMaterialMap [ROUNDS [NAME [CACHE]]]    frames of each kind in turns (default 25); only
-//                                             those of which NAME is a part, and the first; plans
-//                                             from a folder and into it, for a second run
+//   BenchmarkMaterialMap [ROUNDS [NAME [CACHE [PIXELS]]]]
+//
+// ROUNDS: frames of each kind in turns (default 25). NAME: only those of which it is a part, and
+// the first. CACHE: a folder that plans come from and go to, for a second run. PIXELS: the window's
+// width and height (default 500).
 
 #include "vtkActor.h"
 #include "vtkBlinnPhongBRDF.h"
@@ -63,11 +65,11 @@ std::vector<vtkSmartPointer<vtkBRDF>> MakeMaterials(int count)
   return materials;
 }
 
-vtkSmartPointer<vtkPolyData> MakeSphere()
+vtkSmartPointer<vtkPolyData> MakeSphere(int resolution = 180)
 {
   vtkNew<vtkSphereSource> sphere;
-  sphere->SetThetaResolution(180);
-  sphere->SetPhiResolution(180);
+  sphere->SetThetaResolution(resolution);
+  sphere->SetPhiResolution(resolution);
   sphere->Update();
   auto copy = vtkSmartPointer<vtkPolyData>::New();
   copy->ShallowCopy(sphere->GetOutput());
@@ -96,12 +98,12 @@ struct Kind
 class Benchmark
 {
 public:
-  Benchmark()
+  explicit Benchmark(int pixels)
   {
     this->Environment->SetToProceduralSky();
     this->Window->SetOffScreenRendering(1);
     this->Window->SetMultiSamples(0);
-    this->Window->SetSize(500, 500);
+    this->Window->SetSize(pixels, pixels);
     this->Window->AddRenderer(this->Renderer);
     this->Renderer->SetAutomaticLightCreation(false);
     this->Renderer->AddActor(this->Actor);
@@ -121,6 +123,13 @@ public:
     for (int classes : { 8, 64 })
     {
       this->AddClasses(classes, false);
+    }
+    this->AddWholeClasses(64);
+    const std::string fine = "one material, as many triangles as 64 classes of points";
+    this->Add(fine, 1, MakeSphere(235), nullptr);
+    if (this->Kinds.back().Name == fine)
+    {
+      this->Kinds.back().Mapper->SetBRDF(this->Materials[0]);
     }
     this->AddValues(8);
     for (int weights : { 2, 3, 4 })
@@ -221,6 +230,20 @@ private:
       this->NewMap(vtkMaterialMap::CLASSES, classes));
   }
 
+  // Classes of points whose polygons are not cut along the borders: vertices have an attribute that
+  // a program might read.
+  void AddWholeClasses(int classes)
+  {
+    const std::size_t before = this->Kinds.size();
+    this->AddClasses(classes, false);
+    if (this->Kinds.size() > before)
+    {
+      this->Kinds.back().Name += ", not cut";
+      this->Kinds.back().Mapper->MapDataArrayToVertexAttribute(
+        "unused", "data", vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
+    }
+  }
+
   void AddValues(int materials)
   {
     const vtkSmartPointer<vtkPolyData> sphere = MakeSphere();
@@ -272,7 +295,7 @@ private:
 
 int main(int argc, char* argv[])
 {
-  Benchmark benchmark;
+  Benchmark benchmark(argc > 4 ? std::max(std::atoi(argv[4]), 1) : 500);
   benchmark.AddAll(argc > 2 ? argv[2] : "", argc > 3 ? argv[3] : "");
   benchmark.Run(argc > 1 ? std::max(std::atoi(argv[1]), 1) : 25);
   return EXIT_SUCCESS;

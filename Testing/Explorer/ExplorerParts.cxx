@@ -75,6 +75,10 @@ void ExplorerParts::stateRoundTrip()
   state.SlicePhiD = 50.0;
   state.SliceLogarithmic = false;
   state.SlicePolar = true;
+  state.Light = { 30.0, -75.0, 2.5 };
+  state.Models["BlinnPhong"]["exponent"] = { 300.0 };
+  state.Models["BlinnPhong"]["specular"] = { 0.1, 0.2, 0.3 };
+  state.Edits["/a/b.binary"][7] = { 0.5f, 0.25f, 0.1f };
   state.Compared = { "chrome", "/a/b.binary" };
   const std::string text = WriteState(state);
   const State again = ReadState(text, "state");
@@ -82,6 +86,9 @@ void ExplorerParts::stateRoundTrip()
   QCOMPARE(again.Tolerance, 0.07);
   QCOMPARE(again.Compared, state.Compared);
   QVERIFY(again.SlicePolar);
+  QCOMPARE(again.Light.Phi, -75.0);
+  QVERIFY(again.Models == state.Models);
+  QVERIFY(again.Edits == state.Edits);
   QCOMPARE(again.Methods[1], std::string("thesis"));
   QCOMPARE(again.Camera.ViewUp[2], 1.0);
   QVERIFY(again.Show == Shown::Difference);
@@ -127,6 +134,34 @@ void ExplorerParts::badStates_data()
                                         << "different";
   QTest::newRow("polar") << R"("slice_polar": 1)"
                          << "slice_polar";
+  QTest::newRow("light from below the world") << R"("light_theta": 181)"
+                                              << "light_theta";
+  QTest::newRow("light's azimuth") << R"("light_phi": "west")"
+                                   << "light_phi";
+  QTest::newRow("negative light") << R"("light_irradiance": -1)"
+                                  << "light_irradiance";
+  QTest::newRow("no such model") << R"("models": {"Phong": {}})"
+                                 << "\"Phong\": expected the name of a model";
+  QTest::newRow("models as a list") << R"("models": [])"
+                                    << "models";
+  QTest::newRow("model as a number") << R"("models": {"Lambert": 1})"
+                                     << "\"Lambert\": expected an object";
+  QTest::newRow("no such parameter") << R"("models": {"Lambert": {"exponent": 1}})"
+                                     << "\"exponent\": expected a parameter";
+  QTest::newRow("two channels") << R"("models": {"Lambert": {"albedo": [1, 1]}})"
+                                << "\"albedo\": expected 3 numbers";
+  QTest::newRow("parameter out of range") << R"("models": {"BlinnPhong": {"exponent": 1e7}})"
+                                          << "\"exponent\": expected a number from 0";
+  QTest::newRow("half a choice") << R"("models": {"AshikhminShirley": {"fresnel": 0.5}})"
+                                 << "\"fresnel\": expected a whole number";
+  QTest::newRow("edits as a list") << R"("edits": [])"
+                                   << "edits";
+  QTest::newRow("edit without blue") << R"("edits": {"a.exr": [[1, 0, 0]]})"
+                                     << "\"a.exr\": expected a list";
+  QTest::newRow("edit of a negative row") << R"("edits": {"a.exr": [[-1, 0, 0, 0]]})"
+                                          << "\"a.exr\"";
+  QTest::newRow("negative edit") << R"("edits": {"a.exr": [[1, 0, 0, -1]]})"
+                                 << "\"a.exr\"";
   QTest::newRow("camera") << R"("camera": 3)"
                           << "an object";
   QTest::newRow("camera in itself")

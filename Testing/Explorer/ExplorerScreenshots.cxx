@@ -1,21 +1,32 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Makes the pictures of docs/explorer.md: ExplorerScreenshots FOLDER [HEIGHT]
+// Makes the pictures of docs/explorer.md: ExplorerScreenshots FOLDER [HEIGHT [editing]]
 #include "Application.h"
 #include "EnvironmentPanel.h"
+#include "Files.h"
 #include "FindingsPanel.h"
 #include "ImagePanel.h"
 #include "LobePanel.h"
+#include "ModelPanel.h"
+#include "SampleModel.h"
+#include "SamplePanel.h"
 #include "SlicePanel.h"
 #include "Window.h"
+
+#include "vtkBRDFResampler.h"
+#include "vtkEmbeddedMaterials.h"
+#include "vtkTabulatedBRDF.h"
 
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QTabWidget>
+#include <QTableView>
+#include <QTemporaryDir>
 #include <QThread>
 
 #include <cstdio>
 #include <cstdlib>
+#include <string>
 
 using namespace explorer;
 
@@ -57,13 +68,48 @@ void Shoot(Window& window, const QString& folder, const char* name)
   image.save(path, "PNG");
   std::printf("%s\n", qPrintable(path));
 }
+
+//------------------------------------------------------------------------------
+// The directional light with a model, and the samples of a table.
+void ShootEditing(Window& window, const QString& folder)
+{
+  Session* session = window.GetSession();
+  session->SetEnvironment(DirectionalLightName);
+  session->SetMethod(1, method::Reference);
+  session->SetModelValues("Distribution", "f0", { 0.9, 0.6, 0.35 });
+  session->SetModelValues("Distribution", "exponent", { 60.0 });
+  session->SetModelValues("Distribution", "albedo", { 0.06, 0.03, 0.02 });
+  session->SetMaterial("model:Distribution");
+  window.GetTabs()->setCurrentWidget(window.GetModelPanel());
+  Settle(window);
+  Shoot(window, folder, "model");
+
+  const QTemporaryDir files;
+  const std::string table = files.filePath("gold-paint.exr").toStdString();
+  const auto gold = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("gold-paint"));
+  vtkNew<vtkBRDFResampler> resampler;
+  resampler->SetInput(gold);
+  resampler->ReciprocalOn();
+  resampler->ResampleTo(36, 18, 45);
+  tool::WriteMaterial(resampler->GetOutput(), table);
+  session->SetMaterial(table);
+  Settle(window);
+  SamplePanel* panel = window.GetSamplePanel();
+  window.GetTabs()->setCurrentWidget(panel);
+  panel->GoToLobe();
+  const int row = panel->GetView()->currentIndex().row();
+  panel->GetModel()->setData(panel->GetModel()->index(row, 3), "2.5");
+  Settle(window);
+  Shoot(window, folder, "samples");
+}
 }
 
 int main(int argc, char* argv[])
 {
   if (argc < 2)
   {
-    std::puts("usage: ExplorerScreenshots FOLDER [HEIGHT of exact pictures]");
+    std::puts(
+      "usage: ExplorerScreenshots FOLDER [HEIGHT of exact pictures [editing: only what is set]]");
     return 2;
   }
   const QString folder = argv[1];
@@ -76,10 +122,17 @@ int main(int argc, char* argv[])
   state.Mesh = "ball-on-foot";
   state.Methods = { method::Planned, method::Reference };
   state.ReferenceHeight = argc > 2 ? std::atoi(argv[2]) : 512;
+  const bool onlyEditing = argc > 3 && std::string(argv[3]) == "editing";
+  state.Environment = onlyEditing ? DirectionalLightName : state.Environment;
   Window window(state);
   window.resize(1280, 800);
   window.show();
   Settle(window);
+  if (onlyEditing)
+  {
+    ShootEditing(window, folder);
+    return 0;
+  }
   Shoot(window, folder, "window");
   window.GetSession()->SetMethod(1, method::LightSet);
   Settle(window);
@@ -104,5 +157,6 @@ int main(int argc, char* argv[])
   window.GetSession()->SetCompared({});
   window.GetTabs()->setCurrentWidget(window.GetImagePanel());
   Shoot(window, folder, "image");
+  ShootEditing(window, folder);
   return 0;
 }

@@ -264,6 +264,10 @@ add("Integration.tiles-where-nothing-bends", "Private/TableTiles.cxx", "scores[a
     "TableTiles.*")
 add("Integration.tiles-with-seams", "Private/TableTiles.cxx", "this->IsInside(row, column % this->GetFineColumns())", "true",
     "TableTiles.NoSeams")
+add("Integration.tiles-of-few-nodes", "vtkTableRadianceIntegrator.cxx", "constexpr int NodesOfTiles = 2;", "constexpr int NodesOfTiles = 1;",
+    "TableTiles.KernelsHaveNodesEnough")
+add("Integration.fine-kernels-stay", "Private/MaterialPrecomputation.cxx", " || it->first.second > mostNodes", "",
+    "MaterialPrecomputation.KeepsExpandedKernels")
 add("Integration.beyond-the-pole-unturned", "Private/FieldSynthesis.cxx", "order % 2 != 0 ? -1.0f : 1.0f", "order % 2 != 0 ? 1.0f : 1.0f",
     "AnisotropicTable.*|TableIntegrator.*|LinearSpline.*")
 add("Integration.products-miss-a-vector", "Private/MatrixProduct.cxx", "this->Second += left[0] * second;", "this->Second += left[0] * first;",
@@ -598,6 +602,14 @@ add("Planning.reference-is-exact", "Private/PlanComparison.cxx", "squares) / sum
     "PlanComparison.PoolsSamplesAndAddsTheReferencesError")
 add("Integration.maps-halve-the-error", "Private/TableCandidates.cxx", "constexpr double LeastOfMaps = 0.7;",
     "constexpr double LeastOfMaps = 0.01;", "MapCandidates.TooManyAreLeftOut")
+add("Integration.maps-lack-nothing-but-rows", "Private/TableCandidates.cxx", "if (table.Sizes[0] < attempt.Sizes[0])", "if (false)",
+    "MapCandidates.AreLeftOutWhereFewerRowsHaveMore|MapCandidates.LearnFromTables")
+add("Integration.tables-teach-hybrids-nothing", "vtkHybridRadianceIntegrator.cxx", "return method == table->GetMethodName()", "return method.empty()",
+    "MapCandidates.LearnFromTables")
+add("Integration.other-half-unmirrored", "Private/FieldSynthesis.cxx", "mirrored ? rows - 1 - row : row;", "row;",
+    "FieldSynthesis.IsTheSumOverHarmonics")
+add("Integration.azimuths-turn-backwards", "Private/AzimuthSeries.cxx", "gain * std::sin(angle)", "-gain * std::sin(angle)",
+    "AzimuthSeries.TurnsEachOrder")
 add("Planning.luck-is-merit", "Private/PlanSearch.cxx", "return !this->MayBeLuck(candidate) || this->Check(candidate);",
     "return true;", "PlanSearch.DoesNotTakeLuckForMerit")
 add("Planning.store-lends-twice", "Private/MaterialStore.cxx", "  Parts parts = std::move(known->Material);\n  this->Entries.erase(known);",
@@ -910,6 +922,16 @@ add("Rendering.map-strips-wind-alternately", "Private/PartSurfaces.cxx", "strip-
     "Parts.StripsAreTrianglesOfTheSameClass")
 add("Rendering.map-points-of-two-parts-are-not-doubled", "Private/PartSurfaces.cxx", "if (!mixed || first == owner)",
     "if (!mixed || first != NoOwner)", "MaterialMapping.ClassesOfPointsAreThoseOfTheNearest")
+add("Rendering.map-borders-run-off-the-middle", "Private/ClassBorders.cxx", "c < 0 ? 0.5 * sum", "c < 0 ? 0.51 * sum",
+    "Parts.BordersBetweenClassesOfPointsAreCut")
+add("Rendering.map-edges-are-cut-twice", "Private/ClassBorders.cxx", "if (isNew)", "if (true)",
+    "Parts.BordersBetweenClassesOfPointsAreCut")
+add("Rendering.map-lone-corners-lose-their-class", "Private/ClassBorders.cxx", "this->AddPiece(3, tip, this->GetClass(alone));",
+    "this->AddPiece(3, tip, this->GetClass(a));", "ClassBorders.AreThoseOfWholePolygons")
+add("Rendering.map-colored-points-are-cut", "Private/PartMappers.cxx", "cellFlag == 0;", "cellFlag == 7;",
+    "ClassBorders.ColorsOfPointsKeepPolygonsWhole")
+add("Rendering.map-hidden-skies-are-cut", "Private/PartMappers.cxx", "return settings.OcclusionMode != 0 &&",
+    "return settings.OcclusionMode > 5 &&", "ClassBorders.HiddenSkiesKeepPolygonsWhole")
 add("Rendering.map-nearest-is-blended", "Private/MixtureShader.cxx", "const bool nearest = this->Part.Kind == MixtureKind::Nearest;",
     "const bool nearest = false;", "MaterialMapping.ClassesOfPointsAreThoseOfTheNearest")
 add("Rendering.map-hats-fall-at-the-ends", "Private/MaterialParts.cxx", "if (k + 1 < knots.size())",
@@ -1009,6 +1031,10 @@ add("Visibility.hidden-rays-without-cosine", "Private/HiddenSky.cxx", "transfer[
     "transfer[j] += values[j];", "HiddenSky.ACraterHidesTheLowSky")
 add("Visibility.panels-hidden-by-slivers", "Private/HiddenSky.cxx", "return this->Trust * std::clamp(", "return std::clamp(",
     "HiddenSky.SliversAtTheHorizonHideNoPanel")
+add("Visibility.lobes-beyond-the-horizon", "Private/HiddenSky.cxx", "const double weight = z * std::exp(", "const double weight = std::exp(",
+    "HiddenSky.ACraterHidesTheLowSky")
+add("Visibility.margins-of-lamps-cut-off", "Private/HiddenSky.cxx", "-LargestMargin, LargestMargin);", "-0.5, 0.5);",
+    "HiddenSky.MarginsSayHowFarLampsAreFromShadows")
 add("Visibility.sectors-count-backwards", "Private/HiddenSky.cxx", "return 2.0 * Pi * sector / HiddenSky::Sectors;",
     "return -2.0 * Pi * sector / HiddenSky::Sectors;", "OcclusionTest.LobesLackTheirHiddenShare")
 add("Visibility.strata-without-offset", "Private/HiddenSky.cxx",
@@ -1066,6 +1092,10 @@ add("Rendering.stale-visibility", "Private/OcclusionArrays.cxx", "problem = isPa
 add("Rendering.hidden-light-unturned", "Private/OcclusionAxes.cxx",
     "this->ToEnvironment.push_back(own * toRenderer * turned);",
     "this->ToEnvironment.push_back(own * toRenderer);", "OcclusionTest.ActorsMayBeTurnedMirroredAndScaled")
+add("Rendering.lobes-without-cosine", "Private/OcclusionLobes.cxx", "cell.Cosine * std::exp(", "cell.SolidAngle * std::exp(",
+    "OcclusionTest.LobesHaveTheKernelsMean")
+add("Shaders.lamps-edges-on-points", "vtkBRDFHiddenSky.glsl", "clamp(max(below, above), -3.0, 3.0)", "clamp(max(below, above), -0.5, 0.5)",
+    "OcclusionTest.ShadowEdgesCrossTriangles")
 add("Shaders.hidden-sky-odds", "vtkBRDFHiddenSky.glsl", "vec3(1.0 / (1.0 + kappa / 12.0))",
     "vec3(1.0 / (1.0 + kappa / 3.0))", "OcclusionTest.LobesLackTheirHiddenShare")
 add("Shaders.hidden-irradiance-counts", "vtkBRDFEnvironmentTable.glsl", "sum += BRDF_OPEN_IRRADIANCE(",

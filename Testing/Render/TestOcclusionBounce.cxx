@@ -149,12 +149,8 @@ protected:
     this->Renderer->GetActiveCamera()->GetPosition(&view.x);
     view = glm::normalize(view);
     const glm::dvec3 n = sky.GetNormal();
-    const double cosine = glm::dot(n, view);
-    const auto lobe = light.Lobes.Get(cosine);
-    const glm::dvec3 rest = view - cosine * n;
-    const glm::dvec3 across = rest / std::max(glm::length(rest), 1e-6);
-    const double share =
-      sky.GetHiddenShare(glm::normalize(lobe.Cosine * n - lobe.Sine * across), lobe.Kappa);
+    const auto lobe = light.Lobes.Get(glm::dot(n, view));
+    const double share = sky.GetHiddenShare(lobe.GetSlope(n, view));
     const glm::dvec3 irradiance =
       light.Bounce->GetAlbedo() * BouncedLight(bounced).GetIrradiance(measuredbrdf::sky::Rotate(
                                     light.Bounce->GetLight(), axes.ToEnvironment[0]));

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
 
 namespace measuredbrdf
 {
@@ -48,6 +49,72 @@ void AddLit(const EnvironmentHarmonics& light, int m, int first,
     }
   }
 }
+
+constexpr std::size_t KindsAtATime = 8; // a cache line
+
+std::complex<float> Times(const std::complex<float>& a, const std::complex<float>& b)
+{
+  return { a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real() };
+}
+
+// Where a row's terms lie in a Fourier transform of the columns, and what each is multiplied by.
+class RowTerms
+{
+public:
+  RowTerms(int degree, int columns, MapNodes nodes)
+    : Degree(static_cast<std::size_t>(degree))
+  {
+    for (int m = -degree; m <= degree; ++m)
+    {
+      const double frequency = static_cast<double>(m) / columns;
+      this->Factors.push_back(nodes == MapNodes::Centers // half a column on
+                                ? std::polar(1.0f, static_cast<float>(-Pi * frequency))
+                                : static_cast<float>(GetLinearSplineGain(frequency)));
+      this->Places.push_back(static_cast<std::size_t>((m % columns + columns) % columns));
+    }
+  }
+
+  using Lines = std::array<FieldSynthesis::Field, KindsAtATime>;
+
+  /// in: count of the kinds, after each other for each m.
+  void Add(const std::complex<float>* in, std::size_t kinds, std::size_t count, Lines& lines) const
+  {
+    for (std::size_t item = 0; item < this->Places.size(); ++item, in += kinds)
+    {
+      for (std::size_t k = 0; k < count; ++k)
+      {
+        lines[k][this->Places[item]] += Times(this->Factors[item], in[k]);
+      }
+    }
+  }
+
+  /// Of real fields, whose terms of m and -m are conjugates: those of m >= 0 suffice, and two
+  /// fields are the real and the imaginary part of one.
+  void AddReal(
+    const std::complex<float>* in, std::size_t kinds, std::size_t count, Lines& lines) const
+  {
+    in += this->Degree * kinds;
+    for (std::size_t m = 0; m <= this->Degree; ++m, in += kinds)
+    {
+      for (std::size_t k = 0; k < count; ++k)
+      {
+        const std::complex<float> value = Times(this->Factors[this->Degree + m], in[k]);
+        const std::complex<float> unit =
+          k % 2 == 0 ? std::complex<float>(1.0f) : std::complex<float>(0.0f, 1.0f);
+        lines[k / 2][this->Places[this->Degree + m]] += Times(unit, value);
+        if (m > 0)
+        {
+          lines[k / 2][this->Places[this->Degree - m]] += Times(unit, std::conj(value));
+        }
+      }
+    }
+  }
+
+private:
+  std::size_t Degree;
+  std::vector<std::complex<float>> Factors;
+  std::vector<std::size_t> Places;
+};
 }
 
 FieldSynthesis::FieldSynthesis(const EnvironmentHarmonics& environment, int rows, int columns,
@@ -74,7 +141,7 @@ void FieldSynthesis::Run(
                  static_cast<std::size_t>(kernels[0].cols()));
   }
   const int degree = static_cast<int>(kernels[0].rows()) - 1;
-  this->SumOrders(this->SumDegrees(order, kernels, more), degree, result);
+  this->SumOrders(order, this->SumDegrees(order, kernels, more), degree, result);
   if (this->Nodes == MapNodes::Poles)
   {
     this->FitRows(order, result);
@@ -171,87 +238,129 @@ FieldSynthesis::Turns FieldSynthesis::GetTurns(int m, int order, int degree) con
   return turns;
 }
 
+bool FieldSynthesis::AreRowsSymmetric() const
+{
+  bool symmetric = true;
+  for (std::size_t row = 0; row < this->Chosen.size(); ++row)
+  {
+    symmetric = symmetric &&
+                this->Chosen[row] + *(this->Chosen.rbegin() + static_cast<std::ptrdiff_t>(row)) ==
+                  this->AllRows - 1;
+  }
+  return symmetric;
+}
+
 // The sum over l: [row][m][channel][kernel].
 FieldSynthesis::Field FieldSynthesis::SumDegrees(
   int order, const Kernels& kernels, const More* more) const
 {
   const int degree = static_cast<int>(kernels[0].rows()) - 1;
+  const std::size_t rows = static_cast<std::size_t>(this->Rows);
   const std::size_t kinds = 3 * static_cast<std::size_t>(kernels[0].cols());
   const std::size_t orders = 2 * static_cast<std::size_t>(degree) + 1;
   const std::size_t columns = RoundUp(2 * kinds, ProductColumns);
-  Field series(orders * kinds * static_cast<std::size_t>(this->Rows));
-  vtkSMPTools::For(0, static_cast<vtkIdType>(orders), 1,
+  const bool isSymmetric = this->AreRowsSymmetric();
+  Field series(orders * kinds * rows);
+  const auto add = [&](int m, const Turns& turns, bool mirrored)
+  {
+    if (turns.Begin == turns.End)
+    {
+      return;
+    }
+    std::vector<float> lit(turns.Size * columns, 0.0f);
+    AddLit(this->Environment, m, turns.First, kernels, columns, lit);
+    if (more)
+    {
+      AddLit(more->Light, m, turns.First, more->Kernels, columns, lit);
+    }
+    for (std::size_t k = 0; mirrored && k < turns.Size; ++k)
+    {
+      if ((turns.First + static_cast<int>(k) - order) % 2 != 0)
+      {
+        std::transform(
+          &lit[k * columns], &lit[k * columns] + columns, &lit[k * columns], std::negate<float>());
+      }
+    }
+    const std::size_t height = RoundUp(turns.End - turns.Begin, ProductRows);
+    std::vector<float> product(height * columns);
+    Multiply(&turns.Values[turns.Begin * turns.Size], lit.data(), height, turns.Size, columns,
+      product.data());
+    for (std::size_t row = turns.Begin; row < turns.End; ++row)
+    {
+      const auto* in =
+        reinterpret_cast<const std::complex<float>*>(&product[(row - turns.Begin) * columns]);
+      const std::size_t to = mirrored ? rows - 1 - row : row;
+      std::copy(
+        in, in + kinds, &series[(to * orders + static_cast<std::size_t>(m + degree)) * kinds]);
+    }
+  };
+  vtkSMPTools::For(0, degree + 1, 1,
     [&](vtkIdType begin, vtkIdType end)
     {
-      std::vector<float> lit, product;
-      for (std::size_t item = static_cast<std::size_t>(begin); item < static_cast<std::size_t>(end);
-           ++item)
+      for (int m = static_cast<int>(begin); m < static_cast<int>(end); ++m)
       {
-        const int m = static_cast<int>(item) - degree;
         const Turns turns = this->GetTurns(m, order, degree); // for all channels and kernels
-        if (turns.Begin == turns.End)
+        add(m, turns, false);
+        if (m > 0 && order > 0) // of order 0 the field is real: SumOrders needs no more
         {
-          continue;
-        }
-        lit.assign(turns.Size * columns, 0.0f);
-        AddLit(this->Environment, m, turns.First, kernels, columns, lit);
-        if (more)
-        {
-          AddLit(more->Light, m, turns.First, more->Kernels, columns, lit);
-        }
-        const std::size_t height = RoundUp(turns.End - turns.Begin, ProductRows);
-        product.resize(height * columns);
-        Multiply(&turns.Values[turns.Begin * turns.Size], lit.data(), height, turns.Size, columns,
-          product.data());
-        for (std::size_t row = turns.Begin; row < turns.End; ++row)
-        {
-          const auto* in =
-            reinterpret_cast<const std::complex<float>*>(&product[(row - turns.Begin) * columns]);
-          std::copy(in, in + kinds, &series[(row * orders + item) * kinds]);
+          // d^l_-mk(theta) = (-1)^(l-k) d^l_mk(pi - theta).
+          isSymmetric ? add(-m, turns, true) : add(-m, this->GetTurns(-m, order, degree), false);
         }
       }
     });
   return series;
 }
 
-// The sum over m, by fast Fourier transforms over the azimuth.
-void FieldSynthesis::SumOrders(const Field& series, int degree, std::array<Field, 3>& result) const
+// The sum over m, by fast Fourier transforms over the azimuth, some kinds at a time.
+void FieldSynthesis::SumOrders(
+  int order, const Field& series, int degree, std::array<Field, 3>& result) const
 {
   const std::size_t rows = static_cast<std::size_t>(this->Rows);
   const std::size_t columns = static_cast<std::size_t>(this->Columns);
   const std::size_t orders = 2 * static_cast<std::size_t>(degree) + 1;
   const std::size_t kinds = series.size() / (orders * rows);
   const std::size_t each = kinds / 3;
-  std::vector<std::complex<float>> turns(orders);
-  for (std::size_t item = 0; item < orders; ++item)
-  {
-    const double frequency = (static_cast<double>(item) - degree) / this->Columns;
-    turns[item] = this->Nodes == MapNodes::Centers // half a column on
-                    ? std::polar(1.0f, static_cast<float>(-Pi * frequency))
-                    : static_cast<float>(GetLinearSplineGain(frequency));
-  }
+  const RowTerms terms(degree, this->Columns, this->Nodes);
   vtkSMPTools::For(0, static_cast<vtkIdType>(rows), 1,
     [&](vtkIdType begin, vtkIdType end)
     {
       Eigen::FFT<float> transform;
-      Field line(columns), field(columns);
+      std::array<Field, KindsAtATime> lines;
       for (std::size_t row = static_cast<std::size_t>(begin); row < static_cast<std::size_t>(end);
            ++row)
       {
-        for (std::size_t kind = 0; kind < kinds; ++kind)
+        for (std::size_t kind = 0; kind < kinds; kind += KindsAtATime)
         {
-          std::fill(line.begin(), line.end(), 0.0f);
-          for (std::size_t item = 0; item < orders; ++item)
+          const std::size_t count = std::min(KindsAtATime, kinds - kind);
+          const auto* in = &series[row * orders * kinds + kind];
+          const auto getResult = [&](std::size_t k)
+          { return &result[k / each][(k % each * rows + row) * columns]; };
+          for (Field& line : lines)
           {
-            const int m = static_cast<int>(item) - degree;
-            const int n = this->Columns;
-            line[static_cast<std::size_t>((m % n + n) % n)] +=
-              turns[item] * series[(row * orders + item) * kinds + kind];
+            line.assign(columns, 0.0f);
           }
-          transform.fwd(field, line);
-          std::copy(field.begin(), field.end(),
-            result[kind / each].begin() +
-              static_cast<std::ptrdiff_t>((kind % each * rows + row) * columns));
+          if (order > 0)
+          {
+            terms.Add(in, kinds, count, lines);
+            for (std::size_t k = 0; k < count; ++k)
+            {
+              transform.fwd(
+                getResult(kind + k), lines[k].data(), static_cast<Eigen::Index>(columns));
+            }
+            continue;
+          }
+          terms.AddReal(in, kinds, count, lines);
+          Field both(columns);
+          for (std::size_t k = 0; k < count; ++k)
+          {
+            if (k % 2 == 0)
+            {
+              transform.fwd(both.data(), lines[k / 2].data(), static_cast<Eigen::Index>(columns));
+            }
+            std::transform(both.begin(), both.end(), getResult(kind + k),
+              [k](const std::complex<float>& value)
+              { return k % 2 == 0 ? value.real() : value.imag(); });
+          }
         }
       }
     });

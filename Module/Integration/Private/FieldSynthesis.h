@@ -68,9 +68,11 @@ private:
     std::vector<float> Values; // by row
   };
   Turns GetTurns(int m, int order, int degree) const;
+  /// Of order 0, which is real, of m >= 0 only.
   Field SumDegrees(int order, const Kernels& kernels, const More* more) const;
   void FitRows(int order, std::array<Field, 3>& result) const;
-  void SumOrders(const Field& series, int degree, std::array<Field, 3>& result) const;
+  void SumOrders(int order, const Field& series, int degree, std::array<Field, 3>& result) const;
+  bool AreRowsSymmetric() const; // about the equator
 
   const EnvironmentHarmonics& Environment;
   int AllRows;

@@ -95,12 +95,12 @@ const LobeViews& MaterialPrecomputation::GetViews(vtkBRDF* brdf, const std::atom
   return *this->Views;
 }
 
-void MaterialPrecomputation::Trim(int mostAngles)
+void MaterialPrecomputation::Trim(int mostAngles, int mostNodes)
 {
   this->Remainders.clear();
   for (auto it = this->KernelsOf.begin(); it != this->KernelsOf.end();)
   {
-    if (it->first.first > mostAngles)
+    if (it->first.first > mostAngles || it->first.second > mostNodes)
     {
       this->Expansions.erase(&it->second);
       it = this->KernelsOf.erase(it);

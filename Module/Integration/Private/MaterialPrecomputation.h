@@ -64,9 +64,9 @@ public:
   /// The material's views: for a profile, and to be split into parts.
   const LobeViews& GetViews(vtkBRDF* brdf, const std::atomic<bool>& abort);
 
-  /// Without what few plans need: kernels at more than so many angles, and what a factored table
-  /// lacks.
-  void Trim(int mostAngles);
+  /// Without what few plans need: kernels at more than so many angles or of more than so many
+  /// nodes, and what a factored table lacks.
+  void Trim(int mostAngles, int mostNodes);
 
   /// Of an isotropic material's data on the heap, about.
   std::size_t GetBytes() const;

@@ -33,27 +33,26 @@ int RadianceCore::GetNumberOfFields() const
   return fields;
 }
 
-// A mode's fields, scaled to what a texture holds; returns what undoes that.
-double RadianceCore::AddFields(const CoreMode& mode, const FieldSynthesis& synthesis)
+// A mode's fields, as the synthesis has them, scaled to what a texture holds; returns what undoes
+// that.
+double RadianceCore::AddFields(
+  int order, const std::array<FieldSynthesis::Field, 3>& fields, std::size_t mode)
 {
   const std::size_t texels = this->GetNumberOfTexels();
-  const FieldSynthesis::Matrix kernel = mode.Function.cast<float>();
-  std::array<FieldSynthesis::Field, 3> result;
-  synthesis.Run(mode.Order, { kernel, kernel, kernel }, result);
   // 2 Re(e^(-i m psi) G) = 2 cos(m psi) Re G + 2 sin(m psi) Im G.
   const std::size_t first = this->Fields.size();
-  this->Fields.resize(
-    first + 3 * texels * static_cast<std::size_t>(CoreMode::CountFields(mode.Order)));
+  this->Fields.resize(first + 3 * texels * static_cast<std::size_t>(CoreMode::CountFields(order)));
   float* real = &this->Fields[first];
   float peak = 0.0f;
   for (std::size_t channel = 0; channel < 3; ++channel)
   {
     for (std::size_t texel = 0; texel < texels; ++texel)
     {
-      const std::complex<float> value = (mode.Order > 0 ? 2.0f : 1.0f) * result[channel][texel];
+      const std::complex<float> value =
+        (order > 0 ? 2.0f : 1.0f) * fields[channel][mode * texels + texel];
       real[3 * texel + channel] = value.real();
       peak = std::max(peak, std::abs(value));
-      if (mode.Order > 0)
+      if (order > 0)
       {
         real[3 * (texels + texel) + channel] = value.imag();
       }
@@ -64,7 +63,7 @@ double RadianceCore::AddFields(const CoreMode& mode, const FieldSynthesis& synth
   {
     this->Fields[k] = glm::unpackHalf1x16(glm::packHalf1x16(scale * this->Fields[k]));
   }
-  this->Orders.push_back(mode.Order);
+  this->Orders.push_back(order);
   return 1.0 / static_cast<double>(scale);
 }
 
@@ -89,14 +88,30 @@ bool RadianceCore::Make(const EnvironmentHarmonics& environment, const LobeViews
     const double delta = views.GetViews()[static_cast<std::size_t>(view)].Means.Delta;
     put(0, view, { 0.0, std::cos(delta), std::sin(delta) });
   }
-  for (std::size_t k = 0; k < modes.size(); ++k)
+  for (std::size_t k = 0, next = 0; k < modes.size(); k = next)
   {
-    const double scale = this->AddFields(modes[k], synthesis);
-    for (int view = 0; view < size; ++view)
+    const int order = modes[k].Order;
+    while (next < modes.size() && modes[next].Order == order)
     {
-      put(1 + k, view, scale * modes[k].GetWeight(kernels, LobeViews::GetAngle(view)));
+      ++next;
     }
-    if (!goOn(static_cast<double>(k + 1) / static_cast<double>(modes.size())))
+    FieldSynthesis::Matrix functions(
+      modes[k].Function.size(), static_cast<Eigen::Index>(next - k)); // turned alike
+    for (std::size_t mode = k; mode < next; ++mode)
+    {
+      functions.col(static_cast<Eigen::Index>(mode - k)) = modes[mode].Function.cast<float>();
+    }
+    std::array<FieldSynthesis::Field, 3> fieldsOfModes;
+    synthesis.Run(order, { functions, functions, functions }, fieldsOfModes);
+    for (std::size_t mode = k; mode < next; ++mode)
+    {
+      const double scale = this->AddFields(order, fieldsOfModes, mode - k);
+      for (int view = 0; view < size; ++view)
+      {
+        put(1 + mode, view, scale * modes[mode].GetWeight(kernels, LobeViews::GetAngle(view)));
+      }
+    }
+    if (!goOn(static_cast<double>(next) / static_cast<double>(modes.size())))
     {
       return false;
     }

@@ -18,11 +18,13 @@
 
 #include "CoreModes.h"
 #include "EnvironmentHarmonics.h"
+#include "FieldSynthesis.h"
 #include "LobeViews.h"
 #include "Neighbors.h"
 
 #include <glm/glm.hpp>
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <string>
@@ -30,8 +32,6 @@
 
 namespace measuredbrdf
 {
-class FieldSynthesis;
-
 struct RadianceCore
 {
   explicit RadianceCore(int rows)
@@ -69,7 +69,7 @@ struct RadianceCore
   ///@}
 
 private:
-  double AddFields(const CoreMode& mode, const FieldSynthesis& synthesis);
+  double AddFields(int order, const std::array<FieldSynthesis::Field, 3>& fields, std::size_t mode);
 };
 } // namespace measuredbrdf
 

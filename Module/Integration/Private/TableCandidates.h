@@ -34,7 +34,8 @@ bool CanPruneTable(const std::vector<int>& sizes,
   const std::vector<vtkRadianceIntegrator::Attempt>& attempts, double tolerance);
 
 /// The same for so many maps of the sharp part of so many rows. attempts: with maps, no more of
-/// them; tables: without maps, beside the same lights. These show what more rows gain.
+/// them; tables: without maps, beside the same lights. These show what more rows gain, and what
+/// maps lack that is no matter of rows.
 bool CanPruneMaps(int rows, int maps, const std::vector<vtkRadianceIntegrator::Attempt>& attempts,
   const std::vector<vtkRadianceIntegrator::Attempt>& tables, double tolerance);
 } // namespace measuredbrdf

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TableSynthesis.h"
 
+#include "AzimuthSeries.h"
 #include "ClampedCosine.h"
 #include "FieldSynthesis.h"
 #include "HalfVector.h" // for Pi
-#include "LinearSpline.h"
 #include "LobeHarmonics.h"
 #include "LobePlacement.h"
 #include "RingLimiter.h"
@@ -21,7 +21,6 @@
 #include <array>
 #include <atomic>
 #include <cmath>
-#include <complex>
 #include <cstddef>
 #include <functional>
 #include <utility>
@@ -103,39 +102,6 @@ std::array<FieldSynthesis::Matrix, 3> PickOrder(
   }
   return matrices;
 }
-
-// One order's fields, turned to each azimuth of the plane of incidence.
-void AddOrder(int order, const std::array<FieldSynthesis::Field, 3>& fields,
-  const RadianceTable& table, std::size_t texels, std::vector<float>& radiance)
-{
-  const std::size_t slices = static_cast<std::size_t>(table.Azimuths) + 1;
-  vtkSMPTools::For(0, static_cast<vtkIdType>(slices), 1,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType azimuth = begin; azimuth < end; ++azimuth)
-      {
-        const double gain = GetLinearSplineGain(static_cast<double>(order) / table.Azimuths);
-        const std::complex<float> turn =
-          std::polar(static_cast<float>(order == 0 ? 1.0 : 2.0 * gain),
-            static_cast<float>(-2.0 * Pi * order * static_cast<double>(azimuth) / table.Azimuths));
-        for (std::size_t angle = 0; angle < static_cast<std::size_t>(table.Angles); ++angle)
-        {
-          const std::size_t slice = angle * slices + static_cast<std::size_t>(azimuth);
-          float* out = &radiance[3 * slice * texels];
-          for (std::size_t channel = 0; channel < 3; ++channel)
-          {
-            const std::complex<float>* in = &fields[channel][angle * texels];
-            for (std::size_t texel = 0; texel < texels; ++texel)
-            {
-              out[3 * texel + channel] +=
-                turn.real() * in[texel].real() - turn.imag() * in[texel].imag();
-            }
-          }
-        }
-      }
-    });
-}
-
 }
 
 std::vector<std::vector<float>> ExpandTableKernels(MaterialPrecomputation& parts,
@@ -228,8 +194,7 @@ std::vector<float> SynthesizeMaps(MaterialPrecomputation& parts, const LobeViews
     maps.Chosen.empty() ? static_cast<std::size_t>(maps.AllRows) : maps.Chosen.size();
   const int columns = 2 * (maps.AllRows - 1);
   const std::size_t texels = rows * static_cast<std::size_t>(columns);
-  std::vector<float> radiance(
-    3 * texels * static_cast<std::size_t>(table.Angles * (table.Azimuths + 1)));
+  AzimuthSeries series(table.Angles, table.Azimuths, texels);
   const FieldSynthesis synthesis(
     light.Environment, maps.AllRows, columns, MapNodes::Poles, maps.Chosen);
   std::array<FieldSynthesis::Field, 3> fields;
@@ -246,12 +211,13 @@ std::vector<float> SynthesizeMaps(MaterialPrecomputation& parts, const LobeViews
       const int last = GetNeededDegree(kernels, strengths, order, degree);
       synthesis.Run(order, PickOrder(kernels, order, degree, last), fields);
     }
-    AddOrder(order, fields, table, texels, radiance);
+    series.Set(order, fields);
     if (!goOn((order + 1.0) / (orders + 1)))
     {
       return {};
     }
   }
+  std::vector<float> radiance = series.TakeRadiance();
   LiftDarkRings(radiance, rows, static_cast<std::size_t>(columns));
   return radiance;
 }

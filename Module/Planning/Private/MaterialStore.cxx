@@ -11,6 +11,7 @@ namespace measuredbrdf
 namespace
 {
 constexpr int MostAngles = 12; // of views that kernels are kept for
+constexpr int MostNodes = 64;  // but those of large tables
 }
 
 MaterialStore& MaterialStore::Get()
@@ -39,7 +40,7 @@ void MaterialStore::PutBack(const std::string& key, Parts parts)
   {
     return;
   }
-  parts->Trim(MostAngles);
+  parts->Trim(MostAngles, MostNodes);
   const std::size_t bytes = parts->GetBytes();
   const std::lock_guard<std::mutex> lock(this->Mutex);
   this->Entries.remove_if([&key](const Entry& entry) { return entry.Key == key; });

@@ -125,9 +125,13 @@ bool PlanSearch::CanPrune(const PlanCandidate& candidate, double error) const
   std::vector<vtkRadianceIntegrator::Attempt> attempts;
   for (const PlanCandidate& tried : this->Found.Candidates)
   {
-    if (tried.Method == candidate.Method)
+    const std::vector<int> sizes =
+      tried.Method == candidate.Method
+        ? tried.Sizes
+        : candidate.Integrator->GetEquivalentSizes(tried.Method, tried.Sizes);
+    if (!sizes.empty())
     {
-      attempts.push_back({ tried.Sizes, tried.Error });
+      attempts.push_back({ sizes, tried.Error });
     }
   }
   return candidate.Integrator->CanPrune(attempts, error);

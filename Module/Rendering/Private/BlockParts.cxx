@@ -40,7 +40,7 @@ void BlockParts::Update(const BlockMaterials& blocks)
     Block& block = this->Blocks[surface];
     if (!block.Parts)
     {
-      block.Parts = std::make_unique<PartMappers>(this->Drawing);
+      block.Parts = std::make_unique<PartMappers>(this->Drawing, false);
     }
     const bool used = block.Parts->Divide(surface);
     const unsigned long revision = block.Parts->GetParts().GetRevision();

@@ -144,6 +144,18 @@ std::string CellMaterials::FindClasses(vtkPolyData* input, vtkMaterialMap* map,
   return "";
 }
 
+void CellMaterials::SetClasses(const std::vector<int>& ofPolygons)
+{
+  this->Sets.clear();
+  this->KnownSets.clear();
+  this->SetOfPolygon.clear();
+  this->PointClasses.clear();
+  for (int cls : ofPolygons)
+  {
+    this->SetOfPolygon.push_back(this->AddSet({ cls }));
+  }
+}
+
 // The materials whose hats are not 0 somewhere between two values: numbers from 1, in the order of
 // their values.
 CellMaterials::Set CellMaterials::FindRange(vtkMaterialMap* map, double least, double largest) const

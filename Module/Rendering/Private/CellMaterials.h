@@ -53,6 +53,13 @@ public:
   ///@}
 
   ///@{
+  /// Classes of points, as numbers; empty: there are none. From SetClasses on each polygon is of
+  /// one class, and the points are of none.
+  const std::vector<int>& GetPointClasses() const { return this->PointClasses; }
+  void SetClasses(const std::vector<int>& ofPolygons);
+  ///@}
+
+  ///@{
   /// Values at points, or of polygons, 0 at the map's first and 1 at its last; empty: there are
   /// none.
   const std::vector<float>& GetPointValues() const { return this->PointValues; }

@@ -105,16 +105,20 @@ void MaterialParts::Clear()
   if (this->Input)
   {
     const unsigned long revision = this->Revision;
+    const bool cuts = this->CutsBorders;
     *this = MaterialParts();
     this->Revision = revision + 1;
+    this->CutsBorders = cuts;
   }
 }
 
 std::string MaterialParts::Update(
   vtkPolyData* input, vtkMaterialMap* map, vtkBRDF* others, std::string& warning)
 {
+  // Not to and fro: actors and windows that share a mapper may differ in whether borders are cut.
   if (input != this->Input || input->GetMTime() != this->InputTime || map != this->Map ||
-      map->GetDivisionMTime() != this->MapTime || others != this->Others)
+      map->GetDivisionMTime() != this->MapTime || others != this->Others ||
+      (this->AreCut && !this->CutsBorders))
   {
     this->Input = input;
     this->InputTime = input->GetMTime();
@@ -134,6 +138,7 @@ std::string MaterialParts::Update(
 
 std::string MaterialParts::Divide(vtkPolyData* input, vtkMaterialMap* map, vtkBRDF* others)
 {
+  this->AreCut = false;
   PartSurfaces surfaces(input);
   CellMaterials cells;
   const std::string problem =
@@ -141,6 +146,11 @@ std::string MaterialParts::Divide(vtkPolyData* input, vtkMaterialMap* map, vtkBR
   if (!problem.empty())
   {
     return problem;
+  }
+  this->AreCut = this->CutsBorders && !cells.GetPointClasses().empty();
+  if (this->AreCut)
+  {
+    surfaces.CutBorders(cells);
   }
   const bool onScale = map->GetMode() == vtkMaterialMap::VALUES;
   const PartSets sets(

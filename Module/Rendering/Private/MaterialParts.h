@@ -68,6 +68,10 @@ public:
   /// Parts are merged, where weights allow that, until there are no more of them than this.
   static constexpr int WantedNumberOfParts = 32;
 
+  /// Whether polygons may be cut along the borders between classes of points (ClassBorders), from
+  /// the next change of the input or the map on; false counts at once. Default: false.
+  void SetCutsBorders(bool cuts) { this->CutsBorders = cuts; }
+
   /// Divide anew if the input, the map or the material for the rest changed. Returns why the map
   /// cannot be used (there are no parts then), or "". warning: what is odd about the data, or "".
   std::string Update(
@@ -119,6 +123,8 @@ private:
   vtkMTimeType MapTime = 0;
   vtkSmartPointer<vtkBRDF> Others;
   unsigned long Revision = 0;
+  bool CutsBorders = false;
+  bool AreCut = false; // those of the parts
 };
 } // namespace measuredbrdf
 

@@ -4,14 +4,10 @@
 
 #include "EnvironmentPrecomputation.h"
 #include "HiddenSky.h"
-#include "LobeMeans.h"
-#include "LobeQuadrature.h"
-#include "LocalFrame.h"
 #include "vtkBRDF.h"
 #include "vtkEnvironment.h"
 #include "vtkFactoredRadianceIntegrator.h"
 #include "vtkHybridRadianceIntegrator.h"
-#include "vtkLightSet.h"
 #include "vtkMath.h"
 #include "vtkTableRadianceIntegrator.h"
 
@@ -25,8 +21,6 @@ namespace measuredbrdf
 namespace
 {
 constexpr double Pi = 3.14159265358979323846;
-constexpr int Cells = 512; // of a view's quadrature
-const double LastView = std::acos(MinimumViewCosine);
 
 // The real harmonics of an environment in its own axes. EnvironmentHarmonics' frame has the
 // environment's (z, x, y) as its axes.
@@ -78,57 +72,6 @@ void Subtract(const EnvironmentPanels::Panel& panel, sky::Colors& light)
     }
   }
 }
-}
-
-OcclusionLobes::OcclusionLobes(vtkBRDF* brdf, bool withFloor)
-{
-  brdf->Prepare();
-  for (std::size_t k = 0; k < Views; ++k)
-  {
-    const double theta = LastView * static_cast<double>(k) / (Views - 1);
-    const LobeQuadrature quadrature(brdf, glm::dvec3(std::sin(theta), 0.0, std::cos(theta)), Cells);
-    const LobeMeans means(quadrature);
-    const glm::dvec3 floor = withFloor ? glm::dvec3(0.0) : means.Floor;
-    glm::dvec3 axis(0.0);
-    for (const LobeQuadrature::Cell& cell : quadrature.GetCells())
-    {
-      const double energy = LobeQuadrature::GetEnergy(cell, floor);
-      axis += cell.Direction * (withFloor ? energy : energy * energy / cell.SolidAngle);
-    }
-    const double length = glm::length(axis);
-    axis = length > 0.0 ? axis / length : glm::dvec3(0.0, 0.0, 1.0);
-    double energy = 0.0;
-    double along = 0.0;
-    for (const LobeQuadrature::Cell& cell : quadrature.GetCells())
-    {
-      const double part = LobeQuadrature::GetEnergy(cell, floor);
-      energy += part;
-      along += part * glm::dot(cell.Direction, axis);
-    }
-    // The von Mises-Fisher lobe with this mean cosine.
-    const double mean = energy > 0.0 ? std::clamp(along / energy, 0.0, 0.9999) : 0.0;
-    const double s = std::hypot(axis.x, axis.z);
-    Lobe& lobe = this->Lobes[k];
-    lobe.Cosine = s > 0.0 ? axis.z / s : 1.0;
-    lobe.Sine = s > 0.0 ? -axis.x / s : 0.0;
-    lobe.Kappa = std::min(vtkLightSet::GetConcentrationOfVariance(1.0 - mean * mean),
-      static_cast<double>(HiddenSky::LargestKappa));
-    lobe.Lambert = floor;
-    lobe.Albedo = means.Amplitude + Pi * (means.Floor - floor);
-  }
-}
-
-OcclusionLobes::Lobe OcclusionLobes::Get(double cosine) const
-{
-  const double theta = std::acos(std::clamp(cosine, MinimumViewCosine, 1.0));
-  const double at = theta / LastView * (Views - 1);
-  const auto low = std::min(static_cast<std::size_t>(at), static_cast<std::size_t>(Views - 2));
-  const double t = at - static_cast<double>(low);
-  const Lobe& a = this->Lobes[low];
-  const Lobe& b = this->Lobes[low + 1];
-  return { a.Cosine + t * (b.Cosine - a.Cosine), a.Sine + t * (b.Sine - a.Sine),
-    a.Kappa + t * (b.Kappa - a.Kappa), glm::mix(a.Lambert, b.Lambert, t),
-    glm::mix(a.Albedo, b.Albedo, t) };
 }
 
 OcclusionLight::OcclusionLight(
@@ -196,16 +139,14 @@ OcclusionLight::Hidden OcclusionLight::GetHidden(
   const HiddenSky& sky, const glm::dvec3& view, const glm::dmat3& toEnvironment) const
 {
   const glm::dvec3 n = sky.GetNormal();
-  const double cosine = glm::dot(n, view);
-  const OcclusionLobes::Lobe lobe = this->Lobes.Get(cosine);
-  const glm::dvec3 rest = view - cosine * n;
-  const glm::dvec3 across = rest / std::max(glm::length(rest), 1e-6);
-  const glm::dvec3 axis = glm::normalize(lobe.Cosine * n - lobe.Sine * across);
+  const OcclusionLobes::Lobe lobe = this->Lobes.Get(glm::dot(n, view));
+  const glm::dvec3 slope = lobe.GetSlope(n, view);
+  const double kappa = glm::length(slope);
   const sky::Colors light = this->GetLight(toEnvironment);
   const glm::dvec3 irradiance = sky::GetIrradiance(light, n);
   Hidden hidden = { sky.GetHiddenIrradiance(light), glm::dvec3(0.0) };
-  const glm::dvec3 share = sky.GetHiddenLight(
-    sky.GetHiddenShare(axis, lobe.Kappa), lobe.Kappa, hidden.Irradiance, irradiance);
+  const glm::dvec3 share =
+    sky.GetHiddenLight(sky.GetHiddenShare(slope), kappa, hidden.Irradiance, irradiance);
   // Radiance in the lobe: of the rest, then of panels.
   glm::dvec3 all = glm::max(irradiance, glm::dvec3(1e-12)) / Pi;
   glm::dvec3 lost = share * all;
@@ -215,12 +156,13 @@ OcclusionLight::Hidden OcclusionLight::GetHidden(
     const double radius = GetPanelRadius(panel);
     const double z = glm::dot(d, n);
     const double rise = std::max(z + radius, 0.0);
+    const double cosine = z > radius ? z : rise * rise / (4.0 * radius);
     const double part = sky.GetHiddenPanel(d, radius);
-    hidden.Irradiance += part * (z > radius ? z : rise * rise / (4.0 * radius)) * panel.Irradiance;
-    const double both = lobe.Kappa * panel.Concentration / (lobe.Kappa + panel.Concentration);
-    const glm::dvec3 inLobe =
-      panel.Irradiance * (std::min(rise / (2.0 * radius), 1.0) * both / (2.0 * Pi) *
-                           std::exp(both * (glm::dot(d, axis) - 1.0)));
+    hidden.Irradiance += part * cosine * panel.Irradiance;
+    // The mean of exp(slope . d) over a concentrated von Mises-Fisher lobe.
+    const double both = std::max(glm::length(slope + panel.Concentration * d), 1e-3);
+    const double mean = panel.Concentration / both * std::exp(both - panel.Concentration - kappa);
+    const glm::dvec3 inLobe = panel.Irradiance * (cosine * mean / lobe.Integral);
     all += inLobe;
     lost += part * inLobe;
   }

@@ -11,12 +11,12 @@
 
 #include "EnvironmentPanels.h"
 #include "OcclusionBounce.h"
+#include "OcclusionLobes.h"
 #include "SkyHarmonics.h"
 #include "vtkSmartPointer.h"
 
 #include <glm/glm.hpp>
 
-#include <array>
 #include <memory>
 #include <vector>
 
@@ -27,31 +27,6 @@ class vtkRadianceIntegrator;
 namespace measuredbrdf
 {
 class HiddenSky;
-
-/// The lobe of a material, less what the integrator reflects as a Lambert surface does.
-class OcclusionLobes
-{
-public:
-  static constexpr int Views = 16; // polar angles of the view, evenly spaced
-
-  OcclusionLobes() = default;
-  OcclusionLobes(vtkBRDF* brdf, bool withFloor);
-
-  struct Lobe
-  {
-    double Cosine = 1.0; // the axis is (-Sine, 0, Cosine) seen from (sin theta, 0, cos theta)
-    double Sine = 0.0;
-    double Kappa = 1.0;                   // of exp(kappa (d . axis))
-    glm::dvec3 Lambert = glm::dvec3(0.0); // what is left out, in 1/sr
-    glm::dvec3 Albedo = glm::dvec3(0.0);  // directional, of the lobe
-  };
-  /// Between the two nearest views.
-  Lobe Get(double cosine) const;
-  const std::array<Lobe, Views>& GetLobes() const { return this->Lobes; }
-
-private:
-  std::array<Lobe, Views> Lobes;
-};
 
 struct OcclusionLight
 {

@@ -32,11 +32,10 @@ std::string MakePanelCode(const std::string& m, const std::string& out, std::siz
     text += "    brdfSkyPanelSector(" + Along(s) + ", " + Bounds(s) + ", azimuth, ends, sum);\n";
   }
   text += R"(    float hidden = brdfSkyPanelHidden(sum, ends) * brdfSkyTrust#M;
-    vec2 rise = brdfSkyPanelRise(direction.z, radius);
-    vec3 light = brdfSkyPanelLight#M[k];
-    float cosine = dot(direction, brdfAxis#M);
-    vec3 inLobe = light * (rise.y * brdfSkyPanelInLobe(panel.w, brdfLobe#M.z, cosine));
-    brdfHiddenLight#OUTVSOutput += hidden * rise.x * light;
+    vec3 light = brdfSkyPanelLight#M[k] * brdfSkyPanelRise(direction.z, radius);
+    vec3 inLobe =
+      light * (brdfSkyPanelInLobe(direction, panel.w, brdfSlope#M, brdfKappa#M) / brdfLobe#M.z);
+    brdfHiddenLight#OUTVSOutput += hidden * light;
     brdfLobeAll#M += inLobe;
     brdfLobeLost#M += hidden * inLobe;
   }

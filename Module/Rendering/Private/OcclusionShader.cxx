@@ -21,6 +21,9 @@ namespace
 constexpr double Pi = 3.14159265358979323846;
 constexpr std::size_t LampsOfMixtures = 4; // of each of several materials
 constexpr float LargestIrradiance = 1e30f;
+// What varyings are where nothing is hidden.
+const char* const OpenOdds = "-8.963"; // brdfSkyOdds(0)
+const char* const OpenMargin = "3.0";  // HiddenSky::LargestMargin
 
 // Both sides of three materials or four leave no varyings for lamps.
 std::size_t CountLamps(const OcclusionLights& lights, bool twoSided, std::size_t member)
@@ -86,8 +89,12 @@ std::string MakeOpenOutputs(
   std::string text;
   for (const Varying& varying : varyings)
   {
-    text += "  " + varying.Name +
-            (varying.Type == "vec4" ? "VSOutput = vec4(1.0);\n" : "VSOutput = vec3(0.0);\n");
+    const bool isOdds = varying.Name.find("brdfHiddenLobe") == 0;
+    text += "  " + varying.Name + "VSOutput = " + varying.Type + "(" +
+            (varying.Type == "vec4" ? OpenMargin
+              : isOdds              ? OpenOdds
+                                    : "0.0") +
+            ");\n";
   }
   return text;
 }
@@ -146,14 +153,15 @@ std::string MakeMemberCode(const OcclusionLights& lights, const OcclusionLayout&
   }
   text += "  brdfHiddenLight" + out + "VSOutput = max(brdfSum" + m + ", vec3(0.0));\n";
   text += "  if (brdfSkyMatters)\n  {\n";
-  text += "  vec3 brdfLobe" + m + " = mix(brdfSkyLobes" + m + "[brdfSkyKnot], brdfSkyLobes" + m +
-          "[brdfSkyKnot + 1], brdfSkyView);\n" + "  vec3 brdfAxis" + m +
-          " = normalize(brdfSkyToModel * (brdfLobe" + m + ".x * brdfSkyNormalVC - brdfLobe" + m +
-          ".y * brdfSkyAcross)) * brdfSkyAxes;\n  vec2 brdfShare" + m + " = vec2(0.0);\n";
+  text +=
+    "  vec3 brdfLobe" + m + " = mix(brdfSkyLobes" + m + "[brdfSkyKnot], brdfSkyLobes" + m +
+    "[brdfSkyKnot + 1], brdfSkyView);\n" + "  vec3 brdfSlope" + m + " = brdfSkySlope(brdfLobe" + m +
+    ".xy, brdfSkyToModel, brdfSkyNormalVC, brdfSkyAcross) * brdfSkyAxes;\n" + "  float brdfKappa" +
+    m + " = length(brdfSlope" + m + ");\n  vec2 brdfShare" + m + " = vec2(0.0);\n";
   for (int s = 0; s < HiddenSky::Sectors; ++s)
   {
-    text += "  brdfSkySector(" + Along(s) + ", " + Bounds(s) + ", brdfAxis" + m + ", brdfLobe" + m +
-            ".z * 1.442695041, brdfShare" + m + ");\n";
+    text += "  brdfSkySector(" + Along(s) + ", " + Bounds(s) + ", brdfSlope" + m + ", brdfKappa" +
+            m + ", brdfShare" + m + ");\n";
   }
   const std::string share =
     "clamp(brdfShare" + m + ".x / max(brdfShare" + m + ".y, 1e-30), 0.0, 1.0)";
@@ -163,10 +171,12 @@ std::string MakeMemberCode(const OcclusionLights& lights, const OcclusionLayout&
   }
   text += "  vec3 brdfRest" + m + " = brdfSkyIrradiance(brdfSkyRed" + m + ", brdfSkyGreen" + m +
           ", brdfSkyBlue" + m + ", brdfSkyN);\n";
-  text += "  brdfHiddenLobe" + out + "VSOutput = brdfSkyLobe(" + share + ", brdfLobe" + m +
-          ".z, brdfHiddenLight" + out + "VSOutput, brdfRest" + m + ", brdfSkyHidden);\n";
+  text += "  brdfHiddenLobe" + out + "VSOutput = brdfSkyLobe(" + share + ", brdfKappa" + m +
+          " * 0.6931471806, brdfHiddenLight" + out + "VSOutput, brdfRest" + m +
+          ", brdfSkyHidden);\n";
   const std::size_t panels = lights[member]->Panels.size();
   text += panels > 0 ? MakePanelCode(m, out, panels) : "";
+  text += "  brdfHiddenLobe" + out + "VSOutput = brdfSkyOdds(brdfHiddenLobe" + out + "VSOutput);\n";
   for (std::size_t k = 0; k < CountLamps(lights, layout.TwoSided, member); ++k)
   {
     const std::string lamp = m + "_" + std::to_string(k);
@@ -180,13 +190,13 @@ std::string MakeMemberCode(const OcclusionLights& lights, const OcclusionLayout&
               ", brdfBounds" + lamp + ");\n";
     }
     text += "  brdfLamps" + out + "_" + std::to_string(k / 4) + "VSOutput." +
-            std::string(1, "xyzw"[k % 4]) + " = brdfSkyLamp(brdfBounds" + lamp + ", brdfLamp" +
-            lamp + ".z);\n";
+            std::string(1, "xyzw"[k % 4]) + " = brdfSkyLampMargin(brdfBounds" + lamp +
+            ", brdfLamp" + lamp + ".z);\n";
     if (!lights[member]->LampLight.empty())
     {
-      text += "  brdfHiddenLight" + out + "VSOutput += (1.0 - brdfLamps" + out + "_" +
+      text += "  brdfHiddenLight" + out + "VSOutput += clamp(0.5 - brdfLamps" + out + "_" +
               std::to_string(k / 4) + "VSOutput." + std::string(1, "xyzw"[k % 4]) +
-              ") * max(brdfLamp" + lamp + ".z, 0.0) * brdfSkyLampLight" + m + "[" +
+              ", 0.0, 1.0) * max(brdfLamp" + lamp + ".z, 0.0) * brdfSkyLampLight" + m + "[" +
               std::to_string(k) + "];\n";
     }
   }
@@ -248,16 +258,18 @@ std::string MakeFragmentCode(const OcclusionLights& lights, const OcclusionLayou
         text += "  brdfBounced" + number + " = " +
                 shown("brdfBounced", number + "VSOutput", "vec3(0.0)") + ";\n";
       }
-      text += "  brdfOpenLobe" + number + " = 1.0 - (" +
-              shown("brdfHiddenLobe", number + "VSOutput", "vec3(min(brdfSkyOther, 1.0))") + ");\n";
+      text += "  brdfOpenLobe" + number + " = brdfSkyShare(" +
+              shown("brdfHiddenLobe", number + "VSOutput",
+                std::string("vec3(brdfSkyOther > 0.0 ? 8.963 : ") + OpenOdds + ")") +
+              ");\n";
       for (std::size_t k = 0; k < CountLamps(lights, twoSided, m); ++k)
       {
         text +=
-          "  brdfOpenLamp" + number + "[" + std::to_string(k) + "] = " +
+          "  brdfOpenLamp" + number + "[" + std::to_string(k) + "] = clamp(0.5 + (" +
           shown("brdfLamps",
             number + "_" + std::to_string(k / 4) + "VSOutput." + std::string(1, "xyzw"[k % 4]),
-            "1.0 - min(brdfSkyOther, 1.0)") +
-          ";\n";
+            "0.5 - min(brdfSkyOther, 1.0)") +
+          "), 0.0, 1.0);\n";
       }
       for (std::size_t k = CountLamps(lights, twoSided, m); k < lights[m]->Lamps.size(); ++k)
       {
@@ -307,6 +319,10 @@ OcclusionText MakeOcclusionText(const OcclusionLights& lights, const OcclusionLa
     text.VertexDeclarations += lights[m] ? DeclareMember(lights, layout, m) : "";
   }
   text.FragmentDeclarations = twoSided ? "" : "uniform float brdfSkyOther;\n";
+  // Visible share; brdfSkyOdds' inverse.
+  text.FragmentDeclarations += "vec3 brdfSkyShare(vec3 odds)\n{\n"
+                               "  vec3 open = 1.0 / (1.0 + exp2(odds));\n"
+                               "  return clamp((open - 0.002) / 0.996, 0.0, 1.0);\n}\n";
   for (const Varying& varying : GetVaryings(lights, layout))
   {
     text.VertexDeclarations += "out " + varying.Type + " " + varying.Name + "VSOutput;\n";
@@ -389,7 +405,7 @@ void SetOcclusionUniforms(vtkShaderProgram* program, const OcclusionLights& ligh
     vectors.clear();
     for (const OcclusionLobes::Lobe& lobe : lights[m]->Lobes.GetLobes())
     {
-      vectors.emplace_back(lobe.Cosine, lobe.Sine, lobe.Kappa);
+      vectors.emplace_back(lobe.Across, lobe.Along, lobe.Integral);
     }
     SetVectors(program, "brdfSkyLobes" + number, vectors);
     if (Bounces(lights, { sides.Both, sides.Bounced }, m))

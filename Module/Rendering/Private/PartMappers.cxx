@@ -4,12 +4,15 @@
 
 #include "vtkMeasuredBRDFMapperMixin.txx"
 
+#include "ClassBorders.h"
 #include "MapArrays.h"
 #include "vtkActor.h"
 #include "vtkCommand.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkSelection.h"
+#include "vtkSurfaceVisibilityFilter.h"
 
 #include <algorithm>
 #include <cctype>
@@ -38,6 +41,34 @@ std::string GetCause(std::string text)
     text.end());
   return "map: " + text;
 }
+
+// Whether colors of points are mapped to, which new points could not have: a table of colors need
+// not be linear.
+bool ColorsPoints(const ScalarStyle& colors, vtkPolyData* input)
+{
+  int cellFlag = 0;
+  return colors.Visibility &&
+         vtkAbstractMapper::GetAbstractScalars(input, colors.ScalarMode, colors.ArrayAccessMode,
+           colors.ArrayId, colors.ArrayName.c_str(), cellFlag) &&
+         cellFlag == 0;
+}
+
+bool AreAllOfMaterials(const MaterialSettings& settings)
+{
+  bool all = settings.BRDF != nullptr;
+  for (int k = 0; k < settings.MaterialMap->GetNumberOfMaterials(); ++k)
+  {
+    all = all && settings.MaterialMap->GetBRDF(k);
+  }
+  return all;
+}
+
+// What is read from bytes, point by point.
+bool ReadsVisibility(const MaterialSettings& settings, vtkPolyData* surface)
+{
+  return settings.OcclusionMode != 0 &&
+         surface->GetPointData()->HasArray(vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName());
+}
 }
 
 bool AreColorsOfMap(const ScalarStyle& colors, vtkPolyData* input, vtkMaterialMap* map)
@@ -49,8 +80,9 @@ bool AreColorsOfMap(const ScalarStyle& colors, vtkPolyData* input, vtkMaterialMa
              colors.ArrayId, colors.ArrayName.c_str(), cellFlag));
 }
 
-PartMappers::PartMappers(std::shared_ptr<vtkMeasuredBRDFMapperInternals> drawing)
+PartMappers::PartMappers(std::shared_ptr<vtkMeasuredBRDFMapperInternals> drawing, bool mayCut)
   : Drawing(std::move(drawing))
+  , MayCut(mayCut)
 {
   // Programs set their uniforms when the mapper that they know says so.
   this->ForwardEvents->SetClientData(this->Drawing->GetOwner());
@@ -59,6 +91,20 @@ PartMappers::PartMappers(std::shared_ptr<vtkMeasuredBRDFMapperInternals> drawing
 }
 
 PartMappers::~PartMappers() = default;
+
+// Where edges are drawn, the pieces' would be; what is selected is drawn over the whole polygons,
+// in the same depth.
+void PartMappers::Expect(vtkPolyData* input, vtkActor* actor, vtkOpenGLPolyDataMapper* host,
+  const ScalarStyle& scalars, bool hasOwnAttributes)
+{
+  const MaterialSettings& settings = this->Drawing->GetSettings();
+  vtkSelection* selection = host->GetSelection();
+  this->MayCut =
+    settings.MaterialMap && input && ClassesMapper::CanDraw(actor) && !hasOwnAttributes &&
+    !(selection && selection->GetNumberOfNodes() > 0) &&
+    (!ColorsPoints(scalars, input) ||
+      (AreColorsOfMap(scalars, input, settings.MaterialMap) && AreAllOfMaterials(settings)));
+}
 
 bool PartMappers::Divide(vtkPolyData* input)
 {
@@ -69,6 +115,8 @@ bool PartMappers::Divide(vtkPolyData* input)
   }
   std::string warning;
   const vtkSmartPointer<vtkPolyData> whole = this->Drawing->FindWhole(input);
+  this->Parts.SetCutsBorders(
+    this->MayCut && !ReadsVisibility(settings, whole) && ClassBorders::CanInterpolate(whole));
   const std::string problem =
     this->Parts.Update(whole, settings.MaterialMap, settings.BRDF, warning);
   for (const std::string& text : { problem, warning })

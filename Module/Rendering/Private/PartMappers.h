@@ -36,10 +36,17 @@ bool AreColorsOfMap(const ScalarStyle& colors, vtkPolyData* input, vtkMaterialMa
 class PartMappers
 {
 public:
-  explicit PartMappers(std::shared_ptr<vtkMeasuredBRDFMapperInternals> drawing);
+  /// mayCut: whether borders between classes of points may be cut until Expect says more.
+  PartMappers(std::shared_ptr<vtkMeasuredBRDFMapperInternals> drawing, bool mayCut);
   ~PartMappers();
   PartMappers(const PartMappers&) = delete;
   void operator=(const PartMappers&) = delete;
+
+  /// Say before Divide how host will draw the surface: whether borders between classes of points
+  /// may be cut depends on it. scalars: that color it; hasOwnAttributes: vertices have what a
+  /// program adds.
+  void Expect(vtkPolyData* input, vtkActor* actor, vtkOpenGLPolyDataMapper* host,
+    const ScalarStyle& scalars, bool hasOwnAttributes);
 
   /// Divide the surface by the map of the drawing's settings. Returns whether it can be drawn by
   /// parts; else a warning has said why not, once.
@@ -95,6 +102,7 @@ private:
   vtkMTimeType HostTime = 0;
   const void* Host = nullptr; // only compared
   bool OverridesColor = false;
+  bool MayCut;
   ScalarStyle Scalars; // of the block
 };
 } // namespace measuredbrdf

@@ -3,6 +3,7 @@
 #include "PartSurfaces.h"
 
 #include "CellMaterials.h"
+#include "ClassBorders.h"
 #include "PartArrays.h"
 #include "PartSets.h"
 #include "vtkBRDF.h"
@@ -121,6 +122,15 @@ void PartSurfaces::MakeVerticesAndLines()
   data->CopyAllOn();
   data->CopyAllocate(this->Input->GetCellData(), count);
   CopyTuples(this->Input->GetCellData(), data, cells, 0);
+}
+
+void PartSurfaces::CutBorders(CellMaterials& cells)
+{
+  const ClassBorders borders(this->Input, this->Polygons, this->Cells, cells.GetPointClasses());
+  cells.SetClasses(borders.GetClasses());
+  this->Polygons->ShallowCopy(borders.GetPolygons());
+  this->Cells = borders.GetCells();
+  this->Input = borders.MakeSurface(this->Input);
 }
 
 std::map<vtkBRDF*, double> PartSurfaces::GetAreas(const CellMaterials& cells) const

@@ -43,6 +43,9 @@ public:
   const std::vector<vtkIdType>& GetCells() const { return this->Cells; }
   ///@}
 
+  /// Cut the polygons along the borders between classes of points, so that each is of one class.
+  void CutBorders(CellMaterials& cells);
+
   /// The area of each material.
   std::map<vtkBRDF*, double> GetAreas(const CellMaterials& cells) const;
 

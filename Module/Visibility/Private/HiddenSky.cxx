@@ -225,10 +225,10 @@ glm::dvec3 HiddenSky::GetHiddenIrradiance(const sky::Colors& light) const
   return glm::max(sum, glm::dvec3(0.0));
 }
 
-double HiddenSky::GetHiddenShare(const glm::dvec3& axis, double kappa) const
+double HiddenSky::GetHiddenShare(const glm::dvec3& slope) const
 {
-  const glm::dvec3 local = ToLocal(this->Frame, axis);
-  const double k = std::min(kappa, static_cast<double>(LargestKappa));
+  const glm::dvec3 local = ToLocal(this->Frame, slope);
+  const double kappa = glm::length(slope);
   double hidden = 0.0;
   double all = 0.0;
   for (std::size_t s = 0; s < Sectors; ++s)
@@ -240,7 +240,7 @@ double HiddenSky::GetHiddenShare(const glm::dvec3& axis, double kappa) const
     for (int e = 0; e < Elevations; ++e)
     {
       const double z = (e + 0.5) / Elevations;
-      const double weight = std::exp(k * (across * std::sqrt(1.0 - z * z) + local.z * z - 1.0));
+      const double weight = z * std::exp(across * std::sqrt(1.0 - z * z) + local.z * z - kappa);
       all += weight;
       hidden += weight * (std::clamp(high - e, 0.0, 1.0) - std::clamp(low - e, 0.0, 1.0));
     }
@@ -248,7 +248,7 @@ double HiddenSky::GetHiddenShare(const glm::dvec3& axis, double kappa) const
   return std::clamp(hidden / std::max(all, 1e-30), 0.0, 1.0);
 }
 
-double HiddenSky::GetVisibleLamp(const glm::dvec3& direction) const
+double HiddenSky::GetLampMargin(const glm::dvec3& direction) const
 {
   const glm::dvec3 local = ToLocal(this->Frame, direction);
   const double sine = std::sqrt(std::max(local.x * local.x + local.y * local.y, 1e-12));
@@ -269,12 +269,18 @@ double HiddenSky::GetVisibleLamp(const glm::dvec3& direction) const
   low /= sum;
   high /= sum;
   constexpr double edge = 0.04; // sine of elevation: half a stratum of the rays or so
-  const auto above = [&local](double bound)
-  { return std::clamp((local.z - bound) / edge + 0.5, 0.0, 1.0); };
-  const double hidden =
-    high > low ? (low > 0.5 / 255.0 ? above(low) : 1.0) - (high < 254.5 / 255.0 ? above(high) : 0.0)
-               : 0.0;
-  return std::clamp(1.0 - hidden, 0.0, 1.0);
+  if (!(high > low))
+  {
+    return LargestMargin;
+  }
+  const double below = low > 0.5 / 255.0 ? (low - local.z) / edge : -LargestMargin;
+  const double above = high < 254.5 / 255.0 ? (local.z - high) / edge : -LargestMargin;
+  return std::clamp(std::max(below, above), -LargestMargin, LargestMargin);
+}
+
+double HiddenSky::GetVisibleLamp(const glm::dvec3& direction) const
+{
+  return std::clamp(this->GetLampMargin(direction) + 0.5, 0.0, 1.0);
 }
 
 double HiddenSky::GetHiddenPanel(const glm::dvec3& direction, double radius) const

@@ -82,11 +82,18 @@ public:
   /// Hidden irradiance under light of these harmonics, in the surface's axes.
   glm::dvec3 GetHiddenIrradiance(const sky::Colors& light) const;
 
-  /// Hidden share, 0 to 1, of a lobe exp(kappa (d . axis)) above the horizon; unit axis in the
-  /// surface's axes.
-  double GetHiddenShare(const glm::dvec3& axis, double kappa) const;
+  /// Hidden share, 0 to 1, of a lobe cos(theta) exp(slope . d) above the horizon; in the surface's
+  /// axes, no longer than LargestKappa.
+  double GetHiddenShare(const glm::dvec3& slope) const;
 
-  /// Visible share of a small lamp in this unit direction, 0 to 1.
+  /// How far a small lamp in this unit direction is from what is hidden of its azimuth, in widths
+  /// of a shadow's edge: positive where it is visible. No larger than LargestMargin, nor less than
+  /// its negative. Between points margins are interpolated, not what is visible: shadows' edges
+  /// then lie where they should across triangles.
+  double GetLampMargin(const glm::dvec3& direction) const;
+  static constexpr double LargestMargin = 3.0;
+
+  /// Visible share of the lamp at such a margin, 0 to 1.
   double GetVisibleLamp(const glm::dvec3& direction) const;
 
   /// Hidden share, 0 to 1, of a panel about this unit direction, of an angular radius in radians.

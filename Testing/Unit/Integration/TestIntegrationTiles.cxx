@@ -77,6 +77,22 @@ glm::dvec3 GetDirection(double row, double column, const TableTiles& tiles)
 }
 
 //------------------------------------------------------------------------------
+// A lobe that needs tiles is integrated at twice as many nodes; at the usual 64 it is 0.2 % off.
+TEST(TableTiles, KernelsHaveNodesEnough)
+{
+  const auto room = NewPanels();
+  const auto paint = NewPaint();
+  SpherePairs pairs;
+  pairs.AddRandom(300);
+  const auto coarse = NewTable(paint, room, 161);
+  const auto fine = NewTable(paint, room, 161);
+  fine->SetNumberOfNodes(128);
+  const double error = GetRelativeError(pairs.Integrate(coarse), pairs.Integrate(fine));
+  std::printf("nodes: %.5f\n", error);
+  EXPECT_LT(error, 0.001);
+}
+
+//------------------------------------------------------------------------------
 // What they are for: the edges of panels in gloss, of which the coarse map shows little.
 TEST(TableTiles, ShowHardEdgesInFewMegabytes)
 {

@@ -92,6 +92,10 @@ TEST(MaterialPrecomputation, KeepsExpandedKernels)
     }
   }
   const std::size_t bytes = parts.GetBytes();
-  parts.Trim(3); // and what was expanded of them
+  parts.Trim(3, 1024); // and what was expanded of them
   EXPECT_LT(parts.GetBytes() + 4 * 3 * 5 * 31 * sizeof(float), bytes);
+  const std::size_t without = parts.GetBytes();
+  parts.GetKernels(brdf, 3, 64, never);
+  parts.Trim(3, 32); // those of more nodes
+  EXPECT_EQ(parts.GetBytes(), without);
 }

@@ -10,6 +10,7 @@
 #include "vtkBRDF.h"
 #include "vtkEmbeddedMaterials.h"
 #include "vtkEnvironment.h"
+#include "vtkHybridRadianceIntegrator.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkRadianceCostModel.h"
@@ -239,4 +240,36 @@ TEST(MapCandidates, TooManyAreLeftOut)
   EXPECT_FALSE(measuredbrdf::CanPruneMaps(256, 8, near, {}, 0.02));
   const Attempts coarse = { { { 128, 12, 8, 4, 0, 0 }, 0.36 } };
   EXPECT_FALSE(measuredbrdf::CanPruneMaps(256, 4, coarse, {}, 0.01));
+}
+
+//------------------------------------------------------------------------------
+// What a table of fewer rows shows not to be a matter of rows, more maps must leave little of.
+TEST(MapCandidates, AreLeftOutWhereFewerRowsHaveMore)
+{
+  using Attempts = std::vector<vtkRadianceIntegrator::Attempt>;
+  const Attempts four = { { { 128, 12, 8, 4, 0, 0 }, 0.123 } };
+  const auto table = [](int rows, double error) {
+    return Attempts{ { { rows, 12, 16, 0, 0, 0 }, error } };
+  };
+  EXPECT_FALSE(measuredbrdf::CanPruneMaps(256, 4, four, {}, 0.02));
+  EXPECT_TRUE(measuredbrdf::CanPruneMaps(256, 4, four, table(65, 0.03), 0.02));
+  EXPECT_TRUE(measuredbrdf::CanPruneMaps(256, 8, four, table(65, 0.03), 0.02));
+  EXPECT_FALSE(measuredbrdf::CanPruneMaps(256, 4, four, table(65, 0.11), 0.02));
+  EXPECT_FALSE(measuredbrdf::CanPruneMaps(256, 4, four, table(129, 0.03), 0.02)); // not fewer
+  EXPECT_FALSE(measuredbrdf::CanPruneMaps(256, 16, four, table(65, 0.08), 0.02)); // 0.6^2 of it
+}
+
+//------------------------------------------------------------------------------
+// A table alone is a hybrid without lights and maps.
+TEST(MapCandidates, LearnFromTables)
+{
+  vtkNew<vtkHybridRadianceIntegrator> hybrid;
+  EXPECT_TRUE(hybrid->SetSizes({ 256, 12, 8, 4, 0, 12 }));
+  const std::vector<int> sizes = hybrid->GetEquivalentSizes("table", { 65, 12, 16 });
+  EXPECT_EQ(sizes, (std::vector<int>{ 65, 12, 16, 0, 0, 12 }));
+  EXPECT_TRUE(hybrid->GetEquivalentSizes("filtered", { 16 }).empty());
+  std::vector<vtkRadianceIntegrator::Attempt> attempts = { { { 128, 12, 8, 4, 0, 12 }, 0.123 } };
+  EXPECT_FALSE(hybrid->CanPrune(attempts, 0.02));
+  attempts.push_back({ sizes, 0.03 });
+  EXPECT_TRUE(hybrid->CanPrune(attempts, 0.02));
 }

@@ -439,6 +439,66 @@ TEST_F(Parts, SmallMaterialsMayBeCoarse)
   }
 }
 
+// Triangles of the plane's squares: a place is of the class of the largest sum of its corners'
+// shares. Where two meet, the lone corner has a quarter; where three meet, each has a third.
+TEST_F(Parts, BordersBetweenClassesOfPointsAreCut)
+{
+  this->AddMaterials(3);
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(0.0, 0.0, 0.0);
+  points->InsertNextPoint(2.0, 0.0, 0.0);
+  points->InsertNextPoint(2.0, 2.0, 0.0);
+  points->InsertNextPoint(0.0, 2.0, 0.0);
+  vtkNew<vtkFloatArray> normals;
+  normals->SetNumberOfComponents(3);
+  for (int k = 0; k < 4; ++k)
+  {
+    normals->InsertNextTuple3(k, 1.0, 2.0);
+  }
+  vtkNew<vtkCellArray> square;
+  const vtkIdType corners[4] = { 0, 1, 2, 3 };
+  square->InsertNextCell(4, corners);
+  this->Plane->Initialize();
+  this->Plane->SetPoints(points);
+  this->Plane->SetPolys(square);
+  this->Plane->GetPointData()->SetNormals(normals);
+  this->SetPoints([](vtkIdType point) { return std::max(static_cast<double>(point) - 1.0, 0.0); });
+  this->Divided.SetCutsBorders(true);
+  // Triangles 0 1 2 of classes 0 0 1, and 0 2 3 of classes 0 1 2.
+  ASSERT_EQ(this->Update(), "");
+  ASSERT_EQ(this->Divided.Get().size(), 3u);
+  EXPECT_EQ(this->CountPolygons(), 5);
+  EXPECT_NEAR(this->GetShare(0), 0.75 / 2 + 1.0 / 6, 1e-6);
+  EXPECT_NEAR(this->GetShare(1), 0.25 / 2 + 1.0 / 6, 1e-6);
+  EXPECT_NEAR(this->GetShare(2), 1.0 / 6, 1e-6);
+  for (const MaterialPart& part : this->Divided.Get())
+  {
+    EXPECT_EQ(part.Kind, MixtureKind::Single);
+    // Four points, four middles of edges (the diagonal's is one) and a center.
+    ASSERT_EQ(part.Surface->GetNumberOfPoints(), 9);
+    for (vtkIdType p = 4; p < 9; ++p)
+    {
+      // The normals are linear: x is 0, 1, 2, 3 at the corners.
+      const double* at = part.Surface->GetPoint(p);
+      const double expected = at[0] > at[1] ? 0.5 * (at[0] + at[1]) : 1.5 * at[1] - 0.5 * at[0];
+      double normal[3];
+      part.Surface->GetPointData()->GetNormals()->GetTuple(p, normal);
+      EXPECT_NEAR(normal[0], expected, 1e-6) << at[0] << " " << at[1];
+      EXPECT_EQ(normal[2], 2.0);
+    }
+  }
+  // Whole at once, cut again after the next change.
+  this->Divided.SetCutsBorders(false);
+  this->Update();
+  EXPECT_EQ(this->CountPolygons(), 1);
+  this->Divided.SetCutsBorders(true);
+  this->Update();
+  EXPECT_EQ(this->CountPolygons(), 1);
+  this->Plane->Modified();
+  this->Update();
+  EXPECT_EQ(this->CountPolygons(), 5);
+}
+
 TEST_F(Parts, StripsAreTrianglesOfTheSameClass)
 {
   this->SetCells([](vtkIdType cell) { return cell < Side * Side / 2 ? 0.0 : 1.0; });

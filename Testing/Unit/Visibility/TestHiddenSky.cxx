@@ -127,7 +127,7 @@ TEST(HiddenSky, NothingIsHiddenInTheOpen)
   for (int k = 0; k < 10; ++k)
   {
     const glm::dvec3 d = RandomDirection(generator);
-    EXPECT_EQ(open.GetHiddenShare(d, 5.0), 0.0);
+    EXPECT_EQ(open.GetHiddenShare(5.0 * d), 0.0);
     EXPECT_EQ(open.GetVisibleLamp(d), 1.0);
     EXPECT_EQ(open.GetHiddenPanel(d, 0.2), 0.0);
   }
@@ -148,7 +148,7 @@ TEST(HiddenSky, AllIsHiddenInACavity)
     const glm::dvec3 hidden = closed.GetHiddenIrradiance(light);
     EXPECT_LT(glm::length(hidden - irradiance), 0.06 * glm::length(irradiance));
     EXPECT_NEAR(closed.GetHiddenCosine(), 1.0, 0.01);
-    EXPECT_NEAR(closed.GetHiddenShare(normal, 8.0), 1.0, 1e-6);
+    EXPECT_NEAR(closed.GetHiddenShare(8.0 * normal), 1.0, 1e-6);
     EXPECT_NEAR(closed.GetVisibleLamp(normal), 0.0, 1e-6);
     EXPECT_NEAR(closed.GetHiddenPanel(normal, 0.2), 1.0, 0.01);
   }
@@ -163,9 +163,9 @@ TEST(HiddenSky, AWallHidesHalf)
   const HiddenSky wall(Encode(normal, 16, [](const glm::dvec3& d) { return d.x < 0.0; }));
   EXPECT_NEAR(wall.GetHiddenCosine(), 0.5, 0.02);
   EXPECT_NEAR(
-    wall.GetHiddenShare(normal, 4.0), 0.5, 0.06); // sectors cut in half count at the horizon
-  EXPECT_NEAR(wall.GetHiddenShare(glm::normalize(glm::dvec3(-1.0, 0.0, 1.0)), 30.0), 1.0, 0.02);
-  EXPECT_NEAR(wall.GetHiddenShare(glm::normalize(glm::dvec3(1.0, 0.0, 1.0)), 30.0), 0.0, 0.02);
+    wall.GetHiddenShare(4.0 * normal), 0.5, 0.06); // sectors cut in half count at the horizon
+  EXPECT_NEAR(wall.GetHiddenShare(30.0 * glm::normalize(glm::dvec3(-1.0, 0.0, 1.0))), 1.0, 0.02);
+  EXPECT_NEAR(wall.GetHiddenShare(30.0 * glm::normalize(glm::dvec3(1.0, 0.0, 1.0))), 0.0, 0.02);
   EXPECT_EQ(wall.GetVisibleLamp(glm::normalize(glm::dvec3(-1.0, 0.1, 0.5))), 0.0);
   EXPECT_EQ(wall.GetVisibleLamp(glm::normalize(glm::dvec3(1.0, 0.1, 0.5))), 1.0);
   for (const double radius : { 1e-3, 0.05, 0.2 })
@@ -186,11 +186,13 @@ TEST(HiddenSky, ACraterHidesTheLowSky)
     Encode({ 0.6, 0.0, 0.8 }, 16, [&](const glm::dvec3& d) { return d.z < sine; }));
   EXPECT_NEAR(crater.GetHiddenCosine(), sine * sine, 0.01);
   const glm::dvec3 normal = crater.GetNormal();
-  // The share of exp(kappa cos theta) below the angle, in closed form.
+  // The share of cos theta exp(kappa cos theta) below the angle, in closed form. The lobe without
+  // its cosine would have 0.38, 0.12 and 3e-4.
   for (const double kappa : { 1.0, 4.0, 16.0 })
   {
-    const double expected = (std::exp(kappa * sine) - 1.0) / (std::exp(kappa) - 1.0);
-    EXPECT_NEAR(crater.GetHiddenShare(normal, kappa), expected, 0.02) << kappa;
+    const auto integral = [kappa](double z) { return std::exp(kappa * z) * (z - 1.0 / kappa); };
+    const double expected = (integral(sine) - integral(0.0)) / (integral(1.0) - integral(0.0));
+    EXPECT_NEAR(crater.GetHiddenShare(kappa * normal), expected, 0.01) << kappa;
   }
   EXPECT_EQ(crater.GetVisibleLamp(normal), 1.0);
   // A panel across the crater's edge: half of its height is hidden, and less of its irradiance.
@@ -199,6 +201,31 @@ TEST(HiddenSky, ACraterHidesTheLowSky)
   EXPECT_NEAR(crater.GetHiddenPanel(at(sine), 0.1), 0.46, 0.03);
   EXPECT_NEAR(crater.GetHiddenPanel(at(sine - 0.15), 0.1), 1.0, 0.02);
   EXPECT_NEAR(crater.GetHiddenPanel(at(sine + 0.15), 0.1), 0.0, 0.02);
+}
+
+// How far lamps are from a shadow's edge, in its widths of 0.04. Between points this is
+// interpolated: halfway between craters of 0.3 and 0.5 the edge is at 0.4.
+TEST(HiddenSky, MarginsSayHowFarLampsAreFromShadows)
+{
+  const glm::dvec3 normal(0.0, 0.0, 1.0);
+  const auto make = [&](double sine)
+  { return HiddenSky(Encode(normal, 64, [=](const glm::dvec3& d) { return d.z < sine; })); };
+  const HiddenSky shallow = make(0.3);
+  const HiddenSky deep = make(0.5);
+  const auto lamp = [](double z) { return glm::dvec3(std::sqrt(1.0 - z * z), 0.0, z); };
+  EXPECT_NEAR(deep.GetLampMargin(lamp(0.52)), 0.5, 0.15);
+  EXPECT_NEAR(deep.GetLampMargin(lamp(0.46)), -1.0, 0.15);
+  EXPECT_EQ(deep.GetLampMargin(lamp(0.9)), HiddenSky::LargestMargin);
+  EXPECT_EQ(deep.GetLampMargin(lamp(0.1)), -HiddenSky::LargestMargin);
+  for (const double z : { 0.37, 0.4, 0.43 })
+  {
+    const double between = 0.5 * (shallow.GetLampMargin(lamp(z)) + deep.GetLampMargin(lamp(z)));
+    EXPECT_NEAR(between, (z - 0.4) / 0.04, 0.15) << z;
+    EXPECT_EQ(shallow.GetVisibleLamp(lamp(z)), 1.0);
+    EXPECT_LE(deep.GetVisibleLamp(lamp(z)), 0.0);
+  }
+  EXPECT_EQ(
+    HiddenSky(HiddenSky::MakeOpen(normal)).GetLampMargin(lamp(0.2)), HiddenSky::LargestMargin);
 }
 
 // Sectors of which the harmonics see nothing: rays that only just left the horizon hide no panel.

@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ModelMaterials.h"
+
+#include "vtkAshikhminShirleyBRDF.h"
+#include "vtkBlinnPhongBRDF.h"
+#include "vtkDistributionBRDF.h"
+#include "vtkLambertBRDF.h"
+#include "vtkNew.h"
+#include "vtkSumBRDF.h"
+
+#include <algorithm>
+
+namespace
+{
+using explorer::ModelParameter;
+using explorer::ModelValues;
+
+const std::string Prefix = "model:";
+constexpr double LargestExponent = 1e6; // as the models' own
+
+//------------------------------------------------------------------------------
+ModelParameter MakeExponent(
+  const std::string& key, const std::string& name, const std::string& description, double value)
+{
+  return { key, name, description, 0.0, LargestExponent, { value }, true, {} };
+}
+
+//------------------------------------------------------------------------------
+ModelParameter MakeColor(const std::string& key, const std::string& name,
+  const std::string& description, double largest, double value)
+{
+  return { key, name, description, 0.0, largest, { value, value, value }, false, {} };
+}
+
+//------------------------------------------------------------------------------
+// With a Lambert part beside it, where that is not black.
+vtkSmartPointer<vtkBRDF> AddDiffuse(vtkBRDF* brdf, const std::vector<double>& albedo)
+{
+  if (std::all_of(albedo.begin(), albedo.end(), [](double value) { return value == 0.0; }))
+  {
+    return brdf;
+  }
+  vtkNew<vtkLambertBRDF> diffuse;
+  diffuse->SetAlbedo(albedo.data());
+  auto sum = vtkSmartPointer<vtkSumBRDF>::New();
+  sum->AddTerm(diffuse);
+  sum->AddTerm(brdf);
+  return sum;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkBRDF> MakeAshikhminShirley(const ModelValues& values)
+{
+  auto brdf = vtkSmartPointer<vtkAshikhminShirleyBRDF>::New();
+  brdf->SetSpecularScale(values.at("specular_scale").data());
+  brdf->SetReflectance(values.at("reflectance").data());
+  brdf->SetDiffuse(values.at("diffuse").data());
+  brdf->SetExponents(values.at("exponent_u")[0], values.at("exponent_v")[0]);
+  brdf->SetFresnelModel(values.at("fresnel")[0] == 0.0 ? vtkAshikhminShirleyBRDF::SCHLICK
+                                                       : vtkAshikhminShirleyBRDF::DIELECTRIC);
+  brdf->SetIndexOfRefraction(values.at("index_of_refraction")[0]);
+  return brdf;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkBRDF> MakeBRDF(const std::string& key, const ModelValues& values)
+{
+  if (key == "Lambert")
+  {
+    auto brdf = vtkSmartPointer<vtkLambertBRDF>::New();
+    brdf->SetAlbedo(values.at("albedo").data());
+    return brdf;
+  }
+  if (key == "BlinnPhong")
+  {
+    vtkNew<vtkBlinnPhongBRDF> brdf;
+    brdf->SetSpecular(values.at("specular").data());
+    brdf->SetExponent(values.at("exponent")[0]);
+    return AddDiffuse(brdf, values.at("albedo"));
+  }
+  if (key == "Distribution")
+  {
+    vtkNew<vtkDistributionBRDF> brdf;
+    brdf->SetBlinnDistribution(values.at("exponent")[0]);
+    brdf->SetSchlickFresnel(values.at("f0").data());
+    return AddDiffuse(brdf, values.at("albedo"));
+  }
+  return MakeAshikhminShirley(values);
+}
+}
+
+namespace explorer
+{
+//------------------------------------------------------------------------------
+const std::vector<ParametricModel>& GetModels()
+{
+  static const ModelParameter lambert =
+    MakeColor("albedo", "Albedo", "Share of the light that a Lambert part reflects", 1.0, 0.2);
+  static const std::vector<ParametricModel> models = {
+    { "Lambert", "Lambert", "f = albedo / pi",
+      { MakeColor("albedo", "Albedo", "Share of the light that is reflected", 1.0, 0.8) } },
+    { "BlinnPhong", "Blinn-Phong", "ks (n+2)/(2 pi) (n.h)^n, with a Lambert part",
+      { lambert, MakeColor("specular", "Specular", "Scale ks of the lobe, no unit", 1.0, 0.1),
+        MakeExponent("exponent", "Exponent", "Exponent n of the half vector's cosine", 50.0) } },
+    { "AshikhminShirley", "Ashikhmin-Shirley",
+      "Anisotropic Phong lobe with Fresnel term and coupled diffuse part (2000)",
+      { MakeColor("reflectance", "Reflectance", "Rs, reflectance at normal incidence", 1.0, 0.04),
+        MakeColor("diffuse", "Diffuse", "Rd of the coupled diffuse part", 1.0, 0.2),
+        MakeColor("specular_scale", "Specular scale", "Factor on the specular part", 10.0, 1.0),
+        MakeExponent("exponent_u", "Exponent u", "Phong exponent along the tangent", 100.0),
+        MakeExponent("exponent_v", "Exponent v", "Phong exponent along the bitangent", 100.0),
+        { "fresnel", "Fresnel", "Schlick's, from the reflectance, or a dielectric's, exact", 0.0,
+          1.0, { 0.0 }, false, { "Schlick", "Dielectric" } },
+        { "index_of_refraction", "Index of refraction", "Of the dielectric's Fresnel term", 1.0,
+          100.0, { 1.5 }, true, {} } } },
+    { "Distribution", "D-BRDF",
+      "Ashikhmin and Premoze's (2007) with Blinn-Phong's distribution and Schlick's Fresnel term, "
+      "and a Lambert part",
+      { lambert, MakeColor("f0", "F0", "Fresnel reflectance at normal incidence", 1.0, 0.04),
+        MakeExponent("exponent", "Exponent", "Exponent of the distribution", 50.0) } }
+  };
+  return models;
+}
+
+//------------------------------------------------------------------------------
+std::string GetModelFile(const ParametricModel& model) { return Prefix + model.Key; }
+
+//------------------------------------------------------------------------------
+const ParametricModel* FindModel(const std::string& file)
+{
+  const std::vector<ParametricModel>& models = GetModels();
+  const auto found = std::find_if(models.begin(), models.end(),
+    [&file](const ParametricModel& model) { return GetModelFile(model) == file; });
+  return found == models.end() ? nullptr : &*found;
+}
+
+//------------------------------------------------------------------------------
+ModelValues GetValues(const ParametricModel& model, const ModelStates& states)
+{
+  ModelValues values;
+  const auto state = states.find(model.Key);
+  for (const ModelParameter& parameter : model.Parameters)
+  {
+    values[parameter.Key] = parameter.Default;
+    if (state != states.end() && state->second.count(parameter.Key) != 0)
+    {
+      values[parameter.Key] = state->second.at(parameter.Key);
+    }
+  }
+  return values;
+}
+
+//------------------------------------------------------------------------------
+ModelValues FindValues(const std::string& file, const ModelStates& states)
+{
+  const ParametricModel* model = FindModel(file);
+  return model ? GetValues(*model, states) : ModelValues();
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkBRDF> MakeModel(const ParametricModel& model, const ModelValues& values)
+{
+  const vtkSmartPointer<vtkBRDF> brdf = MakeBRDF(model.Key, values);
+  brdf->SetName(model.Name);
+  brdf->SetSource(model.Description);
+  return brdf;
+}
+
+//------------------------------------------------------------------------------
+std::vector<Item> ListModels()
+{
+  std::vector<Item> items;
+  for (const ParametricModel& model : GetModels())
+  {
+    items.push_back({ GetModelFile(model), model.Name, "Models",
+      model.Description + "; its parameters are in the Model tab" });
+  }
+  return items;
+}
+
+//------------------------------------------------------------------------------
+tool::Material LoadMaterial(const std::string& file, const ModelStates& states)
+{
+  const ParametricModel* model = FindModel(file);
+  if (!model)
+  {
+    return tool::LoadMaterial(file);
+  }
+  tool::Material material;
+  material.BRDF = MakeModel(*model, GetValues(*model, states));
+  material.File = file;
+  material.Name = model->Name;
+  material.Source = model->Description;
+  material.Format = "model";
+  return material;
+}
+} // namespace explorer

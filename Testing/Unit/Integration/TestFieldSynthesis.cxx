@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Maps of kernels that are convolved with an environment, against the sum over harmonics.
+
+#include "AzimuthSeries.h"
+#include "EnvironmentHarmonics.h"
+#include "FieldSynthesis.h"
+#include "WignerD.h"
+#include "vtkEnvironment.h"
+#include "vtkNew.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <vector>
+
+using measuredbrdf::FieldSynthesis;
+
+namespace
+{
+constexpr double Pi = 3.14159265358979323846;
+constexpr int Degree = 24;
+constexpr int Rows = 12;
+constexpr int Columns = 24;
+constexpr int Kernels = 5; // times three channels: not a multiple of what is transformed at a time
+
+FieldSynthesis::Kernels MakeKernels()
+{
+  FieldSynthesis::Kernels kernels;
+  for (std::size_t channel = 0; channel < 3; ++channel)
+  {
+    kernels[channel].resize(Degree + 1, Kernels);
+    for (int l = 0; l <= Degree; ++l)
+    {
+      for (int k = 0; k < Kernels; ++k)
+      {
+        kernels[channel](l, k) =
+          static_cast<float>(std::cos(l * (k + 1.0) + static_cast<double>(channel)) / (l + 1.0));
+      }
+    }
+  }
+  return kernels;
+}
+
+// sum_m e^(-i m phi) sum_l d^l_mk(theta) b_l conj(a_lm)
+std::complex<double> Sum(const measuredbrdf::EnvironmentHarmonics& light, int channel, int order,
+  const FieldSynthesis::Kernels& kernels, int kernel, double theta, double phi)
+{
+  std::complex<double> sum = 0.0;
+  std::vector<double> d(Degree + 1);
+  for (int m = -Degree; m <= Degree; ++m)
+  {
+    const measuredbrdf::WignerD functions(m, order, Degree);
+    functions.Evaluate(theta, d.data());
+    for (int l = functions.GetFirst(); l <= Degree; ++l)
+    {
+      const std::complex<double> a = light.Get(channel, l, std::abs(m));
+      sum += std::polar(1.0, -m * phi) * d[static_cast<std::size_t>(l - functions.GetFirst())] *
+             static_cast<double>(kernels[static_cast<std::size_t>(channel)](l, kernel)) *
+             (m >= 0 ? std::conj(a) : (m % 2 != 0 ? -a : a));
+    }
+  }
+  return sum;
+}
+}
+
+//------------------------------------------------------------------------------
+// Of rows that lie alike on both sides of the equator, of others, and of order 0, which is real.
+TEST(FieldSynthesis, IsTheSumOverHarmonics)
+{
+  vtkNew<vtkEnvironment> hall;
+  hall->SetToProceduralHall();
+  const measuredbrdf::EnvironmentHarmonics light(hall, Degree);
+  const FieldSynthesis::Kernels kernels = MakeKernels();
+  for (const std::vector<int>& chosen :
+    { std::vector<int>(), std::vector<int>{ 1, 4, 9 }, std::vector<int>{ 3, 8 } })
+  {
+    const FieldSynthesis synthesis(light, Rows, Columns, measuredbrdf::MapNodes::Centers, chosen);
+    const int rows = chosen.empty() ? Rows : static_cast<int>(chosen.size());
+    for (const int order : { 0, 1, 2 })
+    {
+      std::array<FieldSynthesis::Field, 3> fields;
+      synthesis.Run(order, kernels, fields);
+      for (int k = 0; k < 3 * Kernels * rows; ++k) // a column of each
+      {
+        const int channel = k % 3;
+        const int kernel = k / 3 % Kernels;
+        const int row = k / (3 * Kernels);
+        const int column = (5 * k + 3) % Columns;
+        const int at = chosen.empty() ? row : chosen[static_cast<std::size_t>(row)];
+        const std::complex<double> expected = Sum(light, channel, order, kernels, kernel,
+          Pi * (at + 0.5) / Rows, 2.0 * Pi * (column + 0.5) / Columns);
+        const std::complex<float> value = fields[static_cast<std::size_t>(
+          channel)][static_cast<std::size_t>((kernel * rows + row) * Columns + column)];
+        EXPECT_NEAR(value.real(), expected.real(), 2e-4 * (1.0 + std::abs(expected)));
+        EXPECT_NEAR(value.imag(), expected.imag(), 2e-4 * (1.0 + std::abs(expected)));
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Constant along the azimuth but for one wave, of more texels than are turned at a time.
+TEST(AzimuthSeries, TurnsEachOrder)
+{
+  constexpr std::size_t texels = 200;
+  constexpr int azimuths = 16;
+  measuredbrdf::AzimuthSeries series(2, azimuths, texels);
+  EXPECT_EQ(series.GetLastOrder(), azimuths / 2);
+  std::array<FieldSynthesis::Field, 3> constant, wave;
+  for (std::size_t channel = 0; channel < 3; ++channel)
+  {
+    for (std::size_t k = 0; k < 2 * texels; ++k)
+    {
+      constant[channel].emplace_back(1.0f + static_cast<float>(k) + static_cast<float>(channel));
+      wave[channel].emplace_back(0.25f * static_cast<float>(k), -0.5f);
+    }
+  }
+  series.Set(0, constant);
+  series.Set(1, wave);
+  const std::vector<float> radiance = series.TakeRadiance();
+  ASSERT_EQ(radiance.size(), 2 * (azimuths + 1) * 3 * texels);
+  const double sinc = std::sin(Pi / azimuths) / (Pi / azimuths);
+  const double gain = 3.0 * sinc * sinc / (2.0 + std::cos(2.0 * Pi / azimuths));
+  for (std::size_t k = 0; k < radiance.size(); ++k)
+  {
+    const std::size_t slice = k / (3 * texels);
+    const std::size_t texel = k / 3 % texels + slice / (azimuths + 1) * texels;
+    const double psi = 2.0 * Pi * static_cast<double>(slice % (azimuths + 1)) / azimuths;
+    const double mean = 1.0 + static_cast<double>(texel) + static_cast<double>(k % 3);
+    const double expected =
+      mean + 2.0 * gain * (0.25 * static_cast<double>(texel) * std::cos(psi) - 0.5 * std::sin(psi));
+    ASSERT_NEAR(radiance[k], expected, 1e-3) << k;
+  }
+}
