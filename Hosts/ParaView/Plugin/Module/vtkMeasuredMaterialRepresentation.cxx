@@ -519,7 +519,9 @@ void vtkMeasuredMaterialRepresentation::UpdateMappers(
     { this->Mapper, this->LODMapper, this->BackfaceMapper, this->LODBackfaceMapper })
   {
     auto* mapper = static_cast<vtkCompositeMeasuredBRDFMapper*>(any);
-    mapper->SetOcclusionMode(occlusion);
+    // The level of detail is another surface, whose arrays do not fit, and which comes and goes.
+    const bool isLevel = any == this->LODMapper || any == this->LODBackfaceMapper;
+    mapper->SetOcclusionMode(isLevel ? vtkMeasuredBRDFMapper::OCCLUSION_OFF : occlusion);
     mapper->SetOcclusionBounce(impl.Bounce);
     mapper->SetBRDF(impl.BRDF);
     mapper->SetEnvironment(environment);
