@@ -139,5 +139,9 @@ void Comparison::Take(const ComparedMaterial& material)
   std::stable_sort(this->Materials.begin(), this->Materials.end(),
     [&](const ComparedMaterial& a, const ComparedMaterial& b) { return place(a) < place(b); });
   emit this->changed();
+  if (material.Values != FindValues(material.File, this->Model->GetState().Models))
+  {
+    this->Update(); // they have changed since this was begun
+  }
 }
 } // namespace explorer

@@ -44,7 +44,7 @@ LightPanel::LightPanel(Session* session, QWidget* parent)
   };
   add(tr("&Polar angle"), this->Theta, &LightState::Theta, 0.0, 180.0,
     tr("Between the light and +y, which is up"));
-  add(tr("&Azimuth"), this->Phi, &LightState::Phi, -180.0, 180.0, tr("About +y, from +z to +x"));
+  add(tr("&Azimuth"), this->Phi, &LightState::Phi, -180.0, 179.9, tr("About +y, from +z to +x"));
   add(tr("I&rradiance"), this->Irradiance, &LightState::Irradiance, 0.0, LargestIrradiance,
     tr("Of a surface that faces the light: a white diffuse one then has this over π as its "
        "radiance"));

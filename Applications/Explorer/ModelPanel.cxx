@@ -50,6 +50,10 @@ ModelPanel::ModelPanel(Session* session, QWidget* parent)
       {
         this->Model->SetMaterial(file.toStdString());
       }
+      else
+      {
+        this->Show(); // "none" is no choice
+      }
     });
   connect(session, &Session::listsChanged, this, &ModelPanel::Show);
   connect(session, &Session::modelsChanged, this, &ModelPanel::Update);

@@ -36,6 +36,13 @@ public:
   /// Refuses, with a message of the session, what is no number from 0 to LargestSample.
   bool setData(const QModelIndex& index, const QVariant& value, int role = Qt::EditRole) override;
 
+  /// Nothing: typing in the view would search millions of rows.
+  QModelIndexList match(
+    const QModelIndex&, int, const QVariant&, int, Qt::MatchFlags) const override
+  {
+    return {};
+  }
+
 private:
   void TakeMaterial();
   bool Find(int row, std::array<float, 3>& rgb) const;

@@ -96,6 +96,9 @@ void SamplePanel::GoTo(const std::array<double, 3>& degrees)
 //------------------------------------------------------------------------------
 void SamplePanel::Revert()
 {
-  this->Undo->push(new SetEdits(this->Model, this->Model->GetOriginal().File, {}));
+  if (this->RevertButton->isEnabled()) // else there is nothing to take back
+  {
+    this->Undo->push(new SetEdits(this->Model, this->Model->GetOriginal().File, {}));
+  }
 }
 } // namespace explorer

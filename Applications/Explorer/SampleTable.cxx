@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -135,8 +136,14 @@ bool SampleTable::GetValue(int row, std::array<float, 3>& rgb) const
   }
   if (this->Table)
   {
-    std::copy_n(&this->Table->GetVolume()[3 * static_cast<std::size_t>(row)], 3, rgb.begin());
-    return std::all_of(rgb.begin(), rgb.end(), [](float value) { return std::isfinite(value); });
+    const float* sample = &this->Table->GetVolume()[3 * static_cast<std::size_t>(row)];
+    const bool isMeasured =
+      std::all_of(sample, sample + 3, [](float value) { return std::isfinite(value); });
+    if (isMeasured)
+    {
+      std::copy_n(sample, 3, rgb.begin());
+    }
+    return isMeasured;
   }
   double f[3];
   this->BRDF->Evaluate(i, o, f);
@@ -198,15 +205,23 @@ tool::Material ApplyEdits(const tool::Material& original, const SampleEdits& edi
   auto copy = vtkSmartPointer<vtkBRDF>::Take(original.BRDF->NewSnapshot());
   auto* table = vtkTabulatedBRDF::SafeDownCast(copy);
   const SampleTable rows(table);
-  if (!table || edits.rbegin()->first >= rows.GetNumberOfRows())
+  const int count = table ? rows.GetNumberOfRows() : 0;
+  const auto foreign = std::distance(edits.lower_bound(count), edits.end());
+  if (foreign > 0)
   {
-    edited.Notes += (edited.Notes.empty() ? "" : " ") + original.File +
-                    ": its edits are not for its table, and are left out.";
+    edited.Notes += (edited.Notes.empty() ? "" : " ") + original.File + ": " +
+                    std::to_string(foreign) +
+                    " of its edits are for no row of its table, which has " +
+                    std::to_string(count) + ", and are left out.";
+  }
+  if (edits.begin()->first >= count)
+  {
     return edited;
   }
   std::vector<float> volume = table->GetVolume();
-  for (const auto& [row, rgb] : edits)
+  for (auto edit = edits.begin(); edit != edits.lower_bound(count); ++edit)
   {
+    const auto& [row, rgb] = *edit;
     std::copy(rgb.begin(), rgb.end(), &volume[3 * static_cast<std::size_t>(row)]);
   }
   const int dimensions[3] = { table->GetDimensions()[0], table->GetDimensions()[1],

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Session.h"
 
+#include "BackgroundWork.h"
 #include "FileKinds.h"
 #include "Files.h"
 #include "Meshes.h"
@@ -115,21 +116,25 @@ std::vector<Item> Session::GetMeshes() const { return ListMeshes(this->MeshFile)
 //------------------------------------------------------------------------------
 void Session::Open(const QStringList& files)
 {
-  std::vector<std::string> names;
-  for (const QString& file : files)
-  {
-    names.push_back(file.toStdString());
-  }
-  if (names.empty())
+  if (files.empty())
   {
     return;
   }
+  for (const QString& file : files)
+  {
+    this->Opening.push_back(file.toStdString());
+  }
+  // One job at a time: this one also reads what the one that it stops has not read.
   this->Background->Start(
     "open", tr("reading"),
-    [this, names, settings = this->GetMaterialSettings()](JobThread& thread)
+    [this, names = this->Opening, settings = this->GetMaterialSettings()](JobThread& thread)
     {
       for (const std::string& name : names)
       {
+        if (tool::BackgroundWork::Get()->IsStopped())
+        {
+          return;
+        }
         try
         {
           this->OpenOne(name, settings, thread);
@@ -139,6 +144,7 @@ void Session::Open(const QStringList& files)
           const QString text = QString::fromUtf8(error.what());
           thread.Post([this, text]() { this->Say(text, true); });
         }
+        thread.Post([this]() { this->Opening.erase(this->Opening.begin()); }); // this one
       }
     },
     [this](const QString& text) { this->Say(text, true); });
@@ -308,6 +314,7 @@ void Session::Take(const MadeMaterial& made)
   {
     AddOnce(this->Current.MaterialFiles, file);
   }
+  this->Background->Stop("remake"); // of what was shown
   this->Made = made;
   this->Current.Material = file;
   this->Say(QString::fromStdString(made.Shown.Notes), false);
@@ -331,6 +338,7 @@ void Session::RemakeMaterial()
   const std::string file = this->Made.Shown.File;
   if (!this->Made.Shown.BRDF || !this->Made.IsAnother(settings))
   {
+    this->Background->Stop("remake"); // of settings that are taken back
     return;
   }
   this->Background->Start(

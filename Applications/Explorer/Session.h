@@ -160,8 +160,9 @@ private:
   QTimer Remake;
   vtkSmartPointer<vtkEnvironment> Environment;
   vtkSmartPointer<vtkPolyData> Mesh;
-  std::string MeshFile;       // of Mesh
-  bool IsCameraGiven = false; // by the state that the next mesh belongs to
+  std::string MeshFile;             // of Mesh
+  std::vector<std::string> Opening; // what is not read yet
+  bool IsCameraGiven = false;       // by the state that the next mesh belongs to
 };
 
 /// A mesh by name or file. Throws tool::Error.

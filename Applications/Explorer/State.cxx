@@ -16,6 +16,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <set>
 #include <sstream>
 
@@ -133,8 +134,9 @@ bool IsEdit(const ordered_json& edit)
          std::all_of(edit.begin() + 1, edit.end(),
            [](const ordered_json& value)
            {
-             return value.is_number() && value.get<double>() >= 0.0 &&
-                    value.get<double>() <= explorer::LargestSample;
+             // Beside the one that was entered stand those of the file, whatever they are.
+             return value.is_number() &&
+                    std::abs(value.get<double>()) <= std::numeric_limits<float>::max();
            });
 }
 
@@ -155,8 +157,7 @@ void TakeEdits(const explorer::Fields& fields, std::map<std::string, explorer::S
     if (!list.is_array() || count > explorer::MostEdits ||
         !std::all_of(list.begin(), list.end(), IsEdit))
     {
-      materials.Fail(file, "a list of [row, red, green, blue] with values from 0 to " +
-                             tool::FormatNumber(explorer::LargestSample) + ", at most " +
+      materials.Fail(file, "a list of [row, red, green, blue] with finite numbers, at most " +
                              std::to_string(explorer::MostEdits) + " of all materials");
     }
     for (const ordered_json& edit : list)

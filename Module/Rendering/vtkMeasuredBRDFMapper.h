@@ -304,11 +304,10 @@ public:
    * the error; the first Render and each one after a change of the surface then run that filter
    * (seconds for half a million triangles). OCCLUSION_OFF: never.
    * Arrays of another surface, or damaged ones, are reported once and not used. vtkLights are not
-   * hidden: vtkShadowMapPass does that. The material and the environment's rotation change at the
-   * cost that they have without; a new environment takes some 0.03 s more. Methods that tell a
-   * material's matte part and its lobe apart (table, factored, hybrid; what plans choose) are the
-   * most accurate; others take what is reflected
-   * as one lobe.
+   * hidden: vtkShadowMapPass does that. The environment's rotation changes at the cost that it has
+   * without; a new environment takes some 0.03 s more. Methods that tell a material's matte part
+   * and its lobe apart (table, factored, hybrid; what plans choose) are the most accurate; others
+   * take what is reflected as one lobe.
    */
   void SetOcclusionMode(int mode);
   int GetOcclusionMode();
@@ -325,8 +324,7 @@ public:
    * that the mapper makes have what it takes, which nearly doubles their time. What hides is
    * taken to be matte, of the point's own material and albedo. Surfaces with both sides whose parts
    * mix three materials or four are drawn without. GetPlan ends with "one bounce modeled" where any
-   * part has the arrays. A change of the environment, its rotation and the material cost what they
-   * cost without.
+   * part has the arrays.
    */
   void SetOcclusionBounce(bool bounce);
   bool GetOcclusionBounce();

@@ -6,6 +6,7 @@
 #include "MadeMaterial.h"
 #include "ModelMaterials.h"
 #include "SampleTable.h"
+#include "State.h"
 #include "Tool.h"
 
 #include "vtkBRDFData.h"
@@ -21,6 +22,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 using namespace explorer;
@@ -69,6 +71,7 @@ private slots:
   void otherMaterialsAreSampled();
   void editsAreInACopy();
   void editsThatDoNotFitAreLeftOut();
+  void oddSamplesStayReadable();
 };
 
 //------------------------------------------------------------------------------
@@ -327,8 +330,32 @@ void ExplorerMaterials::editsThatDoNotFitAreLeftOut()
   {
     const tool::Material edited = ApplyEdits(MakeMaterial(one), edits);
     QVERIFY(edited.BRDF == one);
-    QVERIFY(edited.Notes.find("table.exr: its edits") != std::string::npos);
+    QVERIFY(edited.Notes.find("table.exr: 1 of its edits") != std::string::npos);
   }
+  edits[7] = { 100.0f, 200.0f, 300.0f }; // the others stay
+  const tool::Material edited = ApplyEdits(MakeMaterial(brdf), edits);
+  QVERIFY(edited.Notes.find("table.exr: 1 of its edits") != std::string::npos);
+  auto* table = vtkTabulatedBRDF::SafeDownCast(edited.BRDF);
+  QVERIFY(table && table->GetVolume()[3 * 7 + 2] == 300.0f);
+}
+
+//------------------------------------------------------------------------------
+// Of a sample that was not measured nothing is taken; beside an edited channel negative ones stay.
+void ExplorerMaterials::oddSamplesStayReadable()
+{
+  const auto brdf = MakeTable(vtkTabulatedBRDF::HALF_DIFFERENCE);
+  std::vector<float> volume = brdf->GetVolume();
+  volume[3 * 7 + 1] = std::numeric_limits<float>::quiet_NaN();
+  const int dimensions[3] = { brdf->GetDimensions()[0], brdf->GetDimensions()[1],
+    brdf->GetDimensions()[2] };
+  QVERIFY(brdf->SetVolume(
+    brdf->GetParameterization(), brdf->GetAzimuthRange(), dimensions, std::move(volume)));
+  std::array<float, 3> rgb = { 1.0f, 2.0f, 3.0f };
+  QVERIFY(!SampleTable(brdf).GetValue(7, rgb));
+  QVERIFY((rgb == std::array<float, 3>{ 1.0f, 2.0f, 3.0f }));
+  State state;
+  state.Edits["table.exr"][7] = { 0.5f, -0.01f, 2e6f };
+  QVERIFY(ReadState(WriteState(state), "s").Edits == state.Edits);
 }
 
 //------------------------------------------------------------------------------

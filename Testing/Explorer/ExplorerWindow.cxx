@@ -361,6 +361,11 @@ void ExplorerWindow::filesAreOpened()
   QVERIFY(window->windowTitle().contains("under sky"));
   session->SetMesh("ball-on-foot");
   QTRY_COMPARE_WITH_TIMEOUT(session->GetState().Mesh, std::string("ball-on-foot"), Patience);
+  // Others while some are read.
+  session->Open({ path, "silver-metallic-paint", "hall" });
+  session->Open({ folder.filePath("none.hdr") });
+  QTRY_VERIFY_WITH_TIMEOUT(window->GetMessage().contains("none.hdr"), Patience);
+  QCOMPARE(session->GetState().Environment, std::string("hall"));
 }
 
 //------------------------------------------------------------------------------

@@ -1057,12 +1057,14 @@ add("Rendering.mappers-trace-apart", "Private/SharedTrace.cxx", "found = traces[
     "SharedTraceTest.MappersOfOneSurfaceTraceOnce|SharedTraceTest.OccludersAreNotShared")
 add("Rendering.shared-without-the-bounce", "Private/SharedTrace.h", "(!withBounce || this->HasBounce)", "true",
     "SharedTraceTest.MappersOfOneSurfaceTraceOnce")
+add("Rendering.traces-of-others", "Private/OcclusionArrays.cxx", "this->TracedState != state",
+    "this->TracedState.back().second != state.back().second", "SharedTraceTest.SurfacesThatSharePointsKeepApart")
 add("Rendering.threads-trace-at-once", "Private/SharedTrace.cxx", "while (this->Maker != std::thread::id())", "while (false)",
     "SharedTraceTest.ThreadsWaitForOneAnother")
 add("Rendering.forecasts-outlive-mappers", "Private/OcclusionForecast.cxx", "[this]() { return !this->IsStopped; }",
     "[]() { return true; }", "SharedTraceTest.ForecastsStopWhenTheyGo")
 add("Rendering.levels-are-looked-for-once", "Private/MaterialDrawing.cxx",
-    "state.Actor->GetMapper() != mapper && this->WarnOnce", "this->WarnOnce",
+    'levels && this->WarnOnce("levels of detail")', 'this->WarnOnce("levels of detail") && levels',
     "OcclusionStability.ActorsWithLevelsKeepTheSurfacesArrays")
 add("Rendering.moving-surfaces-are-traced", "Private/OcclusionForecast.cxx", "return this->Changes <= MostChanges;", "return true;",
     "OcclusionTest.ForecastsFollowTheSurface")

@@ -5,6 +5,8 @@
 #include "OcclusionTools.h"
 #include "RenderFixture.h"
 #include "SharedTrace.h"
+#include "vtkCell.h"
+#include "vtkCellArray.h"
 #include "vtkEmbeddedEnvironments.h"
 #include "vtkEnvironment.h"
 #include "vtkLambertBRDF.h"
@@ -73,13 +75,18 @@ protected:
     mapper->SetIntegrator(this->Table);
     mapper->SetOcclusionModeToOn();
     mapper->SetOcclusionBounce(bounce);
+    this->ShowAgain(mapper, picture);
+    return mapper;
+  }
+
+  void ShowAgain(vtkMeasuredBRDFMapper* mapper, FloatImage& picture)
+  {
     vtkNew<vtkActor> actor;
     actor->SetMapper(mapper);
     this->Renderer->AddActor(actor);
     this->Renderer->ResetCameraClippingRange();
     picture = this->RenderLinear();
     this->Renderer->RemoveActor(actor);
-    return mapper;
   }
 
   vtkSmartPointer<vtkEnvironment> Environment;
@@ -143,7 +150,7 @@ TEST_F(SharedTraceTest, ChangedPointsAreAnotherSurface)
   const auto bowl = MakeBowl(12);
   vtkNew<vtkPolyData> copy;
   copy->DeepCopy(bowl);
-  FloatImage before, after, other;
+  FloatImage before, changed, after, other;
   const auto first = this->Show(bowl, false, before);
   const auto second = this->Show(copy, false, other);
   for (vtkIdType k = 0; k < bowl->GetNumberOfPoints(); ++k)
@@ -153,10 +160,36 @@ TEST_F(SharedTraceTest, ChangedPointsAreAnotherSurface)
     bowl->GetPoints()->SetPoint(k, p[0], p[1], 1.5 * p[2]);
   }
   bowl->GetPoints()->Modified();
-  const auto third = this->Show(bowl, false, after);
+  const auto third = this->Show(bowl, false, changed);
   const auto fourth = this->Show(copy, false, after);
+  EXPECT_NE(SharedTrace::Find(bowl), SharedTrace::Find(copy));
+  EXPECT_EQ(SharedTrace::Find(bowl)->GetNumberOfTraces(), 1);
+  EXPECT_NE(before.RGBA, changed.RGBA);
   EXPECT_EQ(before.RGBA, other.RGBA);
   EXPECT_EQ(before.RGBA, after.RGBA);
+}
+
+// Two surfaces of the same points, which are the newest of both.
+TEST_F(SharedTraceTest, SurfacesThatSharePointsKeepApart)
+{
+  const auto bowl = MakeBowl(12);
+  vtkNew<vtkPolyData> part; // the rim
+  part->ShallowCopy(bowl);
+  vtkNew<vtkCellArray> polygons;
+  for (vtkIdType cell = bowl->GetNumberOfCells() / 2; cell < bowl->GetNumberOfCells(); ++cell)
+  {
+    polygons->InsertNextCell(bowl->GetCell(cell));
+  }
+  part->SetPolys(polygons);
+  FloatImage alone, whole, changed;
+  this->Show(part, false, alone);
+  bowl->GetPoints()->Modified();
+  ASSERT_EQ(bowl->GetMTime(), part->GetMTime());
+  const auto mapper = this->Show(bowl, false, whole);
+  mapper->SetInputData(part);
+  this->ShowAgain(mapper, changed);
+  EXPECT_NE(whole.RGBA, alone.RGBA);
+  EXPECT_EQ(changed.RGBA, alone.RGBA);
 }
 
 // Threads that ask at once, a question that nobody waits for, and one from inside of the trace.
@@ -166,7 +199,13 @@ TEST_F(SharedTraceTest, ThreadsWaitForOneAnother)
   const auto trace = SharedTrace::Find(bowl);
   EXPECT_EQ(trace->Attach(bowl, false, []() { return false; }), nullptr);
   EXPECT_EQ(trace->GetNumberOfTraces(), 0);
-  vtkSmartPointer<vtkDataObject> results[3];
+  {
+    const auto small = MakeBowl(8);
+    const auto stopped = SharedTrace::Find(small);
+    EXPECT_EQ(stopped->Attach(small, false, []() { return false; }), nullptr);
+    EXPECT_TRUE(HasArrays(stopped->Attach(small, false, GoOn)));
+  }
+  vtkSmartPointer<vtkDataObject> results[2];
   std::atomic<bool> began{ false };
   std::thread threads[2];
   for (int k = 0; k < 2; ++k)
@@ -219,6 +258,7 @@ TEST_F(SharedTraceTest, ForecastsStopWhenTheyGo)
   question.Materials.push_back(
     { this->BRDF.Get(), this->Environment, this->Environment->GetPixelsMTime(), 0.01 });
   question.InBackground = true;
+  const auto trace = SharedTrace::Find(bowl);
   for (const double work : { 0.0, 2.0 }) // seconds of processor time: the second one traces
   {
     auto forecast = std::make_unique<OcclusionForecast>();
@@ -234,5 +274,5 @@ TEST_F(SharedTraceTest, ForecastsStopWhenTheyGo)
     forecast.reset();
     EXPECT_LT(GetProcessorTime() - before, 2.5) << work;
   }
-  EXPECT_EQ(SharedTrace::Find(bowl)->GetNumberOfTraces(), 0);
+  EXPECT_EQ(trace->GetNumberOfTraces(), 0);
 }

@@ -8,8 +8,9 @@
  * A place of a triangle is of the class whose corners have the largest share of it (barycentric
  * coordinates, summed for each class). So borders are straight: between two classes from one edge's
  * middle to another's, and where three meet, from the middles to the centroid. Each piece is of one
- * class, and is drawn as a class of cells is. Polygons on both sides of an edge cut it at the same
- * point: no gap shows.
+ * class, and is drawn as a class of cells is. Polygons that share an edge's points cut it at the
+ * same point: no gap shows. Where points are doubled (a seam) and their classes differ, single
+ * pixels of what is behind can show through.
  */
 
 #ifndef ClassBorders_h

@@ -337,11 +337,9 @@ void MaterialDrawing::BeginFrame(
 void MaterialDrawing::WarnOfLevels(const FrameState& state)
 {
   // Such actors draw through one that has no mapper; others may have shown it before.
-  auto* mapper = vtkMapper::SafeDownCast(this->Owner);
-  const char* levels = state.Actor->GetMapper() != mapper && this->WarnOnce("levels of detail")
-                         ? FindStockLevels(state.Renderer, state.Actor, mapper)
-                         : nullptr;
-  if (levels)
+  const char* levels =
+    FindStockLevels(state.Renderer, state.Actor, vtkMapper::SafeDownCast(this->Owner));
+  if (levels && this->WarnOnce("levels of detail"))
   {
     vtkWarningWithObjectMacro(this->Owner,
       << levels

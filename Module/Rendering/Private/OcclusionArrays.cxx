@@ -301,17 +301,18 @@ OcclusionCache::~OcclusionCache() = default;
 // The input with arrays, for all of its blocks, which ask one by one.
 vtkDataObject* OcclusionCache::Trace(vtkDataObject* input, bool withBounce)
 {
-  vtkMTimeType time = input->GetMTime();
+  // Surfaces that share points can have the same time.
+  std::vector<std::pair<vtkDataObject*, vtkMTimeType>> state = { { input, input->GetMTime() } };
   for (vtkPolyData* surface : GetBlocks(input))
   {
-    time = std::max(time, surface->GetMTime());
+    state.emplace_back(surface, surface->GetMTime());
   }
-  if (!this->Traced || this->TracedTime != time || this->TracedBounce != withBounce)
+  if (!this->Traced || this->TracedState != state || this->TracedBounce != withBounce)
   {
     const auto before = std::move(this->Shared); // the sky of the same surface is not traced again
     this->Shared = SharedTrace::Find(input);
     this->Traced = this->Shared->Attach(input, withBounce, []() { return true; });
-    this->TracedTime = time; // no other object ever has it
+    this->TracedState = std::move(state);
     this->TracedBounce = withBounce;
   }
   return this->Traced;

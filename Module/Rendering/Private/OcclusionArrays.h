@@ -17,6 +17,8 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace measuredbrdf
 {
@@ -102,7 +104,7 @@ private:
   /// The input, traced as it was last asked for.
   std::shared_ptr<SharedTrace> Shared;
   vtkSmartPointer<vtkDataObject> Traced;
-  vtkMTimeType TracedTime = 0;
+  std::vector<std::pair<vtkDataObject*, vtkMTimeType>> TracedState; // only compared
   bool TracedBounce = false;
   ///@}
 };

@@ -5,7 +5,6 @@
 #include "ContentHash.h"
 #include "SurfaceBlocks.h"
 #include "SurfacePoints.h"
-#include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
@@ -85,6 +84,41 @@ vtkSmartPointer<vtkPolyData> CopyGeometry(vtkPolyData* surface)
 }
 }
 
+// A trace's stop is asked for by the filter's own thread: a request from another one could come
+// before it begins. Whatever happens, the filter has neither observer nor input afterwards.
+class SharedTrace::Run
+{
+public:
+  Run(vtkSurfaceVisibilityFilter* filter, vtkDataObject* input, const std::function<bool()>& goesOn)
+    : Filter(filter)
+    , GoesOn(goesOn)
+  {
+    this->Tag = filter->AddObserver(vtkCommand::ProgressEvent, this, &Run::Follow);
+    filter->SetAbortExecute(0); // VTK 9.3 and later keep an earlier stop
+    filter->SetInputDataObject(input);
+  }
+  ~Run()
+  {
+    this->Filter->RemoveObserver(this->Tag);
+    this->Filter->SetInputDataObject(nullptr);
+  }
+  Run(const Run&) = delete;
+  void operator=(const Run&) = delete;
+
+private:
+  void Follow(vtkObject*, unsigned long, void*)
+  {
+    if (!this->GoesOn())
+    {
+      this->Filter->SetAbortExecute(1);
+    }
+  }
+
+  vtkSurfaceVisibilityFilter* Filter;
+  const std::function<bool()>& GoesOn;
+  unsigned long Tag;
+};
+
 // This thread makes what others wait for, until it is gone.
 class SharedTrace::Making
 {
@@ -140,6 +174,7 @@ vtkSmartPointer<vtkDataObject> SharedTrace::Attach(
   if (this->Maker == std::this_thread::get_id())
   {
     // The filter's progress has led back to here: waiting would never end.
+    lock.unlock();
     return SharedTrace().Attach(input, withBounce, goesOn);
   }
   while (this->Maker != std::thread::id())
@@ -178,37 +213,24 @@ void SharedTrace::Trace(vtkDataObject* input, bool withBounce, const std::functi
     this->Filter = vtkSmartPointer<vtkSurfaceVisibilityFilter>::New();
     this->Filter->BothSidesOn(); // whichever way the normals point
   }
-  // The filter's own thread asks for the stop: a request from another one could come before it
-  // begins.
-  vtkNew<vtkCallbackCommand> follow;
-  std::function<bool()> asked = goesOn;
-  follow->SetClientData(&asked);
-  follow->SetCallback(
-    [](vtkObject* caller, unsigned long, void* data, void*)
-    {
-      if (!(*static_cast<std::function<bool()>*>(data))())
-      {
-        static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
-      }
-    });
-  const unsigned long tag = this->Filter->AddObserver(vtkCommand::ProgressEvent, follow);
-  this->Filter->SetBounce(withBounce);
-  this->Filter->SetInputDataObject(CopyBlocks(input, CopyGeometry));
-  const int before = this->Filter->GetNumberOfTraces();
-  this->Filter->Update();
-  this->Filter->RemoveObserver(tag);
-  if (this->Filter->GetNumberOfTraces() > before)
+  vtkSmartPointer<vtkSurfaceVisibilityFilter> filter =
+    std::move(this->Filter); // back if all goes well
+  const Run run(filter, CopyBlocks(input, CopyGeometry), goesOn);
+  filter->SetBounce(withBounce);
+  const int before = filter->GetNumberOfTraces();
+  filter->Update();
+  if (filter->GetNumberOfTraces() > before)
   {
     ++this->NumberOfTraces;
     this->HasBounce = withBounce;
     this->Arrays.clear();
-    for (vtkPolyData* surface : GetBlocks(this->Filter->GetOutputDataObject(0)))
+    for (vtkPolyData* surface : GetBlocks(filter->GetOutputDataObject(0)))
     {
       this->Arrays.push_back(vtkSmartPointer<vtkPolyData>::New());
       MoveArrays(surface, this->Arrays.back());
     }
   }
-  this->Filter->SetInputDataObject(nullptr); // the arrays are enough
-  this->Filter->GetOutputDataObject(0)->Initialize();
+  filter->GetOutputDataObject(0)->Initialize(); // the arrays are enough
+  this->Filter = std::move(filter);
 }
 } // namespace measuredbrdf

@@ -48,6 +48,7 @@ public:
 
 private:
   class Making;
+  class Run;
   bool Has(bool withBounce) const
   {
     return !this->Arrays.empty() && (!withBounce || this->HasBounce);
