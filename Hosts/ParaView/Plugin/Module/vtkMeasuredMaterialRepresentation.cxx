@@ -4,6 +4,7 @@
 
 #include "MaterialFiles.h"
 #include "NamedMap.h"
+#include "Ranks.h"
 #include "vtkMissingNormalsFilter.h"
 
 #include "vtkCommunicator.h"
@@ -18,9 +19,12 @@
 #include "vtkObjectFactory.h"
 #include "vtkPVLODActor.h"
 #include "vtkPVRenderView.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
 #include "vtkProcessModule.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkSurfaceVisibilityFilter.h"
 
 #include <algorithm>
 #include <map>
@@ -36,14 +40,6 @@ vtkStandardNewMacro(vtkMeasuredMaterialRepresentation);
 namespace
 {
 const char* const File = "File";
-
-//------------------------------------------------------------------------------
-// More than one process draws: what they draw must agree.
-vtkMultiProcessController* GetController()
-{
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  return controller && controller->GetNumberOfProcesses() > 1 ? controller : nullptr;
-}
 
 //------------------------------------------------------------------------------
 // Flat indices of the blocks of each selector.
@@ -113,6 +109,9 @@ struct vtkMeasuredMaterialRepresentation::Internals
   bool Background = true;
   int Occlusion = vtkMeasuredBRDFMapper::OCCLUSION_AUTO;
   bool Bounce = false;
+  bool HasWarned = false;          // that this process alone traces nothing
+  bool IsModeled = false;          // what "Auto" said of the last picture
+  vtkMTimeType OcclusionTime = 0;  // of that picture's data
   std::string NormalArray = "None"; // of the superclass's property
 
   // What the names gave.
@@ -419,6 +418,7 @@ void vtkMeasuredMaterialRepresentation::SetPlanInBackground(bool background)
 void vtkMeasuredMaterialRepresentation::SetOcclusionMode(int mode)
 {
   this->Impl->Occlusion = std::clamp(mode, 0, 2);
+  this->Impl->HasWarned = false;
 }
 
 //------------------------------------------------------------------------------
@@ -511,10 +511,7 @@ void vtkMeasuredMaterialRepresentation::UpdateMappers(
   const bool interactive = view && view->GetRenderWindow()->GetDesiredUpdateRate() > 1.0;
   const int mode = impl.Background && interactive && !parallel ? vtkMeasuredBRDFMapper::BACKGROUND
                                                                : vtkMeasuredBRDFMapper::FOREGROUND;
-  // Ranks that predict for their own parts would not agree.
-  const int occlusion = parallel && impl.Occlusion == vtkMeasuredBRDFMapper::OCCLUSION_AUTO
-                          ? vtkMeasuredBRDFMapper::OCCLUSION_OFF
-                          : impl.Occlusion;
+  const int occlusion = this->FindOcclusionMode(data, interactive);
   for (vtkMapper* any :
     { this->Mapper, this->LODMapper, this->BackfaceMapper, this->LODBackfaceMapper })
   {
@@ -533,6 +530,56 @@ void vtkMeasuredMaterialRepresentation::UpdateMappers(
   }
   this->UpdateMap(levelOfDetail);
   this->UpdateBlocks(vtkDataObjectTree::SafeDownCast(data));
+}
+
+//------------------------------------------------------------------------------
+// Each of several processes knows its part of the surface only. The filter's arrays know the whole.
+int vtkMeasuredMaterialRepresentation::FindSharedOcclusionMode(vtkDataObject* data)
+{
+  Internals& impl = *this->Impl;
+  for (vtkPolyData* surface : GetSurfaces(data))
+  {
+    if (surface->GetPointData()->HasArray(vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName()))
+    {
+      return vtkMeasuredBRDFMapper::OCCLUSION_AUTO; // which predicts nothing where there are arrays
+    }
+  }
+  if (impl.Occlusion == vtkMeasuredBRDFMapper::OCCLUSION_ON && !impl.HasWarned)
+  {
+    impl.HasWarned = true;
+    if (GetController()->GetLocalProcessId() == 0)
+    {
+      vtkWarningMacro("Self-Occlusion: the surface is drawn as if it hid nothing from itself, since "
+                      "each process has a part of it only. The filter Surface Visibility knows the "
+                      "whole surface.");
+    }
+  }
+  return vtkMeasuredBRDFMapper::OCCLUSION_OFF;
+}
+
+//------------------------------------------------------------------------------
+// A mapper's "Auto" leaves a surface alone that changes in every frame, from the fourth one on. Of
+// an animation that would be seen: where its last picture was modeled, the next one is.
+int vtkMeasuredMaterialRepresentation::FindOcclusionMode(vtkDataObject* data, bool interactive)
+{
+  Internals& impl = *this->Impl;
+  if (impl.Occlusion == vtkMeasuredBRDFMapper::OCCLUSION_OFF)
+  {
+    return impl.Occlusion;
+  }
+  if (GetController())
+  {
+    return this->FindSharedOcclusionMode(data);
+  }
+  auto* mapper = static_cast<vtkCompositeMeasuredBRDFMapper*>(this->Mapper);
+  if (mapper->GetOcclusionMode() == vtkMeasuredBRDFMapper::OCCLUSION_AUTO)
+  {
+    impl.IsModeled = mapper->GetPlan().find("%), modeled") != std::string::npos;
+  }
+  const bool changed = impl.OcclusionTime != data->GetMTime();
+  impl.OcclusionTime = data->GetMTime();
+  return impl.IsModeled && changed && !interactive ? vtkMeasuredBRDFMapper::OCCLUSION_ON
+                                                   : impl.Occlusion;
 }
 
 //------------------------------------------------------------------------------
