@@ -60,6 +60,7 @@ def make_scene(name, view):
         group = simple.GroupDatasets(Input=[left, right])
         display = show(group, view)
         display.BlockMaterials = [get_selectors(group)[1], "nickel"]
+        display.OcclusionMode = "Off"  # one process would model it
         return display
     display = show(sphere, view)
     if name == "files":
@@ -97,6 +98,7 @@ def draw_alone(ranks):
         display.OcclusionMode = mode
         for _ in range(2):
             draw(view, f"ranks-{ranks}-bowl-{mode}")
+        assert ("left out on several" in get_plan(display)) == (ranks > 1 and mode == "On"), (mode, get_plan(display))
     simple.Delete(view)
 
 
@@ -195,7 +197,8 @@ def compare():
             largest, mean = get_difference(first, read(os.path.join(OUTPUT, f"ranks-{count}-{name}.png")))
             print(f"{name}, {count} ranks: largest difference {largest}, mean {mean:.4f}")
             assert plans[count][name] == plans[1][name], (name, plans)
-            assert largest <= 2 and mean < 0.2, (name, count, largest, mean)
+            # Rays from points where parts meet begin elsewhere.
+            assert largest <= (12 if name == "bowl" else 2) and mean < (0.02 if name == "bowl" else 0.2), (name, count, largest, mean)
     print("passed")
 
 

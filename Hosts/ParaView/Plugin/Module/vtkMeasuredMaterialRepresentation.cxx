@@ -109,9 +109,10 @@ struct vtkMeasuredMaterialRepresentation::Internals
   bool Background = true;
   int Occlusion = vtkMeasuredBRDFMapper::OCCLUSION_AUTO;
   bool Bounce = false;
-  bool HasWarned = false;          // that this process alone traces nothing
-  bool IsModeled = false;          // what "Auto" said of the last picture
-  vtkMTimeType OcclusionTime = 0;  // of that picture's data
+  bool IsLeftOut = false;         // since this process has a part of the surface only
+  bool HasWarned = false;         // of that
+  bool IsModeled = false;         // what "Auto" said of the last picture
+  vtkMTimeType OcclusionTime = 0; // of that picture's data
   std::string NormalArray = "None"; // of the superclass's property
 
   // What the names gave.
@@ -541,9 +542,11 @@ int vtkMeasuredMaterialRepresentation::FindSharedOcclusionMode(vtkDataObject* da
   {
     if (surface->GetPointData()->HasArray(vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName()))
     {
+      impl.IsLeftOut = false;
       return vtkMeasuredBRDFMapper::OCCLUSION_AUTO; // which predicts nothing where there are arrays
     }
   }
+  impl.IsLeftOut = true;
   if (impl.Occlusion == vtkMeasuredBRDFMapper::OCCLUSION_ON && !impl.HasWarned)
   {
     impl.HasWarned = true;
@@ -565,6 +568,7 @@ int vtkMeasuredMaterialRepresentation::FindOcclusionMode(vtkDataObject* data, bo
   Internals& impl = *this->Impl;
   if (impl.Occlusion == vtkMeasuredBRDFMapper::OCCLUSION_OFF)
   {
+    impl.IsLeftOut = false;
     return impl.Occlusion;
   }
   if (GetController())
@@ -622,6 +626,10 @@ const char* vtkMeasuredMaterialRepresentation::GetPlan()
                            vtkProcessModule::GetProcessType() == vtkProcessModule::PROCESS_CLIENT;
   this->Plan =
     serverDraws ? "" : static_cast<vtkCompositeMeasuredBRDFMapper*>(this->Mapper)->GetPlan();
+  if (this->Impl->IsLeftOut && !this->Plan.empty())
+  {
+    this->Plan += "; occlusion is left out on several processes, but for Surface Visibility";
+  }
   return this->Plan.c_str();
 }
 
