@@ -109,10 +109,10 @@ struct vtkMeasuredMaterialRepresentation::Internals
   bool Background = true;
   int Occlusion = vtkMeasuredBRDFMapper::OCCLUSION_AUTO;
   bool Bounce = false;
-  bool IsLeftOut = false;         // since this process has a part of the surface only
-  bool HasWarned = false;         // of that
-  bool IsModeled = false;         // what "Auto" said of the last picture
-  vtkMTimeType OcclusionTime = 0; // of that picture's data
+  bool IsLeftOut = false;           // since this process has a part of the surface only
+  bool HasWarned = false;           // of that
+  bool IsModeled = false;           // what "Auto" said of the last picture
+  vtkMTimeType OcclusionTime = 0;   // of that picture's data
   std::string NormalArray = "None"; // of the superclass's property
 
   // What the names gave.
@@ -552,9 +552,10 @@ int vtkMeasuredMaterialRepresentation::FindSharedOcclusionMode(vtkDataObject* da
     impl.HasWarned = true;
     if (GetController()->GetLocalProcessId() == 0)
     {
-      vtkWarningMacro("Self-Occlusion: the surface is drawn as if it hid nothing from itself, since "
-                      "each process has a part of it only. The filter Surface Visibility knows the "
-                      "whole surface.");
+      vtkWarningMacro(
+        "Self-Occlusion: the surface is drawn as if it hid nothing from itself, since "
+        "each process has a part of it only. The filter Surface Visibility knows the "
+        "whole surface.");
     }
   }
   return vtkMeasuredBRDFMapper::OCCLUSION_OFF;
