@@ -419,6 +419,40 @@ class TestMaps(PlotterTest):
             MaterialMap.classes("rock", {1: "nicke1"})
 
 
+class TestOcclusion(PlotterTest):
+    """White light in a bowl: its bottom sees the part of the sky that its mouth leaves."""
+
+    def look_into(self, mesh, mode, bounce=False):
+        plotter = new_plotter()
+        actor = plotter.measured.add_mesh(mesh, lambert(0.5, 0.5, 0.5))
+        actor.mapper.SetOcclusionMode(mode)
+        actor.mapper.SetOcclusionBounce(bounce)
+        plotter.measured.set_environment(WHITE)
+        plotter.view_vector((0, 0, -1), viewup=(0, 1, 0))
+        return (center(plotter) / 255.0) ** 2.2, actor
+
+    def test_a_bowl(self):
+        bowl = pv.Sphere(theta_resolution=60, phi_resolution=40, end_phi=90)
+        off, _ = self.look_into(bowl, 0)
+        on, _ = self.look_into(bowl, 2)
+        # From the bottom of a half sphere its mouth is a circle of 45 degrees: half of the irradiance.
+        np.testing.assert_allclose(off, 0.5, atol=0.01)
+        np.testing.assert_allclose(on, 0.25, atol=0.015)
+        auto, actor = self.look_into(bowl, 1)
+        np.testing.assert_allclose(auto, on, atol=0.01)
+        self.assertIn("modeled", actor.mapper.plan)
+        visibility = vtkmeasuredbrdf.vtkSurfaceVisibilityFilter()
+        visibility.SetInputData(bowl)
+        visibility.BothSidesOn()
+        visibility.BounceOn()
+        traced, actor = self.look_into(visibility, 1)
+        np.testing.assert_allclose(traced, on, atol=0.01)
+        self.assertNotIn("unoccluded", actor.mapper.plan)
+        bounced, actor = self.look_into(visibility, 1, bounce=True)
+        self.assertTrue((bounced > on + 0.03).all() and (bounced < off).all(), bounced)
+        self.assertIn("one bounce", actor.mapper.plan)
+
+
 class TestPlotter(PlotterTest):
     def test_plans(self):
         self.plotter.measured.add_mesh(pv.Sphere(), "pink-felt", name="ball", tolerance=0.05)
@@ -526,7 +560,7 @@ class TestPlotter(PlotterTest):
         root = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
         with open(os.path.join(root, "docs", "pyvista.md"), encoding="utf-8") as file:
             samples = re.findall(r"^```python\n(.*?)^```", file.read(), re.DOTALL | re.MULTILINE)
-        self.assertEqual(len(samples), 3)
+        self.assertEqual(len(samples), 5)
         names = {}
         for sample in samples:
             with contextlib.redirect_stdout(io.StringIO()):

@@ -243,6 +243,8 @@ def test_state_and_trace():
     display.MeasuredMaterial = "violet-rubber"
     display.MeasuredEnvironment = "hall"
     display.ErrorTolerance = 0.05
+    display.OcclusionMode = "On"
+    display.OcclusionBounce = 1
     before = draw(view, "state-before")
     state = os.path.join(OUTPUT, "state.pvsm")
     simple.SaveState(state)
@@ -253,6 +255,8 @@ def test_state_and_trace():
         ("MeasuredMaterial", "'violet-rubber'"),
         ("MeasuredEnvironment", "'hall'"),
         ("ErrorTolerance", "0.05"),
+        ("OcclusionMode", "'On'"),
+        ("OcclusionBounce", "1"),
     ):
         assert re.search(rf"\b{name} ?= ?{value}", script), (name, value, script)
     simple.ResetSession()
@@ -261,6 +265,8 @@ def test_state_and_trace():
     view = simple.GetActiveViewOrCreate("RenderView")
     view.UseFXAA = 0  # ParaView takes it from its settings, not from the state
     assert get_difference(draw(view, "state-after"), before)[0] <= 1
+    display = simple.GetDisplayProperties(simple.GetSources().popitem()[1], view)
+    assert (display.OcclusionMode, display.OcclusionBounce) == ("On", 1), (display.OcclusionMode, display.OcclusionBounce)
 
 
 def test_levels_of_detail_and_selection():
@@ -278,6 +284,91 @@ def test_levels_of_detail_and_selection():
     assert selection is not None
     simple.ClearSelection(sphere)
     assert get_difference(draw(view, "still-again"), still)[0] <= 1
+
+
+def make_bowl():
+    """It hides most of the sky from its inside, which faces -z."""
+    bowl = simple.Sphere(ThetaResolution=48, PhiResolution=32, EndPhi=115)
+    simple.Hide(bowl)
+    return bowl
+
+
+def get_inside(picture):
+    return picture[130:170, 130:170]
+
+
+def test_occlusion():
+    """Off, on, decided by the error, with a bounce."""
+    view = make_view()
+    look(view, direction=(0, 0, -1))
+    display = show(make_bowl(), view, MeasuredMaterial="pink-felt")
+    pictures = {}
+    for mode in ("Off", "Auto", "On"):
+        display.OcclusionMode = mode
+        pictures[mode] = draw(view, "occlusion-" + mode)
+        assert ("modeled" in get_plan(display)) == (mode == "Auto"), (mode, get_plan(display))
+    assert get_inside(pictures["Off"] - pictures["On"]).mean() > 20
+    assert get_difference(pictures["Auto"], pictures["On"])[0] <= 1
+    display.OcclusionBounce = 1
+    bounced = draw(view, "occlusion-bounce")
+    assert 2 < get_inside(bounced - pictures["On"]).mean()
+    assert (bounced <= pictures["Off"] + 1).all()
+
+
+def test_surface_visibility():
+    """What the filter has traced is neither traced nor predicted again; it follows its input, and makes the normals that are drawn."""
+    view = make_view()
+    look(view, direction=(0, 0, -1))
+    bowl = make_bowl()
+    visibility = simple.SurfaceVisibility(Input=bowl, BothSides=1)
+    display = show(visibility, view, MeasuredMaterial="pink-felt")
+    traced = draw(view, "visibility")
+    assert "modeled" not in get_plan(display)
+    arrays = visibility.PointData.keys()
+    assert {"MeasuredBRDFHiddenSky", "MeasuredBRDFHiddenSkyBack"} <= set(arrays), arrays
+    display.OcclusionMode = "Off"
+    assert get_inside(draw(view, "visibility-off") - traced).mean() > 20
+    display.OcclusionMode = "On"
+    assert get_difference(draw(view, "visibility-on"), traced)[0] <= 1
+    bowl.EndPhi = 90
+    flat = draw(view, "visibility-flat")
+    assert get_inside(flat - traced).mean() > 5
+    simple.Hide(visibility, view)
+    own = show(bowl, view, MeasuredMaterial="pink-felt", OcclusionMode="On")
+    assert get_difference(draw(view, "visibility-flat-on"), flat)[0] <= 1
+    # Without normals, and in blocks.
+    bare = simple.ProgrammableFilter(Input=bowl)
+    bare.Script = "output.VTKObject.GetPointData().SetNormals(None)\noutput.VTKObject.GetPointData().RemoveArray('Normals')"
+    own.SetRepresentationType("Surface")
+    simple.Hide(bowl, view)
+    show(simple.GroupDatasets(Input=[bare]), view, MeasuredMaterial="pink-felt", OcclusionMode="On")
+    alone = draw(view, "visibility-bare-on")
+    simple.HideAll(view)
+    bare_display = show(simple.SurfaceVisibility(Input=simple.GroupDatasets(Input=[bare]), BothSides=1), view)
+    bare_display.MeasuredMaterial = "pink-felt"
+    assert get_difference(draw(view, "visibility-bare"), alone)[0] <= 1
+    assert get_inside(flat - alone).mean() < 5
+
+
+def test_occlusion_in_animations():
+    """A surface that changes in each frame is modeled in all of them."""
+    view = make_view()
+    look(view, direction=(0, 0, -1))
+    bowl = make_bowl()
+    scene = simple.GetAnimationScene()
+    scene.PlayMode = "Sequence"
+    scene.NumberOfFrames = 6
+    track = simple.GetAnimationTrack("EndPhi", proxy=bowl)
+    track.KeyFrames = [simple.CompositeKeyFrame(KeyTime=time, KeyValues=[value]) for time, value in ((0, 125), (1, 95))]
+    display = show(bowl, view, MeasuredMaterial="pink-felt")
+    frames = {}
+    for mode in ("Auto", "On"):
+        display.OcclusionMode = mode
+        simple.SaveAnimation(os.path.join(OUTPUT, f"animation-{mode}.png"), view, ImageResolution=[300, 300])
+        frames[mode] = [read(os.path.join(OUTPUT, f"animation-{mode}.{k:04}.png")) for k in range(6)]
+    for k, (auto, on) in enumerate(zip(*frames.values())):
+        assert get_difference(auto, on)[0] <= 1, k
+    assert get_inside(frames["On"][-1] - frames["On"][0]).mean() > 5
 
 
 def test_extract_and_delete_while_shown():

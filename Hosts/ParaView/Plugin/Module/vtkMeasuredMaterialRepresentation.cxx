@@ -4,6 +4,7 @@
 
 #include "MaterialFiles.h"
 #include "NamedMap.h"
+#include "Ranks.h"
 #include "vtkMissingNormalsFilter.h"
 
 #include "vtkCommunicator.h"
@@ -18,9 +19,12 @@
 #include "vtkObjectFactory.h"
 #include "vtkPVLODActor.h"
 #include "vtkPVRenderView.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
 #include "vtkProcessModule.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkSurfaceVisibilityFilter.h"
 
 #include <algorithm>
 #include <map>
@@ -36,14 +40,6 @@ vtkStandardNewMacro(vtkMeasuredMaterialRepresentation);
 namespace
 {
 const char* const File = "File";
-
-//------------------------------------------------------------------------------
-// More than one process draws: what they draw must agree.
-vtkMultiProcessController* GetController()
-{
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  return controller && controller->GetNumberOfProcesses() > 1 ? controller : nullptr;
-}
 
 //------------------------------------------------------------------------------
 // Flat indices of the blocks of each selector.
@@ -111,6 +107,12 @@ struct vtkMeasuredMaterialRepresentation::Internals
   bool Modulate = true;
   bool ViewLights = false;
   bool Background = true;
+  int Occlusion = vtkMeasuredBRDFMapper::OCCLUSION_AUTO;
+  bool Bounce = false;
+  bool IsLeftOut = false;           // since this process has a part of the surface only
+  bool HasWarned = false;           // of that
+  bool IsModeled = false;           // what "Auto" said of the last picture
+  vtkMTimeType OcclusionTime = 0;   // of that picture's data
   std::string NormalArray = "None"; // of the superclass's property
 
   // What the names gave.
@@ -414,6 +416,19 @@ void vtkMeasuredMaterialRepresentation::SetPlanInBackground(bool background)
 }
 
 //------------------------------------------------------------------------------
+void vtkMeasuredMaterialRepresentation::SetOcclusionMode(int mode)
+{
+  this->Impl->Occlusion = std::clamp(mode, 0, 2);
+  this->Impl->HasWarned = false;
+}
+
+//------------------------------------------------------------------------------
+void vtkMeasuredMaterialRepresentation::SetOcclusionBounce(bool bounce)
+{
+  this->Impl->Bounce = bounce;
+}
+
+//------------------------------------------------------------------------------
 void vtkMeasuredMaterialRepresentation::SetGenerateMissingNormals(bool generate)
 {
   this->Normals->SetEnabled(generate);
@@ -497,10 +512,15 @@ void vtkMeasuredMaterialRepresentation::UpdateMappers(
   const bool interactive = view && view->GetRenderWindow()->GetDesiredUpdateRate() > 1.0;
   const int mode = impl.Background && interactive && !parallel ? vtkMeasuredBRDFMapper::BACKGROUND
                                                                : vtkMeasuredBRDFMapper::FOREGROUND;
+  const int occlusion = this->FindOcclusionMode(data, interactive);
   for (vtkMapper* any :
     { this->Mapper, this->LODMapper, this->BackfaceMapper, this->LODBackfaceMapper })
   {
     auto* mapper = static_cast<vtkCompositeMeasuredBRDFMapper*>(any);
+    // The level of detail is another surface, whose arrays do not fit, and which comes and goes.
+    const bool isLevel = any == this->LODMapper || any == this->LODBackfaceMapper;
+    mapper->SetOcclusionMode(isLevel ? vtkMeasuredBRDFMapper::OCCLUSION_OFF : occlusion);
+    mapper->SetOcclusionBounce(impl.Bounce);
     mapper->SetBRDF(impl.BRDF);
     mapper->SetEnvironment(environment);
     mapper->SetErrorTolerance(impl.Tolerance);
@@ -511,6 +531,60 @@ void vtkMeasuredMaterialRepresentation::UpdateMappers(
   }
   this->UpdateMap(levelOfDetail);
   this->UpdateBlocks(vtkDataObjectTree::SafeDownCast(data));
+}
+
+//------------------------------------------------------------------------------
+// Each of several processes knows its part of the surface only. The filter's arrays know the whole.
+int vtkMeasuredMaterialRepresentation::FindSharedOcclusionMode(vtkDataObject* data)
+{
+  Internals& impl = *this->Impl;
+  for (vtkPolyData* surface : GetSurfaces(data))
+  {
+    if (surface->GetPointData()->HasArray(vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName()))
+    {
+      impl.IsLeftOut = false;
+      return vtkMeasuredBRDFMapper::OCCLUSION_AUTO; // which predicts nothing where there are arrays
+    }
+  }
+  impl.IsLeftOut = true;
+  if (impl.Occlusion == vtkMeasuredBRDFMapper::OCCLUSION_ON && !impl.HasWarned)
+  {
+    impl.HasWarned = true;
+    if (GetController()->GetLocalProcessId() == 0)
+    {
+      vtkWarningMacro(
+        "Self-Occlusion: the surface is drawn as if it hid nothing from itself, since "
+        "each process has a part of it only. The filter Surface Visibility knows the "
+        "whole surface.");
+    }
+  }
+  return vtkMeasuredBRDFMapper::OCCLUSION_OFF;
+}
+
+//------------------------------------------------------------------------------
+// A mapper's "Auto" leaves a surface alone that changes in every frame, from the fourth one on. Of
+// an animation that would be seen: where its last picture was modeled, the next one is.
+int vtkMeasuredMaterialRepresentation::FindOcclusionMode(vtkDataObject* data, bool interactive)
+{
+  Internals& impl = *this->Impl;
+  if (impl.Occlusion == vtkMeasuredBRDFMapper::OCCLUSION_OFF)
+  {
+    impl.IsLeftOut = false;
+    return impl.Occlusion;
+  }
+  if (GetController())
+  {
+    return this->FindSharedOcclusionMode(data);
+  }
+  auto* mapper = static_cast<vtkCompositeMeasuredBRDFMapper*>(this->Mapper);
+  if (mapper->GetOcclusionMode() == vtkMeasuredBRDFMapper::OCCLUSION_AUTO)
+  {
+    impl.IsModeled = mapper->GetPlan().find("%), modeled") != std::string::npos;
+  }
+  const bool changed = impl.OcclusionTime != data->GetMTime();
+  impl.OcclusionTime = data->GetMTime();
+  return impl.IsModeled && changed && !interactive ? vtkMeasuredBRDFMapper::OCCLUSION_ON
+                                                   : impl.Occlusion;
 }
 
 //------------------------------------------------------------------------------
@@ -553,6 +627,10 @@ const char* vtkMeasuredMaterialRepresentation::GetPlan()
                            vtkProcessModule::GetProcessType() == vtkProcessModule::PROCESS_CLIENT;
   this->Plan =
     serverDraws ? "" : static_cast<vtkCompositeMeasuredBRDFMapper*>(this->Mapper)->GetPlan();
+  if (this->Impl->IsLeftOut && !this->Plan.empty())
+  {
+    this->Plan += "; occlusion is left out on several processes, but for Surface Visibility";
+  }
   return this->Plan.c_str();
 }
 
@@ -574,6 +652,8 @@ void vtkMeasuredMaterialRepresentation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ModulateByScalars: " << impl.Modulate << "\n";
   os << indent << "UseViewLights: " << impl.ViewLights << "\n";
   os << indent << "PlanInBackground: " << impl.Background << "\n";
+  os << indent << "OcclusionMode: " << impl.Occlusion << "\n";
+  os << indent << "OcclusionBounce: " << impl.Bounce << "\n";
   for (const auto& [selector, material] : impl.BlockNames)
   {
     os << indent << "BlockMaterial: " << selector << " " << material << "\n";

@@ -92,6 +92,18 @@ public:
   void SetUseViewLights(bool use);
   ///@}
 
+  ///@{
+  /**
+   * What the surface hides of the environment from itself, as vtkMeasuredBRDFMapper has it: 0 off,
+   * 1 (default) where its predicted error exceeds what the tolerance leaves, 2 on; and whether what
+   * hides reflects, too (default off). With several processes, each of which has a part of the
+   * surface, 1 and 2 draw with the arrays of vtkPVSurfaceVisibilityFilter, and 2 warns once where
+   * there are none.
+   */
+  void SetOcclusionMode(int mode);
+  void SetOcclusionBounce(bool bounce);
+  ///@}
+
   /**
    * Whether plans are made in the background while the user interacts (default on). Still pictures
    * wait for the plan. With several ranks plans are always made in the foreground.
@@ -133,6 +145,8 @@ private:
   void operator=(const vtkMeasuredMaterialRepresentation&) = delete;
 
   void NamesChanged();
+  int FindOcclusionMode(vtkDataObject* data, bool interactive);
+  int FindSharedOcclusionMode(vtkDataObject* data);
   void UpdateMappers(vtkDataObject* data, vtkDataObject* levelOfDetail);
   void UpdateBlocks(vtkDataObjectTree* data);
   void UpdateMap(vtkDataObject* levelOfDetail);

@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPVSurfaceVisibilityFilter.h"
+
+#include "Ranks.h"
+#include "vtkCommand.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMissingNormalsFilter.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkSurfaceVisibilityFilter.h"
+
+using namespace measuredmaterials;
+
+namespace
+{
+vtkSmartPointer<vtkDataObject> AddNormals(vtkDataObject* data, double featureAngle)
+{
+  auto result = vtkSmartPointer<vtkDataObject>::Take(data->NewInstance());
+  auto* composite = vtkCompositeDataSet::SafeDownCast(data);
+  if (auto* blocks = vtkCompositeDataSet::SafeDownCast(result))
+  {
+    blocks->CopyStructure(composite);
+    blocks->GetFieldData()->ShallowCopy(composite->GetFieldData());
+    auto it = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+    {
+      blocks->SetDataSet(it, AddNormals(it->GetCurrentDataObject(), featureAngle));
+    }
+    return result;
+  }
+  result->ShallowCopy(data);
+  if (auto* surface = vtkPolyData::SafeDownCast(data))
+  {
+    vtkNew<vtkMissingNormalsFilter> normals;
+    normals->SetInputData(surface);
+    normals->SetFeatureAngle(featureAngle);
+    normals->Update();
+    result->ShallowCopy(normals->GetOutput());
+  }
+  return result;
+}
+}
+
+vtkStandardNewMacro(vtkPVSurfaceVisibilityFilter);
+
+//------------------------------------------------------------------------------
+vtkPVSurfaceVisibilityFilter::vtkPVSurfaceVisibilityFilter()
+{
+  this->Tracer->AddObserver(
+    vtkCommand::ProgressEvent, this, &vtkPVSurfaceVisibilityFilter::FollowTracer);
+}
+
+//------------------------------------------------------------------------------
+vtkPVSurfaceVisibilityFilter::~vtkPVSurfaceVisibilityFilter() = default;
+
+//------------------------------------------------------------------------------
+void vtkPVSurfaceVisibilityFilter::FollowTracer()
+{
+  this->UpdateProgress(this->Tracer->GetProgress());
+}
+
+//------------------------------------------------------------------------------
+int vtkPVSurfaceVisibilityFilter::FillInputPortInformation(
+  int vtkNotUsed(port), vtkInformation* info)
+{
+  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkPVSurfaceVisibilityFilter::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkSmartPointer<vtkDataObject> data = vtkDataObject::GetData(inputVector[0]);
+  vtkDataObject* output = vtkDataObject::GetData(outputVector);
+  if (this->GenerateMissingNormals)
+  {
+    data = AddNormals(data, this->MissingNormalsFeatureAngle);
+  }
+  this->Tracer->SetNumberOfRays(this->NumberOfRays);
+  this->Tracer->SetMaximumDistance(this->MaximumDistance);
+  this->Tracer->SetBothSides(this->BothSides);
+  this->Tracer->SetBounce(this->Bounce);
+  this->Tracer->SetInputDataObject(data);
+  if (vtkMultiProcessController* controller = GetController())
+  {
+    for (vtkPolyData* other : GatherOthers(GetSurfaces(data), controller))
+    {
+      this->Tracer->AddOccluder(other);
+    }
+  }
+  this->Tracer->Update();
+  output->ShallowCopy(this->Tracer->GetOutputDataObject(0));
+  // What was traced is enough to keep.
+  this->Tracer->RemoveAllOccluders();
+  this->Tracer->SetInputDataObject(nullptr);
+  this->Tracer->GetOutputDataObject(0)->Initialize();
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkPVSurfaceVisibilityFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfRays: " << this->NumberOfRays << "\n";
+  os << indent << "MaximumDistance: " << this->MaximumDistance << "\n";
+  os << indent << "BothSides: " << this->BothSides << "\n";
+  os << indent << "Bounce: " << this->Bounce << "\n";
+  os << indent << "GenerateMissingNormals: " << this->GenerateMissingNormals << "\n";
+  os << indent << "MissingNormalsFeatureAngle: " << this->MissingNormalsFeatureAngle << "\n";
+}
