@@ -239,8 +239,9 @@ double vtkCompositeMeasuredBRDFMapper::FitProperty(vtkProperty* property)
 //------------------------------------------------------------------------------
 vtkIdType vtkCompositeMeasuredBRDFMapper::GetTextureBytes()
 {
-  return CountTextureBytes(this->Impl->Drawing->GetLastFrame()) +
-         this->Impl->Parts->GetImageBytes();
+  std::set<const vtkTextureObject*> counted;
+  return CountTextureBytes(this->Impl->Drawing->GetLastFrame(), counted) +
+         this->Impl->Parts->GetImageBytes() + this->Impl->Parts->CountStackBytes(counted);
 }
 
 //------------------------------------------------------------------------------

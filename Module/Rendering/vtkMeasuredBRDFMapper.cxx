@@ -15,6 +15,8 @@
 #include "vtkPolyData.h"
 #include "vtkRadiancePlanner.h"
 
+#include <set>
+
 using namespace measuredbrdf;
 
 template class vtkMeasuredBRDFMapperMixin<vtkOpenGLPolyDataMapper>;
@@ -25,7 +27,7 @@ vtkStandardNewMacro(vtkMeasuredBRDFMapper);
 struct vtkMeasuredBRDFMapper::MapDrawing
 {
   explicit MapDrawing(const std::shared_ptr<vtkMeasuredBRDFMapperInternals>& drawing)
-    : Parts(drawing, true)
+    : Parts(drawing)
   {
   }
   PartMappers Parts;
@@ -180,7 +182,9 @@ double vtkMeasuredBRDFMapper::FitProperty(vtkProperty* property)
 //------------------------------------------------------------------------------
 vtkIdType vtkMeasuredBRDFMapper::GetTextureBytes()
 {
-  return CountTextureBytes(this->Drawing->GetLastFrame()) + this->Map->Parts.GetImageBytes();
+  std::set<const vtkTextureObject*> counted;
+  return CountTextureBytes(this->Drawing->GetLastFrame(), counted) +
+         this->Map->Parts.GetImageBytes() + this->Map->Parts.CountStackBytes(counted);
 }
 
 //------------------------------------------------------------------------------

@@ -30,6 +30,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkSphereSource.h"
 #include "vtkSumBRDF.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -124,7 +125,8 @@ public:
     {
       this->AddClasses(classes, false);
     }
-    this->AddWholeClasses(64);
+    this->AddColoredClasses(64, true);
+    this->AddColoredClasses(64, false);
     const std::string fine = "one material, as many triangles as 64 classes of points";
     this->Add(fine, 1, MakeSphere(235), nullptr);
     if (this->Kinds.back().Name == fine)
@@ -230,16 +232,31 @@ private:
       this->NewMap(vtkMaterialMap::CLASSES, classes));
   }
 
-  // Classes of points whose polygons are not cut along the borders: vertices have an attribute that
-  // a program might read.
-  void AddWholeClasses(int classes)
+  // Classes of points whose materials are not stacked: cells have colors, white ones. Polygons are
+  // cut along the borders, or drawn once for each class: vertices have an attribute that a program
+  // might read.
+  void AddColoredClasses(int classes, bool cut)
   {
     const std::size_t before = this->Kinds.size();
     this->AddClasses(classes, false);
-    if (this->Kinds.size() > before)
+    if (this->Kinds.size() == before)
     {
-      this->Kinds.back().Name += ", not cut";
-      this->Kinds.back().Mapper->MapDataArrayToVertexAttribute(
+      return;
+    }
+    Kind& kind = this->Kinds.back();
+    kind.Name += cut ? ", cut" : ", drawn for each class";
+    vtkPolyData* sphere = kind.Mapper->GetInput();
+    vtkNew<vtkUnsignedCharArray> white;
+    white->SetName("white");
+    white->SetNumberOfComponents(3);
+    white->SetNumberOfTuples(sphere->GetNumberOfCells());
+    white->Fill(255.0);
+    sphere->GetCellData()->AddArray(white);
+    kind.Mapper->SetScalarModeToUseCellFieldData();
+    kind.Mapper->SelectColorArray("white");
+    if (!cut)
+    {
+      kind.Mapper->MapDataArrayToVertexAttribute(
         "unused", "data", vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
     }
   }

@@ -927,17 +927,28 @@ add("Rendering.map-borders-run-off-the-middle", "Private/ClassBorders.cxx", "c <
 add("Rendering.map-edges-are-cut-twice", "Private/ClassBorders.cxx", "if (isNew)", "if (true)",
     "Parts.BordersBetweenClassesOfPointsAreCut")
 add("Rendering.map-lone-corners-lose-their-class", "Private/ClassBorders.cxx", "this->AddPiece(3, tip, this->GetClass(alone));",
-    "this->AddPiece(3, tip, this->GetClass(a));", "ClassBorders.AreThoseOfWholePolygons")
+    "this->AddPiece(3, tip, this->GetClass(a));", "ClassBorders.AreTheSameInAllWays")
 add("Rendering.map-colored-points-are-cut", "Private/PartMappers.cxx", "cellFlag == 0;", "cellFlag == 7;",
     "ClassBorders.ColorsOfPointsKeepPolygonsWhole")
 add("Rendering.map-hidden-skies-are-cut", "Private/PartMappers.cxx", "return settings.OcclusionMode != 0 &&",
     "return settings.OcclusionMode > 5 &&", "ClassBorders.HiddenSkiesKeepPolygonsWhole")
-add("Rendering.map-nearest-is-blended", "Private/MixtureShader.cxx", "const bool nearest = this->Part.Kind == MixtureKind::Nearest;",
-    "const bool nearest = false;", "MaterialMapping.ClassesOfPointsAreThoseOfTheNearest")
+add("Rendering.map-nearest-is-the-first", "Private/MixtureShader.cxx", '" > brdfMost ? "', '" > 2.0 ? "',
+    "MaterialMapping.ClassesOfPointsAreThoseOfTheNearest")
+add("Rendering.map-classes-that-meet-share-a-slot", "Private/PartSets.cxx",
+    "slots[cls] = taken.insert(usual.at(cls)).second ? usual.at(cls) : -1;", "slots[cls] = usual.at(cls);",
+    "Parts.ClassesThatMeetHaveSlotsOfTheirOwn")
+add("Rendering.map-borders-take-the-last-shader", "Private/ClassesMapper.cxx",
+    "ofBorder == this->WasOfBorder ? this->Last : nullptr", "this->Last", "ClassBorders.ColorsOfCellsStayTheirOwn")
+add("Rendering.map-stacked-tables-lie-elsewhere", "Private/ClassStack.cxx", "const std::size_t y = number % layout.Rows;",
+    "const std::size_t y = number / layout.Rows;", "ClassStacking.TablesLieSideBySide")
+add("Rendering.map-stacks-with-gaps-are-counted-on", "Private/ClassStack.cxx", "if (numbers.size() > materials.size())",
+    "if (false)", "ClassBorders.OfSeveralShadersAreTheSame")
+add("Rendering.map-stacks-ignore-numbers", "Private/ClassStack.cxx", "texel.resize(4, 0.0f);",
+    "texel.assign(4, 0.0f);", "ClassStacking.NumbersThatDifferAreInATexture")
 add("Rendering.map-hats-fall-at-the-ends", "Private/MaterialParts.cxx", "if (k + 1 < knots.size())",
     "if (k + 2 < knots.size())", "MaterialMapping.ValuesBlendInEachPixel")
-add("Rendering.map-the-rest-is-drawn-twice", "Private/MixtureShader.cxx", "(this->Part.HasRest ? \" > 0.0\" : \" <= 0.0\")",
-    "(this->Part.HasRest ? \" > 2.0\" : \" <= 0.0\")", "MaterialMapping.NoMaterialIsTheSuperclass")
+add("Rendering.map-the-rest-is-drawn-twice", "Private/MixtureShader.cxx", "if (brdfNearest != brdfSlot)",
+    "if (brdfNearest > 9)", "MaterialMapping.NoMaterialIsTheSuperclass")
 add("Rendering.map-scalars-that-choose-color", "Private/PartMappers.cxx", "if (colored || ",
     "if (!colored || ",
     "MaterialMapping.ScalarsThatChooseDoNotColor")

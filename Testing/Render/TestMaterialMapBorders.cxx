@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Classes of points: polygons that are cut along the borders show what whole ones show, whose
-// pixels choose among all materials of their corners; and whole ones are drawn where cut ones could
-// not show the same.
+// Classes of points: polygons show the same whether their pixels choose from a stack of materials,
+// whether they are drawn for each class, or whether they are cut along the borders; and they are
+// not stacked or cut where that could not show the same.
 
 #include "MaterialMapFixture.h"
 
@@ -13,7 +13,7 @@
 #include "vtkCommand.h"
 #include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
-#include "vtkLookupTable.h"
+#include "vtkLight.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkSelection.h"
@@ -34,6 +34,14 @@ namespace
 class ClassBorders : public MaterialMapping
 {
 protected:
+  /// How polygons with corners of several classes are drawn.
+  enum class Way
+  {
+    Cut,
+    Each, // most or all of them once for each class
+    Stacked
+  };
+
   static constexpr int Count = 8; // three bits
 
   void SetUp() override
@@ -57,7 +65,11 @@ protected:
       {
         const std::string text =
           static_cast<vtkShaderProgram*>(program)->GetFragmentShader()->GetSource();
-        static_cast<ClassBorders*>(self)->Whole |= text.find("brdfNearest") != std::string::npos;
+        Way& way = static_cast<ClassBorders*>(self)->Seen;
+        const bool stacked = text.find("brdfClassHere") != std::string::npos;
+        const bool each = text.find("brdfSlot") != std::string::npos;
+        static_cast<ClassBorders*>(self)->AnyStacked |= stacked;
+        way = each ? Way::Each : stacked && way == Way::Cut ? Way::Stacked : way;
       });
     this->Mapper->AddObserver(vtkCommand::UpdateShaderEvent, this->Events);
   }
@@ -73,43 +85,75 @@ protected:
       });
   }
 
-  /// wanted: whether shaders choose among several materials.
-  FloatImage Render(bool wanted, const char* what)
+  /// In the second frame: the first one shows that it is better to cut.
+  FloatImage Render(Way wanted, const char* what)
   {
-    this->Whole = false;
+    this->RenderEncoded();
+    this->Seen = Way::Cut;
+    this->AnyStacked = false;
     const FloatImage picture = this->RenderEncoded();
-    EXPECT_EQ(this->Whole, wanted) << what;
+    EXPECT_EQ(this->Seen, wanted) << what;
     return picture;
   }
 
-  /// Whole polygons: vertices with attributes of a program's are not interpolated.
-  FloatImage RenderWhole(const char* what)
+  /// New points could not have an attribute of a program's.
+  void ForbidCuts()
   {
     this->Mapper->MapDataArrayToVertexAttribute(
       "unused", "data", vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
-    const FloatImage picture = this->Render(true, what);
-    this->Mapper->RemoveAllVertexAttributeMappings();
-    return picture;
   }
 
-  void ExpectSame(const FloatImage& a, const FloatImage& b, const char* what)
+  /// Colors of cells keep materials from being stacked. White changes nothing.
+  void ColorCells(bool white)
+  {
+    vtkNew<vtkUnsignedCharArray> colors;
+    colors->SetName("colors");
+    colors->SetNumberOfComponents(3);
+    for (vtkIdType cell = 0; cell < this->Sheet->GetNumberOfCells(); ++cell)
+    {
+      const double c = static_cast<double>(cell);
+      white ? colors->InsertNextTuple3(255, 255, 255)
+            : colors->InsertNextTuple3(100 + c, 255 - c, 50 + (37 * cell) % 200);
+    }
+    this->Sheet->GetCellData()->AddArray(colors);
+    this->Mapper->ScalarVisibilityOn();
+    this->Mapper->SetScalarModeToUseCellFieldData();
+    this->Mapper->SelectColorArray("colors");
+  }
+
+  void ExpectSame(
+    const FloatImage& a, const FloatImage& b, const char* what, double tolerance = 1.0 / 255.0)
   {
     int seen = 0;
     for (std::size_t k = 0; k < a.RGBA.size(); ++k)
     {
-      ASSERT_NEAR(a.RGBA[k], b.RGBA[k], 1.0 / 255.0)
+      ASSERT_NEAR(a.RGBA[k], b.RGBA[k], tolerance)
         << what << ": " << k / 4 % Pixels << " " << k / 4 / Pixels;
       seen += k % 4 == 0 && a.RGBA[k] > 0.02f ? 1 : 0;
     }
     EXPECT_GT(seen, Pixels * Pixels / 3) << what;
   }
 
-  /// Cut, then whole.
-  void ExpectSameWhenCut(const char* what)
+  void ExpectSameWhenCut(const FloatImage& picture, const char* what)
   {
     this->Sheet->Modified();
-    const FloatImage cut = this->Render(false, what);
-    this->ExpectSame(cut, this->RenderWhole(what), what);
+    this->ExpectSame(this->Render(Way::Cut, what), picture, what);
+    this->ForbidCuts();
+    this->ExpectSame(this->Render(Way::Each, what), picture, what);
+    this->Mapper->RemoveAllVertexAttributeMappings();
+  }
+
+  void ExpectSameInAllWays(const char* what)
+  {
+    this->Mapper->ScalarVisibilityOff();
+    this->Sheet->Modified();
+    const FloatImage picture = this->Render(Way::Stacked, what);
+    this->ColorCells(true);
+    this->ExpectSameWhenCut(picture, what);
+    this->Mapper->ScalarVisibilityOff();
+    this->Sheet->GetCellData()->RemoveArray("colors");
+    this->Map->SetArrayName("nothing"); // a new map does not cut what can be stacked again
+    this->Map->SetArrayName("data");
   }
 
   void AddTexture()
@@ -128,23 +172,43 @@ protected:
     this->Actor->SetTexture(texture);
   }
 
+  /// Of three shaders, under a light: with a diffuse part, with gloss, with both.
+  void AddOtherShaders()
+  {
+    vtkNew<vtkLight> light;
+    light->SetLightTypeToSceneLight();
+    light->SetPosition(1.0, 2.0, 4.0);
+    this->Renderer->AddLight(light);
+    for (std::size_t k = 0; k < this->Materials.size(); ++k)
+    {
+      if (k % 3 != 0)
+      {
+        const vtkSmartPointer<vtkBRDF> term =
+          this->Materials[k]->GetTerm(static_cast<int>(k % 3) - 1);
+        this->Materials[k]->RemoveAllTerms();
+        this->Materials[k]->AddTerm(term);
+      }
+    }
+  }
+
   vtkNew<vtkCallbackCommand> Events;
-  bool Whole = false;
+  Way Seen = Way::Cut;
+  bool AnyStacked = false;
 };
 
-TEST_F(ClassBorders, AreThoseOfWholePolygons)
+TEST_F(ClassBorders, AreTheSameInAllWays)
 {
-  this->ExpectSameWhenCut("triangles");
+  this->ExpectSameInAllWays("triangles");
   this->AddTexture();
-  this->ExpectSameWhenCut("texture");
+  this->ExpectSameInAllWays("texture");
   this->Actor->GetProperty()->SetOpacity(0.5); // what is drawn twice or not at all shows
-  this->ExpectSameWhenCut("translucent");
+  this->ExpectSameInAllWays("translucent");
   this->Actor->GetProperty()->SetOpacity(1.0);
   this->Actor->GetProperty()->SetInterpolationToFlat();
-  this->ExpectSameWhenCut("flat");
+  this->ExpectSameInAllWays("flat");
   this->Actor->GetProperty()->SetInterpolationToGouraud();
   this->Sheet->GetPointData()->SetNormals(nullptr);
-  this->ExpectSameWhenCut("without normals");
+  this->ExpectSameInAllWays("without normals");
 }
 
 TEST_F(ClassBorders, OfStripsAndOfPolygonsOfManyCorners)
@@ -156,7 +220,7 @@ TEST_F(ClassBorders, OfStripsAndOfPolygonsOfManyCorners)
   this->Sheet->SetPolys(nullptr);
   this->Sheet->SetStrips(stripper->GetOutput()->GetStrips());
   ASSERT_GT(this->Sheet->GetNumberOfStrips(), 0);
-  this->ExpectSameWhenCut("strips");
+  this->ExpectSameInAllWays("strips");
   // The rims of two squares beside each other, bent.
   vtkNew<vtkCellArray> polygons;
   for (vtkIdType y = 0; y < Side; ++y)
@@ -178,69 +242,72 @@ TEST_F(ClassBorders, OfStripsAndOfPolygonsOfManyCorners)
     this->Sheet->GetPoints()->SetPoint(p, at);
   }
   this->Sheet->GetPoints()->Modified();
-  this->ExpectSameWhenCut("polygons of six corners");
+  this->ExpectSameInAllWays("polygons of six corners");
+}
+
+// Some polygons are of classes of one shader only, and are drawn at once; others are not.
+TEST_F(ClassBorders, OfSeveralShadersAreTheSame)
+{
+  this->AddOtherShaders();
+  const FloatImage cut = this->Render(Way::Cut, "cut");
+  this->ForbidCuts();
+  const FloatImage whole = this->Render(Way::Each, "whole");
+  EXPECT_TRUE(this->AnyStacked);
+  this->ExpectSame(whole, cut, "several shaders");
 }
 
 // A cell's color is that of its pieces.
 TEST_F(ClassBorders, ColorsOfCellsStayTheirOwn)
 {
-  vtkNew<vtkUnsignedCharArray> colors;
-  colors->SetName("colors");
-  colors->SetNumberOfComponents(3);
-  for (int cell = 0; cell < 2 * Side * Side; ++cell)
-  {
-    colors->InsertNextTuple3(100 + cell, 255 - cell, 50 + (37 * cell) % 200);
-  }
-  this->Sheet->GetCellData()->AddArray(colors);
-  this->Mapper->ScalarVisibilityOn();
-  this->Mapper->SetScalarModeToUseCellFieldData();
-  this->Mapper->SelectColorArray("colors");
-  this->ExpectSameWhenCut("colors of cells");
+  this->ColorCells(false);
+  this->ForbidCuts();
+  const FloatImage whole = this->Render(Way::Each, "colors of cells");
+  this->Mapper->RemoveAllVertexAttributeMappings();
+  this->ExpectSameWhenCut(whole, "colors of cells");
 }
 
 // New points could not have them: a table of colors is not linear.
 TEST_F(ClassBorders, ColorsOfPointsKeepPolygonsWhole)
 {
-  vtkNew<vtkDoubleArray> heights;
-  heights->SetName("heights");
-  for (vtkIdType p = 0; p < this->Sheet->GetNumberOfPoints(); ++p)
-  {
-    heights->InsertNextValue(static_cast<double>((7 * p) % 11));
-  }
-  this->Sheet->GetPointData()->AddArray(heights);
-  const FloatImage plain = this->Render(false, "no colors");
-  vtkNew<vtkLookupTable> table;
-  table->SetNumberOfTableValues(11);
-  table->SetTableRange(0.0, 10.0);
-  table->Build();
-  this->Mapper->SetLookupTable(table);
-  this->Mapper->UseLookupTableScalarRangeOn();
+  const FloatImage plain = this->Render(Way::Stacked, "no colors");
+  vtkNew<vtkUnsignedCharArray> gray;
+  gray->SetName("gray");
+  gray->SetNumberOfComponents(3);
+  gray->SetNumberOfTuples(this->Sheet->GetNumberOfPoints());
+  gray->Fill(102.0);
+  this->Sheet->GetPointData()->AddArray(gray);
   this->Mapper->ScalarVisibilityOn();
   this->Mapper->SetScalarModeToUsePointFieldData();
-  this->Mapper->SelectColorArray("heights");
-  const FloatImage colored = this->Render(true, "colors");
-  this->ExpectSame(colored, this->RenderWhole("colors"), "colors");
-  EXPECT_NE(colored.RGBA, plain.RGBA);
+  this->Mapper->SelectColorArray("gray");
+  FloatImage bright = this->Render(Way::Stacked, "colors");
+  for (std::size_t k = 0; k < bright.RGBA.size(); ++k)
+  {
+    bright.RGBA[k] /= k % 4 == 3 ? 1.0f : 0.4f;
+  }
+  this->ExpectSame(bright, plain, "colors");
+  this->AddOtherShaders();
+  this->Render(Way::Each, "colors, several shaders");
   // Those that choose the materials color none; but a class without a material.
   this->Mapper->SelectColorArray("data");
   this->Mapper->SetBRDF(this->Materials[0]);
   this->SetClasses(1);
-  this->Render(false, "colors of the map");
+  this->Render(Way::Cut, "colors of the map");
   this->Map->SetBRDF(3, nullptr);
-  this->Render(true, "colors of the map and of a class without a material");
+  this->Render(Way::Each, "colors of the map and of a class without a material");
 }
 
 // The edges are the polygons', and what is selected covers them.
 TEST_F(ClassBorders, EdgesAndSelectionsKeepPolygonsWhole)
 {
-  this->Render(false, "a surface");
+  const FloatImage stacked = this->Render(Way::Stacked, "a surface");
+  this->AddOtherShaders();
+  this->Render(Way::Cut, "a surface of several shaders");
   this->Actor->GetProperty()->EdgeVisibilityOn();
-  const FloatImage edges = this->Render(true, "edges");
-  this->ExpectSame(edges, this->RenderWhole("edges"), "edges");
+  this->Render(Way::Each, "edges");
   this->Actor->GetProperty()->EdgeVisibilityOff();
-  this->Render(true, "no edges: whole until something changes");
+  this->Render(Way::Each, "no edges: whole until something changes");
   this->SetClasses(1);
-  const FloatImage plain = this->Render(false, "other data");
+  const FloatImage plain = this->Render(Way::Cut, "other data");
   vtkNew<vtkIdTypeArray> cells;
   for (vtkIdType cell = 20; cell < 60; ++cell)
   {
@@ -254,7 +321,7 @@ TEST_F(ClassBorders, EdgesAndSelectionsKeepPolygonsWhole)
   selection->AddNode(node);
   this->Actor->GetProperty()->SetSelectionColor(1.0, 0.0, 1.0, 1.0);
   this->Mapper->SetSelection(selection);
-  const FloatImage selected = this->Render(true, "selected cells");
+  const FloatImage selected = this->Render(Way::Each, "selected cells");
   EXPECT_NE(selected.RGBA, plain.RGBA);
 }
 
@@ -266,10 +333,12 @@ TEST_F(ClassBorders, HiddenSkiesKeepPolygonsWhole)
   filter->Update();
   this->Sheet->ShallowCopy(filter->GetOutput());
   this->Mapper->SetOcclusionModeToOff();
-  this->Render(false, "off");
+  const FloatImage off = this->Render(Way::Stacked, "off");
   this->Mapper->SetOcclusionModeToOn();
-  const FloatImage hidden = this->Render(true, "on");
-  this->ExpectSame(hidden, this->RenderWhole("on"), "on");
+  // The sheet hides hardly anything.
+  this->ExpectSame(this->Render(Way::Each, "on"), off, "on", 0.02);
+  this->Mapper->SetOcclusionModeToOff();
+  this->ExpectSame(this->Render(Way::Stacked, "off again"), off, "off again");
 }
 
 // Integers would be rounded.
@@ -283,6 +352,8 @@ TEST_F(ClassBorders, NormalsOfIntegersKeepPolygonsWhole)
   }
   this->Sheet->GetPointData()->SetNormals(normals);
   this->Sheet->Modified();
-  this->Render(true, "normals of integers");
+  this->Render(Way::Stacked, "normals of integers");
+  this->AddOtherShaders();
+  this->Render(Way::Each, "normals of integers, several shaders");
 }
 }

@@ -40,7 +40,7 @@ void BlockParts::Update(const BlockMaterials& blocks)
     Block& block = this->Blocks[surface];
     if (!block.Parts)
     {
-      block.Parts = std::make_unique<PartMappers>(this->Drawing, false);
+      block.Parts = std::make_unique<PartMappers>(this->Drawing);
     }
     const bool used = block.Parts->Divide(surface);
     const unsigned long revision = block.Parts->GetParts().GetRevision();
@@ -127,6 +127,16 @@ vtkIdType BlockParts::GetImageBytes() const
   for (const auto& [surface, block] : this->Blocks)
   {
     bytes = std::max(bytes, block.Parts->GetImageBytes());
+  }
+  return bytes;
+}
+
+vtkIdType BlockParts::CountStackBytes(std::set<const vtkTextureObject*>& counted) const
+{
+  vtkIdType bytes = 0;
+  for (const auto& [surface, block] : this->Blocks)
+  {
+    bytes += block.Parts->CountStackBytes(counted);
   }
   return bytes;
 }

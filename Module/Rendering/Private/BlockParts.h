@@ -14,6 +14,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 #include <vector>
 
 class vtkActor;
@@ -62,6 +63,9 @@ public:
 
   /// Of the images of weights on the graphics card.
   vtkIdType GetImageBytes() const;
+
+  /// Of stacks of materials that are not counted yet.
+  vtkIdType CountStackBytes(std::set<const vtkTextureObject*>& counted) const;
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:

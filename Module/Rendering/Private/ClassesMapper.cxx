@@ -4,6 +4,7 @@
 
 #include "vtkMeasuredBRDFMapperMixin.txx"
 
+#include "PartArrays.h"
 #include "vtkActor.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -17,6 +18,7 @@
 #include "vtkProperty.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace measuredbrdf
@@ -100,6 +102,10 @@ void ClassesMapper::ReleaseIndices()
           one.Indices->ReleaseGraphicsResources();
         }
       }
+      for (const auto& indices : this->StackIndices)
+      {
+        indices->ReleaseGraphicsResources();
+      }
     });
   this->AreBuilt = false;
 }
@@ -113,7 +119,8 @@ bool ClassesMapper::CanDraw(vtkActor* actor)
 
 bool ClassesMapper::IsSingle(const MaterialPart& part)
 {
-  return part.Kind == MixtureKind::Single && part.Members.size() == 1;
+  return part.Members.size() == 1 &&
+         (part.Kind == MixtureKind::Single || part.Kind == MixtureKind::Nearest);
 }
 
 void ClassesMapper::SetParts(
@@ -121,11 +128,22 @@ void ClassesMapper::SetParts(
 {
   MaterialPart all;
   std::vector<vtkPolyData*> surfaces;
+  std::vector<Class> classes;
   for (std::size_t number : numbers)
   {
     const MaterialPart& part = parts->Get()[number];
     all.Members.push_back(part.Members.front());
     surfaces.push_back(part.Surface);
+    classes.emplace_back();
+    classes.back().Surface = part.Surface;
+    if (part.Kind == MixtureKind::Nearest)
+    {
+      classes.back().Slot = part.Slot;
+      classes.back().Number = part.Class;
+      classes.back().Polygons = part.Polygons;
+      all.Kind = part.Kind;
+      all.NumberOfWeights = part.NumberOfWeights;
+    }
   }
   // Where only settings have changed, buffers stay. Divided data are new objects.
   const bool same = std::equal(this->Classes.begin(), this->Classes.end(), surfaces.begin(),
@@ -133,14 +151,17 @@ void ClassesMapper::SetParts(
   if (!same)
   {
     this->ReleaseIndices();
-    this->Classes.clear();
-    for (vtkPolyData* surface : surfaces)
-    {
-      this->Classes.push_back({ surface, nullptr, 0 });
-    }
+    this->Classes = std::move(classes);
+    this->StacksOf.clear();
   }
   all.Surface = same ? vtkSmartPointer<vtkPolyData>(this->GetInput()) : Join(surfaces);
+  const bool hasBorders = all.Kind == MixtureKind::Nearest;
   this->SetPart(parts, std::move(all), map);
+  if (hasBorders)
+  {
+    this->MapDataArrayToVertexAttribute(
+      partarrays::Class, partarrays::Class, vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
+  }
 }
 
 // Instead of the superclass's, which would be of all classes together.
@@ -152,44 +173,180 @@ void ClassesMapper::BuildIBO(vtkRenderer* ren, vtkActor*, vtkPolyData*)
   }
   this->OwnWindow = vtkOpenGLRenderWindow::SafeDownCast(ren->GetVTKWindow());
   int first = 0;
+  this->Stacks = nullptr;
   for (Class& one : this->Classes)
   {
-    one.Indices = vtkSmartPointer<vtkOpenGLIndexBufferObject>::New();
-    one.Indices->CreateTriangleIndexBuffer(
-      one.Surface->GetPolys(), one.Surface->GetPoints(), nullptr, nullptr);
+    one.Indices = this->MakeIndices(one.Surface->GetPolys());
     one.FirstPrimitive = first;
     first += static_cast<int>(one.Indices->IndexCount / 3);
   }
   this->AreBuilt = true;
 }
 
-void ClassesMapper::ShowOnly(int material)
+vtkSmartPointer<vtkOpenGLIndexBufferObject> ClassesMapper::MakeIndices(vtkCellArray* polygons)
+{
+  auto indices = vtkSmartPointer<vtkOpenGLIndexBufferObject>::New();
+  indices->CreateTriangleIndexBuffer(polygons, this->GetInput()->GetPoints(), nullptr, nullptr);
+  return indices;
+}
+
+// Colors and normals of cells are found by the number of a triangle, which stacks would change;
+// shadows have numbers of each material.
+void ClassesMapper::UpdateStacks(vtkRenderer* ren)
+{
+  std::vector<ClassBorder> borders;
+  std::vector<std::size_t> places;
+  DrawnMaterials materials;
+  const bool may = !this->HaveCellScalars && !this->HaveCellNormals && !this->HasOcclusion();
+  for (std::size_t k = 0; k < this->Classes.size() && may; ++k)
+  {
+    const Class& one = this->Classes[k];
+    if (one.Slot >= 0)
+    {
+      borders.push_back({ one.Number, one.Surface, &one.Polygons });
+      materials.push_back(&this->Drawing->GetMaterials()[k]);
+      places.push_back(k);
+    }
+  }
+  if (borders.empty())
+  {
+    for (std::size_t k = 0; k < this->Classes.size() && this->Stacks; ++k)
+    {
+      this->Classes[k].Indices = this->MakeIndices(this->Classes[k].Surface->GetPolys());
+    }
+    this->Stacks = nullptr;
+    this->AreBordersLoose = this->GetText() != nullptr;
+    return;
+  }
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetVTKWindow());
+  std::unique_ptr<ClassStacks>& stacks = this->StacksOf[window];
+  if (!stacks)
+  {
+    stacks = std::make_unique<ClassStacks>();
+  }
+  if (!stacks->Update(borders, materials, window) && this->Stacks == stacks.get())
+  {
+    return;
+  }
+  this->Stacks = stacks.get();
+  this->AreBordersLoose = this->Stacks->AreMostLoose();
+  for (std::size_t k = 0; k < places.size(); ++k)
+  {
+    this->Classes[places[k]].Indices = this->MakeIndices(this->Stacks->GetRest(k));
+  }
+  this->StackIndices.clear();
+  for (const std::unique_ptr<ClassStacks::Stack>& stack : this->Stacks->Get())
+  {
+    this->StackIndices.push_back(this->MakeIndices(stack->Polygons));
+  }
+}
+
+// Null: those of the superclass again.
+void ClassesMapper::ShowIndices(vtkOpenGLIndexBufferObject* indices)
 {
   vtkOpenGLHelper& polygons = this->Primitives[PrimitiveTris];
   if (!this->Whole)
   {
     this->Whole = polygons.IBO;
   }
+  polygons.IBO = indices ? indices : this->Whole;
+  this->Whole = indices ? this->Whole : nullptr;
+}
+
+void ClassesMapper::ShowOnly(int material)
+{
   if (material < 0)
   {
-    polygons.IBO = this->Whole;
-    this->Whole = nullptr;
+    this->ShowIndices(nullptr);
+    this->Slot = -1;
     return;
   }
   const Class& shown = this->Classes[static_cast<std::size_t>(material)];
-  polygons.IBO = shown.Indices;
+  this->ShowIndices(shown.Indices);
   this->PrimitiveIDOffset = shown.FirstPrimitive;
+  this->Slot = shown.Slot;
 }
 
 void ClassesMapper::RenderPieceDraw(vtkRenderer* ren, vtkActor* actor)
 {
   this->Last = nullptr;
-  this->Superclass::RenderPieceDraw(ren, actor);
+  const std::vector<DrawnMaterial>& materials = this->Drawing->GetMaterials();
+  // Those of one shader after the other, borders last.
+  std::vector<std::size_t> order(materials.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+    [&](std::size_t a, std::size_t b)
+    {
+      const bool aIsBorder = this->Classes[a].Slot >= 0;
+      const bool bIsBorder = this->Classes[b].Slot >= 0;
+      return aIsBorder == bIsBorder ? materials[a].Key < materials[b].Key : bIsBorder;
+    });
+  this->UpdateStacks(ren);
+  for (std::size_t k : order)
+  {
+    this->DrawClass(k, ren, actor);
+  }
+  this->DrawStacks(ren, actor);
+  this->Drawing->Unselect();
+  this->ShowOnly(-1);
   this->Last = nullptr;
   if (this->OtherShaders.size() > MostShaders)
   {
     this->DropShaders(ren->GetVTKWindow());
   }
+}
+
+void ClassesMapper::DrawClass(std::size_t number, vtkRenderer* ren, vtkActor* actor)
+{
+  if (this->Classes[number].Indices->IndexCount == 0) // stacks draw all of it
+  {
+    return;
+  }
+  this->ShowOnly(static_cast<int>(number));
+  MixtureText text;
+  if (this->Slot >= 0)
+  {
+    text = { this->GetText()->GetDeclarations(), this->GetText()->GetImplementation({}), {} };
+  }
+  this->Drawing->SelectMixture({ number }, std::move(text));
+  this->vtkOpenGLPolyDataMapper::RenderPieceDraw(ren, actor);
+}
+
+void ClassesMapper::DrawStacks(vtkRenderer* ren, vtkActor* actor)
+{
+  this->InStack = true;
+  this->Slot = -1;
+  for (std::size_t k = 0; this->Stacks && k < this->Stacks->Get().size(); ++k)
+  {
+    const ClassStack& stack = *this->Stacks->Get()[k]->Materials;
+    this->ShowIndices(this->StackIndices[k]);
+    this->Drawing->SelectMaterial(
+      stack.Get(), { this->GetText()->GetStackDeclarations() + stack.GetDeclarations(),
+                     this->GetText()->GetStackImplementation() + stack.GetChoice(), {} });
+    this->vtkOpenGLPolyDataMapper::RenderPieceDraw(ren, actor);
+  }
+  this->InStack = false;
+}
+
+// Each slot has its class times its weight, so that their quotient is the class all over a polygon.
+void ClassesMapper::ReplaceShaderPositionVC(
+  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* actor)
+{
+  if (this->InStack && this->UsesMaterial(this->LastBoundBO))
+  {
+    const std::string name = MixtureShader::ClassAttribute;
+    std::string vertex = shaders[vtkShader::Vertex]->GetSource();
+    vtkShaderProgram::Substitute(vertex, "//VTK::PositionVC::Dec",
+      std::string("//VTK::PositionVC::Dec\nin float ") + partarrays::Class + ";\nout vec4 " + name +
+        "VCVSOutput;\n",
+      false);
+    vtkShaderProgram::Substitute(vertex, "//VTK::PositionVC::Impl",
+      "//VTK::PositionVC::Impl\n  " + name + "VCVSOutput = " + partarrays::Class + " * " +
+        partarrays::GetWeights(0) + ";\n",
+      false);
+    shaders[vtkShader::Vertex]->SetSource(vertex);
+  }
+  this->Superclass::ReplaceShaderPositionVC(shaders, ren, actor);
 }
 
 // The superclass knows one shader at a time and would make the text of each anew in every frame.
@@ -233,7 +390,9 @@ bool ClassesMapper::FollowOn(vtkShaderProgram* program)
 {
   const DrawnMaterials& selected = this->Drawing->GetSelected().Get();
   const DrawnMaterial* drawn = selected.empty() ? nullptr : selected.front();
-  const DrawnMaterial* last = this->Last;
+  const bool ofBorder = this->Slot >= 0;
+  const DrawnMaterial* last = ofBorder == this->WasOfBorder ? this->Last : nullptr;
+  this->WasOfBorder = ofBorder;
   this->Last = this->HasOcclusion() ? nullptr : drawn; // shadows have numbers of each material
   if (!last || !this->Last || last->Key != drawn->Key || last->Environment != drawn->Environment)
   {
@@ -248,6 +407,10 @@ bool ClassesMapper::FollowOn(vtkShaderProgram* program)
   {
     drawn->Radiance->SetUniforms(program, instance, last->Radiance.get());
   }
+  if (ofBorder)
+  {
+    program->SetUniformi("brdfSlot", this->Slot);
+  }
   if (this->HaveCellScalars || this->HaveCellNormals)
   {
     program->SetUniformi("PrimitiveIDOffset", static_cast<int>(this->PrimitiveIDOffset));
@@ -261,7 +424,8 @@ void ClassesMapper::UpdateShaders(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtk
   {
     return;
   }
-  this->UseShadersOf(this->GetShaderKey(&cellBO));
+  // Without a material, too, a border needs its weights.
+  this->UseShadersOf(this->GetShaderKey(&cellBO) + (this->Slot >= 0 ? "/border" : ""));
   this->Superclass::UpdateShaders(cellBO, ren, actor);
 }
 
@@ -270,6 +434,11 @@ void ClassesMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->ReleaseIndices();
   this->InOwnWindow([this]() { this->DropShaders(this->OwnWindow); });
+  if (this->RenderDepth == 0)
+  {
+    this->Stacks = nullptr;
+    this->StacksOf.erase(vtkOpenGLRenderWindow::SafeDownCast(window));
+  }
   this->Superclass::ReleaseGraphicsResources(window);
 }
 } // namespace measuredbrdf

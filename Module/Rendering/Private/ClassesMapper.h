@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Draws all parts of a divided surface that are of a single material each. Private to the rendering
+ * Draws all parts of a divided surface that show a single material each. Private to the rendering
  * room.
  *
  * They have the points and the shaders in common. So a further class costs its textures, the
@@ -13,6 +13,7 @@
 #ifndef ClassesMapper_h
 #define ClassesMapper_h
 
+#include "ClassStacks.h"
 #include "DrawnMaterial.h"
 #include "PartMapper.h"
 #include "vtkSmartPointer.h"
@@ -21,6 +22,7 @@
 #include <cstddef>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -47,6 +49,16 @@ public:
   void SetParts(
     const MaterialParts* parts, const std::vector<std::size_t>& numbers, vtkMaterialMap* map);
 
+  /// Of what is drawn by stacks in the window drawn last, not counted yet.
+  vtkIdType CountStackBytes(std::set<const vtkTextureObject*>& counted) const
+  {
+    return this->Stacks ? static_cast<vtkIdType>(this->Stacks->CountBytes(counted)) : 0;
+  }
+
+  /// Whether the last frame drew most polygons between classes of points once for each class: then
+  /// it is cheaper to cut them.
+  bool HasLooseBorders() const { return this->AreBordersLoose; }
+
   void RenderPieceDraw(vtkRenderer* ren, vtkActor* actor) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
@@ -57,6 +69,10 @@ protected:
   void BuildIBO(vtkRenderer* ren, vtkActor* actor, vtkPolyData* surface) override;
   void UpdateShaders(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor) override;
   void ShowOnly(int material) override;
+  int GetSlot() const override { return this->Slot; }
+  bool HasWeights() const override { return this->Slot >= 0 || this->InStack; }
+  void ReplaceShaderPositionVC(
+    std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* actor) override;
 
 private:
   ClassesMapper(const ClassesMapper&) = delete;
@@ -67,6 +83,9 @@ private:
     vtkSmartPointer<vtkPolyData> Surface;
     vtkSmartPointer<vtkOpenGLIndexBufferObject> Indices; // of its triangles
     int FirstPrimitive = 0;                              // counted over all classes
+    int Slot = -1;                                       // of a border between classes,
+    int Number = -1;                                     // the class's number there
+    std::vector<vtkIdType> Polygons;                     // and its polygons'
   };
 
   // Deletes OpenGL objects in the window that they are in, whichever is current.
@@ -76,8 +95,19 @@ private:
   void UseShadersOf(const std::string& key);
   void DropShaders(vtkWindow* window);
   bool FollowOn(vtkShaderProgram* program);
+  void DrawClass(std::size_t number, vtkRenderer* ren, vtkActor* actor);
+  void DrawStacks(vtkRenderer* ren, vtkActor* actor);
+  void UpdateStacks(vtkRenderer* ren);
+  void ShowIndices(vtkOpenGLIndexBufferObject* indices);
+  vtkSmartPointer<vtkOpenGLIndexBufferObject> MakeIndices(vtkCellArray* polygons);
 
   std::vector<Class> Classes;
+  int Slot = -1;        // of the class that is shown
+  bool InStack = false; // whether a stack is shown
+  bool AreBordersLoose = false;
+  std::map<vtkOpenGLRenderWindow*, std::unique_ptr<ClassStacks>> StacksOf;
+  ClassStacks* Stacks = nullptr; // of the window that is drawn, while polygons are stacked
+  std::vector<vtkSmartPointer<vtkOpenGLIndexBufferObject>> StackIndices;
   bool AreBuilt = false;                           // the classes' indices
   vtkWeakPointer<vtkOpenGLRenderWindow> OwnWindow; // in which they and the shaders are
   vtkOpenGLIndexBufferObject* Whole = nullptr;     // the superclass's, while a class is shown
@@ -85,6 +115,7 @@ private:
   std::map<std::string, std::unique_ptr<vtkOpenGLHelper>> OtherShaders;
   std::string ShadersInUse;
   const DrawnMaterial* Last = nullptr; // whose numbers the program has; null: all are to be set
+  bool WasOfBorder = false;            // the same
 };
 } // namespace measuredbrdf
 

@@ -43,9 +43,9 @@ std::string DescribeMixture(double error)
   return std::string("\nmaterials of the map together: predicted error ") + percent + " %";
 }
 
-vtkIdType CountTextureBytes(const DrawnMaterials& materials)
+vtkIdType CountTextureBytes(
+  const DrawnMaterials& materials, std::set<const vtkTextureObject*>& counted)
 {
-  std::set<const vtkTextureObject*> counted;
   std::size_t bytes = 0;
   for (const DrawnMaterial* drawn : materials)
   {

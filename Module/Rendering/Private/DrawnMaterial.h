@@ -16,6 +16,7 @@
 #include "vtkSmartPointer.h"
 
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -46,8 +47,9 @@ std::string DescribePlans(const DrawnMaterials& materials);
 /// A line on the predicted error of a surface of several materials; "" if it is negative.
 std::string DescribeMixture(double error);
 
-/// Of the textures in use, each counted once.
-vtkIdType CountTextureBytes(const DrawnMaterials& materials);
+/// Of the textures in use that are not counted yet.
+vtkIdType CountTextureBytes(
+  const DrawnMaterials& materials, std::set<const vtkTextureObject*>& counted);
 
 ///@{
 /// Of the first material that has one; null where none has.

@@ -49,9 +49,6 @@ MaterialPart MakePart(
   }
   switch (map->GetMode())
   {
-    case vtkMaterialMap::CLASSES:
-      part.Kind = MixtureKind::Nearest;
-      break;
     case vtkMaterialMap::WEIGHTS:
       part.Kind = MixtureKind::Weights;
       break;
@@ -105,21 +102,26 @@ void MaterialParts::Clear()
   if (this->Input)
   {
     const unsigned long revision = this->Revision;
-    const bool cuts = this->CutsBorders;
+    const bool may = this->MayCut;
     *this = MaterialParts();
     this->Revision = revision + 1;
-    this->CutsBorders = cuts;
+    this->MayCut = may;
   }
 }
 
 std::string MaterialParts::Update(
   vtkPolyData* input, vtkMaterialMap* map, vtkBRDF* others, std::string& warning)
 {
+  const bool isMapNew = map != this->Map || map->GetDivisionMTime() != this->MapTime;
+  const bool isNew = isMapNew || input != this->Input || input->GetMTime() != this->InputTime ||
+                     others != this->Others;
   // Not to and fro: actors and windows that share a mapper may differ in whether borders are cut.
-  if (input != this->Input || input->GetMTime() != this->InputTime || map != this->Map ||
-      map->GetDivisionMTime() != this->MapTime || others != this->Others ||
-      (this->AreCut && !this->CutsBorders))
+  this->IsCutForbidden = !this->MayCut || (this->IsCutForbidden && !isNew);
+  this->IsCutWanted = this->IsCutWanted && !isMapNew;
+  const bool cut = this->IsCutWanted && !this->IsCutForbidden;
+  if (isNew || cut != this->IsCut)
   {
+    this->IsCut = cut;
     this->Input = input;
     this->InputTime = input->GetMTime();
     this->Map = map;
@@ -138,19 +140,27 @@ std::string MaterialParts::Update(
 
 std::string MaterialParts::Divide(vtkPolyData* input, vtkMaterialMap* map, vtkBRDF* others)
 {
-  this->AreCut = false;
   PartSurfaces surfaces(input);
   CellMaterials cells;
-  const std::string problem =
-    cells.Find(input, map, others, surfaces.GetPolygons(), surfaces.GetCells(), this->Warning);
+  const auto find = [&]()
+  {
+    return cells.Find(
+      input, map, others, surfaces.GetPolygons(), surfaces.GetCells(), this->Warning);
+  };
+  std::string problem = find();
+  if (problem.empty() && !cells.GetPointClasses().empty() && this->IsCut)
+  {
+    surfaces.CutBorders(cells);
+  }
+  else if (problem.empty() && !cells.GetPointClasses().empty() &&
+           surfaces.SplitPolygons(cells, PartSets::MaximumNumberOfSlots))
+  {
+    cells = CellMaterials();
+    problem = find();
+  }
   if (!problem.empty())
   {
     return problem;
-  }
-  this->AreCut = this->CutsBorders && !cells.GetPointClasses().empty();
-  if (this->AreCut)
-  {
-    surfaces.CutBorders(cells);
   }
   const bool onScale = map->GetMode() == vtkMaterialMap::VALUES;
   const PartSets sets(
@@ -166,6 +176,15 @@ std::string MaterialParts::Divide(vtkPolyData* input, vtkMaterialMap* map, vtkBR
   for (std::size_t k = 0; k < sets.Get().size(); ++k)
   {
     MaterialPart part = MakePart(cells, sets.Get()[k], map, sets.IsBand(k));
+    if (sets.IsBorder(k))
+    {
+      part.Kind = MixtureKind::Nearest;
+      part.IsRest = part.Members.empty();
+      part.Class = sets.Get()[k].front();
+      part.Slot = sets.GetSlot(k);
+      part.Polygons = surfaces.GetPolygonsOf(k);
+      part.NumberOfWeights = sets.GetNumberOfSlots();
+    }
     part.Surface = surfaces.GetSurface(k);
     this->AddPart(part);
     if (part.HasRest)

@@ -32,7 +32,7 @@ enum class MixtureKind
 {
   Single,  // one material, or none
   Weights, // point attributes
-  Nearest, // the material of the largest of them
+  Nearest, // only where the material's own is the largest; elsewhere another part draws
   Value,   // hat functions of a point attribute
   Images   // images over the texture coordinates
 };
@@ -42,9 +42,13 @@ struct MaterialPart
   vtkSmartPointer<vtkPolyData> Surface;          // all parts share the points, so that no gap shows
   std::vector<vtkSmartPointer<vtkBRDF>> Members; // none: the superclass draws
   MixtureKind Kind = MixtureKind::Single;
-  bool HasRest = false; // Nearest: some pixels have no material; they are another part's,
-  bool IsRest = false;  // this one's: of as many weights, with the rest's as the last
+  bool HasRest = false; // Images: some pixels have no material; they are another part's,
+  bool IsRest = false;  // that is drawn by the superclass, this one
   int NumberOfWeights = 0;
+  int Class = -1; // Nearest: as the points' array partarrays::Class has it
+  std::vector<vtkIdType>
+    Polygons;   // Nearest: numbers of the surface's, as other parts have them, too
+  int Slot = 0; // Nearest: the weight that is the largest where the pixel is this part's
   std::vector<double> Knots; // Value: each member's place on the scale, from 0 to 1, rising
   bool IsBand = false;       // Value: places out of Band are another part's, its end, too
   std::array<float, 2> Band = { -1e30f, 1e30f };
@@ -68,9 +72,13 @@ public:
   /// Parts are merged, where weights allow that, until there are no more of them than this.
   static constexpr int WantedNumberOfParts = 32;
 
-  /// Whether polygons may be cut along the borders between classes of points (ClassBorders), from
-  /// the next change of the input or the map on; false counts at once. Default: false.
-  void SetCutsBorders(bool cuts) { this->CutsBorders = cuts; }
+  ///@{
+  /// Whether polygons may be cut along the borders between classes of points (ClassBorders); where
+  /// they once may not, they stay whole until the input or the map change. And whether they should
+  /// be: what is wanted stays so until the map changes. Default: false.
+  void SetMayCut(bool may) { this->MayCut = may; }
+  void WantCut() { this->IsCutWanted = true; }
+  ///@}
 
   /// Divide anew if the input, the map or the material for the rest changed. Returns why the map
   /// cannot be used (there are no parts then), or "". warning: what is odd about the data, or "".
@@ -123,8 +131,10 @@ private:
   vtkMTimeType MapTime = 0;
   vtkSmartPointer<vtkBRDF> Others;
   unsigned long Revision = 0;
-  bool CutsBorders = false;
-  bool AreCut = false; // those of the parts
+  bool MayCut = false;
+  bool IsCutWanted = false;
+  bool IsCutForbidden = false;
+  bool IsCut = false; // as was wanted and allowed
 };
 } // namespace measuredbrdf
 

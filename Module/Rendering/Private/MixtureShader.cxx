@@ -62,6 +62,10 @@ std::string MixtureShader::GetDeclarations() const
   {
     text += "uniform sampler2D " + WeightTextures::GetSampler(k) + ";\n";
   }
+  if (this->Part.Kind == MixtureKind::Nearest)
+  {
+    return text + "uniform int brdfSlot;\n";
+  }
   return text + "float brdfWeights[" + std::to_string(this->Part.NumberOfWeights) + "];\n";
 }
 
@@ -91,10 +95,39 @@ std::string MixtureShader::GetWeight(int slot) const
   }
 }
 
+// Of several weights that are the largest the first one counts, so that each pixel is of one part.
+std::string MixtureShader::FindNearest() const
+{
+  std::string text = "  int brdfNearest = 0;\n  float brdfMost = " + this->GetWeight(0) + ";\n";
+  for (int slot = 1; slot < this->Part.NumberOfWeights; ++slot)
+  {
+    const std::string weight = this->GetWeight(slot);
+    text += "  brdfNearest = " + weight + " > brdfMost ? " + std::to_string(slot) +
+            " : brdfNearest;\n  brdfMost = max(brdfMost, " + weight + ");\n";
+  }
+  return text;
+}
+
+// Each slot has its class times its weight.
+std::string MixtureShader::GetStackDeclarations() const
+{
+  return "in vec4 " + Varying(partarrays::GetWeights(0)) + ";\nin vec4 " + Varying(ClassAttribute) +
+         ";\n";
+}
+
+std::string MixtureShader::GetStackImplementation() const
+{
+  return this->FindNearest() + "  float brdfClassHere = " + Varying(ClassAttribute) +
+         "[brdfNearest] / max(brdfMost, 1e-6);\n";
+}
+
 std::string MixtureShader::GetImplementation(const std::vector<bool>& drawn) const
 {
+  if (this->Part.Kind == MixtureKind::Nearest)
+  {
+    return this->FindNearest() + "  if (brdfNearest != brdfSlot)\n  {\n    discard;\n  }\n";
+  }
   const int count = this->Part.NumberOfWeights;
-  const bool nearest = this->Part.Kind == MixtureKind::Nearest;
   std::string text;
   if (this->Part.Kind == MixtureKind::Value)
   {
@@ -122,27 +155,11 @@ std::string MixtureShader::GetImplementation(const std::vector<bool>& drawn) con
     text += "  " + Weight(slot) + " = " + (given ? this->GetWeight(slot) : "0.0") + ";\n";
     sum += " + " + Weight(slot);
   }
-  if (nearest)
+  text += "  float brdfSum = " + sum + ";\n";
+  for (int slot = 0; slot < count; ++slot)
   {
-    text += "  int brdfNearest = " + std::to_string(std::max(others, 0)) + ";\n";
-    for (int slot = 0; slot < count; ++slot)
-    {
-      text += "  brdfNearest = " + Weight(slot) + " > brdfWeights[brdfNearest] ? " +
-              std::to_string(slot) + " : brdfNearest;\n";
-    }
-    for (int slot = 0; slot < count; ++slot)
-    {
-      text += "  " + Weight(slot) + " = brdfNearest == " + std::to_string(slot) + " ? 1.0 : 0.0;\n";
-    }
-  }
-  else
-  {
-    text += "  float brdfSum = " + sum + ";\n";
-    for (int slot = 0; slot < count; ++slot)
-    {
-      text += "  " + Weight(slot) + " = brdfSum > 0.0 ? " + Weight(slot) +
-              " / brdfSum : " + (slot == others ? "1.0" : "0.0") + ";\n";
-    }
+    text += "  " + Weight(slot) + " = brdfSum > 0.0 ? " + Weight(slot) +
+            " / brdfSum : " + (slot == others ? "1.0" : "0.0") + ";\n";
   }
   if (this->Part.HasRest || this->Part.IsRest)
   {

@@ -37,8 +37,17 @@ public:
   std::string GetImplementation(const std::vector<bool>& drawn) const;
   ///@}
 
+  ///@{
+  /// The same where a stack of materials is drawn: statements find the float brdfClassHere, the
+  /// class of the largest weight. It comes from an attribute that ClassAttribute names.
+  static constexpr const char* ClassAttribute = "brdfClasses";
+  std::string GetStackDeclarations() const;
+  std::string GetStackImplementation() const;
+  ///@}
+
 private:
   std::string GetWeight(int slot) const;
+  std::string FindNearest() const;
 
   const MaterialPart& Part;
   std::vector<int> ImageComponents;

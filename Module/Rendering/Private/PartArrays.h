@@ -21,6 +21,9 @@ constexpr int WeightsPerGroup = 4;
 /// The weights of slots from WeightsPerGroup times group on.
 inline std::string GetWeights(int group) { return "brdfWeights" + std::to_string(group); }
 
+/// A number of the class of a point.
+constexpr const char* Class = "brdfClassOfPoint";
+
 /// The place on a map's scale of values: 0 is its first, 1 its last.
 constexpr const char* Value = "brdfValue";
 

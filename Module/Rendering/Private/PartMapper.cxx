@@ -131,7 +131,10 @@ void PartMapper::DrawMixture(vtkRenderer* ren, vtkActor* actor)
   for (std::size_t member : chosen)
   {
     drawn[member] = true;
-    text.Slots.push_back(static_cast<int>(member));
+    if (this->Part.Kind != MixtureKind::Nearest)
+    {
+      text.Slots.push_back(static_cast<int>(member));
+    }
   }
   // Hats of those that are drawn: they end at the next one of these.
   std::vector<double> knots;
@@ -151,11 +154,17 @@ void PartMapper::DrawMixture(vtkRenderer* ren, vtkActor* actor)
   this->Drawing->Unselect();
 }
 
+// Whether the superclass draws the pixels of polygons where a material is not.
+bool PartMapper::IsOthers(const vtkOpenGLHelper* cellBO)
+{
+  return (this->Part.IsRest || this->GetSlot() >= 0) && !this->UsesMaterial(cellBO) &&
+         cellBO == &this->Primitives[PrimitiveTris];
+}
+
 // Vertices and lines do not, nor does what is drawn for a selection.
 bool PartMapper::NeedsWeights(const vtkOpenGLHelper* cellBO)
 {
-  return this->Text && (this->UsesMaterial(cellBO) ||
-                         (this->Part.IsRest && cellBO == &this->Primitives[PrimitiveTris]));
+  return this->HasWeights() && (this->UsesMaterial(cellBO) || this->IsOthers(cellBO));
 }
 
 // Attributes go through the stages beside the positions, as tangents do.
@@ -183,7 +192,7 @@ void PartMapper::ReplaceShaderPositionVC(
     }
     shaders[vtkShader::Vertex]->SetSource(vertex);
     shaders[vtkShader::Geometry]->SetSource(geometry);
-    if (this->Part.IsRest)
+    if (this->IsOthers(this->LastBoundBO))
     {
       std::string fragment = shaders[vtkShader::Fragment]->GetSource();
       vtkShaderProgram::Substitute(fragment, "//VTK::PositionVC::Dec",
@@ -224,6 +233,10 @@ void PartMapper::SetMapperShaderParameters(
   for (const auto& [member, hat] : this->Hats)
   {
     cellBO.Program->SetUniform4f(("brdfHat" + std::to_string(member)).c_str(), hat.data());
+  }
+  if (this->GetSlot() >= 0)
+  {
+    cellBO.Program->SetUniformi("brdfSlot", this->GetSlot());
   }
   if (this->Part.IsBand)
   {

@@ -53,6 +53,19 @@ public:
   void RenderPieceDraw(vtkRenderer* ren, vtkActor* actor) override;
 
 protected:
+  /// In this program, which draws some pixels of polygons only: those of a part of the Nearest
+  /// kind; negative: it draws all.
+  virtual int GetSlot() const
+  {
+    return this->Part.Kind == MixtureKind::Nearest ? this->Part.Slot : -1;
+  }
+
+  /// Whether what is drawn now has weights.
+  virtual bool HasWeights() const { return this->Text != nullptr; }
+
+  /// Of parts of several members, or of the Nearest kind; null: one material, or none.
+  const MixtureShader* GetText() const { return this->Text.get(); }
+
   PartMapper() = default;
   ~PartMapper() override = default;
 
@@ -71,6 +84,7 @@ private:
   void operator=(const PartMapper&) = delete;
 
   bool NeedsWeights(const vtkOpenGLHelper* cellBO);
+  bool IsOthers(const vtkOpenGLHelper* cellBO);
   void DrawMixture(vtkRenderer* ren, vtkActor* actor);
   std::vector<std::size_t> ChooseMembers(vtkRenderer* ren);
 
@@ -80,8 +94,8 @@ private:
   vtkSmartPointer<vtkMaterialMap> Map;
   std::vector<int> ImageComponents;
   std::vector<std::pair<std::size_t, std::array<float, 4>>> Hats; // of the members drawn now
-  std::unique_ptr<MixtureShader> Text;                            // null: one material, or none
-  std::shared_ptr<WeightTextures> Images;                         // of the window drawn last
+  std::unique_ptr<MixtureShader> Text;
+  std::shared_ptr<WeightTextures> Images; // of the window drawn last
   std::map<vtkOpenGLRenderWindow*, std::shared_ptr<WeightTextures>> ImagesOf;
   const BlockStyle* Style = nullptr;
 };

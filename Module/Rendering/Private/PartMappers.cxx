@@ -80,9 +80,8 @@ bool AreColorsOfMap(const ScalarStyle& colors, vtkPolyData* input, vtkMaterialMa
              colors.ArrayId, colors.ArrayName.c_str(), cellFlag));
 }
 
-PartMappers::PartMappers(std::shared_ptr<vtkMeasuredBRDFMapperInternals> drawing, bool mayCut)
+PartMappers::PartMappers(std::shared_ptr<vtkMeasuredBRDFMapperInternals> drawing)
   : Drawing(std::move(drawing))
-  , MayCut(mayCut)
 {
   // Programs set their uniforms when the mapper that they know says so.
   this->ForwardEvents->SetClientData(this->Drawing->GetOwner());
@@ -115,7 +114,7 @@ bool PartMappers::Divide(vtkPolyData* input)
   }
   std::string warning;
   const vtkSmartPointer<vtkPolyData> whole = this->Drawing->FindWhole(input);
-  this->Parts.SetCutsBorders(
+  this->Parts.SetMayCut(
     this->MayCut && !ReadsVisibility(settings, whole) && ClassBorders::CanInterpolate(whole));
   const std::string problem =
     this->Parts.Update(whole, settings.MaterialMap, settings.BRDF, warning);
@@ -232,6 +231,10 @@ void PartMappers::Render(vtkRenderer* renderer, vtkActor* actor, vtkOpenGLPolyDa
       mapper->SetStyle(this->Style.get());
       mapper->RenderPiece(renderer, actor);
     });
+  if (this->Classes && this->Classes->HasLooseBorders())
+  {
+    this->Parts.WantCut();
+  }
   this->RenderHighlight(renderer, actor, host);
 }
 

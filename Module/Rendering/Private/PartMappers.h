@@ -19,6 +19,7 @@
 
 #include <functional>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -36,15 +37,14 @@ bool AreColorsOfMap(const ScalarStyle& colors, vtkPolyData* input, vtkMaterialMa
 class PartMappers
 {
 public:
-  /// mayCut: whether borders between classes of points may be cut until Expect says more.
-  PartMappers(std::shared_ptr<vtkMeasuredBRDFMapperInternals> drawing, bool mayCut);
+  explicit PartMappers(std::shared_ptr<vtkMeasuredBRDFMapperInternals> drawing);
   ~PartMappers();
   PartMappers(const PartMappers&) = delete;
   void operator=(const PartMappers&) = delete;
 
   /// Say before Divide how host will draw the surface: whether borders between classes of points
   /// may be cut depends on it. scalars: that color it; hasOwnAttributes: vertices have what a
-  /// program adds.
+  /// program adds. If it is never said, they are not cut.
   void Expect(vtkPolyData* input, vtkActor* actor, vtkOpenGLPolyDataMapper* host,
     const ScalarStyle& scalars, bool hasOwnAttributes);
 
@@ -78,6 +78,12 @@ public:
   /// Of the images of weights on the graphics card.
   vtkIdType GetImageBytes() const;
 
+  /// Of stacks of materials that are not counted yet.
+  vtkIdType CountStackBytes(std::set<const vtkTextureObject*>& counted) const
+  {
+    return this->Classes ? this->Classes->CountStackBytes(counted) : 0;
+  }
+
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
@@ -102,7 +108,7 @@ private:
   vtkMTimeType HostTime = 0;
   const void* Host = nullptr; // only compared
   bool OverridesColor = false;
-  bool MayCut;
+  bool MayCut = false;
   ScalarStyle Scalars; // of the block
 };
 } // namespace measuredbrdf

@@ -3,9 +3,12 @@
 #include "PartSets.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <numeric>
+#include <set>
 #include <utility>
 
 namespace measuredbrdf
@@ -61,6 +64,49 @@ bool MergeSmallest(std::vector<Group>& groups, std::size_t mostMaterials)
   groups.erase(smallest);
   return true;
 }
+
+// A slot for each class, so that few classes that meet have the same one: each class in turn, those
+// of the most polygons first, takes the slot that the fewest polygons with its neighbors have.
+std::map<int, int> FindUsualSlots(
+  const CellMaterials& cells, const std::vector<int>& origins, const std::vector<double>& polygons)
+{
+  std::map<int, std::map<int, double>> neighbors;
+  std::map<int, double> totals;
+  for (int origin : origins)
+  {
+    const auto place = static_cast<std::size_t>(origin);
+    for (int a : cells.GetSets()[place])
+    {
+      totals[a] += polygons[place];
+      for (int b : cells.GetSets()[place])
+      {
+        neighbors[a][b] += polygons[place];
+      }
+    }
+  }
+  std::vector<std::pair<double, int>> order;
+  for (const auto& [cls, total] : totals)
+  {
+    order.emplace_back(-total, cls);
+  }
+  std::sort(order.begin(), order.end());
+  std::map<int, int> slots;
+  for (const auto& [total, cls] : order)
+  {
+    std::array<double, PartSets::MaximumNumberOfSlots> meeting = {};
+    for (const auto& [other, count] : neighbors[cls])
+    {
+      const auto known = slots.find(other);
+      if (known != slots.end())
+      {
+        meeting[static_cast<std::size_t>(known->second)] += count;
+      }
+    }
+    slots[cls] =
+      static_cast<int>(std::min_element(meeting.begin(), meeting.end()) - meeting.begin());
+  }
+  return slots;
+}
 }
 
 PartSets::PartSets(const CellMaterials& cells, int mostMaterials, int wanted)
@@ -75,6 +121,7 @@ PartSets::PartSets(const CellMaterials& cells, int mostMaterials, int wanted)
   this->Places.resize(polygons.size());
   std::vector<Group> groups; // of several materials
   std::vector<int> inBands;
+  std::vector<int> onBorders;
   for (std::size_t k = 0; k < polygons.size(); ++k)
   {
     const int origin = static_cast<int>(k);
@@ -89,7 +136,11 @@ PartSets::PartSets(const CellMaterials& cells, int mostMaterials, int wanted)
       set = cells.GetHeaviest(origin, most);
       this->Dropped += static_cast<std::size_t>(polygons[k]);
     }
-    if (set.size() > 1)
+    if (set.size() > 1 && !cells.GetPointClasses().empty())
+    {
+      onBorders.push_back(origin);
+    }
+    else if (set.size() > 1)
     {
       groups.push_back({ std::move(set), polygons[k], { origin } });
     }
@@ -126,6 +177,42 @@ PartSets::PartSets(const CellMaterials& cells, int mostMaterials, int wanted)
   }
   this->FirstBand = this->Sets.size();
   this->AddBands(cells, inBands, mostMaterials);
+  this->FirstBorder = this->Sets.size();
+  this->AddBorders(cells, onBorders, polygons);
+}
+
+void PartSets::AddBorders(
+  const CellMaterials& cells, const std::vector<int>& origins, const std::vector<double>& polygons)
+{
+  this->SlotOfClass.resize(polygons.size());
+  const std::map<int, int> usual = FindUsualSlots(cells, origins, polygons);
+  std::map<std::pair<int, int>, int> known; // the set of a class and a slot
+  for (int origin : origins)
+  {
+    const auto place = static_cast<std::size_t>(origin);
+    std::map<int, int>& slots = this->SlotOfClass[place];
+    std::set<int> taken;
+    for (int cls : cells.GetSets()[place])
+    {
+      slots[cls] = taken.insert(usual.at(cls)).second ? usual.at(cls) : -1;
+    }
+    for (auto& [cls, slot] : slots)
+    {
+      for (int next = 0; slot < 0; ++next)
+      {
+        slot = taken.insert(next).second ? next : -1;
+      }
+      const auto [set, isNew] =
+        known.try_emplace({ cls, slot }, static_cast<int>(this->Sets.size()));
+      if (isNew)
+      {
+        this->Sets.push_back({ cls });
+        this->Slots.push_back(slot);
+        this->NumberOfSlots = std::max(this->NumberOfSlots, slot + 1);
+      }
+      this->Places[place].push_back(set->second);
+    }
+  }
 }
 
 void PartSets::AddBands(

@@ -133,6 +133,41 @@ void PartSurfaces::CutBorders(CellMaterials& cells)
   this->Input = borders.MakeSurface(this->Input);
 }
 
+bool PartSurfaces::SplitPolygons(const CellMaterials& cells, std::size_t most)
+{
+  const auto isCrowded = [&](vtkIdType polygon)
+  {
+    const int set = cells.GetSetOfPolygon()[static_cast<std::size_t>(polygon)];
+    return cells.GetSets()[static_cast<std::size_t>(set)].size() > most;
+  };
+  vtkNew<vtkCellArray> polygons;
+  std::vector<vtkIdType> numbers;
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType k = 0; k < this->Polygons->GetNumberOfCells(); ++k)
+  {
+    this->Polygons->GetCellAtId(k, corners);
+    if (!isCrowded(k))
+    {
+      polygons->InsertNextCell(corners);
+      numbers.push_back(this->Cells[static_cast<std::size_t>(k)]);
+      continue;
+    }
+    for (vtkIdType c = 2; c < corners->GetNumberOfIds(); ++c) // as VTK draws it
+    {
+      const vtkIdType triangle[3] = { corners->GetId(0), corners->GetId(c - 1), corners->GetId(c) };
+      polygons->InsertNextCell(3, triangle);
+      numbers.push_back(this->Cells[static_cast<std::size_t>(k)]);
+    }
+  }
+  const bool any = polygons->GetNumberOfCells() > this->Polygons->GetNumberOfCells();
+  if (any)
+  {
+    this->Polygons->ShallowCopy(polygons);
+    this->Cells = std::move(numbers);
+  }
+  return any;
+}
+
 std::map<vtkBRDF*, double> PartSurfaces::GetAreas(const CellMaterials& cells) const
 {
   std::map<vtkBRDF*, double> areas;
@@ -154,26 +189,35 @@ std::map<vtkBRDF*, double> PartSurfaces::GetAreas(const CellMaterials& cells) co
 }
 
 // Weights of a part are in the order of its own materials, so that a few of them suffice whatever
-// the number of materials: a point has weights for one part. A polygon's own value is that of its
+// the number of materials: a point has weights for one part. On a border between classes it has one
+// weight, in a slot that may differ from polygon to polygon. A polygon's own value is that of its
 // own corners.
 void PartSurfaces::NumberCorners(const CellMaterials& cells, const PartSets& sets)
 {
   const vtkIdType points = this->Input->GetNumberOfPoints();
   this->FirstOwners.assign(static_cast<std::size_t>(points), NoOwner);
-  std::vector<std::unordered_map<vtkIdType, vtkIdType>> added(sets.Get().size());
+  std::vector<std::unordered_map<vtkIdType, vtkIdType>> added(
+    std::max(sets.Get().size(), PartSets::MaximumNumberOfSlots));
   vtkNew<vtkIdList> corners;
   for (vtkIdType k = 0; k < this->Polygons->GetNumberOfCells(); ++k)
   {
     this->Polygons->GetCellAtId(k, corners);
     // Bands do not differ in what they need.
-    const auto set = static_cast<std::size_t>(
-      sets.Find(cells.GetSetOfPolygon()[static_cast<std::size_t>(k)]).front());
+    const int setOfCells = cells.GetSetOfPolygon()[static_cast<std::size_t>(k)];
+    const auto set = static_cast<std::size_t>(sets.Find(setOfCells).front());
     const bool ofPolygon = !cells.GetPolygonValues().empty();
-    const bool mixed = sets.Get()[set].size() > 1 && (ofPolygon || cells.HasPointWeights());
-    const std::size_t owner = ofPolygon ? static_cast<std::size_t>(k) : set;
+    const bool ofBorder = sets.IsBorder(set);
+    const bool mixed =
+      ofBorder || (sets.Get()[set].size() > 1 && (ofPolygon || cells.HasPointWeights()));
+    std::size_t owner = ofPolygon ? static_cast<std::size_t>(k) : set;
     for (vtkIdType c = 0; c < corners->GetNumberOfIds(); ++c)
     {
       const vtkIdType point = corners->GetId(c);
+      if (ofBorder)
+      {
+        owner = static_cast<std::size_t>(
+          sets.FindSlot(setOfCells, cells.GetPointClasses()[static_cast<std::size_t>(point)]));
+      }
       std::size_t& first = this->FirstOwners[static_cast<std::size_t>(point)];
       if (mixed && first == NoOwner)
       {
@@ -188,7 +232,7 @@ void PartSurfaces::NumberCorners(const CellMaterials& cells, const PartSets& set
       vtkIdType number = next;
       if (!ofPolygon)
       {
-        number = added[set].try_emplace(point, next).first->second;
+        number = added[owner].try_emplace(point, next).first->second;
       }
       if (number == next)
       {
@@ -233,7 +277,8 @@ void PartSurfaces::CopyPoints()
 
 void PartSurfaces::AddWeights(const CellMaterials& cells, const PartSets& sets)
 {
-  std::size_t most = 0;
+  const bool ofClasses = !cells.GetPointClasses().empty();
+  std::size_t most = static_cast<std::size_t>(sets.GetNumberOfSlots());
   for (const CellMaterials::Set& set : sets.Get())
   {
     most = std::max(most, set.size());
@@ -259,6 +304,11 @@ void PartSurfaces::AddWeights(const CellMaterials& cells, const PartSets& sets)
       for (int c = 0; owner != NoOwner && c < WeightsPerGroup; ++c)
       {
         const int slot = WeightsPerGroup * group + c;
+        if (ofClasses)
+        {
+          array->SetTypedComponent(p, c, owner == static_cast<std::size_t>(slot) ? 1.0f : 0.0f);
+          continue;
+        }
         const int material = cells.GetMember(sets.Get()[owner], slot);
         if (material >= 0)
         {
@@ -268,6 +318,22 @@ void PartSurfaces::AddWeights(const CellMaterials& cells, const PartSets& sets)
     }
     this->Base->GetPointData()->AddArray(array);
   }
+}
+
+void PartSurfaces::AddClasses(const CellMaterials& cells)
+{
+  vtkNew<vtkFloatArray> array;
+  array->SetName(partarrays::Class);
+  const vtkIdType points = this->Input->GetNumberOfPoints();
+  array->SetNumberOfTuples(this->Base->GetNumberOfPoints());
+  for (vtkIdType p = 0; p < this->Base->GetNumberOfPoints(); ++p)
+  {
+    const vtkIdType original =
+      p < points ? p : this->Originals[static_cast<std::size_t>(p - points)];
+    array->SetValue(
+      p, static_cast<float>(cells.GetPointClasses()[static_cast<std::size_t>(original)]));
+  }
+  this->Base->GetPointData()->AddArray(array);
 }
 
 void PartSurfaces::AddValues(const CellMaterials& cells)
@@ -310,6 +376,10 @@ void PartSurfaces::Distribute(const CellMaterials& cells, const PartSets& sets)
   if (cells.HasPointWeights())
   {
     this->AddWeights(cells, sets);
+    if (sets.GetNumberOfSlots() > 0)
+    {
+      this->AddClasses(cells);
+    }
   }
   else if (!cells.GetKnots().empty())
   {
@@ -320,6 +390,7 @@ void PartSurfaces::Distribute(const CellMaterials& cells, const PartSets& sets)
     this->AddCoordinates();
   }
   std::vector<std::vector<vtkIdType>> source(sets.Get().size()); // the input's cells
+  this->PolygonsOf.resize(sets.Get().size());
   for (std::size_t k = 0; k < sets.Get().size(); ++k)
   {
     this->Surfaces.push_back(vtkSmartPointer<vtkPolyData>::New());
@@ -337,6 +408,7 @@ void PartSurfaces::Distribute(const CellMaterials& cells, const PartSets& sets)
       const auto set = static_cast<std::size_t>(place);
       this->Surfaces[set]->GetPolys()->InsertNextCell(count, corner);
       source[set].push_back(this->Cells[static_cast<std::size_t>(k)]);
+      this->PolygonsOf[set].push_back(k);
     }
     corner += count;
   }

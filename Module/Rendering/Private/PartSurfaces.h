@@ -46,6 +46,10 @@ public:
   /// Cut the polygons along the borders between classes of points, so that each is of one class.
   void CutBorders(CellMaterials& cells);
 
+  /// Decompose polygons in which more than so many materials meet into triangles. Returns whether
+  /// there are any: the materials of polygons are to be found anew then.
+  bool SplitPolygons(const CellMaterials& cells, std::size_t most);
+
   /// The area of each material.
   std::map<vtkBRDF*, double> GetAreas(const CellMaterials& cells) const;
 
@@ -55,6 +59,12 @@ public:
   /// That of a set, after Distribute.
   vtkPolyData* GetSurface(std::size_t set) const { return this->Surfaces[set]; }
 
+  /// Which of all polygons it has, after Distribute.
+  const std::vector<vtkIdType>& GetPolygonsOf(std::size_t set) const
+  {
+    return this->PolygonsOf[set];
+  }
+
   /// The input's vertices and lines, which no material draws; null: it has none.
   vtkPolyData* GetVerticesAndLines() const { return this->Others; }
 
@@ -62,6 +72,7 @@ private:
   void DecomposeStrips();
   void NumberCorners(const CellMaterials& cells, const PartSets& sets);
   void CopyPoints();
+  void AddClasses(const CellMaterials& cells);
   void AddWeights(const CellMaterials& cells, const PartSets& sets);
   void AddValues(const CellMaterials& cells);
   void AddCoordinates();
@@ -72,10 +83,11 @@ private:
   std::vector<vtkIdType> Cells;
   std::vector<vtkIdType> Corners;       // the polygons' points, numbered as the parts have them
   std::vector<vtkIdType> Originals;     // the input's point of each added one
-  std::vector<std::size_t> Owners;      // the set or polygon that an added point belongs to
+  std::vector<std::size_t> Owners;      // the set, slot or polygon that an added point belongs to
   std::vector<std::size_t> FirstOwners; // the same for the input's points
   vtkNew<vtkPolyData> Base;             // the parts' points and point data
   std::vector<vtkSmartPointer<vtkPolyData>> Surfaces;
+  std::vector<std::vector<vtkIdType>> PolygonsOf;
   vtkSmartPointer<vtkPolyData> Others;
 };
 } // namespace measuredbrdf

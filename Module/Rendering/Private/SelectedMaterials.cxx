@@ -39,8 +39,8 @@ void SelectedMaterials::Set(const DrawnMaterials& materials, MixtureText text)
 // One after another of the same shader.
 bool SelectedMaterials::FollowOn(const DrawnMaterials& materials, const MixtureText& text)
 {
-  if (this->Materials.size() != 1 || materials.size() != 1 || !text.Slots.empty() ||
-      !this->Mixture.Slots.empty() || this->Materials[0]->Key != materials[0]->Key)
+  if (this->Materials.size() != 1 || materials.size() != 1 || !(text == this->Mixture) ||
+      this->Materials[0]->Key != materials[0]->Key)
   {
     return false;
   }

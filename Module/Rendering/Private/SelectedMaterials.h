@@ -20,7 +20,13 @@ struct MixtureText
 {
   std::string Declarations;
   std::string Implementation;
-  std::vector<int> Slots; // of the materials' weights
+  std::vector<int> Slots; // of the materials' weights; none: there is one material
+
+  bool operator==(const MixtureText& other) const
+  {
+    return this->Slots == other.Slots && this->Declarations == other.Declarations &&
+           this->Implementation == other.Implementation;
+  }
 };
 
 class SelectedMaterials

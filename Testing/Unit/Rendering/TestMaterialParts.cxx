@@ -9,6 +9,7 @@
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
+#include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkIntArray.h"
 #include "vtkLambertBRDF.h"
@@ -27,6 +28,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <set>
 #include <vector>
 
 namespace
@@ -160,14 +163,23 @@ TEST_F(Parts, PointsOfDifferentClassesMeetInTheCellsBetween)
   // Left half, right half: one column of cells in between.
   this->SetPoints([](vtkIdType point) { return point % (Side + 1) <= Side / 2 ? 0.0 : 1.0; });
   this->AddMaterials(2);
+  // A part of each alone, and one where they meet, of the same polygons.
   ASSERT_EQ(this->Update(), "");
-  ASSERT_EQ(this->Divided.Get().size(), 3u);
-  vtkIdType mixed = 0;
+  ASSERT_EQ(this->Divided.Get().size(), 4u);
+  std::set<int> slots;
+  std::set<std::vector<vtkIdType>> polygons;
   for (const MaterialPart& part : this->Divided.Get())
   {
-    mixed += part.Kind == MixtureKind::Nearest ? part.Surface->GetNumberOfPolys() : 0;
+    if (part.Kind == MixtureKind::Nearest)
+    {
+      EXPECT_EQ(part.Members.size(), 1u);
+      EXPECT_EQ(part.Surface->GetNumberOfPolys(), Side);
+      slots.insert(part.Slot);
+      polygons.insert(part.Polygons);
+    }
   }
-  EXPECT_EQ(mixed, Side);
+  EXPECT_EQ(slots.size(), 2u);
+  EXPECT_EQ(polygons.size(), 1u);
   EXPECT_NEAR(this->GetShare(0), 0.55, 1e-6);
 }
 
@@ -180,13 +192,84 @@ TEST_F(Parts, WhereNoMaterialMeetsOneTheRestIsDrawnApart)
   int rest = 0;
   for (const MaterialPart& part : this->Divided.Get())
   {
-    mixed += part.HasRest ? 1 : 0;
+    mixed += part.Kind == MixtureKind::Nearest && !part.IsRest ? 1 : 0;
     rest += part.IsRest ? 1 : 0;
     EXPECT_TRUE(!part.IsRest || part.Members.empty());
-    EXPECT_TRUE(!part.HasRest || (part.Members.size() == 1 && part.NumberOfWeights == 2));
   }
   EXPECT_EQ(mixed, 1);
   EXPECT_EQ(rest, 1);
+}
+
+// In each polygon each class has a slot of its own, and each corner a weight in its class's slot.
+TEST_F(Parts, ClassesThatMeetHaveSlotsOfTheirOwn)
+{
+  this->AddMaterials(16);
+  this->SetPoints([](vtkIdType point)
+    { return static_cast<double>((2654435761u * static_cast<unsigned int>(point)) >> 28); });
+  ASSERT_EQ(this->Update(), "");
+  std::map<vtkIdType, std::map<int, int>> slots; // of a polygon's classes
+  for (const MaterialPart& part : this->Divided.Get())
+  {
+    for (vtkIdType polygon : part.Polygons)
+    {
+      slots[polygon][part.Class] = part.Slot;
+    }
+  }
+  EXPECT_GT(slots.size(), 80u);
+  for (const auto& [polygon, known] : slots)
+  {
+    std::set<int> distinct;
+    for (const auto& [cls, slot] : known)
+    {
+      distinct.insert(slot);
+      EXPECT_LT(slot, 4);
+    }
+    EXPECT_EQ(distinct.size(), known.size()) << polygon;
+  }
+  for (const MaterialPart& part : this->Divided.Get())
+  {
+    vtkNew<vtkIdList> corners;
+    for (std::size_t k = 0; k < part.Polygons.size(); ++k)
+    {
+      part.Surface->GetPolys()->GetCellAtId(static_cast<vtkIdType>(k), corners);
+      for (vtkIdType c = 0; c < corners->GetNumberOfIds(); ++c)
+      {
+        vtkPointData* data = part.Surface->GetPointData();
+        const int cls = static_cast<int>(
+          data->GetArray(measuredbrdf::partarrays::Class)->GetComponent(corners->GetId(c), 0));
+        const int slot = slots[part.Polygons[k]].at(cls);
+        for (int other = 0; other < 4; ++other)
+        {
+          EXPECT_EQ(data->GetArray(measuredbrdf::partarrays::GetWeights(0).c_str())
+                      ->GetComponent(corners->GetId(c), other),
+            other == slot ? 1.0 : 0.0);
+        }
+      }
+    }
+  }
+}
+
+// More classes than slots: triangles have three corners at most.
+TEST_F(Parts, PolygonsOfManyClassesAreTriangles)
+{
+  this->AddMaterials(6);
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> hexagon;
+  hexagon->InsertNextCell(6);
+  for (int k = 0; k < 6; ++k)
+  {
+    points->InsertNextPoint(std::cos(1.0472 * k), std::sin(1.0472 * k), 0.0);
+    hexagon->InsertCellPoint(k);
+  }
+  this->Plane->Initialize();
+  this->Plane->SetPoints(points);
+  this->Plane->SetPolys(hexagon);
+  this->SetPoints([](vtkIdType point) { return std::min(static_cast<double>(point), 3.0); });
+  ASSERT_EQ(this->Update(), "");
+  EXPECT_EQ(this->CountPolygons(), 4); // one polygon, four classes
+  this->SetPoints([](vtkIdType point) { return static_cast<double>(point); });
+  ASSERT_EQ(this->Update(), "");
+  EXPECT_EQ(this->CountPolygons(), 12); // four triangles, three classes each
 }
 
 TEST_F(Parts, ValuesMeetWhereTheirHatsOverlap)
@@ -463,7 +546,10 @@ TEST_F(Parts, BordersBetweenClassesOfPointsAreCut)
   this->Plane->SetPolys(square);
   this->Plane->GetPointData()->SetNormals(normals);
   this->SetPoints([](vtkIdType point) { return std::max(static_cast<double>(point) - 1.0, 0.0); });
-  this->Divided.SetCutsBorders(true);
+  this->Divided.SetMayCut(true);
+  this->Update();
+  EXPECT_EQ(this->CountPolygons(), 3); // whole, once for each class
+  this->Divided.WantCut();
   // Triangles 0 1 2 of classes 0 0 1, and 0 2 3 of classes 0 1 2.
   ASSERT_EQ(this->Update(), "");
   ASSERT_EQ(this->Divided.Get().size(), 3u);
@@ -487,16 +573,20 @@ TEST_F(Parts, BordersBetweenClassesOfPointsAreCut)
       EXPECT_EQ(normal[2], 2.0);
     }
   }
-  // Whole at once, cut again after the next change.
-  this->Divided.SetCutsBorders(false);
+  // Whole at once, once for each class; cut again after the next change.
+  this->Divided.SetMayCut(false);
   this->Update();
-  EXPECT_EQ(this->CountPolygons(), 1);
-  this->Divided.SetCutsBorders(true);
+  EXPECT_EQ(this->CountPolygons(), 3);
+  this->Divided.SetMayCut(true);
   this->Update();
-  EXPECT_EQ(this->CountPolygons(), 1);
+  EXPECT_EQ(this->CountPolygons(), 3);
   this->Plane->Modified();
   this->Update();
   EXPECT_EQ(this->CountPolygons(), 5);
+  // Of another map nobody has said that it should be cut.
+  this->Map->SetBRDF(0, this->Materials[5]);
+  this->Update();
+  EXPECT_EQ(this->CountPolygons(), 3);
 }
 
 TEST_F(Parts, StripsAreTrianglesOfTheSameClass)

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Borders between classes of points whose materials are of one shader, drawn at once. Private to
+ * the rendering room.
+ *
+ * Where all classes that meet in a polygon are in one ClassStack, the polygon is drawn once, and
+ * each pixel finds its material. Elsewhere it is drawn for each class, which discards the others'
+ * pixels.
+ */
+
+#ifndef ClassStacks_h
+#define ClassStacks_h
+
+#include "ClassStack.h"
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <cstddef>
+#include <memory>
+#include <set>
+#include <tuple>
+#include <vector>
+
+class vtkCellArray;
+class vtkOpenGLRenderWindow;
+class vtkPolyData;
+class vtkTextureObject;
+
+namespace measuredbrdf
+{
+/// A class where it meets others.
+struct ClassBorder
+{
+  int Class = 0;
+  vtkPolyData* Surface = nullptr;                   // its polygons
+  const std::vector<vtkIdType>* Polygons = nullptr; // their numbers
+};
+
+class ClassStacks
+{
+public:
+  struct Stack
+  {
+    std::unique_ptr<ClassStack> Materials;
+    vtkNew<vtkCellArray> Polygons;
+  };
+
+  /// Bring up to date; materials: of each border. Returns whether anything changed.
+  bool Update(const std::vector<ClassBorder>& borders, const DrawnMaterials& materials,
+    vtkOpenGLRenderWindow* window);
+
+  void Clear();
+
+  const std::vector<std::unique_ptr<Stack>>& Get() const { return this->Stacks; }
+
+  /// Of the stacks' textures that are not counted yet.
+  std::size_t CountBytes(std::set<const vtkTextureObject*>& counted) const;
+
+  /// Whether stacks draw less than half of the polygons.
+  bool AreMostLoose() const { return this->MostLoose; }
+
+  /// The polygons of a border that no stack draws.
+  vtkCellArray* GetRest(std::size_t border) const { return this->Rests[border]; }
+
+private:
+  void Group(const std::vector<ClassBorder>& borders, const DrawnMaterials& materials,
+    vtkOpenGLRenderWindow* window);
+  void Distribute(const std::vector<ClassBorder>& borders);
+
+  // What a stack was made of; a text that changes has new textures or a new time.
+  using Origin =
+    std::tuple<bool, const void*, vtkMTimeType, const void*, vtkMTimeType, const void*>;
+  static Origin GetOrigin(const DrawnMaterial& drawn);
+
+  std::vector<Origin> Known;
+  const void* Window = nullptr; // only compared
+  std::vector<std::unique_ptr<Stack>> Stacks;
+  bool MostLoose = false;
+  std::vector<int> StackOf; // of each border; -1: none
+  std::vector<vtkSmartPointer<vtkCellArray>> Rests;
+};
+} // namespace measuredbrdf
+
+#endif

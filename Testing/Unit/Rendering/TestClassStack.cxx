@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Terms of one shader as one: where tables and numbers are, and what cannot be stacked. What the
+// stacks show is tested with pixels (TestMaterialMapBorders.cxx, TestMaterialMapClasses.cxx).
+
+#include "ClassStack.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace
+{
+using measuredbrdf::StackTerms;
+using Term = vtkBRDFShaderInputs::Term;
+using Texture = vtkBRDFShaderInputs::Texture;
+
+// 2 x 2 x 2 texels; value: of the first.
+Texture MakeVolume(float value)
+{
+  Texture texture;
+  texture.Name = "volume";
+  texture.Dimensions = { 2, 2, 2 };
+  texture.ThreeD = true;
+  texture.Components = 1;
+  texture.Repeat[0] = true;
+  for (int k = 0; k < 8; ++k)
+  {
+    texture.Data.push_back(value + static_cast<float>(k));
+  }
+  return texture;
+}
+
+class ClassStacking : public testing::Test
+{
+protected:
+  ClassStacking()
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      Term term;
+      term.Source = "uniform sampler3D volumeINSTANCE;\nuniform float scaleINSTANCE;\n"
+                    "uniform vec3 sameINSTANCE;\n"
+                    "vec3 f(vec3 p) { return scaleINSTANCE * texture(volumeINSTANCE, p).rgb * "
+                    "vec3(textureSize(volumeINSTANCE, 0)); }\n";
+      term.Uniforms = { { "scale", { 1.0f + static_cast<float>(k) } },
+        { "same", { 1.0f, 2.0f, 3.0f } } };
+      term.Textures = { MakeVolume(10.0f * static_cast<float>(k)) };
+      this->Terms.push_back(term);
+    }
+  }
+
+  bool Stack(int mostTexels)
+  {
+    std::vector<const Term*> terms;
+    for (const Term& term : this->Terms)
+    {
+      terms.push_back(&term);
+    }
+    this->Stacked = Term();
+    this->Load.clear();
+    return StackTerms(terms, "number", { mostTexels, mostTexels }, this->Stacked, this->Load);
+  }
+
+  bool Has(const std::string& text) const
+  {
+    return this->Stacked.Source.find(text) != std::string::npos;
+  }
+
+  std::vector<Term> Terms;
+  Term Stacked;
+  std::string Load;
+};
+
+TEST_F(ClassStacking, TablesLieSideBySide)
+{
+  ASSERT_TRUE(this->Stack(4)); // room for two of two rows each: the third lies in the next slices
+  ASSERT_EQ(this->Stacked.Textures.size(), 2u);
+  const Texture& volume = this->Stacked.Textures[0];
+  EXPECT_EQ(volume.Dimensions, (std::array<int, 3>{ 2, 4, 4 }));
+  ASSERT_EQ(volume.Data.size(), 32u);
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    for (std::size_t texel = 0; texel < 8; ++texel)
+    {
+      const std::size_t x = texel % 2;
+      const std::size_t y = texel / 2 % 2 + 2 * (k % 2);
+      const std::size_t z = texel / 4 + 2 * (k / 2);
+      EXPECT_EQ(volume.Data[x + 2 * (y + 4 * z)], 10.0f * static_cast<float>(k) + texel) << k;
+    }
+  }
+  // Clamped within the own table, along both axes; x repeats as before.
+  EXPECT_TRUE(
+    this->Has("p.y = (clamp(p.y * 2.0, 0.5, 2.0 - 0.5) + 2.0 * float(number % 2)) / 4.0;"));
+  EXPECT_TRUE(
+    this->Has("p.z = (clamp(p.z * 2.0, 0.5, 2.0 - 0.5) + 2.0 * float(number / 2)) / 4.0;"));
+  EXPECT_FALSE(this->Has("p.x"));
+  EXPECT_TRUE(volume.Repeat[0]);
+  EXPECT_TRUE(this->Has("read_volumeINSTANCE(p).rgb * vec3(ivec3(2, 2, 2))"));
+}
+
+TEST_F(ClassStacking, NumbersThatDifferAreInATexture)
+{
+  ASSERT_TRUE(this->Stack(64));
+  ASSERT_EQ(this->Stacked.Uniforms.size(), 1u);
+  EXPECT_EQ(this->Stacked.Uniforms[0].Name, "same");
+  const Texture& numbers = this->Stacked.Textures.back();
+  EXPECT_EQ(numbers.Dimensions, (std::array<int, 3>{ 1, 3, 1 }));
+  EXPECT_EQ(numbers.Data[8], 3.0f); // the third one's
+  EXPECT_NE(
+    this->Load.find("scaleINSTANCE = texelFetch(brdfStackNumbersINSTANCE, ivec2(0, number), 0).r;"),
+    std::string::npos)
+    << this->Load;
+  EXPECT_FALSE(this->Has("uniform float scaleINSTANCE"));
+}
+
+TEST_F(ClassStacking, WhatAllHaveInCommonStays)
+{
+  for (Term& term : this->Terms)
+  {
+    term.Textures = { MakeVolume(1.0f) };
+  }
+  ASSERT_TRUE(this->Stack(64));
+  EXPECT_EQ(this->Stacked.Textures[0].Data, MakeVolume(1.0f).Data);
+  EXPECT_TRUE(this->Has("texture(volumeINSTANCE, p)"));
+}
+
+TEST_F(ClassStacking, WhatDoesNotFitIsNotStacked)
+{
+  EXPECT_FALSE(this->Stack(2));
+  EXPECT_TRUE(this->Stack(64));
+  this->Terms[1].Textures[0].Dimensions = { 1, 4, 2 }; // of as many texels
+  EXPECT_FALSE(this->Stack(64));
+  this->Terms[1].Textures = { MakeVolume(5.0f) };
+  for (Term& term : this->Terms)
+  {
+    term.Textures[0].Repeat = { false, true, true };
+  }
+  EXPECT_FALSE(this->Stack(64)) << "no axis is left";
+  for (Term& term : this->Terms)
+  {
+    term.Textures[0].Repeat = { true, false, false };
+    term.Source += "vec4 g(vec3 p) { return helper(volumeINSTANCE, p); }\n";
+  }
+  EXPECT_FALSE(this->Stack(64)) << "a use of the sampler that is not known";
+}
+
+TEST_F(ClassStacking, OtherTextsAreNotStacked)
+{
+  this->Terms[1].Constants = { { "COUNT", "3" } };
+  EXPECT_FALSE(this->Stack(64));
+  this->Terms[1].Constants.clear();
+  this->Terms[2].Source += " ";
+  EXPECT_FALSE(this->Stack(64));
+}
+}
