@@ -58,7 +58,8 @@ void Run(const Options& options)
 
   if (material.Transmission)
   {
-    tool::PrintNote(options.Input + ": its transmission is left out; what is written is reflection");
+    tool::PrintNote(
+      options.Input + ": its transmission is left out; what is written is reflection");
   }
   std::string text = options.Input + " (" + material.Format + ") -> " + options.Output + " (" +
                      reader->GetFormatName() + ")\n";
