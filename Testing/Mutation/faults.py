@@ -845,10 +845,10 @@ add("Material.btdf-light-on-the-other-side", "vtkBTDF.cxx", "const int side = i[
     "const int side = o[2] > 0.0 ? FRONT : BACK;", "Transmission.IsBetweenTheSides")
 add("Material.btdf-other-side-not-exchanged", "vtkBTDF.cxx", "Values{ other, true }", "Values{ other, false }",
     "Transmission.SumsMatricesExactly|IOTransmission.UsesReciprocityForTheMissingSide")
-add("Material.btdf-sum-not-through-the-surface", "vtkBTDF.cxx", "(isView ? Pi : 0.0)", "0.0",
+add("Material.btdf-sum-not-through-the-surface", "vtkBTDF.cxx", "(isView ? Pi : 0.0)", "(isView ? 0.0 : 0.0)",
     "Transmission.SumsMatricesExactly|IOTransmission.TransmittanceIsTheMatrixSum")
-add("Material.btdf-patches-alike", "vtkBTDF.cxx", "Pi * (outer * outer - inner * inner) / count",
-    "2.0 * Pi / basis.GetNumberOfPatches()", "IOTransmission.TransmittanceIsTheMatrixSum")
+add("Material.btdf-patches-alike", "vtkBTDF.cxx", "outer * outer - inner * inner", "outer - inner",
+    "IOTransmission.TransmittanceIsTheMatrixSum")
 add("IO.bsdf-xml-sides-of-transmission", "Private/BsdfXmlFile.cxx", "&lit == &side ? vtkBTDF::FRONT : vtkBTDF::BACK",
     "&lit != &side ? vtkBTDF::FRONT : vtkBTDF::BACK", "IOTransmission.ReadsMatrices|IOTransmission.AgreesWithRadiance")
 add("IO.bsdf-xml-keeps-the-last-transmission", "vtkBRDFReader.cxx", "this->Transmission = content.Transmission;",
