@@ -56,6 +56,11 @@ void Run(const Options& options)
   const double relative =
     vtkBRDFResampler::GetRelativeL2Error(material.BRDF, reader->GetBRDF(), NumberOfPairs, &maximum);
 
+  if (material.Transmission)
+  {
+    tool::PrintNote(
+      options.Input + ": its transmission is left out; what is written is reflection");
+  }
   std::string text = options.Input + " (" + material.Format + ") -> " + options.Output + " (" +
                      reader->GetFormatName() + ")\n";
   text += "relative L2 error, weighted by both cosines: " + tool::FormatNumber(relative) + "\n";

@@ -108,7 +108,8 @@ void Comparison::Read(const std::string& file, const ModelStates& models, JobThr
     const tool::Material read = LoadMaterial(file, models);
     read.BRDF->Prepare();
     const ComparedMaterial material{ file, read.Name, read.BRDF, SampleAlbedo(read.BRDF),
-      FindValues(file, models) };
+      FindValues(file, models), read.Transmission,
+      read.Transmission ? SampleTransmittance(read.Transmission) : Curve() };
     thread.Post([this, material]() { this->Take(material); });
   }
   catch (const std::exception& error)

@@ -28,7 +28,9 @@ struct ComparedMaterial
   std::string Name;
   vtkSmartPointer<vtkBRDF> BRDF; // prepared
   Curve Albedo;
-  ModelValues Values; // of a model
+  ModelValues Values;                              // of a model
+  vtkSmartPointer<vtkBTDF> Transmission = nullptr; // null: none
+  Curve Transmittance = {};                        // empty: none
 };
 
 /// Reads in the background what State::Compared names; what cannot be read is taken out of it, with

@@ -3,6 +3,7 @@
 #include "Curves.h"
 
 #include "Tool.h"
+#include "TransmissionInspection.h"
 
 #include "vtkBRDFAnalysis.h"
 #include "vtkBRDFSliceSource.h"
@@ -38,6 +39,20 @@ std::vector<double> MakePlaneAngles(double thetaI)
   }
   std::sort(angles.begin(), angles.end());
   angles.erase(std::unique(angles.begin(), angles.end()), angles.end());
+  return angles;
+}
+
+//------------------------------------------------------------------------------
+// All around: the same, mirrored at the surface.
+std::vector<double> MakeCircleAngles(double thetaI)
+{
+  std::vector<double> angles = MakePlaneAngles(thetaI);
+  const std::size_t above = angles.size();
+  for (std::size_t k = 0; k < above; ++k)
+  {
+    angles.push_back(angles[k] > 0.0 ? 180.0 - angles[k] : -180.0 - angles[k]);
+  }
+  std::sort(angles.begin(), angles.end());
   return angles;
 }
 }
@@ -84,20 +99,21 @@ Curve SampleSlice(vtkBRDF* brdf, int which, const std::array<double, 3>& at)
 }
 
 //------------------------------------------------------------------------------
-Curve SamplePlaneOfIncidence(vtkBRDF* brdf, double thetaI, double phiI)
+Curve SamplePlaneOfIncidence(vtkBRDF* brdf, double thetaI, double phiI, vtkBTDF* transmission)
 {
   const double theta = vtkMath::RadiansFromDegrees(thetaI);
   const double phi = vtkMath::RadiansFromDegrees(phiI);
   const double side[2] = { std::cos(phi), std::sin(phi) }; // where the light comes from
   const double i[3] = { std::sin(theta) * side[0], std::sin(theta) * side[1], std::cos(theta) };
   Curve curve;
-  curve.Degrees = MakePlaneAngles(thetaI);
+  curve.Degrees = transmission ? MakeCircleAngles(thetaI) : MakePlaneAngles(thetaI);
   for (const double degrees : curve.Degrees)
   {
     const double angle = vtkMath::RadiansFromDegrees(degrees);
     const double o[3] = { -std::sin(angle) * side[0], -std::sin(angle) * side[1], std::cos(angle) };
     std::array<double, 3> f{};
-    brdf->Evaluate(i, o, f.data());
+    std::abs(degrees) < 90.0 ? brdf->Evaluate(i, o, f.data())
+                             : transmission->Evaluate(i, o, f.data());
     curve.Values.push_back(f);
   }
   return curve;
@@ -119,6 +135,21 @@ Curve SampleAlbedo(vtkBRDF* brdf)
     analysis->GetAlbedo(k, albedo.data());
     curve.Degrees.push_back(analysis->GetAngle(k));
     curve.Values.push_back(albedo);
+  }
+  return curve;
+}
+
+//------------------------------------------------------------------------------
+Curve SampleTransmittance(vtkBTDF* transmission)
+{
+  vtkNew<vtkBRDFAnalysis> angles;
+  Curve curve;
+  for (int k = 0; k < angles->GetNumberOfAngles(); ++k)
+  {
+    const double degrees = angles->GetAngle(k);
+    curve.Degrees.push_back(degrees);
+    curve.Values.push_back(
+      tool::MeasureTransmittance(transmission, degrees, tool::TransmissionRole::View));
   }
   return curve;
 }

@@ -9,6 +9,7 @@
 #define Curves_h
 
 #include "vtkBRDF.h"
+#include "vtkBTDF.h"
 
 #include <array>
 #include <cstddef>
@@ -32,12 +33,19 @@ Curve SampleSlice(vtkBRDF* brdf, int which, const std::array<double, 3>& at);
 /**
  * f in 1/sr in the plane of incidence of light from theta_i, phi_i (degrees): over the angle from
  * the normal, which is negative on the light's side. Densest about the mirror direction, theta_i.
+ * With transmission it goes on below the surface, from 90 to 180 and from -180 to -90, densest
+ * where light goes straight on, at 180 - theta_i.
  */
-Curve SamplePlaneOfIncidence(vtkBRDF* brdf, double thetaI, double phiI);
+Curve SamplePlaneOfIncidence(
+  vtkBRDF* brdf, double thetaI, double phiI, vtkBTDF* transmission = nullptr);
 
 /// The albedo over the angle of view, as tool::InspectMaterial measures it. Takes a while. Throws
 /// tool::Error.
 Curve SampleAlbedo(vtkBRDF* brdf);
+
+/// What is seen of a white sky on the other side, over the angle of view: tool::InspectMaterial's
+/// angles.
+Curve SampleTransmittance(vtkBTDF* transmission);
 } // namespace explorer
 
 #endif

@@ -5,6 +5,9 @@
 #include "Measuring.h"
 #include "Tool.h"
 
+#include "vtkEnvironment.h"
+
+#include <array>
 #include <cstdio>
 
 namespace
@@ -20,6 +23,24 @@ std::string Format(const char* format, double value)
   char text[64];
   std::snprintf(text, sizeof(text), format, value);
   return text;
+}
+
+//------------------------------------------------------------------------------
+explorer::Finding FindTransmission(const nlohmann::ordered_json& transmission)
+{
+  const auto share = [](const nlohmann::ordered_json& row)
+  {
+    const std::array<double, 3> rgb = row["light"];
+    return tool::FormatPercent(vtkEnvironment::GetLuminance(rgb.data()));
+  };
+  const nlohmann::ordered_json& rows = transmission["per_angle"];
+  const double total = transmission["largest_reflectance_and_transmittance"];
+  const bool gains = transmission["gains_energy"];
+  return { !gains, "Transmission",
+    "Transmits " + share(rows.front()) + " of light along the normal, " + share(rows.back()) +
+      " at " + Format("%.0f degrees", rows.back()["degrees"]) + "; with what is reflected " +
+      Format("%.3f at most", total) + (gains ? ": more light than it gets" : "") +
+      ". Not drawn in the picture" };
 }
 }
 
@@ -54,6 +75,10 @@ std::vector<Finding> FindFindings(const nlohmann::ordered_json& info)
     invalid == 0 ? std::string("None")
                  : tool::FormatCount(static_cast<std::size_t>(invalid), "stored value") +
                      " not finite, replaced" });
+  if (info.contains("transmission"))
+  {
+    findings.push_back(FindTransmission(info["transmission"]));
+  }
   return findings;
 }
 } // namespace explorer

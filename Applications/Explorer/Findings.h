@@ -22,7 +22,8 @@ struct Finding
   std::string Text; // one sentence with the figures
 };
 
-/// Of tool::InspectMaterial: reciprocity, albedo and energy, negative and invalid values.
+/// Of tool::InspectMaterial: reciprocity, albedo and energy, negative and invalid values,
+/// transmission where there is any.
 std::vector<Finding> FindFindings(const nlohmann::ordered_json& info);
 } // namespace explorer
 

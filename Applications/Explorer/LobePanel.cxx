@@ -20,6 +20,7 @@ LobePanel::LobePanel(Session* session, QWidget* parent)
   , Theta(new QDoubleSpinBox)
   , Phi(new QDoubleSpinBox)
   , Logarithmic(new QCheckBox(tr("Lo&garithmic")))
+  , Note(new QLabel(tr("Above: reflected. Below, green: transmitted, on the same scale.")))
 {
   auto* row = new QHBoxLayout;
   const auto add =
@@ -48,8 +49,11 @@ LobePanel::LobePanel(Session* session, QWidget* parent)
   layout->setContentsMargins(6, 6, 6, 6);
   layout->addLayout(row);
   layout->addWidget(this->View, 1);
+  this->Note->setWordWrap(true);
+  layout->addWidget(this->Note);
   connect(this->Logarithmic, &QCheckBox::toggled, this, &LobePanel::Set);
   connect(session, &Session::lobeChanged, this, &LobePanel::Update);
+  connect(session, &Session::materialChanged, this, &LobePanel::Update);
   this->Update();
 }
 
@@ -66,6 +70,7 @@ void LobePanel::Set()
 void LobePanel::Update()
 {
   this->IsUpdating = true;
+  this->Note->setVisible(this->Model->GetMaterial().Transmission != nullptr);
   this->Theta->setValue(this->Model->GetState().LobeThetaI);
   this->Phi->setValue(this->Model->GetState().LobePhiI);
   this->Logarithmic->setChecked(this->Model->GetState().LobeLogarithmic);

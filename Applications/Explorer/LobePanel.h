@@ -14,6 +14,7 @@
 
 class QCheckBox;
 class QDoubleSpinBox;
+class QLabel;
 
 namespace explorer
 {
@@ -28,6 +29,9 @@ public:
 
   LobeView* GetView() const { return this->View; }
 
+  /// What is below the surface; hidden where nothing is transmitted.
+  QLabel* GetNote() const { return this->Note; }
+
 private:
   void Update();
   void Set();
@@ -37,6 +41,7 @@ private:
   QDoubleSpinBox* Theta;
   QDoubleSpinBox* Phi;
   QCheckBox* Logarithmic;
+  QLabel* Note;
   bool IsUpdating = false;
 };
 } // namespace explorer

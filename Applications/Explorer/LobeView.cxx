@@ -9,6 +9,7 @@
 #include "vtkInteractorStyleTerrain.h"
 #include "vtkLight.h"
 #include "vtkLineSource.h"
+#include "vtkLookupTable.h"
 #include "vtkMath.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkPolyDataNormals.h"
@@ -116,23 +117,43 @@ void LobeView::MakeScene()
     this->Renderer->AddActor(MakeActor(MakeCircle(degrees), pale, degrees < 90.0 ? 1.0 : 2.0));
   }
   vtkNew<vtkLineSource> normal;
-  normal->SetPoint2(0.0, 0.0, 1.15);
   vtkNew<vtkLineSource> tangent;
+  for (vtkLineSource* line :
+    { normal.Get(), tangent.Get(), this->Ray.Get(), this->Mirror.Get(), this->Through.Get() })
+  {
+    line->SetPoint1(0.0, 0.0, 0.0); // not VTK's default
+  }
+  normal->SetPoint2(0.0, 0.0, 1.15);
   tangent->SetPoint2(1.15, 0.0, 0.0);
   this->Renderer->AddActor(MakeActor(normal, blue, 2.0));
   this->Renderer->AddActor(MakeActor(tangent, red, 2.0));
   this->Renderer->AddActor(MakeActor(this->Ray, yellow, 2.0));
   this->Renderer->AddActor(MakeActor(this->Mirror, white, 1.0));
+  this->Renderer->AddActor(MakeActor(this->Through, white, 1.0));
   this->Handle->SetRadius(0.05);
   this->Handle->SetThetaResolution(24);
   this->Handle->SetPhiResolution(16);
   this->Renderer->AddActor(MakeActor(this->Handle, yellow, 1.0));
+  this->MakeLobe();
+  this->PlaceCamera();
+}
 
+//------------------------------------------------------------------------------
+void LobeView::MakeLobe()
+{
   this->Source->NormalizeOn();
   vtkNew<vtkPolyDataNormals> normals;
   normals->SetInputConnection(this->Source->GetOutputPort());
   normals->SplittingOff();
   this->LobeMapper->SetInputConnection(normals->GetOutputPort());
+  vtkNew<vtkLookupTable> colors; // of what is reflected, and transmitted
+  colors->SetNumberOfTableValues(2);
+  colors->SetTableValue(0, 0.56, 0.59, 0.64);
+  colors->SetTableValue(1, 0.36, 0.66, 0.62);
+  this->LobeMapper->SetLookupTable(colors);
+  this->LobeMapper->SetScalarRange(0.0, 1.0);
+  this->LobeMapper->SetScalarModeToUsePointFieldData();
+  this->LobeMapper->SelectColorArray("Transmitted");
   this->LobeMapper->ScalarVisibilityOff();
   this->Lobe->SetMapper(this->LobeMapper);
   this->Lobe->GetProperty()->SetColor(0.56, 0.59, 0.64);
@@ -140,10 +161,15 @@ void LobeView::MakeScene()
   this->Lobe->GetProperty()->SetAmbient(0.15);
   this->Lobe->VisibilityOff(); // until there is a material
   this->Renderer->AddActor(this->Lobe);
+}
 
+//------------------------------------------------------------------------------
+// On the upper half, or both.
+void LobeView::PlaceCamera()
+{
   vtkCamera* camera = this->Renderer->GetActiveCamera();
-  camera->SetFocalPoint(0.0, 0.0, 0.42);
-  camera->SetPosition(0.6, -4.2, 2.2);
+  camera->SetFocalPoint(0.0, 0.0, this->IsTransmitting ? 0.05 : 0.42);
+  camera->SetPosition(0.6, this->IsTransmitting ? -5.0 : -4.2, this->IsTransmitting ? 1.4 : 2.2);
   camera->SetViewUp(0.0, 0.0, 1.0);
   camera->SetViewAngle(32.0);
   camera->SetClippingRange(0.1, 20.0);
@@ -158,6 +184,14 @@ void LobeView::Update()
     return;
   }
   const State& state = this->Model->GetState();
+  vtkBTDF* transmission = this->Model->GetMaterial().Transmission;
+  if (this->IsTransmitting != (transmission != nullptr))
+  {
+    this->IsTransmitting = !this->IsTransmitting;
+    this->PlaceCamera();
+  }
+  this->Source->SetTransmission(transmission);
+  this->LobeMapper->SetScalarVisibility(transmission != nullptr);
   this->Source->SetBRDF(brdf);
   this->Source->SetThetaI(state.LobeThetaI);
   this->Source->SetPhiI(state.LobePhiI);
@@ -174,6 +208,8 @@ void LobeView::Update()
   vtkMath::MultiplyScalar(mirror, HandleRadius);
   this->Ray->SetPoint2(light);
   this->Mirror->SetPoint2(mirror);
+  const double length = transmission ? -1.0 : 0.0;
+  this->Through->SetPoint2(length * light[0], length * light[1], length * light[2]);
   this->Handle->SetCenter(light);
   this->RequestRender();
 }

@@ -25,7 +25,8 @@ class vtkSphereSource;
 namespace explorer
 {
 /// z is the normal, x the tangent. The yellow ball is where the light comes from; the arrow keys
-/// move it, too.
+/// move it, too. Below the surface is what the material transmits, in another color, on the same
+/// scale.
 class LobeView : public QVTKOpenGLNativeWidget
 {
   Q_OBJECT
@@ -33,6 +34,9 @@ class LobeView : public QVTKOpenGLNativeWidget
 public:
   explicit LobeView(Session* session, QWidget* parent = nullptr);
   ~LobeView() override;
+
+  /// What is drawn.
+  vtkBRDFLobeSource* GetSource() const { return this->Source; }
 
   /// Where the ball is, in the widget's pixels.
   QPoint GetHandlePosition();
@@ -45,6 +49,8 @@ protected:
 private:
   void Update();
   void MakeScene();
+  void MakeLobe();
+  void PlaceCamera();
   void MoveHandle(const QPoint& place);
   bool DragHandle(QEvent* event);
 
@@ -56,9 +62,11 @@ private:
   vtkNew<vtkActor> Lobe;
   vtkNew<vtkLineSource> Ray;
   vtkNew<vtkLineSource> Mirror;
+  vtkNew<vtkLineSource> Through;
   vtkNew<vtkSphereSource> Handle;
   bool IsDragging = false;
   bool IsRequested = false;
+  bool IsTransmitting = false;
 };
 } // namespace explorer
 

@@ -22,13 +22,14 @@ constexpr double Reach = 1.14;      // of the chart; the largest circle has radi
 constexpr double TextHeight = 26.0; // pixels of the screen
 constexpr int FontSize = 12;
 constexpr explorer::Color Grid = { 215, 215, 215 };
+constexpr explorer::Color Surface = { 150, 150, 150 };
 
 //------------------------------------------------------------------------------
-void AddCircle(vtkChartXY* chart, double radius, double ratio)
+void AddCircle(vtkChartXY* chart, double radius, bool allAround, double ratio)
 {
   std::vector<double> x;
   std::vector<double> y;
-  for (int degrees = 0; degrees <= 180; degrees += 2)
+  for (int degrees = 0; degrees <= (allAround ? 360 : 180); degrees += 2)
   {
     const double angle = vtkMath::RadiansFromDegrees(static_cast<double>(degrees));
     x.push_back(radius * std::cos(angle));
@@ -75,6 +76,7 @@ public:
   double Center[2] = { 0.0, 0.0 }; // pixels of the scene
   double Radius = 0.0;
   double Title = 0.0; // its height
+  bool AllAround = false;
 
   bool Paint(vtkContext2D* painter) override
   {
@@ -84,8 +86,12 @@ public:
     text->SetBold(false);
     text->SetJustificationToCentered();
     text->SetVerticalJustificationToCentered();
-    for (const int degrees : { -60, -30, 0, 30, 60 })
+    for (const int degrees : { -60, -30, 0, 30, 60, -150, -120, 120, 150, 180 })
     {
+      if (std::abs(degrees) > 90 && !this->AllAround)
+      {
+        continue;
+      }
       const double angle = vtkMath::RadiansFromDegrees(static_cast<double>(degrees));
       painter->DrawString(static_cast<float>(this->Center[0] + this->Radius * std::sin(angle)),
         static_cast<float>(this->Center[1] + this->Radius * std::cos(angle)),
@@ -124,12 +130,21 @@ void PolarChart::Draw(
   {
     const double radius = (place - scale.GetLeast()) / range;
     ticks.emplace_back(radius, text);
-    AddCircle(this->Chart, radius, ratio);
+    AddCircle(this->Chart, radius, this->AllAround, ratio);
   }
-  AddCircle(this->Chart, 1.0, ratio);
+  AddCircle(this->Chart, 1.0, this->AllAround, ratio);
   for (const double degrees : { -60.0, -30.0, 0.0, 30.0, 60.0 })
   {
     AddRay(this->Chart, degrees, Grid, ratio, false);
+    if (this->AllAround)
+    {
+      AddRay(this->Chart, degrees + 180.0, Grid, ratio, false);
+    }
+  }
+  if (this->AllAround)
+  {
+    AddLine(this->Chart, { -1.0, 1.0 }, { 0.0, 0.0 }, Surface, 2.0 * ratio);
+    AddRay(this->Chart, 180.0 - thetaI, LightColor, ratio, true); // straight on
   }
   AddRay(this->Chart, -thetaI, LightColor, 3.0 * ratio, false);
   AddRay(this->Chart, thetaI, LightColor, ratio, true); // the mirror direction
@@ -153,7 +168,7 @@ void PolarChart::Draw(
     axis->GetLabelProperties()->SetFontSize(FontSize);
     axis->SetGridVisible(false);
     axis->SetBehavior(vtkAxis::FIXED);
-    axis->SetRange(which == vtkAxis::LEFT ? 0.0 : -Reach, Reach);
+    axis->SetRange(which == vtkAxis::LEFT && !this->AllAround ? 0.0 : -Reach, Reach);
   }
   vtkAxis* upwards = this->Chart->GetAxis(vtkAxis::LEFT);
   upwards->SetAxisVisible(false);
@@ -167,18 +182,20 @@ void PolarChart::Draw(
 void PolarChart::Place(double left, double bottom, double width, double ratio)
 {
   const double base = bottom + ratio * TextHeight;
+  const double height = this->AllAround ? width : 0.5 * width;
   this->Chart->SetSize(vtkRectf(static_cast<float>(left), static_cast<float>(base),
-    static_cast<float>(width), static_cast<float>(0.5 * width)));
+    static_cast<float>(width), static_cast<float>(height)));
+  this->Labels->AllAround = this->AllAround;
   this->Labels->Center[0] = left + 0.5 * width;
-  this->Labels->Center[1] = base;
-  this->Labels->Title = base + 0.5 * width + 0.5 * ratio * TextHeight;
+  this->Labels->Center[1] = base + (this->AllAround ? 0.5 * height : 0.0);
+  this->Labels->Title = base + height + 0.5 * ratio * TextHeight;
   this->Labels->Radius = 0.5 * width * (1.0 + Reach) / (2.0 * Reach);
 }
 
 //------------------------------------------------------------------------------
-double PolarChart::GetHeight(double width, double ratio)
+double PolarChart::GetHeight(double width, double ratio) const
 {
-  return 0.5 * width + 2.0 * ratio * TextHeight;
+  return (this->AllAround ? 1.0 : 0.5) * width + 2.0 * ratio * TextHeight;
 }
 
 //------------------------------------------------------------------------------

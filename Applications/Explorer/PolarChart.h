@@ -22,7 +22,8 @@ namespace explorer
 class PolarLabels;
 
 /**
- * Upwards is the normal, the mirror's side is right. The distance from the origin is the value:
+ * Upwards is the normal, the mirror's side is right; below the surface is what is transmitted,
+ * where the chart goes all around. The distance from the origin is the value:
  * from 0, or from the least value where it is logarithmic. Circles have constant values.
  */
 class PolarChart
@@ -37,16 +38,21 @@ public:
   /// degrees; ratio: of the screen's pixels.
   void Draw(const std::vector<ChartLine>& lines, double thetaI, bool logarithmic, double ratio);
 
-  /// Into a rectangle of the scene, in pixels; it takes half its width in height and two lines of
-  /// text.
+  /// Whether it has directions below the surface, too; default: no.
+  void SetAllAround(bool allAround) { this->AllAround = allAround; }
+  bool IsAllAround() const { return this->AllAround; }
+
+  /// Into a rectangle of the scene, in pixels; it takes half its width in height, or all of it
+  /// where it goes all around, and two lines of text.
   void Place(double left, double bottom, double width, double ratio);
-  static double GetHeight(double width, double ratio);
+  double GetHeight(double width, double ratio) const;
 
   void SetVisible(bool visible);
 
 private:
   vtkNew<vtkChartXY> Chart;
   vtkNew<PolarLabels> Labels;
+  bool AllAround = false;
 };
 } // namespace explorer
 

@@ -24,14 +24,34 @@ namespace
 const char* const Titles[5] = { "f (1/sr) over theta_h", "f (1/sr) over theta_d",
   "f (1/sr) over phi_d", "albedo over theta_o",
   "f (1/sr) over theta_o, negative towards the light" };
+const char* const AlbedoTitle = "albedo; dashed: transmitted";
+const char* const CircleTitle = "the same over theta_o; beyond 90: transmitted";
 constexpr int FontSize = 12; // the window's resolution counts, too
 
 //------------------------------------------------------------------------------
 // Degrees at which a chart begins and ends.
-std::pair<double, double> GetRange(int chart)
+std::pair<double, double> GetRange(int chart, bool allAround)
 {
-  return { chart == explorer::SliceView::Plane ? -90.0 : 0.0,
-    chart == explorer::SliceView::PhiD ? 180.0 : 90.0 };
+  if (chart == explorer::SliceView::Plane)
+  {
+    return allAround ? std::pair(-180.0, 180.0) : std::pair(-90.0, 90.0);
+  }
+  return { 0.0, chart == explorer::SliceView::PhiD ? 180.0 : 90.0 };
+}
+
+//------------------------------------------------------------------------------
+void AddLines(vtkChartXY* chart, const std::vector<explorer::ChartLine>& lines,
+  const explorer::ChartScale& scale, double width, bool dashed)
+{
+  for (const explorer::ChartLine& line : lines)
+  {
+    std::vector<double> y;
+    for (const double value : line.Values)
+    {
+      y.push_back(scale.Find(value));
+    }
+    explorer::AddLine(chart, line.Degrees, y, line.Rgb, width, dashed);
+  }
 }
 }
 
@@ -63,7 +83,7 @@ SliceView::SliceView(Session* session, Comparison* comparison, QWidget* parent)
   connect(session, &Session::materialChanged, this,
     [this]()
     {
-      this->Albedos = Curve();
+      this->Albedos = this->Transmittances = Curve();
       this->Update();
     });
   connect(session, &Session::slicesChanged, this, &SliceView::Update);
@@ -84,11 +104,19 @@ SliceView::~SliceView() = default;
 //------------------------------------------------------------------------------
 void SliceView::SetInspection(const nlohmann::ordered_json& info)
 {
-  this->Albedos = Curve();
+  this->Albedos = this->Transmittances = Curve();
   for (const auto& row : info["albedo"])
   {
     this->Albedos.Degrees.push_back(row["degrees"]);
     this->Albedos.Values.push_back(row["rgb"]);
+  }
+  if (info.contains("transmission"))
+  {
+    for (const auto& row : info["transmission"]["per_angle"])
+    {
+      this->Transmittances.Degrees.push_back(row["degrees"]);
+      this->Transmittances.Values.push_back(row["view"]);
+    }
   }
   this->Update();
 }
@@ -98,7 +126,7 @@ std::vector<ComparedMaterial> SliceView::GetMaterials() const
 {
   const tool::Material& shown = this->Model->GetMaterial();
   std::vector<ComparedMaterial> materials = { { shown.File, shown.Name, shown.BRDF, this->Albedos,
-    {} } };
+    {}, shown.Transmission, this->Transmittances } };
   for (const ComparedMaterial& material : this->Compared->GetMaterials())
   {
     // An edited material may be seen beside its original.
@@ -119,11 +147,20 @@ Curve SliceView::Sample(int chart, const ComparedMaterial& material) const
     case Albedo:
       return material.Albedo;
     case Plane:
-      return SamplePlaneOfIncidence(material.BRDF, state.LobeThetaI, state.LobePhiI);
+      return SamplePlaneOfIncidence(
+        material.BRDF, state.LobeThetaI, state.LobePhiI, material.Transmission);
     default:
       return SampleSlice(
         material.BRDF, chart, { state.SliceThetaH, state.SliceThetaD, state.SlicePhiD });
   }
+}
+
+//------------------------------------------------------------------------------
+bool SliceView::IsAllAround() const
+{
+  const std::vector<Curve>& curves = this->Curves[Plane];
+  return std::any_of(curves.begin(), curves.end(),
+    [](const Curve& curve) { return !curve.Degrees.empty() && curve.Degrees.back() > 90.0; });
 }
 
 //------------------------------------------------------------------------------
@@ -135,6 +172,11 @@ void SliceView::Update()
   }
   const State& state = this->Model->GetState();
   const std::vector<ComparedMaterial> materials = this->GetMaterials();
+  this->Transmitted.clear();
+  for (const ComparedMaterial& material : materials)
+  {
+    this->Transmitted.push_back(material.Transmittance);
+  }
   for (int chart = 0; chart < NumberOfCharts; ++chart)
   {
     std::vector<Curve>& curves = this->Curves[static_cast<std::size_t>(chart)];
@@ -154,6 +196,7 @@ void SliceView::Update()
   this->Polar->SetVisible(state.SlicePolar);
   if (state.SlicePolar)
   {
+    this->Polar->SetAllAround(this->IsAllAround());
     this->Polar->Draw(MakeLines(this->Curves[Plane]), state.LobeThetaI, state.SliceLogarithmic,
       this->devicePixelRatioF());
   }
@@ -169,7 +212,11 @@ void SliceView::Draw(int chart)
   const bool logarithmic = state.SliceLogarithmic && chart != Albedo;
   const double ratio = this->devicePixelRatioF();
   const std::vector<ChartLine> lines = MakeLines(this->Curves[static_cast<std::size_t>(chart)]);
-  const ChartScale scale(lines, logarithmic);
+  const std::vector<ChartLine> dashed =
+    chart == Albedo ? MakeLines(this->Transmitted) : std::vector<ChartLine>();
+  std::vector<ChartLine> all = lines;
+  all.insert(all.end(), dashed.begin(), dashed.end());
+  const ChartScale scale(all, logarithmic);
   vtkChartXY* drawn = this->Charts[static_cast<std::size_t>(chart)];
   drawn->ClearPlots();
   if (chart == Plane)
@@ -179,16 +226,12 @@ void SliceView::Draw(int chart)
     AddLine(drawn, { state.LobeThetaI, state.LobeThetaI }, { scale.GetLeast(), scale.GetLargest() },
       PolarChart::LightColor, ratio, true);
   }
-  for (const ChartLine& line : lines)
-  {
-    std::vector<double> y;
-    for (const double value : line.Values)
-    {
-      y.push_back(scale.Find(value));
-    }
-    AddLine(drawn, line.Degrees, y, line.Rgb, 2.0 * ratio);
-  }
-  drawn->SetTitle(Titles[chart]);
+  AddLines(drawn, lines, scale, 2.0 * ratio, false);
+  AddLines(drawn, dashed, scale, 2.0 * ratio, true);
+  const bool allAround = chart == Plane && this->IsAllAround();
+  const bool transmits = std::any_of(
+    dashed.begin(), dashed.end(), [](const ChartLine& line) { return !line.Values.empty(); });
+  drawn->SetTitle(allAround ? CircleTitle : transmits ? AlbedoTitle : Titles[chart]);
   drawn->GetTitleProperties()->SetFontSize(FontSize + 1);
   for (const int which : { vtkAxis::LEFT, vtkAxis::BOTTOM })
   {
@@ -198,7 +241,7 @@ void SliceView::Draw(int chart)
     axis->GetGridPen()->SetColor(225, 225, 225);
     axis->SetBehavior(vtkAxis::FIXED);
   }
-  const auto [first, last] = GetRange(chart);
+  const auto [first, last] = GetRange(chart, allAround);
   std::vector<std::pair<double, std::string>> degrees;
   for (double at = first; at <= last; at += last > 90.0 ? 60.0 : 30.0)
   {
@@ -229,9 +272,10 @@ void SliceView::PlaceCharts()
   {
     place(k, k % 2 == 0 ? 0.0 : 0.5 * width, k < 2 ? 0.5 * height : 0.0, 0.5 * width, 0.5 * height);
   }
-  const double texts = PolarChart::GetHeight(0.0, ratio);
-  const double polar = std::min(width - 2.0 * gap, std::max(gap, 1.2 * height - 2.0 * texts));
-  const double rest = height - PolarChart::GetHeight(polar, ratio);
+  const double texts = this->Polar->GetHeight(0.0, ratio);
+  const double share = this->Polar->IsAllAround() ? 0.7 : 1.2;
+  const double polar = std::min(width - 2.0 * gap, std::max(gap, share * height - 2.0 * texts));
+  const double rest = height - this->Polar->GetHeight(polar, ratio);
   this->Polar->Place(0.5 * (width - polar), rest, polar, ratio);
   place(Plane, 0.0, 0.0, width, rest);
 }

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Charts of materials: slices over theta_h, theta_d and phi_d, and the albedo; or f in the plane of
- * incidence of the lobe's light.
+ * Charts of materials: slices over theta_h, theta_d and phi_d, and the albedo with the
+ * transmittance; or f in the plane of incidence of the lobe's light, on both sides of the surface
+ * where the material transmits.
  */
 
 #ifndef SliceView_h
@@ -58,6 +59,9 @@ public:
   /// The curves of a chart as they are drawn, of GetMaterials; none of a chart that is not shown.
   const std::vector<Curve>& GetCurves(Chart chart) const { return this->Curves[chart]; }
 
+  /// The dashed curves of the albedo's chart, of GetMaterials; empty where nothing goes through.
+  const std::vector<Curve>& GetTransmittances() const { return this->Transmitted; }
+
   /// The material that is shown, then those that it is compared with.
   std::vector<ComparedMaterial> GetMaterials() const;
 
@@ -72,6 +76,7 @@ private:
   void Update();
   Curve Sample(int chart, const ComparedMaterial& material) const;
   void Draw(int chart);
+  bool IsAllAround() const;
   void PlaceCharts();
 
   Session* Model;
@@ -82,7 +87,9 @@ private:
   std::array<vtkNew<vtkChartXY>, NumberOfCharts> Charts;
   std::unique_ptr<PolarChart> Polar;
   std::array<std::vector<explorer::Curve>, NumberOfCharts> Curves;
-  Curve Albedos; // of the material that is shown; empty until it was measured
+  Curve Albedos;        // of the material that is shown; empty until it was measured
+  Curve Transmittances; // the same
+  std::vector<Curve> Transmitted;
   bool IsRequested = false;
 };
 } // namespace explorer

@@ -128,6 +128,7 @@ Material LoadMaterial(const std::string& file)
                 (advice.empty() ? "" : "." + advice));
   }
   result.BRDF = reader->GetBRDF();
+  result.Transmission = reader->GetTransmission();
   result.Name = result.BRDF->GetName();
   if (result.Name.empty())
   {

@@ -9,6 +9,7 @@
 #define Inputs_h
 
 #include "vtkBRDF.h"
+#include "vtkBTDF.h"
 #include "vtkEnvironment.h"
 #include "vtkLightSet.h"
 #include "vtkSmartPointer.h"
@@ -30,11 +31,12 @@ extern const char* const EnvironmentHelp;
 struct Material
 {
   vtkSmartPointer<vtkBRDF> BRDF;
-  std::string File;   // the argument
-  std::string Name;   // embedded name, the material's own, or the file's
-  std::string Source; // for people; may be empty
-  std::string Kind;   // of embedded materials, else empty
-  std::string Format; // "embedded" or the reader's name of the format
+  vtkSmartPointer<vtkBTDF> Transmission; // null: the file has none, or it is not read
+  std::string File;                      // the argument
+  std::string Name;                      // embedded name, the material's own, or the file's
+  std::string Source;                    // for people; may be empty
+  std::string Kind;                      // of embedded materials, else empty
+  std::string Format;                    // "embedded" or the reader's name of the format
   std::string Notes;
   vtkIdType NumberOfNegativeValues = 0;
   vtkIdType NumberOfInvalidValues = 0;

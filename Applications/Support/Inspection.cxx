@@ -3,6 +3,7 @@
 #include "Inspection.h"
 
 #include "Tool.h"
+#include "TransmissionInspection.h"
 
 #include "vtkBRDFAnalysis.h"
 #include "vtkBRDFData.h"
@@ -194,6 +195,10 @@ ordered_json InspectMaterial(const Material& material)
   {
     info["recommendation"] = Advise(material.File, brdf);
   }
+  if (material.Transmission)
+  {
+    info["transmission"] = InspectTransmission(material.Transmission, info);
+  }
   info["notes"] = material.Notes;
   return info;
 }
@@ -235,6 +240,10 @@ std::string FormatInspection(const ordered_json& info)
   if (info["gains_energy"])
   {
     text += "  (a reflectance above 1: this material gives back more light than it gets)\n";
+  }
+  if (info.contains("transmission"))
+  {
+    text += FormatTransmission(info["transmission"]);
   }
   const std::string notes = info["notes"];
   return text + (notes.empty() ? "" : "\nnotes: " + notes + "\n");

@@ -16,7 +16,8 @@
 
 namespace tool
 {
-/// Model, range, albedo by angle, reciprocity, negative values and more, measured: what `info
+/// Model, range, albedo by angle, reciprocity, negative values, transmission and more, measured:
+/// what `info
 /// --json` prints. Takes about a second. Throws Error.
 nlohmann::ordered_json InspectMaterial(const Material& material);
 

@@ -16,6 +16,7 @@
 #define vtkBRDFFormat_h
 
 #include "vtkBRDF.h"               // for Content
+#include "vtkBTDF.h"               // for Content
 #include "vtkMeasuredBRDFModule.h" // for export macro
 #include "vtkObject.h"
 #include "vtkSmartPointer.h" // for Content
@@ -42,6 +43,7 @@ public:
   struct VTKMEASUREDBRDF_EXPORT Content
   {
     vtkSmartPointer<vtkBRDF> BRDF;
+    vtkSmartPointer<vtkBTDF> Transmission; // null: none. Alone it is offered, and an error
     std::string Notes; // for people: what was converted, scaled, clamped, repaired
     vtkIdType NumberOfNegativeValues = 0;
     vtkIdType NumberOfInvalidValues = 0; // NaN or infinite

@@ -5,7 +5,8 @@
  * @brief   the file formats of materials that this program knows
  *
  * Formats that the program registered come first, the last one foremost; then those of the module:
- * RGL tensor files, NVIDIA MBSDF, OpenEXR materials, published fits, MERL binary. A file is of the
+ * RGL tensor files, NVIDIA MBSDF, OpenEXR materials, BSDF XML, OpenMATERIAL 3D, ASTM E1392,
+ * published fits, UTIA, MERL binary. A file is of the
  * first format that can read it. Registering takes effect at once, in every reader and writer; any
  * thread may call these methods. A build without OpenEXR has no format of OpenEXR materials.
  */

@@ -98,9 +98,14 @@ bool vtkBRDFReader::Read()
     }
     if (!content.BRDF)
     {
-      throw FileError(path.File + ": " + this->FormatName + " gave no material");
+      this->Transmission = content.Transmission ? content.Transmission : this->Transmission;
+      throw FileError(
+        path.File + ": " + this->FormatName +
+        (content.Transmission ? ": the file holds transmission only; expected reflection, too"
+                              : " gave no material"));
     }
     this->BRDF = content.BRDF;
+    this->Transmission = content.Transmission;
     this->Notes = content.Notes;
     this->NumberOfNegativeValues = content.NumberOfNegativeValues;
     this->NumberOfInvalidValues = content.NumberOfInvalidValues;
@@ -153,4 +158,5 @@ void vtkBRDFReader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfNegativeValues: " << this->NumberOfNegativeValues << "\n";
   os << indent << "NumberOfInvalidValues: " << this->NumberOfInvalidValues << "\n";
   os << indent << "BRDF: " << this->BRDF.Get() << "\n";
+  os << indent << "Transmission: " << this->Transmission.Get() << "\n";
 }

@@ -11,6 +11,8 @@
  * | MERL `.binary` (Matusik et al. 2003) | vtkTabulatedBRDF, half/difference, half turn |
  * | RGL `.bsdf` tensor file, RGB (Dupuy and Jakob 2018) | vtkAdaptiveWarpBRDF |
  * | NVIDIA `.mbsdf` (MDL specification, appendix B) | vtkTabulatedBRDF, incident/outgoing |
+ * | BSDF `.xml` of Radiance and WINDOW | vtkAngleBasisBRDF or vtkTensorTreeBRDF; vtkBTDF |
+ * | UTIA `.bin`, OpenMATERIAL 3D `.xompt`, ASTM E1392 `.astm` | vtkAngularTableBRDF |
  * | published fits, text (`name = Aggregate(...)`, as BBM has them) | vtkSumBRDF |
  * | this project's OpenEXR format | what was written |
  *
@@ -24,6 +26,7 @@
 #define vtkBRDFReader_h
 
 #include "vtkBRDF.h"               // for GetBRDF
+#include "vtkBTDF.h"               // for GetTransmission
 #include "vtkMeasuredBRDFModule.h" // for export macro
 #include "vtkObject.h"
 #include "vtkSmartPointer.h" // for BRDF
@@ -55,6 +58,13 @@ public:
    * The last material that was read without error; null before.
    */
   vtkBRDF* GetBRDF() { return this->BRDF; }
+
+  /**
+   * What the same file says of transmission; null where it says nothing, and before. Of BSDF XML
+   * files only: in other files transmission is left out. A file that holds transmission only gives
+   * no material: Read fails, but its transmission is here.
+   */
+  vtkBTDF* GetTransmission() { return this->Transmission; }
 
   ///@{
   /**
@@ -93,6 +103,7 @@ protected:
   vtkIdType NumberOfNegativeValues = 0;
   vtkIdType NumberOfInvalidValues = 0;
   vtkSmartPointer<vtkBRDF> BRDF;
+  vtkSmartPointer<vtkBTDF> Transmission;
 
 private:
   vtkBRDFReader(const vtkBRDFReader&) = delete;

@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 using namespace measuredbrdf;
 
@@ -47,9 +48,14 @@ public:
     return 1 + static_cast<vtkIdType>(this->Radial) * this->Circular;
   }
 
-  // Point 0 is m, the others go circle by circle.
+  // Point 0 is m, the others go circle by circle; then come as many, mirrored at the surface.
   glm::dvec3 GetDirection(vtkIdType point) const
   {
+    if (point >= this->GetNumberOfPoints())
+    {
+      const glm::dvec3 above = this->GetDirection(point - this->GetNumberOfPoints());
+      return { above.x, above.y, -above.z };
+    }
     if (point == 0)
     {
       return this->Axes[2];
@@ -67,19 +73,31 @@ public:
     return direction;
   }
 
-  void AddCells(vtkCellArray* cells) const
+  // Of points from the first one on. They face outwards of what lies above the surface, or, turned,
+  // below it.
+  void AddCells(vtkCellArray* cells, vtkIdType first, bool below) const
   {
+    const auto add = [&](std::vector<vtkIdType> polygon)
+    {
+      for (vtkIdType& point : polygon)
+      {
+        point += first;
+      }
+      if (below)
+      {
+        std::reverse(polygon.begin(), polygon.end());
+      }
+      cells->InsertNextCell(static_cast<vtkIdType>(polygon.size()), polygon.data());
+    };
     for (vtkIdType k = 0; k < this->Circular; ++k)
     {
       const vtkIdType next = (k + 1) % this->Circular;
-      const vtkIdType triangle[3] = { 0, 1 + k, 1 + next };
-      cells->InsertNextCell(3, triangle);
+      add({ 0, 1 + k, 1 + next });
       for (vtkIdType ring = 0; ring + 1 < this->Radial; ++ring)
       {
         const vtkIdType inner = 1 + ring * this->Circular;
         const vtkIdType outer = inner + this->Circular;
-        const vtkIdType quad[4] = { inner + k, outer + k, outer + next, inner + next };
-        cells->InsertNextCell(4, quad);
+        add({ inner + k, outer + k, outer + next, inner + next });
       }
     }
   }
@@ -88,6 +106,27 @@ private:
   Frame Axes; // the third is m
   int Radial;
   int Circular;
+};
+
+//------------------------------------------------------------------------------
+// The arrays of a lobe's points, at their directions: above the surface, then, where there is
+// transmission, as many below.
+struct LobeArrays
+{
+  explicit LobeArrays(vtkIdType count)
+    : Values(NewArray<vtkFloatArray>("BRDF", 3, count))
+    , Radiances(NewArray<vtkFloatArray>("Radiance", 3, count))
+    , Luminances(NewArray<vtkFloatArray>("Luminance", 1, count))
+    , Directions(NewArray<vtkFloatArray>("Direction", 3, count))
+    , Transmitted(NewArray<vtkFloatArray>("Transmitted", 1, count))
+  {
+  }
+
+  vtkSmartPointer<vtkFloatArray> Values;
+  vtkSmartPointer<vtkFloatArray> Radiances;
+  vtkSmartPointer<vtkFloatArray> Luminances;
+  vtkSmartPointer<vtkFloatArray> Directions;
+  vtkSmartPointer<vtkFloatArray> Transmitted;
 };
 
 //------------------------------------------------------------------------------
@@ -112,9 +151,16 @@ measuredbrdfSetClampedMacro(vtkBRDFLobeSource, ScaleFactor, double, 1e-6, 1e6);
 void vtkBRDFLobeSource::SetBRDF(vtkBRDF* brdf) { measuredbrdfAssignMacro(BRDF, brdf); }
 
 //------------------------------------------------------------------------------
+void vtkBRDFLobeSource::SetTransmission(vtkBTDF* transmission)
+{
+  measuredbrdfAssignMacro(Transmission, transmission);
+}
+
+//------------------------------------------------------------------------------
 vtkMTimeType vtkBRDFLobeSource::GetMTime()
 {
-  return GetLatestTime(this->Superclass::GetMTime(), this->BRDF);
+  const vtkMTimeType time = GetLatestTime(this->Superclass::GetMTime(), this->BRDF);
+  return this->Transmission ? std::max(time, this->Transmission->GetMTime()) : time;
 }
 
 //------------------------------------------------------------------------------
@@ -132,14 +178,13 @@ int vtkBRDFLobeSource::RequestData(
     std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta));
   const Hemisphere hemisphere(
     { -i.x, -i.y, i.z }, this->RadialResolution, this->CircularResolution);
-  const vtkIdType count = hemisphere.GetNumberOfPoints();
-  const auto values = NewArray<vtkFloatArray>("BRDF", 3, count);
-  const auto radiances = NewArray<vtkFloatArray>("Radiance", 3, count);
-  const auto luminances = NewArray<vtkFloatArray>("Luminance", 1, count);
-  const auto directions = NewArray<vtkFloatArray>("Direction", 3, count);
+  const vtkIdType above = hemisphere.GetNumberOfPoints();
+  const vtkIdType count = this->Transmission ? 2 * above : above;
+  const LobeArrays arrays(count);
 
   this->BRDF->Prepare();
   vtkBRDF* brdf = this->BRDF;
+  vtkBTDF* btdf = this->Transmission;
   vtkSMPTools::For(0, count,
     [&](vtkIdType first, vtkIdType last)
     {
@@ -147,39 +192,49 @@ int vtkBRDFLobeSource::RequestData(
       {
         const glm::dvec3 o = hemisphere.GetDirection(k);
         glm::dvec3 f;
-        brdf->Evaluate(glm::value_ptr(i), glm::value_ptr(o), glm::value_ptr(f));
+        k < above ? brdf->Evaluate(glm::value_ptr(i), glm::value_ptr(o), glm::value_ptr(f))
+                  : btdf->Evaluate(glm::value_ptr(i), glm::value_ptr(o), glm::value_ptr(f));
         const glm::dvec3 radiance = f * i.z;
-        values->SetTypedTuple(k, glm::value_ptr(glm::vec3(f)));
-        radiances->SetTypedTuple(k, glm::value_ptr(glm::vec3(radiance)));
-        luminances->SetValue(k, static_cast<float>(GetLuminance(radiance)));
-        directions->SetTypedTuple(k, glm::value_ptr(glm::vec3(o)));
+        arrays.Values->SetTypedTuple(k, glm::value_ptr(glm::vec3(f)));
+        arrays.Radiances->SetTypedTuple(k, glm::value_ptr(glm::vec3(radiance)));
+        arrays.Luminances->SetValue(k, static_cast<float>(GetLuminance(radiance)));
+        arrays.Directions->SetTypedTuple(k, glm::value_ptr(glm::vec3(o)));
+        arrays.Transmitted->SetValue(k, k < above ? 0.0f : 1.0f);
       }
     });
 
   double factor = this->ScaleFactor;
   if (this->Normalize)
   {
-    const double farthest = GetDistance(this->Scaling, luminances->GetRange(0)[1]);
+    const double farthest = GetDistance(this->Scaling, arrays.Luminances->GetRange(0)[1]);
     factor = farthest > 0.0 ? factor / farthest : 0.0;
   }
   vtkNew<vtkPoints> points;
   points->SetNumberOfPoints(count);
   for (vtkIdType k = 0; k < count; ++k)
   {
-    const double distance = factor * GetDistance(this->Scaling, luminances->GetValue(k));
+    const double distance = factor * GetDistance(this->Scaling, arrays.Luminances->GetValue(k));
     const glm::dvec3 place = distance * hemisphere.GetDirection(k);
     points->SetPoint(k, glm::value_ptr(place));
   }
   vtkNew<vtkCellArray> cells;
-  hemisphere.AddCells(cells);
+  hemisphere.AddCells(cells, 0, false);
+  if (btdf)
+  {
+    hemisphere.AddCells(cells, above, true);
+  }
 
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->SetPoints(points);
   output->SetPolys(cells);
-  output->GetPointData()->AddArray(values);
-  output->GetPointData()->AddArray(radiances);
-  output->GetPointData()->AddArray(directions);
-  output->GetPointData()->SetScalars(luminances);
+  output->GetPointData()->AddArray(arrays.Values);
+  output->GetPointData()->AddArray(arrays.Radiances);
+  output->GetPointData()->AddArray(arrays.Directions);
+  output->GetPointData()->SetScalars(arrays.Luminances);
+  if (btdf)
+  {
+    output->GetPointData()->AddArray(arrays.Transmitted);
+  }
   return 1;
 }
 
@@ -188,6 +243,7 @@ void vtkBRDFLobeSource::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "BRDF: " << this->BRDF.Get() << "\n";
+  os << indent << "Transmission: " << this->Transmission.Get() << "\n";
   os << indent << "ThetaI: " << this->ThetaI << "\n";
   os << indent << "PhiI: " << this->PhiI << "\n";
   os << indent << "RadialResolution: " << this->RadialResolution << "\n";

@@ -18,12 +18,18 @@
  * Points lie on half circles from the mirror direction to the horizon, close together near the
  * mirror direction, where lobes are sharp. The surface is closed: f is 0 at the horizon. Without a
  * BRDF the output is empty, with an error event.
+ *
+ * With a vtkBTDF the lobe of what goes through follows, as a second closed surface of as many
+ * points below the first: point k there lies in the direction of point k mirrored at the surface,
+ * close together where light goes straight on. All arrays hold what is transmitted there, on one
+ * scale with the reflection; a further array Transmitted (1 component) is 1 there, else 0.
  */
 
 #ifndef vtkBRDFLobeSource_h
 #define vtkBRDFLobeSource_h
 
 #include "vtkBRDF.h"               // for BRDF
+#include "vtkBTDF.h"               // for Transmission
 #include "vtkMeasuredBRDFModule.h" // for export macro
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h" // for BRDF
@@ -41,6 +47,14 @@ public:
    */
   void SetBRDF(vtkBRDF* brdf);
   vtkBRDF* GetBRDF() { return this->BRDF; }
+  ///@}
+
+  ///@{
+  /**
+   * What the material lets through of light on its front; null, the default: nothing is shown.
+   */
+  void SetTransmission(vtkBTDF* transmission);
+  vtkBTDF* GetTransmission() { return this->Transmission; }
   ///@}
 
   ///@{
@@ -115,6 +129,7 @@ protected:
     vtkInformationVector* outputVector) override;
 
   vtkSmartPointer<vtkBRDF> BRDF;
+  vtkSmartPointer<vtkBTDF> Transmission;
   double ThetaI = 45.0;
   double PhiI = 180.0;
   int RadialResolution = 128;

@@ -12,9 +12,12 @@
 #include "Session.h"
 #include "State.h"
 #include "Tool.h"
+#include "TransmissionInspection.h"
 
+#include "vtkBTDF.h"
 #include "vtkEmbeddedMaterials.h"
 #include "vtkEnvironment.h"
+#include "vtkLambertBRDF.h"
 #include "vtkMath.h"
 
 #include <QCoreApplication>
@@ -44,6 +47,8 @@ private slots:
   void environmentShowsDirections();
   void findings();
   void planeOfIncidence();
+  void transmissionBelowTheSurface();
+  void transmissionIsFound();
   void chartScales();
   void comparedMaterials();
 };
@@ -388,6 +393,91 @@ void ExplorerParts::planeOfIncidence()
   const double back = curve.Degrees.front(); // on the light's side
   brdf->Evaluate(direction(thetaI, phiI).data(), direction(-back, phiI).data(), f);
   QVERIFY(std::abs(curve.Values.front()[1] - f[1]) < 1e-6 * f[1]);
+}
+
+//------------------------------------------------------------------------------
+// Diffuse sheets: 0.3 / pi of light on the front, 0.2 / pi on the back.
+static vtkSmartPointer<vtkBTDF> MakeSheet()
+{
+  auto sheet = vtkSmartPointer<vtkBTDF>::New();
+  for (const auto& [side, albedo] :
+    { std::pair<int, double>{ vtkBTDF::FRONT, 0.3 }, { vtkBTDF::BACK, 0.2 } })
+  {
+    vtkNew<vtkLambertBRDF> diffuse;
+    diffuse->SetAlbedo(albedo, 0.5 * albedo, 0.0);
+    sheet->SetFolded(side, diffuse);
+  }
+  return sheet;
+}
+
+//------------------------------------------------------------------------------
+void ExplorerParts::transmissionBelowTheSurface()
+{
+  const auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("gold-paint"));
+  brdf->Prepare();
+  const auto sheet = MakeSheet();
+  const Curve upper = SamplePlaneOfIncidence(brdf, 40.0, 70.0);
+  const Curve curve = SamplePlaneOfIncidence(brdf, 40.0, 70.0, sheet);
+  QCOMPARE(curve.Degrees.size(), 2 * upper.Degrees.size());
+  QVERIFY(std::is_sorted(curve.Degrees.begin(), curve.Degrees.end()));
+  QVERIFY(curve.Degrees.front() >= -180.0 && curve.Degrees.back() <= 180.0);
+  bool hasStraight = false;
+  std::size_t above = 0;
+  for (std::size_t k = 0; k < curve.Degrees.size(); ++k)
+  {
+    const double degrees = std::abs(curve.Degrees[k]);
+    const double red = curve.Values[k][0];
+    if (degrees < 90.0)
+    {
+      QCOMPARE(curve.Degrees[k], upper.Degrees[above]);
+      QCOMPARE(red, upper.Values[above++][0]);
+    }
+    else
+    {
+      QVERIFY(std::abs(red - 0.3 / vtkMath::Pi()) < 1e-9);
+    }
+    hasStraight = hasStraight || curve.Degrees[k] == 140.0;
+  }
+  QCOMPARE(above, upper.Degrees.size());
+  QVERIFY(hasStraight);
+  const Curve transmittance = SampleTransmittance(sheet);
+  QCOMPARE(transmittance.Degrees, SampleAlbedo(brdf).Degrees);
+  for (const auto& rgb : transmittance.Values) // seen from the front: light on the back
+  {
+    QVERIFY(std::abs(rgb[0] - 0.2) < 1e-9 && std::abs(rgb[1] - 0.1) < 1e-9);
+  }
+}
+
+//------------------------------------------------------------------------------
+void ExplorerParts::transmissionIsFound()
+{
+  nlohmann::ordered_json info = { { "reciprocity_error", 0.0 }, { "reciprocity_rms_error", 0.0 },
+    { "reciprocal_by_construction", true }, { "largest_albedo", 0.5 }, { "gains_energy", false },
+    { "negative_values", 0 }, { "negative_mass", 0.0 }, { "invalid_values", 0 } };
+  const std::size_t without = FindFindings(info).size();
+  for (const double reflectance : { 0.6, 0.8 })
+  {
+    info["reflectance_per_angle"] = { { { "degrees", 0.0 }, { "rgb", { 0.1, 0.1, 0.1 } } },
+      { { "degrees", 60.0 }, { "rgb", { reflectance, 0.1, 0.1 } } } };
+    info["transmission"] = tool::InspectTransmission(MakeSheet(), info);
+    const auto& transmission = info["transmission"];
+    QVERIFY(transmission["both_sides"]);
+    QVERIFY(std::abs(transmission["reciprocity_error"].get<double>() - 1.0 / 3.0) < 1e-9);
+    QVERIFY(std::abs(transmission["per_angle"][1]["view"][0].get<double>() - 0.2) < 1e-9);
+    QVERIFY(std::abs(transmission["per_angle"][1]["light"][0].get<double>() - 0.3) < 1e-9);
+    QVERIFY(std::abs(transmission["per_angle"][1]["back_light"][0].get<double>() - 0.2) < 1e-9);
+    const double total = transmission["largest_reflectance_and_transmittance"];
+    QVERIFY(std::abs(total - reflectance - 0.3) < 1e-9);
+    const std::vector<Finding> findings = FindFindings(info);
+    QCOMPARE(findings.size(), without + 1);
+    QCOMPARE(findings.back().Name, std::string("Transmission"));
+    QCOMPARE(findings.back().IsGood, reflectance < 0.7);
+    // Its luminance: 0.3 (0.2126 + 0.7152 / 2).
+    QVERIFY2(findings.back().Text.find("Transmits 17.1 %") == 0, findings.back().Text.c_str());
+    const std::string text = tool::FormatTransmission(transmission);
+    QVERIFY2(
+      text.find("  60   0.2000  0.1000  0.0000    0.3000") != std::string::npos, text.c_str());
+  }
 }
 
 //------------------------------------------------------------------------------

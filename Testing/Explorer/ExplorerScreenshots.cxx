@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Makes the pictures of docs/explorer.md: ExplorerScreenshots FOLDER [HEIGHT [editing]]
+// Makes the pictures of docs/explorer.md: ExplorerScreenshots FOLDER [HEIGHT [editing|FILE.xml]]
 #include "Application.h"
 #include "EnvironmentPanel.h"
 #include "Files.h"
@@ -104,12 +104,34 @@ void ShootEditing(Window& window, const QString& folder)
 }
 }
 
+//------------------------------------------------------------------------------
+// A BSDF file that holds transmission: no material that is built in does.
+static void ShootTransmission(Window& window, const QString& folder, const QString& file)
+{
+  Session* session = window.GetSession();
+  session->SetMaterial(file.toStdString());
+  session->SetMethod(1, method::Reference);
+  session->SetLobe(40.0, 200.0, true);
+  window.GetTabs()->setCurrentWidget(window.GetLobePanel());
+  Settle(window);
+  Shoot(window, folder, "transmission");
+  session->SetSlicePolar(true);
+  window.GetTabs()->setCurrentWidget(window.GetSlicePanel());
+  Settle(window);
+  Shoot(window, folder, "transmission-polar");
+  session->SetSlicePolar(false);
+  Shoot(window, folder, "transmission-slices");
+  window.GetTabs()->setCurrentWidget(window.GetFindingsPanel());
+  Shoot(window, folder, "transmission-findings");
+}
+
 int main(int argc, char* argv[])
 {
   if (argc < 2)
   {
     std::puts(
-      "usage: ExplorerScreenshots FOLDER [HEIGHT of exact pictures [editing: only what is set]]");
+      "usage: ExplorerScreenshots FOLDER [HEIGHT of exact pictures [editing: only what is set; or "
+      "FILE.xml: only its transmission]]");
     return 2;
   }
   const QString folder = argv[1];
@@ -131,6 +153,11 @@ int main(int argc, char* argv[])
   if (onlyEditing)
   {
     ShootEditing(window, folder);
+    return 0;
+  }
+  if (argc > 3)
+  {
+    ShootTransmission(window, folder, argv[3]);
     return 0;
   }
   Shoot(window, folder, "window");

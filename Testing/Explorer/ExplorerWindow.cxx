@@ -14,11 +14,15 @@
 #include "PlanPanel.h"
 #include "SlicePanel.h"
 #include "SliceView.h"
+#include "SmallBsdfXml.h"
 #include "Tool.h"
 #include "Window.h"
 
+#include "vtkBRDFLobeSource.h"
 #include "vtkEmbeddedMaterials.h"
+#include "vtkMath.h"
 #include "vtkMeasuredBRDFConfigure.h"
+#include "vtkPolyData.h"
 #include "vtkRadiancePlanner.h"
 
 #include <QApplication>
@@ -26,6 +30,7 @@
 #include <QComboBox>
 #include <QDropEvent>
 #include <QFile>
+#include <QLabel>
 #include <QMimeData>
 #include <QSlider>
 #include <QTabWidget>
@@ -105,6 +110,7 @@ private slots:
   void lightIsDragged();
   void slicesAndFindings();
   void materialsAreCompared();
+  void transmissionIsShown();
   void pictureAndReport();
   void closesWhileWorking();
 
@@ -499,6 +505,68 @@ void ExplorerWindow::materialsAreCompared()
   box->click();
   QTRY_VERIFY(view->GetCurves(SliceView::Plane).size() == 1);
   QVERIFY(panel->GetLegend().isEmpty());
+}
+
+//------------------------------------------------------------------------------
+// Below the surface in the lobe and the polar chart, dashed beside the albedo, in the findings; and
+// gone with the material.
+void ExplorerWindow::transmissionIsShown()
+{
+  const QTemporaryDir folder;
+  const QString file = folder.filePath("shade.xml");
+  {
+    std::ofstream stream(file.toStdString());
+    stream << MakeBsdfXml("Columns", MakeBsdfXmlBlock("Visible", "Transmission Front", 0.3, 0.001));
+  }
+  Window* window = this->Show(MakeState());
+  Session* session = window->GetSession();
+  LobePanel* panel = window->GetLobePanel();
+  vtkBRDFLobeSource* lobe = panel->GetView()->GetSource();
+  window->GetTabs()->setCurrentWidget(panel);
+  QVERIFY(!lobe->GetTransmission());
+  QVERIFY(!panel->GetNote()->isVisible());
+  int saidOfPictures = 0;
+  const auto connection = connect(session, &Session::messaged, session,
+    [&](const QString& text) { saidOfPictures += text.contains("show reflection only") ? 1 : 0; });
+  Drop(*window, file);
+  QTRY_VERIFY_WITH_TIMEOUT(lobe->GetTransmission() != nullptr, Patience);
+  QVERIFY(panel->GetNote()->isVisible());
+  session->SetLobe(40.0, 30.0, false);
+  lobe->Update();
+  QVERIFY(lobe->GetOutput()->GetBounds()[4] < -0.5);
+  QTest::qWait(300);
+  const QImage image = panel->GetView()->grabFramebuffer();
+  int green = 0;
+  for (int y = 0; y < image.height(); ++y)
+  {
+    for (int x = 0; x < image.width(); ++x)
+    {
+      const QColor color = image.pixelColor(x, y);
+      green += color.green() > color.red() + 25 ? 1 : 0;
+    }
+  }
+  QVERIFY2(green > 200, qPrintable(QString::number(green)));
+
+  window->GetTabs()->setCurrentWidget(window->GetSlicePanel());
+  SliceView* charts = window->GetSlicePanel()->GetView();
+  QTRY_VERIFY_WITH_TIMEOUT(charts->GetTransmittances().front().Degrees.size() == 10, Patience);
+  const Curve& shown = charts->GetTransmittances().front();
+  QVERIFY(std::abs(shown.Values[0][1] - 7.0 * vtkMath::Pi()) < 1.0); // the file's other side
+  session->SetSlicePolar(true);
+  const Curve& plane = charts->GetCurves(SliceView::Plane).front();
+  QVERIFY(plane.Degrees.front() < -90.0 && plane.Degrees.back() > 90.0);
+  const auto* findings = window->GetFindingsPanel()->findChild<QLabel*>();
+  QVERIFY(findings->text().contains("Transmits 9"));
+  QCOMPARE(saidOfPictures, 1);
+  disconnect(connection);
+
+  this->Show(MakeState());
+  QVERIFY(!lobe->GetTransmission());
+  session->SetSlicePolar(true);
+  QVERIFY(charts->GetCurves(SliceView::Plane).front().Degrees.back() < 90.0);
+  QVERIFY(charts->GetTransmittances().front().Degrees.empty());
+  window->GetTabs()->setCurrentWidget(panel);
+  QVERIFY(!panel->GetNote()->isVisible());
 }
 
 //------------------------------------------------------------------------------

@@ -222,7 +222,9 @@ Seeds MakeSeeds(const std::string& target)
   if (target == "BsdfXml")
   {
     return { MakeBsdfXmlTree(3, "{{1}{2}{3}{4}{5}{6}{7}{1 2 3 4 5 6 7 8}}"),
-      MakeBsdfXmlTree(4, "{0.5}"), MakeBsdfXml(), MakeBsdfXml("Rows"),
+      MakeBsdfXmlTree(4, "{0.5}", MakeBsdfXmlTreeBlock("Transmission Back", "{0.25}")),
+      MakeBsdfXmlTree(3, "{1}", MakeBsdfXmlTreeBlock("Transmission Front", "{1 -2 3 4 5 6 7 8}")),
+      MakeBsdfXml(), MakeBsdfXml("Rows"),
       MakeBsdfXml("Columns", MakeBsdfXmlBlock("CIE-X", "Reflection Back", 0.1) +
                                MakeBsdfXmlBlock("CIE-Z", "Reflection Back", 0.1)) };
   }

@@ -13,6 +13,7 @@
 
 #include "FileBytes.h"
 #include "vtkBRDF.h"
+#include "vtkBTDF.h"
 #include "vtkObject.h"
 
 #include <unistd.h>
@@ -130,6 +131,25 @@ inline void Use(vtkBRDF* brdf, bool sampled)
         double drawn[3];
         brdf->Sample(o, 0.3, 0.7, drawn);
         brdf->Pdf(i, o);
+      }
+    }
+  }
+}
+
+/// The same of what goes through a material.
+inline void Use(vtkBTDF* transmission)
+{
+  constexpr double directions[][3] = { { 0.0, 0.0, 1.0 }, { 0.6, 0.0, 0.8 }, { 0.0, -0.6, -0.8 },
+    { -0.28, 0.9553, -0.0925 } };
+  for (const auto& i : directions)
+  {
+    for (const auto& o : directions)
+    {
+      double f[3];
+      transmission->Evaluate(i, o, f);
+      for (const double value : f)
+      {
+        Require(std::isfinite(value) && value >= 0.0);
       }
     }
   }

@@ -841,6 +841,22 @@ add("Material.angle-basis-patches-begin-at-zero", "vtkAngleBasisBRDF.cxx",
     "std::atan2(y, x) / (2.0 * Pi) * count + 0.5", "std::atan2(y, x) / (2.0 * Pi) * count", "IOBsdfXml.Reads")
 add("Material.tensor-tree-bits-reversed", "vtkTensorTreeBRDF.cxx", "std::size_t(1) << axis;",
     "std::size_t(1) << (axes - 1 - axis);", "IOBsdfXml.ReadsTensorTrees")
+add("Material.btdf-light-on-the-other-side", "vtkBTDF.cxx", "const int side = i[2] > 0.0 ? FRONT : BACK;",
+    "const int side = o[2] > 0.0 ? FRONT : BACK;", "Transmission.IsBetweenTheSides")
+add("Material.btdf-other-side-not-exchanged", "vtkBTDF.cxx", "Values{ other, true }", "Values{ other, false }",
+    "Transmission.SumsMatricesExactly|IOTransmission.UsesReciprocityForTheMissingSide")
+add("Material.btdf-sum-not-through-the-surface", "vtkBTDF.cxx", "(isView ? Pi : 0.0)", "(isView ? 0.0 : 0.0)",
+    "Transmission.SumsMatricesExactly|IOTransmission.TransmittanceIsTheMatrixSum")
+add("Material.btdf-patches-alike", "vtkBTDF.cxx", "outer * outer - inner * inner", "outer - inner",
+    "IOTransmission.TransmittanceIsTheMatrixSum")
+add("IO.bsdf-xml-sides-of-transmission", "Private/BsdfXmlFile.cxx", "&lit == &side ? vtkBTDF::FRONT : vtkBTDF::BACK",
+    "&lit != &side ? vtkBTDF::FRONT : vtkBTDF::BACK", "IOTransmission.ReadsMatrices|IOTransmission.AgreesWithRadiance")
+add("IO.bsdf-xml-keeps-the-last-transmission", "vtkBRDFReader.cxx", "this->Transmission = content.Transmission;",
+    "", "IOTransmission.IsOfferedBesideReflection")
+add("Sources.lobe-of-transmission-above", "vtkBRDFLobeSource.cxx", "{ above.x, above.y, -above.z }", "above",
+    "LobeSource.TransmissionIsBelowTheSurface")
+add("Sources.lobe-of-transmission-inside-out", "vtkBRDFLobeSource.cxx", "AddCells(cells, above, true)",
+    "AddCells(cells, above, false)", "LobeSource.TransmissionIsBelowTheSurface")
 add("IO.bsdf-xml-rows-as-columns", "Private/BsdfXmlFile.cxx", 'IsSameWord(source.Texts.Structure, "Rows")',
     'IsSameWord(source.Texts.Structure, "Never")', "IOBsdfXml.Reads")
 add("Material.warp-folds-the-other-way", "vtkAdaptiveWarpBRDF.cxx", "along.x + along.y < 0.0", "along.x + along.y > 0.0",

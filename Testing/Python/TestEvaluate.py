@@ -3,10 +3,12 @@
 """Values come through the wrapping: in C++'s arrays, as Python's lists."""
 
 import math
+import os
+import tempfile
 
 from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringOutputWindow
 
-from vtkmeasuredbrdf import vtkBRDF, vtkEmbeddedMaterials, vtkEnvironment, vtkLambertBRDF
+from vtkmeasuredbrdf import vtkBRDF, vtkBRDFReader, vtkBTDF, vtkEmbeddedMaterials, vtkEnvironment, vtkLambertBRDF
 
 normal = (0.0, 0.0, 1.0)
 value = [0.0, 0.0, 0.0]
@@ -42,4 +44,26 @@ environment.SetToProceduralSky()
 total = [0.0, 0.0, 0.0]
 environment.GetTotal(total)
 assert min(total) > 0.0, total
+# What a file says of transmission, which is no BRDF.
+block = """<WavelengthData><Wavelength>Visible</Wavelength><WavelengthDataBlock><WavelengthDataDirection>{}
+</WavelengthDataDirection><ScatteringData>{{{}}}</ScatteringData></WavelengthDataBlock></WavelengthData>"""
+with tempfile.TemporaryDirectory() as folder:
+    path = os.path.join(folder, "sheet.xml")
+    with open(path, "w") as file:
+        file.write("<WindowElement><Optical><Layer><DataDefinition><IncidentDataStructure>TensorTree3"
+                   "</IncidentDataStructure></DataDefinition>" + block.format("Reflection Back", 0.1) +
+                   block.format("Transmission Front", 0.05) + "</Layer></Optical></WindowElement>")
+    reader = vtkBRDFReader()
+    reader.SetFileName(path)
+    assert reader.Read(), reader.GetErrorMessage()
+    transmission = reader.GetTransmission()
+    assert isinstance(transmission, vtkBTDF) and not isinstance(transmission, vtkBRDF)
+    transmission.Evaluate((0.6, 0.0, 0.8), (0.0, 0.6, -0.8), value)
+    assert all(abs(v - 0.05) < 1e-7 for v in value), value
+    transmission.GetTransmittance(normal, value)
+    assert all(abs(v - 0.05 * math.pi) < 1e-6 for v in value), value
+    assert isinstance(transmission.GetFolded(vtkBTDF.FRONT), vtkBRDF)
+    assert transmission.GetFolded(vtkBTDF.BACK) is None
+    reader.SetFileName(path + "#nothing")
+    assert not reader.Read() and reader.GetTransmission() is transmission
 print(", ".join(names))

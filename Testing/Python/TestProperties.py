@@ -16,6 +16,7 @@ import vtkmeasuredbrdf as module
 # What PrintSelf shows in another way: data of any size, a switch of a running call, and properties
 # that take a further argument.
 NOT_PRINTED = {
+    ("vtkBTDF", "Folded"),
     ("vtkBasisBRDF", "Coefficients"),
     ("vtkCompositeMeasuredBRDFMapper", "BlockBRDF"),
     ("vtkCompositeMeasuredBRDFMapper", "BlockBRDFByName"),

@@ -231,6 +231,34 @@ class Materials(ToolTest):
         self.check_close(info["range"]["maximum"], [0.1, 0.2, 0.3], 1e-6)
         self.check(run("convert", plate, self.path("plate.exr")), 0, "relative L2 error", ": 0\n")
 
+    def test_transmission(self):
+        block = ("<WavelengthData><Wavelength>Visible</Wavelength><WavelengthDataBlock><WavelengthDataDirection>{}"
+                 "</WavelengthDataDirection><ScatteringData>{{{}}}</ScatteringData></WavelengthDataBlock></WavelengthData>")
+        start = ("<WindowElement><Optical><Layer><DataDefinition><IncidentDataStructure>TensorTree4"
+                 "</IncidentDataStructure></DataDefinition>")
+        end = "</Layer></Optical></WindowElement>"
+        reflection, front = block.format("Reflection Back", 0.1), block.format("Transmission Front", 0.05)
+        sheet = self.write("sheet.xml", start + reflection + front + end)
+        self.check(run("info", sheet), 0, "transmittance", "0.1571", "at most 0.47", "follows by reciprocity",
+                   "Pictures show reflection only")
+        transmission = json.loads(run("info", sheet, "--json").stdout)["transmission"]
+        self.assertEqual([row["degrees"] for row in transmission["per_angle"]], [*range(0, 81, 10), 85])
+        for row in transmission["per_angle"]:
+            for role in ("view", "light", "back_light"):
+                self.check_close(row[role], [0.05 * math.pi] * 3, 1e-6)
+        self.assertNotIn("reciprocity_error", transmission)
+        self.assertFalse(transmission["gains_energy"])
+        converted = run("convert", sheet, self.path("sheet.exr"))
+        self.check(converted, 0, "relative L2 error", ": 0\n")
+        self.assertIn("sheet.xml: its transmission is left out", converted.stderr)
+        bright = self.write("bright.xml", start + reflection + front + block.format("Transmission Back", 0.25) + end)
+        self.check(run("info", bright), 0, "differ from reciprocity by 4,")  # |0.05 - 0.25| / 0.05
+        gains = self.write("gains.xml", start + reflection + block.format("Transmission Front", 0.25) + end)
+        self.check(run("info", gains), 0, "at most 1.09", "more light than it gets")
+        only = self.write("only.xml", start + front + end)
+        self.check(run("info", only), 1, "only.xml", "transmission only")
+        self.assertNotIn("transmittance", run("info", "gold-paint").stdout)
+
     def test_a_typo_gets_the_nearest_names(self):
         self.check(run("info", "gold_paint"), 1, "unknown material 'gold_paint'", "'gold-paint'")
 

@@ -5,6 +5,7 @@
 #include "BsdfXmlParser.h"
 #include "BsdfXmlTree.h"
 #include "vtkAngleBasisBRDF.h"
+#include "vtkBTDF.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkTensorTreeBRDF.h"
@@ -23,13 +24,16 @@ using Basis = vtkAngleBasisBRDF::Basis;
 
 constexpr double AngleTolerance = 1e-3; // degrees
 
-// The sides as Radiance calls them, and as the files do, which look from the other side.
+// The sides as Radiance calls them, and as the files do, which look from the other side. And what
+// Radiance takes for light on the side: it evaluates with the view as the direction of incidence.
 struct Side
 {
   const char* Name;
   const char* Direction;
+  const char* Transmission;
 };
-constexpr Side Sides[] = { { "front", "Reflection Back" }, { "back", "Reflection Front" } };
+constexpr Side Sides[] = { { "front", "Reflection Back", "Transmission Front" },
+  { "back", "Reflection Front", "Transmission Back" } };
 
 struct Source
 {
@@ -140,18 +144,23 @@ std::vector<std::string> ListSides(const BsdfXmlTexts& texts)
   return names;
 }
 
+// The sides without reflection are sides of a transmission.
 const Side& ChooseSide(const Source& source, const std::string& material)
 {
-  const std::vector<std::string> names = ListSides(source.Texts);
-  if (names.empty())
+  std::vector<std::string> names = ListSides(source.Texts);
+  if (names.empty() && source.Texts.Blocks.empty())
   {
     source.Fail("WavelengthDataDirection", "found " + std::to_string(source.Texts.NumberOfBlocks) +
-                                             " blocks, none of them of visible reflection");
+                                             " blocks, none of them of visible light");
+  }
+  if (names.empty())
+  {
+    names = { Sides[0].Name, Sides[1].Name };
   }
   const std::string& wanted = material.empty() ? names.front() : material;
   if (std::find(names.begin(), names.end(), wanted) == names.end())
   {
-    source.Fail("material", "there is no reflection of " + Quote("#" + wanted) + ", only of " +
+    source.Fail("material", "there is nothing of " + Quote("#" + wanted) + ", only of " +
                               Quote("#" + names.front()) +
                               (names.size() > 1 ? " and " + Quote("#" + names[1]) : ""));
   }
@@ -184,18 +193,27 @@ std::array<float, 3> ToRGB(double x, double y, double z)
     static_cast<float>(0.0635979 * x - 0.2145965 * y + 1.1509987 * z) };
 }
 
-vtkSmartPointer<vtkBRDF> ReadBases(const Source& source, const Side& side, MaterialFile& result)
+// Values as they are in the file.
+struct Scattering
 {
-  const BsdfXmlBlock& visible = *FindBlock(source.Texts, side.Direction, "Visible");
+  vtkSmartPointer<vtkBRDF> BRDF; // of transmission: folded
+  vtkIdType Negative = 0;
+  bool HasColor = false;
+};
+
+Scattering ReadBases(const Source& source, const BsdfXmlBlock& visible)
+{
   const Basis light = MakeBasis(source, visible.RowBasis);
   const Basis view = MakeBasis(source, visible.ColumnBasis);
   const std::size_t rows = static_cast<std::size_t>(light.GetNumberOfPatches());
   const std::size_t columns = static_cast<std::size_t>(view.GetNumberOfPatches());
   const std::vector<float> y = ReadMatrix(source, visible, rows, columns);
-  const BsdfXmlBlock* red = FindBlock(source.Texts, side.Direction, "CIE-X");
-  const BsdfXmlBlock* blue = FindBlock(source.Texts, side.Direction, "CIE-Z");
+  const BsdfXmlBlock* red = FindBlock(source.Texts, visible.Direction, "CIE-X");
+  const BsdfXmlBlock* blue = FindBlock(source.Texts, visible.Direction, "CIE-Z");
+  Scattering result;
+  result.HasColor = red && blue;
   std::vector<float> rgb;
-  if (red && blue)
+  if (result.HasColor)
   {
     const std::vector<float> x = ReadMatrix(source, *red, rows, columns);
     const std::vector<float> z = ReadMatrix(source, *blue, rows, columns);
@@ -211,10 +229,9 @@ vtkSmartPointer<vtkBRDF> ReadBases(const Source& source, const Side& side, Mater
     {
       rgb.insert(rgb.end(), 3, value);
     }
-    result.AddNote("The file holds no color: values are of visible light.");
   }
-  const std::vector<float>& counted = red && blue ? rgb : y;
-  result.NumberOfNegativeValues =
+  const std::vector<float>& counted = result.HasColor ? rgb : y;
+  result.Negative =
     std::count_if(counted.begin(), counted.end(), [](float value) { return value < 0.0f; });
   auto brdf = vtkSmartPointer<vtkAngleBasisBRDF>::New();
   const std::string problem = brdf->SetMatrix(light, view, std::move(rgb));
@@ -222,12 +239,13 @@ vtkSmartPointer<vtkBRDF> ReadBases(const Source& source, const Side& side, Mater
   {
     source.Fail("AngleBasis", problem);
   }
-  return brdf;
+  result.BRDF = brdf;
+  return result;
 }
 
-vtkSmartPointer<vtkBRDF> ReadTree(const Source& source, const Side& side, MaterialFile& result)
+Scattering ReadTree(const Source& source, const BsdfXmlBlock& visible)
 {
-  const BsdfXmlBlock& visible = *FindBlock(source.Texts, side.Direction, "Visible");
+  Scattering result;
   const std::string field = "ScatteringData of " + Quote(visible.Direction);
   auto brdf = vtkSmartPointer<vtkTensorTreeBRDF>::New();
   std::string problem;
@@ -235,7 +253,7 @@ vtkSmartPointer<vtkBRDF> ReadTree(const Source& source, const Side& side, Materi
   {
     const auto tree =
       ParseBsdfTree(visible.Values, IsSameWord(source.Texts.Structure, "TensorTree3") ? 3 : 4);
-    result.NumberOfNegativeValues = std::count_if(
+    result.Negative = std::count_if(
       tree.Values.begin(), tree.Values.end(), [](float value) { return value < 0.0f; });
     problem = brdf->SetTree(tree);
   }
@@ -247,8 +265,66 @@ vtkSmartPointer<vtkBRDF> ReadTree(const Source& source, const Side& side, Materi
   {
     source.Reader.FailAt(visible.Offset, field, problem);
   }
-  result.AddNote("Values are of visible light; a tree's colors are not read.");
-  return brdf;
+  result.BRDF = brdf;
+  return result;
+}
+
+bool IsTree(const BsdfXmlTexts& texts)
+{
+  return IsSameWord(texts.Structure, "TensorTree3") || IsSameWord(texts.Structure, "TensorTree4");
+}
+
+Scattering ReadBlock(const Source& source, const BsdfXmlBlock& visible)
+{
+  return IsTree(source.Texts) ? ReadTree(source, visible) : ReadBases(source, visible);
+}
+
+void ReadReflection(const Source& source, const Side& side, MaterialFile& result)
+{
+  const BsdfXmlBlock* visible = FindBlock(source.Texts, side.Direction, "Visible");
+  if (!visible)
+  {
+    return;
+  }
+  const Scattering read = ReadBlock(source, *visible);
+  result.BRDF = read.BRDF;
+  result.NumberOfNegativeValues = read.Negative;
+  if (!read.HasColor)
+  {
+    result.AddNote(IsTree(source.Texts)
+                     ? "Values are of visible light; a tree's colors are not read."
+                     : "The file holds no color: values are of visible light.");
+  }
+  result.AddNote("The side that Radiance calls " + std::string(side.Name) + ", in the file '" +
+                 side.Direction + "'.");
+}
+
+// In the frame of the side.
+void ReadTransmission(const Source& source, const Side& side, MaterialFile& result)
+{
+  for (const Side& lit : Sides)
+  {
+    const BsdfXmlBlock* visible = FindBlock(source.Texts, lit.Transmission, "Visible");
+    if (!visible)
+    {
+      continue;
+    }
+    const Scattering read = ReadBlock(source, *visible);
+    if (!result.Transmission)
+    {
+      result.Transmission = vtkSmartPointer<vtkBTDF>::New();
+    }
+    result.Transmission->SetFolded(&lit == &side ? vtkBTDF::FRONT : vtkBTDF::BACK, read.BRDF);
+    if (read.Negative > 0)
+    {
+      result.AddNote("Negative values of " + Quote(visible->Direction) +
+                     ", which count as 0: " + std::to_string(read.Negative) + ".");
+    }
+  }
+  if (result.Transmission)
+  {
+    result.AddNote("Transmission is read, too. Pictures show reflection only.");
+  }
 }
 }
 
@@ -257,20 +333,26 @@ MaterialFile ReadBsdfXml(const FileBytes& file, const std::string& material)
   const Source source{ ByteReader(file, BsdfXmlFormatName), ParseBsdfXml(file) };
   const BsdfXmlTexts& texts = source.Texts;
   const std::string& structure = texts.Structure;
-  const bool isTree = IsSameWord(structure, "TensorTree3") || IsSameWord(structure, "TensorTree4");
-  if (!isTree && !IsSameWord(structure, "Columns") && !IsSameWord(structure, "Rows"))
+  if (!IsTree(texts) && !IsSameWord(structure, "Columns") && !IsSameWord(structure, "Rows"))
   {
     source.Fail("IncidentDataStructure",
       "found " + Quote(structure) + ", expected 'Columns', 'Rows', 'TensorTree3' or 'TensorTree4'");
   }
   const Side& side = ChooseSide(source, material);
   MaterialFile result;
-  result.BRDF = isTree ? ReadTree(source, side, result) : ReadBases(source, side, result);
-  result.AddNote("The side that Radiance calls " + std::string(side.Name) + ", in the file '" +
-                 side.Direction + "'. Transmission is left out.");
+  ReadReflection(source, side, result);
+  ReadTransmission(source, side, result);
   if (texts.Layers > 1)
   {
     result.AddNote("The first of " + std::to_string(texts.Layers) + " layers.");
+  }
+  if (!result.BRDF && !result.Transmission)
+  {
+    source.Fail("Wavelength", "found no block of 'Visible'");
+  }
+  if (!result.BRDF)
+  {
+    return result; // the reader says so
   }
   const bool named = !texts.Name.empty() && texts.Name != "Name"; // genBSDF's own
   result.BRDF->SetName(named ? texts.Name : GetFileStem(file.GetPath()));

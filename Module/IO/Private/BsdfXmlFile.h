@@ -3,8 +3,8 @@
 /**
  * @file
  * BSDF XML files of WINDOW (Lawrence Berkeley National Laboratory) and Radiance: matrices over
- * angle bases (Klems 1994), and tensor trees (Ward et al. 2012). Only reflection is read, of either
- * side.
+ * angle bases (Klems 1994), and tensor trees (Ward et al. 2012). Reflection is read of one side,
+ * transmission of both.
  */
 
 #ifndef BsdfXmlFile_h
@@ -18,7 +18,7 @@
 namespace measuredbrdf
 {
 /// material: "front" or "back", as Radiance calls the sides (the file says the opposite); empty:
-/// front, or the side that the file has.
+/// front, or the side that the file has. A file of transmission only gives no BRDF.
 MaterialFile ReadBsdfXml(const FileBytes& file, const std::string& material);
 
 class BsdfXmlFormat : public FileFormat

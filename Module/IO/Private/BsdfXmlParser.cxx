@@ -25,7 +25,7 @@ std::string Trim(const std::string& text)
                                     : text.substr(first, text.find_last_not_of(white) - first + 1);
 }
 
-// Whether the block says how visible light is reflected.
+// Whether the block says how visible light is reflected or transmitted.
 bool IsWanted(const BsdfXmlBlock& block, const std::string& wavelength)
 {
   const auto isOneOf = [](const std::string& text, std::initializer_list<const char*> words)
@@ -33,7 +33,8 @@ bool IsWanted(const BsdfXmlBlock& block, const std::string& wavelength)
     return std::any_of(
       words.begin(), words.end(), [&text](const char* word) { return IsSameWord(text, word); });
   };
-  return isOneOf(block.Direction, { "Reflection Front", "Reflection Back" }) &&
+  return isOneOf(block.Direction,
+           { "Reflection Front", "Reflection Back", "Transmission Front", "Transmission Back" }) &&
          isOneOf(wavelength, { "Visible", "CIE-X", "CIE-Z" });
 }
 

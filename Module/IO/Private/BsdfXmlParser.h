@@ -49,7 +49,7 @@ struct BsdfXmlTexts
   std::string Structure; // "Columns", "Rows", "TensorTree3", "TensorTree4"
   int Layers = 0;        // what is above is of the first
   std::vector<BsdfXmlBasis> Bases;
-  std::vector<BsdfXmlBlock> Blocks; // of reflection of visible light
+  std::vector<BsdfXmlBlock> Blocks; // of visible light
   int NumberOfBlocks = 0;           // of all
 };
 

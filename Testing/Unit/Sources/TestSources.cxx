@@ -7,6 +7,7 @@
 #include "vtkBRDFImageSource.h"
 #include "vtkBRDFLobeSource.h"
 #include "vtkBRDFSliceSource.h"
+#include "vtkBTDF.h"
 #include "vtkDataArray.h"
 #include "vtkExecutive.h"
 #include "vtkImageData.h"
@@ -192,6 +193,79 @@ TEST(LobeSource, TheSurfaceIsClosedAndFacesOutwards)
       std::all_of(edges.begin(), edges.end(), [](const auto& edge) { return edge.second == 2; }))
       << theta;
   }
+}
+
+//------------------------------------------------------------------------------
+// A diffuse sheet: below the surface a second lobe of half the size, with normals outwards.
+TEST(LobeSource, TransmissionIsBelowTheSurface)
+{
+  vtkNew<FormulaBRDF> brdf;
+  brdf->Formula = [](const double*, const double*) { return 0.2; };
+  vtkNew<FormulaBRDF> folded;
+  folded->Formula = [](const double i[3], const double o[3]) { return 0.1 * (i[0] > o[0]); };
+  vtkNew<vtkBTDF> transmission;
+  transmission->SetFolded(vtkBTDF::FRONT, folded);
+  vtkNew<vtkBRDFLobeSource> source;
+  source->SetBRDF(brdf);
+  source->SetThetaI(30.0);
+  source->SetPhiI(0.0);
+  source->SetRadialResolution(32);
+  source->SetCircularResolution(64);
+  source->Update();
+  const vtkIdType above = source->GetOutput()->GetNumberOfPoints();
+  EXPECT_FALSE(source->GetOutput()->GetPointData()->HasArray("Transmitted"));
+  source->SetTransmission(transmission);
+  source->Update();
+  vtkPolyData* lobe = source->GetOutput();
+  ASSERT_EQ(lobe->GetNumberOfPoints(), 2 * above);
+  vtkDataArray* directions = lobe->GetPointData()->GetArray("Direction");
+  vtkDataArray* transmitted = lobe->GetPointData()->GetArray("Transmitted");
+  vtkDataArray* luminances = lobe->GetPointData()->GetArray("Luminance");
+  ASSERT_TRUE(transmitted);
+  const double cosine = std::cos(30.0 * Degree);
+  for (vtkIdType k = 0; k < above; ++k)
+  {
+    double up[3], down[3], point[3];
+    directions->GetTuple(k, up);
+    directions->GetTuple(above + k, down);
+    EXPECT_EQ(up[0], down[0]);
+    EXPECT_EQ(up[2], -down[2]);
+    EXPECT_EQ(transmitted->GetTuple1(k), 0.0);
+    EXPECT_EQ(transmitted->GetTuple1(above + k), 1.0);
+    if (down[2] < -1e-6 && std::abs(down[0] - 0.5) > 1e-6)
+    {
+      const double expected = down[0] < 0.5 ? 0.1 * cosine * LuminanceOf123 : 0.0;
+      EXPECT_NEAR(luminances->GetTuple1(above + k), expected, 1e-6);
+      lobe->GetPoint(above + k, point);
+      EXPECT_NEAR(vtkMath::Dot(point, down), expected, 1e-6);
+    }
+  }
+  // Where light goes straight on.
+  EXPECT_NEAR(directions->GetComponent(above, 0), -0.5, 1e-6);
+  EXPECT_NEAR(directions->GetComponent(above, 2), -cosine, 1e-6);
+  double inside = 0.0; // volume of pyramids from the origin: negative where a cell faces inwards
+  for (vtkIdType k = lobe->GetNumberOfCells() / 2; k < lobe->GetNumberOfCells(); ++k)
+  {
+    vtkIdType count;
+    const vtkIdType* points;
+    lobe->GetCellPoints(k, count, points);
+    for (vtkIdType t = 1; t + 1 < count; ++t)
+    {
+      double a[3], b[3], c[3], normal[3];
+      lobe->GetPoint(points[0], a);
+      lobe->GetPoint(points[t], b);
+      lobe->GetPoint(points[t + 1], c);
+      vtkMath::Cross(b, c, normal);
+      inside += vtkMath::Dot(a, normal) / 6.0;
+    }
+  }
+  EXPECT_GT(inside, 0.001);
+  // One scale for both: the reflection is the farthest.
+  source->NormalizeOn();
+  source->Update();
+  double point[3];
+  source->GetOutput()->GetPoint(above, point);
+  EXPECT_NEAR(vtkMath::Norm(point), 0.5, 1e-5);
 }
 
 //------------------------------------------------------------------------------

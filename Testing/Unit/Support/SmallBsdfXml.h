@@ -49,17 +49,23 @@ inline std::string MakeBsdfXml(
          "</Layer></Optical></WindowElement>\n";
 }
 
+inline std::string MakeBsdfXmlTreeBlock(const std::string& direction, const std::string& tree)
+{
+  return "<WavelengthData><Wavelength>Visible</Wavelength><WavelengthDataBlock>"
+         "<WavelengthDataDirection>" +
+         direction +
+         "</WavelengthDataDirection><AngleBasis>LBNL/Shirley-Chiu</AngleBasis><ScatteringData>" +
+         tree + "</ScatteringData></WavelengthDataBlock></WavelengthData>";
+}
+
 /// A tensor tree of three or four dimensions.
-inline std::string MakeBsdfXmlTree(int dimensions, const std::string& tree)
+inline std::string MakeBsdfXmlTree(
+  int dimensions, const std::string& tree, const std::string& more = std::string())
 {
   return "<WindowElement><Optical><Layer><DataDefinition><IncidentDataStructure>TensorTree" +
-         std::to_string(dimensions) +
-         "</IncidentDataStructure></DataDefinition><WavelengthData><Wavelength>Visible</Wavelength>"
-         "<WavelengthDataBlock><WavelengthDataDirection>Reflection Back</WavelengthDataDirection>"
-         "<AngleBasis>LBNL/Shirley-Chiu</AngleBasis><ScatteringData>" +
-         tree +
-         "</ScatteringData></WavelengthDataBlock></WavelengthData></Layer></Optical></"
-         "WindowElement>\n";
+         std::to_string(dimensions) + "</IncidentDataStructure></DataDefinition>" +
+         MakeBsdfXmlTreeBlock("Reflection Back", tree) + more +
+         "</Layer></Optical></WindowElement>\n";
 }
 
 #endif

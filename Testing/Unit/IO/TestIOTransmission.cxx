@@ -1,0 +1,439 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What BSDF XML files of Radiance and WINDOW say of transmission.
+
+#include "SmallBsdfXml.h"
+#include "TestIOHelpers.h"
+
+#include "vtkBRDFReader.h"
+#include "vtkBTDF.h"
+#include "vtkNew.h"
+
+#include <glm/glm.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+using namespace testio;
+
+namespace
+{
+const std::string Format = "BSDF XML";
+const std::filesystem::path SharedData = MEASUREDBRDF_SHARED_DATA;
+const std::filesystem::path Traced = MEASUREDBRDF_TEST_DATA "/Transmission";
+constexpr double Pi = 3.14159265358979323846;
+
+double Evaluate(vtkBTDF* btdf, const glm::dvec3& i, const glm::dvec3& o)
+{
+  glm::dvec3 f;
+  btdf->Evaluate(&i.x, &o.x, &f.x);
+  EXPECT_EQ(f.x, f.y);
+  EXPECT_EQ(f.x, f.z);
+  return f.x;
+}
+
+double GetTransmittance(vtkBTDF* btdf, const glm::dvec3& i)
+{
+  glm::dvec3 rgb;
+  btdf->GetTransmittance(&i.x, &rgb.x);
+  return rgb.y;
+}
+
+double GetSkyTransmittance(vtkBTDF* btdf, const glm::dvec3& o)
+{
+  glm::dvec3 rgb;
+  btdf->GetSkyTransmittance(&o.x, &rgb.x);
+  return rgb.y;
+}
+
+// Beyond 90 degrees: below the surface.
+glm::dvec3 FromDegrees(double theta, double phi)
+{
+  constexpr double degree = Pi / 180.0;
+  return glm::dvec3(std::sin(theta * degree) * std::cos(phi * degree),
+    std::sin(theta * degree) * std::sin(phi * degree), std::cos(theta * degree));
+}
+
+std::string Replace(std::string text, const std::string& old, const std::string& with)
+{
+  const std::size_t at = text.find(old);
+  EXPECT_NE(at, std::string::npos) << old;
+  return text.replace(at, old.size(), with);
+}
+
+// Reads a file that holds reflection, too.
+vtkSmartPointer<vtkBTDF> ReadTransmission(const std::string& path)
+{
+  vtkNew<vtkBRDFReader> reader;
+  reader->SetFileName(path);
+  EXPECT_TRUE(reader->Read()) << reader->GetErrorMessage();
+  return reader->GetTransmission();
+}
+
+// "Transmission Back" is 7 + 0.01 k there already.
+std::string MakeBothSides(const std::string& structure = "Columns")
+{
+  return MakeBsdfXml(structure, MakeBsdfXmlBlock("Visible", "Transmission Front", 0.02, 0.001));
+}
+
+// The directions of the five patches: as they are, and as the view's that are continued through the
+// surface.
+glm::dvec3 GetLight(int patch, bool below)
+{
+  const double theta = patch == 0 ? 20.0 : 50.0;
+  return FromDegrees(below ? 180.0 - theta : theta, 90.0 * (patch - 1) + 40.0);
+}
+
+glm::dvec3 GetView(int patch, bool below)
+{
+  const double theta = patch == 0 ? 25.0 : 80.0;
+  return FromDegrees(below ? 180.0 - theta : theta, 90.0 * (patch - 1) + 180.0 - 40.0);
+}
+}
+
+//------------------------------------------------------------------------------
+// Radiance takes the view for the direction of incidence: light on its front is in the file's
+// "Front", which is Radiance's back, by row.
+TEST(IOTransmission, ReadsMatrices)
+{
+  const Folder folder;
+  for (const std::string& structure : { std::string("Columns"), std::string("Rows") })
+  {
+    WriteBytes(folder("a.xml"), MakeBothSides(structure));
+    for (const std::string& side : { std::string("#front"), std::string("#back") })
+    {
+      const auto btdf = ReadTransmission(folder("a.xml") + side);
+      ASSERT_TRUE(btdf);
+      EXPECT_FALSE(btdf->IsIsotropic());
+      for (int row = 0; row < 5; ++row)
+      {
+        for (int column = 0; column < 5; ++column)
+        {
+          const int k = structure == "Rows" ? 5 * column + row : 5 * row + column;
+          const bool below = side == "#back"; // where the file's "Front" has its light
+          EXPECT_NEAR(
+            Evaluate(btdf, GetLight(row, below), GetView(column, !below)), 0.02 + 0.001 * k, 1e-6);
+          EXPECT_NEAR(
+            Evaluate(btdf, GetLight(row, !below), GetView(column, below)), 7.0 + 0.01 * k, 1e-6);
+        }
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Sums over rows and columns with the patches' projected solid angles.
+TEST(IOTransmission, TransmittanceIsTheMatrixSum)
+{
+  const Folder folder;
+  WriteBytes(folder("a.xml"), MakeBothSides());
+  const auto btdf = ReadTransmission(folder("a.xml"));
+  ASSERT_TRUE(btdf);
+  const double solid[5] = { Pi / 4.0, 3.0 * Pi / 16.0, 3.0 * Pi / 16.0, 3.0 * Pi / 16.0,
+    3.0 * Pi / 16.0 };
+  for (int patch = 0; patch < 5; ++patch)
+  {
+    double row = 0.0;
+    double column = 0.0;
+    for (int k = 0; k < 5; ++k)
+    {
+      row += (0.02 + 0.001 * (5 * patch + k)) * solid[k];
+      column += (7.0 + 0.01 * (5 * k + patch)) * solid[k];
+    }
+    EXPECT_NEAR(GetTransmittance(btdf, GetLight(patch, false)), row, 1e-6);
+    EXPECT_NEAR(GetSkyTransmittance(btdf, GetView(patch, false)), column, 1e-5);
+  }
+}
+
+//------------------------------------------------------------------------------
+// One block stands for light on both sides.
+TEST(IOTransmission, UsesReciprocityForTheMissingSide)
+{
+  const Folder folder;
+  WriteBytes(folder("a.xml"), MakeBsdfXml());
+  const auto btdf = ReadTransmission(folder("a.xml"));
+  ASSERT_TRUE(btdf);
+  EXPECT_EQ(btdf->GetFolded(vtkBTDF::FRONT), nullptr);
+  ASSERT_TRUE(btdf->GetFolded(vtkBTDF::BACK));
+  EXPECT_NEAR(Evaluate(btdf, GetView(2, false), GetLight(4, true)), 7.0 + 0.01 * 22, 1e-6);
+  EXPECT_NEAR(Evaluate(btdf, GetLight(4, true), GetView(2, false)), 7.0 + 0.01 * 22, 1e-6);
+}
+
+//------------------------------------------------------------------------------
+TEST(IOTransmission, ReadsColor)
+{
+  const Folder folder;
+  const std::string more = MakeBsdfXmlBlock("CIE-X", "Transmission Back", 2.0 * 7.0, 0.0) +
+                           MakeBsdfXmlBlock("CIE-Z", "Transmission Back", 0.0, 0.0);
+  WriteBytes(folder("a.xml"), MakeBsdfXml("Columns", more));
+  const auto btdf = ReadTransmission(folder("a.xml"));
+  ASSERT_TRUE(btdf);
+  const glm::dvec3 i(0.0, 0.0, -1.0);
+  const glm::dvec3 o(0.0, 0.0, 1.0);
+  glm::dvec3 f;
+  btdf->Evaluate(&i.x, &o.x, &f.x);
+  EXPECT_NEAR(f.x, 7.0 * (2.0 * 3.1462519 - 1.6661246), 1e-4);
+  EXPECT_NEAR(f.z, 0.0, 1e-12) << "a negative blue counts as 0";
+}
+
+//------------------------------------------------------------------------------
+TEST(IOTransmission, ReadsTensorTrees)
+{
+  const Folder folder;
+  std::string cells = "{";
+  for (int k = 0; k < 16; ++k)
+  {
+    cells += "{" + std::to_string(k) + "}";
+  }
+  cells += "}";
+  WriteBytes(
+    folder("a.xml"), MakeBsdfXmlTree(4, "{1}", MakeBsdfXmlTreeBlock("transmission front", cells)));
+  const auto btdf = ReadTransmission(folder("a.xml"));
+  ASSERT_TRUE(btdf);
+  EXPECT_FALSE(btdf->IsIsotropic());
+  for (int k = 0; k < 16; ++k)
+  {
+    const auto sign = [k](int bit) { return (k >> bit & 1) != 0 ? 0.4 : -0.4; };
+    const glm::dvec3 o(-sign(0), -sign(1), -std::sqrt(0.68));
+    const glm::dvec3 i(sign(2), sign(3), std::sqrt(0.68));
+    EXPECT_NEAR(Evaluate(btdf, i, o), k, 1e-6);
+    EXPECT_NEAR(Evaluate(btdf, o, i), k, 1e-6);
+    // The other four values have the same two bits of the light, each over a quarter of pi.
+    EXPECT_NEAR(GetTransmittance(btdf, i), Pi / 4.0 * (4 * (k & 12) + 6), 1e-4);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Whatever is wrong with a block of transmission is said with its name, and nothing is read.
+TEST(IOTransmission, NamesBadBlocks)
+{
+  const Folder folder;
+  const std::string good = MakeBothSides();
+  const auto refuse = [&](const std::string& old, const std::string& with, const std::string& what)
+  {
+    ExpectBytesRefused(
+      folder, Replace(good, old, with), { Format, "ScatteringData of 'Transmission Front'", what });
+  };
+  refuse("0.021000", "nan", "value 1: found 'nan'");
+  refuse("0.021000", "inf", "value 1: found 'inf'");
+  refuse("0.021000", "1e99", "1e99");
+  refuse("0.021000", "0.02x", "0.02x");
+  refuse("0.021000,", "", "found 24 values, expected 25");
+  refuse("0.021000", "1 2", "more than the 25");
+  const auto refuseTree = [&](const std::string& tree, const std::string& what)
+  {
+    ExpectBytesRefused(folder,
+      MakeBsdfXmlTree(3, "{1}", MakeBsdfXmlTreeBlock("Transmission Back", tree)),
+      { Format, "ScatteringData of 'Transmission Back'", what });
+  };
+  refuseTree("{1", "1 braces open");
+  refuseTree("{nan}", "found 'nan'");
+  refuseTree("{{1}{2}}", "2 children");
+  refuseTree(std::string(100000, '{'), "too deeply");
+  ExpectBytesRefused(folder,
+    Replace(good, "Transmission Back</WavelengthDataDirection><ColumnAngleBasis>Five",
+      "Transmission Back</WavelengthDataDirection><ColumnAngleBasis>Six"),
+    { Format, "does not define 'Six'" });
+}
+
+//------------------------------------------------------------------------------
+TEST(IOTransmission, NegativeValuesCountAsZero)
+{
+  const Folder folder;
+  WriteBytes(
+    folder("a.xml"), Replace(Replace(MakeBothSides(), "0.020000", "-0.5"), "0.021000", "-0.5"));
+  vtkNew<vtkBRDFReader> reader;
+  reader->SetFileName(folder("a.xml"));
+  ASSERT_TRUE(reader->Read()) << reader->GetErrorMessage();
+  EXPECT_NE(reader->GetNotes().find("Negative values of 'Transmission Front', which count as 0: 2"),
+    std::string::npos)
+    << reader->GetNotes();
+  EXPECT_EQ(reader->GetNumberOfNegativeValues(), 0) << "those of reflection";
+  EXPECT_EQ(Evaluate(reader->GetTransmission(), { 0, 0, 1 }, { 0, 0, -1 }), 0.0);
+  EXPECT_NEAR(
+    GetTransmittance(reader->GetTransmission(), { 0, 0, 1 }), 0.069 * 3.0 * Pi / 16.0, 1e-6);
+}
+
+//------------------------------------------------------------------------------
+// Transmission belongs to the file that was read last; of transmission only there is no material.
+TEST(IOTransmission, IsOfferedBesideReflection)
+{
+  const Folder folder;
+  std::string only = MakeBothSides();
+  for (const char* block : { ">Reflection Back", ">Reflection Front", ">Reflection Back" })
+  {
+    only = Replace(only, block, ">Refraction");
+  }
+  WriteBytes(folder("only.xml"), only);
+  WriteBytes(folder("both.xml"), MakeBothSides());
+  WriteBytes(folder("none.xml"), MakeBsdfXmlTree(3, "{1}"));
+  WriteBytes(folder("bad.xml"), "<WindowElement>");
+  vtkNew<vtkBRDFReader> reader;
+  EXPECT_EQ(reader->GetTransmission(), nullptr);
+  vtkObject::GlobalWarningDisplayOff();
+  for (const char* side : { "", "#front", "#back" })
+  {
+    reader->SetFileName(folder("only.xml") + side);
+    EXPECT_FALSE(reader->Read());
+    EXPECT_NE(reader->GetErrorMessage().find("transmission only"), std::string::npos)
+      << reader->GetErrorMessage();
+    EXPECT_EQ(reader->GetBRDF(), nullptr);
+    ASSERT_TRUE(reader->GetTransmission());
+    EXPECT_NEAR(Evaluate(reader->GetTransmission(), { 0, 0, 1 }, { 0, 0, -1 }),
+      side[0] != 0 && side[1] == 'b' ? 7.0 : 0.02, 1e-6);
+  }
+  reader->SetFileName(folder("only.xml") + "#left");
+  EXPECT_FALSE(reader->Read());
+  EXPECT_NE(reader->GetErrorMessage().find("'#left'"), std::string::npos);
+  reader->SetFileName(folder("both.xml"));
+  EXPECT_TRUE(reader->Read());
+  vtkBTDF* both = reader->GetTransmission();
+  EXPECT_TRUE(both);
+  EXPECT_TRUE(reader->GetBRDF());
+  reader->SetFileName(folder("bad.xml"));
+  EXPECT_FALSE(reader->Read());
+  EXPECT_EQ(reader->GetTransmission(), both) << "what was read before stays";
+  vtkObject::GlobalWarningDisplayOn();
+  reader->SetFileName(folder("none.xml"));
+  EXPECT_TRUE(reader->Read());
+  EXPECT_EQ(reader->GetTransmission(), nullptr);
+  EXPECT_EQ(reader->GetNotes().find("Transmission"), std::string::npos);
+}
+
+//------------------------------------------------------------------------------
+// Against Radiance's own rtrace (trace_transmission.py).
+TEST(IOTransmission, AgreesWithRadiance)
+{
+  if (!std::filesystem::is_directory(SharedData / "materials/radiance"))
+  {
+    GTEST_SKIP() << "no shared data";
+  }
+  for (const char* name : { "2011-SA1", "metalGrate", "t3" })
+  {
+    const auto btdf =
+      ReadTransmission((SharedData / "materials/radiance" / name).string() + ".xml");
+    ASSERT_TRUE(btdf) << name;
+    std::ifstream csv(Traced / (std::string(name) + ".csv"));
+    double largest = 0.0;
+    int pairs[2] = { 0, 0 };
+    for (std::string line; std::getline(csv, line);)
+    {
+      std::istringstream numbers(line);
+      glm::dvec3 i, o;
+      double f;
+      char comma;
+      if (numbers >> i.x >> comma >> i.y >> comma >> i.z >> comma >> o.x >> comma >> o.y >> comma >>
+          o.z >> comma >> f)
+      {
+        largest = std::max(largest, std::abs(Evaluate(btdf, i, o) - f) / f);
+        ++pairs[i.z > 0.0 ? 0 : 1];
+      }
+    }
+    std::printf(
+      "%s: %d pairs, largest relative difference %.2g\n", name, pairs[0] + pairs[1], largest);
+    EXPECT_EQ(pairs[0], 50);
+    EXPECT_EQ(pairs[1], 50);
+    EXPECT_LT(largest, 1e-3);
+  }
+}
+
+//------------------------------------------------------------------------------
+// WINDOW's directional-hemispherical transmittance: the sum of a file's column with the projected
+// solid angles of Klems' full basis, from the text.
+TEST(IOTransmission, TransmittanceIsTheRealFilesSum)
+{
+  const std::vector<int> counts = { 1, 8, 16, 20, 24, 24, 24, 16, 12 };
+  const std::vector<double> ends = { 0, 5, 15, 25, 35, 45, 55, 65, 75, 90 };
+  for (const char* name : { "2011-SA1", "metalGrate" })
+  {
+    const std::filesystem::path path =
+      SharedData / "materials/radiance" / (std::string(name) + ".xml");
+    std::ifstream file(path);
+    if (!file)
+    {
+      GTEST_SKIP() << "no shared data";
+    }
+    std::stringstream bytes;
+    bytes << file.rdbuf();
+    std::string text = bytes.str();
+    text = text.substr(text.find(">Transmission Back<"));
+    text = text.substr(text.find("<ScatteringData>") + 16);
+    std::replace(text.begin(), text.end(), ',', ' ');
+    std::istringstream numbers(text);
+    std::vector<double> matrix(145 * 145);
+    for (double& value : matrix)
+    {
+      ASSERT_TRUE(numbers >> value);
+    }
+    const auto btdf = ReadTransmission(path.string());
+    ASSERT_TRUE(btdf);
+    int column = 0;
+    for (std::size_t ring = 0; ring < counts.size(); ++ring)
+    {
+      for (int k = 0; k < counts[ring]; ++k, ++column)
+      {
+        double sum = 0.0;
+        int row = 0;
+        for (std::size_t other = 0; other < counts.size(); ++other)
+        {
+          const double a = std::sin(ends[other] * Pi / 180.0);
+          const double b = std::sin(ends[other + 1] * Pi / 180.0);
+          for (int j = 0; j < counts[other]; ++j, ++row)
+          {
+            sum += matrix[static_cast<std::size_t>(145 * row + column)] * Pi * (b * b - a * a) /
+                   counts[other];
+          }
+        }
+        const glm::dvec3 view = FromDegrees(
+          0.4 * ends[ring] + 0.6 * ends[ring + 1], 360.0 * (k + 0.2) / counts[ring] + 180.0);
+        EXPECT_NEAR(GetSkyTransmittance(btdf, view), sum, 1e-5 * sum) << name << " " << column;
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Of a tree: against points of a lattice, by the cosine of the golden ratio.
+TEST(IOTransmission, TransmittanceOfTreesIsTheMean)
+{
+  const std::filesystem::path path = SharedData / "materials/radiance/t3.xml";
+  if (!std::filesystem::exists(path))
+  {
+    GTEST_SKIP() << "no shared data";
+  }
+  const auto btdf = ReadTransmission(path.string());
+  ASSERT_TRUE(btdf);
+  EXPECT_TRUE(btdf->IsIsotropic());
+  double largest = 0.0;
+  for (const double degrees : { 0.0, 35.0, 70.0, 110.0, 160.0 })
+  {
+    const glm::dvec3 fixed = FromDegrees(degrees, 77.0);
+    const double side = degrees < 90.0 ? -1.0 : 1.0;
+    constexpr int count = 1 << 21;
+    double light = 0.0;
+    double sky = 0.0;
+    for (int k = 0; k < count; ++k)
+    {
+      const double square = (k + 0.5) / count;
+      const double phi = 2.0 * Pi * std::fmod(0.6180339887498949 * k, 1.0);
+      const double sine = std::sqrt(square);
+      const glm::dvec3 moved(
+        sine * std::cos(phi), sine * std::sin(phi), side * std::sqrt(1.0 - square));
+      light += Evaluate(btdf, fixed, moved) * Pi / count;
+      sky += Evaluate(btdf, moved, fixed) * Pi / count;
+    }
+    std::printf("%g: light %.6f %.6f sky %.6f %.6f\n", degrees, GetTransmittance(btdf, fixed),
+      light, GetSkyTransmittance(btdf, fixed), sky);
+    largest = std::max({ largest, std::abs(GetTransmittance(btdf, fixed) / light - 1.0),
+      std::abs(GetSkyTransmittance(btdf, fixed) / sky - 1.0) });
+  }
+  std::printf("largest relative difference %.2g\n", largest);
+  EXPECT_LT(largest, 1e-3);
+}
