@@ -300,7 +300,7 @@ add("Integration.filtered-lamps-without-cosine", "vtkFilteredRadianceIntegrator.
 add("Integration.filtered-keeps-samples-of-the-old-material", "vtkFilteredRadianceIntegrator.cxx",
     "impl.SamplesTime < this->BRDF->GetMTime() ||", "", "FilteredIntegrator.FollowsItsInputs")
 add("Integration.filtered-keeps-the-number-of-samples", "vtkFilteredRadianceIntegrator.cxx",
-    "impl.Samples->GetNumberOfSamples() != this->NumberOfSamples)", "impl.Samples->GetNumberOfSamples() < 1)",
+    "impl.Samples->GetNumberOfSamples() != this->NumberOfSamples ||", "impl.Samples->GetNumberOfSamples() < 1 ||",
     "FilteredIntegrator.FollowsItsInputs|FilteredReference.Converges")
 add("Integration.filtered-level-of-the-sphere", "vtkFilteredRadianceIntegrator.cxx",
     "pyramid.GetNumberOfLevels() - 1 + bias", "pyramid.GetNumberOfLevels() + 1 + bias",
@@ -649,6 +649,9 @@ add("Planning.file-with-a-choice-too-many", "Private/PlanFile.cxx", "read.Choice
 
 # Rendering
 
+add("Rendering.stand-in-of-the-other-kind", "Private/SharedIntegrators.cxx",
+    "IsMirrorLike(brdf) ? static_cast", "!IsMirrorLike(brdf) ? static_cast",
+    "Background.SamplesForMirrorLikeMaterialsUnderPanels")
 add("Rendering.plan-key-without-costs", "Private/SharedPlans.h", "this->Costs, this->SeenTime",
     "std::string(), this->SeenTime", "Background.EverythingThatCountsBeginsAnother")
 add("Rendering.plan-key-without-pixels-of-the-light", "Private/SharedPlans.h", "this->Environment, this->PixelsTime,",

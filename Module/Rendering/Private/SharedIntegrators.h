@@ -22,8 +22,8 @@ namespace measuredbrdf
 vtkSmartPointer<vtkRadianceIntegrator> FindIntegrator(
   vtkRadianceIntegrator* wanted, vtkBRDF* brdf, vtkEnvironment* environment);
 
-/// For as long as there is no plan: a small table with suns and lamps as lights or, for anisotropic
-/// materials, a small light set.
+/// For as long as there is no plan, with suns and lamps as lights: a small table; samples for
+/// mirror-like materials; a small light set for anisotropic ones.
 vtkSmartPointer<vtkRadianceIntegrator> FindStandIn(vtkBRDF* brdf, vtkEnvironment* environment);
 
 /// Release the copies that no mapper holds any more.
