@@ -107,6 +107,10 @@ void Comparison::Read(const std::string& file, const ModelStates& models, JobThr
   {
     const tool::Material read = LoadMaterial(file, models);
     read.BRDF->Prepare();
+    if (read.Transmission)
+    {
+      read.Transmission->Prepare();
+    }
     const ComparedMaterial material{ file, read.Name, read.BRDF, SampleAlbedo(read.BRDF),
       FindValues(file, models), read.Transmission,
       read.Transmission ? SampleTransmittance(read.Transmission) : Curve() };

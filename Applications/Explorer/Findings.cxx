@@ -39,8 +39,8 @@ explorer::Finding FindTransmission(const nlohmann::ordered_json& transmission)
   return { !gains, "Transmission",
     "Transmits " + share(rows.front()) + " of light along the normal, " + share(rows.back()) +
       " at " + Format("%.0f degrees", rows.back()["degrees"]) + "; with what is reflected " +
-      Format("%.3f at most", total) + (gains ? ": more light than it gets" : "") +
-      ". Not drawn in the picture" };
+      Format("%.3f at most (azimuths averaged)", total) +
+      (gains ? ": more light than it gets" : "") + ". Not drawn in the picture" };
 }
 }
 

@@ -40,6 +40,10 @@ MadeMaterial RemakeMaterialOf(const tool::Material& original, const MaterialSett
   made.Edits = FindEdits(original.File, settings);
   made.Shown = ApplyEdits(made.Original, made.Edits);
   made.Shown.BRDF->Prepare();
+  if (made.Shown.Transmission)
+  {
+    made.Shown.Transmission->Prepare();
+  }
   return made;
 }
 } // namespace explorer

@@ -412,20 +412,34 @@ void Session::SaveMaterial(const std::string& path)
   }
   this->Background->Start(
     "save material", tr("writing the material"),
-    [this, brdf, path, file = this->Current.Material, edits = this->Made.Edits](JobThread& thread)
+    [this, brdf, path, shown = this->Made.Shown, edits = this->Made.Edits](JobThread& thread)
     {
       tool::WriteMaterial(brdf, path);
       thread.Post(
-        [this, path, file, edits]()
+        [this, path, shown, edits]()
         {
-          if (!edits.empty())
+          const auto current = this->Current.Edits.find(shown.File);
+          if (current != this->Current.Edits.end() && current->second == edits)
           {
-            this->SavedEdits[file] = edits;
+            this->SavedEdits[shown.File] = edits; // not where others came meanwhile
           }
-          this->Say(tr("Saved: %1").arg(QString::fromStdString(path)), false);
+          this->Say(tr("Saved: %1").arg(QString::fromStdString(path)) +
+                      (shown.Transmission ? tr(" (its transmission is left out)") : QString()),
+            false);
         });
     },
     [this](const QString& text) { this->Say(text, true); });
+}
+
+//------------------------------------------------------------------------------
+bool Session::HasUnsavedEdits() const
+{
+  return std::any_of(this->Current.Edits.begin(), this->Current.Edits.end(),
+    [this](const auto& edits)
+    {
+      const auto saved = this->SavedEdits.find(edits.first);
+      return saved == this->SavedEdits.end() || saved->second != edits.second;
+    });
 }
 
 //------------------------------------------------------------------------------

@@ -112,8 +112,9 @@ public:
   void SetEdits(const std::string& file, const SampleEdits& edits);
   ///@}
 
-  /// Whether samples were edited since the state was opened or saved, or the material was saved.
-  bool HasUnsavedEdits() const { return this->Current.Edits != this->SavedEdits; }
+  /// Whether there are edits of samples that neither a state that was opened or saved has, nor a
+  /// material that was saved.
+  bool HasUnsavedEdits() const;
 
   ///@{
   /// State files. False with a message where that does not work.

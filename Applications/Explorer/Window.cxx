@@ -36,6 +36,7 @@
 #include <QProgressBar>
 #include <QStatusBar>
 #include <QTabWidget>
+#include <QTimer>
 #include <QUrl>
 #include <QVBoxLayout>
 
@@ -367,7 +368,8 @@ void Window::dropEvent(QDropEvent* event)
     }
   }
   event->acceptProposedAction();
-  this->Open(files);
+  // Afterwards: a question must not keep the program waiting that the files come from.
+  QTimer::singleShot(0, this, [this, files]() { this->Open(files); });
 }
 
 //------------------------------------------------------------------------------

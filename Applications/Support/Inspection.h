@@ -17,8 +17,7 @@
 namespace tool
 {
 /// Model, range, albedo by angle, reciprocity, negative values, transmission and more, measured:
-/// what `info
-/// --json` prints. Takes about a second. Throws Error.
+/// what `info --json` prints. Takes about a second, transmission a few more. Throws Error.
 nlohmann::ordered_json InspectMaterial(const Material& material);
 
 /// The same for people: what `info` prints.

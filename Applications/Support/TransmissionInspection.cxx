@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TransmissionInspection.h"
 
+#include "BackgroundWork.h"
+#include "Tool.h"
+
 #include "vtkMath.h"
 
 #include <algorithm>
@@ -22,6 +25,10 @@ namespace tool
 std::array<double, 3> MeasureTransmittance(
   vtkBTDF* transmission, double degrees, TransmissionRole role)
 {
+  if (BackgroundWork::Get() && BackgroundWork::Get()->IsStopped())
+  {
+    throw Error("interrupted");
+  }
   const double theta = vtkMath::RadiansFromDegrees(degrees);
   const int azimuths = transmission->IsIsotropic() ? 1 : 8;
   std::array<double, 3> mean{};
@@ -53,21 +60,25 @@ ordered_json InspectTransmission(vtkBTDF* transmission, const ordered_json& info
     result["reciprocity_error"] = transmission->GetReciprocityError();
   }
   double largest = 0.0;
+  double largestOfBack = 0.0;
   for (const ordered_json& row : info["reflectance_per_angle"])
   {
     const double degrees = row["degrees"];
+    const auto back = MeasureTransmittance(transmission, degrees, TransmissionRole::BackLight);
     const auto light = MeasureTransmittance(transmission, degrees, TransmissionRole::Light);
     result["per_angle"].push_back({ { "degrees", degrees },
       { "view", MeasureTransmittance(transmission, degrees, TransmissionRole::View) },
-      { "light", light },
-      { "back_light", MeasureTransmittance(transmission, degrees, TransmissionRole::BackLight) } });
+      { "light", light }, { "back_light", back } });
     for (std::size_t c = 0; c < 3; ++c)
     {
       largest = std::max(largest, light[c] + row["rgb"][c].get<double>());
+      largestOfBack = std::max(largestOfBack, back[c]);
     }
   }
   result["largest_reflectance_and_transmittance"] = largest;
-  result["gains_energy"] = largest > EnergyLimit;
+  // What the back reflects is not here; what it lets through must not be more than what comes.
+  result["largest_transmittance_of_back"] = largestOfBack;
+  result["gains_energy"] = std::max(largest, largestOfBack) > EnergyLimit;
   return result;
 }
 
@@ -96,8 +107,10 @@ std::string FormatTransmission(const ordered_json& transmission)
     text += "\n";
   }
   char line[200];
-  std::snprintf(line, sizeof(line), "  reflected and transmitted together: at most %.4f%s\n",
+  std::snprintf(line, sizeof(line),
+    "  reflected and transmitted together: at most %.4f; light on the back: %.4f transmitted%s\n",
     transmission["largest_reflectance_and_transmittance"].get<double>(),
+    transmission["largest_transmittance_of_back"].get<double>(),
     transmission["gains_energy"] ? " (more light than it gets)" : "");
   text += line;
   if (!transmission["both_sides"])

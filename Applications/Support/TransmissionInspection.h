@@ -25,7 +25,7 @@ enum class TransmissionRole
 };
 
 /// RGB at a polar angle in degrees: at azimuth 0; of anisotropic materials the mean over 8
-/// azimuths, as the albedos of `info`.
+/// azimuths, as the albedos of `info`. Throws Error where this thread's work is stopped.
 std::array<double, 3> MeasureTransmittance(
   vtkBTDF* transmission, double degrees, TransmissionRole role);
 

@@ -98,7 +98,11 @@ bool vtkBRDFReader::Read()
     }
     if (!content.BRDF)
     {
-      this->Transmission = content.Transmission ? content.Transmission : this->Transmission;
+      if (content.Transmission)
+      {
+        this->Transmission = content.Transmission;
+        this->Notes = content.Notes;
+      }
       throw FileError(
         path.File + ": " + this->FormatName +
         (content.Transmission ? ": the file holds transmission only; expected reflection, too"

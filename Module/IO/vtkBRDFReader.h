@@ -62,7 +62,7 @@ public:
   /**
    * What the same file says of transmission; null where it says nothing, and before. Of BSDF XML
    * files only: in other files transmission is left out. A file that holds transmission only gives
-   * no material: Read fails, but its transmission is here.
+   * no material: Read fails and GetBRDF stays the earlier file's, but its transmission is here.
    */
   vtkBTDF* GetTransmission() { return this->Transmission; }
 

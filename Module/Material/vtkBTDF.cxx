@@ -75,7 +75,7 @@ std::vector<Node> MakeNodes(const vtkAngleBasisBRDF::Basis& basis, bool isView)
   return nodes;
 }
 
-std::vector<Node> MakeNodes()
+std::vector<Node> MakeRingNodes()
 {
   std::vector<Node> nodes;
   for (int ring = 0; ring < Rings; ++ring)
@@ -111,15 +111,23 @@ std::vector<Node> MakeSquareNodes()
   return nodes;
 }
 
-// What the sum goes over: the view, or the light, of the folded values.
-std::vector<Node> MakeNodes(vtkBRDF* folded, bool isView)
+// What the sum goes over: the view, or the light, of the folded values. bases: room for the nodes
+// of a matrix; the others are made once.
+const std::vector<Node>& GetNodes(vtkBRDF* folded, bool isView, std::vector<Node>& bases)
 {
-  if (auto* bases = vtkAngleBasisBRDF::SafeDownCast(folded))
+  if (auto* matrix = vtkAngleBasisBRDF::SafeDownCast(folded))
   {
-    return MakeNodes(isView ? bases->GetViewBasis() : bases->GetLightBasis(), isView);
+    bases = MakeNodes(isView ? matrix->GetViewBasis() : matrix->GetLightBasis(), isView);
+    return bases;
   }
   auto* tree = vtkTensorTreeBRDF::SafeDownCast(folded);
-  return tree && (tree->GetTree().Dimensions == 4 || !isView) ? MakeSquareNodes() : MakeNodes();
+  if (tree && (tree->GetTree().Dimensions == 4 || !isView))
+  {
+    static const std::vector<Node> square = MakeSquareNodes();
+    return square;
+  }
+  static const std::vector<Node> rings = MakeRingNodes();
+  return rings;
 }
 
 // Mirrored to the upper hemisphere; false at the horizon and for what is no direction.
@@ -149,6 +157,18 @@ void vtkBTDF::SetFolded(int side, vtkBRDF* folded)
 vtkBRDF* vtkBTDF::GetFolded(int side)
 {
   return side == FRONT || side == BACK ? this->Folded[side].Get() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkBTDF::Prepare()
+{
+  for (const auto& folded : this->Folded)
+  {
+    if (folded)
+    {
+      folded->Prepare();
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -193,7 +213,8 @@ void vtkBTDF::Integrate(const double direction[3], bool isLight, double rgb[3])
     fixed[0] = -std::hypot(fixed[0], fixed[1]);
     fixed[1] = 0.0;
   }
-  for (const Node& node : MakeNodes(values.Folded, overView))
+  std::vector<Node> bases;
+  for (const Node& node : GetNodes(values.Folded, overView, bases))
   {
     const double* moved = &node.Direction.x;
     double f[3];
@@ -263,10 +284,6 @@ void vtkBTDF::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   for (const int side : { FRONT, BACK })
   {
-    const double normal[3] = { 0.0, 0.0, side == FRONT ? 1.0 : -1.0 };
-    double rgb[3];
-    this->GetTransmittance(normal, rgb);
-    os << indent << (side == FRONT ? "Front" : "Back") << ": " << this->Folded[side].Get()
-       << ", transmittance along the normal: " << rgb[0] << " " << rgb[1] << " " << rgb[2] << "\n";
+    os << indent << (side == FRONT ? "Front" : "Back") << ": " << this->Folded[side].Get() << "\n";
   }
 }

@@ -17,7 +17,8 @@
  * representations can hold it. Where one side is missing, it is that of the other side with light
  * and view exchanged (Helmholtz reciprocity: the same medium is on both sides), as in Radiance.
  *
- * The queries may be called from many threads at once as long as no thread changes the object.
+ * The queries may be called from many threads at once as long as no thread changes the object, and
+ * after Prepare where it or its values were changed.
  */
 
 #ifndef vtkBTDF_h
@@ -53,6 +54,11 @@ public:
   ///@}
 
   /**
+   * Build the data that the values otherwise build on demand (vtkBRDF::Prepare).
+   */
+  void Prepare();
+
+  /**
    * f(i,o) in 1/sr, RGB. Zero where both directions are on one side or one is at the horizon, and
    * without values. Never negative, NaN or infinite. Vectors of any length.
    */
@@ -63,8 +69,9 @@ public:
    * Directional-hemispherical transmittance, RGB: the share of light from i that leaves the other
    * side, the integral of f(i,o) |cos(theta_o)| do; in [0,1] unless the data break energy
    * conservation. And the same with the roles exchanged: the radiance towards o under a white sky
-   * on the other side. Both are equal where data are reciprocal. Exact for vtkAngleBasisBRDF; other
-   * values are summed over the cells of a tree, or 256 x 2048 parts of the projected hemisphere.
+   * on the other side. Both are equal where data are reciprocal. Exact for vtkAngleBasisBRDF; a
+   * tree's values are summed over 256 x 256 cells of its square (Radiance's trees have 64 or 128
+   * along a side), other ones over 256 x 2048 parts of the projected hemisphere.
    */
   void GetTransmittance(const double i[3], double rgb[3]);
   void GetSkyTransmittance(const double o[3], double rgb[3]);

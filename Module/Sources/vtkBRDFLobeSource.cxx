@@ -183,6 +183,10 @@ int vtkBRDFLobeSource::RequestData(
   const LobeArrays arrays(count);
 
   this->BRDF->Prepare();
+  if (this->Transmission)
+  {
+    this->Transmission->Prepare();
+  }
   vtkBRDF* brdf = this->BRDF;
   vtkBTDF* btdf = this->Transmission;
   vtkSMPTools::For(0, count,

@@ -528,6 +528,8 @@ void ExplorerEditing::editsAreNotLostOnClosing()
   QTRY_VERIFY_WITH_TIMEOUT(!window->GetSession()->HasUnsavedEdits(), Patience);
   QVERIFY(close(QMessageBox::Cancel));
   QCOMPARE(asked, 3);
+  window->GetSamplePanel()->Revert(); // nothing is edited, nothing can be lost
+  QVERIFY(!window->GetSession()->HasUnsavedEdits());
 }
 
 //------------------------------------------------------------------------------

@@ -248,6 +248,7 @@ class Materials(ToolTest):
                 self.check_close(row[role], [0.05 * math.pi] * 3, 1e-6)
         self.assertNotIn("reciprocity_error", transmission)
         self.assertFalse(transmission["gains_energy"])
+        self.assertLess(transmission["largest_transmittance_of_back"], 1.0)
         converted = run("convert", sheet, self.path("sheet.exr"))
         self.check(converted, 0, "relative L2 error", ": 0\n")
         self.assertIn("sheet.xml: its transmission is left out", converted.stderr)

@@ -160,7 +160,7 @@ const Side& ChooseSide(const Source& source, const std::string& material)
   const std::string& wanted = material.empty() ? names.front() : material;
   if (std::find(names.begin(), names.end(), wanted) == names.end())
   {
-    source.Fail("material", "there is nothing of " + Quote("#" + wanted) + ", only of " +
+    source.Fail("material", "there is no reflection of " + Quote("#" + wanted) + ", only of " +
                               Quote("#" + names.front()) +
                               (names.size() > 1 ? " and " + Quote("#" + names[1]) : ""));
   }

@@ -100,9 +100,11 @@ LobeTable::LobeTable(vtkBRDF* brdf, bool coarse)
           const int azimuth = cell / Polars;
           const int known = (azimuth - azimuth % azimuths) * Polars + polar - polar % polars;
           const glm::dvec3 i = ReflectAbout(o, GetGrid().Middles[cell]);
-          values[cell] = known < cell ? values[known]
-                         : i.z > 0.0  ? static_cast<float>(GetSum(brdf, i, o))
-                                      : 0.0f;
+          // What is shared says nothing where its own light comes from below the horizon.
+          const bool isShared = known < cell && ReflectAbout(o, GetGrid().Middles[known]).z > 0.0;
+          values[cell] = isShared    ? values[known]
+                         : i.z > 0.0 ? static_cast<float>(GetSum(brdf, i, o))
+                                     : 0.0f;
         }
       }
     });

@@ -300,6 +300,12 @@ TEST(IOTransmission, IsOfferedBesideReflection)
   reader->SetFileName(folder("bad.xml"));
   EXPECT_FALSE(reader->Read());
   EXPECT_EQ(reader->GetTransmission(), both) << "what was read before stays";
+  vtkBRDF* reflection = reader->GetBRDF();
+  reader->SetFileName(folder("only.xml"));
+  EXPECT_FALSE(reader->Read());
+  EXPECT_EQ(reader->GetBRDF(), reflection);
+  EXPECT_NE(reader->GetTransmission(), both);
+  EXPECT_NE(reader->GetNotes().find("Transmission"), std::string::npos);
   vtkObject::GlobalWarningDisplayOn();
   reader->SetFileName(folder("none.xml"));
   EXPECT_TRUE(reader->Read());
