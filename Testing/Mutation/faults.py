@@ -854,8 +854,8 @@ add("Material.btdf-patches-alike", "vtkBTDF.cxx", "outer * outer - inner * inner
     "IOTransmission.TransmittanceIsTheMatrixSum")
 add("IO.bsdf-xml-sides-of-transmission", "Private/BsdfXmlFile.cxx", "&lit == &side ? vtkBTDF::FRONT : vtkBTDF::BACK",
     "&lit != &side ? vtkBTDF::FRONT : vtkBTDF::BACK", "IOTransmission.ReadsMatrices|IOTransmission.AgreesWithRadiance")
-add("IO.bsdf-xml-keeps-the-last-transmission", "vtkBRDFReader.cxx", "this->Transmission = content.Transmission;",
-    "", "IOTransmission.IsOfferedBesideReflection")
+add("IO.bsdf-xml-keeps-the-last-transmission", "vtkBRDFReader.cxx",
+    "this->Transmission = content.Transmission;\n    this->Notes", "this->Notes", "IOTransmission.IsOfferedBesideReflection")
 add("Sources.lobe-of-transmission-above", "vtkBRDFLobeSource.cxx", "{ above.x, above.y, -above.z }", "above",
     "LobeSource.TransmissionIsBelowTheSurface")
 add("Sources.lobe-of-transmission-inside-out", "vtkBRDFLobeSource.cxx", "AddCells(cells, above, true)",

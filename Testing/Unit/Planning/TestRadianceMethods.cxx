@@ -238,6 +238,7 @@ TEST(RadianceMethods, CopiesHaveEveryProperty)
   ExpectCopied(hybrid, { "Lights" });
   vtkNew<vtkFilteredRadianceIntegrator> filtered;
   filtered->SetNumberOfSamples(5);
+  filtered->QuickOn();
   filtered->SetLevelBias(0.5);
   filtered->ExtractLightsOff();
   ExpectCopied(filtered, { "Extracted lights" });
