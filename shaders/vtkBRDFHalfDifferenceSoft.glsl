@@ -17,8 +17,8 @@ vec4 brdfLevelINSTANCE(int level, vec3 u)
   int count = firstCount >> ((level - 1) / 4);
   int offset = 8 * (firstCount - count) + (level - 1) % 4 * count;
   float slice = float(offset) + clamp(u.z * float(count), 0.5, float(count) - 0.5);
-  return texture(
-    brdfLevelsINSTANCE, vec3(u.xy, slice / float(textureSize(brdfLevelsINSTANCE, 0).z)));
+  vec3 at = vec3(u.xy, slice / float(textureSize(brdfLevelsINSTANCE, 0).z));
+  return texture(brdfLevelsINSTANCE, at);
 }
 
 vec3 brdfTermSoftINSTANCE(vec3 i, vec3 o, float spread)

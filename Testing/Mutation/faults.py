@@ -941,6 +941,8 @@ add("Rendering.map-strips-wind-alternately", "Private/PartSurfaces.cxx", "strip-
     "Parts.StripsAreTrianglesOfTheSameClass")
 add("Rendering.map-points-of-two-parts-are-not-doubled", "Private/PartSurfaces.cxx", "if (!mixed || first == owner)",
     "if (!mixed || first != NoOwner)", "MaterialMapping.ClassesOfPointsAreThoseOfTheNearest")
+add("Rendering.map-stacks-draw-what-has-no-material", "Private/ClassesMapper.cxx",
+    "part.Kind == MixtureKind::Nearest && part.IsRest", "false", "ClassBorders.OfClassesWithoutAMaterialAreTheSame")
 add("Rendering.map-borders-run-off-the-middle", "Private/ClassBorders.cxx", "c < 0 ? 0.5 * sum", "c < 0 ? 0.51 * sum",
     "Parts.BordersBetweenClassesOfPointsAreCut")
 add("Rendering.map-edges-are-cut-twice", "Private/ClassBorders.cxx", "if (isNew)", "if (true)",

@@ -211,6 +211,22 @@ TEST_F(ClassBorders, AreTheSameInAllWays)
   this->ExpectSameInAllWays("without normals");
 }
 
+// The first of the classes, one between others, and the last: their pixels are the superclass's.
+TEST_F(ClassBorders, OfClassesWithoutAMaterialAreTheSame)
+{
+  vtkNew<vtkLight> light;
+  light->SetLightTypeToHeadlight();
+  this->Renderer->AddLight(light);
+  this->Actor->GetProperty()->SetColor(0.9, 0.3, 0.2);
+  this->Actor->GetProperty()->SetOpacity(0.5); // what is drawn twice or not at all shows
+  for (const int without : { 0, 3, Count - 1 })
+  {
+    this->Map->SetBRDF(without, nullptr);
+    this->ExpectSameInAllWays(("without " + std::to_string(without)).c_str());
+    this->Map->SetBRDF(without, this->Materials[static_cast<std::size_t>(without)]);
+  }
+}
+
 TEST_F(ClassBorders, OfStripsAndOfPolygonsOfManyCorners)
 {
   vtkNew<vtkStripper> stripper;

@@ -123,9 +123,10 @@ std::string DeclareReaders(
   text += layout.Rows > 1 ? Shift("y", table.Dimensions[1], layout.Rows, "float" + y) : "";
   text += layout.Slices > 1 ? Shift("z", table.Dimensions[2], layout.Slices, "float" + z) : "";
   text += "  return textureLod(" + name + ", p, 0.0);\n}\n";
+  text += "vec4 read_" + name + "(" + coordinates + " p, float lod)\n{\n  return read_" + name +
+          "(p);\n}\n";
   if (!table.ThreeD)
   {
-    text += "vec4 read_" + name + "(vec2 p, float lod)\n{\n  return read_" + name + "(p);\n}\n";
     text += "vec4 fetch_" + name + "(ivec2 at, int lod)\n{\n  return texelFetch(" + name +
             ", at + ivec2(0, " + height + " * " + y + "), lod);\n}\n";
     text += "vec4 profile_" + name + "(float at, int row)\n{\n  return brdfProfile(" + name +
@@ -152,8 +153,11 @@ bool UseReaders(std::string& text, const Texture& table, const Layout& layout,
   ReplaceAll(text, "textureSize(" + name + ", 0)", size);
   ReplaceAll(text, "textureLod(" + name + ", ", "read_" + table.Name + "_(");
   ReplaceAll(text, "texture(" + name + ", ", "read_" + table.Name + "_(");
-  ReplaceAll(text, "texelFetch(" + name + ", ", "fetch_" + table.Name + "_(");
-  ReplaceAll(text, "brdfProfile(" + name + ", ", "profile_" + table.Name + "_(");
+  if (!table.ThreeD)
+  {
+    ReplaceAll(text, "texelFetch(" + name + ", ", "fetch_" + table.Name + "_(");
+    ReplaceAll(text, "brdfProfile(" + name + ", ", "profile_" + table.Name + "_(");
+  }
   if (Count(text, name) != 1)
   {
     return false;
@@ -213,7 +217,8 @@ bool StackTextures(const std::vector<const Term*>& terms, const std::string& num
 
 // Numbers that differ, a texel each.
 bool StackUniforms(const std::vector<const Term*>& terms, const std::string& number,
-  const std::array<int, 2>& mostTexels, Term& stacked, std::string& declarations, std::string& load)
+  const std::array<int, 2>& mostTexels, const std::string& texture, Term& stacked,
+  std::string& declarations, std::string& load)
 {
   std::vector<std::size_t> differing;
   for (std::size_t k = 0; k < terms.front()->Uniforms.size(); ++k)
@@ -241,7 +246,7 @@ bool StackUniforms(const std::vector<const Term*>& terms, const std::string& num
       return false;
     }
     declarations += type + name + ";\n";
-    load += "  " + name + " = texelFetch(brdfStackNumbersINSTANCE, ivec2(" +
+    load += "  " + name + " = texelFetch(" + texture + "INSTANCE, ivec2(" +
             std::to_string(differing.size()) + ", " + number + "), 0)." +
             (first.Values.size() == 1 ? "r" : "rgb") + ";\n";
     differing.push_back(k);
@@ -251,7 +256,7 @@ bool StackUniforms(const std::vector<const Term*>& terms, const std::string& num
     return true;
   }
   Texture numbers;
-  numbers.Name = "brdfStackNumbers";
+  numbers.Name = texture;
   numbers.Components = 4;
   numbers.Dimensions = { static_cast<int>(differing.size()), static_cast<int>(terms.size()), 1 };
   for (const Term* term : terms)
@@ -263,7 +268,7 @@ bool StackUniforms(const std::vector<const Term*>& terms, const std::string& num
       numbers.Data.insert(numbers.Data.end(), texel.begin(), texel.end());
     }
   }
-  declarations += "uniform sampler2D brdfStackNumbersINSTANCE;\n";
+  declarations += "uniform sampler2D " + texture + "INSTANCE;\n";
   stacked.Textures.push_back(std::move(numbers));
   return std::max(stacked.Textures.back().Dimensions[0], stacked.Textures.back().Dimensions[1]) <=
          mostTexels[0];
@@ -271,7 +276,8 @@ bool StackUniforms(const std::vector<const Term*>& terms, const std::string& num
 }
 
 bool StackTerms(const std::vector<const Term*>& terms, const std::string& number,
-  const std::array<int, 2>& mostTexels, Term& stacked, std::string& load)
+  const std::array<int, 2>& mostTexels, Term& stacked, std::string& load,
+  const std::string& numbers)
 {
   const Term& first = *terms.front();
   const bool alike = std::all_of(terms.begin(), terms.end(),
@@ -298,7 +304,7 @@ bool StackTerms(const std::vector<const Term*>& terms, const std::string& number
   }
   std::string declarations;
   if (!StackTextures(terms, number, mostTexels, stacked, declarations) ||
-      !StackUniforms(terms, number, mostTexels, stacked, declarations, load))
+      !StackUniforms(terms, number, mostTexels, numbers, stacked, declarations, load))
   {
     return false;
   }
@@ -340,7 +346,10 @@ bool ClassStack::BuildForm(const DrawnMaterials& materials, const GetForm& getFo
     }
     stacked.Terms.emplace_back();
     std::string load;
-    if (!StackTerms(terms, Number, mostTexels, stacked.Terms.back(), load))
+    // Both forms may have a term of that instance.
+    const char* numbers =
+      &textures == &this->Drawn.Material ? "brdfStackMaterialNumbers" : "brdfStackRadianceNumbers";
+    if (!StackTerms(terms, Number, mostTexels, stacked.Terms.back(), load, numbers))
     {
       return false;
     }
@@ -362,11 +371,16 @@ bool ClassStack::IsIn(vtkOpenGLRenderWindow* window) const
 }
 
 bool ClassStack::Build(const DrawnMaterials& materials, int firstClass,
-  const std::vector<int>& numbers, vtkOpenGLRenderWindow* window)
+  const std::vector<int>& numbers, bool hasOthers, vtkOpenGLRenderWindow* window)
 {
   this->Declarations = std::string("int ") + Number + " = 0;\n";
   this->Choice = std::string("  ") + Number + " = int(brdfClassHere + 0.5) - " +
                  std::to_string(firstClass) + ";\n";
+  if (hasOthers)
+  {
+    this->Choice += std::string("  if (") + Number + " < 0 || " + Number +
+                    " >= " + std::to_string(numbers.size()) + ")\n  {\n    discard;\n  }\n";
+  }
   if (numbers.size() > materials.size()) // classes of other materials lie between
   {
     std::string list;
@@ -377,6 +391,8 @@ bool ClassStack::Build(const DrawnMaterials& materials, int firstClass,
     const std::string type = "int[" + std::to_string(numbers.size()) + "]";
     this->Declarations += "const " + type + " brdfMaterials = " + type + "(" + list + ");\n";
     this->Choice += std::string("  ") + Number + " = brdfMaterials[" + Number + "];\n";
+    this->Choice +=
+      hasOthers ? std::string("  if (") + Number + " < 0)\n  {\n    discard;\n  }\n" : "";
   }
   const DrawnMaterial& first = *materials.front();
   this->Drawn.Source = first.Source;
@@ -411,6 +427,8 @@ bool ClassStack::Build(const DrawnMaterials& materials, int firstClass,
   {
     samplers += textures ? textures->GetNumberOfSamplers() : 0;
   }
+  // Two stacks of the same text but for their classes have programs of their own.
+  this->Drawn.Key += this->Declarations + this->Choice;
   this->Drawn.IsReady = CheckTextureUnits(samplers, window).empty();
   return this->Drawn.IsReady;
 }

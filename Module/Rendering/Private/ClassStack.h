@@ -29,11 +29,13 @@ namespace measuredbrdf
 {
 /// One term of each of several materials, of the same shader, as one. number: the name of the
 /// global variable that holds the material's number. mostTexels: of a side of a 2D texture and of a
-/// 3D one. load: statements that fill the variables that differ. Returns false where the texts or
-/// tables do not allow that. Of terms.front() the text is taken.
+/// 3D one. load: statements that fill the variables that differ. numbers: the name of their
+/// texture. Returns false where the texts or tables do not allow that. Of terms.front() the text is
+/// taken.
 bool StackTerms(const std::vector<const vtkBRDFShaderInputs::Term*>& terms,
   const std::string& number, const std::array<int, 2>& mostTexels,
-  vtkBRDFShaderInputs::Term& stacked, std::string& load);
+  vtkBRDFShaderInputs::Term& stacked, std::string& load,
+  const std::string& numbers = "brdfStackNumbers");
 
 class ClassStack
 {
@@ -42,9 +44,10 @@ public:
   static std::string GetKey(const DrawnMaterial& drawn);
 
   /// Returns whether the materials could be stacked; they are of the same key. numbers: that of the
-  /// material of each class, from firstClass on.
+  /// material of each class, from firstClass on; -1: drawn elsewhere. hasOthers: whether polygons
+  /// have corners of classes that are drawn elsewhere.
   bool Build(const DrawnMaterials& materials, int firstClass, const std::vector<int>& numbers,
-    vtkOpenGLRenderWindow* window);
+    bool hasOthers, vtkOpenGLRenderWindow* window);
 
   /// To be drawn in place of all of them.
   const DrawnMaterial& Get() const { return this->Drawn; }

@@ -8,11 +8,29 @@
 
 #include <algorithm>
 #include <map>
+#include <new>
 #include <unordered_map>
 #include <utility>
 
 namespace measuredbrdf
 {
+namespace
+{
+// Where memory does not suffice, materials stay on their own.
+bool TryBuild(ClassStack& stack, const DrawnMaterials& members, int first,
+  const std::vector<int>& numbers, bool hasOthers, vtkOpenGLRenderWindow* window)
+{
+  try
+  {
+    return stack.Build(members, first, numbers, hasOthers, window);
+  }
+  catch (const std::bad_alloc&)
+  {
+    return false;
+  }
+}
+}
+
 ClassStacks::Origin ClassStacks::GetOrigin(const DrawnMaterial& drawn)
 {
   const auto time = [](const std::shared_ptr<FormTextures>& textures)
@@ -31,7 +49,7 @@ void ClassStacks::Clear()
 }
 
 bool ClassStacks::Update(const std::vector<ClassBorder>& borders, const DrawnMaterials& materials,
-  vtkOpenGLRenderWindow* window)
+  bool hasOthers, vtkOpenGLRenderWindow* window)
 {
   std::vector<Origin> known;
   for (const DrawnMaterial* drawn : materials)
@@ -47,7 +65,7 @@ bool ClassStacks::Update(const std::vector<ClassBorder>& borders, const DrawnMat
   this->Clear();
   this->Known = std::move(known);
   this->Window = window;
-  this->Group(borders, materials, window);
+  this->Group(borders, materials, hasOthers, window);
   this->Distribute(borders);
   return true;
 }
@@ -67,7 +85,7 @@ std::size_t ClassStacks::CountBytes(std::set<const vtkTextureObject*>& counted) 
 }
 
 void ClassStacks::Group(const std::vector<ClassBorder>& borders, const DrawnMaterials& materials,
-  vtkOpenGLRenderWindow* window)
+  bool hasOthers, vtkOpenGLRenderWindow* window)
 {
   std::map<std::string, std::map<int, const DrawnMaterial*>> groups; // materials by class
   for (std::size_t k = 0; k < borders.size(); ++k)
@@ -86,8 +104,8 @@ void ClassStacks::Group(const std::vector<ClassBorder>& borders, const DrawnMate
     std::vector<int> numbers;
     for (int cls = first; cls <= last; ++cls)
     {
-      numbers.push_back(static_cast<int>(members.size()));
       const auto found = classes.find(cls);
+      numbers.push_back(found == classes.end() ? -1 : static_cast<int>(members.size()));
       if (found != classes.end())
       {
         members.push_back(found->second);
@@ -95,7 +113,8 @@ void ClassStacks::Group(const std::vector<ClassBorder>& borders, const DrawnMate
     }
     auto stack = std::make_unique<Stack>();
     stack->Materials = std::make_unique<ClassStack>();
-    if (members.size() > 1 && stack->Materials->Build(members, first, numbers, window))
+    if (members.size() > 1 &&
+        TryBuild(*stack->Materials, members, first, numbers, hasOthers, window))
     {
       for (const auto& [cls, material] : classes)
       {

@@ -48,9 +48,11 @@ public:
     vtkNew<vtkCellArray> Polygons;
   };
 
-  /// Bring up to date; materials: of each border. Returns whether anything changed.
+  /// Bring up to date; materials: of each border. hasOthers: whether polygons have corners of
+  /// classes that are no borders here, because they have no material. Returns whether anything
+  /// changed.
   bool Update(const std::vector<ClassBorder>& borders, const DrawnMaterials& materials,
-    vtkOpenGLRenderWindow* window);
+    bool hasOthers, vtkOpenGLRenderWindow* window);
 
   void Clear();
 
@@ -67,7 +69,7 @@ public:
 
 private:
   void Group(const std::vector<ClassBorder>& borders, const DrawnMaterials& materials,
-    vtkOpenGLRenderWindow* window);
+    bool hasOthers, vtkOpenGLRenderWindow* window);
   void Distribute(const std::vector<ClassBorder>& borders);
 
   // What a stack was made of; a text that changes has new textures or a new time.

@@ -153,7 +153,11 @@ void ClassesMapper::SetParts(
     this->ReleaseIndices();
     this->Classes = std::move(classes);
     this->StacksOf.clear();
+    this->Stacks = nullptr;
+    this->StackIndices.clear();
   }
+  this->HasClassWithoutMaterial = std::any_of(parts->Get().begin(), parts->Get().end(),
+    [](const MaterialPart& part) { return part.Kind == MixtureKind::Nearest && part.IsRest; });
   all.Surface = same ? vtkSmartPointer<vtkPolyData>(this->GetInput()) : Join(surfaces);
   const bool hasBorders = all.Kind == MixtureKind::Nearest;
   this->SetPart(parts, std::move(all), map);
@@ -215,7 +219,7 @@ void ClassesMapper::UpdateStacks(vtkRenderer* ren)
       this->Classes[k].Indices = this->MakeIndices(this->Classes[k].Surface->GetPolys());
     }
     this->Stacks = nullptr;
-    this->AreBordersLoose = this->GetText() != nullptr;
+    this->AreBordersLoose = this->GetText() != nullptr && !this->Drawing->IsPending();
     return;
   }
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetVTKWindow());
@@ -224,12 +228,14 @@ void ClassesMapper::UpdateStacks(vtkRenderer* ren)
   {
     stacks = std::make_unique<ClassStacks>();
   }
-  if (!stacks->Update(borders, materials, window) && this->Stacks == stacks.get())
+  if (!stacks->Update(borders, materials, this->HasClassWithoutMaterial, window) &&
+      this->Stacks == stacks.get())
   {
     return;
   }
   this->Stacks = stacks.get();
-  this->AreBordersLoose = this->Stacks->AreMostLoose();
+  // What stands in for plans does not decide.
+  this->AreBordersLoose = this->Stacks->AreMostLoose() && !this->Drawing->IsPending();
   for (std::size_t k = 0; k < places.size(); ++k)
   {
     this->Classes[places[k]].Indices = this->MakeIndices(this->Stacks->GetRest(k));

@@ -105,6 +105,7 @@ private:
   int Slot = -1;        // of the class that is shown
   bool InStack = false; // whether a stack is shown
   bool AreBordersLoose = false;
+  bool HasClassWithoutMaterial = false; // in polygons that meet others
   std::map<vtkOpenGLRenderWindow*, std::unique_ptr<ClassStacks>> StacksOf;
   ClassStacks* Stacks = nullptr; // of the window that is drawn, while polygons are stacked
   std::vector<vtkSmartPointer<vtkOpenGLIndexBufferObject>> StackIndices;
