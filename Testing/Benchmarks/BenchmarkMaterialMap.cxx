@@ -47,8 +47,8 @@ double GetMilliseconds(std::clock_t start)
   return 1000.0 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
-/// Materials that differ, drawn by tables of one size.
-std::vector<vtkSmartPointer<vtkBRDF>> MakeMaterials(int count)
+/// Materials that differ, drawn by tables of one size or, sharper ones, of several.
+std::vector<vtkSmartPointer<vtkBRDF>> MakeMaterials(int count, bool ofOneSize)
 {
   std::vector<vtkSmartPointer<vtkBRDF>> materials;
   for (int k = 0; k < count; ++k)
@@ -57,7 +57,7 @@ std::vector<vtkSmartPointer<vtkBRDF>> MakeMaterials(int count)
     base->SetAlbedo(0.1 + 0.8 * k / count, 0.3, 0.2);
     vtkNew<vtkBlinnPhongBRDF> gloss;
     gloss->SetSpecular(0.1, 0.1, 0.1);
-    gloss->SetExponent(8.0 + 0.1 * (k % 256));
+    gloss->SetExponent(ofOneSize ? 8.0 + 0.1 * (k % 256) : 8.0 + 50.0 * (k % 8));
     vtkNew<vtkSumBRDF> material;
     material->AddTerm(base);
     material->AddTerm(gloss);
@@ -108,7 +108,8 @@ public:
     this->Window->AddRenderer(this->Renderer);
     this->Renderer->SetAutomaticLightCreation(false);
     this->Renderer->AddActor(this->Actor);
-    this->Materials = MakeMaterials(1024);
+    this->Materials = MakeMaterials(1024, true);
+    this->SharperMaterials = MakeMaterials(64, false);
   }
 
   void AddAll(const std::string& wanted, const std::string& cache)
@@ -127,6 +128,12 @@ public:
     }
     this->AddColoredClasses(64, true);
     this->AddColoredClasses(64, false);
+    this->Materials.swap(this->SharperMaterials);
+    this->NameEnd = ", tables of several sizes";
+    this->AddClasses(64, false);
+    this->AddColoredClasses(64, true);
+    this->NameEnd.clear();
+    this->Materials.swap(this->SharperMaterials);
     const std::string fine = "one material, as many triangles as 64 classes of points";
     this->Add(fine, 1, MakeSphere(235), nullptr);
     if (this->Kinds.back().Name == fine)
@@ -228,8 +235,9 @@ private:
     }
     (ofCells ? static_cast<vtkDataSetAttributes*>(sphere->GetCellData()) : sphere->GetPointData())
       ->AddArray(array);
-    this->Add(std::to_string(classes) + " classes of " + (ofCells ? "cells" : "points"), 1, sphere,
-      this->NewMap(vtkMaterialMap::CLASSES, classes));
+    this->Add(
+      std::to_string(classes) + " classes of " + (ofCells ? "cells" : "points") + this->NameEnd, 1,
+      sphere, this->NewMap(vtkMaterialMap::CLASSES, classes));
   }
 
   // Classes of points whose materials are not stacked: cells have colors, white ones. Polygons are
@@ -304,7 +312,9 @@ private:
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkActor> Actor;
   std::vector<vtkSmartPointer<vtkBRDF>> Materials;
+  std::vector<vtkSmartPointer<vtkBRDF>> SharperMaterials;
   std::vector<Kind> Kinds;
+  std::string NameEnd;
   std::string Wanted;
   std::string Cache;
 };

@@ -960,8 +960,12 @@ add("Rendering.map-classes-that-meet-share-a-slot", "Private/PartSets.cxx",
     "Parts.ClassesThatMeetHaveSlotsOfTheirOwn")
 add("Rendering.map-borders-take-the-last-shader", "Private/ClassesMapper.cxx",
     "ofBorder == this->WasOfBorder ? this->Last : nullptr", "this->Last", "ClassBorders.ColorsOfCellsStayTheirOwn")
-add("Rendering.map-stacked-tables-lie-elsewhere", "Private/ClassStack.cxx", "const std::size_t y = number % layout.Rows;",
-    "const std::size_t y = number / layout.Rows;", "ClassStacking.TablesLieSideBySide")
+add("Rendering.map-stacked-tables-lie-elsewhere", "Private/StackedTables.cxx", "static_cast<float>(this->Boxes[k][axis] + (",
+    "static_cast<float>(this->Boxes[0][axis] + (", "ClassStacking.TablesLieSideBySide")
+add("Rendering.map-stacked-tables-do-not-go-around", "Private/StackedTables.cxx", "(this->IsBordered(axis) ? 1 : 0) + size[axis];",
+    "(this->IsBordered(axis) ? 2 : 0) + size[axis];", "ClassBorders.OfTablesOfSeveralSizesAreTheSame")
+add("Rendering.map-stacked-tables-waste-memory", "Private/StackedTables.cxx", "MostWaste = 2;", "MostWaste = 90;",
+    "ClassStacking.NotMuchMemoryIsLost")
 add("Rendering.map-stacks-with-gaps-are-counted-on", "Private/ClassStack.cxx", "if (numbers.size() > materials.size())",
     "if (false)", "ClassBorders.OfSeveralShadersAreTheSame")
 add("Rendering.map-stacks-ignore-numbers", "Private/ClassStack.cxx", "texel.resize(4, 0.0f);",

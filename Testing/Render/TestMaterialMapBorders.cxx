@@ -26,6 +26,8 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <cmath>
+#include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -272,6 +274,29 @@ TEST_F(ClassBorders, OfSeveralShadersAreTheSame)
   const FloatImage whole = this->Render(Way::Each, "whole");
   EXPECT_TRUE(this->AnyStacked);
   this->ExpectSame(whole, cut, "several shaders");
+}
+
+// Tables of several sizes, which lie beside each other in stacks. The sheet faces the map's seam.
+TEST_F(ClassBorders, OfTablesOfSeveralSizesAreTheSame)
+{
+  this->Mapper->SetIntegrator(nullptr);
+  for (std::size_t k = 0; k < this->Materials.size(); ++k)
+  {
+    vtkBlinnPhongBRDF::SafeDownCast(this->Materials[k]->GetTerm(1))
+      ->SetExponent(std::pow(8.0, 1.0 + static_cast<double>(k % 3)));
+  }
+  this->Render(Way::Stacked, "plan");
+  std::set<std::string> sizes; // of tables, a line each
+  std::istringstream lines(this->Mapper->GetPlan());
+  for (std::string line; std::getline(lines, line);)
+  {
+    if (line.compare(0, 7, "table, ") == 0)
+    {
+      sizes.insert(line.substr(0, line.find(", error")));
+    }
+  }
+  EXPECT_GE(sizes.size(), 3u) << this->Mapper->GetPlan();
+  this->ExpectSameInAllWays("tables of several sizes");
 }
 
 // A cell's color is that of its pieces.

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ClassStack.h"
 
+#include "ReplacedText.h"
+#include "StackedTables.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkTextureObject.h"
 
@@ -21,210 +23,117 @@ using Uniform = vtkBRDFShaderInputs::Uniform;
 
 constexpr const char* Number = "brdfMaterial"; // in GLSL
 
-// Of all materials' tables of one kind together; beyond that each material is drawn by itself.
-constexpr std::size_t MostBytes = std::size_t(1) << 28;
-
-std::size_t ReplaceAll(std::string& text, const std::string& from, const std::string& to)
-{
-  std::size_t count = 0;
-  for (std::size_t at = text.find(from); at != std::string::npos;
-       at = text.find(from, at + to.size()))
-  {
-    text.replace(at, from.size(), to);
-    ++count;
-  }
-  return count;
-}
-
-std::size_t Count(const std::string& text, const std::string& part)
-{
-  std::size_t count = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
-  {
-    ++count;
-  }
-  return count;
-}
-
 bool AreEqual(const Texture& a, const Texture& b)
 {
   return a.Dimensions == b.Dimensions && a.Data == b.Data && a.SharedExponents == b.SharedExponents;
 }
 
-bool AreOfOneShape(const Texture& a, const Texture& b)
+// Sizes may differ.
+bool AreOfOneFormat(const Texture& a, const Texture& b)
 {
-  return a.Name == b.Name && a.Dimensions == b.Dimensions && a.ThreeD == b.ThreeD &&
-         a.Components == b.Components && a.HalfFloat == b.HalfFloat && a.Repeat == b.Repeat &&
-         a.Data.size() == b.Data.size() && a.SharedExponents.size() == b.SharedExponents.size();
+  return a.Name == b.Name && a.ThreeD == b.ThreeD && a.Components == b.Components &&
+         a.HalfFloat == b.HalfFloat && a.Repeat == b.Repeat &&
+         a.SharedExponents.empty() == b.SharedExponents.empty();
 }
 
-// How many tables lie side by side along y and z.
-struct Layout
+// Numbers that differ, a texel each.
+class Numbers
 {
-  std::size_t Rows = 1;
-  std::size_t Slices = 1;
+public:
+  /// names: of the texture, and of the global variable with the material's number.
+  explicit Numbers(const StackNames& names)
+    : Names(names)
+  {
+  }
+
+  /// values: of each material, one or three.
+  void Add(const std::string& name, std::vector<std::vector<float>> values)
+  {
+    const std::string type = values.front().size() == 1 ? "float " : "vec3 ";
+    this->Declarations += type + name + "INSTANCE;\n";
+    this->Load += "  " + name + "INSTANCE = texelFetch(" + this->Names.Texture +
+                  "INSTANCE, ivec2(" + std::to_string(this->Columns.size()) + ", " +
+                  this->Names.Number + "), 0)." + (values.front().size() == 1 ? "r" : "rgb") +
+                  ";\n";
+    this->Columns.push_back(std::move(values));
+  }
+
+  bool Finish(std::size_t materials, int mostTexels, Term& stacked)
+  {
+    if (this->Columns.empty())
+    {
+      return true;
+    }
+    Texture texture;
+    texture.Name = this->Names.Texture;
+    texture.Components = 4;
+    texture.Dimensions = { static_cast<int>(this->Columns.size()), static_cast<int>(materials), 1 };
+    for (std::size_t k = 0; k < materials; ++k)
+    {
+      for (const std::vector<std::vector<float>>& column : this->Columns)
+      {
+        std::vector<float> texel = column[k];
+        texel.resize(4, 0.0f);
+        texture.Data.insert(texture.Data.end(), texel.begin(), texel.end());
+      }
+    }
+    this->Declarations += "uniform sampler2D " + this->Names.Texture + "INSTANCE;\n";
+    const bool fits = std::max(texture.Dimensions[0], texture.Dimensions[1]) <= mostTexels;
+    stacked.Textures.push_back(std::move(texture));
+    return fits;
+  }
+
+  std::string Declarations;
+  std::string Load;
+
+private:
+  const StackNames& Names;
+  std::vector<std::vector<std::vector<float>>> Columns;
 };
 
-bool FindLayout(const Texture& table, std::size_t count, int most, Layout& layout)
-{
-  const auto side = static_cast<std::size_t>(most);
-  const auto fits = [&](std::size_t axis)
-  { return table.Repeat[axis] ? 1 : side / static_cast<std::size_t>(table.Dimensions[axis]); };
-  const std::size_t slices = table.ThreeD ? fits(2) : 1;
-  layout.Rows = std::min(fits(1), count);
-  if (layout.Rows == 0)
-  {
-    return false;
-  }
-  layout.Slices = (count + layout.Rows - 1) / layout.Rows;
-  return layout.Slices <= slices && layout.Rows * layout.Slices * table.GetBytes() <= MostBytes;
-}
-
-// Copies one table's values to its place.
-template <typename Value>
-void Place(const std::vector<Value>& from, const Texture& table, const Layout& layout,
-  std::size_t number, std::vector<Value>& to)
-{
-  const auto height = static_cast<std::size_t>(table.Dimensions[1]);
-  const auto depth = static_cast<std::size_t>(table.Dimensions[2]);
-  const std::size_t row = from.size() / (height * depth);
-  to.resize(from.size() * layout.Rows * layout.Slices);
-  const std::size_t y = number % layout.Rows;
-  const std::size_t z = number / layout.Rows;
-  for (std::size_t slice = 0; slice < depth && row > 0; ++slice)
-  {
-    const std::size_t first = ((z * depth + slice) * layout.Rows + y) * height * row;
-    std::copy_n(from.begin() + static_cast<std::ptrdiff_t>(slice * height * row), height * row,
-      to.begin() + static_cast<std::ptrdiff_t>(first));
-  }
-}
-
-std::string Float(std::size_t value) { return std::to_string(value) + ".0"; }
-
-// A coordinate's statement: in texels of the table, clamped, then of all tables.
-std::string Shift(const char* axis, int size, std::size_t count, const std::string& place)
-{
-  const auto texels = static_cast<std::size_t>(size);
-  return std::string("  p.") + axis + " = (clamp(p." + axis + " * " + Float(texels) + ", 0.5, " +
-         Float(texels) + " - 0.5) + " + Float(texels) + " * " + place + ") / " +
-         Float(texels * count) + ";\n";
-}
-
-// Functions that read the number's table, to be used instead of the sampler.
-std::string DeclareReaders(
-  const Texture& table, const Layout& layout, const std::string& name, const std::string& number)
-{
-  const std::string rows = std::to_string(layout.Rows);
-  const std::string y = "(" + number + " % " + rows + ")";
-  const std::string z = "(" + number + " / " + rows + ")";
-  const std::string height = std::to_string(table.Dimensions[1]);
-  const std::string coordinates = table.ThreeD ? "vec3" : "vec2";
-  std::string text = "vec4 read_" + name + "(" + coordinates + " p)\n{\n";
-  text += layout.Rows > 1 ? Shift("y", table.Dimensions[1], layout.Rows, "float" + y) : "";
-  text += layout.Slices > 1 ? Shift("z", table.Dimensions[2], layout.Slices, "float" + z) : "";
-  text += "  return textureLod(" + name + ", p, 0.0);\n}\n";
-  text += "vec4 read_" + name + "(" + coordinates + " p, float lod)\n{\n  return read_" + name +
-          "(p);\n}\n";
-  if (!table.ThreeD)
-  {
-    text += "vec4 fetch_" + name + "(ivec2 at, int lod)\n{\n  return texelFetch(" + name +
-            ", at + ivec2(0, " + height + " * " + y + "), lod);\n}\n";
-    text += "vec4 profile_" + name + "(float at, int row)\n{\n  return brdfProfile(" + name +
-            ", at, row + " + height + " * " + y + ");\n}\n";
-  }
-  return text;
-}
-
-// Every use of a sampler becomes one of these functions; whether there is no other use.
-bool UseReaders(std::string& text, const Texture& table, const Layout& layout,
-  const std::string& number, std::string& declarations)
-{
-  const std::string name = table.Name + "INSTANCE";
-  const std::string type = table.ThreeD ? "sampler3D" : "sampler2D";
-  const std::string declaration = "uniform " + type + " " + name + ";";
-  const std::size_t declared = text.find(declaration);
-  if (declared == std::string::npos)
-  {
-    return false;
-  }
-  std::string size = (table.ThreeD ? "ivec3(" : "ivec2(") + std::to_string(table.Dimensions[0]) +
-                     ", " + std::to_string(table.Dimensions[1]);
-  size += (table.ThreeD ? ", " + std::to_string(table.Dimensions[2]) : "") + ")";
-  ReplaceAll(text, "textureSize(" + name + ", 0)", size);
-  ReplaceAll(text, "textureLod(" + name + ", ", "read_" + table.Name + "_(");
-  ReplaceAll(text, "texture(" + name + ", ", "read_" + table.Name + "_(");
-  if (!table.ThreeD)
-  {
-    ReplaceAll(text, "texelFetch(" + name + ", ", "fetch_" + table.Name + "_(");
-    ReplaceAll(text, "brdfProfile(" + name + ", ", "profile_" + table.Name + "_(");
-  }
-  if (Count(text, name) != 1)
-  {
-    return false;
-  }
-  for (const char* use : { "read_", "fetch_", "profile_" })
-  {
-    ReplaceAll(text, use + table.Name + "_(", use + name + "(");
-  }
-  ReplaceAll(text, declaration, "");
-  declarations += declaration + "\n" + DeclareReaders(table, layout, name, number);
-  return true;
-}
-}
-
-namespace
-{
 // Tables that differ, in one texture.
-bool StackTextures(const std::vector<const Term*>& terms, const std::string& number,
-  const std::array<int, 2>& mostTexels, Term& stacked, std::string& declarations)
+bool StackTextures(const std::vector<const Term*>& terms, const std::array<int, 2>& mostTexels,
+  Term& stacked, std::string& readers, Numbers& numbers)
 {
   for (std::size_t k = 0; k < terms.front()->Textures.size(); ++k)
   {
     const Texture& first = terms.front()->Textures[k];
-    const auto all = [&](bool (*compare)(const Texture&, const Texture&))
+    std::vector<const Texture*> tables;
+    for (const Term* term : terms)
     {
-      return std::all_of(terms.begin(), terms.end(),
-        [&](const Term* term) { return compare(term->Textures[k], first); });
-    };
-    if (!all(AreOfOneShape))
-    {
-      return false;
+      if (!AreOfOneFormat(term->Textures[k], first))
+      {
+        return false;
+      }
+      tables.push_back(&term->Textures[k]);
     }
-    stacked.Textures.push_back(first);
-    Layout layout;
-    if (all(AreEqual))
+    if (std::all_of(tables.begin(), tables.end(),
+          [&first](const Texture* table) { return AreEqual(*table, first); }))
     {
+      stacked.Textures.push_back(first);
       continue;
     }
-    if (!FindLayout(first, terms.size(), mostTexels[first.ThreeD ? 1 : 0], layout) ||
-        !UseReaders(stacked.Source, first, layout, number, declarations))
+    StackedTables together;
+    if (!together.Arrange(tables, mostTexels[first.ThreeD ? 1 : 0]) ||
+        !together.UseReaders(stacked.Source, readers))
     {
       return false;
     }
-    Texture& texture = stacked.Textures.back();
-    texture.Data.clear();
-    texture.SharedExponents.clear();
-    for (std::size_t j = 0; j < terms.size(); ++j)
+    stacked.Textures.push_back(together.Fill());
+    for (StackedTables::Number& where : together.GetNumbers())
     {
-      Place(terms[j]->Textures[k].Data, first, layout, j, texture.Data);
-      Place(terms[j]->Textures[k].SharedExponents, first, layout, j, texture.SharedExponents);
+      numbers.Add(where.Name, std::move(where.Values));
     }
-    texture.Dimensions[1] *= static_cast<int>(layout.Rows);
-    texture.Dimensions[2] *= static_cast<int>(layout.Slices);
   }
   return true;
 }
 
-// Numbers that differ, a texel each.
-bool StackUniforms(const std::vector<const Term*>& terms, const std::string& number,
-  const std::array<int, 2>& mostTexels, const std::string& texture, Term& stacked,
-  std::string& declarations, std::string& load)
+bool StackUniforms(const std::vector<const Term*>& terms, Term& stacked, Numbers& numbers)
 {
-  std::vector<std::size_t> differing;
   for (std::size_t k = 0; k < terms.front()->Uniforms.size(); ++k)
   {
     const Uniform& first = terms.front()->Uniforms[k];
-    bool same = true;
+    std::vector<std::vector<float>> values;
     for (const Term* term : terms)
     {
       if (term->Uniforms[k].Name != first.Name ||
@@ -232,52 +141,27 @@ bool StackUniforms(const std::vector<const Term*>& terms, const std::string& num
       {
         return false;
       }
-      same = same && term->Uniforms[k].Values == first.Values;
+      values.push_back(term->Uniforms[k].Values);
     }
-    if (same)
+    if (std::all_of(values.begin(), values.end(),
+          [&first](const std::vector<float>& value) { return value == first.Values; }))
     {
       stacked.Uniforms.push_back(first);
       continue;
     }
-    const std::string name = first.Name + "INSTANCE";
     const std::string type = first.Values.size() == 1 ? "float " : "vec3 ";
-    if (ReplaceAll(stacked.Source, "uniform " + type + name + ";", "") != 1)
+    if (ReplaceAll(stacked.Source, "uniform " + type + first.Name + "INSTANCE;", "") != 1)
     {
       return false;
     }
-    declarations += type + name + ";\n";
-    load += "  " + name + " = texelFetch(" + texture + "INSTANCE, ivec2(" +
-            std::to_string(differing.size()) + ", " + number + "), 0)." +
-            (first.Values.size() == 1 ? "r" : "rgb") + ";\n";
-    differing.push_back(k);
+    numbers.Add(first.Name, std::move(values));
   }
-  if (differing.empty())
-  {
-    return true;
-  }
-  Texture numbers;
-  numbers.Name = texture;
-  numbers.Components = 4;
-  numbers.Dimensions = { static_cast<int>(differing.size()), static_cast<int>(terms.size()), 1 };
-  for (const Term* term : terms)
-  {
-    for (std::size_t k : differing)
-    {
-      std::vector<float> texel = term->Uniforms[k].Values;
-      texel.resize(4, 0.0f);
-      numbers.Data.insert(numbers.Data.end(), texel.begin(), texel.end());
-    }
-  }
-  declarations += "uniform sampler2D " + texture + "INSTANCE;\n";
-  stacked.Textures.push_back(std::move(numbers));
-  return std::max(stacked.Textures.back().Dimensions[0], stacked.Textures.back().Dimensions[1]) <=
-         mostTexels[0];
+  return true;
 }
 }
 
-bool StackTerms(const std::vector<const Term*>& terms, const std::string& number,
-  const std::array<int, 2>& mostTexels, Term& stacked, std::string& load,
-  const std::string& numbers)
+bool StackTerms(const std::vector<const Term*>& terms, const StackNames& names,
+  const std::array<int, 2>& mostTexels, Term& stacked, std::string& load)
 {
   const Term& first = *terms.front();
   const bool alike = std::all_of(terms.begin(), terms.end(),
@@ -302,29 +186,38 @@ bool StackTerms(const std::vector<const Term*>& terms, const std::string& number
   {
     ReplaceAll(stacked.Source, constant.Name, constant.Value);
   }
-  std::string declarations;
-  if (!StackTextures(terms, number, mostTexels, stacked, declarations) ||
-      !StackUniforms(terms, number, mostTexels, numbers, stacked, declarations, load))
+  Numbers numbers(names);
+  std::string readers;
+  if (!StackTextures(terms, mostTexels, stacked, readers, numbers) ||
+      !StackUniforms(terms, stacked, numbers) ||
+      !numbers.Finish(terms.size(), mostTexels[0], stacked))
   {
     return false;
   }
-  stacked.Source = declarations + stacked.Source;
+  load = numbers.Load;
+  stacked.Source = numbers.Declarations + readers + stacked.Source;
   return true;
 }
 
 std::string ClassStack::GetKey(const DrawnMaterial& drawn)
 {
-  std::string key =
-    drawn.Key + "/" + std::to_string(reinterpret_cast<std::uintptr_t>(drawn.Environment.Get()));
+  return drawn.Key + "/" +
+         std::to_string(reinterpret_cast<std::uintptr_t>(drawn.Environment.Get())) + "/" +
+         (drawn.Material ? "material" : "") + (drawn.Radiance ? "/radiance" : "");
+}
+
+std::string ClassStack::GetShape(const DrawnMaterial& drawn)
+{
+  std::string shape;
   for (const auto& textures : { drawn.Material, drawn.Radiance })
   {
-    key += textures ? "/" + textures->GetShape() : "/";
+    shape += textures ? "/" + textures->GetShape() : "/";
   }
-  return key;
+  return shape;
 }
 
 bool ClassStack::BuildForm(const DrawnMaterials& materials, const GetForm& getForm,
-  vtkOpenGLRenderWindow* window, std::shared_ptr<FormTextures>& textures)
+  const StackNames& names, vtkOpenGLRenderWindow* window, std::shared_ptr<FormTextures>& textures)
 {
   std::vector<vtkBRDFShaderInputs> forms(materials.size());
   for (std::size_t k = 0; k < materials.size(); ++k)
@@ -346,10 +239,7 @@ bool ClassStack::BuildForm(const DrawnMaterials& materials, const GetForm& getFo
     }
     stacked.Terms.emplace_back();
     std::string load;
-    // Both forms may have a term of that instance.
-    const char* numbers =
-      &textures == &this->Drawn.Material ? "brdfStackMaterialNumbers" : "brdfStackRadianceNumbers";
-    if (!StackTerms(terms, Number, mostTexels, stacked.Terms.back(), load, numbers))
+    if (!StackTerms(terms, names, mostTexels, stacked.Terms.back(), load))
     {
       return false;
     }
@@ -408,7 +298,8 @@ bool ClassStack::Build(const DrawnMaterials& materials, int firstClass,
       drawn.BRDF->GetShaderInputs(form);
       return true;
     };
-    if (!this->BuildForm(materials, getForm, window, this->Drawn.Material))
+    if (!this->BuildForm(
+          materials, getForm, { Number, "brdfMaterialNumbers" }, window, this->Drawn.Material))
     {
       return false;
     }
@@ -417,7 +308,8 @@ bool ClassStack::Build(const DrawnMaterials& materials, int firstClass,
   {
     const auto getForm = [](const DrawnMaterial& drawn, vtkBRDFShaderInputs& form)
     { return drawn.Integrator->GetShaderInputs(form); };
-    if (!this->BuildForm(materials, getForm, window, this->Drawn.Radiance))
+    if (!this->BuildForm(
+          materials, getForm, { Number, "brdfRadianceNumbers" }, window, this->Drawn.Radiance))
     {
       return false;
     }

@@ -5,10 +5,8 @@
  * Materials of one shader as one material, of which each fragment chooses its own by a number.
  * Private to the rendering room.
  *
- * Tables of the same shape lie in one texture, side by side along the axes that do not repeat.
- * Coordinates are clamped as the texture unit would clamp those of a table alone, so that nothing
- * of a neighbor is filtered in. Numbers that differ lie in a small texture. What all have in common
- * stays as it is.
+ * Tables lie in one texture (StackedTables.h), numbers that differ in a small one. What all have
+ * in common stays as it is.
  */
 
 #ifndef ClassStack_h
@@ -27,21 +25,27 @@ class vtkOpenGLRenderWindow;
 
 namespace measuredbrdf
 {
-/// One term of each of several materials, of the same shader, as one. number: the name of the
-/// global variable that holds the material's number. mostTexels: of a side of a 2D texture and of a
-/// 3D one. load: statements that fill the variables that differ. numbers: the name of their
-/// texture. Returns false where the texts or tables do not allow that. Of terms.front() the text is
-/// taken.
-bool StackTerms(const std::vector<const vtkBRDFShaderInputs::Term*>& terms,
-  const std::string& number, const std::array<int, 2>& mostTexels,
-  vtkBRDFShaderInputs::Term& stacked, std::string& load,
-  const std::string& numbers = "brdfStackNumbers");
+/// In GLSL. Terms of the material and of the radiance may have the same INSTANCE.
+struct StackNames
+{
+  std::string Number;  // global variable that holds the material's number
+  std::string Texture; // of numbers that differ, without INSTANCE
+};
+
+/// One term of each of several materials, of the same shader, as one. mostTexels: of a side of a 2D
+/// texture and of a 3D one. load: statements that fill the variables that differ. Returns false
+/// where the texts or tables do not allow that. The text is that of terms.front().
+bool StackTerms(const std::vector<const vtkBRDFShaderInputs::Term*>& terms, const StackNames& names,
+  const std::array<int, 2>& mostTexels, vtkBRDFShaderInputs::Term& stacked, std::string& load);
 
 class ClassStack
 {
 public:
   /// Same key: it is worth trying to stack these.
   static std::string GetKey(const DrawnMaterial& drawn);
+
+  /// Same shape: tables are of one size, so that no memory is lost.
+  static std::string GetShape(const DrawnMaterial& drawn);
 
   /// Returns whether the materials could be stacked; they are of the same key. numbers: that of the
   /// material of each class, from firstClass on; -1: drawn elsewhere. hasOthers: whether polygons
@@ -61,7 +65,7 @@ public:
 
 private:
   using GetForm = std::function<bool(const DrawnMaterial&, vtkBRDFShaderInputs&)>;
-  bool BuildForm(const DrawnMaterials& materials, const GetForm& getForm,
+  bool BuildForm(const DrawnMaterials& materials, const GetForm& getForm, const StackNames& names,
     vtkOpenGLRenderWindow* window, std::shared_ptr<FormTextures>& textures);
 
   DrawnMaterial Drawn;

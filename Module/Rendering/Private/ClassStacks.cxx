@@ -7,7 +7,6 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <map>
 #include <new>
 #include <unordered_map>
 #include <utility>
@@ -44,6 +43,7 @@ void ClassStacks::Clear()
   this->Known.clear();
   this->Stacks.clear();
   this->StackOf.clear();
+  this->StackOfClass.clear();
   this->Rests.clear();
   this->Window = nullptr;
 }
@@ -84,49 +84,65 @@ std::size_t ClassStacks::CountBytes(std::set<const vtkTextureObject*>& counted) 
   return bytes;
 }
 
+bool ClassStacks::Add(const Classes& classes, bool hasOthers, vtkOpenGLRenderWindow* window)
+{
+  const int first = classes.begin()->first;
+  const int last = classes.rbegin()->first;
+  DrawnMaterials members;
+  std::vector<int> numbers;
+  for (int cls = first; cls <= last; ++cls)
+  {
+    const auto found = classes.find(cls);
+    numbers.push_back(found == classes.end() ? -1 : static_cast<int>(members.size()));
+    if (found != classes.end())
+    {
+      members.push_back(found->second);
+    }
+  }
+  auto stack = std::make_unique<Stack>();
+  stack->Materials = std::make_unique<ClassStack>();
+  if (members.size() < 2 ||
+      !TryBuild(*stack->Materials, members, first, numbers, hasOthers, window))
+  {
+    return false;
+  }
+  for (const auto& [cls, material] : classes)
+  {
+    this->StackOfClass[cls] = static_cast<int>(this->Stacks.size());
+  }
+  this->Stacks.push_back(std::move(stack));
+  return true;
+}
+
 void ClassStacks::Group(const std::vector<ClassBorder>& borders, const DrawnMaterials& materials,
   bool hasOthers, vtkOpenGLRenderWindow* window)
 {
-  std::map<std::string, std::map<int, const DrawnMaterial*>> groups; // materials by class
+  std::map<std::string, std::map<std::string, Classes>> groups; // by key, then shape
   for (std::size_t k = 0; k < borders.size(); ++k)
   {
     if (materials[k]->IsReady)
     {
-      groups[ClassStack::GetKey(*materials[k])][borders[k].Class] = materials[k];
+      groups[ClassStack::GetKey(*materials[k])][ClassStack::GetShape(*materials[k])]
+            [borders[k].Class] = materials[k];
     }
   }
-  std::map<int, int> stackOfClass;
-  for (const auto& [key, classes] : groups)
+  for (const auto& [key, shapes] : groups)
   {
-    const int first = classes.begin()->first;
-    const int last = classes.rbegin()->first;
-    DrawnMaterials members;
-    std::vector<int> numbers;
-    for (int cls = first; cls <= last; ++cls)
+    Classes all;
+    for (const auto& [shape, classes] : shapes)
     {
-      const auto found = classes.find(cls);
-      numbers.push_back(found == classes.end() ? -1 : static_cast<int>(members.size()));
-      if (found != classes.end())
-      {
-        members.push_back(found->second);
-      }
+      all.insert(classes.begin(), classes.end());
     }
-    auto stack = std::make_unique<Stack>();
-    stack->Materials = std::make_unique<ClassStack>();
-    if (members.size() > 1 &&
-        TryBuild(*stack->Materials, members, first, numbers, hasOthers, window))
+    const bool together = this->Add(all, hasOthers, window);
+    for (auto it = shapes.begin(); it != shapes.end() && !together && shapes.size() > 1; ++it)
     {
-      for (const auto& [cls, material] : classes)
-      {
-        stackOfClass[cls] = static_cast<int>(this->Stacks.size());
-      }
-      this->Stacks.push_back(std::move(stack));
+      this->Add(it->second, hasOthers, window);
     }
   }
   for (const ClassBorder& border : borders)
   {
-    const auto found = stackOfClass.find(border.Class);
-    this->StackOf.push_back(found == stackOfClass.end() ? -1 : found->second);
+    const auto found = this->StackOfClass.find(border.Class);
+    this->StackOf.push_back(found == this->StackOfClass.end() ? -1 : found->second);
   }
 }
 

@@ -19,6 +19,7 @@
 #include "vtkType.h"
 
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <set>
 #include <tuple>
@@ -68,6 +69,12 @@ public:
   vtkCellArray* GetRest(std::size_t border) const { return this->Rests[border]; }
 
 private:
+  using Classes = std::map<int, const DrawnMaterial*>;
+
+  // Returns whether these could be stacked.
+  bool Add(const Classes& classes, bool hasOthers, vtkOpenGLRenderWindow* window);
+
+  // All of one key; where that cannot be, all of one shape.
   void Group(const std::vector<ClassBorder>& borders, const DrawnMaterials& materials,
     bool hasOthers, vtkOpenGLRenderWindow* window);
   void Distribute(const std::vector<ClassBorder>& borders);
@@ -81,6 +88,7 @@ private:
   const void* Window = nullptr; // only compared
   std::vector<std::unique_ptr<Stack>> Stacks;
   bool MostLoose = false;
+  std::map<int, int> StackOfClass;
   std::vector<int> StackOf; // of each border; -1: none
   std::vector<vtkSmartPointer<vtkCellArray>> Rests;
 };

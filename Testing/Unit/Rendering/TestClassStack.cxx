@@ -17,16 +17,16 @@ using measuredbrdf::StackTerms;
 using Term = vtkBRDFShaderInputs::Term;
 using Texture = vtkBRDFShaderInputs::Texture;
 
-// 2 x 2 x 2 texels; value: of the first.
-Texture MakeVolume(float value)
+// value: of the first texel.
+Texture MakeVolume(float value, const std::array<int, 3>& sides = { 2, 2, 2 })
 {
   Texture texture;
   texture.Name = "volume";
-  texture.Dimensions = { 2, 2, 2 };
+  texture.Dimensions = sides;
   texture.ThreeD = true;
   texture.Components = 1;
   texture.Repeat[0] = true;
-  for (int k = 0; k < 8; ++k)
+  for (int k = 0; k < sides[0] * sides[1] * sides[2]; ++k)
   {
     texture.Data.push_back(value + static_cast<float>(k));
   }
@@ -61,7 +61,8 @@ protected:
     }
     this->Stacked = Term();
     this->Load.clear();
-    return StackTerms(terms, "number", { mostTexels, mostTexels }, this->Stacked, this->Load);
+    return StackTerms(
+      terms, { "number", "numbers" }, { mostTexels, mostTexels }, this->Stacked, this->Load);
   }
 
   bool Has(const std::string& text) const
@@ -92,13 +93,75 @@ TEST_F(ClassStacking, TablesLieSideBySide)
     }
   }
   // Clamped within the own table, along both axes; x repeats as before.
-  EXPECT_TRUE(
-    this->Has("p.y = (clamp(p.y * 2.0, 0.5, 2.0 - 0.5) + 2.0 * float(number % 2)) / 4.0;"));
-  EXPECT_TRUE(
-    this->Has("p.z = (clamp(p.z * 2.0, 0.5, 2.0 - 0.5) + 2.0 * float(number / 2)) / 4.0;"));
+  EXPECT_TRUE(this->Has("p.y = (clamp(p.y * 2.0, 0.5, 2.0 - 0.5) + volumeBeginINSTANCE.y) / 4.0;"));
+  EXPECT_TRUE(this->Has("p.z = (clamp(p.z * 2.0, 0.5, 2.0 - 0.5) + volumeBeginINSTANCE.z) / 4.0;"));
   EXPECT_FALSE(this->Has("p.x"));
   EXPECT_TRUE(volume.Repeat[0]);
-  EXPECT_TRUE(this->Has("read_volumeINSTANCE(p).rgb * vec3(ivec3(2, 2, 2))"));
+  EXPECT_TRUE(this->Has("read_volumeINSTANCE(p).rgb * vec3(ivec3(2.0, 2.0, 2.0))"));
+  EXPECT_FALSE(this->Has("volumeSize"));
+  const Texture& numbers = this->Stacked.Textures[1];
+  EXPECT_EQ(numbers.Data[1 * 8 + 1], 2.0f); // the second table's rows
+  EXPECT_EQ(numbers.Data[2 * 8 + 2], 2.0f); // the third one's slices
+}
+
+// The larger one first; what repeats has its other end on either side.
+TEST_F(ClassStacking, TablesOfSeveralSizesLieBesideEachOther)
+{
+  this->Terms[1].Textures = { MakeVolume(100.0f, { 3, 4, 3 }) };
+  this->Terms.pop_back();
+  ASSERT_TRUE(this->Stack(64));
+  const Texture& volume = this->Stacked.Textures[0];
+  EXPECT_EQ(volume.Repeat, (std::array<bool, 3>{ false, false, false }));
+  const Texture& numbers = this->Stacked.Textures.back();
+  EXPECT_EQ(numbers.Dimensions, (std::array<int, 3>{ 3, 2, 1 })); // begin, size, scale
+  EXPECT_TRUE(this->Has("p.x = (fract(p.x) * volumeSizeINSTANCE.x + volumeBeginINSTANCE.x) / "));
+  EXPECT_TRUE(this->Has("p.y = (clamp(p.y * volumeSizeINSTANCE.y, 0.5, volumeSizeINSTANCE.y - 0.5)"
+                        " + volumeBeginINSTANCE.y) / "));
+  std::size_t width = static_cast<std::size_t>(volume.Dimensions[0]);
+  std::size_t height = static_cast<std::size_t>(volume.Dimensions[1]);
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    const Texture& table = this->Terms[k].Textures[0];
+    const auto number = [&](std::size_t column, std::size_t axis)
+    { return static_cast<int>(numbers.Data[12 * k + 4 * column + axis]); };
+    int begin[3];
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      begin[axis] = number(0, axis);
+      ASSERT_EQ(number(1, axis), table.Dimensions[axis]);
+      ASSERT_LE(begin[axis] + table.Dimensions[axis], volume.Dimensions[axis]);
+    }
+    const int columns = table.Dimensions[0];
+    for (int z = 0; z < table.Dimensions[2]; ++z)
+    {
+      for (int y = 0; y < table.Dimensions[1]; ++y)
+      {
+        for (int x = -1; x <= columns; ++x)
+        {
+          const auto at = static_cast<std::size_t>(begin[0] + x) +
+                          width * (static_cast<std::size_t>(begin[1] + y) +
+                                    height * static_cast<std::size_t>(begin[2] + z));
+          const int from = (x + columns) % columns + columns * (y + table.Dimensions[1] * z);
+          EXPECT_EQ(volume.Data[at], table.Data[static_cast<std::size_t>(from)])
+            << k << ": " << x << " " << y << " " << z;
+        }
+      }
+    }
+  }
+}
+
+// A flat and wide one and a deep and high one: the box about both is nearly empty.
+TEST_F(ClassStacking, NotMuchMemoryIsLost)
+{
+  this->Terms.pop_back();
+  for (Term& term : this->Terms)
+  {
+    term.Textures = { MakeVolume(1.0f, { 2, 2, 60 }) };
+  }
+  this->Terms[1].Textures = { MakeVolume(1.0f, { 2, 60, 2 }) };
+  EXPECT_FALSE(this->Stack(64));
+  this->Terms[1].Textures = { MakeVolume(2.0f, { 2, 2, 30 }) };
+  EXPECT_TRUE(this->Stack(256));
 }
 
 TEST_F(ClassStacking, NumbersThatDifferAreInATexture)
@@ -107,10 +170,9 @@ TEST_F(ClassStacking, NumbersThatDifferAreInATexture)
   ASSERT_EQ(this->Stacked.Uniforms.size(), 1u);
   EXPECT_EQ(this->Stacked.Uniforms[0].Name, "same");
   const Texture& numbers = this->Stacked.Textures.back();
-  EXPECT_EQ(numbers.Dimensions, (std::array<int, 3>{ 1, 3, 1 }));
-  EXPECT_EQ(numbers.Data[8], 3.0f); // the third one's
-  EXPECT_NE(
-    this->Load.find("scaleINSTANCE = texelFetch(brdfStackNumbersINSTANCE, ivec2(0, number), 0).r;"),
+  EXPECT_EQ(numbers.Dimensions, (std::array<int, 3>{ 2, 3, 1 })); // where tables begin, and scale
+  EXPECT_EQ(numbers.Data[2 * 8 + 4], 3.0f);                       // the third one's
+  EXPECT_NE(this->Load.find("scaleINSTANCE = texelFetch(numbersINSTANCE, ivec2(1, number), 0).r;"),
     std::string::npos)
     << this->Load;
   EXPECT_FALSE(this->Has("uniform float scaleINSTANCE"));
@@ -131,12 +193,12 @@ TEST_F(ClassStacking, WhatDoesNotFitIsNotStacked)
 {
   EXPECT_FALSE(this->Stack(2));
   EXPECT_TRUE(this->Stack(64));
-  this->Terms[1].Textures[0].Dimensions = { 1, 4, 2 }; // of as many texels
+  this->Terms[1].Textures[0].HalfFloat = true;
   EXPECT_FALSE(this->Stack(64));
-  this->Terms[1].Textures = { MakeVolume(5.0f) };
+  this->Terms[1].Textures[0].HalfFloat = false;
   for (Term& term : this->Terms)
   {
-    term.Textures[0].Repeat = { false, true, true };
+    term.Textures[0].Repeat = { true, true, true };
   }
   EXPECT_FALSE(this->Stack(64)) << "no axis is left";
   for (Term& term : this->Terms)
