@@ -58,7 +58,7 @@ private:
   {
     glm::dvec3 Direction; // local
     double Azimuth;
-    std::vector<Directions> Lights; // of the nodes above the horizon, local
+    std::vector<Directions> Lights;    // of the nodes above the horizon, local
     std::vector<std::ptrdiff_t> Nodes; // each one's place in Lights; -1 below the horizon
   };
   /// Irradiance at a pixel's nodes above the horizon, RGB.
