@@ -105,7 +105,7 @@ LitSphere::LitSphere(const std::array<double, 3>& view, bool isotropic)
 //------------------------------------------------------------------------------
 std::size_t LitSphere::AddView(const glm::dvec3& direction)
 {
-  View view{ direction, std::atan2(direction.y, direction.x), {} };
+  View view{ direction, std::atan2(direction.y, direction.x), {}, {} };
   const double step = Pi / AzimuthsOfHalf;
   for (int polar = 0; polar < NumberOfPolars; ++polar)
   {
@@ -114,7 +114,12 @@ std::size_t LitSphere::AddView(const glm::dvec3& direction)
     {
       const glm::dvec3 half = GetDirection(theta, view.Azimuth + k * step);
       const glm::dvec3 light = 2.0 * glm::dot(half, direction) * half - direction;
-      view.Nodes.push_back(light.z >= LeastCosine ? light : glm::dvec3(0.0));
+      const bool isAbove = light.z >= LeastCosine;
+      view.Nodes.push_back(isAbove ? static_cast<std::ptrdiff_t>(view.Lights.size()) : -1);
+      if (isAbove)
+      {
+        view.Lights.emplace_back(light, direction);
+      }
     }
   }
   this->Views.push_back(std::move(view));
@@ -137,7 +142,7 @@ void LitSphere::Splat(
   const int column = static_cast<int>(v);
   for (int row = std::min(static_cast<int>(u), NumberOfPolars - 2); row >= 0; --row)
   {
-    std::array<std::size_t, 4> nodes;
+    std::array<std::ptrdiff_t, 4> places;
     std::array<double, 4> weights;
     double sum = 0.0;
     for (std::size_t k = 0; k < 4; ++k)
@@ -146,8 +151,8 @@ void LitSphere::Splat(
       int azimuth = column + static_cast<int>(k % 2);
       azimuth = this->Isotropic ? std::min(azimuth, this->NumberOfAzimuths - 1)
                                 : azimuth % this->NumberOfAzimuths;
-      nodes[k] = static_cast<std::size_t>(polar * this->NumberOfAzimuths + azimuth);
-      weights[k] = view.Nodes[nodes[k]].z > 0.0
+      places[k] = view.Nodes[static_cast<std::size_t>(polar * this->NumberOfAzimuths + azimuth)];
+      weights[k] = places[k] >= 0
                      ? std::max(1.0 - std::abs(u - polar), 1e-9) *
                          std::max(1.0 - std::abs(v - column - static_cast<double>(k % 2)), 1e-9)
                      : 0.0;
@@ -155,7 +160,10 @@ void LitSphere::Splat(
     }
     for (std::size_t k = 0; k < 4 && sum > 0.0; ++k)
     {
-      energies[nodes[k]] += weights[k] / sum * energy;
+      if (places[k] >= 0)
+      {
+        energies[static_cast<std::size_t>(places[k])] += weights[k] / sum * energy;
+      }
     }
     if (sum > 0.0)
     {
@@ -168,7 +176,7 @@ void LitSphere::Splat(
 void LitSphere::Collect(vtkEnvironment* environment, const Pixel& pixel, Energies& energies) const
 {
   const View& view = this->Views[pixel.View];
-  energies.assign(view.Nodes.size(), glm::dvec3(0.0));
+  energies.assign(view.Lights.size(), glm::dvec3(0.0));
   for (int y = 0; y < environment->GetHeight(); ++y)
   {
     const double solidAngle = environment->GetTexelSolidAngle(y);
@@ -206,23 +214,29 @@ void LitSphere::AddLight(vtkEnvironment* environment)
 //------------------------------------------------------------------------------
 std::vector<glm::dvec3> LitSphere::Evaluate(vtkBRDF* brdf, const View& view) const
 {
-  // Energies on both sides of the plane of incidence are in one node; shading models are symmetric.
-  const bool isMirrored = this->Isotropic && !SurfaceModel::SafeDownCast(brdf);
   std::vector<glm::dvec3> values;
-  values.reserve(view.Nodes.size());
-  for (const glm::dvec3& node : view.Nodes)
+  values.reserve(view.Lights.size());
+  if (const auto* model = SurfaceModel::SafeDownCast(brdf)) // a fit asks for thousands of sums
   {
-    glm::dvec3 f(0.0);
-    if (node.z > 0.0)
+    for (const Directions& directions : view.Lights)
     {
-      brdf->Evaluate(&node.x, &view.Direction.x, &f.x);
-      if (isMirrored)
-      {
-        const glm::dvec3 mirrored(node.x, -node.y, node.z); // the view's y is 0
-        glm::dvec3 other;
-        brdf->Evaluate(&mirrored.x, &view.Direction.x, &other.x);
-        f = 0.5 * (f + other);
-      }
+      values.push_back(model->EvaluateDirections(directions));
+    }
+    return values;
+  }
+  for (const Directions& directions : view.Lights)
+  {
+    const glm::dvec3& light = directions.Light;
+    glm::dvec3 f;
+    brdf->Evaluate(&light.x, &view.Direction.x, &f.x);
+    if (this->Isotropic)
+    {
+      // Energies on both sides of the plane of incidence are in one node; shading models are
+      // symmetric.
+      const glm::dvec3 mirrored(light.x, -light.y, light.z); // the view's y is 0
+      glm::dvec3 other;
+      brdf->Evaluate(&mirrored.x, &view.Direction.x, &other.x);
+      f = 0.5 * (f + other);
     }
     values.push_back(f);
   }

@@ -13,9 +13,12 @@
 #ifndef LitSphere_h
 #define LitSphere_h
 
+#include "SurfaceModel.h"
+
 #include <glm/glm.hpp>
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 class vtkBRDF;
@@ -55,9 +58,10 @@ private:
   {
     glm::dvec3 Direction; // local
     double Azimuth;
-    std::vector<glm::dvec3> Nodes; // directions to the light, local; zero below the horizon
+    std::vector<Directions> Lights;    // of the nodes above the horizon, local
+    std::vector<std::ptrdiff_t> Nodes; // each one's place in Lights; -1 below the horizon
   };
-  /// Irradiance at a pixel's nodes, RGB.
+  /// Irradiance at a pixel's nodes above the horizon, RGB.
   using Energies = std::vector<glm::dvec3>;
 
   std::size_t AddView(const glm::dvec3& direction);

@@ -9,6 +9,7 @@
 #include "VtkPbrModel.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace tool
@@ -133,6 +134,17 @@ void SurfaceModel::GetBounds(double, double lower[3], double upper[3])
 {
   std::fill_n(lower, 3, 0.0);
   std::fill_n(upper, 3, 1e9);
+}
+
+//------------------------------------------------------------------------------
+glm::dvec3 SurfaceModel::EvaluateDirections(const Directions& directions) const
+{
+  glm::dvec3 f = this->Shade(directions);
+  for (int c = 0; c < 3; ++c)
+  {
+    f[c] = std::isfinite(f[c]) ? std::max(f[c], 0.0) : 0.0;
+  }
+  return f;
 }
 
 //------------------------------------------------------------------------------

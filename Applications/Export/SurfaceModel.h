@@ -93,6 +93,9 @@ public:
   std::array<double, 3> GetColor(const std::string& name) const;
   ///@}
 
+  /// Evaluate() for directions that are there already, unit and above the horizon.
+  glm::dvec3 EvaluateDirections(const Directions& directions) const;
+
   /// Whether any number of the part is not neutral.
   bool HasFeature(Feature feature) const;
 

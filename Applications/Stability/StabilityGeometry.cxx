@@ -35,17 +35,21 @@ void RunGrazing(Context& context)
   const std::vector<double> angles = context.Short
                                        ? std::vector<double>{ 85.0, 89.9 }
                                        : std::vector<double>{ 80.0, 85.0, 88.0, 89.0, 89.9 };
+  std::vector<std::vector<double>> references;
+  for (const double angle : angles)
+  {
+    references.push_back(IntegrateReference(brdf, environment, AtAngle(sphere, angle)));
+  }
   for (const MethodUnderTest& contender : GetMethodsUnderTest())
   {
     const vtkSmartPointer<vtkRadianceIntegrator> integrator = contender.Make(brdf, environment);
     double bad = 0.0;
-    for (const double angle : angles)
+    for (std::size_t k = 0; k < angles.size(); ++k)
     {
-      const Pairs pairs = AtAngle(sphere, angle);
-      const std::vector<double> radiance = Integrate(integrator, pairs);
+      const std::vector<double> radiance = Integrate(integrator, AtAngle(sphere, angles[k]));
       bad += CountBad(radiance);
-      context.Add(contender.Name, "error at " + Say(angle) + " degrees",
-        GetRelativeL1(radiance, IntegrateReference(brdf, environment, pairs)),
+      context.Add(contender.Name, "error at " + Say(angles[k]) + " degrees",
+        GetRelativeL1(radiance, references[k]),
         { 0.05, { { "thesis", 0.4 } }, "harmonics are worst at grazing angles" });
     }
     context.Add(contender.Name, "negative or not finite", bad, 0.0);
@@ -219,32 +223,37 @@ void RunPoles(Context& context)
     std::string Name;
     Vector Middle;
     Vector Along;
+    Pairs Points;
+    std::vector<double> Reference;
   };
-  const std::vector<Path> paths = { { "pole", { 0.0, 1.0, 0.0 }, { 0.8, 0.0, 0.6 } },
-    { "seam", { -1.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 } },
-    { "normal along the view", view, { 0.8, 0.0, 0.6 } } };
+  std::vector<Path> paths = { { "pole", { 0.0, 1.0, 0.0 }, { 0.8, 0.0, 0.6 }, {}, {} },
+    { "seam", { -1.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 }, {}, {} },
+    { "normal along the view", view, { 0.8, 0.0, 0.6 }, {}, {} } };
+  for (Path& path : paths)
+  {
+    // 0.1 degree steps, none at the pole itself.
+    for (int k = -40; k < 40; ++k)
+    {
+      const double angle = vtkMath::RadiansFromDegrees(0.1 * (k + 0.5));
+      Vector n;
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        n[c] = std::cos(angle) * path.Middle[c] + std::sin(angle) * path.Along[c];
+      }
+      vtkMath::Normalize(n.data());
+      path.Points.Add(n, view);
+    }
+    path.Reference = IntegrateReference(brdf, environment, path.Points);
+  }
   for (const MethodUnderTest& contender : GetMethodsUnderTest())
   {
     const vtkSmartPointer<vtkRadianceIntegrator> integrator = contender.Make(brdf, environment);
     for (const Path& path : paths)
     {
-      // 0.1 degree steps, none at the pole itself.
-      Pairs pairs;
-      for (int k = -40; k < 40; ++k)
-      {
-        const double angle = vtkMath::RadiansFromDegrees(0.1 * (k + 0.5));
-        Vector n;
-        for (std::size_t c = 0; c < 3; ++c)
-        {
-          n[c] = std::cos(angle) * path.Middle[c] + std::sin(angle) * path.Along[c];
-        }
-        vtkMath::Normalize(n.data());
-        pairs.Add(n, view);
-      }
       context.Add(contender.Name,
         "largest step over that of the reference, across the " + path.Name,
-        GetStepRatio(tool::DrawPairs(integrator, pairs.Normals, pairs.Views),
-          IntegrateReference(brdf, environment, pairs)),
+        GetStepRatio(
+          tool::DrawPairs(integrator, path.Points.Normals, path.Points.Views), path.Reference),
         { 1.5,
           { { "median-cut", 6.0 }, { "importance", 4.0 }, { "variance", 4.0 }, { "thesis", 6.0 },
             { "filtered", 12.0 } },

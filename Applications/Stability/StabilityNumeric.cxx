@@ -110,7 +110,7 @@ void RunGram(Context& context)
 // than 5 % of L2 is another optimum. Random starts with the same pairs, then other pairs.
 void RunFits(Context& context)
 {
-  const unsigned int runs = context.Short ? 10 : 100;
+  const unsigned int runs = context.Short ? 6 : 100;
   constexpr double different = 0.05;
   auto material = context.BRDF;
   if (!material)

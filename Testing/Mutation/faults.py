@@ -912,8 +912,8 @@ add("Export.openpbr-coat-does-not-darken", "OpenPbrModel.cxx", "f * glm::clamp(t
 add("Export.preview-surface-clearcoat-index", "PreviewSurfaceModel.cxx",
     "coat * (reflectance + (1.0 - reflectance) * s)", "coat * (0.04 + 0.96 * s)", MODELS)
 add("Export.vtk-coat-passed-once", "VtkPbrModel.cxx", "specular * Square(1.0 - coat)", "specular * (1.0 - coat)", MODELS)
-add("Export.light-below-the-nodes-is-lost", "LitSphere.cxx", "energies[nodes[k]] += weights[k] / sum * energy;",
-    "energies[nodes[k]] += weights[k] * energy;", "ExportLitSphere.KeepsAllLight")
+add("Export.light-below-the-nodes-is-lost", "LitSphere.cxx", "+= weights[k] / sum * energy;", "+= weights[k] * energy;",
+    "ExportLitSphere.KeepsAllLight")
 add("Export.lit-sphere-without-cosine", "LitSphere.cxx", "light.z * solidAngle * rgb", "solidAngle * rgb",
     "ExportLitSphere.KeepsAllLight")
 add("Export.every-part-is-worth-it", "ModelFit.cxx",

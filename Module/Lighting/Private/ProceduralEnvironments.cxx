@@ -17,6 +17,10 @@ double Smooth(double t)
   return t * t * (3.0 - 2.0 * t);
 }
 
+// exp(x) as a share of radiances of 0.01 and more: below exp(-60) no digit of theirs changes, and
+// exp is slow where it underflows.
+double GetShare(double x) { return x > -60.0 ? std::exp(x) : 0.0; }
+
 // The hall, in metres around the viewer's eye.
 constexpr double HalfWidth = 7.0, Floor = -1.6, Ceiling = 14.0, HalfLength = 24.0;
 constexpr double Bay = 6.0; // from window to window
@@ -121,7 +125,7 @@ glm::dvec3 GetSkyRadiance(const glm::dvec3& d)
   const double glowSharpness = 14.0;
   const double fromSun = glm::dot(d, toSun) - 1.0;
   const glm::dvec3 sky = glm::mix(zenith, horizon, std::exp(-5.0 * std::max(d.y, 0.0))) +
-                         sun * std::exp(sunSharpness * fromSun) +
+                         sun * GetShare(sunSharpness * fromSun) +
                          glow * std::exp(glowSharpness * fromSun);
   // Sky and ground meet over this much of d.y; a hard edge would alias.
   return glm::mix(ground, sky, Smooth(0.5 + d.y / 0.04));
@@ -140,10 +144,12 @@ glm::dvec3 GetHallRadiance(const glm::dvec3& d)
   glm::dvec3 radiance =
     t == y ? (d.y < 0.0 ? GetFloor(p) : GetCeiling(p)) : (t == x ? GetSideWall(p) : GetEndWall(p));
   // Lamps under the vault.
-  for (const double along : { -12.0, -5.0, 6.0, 13.0 })
+  static const glm::dvec3 lamps[] = { glm::normalize(glm::dvec3(0.8, 5.5, -12.0)),
+    glm::normalize(glm::dvec3(0.8, 5.5, -5.0)), glm::normalize(glm::dvec3(0.8, 5.5, 6.0)),
+    glm::normalize(glm::dvec3(0.8, 5.5, 13.0)) };
+  for (const glm::dvec3& lamp : lamps)
   {
-    const glm::dvec3 lamp = glm::normalize(glm::dvec3(0.8, 5.5, along));
-    radiance += glm::dvec3(900.0, 620.0, 330.0) * std::exp(6000.0 * (glm::dot(d, lamp) - 1.0));
+    radiance += glm::dvec3(900.0, 620.0, 330.0) * GetShare(6000.0 * (glm::dot(d, lamp) - 1.0));
   }
   return radiance;
 }

@@ -244,7 +244,7 @@ TEST(AdaptiveIntegrator, MissesNothingNarrow)
 TEST(AdaptiveIntegrator, RealMaterials)
 {
   SpherePairs pairs;
-  pairs.AddRandom(10); // two million points each
+  pairs.AddRandom(3); // two million points each; Testing/Mitsuba has a hundred more
   for (const auto& [material, light] : { std::pair("acrylic_felt_white", "studio"),
          { "satin_purple", "interior" }, { "chm_light_blue", "studio" } })
   {

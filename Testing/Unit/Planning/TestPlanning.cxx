@@ -126,7 +126,7 @@ TEST(Planner, LeavesOutOnlyWhatDoesNotHelp)
   {
     auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF(name));
     const auto environment = NewSmallEnvironment(hall);
-    constexpr vtkIdType bytes = 16 << 20; // to be quick
+    constexpr vtkIdType bytes = 6 << 20; // to be quick
     const auto planner = NewPlanner(brdf, environment, 0.05);
     planner->SetMaximumTextureBytes(bytes);
     ASSERT_TRUE(planner->Update());
