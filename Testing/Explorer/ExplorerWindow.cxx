@@ -33,6 +33,7 @@
 #include <QLabel>
 #include <QMimeData>
 #include <QSlider>
+#include <QTabBar>
 #include <QTabWidget>
 #include <QTemporaryDir>
 #include <QUrl>
@@ -97,6 +98,7 @@ class ExplorerWindow : public QObject
 private slots:
   void initTestCase() { this->Shared = MakeWindow(MakeState()); }
   void cleanupTestCase() { this->Shared.reset(); }
+  void allTabsFit();
   void settlesWithinTheTolerance();
   void toleranceGivesANewPlan();
   void lineIsDragged();
@@ -140,6 +142,22 @@ private:
 
   std::unique_ptr<Window> Shared;
 };
+
+//------------------------------------------------------------------------------
+void ExplorerWindow::allTabsFit()
+{
+  const QTabBar* bar = this->Shared->GetTabs()->tabBar();
+  QCOMPARE(bar->count(), 8);
+  for (int k = 0; k < bar->count(); ++k)
+  {
+    const QRect tab = bar->tabRect(k);
+    QVERIFY2(bar->rect().contains(tab), qPrintable(bar->tabText(k)));
+    const int text = bar->fontMetrics().horizontalAdvance(bar->tabText(k));
+    QVERIFY2(tab.width() >= text + 8, qPrintable(bar->tabText(k)));
+  }
+  const int width = this->Shared->minimumSizeHint().width();
+  QVERIFY2(width <= 1366, qPrintable(QString::number(width))); // a small laptop's screen
+}
 
 //------------------------------------------------------------------------------
 void ExplorerWindow::settlesWithinTheTolerance()
