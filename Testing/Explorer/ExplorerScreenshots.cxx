@@ -105,8 +105,8 @@ void ShootEditing(Window& window, const QString& folder)
 }
 
 //------------------------------------------------------------------------------
-// A BSDF file that holds transmission: no material that is built in does. No exact picture beside it:
-// the lobes are what is shown, and such a file's takes minutes.
+// A BSDF file that holds transmission: no material that is built in does. No exact picture is
+// beside it: the lobes are what is shown, and such a file's takes minutes.
 static void ShootTransmission(Window& window, const QString& folder, const QString& file)
 {
   Session* session = window.GetSession();
