@@ -7,6 +7,7 @@
 #include "EnvironmentView.h"
 #include "Files.h"
 #include "FindingsPanel.h"
+#include "LightPanel.h"
 #include "ListPanel.h"
 #include "LobePanel.h"
 #include "LobeView.h"
@@ -155,6 +156,9 @@ void ExplorerWindow::allTabsFit()
     const int text = bar->fontMetrics().horizontalAdvance(bar->tabText(k));
     QVERIFY2(tab.width() >= text + 8, qPrintable(bar->tabText(k)));
   }
+  const QWidget* light = this->Shared->GetEnvironmentPanel()->GetLightPanel();
+  QVERIFY2(light->minimumSizeHint().width() <= bar->width() - 12, // of margins
+    qPrintable(QString::number(light->minimumSizeHint().width())));
   const int width = this->Shared->minimumSizeHint().width();
   QVERIFY2(width <= 1366, qPrintable(QString::number(width))); // a small laptop's screen
 }
