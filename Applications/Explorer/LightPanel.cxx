@@ -5,7 +5,7 @@
 #include "DirectionView.h"
 
 #include <QDoubleSpinBox>
-#include <QHBoxLayout>
+#include <QFormLayout>
 #include <QLabel>
 #include <QVBoxLayout>
 
@@ -20,17 +20,14 @@ LightPanel::LightPanel(Session* session, QWidget* parent)
   , Phi(new QDoubleSpinBox)
   , Irradiance(new QDoubleSpinBox)
 {
-  auto* row = new QHBoxLayout;
+  auto* rows = new QFormLayout; // beside each other they are wider than the panel
   const auto add = [&](const QString& text, QDoubleSpinBox* box, double LightState::*field,
                      double least, double largest, const QString& toolTip)
   {
     box->setRange(least, largest);
     box->setKeyboardTracking(false);
     box->setToolTip(toolTip);
-    auto* label = new QLabel(text);
-    label->setBuddy(box);
-    row->addWidget(label);
-    row->addWidget(box);
+    rows->addRow(text, box);
     connect(box, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
       [this, field](double value)
       {
@@ -57,14 +54,13 @@ LightPanel::LightPanel(Session* session, QWidget* parent)
   this->Phi->setWrapping(true);
   this->Irradiance->setDecimals(3);
   this->Irradiance->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-  row->addStretch(1);
   auto* text = new QLabel(tr("One directional light, without shadows. Nothing is planned: the "
                              "picture is f E cos θ, on the graphics card or exactly. In the "
                              "picture, Ctrl and the mouse or the arrow keys turn the light."));
   text->setWordWrap(true);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->addLayout(row);
+  layout->addLayout(rows);
   layout->addWidget(this->View);
   layout->addWidget(text);
   connect(session, &Session::lightChanged, this, &LightPanel::Update);

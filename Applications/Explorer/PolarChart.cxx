@@ -49,11 +49,11 @@ void AddRay(
 }
 
 //------------------------------------------------------------------------------
-// As many as have room: every second, third ... where there are more than five.
+// As many as have room: every second, third ... where there are more than most.
 std::vector<std::pair<double, std::string>> ThinOut(
-  const std::vector<std::pair<double, std::string>>& ticks)
+  const std::vector<std::pair<double, std::string>>& ticks, std::size_t most)
 {
-  const std::size_t step = 1 + (ticks.size() - (ticks.empty() ? 0 : 1)) / 5;
+  const std::size_t step = 1 + (ticks.size() - (ticks.empty() ? 0 : 1)) / most;
   std::vector<std::pair<double, std::string>> some;
   for (std::size_t k = ticks.size(); k > 0; k -= std::min(k, step))
   {
@@ -126,7 +126,8 @@ void PolarChart::Draw(
   const double range = scale.GetLargest() - scale.GetLeast();
   this->Chart->ClearPlots();
   std::vector<std::pair<double, std::string>> ticks;
-  for (const auto& [place, text] : ThinOut(scale.GetTicks()))
+  const std::size_t most = this->AllAround ? 4 : 5; // a full circle is smaller
+  for (const auto& [place, text] : ThinOut(scale.GetTicks(), most))
   {
     const double radius = (place - scale.GetLeast()) / range;
     ticks.emplace_back(radius, text);

@@ -9,7 +9,6 @@
 
 namespace
 {
-constexpr int FirstColor = 3; // of the columns
 constexpr int Columns = 6;
 
 using Value = std::array<float, 3>;

@@ -23,6 +23,8 @@ class SampleModel : public QAbstractTableModel
   Q_OBJECT
 
 public:
+  static constexpr int FirstColor = 3; ///< of the columns; those before it are angles
+
   SampleModel(Session* session, QUndoStack* undo, QObject* parent = nullptr);
 
   const SampleTable& GetTable() const { return this->Table; }

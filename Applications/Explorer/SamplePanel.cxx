@@ -28,7 +28,13 @@ SamplePanel::SamplePanel(Session* session, QWidget* parent)
   this->View->setModel(this->Samples);
   this->View->setAccessibleName(tr("Samples"));
   this->View->setWordWrap(false);
-  this->View->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  QHeaderView* header = this->View->horizontalHeader();
+  header->setSectionResizeMode(QHeaderView::Stretch);
+  for (int column = 0; column < SampleModel::FirstColor; ++column) // what is left is the colors'
+  {
+    header->setSectionResizeMode(column, QHeaderView::Fixed);
+    header->resizeSection(column, this->fontMetrics().horizontalAdvance("180.0°") + 8);
+  }
   this->View->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed); // rows are not measured
   this->View->verticalHeader()->setDefaultSectionSize(this->fontMetrics().height() + 8);
   this->Note->setWordWrap(true);

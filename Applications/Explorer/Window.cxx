@@ -34,7 +34,9 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QProgressBar>
+#include <QProxyStyle>
 #include <QStatusBar>
+#include <QTabBar>
 #include <QTabWidget>
 #include <QTimer>
 #include <QUrl>
@@ -45,6 +47,20 @@
 namespace
 {
 constexpr int PollTime = 50; // ms
+
+//------------------------------------------------------------------------------
+// Tabs with less beside their names, so that all of them fit above a panel.
+class NarrowTabs : public QProxyStyle
+{
+public:
+  int pixelMetric(
+    PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override
+  {
+    constexpr int Space = 12; // logical pixels; Fusion has 24
+    const int usual = this->QProxyStyle::pixelMetric(metric, option, widget);
+    return metric == PM_TabBarTabHSpace ? std::min(usual, Space) : usual;
+  }
+};
 
 //------------------------------------------------------------------------------
 QString MakeFilter(const QString& name, const std::vector<std::string>& endings)
@@ -132,7 +148,10 @@ void Window::MakePanels()
   this->Plan = new PlanPanel(this->Model, this->Sides, this->Measured);
   this->Tabs = new QTabWidget;
   this->Tabs->setDocumentMode(true);
-  this->Tabs->setMinimumWidth(400);
+  auto* narrow = new NarrowTabs;
+  narrow->setParent(this->Tabs);
+  this->Tabs->tabBar()->setStyle(narrow);
+  this->Tabs->setUsesScrollButtons(false); // the panel is as wide as its tabs: none is hidden
   this->Tabs->addTab(this->Plan, tr("Plan"));
   this->Lobe = new LobePanel(this->Model);
   this->Slices = new SlicePanel(this->Model, this->Compared);

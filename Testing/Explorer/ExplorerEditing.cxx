@@ -28,10 +28,12 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFile>
+#include <QFontMetrics>
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QSlider>
+#include <QStyle>
 #include <QTabWidget>
 #include <QTableView>
 #include <QTemporaryDir>
@@ -427,6 +429,13 @@ void ExplorerEditing::samplesAreEdited()
   QCOMPARE(window->GetSession()->GetState().Edits.at(state.Material).at(0)[0], 0.5f);
   QCOMPARE(model->data(model->index(0, 3)).toString(), QString("0.5"));
   QVERIFY(panel->GetNote().contains("Edited rows: 1"));
+  QVERIFY(model->data(model->index(0, 3), Qt::FontRole).value<QFont>().bold());
+  QFont bold = view->font();
+  bold.setBold(true); // four digits of an edited row are seen, and not "0.3…"
+  const int margins = 2 * (view->style()->pixelMetric(QStyle::PM_FocusFrameHMargin) + 1);
+  const int digits = QFontMetrics(bold).horizontalAdvance("0.3188") + margins;
+  QVERIFY2(view->columnWidth(4) >= digits,
+    qPrintable(QString("%1 of %2").arg(view->columnWidth(4)).arg(digits)));
   const auto first = [&]()
   {
     const auto* table = vtkTabulatedBRDF::SafeDownCast(window->GetSession()->GetMaterial().BRDF);

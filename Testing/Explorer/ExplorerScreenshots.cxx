@@ -105,12 +105,13 @@ void ShootEditing(Window& window, const QString& folder)
 }
 
 //------------------------------------------------------------------------------
-// A BSDF file that holds transmission: no material that is built in does.
+// A BSDF file that holds transmission: no material that is built in does. No exact picture is
+// beside it: the lobes are what is shown, and such a file's takes minutes.
 static void ShootTransmission(Window& window, const QString& folder, const QString& file)
 {
   Session* session = window.GetSession();
   session->SetMaterial(file.toStdString());
-  session->SetMethod(1, method::Reference);
+  session->SetMethod(1, method::PBR);
   session->SetLobe(40.0, 200.0, true);
   window.GetTabs()->setCurrentWidget(window.GetLobePanel());
   Settle(window);

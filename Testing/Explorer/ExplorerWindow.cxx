@@ -7,6 +7,7 @@
 #include "EnvironmentView.h"
 #include "Files.h"
 #include "FindingsPanel.h"
+#include "LightPanel.h"
 #include "ListPanel.h"
 #include "LobePanel.h"
 #include "LobeView.h"
@@ -33,6 +34,7 @@
 #include <QLabel>
 #include <QMimeData>
 #include <QSlider>
+#include <QTabBar>
 #include <QTabWidget>
 #include <QTemporaryDir>
 #include <QUrl>
@@ -97,6 +99,7 @@ class ExplorerWindow : public QObject
 private slots:
   void initTestCase() { this->Shared = MakeWindow(MakeState()); }
   void cleanupTestCase() { this->Shared.reset(); }
+  void allTabsFit();
   void settlesWithinTheTolerance();
   void toleranceGivesANewPlan();
   void lineIsDragged();
@@ -140,6 +143,25 @@ private:
 
   std::unique_ptr<Window> Shared;
 };
+
+//------------------------------------------------------------------------------
+void ExplorerWindow::allTabsFit()
+{
+  const QTabBar* bar = this->Shared->GetTabs()->tabBar();
+  QCOMPARE(bar->count(), 8);
+  for (int k = 0; k < bar->count(); ++k)
+  {
+    const QRect tab = bar->tabRect(k);
+    QVERIFY2(bar->rect().contains(tab), qPrintable(bar->tabText(k)));
+    const int text = bar->fontMetrics().horizontalAdvance(bar->tabText(k));
+    QVERIFY2(tab.width() >= text + 8, qPrintable(bar->tabText(k)));
+  }
+  const QWidget* light = this->Shared->GetEnvironmentPanel()->GetLightPanel();
+  QVERIFY2(light->minimumSizeHint().width() <= bar->width() - 12, // of margins
+    qPrintable(QString::number(light->minimumSizeHint().width())));
+  const int width = this->Shared->minimumSizeHint().width();
+  QVERIFY2(width <= 1366, qPrintable(QString::number(width))); // a small laptop's screen
+}
 
 //------------------------------------------------------------------------------
 void ExplorerWindow::settlesWithinTheTolerance()
