@@ -47,8 +47,9 @@ double GetMilliseconds(std::clock_t start)
   return 1000.0 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
-/// Materials that differ, drawn by tables of one size or, sharper ones, of several.
-std::vector<vtkSmartPointer<vtkBRDF>> MakeMaterials(int count, bool ofOneSize)
+/// Materials that differ. exponent: of the gloss of each.
+template <typename Exponent>
+std::vector<vtkSmartPointer<vtkBRDF>> MakeMaterials(int count, const Exponent& exponent)
 {
   std::vector<vtkSmartPointer<vtkBRDF>> materials;
   for (int k = 0; k < count; ++k)
@@ -57,7 +58,7 @@ std::vector<vtkSmartPointer<vtkBRDF>> MakeMaterials(int count, bool ofOneSize)
     base->SetAlbedo(0.1 + 0.8 * k / count, 0.3, 0.2);
     vtkNew<vtkBlinnPhongBRDF> gloss;
     gloss->SetSpecular(0.1, 0.1, 0.1);
-    gloss->SetExponent(ofOneSize ? 8.0 + 0.1 * (k % 256) : 8.0 + 50.0 * (k % 8));
+    gloss->SetExponent(exponent(k));
     vtkNew<vtkSumBRDF> material;
     material->AddTerm(base);
     material->AddTerm(gloss);
@@ -108,8 +109,9 @@ public:
     this->Window->AddRenderer(this->Renderer);
     this->Renderer->SetAutomaticLightCreation(false);
     this->Renderer->AddActor(this->Actor);
-    this->Materials = MakeMaterials(1024, true);
-    this->SharperMaterials = MakeMaterials(64, false);
+    this->Materials = MakeMaterials(1024, [](int k) { return 8.0 + 0.1 * (k % 256); });
+    this->SharperMaterials = MakeMaterials(64, [](int k) { return 8.0 + 50.0 * (k % 8); });
+    this->OtherMaterials = MakeMaterials(64, [](int k) { return std::pow(4.0, 1.0 + k % 6); });
   }
 
   void AddAll(const std::string& wanted, const std::string& cache)
@@ -132,8 +134,14 @@ public:
     this->NameEnd = ", tables of several sizes";
     this->AddClasses(64, false);
     this->AddColoredClasses(64, true);
-    this->NameEnd.clear();
     this->Materials.swap(this->SharperMaterials);
+    this->Materials.swap(this->OtherMaterials);
+    this->NameEnd = ", of several methods";
+    this->AddClasses(64, false);
+    this->AddColoredClasses(64, true);
+    this->AddColoredClasses(64, false);
+    this->Materials.swap(this->OtherMaterials);
+    this->NameEnd.clear();
     const std::string fine = "one material, as many triangles as 64 classes of points";
     this->Add(fine, 1, MakeSphere(235), nullptr);
     if (this->Kinds.back().Name == fine)
@@ -313,6 +321,7 @@ private:
   vtkNew<vtkActor> Actor;
   std::vector<vtkSmartPointer<vtkBRDF>> Materials;
   std::vector<vtkSmartPointer<vtkBRDF>> SharperMaterials;
+  std::vector<vtkSmartPointer<vtkBRDF>> OtherMaterials;
   std::vector<Kind> Kinds;
   std::string NameEnd;
   std::string Wanted;
