@@ -11,6 +11,7 @@
 #include "vtkCamera.h"
 #include "vtkCharArray.h"
 #include "vtkCommand.h"
+#include "vtkHybridRadianceIntegrator.h"
 #include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
@@ -25,7 +26,9 @@
 #include "vtkTexture.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <set>
 #include <sstream>
 #include <string>
@@ -294,6 +297,24 @@ TEST_F(ClassBorders, OfTablesOfSeveralSizesAreTheSame)
   this->ExpectSameInAllWays("tables of several sizes");
 }
 
+// Lights evaluate the materials, each with its own terms.
+TEST_F(ClassBorders, OfSeveralShadersUnderSunsAreTheSame)
+{
+  std::vector<float> pixels(3 * 256 * 128, 0.3f); // with two small suns
+  for (const std::size_t sun : { 100 * 256 + 40, 85 * 256 + 150 })
+  {
+    std::fill_n(pixels.begin() + static_cast<std::ptrdiff_t>(3 * sun), 3, 4000.0f);
+  }
+  this->Environment->SetPixels(256, 128, pixels);
+  vtkNew<vtkHybridRadianceIntegrator> hybrid;
+  hybrid->SetNumberOfRows(17);
+  this->Mapper->SetIntegrator(hybrid);
+  this->AddOtherShaders();
+  this->ExpectSameInAllWays("suns");
+  this->Renderer->RemoveAllLights();
+  this->ExpectSameInAllWays("suns alone");
+}
+
 // They are found by the numbers of triangles, of those that are stacked, too.
 TEST_F(ClassBorders, ColorsOfCellsStayTheirOwn)
 {
@@ -301,9 +322,6 @@ TEST_F(ClassBorders, ColorsOfCellsStayTheirOwn)
   this->ColorCells();
   this->ExpectSameInAllWays("colors of cells");
   this->Map->SetBRDF(3, nullptr); // so that some polygons are not stacked
-  this->Mapper->SetBRDF(this->Materials[0]);
-  this->ExpectSameInAllWays("colors of cells, one of the classes being the rest");
-  this->Mapper->SetBRDF(nullptr);
   vtkNew<vtkLight> light;
   light->SetLightTypeToHeadlight();
   this->Renderer->AddLight(light);
