@@ -21,8 +21,8 @@
 
 namespace
 {
-// f = (value, 0.1, 0) / sr, read from a table of ones. Tables of two shapes do not go into one stack:
-// a box about both would be nearly empty.
+// f = (value, 0.1, 0) / sr, read from a table of ones. Tables of two shapes do not go into one
+// stack: a box about both would be nearly empty.
 class ShapedBRDF : public vtkBRDF
 {
 public:
@@ -47,8 +47,8 @@ public:
     texture.ThreeD = true;
     texture.Dimensions = this->Shape;
     texture.Components = 1;
-    texture.Data.assign(static_cast<std::size_t>(this->Shape[0] * this->Shape[1] * this->Shape[2]),
-      1.0f);
+    texture.Data.assign(
+      static_cast<std::size_t>(this->Shape[0] * this->Shape[1] * this->Shape[2]), 1.0f);
     term.Textures.push_back(texture);
     inputs.Terms.push_back(term);
   }
@@ -69,8 +69,8 @@ class MaterialStacks : public MaterialMapping
 {
 };
 
-// Classes 0 to 3 are of one shape, 4 to 7 of another, which meet at a line only. Both stacks have the
-// same text but for the classes that they begin with.
+// Classes 0 to 3 are of one shape, 4 to 7 of another, which meet at a line only. Both stacks have
+// the same text but for the classes that they begin with.
 TEST_F(MaterialStacks, OfTheSameTextHaveNumbersOfTheirOwn)
 {
   this->Mapper->SetEnvironment(nullptr);
@@ -116,7 +116,8 @@ TEST_F(MaterialStacks, OfTheSameTextHaveNumbersOfTheirOwn)
   float most = 0.0f;
   for (std::size_t k = 0; k < stacked.RGBA.size(); ++k)
   {
-    ASSERT_NEAR(stacked.RGBA[k], apart.RGBA[k], 1.0 / 255.0) << k / 4 % Pixels << " " << k / 4 / Pixels;
+    ASSERT_NEAR(stacked.RGBA[k], apart.RGBA[k], 1.0 / 255.0)
+      << k / 4 % Pixels << " " << k / 4 / Pixels;
     least = k % 4 == 0 ? std::min(least, stacked.RGBA[k]) : least;
     most = k % 4 == 0 ? std::max(most, stacked.RGBA[k]) : most;
   }

@@ -76,8 +76,7 @@ std::string ClassStack::GetKey(const DrawnMaterial& drawn)
 
 std::string ClassStack::GetKind(const DrawnMaterial& drawn)
 {
-  return drawn.Key + "/" + (drawn.Material ? "material" : "") +
-         (drawn.Radiance ? "/radiance" : "");
+  return drawn.Key + "/" + (drawn.Material ? "material" : "") + (drawn.Radiance ? "/radiance" : "");
 }
 
 std::string ClassStack::GetShape(const DrawnMaterial& drawn)

@@ -133,8 +133,7 @@ void ClassStacks::AddKinds(
     {
       this->Add(it->second, hasOthers, window);
     }
-    kinds.erase(
-      kinds.begin(), kinds.begin() + static_cast<std::ptrdiff_t>(together ? count : 1));
+    kinds.erase(kinds.begin(), kinds.begin() + static_cast<std::ptrdiff_t>(together ? count : 1));
   }
 }
 

@@ -85,7 +85,7 @@ private:
   std::vector<std::unique_ptr<ClassStack>> Stacks;
   bool MostLoose = false;
   std::map<int, int> StackOfClass;
-  std::vector<int> StackOf; // of each border; -1: none
+  std::vector<int> StackOf;                          // of each border; -1: none
   std::unordered_map<vtkIdType, int> StackOfPolygon; // -1: none
 };
 } // namespace measuredbrdf

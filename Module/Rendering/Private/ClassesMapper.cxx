@@ -242,8 +242,8 @@ void ClassesMapper::SetParts(
   }
 }
 
-// Each polygon as the first of its classes has it, so that triangles of stacks have numbers by which
-// colors and normals of cells are found.
+// Each polygon as the first of its classes has it, so that triangles of stacks have numbers by
+// which colors and normals of cells are found.
 void ClassesMapper::SetBorders()
 {
   this->Borders = nullptr;
@@ -270,8 +270,8 @@ void ClassesMapper::SetBorders()
       if (known.insert(one.Polygons[k]).second)
       {
         one.Surface->GetPolys()->GetCellAtId(cell, corners);
-        this->Borders->GetCellData()->CopyData(one.Surface->GetCellData(), cell,
-          this->Borders->GetPolys()->InsertNextCell(corners));
+        this->Borders->GetCellData()->CopyData(
+          one.Surface->GetCellData(), cell, this->Borders->GetPolys()->InsertNextCell(corners));
         this->BorderPolygons.push_back(one.Polygons[k]);
       }
     }
@@ -300,9 +300,8 @@ void ClassesMapper::BuildIBO(vtkRenderer* ren, vtkActor* actor, vtkPolyData* sur
   }
   this->FirstBorder = first;
   vtkCellArray* all = this->GetInput()->GetPolys();
-  this->MayBeNumbered =
-    CountTriangles(this->GetInput()) ==
-    all->GetNumberOfConnectivityIds() - 2 * all->GetNumberOfCells();
+  this->MayBeNumbered = CountTriangles(this->GetInput()) ==
+                        all->GetNumberOfConnectivityIds() - 2 * all->GetNumberOfCells();
   this->MakeAllIndices();
   this->AreBuilt = true;
 }
@@ -467,9 +466,9 @@ void ClassesMapper::ReplaceShaderPositionVC(
 {
   if (this->InStack && this->UsesMaterial(this->LastBoundBO))
   {
-    AddVarying(shaders, { "vec4", MixtureShader::ClassAttribute,
-                          std::string("float ") + partarrays::Class,
-                          std::string(partarrays::Class) + " * " + partarrays::GetWeights(0) });
+    AddVarying(
+      shaders, { "vec4", MixtureShader::ClassAttribute, std::string("float ") + partarrays::Class,
+                 std::string(partarrays::Class) + " * " + partarrays::GetWeights(0) });
   }
   this->Superclass::ReplaceShaderPositionVC(shaders, ren, actor);
 }

@@ -120,7 +120,7 @@ private:
   bool HasEdges = false;                 // visible ones
   bool MayBeNumbered = false;            // whether VTK leaves out no triangle
   bool AreNumbered = false;              // whether indices keep triangles' numbers
-  bool AreBuilt = false;                           // the classes' indices
+  bool AreBuilt = false;                 // the classes' indices
   vtkWeakPointer<vtkOpenGLRenderWindow> OwnWindow; // in which they and the shaders are
   vtkOpenGLIndexBufferObject* Whole = nullptr;     // the superclass's, while a class is shown
   // What the superclass keeps for shaders that are not in use now; the key of the one that is.

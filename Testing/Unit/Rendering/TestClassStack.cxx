@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Terms of several materials as those of one: where tables and numbers are, what is left out where a
-// material has no such term, and what cannot be stacked. What the stacks show is tested with pixels
-// (TestMaterialMapBorders.cxx, TestMaterialMapStacks.cxx).
+// Terms of several materials as those of one: where tables and numbers are, what is left out where
+// a material has no such term, and what cannot be stacked. What the stacks show is tested with
+// pixels (TestMaterialMapBorders.cxx, TestMaterialMapStacks.cxx).
 
 #include "StackedTerms.h"
 
@@ -42,10 +42,11 @@ protected:
     for (int k = 0; k < 3; ++k)
     {
       Term term;
-      term.Source = "uniform sampler3D volumeINSTANCE;\nuniform float scaleINSTANCE;\n"
-                    "uniform vec3 sameINSTANCE;\n"
-                    "vec3 fINSTANCE(vec3 p) { return scaleINSTANCE * texture(volumeINSTANCE, p).rgb * "
-                    "vec3(textureSize(volumeINSTANCE, 0)); }\n";
+      term.Source =
+        "uniform sampler3D volumeINSTANCE;\nuniform float scaleINSTANCE;\n"
+        "uniform vec3 sameINSTANCE;\n"
+        "vec3 fINSTANCE(vec3 p) { return scaleINSTANCE * texture(volumeINSTANCE, p).rgb * "
+        "vec3(textureSize(volumeINSTANCE, 0)); }\n";
       term.Uniforms = { { "scale", { 1.0f + static_cast<float>(k) } },
         { "same", { 1.0f, 2.0f, 3.0f } } };
       term.Textures = { MakeVolume(10.0f * static_cast<float>(k)) };
@@ -184,8 +185,8 @@ TEST_F(ClassStacking, NumbersThatDifferAreInATexture)
   const Texture& numbers = this->Stacked.Textures.back();
   EXPECT_EQ(numbers.Dimensions, (std::array<int, 3>{ 2, 3, 1 })); // where tables begin, and scale
   EXPECT_EQ(numbers.Data[2 * 8 + 4], 3.0f);                       // the third one's
-  EXPECT_NE(this->Load.find("scale0 = texelFetch(numbers0, ivec2(1, number), 0).r;"),
-    std::string::npos)
+  EXPECT_NE(
+    this->Load.find("scale0 = texelFetch(numbers0, ivec2(1, number), 0).r;"), std::string::npos)
     << this->Load;
   EXPECT_FALSE(this->Has("uniform float scaleINSTANCE"));
 }
@@ -248,8 +249,8 @@ TEST_F(ClassStacking, TermsOfOtherTextsAreSkippedElsewhere)
   EXPECT_EQ(other.Textures.size(), 1u);
   EXPECT_EQ(other.Textures[0].Data, this->Terms[1].Textures[0].Data);
   EXPECT_EQ(other.Uniforms[0].Values, this->Terms[1].Uniforms[0].Values);
-  EXPECT_NE(this->Load.find("here1 = texelFetch(numbers0, ivec2(3, number), 0).r;"),
-    std::string::npos)
+  EXPECT_NE(
+    this->Load.find("here1 = texelFetch(numbers0, ivec2(3, number), 0).r;"), std::string::npos)
     << this->Load;
 }
 
