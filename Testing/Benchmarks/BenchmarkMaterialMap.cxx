@@ -17,6 +17,7 @@
 #include "vtkCellData.h"
 #include "vtkEnvironment.h"
 #include "vtkFloatArray.h"
+#include "vtkHybridRadianceIntegrator.h"
 #include "vtkImageData.h"
 #include "vtkIntArray.h"
 #include "vtkLambertBRDF.h"
@@ -47,8 +48,9 @@ double GetMilliseconds(std::clock_t start)
   return 1000.0 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
-/// Materials that differ, drawn by tables of one size or, sharper ones, of several.
-std::vector<vtkSmartPointer<vtkBRDF>> MakeMaterials(int count, bool ofOneSize)
+/// Materials that differ. exponent: of the gloss of each.
+template <typename Exponent>
+std::vector<vtkSmartPointer<vtkBRDF>> MakeMaterials(int count, const Exponent& exponent)
 {
   std::vector<vtkSmartPointer<vtkBRDF>> materials;
   for (int k = 0; k < count; ++k)
@@ -57,7 +59,7 @@ std::vector<vtkSmartPointer<vtkBRDF>> MakeMaterials(int count, bool ofOneSize)
     base->SetAlbedo(0.1 + 0.8 * k / count, 0.3, 0.2);
     vtkNew<vtkBlinnPhongBRDF> gloss;
     gloss->SetSpecular(0.1, 0.1, 0.1);
-    gloss->SetExponent(ofOneSize ? 8.0 + 0.1 * (k % 256) : 8.0 + 50.0 * (k % 8));
+    gloss->SetExponent(exponent(k));
     vtkNew<vtkSumBRDF> material;
     material->AddTerm(base);
     material->AddTerm(gloss);
@@ -108,8 +110,26 @@ public:
     this->Window->AddRenderer(this->Renderer);
     this->Renderer->SetAutomaticLightCreation(false);
     this->Renderer->AddActor(this->Actor);
-    this->Materials = MakeMaterials(1024, true);
-    this->SharperMaterials = MakeMaterials(64, false);
+    this->Materials = MakeMaterials(1024, [](int k) { return 8.0 + 0.1 * (k % 256); });
+    this->SharperMaterials = MakeMaterials(64, [](int k) { return 8.0 + 50.0 * (k % 8); });
+    this->OtherMaterials = MakeMaterials(64, [](int k) { return std::pow(4.0, 1.0 + k % 6); });
+    this->MaterialsInSun = MakeMaterials(64, [](int k) { return 8.0 + 0.1 * k; });
+    for (std::size_t k = 0; k < this->MaterialsInSun.size(); ++k)
+    {
+      auto* material = vtkSumBRDF::SafeDownCast(this->MaterialsInSun[k]);
+      if (k % 3 != 0) // gloss or a diffuse part alone: other shaders
+      {
+        const vtkSmartPointer<vtkBRDF> term = material->GetTerm(static_cast<int>(k % 3) - 1);
+        material->RemoveAllTerms();
+        material->AddTerm(term);
+      }
+    }
+    std::vector<float> sky(3 * 256 * 128, 0.3f); // with two small suns
+    for (const std::size_t sun : { 100 * 256 + 40, 85 * 256 + 150 })
+    {
+      std::fill_n(sky.begin() + static_cast<std::ptrdiff_t>(3 * sun), 3, 4000.0f);
+    }
+    this->Suns->SetPixels(256, 128, sky);
   }
 
   void AddAll(const std::string& wanted, const std::string& cache)
@@ -126,14 +146,22 @@ public:
     {
       this->AddClasses(classes, false);
     }
-    this->AddColoredClasses(64, true);
-    this->AddColoredClasses(64, false);
+    this->AddColoredClasses(64);
+    this->AddUnstackedClasses(64, true);
+    this->AddUnstackedClasses(64, false);
     this->Materials.swap(this->SharperMaterials);
     this->NameEnd = ", tables of several sizes";
     this->AddClasses(64, false);
-    this->AddColoredClasses(64, true);
-    this->NameEnd.clear();
+    this->AddUnstackedClasses(64, true);
     this->Materials.swap(this->SharperMaterials);
+    this->Materials.swap(this->OtherMaterials);
+    this->NameEnd = ", tables with tiles and without";
+    this->AddClasses(64, false);
+    this->AddUnstackedClasses(64, true);
+    this->AddUnstackedClasses(64, false);
+    this->Materials.swap(this->OtherMaterials);
+    this->NameEnd.clear();
+    this->AddInSun();
     const std::string fine = "one material, as many triangles as 64 classes of points";
     this->Add(fine, 1, MakeSphere(235), nullptr);
     if (this->Kinds.back().Name == fine)
@@ -149,6 +177,31 @@ public:
     {
       this->AddImages(weights);
     }
+  }
+
+  // Two suns are lights beside tables, which evaluate materials of three shaders.
+  void AddInSun()
+  {
+    const std::size_t before = this->Kinds.size();
+    this->Materials.swap(this->MaterialsInSun);
+    this->NameEnd = ", three shaders, suns as lights";
+    const std::string name = "one material, suns as lights";
+    this->Add(name, 1, MakeSphere(), nullptr);
+    if (this->Kinds.back().Name == name)
+    {
+      this->Kinds.back().Mapper->SetBRDF(this->Materials[0]);
+    }
+    this->AddClasses(64, false);
+    this->AddUnstackedClasses(64, true);
+    for (std::size_t k = before; k < this->Kinds.size(); ++k)
+    {
+      vtkNew<vtkHybridRadianceIntegrator> hybrid;
+      hybrid->SetNumberOfRows(17);
+      this->Kinds[k].Mapper->SetEnvironment(this->Suns);
+      this->Kinds[k].Mapper->SetIntegrator(hybrid);
+    }
+    this->NameEnd.clear();
+    this->Materials.swap(this->MaterialsInSun);
   }
 
   void Run(int rounds)
@@ -240,10 +293,9 @@ private:
       sphere, this->NewMap(vtkMaterialMap::CLASSES, classes));
   }
 
-  // Classes of points whose materials are not stacked: cells have colors, white ones. Polygons are
-  // cut along the borders, or drawn once for each class: vertices have an attribute that a program
-  // might read.
-  void AddColoredClasses(int classes, bool cut)
+  // Polygons are cut along the borders, or drawn once for each class: vertices have an attribute
+  // that a program might read.
+  void AddUnstackedClasses(int classes, bool cut)
   {
     const std::size_t before = this->Kinds.size();
     this->AddClasses(classes, false);
@@ -253,6 +305,25 @@ private:
     }
     Kind& kind = this->Kinds.back();
     kind.Name += cut ? ", cut" : ", drawn for each class";
+    kind.Mapper->GetMaterialMap()->StackClassesOff();
+    if (!cut)
+    {
+      kind.Mapper->MapDataArrayToVertexAttribute(
+        "unused", "data", vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
+    }
+  }
+
+  // In white: nothing changes.
+  void AddColoredClasses(int classes)
+  {
+    const std::size_t before = this->Kinds.size();
+    this->AddClasses(classes, false);
+    if (this->Kinds.size() == before)
+    {
+      return;
+    }
+    Kind& kind = this->Kinds.back();
+    kind.Name += ", colors of cells";
     vtkPolyData* sphere = kind.Mapper->GetInput();
     vtkNew<vtkUnsignedCharArray> white;
     white->SetName("white");
@@ -262,11 +333,6 @@ private:
     sphere->GetCellData()->AddArray(white);
     kind.Mapper->SetScalarModeToUseCellFieldData();
     kind.Mapper->SelectColorArray("white");
-    if (!cut)
-    {
-      kind.Mapper->MapDataArrayToVertexAttribute(
-        "unused", "data", vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
-    }
   }
 
   void AddValues(int materials)
@@ -308,11 +374,14 @@ private:
   }
 
   vtkNew<vtkEnvironment> Environment;
+  vtkNew<vtkEnvironment> Suns;
   vtkNew<vtkRenderWindow> Window;
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkActor> Actor;
   std::vector<vtkSmartPointer<vtkBRDF>> Materials;
   std::vector<vtkSmartPointer<vtkBRDF>> SharperMaterials;
+  std::vector<vtkSmartPointer<vtkBRDF>> OtherMaterials;
+  std::vector<vtkSmartPointer<vtkBRDF>> MaterialsInSun;
   std::vector<Kind> Kinds;
   std::string NameEnd;
   std::string Wanted;

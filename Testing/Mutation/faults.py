@@ -959,7 +959,7 @@ add("Rendering.map-classes-that-meet-share-a-slot", "Private/PartSets.cxx",
     "slots[cls] = taken.insert(usual.at(cls)).second ? usual.at(cls) : -1;", "slots[cls] = usual.at(cls);",
     "Parts.ClassesThatMeetHaveSlotsOfTheirOwn")
 add("Rendering.map-borders-take-the-last-shader", "Private/ClassesMapper.cxx",
-    "ofBorder == this->WasOfBorder ? this->Last : nullptr", "this->Last", "ClassBorders.ColorsOfCellsStayTheirOwn")
+    "ofBorder == this->WasOfBorder ? this->Last : nullptr", "this->Last", "ClassBorders.AreTheSameInAllWays")
 add("Rendering.map-stacked-tables-lie-elsewhere", "Private/StackedTables.cxx", "static_cast<float>(this->Boxes[k][axis] + (",
     "static_cast<float>(this->Boxes[0][axis] + (", "ClassStacking.TablesLieSideBySide")
 add("Rendering.map-stacked-tables-do-not-go-around", "Private/StackedTables.cxx", "(this->IsBordered(axis) ? 1 : 0) + size[axis];",
@@ -967,9 +967,18 @@ add("Rendering.map-stacked-tables-do-not-go-around", "Private/StackedTables.cxx"
 add("Rendering.map-stacked-tables-waste-memory", "Private/StackedTables.cxx", "MostWaste = 2;", "MostWaste = 90;",
     "ClassStacking.NotMuchMemoryIsLost")
 add("Rendering.map-stacks-with-gaps-are-counted-on", "Private/ClassStack.cxx", "if (numbers.size() > materials.size())",
-    "if (false)", "ClassBorders.OfSeveralShadersAreTheSame")
-add("Rendering.map-stacks-ignore-numbers", "Private/ClassStack.cxx", "texel.resize(4, 0.0f);",
-    "texel.assign(4, 0.0f);", "ClassStacking.NumbersThatDifferAreInATexture")
+    "if (false)", "ClassBorders.OfClassesWithoutAMaterialAreTheSame")
+add("Rendering.map-stacks-share-a-program", "Private/ClassStack.cxx", "this->Drawn.Key += this->Declarations + this->Choice;",
+    "", "MaterialStacks.OfTheSameTextHaveNumbersOfTheirOwn")
+add("Rendering.map-stacks-skip-terms", "Private/StackedTerms.cxx", "ones(materials.size(), { 1.0f });",
+    "ones(materials.size(), { 0.0f });", "ClassBorders.OfSeveralShadersAreTheSame")
+add("Rendering.map-stacked-triangles-lose-their-numbers", "Private/ClassesMapper.cxx", "this->PrimitiveIDOffset = this->FirstBorder;",
+    "this->PrimitiveIDOffset = 0;", "ClassBorders.ColorsOfCellsStayTheirOwn")
+add("Rendering.map-triangles-beside-stacks-lose-their-numbers", "Private/ClassesMapper.cxx",
+    "this->AreNumbered ? GetNumberedTriangles : GetTriangles", "GetTriangles", "ClassBorders.ColorsOfCellsStayTheirOwn")
+add("Rendering.map-stacks-ignore-numbers", "Private/StackNumbers.cxx",
+    "column.begin() + static_cast<std::ptrdiff_t>(4 * materials[k]));", "column.begin());",
+    "ClassStacking.NumbersThatDifferAreInATexture")
 add("Rendering.map-hats-fall-at-the-ends", "Private/MaterialParts.cxx", "if (k + 1 < knots.size())",
     "if (k + 2 < knots.size())", "MaterialMapping.ValuesBlendInEachPixel")
 add("Rendering.map-the-rest-is-drawn-twice", "Private/MixtureShader.cxx", "if (brdfNearest != brdfSlot)",
@@ -986,7 +995,7 @@ add("Rendering.map-classes-keep-the-last-numbers", "Private/BRDFTextures.cxx",
     "if (last && last->Form.Terms[term].Uniforms[k].Values == uniform.Values)", "if (last)",
     "ManyClasses.OfSeveralShadersUnderALight")
 add("Rendering.map-classes-share-cell-colors", "Private/ClassesMapper.cxx",
-    "if (this->HaveCellScalars || this->HaveCellNormals)", "if (false)",
+    "if (program->IsUniformUsed(\"PrimitiveIDOffset\"))", "if (false)",
     "ManyClasses.ColorsOfCellsStayTheirOwn")
 add("Rendering.map-changed-materials-stay", "Private/MaterialDrawingFrames.cxx",
     "stamp.SettingsTime = this->Settings->GetMTime();", "stamp.SettingsTime = 1;",

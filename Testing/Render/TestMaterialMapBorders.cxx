@@ -11,6 +11,7 @@
 #include "vtkCamera.h"
 #include "vtkCharArray.h"
 #include "vtkCommand.h"
+#include "vtkHybridRadianceIntegrator.h"
 #include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
@@ -25,7 +26,9 @@
 #include "vtkTexture.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <set>
 #include <sstream>
 #include <string>
@@ -105,8 +108,7 @@ protected:
       "unused", "data", vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
   }
 
-  /// Colors of cells keep materials from being stacked. White changes nothing.
-  void ColorCells(bool white)
+  void ColorCells()
   {
     vtkNew<vtkUnsignedCharArray> colors;
     colors->SetName("colors");
@@ -114,8 +116,7 @@ protected:
     for (vtkIdType cell = 0; cell < this->Sheet->GetNumberOfCells(); ++cell)
     {
       const double c = static_cast<double>(cell);
-      white ? colors->InsertNextTuple3(255, 255, 255)
-            : colors->InsertNextTuple3(100 + c, 255 - c, 50 + (37 * cell) % 200);
+      colors->InsertNextTuple3(100 + c, 255 - c, 50 + (37 * cell) % 200);
     }
     this->Sheet->GetCellData()->AddArray(colors);
     this->Mapper->ScalarVisibilityOn();
@@ -148,17 +149,11 @@ protected:
   /// first: what is seen where all that can be stacked is.
   void ExpectSameInAllWays(const char* what, Way first = Way::Stacked)
   {
-    this->Mapper->ScalarVisibilityOff();
-    this->Sheet->Modified();
     const FloatImage picture = this->Render(first, what);
-    const bool stacked = this->AnyStacked;
-    this->ColorCells(true);
+    EXPECT_TRUE(this->AnyStacked) << what;
+    this->Map->StackClassesOff();
     this->ExpectSameWhenCut(picture, what);
-    this->Mapper->ScalarVisibilityOff();
-    this->Sheet->GetCellData()->RemoveArray("colors");
-    this->Map->SetArrayName("nothing"); // a new map does not cut what can be stacked again
-    this->Map->SetArrayName("data");
-    EXPECT_TRUE(stacked) << what;
+    this->Map->StackClassesOn();
   }
 
   void AddTexture()
@@ -263,17 +258,20 @@ TEST_F(ClassBorders, OfStripsAndOfPolygonsOfManyCorners)
   }
   this->Sheet->GetPoints()->Modified();
   this->ExpectSameInAllWays("polygons of six corners");
+  this->ColorCells();
+  this->ExpectSameInAllWays("polygons of six corners, colors of cells");
+  this->Mapper->ScalarVisibilityOff();
+  this->Actor->GetProperty()->EdgeVisibilityOn();
+  const FloatImage edges = this->Render(Way::Stacked, "edges of polygons of six corners");
+  this->Map->StackClassesOff();
+  this->ExpectSame(this->Render(Way::Each, "their edges, not stacked"), edges, "their edges");
 }
 
-// Some polygons are of classes of one shader only, and are drawn at once; others are not.
+// Pixels skip the terms of other shaders.
 TEST_F(ClassBorders, OfSeveralShadersAreTheSame)
 {
   this->AddOtherShaders();
-  const FloatImage cut = this->Render(Way::Cut, "cut");
-  this->ForbidCuts();
-  const FloatImage whole = this->Render(Way::Each, "whole");
-  EXPECT_TRUE(this->AnyStacked);
-  this->ExpectSame(whole, cut, "several shaders");
+  this->ExpectSameInAllWays("several shaders");
 }
 
 // Tables of several sizes, which lie beside each other in stacks. The sheet faces the map's seam.
@@ -299,14 +297,65 @@ TEST_F(ClassBorders, OfTablesOfSeveralSizesAreTheSame)
   this->ExpectSameInAllWays("tables of several sizes");
 }
 
-// A cell's color is that of its pieces.
+// Lights evaluate the materials, each with its own terms.
+TEST_F(ClassBorders, OfSeveralShadersUnderSunsAreTheSame)
+{
+  std::vector<float> pixels(3 * 256 * 128, 0.3f); // with two small suns
+  for (const std::size_t sun : { 100 * 256 + 40, 85 * 256 + 150 })
+  {
+    std::fill_n(pixels.begin() + static_cast<std::ptrdiff_t>(3 * sun), 3, 4000.0f);
+  }
+  this->Environment->SetPixels(256, 128, pixels);
+  vtkNew<vtkHybridRadianceIntegrator> hybrid;
+  hybrid->SetNumberOfRows(17);
+  this->Mapper->SetIntegrator(hybrid);
+  this->AddOtherShaders();
+  this->ExpectSameInAllWays("suns");
+  this->Renderer->RemoveAllLights();
+  this->ExpectSameInAllWays("suns alone");
+}
+
+// They are found by the numbers of triangles, of those that are stacked, too.
 TEST_F(ClassBorders, ColorsOfCellsStayTheirOwn)
 {
-  this->ColorCells(false);
+  this->Render(Way::Stacked, "no colors");
+  this->ColorCells();
+  this->ExpectSameInAllWays("colors of cells");
+  this->Map->SetBRDF(3, nullptr); // so that some polygons are not stacked
+  vtkNew<vtkLight> light;
+  light->SetLightTypeToHeadlight();
+  this->Renderer->AddLight(light);
+  this->ExpectSameInAllWays("colors of cells, a class without a material", Way::Each);
+}
+
+// Flat ones, which are not those of the points.
+TEST_F(ClassBorders, NormalsOfCellsStayTheirOwn)
+{
+  vtkNew<vtkFloatArray> normals;
+  normals->SetNumberOfComponents(3);
+  for (vtkIdType cell = 0; cell < this->Sheet->GetNumberOfCells(); ++cell)
+  {
+    const double turn = static_cast<double>(cell);
+    normals->InsertNextTuple3(0.4 * std::sin(turn), 0.4 * std::cos(turn), 0.82);
+  }
+  this->Sheet->GetPointData()->SetNormals(nullptr);
+  const FloatImage plain = this->Render(Way::Stacked, "no normals");
+  this->Sheet->GetCellData()->SetNormals(normals);
+  this->ExpectSameInAllWays("normals of cells");
+  EXPECT_NE(this->Render(Way::Stacked, "normals of cells").RGBA, plain.RGBA);
+}
+
+// VTK leaves out triangles of which two corners are in one place, so that numbers are not known.
+TEST_F(ClassBorders, ColoredCellsWithoutAnAreaAreNotStacked)
+{
+  double at[3];
+  this->Sheet->GetPoint(3, at);
+  this->Sheet->GetPoints()->SetPoint(2, at);
+  this->Sheet->GetPoints()->Modified();
+  this->Render(Way::Stacked, "no colors");
+  this->ColorCells();
   this->ForbidCuts();
-  const FloatImage whole = this->Render(Way::Each, "colors of cells");
-  this->Mapper->RemoveAllVertexAttributeMappings();
-  this->ExpectSameWhenCut(whole, "colors of cells");
+  this->Render(Way::Each, "colors of cells");
 }
 
 // New points could not have them: a table of colors is not linear.
@@ -328,8 +377,8 @@ TEST_F(ClassBorders, ColorsOfPointsKeepPolygonsWhole)
     bright.RGBA[k] /= k % 4 == 3 ? 1.0f : 0.4f;
   }
   this->ExpectSame(bright, plain, "colors");
-  this->AddOtherShaders();
-  this->Render(Way::Each, "colors, several shaders");
+  this->Map->StackClassesOff();
+  this->Render(Way::Each, "colors, not stacked");
   // Those that choose the materials color none; but a class without a material.
   this->Mapper->SelectColorArray("data");
   this->Mapper->SetBRDF(this->Materials[0]);
@@ -342,11 +391,12 @@ TEST_F(ClassBorders, ColorsOfPointsKeepPolygonsWhole)
 // The edges are the polygons', and what is selected covers them.
 TEST_F(ClassBorders, EdgesAndSelectionsKeepPolygonsWhole)
 {
-  const FloatImage stacked = this->Render(Way::Stacked, "a surface");
-  this->AddOtherShaders();
-  this->Render(Way::Cut, "a surface of several shaders");
+  const FloatImage surface = this->Render(Way::Stacked, "a surface");
   this->Actor->GetProperty()->EdgeVisibilityOn();
-  this->Render(Way::Each, "edges");
+  const FloatImage edges = this->Render(Way::Stacked, "edges");
+  EXPECT_NE(edges.RGBA, surface.RGBA);
+  this->Map->StackClassesOff();
+  this->ExpectSame(this->Render(Way::Each, "edges, not stacked"), edges, "edges");
   this->Actor->GetProperty()->EdgeVisibilityOff();
   this->Render(Way::Each, "no edges: whole until something changes");
   this->SetClasses(1);
@@ -396,7 +446,7 @@ TEST_F(ClassBorders, NormalsOfIntegersKeepPolygonsWhole)
   this->Sheet->GetPointData()->SetNormals(normals);
   this->Sheet->Modified();
   this->Render(Way::Stacked, "normals of integers");
-  this->AddOtherShaders();
-  this->Render(Way::Each, "normals of integers, several shaders");
+  this->Map->StackClassesOff();
+  this->Render(Way::Each, "normals of integers, not stacked");
 }
 }

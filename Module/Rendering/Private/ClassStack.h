@@ -2,22 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Materials of one shader as one material, of which each fragment chooses its own by a number.
+ * Materials as one material, of which each fragment chooses its own by a number (StackedTerms.h).
  * Private to the rendering room.
- *
- * Tables lie in one texture (StackedTables.h), numbers that differ in a small one. What all have
- * in common stays as it is.
  */
 
 #ifndef ClassStack_h
 #define ClassStack_h
 
 #include "DrawnMaterial.h"
-#include "vtkBRDFShaderInputs.h"
 
-#include <array>
-#include <functional>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -25,24 +18,14 @@ class vtkOpenGLRenderWindow;
 
 namespace measuredbrdf
 {
-/// In GLSL. Terms of the material and of the radiance may have the same INSTANCE.
-struct StackNames
-{
-  std::string Number;  // global variable that holds the material's number
-  std::string Texture; // of numbers that differ, without INSTANCE
-};
-
-/// One term of each of several materials, of the same shader, as one. mostTexels: of a side of a 2D
-/// texture and of a 3D one. load: statements that fill the variables that differ. Returns false
-/// where the texts or tables do not allow that. The text is that of terms.front().
-bool StackTerms(const std::vector<const vtkBRDFShaderInputs::Term*>& terms, const StackNames& names,
-  const std::array<int, 2>& mostTexels, vtkBRDFShaderInputs::Term& stacked, std::string& load);
-
 class ClassStack
 {
 public:
   /// Same key: it is worth trying to stack these.
   static std::string GetKey(const DrawnMaterial& drawn);
+
+  /// Same kind: these are of one shader, and need no more texture units than one of them.
+  static std::string GetKind(const DrawnMaterial& drawn);
 
   /// Same shape: tables are of one size, so that no memory is lost.
   static std::string GetShape(const DrawnMaterial& drawn);
@@ -64,9 +47,7 @@ public:
   const std::string& GetChoice() const { return this->Choice; }
 
 private:
-  using GetForm = std::function<bool(const DrawnMaterial&, vtkBRDFShaderInputs&)>;
-  bool BuildForm(const DrawnMaterials& materials, const GetForm& getForm, const StackNames& names,
-    vtkOpenGLRenderWindow* window, std::shared_ptr<FormTextures>& textures);
+  bool StackForms(const DrawnMaterials& materials, vtkOpenGLRenderWindow* window);
 
   DrawnMaterial Drawn;
   std::string Declarations;

@@ -2,13 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ClassStacks.h"
 
-#include "vtkCellArray.h"
-#include "vtkIdList.h"
-#include "vtkPolyData.h"
-
 #include <algorithm>
+#include <cstddef>
 #include <new>
-#include <unordered_map>
+#include <numeric>
 #include <utility>
 
 namespace measuredbrdf
@@ -44,7 +41,7 @@ void ClassStacks::Clear()
   this->Stacks.clear();
   this->StackOf.clear();
   this->StackOfClass.clear();
-  this->Rests.clear();
+  this->StackOfPolygon.clear();
   this->Window = nullptr;
 }
 
@@ -57,7 +54,7 @@ bool ClassStacks::Update(const std::vector<ClassBorder>& borders, const DrawnMat
     known.push_back(GetOrigin(*drawn));
   }
   const bool kept = std::all_of(this->Stacks.begin(), this->Stacks.end(),
-    [window](const std::unique_ptr<Stack>& stack) { return stack->Materials->IsIn(window); });
+    [window](const std::unique_ptr<ClassStack>& stack) { return stack->IsIn(window); });
   if (known == this->Known && this->Window == window && kept)
   {
     return false;
@@ -73,9 +70,9 @@ bool ClassStacks::Update(const std::vector<ClassBorder>& borders, const DrawnMat
 std::size_t ClassStacks::CountBytes(std::set<const vtkTextureObject*>& counted) const
 {
   std::size_t bytes = 0;
-  for (const std::unique_ptr<Stack>& stack : this->Stacks)
+  for (const std::unique_ptr<ClassStack>& stack : this->Stacks)
   {
-    const DrawnMaterial& drawn = stack->Materials->Get();
+    const DrawnMaterial& drawn = stack->Get();
     for (const std::shared_ptr<FormTextures>& textures : { drawn.Material, drawn.Radiance })
     {
       bytes += textures ? textures->CountBytes(counted) : 0;
@@ -99,10 +96,8 @@ bool ClassStacks::Add(const Classes& classes, bool hasOthers, vtkOpenGLRenderWin
       members.push_back(found->second);
     }
   }
-  auto stack = std::make_unique<Stack>();
-  stack->Materials = std::make_unique<ClassStack>();
-  if (members.size() < 2 ||
-      !TryBuild(*stack->Materials, members, first, numbers, hasOthers, window))
+  auto stack = std::make_unique<ClassStack>();
+  if (members.size() < 2 || !TryBuild(*stack, members, first, numbers, hasOthers, window))
   {
     return false;
   }
@@ -114,30 +109,62 @@ bool ClassStacks::Add(const Classes& classes, bool hasOthers, vtkOpenGLRenderWin
   return true;
 }
 
-void ClassStacks::Group(const std::vector<ClassBorder>& borders, const DrawnMaterials& materials,
-  bool hasOthers, vtkOpenGLRenderWindow* window)
+void ClassStacks::AddKinds(
+  std::vector<const Kind*> kinds, bool hasOthers, vtkOpenGLRenderWindow* window)
 {
-  std::map<std::string, std::map<std::string, Classes>> groups; // by key, then shape
-  for (std::size_t k = 0; k < borders.size(); ++k)
+  while (!kinds.empty())
   {
-    if (materials[k]->IsReady)
+    std::size_t count = kinds.size();
+    bool together = false;
+    for (; count > 0 && !together; count -= together ? 0 : 1)
     {
-      groups[ClassStack::GetKey(*materials[k])][ClassStack::GetShape(*materials[k])]
-            [borders[k].Class] = materials[k];
+      Classes all;
+      for (std::size_t k = 0; k < count; ++k)
+      {
+        for (const auto& [shape, classes] : *kinds[k])
+        {
+          all.insert(classes.begin(), classes.end());
+        }
+      }
+      together = this->Add(all, hasOthers, window);
     }
-  }
-  for (const auto& [key, shapes] : groups)
-  {
-    Classes all;
-    for (const auto& [shape, classes] : shapes)
-    {
-      all.insert(classes.begin(), classes.end());
-    }
-    const bool together = this->Add(all, hasOthers, window);
-    for (auto it = shapes.begin(); it != shapes.end() && !together && shapes.size() > 1; ++it)
+    const Kind& largest = *kinds.front();
+    for (auto it = largest.begin(); it != largest.end() && !together && largest.size() > 1; ++it)
     {
       this->Add(it->second, hasOthers, window);
     }
+    kinds.erase(kinds.begin(), kinds.begin() + static_cast<std::ptrdiff_t>(together ? count : 1));
+  }
+}
+
+void ClassStacks::Group(const std::vector<ClassBorder>& borders, const DrawnMaterials& materials,
+  bool hasOthers, vtkOpenGLRenderWindow* window)
+{
+  std::map<std::string, std::map<std::string, Kind>> groups; // by key, then kind
+  for (std::size_t k = 0; k < borders.size(); ++k)
+  {
+    const DrawnMaterial& drawn = *materials[k];
+    if (drawn.IsReady)
+    {
+      groups[ClassStack::GetKey(drawn)][ClassStack::GetKind(drawn)][ClassStack::GetShape(drawn)]
+            [borders[k].Class] = &drawn;
+    }
+  }
+  for (const auto& [key, ofKey] : groups)
+  {
+    std::vector<const Kind*> kinds;
+    for (const auto& [name, kind] : ofKey)
+    {
+      kinds.push_back(&kind);
+    }
+    const auto count = [](const Kind* kind)
+    {
+      return std::accumulate(kind->begin(), kind->end(), std::size_t(0),
+        [](std::size_t sum, const auto& shape) { return sum + shape.second.size(); });
+    };
+    std::stable_sort(kinds.begin(), kinds.end(),
+      [&count](const Kind* a, const Kind* b) { return count(a) > count(b); });
+    this->AddKinds(std::move(kinds), hasOthers, window);
   }
   for (const ClassBorder& border : borders)
   {
@@ -148,38 +175,16 @@ void ClassStacks::Group(const std::vector<ClassBorder>& borders, const DrawnMate
 
 void ClassStacks::Distribute(const std::vector<ClassBorder>& borders)
 {
-  constexpr int several = -2;
-  std::unordered_map<vtkIdType, int> stackOfPolygon;
   for (std::size_t k = 0; k < borders.size(); ++k)
   {
     for (vtkIdType polygon : *borders[k].Polygons)
     {
-      const auto [place, isNew] = stackOfPolygon.try_emplace(polygon, this->StackOf[k]);
-      place->second = place->second == this->StackOf[k] ? place->second : several;
+      const auto [place, isNew] = this->StackOfPolygon.try_emplace(polygon, this->StackOf[k]);
+      place->second = place->second == this->StackOf[k] ? place->second : -1;
     }
   }
-  const auto stacked = std::count_if(stackOfPolygon.begin(), stackOfPolygon.end(),
+  const auto stacked = std::count_if(this->StackOfPolygon.begin(), this->StackOfPolygon.end(),
     [](const std::pair<const vtkIdType, int>& polygon) { return polygon.second >= 0; });
-  this->MostLoose = 2 * static_cast<std::size_t>(stacked) < stackOfPolygon.size();
-  vtkNew<vtkIdList> corners;
-  for (const ClassBorder& border : borders)
-  {
-    this->Rests.push_back(vtkSmartPointer<vtkCellArray>::New());
-    for (std::size_t k = 0; k < border.Polygons->size(); ++k)
-    {
-      border.Surface->GetPolys()->GetCellAtId(static_cast<vtkIdType>(k), corners);
-      int& stack = stackOfPolygon[(*border.Polygons)[k]];
-      constexpr int drawn = -3;
-      if (stack >= 0)
-      {
-        this->Stacks[static_cast<std::size_t>(stack)]->Polygons->InsertNextCell(corners);
-        stack = drawn;
-      }
-      else if (stack != drawn)
-      {
-        this->Rests.back()->InsertNextCell(corners);
-      }
-    }
-  }
+  this->MostLoose = 2 * static_cast<std::size_t>(stacked) < this->StackOfPolygon.size();
 }
 } // namespace measuredbrdf

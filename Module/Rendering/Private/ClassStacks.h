@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Borders between classes of points whose materials are of one shader, drawn at once. Private to
+ * Borders between classes of points, drawn at once. Private to
  * the rendering room.
  *
  * Where all classes that meet in a polygon are in one ClassStack, the polygon is drawn once, and
@@ -14,8 +14,6 @@
 #define ClassStacks_h
 
 #include "ClassStack.h"
-#include "vtkNew.h"
-#include "vtkSmartPointer.h"
 #include "vtkType.h"
 
 #include <cstddef>
@@ -23,11 +21,10 @@
 #include <memory>
 #include <set>
 #include <tuple>
+#include <unordered_map>
 #include <vector>
 
-class vtkCellArray;
 class vtkOpenGLRenderWindow;
-class vtkPolyData;
 class vtkTextureObject;
 
 namespace measuredbrdf
@@ -36,19 +33,12 @@ namespace measuredbrdf
 struct ClassBorder
 {
   int Class = 0;
-  vtkPolyData* Surface = nullptr;                   // its polygons
-  const std::vector<vtkIdType>* Polygons = nullptr; // their numbers
+  const std::vector<vtkIdType>* Polygons = nullptr; // numbers of its polygons
 };
 
 class ClassStacks
 {
 public:
-  struct Stack
-  {
-    std::unique_ptr<ClassStack> Materials;
-    vtkNew<vtkCellArray> Polygons;
-  };
-
   /// Bring up to date; materials: of each border. hasOthers: whether polygons have corners of
   /// classes that are no borders here, because they have no material. Returns whether anything
   /// changed.
@@ -57,7 +47,7 @@ public:
 
   void Clear();
 
-  const std::vector<std::unique_ptr<Stack>>& Get() const { return this->Stacks; }
+  const std::vector<std::unique_ptr<ClassStack>>& Get() const { return this->Stacks; }
 
   /// Of the stacks' textures that are not counted yet.
   std::size_t CountBytes(std::set<const vtkTextureObject*>& counted) const;
@@ -65,8 +55,12 @@ public:
   /// Whether stacks draw less than half of the polygons.
   bool AreMostLoose() const { return this->MostLoose; }
 
-  /// The polygons of a border that no stack draws.
-  vtkCellArray* GetRest(std::size_t border) const { return this->Rests[border]; }
+  /// The stack that draws a polygon; -1: none does.
+  int FindStack(vtkIdType polygon) const
+  {
+    const auto found = this->StackOfPolygon.find(polygon);
+    return found == this->StackOfPolygon.end() ? -1 : found->second;
+  }
 
 private:
   using Classes = std::map<int, const DrawnMaterial*>;
@@ -74,9 +68,11 @@ private:
   // Returns whether these could be stacked.
   bool Add(const Classes& classes, bool hasOthers, vtkOpenGLRenderWindow* window);
 
-  // All of one key; where that cannot be, all of one shape.
+  // All of one key or, where that cannot be, as many kinds as can; of a kind, all of one shape.
   void Group(const std::vector<ClassBorder>& borders, const DrawnMaterials& materials,
     bool hasOthers, vtkOpenGLRenderWindow* window);
+  using Kind = std::map<std::string, Classes>; // by shape
+  void AddKinds(std::vector<const Kind*> kinds, bool hasOthers, vtkOpenGLRenderWindow* window);
   void Distribute(const std::vector<ClassBorder>& borders);
 
   // What a stack was made of; a text that changes has new textures or a new time.
@@ -86,11 +82,11 @@ private:
 
   std::vector<Origin> Known;
   const void* Window = nullptr; // only compared
-  std::vector<std::unique_ptr<Stack>> Stacks;
+  std::vector<std::unique_ptr<ClassStack>> Stacks;
   bool MostLoose = false;
   std::map<int, int> StackOfClass;
-  std::vector<int> StackOf; // of each border; -1: none
-  std::vector<vtkSmartPointer<vtkCellArray>> Rests;
+  std::vector<int> StackOf;                          // of each border; -1: none
+  std::unordered_map<vtkIdType, int> StackOfPolygon; // -1: none
 };
 } // namespace measuredbrdf
 

@@ -8,6 +8,7 @@
 #include "vtkActor.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkIdList.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLHelper.h"
 #include "vtkOpenGLIndexBufferObject.h"
@@ -18,7 +19,9 @@
 #include "vtkProperty.h"
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
+#include <unordered_set>
 #include <utility>
 
 namespace measuredbrdf
@@ -68,6 +71,73 @@ vtkSmartPointer<vtkPolyData> Join(const std::vector<vtkPolyData*>& surfaces)
   whole->SetPolys(polygons);
   return whole;
 }
+
+// Which polygons are to be drawn.
+using Choice = std::function<bool(vtkIdType)>;
+
+// Their triangles only.
+std::vector<unsigned int> GetTriangles(vtkPolyData* surface, const Choice& isDrawn)
+{
+  vtkNew<vtkCellArray> drawn;
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType k = 0; k < surface->GetNumberOfPolys(); ++k)
+  {
+    if (isDrawn(k))
+    {
+      surface->GetPolys()->GetCellAtId(k, corners);
+      drawn->InsertNextCell(corners);
+    }
+  }
+  std::vector<unsigned int> triangles;
+  vtkOpenGLIndexBufferObject::AppendTriangleIndexBuffer(
+    triangles, drawn, surface->GetPoints(), 0, nullptr, nullptr);
+  return triangles;
+}
+
+// All triangles in their places, those of the others without an area.
+std::vector<unsigned int> GetNumberedTriangles(vtkPolyData* surface, const Choice& isDrawn)
+{
+  std::vector<unsigned int> triangles;
+  vtkOpenGLIndexBufferObject::AppendTriangleIndexBuffer(
+    triangles, surface->GetPolys(), surface->GetPoints(), 0, nullptr, nullptr);
+  std::size_t next = 0;
+  std::size_t end = 0; // of those that are drawn
+  for (vtkIdType k = 0; k < surface->GetNumberOfPolys(); ++k)
+  {
+    const std::size_t first = next;
+    next += 3 * static_cast<std::size_t>(surface->GetPolys()->GetCellSize(k) - 2);
+    if (isDrawn(k))
+    {
+      end = next;
+      continue;
+    }
+    std::fill(triangles.begin() + static_cast<std::ptrdiff_t>(first),
+      triangles.begin() + static_cast<std::ptrdiff_t>(next), 0u);
+  }
+  triangles.resize(end);
+  return triangles;
+}
+
+vtkSmartPointer<vtkOpenGLIndexBufferObject> MakeIndices(std::vector<unsigned int> triangles)
+{
+  auto indices = vtkSmartPointer<vtkOpenGLIndexBufferObject>::New();
+  indices->IndexCount = triangles.size();
+  if (!triangles.empty())
+  {
+    indices->Upload(triangles, vtkOpenGLIndexBufferObject::ElementArrayBuffer);
+  }
+  return indices;
+}
+
+// As VTK draws them, which leaves out triangles of which two corners are in one place.
+int CountTriangles(vtkPolyData* surface)
+{
+  std::vector<unsigned int> triangles;
+  vtkOpenGLIndexBufferObject::AppendTriangleIndexBuffer(
+    triangles, surface->GetPolys(), surface->GetPoints(), 0, nullptr, nullptr);
+  return static_cast<int>(triangles.size() / 3);
+}
+
 }
 
 ClassesMapper::ClassesMapper() = default;
@@ -113,8 +183,7 @@ void ClassesMapper::ReleaseIndices()
 bool ClassesMapper::CanDraw(vtkActor* actor)
 {
   vtkProperty* property = actor->GetProperty();
-  return property->GetRepresentation() == VTK_SURFACE && !property->GetEdgeVisibility() &&
-         !property->GetVertexVisibility();
+  return property->GetRepresentation() == VTK_SURFACE && !property->GetVertexVisibility();
 }
 
 bool ClassesMapper::IsSingle(const MaterialPart& part)
@@ -152,6 +221,11 @@ void ClassesMapper::SetParts(
   {
     this->ReleaseIndices();
     this->Classes = std::move(classes);
+    this->SetBorders();
+    if (this->Borders)
+    {
+      surfaces.push_back(this->Borders);
+    }
     this->StacksOf.clear();
     this->Stacks = nullptr;
     this->StackIndices.clear();
@@ -168,9 +242,50 @@ void ClassesMapper::SetParts(
   }
 }
 
-// Instead of the superclass's, which would be of all classes together.
-void ClassesMapper::BuildIBO(vtkRenderer* ren, vtkActor*, vtkPolyData*)
+// Each polygon as the first of its classes has it, so that triangles of stacks have numbers by
+// which colors and normals of cells are found.
+void ClassesMapper::SetBorders()
 {
+  this->Borders = nullptr;
+  this->BorderPolygons.clear();
+  std::unordered_set<vtkIdType> known;
+  vtkNew<vtkIdList> corners;
+  for (const Class& one : this->Classes)
+  {
+    if (one.Slot < 0)
+    {
+      continue;
+    }
+    if (!this->Borders)
+    {
+      this->Borders = vtkSmartPointer<vtkPolyData>::New();
+      this->Borders->SetPoints(one.Surface->GetPoints());
+      this->Borders->SetPolys(vtkNew<vtkCellArray>());
+      this->Borders->GetCellData()->CopyAllOn();
+      this->Borders->GetCellData()->CopyAllocate(one.Surface->GetCellData());
+    }
+    for (std::size_t k = 0; k < one.Polygons.size(); ++k)
+    {
+      const auto cell = static_cast<vtkIdType>(k);
+      if (known.insert(one.Polygons[k]).second)
+      {
+        one.Surface->GetPolys()->GetCellAtId(cell, corners);
+        this->Borders->GetCellData()->CopyData(
+          one.Surface->GetCellData(), cell, this->Borders->GetPolys()->InsertNextCell(corners));
+        this->BorderPolygons.push_back(one.Polygons[k]);
+      }
+    }
+  }
+}
+
+// Instead of the superclass's, which would be of all classes together.
+void ClassesMapper::BuildIBO(vtkRenderer* ren, vtkActor* actor, vtkPolyData* surface)
+{
+  this->HasEdges = actor->GetProperty()->GetEdgeVisibility();
+  if (this->HasEdges) // which edges are those of polygons, by the numbers of all triangles
+  {
+    this->Superclass::BuildIBO(ren, actor, surface);
+  }
   if (this->AreBuilt)
   {
     return;
@@ -180,45 +295,62 @@ void ClassesMapper::BuildIBO(vtkRenderer* ren, vtkActor*, vtkPolyData*)
   this->Stacks = nullptr;
   for (Class& one : this->Classes)
   {
-    one.Indices = this->MakeIndices(one.Surface->GetPolys());
     one.FirstPrimitive = first;
-    first += static_cast<int>(one.Indices->IndexCount / 3);
+    first += CountTriangles(one.Surface);
   }
+  this->FirstBorder = first;
+  vtkCellArray* all = this->GetInput()->GetPolys();
+  this->MayBeNumbered = CountTriangles(this->GetInput()) ==
+                        all->GetNumberOfConnectivityIds() - 2 * all->GetNumberOfCells();
+  this->MakeAllIndices();
   this->AreBuilt = true;
 }
 
-vtkSmartPointer<vtkOpenGLIndexBufferObject> ClassesMapper::MakeIndices(vtkCellArray* polygons)
+// Of all that each class draws itself, and each stack.
+void ClassesMapper::MakeAllIndices()
 {
-  auto indices = vtkSmartPointer<vtkOpenGLIndexBufferObject>::New();
-  indices->CreateTriangleIndexBuffer(polygons, this->GetInput()->GetPoints(), nullptr, nullptr);
-  return indices;
+  const auto get = this->AreNumbered ? GetNumberedTriangles : GetTriangles;
+  for (Class& one : this->Classes)
+  {
+    one.Indices = MakeIndices(
+      one.Slot < 0 || !this->Stacks
+        ? GetTriangles(one.Surface, [](vtkIdType) { return true; })
+        : get(one.Surface, [&](vtkIdType k)
+            { return this->Stacks->FindStack(one.Polygons[static_cast<std::size_t>(k)]) < 0; }));
+  }
+  this->StackIndices.clear();
+  for (int stack = 0; this->Stacks && stack < static_cast<int>(this->Stacks->Get().size()); ++stack)
+  {
+    this->StackIndices.push_back(MakeIndices(get(this->Borders,
+      [&](vtkIdType k) {
+        return this->Stacks->FindStack(this->BorderPolygons[static_cast<std::size_t>(k)]) == stack;
+      })));
+  }
 }
 
-// Colors and normals of cells are found by the number of a triangle, which stacks would change;
-// shadows have numbers of each material.
+// Shadows have numbers of each material.
 void ClassesMapper::UpdateStacks(vtkRenderer* ren)
 {
   std::vector<ClassBorder> borders;
-  std::vector<std::size_t> places;
   DrawnMaterials materials;
-  const bool may = !this->HaveCellScalars && !this->HaveCellNormals && !this->HasOcclusion();
+  const bool may = this->Borders && this->GetMap()->GetStackClasses() && !this->HasOcclusion() &&
+                   (this->MayBeNumbered || !this->NeedsNumbers());
   for (std::size_t k = 0; k < this->Classes.size() && may; ++k)
   {
     const Class& one = this->Classes[k];
     if (one.Slot >= 0)
     {
-      borders.push_back({ one.Number, one.Surface, &one.Polygons });
+      borders.push_back({ one.Number, &one.Polygons });
       materials.push_back(&this->Drawing->GetMaterials()[k]);
-      places.push_back(k);
     }
   }
   if (borders.empty())
   {
-    for (std::size_t k = 0; k < this->Classes.size() && this->Stacks; ++k)
+    if (this->Stacks)
     {
-      this->Classes[k].Indices = this->MakeIndices(this->Classes[k].Surface->GetPolys());
+      this->Stacks = nullptr;
+      this->MakeAllIndices();
     }
-    this->Stacks = nullptr;
     this->AreBordersLoose = this->GetText() != nullptr && !this->Drawing->IsPending();
     return;
   }
@@ -229,22 +361,15 @@ void ClassesMapper::UpdateStacks(vtkRenderer* ren)
     stacks = std::make_unique<ClassStacks>();
   }
   if (!stacks->Update(borders, materials, this->HasClassWithoutMaterial, window) &&
-      this->Stacks == stacks.get())
+      this->Stacks == stacks.get() && this->AreNumbered == this->NeedsNumbers())
   {
     return;
   }
   this->Stacks = stacks.get();
+  this->AreNumbered = this->NeedsNumbers();
   // What stands in for plans does not decide.
   this->AreBordersLoose = this->Stacks->AreMostLoose() && !this->Drawing->IsPending();
-  for (std::size_t k = 0; k < places.size(); ++k)
-  {
-    this->Classes[places[k]].Indices = this->MakeIndices(this->Stacks->GetRest(k));
-  }
-  this->StackIndices.clear();
-  for (const std::unique_ptr<ClassStacks::Stack>& stack : this->Stacks->Get())
-  {
-    this->StackIndices.push_back(this->MakeIndices(stack->Polygons));
-  }
+  this->MakeAllIndices();
 }
 
 // Null: those of the superclass again.
@@ -324,8 +449,9 @@ void ClassesMapper::DrawStacks(vtkRenderer* ren, vtkActor* actor)
   this->Slot = -1;
   for (std::size_t k = 0; this->Stacks && k < this->Stacks->Get().size(); ++k)
   {
-    const ClassStack& stack = *this->Stacks->Get()[k]->Materials;
+    const ClassStack& stack = *this->Stacks->Get()[k];
     this->ShowIndices(this->StackIndices[k]);
+    this->PrimitiveIDOffset = this->FirstBorder;
     this->Drawing->SelectMaterial(
       stack.Get(), { this->GetText()->GetStackDeclarations() + stack.GetDeclarations(),
                      this->GetText()->GetStackImplementation() + stack.GetChoice(), {} });
@@ -340,17 +466,9 @@ void ClassesMapper::ReplaceShaderPositionVC(
 {
   if (this->InStack && this->UsesMaterial(this->LastBoundBO))
   {
-    const std::string name = MixtureShader::ClassAttribute;
-    std::string vertex = shaders[vtkShader::Vertex]->GetSource();
-    vtkShaderProgram::Substitute(vertex, "//VTK::PositionVC::Dec",
-      std::string("//VTK::PositionVC::Dec\nin float ") + partarrays::Class + ";\nout vec4 " + name +
-        "VCVSOutput;\n",
-      false);
-    vtkShaderProgram::Substitute(vertex, "//VTK::PositionVC::Impl",
-      "//VTK::PositionVC::Impl\n  " + name + "VCVSOutput = " + partarrays::Class + " * " +
-        partarrays::GetWeights(0) + ";\n",
-      false);
-    shaders[vtkShader::Vertex]->SetSource(vertex);
+    AddVarying(
+      shaders, { "vec4", MixtureShader::ClassAttribute, std::string("float ") + partarrays::Class,
+                 std::string(partarrays::Class) + " * " + partarrays::GetWeights(0) });
   }
   this->Superclass::ReplaceShaderPositionVC(shaders, ren, actor);
 }
@@ -417,7 +535,7 @@ bool ClassesMapper::FollowOn(vtkShaderProgram* program)
   {
     program->SetUniformi("brdfSlot", this->Slot);
   }
-  if (this->HaveCellScalars || this->HaveCellNormals)
+  if (program->IsUniformUsed("PrimitiveIDOffset"))
   {
     program->SetUniformi("PrimitiveIDOffset", static_cast<int>(this->PrimitiveIDOffset));
   }

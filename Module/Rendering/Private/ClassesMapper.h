@@ -39,7 +39,7 @@ public:
   static ClassesMapper* New();
   vtkTypeMacro(ClassesMapper, PartMapper);
 
-  /// Whether this mapper can draw an actor's surface: filled polygons, no edges, no vertices.
+  /// Whether this mapper can draw an actor's surface: filled polygons, no vertices.
   static bool CanDraw(vtkActor* actor);
 
   /// Whether it can draw a part.
@@ -99,7 +99,12 @@ private:
   void DrawStacks(vtkRenderer* ren, vtkActor* actor);
   void UpdateStacks(vtkRenderer* ren);
   void ShowIndices(vtkOpenGLIndexBufferObject* indices);
-  vtkSmartPointer<vtkOpenGLIndexBufferObject> MakeIndices(vtkCellArray* polygons);
+  void SetBorders();
+  void MakeAllIndices();
+  bool NeedsNumbers() const
+  {
+    return this->HaveCellScalars || this->HaveCellNormals || this->HasEdges;
+  }
 
   std::vector<Class> Classes;
   int Slot = -1;        // of the class that is shown
@@ -109,7 +114,13 @@ private:
   std::map<vtkOpenGLRenderWindow*, std::unique_ptr<ClassStacks>> StacksOf;
   ClassStacks* Stacks = nullptr; // of the window that is drawn, while polygons are stacked
   std::vector<vtkSmartPointer<vtkOpenGLIndexBufferObject>> StackIndices;
-  bool AreBuilt = false;                           // the classes' indices
+  vtkSmartPointer<vtkPolyData> Borders;  // each polygon of several classes once, after the classes
+  std::vector<vtkIdType> BorderPolygons; // their numbers
+  int FirstBorder = 0;                   // primitive
+  bool HasEdges = false;                 // visible ones
+  bool MayBeNumbered = false;            // whether VTK leaves out no triangle
+  bool AreNumbered = false;              // whether indices keep triangles' numbers
+  bool AreBuilt = false;                 // the classes' indices
   vtkWeakPointer<vtkOpenGLRenderWindow> OwnWindow; // in which they and the shaders are
   vtkOpenGLIndexBufferObject* Whole = nullptr;     // the superclass's, while a class is shown
   // What the superclass keeps for shaders that are not in use now; the key of the one that is.

@@ -167,31 +167,37 @@ bool PartMapper::NeedsWeights(const vtkOpenGLHelper* cellBO)
   return this->HasWeights() && (this->UsesMaterial(cellBO) || this->IsOthers(cellBO));
 }
 
-// Attributes go through the stages beside the positions, as tangents do.
+// Through the stages beside the positions, as tangents go.
+void PartMapper::AddVarying(
+  std::map<vtkShader::Type, vtkShader*>& shaders, const VaryingText& varying)
+{
+  const auto& [type, name, attribute, value] = varying;
+  std::string vertex = shaders[vtkShader::Vertex]->GetSource();
+  std::string geometry = shaders[vtkShader::Geometry]->GetSource();
+  vtkShaderProgram::Substitute(vertex, "//VTK::PositionVC::Dec",
+    "//VTK::PositionVC::Dec\nin " + attribute + ";\nout " + type + " " + name + "VCVSOutput;\n",
+    false);
+  vtkShaderProgram::Substitute(vertex, "//VTK::PositionVC::Impl",
+    "//VTK::PositionVC::Impl\n  " + name + "VCVSOutput = " + value + ";\n", false);
+  vtkShaderProgram::Substitute(geometry, "//VTK::PositionVC::Dec",
+    "//VTK::PositionVC::Dec\nin " + type + " " + name + "VCVSOutput[];\nout " + type + " " + name +
+      "VCGSOutput;\n",
+    false);
+  vtkShaderProgram::Substitute(geometry, "//VTK::PositionVC::Impl",
+    "//VTK::PositionVC::Impl\n  " + name + "VCGSOutput = " + name + "VCVSOutput[i];\n", false);
+  shaders[vtkShader::Vertex]->SetSource(vertex);
+  shaders[vtkShader::Geometry]->SetSource(geometry);
+}
+
 void PartMapper::ReplaceShaderPositionVC(
   std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* ren, vtkActor* actor)
 {
   if (this->NeedsWeights(this->LastBoundBO))
   {
-    std::string vertex = shaders[vtkShader::Vertex]->GetSource();
-    std::string geometry = shaders[vtkShader::Geometry]->GetSource();
     for (const auto& [name, type] : this->Text->GetAttributes())
     {
-      vtkShaderProgram::Substitute(vertex, "//VTK::PositionVC::Dec",
-        "//VTK::PositionVC::Dec\nin " + type + " " + name + ";\nout " + type + " " + name +
-          "VCVSOutput;\n",
-        false);
-      vtkShaderProgram::Substitute(vertex, "//VTK::PositionVC::Impl",
-        "//VTK::PositionVC::Impl\n  " + name + "VCVSOutput = " + name + ";\n", false);
-      vtkShaderProgram::Substitute(geometry, "//VTK::PositionVC::Dec",
-        "//VTK::PositionVC::Dec\nin " + type + " " + name + "VCVSOutput[];\nout " + type + " " +
-          name + "VCGSOutput;\n",
-        false);
-      vtkShaderProgram::Substitute(geometry, "//VTK::PositionVC::Impl",
-        "//VTK::PositionVC::Impl\n  " + name + "VCGSOutput = " + name + "VCVSOutput[i];\n", false);
+      AddVarying(shaders, { type, name, type + " " + name, name });
     }
-    shaders[vtkShader::Vertex]->SetSource(vertex);
-    shaders[vtkShader::Geometry]->SetSource(geometry);
     if (this->IsOthers(this->LastBoundBO))
     {
       std::string fragment = shaders[vtkShader::Fragment]->GetSource();

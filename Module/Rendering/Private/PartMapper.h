@@ -66,6 +66,19 @@ protected:
   /// Of parts of several members, or of the Nearest kind; null: one material, or none.
   const MixtureShader* GetText() const { return this->Text.get(); }
 
+  /// What vertices hand to fragments: a value that is made of an attribute.
+  struct VaryingText
+  {
+    std::string Type;
+    std::string Name;
+    std::string Attribute; // its type and name
+    std::string Value;
+  };
+  static void AddVarying(
+    std::map<vtkShader::Type, vtkShader*>& shaders, const VaryingText& varying);
+
+  vtkMaterialMap* GetMap() const { return this->Map; }
+
   PartMapper() = default;
   ~PartMapper() override = default;
 

@@ -11,6 +11,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
 #include "vtkSelection.h"
 #include "vtkSurfaceVisibilityFilter.h"
 
@@ -99,7 +100,8 @@ void PartMappers::Expect(vtkPolyData* input, vtkActor* actor, vtkOpenGLPolyDataM
   const MaterialSettings& settings = this->Drawing->GetSettings();
   vtkSelection* selection = host->GetSelection();
   this->MayCut =
-    settings.MaterialMap && input && ClassesMapper::CanDraw(actor) && !hasOwnAttributes &&
+    settings.MaterialMap && input && ClassesMapper::CanDraw(actor) &&
+    !actor->GetProperty()->GetEdgeVisibility() && !hasOwnAttributes &&
     !(selection && selection->GetNumberOfNodes() > 0) &&
     (!ColorsPoints(scalars, input) ||
       (AreColorsOfMap(scalars, input, settings.MaterialMap) && AreAllOfMaterials(settings)));

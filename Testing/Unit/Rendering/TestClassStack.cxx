@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Terms of one shader as one: where tables and numbers are, and what cannot be stacked. What the
-// stacks show is tested with pixels (TestMaterialMapBorders.cxx, TestMaterialMapClasses.cxx).
+// Terms of several materials as those of one: where tables and numbers are, what is left out where
+// a material has no such term, and what cannot be stacked. What the stacks show is tested with
+// pixels (TestMaterialMapBorders.cxx, TestMaterialMapStacks.cxx).
 
-#include "ClassStack.h"
+#include "StackedTerms.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +14,7 @@
 
 namespace
 {
-using measuredbrdf::StackTerms;
+using measuredbrdf::StackedTerms;
 using Term = vtkBRDFShaderInputs::Term;
 using Texture = vtkBRDFShaderInputs::Texture;
 
@@ -41,10 +42,11 @@ protected:
     for (int k = 0; k < 3; ++k)
     {
       Term term;
-      term.Source = "uniform sampler3D volumeINSTANCE;\nuniform float scaleINSTANCE;\n"
-                    "uniform vec3 sameINSTANCE;\n"
-                    "vec3 f(vec3 p) { return scaleINSTANCE * texture(volumeINSTANCE, p).rgb * "
-                    "vec3(textureSize(volumeINSTANCE, 0)); }\n";
+      term.Source =
+        "uniform sampler3D volumeINSTANCE;\nuniform float scaleINSTANCE;\n"
+        "uniform vec3 sameINSTANCE;\n"
+        "vec3 fINSTANCE(vec3 p) { return scaleINSTANCE * texture(volumeINSTANCE, p).rgb * "
+        "vec3(textureSize(volumeINSTANCE, 0)); }\n";
       term.Uniforms = { { "scale", { 1.0f + static_cast<float>(k) } },
         { "same", { 1.0f, 2.0f, 3.0f } } };
       term.Textures = { MakeVolume(10.0f * static_cast<float>(k)) };
@@ -54,15 +56,24 @@ protected:
 
   bool Stack(int mostTexels)
   {
-    std::vector<const Term*> terms;
-    for (const Term& term : this->Terms)
+    std::vector<vtkBRDFShaderInputs> forms(this->Terms.size());
+    for (std::size_t k = 0; k < forms.size(); ++k)
     {
-      terms.push_back(&term);
+      forms[k].Terms = { this->Terms[k] };
     }
-    this->Stacked = Term();
-    this->Load.clear();
-    return StackTerms(
-      terms, { "number", "numbers" }, { mostTexels, mostTexels }, this->Stacked, this->Load);
+    return this->Stack(forms, mostTexels);
+  }
+
+  bool Stack(const std::vector<vtkBRDFShaderInputs>& forms, int mostTexels)
+  {
+    StackedTerms terms({ "number", "numbers", "here", { { "f", "vec3 p", "p" } } });
+    terms.Align(forms);
+    const bool stacked = terms.Stack({ mostTexels, mostTexels });
+    this->Samplers = terms.CountSamplers();
+    this->Form = terms.GetForm();
+    this->Stacked = this->Form.Terms.empty() ? Term() : this->Form.Terms.front();
+    this->Load = terms.GetLoad();
+    return stacked;
   }
 
   bool Has(const std::string& text) const
@@ -71,7 +82,9 @@ protected:
   }
 
   std::vector<Term> Terms;
-  Term Stacked;
+  vtkBRDFShaderInputs Form;
+  Term Stacked; // the first one
+  std::size_t Samplers = 0;
   std::string Load;
 };
 
@@ -172,8 +185,8 @@ TEST_F(ClassStacking, NumbersThatDifferAreInATexture)
   const Texture& numbers = this->Stacked.Textures.back();
   EXPECT_EQ(numbers.Dimensions, (std::array<int, 3>{ 2, 3, 1 })); // where tables begin, and scale
   EXPECT_EQ(numbers.Data[2 * 8 + 4], 3.0f);                       // the third one's
-  EXPECT_NE(this->Load.find("scaleINSTANCE = texelFetch(numbersINSTANCE, ivec2(1, number), 0).r;"),
-    std::string::npos)
+  EXPECT_NE(
+    this->Load.find("scale0 = texelFetch(numbers0, ivec2(1, number), 0).r;"), std::string::npos)
     << this->Load;
   EXPECT_FALSE(this->Has("uniform float scaleINSTANCE"));
 }
@@ -193,9 +206,6 @@ TEST_F(ClassStacking, WhatDoesNotFitIsNotStacked)
 {
   EXPECT_FALSE(this->Stack(2));
   EXPECT_TRUE(this->Stack(64));
-  this->Terms[1].Textures[0].HalfFloat = true;
-  EXPECT_FALSE(this->Stack(64));
-  this->Terms[1].Textures[0].HalfFloat = false;
   for (Term& term : this->Terms)
   {
     term.Textures[0].Repeat = { true, true, true };
@@ -209,12 +219,60 @@ TEST_F(ClassStacking, WhatDoesNotFitIsNotStacked)
   EXPECT_FALSE(this->Stack(64)) << "a use of the sampler that is not known";
 }
 
-TEST_F(ClassStacking, OtherTextsAreNotStacked)
+// Each is a term of its own, which the others' pixels skip.
+TEST_F(ClassStacking, TermsOfOtherTextsAreSkippedElsewhere)
 {
-  this->Terms[1].Constants = { { "COUNT", "3" } };
-  EXPECT_FALSE(this->Stack(64));
-  this->Terms[1].Constants.clear();
-  this->Terms[2].Source += " ";
+  this->Terms[1].Constants = { { "scale", "factor" } };
+  this->Terms[1].Uniforms[0].Name = "factor";
+  ASSERT_TRUE(this->Stack(64));
+  ASSERT_EQ(this->Form.Terms.size(), 2u);
+  EXPECT_EQ(this->Samplers, 3u);
+  EXPECT_TRUE(this->Has("vec3 fHereINSTANCE(vec3 p) { return scaleINSTANCE"));
+  EXPECT_TRUE(this->Has("vec3 fINSTANCE(vec3 p)\n{\n  vec3 sum = vec3(0.0);\n"
+                        "  for (int once = 0; once < int(hereINSTANCE); ++once)\n"
+                        "  {\n    sum += fHereINSTANCE(p);\n"));
+  // Rows: materials. Columns: where the first term's table begins, its scale, whether it is there,
+  // and whether the second one is, which has its own table and numbers.
+  const Texture& numbers = this->Stacked.Textures.back();
+  ASSERT_EQ(numbers.Dimensions, (std::array<int, 3>{ 4, 3, 1 }));
+  const auto number = [&numbers](std::size_t row, std::size_t column)
+  { return numbers.Data[16 * row + 4 * column]; };
+  EXPECT_EQ(number(0, 1), 1.0f);
+  EXPECT_EQ(number(1, 1), 0.0f);
+  EXPECT_EQ(number(2, 1), 3.0f);
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    EXPECT_EQ(number(k, 2), k == 1 ? 0.0f : 1.0f);
+    EXPECT_EQ(number(k, 3), k == 1 ? 1.0f : 0.0f);
+  }
+  const Term& other = this->Form.Terms[1];
+  EXPECT_EQ(other.Textures.size(), 1u);
+  EXPECT_EQ(other.Textures[0].Data, this->Terms[1].Textures[0].Data);
+  EXPECT_EQ(other.Uniforms[0].Values, this->Terms[1].Uniforms[0].Values);
+  EXPECT_NE(
+    this->Load.find("here1 = texelFetch(numbers0, ivec2(3, number), 0).r;"), std::string::npos)
+    << this->Load;
+}
+
+// A material may have several, or none.
+TEST_F(ClassStacking, TermsOfOneTextStandTogether)
+{
+  std::vector<vtkBRDFShaderInputs> forms(3);
+  forms[0].Terms = { this->Terms[0], this->Terms[1] };
+  forms[2].Terms = { this->Terms[2] };
+  ASSERT_TRUE(this->Stack(forms, 64));
+  ASSERT_EQ(this->Form.Terms.size(), 2u);
+  EXPECT_TRUE(this->Has("hereINSTANCE")) << "the second material has none";
+  EXPECT_EQ(this->Stacked.Textures[0].Data.size(), 16u) << "of the first and the third";
+  EXPECT_EQ(this->Form.Terms[1].Textures[0].Data, this->Terms[1].Textures[0].Data);
+}
+
+// The function's name is not where it could be replaced.
+TEST_F(ClassStacking, TermsThatCannotBeSkippedAreNotStacked)
+{
+  this->Terms[1].Source = "#define NAME fINSTANCE\nvec3 NAME(vec3 p) { return p; }\n";
+  this->Terms[1].Textures.clear();
+  this->Terms[1].Uniforms.clear();
   EXPECT_FALSE(this->Stack(64));
 }
 }
