@@ -177,9 +177,9 @@ void vtkMeasuredBRDFMapper::ChooseTriangles(vtkRenderer* ren, vtkActor* actor)
 {
   vtkOpenGLIndexBufferObject* indices = this->Primitives[PrimitiveTris].IBO;
   vtkPolyData* surface = this->CurrentInput;
-  const bool isClosed = this->HasOcclusion() && this->IsOtherSideClosed && surface &&
-                        !surface->GetPointData()->HasArray(
-                          vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName());
+  const bool isClosed =
+    this->HasOcclusion() && this->IsOtherSideClosed && surface &&
+    !surface->GetPointData()->HasArray(vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName());
   if (isClosed && surface->GetNumberOfPolys() >= FacingDrawing::LeastTriangles &&
       this->GetNumberOfClippingPlanes() == 0 && !this->HaveCellScalars && !this->HaveCellNormals &&
       this->Map->Facing.IsWorth(ren, actor))

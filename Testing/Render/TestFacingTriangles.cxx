@@ -115,8 +115,8 @@ protected:
   vtkNew<vtkPlane> Nothing;
 };
 
-// Pictures stay as they are from any side, in both projections, of actors that are turned and scaled
-// unevenly; about half of the triangles are drawn.
+// Pictures stay as they are from any side, in both projections, of actors that are turned and
+// scaled unevenly; about half of the triangles are drawn.
 TEST_F(FacingTest, PicturesStayAsTheyAre)
 {
   vtkCamera* camera = this->Renderer->GetActiveCamera();
@@ -202,8 +202,8 @@ TEST(FacingTriangles, TheEyeOfAProjection)
     }
     const glm::dvec4 eye = measuredbrdf::FindEye(toClip);
     const glm::dvec3 towards(0.5, 2.0, 6.0);
-    const glm::dvec4 expected = parallel ? glm::dvec4(glm::normalize(towards), 0.0)
-                                         : glm::dvec4(1.0, 2.0, 7.0, 1.0);
+    const glm::dvec4 expected =
+      parallel ? glm::dvec4(glm::normalize(towards), 0.0) : glm::dvec4(1.0, 2.0, 7.0, 1.0);
     EXPECT_LT(glm::length(eye - expected), 1e-9) << parallel;
   }
 }

@@ -31,7 +31,7 @@ public:
   /// Smaller surfaces draw all of their triangles.
   static constexpr vtkIdType LeastTriangles = 10000;
 
-  /// Whether what is drawn of the actor leaves no other use of triangles that face away: opaque, lit
+  /// Whether what is drawn of the actor leaves triangles that face away no other use: opaque, lit
   /// and uncut surfaces, on a renderer that takes the processor's time.
   bool IsWorth(vtkRenderer* renderer, vtkActor* actor);
 

@@ -45,7 +45,7 @@ public:
 private:
   std::vector<unsigned int> Corners;
   std::vector<glm::vec4> Planes; // unit, positive in front
-  double Size = 0.0; // of the surface
+  double Size = 0.0;             // of the surface
 };
 
 /// Where the viewer of a projection is, or with w = 0 the direction to him: the homogeneous point
