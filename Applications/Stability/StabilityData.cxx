@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Stability: materials that no sample can be.
+#include "FilledTable.h"
 #include "Stability.h"
 #include "StabilityErrors.h"
 #include "StabilityRenderer.h"
@@ -9,11 +10,10 @@
 
 #include "vtkBRDFAnalysis.h"
 #include "vtkNew.h"
-#include "vtkTabulatedBRDF.h"
 
+#include <array>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 using namespace tool::stability;
 
@@ -26,34 +26,21 @@ constexpr int Size = 32;
 vtkSmartPointer<vtkBRDF> MakeTable(
   const std::function<double(std::size_t, double)>& change, int range = vtkTabulatedBRDF::HALF_TURN)
 {
-  const int dimensions[3] = { 12, 24, 32 };
   const vtkSmartPointer<vtkBRDF> plastic = MakePlastic(20.0);
-  std::vector<float> rgb;
-  std::size_t cell = 0;
-  for (int z = 0; z < dimensions[2]; ++z)
-  {
-    for (int y = 0; y < dimensions[1]; ++y)
+  return FillTable({ 12, 24, 32 }, range,
+    [&](std::size_t cell, const double* i, const double* o)
     {
-      for (int x = 0; x < dimensions[0]; ++x, ++cell)
+      std::array<double, 3> f = { 0.1, 0.1, 0.1 };
+      if (i)
       {
-        double i[3];
-        double o[3];
-        double f[3] = { 0.1, 0.1, 0.1 };
-        if (vtkTabulatedBRDF::GetCellDirections(
-              vtkTabulatedBRDF::HALF_DIFFERENCE, range, dimensions, x, y, z, i, o))
-        {
-          plastic->Evaluate(i, o, f);
-        }
-        for (const double value : f)
-        {
-          rgb.push_back(static_cast<float>(change(cell, value)));
-        }
+        plastic->Evaluate(i, o, f.data());
       }
-    }
-  }
-  auto table = vtkSmartPointer<vtkTabulatedBRDF>::New();
-  table->SetVolume(vtkTabulatedBRDF::HALF_DIFFERENCE, range, dimensions, std::move(rgb));
-  return table;
+      for (double& value : f)
+      {
+        value = change(cell, value);
+      }
+      return f;
+    });
 }
 
 /// In [0, 1), by cell.

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Stability: very large and very small values, in textures and in sums.
+#include "FilledTable.h"
 #include "Stability.h"
 #include "StabilityErrors.h"
 #include "StabilityRenderer.h"
@@ -13,6 +14,7 @@
 #include "vtkTabulatedBRDF.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <utility>
@@ -45,33 +47,21 @@ Pairs MakeDrawnPairs(int count)
 // A table of a lobe whose values span far more than 16-bit floats do.
 vtkSmartPointer<vtkBRDF> MakeWideTable(double exponent, double scale, int precision)
 {
-  const int dimensions[3] = { 4, 16, 64 };
   const vtkSmartPointer<vtkBRDF> lobe = MakeLobe(exponent);
-  std::vector<float> rgb;
-  for (int z = 0; z < dimensions[2]; ++z)
-  {
-    for (int y = 0; y < dimensions[1]; ++y)
+  const auto table = FillTable({ 4, 16, 64 }, vtkTabulatedBRDF::HALF_TURN,
+    [&](std::size_t, const double* i, const double* o)
     {
-      for (int x = 0; x < dimensions[0]; ++x)
+      std::array<double, 3> f = { 0.0, 0.0, 0.0 };
+      if (i)
       {
-        double i[3];
-        double o[3];
-        double f[3] = { 0.0, 0.0, 0.0 };
-        if (vtkTabulatedBRDF::GetCellDirections(vtkTabulatedBRDF::HALF_DIFFERENCE,
-              vtkTabulatedBRDF::HALF_TURN, dimensions, x, y, z, i, o))
-        {
-          lobe->Evaluate(i, o, f);
-        }
-        for (const double value : f)
-        {
-          rgb.push_back(static_cast<float>(scale * value));
-        }
+        lobe->Evaluate(i, o, f.data());
       }
-    }
-  }
-  auto table = vtkSmartPointer<vtkTabulatedBRDF>::New();
-  table->SetVolume(
-    vtkTabulatedBRDF::HALF_DIFFERENCE, vtkTabulatedBRDF::HALF_TURN, dimensions, std::move(rgb));
+      for (double& value : f)
+      {
+        value *= scale;
+      }
+      return f;
+    });
   table->SetPrecision(precision);
   return table;
 }

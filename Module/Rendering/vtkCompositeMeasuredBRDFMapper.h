@@ -120,6 +120,10 @@ public:
   void SetOcclusionModeToOff() { this->SetOcclusionMode(vtkMeasuredBRDFMapper::OCCLUSION_OFF); }
   void SetOcclusionModeToAuto() { this->SetOcclusionMode(vtkMeasuredBRDFMapper::OCCLUSION_AUTO); }
   void SetOcclusionModeToOn() { this->SetOcclusionMode(vtkMeasuredBRDFMapper::OCCLUSION_ON); }
+  void SetOcclusionModeToArrays()
+  {
+    this->SetOcclusionMode(vtkMeasuredBRDFMapper::OCCLUSION_ARRAYS);
+  }
   void SetOcclusionBounce(bool bounce);
   bool GetOcclusionBounce();
   void OcclusionBounceOn() { this->SetOcclusionBounce(true); }

@@ -288,7 +288,8 @@ public:
   {
     OCCLUSION_OFF = 0,
     OCCLUSION_AUTO = 1,
-    OCCLUSION_ON = 2
+    OCCLUSION_ON = 2,
+    OCCLUSION_ARRAYS = 3
   };
 
   ///@{
@@ -303,7 +304,10 @@ public:
    * rotation changes nothing about the answer. A surface that changes in each of four frames is
    * drawn without until it rests; one that a material map divides, always. OCCLUSION_ON: whatever
    * the error; the first Render and each one after a change of the surface then run that filter
-   * (seconds for half a million triangles). OCCLUSION_OFF: never.
+   * (seconds for half a million triangles). OCCLUSION_ARRAYS: where it has the point arrays, and
+   * only there: nothing is predicted or traced. OCCLUSION_OFF: never. Of composite data, blocks
+   * that have the arrays keep them; the others are treated as above, and GetPlan says how many have
+   * some.
    * Arrays of another surface, or damaged ones, are reported once and not used. vtkLights are not
    * hidden: vtkShadowMapPass does that. The environment's rotation changes at the cost that it has
    * without; a new environment takes some 0.03 s more. Methods that tell a material's matte part
@@ -315,6 +319,7 @@ public:
   void SetOcclusionModeToOff() { this->SetOcclusionMode(OCCLUSION_OFF); }
   void SetOcclusionModeToAuto() { this->SetOcclusionMode(OCCLUSION_AUTO); }
   void SetOcclusionModeToOn() { this->SetOcclusionMode(OCCLUSION_ON); }
+  void SetOcclusionModeToArrays() { this->SetOcclusionMode(OCCLUSION_ARRAYS); }
   ///@}
 
   ///@{

@@ -38,27 +38,6 @@ namespace
 {
 constexpr const char* Version = "2:";
 
-std::vector<vtkPolyData*> GetSurfaces(vtkDataObject* data)
-{
-  std::vector<vtkPolyData*> surfaces;
-  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
-  {
-    auto it = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
-    {
-      if (auto* block = vtkPolyData::SafeDownCast(it->GetCurrentDataObject()))
-      {
-        surfaces.push_back(block);
-      }
-    }
-  }
-  else if (auto* surface = vtkPolyData::SafeDownCast(data))
-  {
-    surfaces.push_back(surface);
-  }
-  return surfaces;
-}
-
 constexpr const char* BackSuffix = "Back";
 
 SideNames GetNames(const std::string& suffix)
@@ -234,8 +213,8 @@ bool vtkSurfaceVisibilityFilter::AddOccluder(vtkActor* actor, vtkActor* self)
   {
     mapper->Update();
   }
-  const std::vector<vtkPolyData*> surfaces =
-    GetSurfaces(mapper ? mapper->GetInputDataObject(0, 0) : nullptr);
+  const std::vector<vtkPolyData*> surfaces = vtkCompositeDataSet::GetDataSets<vtkPolyData>(
+    mapper ? mapper->GetInputDataObject(0, 0) : nullptr);
   vtkNew<vtkMatrix4x4> matrix;
   if (self)
   {
@@ -302,7 +281,7 @@ int vtkSurfaceVisibilityFilter::RequestData(vtkInformation* vtkNotUsed(request),
   {
     return 0;
   }
-  const std::vector<vtkPolyData*> surfaces = GetSurfaces(input);
+  const std::vector<vtkPolyData*> surfaces = vtkCompositeDataSet::GetDataSets<vtkPolyData>(input);
   const std::string key = this->Impl->MakeKey(this, surfaces);
   const bool isKnown = key == this->Impl->Key;
   bool whole = isKnown && (!this->Bounce || this->Impl->HasBounce);

@@ -113,13 +113,8 @@ int vtkTracedScene::AddSurface(vtkPolyData* surface, vtkMatrix4x4* matrix)
       "AddSurface: found a matrix that is not finite, or whose last row is not 0, 0, 0, 1.");
     return -1;
   }
-  double points = static_cast<double>(surface->GetNumberOfPoints());
-  double cells = static_cast<double>(surface->GetNumberOfCells());
-  for (const vtkTracedSurfaces::Surface& other : this->Data->Surfaces)
-  {
-    points += static_cast<double>(other.Mesh->GetNumberOfPoints());
-    cells += static_cast<double>(other.Mesh->GetNumberOfCells());
-  }
+  const double points = this->Data->Points + static_cast<double>(surface->GetNumberOfPoints());
+  const double cells = this->Data->Cells + static_cast<double>(surface->GetNumberOfCells());
   if (std::max(points, cells) > 4294967294.0)
   {
     vtkErrorMacro("AddSurface: found " << points << " points and " << cells
@@ -129,6 +124,8 @@ int vtkTracedScene::AddSurface(vtkPolyData* surface, vtkMatrix4x4* matrix)
   added.Mesh = vtkSmartPointer<vtkPolyData>::New();
   added.Mesh->ShallowCopy(surface);
   this->Data->Surfaces.push_back(added);
+  this->Data->Points = points;
+  this->Data->Cells = cells;
   this->Data->Tracer.reset();
   this->Modified();
   return this->GetNumberOfSurfaces() - 1;
@@ -138,6 +135,7 @@ int vtkTracedScene::AddSurface(vtkPolyData* surface, vtkMatrix4x4* matrix)
 void vtkTracedScene::RemoveAllSurfaces()
 {
   this->Data->Surfaces.clear();
+  this->Data->Points = this->Data->Cells = 0.0;
   this->Data->Tracer.reset();
   this->Modified();
 }

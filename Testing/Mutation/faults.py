@@ -1102,8 +1102,18 @@ add("Rendering.mappers-trace-apart", "Private/SharedTrace.cxx", "found = traces[
     "SharedTraceTest.MappersOfOneSurfaceTraceOnce|SharedTraceTest.OccludersAreNotShared")
 add("Rendering.shared-without-the-bounce", "Private/SharedTrace.h", "(!withBounce || this->HasBounce)", "true",
     "SharedTraceTest.MappersOfOneSurfaceTraceOnce")
-add("Rendering.traces-of-others", "Private/OcclusionArrays.cxx", "this->TracedState != state",
-    "this->TracedState.back().second != state.back().second", "SharedTraceTest.SurfacesThatSharePointsKeepApart")
+add("Rendering.traces-of-others", "Private/OcclusionArrays.cxx", "this->TracedTimes != times",
+    "this->TracedTimes.size() != times.size()", "SharedTraceTest.SurfacesThatSharePointsKeepApart")
+add("Rendering.blocks-without-arrays-stay-open", "Private/MaterialDrawingOcclusion.cxx", "this->Given.Blocks == this->Given.All)",
+    "this->Given.Blocks > 0)", "OcclusionBlocks.SomeHaveArrays")
+add("Rendering.arrays-alone-are-traced", "Private/MaterialDrawingOcclusion.cxx", "const bool make = mode == 2 &&", "const bool make = mode >= 2 &&",
+    "OcclusionBlocks.SomeHaveArrays")
+add("Rendering.blocks-are-listed-for-each", "Private/SurfaceBlocks.cxx", "this->Other != other ||", "this->Other != nullptr ||",
+    "OcclusionBlocks.ManyAreListedOnce")
+add("Rendering.blocks-are-compared-for-each", "Private/OcclusionArrays.cxx", "this->IsTracedChecked && this->TracedInput == input",
+    "!this->IsTracedChecked && this->TracedInput == input", "OcclusionBlocks.ManyAreListedOnce")
+add("Rendering.moved-blocks-hide-where-they-were", "Private/OcclusionArrays.h", "{ this->IsTracedChecked = false; }", "{}",
+    "OcclusionBlocks.OneThatMovesShowsOnTheOthers")
 add("Rendering.threads-trace-at-once", "Private/SharedTrace.cxx", "while (this->Maker != std::thread::id())", "while (false)",
     "SharedTraceTest.ThreadsWaitForOneAnother")
 add("Rendering.forecasts-outlive-mappers", "Private/OcclusionForecast.cxx", "[this]() { return !this->IsStopped; }",

@@ -94,7 +94,11 @@ public:
   std::shared_ptr<OcclusionArrays> FindOcclusion(
     vtkPolyData* surface, const void* part, bool isPart);
   /// Before those that a part's new buffers ask for.
-  void BeginOcclusion(const void* part) { this->BouncingParts.erase(part); }
+  void BeginOcclusion(const void* part)
+  {
+    this->BouncingParts.erase(part);
+    this->Occlusion.Begin();
+  }
   const OcclusionLight* FindOcclusionLight(const DrawnMaterial& drawn);
   /// Of a surface that a material map will divide: itself, or with the arrays that it has to have
   /// (SetOcclusionModeToOn). The same object while nothing changes.
@@ -226,6 +230,12 @@ private:
   };
   std::map<vtkSmartPointer<vtkRadianceIntegrator>, KnownLight> KnownLights;
   OcclusionCache Occlusion;
+  struct GivenOcclusion
+  {
+    std::size_t Blocks = 0; // with arrays of whoever made them
+    std::size_t All = 0;
+  };
+  GivenOcclusion Given; // with the surfaces of the last frame
   std::map<const void*, std::unique_ptr<OcclusionForecast>> Forecasts; // of parts
   std::set<const void*> BouncingParts; // whose buffers have what comes back
   bool WasReady = false;               // whether a plan made in the background waited to be drawn

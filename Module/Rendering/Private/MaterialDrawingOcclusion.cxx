@@ -23,13 +23,10 @@ namespace measuredbrdf
 {
 namespace
 {
-// Arrays of whoever made the surfaces.
-bool HasArrays(const std::vector<vtkPolyData*>& surfaces)
+// Arrays of whoever made the surface.
+bool HasArrays(vtkPolyData* surface)
 {
-  return std::any_of(surfaces.begin(), surfaces.end(),
-    [](vtkPolyData* surface) {
-      return surface->GetPointData()->HasArray(vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName());
-    });
+  return surface->GetPointData()->HasArray(vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName());
 }
 
 // From a surface's axes to those in which the renderer's environment is given.
@@ -55,15 +52,24 @@ vtkSmartPointer<vtkMatrix4x4> FindToEnvironment(vtkRenderer* renderer, vtkActor*
 }
 }
 
-// Only where a plan's error is promised, and no arrays are there.
+// Only where a plan's error is promised, and a surface without arrays is there.
 void MaterialDrawing::ForecastOcclusion(
   const FrameState& state, const void* part, const ViewFrame& frame)
 {
   auto* owner = vtkMapper::SafeDownCast(this->Owner);
   vtkDataObject* input =
     owner && owner->GetNumberOfInputConnections(0) > 0 ? owner->GetInputDataObject(0, 0) : nullptr;
+  this->Given = GivenOcclusion();
+  for (vtkPolyData* surface : GetBlocks(this->Settings->OcclusionMode != 0 ? input : nullptr))
+  {
+    if (surface->GetNumberOfPolys() > 0 || surface->GetNumberOfStrips() > 0)
+    {
+      ++this->Given.All;
+      this->Given.Blocks += HasArrays(surface) ? 1 : 0;
+    }
+  }
   if (this->Settings->OcclusionMode != 1 || !this->IsPlanned() || this->Settings->MaterialMap ||
-      !input || HasArrays(GetBlocks(input)))
+      this->Given.Blocks == this->Given.All)
   {
     this->Forecasts.erase(part);
     return;
@@ -102,7 +108,7 @@ vtkSmartPointer<vtkPolyData> MaterialDrawing::FindWhole(vtkPolyData* surface)
 {
   auto* owner = vtkMapper::SafeDownCast(this->Owner);
   vtkDataObject* input = owner ? owner->GetInputDataObject(0, 0) : nullptr;
-  return this->Settings->OcclusionMode == 2 && input && !HasArrays({ surface })
+  return this->Settings->OcclusionMode == 2 && input && !HasArrays(surface)
            ? this->Occlusion.FindWhole(surface, input, this->Settings->OcclusionBounce)
            : vtkSmartPointer<vtkPolyData>(surface);
 }
@@ -115,7 +121,16 @@ std::string MaterialDrawing::DescribeOcclusion() const
     worst = !worst || forecast->GetError() > worst->GetError() ? forecast.get() : worst;
   }
   const std::string text = worst ? worst->GetText() : "";
-  return (text.empty() ? "" : "; " + text) +
+  std::string given;
+  if (this->Given.Blocks > 0 && this->Given.Blocks < this->Given.All)
+  {
+    given = "; hidden sky is given for " + std::to_string(this->Given.Blocks) + " of " +
+            std::to_string(this->Given.All) + " blocks" +
+            (this->Settings->OcclusionMode == 2 ? ", traced for the others"
+              : this->Forecasts.empty()         ? ", left out of the others"
+                                                : "");
+  }
+  return (text.empty() ? "" : "; " + text) + given +
          (this->BouncingParts.empty() ? "" : "; one bounce modeled");
 }
 

@@ -72,7 +72,7 @@ void MaterialSettings::SetScalarColoringMode(vtkObject* self, int mode)
 
 void MaterialSettings::SetOcclusionMode(vtkObject* self, int mode)
 {
-  this->SetMode(self, "OcclusionMode", this->OcclusionMode, mode, 3);
+  this->SetMode(self, "OcclusionMode", this->OcclusionMode, mode, 4);
 }
 
 void MaterialSettings::Copy(const MaterialSettings& other)
@@ -116,7 +116,7 @@ void MaterialSettings::Print(ostream& os, vtkIndent indent) const
   os << indent << "CacheFolder: " << this->CacheFolder << "\n";
   os << indent << "ScalarColoringMode: " << (this->ScalarColoringMode ? "modulate" : "ignore")
      << "\n";
-  const char* const occlusion[] = { "off", "auto", "on" };
+  const char* const occlusion[] = { "off", "auto", "on", "arrays" };
   os << indent << "OcclusionMode: " << occlusion[this->OcclusionMode] << "\n";
   os << indent << "OcclusionBounce: " << (this->OcclusionBounce ? "On" : "Off") << "\n";
   os << indent << "UseSceneLights: " << (this->UseSceneLights ? "On" : "Off") << "\n";

@@ -5,7 +5,6 @@
 #include "BouncedLight.h"
 #include "HiddenSky.h"
 #include "SharedTrace.h"
-#include "SurfaceBlocks.h"
 #include "SurfacePoints.h"
 #include "vtkCellArray.h"
 #include "vtkDataObject.h"
@@ -232,13 +231,17 @@ std::shared_ptr<OcclusionArrays> OcclusionArrays::MakeOpen(vtkIdType points)
   return arrays;
 }
 
+bool OcclusionArrays::HasAny(vtkPolyData* surface)
+{
+  vtkPointData* data = surface->GetPointData();
+  return data->HasArray(vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName()) ||
+         data->HasArray(vtkSurfaceVisibilityFilter::GetHiddenLightArrayName());
+}
+
 std::shared_ptr<OcclusionArrays> OcclusionArrays::Read(
   vtkPolyData* surface, bool isPart, bool withBounce, std::string& problem)
 {
-  vtkPointData* data = surface->GetPointData();
-  const char* const names[] = { vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName(),
-    vtkSurfaceVisibilityFilter::GetHiddenLightArrayName() };
-  if (surface->GetNumberOfPoints() == 0 || (!data->HasArray(names[0]) && !data->HasArray(names[1])))
+  if (surface->GetNumberOfPoints() == 0 || !HasAny(surface))
   {
     return nullptr;
   }
@@ -248,7 +251,9 @@ std::shared_ptr<OcclusionArrays> OcclusionArrays::Read(
   {
     return nullptr;
   }
-  arrays->HasBack = data->HasArray((std::string(names[0]) + "Back").c_str()) &&
+  const std::string back =
+    std::string(vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName()) + "Back";
+  arrays->HasBack = surface->GetPointData()->HasArray(back.c_str()) &&
                     ReadSide(surface, "Back", arrays->Back, problem);
   if (!problem.empty())
   {
@@ -298,23 +303,36 @@ OcclusionCache::OcclusionCache() = default;
 
 OcclusionCache::~OcclusionCache() = default;
 
-// The input with arrays, for all of its blocks, which ask one by one.
-vtkDataObject* OcclusionCache::Trace(vtkDataObject* input, bool withBounce)
+// The input with arrays, for all of its blocks, which ask one by one: once the times of all were
+// compared, each one's own is enough.
+vtkDataObject* OcclusionCache::Trace(vtkPolyData* surface, vtkDataObject* input, bool withBounce)
 {
-  // Surfaces that share points can have the same time.
-  std::vector<std::pair<vtkDataObject*, vtkMTimeType>> state = { { input, input->GetMTime() } };
-  for (vtkPolyData* surface : GetBlocks(input))
+  const auto stays = [this](vtkDataObject* data)
   {
-    state.emplace_back(surface, surface->GetMTime());
+    const auto known = this->TracedTimes.find(data);
+    return known != this->TracedTimes.end() && known->second == data->GetMTime();
+  };
+  // Surfaces that share points can have the same time.
+  if (this->Traced && this->IsTracedChecked && this->TracedInput == input &&
+      this->TracedBounce == withBounce && stays(input) && stays(surface))
+  {
+    return this->Traced;
   }
-  if (!this->Traced || this->TracedState != state || this->TracedBounce != withBounce)
+  Times times = { { input, input->GetMTime() } };
+  for (vtkPolyData* block : GetBlocks(input))
+  {
+    times[block] = block->GetMTime();
+  }
+  if (!this->Traced || this->TracedTimes != times || this->TracedBounce != withBounce)
   {
     const auto before = std::move(this->Shared); // the sky of the same surface is not traced again
     this->Shared = SharedTrace::Find(input);
     this->Traced = this->Shared->Attach(input, withBounce, []() { return true; });
-    this->TracedState = std::move(state);
+    this->TracedInput = input;
+    this->TracedTimes = std::move(times);
     this->TracedBounce = withBounce;
   }
+  this->IsTracedChecked = true;
   return this->Traced;
 }
 
@@ -330,7 +348,8 @@ vtkSmartPointer<vtkPolyData> OcclusionCache::FindWhole(
   if (whole.Time != time || whole.WithBounce != withBounce)
   {
     whole = { time, withBounce, surface };
-    if (vtkPolyData* traced = FindBlock(this->Trace(input, withBounce), input, surface))
+    vtkDataObject* all = this->Trace(surface, input, withBounce);
+    if (vtkPolyData* traced = this->WholePairs.Find(all, input, surface))
     {
       whole.Surface = vtkSmartPointer<vtkPolyData>::New(); // the filter's own changes with others
       whole.Surface->ShallowCopy(traced);
@@ -347,18 +366,17 @@ std::shared_ptr<OcclusionArrays> OcclusionCache::Find(
     this->Entries.clear();
   }
   const auto& [surface, input, traced, make, isPart, withBounce] = question;
-  const vtkMTimeType inputTime = make && input ? input->GetMTime() : 0;
-  const vtkMTimeType time = std::max(surface->GetMTime(), inputTime);
+  const bool isBare = input && !OcclusionArrays::HasAny(surface);
+  vtkDataObject* stands = isBare && make ? this->Trace(surface, input, withBounce) : traced;
+  const vtkMTimeType time = surface->GetMTime();
   Entry& entry = this->Entries[surface];
-  if (entry.Time != time || entry.Made != make || entry.WithBounce != withBounce ||
-      entry.Traced != traced)
+  if (entry.Time != time || entry.WithBounce != withBounce || entry.Traced != stands)
   {
-    entry = { time, make, withBounce, traced, nullptr, "" };
+    entry = { time, withBounce, stands, nullptr, "" };
     entry.Arrays = OcclusionArrays::Read(surface, isPart, withBounce, entry.Problem);
-    if (!entry.Arrays && entry.Problem.empty() && input && (make || traced))
+    if (isBare && stands)
     {
-      vtkPolyData* block =
-        FindBlock(make ? this->Trace(input, withBounce) : traced, input, surface);
+      vtkPolyData* block = this->Pairs.Find(stands, input, surface);
       entry.Arrays =
         block ? OcclusionArrays::Read(block, false, withBounce, entry.Problem) : nullptr;
     }

@@ -8,6 +8,7 @@
 #ifndef OcclusionArrays_h
 #define OcclusionArrays_h
 
+#include "SurfaceBlocks.h"
 #include "vtkDataObject.h"
 #include "vtkFloatArray.h"
 #include "vtkPolyData.h"
@@ -17,8 +18,7 @@
 #include <map>
 #include <memory>
 #include <string>
-#include <utility>
-#include <vector>
+#include <unordered_map>
 
 namespace measuredbrdf
 {
@@ -43,6 +43,9 @@ struct OcclusionArrays
 
   /// Points that see all of their sky.
   static std::shared_ptr<OcclusionArrays> MakeOpen(vtkIdType points);
+
+  /// Whether the surface brings some, whatever they are.
+  static bool HasAny(vtkPolyData* surface);
 
   /// What the surface's arrays say. Null where there are none, or a reason why not is in problem.
   /// isPart: the surface is a part of another one, whose key it has. withBounce: whether it is to
@@ -75,6 +78,9 @@ public:
   };
   std::shared_ptr<OcclusionArrays> Find(const Question& question, std::string& problem);
 
+  /// Before all blocks ask for what is drawn next: a change of one may show on the others.
+  void Begin() { this->IsTracedChecked = false; }
+
   /// The surface with arrays; itself where it cannot be traced.
   vtkSmartPointer<vtkPolyData> FindWhole(
     vtkPolyData* surface, vtkDataObject* input, bool withBounce);
@@ -89,24 +95,28 @@ private:
   struct Entry
   {
     vtkMTimeType Time = 0;
-    bool Made = false;
     bool WithBounce = false;
-    vtkSmartPointer<vtkDataObject> Traced;
+    vtkSmartPointer<vtkDataObject> Traced; // what stood for the input
     std::shared_ptr<OcclusionArrays> Arrays;
     std::string Problem;
   };
 
-  vtkDataObject* Trace(vtkDataObject* input, bool withBounce);
+  vtkDataObject* Trace(vtkPolyData* surface, vtkDataObject* input, bool withBounce);
 
   std::map<vtkPolyData*, Entry> Entries;
   std::map<vtkPolyData*, Whole> Wholes;
   ///@{
   /// The input, traced as it was last asked for.
+  using Times = std::unordered_map<vtkDataObject*, vtkMTimeType>; // only compared
   std::shared_ptr<SharedTrace> Shared;
   vtkSmartPointer<vtkDataObject> Traced;
-  std::vector<std::pair<vtkDataObject*, vtkMTimeType>> TracedState; // only compared
+  vtkDataObject* TracedInput = nullptr;
+  Times TracedTimes; // of the input and its blocks
   bool TracedBounce = false;
+  bool IsTracedChecked = false; // whether all times were compared
   ///@}
+  BlockPairs Pairs; // of what is drawn
+  BlockPairs WholePairs;
 };
 } // namespace measuredbrdf
 

@@ -3,8 +3,6 @@
 #include "SurfaceBlocks.h"
 
 #include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
-#include "vtkPolyData.h"
 
 #include <algorithm>
 
@@ -26,21 +24,6 @@ void ForEachBlock(vtkCompositeDataSet* composite, const Visit& visit)
 }
 }
 
-std::vector<vtkPolyData*> GetBlocks(vtkDataObject* data)
-{
-  std::vector<vtkPolyData*> surfaces;
-  if (auto* surface = vtkPolyData::SafeDownCast(data))
-  {
-    surfaces.push_back(surface);
-  }
-  else if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
-  {
-    ForEachBlock(composite,
-      [&surfaces](vtkPolyData* block, vtkCompositeDataIterator*) { surfaces.push_back(block); });
-  }
-  return surfaces;
-}
-
 vtkSmartPointer<vtkDataObject> CopyBlocks(
   vtkDataObject* data, const std::function<vtkSmartPointer<vtkPolyData>(vtkPolyData*)>& copy)
 {
@@ -57,12 +40,27 @@ vtkSmartPointer<vtkDataObject> CopyBlocks(
   return result;
 }
 
-vtkPolyData* FindBlock(vtkDataObject* other, vtkDataObject* data, vtkPolyData* surface)
+vtkPolyData* BlockPairs::Find(vtkDataObject* other, vtkDataObject* data, vtkPolyData* surface)
 {
-  const std::vector<vtkPolyData*> surfaces = GetBlocks(data);
-  const std::vector<vtkPolyData*> others = GetBlocks(other);
-  const auto at = std::find(surfaces.begin(), surfaces.end(), surface);
-  return at != surfaces.end() && others.size() == surfaces.size() ? others[at - surfaces.begin()]
-                                                                  : nullptr;
+  if (!other || !data)
+  {
+    return nullptr;
+  }
+  const vtkMTimeType time = std::max(other->GetMTime(), data->GetMTime());
+  if (this->Other != other || this->Data != data || this->Time != time)
+  {
+    this->Other = other;
+    this->Data = data;
+    this->Time = time;
+    this->Pairs.clear();
+    const std::vector<vtkPolyData*> surfaces = GetBlocks(data);
+    const std::vector<vtkPolyData*> others = GetBlocks(other);
+    for (std::size_t k = 0; k < surfaces.size() && others.size() == surfaces.size(); ++k)
+    {
+      this->Pairs.emplace(surfaces[k], others[k]);
+    }
+  }
+  const auto found = this->Pairs.find(surface);
+  return found == this->Pairs.end() ? nullptr : found->second;
 }
 } // namespace measuredbrdf

@@ -8,25 +8,41 @@
 #ifndef SurfaceBlocks_h
 #define SurfaceBlocks_h
 
+#include "vtkCompositeDataSet.h"
 #include "vtkDataObject.h"
+#include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
 #include <functional>
+#include <unordered_map>
 #include <vector>
-
-class vtkPolyData;
 
 namespace measuredbrdf
 {
 /// In the order of its iterator.
-std::vector<vtkPolyData*> GetBlocks(vtkDataObject* data);
+inline std::vector<vtkPolyData*> GetBlocks(vtkDataObject* data)
+{
+  return vtkCompositeDataSet::GetDataSets<vtkPolyData>(data);
+}
 
 /// The same structure with a copy of each surface, and without what is none.
 vtkSmartPointer<vtkDataObject> CopyBlocks(
   vtkDataObject* data, const std::function<vtkSmartPointer<vtkPolyData>(vtkPolyData*)>& copy);
 
-/// Of data of the same structure, what stands for a surface; null: there is none.
-vtkPolyData* FindBlock(vtkDataObject* other, vtkDataObject* data, vtkPolyData* surface);
+/// Of data of the same structure, what stands for a surface. Both are listed once, however many
+/// surfaces are asked for.
+class BlockPairs
+{
+public:
+  /// Null: there is none.
+  vtkPolyData* Find(vtkDataObject* other, vtkDataObject* data, vtkPolyData* surface);
+
+private:
+  vtkDataObject* Other = nullptr; // only compared, with the time of both: others come later
+  vtkDataObject* Data = nullptr;
+  vtkMTimeType Time = 0;
+  std::unordered_map<vtkPolyData*, vtkPolyData*> Pairs;
+};
 } // namespace measuredbrdf
 
 #endif

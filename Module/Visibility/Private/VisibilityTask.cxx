@@ -13,12 +13,16 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <chrono>
 
 namespace measuredbrdf
 {
 namespace
 {
-constexpr vtkIdType Chunk = 4096; // points between two reports of progress
+// Between two reports of progress: whoever stops a trace waits that long at most.
+constexpr std::chrono::milliseconds ChunkTime(50);
+constexpr vtkIdType LeastChunk = 64;
+constexpr vtkIdType MostChunk = 1 << 16;
 
 // Two passes over the same points write the same bytes: threads share nothing but the tracer.
 struct PointTask
@@ -129,9 +133,11 @@ VisibilityTask::VisibilityTask(const SurfaceTracer& tracer,
 template <typename Visit>
 bool VisibilityTask::ForEach(vtkIdType count, const Visit& visit)
 {
-  for (vtkIdType first = 0; first < count; first += Chunk)
+  for (vtkIdType first = 0; first < count;)
   {
-    vtkSMPTools::For(first, std::min(first + Chunk, count), 64,
+    const vtkIdType size = std::min(this->Chunk, count - first);
+    const auto start = std::chrono::steady_clock::now();
+    vtkSMPTools::For(first, first + size, 64,
       [&visit](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType k = begin; k < end; ++k)
@@ -139,7 +145,17 @@ bool VisibilityTask::ForEach(vtkIdType count, const Visit& visit)
           visit(k);
         }
       });
-    this->Done += std::min(Chunk, count - first);
+    const auto taken = std::chrono::steady_clock::now() - start;
+    if (taken > ChunkTime)
+    {
+      this->Chunk = std::max(this->Chunk / 2, LeastChunk);
+    }
+    else if (size == this->Chunk && taken < ChunkTime / 2)
+    {
+      this->Chunk = std::min(2 * this->Chunk, MostChunk);
+    }
+    first += size;
+    this->Done += size;
     if (!this->Report(static_cast<double>(this->Done) / static_cast<double>(this->All)))
     {
       return false;

@@ -51,6 +51,7 @@ private:
   std::function<bool(double)> Report;
   vtkIdType All = 1;
   vtkIdType Done = 0;
+  vtkIdType Chunk = 64; // points until it is asked whether to go on: they take some 50 ms
 };
 } // namespace measuredbrdf
 

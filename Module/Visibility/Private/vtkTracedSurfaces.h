@@ -62,6 +62,8 @@ private:
   void TakeNormals(Surface& surface) const;
 
   std::vector<Surface> Surfaces;
+  double Points = 0.0; // of all meshes
+  double Cells = 0.0;
   std::unique_ptr<measuredbrdf::SurfaceTracer> Tracer; // null: to be built
 };
 

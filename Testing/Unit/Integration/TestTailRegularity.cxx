@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Which materials' lights may be shared by a window and a table.
-#include "HalfVector.h" // for Pi
+#include "FilledTable.h"
 #include "TailRegularity.h"
 #include "vtkBRDFReader.h"
 #include "vtkEmbeddedMaterials.h"
@@ -12,12 +12,12 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <functional>
 #include <string>
-#include <vector>
 
 using namespace measuredbrdf;
 
@@ -27,31 +27,18 @@ namespace
 vtkSmartPointer<vtkTabulatedBRDF> NewTable(
   int range, const std::function<double(std::size_t, double)>& change)
 {
-  const int dimensions[3] = { 12, 24, 32 };
-  std::vector<float> rgb;
-  std::size_t cell = 0;
-  for (int z = 0; z < dimensions[2]; ++z)
-  {
-    for (int y = 0; y < dimensions[1]; ++y)
+  return tool::stability::FillTable({ 12, 24, 32 }, range,
+    [&](std::size_t cell, const double* i, const double* o)
     {
-      for (int x = 0; x < dimensions[0]; ++x, ++cell)
+      double value = 0.1;
+      if (i)
       {
-        double i[3];
-        double o[3];
-        double value = 0.1;
-        if (vtkTabulatedBRDF::GetCellDirections(
-              vtkTabulatedBRDF::HALF_DIFFERENCE, range, dimensions, x, y, z, i, o))
-        {
-          const double h = std::hypot(i[0] + o[0], i[1] + o[1], i[2] + o[2]);
-          value += std::pow((i[2] + o[2]) / h, 20.0);
-        }
-        rgb.insert(rgb.end(), 3, static_cast<float>(change(cell, value)));
+        const double h = std::hypot(i[0] + o[0], i[1] + o[1], i[2] + o[2]);
+        value += std::pow((i[2] + o[2]) / h, 20.0);
       }
-    }
-  }
-  auto table = vtkSmartPointer<vtkTabulatedBRDF>::New();
-  table->SetVolume(vtkTabulatedBRDF::HALF_DIFFERENCE, range, dimensions, rgb);
-  return table;
+      value = change(cell, value);
+      return std::array<double, 3>{ value, value, value };
+    });
 }
 }
 

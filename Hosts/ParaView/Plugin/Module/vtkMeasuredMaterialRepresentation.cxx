@@ -543,7 +543,7 @@ int vtkMeasuredMaterialRepresentation::FindSharedOcclusionMode(vtkDataObject* da
     if (surface->GetPointData()->HasArray(vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName()))
     {
       impl.IsLeftOut = false;
-      return vtkMeasuredBRDFMapper::OCCLUSION_AUTO; // which predicts nothing where there are arrays
+      return vtkMeasuredBRDFMapper::OCCLUSION_ARRAYS; // nothing is traced from a part
     }
   }
   impl.IsLeftOut = true;
