@@ -4,6 +4,7 @@
 
 #include "BasisFunctions.h"
 #include "GaussLegendre.h"
+#include "HalfVector.h" // for angles
 #include "LocalFrame.h"
 #include "Setters.h"
 #include "vtkCommand.h"
@@ -29,14 +30,6 @@ namespace
 constexpr int NumberOfNodes = 48;
 constexpr int SmallestNumberOfAzimuths = 96;
 constexpr std::size_t MaximumBytes = std::size_t(1) << 30; // of the table of responses
-
-double ToRadians(double degrees) { return degrees * (Pi / 180.0); }
-
-glm::dvec3 ToDirection(double cosine, double phi)
-{
-  const double s = std::sqrt(std::max(1.0 - cosine * cosine, 0.0));
-  return { s * std::cos(phi), s * std::sin(phi), cosine };
-}
 
 int GetNumberOfAzimuths(int pixels)
 {

@@ -3,6 +3,7 @@
 #include "vtkBasisExtrapolator.h"
 
 #include "GaussLegendre.h"
+#include "HalfVector.h" // for angles
 #include "LocalFrame.h"
 #include "Setters.h"
 #include "ZonalOperators.h"
@@ -21,13 +22,11 @@ vtkStandardNewMacro(vtkBasisExtrapolator);
 
 namespace
 {
-constexpr int NumberOfNodes = 64;
+constexpr int ZonalNodes = 64;
 constexpr int NumberOfViews = 64; // of the output, 0 to 90 degrees
 constexpr int LambdaSteps = 21;   // 1e-5 to 1
 constexpr double ZonalLimit = 0.10;
 constexpr double OtherLimit = 0.03;
-
-double ToRadians(double degrees) { return degrees * (Pi / 180.0); }
 
 double GetStep(int k) { return std::pow(10.0, -5.0 + 5.0 * k / (LambdaSteps - 1.0)); }
 
@@ -189,9 +188,9 @@ struct IncidentProblem
     const double far = std::cos(ToRadians(zone[1]));
     const BasisFunctions functions(input->GetBasis() == vtkBasisBRDF::LEGENDRE_FOURIER,
       input->GetOrder(), near, input->GetBasis() == vtkBasisBRDF::SPHERICAL_HARMONICS ? -1.0 : far);
-    const Quadrature rule = GaussLegendre(NumberOfNodes);
-    Eigen::VectorXd divide = Eigen::VectorXd::Ones(NumberOfNodes);
-    for (int q = 0; q < NumberOfNodes; ++q)
+    const Quadrature rule = GaussLegendre(ZonalNodes);
+    Eigen::VectorXd divide = Eigen::VectorXd::Ones(ZonalNodes);
+    for (int q = 0; q < ZonalNodes; ++q)
     {
       const std::size_t node = static_cast<std::size_t>(q);
       this->Zone.Cosines.push_back(far + 0.5 * (rule.Nodes[node] + 1.0) * (near - far));

@@ -3,6 +3,7 @@
 #include "vtkBasisProjector.h"
 
 #include "GaussLegendre.h"
+#include "HalfVector.h" // for angles
 #include "LocalFrame.h"
 #include "Setters.h"
 #include "ZonalOperators.h"
@@ -21,14 +22,6 @@ vtkStandardNewMacro(vtkBasisProjector);
 namespace
 {
 constexpr int NumberOfAzimuths = 256;
-
-double ToRadians(double degrees) { return degrees * (Pi / 180.0); }
-
-glm::dvec3 ToDirection(double cosine, double phi)
-{
-  const double s = std::sqrt(std::max(1.0 - cosine * cosine, 0.0));
-  return { s * std::cos(phi), s * std::sin(phi), cosine };
-}
 
 // Everything that stays the same for all views.
 struct Plan

@@ -31,7 +31,7 @@ using measuredbrdf::MakeLightTexture;
 namespace
 {
 constexpr int MaximumUnrolled = 16;
-const int PlannedLights[] = { 64, 256, 1024, 4096 };
+const int PlannedCounts[] = { 64, 256, 1024, 4096 };
 constexpr int MostPlannedLights = 256; // more cost seconds a frame without a graphics card
 
 void AddLightTexture(vtkLightSet* lights, vtkBRDFShaderInputs::Term& term)
@@ -242,7 +242,7 @@ std::string vtkLightSetRadianceIntegrator::GetSizesText()
 std::vector<std::vector<int>> vtkLightSetRadianceIntegrator::GetCandidateSizes(bool all)
 {
   std::vector<std::vector<int>> candidates;
-  for (const int count : PlannedLights)
+  for (const int count : PlannedCounts)
   {
     if (all || (!this->BRDF->IsIsotropic() && count <= MostPlannedLights))
     {

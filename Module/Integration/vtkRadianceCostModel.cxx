@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRadianceCostModel.h"
 
+#include "Neighbors.h" // for MostFilterBits
 #include "Printable.h"
 #include "vtkObjectFactory.h"
 
@@ -18,11 +19,10 @@ constexpr double LargestCost = 1e6;
 constexpr std::size_t BuiltIn = 6;
 constexpr std::size_t MostCosts = 64;
 constexpr std::size_t LongestName = 32;
-constexpr int MostFilterBits = 23; // a float's
 
 bool IsCost(double nanoseconds) { return nanoseconds >= LeastCost && nanoseconds <= LargestCost; }
 
-bool IsName(const std::string& name)
+bool IsCostName(const std::string& name)
 {
   return !name.empty() && name.size() <= LongestName &&
          std::all_of(name.begin(), name.end(),
@@ -49,7 +49,7 @@ bool vtkRadianceCostModel::SetCost(const std::string& name, double nanoseconds)
   const auto found = std::find_if(this->Costs.begin(), this->Costs.end(),
     [&name](const auto& cost) { return cost.first == name; });
   const bool isNew = found == this->Costs.end();
-  if (!IsName(name) || !IsCost(nanoseconds) || (isNew && this->Costs.size() >= MostCosts))
+  if (!IsCostName(name) || !IsCost(nanoseconds) || (isNew && this->Costs.size() >= MostCosts))
   {
     vtkErrorMacro("SetCost: found " << measuredbrdf::Quote(name) << " of " << nanoseconds
                                     << " ns, expected one of at most " << MostCosts
@@ -104,7 +104,7 @@ bool vtkRadianceCostModel::SetText(const std::string& text)
   // A last line without an end may be cut in the middle of its number.
   int bits = -1;
   if (title != Title || text.back() != '\n' || !(lines >> bits) || bits < 0 ||
-      bits > MostFilterBits)
+      bits > measuredbrdf::MostFilterBits)
   {
     return false;
   }
@@ -116,7 +116,7 @@ bool vtkRadianceCostModel::SetText(const std::string& text)
     const bool known = std::any_of(
       costs.begin(), costs.end(), [&word](const auto& other) { return other.first == word; });
     const bool expected = costs.size() >= BuiltIn || word == this->Costs[costs.size()].first;
-    if (!(lines >> cost) || !IsCost(cost) || !IsName(word) || known || !expected)
+    if (!(lines >> cost) || !IsCost(cost) || !IsCostName(word) || known || !expected)
     {
       return false;
     }

@@ -3,6 +3,7 @@
 #include "vtkRadianceIntegrator.h"
 
 #include "LocalFrame.h"
+#include "Neighbors.h" // for MostFilterBits
 #include "vtkBRDF.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
@@ -23,8 +24,6 @@ namespace
 {
 // What the calling thread waits for between two looks at the abort flag and the progress.
 constexpr std::chrono::milliseconds BatchTime(50);
-
-constexpr int MostFilterBits = 23; // a float's
 
 glm::dvec3 GetDirection(vtkDataArray* array, vtkIdType index)
 {
@@ -173,11 +172,12 @@ void vtkRadianceIntegrator::CopyProperties(vtkRadianceIntegrator* source)
 // Not Modified(): then everything would be prepared anew.
 void vtkRadianceIntegrator::SetFilterWeightBits(int bits)
 {
-  this->FilterWeightBits = std::clamp(bits, 0, MostFilterBits);
+  this->FilterWeightBits = std::clamp(bits, 0, measuredbrdf::MostFilterBits);
   if (bits != this->FilterWeightBits)
   {
-    vtkWarningMacro("SetFilterWeightBits: found " << bits << ", expected 0 to " << MostFilterBits
-                                                  << "; set to " << this->FilterWeightBits << ".");
+    vtkWarningMacro("SetFilterWeightBits: found " << bits << ", expected 0 to "
+                                                  << measuredbrdf::MostFilterBits << "; set to "
+                                                  << this->FilterWeightBits << ".");
   }
 }
 

@@ -48,7 +48,7 @@ Registry<vtkRadianceIntegrator>& GetRegistry()
   return *registry;
 }
 
-bool IsName(const std::string& name)
+bool IsMethodName(const std::string& name)
 {
   return !name.empty() &&
          name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") == std::string::npos;
@@ -64,7 +64,7 @@ bool vtkRadianceMethods::Register(vtkRadianceIntegrator* method)
     return false;
   }
   const std::string name = method->GetMethodName();
-  if (!IsName(name))
+  if (!IsMethodName(name))
   {
     vtkGenericWarningMacro("vtkRadianceMethods::Register: found the name "
                            << measuredbrdf::Quote(name)

@@ -3,7 +3,7 @@
 #include "vtkAngleBasisBRDF.h"
 
 #include "ContentHash.h"
-#include "HalfVector.h" // for Pi
+#include "HalfVector.h" // for angles
 #include "RenderableTable.h"
 #include "vtkBRDFExchange.h"
 #include "vtkBRDFShaderInputs.h"
@@ -25,7 +25,6 @@ struct vtkAngleBasisBRDF::Renderable : public RenderableTable
 
 namespace
 {
-constexpr double Degree = Pi / 180.0;
 constexpr double LastTolerance = 1e-3; // of the last ring's end, degrees
 
 struct Patch
@@ -42,7 +41,7 @@ double GetLowerTheta(const vtkAngleBasisBRDF::Basis& basis, std::size_t ring)
 // Patches are about multiples of 360 / n degrees (Klems; Radiance's bsdf_m).
 int FindPatch(const vtkAngleBasisBRDF::Basis& basis, double x, double y, double z)
 {
-  const double theta = std::atan2(std::hypot(x, y), z) / Degree;
+  const double theta = ToDegrees(std::atan2(std::hypot(x, y), z));
   int first = 0;
   std::size_t ring = 0;
   while (ring + 1 < basis.UpperTheta.size() && theta >= basis.UpperTheta[ring])
@@ -67,8 +66,8 @@ Patch LocatePatch(const vtkAngleBasisBRDF::Basis& basis, int patch)
 // Solid angle projected on the surface, of a patch of the ring.
 double GetProjectedSolidAngle(const vtkAngleBasisBRDF::Basis& basis, std::size_t ring)
 {
-  const double inner = std::sin(GetLowerTheta(basis, ring) * Degree);
-  const double outer = std::sin(basis.UpperTheta[ring] * Degree);
+  const double inner = std::sin(ToRadians(GetLowerTheta(basis, ring)));
+  const double outer = std::sin(ToRadians(basis.UpperTheta[ring]));
   return Pi * (outer * outer - inner * inner) / basis.Patches[ring];
 }
 
@@ -255,8 +254,8 @@ bool vtkAngleBasisBRDF::SampleAbove(const double o[3], double u1, double u2, dou
   double rest = 0.0;
   const std::size_t row = this->Draws->Find(static_cast<std::size_t>(column), u1, rest);
   const Patch patch = LocatePatch(this->Light, static_cast<int>(row));
-  const double inner = std::sin(GetLowerTheta(this->Light, patch.Ring) * Degree);
-  const double outer = std::sin(this->Light.UpperTheta[patch.Ring] * Degree);
+  const double inner = std::sin(ToRadians(GetLowerTheta(this->Light, patch.Ring)));
+  const double outer = std::sin(ToRadians(this->Light.UpperTheta[patch.Ring]));
   const double square = inner * inner + rest * (outer * outer - inner * inner);
   const double phi = 2.0 * Pi * (patch.Azimuth + u2 - 0.5) / this->Light.Patches[patch.Ring];
   const double s = std::sqrt(square);

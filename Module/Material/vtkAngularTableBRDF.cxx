@@ -3,7 +3,7 @@
 #include "vtkAngularTableBRDF.h"
 
 #include "ContentHash.h"
-#include "HalfVector.h" // for Pi
+#include "HalfVector.h" // for angles
 #include "RenderableTable.h"
 #include "vtkBRDFExchange.h"
 #include "vtkBRDFShaderInputs.h"
@@ -25,7 +25,6 @@ struct vtkAngularTableBRDF::Renderable : public RenderableTable
 
 namespace
 {
-constexpr double Degree = Pi / 180.0;
 constexpr double Horizon = 90.0; // degrees
 constexpr double FullTurn = 360.0;
 
@@ -64,12 +63,12 @@ Around Find(const vtkAngularTableBRDF::Nodes& nodes, double theta, double phi)
     { (1.0 - t) * (1.0 - u), (1.0 - t) * u, t * (1.0 - u), t * u } };
 }
 
-double GetTheta(const double d[3]) { return std::atan2(std::hypot(d[0], d[1]), d[2]) / Degree; }
+double GetTheta(const double d[3]) { return ToDegrees(std::atan2(std::hypot(d[0], d[1]), d[2])); }
 
 // In [0, 360).
 double GetPhi(double x, double y)
 {
-  const double phi = std::atan2(y, x) / Degree;
+  const double phi = ToDegrees(std::atan2(y, x));
   const double positive = phi < 0.0 ? phi + FullTurn : phi;
   return positive < FullTurn ? positive : 0.0;
 }

@@ -5,6 +5,7 @@
 #include "BasisFunctions.h"
 #include "BasisTables.h"
 #include "ContentHash.h"
+#include "HalfVector.h" // for angles
 #include "HalfVectorSampler.h"
 #include "LocalFrame.h"
 #include "ModuleShader.h"
@@ -31,8 +32,6 @@ vtkStandardNewMacro(vtkBasisBRDF);
 namespace
 {
 constexpr double MinimumCosine = 0.01; // that a sum is divided by; the shader has the same
-
-double ToRadians(double degrees) { return degrees * (Pi / 180.0); }
 
 bool HasZone(int basis)
 {

@@ -32,17 +32,6 @@ constexpr double TitleShare = 0.1;   // of the legend's height, at most
 constexpr int SmallestText = 9;      // pixels
 constexpr double TitleTimes = 1.2;   // as large as the names, at most
 
-struct Entry
-{
-  vtkSmartPointer<vtkBRDF> BRDF;
-  std::string Label;
-  vtkSmartPointer<vtkImageData> Picture; // null: it could not be made
-  vtkMTimeType Time = 0;                 // of what it was made of
-  int Resolution = 0;
-  std::shared_ptr<LegendSphere> Square;
-  vtkSmartPointer<vtkTextActor> Text;
-};
-
 std::string ToText(double value)
 {
   std::ostringstream text;
@@ -53,6 +42,17 @@ std::string ToText(double value)
 
 struct vtkMaterialLegendActor::Internals
 {
+  struct Entry
+  {
+    vtkSmartPointer<vtkBRDF> BRDF;
+    std::string Label;
+    vtkSmartPointer<vtkImageData> Picture; // null: it could not be made
+    vtkMTimeType Time = 0;                 // of what it was made of
+    int Resolution = 0;
+    std::shared_ptr<LegendSphere> Square;
+    vtkSmartPointer<vtkTextActor> Text;
+  };
+
   vtkSmartPointer<vtkMaterialMap> Map;
   vtkSmartPointer<vtkEnvironment> Environment;
   vtkSmartPointer<vtkEnvironment> Sky; // where there is none
@@ -188,7 +188,7 @@ void vtkMaterialLegendActor::UpdateEntries()
     }
     light = this->Impl->Sky;
   }
-  std::vector<Entry> entries;
+  std::vector<Internals::Entry> entries;
   vtkMaterialMap* map = this->Impl->Map;
   for (int k = 0; map && k < map->GetNumberOfMaterials(); ++k)
   {
@@ -197,9 +197,9 @@ void vtkMaterialLegendActor::UpdateEntries()
     {
       continue;
     }
-    Entry entry;
+    Internals::Entry entry;
     const auto known = std::find_if(this->Impl->Entries.begin(), this->Impl->Entries.end(),
-      [brdf](const Entry& other) { return other.BRDF == brdf; });
+      [brdf](const Internals::Entry& other) { return other.BRDF == brdf; });
     if (known != this->Impl->Entries.end())
     {
       entry = *known;
@@ -216,8 +216,8 @@ void vtkMaterialLegendActor::UpdateEntries()
       entry.BRDF = brdf;
       entry.Time = time;
       entry.Resolution = this->SphereResolution;
-      const auto same = std::find_if(
-        entries.begin(), entries.end(), [brdf](const Entry& other) { return other.BRDF == brdf; });
+      const auto same = std::find_if(entries.begin(), entries.end(),
+        [brdf](const Internals::Entry& other) { return other.BRDF == brdf; });
       entry.Picture = same != entries.end()
                         ? same->Picture
                         : MakeMaterialPicture(brdf, light, this->SphereResolution, Tolerance);
@@ -289,7 +289,7 @@ void vtkMaterialLegendActor::PlaceTitle(
 void vtkMaterialLegendActor::PlaceEntries(
   vtkViewport* viewport, double left, double bottom, double width, double height)
 {
-  std::vector<Entry>& entries = this->Impl->Entries;
+  std::vector<Internals::Entry>& entries = this->Impl->Entries;
   const int count = static_cast<int>(entries.size());
   const LegendGrid grid = LegendGrid::Find(count, width, height, this->Horizontal);
   const double sphere = grid.Sphere;
@@ -303,7 +303,7 @@ void vtkMaterialLegendActor::PlaceEntries(
     const int row = this->Horizontal ? k / grid.Columns : k % grid.Rows;
     const double x = left + column * grid.Width;
     const double top = bottom + height - row * grid.Height; // the first one on top
-    Entry& entry = entries[static_cast<std::size_t>(k)];
+    Internals::Entry& entry = entries[static_cast<std::size_t>(k)];
     vtkTextProperty* text = entry.Text->GetTextProperty();
     if (this->Horizontal)
     {
@@ -329,7 +329,7 @@ void vtkMaterialLegendActor::PlaceEntries(
 void vtkMaterialLegendActor::SizeNames(vtkViewport* viewport, double width, double height)
 {
   std::vector<vtkTextActor*> texts;
-  for (Entry& entry : this->Impl->Entries)
+  for (Internals::Entry& entry : this->Impl->Entries)
   {
     entry.Text->SetInput(entry.Label.c_str());
     entry.Text->GetTextProperty()->ShallowCopy(this->Impl->TextProperty);
@@ -342,7 +342,7 @@ void vtkMaterialLegendActor::SizeNames(vtkViewport* viewport, double width, doub
   if (font < SmallestText)
   {
     font = SmallestText;
-    for (Entry& entry : this->Impl->Entries)
+    for (Internals::Entry& entry : this->Impl->Entries)
     {
       entry.Text->GetTextProperty()->SetFontSize(font);
       CutToWidth(entry.Text, entry.Label, viewport, width);

@@ -30,7 +30,7 @@ for name in "${names[@]}"; do
   build=build-without-${name,,}
   mkdir -p "$build"
   if ! cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo -DBUILD_TESTING=ON \
-    -DMEASUREDBRDF_WRAP_PYTHON=OFF -DMEASUREDBRDF_BUILD_TOOL=$tool -DMEASUREDBRDF_WARNINGS_AS_ERRORS=ON \
+    -DMEASUREDBRDF_WRAP_PYTHON=OFF -DMEASUREDBRDF_BUILD_TOOL=$tool -DMEASUREDBRDF_WARNINGS_AS_ERRORS=ON -DMEASUREDBRDF_COMPILE_IN_GROUPS=OFF \
     "${options[@]}" >"$build/configure.log" 2>&1; then
     tail -n 30 "$build/configure.log" >&2
     exit 1

@@ -17,6 +17,9 @@ namespace measuredbrdf
 {
 constexpr double Pi = 3.14159265358979323846;
 
+constexpr double ToRadians(double degrees) { return degrees * (Pi / 180.0); }
+constexpr double ToDegrees(double radians) { return radians / (Pi / 180.0); }
+
 /// h = (i+o)/|i+o|, the normal where i = -o (which only happens on the horizon).
 inline glm::dvec3 HalfVector(const glm::dvec3& i, const glm::dvec3& o)
 {

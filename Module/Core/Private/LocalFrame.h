@@ -30,6 +30,13 @@ inline bool ToUpperUnit(const double in[3], double out[3])
   return out[2] > 0.0;
 }
 
+/// The direction of polar angle arccos(cosine) and azimuth phi (radians) in a local frame.
+inline glm::dvec3 ToDirection(double cosine, double phi)
+{
+  const double s = std::sqrt(std::max(1.0 - cosine * cosine, 0.0));
+  return { s * std::cos(phi), s * std::sin(phi), cosine };
+}
+
 /// Columns: tangent, bitangent, normal.
 using Frame = glm::dmat3;
 

@@ -21,6 +21,8 @@ struct Neighbors
   double Weight; // of Second
 };
 
+constexpr int MostFilterBits = 23; // a float's
+
 /// Weights in steps of 2^-Bits; 0: any (vtkRadianceIntegrator::SetFilterWeightBits).
 struct FilterWeights
 {

@@ -95,10 +95,10 @@ double Dot(const double* coefficients, const Basis& basis, int count)
 }
 
 // All residuals sqrt(w/3) (T(f') - T(f)): their sum of squares is the weighted mean square.
-class Residuals
+class LobeResiduals
 {
 public:
-  Residuals(const FitSamples& samples, const Layout& layout)
+  LobeResiduals(const FitSamples& samples, const Layout& layout)
     : Samples(samples)
     , Shape(layout)
   {
@@ -164,10 +164,10 @@ private:
   Layout Shape;
 };
 
-class Watcher
+class LobeWatcher
 {
 public:
-  Watcher(const LobeFitOptions& options, double from, double to, int iterations)
+  LobeWatcher(const LobeFitOptions& options, double from, double to, int iterations)
     : Options(options)
     , From(from)
     , To(to)
@@ -340,10 +340,10 @@ std::vector<Start> Screen(
 }
 
 LeastSquaresResult Refine(const FitSamples& samples, const Layout& layout, Start& start,
-  Watcher& watcher, int iterations, double tolerance)
+  LobeWatcher& watcher, int iterations, double tolerance)
 {
   const std::size_t size = start.Parameters.size();
-  const Residuals residuals(samples, layout);
+  const LobeResiduals residuals(samples, layout);
   LeastSquaresProblem problem;
   problem.NumberOfResiduals = static_cast<int>(3 * samples.size());
   problem.Lower.assign(size, 0.0);
@@ -415,7 +415,7 @@ LobeFitResult FitLobes(
   {
     const double step = (refined - screened) / static_cast<double>(starts.size());
     const double from = screened + step * static_cast<double>(k);
-    Watcher watcher(options, from, from + step, RefiningIterations);
+    LobeWatcher watcher(options, from, from + step, RefiningIterations);
     Refine(some, layout, starts[k], watcher, RefiningIterations, options.Tolerance);
     if (watcher.Stopped)
     {
@@ -424,7 +424,7 @@ LobeFitResult FitLobes(
   }
   Start best = *std::min_element(starts.begin(), starts.end(),
     [](const Start& a, const Start& b) { return a.MeanSquare < b.MeanSquare; });
-  Watcher watcher(options, refined, 1.0, options.MaximumNumberOfIterations);
+  LobeWatcher watcher(options, refined, 1.0, options.MaximumNumberOfIterations);
   const LeastSquaresResult solved =
     Refine(samples, layout, best, watcher, options.MaximumNumberOfIterations, options.Tolerance);
   LobeFitResult result = Unpack(layout, best.Parameters);

@@ -62,10 +62,10 @@ bool ToNumber(std::string_view word, double& number)
   return end.ec == std::errc() && end.ptr == word.data() + word.size() && std::isfinite(number);
 }
 
-class Parser
+class TextParser
 {
 public:
-  Parser(const FileBytes& file, const char* format)
+  TextParser(const FileBytes& file, const char* format)
     : Path(file.GetPath())
     , Format(format)
     , Rest(file.GetView())
@@ -219,6 +219,6 @@ bool HasAstmColumns(std::string_view text)
 //------------------------------------------------------------------------------
 AstmTexts ParseAstm(const FileBytes& file, const char* format, bool onlyHeader)
 {
-  return Parser(file, format).Parse(onlyHeader);
+  return TextParser(file, format).Parse(onlyHeader);
 }
 } // namespace measuredbrdf

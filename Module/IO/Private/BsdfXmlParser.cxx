@@ -40,11 +40,11 @@ bool IsWanted(const BsdfXmlBlock& block, const std::string& wavelength)
 
 // Puts texts where they belong as their elements end. The first problem counts; after it nothing is
 // kept.
-class Parser : public vtkXMLParser
+class XmlParser : public vtkXMLParser
 {
 public:
-  static Parser* New();
-  vtkTypeMacro(Parser, vtkXMLParser);
+  static XmlParser* New();
+  vtkTypeMacro(XmlParser, vtkXMLParser);
 
   BsdfXmlTexts Texts;
   std::string Problem;
@@ -222,7 +222,7 @@ private:
   BsdfXmlBlock Block;
 };
 
-vtkStandardNewMacro(Parser);
+vtkStandardNewMacro(XmlParser);
 }
 
 bool IsSameWord(const std::string& a, const std::string& b)
@@ -251,7 +251,7 @@ BsdfXmlTexts ParseBsdfXml(const FileBytes& file)
     reader.FailAt(
       0, "file", "found " + std::to_string(file.GetSize()) + " bytes, expected 2 GB at most");
   }
-  vtkNew<Parser> parser;
+  vtkNew<XmlParser> parser;
   const int parsed = parser->Parse(file.GetData(), static_cast<unsigned int>(file.GetSize()));
   if (!parser->Problem.empty() || !parsed)
   {

@@ -12,9 +12,6 @@ namespace
 {
 using Nodes = GonioGrid::Nodes;
 
-constexpr float Horizon = 90.0f;
-constexpr double FullTurn = 360.0;
-
 bool IsPole(float theta) { return theta < GonioAngles::Same; }
 
 // Of angles that count as one, the least.

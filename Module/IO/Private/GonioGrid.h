@@ -16,6 +16,9 @@
 
 namespace measuredbrdf
 {
+constexpr float Horizon = 90.0f;   // degrees from the normal
+constexpr float FullTurn = 360.0f; // degrees
+
 /// Of lights and views together.
 constexpr double MaximumGonioNodes = 4e6;
 

@@ -18,7 +18,6 @@ namespace measuredbrdf
 {
 namespace
 {
-constexpr float Horizon = 90.0f;
 constexpr double Degree = 3.14159265358979323846 / 180.0;
 constexpr std::size_t LeastViews = 4; // for each light
 constexpr int Neighbors = 8;

@@ -16,10 +16,9 @@ namespace measuredbrdf
 namespace
 {
 constexpr float HalfTurn = 180.0f;
-constexpr float FullTurn = 360.0f;
 
 // Nodes of a grid for each reading; small grids may be emptier.
-constexpr double NodesPerReading = 4.0;
+constexpr double GridNodesPerReading = 4.0;
 constexpr double SmallGrid = 4096.0;
 
 // In [0, 360).
@@ -167,7 +166,7 @@ std::string GonioTable::Make(GonioReadings readings)
   const double most = vtkAngularTableBRDF::MaximumNodes / 2.0; // the horizon is added
   const bool isGrid =
     lights <= most && views <= most && lights * views <= MaximumGonioNodes &&
-    lights * views <= std::max(NodesPerReading * double(readings.Angles.size()), SmallGrid);
+    lights * views <= std::max(GridNodesPerReading * double(readings.Angles.size()), SmallGrid);
 
   std::vector<float> rgb;
   if (isGrid)

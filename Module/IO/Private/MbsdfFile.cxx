@@ -15,7 +15,7 @@ namespace measuredbrdf
 {
 namespace
 {
-constexpr std::uint32_t MaximumSize = 2048; // vtkTabulatedBRDF's
+constexpr std::uint32_t LargestSide = 2048; // vtkTabulatedBRDF's
 
 constexpr std::string_view Magic(MbsdfMagic, sizeof(MbsdfMagic) - 1);
 
@@ -46,10 +46,10 @@ std::string_view ReadLine(ByteReader& reader)
 std::uint32_t ReadSize(ByteReader& reader, const std::string& field)
 {
   const auto size = reader.Read<std::uint32_t>(field);
-  if (size < 1 || size > MaximumSize)
+  if (size < 1 || size > LargestSide)
   {
     reader.Fail(
-      field, "found " + std::to_string(size) + ", expected 1 to " + std::to_string(MaximumSize));
+      field, "found " + std::to_string(size) + ", expected 1 to " + std::to_string(LargestSide));
   }
   return size;
 }

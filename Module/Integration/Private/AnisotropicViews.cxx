@@ -16,7 +16,7 @@ namespace measuredbrdf
 {
 namespace
 {
-constexpr int Cells = 256; // of a view's quadrature
+constexpr int ViewCells = 256; // of a view's quadrature
 }
 
 glm::dvec3 AnisotropicViews::GetView(double theta, double phi)
@@ -48,7 +48,7 @@ AnisotropicViews::AnisotropicViews(vtkBRDF* brdf, const std::atomic<bool>& abort
       {
         const int index = static_cast<int>(k);
         this->Means[static_cast<std::size_t>(k)] = LobeMeans(LobeQuadrature(
-          brdf, GetView(GetAngle(index % Angles), this->GetAzimuth(index / Angles)), Cells));
+          brdf, GetView(GetAngle(index % Angles), this->GetAzimuth(index / Angles)), ViewCells));
       }
     });
 }

@@ -15,7 +15,7 @@ namespace measuredbrdf
 {
 namespace
 {
-constexpr int Cells = 512; // of a view's quadrature
+constexpr int ViewCells = 512; // of a view's quadrature
 
 // Views are found from coarse to fine: one is interpolated where those about it agree, by so much
 // of the albedo and so many radians, with what their neighbors say.
@@ -155,7 +155,7 @@ void LobeViews::Evaluate(
         const int index = indices[static_cast<std::size_t>(k)];
         const double theta = GetAngle(index);
         const LobeQuadrature quadrature(
-          brdf, glm::dvec3(std::sin(theta), 0.0, std::cos(theta)), Cells);
+          brdf, glm::dvec3(std::sin(theta), 0.0, std::cos(theta)), ViewCells);
         View& view = this->Views[static_cast<std::size_t>(index)];
         view.Means = LobeMeans(quadrature);
         for (const LobeQuadrature::Cell& cell : quadrature.GetCells())

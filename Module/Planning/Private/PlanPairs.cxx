@@ -94,12 +94,6 @@ private:
   static constexpr double Largest = 0.1;
   std::vector<Lamp> Lamps;
 };
-
-glm::dvec3 ToDirection(double cosine, double turn)
-{
-  const double s = std::sqrt(std::max(1.0 - cosine * cosine, 0.0));
-  return glm::dvec3(s * std::cos(2.0 * Pi * turn), s * std::sin(2.0 * Pi * turn), cosine);
-}
 }
 
 // The view, the normal and the mirror direction lie in one plane, the normal in the middle. Where
@@ -122,7 +116,7 @@ PlanPairs DrawSpherePairs(
     const bool atLamp = !lamps.IsEmpty() && RadicalInverse(index, 11) < LampShare;
     const glm::dvec3 drawn =
       !atLamp
-        ? ToDirection(2.0 * RadicalInverse(index, 5) - 1.0, RadicalInverse(index, 7))
+        ? ToDirection(2.0 * RadicalInverse(index, 5) - 1.0, 2.0 * Pi * RadicalInverse(index, 7))
         : lamps.Draw(RadicalInverse(index, 13), RadicalInverse(index, 5), RadicalInverse(index, 7));
     double c = DrawCosine(RadicalInverse(index, 2));
     const double turn = RadicalInverse(index, 3);
@@ -130,7 +124,7 @@ PlanPairs DrawSpherePairs(
     if (any)
     {
       mirror = drawn;
-      normal = FrameAbout(mirror, glm::dvec3(0.0)) * ToDirection(c, turn);
+      normal = FrameAbout(mirror, glm::dvec3(0.0)) * ToDirection(c, 2.0 * Pi * turn);
       view = 2.0 * c * normal - mirror;
     }
     else
@@ -139,7 +133,7 @@ PlanPairs DrawSpherePairs(
       const glm::dvec3 middle = view + drawn;
       normal = atLamp && glm::length(middle) > 1e-6
                  ? glm::normalize(middle)
-                 : FrameAbout(view, glm::dvec3(0.0)) * ToDirection(c, turn);
+                 : FrameAbout(view, glm::dvec3(0.0)) * ToDirection(c, 2.0 * Pi * turn);
       c = glm::dot(normal, view);
       mirror = 2.0 * c * normal - view;
     }

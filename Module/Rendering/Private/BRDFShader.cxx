@@ -3,6 +3,7 @@
 #include "BRDFShader.h"
 
 #include "OcclusionShader.h"
+#include "ReplacedText.h"
 
 #include "vtkShaderProgram.h"
 
@@ -25,15 +26,6 @@ std::string Numbered(const std::string& source, const std::string& placeholder, 
   std::string text = source;
   vtkShaderProgram::Substitute(text, placeholder, std::to_string(number));
   return text;
-}
-
-void ReplaceAll(std::string& text, const std::string& from, const std::string& to)
-{
-  for (std::size_t at = text.find(from); at != std::string::npos;
-       at = text.find(from, at + to.size()))
-  {
-    text.replace(at, from.size(), to);
-  }
 }
 
 // The form's terms, and a function of the given signature that adds them up.

@@ -14,8 +14,6 @@ namespace measuredbrdf
 {
 namespace
 {
-constexpr double LargestTolerance = 1.0; // that planners take
-
 // A few materials are looked up as fast as compared.
 constexpr std::size_t ManyUses = 8;
 }

@@ -13,7 +13,6 @@ namespace measuredbrdf
 namespace
 {
 constexpr double SmallestTolerance = 1e-3;
-constexpr double LargestTolerance = 1.0;
 }
 
 MaterialSettings::MaterialSettings()

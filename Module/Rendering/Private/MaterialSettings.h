@@ -24,6 +24,8 @@ class vtkObject;
 
 namespace measuredbrdf
 {
+constexpr double LargestTolerance = 1.0; // of the error, that planners take
+
 struct MaterialSettings
 {
   MaterialSettings();

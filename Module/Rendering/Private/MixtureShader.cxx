@@ -14,7 +14,7 @@ namespace
 using partarrays::WeightsPerGroup;
 
 // In the fragment shader. The superclass renames it where there is a geometry shader.
-std::string Varying(const std::string& attribute) { return attribute + "VCVSOutput"; }
+std::string VaryingOf(const std::string& attribute) { return attribute + "VCVSOutput"; }
 
 std::string Weight(int slot) { return "brdfWeights[" + std::to_string(slot) + "]"; }
 
@@ -50,7 +50,7 @@ std::string MixtureShader::GetDeclarations() const
   std::string text;
   for (const auto& [name, type] : this->Attributes)
   {
-    text += "in " + type + " " + Varying(name) + ";\n";
+    text += "in " + type + " " + VaryingOf(name) + ";\n";
   }
   for (std::size_t k = 0; k < this->Part.Knots.size(); ++k)
   {
@@ -90,7 +90,7 @@ std::string MixtureShader::GetWeight(int slot) const
       return component < 0 ? "0.0" : Texel(image) + "[" + std::to_string(component) + "]";
     }
     default:
-      return Varying(partarrays::GetWeights(slot / WeightsPerGroup)) + "[" +
+      return VaryingOf(partarrays::GetWeights(slot / WeightsPerGroup)) + "[" +
              std::to_string(slot % WeightsPerGroup) + "]";
   }
 }
@@ -111,13 +111,13 @@ std::string MixtureShader::FindNearest() const
 // Each slot has its class times its weight.
 std::string MixtureShader::GetStackDeclarations() const
 {
-  return "in vec4 " + Varying(partarrays::GetWeights(0)) + ";\nin vec4 " + Varying(ClassAttribute) +
-         ";\n";
+  return "in vec4 " + VaryingOf(partarrays::GetWeights(0)) + ";\nin vec4 " +
+         VaryingOf(ClassAttribute) + ";\n";
 }
 
 std::string MixtureShader::GetStackImplementation() const
 {
-  return this->FindNearest() + "  float brdfClassHere = " + Varying(ClassAttribute) +
+  return this->FindNearest() + "  float brdfClassHere = " + VaryingOf(ClassAttribute) +
          "[brdfNearest] / max(brdfMost, 1e-6);\n";
 }
 
@@ -131,7 +131,7 @@ std::string MixtureShader::GetImplementation(const std::vector<bool>& drawn) con
   std::string text;
   if (this->Part.Kind == MixtureKind::Value)
   {
-    text += "  float brdfAt = " + Varying(partarrays::Value) + ";\n";
+    text += "  float brdfAt = " + VaryingOf(partarrays::Value) + ";\n";
     text += this->Part.IsBand
               ? "  if (brdfAt < brdfBand.x || brdfAt >= brdfBand.y)\n  {\n    discard;\n  }\n"
               : "";
@@ -140,7 +140,7 @@ std::string MixtureShader::GetImplementation(const std::vector<bool>& drawn) con
        this->Part.Kind == MixtureKind::Images && k < this->ImageComponents.size(); ++k)
   {
     text += "  vec4 " + Texel(k) + " = texture(" + WeightTextures::GetSampler(k) + ", " +
-            Varying(partarrays::Coordinates) + ");\n";
+            VaryingOf(partarrays::Coordinates) + ");\n";
   }
   std::string sum = "0.0";
   int others = -1; // the material where no other has a weight

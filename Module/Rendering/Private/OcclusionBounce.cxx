@@ -3,6 +3,7 @@
 #include "OcclusionBounce.h"
 
 #include "BouncedLight.h"
+#include "HalfVector.h" // for Pi
 #include "LocalFrame.h"
 #include "UniformVectors.h"
 #include "vtkBRDFBouncedLight.h"
@@ -15,7 +16,6 @@ namespace measuredbrdf
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 constexpr double LeastHidden = 1e-3;
 }
 

@@ -3,6 +3,7 @@
 #include "OcclusionLight.h"
 
 #include "EnvironmentPrecomputation.h"
+#include "HalfVector.h" // for Pi
 #include "HiddenSky.h"
 #include "vtkBRDF.h"
 #include "vtkEnvironment.h"
@@ -20,8 +21,6 @@ namespace measuredbrdf
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
-
 // The real harmonics of an environment in its own axes. EnvironmentHarmonics' frame has the
 // environment's (z, x, y) as its axes.
 sky::Colors MakeLight(vtkEnvironment* environment, const EnvironmentPrecomputation::Rest& rest)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OcclusionLobes.h"
 
+#include "HalfVector.h" // for Pi
 #include "HiddenSky.h"
 #include "LobeMeans.h"
 #include "LobeQuadrature.h"
@@ -16,7 +17,6 @@ namespace measuredbrdf
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 constexpr int Cells = 512; // of a view's quadrature
 constexpr int Steps = 30;  // of Newton's method, at most
 constexpr double Enough = 1e-4;

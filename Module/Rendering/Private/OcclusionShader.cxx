@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OcclusionShader.h"
 
+#include "HalfVector.h" // for Pi
 #include "HiddenSky.h"
 #include "LocalFrame.h"
 #include "OcclusionBounce.h"
@@ -18,7 +19,6 @@ namespace measuredbrdf
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 constexpr std::size_t LampsOfMixtures = 4; // of each of several materials
 constexpr float LargestIrradiance = 1e30f;
 // What varyings are where nothing is hidden.

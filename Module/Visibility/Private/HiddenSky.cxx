@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HiddenSky.h"
 
+#include "HalfVector.h" // for Pi
 #include "LocalFrame.h"
 
 #include <algorithm>
@@ -13,7 +14,6 @@ namespace measuredbrdf
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 constexpr int NormalSteps = 4096; // of each side of the octahedron
 
 // What a degree of the light makes of irradiance (Ramamoorthi, Hanrahan 2001, eq. 8); the higher

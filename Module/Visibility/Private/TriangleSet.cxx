@@ -21,7 +21,7 @@ constexpr std::uint64_t MostElements = std::numeric_limits<std::uint32_t>::max()
 constexpr double OffsetOfExtent = 0x1p-20;
 constexpr double OffsetOfPosition = 0x1p-48;
 
-bool IsFinite(const double* p)
+bool IsFinitePoint(const double* p)
 {
   return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
 }
@@ -78,7 +78,7 @@ void TriangleSet::AddTriangle(const Start& start, const vtkIdType corners[3], vt
   for (int c = 0; c < 3; ++c)
   {
     triangle.Corners[c] = start.Point + static_cast<std::uint32_t>(corners[c]);
-    if (!IsFinite(&this->Positions[3 * static_cast<std::size_t>(triangle.Corners[c])]))
+    if (!IsFinitePoint(&this->Positions[3 * static_cast<std::size_t>(triangle.Corners[c])]))
     {
       ++this->Skipped;
       return;
