@@ -117,7 +117,7 @@ vtkSmartPointer<vtkScalarBarActor> MakeErrorLegend()
     text->ShadowOff();
   }
   legend->SetOrientationToHorizontal();
-  legend->SetTextPositionToPrecedeScalarBar(); // the labels below the bar, the title above
+  legend->SetTextPositionToPrecedeScalarBar(); // the labels below the bar, the title below them
   legend->SetPosition(0.25, 0.02);
   legend->SetPosition2(0.5, 0.12);
   legend->DrawBackgroundOn();

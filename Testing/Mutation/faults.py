@@ -692,7 +692,7 @@ add("Rendering.left-plans-go-on", "Private/PlanJob.cxx", "else\n    {\n      thi
     "", "Background.AChangeStopsWhatIsInTheMaking")
 add("Rendering.changed-materials-are-not-redrawn", "Private/MaterialSettings.cxx", "add(this->BRDF);", "",
     "Mapper.RebuildsExactlyWhenItMust|Scene.RedrawTimeFollowsAppearance")
-add("Rendering.largest-tolerance", "Private/MaterialSettings.cxx", "LargestTolerance = 1.0;",
+add("Rendering.largest-tolerance", "Private/MaterialSettings.h", "LargestTolerance = 1.0;",
     "LargestTolerance = 10.0;", "Auto.TolerancesAreClampedWithAWarning")
 add("Rendering.selection-plans", "Private/DrawsColor.cxx", "if (renderer->GetSelector())", "if (!renderer)",
     "Views.SelectionNeedsNoPlans")

@@ -4,6 +4,7 @@
 
 #include "vtkMeasuredBRDFMapperMixin.txx"
 
+#include "ClassTriangles.h"
 #include "PartArrays.h"
 #include "vtkActor.h"
 #include "vtkCellArray.h"
@@ -45,99 +46,6 @@ void Exchange(std::map<const vtkOpenGLHelper*, Value>& values, const vtkOpenGLHe
   values.insert(std::move(first));
   values.insert(std::move(second));
 }
-
-// The cells of all parts, in their order; the points are the same.
-vtkSmartPointer<vtkPolyData> Join(const std::vector<vtkPolyData*>& surfaces)
-{
-  auto whole = vtkSmartPointer<vtkPolyData>::New();
-  whole->SetPoints(surfaces.front()->GetPoints());
-  whole->GetPointData()->ShallowCopy(surfaces.front()->GetPointData());
-  whole->GetFieldData()->ShallowCopy(surfaces.front()->GetFieldData());
-  vtkIdType count = 0;
-  for (vtkPolyData* surface : surfaces)
-  {
-    count += surface->GetNumberOfCells();
-  }
-  vtkNew<vtkCellArray> polygons;
-  vtkCellData* data = whole->GetCellData();
-  data->CopyAllOn();
-  data->CopyAllocate(surfaces.front()->GetCellData(), count);
-  for (vtkPolyData* surface : surfaces)
-  {
-    data->CopyData(
-      surface->GetCellData(), polygons->GetNumberOfCells(), surface->GetNumberOfCells(), 0);
-    polygons->Append(surface->GetPolys(), 0);
-  }
-  whole->SetPolys(polygons);
-  return whole;
-}
-
-// Which polygons are to be drawn.
-using Choice = std::function<bool(vtkIdType)>;
-
-// Their triangles only.
-std::vector<unsigned int> GetTriangles(vtkPolyData* surface, const Choice& isDrawn)
-{
-  vtkNew<vtkCellArray> drawn;
-  vtkNew<vtkIdList> corners;
-  for (vtkIdType k = 0; k < surface->GetNumberOfPolys(); ++k)
-  {
-    if (isDrawn(k))
-    {
-      surface->GetPolys()->GetCellAtId(k, corners);
-      drawn->InsertNextCell(corners);
-    }
-  }
-  std::vector<unsigned int> triangles;
-  vtkOpenGLIndexBufferObject::AppendTriangleIndexBuffer(
-    triangles, drawn, surface->GetPoints(), 0, nullptr, nullptr);
-  return triangles;
-}
-
-// All triangles in their places, those of the others without an area.
-std::vector<unsigned int> GetNumberedTriangles(vtkPolyData* surface, const Choice& isDrawn)
-{
-  std::vector<unsigned int> triangles;
-  vtkOpenGLIndexBufferObject::AppendTriangleIndexBuffer(
-    triangles, surface->GetPolys(), surface->GetPoints(), 0, nullptr, nullptr);
-  std::size_t next = 0;
-  std::size_t end = 0; // of those that are drawn
-  for (vtkIdType k = 0; k < surface->GetNumberOfPolys(); ++k)
-  {
-    const std::size_t first = next;
-    next += 3 * static_cast<std::size_t>(surface->GetPolys()->GetCellSize(k) - 2);
-    if (isDrawn(k))
-    {
-      end = next;
-      continue;
-    }
-    std::fill(triangles.begin() + static_cast<std::ptrdiff_t>(first),
-      triangles.begin() + static_cast<std::ptrdiff_t>(next), 0u);
-  }
-  triangles.resize(end);
-  return triangles;
-}
-
-vtkSmartPointer<vtkOpenGLIndexBufferObject> MakeIndices(std::vector<unsigned int> triangles)
-{
-  auto indices = vtkSmartPointer<vtkOpenGLIndexBufferObject>::New();
-  indices->IndexCount = triangles.size();
-  if (!triangles.empty())
-  {
-    indices->Upload(triangles, vtkOpenGLIndexBufferObject::ElementArrayBuffer);
-  }
-  return indices;
-}
-
-// As VTK draws them, which leaves out triangles of which two corners are in one place.
-int CountTriangles(vtkPolyData* surface)
-{
-  std::vector<unsigned int> triangles;
-  vtkOpenGLIndexBufferObject::AppendTriangleIndexBuffer(
-    triangles, surface->GetPolys(), surface->GetPoints(), 0, nullptr, nullptr);
-  return static_cast<int>(triangles.size() / 3);
-}
-
 }
 
 ClassesMapper::ClassesMapper() = default;
@@ -232,7 +140,7 @@ void ClassesMapper::SetParts(
   }
   this->HasClassWithoutMaterial = std::any_of(parts->Get().begin(), parts->Get().end(),
     [](const MaterialPart& part) { return part.Kind == MixtureKind::Nearest && part.IsRest; });
-  all.Surface = same ? vtkSmartPointer<vtkPolyData>(this->GetInput()) : Join(surfaces);
+  all.Surface = same ? vtkSmartPointer<vtkPolyData>(this->GetInput()) : JoinCells(surfaces);
   const bool hasBorders = all.Kind == MixtureKind::Nearest;
   this->SetPart(parts, std::move(all), map);
   if (hasBorders)
