@@ -1,6 +1,7 @@
 # Compiles files of one folder whose names begin alike together: they read the same headers, which takes most of the
 # time. A file's group depends on its own name alone, so a new file moves no other. Names in anonymous namespaces must
-# differ within a group. Call it in the target's own CMakeLists.txt.
+# differ within a group, also from those of functions that other files of the group take from headers: the nearer one is
+# called, whatever its arguments. Call it in the target's own CMakeLists.txt.
 option(MEASUREDBRDF_COMPILE_IN_GROUPS "Compile files of the library that belong together at once" ON)
 mark_as_advanced(MEASUREDBRDF_COMPILE_IN_GROUPS)
 

@@ -47,7 +47,7 @@ std::size_t CountCells(const int dimensions[4])
   return cells;
 }
 
-double ToRadians(int azimuthRange)
+double GetLargestAzimuth(int azimuthRange)
 {
   return azimuthRange == vtkAnisotropicTabulatedBRDF::HALF_TURN ? Pi : 2.0 * Pi;
 }
@@ -69,7 +69,7 @@ void GetCell(
     std::atan2(std::cos(angles.ThetaH), std::sin(angles.ThetaH) * std::abs(std::cos(angles.PhiD)));
   angles.ThetaD = std::min(angles.ThetaD, horizon * (1.0 - 1e-4));
   FromHalfDifference(angles, i, o);
-  const double phi = ToRadians(azimuthRange) * (index[2] + 0.5) / dimensions[2];
+  const double phi = GetLargestAzimuth(azimuthRange) * (index[2] + 0.5) / dimensions[2];
   i = TurnBy(phi, i);
   o = TurnBy(phi, o);
 }
@@ -209,7 +209,7 @@ void vtkAnisotropicTabulatedBRDF::EvaluateAbove(const double i[3], const double 
   const double phiH = std::hypot(h.x, h.y) > 1e-7 ? std::atan2(h.y, h.x) : 0.0;
   const Neighbors axes[4] = { PeriodicNeighbors(angles.PhiD / (2.0 * Pi), this->Dimensions[0]),
     ClampedNeighbors(angles.ThetaD * (2.0 / Pi), this->Dimensions[1]),
-    PeriodicNeighbors(phiH / ToRadians(this->AzimuthRange), this->Dimensions[2]),
+    PeriodicNeighbors(phiH / GetLargestAzimuth(this->AzimuthRange), this->Dimensions[2]),
     ClampedNeighbors(ThetaHToUnit(angles.ThetaH), this->Dimensions[3]) };
   glm::dvec3 sum(0.0);
   for (int corner = 0; corner < 16; ++corner)

@@ -3,6 +3,7 @@
 #include "HalfTurn.h"
 
 #include "HalfVector.h" // for Pi
+#include "LocalFrame.h"
 #include "LowDiscrepancy.h"
 #include "vtkBRDF.h"
 
@@ -14,12 +15,6 @@ namespace
 {
 constexpr int Probes = 128;
 constexpr double LargestDifference = 1e-4; // of a pair, relative, in the mean
-
-glm::dvec3 ToDirection(double z, double turn)
-{
-  const double s = std::sqrt(1.0 - z * z);
-  return glm::dvec3(s * std::cos(2.0 * Pi * turn), s * std::sin(2.0 * Pi * turn), z);
-}
 }
 
 bool IsSameAfterHalfATurn(vtkBRDF* brdf)
@@ -28,8 +23,8 @@ bool IsSameAfterHalfATurn(vtkBRDF* brdf)
   double difference = 0.0;
   for (unsigned int k = 1; k <= Probes; ++k)
   {
-    const glm::dvec3 o = ToDirection(RadicalInverse(k, 2), RadicalInverse(k, 3));
-    glm::dvec3 i = ToDirection(RadicalInverse(k, 5), RadicalInverse(k, 7));
+    const glm::dvec3 o = ToDirection(RadicalInverse(k, 2), 2.0 * Pi * RadicalInverse(k, 3));
+    glm::dvec3 i = ToDirection(RadicalInverse(k, 5), 2.0 * Pi * RadicalInverse(k, 7));
     if (k % 2 == 0) // about the mirror direction, where a lobe is
     {
       i = glm::normalize(glm::dvec3(-o.x, -o.y, o.z) + 0.3 * i);

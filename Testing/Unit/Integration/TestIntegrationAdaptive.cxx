@@ -244,7 +244,7 @@ TEST(AdaptiveIntegrator, MissesNothingNarrow)
 TEST(AdaptiveIntegrator, RealMaterials)
 {
   SpherePairs pairs;
-  pairs.AddRandom(3); // two million points each; Testing/Mitsuba has a hundred more
+  pairs.AddRandom(3); // two million points each; Testing/Mitsuba has two hundred of other materials
   for (const auto& [material, light] : { std::pair("acrylic_felt_white", "studio"),
          { "satin_purple", "interior" }, { "chm_light_blue", "studio" } })
   {

@@ -141,6 +141,7 @@ TEST(Planner, LeavesOutOnlyWhatDoesNotHelp)
     EXPECT_EQ(planner->GetDescription(choice), thorough->GetDescription(thorough->GetChoice()));
     EXPECT_EQ(
       planner->GetPredictedError(choice), thorough->GetPredictedError(thorough->GetChoice()));
+    EXPECT_LT(planner->GetNumberOfCandidates(), thorough->GetNumberOfCandidates()) << name;
     tried += static_cast<std::size_t>(planner->GetNumberOfCandidates());
     all += static_cast<std::size_t>(thorough->GetNumberOfCandidates());
   }

@@ -254,6 +254,25 @@ TEST_F(ClassStacking, TermsOfOtherTextsAreSkippedElsewhere)
     << this->Load;
 }
 
+// Whatever of a term is no number tells terms apart.
+TEST_F(ClassStacking, TermsDifferByEachOfTheirTexts)
+{
+  const std::vector<Term> alike = this->Terms;
+  ASSERT_TRUE(this->Stack(64));
+  ASSERT_EQ(this->Form.Terms.size(), 1u);
+  this->Terms[1].Constants = { { "COUNT", "3" } };
+  ASSERT_TRUE(this->Stack(64));
+  EXPECT_EQ(this->Form.Terms.size(), 2u) << "constants";
+  this->Terms = alike;
+  this->Terms[1].Textures[0].HalfFloat = !this->Terms[1].Textures[0].HalfFloat;
+  ASSERT_TRUE(this->Stack(64));
+  EXPECT_EQ(this->Form.Terms.size(), 2u) << "the texture's format";
+  this->Terms = alike;
+  this->Terms[1].Source += " ";
+  ASSERT_TRUE(this->Stack(64));
+  EXPECT_EQ(this->Form.Terms.size(), 2u) << "text";
+}
+
 // A material may have several, or none.
 TEST_F(ClassStacking, TermsOfOneTextStandTogether)
 {
