@@ -6,17 +6,14 @@
 
 #include "DrawTimer.h"
 #include "DrawsColor.h"
-#include "FacingDrawing.h"
 #include "MapperProperties.h"
 #include "PartMappers.h"
 #include "vtkAlgorithm.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkObjectFactory.h"
 #include "vtkPBRPropertyFitter.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkRadiancePlanner.h"
-#include "vtkSurfaceVisibilityFilter.h"
 
 #include <set>
 
@@ -35,7 +32,6 @@ struct vtkMeasuredBRDFMapper::MapDrawing
   }
   PartMappers Parts;
   DrawTimer Timer;
-  FacingDrawing Facing; // of the whole, without a map
 };
 
 //------------------------------------------------------------------------------
@@ -161,49 +157,8 @@ void vtkMeasuredBRDFMapper::RenderPiece(vtkRenderer* ren, vtkActor* actor)
 }
 
 //------------------------------------------------------------------------------
-void vtkMeasuredBRDFMapper::BuildBufferObjects(vtkRenderer* ren, vtkActor* actor)
-{
-  // The superclass keeps indices that it takes for its own.
-  this->Map->Facing.PutBack(this->Primitives[PrimitiveTris].IBO);
-  this->Map->Facing.Forget();
-  this->Superclass::BuildBufferObjects(ren, actor);
-}
-
-//------------------------------------------------------------------------------
-// Where the mapper traced the surface by itself, and its inside sees nothing of the sky, the inside
-// is not seen from outside either. (Arrays of the filter may owe that to occluders that are not
-// drawn.) Data of cells and selections go by the numbers of drawn triangles.
-void vtkMeasuredBRDFMapper::ChooseTriangles(vtkRenderer* ren, vtkActor* actor)
-{
-  vtkOpenGLIndexBufferObject* indices = this->Primitives[PrimitiveTris].IBO;
-  vtkPolyData* surface = this->CurrentInput;
-  const bool isClosed =
-    this->HasOcclusion() && this->IsOtherSideClosed && surface &&
-    !surface->GetPointData()->HasArray(vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName());
-  if (isClosed && surface->GetNumberOfPolys() >= FacingDrawing::LeastTriangles &&
-      this->GetNumberOfClippingPlanes() == 0 && !this->HaveCellScalars && !this->HaveCellNormals &&
-      this->Map->Facing.IsWorth(ren, actor))
-  {
-    if (const auto arrays = this->Drawing->FindOcclusion(surface, this, false))
-    {
-      this->Map->Facing.LeaveOut(ren, actor, surface, *arrays, indices);
-      return;
-    }
-  }
-  this->Map->Facing.PutBack(indices);
-}
-
-//------------------------------------------------------------------------------
-void vtkMeasuredBRDFMapper::RenderPieceDraw(vtkRenderer* ren, vtkActor* actor)
-{
-  this->ChooseTriangles(ren, actor);
-  this->Superclass::RenderPieceDraw(ren, actor);
-}
-
-//------------------------------------------------------------------------------
 void vtkMeasuredBRDFMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
-  this->Map->Facing.Forget();
   if (this->RenderDepth == 0)
   {
     this->Map->Parts.ReleaseGraphicsResources(window);

@@ -381,15 +381,8 @@ protected:
 
   std::vector<MaterialUse> GetMaterialUses() override;
 
-  ///@{
-  /// Of closed surfaces, triangles that face away are left out.
-  void BuildBufferObjects(vtkRenderer* ren, vtkActor* actor) override;
-  void RenderPieceDraw(vtkRenderer* ren, vtkActor* actor) override;
-  ///@}
-
 private:
   struct MapDrawing; // by a material map
-  void ChooseTriangles(vtkRenderer* ren, vtkActor* actor);
   bool RenderParts(vtkRenderer* ren, vtkActor* actor);
 
   std::unique_ptr<MapDrawing> Map;

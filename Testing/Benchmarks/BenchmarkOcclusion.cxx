@@ -56,7 +56,6 @@ int main(int argc, char** argv)
   int pixelCount = 300;
   int rounds = 0;
   int rays = 0;
-  bool own = false;
   std::string pictures;
   CLI::App app("The error of what surfaces hide from themselves.");
   app.add_option("--meshes", meshes, "Those of the default, or .vtp files with point normals");
@@ -64,7 +63,6 @@ int main(int argc, char** argv)
   app.add_option("--pixels", pixelCount, "Of each picture");
   app.add_option("--rays", rays, "From each point; 0: as the filter has it");
   app.add_option("--rounds", rounds, "Of frames for times; 0: none");
-  app.add_flag("--own", own, "The mapper traces by itself, from both sides, as without the filter");
   app.add_option("--pictures", pictures, "Folder for pictures");
   CLI11_PARSE(app, argc, argv);
 
@@ -101,11 +99,6 @@ int main(int argc, char** argv)
     tracer.Build();
     vtkNew<vtkMeasuredBRDFMapper> mapper;
     mapper->SetInputConnection(filter->GetOutputPort());
-    if (own)
-    {
-      mapper->SetInputData(surface);
-    }
-    const int modeled = own ? 2 : 1; // On, or Auto
     FloatWindow window(mapper, surface);
     std::vector<Pixel> pixels = FindPixels(surface, tracer, window, pixelCount);
     TracePixels(tracer, pixels);
@@ -121,7 +114,7 @@ int main(int argc, char** argv)
         mapper->SetIntegrator(integrator);
         mapper->SetOcclusionModeToOff();
         const FloatPicture off = window.Render();
-        mapper->SetOcclusionMode(modeled);
+        mapper->SetOcclusionModeToAuto();
         const FloatPicture on = window.Render();
         const Errors errors = Compare(pixels, kernels, map, off, on);
         const double values[3] = { errors.Off / errors.All, errors.Ambient / errors.All,
@@ -133,7 +126,7 @@ int main(int argc, char** argv)
         }
         for (int round = 0; round < 2 * rounds; ++round)
         {
-          mapper->SetOcclusionMode(round % 2 == 0 ? 0 : modeled);
+          mapper->SetOcclusionMode(round % 2);
           window.Draw();
           const double start = GetSeconds();
           window.Draw();

@@ -1130,12 +1130,6 @@ add("Rendering.hidden-sky-of-the-wrong-side", "Private/OcclusionShader.cxx",
     "OcclusionTest.NormalsMayPointEitherWay")
 add("Rendering.outlines-without-hidden-sky", "Private/OcclusionArrays.cxx", "return -std::sqrt(1.0 - cosine * cosine) - margin;",
     "return 0.6 * cosine / margin;", "OcclusionTest.NormalsMayPointEitherWay")
-add("Rendering.triangles-that-face-us-left-out", "Private/FacingTriangles.cxx", "(*least > 0.0 ? 1.0 : -1.0)", "(*least > 0.0 ? -1.0 : 1.0)",
-    "FacingTest.PicturesStayAsTheyAre")
-add("Rendering.near-planes-open-nothing", "Private/FacingTriangles.cxx", "clip.w > 0.0 && clip.z > -clip.w", "clip.w > 0.0",
-    "FacingTest.InsidesThatAreSeenAreDrawn")
-add("Rendering.left-out-triangles-stay-out", "vtkMeasuredBRDFMapper.cxx", "this->Map->Facing.PutBack(this->Primitives[PrimitiveTris].IBO);", "",
-    "FacingTest.OthersHaveAllTriangles")
 add("Visibility.same-side-twice", "Private/VisibilityTask.cxx", "side == 0 ? 1.0 : -1.0, hidden",
     "1.0, hidden", "SurfaceVisibility.TheOtherSideHasItsOwnSky")
 add("Visibility.traced-again", "vtkSurfaceVisibilityFilter.cxx",
