@@ -99,8 +99,8 @@ bool ClassStack::StackForms(const DrawnMaterials& materials, vtkOpenGLRenderWind
   ofRadiance.Align(radianceForms);
   const std::array<int, 2> mostTexels = { vtkTextureObject::GetMaximumTextureSize(window),
     vtkTextureObject::GetMaximumTextureSize3D(window) };
-  const std::size_t samplers = ofMaterial.CountSamplers() + ofRadiance.CountSamplers();
-  if (radianceForms.empty() || !CheckTextureUnits(samplers, window).empty() ||
+  this->Samplers = ofMaterial.CountSamplers() + ofRadiance.CountSamplers();
+  if (radianceForms.empty() || !CheckTextureUnits(this->Samplers, window).empty() ||
       !ofMaterial.Stack(mostTexels) || !ofRadiance.Stack(mostTexels))
   {
     return false;
@@ -124,9 +124,10 @@ bool ClassStack::StackForms(const DrawnMaterials& materials, vtkOpenGLRenderWind
          (!have(&DrawnMaterial::Radiance) || upload(ofRadiance, this->Drawn.Radiance));
 }
 
-bool ClassStack::IsIn(vtkOpenGLRenderWindow* window) const
+bool ClassStack::Fits(vtkOpenGLRenderWindow* window) const
 {
-  return (!this->Drawn.Material || this->Drawn.Material->IsIn(window)) &&
+  return CheckTextureUnits(this->Samplers, window).empty() &&
+         (!this->Drawn.Material || this->Drawn.Material->IsIn(window)) &&
          (!this->Drawn.Radiance || this->Drawn.Radiance->IsIn(window));
 }
 

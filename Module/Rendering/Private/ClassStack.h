@@ -39,7 +39,9 @@ public:
   /// To be drawn in place of all of them.
   const DrawnMaterial& Get() const { return this->Drawn; }
 
-  bool IsIn(vtkOpenGLRenderWindow* window) const;
+  /// Whether the textures are the window's, and its texture units suffice, of which others take
+  /// some: images of actors, shadow maps.
+  bool Fits(vtkOpenGLRenderWindow* window) const;
 
   /// GLSL that chooses the material: declarations; statements, before the material is evaluated,
   /// that read the class from the float brdfClassHere.
@@ -50,6 +52,7 @@ private:
   bool StackForms(const DrawnMaterials& materials, vtkOpenGLRenderWindow* window);
 
   DrawnMaterial Drawn;
+  std::size_t Samplers = 0;
   std::string Declarations;
   std::string Choice;
 };

@@ -45,22 +45,29 @@ void ClassStacks::Clear()
   this->Window = nullptr;
 }
 
+bool ClassStacks::IsOf(const DrawnMaterials& materials, vtkOpenGLRenderWindow* window) const
+{
+  const auto isKnown = [](const DrawnMaterial* drawn, const Origin& origin)
+  { return GetOrigin(*drawn) == origin; };
+  return this->Window == window &&
+         std::equal(
+           materials.begin(), materials.end(), this->Known.begin(), this->Known.end(), isKnown) &&
+         std::all_of(this->Stacks.begin(), this->Stacks.end(),
+           [window](const std::unique_ptr<ClassStack>& stack) { return stack->Fits(window); });
+}
+
 bool ClassStacks::Update(const std::vector<ClassBorder>& borders, const DrawnMaterials& materials,
   bool hasOthers, vtkOpenGLRenderWindow* window)
 {
-  std::vector<Origin> known;
-  for (const DrawnMaterial* drawn : materials)
-  {
-    known.push_back(GetOrigin(*drawn));
-  }
-  const bool kept = std::all_of(this->Stacks.begin(), this->Stacks.end(),
-    [window](const std::unique_ptr<ClassStack>& stack) { return stack->IsIn(window); });
-  if (known == this->Known && this->Window == window && kept)
+  if (this->IsOf(materials, window))
   {
     return false;
   }
   this->Clear();
-  this->Known = std::move(known);
+  for (const DrawnMaterial* drawn : materials)
+  {
+    this->Known.push_back(GetOrigin(*drawn));
+  }
   this->Window = window;
   this->Group(borders, materials, hasOthers, window);
   this->Distribute(borders);
@@ -116,7 +123,7 @@ void ClassStacks::AddKinds(
   {
     std::size_t count = kinds.size();
     bool together = false;
-    for (; count > 0 && !together; count -= together ? 0 : 1)
+    for (; count > 0 && !together; count = together ? count : count / 2) // each try copies tables
     {
       Classes all;
       for (std::size_t k = 0; k < count; ++k)

@@ -39,6 +39,9 @@ struct ClassBorder
 class ClassStacks
 {
 public:
+  /// Whether these are the materials that the stacks were made of, and the stacks can be drawn.
+  bool IsOf(const DrawnMaterials& materials, vtkOpenGLRenderWindow* window) const;
+
   /// Bring up to date; materials: of each border. hasOthers: whether polygons have corners of
   /// classes that are no borders here, because they have no material. Returns whether anything
   /// changed.

@@ -20,7 +20,7 @@
 #include "vtkProperty.h"
 
 #include <algorithm>
-#include <functional>
+#include <iterator>
 #include <numeric>
 #include <unordered_set>
 #include <utility>
@@ -236,6 +236,30 @@ void ClassesMapper::MakeAllIndices()
   }
 }
 
+// Views of the same materials have the same stacks.
+std::shared_ptr<ClassStacks>& ClassesMapper::FindStacks(
+  const Place& place, const DrawnMaterials& materials)
+{
+  std::shared_ptr<ClassStacks>& own = this->StacksOf[place];
+  if (own && own->IsOf(materials, place.first))
+  {
+    return own;
+  }
+  for (const auto& [other, stacks] : this->StacksOf)
+  {
+    if (other.first == place.first && stacks && stacks->IsOf(materials, place.first))
+    {
+      own = stacks;
+      return own;
+    }
+  }
+  if (!own || own.use_count() > 1)
+  {
+    own = std::make_shared<ClassStacks>();
+  }
+  return own;
+}
+
 // Shadows have numbers of each material.
 void ClassesMapper::UpdateStacks(vtkRenderer* ren)
 {
@@ -252,8 +276,10 @@ void ClassesMapper::UpdateStacks(vtkRenderer* ren)
       materials.push_back(&this->Drawing->GetMaterials()[k]);
     }
   }
+  const Place place(vtkOpenGLRenderWindow::SafeDownCast(ren->GetVTKWindow()), ren);
   if (borders.empty())
   {
+    this->StacksOf.erase(place);
     if (this->Stacks)
     {
       this->Stacks = nullptr;
@@ -262,13 +288,8 @@ void ClassesMapper::UpdateStacks(vtkRenderer* ren)
     this->AreBordersLoose = this->GetText() != nullptr && !this->Drawing->IsPending();
     return;
   }
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(ren->GetVTKWindow());
-  std::unique_ptr<ClassStacks>& stacks = this->StacksOf[window];
-  if (!stacks)
-  {
-    stacks = std::make_unique<ClassStacks>();
-  }
-  if (!stacks->Update(borders, materials, this->HasClassWithoutMaterial, window) &&
+  const std::shared_ptr<ClassStacks>& stacks = this->FindStacks(place, materials);
+  if (!stacks->Update(borders, materials, this->HasClassWithoutMaterial, place.first) &&
       this->Stacks == stacks.get() && this->AreNumbered == this->NeedsNumbers())
   {
     return;
@@ -469,7 +490,10 @@ void ClassesMapper::ReleaseGraphicsResources(vtkWindow* window)
   if (this->RenderDepth == 0)
   {
     this->Stacks = nullptr;
-    this->StacksOf.erase(vtkOpenGLRenderWindow::SafeDownCast(window));
+    for (auto it = this->StacksOf.begin(); it != this->StacksOf.end();)
+    {
+      it = it->first.first == window ? this->StacksOf.erase(it) : std::next(it);
+    }
   }
   this->Superclass::ReleaseGraphicsResources(window);
 }

@@ -24,6 +24,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 class vtkOpenGLHelper;
@@ -88,6 +89,9 @@ private:
     std::vector<vtkIdType> Polygons;                     // and its polygons'
   };
 
+  // Materials are a renderer's in a window.
+  using Place = std::pair<vtkOpenGLRenderWindow*, vtkRenderer*>;
+
   // Deletes OpenGL objects in the window that they are in, whichever is current.
   template <typename Release>
   void InOwnWindow(const Release& release);
@@ -98,6 +102,7 @@ private:
   void DrawClass(std::size_t number, vtkRenderer* ren, vtkActor* actor);
   void DrawStacks(vtkRenderer* ren, vtkActor* actor);
   void UpdateStacks(vtkRenderer* ren);
+  std::shared_ptr<ClassStacks>& FindStacks(const Place& place, const DrawnMaterials& materials);
   void ShowIndices(vtkOpenGLIndexBufferObject* indices);
   void SetBorders();
   void MakeAllIndices();
@@ -111,7 +116,7 @@ private:
   bool InStack = false; // whether a stack is shown
   bool AreBordersLoose = false;
   bool HasClassWithoutMaterial = false; // in polygons that meet others
-  std::map<vtkOpenGLRenderWindow*, std::unique_ptr<ClassStacks>> StacksOf;
+  std::map<Place, std::shared_ptr<ClassStacks>> StacksOf;
   ClassStacks* Stacks = nullptr; // of the window that is drawn, while polygons are stacked
   std::vector<vtkSmartPointer<vtkOpenGLIndexBufferObject>> StackIndices;
   vtkSmartPointer<vtkPolyData> Borders;  // each polygon of several classes once, after the classes

@@ -60,7 +60,9 @@ void MaterialDrawing::ForecastOcclusion(
   vtkDataObject* input =
     owner && owner->GetNumberOfInputConnections(0) > 0 ? owner->GetInputDataObject(0, 0) : nullptr;
   this->Given = GivenOcclusion();
-  for (vtkPolyData* surface : GetBlocks(this->Settings->OcclusionMode != 0 ? input : nullptr))
+  // Under a map each block has parts of its own, which would all list all blocks.
+  const bool counts = this->Settings->OcclusionMode != 0 && !this->Settings->MaterialMap;
+  for (vtkPolyData* surface : GetBlocks(counts ? input : nullptr))
   {
     if (surface->GetNumberOfPolys() > 0 || surface->GetNumberOfStrips() > 0)
     {
