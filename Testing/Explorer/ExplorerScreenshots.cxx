@@ -56,6 +56,10 @@ void Settle(Window& window)
   {
     Wait(100);
   }
+  if (!window.IsSettled())
+  {
+    std::printf("not settled after %d s; the next picture shows what is there\n", Patience / 1000);
+  }
   Wait(500);
 }
 

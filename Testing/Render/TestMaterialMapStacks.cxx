@@ -8,16 +8,20 @@
 #include "vtkBRDFShaderInputs.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
+#include "vtkEnvironment.h"
+#include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkObjectFactory.h"
 #include "vtkRenderer.h"
 #include "vtkShader.h"
 #include "vtkShaderProgram.h"
+#include "vtkTexture.h"
 
 #include <algorithm>
 #include <array>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -35,6 +39,7 @@ public:
   }
   void GetShaderInputs(vtkBRDFShaderInputs& inputs) override
   {
+    ++this->Asked;
     vtkBRDFShaderInputs::Term term;
     term.Shader = "shaped term";
     term.Source = "uniform sampler3D brdfShapedINSTANCE;\nuniform float brdfShapedValueINSTANCE;\n"
@@ -53,6 +58,7 @@ public:
     inputs.Terms.push_back(term);
   }
   double Value = 0.1;
+  int Asked = 0; // for shader inputs
   std::array<int, 3> Shape = { 2, 2, 60 };
 
 protected:
@@ -122,5 +128,46 @@ TEST_F(MaterialStacks, OfTheSameTextHaveNumbersOfTheirOwn)
     most = k % 4 == 0 ? std::max(most, stacked.RGBA[k]) : most;
   }
   EXPECT_GT(most, 4.0f * least) << "the classes differ";
+}
+
+// Views under environments of their own have stacks of their own, which stay from frame to frame.
+TEST_F(MaterialStacks, OfTwoViewsStay)
+{
+  this->Mapper->SetEnvironment(nullptr);
+  std::vector<vtkSmartPointer<ShapedBRDF>> materials;
+  for (int k = 0; k < 4; ++k)
+  {
+    materials.push_back(vtkSmartPointer<ShapedBRDF>::New());
+    materials.back()->Value = 0.03 + 0.03 * k;
+    this->Map->AddMaterial(materials.back());
+  }
+  this->SetPoints([](vtkIdType point, int) { return static_cast<double>(point % 4); });
+  this->Mapper->SetMaterialMap(this->Map);
+  this->Mapper->ScalarVisibilityOff();
+  vtkNew<vtkRenderer> right;
+  this->Window->AddRenderer(right);
+  right->AddActor(this->Actor);
+  right->SetViewport(0.5, 0.0, 1.0, 1.0);
+  this->Renderer->SetViewport(0.0, 0.0, 0.5, 1.0);
+  for (vtkRenderer* renderer : { this->Renderer.Get(), right.Get() })
+  {
+    vtkNew<vtkEnvironment> sky;
+    ASSERT_TRUE(sky->SetPixels(8, 4, std::vector<float>(96, renderer == right ? 0.5f : 0.25f)));
+    const auto image = vtkSmartPointer<vtkImageData>::Take(sky->NewImageData());
+    vtkNew<vtkTexture> texture;
+    texture->SetInputData(image);
+    texture->SetColorModeToDirectScalars();
+    vtkNew<vtkLight> light;
+    light->SetLightTypeToHeadlight();
+    renderer->AddLight(light);
+    renderer->UseImageBasedLightingOn();
+    renderer->SetEnvironmentTexture(texture);
+  }
+  this->Window->Render();
+  this->Window->Render();
+  EXPECT_GT(materials[0]->Asked, 0);
+  materials[0]->Asked = 0;
+  this->Window->Render();
+  EXPECT_EQ(materials[0]->Asked, 0) << "a view's stack was made anew for the other one";
 }
 }
