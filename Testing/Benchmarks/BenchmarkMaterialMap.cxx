@@ -155,7 +155,7 @@ public:
     this->AddUnstackedClasses(64, true);
     this->Materials.swap(this->SharperMaterials);
     this->Materials.swap(this->OtherMaterials);
-    this->NameEnd = ", tables with tiles and without";
+    this->NameEnd = ", tables of 17 to 129 rows";
     this->AddClasses(64, false);
     this->AddUnstackedClasses(64, true);
     this->AddUnstackedClasses(64, false);
