@@ -14,6 +14,7 @@
 #include "Tool.h"
 #include "TransmissionInspection.h"
 
+#include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBTDF.h"
 #include "vtkEmbeddedMaterials.h"
 #include "vtkEnvironment.h"
@@ -49,6 +50,7 @@ private slots:
   void planeOfIncidence();
   void transmissionBelowTheSurface();
   void transmissionIsFound();
+  void transmissionOfGrooves();
   void chartScales();
   void comparedMaterials();
 };
@@ -477,6 +479,40 @@ void ExplorerParts::transmissionIsFound()
     const std::string text = tool::FormatTransmission(transmission);
     QVERIFY2(
       text.find("  60   0.2000  0.1000  0.0000    0.3000") != std::string::npos, text.c_str());
+  }
+}
+
+//------------------------------------------------------------------------------
+// Of an anisotropic sheet the mean over azimuths counts, from either side.
+void ExplorerParts::transmissionOfGrooves()
+{
+  vtkNew<vtkBTDF> sheet;
+  for (int side : { vtkBTDF::FRONT, vtkBTDF::BACK })
+  {
+    vtkNew<vtkAshikhminShirleyBRDF> grooves;
+    grooves->SetExponents(4.0, side == vtkBTDF::FRONT ? 40.0 : 80.0);
+    sheet->SetFolded(side, grooves);
+  }
+  const nlohmann::ordered_json info = { { "reflectance_per_angle",
+    { { { "degrees", 60.0 }, { "rgb", { 0.0, 0.0, 0.0 } } } } } };
+  const auto row = tool::InspectTransmission(sheet, info)["per_angle"][0];
+  for (const bool back : { false, true })
+  {
+    double mean = 0.0;
+    double first = 0.0;
+    for (int k = 0; k < 8; ++k)
+    {
+      const double phi = k * vtkMath::Pi() / 4.0;
+      const double sine = std::sqrt(0.75);
+      const double i[3] = { sine * std::cos(phi), sine * std::sin(phi), back ? -0.5 : 0.5 };
+      double rgb[3];
+      sheet->GetTransmittance(i, rgb);
+      mean += rgb[0] / 8.0;
+      first = k == 0 ? rgb[0] : first;
+    }
+    QVERIFY(std::abs(first / mean - 1.0) > 0.02);
+    const double found = row[back ? "back_light" : "light"][0];
+    QVERIFY2(std::abs(found - mean) < 1e-6, qPrintable(QString::number(found - mean)));
   }
 }
 

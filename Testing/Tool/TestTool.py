@@ -234,7 +234,7 @@ class Materials(ToolTest):
     def test_transmission(self):
         block = ("<WavelengthData><Wavelength>Visible</Wavelength><WavelengthDataBlock><WavelengthDataDirection>{}"
                  "</WavelengthDataDirection><ScatteringData>{{{}}}</ScatteringData></WavelengthDataBlock></WavelengthData>")
-        # Isotropic: an anisotropic one, as ExplorerWindow has it, is inspected at 32 times as many views.
+        # Isotropic: an anisotropic one takes `info` five times as long; ExplorerParts::transmissionOfGrooves has one.
         start = ("<WindowElement><Optical><Layer><DataDefinition><IncidentDataStructure>TensorTree3"
                  "</IncidentDataStructure></DataDefinition>")
         end = "</Layer></Optical></WindowElement>"
