@@ -975,7 +975,8 @@ add("Rendering.map-stacks-skip-terms", "Private/StackedTerms.cxx", "ones(materia
 add("Rendering.map-stacked-triangles-lose-their-numbers", "Private/ClassesMapper.cxx", "this->PrimitiveIDOffset = this->FirstBorder;",
     "this->PrimitiveIDOffset = 0;", "ClassBorders.ColorsOfCellsStayTheirOwn")
 add("Rendering.map-triangles-beside-stacks-lose-their-numbers", "Private/ClassesMapper.cxx",
-    "this->AreNumbered ? GetNumberedTriangles : GetTriangles", "GetTriangles", "ClassBorders.ColorsOfCellsStayTheirOwn")
+    "this->AreNumbered ? GetNumberedTriangles : GetTriangles", "GetTriangles",
+    "MaterialStacks.ColorsOfCellsBetweenThemStayTheirOwn")
 add("Rendering.map-stacks-ignore-numbers", "Private/StackNumbers.cxx",
     "column.begin() + static_cast<std::ptrdiff_t>(4 * materials[k]));", "column.begin());",
     "ClassStacking.NumbersThatDifferAreInATexture")

@@ -7,6 +7,7 @@
 #include "vtkBRDF.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkCallbackCommand.h"
+#include "vtkCellData.h"
 #include "vtkCommand.h"
 #include "vtkEnvironment.h"
 #include "vtkImageData.h"
@@ -16,6 +17,7 @@
 #include "vtkShader.h"
 #include "vtkShaderProgram.h"
 #include "vtkTexture.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <array>
@@ -73,31 +75,45 @@ vtkStandardNewMacro(ShapedBRDF);
 
 class MaterialStacks : public MaterialMapping
 {
+protected:
+  /// Classes 0 to 3 are of one shape, 4 to 7 of another, which meet at a line only.
+  void ShowTwoShapes()
+  {
+    this->Mapper->SetEnvironment(nullptr);
+    this->Mapper->SetIntegrator(nullptr);
+    vtkNew<vtkLight> light;
+    light->SetLightTypeToHeadlight();
+    this->Renderer->AddLight(light);
+    for (int k = 0; k < 8; ++k)
+    {
+      vtkNew<ShapedBRDF> brdf;
+      brdf->Value = 0.03 + 0.03 * k;
+      if (k > 3)
+      {
+        brdf->Shape = { 2, 60, 2 };
+      }
+      this->Map->AddMaterial(brdf);
+    }
+    this->SetPoints([](vtkIdType point, int)
+      { return static_cast<double>((point / 2) % 4 + (point % (Side + 1) > Side / 2 ? 4 : 0)); });
+    this->Mapper->SetMaterialMap(this->Map);
+    this->Mapper->ScalarVisibilityOff();
+  }
+
+  void ExpectSame(const FloatImage& stacked, const FloatImage& apart)
+  {
+    for (std::size_t k = 0; k < stacked.RGBA.size(); ++k)
+    {
+      ASSERT_NEAR(stacked.RGBA[k], apart.RGBA[k], 1.0 / 255.0)
+        << k / 4 % Pixels << " " << k / 4 / Pixels;
+    }
+  }
 };
 
-// Classes 0 to 3 are of one shape, 4 to 7 of another, which meet at a line only. Both stacks have
-// the same text but for the classes that they begin with.
+// Both stacks have the same text but for the classes that they begin with.
 TEST_F(MaterialStacks, OfTheSameTextHaveNumbersOfTheirOwn)
 {
-  this->Mapper->SetEnvironment(nullptr);
-  this->Mapper->SetIntegrator(nullptr);
-  vtkNew<vtkLight> light;
-  light->SetLightTypeToHeadlight();
-  this->Renderer->AddLight(light);
-  for (int k = 0; k < 8; ++k)
-  {
-    vtkNew<ShapedBRDF> brdf;
-    brdf->Value = 0.03 + 0.03 * k;
-    if (k > 3)
-    {
-      brdf->Shape = { 2, 60, 2 };
-    }
-    this->Map->AddMaterial(brdf);
-  }
-  this->SetPoints([](vtkIdType point, int)
-    { return static_cast<double>((point / 2) % 4 + (point % (Side + 1) > Side / 2 ? 4 : 0)); });
-  this->Mapper->SetMaterialMap(this->Map);
-  this->Mapper->ScalarVisibilityOff();
+  this->ShowTwoShapes();
   std::set<std::string> stacks;
   vtkNew<vtkCallbackCommand> events;
   events->SetClientData(&stacks);
@@ -118,16 +134,37 @@ TEST_F(MaterialStacks, OfTheSameTextHaveNumbersOfTheirOwn)
   this->Map->StackClassesOff();
   const FloatImage apart = this->RenderLinear();
   EXPECT_TRUE(stacks.empty());
+  this->ExpectSame(stacked, apart);
   float least = 1.0f;
   float most = 0.0f;
   for (std::size_t k = 0; k < stacked.RGBA.size(); ++k)
   {
-    ASSERT_NEAR(stacked.RGBA[k], apart.RGBA[k], 1.0 / 255.0)
-      << k / 4 % Pixels << " " << k / 4 / Pixels;
     least = k % 4 == 0 ? std::min(least, stacked.RGBA[k]) : least;
     most = k % 4 == 0 ? std::max(most, stacked.RGBA[k]) : most;
   }
   EXPECT_GT(most, 4.0f * least) << "the classes differ";
+}
+
+// They are found by the numbers of triangles, also of those between two stacks, which none draws.
+TEST_F(MaterialStacks, ColorsOfCellsBetweenThemStayTheirOwn)
+{
+  this->ShowTwoShapes();
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetName("colors");
+  colors->SetNumberOfComponents(3);
+  for (vtkIdType cell = 0; cell < this->Sheet->GetNumberOfCells(); ++cell)
+  {
+    colors->InsertNextTuple3(55 + (71 * cell) % 200, 55 + (37 * cell) % 200, 255);
+  }
+  const FloatImage plain = this->RenderLinear();
+  this->Sheet->GetCellData()->AddArray(colors);
+  this->Mapper->ScalarVisibilityOn();
+  this->Mapper->SetScalarModeToUseCellFieldData();
+  this->Mapper->SelectColorArray("colors");
+  const FloatImage stacked = this->RenderLinear();
+  EXPECT_NE(stacked.RGBA, plain.RGBA);
+  this->Map->StackClassesOff();
+  this->ExpectSame(stacked, this->RenderLinear());
 }
 
 // Views under environments of their own have stacks of their own, which stay from frame to frame.
