@@ -69,8 +69,8 @@ void Shoot(Window& window, const QString& folder, const char* name)
   Wait(500);
   const QString path = folder + "/explorer-" + name + ".png";
   const QImage image = window.grab().toImage().convertToFormat(QImage::Format_RGB32);
-  image.save(path, "PNG");
-  std::printf("%s\n", qPrintable(path));
+  const bool isSaved = image.save(path, "PNG");
+  std::printf("%s%s\n", qPrintable(path), isSaved ? "" : ": could not be written");
 }
 
 //------------------------------------------------------------------------------
