@@ -990,6 +990,13 @@ add("Rendering.map-scalars-that-choose-color", "Private/PartMappers.cxx", "if (c
 add("Rendering.map-classes-keep-the-last-textures", "Private/BRDFTextures.cxx",
     "if (!last.Has(uploaded.Texture))", "if (false)",
     "ManyClasses.OfSeveralShadersUnderALight")
+add("Rendering.map-views-share-stacks", "Private/ClassesMapper.cxx",
+    "const Place place(vtkOpenGLRenderWindow::SafeDownCast(ren->GetVTKWindow()), ren);",
+    "const Place place(vtkOpenGLRenderWindow::SafeDownCast(ren->GetVTKWindow()), nullptr);",
+    "MaterialStacks.OfTwoViewsStay")
+add("Rendering.map-stacks-ignore-constants", "Private/StackedTerms.cxx",
+    'kind += "\\n/" + constant.Name + "=" + constant.Value;', "(void)constant;",
+    "ClassStacking.TermsDifferByEachOfTheirTexts")
 add("Rendering.map-classes-released-elsewhere", "Private/ClassesMapper.cxx",
     "this->OwnWindow->PushContext();", "", "ManyClasses.LeaveOtherWindowsAlone")
 add("Rendering.map-classes-keep-the-last-numbers", "Private/BRDFTextures.cxx",
