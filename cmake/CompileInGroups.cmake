@@ -1,10 +1,11 @@
-# Compiles files of one folder whose names begin alike together: they read the same headers, which takes most of the
-# time. A file's group depends on its own name alone, so a new file moves no other. Names in anonymous namespaces must
-# differ within a group, also from those of functions that other files of the group take from headers: the nearer one is
-# called, whatever its arguments. Call it in the target's own CMakeLists.txt.
-option(MEASUREDBRDF_COMPILE_IN_GROUPS "Compile files of the library that belong together at once" ON)
+# Compiles files that read the same headers together, since reading those takes most of the time. In a group, names in
+# anonymous namespaces must differ, also from those of functions that other files of the group take from headers: the
+# nearer one is called, whatever its arguments. Call these functions in the target's own CMakeLists.txt.
+option(MEASUREDBRDF_COMPILE_IN_GROUPS "Compile files that belong together at once" ON)
 mark_as_advanced(MEASUREDBRDF_COMPILE_IN_GROUPS)
 
+# Files of one folder whose names begin alike. A file's group depends on its own name alone, so a new file moves no
+# other.
 function (measuredbrdf_compile_in_groups target)
   if (NOT MEASUREDBRDF_COMPILE_IN_GROUPS)
     return ()
@@ -33,4 +34,11 @@ function (measuredbrdf_compile_in_groups target)
     set_source_files_properties("${source}" PROPERTIES UNITY_GROUP "${group}")
   endforeach ()
   set_target_properties("${target}" PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+endfunction ()
+
+# Up to eight files that follow one another in the target's list: for targets whose names differ throughout.
+function (measuredbrdf_compile_together target)
+  if (MEASUREDBRDF_COMPILE_IN_GROUPS)
+    set_target_properties("${target}" PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE BATCH UNITY_BUILD_BATCH_SIZE 8)
+  endif ()
 endfunction ()

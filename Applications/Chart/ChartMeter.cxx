@@ -29,7 +29,7 @@
 namespace
 {
 // Share of the picture's smaller side that the mesh takes.
-constexpr double Fill = 0.9;
+constexpr double MeasuredFill = 0.9;
 // What the parts of a pair's work take of it, about.
 constexpr double ReferenceShare = 0.15;
 constexpr double MethodShare = 0.6;
@@ -168,7 +168,8 @@ ChartMeter::ChartMeter(
   : Scene(scene)
   , Sizes(sizes)
   , Folder(std::move(folder))
-  , Visible(FindSurface(scene.Mesh, scene.Camera, Fill, scene.Picture, scene.ReferencePixels))
+  , Visible(
+      FindSurface(scene.Mesh, scene.Camera, MeasuredFill, scene.Picture, scene.ReferencePixels))
 {
 }
 
@@ -214,8 +215,8 @@ std::vector<double> ChartMeter::GetExactSums(
 void ChartMeter::Place(OffscreenScene& stage) const
 {
   stage.SetMesh(this->Scene.Mesh);
-  stage.SetView(
-    this->Scene.Camera.Azimuth, this->Scene.Camera.Elevation, Fill, this->Scene.Camera.Angle);
+  stage.SetView(this->Scene.Camera.Azimuth, this->Scene.Camera.Elevation, MeasuredFill,
+    this->Scene.Camera.Angle);
   stage.Open(this->Scene.Picture.Width, this->Scene.Picture.Height);
 }
 

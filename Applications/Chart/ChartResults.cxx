@@ -28,7 +28,7 @@ namespace
 using JSON = nlohmann::ordered_json;
 
 // What the planner is asked for: on the front, or this much above its time.
-constexpr double Margin = 0.2;
+constexpr double FrontMargin = 0.2;
 
 //------------------------------------------------------------------------------
 std::vector<tool::CostPoint> GetCosts(const tool::ChartPair& pair, const std::string& metric)
@@ -322,7 +322,7 @@ void SaveResults(const std::string& folder, const ChartResults& results)
   JSON json = { { "format", ChartResults::Format }, { "version", ChartResults::Version },
     { "date", GetToday() }, { "settings", results.Settings }, { "machine", results.Machine },
     { "planner_within_20_percent_of_front",
-      GetShareWithin(results, GetMetrics().front().Name, Margin) },
+      GetShareWithin(results, GetMetrics().front().Name, FrontMargin) },
     { "pairs", JSON::array() } };
   for (const ChartPair& pair : results.Pairs)
   {

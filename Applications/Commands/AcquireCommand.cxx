@@ -17,7 +17,7 @@
 
 namespace
 {
-struct Options
+struct AcquireOptions
 {
   std::string File;
   std::string Output;
@@ -30,7 +30,7 @@ struct Options
 };
 
 //------------------------------------------------------------------------------
-tool::Range Check(const Options& options, const CLI::App* command)
+tool::Range Check(const AcquireOptions& options, const CLI::App* command)
 {
   if (tool::Extension(options.Output) != ".exr")
   {
@@ -54,7 +54,7 @@ tool::Range Check(const Options& options, const CLI::App* command)
 }
 
 //------------------------------------------------------------------------------
-void Run(const Options& options, const CLI::App* command)
+void Run(const AcquireOptions& options, const CLI::App* command)
 {
   const tool::Range range = Check(options, command);
   const double zone[2] = { range.Begin, range.End };
@@ -87,7 +87,7 @@ namespace tool
 //------------------------------------------------------------------------------
 void AddAcquireCommand(CLI::App& app)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<AcquireOptions>();
   CLI::App* command = app.add_subcommand(
     "acquire", "Simulate a device with a projector and a camera that measures a material");
   command->add_option("FILE", options->File, GetMaterialHelp())->required();

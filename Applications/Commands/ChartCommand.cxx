@@ -26,7 +26,7 @@ namespace
 {
 namespace fs = std::filesystem;
 
-struct Options
+struct ChartOptions
 {
   std::vector<std::string> Files;
   std::string Environments = "sky,hall";
@@ -47,7 +47,7 @@ struct Options
 // A matte one, a plastic, a paint and a metal of those that come with the tool.
 const std::vector<std::string> DefaultMaterials = { "pink-felt", "violet-rubber", "gold-paint",
   "nickel" };
-constexpr int LargestSize = 4096;
+constexpr int LargestChartedPicture = 4096;
 constexpr double Margin = 0.2;
 
 //------------------------------------------------------------------------------
@@ -167,7 +167,7 @@ std::vector<vtkSmartPointer<vtkEnvironment>> LoadEnvironments(const std::string&
 }
 
 //------------------------------------------------------------------------------
-void MakeFolder(const std::string& folder)
+void MakeChartFolder(const std::string& folder)
 {
   std::error_code error;
   fs::create_directories(folder + "/exact", error);
@@ -259,7 +259,7 @@ void DrawSummaries(
 }
 
 //------------------------------------------------------------------------------
-void PrintVerdict(const tool::ChartResults& results, const Options& options)
+void PrintVerdict(const tool::ChartResults& results, const ChartOptions& options)
 {
   std::size_t figures = 0;
   for (const tool::ChartPair& pair : results.Pairs)
@@ -286,9 +286,9 @@ const tool::Metric& FindMetric(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
-void Run(const Options& options)
+void Run(const ChartOptions& options)
 {
-  const tool::Size size = tool::ParseSize("--size", options.Size, LargestSize);
+  const tool::Size size = tool::ParseSize("--size", options.Size, LargestChartedPicture);
   const tool::View view = tool::ParseView(options.View);
   const std::vector<std::string> methods =
     options.Methods.empty() ? ListMethods() : SplitList("--methods", options.Methods);
@@ -300,7 +300,7 @@ void Run(const Options& options)
     throw tool::UsageError(
       "--slowest: " + tool::FormatNumber(options.Slowest) + " is not a time above 0 in ms");
   }
-  MakeFolder(options.Folder);
+  MakeChartFolder(options.Folder);
   const tool::Interruptible interruptible;
   const std::vector<tool::Material> materials =
     LoadMaterials(options.Files.empty() ? DefaultMaterials : options.Files);
@@ -332,7 +332,7 @@ namespace tool
 //------------------------------------------------------------------------------
 void AddChartCommand(CLI::App& app)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ChartOptions>();
   CLI::App* command = app.add_subcommand(
     "chart", "Chart the speed and accuracy of the methods for your materials on your machine");
   command->add_option("FILE", options->Files,
@@ -372,7 +372,7 @@ void AddChartCommand(CLI::App& app)
   command
     ->add_option("--reference-pixels", options->ReferencePixels,
       "Compare at most so many covered pixels, those on a regular grid (default 1024)")
-    ->check(CLI::Range(1, LargestSize * LargestSize));
+    ->check(CLI::Range(1, LargestChartedPicture * LargestChartedPicture));
   command
     ->add_option("--rounds", options->Rounds,
       "Number of timed frames of each method, drawn in turns (default 9). Slow methods get fewer, "

@@ -38,7 +38,7 @@
 
 namespace
 {
-struct Options
+struct CompareOptions
 {
   std::string File;
   std::string Environment;
@@ -59,9 +59,9 @@ struct Options
 // Frames that frame_ms is the median of, and those before that are not counted.
 constexpr int NumberOfFrames = 21;
 constexpr int WarmUp = 3;
-constexpr int LargestSize = 4096;
+constexpr int LargestComparedPicture = 4096;
 // Share of the picture's smaller side that the mesh takes.
-constexpr double Fill = 0.9;
+constexpr double ComparedFill = 0.9;
 
 //------------------------------------------------------------------------------
 double GetMilliseconds(const std::function<void()>& run)
@@ -86,8 +86,8 @@ struct Comparison
 };
 
 //------------------------------------------------------------------------------
-nlohmann::ordered_json MakeReport(
-  const Options& options, const Comparison& found, const tool::Method& method, tool::Scene& scene)
+nlohmann::ordered_json MakeReport(const CompareOptions& options, const Comparison& found,
+  const tool::Method& method, tool::Scene& scene)
 {
   vtkRadianceMetrics* metrics = found.Metrics;
   nlohmann::ordered_json report = { { "method", options.Method.Method } };
@@ -135,8 +135,8 @@ vtkSmartPointer<vtkBRDFFailureMap> MakeFailureMap(vtkBRDF* reference, const tool
 }
 
 //------------------------------------------------------------------------------
-void WriteFailureMap(const Options& options, const std::string& title, const tool::Method& method,
-  vtkBRDFFailureMap* map, const std::vector<tool::ViewError>& views)
+void WriteFailureMap(const CompareOptions& options, const std::string& title,
+  const tool::Method& method, vtkBRDFFailureMap* map, const std::vector<tool::ViewError>& views)
 {
   tool::FailureCaption caption;
   caption.Title = title;
@@ -177,11 +177,11 @@ void AddFailures(
 
 //------------------------------------------------------------------------------
 // PBR, method and reference in front of the environment.
-void WriteStrip(const Options& options, const std::string& title, vtkEnvironment* environment,
-  const Comparison& found, tool::OffscreenScene& scene, tool::OffscreenScene& stock,
-  const tool::Surface& surface, const std::vector<double>& reference)
+void WriteStrip(const CompareOptions& options, const std::string& title,
+  vtkEnvironment* environment, const Comparison& found, tool::OffscreenScene& scene,
+  tool::OffscreenScene& stock, const tool::Surface& surface, const std::vector<double>& reference)
 {
-  const tool::Size size = tool::ParseSize("--size", options.Size, LargestSize);
+  const tool::Size size = tool::ParseSize("--size", options.Size, LargestComparedPicture);
   // Times relative to PBR's, which depend less on the machine.
   char frame[48];
   std::snprintf(frame, sizeof(frame), ", %.2g times PBR's frame time",
@@ -197,9 +197,9 @@ void WriteStrip(const Options& options, const std::string& title, vtkEnvironment
 }
 
 //------------------------------------------------------------------------------
-void WriteAnyStrip(const Options& options, const std::string& title, vtkEnvironment* environment,
-  const Comparison& found, tool::Scene& scene, tool::OffscreenScene& stock,
-  const tool::Surface& surface, const tool::Occlusion& occlusion,
+void WriteAnyStrip(const CompareOptions& options, const std::string& title,
+  vtkEnvironment* environment, const Comparison& found, tool::Scene& scene,
+  tool::OffscreenScene& stock, const tool::Surface& surface, const tool::Occlusion& occlusion,
   const std::vector<double>& reference)
 {
   if (!options.Occlusion)
@@ -208,7 +208,7 @@ void WriteAnyStrip(const Options& options, const std::string& title, vtkEnvironm
     return;
   }
   const std::string name = options.Method.Method == "auto" ? "this module" : options.Method.Method;
-  const tool::Size size = tool::ParseSize("--size", options.Size, LargestSize);
+  const tool::Size size = tool::ParseSize("--size", options.Size, LargestComparedPicture);
   std::vector<double> black;
   if (options.Trace.Bounces > 0)
   {
@@ -225,14 +225,14 @@ void Open(
   tool::OffscreenScene& scene, vtkPolyData* mesh, const tool::View& view, const tool::Size& size)
 {
   scene.SetMesh(mesh);
-  scene.SetView(view.Azimuth, view.Elevation, Fill, view.Angle);
+  scene.SetView(view.Azimuth, view.Elevation, ComparedFill, view.Angle);
   scene.Open(size.Width, size.Height);
 }
 
 //------------------------------------------------------------------------------
 // Both from cold until the first frame is done, in windows that are open already. The measured
 // scene goes first: nothing of the material or the environment is prepared.
-tool::Method SetUp(const Options& options, const tool::Material& shaded,
+tool::Method SetUp(const CompareOptions& options, const tool::Material& shaded,
   vtkEnvironment* environment, tool::Scene& scene, tool::StockScene& stock, Comparison& found)
 {
   tool::Method method;
@@ -273,8 +273,8 @@ void TimeFrames(tool::OffscreenScene& scene, tool::OffscreenScene& stock, Compar
 }
 
 //------------------------------------------------------------------------------
-void PrintSummary(
-  const std::string& title, const Options& options, const Comparison& found, const tool::Grid& grid)
+void PrintSummary(const std::string& title, const CompareOptions& options, const Comparison& found,
+  const tool::Grid& grid)
 {
   const auto line =
     [](const std::string& name, vtkRadianceMetrics* metrics, double frame, double setup)
@@ -293,7 +293,7 @@ void PrintSummary(
 
 //------------------------------------------------------------------------------
 void PrintPlan(
-  const Options& options, vtkOcclusionPredictor& predictor, vtkRadiancePlanner* planner)
+  const CompareOptions& options, vtkOcclusionPredictor& predictor, vtkRadiancePlanner* planner)
 {
   tool::PrintOut(
     predictor.GetText() + (options.Occlusion ? "; the reference has occlusion\n" : "\n"));
@@ -304,7 +304,7 @@ void PrintPlan(
 }
 
 //------------------------------------------------------------------------------
-void Check(Options& options, const CLI::App* command)
+void Check(CompareOptions& options, const CLI::App* command)
 {
   options.Method.Check(command);
   for (const std::string& path : { options.Output, options.Strip, options.FailureMap })
@@ -339,9 +339,9 @@ tool::ReferencePicture GetReference(
 }
 
 //------------------------------------------------------------------------------
-void Run(Options& options, const CLI::App* command)
+void Run(CompareOptions& options, const CLI::App* command)
 {
-  const tool::Size size = tool::ParseSize("--size", options.Size, LargestSize);
+  const tool::Size size = tool::ParseSize("--size", options.Size, LargestComparedPicture);
   const tool::View view = tool::ParseView(options.View);
   Check(options, command);
   const tool::Interruptible interruptible;
@@ -362,7 +362,7 @@ void Run(Options& options, const CLI::App* command)
   Comparison found;
   const tool::Method method = SetUp(options, shaded, environment, scene, stock, found);
 
-  const tool::Surface surface = tool::FindSurface(mesh, view, Fill, size,
+  const tool::Surface surface = tool::FindSurface(mesh, view, ComparedFill, size,
     options.Strip.empty() ? options.ReferencePixels : std::numeric_limits<int>::max());
   const tool::Occlusion occlusion = tool::FindOcclusion(mesh, material.BRDF, environment, scene,
     surface, size, options.Occlusion ? &options.Trace : nullptr);
@@ -426,7 +426,7 @@ namespace tool
 //------------------------------------------------------------------------------
 void AddCompareCommand(CLI::App& app)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CompareOptions>();
   CLI::App* command = app.add_subcommand(
     "compare", "Compare a method with the reference and with VTK's own shading, in error and time");
   command->add_option("FILE", options->File, GetMaterialHelp())->required();
@@ -446,7 +446,7 @@ void AddCompareCommand(CLI::App& app)
       "Compare at most this many covered pixels, on a regular grid (default 4096). Each takes the "
       "reference 0.5 to 8 ms of a core; where all of them are compared, many are interpolated, "
       "99 % within 0.3 %")
-    ->check(CLI::Range(1, LargestSize * LargestSize));
+    ->check(CLI::Range(1, LargestComparedPicture * LargestComparedPicture));
   command->add_option("--report", options->Report,
     "JSON file to write: relative_l1, relative_rmse, rel_mse, median_relative, p99_relative, "
     "smape, flip, hdr_flip, ssim (null for fewer than 11 x 11 compared pixels), delta_e_2000, "

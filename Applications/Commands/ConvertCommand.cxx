@@ -15,7 +15,7 @@
 
 namespace
 {
-struct Options
+struct ConvertOptions
 {
   std::string Input;
   std::string Output;
@@ -26,7 +26,7 @@ struct Options
 constexpr int NumberOfPairs = 1 << 17;
 
 //------------------------------------------------------------------------------
-void Run(const Options& options)
+void Run(const ConvertOptions& options)
 {
   const auto format = vtkBRDFFormats::FindForWriting(tool::Extension(options.Output));
   if (!format)
@@ -80,7 +80,7 @@ namespace tool
 //------------------------------------------------------------------------------
 void AddConvertCommand(CLI::App& app)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ConvertOptions>();
   CLI::App* command = app.add_subcommand(
     "convert", "Write a material in another format and print the error of the conversion");
   command->add_option("IN", options->Input, GetMaterialHelp())->required();

@@ -24,7 +24,7 @@ namespace
 {
 using Image = vtkSmartPointer<vtkImageData>;
 
-struct Options
+struct DiffOptions
 {
   std::string Picture;
   std::vector<std::string> Baselines;
@@ -54,7 +54,7 @@ struct Finding
   Image HeatMap;
 };
 
-struct Comparison
+struct PictureComparison
 {
   std::string Baseline;
   std::vector<Finding> Findings; // of each test
@@ -107,7 +107,7 @@ void AddAlternatives(std::vector<std::string>& baselines)
 }
 
 //------------------------------------------------------------------------------
-std::vector<Test> MakeTests(const Options& options, bool hasFloats)
+std::vector<Test> MakeTests(const DiffOptions& options, bool hasFloats)
 {
   if (!options.Thresholds.empty() &&
       options.Thresholds.size() != std::max<std::size_t>(options.Metrics.size(), 1))
@@ -146,14 +146,14 @@ double GetBadness(const Test& test, double value)
 }
 
 //------------------------------------------------------------------------------
-Comparison Compare(const Options& options, const std::vector<Test>& tests, vtkImageData* picture,
-  vtkImageData* baseline, vtkImageData* mask, const std::string& name)
+PictureComparison Compare(const DiffOptions& options, const std::vector<Test>& tests,
+  vtkImageData* picture, vtkImageData* baseline, vtkImageData* mask, const std::string& name)
 {
   vtkNew<vtkPictureDifference> difference;
   difference->SetBorder(options.Border);
   difference->SetMask(mask);
   difference->SetIgnoreAlpha(options.IgnoreAlpha);
-  Comparison comparison{ name, {} };
+  PictureComparison comparison{ name, {} };
   for (const Test& test : tests)
   {
     difference->SetMetric(test.Metric);
@@ -171,7 +171,7 @@ Comparison Compare(const Options& options, const std::vector<Test>& tests, vtkIm
 }
 
 //------------------------------------------------------------------------------
-std::string FormatFindings(const Comparison& comparison, const std::vector<Test>& tests)
+std::string FormatFindings(const PictureComparison& comparison, const std::vector<Test>& tests)
 {
   std::string text;
   for (std::size_t k = 0; k < tests.size(); ++k)
@@ -205,8 +205,8 @@ void WriteImage(const std::string& path, vtkImageData* image)
 
 //------------------------------------------------------------------------------
 // For CDash: numbers always, pictures where the test failed, under the names that vtkTesting uses.
-void PrintMeasurements(const Options& options, const std::vector<Test>& tests,
-  const Comparison& comparison, const std::string& heatMap)
+void PrintMeasurements(const DiffOptions& options, const std::vector<Test>& tests,
+  const PictureComparison& comparison, const std::string& heatMap)
 {
   std::string text;
   for (std::size_t k = 0; k < tests.size(); ++k)
@@ -227,7 +227,7 @@ void PrintMeasurements(const Options& options, const std::vector<Test>& tests,
 
 //------------------------------------------------------------------------------
 // The best of all baselines.
-Comparison CompareAll(const Options& options, std::vector<Test>& tests)
+PictureComparison CompareAll(const DiffOptions& options, std::vector<Test>& tests)
 {
   const Image picture = ReadPicture(options.Picture);
   const Image mask = options.Mask.empty() ? Image() : ReadPicture(options.Mask);
@@ -236,7 +236,7 @@ Comparison CompareAll(const Options& options, std::vector<Test>& tests)
   {
     AddAlternatives(baselines);
   }
-  Comparison best;
+  PictureComparison best;
   for (const std::string& path : baselines)
   {
     const Image baseline = ReadPicture(path);
@@ -245,7 +245,7 @@ Comparison CompareAll(const Options& options, std::vector<Test>& tests)
       tests = MakeTests(
         options, picture->GetScalarType() == VTK_FLOAT && baseline->GetScalarType() == VTK_FLOAT);
     }
-    Comparison comparison = Compare(options, tests, picture, baseline, mask, path);
+    PictureComparison comparison = Compare(options, tests, picture, baseline, mask, path);
     if (best.Findings.empty() || comparison.GetBadness() < best.GetBadness())
     {
       best = std::move(comparison);
@@ -255,7 +255,7 @@ Comparison CompareAll(const Options& options, std::vector<Test>& tests)
 }
 
 //------------------------------------------------------------------------------
-void CheckOptions(const Options& options)
+void CheckOptions(const DiffOptions& options)
 {
   if (options.Alternatives && options.Baselines.size() > 1)
   {
@@ -275,12 +275,12 @@ void CheckOptions(const Options& options)
 }
 
 //------------------------------------------------------------------------------
-void Run(const Options& options)
+void Run(const DiffOptions& options)
 {
   CheckOptions(options);
   const bool dart = options.Dart || tool::IsRunByCTest();
   std::vector<Test> tests;
-  Comparison comparison;
+  PictureComparison comparison;
   std::string heatMap = options.Output;
   try
   {
@@ -335,7 +335,7 @@ void AddDiffCommand(CLI::App& app)
     thresholds += (metric > 0 ? ", " : "") + names.back() + " " +
                   FormatNumber(vtkPictureDifference::GetDefaultThreshold(metric));
   }
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<DiffOptions>();
   CLI::App* command = app.add_subcommand(
     "diff", "Compare a picture with a baseline: the verdict of an image regression test");
   command->add_option("PICTURE", options->Picture, "The picture to test: PNG, JPEG, OpenEXR, ...")

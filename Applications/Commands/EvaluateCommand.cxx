@@ -10,7 +10,7 @@
 
 namespace
 {
-struct Options
+struct EvaluateOptions
 {
   std::string File;
   std::string Pairs;
@@ -18,7 +18,7 @@ struct Options
 };
 
 //------------------------------------------------------------------------------
-void Run(const Options& options)
+void Run(const EvaluateOptions& options)
 {
   static const tool::PairColumns columns = { "ix", "iy", "iz", "ox", "oy", "oz" };
   const std::vector<tool::Pair> pairs = tool::ReadPairs(options.Pairs, columns);
@@ -38,7 +38,7 @@ namespace tool
 //------------------------------------------------------------------------------
 void AddEvaluateCommand(CLI::App& app)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<EvaluateOptions>();
   CLI::App* command =
     app.add_subcommand("evaluate", "Look up a material's BRDF for pairs of directions");
   command->add_option("FILE", options->File, GetMaterialHelp())->required();

@@ -32,7 +32,7 @@ namespace
 {
 const char* const Neutral = "neutral";
 
-struct Options
+struct ExportOptions
 {
   std::string File;
   std::string To;
@@ -109,7 +109,7 @@ vtkSmartPointer<vtkEnvironment> MakeNeutral()
 }
 
 //------------------------------------------------------------------------------
-std::vector<Light> LoadLights(const Options& options)
+std::vector<Light> LoadLights(const ExportOptions& options)
 {
   std::vector<Light> lights;
   for (const std::string& name : Split("--fit-under", options.FitUnder))
@@ -123,7 +123,7 @@ std::vector<Light> LoadLights(const Options& options)
 }
 
 //------------------------------------------------------------------------------
-void Check(const Options& options, const tool::ExportTarget& target)
+void Check(const ExportOptions& options, const tool::ExportTarget& target)
 {
   const std::string absence = tool::GetModelFitAbsence();
   if (!absence.empty())
@@ -209,7 +209,7 @@ tool::ModelFit Fit(
 }
 
 //------------------------------------------------------------------------------
-ordered_json MakeReport(const Options& options, const tool::Material& material,
+ordered_json MakeReport(const ExportOptions& options, const tool::Material& material,
   const std::vector<Light>& lights, const std::vector<Export>& exports, int pixels)
 {
   ordered_json report = { { "material", material.Name }, { "target", options.To },
@@ -271,7 +271,7 @@ std::string MakeText(const std::vector<Light>& lights, const std::vector<Export>
 
 //------------------------------------------------------------------------------
 std::string MakeFile(
-  const Options& options, const std::vector<Export>& exports, const std::string& name)
+  const ExportOptions& options, const std::vector<Export>& exports, const std::string& name)
 {
   const tool::ModelFit& first = exports.front().Fit;
   if (options.To == "gltf")
@@ -296,7 +296,7 @@ std::string MakeFile(
 }
 
 //------------------------------------------------------------------------------
-void WriteSheet(const Options& options, const std::string& name, const tool::Grid& grid,
+void WriteSheet(const ExportOptions& options, const std::string& name, const tool::Grid& grid,
   const std::vector<Export>& exports)
 {
   std::vector<tool::ComparedLight> rows;
@@ -312,7 +312,7 @@ void WriteSheet(const Options& options, const std::string& name, const tool::Gri
 }
 
 //------------------------------------------------------------------------------
-void Run(const Options& options)
+void Run(const ExportOptions& options)
 {
   const tool::ExportTarget& target = FindTarget(options.To);
   const tool::View view = tool::ParseView(options.View);
@@ -371,7 +371,7 @@ namespace tool
 //------------------------------------------------------------------------------
 void AddExportCommand(CLI::App& app)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ExportOptions>();
   CLI::App* command = app.add_subcommand("export",
     "Fit another program's shading model to a material, write its file and print the error");
   command->add_option("FILE", options->File, GetMaterialHelp())->required();

@@ -20,7 +20,7 @@
 
 namespace
 {
-struct Options : tool::FetchOptions
+struct FetchCommandOptions : tool::FetchOptions
 {
   std::vector<std::string> Names;
   std::string Folder; // "": the cache
@@ -30,7 +30,7 @@ struct Options : tool::FetchOptions
 };
 
 //------------------------------------------------------------------------------
-void Check(const Options& options)
+void Check(const FetchCommandOptions& options)
 {
   if (options.Names.empty())
   {
@@ -97,7 +97,7 @@ void ShowLicence(const tool::FetchEntry& entry, bool accepted)
 
 //------------------------------------------------------------------------------
 // Brings one file; its path.
-std::string FetchOne(const tool::FetchEntry& entry, const Options& options,
+std::string FetchOne(const tool::FetchEntry& entry, const FetchCommandOptions& options,
   const tool::FetchFolder& folder, std::set<std::string>& shown)
 {
   std::unique_ptr<tool::FetchFolder> cache;
@@ -119,7 +119,7 @@ std::string FetchOne(const tool::FetchEntry& entry, const Options& options,
 }
 
 //------------------------------------------------------------------------------
-void FetchAll(const Options& options)
+void FetchAll(const FetchCommandOptions& options)
 {
   std::vector<const tool::FetchEntry*> entries;
   for (const std::string& name : options.Names)
@@ -159,7 +159,7 @@ void FetchAll(const Options& options)
 }
 
 //------------------------------------------------------------------------------
-void Run(const Options& options)
+void Run(const FetchCommandOptions& options)
 {
   if (options.List || options.Json)
   {
@@ -176,7 +176,7 @@ namespace tool
 //------------------------------------------------------------------------------
 void AddFetchCommand(CLI::App& app)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<FetchCommandOptions>();
   CLI::App* command = app.add_subcommand("fetch",
     "Download published materials (RGL, MERL) and environments (Poly Haven), checked by SHA-256");
   command->add_option("NAME", options->Names,

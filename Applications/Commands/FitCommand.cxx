@@ -29,11 +29,11 @@ using nlohmann::ordered_json;
 
 namespace
 {
-constexpr int NumberOfErrorPairs = 1 << 16;
+constexpr int NumberOfFitErrorPairs = 1 << 16;
 constexpr int MinimumNumberOfSamples = 256;
 constexpr int MaximumNumberOfSamples = 1 << 18; // all derivatives are in memory: 1 to 2 kB each
 
-struct Options
+struct FitOptions
 {
   std::string File;
   std::string Output;
@@ -52,7 +52,7 @@ const std::map<std::string, int> Losses = { { "log-cosine", vtkBRDFFitter::LOG_C
   { "cube-root", vtkBRDFFitter::CUBE_ROOT_COSINE }, { "squared", vtkBRDFFitter::SQUARED } };
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkBRDFFitter> MakeDistributionFitter(const Options& options)
+vtkSmartPointer<vtkBRDFFitter> MakeDistributionFitter(const FitOptions& options)
 {
   auto fitter = vtkSmartPointer<vtkDistributionBRDFFitter>::New();
   fitter->SetFresnelModel(options.Fresnel == "schlick" ? vtkDistributionBRDFFitter::SCHLICK
@@ -63,7 +63,7 @@ vtkSmartPointer<vtkBRDFFitter> MakeDistributionFitter(const Options& options)
 
 #if MEASUREDBRDF_WITH_CERES
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkBRDFFitter> MakeAshikhminShirleyFitter(const Options& options)
+vtkSmartPointer<vtkBRDFFitter> MakeAshikhminShirleyFitter(const FitOptions& options)
 {
   auto fitter = vtkSmartPointer<vtkAshikhminShirleyBRDFFitter>::New();
   fitter->SetNumberOfLobes(options.Lobes);
@@ -73,7 +73,7 @@ vtkSmartPointer<vtkBRDFFitter> MakeAshikhminShirleyFitter(const Options& options
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkBRDFFitter> MakeBlinnPhongFitter(const Options& options)
+vtkSmartPointer<vtkBRDFFitter> MakeBlinnPhongFitter(const FitOptions& options)
 {
   auto fitter = vtkSmartPointer<vtkBlinnPhongBRDFFitter>::New();
   fitter->SetNumberOfLobes(options.Lobes);
@@ -87,7 +87,7 @@ struct Model
   bool HasLobes;
   bool HasFresnel;
   bool HasAnisotropy;
-  vtkSmartPointer<vtkBRDFFitter> (*MakeFitter)(const Options& options);
+  vtkSmartPointer<vtkBRDFFitter> (*MakeFitter)(const FitOptions& options);
 };
 
 const std::map<std::string, Model> Models = {
@@ -109,7 +109,7 @@ const std::pair<const char*, int> Candidates[] = { { "d-brdf", 1 },
 };
 
 //------------------------------------------------------------------------------
-void Check(const Options& options, const CLI::App* command)
+void Check(const FitOptions& options, const CLI::App* command)
 {
   if (options.Model == PBR)
   {
@@ -164,7 +164,7 @@ void Fit(vtkBRDFFitter* fitter, const std::string& file)
 }
 
 //------------------------------------------------------------------------------
-ordered_json Describe(const Options& options, vtkBRDFFitter* fitter, double seconds)
+ordered_json Describe(const FitOptions& options, vtkBRDFFitter* fitter, double seconds)
 {
   const double* in = fitter->GetInputAlbedo();
   const double* out = fitter->GetOutputAlbedo();
@@ -193,7 +193,7 @@ std::string FormatTriple(const double rgb[3])
 }
 
 //------------------------------------------------------------------------------
-std::string FormatText(const Options& options, vtkBRDFFitter* fitter, double seconds)
+std::string FormatText(const FitOptions& options, vtkBRDFFitter* fitter, double seconds)
 {
   std::ostringstream text;
   text.precision(4);
@@ -218,7 +218,7 @@ void PrintJson(const ordered_json& d)
 //------------------------------------------------------------------------------
 // With the reason why it is a fit, where --model auto chose.
 void Report(
-  const Options& options, vtkBRDFFitter* fitter, double seconds, const std::string& reason = "")
+  const FitOptions& options, vtkBRDFFitter* fitter, double seconds, const std::string& reason = "")
 {
   if (!options.Json)
   {
@@ -236,7 +236,7 @@ void Report(
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkBRDFFitter> FitModel(const Options& options, vtkBRDF* brdf)
+vtkSmartPointer<vtkBRDFFitter> FitModel(const FitOptions& options, vtkBRDF* brdf)
 {
   const vtkSmartPointer<vtkBRDFFitter> fitter = Models.at(options.Model).MakeFitter(options);
   fitter->SetInput(brdf);
@@ -253,11 +253,11 @@ vtkSmartPointer<vtkBRDFFitter> FitModel(const Options& options, vtkBRDF* brdf)
 
 //------------------------------------------------------------------------------
 // The basis that the advisor recommends, written and reported.
-void WriteBasis(const Options& options, const tool::Material& material,
+void WriteBasis(const FitOptions& options, const tool::Material& material,
   const tool::Representation& made, const std::function<double()>& seconds)
 {
   const double error =
-    vtkBRDFResampler::GetRelativeL2Error(material.BRDF, made.BRDF, NumberOfErrorPairs);
+    vtkBRDFResampler::GetRelativeL2Error(material.BRDF, made.BRDF, NumberOfFitErrorPairs);
   tool::WriteMaterial(made.BRDF, options.Output);
   if (options.Json)
   {
@@ -278,7 +278,7 @@ void WriteBasis(const Options& options, const tool::Material& material,
 //------------------------------------------------------------------------------
 // Basis or fit by the advisor's rule; of the fits the one of least residual.
 void RunAuto(
-  const Options& options, const tool::Material& material, const std::function<double()>& seconds)
+  const FitOptions& options, const tool::Material& material, const std::function<double()>& seconds)
 {
   const tool::Representation made = tool::Represent(material, tool::ThesisOptions().Order);
   if (made.Kind == "basis")
@@ -288,10 +288,10 @@ void RunAuto(
   }
   tool::PrintNote(material.Name + ": " + made.Reason);
   vtkSmartPointer<vtkBRDFFitter> best;
-  Options chosen = options;
+  FitOptions chosen = options;
   for (const auto& candidate : Candidates)
   {
-    Options tried = options;
+    FitOptions tried = options;
     tried.Model = candidate.first;
     tried.Lobes = candidate.second;
     const vtkSmartPointer<vtkBRDFFitter> fitter = FitModel(tried, material.BRDF);
@@ -311,7 +311,7 @@ void RunAuto(
 
 //------------------------------------------------------------------------------
 void RunPBR(
-  const Options& options, const tool::Material& material, const std::function<double()>& seconds)
+  const FitOptions& options, const tool::Material& material, const std::function<double()>& seconds)
 {
   vtkNew<vtkPBRPropertyFitter> fitter;
   fitter->SetBRDF(material.BRDF);
@@ -353,7 +353,7 @@ void RunPBR(
 }
 
 //------------------------------------------------------------------------------
-void Run(const Options& options, const CLI::App* command)
+void Run(const FitOptions& options, const CLI::App* command)
 {
   Check(options, command);
   tool::Interruptible interruptible;
@@ -394,7 +394,7 @@ namespace tool
 //------------------------------------------------------------------------------
 void AddFitCommand(CLI::App& app)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<FitOptions>();
   CLI::App* command = app.add_subcommand(
     "fit", "Fit a small model to a material, write it and print how close it is");
   command->add_option("FILE", options->File, GetMaterialHelp())->required();

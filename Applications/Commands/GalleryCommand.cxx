@@ -23,7 +23,7 @@
 
 namespace
 {
-struct Options
+struct GalleryOptions
 {
   std::vector<std::string> Files;
   std::string Environment = "sky";
@@ -33,8 +33,8 @@ struct Options
   bool UseLights = false; // else as planned
 };
 
-constexpr int LargestSize = 8192;
-constexpr int Smooth = 2; // tiles are rendered at this multiple and averaged
+constexpr int LargestSheet = 8192;
+constexpr int TileSmooth = 2; // tiles are rendered at this multiple and averaged
 
 //------------------------------------------------------------------------------
 // One embedded material of each of the kinds the thesis shows, then others of new kinds.
@@ -126,9 +126,9 @@ void DrawCaption(tool::Picture& sheet, int x, int y, int width, const Caption& c
 }
 
 //------------------------------------------------------------------------------
-void Run(const Options& options)
+void Run(const GalleryOptions& options)
 {
-  const tool::Size size = tool::ParseSize("--size", options.Size, LargestSize);
+  const tool::Size size = tool::ParseSize("--size", options.Size, LargestSheet);
   if (tool::Extension(options.Output) != ".png")
   {
     throw tool::UsageError(options.Output + ": the picture must end in .png");
@@ -151,7 +151,7 @@ void Run(const Options& options)
   const Caption caption(tileWidth);
   const int tileHeight = (size.Height - header - rows * gap) / rows - caption.Height;
   if (std::min(tileWidth, tileHeight) < 48 ||
-      Smooth * std::max(tileWidth, tileHeight) > LargestSize)
+      TileSmooth * std::max(tileWidth, tileHeight) > LargestSheet)
   {
     throw tool::UsageError("--size: " + options.Size + " doesn't suit " + std::to_string(n) +
                            " materials: their tiles would be " + std::to_string(tileWidth) + "x" +
@@ -182,10 +182,10 @@ void Run(const Options& options)
     {
       scene.SetLight(environment, nullptr);
     }
-    tool::Picture tile = scene.Render(Smooth * tileWidth, Smooth * tileHeight);
+    tool::Picture tile = scene.Render(TileSmooth * tileWidth, TileSmooth * tileHeight);
     tool::ComposeOver(tile, scene, backdrop, exposure);
     tool::RollOff(tile);
-    tile = tool::Downsample(tile, Smooth);
+    tile = tool::Downsample(tile, TileSmooth);
     // The last row stands in the middle where it is not full.
     const int inRow = std::min(columns, n - (k / columns) * columns);
     const int left = (size.Width - inRow * (tileWidth + gap) + gap) / 2;
@@ -204,7 +204,7 @@ namespace tool
 //------------------------------------------------------------------------------
 void AddGalleryCommand(CLI::App& app)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<GalleryOptions>();
   CLI::App* command =
     app.add_subcommand("gallery", "Make one labelled picture of several materials");
   command->add_option("FILE", options->Files,

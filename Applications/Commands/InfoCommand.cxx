@@ -16,14 +16,14 @@ using nlohmann::ordered_json;
 
 namespace
 {
-struct Options
+struct InfoOptions
 {
   std::string File;
   bool Json = false;
 };
 
 //------------------------------------------------------------------------------
-void Run(const Options& options)
+void Run(const InfoOptions& options)
 {
   const bool isMesh = tool::IsMeshFile(options.File);
   const ordered_json info = isMesh ? tool::InspectMesh(options.File)
@@ -41,7 +41,7 @@ namespace tool
 //------------------------------------------------------------------------------
 void AddInfoCommand(CLI::App& app)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<InfoOptions>();
   CLI::App* command =
     app.add_subcommand("info", "Describe a material: format, sizes, range, albedo per angle, "
                                "reciprocity, bad values; or a mesh: "

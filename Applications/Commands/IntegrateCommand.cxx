@@ -13,7 +13,7 @@
 
 namespace
 {
-struct Options
+struct IntegrateOptions
 {
   std::string File;
   std::string Environment;
@@ -24,7 +24,7 @@ struct Options
 };
 
 //------------------------------------------------------------------------------
-void Run(Options& options, const CLI::App* command)
+void Run(IntegrateOptions& options, const CLI::App* command)
 {
   static const tool::PairColumns columns = { "nx", "ny", "nz", "vx", "vy", "vz" };
   options.Method.Check(command);
@@ -60,7 +60,7 @@ namespace tool
 //------------------------------------------------------------------------------
 void AddIntegrateCommand(CLI::App& app)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<IntegrateOptions>();
   CLI::App* command = app.add_subcommand(
     "integrate", "Compute the light a material sends to the viewer under an environment");
   command->add_option("FILE", options->File, GetMaterialHelp())->required();

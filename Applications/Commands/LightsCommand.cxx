@@ -11,7 +11,7 @@
 
 namespace
 {
-struct Options
+struct LightsOptions
 {
   std::string Environment;
   std::string Output;
@@ -42,7 +42,7 @@ std::string FormatLights(vtkLightSet* lights)
 }
 
 //------------------------------------------------------------------------------
-void Run(const Options& options)
+void Run(const LightsOptions& options)
 {
   options.Lights.Check();
   if (!options.Preview.empty() && tool::Extension(options.Preview) != ".png")
@@ -72,7 +72,7 @@ namespace tool
 //------------------------------------------------------------------------------
 void AddLightsCommand(CLI::App& app)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<LightsOptions>();
   CLI::App* command =
     app.add_subcommand("lights", "Turn an environment into a set of directional lights");
   command->add_option("ENV", options->Environment, EnvironmentHelp)->required();

@@ -27,7 +27,7 @@ using nlohmann::ordered_json;
 
 namespace
 {
-struct Options
+struct PhotographOptions
 {
   std::vector<std::string> Files;
   std::vector<std::string> Weights;
@@ -44,7 +44,7 @@ struct Options
 
 //------------------------------------------------------------------------------
 // The exposure; 0: automatic.
-double Check(const Options& options, const CLI::App* command)
+double Check(const PhotographOptions& options, const CLI::App* command)
 {
   if (!(options.Noise >= 0.0) || !std::isfinite(options.Noise))
   {
@@ -91,7 +91,8 @@ double Check(const Options& options, const CLI::App* command)
 }
 
 //------------------------------------------------------------------------------
-void AddDirections(const Options& options, double exposure, vtkSimulatedPhotographSet* set)
+void AddDirections(
+  const PhotographOptions& options, double exposure, vtkSimulatedPhotographSet* set)
 {
   if (options.Pairs.empty())
   {
@@ -159,7 +160,7 @@ void WritePhotograph(vtkImageData* image, const std::string& path, bool encode)
 }
 
 //------------------------------------------------------------------------------
-void Run(const Options& options, const CLI::App* command)
+void Run(const PhotographOptions& options, const CLI::App* command)
 {
   const double exposure = Check(options, command);
   tool::Interruptible interruptible;
@@ -212,7 +213,7 @@ namespace tool
 //------------------------------------------------------------------------------
 void AddPhotographCommand(CLI::App& app)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<PhotographOptions>();
   CLI::App* command = app.add_subcommand("photograph",
     "Simulate photographs of a flat sample of several materials, under known lights and views");
   command

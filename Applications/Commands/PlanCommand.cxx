@@ -17,7 +17,7 @@
 
 namespace
 {
-struct Options
+struct PlanCommandOptions
 {
   std::string File;
   std::string Environment;
@@ -29,9 +29,9 @@ struct Options
   bool JSON = false;
 };
 
-constexpr int LargestSize = 8192;
+constexpr int LargestPlannedPicture = 8192;
 // Share of the picture's smaller side that the mesh takes, as in the other commands.
-constexpr double Fill = 0.9;
+constexpr double PlannedFill = 0.9;
 
 //------------------------------------------------------------------------------
 nlohmann::ordered_json MakeCostsJSON(vtkRadianceCostModel* model)
@@ -93,11 +93,11 @@ void PrintTable(vtkRadiancePlanner* planner)
 }
 
 //------------------------------------------------------------------------------
-void Run(Options& options, const CLI::App* command)
+void Run(PlanCommandOptions& options, const CLI::App* command)
 {
   tool::CheckTolerance(options.Plan.Tolerance);
   options.Plan.All = !options.ChoiceOnly;
-  const tool::Size size = tool::ParseSize("--size", options.Size, LargestSize);
+  const tool::Size size = tool::ParseSize("--size", options.Size, LargestPlannedPicture);
   const tool::View view = tool::ParseView(options.View);
   for (const char* name : { "--size", "--view" })
   {
@@ -116,7 +116,7 @@ void Run(Options& options, const CLI::App* command)
   {
     tool::Scene scene;
     scene.SetMesh(mesh);
-    scene.SetView(view.Azimuth, view.Elevation, Fill);
+    scene.SetView(view.Azimuth, view.Elevation, PlannedFill);
     scene.SetMaterial(material.BRDF);
     scene.Look(size.Width, size.Height, seen);
   }
@@ -144,7 +144,7 @@ namespace tool
 //------------------------------------------------------------------------------
 void AddPlanCommand(CLI::App& app)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<PlanCommandOptions>();
   CLI::App* command = app.add_subcommand(
     "plan", "Show how a material under an environment would be rendered, and why");
   command->add_option("FILE", options->File, GetMaterialHelp())->required();

@@ -21,7 +21,7 @@
 
 namespace
 {
-struct Options
+struct ProjectOptions
 {
   std::string File;
   std::string Output;
@@ -38,7 +38,7 @@ struct Options
 const std::vector<std::string> Windows = { "none", "hann", "lanczos", "laplacian" };
 
 //------------------------------------------------------------------------------
-void Check(const Options& options, const CLI::App* command)
+void Check(const ProjectOptions& options, const CLI::App* command)
 {
   if (tool::Extension(options.Output) != ".exr")
   {
@@ -55,7 +55,7 @@ void Check(const Options& options, const CLI::App* command)
 
 //------------------------------------------------------------------------------
 // What a projection needs, and an extrapolation of what is in a basis already does not.
-void CheckProjection(const Options& options)
+void CheckProjection(const ProjectOptions& options)
 {
   if (options.Basis.empty() || options.Order == 0)
   {
@@ -72,7 +72,7 @@ void CheckProjection(const Options& options)
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkBasisBRDF> Project(
-  const Options& options, const tool::Material& material, const double zone[2])
+  const ProjectOptions& options, const tool::Material& material, const double zone[2])
 {
   vtkNew<vtkBasisProjector> projector;
   projector->SetInput(material.BRDF);
@@ -94,7 +94,7 @@ vtkSmartPointer<vtkBasisBRDF> Project(
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkBasisBRDF> Extrapolate(
-  const Options& options, vtkBasisBRDF* input, std::string& text)
+  const ProjectOptions& options, vtkBasisBRDF* input, std::string& text)
 {
   vtkNew<vtkBasisExtrapolator> extrapolator;
   extrapolator->SetInput(input);
@@ -131,7 +131,7 @@ vtkSmartPointer<vtkBasisBRDF> Extrapolate(
 }
 
 //------------------------------------------------------------------------------
-void Run(const Options& options, const CLI::App* command)
+void Run(const ProjectOptions& options, const CLI::App* command)
 {
   Check(options, command);
   const tool::Range range = tool::ParseZone("--zone", options.Zone);
@@ -180,7 +180,7 @@ namespace tool
 //------------------------------------------------------------------------------
 void AddProjectCommand(CLI::App& app)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ProjectOptions>();
   CLI::App* command = app.add_subcommand(
     "project", "Project a material onto a basis, or extrapolate a basis beyond its zone");
   command->add_option("FILE", options->File, GetMaterialHelp())->required();

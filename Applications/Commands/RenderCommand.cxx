@@ -26,7 +26,7 @@
 
 namespace
 {
-struct Options
+struct RenderOptions
 {
   std::string File;
   std::string Environment;
@@ -43,12 +43,12 @@ struct Options
 };
 
 // Frames that frame_ms is the median of.
-constexpr int NumberOfFrames = 21;
+constexpr int NumberOfTimedFrames = 21;
 // PNG pictures are rendered at this multiple and averaged, up to a size that every driver takes.
-constexpr int Smooth = 2;
-constexpr int LargestSize = 8192;
+constexpr int PictureSmooth = 2;
+constexpr int LargestPicture = 8192;
 // Share of the picture's smaller side that the mesh takes.
-constexpr double Fill = 0.9;
+constexpr double RenderedFill = 0.9;
 
 //------------------------------------------------------------------------------
 double Median(std::vector<double> values)
@@ -69,7 +69,7 @@ std::vector<double> TracePixels(vtkRadianceIntegrator* integrator, vtkPolyData* 
 {
   tool::Scene camera;
   camera.SetMesh(mesh);
-  camera.SetView(view.Azimuth, view.Elevation, Fill, view.Angle);
+  camera.SetView(view.Azimuth, view.Elevation, RenderedFill, view.Angle);
   camera.PlaceCamera(size.Width, size.Height);
   const tool::TracedSurface traced = tool::TraceSurface(tool::MakeTracedScene(mesh),
     integrator->GetBRDF(), integrator->GetEnvironment(), camera, surface, size, options);
@@ -84,7 +84,7 @@ tool::Picture SumPixels(vtkRadianceIntegrator* integrator, vtkPolyData* mesh,
   const tool::View& view, const tool::Size& size, const tool::TraceOptions* trace)
 {
   const tool::Surface surface =
-    tool::FindSurface(mesh, view, Fill, size, std::numeric_limits<int>::max());
+    tool::FindSurface(mesh, view, RenderedFill, size, std::numeric_limits<int>::max());
   const std::vector<double> rgb =
     trace ? TracePixels(integrator, mesh, view, size, surface, *trace)
           : tool::IntegratePairs(integrator, surface.Normals, surface.Views);
@@ -100,17 +100,17 @@ tool::Picture SumPixels(vtkRadianceIntegrator* integrator, vtkPolyData* mesh,
 
 //------------------------------------------------------------------------------
 // PNG pictures are rendered larger and averaged.
-int GetFactor(const Options& options, const tool::Size& size)
+int GetFactor(const RenderOptions& options, const tool::Size& size)
 {
   const bool smooth = tool::Extension(options.Output) == ".png" &&
                       !tool::IsOnCpuOnly(options.Method.Method) &&
-                      Smooth * std::max(size.Width, size.Height) <= LargestSize;
-  return smooth ? Smooth : 1;
+                      PictureSmooth * std::max(size.Width, size.Height) <= LargestPicture;
+  return smooth ? PictureSmooth : 1;
 }
 
 //------------------------------------------------------------------------------
-void WritePicture(const Options& options, const tool::OffscreenScene& scene, tool::Picture picture,
-  vtkEnvironment* environment, int factor)
+void WritePicture(const RenderOptions& options, const tool::OffscreenScene& scene,
+  tool::Picture picture, vtkEnvironment* environment, int factor)
 {
   const bool png = tool::Extension(options.Output) == ".png";
   const double exposure = std::exp2(options.Exposure);
@@ -146,7 +146,7 @@ struct Figures
   tool::Size Size;
 };
 
-void WriteReport(const Options& options, const Figures& found, const tool::Material& material,
+void WriteReport(const RenderOptions& options, const Figures& found, const tool::Material& material,
   vtkEnvironment* environment, const tool::Method& method, tool::Scene& scene)
 {
   const bool onCpu = tool::IsOnCpuOnly(options.Method.Method);
@@ -178,9 +178,9 @@ void WriteReport(const Options& options, const Figures& found, const tool::Mater
 }
 
 //------------------------------------------------------------------------------
-void Run(Options& options, const CLI::App* command)
+void Run(RenderOptions& options, const CLI::App* command)
 {
-  const tool::Size size = tool::ParseSize("--size", options.Size, LargestSize);
+  const tool::Size size = tool::ParseSize("--size", options.Size, LargestPicture);
   const tool::View view = tool::ParseView(options.View);
   const std::string extension = tool::Extension(options.Output);
   if (extension != ".png" && extension != ".exr")
@@ -217,7 +217,7 @@ void Run(Options& options, const CLI::App* command)
   tool::Method method = tool::MakeMethod(options.Method, material, environment);
   tool::Scene scene;
   scene.SetMesh(mesh);
-  scene.SetView(view.Azimuth, view.Elevation, Fill, view.Angle);
+  scene.SetView(view.Azimuth, view.Elevation, RenderedFill, view.Angle);
   const int factor = GetFactor(options, size);
   std::vector<double> frames;
   if (!onCpu)
@@ -229,7 +229,7 @@ void Run(Options& options, const CLI::App* command)
     scene.SetLight(environment, method.Integrator); // this plan for the larger picture, too
   }
   const double setup = elapsed();
-  for (int k = 0; !onCpu && !options.Report.empty() && k < NumberOfFrames; ++k)
+  for (int k = 0; !onCpu && !options.Report.empty() && k < NumberOfTimedFrames; ++k)
   {
     frames.push_back(scene.TimeFrame());
   }
@@ -254,7 +254,7 @@ namespace tool
 //------------------------------------------------------------------------------
 void AddRenderCommand(CLI::App& app)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RenderOptions>();
   CLI::App* command =
     app.add_subcommand("render", "Render a mesh of the material under an environment");
   command->add_option("FILE", options->File, GetMaterialHelp())->required();

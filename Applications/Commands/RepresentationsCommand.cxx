@@ -36,7 +36,7 @@ constexpr int MapWidth = 128; // the environments' size for the comparison
 constexpr int NumberOfPixels = 96;
 constexpr int NumberOfErrorPairs = 1 << 15;
 
-struct Options
+struct RepresentationsOptions
 {
   std::vector<std::string> Files;
   std::vector<std::string> Environments;
@@ -138,7 +138,7 @@ double GetRelativeL1(vtkDoubleArray* image, vtkDoubleArray* reference)
 class Table
 {
 public:
-  Table(const Options& options, const tool::Material& material,
+  Table(const RepresentationsOptions& options, const tool::Material& material,
     const std::vector<vtkSmartPointer<vtkEnvironment>>& environments, const tool::Range& zone)
     : Settings(options)
     , Material(material)
@@ -282,7 +282,7 @@ private:
     return brdf;
   }
 
-  const Options& Settings;
+  const RepresentationsOptions& Settings;
   const tool::Material& Material;
   const std::vector<vtkSmartPointer<vtkEnvironment>>& Environments;
   tool::Range Zone;
@@ -312,9 +312,9 @@ std::vector<std::string> GetNames(const std::vector<vtkSmartPointer<vtkEnvironme
 
 //------------------------------------------------------------------------------
 // A material's rows. Throws Error naming the file.
-std::vector<tool::RepresentationRow> Compare(const Options& options, const std::string& file,
-  const std::vector<vtkSmartPointer<vtkEnvironment>>& environments, const tool::Range& zone,
-  const std::function<void(double)>& progress)
+std::vector<tool::RepresentationRow> Compare(const RepresentationsOptions& options,
+  const std::string& file, const std::vector<vtkSmartPointer<vtkEnvironment>>& environments,
+  const tool::Range& zone, const std::function<void(double)>& progress)
 {
   const tool::Material material = tool::LoadMaterial(file); // its errors name the file
   try
@@ -329,7 +329,7 @@ std::vector<tool::RepresentationRow> Compare(const Options& options, const std::
 }
 
 //------------------------------------------------------------------------------
-void Run(const Options& options)
+void Run(const RepresentationsOptions& options)
 {
   const tool::Range zone = tool::ParseZone("--zone", options.Zone);
   if (!options.Output.empty())
@@ -388,7 +388,7 @@ namespace tool
 //------------------------------------------------------------------------------
 void AddRepresentationsCommand(CLI::App& app)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RepresentationsOptions>();
   CLI::App* command = app.add_subcommand("representations",
     "Compare what a material can be turned into: bases of several orders, fits; errors, bytes");
   command->add_option("FILE", options->Files,

@@ -31,7 +31,7 @@ using tool::stability::Finding;
 
 namespace
 {
-struct Options
+struct StabilityOptions
 {
   std::string File;
   std::string Environment;
@@ -143,7 +143,7 @@ std::string FormatRow(const std::string& name, const Finding& finding)
 
 //------------------------------------------------------------------------------
 nlohmann::ordered_json MakeReport(
-  const Options& options, const Context& inputs, const std::vector<Outcome>& outcomes)
+  const StabilityOptions& options, const Context& inputs, const std::vector<Outcome>& outcomes)
 {
   const auto bound = [](double value)
   { return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(); };
@@ -176,7 +176,7 @@ nlohmann::ordered_json MakeReport(
 }
 
 //------------------------------------------------------------------------------
-void MakeFolder(const std::string& path)
+void MakeReportFolder(const std::string& path)
 {
   std::error_code problem;
   std::filesystem::create_directories(path, problem);
@@ -188,10 +188,10 @@ void MakeFolder(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
-void Run(const Options& options)
+void Run(const StabilityOptions& options)
 {
   const std::vector<Case> cases = Select(options.Cases);
-  MakeFolder(options.Output);
+  MakeReportFolder(options.Output);
   setenv("MEASUREDBRDF_CACHE", "off", 1); // plans are made here, not found
   const tool::Interruptible interruptible;
   Context inputs;
@@ -254,7 +254,7 @@ namespace tool
 //------------------------------------------------------------------------------
 void AddStabilityCommand(CLI::App& app)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<StabilityOptions>();
   CLI::App* command = app.add_subcommand(
     "stability", "Provoke every known way to fail, and measure what each method makes of it");
   command->add_option("FILE", options->File,

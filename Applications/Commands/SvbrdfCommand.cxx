@@ -3,6 +3,7 @@
 #include "Files.h"
 #include "Inputs.h"
 #include "MaterialMapFiles.h"
+#include "Measuring.h"
 #include "Picture.h"
 #include "RunWithProgress.h"
 #include "Tool.h"
@@ -30,7 +31,7 @@ using nlohmann::ordered_json;
 
 namespace
 {
-struct Options
+struct SvbrdfOptions
 {
   std::string Input;
   std::string Output;
@@ -52,7 +53,7 @@ const std::map<std::string, int> Transfers = { { "automatic", vtkPhotographSet::
   { "gamma", vtkPhotographSet::POWER } };
 
 //------------------------------------------------------------------------------
-void Check(const Options& options, const CLI::App* command)
+void Check(const SvbrdfOptions& options, const CLI::App* command)
 {
   if (options.Tables && !options.Library.empty())
   {
@@ -79,7 +80,7 @@ void Check(const Options& options, const CLI::App* command)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPhotographSet> ReadPhotographs(const Options& options)
+vtkSmartPointer<vtkPhotographSet> ReadPhotographs(const SvbrdfOptions& options)
 {
   vtkNew<vtkPhotographSetReader> reader;
   reader->SetFileName(options.Input);
@@ -108,7 +109,7 @@ vtkSmartPointer<vtkPhotographSet> ReadPhotographs(const Options& options)
 }
 
 //------------------------------------------------------------------------------
-void AddLibrary(const Options& options, vtkMaterialMapFitter* fitter)
+void AddLibrary(const SvbrdfOptions& options, vtkMaterialMapFitter* fitter)
 {
   std::vector<std::string> names = options.Library;
   const int embedded = names.empty() ? vtkEmbeddedMaterials::GetNumberOfMaterials() : 0;
@@ -149,7 +150,7 @@ ordered_json ToJson(double value)
 
 //------------------------------------------------------------------------------
 // Writes those that were found.
-ordered_json DescribeMaterials(const Options& options, vtkMaterialMapFitter* fitter)
+ordered_json DescribeMaterials(const SvbrdfOptions& options, vtkMaterialMapFitter* fitter)
 {
   ordered_json materials = ordered_json::array();
   vtkMaterialMap* map = fitter->GetOutput();
@@ -169,7 +170,7 @@ ordered_json DescribeMaterials(const Options& options, vtkMaterialMapFitter* fit
 }
 
 //------------------------------------------------------------------------------
-ordered_json DescribeFit(const Options& options, vtkMaterialMapFitter* fitter)
+ordered_json DescribeFit(const SvbrdfOptions& options, vtkMaterialMapFitter* fitter)
 {
   vtkPhotographSet* photographs = fitter->GetPhotographs();
   const int* size = fitter->GetErrorImage()->GetDimensions();
@@ -201,7 +202,7 @@ ordered_json DescribeFit(const Options& options, vtkMaterialMapFitter* fitter)
 
 //------------------------------------------------------------------------------
 // error.exr: the errors as they are; error.png: from black to white, the 99th percentile.
-void WriteErrors(const Options& options, vtkImageData* errors, ordered_json& fit)
+void WriteErrors(const SvbrdfOptions& options, vtkImageData* errors, ordered_json& fit)
 {
   const int* size = errors->GetDimensions();
   const auto* values = static_cast<const float*>(errors->GetScalarPointer());
@@ -228,17 +229,8 @@ void WriteErrors(const Options& options, vtkImageData* errors, ordered_json& fit
 }
 
 //------------------------------------------------------------------------------
-std::string FormatPercent(double share)
-{
-  std::ostringstream text;
-  text.precision(3);
-  text << 100.0 * share << " %";
-  return text.str();
-}
-
-//------------------------------------------------------------------------------
 std::string FormatText(
-  const Options& options, vtkMaterialMapFitter* fitter, const ordered_json& materials)
+  const SvbrdfOptions& options, vtkMaterialMapFitter* fitter, const ordered_json& materials)
 {
   const int* size = fitter->GetErrorImage()->GetDimensions();
   std::ostringstream text;
@@ -247,16 +239,16 @@ std::string FormatText(
             static_cast<std::size_t>(fitter->GetPhotographs()->GetNumberOfPhotographs()),
             "photograph")
        << " of " << size[0] << " x " << size[1] << " texels\n"
-       << "relative error of a texel: mean " << FormatPercent(fitter->GetMeanError()) << ", 95 % "
-       << FormatPercent(fitter->GetError95()) << ", worst "
-       << FormatPercent(fitter->GetWorstError()) << "\n";
+       << "relative error of a texel: mean " << tool::FormatPercent(fitter->GetMeanError())
+       << ", 95 % " << tool::FormatPercent(fitter->GetError95()) << ", worst "
+       << tool::FormatPercent(fitter->GetWorstError()) << "\n";
   if (options.Tables)
   {
     text << "error of the factors alone, of all texels together: "
-         << FormatPercent(fitter->GetFactorizationError()) << " ("
+         << tool::FormatPercent(fitter->GetFactorizationError()) << " ("
          << fitter->GetNumberOfIterations() << " iterations"
          << (fitter->GetConverged() ? "" : ", not converged") << "); the photographs touch "
-         << FormatPercent(fitter->GetSeenShare()) << " of the tables\n";
+         << tool::FormatPercent(fitter->GetSeenShare()) << " of the tables\n";
   }
   text << "pixels left out: " << fitter->GetNumberOfSaturatedPixels() << " saturated, "
        << fitter->GetNumberOfBlackPixels() << " black, " << fitter->GetNumberOfInvalidPixels()
@@ -265,7 +257,7 @@ std::string FormatText(
   for (std::size_t k = 0; k < materials.size(); ++k)
   {
     text << "  " << materials[k]["material"].get<std::string>() << ": "
-         << FormatPercent(fitter->GetCoverage(static_cast<int>(k)))
+         << tool::FormatPercent(fitter->GetCoverage(static_cast<int>(k)))
          << " of the surface, weights +- " << fitter->GetUncertainty(static_cast<int>(k)) << "\n";
   }
   for (int k = 0; k < fitter->GetNumberOfFindings(); ++k)
@@ -276,7 +268,7 @@ std::string FormatText(
 }
 
 //------------------------------------------------------------------------------
-void Run(const Options& options, const CLI::App* command)
+void Run(const SvbrdfOptions& options, const CLI::App* command)
 {
   Check(options, command);
   tool::Interruptible interruptible;
@@ -320,7 +312,7 @@ namespace tool
 //------------------------------------------------------------------------------
 void AddSvbrdfCommand(CLI::App& app)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SvbrdfOptions>();
   CLI::App* command = app.add_subcommand("svbrdf",
     "Photographs of a flat sample under known lights and views -> a map of materials: weights for "
     "each texel");

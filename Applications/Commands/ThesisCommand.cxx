@@ -28,7 +28,7 @@
 
 namespace
 {
-struct Options
+struct ThesisCommandOptions
 {
   std::vector<std::string> Files;
   std::vector<std::string> Environments;
@@ -78,7 +78,7 @@ std::string GetOrigin(const tool::Material& material)
 }
 
 //------------------------------------------------------------------------------
-std::string FormatPercent(double value)
+std::string FormatErrorPercent(double value)
 {
   char text[32];
   std::snprintf(text, sizeof(text), value < 0.1 ? "%.1f %%" : "%.0f %%", 100.0 * value);
@@ -136,7 +136,7 @@ Exhibit MakeExhibit(const tool::Material& material, const std::string& standsFor
   }
   exhibit.BRDF = fitter->GetOutput();
   exhibit.Note = begin + "D-BRDF of the " + GetOrigin(material) + "; basis residual " +
-                 FormatPercent(advisor->GetInZoneResidual());
+                 FormatErrorPercent(advisor->GetInZoneResidual());
   return exhibit;
 }
 
@@ -170,7 +170,7 @@ double GetRelativeL1(const tool::Picture& image, const tool::Picture& reference)
 class Gallery
 {
 public:
-  Gallery(const Options& options)
+  Gallery(const ThesisCommandOptions& options)
     : Settings(options)
   {
     for (const std::string& name : options.Environments.empty()
@@ -291,7 +291,8 @@ public:
         std::string note = "the material itself";
         if (reference)
         {
-          note = exhibit.Note + "image error " + FormatPercent(GetRelativeL1(picture, *reference));
+          note =
+            exhibit.Note + "image error " + FormatErrorPercent(GetRelativeL1(picture, *reference));
         }
         else
         {
@@ -355,12 +356,12 @@ private:
     return scene.Render(Smooth * this->Settings.Tile, Smooth * this->Settings.Tile);
   }
 
-  const Options& Settings;
+  const ThesisCommandOptions& Settings;
   std::vector<vtkSmartPointer<vtkEnvironment>> Environments;
 };
 
 //------------------------------------------------------------------------------
-void Run(const Options& options)
+void Run(const ThesisCommandOptions& options)
 {
   std::error_code problem;
   std::filesystem::create_directories(options.Output, problem);
@@ -382,7 +383,7 @@ namespace tool
 //------------------------------------------------------------------------------
 void AddThesisCommand(CLI::App& app)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ThesisCommandOptions>();
   CLI::App* command = app.add_subcommand("thesis",
     "Draw the thesis's figures: its seven materials, ringing, median cut and importance sampling");
   command->add_option("FILE", options->Files,

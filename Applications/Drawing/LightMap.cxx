@@ -11,7 +11,7 @@
 namespace
 {
 // Drawn at this multiple and averaged: smooth edges.
-constexpr int Smooth = 2;
+constexpr int MapSmooth = 2;
 constexpr tool::RGB Dark = { 0.0, 0.0, 0.0 };
 constexpr tool::RGB Bright = { 1.0, 1.0, 1.0 };
 
@@ -93,7 +93,7 @@ void DrawFrame(tool::Picture& picture, const int box[4], int inset, int thicknes
 // A dot of the light's color in a bright ring in a dark one: seen on any ground.
 void DrawDot(tool::Picture& picture, double x, double y, double radius, const tool::RGB& color)
 {
-  const double outer = radius + 2.0 * Smooth;
+  const double outer = radius + 2.0 * MapSmooth;
   for (int py = static_cast<int>(y - outer); py <= static_cast<int>(y + outer + 1.0); ++py)
   {
     for (int px = static_cast<int>(x - outer); px <= static_cast<int>(x + outer + 1.0); ++px)
@@ -104,7 +104,7 @@ void DrawDot(tool::Picture& picture, double x, double y, double radius, const to
       {
         picture.Blend(wrapped, py, color, 1.0);
       }
-      else if (distance < radius + Smooth)
+      else if (distance < radius + MapSmooth)
       {
         picture.Blend(wrapped, py, Bright, 1.0);
       }
@@ -124,9 +124,9 @@ Picture DrawLightMap(vtkEnvironment* environment, vtkLightSet* lights, bool regi
   int previewWidth, int largestHeight)
 {
   const double aspect = static_cast<double>(environment->GetHeight()) / environment->GetWidth();
-  const int width = previewWidth * Smooth;
+  const int width = previewWidth * MapSmooth;
   const int height =
-    Smooth * std::clamp(static_cast<int>(std::lround(previewWidth * aspect)), 16, largestHeight);
+    MapSmooth * std::clamp(static_cast<int>(std::lround(previewWidth * aspect)), 16, largestHeight);
   Picture picture = ToneMap(environment, width, height);
 
   const int n = lights->GetNumberOfLights();
@@ -139,12 +139,12 @@ Picture DrawLightMap(vtkEnvironment* environment, vtkLightSet* lights, bool regi
       const int rows = environment->GetSubdivided()->GetHeight();
       const int box[4] = { region[0] * width / columns, region[1] * height / rows,
         region[2] * width / columns, region[3] * height / rows };
-      DrawFrame(picture, box, 0, Smooth / 2, Bright, 0.85);
-      DrawFrame(picture, box, Smooth / 2, Smooth / 2, Dark, 0.7);
+      DrawFrame(picture, box, 0, MapSmooth / 2, Bright, 0.85);
+      DrawFrame(picture, box, MapSmooth / 2, MapSmooth / 2, Dark, 0.7);
     }
   }
 
-  const double radius = Smooth * std::clamp(40.0 / std::sqrt(std::max(1, n)), 1.0, 4.0);
+  const double radius = MapSmooth * std::clamp(40.0 / std::sqrt(std::max(1, n)), 1.0, 4.0);
   for (int k = 0; k < n; ++k)
   {
     double direction[3];
@@ -158,6 +158,6 @@ Picture DrawLightMap(vtkEnvironment* environment, vtkLightSet* lights, bool regi
     DrawDot(picture, u * width, v * height, radius,
       { irradiance[0] / peak, irradiance[1] / peak, irradiance[2] / peak });
   }
-  return Downsample(picture, Smooth);
+  return Downsample(picture, MapSmooth);
 }
 } // namespace tool

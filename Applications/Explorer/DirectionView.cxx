@@ -15,7 +15,7 @@
 
 namespace
 {
-constexpr double HandleRadius = 7.0; // pixels
+constexpr double HandlePixels = 7.0; // pixels
 const QColor Ground(40, 41, 44);
 const QColor Grid(85, 87, 92);
 const QColor Sun(255, 209, 51);
@@ -93,7 +93,7 @@ void DirectionView::paintEvent(QPaintEvent*)
   drawVertical(-90.0, "-x");
   painter.setPen(Qt::black);
   painter.setBrush(Sun);
-  painter.drawEllipse(this->GetHandlePosition(), HandleRadius, HandleRadius);
+  painter.drawEllipse(this->GetHandlePosition(), HandlePixels, HandlePixels);
   if (this->hasFocus())
   {
     painter.setPen(this->palette().color(QPalette::Highlight));

@@ -29,7 +29,7 @@ namespace
 {
 constexpr double HandleRadius = 1.25; // of the sphere that the ball is on; lobes reach 1
 constexpr double GrabDistance = 16.0; // pixels
-constexpr double KeyStep = 5.0;       // degrees
+constexpr double LobeKeyStep = 5.0;   // degrees
 constexpr int Fine = 128;             // points of the lobe
 constexpr int Coarse = 48;            // while the light moves
 
@@ -338,8 +338,12 @@ bool LobeView::event(QEvent* event)
     {
       const State& state = this->Model->GetState();
       const int key = static_cast<QKeyEvent*>(event)->key();
-      const double phi = key == Qt::Key_Left ? -KeyStep : key == Qt::Key_Right ? KeyStep : 0.0;
-      const double theta = key == Qt::Key_Up ? -KeyStep : key == Qt::Key_Down ? KeyStep : 0.0;
+      const double phi = key == Qt::Key_Left    ? -LobeKeyStep
+                         : key == Qt::Key_Right ? LobeKeyStep
+                                                : 0.0;
+      const double theta = key == Qt::Key_Up     ? -LobeKeyStep
+                           : key == Qt::Key_Down ? LobeKeyStep
+                                                 : 0.0;
       if (phi != 0.0 || theta != 0.0)
       {
         this->Model->SetLobe(state.LobeThetaI + theta, state.LobePhiI + phi, state.LobeLogarithmic);

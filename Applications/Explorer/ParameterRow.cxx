@@ -12,7 +12,7 @@
 
 namespace
 {
-constexpr int Steps = 400;
+constexpr int SliderSteps = 400;
 constexpr int TitleWidth = 130; // pixels
 }
 
@@ -58,8 +58,8 @@ void ParameterRow::MakeChoices()
 void ParameterRow::MakeSlider(const QString& title)
 {
   this->Slider = new QSlider(Qt::Horizontal);
-  this->Slider->setRange(0, Steps);
-  this->Slider->setPageStep(Steps / 20);
+  this->Slider->setRange(0, SliderSteps);
+  this->Slider->setPageStep(SliderSteps / 20);
   this->Slider->setAccessibleName(title);
   this->Field = new QDoubleSpinBox;
   this->Field->setRange(this->Parameter.Least, this->Parameter.Largest);
@@ -95,7 +95,7 @@ void ParameterRow::MakeSlider(const QString& title)
 //------------------------------------------------------------------------------
 double ParameterRow::ToValue(int step) const
 {
-  const double share = static_cast<double>(step) / Steps;
+  const double share = static_cast<double>(step) / SliderSteps;
   const double least = this->Parameter.Least;
   const double largest = this->Parameter.Largest;
   return this->Parameter.IsLogarithmic
@@ -111,7 +111,7 @@ int ParameterRow::ToStep(double value) const
   const double share = this->Parameter.IsLogarithmic ? (std::log1p(value) - std::log1p(least)) /
                                                          (std::log1p(largest) - std::log1p(least))
                                                      : (value - least) / (largest - least);
-  return static_cast<int>(std::lround(Steps * share));
+  return static_cast<int>(std::lround(SliderSteps * share));
 }
 
 //------------------------------------------------------------------------------

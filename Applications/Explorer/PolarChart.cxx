@@ -20,8 +20,8 @@ namespace
 {
 constexpr double Reach = 1.14;      // of the chart; the largest circle has radius 1
 constexpr double TextHeight = 26.0; // pixels of the screen
-constexpr int FontSize = 12;
-constexpr explorer::Color Grid = { 215, 215, 215 };
+constexpr int PolarFontSize = 12;
+constexpr explorer::Color PolarGrid = { 215, 215, 215 };
 constexpr explorer::Color Surface = { 150, 150, 150 };
 
 //------------------------------------------------------------------------------
@@ -35,7 +35,7 @@ void AddCircle(vtkChartXY* chart, double radius, bool allAround, double ratio)
     x.push_back(radius * std::cos(angle));
     y.push_back(radius * std::sin(angle));
   }
-  explorer::AddLine(chart, x, y, Grid, ratio);
+  explorer::AddLine(chart, x, y, PolarGrid, ratio);
 }
 
 //------------------------------------------------------------------------------
@@ -81,7 +81,7 @@ public:
   bool Paint(vtkContext2D* painter) override
   {
     vtkTextProperty* text = painter->GetTextProp();
-    text->SetFontSize(FontSize);
+    text->SetFontSize(PolarFontSize);
     text->SetColor(0.25, 0.25, 0.25);
     text->SetBold(false);
     text->SetJustificationToCentered();
@@ -97,7 +97,7 @@ public:
         static_cast<float>(this->Center[1] + this->Radius * std::cos(angle)),
         std::to_string(degrees));
     }
-    text->SetFontSize(FontSize + 1);
+    text->SetFontSize(PolarFontSize + 1);
     text->SetColor(0.0, 0.0, 0.0);
     painter->DrawString(static_cast<float>(this->Center[0]), static_cast<float>(this->Title),
       "f (1/sr) in the plane of incidence");
@@ -136,10 +136,10 @@ void PolarChart::Draw(
   AddCircle(this->Chart, 1.0, this->AllAround, ratio);
   for (const double degrees : { -60.0, -30.0, 0.0, 30.0, 60.0 })
   {
-    AddRay(this->Chart, degrees, Grid, ratio, false);
+    AddRay(this->Chart, degrees, PolarGrid, ratio, false);
     if (this->AllAround)
     {
-      AddRay(this->Chart, degrees + 180.0, Grid, ratio, false);
+      AddRay(this->Chart, degrees + 180.0, PolarGrid, ratio, false);
     }
   }
   if (this->AllAround)
@@ -166,7 +166,7 @@ void PolarChart::Draw(
   {
     vtkAxis* axis = this->Chart->GetAxis(which);
     axis->SetTitle("");
-    axis->GetLabelProperties()->SetFontSize(FontSize);
+    axis->GetLabelProperties()->SetFontSize(PolarFontSize);
     axis->SetGridVisible(false);
     axis->SetBehavior(vtkAxis::FIXED);
     axis->SetRange(which == vtkAxis::LEFT && !this->AllAround ? 0.0 : -Reach, Reach);

@@ -23,7 +23,7 @@ enum Value : std::size_t
 
 //------------------------------------------------------------------------------
 // GGX with Schlick's form of Smith's shadowing (Karis 2013), k = alpha / 2.
-double GetLobe(const Directions& d, double roughness)
+double GetPreviewLobe(const Directions& d, double roughness)
 {
   const double alpha = roughness * roughness;
   const double k = 0.5 * alpha;
@@ -58,12 +58,12 @@ glm::dvec3 PreviewSurfaceModel::Shade(const Directions& d) const
   const glm::dvec3 f0 = glm::mix(reflectance * f90, f90, metallic);
   const glm::dvec3 fresnel = glm::mix(f0, f90, s);
   const glm::dvec3 diffuse = color * ((1.0 - metallic) / Pi) * (glm::dvec3(1.0) - fresnel);
-  glm::dvec3 f = diffuse + fresnel * GetLobe(d, this->Values[Roughness]);
+  glm::dvec3 f = diffuse + fresnel * GetPreviewLobe(d, this->Values[Roughness]);
   const double coat = this->Values[Clearcoat];
   if (coat > 0.0)
   {
     f += glm::dvec3(coat * (reflectance + (1.0 - reflectance) * s) *
-                    GetLobe(d, this->Values[ClearcoatRoughness]));
+                    GetPreviewLobe(d, this->Values[ClearcoatRoughness]));
   }
   return f;
 }

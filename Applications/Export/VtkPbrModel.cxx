@@ -29,7 +29,7 @@ enum Value : std::size_t
 
 //------------------------------------------------------------------------------
 // SpecularIsotropic without F: the shadowing takes roughness^2 where Heitz has alpha^2.
-double GetLobe(const Directions& d, double roughness)
+double GetPbrLobe(const Directions& d, double roughness)
 {
   const double alpha = roughness * roughness;
   return DistributeGGX(d.Half, alpha, alpha) * ShadowTogether(d.NdL, d.NdV, alpha);
@@ -66,7 +66,7 @@ double VtkPbrModel::GetBaseLobe(const Directions& d) const
   const double anisotropy = this->Values[Anisotropy];
   if (anisotropy == 0.0)
   {
-    return GetLobe(d, roughness);
+    return GetPbrLobe(d, roughness);
   }
   const double angle = 2.0 * Pi * this->Values[Rotation];
   const Directions turned(Turn(d.Light, angle), Turn(d.View, angle));
@@ -101,6 +101,6 @@ glm::dvec3 VtkPbrModel::Shade(const Directions& d) const
   const double coatF0 = GetReflectance(coatIndex, 1.0);
   const double coat = strength * (coatF0 + (1.0 - coatF0) * s);
   return diffuse * (1.0 - coat) + specular * Square(1.0 - coat) +
-         glm::dvec3(coat * GetLobe(d, this->Values[CoatRoughness]));
+         glm::dvec3(coat * GetPbrLobe(d, this->Values[CoatRoughness]));
 }
 } // namespace tool

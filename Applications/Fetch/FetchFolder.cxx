@@ -28,7 +28,7 @@ constexpr const char* SumSuffix = ".sha256";
 constexpr std::size_t LongestRecord = 1024; // bytes
 
 //------------------------------------------------------------------------------
-std::string Reason() { return std::strerror(errno); }
+std::string GetFolderReason() { return std::strerror(errno); }
 
 //------------------------------------------------------------------------------
 std::string GetCachePath()
@@ -99,7 +99,7 @@ FetchFolder::FetchFolder(const std::string& path, bool isCache)
 {
   if (this->Descriptor < 0)
   {
-    throw Error(path + ": can't be used as a folder for downloads: " + Reason());
+    throw Error(path + ": can't be used as a folder for downloads: " + GetFolderReason());
   }
 }
 
@@ -160,7 +160,7 @@ bool FetchFolder::Has(const std::string& file) const
     {
       return false;
     }
-    throw Error(this->GetPath(file) + ": can't be looked at: " + Reason());
+    throw Error(this->GetPath(file) + ": can't be looked at: " + GetFolderReason());
   }
   if (!S_ISREG(status.st_mode))
   {
@@ -180,7 +180,7 @@ void FetchFolder::Read(const std::string& file,
   {
     if (opened.Descriptor < 0 || !ReadUpTo(opened.Descriptor, bytes.data(), bytes.size(), count))
     {
-      throw Error(this->GetPath(file) + ": can't be read: " + Reason());
+      throw Error(this->GetPath(file) + ": can't be read: " + GetFolderReason());
     }
     take(bytes.data(), count);
   }
@@ -214,7 +214,7 @@ std::string FetchFolder::GetRecordedSum(const std::string& file) const
   std::size_t count = 0;
   if (opened.Descriptor < 0 || !ReadUpTo(opened.Descriptor, text.data(), text.size(), count))
   {
-    throw Error(this->GetPath(name) + ": can't be read: " + Reason());
+    throw Error(this->GetPath(name) + ": can't be read: " + GetFolderReason());
   }
   text.resize(count);
   const std::string sum = text.substr(0, 64);
@@ -244,7 +244,7 @@ void FetchFolder::RecordSum(const std::string& file, const std::string& sum) con
   if (opened.Descriptor < 0 ||
       write(opened.Descriptor, line.data(), line.size()) != static_cast<ssize_t>(line.size()))
   {
-    const std::string reason = Reason();
+    const std::string reason = GetFolderReason();
     if (opened.Descriptor >= 0)
     {
       unlinkat(this->Descriptor, name.c_str(), 0); // made above, by nobody else

@@ -28,7 +28,7 @@ constexpr std::size_t LongestNotes = 8192;                // bytes
 constexpr std::chrono::milliseconds Pause(100);
 
 //------------------------------------------------------------------------------
-std::string Reason() { return std::strerror(errno); }
+std::string GetPartReason() { return std::strerror(errno); }
 
 //------------------------------------------------------------------------------
 std::string Format(const tool::PartNotes& notes)
@@ -124,7 +124,7 @@ void PartFile::Open()
     O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0644);
   if (this->Descriptor < 0)
   {
-    throw Error(this->GetPath() + ": can't be written: " + Reason());
+    throw Error(this->GetPath() + ": can't be written: " + GetPartReason());
   }
 }
 
@@ -138,13 +138,13 @@ bool PartFile::Lock()
     {
       return false;
     }
-    throw Error(this->GetPath() + ": can't be locked: " + Reason());
+    throw Error(this->GetPath() + ": can't be locked: " + GetPartReason());
   }
   struct stat ours;
   struct stat named;
   if (fstat(this->Descriptor, &ours) != 0)
   {
-    throw Error(this->GetPath() + ": can't be looked at: " + Reason());
+    throw Error(this->GetPath() + ": can't be looked at: " + GetPartReason());
   }
   if (fstatat(this->Folder.GetDescriptor(), this->Name.c_str(), &named, AT_SYMLINK_NOFOLLOW) != 0 ||
       named.st_ino != ours.st_ino || named.st_dev != ours.st_dev)
@@ -198,7 +198,7 @@ void PartFile::Begin(const PartNotes& notes)
 {
   if (ftruncate(this->Descriptor, 0) != 0)
   {
-    throw Error(this->GetPath() + ": can't be written: " + Reason());
+    throw Error(this->GetPath() + ": can't be written: " + GetPartReason());
   }
   this->Size = 0;
   const std::string text = Format(notes);
@@ -206,7 +206,7 @@ void PartFile::Begin(const PartNotes& notes)
     O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0644);
   const bool done =
     file >= 0 && write(file, text.data(), text.size()) == static_cast<ssize_t>(text.size());
-  const std::string reason = Reason();
+  const std::string reason = GetPartReason();
   if (file >= 0)
   {
     close(file);
@@ -227,7 +227,7 @@ void PartFile::Write(const char* bytes, std::size_t count)
     if (written < 0 && errno != EINTR)
     {
       throw Error(this->GetPath() + ": can't be written at byte " + std::to_string(this->Size) +
-                  ": " + Reason());
+                  ": " + GetPartReason());
     }
     const auto done = static_cast<std::size_t>(std::max<ssize_t>(written, 0));
     bytes += done;
@@ -243,7 +243,7 @@ std::string PartFile::ReadBeginning(std::size_t count) const
   const ssize_t got = pread(this->Descriptor, text.data(), text.size(), 0);
   if (got < 0)
   {
-    throw Error(this->GetPath() + ": can't be read: " + Reason());
+    throw Error(this->GetPath() + ": can't be read: " + GetPartReason());
   }
   text.resize(static_cast<std::size_t>(got));
   return text;
@@ -256,7 +256,7 @@ void PartFile::Publish()
   if (fsync(this->Descriptor) != 0 ||
       renameat(folder, this->Name.c_str(), folder, this->File.c_str()) != 0)
   {
-    throw Error(this->Folder.GetPath(this->File) + ": can't be written: " + Reason());
+    throw Error(this->Folder.GetPath(this->File) + ": can't be written: " + GetPartReason());
   }
   fsync(folder);
   unlinkat(folder, this->NotesName.c_str(), 0);

@@ -28,7 +28,7 @@ namespace
 {
 constexpr double Hemisphere[2] = { 0.0, 90.0 };
 constexpr double Zone[2] = { 9.0, 57.0 }; // of the device, Ghosh et al. 2007
-constexpr int Tile = 96;
+constexpr int BasisTile = 96;
 constexpr int Pairs14 = 1 << 14;
 
 // The negative mass that vtkBasisExtrapolator still accepts.
@@ -56,7 +56,7 @@ void DrawRinging(Context& context, const std::vector<double>& exponents)
     });
   const int columns = static_cast<int>(orders.size()) + 1;
   tool::ContactSheet sheet("Harmonics ring: one light, order x sharpness", columns,
-    static_cast<int>(exponents.size()), Tile, Tile);
+    static_cast<int>(exponents.size()), BasisTile, BasisTile);
   StabilityRenderer offscreen(context);
   for (std::size_t row = 0; row < exponents.size(); ++row)
   {
@@ -68,7 +68,7 @@ void DrawRinging(Context& context, const std::vector<double>& exponents)
       const vtkSmartPointer<vtkBRDF> brdf =
         column > 0 ? Project(lobe, vtkBasisBRDF::SPHERICAL_HARMONICS, order) : lobe;
       offscreen.SetIntegrator(MakeLightLoop(brdf, environment, light));
-      tool::Picture picture = offscreen.Draw(Tile);
+      tool::Picture picture = offscreen.Draw(BasisTile);
       exposure = column == 0 ? 0.9 / GetLargest(GetCovered(picture)) : exposure;
       for (std::size_t k = 0; k < picture.Pixels.size(); ++k)
       {

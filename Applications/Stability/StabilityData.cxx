@@ -19,11 +19,11 @@ using namespace tool::stability;
 
 namespace
 {
-constexpr int Size = 32;
+constexpr int TableSize = 32;
 
 //------------------------------------------------------------------------------
 /// A table of a plastic, each cell changed: (cell, its value) -> value.
-vtkSmartPointer<vtkBRDF> MakeTable(
+vtkSmartPointer<vtkBRDF> MakeMaterial(
   const std::function<double(std::size_t, double)>& change, int range = vtkTabulatedBRDF::HALF_TURN)
 {
   const vtkSmartPointer<vtkBRDF> plastic = MakePlastic(20.0);
@@ -61,26 +61,27 @@ std::vector<Oddity> MakeOddities()
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   return { { "albedo 4", MakeLambert(4.0) },
-    { "not reciprocal", MakeTable([](std::size_t cell, double value)
+    { "not reciprocal", MakeMaterial([](std::size_t cell, double value)
                           { return value * ((cell + 3) % 12 < 6 ? 1.6 : 0.4); },
                           vtkTabulatedBRDF::FULL_TURN) },
     { "no mirror symmetry",
-      MakeTable([](std::size_t cell, double value) { return value * (cell % 12 < 6 ? 1.6 : 0.4); },
+      MakeMaterial([](std::size_t cell, double value)
+        { return value * (cell % 12 < 6 ? 1.6 : 0.4); },
         vtkTabulatedBRDF::FULL_TURN),
       { 0.1, { { "table", 0.8 }, { "factored", 0.8 } },
         "taken as symmetric about the plane of incidence; the planner tries and refuses it" } },
     { "negative cells",
-      MakeTable(
+      MakeMaterial(
         [](std::size_t cell, double value) { return value - (Hash(cell) < 0.2 ? 0.3 : 0.0); }),
       { 0.1,
         { { "thesis", 0.4 }, { "basis", 0.3 }, { "table", 0.4 }, { "factored", 0.4 },
           { "anisotropic-table", 0.4 } },
         "noise from cell to cell is finer than rows, view angles and functions" } },
-    { "missing cells",
-      MakeTable([nan](std::size_t cell, double value) { return Hash(cell) < 0.3 ? nan : value; }) },
-    { "values of 1e30", MakeTable([](std::size_t, double value) { return 1e30 * value; }) },
-    { "no valid cell", MakeTable([nan](std::size_t, double) { return nan; }) },
-    { "zero", MakeTable([](std::size_t, double) { return 0.0; }) } };
+    { "missing cells", MakeMaterial([nan](std::size_t cell, double value)
+                         { return Hash(cell) < 0.3 ? nan : value; }) },
+    { "values of 1e30", MakeMaterial([](std::size_t, double value) { return 1e30 * value; }) },
+    { "no valid cell", MakeMaterial([nan](std::size_t, double) { return nan; }) },
+    { "zero", MakeMaterial([](std::size_t, double) { return 0.0; }) } };
 }
 
 //------------------------------------------------------------------------------
@@ -103,7 +104,7 @@ void RunOddities(Context& context)
         contender.Make(oddity.BRDF, environment);
       const std::vector<double> radiance = Integrate(integrator, pairs);
       offscreen.SetIntegrator(integrator);
-      offscreen.Draw(Size);
+      offscreen.Draw(TableSize);
       context.Add(contender.Name, "negative or not finite: " + oddity.Name,
         CountBad(radiance) + offscreen.GetNumberOfBad(), 0.0);
       context.Add(

@@ -27,9 +27,13 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <ctime>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+/// Of all threads of the program, in seconds.
+inline double GetProcessorTime() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 /// Linear RGB and alpha of every pixel, rows from the bottom.
 struct FloatImage

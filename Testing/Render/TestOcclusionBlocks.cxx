@@ -77,7 +77,6 @@ vtkSmartPointer<CountedBlocks> MakeTriangles(int count)
   return blocks;
 }
 
-double GetProcessorTime() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 }
 
 class OcclusionBlocks : public RenderFixture

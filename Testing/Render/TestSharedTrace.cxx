@@ -44,8 +44,6 @@ vtkSmartPointer<vtkPolyData> MakeBowl(int steps)
 
 bool GoOn() { return true; }
 
-double GetProcessorTime() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
 bool HasArrays(vtkDataObject* data)
 {
   auto* surface = vtkPolyData::SafeDownCast(data);

@@ -20,7 +20,6 @@ using namespace testbasis;
 
 namespace
 {
-constexpr double Zone[2] = { 9.0, 57.0 };
 
 vtkSmartPointer<vtkBRDFAcquisition> MakeAcquisition(vtkBRDF* input, int order = 3)
 {
@@ -32,7 +31,7 @@ vtkSmartPointer<vtkBRDFAcquisition> MakeAcquisition(vtkBRDF* input, int order = 
   return acquisition;
 }
 
-vtkSmartPointer<vtkBlinnPhongBRDF> MakePhong(double exponent)
+vtkSmartPointer<vtkBlinnPhongBRDF> MakeColoredPhong(double exponent)
 {
   auto phong = vtkSmartPointer<vtkBlinnPhongBRDF>::New();
   phong->SetSpecular(0.5, 0.2, 0.1);
@@ -65,7 +64,7 @@ TEST(Acquisition, IsTheInnerProduct)
 {
   vtkNew<vtkAshikhminShirleyBRDF> brushed;
   brushed->SetExponents(8.0, 40.0);
-  const auto phong = MakePhong(20.0);
+  const auto phong = MakeColoredPhong(20.0);
   for (vtkBRDF* material : { static_cast<vtkBRDF*>(phong), static_cast<vtkBRDF*>(brushed) })
   {
     for (const int basis : { 1, 2, 3 })
@@ -118,7 +117,7 @@ TEST(Acquisition, IsTheInnerProduct)
 //------------------------------------------------------------------------------
 TEST(Acquisition, SameSeedSameBits)
 {
-  const auto phong = MakePhong(10.0);
+  const auto phong = MakeColoredPhong(10.0);
   phong->SetName("name");
   phong->SetSource("somewhere");
   const auto acquisition = MakeAcquisition(phong);
@@ -139,7 +138,7 @@ TEST(Acquisition, SameSeedSameBits)
 // them: a coefficient of function k > 0 is off by Noise full_k sqrt(2 / NumberOfPhi), RMS.
 TEST(Acquisition, NoiseIsAveragedOverAzimuths)
 {
-  const auto phong = MakePhong(5.0);
+  const auto phong = MakeColoredPhong(5.0);
   double before = 0.0;
   for (const int nPhi : { 1, 4, 16, 64 })
   {
@@ -185,7 +184,7 @@ TEST(Acquisition, NoiseIsAveragedOverAzimuths)
 //------------------------------------------------------------------------------
 TEST(Acquisition, ABitHalvesTheError)
 {
-  const auto phong = MakePhong(5.0);
+  const auto phong = MakeColoredPhong(5.0);
   const auto acquisition = MakeAcquisition(phong, 4);
   acquisition->SetNumberOfPhi(4);
   acquisition->SetNumberOfTheta(24);
@@ -225,7 +224,7 @@ TEST(Acquisition, RefusesAndKeeps)
     EXPECT_EQ(acquisition->GetOutput(), before);
   };
   refuse("no input");
-  const auto phong = MakePhong(5.0);
+  const auto phong = MakeColoredPhong(5.0);
   acquisition->SetInput(phong);
   acquisition->SetNumberOfTheta(4);
   acquisition->SetNumberOfPhi(4);
@@ -281,7 +280,7 @@ TEST(Acquisition, RefusesAndKeeps)
 //------------------------------------------------------------------------------
 TEST(Acquisition, ProgressAndAbort)
 {
-  const auto acquisition = MakeAcquisition(MakePhong(5.0), 2);
+  const auto acquisition = MakeAcquisition(MakeColoredPhong(5.0), 2);
   acquisition->SetNumberOfTheta(40);
   ErrorCatcher errors(acquisition);
   std::vector<double> progress;

@@ -24,7 +24,6 @@ using namespace testbasis;
 
 namespace
 {
-constexpr double Zone[2] = { 9.0, 57.0 };
 constexpr double Hemisphere[2] = { 0.0, 90.0 };
 
 /// The material whose sum over B_k is exact: f = sum / cosines, with this one's coefficients.

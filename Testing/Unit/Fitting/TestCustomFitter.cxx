@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
 // A program's own model is fitted with the public headers alone.
+#include "HalfVector.h"
+
 #include "vtkBRDFFitter.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkLambertBRDF.h"
@@ -16,7 +18,7 @@
 
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
+using measuredbrdf::Pi;
 
 // The albedo whose f' = albedo / pi is best in the sense of SQUARED: a weighted mean of f.
 class LambertFitter : public vtkBRDFFitter

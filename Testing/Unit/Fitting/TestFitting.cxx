@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Known parameters come back, figures are what they are said to be, and bad input is refused.
 #include "ErrorCatcher.h"
+#include "HalfVector.h"
 #include "NeedsLibrary.h"
 #include "TestIOHelpers.h"
 
@@ -40,8 +41,7 @@
 
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
-const std::string SharedData = MEASUREDBRDF_SHARED_DATA;
+using measuredbrdf::Pi;
 
 using Color = std::array<double, 3>;
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The vtkProperty nearest to a material.
 #include "ErrorCatcher.h"
+#include "HalfVector.h"
 #include "SpherePairs.h"
 
 #include "vtkAshikhminShirleyBRDF.h"
@@ -16,7 +17,7 @@
 
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
+using measuredbrdf::Pi;
 
 //------------------------------------------------------------------------------
 // What VTK's fragment shader adds for a light (vtkPBRFunctions.glsl), written out once more.

@@ -26,7 +26,7 @@
 
 namespace
 {
-vtkSmartPointer<vtkSumBRDF> MakeLobe(double exponent)
+vtkSmartPointer<vtkSumBRDF> MakeGlossy(double exponent)
 {
   vtkNew<vtkLambertBRDF> lambert;
   lambert->SetAlbedo(0.1, 0.1, 0.1);
@@ -96,7 +96,7 @@ TEST(RepresentationAdvisor, BroadLobesGoIntoABasisAndSharpOnesDoNot)
   double before = 0.0;
   for (const double exponent : { 5.0, 20.0, 100.0, 300.0 })
   {
-    advisor->SetInput(MakeLobe(exponent));
+    advisor->SetInput(MakeGlossy(exponent));
     ASSERT_TRUE(advisor->Update());
     EXPECT_GT(advisor->GetInZoneResidual(), before) << exponent;
     before = advisor->GetInZoneResidual();
@@ -141,7 +141,7 @@ TEST(RepresentationAdvisor, LambertIsExactInAnyBasis)
 TEST(RepresentationAdvisor, LimitsDecide)
 {
   vtkNew<vtkRepresentationAdvisor> advisor;
-  advisor->SetInput(MakeLobe(20.0));
+  advisor->SetInput(MakeGlossy(20.0));
   advisor->SetMaximumResidual(0.01);
   ASSERT_TRUE(advisor->Update());
   EXPECT_EQ(advisor->GetRecommendation(), vtkRepresentationAdvisor::FIT);
@@ -153,7 +153,7 @@ TEST(RepresentationAdvisor, LimitsDecide)
 TEST(RepresentationAdvisor, RepresentsInABasisOrAsADBRDF)
 {
   vtkNew<vtkRepresentationAdvisor> advisor;
-  advisor->SetInput(MakeLobe(10.0));
+  advisor->SetInput(MakeGlossy(10.0));
   ASSERT_TRUE(advisor->Represent());
   const vtkSmartPointer<vtkBasisBRDF> basis = vtkBasisBRDF::SafeDownCast(advisor->GetOutput());
   ASSERT_TRUE(basis);
@@ -161,7 +161,7 @@ TEST(RepresentationAdvisor, RepresentsInABasisOrAsADBRDF)
   EXPECT_EQ(basis->GetNumberOfFunctions(), 49);
   EXPECT_LT(GetImageError(advisor->GetInput(), basis), 0.02);
 
-  advisor->SetInput(MakeLobe(300.0));
+  advisor->SetInput(MakeGlossy(300.0));
   ASSERT_TRUE(advisor->Represent());
   EXPECT_FALSE(vtkBasisBRDF::SafeDownCast(advisor->GetOutput()));
   EXPECT_LT(GetImageError(advisor->GetInput(), advisor->GetOutput()), 0.08);
@@ -222,7 +222,7 @@ TEST(RepresentationAdvisor, RefusesWithoutInputAndBadOptions)
   ErrorCatcher errors(advisor);
   EXPECT_FALSE(advisor->Update());
   EXPECT_FALSE(advisor->Represent());
-  advisor->SetInput(MakeLobe(5.0));
+  advisor->SetInput(MakeGlossy(5.0));
   for (const int order : { 0, -1, 100 })
   {
     advisor->SetOrder(order);
@@ -238,7 +238,7 @@ TEST(RepresentationAdvisor, RefusesWithoutInputAndBadOptions)
 TEST(RepresentationAdvisor, CanBeStopped)
 {
   vtkNew<vtkRepresentationAdvisor> advisor;
-  advisor->SetInput(MakeLobe(300.0));
+  advisor->SetInput(MakeGlossy(300.0));
   vtkNew<vtkCallbackCommand> stop;
   stop->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
     { static_cast<vtkRepresentationAdvisor*>(caller)->AbortOn(); });

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // ASTM E1392 text: written here of formulas, because no measured file was at hand.
 
+#include "AngleFormula.h"
+#include "HalfVector.h"
 #include "SpectraForTests.h"
 #include "TestIOHelpers.h"
 
@@ -11,60 +13,7 @@ namespace
 {
 using namespace testio;
 
-constexpr double Degree = 3.14159265358979323846 / 180.0;
-const std::string Format = "ASTM E1392 text";
-
-void Point(double theta, double phi, double d[3])
-{
-  d[0] = std::sin(theta * Degree) * std::cos(phi * Degree);
-  d[1] = std::sin(theta * Degree) * std::sin(phi * Degree);
-  d[2] = std::cos(theta * Degree);
-}
-
-// Linear in each angle, and one value along the normals: interpolation on a grid is exact.
-double Shape(double thetaI, double thetaO, double phi)
-{
-  const double tent = std::abs(std::remainder(phi, 360.0)) / 180.0;
-  return 0.05 + 0.001 * thetaI + 0.0005 * thetaO + 1e-5 * thetaI * thetaO * tent;
-}
-
-// Largest and root mean square difference from the color times the formula.
-void Compare(vtkBRDF* brdf, const double color[3], double horizon, double& largest, double& rms)
-{
-  std::mt19937 random(5);
-  std::uniform_real_distribution<double> number(0.0, 1.0);
-  largest = 0.0;
-  double sum = 0.0;
-  constexpr int pairs = 1000;
-  for (int k = 0; k < pairs; ++k)
-  {
-    const double light = 360.0 * number(random);
-    const double angles[3] = { horizon * number(random), horizon * number(random),
-      360.0 * number(random) };
-    double i[3];
-    double o[3];
-    double f[3];
-    Point(angles[0], light, i);
-    Point(angles[1], light + angles[2], o);
-    brdf->Evaluate(i, o, f);
-    for (int c = 0; c < 3; ++c)
-    {
-      const double difference = f[c] - color[c] * Shape(angles[0], angles[1], angles[2]);
-      largest = std::max(largest, std::abs(difference));
-      sum += difference * difference;
-    }
-  }
-  rms = std::sqrt(sum / (3 * pairs));
-}
-
-void ExpectFormula(vtkBRDF* brdf, const double color[3], double tolerance, double horizon = 89.0)
-{
-  ASSERT_TRUE(brdf);
-  double largest = 0.0;
-  double rms = 0.0;
-  Compare(brdf, color, horizon, largest, rms);
-  EXPECT_LT(largest, tolerance);
-}
+const std::string AstmFormat = "ASTM E1392 text";
 
 // A row for each reading of a grid; write: the numbers of (thetaI, phiI, thetaO, phiO), degrees.
 std::string MakeRows(const std::vector<double>& phiI, const std::vector<double>& phi,
@@ -101,15 +50,16 @@ TEST(IOAstm, InterpolatesOnAGrid)
     [](std::ostream& os, double i, double p, double o, double q)
     {
       const double f = Shape(i, o, q - p);
-      os << i * Degree << "," << p * Degree << "," << o * Degree << "," << q * Degree << "," << f
-         << "," << 2.0 * f << "," << 3.0 * f;
+      os << measuredbrdf::ToRadians(i) << "," << measuredbrdf::ToRadians(p) << ","
+         << measuredbrdf::ToRadians(o) << "," << measuredbrdf::ToRadians(q) << "," << f << ","
+         << 2.0 * f << "," << 3.0 * f;
     });
   WriteBytes(folder("paint.astm"),
     "SAMPLE a painted plate\nNUM_POINTS 63\nVARS theta_i,phi_i,theta_s,phi_s,R,G,B\n" + rows);
   vtkNew<vtkBRDFReader> reader;
   reader->SetFileName(folder("paint.astm"));
   ASSERT_TRUE(reader->Read()) << reader->GetErrorMessage();
-  EXPECT_EQ(reader->GetFormatName(), Format);
+  EXPECT_EQ(reader->GetFormatName(), AstmFormat);
   EXPECT_EQ(reader->GetBRDF()->GetName(), "paint");
   EXPECT_TRUE(reader->GetBRDF()->IsIsotropic());
   for (const char* part : { "SAMPLE a painted plate", "radians" })
@@ -197,7 +147,7 @@ TEST(IOAstm, SpectraAndXYZBecomeColors)
     infrared->Evaluate(up, up, f);
     EXPECT_NEAR(f[1], 1e3, 1e-3);
   }
-  ExpectRefused(folder, folder("a.astm#906nm"), { Format, "'906nm'", "380nm, 382nm" });
+  ExpectRefused(folder, folder("a.astm#906nm"), { AstmFormat, "'906nm'", "380nm, 382nm" });
 
   // D65's own XYZ (IEC 61966-2-1) is gray.
   WriteBytes(folder("b.astm"), "VARS theta_i,phi_i,theta_s,phi_s,X,Y,Z\n" +
@@ -261,10 +211,12 @@ TEST(IOAstm, ScatteredViewsAreInterpolated)
   {
     for (int k = 0; k < 500; ++k)
     {
-      const double o = std::acos(number(random)) / Degree;
+      const double o = measuredbrdf::ToDegrees(std::acos(number(random)));
       const double phi = 360.0 * number(random) - 180.0;
-      rows += std::to_string(i * Degree) + ",0," + std::to_string(o * Degree) + "," +
-              std::to_string(phi * Degree) + "," + std::to_string(Shape(i, o, phi)) + "\n";
+      rows += std::to_string(measuredbrdf::ToRadians(i)) + ",0," +
+              std::to_string(measuredbrdf::ToRadians(o)) + "," +
+              std::to_string(measuredbrdf::ToRadians(phi)) + "," +
+              std::to_string(Shape(i, o, phi)) + "\n";
     }
   }
   WriteBytes(folder("a.astm"), "VARS theta_i,phi_i,theta_s,phi_s,Integrated\n" + rows);
@@ -288,7 +240,7 @@ TEST(IOAstm, RefusesBadFiles)
   const Folder folder;
   const auto expect = [&folder](const std::string& bytes, std::vector<std::string> words)
   {
-    words.push_back(Format);
+    words.push_back(AstmFormat);
     WriteBytes(folder("a.astm"), bytes);
     ExpectRefused(folder, folder("a.astm"), words);
   };
@@ -316,7 +268,7 @@ TEST(IOAstm, RefusesBadFiles)
   expect(vars + row + "91,0,0.2,0.3,1,2,3\n", { "line 3", "theta_i is 91 degrees" });
   expect(vars + row + "0.1,99,0.2,0.3,1,2,3\n", { "line 3", "phi_i is 5672" });
   WriteBytes(folder("a.astm"), vars + row);
-  ExpectRefused(folder, folder("a.astm#550nm"), { Format, "no wavelengths" });
+  ExpectRefused(folder, folder("a.astm#550nm"), { AstmFormat, "no wavelengths" });
   // Each reading's angles are its own.
   std::string sparse = vars;
   for (int k = 0; k < 10000; ++k)

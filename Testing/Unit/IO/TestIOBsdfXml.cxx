@@ -3,6 +3,7 @@
 // BSDF XML files of Radiance and WINDOW.
 
 #include "SmallBsdfXml.h"
+#include "TestDirections.h"
 #include "TestIOHelpers.h"
 
 #include "vtkAngleBasisBRDF.h"
@@ -26,29 +27,7 @@ using namespace testio;
 
 namespace
 {
-const std::string Format = "BSDF XML";
-const std::string SharedData = MEASUREDBRDF_SHARED_DATA;
 
-glm::dvec3 Evaluate(vtkBRDF* brdf, const glm::dvec3& i, const glm::dvec3& o)
-{
-  glm::dvec3 f;
-  brdf->Evaluate(&i.x, &o.x, &f.x);
-  return f;
-}
-
-glm::dvec3 FromDegrees(double theta, double phi)
-{
-  constexpr double degree = 3.14159265358979323846 / 180.0;
-  return glm::dvec3(std::sin(theta * degree) * std::cos(phi * degree),
-    std::sin(theta * degree) * std::sin(phi * degree), std::cos(theta * degree));
-}
-
-std::string Replace(std::string text, const std::string& old, const std::string& with)
-{
-  const std::size_t at = text.find(old);
-  EXPECT_NE(at, std::string::npos) << old;
-  return text.replace(at, old.size(), with);
-}
 }
 
 //------------------------------------------------------------------------------
@@ -63,7 +42,7 @@ TEST(IOBsdfXml, Reads)
     vtkNew<vtkBRDFReader> reader;
     reader->SetFileName(folder("a.xml"));
     ASSERT_TRUE(reader->Read()) << reader->GetErrorMessage();
-    EXPECT_EQ(reader->GetFormatName(), Format);
+    EXPECT_EQ(reader->GetFormatName(), BsdfXmlFormat);
     auto* brdf = vtkAngleBasisBRDF::SafeDownCast(reader->GetBRDF());
     ASSERT_TRUE(brdf);
     EXPECT_EQ(brdf->GetName(), "Grate & shade");
@@ -141,26 +120,28 @@ TEST(IOBsdfXml, RefusesBadFiles)
   const Folder folder;
   const std::string good = MakeBsdfXml();
   const std::size_t root = good.find("<WindowElement") + 14;
-  ExpectTruncationsRefused(folder, good.substr(0, good.size() - 1), root, 97, Format);
-  ExpectBytesRefused(folder, Replace(good, "<Optical>", "<Optical"), { Format, "well-formed" });
+  ExpectTruncationsRefused(folder, good.substr(0, good.size() - 1), root, 97, BsdfXmlFormat);
+  ExpectBytesRefused(
+    folder, Replace(good, "<Optical>", "<Optical"), { BsdfXmlFormat, "well-formed" });
   ExpectBytesRefused(folder, Replace(good, "0.110000", "0.11x"),
-    { Format, "Reflection Back", "value 1", "0.11x", "expected a number" });
-  ExpectBytesRefused(folder, Replace(good, "0.110000", "nan"), { Format, "value 1", "nan" });
+    { BsdfXmlFormat, "Reflection Back", "value 1", "0.11x", "expected a number" });
+  ExpectBytesRefused(folder, Replace(good, "0.110000", "nan"), { BsdfXmlFormat, "value 1", "nan" });
   ExpectBytesRefused(
-    folder, Replace(good, "0.110000,", ""), { Format, "found 24 values, expected 25" });
-  ExpectBytesRefused(folder, Replace(good, "0.110000", "0.1 0.2"), { Format, "more than the 25" });
+    folder, Replace(good, "0.110000,", ""), { BsdfXmlFormat, "found 24 values, expected 25" });
+  ExpectBytesRefused(
+    folder, Replace(good, "0.110000", "0.1 0.2"), { BsdfXmlFormat, "more than the 25" });
   ExpectBytesRefused(folder, Replace(good, "Columns", "TensorTree5"),
-    { Format, "IncidentDataStructure", "TensorTree5" });
+    { BsdfXmlFormat, "IncidentDataStructure", "TensorTree5" });
   ExpectBytesRefused(folder, Replace(good, "<AngleBasisName>Five", "<AngleBasisName>Six"),
-    { Format, "AngleBasis", "does not define", "Five" });
+    { BsdfXmlFormat, "AngleBasis", "does not define", "Five" });
   ExpectBytesRefused(folder, Replace(good, "<LowerTheta>30", "<LowerTheta>31"),
-    { Format, "ring 1", "LowerTheta", "31" });
-  ExpectBytesRefused(
-    folder, Replace(good, "<UpperTheta>90", "<UpperTheta>80"), { Format, "80", "expected 90" });
+    { BsdfXmlFormat, "ring 1", "LowerTheta", "31" });
+  ExpectBytesRefused(folder, Replace(good, "<UpperTheta>90", "<UpperTheta>80"),
+    { BsdfXmlFormat, "80", "expected 90" });
   for (const char* count : { "0", "-4", "2.5", "1e9", "many", "" })
   {
     ExpectBytesRefused(folder, Replace(good, "<nPhis>4", std::string("<nPhis>") + count),
-      { Format, "ring 1", "nPhis" });
+      { BsdfXmlFormat, "ring 1", "nPhis" });
   }
   std::string rings;
   for (int k = 0; k < 5000; ++k)
@@ -171,26 +152,27 @@ TEST(IOBsdfXml, RefusesBadFiles)
   }
   ExpectBytesRefused(folder,
     Replace(good, "<AngleBasisBlock><Theta>0", rings + "<AngleBasisBlock><Theta>0"),
-    { Format, "AngleBasis", "at most 4096 patches" });
+    { BsdfXmlFormat, "AngleBasis", "at most 4096 patches" });
   std::string none = good;
   for (const char* block : { ">Reflection Back", ">Reflection Front", ">Reflection Back" })
   {
     none = Replace(none, block, ">Refraction");
   }
   ExpectBytesRefused(folder, Replace(none, ">Transmission Back", ">Refraction"),
-    { Format, "found 4 blocks, none of them of visible light" });
+    { BsdfXmlFormat, "found 4 blocks, none of them of visible light" });
   // Texts that grow without bound, and towers of elements.
   ExpectBytesRefused(folder,
     Replace(
       good, "<!-- made by a test -->", "<!DOCTYPE a [<!ENTITY b \"cc\"><!ENTITY d \"&b;&b;\">]>"),
-    { Format, "document type" });
-  ExpectBytesRefused(folder, good + std::string(1, '\0'), { Format, "zero byte" });
+    { BsdfXmlFormat, "document type" });
+  ExpectBytesRefused(folder, good + std::string(1, '\0'), { BsdfXmlFormat, "zero byte" });
   std::string tower;
   for (int k = 0; k < 100000; ++k)
   {
     tower += "<a>";
   }
-  ExpectBytesRefused(folder, Replace(good, "<Optical>", "<Optical>" + tower), { Format, "deeply" });
+  ExpectBytesRefused(
+    folder, Replace(good, "<Optical>", "<Optical>" + tower), { BsdfXmlFormat, "deeply" });
 }
 
 //------------------------------------------------------------------------------
@@ -245,8 +227,8 @@ TEST(IOBsdfXml, RefusesBadTrees)
   const Folder folder;
   const auto refuse = [&](const std::string& tree, const std::string& what)
   {
-    ExpectBytesRefused(
-      folder, MakeBsdfXmlTree(3, tree), { Format, "ScatteringData of 'Reflection Back'", what });
+    ExpectBytesRefused(folder, MakeBsdfXmlTree(3, tree),
+      { BsdfXmlFormat, "ScatteringData of 'Reflection Back'", what });
   };
   refuse("", "0 braces open");
   refuse("1", "found '1'");

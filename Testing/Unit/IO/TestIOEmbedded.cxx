@@ -21,7 +21,6 @@ using namespace testio;
 
 namespace
 {
-const std::string SharedData = MEASUREDBRDF_SHARED_DATA;
 
 vtkSmartPointer<vtkTabulatedBRDF> GetCarPaint()
 {

@@ -19,7 +19,6 @@ using namespace testio;
 
 namespace
 {
-const std::string SharedData = MEASUREDBRDF_SHARED_DATA;
 const std::string Fits = "published fits";
 
 void ExpectColor(const double* color, double r, double g, double b)

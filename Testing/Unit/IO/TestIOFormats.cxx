@@ -20,16 +20,9 @@ using namespace testio;
 
 namespace
 {
-const std::string SharedData = MEASUREDBRDF_SHARED_DATA;
 const std::string Merl = "MERL binary";
 const std::string Tensor = "RGL tensor file";
 const std::string Mbsdf = "NVIDIA MBSDF";
-
-TensorField& FieldOf(std::vector<TensorField>& fields, const std::string& name)
-{
-  return *std::find_if(
-    fields.begin(), fields.end(), [&](const TensorField& f) { return f.Name == name; });
-}
 }
 
 //------------------------------------------------------------------------------

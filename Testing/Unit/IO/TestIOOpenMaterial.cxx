@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // OpenMATERIAL 3D: tables of a formula, and the measured asphalt where it is at hand.
 
+#include "AngleFormula.h"
+#include "HalfVector.h"
 #include "NeedsLibrary.h"
 #include "SmallOpenMaterial.h"
 #include "SpectraForTests.h"
@@ -15,23 +17,7 @@ namespace
 {
 using namespace testio;
 
-constexpr double Degree = 3.14159265358979323846 / 180.0;
-const std::string Format = "OpenMATERIAL 3D";
-const std::string SharedData = MEASUREDBRDF_SHARED_DATA;
-
-void Point(double theta, double phi, double d[3])
-{
-  d[0] = std::sin(theta * Degree) * std::cos(phi * Degree);
-  d[1] = std::sin(theta * Degree) * std::sin(phi * Degree);
-  d[2] = std::cos(theta * Degree);
-}
-
-// Linear in each angle, and one value along the normals: interpolation between any nodes is exact.
-double Shape(double thetaI, double thetaO, double phi)
-{
-  const double tent = std::abs(std::remainder(phi, 360.0)) / 180.0;
-  return 0.05 + 0.001 * thetaI + 0.0005 * thetaO + 1e-5 * thetaI * thetaO * tent;
-}
+const std::string OpenMaterialFormat = "OpenMATERIAL 3D";
 
 std::vector<double> Count(double first, double step, int count)
 {
@@ -41,44 +27,6 @@ std::vector<double> Count(double first, double step, int count)
     numbers.push_back(first + step * k);
   }
   return numbers;
-}
-
-// Largest and root mean square difference from the color times the formula.
-void Compare(vtkBRDF* brdf, const double color[3], double horizon, double& largest, double& rms)
-{
-  std::mt19937 random(5);
-  std::uniform_real_distribution<double> number(0.0, 1.0);
-  largest = 0.0;
-  double sum = 0.0;
-  constexpr int pairs = 1000;
-  for (int k = 0; k < pairs; ++k)
-  {
-    const double light = 360.0 * number(random);
-    const double angles[3] = { horizon * number(random), horizon * number(random),
-      360.0 * number(random) };
-    double i[3];
-    double o[3];
-    double f[3];
-    Point(angles[0], light, i);
-    Point(angles[1], light + angles[2], o);
-    brdf->Evaluate(i, o, f);
-    for (int c = 0; c < 3; ++c)
-    {
-      const double difference = f[c] - color[c] * Shape(angles[0], angles[1], angles[2]);
-      largest = std::max(largest, std::abs(difference));
-      sum += difference * difference;
-    }
-  }
-  rms = std::sqrt(sum / (3 * pairs));
-}
-
-void ExpectFormula(vtkBRDF* brdf, const double color[3], double tolerance, double horizon = 89.0)
-{
-  ASSERT_TRUE(brdf);
-  double largest = 0.0;
-  double rms = 0.0;
-  Compare(brdf, color, horizon, largest, rms);
-  EXPECT_LT(largest, tolerance);
 }
 
 //------------------------------------------------------------------------------
@@ -97,7 +45,7 @@ TEST(IOOpenMaterial, InterpolatesBetweenUnevenAngles)
     vtkNew<vtkBRDFReader> reader;
     reader->SetFileName(folder("road.xompt"));
     ASSERT_TRUE(reader->Read()) << reader->GetErrorMessage();
-    EXPECT_EQ(reader->GetFormatName(), Format);
+    EXPECT_EQ(reader->GetFormatName(), OpenMaterialFormat);
     EXPECT_EQ(reader->GetBRDF()->GetName(), "road");
     EXPECT_NE(reader->GetBRDF()->GetSource().find("CC0-1.0"), std::string::npos);
     EXPECT_TRUE(reader->GetBRDF()->IsIsotropic());
@@ -180,7 +128,8 @@ TEST(IOOpenMaterial, OneWavelengthIsGray)
   ExpectFormula(Read(folder("a.xompt")), first, 2e-6);
   const double second[3] = { 1.55, 1.55, 1.55 };
   ExpectFormula(Read(folder("a.xompt#1550nm")), second, 2e-6);
-  ExpectRefused(folder, folder("a.xompt#550nm"), { Format, "'550nm'", "905nm, 1550nm" });
+  ExpectRefused(
+    folder, folder("a.xompt#550nm"), { OpenMaterialFormat, "'550nm'", "905nm, 1550nm" });
   vtkNew<vtkBRDFReader> reader;
   reader->SetFileName(folder("a.xompt"));
   EXPECT_EQ(reader->GetMaterialNames(), (std::vector<std::string>{ "905nm", "1550nm" }));
@@ -242,7 +191,7 @@ TEST(IOOpenMaterial, ScatteredViewsAreInterpolated)
   {
     for (int k = 0; k < 600; ++k)
     {
-      const double o = std::acos(number(random)) / Degree;
+      const double o = measuredbrdf::ToDegrees(std::acos(number(random)));
       const double p = 360.0 * number(random);
       rows += (rows.empty() ? "" : ",") + MakeOpenMaterialRow(905.0, i, o, p, Shape(i, o, p));
     }
@@ -291,7 +240,7 @@ TEST(IOOpenMaterial, RefusesBadFiles)
   const Folder folder;
   const auto expect = [&folder](const std::string& bytes, std::vector<std::string> words)
   {
-    words.push_back(Format);
+    words.push_back(OpenMaterialFormat);
     WriteBytes(folder("a.xompt"), bytes);
     ExpectRefused(folder, folder("a.xompt"), words);
   };
@@ -319,7 +268,7 @@ TEST(IOOpenMaterial, RefusesBadFiles)
   expect(rows(good) + "x", { "JSON at byte " });
   WriteBytes(folder("a.xompt"), "\xef\xbb\xbf\r\n" + rows(good)); // editors add these
   EXPECT_TRUE(Read(folder("a.xompt")));
-  ExpectTruncationsRefused(folder, rows(good), 280, 23, Format);
+  ExpectTruncationsRefused(folder, rows(good), 280, 23, OpenMaterialFormat);
 }
 
 //------------------------------------------------------------------------------
@@ -329,7 +278,7 @@ TEST(IOOpenMaterial, HostileFilesAreRefusedInLittleMemory)
   const auto expect = [&folder](const std::string& bytes, const std::string& word)
   {
     WriteBytes(folder("a.xompt"), bytes);
-    ExpectRefused(folder, folder("a.xompt"), { Format, word });
+    ExpectRefused(folder, folder("a.xompt"), { OpenMaterialFormat, word });
   };
   const double before = GetPeakMemory();
   expect("{\"brdf\":" + std::string(1 << 20, '['), "deeper than 32");

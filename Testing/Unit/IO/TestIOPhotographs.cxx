@@ -19,7 +19,7 @@ using namespace testio;
 
 namespace
 {
-void WriteImage(const std::string& path, int channels, const std::vector<float>& pixels,
+void WriteTwoRows(const std::string& path, int channels, const std::vector<float>& pixels,
   OIIO::TypeDesc type, const std::string& space = "")
 {
   auto out = OIIO::ImageOutput::create(path);
@@ -71,7 +71,7 @@ const char* const GoodList = R"({"irradiance": 2, "transfer": "power", "gamma": 
 TEST(IOPhotographs, ReadsLists)
 {
   const Folder folder;
-  WriteImage(folder("a.exr"), 3, SixPixels, OIIO::TypeDesc::FLOAT);
+  WriteTwoRows(folder("a.exr"), 3, SixPixels, OIIO::TypeDesc::FLOAT);
   WriteBytes(folder("list.json"), GoodList);
   vtkNew<vtkPhotographSetReader> reader;
   reader->SetFileName(folder("list.json"));
@@ -119,9 +119,9 @@ TEST(IOPhotographs, ReadsFoldersNamedAsBonnNamesThem)
   const Folder folder;
   std::filesystem::create_directories(folder("tv045_pv060"));
   const auto byte = OIIO::TypeDesc::UINT8;
-  WriteImage(folder("tv045_pv060/00007 tl015 pl030 tv045 pv060.png"), 3, SixPixels, byte);
-  WriteImage(folder("tl000_pl000_tv000_pv000.png"), 3, SixPixels, byte);
-  WriteImage(folder("CORDUROY_TL075_PL345_TV060_PV-18.png"), 3, SixPixels, byte);
+  WriteTwoRows(folder("tv045_pv060/00007 tl015 pl030 tv045 pv060.png"), 3, SixPixels, byte);
+  WriteTwoRows(folder("tl000_pl000_tv000_pv000.png"), 3, SixPixels, byte);
+  WriteTwoRows(folder("CORDUROY_TL075_PL345_TV060_PV-18.png"), 3, SixPixels, byte);
   WriteBytes(folder("readme.txt"), "hello");
   WriteBytes(folder("tl015_pl030_tv045.png"), "no pv");
   vtkNew<vtkPhotographSetReader> reader;
@@ -152,7 +152,7 @@ TEST(IOPhotographs, ReadsFoldersNamedAsBonnNamesThem)
 TEST(IOPhotographs, RefusesHostileLists)
 {
   const Folder folder;
-  WriteImage(folder("a.exr"), 3, SixPixels, OIIO::TypeDesc::FLOAT);
+  WriteTwoRows(folder("a.exr"), 3, SixPixels, OIIO::TypeDesc::FLOAT);
   const std::string entry = R"({"file": "a.exr", "light": [0, 0, 1], "view": [0, 0, 1]})";
   const auto list = [&](const std::string& photographs)
   { return R"({"photographs": [)" + photographs + "]}"; };
@@ -214,7 +214,7 @@ TEST(IOPhotographs, NamesAFileThatIsNoImage)
   WriteBytes(folder("a.png"), "no image");
   WriteBytes(folder("list.csv"),
     "file,light_theta,light_phi,view_theta,view_phi\na.png,0,0,0,0\nb.tif,0,0,0,0\n");
-  WriteImage(folder("b.tif"), 3, SixPixels, OIIO::TypeDesc::UINT16, "linear");
+  WriteTwoRows(folder("b.tif"), 3, SixPixels, OIIO::TypeDesc::UINT16, "linear");
   vtkNew<vtkPhotographSetReader> reader;
   reader->SetFileName(folder("list.csv"));
   ASSERT_TRUE(reader->Read());

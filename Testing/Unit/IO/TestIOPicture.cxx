@@ -15,7 +15,7 @@ using namespace testio;
 
 namespace
 {
-void WriteImage(const std::string& path, int width, int height, int channels,
+void WritePicture(const std::string& path, int width, int height, int channels,
   const std::vector<float>& pixels, OIIO::TypeDesc type)
 {
   auto out = OIIO::ImageOutput::create(path);
@@ -63,20 +63,20 @@ TEST(IOPicture, KeepsIntegersAsTheyAre)
   const Folder folder;
   const auto byte = OIIO::TypeDesc::UINT8;
   // The top row last; one pixel a row.
-  WriteImage(
+  WritePicture(
     folder("rgb.png"), 1, 2, 3, { Byte(1), Byte(2), Byte(3), Byte(254), Byte(5), Byte(6) }, byte);
   ExpectPicture(folder("rgb.png"), VTK_UNSIGNED_CHAR, 1, 2, 3, { 254, 5, 6, 1, 2, 3 });
-  WriteImage(folder("rgba.png"), 1, 1, 4, { Byte(200), Byte(100), Byte(50), Byte(10) }, byte);
+  WritePicture(folder("rgba.png"), 1, 1, 4, { Byte(200), Byte(100), Byte(50), Byte(10) }, byte);
   ExpectPicture(folder("rgba.png"), VTK_UNSIGNED_CHAR, 1, 1, 4, { 200, 100, 50, 10 });
-  WriteImage(folder("gray.png"), 2, 1, 1, { Byte(7), Byte(8) }, byte);
+  WritePicture(folder("gray.png"), 2, 1, 1, { Byte(7), Byte(8) }, byte);
   ExpectPicture(folder("gray.png"), VTK_UNSIGNED_CHAR, 2, 1, 3, { 7, 7, 7, 8, 8, 8 });
-  WriteImage(folder("ya.png"), 1, 1, 2, { Byte(90), Byte(30) }, byte);
+  WritePicture(folder("ya.png"), 1, 1, 2, { Byte(90), Byte(30) }, byte);
   ExpectPicture(folder("ya.png"), VTK_UNSIGNED_CHAR, 1, 1, 4, { 90, 90, 90, 30 });
-  WriteImage(folder("words.png"), 1, 1, 3, { 0.5f, 1.0f, 0.0f }, OIIO::TypeDesc::UINT16);
+  WritePicture(folder("words.png"), 1, 1, 3, { 0.5f, 1.0f, 0.0f }, OIIO::TypeDesc::UINT16);
   ExpectPicture(folder("words.png"), VTK_UNSIGNED_SHORT, 1, 1, 3, { 32768, 65535, 0 });
   for (const char* name : { "a.tif", "a.bmp" })
   {
-    WriteImage(folder(name), 1, 1, 3, { Byte(10), Byte(20), Byte(30) }, byte);
+    WritePicture(folder(name), 1, 1, 3, { Byte(10), Byte(20), Byte(30) }, byte);
     ExpectPicture(folder(name), VTK_UNSIGNED_CHAR, 1, 1, 3, { 10, 20, 30 });
   }
 }
@@ -86,9 +86,9 @@ TEST(IOPicture, GrayStaysGrayWhereThatIsAsked)
 {
   const Folder folder;
   const auto byte = OIIO::TypeDesc::UINT8;
-  WriteImage(folder("gray.png"), 2, 1, 1, { Byte(7), Byte(8) }, byte);
-  WriteImage(folder("ya.png"), 1, 1, 2, { Byte(90), Byte(30) }, byte);
-  WriteImage(folder("rgb.png"), 1, 1, 3, { Byte(5), Byte(5), Byte(5) }, byte);
+  WritePicture(folder("gray.png"), 2, 1, 1, { Byte(7), Byte(8) }, byte);
+  WritePicture(folder("ya.png"), 1, 1, 2, { Byte(90), Byte(30) }, byte);
+  WritePicture(folder("rgb.png"), 1, 1, 3, { Byte(5), Byte(5), Byte(5) }, byte);
   ExpectPicture(folder("gray.png"), VTK_UNSIGNED_CHAR, 2, 1, 1, { 7, 8 }, true);
   ExpectPicture(folder("ya.png"), VTK_UNSIGNED_CHAR, 1, 1, 2, { 90, 30 }, true);
   ExpectPicture(folder("rgb.png"), VTK_UNSIGNED_CHAR, 1, 1, 3, { 5, 5, 5 }, true);
@@ -98,9 +98,9 @@ TEST(IOPicture, GrayStaysGrayWhereThatIsAsked)
 TEST(IOPicture, FloatsAreLinear)
 {
   const Folder folder;
-  WriteImage(folder("a.exr"), 1, 1, 4, { 4.0f, 0.5f, 0.25f, 0.5f }, OIIO::TypeDesc::FLOAT);
+  WritePicture(folder("a.exr"), 1, 1, 4, { 4.0f, 0.5f, 0.25f, 0.5f }, OIIO::TypeDesc::FLOAT);
   ExpectPicture(folder("a.exr"), VTK_FLOAT, 1, 1, 4, { 4.0, 0.5, 0.25, 0.5 });
-  WriteImage(folder("a.hdr"), 1, 1, 3, { 2.0f, 1.0f, 0.5f }, OIIO::TypeDesc::FLOAT);
+  WritePicture(folder("a.hdr"), 1, 1, 3, { 2.0f, 1.0f, 0.5f }, OIIO::TypeDesc::FLOAT);
   ExpectPicture(folder("a.hdr"), VTK_FLOAT, 1, 1, 3, { 2.0, 1.0, 0.5 });
 }
 
@@ -109,10 +109,10 @@ TEST(IOPicture, RefusesBadFiles)
 {
   const Folder folder;
   const float nan = std::numeric_limits<float>::quiet_NaN();
-  WriteImage(folder("good.exr"), 1, 1, 3, { 1, 1, 1 }, OIIO::TypeDesc::FLOAT);
-  WriteImage(
+  WritePicture(folder("good.exr"), 1, 1, 3, { 1, 1, 1 }, OIIO::TypeDesc::FLOAT);
+  WritePicture(
     folder("nan.exr"), 2, 2, 3, { 0, 0, 0, 0, 0, nan, 0, 0, 0, 0, 0, 0 }, OIIO::TypeDesc::FLOAT);
-  WriteImage(
+  WritePicture(
     folder("cut.png"), 64, 64, 3, std::vector<float>(3 * 64 * 64, 0.3f), OIIO::TypeDesc::UINT16);
   std::filesystem::resize_file(folder("cut.png"), 80);
   std::ofstream(folder("huge.hdr"), std::ios::binary)

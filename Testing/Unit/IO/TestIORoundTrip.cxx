@@ -156,15 +156,6 @@ vtkSmartPointer<vtkBasisBRDF> MakeBasis(int basis, int order, int nPhi)
   EXPECT_EQ(material->SetCoefficients(basis, order, incident, outgoing, 3, nPhi, values), "");
   return material;
 }
-
-/// Replace text of equal length inside a file's bytes.
-std::string Replace(std::string bytes, const std::string& from, const std::string& to)
-{
-  EXPECT_EQ(from.size(), to.size());
-  const std::size_t place = bytes.find(from);
-  EXPECT_NE(place, std::string::npos) << from;
-  return place == std::string::npos ? bytes : bytes.replace(place, from.size(), to);
-}
 }
 
 //------------------------------------------------------------------------------

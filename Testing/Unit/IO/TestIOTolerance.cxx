@@ -21,12 +21,6 @@ using measuredbrdf::ToPrintable;
 
 namespace
 {
-TensorField& FieldOf(std::vector<TensorField>& fields, const std::string& name)
-{
-  return *std::find_if(
-    fields.begin(), fields.end(), [&](const TensorField& f) { return f.Name == name; });
-}
-
 vtkSmartPointer<vtkBRDFReader> ReadFile(const Folder& folder, const std::string& bytes)
 {
   WriteBytes(folder("file"), bytes);

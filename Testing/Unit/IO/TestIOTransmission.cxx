@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What BSDF XML files of Radiance and WINDOW say of transmission.
 
+#include "HalfVector.h"
 #include "SmallBsdfXml.h"
+#include "TestDirections.h"
 #include "TestIOHelpers.h"
 
 #include "vtkBRDFReader.h"
@@ -25,10 +27,8 @@ using namespace testio;
 
 namespace
 {
-const std::string Format = "BSDF XML";
-const std::filesystem::path SharedData = MEASUREDBRDF_SHARED_DATA;
 const std::filesystem::path Traced = MEASUREDBRDF_TEST_DATA "/Transmission";
-constexpr double Pi = 3.14159265358979323846;
+using measuredbrdf::Pi;
 
 double Evaluate(vtkBTDF* btdf, const glm::dvec3& i, const glm::dvec3& o)
 {
@@ -51,21 +51,6 @@ double GetSkyTransmittance(vtkBTDF* btdf, const glm::dvec3& o)
   glm::dvec3 rgb;
   btdf->GetSkyTransmittance(&o.x, &rgb.x);
   return rgb.y;
-}
-
-// Beyond 90 degrees: below the surface.
-glm::dvec3 FromDegrees(double theta, double phi)
-{
-  constexpr double degree = Pi / 180.0;
-  return glm::dvec3(std::sin(theta * degree) * std::cos(phi * degree),
-    std::sin(theta * degree) * std::sin(phi * degree), std::cos(theta * degree));
-}
-
-std::string Replace(std::string text, const std::string& old, const std::string& with)
-{
-  const std::size_t at = text.find(old);
-  EXPECT_NE(at, std::string::npos) << old;
-  return text.replace(at, old.size(), with);
 }
 
 // Reads a file that holds reflection, too.
@@ -218,8 +203,8 @@ TEST(IOTransmission, NamesBadBlocks)
   const std::string good = MakeBothSides();
   const auto refuse = [&](const std::string& old, const std::string& with, const std::string& what)
   {
-    ExpectBytesRefused(
-      folder, Replace(good, old, with), { Format, "ScatteringData of 'Transmission Front'", what });
+    ExpectBytesRefused(folder, Replace(good, old, with),
+      { BsdfXmlFormat, "ScatteringData of 'Transmission Front'", what });
   };
   refuse("0.021000", "nan", "value 1: found 'nan'");
   refuse("0.021000", "inf", "value 1: found 'inf'");
@@ -231,7 +216,7 @@ TEST(IOTransmission, NamesBadBlocks)
   {
     ExpectBytesRefused(folder,
       MakeBsdfXmlTree(3, "{1}", MakeBsdfXmlTreeBlock("Transmission Back", tree)),
-      { Format, "ScatteringData of 'Transmission Back'", what });
+      { BsdfXmlFormat, "ScatteringData of 'Transmission Back'", what });
   };
   refuseTree("{1", "1 braces open");
   refuseTree("{nan}", "found 'nan'");
@@ -240,7 +225,7 @@ TEST(IOTransmission, NamesBadBlocks)
   ExpectBytesRefused(folder,
     Replace(good, "Transmission Back</WavelengthDataDirection><ColumnAngleBasis>Five",
       "Transmission Back</WavelengthDataDirection><ColumnAngleBasis>Six"),
-    { Format, "does not define 'Six'" });
+    { BsdfXmlFormat, "does not define 'Six'" });
 }
 
 //------------------------------------------------------------------------------
@@ -317,14 +302,14 @@ TEST(IOTransmission, IsOfferedBesideReflection)
 // Against Radiance's own rtrace (trace_transmission.py).
 TEST(IOTransmission, AgreesWithRadiance)
 {
-  if (!std::filesystem::is_directory(SharedData / "materials/radiance"))
+  if (!std::filesystem::is_directory(std::filesystem::path(SharedData) / "materials/radiance"))
   {
     GTEST_SKIP() << "no shared data";
   }
   for (const char* name : { "2011-SA1", "metalGrate", "t3" })
   {
-    const auto btdf =
-      ReadTransmission((SharedData / "materials/radiance" / name).string() + ".xml");
+    const auto btdf = ReadTransmission(
+      (std::filesystem::path(SharedData) / "materials/radiance" / name).string() + ".xml");
     ASSERT_TRUE(btdf) << name;
     std::ifstream csv(Traced / (std::string(name) + ".csv"));
     double largest = 0.0;
@@ -360,7 +345,7 @@ TEST(IOTransmission, TransmittanceIsTheRealFilesSum)
   for (const char* name : { "2011-SA1", "metalGrate" })
   {
     const std::filesystem::path path =
-      SharedData / "materials/radiance" / (std::string(name) + ".xml");
+      std::filesystem::path(SharedData) / "materials/radiance" / (std::string(name) + ".xml");
     std::ifstream file(path);
     if (!file)
     {
@@ -409,7 +394,8 @@ TEST(IOTransmission, TransmittanceIsTheRealFilesSum)
 // Of a tree: against points of a lattice, by the cosine of the golden ratio.
 TEST(IOTransmission, TransmittanceOfTreesIsTheMean)
 {
-  const std::filesystem::path path = SharedData / "materials/radiance/t3.xml";
+  const std::filesystem::path path =
+    std::filesystem::path(SharedData) / "materials/radiance/t3.xml";
   if (!std::filesystem::exists(path))
   {
     GTEST_SKIP() << "no shared data";

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // UTIA's .bin, written here from its published layout: no file of the database was at hand.
 
+#include "AngleFormula.h"
 #include "NeedsLibrary.h"
 #include "TestIOHelpers.h"
 
@@ -13,7 +14,6 @@ namespace
 {
 using namespace testio;
 
-constexpr double Degree = 3.14159265358979323846 / 180.0;
 constexpr std::size_t Side = 288;
 
 // Linear in each of the four angles between the nodes: interpolation is exact. Degrees.
@@ -43,13 +43,6 @@ std::string MakeUtia(double scale = 1.0)
     }
   }
   return bytes;
-}
-
-void Point(double theta, double phi, double d[3])
-{
-  d[0] = std::sin(theta * Degree) * std::cos(phi * Degree);
-  d[1] = std::sin(theta * Degree) * std::sin(phi * Degree);
-  d[2] = std::cos(theta * Degree);
 }
 
 vtkSmartPointer<vtkBRDF> ReadUtia(const std::string& path, vtkBRDFReader* reader)

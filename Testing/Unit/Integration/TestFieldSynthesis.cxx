@@ -5,6 +5,7 @@
 #include "AzimuthSeries.h"
 #include "EnvironmentHarmonics.h"
 #include "FieldSynthesis.h"
+#include "HalfVector.h"
 #include "WignerD.h"
 #include "vtkEnvironment.h"
 #include "vtkNew.h"
@@ -21,10 +22,10 @@ using measuredbrdf::FieldSynthesis;
 
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
-constexpr int Degree = 24;
-constexpr int Rows = 12;
-constexpr int Columns = 24;
+using measuredbrdf::Pi;
+constexpr int FieldDegree = 24;
+constexpr int FieldRows = 12;
+constexpr int FieldColumns = 24;
 constexpr int Kernels = 5; // times three channels: not a multiple of what is transformed at a time
 
 FieldSynthesis::Kernels MakeKernels()
@@ -32,8 +33,8 @@ FieldSynthesis::Kernels MakeKernels()
   FieldSynthesis::Kernels kernels;
   for (std::size_t channel = 0; channel < 3; ++channel)
   {
-    kernels[channel].resize(Degree + 1, Kernels);
-    for (int l = 0; l <= Degree; ++l)
+    kernels[channel].resize(FieldDegree + 1, Kernels);
+    for (int l = 0; l <= FieldDegree; ++l)
     {
       for (int k = 0; k < Kernels; ++k)
       {
@@ -50,12 +51,12 @@ std::complex<double> Sum(const measuredbrdf::EnvironmentHarmonics& light, int ch
   const FieldSynthesis::Kernels& kernels, int kernel, double theta, double phi)
 {
   std::complex<double> sum = 0.0;
-  std::vector<double> d(Degree + 1);
-  for (int m = -Degree; m <= Degree; ++m)
+  std::vector<double> d(FieldDegree + 1);
+  for (int m = -FieldDegree; m <= FieldDegree; ++m)
   {
-    const measuredbrdf::WignerD functions(m, order, Degree);
+    const measuredbrdf::WignerD functions(m, order, FieldDegree);
     functions.Evaluate(theta, d.data());
-    for (int l = functions.GetFirst(); l <= Degree; ++l)
+    for (int l = functions.GetFirst(); l <= FieldDegree; ++l)
     {
       const std::complex<double> a = light.Get(channel, l, std::abs(m));
       sum += std::polar(1.0, -m * phi) * d[static_cast<std::size_t>(l - functions.GetFirst())] *
@@ -73,13 +74,14 @@ TEST(FieldSynthesis, IsTheSumOverHarmonics)
 {
   vtkNew<vtkEnvironment> hall;
   hall->SetToProceduralHall();
-  const measuredbrdf::EnvironmentHarmonics light(hall, Degree);
+  const measuredbrdf::EnvironmentHarmonics light(hall, FieldDegree);
   const FieldSynthesis::Kernels kernels = MakeKernels();
   for (const std::vector<int>& chosen :
     { std::vector<int>(), std::vector<int>{ 1, 4, 9 }, std::vector<int>{ 3, 8 } })
   {
-    const FieldSynthesis synthesis(light, Rows, Columns, measuredbrdf::MapNodes::Centers, chosen);
-    const int rows = chosen.empty() ? Rows : static_cast<int>(chosen.size());
+    const FieldSynthesis synthesis(
+      light, FieldRows, FieldColumns, measuredbrdf::MapNodes::Centers, chosen);
+    const int rows = chosen.empty() ? FieldRows : static_cast<int>(chosen.size());
     for (const int order : { 0, 1, 2 })
     {
       std::array<FieldSynthesis::Field, 3> fields;
@@ -89,12 +91,12 @@ TEST(FieldSynthesis, IsTheSumOverHarmonics)
         const int channel = k % 3;
         const int kernel = k / 3 % Kernels;
         const int row = k / (3 * Kernels);
-        const int column = (5 * k + 3) % Columns;
+        const int column = (5 * k + 3) % FieldColumns;
         const int at = chosen.empty() ? row : chosen[static_cast<std::size_t>(row)];
         const std::complex<double> expected = Sum(light, channel, order, kernels, kernel,
-          Pi * (at + 0.5) / Rows, 2.0 * Pi * (column + 0.5) / Columns);
+          Pi * (at + 0.5) / FieldRows, 2.0 * Pi * (column + 0.5) / FieldColumns);
         const std::complex<float> value = fields[static_cast<std::size_t>(
-          channel)][static_cast<std::size_t>((kernel * rows + row) * Columns + column)];
+          channel)][static_cast<std::size_t>((kernel * rows + row) * FieldColumns + column)];
         EXPECT_NEAR(value.real(), expected.real(), 2e-4 * (1.0 + std::abs(expected)));
         EXPECT_NEAR(value.imag(), expected.imag(), 2e-4 * (1.0 + std::abs(expected)));
       }

@@ -5,6 +5,7 @@
 #include "ErrorCatcher.h"
 #include "HalfVector.h" // for Pi
 #include "ReflectionGuide.h"
+#include "SharedData.h"
 #include "SpherePairs.h"
 #include "TexelTree.h"
 #include "vtkAdaptiveRadianceIntegrator.h"
@@ -21,8 +22,6 @@ using namespace measuredbrdf;
 
 namespace
 {
-const std::string Data = MEASUREDBRDF_SHARED_DATA;
-
 vtkNew<vtkAdaptiveRadianceIntegrator> NewAdaptive(vtkBRDF* brdf, vtkEnvironment* environment)
 {
   vtkNew<vtkAdaptiveRadianceIntegrator> adaptive;
@@ -248,16 +247,16 @@ TEST(AdaptiveIntegrator, RealMaterials)
   for (const auto& [material, light] : { std::pair("acrylic_felt_white", "studio"),
          { "satin_purple", "interior" }, { "chm_light_blue", "studio" } })
   {
-    const std::string path = Data + "/materials/rgl/" + material + "_rgb.bsdf";
+    const std::string path = SharedData + "/materials/rgl/" + material + "_rgb.bsdf";
     if (!std::ifstream(path).good())
     {
-      GTEST_SKIP() << "no measured data at " << Data;
+      GTEST_SKIP() << "no measured data at " << SharedData;
     }
     vtkNew<vtkBRDFReader> reader;
     reader->SetFileName(path);
     ASSERT_TRUE(reader->Read());
     vtkNew<vtkEnvironmentReader> environment;
-    environment->SetFileName(Data + "/environments/" + light + ".exr");
+    environment->SetFileName(SharedData + "/environments/" + light + ".exr");
     ASSERT_TRUE(environment->Read());
     vtkEnvironment* sky = environment->GetEnvironment();
     const double error = GetLargestError(pairs.Integrate(NewAdaptive(reader->GetBRDF(), sky)),
@@ -276,12 +275,12 @@ TEST(AdaptiveIntegrator, IsNotMisledByChance)
   for (const std::string material : { "satin_purple", "irid_flake_paint2" })
   {
     vtkNew<vtkBRDFReader> reader;
-    reader->SetFileName(Data + "/materials/rgl/" + material + "_rgb.bsdf");
+    reader->SetFileName(SharedData + "/materials/rgl/" + material + "_rgb.bsdf");
     vtkNew<vtkEnvironmentReader> environment;
-    environment->SetFileName(Data + "/environments/studio.exr");
+    environment->SetFileName(SharedData + "/environments/studio.exr");
     if (!std::ifstream(reader->GetFileName()).good())
     {
-      GTEST_SKIP() << "no measured data at " << Data;
+      GTEST_SKIP() << "no measured data at " << SharedData;
     }
     ASSERT_TRUE(reader->Read() && environment->Read());
     const auto adaptive = NewAdaptive(reader->GetBRDF(), environment->GetEnvironment());

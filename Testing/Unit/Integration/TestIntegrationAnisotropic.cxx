@@ -4,6 +4,7 @@
 
 #include "BrushedMetal.h"
 #include "ErrorCatcher.h"
+#include "HalfVector.h"
 #include "SpherePairs.h"
 #include "vtkAdaptiveRadianceIntegrator.h"
 #include "vtkAnisotropicTableRadianceIntegrator.h"
@@ -20,9 +21,9 @@
 
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
+using measuredbrdf::Pi;
 
-vtkNew<vtkAnisotropicTableRadianceIntegrator> NewTable(
+vtkNew<vtkAnisotropicTableRadianceIntegrator> NewAnisotropicTable(
   vtkBRDF* brdf, vtkEnvironment* environment, const std::vector<int>& sizes = {})
 {
   vtkNew<vtkAnisotropicTableRadianceIntegrator> table;
@@ -82,8 +83,8 @@ double GetError(vtkRadianceIntegrator* table, int count = 200)
 TEST(AnisotropicTable, BrushedMetalInTwelveMegabytes)
 {
   const auto environment = NewSmallEnvironment(true);
-  const auto broad = NewTable(NewBrushedMetal(0.2, 0.5), environment, { 25, 8, 20, 8 });
-  const auto medium = NewTable(NewBrushedMetal(0.1, 0.4), environment, { 33, 6, 24, 6 });
+  const auto broad = NewAnisotropicTable(NewBrushedMetal(0.2, 0.5), environment, { 25, 8, 20, 8 });
+  const auto medium = NewAnisotropicTable(NewBrushedMetal(0.1, 0.4), environment, { 33, 6, 24, 6 });
   const double errors[] = { GetError(broad), GetError(medium) };
   std::printf("(0.2, 0.5) %.4f, (0.1, 0.4) %.4f\n", errors[0], errors[1]);
   EXPECT_LT(errors[0], 0.02);
@@ -103,7 +104,7 @@ TEST(AnisotropicTable, Converges)
   for (const std::vector<int>& sizes :
     { std::vector<int>{ 17, 6, 8, 4 }, { 33, 10, 16, 8 }, { 49, 16, 24, 12 } })
   {
-    const double error = GetError(NewTable(brdf, environment, sizes));
+    const double error = GetError(NewAnisotropicTable(brdf, environment, sizes));
     std::printf("%d rows: %.4f\n", sizes[0], error);
     EXPECT_LT(error, 0.7 * before);
     before = error;
@@ -116,7 +117,7 @@ TEST(AnisotropicTable, ClothWithANapHasOnePeriod)
 {
   vtkNew<NapBRDF> nap;
   const auto environment = NewSmallEnvironment(true);
-  const auto table = NewTable(nap, environment, { 25, 8, 12, 16 });
+  const auto table = NewAnisotropicTable(nap, environment, { 25, 8, 12, 16 });
   EXPECT_EQ(table->GetNumberOfPeriods(), 0);
   const double error = GetError(table);
   std::printf("%.4f\n", error);
@@ -134,7 +135,7 @@ TEST(AnisotropicTable, TakesIsotropicMaterials)
   isotropic->SetBRDF(brdf);
   isotropic->SetEnvironment(environment);
   ASSERT_TRUE(isotropic->SetSizes({ 33, 12, 16 }));
-  const auto table = NewTable(brdf, environment, { 33, 12, 16, 8 });
+  const auto table = NewAnisotropicTable(brdf, environment, { 33, 12, 16, 8 });
   const double errors[] = { GetError(isotropic), GetError(table) };
   std::printf("table %.4f, anisotropic %.4f\n", errors[0], errors[1]);
   EXPECT_NEAR(errors[1], errors[0], 0.01);
@@ -171,7 +172,7 @@ TEST(AnisotropicTable, WhiteFurnaceIsTheDirectionalAlbedo)
         expected.push_back(2.0 * albedo);
       }
     }
-    const auto table = NewTable(brdf, environment, { 17, 6, 8, 6 });
+    const auto table = NewAnisotropicTable(brdf, environment, { 17, 6, 8, 6 });
     ASSERT_TRUE(table->Integrate(normals, views, radiance, tangents));
     for (vtkIdType k = 0; k < radiance->GetNumberOfTuples(); ++k)
     {
@@ -188,7 +189,7 @@ TEST(AnisotropicTable, WhiteFurnaceIsTheDirectionalAlbedo)
 TEST(AnisotropicTable, FollowsRotations)
 {
   const auto environment = NewSmallEnvironment(true);
-  const auto table = NewTable(NewBrushedMetal(0.15, 0.5), environment, { 25, 6, 16, 6 });
+  const auto table = NewAnisotropicTable(NewBrushedMetal(0.15, 0.5), environment, { 25, 6, 16, 6 });
   SpherePairs pairs;
   pairs.AddRandom(40);
   vtkNew<vtkDoubleArray> tangents, turned[4], results[3];
@@ -229,11 +230,12 @@ TEST(AnisotropicTable, TakesWhatItIsGiven)
   SpherePairs pairs;
   pairs.AddRandom(20);
   const auto brdf = NewCoated(40.0, 10.0);
-  const auto made = NewTable(brdf, NewSmallEnvironment(true), { 9, 3, 6, 4 });
+  const auto made = NewAnisotropicTable(brdf, NewSmallEnvironment(true), { 9, 3, 6, 4 });
   EXPECT_EQ(made->GetPrepared(), "");
   const auto expected = pairs.Integrate(made);
   const std::string bytes = made->GetPrepared();
-  const auto taker = NewTable(brdf, NewConstantEnvironment(64, 32, 3.0f), { 9, 3, 6, 4 });
+  const auto taker =
+    NewAnisotropicTable(brdf, NewConstantEnvironment(64, 32, 3.0f), { 9, 3, 6, 4 });
   ASSERT_TRUE(taker->TakePrepared(bytes));
   EXPECT_EQ(pairs.Integrate(taker), expected);
   for (const std::string& bad :
@@ -245,14 +247,15 @@ TEST(AnisotropicTable, TakesWhatItIsGiven)
   EXPECT_EQ(pairs.Integrate(taker), expected);
   for (const std::vector<int>& other : { std::vector<int>{ 9, 3, 6, 5 }, { 9, 4, 6, 3 } })
   {
-    EXPECT_FALSE(NewTable(brdf, NewSmallEnvironment(true), other)->TakePrepared(bytes));
+    EXPECT_FALSE(NewAnisotropicTable(brdf, NewSmallEnvironment(true), other)->TakePrepared(bytes));
   }
 }
 
 //------------------------------------------------------------------------------
 TEST(AnisotropicTable, SizesShaderInputsAndErrors)
 {
-  const auto table = NewTable(NewCoated(40.0, 10.0), NewSmallEnvironment(false), { 9, 3, 6, 4 });
+  const auto table =
+    NewAnisotropicTable(NewCoated(40.0, 10.0), NewSmallEnvironment(false), { 9, 3, 6, 4 });
   vtkBRDFShaderInputs form;
   ASSERT_TRUE(table->GetShaderInputs(form));
   ASSERT_EQ(form.Terms.size(), 1u);

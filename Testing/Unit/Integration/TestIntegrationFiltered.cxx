@@ -4,6 +4,7 @@
 
 #include "ErrorCatcher.h"
 #include "HalfVector.h" // for Pi
+#include "SharedData.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBRDFReader.h"
 #include "vtkBRDFShaderInputs.h"
@@ -35,16 +36,14 @@ using measuredbrdf::Pi;
 
 namespace
 {
-const std::string Data = MEASUREDBRDF_SHARED_DATA;
-
 // (normal, view) pairs and their radiance.
-struct Pairs
+struct ViewPairs
 {
   vtkNew<vtkDoubleArray> Normals;
   vtkNew<vtkDoubleArray> Views;
   vtkNew<vtkDoubleArray> Radiance;
 
-  Pairs()
+  ViewPairs()
   {
     for (vtkDoubleArray* array : { this->Normals.Get(), this->Views.Get(), this->Radiance.Get() })
     {
@@ -129,7 +128,7 @@ vtkNew<vtkFilteredRadianceIntegrator> NewFiltered(
   return integrator;
 }
 
-vtkNew<vtkBlinnPhongBRDF> NewGlossy(double exponent)
+vtkNew<vtkBlinnPhongBRDF> NewLobe(double exponent)
 {
   vtkNew<vtkBlinnPhongBRDF> brdf;
   brdf->SetSpecular(0.3, 0.3, 0.3);
@@ -139,7 +138,7 @@ vtkNew<vtkBlinnPhongBRDF> NewGlossy(double exponent)
 
 // Its error at N = 8, 32, 128, 512, printed.
 std::vector<double> GetErrors(const std::string& name, vtkBRDF* brdf, vtkEnvironment* environment,
-  const Pairs& pairs, const std::vector<glm::dvec3>& reference)
+  const ViewPairs& pairs, const std::vector<glm::dvec3>& reference)
 {
   std::vector<double> errors;
   std::printf("%-34s", name.c_str());
@@ -167,13 +166,13 @@ TEST(FilteredIntegrator, WhiteFurnaceIsTheDirectionalAlbedo)
   }
   materials.push_back(vtkSmartPointer<vtkBRDF>(vtkNew<vtkLambertBRDF>()));
   materials.push_back(vtkSmartPointer<vtkBRDF>(vtkNew<vtkDistributionBRDF>()));
-  materials.push_back(vtkSmartPointer<vtkBRDF>(NewGlossy(1.0)));
-  materials.push_back(vtkSmartPointer<vtkBRDF>(NewGlossy(300.0)));
+  materials.push_back(vtkSmartPointer<vtkBRDF>(NewLobe(1.0)));
+  materials.push_back(vtkSmartPointer<vtkBRDF>(NewLobe(300.0)));
   double worst = 0.0;
   for (vtkBRDF* brdf : materials)
   {
     ASSERT_TRUE(brdf);
-    Pairs pairs;
+    ViewPairs pairs;
     std::vector<glm::dvec3> expected;
     for (const double degrees : { 0.0, 17.0, 41.0, 63.0, 78.0, 85.0, 88.0 })
     {
@@ -207,7 +206,7 @@ class FilteredReference : public testing::TestWithParam<bool>
 TEST_P(FilteredReference, Converges)
 {
   std::printf("Relative L1 error against the exact sum\n");
-  Pairs pairs;
+  ViewPairs pairs;
   pairs.AddRandom(16);
   vtkNew<vtkAshikhminShirleyBRDF> ashikhminShirley;
   ashikhminShirley->SetExponents(50.0, 50.0);
@@ -216,8 +215,8 @@ TEST_P(FilteredReference, Converges)
   {
     const char* Name;
     vtkSmartPointer<vtkBRDF> BRDF;
-  } const materials[] = { { "Blinn-Phong 20", NewGlossy(20.0).Get() },
-    { "Blinn-Phong 100", NewGlossy(100.0).Get() }, { "Blinn-Phong 500", NewGlossy(500.0).Get() },
+  } const materials[] = { { "Blinn-Phong 20", NewLobe(20.0).Get() },
+    { "Blinn-Phong 100", NewLobe(100.0).Get() }, { "Blinn-Phong 500", NewLobe(500.0).Get() },
     { "Ashikhmin-Shirley 50", ashikhminShirley.Get() } };
   const bool hall = GetParam();
   vtkNew<vtkEnvironment> environment;
@@ -254,21 +253,21 @@ class FilteredMeasured : public testing::TestWithParam<const char*>
 
 TEST_P(FilteredMeasured, TwelvePairs)
 {
-  if (!std::ifstream(Data + "/expected/satin_purple.studio.csv"))
+  if (!std::ifstream(SharedData + "/expected/satin_purple.studio.csv"))
   {
-    GTEST_SKIP() << "no measured data at " << Data;
+    GTEST_SKIP() << "no measured data at " << SharedData;
   }
   const std::string light = GetParam();
   vtkNew<vtkEnvironmentReader> environment;
-  environment->SetFileName(Data + "/environments/" + light + ".exr");
+  environment->SetFileName(SharedData + "/environments/" + light + ".exr");
   ASSERT_TRUE(environment->Read()) << environment->GetErrorMessage();
   for (const std::string material : { "chm_light_blue", "cc_ibiza_sunset", "satin_purple" })
   {
     vtkNew<vtkBRDFReader> reader;
-    reader->SetFileName(Data + "/materials/rgl/" + material + "_rgb.bsdf");
+    reader->SetFileName(SharedData + "/materials/rgl/" + material + "_rgb.bsdf");
     ASSERT_TRUE(reader->Read()) << reader->GetErrorMessage();
-    std::ifstream file(Data + "/expected/" + material + "." + light + ".csv");
-    Pairs pairs;
+    std::ifstream file(SharedData + "/expected/" + material + "." + light + ".csv");
+    ViewPairs pairs;
     std::vector<glm::dvec3> expected;
     for (std::string line; std::getline(file, line);)
     {
@@ -296,7 +295,7 @@ INSTANTIATE_TEST_SUITE_P(RGL, FilteredMeasured, testing::Values("studio", "inter
 // Its sun is 2e5 times the mean and above half float's range.
 TEST(FilteredIntegrator, RealSun)
 {
-  const std::string name = Data + "/environments/pmndrs_sunrise.hdr";
+  const std::string name = SharedData + "/environments/pmndrs_sunrise.hdr";
   if (!std::ifstream(name))
   {
     GTEST_SKIP() << "no " << name;
@@ -305,11 +304,11 @@ TEST(FilteredIntegrator, RealSun)
   reader->SetFileName(name);
   ASSERT_TRUE(reader->Read());
   vtkEnvironment* environment = reader->GetEnvironment();
-  Pairs pairs;
+  ViewPairs pairs;
   pairs.AddRandom(25);
   for (const double exponent : { 20.0, 200.0 })
   {
-    const auto brdf = NewGlossy(exponent);
+    const auto brdf = NewLobe(exponent);
     vtkNew<vtkExactRadianceIntegrator> exact;
     exact->SetBRDF(brdf);
     exact->SetEnvironment(environment);
@@ -343,7 +342,7 @@ TEST(FilteredIntegrator, ConstantEnvironments)
 {
   vtkNew<vtkLambertBRDF> brdf;
   brdf->SetAlbedo(0.5, 0.25, 0.125);
-  Pairs pairs;
+  ViewPairs pairs;
   pairs.AddRandom(300);
   const int sizes[4][2] = { { 1, 1 }, { 8, 4 }, { 37, 18 }, { 256, 128 } };
   for (const auto& size : sizes)
@@ -374,7 +373,7 @@ TEST(FilteredIntegrator, CoarsestLevelIsTheMean)
   environment->SetToProceduralHall();
   vtkNew<vtkLambertBRDF> brdf;
   brdf->SetAlbedo(1.0, 1.0, 1.0);
-  Pairs pairs;
+  ViewPairs pairs;
   pairs.AddRandom(20);
   const auto filtered = NewFiltered(brdf, environment, 8);
   filtered->SetLevelBias(4.0);
@@ -414,7 +413,7 @@ TEST(FilteredIntegrator, MirrorShowsTheEnvironment)
   vtkNew<vtkAshikhminShirleyBRDF> mirror;
   mirror->SetExponents(1e5, 1e5);
   mirror->SetReflectance(1.0, 1.0, 1.0);
-  Pairs pairs;
+  ViewPairs pairs;
   pairs.AddRandom(500);
   const auto radiance = pairs.Integrate(NewFiltered(mirror, environment));
   for (int k = 0; k < 500; ++k)
@@ -439,9 +438,9 @@ TEST(FilteredIntegrator, RotatingEverythingChangesNothing)
 {
   vtkNew<vtkEnvironment> environment;
   environment->SetToProceduralHall();
-  const auto brdf = NewGlossy(60.0);
+  const auto brdf = NewLobe(60.0);
   const auto filtered = NewFiltered(brdf, environment);
-  Pairs pairs;
+  ViewPairs pairs;
   pairs.AddRandom(25);
   const auto before = pairs.Integrate(filtered);
 
@@ -454,7 +453,7 @@ TEST(FilteredIntegrator, RotatingEverythingChangesNothing)
     rows[k] = rotation[k / 3][k % 3];
   }
   environment->SetWorldToEnvironment(rows);
-  Pairs rotated;
+  ViewPairs rotated;
   for (int k = 0; k < 25; ++k)
   {
     glm::dvec3 n, v;
@@ -469,10 +468,10 @@ TEST(FilteredIntegrator, RotatingEverythingChangesNothing)
 //------------------------------------------------------------------------------
 TEST(FilteredIntegrator, FollowsItsInputs)
 {
-  const auto brdf = NewGlossy(60.0);
+  const auto brdf = NewLobe(60.0);
   const auto environment = NewConstant(16, 8, 1.0f);
   const auto filtered = NewFiltered(brdf, environment);
-  Pairs pairs;
+  ViewPairs pairs;
   pairs.AddRandom(3);
   const double first = pairs.Integrate(filtered)[0].x;
   brdf->SetSpecular(0.6, 0.6, 0.6);

@@ -11,6 +11,7 @@
 #include "LobeSampler.h"
 #include "MaterialPrecomputation.h"
 #include "PlanReference.h"
+#include "SharedData.h"
 #include "SpherePairs.h"
 #include "vtkAdaptiveRadianceIntegrator.h"
 #include "vtkAnisotropicTableRadianceIntegrator.h"
@@ -37,8 +38,6 @@ using namespace measuredbrdf;
 
 namespace
 {
-const std::string Data = MEASUREDBRDF_SHARED_DATA;
-
 // A clear coat's mirror-like lobe over a matte base.
 vtkNew<vtkAshikhminShirleyBRDF> NewCoated(double exponent)
 {
@@ -444,16 +443,16 @@ TEST(HybridIntegrator, TakesTheTableThatItIsGiven)
 //------------------------------------------------------------------------------
 TEST(HybridIntegrator, RealSun)
 {
-  if (!std::ifstream(Data + "/environments/pmndrs_sunrise.hdr") ||
-      !std::ifstream(Data + "/materials/rgl/chm_light_blue_rgb.bsdf"))
+  if (!std::ifstream(SharedData + "/environments/pmndrs_sunrise.hdr") ||
+      !std::ifstream(SharedData + "/materials/rgl/chm_light_blue_rgb.bsdf"))
   {
-    GTEST_SKIP() << "no pmndrs_sunrise.hdr or chm_light_blue_rgb.bsdf at " << Data;
+    GTEST_SKIP() << "no pmndrs_sunrise.hdr or chm_light_blue_rgb.bsdf at " << SharedData;
   }
   vtkNew<vtkEnvironmentReader> reader;
-  reader->SetFileName(Data + "/environments/pmndrs_sunrise.hdr");
+  reader->SetFileName(SharedData + "/environments/pmndrs_sunrise.hdr");
   ASSERT_TRUE(reader->Read());
   vtkNew<vtkBRDFReader> material;
-  material->SetFileName(Data + "/materials/rgl/chm_light_blue_rgb.bsdf");
+  material->SetFileName(SharedData + "/materials/rgl/chm_light_blue_rgb.bsdf");
   ASSERT_TRUE(material->Read());
   SpherePairs pairs;
   pairs.AddRandom(12);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Measured materials under real environments against figures computed with the RGL authors' own
 // evaluation code.
+#include "SharedData.h"
+
 #include "vtkBRDFReader.h"
 #include "vtkDoubleArray.h"
 #include "vtkEnvironmentReader.h"
@@ -19,8 +21,6 @@
 
 namespace
 {
-const std::string Data = MEASUREDBRDF_SHARED_DATA;
-
 // Rows of nx,ny,nz,vx,vy,vz,r,g,b below a line of names; # starts a remark.
 bool ReadExpected(
   const std::string& name, vtkDoubleArray* normals, vtkDoubleArray* views, vtkDoubleArray* radiance)
@@ -59,15 +59,15 @@ TEST_P(ExactReference, MeasuredMaterial)
     array->SetNumberOfComponents(3);
   }
   if (!ReadExpected(
-        Data + "/expected/" + material + "." + light + ".csv", normals, views, expected))
+        SharedData + "/expected/" + material + "." + light + ".csv", normals, views, expected))
   {
-    GTEST_SKIP() << "no measured data at " << Data;
+    GTEST_SKIP() << "no measured data at " << SharedData;
   }
   vtkNew<vtkBRDFReader> reader;
-  reader->SetFileName(Data + "/materials/rgl/" + material + "_rgb.bsdf");
+  reader->SetFileName(SharedData + "/materials/rgl/" + material + "_rgb.bsdf");
   ASSERT_TRUE(reader->Read()) << reader->GetErrorMessage();
   vtkNew<vtkEnvironmentReader> environment;
-  environment->SetFileName(Data + "/environments/" + light + ".exr");
+  environment->SetFileName(SharedData + "/environments/" + light + ".exr");
   ASSERT_TRUE(environment->Read()) << environment->GetErrorMessage();
 
   vtkNew<vtkExactRadianceIntegrator> integrator;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is stored for linear interpolation: the spline of least squared error.
 
+#include "HalfVector.h"
 #include "LinearSpline.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +15,7 @@ using measuredbrdf::GetLinearSplineGain;
 
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
+using measuredbrdf::Pi;
 
 // Mean squared error of gain cos(2 pi periods x) at so many nodes a turn, interpolated linearly.
 double GetSquaredError(int nodes, int periods, double gain)

@@ -5,6 +5,7 @@
 #include "ErrorCatcher.h"
 #include "HalfVector.h" // for Pi
 #include "NeedsLibrary.h"
+#include "SharedData.h"
 #include "SpherePairs.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBRDFReader.h"
@@ -37,8 +38,6 @@ using measuredbrdf::Pi;
 
 namespace
 {
-const std::string Data = MEASUREDBRDF_SHARED_DATA;
-
 vtkNew<vtkTableRadianceIntegrator> NewTable(
   vtkBRDF* brdf, vtkEnvironment* environment, int rows = 17, int angles = 8, int azimuths = 8)
 {
@@ -70,11 +69,11 @@ vtkNew<vtkAshikhminShirleyBRDF> NewHybrid(double exponent)
 vtkSmartPointer<vtkBRDF> ReadMaterial(const std::string& name)
 {
   vtkNew<vtkBRDFReader> reader;
-  reader->SetFileName(Data + "/materials/rgl/" + name + "_rgb.bsdf");
+  reader->SetFileName(SharedData + "/materials/rgl/" + name + "_rgb.bsdf");
   return reader->Read() ? reader->GetBRDF() : nullptr;
 }
 
-bool HasData() { return std::ifstream(Data + "/materials/rgl/cardboard_rgb.bsdf").good(); }
+bool HasData() { return std::ifstream(SharedData + "/materials/rgl/cardboard_rgb.bsdf").good(); }
 
 // Counts progress events, checks that they rise to 1, may abort at the first.
 struct ProgressWatch
@@ -237,11 +236,11 @@ TEST_P(TableMeasured, RealMaterials)
 {
   if (!HasData())
   {
-    GTEST_SKIP() << "no measured files at " << Data;
+    GTEST_SKIP() << "no measured files at " << SharedData;
   }
   const std::string light = GetParam();
   vtkNew<vtkEnvironmentReader> environment;
-  environment->SetFileName(Data + "/environments/" + light + ".exr");
+  environment->SetFileName(SharedData + "/environments/" + light + ".exr");
   ASSERT_TRUE(environment->Read());
   for (const char* name : { "acrylic_felt_white", "cardboard", "satin_purple" })
   {
@@ -404,7 +403,7 @@ TEST(TableIntegrator, MeasuredMaterialsSeenAlongTheNormal)
     auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF(name));
     if (!brdf && !HasData())
     {
-      GTEST_SKIP() << "no measured files at " << Data << "; the embedded one passed";
+      GTEST_SKIP() << "no measured files at " << SharedData << "; the embedded one passed";
     }
     brdf = brdf ? brdf : ReadMaterial(name);
     ASSERT_TRUE(brdf);
@@ -509,12 +508,12 @@ TEST(TableIntegrator, Suns)
 //------------------------------------------------------------------------------
 TEST(TableIntegrator, RealSun)
 {
-  if (!std::ifstream(Data + "/environments/pmndrs_sunrise.hdr"))
+  if (!std::ifstream(SharedData + "/environments/pmndrs_sunrise.hdr"))
   {
-    GTEST_SKIP() << "no pmndrs_sunrise.hdr at " << Data;
+    GTEST_SKIP() << "no pmndrs_sunrise.hdr at " << SharedData;
   }
   vtkNew<vtkEnvironmentReader> reader;
-  reader->SetFileName(Data + "/environments/pmndrs_sunrise.hdr");
+  reader->SetFileName(SharedData + "/environments/pmndrs_sunrise.hdr");
   ASSERT_TRUE(reader->Read());
   SpherePairs few;
   few.AddRandom(12);

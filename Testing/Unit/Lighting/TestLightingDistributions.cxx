@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Distribution.h"
 #include "LowDiscrepancy.h"
+#include "RandomLight.h"
 #include "SummedAreaTable.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +17,6 @@ using measuredbrdf::SummedAreaTable;
 
 namespace
 {
-double Uniform(std::mt19937& engine) { return engine() * 0x1p-32; }
 } // namespace
 
 //------------------------------------------------------------------------------

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ErrorCatcher.h"
 #include "HalfVector.h" // for Pi
+#include "RandomLight.h"
 #include "vtkDataArray.h"
 #include "vtkEnvironment.h"
 #include "vtkImportanceLightSetGenerator.h"
@@ -25,18 +26,6 @@ using measuredbrdf::Pi;
 namespace
 {
 using Color = std::array<double, 3>;
-
-// Values over five decades.
-void SetRandom(vtkEnvironment* environment, int width, int height, unsigned int seed = 1)
-{
-  std::mt19937 engine(seed);
-  std::vector<float> rgb(3 * std::size_t(width) * height);
-  for (float& value : rgb)
-  {
-    value = static_cast<float>(std::exp(12.0 * engine() * 0x1p-32 - 8.0));
-  }
-  ASSERT_TRUE(environment->SetPixels(width, height, rgb));
-}
 
 // Black but for one texel.
 void SetSingle(vtkEnvironment* environment, int width, int height, int x, int y, Color color,

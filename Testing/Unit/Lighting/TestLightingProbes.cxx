@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ErrorCatcher.h"
 #include "HalfVector.h" // for Pi
+#include "RandomLight.h"
 #include "vtkBlinnPhongBRDF.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
@@ -64,8 +65,6 @@ Size GetSize(int projection, int rows)
       return { disc, disc };
   }
 }
-
-double Uniform(std::mt19937& engine) { return engine() * 0x1p-32; }
 
 Direction DrawDirection(std::mt19937& engine)
 {
@@ -140,7 +139,7 @@ std::vector<float> Project(vtkEnvironment* environment, int projection, const Si
 }
 
 // Texel by texel, whatever is between them.
-double GetTotal(vtkEnvironment* environment)
+double GetTotalOfTexels(vtkEnvironment* environment)
 {
   double total = 0.0;
   for (int y = 0; y < environment->GetHeight(); ++y)
@@ -209,7 +208,7 @@ vtkSmartPointer<vtkEnvironment> ReadStudio()
   vtkEnvironment* whole = reader->GetEnvironment();
   const auto half =
     Convert(P::LAT_LONG, { whole->GetWidth(), whole->GetHeight() }, whole->GetPixels(), 256);
-  EXPECT_NEAR(GetTotal(half) / GetTotal(whole), 1.0, 1e-6);
+  EXPECT_NEAR(GetTotalOfTexels(half) / GetTotalOfTexels(whole), 1.0, 1e-6);
   return half;
 }
 } // namespace
@@ -540,7 +539,7 @@ TEST(Probes, EnergyIsKept)
         vtkNew<vtkEnvironment> environment;
         ASSERT_TRUE(environment->SetPixels(2 * rows, rows, rgb));
         const std::vector<float> probe = Project(environment, projection, size);
-        const double expected = GetTotal(environment);
+        const double expected = GetTotalOfTexels(environment);
         const double out = std::abs(GetProbeTotal(projection, size, probe) / expected - 1.0);
         (run == 0 ? worst : worstSingle) = std::max(run == 0 ? worst : worstSingle, out);
       }
@@ -577,7 +576,7 @@ TEST(Probes, EnergyIsKept)
         }
         const auto environment = Convert(projection, size, rgb, rows);
         const double expected = GetProbeTotal(projection, size, rgb);
-        const double in = std::abs(GetTotal(environment) / expected - 1.0);
+        const double in = std::abs(GetTotalOfTexels(environment) / expected - 1.0);
         (run == 0 ? worst : worstSingle) = std::max(run == 0 ? worst : worstSingle, in);
       }
     }
@@ -660,7 +659,7 @@ TEST(Probes, RoundTripOfASmoothMap)
     }
     const auto back = Convert(projection, size, probe, rows);
     const double error = GetRelativeL1(back, original);
-    const double energy = std::abs(GetTotal(back) / GetTotal(original) - 1.0);
+    const double energy = std::abs(GetTotalOfTexels(back) / GetTotalOfTexels(original) - 1.0);
     std::cout << name << " " << size.Width << " x " << size.Height << ": largest error of a texel "
               << worst << "; back: relative L1 " << error << ", energy " << energy << "\n";
     EXPECT_LT(worst, 0.1) << name;
@@ -694,7 +693,7 @@ TEST(Probes, RoundTripOfAPhotograph)
       const std::vector<float> probe = Project(studio, projection, size);
       const auto back = Convert(projection, size, probe, 256);
       const double error = GetRelativeL1(back, studio);
-      const double energy = std::abs(GetTotal(back) / GetTotal(studio) - 1.0);
+      const double energy = std::abs(GetTotalOfTexels(back) / GetTotalOfTexels(studio) - 1.0);
       std::cout << name << " " << size.Width << " x " << size.Height << ": relative L1 " << error
                 << ", energy " << energy << "\n";
       RecordProperty(name + " " + std::to_string(rows) + " L1", std::to_string(error));

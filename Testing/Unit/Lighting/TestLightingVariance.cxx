@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ErrorCatcher.h"
 #include "HalfVector.h" // for Pi
+#include "RandomLight.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBRDFResampler.h"
 #include "vtkBlinnPhongBRDF.h"
@@ -59,18 +60,6 @@ std::vector<Light> GetLights(vtkLightSet* lights)
   }
   std::sort(all.begin(), all.end());
   return all;
-}
-
-// Values over five decades.
-void SetRandom(vtkEnvironment* environment, int width, int height, unsigned int seed = 1)
-{
-  std::mt19937 engine(seed);
-  std::vector<float> rgb(3 * std::size_t(width) * height);
-  for (float& value : rgb)
-  {
-    value = static_cast<float>(std::exp(12.0 * engine() * 0x1p-32 - 8.0));
-  }
-  ASSERT_TRUE(environment->SetPixels(width, height, rgb));
 }
 
 // One bright texel before a background.

@@ -6,6 +6,7 @@
 #include "BrushedMetal.h"
 #include "ErrorCatcher.h"
 
+#include "TestDirections.h"
 #include "vtkAngleBasisBRDF.h"
 #include "vtkAnisotropicTabulatedBRDF.h"
 #include "vtkBRDFResampler.h"
@@ -21,13 +22,6 @@
 
 namespace
 {
-glm::dvec3 Evaluate(vtkBRDF* brdf, const glm::dvec3& i, const glm::dvec3& o)
-{
-  glm::dvec3 f;
-  brdf->Evaluate(&i.x, &o.x, &f.x);
-  return f;
-}
-
 glm::dvec3 DrawDirection(std::mt19937& random)
 {
   std::uniform_real_distribution<double> uniform(0.0, 1.0);

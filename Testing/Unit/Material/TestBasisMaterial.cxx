@@ -19,7 +19,6 @@ using namespace testbasis;
 
 namespace
 {
-constexpr double Zone[2] = { 9.0, 57.0 };
 constexpr double Hemisphere[2] = { 0.0, 90.0 };
 
 /// Largest entry of the Gram matrix minus the identity, over the basis's domain.

@@ -3,6 +3,8 @@
 // The material room against closed forms, the papers' formulas and its own sampling contract.
 
 #include "ErrorCatcher.h"
+#include "HalfVector.h"
+#include "TestDirections.h"
 #include "vtkAdaptiveWarpBRDF.h"
 #include "vtkAngleBasisBRDF.h"
 #include "vtkAngularTableBRDF.h"
@@ -38,19 +40,7 @@
 
 namespace
 {
-const double Pi = 3.141592653589793;
-
-glm::dvec3 FromAngles(double theta, double phi)
-{
-  return { std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta) };
-}
-
-glm::dvec3 Evaluate(vtkBRDF* brdf, const glm::dvec3& i, const glm::dvec3& o)
-{
-  glm::dvec3 f;
-  brdf->Evaluate(&i.x, &o.x, &f.x);
-  return f;
-}
+using measuredbrdf::Pi;
 
 /// An RGL-like material on small tables: a rough lobe, slightly asymmetric.
 vtkSmartPointer<vtkAdaptiveWarpBRDF> MakeAdaptiveWarp()

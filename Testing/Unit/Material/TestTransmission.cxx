@@ -4,6 +4,7 @@
 
 #include "ErrorCatcher.h"
 
+#include "HalfVector.h"
 #include "vtkAngleBasisBRDF.h"
 #include "vtkBTDF.h"
 #include "vtkLambertBRDF.h"
@@ -18,7 +19,7 @@
 
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
+using measuredbrdf::Pi;
 
 vtkSmartPointer<vtkLambertBRDF> MakeDiffuse(double albedo)
 {

@@ -10,6 +10,9 @@
 
 #include <string>
 
+/// What the reader calls the format.
+const std::string BsdfXmlFormat = "BSDF XML";
+
 inline std::string MakeBsdfXmlBlock(
   const std::string& wavelength, const std::string& direction, double first, double step = 0.01)
 {

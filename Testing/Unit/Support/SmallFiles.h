@@ -10,6 +10,7 @@
 
 #include "vtkAdaptiveWarpBRDF.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -101,6 +102,13 @@ struct TensorField
   std::vector<std::uint64_t> Shape;
   std::string Data;
 };
+
+/// The field of this name, which must be there.
+inline TensorField& FieldOf(std::vector<TensorField>& fields, const std::string& name)
+{
+  return *std::find_if(
+    fields.begin(), fields.end(), [&](const TensorField& f) { return f.Name == name; });
+}
 
 inline std::vector<TensorField> MakeTensorFields(const vtkAdaptiveWarpBRDF::Tables& tables)
 {

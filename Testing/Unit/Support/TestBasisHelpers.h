@@ -9,6 +9,9 @@
 #ifndef TestBasisHelpers_h
 #define TestBasisHelpers_h
 
+#include "HalfVector.h"
+
+#include "TestDirections.h"
 #include "vtkBRDF.h"
 #include "vtkBasisBRDF.h"
 #include "vtkObjectFactory.h"
@@ -25,26 +28,14 @@
 
 namespace testbasis
 {
-const double Pi = 3.141592653589793;
+using measuredbrdf::Pi;
+constexpr double Zone[2] = { 9.0, 57.0 }; // degrees, of the thesis
 
 inline double ToRadians(double degrees) { return degrees * Pi / 180.0; }
-
-/// Angles in radians.
-inline glm::dvec3 FromAngles(double theta, double phi)
-{
-  return { std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta) };
-}
 
 inline glm::dvec3 FromCosine(double cosine, double phi)
 {
   return FromAngles(std::acos(cosine), phi);
-}
-
-inline glm::dvec3 Evaluate(vtkBRDF* brdf, const glm::dvec3& i, const glm::dvec3& o)
-{
-  glm::dvec3 f;
-  brdf->Evaluate(&i.x, &o.x, &f.x);
-  return f;
 }
 
 inline glm::dvec3 EvaluateSigned(vtkBasisBRDF* brdf, const glm::dvec3& i, const glm::dvec3& o)

@@ -8,6 +8,7 @@
 #ifndef TestIOHelpers_h
 #define TestIOHelpers_h
 
+#include "SharedData.h"
 #include "SmallFiles.h"
 #include "TestFolder.h"
 
@@ -46,6 +47,14 @@ inline void WriteBytes(const std::string& path, const std::string& bytes)
   std::error_code error;
   std::filesystem::remove(path, error);
   std::ofstream(path, std::ios::binary).write(bytes.data(), std::streamsize(bytes.size()));
+}
+
+/// The text with the first `old` in it replaced, which must be there.
+inline std::string Replace(std::string text, const std::string& old, const std::string& with)
+{
+  const std::size_t at = text.find(old);
+  EXPECT_NE(at, std::string::npos) << old;
+  return at == std::string::npos ? text : text.replace(at, old.size(), with);
 }
 
 inline std::string ReadBytes(const std::string& path)

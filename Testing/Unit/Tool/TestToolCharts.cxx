@@ -15,7 +15,7 @@
 
 namespace
 {
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 }
 
@@ -23,7 +23,8 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 TEST(ParetoFront, KnownPoints)
 {
   const std::vector<tool::CostPoint> points = { { 10.0, 1.0 }, { 1.0, 10.0 }, { 5.0, 5.0 },
-    { 6.0, 5.0 }, { 5.0, 6.0 }, { NaN, 0.0 }, { 0.0, Infinity }, { 20.0, 1.0 }, { 10.0, 1.0 } };
+    { 6.0, 5.0 }, { 5.0, 6.0 }, { NotANumber, 0.0 }, { 0.0, Infinity }, { 20.0, 1.0 },
+    { 10.0, 1.0 } };
   EXPECT_EQ(tool::FindFront(points), (std::vector<std::size_t>{ 1, 2, 0 }));
   EXPECT_TRUE(tool::FindFront({}).empty());
 }
@@ -58,7 +59,7 @@ TEST(ParetoFront, AgreesWithItsDefinition)
 TEST(ParetoFront, CostAtAnError)
 {
   const std::vector<tool::CostPoint> points = { { 10.0, 1.0 }, { 2.0, 4.0 }, { 3.0, 3.0 },
-    { NaN, 0.1 } };
+    { NotANumber, 0.1 } };
   EXPECT_DOUBLE_EQ(tool::GetFrontCost(points, 5.0), 2.0);
   EXPECT_DOUBLE_EQ(tool::GetFrontCost(points, 3.0), 3.0);
   EXPECT_DOUBLE_EQ(tool::GetFrontCost(points, 2.9), 10.0);

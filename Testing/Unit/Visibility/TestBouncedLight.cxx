@@ -3,8 +3,10 @@
 // One bounce of what is hidden: its code, and what vtkSurfaceVisibilityFilter finds, against traced
 // light.
 #include "BouncedLight.h"
+#include "HalfVector.h"
 #include "HiddenSky.h"
 #include "SkyHarmonics.h"
+#include "TraceSurface.h"
 #include "VisibilityArrays.h"
 #include "vtkSurfaceVisibilityFilter.h"
 
@@ -39,7 +41,7 @@ namespace sky = measuredbrdf::sky;
 
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
+using measuredbrdf::Pi;
 
 // A hollow that is open upwards and lit inside, points and normals within.
 vtkSmartPointer<vtkPolyData> MakeHollow(double endPhi)
@@ -80,13 +82,6 @@ HiddenSky::Code GetCode(vtkPolyData* surface, vtkIdType point)
   side.Sky = GetBytes(surface, vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName());
   side.Light = GetBytes(surface, vtkSurfaceVisibilityFilter::GetHiddenLightArrayName());
   return side.Get(point);
-}
-
-vtkPolyData* Trace(vtkSurfaceVisibilityFilter* filter, vtkDataObject* input)
-{
-  filter->SetInputDataObject(input);
-  filter->Update();
-  return vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0));
 }
 
 bool AreEqual(vtkUnsignedCharArray* a, vtkUnsignedCharArray* b)

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Codes of hidden skies against closed forms.
+#include "HalfVector.h"
 #include "HiddenSky.h"
 #include "LocalFrame.h"
 
@@ -18,7 +19,7 @@ namespace
 using measuredbrdf::HiddenSky;
 namespace sky = measuredbrdf::sky;
 
-constexpr double Pi = 3.14159265358979323846;
+using measuredbrdf::Pi;
 
 glm::dvec3 RandomDirection(std::mt19937& generator)
 {

@@ -3,6 +3,7 @@
 // vtkSurfaceVisibilityFilter where methods of occlusion tend to break: slits, contacts, occluders
 // that move. Closed forms throughout.
 #include "HiddenSky.h"
+#include "TraceSurface.h"
 #include "vtkSurfaceVisibilityFilter.h"
 
 #include "vtkCellArray.h"
@@ -45,13 +46,6 @@ double GetHidden(vtkPolyData* traced, vtkIdType point, const std::string& suffix
                 ->GetPointer(point * HiddenSky::TransferBytes),
     HiddenSky::TransferBytes, code.begin() + HiddenSky::SectorBytes);
   return HiddenSky(code).GetHiddenCosine();
-}
-
-vtkPolyData* Trace(vtkSurfaceVisibilityFilter* filter, vtkPolyData* input)
-{
-  filter->SetInputDataObject(input);
-  filter->Update();
-  return vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0));
 }
 
 // Triangles about some points of a plane z = 0, so that each has its own place.

@@ -3,6 +3,7 @@
 // vtkSurfaceVisibilityFilter: what it finds, keeps, and survives.
 #include "HiddenSky.h"
 #include "SurfacePoints.h"
+#include "TraceSurface.h"
 #include "vtkSurfaceVisibilityFilter.h"
 
 #include "vtkCallbackCommand.h"
@@ -79,13 +80,6 @@ HiddenSky GetSky(vtkPolyData* surface, vtkIdType point, const std::string& suffi
                 ->GetPointer(point * HiddenSky::TransferBytes),
     HiddenSky::TransferBytes, code.begin() + HiddenSky::SectorBytes);
   return HiddenSky(code);
-}
-
-vtkPolyData* Trace(vtkSurfaceVisibilityFilter* filter, vtkDataObject* input)
-{
-  filter->SetInputDataObject(input);
-  filter->Update();
-  return vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0));
 }
 
 bool AreEqual(vtkPolyData* a, vtkPolyData* b)
