@@ -42,7 +42,7 @@ constexpr double LargestGrowth = 1.0; // MB
 void RunEnvironmentSizes(Context& context)
 {
   const std::vector<std::pair<int, int>> sizes =
-    context.Short ? std::vector<std::pair<int, int>>{ { 1, 1 }, { 2, 1 }, { 3, 5 }, { 512, 256 } }
+    context.Short ? std::vector<std::pair<int, int>>{ { 1, 1 }, { 3, 5 }, { 256, 128 } }
                   : std::vector<std::pair<int, int>>{ { 1, 1 }, { 2, 1 }, { 1, 64 }, { 3, 5 },
                       { 64, 32 }, { 1024, 512 }, { 8192, 4096 } };
   const vtkSmartPointer<vtkBRDF> brdf = context.Choose(MakePlastic(20.0));

@@ -72,7 +72,8 @@ Pairs Move(const Pairs& pairs, const std::function<Vector(const Vector&)>& norma
 }
 
 //------------------------------------------------------------------------------
-std::vector<Motion> GetMotions(const Pairs& sphere)
+// Steps of 0.1 degree are left out where few motions are wanted.
+std::vector<Motion> GetMotions(const Pairs& sphere, bool isShort)
 {
   const auto same = [](const Vector& v) { return v; };
   const auto still = [](int) { return 0.0; };
@@ -85,7 +86,7 @@ std::vector<Motion> GetMotions(const Pairs& sphere)
         [](const Vector&, const Vector& v) { return v; });
     };
   };
-  return {
+  std::vector<Motion> motions = {
     { "environment by 0.1 degree", [](int t) { return 0.1 * t; },
       [sphere](int) { return sphere; } },
     { "environment by 1 degree", [](int t) { return 1.0 * t; }, [sphere](int) { return sphere; } },
@@ -113,6 +114,14 @@ std::vector<Motion> GetMotions(const Pairs& sphere)
           });
       } },
   };
+  if (isShort)
+  {
+    motions.erase(
+      std::remove_if(motions.begin(), motions.end(),
+        [](const Motion& motion) { return motion.Name.find("0.1 degree") != std::string::npos; }),
+      motions.end());
+  }
+  return motions;
 }
 
 //------------------------------------------------------------------------------
@@ -158,17 +167,22 @@ void RunMotion(Context& context)
 {
   const int count = context.Short ? 4 : 9;
   const int width = 128;
-  const std::vector<Motion> motions = GetMotions(MakeSpherePairs(context.Short ? 100 : 250));
+  const std::vector<Motion> motions =
+    GetMotions(MakeSpherePairs(context.Short ? 100 : 250), context.Short);
   struct Scene
   {
     std::string Name;
     vtkSmartPointer<vtkBRDF> BRDF;
     vtkSmartPointer<vtkEnvironment> Environment;
   };
-  const std::vector<Scene> scenes = { { "sky, exponent 50", context.Choose(MakePlastic(50.0)),
-                                        context.MakeEnvironment("sky", width) },
+  std::vector<Scene> scenes = { { "sky, exponent 50", context.Choose(MakePlastic(50.0)),
+                                  context.MakeEnvironment("sky", width) },
     { "low sun, exponent 50", MakePlastic(50.0), MakeLowSun(width) },
     { "sky, exponent 300", MakePlastic(300.0), context.MakeEnvironment("sky", width) } };
+  if (context.Short) // `remade` and `rendered-motion` have the first scene, too
+  {
+    scenes.erase(scenes.begin());
+  }
   for (const Scene& scene : scenes)
   {
     std::vector<Frames> references;
