@@ -109,8 +109,9 @@ struct vtkMeasuredMaterialRepresentation::Internals
   bool Background = true;
   int Occlusion = vtkMeasuredBRDFMapper::OCCLUSION_AUTO;
   bool Bounce = false;
-  bool IsLeftOut = false;           // since this process has a part of the surface only
-  bool HasWarned = false;           // of that
+  int Parts = 0;                    // of the surface, on all of several processes
+  int TracedParts = 0;              // those that have Surface Visibility's arrays
+  bool HasWarned = false;           // of the others
   bool IsModeled = false;           // what "Auto" said of the last picture
   vtkMTimeType OcclusionTime = 0;   // of that picture's data
   std::string NormalArray = "None"; // of the superclass's property
@@ -212,6 +213,30 @@ struct vtkMeasuredMaterialRepresentation::Internals
                           ", expected a path such as /Root/Block.");
       }
     }
+  }
+
+  // Each of several processes knows its part of the surface only. Collective, as FindAll is.
+  void CountParts(vtkDataObject* data, vtkMultiProcessController* controller)
+  {
+    int own[] = { 0, 0 };
+    for (vtkPolyData* surface : vtkCompositeDataSet::GetDataSets<vtkPolyData>(data))
+    {
+      const char* const name = vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName();
+      const bool any = surface->GetNumberOfPolys() > 0 || surface->GetNumberOfStrips() > 0;
+      own[0] += any ? 1 : 0;
+      own[1] += any && surface->GetPointData()->HasArray(name) ? 1 : 0;
+    }
+    int all[2];
+    controller->AllReduce(own, all, 2, vtkCommunicator::SUM_OP);
+    this->Parts = all[0];
+    this->TracedParts = all[1];
+  }
+
+  // Whether a part is drawn without self-occlusion, since no process knows the others' parts.
+  bool IsLeftOut() const
+  {
+    return GetController() && this->Occlusion != vtkMeasuredBRDFMapper::OCCLUSION_OFF &&
+           this->TracedParts < this->Parts;
   }
 
   vtkEnvironment* GetTurned()
@@ -466,7 +491,12 @@ int vtkMeasuredMaterialRepresentation::RequestData(
   const int success = this->Superclass::RequestData(request, inputVector, outputVector);
   if (inputVector[0]->GetNumberOfInformationObjects() > 0) // a client of a server has no input
   {
-    this->Impl->CheckSelectors(this, this->MultiBlockMaker->GetOutputDataObject(0), controller);
+    vtkDataObject* data = this->MultiBlockMaker->GetOutputDataObject(0);
+    this->Impl->CheckSelectors(this, data, controller);
+    if (controller)
+    {
+      this->Impl->CountParts(data, controller);
+    }
   }
   return success;
 }
@@ -481,6 +511,7 @@ int vtkMeasuredMaterialRepresentation::ProcessViewRequest(
   }
   if (requestType == vtkPVView::REQUEST_RENDER())
   {
+    this->WarnOfParts();
     this->UpdateMappers(
       vtkPVView::GetDeliveredPiece(inInfo, this), vtkPVView::GetDeliveredPieceLOD(inInfo, this));
   }
@@ -534,31 +565,25 @@ void vtkMeasuredMaterialRepresentation::UpdateMappers(
 }
 
 //------------------------------------------------------------------------------
-// Each of several processes knows its part of the surface only. The filter's arrays know the whole.
-int vtkMeasuredMaterialRepresentation::FindSharedOcclusionMode(vtkDataObject* data)
+// The first process speaks for all, also where it has no part of the surface itself.
+void vtkMeasuredMaterialRepresentation::WarnOfParts()
 {
   Internals& impl = *this->Impl;
-  for (vtkPolyData* surface : GetSurfaces(data))
+  if (impl.Occlusion != vtkMeasuredBRDFMapper::OCCLUSION_ON || impl.HasWarned || !impl.IsLeftOut())
   {
-    if (surface->GetPointData()->HasArray(vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName()))
-    {
-      impl.IsLeftOut = false;
-      return vtkMeasuredBRDFMapper::OCCLUSION_ARRAYS; // nothing is traced from a part
-    }
+    return;
   }
-  impl.IsLeftOut = true;
-  if (impl.Occlusion == vtkMeasuredBRDFMapper::OCCLUSION_ON && !impl.HasWarned)
+  impl.HasWarned = true;
+  if (GetController()->GetLocalProcessId() == 0)
   {
-    impl.HasWarned = true;
-    if (GetController()->GetLocalProcessId() == 0)
-    {
-      vtkWarningMacro(
-        "Self-Occlusion: the surface is drawn as if it hid nothing from itself, since "
-        "each process has a part of it only. The filter Surface Visibility knows the "
-        "whole surface.");
-    }
+    vtkWarningMacro(
+      "Self-Occlusion: "
+      << (impl.TracedParts == 0
+             ? "the surface is drawn as if it hid nothing from itself"
+             : "blocks without arrays are drawn as if they hid nothing from themselves")
+      << ", since each process has a part of it only. The filter Surface Visibility "
+         "knows the whole surface.");
   }
-  return vtkMeasuredBRDFMapper::OCCLUSION_OFF;
 }
 
 //------------------------------------------------------------------------------
@@ -569,12 +594,11 @@ int vtkMeasuredMaterialRepresentation::FindOcclusionMode(vtkDataObject* data, bo
   Internals& impl = *this->Impl;
   if (impl.Occlusion == vtkMeasuredBRDFMapper::OCCLUSION_OFF)
   {
-    impl.IsLeftOut = false;
     return impl.Occlusion;
   }
   if (GetController())
   {
-    return this->FindSharedOcclusionMode(data);
+    return vtkMeasuredBRDFMapper::OCCLUSION_ARRAYS; // the filter's know the whole surface
   }
   auto* mapper = static_cast<vtkCompositeMeasuredBRDFMapper*>(this->Mapper);
   if (mapper->GetOcclusionMode() == vtkMeasuredBRDFMapper::OCCLUSION_AUTO)
@@ -627,7 +651,8 @@ const char* vtkMeasuredMaterialRepresentation::GetPlan()
                            vtkProcessModule::GetProcessType() == vtkProcessModule::PROCESS_CLIENT;
   this->Plan =
     serverDraws ? "" : static_cast<vtkCompositeMeasuredBRDFMapper*>(this->Mapper)->GetPlan();
-  if (this->Impl->IsLeftOut && !this->Plan.empty())
+  const bool isSaid = this->Plan.find("left out of the others") != std::string::npos;
+  if (this->Impl->IsLeftOut() && !isSaid && !this->Plan.empty())
   {
     this->Plan += "; occlusion is left out on several processes, but for Surface Visibility";
   }

@@ -97,8 +97,8 @@ public:
    * What the surface hides of the environment from itself, as vtkMeasuredBRDFMapper has it: 0 off,
    * 1 (default) where its predicted error exceeds what the tolerance leaves, 2 on; and whether what
    * hides reflects, too (default off). With several processes, each of which has a part of the
-   * surface, 1 and 2 draw with the arrays of vtkPVSurfaceVisibilityFilter, and 2 warns once where
-   * there are none.
+   * surface, 1 and 2 draw with the arrays of vtkPVSurfaceVisibilityFilter, and with 2 the first
+   * process warns once where any part has none.
    */
   void SetOcclusionMode(int mode);
   void SetOcclusionBounce(bool bounce);
@@ -146,7 +146,7 @@ private:
 
   void NamesChanged();
   int FindOcclusionMode(vtkDataObject* data, bool interactive);
-  int FindSharedOcclusionMode(vtkDataObject* data);
+  void WarnOfParts();
   void UpdateMappers(vtkDataObject* data, vtkDataObject* levelOfDetail);
   void UpdateBlocks(vtkDataObjectTree* data);
   void UpdateMap(vtkDataObject* levelOfDetail);

@@ -89,14 +89,28 @@ int vtkPVSurfaceVisibilityFilter::RequestData(vtkInformation* vtkNotUsed(request
   this->Tracer->SetMaximumDistance(this->MaximumDistance);
   this->Tracer->SetBothSides(this->BothSides);
   this->Tracer->SetBounce(this->Bounce);
-  this->Tracer->SetInputDataObject(data);
   if (vtkMultiProcessController* controller = GetController())
   {
-    for (vtkPolyData* other : GatherOthers(GetSurfaces(data), controller))
+    const vtkIdType most = static_cast<vtkIdType>(this->GatherLimit) << 20;
+    const GatheredSurfaces gathered =
+      GatherOthers(vtkCompositeDataSet::GetDataSets<vtkPolyData>(data), most, controller);
+    if (!gathered.Error.empty())
+    {
+      if (controller->GetLocalProcessId() == 0)
+      {
+        vtkErrorMacro("Surface Visibility: " << gathered.Error
+                                             << "; the surface is passed on without arrays, as if "
+                                                "it hid nothing from itself.");
+      }
+      output->ShallowCopy(vtkDataObject::GetData(inputVector[0]));
+      return 1;
+    }
+    for (vtkPolyData* other : gathered.Others)
     {
       this->Tracer->AddOccluder(other);
     }
   }
+  this->Tracer->SetInputDataObject(data);
   this->Tracer->Update();
   output->ShallowCopy(this->Tracer->GetOutputDataObject(0));
   // What was traced is enough to keep.
@@ -114,6 +128,7 @@ void vtkPVSurfaceVisibilityFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumDistance: " << this->MaximumDistance << "\n";
   os << indent << "BothSides: " << this->BothSides << "\n";
   os << indent << "Bounce: " << this->Bounce << "\n";
+  os << indent << "GatherLimit: " << this->GatherLimit << "\n";
   os << indent << "GenerateMissingNormals: " << this->GenerateMissingNormals << "\n";
   os << indent << "MissingNormalsFeatureAngle: " << this->MissingNormalsFeatureAngle << "\n";
 }

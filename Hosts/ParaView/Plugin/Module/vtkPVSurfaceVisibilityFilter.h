@@ -54,6 +54,16 @@ public:
   vtkGetMacro(MissingNormalsFeatureAngle, double);
   ///@}
 
+  ///@{
+  /**
+   * What several processes gather on each of them at most, in MiB: points and polygons of all parts
+   * of the surface, at 8 bytes an index. Default 2047, the most that MPI's counts allow. A larger
+   * surface gets no arrays, and the first process says so.
+   */
+  vtkSetClampMacro(GatherLimit, int, 1, 2047);
+  vtkGetMacro(GatherLimit, int);
+  ///@}
+
 protected:
   vtkPVSurfaceVisibilityFilter();
   ~vtkPVSurfaceVisibilityFilter() override;
@@ -66,6 +76,7 @@ protected:
   double MaximumDistance = 0.0;
   bool BothSides = false;
   bool Bounce = false;
+  int GatherLimit = 2047;
   bool GenerateMissingNormals = true;
   double MissingNormalsFeatureAngle = 30.0;
   vtkNew<vtkSurfaceVisibilityFilter> Tracer; // knows what it has traced

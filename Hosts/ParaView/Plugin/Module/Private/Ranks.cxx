@@ -3,45 +3,70 @@
 #include "Ranks.h"
 
 #include "vtkAppendPolyData.h"
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
+#include "vtkCellArray.h"
+#include "vtkCommunicator.h"
 #include "vtkDataObject.h"
 #include "vtkNew.h"
+#include "vtkPoints.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdio>
 
 namespace measuredmaterials
 {
+namespace
+{
+// Of the message with what rays meet, at most: vtkCommunicator sends VTK's binary file format.
+vtkIdType CountBytes(const std::vector<vtkPolyData*>& surfaces)
+{
+  constexpr vtkIdType header = 4096;
+  constexpr vtkIdType id = 8;
+  vtkIdType points = 0;
+  vtkIdType numbers = 0;
+  vtkIdType coordinate = 0;
+  for (vtkPolyData* surface : surfaces)
+  {
+    points += surface->GetNumberOfPoints();
+    if (surface->GetPoints())
+    {
+      coordinate = std::max<vtkIdType>(
+        coordinate, surface->GetPoints()->GetData()->GetDataTypeSize()); // one for all
+    }
+    for (vtkCellArray* cells : { surface->GetPolys(), surface->GetStrips() })
+    {
+      numbers += cells->GetNumberOfConnectivityIds() + cells->GetNumberOfOffsets();
+    }
+  }
+  return header + 3 * coordinate * points + id * numbers;
+}
+
+std::string ToMebibytes(vtkIdType bytes)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g MiB", static_cast<double>(bytes) / 1048576.0);
+  return text;
+}
+}
+
 vtkMultiProcessController* GetController()
 {
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
   return controller && controller->GetNumberOfProcesses() > 1 ? controller : nullptr;
 }
 
-std::vector<vtkPolyData*> GetSurfaces(vtkDataObject* data)
+GatheredSurfaces GatherOthers(
+  const std::vector<vtkPolyData*>& own, vtkIdType mostBytes, vtkMultiProcessController* controller)
 {
-  std::vector<vtkPolyData*> surfaces;
-  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  const vtkIdType bytes = CountBytes(own);
+  vtkIdType all = 0;
+  controller->AllReduce(&bytes, &all, 1, vtkCommunicator::SUM_OP);
+  if (all > mostBytes)
   {
-    auto it = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
-    {
-      if (auto* block = vtkPolyData::SafeDownCast(it->GetCurrentDataObject()))
-      {
-        surfaces.push_back(block);
-      }
-    }
+    return { {}, "the parts of the surface take " + ToMebibytes(all) +
+                   " on all processes together, expected at most " + ToMebibytes(mostBytes) +
+                   " (Gather Limit)" };
   }
-  else if (auto* surface = vtkPolyData::SafeDownCast(data))
-  {
-    surfaces.push_back(surface);
-  }
-  return surfaces;
-}
-
-std::vector<vtkSmartPointer<vtkPolyData>> GatherOthers(
-  const std::vector<vtkPolyData*>& own, vtkMultiProcessController* controller)
-{
   vtkNew<vtkAppendPolyData> append;
   for (vtkPolyData* surface : own)
   {
@@ -59,16 +84,16 @@ std::vector<vtkSmartPointer<vtkPolyData>> GatherOthers(
   }
   std::vector<vtkSmartPointer<vtkDataObject>> received;
   controller->AllGather(sent, received);
-  std::vector<vtkSmartPointer<vtkPolyData>> others;
+  GatheredSurfaces gathered;
   for (std::size_t rank = 0; rank < received.size(); ++rank)
   {
     auto* surface = vtkPolyData::SafeDownCast(received[rank]);
     const bool isOwn = static_cast<int>(rank) == controller->GetLocalProcessId();
     if (surface && !isOwn && surface->GetNumberOfCells() > 0)
     {
-      others.emplace_back(surface);
+      gathered.Others.emplace_back(surface);
     }
   }
-  return others;
+  return gathered;
 }
 } // namespace measuredmaterials

@@ -12,21 +12,24 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
+#include <string>
 #include <vector>
-
-class vtkDataObject;
 
 namespace measuredmaterials
 {
 /// Null with one process. With more, what they draw must agree.
 vtkMultiProcessController* GetController();
 
-/// The polydata of this process: the data itself, or its blocks.
-std::vector<vtkPolyData*> GetSurfaces(vtkDataObject* data);
+struct GatheredSurfaces
+{
+  std::vector<vtkSmartPointer<vtkPolyData>> Others;
+  std::string Error; // the same on all processes; "": none
+};
 
-/// The polygons of all other processes' surfaces, without data. Collective.
-std::vector<vtkSmartPointer<vtkPolyData>> GatherOthers(
-  const std::vector<vtkPolyData*>& own, vtkMultiProcessController* controller);
+/// The polygons of all other processes' surfaces, without data; none, and an error, where all
+/// processes together have more than so many bytes. Collective.
+GatheredSurfaces GatherOthers(
+  const std::vector<vtkPolyData*>& own, vtkIdType mostBytes, vtkMultiProcessController* controller);
 } // namespace measuredmaterials
 
 #endif
