@@ -131,14 +131,28 @@ float brdfSkyPanelInLobe(vec3 d, float concentration, vec3 slope, float kappa)
   return own / both * exp2(both - own - kappa);
 }
 
-// Hidden share of a lobe's light: odds of the lobe's hidden share, times how much brighter than the
-// rest the hidden sky is where the lobe is wide. cosine: hidden share under a uniform sky.
-vec3 brdfSkyLobe(float share, float kappa, vec3 hidden, vec3 irradiance, float cosine)
+// Odds of the hidden irradiance over those of a uniform sky (cosine: its hidden share): how much
+// brighter than the rest the hidden sky is.
+vec3 brdfSkyContrast(vec3 hidden, vec3 irradiance, float cosine)
 {
   vec3 part = clamp(hidden / max(irradiance, vec3(1e-12)), 0.0, 0.999);
   vec3 odds = part * (1.0 - cosine) / max((1.0 - part) * cosine, vec3(1e-6));
-  vec3 factor = pow(clamp(odds, 1.0 / 50.0, 50.0), vec3(1.0 / (1.0 + kappa / 12.0)));
+  return clamp(odds, 1.0 / 50.0, 50.0);
+}
+
+// Hidden share of a lobe's light: odds of the lobe's hidden share, times that contrast where the
+// lobe is wide.
+vec3 brdfSkyLobe(float share, float kappa, vec3 contrast)
+{
+  vec3 factor = pow(contrast, vec3(1.0 / (1.0 + kappa / 12.0)));
   return share * factor / max(share * factor + max(1.0 - share, 0.0), vec3(1e-12));
+}
+
+// Add a panel's light in a lobe, and what is hidden of it. shine: the lobe's mean over the panel.
+void brdfSkyAddPanel(vec3 light, float hidden, float shine, inout vec3 all, inout vec3 lost)
+{
+  all += light * shine;
+  lost += hidden * light * shine;
 }
 
 // Hidden shares as what is interpolated between points: the logarithm (of base 2) of their odds,
@@ -154,4 +168,17 @@ vec3 brdfSkyIrradiance(mat4 red, mat4 green, mat4 blue, vec3 n)
 {
   vec4 v = vec4(n, 1.0);
   return max(vec3(dot(v, red * v), dot(v, green * v), dot(v, blue * v)), vec3(0.0));
+}
+
+// Two numbers within 0 to 1 as one, in steps of 1 / 4095: what is kept of a point.
+float brdfSkyPair(float one, float other)
+{
+  vec2 steps = floor(clamp(vec2(one, other), 0.0, 1.0) * 4095.0 + 0.5);
+  return steps.x + 4096.0 * steps.y;
+}
+
+vec2 brdfSkyUnpair(float pair)
+{
+  float other = floor(pair * (1.0 / 4096.0));
+  return vec2(pair - 4096.0 * other, other) * (1.0 / 4095.0);
 }

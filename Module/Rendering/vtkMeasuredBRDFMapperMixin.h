@@ -23,9 +23,16 @@
 #include <vector>  // for MaterialUse
 
 class vtkBRDF;
+class vtkEnvironment;
 class vtkMeasuredBRDFMapperInternals; // how materials are drawn
 class vtkPolyData;
 class vtkShaderProgram;
+
+namespace measuredbrdf
+{
+class OcclusionPoints;
+struct OcclusionLayout;
+} // namespace measuredbrdf
 
 template <class Base>
 class VTKMEASUREDBRDF_EXPORT vtkMeasuredBRDFMapperMixin : public Base
@@ -57,6 +64,7 @@ protected:
   bool GetNeedToRebuildBufferObjects(vtkRenderer* ren, vtkActor* actor) override;
   void BuildBufferObjects(vtkRenderer* ren, vtkActor* actor) override;
   bool GetNeedToRebuildShaders(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor) override;
+  void UpdateShaders(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor) override;
 
   using Shaders = std::map<vtkShader::Type, vtkShader*>;
   void ReplaceShaderColor(Shaders shaders, vtkRenderer* ren, vtkActor* actor) override;
@@ -112,11 +120,16 @@ private:
 
   void WarnOfTextures(vtkActor* actor);
   void ReplaceShaderOcclusion(Shaders shaders);
+  measuredbrdf::OcclusionLayout GetOcclusionLayout();
+  std::vector<vtkEnvironment*> GetEnvironments();
+  void KeepOcclusion(vtkRenderer* ren, vtkActor* actor);
   void SetOcclusionParameters(vtkShaderProgram* program, vtkRenderer* ren, vtkActor* actor);
 
   int BuiltOcclusionMode = -1; // of the buffers
   bool BuiltOcclusionBounce = false;
   const void* BuiltTracedOcclusion = nullptr;
+  std::unique_ptr<measuredbrdf::OcclusionPoints> Points; // what is kept of the buffers' points
+  bool CanKeepPoints = true;
 };
 
 #endif

@@ -7,7 +7,28 @@
 
 namespace measuredbrdf
 {
-std::string MakePanelCode(const std::string& m, const std::string& out, std::size_t panels)
+namespace
+{
+// All light in the lobe, and what is hidden of it: of the rest of the light, of panels, together.
+const char* const BeginShine = R"(  vec3 brdfLobeAll#M = max(brdfRest#M, vec3(1e-12)) * 0.3183098861837907;
+  vec3 brdfLobeLost#M = brdfHiddenLobe#OUTVSOutput * brdfLobeAll#M;
+)";
+const char* const Shine = R"(    float shine =
+      brdfSkyPanelInLobe(panel.xyz, panel.w, brdfTurned#M, brdfKappa#M) / brdfLobe#M.z;
+    brdfSkyAddPanel(light, hidden, shine, brdfLobeAll#M, brdfLobeLost#M);
+)";
+const char* const EndShine = "  brdfHiddenLobe#OUTVSOutput = brdfLobeLost#M / brdfLobeAll#M;\n";
+
+std::string Fill(std::string text, const OcclusionMember& member)
+{
+  vtkShaderProgram::Substitute(text, "#OUT", member.Out);
+  vtkShaderProgram::Substitute(text, "#M", member.Number);
+  vtkShaderProgram::Substitute(text, "#COUNT", std::to_string(member.Light->Panels.size()));
+  return text;
+}
+}
+
+std::string MakePanelCode(const OcclusionMember& member, PanelUse use)
 {
   // How much less the harmonics say is hidden than the sectors.
   std::string text = "  float brdfInSectors#M = 0.0;\n";
@@ -15,9 +36,9 @@ std::string MakePanelCode(const std::string& m, const std::string& out, std::siz
   {
     text += "  brdfInSectors#M += brdfSkySquare(" + Bounds(s) + ");\n";
   }
-  text += R"(  vec3 brdfLobeAll#M = max(brdfRest#M, vec3(1e-12)) * 0.3183098861837907;
-  vec3 brdfLobeLost#M = brdfHiddenLobe#OUTVSOutput * brdfLobeAll#M;
-  float brdfSkyTrust#M = clamp(brdfSkyHidden / max(brdfInSectors#M, 1e-6), 0.0, 1.0);
+  const bool shines = use == PanelUse::Draw && member.HasLobe();
+  text += shines ? BeginShine : "";
+  text += R"(  float brdfSkyTrust#M = clamp(brdfSkyHidden / max(brdfInSectors#M, 1e-6), 0.0, 1.0);
   for (int k = 0; k < #COUNT; ++k)
   {
     vec4 panel = brdfSkyPanel#M[k];
@@ -33,18 +54,30 @@ std::string MakePanelCode(const std::string& m, const std::string& out, std::siz
   }
   text += R"(    float hidden = brdfSkyPanelHidden(sum, ends) * brdfSkyTrust#M;
     vec3 light = brdfSkyPanelLight#M[k] * brdfSkyPanelRise(direction.z, radius);
-    vec3 inLobe =
-      light * (brdfSkyPanelInLobe(direction, panel.w, brdfSlope#M, brdfKappa#M) / brdfLobe#M.z);
     brdfHiddenLight#OUTVSOutput += hidden * light;
-    brdfLobeAll#M += inLobe;
-    brdfLobeLost#M += hidden * inLobe;
-  }
-  brdfHiddenLobe#OUTVSOutput = brdfLobeLost#M / brdfLobeAll#M;
 )";
-  vtkShaderProgram::Substitute(text, "#OUT", out);
-  vtkShaderProgram::Substitute(text, "#M", m);
-  vtkShaderProgram::Substitute(text, "#COUNT", std::to_string(panels));
-  return text;
+  text += shines ? Shine : "";
+  text += use == PanelUse::Keep && member.HasLobe() ? "    brdfPart#M[k] = hidden;\n" : "";
+  text += "  }\n";
+  text += shines ? EndShine : "";
+  return Fill(text, member);
+}
+
+std::string MakeKeptPanelCode(const OcclusionMember& member)
+{
+  std::string text = BeginShine;
+  for (std::size_t k = 0; k < member.Light->Panels.size(); ++k)
+  {
+    std::string one = R"(  {
+    vec4 panel = brdfSkyPanel#M[#K];
+    float hidden = brdfPart#M[#K];
+    vec3 light = brdfSkyPanelLight#M[#K] *
+      brdfSkyPanelRise(dot(panel.xyz, brdfSkyN), sqrt(0.5 / panel.w));
+)" + std::string(Shine) + "  }\n";
+    vtkShaderProgram::Substitute(one, "#K", std::to_string(k));
+    text += one;
+  }
+  return Fill(text + EndShine, member);
 }
 
 std::string DeclarePanels(const std::string& m, std::size_t panels)

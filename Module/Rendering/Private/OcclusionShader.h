@@ -34,7 +34,12 @@ struct OcclusionLayout
 {
   bool TwoSided = false;
   bool Bounced = false; // what comes back from what is hidden
+  bool Kept = false;    // what rests while the light does (OcclusionKept.h)
 };
+
+/// What varyings are where nothing is hidden: the logarithm of odds, a lamp's margin.
+constexpr const char* OpenOdds = "-8.963"; // brdfSkyOdds(0)
+constexpr const char* OpenMargin = "3.0";  // HiddenSky::LargestMargin
 
 /// Same key, same text. "" without any.
 std::string GetOcclusionKey(const OcclusionLights& lights, const OcclusionLayout& layout);

@@ -9,6 +9,7 @@
 
 #include "BRDFShader.h"
 #include "MaterialDrawing.h"
+#include "OcclusionPoints.h"
 #include "OcclusionShader.h"
 
 #include "vtkActor.h"
@@ -107,7 +108,10 @@ class vtkMeasuredBRDFMapperInternals : public measuredbrdf::MaterialDrawing
 
 //------------------------------------------------------------------------------
 template <class Base>
-vtkMeasuredBRDFMapperMixin<Base>::vtkMeasuredBRDFMapperMixin() = default;
+vtkMeasuredBRDFMapperMixin<Base>::vtkMeasuredBRDFMapperMixin()
+  : Points(std::make_unique<measuredbrdf::OcclusionPoints>())
+{
+}
 
 //------------------------------------------------------------------------------
 template <class Base>
@@ -137,6 +141,7 @@ void vtkMeasuredBRDFMapperMixin<Base>::ReleaseGraphicsResources(vtkWindow* windo
   {
     this->Drawing->ReleaseGraphicsResources(window, this);
   }
+  this->Points->ReleaseGraphicsResources(window);
   this->Base::ReleaseGraphicsResources(window);
 }
 
@@ -213,8 +218,8 @@ std::string vtkMeasuredBRDFMapperMixin<Base>::GetShaderKey(const vtkOpenGLHelper
     return "";
   }
   return this->Drawing->GetSelected().GetKey() + (this->HasTangents() ? "/tangents" : "") +
-         measuredbrdf::GetOcclusionKey(this->Drawing->GetSelectedOcclusion(this->HasOcclusion()),
-           { this->HasTwoSidedOcclusion(), this->HasOcclusionBounce() });
+         measuredbrdf::GetOcclusionKey(
+           this->Drawing->GetSelectedOcclusion(this->HasOcclusion()), this->GetOcclusionLayout());
 }
 
 //------------------------------------------------------------------------------
@@ -324,8 +329,7 @@ void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderLight(
   std::string fs = shaders[vtkShader::Fragment]->GetSource();
   const measuredbrdf::OcclusionText occlusion =
     lights.empty() ? measuredbrdf::OcclusionText()
-                   : measuredbrdf::MakeOcclusionText(
-                       lights, { this->HasTwoSidedOcclusion(), this->HasOcclusionBounce() });
+                   : measuredbrdf::MakeOcclusionText(lights, this->GetOcclusionLayout());
   std::string declarations = occlusion.FragmentDeclarations + mixture.Declarations +
                              measuredbrdf::GetShaderDeclarations(members);
   if (measuredbrdf::Contains(fs, "anisotropyUniform"))
@@ -457,6 +461,10 @@ void vtkMeasuredBRDFMapperMixin<Base>::SetMapperShaderParameters(
     program->SetUniformMatrix("brdfTangentMatrix", matrix);
   }
   this->SetOcclusionParameters(program, ren, actor);
+  if (this->GetOcclusionLayout().Kept)
+  {
+    this->Points->AddTo(cellBO);
+  }
   const bool scalars = this->GetScalarVisibility() && !this->IgnoresScalars() &&
                        (this->VBOs->GetNumberOfComponents("scalarColor") != 0 ||
                          this->HaveCellScalars || this->ColorTextureMap);

@@ -8,9 +8,13 @@
 
 #include "MaterialDrawing.h"
 #include "OcclusionAxes.h"
+#include "OcclusionKept.h"
+#include "OcclusionPoints.h"
 #include "OcclusionShader.h"
 
 #include "vtkCamera.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLVertexBufferObject.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkRenderer.h"
 #include "vtkShader.h"
@@ -97,8 +101,8 @@ void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderOcclusion(Shaders shaders)
   {
     return;
   }
-  const measuredbrdf::OcclusionText text = measuredbrdf::MakeOcclusionText(
-    lights, { this->HasTwoSidedOcclusion(), this->HasOcclusionBounce() });
+  const measuredbrdf::OcclusionText text = 
+    measuredbrdf::MakeOcclusionText(lights, this->GetOcclusionLayout());
   const auto add = [&shaders](vtkShader::Type stage, const char* tag, const std::string& lines)
   {
     std::string source = shaders[stage]->GetSource();
@@ -113,6 +117,76 @@ void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderOcclusion(Shaders shaders)
 
 //------------------------------------------------------------------------------
 template <class Base>
+measuredbrdf::OcclusionLayout vtkMeasuredBRDFMapperMixin<Base>::GetOcclusionLayout()
+{
+  measuredbrdf::OcclusionLayout layout;
+  layout.TwoSided = this->HasTwoSidedOcclusion();
+  layout.Bounced = this->HasOcclusionBounce();
+  if (this->HasOcclusion() && this->CanKeepPoints &&
+      this->VBOs->GetVBO("brdfSky0")->GetNumberOfTuples() >=
+        measuredbrdf::OcclusionPoints::LeastPoints)
+  {
+    const measuredbrdf::OcclusionLights lights = this->Drawing->GetSelectedOcclusion(true);
+    layout.Kept = measuredbrdf::CountKeptAttributes(lights, layout) <=
+                  measuredbrdf::OcclusionPoints::MostAttributes;
+  }
+  return layout;
+}
+
+//------------------------------------------------------------------------------
+template <class Base>
+void vtkMeasuredBRDFMapperMixin<Base>::UpdateShaders(
+  vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor)
+{
+  if (this->UsesMaterial(&cellBO) && this->GetOcclusionLayout().Kept)
+  {
+    this->KeepOcclusion(ren, actor);
+  }
+  this->Base::UpdateShaders(cellBO, ren, actor);
+}
+
+//------------------------------------------------------------------------------
+// Before triangles are drawn: what of their points rests while the light does, unless it is kept.
+template <class Base>
+void vtkMeasuredBRDFMapperMixin<Base>::KeepOcclusion(vtkRenderer* ren, vtkActor* actor)
+{
+  const measuredbrdf::OcclusionLights lights = this->Drawing->GetSelectedOcclusion(true);
+  const measuredbrdf::OcclusionLayout layout = this->GetOcclusionLayout();
+  if (lights.empty())
+  {
+    return;
+  }
+  const measuredbrdf::OcclusionAxes axes(ren, actor, this->GetEnvironments());
+  const measuredbrdf::OcclusionPoints::Question question = { ren, actor,
+    measuredbrdf::GetKeptInputs(lights, layout, axes.ToEnvironment), this->VBOs->GetMTime() };
+  if (this->Points->Find(lights, layout, question))
+  {
+    return;
+  }
+  vtkShaderProgram* program = this->Points->Begin(
+    vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow()), this->VBOs, lights, layout);
+  this->CanKeepPoints = program != nullptr; // if not, each drawn triangle makes it
+  if (program)
+  {
+    this->SetOcclusionParameters(program, ren, actor);
+    this->Points->Make(this->VBOs->GetVBO("brdfSky0")->GetNumberOfTuples(), question);
+  }
+}
+
+//------------------------------------------------------------------------------
+template <class Base>
+std::vector<vtkEnvironment*> vtkMeasuredBRDFMapperMixin<Base>::GetEnvironments()
+{
+  std::vector<vtkEnvironment*> environments;
+  for (const measuredbrdf::DrawnMaterial* drawn : this->Drawing->GetSelected().Get())
+  {
+    environments.push_back(drawn->Environment);
+  }
+  return environments;
+}
+
+//------------------------------------------------------------------------------
+template <class Base>
 void vtkMeasuredBRDFMapperMixin<Base>::SetOcclusionParameters(
   vtkShaderProgram* program, vtkRenderer* ren, vtkActor* actor)
 {
@@ -122,12 +196,7 @@ void vtkMeasuredBRDFMapperMixin<Base>::SetOcclusionParameters(
   {
     return;
   }
-  std::vector<vtkEnvironment*> environments;
-  for (const measuredbrdf::DrawnMaterial* drawn : this->Drawing->GetSelected().Get())
-  {
-    environments.push_back(drawn->Environment);
-  }
-  const measuredbrdf::OcclusionAxes axes(ren, actor, environments);
+  const measuredbrdf::OcclusionAxes axes(ren, actor, this->GetEnvironments());
   const measuredbrdf::OcclusionSides sides = { this->HasTwoSidedOcclusion(),
     this->HasOcclusionBounce(), this->IsOtherSideClosed, this->LeastOcclusionCosine };
   measuredbrdf::SetOcclusionUniforms(program, lights, sides, axes.ToModel,
