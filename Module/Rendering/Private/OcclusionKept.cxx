@@ -4,6 +4,7 @@
 
 #include "HiddenSky.h"
 #include "OcclusionPanels.h"
+#include "SkyCodeText.h"
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
@@ -28,53 +29,63 @@ void AddVector(const std::string& name, std::vector<Field>& fields)
   }
 }
 
-// Two numbers: names to read into, expressions within 0 to 1, and what turns them back (#V).
-void AddPairs(const std::string& pair, const std::vector<std::string>& names,
-  const std::string& shrink, const std::string& grow, std::vector<Field>& fields)
+// A number that fits into half of a float: within -range to range.
+struct Half
 {
-  const auto apply = [](std::string text, const std::string& value)
+  std::string Name;
+  double Range;
+};
+
+std::string Shrink(const Half& half)
+{
+  return half.Name + " * " + Number(0.5 / half.Range) + " + 0.5";
+}
+
+std::string Grow(const Half& half, const std::string& value)
+{
+  return "  " + half.Name + " = " + value + " * " + Number(2.0 * half.Range) + " - " +
+         Number(half.Range) + ";\n";
+}
+
+void AddPairs(const std::string& pair, const std::vector<Half>& halves, std::vector<Field>& fields)
+{
+  for (std::size_t k = 0; k < halves.size(); k += 2)
   {
-    vtkShaderProgram::Substitute(text, "#V", value);
-    return text;
-  };
-  for (std::size_t k = 0; k < names.size(); k += 2)
-  {
-    const bool isWhole = k + 1 < names.size();
+    const bool isWhole = k + 1 < halves.size();
     const std::string variable = pair + "_" + std::to_string(k / 2);
-    std::string read = "  vec2 " + variable + " = brdfSkyUnpair(#V);\n  " + names[k] + " = " +
-                       apply(grow, variable + ".x") + ";\n";
-    read += isWhole ? "  " + names[k + 1] + " = " + apply(grow, variable + ".y") + ";\n" : "";
-    fields.push_back({ "brdfSkyPair(" + apply(shrink, names[k]) + ", " +
-                         (isWhole ? apply(shrink, names[k + 1]) : "0.0") + ")",
-      read });
+    const std::string read = "  vec2 " + variable + " = brdfSkyUnpair(#V);\n" +
+                             Grow(halves[k], variable + ".x") +
+                             (isWhole ? Grow(halves[k + 1], variable + ".y") : "");
+    const std::string other = isWhole ? Shrink(halves[k + 1]) : "0.0";
+    fields.push_back({ "brdfSkyPair(" + Shrink(halves[k]) + ", " + other + ")", read });
   }
 }
 
 std::vector<Field> GetFields(const OcclusionMember& member)
 {
   std::vector<Field> fields;
+  std::vector<Half> halves;
   AddVector("brdfHiddenLight" + member.Out + "VSOutput", fields);
   if (member.HasLobe())
   {
-    AddVector("brdfContrast" + member.Number, fields);
+    for (const char* component : { ".x", ".y", ".z" })
+    {
+      halves.push_back({ "brdfContrast" + member.Number + component, 6.0 });
+    }
   }
   if (member.HasLobe() && member.HasPanels())
   {
     AddVector("brdfRest" + member.Number, fields);
-    std::vector<std::string> parts;
     for (std::size_t k = 0; k < member.Light->Panels.size(); ++k)
     {
-      parts.push_back("brdfPart" + member.Number + "[" + std::to_string(k) + "]");
+      halves.push_back({ "brdfPart" + member.Number + "[" + std::to_string(k) + "]", 1.0 });
     }
-    AddPairs("brdfPanels" + member.Number, parts, "#V", "#V", fields);
   }
-  std::vector<std::string> lamps;
   for (std::size_t k = 0; k < member.Lamps; ++k)
   {
-    lamps.push_back(member.GetLamp(k));
+    halves.push_back({ member.GetLamp(k), HiddenSky::LargestMargin });
   }
-  // Margins are within -3 to 3.
-  AddPairs("brdfMargins" + member.Number, lamps, "#V * (1.0 / 6.0) + 0.5", "#V * 6.0 - 3.0", fields);
+  AddPairs("brdfPair" + member.Number, halves, fields);
   return fields;
 }
 

@@ -137,11 +137,13 @@ std::string OcclusionMember::MakeLobeCode() const
   vec3 brdfSlope#M = brdfTurned#M * brdfSkyAxes;
   float brdfKappa#M = length(brdfTurned#M);
   vec2 brdfShare#M = vec2(0.0);
+  vec3 brdfRiseLow#M, brdfRiseHigh#M;
+  brdfSkyRise(brdfSlope#M.z, brdfKappa#M, brdfRiseLow#M, brdfRiseHigh#M);
 )";
     for (int s = 0; s < HiddenSky::Sectors; ++s)
     {
-      text += "  brdfSkySector(" + Along(s) + ", " + Bounds(s) +
-              ", brdfSlope#M, brdfKappa#M, brdfShare#M);\n";
+      text += "  brdfSkySector(dot(" + Along(s) + ", brdfSlope#M.xy), " + Bounds(s) +
+              ", brdfRiseLow#M, brdfRiseHigh#M, brdfShare#M);\n";
     }
     text += "  brdfShareOf#M = clamp(brdfShare#M.x / max(brdfShare#M.y, 1e-30), 0.0, 1.0);\n";
   }
@@ -196,7 +198,7 @@ std::string OcclusionMember::DeclareResting() const
   if (this->HasLobe())
   {
     text = "  vec3 brdfRest" + this->Number + " = vec3(0.0);\n  vec3 brdfContrast" + this->Number +
-           " = vec3(1.0);\n";
+           " = vec3(0.0);\n";
   }
   const std::string parts = "brdfPart" + this->Number + "[";
   const std::size_t panels = this->HasLobe() ? this->Light->Panels.size() : 0;

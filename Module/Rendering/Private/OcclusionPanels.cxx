@@ -3,7 +3,7 @@
 #include "OcclusionPanels.h"
 
 #include "SkyCodeText.h"
-#include "UniformVectors.h"
+#include "vtkShaderProgram.h"
 
 namespace measuredbrdf
 {
@@ -12,9 +12,10 @@ namespace
 // All light in the lobe, and what is hidden of it: of the rest of the light, of panels, together.
 const char* const BeginShine = R"(  vec3 brdfLobeAll#M = max(brdfRest#M, vec3(1e-12)) * 0.3183098861837907;
   vec3 brdfLobeLost#M = brdfHiddenLobe#OUTVSOutput * brdfLobeAll#M;
+  float brdfWhole#M = 1.0 / brdfLobe#M.z;
 )";
 const char* const Shine = R"(    float shine =
-      brdfSkyPanelInLobe(panel.xyz, panel.w, brdfTurned#M, brdfKappa#M) / brdfLobe#M.z;
+      brdfSkyPanelInLobe(panel.xyz, panel.w, brdfTurned#M, brdfKappa#M) * brdfWhole#M;
     brdfSkyAddPanel(light, hidden, shine, brdfLobeAll#M, brdfLobeLost#M);
 )";
 const char* const EndShine = "  brdfHiddenLobe#OUTVSOutput = brdfLobeLost#M / brdfLobeAll#M;\n";
@@ -43,7 +44,7 @@ std::string MakePanelCode(const OcclusionMember& member, PanelUse use)
   {
     vec4 panel = brdfSkyPanel#M[k];
     vec3 direction = panel.xyz * brdfSkyAxes;
-    float radius = sqrt(0.5 / panel.w);
+    float radius = brdfSkyPanelLight#M[k].w;
     vec3 azimuth = brdfSkyPanelAzimuth(direction, radius);
     vec2 ends = brdfSkyPanelEnds(direction, radius);
     vec2 sum = vec2(0.0);
@@ -53,7 +54,7 @@ std::string MakePanelCode(const OcclusionMember& member, PanelUse use)
     text += "    brdfSkyPanelSector(" + Along(s) + ", " + Bounds(s) + ", azimuth, ends, sum);\n";
   }
   text += R"(    float hidden = brdfSkyPanelHidden(sum, ends) * brdfSkyTrust#M;
-    vec3 light = brdfSkyPanelLight#M[k] * brdfSkyPanelRise(direction.z, radius);
+    vec3 light = brdfSkyPanelLight#M[k].rgb * brdfSkyPanelRise(direction.z, radius);
     brdfHiddenLight#OUTVSOutput += hidden * light;
 )";
   text += shines ? Shine : "";
@@ -71,8 +72,8 @@ std::string MakeKeptPanelCode(const OcclusionMember& member)
     std::string one = R"(  {
     vec4 panel = brdfSkyPanel#M[#K];
     float hidden = brdfPart#M[#K];
-    vec3 light = brdfSkyPanelLight#M[#K] *
-      brdfSkyPanelRise(dot(panel.xyz, brdfSkyN), sqrt(0.5 / panel.w));
+    vec4 glow = brdfSkyPanelLight#M[#K];
+    vec3 light = glow.rgb * brdfSkyPanelRise(dot(panel.xyz, brdfSkyN), glow.w);
 )" + std::string(Shine) + "  }\n";
     vtkShaderProgram::Substitute(one, "#K", std::to_string(k));
     text += one;
@@ -84,29 +85,32 @@ std::string DeclarePanels(const std::string& m, std::size_t panels)
 {
   const std::string size = "[" + std::to_string(panels) + "];\n";
   return panels > 0
-           ? "uniform vec4 brdfSkyPanel" + m + size + "uniform vec3 brdfSkyPanelLight" + m + size
+           ? "uniform vec4 brdfSkyPanel" + m + size + "uniform vec4 brdfSkyPanelLight" + m + size
            : "";
 }
 
 void SetPanels(vtkShaderProgram* program, const std::string& number,
   const std::vector<EnvironmentPanels::Panel>& panels, const glm::dmat3& toEnvironment)
 {
-  std::vector<float> places;
-  std::vector<glm::dvec3> light;
+  std::vector<float> places; // and concentrations
+  std::vector<float> lights; // and radii
+  const auto add = [](std::vector<float>& values, const glm::dvec3& v, double last)
+  {
+    for (const double value : { v.x, v.y, v.z, last })
+    {
+      values.push_back(static_cast<float>(value));
+    }
+  };
   for (const EnvironmentPanels::Panel& panel : panels)
   {
-    const glm::dvec3 d = glm::transpose(toEnvironment) * panel.Direction;
-    for (const double value : { d.x, d.y, d.z, panel.Concentration })
-    {
-      places.push_back(static_cast<float>(value));
-    }
-    light.push_back(panel.Irradiance);
+    add(places, glm::transpose(toEnvironment) * panel.Direction, panel.Concentration);
+    add(lights, panel.Irradiance, GetPanelRadius(panel));
   }
   if (!panels.empty())
   {
-    program->SetUniform4fv(
-      ("brdfSkyPanel" + number).c_str(), static_cast<int>(panels.size()), places.data());
-    SetVectors(program, "brdfSkyPanelLight" + number, light);
+    const int count = static_cast<int>(panels.size());
+    program->SetUniform4fv(("brdfSkyPanel" + number).c_str(), count, places.data());
+    program->SetUniform4fv(("brdfSkyPanelLight" + number).c_str(), count, lights.data());
   }
 }
 } // namespace measuredbrdf

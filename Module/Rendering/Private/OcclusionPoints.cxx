@@ -14,6 +14,7 @@
 #include "vtkTransformFeedback.h"
 
 #include <algorithm>
+#include <atomic>
 
 namespace measuredbrdf
 {
@@ -22,6 +23,9 @@ namespace
 const char* const FragmentShader = "//VTK::System::Dec\n//VTK::Output::Dec\n"
                                    "void main()\n{\n  gl_FragData[0] = vec4(0.0);\n}\n";
 constexpr int FloatsOfAttribute = 4;
+
+std::atomic<std::size_t> LeastPoints{ OcclusionPoints::DefaultLeastPoints };
+std::atomic<std::size_t> MadeCount{ 0 };
 
 // Mappers share programs, and a program knows one such object: it would be linked anew for another.
 using Captures = SharedObjects<std::string, vtkTransformFeedback>;
@@ -53,6 +57,12 @@ vtkSmartPointer<vtkTransformFeedback> FindCapture(const std::vector<std::string>
 
 OcclusionPoints::OcclusionPoints() = default;
 OcclusionPoints::~OcclusionPoints() = default;
+
+std::size_t OcclusionPoints::GetLeastPoints() { return LeastPoints; }
+
+void OcclusionPoints::SetLeastPoints(std::size_t points) { LeastPoints = points; }
+
+std::size_t OcclusionPoints::GetMadeCount() { return MadeCount; }
 
 bool OcclusionPoints::Find(
   const OcclusionLights& lights, const OcclusionLayout& layout, const Question& question)
@@ -156,7 +166,7 @@ void OcclusionPoints::Make(std::size_t points, const Question& question)
   glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, 0);
   this->Helper.VAO->Release();
   this->Current = &state;
-  ++this->Count;
+  ++MadeCount;
 }
 
 void OcclusionPoints::AddTo(vtkOpenGLHelper& drawn) const

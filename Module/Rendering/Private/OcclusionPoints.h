@@ -37,10 +37,14 @@ public:
   OcclusionPoints(const OcclusionPoints&) = delete;
   void operator=(const OcclusionPoints&) = delete;
 
-  /// Fewer points are drawn as fast without.
-  static constexpr std::size_t LeastPoints = 3000;
-  /// Vertex shaders have 16 attributes; VTK and codes take the others.
-  static constexpr std::size_t MostAttributes = 11;
+  ///@{
+  /// Fewer points are drawn as fast without. Set: for tests.
+  static constexpr std::size_t DefaultLeastPoints = 3000;
+  static std::size_t GetLeastPoints();
+  static void SetLeastPoints(std::size_t points);
+  ///@}
+  /// Of a vertex shader: OpenGL guarantees no more.
+  static constexpr std::size_t MostAttributes = 16;
   /// States of the light that are kept at a time, as of several views; each has 16 to 96 bytes a
   /// point.
   static constexpr std::size_t MostStates = 4;
@@ -71,8 +75,8 @@ public:
   /// The window's context is the current one.
   void ReleaseGraphicsResources(vtkWindow* window);
 
-  /// How often points were made: for tests.
-  std::size_t GetCount() const { return this->Count; }
+  /// How often any were made: for tests.
+  static std::size_t GetMadeCount();
 
 private:
   struct State
@@ -93,7 +97,6 @@ private:
   std::vector<std::unique_ptr<State>> States;
   State* Current = nullptr;
   std::size_t Clock = 0; // of uses
-  std::size_t Count = 0;
 };
 
 /// Release what no program captures with any more.

@@ -124,11 +124,16 @@ measuredbrdf::OcclusionLayout vtkMeasuredBRDFMapperMixin<Base>::GetOcclusionLayo
   layout.Bounced = this->HasOcclusionBounce();
   if (this->HasOcclusion() && this->CanKeepPoints &&
       this->VBOs->GetVBO("brdfSky0")->GetNumberOfTuples() >=
-        measuredbrdf::OcclusionPoints::LeastPoints)
+        measuredbrdf::OcclusionPoints::GetLeastPoints())
   {
     const measuredbrdf::OcclusionLights lights = this->Drawing->GetSelectedOcclusion(true);
-    layout.Kept = measuredbrdf::CountKeptAttributes(lights, layout) <=
-                  measuredbrdf::OcclusionPoints::MostAttributes;
+    std::size_t attributes =
+      measuredbrdf::CountKeptAttributes(lights, layout) + this->ExtraAttributes.size();
+    for (const char* name : { "vertexMC", "normalMC", "scalarColor", "tcoord", "tangentMC" })
+    {
+      attributes += this->VBOs->GetNumberOfComponents(name) > 0 ? 1 : 0;
+    }
+    layout.Kept = attributes <= measuredbrdf::OcclusionPoints::MostAttributes;
   }
   return layout;
 }
