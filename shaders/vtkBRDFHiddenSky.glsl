@@ -43,7 +43,8 @@ vec3 brdfSkySlope(vec2 lobe, mat3 toModel, vec3 normal, vec3 across)
 }
 
 // Six elevations of a sector, nearly in the middles of even steps of the sine: their cosines are
-// 0.3948 + 0.0301 (20, 19, 17, 14, 9, 0), so that two exponentials make all six (HiddenSky.cxx).
+// 0.3948 + 0.0301 (20, 19, 17, 14, 9, 0), so that two exponentials make all six (HiddenSky.cxx), and
+// their reciprocals those of the opposite sector.
 const vec3 brdfSkySine0 = vec3(0.07993597437950033, 0.2559123091998511, 0.4222058147396838);
 const vec3 brdfSkySine1 = vec3(0.5777694695983857, 0.7462194784378119, 0.9187670869159387);
 
@@ -54,16 +55,16 @@ void brdfSkyRise(float slope, float kappa, out vec3 low, out vec3 high)
   high = vec3(7.0, 9.0, 11.0) / 12.0 * exp2(slope * brdfSkySine1 - kappa);
 }
 
-// Add a sector's share of a lobe cos(theta) exp2(slope . d - kappa), hidden and all, to sum; across:
-// slope in the sector's azimuth.
-void brdfSkySector(float across, vec2 bounds, vec3 rise0, vec3 rise1, inout vec2 sum)
+// Add a sector's share of a lobe cos(theta) exp2(slope . d - kappa), hidden and all, to sum. one,
+// last: exp2 of the slope in the sector's azimuth, times a step of the nodes' cosines and the last
+// one.
+void brdfSkySector(float one, float last, vec2 bounds, vec3 rise0, vec3 rise1, inout vec2 sum)
 {
-  float one = exp2(0.0301 * across);
   float two = one * one;
   float three = two * one;
   float five = three * two;
   vec3 low, high;
-  high.z = exp2(0.3948 * across);
+  high.z = last;
   high.y = high.z * (five * two * two);
   high.x = high.y * five;
   low.z = high.x * three;
@@ -77,6 +78,16 @@ void brdfSkySector(float across, vec2 bounds, vec3 rise0, vec3 rise1, inout vec2
   vec3 first = max(min(vec3(bounds.y), below + 42.5) - max(vec3(bounds.x), below), 0.0);
   vec3 second = max(min(vec3(bounds.y), above + 42.5) - max(vec3(bounds.x), above), 0.0);
   sum += vec2(dot(low, first) + dot(high, second), dot(low + high, vec3(42.5)));
+}
+
+// Add a sector and the opposite one; across: the slope in the first one's azimuth.
+void brdfSkySectors(
+  float across, vec2 bounds, vec2 opposite, vec3 rise0, vec3 rise1, inout vec2 sum)
+{
+  float one = exp2(0.0301 * across);
+  float last = exp2(0.3948 * across);
+  brdfSkySector(one, last, bounds, rise0, rise1, sum);
+  brdfSkySector(1.0 / one, 1.0 / last, opposite, rise0, rise1, sum);
 }
 
 // Add a sector's bounds to sum, by how near it is to an azimuth (unit).

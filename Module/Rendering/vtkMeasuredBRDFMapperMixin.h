@@ -128,6 +128,7 @@ private:
   int BuiltOcclusionMode = -1; // of the buffers
   bool BuiltOcclusionBounce = false;
   const void* BuiltTracedOcclusion = nullptr;
+  vtkTimeStamp OcclusionTime;                            // when the buffers were built
   std::unique_ptr<measuredbrdf::OcclusionPoints> Points; // what is kept of the buffers' points
   bool CanKeepPoints = true;
 };

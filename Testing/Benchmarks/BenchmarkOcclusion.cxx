@@ -79,11 +79,10 @@ int main(int argc, char** argv)
   std::vector<Material> materials = MakeMaterials();
   const auto isLeftOut = [&names](const Material& material)
   { return !names.empty() && std::find(names.begin(), names.end(), material.Name) == names.end(); };
-  materials.erase(
-    std::remove_if(materials.begin(), materials.end(), isLeftOut), materials.end());
+  materials.erase(std::remove_if(materials.begin(), materials.end(), isLeftOut), materials.end());
   vtkObject::GlobalWarningDisplayOn(); // readers turn it off
-  std::printf(
-    "mesh,points,trace s,material,map,off %%,ambient %%,on %%,frame off ms,frame on ms,light turns ms\n");
+  std::printf("mesh,points,trace s,material,map,off %%,ambient %%,on %%,frame off ms,frame on "
+              "ms,light turns ms\n");
   double sums[3] = { 0.0, 0.0, 0.0 };
   double worst[3] = { 0.0, 0.0, 0.0 };
   int worse = 0;

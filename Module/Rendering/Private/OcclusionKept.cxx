@@ -94,9 +94,13 @@ std::string GetName(const OcclusionMember& member, std::size_t vector)
   return "brdfKept" + member.Out + "_" + std::to_string(vector);
 }
 
+// Of GetFields, for each frame.
 std::size_t CountVectors(const OcclusionMember& member)
 {
-  return (GetFields(member).size() + 3) / 4;
+  const bool shines = member.HasLobe() && member.HasPanels();
+  const std::size_t halves =
+    (member.HasLobe() ? 3 : 0) + (shines ? member.Light->Panels.size() : 0) + member.Lamps;
+  return (3 + (shines ? 3 : 0) + (halves + 1) / 2 + 3) / 4;
 }
 
 std::string MakeWriting(const OcclusionMember& member)
@@ -154,7 +158,8 @@ std::string MakeKeptShader(const OcclusionLights& lights, const OcclusionLayout&
   text += "void main()\n{\n";
   for (std::size_t side = 0; side < (layout.TwoSided ? 2 : 1); ++side)
   {
-    text += "  {\n" + UnpackNormal(side) + UnpackCode(side, HiddenSky::Bytes) + MakeRestingCommonCode();
+    text +=
+      "  {\n" + UnpackNormal(side) + UnpackCode(side, HiddenSky::Bytes) + MakeRestingCommonCode();
     for (const OcclusionMember& member : GetMembers(lights, layout, side))
     {
       text += MakeMaking(member);
@@ -182,7 +187,9 @@ std::vector<double> GetKeptInputs(const OcclusionLights& lights, const Occlusion
   const std::vector<glm::dmat3>& toEnvironment)
 {
   std::vector<double> inputs;
-  const auto add = [&inputs](const glm::dvec3& v) { inputs.insert(inputs.end(), { v.x, v.y, v.z }); };
+  const auto add = [&inputs](const glm::dvec3& v) {
+    inputs.insert(inputs.end(), { v.x, v.y, v.z });
+  };
   for (const OcclusionMember& member : GetMembers(lights, layout, 0))
   {
     const glm::dmat3& turn = toEnvironment[member.Member];

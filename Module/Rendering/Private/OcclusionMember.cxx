@@ -118,7 +118,8 @@ std::string OcclusionMember::MakeLightCode() const
 
 std::string OcclusionMember::MakeContrastCode() const
 {
-  std::string text = R"(  brdfRest#M = brdfSkyIrradiance(brdfSkyRed#M, brdfSkyGreen#M, brdfSkyBlue#M, brdfSkyN);
+  std::string text =
+    R"(  brdfRest#M = brdfSkyIrradiance(brdfSkyRed#M, brdfSkyGreen#M, brdfSkyBlue#M, brdfSkyN);
   brdfContrast#M = brdfSkyContrast(brdfHiddenLight#OUTVSOutput, brdfRest#M, brdfSkyHidden);
 )";
   vtkShaderProgram::Substitute(text, "#OUT", this->Out);
@@ -132,7 +133,8 @@ std::string OcclusionMember::MakeLobeCode() const
   std::string text = "  float brdfShareOf#M = 0.0;\n";
   if (this->HasLobe())
   {
-    text += R"(  vec3 brdfLobe#M = mix(brdfSkyLobes#M[brdfSkyKnot], brdfSkyLobes#M[brdfSkyKnot + 1], brdfSkyView);
+    text +=
+      R"(  vec3 brdfLobe#M = mix(brdfSkyLobes#M[brdfSkyKnot], brdfSkyLobes#M[brdfSkyKnot + 1], brdfSkyView);
   vec3 brdfTurned#M = brdfSkySlope(brdfLobe#M.xy, brdfSkyToModel, brdfSkyNormalVC, brdfSkyAcross);
   vec3 brdfSlope#M = brdfTurned#M * brdfSkyAxes;
   float brdfKappa#M = length(brdfTurned#M);
@@ -140,9 +142,10 @@ std::string OcclusionMember::MakeLobeCode() const
   vec3 brdfRiseLow#M, brdfRiseHigh#M;
   brdfSkyRise(brdfSlope#M.z, brdfKappa#M, brdfRiseLow#M, brdfRiseHigh#M);
 )";
-    for (int s = 0; s < HiddenSky::Sectors; ++s)
+    for (int s = 0; s < HiddenSky::Sectors / 2; ++s)
     {
-      text += "  brdfSkySector(dot(" + Along(s) + ", brdfSlope#M.xy), " + Bounds(s) +
+      text += "  brdfSkySectors(dot(" + Along(s) + ", brdfSlope#M.xy), " + Bounds(s) + ", " +
+              Bounds(s + HiddenSky::Sectors / 2) +
               ", brdfRiseLow#M, brdfRiseHigh#M, brdfShare#M);\n";
     }
     text += "  brdfShareOf#M = clamp(brdfShare#M.x / max(brdfShare#M.y, 1e-30), 0.0, 1.0);\n";

@@ -10,7 +10,8 @@ namespace measuredbrdf
 namespace
 {
 // All light in the lobe, and what is hidden of it: of the rest of the light, of panels, together.
-const char* const BeginShine = R"(  vec3 brdfLobeAll#M = max(brdfRest#M, vec3(1e-12)) * 0.3183098861837907;
+const char* const BeginShine =
+  R"(  vec3 brdfLobeAll#M = max(brdfRest#M, vec3(1e-12)) * 0.3183098861837907;
   vec3 brdfLobeLost#M = brdfHiddenLobe#OUTVSOutput * brdfLobeAll#M;
   float brdfWhole#M = 1.0 / brdfLobe#M.z;
 )";
@@ -74,7 +75,8 @@ std::string MakeKeptPanelCode(const OcclusionMember& member)
     float hidden = brdfPart#M[#K];
     vec4 glow = brdfSkyPanelLight#M[#K];
     vec3 light = glow.rgb * brdfSkyPanelRise(dot(panel.xyz, brdfSkyN), glow.w);
-)" + std::string(Shine) + "  }\n";
+)" + std::string(Shine) +
+                      "  }\n";
     vtkShaderProgram::Substitute(one, "#K", std::to_string(k));
     text += one;
   }

@@ -4,14 +4,11 @@
 
 #include "OcclusionKept.h"
 #include "SharedObjects.h"
-#include "vtkOpenGLBufferObject.h"
 #include "vtkOpenGLRenderUtilities.h" // VTK's OpenGL, whichever library it loads it with
-#include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLVertexArrayObject.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkShaderProgram.h"
-#include "vtkTransformFeedback.h"
 
 #include <algorithm>
 #include <atomic>
@@ -55,9 +52,6 @@ vtkSmartPointer<vtkTransformFeedback> FindCapture(const std::vector<std::string>
 }
 }
 
-OcclusionPoints::OcclusionPoints() = default;
-OcclusionPoints::~OcclusionPoints() = default;
-
 std::size_t OcclusionPoints::GetLeastPoints() { return LeastPoints; }
 
 void OcclusionPoints::SetLeastPoints(std::size_t points) { LeastPoints = points; }
@@ -86,6 +80,7 @@ vtkShaderProgram* OcclusionPoints::Begin(vtkOpenGLRenderWindow* window,
   vtkOpenGLVertexBufferObjectGroup* buffers, const OcclusionLights& lights,
   const OcclusionLayout& layout)
 {
+  this->Window = window;
   vtkOpenGLShaderCache* cache = window->GetShaderCache();
   const std::string key = GetOcclusionKey(lights, layout);
   vtkShaderProgram* program = nullptr;
@@ -157,8 +152,7 @@ void OcclusionPoints::Make(std::size_t points, const Question& question)
     state.Buffer->Release();
     state.Bytes = bytes;
   }
-  glBindBufferBase(
-    GL_TRANSFORM_FEEDBACK_BUFFER, 0, static_cast<GLuint>(state.Buffer->GetHandle()));
+  glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, static_cast<GLuint>(state.Buffer->GetHandle()));
   glBeginTransformFeedback(GL_POINTS);
   // One instance: unlike glDrawArrays, VTK loads it, and programs need not link to OpenGL.
   glDrawArraysInstanced(GL_POINTS, 0, static_cast<GLsizei>(points), 1);
@@ -181,17 +175,21 @@ void OcclusionPoints::AddTo(vtkOpenGLHelper& drawn) const
   }
 }
 
-void OcclusionPoints::ReleaseGraphicsResources(vtkWindow* window)
+void OcclusionPoints::Release()
 {
-  this->Helper.ReleaseGraphicsResources(window);
-  this->Key.clear();
-  for (const std::unique_ptr<State>& state : this->States)
+  // A window that goes has had all given back by the mapper.
+  if (this->Window)
   {
-    if (state->Buffer)
+    this->Window->PushContext();
+    this->Helper.ReleaseGraphicsResources(this->Window);
+    for (const std::unique_ptr<State>& state : this->States)
     {
       state->Buffer->ReleaseGraphicsResources();
     }
+    this->Window->PopContext();
   }
+  this->Window = nullptr;
+  this->Key.clear();
   this->States.clear();
   this->Current = nullptr;
   this->Capture = nullptr;

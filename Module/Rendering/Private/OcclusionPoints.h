@@ -11,35 +11,35 @@
 #define OcclusionPoints_h
 
 #include "OcclusionShader.h"
+#include "vtkOpenGLBufferObject.h"
 #include "vtkOpenGLHelper.h"
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkSmartPointer.h"
+#include "vtkTransformFeedback.h"
 #include "vtkType.h"
+#include "vtkWeakPointer.h"
 
 #include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
 
-class vtkOpenGLBufferObject;
-class vtkOpenGLRenderWindow;
 class vtkOpenGLVertexBufferObjectGroup;
 class vtkShaderProgram;
-class vtkTransformFeedback;
-class vtkWindow;
 
 namespace measuredbrdf
 {
 class OcclusionPoints
 {
 public:
-  OcclusionPoints();
-  ~OcclusionPoints();
+  OcclusionPoints() = default;
+  ~OcclusionPoints() { this->Release(); }
   OcclusionPoints(const OcclusionPoints&) = delete;
   void operator=(const OcclusionPoints&) = delete;
 
   ///@{
   /// Fewer points are drawn as fast without. Set: for tests.
-  static constexpr std::size_t DefaultLeastPoints = 3000;
+  static constexpr std::size_t DefaultLeastPoints = 10000;
   static std::size_t GetLeastPoints();
   static void SetLeastPoints(std::size_t points);
   ///@}
@@ -72,8 +72,8 @@ public:
   /// Hand what was found or made to the program that draws.
   void AddTo(vtkOpenGLHelper& drawn) const;
 
-  /// The window's context is the current one.
-  void ReleaseGraphicsResources(vtkWindow* window);
+  /// Give all back to the window that has it. The destructor does, too.
+  void Release();
 
   /// How often any were made: for tests.
   static std::size_t GetMadeCount();
@@ -90,6 +90,7 @@ private:
   };
   State& FindPlace(const Question& question);
 
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   vtkOpenGLHelper Helper; // of the program that makes it
   std::string Key;        // of the helper's program
   std::vector<std::string> Names;

@@ -34,7 +34,8 @@ std::string MakeSideCode(
   text += side == 0 ? "  brdfSkyNormalVSOutput = brdfSkyNormalVC;\n" : "";
   text += "  if (brdfSkyCosine > brdfSkyLeast)\n  {\n";
   const bool isCoded = !layout.Kept || std::any_of(members.begin(), members.end(),
-    [](const OcclusionMember& member) { return member.HasLobe() || member.IsBouncing; });
+                                         [](const OcclusionMember& member)
+                                         { return member.HasLobe() || member.IsBouncing; });
   if (isCoded)
   {
     text += UnpackCode(side, layout.Kept ? HiddenSky::SectorBytes + 1 : HiddenSky::Bytes) +
@@ -43,7 +44,8 @@ std::string MakeSideCode(
   for (const OcclusionMember& member : members)
   {
     const bool shines = member.HasLobe() || member.IsBouncing;
-    text += layout.Kept ? MakeKeptReading(member) : member.DeclareResting() + member.MakeLightCode();
+    text +=
+      layout.Kept ? MakeKeptReading(member) : member.DeclareResting() + member.MakeLightCode();
     if (layout.Kept && !shines)
     {
       continue;
@@ -112,7 +114,8 @@ std::string MakeFragmentCode(const OcclusionLights& lights, const OcclusionLayou
             "0.5 - min(brdfSkyOther, 1.0)") +
           "), 0.0, 1.0);\n";
       }
-      for (std::size_t k = OcclusionMember::CountLamps(lights, twoSided, m); k < lights[m]->Lamps.size(); ++k)
+      for (std::size_t k = OcclusionMember::CountLamps(lights, twoSided, m);
+           k < lights[m]->Lamps.size(); ++k)
       {
         text += "  brdfOpenLamp" + number + "[" + std::to_string(k) + "] = 1.0;\n";
       }

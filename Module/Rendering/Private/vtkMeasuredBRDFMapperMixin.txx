@@ -141,7 +141,7 @@ void vtkMeasuredBRDFMapperMixin<Base>::ReleaseGraphicsResources(vtkWindow* windo
   {
     this->Drawing->ReleaseGraphicsResources(window, this);
   }
-  this->Points->ReleaseGraphicsResources(window);
+  this->Points->Release();
   this->Base::ReleaseGraphicsResources(window);
 }
 

@@ -41,6 +41,7 @@ void vtkMeasuredBRDFMapperMixin<Base>::BuildBufferObjects(vtkRenderer* ren, vtkA
   this->BuiltOcclusionMode = this->Drawing->GetSettings().OcclusionMode;
   this->BuiltOcclusionBounce = this->Drawing->GetSettings().OcclusionBounce;
   this->BuiltTracedOcclusion = this->Drawing->GetTracedOcclusion(this);
+  this->OcclusionTime.Modified();
   this->Drawing->BeginOcclusion(this);
   this->AddOcclusion(ren);
   this->Base::BuildBufferObjects(ren, actor);
@@ -101,7 +102,7 @@ void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderOcclusion(Shaders shaders)
   {
     return;
   }
-  const measuredbrdf::OcclusionText text = 
+  const measuredbrdf::OcclusionText text =
     measuredbrdf::MakeOcclusionText(lights, this->GetOcclusionLayout());
   const auto add = [&shaders](vtkShader::Type stage, const char* tag, const std::string& lines)
   {
@@ -163,7 +164,7 @@ void vtkMeasuredBRDFMapperMixin<Base>::KeepOcclusion(vtkRenderer* ren, vtkActor*
   }
   const measuredbrdf::OcclusionAxes axes(ren, actor, this->GetEnvironments());
   const measuredbrdf::OcclusionPoints::Question question = { ren, actor,
-    measuredbrdf::GetKeptInputs(lights, layout, axes.ToEnvironment), this->VBOs->GetMTime() };
+    measuredbrdf::GetKeptInputs(lights, layout, axes.ToEnvironment), this->OcclusionTime };
   if (this->Points->Find(lights, layout, question))
   {
     return;
