@@ -25,14 +25,9 @@
 class vtkBRDF;
 class vtkEnvironment;
 class vtkMeasuredBRDFMapperInternals; // how materials are drawn
+class vtkMeasuredBRDFMapperPoints;    // what is kept of points
 class vtkPolyData;
 class vtkShaderProgram;
-
-namespace measuredbrdf
-{
-class OcclusionPoints;
-struct OcclusionLayout;
-} // namespace measuredbrdf
 
 template <class Base>
 class VTKMEASUREDBRDF_EXPORT vtkMeasuredBRDFMapperMixin : public Base
@@ -120,7 +115,7 @@ private:
 
   void WarnOfTextures(vtkActor* actor);
   void ReplaceShaderOcclusion(Shaders shaders);
-  measuredbrdf::OcclusionLayout GetOcclusionLayout();
+  bool KeepsOcclusion();
   std::vector<vtkEnvironment*> GetEnvironments();
   void KeepOcclusion(vtkRenderer* ren, vtkActor* actor);
   void SetOcclusionParameters(vtkShaderProgram* program, vtkRenderer* ren, vtkActor* actor);
@@ -128,8 +123,8 @@ private:
   int BuiltOcclusionMode = -1; // of the buffers
   bool BuiltOcclusionBounce = false;
   const void* BuiltTracedOcclusion = nullptr;
-  vtkTimeStamp OcclusionTime;                            // when the buffers were built
-  std::unique_ptr<measuredbrdf::OcclusionPoints> Points; // what is kept of the buffers' points
+  vtkTimeStamp OcclusionTime;                          // when the buffers were built
+  std::unique_ptr<vtkMeasuredBRDFMapperPoints> Points; // of the buffers
   bool CanKeepPoints = true;
 };
 

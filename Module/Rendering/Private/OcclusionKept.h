@@ -10,8 +10,8 @@
 #ifndef OcclusionKept_h
 #define OcclusionKept_h
 
+#include "OcclusionLayout.h"
 #include "OcclusionMember.h"
-#include "OcclusionShader.h"
 
 #include <glm/glm.hpp>
 

@@ -4,8 +4,8 @@
 
 #include "HalfVector.h" // for Pi
 #include "LocalFrame.h"
+#include "OcclusionArrays.h"
 #include "OcclusionBounce.h"
-#include "OcclusionPanels.h"
 #include "SkyCodeText.h"
 #include "vtkBRDFHiddenSky.h"
 #include "vtkShaderProgram.h"
@@ -134,7 +134,8 @@ std::string OcclusionMember::MakeLobeCode() const
   if (this->HasLobe())
   {
     text +=
-      R"(  vec3 brdfLobe#M = mix(brdfSkyLobes#M[brdfSkyKnot], brdfSkyLobes#M[brdfSkyKnot + 1], brdfSkyView);
+      R"(  vec3 brdfLobe#M =
+    mix(brdfSkyLobes#M[brdfSkyKnot], brdfSkyLobes#M[brdfSkyKnot + 1], brdfSkyView);
   vec3 brdfTurned#M = brdfSkySlope(brdfLobe#M.xy, brdfSkyToModel, brdfSkyNormalVC, brdfSkyAcross);
   vec3 brdfSlope#M = brdfTurned#M * brdfSkyAxes;
   float brdfKappa#M = length(brdfTurned#M);
@@ -244,8 +245,12 @@ std::string DeclareCodes(const OcclusionLights& lights, const OcclusionLayout& l
     text += (member.IsBouncing ? OcclusionBounce::DeclareMember(member.Member) : "") +
             "uniform vec3 brdfSkyLight" + m + "[" + std::to_string(sky::Harmonics) +
             "];\nuniform vec3 brdfSkyLobes" + m + "[" + std::to_string(OcclusionLobes::Views) +
-            "];\nuniform mat4 brdfSkyRed" + m + ", brdfSkyGreen" + m + ", brdfSkyBlue" + m + ";\n" +
-            DeclarePanels(m, member.Light->Panels.size());
+            "];\nuniform mat4 brdfSkyRed" + m + ", brdfSkyGreen" + m + ", brdfSkyBlue" + m + ";\n";
+    if (member.HasPanels())
+    {
+      const std::string panels = "[" + std::to_string(member.Light->Panels.size()) + "]";
+      text += "uniform vec4 brdfSkyPanel" + m + panels + ", brdfSkyPanelLight" + m + panels + ";\n";
+    }
     if (member.Lamps > 0)
     {
       text += "uniform vec3 brdfSkyLamp" + m + lamps;

@@ -9,7 +9,7 @@
 #ifndef OcclusionMember_h
 #define OcclusionMember_h
 
-#include "OcclusionShader.h"
+#include "OcclusionLayout.h"
 
 #include <cstddef>
 #include <string>

@@ -83,14 +83,6 @@ std::string MakeKeptPanelCode(const OcclusionMember& member)
   return Fill(text + EndShine, member);
 }
 
-std::string DeclarePanels(const std::string& m, std::size_t panels)
-{
-  const std::string size = "[" + std::to_string(panels) + "];\n";
-  return panels > 0
-           ? "uniform vec4 brdfSkyPanel" + m + size + "uniform vec4 brdfSkyPanelLight" + m + size
-           : "";
-}
-
 void SetPanels(vtkShaderProgram* program, const std::string& number,
   const std::vector<EnvironmentPanels::Panel>& panels, const glm::dmat3& toEnvironment)
 {

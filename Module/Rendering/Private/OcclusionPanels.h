@@ -35,8 +35,6 @@ std::string MakePanelCode(const OcclusionMember& member, PanelUse use);
 /// The same where hidden shares and light were kept: only the lobe is left.
 std::string MakeKeptPanelCode(const OcclusionMember& member);
 
-std::string DeclarePanels(const std::string& m, std::size_t panels);
-
 /// toEnvironment: from the model's axes.
 void SetPanels(vtkShaderProgram* program, const std::string& number,
   const std::vector<EnvironmentPanels::Panel>& panels, const glm::dmat3& toEnvironment);

@@ -106,10 +106,14 @@ class vtkMeasuredBRDFMapperInternals : public measuredbrdf::MaterialDrawing
   using measuredbrdf::MaterialDrawing::MaterialDrawing;
 };
 
+class vtkMeasuredBRDFMapperPoints : public measuredbrdf::OcclusionPoints
+{
+};
+
 //------------------------------------------------------------------------------
 template <class Base>
 vtkMeasuredBRDFMapperMixin<Base>::vtkMeasuredBRDFMapperMixin()
-  : Points(std::make_unique<measuredbrdf::OcclusionPoints>())
+  : Points(std::make_unique<vtkMeasuredBRDFMapperPoints>())
 {
 }
 
@@ -218,8 +222,8 @@ std::string vtkMeasuredBRDFMapperMixin<Base>::GetShaderKey(const vtkOpenGLHelper
     return "";
   }
   return this->Drawing->GetSelected().GetKey() + (this->HasTangents() ? "/tangents" : "") +
-         measuredbrdf::GetOcclusionKey(
-           this->Drawing->GetSelectedOcclusion(this->HasOcclusion()), this->GetOcclusionLayout());
+         measuredbrdf::GetOcclusionKey(this->Drawing->GetSelectedOcclusion(this->HasOcclusion()),
+           { this->HasTwoSidedOcclusion(), this->HasOcclusionBounce(), this->KeepsOcclusion() });
 }
 
 //------------------------------------------------------------------------------
@@ -328,8 +332,10 @@ void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderLight(
     measuredbrdf::GetShaderMembers(this->Drawing->GetSelected().Get(), mixture.Slots, lights);
   std::string fs = shaders[vtkShader::Fragment]->GetSource();
   const measuredbrdf::OcclusionText occlusion =
-    lights.empty() ? measuredbrdf::OcclusionText()
-                   : measuredbrdf::MakeOcclusionText(lights, this->GetOcclusionLayout());
+    lights.empty()
+      ? measuredbrdf::OcclusionText()
+      : measuredbrdf::MakeOcclusionText(lights,
+          { this->HasTwoSidedOcclusion(), this->HasOcclusionBounce(), this->KeepsOcclusion() });
   std::string declarations = occlusion.FragmentDeclarations + mixture.Declarations +
                              measuredbrdf::GetShaderDeclarations(members);
   if (measuredbrdf::Contains(fs, "anisotropyUniform"))
@@ -461,7 +467,7 @@ void vtkMeasuredBRDFMapperMixin<Base>::SetMapperShaderParameters(
     program->SetUniformMatrix("brdfTangentMatrix", matrix);
   }
   this->SetOcclusionParameters(program, ren, actor);
-  if (this->GetOcclusionLayout().Kept)
+  if (this->KeepsOcclusion())
   {
     this->Points->AddTo(cellBO);
   }

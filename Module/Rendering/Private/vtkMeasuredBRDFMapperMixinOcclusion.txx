@@ -102,8 +102,8 @@ void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderOcclusion(Shaders shaders)
   {
     return;
   }
-  const measuredbrdf::OcclusionText text =
-    measuredbrdf::MakeOcclusionText(lights, this->GetOcclusionLayout());
+  const measuredbrdf::OcclusionText text = measuredbrdf::MakeOcclusionText(
+    lights, { this->HasTwoSidedOcclusion(), this->HasOcclusionBounce(), this->KeepsOcclusion() });
   const auto add = [&shaders](vtkShader::Type stage, const char* tag, const std::string& lines)
   {
     std::string source = shaders[stage]->GetSource();
@@ -117,26 +117,24 @@ void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderOcclusion(Shaders shaders)
 }
 
 //------------------------------------------------------------------------------
+// Whether the light's part of the shader is made for each point beforehand.
 template <class Base>
-measuredbrdf::OcclusionLayout vtkMeasuredBRDFMapperMixin<Base>::GetOcclusionLayout()
+bool vtkMeasuredBRDFMapperMixin<Base>::KeepsOcclusion()
 {
-  measuredbrdf::OcclusionLayout layout;
-  layout.TwoSided = this->HasTwoSidedOcclusion();
-  layout.Bounced = this->HasOcclusionBounce();
-  if (this->HasOcclusion() && this->CanKeepPoints &&
-      this->VBOs->GetVBO("brdfSky0")->GetNumberOfTuples() >=
+  if (!this->HasOcclusion() || !this->CanKeepPoints ||
+      this->VBOs->GetVBO("brdfSky0")->GetNumberOfTuples() <
         measuredbrdf::OcclusionPoints::GetLeastPoints())
   {
-    const measuredbrdf::OcclusionLights lights = this->Drawing->GetSelectedOcclusion(true);
-    std::size_t attributes =
-      measuredbrdf::CountKeptAttributes(lights, layout) + this->ExtraAttributes.size();
-    for (const char* name : { "vertexMC", "normalMC", "scalarColor", "tcoord", "tangentMC" })
-    {
-      attributes += this->VBOs->GetNumberOfComponents(name) > 0 ? 1 : 0;
-    }
-    layout.Kept = attributes <= measuredbrdf::OcclusionPoints::MostAttributes;
+    return false;
   }
-  return layout;
+  std::size_t attributes = this->ExtraAttributes.size();
+  for (const char* name : { "vertexMC", "normalMC", "scalarColor", "tcoord", "tangentMC" })
+  {
+    attributes += this->VBOs->GetNumberOfComponents(name) > 0 ? 1 : 0;
+  }
+  attributes += measuredbrdf::CountKeptAttributes(this->Drawing->GetSelectedOcclusion(true),
+    { this->HasTwoSidedOcclusion(), this->HasOcclusionBounce(), true });
+  return attributes <= measuredbrdf::OcclusionPoints::MostAttributes;
 }
 
 //------------------------------------------------------------------------------
@@ -144,7 +142,7 @@ template <class Base>
 void vtkMeasuredBRDFMapperMixin<Base>::UpdateShaders(
   vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor)
 {
-  if (this->UsesMaterial(&cellBO) && this->GetOcclusionLayout().Kept)
+  if (this->UsesMaterial(&cellBO) && this->KeepsOcclusion())
   {
     this->KeepOcclusion(ren, actor);
   }
@@ -157,7 +155,8 @@ template <class Base>
 void vtkMeasuredBRDFMapperMixin<Base>::KeepOcclusion(vtkRenderer* ren, vtkActor* actor)
 {
   const measuredbrdf::OcclusionLights lights = this->Drawing->GetSelectedOcclusion(true);
-  const measuredbrdf::OcclusionLayout layout = this->GetOcclusionLayout();
+  const measuredbrdf::OcclusionLayout layout = { this->HasTwoSidedOcclusion(),
+    this->HasOcclusionBounce(), this->KeepsOcclusion() };
   if (lights.empty())
   {
     return;
