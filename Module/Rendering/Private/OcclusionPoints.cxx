@@ -64,7 +64,10 @@ bool OcclusionPoints::Find(
   const std::string key = GetOcclusionKey(lights, layout);
   const auto found = std::find_if(this->States.begin(), this->States.end(),
     [&](const std::unique_ptr<State>& state)
-    { return state->Key == key && state->Of.Time == question.Time && state->Of.Inputs == question.Inputs; });
+    {
+      return state->Key == key && state->Of.Time == question.Time &&
+             state->Of.Inputs == question.Inputs;
+    });
   this->Current = found == this->States.end() ? nullptr : found->get();
   if (this->Current)
   {
@@ -110,7 +113,10 @@ vtkShaderProgram* OcclusionPoints::Begin(vtkOpenGLRenderWindow* window,
 OcclusionPoints::State& OcclusionPoints::FindPlace(const Question& question)
 {
   const auto isOwn = [&](const std::unique_ptr<State>& state)
-  { return state->Key == this->Key && state->Of.View == question.View && state->Of.Actor == question.Actor; };
+  {
+    return state->Key == this->Key && state->Of.View == question.View &&
+           state->Of.Actor == question.Actor;
+  };
   auto place = std::find_if(this->States.begin(), this->States.end(), isOwn);
   if (place == this->States.end() && this->States.size() < MostStates)
   {
