@@ -106,10 +106,6 @@ class vtkMeasuredBRDFMapperInternals : public measuredbrdf::MaterialDrawing
   using measuredbrdf::MaterialDrawing::MaterialDrawing;
 };
 
-class vtkMeasuredBRDFMapperPoints : public measuredbrdf::OcclusionPoints
-{
-};
-
 //------------------------------------------------------------------------------
 template <class Base>
 vtkMeasuredBRDFMapperMixin<Base>::vtkMeasuredBRDFMapperMixin()
