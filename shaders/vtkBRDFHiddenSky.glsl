@@ -42,24 +42,52 @@ vec3 brdfSkySlope(vec2 lobe, mat3 toModel, vec3 normal, vec3 across)
   return turned * (1.442695041 * length(slope) / max(length(turned), 1e-12));
 }
 
-// Six elevations of a sector: sines and cosines.
-const vec3 brdfSkySine0 = vec3(1.0, 3.0, 5.0) / 12.0;
-const vec3 brdfSkySine1 = vec3(7.0, 9.0, 11.0) / 12.0;
-const vec3 brdfSkyCosine0 = vec3(0.9965217285917832, 0.9682458365518543, 0.9090593428630952);
-const vec3 brdfSkyCosine1 = vec3(0.8122328620674136, 0.6614378277661477, 0.39965262694272663);
+// Six elevations of a sector, nearly in the middles of even steps of the sine: their cosines are
+// 0.3948 + 0.0301 (20, 19, 17, 14, 9, 0), so that two exponentials make all six (HiddenSky.cxx), and
+// their reciprocals those of the opposite sector.
+const vec3 brdfSkySine0 = vec3(0.07993597437950033, 0.2559123091998511, 0.4222058147396838);
+const vec3 brdfSkySine1 = vec3(0.5777694695983857, 0.7462194784378119, 0.9187670869159387);
 
-// Add a sector's share of a lobe cos(theta) exp2(slope . d - kappa), hidden and all, to sum.
-void brdfSkySector(vec2 along, vec2 bounds, vec3 slope, float kappa, inout vec2 sum)
+// What the nodes of all sectors have in common: cosine times exp2(slope.z sine - kappa).
+void brdfSkyRise(float slope, float kappa, out vec3 low, out vec3 high)
 {
-  float across = dot(along, slope.xy);
-  vec3 low = brdfSkySine0 * exp2(across * brdfSkyCosine0 + (slope.z * brdfSkySine0 - kappa));
-  vec3 high = brdfSkySine1 * exp2(across * brdfSkyCosine1 + (slope.z * brdfSkySine1 - kappa));
-  vec2 at = bounds * (6.0 / 255.0);
-  vec3 first = clamp(vec3(at.y) - vec3(0.0, 1.0, 2.0), 0.0, 1.0) -
-    clamp(vec3(at.x) - vec3(0.0, 1.0, 2.0), 0.0, 1.0);
-  vec3 second = clamp(vec3(at.y) - vec3(3.0, 4.0, 5.0), 0.0, 1.0) -
-    clamp(vec3(at.x) - vec3(3.0, 4.0, 5.0), 0.0, 1.0);
-  sum += vec2(dot(low, first) + dot(high, second), dot(low + high, vec3(1.0)));
+  low = vec3(1.0, 3.0, 5.0) / 12.0 * exp2(slope * brdfSkySine0 - kappa);
+  high = vec3(7.0, 9.0, 11.0) / 12.0 * exp2(slope * brdfSkySine1 - kappa);
+}
+
+// Add a sector's share of a lobe cos(theta) exp2(slope . d - kappa), hidden and all, to sum. one,
+// last: exp2 of the slope in the sector's azimuth, times a step of the nodes' cosines and the last
+// one.
+void brdfSkySector(float one, float last, vec2 bounds, vec3 rise0, vec3 rise1, inout vec2 sum)
+{
+  float two = one * one;
+  float three = two * one;
+  float five = three * two;
+  vec3 low, high;
+  high.z = last;
+  high.y = high.z * (five * two * two);
+  high.x = high.y * five;
+  low.z = high.x * three;
+  low.y = low.z * two;
+  low.x = low.y * one;
+  low *= rise0;
+  high *= rise1;
+  // What of each step is within the bounds.
+  const vec3 below = vec3(0.0, 42.5, 85.0);
+  const vec3 above = vec3(127.5, 170.0, 212.5);
+  vec3 first = max(min(vec3(bounds.y), below + 42.5) - max(vec3(bounds.x), below), 0.0);
+  vec3 second = max(min(vec3(bounds.y), above + 42.5) - max(vec3(bounds.x), above), 0.0);
+  sum += vec2(dot(low, first) + dot(high, second), dot(low + high, vec3(42.5)));
+}
+
+// Add a sector and the opposite one; across: the slope in the first one's azimuth.
+void brdfSkySectors(
+  float across, vec2 bounds, vec2 opposite, vec3 rise0, vec3 rise1, inout vec2 sum)
+{
+  float one = exp2(0.0301 * across);
+  float last = exp2(0.3948 * across);
+  brdfSkySector(one, last, bounds, rise0, rise1, sum);
+  brdfSkySector(1.0 / one, 1.0 / last, opposite, rise0, rise1, sum);
 }
 
 // Add a sector's bounds to sum, by how near it is to an azimuth (unit).
@@ -131,14 +159,28 @@ float brdfSkyPanelInLobe(vec3 d, float concentration, vec3 slope, float kappa)
   return own / both * exp2(both - own - kappa);
 }
 
-// Hidden share of a lobe's light: odds of the lobe's hidden share, times how much brighter than the
-// rest the hidden sky is where the lobe is wide. cosine: hidden share under a uniform sky.
-vec3 brdfSkyLobe(float share, float kappa, vec3 hidden, vec3 irradiance, float cosine)
+// Odds of the hidden irradiance over those of a uniform sky (cosine: its hidden share), as a
+// logarithm of base 2, within +-5.65: how much brighter than the rest the hidden sky is.
+vec3 brdfSkyContrast(vec3 hidden, vec3 irradiance, float cosine)
 {
   vec3 part = clamp(hidden / max(irradiance, vec3(1e-12)), 0.0, 0.999);
   vec3 odds = part * (1.0 - cosine) / max((1.0 - part) * cosine, vec3(1e-6));
-  vec3 factor = pow(clamp(odds, 1.0 / 50.0, 50.0), vec3(1.0 / (1.0 + kappa / 12.0)));
+  return log2(clamp(odds, 1.0 / 50.0, 50.0));
+}
+
+// Hidden share of a lobe's light: odds of the lobe's hidden share, times that contrast where the
+// lobe is wide.
+vec3 brdfSkyLobe(float share, float kappa, vec3 contrast)
+{
+  vec3 factor = exp2(contrast * (12.0 / (12.0 + kappa)));
   return share * factor / max(share * factor + max(1.0 - share, 0.0), vec3(1e-12));
+}
+
+// Add a panel's light in a lobe, and what is hidden of it. shine: the lobe's mean over the panel.
+void brdfSkyAddPanel(vec3 light, float hidden, float shine, inout vec3 all, inout vec3 lost)
+{
+  all += light * shine;
+  lost += hidden * light * shine;
 }
 
 // Hidden shares as what is interpolated between points: the logarithm (of base 2) of their odds,
@@ -154,4 +196,17 @@ vec3 brdfSkyIrradiance(mat4 red, mat4 green, mat4 blue, vec3 n)
 {
   vec4 v = vec4(n, 1.0);
   return max(vec3(dot(v, red * v), dot(v, green * v), dot(v, blue * v)), vec3(0.0));
+}
+
+// Two numbers within 0 to 1 as one, in steps of 1 / 4094: what is kept of a point.
+float brdfSkyPair(float one, float other)
+{
+  vec2 steps = floor(clamp(vec2(one, other), 0.0, 1.0) * 4094.0 + 0.5);
+  return steps.x + 4096.0 * steps.y;
+}
+
+vec2 brdfSkyUnpair(float pair)
+{
+  float other = floor(pair * (1.0 / 4096.0));
+  return vec2(pair - 4096.0 * other, other) * (1.0 / 4094.0);
 }

@@ -23,7 +23,9 @@
 #include <vector>  // for MaterialUse
 
 class vtkBRDF;
+class vtkEnvironment;
 class vtkMeasuredBRDFMapperInternals; // how materials are drawn
+class vtkMeasuredBRDFMapperPoints;    // what is kept of points
 class vtkPolyData;
 class vtkShaderProgram;
 
@@ -57,6 +59,7 @@ protected:
   bool GetNeedToRebuildBufferObjects(vtkRenderer* ren, vtkActor* actor) override;
   void BuildBufferObjects(vtkRenderer* ren, vtkActor* actor) override;
   bool GetNeedToRebuildShaders(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor) override;
+  void UpdateShaders(vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor) override;
 
   using Shaders = std::map<vtkShader::Type, vtkShader*>;
   void ReplaceShaderColor(Shaders shaders, vtkRenderer* ren, vtkActor* actor) override;
@@ -112,11 +115,17 @@ private:
 
   void WarnOfTextures(vtkActor* actor);
   void ReplaceShaderOcclusion(Shaders shaders);
+  bool KeepsOcclusion();
+  std::vector<vtkEnvironment*> GetEnvironments();
+  void KeepOcclusion(vtkRenderer* ren, vtkActor* actor);
   void SetOcclusionParameters(vtkShaderProgram* program, vtkRenderer* ren, vtkActor* actor);
 
   int BuiltOcclusionMode = -1; // of the buffers
   bool BuiltOcclusionBounce = false;
   const void* BuiltTracedOcclusion = nullptr;
+  vtkTimeStamp OcclusionTime;                          // when the buffers were built
+  std::unique_ptr<vtkMeasuredBRDFMapperPoints> Points; // of the buffers
+  bool CanKeepPoints = true;
 };
 
 #endif

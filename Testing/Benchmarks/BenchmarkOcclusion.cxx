@@ -57,9 +57,11 @@ int main(int argc, char** argv)
   int rounds = 0;
   int rays = 0;
   std::string pictures;
+  std::vector<std::string> names;
   CLI::App app("The error of what surfaces hide from themselves.");
   app.add_option("--meshes", meshes, "Those of the default, or .vtp files with point normals");
   app.add_option("--maps", maps, "Files of the data folder, or embedded names");
+  app.add_option("--materials", names, "Names of materials; none: all");
   app.add_option("--pixels", pixelCount, "Of each picture");
   app.add_option("--rays", rays, "From each point; 0: as the filter has it");
   app.add_option("--rounds", rounds, "Of frames for times; 0: none");
@@ -74,10 +76,13 @@ int main(int argc, char** argv)
       environments.push_back(MakeMap(name, environment));
     }
   }
-  const std::vector<Material> materials = MakeMaterials();
+  std::vector<Material> materials = MakeMaterials();
+  const auto isLeftOut = [&names](const Material& material)
+  { return !names.empty() && std::find(names.begin(), names.end(), material.Name) == names.end(); };
+  materials.erase(std::remove_if(materials.begin(), materials.end(), isLeftOut), materials.end());
   vtkObject::GlobalWarningDisplayOn(); // readers turn it off
-  std::printf(
-    "mesh,points,trace s,material,map,off %%,ambient %%,on %%,frame off ms,frame on ms\n");
+  std::printf("mesh,points,trace s,material,map,off %%,ambient %%,on %%,frame off ms,frame on "
+              "ms,light turns ms\n");
   double sums[3] = { 0.0, 0.0, 0.0 };
   double worst[3] = { 0.0, 0.0, 0.0 };
   int worse = 0;
@@ -119,24 +124,32 @@ int main(int argc, char** argv)
         const Errors errors = Compare(pixels, kernels, map, off, on);
         const double values[3] = { errors.Off / errors.All, errors.Ambient / errors.All,
           errors.On / errors.All };
-        double frames[2] = { 0.0, 0.0 };
-        for (int mode = 0; rounds > 0 && mode < 2; ++mode)
+        // Without, with the light at rest, and with a light that turns.
+        double frames[3] = { 0.0, 0.0, 0.0 };
+        for (int mode = 0; rounds > 0 && mode < 3; ++mode)
         {
           frames[mode] = HUGE_VAL;
         }
-        for (int round = 0; round < 2 * rounds; ++round)
+        for (int round = 0; round < 3 * rounds; ++round)
         {
-          mapper->SetOcclusionMode(round % 2);
+          const int mode = round % 3;
+          mapper->SetOcclusionMode(std::min(mode, 1));
           window.Draw();
-          const double start = GetSeconds();
-          window.Draw();
-          window.Draw();
-          frames[round % 2] = std::min(frames[round % 2], 0.5 * (GetSeconds() - start));
+          double seconds = 0.0;
+          for (int frame = 0; frame < 2; ++frame)
+          {
+            map.Environment->SetRotationY(mode == 2 ? 1e-3 * (round + frame) : 0.0);
+            const double start = GetSeconds();
+            window.Draw();
+            seconds += GetSeconds() - start;
+          }
+          map.Environment->SetRotationY(0.0);
+          frames[mode] = std::min(frames[mode], 0.5 * seconds);
         }
-        std::printf("%s,%lld,%.2f,%s,%s,%.2f,%.2f,%.2f,%.1f,%.1f\n", name.c_str(),
+        std::printf("%s,%lld,%.2f,%s,%s,%.2f,%.2f,%.2f,%.1f,%.1f,%.1f\n", name.c_str(),
           static_cast<long long>(surface->GetNumberOfPoints()), seconds, material.Name.c_str(),
           map.Name.c_str(), 100.0 * values[0], 100.0 * values[1], 100.0 * values[2],
-          1e3 * frames[0], 1e3 * frames[1]);
+          1e3 * frames[0], 1e3 * frames[1], 1e3 * frames[2]);
         std::fflush(stdout);
         if (!pictures.empty())
         {

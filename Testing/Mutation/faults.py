@@ -1084,7 +1084,7 @@ add("Visibility.hidden-rays-without-cosine", "Private/HiddenSky.cxx", "transfer[
     "transfer[j] += values[j];", "HiddenSky.ACraterHidesTheLowSky")
 add("Visibility.panels-hidden-by-slivers", "Private/HiddenSky.cxx", "return this->Trust * std::clamp(", "return std::clamp(",
     "HiddenSky.SliversAtTheHorizonHideNoPanel")
-add("Visibility.lobes-beyond-the-horizon", "Private/HiddenSky.cxx", "const double weight = z * std::exp(", "const double weight = std::exp(",
+add("Visibility.lobes-beyond-the-horizon", "Private/HiddenSky.cxx", "(e + 0.5) / Elevations * std::exp(across", "std::exp(across",
     "HiddenSky.ACraterHidesTheLowSky")
 add("Visibility.margins-of-lamps-cut-off", "Private/HiddenSky.cxx", "-LargestMargin, LargestMargin);", "-0.5, 0.5);",
     "HiddenSky.MarginsSayHowFarLampsAreFromShadows")
@@ -1133,6 +1133,12 @@ add("Rendering.moving-surfaces-are-traced", "Private/OcclusionForecast.cxx", "re
     "OcclusionTest.ForecastsFollowTheSurface")
 add("Rendering.views-forget-each-other", "Private/OcclusionForecast.cxx", "this->Known.count(key) == 0 && follows",
     "(this->Answer == nullptr || this->Asked != key) && follows", "OcclusionTest.ForecastsFollowTheSurface")
+add("Rendering.kept-light-does-not-turn", "Private/OcclusionKept.cxx", "add(turn[column]);", "add(0.0 * turn[column]);",
+    "OcclusionPointsTest.LightMayTurnAndRestAgain")
+add("Rendering.views-take-each-others-light", "Private/OcclusionPoints.cxx", "state->Of.View == question.View &&", "true &&",
+    "OcclusionPointsTest.ViewsKeepTheirOwn")
+add("Rendering.kept-light-of-other-codes", "Private/OcclusionPoints.cxx", "state->Of.Time == question.Time &&", "true &&",
+    "OcclusionPointsTest.WhatChangesIsSeen")
 add("Rendering.hidden-sky-of-the-wrong-side", "Private/OcclusionShader.cxx",
     "dot(normalVCVSOutput, brdfSkyNormalVSOutput) > 0.0", "dot(normalVCVSOutput, brdfSkyNormalVSOutput) < 2.0",
     "OcclusionTest.NormalsMayPointEitherWay")
@@ -1161,8 +1167,8 @@ add("Rendering.lobes-without-cosine", "Private/OcclusionLobes.cxx", "cell.Cosine
     "OcclusionTest.LobesHaveTheKernelsMean")
 add("Shaders.lamps-edges-on-points", "vtkBRDFHiddenSky.glsl", "clamp(max(below, above), -3.0, 3.0)", "clamp(max(below, above), -0.5, 0.5)",
     "OcclusionTest.ShadowEdgesCrossTriangles")
-add("Shaders.hidden-sky-odds", "vtkBRDFHiddenSky.glsl", "vec3(1.0 / (1.0 + kappa / 12.0))",
-    "vec3(1.0 / (1.0 + kappa / 3.0))", "OcclusionTest.LobesLackTheirHiddenShare")
+add("Shaders.hidden-sky-odds", "vtkBRDFHiddenSky.glsl", "(12.0 / (12.0 + kappa))",
+    "(3.0 / (3.0 + kappa))", "OcclusionTest.LobesLackTheirHiddenShare")
 add("Shaders.hidden-irradiance-counts", "vtkBRDFEnvironmentTable.glsl", "sum += BRDF_OPEN_IRRADIANCE(",
     "sum += (", "OcclusionTest.MatteSurfacesLackTheHiddenIrradiance")
 

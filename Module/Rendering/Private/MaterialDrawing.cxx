@@ -4,6 +4,7 @@
 
 #include "Drawings.h"
 #include "DrawsColor.h"
+#include "OcclusionPoints.h"
 #include "SharedIntegrators.h"
 #include "StockLevels.h"
 #include "TextureEnvironment.h"
@@ -41,6 +42,7 @@ MaterialDrawing::SweepAtEnd::~SweepAtEnd()
 {
   SweepIntegrators(); // which hold environments
   SweepEnvironments();
+  SweepCaptures();
 }
 
 // A number that stays with a material, so that plans of one never stand in for another's.

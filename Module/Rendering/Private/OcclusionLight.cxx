@@ -81,6 +81,9 @@ OcclusionLight::OcclusionLight(
     brdf->IsIsotropic() && (hybrid || vtkTableRadianceIntegrator::SafeDownCast(integrator) ||
                              vtkFactoredRadianceIntegrator::SafeDownCast(integrator));
   this->Lobes = OcclusionLobes(brdf, !this->IsSplit);
+  this->HasLobe = std::any_of(this->Lobes.GetLobes().begin(), this->Lobes.GetLobes().end(),
+    [](const OcclusionLobes::Lobe& lobe)
+    { return glm::any(glm::greaterThan(lobe.Albedo, glm::dvec3(0.0))); }); // LobeMeans rounds to 0
   EnvironmentPrecomputation::Rest rest;
   if (hybrid && this->IsSplit)
   {

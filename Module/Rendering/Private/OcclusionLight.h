@@ -42,6 +42,7 @@ struct OcclusionLight
   std::vector<glm::dvec3> Lamps;     // directions in the environment's frame
   std::vector<glm::dvec3> LampLight; // irradiance of lamps that E(n) holds; else empty
   std::vector<EnvironmentPanels::Panel> Panels;
+  bool HasLobe = true;  // whether there is more than the Lambert part, which IsSplit leaves out
   bool IsSplit = false; // whether the integrator tells Lambert part, lobe and lamps apart
   std::shared_ptr<const OcclusionBounce> Bounce; // null: what is hidden is black
 

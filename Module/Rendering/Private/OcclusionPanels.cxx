@@ -3,11 +3,34 @@
 #include "OcclusionPanels.h"
 
 #include "SkyCodeText.h"
-#include "UniformVectors.h"
+#include "vtkShaderProgram.h"
 
 namespace measuredbrdf
 {
-std::string MakePanelCode(const std::string& m, const std::string& out, std::size_t panels)
+namespace
+{
+// All light in the lobe, and what is hidden of it: of the rest of the light, of panels, together.
+const char* const BeginShine =
+  R"(  vec3 brdfLobeAll#M = max(brdfRest#M, vec3(1e-12)) * 0.3183098861837907;
+  vec3 brdfLobeLost#M = brdfHiddenLobe#OUTVSOutput * brdfLobeAll#M;
+  float brdfWhole#M = 1.0 / brdfLobe#M.z;
+)";
+const char* const Shine = R"(    float shine =
+      brdfSkyPanelInLobe(panel.xyz, panel.w, brdfTurned#M, brdfKappa#M) * brdfWhole#M;
+    brdfSkyAddPanel(light, hidden, shine, brdfLobeAll#M, brdfLobeLost#M);
+)";
+const char* const EndShine = "  brdfHiddenLobe#OUTVSOutput = brdfLobeLost#M / brdfLobeAll#M;\n";
+
+std::string Fill(std::string text, const OcclusionMember& member)
+{
+  vtkShaderProgram::Substitute(text, "#OUT", member.Out);
+  vtkShaderProgram::Substitute(text, "#M", member.Number);
+  vtkShaderProgram::Substitute(text, "#COUNT", std::to_string(member.Light->Panels.size()));
+  return text;
+}
+}
+
+std::string MakePanelCode(const OcclusionMember& member, PanelUse use)
 {
   // How much less the harmonics say is hidden than the sectors.
   std::string text = "  float brdfInSectors#M = 0.0;\n";
@@ -15,14 +38,14 @@ std::string MakePanelCode(const std::string& m, const std::string& out, std::siz
   {
     text += "  brdfInSectors#M += brdfSkySquare(" + Bounds(s) + ");\n";
   }
-  text += R"(  vec3 brdfLobeAll#M = max(brdfRest#M, vec3(1e-12)) * 0.3183098861837907;
-  vec3 brdfLobeLost#M = brdfHiddenLobe#OUTVSOutput * brdfLobeAll#M;
-  float brdfSkyTrust#M = clamp(brdfSkyHidden / max(brdfInSectors#M, 1e-6), 0.0, 1.0);
+  const bool shines = use == PanelUse::Draw && member.HasLobe();
+  text += shines ? BeginShine : "";
+  text += R"(  float brdfSkyTrust#M = clamp(brdfSkyHidden / max(brdfInSectors#M, 1e-6), 0.0, 1.0);
   for (int k = 0; k < #COUNT; ++k)
   {
     vec4 panel = brdfSkyPanel#M[k];
     vec3 direction = panel.xyz * brdfSkyAxes;
-    float radius = sqrt(0.5 / panel.w);
+    float radius = brdfSkyPanelLight#M[k].w;
     vec3 azimuth = brdfSkyPanelAzimuth(direction, radius);
     vec2 ends = brdfSkyPanelEnds(direction, radius);
     vec2 sum = vec2(0.0);
@@ -32,48 +55,56 @@ std::string MakePanelCode(const std::string& m, const std::string& out, std::siz
     text += "    brdfSkyPanelSector(" + Along(s) + ", " + Bounds(s) + ", azimuth, ends, sum);\n";
   }
   text += R"(    float hidden = brdfSkyPanelHidden(sum, ends) * brdfSkyTrust#M;
-    vec3 light = brdfSkyPanelLight#M[k] * brdfSkyPanelRise(direction.z, radius);
-    vec3 inLobe =
-      light * (brdfSkyPanelInLobe(direction, panel.w, brdfSlope#M, brdfKappa#M) / brdfLobe#M.z);
+    vec3 light = brdfSkyPanelLight#M[k].rgb * brdfSkyPanelRise(direction.z, radius);
     brdfHiddenLight#OUTVSOutput += hidden * light;
-    brdfLobeAll#M += inLobe;
-    brdfLobeLost#M += hidden * inLobe;
-  }
-  brdfHiddenLobe#OUTVSOutput = brdfLobeLost#M / brdfLobeAll#M;
 )";
-  vtkShaderProgram::Substitute(text, "#OUT", out);
-  vtkShaderProgram::Substitute(text, "#M", m);
-  vtkShaderProgram::Substitute(text, "#COUNT", std::to_string(panels));
-  return text;
+  text += shines ? Shine : "";
+  text += use == PanelUse::Keep && member.HasLobe() ? "    brdfPart#M[k] = hidden;\n" : "";
+  text += "  }\n";
+  text += shines ? EndShine : "";
+  return Fill(text, member);
 }
 
-std::string DeclarePanels(const std::string& m, std::size_t panels)
+std::string MakeKeptPanelCode(const OcclusionMember& member)
 {
-  const std::string size = "[" + std::to_string(panels) + "];\n";
-  return panels > 0
-           ? "uniform vec4 brdfSkyPanel" + m + size + "uniform vec3 brdfSkyPanelLight" + m + size
-           : "";
+  std::string text = BeginShine;
+  for (std::size_t k = 0; k < member.Light->Panels.size(); ++k)
+  {
+    std::string one = R"(  {
+    vec4 panel = brdfSkyPanel#M[#K];
+    float hidden = brdfPart#M[#K];
+    vec4 glow = brdfSkyPanelLight#M[#K];
+    vec3 light = glow.rgb * brdfSkyPanelRise(dot(panel.xyz, brdfSkyN), glow.w);
+)" + std::string(Shine) +
+                      "  }\n";
+    vtkShaderProgram::Substitute(one, "#K", std::to_string(k));
+    text += one;
+  }
+  return Fill(text + EndShine, member);
 }
 
 void SetPanels(vtkShaderProgram* program, const std::string& number,
   const std::vector<EnvironmentPanels::Panel>& panels, const glm::dmat3& toEnvironment)
 {
-  std::vector<float> places;
-  std::vector<glm::dvec3> light;
+  std::vector<float> places; // and concentrations
+  std::vector<float> lights; // and radii
+  const auto add = [](std::vector<float>& values, const glm::dvec3& v, double last)
+  {
+    for (const double value : { v.x, v.y, v.z, last })
+    {
+      values.push_back(static_cast<float>(value));
+    }
+  };
   for (const EnvironmentPanels::Panel& panel : panels)
   {
-    const glm::dvec3 d = glm::transpose(toEnvironment) * panel.Direction;
-    for (const double value : { d.x, d.y, d.z, panel.Concentration })
-    {
-      places.push_back(static_cast<float>(value));
-    }
-    light.push_back(panel.Irradiance);
+    add(places, glm::transpose(toEnvironment) * panel.Direction, panel.Concentration);
+    add(lights, panel.Irradiance, GetPanelRadius(panel));
   }
   if (!panels.empty())
   {
-    program->SetUniform4fv(
-      ("brdfSkyPanel" + number).c_str(), static_cast<int>(panels.size()), places.data());
-    SetVectors(program, "brdfSkyPanelLight" + number, light);
+    const int count = static_cast<int>(panels.size());
+    program->SetUniform4fv(("brdfSkyPanel" + number).c_str(), count, places.data());
+    program->SetUniform4fv(("brdfSkyPanelLight" + number).c_str(), count, lights.data());
   }
 }
 } // namespace measuredbrdf

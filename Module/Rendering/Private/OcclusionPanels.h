@@ -10,6 +10,7 @@
 #define OcclusionPanels_h
 
 #include "EnvironmentPanels.h"
+#include "OcclusionMember.h"
 
 #include <glm/glm.hpp>
 
@@ -21,11 +22,18 @@ class vtkShaderProgram;
 
 namespace measuredbrdf
 {
-/// Text of the vertex shader for member m, after the rest of the light: each panel on its own. out:
-/// the outputs' ending; panels: their number.
-std::string MakePanelCode(const std::string& m, const std::string& out, std::size_t panels);
+/// What panels' hidden shares are for: the lobe of the shader that draws, or to be kept.
+enum class PanelUse
+{
+  Draw,
+  Keep
+};
 
-std::string DeclarePanels(const std::string& m, std::size_t panels);
+/// Text of the vertex shader, after the rest of the light: each panel on its own.
+std::string MakePanelCode(const OcclusionMember& member, PanelUse use);
+
+/// The same where hidden shares and light were kept: only the lobe is left.
+std::string MakeKeptPanelCode(const OcclusionMember& member);
 
 /// toEnvironment: from the model's axes.
 void SetPanels(vtkShaderProgram* program, const std::string& number,

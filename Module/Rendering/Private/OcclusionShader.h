@@ -10,7 +10,7 @@
 #define OcclusionShader_h
 
 #include "OcclusionArrays.h"
-#include "OcclusionLight.h"
+#include "OcclusionLayout.h"
 
 #include <glm/glm.hpp>
 
@@ -23,19 +23,6 @@ class vtkShaderProgram;
 
 namespace measuredbrdf
 {
-/// More materials, mixed in one shader, would need too many varyings.
-constexpr std::size_t MaximumOccludedMembers = 4;
-
-/// For each material of a shader; null: it is not occluded.
-using OcclusionLights = std::vector<const OcclusionLight*>;
-
-/// Which attributes the buffers have.
-struct OcclusionLayout
-{
-  bool TwoSided = false;
-  bool Bounced = false; // what comes back from what is hidden
-};
-
 /// Same key, same text. "" without any.
 std::string GetOcclusionKey(const OcclusionLights& lights, const OcclusionLayout& layout);
 

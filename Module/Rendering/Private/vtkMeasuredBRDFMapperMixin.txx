@@ -9,6 +9,7 @@
 
 #include "BRDFShader.h"
 #include "MaterialDrawing.h"
+#include "OcclusionPoints.h"
 #include "OcclusionShader.h"
 
 #include "vtkActor.h"
@@ -107,7 +108,10 @@ class vtkMeasuredBRDFMapperInternals : public measuredbrdf::MaterialDrawing
 
 //------------------------------------------------------------------------------
 template <class Base>
-vtkMeasuredBRDFMapperMixin<Base>::vtkMeasuredBRDFMapperMixin() = default;
+vtkMeasuredBRDFMapperMixin<Base>::vtkMeasuredBRDFMapperMixin()
+  : Points(std::make_unique<vtkMeasuredBRDFMapperPoints>())
+{
+}
 
 //------------------------------------------------------------------------------
 template <class Base>
@@ -137,6 +141,7 @@ void vtkMeasuredBRDFMapperMixin<Base>::ReleaseGraphicsResources(vtkWindow* windo
   {
     this->Drawing->ReleaseGraphicsResources(window, this);
   }
+  this->Points->Release();
   this->Base::ReleaseGraphicsResources(window);
 }
 
@@ -214,7 +219,7 @@ std::string vtkMeasuredBRDFMapperMixin<Base>::GetShaderKey(const vtkOpenGLHelper
   }
   return this->Drawing->GetSelected().GetKey() + (this->HasTangents() ? "/tangents" : "") +
          measuredbrdf::GetOcclusionKey(this->Drawing->GetSelectedOcclusion(this->HasOcclusion()),
-           { this->HasTwoSidedOcclusion(), this->HasOcclusionBounce() });
+           { this->HasTwoSidedOcclusion(), this->HasOcclusionBounce(), this->KeepsOcclusion() });
 }
 
 //------------------------------------------------------------------------------
@@ -323,9 +328,10 @@ void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderLight(
     measuredbrdf::GetShaderMembers(this->Drawing->GetSelected().Get(), mixture.Slots, lights);
   std::string fs = shaders[vtkShader::Fragment]->GetSource();
   const measuredbrdf::OcclusionText occlusion =
-    lights.empty() ? measuredbrdf::OcclusionText()
-                   : measuredbrdf::MakeOcclusionText(
-                       lights, { this->HasTwoSidedOcclusion(), this->HasOcclusionBounce() });
+    lights.empty()
+      ? measuredbrdf::OcclusionText()
+      : measuredbrdf::MakeOcclusionText(lights,
+          { this->HasTwoSidedOcclusion(), this->HasOcclusionBounce(), this->KeepsOcclusion() });
   std::string declarations = occlusion.FragmentDeclarations + mixture.Declarations +
                              measuredbrdf::GetShaderDeclarations(members);
   if (measuredbrdf::Contains(fs, "anisotropyUniform"))
@@ -457,6 +463,10 @@ void vtkMeasuredBRDFMapperMixin<Base>::SetMapperShaderParameters(
     program->SetUniformMatrix("brdfTangentMatrix", matrix);
   }
   this->SetOcclusionParameters(program, ren, actor);
+  if (this->KeepsOcclusion())
+  {
+    this->Points->AddTo(cellBO);
+  }
   const bool scalars = this->GetScalarVisibility() && !this->IgnoresScalars() &&
                        (this->VBOs->GetNumberOfComponents("scalarColor") != 0 ||
                          this->HaveCellScalars || this->ColorTextureMap);

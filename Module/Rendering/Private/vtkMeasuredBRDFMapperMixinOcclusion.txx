@@ -8,9 +8,13 @@
 
 #include "MaterialDrawing.h"
 #include "OcclusionAxes.h"
+#include "OcclusionKept.h"
+#include "OcclusionPoints.h"
 #include "OcclusionShader.h"
 
 #include "vtkCamera.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLVertexBufferObject.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkRenderer.h"
 #include "vtkShader.h"
@@ -37,6 +41,7 @@ void vtkMeasuredBRDFMapperMixin<Base>::BuildBufferObjects(vtkRenderer* ren, vtkA
   this->BuiltOcclusionMode = this->Drawing->GetSettings().OcclusionMode;
   this->BuiltOcclusionBounce = this->Drawing->GetSettings().OcclusionBounce;
   this->BuiltTracedOcclusion = this->Drawing->GetTracedOcclusion(this);
+  this->OcclusionTime.Modified();
   this->Drawing->BeginOcclusion(this);
   this->AddOcclusion(ren);
   this->Base::BuildBufferObjects(ren, actor);
@@ -98,7 +103,7 @@ void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderOcclusion(Shaders shaders)
     return;
   }
   const measuredbrdf::OcclusionText text = measuredbrdf::MakeOcclusionText(
-    lights, { this->HasTwoSidedOcclusion(), this->HasOcclusionBounce() });
+    lights, { this->HasTwoSidedOcclusion(), this->HasOcclusionBounce(), this->KeepsOcclusion() });
   const auto add = [&shaders](vtkShader::Type stage, const char* tag, const std::string& lines)
   {
     std::string source = shaders[stage]->GetSource();
@@ -112,6 +117,80 @@ void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderOcclusion(Shaders shaders)
 }
 
 //------------------------------------------------------------------------------
+// Whether the light's part of the shader is made for each point beforehand.
+template <class Base>
+bool vtkMeasuredBRDFMapperMixin<Base>::KeepsOcclusion()
+{
+  if (!this->HasOcclusion() || !this->CanKeepPoints ||
+      this->VBOs->GetVBO("brdfSky0")->GetNumberOfTuples() <
+        measuredbrdf::OcclusionPoints::GetLeastPoints())
+  {
+    return false;
+  }
+  std::size_t attributes = this->ExtraAttributes.size();
+  for (const char* name : { "vertexMC", "normalMC", "scalarColor", "tcoord", "tangentMC" })
+  {
+    attributes += this->VBOs->GetNumberOfComponents(name) > 0 ? 1 : 0;
+  }
+  attributes += measuredbrdf::CountKeptAttributes(this->Drawing->GetSelectedOcclusion(true),
+    { this->HasTwoSidedOcclusion(), this->HasOcclusionBounce(), true });
+  return attributes <= measuredbrdf::OcclusionPoints::MostAttributes;
+}
+
+//------------------------------------------------------------------------------
+template <class Base>
+void vtkMeasuredBRDFMapperMixin<Base>::UpdateShaders(
+  vtkOpenGLHelper& cellBO, vtkRenderer* ren, vtkActor* actor)
+{
+  if (this->UsesMaterial(&cellBO) && this->KeepsOcclusion())
+  {
+    this->KeepOcclusion(ren, actor);
+  }
+  this->Base::UpdateShaders(cellBO, ren, actor);
+}
+
+//------------------------------------------------------------------------------
+// Before triangles are drawn: what of their points rests while the light does, unless it is kept.
+template <class Base>
+void vtkMeasuredBRDFMapperMixin<Base>::KeepOcclusion(vtkRenderer* ren, vtkActor* actor)
+{
+  const measuredbrdf::OcclusionLights lights = this->Drawing->GetSelectedOcclusion(true);
+  const measuredbrdf::OcclusionLayout layout = { this->HasTwoSidedOcclusion(),
+    this->HasOcclusionBounce(), this->KeepsOcclusion() };
+  if (lights.empty())
+  {
+    return;
+  }
+  const measuredbrdf::OcclusionAxes axes(ren, actor, this->GetEnvironments());
+  const measuredbrdf::OcclusionPoints::Question question = { ren, actor,
+    measuredbrdf::GetKeptInputs(lights, layout, axes.ToEnvironment), this->OcclusionTime };
+  if (this->Points->Find(lights, layout, question))
+  {
+    return;
+  }
+  vtkShaderProgram* program = this->Points->Begin(
+    vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow()), this->VBOs, lights, layout);
+  this->CanKeepPoints = program != nullptr; // if not, each drawn triangle makes it
+  if (program)
+  {
+    this->SetOcclusionParameters(program, ren, actor);
+    this->Points->Make(this->VBOs->GetVBO("brdfSky0")->GetNumberOfTuples(), question);
+  }
+}
+
+//------------------------------------------------------------------------------
+template <class Base>
+std::vector<vtkEnvironment*> vtkMeasuredBRDFMapperMixin<Base>::GetEnvironments()
+{
+  std::vector<vtkEnvironment*> environments;
+  for (const measuredbrdf::DrawnMaterial* drawn : this->Drawing->GetSelected().Get())
+  {
+    environments.push_back(drawn->Environment);
+  }
+  return environments;
+}
+
+//------------------------------------------------------------------------------
 template <class Base>
 void vtkMeasuredBRDFMapperMixin<Base>::SetOcclusionParameters(
   vtkShaderProgram* program, vtkRenderer* ren, vtkActor* actor)
@@ -122,12 +201,7 @@ void vtkMeasuredBRDFMapperMixin<Base>::SetOcclusionParameters(
   {
     return;
   }
-  std::vector<vtkEnvironment*> environments;
-  for (const measuredbrdf::DrawnMaterial* drawn : this->Drawing->GetSelected().Get())
-  {
-    environments.push_back(drawn->Environment);
-  }
-  const measuredbrdf::OcclusionAxes axes(ren, actor, environments);
+  const measuredbrdf::OcclusionAxes axes(ren, actor, this->GetEnvironments());
   const measuredbrdf::OcclusionSides sides = { this->HasTwoSidedOcclusion(),
     this->HasOcclusionBounce(), this->IsOtherSideClosed, this->LeastOcclusionCosine };
   measuredbrdf::SetOcclusionUniforms(program, lights, sides, axes.ToModel,

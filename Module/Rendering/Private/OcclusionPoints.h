@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What is kept of a mapper's points while their light rests (OcclusionKept.h): made on the graphics
+ * card, once for each point, by transform feedback. Drawn triangles would make it as often as the
+ * card's cache of vertices forgets a point, and in each frame anew. Private to the rendering room.
+ */
+
+#ifndef OcclusionPoints_h
+#define OcclusionPoints_h
+
+#include "OcclusionShader.h"
+#include "vtkOpenGLBufferObject.h"
+#include "vtkOpenGLHelper.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkSmartPointer.h"
+#include "vtkTransformFeedback.h"
+#include "vtkType.h"
+#include "vtkWeakPointer.h"
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkOpenGLVertexBufferObjectGroup;
+class vtkShaderProgram;
+
+namespace measuredbrdf
+{
+class OcclusionPoints
+{
+public:
+  OcclusionPoints() = default;
+  ~OcclusionPoints() { this->Release(); }
+  OcclusionPoints(const OcclusionPoints&) = delete;
+  void operator=(const OcclusionPoints&) = delete;
+
+  ///@{
+  /// Fewer points are drawn as fast without. Set: for tests.
+  static constexpr std::size_t DefaultLeastPoints = 10000;
+  static std::size_t GetLeastPoints();
+  static void SetLeastPoints(std::size_t points);
+  ///@}
+  /// Of a vertex shader: OpenGL guarantees no more.
+  static constexpr std::size_t MostAttributes = 16;
+  /// States of the light that are kept at a time, as of several views; each has 16 to 96 bytes a
+  /// point.
+  static constexpr std::size_t MostStates = 4;
+
+  /// Which light, of which codes: who draws (a view and its actor), all inputs (GetKeptInputs), and
+  /// when the buffers of codes were built.
+  struct Question
+  {
+    const void* View = nullptr;
+    const void* Actor = nullptr;
+    std::vector<double> Inputs;
+    vtkMTimeType Time = 0;
+  };
+
+  /// Whether that light is kept; the next AddTo hands it over.
+  bool Find(const OcclusionLights& lights, const OcclusionLayout& layout, const Question& question);
+
+  /// Ready the program that makes it; its uniforms are the caller's to set. Null: it can't be made.
+  vtkShaderProgram* Begin(vtkOpenGLRenderWindow* window, vtkOpenGLVertexBufferObjectGroup* buffers,
+    const OcclusionLights& lights, const OcclusionLayout& layout);
+
+  /// Make it, for so many points, in place of what the same view had, or the longest unused.
+  void Make(std::size_t points, const Question& question);
+
+  /// Hand what was found or made to the program that draws.
+  void AddTo(vtkOpenGLHelper& drawn) const;
+
+  /// Give all back to the window that has it. The destructor does, too.
+  void Release();
+
+  /// How often any were made: for tests.
+  static std::size_t GetMadeCount();
+
+private:
+  struct State
+  {
+    std::string Key;
+    Question Of;
+    std::vector<std::string> Names;
+    vtkSmartPointer<vtkOpenGLBufferObject> Buffer;
+    std::size_t Bytes = 0;
+    std::size_t Used = 0;
+  };
+  State& FindPlace(const Question& question);
+
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window;
+  vtkOpenGLHelper Helper; // of the program that makes it
+  std::string Key;        // of the helper's program
+  std::vector<std::string> Names;
+  vtkSmartPointer<vtkTransformFeedback> Capture;
+  std::vector<std::unique_ptr<State>> States;
+  State* Current = nullptr;
+  std::size_t Clock = 0; // of uses
+};
+
+/// Release what no program captures with any more.
+void SweepCaptures();
+} // namespace measuredbrdf
+
+/// As the public header of mappers names it.
+class vtkMeasuredBRDFMapperPoints : public measuredbrdf::OcclusionPoints
+{
+};
+
+#endif
