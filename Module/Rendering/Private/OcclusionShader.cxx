@@ -6,6 +6,7 @@
 #include "HiddenSky.h"
 #include "LocalFrame.h"
 #include "OcclusionBounce.h"
+#include "OcclusionLamps.h"
 #include "OcclusionPanels.h"
 #include "SkyCodeText.h"
 #include "UniformVectors.h"
@@ -37,6 +38,13 @@ std::size_t CountLamps(const OcclusionLights& lights, bool twoSided, std::size_t
 bool Bounces(const OcclusionLights& lights, const OcclusionLayout& layout, std::size_t member)
 {
   return layout.Bounced && lights[member]->Bounce && !(layout.TwoSided && lights.size() > 2);
+}
+
+// Whether a table holds a part of what the lobe shows of tested lamps.
+bool HasTableLamps(
+  const OcclusionLights& lights, const OcclusionLayout& layout, std::size_t member)
+{
+  return CountLamps(lights, layout.TwoSided, member) > 0 && !lights[member]->LampLight.empty();
 }
 
 struct Varying
@@ -176,7 +184,6 @@ std::string MakeMemberCode(const OcclusionLights& lights, const OcclusionLayout&
           ", brdfSkyHidden);\n";
   const std::size_t panels = lights[member]->Panels.size();
   text += panels > 0 ? MakePanelCode(m, out, panels) : "";
-  text += "  brdfHiddenLobe" + out + "VSOutput = brdfSkyOdds(brdfHiddenLobe" + out + "VSOutput);\n";
   for (std::size_t k = 0; k < CountLamps(lights, layout.TwoSided, member); ++k)
   {
     const std::string lamp = m + "_" + std::to_string(k);
@@ -200,6 +207,10 @@ std::string MakeMemberCode(const OcclusionLights& lights, const OcclusionLayout&
               std::to_string(k) + "];\n";
     }
   }
+  text += HasTableLamps(lights, layout, member)
+            ? MakeTableLampCode(m, out, CountLamps(lights, layout.TwoSided, member), panels > 0)
+            : "";
+  text += "  brdfHiddenLobe" + out + "VSOutput = brdfSkyOdds(brdfHiddenLobe" + out + "VSOutput);\n";
   return text + "  }\n";
 }
 
@@ -234,7 +245,8 @@ std::string DeclareMember(
          DeclarePanels(m, lights[member]->Panels.size()) +
          (lamps > 0 ? "uniform vec3 brdfSkyLamp" + m + "[" + std::to_string(lamps) + "];\n" : "") +
          (lamps > 0 && !lights[member]->LampLight.empty()
-             ? "uniform vec3 brdfSkyLampLight" + m + "[" + std::to_string(lamps) + "];\n"
+             ? "uniform vec3 brdfSkyLampLight" + m + "[" + std::to_string(lamps) + "];\n" +
+                 DeclareTableLamps(m)
              : "");
 }
 
@@ -423,6 +435,10 @@ void SetOcclusionUniforms(vtkShaderProgram* program, const OcclusionLights& ligh
     vectors = lights[m]->LampLight;
     vectors.resize(std::min(vectors.size(), lamps));
     SetVectors(program, "brdfSkyLampLight" + number, vectors);
+    if (HasTableLamps(lights, { sides.Both, sides.Bounced }, m))
+    {
+      SetTableLamps(program, number, *lights[m]);
+    }
   }
 }
 } // namespace measuredbrdf
