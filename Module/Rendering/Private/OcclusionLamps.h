@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Shader text and uniforms of lamps that a table holds in part (LampWindow), beside OcclusionShader.
- * Private to the rendering room.
+ * Shader text and uniforms of lamps that a table holds in part (LampWindow), beside
+ * OcclusionShader. Private to the rendering room.
  */
 
 #ifndef OcclusionLamps_h

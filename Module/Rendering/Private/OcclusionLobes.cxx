@@ -113,8 +113,8 @@ OcclusionLobes::Lobe OcclusionLobes::Get(double cosine) const
   const Lobe& a = this->Lobes[low];
   const Lobe& b = this->Lobes[low + 1];
   return { glm::mix(a.Across, b.Across, t), glm::mix(a.Along, b.Along, t),
-    glm::mix(a.Integral, b.Integral, t), glm::mix(a.Delta, b.Delta, t), glm::mix(a.Lambert, b.Lambert, t),
-    glm::mix(a.Albedo, b.Albedo, t) };
+    glm::mix(a.Integral, b.Integral, t), glm::mix(a.Delta, b.Delta, t),
+    glm::mix(a.Lambert, b.Lambert, t), glm::mix(a.Albedo, b.Albedo, t) };
 }
 
 glm::dvec3 OcclusionLobes::Lobe::GetSlope(const glm::dvec3& normal, const glm::dvec3& view) const

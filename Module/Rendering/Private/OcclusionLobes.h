@@ -48,7 +48,8 @@ public:
     glm::dvec3 GetAxis(const glm::dvec3& normal, const glm::dvec3& view) const;
 
     /// A lamp's radiance in the lobe over its irradiance; unit directions.
-    double GetShine(const glm::dvec3& normal, const glm::dvec3& slope, const glm::dvec3& lamp) const;
+    double GetShine(
+      const glm::dvec3& normal, const glm::dvec3& slope, const glm::dvec3& lamp) const;
   };
   /// Between the two nearest views.
   Lobe Get(double cosine) const;

@@ -41,8 +41,7 @@ bool Bounces(const OcclusionLights& lights, const OcclusionLayout& layout, std::
 }
 
 // Whether a table holds a part of what the lobe shows of tested lamps.
-bool HasTableLamps(
-  const OcclusionLights& lights, const OcclusionLayout& layout, std::size_t member)
+bool HasTableLamps(const OcclusionLights& lights, const OcclusionLayout& layout, std::size_t member)
 {
   return CountLamps(lights, layout.TwoSided, member) > 0 && !lights[member]->LampLight.empty();
 }
