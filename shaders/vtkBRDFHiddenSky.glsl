@@ -159,6 +159,23 @@ float brdfSkyPanelInLobe(vec3 d, float concentration, vec3 slope, float kappa)
   return own / both * exp2(both - own - kappa);
 }
 
+// How much of a lamp's light a table holds, by its distance from the lobe's axis, both unit
+// (vtkBRDFEnvironmentLamps.glsl, LampWindow): 0 at the axis, 1 where the window ends. reach: 2 / the
+// squared distance of that.
+float brdfSkyLampInTable(vec3 lamp, vec3 axis, float reach)
+{
+  float x = min(reach * (1.0 - dot(lamp, axis)), 1.0);
+  float root = 1.0 - x * x;
+  return 1.0 - root * root;
+}
+
+// A lamp's radiance in a lobe cos(theta) exp2(slope . d - kappa) of this integral, over its
+// irradiance.
+float brdfSkyLampInLobe(vec3 lamp, vec3 normal, vec3 slope, float kappa, float integral)
+{
+  return max(dot(lamp, normal), 0.0) * exp2(dot(slope, lamp) - kappa) / integral;
+}
+
 // Odds of the hidden irradiance over those of a uniform sky (cosine: its hidden share), as a
 // logarithm of base 2, within +-5.65: how much brighter than the rest the hidden sky is.
 vec3 brdfSkyContrast(vec3 hidden, vec3 irradiance, float cosine)

@@ -333,6 +333,13 @@ bool vtkHybridRadianceIntegrator::AreWindowed(vtkBRDF* brdf, int lights)
 bool vtkHybridRadianceIntegrator::IsWindowed(int lights) { return AreWindowed(this->BRDF, lights); }
 
 //------------------------------------------------------------------------------
+int vtkHybridRadianceIntegrator::GetTableRows()
+{
+  return this->NumberOfMaps > 0 ? std::min(this->NumberOfRows, SmallTableRows)
+                                : TableTiles::GetRows(this->NumberOfRows);
+}
+
+//------------------------------------------------------------------------------
 double vtkHybridRadianceIntegrator::ChooseLightAngle()
 {
   const auto parts = this->Shared ? this->Shared : std::make_shared<Precomputation>();
@@ -387,8 +394,7 @@ double vtkHybridRadianceIntegrator::EstimateCost(vtkRadianceCostModel* costs)
   double lights = count;
   if (this->IsWindowed(count))
   {
-    const LampWindow window(this->NumberOfMaps > 0 ? std::min(this->NumberOfRows, SmallTableRows)
-                                                   : TableTiles::GetRows(this->NumberOfRows));
+    const LampWindow window(this->GetTableRows());
     lights = Finding + count * (Found + window.GetShare());
   }
   return this->NewBroad(nullptr, nullptr)->EstimateCost(costs) + GetCost(costs, "light") * lights;

@@ -1167,6 +1167,10 @@ add("Rendering.lobes-without-cosine", "Private/OcclusionLobes.cxx", "cell.Cosine
     "OcclusionTest.LobesHaveTheKernelsMean")
 add("Shaders.lamps-edges-on-points", "vtkBRDFHiddenSky.glsl", "clamp(max(below, above), -3.0, 3.0)", "clamp(max(below, above), -0.5, 0.5)",
     "OcclusionTest.ShadowEdgesCrossTriangles")
+add("Shaders.lamps-in-tables-go-with-the-rest", "vtkBRDFHiddenSky.glsl", "  return 1.0 - root * root;", "  return 0.0;",
+    "OcclusionTest.LampsBesideTheAxisTakeTheirPartOfTheLobe")
+add("Rendering.lamps-in-tables-shine-through", "Private/OcclusionLight.cxx", "lost += part * inTable;", "lost += 0.0 * inTable;",
+    "OcclusionTest.LampsBesideTheAxisTakeTheirPartOfTheLobe")
 add("Shaders.hidden-sky-odds", "vtkBRDFHiddenSky.glsl", "(12.0 / (12.0 + kappa))",
     "(3.0 / (3.0 + kappa))", "OcclusionTest.LobesLackTheirHiddenShare")
 add("Shaders.hidden-irradiance-counts", "vtkBRDFEnvironmentTable.glsl", "sum += BRDF_OPEN_IRRADIANCE(",

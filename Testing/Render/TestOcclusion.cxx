@@ -342,6 +342,49 @@ TEST_F(OcclusionTest, LampsAreHiddenOneByOne)
   EXPECT_GT(dark, 0);
 }
 
+// What a table holds of lamps beside a lobe's axis goes with these, not with the rest of the sky:
+// three lamps about the normal, a horizon just above them or just below.
+TEST_F(OcclusionTest, LampsBesideTheAxisTakeTheirPartOfTheLobe)
+{
+  SpreadCode(this->Surface, 4);
+  this->Tilt(0.0);
+  constexpr double sine = 0.62; // 52 degrees from the axis: outside of the window
+  std::vector<float> pixels(3 * 128 * 64, 0.02f);
+  const measuredbrdf::OcclusionAxes axes(this->Renderer, this->Actor, { this->Environment });
+  for (int k = 0; k < 3; ++k)
+  {
+    const double azimuth = 0.3 + 2.0 * vtkMath::Pi() * k / 3.0;
+    const double across = std::sqrt(1.0 - sine * sine);
+    const glm::dvec3 d = axes.ToEnvironment[0] *
+                         glm::dvec3(across * std::cos(azimuth), across * std::sin(azimuth), sine);
+    double u, v;
+    vtkEnvironment::GetCoordinates(&d.x, u, v);
+    const int texel = 128 * static_cast<int>(64.0 * v) + static_cast<int>(128.0 * u);
+    std::fill_n(pixels.begin() + 3 * texel, 3, 1000.0f);
+  }
+  this->Environment->SetPixels(128, 64, pixels);
+  vtkNew<vtkBlinnPhongBRDF> brdf;
+  brdf->SetSpecular(0.5, 0.5, 0.5);
+  brdf->SetExponent(5.0);
+  vtkNew<vtkHybridRadianceIntegrator> hybrid;
+  MakeSmall(hybrid.Get());
+  this->Mapper->SetBRDF(brdf);
+  this->Mapper->SetIntegrator(hybrid);
+  const glm::dvec3 off = this->RenderMiddle(0);
+  const measuredbrdf::OcclusionLight light(brdf, this->Environment, hybrid);
+  ASSERT_EQ(light.LampLight.size(), 3u);
+  for (const double height : { 0.12, -0.12 })
+  {
+    this->SetHorizons(sine + height, sine + height);
+    const glm::dvec3 on = this->RenderMiddle(1);
+    const Expected expected = this->Evaluate(brdf, hybrid, this->GetView());
+    EXPECT_LT(glm::length(on - off * (1.0 - expected.HiddenLight)), 3e-3 * glm::length(off))
+      << height;
+    // Hidden as the rest is, 30 % would be left behind the upper horizon.
+    EXPECT_NEAR(on.y / off.y, height > 0.0 ? 0.0 : 1.0, 0.1) << height;
+  }
+}
+
 // Between points the place of a shadow's edge is interpolated, not what is visible: a lamp just
 // behind the horizon of one point, far above that of the next one, is visible halfway.
 TEST_F(OcclusionTest, ShadowEdgesCrossTriangles)

@@ -38,7 +38,7 @@ namespace
 constexpr double Step = 1.0 / 255.0; // of display values
 
 // A bowl that is open upwards from so many degrees on; its normals point inside.
-vtkSmartPointer<vtkPolyData> MakeBowl(
+vtkSmartPointer<vtkPolyData> MakeOpenSphere(
   double start, bool bothSides = true, bool bounce = false, double x = 0.0)
 {
   vtkNew<vtkSphereSource> bowl;
@@ -59,7 +59,7 @@ vtkSmartPointer<vtkPolyData> MakeBowl(
 }
 
 // The largest difference of display values; infinite where one is no number.
-double Compare(const FloatImage& a, const FloatImage& b)
+double GetLargestStep(const FloatImage& a, const FloatImage& b)
 {
   double largest = 0.0;
   for (std::size_t k = 0; k < a.RGBA.size(); ++k)
@@ -95,7 +95,7 @@ protected:
     this->Mapper->SetBRDF(this->BRDF);
     this->Mapper->SetEnvironment(this->Environment);
     this->Mapper->SetIntegrator(this->Integrator);
-    this->Mapper->SetInputData(MakeBowl(60.0, false));
+    this->Mapper->SetInputData(MakeOpenSphere(60.0, false));
     OcclusionPoints::SetLeastPoints(1);
   }
 
@@ -116,7 +116,7 @@ protected:
     OcclusionPoints::SetLeastPoints(1000000);
     EXPECT_EQ(this->Count([this]() { this->Plain = this->RenderEncoded(); }), 0u);
     OcclusionPoints::SetLeastPoints(1);
-    return Compare(kept, this->Plain);
+    return GetLargestStep(kept, this->Plain);
   }
 
   FloatImage Plain;
@@ -145,7 +145,8 @@ TEST_F(OcclusionPointsTest, PicturesAreTheSame)
       this->Mapper->SetBRDF(brdf);
       EXPECT_LT(this->CompareNext(), Step);
       this->Mapper->SetOcclusionModeToOff();
-      EXPECT_GT(Compare(this->RenderEncoded(), this->Plain), 10.0 * Step); // so it hides something
+      EXPECT_GT(
+        GetLargestStep(this->RenderEncoded(), this->Plain), 10.0 * Step); // so it hides something
       this->Mapper->SetOcclusionModeToArrays();
     }
   }
@@ -187,7 +188,7 @@ TEST_F(OcclusionPointsTest, LightMayTurnAndRestAgain)
     this->Environment->SetRotationY(40.0 * frame);
     EXPECT_EQ(this->Count([this]() { this->RenderEncoded(); }), 1u);
     EXPECT_LT(this->CompareNext(), Step);
-    EXPECT_GT(Compare(first, this->Plain), 5.0 * Step);
+    EXPECT_GT(GetLargestStep(first, this->Plain), 5.0 * Step);
   }
   EXPECT_EQ(this->Count([this]() { this->RenderEncoded(); }), 0u);
   this->Renderer->SetEnvironmentUp(0.0, 0.0, 1.0);
@@ -196,7 +197,7 @@ TEST_F(OcclusionPointsTest, LightMayTurnAndRestAgain)
   const FloatImage before = this->Plain;
   this->Actor->RotateX(70.0);
   EXPECT_LT(this->CompareNext(), Step);
-  EXPECT_GT(Compare(before, this->Plain), 5.0 * Step);
+  EXPECT_GT(GetLargestStep(before, this->Plain), 5.0 * Step);
   this->Actor->SetScale(-1.0, 1.0, 1.0);
   EXPECT_LT(this->CompareNext(), Step);
 }
@@ -209,11 +210,11 @@ TEST_F(OcclusionPointsTest, WhatChangesIsSeen)
   this->Mapper->SetEnvironment(hall);
   EXPECT_LT(this->CompareNext(), Step);
   FloatImage before = this->Plain;
-  this->Mapper->SetInputData(MakeBowl(110.0, false));
+  this->Mapper->SetInputData(MakeOpenSphere(110.0, false));
   EXPECT_LT(this->CompareNext(), Step);
-  EXPECT_GT(Compare(before, this->Plain), 5.0 * Step);
+  EXPECT_GT(GetLargestStep(before, this->Plain), 5.0 * Step);
   vtkNew<vtkPolyData> surface;
-  surface->DeepCopy(MakeBowl(60.0, false));
+  surface->DeepCopy(MakeOpenSphere(60.0, false));
   this->Mapper->SetInputData(surface);
   EXPECT_LT(this->CompareNext(), Step);
   before = this->Plain;
@@ -225,13 +226,13 @@ TEST_F(OcclusionPointsTest, WhatChangesIsSeen)
   }
   hidden->Modified();
   EXPECT_LT(this->CompareNext(), Step);
-  EXPECT_GT(Compare(before, this->Plain), 5.0 * Step);
+  EXPECT_GT(GetLargestStep(before, this->Plain), 5.0 * Step);
 }
 
 // Both sides, what bounces, edges, and a translucent surface.
 TEST_F(OcclusionPointsTest, OtherWaysToDrawAreTheSame)
 {
-  this->Mapper->SetInputData(MakeBowl(60.0));
+  this->Mapper->SetInputData(MakeOpenSphere(60.0));
   EXPECT_LT(this->CompareNext(), Step);
   this->Actor->GetProperty()->EdgeVisibilityOn();
   EXPECT_LT(this->CompareNext(), Step);
@@ -239,7 +240,7 @@ TEST_F(OcclusionPointsTest, OtherWaysToDrawAreTheSame)
   this->Actor->GetProperty()->SetOpacity(0.5);
   EXPECT_LT(this->CompareNext(), Step);
   this->Mapper->OcclusionBounceOn();
-  this->Mapper->SetInputData(MakeBowl(60.0, false, true));
+  this->Mapper->SetInputData(MakeOpenSphere(60.0, false, true));
   EXPECT_LT(this->CompareNext(), Step);
 }
 
@@ -308,8 +309,8 @@ TEST_F(OcclusionPointsTest, BlocksAreTheSame)
   ball->SetCenter(0.0, 0.0, 0.9);
   ball->Update();
   blocks->SetBlock(0, ball->GetOutput()); // without
-  blocks->SetBlock(1, MakeBowl(60.0, false, false, -0.5));
-  blocks->SetBlock(2, MakeBowl(80.0, false, false, 0.5));
+  blocks->SetBlock(1, MakeOpenSphere(60.0, false, false, -0.5));
+  blocks->SetBlock(2, MakeOpenSphere(80.0, false, false, 0.5));
   vtkNew<vtkLambertBRDF> lambert;
   vtkNew<vtkCompositeMeasuredBRDFMapper> composite;
   composite->SetInputDataObject(blocks);
@@ -325,7 +326,7 @@ TEST_F(OcclusionPointsTest, BlocksAreTheSame)
   EXPECT_EQ(this->Count([this]() { this->RenderEncoded(); }), 0u);
   const FloatImage before = this->RenderEncoded();
   composite->SetOcclusionModeToOff();
-  EXPECT_GT(Compare(before, this->RenderEncoded()), 10.0 * Step);
+  EXPECT_GT(GetLargestStep(before, this->RenderEncoded()), 10.0 * Step);
   composite->SetOcclusionModeToArrays();
   this->Environment->SetRotationY(90.0);
   EXPECT_LT(this->CompareNext(), Step);

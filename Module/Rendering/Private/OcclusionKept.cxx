@@ -61,6 +61,12 @@ void AddPairs(const std::string& pair, const std::vector<Half>& halves, std::vec
   }
 }
 
+// What panels and lamps in tables are weighted against.
+bool NeedsRest(const OcclusionMember& member)
+{
+  return (member.HasLobe() && member.HasPanels()) || member.HasTableLamps();
+}
+
 std::vector<Field> GetFields(const OcclusionMember& member)
 {
   std::vector<Field> fields;
@@ -73,9 +79,12 @@ std::vector<Field> GetFields(const OcclusionMember& member)
       halves.push_back({ "brdfContrast" + member.Number + component, 6.0 });
     }
   }
-  if (member.HasLobe() && member.HasPanels())
+  if (NeedsRest(member))
   {
     AddVector("brdfRest" + member.Number, fields);
+  }
+  if (member.HasLobe())
+  {
     for (std::size_t k = 0; k < member.Light->Panels.size(); ++k)
     {
       halves.push_back({ "brdfPart" + member.Number + "[" + std::to_string(k) + "]", 1.0 });
@@ -97,10 +106,9 @@ std::string GetName(const OcclusionMember& member, std::size_t vector)
 // Of GetFields, for each frame.
 std::size_t CountVectors(const OcclusionMember& member)
 {
-  const bool shines = member.HasLobe() && member.HasPanels();
   const std::size_t halves =
-    (member.HasLobe() ? 3 : 0) + (shines ? member.Light->Panels.size() : 0) + member.Lamps;
-  return (3 + (shines ? 3 : 0) + (halves + 1) / 2 + 3) / 4;
+    (member.HasLobe() ? 3 + member.Light->Panels.size() : 0) + member.Lamps;
+  return (3 + (NeedsRest(member) ? 3 : 0) + (halves + 1) / 2 + 3) / 4;
 }
 
 std::string MakeWriting(const OcclusionMember& member)

@@ -5,6 +5,7 @@
 #include "EnvironmentPrecomputation.h"
 #include "HalfVector.h" // for Pi
 #include "HiddenSky.h"
+#include "LampWindow.h"
 #include "vtkBRDF.h"
 #include "vtkEnvironment.h"
 #include "vtkFactoredRadianceIntegrator.h"
@@ -93,6 +94,7 @@ OcclusionLight::OcclusionLight(
     const auto count = static_cast<int>(lamps->Lights.size());
     rest = lamps->Rest;
     const bool inIrradiance = vtkHybridRadianceIntegrator::AreWindowed(brdf, count);
+    this->TableRows = hybrid->GetTableRows();
     for (const ExtractedEmitters::Light& lamp : lamps->Lights)
     {
       this->Lamps.push_back(lamp.Direction);
@@ -149,7 +151,7 @@ OcclusionLight::Hidden OcclusionLight::GetHidden(
   Hidden hidden = { sky.GetHiddenIrradiance(light), glm::dvec3(0.0) };
   const glm::dvec3 share =
     sky.GetHiddenLight(sky.GetHiddenShare(slope), kappa, hidden.Irradiance, irradiance);
-  // Radiance in the lobe: of the rest, then of panels.
+  // Radiance in the lobe: of the rest, then of panels, and of what the table has of lamps.
   glm::dvec3 all = glm::max(irradiance, glm::dvec3(1e-12)) / Pi;
   glm::dvec3 lost = share * all;
   for (const EnvironmentPanels::Panel& panel : this->Panels)
@@ -168,13 +170,19 @@ OcclusionLight::Hidden OcclusionLight::GetHidden(
     all += inLobe;
     lost += part * inLobe;
   }
-  hidden.Lobe = lost / all;
+  const LampWindow window(this->TableRows);
+  const glm::dvec3 axis = lobe.GetAxis(n, view);
   for (std::size_t k = 0; k < std::min(this->LampLight.size(), MaximumLamps); ++k)
   {
     const glm::dvec3 d = glm::transpose(toEnvironment) * this->Lamps[k];
-    hidden.Irradiance +=
-      (1.0 - sky.GetVisibleLamp(d)) * std::max(glm::dot(d, n), 0.0) * this->LampLight[k];
+    const double part = 1.0 - sky.GetVisibleLamp(d);
+    hidden.Irradiance += part * std::max(glm::dot(d, n), 0.0) * this->LampLight[k];
+    const glm::dvec3 inTable =
+      (1.0 - window.GetWeight(d, axis)) * lobe.GetShine(n, slope, d) * this->LampLight[k];
+    all += inTable;
+    lost += part * inTable;
   }
+  hidden.Lobe = lost / all;
   return hidden;
 }
 

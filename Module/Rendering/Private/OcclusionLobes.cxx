@@ -98,6 +98,7 @@ OcclusionLobes::OcclusionLobes(vtkBRDF* brdf, bool withFloor)
     lobe.Across = p.x;
     lobe.Along = p.y;
     lobe.Integral = Moments(quadrature, p).Integral;
+    lobe.Delta = means.Delta;
     lobe.Lambert = floor;
     lobe.Albedo = means.Amplitude + Pi * (means.Floor - floor);
   }
@@ -112,13 +113,27 @@ OcclusionLobes::Lobe OcclusionLobes::Get(double cosine) const
   const Lobe& a = this->Lobes[low];
   const Lobe& b = this->Lobes[low + 1];
   return { glm::mix(a.Across, b.Across, t), glm::mix(a.Along, b.Along, t),
-    glm::mix(a.Integral, b.Integral, t), glm::mix(a.Lambert, b.Lambert, t),
-    glm::mix(a.Albedo, b.Albedo, t) };
+    glm::mix(a.Integral, b.Integral, t), glm::mix(a.Delta, b.Delta, t),
+    glm::mix(a.Lambert, b.Lambert, t), glm::mix(a.Albedo, b.Albedo, t) };
 }
 
 glm::dvec3 OcclusionLobes::Lobe::GetSlope(const glm::dvec3& normal, const glm::dvec3& view) const
 {
   const glm::dvec3 rest = view - glm::dot(normal, view) * normal;
   return this->Along * normal - this->Across / std::max(glm::length(rest), 1e-6) * rest;
+}
+
+glm::dvec3 OcclusionLobes::Lobe::GetAxis(const glm::dvec3& normal, const glm::dvec3& view) const
+{
+  const glm::dvec3 rest = view - glm::dot(normal, view) * normal;
+  return std::cos(this->Delta) * normal -
+         std::sin(this->Delta) / std::max(glm::length(rest), 1e-6) * rest;
+}
+
+double OcclusionLobes::Lobe::GetShine(
+  const glm::dvec3& normal, const glm::dvec3& slope, const glm::dvec3& lamp) const
+{
+  return std::max(glm::dot(lamp, normal), 0.0) *
+         std::exp(glm::dot(slope, lamp) - glm::length(slope)) / this->Integral;
 }
 } // namespace measuredbrdf

@@ -37,11 +37,19 @@ public:
     double Across = 0.0;
     double Along = 1.0;
     double Integral = 1.0;                // of cos(theta) exp(p . d - |p|) over the hemisphere
+    double Delta = 0.0;                   // to the axis of a table's lobe, as LobeMeans has it
     glm::dvec3 Lambert = glm::dvec3(0.0); // what is left out, in 1/sr
     glm::dvec3 Albedo = glm::dvec3(0.0);  // directional, of the lobe
 
     /// p of a surface's normal, seen from a unit direction.
     glm::dvec3 GetSlope(const glm::dvec3& normal, const glm::dvec3& view) const;
+
+    /// The axis about which a table has the lobe: unit.
+    glm::dvec3 GetAxis(const glm::dvec3& normal, const glm::dvec3& view) const;
+
+    /// A lamp's radiance in the lobe over its irradiance; unit directions.
+    double GetShine(
+      const glm::dvec3& normal, const glm::dvec3& slope, const glm::dvec3& lamp) const;
   };
   /// Between the two nearest views.
   Lobe Get(double cosine) const;

@@ -6,6 +6,7 @@
 #include "LocalFrame.h"
 #include "OcclusionArrays.h"
 #include "OcclusionBounce.h"
+#include "OcclusionLamps.h"
 #include "SkyCodeText.h"
 #include "vtkBRDFHiddenSky.h"
 #include "vtkShaderProgram.h"
@@ -254,7 +255,9 @@ std::string DeclareCodes(const OcclusionLights& lights, const OcclusionLayout& l
     if (member.Lamps > 0)
     {
       text += "uniform vec3 brdfSkyLamp" + m + lamps;
-      text += member.Light->LampLight.empty() ? "" : "uniform vec3 brdfSkyLampLight" + m + lamps;
+      text += member.Light->LampLight.empty()
+                ? ""
+                : "uniform vec3 brdfSkyLampLight" + m + lamps + DeclareTableLamps(m);
     }
   }
   return text;

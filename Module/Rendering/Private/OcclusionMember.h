@@ -65,6 +65,11 @@ struct OcclusionMember
 
   bool HasPanels() const { return !this->Light->Panels.empty(); }
   bool HasLobe() const { return this->Light->HasLobe; }
+  /// Whether a table holds a part of what the lobe shows of tested lamps.
+  bool HasTableLamps() const
+  {
+    return this->HasLobe() && this->Lamps > 0 && !this->Light->LampLight.empty();
+  }
   /// Component k of lamps' varyings.
   std::string GetLamp(std::size_t k) const;
 };

@@ -5,6 +5,7 @@
 #include "HiddenSky.h"
 #include "OcclusionBounce.h"
 #include "OcclusionKept.h"
+#include "OcclusionLamps.h"
 #include "OcclusionMember.h"
 #include "OcclusionPanels.h"
 #include "UniformVectors.h"
@@ -61,7 +62,9 @@ std::string MakeSideCode(
     {
       text += MakePanelCode(member, PanelUse::Draw);
     }
-    text += member.MakeOddsCode() + (layout.Kept ? "" : member.MakeLampCode()) + "  }\n";
+    text += layout.Kept ? "" : member.MakeLampCode();
+    text += member.HasTableLamps() ? MakeTableLampCode(member) : "";
+    text += member.MakeOddsCode() + "  }\n";
   }
   return text + "  }\n  }\n";
 }
@@ -262,6 +265,10 @@ void SetOcclusionUniforms(vtkShaderProgram* program, const OcclusionLights& ligh
     vectors = lights[m]->LampLight;
     vectors.resize(std::min(vectors.size(), lamps));
     SetVectors(program, "brdfSkyLampLight" + number, vectors);
+    if (!vectors.empty())
+    {
+      SetTableLamps(program, number, *lights[m]);
+    }
   }
 }
 } // namespace measuredbrdf
