@@ -272,6 +272,10 @@ add("Integration.beyond-the-pole-unturned", "Private/FieldSynthesis.cxx", "order
     "AnisotropicTable.*|TableIntegrator.*|LinearSpline.*")
 add("Integration.products-miss-a-vector", "Private/MatrixProduct.cxx", "this->Second += left[0] * second;", "this->Second += left[0] * first;",
     "MatrixProduct.*")
+add("Integration.second-stage-unturned", "Private/RowTransform.cxx", "d.Turn(twice);", "", "RowTransform.*")
+add("Integration.odd-stage-left-out", "Private/RowTransform.cxx", "RunOneStage<Vector>(lines, size);", "", "RowTransform.*")
+add("Integration.lanes-begin-at-degree-zero", "Private/WignerLanes.cxx", "Scale{ factors, { out[0] + first, out[1] + first, out[2] + first } });",
+    "Scale{ factors, { out[0], out[1], out[2] } });", "WignerLanes.*")
 add("Integration.expanded-kernels-of-other-orders", "Private/MaterialPrecomputation.cxx", "static_cast<std::ptrdiff_t>(row) * (known.Degree + 1)",
     "static_cast<std::ptrdiff_t>(row) * (degree + 1)", "MaterialPrecomputation.KeepsExpandedKernels")
 add("Integration.degrees-left-out", "Private/TableSynthesis.cxx", "constexpr double LeastShare = 1e-4;", "constexpr double LeastShare = 1e9;",
