@@ -275,7 +275,7 @@ add("Integration.products-miss-a-vector", "Private/MatrixProduct.cxx", "this->Se
 add("Integration.second-stage-unturned", "Private/RowTransform.cxx", "d.Turn(twice);", "", "RowTransform.*")
 add("Integration.odd-stage-left-out", "Private/RowTransform.cxx", "RunOneStage<Vector>(lines, size);", "", "RowTransform.*")
 add("Integration.lanes-begin-at-degree-zero", "Private/WignerLanes.cxx", "Scale{ factors, { out[0] + first, out[1] + first, out[2] + first } });",
-    "Scale{ factors, { out[0], out[1], out[2] } });", "WignerLanes.*")
+    "Scale{ factors, { out[0], out[1] + first, out[2] + first } });", "WignerLanes.*")
 add("Integration.expanded-kernels-of-other-orders", "Private/MaterialPrecomputation.cxx", "static_cast<std::ptrdiff_t>(row) * (known.Degree + 1)",
     "static_cast<std::ptrdiff_t>(row) * (degree + 1)", "MaterialPrecomputation.KeepsExpandedKernels")
 add("Integration.degrees-left-out", "Private/TableSynthesis.cxx", "constexpr double LeastShare = 1e-4;", "constexpr double LeastShare = 1e9;",
