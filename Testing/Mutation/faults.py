@@ -135,6 +135,8 @@ add("Material.tabulated-invalid-cells-are-black", "vtkTabulatedBRDF.cxx",
     "IOMerl.CountsWhatIsNotFinite|Fit.HolesInATableDoNotCount")
 add("Material.tabulated-never-makes-levels", "vtkTabulatedBRDF.cxx",
     "this->WidenedLevels = std::make_shared<Levels>();", "", "SoftTables.AgreeWithTheClosedForm")
+add("Material.tabulated-shared-exponents-of-negative-values", "vtkTabulatedBRDF.cxx", "positive = positive && v >= 0.0f;",
+    "positive = true;", "Tabulated.SharedExponents")
 add("Material.tabulated-half-floats-overflow", "vtkTabulatedBRDF.cxx", "32768.0f / peak", "131072.0f / peak",
     "Parity.Tables|Parity.EmbeddedMeasurement|Tabulated.PrecisionFollowsTheTolerance")
 add("Material.tabulated-copy-without-cosine", "vtkTabulatedBRDF.cxx", "copy->CosineWeighted = this->CosineWeighted;",
@@ -616,6 +618,10 @@ add("Integration.azimuths-turn-backwards", "Private/AzimuthSeries.cxx", "gain * 
     "AzimuthSeries.TurnsEachOrder")
 add("Planning.luck-is-merit", "Private/PlanSearch.cxx", "return !this->MayBeLuck(candidate) || this->Check(candidate);",
     "return true;", "PlanSearch.DoesNotTakeLuckForMerit")
+add("Planning.memory-is-free", "Private/PlanSearch.cxx", "constexpr double MemoryWorthIt = 1.5;", "constexpr double MemoryWorthIt = 1.0;",
+    "PlanSearch.WeighsMemoryWhereNothingMeets")
+add("Planning.last-resort-is-the-largest", "Private/PlanSearch.cxx", "factor < known || (factor == known && candidate.Bytes >= other.Bytes)",
+    "candidate.Bytes >= other.Bytes", "PlanSearch.WeighsMemoryWhereNothingMeets")
 add("Planning.store-lends-twice", "Private/MaterialStore.cxx", "  Parts parts = std::move(known->Material);\n  this->Entries.erase(known);",
     "  Parts parts = known->Material;", "MaterialStore.KeepsTheLastOnes")
 add("Planning.store-has-no-bound", "Private/MaterialStore.cxx", "sum > this->Most ?", "false ?", "MaterialStore.KeepsTheLastOnes")

@@ -35,7 +35,8 @@ constexpr vtkIdType MapBytes = 4 * 129 * 129 + 16 * 3 * 64; // irradiance and pr
 std::vector<std::vector<int>> GetTableCandidates()
 {
   return { { 17, 8, 8 }, { 33, 8, 8 }, { 33, 12, 16 }, { 33, 24, 16 }, { 65, 8, 8 }, { 65, 12, 16 },
-    { 65, 20, 16 }, { 65, 24, 24 }, { 129, 8, 8 }, { 257, 12, 16 }, { 257, 24, 16 } };
+    { 65, 20, 16 }, { 65, 24, 24 }, { 129, 8, 8 }, { 201, 20, 16 }, { 257, 12, 16 },
+    { 257, 24, 16 } };
 }
 
 std::vector<std::vector<int>> GetHybridCandidates()
