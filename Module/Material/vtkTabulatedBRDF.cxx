@@ -10,6 +10,7 @@
 #include "Setters.h"
 #include "SharedExponent.h"
 #include "TabulatedLevels.h"
+#include "TabulatedStorage.h"
 #include "VolumeInterpolation.h"
 #include "vtkBRDFExchange.h"
 #include "vtkBRDFHalfDifference.h"
@@ -49,56 +50,13 @@ struct vtkTabulatedBRDF::Levels
 
 namespace
 {
-// Largest relative errors of stored values.
-constexpr double HalfRounding = 1.0 / 2048.0;
-constexpr double SharedRounding = 1.0 / 512.0; // of the largest channel
-constexpr double FloatRounding = 0x1p-23;
-constexpr double ShareOfTolerance = 0.25; // that rounding may take
-
-// How a table's textures store it.
-struct Storage
-{
-  bool SharedExponents;
-  bool HalfFloat;
-  float Scale;
-
-  double GetRounding() const
-  {
-    return this->SharedExponents ? SharedRounding : this->HalfFloat ? HalfRounding : FloatRounding;
-  }
-
-  const char* GetText() const
-  {
-    return this->SharedExponents ? "9 bits and a shared exponent"
-                                 : (this->HalfFloat ? "16-bit float" : "32-bit float");
-  }
-};
-
-Storage ChooseStorage(int precision, double tolerance, const std::vector<float>& volume)
-{
-  float peak = 0.0f;
-  bool positive = true; // and valid
-  for (const float v : volume)
-  {
-    peak = std::max(peak, std::isnan(v) ? 0.0f : std::abs(v));
-    positive = positive && v >= 0.0f;
-  }
-  Storage storage;
-  storage.SharedExponents = precision == vtkTabulatedBRDF::SHARED_EXPONENT && positive &&
-                            SharedRounding <= ShareOfTolerance * tolerance;
-  storage.HalfFloat =
-    !storage.SharedExponents &&
-    (precision == vtkTabulatedBRDF::FLOAT16 ||
-      (precision != vtkTabulatedBRDF::FLOAT32 && HalfRounding <= ShareOfTolerance * tolerance));
-  // Scaled to a peak of 2^15, both formats keep their bits over nine decades.
-  const bool isScaled = (storage.SharedExponents || storage.HalfFloat) && peak > 1e-30f;
-  storage.Scale = isScaled ? 32768.0f / peak : 1.0f;
-  return storage;
-}
+static_assert(static_cast<int>(TabulatedStorage::Shared) == vtkTabulatedBRDF::SHARED_EXPONENT &&
+              static_cast<int>(TabulatedStorage::Half) == vtkTabulatedBRDF::FLOAT16 &&
+              static_cast<int>(TabulatedStorage::Float) == vtkTabulatedBRDF::FLOAT32);
 
 // Invalid cells are premultiplied away: the filter then skips them as Evaluate does.
-void Fill(
-  vtkBRDFShaderInputs::Texture& texture, const std::vector<float>& volume, const Storage& storage)
+void Fill(vtkBRDFShaderInputs::Texture& texture, const std::vector<float>& volume,
+  const TabulatedStorage& storage)
 {
   const float scale = storage.Scale;
   const std::size_t cells = volume.size() / 3;
@@ -411,7 +369,8 @@ void vtkTabulatedBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
     this->Parameterization == HALF_DIFFERENCE || this->AzimuthRange == FULL_TURN;
   texture.Repeat = { periodic, false, false };
 
-  const Storage storage = ChooseStorage(this->Precision, this->ResamplingTolerance, this->Volume);
+  const TabulatedStorage storage =
+    TabulatedStorage::Choose(this->Precision, this->ResamplingTolerance, this->Volume);
   Fill(texture, this->Volume, storage);
 
   const bool half = this->AzimuthRange == HALF_TURN;

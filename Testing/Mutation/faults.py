@@ -135,9 +135,9 @@ add("Material.tabulated-invalid-cells-are-black", "vtkTabulatedBRDF.cxx",
     "IOMerl.CountsWhatIsNotFinite|Fit.HolesInATableDoNotCount")
 add("Material.tabulated-never-makes-levels", "vtkTabulatedBRDF.cxx",
     "this->WidenedLevels = std::make_shared<Levels>();", "", "SoftTables.AgreeWithTheClosedForm")
-add("Material.tabulated-shared-exponents-of-negative-values", "vtkTabulatedBRDF.cxx", "positive = positive && v >= 0.0f;",
+add("Material.tabulated-shared-exponents-of-negative-values", "Private/TabulatedStorage.h", "positive = positive && v >= 0.0f;",
     "positive = true;", "Tabulated.SharedExponents")
-add("Material.tabulated-half-floats-overflow", "vtkTabulatedBRDF.cxx", "32768.0f / peak", "131072.0f / peak",
+add("Material.tabulated-half-floats-overflow", "Private/TabulatedStorage.h", "Peak / peak", "4.0f * Peak / peak",
     "Parity.Tables|Parity.EmbeddedMeasurement|Tabulated.PrecisionFollowsTheTolerance")
 add("Material.tabulated-copy-without-cosine", "vtkTabulatedBRDF.cxx", "copy->CosineWeighted = this->CosineWeighted;",
     "", "Snapshots.Tables")

@@ -182,8 +182,7 @@ std::vector<LobeHarmonics::Lanes::Values> LobeHarmonics::Lanes::ExpandAboutNorma
         const std::size_t count = this->Lobes[lane]->Polar.size();
         for (std::size_t c = 0; p < count && c < 3; ++c)
         {
-          factors[c][lane] =
-            static_cast<double>(series[lane][k * GetSumsWidth(count) + 3 * p + c]);
+          factors[c][lane] = static_cast<double>(series[lane][k * GetSumsWidth(count) + 3 * p + c]);
         }
       }
       angles[p].AddSeries(functions, factors, out);
