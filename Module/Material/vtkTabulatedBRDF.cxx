@@ -8,7 +8,9 @@
 #include "ModuleShader.h"
 #include "Neighbors.h"
 #include "Setters.h"
+#include "SharedExponent.h"
 #include "TabulatedLevels.h"
+#include "TabulatedStorage.h"
 #include "VolumeInterpolation.h"
 #include "vtkBRDFExchange.h"
 #include "vtkBRDFHalfDifference.h"
@@ -48,10 +50,27 @@ struct vtkTabulatedBRDF::Levels
 
 namespace
 {
+static_assert(static_cast<int>(TabulatedStorage::Shared) == vtkTabulatedBRDF::SHARED_EXPONENT &&
+              static_cast<int>(TabulatedStorage::Half) == vtkTabulatedBRDF::FLOAT16 &&
+              static_cast<int>(TabulatedStorage::Float) == vtkTabulatedBRDF::FLOAT32);
+
 // Invalid cells are premultiplied away: the filter then skips them as Evaluate does.
-void Fill(vtkBRDFShaderInputs::Texture& texture, const std::vector<float>& volume, float scale)
+void Fill(vtkBRDFShaderInputs::Texture& texture, const std::vector<float>& volume,
+  const TabulatedStorage& storage)
 {
+  const float scale = storage.Scale;
   const std::size_t cells = volume.size() / 3;
+  texture.HalfFloat = storage.HalfFloat;
+  if (storage.SharedExponents)
+  {
+    texture.SharedExponents.reserve(cells);
+    for (std::size_t k = 0; k < cells; ++k)
+    {
+      texture.SharedExponents.push_back(
+        measuredbrdf::PackSharedExponent(scale * glm::make_vec3(&volume[3 * k])));
+    }
+    return;
+  }
   texture.Data.reserve(cells * static_cast<std::size_t>(texture.Components));
   for (std::size_t k = 0; k < cells; ++k)
   {
@@ -112,7 +131,7 @@ vtkTabulatedBRDF::vtkTabulatedBRDF() = default;
 vtkTabulatedBRDF::~vtkTabulatedBRDF() = default;
 
 //------------------------------------------------------------------------------
-measuredbrdfSetInRangeMacro(vtkTabulatedBRDF, Precision, int, AUTOMATIC, FLOAT32);
+measuredbrdfSetInRangeMacro(vtkTabulatedBRDF, Precision, int, AUTOMATIC, SHARED_EXPONENT);
 measuredbrdfSetClampedMacro(vtkTabulatedBRDF, ResamplingError, double, 0.0, 1e6);
 
 //------------------------------------------------------------------------------
@@ -350,19 +369,9 @@ void vtkTabulatedBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
     this->Parameterization == HALF_DIFFERENCE || this->AzimuthRange == FULL_TURN;
   texture.Repeat = { periodic, false, false };
 
-  float peak = 0.0f;
-  for (float v : this->Volume)
-  {
-    peak = std::max(peak, std::isnan(v) ? 0.0f : std::abs(v));
-  }
-  // Scaled to a peak of 2^15, 16-bit floats keep their 11 bits over nine decades.
-  constexpr double halfRounding = 1.0 / 2048.0;
-  texture.HalfFloat =
-    this->Precision == FLOAT16 ||
-    (this->Precision == AUTOMATIC && 4.0 * halfRounding <= this->ResamplingTolerance);
-  const float scale = texture.HalfFloat && peak > 1e-30f ? 32768.0f / peak : 1.0f;
-
-  Fill(texture, this->Volume, scale);
+  const TabulatedStorage storage =
+    TabulatedStorage::Choose(this->Precision, this->ResamplingTolerance, this->Volume);
+  Fill(texture, this->Volume, storage);
 
   const bool half = this->AzimuthRange == HALF_TURN;
   if (this->Parameterization == HALF_DIFFERENCE)
@@ -373,14 +382,14 @@ void vtkTabulatedBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
   {
     measuredbrdf::SetModuleShader(term, "vtkBRDFIncidentOutgoing", vtkBRDFIncidentOutgoing);
   }
-  term.Uniforms.push_back({ "brdfScale", { 1.0f / scale } });
+  term.Uniforms.push_back({ "brdfScale", { 1.0f / storage.Scale } });
   term.Uniforms.push_back({ "brdfTurns", { half ? 2.0f : 1.0f } });
   term.Uniforms.push_back({ "brdfCosineWeighted", { this->CosineWeighted ? 1.0f : 0.0f } });
   std::ostringstream text;
   text << (this->Parameterization == HALF_DIFFERENCE ? "half/difference" : "incident/outgoing")
        << " volume " << this->Dimensions[0] << " x " << this->Dimensions[1] << " x "
-       << this->Dimensions[2] << ", " << (texture.HalfFloat ? "16" : "32") << "-bit float, "
-       << texture.GetBytes() << " bytes";
+       << this->Dimensions[2] << ", " << storage.GetText() << ", " << texture.GetBytes()
+       << " bytes";
   if (this->ResamplingError > 0.0)
   {
     text << ", resampling error " << this->ResamplingError;
@@ -393,9 +402,8 @@ void vtkTabulatedBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
     wider.ThreeD = true;
     wider.Dimensions = levels->Values->GetDimensions();
     wider.Components = texture.Components;
-    wider.HalfFloat = texture.HalfFloat;
     wider.Repeat = texture.Repeat;
-    Fill(wider, levels->Values->GetVolume(), scale);
+    Fill(wider, levels->Values->GetVolume(), storage);
     term.SoftSource = vtkBRDFHalfDifferenceSoft;
     term.Uniforms.push_back(
       { "brdfNumberOfLevels", { static_cast<float>(levels->Values->GetNumberOfLevels()) } });
@@ -408,8 +416,7 @@ void vtkTabulatedBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
     term.Textures.push_back(std::move(wider));
   }
   term.Textures.insert(term.Textures.begin(), std::move(texture));
-  form.QuantizationError =
-    std::max(form.QuantizationError, term.Textures[0].HalfFloat ? halfRounding : 0x1p-23);
+  form.QuantizationError = std::max(form.QuantizationError, storage.GetRounding());
   form.ResamplingError = std::max(form.ResamplingError, this->ResamplingError);
   form.Description = text.str();
   form.Terms.push_back(std::move(term));
@@ -418,8 +425,8 @@ void vtkTabulatedBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
 //------------------------------------------------------------------------------
 void vtkTabulatedBRDF::ExchangeData(vtkBRDFExchange& exchange)
 {
-  exchange.Option("precision", { "automatic", "float16", "float32" }, this->Precision,
-    [this](int value) { this->SetPrecision(value); });
+  exchange.Option("precision", { "automatic", "float16", "float32", "shared-exponent" },
+    this->Precision, [this](int value) { this->SetPrecision(value); });
   exchange.Option("cosineWeighted", { "off", "on" }, this->CosineWeighted,
     [this](int value) { this->SetCosineWeighted(value == 1); });
   exchange.Number("resamplingError", this->ResamplingError,

@@ -62,7 +62,8 @@ public:
   {
     AUTOMATIC = 0,
     FLOAT16 = 1,
-    FLOAT32 = 2
+    FLOAT32 = 2,
+    SHARED_EXPONENT = 3
   };
 
   /**
@@ -104,6 +105,9 @@ public:
    * Texture precision of the shader inputs. AUTOMATIC (default): 16-bit floats where their rounding
    * (2^-11 relative) is within a quarter of ResamplingTolerance, 32-bit else. 16-bit values are
    * scaled to the table's peak, so none overflows, and keep that rounding over nine decades.
+   * SHARED_EXPONENT: 9 bits for each channel and an exponent that they share, two thirds of 16-bit
+   * floats' memory, where that rounding (2^-9 of the largest channel) is within a quarter of
+   * ResamplingTolerance, no cell is invalid and no value negative; else as AUTOMATIC.
    */
   virtual void SetPrecision(int precision);
   vtkGetMacro(Precision, int);

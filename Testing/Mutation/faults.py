@@ -135,7 +135,9 @@ add("Material.tabulated-invalid-cells-are-black", "vtkTabulatedBRDF.cxx",
     "IOMerl.CountsWhatIsNotFinite|Fit.HolesInATableDoNotCount")
 add("Material.tabulated-never-makes-levels", "vtkTabulatedBRDF.cxx",
     "this->WidenedLevels = std::make_shared<Levels>();", "", "SoftTables.AgreeWithTheClosedForm")
-add("Material.tabulated-half-floats-overflow", "vtkTabulatedBRDF.cxx", "32768.0f / peak", "131072.0f / peak",
+add("Material.tabulated-shared-exponents-of-negative-values", "Private/TabulatedStorage.h", "positive = positive && v >= 0.0f;",
+    "positive = true;", "Tabulated.SharedExponents")
+add("Material.tabulated-half-floats-overflow", "Private/TabulatedStorage.h", "Peak / peak", "4.0f * Peak / peak",
     "Parity.Tables|Parity.EmbeddedMeasurement|Tabulated.PrecisionFollowsTheTolerance")
 add("Material.tabulated-copy-without-cosine", "vtkTabulatedBRDF.cxx", "copy->CosineWeighted = this->CosineWeighted;",
     "", "Snapshots.Tables")
@@ -272,6 +274,10 @@ add("Integration.beyond-the-pole-unturned", "Private/FieldSynthesis.cxx", "order
     "AnisotropicTable.*|TableIntegrator.*|LinearSpline.*")
 add("Integration.products-miss-a-vector", "Private/MatrixProduct.cxx", "this->Second += left[0] * second;", "this->Second += left[0] * first;",
     "MatrixProduct.*")
+add("Integration.second-stage-unturned", "Private/RowTransform.cxx", "d.Turn(twice);", "", "RowTransform.*")
+add("Integration.odd-stage-left-out", "Private/RowTransform.cxx", "RunOneStage<Vector>(lines, size);", "", "RowTransform.*")
+add("Integration.lanes-begin-at-degree-zero", "Private/WignerLanes.cxx", "Scale{ factors, { out[0] + first, out[1] + first, out[2] + first } });",
+    "Scale{ factors, { out[0], out[1] + first, out[2] + first } });", "WignerLanes.*")
 add("Integration.expanded-kernels-of-other-orders", "Private/MaterialPrecomputation.cxx", "static_cast<std::ptrdiff_t>(row) * (known.Degree + 1)",
     "static_cast<std::ptrdiff_t>(row) * (degree + 1)", "MaterialPrecomputation.KeepsExpandedKernels")
 add("Integration.degrees-left-out", "Private/TableSynthesis.cxx", "constexpr double LeastShare = 1e-4;", "constexpr double LeastShare = 1e9;",
@@ -612,6 +618,10 @@ add("Integration.azimuths-turn-backwards", "Private/AzimuthSeries.cxx", "gain * 
     "AzimuthSeries.TurnsEachOrder")
 add("Planning.luck-is-merit", "Private/PlanSearch.cxx", "return !this->MayBeLuck(candidate) || this->Check(candidate);",
     "return true;", "PlanSearch.DoesNotTakeLuckForMerit")
+add("Planning.memory-is-free", "Private/PlanSearch.cxx", "constexpr double MemoryWorthIt = 1.5;", "constexpr double MemoryWorthIt = 1.0;",
+    "PlanSearch.WeighsMemoryWhereNothingMeets")
+add("Planning.last-resort-is-the-largest", "Private/PlanSearch.cxx", "factor < known || (factor == known && candidate.Bytes >= other.Bytes)",
+    "candidate.Bytes >= other.Bytes", "PlanSearch.WeighsMemoryWhereNothingMeets")
 add("Planning.store-lends-twice", "Private/MaterialStore.cxx", "  Parts parts = std::move(known->Material);\n  this->Entries.erase(known);",
     "  Parts parts = known->Material;", "MaterialStore.KeepsTheLastOnes")
 add("Planning.store-has-no-bound", "Private/MaterialStore.cxx", "sum > this->Most ?", "false ?", "MaterialStore.KeepsTheLastOnes")

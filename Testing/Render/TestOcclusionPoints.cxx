@@ -154,6 +154,26 @@ TEST_F(OcclusionPointsTest, PicturesAreTheSame)
   EXPECT_LT(this->CompareNext(), Step);
 }
 
+// With more than two lamps the table holds a part of them, which goes with what is kept of lamps.
+TEST_F(OcclusionPointsTest, LampsInTablesAreTheSame)
+{
+  vtkNew<vtkEnvironment> lamps;
+  std::vector<float> pixels(3 * 128 * 64, 0.02f);
+  for (int k = 0; k < 3; ++k)
+  {
+    std::fill_n(pixels.begin() + 3 * (128 * (12 + 4 * k) + 20 + 40 * k), 3, 1000.0f);
+  }
+  lamps->SetPixels(128, 64, pixels);
+  this->BRDF->SetExponent(5.0);
+  this->Mapper->SetEnvironment(lamps);
+  const OcclusionLight light(this->BRDF, lamps, this->Integrator);
+  ASSERT_EQ(light.LampLight.size(), 3u);
+  EXPECT_TRUE(light.Panels.empty());
+  EXPECT_LT(this->CompareNext(), Step);
+  this->Mapper->SetOcclusionModeToOff();
+  EXPECT_GT(GetLargestStep(this->RenderEncoded(), this->Plain), 10.0 * Step);
+}
+
 // The camera and another material of the same light leave it as it is.
 TEST_F(OcclusionPointsTest, ItIsMadeOnceWhileTheLightRests)
 {

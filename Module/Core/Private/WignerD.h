@@ -31,7 +31,7 @@ public:
     : First(std::max(std::abs(m), std::abs(k)))
     , Last(maximumDegree)
   {
-    if (this->First > this->Last)
+    if (this->IsEmpty())
     {
       return;
     }
@@ -53,27 +53,48 @@ public:
       negative = k < 0 && (l + m) % 2 != 0;
     }
     this->Sign = negative ? -1.0 : 1.0;
+    double before = 0.0; // the root of the degree below: at the first one it is 0
+    this->Steps.reserve(static_cast<std::size_t>(this->Last - l));
     for (int degree = l; degree < this->Last; ++degree)
     {
       const double d = degree;
       const double n = d + 1.0;
       const double root = std::sqrt((n * n - double(m) * m) * (n * n - double(k) * k));
-      this->Steps.push_back(
-        { n * (2.0 * d + 1.0) / root, degree > 0 ? m * double(k) / (d * n) : 0.0,
-          degree > 0 ? n * std::sqrt((d * d - double(m) * m) * (d * d - double(k) * k)) / (d * root)
-                     : 0.0 });
+      this->Steps.push_back({ n * (2.0 * d + 1.0) / root,
+        degree > 0 ? m * double(k) / (d * n) : 0.0, degree > 0 ? n * before / (d * root) : 0.0 });
+      before = root;
     }
   }
 
   /// Lowest degree that is not zero.
   int GetFirst() const { return this->First; }
 
+  /// Whether that is above the maximum degree.
+  bool IsEmpty() const { return this->First > this->Last; }
+
+  ///@{
+  /// The recursion, for those who do it on their own (WignerLanes.h): d at the lowest degree, of
+  /// the logarithms of cos(theta/2) and sin(theta/2), and
+  /// d[l + 1] = A (cos(theta) - B) d[l] - C d[l - 1].
+  struct Step
+  {
+    double A, B, C;
+  };
+  const std::vector<Step>& GetSteps() const { return this->Steps; }
+  static double GetLog(double x) { return std::log(std::max(x, 1e-300)); }
+  double GetStart(double logHalfCosine, double logHalfSine) const
+  {
+    return this->Sign * std::exp(this->LogStart + this->CosinePower * logHalfCosine +
+                                 this->SinePower * logHalfSine);
+  }
+  ///@}
+
   /// d[l] for l = GetFirst() ... maximumDegree, at d[l - GetFirst()]. Value: double, or one of
   /// Eigen's arrays of them.
   template <typename Value>
   void Evaluate(const Value& theta, Value* d) const
   {
-    if (this->First > this->Last)
+    if (this->IsEmpty())
     {
       return;
     }
@@ -97,16 +118,8 @@ public:
   }
 
 private:
-  struct Step
-  {
-    double A, B, C;
-  };
-
   // log(x^power); 0^0 = 1.
-  static double Log(double x, int power)
-  {
-    return power == 0 ? 0.0 : power * std::log(std::max(x, 1e-300));
-  }
+  static double Log(double x, int power) { return power == 0 ? 0.0 : power * GetLog(x); }
 
   template <typename Array>
   static Array Log(const Array& x, int power)

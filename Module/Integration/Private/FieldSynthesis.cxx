@@ -5,10 +5,9 @@
 #include "HalfVector.h" // for Pi
 #include "LinearSpline.h"
 #include "MatrixProduct.h"
+#include "RowTransform.h"
 #include "WignerD.h"
 #include "vtkSMPTools.h"
-
-#include <unsupported/Eigen/FFT>
 
 #include <algorithm>
 #include <cmath>
@@ -19,8 +18,21 @@ namespace measuredbrdf
 {
 namespace
 {
-constexpr double LeastTurn = 1e-15; // less is 0: slow in floats, and nothing
-constexpr std::size_t Lanes = 4;    // rows at a time
+constexpr double LeastTurn = 1e-15;               // less is 0: slow in floats, and nothing
+constexpr std::size_t Lanes = WignerLanes::Count; // rows at a time
+
+// Of its real part; the imaginary parts of eight kinds follow their real parts.
+std::size_t GetPlaceOfKind(std::size_t kind)
+{
+  return kind / RowTransform::Lines * RowTransform::Item + kind % RowTransform::Lines;
+}
+
+// Floats of all kinds.
+std::size_t GetSeriesWidth(std::size_t kinds)
+{
+  static_assert(RowTransform::Item % ProductColumns == 0, "products come in whole items");
+  return RoundUp(2 * kinds, RowTransform::Item);
+}
 
 // Adds real and imaginary parts of b_lk conj(a_lm), for the degrees from first on, row by row.
 void AddLit(const EnvironmentHarmonics& light, int m, int first,
@@ -40,72 +52,91 @@ void AddLit(const EnvironmentHarmonics& light, int m, int first,
     for (std::size_t kernel = 0; kernel < count; ++kernel)
     {
       const float* of = kernels[channel].col(static_cast<Eigen::Index>(kernel)).data() + first;
-      float* out = &lit[2 * (channel * count + kernel)];
+      float* out = &lit[GetPlaceOfKind(channel * count + kernel)];
       for (std::size_t k = 0; k < size; ++k, out += columns)
       {
         out[0] += of[k] * values[k].real();
-        out[1] += of[k] * values[k].imag();
+        out[RowTransform::Lines] += of[k] * values[k].imag();
       }
     }
   }
 }
 
-constexpr std::size_t KindsAtATime = 8; // a cache line
+using Lane = Eigen::Array<float, RowTransform::Lines, 1>; // a part of an item, of eight kinds
 
-std::complex<float> Times(const std::complex<float>& a, const std::complex<float>& b)
+struct Item
 {
-  return { a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real() };
+  Lane Real, Imaginary;
+
+  explicit Item(const float* at)
+    : Real(Eigen::Map<const Lane>(at))
+    , Imaginary(Eigen::Map<const Lane>(at + RowTransform::Lines))
+  {
+  }
+
+  void Multiply(const std::complex<float>& factor)
+  {
+    const Lane real = factor.real() * this->Real - factor.imag() * this->Imaginary;
+    this->Imaginary = factor.real() * this->Imaginary + factor.imag() * this->Real;
+    this->Real = real;
+  }
+};
+
+void AddTo(float* at, const Lane& real, const Lane& imaginary)
+{
+  Eigen::Map<Lane>(at) += real;
+  Eigen::Map<Lane>(at + RowTransform::Lines) += imaginary;
 }
 
 // Where a row's terms lie in a Fourier transform of the columns, and what each is multiplied by.
 class RowTerms
 {
 public:
-  RowTerms(int degree, int columns, MapNodes nodes)
+  RowTerms(int degree, const RowTransform& transform, MapNodes nodes)
     : Degree(static_cast<std::size_t>(degree))
   {
+    const int columns = static_cast<int>(transform.GetSize());
     for (int m = -degree; m <= degree; ++m)
     {
       const double frequency = static_cast<double>(m) / columns;
       this->Factors.push_back(nodes == MapNodes::Centers // half a column on
                                 ? std::polar(1.0f, static_cast<float>(-Pi * frequency))
                                 : static_cast<float>(GetLinearSplineGain(frequency)));
-      this->Places.push_back(static_cast<std::size_t>((m % columns + columns) % columns));
+      const int place = (m % columns + columns) % columns;
+      this->Places.push_back(
+        RowTransform::Item * transform.GetPlace(static_cast<std::size_t>(place)));
     }
   }
 
-  using Lines = std::array<FieldSynthesis::Field, KindsAtATime>;
-
-  /// in: count of the kinds, after each other for each m.
-  void Add(const std::complex<float>* in, std::size_t kinds, std::size_t count, Lines& lines) const
+  /// in: an item for each m, which lie width apart.
+  void Add(const float* in, std::size_t width, float* lines) const
   {
-    for (std::size_t item = 0; item < this->Places.size(); ++item, in += kinds)
+    for (std::size_t k = 0; k < this->Places.size(); ++k, in += width)
     {
-      for (std::size_t k = 0; k < count; ++k)
-      {
-        lines[k][this->Places[item]] += Times(this->Factors[item], in[k]);
-      }
+      Item item(in);
+      item.Multiply(this->Factors[k]);
+      AddTo(lines + this->Places[k], item.Real, item.Imaginary);
     }
   }
 
-  /// Of real fields, whose terms of m and -m are conjugates: those of m >= 0 suffice, and two
-  /// fields are the real and the imaginary part of one.
-  void AddReal(
-    const std::complex<float>* in, std::size_t kinds, std::size_t count, Lines& lines) const
+  /// Of real fields, whose terms of m and -m are conjugates: those of m >= 0 suffice, and the real
+  /// parts are those fields, the imaginary parts others (null: none).
+  void AddReal(const float* in, const float* others, std::size_t width, float* lines) const
   {
-    in += this->Degree * kinds;
-    for (std::size_t m = 0; m <= this->Degree; ++m, in += kinds)
+    in += this->Degree * width;
+    others += others ? this->Degree * width : 0;
+    for (std::size_t m = 0; m <= this->Degree; ++m, in += width, others += others ? width : 0)
     {
-      for (std::size_t k = 0; k < count; ++k)
+      Item one(in);
+      Item other(others ? others : in);
+      one.Multiply(this->Factors[this->Degree + m]);
+      other.Multiply(others ? this->Factors[this->Degree + m] : 0.0f);
+      AddTo(lines + this->Places[this->Degree + m], one.Real - other.Imaginary,
+        one.Imaginary + other.Real);
+      if (m > 0)
       {
-        const std::complex<float> value = Times(this->Factors[this->Degree + m], in[k]);
-        const std::complex<float> unit =
-          k % 2 == 0 ? std::complex<float>(1.0f) : std::complex<float>(0.0f, 1.0f);
-        lines[k / 2][this->Places[this->Degree + m]] += Times(unit, value);
-        if (m > 0)
-        {
-          lines[k / 2][this->Places[this->Degree - m]] += Times(unit, std::conj(value));
-        }
+        AddTo(lines + this->Places[this->Degree - m], one.Real + other.Imaginary,
+          other.Real - one.Imaginary);
       }
     }
   }
@@ -130,6 +161,16 @@ FieldSynthesis::FieldSynthesis(const EnvironmentHarmonics& environment, int rows
     this->Chosen.push_back(row);
   }
   this->Rows = static_cast<int>(this->Chosen.size());
+  for (std::size_t row = 0; row < this->Chosen.size(); row += Lanes)
+  {
+    WignerLanes::Values theta;
+    for (std::size_t lane = 0; lane < Lanes; ++lane)
+    {
+      const int at = this->Chosen[std::min(row + lane, this->Chosen.size() - 1)];
+      theta[lane] = nodes == MapNodes::Centers ? Pi * (at + 0.5) / rows : Pi * at / (rows - 1);
+    }
+    this->Angles.emplace_back(theta);
+  }
 }
 
 void FieldSynthesis::Run(
@@ -199,7 +240,6 @@ void FieldSynthesis::FitRows(int order, std::array<Field, 3>& result) const
 // d^l_mk at each row's polar angle, row by row, and the rows where it is not 0.
 FieldSynthesis::Turns FieldSynthesis::GetTurns(int m, int order, int degree) const
 {
-  using Values = Eigen::Array<double, Lanes, 1>;
   const WignerD functions(m, order, degree);
   const std::size_t rows = static_cast<std::size_t>(this->Rows);
   Turns turns;
@@ -207,25 +247,17 @@ FieldSynthesis::Turns FieldSynthesis::GetTurns(int m, int order, int degree) con
   turns.Size = static_cast<std::size_t>(std::max(degree + 1 - turns.First, 0));
   turns.Begin = turns.End = 0;
   turns.Values.resize((RoundUp(rows, Lanes) + ProductRows) * turns.Size);
-  std::vector<Values> d(turns.Size);
+  std::vector<WignerLanes::Values> d(turns.Size);
   for (std::size_t row = 0; row < rows && turns.Size > 0; row += Lanes)
   {
-    Values theta;
-    for (std::size_t lane = 0; lane < Lanes; ++lane)
-    {
-      const int at = this->Chosen[std::min(row + lane, rows - 1)];
-      theta[static_cast<Eigen::Index>(lane)] = this->Nodes == MapNodes::Centers
-                                                 ? Pi * (at + 0.5) / this->AllRows
-                                                 : Pi * at / (this->AllRows - 1);
-    }
-    functions.Evaluate(theta, d.data());
+    this->Angles[row / Lanes].Evaluate(functions, d.data());
     bool any = false;
     for (std::size_t lane = 0; lane < Lanes; ++lane)
     {
       float* out = &turns.Values[(row + lane) * turns.Size];
       for (std::size_t l = 0; l < turns.Size; ++l)
       {
-        const double value = d[l][static_cast<Eigen::Index>(lane)];
+        const double value = d[l][lane];
         const bool isNone = std::abs(value) < LeastTurn;
         any = any || !isNone;
         out[l] = isNone ? 0.0f : static_cast<float>(value);
@@ -250,17 +282,17 @@ bool FieldSynthesis::AreRowsSymmetric() const
   return symmetric;
 }
 
-// The sum over l: [row][m][channel][kernel].
-FieldSynthesis::Field FieldSynthesis::SumDegrees(
+// The sum over l: [row][m][channel][kernel], as GetPlaceOfKind has them.
+std::vector<float> FieldSynthesis::SumDegrees(
   int order, const Kernels& kernels, const More* more) const
 {
   const int degree = static_cast<int>(kernels[0].rows()) - 1;
   const std::size_t rows = static_cast<std::size_t>(this->Rows);
   const std::size_t kinds = 3 * static_cast<std::size_t>(kernels[0].cols());
   const std::size_t orders = 2 * static_cast<std::size_t>(degree) + 1;
-  const std::size_t columns = RoundUp(2 * kinds, ProductColumns);
+  const std::size_t columns = GetSeriesWidth(kinds);
   const bool isSymmetric = this->AreRowsSymmetric();
-  Field series(orders * kinds * rows);
+  std::vector<float> series(orders * columns * rows);
   const auto add = [&](int m, const Turns& turns, bool mirrored)
   {
     if (turns.Begin == turns.End)
@@ -287,11 +319,9 @@ FieldSynthesis::Field FieldSynthesis::SumDegrees(
       product.data());
     for (std::size_t row = turns.Begin; row < turns.End; ++row)
     {
-      const auto* in =
-        reinterpret_cast<const std::complex<float>*>(&product[(row - turns.Begin) * columns]);
       const std::size_t to = mirrored ? rows - 1 - row : row;
-      std::copy(
-        in, in + kinds, &series[(to * orders + static_cast<std::size_t>(m + degree)) * kinds]);
+      std::copy_n(&product[(row - turns.Begin) * columns], columns,
+        &series[(to * orders + static_cast<std::size_t>(m + degree)) * columns]);
     }
   };
   vtkSMPTools::For(0, degree + 1, 1,
@@ -313,53 +343,51 @@ FieldSynthesis::Field FieldSynthesis::SumDegrees(
 
 // The sum over m, by fast Fourier transforms over the azimuth, some kinds at a time.
 void FieldSynthesis::SumOrders(
-  int order, const Field& series, int degree, std::array<Field, 3>& result) const
+  int order, const std::vector<float>& series, int degree, std::array<Field, 3>& result) const
 {
   const std::size_t rows = static_cast<std::size_t>(this->Rows);
   const std::size_t columns = static_cast<std::size_t>(this->Columns);
   const std::size_t orders = 2 * static_cast<std::size_t>(degree) + 1;
-  const std::size_t kinds = series.size() / (orders * rows);
-  const std::size_t each = kinds / 3;
-  const RowTerms terms(degree, this->Columns, this->Nodes);
+  const std::size_t each = result[0].size() / (rows * columns);
+  const std::size_t kinds = 3 * each;
+  const std::size_t width = GetSeriesWidth(kinds);
+  const RowTransform transform(columns);
+  const RowTerms terms(degree, transform, this->Nodes);
   vtkSMPTools::For(0, static_cast<vtkIdType>(rows), 1,
     [&](vtkIdType begin, vtkIdType end)
     {
-      Eigen::FFT<float> transform;
-      std::array<Field, KindsAtATime> lines;
+      std::vector<float> lines(columns * RowTransform::Item);
       for (std::size_t row = static_cast<std::size_t>(begin); row < static_cast<std::size_t>(end);
            ++row)
       {
-        for (std::size_t kind = 0; kind < kinds; kind += KindsAtATime)
+        const float* const in = &series[row * orders * width];
+        const auto getResult = [&](std::size_t kind)
+        { return &result[kind / each][(kind % each * rows + row) * columns]; };
+        // Of order 0, which is real, eight more kinds are the imaginary parts.
+        const std::size_t together = order > 0 ? RowTransform::Lines : 2 * RowTransform::Lines;
+        for (std::size_t first = 0; first < kinds; first += together)
         {
-          const std::size_t count = std::min(KindsAtATime, kinds - kind);
-          const auto* in = &series[row * orders * kinds + kind];
-          const auto getResult = [&](std::size_t k)
-          { return &result[k / each][(k % each * rows + row) * columns]; };
-          for (Field& line : lines)
-          {
-            line.assign(columns, 0.0f);
-          }
+          const float* const items = in + GetPlaceOfKind(first);
+          std::fill(lines.begin(), lines.end(), 0.0f);
           if (order > 0)
           {
-            terms.Add(in, kinds, count, lines);
-            for (std::size_t k = 0; k < count; ++k)
-            {
-              transform.fwd(
-                getResult(kind + k), lines[k].data(), static_cast<Eigen::Index>(columns));
-            }
-            continue;
+            terms.Add(items, width, lines.data());
           }
-          terms.AddReal(in, kinds, count, lines);
-          Field both(columns);
-          for (std::size_t k = 0; k < count; ++k)
+          else
           {
-            if (k % 2 == 0)
+            const bool isLast = first + RowTransform::Lines >= kinds;
+            terms.AddReal(
+              items, isLast ? nullptr : items + RowTransform::Item, width, lines.data());
+          }
+          transform.Run(lines.data());
+          for (std::size_t kind = first; kind < std::min(first + together, kinds); ++kind)
+          {
+            std::complex<float>* const out = getResult(kind);
+            const float* of = &lines[order > 0 ? GetPlaceOfKind(kind - first) : kind - first];
+            for (std::size_t column = 0; column < columns; ++column, of += RowTransform::Item)
             {
-              transform.fwd(both.data(), lines[k / 2].data(), static_cast<Eigen::Index>(columns));
+              out[column] = { of[0], order > 0 ? of[RowTransform::Lines] : 0.0f };
             }
-            std::transform(both.begin(), both.end(), getResult(kind + k),
-              [k](const std::complex<float>& value)
-              { return k % 2 == 0 ? value.real() : value.imag(); });
           }
         }
       }

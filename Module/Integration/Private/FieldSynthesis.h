@@ -10,6 +10,7 @@
 #define FieldSynthesis_h
 
 #include "EnvironmentHarmonics.h"
+#include "WignerLanes.h"
 
 #include <Eigen/Core>
 
@@ -69,15 +70,17 @@ private:
   };
   Turns GetTurns(int m, int order, int degree) const;
   /// Of order 0, which is real, of m >= 0 only.
-  Field SumDegrees(int order, const Kernels& kernels, const More* more) const;
+  std::vector<float> SumDegrees(int order, const Kernels& kernels, const More* more) const;
   void FitRows(int order, std::array<Field, 3>& result) const;
-  void SumOrders(int order, const Field& series, int degree, std::array<Field, 3>& result) const;
+  void SumOrders(
+    int order, const std::vector<float>& series, int degree, std::array<Field, 3>& result) const;
   bool AreRowsSymmetric() const; // about the equator
 
   const EnvironmentHarmonics& Environment;
   int AllRows;
   std::vector<int> Chosen; // of these
-  int Rows;                // that are chosen
+  std::vector<WignerLanes> Angles;
+  int Rows; // that are chosen
   int Columns;
   MapNodes Nodes;
 };

@@ -4,11 +4,11 @@
 
 #include "HalfVector.h" // for Pi
 #include "LobeQuadrature.h"
+#include "MatrixProduct.h"
 #include "WignerD.h"
+#include "WignerLanes.h"
 #include "vtkBRDF.h"
 #include "vtkSMPTools.h"
-
-#include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
@@ -31,6 +31,9 @@ glm::dvec3 Evaluate(vtkBRDF* brdf, const glm::dvec3& i, const glm::dvec3& o)
   brdf->Evaluate(&i.x, &o.x, &f.x);
   return f;
 }
+
+// Of a row of all polar nodes' sums.
+std::size_t GetSumsWidth(std::size_t nodes) { return RoundUp(3 * nodes, ProductColumns); }
 
 glm::dvec3 Mirror(const glm::dvec3& d) { return glm::dvec3(d.x, -d.y, d.z); }
 
@@ -122,8 +125,8 @@ LobeHarmonics LobeHarmonics::GetOutside(const LampWindow& window, double delta) 
 // work on several numbers at a time.
 struct LobeHarmonics::Lanes
 {
-  static constexpr std::size_t Count = 4;
-  using Values = Eigen::Array4d;
+  static constexpr std::size_t Count = WignerLanes::Count;
+  using Values = WignerLanes::Values;
 
   std::array<const LobeHarmonics*, Count> Lobes;
   Values Delta;
@@ -136,55 +139,53 @@ struct LobeHarmonics::Lanes
   /// Then about the axis: the function seen from a frame turned by -delta about y (z towards -x).
   /// b_lk = sum over k' of d^l_k'k(-delta) n_lk'.
   std::vector<Values> Turn(const std::vector<Values>& about, int orders) const;
+
+private:
+  template <typename Pointer>
+  std::array<Pointer, 3> GetChannels(Pointer values, int order) const
+  {
+    Pointer first = values + 3 * static_cast<std::size_t>(order) * this->Size;
+    return { first, first + this->Size, first + 2 * this->Size };
+  }
 };
 
 std::vector<LobeHarmonics::Lanes::Values> LobeHarmonics::Lanes::ExpandAboutNormal() const
 {
-  std::vector<Values> about(3 * this->Size * this->Size, Values::Zero());
-  std::vector<Values> d(this->Size);
+  std::vector<Values> about(3 * this->Size * this->Size, Values{});
   std::size_t nodes = 0;
-  for (const LobeHarmonics* lobe : this->Lobes)
+  std::array<std::vector<float>, Count> series;
+  for (std::size_t lane = 0; lane < Count; ++lane)
   {
-    nodes = std::max(nodes, lobe->Polar.size());
+    nodes = std::max(nodes, this->Lobes[lane]->Polar.size());
+    series[lane] = this->Lobes[lane]->SumAzimuths(this->Size);
   }
-  std::array<std::vector<double>, Count> cosines;
+  std::vector<WignerLanes> angles;
+  for (std::size_t p = 0; p < nodes; ++p)
+  {
+    Values theta{};
+    for (std::size_t lane = 0; lane < Count; ++lane)
+    {
+      const std::vector<LobeNode>& polar = this->Lobes[lane]->Polar;
+      theta[lane] = p < polar.size() ? polar[p].Angle : 0.0;
+    }
+    angles.emplace_back(theta);
+  }
   for (std::size_t k = 0; k < this->Size; ++k)
   {
     const WignerD functions(static_cast<int>(k), 0, static_cast<int>(this->Size) - 1);
-    for (std::size_t lane = 0; lane < Count; ++lane)
-    {
-      cosines[lane].clear();
-      for (const LobeNode& a : this->Lobes[lane]->Azimuths)
-      {
-        cosines[lane].push_back(2.0 * a.Weight * std::cos(static_cast<double>(k) * a.Angle));
-      }
-    }
+    const auto out = this->GetChannels(about.data(), static_cast<int>(k));
     for (std::size_t p = 0; p < nodes; ++p)
     {
-      Values theta = Values::Zero();
-      Values series[3] = { Values::Zero(), Values::Zero(), Values::Zero() };
-      for (Eigen::Index lane = 0; lane < theta.size(); ++lane)
+      Values factors[3] = {};
+      for (std::size_t lane = 0; lane < Count; ++lane)
       {
-        const LobeHarmonics& lobe = *this->Lobes[static_cast<std::size_t>(lane)];
-        if (p < lobe.Polar.size())
+        const std::size_t count = this->Lobes[lane]->Polar.size();
+        for (std::size_t c = 0; p < count && c < 3; ++c)
         {
-          theta[lane] = lobe.Polar[p].Angle;
-          const glm::dvec3 sum = lobe.SumAzimuths(p, cosines[static_cast<std::size_t>(lane)]);
-          for (int c = 0; c < 3; ++c)
-          {
-            series[c][lane] = sum[c];
-          }
+          factors[c][lane] = static_cast<double>(series[lane][k * GetSumsWidth(count) + 3 * p + c]);
         }
       }
-      functions.Evaluate(theta, d.data());
-      for (std::size_t c = 0; c < 3; ++c)
-      {
-        Values* out = &about[(3 * k + c) * this->Size];
-        for (std::size_t l = k; l < this->Size; ++l)
-        {
-          out[l] += series[c] * d[l - k];
-        }
-      }
+      angles[p].AddSeries(functions, factors, out);
     }
   }
   return about;
@@ -194,43 +195,70 @@ std::vector<LobeHarmonics::Lanes::Values> LobeHarmonics::Lanes::Turn(
   const std::vector<Values>& about, int orders) const
 {
   const int degree = static_cast<int>(this->Size) - 1;
-  std::vector<Values> turned(3 * static_cast<std::size_t>(orders + 1) * this->Size, Values::Zero());
-  std::vector<Values> d(this->Size);
-  const Values angle = this->Delta.abs();
-  const Values odd = (this->Delta < 0.0).select(Values::Constant(-1.0), 1.0);
+  std::vector<Values> turned(3 * static_cast<std::size_t>(orders + 1) * this->Size, Values{});
+  Values theta;
+  for (std::size_t lane = 0; lane < Count; ++lane)
+  {
+    theta[lane] = std::abs(this->Delta[lane]);
+  }
+  const WignerLanes angles(theta);
   for (int k = 0; k <= orders; ++k)
   {
     for (int from = -degree; from <= degree; ++from)
     {
       const WignerD functions(k, from, degree); // d_k'k(-delta) = d_kk'(delta)
-      functions.Evaluate(angle, d.data());
       // d_mk(-x) = (-1)^(m-k) d_mk(x); n_l,-k = (-1)^k n_lk.
-      Values sign = (k - from) % 2 != 0 ? odd : Values::Ones();
-      sign = from < 0 && from % 2 != 0 ? Values(-sign) : sign;
-      const std::size_t first = static_cast<std::size_t>(functions.GetFirst());
-      for (std::size_t c = 0; c < 3; ++c)
+      Values sign;
+      for (std::size_t lane = 0; lane < Count; ++lane)
       {
-        const Values* in = &about[(3 * static_cast<std::size_t>(std::abs(from)) + c) * this->Size];
-        Values* out = &turned[(3 * static_cast<std::size_t>(k) + c) * this->Size];
-        for (std::size_t l = first; l < this->Size; ++l)
-        {
-          out[l] += sign * d[l - first] * in[l];
-        }
+        const bool isTurned = (k - from) % 2 != 0 && this->Delta[lane] < 0.0;
+        sign[lane] = isTurned != (from < 0 && from % 2 != 0) ? -1.0 : 1.0;
       }
+      angles.AddTurned(functions, sign, this->GetChannels(about.data(), std::abs(from)),
+        this->GetChannels(turned.data(), k));
     }
   }
   return turned;
 }
 
-// A polar node's series over the azimuths, with its weight.
-glm::dvec3 LobeHarmonics::SumAzimuths(std::size_t p, const std::vector<double>& cosines) const
+// The polar nodes' series over the azimuths, with their weights, over the integral of the rest.
+std::vector<float> LobeHarmonics::SumAzimuths(std::size_t orders) const
 {
-  glm::dvec3 sum(0.0);
-  for (std::size_t a = 0; a < cosines.size(); ++a)
+  const std::size_t azimuths = this->Azimuths.size();
+  const std::size_t width = GetSumsWidth(this->Polar.size());
+  std::vector<float> kernel(azimuths * width, 0.0f);
+  for (std::size_t p = 0; p < this->Polar.size(); ++p)
   {
-    sum += cosines[a] * this->Kernel[p * cosines.size() + a];
+    const double weight = this->Polar[p].Weight * std::sin(this->Polar[p].Angle);
+    for (std::size_t a = 0; a < azimuths; ++a)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        kernel[a * width + 3 * p + static_cast<std::size_t>(c)] =
+          this->Sum[c] > 0.0
+            ? static_cast<float>(weight * this->Kernel[p * azimuths + a][c] / this->Sum[c])
+            : 0.0f;
+      }
+    }
   }
-  return sum * this->Polar[p].Weight * std::sin(this->Polar[p].Angle);
+  const std::size_t rows = RoundUp(orders, ProductRows);
+  std::vector<float> cosines(rows * azimuths);
+  for (std::size_t a = 0; a < azimuths; ++a)
+  {
+    const double once = std::cos(this->Azimuths[a].Angle);
+    double before = once;
+    double cosine = 1.0; // of k times the azimuth, after Chebyshev
+    for (std::size_t k = 0; k < rows; ++k)
+    {
+      cosines[k * azimuths + a] = static_cast<float>(2.0 * this->Azimuths[a].Weight * cosine);
+      const double next = 2.0 * once * cosine - before;
+      before = cosine;
+      cosine = next;
+    }
+  }
+  std::vector<float> series(rows * width);
+  Multiply(cosines.data(), kernel.data(), rows, azimuths, width, series.data());
+  return series;
 }
 
 std::vector<std::vector<float>> LobeHarmonics::Expand(
@@ -246,7 +274,7 @@ std::vector<std::vector<float>> LobeHarmonics::Expand(
     {
       const auto& lobe = lobes[std::min(first + lane, lobes.size() - 1)];
       lanes.Lobes[lane] = lobe.first;
-      lanes.Delta[static_cast<Eigen::Index>(lane)] = lobe.second;
+      lanes.Delta[lane] = lobe.second;
     }
     const std::vector<Lanes::Values> turned = lanes.Turn(lanes.ExpandAboutNormal(), orders);
     for (std::size_t k = first; k < std::min(first + Lanes::Count, lobes.size()); ++k)
@@ -254,12 +282,9 @@ std::vector<std::vector<float>> LobeHarmonics::Expand(
       results[k].reserve(turned.size());
       for (std::size_t n = 0; n < turned.size(); ++n)
       {
-        const double sum = lobes[k].first->Sum[static_cast<int>(n / lanes.Size % 3)];
         const double l = static_cast<double>(n % lanes.Size);
-        const double value = turned[n][static_cast<Eigen::Index>(k - first)];
         results[k].push_back(
-          sum > 0.0 ? static_cast<float>(value / sum * std::sqrt((2.0 * l + 1.0) / (4.0 * Pi)))
-                    : 0.0f);
+          static_cast<float>(turned[n][k - first] * std::sqrt((2.0 * l + 1.0) / (4.0 * Pi))));
       }
     }
   };

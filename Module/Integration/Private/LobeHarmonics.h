@@ -56,7 +56,7 @@ public:
 private:
   struct Lanes;
 
-  glm::dvec3 SumAzimuths(std::size_t p, const std::vector<double>& cosines) const;
+  std::vector<float> SumAzimuths(std::size_t orders) const;
 
   LobeMeans Means;
   glm::dvec3 Sum = glm::dvec3(0.0); // the rest over the nodes, which see less of a sharp lobe

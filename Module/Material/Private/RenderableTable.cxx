@@ -27,6 +27,7 @@ vtkBRDF* RenderableTable::Get(vtkBRDF* material, std::string& problem)
     resampler->SetTolerance(tolerance);
     resampler->Resample();
     error = resampler->GetOutput()->GetResamplingError();
+    resampler->GetOutput()->SetPrecision(vtkTabulatedBRDF::SHARED_EXPONENT);
     this->Table = resampler->GetOutput();
   }
   else

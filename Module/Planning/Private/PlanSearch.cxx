@@ -22,6 +22,30 @@ namespace
 constexpr double FarAway = 3.0; // times the tolerance: where last resorts are tried
 constexpr double WorthIt = 0.9; // of another's error, to be worth more cost
 constexpr int Few = 3;          // so many tried, and luck does not matter
+
+// Where the tolerance is missed, textures beyond so many bytes have to leave two thirds of the
+// error.
+constexpr vtkIdType ManyBytes = 12000000;
+constexpr double MemoryWorthIt = 1.5;
+
+double GetMemoryFactor(const PlanCandidate& candidate)
+{
+  return candidate.Bytes > ManyBytes ? MemoryWorthIt : 1.0;
+}
+
+// Of those that were skipped: the largest, within that memory if there is one.
+bool IsBetterLastResort(const PlanCandidate& candidate, const PlanCandidate& other)
+{
+  const double factor = GetMemoryFactor(candidate);
+  const double known = GetMemoryFactor(other);
+  return factor < known || (factor == known && candidate.Bytes >= other.Bytes);
+}
+
+// To be worth its cost beside another that misses the tolerance, too.
+double GetErrorWorthIt(const PlanCandidate& candidate, const PlanCandidate& other)
+{
+  return WorthIt * other.Error * GetMemoryFactor(other) / GetMemoryFactor(candidate);
+}
 }
 
 AbortForwarder::AbortForwarder(
@@ -96,7 +120,7 @@ bool PlanSearch::Run(const std::vector<PlanCandidate>& candidates)
       {
         skipped.push_back(candidate);
       }
-      else if (GetMainSize(candidate) >= GetMainSize(*known))
+      else if (IsBetterLastResort(candidate, *known))
       {
         *known = candidate;
       }
@@ -154,7 +178,8 @@ bool PlanSearch::TrySkipped(const std::vector<PlanCandidate>& skipped)
       const bool isLarger = candidate.Method != best.Method ||
                             GetMainSize(candidate) > GetMainSize(best) ||
                             candidate.Bytes > best.Bytes;
-      if (isLarger && !this->CanPrune(candidate, WorthIt * best.Error) && !this->Try(candidate))
+      if (isLarger && !this->CanPrune(candidate, GetErrorWorthIt(candidate, best)) &&
+          !this->Try(candidate))
       {
         return false;
       }
@@ -265,10 +290,11 @@ void PlanSearch::Take(const PlanCandidate& candidate)
   Plan& plan = this->Found;
   plan.Candidates.push_back(candidate);
   const int last = static_cast<int>(plan.Candidates.size()) - 1;
-  const double enough = plan.Meets ? 0.0
-                        : plan.Choice < 0
-                          ? HUGE_VAL
-                          : WorthIt * plan.Candidates[static_cast<std::size_t>(plan.Choice)].Error;
+  const double enough =
+    plan.Meets ? 0.0
+    : plan.Choice < 0
+      ? HUGE_VAL
+      : GetErrorWorthIt(candidate, plan.Candidates[static_cast<std::size_t>(plan.Choice)]);
   if (!plan.Meets && candidate.Error <= this->Task.Tolerance)
   {
     plan.Meets = true;

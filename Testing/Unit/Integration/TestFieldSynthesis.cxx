@@ -6,7 +6,9 @@
 #include "EnvironmentHarmonics.h"
 #include "FieldSynthesis.h"
 #include "HalfVector.h"
+#include "RowTransform.h"
 #include "WignerD.h"
+#include "WignerLanes.h"
 #include "vtkEnvironment.h"
 #include "vtkNew.h"
 
@@ -16,6 +18,7 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 using measuredbrdf::FieldSynthesis;
@@ -25,7 +28,6 @@ namespace
 using measuredbrdf::Pi;
 constexpr int FieldDegree = 24;
 constexpr int FieldRows = 12;
-constexpr int FieldColumns = 24;
 constexpr int Kernels = 5; // times three channels: not a multiple of what is transformed at a time
 
 FieldSynthesis::Kernels MakeKernels()
@@ -76,11 +78,13 @@ TEST(FieldSynthesis, IsTheSumOverHarmonics)
   hall->SetToProceduralHall();
   const measuredbrdf::EnvironmentHarmonics light(hall, FieldDegree);
   const FieldSynthesis::Kernels kernels = MakeKernels();
-  for (const std::vector<int>& chosen :
-    { std::vector<int>(), std::vector<int>{ 1, 4, 9 }, std::vector<int>{ 3, 8 } })
+  // Columns that make a power of two, or not, or are fewer than the orders.
+  for (const auto& [chosen, columns] :
+    { std::pair(std::vector<int>(), 24), std::pair(std::vector<int>{ 1, 4, 9 }, 32),
+      std::pair(std::vector<int>{ 3, 8 }, 64), std::pair(std::vector<int>(), 64) })
   {
     const FieldSynthesis synthesis(
-      light, FieldRows, FieldColumns, measuredbrdf::MapNodes::Centers, chosen);
+      light, FieldRows, columns, measuredbrdf::MapNodes::Centers, chosen);
     const int rows = chosen.empty() ? FieldRows : static_cast<int>(chosen.size());
     for (const int order : { 0, 1, 2 })
     {
@@ -91,14 +95,105 @@ TEST(FieldSynthesis, IsTheSumOverHarmonics)
         const int channel = k % 3;
         const int kernel = k / 3 % Kernels;
         const int row = k / (3 * Kernels);
-        const int column = (5 * k + 3) % FieldColumns;
+        const int column = (5 * k + 3) % columns;
         const int at = chosen.empty() ? row : chosen[static_cast<std::size_t>(row)];
         const std::complex<double> expected = Sum(light, channel, order, kernels, kernel,
-          Pi * (at + 0.5) / FieldRows, 2.0 * Pi * (column + 0.5) / FieldColumns);
+          Pi * (at + 0.5) / FieldRows, 2.0 * Pi * (column + 0.5) / columns);
         const std::complex<float> value = fields[static_cast<std::size_t>(
-          channel)][static_cast<std::size_t>((kernel * rows + row) * FieldColumns + column)];
+          channel)][static_cast<std::size_t>((kernel * rows + row) * columns + column)];
         EXPECT_NEAR(value.real(), expected.real(), 2e-4 * (1.0 + std::abs(expected)));
         EXPECT_NEAR(value.imag(), expected.imag(), 2e-4 * (1.0 + std::abs(expected)));
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Against the sum in double: powers of two with an even and an odd number of stages, and others.
+TEST(RowTransform, IsTheSumOverItems)
+{
+  using measuredbrdf::RowTransform;
+  for (const std::size_t size : { 1u, 2u, 4u, 24u, 32u, 256u })
+  {
+    const RowTransform transform(size);
+    ASSERT_EQ(transform.GetSize(), size);
+    const auto get = [](std::size_t k, std::size_t line)
+    {
+      const double x = static_cast<double>(k) + 0.3 * static_cast<double>(line);
+      return std::complex<double>(std::sin(1.7 * x), std::cos(2.9 * x));
+    };
+    std::vector<float> lines(size * RowTransform::Item);
+    for (std::size_t k = 0; k < size; ++k)
+    {
+      for (std::size_t line = 0; line < RowTransform::Lines; ++line)
+      {
+        float* at = &lines[transform.GetPlace(k) * RowTransform::Item + line];
+        at[0] = static_cast<float>(get(k, line).real());
+        at[RowTransform::Lines] = static_cast<float>(get(k, line).imag());
+      }
+    }
+    transform.Run(lines.data());
+    for (std::size_t j = 0; j < size; ++j)
+    {
+      for (std::size_t line = 0; line < RowTransform::Lines; ++line)
+      {
+        std::complex<double> sum = 0.0;
+        for (std::size_t k = 0; k < size; ++k)
+        {
+          sum += get(k, line) * std::polar(1.0, -2.0 * Pi * static_cast<double>(j * k) /
+                                                  static_cast<double>(size));
+        }
+        const float* at = &lines[j * RowTransform::Item + line];
+        ASSERT_NEAR(at[0], sum.real(), 1e-4) << j << " of " << size << ", line " << line;
+        ASSERT_NEAR(at[RowTransform::Lines], sum.imag(), 1e-4) << j << " of " << size;
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Lanes against one angle after the other, poles and degrees below the first included.
+TEST(WignerLanes, AgreeWithOneAngle)
+{
+  using measuredbrdf::WignerLanes;
+  constexpr int last = 40;
+  const WignerLanes::Values theta = { 0.0, 0.4, 2.0, Pi };
+  const WignerLanes lanes(theta);
+  for (const auto& [m, k] : { std::pair(0, 0), std::pair(3, -2), std::pair(-7, 1),
+         std::pair(last, 5), std::pair(last + 1, 0) })
+  {
+    const measuredbrdf::WignerD functions(m, k, last);
+    const std::size_t first = static_cast<std::size_t>(functions.GetFirst());
+    std::vector<WignerLanes::Values> d(last + 2), in(3 * (last + 1)), scaled(3 * (last + 1)),
+      turned(3 * (last + 1));
+    for (std::size_t n = 0; n < in.size(); ++n)
+    {
+      in[n].fill(1.0 + 0.1 * static_cast<double>(n));
+      scaled[n].fill(5.0);
+      turned[n].fill(7.0);
+    }
+    const WignerLanes::Values factors[3] = { { 1, 2, 3, 4 }, { 2, 2, 2, 2 }, { -1, 0, 1, 3 } };
+    const auto channels = [](std::vector<WignerLanes::Values>& of) {
+      return std::array<WignerLanes::Values*, 3>{ &of[0], &of[last + 1], &of[2 * (last + 1)] };
+    };
+    lanes.Evaluate(functions, d.data());
+    lanes.AddSeries(functions, factors, channels(scaled));
+    lanes.AddTurned(
+      functions, factors[0], { &in[0], &in[last + 1], &in[2 * (last + 1)] }, channels(turned));
+    std::vector<double> one(last + 2);
+    for (std::size_t lane = 0; lane < WignerLanes::Count; ++lane)
+    {
+      functions.Evaluate(theta[lane], one.data());
+      for (std::size_t n = 0; n < scaled.size(); ++n)
+      {
+        const std::size_t l = n % (last + 1);
+        const double expected = l >= first ? one[l - first] : 0.0;
+        ASSERT_NEAR(scaled[n][lane], 5.0 + factors[n / (last + 1)][lane] * expected, 1e-11);
+        ASSERT_NEAR(turned[n][lane], 7.0 + factors[0][lane] * expected * in[n][lane], 1e-11);
+        if (l >= first)
+        {
+          ASSERT_NEAR(d[l - first][lane], expected, 1e-12) << l << " of " << m << ", " << k;
+        }
       }
     }
   }

@@ -29,7 +29,9 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <fstream>
 #include <functional>
 #include <limits>
@@ -554,6 +556,60 @@ TEST(Tabulated, PrecisionFollowsTheTolerance)
   table->GetShaderInputs(fine);
   EXPECT_FALSE(fine.Terms[0].Textures[0].HalfFloat);
   EXPECT_EQ(fine.GetTextureBytes(), 2 * coarse.GetTextureBytes());
+}
+
+TEST(Tabulated, SharedExponents)
+{
+  vtkNew<vtkTabulatedBRDF> table;
+  const int dimensions[3] = { 2, 2, 2 };
+  std::vector<float> rgb;
+  for (int k = 0; k < 8; ++k)
+  {
+    const float value = std::ldexp(1.37f, -k);
+    rgb.insert(rgb.end(), { value, 0.3f * value, 0.0f });
+  }
+  rgb[0] = 3e5f; // above what the format holds: scaled, not clamped
+  ASSERT_TRUE(table->SetVolume(0, 0, dimensions, rgb));
+  const auto get = [&](double tolerance)
+  {
+    table->SetResamplingTolerance(tolerance);
+    vtkBRDFShaderInputs form;
+    table->GetShaderInputs(form);
+    return form;
+  };
+  const vtkBRDFShaderInputs half = get(0.01);
+  table->SetPrecision(vtkTabulatedBRDF::SHARED_EXPONENT);
+  const vtkBRDFShaderInputs shared = get(0.01);
+  const vtkBRDFShaderInputs::Texture& texture = shared.Terms[0].Textures[0];
+  ASSERT_EQ(texture.SharedExponents.size(), 8u);
+  EXPECT_TRUE(texture.Data.empty());
+  EXPECT_FALSE(texture.HalfFloat);
+  EXPECT_EQ(shared.QuantizationError, 1.0 / 512.0);
+  EXPECT_EQ(3 * shared.GetTextureBytes(), 2 * half.GetTextureBytes());
+  const float scale = shared.Terms[0].Uniforms[0].Values[0];
+  for (std::size_t k = 0; k < 8; ++k)
+  {
+    const float largest = std::max(rgb[3 * k], rgb[3 * k + 1]);
+    const std::uint32_t texel = texture.SharedExponents[k];
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      const float value = scale * std::ldexp(static_cast<float>(texel >> (9 * c) & 511u),
+                                    static_cast<int>(texel >> 27) - 24);
+      EXPECT_NEAR(value, rgb[3 * k + c], largest / 512.0f) << k << " " << c;
+    }
+  }
+
+  // 16 or 32 bits where it is too coarse, or cannot hold the values.
+  EXPECT_TRUE(get(0.007).Terms[0].Textures[0].HalfFloat);
+  EXPECT_EQ(get(1e-4).GetTextureBytes(), 2 * half.GetTextureBytes());
+  for (const float odd : { -0.1f, std::numeric_limits<float>::quiet_NaN() })
+  {
+    rgb[5] = odd;
+    ASSERT_TRUE(table->SetVolume(0, 0, dimensions, rgb));
+    const vtkBRDFShaderInputs other = get(0.01);
+    EXPECT_TRUE(other.Terms[0].Textures[0].SharedExponents.empty()) << odd;
+    EXPECT_TRUE(other.Terms[0].Textures[0].HalfFloat) << odd;
+  }
 }
 
 TEST(AdaptiveWarp, RefusesBadTables)

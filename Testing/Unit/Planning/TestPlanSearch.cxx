@@ -39,6 +39,11 @@ public:
   static Wrong* New();
   vtkTypeMacro(Wrong, vtkRadianceIntegrator);
   double Errors[2] = { 0.0, 0.0 };
+  double Pruned = 0.0; // for errors up to this one
+  bool CanPrune(const std::vector<Attempt>&, double error) override
+  {
+    return error <= this->Pruned;
+  }
 
 protected:
   bool Begin() override { return true; }
@@ -117,6 +122,50 @@ TEST(PlanComparison, PoolsSamplesAndAddsTheReferencesError)
     std::pow(0.3 - 3.0 * error, 2) + std::pow(9.0 * error, 2) + std::pow(0.48 - 12.0 * error, 2);
   EXPECT_NEAR(found.Uncertainty, std::hypot(2.0 * std::sqrt(squares) / 24.0, 0.03), 1e-12);
   EXPECT_NEAR(found.Error, error + found.Uncertainty, 1e-12);
+}
+
+//------------------------------------------------------------------------------
+// Where the tolerance is missed, more than 12 MB have to leave two thirds of the error, and a tenth
+// less.
+TEST(PlanSearch, WeighsMemoryWhereNothingMeets)
+{
+  measuredbrdf::PlanTask task;
+  task.BRDF = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("pink-felt"));
+  task.Costs = vtkSmartPointer<vtkRadianceCostModel>::New();
+  task.Tolerance = 0.02;
+  task.MaximumBytes = 96000000;
+  const PlanComparison comparison = MakeComparison(20, false);
+  const auto make = [](double error, vtkIdType bytes, double pruned = 0.0)
+  {
+    PlanCandidate candidate = MakeCandidate(1, error, error);
+    candidate.Method = "table"; // one that a search knows
+    candidate.Bytes = bytes;
+    Wrong::SafeDownCast(candidate.Integrator)->Pruned = pruned;
+    return candidate;
+  };
+  const auto run = [&](const std::vector<PlanCandidate>& candidates)
+  {
+    measuredbrdf::PlanSearch search(task, comparison, []() { return false; });
+    EXPECT_TRUE(search.Run(candidates)) << search.GetProblem();
+    return search.GetPlan();
+  };
+  constexpr vtkIdType small = 11900000;
+  constexpr vtkIdType large = 17000000;
+  EXPECT_EQ(run({ make(0.5, 1000), make(0.2, small), make(0.13, large) }).Choice, 1);
+  EXPECT_EQ(run({ make(0.5, 1000), make(0.2, small), make(0.11, large) }).Choice, 2);
+  EXPECT_EQ(run({ make(0.5, 1000), make(0.15, large), make(0.19, small) }).Choice, 2);
+  EXPECT_EQ(run({ make(0.5, 1000), make(0.15, large), make(0.21, small) }).Choice, 1);
+  const measuredbrdf::Plan meeting =
+    run({ make(0.5, 1000), make(0.03, small), make(0.019, large) });
+  EXPECT_EQ(meeting.Choice, 2);
+  EXPECT_TRUE(meeting.Meets);
+
+  // Of those that were skipped the largest of these is tried in the end.
+  const measuredbrdf::Plan skipped =
+    run({ make(0.5, 1000), make(0.3, 5000, 0.02), make(0.2, small, 0.02), make(0.1, large, 0.02) });
+  ASSERT_EQ(skipped.Candidates.size(), 2u);
+  EXPECT_EQ(skipped.Candidates[1].Bytes, small);
+  EXPECT_EQ(skipped.Choice, 1);
 }
 
 //------------------------------------------------------------------------------

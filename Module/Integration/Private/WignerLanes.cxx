@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "WignerLanes.h"
+
+#include <cmath>
+#include <cstring>
+#include <vector>
+
+// As in MatrixProduct.cxx.
+#if defined(__GNUC__) && defined(__x86_64__)
+#define MEASUREDBRDF_HAS_VECTORS
+#define MEASUREDBRDF_INLINE inline __attribute__((always_inline))
+#else
+#define MEASUREDBRDF_INLINE inline
+#endif
+
+namespace measuredbrdf
+{
+namespace
+{
+using Values = WignerLanes::Values;
+using Steps = std::vector<WignerD::Step>;
+
+// Some lanes' values. Vector: of doubles, or one.
+template <typename Vector>
+MEASUREDBRDF_INLINE void Load(const Values& values, std::size_t lane, Vector& vector)
+{
+  std::memcpy(&vector, values.data() + lane, sizeof(Vector));
+}
+
+template <typename Vector>
+MEASUREDBRDF_INLINE void Store(const Vector& vector, Values& values, std::size_t lane)
+{
+  std::memcpy(values.data() + lane, &vector, sizeof(Vector));
+}
+
+// What is done with each degree's value, which is number k.
+struct Keep
+{
+  Values* Out;
+
+  template <typename Vector>
+  MEASUREDBRDF_INLINE void Take(const Vector& d, std::size_t k, std::size_t lane) const
+  {
+    Store(d, this->Out[k], lane);
+  }
+};
+
+struct Scale
+{
+  const Values* Factors;
+  Values* Out[3];
+
+  template <typename Vector>
+  MEASUREDBRDF_INLINE void Take(const Vector& d, std::size_t k, std::size_t lane) const
+  {
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      Vector factor, sum;
+      Load(this->Factors[c], lane, factor);
+      Load(this->Out[c][k], lane, sum);
+      sum += factor * d;
+      Store(sum, this->Out[c][k], lane);
+    }
+  }
+};
+
+struct Turn
+{
+  const Values& Factor;
+  const Values* In[3];
+  Values* Out[3];
+
+  template <typename Vector>
+  MEASUREDBRDF_INLINE void Take(const Vector& d, std::size_t k, std::size_t lane) const
+  {
+    Vector turned;
+    Load(this->Factor, lane, turned);
+    turned *= d;
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      Vector in, sum;
+      Load(this->In[c][k], lane, in);
+      Load(this->Out[c][k], lane, sum);
+      sum += turned * in;
+      Store(sum, this->Out[c][k], lane);
+    }
+  }
+};
+
+// The recursion of WignerD.
+template <typename Vector, typename Taker>
+MEASUREDBRDF_INLINE void Recur(
+  const Steps& steps, const Values& start, const Values& cosine, const Taker& taker)
+{
+  for (std::size_t lane = 0; lane < WignerLanes::Count; lane += sizeof(Vector) / sizeof(double))
+  {
+    Vector x, current;
+    Load(cosine, lane, x);
+    Load(start, lane, current);
+    Vector previous = 0.0 * current;
+    taker.Take(current, 0, lane);
+    for (std::size_t k = 0; k < steps.size(); ++k)
+    {
+      const WignerD::Step& step = steps[k];
+      const Vector next = step.A * (x - step.B) * current - step.C * previous;
+      previous = current;
+      current = next;
+      taker.Take(current, k + 1, lane);
+    }
+  }
+}
+
+#ifdef MEASUREDBRDF_HAS_VECTORS
+using Vector2 = double __attribute__((vector_size(16)));
+using Vector4 = double __attribute__((vector_size(32)));
+
+template <typename Taker>
+__attribute__((target("avx2,fma"))) void RecurWide(
+  const Steps& steps, const Values& start, const Values& cosine, const Taker& taker)
+{
+  Recur<Vector4>(steps, start, cosine, taker);
+}
+#endif
+
+template <typename Taker>
+void RecurAsWideAsPossible(
+  const Steps& steps, const Values& start, const Values& cosine, const Taker& taker)
+{
+#ifdef MEASUREDBRDF_HAS_VECTORS
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+  {
+    return RecurWide(steps, start, cosine, taker);
+  }
+  Recur<Vector2>(steps, start, cosine, taker);
+#else
+  Recur<double>(steps, start, cosine, taker);
+#endif
+}
+}
+
+WignerLanes::WignerLanes(const Values& theta)
+{
+  for (std::size_t lane = 0; lane < Count; ++lane)
+  {
+    this->Cosine[lane] = std::cos(theta[lane]);
+    this->LogHalfCosine[lane] = WignerD::GetLog(std::cos(0.5 * theta[lane]));
+    this->LogHalfSine[lane] = WignerD::GetLog(std::sin(0.5 * theta[lane]));
+  }
+}
+
+WignerLanes::Values WignerLanes::GetStart(const WignerD& functions) const
+{
+  Values start;
+  for (std::size_t lane = 0; lane < Count; ++lane)
+  {
+    start[lane] = functions.GetStart(this->LogHalfCosine[lane], this->LogHalfSine[lane]);
+  }
+  return start;
+}
+
+void WignerLanes::Evaluate(const WignerD& functions, Values* d) const
+{
+  if (!functions.IsEmpty())
+  {
+    RecurAsWideAsPossible(functions.GetSteps(), this->GetStart(functions), this->Cosine, Keep{ d });
+  }
+}
+
+void WignerLanes::AddSeries(
+  const WignerD& functions, const Values factors[3], const std::array<Values*, 3>& out) const
+{
+  if (!functions.IsEmpty())
+  {
+    const int first = functions.GetFirst();
+    RecurAsWideAsPossible(functions.GetSteps(), this->GetStart(functions), this->Cosine,
+      Scale{ factors, { out[0] + first, out[1] + first, out[2] + first } });
+  }
+}
+
+void WignerLanes::AddTurned(const WignerD& functions, const Values& factor,
+  const std::array<const Values*, 3>& in, const std::array<Values*, 3>& out) const
+{
+  if (!functions.IsEmpty())
+  {
+    const int first = functions.GetFirst();
+    RecurAsWideAsPossible(functions.GetSteps(), this->GetStart(functions), this->Cosine,
+      Turn{ factor, { in[0] + first, in[1] + first, in[2] + first },
+        { out[0] + first, out[1] + first, out[2] + first } });
+  }
+}
+} // namespace measuredbrdf

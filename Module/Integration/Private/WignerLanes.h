@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Wigner's functions of four angles at once, one in each lane of the processor's vectors: what
+ * harmonics of kernels and of maps spend their time on. Private to the module.
+ */
+
+#ifndef WignerLanes_h
+#define WignerLanes_h
+
+#include "WignerD.h"
+
+#include <array>
+#include <cstddef>
+
+namespace measuredbrdf
+{
+class WignerLanes
+{
+public:
+  static constexpr std::size_t Count = 4;
+  using Values = std::array<double, Count>;
+
+  WignerLanes() = default;
+  explicit WignerLanes(const Values& theta);
+
+  /// d[l - first] for the degrees of the functions, as WignerD::Evaluate.
+  void Evaluate(const WignerD& functions, Values* d) const;
+
+  /// Adds factors[c] d^l to out[c][l], for each channel c and each l from the functions' first on.
+  void AddSeries(
+    const WignerD& functions, const Values factors[3], const std::array<Values*, 3>& out) const;
+
+  /// Adds factor d^l in[c][l] to out[c][l].
+  void AddTurned(const WignerD& functions, const Values& factor,
+    const std::array<const Values*, 3>& in, const std::array<Values*, 3>& out) const;
+
+private:
+  Values GetStart(const WignerD& functions) const;
+
+  Values Cosine{}, LogHalfCosine{}, LogHalfSine{};
+};
+} // namespace measuredbrdf
+
+#endif
