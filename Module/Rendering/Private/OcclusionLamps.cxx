@@ -14,7 +14,8 @@ namespace measuredbrdf
 std::string MakeTableLampCode(const OcclusionMember& member)
 {
   std::string text =
-    R"(  float brdfTurn#M = mix(brdfSkyTurns#M[brdfSkyKnot], brdfSkyTurns#M[brdfSkyKnot + 1], brdfSkyView);
+    R"(  float brdfTurn#M =
+    mix(brdfSkyTurns#M[brdfSkyKnot], brdfSkyTurns#M[brdfSkyKnot + 1], brdfSkyView);
   vec3 brdfAxis#M = normalize(brdfSkyToModel *
     (cos(brdfTurn#M) * brdfSkyNormalVC - sin(brdfTurn#M) * brdfSkyAcross));
 )";
@@ -43,12 +44,6 @@ std::string MakeTableLampCode(const OcclusionMember& member)
   vtkShaderProgram::Substitute(text, "#OUT", member.Out);
   vtkShaderProgram::Substitute(text, "#M", member.Number);
   return text;
-}
-
-std::string DeclareTableLamps(const std::string& m)
-{
-  return "uniform float brdfSkyTurns" + m + "[" + std::to_string(OcclusionLobes::Views) +
-         "], brdfSkyLampReach" + m + ";\n";
 }
 
 void SetTableLamps(

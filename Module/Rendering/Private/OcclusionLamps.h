@@ -22,8 +22,7 @@ struct OcclusionMember;
 /// hidden by these, not by what is hidden of the rest.
 std::string MakeTableLampCode(const OcclusionMember& member);
 
-std::string DeclareTableLamps(const std::string& m);
-
+/// The uniforms of that text.
 void SetTableLamps(
   vtkShaderProgram* program, const std::string& number, const OcclusionLight& light);
 } // namespace measuredbrdf

@@ -6,7 +6,6 @@
 #include "LocalFrame.h"
 #include "OcclusionArrays.h"
 #include "OcclusionBounce.h"
-#include "OcclusionLamps.h"
 #include "SkyCodeText.h"
 #include "vtkBRDFHiddenSky.h"
 #include "vtkShaderProgram.h"
@@ -257,7 +256,8 @@ std::string DeclareCodes(const OcclusionLights& lights, const OcclusionLayout& l
       text += "uniform vec3 brdfSkyLamp" + m + lamps;
       text += member.Light->LampLight.empty()
                 ? ""
-                : "uniform vec3 brdfSkyLampLight" + m + lamps + DeclareTableLamps(m);
+                : "uniform vec3 brdfSkyLampLight" + m + lamps + "uniform float brdfSkyTurns" + m +
+                    "[" + std::to_string(OcclusionLobes::Views) + "], brdfSkyLampReach" + m + ";\n";
     }
   }
   return text;
