@@ -112,7 +112,8 @@ public:
 
   ///@{
   /**
-   * Largest texture memory of a plan in bytes (default 96 MiB).
+   * Largest texture memory of a plan in bytes (default 96 MiB). Where no candidate meets the
+   * tolerance, more than 12 MB are taken only if they leave at most 60 % of the error.
    */
   virtual void SetMaximumTextureBytes(vtkIdType maximumTextureBytes);
   vtkGetMacro(MaximumTextureBytes, vtkIdType);

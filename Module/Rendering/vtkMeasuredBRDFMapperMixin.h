@@ -125,7 +125,6 @@ private:
   const void* BuiltTracedOcclusion = nullptr;
   vtkTimeStamp OcclusionTime;                          // when the buffers were built
   std::unique_ptr<vtkMeasuredBRDFMapperPoints> Points; // of the buffers
-  bool CanKeepPoints = true;
 };
 
 #endif

@@ -14,13 +14,16 @@
 #include "vtkFilteredRadianceIntegrator.h"
 #include "vtkHybridRadianceIntegrator.h"
 #include "vtkLambertBRDF.h"
+#include "vtkLight.h"
 #include "vtkMeasuredBRDFMapper.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkOutputWindow.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkReverseSense.h"
 #include "vtkSphereSource.h"
+#include "vtkStringOutputWindow.h"
 #include "vtkSurfaceVisibilityFilter.h"
 
 #include <algorithm>
@@ -112,7 +115,9 @@ protected:
   // The next picture against that without anything kept.
   double CompareNext()
   {
+    const std::size_t before = OcclusionPoints::GetAddedCount();
     const FloatImage kept = this->RenderEncoded();
+    EXPECT_GT(OcclusionPoints::GetAddedCount(), before); // so it was drawn with what is kept
     OcclusionPoints::SetLeastPoints(1000000);
     EXPECT_EQ(this->Count([this]() { this->Plain = this->RenderEncoded(); }), 0u);
     OcclusionPoints::SetLeastPoints(1);
@@ -210,6 +215,7 @@ TEST_F(OcclusionPointsTest, LightMayTurnAndRestAgain)
     EXPECT_LT(this->CompareNext(), Step);
     EXPECT_GT(GetLargestStep(first, this->Plain), 5.0 * Step);
   }
+  this->RenderEncoded();
   EXPECT_EQ(this->Count([this]() { this->RenderEncoded(); }), 0u);
   this->Renderer->SetEnvironmentUp(0.0, 0.0, 1.0);
   this->Renderer->SetEnvironmentRight(1.0, 0.0, 0.0);
@@ -335,14 +341,13 @@ TEST_F(OcclusionPointsTest, BlocksAreTheSame)
   vtkNew<vtkCompositeMeasuredBRDFMapper> composite;
   composite->SetInputDataObject(blocks);
   composite->SetBRDF(this->BRDF);
-  composite->SetBlockBRDF(3, lambert);
   composite->SetIntegrator(this->Integrator);
   composite->SetEnvironment(this->Environment);
   this->Actor->SetMapper(composite);
   this->Actor->SetScale(0.6);
   EXPECT_LT(this->CompareNext(), Step);
   this->Environment->SetRotationY(30.0);
-  EXPECT_EQ(this->Count([this]() { this->RenderEncoded(); }), 2u); // a matte one has no lobe
+  EXPECT_EQ(this->Count([this]() { this->RenderEncoded(); }), 1u);
   EXPECT_EQ(this->Count([this]() { this->RenderEncoded(); }), 0u);
   const FloatImage before = this->RenderEncoded();
   composite->SetOcclusionModeToOff();
@@ -350,6 +355,59 @@ TEST_F(OcclusionPointsTest, BlocksAreTheSame)
   composite->SetOcclusionModeToArrays();
   this->Environment->SetRotationY(90.0);
   EXPECT_LT(this->CompareNext(), Step);
+  // Each of several materials would make it for the points of all.
+  composite->SetBlockBRDF(3, lambert);
+  EXPECT_EQ(this->Count([this]() { this->RenderEncoded(); }), 0u);
+}
+
+// Lights of the scene are not hidden, before and after those of a map.
+TEST_F(OcclusionPointsTest, NothingIsKeptWithoutAMap)
+{
+  vtkNew<vtkLight> lamp;
+  lamp->SetLightTypeToHeadlight();
+  this->Renderer->AddLight(lamp);
+  const auto drawn = [this]()
+  {
+    const std::size_t before = OcclusionPoints::GetAddedCount();
+    this->RenderEncoded();
+    return OcclusionPoints::GetAddedCount() - before;
+  };
+  this->Mapper->SetEnvironment(nullptr);
+  this->Mapper->SetIntegrator(nullptr);
+  EXPECT_EQ(drawn(), 0u);
+  this->Mapper->SetIntegrator(this->Integrator);
+  this->Mapper->SetEnvironment(this->Environment);
+  EXPECT_GT(drawn(), 0u);
+  this->Mapper->SetEnvironment(nullptr);
+  this->Mapper->SetIntegrator(nullptr);
+  EXPECT_EQ(drawn(), 0u);
+}
+
+// Peeling first draws depths alone, with a program that reads nothing of the light.
+TEST_F(OcclusionPointsTest, PeelingReportsNothing)
+{
+  vtkNew<vtkStringOutputWindow> messages;
+  vtkOutputWindow::SetInstance(messages);
+  {
+    vtkNew<vtkRenderer> renderer;
+    renderer->SetUseDepthPeeling(true);
+    renderer->SetMaximumNumberOfPeels(4);
+    renderer->AddActor(this->Actor);
+    this->Actor->GetProperty()->SetOpacity(0.5);
+    vtkNew<vtkRenderWindow> window;
+    window->SetOffScreenRendering(1);
+    window->SetMultiSamples(0);
+    window->SetAlphaBitPlanes(1);
+    window->SetSize(32, 32);
+    window->AddRenderer(renderer);
+    const std::size_t before = OcclusionPoints::GetAddedCount();
+    window->Render();
+    window->Render();
+    EXPECT_GT(OcclusionPoints::GetAddedCount(), before);
+  } // and the window goes before the mapper
+  EXPECT_LT(this->CompareNext(), Step);
+  vtkOutputWindow::SetInstance(nullptr);
+  EXPECT_EQ(messages->GetOutput(), "");
 }
 
 // Shaders have 16 attributes: mixtures and both sides may need more, and are drawn as before.

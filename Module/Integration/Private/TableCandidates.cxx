@@ -140,6 +140,9 @@ bool CanPruneTable(const std::vector<int>& sizes,
 
 namespace
 {
+// A table of 113 rows is as good as maps of 128.
+bool IsClearlyFewer(int rows, int others) { return 8 * rows < 7 * others; }
+
 // What attempts show that too few maps cost, however many rows they have: of a table of fewer rows
 // rows cost more, and all that it lacks is less.
 double GetLeastOfModes(int maps, const std::vector<vtkRadianceIntegrator::Attempt>& attempts,
@@ -151,7 +154,7 @@ double GetLeastOfModes(int maps, const std::vector<vtkRadianceIntegrator::Attemp
     const double doublings = std::log2(static_cast<double>(maps) / attempt.Sizes[3]);
     for (const vtkRadianceIntegrator::Attempt& table : tables)
     {
-      if (table.Sizes[0] < attempt.Sizes[0])
+      if (IsClearlyFewer(table.Sizes[0], attempt.Sizes[0]))
       {
         least = std::max(least, (attempt.Error - table.Error) * std::pow(LeastOfModes, doublings));
       }
@@ -171,11 +174,13 @@ bool CanPruneMaps(int rows, int maps, const std::vector<vtkRadianceIntegrator::A
   {
     for (const vtkRadianceIntegrator::Attempt& more : tables)
     {
-      if (2 * fewer.Sizes[0] - 1 == more.Sizes[0] && more.Sizes[0] > finest &&
+      const double doublings =
+        std::log2((more.Sizes[0] - 1.0) / std::max(fewer.Sizes[0] - 1.0, 1.0));
+      if (doublings > 0.75 && doublings <= 1.0 && more.Sizes[0] > finest &&
           fewer.Sizes[1] == more.Sizes[1] && fewer.Sizes[2] == more.Sizes[2])
       {
         finest = more.Sizes[0];
-        gain = std::min(more.Error / fewer.Error, 1.0);
+        gain = std::pow(std::min(more.Error / fewer.Error, 1.0), 1.0 / doublings);
       }
     }
   }
@@ -191,7 +196,7 @@ bool CanPruneMaps(int rows, int maps, const std::vector<vtkRadianceIntegrator::A
         const double doublings = std::log2(static_cast<double>(maps) / attempt.Sizes[3]);
         return attempt.Error * std::pow(LeastOfMaps, doublings) > tolerance;
       }
-      return 2 * attempt.Sizes[0] == rows && finest > attempt.Sizes[0] &&
+      return 2 * attempt.Sizes[0] == rows && !IsClearlyFewer(finest, attempt.Sizes[0]) &&
              attempt.Error * std::pow(gain, RowGainPower) > tolerance;
     });
 }

@@ -23,6 +23,7 @@ constexpr int FloatsOfAttribute = 4;
 
 std::atomic<std::size_t> LeastPoints{ OcclusionPoints::DefaultLeastPoints };
 std::atomic<std::size_t> MadeCount{ 0 };
+std::atomic<std::size_t> AddedCount{ 0 };
 
 // Mappers share programs, and a program knows one such object: it would be linked anew for another.
 using Captures = SharedObjects<std::string, vtkTransformFeedback>;
@@ -58,6 +59,8 @@ void OcclusionPoints::SetLeastPoints(std::size_t points) { LeastPoints = points;
 
 std::size_t OcclusionPoints::GetMadeCount() { return MadeCount; }
 
+std::size_t OcclusionPoints::GetAddedCount() { return AddedCount; }
+
 bool OcclusionPoints::Find(
   const OcclusionLights& lights, const OcclusionLayout& layout, const Question& question)
 {
@@ -81,6 +84,7 @@ vtkShaderProgram* OcclusionPoints::Begin(vtkOpenGLRenderWindow* window,
   const OcclusionLayout& layout)
 {
   this->Window = window;
+  this->Owner = window;
   vtkOpenGLShaderCache* cache = window->GetShaderCache();
   const std::string key = GetOcclusionKey(lights, layout);
   vtkShaderProgram* program = nullptr;
@@ -101,6 +105,7 @@ vtkShaderProgram* OcclusionPoints::Begin(vtkOpenGLRenderWindow* window,
     this->Helper.VAO->ReleaseGraphicsResources();
     this->Helper.Program = program;
   }
+  this->CanMake = program != nullptr;
   if (program)
   {
     this->Helper.VAO->Bind();
@@ -133,6 +138,10 @@ OcclusionPoints::State& OcclusionPoints::FindPlace(const Question& question)
 
 void OcclusionPoints::Make(std::size_t points, const Question& question)
 {
+  // Of codes that are drawn no more.
+  this->States.erase(std::remove_if(this->States.begin(), this->States.end(),
+                       [&](const auto& state) { return state->Of.Time != question.Time; }),
+    this->States.end());
   State& state = this->FindPlace(question);
   state.Key = this->Key;
   state.Of = question;
@@ -165,30 +174,51 @@ void OcclusionPoints::Make(std::size_t points, const Question& question)
 
 void OcclusionPoints::AddTo(vtkOpenGLHelper& drawn) const
 {
+  if (!this->Current)
+  {
+    return;
+  }
   drawn.VAO->Bind();
   const std::size_t bytes = FloatsOfAttribute * sizeof(float);
-  for (std::size_t k = 0; k < this->Current->Names.size(); ++k)
+  const std::vector<std::string>& names = this->Current->Names;
+  for (std::size_t k = 0; k < names.size(); ++k)
   {
-    drawn.VAO->AddAttributeArray(drawn.Program, this->Current->Buffer, this->Current->Names[k],
-      static_cast<int>(k * bytes), this->Current->Names.size() * bytes, VTK_FLOAT,
-      FloatsOfAttribute, false);
+    // A program for depths alone, of peeling, reads none.
+    if (drawn.Program->IsAttributeUsed(names[k].c_str()))
+    {
+      drawn.VAO->AddAttributeArray(drawn.Program, this->Current->Buffer, names[k],
+        static_cast<int>(k * bytes), names.size() * bytes, VTK_FLOAT, FloatsOfAttribute, false);
+      ++AddedCount;
+    }
   }
 }
 
-void OcclusionPoints::Release()
+void OcclusionPoints::Drop()
 {
-  // A window that goes has had all given back by the mapper.
-  if (this->Window)
+  this->Current = nullptr;
+  this->States.clear(); // buffers delete themselves
+}
+
+void OcclusionPoints::Release(vtkWindow* window)
+{
+  vtkOpenGLRenderWindow* own = this->Window;
+  if (!own && window && window == this->Owner)
   {
-    this->Window->PushContext();
-    this->Helper.ReleaseGraphicsResources(this->Window);
+    own = vtkOpenGLRenderWindow::SafeDownCast(window);
+  }
+  if (own)
+  {
+    own->PushContext();
+    this->Helper.ReleaseGraphicsResources(own);
     for (const std::unique_ptr<State>& state : this->States)
     {
       state->Buffer->ReleaseGraphicsResources();
     }
-    this->Window->PopContext();
+    own->PopContext();
   }
   this->Window = nullptr;
+  this->Owner = nullptr;
+  this->CanMake = true;
   this->Key.clear();
   this->States.clear();
   this->Current = nullptr;

@@ -26,6 +26,7 @@
 
 class vtkOpenGLVertexBufferObjectGroup;
 class vtkShaderProgram;
+class vtkWindow;
 
 namespace measuredbrdf
 {
@@ -45,8 +46,8 @@ public:
   ///@}
   /// Of a vertex shader: OpenGL guarantees no more.
   static constexpr std::size_t MostAttributes = 16;
-  /// States of the light that are kept at a time, as of several views; each has 16 to 96 bytes a
-  /// point.
+  /// States of the light that are kept at a time, as of several views; each has 16 bytes a point
+  /// for each vector of four floats, 176 at most.
   static constexpr std::size_t MostStates = 4;
 
   /// Which light, of which codes: who draws (a view and its actor), all inputs (GetKeptInputs), and
@@ -72,11 +73,21 @@ public:
   /// Hand what was found or made to the program that draws.
   void AddTo(vtkOpenGLHelper& drawn) const;
 
-  /// Give all back to the window that has it. The destructor does, too.
-  void Release();
+  /// Let go of what is kept, as long as the context that made it is current.
+  void Drop();
 
-  /// How often any were made: for tests.
+  /// Give all back to the window that has it; its program can be tried anew. window: the one that
+  /// asks for that, with its context current. The destructor gives back, too.
+  void Release(vtkWindow* window = nullptr);
+
+  /// False where the program could not be made.
+  bool IsPossible() const { return this->CanMake; }
+
+  ///@{
+  /// How often any were made, and handed to a program: for tests.
   static std::size_t GetMadeCount();
+  static std::size_t GetAddedCount();
+  ///@}
 
 private:
   struct State
@@ -91,13 +102,15 @@ private:
   State& FindPlace(const Question& question);
 
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
-  vtkOpenGLHelper Helper; // of the program that makes it
-  std::string Key;        // of the helper's program
+  const void* Owner = nullptr; // that window: as it goes, weak pointers know it no more
+  vtkOpenGLHelper Helper;      // of the program that makes it
+  std::string Key;             // of the helper's program
   std::vector<std::string> Names;
   vtkSmartPointer<vtkTransformFeedback> Capture;
   std::vector<std::unique_ptr<State>> States;
   State* Current = nullptr;
   std::size_t Clock = 0; // of uses
+  bool CanMake = true;
 };
 
 /// Release what no program captures with any more.

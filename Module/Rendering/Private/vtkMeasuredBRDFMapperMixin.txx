@@ -141,7 +141,7 @@ void vtkMeasuredBRDFMapperMixin<Base>::ReleaseGraphicsResources(vtkWindow* windo
   {
     this->Drawing->ReleaseGraphicsResources(window, this);
   }
-  this->Points->Release();
+  this->Points->Release(window);
   this->Base::ReleaseGraphicsResources(window);
 }
 

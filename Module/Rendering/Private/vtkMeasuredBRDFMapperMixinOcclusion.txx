@@ -117,23 +117,31 @@ void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderOcclusion(Shaders shaders)
 }
 
 //------------------------------------------------------------------------------
-// Whether the light's part of the shader is made for each point beforehand.
+// Whether the light's part of the shader is made for each point beforehand: of one material, since
+// each of several would make it for all points.
 template <class Base>
 bool vtkMeasuredBRDFMapperMixin<Base>::KeepsOcclusion()
 {
-  if (!this->HasOcclusion() || !this->CanKeepPoints ||
+  if (!this->HasOcclusion() || !this->Points->IsPossible() ||
+      this->Drawing->GetMaterials().size() > 1 ||
       this->VBOs->GetVBO("brdfSky0")->GetNumberOfTuples() <
         measuredbrdf::OcclusionPoints::GetLeastPoints())
   {
     return false;
+  }
+  const measuredbrdf::OcclusionLights lights = this->Drawing->GetSelectedOcclusion(true);
+  const measuredbrdf::OcclusionLayout layout = { this->HasTwoSidedOcclusion(),
+    this->HasOcclusionBounce(), true };
+  if (lights.empty() || measuredbrdf::GetKeptNames(lights, layout).empty())
+  {
+    return false; // nothing is hidden of scene lights
   }
   std::size_t attributes = this->ExtraAttributes.size();
   for (const char* name : { "vertexMC", "normalMC", "scalarColor", "tcoord", "tangentMC" })
   {
     attributes += this->VBOs->GetNumberOfComponents(name) > 0 ? 1 : 0;
   }
-  attributes += measuredbrdf::CountKeptAttributes(this->Drawing->GetSelectedOcclusion(true),
-    { this->HasTwoSidedOcclusion(), this->HasOcclusionBounce(), true });
+  attributes += measuredbrdf::CountKeptAttributes(lights, layout);
   return attributes <= measuredbrdf::OcclusionPoints::MostAttributes;
 }
 
@@ -146,6 +154,10 @@ void vtkMeasuredBRDFMapperMixin<Base>::UpdateShaders(
   {
     this->KeepOcclusion(ren, actor);
   }
+  else if (this->UsesMaterial(&cellBO))
+  {
+    this->Points->Drop();
+  }
   this->Base::UpdateShaders(cellBO, ren, actor);
 }
 
@@ -156,11 +168,7 @@ void vtkMeasuredBRDFMapperMixin<Base>::KeepOcclusion(vtkRenderer* ren, vtkActor*
 {
   const measuredbrdf::OcclusionLights lights = this->Drawing->GetSelectedOcclusion(true);
   const measuredbrdf::OcclusionLayout layout = { this->HasTwoSidedOcclusion(),
-    this->HasOcclusionBounce(), this->KeepsOcclusion() };
-  if (lights.empty())
-  {
-    return;
-  }
+    this->HasOcclusionBounce(), true };
   const measuredbrdf::OcclusionAxes axes(ren, actor, this->GetEnvironments());
   const measuredbrdf::OcclusionPoints::Question question = { ren, actor,
     measuredbrdf::GetKeptInputs(lights, layout, axes.ToEnvironment), this->OcclusionTime };
@@ -170,8 +178,7 @@ void vtkMeasuredBRDFMapperMixin<Base>::KeepOcclusion(vtkRenderer* ren, vtkActor*
   }
   vtkShaderProgram* program = this->Points->Begin(
     vtkOpenGLRenderWindow::SafeDownCast(ren->GetRenderWindow()), this->VBOs, lights, layout);
-  this->CanKeepPoints = program != nullptr; // if not, each drawn triangle makes it
-  if (program)
+  if (program) // if not, each drawn triangle makes it
   {
     this->SetOcclusionParameters(program, ren, actor);
     this->Points->Make(this->VBOs->GetVBO("brdfSky0")->GetNumberOfTuples(), question);
