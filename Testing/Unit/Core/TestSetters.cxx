@@ -223,7 +223,7 @@ TEST(Setters, OfMaterials)
   CLAMPED(vtkAshikhminShirleyBRDF, ExponentV, 0.0, 1e6);
   CLAMPED(vtkAshikhminShirleyBRDF, IndexOfRefraction, 1.0, 100.0);
   REFUSED(vtkAshikhminShirleyBRDF, FresnelModel, 0, 1);
-  REFUSED(vtkTabulatedBRDF, Precision, 0, 2, { 7 });
+  REFUSED(vtkTabulatedBRDF, Precision, 0, 3, { 7 });
   CLAMPED(vtkTabulatedBRDF, ResamplingError, 0.0, 1e6);
   CLAMPED(vtkBasisBRDF, ResamplingError, 0.0, 1e6);
   CLAMPED(vtkBRDFResampler, Tolerance, 1e-6, 1.0);
