@@ -608,7 +608,7 @@ add("Planning.reference-is-exact", "Private/PlanComparison.cxx", "squares) / sum
     "PlanComparison.PoolsSamplesAndAddsTheReferencesError")
 add("Integration.maps-halve-the-error", "Private/TableCandidates.cxx", "constexpr double LeastOfMaps = 0.7;",
     "constexpr double LeastOfMaps = 0.01;", "MapCandidates.TooManyAreLeftOut")
-add("Integration.maps-lack-nothing-but-rows", "Private/TableCandidates.cxx", "if (table.Sizes[0] < attempt.Sizes[0])", "if (false)",
+add("Integration.maps-lack-nothing-but-rows", "Private/TableCandidates.cxx", "if (IsClearlyFewer(table.Sizes[0], attempt.Sizes[0]))", "if (false)",
     "MapCandidates.AreLeftOutWhereFewerRowsHaveMore|MapCandidates.LearnFromTables")
 add("Integration.tables-teach-hybrids-nothing", "vtkHybridRadianceIntegrator.cxx", "return method == table->GetMethodName()", "return method.empty()",
     "MapCandidates.LearnFromTables")
@@ -1147,6 +1147,10 @@ add("Rendering.kept-light-does-not-turn", "Private/OcclusionKept.cxx", "add(turn
     "OcclusionPointsTest.LightMayTurnAndRestAgain")
 add("Rendering.views-take-each-others-light", "Private/OcclusionPoints.cxx", "state->Of.View == question.View &&", "true &&",
     "OcclusionPointsTest.ViewsKeepTheirOwn")
+add("Rendering.kept-light-in-programs-of-depths", "Private/OcclusionPoints.cxx", "if (drawn.Program->IsAttributeUsed(names[k].c_str()))",
+    "if (true)", "OcclusionPointsTest.PeelingReportsNothing")
+add("Rendering.kept-light-of-several-materials", "Private/vtkMeasuredBRDFMapperMixinOcclusion.txx", "this->Drawing->GetMaterials().size() > 1 ||",
+    "", "OcclusionPointsTest.BlocksAreTheSame")
 add("Rendering.kept-light-of-other-codes", "Private/OcclusionPoints.cxx", "state->Of.Time == question.Time &&", "true &&",
     "OcclusionPointsTest.WhatChangesIsSeen")
 add("Rendering.hidden-sky-of-the-wrong-side", "Private/OcclusionShader.cxx",
