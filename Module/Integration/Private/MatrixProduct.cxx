@@ -2,13 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MatrixProduct.h"
 
-#include <cstring>
+#include "WideVectors.h"
 
-// Compilers that have vectors of any width, and functions for processors that not all have.
-#if defined(__GNUC__) && defined(__x86_64__)
-#define MEASUREDBRDF_HAS_VECTORS
-#define MEASUREDBRDF_INLINE inline __attribute__((always_inline))
-#endif
+#include <cstring>
 
 namespace measuredbrdf
 {

@@ -3,19 +3,12 @@
 #include "RowTransform.h"
 
 #include "HalfVector.h" // for Pi
+#include "WideVectors.h"
 
 #include <unsupported/Eigen/FFT>
 
 #include <cmath>
 #include <cstring>
-
-// As in MatrixProduct.cxx.
-#if defined(__GNUC__) && defined(__x86_64__)
-#define MEASUREDBRDF_HAS_VECTORS
-#define MEASUREDBRDF_INLINE inline __attribute__((always_inline))
-#else
-#define MEASUREDBRDF_INLINE inline
-#endif
 
 namespace measuredbrdf
 {

@@ -2,17 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "WignerLanes.h"
 
+#include "WideVectors.h"
+
 #include <cmath>
 #include <cstring>
 #include <vector>
-
-// As in MatrixProduct.cxx.
-#if defined(__GNUC__) && defined(__x86_64__)
-#define MEASUREDBRDF_HAS_VECTORS
-#define MEASUREDBRDF_INLINE inline __attribute__((always_inline))
-#else
-#define MEASUREDBRDF_INLINE inline
-#endif
 
 namespace measuredbrdf
 {

@@ -85,7 +85,7 @@ vtkSmartPointer<vtkPolyData> MakeWall(double x, double length, double height)
   return wall->GetOutput();
 }
 
-vtkSmartPointer<vtkPolyData> MakeSphere(double z)
+vtkSmartPointer<vtkPolyData> MakeBall(double z)
 {
   vtkNew<vtkSphereSource> source;
   source->SetCenter(0.0, 0.0, z);
@@ -122,7 +122,7 @@ TEST(OcclusionStability, ContactsAreDarkToTheLastPoint)
   }
   vtkNew<vtkSurfaceVisibilityFilter> filter;
   filter->SetNumberOfRays(512);
-  filter->AddOccluder(MakeSphere(1.0));
+  filter->AddOccluder(MakeBall(1.0));
   vtkPolyData* traced = Trace(filter, MakeFloor(places, 1e-3));
   for (std::size_t k = 0; k < distances.size(); ++k)
   {
@@ -136,7 +136,7 @@ TEST(OcclusionStability, OccludersMayMove)
 {
   const auto floor = MakeFloor({ { 0.0, 0.0, 0.0 } }, 1e-3);
   vtkNew<vtkPolyData> sphere;
-  sphere->DeepCopy(MakeSphere(2.0));
+  sphere->DeepCopy(MakeBall(2.0));
   vtkNew<vtkMatrix4x4> place;
   vtkNew<vtkSurfaceVisibilityFilter> filter;
   filter->SetNumberOfRays(512);

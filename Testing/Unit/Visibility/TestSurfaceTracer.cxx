@@ -32,7 +32,7 @@ using Backend = SurfaceTracer::Backend;
 
 constexpr double Far = std::numeric_limits<double>::infinity();
 
-vtkSmartPointer<vtkPolyData> MakeSphere(int resolution)
+vtkSmartPointer<vtkPolyData> MakeFineSphere(int resolution)
 {
   vtkNew<vtkSphereSource> source;
   source->SetRadius(1.0);
@@ -148,7 +148,7 @@ TEST(SurfaceTracer, BackendsAgree)
 // From inside a closed surface no ray escapes, not through edges and corners either.
 TEST_P(EitherTracer, IsWatertight)
 {
-  const vtkSmartPointer<vtkPolyData> sphere = MakeSphere(40);
+  const vtkSmartPointer<vtkPolyData> sphere = MakeFineSphere(40);
   SurfaceTracer tracer(GetParam());
   tracer.AddSurface(sphere);
   tracer.Build();
@@ -186,7 +186,7 @@ TEST_P(EitherTracer, PointsOfASphereSeeOut)
     {
       const double matrix[16] = { size, 0, 0, away * size, 0, size, 0, 0, 0, 0, size, -away * size,
         0, 0, 0, 1 };
-      const vtkSmartPointer<vtkPolyData> sphere = MakeSphere(60);
+      const vtkSmartPointer<vtkPolyData> sphere = MakeFineSphere(60);
       SurfaceTracer tracer(GetParam());
       tracer.AddSurface(sphere, matrix);
       tracer.Build();
@@ -281,7 +281,7 @@ TEST_P(EitherTracer, DescribesTheHit)
 TEST_P(EitherTracer, ReadsStrips)
 {
   vtkNew<vtkStripper> stripper;
-  const vtkSmartPointer<vtkPolyData> sphere = MakeSphere(12);
+  const vtkSmartPointer<vtkPolyData> sphere = MakeFineSphere(12);
   stripper->SetInputData(sphere);
   stripper->Update();
   SurfaceTracer tracer(GetParam());
@@ -385,7 +385,7 @@ TEST_P(EitherTracer, SeesSlitsWiderThanTheOffset)
 TEST_P(EitherTracer, IsThreadSafe)
 {
   SurfaceTracer tracer(GetParam());
-  tracer.AddSurface(MakeSphere(50));
+  tracer.AddSurface(MakeFineSphere(50));
   tracer.Build();
   constexpr vtkIdType Rays = 20000;
   std::vector<glm::dvec3> from;
@@ -417,7 +417,7 @@ TEST_P(EitherTracer, IsThreadSafe)
 TEST_P(EitherTracer, IsSmall)
 {
   SurfaceTracer tracer(GetParam());
-  tracer.AddSurface(MakeSphere(300));
+  tracer.AddSurface(MakeFineSphere(300));
   tracer.Build();
   const double bytes =
     static_cast<double>(tracer.GetBytes()) / static_cast<double>(tracer.GetNumberOfTriangles());
