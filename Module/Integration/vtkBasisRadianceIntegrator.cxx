@@ -92,16 +92,15 @@ struct vtkBasisRadianceIntegrator::Tables
   {
     const int x = static_cast<int>(texel[0]);
     const int y = static_cast<int>(texel[1]);
-    const double u = filter.Round(texel[0] - x);
-    const double v = filter.Round(texel[1] - y);
+    const std::array<double, 4> weights = filter.GetCorners(texel[0] - x, texel[1] - y);
     const std::size_t stride = 6 * static_cast<std::size_t>(this->Side);
     const float* p = &this->Maps[static_cast<std::size_t>(function * this->Side + y) * stride +
                                  3 * static_cast<std::size_t>(chart * this->Side + x)];
     glm::dvec3 value;
     for (int c = 0; c < 3; ++c)
     {
-      value[c] = (1.0 - v) * ((1.0 - u) * p[c] + u * p[3 + c]) +
-                 v * ((1.0 - u) * p[stride + c] + u * p[stride + 3 + c]);
+      value[c] = weights[0] * p[c] + weights[1] * p[3 + c] + weights[2] * p[stride + c] +
+                 weights[3] * p[stride + 3 + c];
     }
     return value;
   }

@@ -33,7 +33,7 @@
 
 constexpr int Side = 8;       // squares along an edge; 8 x 8 pixels each
 constexpr int Pixels = 64;    // of the window
-constexpr double Same = 2e-5; // relative, in linear radiance
+constexpr double Same = 1e-4; // relative, in linear radiance; up to 6e-5 on a graphics card
 
 /// A square that fills the window, bulging so that normals differ, of squares in two triangles.
 inline vtkSmartPointer<vtkPolyData> NewSheet()

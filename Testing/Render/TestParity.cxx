@@ -4,6 +4,7 @@
 // with its own random normal and tangent, is drawn once per random light; every quad's pixel is
 // f(i,o) cos(theta_i) for its own pair of directions.
 
+#include "FilterPrecision.h"
 #include "RenderFixture.h"
 
 #include "vtkAdaptiveWarpBRDF.h"
@@ -178,6 +179,7 @@ protected:
     const double largest = *std::max_element(expected.begin(), expected.end());
     EXPECT_GT(largest, 0.0);
     double error = 0.0;
+    this->MeanError = 0.0;
     pairs = 0;
     for (std::size_t k = 0; k < expected.size(); ++k)
     {
@@ -186,6 +188,7 @@ protected:
       if (value > 0.01 * largest)
       {
         error = std::max(error, std::abs(actual[k] - expected[k]) / value);
+        this->MeanError += std::abs(actual[k] - expected[k]) / value;
         ++pairs;
       }
       else
@@ -193,21 +196,58 @@ protected:
         error = std::max(error, std::abs(actual[k] - expected[k]) / largest);
       }
     }
+    this->MeanError /= pairs;
     pairs = static_cast<int>(expected.size() / 3);
     return error;
   }
 
-  /// Largest difference between an integrator's GLSL and C++, relative to the channel's radiance or
-  /// a hundredth of its largest.
+  /// The renderer's steps of filter weights, 2^-8 on most graphics cards; 0 if they are a float's,
+  /// as llvmpipe's.
+  double GetWeightStep()
+  {
+    if (this->WeightBits < 0)
+    {
+      this->Window->Render(); // makes the context
+      this->WeightBits = measuredbrdf::MeasureFilterWeightBits(this->Window);
+      EXPECT_GE(this->WeightBits, 0);
+    }
+    return this->WeightBits > 0 ? std::exp2(-this->WeightBits) : 0.0;
+  }
+
+  /// Largest difference between an integrator's GLSL and C++, which has the renderer's filter
+  /// weights, relative to the channel's radiance or a hundredth of its largest.
   double GetIntegratorError(vtkRadianceIntegrator* integrator)
   {
     integrator->SetBRDF(this->Mapper->GetBRDF());
     integrator->SetEnvironment(this->Mapper->GetEnvironment());
     this->Mapper->SetIntegrator(integrator);
     const FloatImage image = this->RenderLinear();
+    if (this->GetWeightStep() > 0.0)
+    {
+      const double error = this->GetDifference(integrator, image);
+      std::cout << "with exact weights: " << error << ", mean " << this->MeanError << "; ";
+      integrator->SetFilterWeightBits(this->WeightBits);
+    }
+    const double error = this->GetDifference(integrator, image);
+    if (this->GetWeightStep() > 0.0)
+    {
+      std::cout << "mean " << this->MeanError << "; ";
+      EXPECT_LT(this->MeanError, 0.13 * this->GetWeightStep());
+    }
+    return error;
+  }
+
+  /// A weight next to the middle between two steps may round to the other one: a texel's difference
+  /// from its neighbor, times the step.
+  double GetLimit(double exact) { return std::max(exact, 5.0 * this->GetWeightStep()); }
+
+  double GetDifference(vtkRadianceIntegrator* integrator, const FloatImage& image)
+  {
     vtkNew<vtkDoubleArray> radiance;
     EXPECT_TRUE(integrator->Integrate(this->Normals, this->Views, radiance, this->Tangents));
     double error = 0.0;
+    this->MeanError = 0.0;
+    int values = 0;
     for (int c = 0; c < 3; ++c)
     {
       double range[2];
@@ -219,21 +259,32 @@ protected:
           const float value = image.At(4 * (k % Side) + 2, 4 * (k / Side) + 2)[c];
           const double expected = radiance->GetComponent(k, c);
           EXPECT_TRUE(std::isfinite(value) && value >= 0.0f);
-          error = std::max(error, std::abs(value - expected) / std::max(expected, 0.01 * range[1]));
+          const double difference =
+            std::abs(value - expected) / std::max({ expected, 0.01 * range[1], 1e-30 });
+          error = std::max(error, difference);
+          this->MeanError += difference;
+          ++values;
         }
       }
     }
+    this->MeanError /= values;
     return error;
   }
 
+  /// On renderers whose filter weights have steps a material's tables differ by more: neighboring
+  /// texels of measured gloss by a factor of 10, so by several steps.
   void Check(const char* name, vtkBRDF* brdf, double tolerance)
   {
     int pairs = 0;
     const double error = this->GetError(brdf, pairs);
+    const double largest = tolerance + 8.0 * this->GetWeightStep();
+    const double mean = tolerance + 0.5 * this->GetWeightStep();
     std::cout << name << ": " << pairs << " pairs, largest relative difference " << error
-              << " (limit " << tolerance << "); " << this->Mapper->GetMaterialDescription() << "\n";
+              << " (limit " << largest << "), mean " << this->MeanError << " (limit " << mean
+              << "); " << this->Mapper->GetMaterialDescription() << "\n";
     EXPECT_GE(pairs, 1000);
-    EXPECT_LE(error, tolerance) << name;
+    EXPECT_LE(error, largest) << name;
+    EXPECT_LE(this->MeanError, mean) << name;
   }
 
   // The basis form's two tables, without and with the cosines that a sum may carry.
@@ -242,6 +293,8 @@ protected:
   std::mt19937 Random{ 7 };
   double Concentration = 0.0; // of three of four lights; 0: hard lights
   bool OfBrightest = false;
+  double MeanError = 0.0; // the last difference's; GetError's is of values above 1 % of the largest
+  int WeightBits = -1;
   double FromNormal[2] = { 0.0, 0.0 };
   vtkNew<vtkDoubleArray> Normals;
   vtkNew<vtkDoubleArray> Views;
@@ -697,7 +750,7 @@ TEST_F(Parity, TableIntegrator)
       std::printf("%s, %s: %.2e\n", brdf->GetClassName(),
         environment == hall.Get() ? "hall" : "one pixel", error);
       EXPECT_GT(error, 0.0);
-      EXPECT_LT(error, 2e-3);
+      EXPECT_LT(error, this->GetLimit(2e-3));
     }
   }
 }
@@ -721,7 +774,7 @@ TEST_F(Parity, TableIntegratorWithTiles)
     errors[k] = this->GetIntegratorError(integrator);
     std::printf("%d rows: %.2e\n", integrator->GetNumberOfRows(), errors[k]);
     EXPECT_GT(errors[k], 0.0);
-    EXPECT_LT(errors[k], 2e-3);
+    EXPECT_LT(errors[k], this->GetLimit(2e-3));
   }
 }
 
@@ -750,7 +803,7 @@ TEST_F(Parity, FactoredIntegrator)
       std::printf("%s, %d maps: %.2e\n", brdf->GetClassName(), maps, error);
       EXPECT_GT(error, 0.0);
       // Beside a lamp, table and maps nearly cancel: 16-bit floats show.
-      EXPECT_LT(error, 8e-3);
+      EXPECT_LT(error, this->GetLimit(8e-3));
     }
   }
 }
@@ -775,7 +828,7 @@ TEST_F(Parity, AnisotropicTableIntegrator)
       "%s, %d periods: %.2e\n", brdf->GetClassName(), integrator->GetNumberOfPeriods(), error);
     EXPECT_EQ(integrator->GetNumberOfPeriods(), brdf == brushed ? 2 : 1);
     EXPECT_GT(error, 0.0);
-    EXPECT_LT(error, 2e-3);
+    EXPECT_LT(error, this->GetLimit(2e-3));
   }
 }
 
@@ -808,7 +861,7 @@ TEST_F(Parity, FilteredIntegrator)
         std::printf("%s, %s: %.2e\n", brdf->GetClassName(),
           environment == hall.Get() ? (lights ? "hall with lights" : "hall") : "one pixel", error);
         EXPECT_GT(error, 0.0);
-        EXPECT_LT(error, 2e-3);
+        EXPECT_LT(error, this->GetLimit(2e-3));
       }
     }
   }
@@ -831,7 +884,7 @@ TEST_F(Parity, HybridIntegrator)
   EXPECT_GT(integrator->GetNumberOfLights(), 0);
   std::printf("%d lights: %.2e\n", integrator->GetNumberOfLights(), error);
   EXPECT_GT(error, 0.0);
-  EXPECT_LT(error, 0.012); // 16-bit floats, as above
+  EXPECT_LT(error, this->GetLimit(0.012)); // 16-bit floats, as above
 }
 
 // More lamps than are unrolled, some of them near each other.
@@ -863,7 +916,7 @@ TEST_F(Parity, HybridOfManyLamps)
     std::printf("%d lights: %.2e\n", integrator->GetNumberOfLights(), error);
     EXPECT_GT(integrator->GetNumberOfLights(), most > 32 ? 32 : 4);
     EXPECT_GT(error, 0.0);
-    EXPECT_LT(error, 2e-3);
+    EXPECT_LT(error, this->GetLimit(2e-3));
   }
 }
 
@@ -884,7 +937,7 @@ TEST_F(Parity, AnisotropicHybridIntegrator)
   EXPECT_GT(integrator->GetNumberOfLights(), 0);
   std::printf("%d lights: %.2e\n", integrator->GetNumberOfLights(), error);
   EXPECT_GT(error, 0.0);
-  EXPECT_LT(error, 2e-3);
+  EXPECT_LT(error, this->GetLimit(2e-3));
 }
 
 TEST_F(Parity, TurnedAwayNormalsAreFinite)
@@ -930,6 +983,8 @@ TEST_F(Parity, PreintegratedBasis)
     this->Mapper->SetBRDF(brdf);
     this->Mapper->SetIntegrator(integrator);
     const FloatImage image = this->RenderLinear();
+    const double step = this->GetWeightStep();
+    integrator->SetFilterWeightBits(this->WeightBits);
     vtkNew<vtkDoubleArray> radiance;
     ASSERT_TRUE(integrator->Integrate(this->Normals, this->Views, radiance));
     double error = 0.0;
@@ -951,6 +1006,6 @@ TEST_F(Parity, PreintegratedBasis)
     std::cout << integrator->GetNumberOfTerms() << " functions, " << front
               << " pairs, largest difference " << error / largest << " of the largest value\n";
     EXPECT_GT(front, 200);
-    EXPECT_LE(error, 1e-4 * largest);
+    EXPECT_LE(error, (1e-4 + 0.1 * step) * largest);
   }
 }

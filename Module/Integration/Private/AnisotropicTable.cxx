@@ -64,11 +64,9 @@ glm::dvec3 AnisotropicTable::Evaluate(
     const Neighbors turn = PeriodicNeighbors(
       psi + (again ? 1.0 / this->Periods : 0.0) + 0.5 / this->Azimuths, this->Azimuths);
     const auto map = [&](int psiIndex)
-    {
-      return GetMapValue(this->Radiance, this->Rows, this->Columns,
-        this->GetMap(k, psiIndex, again ? 0 : viewAzimuth), at, filter);
-    };
-    return glm::mix(map(turn.First), map(turn.Second), filter.Round(turn.Weight));
+    { return this->GetMap(k, psiIndex, again ? 0 : viewAzimuth); };
+    return MixTexels(this->Radiance, this->Columns, { map(turn.First), map(turn.Second) },
+      GetMapColumns(this->Columns, at), GetMapRows(this->Rows, at), turn.Weight, filter);
   };
   const auto between = [&](int k)
   { return glm::mix(value(k, first), value(k, first + 1), p - first); };

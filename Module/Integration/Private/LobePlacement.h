@@ -18,6 +18,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -64,24 +65,50 @@ template <typename Data>
 glm::dvec3 MixTexels(const Data& data, int columns, std::size_t firstTexel, const Neighbors& x,
   const Neighbors& y, const FilterWeights& filter)
 {
-  const double weight = filter.Round(x.Weight);
-  const auto row = [&](int k)
-  {
-    const int first = static_cast<int>(firstTexel) + columns * k;
-    return glm::mix(GetTexel(data, first + x.First), GetTexel(data, first + x.Second), weight);
-  };
-  return glm::mix(row(y.First), row(y.Second), filter.Round(y.Weight));
+  const std::array<double, 4> weights = filter.GetCorners(x.Weight, y.Weight);
+  const int low = static_cast<int>(firstTexel) + columns * y.First;
+  const int high = static_cast<int>(firstTexel) + columns * y.Second;
+  return weights[0] * GetTexel(data, low + x.First) + weights[1] * GetTexel(data, low + x.Second) +
+         weights[2] * GetTexel(data, high + x.First) + weights[3] * GetTexel(data, high + x.Second);
 }
+
+/// Between eight texels of two maps that begin at the given texels.
+template <typename Data>
+glm::dvec3 MixTexels(const Data& data, int columns, const std::array<std::size_t, 2>& firstTexels,
+  const Neighbors& x, const Neighbors& y, double between, const FilterWeights& filter)
+{
+  const std::array<double, 8> weights = filter.GetCorners(x.Weight, y.Weight, between);
+  glm::dvec3 sum(0.0);
+  for (std::size_t k = 0; k < 8; ++k)
+  {
+    const int row = static_cast<int>(firstTexels[k / 4]) + columns * (k & 2 ? y.Second : y.First);
+    sum += weights[k] * GetTexel(data, row + (k & 1 ? x.Second : x.First));
+  }
+  return sum;
+}
+
+/// Neighbors in a map with rows at the poles (MapNodes::Poles).
+///@{
+inline Neighbors GetMapRows(int rows, const MapPosition& at)
+{
+  const double exact = at.Polar * (rows - 1);
+  const int low = std::min(static_cast<int>(exact), rows - 2);
+  return { low, low + 1, exact - low };
+}
+
+inline Neighbors GetMapColumns(int columns, const MapPosition& at)
+{
+  return PeriodicNeighbors(at.Azimuth + 0.5 / columns, columns);
+}
+///@}
 
 /// Bilinear in a map with rows at the poles (MapNodes::Poles).
 template <typename Data>
 glm::dvec3 GetMapValue(const Data& data, int rows, int columns, std::size_t firstTexel,
   const MapPosition& at, const FilterWeights& filter = {})
 {
-  const double exact = at.Polar * (rows - 1);
-  const int low = std::min(static_cast<int>(exact), rows - 2);
-  return MixTexels(data, columns, firstTexel,
-    PeriodicNeighbors(at.Azimuth + 0.5 / columns, columns), { low, low + 1, exact - low }, filter);
+  return MixTexels(
+    data, columns, firstTexel, GetMapColumns(columns, at), GetMapRows(rows, at), filter);
 }
 
 /// Bilinear in a map of cells' centers (MapNodes::Centers).

@@ -72,13 +72,12 @@ glm::dvec3 RadianceTable::Evaluate(const glm::dvec3& n, const glm::dvec3& o, con
   const double w = std::clamp(axis.x, 0.0, this->Angles - 1.0);
   const int angle = std::min(static_cast<int>(w), this->Angles - 2);
   const SlicePlace slice(*this, at);
-  const auto value = [&](int azimuth, int k)
-  {
-    return MixTexels(
-      this->Radiance, this->Columns, this->GetMap(k, azimuth), slice.X, slice.Y, filter);
-  };
   const auto between = [&](int k)
-  { return glm::mix(value(turn.First, k), value(turn.Second, k), filter.Round(turn.Weight)); };
+  {
+    return MixTexels(this->Radiance, this->Columns,
+      { this->GetMap(k, turn.First), this->GetMap(k, turn.Second) }, slice.X, slice.Y, turn.Weight,
+      filter);
+  };
   glm::dvec3 sum = glm::mix(between(angle), between(angle + 1), w - angle);
   sum *= GetProfileValue(this->Profile, 1, u);
   const glm::dvec3 lambert =

@@ -288,16 +288,16 @@ glm::vec3 EnvironmentPyramid::Bilinear(
   const float y = v * size + 0.5f;
   const int x0 = static_cast<int>(x);
   const int y0 = static_cast<int>(y);
-  const float fx = static_cast<float>(filter.Round(x - static_cast<float>(x0)));
-  const float fy = static_cast<float>(filter.Round(y - static_cast<float>(y0)));
+  const std::array<double, 4> weights =
+    filter.GetCorners(x - static_cast<float>(x0), y - static_cast<float>(y0));
   const std::size_t stride = static_cast<std::size_t>(this->Size + 2);
   const glm::vec4* row =
     &this->Atlas[static_cast<std::size_t>(this->Offsets[static_cast<std::size_t>(level)] + y0) *
                    stride +
                  static_cast<std::size_t>(x0)];
-  const glm::vec4 low = row[0] + fx * (row[1] - row[0]);
-  const glm::vec4 high = row[stride] + fx * (row[stride + 1] - row[stride]);
-  return glm::vec3(low + fy * (high - low));
+  const auto part = [&](std::size_t corner, const glm::vec4& texel)
+  { return static_cast<float>(weights[corner]) * glm::vec3(texel); };
+  return part(0, row[0]) + part(1, row[1]) + part(2, row[stride]) + part(3, row[stride + 1]);
 }
 
 glm::vec3 EnvironmentPyramid::Sample(
