@@ -81,7 +81,8 @@ void MaterialDrawing::ForecastOcclusion(
   question.Tolerance = this->Settings->ErrorTolerance;
   question.InBackground = this->Settings->PlanningMode != 0;
   question.WithBounce = this->Settings->OcclusionBounce;
-  question.ToEnvironment = FindToEnvironment(state.Renderer, state.Actor);
+  question.FindToEnvironment = [&state]()
+  { return FindToEnvironment(state.Renderer, state.Actor); };
   for (const DrawnMaterial& drawn : frame.Materials)
   {
     if (drawn.IsReady && drawn.Plan && drawn.Environment)

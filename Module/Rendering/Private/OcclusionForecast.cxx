@@ -24,7 +24,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <thread>
+#include <utility>
 
 namespace measuredbrdf
 {
@@ -121,7 +123,7 @@ class OcclusionForecast::Job
 public:
   Job(const OcclusionQuestion& question, bool apart)
     : Materials(TakeSnapshots(question.Materials))
-    , ToEnvironment(question.ToEnvironment)
+    , ToEnvironment(question.FindToEnvironment ? question.FindToEnvironment() : nullptr)
     , Tolerance(question.Tolerance)
     , Most(apart ? MostPointsInBackground : MostPoints)
     , Input(CopyBlocks(
@@ -264,17 +266,18 @@ bool OcclusionForecast::FollowsSurface(vtkDataObject* input)
     ForEachArray(surface,
       [&stamp](vtkObject* array) { stamp.emplace_back(array, array ? array->GetMTime() : 0); });
   }
-  const std::string before = this->Content;
-  if (stamp != this->Stamp)
+  if (stamp == this->Stamp)
   {
-    this->Stamp = std::move(stamp);
-    ContentHash hash;
-    for (vtkPolyData* surface : surfaces)
-    {
-      hash.AddText(GetSurfaceKey(surface));
-    }
-    this->Content = hash.GetText();
+    this->Changes = 0;
+    return true;
   }
+  this->Stamp = std::move(stamp);
+  ContentHash hash;
+  for (vtkPolyData* surface : surfaces)
+  {
+    hash.AddText(GetSurfaceKey(surface));
+  }
+  const std::string before = std::exchange(this->Content, hash.GetText());
   this->Changes = this->Content == before ? 0 : this->Changes + 1;
   return this->Changes <= MostChanges;
 }
@@ -297,6 +300,20 @@ void OcclusionForecast::Take()
   this->Known[this->Asked] = std::move(answer);
 }
 
+// What an answer depends on beside the surface.
+OcclusionForecast::Key OcclusionForecast::GetKey(const OcclusionQuestion& question)
+{
+  Key key(1);
+  static_assert(sizeof(question.Tolerance) == sizeof(key[0]), "as many bits");
+  std::memcpy(key.data(), &question.Tolerance, sizeof(question.Tolerance));
+  for (const OcclusionQuestion::Material& material : question.Materials)
+  {
+    key.insert(key.end(), { reinterpret_cast<std::uintptr_t>(material.BRDF.Get()),
+                            material.BRDF->GetMTime(), material.PixelsTime });
+  }
+  return key;
+}
+
 // Views with different lights ask in turns: each has its answer, and what was traced serves all.
 void OcclusionForecast::Update(const OcclusionQuestion& question)
 {
@@ -311,13 +328,7 @@ void OcclusionForecast::Update(const OcclusionQuestion& question)
     this->Traced = nullptr;
     this->Trace = this->Content != before ? nullptr : this->Trace; // which knows the sky
   }
-  Key key = { this->Content, std::to_string(question.Tolerance) };
-  for (const OcclusionQuestion::Material& material : question.Materials)
-  {
-    key.push_back(std::to_string(reinterpret_cast<std::uintptr_t>(material.BRDF.Get())) + "/" +
-                  std::to_string(material.BRDF->GetMTime()) + "/" +
-                  std::to_string(material.PixelsTime));
-  }
+  const Key key = GetKey(question);
   if (this->IsReady())
   {
     this->Take();

@@ -17,6 +17,8 @@
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
+#include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -39,7 +41,8 @@ struct OcclusionQuestion
   };
   vtkDataObject* Input = nullptr; // polydata, or composite data
   std::vector<Material> Materials;
-  vtkSmartPointer<vtkMatrix4x4> ToEnvironment; // from the input's axes; null: the same
+  /// From the input's axes; none: the same. Asked for a new answer only.
+  std::function<vtkSmartPointer<vtkMatrix4x4>()> FindToEnvironment;
   double Tolerance = 0.02;
   bool InBackground = false; // BRDFs are then snapshots
   bool WithBounce = false;   // whether what is traced has to have vtkSurfaceVisibilityFilter's
@@ -78,8 +81,9 @@ public:
 
 private:
   class Job;
-  using Key = std::vector<std::string>;
+  using Key = std::vector<std::uint64_t>;
 
+  static Key GetKey(const OcclusionQuestion& question);
   bool FollowsSurface(vtkDataObject* input);
   void Take();
 
