@@ -191,14 +191,24 @@ TEST_F(OcclusionBlocks, OneThatMovesShowsOnTheOthers)
     cache.Begin();
     return cache.Find({ bowl, blocks, nullptr, true, false, false }, problem);
   };
+  const auto findWhole = [&]() // for parts, under a map
+  {
+    cache.Begin();
+    return cache.FindWhole(bowl, blocks, false);
+  };
   const auto before = find();
   ASSERT_TRUE(before) << problem;
   EXPECT_EQ(find(), before);
+  const auto wholeBefore = findWhole();
+  EXPECT_EQ(findWhole(), wholeBefore);
   ball->GetPoints()->SetPoint(0, -0.5, 0.0, 5.0);
   ball->GetPoints()->Modified();
   const auto after = find();
   ASSERT_TRUE(after) << problem;
   EXPECT_NE(after, before);
+  const auto wholeAfter = findWhole();
+  EXPECT_NE(wholeAfter, wholeBefore);
+  EXPECT_EQ(findWhole(), wholeAfter);
 }
 
 // Ten thousand blocks are listed as often as ten: each asks for its own, traced and forecast.

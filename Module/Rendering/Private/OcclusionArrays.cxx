@@ -331,6 +331,7 @@ vtkDataObject* OcclusionCache::Trace(vtkPolyData* surface, vtkDataObject* input,
     this->TracedInput = input;
     this->TracedTimes = std::move(times);
     this->TracedBounce = withBounce;
+    ++this->Traces;
   }
   this->IsTracedChecked = true;
   return this->Traced;
@@ -345,10 +346,10 @@ vtkSmartPointer<vtkPolyData> OcclusionCache::FindWhole(
   }
   const vtkMTimeType time = std::max(surface->GetMTime(), input->GetMTime());
   Whole& whole = this->Wholes[surface];
-  if (whole.Time != time || whole.WithBounce != withBounce)
+  vtkDataObject* all = this->Trace(surface, input, withBounce);
+  if (whole.Time != time || whole.WithBounce != withBounce || whole.Trace != this->Traces)
   {
-    whole = { time, withBounce, surface };
-    vtkDataObject* all = this->Trace(surface, input, withBounce);
+    whole = { time, withBounce, this->Traces, surface };
     if (vtkPolyData* traced = this->WholePairs.Find(all, input, surface))
     {
       whole.Surface = vtkSmartPointer<vtkPolyData>::New(); // the filter's own changes with others

@@ -15,6 +15,7 @@
 #include "vtkSmartPointer.h"
 
 #include <array>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <string>
@@ -90,6 +91,7 @@ private:
   {
     vtkMTimeType Time = 0;
     bool WithBounce = false;
+    std::uint64_t Trace = 0; // another block may have moved
     vtkSmartPointer<vtkPolyData> Surface;
   };
   struct Entry
@@ -114,6 +116,7 @@ private:
   Times TracedTimes; // of the input and its blocks
   bool TracedBounce = false;
   bool IsTracedChecked = false; // whether all times were compared
+  std::uint64_t Traces = 0;
   ///@}
   BlockPairs Pairs; // of what is drawn
   BlockPairs WholePairs;
