@@ -78,8 +78,8 @@ double GetAzimuth(const glm::dvec3& incident, double middle)
 }
 
 // round: the tables do not depend on the incident azimuth, which need not be known then.
-Coordinates ToCoordinates(const glm::dvec3& incident, const glm::dvec3& outgoing, bool isotropic,
-  bool round, double middle)
+Coordinates ToCoordinates(
+  const glm::dvec3& incident, const glm::dvec3& outgoing, bool isotropic, bool round, double middle)
 {
   Coordinates c;
   c.H = HalfVector(incident, outgoing);
@@ -93,8 +93,7 @@ Coordinates ToCoordinates(const glm::dvec3& incident, const glm::dvec3& outgoing
     c.Incident[0] = middle;
     c.Incident[1] = theta;
     c.UnitIncident = glm::dvec2(ThetaHToUnit(theta), 0.5);
-    c.UnitHalf =
-      glm::dvec2(ThetaHToUnit(Elevation(c.H)), PhiToUnit(std::atan2(across, along)));
+    c.UnitHalf = glm::dvec2(ThetaHToUnit(Elevation(c.H)), PhiToUnit(std::atan2(across, along)));
     c.UnitHalf.y -= std::floor(c.UnitHalf.y);
     return c;
   }

@@ -7,6 +7,7 @@
 #include "LocalFrame.h"
 #include "LowDiscrepancy.h"
 #include "Setters.h"
+#include "VolumeInterpolation.h"
 #include "vtkBasisBRDF.h"
 #include "vtkCommand.h"
 #include "vtkObjectFactory.h"
@@ -143,6 +144,25 @@ double Compare(const std::vector<Probe>& probes, vtkBRDF* other, double* maximum
   }
   return total > 0.0 ? std::sqrt(difference / total) : (difference > 0.0 ? 1.0 : 0.0);
 }
+
+// By cell of a table of this size: whether some pair's value is interpolated from it.
+std::vector<char> FindCells(const std::vector<Probe>& probes, const int size[3], bool reciprocal)
+{
+  std::vector<char> cells(static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]) *
+                          static_cast<std::size_t>(size[2]));
+  for (const Probe& probe : probes)
+  {
+    const glm::dvec3 u =
+      ToHalfDifferenceUnit(glm::make_vec3(probe.I), glm::make_vec3(probe.O), reciprocal);
+    const VolumeCorners corners = { FindCorners(u.x, size[0], true),
+      FindCorners(u.y, size[1], false), FindCorners(u.z, size[2], false) };
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      cells[GetCorner(corners, size, corner)] = 1;
+    }
+  }
+  return cells;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -202,7 +222,8 @@ bool vtkBRDFResampler::Resample()
   double error = std::numeric_limits<double>::max();
   int best[3] = { 0, 0, 0 };
   std::map<std::array<int, 3>, double> known; // sizes' errors
-  // Keeps the table in Output if it is the best so far, or (trimming) any that meets the tolerance.
+  // The best size so far, or (trimming) any that meets the tolerance. Only the cells are evaluated
+  // that the pairs read, a few of a large table's.
   const auto attempt = [&](const int size[3], bool trimming)
   {
     const std::array<int, 3> key = { size[0], size[1], size[2] };
@@ -212,7 +233,8 @@ bool vtkBRDFResampler::Resample()
       return false;
     }
     vtkNew<vtkTabulatedBRDF> table;
-    FillHalfDifference(this->Input, this->Reciprocal, size, table);
+    const std::vector<char> wanted = FindCells(probes, size, this->Reciprocal);
+    FillHalfDifference(this->Input, this->Reciprocal, size, table, &wanted);
     const double tableError = Compare(probes, table);
     known[key] = tableError;
     const bool better = trimming ? tableError <= this->Tolerance : tableError < error;
@@ -220,9 +242,6 @@ bool vtkBRDFResampler::Resample()
     {
       error = tableError;
       std::copy_n(size, 3, best);
-      this->Output->SetVolume(
-        table->GetParameterization(), table->GetAzimuthRange(), size, table->GetVolume());
-      this->Output->SetCosineWeighted(table->GetCosineWeighted());
     }
     double progress = std::min(this->Tolerance / error, 1.0);
     this->InvokeEvent(vtkCommand::ProgressEvent, &progress);
@@ -252,6 +271,10 @@ bool vtkBRDFResampler::Resample()
       size[axis] /= 2;
       trimmed = (size[axis] >= 8 && attempt(size, true)) || trimmed;
     }
+  }
+  if (best[0] > 0)
+  {
+    FillHalfDifference(this->Input, this->Reciprocal, best, this->Output);
   }
   // The probes that chose the size flatter it: fresh ones report.
   error = Compare(MakeProbes(this->Input, ChoosingProbes, ReportingProbes), this->Output);

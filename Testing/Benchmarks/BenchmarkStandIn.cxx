@@ -32,8 +32,7 @@ double GetWall()
 // What a mapper does of it, with a light in the scene.
 vtkSmartPointer<vtkRadianceIntegrator> MakeStandIn(vtkBRDF* brdf, vtkEnvironment* environment)
 {
-  vtkSmartPointer<vtkRadianceIntegrator> standIn =
-    measuredbrdf::FindStandIn(brdf, environment);
+  vtkSmartPointer<vtkRadianceIntegrator> standIn = measuredbrdf::FindStandIn(brdf, environment);
   standIn->Prepare();
   vtkBRDFShaderInputs radiance, material;
   standIn->GetShaderInputs(radiance);
@@ -128,8 +127,8 @@ int main(int argc, char** argv)
       std::fflush(stdout);
     }
   }
-  std::printf("%d pairs, mean and largest: error %.2f %.1f %%, CPU %.0f %.0f ms, wall %.0f %.0f ms, "
-              "later form %.0f %.0f ms CPU\n",
+  std::printf("%d pairs, mean and largest: error %.2f %.1f %%, CPU %.0f %.0f ms, "
+              "wall %.0f %.0f ms, later form %.0f %.0f ms CPU\n",
     pairs, errors.Sum / pairs, errors.Largest, cpu.Sum / pairs, cpu.Largest, wall.Sum / pairs,
     wall.Largest, forms.Sum / pairs, forms.Largest);
 }

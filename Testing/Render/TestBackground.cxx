@@ -263,8 +263,7 @@ TEST_F(Background, ACoarseFormForShadersUntilThePlan)
   this->Measured->SetPlanningModeToBackgroundFromStart();
   const FloatImage first = this->RenderEncoded();
   EXPECT_TRUE(this->Measured->GetPlanPending());
-  auto* standIn =
-    vtkHybridRadianceIntegrator::SafeDownCast(this->Measured->GetCurrentIntegrator());
+  auto* standIn = vtkHybridRadianceIntegrator::SafeDownCast(this->Measured->GetCurrentIntegrator());
   ASSERT_TRUE(standIn);
   EXPECT_EQ(standIn->GetNumberOfLights(), 1);
   EXPECT_NE(standIn->GetBRDF(), warp.Get()); // but of the same values, which the error is against
@@ -280,9 +279,7 @@ TEST_F(Background, ACoarseFormForShadersUntilThePlan)
   EXPECT_NE(planned.RGBA, first.RGBA);
   EXPECT_EQ(planned.RGBA, this->RenderAnew().RGBA);
   vtkRadianceIntegrator* current = this->Measured->GetCurrentIntegrator();
-  EXPECT_GT(vtkTabulatedBRDF::SafeDownCast(current->GetBRDF()->GetRenderable())
-              ->GetVolume()
-              .size(),
+  EXPECT_GT(vtkTabulatedBRDF::SafeDownCast(current->GetBRDF()->GetRenderable())->GetVolume().size(),
     table->GetVolume().size());
 }
 

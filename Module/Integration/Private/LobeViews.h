@@ -42,8 +42,7 @@ public:
 
   /// Of a prepared, isotropic BRDF. Of no use where it was aborted. quick: by a tenth of the
   /// evaluations.
-  explicit LobeViews(
-    vtkBRDF* brdf, const std::atomic<bool>& abort = Never, bool quick = false);
+  explicit LobeViews(vtkBRDF* brdf, const std::atomic<bool>& abort = Never, bool quick = false);
 
   struct Cell
   {

@@ -42,8 +42,8 @@ const MaterialPrecomputation::Kernels& MaterialPrecomputation::GetKernels(
       {
         for (vtkIdType k = begin; k < end && !abort; ++k)
         {
-          kernels[static_cast<std::size_t>(k)] = std::make_unique<LobeHarmonics>(
-            brdf, LobeViews::GetKnotAngle(static_cast<int>(k), angles), resolution,
+          kernels[static_cast<std::size_t>(k)] = std::make_unique<LobeHarmonics>(brdf,
+            LobeViews::GetKnotAngle(static_cast<int>(k), angles), resolution,
             this->Quick ? QuickKernelCells : KernelCells);
         }
       });

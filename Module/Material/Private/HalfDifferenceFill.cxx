@@ -87,8 +87,8 @@ bool IsMirroredAtH(vtkBRDF* input)
 }
 }
 
-void FillHalfDifference(
-  vtkBRDF* input, bool reciprocal, const int dimensions[3], vtkTabulatedBRDF* output)
+void FillHalfDifference(vtkBRDF* input, bool reciprocal, const int dimensions[3],
+  vtkTabulatedBRDF* output, const std::vector<char>* wanted)
 {
   const double range = reciprocal ? Pi : 2.0 * Pi;
   const std::size_t width = static_cast<std::size_t>(dimensions[0]);
@@ -100,31 +100,36 @@ void FillHalfDifference(
   vtkSMPTools::For(0, dimensions[2],
     [&](vtkIdType begin, vtkIdType end)
     {
-      std::vector<bool> isSlid(sides);
+      std::vector<const float*> slid(sides); // of a column, the value that it ends with
       for (vtkIdType z = begin; z < end; ++z)
       {
-        float* row = &rgb[3 * static_cast<std::size_t>(z) * width * height];
-        std::fill(isSlid.begin(), isSlid.end(), false);
-        for (std::size_t y = 0; y < height; ++y, row += 3 * width)
+        std::fill(slid.begin(), slid.end(), nullptr);
+        for (std::size_t y = 0; y < height; ++y)
         {
+          const std::size_t first = (static_cast<std::size_t>(z) * height + y) * width;
           for (std::size_t x = 0; x < sides; ++x)
           {
-            float* value = row + 3 * x;
-            if (isSlid[x]) // as the one before
+            const std::size_t mirror = mirrored ? width - 1 - x : x;
+            if (wanted && !(*wanted)[first + x] && !(*wanted)[first + mirror])
             {
-              std::copy_n(value - 3 * width, 3, value);
+              continue;
+            }
+            float* value = &rgb[3 * (first + x)];
+            if (slid[x])
+            {
+              std::copy_n(slid[x], 3, value);
             }
             else
             {
-              const SlidCell cell = GetSlidCell(dimensions, range, static_cast<int>(x),
-                static_cast<int>(y), static_cast<int>(z));
+              const SlidCell cell = GetSlidCell(
+                dimensions, range, static_cast<int>(x), static_cast<int>(y), static_cast<int>(z));
               const glm::vec3 f = EvaluateCell(input, reciprocal, cell.Angles);
               std::copy_n(&f.x, 3, value);
-              isSlid[x] = cell.IsSlid;
+              slid[x] = cell.IsSlid ? value : nullptr;
             }
-            if (mirrored)
+            if (mirror != x)
             {
-              std::copy_n(value, 3, row + 3 * (width - 1 - x));
+              std::copy_n(value, 3, &rgb[3 * (first + mirror)]);
             }
           }
         }

@@ -62,6 +62,16 @@ struct VolumeSum
   double Valid = 0.0;
 };
 
+/// The index of one of the eight.
+inline std::size_t GetCorner(const VolumeCorners& corners, const int dimensions[3], int corner)
+{
+  return static_cast<std::size_t>(corners.X.Index[corner & 1]) +
+         static_cast<std::size_t>(dimensions[0]) *
+           (static_cast<std::size_t>(corners.Y.Index[(corner >> 1) & 1]) +
+             static_cast<std::size_t>(dimensions[1]) *
+               static_cast<std::size_t>(corners.Z.Index[corner >> 2]));
+}
+
 /// RGB triples of a volume, NaN: invalid.
 inline VolumeSum GatherCorners(
   const std::vector<float>& volume, const int dimensions[3], const VolumeCorners& corners)
@@ -71,12 +81,7 @@ inline VolumeSum GatherCorners(
   {
     const int a = corner & 1, b = (corner >> 1) & 1, c = corner >> 2;
     const double w = corners.X.Weight[a] * corners.Y.Weight[b] * corners.Z.Weight[c];
-    const std::size_t cell =
-      static_cast<std::size_t>(corners.X.Index[a]) +
-      static_cast<std::size_t>(dimensions[0]) *
-        (static_cast<std::size_t>(corners.Y.Index[b]) +
-          static_cast<std::size_t>(dimensions[1]) * static_cast<std::size_t>(corners.Z.Index[c]));
-    const float* v = &volume[3 * cell];
+    const float* v = &volume[3 * GetCorner(corners, dimensions, corner)];
     if (!std::isnan(v[0]))
     {
       sum.Valid += w;

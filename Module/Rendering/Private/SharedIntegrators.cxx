@@ -108,9 +108,9 @@ vtkSmartPointer<vtkRadianceIntegrator> FindStandIn(vtkBRDF* brdf, vtkEnvironment
     [&]()
     {
       const bool isotropic = IsIsotropic(brdf);
-      return NewCopyFor(!isotropic             ? static_cast<vtkRadianceIntegrator*>(&lights)
-                          : IsMirrorLike(brdf) ? &finer
-                                               : &table,
+      return NewCopyFor(!isotropic           ? static_cast<vtkRadianceIntegrator*>(&lights)
+                        : IsMirrorLike(brdf) ? &finer
+                                             : &table,
         StandInBRDF::Make(brdf), environment);
     });
 }

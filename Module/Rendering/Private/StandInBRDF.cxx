@@ -11,9 +11,8 @@ vtkStandardNewMacro(StandInBRDF);
 vtkSmartPointer<vtkBRDF> StandInBRDF::Make(vtkBRDF* material)
 {
   const auto quick = vtkSmartPointer<vtkBRDF>::Take(material->NewQuickRenderable());
-  const auto snapshot = quick == material
-                          ? vtkSmartPointer<vtkBRDF>()
-                          : vtkSmartPointer<vtkBRDF>::Take(material->NewSnapshot());
+  const auto snapshot = quick == material ? vtkSmartPointer<vtkBRDF>()
+                                          : vtkSmartPointer<vtkBRDF>::Take(material->NewSnapshot());
   if (!snapshot)
   {
     return material;
@@ -27,10 +26,7 @@ vtkSmartPointer<vtkBRDF> StandInBRDF::Make(vtkBRDF* material)
   return made;
 }
 
-void StandInBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
-{
-  this->Quick->GetShaderInputs(form);
-}
+void StandInBRDF::GetShaderInputs(vtkBRDFShaderInputs& form) { this->Quick->GetShaderInputs(form); }
 
 void StandInBRDF::GetDirectionalAlbedo(const double o[3], double albedo[3])
 {

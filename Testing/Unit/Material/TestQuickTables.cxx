@@ -21,11 +21,11 @@
 #include <cstddef>
 #include <vector>
 
+using measuredbrdf::Pi;
+
 namespace
 {
-constexpr double Pi = measuredbrdf::Pi;
-
-// Isotropic, but more towards one side of the plane of incidence; counts its evaluations.
+// Isotropic, but more towards one side of the plane of incidence.
 class SidedBRDF : public vtkBRDF
 {
 public:
@@ -124,7 +124,7 @@ TEST(QuickTables, OfAnisotropicMaterialsAndSums)
 {
   vtkNew<vtkAshikhminShirleyBRDF> brushed;
   brushed->SetExponents(5.0, 20.0);
-  EXPECT_EQ(vtkSmartPointer<vtkBRDF>::Take(brushed->NewQuickRenderable()), brushed);
+  EXPECT_EQ(vtkSmartPointer<vtkBRDF>::Take(brushed->NewQuickRenderable()), brushed.Get());
   vtkNew<vtkAdaptiveWarpBRDF> warp;
   ASSERT_EQ(warp->SetTables(MakeAnisotropicTables(brushed, AnisotropicWarpSizes())), "");
   const auto quick = vtkSmartPointer<vtkBRDF>::Take(warp->NewQuickRenderable());
@@ -133,12 +133,12 @@ TEST(QuickTables, OfAnisotropicMaterialsAndSums)
 
   vtkNew<vtkSumBRDF> sum;
   sum->AddTerm(brushed);
-  EXPECT_EQ(vtkSmartPointer<vtkBRDF>::Take(sum->NewQuickRenderable()), sum);
+  EXPECT_EQ(vtkSmartPointer<vtkBRDF>::Take(sum->NewQuickRenderable()), sum.Get());
   sum->AddTerm(warp);
   const auto parts = vtkSmartPointer<vtkBRDF>::Take(sum->NewQuickRenderable());
   auto* made = vtkSumBRDF::SafeDownCast(parts);
   ASSERT_TRUE(made);
   ASSERT_EQ(made->GetNumberOfTerms(), 2);
-  EXPECT_EQ(made->GetTerm(0), brushed);
+  EXPECT_EQ(made->GetTerm(0), brushed.Get());
   EXPECT_TRUE(vtkAnisotropicTabulatedBRDF::SafeDownCast(made->GetTerm(1)));
 }
