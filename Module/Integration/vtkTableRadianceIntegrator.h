@@ -92,7 +92,7 @@ public:
 
   ///@{
   /**
-   * Whether the material is found out about by a tenth of the evaluations: half of the nodes, and
+   * Whether the material is found out about by a sixth of the evaluations: half of the nodes, and
    * coarser quadratures of fewer views. For a table that is wanted at once. Default off.
    */
   vtkSetMacro(Quick, bool);

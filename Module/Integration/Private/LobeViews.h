@@ -40,7 +40,7 @@ public:
   static double GetKnotPosition(double angle, int count);
   ///@}
 
-  /// Of a prepared, isotropic BRDF. Of no use where it was aborted. quick: by a tenth of the
+  /// Of a prepared, isotropic BRDF. Of no use where it was aborted. quick: by a sixth of the
   /// evaluations.
   explicit LobeViews(vtkBRDF* brdf, const std::atomic<bool>& abort = Never, bool quick = false);
 

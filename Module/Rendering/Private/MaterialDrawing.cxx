@@ -187,7 +187,13 @@ void MaterialDrawing::ResolvePlan(
   request.StandIn = [&standIn, &drawn]()
   {
     standIn = FindStandIn(drawn.BRDF, drawn.Environment);
-    standIn->Prepare();
+    try
+    {
+      standIn->Prepare();
+    }
+    catch (const std::exception&) // what draws it says so
+    {
+    }
   };
   this->AbortPlanning = false;
   request.Progress = [this](double progress)

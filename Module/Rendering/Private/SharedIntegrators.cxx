@@ -76,6 +76,20 @@ bool IsMirrorLike(vtkBRDF* brdf)
   }
 }
 
+// With a form for shaders that is made at once. The material itself where there is no memory: what
+// draws it says so, once.
+vtkSmartPointer<vtkBRDF> MakeStandInBRDF(vtkBRDF* brdf)
+{
+  try
+  {
+    return StandInBRDF::Make(brdf);
+  }
+  catch (const std::exception&)
+  {
+    return brdf;
+  }
+}
+
 // Made in a few hundredths of a second. Mirror-like materials need more rows.
 vtkHybridRadianceIntegrator* NewTable(int rows)
 {
@@ -111,7 +125,7 @@ vtkSmartPointer<vtkRadianceIntegrator> FindStandIn(vtkBRDF* brdf, vtkEnvironment
       return NewCopyFor(!isotropic           ? static_cast<vtkRadianceIntegrator*>(&lights)
                         : IsMirrorLike(brdf) ? &finer
                                              : &table,
-        StandInBRDF::Make(brdf), environment);
+        MakeStandInBRDF(brdf), environment);
     });
 }
 
