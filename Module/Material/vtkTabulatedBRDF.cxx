@@ -3,7 +3,6 @@
 #include "vtkTabulatedBRDF.h"
 
 #include "ContentHash.h"
-#include "HalfDifferenceFill.h"
 #include "HalfVector.h"
 #include "HalfVectorSampler.h"
 #include "ModuleShader.h"

@@ -124,7 +124,7 @@ add("Material.distribution-keeps-old-levels", "vtkDistributionBRDF.cxx",
 add("Material.distribution-fresnel-unit", "vtkDistributionBRDF.cxx", "ClampedNeighbors(angles.ThetaD * (2.0 / Pi),",
     "ClampedNeighbors(angles.ThetaD,",
     "Distribution.RetroReflectionInvertsToP|Parity.ClosedForms|LossFit.DistributionComesClose")
-add("Material.tabulated-azimuth-range", "Private/HalfDifferenceFill.h", "angles.PhiD / (halfTurn ? Pi : 2.0 * Pi)",
+add("Material.tabulated-azimuth-range", "Private/VolumeInterpolation.h", "angles.PhiD / (halfTurn ? Pi : 2.0 * Pi)",
     "angles.PhiD / (halfTurn ? 2.0 * Pi : Pi)", "Tabulated.InterpolatesTrilinearly")
 add("Material.tabulated-divides-by-the-other-cosine", "vtkTabulatedBRDF.cxx",
     "GatherCorners(this->Volume, this->Dimensions, corners), this->CosineWeighted ? o[2]",

@@ -8,9 +8,6 @@
 #ifndef HalfDifferenceFill_h
 #define HalfDifferenceFill_h
 
-#include "HalfVector.h"
-
-#include <cmath>
 #include <vector>
 
 class vtkBRDF;
@@ -18,14 +15,6 @@ class vtkTabulatedBRDF;
 
 namespace measuredbrdf
 {
-/// Angles of a pair in units of such a table's axes: phi_d (periodic), theta_d, theta_h.
-inline glm::dvec3 ToHalfDifferenceUnit(const glm::dvec3& i, const glm::dvec3& o, bool halfTurn)
-{
-  const HalfDifference angles = ToHalfDifference(i, o);
-  return { angles.PhiD / (halfTurn ? Pi : 2.0 * Pi), angles.ThetaD * (2.0 / Pi),
-    ThetaHToUnit(angles.ThetaH) };
-}
-
 /// Fills output as vtkBRDFResampler describes: dimensions of phi_d, theta_d and theta_h. Where f is
 /// the same on both sides of the plane that i and o are mirrored at, as of nearly all isotropic
 /// materials, half of the cells are evaluated. wanted, by cell: the others stay 0; null: all. On

@@ -8,6 +8,8 @@
 #ifndef VolumeInterpolation_h
 #define VolumeInterpolation_h
 
+#include "HalfVector.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -17,6 +19,15 @@ namespace measuredbrdf
 {
 /// With less than this weight on valid corners there is no value. The shader has the same limit.
 constexpr double MinimumValidWeight = 1e-4;
+
+/// Angles of a pair in units of a half/difference volume's axes: phi_d (periodic), theta_d,
+/// theta_h.
+inline glm::dvec3 ToHalfDifferenceUnit(const glm::dvec3& i, const glm::dvec3& o, bool halfTurn)
+{
+  const HalfDifference angles = ToHalfDifference(i, o);
+  return { angles.PhiD / (halfTurn ? Pi : 2.0 * Pi), angles.ThetaD * (2.0 / Pi),
+    ThetaHToUnit(angles.ThetaH) };
+}
 
 /// Two neighboring samples and their weights, along one axis.
 struct AxisCorners
