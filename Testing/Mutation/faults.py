@@ -671,7 +671,7 @@ add("Material.cells-slide-too-early", "Private/HalfDifferenceFill.cxx", "cell.Is
 add("Material.resampled-from-seven-corners", "vtkBRDFResampler.cxx", "corner < 8; ++corner", "corner < 7; ++corner",
     "Resampler.ErrorFallsAndIsReported")
 add("Material.quick-for-another-tolerance", "Private/RenderableTable.h", "this->Table && this->Tolerance == tolerance",
-    "this->Table", "QuickTables.StandInUntilTheRealOneIsMade")
+    "this->Table && tolerance > 0.0", "QuickTables.StandInUntilTheRealOneIsMade")
 add("Integration.quick-is-slow", "vtkTableRadianceIntegrator.cxx", "std::make_shared<Precomputation>(this->Quick)",
     "std::make_shared<Precomputation>()", "Tables.QuickOnesEvaluateLittle")
 add("Rendering.plan-key-without-costs", "Private/SharedPlans.h", "this->Costs, this->SeenTime",
