@@ -37,7 +37,6 @@ struct vtkFilteredRadianceIntegrator::Internals
   std::unique_ptr<ReflectionSamples> Samples;
   vtkWeakPointer<vtkBRDF> SampledBRDF;
   vtkTimeStamp SamplesTime;
-  bool QuickSamples = false;
 
   // Of all materials.
   std::shared_ptr<const EnvironmentPyramid> Pyramid;
@@ -118,18 +117,16 @@ bool vtkFilteredRadianceIntegrator::Begin()
   this->Abort = false; // one that an earlier run left
   if (!impl.Samples || impl.SampledBRDF.GetPointer() != this->BRDF.Get() ||
       impl.SamplesTime < this->BRDF->GetMTime() ||
-      impl.Samples->GetNumberOfSamples() != this->NumberOfSamples ||
-      impl.QuickSamples != this->Quick)
+      impl.Samples->GetNumberOfSamples() != this->NumberOfSamples)
   {
-    auto samples = std::make_unique<ReflectionSamples>(
-      this->BRDF, this->NumberOfSamples, this->Quick, this->Abort);
+    auto samples =
+      std::make_unique<ReflectionSamples>(this->BRDF, this->NumberOfSamples, this->Abort);
     if (this->Abort)
     {
       vtkErrorMacro("Integrate: aborted.");
       return false;
     }
     impl.Samples = std::move(samples);
-    impl.QuickSamples = this->Quick;
     impl.SampledBRDF = this->BRDF.Get();
     impl.SamplesTime.Modified();
   }
@@ -272,7 +269,6 @@ void vtkFilteredRadianceIntegrator::CopyProperties(vtkRadianceIntegrator* source
   {
     this->SetLevelBias(filtered->LevelBias);
     this->SetExtractLights(filtered->ExtractLights);
-    this->SetQuick(filtered->Quick);
   }
 }
 
@@ -303,6 +299,5 @@ void vtkFilteredRadianceIntegrator::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n";
   os << indent << "LevelBias: " << this->LevelBias << "\n";
   os << indent << "ExtractLights: " << (this->ExtractLights ? "On" : "Off") << "\n";
-  os << indent << "Quick: " << (this->Quick ? "On" : "Off") << "\n";
   os << indent << "Extracted lights: " << this->GetNumberOfExtractedLights() << "\n";
 }

@@ -65,16 +65,6 @@ public:
   vtkBooleanMacro(ExtractLights, bool);
   ///@}
 
-  ///@{
-  /**
-   * Whether samples are prepared in hundredths of a second instead of tenths to seconds: from a
-   * coarse table of the lobe, and with albedos that are within some percent. Default off.
-   */
-  vtkSetMacro(Quick, bool);
-  vtkGetMacro(Quick, bool);
-  vtkBooleanMacro(Quick, bool);
-  ///@}
-
   /**
    * How many lights were taken out by the last preparation; 0 before.
    */
@@ -116,7 +106,6 @@ protected:
   int NumberOfSamples = 32;
   double LevelBias = 0.0;
   bool ExtractLights = true;
-  bool Quick = false;
 
 private:
   vtkFilteredRadianceIntegrator(const vtkFilteredRadianceIntegrator&) = delete;

@@ -169,6 +169,7 @@ vtkSmartPointer<vtkRadianceIntegrator> vtkHybridRadianceIntegrator::NewBroad(
     table->SetNumberOfRows(this->NumberOfRows);
     table->SetNumberOfViewAngles(this->NumberOfViewAngles);
     table->SetNumberOfAzimuths(this->NumberOfAzimuths);
+    table->SetQuick(this->Quick);
     broad = table;
   }
   broad->SetBRDF(this->BRDF);
@@ -293,6 +294,7 @@ void vtkHybridRadianceIntegrator::CopyProperties(vtkRadianceIntegrator* source)
   if (auto* hybrid = vtkHybridRadianceIntegrator::SafeDownCast(source))
   {
     this->SetLightAngle(hybrid->LightAngle); // which need not be of whole tenths
+    this->SetQuick(hybrid->Quick);
   }
 }
 
@@ -455,5 +457,6 @@ void vtkHybridRadianceIntegrator::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfMaps: " << this->NumberOfMaps << "\n";
   os << indent << "MaximumNumberOfLights: " << this->MaximumNumberOfLights << "\n";
   os << indent << "LightAngle: " << this->LightAngle << "\n";
+  os << indent << "Quick: " << (this->Quick ? "On" : "Off") << "\n";
   os << indent << "Lights: " << this->GetNumberOfLights() << "\n";
 }

@@ -79,6 +79,16 @@ public:
   vtkGetMacro(LightAngle, double);
   ///@}
 
+  ///@{
+  /**
+   * Whether the table is prepared quickly (vtkTableRadianceIntegrator::SetQuick). Without effect on
+   * maps and for anisotropic materials. Default off.
+   */
+  vtkSetMacro(Quick, bool);
+  vtkGetMacro(Quick, bool);
+  vtkBooleanMacro(Quick, bool);
+  ///@}
+
   /**
    * Lights that the last preparation made.
    */
@@ -146,6 +156,7 @@ protected:
   int NumberOfMaps = 0;
   int MaximumNumberOfLights = 16;
   double LightAngle = 1.2;
+  bool Quick = false;
 
 private:
   vtkHybridRadianceIntegrator(const vtkHybridRadianceIntegrator&) = delete;

@@ -130,7 +130,8 @@ bool vtkTableRadianceIntegrator::MakeTable(Tables& table)
 {
   const int rows = table.Tiles.FineRows > 0 ? table.Tiles.FineRows : table.Rows;
   const int degree = this->HarmonicDegree > 0 ? this->HarmonicDegree : GetMapDegree(rows);
-  const auto parts = this->Shared ? this->Shared : std::make_shared<Precomputation>();
+  const auto parts =
+    this->Shared && !this->Quick ? this->Shared : std::make_shared<Precomputation>(this->Quick);
   EnvironmentPrecomputation& ofEnvironment = this->Environment->GetParts();
   const auto goOn = [this]() { return this->Report(0.0); };
   const auto getHarmonics = [&](const EnvironmentPrecomputation::Rest& rest)
@@ -147,7 +148,9 @@ bool vtkTableRadianceIntegrator::MakeTable(Tables& table)
   const TableLight light{ *harmonics, this->Lamps ? all.get() : nullptr, LampWindow(table.Rows) };
   const LobeViews& views = parts->GetViews(this->BRDF, this->Abort);
   // Lobes that need tiles fall between the usual nodes.
-  const int nodes = (table.Tiles.FineRows > 0 ? NodesOfTiles : 1) * this->NumberOfNodes;
+  const int nodes = this->Quick
+                      ? this->NumberOfNodes / 2
+                      : (table.Tiles.FineRows > 0 ? NodesOfTiles : 1) * this->NumberOfNodes;
   const MaterialPrecomputation::Kernels& knots =
     parts->GetKernels(this->BRDF, table.Angles, nodes, this->Abort);
   const double scale = this->Abort ? 0.0
@@ -304,6 +307,7 @@ void vtkTableRadianceIntegrator::CopyProperties(vtkRadianceIntegrator* source)
     this->SetHarmonicDegree(table->HarmonicDegree);
     this->SetNumberOfNodes(table->NumberOfNodes);
     this->SetSmoothingDegree(table->SmoothingDegree);
+    this->SetQuick(table->Quick);
   }
 }
 
@@ -342,4 +346,5 @@ void vtkTableRadianceIntegrator::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "HarmonicDegree: " << this->HarmonicDegree << "\n";
   os << indent << "SmoothingDegree: " << this->SmoothingDegree << "\n";
   os << indent << "NumberOfNodes: " << this->NumberOfNodes << "\n";
+  os << indent << "Quick: " << (this->Quick ? "On" : "Off") << "\n";
 }

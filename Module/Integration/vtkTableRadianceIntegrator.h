@@ -90,6 +90,16 @@ public:
   vtkGetMacro(NumberOfNodes, int);
   ///@}
 
+  ///@{
+  /**
+   * Whether the material is found out about by a sixth of the evaluations: half of the nodes, and
+   * coarser quadratures of fewer views. For a table that is wanted at once. Default off.
+   */
+  vtkSetMacro(Quick, bool);
+  vtkGetMacro(Quick, bool);
+  vtkBooleanMacro(Quick, bool);
+  ///@}
+
   bool GetShaderInputs(vtkBRDFShaderInputs& form) override;
 
   ///@{
@@ -160,6 +170,7 @@ protected:
   int NumberOfViewAngles = 16;
   int NumberOfAzimuths = 16;
   int NumberOfNodes = 64;
+  bool Quick = false;
 
 private:
   vtkTableRadianceIntegrator(const vtkTableRadianceIntegrator&) = delete;

@@ -31,6 +31,7 @@ struct vtkAdaptiveWarpBRDF::Warps
   BilinearWarp Vndf;
   BilinearWarp Luminance;
   BilinearWarp Rgb[3];
+  bool Round = false;                  // whether no table depends on phi_i
   int Parts = 1;                       // of a turn that phi_i spans, 1, 2 or 4
   double MiddlePhi = 0.0;              // of phi_i
   glm::dvec2 Middle = glm::dvec2(0.0); // of phi_i, as a direction
@@ -54,7 +55,8 @@ namespace
 // Polar angle without acos: exact for small angles.
 double Elevation(const glm::dvec3& d)
 {
-  return 2.0 * std::asin(std::min(0.5 * std::hypot(d.x, d.y, d.z - 1.0), 1.0));
+  const double z = d.z - 1.0;
+  return 2.0 * std::asin(std::min(0.5 * std::sqrt(d.x * d.x + d.y * d.y + z * z), 1.0));
 }
 
 double PhiToUnit(double phi) { return (phi + Pi) / (2.0 * Pi); }
@@ -75,12 +77,26 @@ double GetAzimuth(const glm::dvec3& incident, double middle)
   return phi + 2.0 * Pi * std::round((middle - phi) / (2.0 * Pi));
 }
 
+// round: the tables do not depend on the incident azimuth, which need not be known then.
 Coordinates ToCoordinates(
-  const glm::dvec3& incident, const glm::dvec3& outgoing, bool isotropic, double middle)
+  const glm::dvec3& incident, const glm::dvec3& outgoing, bool isotropic, bool round, double middle)
 {
   Coordinates c;
   c.H = HalfVector(incident, outgoing);
   const double theta = Elevation(incident);
+  if (round)
+  {
+    const bool upright = incident.x == 0.0 && incident.y == 0.0; // azimuth 0
+    const glm::dvec2 from = upright ? glm::dvec2(1.0, 0.0) : glm::dvec2(incident);
+    const double along = from.x * c.H.x + from.y * c.H.y;
+    const double across = from.x * c.H.y - from.y * c.H.x;
+    c.Incident[0] = middle;
+    c.Incident[1] = theta;
+    c.UnitIncident = glm::dvec2(ThetaHToUnit(theta), 0.5);
+    c.UnitHalf = glm::dvec2(ThetaHToUnit(Elevation(c.H)), PhiToUnit(std::atan2(across, along)));
+    c.UnitHalf.y -= std::floor(c.UnitHalf.y);
+    return c;
+  }
   const double phi = GetAzimuth(incident, middle);
   const double phiH = std::atan2(c.H.y, c.H.x);
   c.Incident[0] = phi;
@@ -254,6 +270,10 @@ std::string vtkAdaptiveWarpBRDF::SetTables(Tables tables)
     warps->MiddlePhi = middle;
     warps->Middle = glm::dvec2(std::cos(middle), std::sin(middle));
   }
+  const std::vector<float>& sigma = tables.Sigma.Values;
+  const auto row = static_cast<std::ptrdiff_t>(tables.Sigma.Shape[1]);
+  warps->Round =
+    tables.PhiI.size() == 1 && std::equal(sigma.begin() + row, sigma.end(), sigma.begin());
   warps->Ndf = build(tables.Ndf, {}, false);
   warps->Sigma = build(tables.Sigma, {}, false);
   warps->Vndf = build(tables.Vndf, axes, true);
@@ -289,7 +309,7 @@ void vtkAdaptiveWarpBRDF::EvaluateAbove(const double i[3], const double o[3], do
   // The tables hold f cos(theta_o) = rgb(s) ndf(h) / (4 sigma(i)), s = vndf^-1(h; i).
   const glm::dvec3 signs = this->Warp->GetFold(glm::make_vec3(i));
   const Coordinates c = ToCoordinates(signs * glm::make_vec3(i), signs * glm::make_vec3(o),
-    this->Data.PhiI.size() <= 2, this->Warp->MiddlePhi);
+    this->Data.PhiI.size() <= 2, this->Warp->Round, this->Warp->MiddlePhi);
   const BilinearWarp::Slices none = this->Warp->Ndf.FindSlices(nullptr);
   const BilinearWarp::Slices slices = this->Warp->Vndf.FindSlices(c.Incident);
   double density = 0.0;
@@ -343,8 +363,8 @@ double vtkAdaptiveWarpBRDF::PdfAbove(const double i[3], const double o[3])
   const glm::dvec3 signs = this->Warp->GetFold(glm::make_vec3(o));
   const glm::dvec3 incident =
     signs * glm::make_vec3(o); // the view plays the light, as in SampleAbove
-  const Coordinates c = ToCoordinates(
-    incident, signs * glm::make_vec3(i), this->Data.PhiI.size() <= 2, this->Warp->MiddlePhi);
+  const Coordinates c = ToCoordinates(incident, signs * glm::make_vec3(i),
+    this->Data.PhiI.size() <= 2, this->Warp->Round, this->Warp->MiddlePhi);
   const BilinearWarp::Slices slices = this->Warp->Vndf.FindSlices(c.Incident);
   double density = 0.0;
   const glm::dvec2 s = this->Warp->Vndf.Invert(c.UnitHalf, slices, density);
@@ -389,6 +409,14 @@ vtkBRDF* vtkAdaptiveWarpBRDF::GetRenderable()
   {
     vtkWarningMacro(<< problem);
   }
+  return table;
+}
+
+//------------------------------------------------------------------------------
+vtkBRDF* vtkAdaptiveWarpBRDF::NewQuickRenderable()
+{
+  vtkSmartPointer<vtkBRDF> table = this->Resampled->GetQuick(this);
+  table->Register(nullptr);
   return table;
 }
 

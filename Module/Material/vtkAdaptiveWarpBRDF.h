@@ -74,6 +74,7 @@ public:
   bool IsIsotropic() override { return this->Data.PhiI.size() <= 2; }
   bool IsReciprocal() override { return false; }
   vtkBRDF* GetRenderable() override;
+  VTK_NEWINSTANCE vtkBRDF* NewQuickRenderable() override;
   void GetShaderInputs(vtkBRDFShaderInputs& form) override;
   std::string GetModelName() override { return "AdaptiveWarp"; }
   VTK_WRAPEXCLUDE void ExchangeData(vtkBRDFExchange& exchange) override;

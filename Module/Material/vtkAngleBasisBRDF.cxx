@@ -310,6 +310,14 @@ vtkBRDF* vtkAngleBasisBRDF::GetRenderable()
 }
 
 //------------------------------------------------------------------------------
+vtkBRDF* vtkAngleBasisBRDF::NewQuickRenderable()
+{
+  vtkSmartPointer<vtkBRDF> table = this->Resampled->GetQuick(this);
+  table->Register(nullptr);
+  return table;
+}
+
+//------------------------------------------------------------------------------
 void vtkAngleBasisBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
 {
   this->GetRenderable()->GetShaderInputs(form);

@@ -65,6 +65,7 @@ public:
   bool IsReciprocal() override { return false; }
   void Prepare() override;
   vtkBRDF* GetRenderable() override;
+  VTK_NEWINSTANCE vtkBRDF* NewQuickRenderable() override;
   void GetShaderInputs(vtkBRDFShaderInputs& form) override;
   std::string GetModelName() override { return "AngleBasis"; }
   VTK_WRAPEXCLUDE void ExchangeData(vtkBRDFExchange& exchange) override;

@@ -259,6 +259,14 @@ vtkBRDF* vtkAngularTableBRDF::GetRenderable()
 }
 
 //------------------------------------------------------------------------------
+vtkBRDF* vtkAngularTableBRDF::NewQuickRenderable()
+{
+  vtkSmartPointer<vtkBRDF> table = this->Resampled->GetQuick(this);
+  table->Register(nullptr);
+  return table;
+}
+
+//------------------------------------------------------------------------------
 void vtkAngularTableBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
 {
   this->GetRenderable()->GetShaderInputs(form);

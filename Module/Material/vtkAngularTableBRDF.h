@@ -75,6 +75,7 @@ public:
   bool IsIsotropic() override { return this->Origin == LIGHT; }
   bool IsReciprocal() override { return false; }
   vtkBRDF* GetRenderable() override;
+  VTK_NEWINSTANCE vtkBRDF* NewQuickRenderable() override;
   void GetShaderInputs(vtkBRDFShaderInputs& form) override;
   std::string GetModelName() override { return "AngularTable"; }
   VTK_WRAPEXCLUDE void ExchangeData(vtkBRDFExchange& exchange) override;

@@ -65,6 +65,14 @@ vtkBRDF* vtkBRDF::NewSnapshot()
 }
 
 //------------------------------------------------------------------------------
+vtkBRDF* vtkBRDF::NewQuickRenderable()
+{
+  vtkBRDF* renderable = this->GetRenderable();
+  renderable->Register(nullptr);
+  return renderable;
+}
+
+//------------------------------------------------------------------------------
 std::string vtkBRDF::GetContentKey()
 {
   const std::pair<std::type_index, std::string> content = this->GetContent();

@@ -144,6 +144,13 @@ public:
   virtual vtkBRDF* GetRenderable() { return this; }
 
   /**
+   * What stands in for GetRenderable() where that has to be made, for seconds: the same where it
+   * takes no time or is made, else this one resampled in about a hundredth of a second, with errors
+   * of some percent that nobody has measured. The caller has to release it.
+   */
+  VTK_NEWINSTANCE virtual vtkBRDF* NewQuickRenderable();
+
+  /**
    * GLSL text, uniforms and textures that evaluate GetRenderable() on the GPU. The GLSL form of
    * EvaluateSoft is included only if form.SoftLights requests it.
    */

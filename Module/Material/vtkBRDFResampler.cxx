@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBRDFResampler.h"
 
+#include "HalfDifferenceFill.h"
 #include "HalfVector.h"
 #include "LocalFrame.h"
 #include "LowDiscrepancy.h"
 #include "Setters.h"
+#include "VolumeInterpolation.h"
 #include "vtkBasisBRDF.h"
 #include "vtkCommand.h"
 #include "vtkObjectFactory.h"
@@ -14,9 +16,11 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <numeric>
 
 using namespace measuredbrdf;
@@ -27,12 +31,13 @@ namespace
 {
 constexpr int ChoosingProbes = 1 << 14;
 constexpr int ReportingProbes = 1 << 17;
+constexpr vtkIdType ProbeBlock = 1 << 10; // for a thread
 
 // Pairs of directions to compare two BRDFs at, with their weights and the reference's values.
 struct Probe
 {
   double I[3], O[3], F[3];
-  double Weight; // c_i c_o over the density of the draw
+  double Weight = 0.0; // c_i c_o over the density of the draw
 };
 
 // Cosines of a zone's edges.
@@ -58,15 +63,15 @@ std::vector<Probe> MakeProbes(vtkBRDF* reference, int first, int count,
   const Zone& incident = Hemisphere, const Zone& outgoing = Hemisphere)
 {
   reference->Prepare();
-  std::vector<Probe> probes;
-  probes.reserve(static_cast<std::size_t>(count));
+  std::vector<Probe> probes(static_cast<std::size_t>(count)); // of weight 0: missed
   const double most = outgoing.Near;
   const double least = std::max(outgoing.Far, MinimumViewCosine);
   const double logRange = std::log(most / least);
   const double nearSquare = incident.Near * incident.Near;
   const double squares = nearSquare - incident.Far * incident.Far;
-  for (int k = 0; k < count; ++k)
+  const auto draw = [&](int k)
   {
+    Probe& probe = probes[static_cast<std::size_t>(k)];
     const std::uint32_t n = static_cast<std::uint32_t>(first + k) + 1;
     const double u = RadicalInverse(n, 2);
     const double z = RadicalInverse(n, 13) < 0.5
@@ -76,7 +81,6 @@ std::vector<Probe> MakeProbes(vtkBRDF* reference, int first, int count,
       0.5 * (2.0 * z / (most * most - least * least) + 1.0 / (z * logRange)) / (2.0 * Pi);
     const double s = std::sqrt(std::max(1.0 - z * z, 0.0));
     const double phi = 2.0 * Pi * RadicalInverse(n, 3);
-    Probe probe;
     probe.O[0] = s * std::cos(phi);
     probe.O[1] = s * std::sin(phi);
     probe.O[2] = z;
@@ -89,27 +93,46 @@ std::vector<Probe> MakeProbes(vtkBRDF* reference, int first, int count,
     else if (!reference->Sample(probe.O, u1, u2, probe.I) || probe.I[2] > incident.Near ||
              probe.I[2] < incident.Far)
     {
-      continue;
+      return;
     }
     const double density =
       0.5 * (reference->Pdf(probe.I, probe.O) + probe.I[2] / (Pi * squares)) * viewDensity;
     probe.Weight = probe.I[2] * z / density;
     reference->Evaluate(probe.I, probe.O, probe.F);
-    probes.push_back(probe);
-  }
+  };
+  vtkSMPTools::For(0, count, ProbeBlock,
+    [&draw](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType k = begin; k < end; ++k)
+      {
+        draw(static_cast<int>(k));
+      }
+    });
+  probes.erase(std::remove_if(probes.begin(), probes.end(),
+                 [](const Probe& probe) { return !(probe.Weight > 0.0); }),
+    probes.end());
   return probes;
 }
 
+// other: prepared, where it evaluates what it prepares.
 double Compare(const std::vector<Probe>& probes, vtkBRDF* other, double* maximum = nullptr)
 {
+  std::vector<glm::dvec3> values(probes.size());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(probes.size()), ProbeBlock,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (std::size_t k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k)
+      {
+        other->Evaluate(probes[k].I, probes[k].O, &values[k].x);
+      }
+    });
   double difference = 0.0, total = 0.0, largest = 0.0;
-  for (const Probe& probe : probes)
+  for (std::size_t k = 0; k < probes.size(); ++k) // in this order: the same sums on all machines
   {
-    double g[3];
-    other->Evaluate(probe.I, probe.O, g);
+    const Probe& probe = probes[k];
     for (int c = 0; c < 3; ++c)
     {
-      const double d = g[c] - probe.F[c];
+      const double d = values[k][c] - probe.F[c];
       difference += probe.Weight * d * d;
       total += probe.Weight * probe.F[c] * probe.F[c];
       largest = std::max(largest, std::abs(d));
@@ -122,62 +145,23 @@ double Compare(const std::vector<Probe>& probes, vtkBRDF* other, double* maximum
   return total > 0.0 ? std::sqrt(difference / total) : (difference > 0.0 ? 1.0 : 0.0);
 }
 
-// Directions of a cell, slid along theta_d to above the horizon where they lie below: closely for
-// cosine-weighted tables, which stay smooth there; by half a cell for tables of f itself, whose
-// values next to the horizon would outweigh all others (f grows as 1/cos).
-void GetCell(
-  const int dimensions[3], double range, int x, int y, int z, glm::dvec3& i, glm::dvec3& o)
+// By cell of a table of this size: whether some pair's value is interpolated from it.
+std::vector<char> FindCells(const std::vector<Probe>& probes, const int size[3], bool reciprocal)
 {
-  HalfDifference angles{ UnitToThetaH((z + 0.5) / dimensions[2]),
-    0.5 * Pi * (y + 0.5) / dimensions[1], range * (x + 0.5) / dimensions[0] };
-  // i.z or o.z = cos(theta_h) cos(theta_d) -+ sin(theta_h) sin(theta_d) cos(phi_d) = 0.
-  const double horizon =
-    std::atan2(std::cos(angles.ThetaH), std::sin(angles.ThetaH) * std::abs(std::cos(angles.PhiD)));
-  const double gap = range < 2.0 * Pi ? 0.25 * Pi / dimensions[1] : 1e-4 * horizon;
-  angles.ThetaD = std::min(angles.ThetaD, std::max(horizon - gap, 0.5 * horizon));
-  FromHalfDifference(angles, i, o);
-}
-
-void Fill(vtkBRDF* input, bool reciprocal, const int dimensions[3], vtkTabulatedBRDF* output)
-{
-  const double range = reciprocal ? Pi : 2.0 * Pi;
-  const std::size_t slice =
-    static_cast<std::size_t>(dimensions[0]) * static_cast<std::size_t>(dimensions[1]);
-  std::vector<float> rgb(3 * slice * static_cast<std::size_t>(dimensions[2]));
-  input->Prepare();
-  vtkSMPTools::For(0, dimensions[2],
-    [&](vtkIdType begin, vtkIdType end)
+  std::vector<char> cells(static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]) *
+                          static_cast<std::size_t>(size[2]));
+  for (const Probe& probe : probes)
+  {
+    const glm::dvec3 u =
+      ToHalfDifferenceUnit(glm::make_vec3(probe.I), glm::make_vec3(probe.O), reciprocal);
+    const VolumeCorners corners = { FindCorners(u.x, size[0], true),
+      FindCorners(u.y, size[1], false), FindCorners(u.z, size[2], false) };
+    for (int corner = 0; corner < 8; ++corner)
     {
-      for (vtkIdType z = begin; z < end; ++z)
-      {
-        for (std::size_t k = 0; k < slice; ++k)
-        {
-          glm::dvec3 i, o;
-          GetCell(dimensions, range, static_cast<int>(k) % dimensions[0],
-            static_cast<int>(k) / dimensions[0], static_cast<int>(z), i, o);
-          double f[3], g[3];
-          input->Evaluate(glm::value_ptr(i), glm::value_ptr(o), f);
-          if (reciprocal && !input->IsReciprocal())
-          {
-            input->Evaluate(glm::value_ptr(o), glm::value_ptr(i), g);
-            for (int c = 0; c < 3; ++c)
-            {
-              f[c] = 0.5 * (f[c] + g[c]);
-            }
-          }
-          float* value = &rgb[3 * (static_cast<std::size_t>(z) * slice + k)];
-          for (int c = 0; c < 3; ++c)
-          {
-            value[c] = static_cast<float>(std::min(reciprocal ? f[c] : f[c] * o.z,
-              static_cast<double>(std::numeric_limits<float>::max())));
-          }
-        }
-      }
-    });
-  output->SetVolume(vtkTabulatedBRDF::HALF_DIFFERENCE,
-    reciprocal ? vtkTabulatedBRDF::HALF_TURN : vtkTabulatedBRDF::FULL_TURN, dimensions,
-    std::move(rgb));
-  output->SetCosineWeighted(!reciprocal);
+      cells[GetCorner(corners, size, corner)] = 1;
+    }
+  }
+  return cells;
 }
 }
 
@@ -220,7 +204,7 @@ bool vtkBRDFResampler::ResampleTo(int nPhiD, int nThetaD, int nThetaH)
                   << nPhiD << " x " << nThetaD << " x " << nThetaH << ".");
     return false;
   }
-  Fill(this->Input, this->Reciprocal, dimensions, this->Output);
+  FillHalfDifference(this->Input, this->Reciprocal, dimensions, this->Output);
   this->Output->SetResamplingError(
     Compare(MakeProbes(this->Input, ChoosingProbes, ReportingProbes), this->Output));
   return true;
@@ -237,20 +221,27 @@ bool vtkBRDFResampler::Resample()
   const std::vector<Probe> probes = MakeProbes(this->Input, 0, ChoosingProbes);
   double error = std::numeric_limits<double>::max();
   int best[3] = { 0, 0, 0 };
-  // Keeps the table in Output if it is the best so far, or (trimming) any that meets the tolerance.
+  std::map<std::array<int, 3>, double> known; // sizes' errors
+  // The best size so far, or (trimming) any that meets the tolerance. Only the cells are evaluated
+  // that the pairs read, a few of a large table's.
   const auto attempt = [&](const int size[3], bool trimming)
   {
+    const std::array<int, 3> key = { size[0], size[1], size[2] };
+    const auto before = known.find(key);
+    if (before != known.end() && before->second > this->Tolerance)
+    {
+      return false;
+    }
     vtkNew<vtkTabulatedBRDF> table;
-    Fill(this->Input, this->Reciprocal, size, table);
+    const std::vector<char> wanted = FindCells(probes, size, this->Reciprocal);
+    FillHalfDifference(this->Input, this->Reciprocal, size, table, &wanted);
     const double tableError = Compare(probes, table);
+    known[key] = tableError;
     const bool better = trimming ? tableError <= this->Tolerance : tableError < error;
     if (better)
     {
       error = tableError;
       std::copy_n(size, 3, best);
-      this->Output->SetVolume(
-        table->GetParameterization(), table->GetAzimuthRange(), size, table->GetVolume());
-      this->Output->SetCosineWeighted(table->GetCosineWeighted());
     }
     double progress = std::min(this->Tolerance / error, 1.0);
     this->InvokeEvent(vtkCommand::ProgressEvent, &progress);
@@ -280,6 +271,10 @@ bool vtkBRDFResampler::Resample()
       size[axis] /= 2;
       trimmed = (size[axis] >= 8 && attempt(size, true)) || trimmed;
     }
+  }
+  if (best[0] > 0)
+  {
+    FillHalfDifference(this->Input, this->Reciprocal, best, this->Output);
   }
   // The probes that chose the size flatter it: fresh ones report.
   error = Compare(MakeProbes(this->Input, ChoosingProbes, ReportingProbes), this->Output);
@@ -312,6 +307,7 @@ double vtkBRDFResampler::GetZoneRelativeL2Error(vtkBRDF* a, vtkBRDF* b, const do
       return std::numeric_limits<double>::quiet_NaN();
     }
   }
+  b->Prepare();
   return Compare(
     MakeProbes(a, ChoosingProbes, pairs, ToZone(incident), ToZone(outgoing)), b, maximum);
 }

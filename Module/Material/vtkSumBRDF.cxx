@@ -251,6 +251,26 @@ vtkBRDF* vtkSumBRDF::GetRenderable()
 }
 
 //------------------------------------------------------------------------------
+vtkBRDF* vtkSumBRDF::NewQuickRenderable()
+{
+  vtkSumBRDF* quick = vtkSumBRDF::New();
+  bool direct = true;
+  for (vtkBRDF* term : this->Terms)
+  {
+    const auto renderable = vtkSmartPointer<vtkBRDF>::Take(term->NewQuickRenderable());
+    direct = direct && renderable == term;
+    quick->AddTerm(renderable);
+  }
+  if (direct)
+  {
+    quick->Delete();
+    this->Register(nullptr);
+    return this;
+  }
+  return quick;
+}
+
+//------------------------------------------------------------------------------
 void vtkSumBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
 {
   std::string description;

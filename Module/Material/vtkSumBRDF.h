@@ -42,6 +42,7 @@ public:
   bool IsReciprocal() override;
   void Prepare() override;
   vtkBRDF* GetRenderable() override;
+  VTK_NEWINSTANCE vtkBRDF* NewQuickRenderable() override;
   void GetShaderInputs(vtkBRDFShaderInputs& form) override;
   std::string GetModelName() override { return "Sum"; }
   VTK_WRAPEXCLUDE void ExchangeData(vtkBRDFExchange& exchange) override;

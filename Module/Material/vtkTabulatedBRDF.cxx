@@ -110,9 +110,7 @@ glm::dvec3 ToUnit(int parameterization, int azimuthRange, const glm::dvec3& i, c
   const bool half = azimuthRange == vtkTabulatedBRDF::HALF_TURN;
   if (parameterization == vtkTabulatedBRDF::HALF_DIFFERENCE)
   {
-    const HalfDifference angles = ToHalfDifference(i, o);
-    return { angles.PhiD / (half ? Pi : 2.0 * Pi), angles.ThetaD * (2.0 / Pi),
-      ThetaHToUnit(angles.ThetaH) };
+    return ToHalfDifferenceUnit(i, o, half);
   }
   double phi = std::atan2(i.x * o.y - i.y * o.x, i.x * o.x + i.y * o.y);
   if (half)

@@ -277,6 +277,14 @@ vtkBRDF* vtkTensorTreeBRDF::GetRenderable()
 }
 
 //------------------------------------------------------------------------------
+vtkBRDF* vtkTensorTreeBRDF::NewQuickRenderable()
+{
+  vtkSmartPointer<vtkBRDF> table = this->Resampled->GetQuick(this);
+  table->Register(nullptr);
+  return table;
+}
+
+//------------------------------------------------------------------------------
 void vtkTensorTreeBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
 {
   this->GetRenderable()->GetShaderInputs(form);

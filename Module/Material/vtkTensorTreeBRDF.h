@@ -64,6 +64,7 @@ public:
   bool IsIsotropic() override { return this->Data.Dimensions == 3; }
   bool IsReciprocal() override { return false; }
   vtkBRDF* GetRenderable() override;
+  VTK_NEWINSTANCE vtkBRDF* NewQuickRenderable() override;
   void GetShaderInputs(vtkBRDFShaderInputs& form) override;
   std::string GetModelName() override { return "TensorTree"; }
   VTK_WRAPEXCLUDE void ExchangeData(vtkBRDFExchange& exchange) override;

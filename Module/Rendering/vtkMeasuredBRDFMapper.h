@@ -154,9 +154,9 @@ public:
    * tolerance or the costs change later, a thread plans and pictures stay as they were, environment
    * and material alike, until a Render finds the new plan made. A change meanwhile stops that
    * thread's work and begins anew. BACKGROUND_FROM_START: so is the first; until it is made, a
-   * vtkHybridRadianceIntegrator of 33 x 8 x 8 stands in for it; for mirror-like materials, 64
-   * quick samples (vtkFilteredRadianceIntegrator); for anisotropic materials, 64 lights
-   * (vtkLightSetRadianceIntegrator as it is made).
+   * quick vtkHybridRadianceIntegrator of 33 x 8 x 8 stands in for it (65 x 8 x 8 for mirror-like
+   * materials) or, for anisotropic materials, 64 lights (vtkLightSetRadianceIntegrator as it is
+   * made), with vtkBRDF::NewQuickRenderable.
    *
    * A mapper cannot bring about a Render by itself, and programs that change a material and write
    * one picture want the new one: hence the default. Interactive programs choose BACKGROUND and

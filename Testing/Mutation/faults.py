@@ -124,8 +124,8 @@ add("Material.distribution-keeps-old-levels", "vtkDistributionBRDF.cxx",
 add("Material.distribution-fresnel-unit", "vtkDistributionBRDF.cxx", "ClampedNeighbors(angles.ThetaD * (2.0 / Pi),",
     "ClampedNeighbors(angles.ThetaD,",
     "Distribution.RetroReflectionInvertsToP|Parity.ClosedForms|LossFit.DistributionComesClose")
-add("Material.tabulated-azimuth-range", "vtkTabulatedBRDF.cxx", "angles.PhiD / (half ? Pi : 2.0 * Pi)",
-    "angles.PhiD / (half ? 2.0 * Pi : Pi)", "Tabulated.InterpolatesTrilinearly")
+add("Material.tabulated-azimuth-range", "Private/VolumeInterpolation.h", "angles.PhiD / (halfTurn ? Pi : 2.0 * Pi)",
+    "angles.PhiD / (halfTurn ? 2.0 * Pi : Pi)", "Tabulated.InterpolatesTrilinearly")
 add("Material.tabulated-divides-by-the-other-cosine", "vtkTabulatedBRDF.cxx",
     "GatherCorners(this->Volume, this->Dimensions, corners), this->CosineWeighted ? o[2]",
     "GatherCorners(this->Volume, this->Dimensions, corners), this->CosineWeighted ? i[2]",
@@ -306,7 +306,7 @@ add("Integration.filtered-lamps-without-cosine", "vtkFilteredRadianceIntegrator.
 add("Integration.filtered-keeps-samples-of-the-old-material", "vtkFilteredRadianceIntegrator.cxx",
     "impl.SamplesTime < this->BRDF->GetMTime() ||", "", "FilteredIntegrator.FollowsItsInputs")
 add("Integration.filtered-keeps-the-number-of-samples", "vtkFilteredRadianceIntegrator.cxx",
-    "impl.Samples->GetNumberOfSamples() != this->NumberOfSamples ||", "impl.Samples->GetNumberOfSamples() < 1 ||",
+    "impl.Samples->GetNumberOfSamples() != this->NumberOfSamples)", "impl.Samples->GetNumberOfSamples() < 1)",
     "FilteredIntegrator.FollowsItsInputs|FilteredReference.Converges")
 add("Integration.filtered-level-of-the-sphere", "vtkFilteredRadianceIntegrator.cxx",
     "pyramid.GetNumberOfLevels() - 1 + bias", "pyramid.GetNumberOfLevels() + 1 + bias",
@@ -660,8 +660,20 @@ add("Planning.file-with-a-choice-too-many", "Private/PlanFile.cxx", "read.Choice
 # Rendering
 
 add("Rendering.stand-in-of-the-other-kind", "Private/SharedIntegrators.cxx",
-    "IsMirrorLike(brdf) ? static_cast", "!IsMirrorLike(brdf) ? static_cast",
-    "Background.SamplesForMirrorLikeMaterialsUnderPanels")
+    "IsMirrorLike(brdf) ?", "!IsMirrorLike(brdf) ?", "Background.MoreRowsForMirrorLikeMaterialsUnderPanels")
+add("Rendering.stand-in-is-the-material", "Private/StandInBRDF.cxx", "made->Quick = quick;",
+    "made->Quick = material->GetRenderable();", "Background.ACoarseFormForShadersUntilThePlan")
+add("Material.cells-of-one-side-only", "Private/HalfDifferenceFill.cxx",
+    "const bool mirrored = !reciprocal && IsMirroredAtH(input);", "const bool mirrored = !reciprocal;",
+    "HalfDifferenceFill.EachCellHoldsItsOwnValue")
+add("Material.cells-slide-too-early", "Private/HalfDifferenceFill.cxx", "cell.IsSlid ? value : nullptr",
+    "cell.IsSlid || y > 2 ? value : nullptr", "HalfDifferenceFill.EachCellHoldsItsOwnValue")
+add("Material.resampled-from-seven-corners", "vtkBRDFResampler.cxx", "corner < 8; ++corner", "corner < 7; ++corner",
+    "Resampler.ErrorFallsAndIsReported")
+add("Material.quick-for-another-tolerance", "Private/RenderableTable.h", "this->Table && this->Tolerance == tolerance",
+    "this->Table && tolerance > 0.0", "QuickTables.StandInUntilTheRealOneIsMade")
+add("Integration.quick-is-slow", "vtkTableRadianceIntegrator.cxx", "std::make_shared<Precomputation>(this->Quick)",
+    "std::make_shared<Precomputation>()", "Tables.QuickOnesEvaluateLittle")
 add("Rendering.plan-key-without-costs", "Private/SharedPlans.h", "this->Costs, this->SeenTime",
     "std::string(), this->SeenTime", "Background.EverythingThatCountsBeginsAnother")
 add("Rendering.plan-key-without-pixels-of-the-light", "Private/SharedPlans.h", "this->Environment, this->PixelsTime,",

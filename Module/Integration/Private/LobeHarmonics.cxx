@@ -19,8 +19,6 @@ namespace measuredbrdf
 {
 namespace
 {
-constexpr int Cells = 512; // that tell where the kernel is
-
 // Nodes that tell whether f is the same on both sides of the plane of incidence: one in so many.
 constexpr std::size_t ProbeStride = 37;
 constexpr double LargestAsymmetry = 1e-9; // of the value: less is rounding
@@ -63,10 +61,10 @@ bool IsMirrored(vtkBRDF* brdf, const std::vector<LobeNode>& polar,
 }
 }
 
-LobeHarmonics::LobeHarmonics(vtkBRDF* brdf, double theta, int resolution)
+LobeHarmonics::LobeHarmonics(vtkBRDF* brdf, double theta, int resolution, int cells)
 {
   const glm::dvec3 o(std::sin(theta), 0.0, std::cos(theta));
-  const LobeQuadrature quadrature(brdf, o, Cells);
+  const LobeQuadrature quadrature(brdf, o, cells);
   this->Means = LobeMeans(quadrature);
   std::vector<glm::dvec2> polar, azimuths;
   for (const LobeQuadrature::Cell& cell : quadrature.GetCells())

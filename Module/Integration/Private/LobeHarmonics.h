@@ -27,8 +27,9 @@ class LobeHarmonics
 {
 public:
   /// Of a prepared, isotropic BRDF seen at polar angle theta < pi/2, o = (sin theta, 0, cos theta).
-  /// resolution: nodes of the integrals over theta_i and phi_i; they crowd where the kernel is.
-  LobeHarmonics(vtkBRDF* brdf, double theta, int resolution);
+  /// resolution: nodes of the integrals over theta_i and phi_i; they crowd where the kernel is,
+  /// which so many cells tell.
+  LobeHarmonics(vtkBRDF* brdf, double theta, int resolution, int cells);
 
   const LobeMeans& GetMeans() const { return this->Means; }
 

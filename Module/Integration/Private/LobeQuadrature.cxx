@@ -17,7 +17,7 @@ namespace measuredbrdf
 {
 namespace
 {
-constexpr int Seeds = 256;       // draws from the material that tell where its lobes are
+constexpr int MostSeeds = 256;   // draws from the material that tell where its lobes are
 constexpr int PointsPerSide = 4; // of a cell, at their centers
 constexpr int KnownLevels = 6;
 constexpr int Levels = 14; // deepest cells: 0.009 degrees a side
@@ -197,17 +197,18 @@ double GetPriority(const Node& node)
 }
 
 // Lobes that fall between the points of large cells.
-int SplitWhereLobesAre(vtkBRDF* brdf, const glm::dvec3& o, int leaves, int most, Tree& tree)
+int SplitWhereLobesAre(
+  vtkBRDF* brdf, const glm::dvec3& o, int seeds, int leaves, int most, Tree& tree)
 {
-  for (int k = 0; k < Seeds && leaves < most; ++k)
+  for (int k = 0; k < seeds && leaves < most; ++k)
   {
     glm::dvec3 i;
     if (!brdf->Sample(
-          &o.x, (k + 0.5) / Seeds, RadicalInverse(static_cast<unsigned int>(k), 2), &i.x))
+          &o.x, (k + 0.5) / seeds, RadicalInverse(static_cast<unsigned int>(k), 2), &i.x))
     {
       continue;
     }
-    const double wanted = 8.0 / (Seeds * std::max(brdf->Pdf(&i.x, &o.x), 1e-3));
+    const double wanted = 8.0 / (seeds * std::max(brdf->Pdf(&i.x, &o.x), 1e-3));
     const glm::dvec2 p = ToSquare(i);
     for (int leaf = tree.FindLeaf(p); leaves < most; leaf = tree.FindLeaf(p))
     {
@@ -285,7 +286,7 @@ LobeQuadrature::LobeQuadrature(vtkBRDF* brdf, const glm::dvec3& o, int count)
       tree.Split(first);
     }
   }
-  int leaves = SplitWhereLobesAre(brdf, o, 16, count / 2, tree);
+  int leaves = SplitWhereLobesAre(brdf, o, std::min(count, MostSeeds), 16, count / 2, tree);
   leaves = SplitTowardsTheViewer(brdf, o, leaves, count * 3 / 4, tree);
   SplitByPriority(leaves, count, tree);
   for (const Node& node : tree.Nodes)

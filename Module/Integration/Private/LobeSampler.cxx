@@ -22,7 +22,6 @@ constexpr int RetroDraws = 256; // that tell how much lies about the view
 
 constexpr int NumberOfCells = Polars * Azimuths;
 constexpr int TableViews = 48;
-constexpr int CoarseViews = 8;
 
 glm::dvec3 GetHalfVector(double cosine, double azimuth)
 {
@@ -73,38 +72,28 @@ double GetSum(vtkBRDF* brdf, const glm::dvec3& i, const glm::dvec3& o)
 }
 
 // Tabulated views are denser towards the horizon, where f changes fast.
-double GetTableTheta(int view, int views)
+double GetTableTheta(int view)
 {
-  const double rest = 1.0 - (view + 0.5) / views;
+  const double rest = 1.0 - (view + 0.5) / TableViews;
   return 0.5 * Pi * (1.0 - rest * rest);
 }
 }
 
-LobeTable::LobeTable(vtkBRDF* brdf, bool coarse)
-  : Views(coarse ? CoarseViews : TableViews)
-  , Values(static_cast<std::size_t>(this->Views * NumberOfCells), 0.0f)
+LobeTable::LobeTable(vtkBRDF* brdf)
+  : Values(static_cast<std::size_t>(TableViews * NumberOfCells), 0.0f)
 {
-  const int polars = coarse ? 2 : 1; // that share a half vector
-  const int azimuths = coarse ? 4 : 1;
-  vtkSMPTools::For(0, this->Views, 1,
+  vtkSMPTools::For(0, TableViews, 1,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType view = begin; view < end; ++view)
       {
-        const double theta = GetTableTheta(static_cast<int>(view), this->Views);
+        const double theta = GetTableTheta(static_cast<int>(view));
         const glm::dvec3 o(std::sin(theta), 0.0, std::cos(theta));
         float* values = &this->Values[static_cast<std::size_t>(view * NumberOfCells)];
         for (int cell = 0; cell < NumberOfCells; ++cell)
         {
-          const int polar = cell % Polars;
-          const int azimuth = cell / Polars;
-          const int known = (azimuth - azimuth % azimuths) * Polars + polar - polar % polars;
           const glm::dvec3 i = ReflectAbout(o, GetGrid().Middles[cell]);
-          // What is shared says nothing where its own light comes from below the horizon.
-          const bool isShared = known < cell && ReflectAbout(o, GetGrid().Middles[known]).z > 0.0;
-          values[cell] = isShared    ? values[known]
-                         : i.z > 0.0 ? static_cast<float>(GetSum(brdf, i, o))
-                                     : 0.0f;
+          values[cell] = i.z > 0.0 ? static_cast<float>(GetSum(brdf, i, o)) : 0.0f;
         }
       }
     });
@@ -113,9 +102,9 @@ LobeTable::LobeTable(vtkBRDF* brdf, bool coarse)
 void LobeTable::Read(const glm::dvec3& o, std::vector<double>& f) const
 {
   const double theta = std::atan2(o.x, o.z);
-  const double at = this->Views * (1.0 - std::sqrt(std::max(1.0 - theta / (0.5 * Pi), 0.0))) - 0.5;
-  const int low = std::clamp(static_cast<int>(std::floor(at)), 0, this->Views - 1);
-  const int high = std::clamp(static_cast<int>(std::floor(at)) + 1, 0, this->Views - 1);
+  const double at = TableViews * (1.0 - std::sqrt(std::max(1.0 - theta / (0.5 * Pi), 0.0))) - 0.5;
+  const int low = std::clamp(static_cast<int>(std::floor(at)), 0, TableViews - 1);
+  const int high = std::clamp(static_cast<int>(std::floor(at)) + 1, 0, TableViews - 1);
   const float* first = &this->Values[static_cast<std::size_t>(low * NumberOfCells)];
   const float* second = &this->Values[static_cast<std::size_t>(high * NumberOfCells)];
   for (std::size_t cell = 0; cell < static_cast<std::size_t>(NumberOfCells); ++cell)

@@ -26,15 +26,13 @@ namespace measuredbrdf
 class LobeTable
 {
 public:
-  /// Of a prepared BRDF. coarse: a forty-eighth of the evaluations, for draws that need not be
-  /// good: one view in six, and one half vector for 2 x 4 cells.
-  explicit LobeTable(vtkBRDF* brdf, bool coarse = false);
+  /// Of a prepared BRDF.
+  explicit LobeTable(vtkBRDF* brdf);
 
   /// Sum of f's channels in each cell, the largest of the views about o, whose y is 0.
   void Read(const glm::dvec3& o, std::vector<double>& f) const;
 
 private:
-  int Views;
   std::vector<float> Values; // view, cell
 };
 

@@ -16,11 +16,13 @@ namespace measuredbrdf
 namespace
 {
 constexpr int ViewCells = 512; // of a view's quadrature
+constexpr int QuickCells = 128;
 
 // Views are found from coarse to fine: one is interpolated where those about it agree, by so much
 // of the albedo and so many radians, with what their neighbors say.
 constexpr int Stride = 8;
 constexpr double LargestBend = 1e-3;
+constexpr double LargestQuickBend = 0.03;
 
 constexpr double KnotPower = 1.5;   // 1: evenly spaced
 constexpr double FastestAxis = 1.5; // times the view's angle; mirror directions: 1
@@ -53,16 +55,18 @@ double LobeViews::GetKnotPosition(double angle, int count)
 
 const std::atomic<bool> LobeViews::Never{ false };
 
-LobeViews::LobeViews(vtkBRDF* brdf, const std::atomic<bool>& abort)
+LobeViews::LobeViews(vtkBRDF* brdf, const std::atomic<bool>& abort, bool quick)
   : Views(NumberOfViews)
 {
+  const int cells = quick ? QuickCells : ViewCells;
+  const double bend = quick ? LargestQuickBend : LargestBend;
   std::vector<int> wanted;
   for (int k = 0; k < NumberOfViews - 1; k += Stride)
   {
     wanted.push_back(k);
   }
   wanted.push_back(NumberOfViews - 1);
-  this->Evaluate(brdf, wanted, abort);
+  this->Evaluate(brdf, wanted, cells, abort);
   std::vector<int> known = wanted; // sorted
   std::vector<std::pair<int, int>> gaps;
   for (std::size_t k = 0; k + 1 < known.size(); ++k)
@@ -78,14 +82,14 @@ LobeViews::LobeViews(vtkBRDF* brdf, const std::atomic<bool>& abort)
       wanted.push_back((low + high) / 2);
       guesses.push_back(this->Interpolate(known, wanted.back()));
     }
-    this->Evaluate(brdf, wanted, abort);
+    this->Evaluate(brdf, wanted, cells, abort);
     std::vector<std::pair<int, int>> finer;
     for (std::size_t k = 0; k < gaps.size(); ++k)
     {
       const auto [low, high] = gaps[k];
       const int middle = wanted[k];
       const LobeMeans& means = this->Views[static_cast<std::size_t>(middle)].Means;
-      if (LobeMeans::GetDistance(means, guesses[k]) > LargestBend)
+      if (LobeMeans::GetDistance(means, guesses[k]) > bend)
       {
         for (const auto& gap : { std::pair(low, middle), std::pair(middle, high) })
         {
@@ -145,7 +149,7 @@ double LobeViews::GetAxis(double theta) const
 }
 
 void LobeViews::Evaluate(
-  vtkBRDF* brdf, const std::vector<int>& indices, const std::atomic<bool>& abort)
+  vtkBRDF* brdf, const std::vector<int>& indices, int cells, const std::atomic<bool>& abort)
 {
   vtkSMPTools::For(0, static_cast<vtkIdType>(indices.size()), 1,
     [&](vtkIdType begin, vtkIdType end)
@@ -155,7 +159,7 @@ void LobeViews::Evaluate(
         const int index = indices[static_cast<std::size_t>(k)];
         const double theta = GetAngle(index);
         const LobeQuadrature quadrature(
-          brdf, glm::dvec3(std::sin(theta), 0.0, std::cos(theta)), ViewCells);
+          brdf, glm::dvec3(std::sin(theta), 0.0, std::cos(theta)), cells);
         View& view = this->Views[static_cast<std::size_t>(index)];
         view.Means = LobeMeans(quadrature);
         for (const LobeQuadrature::Cell& cell : quadrature.GetCells())

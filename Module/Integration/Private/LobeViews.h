@@ -40,8 +40,9 @@ public:
   static double GetKnotPosition(double angle, int count);
   ///@}
 
-  /// Of a prepared, isotropic BRDF. Of no use where it was aborted.
-  explicit LobeViews(vtkBRDF* brdf, const std::atomic<bool>& abort = Never);
+  /// Of a prepared, isotropic BRDF. Of no use where it was aborted. quick: by a sixth of the
+  /// evaluations.
+  explicit LobeViews(vtkBRDF* brdf, const std::atomic<bool>& abort = Never, bool quick = false);
 
   struct Cell
   {
@@ -68,7 +69,8 @@ public:
 private:
   static const std::atomic<bool> Never;
 
-  void Evaluate(vtkBRDF* brdf, const std::vector<int>& indices, const std::atomic<bool>& abort);
+  void Evaluate(
+    vtkBRDF* brdf, const std::vector<int>& indices, int cells, const std::atomic<bool>& abort);
   void LimitAxes();
   LobeMeans Interpolate(const std::vector<int>& known, int index) const;
 

@@ -13,7 +13,17 @@
 
 namespace measuredbrdf
 {
-MaterialPrecomputation::MaterialPrecomputation() = default;
+namespace
+{
+// That tell where a kernel is.
+constexpr int KernelCells = 512;
+constexpr int QuickKernelCells = 128;
+}
+
+MaterialPrecomputation::MaterialPrecomputation(bool quick)
+  : Quick(quick)
+{
+}
 
 MaterialPrecomputation::~MaterialPrecomputation() = default;
 
@@ -32,8 +42,9 @@ const MaterialPrecomputation::Kernels& MaterialPrecomputation::GetKernels(
       {
         for (vtkIdType k = begin; k < end && !abort; ++k)
         {
-          kernels[static_cast<std::size_t>(k)] = std::make_unique<LobeHarmonics>(
-            brdf, LobeViews::GetKnotAngle(static_cast<int>(k), angles), resolution);
+          kernels[static_cast<std::size_t>(k)] = std::make_unique<LobeHarmonics>(brdf,
+            LobeViews::GetKnotAngle(static_cast<int>(k), angles), resolution,
+            this->Quick ? QuickKernelCells : KernelCells);
         }
       });
   }
@@ -89,7 +100,7 @@ const LobeViews& MaterialPrecomputation::GetViews(vtkBRDF* brdf, const std::atom
 {
   if (!this->AreViewsWhole)
   {
-    this->Views = std::make_unique<LobeViews>(brdf, abort);
+    this->Views = std::make_unique<LobeViews>(brdf, abort, this->Quick);
     this->AreViewsWhole = !abort;
   }
   return *this->Views;

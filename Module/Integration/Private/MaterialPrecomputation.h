@@ -34,7 +34,9 @@ namespace measuredbrdf
 class MaterialPrecomputation
 {
 public:
-  MaterialPrecomputation();
+  /// quick: of an isotropic material by far fewer evaluations, for a table that nothing is promised
+  /// of.
+  explicit MaterialPrecomputation(bool quick = false);
   ~MaterialPrecomputation();
 
   /// Kernels at so many view angles (LobeViews::GetKnotAngle). Null ones where it was aborted.
@@ -72,6 +74,7 @@ public:
   std::size_t GetBytes() const;
 
 private:
+  const bool Quick;
   std::map<std::pair<int, int>, Kernels> KernelsOf; // angles, resolution
   struct Expansion
   {
@@ -92,6 +95,8 @@ private:
 /// What public headers call it.
 class vtkRadianceIntegrator::Precomputation : public measuredbrdf::MaterialPrecomputation
 {
+public:
+  using MaterialPrecomputation::MaterialPrecomputation;
 };
 
 #endif

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 namespace measuredbrdf
 {
@@ -28,40 +27,19 @@ glm::dvec2 GetPoint(int k, int count)
 {
   return glm::dvec2((k + 0.5) / count, Wrap01(0.5 + k * 0.6180339887498949));
 }
-
-// By draws that follow f cos, whose weights hardly vary.
-glm::dvec3 EstimateAlbedo(vtkBRDF* brdf, const LobeSampler& lobe, const glm::dvec3& o)
-{
-  constexpr int draws = 128;
-  glm::dvec3 sum(0.0);
-  for (int k = 0; k < draws; ++k)
-  {
-    double density = 0.0;
-    const glm::dvec3 i = lobe.Sample(GetPoint(k, draws), density);
-    if (i.z > 0.0 && density > 0.0)
-    {
-      glm::dvec3 f;
-      brdf->Evaluate(&i.x, &o.x, &f.x);
-      sum += f * (i.z / (density * draws));
-    }
-  }
-  return sum;
-}
 }
 
-ReflectionSamples::ReflectionSamples(
-  vtkBRDF* brdf, int count, bool quick, const std::atomic<bool>& abort)
+ReflectionSamples::ReflectionSamples(vtkBRDF* brdf, int count, const std::atomic<bool>& abort)
   : Count(count)
   , Samples(static_cast<std::size_t>(count) * NumberOfViews,
       Sample{ glm::vec3(0.0f, 0.0f, 1.0f), 0.0f, glm::vec3(0.0f) })
 {
-  const std::unique_ptr<const LobeTable> table(quick ? new LobeTable(brdf, true) : nullptr);
   vtkSMPTools::For(0, NumberOfViews, 1,
-    [this, brdf, &table, &abort](vtkIdType begin, vtkIdType end)
+    [this, brdf, &abort](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType view = begin; view < end && !abort; ++view)
       {
-        this->Tabulate(brdf, table.get(), static_cast<int>(view));
+        this->Tabulate(brdf, static_cast<int>(view));
       }
     });
   // Draws that fall below the horizon weigh nothing, but their neighbors fade towards them: these
@@ -84,10 +62,10 @@ ReflectionSamples::ReflectionSamples(
   }
 }
 
-void ReflectionSamples::Tabulate(vtkBRDF* brdf, const LobeTable* table, int view)
+void ReflectionSamples::Tabulate(vtkBRDF* brdf, int view)
 {
   const glm::dvec3 o = GetView(view);
-  const LobeSampler lobe(brdf, o, table);
+  const LobeSampler lobe(brdf, o);
   if (lobe.IsBlack())
   {
     return;
@@ -110,15 +88,8 @@ void ReflectionSamples::Tabulate(vtkBRDF* brdf, const LobeTable* table, int view
     samples[k].Weight = f * (i.z / density);
     sum += glm::dvec3(samples[k].Weight);
   }
-  glm::dvec3 albedo(0.0);
-  if (table)
-  {
-    albedo = EstimateAlbedo(brdf, lobe, o);
-  }
-  else
-  {
-    brdf->GetDirectionalAlbedo(&o.x, &albedo.x);
-  }
+  glm::dvec3 albedo;
+  brdf->GetDirectionalAlbedo(&o.x, &albedo.x);
   for (int k = 0; k < this->Count; ++k)
   {
     for (int c = 0; c < 3; ++c)

@@ -22,8 +22,6 @@ class vtkBRDF;
 
 namespace measuredbrdf
 {
-class LobeTable;
-
 class ReflectionSamples
 {
 public:
@@ -40,10 +38,9 @@ public:
   /**
    * count samples (a Fibonacci lattice) distributed as f cos (LobeSampler). Each view's weights are
    * scaled to add up to its directional albedo. brdf is isotropic and prepared. Views are tabulated
-   * in parallel; a raised abort leaves the rest black. quick: draws by a coarse table of the lobe,
-   * and albedos by few draws, within some percent.
+   * in parallel; a raised abort leaves the rest black.
    */
-  ReflectionSamples(vtkBRDF* brdf, int count, bool quick, const std::atomic<bool>& abort);
+  ReflectionSamples(vtkBRDF* brdf, int count, const std::atomic<bool>& abort);
 
   int GetNumberOfSamples() const { return this->Count; }
 
@@ -64,7 +61,7 @@ public:
   static glm::dvec3 GetView(int view);
 
 private:
-  void Tabulate(vtkBRDF* brdf, const LobeTable* table, int view);
+  void Tabulate(vtkBRDF* brdf, int view);
 
   int Count;
   std::vector<Sample> Samples;

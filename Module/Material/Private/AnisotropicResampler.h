@@ -20,6 +20,9 @@ namespace measuredbrdf
  * of pairs that chose nothing.
  */
 vtkSmartPointer<vtkAnisotropicTabulatedBRDF> ResampleAnisotropic(vtkBRDF* source, double tolerance);
+
+/// The smallest of these sizes; its error is not measured.
+vtkSmartPointer<vtkAnisotropicTabulatedBRDF> ResampleAnisotropicQuickly(vtkBRDF* source);
 } // namespace measuredbrdf
 
 #endif

@@ -3,6 +3,7 @@
 #include "RenderableTable.h"
 
 #include "AnisotropicResampler.h"
+#include "HalfDifferenceFill.h"
 #include "Printable.h"
 #include "vtkBRDFResampler.h"
 #include "vtkNew.h"
@@ -11,11 +12,25 @@
 
 namespace measuredbrdf
 {
+namespace
+{
+// phi_d, theta_d, theta_h: fine where lobes are sharp.
+constexpr int QuickSize[3] = { 16, 16, 128 };
+
+void NameAfter(vtkBRDF* material, vtkBRDF* table)
+{
+  table->SetResamplingTolerance(material->GetResamplingTolerance());
+  table->SetName(material->GetName());
+  table->SetSource(material->GetSource());
+  table->Prepare(); // which would write to it
+}
+}
+
 vtkBRDF* RenderableTable::Get(vtkBRDF* material, std::string& problem)
 {
   const std::lock_guard<std::mutex> lock(this->Mutex);
   const double tolerance = material->GetResamplingTolerance();
-  if (this->Table && this->Tolerance == tolerance)
+  if (this->IsMade(tolerance))
   {
     return this->Table;
   }
@@ -43,11 +58,31 @@ vtkBRDF* RenderableTable::Get(vtkBRDF* material, std::string& problem)
          << ", asked for " << tolerance << ".";
     problem = text.str();
   }
-  this->Table->SetResamplingTolerance(tolerance);
-  this->Table->SetName(material->GetName());
-  this->Table->SetSource(material->GetSource());
-  this->Table->Prepare(); // which would write to it
+  NameAfter(material, this->Table);
   this->Tolerance = tolerance;
   return this->Table;
+}
+
+vtkSmartPointer<vtkBRDF> RenderableTable::GetQuick(vtkBRDF* material)
+{
+  const std::unique_lock<std::mutex> lock(this->Mutex, std::try_to_lock);
+  if (lock && this->IsMade(material->GetResamplingTolerance()))
+  {
+    return this->Table;
+  }
+  vtkSmartPointer<vtkBRDF> table;
+  if (material->IsIsotropic())
+  {
+    auto quick = vtkSmartPointer<vtkTabulatedBRDF>::New();
+    FillHalfDifference(material, false, QuickSize, quick);
+    quick->SetPrecision(vtkTabulatedBRDF::SHARED_EXPONENT);
+    table = quick;
+  }
+  else
+  {
+    table = ResampleAnisotropicQuickly(material);
+  }
+  NameAfter(material, table);
+  return table;
 }
 } // namespace measuredbrdf

@@ -27,7 +27,13 @@ public:
   /// tolerance.
   vtkBRDF* Get(vtkBRDF* material, std::string& problem);
 
+  /// That table if it is made; else a new one of a fixed, coarse size, whose error nobody measures.
+  /// Waits for no thread that makes the other.
+  vtkSmartPointer<vtkBRDF> GetQuick(vtkBRDF* material);
+
 private:
+  bool IsMade(double tolerance) const { return this->Table && this->Tolerance == tolerance; }
+
   std::mutex Mutex;
   vtkSmartPointer<vtkBRDF> Table;
   double Tolerance = 0.0;

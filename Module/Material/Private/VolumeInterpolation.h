@@ -8,6 +8,8 @@
 #ifndef VolumeInterpolation_h
 #define VolumeInterpolation_h
 
+#include "HalfVector.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -17,6 +19,15 @@ namespace measuredbrdf
 {
 /// With less than this weight on valid corners there is no value. The shader has the same limit.
 constexpr double MinimumValidWeight = 1e-4;
+
+/// Angles of a pair in units of a half/difference volume's axes: phi_d (periodic), theta_d,
+/// theta_h.
+inline glm::dvec3 ToHalfDifferenceUnit(const glm::dvec3& i, const glm::dvec3& o, bool halfTurn)
+{
+  const HalfDifference angles = ToHalfDifference(i, o);
+  return { angles.PhiD / (halfTurn ? Pi : 2.0 * Pi), angles.ThetaD * (2.0 / Pi),
+    ThetaHToUnit(angles.ThetaH) };
+}
 
 /// Two neighboring samples and their weights, along one axis.
 struct AxisCorners
@@ -62,6 +73,16 @@ struct VolumeSum
   double Valid = 0.0;
 };
 
+/// The index of one of the eight.
+inline std::size_t GetCorner(const VolumeCorners& corners, const int dimensions[3], int corner)
+{
+  return static_cast<std::size_t>(corners.X.Index[corner & 1]) +
+         static_cast<std::size_t>(dimensions[0]) *
+           (static_cast<std::size_t>(corners.Y.Index[(corner >> 1) & 1]) +
+             static_cast<std::size_t>(dimensions[1]) *
+               static_cast<std::size_t>(corners.Z.Index[corner >> 2]));
+}
+
 /// RGB triples of a volume, NaN: invalid.
 inline VolumeSum GatherCorners(
   const std::vector<float>& volume, const int dimensions[3], const VolumeCorners& corners)
@@ -71,12 +92,7 @@ inline VolumeSum GatherCorners(
   {
     const int a = corner & 1, b = (corner >> 1) & 1, c = corner >> 2;
     const double w = corners.X.Weight[a] * corners.Y.Weight[b] * corners.Z.Weight[c];
-    const std::size_t cell =
-      static_cast<std::size_t>(corners.X.Index[a]) +
-      static_cast<std::size_t>(dimensions[0]) *
-        (static_cast<std::size_t>(corners.Y.Index[b]) +
-          static_cast<std::size_t>(dimensions[1]) * static_cast<std::size_t>(corners.Z.Index[c]));
-    const float* v = &volume[3 * cell];
+    const float* v = &volume[3 * GetCorner(corners, dimensions, corner)];
     if (!std::isnan(v[0]))
     {
       sum.Valid += w;

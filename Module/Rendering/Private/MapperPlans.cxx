@@ -29,6 +29,7 @@ PlanInputs GetInputsForEveryView(const PlanRequest& request)
 {
   PlanInputs inputs(request.BRDF, request.Environment, request.Tolerance, request.Costs);
   inputs.CacheFolder = request.CacheFolder;
+  inputs.WithForm = request.WithForm;
   return inputs;
 }
 }
@@ -332,6 +333,10 @@ CurrentPlan& MapperPlans::Update(const PlanRequest& request, bool& changed, std:
   View& view = this->FindView(request);
   this->Last = &view;
   const PlanInputs wanted = GetInputs(view, request);
+  if (request.StandIn && view.Plan.Lacks(wanted, request.Timing))
+  {
+    request.StandIn();
+  }
   if (request.Others && !view.Plan.IsPending() && view.Plan.NeedsTime(wanted, request.Timing))
   {
     this->BeginSideBySide(view, wanted, request);

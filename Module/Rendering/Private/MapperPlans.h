@@ -51,6 +51,7 @@ struct PlanRequest
   vtkRenderer* Renderer = nullptr;
   vtkActor* Actor = nullptr;
   std::vector<vtkPolyData*> Surfaces; // what ForView looks at
+  bool WithForm = false;              // PlanInputs::WithForm
 
   /// Visits what other mappers of the renderer want to draw by in the same frame (this one may be
   /// among them): where Update has to plan at once, it begins theirs side by side. May be empty.
@@ -60,6 +61,10 @@ struct PlanRequest
   /// Called now and then while Update plans in the calling thread, with the share that is done;
   /// false stops it. May be empty.
   CurrentPlan::Progress Progress;
+
+  /// Called before Update begins a plan on a thread where nothing else can be drawn by: what stands
+  /// in for it is wanted first, and has all cores to itself. May be empty.
+  std::function<void()> StandIn;
 };
 
 class MapperPlans

@@ -142,6 +142,7 @@ PlanRequest MaterialDrawing::GetRequest(const MaterialUse& use, const FrameState
   request.Renderer = state.Renderer;
   request.Actor = state.Actor;
   request.Surfaces = use.second;
+  request.WithForm = this->Settings->UseSceneLights && HasLight(state.Renderer);
   return request;
 }
 
@@ -182,6 +183,18 @@ void MaterialDrawing::ResolvePlan(
   PlanRequest request = this->GetRequest(use, state);
   request.Others = [&state](const PlanRequest::Visit& visit)
   { VisitRequests(state.Renderer, visit); };
+  vtkSmartPointer<vtkRadianceIntegrator> standIn; // for the time of this function
+  request.StandIn = [&standIn, &drawn]()
+  {
+    standIn = FindStandIn(drawn.BRDF, drawn.Environment);
+    try
+    {
+      standIn->Prepare();
+    }
+    catch (const std::exception&) // what draws it says so
+    {
+    }
+  };
   this->AbortPlanning = false;
   request.Progress = [this](double progress)
   {
@@ -237,6 +250,7 @@ void MaterialDrawing::ResolveIntegrator(
     if (!drawn.Integrator)
     {
       drawn.Integrator = FindStandIn(drawn.BRDF, drawn.Environment);
+      drawn.BRDF = drawn.Integrator->GetBRDF(); // whose form for shaders is made at once
     }
   }
 }

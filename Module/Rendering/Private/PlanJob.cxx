@@ -147,6 +147,7 @@ std::shared_ptr<PlanJob> PlanJob::Find(const PlanInputs& inputs)
     job = find(lock);
     if (job && job->Users > 0) // else it is about to stop
     {
+      job->WithForm = job->WithForm || inputs.WithForm;
       ++job->Users;
       return job;
     }
@@ -157,6 +158,7 @@ std::shared_ptr<PlanJob> PlanJob::Find(const PlanInputs& inputs)
     return nullptr;
   }
   const auto made = std::make_shared<PlanJob>(planner);
+  made->WithForm = inputs.WithForm;
   const Queue::Lock lock(queue.Mutex);
   if (!queue.Add(made.get(), lock))
   {
@@ -194,6 +196,10 @@ void PlanJob::Run()
   try
   {
     this->Succeeded = this->Planner->Update();
+    if (this->Succeeded && this->WithForm)
+    {
+      brdf->GetRenderable(); // here, not where it is drawn
+    }
   }
   catch (const std::exception& e) // no memory, say: nobody catches it above a thread
   {

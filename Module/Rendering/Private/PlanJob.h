@@ -74,6 +74,7 @@ private:
   int Users = 0; // the queue's lock guards it
   std::string Problem;
   bool Succeeded = false;
+  std::atomic<bool> WithForm{ false };
   std::atomic<bool> Done{ true }; // until it is queued
 };
 } // namespace measuredbrdf

@@ -3,9 +3,9 @@
 #include "SharedIntegrators.h"
 
 #include "SharedObjects.h"
+#include "StandInBRDF.h"
 #include "vtkBRDF.h"
 #include "vtkEnvironment.h"
-#include "vtkFilteredRadianceIntegrator.h"
 #include "vtkHybridRadianceIntegrator.h"
 #include "vtkLightSetRadianceIntegrator.h"
 
@@ -76,23 +76,29 @@ bool IsMirrorLike(vtkBRDF* brdf)
   }
 }
 
-// Made in a tenth of a second, a third for measured materials.
-vtkHybridRadianceIntegrator* NewSmallTable()
+// With a form for shaders that is made at once. The material itself where there is no memory: what
+// draws it says so, once.
+vtkSmartPointer<vtkBRDF> MakeStandInBRDF(vtkBRDF* brdf)
 {
-  vtkHybridRadianceIntegrator* table = vtkHybridRadianceIntegrator::New();
-  table->SetNumberOfRows(33);
-  table->SetNumberOfViewAngles(8);
-  table->SetNumberOfAzimuths(8);
-  return table;
+  try
+  {
+    return StandInBRDF::Make(brdf);
+  }
+  catch (const std::exception&)
+  {
+    return brdf;
+  }
 }
 
-// Made in hundredths of a second, but drawn in several times a table's.
-vtkFilteredRadianceIntegrator* NewSamples()
+// Made in a few hundredths of a second. Mirror-like materials need more rows.
+vtkHybridRadianceIntegrator* NewTable(int rows)
 {
-  vtkFilteredRadianceIntegrator* samples = vtkFilteredRadianceIntegrator::New();
-  samples->SetNumberOfSamples(64);
-  samples->QuickOn();
-  return samples;
+  vtkHybridRadianceIntegrator* table = vtkHybridRadianceIntegrator::New();
+  table->SetNumberOfRows(rows);
+  table->SetNumberOfViewAngles(8);
+  table->SetNumberOfAzimuths(8);
+  table->QuickOn();
+  return table;
 }
 }
 
@@ -110,17 +116,16 @@ vtkSmartPointer<vtkRadianceIntegrator> FindIntegrator(
 vtkSmartPointer<vtkRadianceIntegrator> FindStandIn(vtkBRDF* brdf, vtkEnvironment* environment)
 {
   static vtkLightSetRadianceIntegrator& lights = *vtkLightSetRadianceIntegrator::New();
-  static vtkHybridRadianceIntegrator& table = *NewSmallTable();
-  static vtkFilteredRadianceIntegrator& samples = *NewSamples();
+  static vtkHybridRadianceIntegrator& table = *NewTable(33);
+  static vtkHybridRadianceIntegrator& finer = *NewTable(65);
   return GetCopies().Find({ &table, brdf->GetMTime(), brdf, environment },
     [&]()
     {
-      vtkRadianceIntegrator* wanted = &lights;
-      if (IsIsotropic(brdf))
-      {
-        wanted = IsMirrorLike(brdf) ? static_cast<vtkRadianceIntegrator*>(&samples) : &table;
-      }
-      return NewCopyFor(wanted, brdf, environment);
+      const bool isotropic = IsIsotropic(brdf);
+      return NewCopyFor(!isotropic           ? static_cast<vtkRadianceIntegrator*>(&lights)
+                        : IsMirrorLike(brdf) ? &finer
+                                             : &table,
+        MakeStandInBRDF(brdf), environment);
     });
 }
 

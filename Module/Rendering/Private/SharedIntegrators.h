@@ -22,8 +22,9 @@ namespace measuredbrdf
 vtkSmartPointer<vtkRadianceIntegrator> FindIntegrator(
   vtkRadianceIntegrator* wanted, vtkBRDF* brdf, vtkEnvironment* environment);
 
-/// For as long as there is no plan, with suns and lamps as lights: a small table; samples for
-/// mirror-like materials; a small light set for anisotropic ones.
+/// For as long as there is no plan, with suns and lamps as lights: a small table, of more rows for
+/// mirror-like materials; a small light set for anisotropic ones. Its material is the given one, or
+/// a StandInBRDF of it. Not prepared yet.
 vtkSmartPointer<vtkRadianceIntegrator> FindStandIn(vtkBRDF* brdf, vtkEnvironment* environment);
 
 /// Release the copies that no mapper holds any more.

@@ -60,7 +60,12 @@ struct PlanInputs
   static vtkIdType RoundPixels(double pixels);
   vtkIdType Pixels = 0;
 
-  std::string CacheFolder; // where the plan is kept, which changes nothing about it; "": nowhere
+  ///@{
+  /// What changes nothing about the plan: where it is kept ("": nowhere); whether whoever plans
+  /// apart sees to the material's form for shaders, too, because the scene's lights need it.
+  std::string CacheFolder;
+  bool WithForm = false;
+  ///@}
 };
 
 /// A plan's planner, not updated yet, of the objects themselves or, apart, of snapshots of its own,

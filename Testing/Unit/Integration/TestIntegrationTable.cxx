@@ -3,6 +3,7 @@
 // Tables of radiance against the exact sum over every texel, and what must hold exactly.
 
 #include "ErrorCatcher.h"
+#include "GatedBRDF.h"
 #include "HalfVector.h" // for Pi
 #include "NeedsLibrary.h"
 #include "SharedData.h"
@@ -705,4 +706,41 @@ TEST(TableIntegrator, ShaderInputs)
   table->SetBRDF(NewPhong(1e4)); // 0 far from the lobe, to the last bit
   ASSERT_TRUE(table->GetShaderInputs(form));
   EXPECT_EQ(form.Terms[0].Textures.size(), 2u);
+}
+
+// A quick one differs by less than a tenth of what a stand-in may be wrong by, for a fifth of the
+// evaluations.
+TEST(Tables, QuickOnesEvaluateLittle)
+{
+  const auto sky =
+    vtkSmartPointer<vtkEnvironment>::Take(vtkEmbeddedEnvironments::NewEnvironment("room"));
+  for (const double exponent : { 5.0, 60.0 })
+  {
+    vtkNew<GatedBRDF> brdf;
+    brdf->SetExponent(exponent);
+    brdf->SetSpecular(0.4, 0.3, 0.2);
+    SpherePairs pairs;
+    pairs.AddRandom(200);
+    vtkNew<vtkDoubleArray> radiance[2];
+    long evaluations[2] = {};
+    for (const int quick : { 0, 1 })
+    {
+      const auto table = NewTable(brdf, sky, 33);
+      table->SetQuick(quick == 1);
+      brdf->Door->TakePasses();
+      ASSERT_TRUE(table->Prepare());
+      evaluations[quick] = brdf->Door->TakePasses();
+      table->Integrate(pairs.Normals, pairs.Views, radiance[quick]);
+    }
+    double difference = 0.0;
+    double sum = 0.0;
+    for (vtkIdType k = 0; k < radiance[0]->GetNumberOfValues(); ++k)
+    {
+      difference += std::abs(radiance[1]->GetValue(k) - radiance[0]->GetValue(k));
+      sum += radiance[0]->GetValue(k);
+    }
+    RecordProperty("difference", std::to_string(difference / sum));
+    EXPECT_LT(difference, 0.02 * sum) << exponent;
+    EXPECT_LT(5 * evaluations[1], evaluations[0]) << exponent;
+  }
 }

@@ -219,6 +219,7 @@ TEST(RadianceMethods, CopiesHaveEveryProperty)
   table->SetHarmonicDegree(17);
   table->SetSmoothingDegree(3.0);
   table->SetNumberOfNodes(40);
+  table->QuickOn();
   ExpectCopied(table, {});
 
   vtkNew<vtkAnisotropicTableRadianceIntegrator> turned;
@@ -235,10 +236,10 @@ TEST(RadianceMethods, CopiesHaveEveryProperty)
   hybrid->SetNumberOfMaps(3);
   hybrid->SetMaximumNumberOfLights(7);
   hybrid->SetLightAngle(0.33);
+  hybrid->QuickOn();
   ExpectCopied(hybrid, { "Lights" });
   vtkNew<vtkFilteredRadianceIntegrator> filtered;
   filtered->SetNumberOfSamples(5);
-  filtered->QuickOn();
   filtered->SetLevelBias(0.5);
   filtered->ExtractLightsOff();
   ExpectCopied(filtered, { "Extracted lights" });

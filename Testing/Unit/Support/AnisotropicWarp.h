@@ -21,7 +21,7 @@
 struct AnisotropicWarpSizes
 {
   int Thetas = 16; // of the incident direction
-  int Phis = 17;   // over its span
+  int Phis = 17;   // over its span; 1: isotropic
   int Parts = 1;   // of a turn that the span is
   int Side = 65;   // odd, of the grids over the half vector
 };
@@ -43,7 +43,8 @@ inline vtkAdaptiveWarpBRDF::Tables MakeAnisotropicTables(
   }
   for (int p = 0; p < sizes.Phis; ++p) // files begin at -pi
   {
-    tables.PhiI.push_back(static_cast<float>(-pi + 2.0 * pi / sizes.Parts * p / (sizes.Phis - 1)));
+    const double phi = -pi + 2.0 * pi / sizes.Parts * p / std::max(sizes.Phis - 1, 1);
+    tables.PhiI.push_back(sizes.Phis > 1 ? static_cast<float>(phi) : 0.0f);
   }
   const auto flat = [](std::vector<int> shape)
   {
