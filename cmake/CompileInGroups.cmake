@@ -36,10 +36,10 @@ function (measuredbrdf_compile_in_groups target)
   set_target_properties("${target}" PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
 endfunction ()
 
-# Up to eight files that follow one another in the target's list: for targets whose names differ throughout.
+# Up to sixteen files that follow one another in the target's list: for targets whose names differ throughout.
 function (measuredbrdf_compile_together target)
   if (MEASUREDBRDF_COMPILE_IN_GROUPS)
-    set_target_properties("${target}" PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE BATCH UNITY_BUILD_BATCH_SIZE 8)
+    set_target_properties("${target}" PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE BATCH UNITY_BUILD_BATCH_SIZE 16)
     # Classes of tests derive from what is in anonymous namespaces, which a group's file includes.
     target_compile_options("${target}" PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
   endif ()
