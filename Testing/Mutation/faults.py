@@ -1102,10 +1102,10 @@ add("Visibility.sectors-count-backwards", "Private/HiddenSky.cxx", "return Secto
     "return -SectorWidth * sector;", "OcclusionTest.LobesLackTheirHiddenShare")
 add("Visibility.planes-by-sines", "Private/HiddenSky.cxx", "{ return sine / std::sqrt(std::max(1.0 - sine * sine, 2e-4)); }",
     "{ return sine; }", "HiddenSky.PlanesAreFollowedBetweenSectors")
-add("Visibility.lobes-see-whole-panels", "Private/HiddenSky.cxx", "ends(local.z + rise)", "ends(local.z)",
+add("Visibility.lobes-see-whole-panels", "Private/HiddenSky.cxx", "ends(local.z + rise)", "ends(local.z + 0.0 * rise)",
     "HiddenSky.LobesSeeTheirPartOfAPanel")
 add("Visibility.empty-sectors-at-the-horizon", "Private/HiddenIntervals.cxx", "interval = { place, place };",
-    "interval = { 0.0, 0.0 };", "HiddenSky.FloatingBodiesEndBetweenSectors")
+    "interval = { 0.0 * place, 0.0 };", "HiddenSky.FloatingBodiesEndBetweenSectors")
 add("Visibility.strata-without-offset", "Private/HiddenSky.cxx",
     "return ReverseBits(static_cast<unsigned>(sector)) + 0.5 / Sectors;", "return 0.5;",
     "SurfaceVisibility.BlocksHideOneAnother")
