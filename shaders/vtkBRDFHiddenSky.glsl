@@ -90,30 +90,42 @@ void brdfSkySectors(
   brdfSkySector(1.0 / one, 1.0 / last, opposite, rise0, rise1, sum);
 }
 
-// Add a sector's bounds to sum, by how near it is to an azimuth (unit).
-void brdfSkyLampSector(vec2 along, vec2 bounds, vec2 azimuth, inout vec3 sum)
+// Tangents of elevation of a sector's bounds, which are interpolated between sectors, and back.
+vec2 brdfSkyTangents(vec2 bounds)
+{
+  return bounds * inversesqrt(max(65025.0 - bounds * bounds, 13.0));
+}
+
+vec2 brdfSkySines(vec2 tangents)
+{
+  return tangents * inversesqrt(1.0 + tangents * tangents);
+}
+
+// Add a sector's tangents to sum, by how near it is to an azimuth (unit).
+void brdfSkyLampSector(vec2 along, vec2 tangents, vec2 azimuth, inout vec3 sum)
 {
   float weight = max(dot(along, azimuth) - 0.9238795325112867, 0.0);
-  sum += weight * vec3(bounds, 1.0);
+  sum += weight * vec3(tangents, 1.0);
 }
 
 // Of a lamp with this sine of elevation: how far it is from what is hidden, in widths of an edge.
 float brdfSkyLampMargin(vec3 sum, float sine)
 {
-  vec2 bounds = sum.xy / max(sum.z, 1e-6) * (1.0 / 255.0);
+  vec2 bounds = brdfSkySines(sum.xy / max(sum.z, 1e-6));
   float below = bounds.x > 0.5 / 255.0 ? (bounds.x - sine) / 0.04 : -3.0;
   float above = bounds.y < 254.5 / 255.0 ? (sine - bounds.y) / 0.04 : -3.0;
   return bounds.y > bounds.x ? clamp(max(below, above), -3.0, 3.0) : 3.0;
 }
 
-// Where a panel is, in the code's frame: azimuth (unit), and the cosine of azimuths that are too far
-// from it, below -1 where none is.
-vec3 brdfSkyPanelAzimuth(vec3 d, float radius)
+// Where a panel is, in the code's frame: azimuth (unit), the cosine of azimuths that are too far
+// from it, below -1 where none is, and how much more than a sector it covers: 0 to 1.
+vec4 brdfSkyPanelAzimuth(vec3 d, float radius)
 {
   float sine = max(length(d.xy), 1e-6);
-  float width = max(radius, 0.04) / max(sine, 1e-3) + 0.39269908169872414;
-  return vec3(d.xy / sine,
-    cos(min(width, 3.14159265358979)) - max(width - 3.14159265358979, 0.0));
+  float width = max(max(radius, 0.04) / max(sine, 1e-3), 0.39269908169872414);
+  return vec4(d.xy / sine,
+    cos(min(width, 3.14159265358979)) - max(width - 3.14159265358979, 0.0),
+    1.0 - 0.39269908169872414 / width);
 }
 
 // A sector's part of the hidden irradiance from a uniform sky.
@@ -122,26 +134,45 @@ float brdfSkySquare(vec2 bounds)
   return (bounds.y * bounds.y - bounds.x * bounds.x) * (1.0 / (16.0 * 255.0 * 255.0));
 }
 
-// Where a panel begins and ends above the horizon, in the sine of elevation as bytes are.
-vec2 brdfSkyPanelEnds(vec3 d, float radius)
+// Where a panel begins and ends above the horizon, in the sine of elevation. rise: by how much a
+// lobe moves it.
+vec2 brdfSkyPanelEnds(float z, float radius, float rise)
 {
-  float extent = max(radius * max(length(d.xy), 1e-6), 0.04);
-  return vec2(max(d.z - extent, 0.0), min(d.z + extent, 1.0)) * 255.0;
+  float extent = max(1.41421356 * radius * sqrt(max(1.0 - z * z, 0.0)), 0.03);
+  return vec2(max(z + rise - extent, 0.0), min(z + rise + extent, 1.0));
 }
 
-// Add a sector's hidden part of a panel's irradiance, and its weight, to sum.
-void brdfSkyPanelSector(vec2 along, vec2 bounds, vec3 azimuth, vec2 ends, inout vec2 sum)
+// Add a sector's tangents to sum, its hidden part of a panel's irradiance, and its weight.
+void brdfSkyPanelSector(
+  vec2 along, vec2 bounds, vec2 tangents, vec3 azimuth, vec2 ends, inout vec4 sum)
 {
   float weight = max(dot(along, azimuth.xy) - azimuth.z, 0.0);
-  vec2 part = clamp(bounds, ends.x, ends.y);
-  sum += weight * vec2(part.y * part.y - part.x * part.x, 1.0);
+  vec2 part = clamp(bounds * (1.0 / 255.0), ends.x, ends.y);
+  sum += weight * vec4(tangents, part.y * part.y - part.x * part.x, 1.0);
+}
+
+// The edge of what is hidden in the azimuth of a panel, the one nearer to its middle (sine z): below
+// it, 0 to 0.5 (half of its sine), or above it, 0.5 to 1. wide: as brdfSkyPanelAzimuth has it.
+float brdfSkyPanelEdge(vec4 sum, float z, vec2 ends, float wide)
+{
+  float weight = max(sum.w, 1e-6);
+  float bottom = ends.x * ends.x;
+  float all = max(ends.y * ends.y - bottom, 0.0);
+  float top = sqrt(bottom + min(sum.z / weight, all));
+  vec2 bounds = mix(brdfSkySines(sum.xy / weight), vec2(ends.x, top), wide);
+  bool isRoof = bounds.x > 0.5 / 255.0 &&
+    (bounds.y > 254.5 / 255.0 || z < 0.5 * (bounds.x + bounds.y));
+  float edge = isRoof ? 0.5 + 0.5 * bounds.x : 0.5 * bounds.y;
+  return bounds.y > bounds.x ? edge : 0.0;
 }
 
 // Hidden share of a panel.
-float brdfSkyPanelHidden(vec2 sum, vec2 ends)
+float brdfSkyPanelHidden(float edge, vec2 ends)
 {
-  float all = sum.y * (ends.y * ends.y - ends.x * ends.x);
-  return ends.y > ends.x ? clamp(sum.x / max(all, 0.065), 0.0, 1.0) : 0.0;
+  float top = max(ends.x, ends.y);
+  float low = clamp(2.0 * edge - 1.0, ends.x, top);
+  float high = edge < 0.5 ? clamp(2.0 * edge, ends.x, top) : top;
+  return (high * high - low * low) / max(top * top - ends.x * ends.x, 1e-6);
 }
 
 // A panel of this radius (radians) whose middle has sine z of elevation: its mean max(z, 0).
@@ -151,11 +182,14 @@ float brdfSkyPanelRise(float z, float radius)
   return z > radius ? z : rise * rise / (4.0 * radius);
 }
 
-// The mean of exp2(slope . d - kappa) over a panel about unit d.
-float brdfSkyPanelInLobe(vec3 d, float concentration, vec3 slope, float kappa)
+// The mean of exp2(slope . d - kappa) over a panel about unit d. rises: the normal's component of d
+// and of the slope; rise: how much higher than d the middle of the product is.
+float brdfSkyPanelInLobe(
+  vec3 d, float concentration, vec3 slope, float kappa, vec2 rises, out float rise)
 {
   float own = concentration * 1.442695041;
   float both = max(length(slope + own * d), 1e-3);
+  rise = (rises.y + own * rises.x) / both - rises.x;
   return own / both * exp2(both - own - kappa);
 }
 

@@ -1104,16 +1104,22 @@ add("Fetch.files-have-no-names", "FetchCatalog.cxx", "return entry.Name == name 
 
 add("Visibility.hidden-rays-without-cosine", "Private/HiddenSky.cxx", "transfer[j] += d.z * values[j];",
     "transfer[j] += values[j];", "HiddenSky.ACraterHidesTheLowSky")
-add("Visibility.panels-hidden-by-slivers", "Private/HiddenSky.cxx", "return this->Trust * std::clamp(", "return std::clamp(",
+add("Visibility.panels-hidden-by-slivers", "Private/HiddenSky.cxx", "return this->Trust * (high * high", "return (high * high",
     "HiddenSky.SliversAtTheHorizonHideNoPanel")
 add("Visibility.lobes-beyond-the-horizon", "Private/HiddenSky.cxx", "(e + 0.5) / Elevations * std::exp(across", "std::exp(across",
     "HiddenSky.ACraterHidesTheLowSky")
 add("Visibility.margins-of-lamps-cut-off", "Private/HiddenSky.cxx", "-LargestMargin, LargestMargin);", "-0.5, 0.5);",
     "HiddenSky.MarginsSayHowFarLampsAreFromShadows")
-add("Visibility.sectors-count-backwards", "Private/HiddenSky.cxx", "return 2.0 * Pi * sector / HiddenSky::Sectors;",
-    "return -2.0 * Pi * sector / HiddenSky::Sectors;", "OcclusionTest.LobesLackTheirHiddenShare")
+add("Visibility.sectors-count-backwards", "Private/HiddenSky.cxx", "return SectorWidth * sector;",
+    "return -SectorWidth * sector;", "OcclusionTest.LobesLackTheirHiddenShare")
+add("Visibility.planes-by-sines", "Private/HiddenSky.cxx", "{ return sine / std::sqrt(std::max(1.0 - sine * sine, 2e-4)); }",
+    "{ return sine; }", "HiddenSky.PlanesAreFollowedBetweenSectors")
+add("Visibility.lobes-see-whole-panels", "Private/HiddenSky.cxx", "ends(local.z + rise)", "ends(local.z + 0.0 * rise)",
+    "HiddenSky.LobesSeeTheirPartOfAPanel")
+add("Visibility.empty-sectors-at-the-horizon", "Private/HiddenIntervals.cxx", "interval = { place, place };",
+    "interval = { 0.0 * place, 0.0 };", "HiddenSky.FloatingBodiesEndBetweenSectors")
 add("Visibility.strata-without-offset", "Private/HiddenSky.cxx",
-    "return ReverseBits(static_cast<unsigned>(sector)) + 0.5 / HiddenSky::Sectors;", "return 0.5;",
+    "return ReverseBits(static_cast<unsigned>(sector)) + 0.5 / Sectors;", "return 0.5;",
     "SurfaceVisibility.BlocksHideOneAnother")
 add("Visibility.wide-lobes-see-no-light", "Private/HiddenSky.cxx",
     "const double power = 1.0 / (1.0 + kappa / CorrelationKappa);", "const double power = 0.0 * kappa;",

@@ -87,7 +87,11 @@ std::vector<Field> GetFields(const OcclusionMember& member)
   {
     for (std::size_t k = 0; k < member.Light->Panels.size(); ++k)
     {
-      halves.push_back({ "brdfPart" + member.Number + "[" + std::to_string(k) + "]", 1.0 });
+      halves.push_back({ "brdfEdge" + member.Number + "[" + std::to_string(k) + "]", 1.0 });
+    }
+    if (member.HasPanels())
+    {
+      halves.push_back({ "brdfTrust" + member.Number, 1.0 });
     }
   }
   for (std::size_t k = 0; k < member.Lamps; ++k)
@@ -106,8 +110,8 @@ std::string GetName(const OcclusionMember& member, std::size_t vector)
 // Of GetFields, for each frame.
 std::size_t CountVectors(const OcclusionMember& member)
 {
-  const std::size_t halves =
-    (member.HasLobe() ? 3 + member.Light->Panels.size() : 0) + member.Lamps;
+  const std::size_t panels = member.HasPanels() ? member.Light->Panels.size() + 1 : 0;
+  const std::size_t halves = (member.HasLobe() ? 3 + panels : 0) + member.Lamps;
   return (3 + (NeedsRest(member) ? 3 : 0) + (halves + 1) / 2 + 3) / 4;
 }
 

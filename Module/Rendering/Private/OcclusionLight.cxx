@@ -167,8 +167,10 @@ OcclusionLight::Hidden OcclusionLight::GetHidden(
     const double both = std::max(glm::length(slope + panel.Concentration * d), 1e-3);
     const double mean = panel.Concentration / both * std::exp(both - panel.Concentration - kappa);
     const glm::dvec3 inLobe = panel.Irradiance * (cosine * mean / lobe.Integral);
+    // The middle of both lobes' product.
+    const double up = (glm::dot(slope, n) + panel.Concentration * z) / both - z;
     all += inLobe;
-    lost += part * inLobe;
+    lost += sky.GetHiddenPanel(d, radius, up) * inLobe;
   }
   const LampWindow window(this->TableRows);
   const glm::dvec3 axis = lobe.GetAxis(n, view);

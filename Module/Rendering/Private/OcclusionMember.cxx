@@ -181,7 +181,7 @@ std::string OcclusionMember::MakeLampCode() const
             " = vec3(0.0);\n";
     for (int s = 0; s < HiddenSky::Sectors; ++s)
     {
-      text += "  brdfSkyLampSector(" + Along(s) + ", " + Bounds(s) + ", brdfAzimuth" + lamp +
+      text += "  brdfSkyLampSector(" + Along(s) + ", " + Tangents(s) + ", brdfAzimuth" + lamp +
               ", brdfBounds" + lamp + ");\n";
     }
     text += "  " + this->GetLamp(k) + " = brdfSkyLampMargin(brdfBounds" + lamp + ", brdfLamp" +
@@ -204,12 +204,14 @@ std::string OcclusionMember::DeclareResting() const
     text = "  vec3 brdfRest" + this->Number + " = vec3(0.0);\n  vec3 brdfContrast" + this->Number +
            " = vec3(0.0);\n";
   }
-  const std::string parts = "brdfPart" + this->Number + "[";
+  const std::string edges = "brdfEdge" + this->Number + "[";
   const std::size_t panels = this->HasLobe() ? this->Light->Panels.size() : 0;
-  text += panels > 0 ? "  float " + parts + std::to_string(panels) + "];\n" : "";
+  text += panels > 0 ? "  float brdfTrust" + this->Number + " = 0.0;\n  float " + edges +
+                         std::to_string(panels) + "];\n"
+                     : "";
   for (std::size_t k = 0; k < panels; ++k)
   {
-    text += "  " + parts + std::to_string(k) + "] = 0.0;\n";
+    text += "  " + edges + std::to_string(k) + "] = 0.0;\n";
   }
   return text;
 }
@@ -289,12 +291,13 @@ std::string MakeRestingCommonCode()
   vtkShaderProgram::Substitute(
     text, "BRDF_COSINE", Number(HiddenSky::TransferStep * std::sqrt(4.0 * Pi) / Pi));
   // Most points are open: they need no sums over sectors.
-  std::string highs = "0.0";
+  std::string spans = "0.0";
   for (int s = 0; s < HiddenSky::Sectors; ++s)
   {
-    highs += " + " + Byte(4 + 2 * s);
+    spans += " + " + Byte(4 + 2 * s) + " - " + Byte(3 + 2 * s);
+    text += "  vec2 " + Tangents(s) + " = brdfSkyTangents(" + Bounds(s) + ");\n";
   }
-  return text + "  bool brdfSkyMatters = " + highs + " > 0.5;\n";
+  return text + "  bool brdfSkyMatters = " + spans + " > 0.5;\n";
 }
 
 std::string MakeViewCommonCode()

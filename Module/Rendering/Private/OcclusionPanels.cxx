@@ -15,9 +15,11 @@ const char* const BeginShine =
   vec3 brdfLobeLost#M = brdfHiddenLobe#OUTVSOutput * brdfLobeAll#M;
   float brdfWhole#M = 1.0 / brdfLobe#M.z;
 )";
-const char* const Shine = R"(    float shine =
-      brdfSkyPanelInLobe(panel.xyz, panel.w, brdfTurned#M, brdfKappa#M) * brdfWhole#M;
-    brdfSkyAddPanel(light, hidden, shine, brdfLobeAll#M, brdfLobeLost#M);
+const char* const Shine = R"(    float rise;
+    float shine = brdfWhole#M * brdfSkyPanelInLobe(
+      panel.xyz, panel.w, brdfTurned#M, brdfKappa#M, vec2(z, brdfSlope#M.z), rise);
+    float inLobe = brdfSkyPanelHidden(edge, brdfSkyPanelEnds(z, glow.w, rise));
+    brdfSkyAddPanel(light, inLobe * brdfTrust#M, shine, brdfLobeAll#M, brdfLobeLost#M);
 )";
 const char* const EndShine = "  brdfHiddenLobe#OUTVSOutput = brdfLobeLost#M / brdfLobeAll#M;\n";
 
@@ -40,26 +42,30 @@ std::string MakePanelCode(const OcclusionMember& member, PanelUse use)
   }
   const bool shines = use == PanelUse::Draw && member.HasLobe();
   text += shines ? BeginShine : "";
-  text += R"(  float brdfSkyTrust#M = clamp(brdfSkyHidden / max(brdfInSectors#M, 1e-6), 0.0, 1.0);
+  text += member.HasLobe() ? "" : "  float brdfTrust#M;\n";
+  text += R"(  brdfTrust#M = clamp(brdfSkyHidden / max(brdfInSectors#M, 1e-6), 0.0, 1.0);
   for (int k = 0; k < #COUNT; ++k)
   {
     vec4 panel = brdfSkyPanel#M[k];
+    vec4 glow = brdfSkyPanelLight#M[k];
     vec3 direction = panel.xyz * brdfSkyAxes;
-    float radius = brdfSkyPanelLight#M[k].w;
-    vec3 azimuth = brdfSkyPanelAzimuth(direction, radius);
-    vec2 ends = brdfSkyPanelEnds(direction, radius);
-    vec2 sum = vec2(0.0);
+    float z = direction.z;
+    vec4 azimuth = brdfSkyPanelAzimuth(direction, glow.w);
+    vec2 ends = brdfSkyPanelEnds(z, glow.w, 0.0);
+    vec4 sum = vec4(0.0);
 )";
   for (int s = 0; s < HiddenSky::Sectors; ++s)
   {
-    text += "    brdfSkyPanelSector(" + Along(s) + ", " + Bounds(s) + ", azimuth, ends, sum);\n";
+    text += "    brdfSkyPanelSector(" + Along(s) + ", " + Bounds(s) + ", " + Tangents(s) +
+            ", azimuth.xyz, ends, sum);\n";
   }
-  text += R"(    float hidden = brdfSkyPanelHidden(sum, ends) * brdfSkyTrust#M;
-    vec3 light = brdfSkyPanelLight#M[k].rgb * brdfSkyPanelRise(direction.z, radius);
+  text += R"(    float edge = brdfSkyPanelEdge(sum, z, ends, azimuth.w);
+    float hidden = brdfSkyPanelHidden(edge, ends) * brdfTrust#M;
+    vec3 light = glow.rgb * brdfSkyPanelRise(z, glow.w);
     brdfHiddenLight#OUTVSOutput += hidden * light;
 )";
   text += shines ? Shine : "";
-  text += use == PanelUse::Keep && member.HasLobe() ? "    brdfPart#M[k] = hidden;\n" : "";
+  text += use == PanelUse::Keep && member.HasLobe() ? "    brdfEdge#M[k] = edge;\n" : "";
   text += "  }\n";
   text += shines ? EndShine : "";
   return Fill(text, member);
@@ -72,9 +78,10 @@ std::string MakeKeptPanelCode(const OcclusionMember& member)
   {
     std::string one = R"(  {
     vec4 panel = brdfSkyPanel#M[#K];
-    float hidden = brdfPart#M[#K];
+    float edge = brdfEdge#M[#K];
     vec4 glow = brdfSkyPanelLight#M[#K];
-    vec3 light = glow.rgb * brdfSkyPanelRise(dot(panel.xyz, brdfSkyN), glow.w);
+    float z = dot(panel.xyz, brdfSkyN);
+    vec3 light = glow.rgb * brdfSkyPanelRise(z, glow.w);
 )" + std::string(Shine) +
                       "  }\n";
     vtkShaderProgram::Substitute(one, "#K", std::to_string(k));

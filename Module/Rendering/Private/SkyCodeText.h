@@ -36,6 +36,8 @@ inline std::string Bounds(int sector)
 {
   return "vec2(" + Byte(3 + 2 * sector) + ", " + Byte(4 + 2 * sector) + ")";
 }
+// Of a sector's bounds.
+inline std::string Tangents(int sector) { return "brdfSkyTangents" + std::to_string(sector); }
 } // namespace measuredbrdf
 
 #endif

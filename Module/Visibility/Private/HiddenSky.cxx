@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <utility>
 
 namespace measuredbrdf
 {
@@ -31,7 +30,14 @@ constexpr double NodeCosine = 0.3948;
 constexpr double NodeStep = 0.0301;
 constexpr int NodeSteps[HiddenSky::Elevations] = { 20, 19, 17, 14, 9, 0 };
 
-double GetAzimuth(int sector) { return 2.0 * Pi * sector / HiddenSky::Sectors; }
+// Of elevations. The tangent below which a plane through a point hides the sky is a cosine of the
+// azimuth: so tangents are interpolated between sectors.
+double GetTangent(double sine) { return sine / std::sqrt(std::max(1.0 - sine * sine, 2e-4)); }
+double GetSine(double tangent) { return tangent / std::sqrt(1.0 + tangent * tangent); }
+
+constexpr double SectorWidth = 2.0 * Pi / HiddenSky::Sectors;
+
+double GetAzimuth(int sector) { return SectorWidth * sector; }
 
 // Base 2, from the last bit on (van der Corput).
 double ReverseBits(unsigned k)
@@ -42,65 +48,6 @@ double ReverseBits(unsigned k)
     value += (k & 1u) ? place : 0.0;
   }
   return value;
-}
-}
-
-namespace
-{
-// Where rays lie in their strata of elevation: sectors differ, so that errors do not add up.
-double GetOffset(int sector)
-{
-  return ReverseBits(static_cast<unsigned>(sector)) + 0.5 / HiddenSky::Sectors;
-}
-
-glm::dvec3 MakeRay(int sector, double across, double z)
-{
-  const double azimuth = GetAzimuth(sector) + across * 2.0 * Pi / HiddenSky::Sectors;
-  const double sine = std::sqrt(std::max(1.0 - z * z, 0.0));
-  return { sine * std::cos(azimuth), sine * std::sin(azimuth), z };
-}
-
-// The place of the edge between the sines of a hidden and a visible ray, or the other way round.
-double FindEdge(int sector, double from, double to, bool hiddenBelow, const HiddenSky::Test& test)
-{
-  constexpr int tests = 4;
-  constexpr double across[tests] = { -0.125, 0.375, -0.375, 0.125 }; // of a sector
-  int below = 0;
-  for (int k = 0; k < tests; ++k)
-  {
-    const double z = from + (to - from) * (k + 0.5) / tests;
-    below += test(MakeRay(sector, across[k], z)) == hiddenBelow ? 1 : 0;
-  }
-  return from + (to - from) * below / tests;
-}
-
-// The hidden sines of elevation of a sector, of so many rays: as many as are hidden, where most of
-// them are. One that is cut across, by the edge of a wall, keeps its share.
-std::pair<double, double> FindInterval(
-  const char* hidden, int elevations, int sector, const HiddenSky::Test& test)
-{
-  const auto isHidden = [](char ray) { return ray != 0; };
-  const int count = static_cast<int>(std::count_if(hidden, hidden + elevations, isHidden));
-  int best = -1;
-  int first = 0;
-  for (int begin = 0; begin + count <= elevations; ++begin)
-  {
-    const int inside =
-      static_cast<int>(std::count_if(hidden + begin, hidden + begin + count, isHidden));
-    if (inside > best)
-    {
-      best = inside;
-      first = begin;
-    }
-  }
-  const int last = first + count; // the first ray above
-  const auto place = [&](int k) { return (k + GetOffset(sector)) / elevations; };
-  if (count == 0)
-  {
-    return { 0.0, 0.0 };
-  }
-  return { first == 0 ? 0.0 : FindEdge(sector, place(first - 1), place(first), false, test),
-    last == elevations ? 1.0 : FindEdge(sector, place(last - 1), place(last), true, test) };
 }
 }
 
@@ -157,9 +104,21 @@ HiddenSky::Rays::Rays(int elevations)
     {
       const double z = (k + GetOffset(s)) / elevations;
       const double across = ReverseBits(static_cast<unsigned>(k)) - 0.5 + 0.5 / elevations;
-      this->Directions.push_back(MakeRay(s, across, z));
+      this->Directions.push_back(Make(s, across, z));
     }
   }
+}
+
+glm::dvec3 HiddenSky::Rays::Make(int sector, double across, double z)
+{
+  const double azimuth = GetAzimuth(sector) + across * SectorWidth;
+  const double sine = std::sqrt(std::max(1.0 - z * z, 0.0));
+  return { sine * std::cos(azimuth), sine * std::sin(azimuth), z };
+}
+
+double HiddenSky::Rays::GetOffset(int sector)
+{
+  return ReverseBits(static_cast<unsigned>(sector)) + 0.5 / Sectors;
 }
 
 double HiddenSky::Rays::GetSolidAngle() const { return 2.0 * Pi / (Sectors * this->Elevations); }
@@ -170,6 +129,8 @@ HiddenSky::Code HiddenSky::Encode(
   Code code = MakeOpen(normal);
   const glm::dmat3 frame = FrameAbout(UnpackNormal(code.data()));
   const int elevations = rays.GetElevations();
+  const HiddenIntervals intervals(hidden, elevations, Rays::GetOffset,
+    [&test](int sector, double sine) { return test(Rays::Make(sector, 0.0, sine)); });
   std::array<double, sky::Harmonics> transfer{};
   for (int s = 0; s < Sectors; ++s)
   {
@@ -186,11 +147,11 @@ HiddenSky::Code HiddenSky::Encode(
         }
       }
     }
-    const auto [low, high] =
-      FindInterval(&hidden[static_cast<std::size_t>(s * elevations)], elevations, s, test);
-    code[static_cast<std::size_t>(3 + 2 * s)] = static_cast<std::uint8_t>(std::lround(255.0 * low));
+    const Interval& interval = intervals.Get(s);
+    code[static_cast<std::size_t>(3 + 2 * s)] =
+      static_cast<std::uint8_t>(std::lround(255.0 * interval.Low));
     code[static_cast<std::size_t>(4 + 2 * s)] =
-      static_cast<std::uint8_t>(std::lround(255.0 * high));
+      static_cast<std::uint8_t>(std::lround(255.0 * interval.High));
   }
   for (std::size_t j = 0; j < transfer.size(); ++j)
   {
@@ -257,11 +218,9 @@ double HiddenSky::GetHiddenShare(const glm::dvec3& slope) const
   return std::clamp(hidden / std::max(all, 1e-30), 0.0, 1.0);
 }
 
-double HiddenSky::GetLampMargin(const glm::dvec3& direction) const
+HiddenSky::Interval HiddenSky::GetHidden(const glm::dvec3& local, double last) const
 {
-  const glm::dvec3 local = ToLocal(this->Frame, direction);
-  const double sine = std::sqrt(std::max(local.x * local.x + local.y * local.y, 1e-12));
-  const double step = std::cos(2.0 * Pi / Sectors);
+  const double sine = std::max(std::hypot(local.x, local.y), 1e-6);
   double sum = 0.0;
   double low = 0.0;
   double high = 0.0;
@@ -270,20 +229,26 @@ double HiddenSky::GetLampMargin(const glm::dvec3& direction) const
     const double azimuth = GetAzimuth(static_cast<int>(s));
     const double cosine =
       (local.x * std::cos(azimuth) + local.y * std::sin(azimuth)) / sine; // of the azimuths
-    const double weight = std::max(cosine - step, 0.0);
+    const double weight = std::max(cosine - last, 0.0);
     sum += weight;
-    low += weight * this->Low[s];
-    high += weight * this->High[s];
+    low += weight * GetTangent(this->Low[s]);
+    high += weight * GetTangent(this->High[s]);
   }
-  low /= sum;
-  high /= sum;
+  sum = std::max(sum, 1e-6);
+  return { GetSine(low / sum), GetSine(high / sum) };
+}
+
+double HiddenSky::GetLampMargin(const glm::dvec3& direction) const
+{
+  const glm::dvec3 local = ToLocal(this->Frame, direction);
+  const Interval bounds = this->GetHidden(local, std::cos(SectorWidth));
   constexpr double edge = 0.04; // sine of elevation: half a stratum of the rays or so
-  if (!(high > low))
+  if (bounds.IsEmpty())
   {
     return LargestMargin;
   }
-  const double below = low > 0.5 / 255.0 ? (low - local.z) / edge : -LargestMargin;
-  const double above = high < 254.5 / 255.0 ? (local.z - high) / edge : -LargestMargin;
+  const double below = bounds.IsFromHorizon() ? -LargestMargin : (bounds.Low - local.z) / edge;
+  const double above = bounds.IsToZenith() ? -LargestMargin : (local.z - bounds.High) / edge;
   return std::clamp(std::max(below, above), -LargestMargin, LargestMargin);
 }
 
@@ -292,21 +257,45 @@ double HiddenSky::GetVisibleLamp(const glm::dvec3& direction) const
   return std::clamp(this->GetLampMargin(direction) + 0.5, 0.0, 1.0);
 }
 
-double HiddenSky::GetHiddenPanel(const glm::dvec3& direction, double radius) const
+double HiddenSky::GetHiddenPanel(const glm::dvec3& direction, double radius, double rise) const
 {
   const glm::dvec3 local = ToLocal(this->Frame, direction);
   const double sine = std::max(std::hypot(local.x, local.y), 1e-6);
-  // Azimuths that it covers, to a sector more; about the zenith all of them alike.
-  const double width = std::max(radius, 0.04) / std::max(sine, 1e-3) + 2.0 * Pi / Sectors;
+  // Above the horizon, a standard deviation of it to each side.
+  const double half = std::max(std::sqrt(2.0) * radius * sine, 0.03);
+  const auto ends = [half](double z) -> Interval {
+    return { std::max(z - half, 0.0), std::min(z + half, 1.0) };
+  };
+  // Azimuths that it covers, if more than a sector: about the zenith all of them alike.
+  const double width = std::max(std::max(radius, 0.04) / std::max(sine, 1e-3), SectorWidth);
   const double last = std::cos(std::min(width, Pi)) - std::max(width - Pi, 0.0);
-  // What of it is above the horizon, in the sine of elevation.
-  const double half = std::max(radius * sine, 0.04);
-  const double bottom = std::max(local.z - half, 0.0);
-  const double top = std::min(local.z + half, 1.0);
-  if (top <= bottom)
+  Interval hidden = this->GetHidden(local, last);
+  if (width > SectorWidth)
+  {
+    const Interval own = ends(local.z);
+    const double covered = this->GetCovered(local, last, own);
+    const double top = std::sqrt(glm::mix(own.Low * own.Low, own.High * own.High, covered));
+    const double wide = 1.0 - SectorWidth / width;
+    hidden = { glm::mix(hidden.Low, own.Low, wide), glm::mix(hidden.High, top, wide) };
+  }
+  const Interval seen = ends(local.z + rise);
+  if (seen.IsEmpty() || hidden.IsEmpty())
   {
     return 0.0;
   }
+  // The edge that is nearer to its middle.
+  const bool isRoof =
+    !hidden.IsFromHorizon() && (hidden.IsToZenith() || local.z < 0.5 * (hidden.Low + hidden.High));
+  const double low = isRoof ? std::clamp(hidden.Low, seen.Low, seen.High) : seen.Low;
+  const double high = isRoof ? seen.High : std::clamp(hidden.High, seen.Low, seen.High);
+  const double all = seen.High * seen.High - seen.Low * seen.Low;
+  return this->Trust * (high * high - low * low) / std::max(all, 1e-6);
+}
+
+// Hidden share of the irradiance between two sines of elevation, of sectors about an azimuth.
+double HiddenSky::GetCovered(const glm::dvec3& local, double last, const Interval& ends) const
+{
+  const double sine = std::max(std::hypot(local.x, local.y), 1e-6);
   double sum = 0.0;
   double hidden = 0.0;
   for (std::size_t s = 0; s < Sectors; ++s)
@@ -315,12 +304,12 @@ double HiddenSky::GetHiddenPanel(const glm::dvec3& direction, double radius) con
     const double cosine = (local.x * std::cos(azimuth) + local.y * std::sin(azimuth)) / sine;
     const double weight = std::max(cosine - last, 0.0);
     sum += weight;
-    const double low = std::clamp(this->Low[s], bottom, top);
-    const double high = std::clamp(this->High[s], bottom, top);
-    hidden += weight * (high * high - low * low); // its irradiance
+    const double low = std::clamp(this->Low[s], ends.Low, ends.High);
+    const double high = std::clamp(this->High[s], ends.Low, ends.High);
+    hidden += weight * (high * high - low * low);
   }
-  const double all = sum * (top * top - bottom * bottom);
-  return this->Trust * std::clamp(hidden / std::max(all, 1e-6), 0.0, 1.0);
+  const double all = sum * (ends.High * ends.High - ends.Low * ends.Low);
+  return std::clamp(hidden / std::max(all, 1e-6), 0.0, 1.0);
 }
 
 glm::dvec3 HiddenSky::GetHiddenLight(double hiddenShare, double kappa,

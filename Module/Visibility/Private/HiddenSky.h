@@ -6,7 +6,8 @@
  * that the point reflects. GLSL twin: shaders/vtkBRDFHiddenSky.glsl. Private to the module.
  *
  * - A normal (3 bytes): the code's frame is FrameAbout(normal).
- * - 16 sectors of azimuth (2 bytes each): from which to which sine of elevation the sky is hidden.
+ * - 16 sectors of azimuth (2 bytes each): from which to which sine of elevation the sky is hidden
+ *   in the sector's middle.
  * - 25 spherical harmonics, in the surface's own axes, of the hidden part of cos theta (1 byte
  *   each): their product with the light's harmonics is the hidden irradiance (Sloan, Kautz, Snyder
  *   2002), exact as far as the light's harmonics reach.
@@ -17,6 +18,7 @@
 #ifndef HiddenSky_h
 #define HiddenSky_h
 
+#include "HiddenIntervals.h"
 #include "SkyHarmonics.h"
 
 #include <glm/glm.hpp>
@@ -31,7 +33,8 @@ namespace measuredbrdf
 class HiddenSky
 {
 public:
-  static constexpr int Sectors = 16;
+  using Interval = HiddenIntervals::Interval;
+  static constexpr int Sectors = HiddenIntervals::Sectors;
   static constexpr int SectorBytes = 3 + 2 * Sectors; // with the normal
   static constexpr int TransferBytes = static_cast<int>(sky::Harmonics);
   static constexpr int Bytes = SectorBytes + TransferBytes;
@@ -57,6 +60,13 @@ public:
     int GetElevations() const { return this->Elevations; }
     const std::vector<glm::dvec3>& GetDirections() const { return this->Directions; }
     double GetSolidAngle() const;
+
+    /// Its middle and across (in widths of a sector) give the azimuth; z: sine of elevation.
+    static glm::dvec3 Make(int sector, double across, double z);
+
+    /// Where a sector's rays lie in their strata of elevation, 0 to 1: sectors differ, so that
+    /// errors do not add up.
+    static double GetOffset(int sector);
 
   private:
     int Elevations;
@@ -97,7 +107,9 @@ public:
   double GetVisibleLamp(const glm::dvec3& direction) const;
 
   /// Hidden share, 0 to 1, of a panel about this unit direction, of an angular radius in radians.
-  double GetHiddenPanel(const glm::dvec3& direction, double radius) const;
+  /// rise: by how much a lobe moves the middle of what it sees of the panel, in the sine of
+  /// elevation.
+  double GetHiddenPanel(const glm::dvec3& direction, double radius, double rise = 0.0) const;
 
   /// Hidden share of the light in a lobe, per channel: the lobe's hidden share, and where the lobe
   /// is wide, how much brighter than the rest the hidden part of the sky is. irradiance: of the
@@ -110,6 +122,11 @@ public:
   static constexpr int Elevations = 6; // nodes of a lobe in each sector
 
 private:
+  // In the azimuth of a direction of the code's frame, between the sectors whose azimuths' cosine
+  // to it is above last.
+  Interval GetHidden(const glm::dvec3& local, double last) const;
+  double GetCovered(const glm::dvec3& local, double last, const Interval& ends) const;
+
   glm::dmat3 Frame; // columns
   std::array<double, Sectors> Low;
   std::array<double, Sectors> High;

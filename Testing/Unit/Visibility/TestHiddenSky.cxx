@@ -229,6 +229,62 @@ TEST(HiddenSky, MarginsSayHowFarLampsAreFromShadows)
     HiddenSky(HiddenSky::MakeOpen(normal)).GetLampMargin(lamp(0.2)), HiddenSky::LargestMargin);
 }
 
+// A plane that leans towards a point hides the sky up to tan(elevation) = slope cos(azimuth), also
+// in azimuths between sectors, however steep it is. Sines, interpolated, would be off by up to 0.4.
+TEST(HiddenSky, PlanesAreFollowedBetweenSectors)
+{
+  for (const double slope : { 0.3, 1.0, 4.0 })
+  {
+    const HiddenSky plane(
+      Encode({ 0.0, 0.0, 1.0 }, 8, [slope](const glm::dvec3& d) { return d.z < slope * d.x; }));
+    for (double degrees = 0.0; degrees < 80.0; degrees += 3.0)
+    {
+      const double azimuth = degrees * measuredbrdf::Pi / 180.0;
+      const double tangent = slope * std::cos(azimuth);
+      const double edge = tangent / std::sqrt(1.0 + tangent * tangent);
+      const auto at = [azimuth](double z)
+      {
+        const double s = std::sqrt(1.0 - z * z);
+        return glm::dvec3(s * std::cos(azimuth), s * std::sin(azimuth), z);
+      };
+      EXPECT_LT(plane.GetLampMargin(at(edge - 0.04)), 0.0) << slope << ", " << degrees;
+      EXPECT_GT(plane.GetLampMargin(at(edge + 0.04)), 0.0) << slope << ", " << degrees;
+    }
+  }
+}
+
+// A body that floats above a third of the horizon: beside it, where sectors are empty, it does not
+// come down.
+TEST(HiddenSky, FloatingBodiesEndBetweenSectors)
+{
+  const HiddenSky sky(Encode({ 0.0, 0.0, 1.0 }, 16,
+    [](const glm::dvec3& d) { return d.z > 0.5 && d.z < 0.7 && d.x > 0.5; }));
+  for (double degrees = -180.0; degrees < 180.0; degrees += 5.0)
+  {
+    const double azimuth = degrees * measuredbrdf::Pi / 180.0;
+    for (const double z : { 0.3, 0.4, 0.8, 0.9 })
+    {
+      const double s = std::sqrt(1.0 - z * z);
+      const glm::dvec3 d(s * std::cos(azimuth), s * std::sin(azimuth), z);
+      EXPECT_EQ(sky.GetVisibleLamp(d), 1.0) << degrees << ", " << z;
+      EXPECT_EQ(sky.GetHiddenPanel(d, 0.06), 0.0) << degrees << ", " << z;
+    }
+  }
+}
+
+// Of a panel across a horizon, a lobe that draws its middle down sees more that is hidden.
+TEST(HiddenSky, LobesSeeTheirPartOfAPanel)
+{
+  const double sine = 0.3;
+  const HiddenSky crater(
+    Encode({ 0.0, 0.0, 1.0 }, 16, [sine](const glm::dvec3& d) { return d.z < sine; }));
+  const glm::dvec3 panel(std::sqrt(1.0 - sine * sine), 0.0, sine);
+  EXPECT_NEAR(crater.GetHiddenPanel(panel, 0.06), 0.42, 0.1);
+  EXPECT_GT(crater.GetHiddenPanel(panel, 0.06, -0.04), 0.65);
+  EXPECT_LT(crater.GetHiddenPanel(panel, 0.06, 0.04), 0.3);
+  EXPECT_EQ(crater.GetHiddenPanel(panel, 0.06, 0.2), 0.0);
+}
+
 // Sectors of which the harmonics see nothing: rays that only just left the horizon hide no panel.
 TEST(HiddenSky, SliversAtTheHorizonHideNoPanel)
 {

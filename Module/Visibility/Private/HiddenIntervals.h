@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What is hidden in the middle azimuths of a hidden sky's sectors. Private to the module.
+ */
+
+#ifndef HiddenIntervals_h
+#define HiddenIntervals_h
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace measuredbrdf
+{
+/**
+ * Found with few rays more than those of HiddenSky::Rays: where these agree across a sector and
+ * both beside it, its middle is as they are; elsewhere it is asked, and the interval's ends are
+ * halved.
+ *
+ * Between sectors bounds are interpolated. So a sector of which nothing is hidden has both where
+ * what the sectors beside it hide would end: at the horizon, at the zenith or in its middle.
+ */
+class HiddenIntervals
+{
+public:
+  static constexpr int Sectors = 16;
+
+  /// Between two sines of elevation. What is within half a byte's step of the horizon or the zenith
+  /// reaches it.
+  struct Interval
+  {
+    double Low = 0.0;
+    double High = 0.0;
+    bool IsEmpty() const { return !(this->High > this->Low); }
+    bool IsFromHorizon() const { return this->Low < 0.5 / 255.0; }
+    bool IsToZenith() const { return this->High > 254.5 / 255.0; }
+  };
+
+  using Offset = std::function<double(int sector)>;          // of rays in their strata, 0 to 1
+  using Test = std::function<bool(int sector, double sine)>; // whether a sector's middle is hidden
+
+  /// hidden: of the rays, so many elevations each sector.
+  HiddenIntervals(
+    const std::vector<char>& hidden, int elevations, const Offset& offset, const Test& test);
+
+  const Interval& Get(int sector) const
+  {
+    return this->Intervals[static_cast<std::size_t>(sector)];
+  }
+
+private:
+  double GetPlace(int k, int sector) const;
+  int CountHidden(int k, int sector) const;
+  double Halve(int sector, double from, double to, bool hiddenBelow) const;
+  double FindEdge(int sector, int k, bool hiddenBelow, const std::vector<char>& flags) const;
+  Interval Find(int sector);
+  bool IsZenithHidden();
+  void PlaceEmpty();
+
+  const std::vector<char>& Hidden;
+  int Elevations;
+  Offset PlaceInStratum;
+  Test IsHidden;
+  int Zenith = -1; // whether it is hidden; unknown
+  std::array<Interval, Sectors> Intervals;
+};
+} // namespace measuredbrdf
+
+#endif
