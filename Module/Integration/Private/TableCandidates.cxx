@@ -61,6 +61,22 @@ vtkIdType GetTableBytes(int rows, int viewAngles, int azimuths)
          4 * static_cast<vtkIdType>(table.GetMap(viewAngles, 0) + table.Tiles.Places.size());
 }
 
+namespace
+{
+// By how many times the error may fall from the other sizes to these.
+double GetMostGain(const std::vector<int>& sizes, const std::vector<int>& others)
+{
+  double gain = 1.0;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const double ratio = static_cast<double>(sizes[k]) / others[k];
+    gain = std::max(gain, std::pow(ratio, ErrorOrders[k]));
+  }
+  const bool haveTiles = std::min(sizes[0], others[0]) > TableTiles::LargestWhole;
+  return haveTiles ? std::min(gain, MostOfTiles) : gain;
+}
+}
+
 bool CanPruneTable(const std::vector<int>& sizes,
   const std::vector<vtkRadianceIntegrator::Attempt>& attempts, double tolerance)
 {
@@ -70,17 +86,7 @@ bool CanPruneTable(const std::vector<int>& sizes,
   for (const vtkRadianceIntegrator::Attempt& other : attempts)
   {
     // One is too far away for what this adds.
-    double gain = 1.0;
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      const double ratio = static_cast<double>(sizes[k]) / other.Sizes[k];
-      gain = std::max(gain, std::pow(ratio, ErrorOrders[k]));
-    }
-    if (std::min(rows, other.Sizes[0]) > TableTiles::LargestWhole)
-    {
-      gain = std::min(gain, MostOfTiles);
-    }
-    if (other.Error > tolerance * gain)
+    if (other.Error > tolerance * GetMostGain(sizes, other.Sizes))
     {
       return true;
     }
