@@ -139,7 +139,8 @@ float brdfSkySquare(vec2 bounds)
 vec2 brdfSkyPanelEnds(float z, float radius, float rise)
 {
   float extent = max(1.41421356 * radius * sqrt(max(1.0 - z * z, 0.0)), 0.03);
-  return vec2(max(z + rise - extent, 0.0), min(z + rise + extent, 1.0));
+  float low = max(z + rise - extent, 0.0);
+  return vec2(low, max(min(z + rise + extent, 1.0), low));
 }
 
 // Add a sector's tangents to sum, its hidden part of a panel's irradiance, and its weight.
@@ -151,28 +152,30 @@ void brdfSkyPanelSector(
   sum += weight * vec4(tangents, part.y * part.y - part.x * part.x, 1.0);
 }
 
-// The edge of what is hidden in the azimuth of a panel, the one nearer to its middle (sine z): below
-// it, 0 to 0.5 (half of its sine), or above it, 0.5 to 1. wide: as brdfSkyPanelAzimuth has it.
+// The edge of what is hidden in the azimuth of a panel, the one nearer to its middle (sine z), moved
+// by what of the panel lies beyond the other one: below it, 0 to 0.5 (half of its sine), or above
+// it, 0.5 to 1. wide: as brdfSkyPanelAzimuth has it.
 float brdfSkyPanelEdge(vec4 sum, float z, vec2 ends, float wide)
 {
   float weight = max(sum.w, 1e-6);
   float bottom = ends.x * ends.x;
-  float all = max(ends.y * ends.y - bottom, 0.0);
+  float all = ends.y * ends.y - bottom;
   float top = sqrt(bottom + min(sum.z / weight, all));
   vec2 bounds = mix(brdfSkySines(sum.xy / weight), vec2(ends.x, top), wide);
   bool isRoof = bounds.x > 0.5 / 255.0 &&
     (bounds.y > 254.5 / 255.0 || z < 0.5 * (bounds.x + bounds.y));
-  float edge = isRoof ? 0.5 + 0.5 * bounds.x : 0.5 * bounds.y;
-  return bounds.y > bounds.x ? edge : 0.0;
+  vec2 squares = bounds * bounds;
+  float edge = sqrt(isRoof ? squares.x + max(ends.y * ends.y - squares.y, 0.0)
+                           : squares.y - max(squares.x - bottom, 0.0));
+  return bounds.y > bounds.x ? (isRoof ? 0.5 + 0.5 * edge : 0.5 * edge) : 0.0;
 }
 
 // Hidden share of a panel.
 float brdfSkyPanelHidden(float edge, vec2 ends)
 {
-  float top = max(ends.x, ends.y);
-  float low = clamp(2.0 * edge - 1.0, ends.x, top);
-  float high = edge < 0.5 ? clamp(2.0 * edge, ends.x, top) : top;
-  return (high * high - low * low) / max(top * top - ends.x * ends.x, 1e-6);
+  float low = clamp(2.0 * edge - 1.0, ends.x, ends.y);
+  float high = edge < 0.5 ? clamp(2.0 * edge, ends.x, ends.y) : ends.y;
+  return (high * high - low * low) / max(ends.y * ends.y - ends.x * ends.x, 1e-6);
 }
 
 // A panel of this radius (radians) whose middle has sine z of elevation: its mean max(z, 0).

@@ -92,8 +92,8 @@ public:
 
   ///@{
   /**
-   * Whether the material is found out about by a sixth of the evaluations: half of the nodes, and
-   * coarser quadratures of fewer views. For a table that is wanted at once. Default off.
+   * Whether the material is sampled with a sixth of the evaluations: half of the nodes, and coarser
+   * quadratures of fewer views. For a table that is wanted at once. Default off.
    */
   vtkSetMacro(Quick, bool);
   vtkGetMacro(Quick, bool);

@@ -144,9 +144,10 @@ public:
   virtual vtkBRDF* GetRenderable() { return this; }
 
   /**
-   * What stands in for GetRenderable() where that has to be made, for seconds: the same where it
-   * takes no time or is made, else this one resampled in about a hundredth of a second, with errors
-   * of some percent that nobody has measured. The caller has to release it.
+   * A fast substitute for GetRenderable(): the same object if it exists or costs nothing, else a
+   * coarse one, made in about a hundredth of a second, with an error of some percent that is not
+   * measured. Default: GetRenderable(); override it where that is slow. The caller has to release
+   * the result.
    */
   VTK_NEWINSTANCE virtual vtkBRDF* NewQuickRenderable();
 

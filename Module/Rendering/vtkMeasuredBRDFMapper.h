@@ -156,7 +156,7 @@ public:
    * thread's work and begins anew. BACKGROUND_FROM_START: so is the first; until it is made, a
    * quick vtkHybridRadianceIntegrator of 33 x 8 x 8 stands in for it (65 x 8 x 8 for mirror-like
    * materials) or, for anisotropic materials, 64 lights (vtkLightSetRadianceIntegrator as it is
-   * made), with vtkBRDF::NewQuickRenderable.
+   * made). Lights then see vtkBRDF::NewQuickRenderable, whose error GetResamplingError leaves out.
    *
    * A mapper cannot bring about a Render by itself, and programs that change a material and write
    * one picture want the new one: hence the default. Interactive programs choose BACKGROUND and

@@ -5,7 +5,7 @@
 // sizes (wall-clock time of a frame, as an application waits for it), and what one pixel costs.
 // A frame on a graphics card takes most of its time on the processor. So a pixel's cost comes from
 // layers of squares, each nearer than the one before, of which all pixels are shaded.
-// Prints the tables of docs/measurements.md. Needs an OpenGL context.
+// Prints the tables of docs/graphics-card.md. Needs an OpenGL context.
 //
 //   BenchmarkFrames [ROUNDS [LARGEST [PART]]]
 //
@@ -510,7 +510,7 @@ int main(int argc, char** argv)
   std::vector<Size> sizes;
   for (const Size& size : { Size{ 500, 500 }, Size{ 1920, 1080 }, Size{ 3840, 2160 } })
   {
-    if (size.Height <= largest)
+    if (size.Height <= largest || sizes.empty())
     {
       sizes.push_back(size);
     }

@@ -32,7 +32,8 @@ double GetWall()
 // What a mapper does of it, with a light in the scene.
 vtkSmartPointer<vtkRadianceIntegrator> MakeStandIn(vtkBRDF* brdf, vtkEnvironment* environment)
 {
-  vtkSmartPointer<vtkRadianceIntegrator> standIn = measuredbrdf::FindStandIn(brdf, environment);
+  vtkSmartPointer<vtkRadianceIntegrator> standIn =
+    measuredbrdf::FindStandIn(brdf, environment, true);
   standIn->Prepare();
   vtkBRDFShaderInputs radiance, material;
   standIn->GetShaderInputs(radiance);

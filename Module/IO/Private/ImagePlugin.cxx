@@ -8,6 +8,7 @@
 
 #if MEASUREDBRDF_WITH_OPENIMAGEIO
 #include <vtksys/DynamicLoader.hxx>
+#include <vtksys/SystemTools.hxx>
 
 #if !defined(_WIN32)
 #include <dlfcn.h>
@@ -44,7 +45,8 @@ std::string GetOwnFolder()
 Plugin LoadPlugin()
 {
   using vtksys::DynamicLoader;
-  const std::string path = GetOwnFolder() + MEASUREDBRDF_IMAGE_PLUGIN;
+  const std::string file = MEASUREDBRDF_IMAGE_PLUGIN;
+  const std::string path = vtksys::SystemTools::FileIsFullPath(file) ? file : GetOwnFolder() + file;
   Plugin plugin;
   const DynamicLoader::LibraryHandle library = DynamicLoader::OpenLibrary(path);
   if (library)

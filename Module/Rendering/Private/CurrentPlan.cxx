@@ -143,7 +143,8 @@ bool CurrentPlan::NeedsTime(const PlanInputs& wanted, Timing timing) const
 
 bool CurrentPlan::Lacks(const PlanInputs& wanted, Timing timing) const
 {
-  return timing == Timing::Always && !this->Plan && !this->Job && !FindPlan(wanted, true);
+  return timing == Timing::Always && !this->Plan && !this->Job && !this->IsOf(wanted, true) &&
+         !FindPlan(wanted, true);
 }
 
 void CurrentPlan::Begin(const PlanInputs& wanted)
@@ -154,6 +155,10 @@ void CurrentPlan::Begin(const PlanInputs& wanted)
   }
   try
   {
+    if (this->Job && wanted.WithForm)
+    {
+      this->Job->WantForm(); // a light has come since
+    }
     this->Job = this->Job ? this->Job : PlanJob::Find(wanted);
     this->JobInputs = wanted;
   }

@@ -63,7 +63,7 @@ struct PlanRequest
   CurrentPlan::Progress Progress;
 
   /// Called before Update begins a plan on a thread where nothing else can be drawn by: what stands
-  /// in for it is wanted first, and has all cores to itself. May be empty.
+  /// in for it is wanted first, while that thread does not compete for cores. May be empty.
   std::function<void()> StandIn;
 };
 

@@ -177,7 +177,7 @@ void MaterialDrawing::VisitRequests(vtkRenderer* renderer, const PlanRequest::Vi
   }
 }
 
-void MaterialDrawing::ResolvePlan(
+bool MaterialDrawing::ResolvePlan(
   DrawnMaterial& drawn, const MaterialUse& use, const FrameState& state)
 {
   PlanRequest request = this->GetRequest(use, state);
@@ -186,7 +186,7 @@ void MaterialDrawing::ResolvePlan(
   vtkSmartPointer<vtkRadianceIntegrator> standIn; // for the time of this function
   request.StandIn = [&standIn, &drawn]()
   {
-    standIn = FindStandIn(drawn.BRDF, drawn.Environment);
+    standIn = FindStandIn(drawn.BRDF, drawn.Environment, true);
     try
     {
       standIn->Prepare();
@@ -228,6 +228,7 @@ void MaterialDrawing::ResolvePlan(
   {
     this->Owner->InvokeEvent(vtkCommand::UpdateDataEvent);
   }
+  return current.IsPending();
 }
 
 void MaterialDrawing::ResolveIntegrator(
@@ -246,11 +247,11 @@ void MaterialDrawing::ResolveIntegrator(
   }
   else if (state.Environment)
   {
-    this->ResolvePlan(drawn, use, state);
-    if (!drawn.Integrator)
+    const bool pending = this->ResolvePlan(drawn, use, state);
+    if (!drawn.Integrator) // one that failed is not drawn by a coarse form for good
     {
-      drawn.Integrator = FindStandIn(drawn.BRDF, drawn.Environment);
-      drawn.BRDF = drawn.Integrator->GetBRDF(); // whose form for shaders is made at once
+      drawn.Integrator = FindStandIn(drawn.BRDF, drawn.Environment, pending);
+      drawn.BRDF = drawn.Integrator->GetBRDF();
     }
   }
 }

@@ -193,7 +193,8 @@ private:
   void ResolveAll(ViewFrame& frame, const FrameState& state, const std::vector<MaterialUse>& uses);
   DrawnMaterial Resolve(const MaterialUse& use, const FrameState& state);
   void ResolveIntegrator(DrawnMaterial& drawn, const MaterialUse& use, const FrameState& state);
-  void ResolvePlan(DrawnMaterial& drawn, const MaterialUse& use, const FrameState& state);
+  /// Whether one is being made.
+  bool ResolvePlan(DrawnMaterial& drawn, const MaterialUse& use, const FrameState& state);
   std::string UploadForms(DrawnMaterial& drawn, vtkRenderer* renderer);
   ///@}
 

@@ -196,7 +196,7 @@ void PlanJob::Run()
   try
   {
     this->Succeeded = this->Planner->Update();
-    if (this->Succeeded && this->WithForm)
+    if (this->Succeeded && this->WithForm && !this->Planner->GetAbort())
     {
       brdf->GetRenderable(); // here, not where it is drawn
     }

@@ -57,6 +57,9 @@ public:
   const std::string& GetProblem() const { return this->Problem; }
   ///@}
 
+  /// Make the material's form for shaders, too, if the plan is not done yet.
+  void WantForm() { this->WithForm = true; }
+
   ///@{
   /// How many jobs may run at once, and the largest number that did since the last call: for tests.
   static int GetLimit();

@@ -90,14 +90,14 @@ vtkSmartPointer<vtkBRDF> MakeStandInBRDF(vtkBRDF* brdf)
   }
 }
 
-// Made in a few hundredths of a second. Mirror-like materials need more rows.
-vtkHybridRadianceIntegrator* NewTable(int rows)
+// Mirror-like materials need more rows.
+vtkHybridRadianceIntegrator* NewTable(int rows, bool quick)
 {
   vtkHybridRadianceIntegrator* table = vtkHybridRadianceIntegrator::New();
   table->SetNumberOfRows(rows);
   table->SetNumberOfViewAngles(8);
   table->SetNumberOfAzimuths(8);
-  table->QuickOn();
+  table->SetQuick(quick);
   return table;
 }
 }
@@ -113,19 +113,21 @@ vtkSmartPointer<vtkRadianceIntegrator> FindIntegrator(
     [&]() { return NewCopyFor(wanted, brdf, environment); });
 }
 
-vtkSmartPointer<vtkRadianceIntegrator> FindStandIn(vtkBRDF* brdf, vtkEnvironment* environment)
+vtkSmartPointer<vtkRadianceIntegrator> FindStandIn(
+  vtkBRDF* brdf, vtkEnvironment* environment, bool quick)
 {
   static vtkLightSetRadianceIntegrator& lights = *vtkLightSetRadianceIntegrator::New();
-  static vtkHybridRadianceIntegrator& table = *NewTable(33);
-  static vtkHybridRadianceIntegrator& finer = *NewTable(65);
-  return GetCopies().Find({ &table, brdf->GetMTime(), brdf, environment },
+  static vtkHybridRadianceIntegrator* const tables[] = { NewTable(33, false), NewTable(33, true) };
+  static vtkHybridRadianceIntegrator* const finer[] = { NewTable(65, false), NewTable(65, true) };
+  vtkHybridRadianceIntegrator* table = tables[quick ? 1 : 0];
+  return GetCopies().Find({ table, brdf->GetMTime(), brdf, environment },
     [&]()
     {
       const bool isotropic = IsIsotropic(brdf);
       return NewCopyFor(!isotropic           ? static_cast<vtkRadianceIntegrator*>(&lights)
-                        : IsMirrorLike(brdf) ? &finer
-                                             : &table,
-        MakeStandInBRDF(brdf), environment);
+                        : IsMirrorLike(brdf) ? finer[quick ? 1 : 0]
+                                             : table,
+        quick ? MakeStandInBRDF(brdf) : vtkSmartPointer<vtkBRDF>(brdf), environment);
     });
 }
 

@@ -23,9 +23,11 @@ vtkSmartPointer<vtkRadianceIntegrator> FindIntegrator(
   vtkRadianceIntegrator* wanted, vtkBRDF* brdf, vtkEnvironment* environment);
 
 /// For as long as there is no plan, with suns and lamps as lights: a small table, of more rows for
-/// mirror-like materials; a small light set for anisotropic ones. Its material is the given one, or
-/// a StandInBRDF of it. Not prepared yet.
-vtkSmartPointer<vtkRadianceIntegrator> FindStandIn(vtkBRDF* brdf, vtkEnvironment* environment);
+/// mirror-like materials; a small light set for anisotropic ones. quick: for a short
+/// time, of a StandInBRDF of the material if its own form for shaders would have to be made. Not
+/// prepared yet.
+vtkSmartPointer<vtkRadianceIntegrator> FindStandIn(
+  vtkBRDF* brdf, vtkEnvironment* environment, bool quick);
 
 /// Release the copies that no mapper holds any more.
 void SweepIntegrators();

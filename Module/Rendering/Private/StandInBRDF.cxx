@@ -11,8 +11,9 @@ vtkStandardNewMacro(StandInBRDF);
 vtkSmartPointer<vtkBRDF> StandInBRDF::Make(vtkBRDF* material)
 {
   const auto quick = vtkSmartPointer<vtkBRDF>::Take(material->NewQuickRenderable());
-  const auto snapshot = quick == material ? vtkSmartPointer<vtkBRDF>()
-                                          : vtkSmartPointer<vtkBRDF>::Take(material->NewSnapshot());
+  const auto snapshot = !quick || quick == material
+                          ? vtkSmartPointer<vtkBRDF>()
+                          : vtkSmartPointer<vtkBRDF>::Take(material->NewSnapshot());
   if (!snapshot)
   {
     return material;

@@ -122,6 +122,7 @@ bool HiddenIntervals::IsZenithHidden()
 void HiddenIntervals::PlaceEmpty()
 {
   const auto found = this->Intervals;
+  const double zenith = this->Zenith == 1 ? 1.0 : 0.0; // where sectors beside it do not tell
   for (int s = 0; s < Sectors; ++s)
   {
     Interval& interval = this->Intervals[static_cast<std::size_t>(s)];
@@ -130,13 +131,18 @@ void HiddenIntervals::PlaceEmpty()
     for (const int other : { s + Sectors - 1, s + 1 })
     {
       const Interval& beside = found[static_cast<std::size_t>(other % Sectors)];
-      const double middle = 0.5 * (beside.Low + beside.High);
-      sum += beside.IsEmpty() || beside.IsFromHorizon() ? 0.0 : beside.IsToZenith() ? 1.0 : middle;
-      count += beside.IsEmpty() ? 0 : 1;
+      if (!beside.IsEmpty())
+      {
+        ++count;
+        sum += !beside.IsToZenith()
+                 ? (beside.IsFromHorizon() ? 0.0 : 0.5 * (beside.Low + beside.High))
+               : beside.IsFromHorizon() ? zenith
+                                        : 1.0;
+      }
     }
     if (interval.IsEmpty())
     {
-      const double place = this->Zenith == 1 ? 1.0 : sum / std::max(count, 1);
+      const double place = count > 0 ? sum / count : zenith;
       interval = { place, place };
     }
   }

@@ -16,7 +16,7 @@
 namespace measuredbrdf
 {
 /**
- * Found with few rays more than those of HiddenSky::Rays: where these agree across a sector and
+ * Found with only a few more rays than HiddenSky::Rays: where these agree across a sector and
  * both beside it, its middle is as they are; elsewhere it is asked, and the interval's ends are
  * halved.
  *

@@ -263,16 +263,18 @@ double HiddenSky::GetHiddenPanel(const glm::dvec3& direction, double radius, dou
   const double sine = std::max(std::hypot(local.x, local.y), 1e-6);
   // Above the horizon, a standard deviation of it to each side.
   const double half = std::max(std::sqrt(2.0) * radius * sine, 0.03);
-  const auto ends = [half](double z) -> Interval {
-    return { std::max(z - half, 0.0), std::min(z + half, 1.0) };
+  const auto ends = [half](double z) -> Interval
+  {
+    const double low = std::max(z - half, 0.0);
+    return { low, std::max(std::min(z + half, 1.0), low) };
   };
   // Azimuths that it covers, if more than a sector: about the zenith all of them alike.
   const double width = std::max(std::max(radius, 0.04) / std::max(sine, 1e-3), SectorWidth);
   const double last = std::cos(std::min(width, Pi)) - std::max(width - Pi, 0.0);
   Interval hidden = this->GetHidden(local, last);
+  const Interval own = ends(local.z);
   if (width > SectorWidth)
   {
-    const Interval own = ends(local.z);
     const double covered = this->GetCovered(local, last, own);
     const double top = std::sqrt(glm::mix(own.Low * own.Low, own.High * own.High, covered));
     const double wide = 1.0 - SectorWidth / width;
@@ -283,11 +285,15 @@ double HiddenSky::GetHiddenPanel(const glm::dvec3& direction, double radius, dou
   {
     return 0.0;
   }
-  // The edge that is nearer to its middle.
+  // The edge that is nearer to its middle, moved by what of the panel lies beyond the other one.
   const bool isRoof =
     !hidden.IsFromHorizon() && (hidden.IsToZenith() || local.z < 0.5 * (hidden.Low + hidden.High));
-  const double low = isRoof ? std::clamp(hidden.Low, seen.Low, seen.High) : seen.Low;
-  const double high = isRoof ? seen.High : std::clamp(hidden.High, seen.Low, seen.High);
+  const auto square = [](double x) { return x * x; };
+  const double edge =
+    std::sqrt(isRoof ? square(hidden.Low) + std::max(square(own.High) - square(hidden.High), 0.0)
+                     : square(hidden.High) - std::max(square(hidden.Low) - square(own.Low), 0.0));
+  const double low = isRoof ? std::clamp(edge, seen.Low, seen.High) : seen.Low;
+  const double high = isRoof ? seen.High : std::clamp(edge, seen.Low, seen.High);
   const double all = seen.High * seen.High - seen.Low * seen.Low;
   return this->Trust * (high * high - low * low) / std::max(all, 1e-6);
 }

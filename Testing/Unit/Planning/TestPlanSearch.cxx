@@ -323,16 +323,16 @@ TEST(MapCandidates, LearnFromTables)
   EXPECT_TRUE(hybrid->CanPrune(attempts, 0.02));
 }
 
-// From one table with tiles to another an error falls by half, not by the fourth part that twice
-// the view angles bring to others.
+// From one table with tiles to another an error falls by little more than half, not to the fourth
+// part that twice the view angles bring to others.
 TEST(TableCandidates, WithTilesGainLittle)
 {
   const std::vector<int> larger = { 257, 24, 16 };
   const auto tried = [](std::vector<int> sizes, double error) {
     return std::vector<vtkRadianceIntegrator::Attempt>{ { std::move(sizes), error } };
   };
-  EXPECT_TRUE(measuredbrdf::CanPruneTable(larger, tried({ 257, 12, 16 }, 0.039), 0.02));
-  EXPECT_FALSE(measuredbrdf::CanPruneTable(larger, tried({ 257, 12, 16 }, 0.037), 0.02));
+  EXPECT_TRUE(measuredbrdf::CanPruneTable(larger, tried({ 257, 12, 16 }, 0.053), 0.02));
+  EXPECT_FALSE(measuredbrdf::CanPruneTable(larger, tried({ 257, 12, 16 }, 0.05), 0.02));
   EXPECT_FALSE(measuredbrdf::CanPruneTable({ 65, 24, 16 }, tried({ 65, 12, 16 }, 0.07), 0.02));
   EXPECT_FALSE(measuredbrdf::CanPruneTable(larger, tried({ 129, 12, 16 }, 0.07), 0.02));
 }

@@ -248,7 +248,10 @@ TEST(HiddenSky, PlanesAreFollowedBetweenSectors)
         return glm::dvec3(s * std::cos(azimuth), s * std::sin(azimuth), z);
       };
       EXPECT_LT(plane.GetLampMargin(at(edge - 0.04)), 0.0) << slope << ", " << degrees;
-      EXPECT_GT(plane.GetLampMargin(at(edge + 0.04)), 0.0) << slope << ", " << degrees;
+      if (edge + 0.04 < 1.0)
+      {
+        EXPECT_GT(plane.GetLampMargin(at(edge + 0.04)), 0.0) << slope << ", " << degrees;
+      }
     }
   }
 }
@@ -283,6 +286,39 @@ TEST(HiddenSky, LobesSeeTheirPartOfAPanel)
   EXPECT_GT(crater.GetHiddenPanel(panel, 0.06, -0.04), 0.65);
   EXPECT_LT(crater.GetHiddenPanel(panel, 0.06, 0.04), 0.3);
   EXPECT_EQ(crater.GetHiddenPanel(panel, 0.06, 0.2), 0.0);
+}
+
+// A body that is thinner than a panel hides no more of it than it is high.
+TEST(HiddenSky, ThinBodiesHideAPartOfAPanel)
+{
+  const HiddenSky ring(
+    Encode({ 0.0, 0.0, 1.0 }, 16, [](const glm::dvec3& d) { return d.z > 0.44 && d.z < 0.56; }));
+  double last = -1.0;
+  for (const double z : { 0.45, 0.495, 0.505, 0.55 })
+  {
+    const double share =
+      ring.GetHiddenPanel({ std::sqrt(1.0 - z * z), 0.0, z }, std::sqrt(1.0 / 80.0));
+    EXPECT_NEAR(share, 0.44, 0.08) << z;
+    EXPECT_TRUE(last < 0.0 || std::abs(share - last) < 0.05) << z; // no jump in the middle
+    last = share;
+  }
+}
+
+// An overhang that hides the zenith on one side does not lift what a hill hides on the other.
+TEST(HiddenSky, HillsUnderOverhangsEndAtTheHorizon)
+{
+  const HiddenSky sky(Encode({ 0.0, 0.0, 1.0 }, 16,
+    [](const glm::dvec3& d)
+    { return (d.x < 0.1 && d.z > 0.6) || (d.x > 0.8 && d.z < 0.3) || d.z > 0.999; }));
+  // Between the hill's last sector and the first empty one.
+  const double azimuth = 40.0 * measuredbrdf::Pi / 180.0;
+  const auto at = [azimuth](double z)
+  {
+    const double s = std::sqrt(1.0 - z * z);
+    return glm::dvec3(s * std::cos(azimuth), s * std::sin(azimuth), z);
+  };
+  EXPECT_GT(sky.GetLampMargin(at(0.5)), 0.0);
+  EXPECT_GT(sky.GetLampMargin(at(0.9)), 0.0);
 }
 
 // Sectors of which the harmonics see nothing: rays that only just left the horizon hide no panel.
