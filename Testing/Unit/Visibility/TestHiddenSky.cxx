@@ -304,21 +304,29 @@ TEST(HiddenSky, ThinBodiesHideAPartOfAPanel)
   }
 }
 
-// An overhang that hides the zenith on one side does not lift what a hill hides on the other.
-TEST(HiddenSky, HillsUnderOverhangsEndAtTheHorizon)
+// An overhang that hides the zenith on one side does not lift what a hill hides on the other:
+// beside the hill's last sector it still begins at the horizon.
+TEST(HiddenSky, HillsUnderOverhangsBeginAtTheHorizon)
 {
   const HiddenSky sky(Encode({ 0.0, 0.0, 1.0 }, 16,
     [](const glm::dvec3& d)
-    { return (d.x < 0.1 && d.z > 0.6) || (d.x > 0.8 && d.z < 0.3) || d.z > 0.999; }));
-  // Between the hill's last sector and the first empty one.
-  const double azimuth = 40.0 * measuredbrdf::Pi / 180.0;
-  const auto at = [azimuth](double z)
+    {
+      const double azimuth = std::abs(std::atan2(d.y, d.x));
+      return d.z > 0.999 || (azimuth > 2.0 && d.z > 0.6) || (azimuth < 0.7 && d.z < 0.4);
+    }));
+  const auto isHidden = [&sky](double degrees, double z)
   {
+    const double azimuth = degrees * measuredbrdf::Pi / 180.0;
     const double s = std::sqrt(1.0 - z * z);
-    return glm::dvec3(s * std::cos(azimuth), s * std::sin(azimuth), z);
+    return sky.GetLampMargin({ s * std::cos(azimuth), s * std::sin(azimuth), z }) < 0.0;
   };
-  EXPECT_GT(sky.GetLampMargin(at(0.5)), 0.0);
-  EXPECT_GT(sky.GetLampMargin(at(0.9)), 0.0);
+  for (const double degrees : { 5.0, 20.0, 25.0, 35.0 })
+  {
+    EXPECT_TRUE(isHidden(degrees, 0.1)) << degrees;
+    EXPECT_FALSE(isHidden(degrees, 0.5)) << degrees;
+    EXPECT_FALSE(isHidden(degrees, 0.9)) << degrees;
+  }
+  EXPECT_TRUE(isHidden(170.0, 0.9));
 }
 
 // Sectors of which the harmonics see nothing: rays that only just left the horizon hide no panel.
