@@ -415,9 +415,7 @@ vtkBRDF* vtkAdaptiveWarpBRDF::GetRenderable()
 //------------------------------------------------------------------------------
 vtkBRDF* vtkAdaptiveWarpBRDF::NewQuickRenderable()
 {
-  vtkSmartPointer<vtkBRDF> table = this->Resampled->GetQuick(this);
-  table->Register(nullptr);
-  return table;
+  return this->Resampled->NewQuick(this);
 }
 
 //------------------------------------------------------------------------------

@@ -312,9 +312,7 @@ vtkBRDF* vtkAngleBasisBRDF::GetRenderable()
 //------------------------------------------------------------------------------
 vtkBRDF* vtkAngleBasisBRDF::NewQuickRenderable()
 {
-  vtkSmartPointer<vtkBRDF> table = this->Resampled->GetQuick(this);
-  table->Register(nullptr);
-  return table;
+  return this->Resampled->NewQuick(this);
 }
 
 //------------------------------------------------------------------------------

@@ -261,9 +261,7 @@ vtkBRDF* vtkAngularTableBRDF::GetRenderable()
 //------------------------------------------------------------------------------
 vtkBRDF* vtkAngularTableBRDF::NewQuickRenderable()
 {
-  vtkSmartPointer<vtkBRDF> table = this->Resampled->GetQuick(this);
-  table->Register(nullptr);
-  return table;
+  return this->Resampled->NewQuick(this);
 }
 
 //------------------------------------------------------------------------------

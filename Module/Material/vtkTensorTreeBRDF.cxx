@@ -279,9 +279,7 @@ vtkBRDF* vtkTensorTreeBRDF::GetRenderable()
 //------------------------------------------------------------------------------
 vtkBRDF* vtkTensorTreeBRDF::NewQuickRenderable()
 {
-  vtkSmartPointer<vtkBRDF> table = this->Resampled->GetQuick(this);
-  table->Register(nullptr);
-  return table;
+  return this->Resampled->NewQuick(this);
 }
 
 //------------------------------------------------------------------------------

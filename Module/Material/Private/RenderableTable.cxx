@@ -63,11 +63,12 @@ vtkBRDF* RenderableTable::Get(vtkBRDF* material, std::string& problem)
   return this->Table;
 }
 
-vtkSmartPointer<vtkBRDF> RenderableTable::GetQuick(vtkBRDF* material)
+vtkBRDF* RenderableTable::NewQuick(vtkBRDF* material)
 {
   const std::unique_lock<std::mutex> lock(this->Mutex, std::try_to_lock);
   if (lock && this->IsMade(material->GetResamplingTolerance()))
   {
+    this->Table->Register(nullptr);
     return this->Table;
   }
   vtkSmartPointer<vtkBRDF> table;
@@ -83,6 +84,7 @@ vtkSmartPointer<vtkBRDF> RenderableTable::GetQuick(vtkBRDF* material)
     table = ResampleAnisotropicQuickly(material);
   }
   NameAfter(material, table);
+  table->Register(nullptr);
   return table;
 }
 } // namespace measuredbrdf

@@ -28,8 +28,8 @@ public:
   vtkBRDF* Get(vtkBRDF* material, std::string& problem);
 
   /// That table if it is made; else a new one of a fixed, coarse size, whose error nobody measures.
-  /// Waits for no thread that makes the other.
-  vtkSmartPointer<vtkBRDF> GetQuick(vtkBRDF* material);
+  /// Waits for no thread that makes the other. The caller has to release it.
+  vtkBRDF* NewQuick(vtkBRDF* material);
 
 private:
   bool IsMade(double tolerance) const { return this->Table && this->Tolerance == tolerance; }
