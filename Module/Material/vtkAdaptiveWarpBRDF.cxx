@@ -413,10 +413,7 @@ vtkBRDF* vtkAdaptiveWarpBRDF::GetRenderable()
 }
 
 //------------------------------------------------------------------------------
-vtkBRDF* vtkAdaptiveWarpBRDF::NewQuickRenderable()
-{
-  return this->Resampled->NewQuick(this);
-}
+vtkBRDF* vtkAdaptiveWarpBRDF::NewQuickRenderable() { return this->Resampled->NewQuick(this); }
 
 //------------------------------------------------------------------------------
 void vtkAdaptiveWarpBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)

@@ -310,10 +310,7 @@ vtkBRDF* vtkAngleBasisBRDF::GetRenderable()
 }
 
 //------------------------------------------------------------------------------
-vtkBRDF* vtkAngleBasisBRDF::NewQuickRenderable()
-{
-  return this->Resampled->NewQuick(this);
-}
+vtkBRDF* vtkAngleBasisBRDF::NewQuickRenderable() { return this->Resampled->NewQuick(this); }
 
 //------------------------------------------------------------------------------
 void vtkAngleBasisBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)

@@ -259,10 +259,7 @@ vtkBRDF* vtkAngularTableBRDF::GetRenderable()
 }
 
 //------------------------------------------------------------------------------
-vtkBRDF* vtkAngularTableBRDF::NewQuickRenderable()
-{
-  return this->Resampled->NewQuick(this);
-}
+vtkBRDF* vtkAngularTableBRDF::NewQuickRenderable() { return this->Resampled->NewQuick(this); }
 
 //------------------------------------------------------------------------------
 void vtkAngularTableBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)

@@ -277,10 +277,7 @@ vtkBRDF* vtkTensorTreeBRDF::GetRenderable()
 }
 
 //------------------------------------------------------------------------------
-vtkBRDF* vtkTensorTreeBRDF::NewQuickRenderable()
-{
-  return this->Resampled->NewQuick(this);
-}
+vtkBRDF* vtkTensorTreeBRDF::NewQuickRenderable() { return this->Resampled->NewQuick(this); }
 
 //------------------------------------------------------------------------------
 void vtkTensorTreeBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
