@@ -55,7 +55,7 @@ void brdfSkyRise(float slope, float kappa, out vec3 low, out vec3 high)
   high = vec3(7.0, 9.0, 11.0) / 12.0 * exp2(slope * brdfSkySine1 - kappa);
 }
 
-// Add a sector's share of a lobe cos(theta) exp2(slope . d - kappa), hidden and all, to sum. one,
+// Add a sector's share of a lobe cos(theta) exp2(slope . d - kappa), within bounds and all, to sum. one,
 // last: exp2 of the slope in the sector's azimuth, times a step of the nodes' cosines and the last
 // one.
 void brdfSkySector(float one, float last, vec2 bounds, vec3 rise0, vec3 rise1, inout vec2 sum)
@@ -90,15 +90,16 @@ void brdfSkySectors(
   brdfSkySector(1.0 / one, 1.0 / last, opposite, rise0, rise1, sum);
 }
 
-// Tangents of elevation of a sector's bounds, which are interpolated between sectors, and back.
+// Nearly tangents of elevation of a sector's bounds, which are interpolated between sectors, and
+// back.
 vec2 brdfSkyTangents(vec2 bounds)
 {
-  return bounds * inversesqrt(max(65025.0 - bounds * bounds, 13.0));
+  return bounds * inversesqrt(65025.0 - 0.96 * bounds * bounds);
 }
 
 vec2 brdfSkySines(vec2 tangents)
 {
-  return tangents * inversesqrt(1.0 + tangents * tangents);
+  return tangents * inversesqrt(1.0 + 0.96 * tangents * tangents);
 }
 
 // Add a sector's tangents to sum, by how near it is to an azimuth (unit).
@@ -108,7 +109,7 @@ void brdfSkyLampSector(vec2 along, vec2 tangents, vec2 azimuth, inout vec3 sum)
   sum += weight * vec3(tangents, 1.0);
 }
 
-// Of a lamp with this sine of elevation: how far it is from what is hidden, in widths of an edge.
+// Of a lamp with this sine of elevation: how far it is outside of the bounds, in widths of an edge.
 float brdfSkyLampMargin(vec3 sum, float sine)
 {
   vec2 bounds = brdfSkySines(sum.xy / max(sum.z, 1e-6));
@@ -128,7 +129,7 @@ vec4 brdfSkyPanelAzimuth(vec3 d, float radius)
     1.0 - 0.39269908169872414 / width);
 }
 
-// A sector's part of the hidden irradiance from a uniform sky.
+// The irradiance from a uniform sky within a sector's bounds.
 float brdfSkySquare(vec2 bounds)
 {
   return (bounds.y * bounds.y - bounds.x * bounds.x) * (1.0 / (16.0 * 255.0 * 255.0));
@@ -138,12 +139,12 @@ float brdfSkySquare(vec2 bounds)
 // lobe moves it.
 vec2 brdfSkyPanelEnds(float z, float radius, float rise)
 {
-  float extent = max(1.41421356 * radius * sqrt(max(1.0 - z * z, 0.0)), 0.03);
+  float extent = max(radius * sqrt(max(1.0 - z * z, 0.0)), 0.03);
   float low = max(z + rise - extent, 0.0);
   return vec2(low, max(min(z + rise + extent, 1.0), low));
 }
 
-// Add a sector's tangents to sum, its hidden part of a panel's irradiance, and its weight.
+// Add a sector's tangents to sum, what of a panel's irradiance is within its bounds, and its weight.
 void brdfSkyPanelSector(
   vec2 along, vec2 bounds, vec2 tangents, vec3 azimuth, vec2 ends, inout vec4 sum)
 {
@@ -154,8 +155,8 @@ void brdfSkyPanelSector(
 
 // The edge of what is hidden in the azimuth of a panel, the one nearer to its middle (sine z), moved
 // by what of the panel lies beyond the other one: below it, 0 to 0.5 (half of its sine), or above
-// it, 0.5 to 1. wide: as brdfSkyPanelAzimuth has it.
-float brdfSkyPanelEdge(vec4 sum, float z, vec2 ends, float wide)
+// it, 0.5 to 1. wide: as brdfSkyPanelAzimuth has it. opening: whether bounds are of what is visible.
+float brdfSkyPanelEdge(vec4 sum, float z, vec2 ends, float wide, bool opening)
 {
   float weight = max(sum.w, 1e-6);
   float bottom = ends.x * ends.x;
@@ -167,7 +168,8 @@ float brdfSkyPanelEdge(vec4 sum, float z, vec2 ends, float wide)
   vec2 squares = bounds * bounds;
   float edge = sqrt(isRoof ? squares.x + max(ends.y * ends.y - squares.y, 0.0)
                            : squares.y - max(squares.x - bottom, 0.0));
-  return bounds.y > bounds.x ? (isRoof ? 0.5 + 0.5 * edge : 0.5 * edge) : 0.0;
+  float inside = bounds.y > bounds.x ? (isRoof ? 0.5 + 0.5 * edge : 0.5 * edge) : 0.0;
+  return opening ? (inside < 0.5 ? inside + 0.5 : inside - 0.5) : inside;
 }
 
 // Hidden share of a panel.
@@ -186,13 +188,14 @@ float brdfSkyPanelRise(float z, float radius)
 }
 
 // The mean of exp2(slope . d - kappa) over a panel about unit d. rises: the normal's component of d
-// and of the slope; rise: how much higher than d the middle of the product is.
+// and of the slope; seen: the radius of the product (OcclusionLight.cxx), and how much higher than d
+// its middle is.
 float brdfSkyPanelInLobe(
-  vec3 d, float concentration, vec3 slope, float kappa, vec2 rises, out float rise)
+  vec3 d, float concentration, vec3 slope, float kappa, vec2 rises, out vec2 seen)
 {
   float own = concentration * 1.442695041;
   float both = max(length(slope + own * d), 1e-3);
-  rise = (rises.y + own * rises.x) / both - rises.x;
+  seen = vec2(1.698644 * inversesqrt(both), (rises.y + own * rises.x) / both - rises.x);
   return own / both * exp2(both - own - kappa);
 }
 

@@ -36,7 +36,7 @@ using namespace measuredbrdf;
 
 namespace
 {
-constexpr const char* Version = "3:";
+constexpr const char* Version = "4:";
 
 constexpr const char* BackSuffix = "Back";
 

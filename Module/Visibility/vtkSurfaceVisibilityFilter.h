@@ -16,8 +16,10 @@
  *
  * - "MeasuredBRDFHiddenSky", 35 unsigned bytes: a normal (3: 12 bits for each side of the unit
  *   octahedron, low bits first), then for each of 16 sectors of azimuth the lower and the upper
- *   sine of elevation between which the sky is hidden, 255 for 1. Azimuths count from the first
- *   column of the frame about the normal (Duff et al. 2017).
+ *   sine of elevation between which the sky is hidden, 255 for 1; or, in hollows, first the upper
+ *   and then the lower one between which it is visible: where the sum of the first ones exceeds
+ *   that of the second ones. Azimuths count from the first column of the frame about the normal
+ *   (Duff et al. 2017).
  * - "MeasuredBRDFHiddenLight", 25 unsigned bytes: orthonormal spherical harmonics of degree 0 to 4
  *   of the hidden part of cos(theta) about the normal, in the surface's own axes; 127 for 0, steps
  *   of 1.05 / 127.

@@ -1104,7 +1104,7 @@ add("Fetch.files-have-no-names", "FetchCatalog.cxx", "return entry.Name == name 
 
 add("Visibility.hidden-rays-without-cosine", "Private/HiddenSky.cxx", "transfer[j] += d.z * values[j];",
     "transfer[j] += values[j];", "HiddenSky.ACraterHidesTheLowSky")
-add("Visibility.panels-hidden-by-slivers", "Private/HiddenSky.cxx", "return this->Trust * (high * high", "return (high * high",
+add("Visibility.panels-hidden-by-slivers", "Private/HiddenSky.cxx", "return this->Trust * (this->Opening", "return (this->Opening",
     "HiddenSky.SliversAtTheHorizonHideNoPanel")
 add("Visibility.lobes-beyond-the-horizon", "Private/HiddenSky.cxx", "(e + 0.5) / Elevations * std::exp(across", "std::exp(across",
     "HiddenSky.ACraterHidesTheLowSky")
@@ -1112,12 +1112,14 @@ add("Visibility.margins-of-lamps-cut-off", "Private/HiddenSky.cxx", "-LargestMar
     "HiddenSky.MarginsSayHowFarLampsAreFromShadows")
 add("Visibility.sectors-count-backwards", "Private/HiddenSky.cxx", "return SectorWidth * sector;",
     "return -SectorWidth * sector;", "OcclusionTest.LobesLackTheirHiddenShare")
-add("Visibility.planes-by-sines", "Private/HiddenSky.cxx", "{ return sine / std::sqrt(std::max(1.0 - sine * sine, 2e-4)); }",
-    "{ return sine; }", "HiddenSky.PlanesAreFollowedBetweenSectors")
-add("Visibility.lobes-see-whole-panels", "Private/HiddenSky.cxx", "ends(local.z + rise)", "ends(local.z + 0.0 * rise)",
+add("Visibility.planes-by-sines", "Private/HiddenSky.cxx", "constexpr double Steepness = 0.96;",
+    "constexpr double Steepness = 0.0;", "HiddenSky.PlanesAreFollowedBetweenSectors")
+add("Visibility.lobes-see-whole-panels", "Private/HiddenSky.cxx", "ends(local.z + rise, seenRadius)", "ends(local.z + 0.0 * rise, seenRadius)",
     "HiddenSky.LobesSeeTheirPartOfAPanel")
 add("Visibility.empty-sectors-at-the-horizon", "Private/HiddenIntervals.cxx", "interval = { place, place };",
     "interval = { 0.0 * place, 0.0 };", "HiddenSky.FloatingBodiesEndBetweenSectors")
+add("Visibility.hollows-by-what-they-hide", "Private/HiddenIntervals.cxx", "this->Opening = misfit[1] < misfit[0];",
+    "this->Opening = false;", "HiddenSky.HollowsHideFromBothSides")
 add("Visibility.strata-without-offset", "Private/HiddenSky.cxx",
     "return ReverseBits(static_cast<unsigned>(sector)) + 0.5 / Sectors;", "return 0.5;",
     "SurfaceVisibility.BlocksHideOneAnother")
@@ -1197,6 +1199,8 @@ add("Rendering.hidden-light-unturned", "Private/OcclusionAxes.cxx",
     "this->ToEnvironment.push_back(own * toRenderer);", "OcclusionTest.ActorsMayBeTurnedMirroredAndScaled")
 add("Rendering.lobes-without-cosine", "Private/OcclusionLobes.cxx", "cell.Cosine * std::exp(", "cell.SolidAngle * std::exp(",
     "OcclusionTest.LobesHaveTheKernelsMean")
+add("Shaders.openings-have-roofs-for-walls", "vtkBRDFHiddenSky.glsl", "return opening ? (inside", "return !opening ? (inside",
+    "OcclusionTest.PanelsAreHiddenOneByOne")
 add("Shaders.lamps-edges-on-points", "vtkBRDFHiddenSky.glsl", "clamp(max(below, above), -3.0, 3.0)", "clamp(max(below, above), -0.5, 0.5)",
     "OcclusionTest.ShadowEdgesCrossTriangles")
 add("Shaders.lamps-in-tables-go-with-the-rest", "vtkBRDFHiddenSky.glsl", "  return 1.0 - root * root;", "  return 0.0;",

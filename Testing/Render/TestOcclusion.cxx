@@ -190,6 +190,37 @@ protected:
     this->Surface->Modified();
   }
 
+  /// What was hidden is visible, and the other way round: sectors have openings then, as in
+  /// hollows.
+  void TurnInsideOut()
+  {
+    const HiddenSky::Rays rays(8);
+    const HiddenSky::Code all = HiddenSky::Encode({ 0.0, 0.0, 1.0 }, rays,
+      std::vector<char>(rays.GetDirections().size(), 1), [](const glm::dvec3&) { return true; });
+    vtkUnsignedCharArray* sky =
+      GetBytes(this->Surface, vtkSurfaceVisibilityFilter::GetHiddenSkyArrayName());
+    vtkUnsignedCharArray* light =
+      GetBytes(this->Surface, vtkSurfaceVisibilityFilter::GetHiddenLightArrayName());
+    for (vtkIdType point = 0; point < sky->GetNumberOfTuples(); ++point)
+    {
+      unsigned char* bounds = sky->GetPointer(point * HiddenSky::SectorBytes) + 3;
+      for (int s = 0; s < HiddenSky::Sectors; ++s)
+      {
+        std::swap(bounds[2 * s], bounds[2 * s + 1]);
+      }
+      unsigned char* transfer = light->GetPointer(point * HiddenSky::TransferBytes);
+      for (int j = 0; j < HiddenSky::TransferBytes; ++j)
+      {
+        const int whole = all[static_cast<std::size_t>(HiddenSky::SectorBytes + j)];
+        transfer[j] = static_cast<unsigned char>(
+          std::clamp(HiddenSky::OpenTransfer + whole - transfer[j], 0, 255));
+      }
+    }
+    sky->Modified();
+    light->Modified();
+    this->Surface->Modified();
+  }
+
   glm::dvec3 GetView() const
   {
     glm::dvec3 p;
@@ -244,13 +275,17 @@ TEST_F(OcclusionTest, LobesLackTheirHiddenShare)
   double largest = 0.0;
   for (const double degrees : { 0.0, 35.0, -35.0, 60.0, -60.0 })
   {
-    this->Tilt(degrees);
-    const glm::dvec3 off = this->RenderMiddle(0);
-    const glm::dvec3 on = this->RenderMiddle(1);
-    const Expected expected = this->Evaluate(brdf, table, this->GetView());
-    EXPECT_LT(glm::length(on - off * (1.0 - expected.HiddenLight)), 3e-3 * glm::length(off))
-      << degrees;
-    largest = std::max(largest, expected.HiddenLight.x);
+    for (const char* kind : { "hidden between bounds", "visible between them" })
+    {
+      this->Tilt(degrees);
+      const glm::dvec3 off = this->RenderMiddle(0);
+      const glm::dvec3 on = this->RenderMiddle(1);
+      const Expected expected = this->Evaluate(brdf, table, this->GetView());
+      EXPECT_LT(glm::length(on - off * (1.0 - expected.HiddenLight)), 3e-3 * glm::length(off))
+        << degrees << ", " << kind;
+      largest = std::max(largest, expected.HiddenLight.x);
+      this->TurnInsideOut();
+    }
   }
   EXPECT_GT(largest, 0.1);
 }
@@ -319,9 +354,13 @@ TEST_F(OcclusionTest, LampsAreHiddenOneByOne)
     []() { return true; });
   int dark = 0;
   int lit = 0;
-  for (double rotation = 0.0; rotation < 360.0; rotation += 60.0)
+  for (double rotation = 0.0; rotation < 720.0; rotation += 60.0)
   {
     this->Environment->SetRotationY(rotation);
+    if (rotation == 360.0)
+    {
+      this->TurnInsideOut();
+    }
     const glm::dvec3 off = this->RenderMiddle(0);
     const glm::dvec3 on = this->RenderMiddle(1);
     const Expected expected = this->Evaluate(brdf, hybrid, this->GetView());
@@ -498,9 +537,13 @@ TEST_F(OcclusionTest, PanelsAreHiddenOneByOne)
   const double up[3] = { 0.0, 0.0, 1.0 };
   matte->Evaluate(up, up, f);
   double largest = 0.0;
-  for (const double rotation : { 0.0, 60.0, 150.0, 270.0 })
+  for (const double rotation : { 0.0, 60.0, 150.0, 270.0, 360.0, 420.0, 510.0 })
   {
-    this->Tilt(0.2 * rotation - 20.0);
+    if (rotation == 360.0)
+    {
+      this->TurnInsideOut();
+    }
+    this->Tilt(0.2 * std::fmod(rotation, 360.0) - 20.0);
     this->Environment->SetRotationY(rotation);
     this->Mapper->SetBRDF(matte);
     this->Mapper->SetIntegrator(table);

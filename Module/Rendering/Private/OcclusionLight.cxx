@@ -170,7 +170,8 @@ OcclusionLight::Hidden OcclusionLight::GetHidden(
     // The middle of both lobes' product.
     const double up = (glm::dot(slope, n) + panel.Concentration * z) / both - z;
     all += inLobe;
-    lost += sky.GetHiddenPanel(d, radius, up) * inLobe;
+    // sqrt(2) of its standard deviations: lobes may be sharper than kappa says.
+    lost += sky.GetHiddenPanel(d, radius, std::sqrt(2.0 / both), up) * inLobe;
   }
   const LampWindow window(this->TableRows);
   const glm::dvec3 axis = lobe.GetAxis(n, view);
@@ -190,7 +191,7 @@ OcclusionLight::Hidden OcclusionLight::GetHidden(
 
 double GetPanelRadius(const EnvironmentPanels::Panel& panel)
 {
-  return std::sqrt(0.5 / panel.Concentration);
+  return std::sqrt(3.0 / panel.Concentration);
 }
 
 glm::mat4 GetIrradianceForm(const sky::Colors& light, int channel)

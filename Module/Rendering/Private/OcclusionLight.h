@@ -61,7 +61,7 @@ struct OcclusionLight
     const HiddenSky& sky, const glm::dvec3& view, const glm::dmat3& toEnvironment) const;
 };
 
-/// How large a panel is taken to be: an angular radius in radians.
+/// Half of the width of an even strip that has the panel's variance, in radians.
 double GetPanelRadius(const EnvironmentPanels::Panel& panel);
 
 /// Irradiance as a quadratic form of (n, 1), for a channel; by columns.

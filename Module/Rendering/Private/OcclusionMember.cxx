@@ -149,7 +149,8 @@ std::string OcclusionMember::MakeLobeCode() const
               Bounds(s + HiddenSky::Sectors / 2) +
               ", brdfRiseLow#M, brdfRiseHigh#M, brdfShare#M);\n";
     }
-    text += "  brdfShareOf#M = clamp(brdfShare#M.x / max(brdfShare#M.y, 1e-30), 0.0, 1.0);\n";
+    text += "  brdfShareOf#M = clamp(brdfShare#M.x / max(brdfShare#M.y, 1e-30), 0.0, 1.0);\n"
+            "  brdfShareOf#M = brdfSkyOpening ? 1.0 - brdfShareOf#M : brdfShareOf#M;\n";
   }
   if (this->IsBouncing)
   {
@@ -184,8 +185,8 @@ std::string OcclusionMember::MakeLampCode() const
       text += "  brdfSkyLampSector(" + Along(s) + ", " + Tangents(s) + ", brdfAzimuth" + lamp +
               ", brdfBounds" + lamp + ");\n";
     }
-    text += "  " + this->GetLamp(k) + " = brdfSkyLampMargin(brdfBounds" + lamp + ", brdfLamp" +
-            lamp + ".z);\n";
+    text += "  " + this->GetLamp(k) + " = (brdfSkyOpening ? -1.0 : 1.0) * brdfSkyLampMargin(" +
+            "brdfBounds" + lamp + ", brdfLamp" + lamp + ".z);\n";
     if (!this->Light->LampLight.empty())
     {
       text += "  brdfHiddenLight" + this->Out + "VSOutput += clamp(0.5 - " + this->GetLamp(k) +
@@ -290,14 +291,22 @@ std::string MakeRestingCommonCode()
   vtkShaderProgram::Substitute(text, "BRDF_FIRST", Byte(HiddenSky::SectorBytes));
   vtkShaderProgram::Substitute(
     text, "BRDF_COSINE", Number(HiddenSky::TransferStep * std::sqrt(4.0 * Pi) / Pi));
-  // Most points are open: they need no sums over sectors.
-  std::string spans = "0.0";
+  std::string spans = "  float brdfSkySpans = 0.0";
+  std::string bounds;
   for (int s = 0; s < HiddenSky::Sectors; ++s)
   {
-    spans += " + " + Byte(4 + 2 * s) + " - " + Byte(3 + 2 * s);
-    text += "  vec2 " + Tangents(s) + " = brdfSkyTangents(" + Bounds(s) + ");\n";
+    const std::string low = Byte(3 + 2 * s);
+    const std::string high = Byte(4 + 2 * s);
+    spans += " + " + high + " - " + low;
+    bounds += "  vec2 " + Bounds(s) + " = brdfSkyOpening ? vec2(" + high + ", " + low +
+              ") : vec2(" + low + ", " + high + ");\n";
+    bounds += "  vec2 " + Tangents(s) + " = brdfSkyTangents(" + Bounds(s) + ");\n";
   }
-  return text + "  bool brdfSkyMatters = " + spans + " > 0.5;\n";
+  // Most points are open: they need no sums over sectors.
+  return text + spans +
+         ";\n  bool brdfSkyMatters = abs(brdfSkySpans) > 0.5;\n"
+         "  bool brdfSkyOpening = brdfSkySpans < 0.0;\n" +
+         bounds;
 }
 
 std::string MakeViewCommonCode()

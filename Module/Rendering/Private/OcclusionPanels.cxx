@@ -15,10 +15,10 @@ const char* const BeginShine =
   vec3 brdfLobeLost#M = brdfHiddenLobe#OUTVSOutput * brdfLobeAll#M;
   float brdfWhole#M = 1.0 / brdfLobe#M.z;
 )";
-const char* const Shine = R"(    float rise;
+const char* const Shine = R"(    vec2 seen;
     float shine = brdfWhole#M * brdfSkyPanelInLobe(
-      panel.xyz, panel.w, brdfTurned#M, brdfKappa#M, vec2(z, brdfSlope#M.z), rise);
-    float inLobe = brdfSkyPanelHidden(edge, brdfSkyPanelEnds(z, glow.w, rise));
+      panel.xyz, panel.w, brdfTurned#M, brdfKappa#M, vec2(z, brdfSlope#M.z), seen);
+    float inLobe = brdfSkyPanelHidden(edge, brdfSkyPanelEnds(z, seen.x, seen.y));
     brdfSkyAddPanel(light, inLobe * brdfTrust#M, shine, brdfLobeAll#M, brdfLobeLost#M);
 )";
 const char* const EndShine = "  brdfHiddenLobe#OUTVSOutput = brdfLobeLost#M / brdfLobeAll#M;\n";
@@ -43,7 +43,8 @@ std::string MakePanelCode(const OcclusionMember& member, PanelUse use)
   const bool shines = use == PanelUse::Draw && member.HasLobe();
   text += shines ? BeginShine : "";
   text += member.HasLobe() ? "" : "  float brdfTrust#M;\n";
-  text += R"(  brdfTrust#M = clamp(brdfSkyHidden / max(brdfInSectors#M, 1e-6), 0.0, 1.0);
+  text += R"(  brdfInSectors#M = brdfSkyOpening ? 1.0 - brdfInSectors#M : brdfInSectors#M;
+  brdfTrust#M = clamp(brdfSkyHidden / max(brdfInSectors#M, 1e-6), 0.0, 1.0);
   for (int k = 0; k < #COUNT; ++k)
   {
     vec4 panel = brdfSkyPanel#M[k];
@@ -59,7 +60,7 @@ std::string MakePanelCode(const OcclusionMember& member, PanelUse use)
     text += "    brdfSkyPanelSector(" + Along(s) + ", " + Bounds(s) + ", " + Tangents(s) +
             ", azimuth.xyz, ends, sum);\n";
   }
-  text += R"(    float edge = brdfSkyPanelEdge(sum, z, ends, azimuth.w);
+  text += R"(    float edge = brdfSkyPanelEdge(sum, z, ends, azimuth.w, brdfSkyOpening);
     float hidden = brdfSkyPanelHidden(edge, ends) * brdfTrust#M;
     vec3 light = glow.rgb * brdfSkyPanelRise(z, glow.w);
     brdfHiddenLight#OUTVSOutput += hidden * light;

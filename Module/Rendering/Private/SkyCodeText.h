@@ -32,10 +32,9 @@ inline std::string Along(int sector)
 // Byte k of a point's code.
 inline std::string Byte(int k) { return "brdfCode" + std::to_string(k / 3) + "." + "xyz"[k % 3]; }
 
-inline std::string Bounds(int sector)
-{
-  return "vec2(" + Byte(3 + 2 * sector) + ", " + Byte(4 + 2 * sector) + ")";
-}
+// Of a sector: in order, 255 for 1; whether the sky is visible or hidden between them:
+// brdfSkyOpening.
+inline std::string Bounds(int sector) { return "brdfSkyBounds" + std::to_string(sector); }
 // Of a sector's bounds.
 inline std::string Tangents(int sector) { return "brdfSkyTangents" + std::to_string(sector); }
 } // namespace measuredbrdf

@@ -19,9 +19,26 @@ HiddenIntervals::HiddenIntervals(
   , PlaceInStratum(offset)
   , IsHidden(test)
 {
+  std::array<Flags, Sectors> flags;
+  double misfit[2] = { 0.0, 0.0 };
   for (int s = 0; s < Sectors; ++s)
   {
-    this->Intervals[static_cast<std::size_t>(s)] = this->Find(s);
+    Flags& own = flags[static_cast<std::size_t>(s)];
+    own = this->FindFlags(s);
+    misfit[0] += this->FindRun(own).Misfit;
+    Flags visible = own;
+    visible.flip();
+    misfit[1] += this->FindRun(visible).Misfit;
+  }
+  this->Opening = misfit[1] < misfit[0];
+  for (int s = 0; s < Sectors; ++s)
+  {
+    Flags& own = flags[static_cast<std::size_t>(s)];
+    if (this->Opening)
+    {
+      own.flip();
+    }
+    this->Intervals[static_cast<std::size_t>(s)] = this->Find(s, own);
   }
   this->PlaceEmpty();
 }
@@ -31,7 +48,12 @@ double HiddenIntervals::GetPlace(int k, int sector) const
   return (k + this->PlaceInStratum(sector)) / this->Elevations;
 }
 
-// How many of the rays of an elevation, of the sector and both beside it.
+bool HiddenIntervals::IsInside(int sector, double sine) const
+{
+  return this->IsHidden(sector, sine) != this->Opening;
+}
+
+// How many of the rays of an elevation, of the sector and both beside it, are hidden.
 int HiddenIntervals::CountHidden(int k, int sector) const
 {
   int count = 0;
@@ -43,78 +65,103 @@ int HiddenIntervals::CountHidden(int k, int sector) const
   return count;
 }
 
-// An edge between a hidden and a visible place of the middle, or the other way round.
-double HiddenIntervals::Halve(int sector, double from, double to, bool hiddenBelow) const
+// Whether any of these is inside.
+bool HiddenIntervals::IsNearInside(int k, int sector) const
 {
-  for (int k = 0; k < Halvings; ++k)
-  {
-    const double middle = 0.5 * (from + to);
-    (this->IsHidden(sector, middle) == hiddenBelow ? from : to) = middle;
-  }
-  return 0.5 * (from + to);
+  const int count = this->CountHidden(k, sector);
+  return this->Opening ? count < 3 : count > 0;
 }
 
-// The edge before place k of a sector's flags; where a hidden and a visible place do not meet
-// there, half way.
-double HiddenIntervals::FindEdge(
-  int sector, int k, bool hiddenBelow, const std::vector<char>& flags) const
+// The middle is asked only where the rays about it do not agree.
+HiddenIntervals::Flags HiddenIntervals::FindFlags(int sector) const
 {
-  const auto at = static_cast<std::size_t>(k);
-  const double from = this->GetPlace(k - 1, sector);
-  const double to = this->GetPlace(k, sector);
-  return (flags[at - 1] != 0) == hiddenBelow && (flags[at] != 0) != hiddenBelow
-           ? this->Halve(sector, from, to, hiddenBelow)
-           : 0.5 * (from + to);
-}
-
-// The middle is asked only where the rays about it do not agree. As many places as are hidden,
-// where most of them are.
-HiddenIntervals::Interval HiddenIntervals::Find(int sector)
-{
-  std::vector<char> flags;
+  Flags flags;
   for (int k = 0; k < this->Elevations; ++k)
   {
     const int near = this->CountHidden(k, sector);
     const bool asks = near > 0 && near < 3;
     flags.push_back(near == 3 || (asks && this->IsHidden(sector, this->GetPlace(k, sector))));
   }
-  const auto count = static_cast<int>(std::count(flags.begin(), flags.end(), 1));
-  if (count == 0)
-  {
-    // Lower than all rays?
-    const double first = this->GetPlace(0, sector);
-    const double edge =
-      this->CountHidden(0, sector) > 0 ? this->Halve(sector, 0.0, first, true) : 0.0;
-    return { 0.0, edge < first / (1 << Halvings) ? 0.0 : edge };
-  }
+  return flags;
+}
+
+// As many places as are inside, where most of them are.
+HiddenIntervals::Run HiddenIntervals::FindRun(const Flags& flags) const
+{
+  Run run;
+  run.Count = static_cast<int>(std::count(flags.begin(), flags.end(), true));
   int best = -1;
-  int first = 0;
-  for (int begin = 0; begin + count <= this->Elevations; ++begin)
+  for (int begin = 0; begin + run.Count <= this->Elevations; ++begin)
   {
     const auto inside =
-      static_cast<int>(std::count(flags.begin() + begin, flags.begin() + begin + count, 1));
+      static_cast<int>(std::count(flags.begin() + begin, flags.begin() + begin + run.Count, true));
     if (inside > best)
     {
       best = inside;
-      first = begin;
+      run.First = begin;
     }
   }
-  const int last = first + count; // the first place above
+  for (int k = 0; k < this->Elevations; ++k)
+  {
+    const bool isInRun = k >= run.First && k < run.First + run.Count;
+    run.Misfit += isInRun != flags[static_cast<std::size_t>(k)] ? k + 0.5 : 0.0;
+  }
+  return run;
+}
+
+// An edge between a place inside and one outside, or the other way round.
+double HiddenIntervals::Halve(int sector, double from, double to, bool insideBelow) const
+{
+  for (int k = 0; k < Halvings; ++k)
+  {
+    const double middle = 0.5 * (from + to);
+    (this->IsInside(sector, middle) == insideBelow ? from : to) = middle;
+  }
+  return 0.5 * (from + to);
+}
+
+// The edge before place k of a sector's flags; where a place inside and one outside do not meet
+// there, half way.
+double HiddenIntervals::FindEdge(int sector, int k, bool insideBelow, const Flags& flags) const
+{
+  const auto at = static_cast<std::size_t>(k);
+  const double from = this->GetPlace(k - 1, sector);
+  const double to = this->GetPlace(k, sector);
+  return flags[at - 1] == insideBelow && flags[at] != insideBelow
+           ? this->Halve(sector, from, to, insideBelow)
+           : 0.5 * (from + to);
+}
+
+HiddenIntervals::Interval HiddenIntervals::Find(int sector, const Flags& flags)
+{
+  const Run run = this->FindRun(flags);
+  const double top = this->GetPlace(this->Elevations - 1, sector);
+  if (run.Count == 0)
+  {
+    // Higher, or lower, than all rays?
+    if (this->IsNearInside(this->Elevations - 1, sector) && this->IsZenithInside())
+    {
+      return { this->Halve(sector, top, 1.0, false), 1.0 };
+    }
+    const double first = this->GetPlace(0, sector);
+    const double edge = this->IsNearInside(0, sector) ? this->Halve(sector, 0.0, first, true) : 0.0;
+    return { 0.0, edge < first / (1 << Halvings) ? 0.0 : edge };
+  }
+  const int last = run.First + run.Count; // the first place above
   Interval interval;
-  interval.Low = first == 0 ? 0.0 : this->FindEdge(sector, first, false, flags);
-  interval.High = last < this->Elevations ? this->FindEdge(sector, last, true, flags)
-                  : this->IsZenithHidden()
-                    ? 1.0
-                    : this->Halve(sector, this->GetPlace(last - 1, sector), 1.0, true);
+  interval.Low = run.First == 0 ? 0.0 : this->FindEdge(sector, run.First, false, flags);
+  interval.High = last < this->Elevations  ? this->FindEdge(sector, last, true, flags)
+                  : this->IsZenithInside() ? 1.0
+                                           : this->Halve(sector, top, 1.0, true);
   interval.High = std::max(interval.Low, interval.High);
   return interval;
 }
 
-bool HiddenIntervals::IsZenithHidden()
+bool HiddenIntervals::IsZenithInside()
 {
   if (this->Zenith < 0)
   {
-    this->Zenith = this->IsHidden(0, 1.0) ? 1 : 0;
+    this->Zenith = this->IsInside(0, 1.0) ? 1 : 0;
   }
   return this->Zenith == 1;
 }

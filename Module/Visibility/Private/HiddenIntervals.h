@@ -46,25 +46,43 @@ public:
   HiddenIntervals(
     const std::vector<char>& hidden, int elevations, const Offset& offset, const Test& test);
 
+  /// Whether the intervals are what is visible, not what is hidden: of a hollow both its near side
+  /// and the one opposite are hidden. The same for all sectors, whichever fits them better.
+  bool IsOpening() const { return this->Opening; }
+
   const Interval& Get(int sector) const
   {
     return this->Intervals[static_cast<std::size_t>(sector)];
   }
 
 private:
+  using Flags = std::vector<bool>; // of places in a sector's middle: whether they are inside
+
+  struct Run
+  {
+    int First = 0;
+    int Count = 0;
+    double Misfit = 0.0; // of places, by their sines
+  };
+
   double GetPlace(int k, int sector) const;
+  bool IsInside(int sector, double sine) const;
   int CountHidden(int k, int sector) const;
-  double Halve(int sector, double from, double to, bool hiddenBelow) const;
-  double FindEdge(int sector, int k, bool hiddenBelow, const std::vector<char>& flags) const;
-  Interval Find(int sector);
-  bool IsZenithHidden();
+  bool IsNearInside(int k, int sector) const;
+  Flags FindFlags(int sector) const;
+  Run FindRun(const Flags& flags) const;
+  double Halve(int sector, double from, double to, bool insideBelow) const;
+  double FindEdge(int sector, int k, bool insideBelow, const Flags& flags) const;
+  Interval Find(int sector, const Flags& flags);
+  bool IsZenithInside();
   void PlaceEmpty();
 
   const std::vector<char>& Hidden;
   int Elevations;
   Offset PlaceInStratum;
   Test IsHidden;
-  int Zenith = -1; // whether it is hidden; unknown
+  bool Opening = false;
+  int Zenith = -1; // whether it is inside; unknown
   std::array<Interval, Sectors> Intervals;
 };
 } // namespace measuredbrdf

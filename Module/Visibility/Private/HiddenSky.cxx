@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace measuredbrdf
 {
@@ -31,9 +32,11 @@ constexpr double NodeStep = 0.0301;
 constexpr int NodeSteps[HiddenSky::Elevations] = { 20, 19, 17, 14, 9, 0 };
 
 // Of elevations. The tangent below which a plane through a point hides the sky is a cosine of the
-// azimuth: so tangents are interpolated between sectors.
-double GetTangent(double sine) { return sine / std::sqrt(std::max(1.0 - sine * sine, 2e-4)); }
-double GetSine(double tangent) { return tangent / std::sqrt(1.0 + tangent * tangent); }
+// azimuth: so tangents are interpolated between sectors. Nearly tangents: these end at 5, so that a
+// bound at the zenith does not decide alone.
+constexpr double Steepness = 0.96;
+double GetTangent(double sine) { return sine / std::sqrt(1.0 - Steepness * sine * sine); }
+double GetSine(double tangent) { return tangent / std::sqrt(1.0 + Steepness * tangent * tangent); }
 
 constexpr double SectorWidth = 2.0 * Pi / HiddenSky::Sectors;
 
@@ -147,11 +150,10 @@ HiddenSky::Code HiddenSky::Encode(
         }
       }
     }
-    const Interval& interval = intervals.Get(s);
-    code[static_cast<std::size_t>(3 + 2 * s)] =
-      static_cast<std::uint8_t>(std::lround(255.0 * interval.Low));
-    code[static_cast<std::size_t>(4 + 2 * s)] =
-      static_cast<std::uint8_t>(std::lround(255.0 * interval.High));
+    const auto low = static_cast<std::size_t>(intervals.IsOpening() ? 4 + 2 * s : 3 + 2 * s);
+    const auto high = static_cast<std::size_t>(intervals.IsOpening() ? 3 + 2 * s : 4 + 2 * s);
+    code[low] = static_cast<std::uint8_t>(std::lround(255.0 * intervals.Get(s).Low));
+    code[high] = static_cast<std::uint8_t>(std::lround(255.0 * intervals.Get(s).High));
   }
   for (std::size_t j = 0; j < transfer.size(); ++j)
   {
@@ -164,12 +166,20 @@ HiddenSky::Code HiddenSky::Encode(
 HiddenSky::HiddenSky(const Code& code)
   : Frame(FrameAbout(UnpackNormal(code.data())))
 {
+  int span = 0;
   double inSectors = 0.0;
   for (std::size_t s = 0; s < Sectors; ++s)
   {
     this->Low[s] = code[3 + 2 * s] / 255.0;
     this->High[s] = code[4 + 2 * s] / 255.0;
+    span += code[4 + 2 * s] - code[3 + 2 * s];
     inSectors += (this->High[s] * this->High[s] - this->Low[s] * this->Low[s]) / Sectors;
+  }
+  if (span < 0)
+  {
+    this->Opening = true;
+    std::swap(this->Low, this->High);
+    inSectors += 1.0;
   }
   for (std::size_t j = 0; j < sky::Harmonics; ++j)
   {
@@ -197,7 +207,7 @@ double HiddenSky::GetHiddenShare(const glm::dvec3& slope) const
 {
   const glm::dvec3 local = ToLocal(this->Frame, slope);
   const double kappa = glm::length(slope);
-  double hidden = 0.0;
+  double inside = 0.0;
   double all = 0.0;
   for (std::size_t s = 0; s < Sectors; ++s)
   {
@@ -212,13 +222,14 @@ double HiddenSky::GetHiddenShare(const glm::dvec3& slope) const
       const double weight =
         (e + 0.5) / Elevations * std::exp(across * cosine + local.z * sine - kappa);
       all += weight;
-      hidden += weight * (std::clamp(high - e, 0.0, 1.0) - std::clamp(low - e, 0.0, 1.0));
+      inside += weight * (std::clamp(high - e, 0.0, 1.0) - std::clamp(low - e, 0.0, 1.0));
     }
   }
-  return std::clamp(hidden / std::max(all, 1e-30), 0.0, 1.0);
+  const double share = std::clamp(inside / std::max(all, 1e-30), 0.0, 1.0);
+  return this->Opening ? 1.0 - share : share;
 }
 
-HiddenSky::Interval HiddenSky::GetHidden(const glm::dvec3& local, double last) const
+HiddenSky::Interval HiddenSky::GetBounds(const glm::dvec3& local, double last) const
 {
   const double sine = std::max(std::hypot(local.x, local.y), 1e-6);
   double sum = 0.0;
@@ -241,15 +252,16 @@ HiddenSky::Interval HiddenSky::GetHidden(const glm::dvec3& local, double last) c
 double HiddenSky::GetLampMargin(const glm::dvec3& direction) const
 {
   const glm::dvec3 local = ToLocal(this->Frame, direction);
-  const Interval bounds = this->GetHidden(local, std::cos(SectorWidth));
+  const Interval bounds = this->GetBounds(local, std::cos(SectorWidth));
   constexpr double edge = 0.04; // sine of elevation: half a stratum of the rays or so
   if (bounds.IsEmpty())
   {
-    return LargestMargin;
+    return this->Opening ? -LargestMargin : LargestMargin;
   }
   const double below = bounds.IsFromHorizon() ? -LargestMargin : (bounds.Low - local.z) / edge;
   const double above = bounds.IsToZenith() ? -LargestMargin : (local.z - bounds.High) / edge;
-  return std::clamp(std::max(below, above), -LargestMargin, LargestMargin);
+  const double outside = std::clamp(std::max(below, above), -LargestMargin, LargestMargin);
+  return this->Opening ? -outside : outside;
 }
 
 double HiddenSky::GetVisibleLamp(const glm::dvec3& direction) const
@@ -257,53 +269,65 @@ double HiddenSky::GetVisibleLamp(const glm::dvec3& direction) const
   return std::clamp(this->GetLampMargin(direction) + 0.5, 0.0, 1.0);
 }
 
-double HiddenSky::GetHiddenPanel(const glm::dvec3& direction, double radius, double rise) const
+double HiddenSky::GetHiddenPanel(const glm::dvec3& direction, double radius) const
+{
+  return this->GetHiddenPanel(direction, radius, radius, 0.0);
+}
+
+double HiddenSky::GetHiddenPanel(
+  const glm::dvec3& direction, double radius, double seenRadius, double rise) const
 {
   const glm::dvec3 local = ToLocal(this->Frame, direction);
   const double sine = std::max(std::hypot(local.x, local.y), 1e-6);
-  // Above the horizon, a standard deviation of it to each side.
-  const double half = std::max(std::sqrt(2.0) * radius * sine, 0.03);
-  const auto ends = [half](double z) -> Interval
+  // Above the horizon.
+  const auto ends = [sine](double z, double extent) -> Interval
   {
+    const double half = std::max(extent * sine, 0.03);
     const double low = std::max(z - half, 0.0);
     return { low, std::max(std::min(z + half, 1.0), low) };
   };
   // Azimuths that it covers, if more than a sector: about the zenith all of them alike.
   const double width = std::max(std::max(radius, 0.04) / std::max(sine, 1e-3), SectorWidth);
   const double last = std::cos(std::min(width, Pi)) - std::max(width - Pi, 0.0);
-  Interval hidden = this->GetHidden(local, last);
-  const Interval own = ends(local.z);
+  Interval bounds = this->GetBounds(local, last);
+  const Interval own = ends(local.z, radius);
   if (width > SectorWidth)
   {
     const double covered = this->GetCovered(local, last, own);
     const double top = std::sqrt(glm::mix(own.Low * own.Low, own.High * own.High, covered));
     const double wide = 1.0 - SectorWidth / width;
-    hidden = { glm::mix(hidden.Low, own.Low, wide), glm::mix(hidden.High, top, wide) };
+    bounds = { glm::mix(bounds.Low, own.Low, wide), glm::mix(bounds.High, top, wide) };
   }
-  const Interval seen = ends(local.z + rise);
-  if (seen.IsEmpty() || hidden.IsEmpty())
+  const Interval seen = ends(local.z + rise, seenRadius);
+  if (seen.IsEmpty())
   {
     return 0.0;
   }
+  if (bounds.IsEmpty())
+  {
+    return this->Opening ? this->Trust : 0.0;
+  }
   // The edge that is nearer to its middle, moved by what of the panel lies beyond the other one.
   const bool isRoof =
-    !hidden.IsFromHorizon() && (hidden.IsToZenith() || local.z < 0.5 * (hidden.Low + hidden.High));
+    !bounds.IsFromHorizon() && (bounds.IsToZenith() || local.z < 0.5 * (bounds.Low + bounds.High));
   const auto square = [](double x) { return x * x; };
   const double edge =
-    std::sqrt(isRoof ? square(hidden.Low) + std::max(square(own.High) - square(hidden.High), 0.0)
-                     : square(hidden.High) - std::max(square(hidden.Low) - square(own.Low), 0.0));
+    std::sqrt(isRoof ? square(bounds.Low) + std::max(square(own.High) - square(bounds.High), 0.0)
+                     : square(bounds.High) - std::max(square(bounds.Low) - square(own.Low), 0.0));
   const double low = isRoof ? std::clamp(edge, seen.Low, seen.High) : seen.Low;
   const double high = isRoof ? seen.High : std::clamp(edge, seen.Low, seen.High);
   const double all = seen.High * seen.High - seen.Low * seen.Low;
-  return this->Trust * (high * high - low * low) / std::max(all, 1e-6);
+  const double inside = (high * high - low * low) / std::max(all, 1e-6);
+  return this->Trust * (this->Opening ? 1.0 - inside : inside);
 }
 
-// Hidden share of the irradiance between two sines of elevation, of sectors about an azimuth.
+// Share of the irradiance between two sines of elevation that is within the bounds of sectors about
+// an azimuth.
 double HiddenSky::GetCovered(const glm::dvec3& local, double last, const Interval& ends) const
 {
   const double sine = std::max(std::hypot(local.x, local.y), 1e-6);
   double sum = 0.0;
-  double hidden = 0.0;
+  double inside = 0.0;
   for (std::size_t s = 0; s < Sectors; ++s)
   {
     const double azimuth = GetAzimuth(static_cast<int>(s));
@@ -312,10 +336,10 @@ double HiddenSky::GetCovered(const glm::dvec3& local, double last, const Interva
     sum += weight;
     const double low = std::clamp(this->Low[s], ends.Low, ends.High);
     const double high = std::clamp(this->High[s], ends.Low, ends.High);
-    hidden += weight * (high * high - low * low);
+    inside += weight * (high * high - low * low);
   }
   const double all = sum * (ends.High * ends.High - ends.Low * ends.Low);
-  return std::clamp(hidden / std::max(all, 1e-6), 0.0, 1.0);
+  return std::clamp(inside / std::max(all, 1e-6), 0.0, 1.0);
 }
 
 glm::dvec3 HiddenSky::GetHiddenLight(double hiddenShare, double kappa,

@@ -7,7 +7,9 @@
  *
  * - A normal (3 bytes): the code's frame is FrameAbout(normal).
  * - 16 sectors of azimuth (2 bytes each): from which to which sine of elevation the sky is hidden
- *   in the sector's middle.
+ *   in the sector's middle; or, where the first byte is the larger one, from the second one to the
+ *   first one visible: the same for all sectors, whichever fits better. Of a hollow both the near
+ *   wall and the one opposite hide, so what is visible is one interval.
  * - 25 spherical harmonics, in the surface's own axes, of the hidden part of cos theta (1 byte
  *   each): their product with the light's harmonics is the hidden irradiance (Sloan, Kautz, Snyder
  *   2002), exact as far as the light's harmonics reach.
@@ -106,10 +108,14 @@ public:
   /// Visible share of the lamp at such a margin, 0 to 1.
   double GetVisibleLamp(const glm::dvec3& direction) const;
 
-  /// Hidden share, 0 to 1, of a panel about this unit direction, of an angular radius in radians.
-  /// rise: by how much a lobe moves the middle of what it sees of the panel, in the sine of
-  /// elevation.
-  double GetHiddenPanel(const glm::dvec3& direction, double radius, double rise = 0.0) const;
+  /// Hidden share, 0 to 1, of a panel about this unit direction: an even strip that reaches radius
+  /// (radians) to each side. A lobe sees less of it, about a middle that is higher by rise (in the
+  /// sine of elevation).
+  ///@{
+  double GetHiddenPanel(const glm::dvec3& direction, double radius) const;
+  double GetHiddenPanel(
+    const glm::dvec3& direction, double radius, double seenRadius, double rise) const;
+  ///@}
 
   /// Hidden share of the light in a lobe, per channel: the lobe's hidden share, and where the lobe
   /// is wide, how much brighter than the rest the hidden part of the sky is. irradiance: of the
@@ -122,14 +128,15 @@ public:
   static constexpr int Elevations = 6; // nodes of a lobe in each sector
 
 private:
-  // In the azimuth of a direction of the code's frame, between the sectors whose azimuths' cosine
-  // to it is above last.
-  Interval GetHidden(const glm::dvec3& local, double last) const;
+  // Low to High in the azimuth of a direction of the code's frame, between the sectors whose
+  // azimuths' cosine to it is above last.
+  Interval GetBounds(const glm::dvec3& local, double last) const;
   double GetCovered(const glm::dvec3& local, double last, const Interval& ends) const;
 
   glm::dmat3 Frame; // columns
   std::array<double, Sectors> Low;
   std::array<double, Sectors> High;
+  bool Opening = false; // what is between them is visible, not hidden
   std::array<double, sky::Harmonics> Transfer;
   // How much less the harmonics say is hidden than the sectors, whose lowest rays may hit the
   // point's own facets: 0 to 1.
