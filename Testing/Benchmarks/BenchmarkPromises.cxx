@@ -65,7 +65,7 @@ struct Pixels
 struct Picture
 {
   std::string Name;
-  Pixels Compared, Planned, Finer;
+  Pixels Compared, Planned, Finer, Finest;
 };
 
 vtkSmartPointer<vtkPolyData> MakeMesh(const std::string& name)
@@ -334,8 +334,9 @@ int main(int argc, char** argv)
   app.add_option("--references", references,
     "A folder that keeps the reference for the next run, of the same meshes and pixels");
   app.add_option("--refine", refine,
-    "Where an error is above the promise by less than its two standard errors, measure it again "
-    "with so many times the pixels");
+    "Where an error is within its two standard errors of the promise, measure it again with so "
+    "many "
+    "times the pixels; and where it is still above by less than these, with the square of that");
   CLI11_PARSE(app, argc, argv);
 
   std::vector<Picture> pictures;
@@ -350,6 +351,7 @@ int main(int argc, char** argv)
       AddEverywherePairs(pixels, picture.Compared.Normals, picture.Compared.Views);
       AddEverywherePairs(PlannedPixels, picture.Planned.Normals, picture.Planned.Views);
       AddEverywherePairs(refine * pixels, picture.Finer.Normals, picture.Finer.Views);
+      AddEverywherePairs(refine * refine * pixels, picture.Finest.Normals, picture.Finest.Views);
     }
     else
     {
@@ -357,6 +359,7 @@ int main(int argc, char** argv)
       Look(mesh, pixels, picture.Compared);
       Look(mesh, PlannedPixels, picture.Planned);
       Look(mesh, refine * pixels, picture.Finer);
+      Look(mesh, refine * refine * pixels, picture.Finest);
     }
   }
   std::printf(
@@ -417,10 +420,14 @@ int main(int argc, char** argv)
             vtkSmartPointer<vtkRadianceIntegrator>::Take(planner->NewIntegrator());
           const double predicted = planner->GetPredictedError(choice);
           Error measured = measure(chosen, picture.Compared, "");
+          if (refine > 1 && std::abs(measured.Value - predicted) <= 2.0 * measured.Deviation)
+          {
+            measured = measure(chosen, picture.Finer, "-finer");
+          }
           if (refine > 1 && measured.Value > predicted &&
               measured.Value - 2.0 * measured.Deviation <= predicted)
           {
-            measured = measure(chosen, picture.Finer, "-finer");
+            measured = measure(chosen, picture.Finest, "-finest");
           }
           if (measured.Pixels == 0)
           {

@@ -132,8 +132,8 @@ bool EmbreeScene::Build(const TriangleSet& triangles)
   }
   rtcSetDeviceMemoryMonitorFunction(data->Device, Internals::Count, data.get());
   data->Scene = rtcNewScene(data->Device);
-  rtcSetSceneFlags(
-    data->Scene, static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_COMPACT));
+  // Not RTC_SCENE_FLAG_COMPACT: 1.4 to 1.7 times as fast for 8 to 60 % more memory.
+  rtcSetSceneFlags(data->Scene, RTC_SCENE_FLAG_ROBUST);
   if (!triangles.GetTriangles().empty())
   {
     RTCGeometry geometry = rtcNewGeometry(data->Device, RTC_GEOMETRY_TYPE_TRIANGLE);
