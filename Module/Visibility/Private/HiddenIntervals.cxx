@@ -88,13 +88,14 @@ HiddenIntervals::Flags HiddenIntervals::FindFlags(int sector) const
 // As many places as are inside, where most of them are.
 HiddenIntervals::Run HiddenIntervals::FindRun(const Flags& flags) const
 {
+  const auto isInside = [&flags](int k) { return flags[static_cast<std::size_t>(k)] ? 1 : 0; };
   Run run;
   run.Count = static_cast<int>(std::count(flags.begin(), flags.end(), true));
-  int best = -1;
-  for (int begin = 0; begin + run.Count <= this->Elevations; ++begin)
+  int inside = static_cast<int>(std::count(flags.begin(), flags.begin() + run.Count, true));
+  int best = inside;
+  for (int begin = 1; begin + run.Count <= this->Elevations; ++begin)
   {
-    const auto inside =
-      static_cast<int>(std::count(flags.begin() + begin, flags.begin() + begin + run.Count, true));
+    inside += isInside(begin + run.Count - 1) - isInside(begin - 1);
     if (inside > best)
     {
       best = inside;
@@ -103,8 +104,8 @@ HiddenIntervals::Run HiddenIntervals::FindRun(const Flags& flags) const
   }
   for (int k = 0; k < this->Elevations; ++k)
   {
-    const bool isInRun = k >= run.First && k < run.First + run.Count;
-    run.Misfit += isInRun != flags[static_cast<std::size_t>(k)] ? k + 0.5 : 0.0;
+    const int isInRun = k >= run.First && k < run.First + run.Count ? 1 : 0;
+    run.Misfit += isInRun != isInside(k) ? k + 0.5 : 0.0;
   }
   return run;
 }
