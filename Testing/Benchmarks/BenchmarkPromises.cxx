@@ -334,9 +334,8 @@ int main(int argc, char** argv)
   app.add_option("--references", references,
     "A folder that keeps the reference for the next run, of the same meshes and pixels");
   app.add_option("--refine", refine,
-    "Where an error is within its two standard errors of the promise, measure it again with so "
-    "many "
-    "times the pixels; and where it is still above by less than these, with the square of that");
+    "Where an error plus two standard errors is above the promise, measure it again with so many "
+    "times the pixels; and where it is still above, with the square of that");
   CLI11_PARSE(app, argc, argv);
 
   std::vector<Picture> pictures;
@@ -420,12 +419,11 @@ int main(int argc, char** argv)
             vtkSmartPointer<vtkRadianceIntegrator>::Take(planner->NewIntegrator());
           const double predicted = planner->GetPredictedError(choice);
           Error measured = measure(chosen, picture.Compared, "");
-          if (refine > 1 && std::abs(measured.Value - predicted) <= 2.0 * measured.Deviation)
+          if (refine > 1 && measured.Value + 2.0 * measured.Deviation > predicted)
           {
             measured = measure(chosen, picture.Finer, "-finer");
           }
-          if (refine > 1 && measured.Value > predicted &&
-              measured.Value - 2.0 * measured.Deviation <= predicted)
+          if (refine > 1 && measured.Value > predicted)
           {
             measured = measure(chosen, picture.Finest, "-finest");
           }
