@@ -51,6 +51,8 @@ add("Core.zone-without-clamp", "Private/BasisFunctions.h",
     "return std::clamp(2.0 * (cosine - this->Far) / (this->Near - this->Far) - 1.0, -1.0, 1.0);",
     "return 2.0 * (cosine - this->Far) / (this->Near - this->Far) - 1.0;",
     "BasisFunctions.Edges|BasisBRDF.ConstantBeyondTheZones")
+add("Core.eigenvectors-in-rows", "Private/SymmetricEigen.cxx", "solver.eigenvectors();",
+    "solver.eigenvectors().transpose();", "SymmetricEigen.AscendingPairsOfAMatrix")
 add("Core.negative-weights-count", "Private/Distribution.h", "std::isfinite(w) && w > 0.0 ? w : 0.0",
     "std::isfinite(w) ? w : 0.0", "Distribution1D.ProbabilitiesAndInversion|Distribution1D.WithoutWeightUniform")
 add("Core.boundary-belongs-to-the-cell-before", "Private/Distribution.h",
