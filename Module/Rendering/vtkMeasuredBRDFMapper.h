@@ -343,8 +343,9 @@ public:
    * About the last render: the integrator that was drawn (null before the first render or without
    * an environment) and the planner that chose it (null without a plan), neither to be changed;
    * bytes of the textures in use (material and lights), a line on the material's shader inputs
-   * (sizes, precision, errors), and those errors: relative L2 by resampling into a table, and the
-   * largest relative rounding of a stored value (vtkBRDFShaderInputs).
+   * (sizes, precision, errors), and those errors: relative L2 by resampling into a table (0 while a
+   * coarse one stands in for the first plan, as nobody measures it), and the largest relative
+   * rounding of a stored value (vtkBRDFShaderInputs).
    */
   vtkRadianceIntegrator* GetCurrentIntegrator();
   vtkRadiancePlanner* GetCurrentPlanner();

@@ -4,21 +4,17 @@
 
 #include "FilterPrecision.h"
 #include "PlanCache.h"
+#include "SquareLayers.h"
 
 #include "vtkActor.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkCamera.h"
-#include "vtkCellArray.h"
 #include "vtkCommand.h"
 #include "vtkEnvironment.h"
-#include "vtkFloatArray.h"
 #include "vtkLightSetRadianceIntegrator.h"
 #include "vtkMeasuredBRDFMapper.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
 #include "vtkRadianceCostModel.h"
 #include "vtkRadianceMethods.h"
 #include "vtkRadiancePlanner.h"
@@ -37,7 +33,6 @@
 namespace
 {
 constexpr int Side = 512;           // of the window, pixels
-constexpr int Divisions = 16;       // of the patch, so that normals vary over it
 constexpr int Frames = 5;           // that a time is the least of: other work only adds to it
 constexpr double Enough = 5.0;      // ms above the empty frame, to be told from its jitter
 constexpr double LeastBase = 0.1;   // of a pixel with one light
@@ -55,39 +50,6 @@ struct Load
 const Load Empty = { 1.0 / Side, 1 };
 const Load Loads[] = { { 0.125, 1 }, { 0.25, 1 }, { 0.5, 1 }, { 1.0, 1 }, { 1.0, 4 }, { 1.0, 16 },
   { 1.0, 64 }, { 1.0, 256 } };
-
-// Layers of a square, each nearer than the one before, so that all are shaded, with the normals of
-// a sphere's front.
-vtkSmartPointer<vtkPolyData> MakePatch(int layers)
-{
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkFloatArray> normals;
-  vtkNew<vtkCellArray> cells;
-  normals->SetNumberOfComponents(3);
-  for (int layer = 0; layer < layers; ++layer)
-  {
-    const vtkIdType first = points->GetNumberOfPoints();
-    for (int k = 0; k < (Divisions + 1) * (Divisions + 1); ++k)
-    {
-      const double x = 2.0 * (k % (Divisions + 1)) / Divisions - 1.0;
-      const double y = 2.0 * (k / (Divisions + 1)) / Divisions - 1.0;
-      points->InsertNextPoint(x, y, static_cast<double>(layer) / layers);
-      normals->InsertNextTuple3(0.7 * x, 0.7 * y, std::sqrt(1.0 - 0.49 * (x * x + y * y)));
-    }
-    for (vtkIdType k = 0; k < Divisions * Divisions; ++k)
-    {
-      const vtkIdType corner = first + k / Divisions * (Divisions + 1) + k % Divisions;
-      const vtkIdType quad[] = { corner, corner + 1, corner + Divisions + 2,
-        corner + Divisions + 1 };
-      cells->InsertNextCell(4, quad);
-    }
-  }
-  auto patch = vtkSmartPointer<vtkPolyData>::New();
-  patch->SetPoints(points);
-  patch->GetPointData()->SetNormals(normals);
-  patch->SetPolys(cells);
-  return patch;
-}
 
 // Without lamps, which some methods draw as lights.
 void SetToSmoothSky(vtkEnvironment* environment)
@@ -235,7 +197,7 @@ private:
   {
     if (this->Layers != load.Layers)
     {
-      this->Mapper->SetInputDataObject(MakePatch(load.Layers));
+      this->Mapper->SetInputDataObject(measuredbrdf::MakeSquareLayers(load.Layers));
       this->Layers = load.Layers;
     }
     this->Actor->SetScale(load.Share, load.Share, 1.0);

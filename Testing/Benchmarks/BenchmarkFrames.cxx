@@ -12,39 +12,24 @@
 // ROUNDS: frames of each kind in turns (default 15). LARGEST: height of the largest window
 // (default 2160); 500 is enough for a software renderer. PART: occlusion, sphere, bumps or pixels.
 #include "BrushedMetal.h"
-#include "vtkActor.h"
+#include "FrameScene.h"
+#include "SquareLayers.h"
 #include "vtkAnisotropicTableRadianceIntegrator.h"
 #include "vtkBRDF.h"
-#include "vtkBasisProjector.h"
 #include "vtkBasisRadianceIntegrator.h"
-#include "vtkCamera.h"
-#include "vtkCellArray.h"
 #include "vtkEmbeddedEnvironments.h"
-#include "vtkEmbeddedMaterials.h"
 #include "vtkEnvironment.h"
 #include "vtkFilteredRadianceIntegrator.h"
-#include "vtkFloatArray.h"
 #include "vtkHybridRadianceIntegrator.h"
-#include "vtkImageData.h"
 #include "vtkLambertBRDF.h"
 #include "vtkLightSetRadianceIntegrator.h"
-#include "vtkMath.h"
 #include "vtkMeasuredBRDFMapper.h"
 #include "vtkMedianCutLightSetGenerator.h"
 #include "vtkNew.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
-#include "vtkPolyDataNormals.h"
-#include "vtkProperty.h"
-#include "vtkRenderWindow.h"
-#include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
-#include "vtkSphereSource.h"
 #include "vtkSurfaceVisibilityFilter.h"
-#include "vtkTabulatedBRDF.h"
-#include "vtkTexture.h"
 
 #include <algorithm>
 #include <chrono>
@@ -67,40 +52,9 @@ struct Method
   vtkSmartPointer<vtkRadianceIntegrator> Integrator; // none: the planner's choice
 };
 
-vtkSmartPointer<vtkBRDF> GetMaterial(const std::string& name)
-{
-  return vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF(name));
-}
-
 vtkSmartPointer<vtkEnvironment> GetHall()
 {
   return vtkSmartPointer<vtkEnvironment>::Take(vtkEmbeddedEnvironments::NewEnvironment("hall"));
-}
-
-// MERL's size; values do not matter for the time.
-vtkSmartPointer<vtkBRDF> MakeVolume()
-{
-  const int dimensions[3] = { 180, 90, 90 };
-  std::vector<float> rgb(3 * 180 * 90 * 90);
-  for (std::size_t k = 0; k < rgb.size(); ++k)
-  {
-    rgb[k] = 0.1f + 0.05f * std::sin(0.001f * static_cast<float>(k));
-  }
-  auto brdf = vtkSmartPointer<vtkTabulatedBRDF>::New();
-  brdf->SetVolume(
-    vtkTabulatedBRDF::HALF_DIFFERENCE, vtkTabulatedBRDF::HALF_TURN, dimensions, std::move(rgb));
-  return brdf;
-}
-
-vtkSmartPointer<vtkBRDF> MakeBasis(int order)
-{
-  const auto fabric = GetMaterial("blue-fabric");
-  vtkNew<vtkBasisProjector> projector;
-  projector->SetInput(fabric);
-  projector->SetBasis(vtkBasisBRDF::SPHERICAL_HARMONICS);
-  projector->SetOrder(order);
-  projector->Project();
-  return projector->GetOutput();
 }
 
 vtkSmartPointer<vtkRadianceIntegrator> MakeTable(std::vector<int> sizes, int maps, int lights)
@@ -148,9 +102,9 @@ vtkSmartPointer<vtkRadianceIntegrator> MakeAnisotropicTable()
 
 const std::vector<Method>& GetMethods()
 {
-  static const auto paint = GetMaterial("gold-paint");
-  static const auto nickel = GetMaterial("nickel");
-  static const auto volume = MakeVolume();
+  static const auto paint = GetEmbedded("gold-paint");
+  static const auto nickel = GetEmbedded("nickel");
+  static const auto volume = MakeLargeTable();
   static const vtkSmartPointer<vtkBRDF> brushed = NewBrushedMetal(0.1, 0.4);
   static const std::vector<Method> methods = {
     { "VTK's PBR", nullptr, nullptr },
@@ -162,7 +116,7 @@ const std::vector<Method>& GetMethods()
     { "table and 16 lamps", nickel, MakeTable({ 33, 12, 16, 0, 0, 12 }, 0, 16) },
     { "table, 16 maps and 16 lamps", nickel, MakeTable({ 128, 12, 8 }, 16, 16) },
     { "anisotropic table, 33 x 8 x 32 x 8", brushed, MakeAnisotropicTable() },
-    { "25 pre-integrated functions", GetMaterial("red-fabric2"), MakeFunctions(25) },
+    { "25 pre-integrated functions", GetEmbedded("red-fabric2"), MakeFunctions(25) },
     { "16 filtered samples", paint, MakeSamples(16) },
     { "64 filtered samples", paint, MakeSamples(64) },
     { "16 lights, closed form", paint, MakeLights(16) },
@@ -175,80 +129,15 @@ const std::vector<Method>& GetMethods()
   return methods;
 }
 
-// Normals over all of a sphere's front, so that neighbors fetch what neighbors do.
-vtkSmartPointer<vtkPolyData> MakeLayers(int layers)
-{
-  constexpr int divisions = 16;
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkFloatArray> normals;
-  vtkNew<vtkCellArray> cells;
-  normals->SetNumberOfComponents(3);
-  for (int layer = 0; layer < layers; ++layer)
-  {
-    const vtkIdType first = points->GetNumberOfPoints();
-    for (int k = 0; k < (divisions + 1) * (divisions + 1); ++k)
-    {
-      const double x = 2.0 * (k % (divisions + 1)) / divisions - 1.0;
-      const double y = 2.0 * (k / (divisions + 1)) / divisions - 1.0;
-      points->InsertNextPoint(2.0 * x, y, static_cast<double>(layer) / layers);
-      normals->InsertNextTuple3(0.7 * x, 0.7 * y, std::sqrt(1.0 - 0.49 * (x * x + y * y)));
-    }
-    for (vtkIdType k = 0; k < divisions * divisions; ++k)
-    {
-      const vtkIdType corner = first + k / divisions * (divisions + 1) + k % divisions;
-      const vtkIdType quad[] = { corner, corner + 1, corner + divisions + 2,
-        corner + divisions + 1 };
-      cells->InsertNextCell(4, quad);
-    }
-  }
-  auto surface = vtkSmartPointer<vtkPolyData>::New();
-  surface->SetPoints(points);
-  surface->GetPointData()->SetNormals(normals);
-  surface->SetPolys(cells);
-  return surface;
-}
+constexpr double WindowWidth = 2.0; // of layers: more than any window is wide
 
-vtkSmartPointer<vtkPolyData> MakeSphere()
-{
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetThetaResolution(180);
-  sphere->SetPhiResolution(180);
-  sphere->SetRadius(1.0);
-  sphere->Update();
-  return sphere->GetOutput();
-}
+vtkSmartPointer<vtkPolyData> GetBumps() { return MakeBumps(1.0, 0.05, 12.0, 10.0); }
 
-// Half a million triangles.
-vtkSmartPointer<vtkPolyData> MakeBumps()
-{
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetThetaResolution(500);
-  sphere->SetPhiResolution(502);
-  sphere->SetRadius(1.0);
-  sphere->Update();
-  auto surface = vtkSmartPointer<vtkPolyData>::New();
-  surface->DeepCopy(sphere->GetOutput());
-  vtkPoints* points = surface->GetPoints();
-  for (vtkIdType k = 0; k < points->GetNumberOfPoints(); ++k)
-  {
-    double p[3];
-    points->GetPoint(k, p);
-    vtkMath::MultiplyScalar(
-      p, 1.0 - 0.05 * (std::sin(12.0 * p[0]) * std::sin(12.0 * p[1]) + std::sin(10.0 * p[2])));
-    points->SetPoint(k, p);
-  }
-  vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputData(surface);
-  normals->SplittingOff();
-  normals->Update();
-  return normals->GetOutput();
-}
-
-// A window of its own for each picture: no state of one slows another.
-class Picture
+class Picture : public FrameScene
 {
 public:
   Picture(const Method& method, vtkPolyData* surface, int width, int height)
+    : FrameScene(width, height, 1.0)
   {
     vtkSmartPointer<vtkPolyDataMapper> mapper;
     this->Hall = GetHall();
@@ -267,20 +156,10 @@ public:
     else
     {
       mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
-      this->Light();
+      this->ShadeByPBR(this->Hall);
     }
     mapper->SetInputData(surface);
     this->Actor->SetMapper(mapper);
-    this->Window->SetOffScreenRendering(1);
-    this->Window->SetMultiSamples(0);
-    this->Window->SetSize(width, height);
-    this->Window->AddRenderer(this->Renderer);
-    this->Renderer->AddActor(this->Actor);
-    this->Renderer->SetAutomaticLightCreation(false);
-    vtkCamera* camera = this->Renderer->GetActiveCamera();
-    camera->ParallelProjectionOn();
-    camera->SetParallelScale(1.0);
-    camera->SetPosition(0.0, 0.0, 5.0);
     this->Renderer->ResetCameraClippingRange();
   }
 
@@ -313,27 +192,8 @@ public:
   vtkEnvironment* GetEnvironment() { return this->Hall; }
 
 private:
-  // VTK's image-based light.
-  void Light()
-  {
-    this->Actor->GetProperty()->SetInterpolationToPBR();
-    this->Actor->GetProperty()->SetMetallic(0.7);
-    this->Actor->GetProperty()->SetRoughness(0.3);
-    const auto image = vtkSmartPointer<vtkImageData>::Take(this->Hall->NewImageData());
-    vtkNew<vtkTexture> texture;
-    texture->SetInputData(image);
-    texture->SetColorModeToDirectScalars();
-    texture->MipmapOn();
-    texture->InterpolateOn();
-    this->Renderer->UseImageBasedLightingOn();
-    this->Renderer->SetEnvironmentTexture(texture);
-  }
-
   vtkSmartPointer<vtkEnvironment> Hall;
-  vtkNew<vtkActor> Actor;
-  vtkNew<vtkRenderer> Renderer;
   vtkSmartPointer<vtkMeasuredBRDFMapper> Measured;
-  vtkNew<vtkRenderWindow> Window; // goes first
 };
 
 constexpr double Slowest = 1000.0; // ms: frames beyond are not drawn again
@@ -430,8 +290,10 @@ void PrintFrames(
 void PrintPixels(const Size& size, int layers, int rounds)
 {
   // The first layer holds what a frame takes besides.
-  const std::vector<double> few = TimeMethods(MakeLayers(1), size, rounds);
-  const std::vector<double> many = TimeMethods(MakeLayers(layers), size, rounds);
+  const std::vector<double> few =
+    TimeMethods(measuredbrdf::MakeSquareLayers(1, WindowWidth), size, rounds);
+  const std::vector<double> many =
+    TimeMethods(measuredbrdf::MakeSquareLayers(layers, WindowWidth), size, rounds);
   const double pixels = static_cast<double>(size.Width) * size.Height * (layers - 1);
   std::cout << "\nA pixel, of " << layers << " layers of " << size.Width << " x " << size.Height
             << "; ns\n\n| | ns | / PBR |\n|---|---|---|\n";
@@ -448,7 +310,7 @@ void PrintPixels(const Size& size, int layers, int rounds)
 void PrintOcclusion(const Size& size, int rounds)
 {
   vtkNew<vtkSurfaceVisibilityFilter> filter;
-  filter->SetInputData(MakeBumps());
+  filter->SetInputData(GetBumps());
   const auto begin = std::chrono::steady_clock::now();
   filter->Update();
   auto* surface = vtkPolyData::SafeDownCast(filter->GetOutput());
@@ -515,8 +377,9 @@ int main(int argc, char** argv)
       sizes.push_back(size);
     }
   }
-  std::cout << std::setprecision(3)
-            << "Renderer:" << Picture(GetMethods()[0], MakeLayers(1), 100, 100).GetRendererName()
+  std::cout << std::setprecision(3) << "Renderer:"
+            << Picture(GetMethods()[0], measuredbrdf::MakeSquareLayers(1, WindowWidth), 100, 100)
+                 .GetRendererName()
             << std::endl;
   const std::string part = argc > 3 ? argv[3] : "";
   if (part.empty() || part == "occlusion")
@@ -525,11 +388,11 @@ int main(int argc, char** argv)
   }
   if (part.empty() || part == "sphere")
   {
-    PrintFrames("A sphere", MakeSphere(), sizes, rounds);
+    PrintFrames("A sphere", MakeSphere(1.0), sizes, rounds);
   }
   if (part.empty() || part == "bumps")
   {
-    PrintFrames("A sphere with bumps", MakeBumps(), sizes, rounds);
+    PrintFrames("A sphere with bumps", GetBumps(), sizes, rounds);
   }
   if (part.empty() || part == "pixels")
   {

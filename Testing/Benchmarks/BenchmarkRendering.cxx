@@ -8,18 +8,14 @@
 // ns_per_light_pixel: slope per covered pixel.
 
 #include "BrushedMetal.h"
-#include "vtkActor.h"
+#include "FrameScene.h"
 #include "vtkAnisotropicTableRadianceIntegrator.h"
 #include "vtkBRDF.h"
-#include "vtkBasisProjector.h"
 #include "vtkBasisRadianceIntegrator.h"
 #include "vtkBlinnPhongBRDF.h"
-#include "vtkCamera.h"
-#include "vtkEmbeddedMaterials.h"
 #include "vtkEnvironment.h"
 #include "vtkFilteredRadianceIntegrator.h"
 #include "vtkHybridRadianceIntegrator.h"
-#include "vtkImageData.h"
 #include "vtkLambertBRDF.h"
 #include "vtkLight.h"
 #include "vtkLightSetRadianceIntegrator.h"
@@ -27,14 +23,9 @@
 #include "vtkMedianCutLightSetGenerator.h"
 #include "vtkNew.h"
 #include "vtkPolyDataMapper.h"
-#include "vtkProperty.h"
-#include "vtkRenderWindow.h"
-#include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 #include "vtkSphereSource.h"
 #include "vtkTableRadianceIntegrator.h"
-#include "vtkTabulatedBRDF.h"
-#include "vtkTexture.h"
 
 #include <benchmark/benchmark.h>
 
@@ -44,29 +35,18 @@
 
 namespace
 {
-struct Scene
+struct Scene : FrameScene
 {
-  vtkNew<vtkRenderWindow> Window;
-  vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkSphereSource> Sphere;
-  vtkNew<vtkActor> Actor;
   vtkNew<vtkEnvironment> Sky;
   int Side;
 
   explicit Scene(int side = 500)
-    : Side(side)
+    : FrameScene(side, side, 0.5) // the sphere fills the view
+    , Side(side)
   {
-    this->Window->SetOffScreenRendering(1);
-    this->Window->SetMultiSamples(0);
-    this->Window->SetSize(side, side);
-    this->Window->AddRenderer(this->Renderer);
     this->Sphere->SetThetaResolution(128);
     this->Sphere->SetPhiResolution(128);
-    this->Renderer->AddActor(this->Actor);
-    this->Renderer->GetActiveCamera()->ParallelProjectionOn();
-    this->Renderer->GetActiveCamera()->SetParallelScale(0.5); // the sphere fills the view
-    this->Renderer->GetActiveCamera()->SetPosition(0.0, 0.0, 2.0);
-    this->Renderer->SetAutomaticLightCreation(false);
     this->Sky->SetToProceduralSky();
   }
 
@@ -116,42 +96,26 @@ void MeasuredLambert(benchmark::State& state)
 
 void MeasuredFit(benchmark::State& state)
 {
-  auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("gold-paint"));
+  auto brdf = GetEmbedded("gold-paint");
   RunMeasured(state, brdf, static_cast<int>(state.range(0)));
 }
 
-// MERL's size; the values do not matter for the time.
 void MeasuredVolume(benchmark::State& state)
 {
-  const int dimensions[3] = { 180, 90, 90 };
-  std::vector<float> rgb(3 * 180 * 90 * 90);
-  for (std::size_t k = 0; k < rgb.size(); ++k)
-  {
-    rgb[k] = 0.1f + 0.05f * std::sin(0.001f * static_cast<float>(k));
-  }
-  vtkNew<vtkTabulatedBRDF> brdf;
-  brdf->SetVolume(
-    vtkTabulatedBRDF::HALF_DIFFERENCE, vtkTabulatedBRDF::HALF_TURN, dimensions, std::move(rgb));
-  RunMeasured(state, brdf, static_cast<int>(state.range(0)));
+  RunMeasured(state, MakeLargeTable(), static_cast<int>(state.range(0)));
 }
 
-// K = (order + 1)^2 functions.
 void MeasuredBasis(benchmark::State& state)
 {
-  const auto fabric = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("blue-fabric"));
-  vtkNew<vtkBasisProjector> projector;
-  projector->SetInput(fabric);
-  projector->SetBasis(vtkBasisBRDF::SPHERICAL_HARMONICS);
-  projector->SetOrder(static_cast<int>(state.range(0)));
-  projector->Project();
-  RunMeasured(state, projector->GetOutput(), static_cast<int>(state.range(1)), 125);
+  const auto brdf = MakeBasis(static_cast<int>(state.range(0)));
+  RunMeasured(state, brdf, static_cast<int>(state.range(1)), 125);
 }
 
 // Samples, and whether bright texels become lights; ns_per_light_pixel counts the samples alone.
 void MeasuredFiltered(benchmark::State& state)
 {
   Scene scene;
-  auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("gold-paint"));
+  auto brdf = GetEmbedded("gold-paint");
   const int samples = static_cast<int>(state.range(0));
   vtkNew<vtkFilteredRadianceIntegrator> integrator;
   integrator->SetNumberOfSamples(samples);
@@ -169,7 +133,7 @@ void MeasuredFiltered(benchmark::State& state)
 void MeasuredTable(benchmark::State& state)
 {
   Scene scene;
-  auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("gold-paint"));
+  auto brdf = GetEmbedded("gold-paint");
   vtkNew<vtkTableRadianceIntegrator> integrator;
   integrator->SetNumberOfRows(static_cast<int>(state.range(0)));
   integrator->SetNumberOfViewAngles(static_cast<int>(state.range(1)));
@@ -189,7 +153,7 @@ void MeasuredTable(benchmark::State& state)
 void MeasuredHybrid(benchmark::State& state)
 {
   Scene scene;
-  auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("nickel"));
+  auto brdf = GetEmbedded("nickel");
   vtkNew<vtkEnvironment> hall;
   hall->SetToProceduralHall();
   vtkNew<vtkHybridRadianceIntegrator> integrator;
@@ -249,7 +213,7 @@ void MeasuredAnisotropic(benchmark::State& state)
 
 void TableSetUp(benchmark::State& state)
 {
-  auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("gold-paint"));
+  auto brdf = GetEmbedded("gold-paint");
   vtkNew<vtkEnvironment> hall;
   hall->SetToProceduralHall();
   vtkNew<vtkTableRadianceIntegrator> integrator;
@@ -268,7 +232,7 @@ void TableSetUp(benchmark::State& state)
 // The material's table (0) or the environment's map (1).
 void FilteredSetUp(benchmark::State& state)
 {
-  auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("gold-paint"));
+  auto brdf = GetEmbedded("gold-paint");
   vtkNew<vtkEnvironment> sky;
   sky->SetToProceduralSky();
   vtkNew<vtkFilteredRadianceIntegrator> integrator;
@@ -333,17 +297,7 @@ void StockPBRWithIBL(benchmark::State& state)
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputConnection(scene.Sphere->GetOutputPort());
   scene.Actor->SetMapper(mapper);
-  scene.Actor->GetProperty()->SetInterpolationToPBR();
-  scene.Actor->GetProperty()->SetMetallic(0.7);
-  scene.Actor->GetProperty()->SetRoughness(0.3);
-  auto image = vtkSmartPointer<vtkImageData>::Take(scene.Sky->NewImageData());
-  vtkNew<vtkTexture> texture;
-  texture->SetInputData(image);
-  texture->SetColorModeToDirectScalars();
-  texture->MipmapOn();
-  texture->InterpolateOn();
-  scene.Renderer->UseImageBasedLightingOn();
-  scene.Renderer->SetEnvironmentTexture(texture);
+  scene.ShadeByPBR(scene.Sky);
   scene.Measure(state, 0);
 }
 }

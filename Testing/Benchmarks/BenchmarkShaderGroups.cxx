@@ -6,29 +6,17 @@
 // docs/methods.md.
 //
 // usage: BenchmarkShaderGroups [ROUNDS]. Needs an OpenGL context (llvmpipe).
-#include "vtkActor.h"
+#include "FrameScene.h"
 #include "vtkBRDF.h"
-#include "vtkCamera.h"
 #include "vtkEmbeddedEnvironments.h"
-#include "vtkEmbeddedMaterials.h"
 #include "vtkEnvironment.h"
 #include "vtkHybridRadianceIntegrator.h"
-#include "vtkImageData.h"
-#include "vtkMath.h"
 #include "vtkMeasuredBRDFMapper.h"
 #include "vtkNew.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
-#include "vtkPolyDataNormals.h"
-#include "vtkProperty.h"
-#include "vtkRenderWindow.h"
-#include "vtkRenderer.h"
 #include "vtkShaderProperty.h"
 #include "vtkSmartPointer.h"
-#include "vtkSphereSource.h"
-#include "vtkTexture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -86,54 +74,14 @@ const std::vector<Group>& GetGroups()
   return groups;
 }
 
-// Of 64,000 triangles, or, with bumps, of half a million.
-vtkSmartPointer<vtkPolyData> MakeSurface(bool isLarge)
-{
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetThetaResolution(isLarge ? 500 : 180);
-  sphere->SetPhiResolution(isLarge ? 502 : 180);
-  sphere->Update();
-  auto surface = vtkSmartPointer<vtkPolyData>::New();
-  surface->DeepCopy(sphere->GetOutput());
-  if (!isLarge)
-  {
-    return surface;
-  }
-  vtkPoints* points = surface->GetPoints();
-  for (vtkIdType k = 0; k < points->GetNumberOfPoints(); ++k)
-  {
-    double p[3];
-    points->GetPoint(k, p);
-    vtkMath::MultiplyScalar(
-      p, 1.0 - 0.03 * (std::sin(25.0 * p[0]) * std::sin(25.0 * p[1]) + std::sin(20.0 * p[2])));
-    points->SetPoint(k, p);
-  }
-  vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputData(surface);
-  normals->SplittingOff();
-  normals->Update();
-  surface->DeepCopy(normals->GetOutput());
-  return surface;
-}
-
-// A window of its own for each picture: no state of one slows another.
-class Picture
+class Picture : public FrameScene
 {
 public:
-  explicit Picture(vtkPolyDataMapper* mapper, vtkPolyData* surface)
+  Picture(vtkPolyDataMapper* mapper, vtkPolyData* surface)
+    : FrameScene(Side, Side, 0.5)
   {
     mapper->SetInputData(surface);
     this->Actor->SetMapper(mapper);
-    this->Window->SetOffScreenRendering(1);
-    this->Window->SetMultiSamples(0);
-    this->Window->SetSize(Side, Side);
-    this->Window->AddRenderer(this->Renderer);
-    this->Renderer->AddActor(this->Actor);
-    this->Renderer->SetAutomaticLightCreation(false);
-    vtkCamera* camera = this->Renderer->GetActiveCamera();
-    camera->ParallelProjectionOn();
-    camera->SetParallelScale(0.5);
-    camera->SetPosition(0.0, 0.0, 2.0);
     this->Renderer->ResetCameraClippingRange();
   }
 
@@ -159,11 +107,7 @@ public:
     return this->Times[this->Times.size() / 2];
   }
 
-  vtkNew<vtkActor> Actor;
-  vtkNew<vtkRenderer> Renderer;
-
 private:
-  vtkNew<vtkRenderWindow> Window;
   std::vector<double> Times;
 };
 
@@ -171,26 +115,15 @@ std::unique_ptr<Picture> MakePBR(vtkEnvironment* environment, vtkPolyData* surfa
 {
   vtkNew<vtkPolyDataMapper> mapper;
   auto picture = std::make_unique<Picture>(mapper, surface);
-  picture->Actor->GetProperty()->SetInterpolationToPBR();
-  picture->Actor->GetProperty()->SetMetallic(0.7);
-  picture->Actor->GetProperty()->SetRoughness(0.3);
-  auto image = vtkSmartPointer<vtkImageData>::Take(environment->NewImageData());
-  vtkNew<vtkTexture> texture;
-  texture->SetInputData(image);
-  texture->SetColorModeToDirectScalars();
-  texture->MipmapOn();
-  texture->InterpolateOn();
-  picture->Renderer->UseImageBasedLightingOn();
-  picture->Renderer->SetEnvironmentTexture(texture);
+  picture->ShadeByPBR(environment);
   return picture;
 }
 
 std::unique_ptr<Picture> MakeMeasured(vtkEnvironment* environment, vtkPolyData* surface,
   vtkRadianceIntegrator* integrator, const Replacements& texts)
 {
-  auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("gold-paint"));
   vtkNew<vtkMeasuredBRDFMapper> mapper;
-  mapper->SetBRDF(brdf);
+  mapper->SetBRDF(GetEmbedded("gold-paint"));
   mapper->SetEnvironment(environment);
   mapper->SetIntegrator(integrator);
   auto picture = std::make_unique<Picture>(mapper, surface);
@@ -204,7 +137,7 @@ std::unique_ptr<Picture> MakeMeasured(vtkEnvironment* environment, vtkPolyData* 
 
 void Measure(const std::string& title, bool isLarge, int rounds)
 {
-  const auto surface = MakeSurface(isLarge);
+  const auto surface = isLarge ? MakeBumps(0.5, 0.03, 25.0, 20.0) : MakeSphere(0.5);
   const auto hall =
     vtkSmartPointer<vtkEnvironment>::Take(vtkEmbeddedEnvironments::NewEnvironment("hall"));
   vtkNew<vtkHybridRadianceIntegrator> table;

@@ -51,6 +51,8 @@ add("Core.zone-without-clamp", "Private/BasisFunctions.h",
     "return std::clamp(2.0 * (cosine - this->Far) / (this->Near - this->Far) - 1.0, -1.0, 1.0);",
     "return 2.0 * (cosine - this->Far) / (this->Near - this->Far) - 1.0;",
     "BasisFunctions.Edges|BasisBRDF.ConstantBeyondTheZones")
+add("Core.eigenvectors-in-rows", "Private/SymmetricEigen.cxx", "solver.eigenvectors();",
+    "solver.eigenvectors().transpose();", "SymmetricEigen.AscendingPairsOfAMatrix")
 add("Core.negative-weights-count", "Private/Distribution.h", "std::isfinite(w) && w > 0.0 ? w : 0.0",
     "std::isfinite(w) ? w : 0.0", "Distribution1D.ProbabilitiesAndInversion|Distribution1D.WithoutWeightUniform")
 add("Core.boundary-belongs-to-the-cell-before", "Private/Distribution.h",
@@ -661,8 +663,24 @@ add("Planning.file-with-a-choice-too-many", "Private/PlanFile.cxx", "read.Choice
 
 add("Rendering.stand-in-of-the-other-kind", "Private/SharedIntegrators.cxx",
     "IsMirrorLike(brdf) ?", "!IsMirrorLike(brdf) ?", "Background.MoreRowsForMirrorLikeMaterialsUnderPanels")
-add("Rendering.stand-in-is-the-material", "Private/StandInBRDF.cxx", "made->Quick = quick;",
-    "made->Quick = material->GetRenderable();", "Background.ACoarseFormForShadersUntilThePlan")
+add("Rendering.stand-in-is-the-material", "Private/StandInBRDF.cxx",
+    "vtkSmartPointer<vtkBRDF>::Take(this->Material->NewQuickRenderable());", "this->Material->GetRenderable();",
+    "Background.ACoarseFormForShadersUntilThePlan")
+add("Rendering.stand-in-form-for-nobody", "Private/StandInBRDF.cxx", "made->Material = material;",
+    "made->Material = material;\n  made->GetRenderable();", "StandIns.NoFormWhereNoLightNeedsIt")
+add("Rendering.plan-learns-of-no-light", "Private/CurrentPlan.cxx", "this->Job->WantForm();", "",
+    "StandIns.LightsThatComeWhileAPlanIsMade")
+add("Rendering.failed-plan-begun-again", "Private/CurrentPlan.cxx", "this->Take(wanted, true, this->Job->GetPlan());",
+    "this->Take(this->Job->GetPlan() ? wanted : PlanInputs(), true, this->Job->GetPlan());",
+    "StandIns.PlansThatFail")
+add("Rendering.failed-stand-in-tried-again", "Private/BRDFTextures.cxx", "if (time <= this->FailureTime)",
+    "if (time < 0 * this->FailureTime)", "StandIns.ThoseThatFailAreTriedOnce")
+add("Rendering.plans-beside-stand-ins", "Private/PlanJob.cxx", "return this->Holds == 0 || this->Waiters > 0;",
+    "return this->Holds < 9 || this->Waiters > 0;", "SideBySide.HeldUntilSomebodyWaits")
+add("Rendering.wait-for-what-is-held", "Private/PlanJob.cxx", "return this->Holds == 0 || this->Waiters > 0;",
+    "return this->Holds == 0;", "SideBySide.HeldUntilSomebodyWaits")
+add("Rendering.refused-occlusion-unsaid", "Private/MaterialDrawingOcclusion.cxx", "if (refused > 0)",
+    "if (refused > 9)", "OcclusionBlocks.SomeHaveArrays")
 add("Material.cells-of-one-side-only", "Private/HalfDifferenceFill.cxx",
     "const bool mirrored = !reciprocal && IsMirroredAtH(input);", "const bool mirrored = !reciprocal;",
     "HalfDifferenceFill.EachCellHoldsItsOwnValue")

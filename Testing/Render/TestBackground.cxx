@@ -269,6 +269,7 @@ TEST_F(Background, ACoarseFormForShadersUntilThePlan)
   EXPECT_NE(standIn->GetBRDF(), warp.Get()); // but of the same values, which the error is against
   const auto* table = vtkTabulatedBRDF::SafeDownCast(standIn->GetBRDF()->GetRenderable());
   ASSERT_TRUE(table);
+  EXPECT_EQ(this->Measured->GetResamplingError(), 0.0); // which nobody measures
   const std::size_t cells = table->GetVolume().size();
   EXPECT_LT(cells, 3u * 40000u);
   const double error = GetErrorEverywhere(standIn);
@@ -282,6 +283,7 @@ TEST_F(Background, ACoarseFormForShadersUntilThePlan)
   const auto* finer = vtkTabulatedBRDF::SafeDownCast(current->GetBRDF()->GetRenderable());
   ASSERT_TRUE(finer);
   EXPECT_GT(finer->GetVolume().size(), cells);
+  EXPECT_GT(this->Measured->GetResamplingError(), 0.0);
   // Objects that have no plan yet, planned for before they are drawn.
   vtkNew<vtkAdaptiveWarpBRDF> same;
   ASSERT_EQ(same->SetTables(MakeAnisotropicTables(gloss, { 16, 1, 1, 65 })), "");

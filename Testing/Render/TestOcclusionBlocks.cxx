@@ -163,6 +163,21 @@ TEST_F(OcclusionBlocks, SomeHaveArrays)
   EXPECT_TRUE(has("%), modeled; hidden sky is given for 1 of 2 blocks")) << plan();
   EXPECT_EQ(plan().find("hidden sky"), plan().rfind("hidden sky")) << plan();
 
+  // Arrays that are of another surface by now.
+  vtkNew<vtkPolyData> moved;
+  moved->DeepCopy(given);
+  double point[3];
+  moved->GetPoint(0, point);
+  moved->GetPoints()->SetPoint(0, point[0], point[1], point[2] + 1e-4);
+  this->Mapper->GlobalWarningDisplayOff();
+  const Pair stale = this->Show(vtkMeasuredBRDFMapper::OCCLUSION_ARRAYS, moved, other);
+  this->Mapper->GlobalWarningDisplayOn();
+  EXPECT_NEAR(stale.Given, off.Given, 1e-3f);
+  EXPECT_TRUE(has("; hidden sky that is given does not fit 1 of the blocks and is left out"))
+    << plan();
+  this->Show(vtkMeasuredBRDFMapper::OCCLUSION_ARRAYS, given, other);
+  EXPECT_FALSE(has("does not fit")) << plan();
+
   vtkNew<vtkTableRadianceIntegrator> table; // nothing is predicted for it
   this->Mapper->SetIntegrator(table);
   const Pair bySet = this->Show(vtkMeasuredBRDFMapper::OCCLUSION_AUTO, given, other);

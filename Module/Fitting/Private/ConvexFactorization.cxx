@@ -3,10 +3,10 @@
 #include "ConvexFactorization.h"
 
 #include "SimplexLeastSquares.h"
+#include "SymmetricEigen.h"
 #include "vtkSMPTools.h"
 
 #include <Eigen/QR>
-#include <Eigen/SVD>
 
 #include <algorithm>
 #include <cmath>
@@ -65,10 +65,9 @@ Eigen::MatrixXd Project(const Eigen::MatrixXf& data, int dimensions, unsigned in
   const Eigen::MatrixXf first = orthonormalize(center(start));
   const Eigen::MatrixXf range = orthonormalize(center(transpose(first)));
   const Eigen::MatrixXd coordinates = transpose(range).cast<double>(); // [texel, column]
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(
-    coordinates.transpose() * coordinates, Eigen::ComputeFullU);
+  const SymmetricEigen eigen(coordinates.transpose() * coordinates);
   const Eigen::Index kept = std::min<Eigen::Index>(dimensions, columns);
-  return (coordinates * svd.matrixU().leftCols(kept)).transpose();
+  return (coordinates * eigen.Vectors.rightCols(kept)).transpose();
 }
 
 //------------------------------------------------------------------------------

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SimplexLeastSquares.h"
 
+#include "SymmetricEigen.h"
+
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -182,13 +183,12 @@ SmallVector GetShareVariances(const SmallMatrix& H)
     basis.col(k - 1).head(k).setConstant(1.0 / length);
     basis(k, k - 1) = -static_cast<double>(k) / length;
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(
-    Eigen::MatrixXd(basis.transpose() * H * basis));
-  const Eigen::MatrixXd vectors = basis * solver.eigenvectors();
+  const SymmetricEigen eigen(basis.transpose() * H * basis);
+  const Eigen::MatrixXd vectors = basis * eigen.Vectors;
   const double least = 1e-12 * H.diagonal().maxCoeff();
   for (Eigen::Index k = 0; k < n - 1; ++k)
   {
-    const double value = solver.eigenvalues()[k];
+    const double value = eigen.Values[k];
     for (Eigen::Index row = 0; row < n; ++row)
     {
       const double square = std::pow(vectors(row, k), 2);

@@ -4,10 +4,9 @@
 
 #include "CosinePowerWarp.h"
 #include "LocalFrame.h"
+#include "SymmetricEigen.h"
 #include "vtkBRDF.h"
 #include "vtkSMPTools.h"
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -142,16 +141,16 @@ std::vector<AzimuthalBasis::Term> Decompose(const Series& series, int order, boo
   {
     gram += sines.transpose() * sines;
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(gram);
+  const SymmetricEigen eigen(gram);
   const Quadrature in = WarpQuadrature(Nodes, 0.0);
   const Quadrature out = WarpQuadrature(Nodes, MinimumViewCosine);
   std::vector<AzimuthalBasis::Term> terms;
   for (Eigen::Index k = Nodes - 1; k >= 0; --k) // eigenvalues ascend
   {
-    const Eigen::VectorXd right = solver.eigenvectors().col(k);
+    const Eigen::VectorXd right = eigen.Vectors.col(k);
     AzimuthalBasis::Term term;
     term.Order = order;
-    term.Sigma = std::sqrt(std::max(solver.eigenvalues()[k], 0.0));
+    term.Sigma = std::sqrt(std::max(eigen.Values[k], 0.0));
     const auto project = [&](const Eigen::MatrixXd& samples)
     {
       const Eigen::VectorXd left = samples * right;

@@ -5,11 +5,10 @@
 #include "ClampedCosine.h"
 #include "LobeHarmonics.h"
 #include "LobePlacement.h"
+#include "SymmetricEigen.h"
 #include "TableSynthesis.h"
 #include "WignerD.h"
 #include "vtkSMPTools.h"
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -150,15 +149,15 @@ void Decompose(int order, const Eigen::MatrixXd& kernels, const std::vector<doub
     weighted.row(l) *= std::pow(power[static_cast<std::size_t>(l)], 0.5 * PowerExponent);
   }
   weighted = weighted * weights.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(weighted.transpose() * weighted);
+  const SymmetricEigen eigen(weighted.transpose() * weighted);
   for (Eigen::Index k = weighted.cols() - 1; k >= 0; --k) // eigenvalues ascend
   {
-    const double energy = solver.eigenvalues()[k];
+    const double energy = eigen.Values[k];
     if (!(energy > least))
     {
       break;
     }
-    const Eigen::VectorXd right = solver.eigenvectors().col(k);
+    const Eigen::VectorXd right = eigen.Vectors.col(k);
     CoreMode mode;
     mode.Order = order;
     mode.Energy = energy; // twice that of 2 Re(e^(-i m psi) G), which takes two fields

@@ -141,12 +141,6 @@ bool CurrentPlan::NeedsTime(const PlanInputs& wanted, Timing timing) const
          !FindPlan(wanted, background);
 }
 
-bool CurrentPlan::Lacks(const PlanInputs& wanted, Timing timing) const
-{
-  return timing == Timing::Always && !this->Plan && !this->Job && !this->IsOf(wanted, true) &&
-         !FindPlan(wanted, true);
-}
-
 void CurrentPlan::Begin(const PlanInputs& wanted)
 {
   if (this->Job && this->JobInputs.GetKey() != wanted.GetKey())

@@ -47,9 +47,6 @@ public:
   /// Whether Update would plan in the calling thread, or wait.
   bool NeedsTime(const PlanInputs& wanted, Timing timing) const;
 
-  /// Whether Update would begin a plan on another thread with none to be drawn by meanwhile.
-  bool Lacks(const PlanInputs& wanted, Timing timing) const;
-
   /// Begin with the plan on another thread, if the material allows that, for an Update to come.
   void Begin(const PlanInputs& wanted);
 

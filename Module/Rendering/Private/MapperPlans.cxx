@@ -333,10 +333,6 @@ CurrentPlan& MapperPlans::Update(const PlanRequest& request, bool& changed, std:
   View& view = this->FindView(request);
   this->Last = &view;
   const PlanInputs wanted = GetInputs(view, request);
-  if (request.StandIn && view.Plan.Lacks(wanted, request.Timing))
-  {
-    request.StandIn();
-  }
   if (request.Others && !view.Plan.IsPending() && view.Plan.NeedsTime(wanted, request.Timing))
   {
     this->BeginSideBySide(view, wanted, request);

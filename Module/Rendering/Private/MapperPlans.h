@@ -61,10 +61,6 @@ struct PlanRequest
   /// Called now and then while Update plans in the calling thread, with the share that is done;
   /// false stops it. May be empty.
   CurrentPlan::Progress Progress;
-
-  /// Called before Update begins a plan on a thread where nothing else can be drawn by: what stands
-  /// in for it is wanted first, while that thread does not compete for cores. May be empty.
-  std::function<void()> StandIn;
 };
 
 class MapperPlans

@@ -183,18 +183,6 @@ bool MaterialDrawing::ResolvePlan(
   PlanRequest request = this->GetRequest(use, state);
   request.Others = [&state](const PlanRequest::Visit& visit)
   { VisitRequests(state.Renderer, visit); };
-  vtkSmartPointer<vtkRadianceIntegrator> standIn; // for the time of this function
-  request.StandIn = [&standIn, &drawn]()
-  {
-    standIn = FindStandIn(drawn.BRDF, drawn.Environment, true);
-    try
-    {
-      standIn->Prepare();
-    }
-    catch (const std::exception&) // what draws it says so
-    {
-    }
-  };
   this->AbortPlanning = false;
   request.Progress = [this](double progress)
   {
@@ -426,6 +414,7 @@ void MaterialDrawing::Forget(const void* part)
   this->Frames.Forget(part);
   this->Forecasts.erase(part);
   this->BouncingParts.erase(part);
+  this->RefusedOcclusion.erase(part);
 }
 
 vtkIdType MaterialDrawing::GetVisiblePairs(

@@ -97,6 +97,7 @@ public:
   void BeginOcclusion(const void* part)
   {
     this->BouncingParts.erase(part);
+    this->RefusedOcclusion.erase(part);
     this->Occlusion.Begin();
   }
   const OcclusionLight* FindOcclusionLight(const DrawnMaterial& drawn);
@@ -239,7 +240,9 @@ private:
   GivenOcclusion Given; // with the surfaces of the last frame
   std::map<const void*, std::unique_ptr<OcclusionForecast>> Forecasts; // of parts
   std::set<const void*> BouncingParts; // whose buffers have what comes back
-  bool WasReady = false;               // whether a plan made in the background waited to be drawn
+  /// Surfaces of parts, only counted, whose arrays are of another surface or damaged.
+  std::map<const void*, std::set<const vtkPolyData*>> RefusedOcclusion;
+  bool WasReady = false; // whether a plan made in the background waited to be drawn
   vtkTimeStamp ReadyTime;
 };
 } // namespace measuredbrdf

@@ -53,6 +53,7 @@ void MaterialDrawing::ResolveAll(
     return;
   }
   this->AreUsesNew = true;
+  const PlanJob::Hold hold;             // until what stands in is made
   std::vector<DrawnMaterial> materials; // the last ones stay until these have their textures
   for (const MaterialUse& use : uses)
   {

@@ -133,6 +133,17 @@ std::string MaterialDrawing::DescribeOcclusion() const
               : this->Forecasts.empty()         ? ", left out of the others"
                                                 : "");
   }
+  std::size_t refused = 0;
+  for (const auto& [part, surfaces] : this->RefusedOcclusion)
+  {
+    refused += surfaces.size();
+  }
+  if (refused > 0)
+  {
+    given += "; hidden sky that is given does not fit " +
+             (this->Given.All == 1 ? "the surface" : std::to_string(refused) + " of the blocks") +
+             " and is left out";
+  }
   return (text.empty() ? "" : "; " + text) + given +
          (this->BouncingParts.empty() ? "" : "; one bounce modeled");
 }
@@ -169,6 +180,10 @@ std::shared_ptr<OcclusionArrays> MaterialDrawing::FindOcclusion(
   if (arrays && arrays->HasBounce)
   {
     this->BouncingParts.insert(part);
+  }
+  if (!isPart && !arrays && HasArrays(surface))
+  {
+    this->RefusedOcclusion[part].insert(surface);
   }
   if (!problem.empty() && this->WarnOnce("occlusion: " + problem))
   {

@@ -57,9 +57,17 @@ public:
       this->Jobs.push_front(job);
     }
     ++this->Waiters;
+    this->Released.notify_all();
     this->AddThread(lock);
     this->Finished.wait(lock, [job]() { return job->IsDone(); });
     --this->Waiters;
+  }
+
+  void AddHold(int change)
+  {
+    const Lock lock(this->Mutex);
+    this->Holds += change;
+    this->Released.notify_all();
   }
 
   std::mutex Mutex;
@@ -86,7 +94,10 @@ private:
   void Work()
   {
     Lock lock(this->Mutex);
-    while (!this->Jobs.empty() && this->Running <= this->GetLimit())
+    const auto mayBegin = [this]() { return this->Holds == 0 || this->Waiters > 0; };
+    for (this->Released.wait(lock, mayBegin);
+         !this->Jobs.empty() && this->Running <= this->GetLimit();
+         this->Released.wait(lock, mayBegin))
     {
       PlanJob* job = this->Jobs.front();
       this->Jobs.pop_front();
@@ -103,6 +114,8 @@ private:
   const int Cores = std::max(static_cast<int>(std::thread::hardware_concurrency()), 1);
   std::deque<PlanJob*> Jobs;
   std::condition_variable Finished;
+  std::condition_variable Released;
+  int Holds = 0;
   int Running = 0; // threads
   int Waiters = 0;
 };
@@ -112,6 +125,10 @@ PlanJob::Queue& PlanJob::GetQueue()
   static Queue& queue = *new Queue;
   return queue;
 }
+
+PlanJob::Hold::Hold() { GetQueue().AddHold(1); }
+
+PlanJob::Hold::~Hold() { GetQueue().AddHold(-1); }
 
 int PlanJob::GetLimit()
 {

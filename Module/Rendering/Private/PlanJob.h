@@ -60,6 +60,17 @@ public:
   /// Make the material's form for shaders, too, if the plan is not done yet.
   void WantForm() { this->WithForm = true; }
 
+  /// While one lives, no job begins unless somebody waits for one: what a Render makes to stand in
+  /// for plans comes first, as it needs the cores.
+  class Hold
+  {
+  public:
+    Hold();
+    ~Hold();
+    Hold(const Hold&) = delete;
+    void operator=(const Hold&) = delete;
+  };
+
   ///@{
   /// How many jobs may run at once, and the largest number that did since the last call: for tests.
   static int GetLimit();

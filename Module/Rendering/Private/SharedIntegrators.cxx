@@ -76,20 +76,6 @@ bool IsMirrorLike(vtkBRDF* brdf)
   }
 }
 
-// With a form for shaders that is made at once. The material itself where there is no memory: what
-// draws it says so, once.
-vtkSmartPointer<vtkBRDF> MakeStandInBRDF(vtkBRDF* brdf)
-{
-  try
-  {
-    return StandInBRDF::Make(brdf);
-  }
-  catch (const std::exception&)
-  {
-    return brdf;
-  }
-}
-
 // Mirror-like materials need more rows.
 vtkHybridRadianceIntegrator* NewTable(int rows, bool quick)
 {
@@ -127,7 +113,7 @@ vtkSmartPointer<vtkRadianceIntegrator> FindStandIn(
       return NewCopyFor(!isotropic           ? static_cast<vtkRadianceIntegrator*>(&lights)
                         : IsMirrorLike(brdf) ? finer[quick ? 1 : 0]
                                              : table,
-        quick ? MakeStandInBRDF(brdf) : vtkSmartPointer<vtkBRDF>(brdf), environment);
+        quick ? StandInBRDF::Make(brdf) : vtkSmartPointer<vtkBRDF>(brdf), environment);
     });
 }
 

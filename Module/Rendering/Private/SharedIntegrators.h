@@ -24,8 +24,7 @@ vtkSmartPointer<vtkRadianceIntegrator> FindIntegrator(
 
 /// For as long as there is no plan, with suns and lamps as lights: a small table, of more rows for
 /// mirror-like materials; a small light set for anisotropic ones. quick: for a short
-/// time, of a StandInBRDF of the material if its own form for shaders would have to be made. Not
-/// prepared yet.
+/// time, of a StandInBRDF of the material. Not prepared yet.
 vtkSmartPointer<vtkRadianceIntegrator> FindStandIn(
   vtkBRDF* brdf, vtkEnvironment* environment, bool quick);
 

@@ -10,24 +10,27 @@ vtkStandardNewMacro(StandInBRDF);
 
 vtkSmartPointer<vtkBRDF> StandInBRDF::Make(vtkBRDF* material)
 {
-  const auto quick = vtkSmartPointer<vtkBRDF>::Take(material->NewQuickRenderable());
-  const auto snapshot = !quick || quick == material
-                          ? vtkSmartPointer<vtkBRDF>()
-                          : vtkSmartPointer<vtkBRDF>::Take(material->NewSnapshot());
-  if (!snapshot)
-  {
-    return material;
-  }
   auto made = vtkSmartPointer<StandInBRDF>::New();
-  made->Material = snapshot;
-  made->Quick = quick;
+  made->Material = material;
   made->Name = material->GetName();
   made->Source = material->GetSource();
   made->ResamplingTolerance = material->GetResamplingTolerance();
   return made;
 }
 
-void StandInBRDF::GetShaderInputs(vtkBRDFShaderInputs& form) { this->Quick->GetShaderInputs(form); }
+vtkBRDF* StandInBRDF::GetRenderable()
+{
+  if (!this->Quick)
+  {
+    this->Quick = vtkSmartPointer<vtkBRDF>::Take(this->Material->NewQuickRenderable());
+  }
+  return this->Quick;
+}
+
+void StandInBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
+{
+  this->GetRenderable()->GetShaderInputs(form);
+}
 
 void StandInBRDF::GetDirectionalAlbedo(const double o[3], double albedo[3])
 {

@@ -14,15 +14,15 @@
 namespace measuredbrdf
 {
 /// The material that stands in for one until there is a plan: of its values, but with a coarse
-/// table for shaders (vtkBRDF::NewQuickRenderable) where the material's own takes seconds.
+/// table for shaders (vtkBRDF::NewQuickRenderable) where the material's own takes seconds. That is
+/// made when it is first asked for: only lights need it.
 class StandInBRDF : public vtkBRDF
 {
 public:
   static StandInBRDF* New();
   vtkTypeMacro(StandInBRDF, vtkBRDF);
 
-  /// Of a snapshot of the material; the material itself where that has a form for shaders, or no
-  /// snapshots.
+  /// Of a material that does not change meanwhile.
   static vtkSmartPointer<vtkBRDF> Make(vtkBRDF* material);
 
   void GetDirectionalAlbedo(const double o[3], double albedo[3]) override;
@@ -30,7 +30,7 @@ public:
   bool IsIsotropic() override { return this->Material->IsIsotropic(); }
   bool IsReciprocal() override { return this->Material->IsReciprocal(); }
   void Prepare() override { this->Material->Prepare(); }
-  vtkBRDF* GetRenderable() override { return this->Quick; }
+  vtkBRDF* GetRenderable() override;
   void GetShaderInputs(vtkBRDFShaderInputs& form) override;
 
 protected:

@@ -616,6 +616,22 @@ TEST_F(SideBySide, NoMoreThanCores)
   EXPECT_TRUE(this->Update(0));
 }
 
+//------------------------------------------------------------------------------
+TEST_F(SideBySide, HeldUntilSomebodyWaits)
+{
+  this->When = Timing::Always;
+  auto hold = std::make_unique<PlanJob::Hold>();
+  EXPECT_EQ(this->Update(0), nullptr);
+  EXPECT_EQ(this->Update(1), nullptr);
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  EXPECT_EQ(PlanJob::TakeLargestNumber(), 0);
+  EXPECT_FALSE(this->Mappers[0]->IsReady());
+  this->When = Timing::Foreground;
+  EXPECT_TRUE(this->Update(0));
+  hold.reset();
+  EXPECT_TRUE(WaitUntil([this]() { return this->Mappers[1]->IsReady(); }));
+}
+
 namespace
 {
 /// Has no memory for what planning asks it first.

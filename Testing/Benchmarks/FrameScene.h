@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What benchmarks of frames draw: a window that a sphere fills, VTK's PBR under an environment,
+ * materials, and spheres with bumps.
+ */
+
+#ifndef FrameScene_h
+#define FrameScene_h
+
+#include "vtkActor.h"
+#include "vtkBasisBRDF.h"
+#include "vtkBasisProjector.h"
+#include "vtkCamera.h"
+#include "vtkEmbeddedMaterials.h"
+#include "vtkEnvironment.h"
+#include "vtkImageData.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataNormals.h"
+#include "vtkProperty.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+#include "vtkSphereSource.h"
+#include "vtkTabulatedBRDF.h"
+#include "vtkTexture.h"
+
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// One for each picture: no state of one slows another. The mapper and the light are the program's,
+/// and so is the clipping range.
+struct FrameScene
+{
+  FrameScene(int width, int height, double radius)
+  {
+    this->Window->SetOffScreenRendering(1);
+    this->Window->SetMultiSamples(0);
+    this->Window->SetSize(width, height);
+    this->Window->AddRenderer(this->Renderer);
+    this->Renderer->AddActor(this->Actor);
+    this->Renderer->SetAutomaticLightCreation(false);
+    vtkCamera* camera = this->Renderer->GetActiveCamera();
+    camera->ParallelProjectionOn();
+    camera->SetParallelScale(radius);
+    camera->SetPosition(0.0, 0.0, 4.0 * radius + 1.0);
+  }
+
+  /// VTK's PBR and image-based light.
+  void ShadeByPBR(vtkEnvironment* environment)
+  {
+    this->Actor->GetProperty()->SetInterpolationToPBR();
+    this->Actor->GetProperty()->SetMetallic(0.7);
+    this->Actor->GetProperty()->SetRoughness(0.3);
+    const auto image = vtkSmartPointer<vtkImageData>::Take(environment->NewImageData());
+    vtkNew<vtkTexture> texture;
+    texture->SetInputData(image);
+    texture->SetColorModeToDirectScalars();
+    texture->MipmapOn();
+    texture->InterpolateOn();
+    this->Renderer->UseImageBasedLightingOn();
+    this->Renderer->SetEnvironmentTexture(texture);
+  }
+
+  vtkNew<vtkActor> Actor;
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkRenderWindow> Window; // goes first
+};
+
+inline vtkSmartPointer<vtkBRDF> GetEmbedded(const std::string& name)
+{
+  return vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF(name));
+}
+
+/// MERL's size; values do not matter for the time.
+inline vtkSmartPointer<vtkBRDF> MakeLargeTable()
+{
+  const int dimensions[3] = { 180, 90, 90 };
+  std::vector<float> rgb(3 * 180 * 90 * 90);
+  for (std::size_t k = 0; k < rgb.size(); ++k)
+  {
+    rgb[k] = 0.1f + 0.05f * std::sin(0.001f * static_cast<float>(k));
+  }
+  auto brdf = vtkSmartPointer<vtkTabulatedBRDF>::New();
+  brdf->SetVolume(
+    vtkTabulatedBRDF::HALF_DIFFERENCE, vtkTabulatedBRDF::HALF_TURN, dimensions, std::move(rgb));
+  return brdf;
+}
+
+/// The thesis's functions, (order + 1)^2 of them.
+inline vtkSmartPointer<vtkBRDF> MakeBasis(int order)
+{
+  const auto fabric = GetEmbedded("blue-fabric");
+  vtkNew<vtkBasisProjector> projector;
+  projector->SetInput(fabric);
+  projector->SetBasis(vtkBasisBRDF::SPHERICAL_HARMONICS);
+  projector->SetOrder(order);
+  projector->Project();
+  return projector->GetOutput();
+}
+
+/// Of 64,000 triangles.
+inline vtkSmartPointer<vtkPolyData> MakeSphere(double radius)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(180);
+  sphere->SetPhiResolution(180);
+  sphere->SetRadius(radius);
+  sphere->Update();
+  return sphere->GetOutput();
+}
+
+/// A sphere of half a million triangles, with bumps: their depth, and turns (radians per length)
+/// across and along z.
+inline vtkSmartPointer<vtkPolyData> MakeBumps(
+  double radius, double depth, double across, double along)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(500);
+  sphere->SetPhiResolution(502);
+  sphere->SetRadius(radius);
+  sphere->Update();
+  auto surface = vtkSmartPointer<vtkPolyData>::New();
+  surface->DeepCopy(sphere->GetOutput());
+  vtkPoints* points = surface->GetPoints();
+  for (vtkIdType k = 0; k < points->GetNumberOfPoints(); ++k)
+  {
+    double p[3];
+    points->GetPoint(k, p);
+    const double bump = std::sin(across * p[0]) * std::sin(across * p[1]) + std::sin(along * p[2]);
+    vtkMath::MultiplyScalar(p, 1.0 - depth * bump);
+    points->SetPoint(k, p);
+  }
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputData(surface);
+  normals->SplittingOff();
+  normals->Update();
+  return normals->GetOutput();
+}
+
+#endif
