@@ -221,7 +221,7 @@ bool vtkFactoredRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
     vtkBRDFShaderInputs::Texture texture;
     texture.Name = name;
     texture.Dimensions = { width, height, 1 };
-    texture.Components = 4;
+    texture.Components = half ? 3 : 4;
     texture.HalfFloat = half;
     texture.Repeat[0] = half; // maps are round
     texture.Data = data;
@@ -229,15 +229,7 @@ bool vtkFactoredRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
   };
   add("brdfCoreProfile", static_cast<int>(ShaderProfile::Size), rows, false,
     ShaderProfile::PackWeights(core, rows));
-  // Four numbers a texel: software renderers fetch three of 16 bits slowly, and graphics cards
-  // store four anyway.
-  std::vector<float> padded;
-  padded.reserve(core.Fields.size() / 3 * 4);
-  for (std::size_t k = 0; k < core.Fields.size(); k += 3)
-  {
-    padded.insert(padded.end(), { core.Fields[k], core.Fields[k + 1], core.Fields[k + 2], 0.0f });
-  }
-  add("brdfCoreFields", core.Columns, core.Rows * fields, true, padded);
+  add("brdfCoreFields", core.Columns, core.Rows * fields, true, core.Fields);
   inputs.Description += "; " + std::to_string(fields) + " maps of " + std::to_string(core.Columns) +
                         " x " + std::to_string(core.Rows) + " of its sharp part";
   form = std::move(inputs);
@@ -284,7 +276,7 @@ vtkIdType vtkFactoredRadianceIntegrator::EstimateTextureBytes()
 {
   const vtkIdType texels = static_cast<vtkIdType>(2 * this->NumberOfRows) * this->NumberOfRows;
   return GetTableBytes(this->NumberOfTableRows, this->NumberOfViewAngles, this->NumberOfAzimuths) +
-         8 * texels * this->NumberOfFields +
+         6 * texels * this->NumberOfFields +
          16 * static_cast<vtkIdType>(ShaderProfile::Size) * ((3 * this->NumberOfFields + 3) / 4);
 }
 
