@@ -136,15 +136,6 @@ vec3 brdfHalfDifference(vec3 i, vec3 o)
   return vec3(brdfTurn(d), brdfQuadrant(length(i - o), length(i + o)), sqrt(brdfQuadrant(s, h.z)));
 }
 
-// Four values of a profile, linear between its texels; at: 0 to the last one. Not filtered by the texture
-// unit: graphics cards' filters have coarse weights.
-vec4 brdfProfile(sampler2D profile, float at, int row)
-{
-  int first = min(int(at), textureSize(profile, 0).x - 2);
-  return mix(texelFetch(profile, ivec2(first, row), 0),
-    texelFetch(profile, ivec2(first + 1, row), 0), at - float(first));
-}
-
 // Values of valid cells are premultiplied by their validity (alpha): the quotient skips the rest.
 // Textures without alpha read 1 there.
 vec3 brdfUnpremultiply(vec4 v)

@@ -34,9 +34,9 @@ vec3 brdfCoreTurnedINSTANCE(inout brdfCorePlaceINSTANCE at)
   return at.Turn.x * cosine + at.Turn.y * sine;
 }
 
-// u: where profiles are read; position: of the axis in maps; once: cosine and sine of the azimuth,
+// view: where profiles are read; position: of the axis in maps; once: cosine and sine of the azimuth,
 // of any length.
-vec3 brdfCoreINSTANCE(float u, vec2 position, vec2 once)
+vec3 brdfCoreINSTANCE(int view, vec2 position, vec2 once)
 {
   float next = 1.0 / float(CORE_FIELDS); // texels' centers; no field reaches into the next
   float margin = 0.5 / float(textureSize(brdfCoreFieldsINSTANCE, 0).y);

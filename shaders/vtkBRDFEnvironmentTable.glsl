@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Radiance integrated ahead of time: c E(n) + s T(axis, view angle, azimuth), and what
 // vtkBRDFEnvironmentCore.glsl and vtkBRDFEnvironmentLamps.glsl add. C++ twin: vtkTableRadianceIntegrator.
-uniform sampler2D brdfTableProfileINSTANCE; // over theta_o: (s, view angle); (c, sin delta)
+uniform sampler2D brdfTableProfileINSTANCE; // over theta_o: s and c; sin delta - sin theta_o
+uniform vec3 brdfTableShareINSTANCE; // of a step of s
+uniform vec3 brdfTableLambertINSTANCE; // largest c
 uniform sampler3D brdfTableRadianceINSTANCE; // azimuth and polar angle of axis; psi within view angles
 uniform sampler2D brdfTableIrradianceINSTANCE; // octahedral, over the normal
 uniform float brdfTableRowsINSTANCE; // of the map that is everywhere; tiles lie below it
@@ -12,11 +14,14 @@ uniform float brdfTableLastViewINSTANCE; // the profile's last theta_o, in quart
 vec3 brdfEnvironmentINSTANCE(mat3 frame, vec3 o)
 {
   float sine = length(o.xy);
-  float u = 1.0 - sqrt(max(1.0 - brdfQuadrant(sine, o.z) / brdfTableLastViewINSTANCE, 0.0));
-  u *= float(textureSize(brdfTableProfileINSTANCE, 0).x - 1);
-  vec4 share = brdfProfile(brdfTableProfileINSTANCE, u, 0);
-  vec4 lambert = brdfProfile(brdfTableProfileINSTANCE, u, 1);
-  vec2 axis = vec2(sqrt(max(1.0 - lambert.w * lambert.w, 0.0)), lambert.w); // cos, sin delta
+  float rest = max(1.0 - brdfQuadrant(sine, o.z) / brdfTableLastViewINSTANCE, 0.0);
+  int view = int((1.0 - sqrt(rest)) * float(textureSize(brdfTableProfileINSTANCE, 0).x - 1) + 0.5);
+  vec4 pairs = texelFetch(brdfTableProfileINSTANCE, ivec2(view, 0), 0);
+  vec3 whole = floor(pairs.rgb);
+  vec3 share = whole * brdfTableShareINSTANCE;
+  vec3 lambert = (pairs.rgb - whole) * brdfTableLambertINSTANCE;
+  float sinDelta = sine + pairs.w;
+  vec2 axis = vec2(sqrt(max(1.0 - sinDelta * sinDelta, 0.0)), sinDelta);
   vec2 azimuth = sine > 1e-6 ? o.xy / sine : vec2(1.0, 0.0);
   vec3 across = frame[0] * azimuth.x + frame[1] * azimuth.y;
   vec3 d = axis.x * frame[2] - axis.y * across;
@@ -29,7 +34,7 @@ vec3 brdfEnvironmentINSTANCE(mat3 frame, vec3 o)
   vec3 core = SHARP_PART;
   vec3 size = vec3(textureSize(brdfTableRadianceINSTANCE, 0));
   float slices = size.z / brdfTableAnglesINSTANCE; // the first azimuth comes again after the last
-  float w = clamp(share.w, 0.0, brdfTableAnglesINSTANCE - 1.0);
+  float w = (brdfTableAnglesINSTANCE - 1.0) * (1.0 - pow(rest, 2.0 / 3.0)); // among view angles
   float angle = min(floor(w), brdfTableAnglesINSTANCE - 2.0);
   vec2 tile = TILE_PART; // texels
   vec2 inMap = position * vec2(size.x, brdfTableRowsINSTANCE - 1.0);
@@ -38,12 +43,12 @@ vec3 brdfEnvironmentINSTANCE(mat3 frame, vec3 o)
   vec3 low = texture(brdfTableRadianceINSTANCE, at).rgb;
   at.z += slices / size.z;
   vec3 high = texture(brdfTableRadianceINSTANCE, at).rgb;
-  vec3 sum = BRDF_OPEN_LOBE(mix(low, high, w - angle) * share.rgb);
+  vec3 sum = BRDF_OPEN_LOBE(mix(low, high, w - angle) * share);
   if (HAS_FLOOR != 0)
   {
     float side = float(textureSize(brdfTableIrradianceINSTANCE, 0).x);
     vec2 normalAt = (brdfOctahedralPosition(frame[2]) * (side - 1.0) + 0.5) / side;
-    sum += BRDF_OPEN_IRRADIANCE(texture(brdfTableIrradianceINSTANCE, normalAt).rgb) * lambert.rgb;
+    sum += BRDF_OPEN_IRRADIANCE(texture(brdfTableIrradianceINSTANCE, normalAt).rgb) * lambert;
   }
   sum += LAMPS_PART;
   return max(max(sum, vec3(0.0)) + BRDF_OPEN_LOBE(core), vec3(0.0));

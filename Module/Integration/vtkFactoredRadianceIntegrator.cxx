@@ -7,6 +7,7 @@
 #include "Printable.h"
 #include "RadianceCore.h"
 #include "Setters.h"
+#include "ShaderProfile.h"
 #include "TableCandidates.h" // for GetTableBytes
 #include "TableSynthesis.h"
 #include "vtkBRDF.h"
@@ -36,21 +37,6 @@ constexpr int NumberOfNodes = 64;
 std::string GetWeightName(int number)
 {
   return "weights" + std::to_string(number / 4) + "." + "xyzw"[number % 4];
-}
-
-std::vector<float> PackWeights(const RadianceCore& core, int rows)
-{
-  constexpr std::size_t size = LobeViews::NumberOfViews;
-  std::vector<float> packed(4 * size * static_cast<std::size_t>(rows), 0.0f);
-  for (std::size_t number = 0; number < 3 * core.Orders.size(); ++number)
-  {
-    for (std::size_t view = 0; view < size; ++view)
-    {
-      packed[4 * (number / 4 * size + view) + number % 4] =
-        core.Profile[3 * ((1 + number / 3) * size + view) + number % 3];
-    }
-  }
-  return packed;
 }
 }
 
@@ -216,15 +202,15 @@ bool vtkFactoredRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
   for (int row = rows - 1; row >= 0; --row)
   {
     const std::string index = std::to_string(row);
-    steps = "vec4 weights" + index + " = brdfProfile(brdfCoreProfileINSTANCE, u, " + index + "); " +
-            steps;
+    steps = "vec4 weights" + index + " = texelFetch(brdfCoreProfileINSTANCE, ivec2(view, " + index +
+            "), 0); " + steps;
   }
   const int fields = core.GetNumberOfFields();
   for (vtkBRDFShaderInputs::Constant& constant : term.Constants)
   {
     if (constant.Name == "SHARP_PART")
     {
-      constant.Value = "brdfCoreINSTANCE(u, position, turn)";
+      constant.Value = "brdfCoreINSTANCE(view, position, turn)";
     }
   }
   term.Constants.push_back({ "CORE_STEPS", steps });
@@ -241,7 +227,8 @@ bool vtkFactoredRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
     texture.Data = data;
     term.Textures.push_back(std::move(texture));
   };
-  add("brdfCoreProfile", LobeViews::NumberOfViews, rows, false, PackWeights(core, rows));
+  add("brdfCoreProfile", static_cast<int>(ShaderProfile::Size), rows, false,
+    ShaderProfile::PackWeights(core, rows));
   add("brdfCoreFields", core.Columns, core.Rows * fields, true, core.Fields);
   inputs.Description += "; " + std::to_string(fields) + " maps of " + std::to_string(core.Columns) +
                         " x " + std::to_string(core.Rows) + " of its sharp part";
@@ -290,7 +277,7 @@ vtkIdType vtkFactoredRadianceIntegrator::EstimateTextureBytes()
   const vtkIdType texels = static_cast<vtkIdType>(2 * this->NumberOfRows) * this->NumberOfRows;
   return GetTableBytes(this->NumberOfTableRows, this->NumberOfViewAngles, this->NumberOfAzimuths) +
          6 * texels * this->NumberOfFields +
-         16 * LobeViews::NumberOfViews * (1 + this->NumberOfFields);
+         16 * static_cast<vtkIdType>(ShaderProfile::Size) * ((3 * this->NumberOfFields + 3) / 4);
 }
 
 //------------------------------------------------------------------------------

@@ -9,6 +9,7 @@
 #include "Printable.h"
 #include "RadianceTable.h"
 #include "Setters.h"
+#include "ShaderProfile.h"
 #include "TableCandidates.h"
 #include "TableLamps.h"
 #include "TableSynthesis.h"
@@ -44,24 +45,6 @@ std::string GetTilesText(const TableTiles& tiles)
   return tiles.Places.empty() ? ""
                               : " (" + std::to_string(tiles.GetFineColumns()) + " x " +
                                   std::to_string(tiles.FineRows) + " where they bend most)";
-}
-
-// For the shader: share and view angle in the first row, the Lambert part and sin delta in the
-// second.
-std::vector<float> PackProfile(const RadianceTable& table)
-{
-  constexpr std::size_t size = RadianceTable::ProfileSize;
-  std::vector<float> packed;
-  for (const auto& [row, last] : { std::pair<std::size_t, std::size_t>(1, 0), { 2, 2 } })
-  {
-    for (std::size_t view = 0; view < size; ++view)
-    {
-      const float* values = &table.Profile[3 * (row * size + view)];
-      packed.insert(packed.end(), values, values + 3);
-      packed.push_back(table.Profile[3 * view + last]);
-    }
-  }
-  return packed;
 }
 }
 
@@ -229,9 +212,13 @@ bool vtkTableRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
     term.Textures.push_back(std::move(texture));
     return term.Textures.back();
   };
-  vtkBRDFShaderInputs::Texture& profile = add("brdfTableProfile", RadianceTable::ProfileSize, 2, 1);
+  const ShaderProfile packed(table);
+  term.Uniforms.push_back({ "brdfTableShare", { packed.Share.begin(), packed.Share.end() } });
+  term.Uniforms.push_back({ "brdfTableLambert", { packed.Lambert.begin(), packed.Lambert.end() } });
+  vtkBRDFShaderInputs::Texture& profile =
+    add("brdfTableProfile", static_cast<int>(ShaderProfile::Size), 1, 1);
   profile.Components = 4;
-  profile.Data = PackProfile(table);
+  profile.Data = packed.Texels;
   vtkBRDFShaderInputs::Texture& radiance =
     add("brdfTableRadiance", table.Columns, table.GetHeight(), table.Angles * (table.Azimuths + 1));
   radiance.SharedExponents = table.Radiance;

@@ -83,6 +83,9 @@ protected:
   /// Whether the material's tangents come with the data.
   bool HasTangents();
 
+  /// Whether scalars color the surfaces that are drawn now.
+  bool HasScalarColors();
+
   /// Hand what the surface hides from itself to the buffers that are being built.
   virtual void AddOcclusion(vtkRenderer* ren);
 

@@ -49,11 +49,12 @@ const std::vector<Group>& GetGroups()
     { { "texture(brdfTableRadiance0, at).rgb", "at" } } };
   static const Group irradiance{ "the fetch of irradiance, and its octahedron",
     { { "texture(brdfTableIrradiance0, normalAt).rgb", "vec3(0.5)" } } };
-  static const Group profile{ "profiles: four texels",
-    { { "brdfProfile(brdfTableProfile0, u, 0)", "vec4(u)" },
-      { "brdfProfile(brdfTableProfile0, u, 1)", "vec4(0.25)" } } };
-  static const Group view{ "the profile's place: an arc tangent, two roots",
-    { { "1.0 - sqrt(max(1.0 - brdfQuadrant(sine, o.z) / brdfTableLastView0, 0.0))", "o.z" } } };
+  static const Group profile{ "the profile's texel, and taking it apart",
+    { { "texelFetch(brdfTableProfile0, ivec2(view, 0), 0)", "vec4(rest)" },
+      { "floor(pairs.rgb)", "vec3(0.5)" } } };
+  static const Group view{ "the view's angle: an arc tangent, a root, a power",
+    { { "max(1.0 - brdfQuadrant(sine, o.z) / brdfTableLastView0, 0.0)", "o.z" },
+      { "(1.0 - sqrt(rest))", "rest" }, { "pow(rest, 2.0 / 3.0)", "rest" } } };
   static const Group azimuth{ "the axis' azimuth and polar angle: two arc tangents",
     { { "return vec2(brdfTurn(azimuth), 0.5 * (d.y >= 0.0 ? polar : 2.0 - polar));",
       "return azimuth;" } } };

@@ -842,7 +842,8 @@ add("Shaders.basis-is-not-clamped", "vtkBRDFBasis.glsl", "return max(sum, vec3(0
     "Parity.NegativeSumsAreZeroForEachLight")
 add("Shaders.grazing-views-are-not-lifted", "vtkBRDFBegin.glsl", "brdfLiftView(brdfView * brdfFrame)",
     "brdfView * brdfFrame", "MapperShading.GrazingViews")
-add("Shaders.environment-does-not-turn", "vtkBRDFBegin.glsl", "envMatrix * brdfFrame", "brdfFrame",
+add("Rendering.environment-does-not-turn", "Private/EnvironmentRotation.cxx", "toView->GetElement(column, k) * axes[row][k]",
+    "(column == k ? axes[row][k] : 0.0)",
     "Mapper.RotatingEverythingChangesNothing")
 add("Shaders.directional-light-without-cosine", "vtkBRDFDirectionalLight.glsl", "* radiance * brdfLight.z;",
     "* radiance;", "Mapper.SceneLights")
@@ -868,8 +869,11 @@ add("Shaders.pyramid-levels-are-not-mixed", "vtkBRDFEnvironmentPyramid.glsl", "l
     "level + 1.0), 0.0)", "Parity.FilteredIntegrator")
 add("Shaders.table-azimuth-slices", "vtkBRDFEnvironmentTable.glsl", "fract(psi) * (slices - 1.0)",
     "fract(psi) * (slices - 2.0)", "Parity.TableIntegrator")
-add("Shaders.table-floor-of-another-row", "vtkBRDFEnvironmentTable.glsl", "brdfTableProfileINSTANCE, u, 1)", "brdfTableProfileINSTANCE, u, 0)",
+add("Shaders.table-floor-of-another-part", "vtkBRDFEnvironmentTable.glsl", "(pairs.rgb - whole) * brdfTableLambertINSTANCE", "whole * brdfTableLambertINSTANCE",
     "Parity.TableIntegrator")
+add("Integration.shader-profile-of-the-view-before", "Private/ShaderProfile.cxx", "return static_cast<double>(texel) /",
+    "return (static_cast<double>(texel) - 0.5) /",
+    "ShaderProfile.HoldsWhatIsInterpolated")
 add("Integration.lamps-window-with-an-edge", "Private/LampWindow.h", "x < 1.0 ? root * root : 0.0", "x < 1.0 ? 1.0 : 0.0",
     "LampWindow.EndsWithoutAnEdge|HybridLamps.NothingShowsWhereTheWindowEnds")
 add("Integration.lamps-in-the-table-again", "Private/LobeHarmonics.cxx", "1.0 - window.GetWeight(i, axis)", "1.0",

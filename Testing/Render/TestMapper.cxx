@@ -1013,7 +1013,8 @@ TEST_F(Mapper, ShaderTextIsWhole)
   this->RenderEncoded();
   const std::string text = this->Measured->GetFragmentShader();
   EXPECT_NE(text.find("brdfMember0Environment(brdfEnvironmentRotation"), std::string::npos);
-  for (const char* left : { "//VTK::MeasuredBRDF", "INSTANCE" })
+  // Nothing of scalars where there are none: software renderers run both sides of conditions.
+  for (const char* left : { "//VTK::MeasuredBRDF", "INSTANCE", "brdfModulate > 1" })
   {
     EXPECT_EQ(text.find(left), std::string::npos) << left;
   }

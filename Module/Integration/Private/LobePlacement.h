@@ -120,7 +120,7 @@ inline glm::dvec3 GetCenteredValue(const std::vector<float>& data, int rows, int
 }
 
 /// A row of profiles over theta_o, LobeViews::NumberOfViews texels each, at u in [0,1].
-/// The shader's brdfProfile, whose weights are exact.
+/// Shaders read the nearest of many such values (ShaderProfile.h).
 inline glm::dvec3 GetProfileValue(const std::vector<float>& profile, int row, double u)
 {
   constexpr int size = LobeViews::NumberOfViews;
@@ -187,7 +187,8 @@ struct LobePlacement
   {
     const glm::dvec3& view = this->View;
     const double sine = std::hypot(view.x, view.y);
-    this->U = GetProfilePosition(std::atan2(sine, view.z));
+    this->Theta = std::atan2(sine, view.z);
+    this->U = GetProfilePosition(this->Theta);
     const glm::dvec2 azimuth = sine > 1e-6 ? glm::dvec2(view) / sine : glm::dvec2(1.0, 0.0);
     this->Across = this->Local[0] * azimuth.x + this->Local[1] * azimuth.y;
   }
@@ -210,6 +211,7 @@ struct LobePlacement
   glm::dvec3 View; // in that frame
   glm::dvec3 Normal;
   glm::dvec3 Across; // the view's part along the surface
+  double Theta;      // the view's polar angle
   double U;          // where profiles are read
 };
 } // namespace measuredbrdf

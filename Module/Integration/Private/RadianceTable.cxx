@@ -69,7 +69,7 @@ glm::dvec3 RadianceTable::Evaluate(const glm::dvec3& n, const glm::dvec3& o, con
   const glm::dvec2 around = place.GetTurn(delta.x, delta.y, at);
   const double psi = std::atan2(around.y, around.x) / (2.0 * Pi);
   const Neighbors turn = PeriodicNeighbors(psi + 0.5 / this->Azimuths, this->Azimuths);
-  const double w = std::clamp(axis.x, 0.0, this->Angles - 1.0);
+  const double w = LobeViews::GetKnotPosition(place.Theta, this->Angles);
   const int angle = std::min(static_cast<int>(w), this->Angles - 2);
   const SlicePlace slice(*this, at);
   const auto between = [&](int k)

@@ -3,6 +3,7 @@
 #include "TableCandidates.h"
 
 #include "RadianceTable.h"
+#include "ShaderProfile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +31,8 @@ constexpr double LeastOfMaps = 0.7;
 // and so much of what fewer maps leave, however many rows they have; measured: 0.64 to 0.96.
 constexpr double LeastOfModes = 0.6;
 
-constexpr vtkIdType MapBytes = 4 * 129 * 129 + 16 * 3 * 64; // irradiance and profile
+constexpr vtkIdType MapBytes =
+  4 * RadianceTable::IrradianceSide * RadianceTable::IrradianceSide + 16 * ShaderProfile::Size;
 }
 
 // What linear interpolation in each size costs in error differs with the material's gloss

@@ -57,7 +57,7 @@ void TableLamps::AddTo(vtkBRDFShaderInputs::Term& table) const
   {
     if (constant.Name == "LAMPS_PART")
     {
-      constant.Value = "brdfAddLampsINSTANCE(frame, o, d, lambert.rgb)";
+      constant.Value = "brdfAddLampsINSTANCE(frame, o, d, lambert)";
     }
   }
   std::string uniforms;

@@ -125,7 +125,7 @@ std::string GetShaderDeclarations(const std::vector<ShaderMember>& members)
   bool evaluate = true;
   for (std::size_t k = 0; k < members.size(); ++k)
   {
-    text += "uniform mat3 " + GetRotationName(k) + "; // the environment's own, on top\n";
+    text += "uniform mat3 " + GetRotationName(k) + "; // view -> the member's environment\n";
     evaluate = evaluate && members[k].Material;
     std::string functions = DeclareMember(members[k], k);
     const std::string prefix = "brdfMember" + std::to_string(k);
@@ -167,9 +167,12 @@ std::string GetShaderBody(const ShaderBody& body)
       "LIGHT", static_cast<std::size_t>(k));
   }
   text += vtkBRDFEnd;
-  vtkShaderProgram::Substitute(text, "BRDF_TAKES_COLOR",
-    body.HasBlockColors ? "brdfModulate > 1 || (brdfModulate > 0 && OverridesColor)"
-                        : "brdfModulate > 1");
+  // Software renderers run both sides of conditions, so one that never holds is left out.
+  const std::string taken = body.HasBlockColors
+                              ? "brdfModulate > 1 || (brdfModulate > 0 && OverridesColor)"
+                              : "brdfModulate > 1";
+  vtkShaderProgram::Substitute(
+    text, "BRDF_TAKES_COLOR", body.HasColors || body.HasBlockColors ? taken : "false");
   const bool tubes = body.HasEdges && body.EdgesAreTubes;
   vtkShaderProgram::Substitute(
     text, "//VTK::MeasuredBRDF::TubeLight", tubes ? "brdfTube += radiance * brdfLight.z;" : "");

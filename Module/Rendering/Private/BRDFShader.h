@@ -42,7 +42,7 @@ std::size_t GetFirstInstance(std::size_t member);
 /// brdfWeights, which are declared before.
 std::string GetShaderDeclarations(const std::vector<ShaderMember>& members);
 
-/// The uniform with the rotation of a member's environment.
+/// The uniform that turns directions from view coordinates to a member's environment.
 std::string GetRotationName(std::size_t member);
 
 /// What the body of a shader depends on.
@@ -55,6 +55,7 @@ struct ShaderBody
   bool HasEdgeOpacity = false; // and edgeOpacity (VTK 9.3)
   bool EdgesAreTubes = false;  // lit as such
   bool HasBlockColors = false; // VTK's OverridesColor is there (composite data)
+  bool HasColors = true;       // scalars may color the surface
   std::string Weights;         // fills brdfWeights, where materials are mixed
 };
 

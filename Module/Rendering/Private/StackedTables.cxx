@@ -263,11 +263,6 @@ std::string StackedTables::DeclareReaders() const
     const std::string begin = "ivec2(" + table.Name + "BeginINSTANCE.xy)";
     text += "vec4 fetch_" + name + "(ivec2 at, int lod)\n{\n  return texelFetch(" + name +
             ", at + " + begin + ", lod);\n}\n";
-    // As brdfProfile, of this table's columns.
-    text += "vec4 profile_" + name + "(float at, int row)\n{\n  int first = min(int(at), int(" +
-            this->GetSize(0) + ") - 2);\n  return mix(fetch_" + name +
-            "(ivec2(first, row), 0), fetch_" + name +
-            "(ivec2(first + 1, row), 0), at - float(first));\n}\n";
   }
   return text;
 }
@@ -290,13 +285,12 @@ bool StackedTables::UseReaders(std::string& text, std::string& declarations) con
   if (!table.ThreeD)
   {
     ReplaceAll(text, "texelFetch(" + name + ", ", "fetch_" + table.Name + "_(");
-    ReplaceAll(text, "brdfProfile(" + name + ", ", "profile_" + table.Name + "_(");
   }
   if (ReplaceAll(text, declaration, "") != 1 || text.find(name) != std::string::npos)
   {
     return false;
   }
-  for (const char* use : { "read_", "fetch_", "profile_" })
+  for (const char* use : { "read_", "fetch_" })
   {
     ReplaceAll(text, use + table.Name + "_(", use + name + "(");
   }

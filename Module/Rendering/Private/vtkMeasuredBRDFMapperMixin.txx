@@ -8,6 +8,7 @@
 #include "vtkMeasuredBRDFMapperMixin.h"
 
 #include "BRDFShader.h"
+#include "EnvironmentRotation.h"
 #include "MaterialDrawing.h"
 #include "OcclusionPoints.h"
 #include "OcclusionShader.h"
@@ -15,7 +16,6 @@
 #include "vtkActor.h"
 #include "vtkBRDF.h"
 #include "vtkCamera.h"
-#include "vtkEnvironment.h"
 #include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
@@ -211,6 +211,15 @@ bool vtkMeasuredBRDFMapperMixin<Base>::HasTangents()
 
 //------------------------------------------------------------------------------
 template <class Base>
+bool vtkMeasuredBRDFMapperMixin<Base>::HasScalarColors()
+{
+  return this->GetScalarVisibility() && !this->IgnoresScalars() &&
+         (this->VBOs->GetNumberOfComponents("scalarColor") != 0 || this->HaveCellScalars ||
+           this->ColorTextureMap);
+}
+
+//------------------------------------------------------------------------------
+template <class Base>
 std::string vtkMeasuredBRDFMapperMixin<Base>::GetShaderKey(const vtkOpenGLHelper* cellBO)
 {
   if (!this->UsesMaterial(cellBO))
@@ -218,6 +227,7 @@ std::string vtkMeasuredBRDFMapperMixin<Base>::GetShaderKey(const vtkOpenGLHelper
     return "";
   }
   return this->Drawing->GetSelected().GetKey() + (this->HasTangents() ? "/tangents" : "") +
+         (this->HasScalarColors() ? "/colors" : "") +
          measuredbrdf::GetOcclusionKey(this->Drawing->GetSelectedOcclusion(this->HasOcclusion()),
            { this->HasTwoSidedOcclusion(), this->HasOcclusionBounce(), this->KeepsOcclusion() });
 }
@@ -340,11 +350,8 @@ void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderLight(
     // would have declared.
     declarations += "uniform float anisotropyUniform;\nconst float PI = 3.14159265359;\n";
   }
-  vtkShaderProgram::Substitute(
-    fs, "//VTK::Light::Dec", "//VTK::Light::Dec\n" + declarations, false);
-  vtkShaderProgram::Substitute(fs, "//VTK::Light::Dec",
-    std::string(static_cast<vtkOpenGLRenderer*>(ren)->GetLightingUniforms()), false);
-
+  const std::string uniforms(static_cast<vtkOpenGLRenderer*>(ren)->GetLightingUniforms());
+  vtkShaderProgram::Substitute(fs, "//VTK::Light::Dec", uniforms + "\n" + declarations, false);
   measuredbrdf::ShaderBody body;
   body.Weights = occlusion.FragmentCode + mixture.Implementation;
 
@@ -370,6 +377,7 @@ void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderLight(
   body.HasEdgeOpacity = measuredbrdf::Contains(fs, "uniform float edgeOpacity");
   body.EdgesAreTubes = measuredbrdf::Contains(fs, "vec3 tnorm"); // as the superclass bent normals
   body.HasBlockColors = measuredbrdf::Contains(fs, "uniform bool OverridesColor");
+  body.HasColors = this->HasScalarColors() || this->IsPart(); // parts: of blocks
   vtkShaderProgram::Substitute(fs, "//VTK::Light::Impl", measuredbrdf::GetShaderBody(body), false);
   shaders[vtkShader::Fragment]->SetSource(fs);
 }
@@ -440,13 +448,7 @@ void vtkMeasuredBRDFMapperMixin<Base>::SetMapperShaderParameters(
         textures->SetUniforms(program, measuredbrdf::GetFirstInstance(k));
       }
     }
-    matrix->Identity();
-    if (drawn.Environment)
-    {
-      double rows[9];
-      drawn.Environment->GetWorldToEnvironment(rows);
-      matrix->DeepCopy(rows);
-    }
+    matrix->DeepCopy(measuredbrdf::GetViewToEnvironment(ren, drawn.Environment).data());
     matrix->Transpose(); // SetUniformMatrix hands over columns
     program->SetUniformMatrix(measuredbrdf::GetRotationName(k).c_str(), matrix);
   }
@@ -467,11 +469,8 @@ void vtkMeasuredBRDFMapperMixin<Base>::SetMapperShaderParameters(
   {
     this->Points->AddTo(cellBO);
   }
-  const bool scalars = this->GetScalarVisibility() && !this->IgnoresScalars() &&
-                       (this->VBOs->GetNumberOfComponents("scalarColor") != 0 ||
-                         this->HaveCellScalars || this->ColorTextureMap);
   const bool modulate = this->Drawing->GetSettings().ScalarColoringMode != 0;
-  program->SetUniformi("brdfModulate", modulate ? (scalars ? 2 : 1) : 0);
+  program->SetUniformi("brdfModulate", modulate ? (this->HasScalarColors() ? 2 : 1) : 0);
 }
 
 //------------------------------------------------------------------------------

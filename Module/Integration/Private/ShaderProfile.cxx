@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ShaderProfile.h"
+
+#include "LobePlacement.h"
+#include "RadianceCore.h"
+#include "RadianceTable.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace measuredbrdf
+{
+namespace
+{
+double GetTexelPosition(std::size_t texel)
+{
+  return static_cast<double>(texel) / (ShaderProfile::Size - 1.0);
+}
+
+// By how much the axis' sine exceeds the view's.
+double GetExcess(const glm::dvec3& axis, double u)
+{
+  const double rest = (1.0 - u) * (1.0 - u);
+  return axis.z - std::sin(LobeViews::GetLastAngle() * (1.0 - rest));
+}
+
+float Pack(double high, double low)
+{
+  const double whole = std::round(std::clamp(high, 0.0, 1.0) * ShaderProfile::HighSteps);
+  const double steps = std::round(std::clamp(low, 0.0, 1.0) * ShaderProfile::LowSteps);
+  return static_cast<float>(
+    whole + std::min(steps, ShaderProfile::LowSteps - 1.0) / ShaderProfile::LowSteps);
+}
+}
+
+ShaderProfile::ShaderProfile(const RadianceTable& table)
+{
+  glm::dvec3 share(1e-30);
+  glm::dvec3 lambert(1e-30);
+  for (std::size_t k = 0; k < Size; ++k)
+  {
+    const double u = GetTexelPosition(k);
+    share = glm::max(share, GetProfileValue(table.Profile, 1, u));
+    lambert = glm::max(lambert, GetProfileValue(table.Profile, 2, u));
+  }
+  lambert *= LowSteps / (LowSteps - 1.0); // the largest fraction is below 1
+  for (std::size_t k = 0; k < Size; ++k)
+  {
+    const double u = GetTexelPosition(k);
+    const glm::dvec3 high = GetProfileValue(table.Profile, 1, u) / share;
+    const glm::dvec3 low = GetProfileValue(table.Profile, 2, u) / lambert;
+    for (int c = 0; c < 3; ++c)
+    {
+      this->Texels.push_back(Pack(high[c], low[c]));
+    }
+    this->Texels.push_back(static_cast<float>(GetExcess(GetProfileValue(table.Profile, 0, u), u)));
+  }
+  for (int c = 0; c < 3; ++c)
+  {
+    this->Share[static_cast<std::size_t>(c)] = static_cast<float>(share[c] / HighSteps);
+    this->Lambert[static_cast<std::size_t>(c)] = static_cast<float>(lambert[c]);
+  }
+}
+
+std::vector<float> ShaderProfile::PackWeights(const RadianceCore& core, int rows)
+{
+  std::vector<float> packed(4 * Size * static_cast<std::size_t>(rows), 0.0f);
+  for (std::size_t number = 0; number < 3 * core.Orders.size(); ++number)
+  {
+    for (std::size_t k = 0; k < Size; ++k)
+    {
+      const glm::dvec3 weights =
+        GetProfileValue(core.Profile, 1 + static_cast<int>(number / 3), GetTexelPosition(k));
+      packed[4 * (number / 4 * Size + k) + number % 4] =
+        static_cast<float>(weights[static_cast<int>(number % 3)]);
+    }
+  }
+  return packed;
+}
+} // namespace measuredbrdf

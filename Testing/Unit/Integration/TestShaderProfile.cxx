@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What shaders read of a table's profile, by one fetch of the nearest of many texels.
+
+#include "LobePlacement.h"
+#include "RadianceCore.h"
+#include "RadianceTable.h"
+#include "ShaderProfile.h"
+
+#include <glm/glm.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+
+using namespace measuredbrdf;
+
+namespace
+{
+constexpr int ProfileAngles = 12;
+
+// Lobes that leave the mirror direction towards the horizon, over a darkening Lambert part.
+RadianceTable MakeProfileOnly()
+{
+  RadianceTable table(17, ProfileAngles, 8);
+  constexpr std::size_t size = RadianceTable::ProfileSize;
+  table.Profile.resize(3 * 3 * size);
+  for (std::size_t k = 0; k < size; ++k)
+  {
+    const double theta = LobeViews::GetAngle(static_cast<int>(k));
+    const double delta = 0.9 * theta;
+    const glm::dvec3 rows[3] = { { LobeViews::GetKnotPosition(theta, ProfileAngles),
+                                   std::cos(delta), std::sin(delta) },
+      glm::dvec3(3e-5, 2e-5, 1e-5) * (1.0 - 0.3 * theta),
+      glm::dvec3(0.3, 0.01, 0.0) * std::cos(theta) };
+    for (std::size_t row = 0; row < 3; ++row)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        table.Profile[3 * (row * size + k) + static_cast<std::size_t>(c)] =
+          static_cast<float>(rows[row][c]);
+      }
+    }
+  }
+  return table;
+}
+}
+
+// As vtkBRDFEnvironmentTable.glsl takes a texel apart.
+TEST(ShaderProfile, HoldsWhatIsInterpolated)
+{
+  const RadianceTable table = MakeProfileOnly();
+  const ShaderProfile profile(table);
+  ASSERT_EQ(profile.Texels.size(), 4 * ShaderProfile::Size);
+  double largest[3] = {};
+  for (int k = 0; k <= 5000; ++k)
+  {
+    const double u = k / 5000.0;
+    const double sine = std::sin(LobeViews::GetLastAngle() * (1.0 - (1.0 - u) * (1.0 - u)));
+    const auto texel = static_cast<std::size_t>(u * (ShaderProfile::Size - 1.0) + 0.5);
+    const glm::dvec3 axis = GetProfileValue(table.Profile, 0, u);
+    const glm::dvec3 share = GetProfileValue(table.Profile, 1, u);
+    const glm::dvec3 lambert = GetProfileValue(table.Profile, 2, u);
+    for (std::size_t c = 0; c < 4; ++c)
+    {
+      const float pair = profile.Texels[4 * texel + c];
+      const float whole = std::floor(pair);
+      const double rest = pair - whole;
+      if (c < 3)
+      {
+        const int at = static_cast<int>(c);
+        largest[0] = std::max(largest[0], std::abs(whole * profile.Share[c] / share[at] - 1.0));
+        largest[1] =
+          std::max(largest[1], std::abs(rest * profile.Lambert[c] - lambert[at]) / lambert[0]);
+      }
+      else
+      {
+        largest[2] = std::max(largest[2], std::abs(sine + pair - axis.z));
+      }
+    }
+  }
+  // Half a texel and half a step.
+  std::printf("share %.1e, Lambert part %.1e, sine %.1e\n", largest[0], largest[1], largest[2]);
+  EXPECT_LT(largest[0], 5e-4);
+  EXPECT_LT(largest[1], 2e-2); // of what is nearly nothing at the horizon
+  EXPECT_LT(largest[2], 1.2e-4);
+}
+
+// The mirror direction itself has no steps.
+TEST(ShaderProfile, MirrorsExactly)
+{
+  RadianceTable table = MakeProfileOnly();
+  constexpr std::size_t size = RadianceTable::ProfileSize;
+  for (std::size_t k = 0; k < size; ++k)
+  {
+    table.Profile[3 * k + 2] =
+      static_cast<float>(std::sin(LobeViews::GetAngle(static_cast<int>(k))));
+  }
+  // What interpolation between the views leaves of the sine.
+  const ShaderProfile profile(table);
+  for (std::size_t k = 0; k < ShaderProfile::Size; ++k)
+  {
+    EXPECT_LT(std::abs(profile.Texels[4 * k + 3]), 2e-4);
+  }
+}
+
+TEST(ShaderProfile, HoldsWeightsOfModes)
+{
+  RadianceCore core(8);
+  core.Orders = { 0, 1 };
+  constexpr std::size_t size = LobeViews::NumberOfViews;
+  core.Profile.resize(3 * 3 * size);
+  for (std::size_t k = 0; k < core.Profile.size(); ++k)
+  {
+    core.Profile[k] = static_cast<float>(std::sin(0.01 * static_cast<double>(k)));
+  }
+  const std::vector<float> packed = ShaderProfile::PackWeights(core, 2);
+  ASSERT_EQ(packed.size(), 2 * 4 * ShaderProfile::Size);
+  for (std::size_t k = 0; k < ShaderProfile::Size; k += 89)
+  {
+    const double u = static_cast<double>(k) / (ShaderProfile::Size - 1.0);
+    for (std::size_t number = 0; number < 6; ++number)
+    {
+      const glm::dvec3 wanted = GetProfileValue(core.Profile, 1 + static_cast<int>(number / 3), u);
+      EXPECT_NEAR(packed[4 * (number / 4 * ShaderProfile::Size + k) + number % 4],
+        wanted[static_cast<int>(number % 3)], 1e-6);
+    }
+  }
+}
