@@ -19,8 +19,11 @@ namespace
 constexpr int CoarsestStride = 8;          // pixels
 constexpr std::size_t FewestPixels = 4096; // worth a table
 constexpr double FlatTolerance = 0.0015;   // in the middle of a cell, where interpolation errs most
-constexpr double LeastShare = 0.02; // of the mean radiance: darker pixels count as that bright
-constexpr double LeastCosine = 0.9; // between the normals of a cell: no edge of the mesh
+constexpr double LeastShare = 0.02;      // of the mean radiance: darker pixels count as that bright
+constexpr double LeastCosine = 0.9;      // between the normals of a cell: no edge of the mesh
+constexpr double FirstTolerance = 0.002; // of integrated pixels
+constexpr double LeastTolerance = 0.0005;
+constexpr double CheckTolerance = 0.0002; // of the sample
 constexpr std::size_t SampleSize = 400;
 constexpr double EnoughWithin = 0.99; // of the sample
 
@@ -49,8 +52,13 @@ public:
     {
       this->Index[static_cast<std::size_t>(surface.Pixels[k])] = static_cast<int>(k);
     }
-    this->Reference->SetBRDF(brdf);
-    this->Reference->SetEnvironment(environment);
+    for (vtkAdaptiveRadianceIntegrator* integrator : { this->Reference.Get(), this->Strict.Get() })
+    {
+      integrator->SetBRDF(brdf);
+      integrator->SetEnvironment(environment);
+    }
+    this->Reference->SetTolerance(FirstTolerance);
+    this->Strict->SetTolerance(CheckTolerance);
     this->Guess.assign(surface.Normals.size(), 0.0);
     if (brdf->IsIsotropic() && surface.Pixels.size() >= FewestPixels)
     {
@@ -96,37 +104,52 @@ public:
     this->Integrate(wanted);
   }
 
-  // Integrates some of the pixels that were interpolated, evenly among them.
+  // Compares some of all pixels, evenly among them, with what a smaller tolerance gives: always the
+  // same ones, which are not kept in the picture.
   void Check(tool::ReferencePicture& picture)
   {
-    std::vector<int> guessed;
-    for (std::size_t k = 0; k < this->IsKnown.size(); ++k)
+    const std::size_t count = this->IsKnown.size();
+    if (this->Sample.empty())
     {
-      if (!this->IsKnown[k])
+      const std::size_t step = std::max<std::size_t>(count / SampleSize, 1);
+      for (std::size_t k = step / 2; k < count; k += step)
       {
-        guessed.push_back(static_cast<int>(k));
+        this->Sample.push_back(static_cast<int>(k));
       }
+      this->SampleRadiance = this->IntegrateAll(this->Sample, this->Strict);
     }
     picture.Integrated =
-      1.0 - static_cast<double>(guessed.size()) / static_cast<double>(this->IsKnown.size());
-    picture.Within = 1.0;
+      static_cast<double>(std::count(this->IsKnown.begin(), this->IsKnown.end(), char(1))) /
+      static_cast<double>(count);
     picture.Worst = 0.0;
-    std::vector<int> sample;
-    const std::size_t step = std::max<std::size_t>(guessed.size() / SampleSize, 1);
-    for (std::size_t k = step / 2; k < guessed.size(); k += step)
+    std::size_t off = 0;
+    std::size_t integratedOff = 0;
+    for (std::size_t k = 0; k < this->Sample.size(); ++k)
     {
-      sample.push_back(guessed[k]);
-    }
-    const std::vector<double> before = this->Radiance;
-    this->Integrate(sample);
-    for (const int k : sample)
-    {
-      const double error = this->GetError(k, &before[3 * static_cast<std::size_t>(k)]);
+      const auto pixel = static_cast<std::size_t>(this->Sample[k]);
+      const double error = this->GetError(&this->Radiance[3 * pixel], &this->SampleRadiance[3 * k]);
+      const bool isOff = error > tool::ReferencePicture::Tolerance;
       picture.Worst = std::max(picture.Worst, error);
-      picture.Within -=
-        error > tool::ReferencePicture::Tolerance ? 1.0 / static_cast<double>(sample.size()) : 0.0;
+      off += isOff ? 1 : 0;
+      integratedOff += isOff && this->IsKnown[pixel] ? 1 : 0;
     }
+    picture.Within = 1.0 - static_cast<double>(off) / static_cast<double>(this->Sample.size());
     picture.Radiance = this->Radiance;
+    this->MostWereIntegrated = 2 * integratedOff > off;
+  }
+
+  // Makes it finer, after Check: a smaller tolerance where most pixels that are off were
+  // integrated. False where it is as fine as can be.
+  bool Improve(int& stride)
+  {
+    if (this->MostWereIntegrated && this->Reference->GetTolerance() > LeastTolerance)
+    {
+      this->Reference->SetTolerance(0.5 * this->Reference->GetTolerance());
+      std::fill(this->IsKnown.begin(), this->IsKnown.end(), 0);
+      return true;
+    }
+    stride /= 2;
+    return stride > 0;
   }
 
 private:
@@ -141,31 +164,35 @@ private:
   void Integrate(const std::vector<int>& wanted)
   {
     std::vector<int> pixels;
-    std::vector<double> normals;
-    std::vector<double> views;
     for (const int k : wanted)
     {
-      if (k < 0 || this->IsKnown[static_cast<std::size_t>(k)])
+      if (k >= 0 && !this->IsKnown[static_cast<std::size_t>(k)])
       {
-        continue;
+        this->IsKnown[static_cast<std::size_t>(k)] = 1;
+        pixels.push_back(k);
       }
-      this->IsKnown[static_cast<std::size_t>(k)] = 1;
-      pixels.push_back(k);
+    }
+    const std::vector<double> radiance = this->IntegrateAll(pixels, this->Reference);
+    for (std::size_t k = 0; k < pixels.size(); ++k)
+    {
+      std::copy_n(&radiance[3 * k], 3, &this->Radiance[3 * static_cast<std::size_t>(pixels[k])]);
+    }
+  }
+
+  std::vector<double> IntegrateAll(
+    const std::vector<int>& pixels, vtkAdaptiveRadianceIntegrator* integrator) const
+  {
+    std::vector<double> normals;
+    std::vector<double> views;
+    for (const int k : pixels)
+    {
       for (std::size_t c = 0; c < 3; ++c)
       {
         normals.push_back(this->Surface.Normals[3 * static_cast<std::size_t>(k) + c]);
         views.push_back(this->Surface.Views[3 * static_cast<std::size_t>(k) + c]);
       }
     }
-    if (pixels.empty())
-    {
-      return;
-    }
-    const std::vector<double> radiance = tool::IntegratePairs(this->Reference, normals, views);
-    for (std::size_t k = 0; k < pixels.size(); ++k)
-    {
-      std::copy_n(&radiance[3 * k], 3, &this->Radiance[3 * static_cast<std::size_t>(pixels[k])]);
-    }
+    return pixels.empty() ? normals : tool::IntegratePairs(integrator, normals, views);
   }
 
   // What is known so far; elsewhere the guess or, without one, the nearest point of the grid.
@@ -207,21 +234,18 @@ private:
     this->LeastSum = count > 0 ? LeastShare * sum / static_cast<double>(count) : 0.0;
   }
 
-  double GetSum(int k) const
-  {
-    const double* rgb = &this->Radiance[3 * static_cast<std::size_t>(k)];
-    return rgb[0] + rgb[1] + rgb[2];
-  }
+  double GetSum(int k) const { return GetSum(&this->Radiance[3 * static_cast<std::size_t>(k)]); }
 
-  // Of radiance that was interpolated for a known pixel.
-  double GetError(int k, const double rgb[3]) const
+  static double GetSum(const double* rgb) { return rgb[0] + rgb[1] + rgb[2]; }
+
+  double GetError(const double* rgb, const double* exact) const
   {
     double difference = 0.0;
-    for (std::size_t c = 0; c < 3; ++c)
+    for (int c = 0; c < 3; ++c)
     {
-      difference += std::abs(rgb[c] - this->Radiance[3 * static_cast<std::size_t>(k) + c]);
+      difference += std::abs(rgb[c] - exact[c]);
     }
-    const double scale = std::max(this->GetSum(k), this->LeastSum);
+    const double scale = std::max(GetSum(exact), this->LeastSum);
     return scale > 0.0 ? difference / scale : 0.0;
   }
 
@@ -285,7 +309,8 @@ private:
       if (isFlat)
       {
         this->Interpolate(corners, 0.5, 0.5, middle, rgb);
-        isFlat = this->GetError(middle, rgb) <= FlatTolerance;
+        isFlat = this->GetError(rgb, &this->Radiance[3 * static_cast<std::size_t>(middle)]) <=
+                 FlatTolerance;
       }
       if (isFlat)
       {
@@ -336,6 +361,7 @@ private:
   tool::Size Size;
   const tool::ShowReference& Show;
   vtkNew<vtkAdaptiveRadianceIntegrator> Reference;
+  vtkNew<vtkAdaptiveRadianceIntegrator> Strict;
   std::vector<int> Index; // of the surface's pixels, by place
   std::vector<double> Guess;
   bool HasGuess = false;
@@ -343,6 +369,9 @@ private:
   std::vector<char> IsKnown;   // integrated
   std::vector<char> IsGuessed; // in a cell that is interpolated
   double LeastSum = 0.0;
+  std::vector<int> Sample; // pixels
+  std::vector<double> SampleRadiance;
+  bool MostWereIntegrated = false; // of the sample's pixels that are off
 };
 }
 
@@ -354,16 +383,12 @@ ReferencePicture DrawReference(vtkBRDF* brdf, vtkEnvironment* environment, const
 {
   Refinement refinement(brdf, environment, surface, size, show);
   ReferencePicture picture;
-  for (int stride = surface.Pixels.size() < FewestPixels ? 1 : CoarsestStride; stride > 0;
-       stride /= 2)
+  int stride = surface.Pixels.size() < FewestPixels ? 1 : CoarsestStride;
+  do
   {
     refinement.Run(stride);
     refinement.Check(picture);
-    if (picture.Within >= EnoughWithin)
-    {
-      break;
-    }
-  }
+  } while (picture.Within < EnoughWithin && refinement.Improve(stride));
   return picture;
 }
 } // namespace tool
