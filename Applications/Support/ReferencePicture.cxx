@@ -104,52 +104,46 @@ public:
     this->Integrate(wanted);
   }
 
-  // Compares some of all pixels, evenly among them, with what a smaller tolerance gives: always the
-  // same ones, which are not kept in the picture.
-  void Check(tool::ReferencePicture& picture)
+  // Takes some of all pixels, evenly among them, for Check: they are not kept in the picture.
+  // Halves the tolerance until enough of them are within 0.3 % of what a smaller one gives.
+  void ChooseTolerance()
   {
     const std::size_t count = this->IsKnown.size();
-    if (this->Sample.empty())
+    const std::size_t step = std::max<std::size_t>(count / SampleSize, 1);
+    for (std::size_t k = step / 2; k < count; k += step)
     {
-      const std::size_t step = std::max<std::size_t>(count / SampleSize, 1);
-      for (std::size_t k = step / 2; k < count; k += step)
-      {
-        this->Sample.push_back(static_cast<int>(k));
-      }
-      this->SampleRadiance = this->IntegrateAll(this->Sample, this->Strict);
+      this->Sample.push_back(static_cast<int>(k));
     }
+    this->SampleRadiance = this->IntegrateAll(this->Sample, this->Strict);
+    double sum = 0.0;
+    for (std::size_t k = 0; k < this->Sample.size(); ++k)
+    {
+      sum += GetSum(&this->SampleRadiance[3 * k]);
+    }
+    this->LeastSum = LeastShare * sum / static_cast<double>(this->Sample.size());
+    double worst = 0.0;
+    while (this->Reference->GetTolerance() > LeastTolerance &&
+           this->GetWithin(this->IntegrateAll(this->Sample, this->Reference), worst) < EnoughWithin)
+    {
+      this->Reference->SetTolerance(0.5 * this->Reference->GetTolerance());
+    }
+  }
+
+  // Compares the sample with the picture.
+  void Check(tool::ReferencePicture& picture) const
+  {
+    const std::size_t count = this->IsKnown.size();
     picture.Integrated =
       static_cast<double>(std::count(this->IsKnown.begin(), this->IsKnown.end(), char(1))) /
       static_cast<double>(count);
-    picture.Worst = 0.0;
-    std::size_t off = 0;
-    std::size_t integratedOff = 0;
-    for (std::size_t k = 0; k < this->Sample.size(); ++k)
+    std::vector<double> drawn;
+    for (const int k : this->Sample)
     {
-      const auto pixel = static_cast<std::size_t>(this->Sample[k]);
-      const double error = this->GetError(&this->Radiance[3 * pixel], &this->SampleRadiance[3 * k]);
-      const bool isOff = error > tool::ReferencePicture::Tolerance;
-      picture.Worst = std::max(picture.Worst, error);
-      off += isOff ? 1 : 0;
-      integratedOff += isOff && this->IsKnown[pixel] ? 1 : 0;
+      const double* rgb = &this->Radiance[3 * static_cast<std::size_t>(k)];
+      drawn.insert(drawn.end(), rgb, rgb + 3);
     }
-    picture.Within = 1.0 - static_cast<double>(off) / static_cast<double>(this->Sample.size());
+    picture.Within = this->GetWithin(drawn, picture.Worst);
     picture.Radiance = this->Radiance;
-    this->MostWereIntegrated = 2 * integratedOff > off;
-  }
-
-  // Makes it finer, after Check: a smaller tolerance where most pixels that are off were
-  // integrated. False where it is as fine as can be.
-  bool Improve(int& stride)
-  {
-    if (this->MostWereIntegrated && this->Reference->GetTolerance() > LeastTolerance)
-    {
-      this->Reference->SetTolerance(0.5 * this->Reference->GetTolerance());
-      std::fill(this->IsKnown.begin(), this->IsKnown.end(), 0);
-      return true;
-    }
-    stride /= 2;
-    return stride > 0;
   }
 
 private:
@@ -232,6 +226,20 @@ private:
       }
     }
     this->LeastSum = count > 0 ? LeastShare * sum / static_cast<double>(count) : 0.0;
+  }
+
+  // Of radiance for the sample: the share within the tolerance, and the largest error.
+  double GetWithin(const std::vector<double>& rgb, double& worst) const
+  {
+    worst = 0.0;
+    std::size_t within = 0;
+    for (std::size_t k = 0; k < this->Sample.size(); ++k)
+    {
+      const double error = this->GetError(&rgb[3 * k], &this->SampleRadiance[3 * k]);
+      within += error <= tool::ReferencePicture::Tolerance ? 1 : 0;
+      worst = std::max(worst, error);
+    }
+    return static_cast<double>(within) / static_cast<double>(this->Sample.size());
   }
 
   double GetSum(int k) const { return GetSum(&this->Radiance[3 * static_cast<std::size_t>(k)]); }
@@ -371,7 +379,6 @@ private:
   double LeastSum = 0.0;
   std::vector<int> Sample; // pixels
   std::vector<double> SampleRadiance;
-  bool MostWereIntegrated = false; // of the sample's pixels that are off
 };
 }
 
@@ -383,12 +390,17 @@ ReferencePicture DrawReference(vtkBRDF* brdf, vtkEnvironment* environment, const
 {
   Refinement refinement(brdf, environment, surface, size, show);
   ReferencePicture picture;
-  int stride = surface.Pixels.size() < FewestPixels ? 1 : CoarsestStride;
-  do
+  refinement.ChooseTolerance();
+  for (int stride = surface.Pixels.size() < FewestPixels ? 1 : CoarsestStride; stride > 0;
+       stride /= 2)
   {
     refinement.Run(stride);
     refinement.Check(picture);
-  } while (picture.Within < EnoughWithin && refinement.Improve(stride));
+    if (picture.Within >= EnoughWithin)
+    {
+      break;
+    }
+  }
   return picture;
 }
 } // namespace tool

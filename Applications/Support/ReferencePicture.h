@@ -35,8 +35,9 @@ using ShowReference = std::function<void(const std::vector<double>& radiance)>;
 /**
  * Integrates on a grid, and more finely where interpolation does not foretell the middle of a cell.
  * What is interpolated is what a table of radiance lacks, which is smoother than radiance. A sample
- * of all pixels is integrated to a smaller tolerance; where too many of them are off, all begins
- * again, on a finer grid or to a smaller tolerance. The surface has all covered pixels (stride 1).
+ * of all pixels is integrated to a smaller tolerance, apart from the picture: it says to which
+ * tolerance pixels are integrated, and where too many of it are off, all is interpolated again on a
+ * finer grid. The surface has all covered pixels (stride 1).
  * show, where there is one, gets the picture as it becomes better, on this thread. Throws Error.
  * Needs an Interruptible or a BackgroundWork.
  */
