@@ -19,8 +19,11 @@ namespace
 constexpr int CoarsestStride = 8;          // pixels
 constexpr std::size_t FewestPixels = 4096; // worth a table
 constexpr double FlatTolerance = 0.0015;   // in the middle of a cell, where interpolation errs most
-constexpr double LeastShare = 0.02; // of the mean radiance: darker pixels count as that bright
-constexpr double LeastCosine = 0.9; // between the normals of a cell: no edge of the mesh
+constexpr double LeastShare = 0.02;      // of the mean radiance: darker pixels count as that bright
+constexpr double LeastCosine = 0.9;      // between the normals of a cell: no edge of the mesh
+constexpr double FirstTolerance = 0.002; // of integrated pixels
+constexpr double LeastTolerance = 0.0005;
+constexpr double CheckTolerance = 0.0002; // of the sample
 constexpr std::size_t SampleSize = 400;
 constexpr double EnoughWithin = 0.99; // of the sample
 
@@ -49,8 +52,13 @@ public:
     {
       this->Index[static_cast<std::size_t>(surface.Pixels[k])] = static_cast<int>(k);
     }
-    this->Reference->SetBRDF(brdf);
-    this->Reference->SetEnvironment(environment);
+    for (vtkAdaptiveRadianceIntegrator* integrator : { this->Reference.Get(), this->Strict.Get() })
+    {
+      integrator->SetBRDF(brdf);
+      integrator->SetEnvironment(environment);
+    }
+    this->Reference->SetTolerance(FirstTolerance);
+    this->Strict->SetTolerance(CheckTolerance);
     this->Guess.assign(surface.Normals.size(), 0.0);
     if (brdf->IsIsotropic() && surface.Pixels.size() >= FewestPixels)
     {
@@ -96,36 +104,45 @@ public:
     this->Integrate(wanted);
   }
 
-  // Integrates some of the pixels that were interpolated, evenly among them.
-  void Check(tool::ReferencePicture& picture)
+  // Takes some of all pixels, evenly among them, for Check: they are not kept in the picture.
+  // Halves the tolerance until enough of them are within 0.3 % of what a smaller one gives.
+  void ChooseTolerance()
   {
-    std::vector<int> guessed;
-    for (std::size_t k = 0; k < this->IsKnown.size(); ++k)
+    const std::size_t count = this->IsKnown.size();
+    const std::size_t step = std::max<std::size_t>(count / SampleSize, 1);
+    for (std::size_t k = step / 2; k < count; k += step)
     {
-      if (!this->IsKnown[k])
-      {
-        guessed.push_back(static_cast<int>(k));
-      }
+      this->Sample.push_back(static_cast<int>(k));
     }
+    this->SampleRadiance = this->IntegrateAll(this->Sample, this->Strict);
+    double sum = 0.0;
+    for (std::size_t k = 0; k < this->Sample.size(); ++k)
+    {
+      sum += GetSum(&this->SampleRadiance[3 * k]);
+    }
+    this->LeastSum = LeastShare * sum / static_cast<double>(this->Sample.size());
+    double worst = 0.0;
+    while (this->Reference->GetTolerance() > LeastTolerance &&
+           this->GetWithin(this->IntegrateAll(this->Sample, this->Reference), worst) < EnoughWithin)
+    {
+      this->Reference->SetTolerance(0.5 * this->Reference->GetTolerance());
+    }
+  }
+
+  // Compares the sample with the picture.
+  void Check(tool::ReferencePicture& picture) const
+  {
+    const std::size_t count = this->IsKnown.size();
     picture.Integrated =
-      1.0 - static_cast<double>(guessed.size()) / static_cast<double>(this->IsKnown.size());
-    picture.Within = 1.0;
-    picture.Worst = 0.0;
-    std::vector<int> sample;
-    const std::size_t step = std::max<std::size_t>(guessed.size() / SampleSize, 1);
-    for (std::size_t k = step / 2; k < guessed.size(); k += step)
+      static_cast<double>(std::count(this->IsKnown.begin(), this->IsKnown.end(), char(1))) /
+      static_cast<double>(count);
+    std::vector<double> drawn;
+    for (const int k : this->Sample)
     {
-      sample.push_back(guessed[k]);
+      const double* rgb = &this->Radiance[3 * static_cast<std::size_t>(k)];
+      drawn.insert(drawn.end(), rgb, rgb + 3);
     }
-    const std::vector<double> before = this->Radiance;
-    this->Integrate(sample);
-    for (const int k : sample)
-    {
-      const double error = this->GetError(k, &before[3 * static_cast<std::size_t>(k)]);
-      picture.Worst = std::max(picture.Worst, error);
-      picture.Within -=
-        error > tool::ReferencePicture::Tolerance ? 1.0 / static_cast<double>(sample.size()) : 0.0;
-    }
+    picture.Within = this->GetWithin(drawn, picture.Worst);
     picture.Radiance = this->Radiance;
   }
 
@@ -141,31 +158,35 @@ private:
   void Integrate(const std::vector<int>& wanted)
   {
     std::vector<int> pixels;
-    std::vector<double> normals;
-    std::vector<double> views;
     for (const int k : wanted)
     {
-      if (k < 0 || this->IsKnown[static_cast<std::size_t>(k)])
+      if (k >= 0 && !this->IsKnown[static_cast<std::size_t>(k)])
       {
-        continue;
+        this->IsKnown[static_cast<std::size_t>(k)] = 1;
+        pixels.push_back(k);
       }
-      this->IsKnown[static_cast<std::size_t>(k)] = 1;
-      pixels.push_back(k);
+    }
+    const std::vector<double> radiance = this->IntegrateAll(pixels, this->Reference);
+    for (std::size_t k = 0; k < pixels.size(); ++k)
+    {
+      std::copy_n(&radiance[3 * k], 3, &this->Radiance[3 * static_cast<std::size_t>(pixels[k])]);
+    }
+  }
+
+  std::vector<double> IntegrateAll(
+    const std::vector<int>& pixels, vtkAdaptiveRadianceIntegrator* integrator) const
+  {
+    std::vector<double> normals;
+    std::vector<double> views;
+    for (const int k : pixels)
+    {
       for (std::size_t c = 0; c < 3; ++c)
       {
         normals.push_back(this->Surface.Normals[3 * static_cast<std::size_t>(k) + c]);
         views.push_back(this->Surface.Views[3 * static_cast<std::size_t>(k) + c]);
       }
     }
-    if (pixels.empty())
-    {
-      return;
-    }
-    const std::vector<double> radiance = tool::IntegratePairs(this->Reference, normals, views);
-    for (std::size_t k = 0; k < pixels.size(); ++k)
-    {
-      std::copy_n(&radiance[3 * k], 3, &this->Radiance[3 * static_cast<std::size_t>(pixels[k])]);
-    }
+    return pixels.empty() ? normals : tool::IntegratePairs(integrator, normals, views);
   }
 
   // What is known so far; elsewhere the guess or, without one, the nearest point of the grid.
@@ -207,21 +228,32 @@ private:
     this->LeastSum = count > 0 ? LeastShare * sum / static_cast<double>(count) : 0.0;
   }
 
-  double GetSum(int k) const
+  // Of radiance for the sample: the share within the tolerance, and the largest error.
+  double GetWithin(const std::vector<double>& rgb, double& worst) const
   {
-    const double* rgb = &this->Radiance[3 * static_cast<std::size_t>(k)];
-    return rgb[0] + rgb[1] + rgb[2];
+    worst = 0.0;
+    std::size_t within = 0;
+    for (std::size_t k = 0; k < this->Sample.size(); ++k)
+    {
+      const double error = this->GetError(&rgb[3 * k], &this->SampleRadiance[3 * k]);
+      within += error <= tool::ReferencePicture::Tolerance ? 1 : 0;
+      worst = std::max(worst, error);
+    }
+    return static_cast<double>(within) / static_cast<double>(this->Sample.size());
   }
 
-  // Of radiance that was interpolated for a known pixel.
-  double GetError(int k, const double rgb[3]) const
+  double GetSum(int k) const { return GetSum(&this->Radiance[3 * static_cast<std::size_t>(k)]); }
+
+  static double GetSum(const double* rgb) { return rgb[0] + rgb[1] + rgb[2]; }
+
+  double GetError(const double* rgb, const double* exact) const
   {
     double difference = 0.0;
-    for (std::size_t c = 0; c < 3; ++c)
+    for (int c = 0; c < 3; ++c)
     {
-      difference += std::abs(rgb[c] - this->Radiance[3 * static_cast<std::size_t>(k) + c]);
+      difference += std::abs(rgb[c] - exact[c]);
     }
-    const double scale = std::max(this->GetSum(k), this->LeastSum);
+    const double scale = std::max(GetSum(exact), this->LeastSum);
     return scale > 0.0 ? difference / scale : 0.0;
   }
 
@@ -285,7 +317,8 @@ private:
       if (isFlat)
       {
         this->Interpolate(corners, 0.5, 0.5, middle, rgb);
-        isFlat = this->GetError(middle, rgb) <= FlatTolerance;
+        isFlat = this->GetError(rgb, &this->Radiance[3 * static_cast<std::size_t>(middle)]) <=
+                 FlatTolerance;
       }
       if (isFlat)
       {
@@ -336,6 +369,7 @@ private:
   tool::Size Size;
   const tool::ShowReference& Show;
   vtkNew<vtkAdaptiveRadianceIntegrator> Reference;
+  vtkNew<vtkAdaptiveRadianceIntegrator> Strict;
   std::vector<int> Index; // of the surface's pixels, by place
   std::vector<double> Guess;
   bool HasGuess = false;
@@ -343,6 +377,8 @@ private:
   std::vector<char> IsKnown;   // integrated
   std::vector<char> IsGuessed; // in a cell that is interpolated
   double LeastSum = 0.0;
+  std::vector<int> Sample; // pixels
+  std::vector<double> SampleRadiance;
 };
 }
 
@@ -354,6 +390,7 @@ ReferencePicture DrawReference(vtkBRDF* brdf, vtkEnvironment* environment, const
 {
   Refinement refinement(brdf, environment, surface, size, show);
   ReferencePicture picture;
+  refinement.ChooseTolerance();
   for (int stride = surface.Pixels.size() < FewestPixels ? 1 : CoarsestStride; stride > 0;
        stride /= 2)
   {

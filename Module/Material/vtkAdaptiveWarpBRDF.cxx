@@ -6,7 +6,8 @@
 #include "ContentHash.h"
 #include "HalfVector.h"
 #include "RenderableTable.h"
-#include "RoundingNoise.h"
+#include "WarpAngles.h"
+#include "WarpChecks.h"
 #include "vtkBRDFExchange.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkObjectFactory.h"
@@ -31,10 +32,15 @@ struct vtkAdaptiveWarpBRDF::Warps
   BilinearWarp Vndf;
   BilinearWarp Luminance;
   BilinearWarp Rgb[3];
+  bool Jacobian = true;                // as the tables say
   bool Round = false;                  // whether no table depends on phi_i
   int Parts = 1;                       // of a turn that phi_i spans, 1, 2 or 4
   double MiddlePhi = 0.0;              // of phi_i
   glm::dvec2 Middle = glm::dvec2(0.0); // of phi_i, as a direction
+
+  // f of a pair. incident: phi_i, theta_i.
+  void LookUp(const double incident[2], const glm::dvec2& unitIncident, const glm::dvec2& unitHalf,
+    double cosine, double f[3]) const;
 
   /// What x, y and z are multiplied by so that phi_i lies in its span: the same material.
   glm::dvec3 GetFold(const glm::dvec3& incident) const
@@ -83,20 +89,17 @@ Coordinates ToCoordinates(
 {
   Coordinates c;
   c.H = HalfVector(incident, outgoing);
-  const double theta = Elevation(incident);
   if (round)
   {
-    const bool upright = incident.x == 0.0 && incident.y == 0.0; // azimuth 0
-    const glm::dvec2 from = upright ? glm::dvec2(1.0, 0.0) : glm::dvec2(incident);
-    const double along = from.x * c.H.x + from.y * c.H.y;
-    const double across = from.x * c.H.y - from.y * c.H.x;
+    WarpAngles angles;
+    FindWarpAngles(1, &incident.x, &outgoing.x, angles);
     c.Incident[0] = middle;
-    c.Incident[1] = theta;
-    c.UnitIncident = glm::dvec2(ThetaHToUnit(theta), 0.5);
-    c.UnitHalf = glm::dvec2(ThetaHToUnit(Elevation(c.H)), PhiToUnit(std::atan2(across, along)));
-    c.UnitHalf.y -= std::floor(c.UnitHalf.y);
+    c.Incident[1] = angles.Theta[0];
+    c.UnitIncident = glm::dvec2(angles.UnitTheta[0], 0.5);
+    c.UnitHalf = glm::dvec2(angles.UnitThetaH[0], angles.UnitPhiH[0]);
     return c;
   }
+  const double theta = Elevation(incident);
   const double phi = GetAzimuth(incident, middle);
   const double phiH = std::atan2(c.H.y, c.H.x);
   c.Incident[0] = phi;
@@ -113,94 +116,6 @@ double GetJacobian(double unitTheta, const glm::dvec3& h, const glm::dvec3& inci
 {
   const double sine = std::hypot(h.x, h.y);
   return std::max(2.0 * Pi * Pi * unitTheta * sine, 1e-6) * 4.0 * glm::dot(incident, h);
-}
-
-constexpr float AngleNoise = 1e-5f;
-
-// Repairs angles that were rounded onto or below the one before.
-std::string CheckAxis(const char* name, std::vector<float>& axis)
-{
-  bool ascending = !axis.empty() && std::isfinite(axis.front());
-  const float first = axis.empty() ? 0.0f : axis.front();
-  for (std::size_t k = 1; ascending && k < axis.size(); ++k)
-  {
-    ascending = std::isfinite(axis[k]) && axis[k] >= axis[k - 1] - AngleNoise;
-    axis[k] = std::max(axis[k], std::nextafter(axis[k - 1], HUGE_VALF));
-  }
-  ascending = ascending && (axis.size() == 1 || axis.back() - first > 0.5f * AngleNoise);
-  return ascending ? "" : std::string(name) + ": expected ascending finite angles";
-}
-
-// prefix: the leading axes' sizes; then two sizes of at least 2.
-std::string CheckTable(
-  const char* name, const vtkAdaptiveWarpBRDF::Table& table, const std::vector<int>& prefix)
-{
-  std::size_t count = 1;
-  for (int n : table.Shape)
-  {
-    if (n < 1 || n > (1 << 20) || count > (std::size_t(1) << 40))
-    {
-      return std::string(name) + ": shape out of range";
-    }
-    count *= static_cast<std::size_t>(n);
-  }
-  if (table.Shape.size() != prefix.size() + 2 ||
-      !std::equal(prefix.begin(), prefix.end(), table.Shape.begin()) ||
-      table.Shape[prefix.size()] < 2 || table.Shape[prefix.size() + 1] < 2 ||
-      table.Values.size() != count)
-  {
-    return std::string(name) + ": shape does not match theta_i, phi_i or its values";
-  }
-  if (!std::all_of(
-        table.Values.begin(), table.Values.end(), [](float v) { return std::isfinite(v); }))
-  {
-    return std::string(name) + ": expected finite values";
-  }
-  return "";
-}
-
-// A whole turn, half of one or a quarter. One or two azimuths: it is isotropic.
-std::string CheckSpan(const std::vector<float>& phi)
-{
-  if (phi.size() <= 2)
-  {
-    return "";
-  }
-  const double span = static_cast<double>(phi.back()) - phi.front();
-  const double parts = 2.0 * Pi / span;
-  const double whole = std::round(parts);
-  if ((whole != 1.0 && whole != 2.0 && whole != 4.0) || std::abs(parts - whole) > 0.05)
-  {
-    return "phi_i: found a span of " + std::to_string(span * 180.0 / Pi) +
-           " degrees, expected 360, 180 or 90";
-  }
-  // Mirrors are the planes of x and y.
-  const double start = phi.front() / (0.5 * Pi);
-  if (whole == 4.0 && std::abs(start - std::round(start)) > 0.05)
-  {
-    return "phi_i: found a quarter turn from " + std::to_string(phi.front() * 180.0 / Pi) +
-           " degrees, expected one from a multiple of 90";
-  }
-  return "";
-}
-
-std::string CheckDensity(const char* name, vtkAdaptiveWarpBRDF::Table& table)
-{
-  const int height = table.Shape[table.Shape.size() - 2];
-  const int width = table.Shape[table.Shape.size() - 1];
-  const std::size_t size = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  if (!ClearNoise(table.Values))
-  {
-    return std::string(name) + ": a density cannot be negative";
-  }
-  for (std::size_t offset = 0; offset < table.Values.size(); offset += size)
-  {
-    if (!(BilinearWarp::GetSum(&table.Values[offset], width, height) > 0.0))
-    {
-      return std::string(name) + ": a density cannot be 0 everywhere";
-    }
-  }
-  return "";
 }
 }
 
@@ -233,10 +148,11 @@ std::string vtkAdaptiveWarpBRDF::SetTables(Tables tables)
     static_cast<int>(tables.ThetaI.size()) };
   const std::vector<int> channels = { directions[0], directions[1], 3 };
   const std::vector<std::string> problems = { CheckAxis("theta_i", tables.ThetaI),
-    CheckAxis("phi_i", tables.PhiI), CheckTable("ndf", tables.Ndf, {}),
-    CheckTable("sigma", tables.Sigma, {}), CheckTable("vndf", tables.Vndf, directions),
-    CheckTable("luminance", tables.Luminance, directions), CheckTable("rgb", tables.Rgb, channels),
-    CheckSpan(tables.PhiI) };
+    CheckAxis("phi_i", tables.PhiI), CheckTable("ndf", tables.Ndf.Shape, tables.Ndf.Values, {}),
+    CheckTable("sigma", tables.Sigma.Shape, tables.Sigma.Values, {}),
+    CheckTable("vndf", tables.Vndf.Shape, tables.Vndf.Values, directions),
+    CheckTable("luminance", tables.Luminance.Shape, tables.Luminance.Values, directions),
+    CheckTable("rgb", tables.Rgb.Shape, tables.Rgb.Values, channels), CheckSpan(tables.PhiI) };
   for (const std::string& problem : problems)
   {
     if (!problem.empty())
@@ -244,8 +160,8 @@ std::string vtkAdaptiveWarpBRDF::SetTables(Tables tables)
       return problem;
     }
   }
-  for (const std::string& problem :
-    { CheckDensity("vndf", tables.Vndf), CheckDensity("luminance", tables.Luminance) })
+  for (const std::string& problem : { CheckDensity("vndf", tables.Vndf.Shape, tables.Vndf.Values),
+         CheckDensity("luminance", tables.Luminance.Shape, tables.Luminance.Values) })
   {
     if (!problem.empty())
     {
@@ -274,6 +190,7 @@ std::string vtkAdaptiveWarpBRDF::SetTables(Tables tables)
   const auto row = static_cast<std::ptrdiff_t>(tables.Sigma.Shape[1]);
   warps->Round =
     tables.PhiI.size() == 1 && std::equal(sigma.begin() + row, sigma.end(), sigma.begin());
+  warps->Jacobian = tables.Jacobian;
   warps->Ndf = build(tables.Ndf, {}, false);
   warps->Sigma = build(tables.Sigma, {}, false);
   warps->Vndf = build(tables.Vndf, axes, true);
@@ -306,23 +223,57 @@ void vtkAdaptiveWarpBRDF::EvaluateAbove(const double i[3], const double o[3], do
   {
     return;
   }
-  // The tables hold f cos(theta_o) = rgb(s) ndf(h) / (4 sigma(i)), s = vndf^-1(h; i).
   const glm::dvec3 signs = this->Warp->GetFold(glm::make_vec3(i));
   const Coordinates c = ToCoordinates(signs * glm::make_vec3(i), signs * glm::make_vec3(o),
     this->Data.PhiI.size() <= 2, this->Warp->Round, this->Warp->MiddlePhi);
-  const BilinearWarp::Slices none = this->Warp->Ndf.FindSlices(nullptr);
-  const BilinearWarp::Slices slices = this->Warp->Vndf.FindSlices(c.Incident);
-  double density = 0.0;
-  const glm::dvec2 s = this->Warp->Vndf.Invert(c.UnitHalf, slices, density);
-  double scale = 1.0 / o[2];
-  if (this->Data.Jacobian)
+  this->Warp->LookUp(c.Incident, c.UnitIncident, c.UnitHalf, o[2], f);
+}
+
+//------------------------------------------------------------------------------
+void vtkAdaptiveWarpBRDF::EvaluateLights(int count, const double* i, const double o[3], double* f)
+{
+  if (!this->Warp || !this->Warp->Round)
   {
-    scale *= this->Warp->Ndf.Evaluate(c.UnitHalf, none) /
-             (4.0 * this->Warp->Sigma.Evaluate(c.UnitIncident, none));
+    for (int k = 0; k < count; ++k)
+    {
+      this->Evaluate(i + 3 * k, o, f + 3 * k);
+    }
+    return;
   }
+  for (int first = 0; first < count; first += WarpAngles::Most)
+  {
+    WarpAngles angles;
+    const int some = std::min(count - first, WarpAngles::Most);
+    FindWarpAngles(some, i + 3 * first, o, angles);
+    for (int k = 0; k < some; ++k)
+    {
+      const double incident[2] = { this->Warp->MiddlePhi, angles.Theta[k] };
+      double* value = f + 3 * (first + k);
+      this->Warp->LookUp(incident, glm::dvec2(angles.UnitTheta[k], 0.5),
+        glm::dvec2(angles.UnitThetaH[k], angles.UnitPhiH[k]), o[2], value);
+      std::transform(value, value + 3, value, [](double v) { return std::isfinite(v) ? v : 0.0; });
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// The tables hold f cos(theta_o) = rgb(s) ndf(h) / (4 sigma(i)), s = vndf^-1(h; i).
+void vtkAdaptiveWarpBRDF::Warps::LookUp(const double incident[2], const glm::dvec2& unitIncident,
+  const glm::dvec2& unitHalf, double cosine, double f[3]) const
+{
+  const BilinearWarp::Slices none = this->Ndf.FindSlices(nullptr);
+  const BilinearWarp::Slices slices = this->Vndf.FindSlices(incident);
+  double density = 0.0;
+  const glm::dvec2 s = this->Vndf.Invert(unitHalf, slices, density);
+  double scale = 1.0 / cosine;
+  if (this->Jacobian)
+  {
+    scale *= this->Ndf.Evaluate(unitHalf, none) / (4.0 * this->Sigma.Evaluate(unitIncident, none));
+  }
+  BilinearWarp::EvaluateThree(this->Rgb, s, slices, f);
   for (int k = 0; k < 3; ++k)
   {
-    f[k] = std::max(this->Warp->Rgb[k].Evaluate(s, slices), 0.0) * scale;
+    f[k] = std::max(f[k], 0.0) * scale;
   }
 }
 

@@ -76,6 +76,9 @@ add("Core.warp-weights-of-slices", "Private/BilinearWarp.h", "result.Weight[k] *
 add("Core.warp-inverts-without-cells", "Private/BilinearWarp.h",
     "density = glm::mix(c0, c1, fraction.x) * this->GetCellsPerSquare();", "density = glm::mix(c0, c1, fraction.x);",
     "IOTensor.AgreesWithTheAuthorsCode|Sampling.FollowsItsPdf")
+add("Material.many-lights-share-an-azimuth", "Private/WarpAngles.cxx",
+    "const Vector fromX = size > 0.0 * size ? x : 0.0 * x + 1.0;", "const Vector fromX = 0.0 * x + 1.0;",
+    "WarpAngles.AreThoseOfTheMathematicsLibrary|IOTensor.AgreesWithTheAuthorsCode")
 add("Core.srgb-exponent", "Private/SRGB.h", "1.055, 2.4)", "1.055, 2.2)", "Environment.DecodesSRGB")
 add("Core.periodic-neighbors-do-not-wrap", "Private/Neighbors.h",
     "const int first = (static_cast<int>(base) + n) % n;", "const int first = std::max(static_cast<int>(base), 0);",
@@ -240,13 +243,13 @@ add("Lighting.harmonics-scale", "Private/EnvironmentHarmonics.cxx", "this->Scale
 
 add("Lighting.parts-are-the-texel", "Private/TexelTree.cxx", "(x + 0.5) / width, (y + 0.5) / height,\n      [&]",
     "(x + 0.0) / width, (y + 0.5) / height,\n      [&]", "TexelTree.PartsAreInterpolated")
-add("Integration.adaptive-stops-at-texels", "vtkAdaptiveRadianceIntegrator.cxx",
-    "if (level == this->Texels.GetLowestLevel())\n  {\n    this->Total", "if (level <= 0)\n  {\n    this->Total",
+add("Integration.adaptive-stops-at-texels", "Private/AdaptiveSum.cxx",
+    "if (place.Level == this->Texels->GetLowestLevel())", "if (place.Level <= 0)",
     "AdaptiveIntegrator.KeepsItsToleranceAtEachPair|AdaptiveIntegrator.MissesNothingNarrow")
-add("Integration.adaptive-takes-the-square-for-its-quarters", "vtkAdaptiveRadianceIntegrator.cxx",
+add("Integration.adaptive-takes-the-square-for-its-quarters", "Private/AdaptiveSum.cxx",
     "this->Total -= square.Value;", "", "AdaptiveIntegrator.ConvergesWithItsTolerance")
-add("Integration.adaptive-looks-nowhere-first", "vtkAdaptiveRadianceIntegrator.cxx",
-    "return radius > drawn.Radius + DistanceShare * distance;", "return false;",
+add("Integration.adaptive-looks-nowhere-first", "Private/AdaptiveSum.cxx",
+    "if (reach > 0.0 &&", "if (reach > 1e9 &&",
     "AdaptiveIntegrator.MissesNothingNarrow|AdaptiveIntegrator.IsNotMisledByChance")
 add("Integration.peaks-of-the-wrong-azimuth", "Private/ReflectionGuide.cxx",
     "peaks.Azimuth = s > 0.0 ? glm::dvec2(o.x, o.y) / s", "peaks.Azimuth = s > 0.0 ? glm::dvec2(o.x, -o.y) / s",

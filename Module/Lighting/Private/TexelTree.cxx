@@ -51,6 +51,9 @@ TexelTree::TexelTree(vtkEnvironment* environment)
   do
   {
     this->Parts.emplace_back(times * width, times * height);
+    // dphi (cos theta0 - cos theta1) as a product, but for the cosine of the latitude.
+    this->StripAreas.push_back(
+      2.0 * Pi / (times * width) * 2.0 * std::sin(Pi / (2.0 * (times * height))));
     times *= 2;
   } while (times * height <= 2 * LeastParts);
   this->Levels.push_back({ width, height, {} });
@@ -59,7 +62,30 @@ TexelTree::TexelTree(vtkEnvironment* environment)
   while (this->Levels.back().Width > 1 || this->Levels.back().Height > 1)
   {
     this->AddLevel(moments);
+    this->AddMiddles();
   }
+}
+
+// The outer squares of a level may be cut off by the map's edge.
+void TexelTree::AddMiddles()
+{
+  const int level = this->GetHighestLevel();
+  TexelDirections middles(0, 0);
+  for (int x = 0; x < this->GetWidth(level); ++x)
+  {
+    glm::dvec3 d;
+    vtkEnvironment::GetDirection(
+      std::min(std::ldexp(x + 0.5, level) / this->GetWidth(0), 1.0), 0.5, &d.x);
+    middles.Columns.emplace_back(d.x, d.z);
+  }
+  for (int y = 0; y < this->GetHeight(level); ++y)
+  {
+    glm::dvec3 d;
+    vtkEnvironment::GetDirection(
+      0.5, std::min(std::ldexp(y + 0.5, level) / this->GetHeight(0), 1.0), &d.x);
+    middles.Rows.emplace_back(d.x, d.y);
+  }
+  this->Above.push_back(std::move(middles));
 }
 
 // Linear interpolation takes an eighth of a texel's mean from each neighbor.
@@ -169,29 +195,19 @@ double TexelTree::GetLargestRadius(int level) const
 
 glm::dvec3 TexelTree::GetMiddle(int level, int x, int y, double& radius) const
 {
-  glm::dvec3 middle;
-  if (level <= 0)
-  {
-    middle = this->Parts[static_cast<std::size_t>(-level)].Get(x, y);
-  }
-  else
-  {
-    const double u = std::min(std::ldexp(x + 0.5, level) / this->GetWidth(0), 1.0);
-    const double v = std::min(std::ldexp(y + 0.5, level) / this->GetHeight(0), 1.0);
-    vtkEnvironment::GetDirection(u, v, &middle.x);
-  }
-  radius = std::ldexp(std::hypot(Pi / this->GetWidth(0) * std::hypot(middle.x, middle.z),
-                        0.5 * Pi / this->GetHeight(0)),
-    level);
-  return middle;
+  const TexelDirections& directions = level > 0 ? this->Above[static_cast<std::size_t>(level - 1)]
+                                                : this->Parts[static_cast<std::size_t>(-level)];
+  const double across = Pi / this->GetWidth(0) * directions.Rows[static_cast<std::size_t>(y)].x;
+  const double up = 0.5 * Pi / this->GetHeight(0);
+  radius = std::ldexp(std::sqrt(across * across + up * up), level);
+  return directions.Get(x, y);
 }
 
 // Of a square of level 0 or less.
 double TexelTree::GetSolidAngle(int level, int y) const
 {
-  // dphi (cos theta0 - cos theta1) as a product.
-  return 2.0 * Pi / this->GetWidth(level) * 2.0 * std::sin(Pi / (2.0 * this->GetHeight(level))) *
-         this->Parts[static_cast<std::size_t>(-level)].Rows[static_cast<std::size_t>(y)].x;
+  const auto part = static_cast<std::size_t>(-level);
+  return this->StripAreas[part] * this->Parts[part].Rows[static_cast<std::size_t>(y)].x;
 }
 
 TexelTree::Light TexelTree::Get(int level, int x, int y) const

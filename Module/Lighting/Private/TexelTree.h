@@ -71,12 +71,15 @@ private:
 
   void AverageTexels();
   void AddLevel(std::vector<glm::dvec4>& moments);
+  void AddMiddles();
   glm::dvec4 GetTexelMoment(const Light& light, int y) const;
   double GetSolidAngle(int level, int y) const;
 
   vtkSmartPointer<vtkEnvironment> Environment;
   std::vector<glm::vec3> Texels;      // the mean radiance of each one's area
   std::vector<TexelDirections> Parts; // levels 0, -1, ...
+  std::vector<TexelDirections> Above; // levels 1, 2, ...: the middles
+  std::vector<double> StripAreas;     // solid angles on the equator, of levels 0, -1, ...
   std::vector<Level> Levels;
 };
 } // namespace measuredbrdf

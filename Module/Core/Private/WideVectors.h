@@ -3,7 +3,7 @@
 /**
  * @file
  * Whether the compiler has vectors of numbers of its own (__attribute__((vector_size)), target) for
- * this processor. Private to the integration room.
+ * this processor. Private to the module.
  */
 
 #ifndef WideVectors_h

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Coordinates of many lights at once against those of one by the mathematics library.
+
+#include "SharedData.h"
+#include "WarpAngles.h"
+#include "vtkAdaptiveWarpBRDF.h"
+#include "vtkBRDFReader.h"
+#include "vtkNew.h"
+
+#include <glm/glm.hpp>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <fstream>
+#include <random>
+#include <vector>
+
+using namespace measuredbrdf;
+
+namespace
+{
+// 61 of them: no multiple of the numbers that are calculated at once.
+std::vector<glm::dvec3> MakeLights(const glm::dvec3& view)
+{
+  std::vector<glm::dvec3> lights = { { 0.0, 0.0, 1.0 }, view, { -view.x, -view.y, view.z },
+    glm::normalize(glm::dvec3(1e-9 - view.x, -view.y, view.z)),
+    glm::normalize(glm::dvec3(-view.x, -view.y, 1e-9)) };
+  std::mt19937 engine(3);
+  while (lights.size() < 61)
+  {
+    const double z = (engine() + 0.5) * 0x1p-32;
+    const double phi = 2.0 * Pi * engine() * 0x1p-32;
+    const double s = std::sqrt(1.0 - z * z);
+    lights.emplace_back(s * std::cos(phi), s * std::sin(phi), z);
+  }
+  return lights;
+}
+}
+
+//------------------------------------------------------------------------------
+TEST(WarpAngles, AreThoseOfTheMathematicsLibrary)
+{
+  for (const double theta : { 0.0, 0.3, 1.0, 1.55 })
+  {
+    const glm::dvec3 view(std::sin(theta) * 0.6, std::sin(theta) * -0.8, std::cos(theta));
+    const std::vector<glm::dvec3> lights = MakeLights(view);
+    WarpAngles angles;
+    FindWarpAngles(static_cast<int>(lights.size()), &lights[0].x, &view.x, angles);
+    for (std::size_t k = 0; k < lights.size(); ++k)
+    {
+      const glm::dvec3& i = lights[k];
+      const glm::dvec3 h = HalfVector(i, view);
+      const double thetaI = std::atan2(std::hypot(i.x, i.y), i.z);
+      const double sine = std::hypot(h.x, h.y);
+      EXPECT_NEAR(angles.Theta[k], thetaI, 1e-9) << theta << " " << k;
+      EXPECT_NEAR(angles.UnitTheta[k] * angles.UnitTheta[k], thetaI / (0.5 * Pi), 1e-9);
+      EXPECT_NEAR(
+        angles.UnitThetaH[k] * angles.UnitThetaH[k], std::atan2(sine, h.z) / (0.5 * Pi), 1e-9)
+        << theta << " " << k;
+      EXPECT_GE(angles.UnitPhiH[k], 0.0);
+      EXPECT_LE(angles.UnitPhiH[k], 1.0);
+      if (sine > 1e-6) // else it has no azimuth
+      {
+        const double turn = std::atan2(h.y, h.x) -
+                            (i.x == 0.0 && i.y == 0.0 ? 0.0 : std::atan2(i.y, i.x)) -
+                            2.0 * Pi * (angles.UnitPhiH[k] - 0.5);
+        EXPECT_NEAR(std::remainder(turn, 2.0 * Pi), 0.0, 1e-9) << theta << " " << k;
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(AdaptiveWarp, ManyLightsAreEvaluatedAsOneByOne)
+{
+  vtkNew<vtkBRDFReader> reader;
+  reader->SetFileName(SharedData + "/materials/rgl/chm_light_blue_rgb.bsdf");
+  if (!std::ifstream(reader->GetFileName()).good())
+  {
+    GTEST_SKIP() << "no measured data at " << SharedData;
+  }
+  ASSERT_TRUE(reader->Read());
+  auto* brdf = vtkAdaptiveWarpBRDF::SafeDownCast(reader->GetBRDF());
+  ASSERT_TRUE(brdf);
+  const glm::dvec3 view = glm::normalize(glm::dvec3(0.5, 0.2, 0.7));
+  std::vector<glm::dvec3> lights = MakeLights(view);
+  lights.insert(lights.end(), lights.begin(), lights.end()); // more than are evaluated at once
+  std::vector<glm::dvec3> many(lights.size());
+  brdf->EvaluateLights(static_cast<int>(lights.size()), &lights[0].x, &view.x, &many[0].x);
+  for (std::size_t k = 0; k < lights.size(); ++k)
+  {
+    glm::dvec3 f;
+    brdf->Evaluate(&lights[k].x, &view.x, &f.x);
+    EXPECT_GT(f.y, 0.0);
+    for (int c = 0; c < 3; ++c)
+    {
+      // Evaluate normalizes again; where h is nearly the normal, its azimuth feels that.
+      EXPECT_NEAR(many[k][c], f[c], 1e-6 * f[c]) << k;
+    }
+  }
+}

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The exact picture of a sphere against one that is integrated to a tenth of its tolerance.
+
+#include "Methods.h"
+#include "Progress.h"
+#include "ReferencePicture.h"
+#include "vtkAdaptiveRadianceIntegrator.h"
+#include "vtkAshikhminShirleyBRDF.h"
+#include "vtkEnvironment.h"
+#include "vtkLambertBRDF.h"
+#include "vtkNew.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <vector>
+
+namespace
+{
+constexpr int Side = 80; // pixels
+
+// Seen from afar along z.
+tool::Surface MakeSphere()
+{
+  tool::Surface surface;
+  for (int k = 0; k < Side * Side; ++k)
+  {
+    const double x = 2.0 * (k % Side + 0.5) / Side - 1.0;
+    const double y = 2.0 * (k / Side + 0.5) / Side - 1.0;
+    const double z = std::sqrt(std::max(1.0 - x * x - y * y, 0.0));
+    if (z > 0.05)
+    {
+      surface.Pixels.push_back(k);
+      surface.Normals.insert(surface.Normals.end(), { x, y, z });
+      surface.Views.insert(surface.Views.end(), { 0.0, 0.0, 1.0 });
+    }
+  }
+  return surface;
+}
+
+double GetError(const double* rgb, const double* exact, double least)
+{
+  double difference = 0.0;
+  for (int c = 0; c < 3; ++c)
+  {
+    difference += std::abs(rgb[c] - exact[c]);
+  }
+  return difference / std::max(exact[0] + exact[1] + exact[2], least);
+}
+}
+
+//------------------------------------------------------------------------------
+TEST(ReferencePicture, IsWithinItsToleranceMatteAndGlossy)
+{
+  const tool::Interruptible interruptible;
+  const tool::Surface surface = MakeSphere();
+  vtkNew<vtkEnvironment> environment;
+  environment->SetToProceduralSky();
+  vtkNew<vtkLambertBRDF> matte;
+  vtkNew<vtkAshikhminShirleyBRDF> glossy;
+  glossy->SetDiffuse(0.02, 0.01, 0.03);
+  glossy->SetExponents(3000.0, 3000.0);
+  for (vtkBRDF* brdf : { static_cast<vtkBRDF*>(matte), static_cast<vtkBRDF*>(glossy) })
+  {
+    std::size_t shown = 0;
+    const tool::ReferencePicture picture =
+      tool::DrawReference(brdf, environment, surface, { Side, Side },
+        [&](const std::vector<double>& radiance) { shown += radiance.empty() ? 0 : 1; });
+    std::printf("%s: %.1f %% integrated, %.4f within, worst %.3f %%\n", brdf->GetClassName(),
+      100.0 * picture.Integrated, picture.Within, 100.0 * picture.Worst);
+    EXPECT_GE(picture.Within, 0.99);
+    EXPECT_GE(shown, 4u);
+    if (brdf == matte)
+    {
+      EXPECT_LT(picture.Integrated, 0.9); // what is smooth is interpolated
+    }
+
+    // Some that are not those of its own sample.
+    std::vector<double> normals, views, got;
+    for (std::size_t k = 1; k < surface.Pixels.size(); k += 23)
+    {
+      normals.insert(normals.end(), &surface.Normals[3 * k], &surface.Normals[3 * k] + 3);
+      views.insert(views.end(), &surface.Views[3 * k], &surface.Views[3 * k] + 3);
+      got.insert(got.end(), &picture.Radiance[3 * k], &picture.Radiance[3 * k] + 3);
+    }
+    vtkNew<vtkAdaptiveRadianceIntegrator> strict;
+    strict->SetBRDF(brdf);
+    strict->SetEnvironment(environment);
+    strict->SetTolerance(2e-4);
+    const std::vector<double> exact = tool::IntegratePairs(strict, normals, views);
+    double sum = 0.0;
+    for (const double value : exact)
+    {
+      sum += value;
+    }
+    const std::size_t count = exact.size() / 3;
+    std::size_t off = 0;
+    for (std::size_t k = 0; k < count; ++k)
+    {
+      const double error =
+        GetError(&got[3 * k], &exact[3 * k], 0.02 * sum / static_cast<double>(count));
+      off += error > tool::ReferencePicture::Tolerance ? 1 : 0;
+      EXPECT_LT(error, 0.02);
+    }
+    // One percent of one sample may be more of another.
+    EXPECT_LE(off, count / 25) << "of " << count;
+  }
+}
