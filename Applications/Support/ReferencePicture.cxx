@@ -86,7 +86,6 @@ public:
       }
     }
     this->Integrate(wanted);
-    this->FindBrightness();
     this->ShowPicture(stride);
     for (int s = stride; s > 1; s /= 2)
     {
@@ -213,21 +212,6 @@ private:
     this->Show(radiance);
   }
 
-  void FindBrightness()
-  {
-    double sum = 0.0;
-    std::size_t count = 0;
-    for (std::size_t k = 0; k < this->IsKnown.size(); ++k)
-    {
-      if (this->IsKnown[k])
-      {
-        sum += this->GetSum(static_cast<int>(k));
-        ++count;
-      }
-    }
-    this->LeastSum = count > 0 ? LeastShare * sum / static_cast<double>(count) : 0.0;
-  }
-
   // Of radiance for the sample: the share within the tolerance, and the largest error.
   double GetWithin(const std::vector<double>& rgb, double& worst) const
   {
@@ -241,8 +225,6 @@ private:
     }
     return static_cast<double>(within) / static_cast<double>(this->Sample.size());
   }
-
-  double GetSum(int k) const { return GetSum(&this->Radiance[3 * static_cast<std::size_t>(k)]); }
 
   static double GetSum(const double* rgb) { return rgb[0] + rgb[1] + rgb[2]; }
 
