@@ -161,7 +161,7 @@ float brdfSkyPanelEdge(vec4 sum, float z, vec2 ends, float wide, bool opening)
   float weight = max(sum.w, 1e-6);
   float bottom = ends.x * ends.x;
   float all = ends.y * ends.y - bottom;
-  float top = sqrt(bottom + min(sum.z / weight, all));
+  float top = sqrt(bottom + clamp(sum.z / weight, 0.0, all));
   vec2 bounds = mix(brdfSkySines(sum.xy / weight), vec2(ends.x, top), wide);
   bool isRoof = bounds.x > 0.5 / 255.0 &&
     (bounds.y > 254.5 / 255.0 || z < 0.5 * (bounds.x + bounds.y));
@@ -195,7 +195,7 @@ float brdfSkyPanelInLobe(
 {
   float own = concentration * 1.442695041;
   float both = max(length(slope + own * d), 1e-3);
-  seen = vec2(1.698644 * inversesqrt(both), (rises.y + own * rises.x) / both - rises.x);
+  seen = vec2(1.201122 * inversesqrt(both), (rises.y + own * rises.x) / both - rises.x);
   return own / both * exp2(both - own - kappa);
 }
 

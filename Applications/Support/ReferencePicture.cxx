@@ -22,6 +22,8 @@ constexpr double FlatTolerance = 0.0015;   // in the middle of a cell, where int
 constexpr double LeastShare = 0.02;      // of the mean radiance: darker pixels count as that bright
 constexpr double LeastCosine = 0.9;      // between the normals of a cell: no edge of the mesh
 constexpr double FirstTolerance = 0.002; // of integrated pixels
+constexpr double GridTolerance = 0.001;  // of those between which others are interpolated
+constexpr double LeastFlat = 0.1;        // of cells, to divide them down to two pixels
 constexpr double LeastTolerance = 0.0005;
 constexpr double CheckTolerance = 0.0002; // of the sample
 constexpr std::size_t SampleSize = 400;
@@ -52,7 +54,8 @@ public:
     {
       this->Index[static_cast<std::size_t>(surface.Pixels[k])] = static_cast<int>(k);
     }
-    for (vtkAdaptiveRadianceIntegrator* integrator : { this->Reference.Get(), this->Strict.Get() })
+    for (vtkAdaptiveRadianceIntegrator* integrator :
+      { this->Reference.Get(), this->Grid.Get(), this->Strict.Get() })
     {
       integrator->SetBRDF(brdf);
       integrator->SetEnvironment(environment);
@@ -85,11 +88,13 @@ public:
         cells.push_back({ x, y });
       }
     }
-    this->Integrate(wanted);
+    this->Grid->SetTolerance(std::min(GridTolerance, this->Reference->GetTolerance()));
+    this->Integrate(wanted, this->Grid);
     this->ShowPicture(stride);
-    for (int s = stride; s > 1; s /= 2)
+    double flat = 1.0;
+    for (int s = stride; s > 1 && flat >= (s > 2 ? 0.0 : LeastFlat); s /= 2)
     {
-      cells = this->Refine(cells, s);
+      cells = this->Refine(cells, s, flat);
       this->ShowPicture(s / 2);
     }
     wanted.clear();
@@ -100,7 +105,7 @@ public:
         wanted.push_back(static_cast<int>(k));
       }
     }
-    this->Integrate(wanted);
+    this->Integrate(wanted, this->Reference);
   }
 
   // Takes some of all pixels, evenly among them, for Check: they are not kept in the picture.
@@ -119,7 +124,8 @@ public:
     {
       sum += GetSum(&this->SampleRadiance[3 * k]);
     }
-    this->LeastSum = LeastShare * sum / static_cast<double>(this->Sample.size());
+    this->LeastSum =
+      LeastShare * sum / static_cast<double>(std::max<std::size_t>(this->Sample.size(), 1));
     double worst = 0.0;
     while (this->Reference->GetTolerance() > LeastTolerance &&
            this->GetWithin(this->IntegrateAll(this->Sample, this->Reference), worst) < EnoughWithin)
@@ -154,7 +160,7 @@ private:
              : -1;
   }
 
-  void Integrate(const std::vector<int>& wanted)
+  void Integrate(const std::vector<int>& wanted, vtkAdaptiveRadianceIntegrator* integrator)
   {
     std::vector<int> pixels;
     for (const int k : wanted)
@@ -165,7 +171,7 @@ private:
         pixels.push_back(k);
       }
     }
-    const std::vector<double> radiance = this->IntegrateAll(pixels, this->Reference);
+    const std::vector<double> radiance = this->IntegrateAll(pixels, integrator);
     for (std::size_t k = 0; k < pixels.size(); ++k)
     {
       std::copy_n(&radiance[3 * k], 3, &this->Radiance[3 * static_cast<std::size_t>(pixels[k])]);
@@ -223,7 +229,9 @@ private:
       within += error <= tool::ReferencePicture::Tolerance ? 1 : 0;
       worst = std::max(worst, error);
     }
-    return static_cast<double>(within) / static_cast<double>(this->Sample.size());
+    return this->Sample.empty()
+             ? 1.0
+             : static_cast<double>(within) / static_cast<double>(this->Sample.size());
   }
 
   static double GetSum(const double* rgb) { return rgb[0] + rgb[1] + rgb[2]; }
@@ -276,7 +284,8 @@ private:
   }
 
   // Fills the cells whose middle is foretold by their corners; returns the quarters of the others.
-  std::vector<Cell> Refine(const std::vector<Cell>& cells, int s)
+  // flat: the share of the filled ones.
+  std::vector<Cell> Refine(const std::vector<Cell>& cells, int s, double& flat)
   {
     const int half = s / 2;
     int corners[4];
@@ -288,7 +297,9 @@ private:
         wanted.push_back(this->Find(cell.X + half, cell.Y + half));
       }
     }
-    this->Integrate(wanted);
+    this->Integrate(wanted, this->Grid);
+    const double tested = static_cast<double>(wanted.size());
+    std::size_t filled = 0;
     wanted.clear();
     std::vector<Cell> finer;
     for (const Cell& cell : cells)
@@ -305,6 +316,7 @@ private:
       if (isFlat)
       {
         this->Fill(cell, s, corners);
+        ++filled;
         continue;
       }
       for (const int y : { 0, half })
@@ -322,7 +334,8 @@ private:
         }
       }
     }
-    this->Integrate(wanted);
+    this->Integrate(wanted, this->Grid);
+    flat = static_cast<double>(filled) / std::max(tested, 1.0);
     return finer;
   }
 
@@ -351,6 +364,7 @@ private:
   tool::Size Size;
   const tool::ShowReference& Show;
   vtkNew<vtkAdaptiveRadianceIntegrator> Reference;
+  vtkNew<vtkAdaptiveRadianceIntegrator> Grid;
   vtkNew<vtkAdaptiveRadianceIntegrator> Strict;
   std::vector<int> Index; // of the surface's pixels, by place
   std::vector<double> Guess;

@@ -36,8 +36,6 @@ using namespace measuredbrdf;
 
 namespace
 {
-constexpr const char* Version = "4:";
-
 constexpr const char* BackSuffix = "Back";
 
 SideNames GetNames(const std::string& suffix)
@@ -69,7 +67,7 @@ void AddArrays(vtkPolyData* surface, const SurfaceArrays& arrays, bool bounce)
   }
   vtkNew<vtkStringArray> key;
   key->SetName(vtkSurfaceVisibilityFilter::GetKeyArrayName());
-  key->InsertNextValue(Version + arrays.Key);
+  key->InsertNextValue(SurfaceKeyVersion + arrays.Key);
   vtkNew<vtkFieldData> fields; // the input's own is shared
   fields->ShallowCopy(surface->GetFieldData());
   fields->AddArray(key);

@@ -1143,6 +1143,14 @@ add("Visibility.lobes-see-whole-panels", "Private/HiddenSky.cxx", "ends(local.z 
     "HiddenSky.LobesSeeTheirPartOfAPanel")
 add("Visibility.empty-sectors-at-the-horizon", "Private/HiddenIntervals.cxx", "interval = { place, place };",
     "interval = { 0.0 * place, 0.0 };", "HiddenSky.FloatingBodiesEndBetweenSectors")
+add("Visibility.openings-from-the-horizon", "Private/HiddenIntervals.cxx", "const bool asks = this->Opening &&", "const bool asks = !this->Opening &&",
+    "HiddenSky.SillsOfOpeningsHideTheHorizon")
+add("Visibility.narrow-slits-are-open", "Private/HiddenSky.cxx", "intervals.IsOpening() && width == 0", "intervals.IsOpening() && width < 0",
+    "HiddenSky.NarrowSlitsAreDark")
+add("Visibility.lobes-see-what-openings-show", "Private/HiddenSky.cxx", "return this->Opening ? 1.0 - share : share;", "return share;",
+    "HiddenSky.HollowsHideFromBothSides")
+add("Visibility.panels-see-what-openings-show", "Private/HiddenSky.cxx", "isRoof != this->Opening", "isRoof",
+    "HiddenSky.HollowsHideFromBothSides")
 add("Visibility.hollows-by-what-they-hide", "Private/HiddenIntervals.cxx", "this->Opening = misfit[1] < misfit[0];",
     "this->Opening = false;", "HiddenSky.HollowsHideFromBothSides")
 add("Visibility.strata-without-offset", "Private/HiddenSky.cxx",
@@ -1224,7 +1232,7 @@ add("Rendering.hidden-light-unturned", "Private/OcclusionAxes.cxx",
     "this->ToEnvironment.push_back(own * toRenderer);", "OcclusionTest.ActorsMayBeTurnedMirroredAndScaled")
 add("Rendering.lobes-without-cosine", "Private/OcclusionLobes.cxx", "cell.Cosine * std::exp(", "cell.SolidAngle * std::exp(",
     "OcclusionTest.LobesHaveTheKernelsMean")
-add("Shaders.openings-have-roofs-for-walls", "vtkBRDFHiddenSky.glsl", "return opening ? (inside", "return !opening ? (inside",
+add("Shaders.openings-have-roofs-for-walls", "vtkBRDFHiddenSky.glsl", "return opening ? (inside", "return false ? (inside",
     "OcclusionTest.PanelsAreHiddenOneByOne")
 add("Shaders.lamps-edges-on-points", "vtkBRDFHiddenSky.glsl", "clamp(max(below, above), -3.0, 3.0)", "clamp(max(below, above), -0.5, 0.5)",
     "OcclusionTest.ShadowEdgesCrossTriangles")

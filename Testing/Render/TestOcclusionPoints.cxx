@@ -38,7 +38,7 @@ using measuredbrdf::OcclusionPoints;
 
 namespace
 {
-constexpr double Step = 1.2 / 255.0; // of display values; edges are kept in steps of 1 / 2047
+constexpr double Step = 1.0 / 255.0; // of display values; edges are kept in steps of 1 / 4094
 
 // A bowl that is open upwards from so many degrees on; its normals point inside.
 vtkSmartPointer<vtkPolyData> MakeOpenSphere(

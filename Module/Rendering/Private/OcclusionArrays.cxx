@@ -200,7 +200,7 @@ std::string CheckKey(vtkPolyData* surface)
     surface->GetFieldData()->GetAbstractArray(vtkSurfaceVisibilityFilter::GetKeyArrayName()));
   const std::string key =
     keys && keys->GetNumberOfValues() > 0 ? std::string(keys->GetValue(0)) : "";
-  const std::string version = "4:";
+  const std::string version = SurfaceKeyVersion;
   if (key.compare(0, version.size(), version) != 0)
   {
     return "its field data have no \"" +

@@ -29,22 +29,24 @@ void AddVector(const std::string& name, std::vector<Field>& fields)
   }
 }
 
-// A number that fits into half of a float: within -range to range.
+// A number that fits into half of a float.
 struct Half
 {
   std::string Name;
-  double Range;
+  double Least;
+  double Most;
 };
 
 std::string Shrink(const Half& half)
 {
-  return half.Name + " * " + Number(0.5 / half.Range) + " + 0.5";
+  return "(" + half.Name + " - " + Number(half.Least) + ") * " +
+         Number(1.0 / (half.Most - half.Least));
 }
 
 std::string Grow(const Half& half, const std::string& value)
 {
-  return "  " + half.Name + " = " + value + " * " + Number(2.0 * half.Range) + " - " +
-         Number(half.Range) + ";\n";
+  return "  " + half.Name + " = " + value + " * " + Number(half.Most - half.Least) + " + " +
+         Number(half.Least) + ";\n";
 }
 
 void AddPairs(const std::string& pair, const std::vector<Half>& halves, std::vector<Field>& fields)
@@ -76,7 +78,7 @@ std::vector<Field> GetFields(const OcclusionMember& member)
   {
     for (const char* component : { ".x", ".y", ".z" })
     {
-      halves.push_back({ "brdfContrast" + member.Number + component, 6.0 });
+      halves.push_back({ "brdfContrast" + member.Number + component, -6.0, 6.0 });
     }
   }
   if (NeedsRest(member))
@@ -87,16 +89,16 @@ std::vector<Field> GetFields(const OcclusionMember& member)
   {
     for (std::size_t k = 0; k < member.Light->Panels.size(); ++k)
     {
-      halves.push_back({ "brdfEdge" + member.Number + "[" + std::to_string(k) + "]", 1.0 });
+      halves.push_back({ "brdfEdge" + member.Number + "[" + std::to_string(k) + "]", 0.0, 1.0 });
     }
     if (member.HasPanels())
     {
-      halves.push_back({ "brdfTrust" + member.Number, 1.0 });
+      halves.push_back({ "brdfTrust" + member.Number, 0.0, 1.0 });
     }
   }
   for (std::size_t k = 0; k < member.Lamps; ++k)
   {
-    halves.push_back({ member.GetLamp(k), HiddenSky::LargestMargin });
+    halves.push_back({ member.GetLamp(k), -HiddenSky::LargestMargin, HiddenSky::LargestMargin });
   }
   AddPairs("brdfPair" + member.Number, halves, fields);
   return fields;

@@ -170,8 +170,8 @@ OcclusionLight::Hidden OcclusionLight::GetHidden(
     // The middle of both lobes' product.
     const double up = (glm::dot(slope, n) + panel.Concentration * z) / both - z;
     all += inLobe;
-    // sqrt(2) of its standard deviations: lobes may be sharper than kappa says.
-    lost += sky.GetHiddenPanel(d, radius, std::sqrt(2.0 / both), up) * inLobe;
+    // One standard deviation of the product, for lobes may be sharper than kappa says.
+    lost += sky.GetHiddenPanel(d, radius, std::sqrt(1.0 / both), up) * inLobe;
   }
   const LampWindow window(this->TableRows);
   const glm::dvec3 axis = lobe.GetAxis(n, view);

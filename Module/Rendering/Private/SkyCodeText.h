@@ -32,8 +32,8 @@ inline std::string Along(int sector)
 // Byte k of a point's code.
 inline std::string Byte(int k) { return "brdfCode" + std::to_string(k / 3) + "." + "xyz"[k % 3]; }
 
-// Of a sector: in order, 255 for 1; whether the sky is visible or hidden between them:
-// brdfSkyOpening.
+// A sector's bounds, the lower one first, 255 for 1. brdfSkyOpening: the sky is visible between
+// them, not hidden.
 inline std::string Bounds(int sector) { return "brdfSkyBounds" + std::to_string(sector); }
 // Of a sector's bounds.
 inline std::string Tangents(int sector) { return "brdfSkyTangents" + std::to_string(sector); }

@@ -133,6 +133,15 @@ double HiddenIntervals::FindEdge(int sector, int k, bool insideBelow, const Flag
            : 0.5 * (from + to);
 }
 
+// Where an opening begins whose lowest place sees the sky, though a ray beside it does not.
+double HiddenIntervals::FindRim(int sector) const
+{
+  const double first = this->GetPlace(0, sector);
+  const bool asks = this->Opening && this->CountHidden(0, sector) > 0;
+  const double edge = asks ? this->Halve(sector, 0.0, first, false) : 0.0;
+  return edge < first / (1 << Halvings) ? 0.0 : edge;
+}
+
 HiddenIntervals::Interval HiddenIntervals::Find(int sector, const Flags& flags)
 {
   const Run run = this->FindRun(flags);
@@ -150,7 +159,8 @@ HiddenIntervals::Interval HiddenIntervals::Find(int sector, const Flags& flags)
   }
   const int last = run.First + run.Count; // the first place above
   Interval interval;
-  interval.Low = run.First == 0 ? 0.0 : this->FindEdge(sector, run.First, false, flags);
+  interval.Low =
+    run.First > 0 ? this->FindEdge(sector, run.First, false, flags) : this->FindRim(sector);
   interval.High = last < this->Elevations  ? this->FindEdge(sector, last, true, flags)
                   : this->IsZenithInside() ? 1.0
                                            : this->Halve(sector, top, 1.0, true);

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What is hidden in the middle azimuths of a hidden sky's sectors. Private to the module.
+ * What is hidden, or visible, in the middle azimuths of a hidden sky's sectors. Private to the
+ * module.
  */
 
 #ifndef HiddenIntervals_h
@@ -20,8 +21,8 @@ namespace measuredbrdf
  * both beside it, its middle is as they are; elsewhere it is asked, and the interval's ends are
  * halved.
  *
- * Between sectors bounds are interpolated. So a sector of which nothing is hidden has both where
- * what the sectors beside it hide would end: at the horizon, at the zenith or in its middle.
+ * Between sectors bounds are interpolated. So a sector whose interval is empty has both where
+ * those of the sectors beside it would end: at the horizon, at the zenith or in its middle.
  */
 class HiddenIntervals
 {
@@ -47,7 +48,8 @@ public:
     const std::vector<char>& hidden, int elevations, const Offset& offset, const Test& test);
 
   /// Whether the intervals are what is visible, not what is hidden: of a hollow both its near side
-  /// and the one opposite are hidden. The same for all sectors, whichever fits them better.
+  /// and the one opposite are hidden. The same for all sectors: whichever contradicts fewer rays of
+  /// their middles, weighted by their sines.
   bool IsOpening() const { return this->Opening; }
 
   const Interval& Get(int sector) const
@@ -73,6 +75,7 @@ private:
   Run FindRun(const Flags& flags) const;
   double Halve(int sector, double from, double to, bool insideBelow) const;
   double FindEdge(int sector, int k, bool insideBelow, const Flags& flags) const;
+  double FindRim(int sector) const;
   Interval Find(int sector, const Flags& flags);
   bool IsZenithInside();
   void PlaceEmpty();

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <utility>
 
 namespace measuredbrdf
@@ -135,6 +136,7 @@ HiddenSky::Code HiddenSky::Encode(
   const HiddenIntervals intervals(hidden, elevations, Rays::GetOffset,
     [&test](int sector, double sine) { return test(Rays::Make(sector, 0.0, sine)); });
   std::array<double, sky::Harmonics> transfer{};
+  int width = 0;
   for (int s = 0; s < Sectors; ++s)
   {
     for (int k = 0; k < elevations; ++k)
@@ -154,6 +156,15 @@ HiddenSky::Code HiddenSky::Encode(
     const auto high = static_cast<std::size_t>(intervals.IsOpening() ? 3 + 2 * s : 4 + 2 * s);
     code[low] = static_cast<std::uint8_t>(std::lround(255.0 * intervals.Get(s).Low));
     code[high] = static_cast<std::uint8_t>(std::lround(255.0 * intervals.Get(s).High));
+    width += std::abs(code[high] - code[low]);
+  }
+  if (intervals.IsOpening() && width == 0) // narrower than a byte: all is hidden
+  {
+    for (std::size_t s = 0; s < Sectors; ++s)
+    {
+      code[3 + 2 * s] = 0;
+      code[4 + 2 * s] = 255;
+    }
   }
   for (std::size_t j = 0; j < transfer.size(); ++j)
   {
@@ -180,6 +191,10 @@ HiddenSky::HiddenSky(const Code& code)
     this->Opening = true;
     std::swap(this->Low, this->High);
     inSectors += 1.0;
+  }
+  for (std::size_t s = 0; s < Sectors; ++s)
+  {
+    this->High[s] = std::max(this->High[s], this->Low[s]); // of damaged codes: empty
   }
   for (std::size_t j = 0; j < sky::Harmonics; ++j)
   {
@@ -299,26 +314,23 @@ double HiddenSky::GetHiddenPanel(
     bounds = { glm::mix(bounds.Low, own.Low, wide), glm::mix(bounds.High, top, wide) };
   }
   const Interval seen = ends(local.z + rise, seenRadius);
-  if (seen.IsEmpty())
+  double low = seen.Low;
+  double high = this->Opening ? seen.High : seen.Low;
+  if (!bounds.IsEmpty())
   {
-    return 0.0;
+    // The edge that is nearer to its middle, moved by what of the panel lies beyond the other one.
+    const bool isRoof = !bounds.IsFromHorizon() &&
+                        (bounds.IsToZenith() || local.z < 0.5 * (bounds.Low + bounds.High));
+    const auto square = [](double x) { return x * x; };
+    const double edge =
+      std::sqrt(isRoof ? square(bounds.Low) + std::max(square(own.High) - square(bounds.High), 0.0)
+                       : square(bounds.High) - std::max(square(bounds.Low) - square(own.Low), 0.0));
+    const bool isHiddenAbove = isRoof != this->Opening;
+    low = isHiddenAbove ? std::clamp(edge, seen.Low, seen.High) : seen.Low;
+    high = isHiddenAbove ? seen.High : std::clamp(edge, seen.Low, seen.High);
   }
-  if (bounds.IsEmpty())
-  {
-    return this->Opening ? this->Trust : 0.0;
-  }
-  // The edge that is nearer to its middle, moved by what of the panel lies beyond the other one.
-  const bool isRoof =
-    !bounds.IsFromHorizon() && (bounds.IsToZenith() || local.z < 0.5 * (bounds.Low + bounds.High));
-  const auto square = [](double x) { return x * x; };
-  const double edge =
-    std::sqrt(isRoof ? square(bounds.Low) + std::max(square(own.High) - square(bounds.High), 0.0)
-                     : square(bounds.High) - std::max(square(bounds.Low) - square(own.Low), 0.0));
-  const double low = isRoof ? std::clamp(edge, seen.Low, seen.High) : seen.Low;
-  const double high = isRoof ? seen.High : std::clamp(edge, seen.Low, seen.High);
   const double all = seen.High * seen.High - seen.Low * seen.Low;
-  const double inside = (high * high - low * low) / std::max(all, 1e-6);
-  return this->Trust * (this->Opening ? 1.0 - inside : inside);
+  return this->Trust * (high * high - low * low) / std::max(all, 1e-6);
 }
 
 // Share of the irradiance between two sines of elevation that is within the bounds of sectors about

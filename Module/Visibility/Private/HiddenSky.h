@@ -6,10 +6,10 @@
  * that the point reflects. GLSL twin: shaders/vtkBRDFHiddenSky.glsl. Private to the module.
  *
  * - A normal (3 bytes): the code's frame is FrameAbout(normal).
- * - 16 sectors of azimuth (2 bytes each): from which to which sine of elevation the sky is hidden
- *   in the sector's middle; or, where the first byte is the larger one, from the second one to the
- *   first one visible: the same for all sectors, whichever fits better. Of a hollow both the near
- *   wall and the one opposite hide, so what is visible is one interval.
+ * - 16 sectors of azimuth (2 bytes each): two sines of elevation in the sector's middle. Where the
+ *   second bytes of all sectors sum to no less than the first ones, the sky is hidden from the
+ * first sine to the second. Otherwise it is visible from the second to the first, an opening: of a
+ *   hollow both the near wall and the one opposite hide.
  * - 25 spherical harmonics, in the surface's own axes, of the hidden part of cos theta (1 byte
  *   each): their product with the light's harmonics is the hidden irradiance (Sloan, Kautz, Snyder
  *   2002), exact as far as the light's harmonics reach.
@@ -109,8 +109,8 @@ public:
   double GetVisibleLamp(const glm::dvec3& direction) const;
 
   /// Hidden share, 0 to 1, of a panel about this unit direction: an even strip that reaches radius
-  /// (radians) to each side. A lobe sees less of it, about a middle that is higher by rise (in the
-  /// sine of elevation).
+  /// (radians) to each side. A lobe sees a part of it, which reaches seenRadius about a middle that
+  /// is higher by rise (in the sine of elevation).
   ///@{
   double GetHiddenPanel(const glm::dvec3& direction, double radius) const;
   double GetHiddenPanel(

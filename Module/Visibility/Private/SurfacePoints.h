@@ -35,6 +35,9 @@ std::vector<SurfaceVertex> FindSurfacePoints(vtkPolyData* surface);
 /// polygons where it is less make up a hundredth of the area. 1 where there is none.
 double GetLeastCosine(vtkPolyData* surface, const std::vector<glm::dvec3>& normals);
 
+/// Of the arrays' form; before the key of their surface.
+inline constexpr const char* SurfaceKeyVersion = "4:";
+
 /// What tells the points, point normals and cells of a surface from others, whatever the types of
 /// its arrays of indices: 32 hexadecimal digits.
 std::string GetSurfaceKey(vtkPolyData* surface);

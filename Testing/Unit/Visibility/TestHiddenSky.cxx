@@ -230,7 +230,8 @@ TEST(HiddenSky, MarginsSayHowFarLampsAreFromShadows)
 }
 
 // A plane that leans towards a point hides the sky up to tan(elevation) = slope cos(azimuth), also
-// in azimuths between sectors, however steep it is. Sines, interpolated, would be off by up to 0.4.
+// in azimuths between sectors, however steep it is. Sines, interpolated, would be off by up to 0.4;
+// what is interpolated is nearly a tangent, which is off by 0.04 where the plane is steep.
 TEST(HiddenSky, PlanesAreFollowedBetweenSectors)
 {
   for (const double slope : { 0.3, 1.0, 4.0 })
@@ -353,6 +354,59 @@ TEST(HiddenSky, HollowsHideFromBothSides)
     }
   }
   EXPECT_LT(wrong / all, 0.2); // 0.13; with one hidden interval a sector 0.4
+  // Lobes and panels: against sums over directions.
+  for (const glm::dvec3& d : { glm::dvec3(0.6, 0.0, 0.8), glm::dvec3(0.8, 0.3, 0.52),
+         glm::dvec3(0.2, 0.1, 0.97), glm::dvec3(-0.7, 0.0, 0.7) })
+  {
+    const glm::dvec3 axis = glm::normalize(d);
+    for (const double kappa : { 4.0, 20.0 })
+    {
+      double lobe = 0.0;
+      double hidden = 0.0;
+      for (int k = 0; k < 200 * 400; ++k)
+      {
+        const double z = (k / 400 + 0.5) / 200.0;
+        const double azimuth = 2.0 * measuredbrdf::Pi * (k % 400) / 400.0;
+        const double s = std::sqrt(1.0 - z * z);
+        const glm::dvec3 at(s * std::cos(azimuth), s * std::sin(azimuth), z);
+        const double part = z * std::exp(kappa * (glm::dot(at, axis) - 1.0));
+        lobe += part;
+        hidden += isHidden(at) ? part : 0.0;
+      }
+      EXPECT_NEAR(hollow.GetHiddenShare(kappa * axis), hidden / lobe, 0.15) << kappa;
+      EXPECT_NEAR(hollow.GetHiddenPanel(axis, std::sqrt(3.0 / kappa)), hidden / lobe, 0.2) << kappa;
+    }
+  }
+}
+
+// A cave's mouth with a sill below the lowest rays of every other sector: its edge does not jump
+// between sectors.
+TEST(HiddenSky, SillsOfOpeningsHideTheHorizon)
+{
+  const HiddenSky cave(Encode({ 0.0, 0.0, 1.0 }, 8,
+    [](const glm::dvec3& d) { return d.x < 0.2 || d.z < 0.06 || d.z > 0.7; }));
+  for (double degrees = -40.0; degrees <= 40.0; degrees += 5.0)
+  {
+    const double azimuth = degrees * measuredbrdf::Pi / 180.0;
+    const auto at = [azimuth](double z)
+    {
+      const double s = std::sqrt(1.0 - z * z);
+      return glm::dvec3(s * std::cos(azimuth), s * std::sin(azimuth), z);
+    };
+    EXPECT_LT(cave.GetLampMargin(at(0.01)), 0.0) << degrees;
+    EXPECT_EQ(cave.GetVisibleLamp(at(0.3)), 1.0) << degrees;
+    EXPECT_EQ(cave.GetVisibleLamp(at(0.9)), 0.0) << degrees;
+  }
+}
+
+// A slit that is narrower than a byte's step is nothing, not an open sky.
+TEST(HiddenSky, NarrowSlitsAreDark)
+{
+  const HiddenSky slit(Encode(
+    { 0.0, 0.0, 1.0 }, 256, [](const glm::dvec3& d) { return d.z < 0.5015 || d.z > 0.5025; }));
+  EXPECT_LT(slit.GetVisibleLamp({ 0.0, 0.0, 1.0 }), 0.01);
+  EXPECT_LT(slit.GetVisibleLamp({ std::sqrt(0.91), 0.0, 0.3 }), 0.01);
+  EXPECT_GT(slit.GetHiddenShare({ 0.0, 0.0, 8.0 }), 0.98);
 }
 
 // Sectors of which the harmonics see nothing: rays that only just left the horizon hide no panel.
