@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Radiance integrated ahead of time: c E(n) + s T(axis, view angle, azimuth), and what
 // vtkBRDFEnvironmentCore.glsl and vtkBRDFEnvironmentLamps.glsl add. C++ twin: vtkTableRadianceIntegrator.
-uniform sampler2D brdfTableProfileINSTANCE; // over theta_o: s and c; sin delta - sin theta_o
-uniform vec3 brdfTableShareINSTANCE; // of a step of s
-uniform vec3 brdfTableLambertINSTANCE; // largest c
+uniform sampler2D brdfTableProfileINSTANCE; // over theta_o: roots of s and c; sin delta - sin theta_o
+uniform vec3 brdfTableShareINSTANCE; // of a step of s's root
+uniform vec3 brdfTableLambertINSTANCE; // largest root of c
 uniform sampler3D brdfTableRadianceINSTANCE; // azimuth and polar angle of axis; psi within view angles
 uniform sampler2D brdfTableIrradianceINSTANCE; // octahedral, over the normal
 uniform float brdfTableRowsINSTANCE; // of the map that is everywhere; tiles lie below it
@@ -20,6 +20,8 @@ vec3 brdfEnvironmentINSTANCE(mat3 frame, vec3 o)
   vec3 whole = floor(pairs.rgb);
   vec3 share = whole * brdfTableShareINSTANCE;
   vec3 lambert = (pairs.rgb - whole) * brdfTableLambertINSTANCE;
+  share *= share;
+  lambert *= lambert;
   float sinDelta = sine + pairs.w;
   vec2 axis = vec2(sqrt(max(1.0 - sinDelta * sinDelta, 0.0)), sinDelta);
   vec2 azimuth = sine > 1e-6 ? o.xy / sine : vec2(1.0, 0.0);

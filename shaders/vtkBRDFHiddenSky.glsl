@@ -55,7 +55,7 @@ void brdfSkyRise(float slope, float kappa, out vec3 low, out vec3 high)
   high = vec3(7.0, 9.0, 11.0) / 12.0 * exp2(slope * brdfSkySine1 - kappa);
 }
 
-// Add a sector's share of a lobe cos(theta) exp2(slope . d - kappa), within bounds and all, to sum. one,
+// Add a sector's share of a lobe cos(theta) exp2(slope . d - kappa) to sum: within bounds, all. one,
 // last: exp2 of the slope in the sector's azimuth, times a step of the nodes' cosines and the last
 // one.
 void brdfSkySector(float one, float last, vec2 bounds, vec3 rise0, vec3 rise1, inout vec2 sum)

@@ -380,12 +380,12 @@ void Run(CompareOptions& options, const CLI::App* command)
   TimeFrames(scene, stock, found);
 
   nlohmann::ordered_json report = MakeReport(options, found, method, scene);
-  report["reference_pixels"] = surface.Pixels.size();
-  report["reference_integrated"] = whole.Integrated; // share of them; the others are interpolated,
-  report["reference_within"] = whole.Within;         // and this share of a sample within 0.3 %
+  report.update({ { "reference_pixels", surface.Pixels.size() },
+    { "reference_integrated", whole.Integrated }, // share of them; others are interpolated
+    { "reference_within", whole.Within }, { "reference_within_between", whole.WithinBetween } });
   report.update(tool::DescribeOcclusion(occlusion, options.Trace));
-  report["covered_pixels"] = surface.NumberOfCovered;
-  report.update({ { "width", size.Width }, { "height", size.Height }, { "material", material.Name },
+  report.update({ { "covered_pixels", surface.NumberOfCovered }, { "width", size.Width },
+    { "height", size.Height }, { "material", material.Name },
     { "environment", environment->GetName() }, { "renderer", scene.GetRendererName() } });
   if (!options.Fit.empty())
   {

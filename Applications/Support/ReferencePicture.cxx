@@ -27,7 +27,10 @@ constexpr double LeastFlat = 0.1;        // of cells, to divide them down to two
 constexpr double LeastTolerance = 0.0005;
 constexpr double CheckTolerance = 0.0002; // of the sample
 constexpr std::size_t SampleSize = 400;
-constexpr double EnoughWithin = 0.99; // of the sample
+constexpr double EnoughWithin = 0.99;       // of the sample
+constexpr double EnoughBetween = 0.97;      // of its interpolated pixels
+constexpr std::size_t FewestBetween = 30;   // to tell
+constexpr std::size_t FewestChecked = 2000; // pixels: a sample would take as long as the picture
 
 //------------------------------------------------------------------------------
 struct Cell
@@ -108,15 +111,16 @@ public:
     this->Integrate(wanted, this->Reference);
   }
 
-  // Takes some of all pixels, evenly among them, for Check: they are not kept in the picture.
+  // Takes some of all pixels, scattered among them, for Check: they are not kept in the picture.
   // Halves the tolerance until enough of them are within 0.3 % of what a smaller one gives.
   void ChooseTolerance()
   {
-    const std::size_t count = this->IsKnown.size();
-    const std::size_t step = std::max<std::size_t>(count / SampleSize, 1);
-    for (std::size_t k = step / 2; k < count; k += step)
+    const auto count = static_cast<double>(this->IsKnown.size());
+    double place = 0.5;
+    for (std::size_t k = 0; count > 0.0 && k < SampleSize; ++k) // by the golden ratio: no column
     {
-      this->Sample.push_back(static_cast<int>(k));
+      place = std::fmod(place + 0.61803398874989485, 1.0);
+      this->Sample.push_back(static_cast<int>(place * count));
     }
     this->SampleRadiance = this->IntegrateAll(this->Sample, this->Strict);
     double sum = 0.0;
@@ -134,6 +138,9 @@ public:
     }
   }
 
+  // Without a sample.
+  void SetFineTolerance() { this->Reference->SetTolerance(GridTolerance); }
+
   // Compares the sample with the picture.
   void Check(tool::ReferencePicture& picture) const
   {
@@ -142,12 +149,23 @@ public:
       static_cast<double>(std::count(this->IsKnown.begin(), this->IsKnown.end(), char(1))) /
       static_cast<double>(count);
     std::vector<double> drawn;
-    for (const int k : this->Sample)
+    std::size_t between = 0;
+    std::size_t good = 0;
+    for (std::size_t k = 0; k < this->Sample.size(); ++k)
     {
-      const double* rgb = &this->Radiance[3 * static_cast<std::size_t>(k)];
+      const auto pixel = static_cast<std::size_t>(this->Sample[k]);
+      const double* rgb = &this->Radiance[3 * pixel];
       drawn.insert(drawn.end(), rgb, rgb + 3);
+      if (!this->IsKnown[pixel])
+      {
+        const double error = this->GetError(rgb, &this->SampleRadiance[3 * k]);
+        ++between;
+        good += error <= tool::ReferencePicture::Tolerance ? 1 : 0;
+      }
     }
     picture.Within = this->GetWithin(drawn, picture.Worst);
+    picture.WithinBetween =
+      between < FewestBetween ? 1.0 : static_cast<double>(good) / static_cast<double>(between);
     picture.Radiance = this->Radiance;
   }
 
@@ -386,13 +404,20 @@ ReferencePicture DrawReference(vtkBRDF* brdf, vtkEnvironment* environment, const
 {
   Refinement refinement(brdf, environment, surface, size, show);
   ReferencePicture picture;
-  refinement.ChooseTolerance();
+  if (surface.Pixels.size() >= FewestChecked)
+  {
+    refinement.ChooseTolerance();
+  }
+  else
+  {
+    refinement.SetFineTolerance();
+  }
   for (int stride = surface.Pixels.size() < FewestPixels ? 1 : CoarsestStride; stride > 0;
        stride /= 2)
   {
     refinement.Run(stride);
     refinement.Check(picture);
-    if (picture.Within >= EnoughWithin)
+    if (picture.Within >= EnoughWithin && picture.WithinBetween >= EnoughBetween)
     {
       break;
     }

@@ -26,6 +26,7 @@ struct ReferencePicture
   std::vector<double> Radiance; // 3 a pixel of the surface
   double Integrated = 1.0;      // share of the pixels; the others are interpolated
   double Within = 1.0;          // share within the tolerance, of a sample of all
+  double WithinBetween = 1.0;   // the same of those of the sample that are interpolated
   double Worst = 0.0;           // relative error in that sample
 };
 
@@ -34,10 +35,10 @@ using ShowReference = std::function<void(const std::vector<double>& radiance)>;
 
 /**
  * Integrates on a grid, and more finely where interpolation does not foretell the middle of a cell.
- * What is interpolated is what a table of radiance lacks, which is smoother than radiance. A sample
- * of all pixels is integrated to a smaller tolerance, apart from the picture: it says to which
- * tolerance pixels are integrated, and where too many of it are off, all is interpolated again on a
- * finer grid. The surface has all covered pixels (stride 1).
+ * What is interpolated is what a table of radiance lacks, which is smoother than radiance. Of 2000
+ * pixels or more, 400 are also integrated to a smaller tolerance, apart from the picture. They
+ * decide to which tolerance pixels are integrated. Where too many of these pixels are off,
+ * everything is interpolated again on a finer grid. The surface has all covered pixels (stride 1).
  * show, where there is one, gets the picture as it becomes better, on this thread. Throws Error.
  * Needs an Interruptible or a BackgroundWork.
  */

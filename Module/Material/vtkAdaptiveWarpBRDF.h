@@ -71,8 +71,8 @@ public:
   const Tables& GetTables() const { return this->Data; }
 
   /**
-   * Evaluate for one view and so many lights, 3 numbers each, all unit vectors above the horizon:
-   * faster than one by one.
+   * Evaluate for one view and so many lights, all unit vectors above the horizon: faster than one
+   * by one. i and f hold 3 numbers for each light.
    */
   VTK_WRAPEXCLUDE void EvaluateLights(int count, const double* i, const double o[3], double* f);
 

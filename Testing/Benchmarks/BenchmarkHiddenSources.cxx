@@ -119,7 +119,8 @@ int main(int argc, char** argv)
   int count = 500;
   int directions = 60;
   CLI::App app("Lamps and panels that points hide: their codes against traced rays.");
-  app.add_option("--meshes", meshes, "Those of the default, or .vtp files with point normals");
+  app.add_option(
+    "--meshes", meshes, "Those of the default, inside-bowl, or .vtp files with point normals");
   app.add_option("--points", count, "Of each mesh");
   app.add_option("--directions", directions, "Of sources over the sphere");
   CLI11_PARSE(app, argc, argv);

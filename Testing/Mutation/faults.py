@@ -678,10 +678,12 @@ add("Rendering.failed-plan-begun-again", "Private/CurrentPlan.cxx", "this->Take(
     "StandIns.PlansThatFail")
 add("Rendering.failed-stand-in-tried-again", "Private/BRDFTextures.cxx", "if (time <= this->FailureTime)",
     "if (time < 0 * this->FailureTime)", "StandIns.ThoseThatFailAreTriedOnce")
-add("Rendering.plans-beside-stand-ins", "Private/PlanJob.cxx", "return this->Holds == 0 || this->Waiters > 0;",
-    "return this->Holds < 9 || this->Waiters > 0;", "SideBySide.HeldUntilSomebodyWaits")
-add("Rendering.wait-for-what-is-held", "Private/PlanJob.cxx", "return this->Holds == 0 || this->Waiters > 0;",
-    "return this->Holds == 0;", "SideBySide.HeldUntilSomebodyWaits")
+add("Rendering.plans-beside-stand-ins", "Private/PlanJob.cxx", "{ return this->Holds == 0 || this->Waiters > 0 || this->Planning > 0; }",
+    "{ return this->Holds < 9; }", "SideBySide.HeldUntilSomebodyWaits")
+add("Rendering.wait-for-what-is-held", "Private/PlanJob.cxx", "{ return this->Holds == 0 || this->Waiters > 0 || this->Planning > 0; }",
+    "{ return this->Holds == 0 || this->Planning > 0; }", "SideBySide.HeldUntilSomebodyWaits")
+add("Rendering.held-jobs-wait-for-plans", "Private/CurrentPlan.cxx", "  const PlanJob::Beside beside;\n", "",
+    "SideBySide.HeldJobsRunBesideAThreadThatPlans")
 add("Rendering.refused-occlusion-unsaid", "Private/MaterialDrawingOcclusion.cxx", "if (refused > 0)",
     "if (refused > 9)", "OcclusionBlocks.SomeHaveArrays")
 add("Material.cells-of-one-side-only", "Private/HalfDifferenceFill.cxx",
@@ -1129,7 +1131,7 @@ add("Fetch.files-have-no-names", "FetchCatalog.cxx", "return entry.Name == name 
 
 add("Visibility.hidden-rays-without-cosine", "Private/HiddenSky.cxx", "transfer[j] += d.z * values[j];",
     "transfer[j] += values[j];", "HiddenSky.ACraterHidesTheLowSky")
-add("Visibility.panels-hidden-by-slivers", "Private/HiddenSky.cxx", "return this->Trust * (this->Opening", "return (this->Opening",
+add("Visibility.panels-hidden-by-slivers", "Private/HiddenSky.cxx", "return this->Trust * (high * high", "return (high * high",
     "HiddenSky.SliversAtTheHorizonHideNoPanel")
 add("Visibility.lobes-beyond-the-horizon", "Private/HiddenSky.cxx", "(e + 0.5) / Elevations * std::exp(across", "std::exp(across",
     "HiddenSky.ACraterHidesTheLowSky")

@@ -1012,7 +1012,7 @@ TEST_F(Mapper, ShaderTextIsWhole)
   this->Measured->SetEnvironment(MakeOctants());
   this->RenderEncoded();
   const std::string text = this->Measured->GetFragmentShader();
-  EXPECT_NE(text.find("brdfMember0Environment(brdfEnvironmentRotation"), std::string::npos);
+  EXPECT_NE(text.find("brdfMember0Environment(brdfViewToEnvironment"), std::string::npos);
   // Nothing of scalars where there are none: software renderers run both sides of conditions.
   for (const char* left : { "//VTK::MeasuredBRDF", "INSTANCE", "brdfModulate > 1" })
   {

@@ -6,6 +6,7 @@
 #include "vtkAdaptiveWarpBRDF.h"
 
 #include <algorithm>
+#include <typeinfo>
 
 namespace measuredbrdf
 {
@@ -295,7 +296,10 @@ glm::dvec3 AdaptiveSum::Run(const TexelTree& texels, const ReflectionGuide& guid
 {
   this->Texels = &texels;
   this->BRDF = brdf;
-  this->Measured = vtkAdaptiveWarpBRDF::SafeDownCast(brdf);
+  // Subclasses may evaluate another f.
+  this->Measured = typeid(*brdf) == typeid(vtkAdaptiveWarpBRDF)
+                     ? static_cast<vtkAdaptiveWarpBRDF*>(brdf)
+                     : nullptr;
   this->Local = glm::transpose(frame);
   this->View = view;
   this->Tolerance = tolerance;

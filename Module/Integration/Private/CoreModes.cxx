@@ -87,11 +87,11 @@ void ExpandKnot(const CoreKernels& kernels, const std::vector<std::vector<float>
 {
   const int degree = kernels.Degree;
   const double u = GetProfilePosition(kernels.GetViewAngle(knot));
-  const glm::dvec3 place = GetProfileValue(kernels.Table.Profile, 0, u);
   const glm::dvec3 share = GetProfileValue(kernels.Table.Profile, 1, u);
   const glm::dvec3 floor = GetProfileValue(kernels.Table.Profile, 2, u);
-  const std::size_t low = std::min(static_cast<std::size_t>(place.x), table.size() - 2);
-  const double between = place.x - static_cast<double>(low);
+  const double place = LobeViews::GetKnotPosition(kernels.GetViewAngle(knot), kernels.Table.Angles);
+  const std::size_t low = std::min(static_cast<std::size_t>(place), table.size() - 2);
+  const double between = place - static_cast<double>(low);
   const LobeHarmonics& lobe = *kernels.Knots[knot];
   const std::vector<double> cosine = TurnCosine(kernels.GetAxis(knot), degree);
   for (int order = 0; order <= LargestOrder; ++order)

@@ -119,8 +119,8 @@ inline glm::dvec3 GetCenteredValue(const std::vector<float>& data, int rows, int
     ClampedNeighbors(at.Polar, rows), filter);
 }
 
-/// A row of profiles over theta_o, LobeViews::NumberOfViews texels each, at u in [0,1].
-/// Shaders read the nearest of many such values (ShaderProfile.h).
+/// A row of profiles over theta_o, LobeViews::NumberOfViews texels each, at u in [0,1]. Tables are
+/// looked up at the nearest of many such values (ShaderProfile.h).
 inline glm::dvec3 GetProfileValue(const std::vector<float>& profile, int row, double u)
 {
   constexpr int size = LobeViews::NumberOfViews;
@@ -130,10 +130,29 @@ inline glm::dvec3 GetProfileValue(const std::vector<float>& profile, int row, do
     GetTexel(profile, size * row + low), GetTexel(profile, size * row + low + 1), exact - low);
 }
 
-/// Cosine and sine of the axis' angle from the normal, of which a profile holds (., ., sine).
-inline glm::dvec2 GetAxisTurn(const glm::dvec3& values)
+/// What shaders read of profiles, and their C++ twins do: the nearest of so many values.
+constexpr int ProfileTexels = 2048;
+
+/// The position in [0,1] of the texel nearest to one.
+inline double GetNearestPosition(double u)
 {
-  return glm::dvec2(std::sqrt(std::max(1.0 - values.z * values.z, 0.0)), values.z);
+  return std::floor(u * (ProfileTexels - 1.0) + 0.5) / (ProfileTexels - 1.0);
+}
+
+/// By how much the sine of the axis' angle from the normal, which profiles hold in their first row
+/// (., ., sine), exceeds that of the view's at u.
+inline double GetAxisExcess(const std::vector<float>& profile, double u)
+{
+  const double rest = (1.0 - u) * (1.0 - u);
+  return GetProfileValue(profile, 0, u).z - std::sin(LobeViews::GetLastAngle() * (1.0 - rest));
+}
+
+/// Cosine and sine of the axis' angle from the normal, seen at theta_o, where profiles are read at
+/// u.
+inline glm::dvec2 GetAxisTurn(const std::vector<float>& profile, double theta, double u)
+{
+  const double sine = std::sin(theta) + GetAxisExcess(profile, u);
+  return { std::sqrt(std::max(1.0 - sine * sine, 0.0)), sine };
 }
 
 ///@{

@@ -123,7 +123,8 @@ glm::dvec3 RadianceCore::Evaluate(
   const glm::dvec3& n, const glm::dvec3& o, const glm::dvec3& t, const FilterWeights& filter) const
 {
   const LobePlacement place(n, o, t);
-  const glm::dvec2 delta = GetAxisTurn(GetProfileValue(this->Profile, 0, place.U));
+  const double u = GetNearestPosition(place.U);
+  const glm::dvec2 delta = GetAxisTurn(this->Profile, place.Theta, u);
   const MapPosition at(place.GetAxis(delta.x, delta.y));
   const glm::dvec2 once = place.GetTurn(delta.x, delta.y, at);
   const std::size_t texels = this->GetNumberOfTexels();
@@ -145,7 +146,7 @@ glm::dvec3 RadianceCore::Evaluate(
               turn.y * GetCenteredValue(this->Fields, this->Rows, this->Columns, first, at, filter);
       first += texels;
     }
-    sum += field * GetProfileValue(this->Profile, static_cast<int>(1 + k), place.U);
+    sum += field * GetProfileValue(this->Profile, static_cast<int>(1 + k), u);
   }
   return sum;
 }

@@ -61,9 +61,8 @@ glm::dvec3 RadianceTable::Evaluate(const glm::dvec3& n, const glm::dvec3& o, con
   const FilterWeights& filter, const TableLamps* lamps) const
 {
   const LobePlacement place(n, o, t);
-  const double u = place.U;
-  const glm::dvec3 axis = GetProfileValue(this->Profile, 0, u);
-  const glm::dvec2 delta = GetAxisTurn(axis);
+  const double u = GetNearestPosition(place.U);
+  const glm::dvec2 delta = GetAxisTurn(this->Profile, place.Theta, u);
   const glm::dvec3 d = place.GetAxis(delta.x, delta.y);
   const MapPosition at(d);
   const glm::dvec2 around = place.GetTurn(delta.x, delta.y, at);

@@ -18,13 +18,6 @@ double GetTexelPosition(std::size_t texel)
   return static_cast<double>(texel) / (ShaderProfile::Size - 1.0);
 }
 
-// By how much the axis' sine exceeds the view's.
-double GetExcess(const glm::dvec3& axis, double u)
-{
-  const double rest = (1.0 - u) * (1.0 - u);
-  return axis.z - std::sin(LobeViews::GetLastAngle() * (1.0 - rest));
-}
-
 float Pack(double high, double low)
 {
   const double whole = std::round(std::clamp(high, 0.0, 1.0) * ShaderProfile::HighSteps);
@@ -44,17 +37,20 @@ ShaderProfile::ShaderProfile(const RadianceTable& table)
     share = glm::max(share, GetProfileValue(table.Profile, 1, u));
     lambert = glm::max(lambert, GetProfileValue(table.Profile, 2, u));
   }
-  lambert *= LowSteps / (LowSteps - 1.0); // the largest fraction is below 1
+  share = glm::sqrt(share);
+  lambert = glm::sqrt(lambert) * (LowSteps / (LowSteps - 1.0)); // the largest fraction is below 1
   for (std::size_t k = 0; k < Size; ++k)
   {
     const double u = GetTexelPosition(k);
-    const glm::dvec3 high = GetProfileValue(table.Profile, 1, u) / share;
-    const glm::dvec3 low = GetProfileValue(table.Profile, 2, u) / lambert;
+    const auto root = [&](int row)
+    { return glm::sqrt(glm::max(GetProfileValue(table.Profile, row, u), 0.0)); };
+    const glm::dvec3 high = root(1) / share;
+    const glm::dvec3 low = root(2) / lambert;
     for (int c = 0; c < 3; ++c)
     {
       this->Texels.push_back(Pack(high[c], low[c]));
     }
-    this->Texels.push_back(static_cast<float>(GetExcess(GetProfileValue(table.Profile, 0, u), u)));
+    this->Texels.push_back(static_cast<float>(GetAxisExcess(table.Profile, u)));
   }
   for (int c = 0; c < 3; ++c)
   {

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Profiles over theta_o as shaders read them: the nearest of many values, by one fetch, where the
- * C++ forms interpolate between few. Private to the module.
+ * Profiles over theta_o as shaders and their C++ twins read them: the nearest of many values, by
+ * one fetch. Private to the module.
  */
 
 #ifndef ShaderProfile_h
 #define ShaderProfile_h
+
+#include "LobePlacement.h" // for ProfileTexels
 
 #include <array>
 #include <cstddef>
@@ -18,13 +20,13 @@ namespace measuredbrdf
 struct RadianceCore;
 struct RadianceTable;
 
-/// Of a table: in three floats of a texel two numbers each, of 13 and 11 bits. The integral parts,
-/// of 0 to HighSteps, times Share are the share; the fractions, times Lambert, the Lambert part.
-/// The fourth float is by how much the sine of the axis' angle exceeds that of the view's: what
-/// mirrors has no steps.
+/// Of a table: in three floats of a texel two numbers each, of 13 and 11 bits. An integral part, of
+/// 0 to HighSteps, times Share is the root of the share; the fraction times Lambert that of the
+/// Lambert part. So small values keep more of their digits. The fourth float is by how much the
+/// sine of the axis' angle exceeds that of the view's: what mirrors has no steps.
 struct ShaderProfile
 {
-  static constexpr std::size_t Size = 2048; // texels
+  static constexpr std::size_t Size = ProfileTexels;
   static constexpr double HighSteps = 8191.0;
   static constexpr double LowSteps = 2048.0;
 

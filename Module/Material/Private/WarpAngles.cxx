@@ -86,8 +86,8 @@ MEASUREDBRDF_INLINE void FindHalf(Steps& steps, const double view[3], WarpAngles
   Load(steps.Length + k, length);
   const Vector least = 0.0 * length + 1e-12; // opposite directions: the normal
   const Vector scale = 1.0 / (length > least ? length : least);
-  const Vector hX = (x + view[0]) * scale;
-  const Vector hY = (y + view[1]) * scale;
+  const Vector hX = length > least ? (x + view[0]) * scale : 0.0 * x;
+  const Vector hY = length > least ? (y + view[1]) * scale : 0.0 * y;
   const Vector sumZ = (z + view[2]) * scale;
   const Vector hZ = length > least ? sumZ : 0.0 * sumZ + 1.0;
   const Vector sine = 0.25 * (hX * hX + hY * hY + (hZ - 1.0) * (hZ - 1.0));

@@ -114,7 +114,7 @@ std::size_t GetFirstInstance(std::size_t member) { return 100 * member; }
 
 std::string GetRotationName(std::size_t member)
 {
-  return "brdfEnvironmentRotation" + (member > 0 ? std::to_string(member) : "");
+  return "brdfViewToEnvironment" + (member > 0 ? std::to_string(member) : "");
 }
 
 std::string GetShaderDeclarations(const std::vector<ShaderMember>& members)

@@ -220,6 +220,7 @@ bool CurrentPlan::Bring(
   vtkSmartPointer<vtkRadiancePlanner> planner = NewPlanner(wanted, background);
   planner = planner ? planner : NewPlanner(wanted, false);
   const TakenError reason(planner);
+  const PlanJob::Beside beside;
   const bool planned = UpdateWithProgress(planner, progress);
   problem = planned ? "" : reason.GetText();
   this->Take(wanted, background, planned ? planner : nullptr);

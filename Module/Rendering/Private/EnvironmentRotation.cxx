@@ -5,11 +5,33 @@
 #include "vtkCamera.h"
 #include "vtkEnvironment.h"
 #include "vtkMath.h"
+#include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkOpenGLCamera.h"
 #include "vtkRenderer.h"
 
 namespace measuredbrdf
 {
+namespace
+{
+// As VTK's shaders have it: cameras of headsets have a matrix for each eye.
+void FindWorldToView(vtkRenderer* renderer, vtkMatrix4x4* toView)
+{
+  vtkCamera* camera = renderer->GetActiveCamera();
+  auto* openGL = vtkOpenGLCamera::SafeDownCast(camera);
+  if (!openGL)
+  {
+    toView->DeepCopy(camera->GetModelViewTransformMatrix());
+    return;
+  }
+  vtkMatrix4x4 *worldToView, *viewToDisplay, *worldToDisplay;
+  vtkMatrix3x3* normals;
+  openGL->GetKeyMatrices(renderer, worldToView, normals, viewToDisplay, worldToDisplay);
+  vtkMatrix4x4::Transpose(worldToView, toView); // OpenGL's order
+}
+}
+
 std::array<double, 9> GetViewToEnvironment(vtkRenderer* renderer, vtkEnvironment* environment)
 {
   double own[3][3] = { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 } };
@@ -22,7 +44,8 @@ std::array<double, 9> GetViewToEnvironment(vtkRenderer* renderer, vtkEnvironment
   renderer->GetEnvironmentRight(axes[0]);
   renderer->GetEnvironmentUp(axes[1]);
   vtkMath::Cross(axes[0], axes[1], axes[2]);
-  vtkMatrix4x4* toView = renderer->GetActiveCamera()->GetModelViewTransformMatrix();
+  const vtkNew<vtkMatrix4x4> toView;
+  FindWorldToView(renderer, toView);
   double turned[3][3] = {};
   for (int row = 0; row < 3; ++row)
   {

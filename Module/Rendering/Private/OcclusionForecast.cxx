@@ -191,7 +191,7 @@ public:
       this->Trace->Attach(this->Input, this->WithBounce, [this]() { return !this->IsStopped; });
   }
 
-  // Once it is done: answers are kept, and the tree of half a million triangles takes 40 MB.
+  // Once it is done: answers are kept, and the tree of half a million triangles takes 45 MB.
   void DropScene()
   {
     this->Scene = nullptr;

@@ -63,16 +63,18 @@ public:
     --this->Waiters;
   }
 
-  void AddHold(int change)
+  void Change(int Queue::*count, int change)
   {
     const Lock lock(this->Mutex);
-    this->Holds += change;
+    this->*count += change;
     this->Released.notify_all();
   }
 
   std::mutex Mutex;
   std::map<PlanInputs::Key, std::weak_ptr<PlanJob>> ByInputs;
   int Largest = 0; // number of jobs that ran at once
+  int Holds = 0;
+  int Planning = 0; // threads that plan by themselves
 
 private:
   void AddThread(const Lock&)
@@ -94,7 +96,8 @@ private:
   void Work()
   {
     Lock lock(this->Mutex);
-    const auto mayBegin = [this]() { return this->Holds == 0 || this->Waiters > 0; };
+    const auto mayBegin = [this]()
+    { return this->Holds == 0 || this->Waiters > 0 || this->Planning > 0; };
     for (this->Released.wait(lock, mayBegin);
          !this->Jobs.empty() && this->Running <= this->GetLimit();
          this->Released.wait(lock, mayBegin))
@@ -115,7 +118,6 @@ private:
   std::deque<PlanJob*> Jobs;
   std::condition_variable Finished;
   std::condition_variable Released;
-  int Holds = 0;
   int Running = 0; // threads
   int Waiters = 0;
 };
@@ -126,9 +128,13 @@ PlanJob::Queue& PlanJob::GetQueue()
   return queue;
 }
 
-PlanJob::Hold::Hold() { GetQueue().AddHold(1); }
+PlanJob::Hold::Hold() { GetQueue().Change(&Queue::Holds, 1); }
 
-PlanJob::Hold::~Hold() { GetQueue().AddHold(-1); }
+PlanJob::Hold::~Hold() { GetQueue().Change(&Queue::Holds, -1); }
+
+PlanJob::Beside::Beside() { GetQueue().Change(&Queue::Planning, 1); }
+
+PlanJob::Beside::~Beside() { GetQueue().Change(&Queue::Planning, -1); }
 
 int PlanJob::GetLimit()
 {

@@ -71,6 +71,16 @@ public:
     void operator=(const Hold&) = delete;
   };
 
+  /// While one lives, a thread plans by itself: jobs that are held may run beside it.
+  class Beside
+  {
+  public:
+    Beside();
+    ~Beside();
+    Beside(const Beside&) = delete;
+    void operator=(const Beside&) = delete;
+  };
+
   ///@{
   /// How many jobs may run at once, and the largest number that did since the last call: for tests.
   static int GetLimit();

@@ -32,7 +32,7 @@ std::string GetProgram(const vtkBRDFShaderInputs::Term& term, TermKind kind)
   {
     program += "vec3 brdfEvaluate(vec3 i, vec3 o) { return vec3(0.0); }\n"
                "vec3 brdfEvaluateSoft(vec3 i, vec3 o, float spread) { return vec3(0.0); }\n"
-               "uniform mat3 envMatrix;\nuniform mat3 brdfEnvironmentRotation;\n";
+               "uniform mat3 envMatrix;\nuniform mat3 brdfViewToEnvironment;\n";
   }
   const std::string call = kind == TermKind::Material
                              ? "brdfTerm0(vec3(0.0, 0.0, 1.0), vec3(0.0, 0.0, 1.0))"

@@ -22,7 +22,7 @@ public:
   static StandInBRDF* New();
   vtkTypeMacro(StandInBRDF, vtkBRDF);
 
-  /// Of a material that does not change meanwhile.
+  /// The material must not change while this lives.
   static vtkSmartPointer<vtkBRDF> Make(vtkBRDF* material);
 
   void GetDirectionalAlbedo(const double o[3], double albedo[3]) override;

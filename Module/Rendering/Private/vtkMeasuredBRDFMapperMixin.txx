@@ -377,7 +377,7 @@ void vtkMeasuredBRDFMapperMixin<Base>::ReplaceShaderLight(
   body.HasEdgeOpacity = measuredbrdf::Contains(fs, "uniform float edgeOpacity");
   body.EdgesAreTubes = measuredbrdf::Contains(fs, "vec3 tnorm"); // as the superclass bent normals
   body.HasBlockColors = measuredbrdf::Contains(fs, "uniform bool OverridesColor");
-  body.HasColors = this->HasScalarColors() || this->IsPart(); // parts: of blocks
+  body.HasColors = this->HasScalarColors() || this->IsPart(); // which serves all blocks
   vtkShaderProgram::Substitute(fs, "//VTK::Light::Impl", measuredbrdf::GetShaderBody(body), false);
   shaders[vtkShader::Fragment]->SetSource(fs);
 }

@@ -634,6 +634,34 @@ TEST_F(SideBySide, HeldUntilSomebodyWaits)
 
 namespace
 {
+/// Cannot be copied: it is planned in the thread that draws it.
+class Unique : public vtkBlinnPhongBRDF
+{
+public:
+  static Unique* New();
+  vtkTypeMacro(Unique, vtkBlinnPhongBRDF);
+  vtkBRDF* NewCopy() override { return nullptr; }
+};
+vtkStandardNewMacro(Unique);
+}
+
+// While the thread that holds them plans by itself, which may take seconds, they run, too.
+TEST_F(SideBySide, HeldJobsRunBesideAThreadThatPlans)
+{
+  const PlanJob::Hold hold;
+  this->When = Timing::Always;
+  EXPECT_EQ(this->Update(1), nullptr);
+  vtkNew<Unique> unique;
+  this->When = Timing::Foreground;
+  PlanRequest request = this->GetRequest(this->One, this->Sky);
+  request.BRDF = unique;
+  bool changed = false;
+  EXPECT_TRUE(this->Mappers[0]->Update(request, changed, this->Problem).GetPlan());
+  EXPECT_EQ(PlanJob::TakeLargestNumber(), 1);
+}
+
+namespace
+{
 /// Has no memory for what planning asks it first.
 class Hungry : public vtkBlinnPhongBRDF
 {
