@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How well a point's code tells which lamps and panels it hides, whatever the map and the material:
 // for points of meshes and directions over the sphere, the visible share against traced rays.
-// Errors are means of |difference| times the cosine over all points and directions above the
-// horizon, as shares of the light of lamps (panels) that nothing hides. A line of CSV for each
-// mesh.
+// Errors are means of |difference| times the cosine over all points and directions, of lamps those
+// above the horizon, as shares of the light of lamps (panels) that nothing hides. A line of CSV for
+// each mesh.
 #include "HiddenSky.h"
 #include "LocalFrame.h"
 #include "OcclusionMeshes.h"

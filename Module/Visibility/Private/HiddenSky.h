@@ -8,8 +8,8 @@
  * - A normal (3 bytes): the code's frame is FrameAbout(normal).
  * - 16 sectors of azimuth (2 bytes each): two sines of elevation in the sector's middle. Where the
  *   second bytes of all sectors sum to no less than the first ones, the sky is hidden from the
- * first sine to the second. Otherwise it is visible from the second to the first, an opening: of a
- *   hollow both the near wall and the one opposite hide.
+ *   first sine to the second. Otherwise it is visible from the second to the first, an opening: of
+ *   a hollow both the near wall and the one opposite hide.
  * - 25 spherical harmonics, in the surface's own axes, of the hidden part of cos theta (1 byte
  *   each): their product with the light's harmonics is the hidden irradiance (Sloan, Kautz, Snyder
  *   2002), exact as far as the light's harmonics reach.

@@ -35,7 +35,7 @@ std::vector<SurfaceVertex> FindSurfacePoints(vtkPolyData* surface);
 /// polygons where it is less make up a hundredth of the area. 1 where there is none.
 double GetLeastCosine(vtkPolyData* surface, const std::vector<glm::dvec3>& normals);
 
-/// Of the arrays' form; before the key of their surface.
+/// The version of the form of visibility arrays. It stands before their surface's key.
 inline constexpr const char* SurfaceKeyVersion = "4:";
 
 /// What tells the points, point normals and cells of a surface from others, whatever the types of
