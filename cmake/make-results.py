@@ -72,10 +72,13 @@ def write_methods(pairs):
                 f"{frame / stock:.2g}" if len(some) == len(pairs) else "",
                 f"{mean([point['setup_ms'] for point in some]):.3g}",
                 f"{1e-6 * mean(memory):.2g}",
+                f"{statistics.fmean(point['texture_fetches'] for point in some):.3g}",
                 len(some),
             ]
         )
-    return table(["method", "size", "error %", "frame ms", "frame / PBR's", "set-up ms", "MB", "pairs"], rows)
+    return table(
+        ["method", "size", "error %", "frame ms", "frame / PBR's", "set-up ms", "MB", "fetches", "pairs"], rows
+    )
 
 
 def find_stock(pair):
@@ -117,6 +120,7 @@ def write_planner(pairs, front=True, in_view=True):
         frames = [point["frame_ms"] / stock["frame_ms"] for _, point, stock in some]
         setups = [point["setup_ms"] / stock["setup_ms"] for _, point, stock in some]
         memory = [point["texture_bytes"] for point in points]
+        fetches = [point["texture_fetches"] for point in points]
         costs.append(
             [
                 name,
@@ -126,6 +130,7 @@ def write_planner(pairs, front=True, in_view=True):
                 f"{max(setups):.2g}",
                 f"{1e-6 * mean(memory):.2g}",
                 sum(size <= 4e6 for size in memory),
+                f"{statistics.fmean(fetches):.1f}, {max(fetches)}",
             ]
         )
     first = table(
@@ -141,7 +146,7 @@ def write_planner(pairs, front=True, in_view=True):
         fits,
     )
     second = table(
-        ["tolerance", "frame / PBR's, mean", "worst", "set-up / PBR's, mean", "worst", "MB, mean", "pairs within 4 MB"],
+        ["tolerance", "frame / PBR's, mean", "worst", "set-up / PBR's, mean", "worst", "MB, mean", "pairs within 4 MB", "fetches, mean and most"],
         costs,
     )
     return first + "\n" + second
@@ -239,7 +244,8 @@ def main():
         "## Methods",
         "All figures are geometric means over the pairs. Where a size was too slow to measure in some pairs, its mean is "
         "over the other pairs only and cannot be compared with the rest. The numbers of a size are: `thesis`, lights and "
-        "order; `table`, rows, view angles and azimuths; `hybrid`, the same and maps.",
+        "order; `table`, rows, view angles and azimuths; `hybrid`, the same and maps. Fetches are of textures for a pixel, "
+        "their mean; where more than two lamps are evaluated near the lobe's axis, of a pixel that has no more than one there.",
         write_methods(pairs),
         "## The planner",
         "The front holds the measurements of a pair that no other beats in both frame time and error. These plans are made "

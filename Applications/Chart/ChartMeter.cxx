@@ -11,7 +11,9 @@
 #include "TracedSurface.h"
 
 #include "vtkBRDF.h"
+#include "vtkBRDFShaderInputs.h"
 #include "vtkEnvironment.h"
+#include "vtkLightSetRadianceIntegrator.h"
 #include "vtkNew.h"
 
 #include <nlohmann/json.hpp>
@@ -40,6 +42,28 @@ constexpr double WarmUpBelow = 100.0;
 constexpr double FrameBudget = 3000.0;
 constexpr int FewestRounds = 3;
 constexpr int FingerprintPairs = 512;
+constexpr int StockFetches = 3; // of VTK's PBR: irradiance, filtered light, split sum
+
+//------------------------------------------------------------------------------
+// Of a pixel. The material's form is made only where lights need it.
+int CountFetches(vtkRadianceIntegrator* integrator)
+{
+  vtkBRDFShaderInputs inputs;
+  if (!integrator || !integrator->GetShaderInputs(inputs))
+  {
+    return 0;
+  }
+  vtkBRDFShaderInputs material;
+  const bool haveLights = std::any_of(inputs.Terms.begin(), inputs.Terms.end(),
+    [](const vtkBRDFShaderInputs::Term& term) { return term.Evaluations > 0; });
+  if (haveLights)
+  {
+    auto* lights = vtkLightSetRadianceIntegrator::SafeDownCast(integrator);
+    material.SoftLights = lights && lights->GetSoftLights();
+    integrator->GetBRDF()->GetRenderable()->GetShaderInputs(material);
+  }
+  return inputs.CountFetches(material);
+}
 
 //------------------------------------------------------------------------------
 /// FNV-1a, 64 bits.
@@ -288,6 +312,7 @@ ChartMeter::Timed ChartMeter::Begin(const ChartSize& size, const Material& mater
     timed.Point.MeetsTolerance = method.Planner->GetMeetsTolerance();
   }
   timed.Point.Bytes = static_cast<double>(scene->GetTextureBytes());
+  timed.Point.Fetches = CountFetches(method.Integrator);
   this->FillErrors(timed.Point, *scene, reference);
   if (timed.GetRounds(FewestRounds) == 0)
   {
@@ -315,6 +340,7 @@ ChartMeter::Timed ChartMeter::BeginStock(
   timed.Point.SetUp = GetElapsed(begin);
   stock->Fit(this->Visible, this->Scene.Picture, reference);
   timed.Point.Bytes = static_cast<double>(stock->GetTextureBytes());
+  timed.Point.Fetches = StockFetches;
   this->FillErrors(timed.Point, *stock, reference);
   timed.Expected = stock->TimeFrame();
   timed.Window = std::move(stock);

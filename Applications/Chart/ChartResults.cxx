@@ -62,6 +62,7 @@ JSON WritePoint(const tool::ChartPoint& point)
   json["frames"] = point.NumberOfFrames;
   json["setup_ms"] = point.SetUp;
   json["texture_bytes"] = point.Bytes;
+  json["texture_fetches"] = point.Fetches;
   if (point.Method == tool::PlannerMethod)
   {
     json["predicted_error"] = point.PredictedError;
@@ -99,6 +100,7 @@ tool::ChartPoint ReadPoint(const JSON& json)
   point.NumberOfFrames = json.at("frames").get<int>();
   point.SetUp = json.at("setup_ms").get<double>();
   point.Bytes = GetNumber(json.at("texture_bytes"));
+  point.Fetches = json.value("texture_fetches", 0);
   if (point.Method == tool::PlannerMethod)
   {
     point.PredictedError = json.at("predicted_error").get<double>();
@@ -177,8 +179,9 @@ std::string FormatFinite(double value)
 //------------------------------------------------------------------------------
 std::string MakeCSV(const tool::ChartResults& results)
 {
-  std::string text = "material,environment,method,size,setup_ms,frame_ms,frame_ms_lower_quartile,"
-                     "frame_ms_upper_quartile,frames,texture_bytes,on_front,left_out";
+  std::string text =
+    "material,environment,method,size,setup_ms,frame_ms,frame_ms_lower_quartile,"
+    "frame_ms_upper_quartile,frames,texture_bytes,texture_fetches,on_front,left_out";
   for (const tool::Metric& metric : tool::GetMetrics())
   {
     text += "," + metric.Name;
@@ -193,7 +196,8 @@ std::string MakeCSV(const tool::ChartResults& results)
       text += Quote(pair.Material) + "," + Quote(pair.Environment) + "," + point.Method + "," +
               Quote(point.Size);
       const double figures[] = { point.SetUp, point.Frame, point.FrameLow, point.FrameHigh,
-        static_cast<double>(point.NumberOfFrames), point.Bytes };
+        static_cast<double>(point.NumberOfFrames), point.Bytes,
+        static_cast<double>(point.Fetches) };
       for (const double figure : figures)
       {
         text += "," + (point.IsMeasured() ? FormatFinite(figure) : "");

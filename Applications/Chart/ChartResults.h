@@ -30,6 +30,7 @@ struct ChartPoint
   double FrameHigh = 0.0;
   int NumberOfFrames = 0;
   double Bytes = 0.0; // of textures
+  int Fetches = 0;    // of textures for a pixel (vtkBRDFShaderInputs::CountFetches)
   // The planner's only.
   std::string Plan;
   double PredictedError = 0.0;

@@ -173,6 +173,7 @@ bool vtkAnisotropicTableRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs&
     term.Textures.push_back(std::move(texture));
     return term.Textures.back();
   };
+  term.Fetches = 6; // two of the profile, four views
   vtkBRDFShaderInputs::Texture& profile =
     add("brdfTableProfile", AnisotropicViews::Angles, AnisotropicViews::Azimuths, 3);
   profile.Data = table.Profile;
@@ -185,6 +186,7 @@ bool vtkAnisotropicTableRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs&
   {
     add("brdfTableIrradiance", RadianceTable::IrradianceSide, RadianceTable::IrradianceSide, 1)
       .SharedExponents = *table.Irradiance;
+    term.Fetches += 2; // with its profile
   }
   form = vtkBRDFShaderInputs();
   form.QuantizationError = std::ldexp(1.0, -9);

@@ -341,6 +341,8 @@ bool vtkBasisRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
        << tables.Side << " normals a half, truncation " << 100.0 * tables.TruncationError << " %";
   vtkBRDFShaderInputs::Term term;
   measuredbrdf::SetModuleShader(term, "vtkBRDFEnvironmentBasis", vtkBRDFEnvironmentBasis);
+  // A row's head and weight, and a map; a map of the cosine and one of the sine are of two rows.
+  term.Fetches = 3 * tables.Rows;
   term.Textures = { std::move(maps), std::move(views) };
   form = vtkBRDFShaderInputs();
   form.Description = text.str();

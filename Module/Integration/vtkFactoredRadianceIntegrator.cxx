@@ -206,6 +206,7 @@ bool vtkFactoredRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
             "), 0); " + steps;
   }
   const int fields = core.GetNumberOfFields();
+  term.Fetches += rows + fields;
   for (vtkBRDFShaderInputs::Constant& constant : term.Constants)
   {
     if (constant.Name == "SHARP_PART")

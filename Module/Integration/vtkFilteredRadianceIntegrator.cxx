@@ -214,6 +214,7 @@ bool vtkFilteredRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
   vtkBRDFShaderInputs::Term term;
   measuredbrdf::SetModuleShader(term, "vtkBRDFEnvironmentFiltered", vtkBRDFEnvironmentFiltered);
   term.Uniforms.push_back({ "brdfLevel", { GetSphereLevel(pyramid, this->LevelBias) } });
+  term.Fetches = 4 * count; // direction and level, weight, two levels of the map
   term.Textures.push_back(NewPyramidTexture(pyramid));
   const bool half = term.Textures.front().HalfFloat;
   term.Textures.push_back(std::move(directions));

@@ -37,6 +37,7 @@ constexpr int MostPlannedLights = 256; // more cost seconds a frame without a gr
 void AddLightTexture(vtkLightSet* lights, vtkBRDFShaderInputs::Term& term)
 {
   const int count = lights->GetNumberOfLights();
+  term.Fetches += 2 * count;
   term.Textures.push_back(MakeLightTexture(lights));
   term.Uniforms.push_back({ "brdfNumberOfLights", { static_cast<float>(count) } });
   term.Constants.push_back({ "LIGHT_UNIFORMS",
@@ -178,6 +179,7 @@ bool vtkLightSetRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
   const int count = this->Current->GetNumberOfLights();
   vtkBRDFShaderInputs::Term term;
   measuredbrdf::SetModuleShader(term, "vtkBRDFLightSet", vtkBRDFLightSet);
+  term.Evaluations = count;
   term.Constants.push_back({ "EVALUATE_LIGHT",
     this->SoftLights ? "brdfEvaluateSoft(i, o, light.w)" : "brdfEvaluate(i, o)" });
   if (this->Unrolled && count <= MaximumUnrolled)

@@ -212,6 +212,7 @@ bool vtkTableRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
     term.Textures.push_back(std::move(texture));
     return term.Textures.back();
   };
+  term.Fetches = 3; // the profile and two view angles
   const ShaderProfile packed(table);
   term.Uniforms.push_back({ "brdfTableShare", { packed.Share.begin(), packed.Share.end() } });
   term.Uniforms.push_back({ "brdfTableLambert", { packed.Lambert.begin(), packed.Lambert.end() } });
@@ -233,11 +234,13 @@ bool vtkTableRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
       add("brdfTilePlaces", tiles.CountColumns(), tiles.CountRows(), 1);
     places.Components = 1;
     places.Data = tiles.Places;
+    ++term.Fetches;
   }
   if (table.HasFloor)
   {
     add("brdfTableIrradiance", RadianceTable::IrradianceSide, RadianceTable::IrradianceSide, 1)
       .SharedExponents = *table.Irradiance;
+    ++term.Fetches;
   }
   form = vtkBRDFShaderInputs();
   form.QuantizationError = std::ldexp(1.0, -9);

@@ -331,6 +331,7 @@ void vtkAnisotropicTabulatedBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
   form.ResamplingError = std::max(form.ResamplingError, this->ResamplingError);
   form.Description = text.str();
   term.Textures.push_back(std::move(texture));
+  term.Fetches = 2;
   form.Terms.push_back(std::move(term));
 }
 

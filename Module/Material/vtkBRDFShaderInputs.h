@@ -73,6 +73,8 @@ struct vtkBRDFShaderInputs
     std::string Source;     // GLSL text
     std::string SoftSource; // more text, with brdfTermSoftINSTANCE; may be empty
     bool IsTested = false;  // false: the mapper first compiles the text alone, for a clear error
+    int Fetches = 0;        // of textures, for one evaluation at most; an integrator's: for a pixel
+    int Evaluations = 0;    // of the material, for a pixel; an integrator's only
     std::vector<Constant> Constants;
     std::vector<Uniform> Uniforms;
     std::vector<Texture> Textures;
@@ -102,6 +104,24 @@ struct vtkBRDFShaderInputs
       }
     }
     return bytes;
+  }
+
+  /// Texture fetches of a pixel, of an integrator's inputs with those of the material that lights
+  /// need, or with none. Where lamps are evaluated near the lobe's axis only, each further lamp
+  /// that is near takes as many again as one evaluation.
+  int CountFetches(const vtkBRDFShaderInputs& material) const
+  {
+    int once = 0;
+    for (const Term& term : material.Terms)
+    {
+      once += term.Fetches;
+    }
+    int all = 0;
+    for (const Term& term : this->Terms)
+    {
+      all += term.Fetches + term.Evaluations * once;
+    }
+    return all;
   }
 
   /// Inputs with the same key have the same shader text; they differ in uniforms and textures only.

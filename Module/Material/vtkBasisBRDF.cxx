@@ -411,6 +411,7 @@ void vtkBasisBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
        << (halfFloat ? "16" : "32") << "-bit float, " << coefficients.GetBytes() + basis.GetBytes()
        << " bytes";
   term.Textures = { std::move(coefficients), std::move(basis) };
+  term.Fetches = 2 * n; // of a pixel's first light; the coefficients stay
   form.QuantizationError =
     std::max(form.QuantizationError, amplification * (halfFloat ? halfRounding : 0x1p-23));
   form.ResamplingError =

@@ -285,6 +285,7 @@ void vtkDistributionBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
   fresnel.Dimensions = { static_cast<int>(this->Fresnel.size() / 3), 1, 1 };
   fresnel.Data = this->Fresnel;
   term.Textures = { p, fresnel };
+  term.Fetches = 2;
   form.Terms.push_back(term);
   form.QuantizationError = std::max(form.QuantizationError, 0x1p-23);
   form.Description = "D-BRDF, tables of " + std::to_string(this->NumberOfTheta) + " x " +

@@ -393,6 +393,7 @@ void vtkTabulatedBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
     text << ", resampling error " << this->ResamplingError;
   }
   const Levels* levels = form.SoftLights ? this->GetLevels() : nullptr;
+  term.Fetches = levels ? 2 : 1;
   if (levels)
   {
     vtkBRDFShaderInputs::Texture wider;

@@ -1246,6 +1246,7 @@ class Chart(ChartTest):
             self.assertIn(point["frames"], (1, 2, 3))  # fewer than asked for on a busy machine
             self.assertGreater(point["setup_ms"], 0)
             self.assertGreater(point["texture_bytes"], 0)
+            self.assertGreaterEqual(point["texture_fetches"], 3)
         error = [point["errors"]["relative_l1"] for point in points]
         self.assertTrue(error[2] < error[0] < 0.02 < error[names.index("pbr")] < 0.2)
         self.assertLess(error[-2], points[-2]["predicted_error"])

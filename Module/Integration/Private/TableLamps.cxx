@@ -60,6 +60,8 @@ void TableLamps::AddTo(vtkBRDFShaderInputs::Term& table) const
       constant.Value = "brdfAddLampsINSTANCE(frame, o, d, lambert)";
     }
   }
+  table.Evaluations += 1;
+  table.Fetches += 2 + (count > MaximumUnrolled ? count : 0); // to look at it, and to find it
   std::string uniforms;
   std::string find = "for (int k = 0; k < " + std::to_string(count) +
                      "; ++k)\n    {\n      brdfFindLampINSTANCE(float(k), "
