@@ -15,7 +15,7 @@ cd "$(dirname "$0")/.."
 measured=("$data"/materials/rgl/*.bsdf "$data"/materials/mbsdf/*.mbsdf)
 published=(blue-fabric gold-metallic-paint3 violet-rubber nickel pink-felt gold-paint)
 environments=
-for name in studio.exr interior.exr city.exr sunset.exr forest.exr pmndrs_sunrise.hdr; do
+for name in studio.exr interior.exr city.exr sunset.exr forest.exr pmndrs_sunrise.hdr courtyard.exr rooitou_park_1k.hdr; do
   environments+=${environments:+,}$data/environments/$name
 done
 materials=("${measured[@]}" "${published[@]}")
