@@ -9,7 +9,6 @@
 #include "Printable.h"
 #include "Setters.h"
 #include "TableCandidates.h"
-#include "TableTiles.h"
 #include "TailRegularity.h"
 #include "vtkAnisotropicTableRadianceIntegrator.h"
 #include "vtkBRDF.h"
@@ -335,13 +334,6 @@ bool vtkHybridRadianceIntegrator::AreWindowed(vtkBRDF* brdf, int lights)
 bool vtkHybridRadianceIntegrator::IsWindowed(int lights) { return AreWindowed(this->BRDF, lights); }
 
 //------------------------------------------------------------------------------
-int vtkHybridRadianceIntegrator::GetTableRows()
-{
-  return this->NumberOfMaps > 0 ? std::min(this->NumberOfRows, SmallTableRows)
-                                : TableTiles::GetRows(this->NumberOfRows);
-}
-
-//------------------------------------------------------------------------------
 double vtkHybridRadianceIntegrator::ChooseLightAngle()
 {
   const auto parts = this->Shared ? this->Shared : std::make_shared<Precomputation>();
@@ -396,8 +388,7 @@ double vtkHybridRadianceIntegrator::EstimateCost(vtkRadianceCostModel* costs)
   double lights = count;
   if (this->IsWindowed(count))
   {
-    const LampWindow window(this->GetTableRows());
-    lights = Finding + count * (Found + window.GetShare());
+    lights = Finding + count * (Found + LampWindow().GetShare());
   }
   return this->NewBroad(nullptr, nullptr)->EstimateCost(costs) + GetCost(costs, "light") * lights;
 }

@@ -101,12 +101,6 @@ public:
    */
   static bool AreWindowed(vtkBRDF* brdf, int lights);
 
-  /**
-   * Rows, from pole to pole, of the map in which the table holds its lobes: the window is six of
-   * them wide, and 40 degrees at most.
-   */
-  int GetTableRows();
-
   ///@{
   /**
    * As a method: "hybrid", by the table's sizes, maps, lights and the light angle in tenths of a

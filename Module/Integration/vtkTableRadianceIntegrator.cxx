@@ -74,7 +74,7 @@ void vtkTableRadianceIntegrator::AddLamps(Tables& table)
   {
     const vtkSmartPointer<vtkBRDF> shaded = this->BRDF->GetRenderable();
     shaded->Prepare();
-    table.Lamps = std::make_unique<TableLamps>(this->Lamps, shaded, LampWindow(table.Rows));
+    table.Lamps = std::make_unique<TableLamps>(this->Lamps, shaded);
   }
 }
 
@@ -128,7 +128,7 @@ bool vtkTableRadianceIntegrator::MakeTable(Tables& table)
   {
     return false;
   }
-  const TableLight light{ *harmonics, this->Lamps ? all.get() : nullptr, LampWindow(table.Rows) };
+  const TableLight light{ *harmonics, this->Lamps ? all.get() : nullptr, {} };
   const LobeViews& views = parts->GetViews(this->BRDF, this->Abort);
   // Lobes that need tiles fall between the usual nodes.
   const int nodes = this->Quick

@@ -10,7 +10,6 @@
 
 #include <glm/glm.hpp>
 
-#include <algorithm>
 #include <cmath>
 
 namespace measuredbrdf
@@ -21,20 +20,12 @@ namespace measuredbrdf
 /// as smooth as the window is wide.
 struct LampWindow
 {
-  /// The radius, in rows of the table (docs/methods.md), and at most (radians).
-  static constexpr double RadiusInRows = 6.0;
-  static constexpr double LargestRadius = 0.7;
+  /// Where it ends, in radians (docs/methods.md).
+  static constexpr double Radius = 0.7;
 
-  static double GetRadius(int rows)
+  LampWindow()
   {
-    constexpr double pi = 3.14159265358979323846;
-    return std::min(RadiusInRows * pi / (rows - 1.0), LargestRadius);
-  }
-
-  /// For a table of so many rows from pole to pole.
-  explicit LampWindow(int rows)
-  {
-    const double half = std::sin(0.5 * GetRadius(rows));
+    const double half = std::sin(0.5 * Radius);
     this->Reach = 0.25 / (half * half);
   }
 

@@ -18,10 +18,9 @@ namespace
 constexpr int MaximumUnrolled = 32;
 }
 
-TableLamps::TableLamps(vtkLightSet* lights, vtkBRDF* shaded, const LampWindow& window)
+TableLamps::TableLamps(vtkLightSet* lights, vtkBRDF* shaded)
   : Lights(lights)
   , Shaded(shaded)
-  , Window(window)
 {
 }
 

@@ -25,7 +25,7 @@ class TableLamps
 {
 public:
   /// shaded: what the graphics card evaluates; prepared.
-  TableLamps(vtkLightSet* lights, vtkBRDF* shaded, const LampWindow& window);
+  TableLamps(vtkLightSet* lights, vtkBRDF* shaded);
   ~TableLamps();
 
   const LampWindow& GetWindow() const { return this->Window; }

@@ -56,7 +56,7 @@ void SetTableLamps(
   }
   program->SetUniform1fv(
     ("brdfSkyTurns" + number).c_str(), static_cast<int>(turns.size()), turns.data());
-  program->SetUniformf(("brdfSkyLampReach" + number).c_str(),
-    static_cast<float>(2.0 * LampWindow(light.TableRows).Reach));
+  program->SetUniformf(
+    ("brdfSkyLampReach" + number).c_str(), static_cast<float>(2.0 * LampWindow().Reach));
 }
 } // namespace measuredbrdf

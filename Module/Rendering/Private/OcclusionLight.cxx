@@ -94,7 +94,6 @@ OcclusionLight::OcclusionLight(
     const auto count = static_cast<int>(lamps->Lights.size());
     rest = lamps->Rest;
     const bool inIrradiance = vtkHybridRadianceIntegrator::AreWindowed(brdf, count);
-    this->TableRows = hybrid->GetTableRows();
     for (const ExtractedEmitters::Light& lamp : lamps->Lights)
     {
       this->Lamps.push_back(lamp.Direction);
@@ -173,7 +172,7 @@ OcclusionLight::Hidden OcclusionLight::GetHidden(
     // One standard deviation of the product, for lobes may be sharper than kappa says.
     lost += sky.GetHiddenPanel(d, radius, std::sqrt(1.0 / both), up) * inLobe;
   }
-  const LampWindow window(this->TableRows);
+  const LampWindow window;
   const glm::dvec3 axis = lobe.GetAxis(n, view);
   for (std::size_t k = 0; k < std::min(this->LampLight.size(), MaximumLamps); ++k)
   {

@@ -41,7 +41,6 @@ struct OcclusionLight
   sky::Colors Light;                 // without lamps and panels, in the environment's frame
   std::vector<glm::dvec3> Lamps;     // directions in the environment's frame
   std::vector<glm::dvec3> LampLight; // irradiance of lamps that E(n) and the table hold; else empty
-  int TableRows = 33;                // what of these the table holds: LampWindow
   std::vector<EnvironmentPanels::Panel> Panels;
   bool HasLobe = true;  // whether there is more than the Lambert part, which IsSplit leaves out
   bool IsSplit = false; // whether the integrator tells Lambert part, lobe and lamps apart

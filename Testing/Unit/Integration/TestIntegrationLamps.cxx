@@ -87,20 +87,17 @@ vtkNew<vtkLightSetRadianceIntegrator> NewSum(vtkBRDF* brdf, vtkLightSet* lights)
 //------------------------------------------------------------------------------
 TEST(LampWindow, EndsWithoutAnEdge)
 {
-  for (const int rows : { 17, 33, 129 })
-  {
-    const LampWindow window(rows);
-    const double radius = LampWindow::GetRadius(rows);
-    const auto weight = [&](double angle) {
-      return window.GetWeight({ std::sin(angle), 0.0, std::cos(angle) }, { 0.0, 0.0, 1.0 });
-    };
-    EXPECT_EQ(weight(0.0), 1.0);
-    EXPECT_GT(weight(0.3 * radius), 0.95);
-    EXPECT_LT(weight(0.9 * radius), 0.2);
-    EXPECT_EQ(weight(radius * 1.0001), 0.0);
-    EXPECT_LT(weight(0.999 * radius), 2e-5); // of second order in the distance to the edge
-    EXPECT_NEAR(window.GetShare(), 0.5 - 0.5 * std::cos(radius), 1e-12);
-  }
+  const LampWindow window;
+  const double radius = LampWindow::Radius;
+  const auto weight = [&](double angle) {
+    return window.GetWeight({ std::sin(angle), 0.0, std::cos(angle) }, { 0.0, 0.0, 1.0 });
+  };
+  EXPECT_EQ(weight(0.0), 1.0);
+  EXPECT_GT(weight(0.3 * radius), 0.95);
+  EXPECT_LT(weight(0.9 * radius), 0.2);
+  EXPECT_EQ(weight(radius * 1.0001), 0.0);
+  EXPECT_LT(weight(0.999 * radius), 2e-5); // of second order in the distance to the edge
+  EXPECT_NEAR(window.GetShare(), 0.5 - 0.5 * std::cos(radius), 1e-12);
 }
 
 //------------------------------------------------------------------------------
