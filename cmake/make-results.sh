@@ -25,14 +25,18 @@ environments=${RESULTS_ENVIRONMENTS:-$environments}
 
 sweep=()
 case " $* " in *" --sweep "*) ;; *) sweep=(--sweep full) ;; esac
+# Of all pixels, the references of 120 pairs would take hours.
+pixels=(--reference-pixels 1024)
+first_pixels=("${pixels[@]}")
+case " $* " in *" --reference-pixels "*) first_pixels=() ;; esac
 display=()
 [ -n "${DISPLAY:-}" ] || display=(xvfb-run -a -s "-screen 0 1280x1024x24 -noreset")
-"${display[@]}" build/bin/measured-brdf chart "${materials[@]}" --environments "$environments" "${sweep[@]}" "$@" \
-  -o output/results
+"${display[@]}" build/bin/measured-brdf chart "${materials[@]}" --environments "$environments" "${sweep[@]}" "${first_pixels[@]}" \
+  "$@" -o output/results
 
 # What the planner chooses for every view and for the picture's.
 "${display[@]}" build/bin/measured-brdf chart "${materials[@]}" --environments "$environments" \
-  --methods planner --tolerances 0.02,0.05 --for-view --slowest 120 -o output/results-view
+  --methods planner --tolerances 0.02,0.05 --for-view "${pixels[@]}" --slowest 120 -o output/results-view
 
 # The same on a curved mesh.
 curved=("$data"/materials/rgl/{acrylic_felt_pink,satin_purple,irid_flake_paint2,chm_light_blue}_rgb.bsdf)

@@ -5,6 +5,7 @@
 #include "Files.h"
 #include "ParetoFront.h"
 #include "Progress.h"
+#include "ReferencePicture.h"
 #include "Scene.h"
 #include "StockScene.h"
 #include "Tool.h"
@@ -198,6 +199,15 @@ ChartMeter::ChartMeter(
 }
 
 //------------------------------------------------------------------------------
+std::string ChartMeter::DescribePixels() const
+{
+  const std::string all = std::to_string(this->Visible.NumberOfCovered);
+  return this->Visible.Stride == 1 ? "all " + all + " covered pixels"
+                                   : std::to_string(this->Visible.Pixels.size()) + " of " + all +
+                                       " covered pixels, on a grid";
+}
+
+//------------------------------------------------------------------------------
 nlohmann::ordered_json ChartMeter::DescribeRenderer() const
 {
   StockScene scene;
@@ -230,7 +240,8 @@ std::vector<double> ChartMeter::GetExactSums(
   {
     return kept.get<std::vector<double>>();
   }
-  const std::vector<double> rgb = IntegrateReference(material.BRDF, environment, this->Visible);
+  const std::vector<double> rgb =
+    DrawReference(material.BRDF, environment, this->Visible, this->Scene.Picture).Radiance;
   WriteText(path, nlohmann::json(rgb).dump() + "\n");
   return rgb;
 }

@@ -42,8 +42,11 @@ struct ChartScene
 class ChartMeter
 {
 public:
-  /// Exact sums are kept in that folder. Throws Error.
+  /// Reference radiance is kept in that folder. Throws Error.
   ChartMeter(const ChartScene& scene, const std::vector<ChartSize>& sizes, std::string folder);
+
+  /// Which pixels are compared, for people.
+  std::string DescribePixels() const;
 
   /// What the graphics driver says of itself.
   nlohmann::ordered_json DescribeRenderer() const;

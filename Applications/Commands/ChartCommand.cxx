@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <set>
 
@@ -37,7 +38,7 @@ struct ChartOptions
   std::string Mesh;
   std::string Size = "500x500";
   std::string View = "30,20";
-  int ReferencePixels = 1024;
+  int ReferencePixels = 0; // all
   int Rounds = 9;
   double Slowest = 2000.0;
   bool ForView = false;
@@ -259,7 +260,8 @@ void DrawSummaries(
 }
 
 //------------------------------------------------------------------------------
-void PrintVerdict(const tool::ChartResults& results, const ChartOptions& options)
+void PrintVerdict(
+  const tool::ChartResults& results, const ChartOptions& options, const tool::ChartMeter& meter)
 {
   std::size_t figures = 0;
   for (const tool::ChartPair& pair : results.Pairs)
@@ -273,8 +275,8 @@ void PrintVerdict(const tool::ChartResults& results, const ChartOptions& options
     figures, 100.0 * tool::GetShareWithin(results, options.Metric, Margin), 100.0 * Margin);
   tool::PrintOut(tool::FormatCount(results.Pairs.size(), "pair") + " in " + options.Folder +
                  ": summary.png, setup.png, memory.png, one of each pair (and .svg), results.csv, "
-                 "results.json\n" +
-                 text);
+                 "results.json\nErrors are those of " +
+                 meter.DescribePixels() + ".\n" + text);
 }
 
 //------------------------------------------------------------------------------
@@ -283,6 +285,13 @@ const tool::Metric& FindMetric(const std::string& name)
   const std::vector<tool::Metric>& metrics = tool::GetMetrics();
   return *std::find_if(metrics.begin(), metrics.end(),
     [&name](const tool::Metric& metric) { return metric.Name == name; });
+}
+
+//------------------------------------------------------------------------------
+// As the results keep it.
+nlohmann::ordered_json DescribeLimit(int pixels)
+{
+  return pixels > 0 ? nlohmann::ordered_json(pixels) : nlohmann::ordered_json("all");
 }
 
 //------------------------------------------------------------------------------
@@ -306,16 +315,18 @@ void Run(const ChartOptions& options)
     LoadMaterials(options.Files.empty() ? DefaultMaterials : options.Files);
   const auto environments = LoadEnvironments(options.Environments);
 
-  const tool::ChartScene scene = { options.Mesh.empty() ? tool::MakeSphere()
-                                                        : tool::LoadMesh(options.Mesh),
-    view, size, options.ReferencePixels, options.Rounds, options.Slowest };
+  const tool::ChartScene scene = {
+    options.Mesh.empty() ? tool::MakeSphere() : tool::LoadMesh(options.Mesh), view, size,
+    options.ReferencePixels > 0 ? options.ReferencePixels : std::numeric_limits<int>::max(),
+    options.Rounds, options.Slowest
+  };
   tool::ChartMeter meter(scene, sizes, options.Folder + "/exact");
   nlohmann::ordered_json machine = tool::DescribeMachine();
   machine.update(meter.DescribeRenderer());
   const nlohmann::ordered_json settings = { { "methods", Join(methods) },
     { "sweep", options.Sweep }, { "tolerances", options.Tolerances },
     { "mesh", options.Mesh.empty() ? "sphere" : options.Mesh }, { "size", options.Size },
-    { "view", options.View }, { "reference_pixels", options.ReferencePixels },
+    { "view", options.View }, { "reference_pixels", DescribeLimit(options.ReferencePixels) },
     { "rounds", options.Rounds }, { "slowest", options.Slowest }, { "for_view", options.ForView } };
   tool::ChartResults results = tool::LoadResults(options.Folder, settings, machine);
 
@@ -323,7 +334,7 @@ void Run(const ChartOptions& options)
   MeasureAll(ListTasks(materials, environments, meter, results, options.Folder), meter, results,
     metric, options.Folder);
   DrawSummaries(results, metric, options.Folder);
-  PrintVerdict(results, options);
+  PrintVerdict(results, options, meter);
 }
 }
 
@@ -371,7 +382,8 @@ void AddChartCommand(CLI::App& app)
     "Where to look from, AZIMUTH,ELEVATION[,ANGLE] in degrees, as for render (default 30,20)");
   command
     ->add_option("--reference-pixels", options->ReferencePixels,
-      "Compare at most so many covered pixels, those on a regular grid (default 1024)")
+      "Compare at most so many covered pixels, those on a regular grid (default: all, many of "
+      "which are interpolated, as in compare)")
     ->check(CLI::Range(1, LargestChartedPicture * LargestChartedPicture));
   command
     ->add_option("--rounds", options->Rounds,

@@ -10,6 +10,7 @@
 #include "Meshes.h"
 #include "Methods.h"
 #include "Progress.h"
+#include "ReferenceLimit.h"
 #include "ReferencePicture.h"
 #include "RunWithProgress.h"
 #include "Scene.h"
@@ -45,7 +46,8 @@ struct CompareOptions
   std::string Mesh;
   std::string Size = "500x500";
   std::string View = "30,20";
-  int ReferencePixels = 4096;
+  int ReferencePixels = 0;       // as many as GetReferencePixels says
+  double ReferenceSeconds = 0.0; // no limit
   std::string Output;
   std::string Strip;
   std::string Report;
@@ -60,6 +62,7 @@ struct CompareOptions
 constexpr int NumberOfFrames = 21;
 constexpr int WarmUp = 3;
 constexpr int LargestComparedPicture = 4096;
+constexpr int TracedPixels = 4096; // by default: rays take a millisecond of a core for each
 // Share of the picture's smaller side that the mesh takes.
 constexpr double ComparedFill = 0.9;
 
@@ -325,17 +328,18 @@ void Check(CompareOptions& options, const CLI::App* command)
 }
 
 //------------------------------------------------------------------------------
-// Of all pixels, or of those on a grid.
-tool::ReferencePicture GetReference(
-  vtkBRDF* brdf, vtkEnvironment* environment, const tool::Surface& surface, const tool::Size& size)
+tool::Surface FindCompared(const CompareOptions& options, vtkPolyData* mesh, vtkBRDF* brdf,
+  vtkEnvironment* environment, const tool::Size& size)
 {
-  if (surface.Stride == 1)
-  {
-    return tool::DrawReference(brdf, environment, surface, size);
-  }
-  tool::ReferencePicture some;
-  some.Radiance = tool::IntegrateReference(brdf, environment, surface);
-  return some;
+  const tool::View view = tool::ParseView(options.View);
+  int pixels = options.ReferencePixels > 0 ? options.ReferencePixels
+               : options.Occlusion         ? TracedPixels
+                                           : std::numeric_limits<int>::max();
+  pixels = options.Strip.empty() ? pixels : std::numeric_limits<int>::max();
+  const tool::Surface surface = tool::FindSurface(mesh, view, ComparedFill, size, pixels);
+  pixels = tool::LimitReference(
+    brdf, environment, surface, options.ReferenceSeconds, "--reference-seconds");
+  return tool::FindSurface(mesh, view, ComparedFill, size, pixels);
 }
 
 //------------------------------------------------------------------------------
@@ -362,13 +366,12 @@ void Run(CompareOptions& options, const CLI::App* command)
   Comparison found;
   const tool::Method method = SetUp(options, shaded, environment, scene, stock, found);
 
-  const tool::Surface surface = tool::FindSurface(mesh, view, ComparedFill, size,
-    options.Strip.empty() ? options.ReferencePixels : std::numeric_limits<int>::max());
+  const tool::Surface surface = FindCompared(options, mesh, material.BRDF, environment, size);
   const tool::Occlusion occlusion = tool::FindOcclusion(mesh, material.BRDF, environment, scene,
     surface, size, options.Occlusion ? &options.Trace : nullptr);
-  const tool::ReferencePicture whole = options.Occlusion
-                                         ? tool::ReferencePicture{ occlusion.Traced.Radiance }
-                                         : GetReference(material.BRDF, environment, surface, size);
+  const tool::ReferencePicture whole =
+    options.Occlusion ? tool::ReferencePicture{ occlusion.Traced.Radiance }
+                      : tool::DrawReference(material.BRDF, environment, surface, size);
   const std::vector<double>& reference = whole.Radiance;
   const tool::Picture drawn = scene.Render(size.Width, size.Height);
   const std::vector<double> rgb = tool::Pick(drawn, surface);
@@ -443,10 +446,15 @@ void AddCompareCommand(CLI::App& app)
     "Where to look from, AZIMUTH,ELEVATION[,ANGLE] in degrees, as for render (default 30,20)");
   command
     ->add_option("--reference-pixels", options->ReferencePixels,
-      "Compare at most this many covered pixels, on a regular grid (default 4096). Each takes the "
-      "reference 0.5 to 8 ms of a core; where all of them are compared, many are interpolated, "
-      "99 % within 0.3 %")
+      "Compare at most this many covered pixels, on a regular grid (default: all; 4096 with "
+      "--occlusion). Where all are compared, many are interpolated, 99 % within 0.3 %")
     ->check(CLI::Range(1, LargestComparedPicture * LargestComparedPicture));
+  CLI::Option* seconds =
+    command
+      ->add_option("--reference-seconds", options->ReferenceSeconds,
+        "Where the reference of these pixels may take longer on this machine, in seconds, compare "
+        "fewer, on a grid, and say how many (default: no limit)")
+      ->check(CLI::PositiveNumber);
   command->add_option("--report", options->Report,
     "JSON file to write: relative_l1, relative_rmse, rel_mse, median_relative, p99_relative, "
     "smape, flip, hdr_flip, ssim (null for fewer than 11 x 11 compared pixels), delta_e_2000, "
@@ -454,14 +462,19 @@ void AddCompareCommand(CLI::App& app)
     "VTK's shading (pbr_...), and the material, environment and picture");
   command->add_option("-o,--output", options->Output,
     "Picture to write, .png: the method, the reference, the signed error, VTK's shading");
-  command->add_option("--strip", options->Strip,
-    "Picture to write, .png: VTK's shading, the method and the reference in front of the "
-    "environment, with errors and the method's frame time relative to VTK's. Every covered pixel "
-    "is compared");
-  command->add_flag("--occlusion", options->Occlusion,
-    "Compare with a reference that has what the mesh hides of the environment, traced; with "
-    "--bounces the method models one bounce. --strip then shows the light that nothing hides, with "
-    "--bounces the method without a bounce, the method and that reference");
+  command
+    ->add_option("--strip", options->Strip,
+      "Picture to write, .png: VTK's shading, the method and the reference in front of the "
+      "environment, with errors and the method's frame time relative to VTK's. Every covered pixel "
+      "is compared")
+    ->excludes(seconds);
+  command
+    ->add_flag("--occlusion", options->Occlusion,
+      "Compare with a reference that has what the mesh hides of the environment, traced; with "
+      "--bounces the method models one bounce. --strip then shows the light that nothing hides, "
+      "with "
+      "--bounces the method without a bounce, the method and that reference")
+    ->excludes(seconds);
   options->Trace.AddTo(command);
   command->add_option("--fit", options->Fit,
     "Another file of the same material (a fit, a projection). It is rendered instead of FILE and "

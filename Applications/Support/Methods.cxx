@@ -373,6 +373,16 @@ vtkSmartPointer<vtkDoubleArray> MakeTangents(const std::vector<double>& normals)
 std::vector<double> IntegratePairs(vtkRadianceIntegrator* integrator,
   const std::vector<double>& normals, const std::vector<double>& views)
 {
+  ProgressBar bar("integrating");
+  return IntegrateSomePairs(
+    integrator, normals, views, [&bar](double share) { bar.Update(share); });
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> IntegrateSomePairs(vtkRadianceIntegrator* integrator,
+  const std::vector<double>& normals, const std::vector<double>& views,
+  const std::function<void(double)>& show)
+{
   const vtkNew<vtkDoubleArray> n = ToArray(normals);
   const vtkNew<vtkDoubleArray> v = ToArray(views);
   vtkNew<vtkDoubleArray> radiance;
@@ -380,8 +390,7 @@ std::vector<double> IntegratePairs(vtkRadianceIntegrator* integrator,
     integrator->GetBRDF()->IsIsotropic() ? nullptr : MakeTangents(normals);
   const bool done = RunWithProgress(
     integrator,
-    [&](vtkRadianceIntegrator* made) { return made->Integrate(n, v, radiance, tangents); },
-    "integrating");
+    [&](vtkRadianceIntegrator* made) { return made->Integrate(n, v, radiance, tangents); }, show);
   if (!done)
   {
     throw Error("integrating: " + TakeErrorText());

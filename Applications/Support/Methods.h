@@ -17,6 +17,7 @@
 #include "vtkRadianceIntegrator.h"
 #include "vtkRadiancePlanner.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -114,6 +115,11 @@ vtkSmartPointer<vtkDoubleArray> MakeTangents(const std::vector<double>& normals)
 /// tangents. Throws Error. Needs an Interruptible.
 std::vector<double> IntegratePairs(vtkRadianceIntegrator* integrator,
   const std::vector<double>& normals, const std::vector<double>& views);
+
+/// The same as a part of other work: without a bar; show gets the share done.
+std::vector<double> IntegrateSomePairs(vtkRadianceIntegrator* integrator,
+  const std::vector<double>& normals, const std::vector<double>& views,
+  const std::function<void(double)>& show);
 } // namespace tool
 
 #endif

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReferencePicture.h"
 
+#include "Measuring.h"
 #include "Methods.h"
+#include "Progress.h"
 
 #include "vtkAdaptiveRadianceIntegrator.h"
 #include "vtkBRDF.h"
@@ -23,7 +25,9 @@ constexpr double LeastShare = 0.02;      // of the mean radiance: darker pixels 
 constexpr double LeastCosine = 0.9;      // between the normals of a cell: no edge of the mesh
 constexpr double FirstTolerance = 0.002; // of integrated pixels
 constexpr double GridTolerance = 0.001;  // of those between which others are interpolated
-constexpr double LeastFlat = 0.1;        // of cells, to divide them down to two pixels
+// Of cells of eight and of four pixels, to divide the others further: else all is integrated.
+constexpr double LeastFlatOfEight = 0.05;
+constexpr double LeastFlatOfFour = 0.1;
 constexpr double LeastTolerance = 0.0005;
 constexpr double CheckTolerance = 0.0002; // of the sample
 constexpr std::size_t SampleSize = 400;
@@ -31,6 +35,21 @@ constexpr double EnoughWithin = 0.99;       // of the sample
 constexpr double EnoughBetween = 0.97;      // of its interpolated pixels
 constexpr std::size_t FewestBetween = 30;   // to tell
 constexpr std::size_t FewestChecked = 2000; // pixels: a sample would take as long as the picture
+constexpr double SampleShare = 0.1;         // of the time, about
+
+//------------------------------------------------------------------------------
+// Scattered among so many, by the golden ratio: no column.
+std::vector<int> Scatter(std::size_t some, std::size_t all)
+{
+  std::vector<int> places;
+  double place = 0.5;
+  for (std::size_t k = 0; all > 0 && k < some; ++k)
+  {
+    place = std::fmod(place + 0.61803398874989485, 1.0);
+    places.push_back(static_cast<int>(place * static_cast<double>(all)));
+  }
+  return places;
+}
 
 //------------------------------------------------------------------------------
 struct Cell
@@ -72,7 +91,8 @@ public:
       table->SetBRDF(brdf);
       table->SetEnvironment(environment);
       table->SetSizes({ 65, 16, 16 });
-      this->Guess = tool::IntegratePairs(table, surface.Normals, surface.Views);
+      this->Guess = tool::IntegrateSomePairs(
+        table, surface.Normals, surface.Views, [this](double) { this->Bar.Update(0.0); });
       this->HasGuess = true;
       this->ShowPicture(CoarsestStride);
     }
@@ -95,8 +115,12 @@ public:
     this->Integrate(wanted, this->Grid);
     this->ShowPicture(stride);
     double flat = 1.0;
-    for (int s = stride; s > 1 && flat >= (s > 2 ? 0.0 : LeastFlat); s /= 2)
+    for (int s = stride; s > 1; s /= 2)
     {
+      if ((s == 4 && stride > 4 && flat < LeastFlatOfEight) || (s == 2 && flat < LeastFlatOfFour))
+      {
+        break;
+      }
       cells = this->Refine(cells, s, flat);
       this->ShowPicture(s / 2);
     }
@@ -115,14 +139,8 @@ public:
   // Halves the tolerance until enough of them are within 0.3 % of what a smaller one gives.
   void ChooseTolerance()
   {
-    const auto count = static_cast<double>(this->IsKnown.size());
-    double place = 0.5;
-    for (std::size_t k = 0; count > 0.0 && k < SampleSize; ++k) // by the golden ratio: no column
-    {
-      place = std::fmod(place + 0.61803398874989485, 1.0);
-      this->Sample.push_back(static_cast<int>(place * count));
-    }
-    this->SampleRadiance = this->IntegrateAll(this->Sample, this->Strict);
+    this->Sample = Scatter(SampleSize, this->IsKnown.size());
+    this->SampleRadiance = this->IntegrateAll(this->Sample, this->Strict, 0.0, SampleShare);
     double sum = 0.0;
     for (std::size_t k = 0; k < this->Sample.size(); ++k)
     {
@@ -131,8 +149,10 @@ public:
     this->LeastSum =
       LeastShare * sum / static_cast<double>(std::max<std::size_t>(this->Sample.size(), 1));
     double worst = 0.0;
-    while (this->Reference->GetTolerance() > LeastTolerance &&
-           this->GetWithin(this->IntegrateAll(this->Sample, this->Reference), worst) < EnoughWithin)
+    while (
+      this->Reference->GetTolerance() > LeastTolerance &&
+      this->GetWithin(this->IntegrateAll(this->Sample, this->Reference, SampleShare, SampleShare),
+        worst) < EnoughWithin)
     {
       this->Reference->SetTolerance(0.5 * this->Reference->GetTolerance());
     }
@@ -189,16 +209,40 @@ private:
         pixels.push_back(k);
       }
     }
-    const std::vector<double> radiance = this->IntegrateAll(pixels, integrator);
+    const auto settled = [this](std::size_t more)
+    {
+      return static_cast<double>(this->CountSettled() - more) /
+             static_cast<double>(this->IsKnown.size());
+    };
+    const std::vector<double> radiance = this->IntegrateAll(pixels, integrator,
+      SampleShare + (1.0 - SampleShare) * settled(pixels.size()),
+      SampleShare + (1.0 - SampleShare) * settled(0));
     for (std::size_t k = 0; k < pixels.size(); ++k)
     {
       std::copy_n(&radiance[3 * k], 3, &this->Radiance[3 * static_cast<std::size_t>(pixels[k])]);
     }
   }
 
-  std::vector<double> IntegrateAll(
-    const std::vector<int>& pixels, vtkAdaptiveRadianceIntegrator* integrator) const
+  std::size_t CountSettled() const
   {
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < this->IsKnown.size(); ++k)
+    {
+      count += this->IsKnown[k] || this->IsGuessed[k] ? 1 : 0;
+    }
+    return count;
+  }
+
+  // begin, end: the share of all work that is done before and after this.
+  std::vector<double> IntegrateAll(const std::vector<int>& pixels,
+    vtkAdaptiveRadianceIntegrator* integrator, double begin, double end)
+  {
+    const auto update = [&](double share)
+    {
+      // A picture that is interpolated again does not begin again.
+      this->Done = std::max(this->Done, begin + share * (end - begin));
+      this->Bar.Update(this->Done);
+    };
     std::vector<double> normals;
     std::vector<double> views;
     for (const int k : pixels)
@@ -209,7 +253,7 @@ private:
         views.push_back(this->Surface.Views[3 * static_cast<std::size_t>(k) + c]);
       }
     }
-    return pixels.empty() ? normals : tool::IntegratePairs(integrator, normals, views);
+    return pixels.empty() ? normals : tool::IntegrateSomePairs(integrator, normals, views, update);
   }
 
   // What is known so far; elsewhere the guess or, without one, the nearest point of the grid.
@@ -390,6 +434,8 @@ private:
   std::vector<double> Radiance;
   std::vector<char> IsKnown;   // integrated
   std::vector<char> IsGuessed; // in a cell that is interpolated
+  tool::ProgressBar Bar{ "integrating" };
+  double Done = 0.0; // share of all work
   double LeastSum = 0.0;
   std::vector<int> Sample; // pixels
   std::vector<double> SampleRadiance;
@@ -402,6 +448,12 @@ namespace tool
 ReferencePicture DrawReference(vtkBRDF* brdf, vtkEnvironment* environment, const Surface& surface,
   const Size& size, const ShowReference& show)
 {
+  if (surface.Stride > 1)
+  {
+    ReferencePicture some;
+    some.Radiance = IntegrateReference(brdf, environment, surface);
+    return some;
+  }
   Refinement refinement(brdf, environment, surface, size, show);
   ReferencePicture picture;
   if (surface.Pixels.size() >= FewestChecked)

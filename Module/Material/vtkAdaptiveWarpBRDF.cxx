@@ -5,6 +5,7 @@
 #include "BilinearWarp.h"
 #include "ContentHash.h"
 #include "HalfVector.h"
+#include "PackedWarp.h"
 #include "RenderableTable.h"
 #include "WarpAngles.h"
 #include "WarpChecks.h"
@@ -16,6 +17,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 using namespace measuredbrdf;
 
@@ -32,6 +34,7 @@ struct vtkAdaptiveWarpBRDF::Warps
   BilinearWarp Vndf;
   BilinearWarp Luminance;
   BilinearWarp Rgb[3];
+  std::optional<PackedWarp> Packed;    // of tables that do not depend on phi_i
   bool Jacobian = true;                // as the tables say
   bool Round = false;                  // whether no table depends on phi_i
   int Parts = 1;                       // of a turn that phi_i spans, 1, 2 or 4
@@ -209,6 +212,11 @@ std::string vtkAdaptiveWarpBRDF::SetTables(Tables tables)
     }
     warps->Rgb[c] = BilinearWarp(channel, width, height, axes, false);
   }
+  if (warps->Round)
+  {
+    warps->Packed.emplace(PackedWarp::Tables{
+      warps->Ndf, warps->Sigma, warps->Vndf, warps->Rgb, tables.ThetaI, tables.Jacobian });
+  }
   this->Data = std::move(tables);
   this->Warp = std::move(warps);
   this->Resampled = std::make_shared<Renderable>();
@@ -245,14 +253,7 @@ void vtkAdaptiveWarpBRDF::EvaluateLights(int count, const double* i, const doubl
     WarpAngles angles;
     const int some = std::min(count - first, WarpAngles::Most);
     FindWarpAngles(some, i + 3 * first, o, angles);
-    for (int k = 0; k < some; ++k)
-    {
-      const double incident[2] = { this->Warp->MiddlePhi, angles.Theta[k] };
-      double* value = f + 3 * (first + k);
-      this->Warp->LookUp(incident, glm::dvec2(angles.UnitTheta[k], 0.5),
-        glm::dvec2(angles.UnitThetaH[k], angles.UnitPhiH[k]), o[2], value);
-      std::transform(value, value + 3, value, [](double v) { return std::isfinite(v) ? v : 0.0; });
-    }
+    this->Warp->Packed->Evaluate(some, angles, o[2], f + 3 * first);
   }
 }
 

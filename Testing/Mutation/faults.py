@@ -76,9 +76,12 @@ add("Core.warp-weights-of-slices", "Private/BilinearWarp.h", "result.Weight[k] *
 add("Core.warp-inverts-without-cells", "Private/BilinearWarp.h",
     "density = glm::mix(c0, c1, fraction.x) * this->GetCellsPerSquare();", "density = glm::mix(c0, c1, fraction.x);",
     "IOTensor.AgreesWithTheAuthorsCode|Sampling.FollowsItsPdf")
+add("Material.packed-rows-are-all-the-first", "Private/PackedWarp.cxx",
+    "Mix(totals[0], totals[2], y.Fraction)", "totals[0]",
+    "WarpForms.PackedTablesHoldTheSame|AdaptiveWarp.ManyLightsAreEvaluatedAsOneByOne")
 add("Material.many-lights-share-an-azimuth", "Private/WarpAngles.cxx",
     "const Vector fromX = size > 0.0 * size ? x : 0.0 * x + 1.0;", "const Vector fromX = 0.0 * x + 1.0;",
-    "WarpAngles.AreThoseOfTheMathematicsLibrary|IOTensor.AgreesWithTheAuthorsCode")
+    "WarpForms.AnglesAreThoseOfTheMathematicsLibrary|IOTensor.AgreesWithTheAuthorsCode")
 add("Core.srgb-exponent", "Private/SRGB.h", "1.055, 2.4)", "1.055, 2.2)", "Environment.DecodesSRGB")
 add("Core.periodic-neighbors-do-not-wrap", "Private/Neighbors.h",
     "const int first = (static_cast<int>(base) + n) % n;", "const int first = std::max(static_cast<int>(base), 0);",
@@ -241,8 +244,8 @@ add("Lighting.harmonics-scale", "Private/EnvironmentHarmonics.cxx", "this->Scale
 
 # Integration
 
-add("Lighting.parts-are-the-texel", "Private/TexelTree.cxx", "(x + 0.5) / width, (y + 0.5) / height,\n      [&]",
-    "(x + 0.0) / width, (y + 0.5) / height,\n      [&]", "TexelTree.PartsAreInterpolated")
+add("Lighting.parts-are-the-texel", "Private/TexelTree.cxx", "2 * x + 1 - (1 << part)", "2 * x - (1 << part)",
+    "TexelTree.PartsAreInterpolated")
 add("Integration.adaptive-stops-at-texels", "Private/AdaptiveSum.cxx",
     "if (place.Level == this->Texels->GetLowestLevel())", "if (place.Level <= 0)",
     "AdaptiveIntegrator.KeepsItsToleranceAtEachPair|AdaptiveIntegrator.MissesNothingNarrow")

@@ -1173,6 +1173,29 @@ class CompareWholePicture(ToolTest):
         self.assertEqual(some["reference_integrated"], 1)
         self.check_close([some["relative_l1"]], [whole["relative_l1"]], 0.4)
 
+    def test_fewer_pixels_in_little_time(self):
+        report, failures = self.path("report.json"), self.path("failures.png")
+        common = ["compare", "blue-fabric", "--environment", "hall", "--size", "64x64", "--report", report]
+        result = run(*common, "--failure-map", failures)
+        if "needs an X server" in result.stderr:
+            self.skipTest("skipped: no X server, which this VTK needs")
+        self.check(result, 0, "relative L1")
+        with open(report, encoding="utf-8") as file:
+            whole = json.load(file)
+        self.assertEqual(whole["reference_pixels"], whole["covered_pixels"])
+        self.assertGreater(whole["covered_pixels"], 2000)
+        self.assertEqual(sum(view["pixels"] for view in whole["radiance_by_theta_o"]), whole["covered_pixels"])
+        result = run(*common, "--reference-seconds", "0.01")
+        with open(report, encoding="utf-8") as file:
+            some = json.load(file)
+        self.assertTrue(0 < some["reference_pixels"] < 1000)
+        self.check(result, 0, "--reference-seconds 0.01", f"{some['reference_pixels']} of {whole['covered_pixels']} covered")
+        self.check(run(*common, "--reference-seconds", "3600"), 0)
+        with open(report, encoding="utf-8") as file:
+            self.assertEqual(json.load(file)["reference_pixels"], whole["covered_pixels"])
+        self.check(run(*common, "--reference-seconds", "1", "--occlusion"), 2, "--occlusion")
+        self.check(run(*common, "--reference-seconds", "0"), 2, "--reference-seconds")
+
 
 class CompareStrip(Compare):
     COMMON = ["--environment", "sky", "--size", "48x40", "--reference-pixels", "64"]
@@ -1229,7 +1252,8 @@ class ChartTest(ToolTest):
 
 class Chart(ChartTest):
     def test_chart(self):
-        self.check(self.chart("--environments", "sky", "--for-view"), 0, "1 pair in", "summary.png")
+        result = self.chart("--environments", "sky", "--for-view")
+        self.check(result, 0, "1 pair in", "summary.png", "covered pixels, on a grid")
         results = self.read_results()
         self.assertEqual((results["format"], results["version"]), ("measured-brdf chart", 1))
         for key in ("processor", "threads", "vtk", "renderer", "renderer_version"):

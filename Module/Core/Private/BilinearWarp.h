@@ -49,6 +49,16 @@ public:
     }
   }
 
+  ///@{
+  /// Slices of Width x Height; the integrals along a row (a row's last one is its total) and of all
+  /// rows before one, where asDensity.
+  int GetWidth() const { return this->Width; }
+  int GetHeight() const { return this->Height; }
+  const std::vector<double>& GetValues() const { return this->Values; }
+  const std::vector<double>& GetConditional() const { return this->Conditional; }
+  const std::vector<double>& GetMarginal() const { return this->Marginal; }
+  ///@}
+
   /// Integral of a slice's bilinear interpolant over the grid's cells; for checks before building.
   static double GetSum(const float* values, int width, int height)
   {

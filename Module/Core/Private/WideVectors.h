@@ -3,7 +3,7 @@
 /**
  * @file
  * Whether the compiler has vectors of numbers of its own (__attribute__((vector_size)), target) for
- * this processor. Private to the module.
+ * this processor, and which of them the processor has. Private to the module.
  */
 
 #ifndef WideVectors_h
@@ -15,5 +15,26 @@
 #else
 #define MEASUREDBRDF_INLINE inline
 #endif
+
+namespace measuredbrdf
+{
+/// Several forms of one calculation; each processor has all up to one of them.
+enum class VectorForm
+{
+  None, // one number at a time
+  Narrow,
+  Wide // 32 bytes, and multiplication with addition
+};
+
+inline VectorForm GetWidestForm()
+{
+#ifdef MEASUREDBRDF_HAS_VECTORS
+  return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") ? VectorForm::Wide
+                                                                         : VectorForm::Narrow;
+#else
+  return VectorForm::None;
+#endif
+}
+} // namespace measuredbrdf
 
 #endif

@@ -43,32 +43,37 @@ double AdaptiveSum::EstimateError() const
 // Their values, by their middles.
 void AdaptiveSum::Evaluate(std::vector<Place>& places)
 {
-  this->Lights.clear();
-  this->Irradiances.clear();
+  if (this->Lights.size() < places.size())
+  {
+    this->Lights.resize(places.size());
+    this->Irradiances.resize(places.size());
+    this->Values.resize(places.size());
+  }
+  std::size_t count = 0;
   for (Place& place : places)
   {
     const TexelTree::Light light = this->Texels->Get(place.Level, place.X, place.Y);
     const glm::dvec3 i = this->Local * light.Direction;
+    place.Cosine = i.z;
     place.Value = glm::dvec3(i.z > 0.0 && Sum(light.Irradiance) > 0.0 ? 1.0 : 0.0);
     if (place.Value.x > 0.0)
     {
-      this->Lights.push_back(i);
-      this->Irradiances.push_back(i.z * light.Irradiance);
+      this->Lights[count] = i;
+      this->Irradiances[count++] = i.z * light.Irradiance;
     }
   }
-  this->Values.resize(this->Lights.size());
-  if (this->Lights.empty())
+  if (count == 0)
   {
     return;
   }
   if (this->Measured)
   {
     this->Measured->EvaluateLights(
-      static_cast<int>(this->Lights.size()), &this->Lights[0].x, &this->View.x, &this->Values[0].x);
+      static_cast<int>(count), &this->Lights[0].x, &this->View.x, &this->Values[0].x);
   }
   else
   {
-    for (std::size_t k = 0; k < this->Lights.size(); ++k)
+    for (std::size_t k = 0; k < count; ++k)
     {
       this->BRDF->Evaluate(&this->Lights[k].x, &this->View.x, &this->Values[k].x);
     }
@@ -86,14 +91,15 @@ void AdaptiveSum::Evaluate(std::vector<Place>& places)
 
 // What may rise above the horizon where the middle of a square does not: a quarter of its light, as
 // high as that quarter's middle can be.
-double AdaptiveSum::EstimateRising(const Place& place, const TexelTree::Light& light)
+double AdaptiveSum::EstimateRising(const Place& place)
 {
-  glm::dvec3 i = this->Local * light.Direction;
   const double radius = this->Texels->GetLargestRadius(place.Level);
-  if (i.z > 0.0 || i.z + radius <= 0.0)
+  if (place.Cosine > 0.0 || place.Cosine + radius <= 0.0)
   {
     return 0.0;
   }
+  const TexelTree::Light light = this->Texels->Get(place.Level, place.X, place.Y);
+  glm::dvec3 i = this->Local * light.Direction;
   i.z = 0.5 * (i.z + radius);
   i = glm::normalize(i);
   glm::dvec3 f;
@@ -135,7 +141,7 @@ void AdaptiveSum::MakeAll()
         this->Total += place.Value;
         continue;
       }
-      this->Made.push_back({ place, 0.0, glm::dvec3(0.0), {} });
+      this->Made.push_back({ place, 0.0, glm::dvec3(0.0), {}, {} });
     }
     this->Asked.clear();
     this->Quarters.clear();
@@ -145,7 +151,7 @@ void AdaptiveSum::MakeAll()
       for (int k = 0; k < 4; ++k)
       {
         this->Quarters.push_back(
-          { whole.Level - 1, 2 * whole.X + k % 2, 2 * whole.Y + k / 2, 0.0, glm::dvec3(0.0) });
+          { whole.Level - 1, 2 * whole.X + k % 2, 2 * whole.Y + k / 2, 0.0, glm::dvec3(0.0), 0.0 });
       }
     }
     this->Evaluate(this->Quarters);
@@ -154,6 +160,7 @@ void AdaptiveSum::MakeAll()
       for (std::size_t quarter = 0; quarter < 4; ++quarter)
       {
         this->Made[k].Quarters[quarter] = this->Quarters[4 * k + quarter].Value;
+        this->Made[k].Cosines[quarter] = this->Quarters[4 * k + quarter].Cosine;
       }
       this->Finish(this->Made[k]);
     }
@@ -164,23 +171,29 @@ void AdaptiveSum::MakeAll()
 void AdaptiveSum::Finish(Square& square)
 {
   const int level = square.Whole.Level;
-  const TexelTree::Light light = this->Texels->Get(level, square.Whole.X, square.Whole.Y);
   square.Value = square.Quarters[0] + square.Quarters[1] + square.Quarters[2] + square.Quarters[3];
-  if (level - 1 > this->Texels->GetLowestLevel()) // else it is as exact as can be
+  if (level <= 0)
+  {
+    if (level - 1 > this->Texels->GetLowestLevel()) // else it is as exact as can be
+    {
+      const glm::dvec3 change = square.Value - square.Whole.Value;
+      square.Value = glm::max(square.Value + TexelTree::SmoothRest * change, 0.0);
+      square.Error = PartRest * Sum(glm::abs(change)) + this->EstimateRising(square.Whole);
+    }
+    this->Keep(square);
+    return;
+  }
+  const TexelTree::Light light = this->Texels->Get(level, square.Whole.X, square.Whole.Y);
+  if (level - 1 > this->Texels->GetLowestLevel())
   {
     const glm::dvec3 change = square.Value - square.Whole.Value;
     square.Value = glm::max(square.Value + light.Rest * change, 0.0);
-    square.Error =
-      (level > 0 ? std::max(light.Rest, LeastRest) : PartRest) * Sum(glm::abs(change)) +
-      this->EstimateRising(square.Whole, light);
-    if (level > 0)
-    {
-      square.Error += this->EstimateHidden(square, light);
-      square.Error = std::max(square.Error, LeastShare * this->Tolerance * Sum(square.Value));
-    }
+    square.Error = std::max(light.Rest, LeastRest) * Sum(glm::abs(change)) +
+                   this->EstimateRising(square.Whole) + this->EstimateHidden(square, light);
+    square.Error = std::max(square.Error, LeastShare * this->Tolerance * Sum(square.Value));
   }
   // Where nearly all light is in one quarter, that agrees with the square whatever it hides.
-  if (level > 0 && light.Rest > LargestRest)
+  if (light.Rest > LargestRest)
   {
     this->AddQuarters(square);
     return;
@@ -223,7 +236,7 @@ void AdaptiveSum::AddQuarters(const Square& square)
   for (int k = 0; k < 4; ++k)
   {
     this->Ask({ whole.Level - 1, 2 * whole.X + k % 2, 2 * whole.Y + k / 2,
-      InheritedShare * square.Error, square.Quarters[k] });
+      InheritedShare * square.Error, square.Quarters[k], square.Cosines[k] });
   }
 }
 
@@ -254,7 +267,7 @@ void AdaptiveSum::Force(int level, int x, int y, std::size_t first)
   }
   if (this->Near.size() == last)
   {
-    this->Asked.push_back({ level, x, y, 0.0, glm::dvec3(0.0) });
+    this->Asked.push_back({ level, x, y, 0.0, glm::dvec3(0.0), 0.0 });
     return;
   }
   for (int k = 0; k < 4; ++k)

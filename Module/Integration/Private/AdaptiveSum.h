@@ -42,6 +42,7 @@ private:
     int Y;
     double LeastError; // a square where the larger one was wrong may agree with its quarters
     glm::dvec3 Value;
+    double Cosine; // of theta_i of its middle
   };
   struct Square
   {
@@ -49,6 +50,7 @@ private:
     double Error;
     glm::dvec3 Value;       // by the quarters
     glm::dvec3 Quarters[4]; // their own
+    double Cosines[4];
   };
   struct Drawn
   {
@@ -61,7 +63,7 @@ private:
   void Evaluate(std::vector<Place>& places);
   void MakeAll();
   void Finish(Square& square);
-  double EstimateRising(const Place& place, const TexelTree::Light& light);
+  double EstimateRising(const Place& place);
   double EstimateHidden(const Square& square, const TexelTree::Light& light) const;
   void Keep(const Square& square);
   void Ask(const Place& place);

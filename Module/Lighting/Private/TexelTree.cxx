@@ -4,7 +4,6 @@
 
 #include "HalfVector.h" // for Pi
 #include "SRGB.h"
-#include "TexelInterpolation.h"
 #include "vtkSMPTools.h"
 
 #include <glm/gtc/type_ptr.hpp>
@@ -17,8 +16,7 @@ namespace measuredbrdf
 namespace
 {
 constexpr double MostRest = 10.0;
-constexpr double SmoothRest = 1.0 / 3.0; // of constant radiance
-constexpr int LeastParts = 16384;        // of the finest level, from pole to pole
+constexpr int LeastParts = 16384; // of the finest level, from pole to pole
 
 // The sum of w |d - m|^2 over directions d of weights w with mean m, from the sums of w d and w.
 double GetVariance(const glm::dvec4& moments)
@@ -63,6 +61,11 @@ TexelTree::TexelTree(vtkEnvironment* environment)
   {
     this->AddLevel(moments);
     this->AddMiddles();
+  }
+  this->Radius = std::hypot(Pi / width, 0.5 * Pi / height);
+  for (int level = this->GetLowestLevel(); level <= this->GetHighestLevel(); ++level)
+  {
+    this->Scales.push_back(std::ldexp(1.0, level));
   }
 }
 
@@ -188,18 +191,13 @@ int TexelTree::GetHeight(int level) const
                    : this->Levels[static_cast<std::size_t>(level)].Height;
 }
 
-double TexelTree::GetLargestRadius(int level) const
-{
-  return std::ldexp(std::hypot(Pi / this->GetWidth(0), 0.5 * Pi / this->GetHeight(0)), level);
-}
-
 glm::dvec3 TexelTree::GetMiddle(int level, int x, int y, double& radius) const
 {
   const TexelDirections& directions = level > 0 ? this->Above[static_cast<std::size_t>(level - 1)]
                                                 : this->Parts[static_cast<std::size_t>(-level)];
   const double across = Pi / this->GetWidth(0) * directions.Rows[static_cast<std::size_t>(y)].x;
   const double up = 0.5 * Pi / this->GetHeight(0);
-  radius = std::ldexp(std::sqrt(across * across + up * up), level);
+  radius = this->GetScale(level) * std::sqrt(across * across + up * up);
   return directions.Get(x, y);
 }
 
@@ -208,6 +206,39 @@ double TexelTree::GetSolidAngle(int level, int y) const
 {
   const auto part = static_cast<std::size_t>(-level);
   return this->StripAreas[part] * this->Parts[part].Rows[static_cast<std::size_t>(y)].x;
+}
+
+// At the middle of a part, as InterpolateTexels gives it: that is an odd number of half parts from
+// the texels' centers.
+glm::dvec3 TexelTree::GetPartRadiance(int part, int x, int y) const
+{
+  const int width = this->GetWidth(0);
+  const int last = this->GetHeight(0) - 1;
+  const int halves = 2 << part; // of a texel
+  const int column = 2 * x + 1 - (1 << part);
+  const int row = std::clamp(2 * y + 1 - (1 << part), 0, last * halves);
+  const int left = column < 0 ? width - 1 : column >> (part + 1);
+  const int right = left + 1 < width ? left + 1 : 0;
+  const int upper = row >> (part + 1);
+  const int lower = std::min(upper + 1, last);
+  const double scale = 0.5 * this->GetScale(-part);
+  const double across = scale * (column & (halves - 1));
+  const double down = scale * (row & (halves - 1));
+  const float* pixels = this->Environment->GetPixels().data();
+  const auto get = [&](int i, int j)
+  { return pixels + 3 * (static_cast<std::ptrdiff_t>(j) * width + i); };
+  const float* corners[4] = { get(left, upper), get(right, upper), get(left, lower),
+    get(right, lower) };
+  glm::dvec3 radiance;
+  for (int c = 0; c < 3; ++c)
+  {
+    const double above =
+      corners[0][c] + across * (static_cast<double>(corners[1][c]) - corners[0][c]);
+    const double below =
+      corners[2][c] + across * (static_cast<double>(corners[3][c]) - corners[2][c]);
+    radiance[c] = above + down * (below - above);
+  }
+  return radiance;
 }
 
 TexelTree::Light TexelTree::Get(int level, int x, int y) const
@@ -225,20 +256,8 @@ TexelTree::Light TexelTree::Get(int level, int x, int y) const
     const Sum& sum = this->Levels[static_cast<std::size_t>(level)].Sums[texel];
     return { sum.Irradiance, sum.Direction, sum.Rest };
   }
-  glm::dvec3 radiance;
-  if (level == 0)
-  {
-    radiance = this->Texels[texel];
-  }
-  else
-  {
-    const std::size_t columns = static_cast<std::size_t>(this->GetWidth(0));
-    const float* pixels = this->Environment->GetPixels().data();
-    InterpolateTexels(
-      columns, static_cast<std::size_t>(this->GetHeight(0)), (x + 0.5) / width, (y + 0.5) / height,
-      [&](std::size_t column, std::size_t row) { return pixels + 3 * (row * columns + column); },
-      &radiance.x);
-  }
+  const glm::dvec3 radiance =
+    level == 0 ? glm::dvec3(this->Texels[texel]) : this->GetPartRadiance(-level, x, y);
   return { radiance * this->GetSolidAngle(level, y),
     this->Parts[static_cast<std::size_t>(-level)].Get(x, y), SmoothRest };
 }

@@ -47,13 +47,16 @@ public:
   ///@}
 
   /// Half the diagonal of a square at the equator, in rad: an upper bound.
-  double GetLargestRadius(int level) const;
+  double GetLargestRadius(int level) const { return this->GetScale(level) * this->Radius; }
 
   /// A square's middle, of its area and not of its light, and half its diagonal.
   glm::dvec3 GetMiddle(int level, int x, int y, double& radius) const;
 
   /// In the environment's frame. Black outside the map.
   Light Get(int level, int x, int y) const;
+
+  /// Light::Rest of squares of level 0 and less.
+  static constexpr double SmoothRest = 1.0 / 3.0; // of constant radiance
 
 private:
   struct Sum // single precision is enough for what only says where to look
@@ -74,6 +77,13 @@ private:
   void AddMiddles();
   glm::dvec4 GetTexelMoment(const Light& light, int y) const;
   double GetSolidAngle(int level, int y) const;
+  glm::dvec3 GetPartRadiance(int part, int x, int y) const;
+
+  /// 2 to the level.
+  double GetScale(int level) const
+  {
+    return this->Scales[static_cast<std::size_t>(level - this->GetLowestLevel())];
+  }
 
   vtkSmartPointer<vtkEnvironment> Environment;
   std::vector<glm::vec3> Texels;      // the mean radiance of each one's area
@@ -81,6 +91,8 @@ private:
   std::vector<TexelDirections> Above; // levels 1, 2, ...: the middles
   std::vector<double> StripAreas;     // solid angles on the equator, of levels 0, -1, ...
   std::vector<Level> Levels;
+  std::vector<double> Scales; // of the levels, the lowest first
+  double Radius = 0.0;        // of a texel on the equator
 };
 } // namespace measuredbrdf
 

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "WarpAngles.h"
 
-#include "WideVectors.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -185,15 +183,16 @@ void TakeRoots(double* values, int n)
     _mm_storeu_pd(values + k, _mm_sqrt_pd(_mm_loadu_pd(values + k)));
   }
 }
-#else
-void TakeRoots(double* values, int n)
+#endif
+
+void TakeRootsOneByOne(double* values, int n)
 {
   std::transform(values, values + n, values, [](double v) { return std::sqrt(v); });
 }
-#endif
 }
 
-void FindWarpAngles(int count, const double* lights, const double view[3], WarpAngles& angles)
+void FindWarpAngles(
+  int count, const double* lights, const double view[3], WarpAngles& angles, VectorForm form)
 {
   Steps steps;
   const int whole = (count + 3) / 4 * 4; // the last one once more
@@ -205,13 +204,16 @@ void FindWarpAngles(int count, const double* lights, const double view[3], WarpA
     steps.Z[k] = light[2];
   }
 #ifdef MEASUREDBRDF_HAS_VECTORS
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+  if (form == VectorForm::Wide)
   {
     return FindWide(steps, whole, view, angles);
   }
-  Find<Vector2>(steps, whole, view, TakeRoots, angles);
-#else
-  Find<double>(steps, whole, view, TakeRoots, angles);
+  if (form == VectorForm::Narrow)
+  {
+    return Find<Vector2>(steps, whole, view, TakeRoots, angles);
+  }
 #endif
+  static_cast<void>(form);
+  Find<double>(steps, whole, view, TakeRootsOneByOne, angles);
 }
 } // namespace measuredbrdf

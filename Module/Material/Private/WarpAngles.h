@@ -10,6 +10,7 @@
 #define WarpAngles_h
 
 #include "HalfVector.h"
+#include "WideVectors.h"
 
 namespace measuredbrdf
 {
@@ -23,8 +24,10 @@ struct WarpAngles
   double UnitPhiH[Most]; // in [0,1]
 };
 
-/// lights: 3 each, unit vectors like the view, at most WarpAngles::Most. To 1e-10 rad.
-void FindWarpAngles(int count, const double* lights, const double view[3], WarpAngles& angles);
+/// lights: 3 each, unit vectors like the view, at most WarpAngles::Most. To 1e-10 rad. form: one
+/// that the processor has.
+void FindWarpAngles(int count, const double* lights, const double view[3], WarpAngles& angles,
+  VectorForm form = GetWidestForm());
 } // namespace measuredbrdf
 
 #endif

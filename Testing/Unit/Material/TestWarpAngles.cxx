@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Coordinates of many lights at once against those of one by the mathematics library.
+// Coordinates of many lights at once against those of one by the mathematics library, and what is
+// looked up there against the tables in double precision; in each form that the processor has.
 
+#include "PackedWarp.h"
 #include "SharedData.h"
 #include "WarpAngles.h"
 #include "vtkAdaptiveWarpBRDF.h"
@@ -37,17 +39,34 @@ std::vector<glm::dvec3> MakeLights(const glm::dvec3& view)
   }
   return lights;
 }
+
+std::vector<VectorForm> ListForms()
+{
+  std::vector<VectorForm> forms;
+  for (int form = 0; form <= static_cast<int>(GetWidestForm()); ++form)
+  {
+    forms.push_back(static_cast<VectorForm>(form));
+  }
+  return forms;
+}
 }
 
 //------------------------------------------------------------------------------
-TEST(WarpAngles, AreThoseOfTheMathematicsLibrary)
+class WarpForms : public testing::TestWithParam<VectorForm>
+{
+};
+INSTANTIATE_TEST_SUITE_P(All, WarpForms, testing::ValuesIn(ListForms()));
+
+//------------------------------------------------------------------------------
+TEST_P(WarpForms, AnglesAreThoseOfTheMathematicsLibrary)
 {
   for (const double theta : { 0.0, 0.3, 1.0, 1.55 })
   {
     const glm::dvec3 view(std::sin(theta) * 0.6, std::sin(theta) * -0.8, std::cos(theta));
     const std::vector<glm::dvec3> lights = MakeLights(view);
     WarpAngles angles;
-    FindWarpAngles(static_cast<int>(lights.size()), &lights[0].x, &view.x, angles);
+    FindWarpAngles(
+      static_cast<int>(lights.size()), &lights[0].x, &view.x, angles, this->GetParam());
     for (std::size_t k = 0; k < lights.size(); ++k)
     {
       const glm::dvec3& i = lights[k];
@@ -67,6 +86,65 @@ TEST(WarpAngles, AreThoseOfTheMathematicsLibrary)
                             (i.x == 0.0 && i.y == 0.0 ? 0.0 : std::atan2(i.y, i.x)) -
                             2.0 * Pi * (angles.UnitPhiH[k] - 0.5);
         EXPECT_NEAR(std::remainder(turn, 2.0 * Pi), 0.0, 1e-9) << theta << " " << k;
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Other sizes for each table, so that one is not taken for another; densities that differ by 1000.
+TEST_P(WarpForms, PackedTablesHoldTheSame)
+{
+  std::mt19937 engine(5);
+  const auto draw = [&engine](int count)
+  {
+    std::vector<float> values;
+    for (int k = 0; k < count; ++k)
+    {
+      values.push_back(static_cast<float>(std::pow(10.0, 3.0 * engine() * 0x1p-32)));
+    }
+    return values;
+  };
+  for (const std::vector<float>& thetas :
+    { std::vector<float>{ 0.0f, 0.1f, 0.5f, 1.2f, 1.5f }, std::vector<float>{ 0.7f } })
+  {
+    const auto slices = static_cast<int>(thetas.size());
+    const std::vector<std::vector<float>> axes = { { 0.0f }, thetas };
+    const BilinearWarp ndf(draw(9 * 3), 9, 3, {}, false);
+    std::vector<float> row = draw(13);
+    row.insert(row.end(), row.begin(), row.end());
+    const BilinearWarp sigma(row, 13, 2, {}, false);
+    const BilinearWarp vndf(draw(slices * 17 * 11), 17, 11, axes, true);
+    const BilinearWarp rgb[3] = { { draw(slices * 7 * 5), 7, 5, axes, false },
+      { draw(slices * 7 * 5), 7, 5, axes, false }, { draw(slices * 7 * 5), 7, 5, axes, false } };
+    for (const bool jacobian : { false, true })
+    {
+      const PackedWarp packed({ ndf, sigma, vndf, rgb, thetas, jacobian });
+      const glm::dvec3 view = glm::normalize(glm::dvec3(0.3, -0.2, 0.7));
+      const std::vector<glm::dvec3> lights = MakeLights(view);
+      WarpAngles angles;
+      const auto count = static_cast<int>(lights.size());
+      FindWarpAngles(count, &lights[0].x, &view.x, angles);
+      std::vector<glm::dvec3> f(lights.size());
+      packed.Evaluate(count, angles, view.z, &f[0].x, this->GetParam());
+      for (int k = 0; k < count; ++k)
+      {
+        const double incident[2] = { 0.0, angles.Theta[k] };
+        const glm::dvec2 half(angles.UnitThetaH[k], angles.UnitPhiH[k]);
+        const BilinearWarp::Slices between = vndf.FindSlices(incident);
+        double density = 0.0;
+        const glm::dvec2 s = vndf.Invert(half, between, density);
+        const BilinearWarp::Slices none = ndf.FindSlices(nullptr);
+        const double scale =
+          jacobian ? ndf.Evaluate(half, none) /
+                       (4.0 * sigma.Evaluate(glm::dvec2(angles.UnitTheta[k], 0.5), none))
+                   : 1.0;
+        for (int c = 0; c < 3; ++c)
+        {
+          const double expected = rgb[c].Evaluate(s, between) * scale / view.z;
+          // Single precision, and colors that change a thousandfold within a cell.
+          EXPECT_NEAR(f[static_cast<std::size_t>(k)][c], expected, 1e-4 * expected) << k;
+        }
       }
     }
   }
@@ -96,8 +174,9 @@ TEST(AdaptiveWarp, ManyLightsAreEvaluatedAsOneByOne)
     EXPECT_GT(f.y, 0.0);
     for (int c = 0; c < 3; ++c)
     {
-      // Evaluate normalizes again; where h is nearly the normal, its azimuth feels that.
-      EXPECT_NEAR(many[k][c], f[c], 1e-6 * f[c]) << k;
+      // Evaluate normalizes again; where h is nearly the normal, its azimuth feels that. Tables of
+      // many lights are in single precision.
+      EXPECT_NEAR(many[k][c], f[c], 1e-5 * f[c]) << k;
     }
   }
 }

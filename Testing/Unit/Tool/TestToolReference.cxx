@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The exact picture of a sphere against one that is integrated to a tenth of its tolerance.
 
+#include "BackgroundWork.h"
 #include "Methods.h"
 #include "Progress.h"
+#include "ReferenceLimit.h"
 #include "ReferencePicture.h"
+#include "Tool.h"
 #include "vtkAdaptiveRadianceIntegrator.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkEnvironment.h"
@@ -14,9 +17,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
+#include <string>
 #include <vector>
 
 namespace
@@ -109,4 +114,72 @@ TEST(ReferencePicture, IsWithinItsToleranceMatteAndGlossy)
     // One percent of one sample may be more of another.
     EXPECT_LE(off, count / 25) << "of " << count;
   }
+}
+
+//------------------------------------------------------------------------------
+TEST(ReferencePicture, TellsHowFarItIsAndStops)
+{
+  const tool::Surface surface = MakeSphere();
+  vtkNew<vtkEnvironment> environment;
+  environment->SetToProceduralSky();
+  vtkNew<vtkLambertBRDF> matte;
+  std::atomic<bool> stop(false);
+  std::vector<double> shares;
+  const auto show = [&](const std::string& label, double share)
+  {
+    EXPECT_EQ(label, "integrating");
+    shares.push_back(share);
+  };
+  const tool::BackgroundWork work(stop, show);
+  const tool::ReferencePicture whole =
+    tool::DrawReference(matte, environment, surface, { Side, Side });
+  // One bar for all of its parts.
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+  EXPECT_GE(shares.size(), 10u);
+  EXPECT_GT(shares.back(), 0.5);
+  EXPECT_LE(shares.back(), 1.0);
+
+  const auto stopAtOnce = [&](const std::string&, double share) { stop = share > 0.2; };
+  const tool::BackgroundWork inner(stop, stopAtOnce);
+  EXPECT_THROW(tool::DrawReference(matte, environment, surface, { Side, Side }), tool::Error);
+}
+
+//------------------------------------------------------------------------------
+TEST(ReferencePicture, TakesEachPixelOfAGrid)
+{
+  const tool::Interruptible interruptible;
+  tool::Surface some = MakeSphere();
+  some.Stride = 8;
+  some.Pixels.resize(20);
+  some.Normals.resize(60);
+  some.Views.resize(60);
+  vtkNew<vtkEnvironment> environment;
+  environment->SetToProceduralSky();
+  vtkNew<vtkLambertBRDF> matte;
+  const tool::ReferencePicture picture =
+    tool::DrawReference(matte, environment, some, { Side, Side });
+  vtkNew<vtkAdaptiveRadianceIntegrator> each;
+  each->SetBRDF(matte);
+  each->SetEnvironment(environment);
+  EXPECT_EQ(picture.Radiance, tool::IntegratePairs(each, some.Normals, some.Views));
+  EXPECT_EQ(picture.Integrated, 1.0);
+}
+
+//------------------------------------------------------------------------------
+TEST(ReferenceLimit, IsProportionalToTime)
+{
+  const tool::Interruptible interruptible;
+  const tool::Surface surface = MakeSphere();
+  const auto count = static_cast<int>(surface.Pixels.size());
+  vtkNew<vtkEnvironment> environment;
+  environment->SetToProceduralSky();
+  vtkNew<vtkLambertBRDF> matte;
+  const double seconds = tool::EstimateReferenceSeconds(matte, environment, surface);
+  EXPECT_GT(seconds, 0.01); // 2 us to 10 ms a pixel
+  EXPECT_LT(seconds, 50.0);
+  EXPECT_EQ(tool::LimitReference(matte, environment, surface, 1e4, "limit"), count);
+  const int few = tool::LimitReference(matte, environment, surface, 0.1 * seconds, "limit");
+  EXPECT_GT(few, count / 100); // the machine may be ten times as fast or as slow meanwhile
+  EXPECT_LE(few, count);
+  EXPECT_EQ(tool::LimitReference(matte, environment, surface, 1e-9, "limit"), 1);
 }
