@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TableLamps.h"
 
+#include "LampBRDF.h"
 #include "LightTexture.h"
 #include "vtkBRDF.h"
 #include "vtkBRDFEnvironmentLamps.h"
@@ -53,6 +54,13 @@ void TableLamps::AddTo(vtkBRDFShaderInputs::Term& table) const
 {
   const int count = this->Lights->GetNumberOfLights();
   table.Source = std::string(vtkBRDFEnvironmentLamps) + table.Source;
+  auto* areas = LampBRDF::SafeDownCast(this->Shaded);
+  if (areas)
+  {
+    areas->AddTo(table);
+  }
+  table.Constants.push_back(
+    { "EVALUATE_LAMP", areas ? LampBRDF::GetFunction() : std::string("brdfEvaluate") });
   for (vtkBRDFShaderInputs::Constant& constant : table.Constants)
   {
     if (constant.Name == "LAMPS_PART")
