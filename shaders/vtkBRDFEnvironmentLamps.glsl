@@ -49,7 +49,7 @@ vec3 brdfAddLampsINSTANCE(mat3 frame, vec3 o, vec3 d, vec3 lambert)
     FIND_LAMPS
     vec3 i = brdfLampTexelINSTANCE(lamps.Index, 0.0) * frame;
     float root = lamps.Nearness * (2.0 - lamps.Nearness); // 1 - x x
-    vec3 f = brdfEvaluate(i.z > 0.0 ? i : vec3(0.0, 0.0, 1.0), o);
+    vec3 f = EVALUATE_LAMP(i.z > 0.0 ? i : vec3(0.0, 0.0, 1.0), o);
     sum += BRDF_OPEN_LAMP(int(lamps.Index)) (f - lambert) *
       brdfLampTexelINSTANCE(lamps.Index, 1.0) * (root * root * max(i.z, 0.0));
     lamps.Wanted += 1.0;

@@ -52,14 +52,15 @@ vtkFactoredRadianceIntegrator::vtkFactoredRadianceIntegrator() = default;
 vtkFactoredRadianceIntegrator::~vtkFactoredRadianceIntegrator() = default;
 
 //------------------------------------------------------------------------------
-void vtkFactoredRadianceIntegrator::SetLamps(vtkLightSet* lamps)
+void vtkFactoredRadianceIntegrator::SetLamps(vtkLightSet* lamps, vtkBRDF* form)
 {
   this->Lamps = lamps;
+  this->LampForm = form;
   this->Modified();
 }
 
 //------------------------------------------------------------------------------
-bool vtkFactoredRadianceIntegrator::UsesBRDFOnGPU() { return this->Lamps != nullptr; }
+bool vtkFactoredRadianceIntegrator::UsesBRDFOnGPU() { return this->Lamps && !this->LampForm; }
 
 //------------------------------------------------------------------------------
 bool vtkFactoredRadianceIntegrator::Begin()
@@ -103,7 +104,7 @@ vtkSmartPointer<vtkTableRadianceIntegrator> vtkFactoredRadianceIntegrator::NewTa
   table->SetBRDF(this->BRDF);
   table->SetEnvironment(this->Environment);
   table->SetRest(this->Rest);
-  table->SetLamps(this->Lamps);
+  table->SetLamps(this->Lamps, this->LampForm);
   table->SetNumberOfRows(this->NumberOfTableRows);
   table->SetNumberOfViewAngles(this->NumberOfViewAngles);
   table->SetNumberOfAzimuths(this->NumberOfAzimuths);

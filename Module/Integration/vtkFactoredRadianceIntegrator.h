@@ -107,7 +107,7 @@ public:
   }
 
   /// For hybrids: vtkTableRadianceIntegrator::SetLamps of the small table.
-  void SetLamps(vtkLightSet* lamps);
+  void SetLamps(vtkLightSet* lamps, vtkBRDF* form = nullptr);
 #endif
 
   bool UsesBRDFOnGPU() override;
@@ -144,6 +144,7 @@ private:
   vtkSmartPointer<vtkTableRadianceIntegrator> Broad;
   std::shared_ptr<const vtkEnvironment::TexelChanges> Rest;
   vtkSmartPointer<vtkLightSet> Lamps;
+  vtkSmartPointer<vtkBRDF> LampForm;
 };
 
 #endif

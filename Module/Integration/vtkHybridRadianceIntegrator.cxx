@@ -4,6 +4,7 @@
 
 #include "EnvironmentPrecomputation.h"
 #include "HalfVector.h" // for Pi
+#include "LampBRDF.h"
 #include "LampWindow.h"
 #include "MaterialPrecomputation.h"
 #include "Printable.h"
@@ -55,12 +56,23 @@ constexpr double Found = 0.15;
 
 constexpr double AngleUnits = 10.0; // of the size that is the light angle, per degree
 int ToAngleSize(double degrees) { return static_cast<int>(std::lround(AngleUnits * degrees)); }
+
+// Found once for the environment, and shared. Null where there is none, or it was aborted.
+std::shared_ptr<const EnvironmentPrecomputation::Lamps> FindLamps(vtkEnvironment* environment,
+  double degrees, int maximum, const EnvironmentPrecomputation::GoOn& goOn)
+{
+  return environment && !environment->GetPixels().empty()
+           ? environment->GetParts().GetLamps(
+               environment, vtkMath::RadiansFromDegrees(degrees), maximum, goOn)
+           : nullptr;
+}
 }
 
 struct vtkHybridRadianceIntegrator::Internals
 {
   vtkSmartPointer<vtkRadianceIntegrator> Broad;          // with lamps, if they are windowed
   vtkSmartPointer<vtkLightSetRadianceIntegrator> Lights; // else; null: there are none
+  vtkSmartPointer<vtkBRDF> LampForm; // that sees lamps as areas; null: it need not
   int NumberOfLights = 0;
 };
 
@@ -95,9 +107,9 @@ bool vtkHybridRadianceIntegrator::Begin()
       << " is not.");
     return false;
   }
-  const auto lamps = this->Environment->GetParts().GetLamps(this->Environment,
-    vtkMath::RadiansFromDegrees(this->LightAngle), this->MaximumNumberOfLights,
-    [this]() { return this->Report(0.0); });
+  const auto goOn = [this]() { return this->Report(0.0); };
+  const auto lamps =
+    FindLamps(this->Environment, this->LightAngle, this->MaximumNumberOfLights, goOn);
   if (!lamps)
   {
     vtkErrorMacro("Prepare: aborted.");
@@ -106,14 +118,19 @@ bool vtkHybridRadianceIntegrator::Begin()
   Internals made;
   made.NumberOfLights = lamps->Set ? lamps->Set->GetNumberOfLights() : 0;
   const bool isWindowed = this->IsWindowed(made.NumberOfLights);
+  if (const double spread = this->FindLampSpread())
+  {
+    const auto parts = this->Shared ? this->Shared : std::make_shared<Precomputation>();
+    made.LampForm = parts->GetLampForm(this->BRDF, spread);
+  }
   if (lamps->Set && !isWindowed)
   {
     made.Lights = vtkSmartPointer<vtkLightSetRadianceIntegrator>::New();
-    made.Lights->SetBRDF(this->BRDF->GetRenderable());
+    made.Lights->SetBRDF(made.LampForm ? made.LampForm.Get() : this->BRDF->GetRenderable());
     made.Lights->SetLightSet(lamps->Set);
     made.Lights->UnrolledOn(); // their number is the plan's
   }
-  made.Broad = this->NewBroad(lamps->Rest, isWindowed ? lamps->Set.Get() : nullptr);
+  made.Broad = this->NewBroad(lamps->Rest, isWindowed ? lamps->Set.Get() : nullptr, made.LampForm);
   made.Broad->SetPrecomputation(this->Shared);
   const bool broadly = this->PrepareLayer(made.Broad, this->Given);
   made.Broad->SetPrecomputation(nullptr);
@@ -131,9 +148,32 @@ bool vtkHybridRadianceIntegrator::Begin()
 }
 
 //------------------------------------------------------------------------------
+bool vtkHybridRadianceIntegrator::UsesBRDFOnGPU()
+{
+  return this->GetNumberOfLights() > 0 && !this->Impl->LampForm;
+}
+
+//------------------------------------------------------------------------------
+// How wide the lamps are, if the lobe sees them as areas; else 0.
+double vtkHybridRadianceIntegrator::FindLampSpread()
+{
+  const auto goOn = [this]() { return this->Report(0.0); };
+  const bool canSee = !this->Quick && this->BRDF && this->BRDF->IsIsotropic();
+  const auto lamps =
+    canSee ? FindLamps(this->Environment, this->LightAngle, this->MaximumNumberOfLights, goOn)
+           : nullptr;
+  const double spread = lamps ? lamps->Spread : 0.0;
+  const auto parts = this->Shared ? this->Shared : std::make_shared<Precomputation>();
+  return spread > 0.0 && LampBRDF::IsNeeded(parts->GetViews(this->BRDF, this->Abort), spread)
+           ? spread
+           : 0.0;
+}
+
+//------------------------------------------------------------------------------
 // What reflects the rest of the environment and, unless they are null, lamps.
 vtkSmartPointer<vtkRadianceIntegrator> vtkHybridRadianceIntegrator::NewBroad(
-  const std::shared_ptr<const vtkEnvironment::TexelChanges>& rest, vtkLightSet* lamps)
+  const std::shared_ptr<const vtkEnvironment::TexelChanges>& rest, vtkLightSet* lamps,
+  vtkBRDF* lampForm)
 {
   vtkSmartPointer<vtkRadianceIntegrator> broad;
   if (this->BRDF && !this->BRDF->IsIsotropic())
@@ -148,7 +188,7 @@ vtkSmartPointer<vtkRadianceIntegrator> vtkHybridRadianceIntegrator::NewBroad(
   {
     auto factored = vtkSmartPointer<vtkFactoredRadianceIntegrator>::New();
     factored->SetRest(rest);
-    factored->SetLamps(lamps);
+    factored->SetLamps(lamps, lampForm);
     factored->SetNumberOfRows(this->NumberOfRows);
     factored->SetNumberOfFields(this->NumberOfMaps);
     factored->SetNumberOfTableRows(std::min(this->NumberOfRows, SmallTableRows));
@@ -164,7 +204,7 @@ vtkSmartPointer<vtkRadianceIntegrator> vtkHybridRadianceIntegrator::NewBroad(
   {
     auto table = vtkSmartPointer<vtkTableRadianceIntegrator>::New();
     table->SetRest(rest);
-    table->SetLamps(lamps);
+    table->SetLamps(lamps, lampForm);
     table->SetNumberOfRows(this->NumberOfRows);
     table->SetNumberOfViewAngles(this->NumberOfViewAngles);
     table->SetNumberOfAzimuths(this->NumberOfAzimuths);
@@ -310,16 +350,11 @@ std::string vtkHybridRadianceIntegrator::GetSizesText()
 }
 
 //------------------------------------------------------------------------------
-// Found once for the environment, and shared. None where there is no environment, or the run was
-// aborted.
+// None where there is no environment, or the run was aborted.
 int vtkHybridRadianceIntegrator::CountLights(double angle, int maximum)
 {
-  if (!this->Environment || this->Environment->GetPixels().empty())
-  {
-    return 0;
-  }
-  const auto lamps = this->Environment->GetParts().GetLamps(this->Environment,
-    vtkMath::RadiansFromDegrees(angle), maximum, [this]() { return this->Report(0.0); });
+  const auto goOn = [this]() { return this->Report(0.0); };
+  const auto lamps = FindLamps(this->Environment, angle, maximum, goOn);
   return lamps ? static_cast<int>(lamps->Lights.size()) : 0;
 }
 
@@ -390,14 +425,17 @@ double vtkHybridRadianceIntegrator::EstimateCost(vtkRadianceCostModel* costs)
   {
     lights = Finding + count * (Found + LampWindow().GetShare());
   }
-  return this->NewBroad(nullptr, nullptr)->EstimateCost(costs) + GetCost(costs, "light") * lights;
+  return this->NewBroad()->EstimateCost(costs) + GetCost(costs, "light") * lights;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkHybridRadianceIntegrator::EstimateTextureBytes()
 {
-  return this->NewBroad(nullptr, nullptr)->EstimateTextureBytes() +
-         32 * this->CountLights(this->LightAngle, this->MaximumNumberOfLights);
+  const bool seesAreas =
+    this->Impl->Broad ? this->Impl->LampForm != nullptr : this->FindLampSpread() > 0.0;
+  return this->NewBroad()->EstimateTextureBytes() +
+         32 * this->CountLights(this->LightAngle, this->MaximumNumberOfLights) +
+         (seesAreas ? LampBRDF::GetTextureBytes() : 0);
 }
 
 //------------------------------------------------------------------------------

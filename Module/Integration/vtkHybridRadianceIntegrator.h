@@ -15,7 +15,9 @@
  *   many rows (NumberOfMaps > 0).
  *
  * Lights are shaded with vtkBRDF::GetRenderable(), what the graphics card evaluates: materials that
- * have no GLSL of their own are resampled for that. Isotropic materials only.
+ * have no GLSL of their own are resampled for that. But where the lobe is about as narrow as the
+ * lamps, it sees them as areas: these are shaded with its mean over a lamp, from a table of 0.8 MB.
+ * Maps are for isotropic materials only.
  */
 
 #ifndef vtkHybridRadianceIntegrator_h
@@ -27,6 +29,7 @@
 #include <memory> // for Internals
 #include <string> // for Given
 
+class vtkBRDF;
 class vtkLightSet;
 
 class VTKMEASUREDBRDF_EXPORT vtkHybridRadianceIntegrator : public vtkRadianceIntegrator
@@ -129,7 +132,7 @@ public:
   ///@}
 
   bool GetShaderInputs(vtkBRDFShaderInputs& form) override;
-  bool UsesBRDFOnGPU() override { return this->GetNumberOfLights() > 0; }
+  bool UsesBRDFOnGPU() override;
 
   void SetFilterWeightBits(int bits) override;
 
@@ -161,7 +164,9 @@ private:
   double ChooseLightAngle();
 
   vtkSmartPointer<vtkRadianceIntegrator> NewBroad(
-    const std::shared_ptr<const vtkEnvironment::TexelChanges>& rest, vtkLightSet* lamps);
+    const std::shared_ptr<const vtkEnvironment::TexelChanges>& rest = nullptr,
+    vtkLightSet* lamps = nullptr, vtkBRDF* lampForm = nullptr);
+  double FindLampSpread();
 
   struct Internals;
   std::unique_ptr<Internals> Impl;

@@ -3,6 +3,7 @@
 #include "vtkLightSetRadianceIntegrator.h"
 
 #include "EnvironmentPrecomputation.h"
+#include "LampBRDF.h"
 #include "LightTexture.h"
 #include "LocalFrame.h"
 #include "ModuleShader.h"
@@ -26,6 +27,7 @@
 
 using measuredbrdf::EnvironmentPrecomputation;
 using measuredbrdf::GetSpread;
+using measuredbrdf::LampBRDF;
 using measuredbrdf::MakeLightTexture;
 
 namespace
@@ -179,9 +181,16 @@ bool vtkLightSetRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
   const int count = this->Current->GetNumberOfLights();
   vtkBRDFShaderInputs::Term term;
   measuredbrdf::SetModuleShader(term, "vtkBRDFLightSet", vtkBRDFLightSet);
-  term.Evaluations = count;
-  term.Constants.push_back({ "EVALUATE_LIGHT",
-    this->SoftLights ? "brdfEvaluateSoft(i, o, light.w)" : "brdfEvaluate(i, o)" });
+  auto* areas = LampBRDF::SafeDownCast(this->BRDF);
+  if (areas)
+  {
+    areas->AddTo(term);
+  }
+  (areas ? term.Fetches : term.Evaluations) += count;
+  term.Constants.push_back(
+    { "EVALUATE_LIGHT", areas              ? LampBRDF::GetFunction() + "(i, o)"
+                        : this->SoftLights ? "brdfEvaluateSoft(i, o, light.w)"
+                                           : "brdfEvaluate(i, o)" });
   if (this->Unrolled && count <= MaximumUnrolled)
   {
     AddLightUniforms(this->Current, term);

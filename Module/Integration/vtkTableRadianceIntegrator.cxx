@@ -57,14 +57,15 @@ vtkTableRadianceIntegrator::vtkTableRadianceIntegrator() = default;
 vtkTableRadianceIntegrator::~vtkTableRadianceIntegrator() = default;
 
 //------------------------------------------------------------------------------
-void vtkTableRadianceIntegrator::SetLamps(vtkLightSet* lamps)
+void vtkTableRadianceIntegrator::SetLamps(vtkLightSet* lamps, vtkBRDF* form)
 {
   this->Lamps = lamps;
+  this->LampForm = form;
   this->Modified();
 }
 
 //------------------------------------------------------------------------------
-bool vtkTableRadianceIntegrator::UsesBRDFOnGPU() { return this->Lamps != nullptr; }
+bool vtkTableRadianceIntegrator::UsesBRDFOnGPU() { return this->Lamps && !this->LampForm; }
 
 //------------------------------------------------------------------------------
 // Of the material as it is now.
@@ -72,7 +73,8 @@ void vtkTableRadianceIntegrator::AddLamps(Tables& table)
 {
   if (this->Lamps)
   {
-    const vtkSmartPointer<vtkBRDF> shaded = this->BRDF->GetRenderable();
+    const vtkSmartPointer<vtkBRDF> shaded =
+      this->LampForm ? this->LampForm.Get() : this->BRDF->GetRenderable();
     shaded->Prepare();
     table.Lamps = std::make_unique<TableLamps>(this->Lamps, shaded);
   }

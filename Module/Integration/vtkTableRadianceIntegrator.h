@@ -148,8 +148,8 @@ public:
 
   /// For hybrids: lights that together are what the rest lacks. Pixels add what they see of them
   /// within a window about the lobe's axis; the table holds what lies outside of it. Null
-  /// (default): there are none.
-  void SetLamps(vtkLightSet* lamps);
+  /// (default): there are none. form: what they are evaluated with; null: GetRenderable().
+  void SetLamps(vtkLightSet* lamps, vtkBRDF* form = nullptr);
 #endif
 
   bool UsesBRDFOnGPU() override;
@@ -182,6 +182,7 @@ private:
 
   std::shared_ptr<const vtkEnvironment::TexelChanges> Rest;
   vtkSmartPointer<vtkLightSet> Lamps;
+  vtkSmartPointer<vtkBRDF> LampForm;
   std::unique_ptr<Tables> Data;
 };
 

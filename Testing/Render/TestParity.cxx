@@ -920,6 +920,44 @@ TEST_F(Parity, HybridOfManyLamps)
   }
 }
 
+// Lamps that narrow lobes see as areas: near each other, beside maps and a table, and on their own.
+TEST_F(Parity, HybridOfWideLamps)
+{
+  constexpr int width = 256;
+  vtkNew<vtkAshikhminShirleyBRDF> coated;
+  coated->SetDiffuse(0.3, 0.2, 0.1);
+  coated->SetExponents(20000.0, 20000.0);
+  this->Mapper->SetBRDF(coated);
+  for (const int lamps : { 1, 6 })
+  {
+    std::vector<float> rgb(3 * width * 128, 0.01f);
+    std::fill_n(rgb.begin(), rgb.size() / 3, 0.03f); // an edge, which maps show
+    for (int k = 0; k < lamps; ++k)
+    {
+      const int y = 30 + 9 * k;
+      const int x = k < 3 ? 11 + 4 * k : 37 * k;
+      for (int c = 0; c < 3; ++c)
+      {
+        rgb[static_cast<std::size_t>(3 * (width * y + x) + c)] = 1e4f / static_cast<float>(c + 1);
+      }
+    }
+    vtkNew<vtkEnvironment> dark;
+    ASSERT_TRUE(dark->SetPixels(width, 128, rgb));
+    this->Mapper->SetEnvironment(dark);
+    for (const int maps : { 0, 4 })
+    {
+      vtkNew<vtkHybridRadianceIntegrator> integrator;
+      ASSERT_TRUE(integrator->SetSizes({ maps > 0 ? 64 : 33, 8, 8, maps, 8 }));
+      const double error = this->GetIntegratorError(integrator);
+      std::printf("%d lights, %d maps: %.2e\n", integrator->GetNumberOfLights(), maps, error);
+      EXPECT_EQ(integrator->GetNumberOfLights(), lamps);
+      EXPECT_FALSE(integrator->UsesBRDFOnGPU());
+      EXPECT_GT(error, 0.0);
+      EXPECT_LT(error, this->GetLimit(maps > 0 ? 0.012 : 2e-3));
+    }
+  }
+}
+
 // An anisotropic table and lights.
 TEST_F(Parity, AnisotropicHybridIntegrator)
 {

@@ -194,11 +194,12 @@ LobeMeans LobeViews::Interpolate(const std::vector<int>& known, int index) const
   return sum;
 }
 
-double LobeViews::GetSharpShare(double solidAngle) const
+double LobeViews::GetSharpShare(double solidAngle, double farthest) const
 {
   double largest = 0.0;
-  for (const View& view : this->Views)
+  for (int k = 0; k < NumberOfViews && GetAngle(k) <= farthest; ++k)
   {
+    const View& view = this->Views[static_cast<std::size_t>(k)];
     double energy = 0.0;
     for (const Cell& cell : view.Cells)
     {

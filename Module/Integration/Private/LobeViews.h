@@ -63,8 +63,9 @@ public:
 
   /// Largest share of a view's directional albedo that is sharp: of the kernel less its Lambert
   /// part, what is above the height at which all its energy would fill the solid angle (sr, > 0),
-  /// and thus narrower than that (Markov's inequality).
-  double GetSharpShare(double solidAngle) const;
+  /// and thus narrower than that (Markov's inequality). Of views that are at most so far from the
+  /// normal: towards the horizon all lobes are narrow.
+  double GetSharpShare(double solidAngle, double farthest = GetLastAngle()) const;
 
 private:
   static const std::atomic<bool> Never;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MaterialPrecomputation.h"
 
+#include "LampBRDF.h"
 #include "LocalFrame.h"
 #include "vtkBRDF.h"
 #include "vtkSMPTools.h"
@@ -106,6 +107,16 @@ const LobeViews& MaterialPrecomputation::GetViews(vtkBRDF* brdf, const std::atom
   return *this->Views;
 }
 
+vtkSmartPointer<vtkBRDF> MaterialPrecomputation::GetLampForm(vtkBRDF* brdf, double spread)
+{
+  vtkSmartPointer<vtkBRDF>& form = this->LampForms[spread];
+  if (!form)
+  {
+    form = LampBRDF::Make(brdf, spread);
+  }
+  return form;
+}
+
 void MaterialPrecomputation::Trim(int mostAngles, int mostNodes)
 {
   this->Remainders.clear();
@@ -125,7 +136,8 @@ void MaterialPrecomputation::Trim(int mostAngles, int mostNodes)
 
 std::size_t MaterialPrecomputation::GetBytes() const
 {
-  std::size_t bytes = 0;
+  std::size_t bytes =
+    this->LampForms.size() * static_cast<std::size_t>(LampBRDF::GetTextureBytes());
   for (const auto& [sizes, kernels] : this->KernelsOf)
   {
     for (const auto& kernel : kernels)

@@ -14,6 +14,7 @@
 #include "LobeHarmonics.h"
 #include "LobeViews.h"
 #include "vtkRadianceIntegrator.h"
+#include "vtkSmartPointer.h"
 
 #include <Eigen/Core>
 
@@ -66,6 +67,9 @@ public:
   /// The material's views: for a profile, and to be split into parts.
   const LobeViews& GetViews(vtkBRDF* brdf, const std::atomic<bool>& abort);
 
+  /// LampBRDF::Make of an isotropic material.
+  vtkSmartPointer<vtkBRDF> GetLampForm(vtkBRDF* brdf, double spread);
+
   /// Without what few plans need: kernels at more than so many angles or of more than so many
   /// nodes, and what a factored table lacks.
   void Trim(int mostAngles, int mostNodes);
@@ -85,7 +89,8 @@ private:
   std::map<const Kernels*, Expansion> Expansions;
   std::map<std::vector<double>, Matrices> Remainders;
   std::unique_ptr<LobeViews> Views;
-  bool AreViewsWhole = false; // else they were aborted
+  bool AreViewsWhole = false;                           // else they were aborted
+  std::map<double, vtkSmartPointer<vtkBRDF>> LampForms; // by spread
   std::unique_ptr<AnisotropicViews> ViewsByAzimuth;
   bool AreViewsByAzimuthWhole = false;
   std::map<std::array<int, 3>, AnisotropicKernels> KernelsByAzimuth; // angles, azimuths, resolution

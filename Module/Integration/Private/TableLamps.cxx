@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TableLamps.h"
 
+#include "LampBRDF.h"
 #include "LightTexture.h"
 #include "vtkBRDF.h"
 #include "vtkBRDFEnvironmentLamps.h"
@@ -52,6 +53,13 @@ void TableLamps::AddTo(vtkBRDFShaderInputs::Term& table) const
 {
   const int count = this->Lights->GetNumberOfLights();
   table.Source = std::string(vtkBRDFEnvironmentLamps) + table.Source;
+  auto* areas = LampBRDF::SafeDownCast(this->Shaded);
+  if (areas)
+  {
+    areas->AddTo(table);
+  }
+  table.Constants.push_back(
+    { "EVALUATE_LAMP", areas ? LampBRDF::GetFunction() : std::string("brdfEvaluate") });
   for (vtkBRDFShaderInputs::Constant& constant : table.Constants)
   {
     if (constant.Name == "LAMPS_PART")
@@ -59,8 +67,9 @@ void TableLamps::AddTo(vtkBRDFShaderInputs::Term& table) const
       constant.Value = "brdfAddLampsINSTANCE(frame, o, d, lambert)";
     }
   }
-  table.Evaluations += 1;
-  table.Fetches += 2 + (count > MaximumUnrolled ? count : 0); // to look at it, and to find it
+  table.Evaluations += areas ? 0 : 1;
+  table.Fetches +=
+    (areas ? 3 : 2) + (count > MaximumUnrolled ? count : 0); // to look at it, and to find it
   std::string uniforms;
   std::string find = "for (int k = 0; k < " + std::to_string(count) +
                      "; ++k)\n    {\n      brdfFindLampINSTANCE(float(k), "

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 
 namespace measuredbrdf
 {
@@ -31,10 +32,16 @@ std::shared_ptr<const EnvironmentPrecomputation::Lamps> EnvironmentPrecomputatio
     return lamps;
   }
   lamps->Set = vtkSmartPointer<vtkLightSet>::New();
+  double sum = 0.0;
   for (const ExtractedEmitters::Light& light : lamps->Lights)
   {
-    lamps->Set->AddLight(&light.Direction.x, &light.Irradiance.x);
+    const double luminance = vtkEnvironment::GetLuminance(&light.Irradiance.x);
+    sum += luminance;
+    lamps->Spread += luminance * light.Spread;
+    lamps->Set->AddLight(
+      &light.Direction.x, &light.Irradiance.x, 0.0, light.Spread > 0.0 ? 1.0 / light.Spread : 0.0);
   }
+  lamps->Spread /= std::max(sum, std::numeric_limits<double>::min());
   const std::lock_guard<std::mutex> lock(this->Access);
   const auto same = std::find_if(this->Rests.begin(), this->Rests.end(),
     [&bright](const Rest& rest) { return rest->Texels == bright.Rest.Texels; });

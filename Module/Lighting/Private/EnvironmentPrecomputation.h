@@ -54,6 +54,7 @@ public:
   {
     std::vector<ExtractedEmitters::Light> Lights;
     vtkSmartPointer<vtkLightSet> Set; // the same; null: none
+    double Spread = 0.0;              // their mean one, by luminance
     measuredbrdf::EnvironmentPrecomputation::Rest Rest;
   };
   ///@{

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ExtractedEmitters.h"
 
+#include "HalfVector.h" // for Pi
 #include "vtkEnvironment.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <unordered_map>
@@ -145,6 +147,15 @@ glm::dvec3 GetMeanAround(
   }
   return neighbors > 0 ? sum / static_cast<double>(neighbors) : glm::dvec3(0.0);
 }
+
+// Variance along each axis of what one texel shows between its neighbors' centers: a triangle of
+// half width d has d^2 / 6 (docs/methods.md, "The sky between texels").
+double GetTexelSpread(vtkEnvironment* environment, const glm::dvec3& direction)
+{
+  const double row = Pi / environment->GetHeight();
+  const double column = 2.0 * Pi / environment->GetWidth() * std::hypot(direction.x, direction.z);
+  return 0.5 * (row * row + column * column) / 6.0;
+}
 }
 
 ExtractedEmitters::Ranking::Ranking(vtkEnvironment* environment, double share)
@@ -228,7 +239,8 @@ bool ExtractedEmitters::Extract(
     }
   }
 
-  this->Lights.resize(lamps.size(), { glm::dvec3(0.0), glm::dvec3(0.0) });
+  this->Lights.resize(lamps.size(), { glm::dvec3(0.0), glm::dvec3(0.0), 0.0 });
+  std::vector<double> luminances(lamps.size());
   for (const auto& texel : brightest)
   {
     const auto owner = owners.find(texel.second);
@@ -253,15 +265,23 @@ bool ExtractedEmitters::Extract(
     this->Rest.Texels.push_back(rest);
     glm::dvec3 direction;
     environment->GetTexelDirection(x, y, &direction.x);
-    light.Direction += environment->GetLuminance(&irradiance.x) * direction;
+    const double luminance = environment->GetLuminance(&irradiance.x);
+    light.Direction += luminance * direction;
     light.Irradiance += irradiance;
+    light.Spread += luminance * GetTexelSpread(environment, direction);
+    luminances[static_cast<std::size_t>(owner->second)] += luminance;
   }
   std::sort(this->Rest.Texels.begin(), this->Rest.Texels.end());
   for (std::size_t k = 0; k < this->Lights.size(); ++k)
   {
-    const double length = glm::length(this->Lights[k].Direction);
-    this->Lights[k].Direction =
-      length > 0.0 ? this->Lights[k].Direction / length : lamps[k].GetMean();
+    Light& light = this->Lights[k];
+    const double length = glm::length(light.Direction);
+    if (luminances[k] > 0.0)
+    {
+      const double mean = length / luminances[k];
+      light.Spread = light.Spread / luminances[k] + 0.5 * std::max(1.0 - mean * mean, 0.0);
+    }
+    light.Direction = length > 0.0 ? light.Direction / length : lamps[k].GetMean();
   }
   return all;
 }

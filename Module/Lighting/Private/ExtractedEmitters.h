@@ -26,6 +26,7 @@ struct ExtractedEmitters
   {
     glm::dvec3 Direction;
     glm::dvec3 Irradiance; // on a surface that faces it
+    double Spread;         // variance of its directions along each axis (square radians)
   };
 
   static constexpr double DefaultShare = 2e-3;
@@ -41,7 +42,8 @@ struct ExtractedEmitters
    * Extract lights of several texels each: the texels within angle (radians) of the light's
    * brightest one. Two lights are merged if all their texels lie within the angle of the common
    * mean, or within twice the angle if one holds less than 1 % of the other. A light has the sum of
-   * its texels and their mean direction. The share is the least one, from LampShare to DefaultShare
+   * its texels, their mean direction, and the variance of what is between their neighbors'
+   * centers. The share is the least one, from LampShare to DefaultShare
    * by factors of two, for which maximum lights hold all texels. A panel that needs more is not a
    * lamp.
    */

@@ -190,6 +190,11 @@ TEST(ExtractedEmitters, LampsAreOneLightEach)
       middle += 0.25 * direction;
     }
     EXPECT_LT(glm::distance(lamp.Direction, glm::normalize(middle)), 1e-3);
+    // Per axis: half a texel to both sides of the middle, and a triangle about each center.
+    const double row = Pi / height;
+    const double column = row * std::hypot(lamp.Direction.x, lamp.Direction.z);
+    const double expectedSpread = 0.5 * (0.25 + 1.0 / 6.0) * (row * row + column * column);
+    EXPECT_NEAR(lamp.Spread, expectedSpread, 0.01 * expectedSpread);
     irradiance += lamp.Irradiance;
   }
   EXPECT_NEAR(irradiance.y, expected.y, 1e-6 * expected.y);
@@ -545,7 +550,7 @@ TEST(HybridIntegrator, RefusesAndKeepsGoing)
 //------------------------------------------------------------------------------
 TEST(HybridIntegrator, ShaderInputsAndPrint)
 {
-  const auto hybrid = NewHybrid(NewCoated(1000.0), NewSunny(1e6f, 2));
+  const auto hybrid = NewHybrid(NewCoated(200.0), NewSunny(1e6f, 2));
   vtkBRDFShaderInputs form;
   ASSERT_TRUE(hybrid->GetShaderInputs(form));
   ASSERT_EQ(form.Terms.size(), 2u);

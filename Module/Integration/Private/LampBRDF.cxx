@@ -1,0 +1,237 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LampBRDF.h"
+
+#include "HalfDifferenceFill.h"
+#include "HalfVector.h"
+#include "LobeViews.h"
+#include "SharedExponent.h"
+#include "VolumeInterpolation.h"
+#include "vtkBRDFEnvironmentLampLobe.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkTabulatedBRDF.h"
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <utility>
+
+namespace measuredbrdf
+{
+namespace
+{
+// phi_d over half a turn, theta_d, theta_h. Blurred lobes need fewer samples than sharp ones.
+constexpr int LobeSize[3] = { 16, 48, 256 };
+
+constexpr double WidthsSeen = 8.0; // of a lamp, to the edge of lobes that see it as an area
+constexpr double LeastSharpShare = 0.05;
+constexpr double FarthestView = Pi / 3.0;
+
+// PointsAlong of a lamp along each axis, within so many standard deviations; f is smooth over a
+// lamp that is farther from the mirror direction than so many.
+constexpr int PointsAlong = 5;
+constexpr int MostLampPoints = 12;
+constexpr double LampReach = 2.8;
+constexpr double NearLamp = 8.0;
+constexpr double FarLamp = 20.0;
+
+// Weights of points at equal distances that have a normal distribution's variance, 1.
+struct LampPoints
+{
+  std::vector<double> Places;
+  std::vector<double> Weights;
+
+  explicit LampPoints(int count)
+  {
+    double sum = 0.0;
+    double squares = 0.0;
+    for (int k = 0; k < count; ++k)
+    {
+      const double x = LampReach * ((2.0 * k + 1.0) / count - 1.0);
+      const double weight = count > 2 ? std::exp(-0.5 * x * x) : 1.0;
+      this->Places.push_back(x);
+      this->Weights.push_back(weight);
+      sum += weight;
+      squares += weight * x * x;
+    }
+    for (std::size_t k = 0; k < this->Places.size(); ++k)
+    {
+      this->Places[k] *= squares > 0.0 ? std::sqrt(sum / squares) : 0.0;
+      this->Weights[k] /= sum;
+    }
+  }
+};
+
+// f over lamps by quadrature: what the table samples.
+class LampMean : public vtkBRDF
+{
+public:
+  static LampMean* New();
+  vtkTypeMacro(LampMean, vtkBRDF);
+
+  void Use(vtkBRDF* material, double spread)
+  {
+    this->Material = material;
+    this->Deviation = std::sqrt(spread);
+    for (int count = 0; count <= MostLampPoints; ++count)
+    {
+      this->Rules.emplace_back(count);
+    }
+  }
+
+  void GetBounds(double, double[3], double[3]) override {}
+  void GetShaderInputs(vtkBRDFShaderInputs&) override {}
+  void Prepare() override { this->Material->Prepare(); }
+  bool IsReciprocal() override { return false; }
+
+protected:
+  LampMean() = default;
+  ~LampMean() override = default;
+
+  void EvaluateAbove(const double i[3], const double o[3], double f[3]) override
+  {
+    const glm::dvec3 light = glm::make_vec3(i);
+    const glm::dvec3 view = glm::make_vec3(o);
+    const double away =
+      glm::distance(light, glm::dvec3(-view.x, -view.y, view.z)) / this->Deviation;
+    if (away > FarLamp)
+    {
+      this->Material->Evaluate(i, o, f);
+      return;
+    }
+    // Across the plane of i and o the lobe of a half vector is narrower, by its cosine with o.
+    const double cosine = std::max(glm::dot(HalfVector(light, view), view), 1e-3);
+    const int along = away > NearLamp ? 2 : PointsAlong;
+    const int across =
+      away > NearLamp ? 2
+                      : std::min(static_cast<int>(std::ceil(PointsAlong / cosine)), MostLampPoints);
+    glm::dvec3 tangent = view - glm::dot(view, light) * light;
+    const double length = glm::length(tangent);
+    tangent = length > 1e-6 ? tangent / length : glm::dvec3(light.z, 0.0, -light.x);
+    tangent = glm::normalize(tangent);
+    const glm::dvec3 side = glm::cross(light, tangent);
+    glm::dvec3 sum(0.0);
+    double weights = 0.0;
+    const LampPoints& rows = this->Rules[static_cast<std::size_t>(along)];
+    const LampPoints& columns = this->Rules[static_cast<std::size_t>(across)];
+    for (std::size_t y = 0; y < rows.Places.size(); ++y)
+    {
+      for (std::size_t x = 0; x < columns.Places.size(); ++x)
+      {
+        const glm::dvec3 at = glm::normalize(
+          light + this->Deviation * (rows.Places[y] * tangent + columns.Places[x] * side));
+        if (at.z > 0.0) // the rest of the lamp has set
+        {
+          glm::dvec3 value;
+          this->Material->Evaluate(&at.x, o, &value.x);
+          const double weight = rows.Weights[y] * columns.Weights[x];
+          sum += weight * value;
+          weights += weight;
+        }
+      }
+    }
+    sum /= std::max(weights, 1e-12);
+    std::copy_n(&sum.x, 3, f);
+  }
+
+private:
+  vtkSmartPointer<vtkBRDF> Material;
+  double Deviation = 0.0;
+  std::vector<LampPoints> Rules; // by their numbers of points
+};
+
+vtkStandardNewMacro(LampMean);
+}
+
+vtkStandardNewMacro(LampBRDF);
+
+vtkSmartPointer<LampBRDF> LampBRDF::Make(vtkBRDF* material, double spread)
+{
+  vtkNew<LampMean> mean;
+  mean->Use(material, spread);
+  const int whole[3] = { 2 * LobeSize[0], LobeSize[1], LobeSize[2] };
+  vtkNew<vtkTabulatedBRDF> table;
+  FillHalfDifference(mean, false, whole, table);
+  const std::vector<float>& volume = table->GetVolume();
+  const float largest = std::max(*std::max_element(volume.begin(), volume.end()), 1e-20f);
+  auto made = vtkSmartPointer<LampBRDF>::New();
+  made->Scale = static_cast<double>(largest / LargestSharedExponent);
+  made->Texels.reserve(volume.size() / 6);
+  for (std::size_t row = 0; row < volume.size(); row += 3u * 2u * LobeSize[0])
+  {
+    for (std::size_t k = 0; k < static_cast<std::size_t>(LobeSize[0]); ++k)
+    {
+      const std::size_t other = 2 * static_cast<std::size_t>(LobeSize[0]) - 1 - k;
+      made->Texels.push_back(PackSharedExponent(
+        (glm::make_vec3(&volume[row + 3 * k]) + glm::make_vec3(&volume[row + 3 * other])) *
+        static_cast<float>(0.5 / made->Scale)));
+    }
+  }
+  return made;
+}
+
+bool LampBRDF::IsNeeded(const LobeViews& views, double spread)
+{
+  return spread > 0.0 &&
+         views.GetSharpShare(Pi * WidthsSeen * WidthsSeen * spread, FarthestView) > LeastSharpShare;
+}
+
+vtkIdType LampBRDF::GetTextureBytes()
+{
+  return static_cast<vtkIdType>(sizeof(std::uint32_t)) * LobeSize[0] * LobeSize[1] * LobeSize[2];
+}
+
+void LampBRDF::EvaluateAbove(const double i[3], const double o[3], double f[3])
+{
+  const glm::dvec3 u = ToHalfDifferenceUnit(glm::make_vec3(i), glm::make_vec3(o), false);
+  const VolumeCorners corners = { FindCorners(2.0 * std::abs(u.x), LobeSize[0], false),
+    FindCorners(u.y, LobeSize[1], false), FindCorners(u.z, LobeSize[2], false) };
+  glm::dvec3 sum(0.0);
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const double weight = corners.X.Weight[corner & 1] * corners.Y.Weight[(corner >> 1) & 1] *
+                          corners.Z.Weight[corner >> 2];
+    sum +=
+      weight * glm::dvec3(UnpackSharedExponent(this->Texels[GetCorner(corners, LobeSize, corner)]));
+  }
+  sum *= this->Scale / o[2];
+  std::copy_n(&sum.x, 3, f);
+}
+
+void LampBRDF::GetBounds(double minimumCosine, double lower[3], double upper[3])
+{
+  std::fill_n(lower, 3, 0.0);
+  std::fill_n(upper, 3,
+    this->Scale * static_cast<double>(LargestSharedExponent) / std::max(minimumCosine, 1e-6));
+}
+
+void LampBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
+{
+  vtkBRDFShaderInputs::Term term;
+  term.Source = vtkBRDFEnvironmentLampLobe;
+  term.Uniforms.push_back({ "brdfLampLobeScale", { static_cast<float>(this->Scale) } });
+  vtkBRDFShaderInputs::Texture texture;
+  texture.Name = "brdfLampLobe";
+  texture.ThreeD = true;
+  texture.Dimensions = { LobeSize[0], LobeSize[1], LobeSize[2] };
+  texture.SharedExponents = this->Texels;
+  term.Textures.push_back(std::move(texture));
+  form = vtkBRDFShaderInputs();
+  form.QuantizationError = std::ldexp(1.0, -9);
+  form.Terms.push_back(std::move(term));
+}
+
+void LampBRDF::AddTo(vtkBRDFShaderInputs::Term& term)
+{
+  vtkBRDFShaderInputs form;
+  this->GetShaderInputs(form);
+  vtkBRDFShaderInputs::Term& own = form.Terms.front();
+  term.Source = own.Source + term.Source;
+  std::move(own.Uniforms.begin(), own.Uniforms.end(), std::back_inserter(term.Uniforms));
+  std::move(own.Textures.begin(), own.Textures.end(), std::back_inserter(term.Textures));
+}
+} // namespace measuredbrdf
