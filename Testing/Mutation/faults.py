@@ -274,7 +274,9 @@ add("Integration.tiles-where-nothing-bends", "Private/TableTiles.cxx", "scores[a
     "TableTiles.*")
 add("Integration.tiles-with-seams", "Private/TableTiles.cxx", "this->IsInside(row, column % this->GetFineColumns())", "true",
     "TableTiles.NoSeams")
-add("Integration.tiles-of-few-nodes", "vtkTableRadianceIntegrator.cxx", "constexpr int NodesOfTiles = 2;", "constexpr int NodesOfTiles = 1;",
+add("Integration.tiles-of-any-size", "Private/TableTiles.cxx", "std::ceil((others + LeastTileBytes) / BytesStep)", "std::ceil((others + LeastTileBytes) / BytesStep + 1.0)",
+    "TableTiles.FillWhatIsAllowed")
+add("Integration.tiles-of-few-nodes", "vtkTableRadianceIntegrator.cxx", "constexpr int NodesOfTiles = 2; ", "constexpr int NodesOfTiles = 1; ",
     "TableTiles.KernelsHaveNodesEnough")
 add("Integration.fine-kernels-stay", "Private/MaterialPrecomputation.cxx", " || it->first.second > mostNodes", "",
     "MaterialPrecomputation.KeepsExpandedKernels")
@@ -614,6 +616,10 @@ add("Planning.pairs-without-weights", "Private/PlanComparison.cxx",
     "PlanComparison.PoolsSamplesAndAddsTheReferencesError|GoldenPlans.EmbeddedMaterials|PlanSample.PredictionsHold")
 add("Planning.reference-is-exact", "Private/PlanComparison.cxx", "squares) / sum, ownError)", "squares) / sum, 0.0 * ownError)",
     "PlanComparison.PoolsSamplesAndAddsTheReferencesError")
+add("Integration.rows-replace-view-angles", "Private/TableCandidates.cxx", "return (byViews || byRows) &&", "return byRows &&",
+    "TableCandidates.*")
+add("Integration.rows-gain-more-and-more", "Private/TableCandidates.cxx", "constexpr double RowGainPower = 2.0;", "constexpr double RowGainPower = 8.0;",
+    "TableCandidates.*")
 add("Integration.maps-halve-the-error", "Private/TableCandidates.cxx", "constexpr double LeastOfMaps = 0.7;",
     "constexpr double LeastOfMaps = 0.01;", "MapCandidates.TooManyAreLeftOut")
 add("Integration.maps-lack-nothing-but-rows", "Private/TableCandidates.cxx", "if (IsClearlyFewer(table.Sizes[0], attempt.Sizes[0]))", "if (false)",

@@ -10,7 +10,6 @@
 #include <cstddef>
 #include <iterator>
 #include <map>
-#include <utility>
 
 namespace measuredbrdf
 {
@@ -18,11 +17,18 @@ namespace
 {
 // A table's error falls at best by so many powers of its rows, view angles and azimuths,
 constexpr double ErrorOrders[] = { 3.0, 2.0, 2.0 };
-// from one table with tiles to another by so many times (measured: 2.15, by predictions that are a
-// seventh off),
-constexpr double MostOfTiles = 2.6;
-// and at best by so many times, in powers, what the step before gained in rows or view angles.
-constexpr double RowGainPower = 4.0;
+// from one table of many rows and view angles to another by so many times (measured: 2.15, by
+// predictions that are a seventh off),
+constexpr double MostOfMany = 2.6;
+constexpr int ManyRows = 129;
+constexpr int ManyViews = 12;
+// and by so many powers of what the rows before gained, for each doubling of them: where few rows
+// do not show a lobe yet, twice as many gain less than the next. Of view angles with as many rows
+// by so many powers of what the step before gained.
+constexpr double RowGainPower = 2.0;
+constexpr double RowGainPowerOfFew = 4.0;
+constexpr int FewRows = 64;
+constexpr double MostOfRows = 0.7; // tiles may have held back what seems to gain less
 constexpr double ViewGainPower = 2.0;
 constexpr double ViewGainFactor = 4.0; // so many times, in error, what it gained with fewer rows
 
@@ -36,18 +42,17 @@ constexpr vtkIdType MapBytes =
 }
 
 // What linear interpolation in each size costs in error differs with the material's gloss
-// (docs/methods.md).
+// (docs/methods.md). Of more than 113 rows: with tiles (TableTiles.h).
 std::vector<std::vector<int>> GetTableCandidates()
 {
-  return { { 17, 8, 8 }, { 33, 8, 8 }, { 33, 12, 16 }, { 33, 24, 16 }, { 65, 8, 8 }, { 65, 12, 16 },
-    { 65, 20, 16 }, { 65, 24, 24 }, { 129, 8, 8 }, { 201, 20, 16 }, { 257, 12, 16 },
-    { 257, 24, 16 } };
+  return { { 17, 8, 8 }, { 33, 8, 8 }, { 33, 12, 16 }, { 33, 24, 16 }, { 49, 12, 16 }, { 65, 8, 8 },
+    { 129, 12, 16 }, { 257, 8, 8 }, { 129, 20, 16 }, { 201, 20, 16 }, { 257, 12, 16 } };
 }
 
 std::vector<std::vector<int>> GetHybridCandidates()
 {
   return { { 17, 8, 8, 0 }, { 33, 8, 8, 0 }, { 33, 12, 16, 0 }, { 33, 20, 16, 0 }, { 65, 8, 8, 0 },
-    { 65, 12, 16, 0 }, { 65, 20, 12, 0 }, { 113, 8, 8, 0 }, { 257, 12, 16, 0 }, { 128, 12, 8, 4 },
+    { 65, 12, 16, 0 }, { 65, 20, 12, 0 }, { 113, 8, 8, 0 }, { 161, 16, 16, 0 }, { 128, 12, 8, 4 },
     { 256, 12, 8, 4 }, { 256, 12, 8, 8 }, { 128, 12, 8, 16 } };
 }
 
@@ -75,82 +80,133 @@ double GetMostGain(const std::vector<int>& sizes, const std::vector<int>& others
     const double ratio = static_cast<double>(sizes[k]) / others[k];
     gain = std::max(gain, std::pow(ratio, ErrorOrders[k]));
   }
-  const bool haveTiles = std::min(sizes[0], others[0]) > TableTiles::LargestWhole;
-  return haveTiles ? std::min(gain, MostOfTiles) : gain;
+  const bool haveMany = std::min(sizes[0], others[0]) > ManyRows && others[1] >= ManyViews;
+  return haveMany ? std::min(gain, MostOfMany) : gain;
+}
+
+// Whether two attempts differ by more than the tolerance in what more view angles, or more rows,
+// cannot bring: one has fewer of the former, but not of the latter, and is worse.
+bool IsOutOfReach(const std::vector<int>& sizes, const vtkRadianceIntegrator::Attempt& worse,
+  const vtkRadianceIntegrator::Attempt& better, double tolerance)
+{
+  const std::vector<int>& a = worse.Sizes;
+  const std::vector<int>& b = better.Sizes;
+  const bool isCoarser = b[0] <= a[0] || (a[0] > FewRows && 2 * (b[0] - 1) <= sizes[0] - 1);
+  const bool byViews = sizes[1] <= a[1] && a[1] < b[1] && isCoarser;
+  const bool byRows = sizes[0] <= a[0] && a[0] < b[0] && b[1] <= a[1];
+  return (byViews || byRows) && worse.Error - better.Error > tolerance;
+}
+
+// What view angles gained with fewer rows, or at the last step with as many, is too little.
+bool GainTooLittleByViews(const std::vector<int>& sizes,
+  const std::map<int, std::map<int, double>>& errors, double tolerance)
+{
+  const int rows = sizes[0];
+  const int views = sizes[1];
+  const auto ofRows = errors.find(rows);
+  if (ofRows == errors.end())
+  {
+    return false;
+  }
+  for (const auto& [count, byViews] : errors)
+  {
+    const auto same = byViews.find(views);
+    for (const auto& [angles, error] : byViews)
+    {
+      const auto fewer = ofRows->second.find(angles);
+      if (same != byViews.end() && angles < views && count < rows &&
+          fewer != ofRows->second.end() &&
+          fewer->second - ViewGainFactor * (error - same->second) > tolerance)
+      {
+        return true;
+      }
+    }
+  }
+  if (ofRows->second.size() < 2)
+  {
+    return false;
+  }
+  const auto last = ofRows->second.rbegin();
+  const double gain = std::min(last->second / std::next(last)->second, 1.0);
+  return last->first < views && last->second * std::pow(gain, ViewGainPower) > tolerance;
+}
+
+// By how many times the error fell for each doubling of the rows, where these grew last.
+double GetRowGain(const std::map<int, double>& errors)
+{
+  const auto last = errors.rbegin();
+  const auto before = std::next(last);
+  const double doublings = std::log2(static_cast<double>(last->first) / before->first);
+  return std::pow(std::min(last->second / before->second, 1.0), 1.0 / doublings);
+}
+
+// What they gained with as many view angles, or with those that have most rows, is too little. Of
+// an error rows bring down one part and view angles another.
+bool GainTooLittleByRows(const std::vector<int>& sizes,
+  const std::map<int, std::map<int, double>>& errors, double tolerance)
+{
+  std::map<int, std::map<int, double>> byViews; // and by rows
+  for (auto it = errors.begin(); it != errors.end() && it->first < sizes[0]; ++it)
+  {
+    for (const auto& [views, error] : it->second)
+    {
+      byViews[views][it->first] = error;
+    }
+  }
+  const std::map<int, double>* known = nullptr;
+  for (const auto& [views, byRows] : byViews)
+  {
+    const bool isFiner = !known || byRows.rbegin()->first > known->rbegin()->first;
+    if (byRows.size() > 1 && (isFiner || views == sizes[1]))
+    {
+      known = &byRows;
+    }
+    if (known == &byRows && views == sizes[1])
+    {
+      break;
+    }
+  }
+  if (!known)
+  {
+    return false;
+  }
+  const int finest = known->rbegin()->first;
+  const double gain = std::min(GetRowGain(*known), MostOfRows);
+  for (auto it = errors.lower_bound(finest); it != errors.end() && it->first < sizes[0]; ++it)
+  {
+    const double power = (finest > FewRows ? RowGainPower : RowGainPowerOfFew) *
+                         std::log2(static_cast<double>(sizes[0]) / it->first);
+    for (const auto& [views, error] : it->second)
+    {
+      const double left = std::pow(static_cast<double>(views) / sizes[1], ErrorOrders[1]);
+      if (views <= sizes[1] && error * std::min(std::pow(gain, power), left) > tolerance)
+      {
+        return true;
+      }
+    }
+  }
+  return false;
 }
 }
 
 bool CanPruneTable(const std::vector<int>& sizes,
   const std::vector<vtkRadianceIntegrator::Attempt>& attempts, double tolerance)
 {
-  const int rows = sizes[0];
-  const int views = sizes[1];
   std::map<int, std::map<int, double>> errors; // by rows and view angles
-  for (const vtkRadianceIntegrator::Attempt& other : attempts)
+  for (const vtkRadianceIntegrator::Attempt& attempt : attempts)
   {
-    // One is too far away for what this adds.
-    if (other.Error > tolerance * GetMostGain(sizes, other.Sizes))
+    const auto isBetter = [&](const vtkRadianceIntegrator::Attempt& other)
+    { return IsOutOfReach(sizes, attempt, other, tolerance); };
+    // It is too far away for what this adds, or lacks what this lacks, too.
+    if (attempt.Error > tolerance * GetMostGain(sizes, attempt.Sizes) ||
+        std::any_of(attempts.begin(), attempts.end(), isBetter))
     {
       return true;
     }
-    errors[other.Sizes[0]][other.Sizes[1]] = other.Error;
+    errors[attempt.Sizes[0]][attempt.Sizes[1]] = attempt.Error;
   }
-  const auto ofRows = errors.find(rows);
-  std::vector<std::pair<int, double>> least; // by fewer rows
-  for (const auto& [count, byViews] : errors)
-  {
-    double best = HUGE_VAL;
-    for (const auto& [angles, error] : byViews)
-    {
-      best = std::min(best, error);
-      const auto same = byViews.find(views);
-      // More view angles alone gained more than is left: more rows do not replace them.
-      if (same != byViews.end() && angles > views && same->second - error > tolerance)
-      {
-        return true;
-      }
-      // What they gained with fewer rows is too little here.
-      if (same != byViews.end() && angles < views && count < rows && ofRows != errors.end())
-      {
-        const auto fewer = ofRows->second.find(angles);
-        if (fewer != ofRows->second.end() &&
-            fewer->second - ViewGainFactor * (error - same->second) > tolerance)
-        {
-          return true;
-        }
-      }
-    }
-    if (count < rows)
-    {
-      least.emplace_back(count, best);
-    }
-  }
-  // More view angles gained too little.
-  if (ofRows != errors.end() && ofRows->second.size() > 1)
-  {
-    const auto last = ofRows->second.rbegin();
-    const double gain = std::min(last->second / std::next(last)->second, 1.0);
-    if (last->first < views && last->second * std::pow(gain, ViewGainPower) > tolerance)
-    {
-      return true;
-    }
-  }
-  // More rows gained too little.
-  if (least.size() < 2)
-  {
-    return false;
-  }
-  const auto& [count, error] = least.back();
-  const auto& [fewer, before] = least[least.size() - 2];
-  double gain = std::min(error / before, 1.0);
-  for (const auto& [angles, more] : errors[count])
-  {
-    const auto same = errors[fewer].find(angles);
-    gain = same != errors[fewer].end() ? std::min(gain, more / same->second) : gain;
-  }
-  return std::min(error, before) *
-           std::pow(gain, RowGainPower * std::log2(static_cast<double>(rows) / count)) >
-         tolerance;
+  return GainTooLittleByViews(sizes, errors, tolerance) ||
+         GainTooLittleByRows(sizes, errors, tolerance);
 }
 
 namespace

@@ -14,6 +14,18 @@ namespace measuredbrdf
 namespace
 {
 constexpr double Enough = 0.97; // of all bends
+// A table's textures take so many bytes, or a multiple of them: what the coarse map and the small
+// textures leave is for tiles, at least so many.
+constexpr double BytesStep = 4e6;
+constexpr double SmallTextures = 1.1e5;
+constexpr double LeastTileBytes = 1.4e6;
+
+double GetTileBytes(double ofCoarseMap)
+{
+  const double others = ofCoarseMap + SmallTextures;
+  return BytesStep * std::ceil((others + LeastTileBytes) / BytesStep) - others;
+}
+
 constexpr int Margin =
   5; // fine rows beside tiles: four that RingLimiter reads, a spline's neighbor
 
@@ -80,7 +92,8 @@ TableTiles::TableTiles(int rows, int slices)
   {
     const int columns = 2 * (GetRows(rows) - 1);
     this->Across = columns / Texels;
-    this->Down = std::clamp(static_cast<int>(MostBytes / (4.0 * Texels * columns * slices)), 1,
+    const double bytes = GetTileBytes(4.0 * GetRows(rows) * columns * slices);
+    this->Down = std::clamp(static_cast<int>(bytes / (4.0 * Texels * columns * slices)), 1,
       (this->CountRows() * this->CountColumns() + this->Across - 1) / this->Across);
     this->Places.assign(
       static_cast<std::size_t>(this->CountRows()) * static_cast<std::size_t>(this->CountColumns()),

@@ -18,11 +18,10 @@ namespace measuredbrdf
 /// Of one table; the nodes of the coarse map are nodes of the fine one.
 struct TableTiles
 {
-  static constexpr int LargestWhole = 129; // rows of a table without tiles
+  static constexpr int LargestWhole = 113; // rows of a table without tiles
   static constexpr int Ratio = 4;          // fine intervals in a coarse one
   static constexpr int Intervals = 8;      // fine ones along a tile's side
   static constexpr int Texels = Intervals + 1;
-  static constexpr double MostBytes = 5e6; // about, of all tiles
 
   /// rows: that were asked for. slices: a map each, one above the other in the texture.
   TableTiles(int rows, int slices);

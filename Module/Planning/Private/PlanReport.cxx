@@ -19,7 +19,7 @@ std::string Percent(double value)
   return text;
 }
 
-// What the largest of the small tables that were tried had.
+// What the best of the small tables that were tried had.
 std::string ExplainMemory(const Plan& plan)
 {
   const PlanCandidate& chosen = plan.Candidates[static_cast<std::size_t>(plan.Choice)];
@@ -27,7 +27,7 @@ std::string ExplainMemory(const Plan& plan)
   for (const PlanCandidate& candidate : plan.Candidates)
   {
     const bool fits = candidate.Method == Table && candidate.Bytes <= SmallTexture;
-    small = fits && (!small || candidate.Bytes > small->Bytes) ? &candidate : small;
+    small = fits && (!small || candidate.Error < small->Error) ? &candidate : small;
   }
   if (chosen.Bytes <= SmallTexture || !small)
   {
@@ -36,7 +36,7 @@ std::string ExplainMemory(const Plan& plan)
   const std::string needs = chosen.Method == Table
                               ? "gloss needs " + std::to_string(chosen.Sizes[0]) + " rows"
                               : "it needs more than a table";
-  return "; " + needs + ": the largest table within 4 MB, " + small->Description + ", has " +
+  return "; " + needs + ": the best table within 4 MB, " + small->Description + ", has " +
          Percent(small->Error);
 }
 }

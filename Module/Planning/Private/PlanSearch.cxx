@@ -273,7 +273,7 @@ bool PlanSearch::Check(PlanCandidate& candidate)
   return true;
 }
 
-// The best of those that miss the tolerance, too.
+// The best of those that miss the tolerance, too: on both samples it may be within it.
 bool PlanSearch::CheckChoice()
 {
   Plan& plan = this->Found;
@@ -281,7 +281,10 @@ bool PlanSearch::CheckChoice()
   {
     return true;
   }
-  return this->Check(plan.Candidates[static_cast<std::size_t>(plan.Choice)]);
+  PlanCandidate& choice = plan.Candidates[static_cast<std::size_t>(plan.Choice)];
+  const bool checked = this->Check(choice);
+  plan.Meets = checked && choice.Error <= this->Task.Tolerance;
+  return checked;
 }
 
 // The first within the tolerance; else the most accurate, where that is worth its cost.

@@ -4,6 +4,7 @@
 
 #include "HalfVector.h" // for Pi
 #include "SpherePairs.h"
+#include "TableCandidates.h"
 #include "TableTiles.h"
 #include "vtkAdaptiveRadianceIntegrator.h"
 #include "vtkAshikhminShirleyBRDF.h"
@@ -171,13 +172,13 @@ TEST(TableTiles, NoSeams)
 //------------------------------------------------------------------------------
 TEST(TableTiles, SizesAndPlaces)
 {
-  for (const int rows : { 9, 33, 128, 129 })
+  for (const int rows : { 9, 33, 112, 113 })
   {
     EXPECT_EQ(TableTiles::GetFineRows(rows), 0);
     EXPECT_EQ(TableTiles::GetRows(rows), rows);
     EXPECT_TRUE(TableTiles(rows, 72).Places.empty());
   }
-  for (const int rows : { 130, 137, 200, 257, 258, 513 })
+  for (const int rows : { 114, 130, 137, 200, 257, 258, 513 })
   {
     TableTiles tiles(rows, 64 * 65);
     EXPECT_GE(tiles.FineRows, rows);
@@ -197,6 +198,24 @@ TEST(TableTiles, SizesAndPlaces)
     }
     places.pop_back();
     EXPECT_FALSE(tiles.ArePlaces(places));
+  }
+}
+
+//------------------------------------------------------------------------------
+// Tiles fill textures up to a multiple of 4 MB. What a plan says of memory holds.
+TEST(TableTiles, FillWhatIsAllowed)
+{
+  const struct
+  {
+    int Rows, Angles, Azimuths;
+    double Most;
+  } tables[] = { { 129, 12, 16, 4e6 }, { 257, 8, 8, 4e6 }, { 129, 20, 16, 8e6 },
+    { 201, 20, 16, 12e6 }, { 257, 12, 16, 12e6 } };
+  for (const auto& table : tables)
+  {
+    const auto bytes = static_cast<double>(GetTableBytes(table.Rows, table.Angles, table.Azimuths));
+    EXPECT_LE(bytes, table.Most) << table.Rows;
+    EXPECT_GT(bytes, 0.92 * table.Most) << table.Rows; // rows of tiles are whole
   }
 }
 

@@ -216,6 +216,11 @@ TEST(PlanSearch, DoesNotTakeLuckForMerit)
   const measuredbrdf::Plan best = run(missed, asked);
   EXPECT_EQ(asked, 1);
   EXPECT_FALSE(best.Meets);
+  asked = 0;
+  std::vector<PlanCandidate> unlucky = missed;
+  unlucky.push_back(MakeCandidate(5, 0.0205, 0.017));
+  EXPECT_TRUE(run(unlucky, asked).Meets);
+  EXPECT_EQ(asked, 1);
 }
 
 //------------------------------------------------------------------------------
@@ -335,4 +340,39 @@ TEST(TableCandidates, WithTilesGainLittle)
   EXPECT_FALSE(measuredbrdf::CanPruneTable(larger, tried({ 257, 12, 16 }, 0.05), 0.02));
   EXPECT_FALSE(measuredbrdf::CanPruneTable({ 65, 24, 16 }, tried({ 65, 12, 16 }, 0.07), 0.02));
   EXPECT_FALSE(measuredbrdf::CanPruneTable(larger, tried({ 129, 12, 16 }, 0.07), 0.02));
+}
+
+//------------------------------------------------------------------------------
+// More rows do not bring what more view angles brought with fewer, and the other way round.
+TEST(TableCandidates, AreLeftOutWhereAnotherSizeDecides)
+{
+  using Attempts = std::vector<vtkRadianceIntegrator::Attempt>;
+  const Attempts views = { { { 65, 8, 8 }, 0.063 }, { { 49, 12, 16 }, 0.035 } };
+  EXPECT_TRUE(measuredbrdf::CanPruneTable({ 257, 8, 8 }, views, 0.02));
+  EXPECT_FALSE(measuredbrdf::CanPruneTable({ 129, 12, 16 }, views, 0.02));
+  const Attempts less = { { { 65, 8, 8 }, 0.051 }, { { 49, 12, 16 }, 0.035 } };
+  EXPECT_FALSE(measuredbrdf::CanPruneTable({ 257, 8, 8 }, less, 0.02));
+  const Attempts finer = { { { 65, 8, 8 }, 0.063 }, { { 129, 12, 16 }, 0.035 } };
+  EXPECT_TRUE(measuredbrdf::CanPruneTable({ 257, 8, 8 }, finer, 0.02));
+  EXPECT_FALSE(measuredbrdf::CanPruneTable({ 161, 8, 8 }, finer, 0.02)); // the rows may have it
+  const Attempts rows = { { { 65, 12, 16 }, 0.052 }, { { 129, 8, 8 }, 0.031 } };
+  EXPECT_TRUE(measuredbrdf::CanPruneTable({ 65, 20, 16 }, rows, 0.02));
+  EXPECT_FALSE(measuredbrdf::CanPruneTable({ 129, 20, 16 }, rows, 0.02));
+}
+
+//------------------------------------------------------------------------------
+// Where rows gained a third for each doubling, twice as many do not divide the error by three. More
+// view angles help with their part of it only.
+TEST(TableCandidates, AreLeftOutWhereRowsGainedLittle)
+{
+  using Attempts = std::vector<vtkRadianceIntegrator::Attempt>;
+  const Attempts slow = { { { 65, 12, 16 }, 0.09 }, { { 129, 12, 16 }, 0.06 } };
+  EXPECT_TRUE(measuredbrdf::CanPruneTable({ 257, 12, 16 }, slow, 0.02));
+  EXPECT_FALSE(measuredbrdf::CanPruneTable({ 257, 24, 16 }, slow, 0.02));
+  const Attempts worse = { { { 65, 12, 16 }, 0.13 }, { { 129, 12, 16 }, 0.085 } };
+  EXPECT_TRUE(measuredbrdf::CanPruneTable({ 257, 24, 16 }, worse, 0.02));
+  const Attempts quick = { { { 65, 12, 16 }, 0.09 }, { { 129, 12, 16 }, 0.05 } };
+  EXPECT_FALSE(measuredbrdf::CanPruneTable({ 257, 12, 16 }, quick, 0.02));
+  const Attempts few = { { { 17, 8, 8 }, 0.05 }, { { 33, 8, 8 }, 0.04 } };
+  EXPECT_FALSE(measuredbrdf::CanPruneTable({ 65, 8, 8 }, few, 0.02)); // these show little yet
 }
