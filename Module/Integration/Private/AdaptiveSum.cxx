@@ -45,14 +45,21 @@ void AdaptiveSum::Evaluate(std::vector<Place>& places)
 {
   if (this->Lights.size() < places.size())
   {
+    this->Found.resize(places.size());
     this->Lights.resize(places.size());
     this->Irradiances.resize(places.size());
     this->Values.resize(places.size());
   }
-  std::size_t count = 0;
-  for (Place& place : places)
+  // A loop of its own: processors wait where what was just written in parts is read at once.
+  for (std::size_t k = 0; k < places.size(); ++k)
   {
-    const TexelTree::Light light = this->Texels->Get(place.Level, place.X, place.Y);
+    this->Found[k] = this->Texels->Get(places[k].Level, places[k].X, places[k].Y);
+  }
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < places.size(); ++k)
+  {
+    Place& place = places[k];
+    const TexelTree::Light& light = this->Found[k];
     const glm::dvec3 i = this->Local * light.Direction;
     place.Cosine = i.z;
     place.Value = glm::dvec3(i.z > 0.0 && Sum(light.Irradiance) > 0.0 ? 1.0 : 0.0);
@@ -133,7 +140,7 @@ void AdaptiveSum::MakeAll()
 {
   while (!this->Asked.empty())
   {
-    this->Made.clear();
+    const std::size_t first = this->All.size();
     for (const Place& place : this->Asked)
     {
       if (place.Level == this->Texels->GetLowestLevel())
@@ -141,35 +148,38 @@ void AdaptiveSum::MakeAll()
         this->Total += place.Value;
         continue;
       }
-      this->Made.push_back({ place, 0.0, glm::dvec3(0.0), {}, {} });
+      Square& square = this->All.emplace_back();
+      square.Whole = place;
+      square.Error = 0.0;
     }
     this->Asked.clear();
-    this->Quarters.clear();
-    for (const Square& square : this->Made)
+    this->Quarters.resize(4 * (this->All.size() - first));
+    for (std::size_t k = 0; k < this->Quarters.size(); ++k)
     {
-      const Place& whole = square.Whole;
-      for (int k = 0; k < 4; ++k)
-      {
-        this->Quarters.push_back(
-          { whole.Level - 1, 2 * whole.X + k % 2, 2 * whole.Y + k / 2, 0.0, glm::dvec3(0.0), 0.0 });
-      }
+      const Place& whole = this->All[first + k / 4].Whole;
+      Place& quarter = this->Quarters[k];
+      quarter.Level = whole.Level - 1;
+      quarter.X = 2 * whole.X + static_cast<int>(k % 2);
+      quarter.Y = 2 * whole.Y + static_cast<int>(k / 2 % 2);
     }
     this->Evaluate(this->Quarters);
-    for (std::size_t k = 0; k < this->Made.size(); ++k)
+    for (std::size_t k = 0; k < this->Quarters.size(); ++k)
     {
-      for (std::size_t quarter = 0; quarter < 4; ++quarter)
-      {
-        this->Made[k].Quarters[quarter] = this->Quarters[4 * k + quarter].Value;
-        this->Made[k].Cosines[quarter] = this->Quarters[4 * k + quarter].Cosine;
-      }
-      this->Finish(this->Made[k]);
+      Square& square = this->All[first + k / 4];
+      square.Quarters[k % 4] = this->Quarters[k].Value;
+      square.Cosines[k % 4] = this->Quarters[k].Cosine;
+    }
+    for (std::size_t k = first; k < this->All.size(); ++k)
+    {
+      this->Finish(k);
     }
   }
 }
 
 // Value and error from the quarters.
-void AdaptiveSum::Finish(Square& square)
+void AdaptiveSum::Finish(std::size_t index)
 {
+  Square& square = this->All[index];
   const int level = square.Whole.Level;
   square.Value = square.Quarters[0] + square.Quarters[1] + square.Quarters[2] + square.Quarters[3];
   if (level <= 0)
@@ -180,7 +190,7 @@ void AdaptiveSum::Finish(Square& square)
       square.Value = glm::max(square.Value + TexelTree::SmoothRest * change, 0.0);
       square.Error = PartRest * Sum(glm::abs(change)) + this->EstimateRising(square.Whole);
     }
-    this->Keep(square);
+    this->Keep(index);
     return;
   }
   const TexelTree::Light light = this->Texels->Get(level, square.Whole.X, square.Whole.Y);
@@ -198,45 +208,50 @@ void AdaptiveSum::Finish(Square& square)
     this->AddQuarters(square);
     return;
   }
-  this->Keep(square);
+  this->Keep(index);
 }
 
-void AdaptiveSum::Keep(const Square& square)
+void AdaptiveSum::Keep(std::size_t index)
 {
+  Square& square = this->All[index];
   this->Total += square.Value;
-  double error = square.Error;
-  if (error > 0.0 || Sum(square.Value) > 0.0)
+  if (square.Error > 0.0 || Sum(square.Value) > 0.0)
   {
-    error = std::max(error, square.Whole.LeastError);
+    square.Error = std::max(square.Error, square.Whole.LeastError);
   }
-  if (error > 0.0)
+  if (square.Error > 0.0)
   {
-    this->Error += error;
-    this->Squares += error * error;
-    this->All.push_back(square);
-    this->All.back().Error = error;
-    this->Heap.emplace_back(error, this->All.size() - 1);
+    this->Error += square.Error;
+    this->Squares += square.Error * square.Error;
+    this->Heap.emplace_back(square.Error, index);
     std::push_heap(this->Heap.begin(), this->Heap.end());
   }
 }
 
 // Unless it is beyond the map's edge.
-void AdaptiveSum::Ask(const Place& place)
+void AdaptiveSum::Ask(const Square& square, int quarter)
 {
-  if (place.X < this->Texels->GetWidth(place.Level) &&
-      place.Y < this->Texels->GetHeight(place.Level))
+  const Place& whole = square.Whole;
+  const int level = whole.Level - 1;
+  const int x = 2 * whole.X + quarter % 2;
+  const int y = 2 * whole.Y + quarter / 2;
+  if (x < this->Texels->GetWidth(level) && y < this->Texels->GetHeight(level))
   {
-    this->Asked.push_back(place);
+    Place& place = this->Asked.emplace_back();
+    place.Level = level;
+    place.X = x;
+    place.Y = y;
+    place.LeastError = InheritedShare * square.Error;
+    place.Value = square.Quarters[quarter];
+    place.Cosine = square.Cosines[quarter];
   }
 }
 
 void AdaptiveSum::AddQuarters(const Square& square)
 {
-  const Place& whole = square.Whole;
   for (int k = 0; k < 4; ++k)
   {
-    this->Ask({ whole.Level - 1, 2 * whole.X + k % 2, 2 * whole.Y + k / 2,
-      InheritedShare * square.Error, square.Quarters[k], square.Cosines[k] });
+    this->Ask(square, k);
   }
 }
 

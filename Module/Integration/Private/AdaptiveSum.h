@@ -62,11 +62,11 @@ private:
   void Start(const ReflectionGuide& guide);
   void Evaluate(std::vector<Place>& places);
   void MakeAll();
-  void Finish(Square& square);
+  void Finish(std::size_t index);
   double EstimateRising(const Place& place);
   double EstimateHidden(const Square& square, const TexelTree::Light& light) const;
-  void Keep(const Square& square);
-  void Ask(const Place& place);
+  void Keep(std::size_t index);
+  void Ask(const Square& square, int quarter);
   void AddQuarters(const Square& square);
   void Force(int level, int x, int y, std::size_t first);
 
@@ -80,16 +80,16 @@ private:
   double Tolerance = 0.0;
   ReflectionGuide::Peaks Peaks;
   glm::dvec3 Total = glm::dvec3(0.0);
-  double Error = 0.0;   // sum of the squares' errors
-  double Squares = 0.0; // of their squares
-  std::vector<Square> All;
+  double Error = 0.0;       // sum of the squares' errors
+  double Squares = 0.0;     // of their squares
+  std::vector<Square> All;  // divided ones, too
   std::vector<Entry> Heap;  // the largest error first
   std::vector<Place> Asked; // to become squares
   // Within one step.
   std::vector<ReflectionGuide::Draw> Draws;
   std::vector<Drawn> Near; // those of a square behind those of the larger one
-  std::vector<Square> Made;
   std::vector<Place> Quarters;
+  std::vector<TexelTree::Light> Found;
   std::vector<glm::dvec3> Lights;
   std::vector<glm::dvec3> Values;
   std::vector<glm::dvec3> Irradiances;

@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <fstream>
 #include <random>
+#include <string>
 #include <vector>
 
 using namespace measuredbrdf;
@@ -40,6 +41,12 @@ std::vector<glm::dvec3> MakeLights(const glm::dvec3& view)
   return lights;
 }
 
+std::string GetFormName(const testing::TestParamInfo<VectorForm>& form)
+{
+  const char* const names[] = { "None", "Narrow", "Wide" };
+  return names[static_cast<int>(form.param)];
+}
+
 std::vector<VectorForm> ListForms()
 {
   std::vector<VectorForm> forms;
@@ -55,7 +62,7 @@ std::vector<VectorForm> ListForms()
 class WarpForms : public testing::TestWithParam<VectorForm>
 {
 };
-INSTANTIATE_TEST_SUITE_P(All, WarpForms, testing::ValuesIn(ListForms()));
+INSTANTIATE_TEST_SUITE_P(All, WarpForms, testing::ValuesIn(ListForms()), GetFormName);
 
 //------------------------------------------------------------------------------
 TEST_P(WarpForms, AnglesAreThoseOfTheMathematicsLibrary)
