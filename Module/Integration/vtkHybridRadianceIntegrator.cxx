@@ -72,7 +72,7 @@ struct vtkHybridRadianceIntegrator::Internals
 {
   vtkSmartPointer<vtkRadianceIntegrator> Broad;          // with lamps, if they are windowed
   vtkSmartPointer<vtkLightSetRadianceIntegrator> Lights; // else; null: there are none
-  vtkSmartPointer<vtkBRDF> LampForm; // that sees lamps as areas; null: it need not
+  vtkSmartPointer<vtkBRDF> LampForm;                     // sees lamps as areas; null: need not
   int NumberOfLights = 0;
 };
 
@@ -160,9 +160,9 @@ double vtkHybridRadianceIntegrator::FindLampSpread()
   const auto goOn = [this]() { return this->Report(0.0); };
   const bool canSee = !this->Quick && this->BRDF && this->BRDF->IsIsotropic();
   const auto lamps =
-    canSee ? FindLamps(this->Environment, this->LightAngle, this->MaximumNumberOfLights, goOn)
-           : nullptr;
-  const double spread = lamps ? lamps->Spread : 0.0;
+    FindLamps(this->Environment, this->LightAngle, canSee ? this->MaximumNumberOfLights : 0, goOn);
+  const double spread =
+    lamps ? lamps->GetSpread(this->IsWindowed(static_cast<int>(lamps->Lights.size()))) : 0.0;
   const auto parts = this->Shared ? this->Shared : std::make_shared<Precomputation>();
   return spread > 0.0 && LampBRDF::IsNeeded(parts->GetViews(this->BRDF, this->Abort), spread)
            ? spread

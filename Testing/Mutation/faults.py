@@ -892,8 +892,11 @@ add("Integration.lamps-window-with-an-edge", "Private/LampWindow.h", "x < 1.0 ? 
     "LampWindow.EndsWithoutAnEdge|HybridLamps.NothingShowsWhereTheWindowEnds")
 add("Integration.lamps-in-the-table-again", "Private/LobeHarmonics.cxx", "1.0 - window.GetWeight(i, axis)", "1.0",
     "HybridLamps.AddUpToTheLamps")
-add("Integration.lamps-as-points", "vtkHybridRadianceIntegrator.cxx", "const double spread = lamps ? lamps->Spread", "const double spread = lamps ? 0.0",
+add("Integration.lamps-as-points", "vtkHybridRadianceIntegrator.cxx", "lamps ? lamps->GetSpread(", "lamps ? 0.0 * lamps->GetSpread(",
     "HybridLamps.AreAreasForNarrowLobes")
+add("Shaders.lamps-of-one-part", "vtkBRDFEnvironmentLamps.glsl", "bool isLast = part >=", "bool isLast = part + 8.0 >=",
+    "Parity.HybridOfWideLamps")
+add("Integration.lamps-parts-are-the-first", "Private/TableLamps.cxx", "    first += count;\n", "", "Parity.HybridOfWideLamps")
 add("Integration.lamp-lobes-of-half-a-turn", "Private/LampBRDF.cxx", "FindCorners(2.0 * std::abs(u.x)", "FindCorners(std::abs(u.x)",
     "LampBRDF.IsTheMeanOverALamp")
 add("Integration.lamps-seen-from-the-horizon", "Private/LobeViews.cxx", "GetAngle(k) <= farthest", "GetAngle(k) <= Pi",
@@ -901,7 +904,7 @@ add("Integration.lamps-seen-from-the-horizon", "Private/LobeViews.cxx", "GetAngl
 add("Lighting.lamps-of-one-texel-are-points", "Private/ExtractedEmitters.cxx", "0.5 * (row * row + column * column) / 6.0", "0.0",
     "ExtractedEmitters.LampsAreOneLightEach|HybridLamps.AreAreasForNarrowLobes")
 add("Shaders.lamp-lobes-of-half-a-turn", "vtkBRDFEnvironmentLampLobe.glsl", "u.x = 2.0 * abs", "u.x = abs", "Parity.HybridOfWideLamps")
-add("Integration.lamps-lambert-part-twice", "Private/TableLamps.cxx", "(f - lambert) * irradiance", "f * irradiance",
+add("Integration.lamps-lambert-part-twice", "Private/TableLamps.cxx", "(f - lambert) * part.Irradiance", "f * part.Irradiance",
     "HybridLamps.AddUpToTheLamps|Parity.HybridIntegrator")
 add("Shaders.lamps-only-the-first", "vtkBRDFEnvironmentLamps.glsl", "lamps.Wanted < lamps.Count", "false",
     "Parity.HybridOfManyLamps")

@@ -27,7 +27,7 @@ namespace
 // phi_d over half a turn, theta_d, theta_h. Blurred lobes need fewer samples than sharp ones.
 constexpr int LobeSize[3] = { 16, 48, 256 };
 
-constexpr double WidthsSeen = 8.0; // of a lamp, to the edge of lobes that see it as an area
+constexpr double WidthsSeen = 12.0; // of a lamp, to the edge of lobes that see it as an area
 constexpr double LeastSharpShare = 0.05;
 constexpr double FarthestView = Pi / 3.0;
 

@@ -36,7 +36,7 @@ public:
   static vtkSmartPointer<LampBRDF> Make(vtkBRDF* material, double spread);
 
   /// Whether the width of such lamps shows: more than 5 % of some view's albedo lie in lobes
-  /// narrower than eight times the lamp.
+  /// narrower than twelve times the lamp, seen at most 60 degrees from the normal.
   static bool IsNeeded(const LobeViews& views, double spread);
 
   /// Of the texture.

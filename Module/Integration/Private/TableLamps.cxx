@@ -3,11 +3,15 @@
 #include "TableLamps.h"
 
 #include "LampBRDF.h"
+#include "LampSet.h"
 #include "LightTexture.h"
 #include "vtkBRDF.h"
 #include "vtkBRDFEnvironmentLamps.h"
 #include "vtkLightSet.h"
+#include "vtkNew.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <iterator>
 #include <string>
 #include <vector>
@@ -23,6 +27,15 @@ TableLamps::TableLamps(vtkLightSet* lights, vtkBRDF* shaded)
   : Lights(lights)
   , Shaded(shaded)
 {
+  auto* lamps = LampBRDF::SafeDownCast(shaded) ? LampSet::SafeDownCast(lights) : nullptr;
+  for (int k = 0; lamps && k < lights->GetNumberOfLights(); ++k)
+  {
+    this->Parts.emplace_back();
+    for (const ExtractedEmitters::Part& part : lamps->Parts[static_cast<std::size_t>(k)])
+    {
+      this->Parts.back().push_back({ part.Direction, part.Irradiance });
+    }
+  }
 }
 
 TableLamps::~TableLamps() = default;
@@ -33,20 +46,62 @@ glm::dvec3 TableLamps::Sum(const Frame& frame, const glm::dvec3& view, const glm
   glm::dvec3 sum(0.0);
   for (int k = 0; k < this->Lights->GetNumberOfLights(); ++k)
   {
-    glm::dvec3 direction;
-    this->Lights->GetDirection(k, &direction.x);
-    const double weight = this->Window.GetWeight(direction, axis);
-    const glm::dvec3 light = ToLocal(frame, direction);
-    if (weight > 0.0 && light.z > 0.0)
+    Part whole;
+    this->Lights->GetDirection(k, &whole.Direction.x);
+    this->Lights->GetIrradiance(k, &whole.Irradiance.x);
+    const double weight = this->Window.GetWeight(whole.Direction, axis);
+    const auto add = [&](const Part& part)
     {
-      glm::dvec3 irradiance;
-      glm::dvec3 f;
-      this->Lights->GetIrradiance(k, &irradiance.x);
-      this->Shaded->Evaluate(&light.x, &view.x, &f.x);
-      sum += weight * light.z * (f - lambert) * irradiance;
+      const glm::dvec3 light = ToLocal(frame, part.Direction);
+      if (light.z > 0.0)
+      {
+        glm::dvec3 f;
+        this->Shaded->Evaluate(&light.x, &view.x, &f.x);
+        sum += weight * light.z * (f - lambert) * part.Irradiance;
+      }
+    };
+    if (weight > 0.0 && this->Parts.empty())
+    {
+      add(whole);
+    }
+    else if (weight > 0.0)
+    {
+      const std::vector<Part>& parts = this->Parts[static_cast<std::size_t>(k)];
+      std::for_each(parts.begin(), parts.end(), add);
     }
   }
   return sum;
+}
+
+// The lamps and, where they have some, their parts. The fourth components of a lamp: its first
+// part, and how many it has.
+vtkBRDFShaderInputs::Texture TableLamps::MakeTexture() const
+{
+  vtkNew<vtkLightSet> all;
+  const auto add = [&all](const Part& part)
+  { all->AddLight(&part.Direction.x, &part.Irradiance.x); };
+  const auto lamps = static_cast<std::size_t>(this->Lights->GetNumberOfLights());
+  for (std::size_t k = 0; k < lamps; ++k)
+  {
+    Part whole;
+    this->Lights->GetDirection(static_cast<int>(k), &whole.Direction.x);
+    this->Lights->GetIrradiance(static_cast<int>(k), &whole.Irradiance.x);
+    add(whole);
+  }
+  for (const std::vector<Part>& parts : this->Parts)
+  {
+    std::for_each(parts.begin(), parts.end(), add);
+  }
+  vtkBRDFShaderInputs::Texture texture = MakeLightTexture(all);
+  std::size_t first = this->Parts.empty() ? 0 : lamps;
+  for (std::size_t k = 0; k < lamps; ++k)
+  {
+    const std::size_t count = this->Parts.empty() ? 1 : this->Parts[k].size();
+    texture.Data[8 * k + 3] = static_cast<float>(first);
+    texture.Data[8 * k + 7] = static_cast<float>(count);
+    first += count;
+  }
+  return texture;
 }
 
 void TableLamps::AddTo(vtkBRDFShaderInputs::Term& table) const
@@ -68,12 +123,12 @@ void TableLamps::AddTo(vtkBRDFShaderInputs::Term& table) const
     }
   }
   table.Evaluations += areas ? 0 : 1;
-  table.Fetches +=
-    (areas ? 3 : 2) + (count > MaximumUnrolled ? count : 0); // to look at it, and to find it
+  // A part's place, itself, whether it is the last; and lamps are looked for.
+  table.Fetches += (areas ? 5 : 4) + (count > MaximumUnrolled ? count : 0);
   std::string uniforms;
   std::string find = "for (int k = 0; k < " + std::to_string(count) +
                      "; ++k)\n    {\n      brdfFindLampINSTANCE(float(k), "
-                     "brdfLampTexelINSTANCE(float(k), 0.0), d, lamps);\n    }";
+                     "brdfLampTexelINSTANCE(float(k), 0.0).rgb, d, lamps);\n    }";
   if (count <= MaximumUnrolled) // software renderers fetch slowly, and loop slowly
   {
     find.clear();
@@ -93,6 +148,6 @@ void TableLamps::AddTo(vtkBRDFShaderInputs::Term& table) const
   table.Constants.push_back({ "FIND_LAMPS", find });
   table.Constants.push_back({ "LIGHTS_PER_ROW", std::to_string(LightsPerRow) + ".0" });
   table.Uniforms.push_back({ "brdfLampReach", { static_cast<float>(2.0 * this->Window.Reach) } });
-  table.Textures.push_back(MakeLightTexture(this->Lights));
+  table.Textures.push_back(this->MakeTexture());
 }
 } // namespace measuredbrdf

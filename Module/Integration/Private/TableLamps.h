@@ -16,6 +16,8 @@
 
 #include <glm/glm.hpp>
 
+#include <vector>
+
 class vtkBRDF;
 class vtkLightSet;
 
@@ -24,7 +26,7 @@ namespace measuredbrdf
 class TableLamps
 {
 public:
-  /// shaded: what the graphics card evaluates; prepared.
+  /// shaded: what the graphics card evaluates; prepared. A LampBRDF sees the parts of a LampSet.
   TableLamps(vtkLightSet* lights, vtkBRDF* shaded);
   ~TableLamps();
 
@@ -39,8 +41,17 @@ public:
   void AddTo(vtkBRDFShaderInputs::Term& table) const;
 
 private:
+  vtkBRDFShaderInputs::Texture MakeTexture() const;
+
+  struct Part
+  {
+    glm::dvec3 Direction;
+    glm::dvec3 Irradiance;
+  };
+
   vtkSmartPointer<vtkLightSet> Lights;
   vtkSmartPointer<vtkBRDF> Shaded;
+  std::vector<std::vector<Part>> Parts; // of each light; none: they are seen whole
   LampWindow Window;
 };
 } // namespace measuredbrdf

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EnvironmentPrecomputation.h"
 
+#include "LampSet.h"
 #include "LightTree.h"
 #include "vtkLightSet.h"
 #include "vtkLightSetGenerator.h"
@@ -31,17 +32,25 @@ std::shared_ptr<const EnvironmentPrecomputation::Lamps> EnvironmentPrecomputatio
   {
     return lamps;
   }
-  lamps->Set = vtkSmartPointer<vtkLightSet>::New();
+  auto set = vtkSmartPointer<LampSet>::New();
+  lamps->Set = set;
   double sum = 0.0;
   for (const ExtractedEmitters::Light& light : lamps->Lights)
   {
     const double luminance = vtkEnvironment::GetLuminance(&light.Irradiance.x);
     sum += luminance;
     lamps->Spread += luminance * light.Spread;
+    for (const ExtractedEmitters::Part& part : light.Parts)
+    {
+      lamps->SpreadOfParts += vtkEnvironment::GetLuminance(&part.Irradiance.x) * part.Spread;
+    }
+    set->Parts.push_back(light.Parts);
     lamps->Set->AddLight(
       &light.Direction.x, &light.Irradiance.x, 0.0, light.Spread > 0.0 ? 1.0 / light.Spread : 0.0);
   }
-  lamps->Spread /= std::max(sum, std::numeric_limits<double>::min());
+  sum = std::max(sum, std::numeric_limits<double>::min());
+  lamps->Spread /= sum;
+  lamps->SpreadOfParts /= sum;
   const std::lock_guard<std::mutex> lock(this->Access);
   const auto same = std::find_if(this->Rests.begin(), this->Rests.end(),
     [&bright](const Rest& rest) { return rest->Texels == bright.Rest.Texels; });

@@ -54,8 +54,10 @@ public:
   {
     std::vector<ExtractedEmitters::Light> Lights;
     vtkSmartPointer<vtkLightSet> Set; // the same; null: none
-    double Spread = 0.0;              // their mean one, by luminance
+    double Spread = 0.0;              // their mean one, by luminance,
+    double SpreadOfParts = 0.0;       // and their parts'
     measuredbrdf::EnvironmentPrecomputation::Rest Rest;
+    double GetSpread(bool ofParts) const { return ofParts ? this->SpreadOfParts : this->Spread; }
   };
   ///@{
   /// ExtractedEmitters, and its FindLamps.

@@ -20,7 +20,8 @@ namespace
 // large share without being lights.
 constexpr double Contrast = 32.0;
 constexpr double Glare = 0.01; // of a lamp's luminance: may lie twice as far
-constexpr int Spare = 4;       // so many times the wanted lights may be merged into them
+constexpr double LeastGroupAngle = ToRadians(0.1);
+constexpr int Spare = 4; // so many times the wanted lights may be merged into them
 
 struct Lamp
 {
@@ -156,6 +157,60 @@ double GetTexelSpread(vtkEnvironment* environment, const glm::dvec3& direction)
   const double column = 2.0 * Pi / environment->GetWidth() * std::hypot(direction.x, direction.z);
   return 0.5 * (row * row + column * column) / 6.0;
 }
+
+// All of them as one. fallback: its direction where they are dark.
+ExtractedEmitters::Part Add(
+  const std::vector<ExtractedEmitters::Part>& parts, const glm::dvec3& fallback)
+{
+  ExtractedEmitters::Part sum{ glm::dvec3(0.0), glm::dvec3(0.0), 0.0 };
+  double light = 0.0;
+  for (const ExtractedEmitters::Part& part : parts)
+  {
+    const double luminance = vtkEnvironment::GetLuminance(&part.Irradiance.x);
+    light += luminance;
+    sum.Direction += luminance * part.Direction;
+    sum.Irradiance += part.Irradiance;
+    sum.Spread += luminance * part.Spread;
+  }
+  const double length = glm::length(sum.Direction);
+  if (light > 0.0)
+  {
+    const double mean = length / light;
+    sum.Spread = sum.Spread / light + 0.5 * std::max(1.0 - mean * mean, 0.0);
+  }
+  sum.Direction = length > 0.0 ? sum.Direction / length : fallback;
+  return sum;
+}
+
+// MostParts of them: what lies within an angle is one, which grows until they are so few.
+std::vector<ExtractedEmitters::Part> Group(const std::vector<ExtractedEmitters::Part>& parts)
+{
+  std::vector<ExtractedEmitters::Part> groups = parts;
+  for (double angle = LeastGroupAngle; groups.size() > ExtractedEmitters::MostParts; angle *= 2.0)
+  {
+    std::vector<std::vector<ExtractedEmitters::Part>> members;
+    for (const ExtractedEmitters::Part& part : parts)
+    {
+      const auto found = std::find_if(members.begin(), members.end(),
+        [&](const auto& group)
+        { return glm::distance(group.front().Direction, part.Direction) <= angle; });
+      if (found != members.end())
+      {
+        found->push_back(part);
+      }
+      else
+      {
+        members.push_back({ part });
+      }
+    }
+    groups.clear();
+    for (const auto& group : members)
+    {
+      groups.push_back(Add(group, group.front().Direction));
+    }
+  }
+  return groups;
+}
 }
 
 ExtractedEmitters::Ranking::Ranking(vtkEnvironment* environment, double share)
@@ -239,8 +294,7 @@ bool ExtractedEmitters::Extract(
     }
   }
 
-  this->Lights.resize(lamps.size(), { glm::dvec3(0.0), glm::dvec3(0.0), 0.0 });
-  std::vector<double> luminances(lamps.size());
+  this->Lights.resize(lamps.size());
   for (const auto& texel : brightest)
   {
     const auto owner = owners.find(texel.second);
@@ -265,23 +319,14 @@ bool ExtractedEmitters::Extract(
     this->Rest.Texels.push_back(rest);
     glm::dvec3 direction;
     environment->GetTexelDirection(x, y, &direction.x);
-    const double luminance = environment->GetLuminance(&irradiance.x);
-    light.Direction += luminance * direction;
-    light.Irradiance += irradiance;
-    light.Spread += luminance * GetTexelSpread(environment, direction);
-    luminances[static_cast<std::size_t>(owner->second)] += luminance;
+    light.Parts.push_back({ direction, irradiance, GetTexelSpread(environment, direction) });
   }
   std::sort(this->Rest.Texels.begin(), this->Rest.Texels.end());
   for (std::size_t k = 0; k < this->Lights.size(); ++k)
   {
     Light& light = this->Lights[k];
-    const double length = glm::length(light.Direction);
-    if (luminances[k] > 0.0)
-    {
-      const double mean = length / luminances[k];
-      light.Spread = light.Spread / luminances[k] + 0.5 * std::max(1.0 - mean * mean, 0.0);
-    }
-    light.Direction = length > 0.0 ? light.Direction / length : lamps[k].GetMean();
+    static_cast<Part&>(light) = Add(light.Parts, lamps[k].GetMean());
+    light.Parts = Group(light.Parts);
   }
   return all;
 }

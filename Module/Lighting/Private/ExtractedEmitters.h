@@ -13,6 +13,7 @@
 
 #include <glm/glm.hpp>
 
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -22,12 +23,20 @@ namespace measuredbrdf
 {
 struct ExtractedEmitters
 {
-  struct Light
+  struct Part
   {
     glm::dvec3 Direction;
     glm::dvec3 Irradiance; // on a surface that faces it
     double Spread;         // variance of its directions along each axis (square radians)
   };
+
+  struct Light : Part
+  {
+    /// Few smaller lights that add up to it, for what sees the lamp's shape: its texels or, where
+    /// there are more than MostParts, groups of them.
+    std::vector<Part> Parts;
+  };
+  static constexpr std::size_t MostParts = 8;
 
   static constexpr double DefaultShare = 2e-3;
   static constexpr double LampShare = 1e-3; // least share, if many texels make few lights

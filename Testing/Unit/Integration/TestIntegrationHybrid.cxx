@@ -195,6 +195,14 @@ TEST(ExtractedEmitters, LampsAreOneLightEach)
     const double column = row * std::hypot(lamp.Direction.x, lamp.Direction.z);
     const double expectedSpread = 0.5 * (0.25 + 1.0 / 6.0) * (row * row + column * column);
     EXPECT_NEAR(lamp.Spread, expectedSpread, 0.01 * expectedSpread);
+    ASSERT_EQ(lamp.Parts.size(), 4u);
+    glm::dvec3 partsIrradiance(0.0);
+    for (const ExtractedEmitters::Part& part : lamp.Parts)
+    {
+      partsIrradiance += part.Irradiance;
+      EXPECT_NEAR(part.Spread, 0.5 / 6.0 * (row * row + column * column), 0.02 * lamp.Spread);
+    }
+    EXPECT_NEAR(partsIrradiance.y, lamp.Irradiance.y, 1e-9 * lamp.Irradiance.y);
     irradiance += lamp.Irradiance;
   }
   EXPECT_NEAR(irradiance.y, expected.y, 1e-6 * expected.y);

@@ -32,7 +32,7 @@ struct Lamps
   vtkNew<vtkEnvironment> Environment;
   vtkNew<vtkLightSet> Set;
 
-  explicit Lamps(int count)
+  explicit Lamps(int count, int texels = 1) // in a row
   {
     std::vector<float> rgb(3 * Width * Height, 1e-5f);
     this->Environment->SetPixels(Width, Height, rgb);
@@ -51,6 +51,10 @@ struct Lamps
         irradiance[c] = 1e4 / (c + 1) * solidAngle;
       }
       this->Set->AddLight(direction, irradiance);
+      for (int next = 1; next < texels; ++next)
+      {
+        std::copy_n(&rgb[3 * texel], 3, &rgb[3 * (texel + static_cast<std::size_t>(next))]);
+      }
     }
     EXPECT_TRUE(this->Environment->SetPixels(Width, Height, rgb));
   }
@@ -280,4 +284,32 @@ TEST(HybridLamps, ShaderInputs)
       form.Description.find(std::to_string(count) + " directional lights"), std::string::npos)
       << form.Description;
   }
+}
+
+//------------------------------------------------------------------------------
+// A lamp of two texels, whose shape a normal distribution lacks.
+TEST(HybridLamps, HaveParts)
+{
+  const auto brdf = NewGloss(5000.0);
+  Lamps lamps(3, 2);
+  SpherePairs pairs;
+  for (std::uint32_t k = 1; k <= 200; ++k)
+  {
+    const Frame frame = FrameAbout(lamps.GetDirection(static_cast<int>(k) % 3));
+    const double away = 2.5 * Pi / 180.0 * RadicalInverse(k, 3);
+    const glm::dvec3 axis = frame * ToDirection(std::cos(away), 2.0 * Pi * RadicalInverse(k, 5));
+    const glm::dvec3 view =
+      frame * ToDirection(2.0 * RadicalInverse(k, 2) - 0.98, 2.0 * Pi * RadicalInverse(k, 7));
+    pairs.Add(glm::normalize(axis + view), view);
+  }
+  vtkNew<vtkAdaptiveRadianceIntegrator> reference;
+  reference->SetBRDF(brdf);
+  reference->SetEnvironment(lamps.Environment);
+  const auto exact = pairs.Integrate(reference);
+  const auto hybrid = NewHybrid(brdf, lamps.Environment, 65);
+  ASSERT_TRUE(hybrid->SetSizes({ 65, 12, 16, 0, 64, 20 })); // of 2 degrees: each is one lamp
+  const double error = GetRelativeError(pairs.Integrate(hybrid), exact);
+  std::printf("%d lamps of two parts: %.4f\n", hybrid->GetNumberOfLights(), error);
+  EXPECT_EQ(hybrid->GetNumberOfLights(), 3);
+  EXPECT_LT(error, 0.08);
 }
