@@ -50,14 +50,15 @@ vec3 brdfAddLampsINSTANCE(mat3 frame, vec3 o, vec3 d, vec3 lambert)
     lamps.Index = 0.0;
     lamps.Nearness = 0.0;
     FIND_LAMPS
-    float index = brdfLampTexelINSTANCE(lamps.Index, 0.0).a + part;
+    bool isWhole = lamps.Nearness < PARTS_NEARNESS;
+    float index = isWhole ? lamps.Index : brdfLampTexelINSTANCE(lamps.Index, 0.0).a + part;
     vec3 i = brdfLampTexelINSTANCE(index, 0.0).rgb * frame;
     float root = lamps.Nearness * (2.0 - lamps.Nearness); // 1 - x x
     vec3 f = EVALUATE_LAMP(i.z > 0.0 ? i : vec3(0.0, 0.0, 1.0), o);
     sum += BRDF_OPEN_LAMP(int(lamps.Index)) (f - lambert) *
       brdfLampTexelINSTANCE(index, 1.0).rgb * (root * root * max(i.z, 0.0));
     part += 1.0;
-    bool isLast = part >= brdfLampTexelINSTANCE(lamps.Index, 1.0).a;
+    bool isLast = isWhole || part >= brdfLampTexelINSTANCE(lamps.Index, 1.0).a;
     lamps.Wanted += isLast ? 1.0 : 0.0;
     part = isLast ? 0.0 : part;
   } while (lamps.Wanted < lamps.Count);

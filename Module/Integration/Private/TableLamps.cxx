@@ -60,7 +60,9 @@ glm::dvec3 TableLamps::Sum(const Frame& frame, const glm::dvec3& view, const glm
         sum += weight * light.z * (f - lambert) * part.Irradiance;
       }
     };
-    if (weight > 0.0 && this->Parts.empty())
+    const bool isWhole = this->Parts.empty() || this->Window.GetNearness(whole.Direction, axis) <
+                                                  LampWindow::PartsNearness;
+    if (weight > 0.0 && isWhole)
     {
       add(whole);
     }
@@ -146,6 +148,7 @@ void TableLamps::AddTo(vtkBRDFShaderInputs::Term& table) const
   }
   table.Constants.push_back({ "LAMP_UNIFORMS", uniforms });
   table.Constants.push_back({ "FIND_LAMPS", find });
+  table.Constants.push_back({ "PARTS_NEARNESS", std::to_string(LampWindow::PartsNearness) });
   table.Constants.push_back({ "LIGHTS_PER_ROW", std::to_string(LightsPerRow) + ".0" });
   table.Uniforms.push_back({ "brdfLampReach", { static_cast<float>(2.0 * this->Window.Reach) } });
   table.Textures.push_back(this->MakeTexture());
