@@ -896,8 +896,6 @@ add("Integration.lamps-as-points", "vtkHybridRadianceIntegrator.cxx", "lamps ? l
     "HybridLamps.AreAreasForNarrowLobes")
 add("Shaders.lamps-of-one-part", "vtkBRDFEnvironmentLamps.glsl", "isWhole || part >=", "isWhole || part + 8.0 >=",
     "Parity.HybridOfWideLamps")
-add("Shaders.lamps-in-parts-everywhere", "vtkBRDFEnvironmentLamps.glsl", "lamps.Nearness < PARTS_NEARNESS", "false",
-    "Parity.HybridOfWideLamps")
 add("Integration.lamps-parts-are-the-first", "Private/TableLamps.cxx", "    first += count;\n", "", "Parity.HybridOfWideLamps")
 add("Integration.lamp-lobes-of-half-a-turn", "Private/LampBRDF.cxx", "FindCorners(2.0 * std::abs(u.x)", "FindCorners(std::abs(u.x)",
     "LampBRDF.IsTheMeanOverALamp")
