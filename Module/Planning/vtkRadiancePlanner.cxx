@@ -149,7 +149,7 @@ struct vtkRadiancePlanner::Internals
   {
     if (this->Given.Normals)
     {
-      return this->Given;
+      return measuredbrdf::AddBetween(this->Given, SpherePairs);
     }
     const auto bright = this->Environment->GetParts().GetExtractedEmitters(this->Environment,
       measuredbrdf::ExtractedEmitters::DefaultShare, measuredbrdf::LightsReference::MaximumSuns,

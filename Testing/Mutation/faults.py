@@ -609,6 +609,10 @@ add("Planning.off-is-a-folder", "Private/PlanCache.cxx", 'std::string(own) == "o
     "PlanCache.DefaultFolderFollowsTheEnvironment")
 add("Planning.largest-cache", "Private/PlanCache.cxx", "if (total <= maximumBytes)", "if (total <= 2 * maximumBytes)",
     "PlanCache.StaysWithinItsBounds")
+add("Planning.nothing-between-pixels", "Private/PlanPairs.cxx", "constexpr double Reach = 0.5;", "constexpr double Reach = 0.0;",
+    "PlanPairs.HaveOthersBetween")
+add("Planning.pixels-far-apart-are-neighbors", "Private/PlanPairs.cxx", "constexpr double Apart = 0.3;", "constexpr double Apart = 3.0;",
+    "PlanPairs.HaveOthersBetween")
 add("Planning.error-without-deviation", "Private/PlanComparison.cxx", "return { error + uncertainty, uncertainty };",
     "return { error, uncertainty };", "PlanComparison.PoolsSamplesAndAddsTheReferencesError|GoldenPlans.EmbeddedMaterials|PlanSample.PredictionsHold")
 add("Planning.pairs-without-weights", "Private/PlanComparison.cxx",

@@ -11,11 +11,15 @@
 #include "ExtractedEmitters.h"
 #include "vtkDoubleArray.h"
 #include "vtkSmartPointer.h"
+#include "vtkType.h"
 
 #include <vector>
 
 namespace measuredbrdf
 {
+/// How many candidates are compared on.
+constexpr int PairsToCompare = 512;
+
 struct PlanPairs
 {
   vtkSmartPointer<vtkDoubleArray> Normals; // unit vectors
@@ -29,6 +33,11 @@ struct PlanPairs
 /// view: from the object to the camera; 0, 0, 0: from everywhere.
 PlanPairs DrawSpherePairs(
   int count, const double view[3], const std::vector<ExtractedEmitters::Light>& lamps = {});
+
+/// At least so many: those that are given, which are some of a picture's pixels, and others between
+/// each of them and the nearest ones, as the pixels between show them: a few of these may see a
+/// lamp. No more than a plan compares stay as they are. Repeatable.
+PlanPairs AddBetween(const PlanPairs& given, vtkIdType count);
 
 /// Turned by a rotation, whose columns follow each other.
 void Turn(const double columns[9], PlanPairs& pairs);

@@ -30,9 +30,6 @@ bool SamplePairs(const PlanTask& task, const IsAborted& isAborted,
   std::vector<PlanCandidate>& candidates, PlanPairs& pairs, PlanPairs& second,
   std::string& problem);
 
-/// How many pairs candidates are compared on.
-constexpr int PairsToCompare = 512;
-
 /// Such a sample of about so many pairs, by what two methods say that they reflect (null: all pairs
 /// are alike). Another index, another sample.
 PlanPairs ChoosePairs(const PlanPairs& pairs, vtkDoubleArray* coarse, vtkDoubleArray* fine,

@@ -3,6 +3,7 @@
 // The pairs that plans are checked on: where errors are, without a bias, and predictions that hold
 // on thousands of other pairs.
 
+#include "HalfVector.h" // for Pi
 #include "PlanPairs.h"
 #include "PlanSample.h"
 #include "SpherePairs.h"
@@ -17,6 +18,7 @@
 #include "vtkSmartPointer.h"
 
 #include <glm/glm.hpp>
+#include <glm/gtc/type_ptr.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -288,4 +290,58 @@ TEST(PlanSample, StopsAndTakesAnything)
   EXPECT_EQ(pairs.Normals->GetNumberOfTuples(), Many);
   ASSERT_TRUE(measuredbrdf::SamplePairs(task, no, none, pairs, second, problem));
   EXPECT_NEAR(pairs.Normals->GetNumberOfTuples(), measuredbrdf::PairsToCompare, 1);
+}
+
+//------------------------------------------------------------------------------
+// A picture has more pixels than a plan is given: normals 4 degrees apart come within 1.2 of all
+// that lie between, a plate stays flat, and a pair without neighbors stays alone.
+TEST(PlanPairs, HaveOthersBetween)
+{
+  measuredbrdf::PlanPairs given;
+  given.Normals = vtkSmartPointer<vtkDoubleArray>::New();
+  given.Views = vtkSmartPointer<vtkDoubleArray>::New();
+  given.Normals->SetNumberOfComponents(3);
+  given.Views->SetNumberOfComponents(3);
+  constexpr double step = 4.0 * measuredbrdf::Pi / 180.0;
+  const auto slope = [](double x, double y) { return glm::normalize(glm::dvec3(x, y, 1.0)); };
+  constexpr int side = 24;
+  for (int k = 0; k < side * side; ++k)
+  {
+    const glm::dvec3 n = slope(step * (k % side) - 0.7, step * (k / side) - 0.7);
+    given.Normals->InsertNextTuple(&n.x);
+    given.Views->InsertNextTuple3(0.0, 0.0, 1.0);
+  }
+  given.Normals->InsertNextTuple3(0.0, -1.0, 0.0);
+  given.Views->InsertNextTuple3(0.0, -1.0, 0.0);
+  EXPECT_EQ(measuredbrdf::AddBetween(given, 16).Normals->GetNumberOfTuples(), side * side + 1);
+  constexpr vtkIdType count = 12000;
+  const measuredbrdf::PlanPairs all = measuredbrdf::AddBetween(given, count);
+  ASSERT_GE(all.Normals->GetNumberOfTuples(), count);
+  ASSERT_EQ(all.Views->GetNumberOfTuples(), all.Normals->GetNumberOfTuples());
+  EXPECT_TRUE(all.Weights.empty());
+  int alone = 0;
+  std::vector<glm::dvec3> normals;
+  for (vtkIdType k = 0; k < all.Normals->GetNumberOfTuples(); ++k)
+  {
+    normals.push_back(glm::make_vec3(all.Normals->GetTuple(k)));
+    EXPECT_NEAR(glm::length(normals.back()), 1.0, 1e-12);
+    const bool isAlone = normals.back().y < -0.99;
+    alone += isAlone ? 1 : 0;
+    EXPECT_NEAR(all.Views->GetComponent(k, 2), isAlone ? 0.0 : 1.0, 1e-12);
+    EXPECT_GT(normals.back().z, isAlone ? -1e-12 : 0.5);
+  }
+  EXPECT_EQ(alone, static_cast<int>(normals.size()) / (side * side + 1));
+  double farthest = 0.0;
+  for (int k = 0; k < 400; ++k)
+  {
+    const glm::dvec3 wanted = slope(-0.5 + 0.05 * (k % 20), -0.5 + 0.05 * (k / 20));
+    double least = 10.0;
+    for (const glm::dvec3& n : normals)
+    {
+      least = std::min(least, glm::length(n - wanted));
+    }
+    farthest = std::max(farthest, least);
+  }
+  std::printf("at most %.2f degrees away\n", farthest * 180.0 / measuredbrdf::Pi);
+  EXPECT_LT(farthest, 1.2 * measuredbrdf::Pi / 180.0);
 }
