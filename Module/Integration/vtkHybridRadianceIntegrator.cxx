@@ -154,7 +154,7 @@ bool vtkHybridRadianceIntegrator::UsesBRDFOnGPU()
 }
 
 //------------------------------------------------------------------------------
-// How wide the lamps are, if the lobe sees them as areas; else 0.
+// How wide the lamps are, if they are seen through a LampBRDF; else 0.
 double vtkHybridRadianceIntegrator::FindLampSpread()
 {
   const auto goOn = [this]() { return this->Report(0.0); };
@@ -164,7 +164,8 @@ double vtkHybridRadianceIntegrator::FindLampSpread()
   const double spread =
     lamps ? lamps->GetSpread(this->IsWindowed(static_cast<int>(lamps->Lights.size()))) : 0.0;
   const auto parts = this->Shared ? this->Shared : std::make_shared<Precomputation>();
-  return spread > 0.0 && LampBRDF::IsNeeded(parts->GetViews(this->BRDF, this->Abort), spread)
+  return spread > 0.0 &&
+             LampBRDF::IsNeeded(this->BRDF, parts->GetViews(this->BRDF, this->Abort), spread)
            ? spread
            : 0.0;
 }

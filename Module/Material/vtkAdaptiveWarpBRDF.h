@@ -79,6 +79,7 @@ public:
   void GetBounds(double minimumCosine, double lower[3], double upper[3]) override;
   bool IsIsotropic() override { return this->Data.PhiI.size() <= 2; }
   bool IsReciprocal() override { return false; }
+  bool IsRenderable() override { return false; }
   vtkBRDF* GetRenderable() override;
   VTK_NEWINSTANCE vtkBRDF* NewQuickRenderable() override;
   void GetShaderInputs(vtkBRDFShaderInputs& form) override;

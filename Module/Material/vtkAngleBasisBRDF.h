@@ -64,6 +64,7 @@ public:
   bool IsIsotropic() override { return false; }
   bool IsReciprocal() override { return false; }
   void Prepare() override;
+  bool IsRenderable() override { return false; }
   vtkBRDF* GetRenderable() override;
   VTK_NEWINSTANCE vtkBRDF* NewQuickRenderable() override;
   void GetShaderInputs(vtkBRDFShaderInputs& form) override;

@@ -144,6 +144,11 @@ public:
   virtual vtkBRDF* GetRenderable() { return this; }
 
   /**
+   * Whether GetRenderable() is this object: the representation has a GLSL form.
+   */
+  virtual bool IsRenderable() { return true; }
+
+  /**
    * A fast substitute for GetRenderable(): the same object if it exists or costs nothing, else a
    * coarse one, made in about a hundredth of a second, with an error of some percent that is not
    * measured. Default: GetRenderable(); override it where that is slow. The caller has to release

@@ -230,11 +230,16 @@ bool vtkSumBRDF::IsReciprocal()
 }
 
 //------------------------------------------------------------------------------
+bool vtkSumBRDF::IsRenderable()
+{
+  return std::all_of(
+    this->Terms.begin(), this->Terms.end(), [](vtkBRDF* term) { return term->IsRenderable(); });
+}
+
+//------------------------------------------------------------------------------
 vtkBRDF* vtkSumBRDF::GetRenderable()
 {
-  const bool direct = std::all_of(this->Terms.begin(), this->Terms.end(),
-    [](vtkBRDF* term) { return term->GetRenderable() == term; });
-  if (direct)
+  if (this->IsRenderable())
   {
     return this;
   }

@@ -41,6 +41,7 @@ public:
   bool IsIsotropic() override;
   bool IsReciprocal() override;
   void Prepare() override;
+  bool IsRenderable() override;
   vtkBRDF* GetRenderable() override;
   VTK_NEWINSTANCE vtkBRDF* NewQuickRenderable() override;
   void GetShaderInputs(vtkBRDFShaderInputs& form) override;

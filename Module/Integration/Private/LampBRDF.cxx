@@ -174,7 +174,12 @@ vtkSmartPointer<LampBRDF> LampBRDF::Make(vtkBRDF* material, double spread)
   return made;
 }
 
-bool LampBRDF::IsNeeded(const LobeViews& views, double spread)
+bool LampBRDF::IsNeeded(vtkBRDF* material, const LobeViews& views, double spread)
+{
+  return spread > 0.0 && (!material->IsRenderable() || IsWidthSeen(views, spread));
+}
+
+bool LampBRDF::IsWidthSeen(const LobeViews& views, double spread)
 {
   return spread > 0.0 &&
          views.GetSharpShare(Pi * WidthsSeen * WidthsSeen * spread, FarthestView) > LeastSharpShare;

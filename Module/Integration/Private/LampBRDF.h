@@ -37,7 +37,17 @@ public:
 
   /// Whether the width of such lamps shows: more than 5 % of some view's albedo lie in lobes
   /// narrower than twelve times the lamp, seen at most 60 degrees from the normal.
-  static bool IsNeeded(const LobeViews& views, double spread);
+  static bool IsWidthSeen(const LobeViews& views, double spread);
+
+  /// Whether lamps are to be seen through this: where their width shows, or where shaders would
+  /// need a resampled form of the material, which is five times as large.
+  static bool IsNeeded(vtkBRDF* material, const LobeViews& views, double spread);
+
+  ///@{
+  /// Whether the parts of a lamp are to be told apart; default: no.
+  void SetSeesParts(bool seesParts) { this->SeesParts = seesParts; }
+  bool GetSeesParts() const { return this->SeesParts; }
+  ///@}
 
   /// Of the texture.
   static vtkIdType GetTextureBytes();
@@ -66,6 +76,7 @@ private:
 
   std::vector<std::uint32_t> Texels; // phi_d fastest, with shared exponents
   double Scale = 1.0;                // of their values
+  bool SeesParts = false;
 };
 } // namespace measuredbrdf
 

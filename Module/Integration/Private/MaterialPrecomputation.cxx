@@ -112,7 +112,10 @@ vtkSmartPointer<vtkBRDF> MaterialPrecomputation::GetLampForm(vtkBRDF* brdf, doub
   vtkSmartPointer<vtkBRDF>& form = this->LampForms[spread];
   if (!form)
   {
-    form = LampBRDF::Make(brdf, spread);
+    const std::atomic<bool> never{ false };
+    const auto made = LampBRDF::Make(brdf, spread);
+    made->SetSeesParts(LampBRDF::IsWidthSeen(this->GetViews(brdf, never), spread));
+    form = made;
   }
   return form;
 }

@@ -27,7 +27,8 @@ TableLamps::TableLamps(vtkLightSet* lights, vtkBRDF* shaded)
   : Lights(lights)
   , Shaded(shaded)
 {
-  auto* lamps = LampBRDF::SafeDownCast(shaded) ? LampSet::SafeDownCast(lights) : nullptr;
+  auto* areas = LampBRDF::SafeDownCast(shaded);
+  auto* lamps = areas && areas->GetSeesParts() ? LampSet::SafeDownCast(lights) : nullptr;
   for (int k = 0; lamps && k < lights->GetNumberOfLights(); ++k)
   {
     this->Parts.emplace_back();

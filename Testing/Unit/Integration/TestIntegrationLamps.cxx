@@ -184,11 +184,11 @@ TEST(LampBRDF, IsForLobesAsNarrowAsLamps)
   const auto isNeeded = [spread](double exponent)
   {
     const auto brdf = NewGloss(exponent);
-    return LampBRDF::IsNeeded(LobeViews(brdf), spread);
+    return LampBRDF::IsWidthSeen(LobeViews(brdf), spread);
   };
   EXPECT_FALSE(isNeeded(100.0));
   EXPECT_TRUE(isNeeded(20000.0));
-  EXPECT_FALSE(LampBRDF::IsNeeded(LobeViews(NewGloss(20000.0)), 0.0));
+  EXPECT_FALSE(LampBRDF::IsWidthSeen(LobeViews(NewGloss(20000.0)), 0.0));
 }
 
 //------------------------------------------------------------------------------
