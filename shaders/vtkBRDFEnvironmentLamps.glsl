@@ -7,6 +7,7 @@
 // components: a lamp's first part, which may be itself, and how many it has.
 uniform sampler2D brdfLightsINSTANCE;
 uniform float brdfLampReachINSTANCE; // the window ends where reach (1 - cosine of the angle) is 1
+uniform float brdfPartsNearnessINSTANCE; // of lamps that are the sum of their parts, at least
 LAMP_UNIFORMS
 
 struct brdfLampsINSTANCE
@@ -50,7 +51,7 @@ vec3 brdfAddLampsINSTANCE(mat3 frame, vec3 o, vec3 d, vec3 lambert)
     lamps.Index = 0.0;
     lamps.Nearness = 0.0;
     FIND_LAMPS
-    bool isWhole = lamps.Nearness < PARTS_NEARNESS;
+    bool isWhole = lamps.Nearness < brdfPartsNearnessINSTANCE;
     float index = isWhole ? lamps.Index : brdfLampTexelINSTANCE(lamps.Index, 0.0).a + part;
     vec3 i = brdfLampTexelINSTANCE(index, 0.0).rgb * frame;
     float root = lamps.Nearness * (2.0 - lamps.Nearness); // 1 - x x

@@ -118,10 +118,17 @@ bool vtkHybridRadianceIntegrator::Begin()
   Internals made;
   made.NumberOfLights = lamps->Set ? lamps->Set->GetNumberOfLights() : 0;
   const bool isWindowed = this->IsWindowed(made.NumberOfLights);
-  if (const double spread = this->FindLampSpread())
+  const auto parts =
+    this->Shared || this->Quick ? this->Shared : std::make_shared<Precomputation>();
+  const double spread = this->FindLampSpread(parts);
+  if (spread > 0.0 && !this->Abort)
   {
-    const auto parts = this->Shared ? this->Shared : std::make_shared<Precomputation>();
-    made.LampForm = parts->GetLampForm(this->BRDF, spread);
+    made.LampForm = parts->GetLampForm(this->BRDF, spread, this->Abort);
+  }
+  if (this->Abort)
+  {
+    vtkErrorMacro("Prepare: aborted.");
+    return false;
   }
   if (lamps->Set && !isWindowed)
   {
@@ -131,7 +138,7 @@ bool vtkHybridRadianceIntegrator::Begin()
     made.Lights->UnrolledOn(); // their number is the plan's
   }
   made.Broad = this->NewBroad(lamps->Rest, isWindowed ? lamps->Set.Get() : nullptr, made.LampForm);
-  made.Broad->SetPrecomputation(this->Shared);
+  made.Broad->SetPrecomputation(parts);
   const bool broadly = this->PrepareLayer(made.Broad, this->Given);
   made.Broad->SetPrecomputation(nullptr);
   if (!broadly && this->Given)
@@ -155,7 +162,7 @@ bool vtkHybridRadianceIntegrator::UsesBRDFOnGPU()
 
 //------------------------------------------------------------------------------
 // How wide the lamps are, if they are seen through a LampBRDF; else 0.
-double vtkHybridRadianceIntegrator::FindLampSpread()
+double vtkHybridRadianceIntegrator::FindLampSpread(const std::shared_ptr<Precomputation>& parts)
 {
   const auto goOn = [this]() { return this->Report(0.0); };
   const bool canSee = !this->Quick && this->BRDF && this->BRDF->IsIsotropic();
@@ -163,11 +170,14 @@ double vtkHybridRadianceIntegrator::FindLampSpread()
     FindLamps(this->Environment, this->LightAngle, canSee ? this->MaximumNumberOfLights : 0, goOn);
   const double spread =
     lamps ? lamps->GetSpread(this->IsWindowed(static_cast<int>(lamps->Lights.size()))) : 0.0;
-  const auto parts = this->Shared ? this->Shared : std::make_shared<Precomputation>();
-  return spread > 0.0 &&
-             LampBRDF::IsNeeded(this->BRDF, parts->GetViews(this->BRDF, this->Abort), spread)
-           ? spread
-           : 0.0;
+  if (!(spread > 0.0))
+  {
+    return 0.0;
+  }
+  // Lights would need a resampled form, which is five times as large.
+  const bool isNeeded = !this->BRDF->IsRenderable() ||
+                        LampBRDF::IsWidthSeen(parts->GetViews(this->BRDF, this->Abort), spread);
+  return isNeeded ? spread : 0.0;
 }
 
 //------------------------------------------------------------------------------
@@ -432,8 +442,8 @@ double vtkHybridRadianceIntegrator::EstimateCost(vtkRadianceCostModel* costs)
 //------------------------------------------------------------------------------
 vtkIdType vtkHybridRadianceIntegrator::EstimateTextureBytes()
 {
-  const bool seesAreas =
-    this->Impl->Broad ? this->Impl->LampForm != nullptr : this->FindLampSpread() > 0.0;
+  const auto parts = this->Shared ? this->Shared : std::make_shared<Precomputation>();
+  const bool seesAreas = this->FindLampSpread(parts) > 0.0;
   return this->NewBroad()->EstimateTextureBytes() +
          32 * this->CountLights(this->LightAngle, this->MaximumNumberOfLights) +
          (seesAreas ? LampBRDF::GetTextureBytes() : 0);

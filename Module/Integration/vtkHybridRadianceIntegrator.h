@@ -166,7 +166,7 @@ private:
   vtkSmartPointer<vtkRadianceIntegrator> NewBroad(
     const std::shared_ptr<const vtkEnvironment::TexelChanges>& rest = nullptr,
     vtkLightSet* lamps = nullptr, vtkBRDF* lampForm = nullptr);
-  double FindLampSpread();
+  double FindLampSpread(const std::shared_ptr<Precomputation>& parts);
 
   struct Internals;
   std::unique_ptr<Internals> Impl;

@@ -174,11 +174,6 @@ vtkSmartPointer<LampBRDF> LampBRDF::Make(vtkBRDF* material, double spread)
   return made;
 }
 
-bool LampBRDF::IsNeeded(vtkBRDF* material, const LobeViews& views, double spread)
-{
-  return spread > 0.0 && (!material->IsRenderable() || IsWidthSeen(views, spread));
-}
-
 bool LampBRDF::IsWidthSeen(const LobeViews& views, double spread)
 {
   return spread > 0.0 &&

@@ -39,10 +39,6 @@ public:
   /// narrower than twelve times the lamp, seen at most 60 degrees from the normal.
   static bool IsWidthSeen(const LobeViews& views, double spread);
 
-  /// Whether lamps are to be seen through this: where their width shows, or where shaders would
-  /// need a resampled form of the material, which is five times as large.
-  static bool IsNeeded(vtkBRDF* material, const LobeViews& views, double spread);
-
   ///@{
   /// Whether the parts of a lamp are to be told apart; default: no.
   void SetSeesParts(bool seesParts) { this->SeesParts = seesParts; }

@@ -107,22 +107,29 @@ const LobeViews& MaterialPrecomputation::GetViews(vtkBRDF* brdf, const std::atom
   return *this->Views;
 }
 
-vtkSmartPointer<vtkBRDF> MaterialPrecomputation::GetLampForm(vtkBRDF* brdf, double spread)
+vtkSmartPointer<vtkBRDF> MaterialPrecomputation::GetLampForm(
+  vtkBRDF* brdf, double spread, const std::atomic<bool>& abort)
 {
-  vtkSmartPointer<vtkBRDF>& form = this->LampForms[spread];
-  if (!form)
+  const auto known = this->LampForms.find(spread);
+  if (known != this->LampForms.end())
   {
-    const std::atomic<bool> never{ false };
-    const auto made = LampBRDF::Make(brdf, spread);
-    made->SetSeesParts(LampBRDF::IsWidthSeen(this->GetViews(brdf, never), spread));
-    form = made;
+    return known->second;
   }
+  const LobeViews& views = this->GetViews(brdf, abort);
+  if (abort)
+  {
+    return nullptr;
+  }
+  const auto form = LampBRDF::Make(brdf, spread);
+  form->SetSeesParts(LampBRDF::IsWidthSeen(views, spread));
+  this->LampForms[spread] = form;
   return form;
 }
 
 void MaterialPrecomputation::Trim(int mostAngles, int mostNodes)
 {
   this->Remainders.clear();
+  this->LampForms.clear();
   for (auto it = this->KernelsOf.begin(); it != this->KernelsOf.end();)
   {
     if (it->first.first > mostAngles || it->first.second > mostNodes)

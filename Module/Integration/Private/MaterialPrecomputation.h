@@ -67,8 +67,9 @@ public:
   /// The material's views: for a profile, and to be split into parts.
   const LobeViews& GetViews(vtkBRDF* brdf, const std::atomic<bool>& abort);
 
-  /// LampBRDF::Make of an isotropic material.
-  vtkSmartPointer<vtkBRDF> GetLampForm(vtkBRDF* brdf, double spread);
+  /// LampBRDF::Make of an isotropic material; null where it was aborted.
+  vtkSmartPointer<vtkBRDF> GetLampForm(
+    vtkBRDF* brdf, double spread, const std::atomic<bool>& abort);
 
   /// Without what few plans need: kernels at more than so many angles or of more than so many
   /// nodes, and what a factored table lacks.

@@ -251,7 +251,8 @@ bool CanPruneMaps(int rows, int maps, const std::vector<vtkRadianceIntegrator::A
           fewer.Sizes[1] == more.Sizes[1] && fewer.Sizes[2] == more.Sizes[2])
       {
         finest = more.Sizes[0];
-        gain = std::pow(std::min(more.Error / fewer.Error, 1.0), 1.0 / doublings);
+        gain = std::min( // tiles may have held it back; maps have none
+          std::pow(std::min(more.Error / fewer.Error, 1.0), 1.0 / doublings), MostOfRows);
       }
     }
   }

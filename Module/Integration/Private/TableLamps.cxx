@@ -61,8 +61,9 @@ glm::dvec3 TableLamps::Sum(const Frame& frame, const glm::dvec3& view, const glm
         sum += weight * light.z * (f - lambert) * part.Irradiance;
       }
     };
-    const bool isWhole = this->Parts.empty() || this->Window.GetNearness(whole.Direction, axis) <
-                                                  LampWindow::PartsNearness;
+    const bool isWhole =
+      this->Parts.empty() || this->Parts[static_cast<std::size_t>(k)].empty() ||
+      this->Window.GetNearness(whole.Direction, axis) < LampWindow::PartsNearness;
     if (weight > 0.0 && isWhole)
     {
       add(whole);
@@ -96,12 +97,12 @@ vtkBRDFShaderInputs::Texture TableLamps::MakeTexture() const
     std::for_each(parts.begin(), parts.end(), add);
   }
   vtkBRDFShaderInputs::Texture texture = MakeLightTexture(all);
-  std::size_t first = this->Parts.empty() ? 0 : lamps;
+  std::size_t first = lamps;
   for (std::size_t k = 0; k < lamps; ++k)
   {
-    const std::size_t count = this->Parts.empty() ? 1 : this->Parts[k].size();
-    texture.Data[8 * k + 3] = static_cast<float>(first);
-    texture.Data[8 * k + 7] = static_cast<float>(count);
+    const std::size_t count = this->Parts.empty() ? 0 : this->Parts[k].size();
+    texture.Data[8 * k + 3] = static_cast<float>(count > 0 ? first : k); // or itself
+    texture.Data[8 * k + 7] = static_cast<float>(std::max<std::size_t>(count, 1));
     first += count;
   }
   return texture;
@@ -149,7 +150,8 @@ void TableLamps::AddTo(vtkBRDFShaderInputs::Term& table) const
   }
   table.Constants.push_back({ "LAMP_UNIFORMS", uniforms });
   table.Constants.push_back({ "FIND_LAMPS", find });
-  table.Constants.push_back({ "PARTS_NEARNESS", std::to_string(LampWindow::PartsNearness) });
+  table.Uniforms.push_back(
+    { "brdfPartsNearness", { static_cast<float>(LampWindow::PartsNearness) } });
   table.Constants.push_back({ "LIGHTS_PER_ROW", std::to_string(LightsPerRow) + ".0" });
   table.Uniforms.push_back({ "brdfLampReach", { static_cast<float>(2.0 * this->Window.Reach) } });
   table.Textures.push_back(this->MakeTexture());

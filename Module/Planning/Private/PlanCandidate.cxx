@@ -49,9 +49,11 @@ std::vector<PlanCandidate> ListCandidates(const PlanTask& task)
       {
         continue; // it has said which size is out of range
       }
+      candidate.Integrator->SetPrecomputation(task.Shared); // for what they ask of the material
       candidate.Description = candidate.Integrator->GetSizesText();
       candidate.Cost = candidate.Integrator->EstimateCost(task.Costs);
       candidate.Bytes = candidate.Integrator->EstimateTextureBytes();
+      candidate.Integrator->SetPrecomputation(nullptr);
       if (candidate.Bytes <= task.MaximumBytes)
       {
         candidates.push_back(candidate);

@@ -195,7 +195,8 @@ std::array<std::size_t, Nearest> FindNearest(const std::vector<Pair>& pairs, std
 
 PlanPairs AddBetween(const PlanPairs& given, vtkIdType count)
 {
-  if (given.Normals->GetNumberOfTuples() <= PairsToCompare)
+  if (given.Normals->GetNumberOfTuples() <= PairsToCompare ||
+      given.Normals->GetNumberOfTuples() >= count)
   {
     return given;
   }

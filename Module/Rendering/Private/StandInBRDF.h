@@ -30,6 +30,7 @@ public:
   bool IsIsotropic() override { return this->Material->IsIsotropic(); }
   bool IsReciprocal() override { return this->Material->IsReciprocal(); }
   void Prepare() override { this->Material->Prepare(); }
+  bool IsRenderable() override { return false; }
   vtkBRDF* GetRenderable() override;
   void GetShaderInputs(vtkBRDFShaderInputs& form) override;
 

@@ -103,6 +103,7 @@ TEST(ShaderFetches, Materials)
     brdf->GetShaderInputs(inputs);
     ASSERT_EQ(inputs.Terms.size(), 1u);
     EXPECT_EQ(inputs.Terms[0].Fetches, fetches) << brdf->GetClassName();
+    EXPECT_TRUE(brdf->IsRenderable() && brdf->GetRenderable() == brdf) << brdf->GetClassName();
     EXPECT_EQ(FetchCounter(inputs.Terms[0]).Count("brdfTermINSTANCE"), fetches)
       << brdf->GetClassName();
   }
