@@ -170,13 +170,10 @@ double vtkHybridRadianceIntegrator::FindLampSpread(const std::shared_ptr<Precomp
     FindLamps(this->Environment, this->LightAngle, canSee ? this->MaximumNumberOfLights : 0, goOn);
   const double spread =
     lamps ? lamps->GetSpread(this->IsWindowed(static_cast<int>(lamps->Lights.size()))) : 0.0;
-  if (!(spread > 0.0))
-  {
-    return 0.0;
-  }
   // Lights would need a resampled form, which is five times as large.
-  const bool isNeeded = !this->BRDF->IsRenderable() ||
-                        LampBRDF::IsWidthSeen(parts->GetViews(this->BRDF, this->Abort), spread);
+  const bool isNeeded =
+    spread > 0.0 && (!this->BRDF->IsRenderable() ||
+                      LampBRDF::IsWidthSeen(parts->GetViews(this->BRDF, this->Abort), spread));
   return isNeeded ? spread : 0.0;
 }
 

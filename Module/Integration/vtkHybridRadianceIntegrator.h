@@ -14,10 +14,11 @@
  *   it too sharply for few rows, of a vtkFactoredRadianceIntegrator: a small table, and maps of
  *   many rows (NumberOfMaps > 0).
  *
- * Lights are shaded with vtkBRDF::GetRenderable(), what the graphics card evaluates: materials that
- * have no GLSL of their own are resampled for that. But where the lobe is about as narrow as the
- * lamps, it sees them as areas: these are shaded with its mean over a lamp, from a table of 0.8 MB.
- * Maps are for isotropic materials only.
+ * Lights are shaded with the material's own GLSL. Where an isotropic material has none
+ * (vtkBRDF::IsRenderable), or its lobe is about as narrow as the lamps and sees them as areas, they
+ * are shaded with its mean over a lamp, from a table of 0.8 MB that takes both sides of the plane
+ * of incidence for alike. Anisotropic materials without GLSL are resampled
+ * (vtkBRDF::GetRenderable). Maps are for isotropic materials only.
  */
 
 #ifndef vtkHybridRadianceIntegrator_h

@@ -60,8 +60,8 @@ public:
   /**
    * Rows of the map over D from pole to pole (default 65, in [9, 513]; twice as many columns less
    * two; more than 113 are those of tiles where radiance bends most, and a quarter of them
-   * everywhere: 4, 8 or 12 MB in all), view angles (default 16, in [2, 64]), azimuths psi (default
-   * 16, in [4, 64]).
+   * everywhere: the next multiple of 4 MB in all), view angles (default 16, in [2, 64]), azimuths
+   * psi (default 16, in [4, 64]).
    */
   virtual void SetNumberOfRows(int numberOfRows);
   vtkGetMacro(NumberOfRows, int);

@@ -144,7 +144,8 @@ public:
   virtual vtkBRDF* GetRenderable() { return this; }
 
   /**
-   * Whether GetRenderable() is this object: the representation has a GLSL form.
+   * Whether GetRenderable() is this object: the representation has a GLSL form. Override it
+   * together with GetRenderable().
    */
   virtual bool IsRenderable() { return true; }
 

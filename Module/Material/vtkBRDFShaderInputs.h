@@ -107,8 +107,8 @@ struct vtkBRDFShaderInputs
   }
 
   /// Texture fetches of a pixel, of an integrator's inputs with those of the material that lights
-  /// need, or with none. Where lamps are evaluated near the lobe's axis only, each further lamp
-  /// that is near takes as many again as one evaluation.
+  /// need, or with none. Where lamps are evaluated near the lobe's axis only, these are of one
+  /// turn: a pixel takes one for each lamp that is near, or for each of its parts (TableLamps.h).
   int CountFetches(const vtkBRDFShaderInputs& material) const
   {
     int once = 0;
