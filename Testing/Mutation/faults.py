@@ -900,6 +900,10 @@ add("Integration.lamps-as-points", "vtkHybridRadianceIntegrator.cxx", "lamps ? l
     "HybridLamps.AreAreasForNarrowLobes")
 add("Shaders.lamps-of-one-part", "vtkBRDFEnvironmentLamps.glsl", "isWhole || part >=", "isWhole || part + 8.0 >=",
     "Parity.HybridOfWideLamps")
+add("Integration.lamps-have-no-parts", "Private/MaterialPrecomputation.cxx", "LampBRDF::IsWidthSeen(views, spread)", "LampBRDF::IsWidthSeen(views, 0.0 * spread)",
+    "HybridLamps.HaveParts")
+add("Integration.lamps-of-resampled-materials", "vtkHybridRadianceIntegrator.cxx", "!this->BRDF->IsRenderable()", "this->BRDF == nullptr",
+    "HybridLamps.MaterialsWithoutGLSLTakeTheTableOfMeans")
 add("Integration.lamps-parts-are-the-first", "Private/TableLamps.cxx", "    first += count;\n", "", "Parity.HybridOfWideLamps")
 add("Integration.lamp-lobes-of-half-a-turn", "Private/LampBRDF.cxx", "FindCorners(2.0 * std::abs(u.x)", "FindCorners(std::abs(u.x)",
     "LampBRDF.IsTheMeanOverALamp")

@@ -10,6 +10,7 @@
 #include "LowDiscrepancy.h"
 #include "SpherePairs.h"
 #include "vtkAdaptiveRadianceIntegrator.h"
+#include "vtkAngularTableBRDF.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkHybridRadianceIntegrator.h"
@@ -90,6 +91,22 @@ vtkNew<vtkLightSetRadianceIntegrator> NewSum(vtkBRDF* brdf, vtkLightSet* lights)
   sum->SetBRDF(brdf);
   sum->SetLightSet(lights);
   return sum;
+}
+
+// Whose mirror directions are within 2.5 degrees of a lamp.
+SpherePairs DrawAbout(Lamps& lamps, int count)
+{
+  SpherePairs pairs;
+  for (std::uint32_t k = 1; k <= 200; ++k)
+  {
+    const Frame frame = FrameAbout(lamps.GetDirection(static_cast<int>(k) % count));
+    const double away = 2.5 * Pi / 180.0 * RadicalInverse(k, 3);
+    const glm::dvec3 axis = frame * ToDirection(std::cos(away), 2.0 * Pi * RadicalInverse(k, 5));
+    const glm::dvec3 view =
+      frame * ToDirection(2.0 * RadicalInverse(k, 2) - 0.98, 2.0 * Pi * RadicalInverse(k, 7));
+    pairs.Add(glm::normalize(axis + view), view);
+  }
+  return pairs;
 }
 } // namespace
 
@@ -199,17 +216,7 @@ TEST(HybridLamps, AreAreasForNarrowLobes)
   for (const int count : { 1, 5 })
   {
     Lamps lamps(count);
-    SpherePairs pairs;
-    for (std::uint32_t k = 1; k <= 200; ++k)
-    {
-      const glm::dvec3 lamp = lamps.GetDirection(static_cast<int>(k) % count);
-      const Frame frame = FrameAbout(lamp);
-      const double away = 2.5 * Pi / 180.0 * RadicalInverse(k, 3);
-      const glm::dvec3 axis = frame * ToDirection(std::cos(away), 2.0 * Pi * RadicalInverse(k, 5));
-      const glm::dvec3 view =
-        frame * ToDirection(2.0 * RadicalInverse(k, 2) - 0.98, 2.0 * Pi * RadicalInverse(k, 7));
-      pairs.Add(glm::normalize(axis + view), view);
-    }
+    const SpherePairs pairs = DrawAbout(lamps, count);
     vtkNew<vtkAdaptiveRadianceIntegrator> reference;
     reference->SetBRDF(brdf);
     reference->SetEnvironment(lamps.Environment);
@@ -287,29 +294,54 @@ TEST(HybridLamps, ShaderInputs)
 }
 
 //------------------------------------------------------------------------------
-// A lamp of two texels, whose shape a normal distribution lacks.
+// Lamps of four texels: of more than two lamps, each is the sum of them; else it is one normal
+// distribution, which lacks their shape.
 TEST(HybridLamps, HaveParts)
 {
   const auto brdf = NewGloss(5000.0);
-  Lamps lamps(3, 2);
-  SpherePairs pairs;
-  for (std::uint32_t k = 1; k <= 200; ++k)
+  const auto getError = [&brdf](int count)
   {
-    const Frame frame = FrameAbout(lamps.GetDirection(static_cast<int>(k) % 3));
-    const double away = 2.5 * Pi / 180.0 * RadicalInverse(k, 3);
-    const glm::dvec3 axis = frame * ToDirection(std::cos(away), 2.0 * Pi * RadicalInverse(k, 5));
-    const glm::dvec3 view =
-      frame * ToDirection(2.0 * RadicalInverse(k, 2) - 0.98, 2.0 * Pi * RadicalInverse(k, 7));
-    pairs.Add(glm::normalize(axis + view), view);
+    Lamps lamps(count, 4);
+    const SpherePairs pairs = DrawAbout(lamps, count);
+    vtkNew<vtkAdaptiveRadianceIntegrator> reference;
+    reference->SetBRDF(brdf);
+    reference->SetEnvironment(lamps.Environment);
+    const auto hybrid = NewHybrid(brdf, lamps.Environment, 65);
+    EXPECT_TRUE(hybrid->SetSizes({ 65, 12, 16, 0, 64, 40 })); // of 4 degrees: each is one lamp
+    const double error = GetRelativeError(pairs.Integrate(hybrid), pairs.Integrate(reference));
+    EXPECT_EQ(hybrid->GetNumberOfLights(), count);
+    return error;
+  };
+  const double whole = getError(2);
+  const double parts = getError(3);
+  std::printf("lamps of four texels, whole %.4f, in parts %.4f\n", whole, parts);
+  EXPECT_LT(parts, 0.3 * whole);
+}
+
+//------------------------------------------------------------------------------
+// Whatever their lobe: else lights would need a resampled form. Others show lamps themselves.
+TEST(HybridLamps, MaterialsWithoutGLSLTakeTheTableOfMeans)
+{
+  const auto wide = NewGloss(20.0);
+  vtkNew<vtkAngularTableBRDF> measured;
+  const std::vector<float> polar = { 0.0f, 30.0f, 60.0f, 90.0f };
+  const vtkAngularTableBRDF::Nodes light = { polar, { 0.0f } };
+  const vtkAngularTableBRDF::Nodes view = { polar, vtkAngularTableBRDF::GetEvenAzimuths(8) };
+  ASSERT_EQ(measured->SetValues(
+              light, view, std::vector<float>(3 * 4 * 4 * 8, 0.2f), vtkAngularTableBRDF::LIGHT),
+    "");
+  EXPECT_FALSE(measured->IsRenderable());
+  SpherePairs pairs;
+  pairs.AddRandom(100);
+  for (const int count : { 1, 5 })
+  {
+    Lamps lamps(count);
+    const auto hybrid = NewHybrid(measured, lamps.Environment, 17);
+    const auto exact = pairs.Integrate(NewSum(measured, lamps.Set));
+    EXPECT_LT(GetRelativeError(pairs.Integrate(hybrid), exact), 0.02);
+    EXPECT_FALSE(hybrid->UsesBRDFOnGPU());
+    const auto other = NewHybrid(wide, lamps.Environment, 17);
+    pairs.Integrate(other);
+    EXPECT_TRUE(other->UsesBRDFOnGPU());
   }
-  vtkNew<vtkAdaptiveRadianceIntegrator> reference;
-  reference->SetBRDF(brdf);
-  reference->SetEnvironment(lamps.Environment);
-  const auto exact = pairs.Integrate(reference);
-  const auto hybrid = NewHybrid(brdf, lamps.Environment, 65);
-  ASSERT_TRUE(hybrid->SetSizes({ 65, 12, 16, 0, 64, 20 })); // of 2 degrees: each is one lamp
-  const double error = GetRelativeError(pairs.Integrate(hybrid), exact);
-  std::printf("%d lamps of two parts: %.4f\n", hybrid->GetNumberOfLights(), error);
-  EXPECT_EQ(hybrid->GetNumberOfLights(), 3);
-  EXPECT_LT(error, 0.08);
 }
