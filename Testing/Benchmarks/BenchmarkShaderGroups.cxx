@@ -1,12 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
 // What a pixel of a radiance table pays: frames with one group of the shader's instructions
-// replaced by next to nothing, beside the whole shader and VTK's PBR, drawn in turns. Processor
-// time of the process, of all its threads: other programs' load matters little. The table of
-// docs/methods.md.
+// replaced by next to nothing, beside the whole shader and VTK's PBR, drawn in turns. The tables of
+// docs/methods.md and docs/graphics-card.md.
 //
-// usage: BenchmarkShaderGroups [ROUNDS]. Needs an OpenGL context (llvmpipe).
+//   BenchmarkShaderGroups [ROUNDS [pixels]]
+//
+// Frames are for software renderers: processor time of the process, of all its threads, so that
+// other programs' load matters little. `pixels` is for graphics cards: wall-clock time of layers of
+// squares in a large window, of which all pixels are shaded. Needs an OpenGL context.
 #include "FrameScene.h"
+#include "SquareLayers.h"
 #include "vtkBRDF.h"
 #include "vtkEmbeddedEnvironments.h"
 #include "vtkEnvironment.h"
@@ -19,6 +23,7 @@
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <ctime>
@@ -31,8 +36,15 @@
 
 namespace
 {
-constexpr int Side = 500;
 constexpr int Frames = 4; // a turn
+constexpr int Layers = 16;
+
+struct View
+{
+  int Width, Height;
+  double Radius; // what the window shows to either side, up and down
+  bool IsProcessorTime;
+};
 
 // Text of the shader, and what stands in its place.
 using Replacements = std::vector<std::pair<std::string, std::string>>;
@@ -78,18 +90,21 @@ const std::vector<Group>& GetGroups()
 class Picture : public FrameScene
 {
 public:
-  Picture(vtkPolyDataMapper* mapper, vtkPolyData* surface)
-    : FrameScene(Side, Side, 0.5)
+  Picture(vtkPolyDataMapper* mapper, vtkPolyData* surface, const View& view)
+    : FrameScene(view.Width, view.Height, view.Radius)
+    , IsProcessorTime(view.IsProcessorTime)
   {
     mapper->SetInputData(surface);
     this->Actor->SetMapper(mapper);
     this->Renderer->ResetCameraClippingRange();
   }
 
-  // ms of processor time a frame.
+  // ms a frame.
   void Draw(bool counts)
   {
-    const std::clock_t start = std::clock();
+    this->Window->Render(); // another window came before: this one does not count
+    this->Window->WaitForCompletion();
+    const double start = this->GetNow();
     for (int frame = 0; frame < Frames; ++frame)
     {
       this->Window->Render();
@@ -97,8 +112,7 @@ public:
     }
     if (counts)
     {
-      this->Times.push_back(
-        1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC / Frames);
+      this->Times.push_back((this->GetNow() - start) / Frames);
     }
   }
 
@@ -109,25 +123,36 @@ public:
   }
 
 private:
+  // ms
+  double GetNow() const
+  {
+    using Milliseconds = std::chrono::duration<double, std::milli>;
+    return this->IsProcessorTime
+             ? 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC
+             : Milliseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
+  }
+
+  bool IsProcessorTime;
   std::vector<double> Times;
 };
 
-std::unique_ptr<Picture> MakePBR(vtkEnvironment* environment, vtkPolyData* surface)
+std::unique_ptr<Picture> MakePBR(
+  vtkEnvironment* environment, vtkPolyData* surface, const View& view)
 {
   vtkNew<vtkPolyDataMapper> mapper;
-  auto picture = std::make_unique<Picture>(mapper, surface);
+  auto picture = std::make_unique<Picture>(mapper, surface, view);
   picture->ShadeByPBR(environment);
   return picture;
 }
 
 std::unique_ptr<Picture> MakeMeasured(vtkEnvironment* environment, vtkPolyData* surface,
-  vtkRadianceIntegrator* integrator, const Replacements& texts)
+  const View& view, vtkRadianceIntegrator* integrator, const Replacements& texts)
 {
   vtkNew<vtkMeasuredBRDFMapper> mapper;
   mapper->SetBRDF(GetEmbedded("gold-paint"));
   mapper->SetEnvironment(environment);
   mapper->SetIntegrator(integrator);
-  auto picture = std::make_unique<Picture>(mapper, surface);
+  auto picture = std::make_unique<Picture>(mapper, surface, view);
   for (const auto& [text, replacement] : texts)
   {
     picture->Actor->GetShaderProperty()->AddFragmentShaderReplacement(
@@ -136,46 +161,81 @@ std::unique_ptr<Picture> MakeMeasured(vtkEnvironment* environment, vtkPolyData* 
   return picture;
 }
 
-void Measure(const std::string& title, bool isLarge, int rounds)
+// Median ms of a frame with VTK's PBR, with the whole shader, and without each group.
+std::vector<double> TimeGroups(vtkPolyData* surface, const View& view, int rounds)
 {
-  const auto surface = isLarge ? MakeBumps(0.5, 0.03, 25.0, 20.0) : MakeSphere(0.5);
   const auto hall =
     vtkSmartPointer<vtkEnvironment>::Take(vtkEmbeddedEnvironments::NewEnvironment("hall"));
   vtkNew<vtkHybridRadianceIntegrator> table;
   table->SetSizes({ 33, 12, 16, 0, 0, 12 });
-  std::vector<std::pair<std::string, std::unique_ptr<Picture>>> pictures;
-  pictures.emplace_back("VTK's PBR", MakePBR(hall, surface));
-  pictures.emplace_back("whole", MakeMeasured(hall, surface, table, {}));
+  std::vector<std::unique_ptr<Picture>> pictures;
+  pictures.push_back(MakePBR(hall, surface, view));
+  pictures.push_back(MakeMeasured(hall, surface, view, table, {}));
   for (const Group& group : GetGroups())
   {
-    pictures.emplace_back("without " + group.Name, MakeMeasured(hall, surface, table, group.Texts));
+    pictures.push_back(MakeMeasured(hall, surface, view, table, group.Texts));
   }
   for (int round = -1; round < rounds; ++round)
   {
-    for (auto& [name, picture] : pictures)
+    for (auto& picture : pictures)
     {
       picture->Draw(round >= 0);
     }
   }
-  const double base = pictures[0].second->GetTime();
-  const double whole = pictures[1].second->GetTime();
-  std::cout << "\n"
-            << title << ", " << surface->GetNumberOfPolys() << " triangles\n\n"
-            << "| | ms | relative to PBR | share of the whole |\n|---|---|---|---|\n"
-            << std::setprecision(3);
-  for (auto& [name, picture] : pictures)
+  std::vector<double> times;
+  for (auto& picture : pictures)
   {
-    const double time = picture->GetTime();
-    std::cout << "| " << name << " | " << time << " | " << time / base << " | "
-              << 100.0 * (whole - time) / whole << " % |\n";
+    times.push_back(picture->GetTime());
   }
+  return times;
+}
+
+void Print(const std::string& title, const std::string& unit, const std::vector<double>& times)
+{
+  std::cout << "\n"
+            << title << "\n\n| | " << unit
+            << " | relative to PBR | share of the whole |\n|---|---|---|---|\n"
+            << std::setprecision(3);
+  for (std::size_t k = 0; k < times.size(); ++k)
+  {
+    const std::string name = k == 0   ? "VTK's PBR"
+                             : k == 1 ? "whole"
+                                      : "without " + GetGroups()[k - 2].Name;
+    std::cout << "| " << name << " | " << times[k] << " | " << times[k] / times[0] << " | "
+              << 100.0 * (times[1] - times[k]) / times[1] << " % |\n";
+  }
+  std::cout << std::flush;
+}
+
+void PrintFrames(vtkPolyData* surface, int rounds)
+{
+  Print("Frames of a sphere of " + std::to_string(surface->GetNumberOfPolys()) + " triangles",
+    "ms of processor time", TimeGroups(surface, { 500, 500, 0.5, true }, rounds));
+}
+
+// The first layer holds what a frame takes besides.
+void PrintPixels(int rounds)
+{
+  constexpr View view{ 1920, 1080, 1.0, false };
+  const std::vector<double> one = TimeGroups(measuredbrdf::MakeSquareLayers(1, 2.0), view, rounds);
+  std::vector<double> times = TimeGroups(measuredbrdf::MakeSquareLayers(Layers, 2.0), view, rounds);
+  for (std::size_t k = 0; k < times.size(); ++k)
+  {
+    times[k] = 1e6 * (times[k] - one[k]) / (1.0 * view.Width * view.Height * (Layers - 1));
+  }
+  Print("A pixel, of " + std::to_string(Layers) + " layers", "ns", times);
 }
 }
 
 int main(int argc, char** argv)
 {
   const int rounds = argc > 1 ? std::max(std::atoi(argv[1]), 1) : 15;
-  Measure("A sphere", false, rounds);
-  Measure("A sphere with bumps", true, rounds);
+  if (argc > 2 && std::string(argv[2]) == "pixels")
+  {
+    PrintPixels(rounds);
+    return 0;
+  }
+  PrintFrames(MakeSphere(0.5), rounds);
+  PrintFrames(MakeBumps(0.5, 0.03, 25.0, 20.0), rounds);
   return 0;
 }
