@@ -10,14 +10,6 @@ uniform float brdfLampReachINSTANCE; // the window ends where reach (1 - cosine 
 uniform float brdfPartsNearnessINSTANCE; // of lamps that are the sum of their parts, at least
 LAMP_UNIFORMS
 
-struct brdfLampsINSTANCE
-{
-  float Wanted; // one of those that the window holds
-  float Count; // so many there are
-  float Index; // the wanted one
-  float Nearness; // its: 1 on the axis, 0 where the window ends
-};
-
 // part: 0 or 1 of the two texels.
 vec4 brdfLampTexelINSTANCE(float index, float part)
 {
@@ -26,42 +18,48 @@ vec4 brdfLampTexelINSTANCE(float index, float part)
   return texelFetch(brdfLightsINSTANCE, at, 0);
 }
 
-// Selections and no conditions: software renderers (Mesa's llvmpipe) run both sides of these.
-void brdfFindLampINSTANCE(float index, vec3 direction, vec3 d, inout brdfLampsINSTANCE lamps)
+// 1 on the axis, 0 where the window ends, less beyond.
+float brdfLampNearnessINSTANCE(vec3 direction, vec3 d)
 {
-  float nearness = 1.0 - brdfLampReachINSTANCE * (1.0 - dot(direction, d));
-  bool isNear = nearness > 0.0;
-  bool isWanted = isNear && lamps.Count == lamps.Wanted;
-  lamps.Index = isWanted ? index : lamps.Index;
-  lamps.Nearness = isWanted ? nearness : lamps.Nearness;
-  lamps.Count += isNear ? 1.0 : 0.0;
+  return 1.0 - brdfLampReachINSTANCE * (1.0 - dot(direction, d));
 }
 
-// The material is evaluated in one place, once for each part of a lamp that the window holds, or
-// once: a loop's first turn is always run, too.
+// Lamps are found once for a pixel, and by selections: software renderers (Mesa's llvmpipe) run both
+// sides of a condition, and a loop's first turn always. So the material is evaluated in one place,
+// once for each part of a lamp that was found, or once, by which nothing shows.
 vec3 brdfAddLampsINSTANCE(mat3 frame, vec3 o, vec3 d, vec3 lambert)
 {
   vec3 sum = vec3(0.0);
-  brdfLampsINSTANCE lamps;
-  lamps.Wanted = 0.0;
-  float part = 0.0;
-  do
+  for (int first = 0; first < LAMP_COUNT; first += LAMPS_AT_ONCE)
   {
-    lamps.Count = 0.0;
-    lamps.Index = 0.0;
-    lamps.Nearness = 0.0;
+    int found = 0; // a bit for each lamp whose window holds the axis
     FIND_LAMPS
-    bool isWhole = lamps.Nearness < brdfPartsNearnessINSTANCE;
-    float index = isWhole ? lamps.Index : brdfLampTexelINSTANCE(lamps.Index, 0.0).a + part;
-    vec3 i = brdfLampTexelINSTANCE(index, 0.0).rgb * frame;
-    float root = lamps.Nearness * (2.0 - lamps.Nearness); // 1 - x x
-    vec3 f = EVALUATE_LAMP(i.z > 0.0 ? i : vec3(0.0, 0.0, 1.0), o);
-    sum += BRDF_OPEN_LAMP(int(lamps.Index)) (f - lambert) *
-      brdfLampTexelINSTANCE(index, 1.0).rgb * (root * root * max(i.z, 0.0));
-    part += 1.0;
-    bool isLast = isWhole || part >= brdfLampTexelINSTANCE(lamps.Index, 1.0).a;
-    lamps.Wanted += isLast ? 1.0 : 0.0;
-    part = isLast ? 0.0 : part;
-  } while (lamps.Wanted < lamps.Count);
+    float part = 0.0;
+    do
+    {
+      float lamp = float(first) + floor(log2(float(max(found & -found, 1))) + 0.5); // lowest bit's
+      vec4 whole = brdfLampTexelINSTANCE(lamp, 0.0);
+      float nearness =
+        found != 0 ? clamp(brdfLampNearnessINSTANCE(whole.rgb, d), 0.0, 1.0) : 0.0;
+      vec3 direction = whole.rgb;
+      float index = lamp;
+      bool isLast = true;
+      if (HAVE_PARTS != 0)
+      {
+        bool isWhole = nearness < brdfPartsNearnessINSTANCE;
+        index = isWhole ? lamp : whole.a + part;
+        direction = brdfLampTexelINSTANCE(index, 0.0).rgb;
+        part += 1.0;
+        isLast = isWhole || part >= brdfLampTexelINSTANCE(lamp, 1.0).a;
+        part = isLast ? 0.0 : part;
+      }
+      vec3 i = direction * frame;
+      float root = nearness * (2.0 - nearness); // 1 - x x
+      vec3 f = EVALUATE_LAMP(i.z > 0.0 ? i : vec3(0.0, 0.0, 1.0), o);
+      sum += BRDF_OPEN_LAMP(int(lamp)) (f - lambert) * brdfLampTexelINSTANCE(index, 1.0).rgb *
+        (root * root * max(i.z, 0.0));
+      found = isLast ? found & (found - 1) : found;
+    } while (found != 0);
+  }
   return sum;
 }

@@ -55,7 +55,18 @@ struct Group
   Replacements Texts;
 };
 
-const std::vector<Group>& GetGroups()
+// Of lamps beside a table.
+const std::vector<Group>& GetLampGroups()
+{
+  static const std::vector<Group> groups{
+    { "the material's values", { { "brdfLamp0(i.z > 0.0 ? i : vec3(0.0, 0.0, 1.0), o)", "i" } } },
+    { "lamps after the first that is found", { { "while (found != 0)", "while (false)" } } },
+    { "lamps", { { "brdfAddLamps0(frame, o, d, lambert)", "vec3(0.0)" } } },
+  };
+  return groups;
+}
+
+const std::vector<Group>& GetTableGroups()
 {
   static const Group fetches{ "two fetches of the table",
     { { "texture(brdfTableRadiance0, at).rgb", "at" } } };
@@ -145,11 +156,20 @@ std::unique_ptr<Picture> MakePBR(
   return picture;
 }
 
+struct Case
+{
+  std::string Title;
+  std::string Material;
+  int Lights;
+  const std::vector<Group>& Groups;
+};
+
 std::unique_ptr<Picture> MakeMeasured(vtkEnvironment* environment, vtkPolyData* surface,
-  const View& view, vtkRadianceIntegrator* integrator, const Replacements& texts)
+  const View& view, vtkRadianceIntegrator* integrator, const std::string& material,
+  const Replacements& texts)
 {
   vtkNew<vtkMeasuredBRDFMapper> mapper;
-  mapper->SetBRDF(GetEmbedded("gold-paint"));
+  mapper->SetBRDF(GetEmbedded(material));
   mapper->SetEnvironment(environment);
   mapper->SetIntegrator(integrator);
   auto picture = std::make_unique<Picture>(mapper, surface, view);
@@ -162,18 +182,19 @@ std::unique_ptr<Picture> MakeMeasured(vtkEnvironment* environment, vtkPolyData* 
 }
 
 // Median ms of a frame with VTK's PBR, with the whole shader, and without each group.
-std::vector<double> TimeGroups(vtkPolyData* surface, const View& view, int rounds)
+std::vector<double> TimeGroups(
+  const Case& which, vtkPolyData* surface, const View& view, int rounds)
 {
   const auto hall =
     vtkSmartPointer<vtkEnvironment>::Take(vtkEmbeddedEnvironments::NewEnvironment("hall"));
   vtkNew<vtkHybridRadianceIntegrator> table;
-  table->SetSizes({ 33, 12, 16, 0, 0, 12 });
+  table->SetSizes({ 33, 12, 16, 0, which.Lights, 12 });
   std::vector<std::unique_ptr<Picture>> pictures;
   pictures.push_back(MakePBR(hall, surface, view));
-  pictures.push_back(MakeMeasured(hall, surface, view, table, {}));
-  for (const Group& group : GetGroups())
+  pictures.push_back(MakeMeasured(hall, surface, view, table, which.Material, {}));
+  for (const Group& group : which.Groups)
   {
-    pictures.push_back(MakeMeasured(hall, surface, view, table, group.Texts));
+    pictures.push_back(MakeMeasured(hall, surface, view, table, which.Material, group.Texts));
   }
   for (int round = -1; round < rounds; ++round)
   {
@@ -190,52 +211,62 @@ std::vector<double> TimeGroups(vtkPolyData* surface, const View& view, int round
   return times;
 }
 
-void Print(const std::string& title, const std::string& unit, const std::vector<double>& times)
+void Print(const Case& which, const std::string& title, const std::string& unit,
+  const std::vector<double>& times)
 {
   std::cout << "\n"
-            << title << "\n\n| | " << unit
+            << which.Title << ": " << title << "\n\n| | " << unit
             << " | relative to PBR | share of the whole |\n|---|---|---|---|\n"
             << std::setprecision(3);
   for (std::size_t k = 0; k < times.size(); ++k)
   {
     const std::string name = k == 0   ? "VTK's PBR"
                              : k == 1 ? "whole"
-                                      : "without " + GetGroups()[k - 2].Name;
+                                      : "without " + which.Groups[k - 2].Name;
     std::cout << "| " << name << " | " << times[k] << " | " << times[k] / times[0] << " | "
               << 100.0 * (times[1] - times[k]) / times[1] << " % |\n";
   }
   std::cout << std::flush;
 }
 
-void PrintFrames(vtkPolyData* surface, int rounds)
+void PrintFrames(const Case& which, vtkPolyData* surface, int rounds)
 {
-  Print("Frames of a sphere of " + std::to_string(surface->GetNumberOfPolys()) + " triangles",
-    "ms of processor time", TimeGroups(surface, { 500, 500, 0.5, true }, rounds));
+  Print(which,
+    "frames of a sphere of " + std::to_string(surface->GetNumberOfPolys()) + " triangles",
+    "ms of processor time", TimeGroups(which, surface, { 500, 500, 0.5, true }, rounds));
 }
 
 // The first layer holds what a frame takes besides.
-void PrintPixels(int rounds)
+void PrintPixels(const Case& which, int rounds)
 {
   constexpr View view{ 1920, 1080, 1.0, false };
-  const std::vector<double> one = TimeGroups(measuredbrdf::MakeSquareLayers(1, 2.0), view, rounds);
-  std::vector<double> times = TimeGroups(measuredbrdf::MakeSquareLayers(Layers, 2.0), view, rounds);
+  const std::vector<double> one =
+    TimeGroups(which, measuredbrdf::MakeSquareLayers(1, 2.0), view, rounds);
+  std::vector<double> times =
+    TimeGroups(which, measuredbrdf::MakeSquareLayers(Layers, 2.0), view, rounds);
   for (std::size_t k = 0; k < times.size(); ++k)
   {
     times[k] = 1e6 * (times[k] - one[k]) / (1.0 * view.Width * view.Height * (Layers - 1));
   }
-  Print("A pixel, of " + std::to_string(Layers) + " layers", "ns", times);
+  Print(which, "a pixel, of " + std::to_string(Layers) + " layers", "ns", times);
 }
 }
 
 int main(int argc, char** argv)
 {
   const int rounds = argc > 1 ? std::max(std::atoi(argv[1]), 1) : 15;
-  if (argc > 2 && std::string(argv[2]) == "pixels")
+  const bool isPixels = argc > 2 && std::string(argv[2]) == "pixels";
+  const Case cases[] = { { "A table", "gold-paint", 0, GetTableGroups() },
+    { "A table and lamps", "nickel", 16, GetLampGroups() } };
+  for (const Case& which : cases)
   {
-    PrintPixels(rounds);
-    return 0;
+    if (isPixels)
+    {
+      PrintPixels(which, rounds);
+      continue;
+    }
+    PrintFrames(which, MakeSphere(0.5), rounds);
+    PrintFrames(which, MakeBumps(0.5, 0.03, 25.0, 20.0), rounds);
   }
-  PrintFrames(MakeSphere(0.5), rounds);
-  PrintFrames(MakeBumps(0.5, 0.03, 25.0, 20.0), rounds);
   return 0;
 }

@@ -914,7 +914,7 @@ add("Lighting.lamps-of-one-texel-are-points", "Private/ExtractedEmitters.cxx", "
 add("Shaders.lamp-lobes-of-half-a-turn", "vtkBRDFEnvironmentLampLobe.glsl", "u.x = 2.0 * abs", "u.x = abs", "Parity.HybridOfWideLamps")
 add("Integration.lamps-lambert-part-twice", "Private/TableLamps.cxx", "(f - lambert) * part.Irradiance", "f * part.Irradiance",
     "HybridLamps.AddUpToTheLamps|Parity.HybridIntegrator")
-add("Shaders.lamps-only-the-first", "vtkBRDFEnvironmentLamps.glsl", "lamps.Wanted < lamps.Count", "false",
+add("Shaders.lamps-only-the-first", "vtkBRDFEnvironmentLamps.glsl", "while (found != 0)", "while (false)",
     "Parity.HybridOfManyLamps")
 add("Shaders.lamps-of-the-next-row", "vtkBRDFEnvironmentLamps.glsl", "+ part), int(row))", "+ 1.0 - part), int(row))",
     "Parity.HybridIntegrator|Parity.HybridOfManyLamps")

@@ -20,7 +20,7 @@ namespace measuredbrdf
 {
 namespace
 {
-constexpr int MaximumUnrolled = 32;
+constexpr int AtOnce = 16; // lamps that a pixel finds together, as bits of a number
 }
 
 TableLamps::TableLamps(vtkLightSet* lights, vtkBRDF* shaded)
@@ -127,29 +127,33 @@ void TableLamps::AddTo(vtkBRDFShaderInputs::Term& table) const
     }
   }
   table.Evaluations += areas ? 0 : 1;
-  // A part's place, itself, whether it is the last; and lamps are looked for.
-  table.Fetches += (areas ? 5 : 4) + (count > MaximumUnrolled ? count : 0);
+  const bool haveParts = !this->Parts.empty();
+  // The lamp and its light; a part's place, and how many there are. And lamps are looked for.
+  table.Fetches += (haveParts ? 4 : 2) + (areas ? 1 : 0) + (count > AtOnce ? count : 0);
   std::string uniforms;
-  std::string find = "for (int k = 0; k < " + std::to_string(count) +
-                     "; ++k)\n    {\n      brdfFindLampINSTANCE(float(k), "
-                     "brdfLampTexelINSTANCE(float(k), 0.0).rgb, d, lamps);\n    }";
-  if (count <= MaximumUnrolled) // software renderers fetch slowly, and loop slowly
+  std::string find;
+  if (count > AtOnce)
   {
-    find.clear();
-    for (int k = 0; k < count; ++k)
-    {
-      const std::string name = "brdfDirection" + std::to_string(k);
-      double direction[3];
-      this->Lights->GetDirection(k, direction);
-      table.Uniforms.push_back(
-        { name, std::vector<float>(std::begin(direction), std::end(direction)) });
-      uniforms += "uniform vec3 " + name + "INSTANCE;\n";
-      find +=
-        "brdfFindLampINSTANCE(" + std::to_string(k) + ".0, " + name + "INSTANCE, d, lamps);\n    ";
-    }
+    find = "for (int k = first; k < min(first + LAMPS_AT_ONCE, LAMP_COUNT); ++k)\n    {\n      "
+           "found |= brdfLampNearnessINSTANCE(brdfLampTexelINSTANCE(float(k), 0.0).rgb, d) > 0.0 ? "
+           "1 << (k - first) : 0;\n    }";
+  }
+  for (int k = 0; k < count && count <= AtOnce; ++k) // software renderers fetch and loop slowly
+  {
+    const std::string name = "brdfDirection" + std::to_string(k);
+    double direction[3];
+    this->Lights->GetDirection(k, direction);
+    table.Uniforms.push_back(
+      { name, std::vector<float>(std::begin(direction), std::end(direction)) });
+    uniforms += "uniform vec3 " + name + "INSTANCE;\n";
+    find += "found |= brdfLampNearnessINSTANCE(" + name + "INSTANCE, d) > 0.0 ? " +
+            std::to_string(1 << k) + " : 0;\n    ";
   }
   table.Constants.push_back({ "LAMP_UNIFORMS", uniforms });
   table.Constants.push_back({ "FIND_LAMPS", find });
+  table.Constants.push_back({ "LAMP_COUNT", std::to_string(count) });
+  table.Constants.push_back({ "LAMPS_AT_ONCE", std::to_string(AtOnce) });
+  table.Constants.push_back({ "HAVE_PARTS", haveParts ? "1" : "0" });
   table.Uniforms.push_back(
     { "brdfPartsNearness", { static_cast<float>(LampWindow::PartsNearness) } });
   table.Constants.push_back({ "LIGHTS_PER_ROW", std::to_string(LightsPerRow) + ".0" });
