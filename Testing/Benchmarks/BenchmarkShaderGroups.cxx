@@ -59,7 +59,8 @@ struct Group
 const std::vector<Group>& GetLampGroups()
 {
   static const std::vector<Group> groups{
-    { "the material's values", { { "brdfLamp0(i.z > 0.0 ? i : vec3(0.0, 0.0, 1.0), o)", "i" } } },
+    { "the material's values",
+      { { "brdfMember0Evaluate(i.z > 0.0 ? i : vec3(0.0, 0.0, 1.0), o)", "i" } } },
     { "lamps after the first that is found", { { "while (found != 0)", "while (false)" } } },
     { "lamps", { { "brdfAddLamps0(frame, o, d, lambert)", "vec3(0.0)" } } },
   };
