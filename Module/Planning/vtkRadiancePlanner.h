@@ -198,6 +198,7 @@ public:
   std::string GetDescription(int index);      // sizes
   double GetPredictedError(int index);        // relative L1, that of the sample and what follows
   double GetErrorUncertainty(int index);      // two standard errors and the reference's
+  double GetPredictedPictureError(int index); // relative L1 of a single picture, at most
   double GetPredictedMilliseconds(int index); // of NumberOfPixels
   vtkIdType GetTextureBytes(int index);
   double GetSetUpMilliseconds(int index);

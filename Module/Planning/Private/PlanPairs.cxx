@@ -5,6 +5,7 @@
 #include "HalfVector.h" // for Pi
 #include "LocalFrame.h"
 #include "LowDiscrepancy.h"
+#include "PlanPictures.h"
 #include "vtkEnvironment.h"
 #include "vtkSMPTools.h"
 
@@ -113,6 +114,7 @@ PlanPairs DrawSpherePairs(
   pairs.Views = vtkSmartPointer<vtkDoubleArray>::New();
   pairs.Normals->SetNumberOfComponents(3);
   pairs.Views->SetNumberOfComponents(3);
+  pairs.Cameras = any ? GetPictureCameras() : std::vector<double>();
   for (int k = 0; k < count; ++k)
   {
     const unsigned int index = static_cast<unsigned int>(k + 1);
@@ -255,6 +257,11 @@ void Turn(const double columns[9], PlanPairs& pairs)
       const glm::dvec3 turned = rotation * glm::make_vec3(directions->GetTuple(k));
       directions->SetTuple(k, &turned.x);
     }
+  }
+  for (std::size_t k = 0; k < pairs.Cameras.size(); k += 3)
+  {
+    const glm::dvec3 turned = rotation * glm::make_vec3(&pairs.Cameras[k]);
+    std::copy_n(&turned.x, 3, &pairs.Cameras[k]);
   }
 }
 } // namespace measuredbrdf

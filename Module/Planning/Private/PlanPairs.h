@@ -25,6 +25,8 @@ struct PlanPairs
   vtkSmartPointer<vtkDoubleArray> Normals; // unit vectors
   vtkSmartPointer<vtkDoubleArray> Views;   // as many unit vectors
   std::vector<double> Weights;             // of the pairs; none: 1 each
+  std::vector<double> Cameras; // three components each, whose pictures count; none: all is one
+  std::vector<double> Ratios;  // what they have of a cheap method's error (PictureSums::GetRatios)
 };
 
 /// So many normals as a sphere shows them to a distant camera, uniform over its disc, but many of
