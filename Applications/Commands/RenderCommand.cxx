@@ -292,7 +292,8 @@ void AddRenderCommand(CLI::App& app)
     ->required();
   command->add_option("--report", options->Report,
     "JSON file to write: frame_ms (median), setup_ms, texture_bytes, method, lights, renderer, "
-    "vtk; for --method auto also the plan, its predicted_error and predicted_picture_error, whether it is from the cache, and "
+    "vtk; for --method auto also the plan, its predicted_error and predicted_picture_error, "
+    "whether it is from the cache, and "
     "the name of the costs; for thesis the representation and the reason");
   command->footer("Example:\n  measured-brdf render gold-paint --environment sky --lights 256 "
                   "-o gold.png\n\nNeeds OpenGL; without a screen, put 'xvfb-run -a' before it.");

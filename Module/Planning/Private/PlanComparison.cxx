@@ -13,7 +13,7 @@ namespace measuredbrdf
 namespace
 {
 constexpr double StandardErrors = 2.0; // that are added: what is predicted shall hold
-constexpr double OwnWidth = 20.0;  // PictureSums: fewer pairs than are drawn
+constexpr double OwnWidth = 20.0;      // PictureSums: fewer pairs than are drawn
 
 // The largest of the pictures' errors in units of that of all, by the geometric mean of what the
 // candidate has on the few pairs that it was compared on and what a cheap one has on all that were

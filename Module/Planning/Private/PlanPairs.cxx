@@ -5,7 +5,6 @@
 #include "HalfVector.h" // for Pi
 #include "LocalFrame.h"
 #include "LowDiscrepancy.h"
-#include "PlanPictures.h"
 #include "vtkEnvironment.h"
 #include "vtkSMPTools.h"
 
@@ -16,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <random>
 
 namespace measuredbrdf
@@ -98,6 +98,22 @@ private:
   static constexpr double Largest = 0.1;
   std::vector<Lamp> Lamps;
 };
+}
+
+std::vector<double> GetPictureCameras()
+{
+  std::vector<double> cameras;
+  for (int k = 0; k < 27; ++k)
+  {
+    const glm::ivec3 place(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
+    const int axes = std::abs(place.x) + std::abs(place.y) + std::abs(place.z);
+    if (axes == 1 || axes == 3)
+    {
+      const glm::dvec3 direction = glm::normalize(glm::dvec3(place));
+      cameras.insert(cameras.end(), { direction.x, direction.y, direction.z });
+    }
+  }
+  return cameras;
 }
 
 // The view, the normal and the mirror direction lie in one plane, the normal in the middle. Where

@@ -29,6 +29,10 @@ struct PlanPairs
   std::vector<double> Ratios;  // what they have of a cheap method's error (PictureSums::GetRatios)
 };
 
+/// Cameras around a sphere, whose pictures count for plans for all views: the directions towards a
+/// cube's faces and corners, three components each.
+std::vector<double> GetPictureCameras();
+
 /// So many normals as a sphere shows them to a distant camera, uniform over its disc, but many of
 /// them near the rim, where radiance is steep, and half of them where its mirror directions see one
 /// of the lamps, the more the closer, down to less than any lobe's width. Weights make up for both.

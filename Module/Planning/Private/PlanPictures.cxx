@@ -8,29 +8,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdlib>
 
 namespace measuredbrdf
 {
 namespace
 {
 constexpr double LeastSine = 0.05; // of twice the view's angle: few pairs look from there
-}
-
-std::vector<double> GetPictureCameras()
-{
-  std::vector<double> cameras;
-  for (int k = 0; k < 27; ++k)
-  {
-    const glm::ivec3 place(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
-    const int axes = std::abs(place.x) + std::abs(place.y) + std::abs(place.z);
-    if (axes == 1 || axes == 3)
-    {
-      const glm::dvec3 direction = glm::normalize(glm::dvec3(place));
-      cameras.insert(cameras.end(), { direction.x, direction.y, direction.z });
-    }
-  }
-  return cameras;
 }
 
 PictureSums::PictureSums(double width)

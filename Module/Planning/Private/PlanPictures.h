@@ -16,10 +16,6 @@
 
 namespace measuredbrdf
 {
-/// Cameras around a sphere: the directions towards a cube's faces and corners, three components
-/// each.
-std::vector<double> GetPictureCameras();
-
 /// Sums of differences and of references over the pairs as each of their cameras sees them.
 ///
 /// A pixel's mirror direction is uniform over all directions, whatever the camera, and how the

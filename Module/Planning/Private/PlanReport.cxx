@@ -50,12 +50,12 @@ std::string ExplainChoice(const Plan& plan, double tolerance)
   {
     const PlanCandidate* before = choice > 0 ? &plan.Candidates[choice - 1] : nullptr;
     const bool byPictures = before && before->Error <= tolerance;
-    reason = "the first candidate, by cost and size, within " + Percent(tolerance) +
-             (byPictures && chosen.Picture <= tolerance ? " in single pictures, too" : "") +
-             (before ? ": the one before has " +
-                           Percent(byPictures ? before->Picture : before->Error) +
-                           (byPictures ? " in one" : "")
-                     : std::string());
+    reason =
+      "the first candidate, by cost and size, within " + Percent(tolerance) +
+      (byPictures && chosen.Picture <= tolerance ? " in single pictures, too" : "") +
+      (before ? ": the one before has " + Percent(byPictures ? before->Picture : before->Error) +
+                  (byPictures ? " in one" : "")
+              : std::string());
     if (chosen.Picture > tolerance)
     {
       reason += "; that is the mean over all views, a single picture may have up to " +
@@ -65,8 +65,7 @@ std::string ExplainChoice(const Plan& plan, double tolerance)
   else
   {
     reason = "nothing that was tried is within " + Percent(tolerance) +
-             "; this is the most accurate for its cost, with " +
-             Percent(chosen.Error);
+             "; this is the most accurate for its cost, with " + Percent(chosen.Error);
   }
   return reason + ExplainMemory(plan);
 }
@@ -81,8 +80,8 @@ std::string DescribePlan(const Plan& plan)
   char error[64], costs[64];
   std::snprintf(error, sizeof(error), ", error %.2g %% (%.2g + %.2g for chance)",
     100.0 * chosen.Error, 100.0 * (chosen.Error - chosen.Uncertainty), 100.0 * chosen.Uncertainty);
-  std::snprintf(costs, sizeof(costs), ", %.1f MB, set up in %.0f ms: ",
-    1e-6 * static_cast<double>(chosen.Bytes), chosen.SetUp);
+  std::snprintf(costs, sizeof(costs),
+    ", %.1f MB, set up in %.0f ms: ", 1e-6 * static_cast<double>(chosen.Bytes), chosen.SetUp);
   const std::string pictures = chosen.Picture > chosen.Error
                                  ? ", up to " + Percent(chosen.Picture) + " in a single picture"
                                  : "";

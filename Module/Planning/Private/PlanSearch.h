@@ -50,9 +50,10 @@ public:
 
   /// Try candidates in their order until one is within the tolerance, but for those that the others
   /// show not to help. One that misses it by no more than what stands for chance is compared on the
-  /// second pairs before any that costs clearly more is tried. Where single pictures may have more than the
-  /// tolerance, those after it that take no longer a frame and little memory are tried, too. The largest of these are tried in the end where nothing is. Returns false
-  /// where it was aborted, or a candidate of the module failed.
+  /// second pairs before any that costs clearly more is tried. Where single pictures may have more
+  /// than the tolerance, those after it that take no longer a frame and little memory are tried,
+  /// too. The largest of these are tried in the end where nothing is. Returns false where it was
+  /// aborted, or a candidate of the module failed.
   bool Run(const std::vector<PlanCandidate>& candidates);
 
   /// Without a reason.

@@ -242,8 +242,8 @@ TEST(PlanSearch, LooksTwiceAtNearMisses)
   {
     asked = 0;
     std::vector<PlanCandidate> candidates = { MakeCandidate(1, 0.5, 0.5),
-      MakeCandidate(2, 0.4, 0.4), MakeCandidate(3, 0.3, 0.3),
-      MakeCandidate(4, 0.0195, onSecond), MakeCandidate(5, 0.001, 0.001) };
+      MakeCandidate(2, 0.4, 0.4), MakeCandidate(3, 0.3, 0.3), MakeCandidate(4, 0.0195, onSecond),
+      MakeCandidate(5, 0.001, 0.001) };
     for (PlanCandidate& candidate : candidates)
     {
       candidate.Cost = candidate.Order = 1.0;
