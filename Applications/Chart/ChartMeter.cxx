@@ -320,6 +320,8 @@ ChartMeter::Timed ChartMeter::Begin(const ChartSize& size, const Material& mater
   {
     timed.Point.Plan = method.Planner->GetPlan();
     timed.Point.PredictedError = method.Planner->GetPredictedError(method.Planner->GetChoice());
+    timed.Point.PredictedPictureError =
+      method.Planner->GetPredictedPictureError(method.Planner->GetChoice());
     timed.Point.MeetsTolerance = method.Planner->GetMeetsTolerance();
   }
   timed.Point.Bytes = static_cast<double>(scene->GetTextureBytes());

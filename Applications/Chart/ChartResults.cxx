@@ -66,6 +66,7 @@ JSON WritePoint(const tool::ChartPoint& point)
   if (point.Method == tool::PlannerMethod)
   {
     json["predicted_error"] = point.PredictedError;
+    json["predicted_picture_error"] = point.PredictedPictureError;
     json["meets_tolerance"] = point.MeetsTolerance;
     json["plan"] = point.Plan;
   }
@@ -104,6 +105,7 @@ tool::ChartPoint ReadPoint(const JSON& json)
   if (point.Method == tool::PlannerMethod)
   {
     point.PredictedError = json.at("predicted_error").get<double>();
+    point.PredictedPictureError = json.value("predicted_picture_error", point.PredictedError);
     point.MeetsTolerance = json.at("meets_tolerance").get<bool>();
     point.Plan = json.at("plan").get<std::string>();
   }

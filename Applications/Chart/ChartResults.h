@@ -34,6 +34,7 @@ struct ChartPoint
   // The planner's only.
   std::string Plan;
   double PredictedError = 0.0;
+  double PredictedPictureError = 0.0;
   bool MeetsTolerance = false;
 
   bool IsMeasured() const { return this->Left.empty(); }

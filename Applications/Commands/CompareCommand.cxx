@@ -110,6 +110,8 @@ nlohmann::ordered_json MakeReport(const CompareOptions& options, const Compariso
   if (method.Planner)
   {
     report["predicted_error"] = method.Planner->GetPredictedError(method.Planner->GetChoice());
+    report["predicted_picture_error"] =
+      method.Planner->GetPredictedPictureError(method.Planner->GetChoice());
     report["tolerance"] = options.Method.Plan.Tolerance;
     report["meets_tolerance"] = method.Planner->GetMeetsTolerance();
     report["plan"] = method.Planner->GetPlan();

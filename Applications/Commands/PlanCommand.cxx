@@ -54,6 +54,7 @@ void PrintJSON(
   {
     candidates.push_back({ { "method", planner->GetMethodName(k) },
       { "sizes", planner->GetDescription(k) }, { "predicted_error", planner->GetPredictedError(k) },
+      { "predicted_picture_error", planner->GetPredictedPictureError(k) },
       { "predicted_ms", planner->GetPredictedMilliseconds(k) },
       { "texture_bytes", planner->GetTextureBytes(k) },
       { "setup_ms", planner->GetSetUpMilliseconds(k) } });

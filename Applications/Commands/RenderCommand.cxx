@@ -172,6 +172,8 @@ void WriteReport(const RenderOptions& options, const Figures& found, const tool:
     report["plan_from_cache"] = method.Planner->GetFromCache();
     report["costs"] = method.Planner->GetCostModel()->GetName();
     report["predicted_error"] = method.Planner->GetPredictedError(method.Planner->GetChoice());
+    report["predicted_picture_error"] =
+      method.Planner->GetPredictedPictureError(method.Planner->GetChoice());
   }
   tool::WriteText(options.Report,
     report.dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + "\n");
@@ -290,7 +292,8 @@ void AddRenderCommand(CLI::App& app)
     ->required();
   command->add_option("--report", options->Report,
     "JSON file to write: frame_ms (median), setup_ms, texture_bytes, method, lights, renderer, "
-    "vtk; for --method auto also the plan, its predicted_error, whether it is from the cache, and "
+    "vtk; for --method auto also the plan, its predicted_error and predicted_picture_error, "
+    "whether it is from the cache, and "
     "the name of the costs; for thesis the representation and the reason");
   command->footer("Example:\n  measured-brdf render gold-paint --environment sky --lights 256 "
                   "-o gold.png\n\nNeeds OpenGL; without a screen, put 'xvfb-run -a' before it.");

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRadiancePlanner.h"
 
+#include "ClearAtEnd.h"
 #include "EnvironmentPrecomputation.h"
 #include "LightsReference.h"
 #include "MaterialPrecomputation.h"
@@ -43,28 +44,6 @@ namespace
 constexpr int SpherePairs = 8192; // of which the comparison takes a sample
 constexpr vtkIdType FewestPairs = 16;
 constexpr vtkIdType MostPairs = 4096;
-
-// Whatever way a run ends; plans outlive it, in mappers, and share nothing.
-class ClearAtEnd
-{
-public:
-  ClearAtEnd(std::atomic<bool>& flag, measuredbrdf::PlanTask& task)
-    : Flag(flag)
-    , Task(task)
-  {
-  }
-  ~ClearAtEnd()
-  {
-    this->Flag = false;
-    this->Task = measuredbrdf::PlanTask();
-  }
-  ClearAtEnd(const ClearAtEnd&) = delete;
-  void operator=(const ClearAtEnd&) = delete;
-
-private:
-  std::atomic<bool>& Flag;
-  measuredbrdf::PlanTask& Task;
-};
 } // namespace
 
 struct vtkRadiancePlanner::Internals
@@ -274,7 +253,7 @@ bool vtkRadiancePlanner::Fail()
 bool vtkRadiancePlanner::Choose()
 {
   Internals& impl = *this->Impl;
-  const ClearAtEnd clear(this->Abort, impl.Task);
+  const measuredbrdf::ClearAtEnd clear(this->Abort, impl.Task);
   impl.Problem.clear();
   if (!impl.BRDF || !impl.Environment || impl.Environment->GetPixels().empty())
   {
@@ -407,6 +386,13 @@ double vtkRadiancePlanner::GetErrorUncertainty(int index)
 {
   const PlanCandidate* candidate = this->Impl->GetCandidate(index);
   return candidate ? candidate->Uncertainty : 0.0;
+}
+
+//------------------------------------------------------------------------------
+double vtkRadiancePlanner::GetPredictedPictureError(int index)
+{
+  const PlanCandidate* candidate = this->Impl->GetCandidate(index);
+  return candidate ? candidate->Picture : 0.0;
 }
 
 //------------------------------------------------------------------------------

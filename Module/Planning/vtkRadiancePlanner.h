@@ -13,10 +13,13 @@
  * sharp ones an adaptive integral). The pairs are a sample of thousands, as a
  * sphere shows them to all views, drawn by where two cheap candidates differ; two standard errors
  * of that sample are added, with the sum's own error, so that what is predicted holds. A choice
- * that may be luck is checked on a second sample. It is the mean over all views: one picture can
- * have more or less. For one picture, plan for it (SetPairs,
- * vtkMeasuredBRDFMapper::SetPlanForView). Costs are those of a vtkRadianceCostModel: Mesa's
- * llvmpipe's unless another is set.
+ * that may be luck, or one that may have missed the tolerance by chance, is checked on a second
+ * sample. It is the mean over all views: one picture can have several times as much, when most of
+ * the light is behind what it shows. GetPredictedPictureError estimates the largest; where that is
+ * above the tolerance, candidates that take no longer a frame and at most 4 MB are tried, too, and
+ * taken where they keep it, or leave two thirds of it at most. For one picture, plan for it
+ * (SetPairs, vtkMeasuredBRDFMapper::SetPlanForView). Costs are those of a vtkRadianceCostModel:
+ * Mesa's llvmpipe's unless another is set.
  *
  * The order of the candidates counts 3 % of a table's pixel (3 ns on llvmpipe), times 196350 /
  * NumberOfPixels, for every megabyte of texture on top: tables of radiance cost the same few
@@ -198,6 +201,7 @@ public:
   std::string GetDescription(int index);      // sizes
   double GetPredictedError(int index);        // relative L1, that of the sample and what follows
   double GetErrorUncertainty(int index);      // two standard errors and the reference's
+  double GetPredictedPictureError(int index); // the largest of a sphere's pictures from 14 sides
   double GetPredictedMilliseconds(int index); // of NumberOfPixels
   vtkIdType GetTextureBytes(int index);
   double GetSetUpMilliseconds(int index);
@@ -205,8 +209,9 @@ public:
 
   ///@{
   /**
-   * The choice, -1 before any; whether it meets the tolerance; why it was chosen, one line, also
-   * where it takes more than 4 MB or does not meet the tolerance.
+   * The choice, -1 before any; whether it meets the tolerance in the mean over all views (or over
+   * what is in view); why it was chosen, one line, also where it takes more than 4 MB or does not
+   * meet the tolerance.
    */
   int GetChoice();
   bool GetMeetsTolerance();

@@ -613,8 +613,8 @@ add("Planning.nothing-between-pixels", "Private/PlanPairs.cxx", "constexpr doubl
     "PlanPairs.HaveOthersBetween")
 add("Planning.pixels-far-apart-are-neighbors", "Private/PlanPairs.cxx", "constexpr double Apart = 0.3;", "constexpr double Apart = 3.0;",
     "PlanPairs.HaveOthersBetween")
-add("Planning.error-without-deviation", "Private/PlanComparison.cxx", "return { error + uncertainty, uncertainty };",
-    "return { error, uncertainty };", "PlanComparison.PoolsSamplesAndAddsTheReferencesError|GoldenPlans.EmbeddedMaterials|PlanSample.PredictionsHold")
+add("Planning.error-without-deviation", "Private/PlanComparison.cxx", "return { error + uncertainty, uncertainty, ",
+    "return { error, uncertainty, ", "PlanComparison.PoolsSamplesAndAddsTheReferencesError|GoldenPlans.EmbeddedMaterials|PlanSample.PredictionsHold")
 add("Planning.pairs-without-weights", "Private/PlanComparison.cxx",
     "weights.empty() ? 1.0 : weights[static_cast<std::size_t>(k)];", "1.0;",
     "PlanComparison.PoolsSamplesAndAddsTheReferencesError|GoldenPlans.EmbeddedMaterials|PlanSample.PredictionsHold")
@@ -636,6 +636,16 @@ add("Integration.azimuths-turn-backwards", "Private/AzimuthSeries.cxx", "gain * 
     "AzimuthSeries.TurnsEachOrder")
 add("Planning.luck-is-merit", "Private/PlanSearch.cxx", "return !this->MayBeLuck(candidate) || this->Check(candidate);",
     "return true;", "PlanSearch.DoesNotTakeLuckForMerit")
+add("Planning.near-misses-are-misses", "Private/PlanSearch.cxx", "constexpr double Dearer = 1.05;", "constexpr double Dearer = 1e9;",
+    "PlanSearch.LooksTwiceAtNearMisses")
+add("Planning.long-frames-for-chance", "Private/PlanSearch.cxx", "constexpr double LongFrame = 2.0;", "constexpr double LongFrame = 1e9;",
+    "PlanSearch.LooksTwiceAtNearMisses")
+add("Planning.pictures-have-the-mean", "Private/PlanComparison.cxx", "ratio * (error + uncertainty) };", "error + uncertainty };",
+    "PlanSearch.HoldsInSinglePictures")
+add("Planning.pictures-at-any-price", "Private/PlanSearch.cxx", "constexpr vtkIdType LittleMemory = 4000000;",
+    "constexpr vtkIdType LittleMemory = 4000000000;", "PlanSearch.HoldsInSinglePictures")
+add("Planning.pictures-without-their-density", "Private/PlanPictures.cxx", "std::max(std::sin(turned), LeastSine);", "1.0;",
+    "PlanPictures.AreWhatCamerasSee")
 add("Planning.memory-is-free", "Private/PlanSearch.cxx", "constexpr double MemoryWorthIt = 1.5;", "constexpr double MemoryWorthIt = 1.0;",
     "PlanSearch.WeighsMemoryWhereNothingMeets")
 add("Planning.last-resort-is-the-largest", "Private/PlanSearch.cxx", "factor < known || (factor == known && candidate.Bytes >= other.Bytes)",

@@ -24,7 +24,7 @@ constexpr int ManyRows = 129;
 constexpr int ManyViews = 12;
 // and by so many powers of what the rows before gained, for each doubling of them: where few rows
 // do not show a lobe yet, twice as many gain less than the next. Of view angles with as many rows
-// by so many powers of what the step before gained.
+// by so many powers of what the step before gained, for each step by as many times.
 constexpr double RowGainPower = 2.0;
 constexpr double RowGainPowerOfFew = 4.0;
 constexpr int FewRows = 64;
@@ -51,7 +51,7 @@ std::vector<std::vector<int>> GetTableCandidates()
 
 std::vector<std::vector<int>> GetHybridCandidates()
 {
-  return { { 17, 8, 8, 0 }, { 33, 8, 8, 0 }, { 33, 12, 16, 0 }, { 33, 20, 16, 0 }, { 65, 8, 8, 0 },
+  return { { 17, 8, 8, 0 }, { 33, 8, 8, 0 }, { 33, 12, 16, 0 }, { 33, 20, 12, 0 }, { 65, 8, 8, 0 },
     { 65, 12, 16, 0 }, { 65, 20, 12, 0 }, { 113, 8, 8, 0 }, { 161, 16, 16, 0 }, { 128, 12, 8, 4 },
     { 256, 12, 8, 4 }, { 256, 12, 8, 8 }, { 128, 12, 8, 16 } };
 }
@@ -127,8 +127,11 @@ bool GainTooLittleByViews(const std::vector<int>& sizes,
     return false;
   }
   const auto last = ofRows->second.rbegin();
-  const double gain = std::min(last->second / std::next(last)->second, 1.0);
-  return last->first < views && last->second * std::pow(gain, ViewGainPower) > tolerance;
+  const auto before = std::next(last);
+  const double gain = std::min(last->second / before->second, 1.0);
+  const double steps = std::log(static_cast<double>(views) / last->first) /
+                       std::log(static_cast<double>(last->first) / before->first);
+  return last->first < views && last->second * std::pow(gain, ViewGainPower * steps) > tolerance;
 }
 
 // By how many times the error fell for each doubling of the rows, where these grew last.

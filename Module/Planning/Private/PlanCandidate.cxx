@@ -30,6 +30,8 @@ vtkSmartPointer<vtkRadianceIntegrator> MakeIntegrator(
 
 std::vector<PlanCandidate> ListCandidates(const PlanTask& task)
 {
+  const double tableCost = task.Costs->GetCost("base") + task.Costs->GetCost("table");
+  const double bytePrice = 1e-6 * MegabyteShare * tableCost * SpherePixels / task.Pixels;
   std::vector<PlanCandidate> candidates;
   for (const vtkSmartPointer<vtkRadianceIntegrator>& method : vtkRadianceMethods::GetMethods())
   {
@@ -53,6 +55,7 @@ std::vector<PlanCandidate> ListCandidates(const PlanTask& task)
       candidate.Description = candidate.Integrator->GetSizesText();
       candidate.Cost = candidate.Integrator->EstimateCost(task.Costs);
       candidate.Bytes = candidate.Integrator->EstimateTextureBytes();
+      candidate.Order = candidate.Cost + bytePrice * static_cast<double>(candidate.Bytes);
       candidate.Integrator->SetPrecomputation(nullptr);
       if (candidate.Bytes <= task.MaximumBytes)
       {
@@ -60,12 +63,8 @@ std::vector<PlanCandidate> ListCandidates(const PlanTask& task)
       }
     }
   }
-  const double tableCost = task.Costs->GetCost("base") + task.Costs->GetCost("table");
-  const double bytePrice = 1e-6 * MegabyteShare * tableCost * SpherePixels / task.Pixels;
-  const auto order = [bytePrice](const PlanCandidate& candidate)
-  { return candidate.Cost + bytePrice * static_cast<double>(candidate.Bytes); };
   std::stable_sort(candidates.begin(), candidates.end(),
-    [&order](const PlanCandidate& a, const PlanCandidate& b) { return order(a) < order(b); });
+    [](const PlanCandidate& a, const PlanCandidate& b) { return a.Order < b.Order; });
   return candidates;
 }
 } // namespace measuredbrdf

@@ -28,8 +28,10 @@ struct PlanCandidate
   std::vector<int> Sizes;
   std::string Description;                           // the sizes in words
   double Cost = 0.0;                                 // ns per covered pixel
+  double Order = 0.0;                                // the same with the price of its textures
   double Error = 0.0;                                // relative L1, with Uncertainty
   double Uncertainty = 0.0;                          // for what the pairs may miss
+  double Picture = 0.0;                              // the error of a single picture, at most
   vtkIdType Bytes = 0;                               // of textures
   double SetUp = 0.0;                                // ms
   vtkSmartPointer<vtkRadianceIntegrator> Integrator; // null: to be made again

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PlanComparison.h"
 
+#include "PlanPictures.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -11,6 +13,22 @@ namespace measuredbrdf
 namespace
 {
 constexpr double StandardErrors = 2.0; // that are added: what is predicted shall hold
+constexpr double OwnWidth = 20.0;      // PictureSums: fewer pairs than are drawn
+
+// The largest of the pictures' errors in units of that of all, by the geometric mean of what the
+// candidate has on the few pairs that it was compared on and what a cheap one has on all that were
+// drawn: the first is its own, and the second is nearly without chance (measured on 34 plans:
+// methods.md, "Single pictures").
+double GetLargestRatio(const PictureSums& own, const std::vector<double>& cheap)
+{
+  const std::vector<double> ratios = own.GetRatios();
+  double largest = ratios.empty() ? 1.0 : 0.0;
+  for (std::size_t k = 0; k < ratios.size(); ++k)
+  {
+    largest = std::max(largest, cheap.empty() ? ratios[k] : std::sqrt(ratios[k] * cheap[k]));
+  }
+  return largest;
+}
 }
 
 // Standard errors are those of a ratio of weighted sums (Sarndal, Swensson, Wretman 1992, "Model
@@ -24,10 +42,12 @@ PlanError Compare(const std::vector<const PlanComparison*>& comparisons,
   double difference = 0.0;
   double sum = 0.0;
   double ownError = 0.0;
+  PictureSums pictures(OwnWidth);
   for (std::size_t n = 0; n < comparisons.size(); ++n)
   {
     const PlanComparison& comparison = *comparisons[n];
     ownError = std::max(ownError, comparison.ReferenceError);
+    const std::size_t before = differences.size();
     for (vtkIdType k = 0; k < radiances[n]->GetNumberOfTuples(); ++k)
     {
       const std::vector<double>& weights = comparison.Pairs.Weights;
@@ -43,6 +63,9 @@ PlanError Compare(const std::vector<const PlanComparison*>& comparisons,
       difference += differences.back();
       sum += references.back();
     }
+    const auto start = static_cast<std::ptrdiff_t>(before);
+    pictures.Add(comparison.Pairs, { differences.begin() + start, differences.end() },
+      { references.begin() + start, references.end() });
   }
   if (!(sum > 0.0))
   {
@@ -56,6 +79,7 @@ PlanError Compare(const std::vector<const PlanComparison*>& comparisons,
     squares += residue * residue;
   }
   const double uncertainty = std::hypot(StandardErrors * std::sqrt(squares) / sum, ownError);
-  return { error + uncertainty, uncertainty };
+  const double ratio = GetLargestRatio(pictures, comparisons.front()->Pairs.Ratios);
+  return { error + uncertainty, uncertainty, ratio * (error + uncertainty) };
 }
 } // namespace measuredbrdf

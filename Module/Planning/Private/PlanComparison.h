@@ -25,11 +25,13 @@ struct PlanComparison
 };
 
 /// Relative L1 over the pairs of all comparisons, with Uncertainty: two standard errors of their
-/// sample, and the reference's own error.
+/// sample, and the reference's own error. Picture: the largest of single pictures from the pairs'
+/// cameras, the same where they have none.
 struct PlanError
 {
   double Error = 0.0;
   double Uncertainty = 0.0;
+  double Picture = 0.0;
 };
 
 /// radiances: a candidate's, of each comparison's pairs.

@@ -43,8 +43,8 @@ bool ReadCandidate(std::istream& text, PlanCandidate& candidate)
   {
     text >> size;
   }
-  text >> candidate.Cost >> candidate.Error >> candidate.Uncertainty >> candidate.Bytes >>
-    candidate.SetUp;
+  text >> candidate.Cost >> candidate.Error >> candidate.Uncertainty >> candidate.Picture >>
+    candidate.Bytes >> candidate.SetUp;
   std::getline(text >> std::ws, candidate.Description);
   return text && !text.eof();
 }
@@ -68,7 +68,8 @@ std::string WritePlan(const Plan& plan)
       text << " " << size;
     }
     text << " " << candidate.Cost << " " << candidate.Error << " " << candidate.Uncertainty << " "
-         << candidate.Bytes << " " << candidate.SetUp << " " << candidate.Description << "\n";
+         << candidate.Picture << " " << candidate.Bytes << " " << candidate.SetUp << " "
+         << candidate.Description << "\n";
   }
   text << plan.Reason << "\n";
   text << plan.Candidates[static_cast<std::size_t>(plan.Choice)].Integrator->GetPrepared();

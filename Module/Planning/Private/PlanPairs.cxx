@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <random>
 
 namespace measuredbrdf
@@ -99,6 +100,22 @@ private:
 };
 }
 
+std::vector<double> GetPictureCameras()
+{
+  std::vector<double> cameras;
+  for (int k = 0; k < 27; ++k)
+  {
+    const glm::ivec3 place(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
+    const int axes = std::abs(place.x) + std::abs(place.y) + std::abs(place.z);
+    if (axes == 1 || axes == 3)
+    {
+      const glm::dvec3 direction = glm::normalize(glm::dvec3(place));
+      cameras.insert(cameras.end(), { direction.x, direction.y, direction.z });
+    }
+  }
+  return cameras;
+}
+
 // The view, the normal and the mirror direction lie in one plane, the normal in the middle. Where
 // the view may be any, the mirror direction and the view's cosine are independent; where it is
 // given, the mirror direction says it all.
@@ -113,6 +130,7 @@ PlanPairs DrawSpherePairs(
   pairs.Views = vtkSmartPointer<vtkDoubleArray>::New();
   pairs.Normals->SetNumberOfComponents(3);
   pairs.Views->SetNumberOfComponents(3);
+  pairs.Cameras = any ? GetPictureCameras() : std::vector<double>();
   for (int k = 0; k < count; ++k)
   {
     const unsigned int index = static_cast<unsigned int>(k + 1);
@@ -255,6 +273,11 @@ void Turn(const double columns[9], PlanPairs& pairs)
       const glm::dvec3 turned = rotation * glm::make_vec3(directions->GetTuple(k));
       directions->SetTuple(k, &turned.x);
     }
+  }
+  for (std::size_t k = 0; k < pairs.Cameras.size(); k += 3)
+  {
+    const glm::dvec3 turned = rotation * glm::make_vec3(&pairs.Cameras[k]);
+    std::copy_n(&turned.x, 3, &pairs.Cameras[k]);
   }
 }
 } // namespace measuredbrdf

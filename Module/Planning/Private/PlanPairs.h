@@ -25,7 +25,13 @@ struct PlanPairs
   vtkSmartPointer<vtkDoubleArray> Normals; // unit vectors
   vtkSmartPointer<vtkDoubleArray> Views;   // as many unit vectors
   std::vector<double> Weights;             // of the pairs; none: 1 each
+  std::vector<double> Cameras; // three components each, whose pictures count; none: all is one
+  std::vector<double> Ratios;  // what they have of a cheap method's error (PictureSums::GetRatios)
 };
+
+/// Cameras around a sphere, whose pictures count for plans for all views: the directions towards a
+/// cube's faces and corners, three components each.
+std::vector<double> GetPictureCameras();
 
 /// So many normals as a sphere shows them to a distant camera, uniform over its disc, but many of
 /// them near the rim, where radiance is steep, and half of them where its mirror directions see one

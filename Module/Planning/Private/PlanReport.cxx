@@ -45,17 +45,27 @@ std::string ExplainChoice(const Plan& plan, double tolerance)
 {
   const std::size_t choice = static_cast<std::size_t>(plan.Choice);
   std::string reason;
+  const PlanCandidate& chosen = plan.Candidates[choice];
   if (plan.Meets)
   {
-    reason = "the first candidate, by cost and size, within " + Percent(tolerance) +
-             (choice > 0 ? ": the one before has " + Percent(plan.Candidates[choice - 1].Error)
-                         : std::string());
+    const PlanCandidate* before = choice > 0 ? &plan.Candidates[choice - 1] : nullptr;
+    const bool byPictures = before && before->Error <= tolerance;
+    reason =
+      "the first candidate, by cost and size, within " + Percent(tolerance) +
+      (byPictures && chosen.Picture <= tolerance ? " in single pictures, too" : "") +
+      (before ? ": the one before has " + Percent(byPictures ? before->Picture : before->Error) +
+                  (byPictures ? " in one" : "")
+              : std::string());
+    if (chosen.Picture > tolerance)
+    {
+      reason += "; that is the mean over all views, a single picture may have up to " +
+                Percent(chosen.Picture);
+    }
   }
   else
   {
     reason = "nothing that was tried is within " + Percent(tolerance) +
-             "; this is the most accurate for its cost, with " +
-             Percent(plan.Candidates[choice].Error);
+             "; this is the most accurate for its cost, with " + Percent(chosen.Error);
   }
   return reason + ExplainMemory(plan);
 }
@@ -67,11 +77,14 @@ std::string DescribePlan(const Plan& plan)
     return "no plan yet";
   }
   const PlanCandidate& chosen = plan.Candidates[static_cast<std::size_t>(plan.Choice)];
-  char figures[128];
-  std::snprintf(figures, sizeof(figures),
-    ", error %.2g %% (%.2g + %.2g for chance), %.1f MB, set up in %.0f ms: ", 100.0 * chosen.Error,
-    100.0 * (chosen.Error - chosen.Uncertainty), 100.0 * chosen.Uncertainty,
-    1e-6 * static_cast<double>(chosen.Bytes), chosen.SetUp);
-  return chosen.Method + ", " + chosen.Description + figures + plan.Reason;
+  char error[64], costs[64];
+  std::snprintf(error, sizeof(error), ", error %.2g %% (%.2g + %.2g for chance)",
+    100.0 * chosen.Error, 100.0 * (chosen.Error - chosen.Uncertainty), 100.0 * chosen.Uncertainty);
+  std::snprintf(costs, sizeof(costs),
+    ", %.1f MB, set up in %.0f ms: ", 1e-6 * static_cast<double>(chosen.Bytes), chosen.SetUp);
+  const std::string pictures = chosen.Picture > chosen.Error
+                                 ? ", up to " + Percent(chosen.Picture) + " in a single picture"
+                                 : "";
+  return chosen.Method + ", " + chosen.Description + error + pictures + costs + plan.Reason;
 }
 } // namespace measuredbrdf

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PlanSample.h"
 
+#include "PlanPictures.h"
 #include "vtkNew.h"
 #include "vtkRadianceMethods.h"
 
@@ -25,6 +26,8 @@ constexpr double ShareByWeight = 0.25;
 // every time.
 constexpr double Start = 0.414;
 constexpr double NextStart = 0.618;
+
+constexpr double DrawnWidth = 12.0; // PictureSums
 
 // How often each of them is drawn, count in all, but at most once each.
 std::vector<double> LimitToOnce(std::vector<double> draws, int count)
@@ -151,6 +154,10 @@ PlanPairs ChoosePairs(
   chosen.Views = vtkSmartPointer<vtkDoubleArray>::New();
   chosen.Normals->SetNumberOfComponents(3);
   chosen.Views->SetNumberOfComponents(3);
+  chosen.Cameras = all.Cameras;
+  PictureSums pictures(DrawnWidth);
+  pictures.Add(all, differences, radiances);
+  chosen.Ratios = pictures.GetRatios();
   double at = std::fmod(Start + index * NextStart, 1.0);
   for (const std::size_t k : order)
   {

@@ -22,6 +22,15 @@ namespace
 constexpr double FarAway = 3.0; // times the tolerance: where last resorts are tried
 constexpr double WorthIt = 0.9; // of another's error, to be worth more cost
 constexpr int Few = 3;          // so many tried, and luck does not matter
+constexpr double Dearer = 1.05; // times another's cost, textures included
+// Times the frame of the cheapest: longer ones are not for what chance alone may have missed.
+constexpr double LongFrame = 2.0;
+
+// To hold in single pictures, too, what meets the tolerance in the mean: without a longer frame, in
+// so many bytes, and where that does not suffice, for two thirds of what a picture has.
+constexpr double AsDear = 1.001;
+constexpr vtkIdType LittleMemory = 4000000;
+constexpr double PictureWorthIt = 1.5;
 
 // Where the tolerance is missed, textures beyond so many bytes have to leave two thirds of the
 // error.
@@ -101,18 +110,22 @@ PlanSearch::PlanSearch(const PlanTask& task, const PlanComparison& comparison, I
 bool PlanSearch::Run(const std::vector<PlanCandidate>& candidates)
 {
   std::vector<PlanCandidate> skipped; // the largest of each method
-  for (std::size_t k = 0; k < candidates.size() && !this->Aborted(); ++k)
+  bool isEnough = false;
+  for (std::size_t k = 0; k < candidates.size() && !isEnough && !this->Aborted(); ++k)
   {
     const PlanCandidate& candidate = candidates[k];
-    if (this->Found.Meets && !this->Task.All) // others cost more
-    {
-      break;
-    }
     if (!this->IsWorthTrying(candidate))
     {
       continue;
     }
-    if (!this->Task.All && this->CanPrune(candidate, this->Task.Tolerance))
+    if (this->Found.Meets && !this->Task.All) // others cost more
+    {
+      if (this->MayHoldPictures(candidate) && !this->Try(candidate))
+      {
+        return false;
+      }
+    }
+    else if (!this->Task.All && this->CanPrune(candidate, this->Task.Tolerance))
     {
       const auto known = std::find_if(skipped.begin(), skipped.end(),
         [&candidate](const PlanCandidate& other) { return other.Method == candidate.Method; });
@@ -125,23 +138,47 @@ bool PlanSearch::Run(const std::vector<PlanCandidate>& candidates)
         *known = candidate;
       }
     }
-    else if (!this->Try(candidate))
+    else
     {
-      return false;
+      const bool isNear = !this->Task.All && this->IsNearMiss();
+      if (isNear && candidate.Order > Dearer * this->GetChoice().Order && !this->CheckChoice())
+      {
+        return false;
+      }
+      isEnough = isNear && this->IsNearMiss() && this->Found.Choice == this->Checked &&
+                 candidate.Cost > LongFrame * candidates[0].Cost;
+      const bool isOpen = this->Task.All || (!this->Found.Meets && !isEnough);
+      if (isOpen && !this->Try(candidate))
+      {
+        return false;
+      }
     }
     if (this->Progress)
     {
       this->Progress((static_cast<double>(k) + 1.0) / static_cast<double>(candidates.size()));
     }
   }
-  return this->TrySkipped(skipped) && this->CheckChoice() && !this->Aborted();
+  return (isEnough || this->TrySkipped(skipped)) && this->CheckChoice() && !this->Aborted();
 }
 
 bool PlanSearch::IsWorthTrying(const PlanCandidate& candidate) const
 {
   return this->Task.All || this->Found.Choice < 0 || !candidate.Integrator->IsLastResort() ||
-         this->Found.Candidates[static_cast<std::size_t>(this->Found.Choice)].Error >=
-           FarAway * this->Task.Tolerance;
+         this->GetChoice().Error >= FarAway * this->Task.Tolerance;
+}
+
+// Beside a choice that meets the tolerance.
+bool PlanSearch::IsAffordable(const PlanCandidate& candidate) const
+{
+  return candidate.Bytes <= LittleMemory && candidate.Cost <= AsDear * this->GetChoice().Cost;
+}
+
+bool PlanSearch::MayHoldPictures(const PlanCandidate& candidate) const
+{
+  const PlanCandidate& choice = this->GetChoice();
+  return choice.Picture > this->Task.Tolerance && this->IsAffordable(candidate) &&
+         !this->CanPrune(candidate,
+           choice.Error * std::max(this->Task.Tolerance / choice.Picture, 1.0 / PictureWorthIt));
 }
 
 bool PlanSearch::CanPrune(const PlanCandidate& candidate, double error) const
@@ -173,8 +210,7 @@ bool PlanSearch::TrySkipped(const std::vector<PlanCandidate>& skipped)
       {
         continue;
       }
-      const PlanCandidate& best =
-        this->Found.Candidates[static_cast<std::size_t>(this->Found.Choice)];
+      const PlanCandidate& best = this->GetChoice();
       const bool isLarger = candidate.Method != best.Method ||
                             GetMainSize(candidate) > GetMainSize(best) ||
                             candidate.Bytes > best.Bytes;
@@ -230,6 +266,7 @@ bool PlanSearch::Prepare(PlanCandidate& candidate)
   const PlanError found = Compare({ &this->First }, { radiance });
   candidate.Error = found.Error;
   candidate.Uncertainty = found.Uncertainty;
+  candidate.Picture = found.Picture;
   ++this->Tried;
   return !this->MayBeLuck(candidate) || this->Check(candidate);
 }
@@ -270,24 +307,35 @@ bool PlanSearch::Check(PlanCandidate& candidate)
   const PlanError found = Compare({ &this->First, second }, { radiance, other });
   candidate.Error = found.Error;
   candidate.Uncertainty = found.Uncertainty;
+  candidate.Picture = found.Picture;
   return true;
+}
+
+// Without what stands for chance, the best so far would be within the tolerance.
+bool PlanSearch::IsNearMiss() const
+{
+  return !this->Found.Meets && this->Found.Choice >= 0 &&
+         this->GetChoice().Error - this->GetChoice().Uncertainty <= this->Task.Tolerance;
 }
 
 // The best of those that miss the tolerance, too: on both samples it may be within it.
 bool PlanSearch::CheckChoice()
 {
   Plan& plan = this->Found;
-  if (this->Task.All || plan.Meets || plan.Choice < 0 || this->Tried <= Few || this->Aborted())
+  if (this->Task.All || plan.Meets || plan.Choice < 0 || plan.Choice == this->Checked ||
+      this->Tried <= Few || this->Aborted())
   {
     return true;
   }
   PlanCandidate& choice = plan.Candidates[static_cast<std::size_t>(plan.Choice)];
   const bool checked = this->Check(choice);
   plan.Meets = checked && choice.Error <= this->Task.Tolerance;
+  this->Checked = plan.Choice;
   return checked;
 }
 
-// The first within the tolerance; else the most accurate, where that is worth its cost.
+// The first within the tolerance, in single pictures, too, where that costs little; else the most
+// accurate, where that is worth its cost.
 void PlanSearch::Take(const PlanCandidate& candidate)
 {
   Plan& plan = this->Found;
@@ -301,6 +349,13 @@ void PlanSearch::Take(const PlanCandidate& candidate)
   if (!plan.Meets && candidate.Error <= this->Task.Tolerance)
   {
     plan.Meets = true;
+    plan.Choice = last;
+  }
+  else if (plan.Meets && this->GetChoice().Picture > this->Task.Tolerance &&
+           this->IsAffordable(candidate) && candidate.Error <= this->Task.Tolerance &&
+           candidate.Picture <=
+             std::max(this->Task.Tolerance, this->GetChoice().Picture / PictureWorthIt))
+  {
     plan.Choice = last;
   }
   else if (candidate.Error < enough)

@@ -11,6 +11,7 @@
 #include "PlanCandidate.h"
 #include "PlanComparison.h"
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
@@ -48,8 +49,11 @@ public:
   std::function<void(double)> Progress;
 
   /// Try candidates in their order until one is within the tolerance, but for those that the others
-  /// show not to help. The largest of these are tried in the end where nothing is. Returns false
-  /// where it was aborted, or a candidate of the module failed.
+  /// show not to help. One that misses it by no more than what stands for chance is compared on the
+  /// second pairs before any that costs clearly more is tried. Where single pictures may have more
+  /// than the tolerance, those after it that take no longer a frame and little memory are tried,
+  /// too. The largest of these are tried in the end where nothing is. Returns false where it was
+  /// aborted, or a candidate of the module failed.
   bool Run(const std::vector<PlanCandidate>& candidates);
 
   /// Without a reason.
@@ -62,13 +66,20 @@ public:
   const std::string& GetWarnings() const { return this->Warnings; }
 
 private:
+  const PlanCandidate& GetChoice() const
+  {
+    return this->Found.Candidates[static_cast<std::size_t>(this->Found.Choice)];
+  }
   bool IsWorthTrying(const PlanCandidate& candidate) const;
+  bool IsAffordable(const PlanCandidate& candidate) const;
+  bool MayHoldPictures(const PlanCandidate& candidate) const;
   bool CanPrune(const PlanCandidate& candidate, double error) const;
   bool Try(PlanCandidate candidate);
   bool Prepare(PlanCandidate& candidate);
   bool Integrate(PlanCandidate& candidate, const PlanPairs& pairs, vtkDoubleArray* radiance);
   bool MayBeLuck(const PlanCandidate& candidate) const;
   bool Check(PlanCandidate& candidate);
+  bool IsNearMiss() const;
   bool CheckChoice();
   void Take(const PlanCandidate& candidate);
   bool TrySkipped(const std::vector<PlanCandidate>& skipped);
@@ -80,6 +91,7 @@ private:
   std::string Problem;
   std::string Warnings;
   int Tried = 0;
+  int Checked = -1; // the last choice that was compared on both samples
 };
 
 /// Hands an abort on to an integrator at work, whose errors it keeps.

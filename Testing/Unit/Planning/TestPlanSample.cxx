@@ -5,6 +5,7 @@
 
 #include "HalfVector.h" // for Pi
 #include "PlanPairs.h"
+#include "PlanPictures.h"
 #include "PlanSample.h"
 #include "SpherePairs.h"
 #include "vtkAdaptiveRadianceIntegrator.h"
@@ -182,6 +183,58 @@ TEST(PlanSample, PredictionsHold)
       100.0 * predicted, 100.0 * uncertainty, 100.0 * measured, planner->GetPlan().c_str());
     EXPECT_LE(measured, predicted) << name;
     EXPECT_GE(measured, 0.4 * predicted) << name; // lamps decide, which few of the 4000 see
+  }
+}
+
+//------------------------------------------------------------------------------
+// What the pairs of all views say of single cameras is what these see: an error that grows towards
+// grazing views, of light from one side.
+TEST(PlanPictures, AreWhatCamerasSee)
+{
+  const auto getLight = [](const glm::dvec3& normal, const glm::dvec3& view)
+  {
+    const glm::dvec3 mirror = 2.0 * glm::dot(normal, view) * normal - view;
+    return 0.1 + std::max(mirror.x, 0.0);
+  };
+  const auto getError = [](const glm::dvec3& normal, const glm::dvec3& view)
+  { return 0.01 + 0.05 * std::pow(1.0 - glm::dot(normal, view), 2.0); };
+  const double everywhere[3] = { 0.0, 0.0, 0.0 };
+  const PlanPairs pairs = measuredbrdf::DrawSpherePairs(Many, everywhere);
+  const std::vector<double> cameras = measuredbrdf::GetPictureCameras();
+  ASSERT_EQ(cameras.size(), 3u * 14u);
+  EXPECT_EQ(pairs.Cameras, cameras);
+  std::vector<double> differences, references;
+  for (vtkIdType k = 0; k < Many; ++k)
+  {
+    const glm::dvec3 normal = glm::make_vec3(pairs.Normals->GetTuple3(k));
+    const glm::dvec3 view = glm::make_vec3(pairs.Views->GetTuple3(k));
+    const double weight = pairs.Weights[static_cast<std::size_t>(k)];
+    references.push_back(weight * getLight(normal, view));
+    differences.push_back(weight * getError(normal, view));
+  }
+  measuredbrdf::PictureSums sums(12.0);
+  EXPECT_TRUE(sums.GetRatios().empty());
+  sums.Add(pairs, differences, references);
+  const std::vector<double> ratios = sums.GetRatios();
+  ASSERT_EQ(ratios.size(), 14u);
+  const double mean = std::accumulate(differences.begin(), differences.end(), 0.0) /
+                      std::accumulate(references.begin(), references.end(), 0.0);
+  for (std::size_t c = 0; c < ratios.size(); ++c)
+  {
+    const glm::dvec3 view = glm::make_vec3(&cameras[3 * c]);
+    double error = 0.0;
+    double light = 0.0;
+    for (int k = 0; k < 4000; ++k) // uniform over the disc
+    {
+      const double r = std::sqrt((k + 0.5) / 4000.0);
+      const double turn = 2.4 * k;
+      const glm::dvec3 u = glm::normalize(glm::cross(view, glm::dvec3(0.3, 0.8, 0.5)));
+      const glm::dvec3 normal = r * (std::cos(turn) * u + std::sin(turn) * glm::cross(view, u)) +
+                                std::sqrt(1.0 - r * r) * view;
+      error += getError(normal, view);
+      light += getLight(normal, view);
+    }
+    EXPECT_NEAR(ratios[c] * mean * light / error, 1.0, 0.15) << c; // of 0.7 to 1.7
   }
 }
 

@@ -224,6 +224,101 @@ TEST(PlanSearch, DoesNotTakeLuckForMerit)
 }
 
 //------------------------------------------------------------------------------
+// What misses the tolerance by no more than stands for chance is compared on other pairs, too,
+// before a candidate that costs clearly more is tried; and that is not tried if chance may be all,
+// and it would take twice the frame of the cheapest.
+TEST(PlanSearch, LooksTwiceAtNearMisses)
+{
+  measuredbrdf::PlanTask task;
+  task.BRDF = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("pink-felt"));
+  task.Costs = vtkSmartPointer<vtkRadianceCostModel>::New();
+  task.Tolerance = 0.02;
+  task.MaximumBytes = 1000;
+  PlanComparison first = MakeComparison(20, false);
+  first.ReferenceError = 1e-3;
+  PlanComparison second = MakeComparison(20, true);
+  int asked = 0;
+  const auto run = [&](double onSecond, double cost)
+  {
+    asked = 0;
+    std::vector<PlanCandidate> candidates = { MakeCandidate(1, 0.5, 0.5),
+      MakeCandidate(2, 0.4, 0.4), MakeCandidate(3, 0.3, 0.3), MakeCandidate(4, 0.0195, onSecond),
+      MakeCandidate(5, 0.001, 0.001) };
+    for (PlanCandidate& candidate : candidates)
+    {
+      candidate.Cost = candidate.Order = 1.0;
+    }
+    candidates.back().Cost = candidates.back().Order = cost;
+    measuredbrdf::PlanSearch search(task, first, []() { return false; });
+    search.GetSecond = [&]()
+    {
+      ++asked;
+      return &second;
+    };
+    EXPECT_TRUE(search.Run(candidates)) << search.GetProblem();
+    return search.GetPlan();
+  };
+  const measuredbrdf::Plan near = run(0.017, 1.1);
+  EXPECT_EQ(near.Choice, 3);
+  EXPECT_TRUE(near.Meets);
+  EXPECT_EQ(asked, 1);
+  EXPECT_EQ(run(0.017, 1.0).Choice, 4); // which costs no more
+  EXPECT_EQ(asked, 0);
+  EXPECT_EQ(run(0.03, 1.1).Choice, 4); // luck
+  EXPECT_EQ(asked, 1);
+  EXPECT_EQ(run(0.03, 2.1).Choice, 4);
+  EXPECT_EQ(run(0.0195, 1.9).Choice, 4); // not on both
+  const measuredbrdf::Plan kept = run(0.0195, 2.1);
+  EXPECT_EQ(kept.Choice, 3);
+  EXPECT_FALSE(kept.Meets);
+  EXPECT_EQ(kept.Candidates.size(), 4u);
+}
+
+//------------------------------------------------------------------------------
+// One camera sees the pairs whose normal is z, another those where it is x. What meets the
+// tolerance in the mean of both gives way to what does so in each, if that costs little.
+TEST(PlanSearch, HoldsInSinglePictures)
+{
+  measuredbrdf::PlanTask task;
+  task.BRDF = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("pink-felt"));
+  task.Costs = vtkSmartPointer<vtkRadianceCostModel>::New();
+  task.Tolerance = 0.02;
+  task.MaximumBytes = 96000000;
+  PlanComparison comparison = MakeComparison(40, false);
+  for (vtkIdType k = 20; k < 40; ++k)
+  {
+    comparison.Pairs.Normals->SetTuple3(k, 1.0, 0.0, 0.0);
+  }
+  const auto run = [&](double z, double x, vtkIdType bytes = 2000000, double cost = 1.0)
+  {
+    std::vector<PlanCandidate> candidates = { MakeCandidate(1, 0.004, 0.028),
+      MakeCandidate(2, z, x) };
+    candidates[0].Cost = 1.0;
+    candidates[1].Cost = cost;
+    candidates[1].Bytes = bytes;
+    measuredbrdf::PlanSearch search(task, comparison, []() { return false; });
+    EXPECT_TRUE(search.Run(candidates)) << search.GetProblem();
+    EXPECT_TRUE(search.GetPlan().Meets);
+    return search.GetPlan();
+  };
+  EXPECT_EQ(run(0.012, 0.012).Choice, 0); // all of it is one picture
+  comparison.Pairs.Cameras = { 0.0, 0.0, 1.0, 1.0, 0.0, 0.0 };
+  const measuredbrdf::Plan plan = run(0.012, 0.012);
+  EXPECT_EQ(plan.Choice, 1);
+  EXPECT_NEAR(plan.Candidates[0].Picture, 1.75 * plan.Candidates[0].Error, 1e-9);
+  EXPECT_NEAR(plan.Candidates[1].Picture, plan.Candidates[1].Error, 1e-9);
+  EXPECT_EQ(run(0.012, 0.012, 4100000).Choice, 0);
+  EXPECT_EQ(run(0.012, 0.012, 2000000, 1.1).Choice, 0);
+  EXPECT_EQ(run(0.004, 0.020).Choice, 0); // little is gained
+  EXPECT_EQ(run(0.003, 0.018).Choice, 1); // two thirds of what a picture has
+
+  // What a cheap candidate has at the cameras says half of it.
+  comparison.Pairs.Ratios = { 1.0, 1.0 };
+  const measuredbrdf::Plan milder = run(0.012, 0.012);
+  EXPECT_NEAR(milder.Candidates[0].Picture, std::sqrt(1.75) * milder.Candidates[0].Error, 1e-9);
+}
+
+//------------------------------------------------------------------------------
 TEST(MaterialStore, KeepsTheLastOnes)
 {
   const auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("pink-felt"));
