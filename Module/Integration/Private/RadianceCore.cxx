@@ -71,7 +71,7 @@ bool RadianceCore::Make(const EnvironmentHarmonics& environment, const LobeViews
   const CoreKernels& kernels, int fields, const std::function<bool(double)>& goOn)
 {
   const std::vector<CoreMode> modes = ChooseModes(environment, kernels, fields);
-  const FieldSynthesis synthesis(environment, this->Rows, this->Columns, MapNodes::Centers);
+  FieldSynthesis synthesis(environment, this->Rows, this->Columns, MapNodes::Centers);
   constexpr int size = LobeViews::NumberOfViews;
   this->Profile.assign(3 * size * (1 + modes.size()), 0.0f);
   const auto put = [this](std::size_t row, int view, const glm::dvec3& value)

@@ -160,43 +160,31 @@ double PackRadiance(const std::vector<float>& radiance, RadianceTable::Texels& t
 
 namespace
 {
-// RGB of a table's slices over some rows of a map.
-struct SliceMaps
-{
-  int AllRows;
-  std::vector<int> Chosen; // none: all
-  int Degree;
-};
-
-// None where goOn said false.
+// RGB of a table's slices at nodes of a map of so many rows, with dark rings. None where goOn said
+// false.
 std::vector<float> SynthesizeMaps(MaterialPrecomputation& parts, const LobeViews& views,
   const TableLight& light, const MaterialPrecomputation::Kernels& knots, double smoothing,
-  const SliceMaps& maps, const std::function<bool(double)>& goOn, const RadianceTable& table)
+  const MapPart& part, int degree, const std::function<bool(double)>& goOn,
+  const RadianceTable& table)
 {
   const int orders = table.Azimuths / 2; // as many as the azimuths can tell apart
-  const int degree = maps.Degree;
+  const int rows = part.GetAllRows();
   std::vector<std::vector<float>> kernels =
-    ExpandTableKernels(parts, views, knots, degree, orders, smoothing, maps.AllRows);
+    ExpandTableKernels(parts, views, knots, degree, orders, smoothing, rows);
   // Lamps are what the one environment has more than the other: K rest + K_out (all - rest) =
   // (K - K_out) rest + K_out all. They are not smoothed: no maps add what they would lack.
   std::vector<std::vector<float>> outside;
   if (light.All)
   {
-    outside =
-      ExpandTableKernels(parts, views, knots, degree, orders, 0.0, maps.AllRows, &light.Window);
+    outside = ExpandTableKernels(parts, views, knots, degree, orders, 0.0, rows, &light.Window);
     for (std::size_t k = 0; k < kernels.size(); ++k)
     {
       std::transform(kernels[k].begin(), kernels[k].end(), outside[k].begin(), kernels[k].begin(),
         std::minus<float>());
     }
   }
-  const std::size_t rows =
-    maps.Chosen.empty() ? static_cast<std::size_t>(maps.AllRows) : maps.Chosen.size();
-  const int columns = 2 * (maps.AllRows - 1);
-  const std::size_t texels = rows * static_cast<std::size_t>(columns);
-  AzimuthSeries series(table.Angles, table.Azimuths, texels);
-  const FieldSynthesis synthesis(
-    light.Environment, maps.AllRows, columns, MapNodes::Poles, maps.Chosen);
+  AzimuthSeries series(table.Angles, table.Azimuths, part.GetNumberOfNodes());
+  FieldSynthesis synthesis(light.Environment, part, MapNodes::Poles);
   std::array<FieldSynthesis::Field, 3> fields;
   const auto strengths = GetStrengths(light.Environment, degree);
   for (int order = 0; order <= orders; ++order)
@@ -217,9 +205,7 @@ std::vector<float> SynthesizeMaps(MaterialPrecomputation& parts, const LobeViews
       return {};
     }
   }
-  std::vector<float> radiance = series.TakeRadiance();
-  LiftDarkRings(radiance, rows, static_cast<std::size_t>(columns));
-  return radiance;
+  return series.TakeRadiance();
 }
 
 // How much of a sphere's disc is seen at each slice's view angle.
@@ -245,27 +231,29 @@ double SynthesizeRadiance(MaterialPrecomputation& parts, const LobeViews& views,
 {
   const int fineRows = table.Tiles.FineRows;
   std::vector<float> radiance = SynthesizeMaps(parts, views, light, knots, smoothing,
-    { table.Rows, {}, fineRows > 0 ? std::min(GetMapDegree(table.Rows), degree) : degree }, goOn,
-    table);
+    MapPart::OfAll(table.Rows, table.Columns),
+    fineRows > 0 ? std::min(GetMapDegree(table.Rows), degree) : degree, goOn, table);
   if (radiance.empty())
   {
     return 0.0;
   }
+  LiftDarkRings(
+    radiance, static_cast<std::size_t>(table.Rows), static_cast<std::size_t>(table.Columns));
   if (fineRows > 0)
   {
     table.Tiles.Choose(radiance, GetSliceWeights(table));
-    const std::vector<int> rows = table.Tiles.GetFineRowsOfTiles();
+    const MapPart nodes = table.Tiles.GetFineNodes();
     std::vector<float> fine;
-    if (!rows.empty())
+    if (nodes.GetNumberOfNodes() > 0)
     {
-      fine = SynthesizeMaps(
-        parts, views, light, knots, smoothing, { fineRows, rows, degree }, goOn, table);
+      fine =
+        SynthesizeMaps(parts, views, light, knots, smoothing, nodes, degree, goOn, table);
       if (fine.empty())
       {
         return 0.0;
       }
     }
-    radiance = table.Tiles.Join(radiance, fine);
+    radiance = table.Tiles.Join(radiance, nodes, fine);
   }
   return PackRadiance(radiance, table.Radiance);
 }
@@ -318,7 +306,7 @@ std::shared_ptr<const RadianceTable::Texels> MakeIrradiance(const EnvironmentHar
   constexpr int side = RadianceTable::IrradianceSide;
   const int rows = 2 * side - 1;
   const int columns = 2 * (rows - 1);
-  const FieldSynthesis synthesis(environment, rows, columns, MapNodes::Poles);
+  FieldSynthesis synthesis(environment, rows, columns, MapNodes::Poles);
   std::vector<float> map(3 * static_cast<std::size_t>(columns * rows));
   std::array<FieldSynthesis::Field, 3> fields;
   synthesis.Run(0, { cosine, cosine, cosine }, fields);

@@ -4,6 +4,7 @@
 
 #include "WideVectors.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <vector>
@@ -108,6 +109,58 @@ MEASUREDBRDF_INLINE void Recur(
 #ifdef MEASUREDBRDF_HAS_VECTORS
 using Vector2 = double __attribute__((vector_size(16)));
 using Vector4 = double __attribute__((vector_size(32)));
+using FloatVector4 = float __attribute__((vector_size(16)));
+
+// The recursion in all lanes, whatever vectors the processor has; numbers of floats that it is
+// slow with are 0.
+MEASUREDBRDF_INLINE std::size_t RecurFrom(
+  const Steps& steps, const Values& start, const Values& cosine, double least, float* d)
+{
+  constexpr double tiny = 1e-15;
+  Vector4 x, current;
+  Load(cosine, 0, x);
+  Load(start, 0, current);
+  Vector4 previous = {};
+  std::size_t k = 0;
+  const auto isLess = [&]()
+  {
+    const auto less = (current < least) & (current > -least);
+    return (less[0] & less[1] & less[2] & less[3]) != 0;
+  };
+  const auto goOn = [&]()
+  {
+    const WignerD::Step& step = steps[k];
+    const Vector4 next = step.A * (x - step.B) * current - step.C * previous;
+    previous = current;
+    current = next;
+  };
+  for (; isLess(); ++k)
+  {
+    if (k == steps.size())
+    {
+      return k + 1;
+    }
+    goOn();
+  }
+  const std::size_t first = k;
+  for (;; ++k)
+  {
+    const auto none = (current < tiny) & (current > -tiny);
+    const auto floats = __builtin_convertvector(none ? Vector4{} : current, FloatVector4);
+    std::memcpy(d + WignerLanes::Count * k, &floats, sizeof(floats));
+    if (k == steps.size())
+    {
+      return first;
+    }
+    goOn();
+  }
+}
+
+__attribute__((target("avx2,fma"))) std::size_t RecurFromWide(
+  const Steps& steps, const Values& start, const Values& cosine, double least, float* d)
+{
+  return RecurFrom(steps, start, cosine, least, d);
+}
 
 template <typename Taker>
 __attribute__((target("avx2,fma"))) void RecurWide(
@@ -159,6 +212,35 @@ void WignerLanes::Evaluate(const WignerD& functions, Values* d) const
   {
     RecurAsWideAsPossible(functions.GetSteps(), this->GetStart(functions), this->Cosine, Keep{ d });
   }
+}
+
+std::size_t WignerLanes::EvaluateFrom(
+  const WignerD& functions, double least, float* d) const
+{
+  if (functions.IsEmpty())
+  {
+    return 0;
+  }
+  const Values start = this->GetStart(functions);
+#ifdef MEASUREDBRDF_HAS_VECTORS
+  return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")
+    ? RecurFromWide(functions.GetSteps(), start, this->Cosine, least, d)
+    : RecurFrom(functions.GetSteps(), start, this->Cosine, least, d);
+#else
+  std::vector<Values> all(functions.GetSteps().size() + 1);
+  Recur<double>(functions.GetSteps(), start, this->Cosine, Keep{ all.data() });
+  const auto isLess = [least](double value) { return std::abs(value) < least; };
+  std::size_t first = 0;
+  while (first < all.size() && std::all_of(all[first].begin(), all[first].end(), isLess))
+  {
+    ++first;
+  }
+  for (std::size_t k = first; k < all.size(); ++k)
+  {
+    std::copy(all[k].begin(), all[k].end(), d + Count * k);
+  }
+  return first;
+#endif
 }
 
 void WignerLanes::AddSeries(

@@ -28,6 +28,10 @@ public:
   /// d[l - first] for the degrees of the functions, as WignerD::Evaluate.
   void Evaluate(const WignerD& functions, Values* d) const;
 
+  /// The same in single precision, four numbers for each degree. Returns how many of the lowest
+  /// degrees are left out: their numbers are all less than `least`.
+  std::size_t EvaluateFrom(const WignerD& functions, double least, float* d) const;
+
   /// Adds factors[c] d^l to out[c][l], for each channel c and each l from the functions' first on.
   void AddSeries(
     const WignerD& functions, const Values factors[3], const std::array<Values*, 3>& out) const;
