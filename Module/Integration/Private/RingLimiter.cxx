@@ -50,9 +50,9 @@ void CombineAcross(const Map& in, const Combine& combine, Map& out)
 void LiftDarkRingsOfMap(float* radiance, std::size_t rows, std::size_t columns)
 {
   const auto blur = [](const auto& a, const auto& b, const auto& c)
-  { return (0.25f * (a + c) + 0.5f * b).eval(); };
+  { return 0.25f * (a + c) + 0.5f * b; };
   const auto least = [](const auto& a, const auto& b, const auto& c)
-  { return a.min(b).min(c).eval(); };
+  { return a.min(b).min(c); };
   Map first, second(static_cast<Eigen::Index>(3 * columns), static_cast<Eigen::Index>(rows));
   Eigen::Map<Map> values(radiance, second.rows(), second.cols());
   first = values.max(0.0f);

@@ -29,6 +29,7 @@ double GetTileBytes(double ofCoarseMap)
 
 constexpr int RingMargin = 4; // fine nodes beside a tile's that RingLimiter reads
 constexpr int RowMargin = RingMargin + 1; // and a spline's neighbors
+constexpr int Wide = TableTiles::Texels + 2 * RingMargin;
 
 // A map of RGB, round along the rows.
 struct MapView
@@ -234,6 +235,7 @@ std::vector<float> TableTiles::Join(
   const std::size_t joined = texels + 3 * static_cast<std::size_t>(columns * Texels * this->Down);
   const std::size_t slices = coarse.size() / texels;
   std::vector<float> all(slices * joined, 0.0f);
+  const std::vector<Tile> tiles = this->MakeTiles(nodes);
   vtkSMPTools::For(0, static_cast<vtkIdType>(slices), 1,
     [&](vtkIdType begin, vtkIdType end)
     {
@@ -242,70 +244,86 @@ std::vector<float> TableTiles::Join(
         const std::size_t slice = static_cast<std::size_t>(k);
         std::copy_n(&coarse[slice * texels], texels, &all[slice * joined]);
         this->AddTiles(
-          nodes, fine.data() + 3 * slice * nodes.GetNumberOfNodes(), &all[slice * joined]);
+          tiles, fine.data() + 3 * slice * nodes.GetNumberOfNodes(), &all[slice * joined]);
       }
     });
   return all;
 }
 
+std::vector<TableTiles::Tile> TableTiles::MakeTiles(const MapPart& nodes) const
+{
+  std::vector<Tile> tiles;
+  const int rows = GetRows(this->FineRows);
+  const int columns = 2 * (rows - 1);
+  for (std::size_t number = 0; number < this->Places.size(); ++number)
+  {
+    const int place = static_cast<int>(this->Places[number]) - 1;
+    if (place < 0)
+    {
+      continue;
+    }
+    Tile tile;
+    tile.Row = static_cast<int>(number) / this->CountColumns() * Intervals;
+    tile.Column = static_cast<int>(number) % this->CountColumns() * Intervals;
+    tile.Place = static_cast<std::size_t>((rows + place / this->Across * Texels) * columns +
+                                          place % this->Across * Texels);
+    for (int k = 0; k < Wide * Wide; ++k)
+    {
+      tile.Nodes.push_back(nodes.Find(
+        tile.Row + k / Wide - RingMargin, tile.Column + k % Wide - RingMargin));
+    }
+    for (int k = 0; k < Texels * Texels; ++k)
+    {
+      tile.Inside.push_back(this->IsInside(
+        tile.Row + k / Texels, (tile.Column + k % Texels) % this->GetFineColumns()));
+    }
+    tiles.push_back(std::move(tile));
+  }
+  return tiles;
+}
+
 // Of one slice.
-void TableTiles::AddTiles(const MapPart& nodes, const float* fine, float* out) const
+void TableTiles::AddTiles(const std::vector<Tile>& tiles, const float* fine, float* out) const
 {
   const int rows = GetRows(this->FineRows);
   const int columns = 2 * (rows - 1);
-  constexpr int wide = Texels + 2 * RingMargin;
-  std::vector<float> patch(3 * wide * wide);
-  const auto forEachTile = [&](const auto& run)
+  std::vector<float> patch(3 * Wide * Wide);
+  for (const Tile& tile : tiles)
   {
-    for (std::size_t tile = 0; tile < this->Places.size(); ++tile)
+    for (std::size_t k = 0; k < tile.Nodes.size(); ++k)
     {
-      const int place = static_cast<int>(this->Places[tile]) - 1;
-      if (place >= 0)
+      std::copy_n(fine + 3 * static_cast<std::size_t>(tile.Nodes[k]), 3, &patch[3 * k]);
+    }
+    LiftDarkRingsOfMap(patch.data(), Wide, Wide); // what is off at the sides, the margin takes
+    for (int k = 0; k < Texels * Texels; ++k)
+    {
+      const int down = k / Texels;
+      const int across = k % Texels;
+      const float* const value =
+        &patch[3 * static_cast<std::size_t>((down + RingMargin) * Wide + across + RingMargin)];
+      std::copy_n(value, 3, out + 3 * (tile.Place + static_cast<std::size_t>(down * columns + across)));
+      // The coarse map rings about lamps: where it meets tiles it takes their values.
+      const int row = tile.Row + down;
+      const int column = (tile.Column + across) % this->GetFineColumns();
+      if (row % Ratio == 0 && column % Ratio == 0)
       {
-        run(static_cast<int>(tile) / this->CountColumns() * Intervals,
-          static_cast<int>(tile) % this->CountColumns() * Intervals,
-          out + 3 * ((rows + place / this->Across * Texels) * columns +
-                      place % this->Across * Texels));
+        std::copy_n(value, 3, out + 3 * (row / Ratio * columns + column / Ratio));
       }
     }
-  };
-  forEachTile(
-    [&](int first, int left, float* to)
-    {
-      for (int k = 0; k < wide * wide; ++k)
-      {
-        const int node =
-          nodes.Find(first + k / wide - RingMargin, left + k % wide - RingMargin);
-        std::copy_n(fine + 3 * node, 3, &patch[3 * static_cast<std::size_t>(k)]);
-      }
-      LiftDarkRingsOfMap(patch.data(), wide, wide); // what is off beside it, the margin takes
-      for (int k = 0; k < Texels * Texels; ++k)
-      {
-        const float* const value =
-          &patch[3 * static_cast<std::size_t>((k / Texels + RingMargin) * wide + k % Texels + RingMargin)];
-        std::copy_n(value, 3, to + 3 * (k / Texels * columns + k % Texels));
-        // The coarse map rings about lamps: where it meets tiles it takes their values.
-        const int row = first + k / Texels;
-        const int column = (left + k % Texels) % this->GetFineColumns();
-        if (row % Ratio == 0 && column % Ratio == 0)
-        {
-          std::copy_n(value, 3, out + 3 * (row / Ratio * columns + column / Ratio));
-        }
-      }
-    });
+  }
   const MapView map{ out, rows, columns };
-  forEachTile(
-    [&](int first, int left, float* to)
+  for (const Tile& tile : tiles)
+  {
+    for (int k = 0; k < Texels * Texels; ++k)
     {
-      for (int k = 0; k < Texels * Texels; ++k)
+      const int down = k / Texels;
+      const int across = k % Texels;
+      float* const to = out + 3 * (tile.Place + static_cast<std::size_t>(down * columns + across));
+      for (int c = 0; c < 3 && !tile.Inside[static_cast<std::size_t>(k)]; ++c)
       {
-        const int row = first + k / Texels;
-        const int column = left + k % Texels;
-        for (int c = 0; c < 3 && !this->IsInside(row, column % this->GetFineColumns()); ++c)
-        {
-          to[3 * (k / Texels * columns + k % Texels) + c] = map.GetBetween(row, column, c);
-        }
+        to[c] = map.GetBetween(tile.Row + down, tile.Column + across, c);
       }
-    });
+    }
+  }
 }
 } // namespace measuredbrdf

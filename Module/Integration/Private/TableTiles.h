@@ -64,7 +64,16 @@ struct TableTiles
 private:
   /// Whether all tiles that meet at a fine node have a place.
   bool IsInside(int row, int column) const;
-  void AddTiles(const MapPart& nodes, const float* fine, float* map) const;
+  /// What a tile is made of.
+  struct Tile
+  {
+    int Row, Column;         // of its first fine node
+    std::size_t Place;       // of its first texel in a slice
+    std::vector<int> Nodes;  // of it and a margin, by number
+    std::vector<char> Inside; // whether its nodes are
+  };
+  std::vector<Tile> MakeTiles(const MapPart& nodes) const;
+  void AddTiles(const std::vector<Tile>& tiles, const float* fine, float* map) const;
 };
 } // namespace measuredbrdf
 

@@ -41,25 +41,6 @@ struct Keep
   }
 };
 
-struct Scale
-{
-  const Values* Factors;
-  Values* Out[3];
-
-  template <typename Vector>
-  MEASUREDBRDF_INLINE void Take(const Vector& d, std::size_t k, std::size_t lane) const
-  {
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      Vector factor, sum;
-      Load(this->Factors[c], lane, factor);
-      Load(this->Out[c][k], lane, sum);
-      sum += factor * d;
-      Store(sum, this->Out[c][k], lane);
-    }
-  }
-};
-
 struct Turn
 {
   const Values& Factor;
@@ -102,6 +83,115 @@ MEASUREDBRDF_INLINE void Recur(
       previous = current;
       current = next;
       taker.Take(current, k + 1, lane);
+    }
+  }
+}
+
+// Several angles' in each lane, whose sums share what is read and written.
+struct Series
+{
+  static constexpr std::size_t Count = 4;
+  Values* Out[3];
+  Values Cosines[Count];
+  Values Starts[Count];
+  std::array<Values, 3> Factors[Count];
+};
+
+constexpr double LeastOfSeries = 1e-10; // less adds nothing
+
+template <typename Vector>
+MEASUREDBRDF_INLINE bool IsLess(const Vector& value, double least)
+{
+  for (std::size_t lane = 0; lane < sizeof(Vector) / sizeof(double); ++lane)
+  {
+    if (!(value[lane] < least && value[lane] > -least))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+MEASUREDBRDF_INLINE bool IsLess(double value, double least)
+{
+  return value < least && value > -least;
+}
+
+// Some angles of a series, one after the other: what stays in registers.
+template <typename Vector, std::size_t Count>
+struct SeriesLanes
+{
+  MEASUREDBRDF_INLINE void Begin(const Series& series, std::size_t lane)
+  {
+    constexpr std::size_t n = Series::Count - Count;
+    Load(series.Cosines[n], lane, this->X);
+    Load(series.Starts[n], lane, this->Current);
+    this->Previous = 0.0 * this->Current;
+    Load(series.Factors[n][0], lane, this->Red);
+    Load(series.Factors[n][1], lane, this->Green);
+    Load(series.Factors[n][2], lane, this->Blue);
+    this->Others.Begin(series, lane);
+  }
+  MEASUREDBRDF_INLINE bool AreLess(double least) const
+  {
+    return IsLess(this->Current, least) && this->Others.AreLess(least);
+  }
+  MEASUREDBRDF_INLINE void GoOn(const WignerD::Step& step)
+  {
+    const Vector next =
+      step.A * (this->X - step.B) * this->Current - step.C * this->Previous;
+    this->Previous = this->Current;
+    this->Current = next;
+    this->Others.GoOn(step);
+  }
+  MEASUREDBRDF_INLINE void Add(Vector& red, Vector& green, Vector& blue) const
+  {
+    red += this->Red * this->Current;
+    green += this->Green * this->Current;
+    blue += this->Blue * this->Current;
+    this->Others.Add(red, green, blue);
+  }
+  Vector X, Current, Previous, Red, Green, Blue;
+  SeriesLanes<Vector, Count - 1> Others;
+};
+
+template <typename Vector>
+struct SeriesLanes<Vector, 0>
+{
+  MEASUREDBRDF_INLINE void Begin(const Series&, std::size_t) {}
+  MEASUREDBRDF_INLINE bool AreLess(double) const { return true; }
+  MEASUREDBRDF_INLINE void GoOn(const WignerD::Step&) {}
+  MEASUREDBRDF_INLINE void Add(Vector&, Vector&, Vector&) const {}
+};
+
+template <typename Vector>
+MEASUREDBRDF_INLINE void AddSeriesTo(const Steps& steps, const Series& series)
+{
+  const std::size_t last = steps.size();
+  for (std::size_t lane = 0; lane < WignerLanes::Count; lane += sizeof(Vector) / sizeof(double))
+  {
+    SeriesLanes<Vector, Series::Count> lanes;
+    lanes.Begin(series, lane);
+    std::size_t k = 0;
+    for (; k < last && lanes.AreLess(LeastOfSeries); ++k)
+    {
+      lanes.GoOn(steps[k]);
+    }
+    for (;; ++k)
+    {
+      Vector sums[3];
+      Load(series.Out[0][k], lane, sums[0]);
+      Load(series.Out[1][k], lane, sums[1]);
+      Load(series.Out[2][k], lane, sums[2]);
+      lanes.Add(sums[0], sums[1], sums[2]);
+      Store(sums[0], series.Out[0][k], lane);
+      Store(sums[1], series.Out[1][k], lane);
+      Store(sums[2], series.Out[2][k], lane);
+      if (k == last)
+      {
+        break;
+      }
+      lanes.GoOn(steps[k]);
     }
   }
 }
@@ -169,6 +259,26 @@ __attribute__((target("avx2,fma"))) void RecurWide(
   Recur<Vector4>(steps, start, cosine, taker);
 }
 #endif
+
+#ifdef MEASUREDBRDF_HAS_VECTORS
+__attribute__((target("avx2,fma"))) void AddSeriesWide(const Steps& steps, const Series& series)
+{
+  AddSeriesTo<Vector4>(steps, series);
+}
+#endif
+
+void AddSeriesAsWideAsPossible(const Steps& steps, const Series& series)
+{
+#ifdef MEASUREDBRDF_HAS_VECTORS
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+  {
+    return AddSeriesWide(steps, series);
+  }
+  AddSeriesTo<Vector2>(steps, series);
+#else
+  AddSeriesTo<double>(steps, series);
+#endif
+}
 
 template <typename Taker>
 void RecurAsWideAsPossible(
@@ -243,14 +353,25 @@ std::size_t WignerLanes::EvaluateFrom(
 #endif
 }
 
-void WignerLanes::AddSeries(
-  const WignerD& functions, const Values factors[3], const std::array<Values*, 3>& out) const
+void WignerLanes::AddSeries(const WignerD& functions, const std::vector<WignerLanes>& angles,
+  const std::vector<std::array<Values, 3>>& factors, const std::array<Values*, 3>& out)
 {
-  if (!functions.IsEmpty())
+  if (functions.IsEmpty())
   {
-    const int first = functions.GetFirst();
-    RecurAsWideAsPossible(functions.GetSteps(), this->GetStart(functions), this->Cosine,
-      Scale{ factors, { out[0] + first, out[1] + first, out[2] + first } });
+    return;
+  }
+  const int first = functions.GetFirst();
+  Series series{ { out[0] + first, out[1] + first, out[2] + first }, {}, {}, {} };
+  for (std::size_t n = 0; n < angles.size(); n += Series::Count)
+  {
+    for (std::size_t k = 0; k < Series::Count; ++k)
+    {
+      const WignerLanes& at = angles[std::min(n + k, angles.size() - 1)];
+      series.Cosines[k] = at.Cosine;
+      series.Starts[k] = at.GetStart(functions);
+      series.Factors[k] = n + k < angles.size() ? factors[n + k] : std::array<Values, 3>{};
+    }
+    AddSeriesAsWideAsPossible(functions.GetSteps(), series);
   }
 }
 

@@ -185,7 +185,12 @@ TEST(WignerLanes, AgreeWithOneAngle)
       return std::array<WignerLanes::Values*, 3>{ &of[0], &of[last + 1], &of[2 * (last + 1)] };
     };
     lanes.Evaluate(functions, d.data());
-    lanes.AddSeries(functions, factors, channels(scaled));
+    // Five sets of angles, more than are taken at a time; one of them counts.
+    std::vector<std::array<WignerLanes::Values, 3>> ofAngles(5);
+    ofAngles[4] = { factors[0], factors[1], factors[2] };
+    WignerLanes::AddSeries(functions,
+      { WignerLanes({ 1.0, 1.0, 1.0, 1.0 }), lanes, lanes, lanes, lanes }, ofAngles,
+      channels(scaled));
     lanes.AddTurned(
       functions, factors[0], { &in[0], &in[last + 1], &in[2 * (last + 1)] }, channels(turned));
     std::vector<double> one(last + 2);
