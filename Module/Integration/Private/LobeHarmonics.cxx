@@ -25,6 +25,7 @@ constexpr std::size_t ProbeStride = 37;
 
 // Lobes that are expanded together: they share functions, and take some megabytes each.
 constexpr std::size_t MostTogether = 16;
+constexpr int TurnedParts = 8; // of the turn to the axis, which threads share
 constexpr double LargestAsymmetry = 1e-9; // of the value: less is rounding
 
 glm::dvec3 Evaluate(vtkBRDF* brdf, const glm::dvec3& i, const glm::dvec3& o)
@@ -281,8 +282,6 @@ std::vector<std::vector<float>> LobeHarmonics::ExpandLanes(
   const std::size_t kinds = 3 * static_cast<std::size_t>(orders + 1);
   std::vector<std::vector<Lanes::Values>> about(
     blocks.size(), std::vector<Lanes::Values>(3 * size * size));
-  std::vector<std::vector<Lanes::Values>> turned(
-    blocks.size(), std::vector<Lanes::Values>(kinds * size));
   vtkSMPTools::For(0, degree + 1, 1,
     [&](vtkIdType begin, vtkIdType end)
     {
@@ -295,17 +294,30 @@ std::vector<std::vector<float>> LobeHarmonics::ExpandLanes(
         }
       }
     });
-  vtkSMPTools::For(0, orders + 1, 1,
+  // A part of the orders about the normal after the other, so that each is read once; sums of parts
+  // do not depend on the threads.
+  std::vector<std::vector<Lanes::Values>> turned(
+    TurnedParts * blocks.size(), std::vector<Lanes::Values>(kinds * size));
+  vtkSMPTools::For(0, TurnedParts, 1,
     [&](vtkIdType begin, vtkIdType end)
     {
-      for (int k = static_cast<int>(begin); k < static_cast<int>(end); ++k)
+      for (int part = static_cast<int>(begin); part < static_cast<int>(end); ++part)
       {
-        for (int from = -degree; from <= degree; ++from)
+        const std::size_t first = static_cast<std::size_t>(part) * blocks.size();
+        for (int from = part; from <= degree; from += TurnedParts)
         {
-          const WignerD functions(k, from, degree);
-          for (std::size_t block = 0; block < blocks.size(); ++block)
+          for (int n = 0; n <= 2 * orders + 1; ++n)
           {
-            blocks[block].Turn(functions, k, from, about[block], turned[block]);
+            const int k = n / 2;
+            const int signedFrom = n % 2 == 0 ? from : -from;
+            if (n % 2 == 0 || from > 0)
+            {
+              const WignerD functions(k, signedFrom, degree);
+              for (std::size_t block = 0; block < blocks.size(); ++block)
+              {
+                blocks[block].Turn(functions, k, signedFrom, about[block], turned[first + block]);
+              }
+            }
           }
         }
       }
@@ -316,8 +328,12 @@ std::vector<std::vector<float>> LobeHarmonics::ExpandLanes(
     for (std::size_t n = 0; n < results[k].size(); ++n)
     {
       const double l = static_cast<double>(n % size);
-      results[k][n] = static_cast<float>(turned[k / Lanes::Count][n][k % Lanes::Count] *
-                                         std::sqrt((2.0 * l + 1.0) / (4.0 * Pi)));
+      double sum = 0.0;
+      for (std::size_t part = 0; part < turned.size(); part += blocks.size())
+      {
+        sum += turned[part + k / Lanes::Count][n][k % Lanes::Count];
+      }
+      results[k][n] = static_cast<float>(sum * std::sqrt((2.0 * l + 1.0) / (4.0 * Pi)));
     }
   }
   return results;

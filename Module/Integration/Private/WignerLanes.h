@@ -26,11 +26,8 @@ public:
   WignerLanes() = default;
   explicit WignerLanes(const Values& theta);
 
-  /// d[l - first] for the degrees of the functions, as WignerD::Evaluate.
-  void Evaluate(const WignerD& functions, Values* d) const;
-
-  /// The same in single precision, four numbers for each degree. Returns how many of the lowest
-  /// degrees are left out: their numbers are all less than `least`.
+  /// In single precision d[4 (l - first) + angle] for the degrees of the functions. Returns how many
+  /// of the lowest degrees are left out: their numbers are all less than `least`.
   std::size_t EvaluateFrom(const WignerD& functions, double least, float* d) const;
 
   /// Adds sum over n of factors[n][c] d^l(angles[n]) to out[c][l], for each channel c and each l
