@@ -55,28 +55,40 @@ std::array<std::vector<double>, 3> GetStrengths(const EnvironmentHarmonics& ligh
   return strengths;
 }
 
+// Kernels that see some light.
+struct SeenLight
+{
+  const std::vector<std::vector<float>>& Kernels;
+  std::array<std::vector<double>, 3> Strengths;
+};
+
 // The highest degree that one order needs: those above add next to nothing. Broad lobes have few.
-int GetNeededDegree(const std::vector<std::vector<float>>& kernels,
-  const std::array<std::vector<double>, 3>& strengths, int order, int degree)
+int GetNeededDegree(const std::vector<SeenLight>& seen, int order, int degree)
 {
   const std::size_t size = static_cast<std::size_t>(degree) + 1;
   int needed = order;
-  for (const std::vector<float>& kernel : kernels)
+  for (std::size_t k = 0; k < 3 * seen[0].Kernels.size(); ++k)
   {
-    for (std::size_t channel = 0; channel < 3; ++channel)
+    const std::size_t kernel = k / 3;
+    const std::size_t channel = k % 3;
+    const auto sum = [&](std::size_t ofOrder, std::size_t l)
     {
-      const float* of = &kernel[(3 * static_cast<std::size_t>(order) + channel) * size];
-      const double mean =
-        static_cast<double>(std::abs(kernel[channel * size])) * strengths[channel][0];
-      double rest = 0.0; // 2 Re(e^(-i k psi) G_k)
-      for (int l = degree; l > needed; --l)
+      double all = 0.0;
+      for (const SeenLight& light : seen)
       {
-        const std::size_t at = static_cast<std::size_t>(l);
-        rest += 2.0 * static_cast<double>(std::abs(of[at])) * strengths[channel][at];
-        if (rest > LeastShare * mean)
-        {
-          needed = l;
-        }
+        const float of = light.Kernels[kernel][(3 * ofOrder + channel) * size + l];
+        all += static_cast<double>(std::abs(of)) * light.Strengths[channel][l];
+      }
+      return all;
+    };
+    const double mean = sum(0, 0);
+    double rest = 0.0; // 2 Re(e^(-i k psi) G_k)
+    for (int l = degree; l > needed; --l)
+    {
+      rest += 2.0 * sum(static_cast<std::size_t>(order), static_cast<std::size_t>(l));
+      if (rest > LeastShare * mean)
+      {
+        needed = l;
       }
     }
   }
@@ -186,18 +198,23 @@ std::vector<float> SynthesizeMaps(MaterialPrecomputation& parts, const LobeViews
   AzimuthSeries series(table.Angles, table.Azimuths, part.GetNumberOfNodes());
   FieldSynthesis synthesis(light.Environment, part, MapNodes::Poles);
   std::array<FieldSynthesis::Field, 3> fields;
-  const auto strengths = GetStrengths(light.Environment, degree);
+  std::vector<SeenLight> seen{ { kernels, GetStrengths(light.Environment, degree) } };
+  if (light.All)
+  {
+    seen.push_back({ outside, GetStrengths(*light.All, degree) });
+  }
   for (int order = 0; order <= orders; ++order)
   {
-    if (light.All) // lamps have all degrees
+    const int last = GetNeededDegree(seen, order, degree);
+    const FieldSynthesis::Kernels of = PickOrder(kernels, order, degree, last);
+    if (light.All)
     {
-      const FieldSynthesis::More more{ *light.All, PickOrder(outside, order, degree, degree) };
-      synthesis.Run(order, PickOrder(kernels, order, degree, degree), fields, &more);
+      const FieldSynthesis::More more{ *light.All, PickOrder(outside, order, degree, last) };
+      synthesis.Run(order, of, fields, &more);
     }
     else
     {
-      const int last = GetNeededDegree(kernels, strengths, order, degree);
-      synthesis.Run(order, PickOrder(kernels, order, degree, last), fields);
+      synthesis.Run(order, of, fields);
     }
     series.Set(order, fields);
     if (!goOn((order + 1.0) / (orders + 1)))
@@ -230,6 +247,10 @@ double SynthesizeRadiance(MaterialPrecomputation& parts, const LobeViews& views,
   double smoothing, const std::function<bool(double)>& goOn, RadianceTable& table)
 {
   const int fineRows = table.Tiles.FineRows;
+  if (fineRows > 0) // the coarse map's kernels are a part of these
+  {
+    parts.GetExpanded(knots, degree, table.Azimuths / 2);
+  }
   std::vector<float> radiance = SynthesizeMaps(parts, views, light, knots, smoothing,
     MapPart::OfAll(table.Rows, table.Columns),
     fineRows > 0 ? std::min(GetMapDegree(table.Rows), degree) : degree, goOn, table);
