@@ -83,7 +83,8 @@ LobeHarmonics::LobeHarmonics(vtkBRDF* brdf, double theta, int resolution, int ce
   this->Azimuths = MakeLobeNodes(azimuths, Pi, resolution);
 
   const bool isMirrored = IsMirrored(brdf, this->Polar, this->Azimuths, o);
-  std::vector<glm::dvec3> lights(this->Azimuths.size()), values(lights.size());
+  std::vector<glm::dvec3> lights(this->Azimuths.size()), mirrored(lights.size()),
+    values(lights.size()), others(lights.size());
   for (const LobeNode& p : this->Polar)
   {
     for (std::size_t k = 0; k < lights.size(); ++k)
@@ -91,10 +92,14 @@ LobeHarmonics::LobeHarmonics(vtkBRDF* brdf, double theta, int resolution, int ce
       lights[k] = MakeDirection(p.Angle, this->Azimuths[k].Angle);
     }
     EvaluateManyLights(brdf, lights.size(), lights.data(), o, values.data());
+    if (!isMirrored)
+    {
+      std::transform(lights.begin(), lights.end(), mirrored.begin(), Mirror);
+      EvaluateManyLights(brdf, lights.size(), mirrored.data(), o, others.data());
+    }
     for (std::size_t k = 0; k < lights.size(); ++k)
     {
-      const glm::dvec3 f =
-        isMirrored ? values[k] : 0.5 * (values[k] + Evaluate(brdf, Mirror(lights[k]), o));
+      const glm::dvec3 f = isMirrored ? values[k] : 0.5 * (values[k] + others[k]);
       const glm::dvec3 rest = (f - this->Means.Floor) * lights[k].z;
       this->Kernel.push_back(rest);
       const double weight = 2.0 * p.Weight * this->Azimuths[k].Weight * std::sin(p.Angle);
