@@ -269,10 +269,10 @@ add("Integration.lamps-ring", "Private/TableSynthesis.h", "const double from = 0
     "FactoredIntegrator.*|TableIntegrator.*|TableReference.*")
 add("Integration.table-without-its-blur", "Private/TableSynthesis.cxx", "smoothed[b % size] * static_cast<float>(knot", "static_cast<float>(knot",
     "FactoredIntegrator.WhiteFurnaceIsTheDirectionalAlbedo|FactoredIntegrator.MirrorsInFewMegabytes")
-add("Integration.no-splines-along-rows", "Private/FieldSynthesis.cxx", "above != none && below != none && column < columns;", "false;", "LinearSpline.*|TableReference.ErrorFallsWithSize*|AnisotropicTable.*")
+add("Integration.no-splines-along-rows", "Private/FieldSynthesis.cxx", "of.Above != MapPart::None && of.Below != MapPart::None", "false", "LinearSpline.*|TableReference.ErrorFallsWithSize*|AnisotropicTable.*")
 add("Integration.tiles-where-nothing-bends", "Private/TableTiles.cxx", "scores[a] > scores[b]", "scores[a] < scores[b]",
     "TableTiles.*")
-add("Integration.tiles-with-seams", "Private/TableTiles.cxx", "this->IsInside(row, column % this->GetFineColumns())", "true",
+add("Integration.tiles-with-seams", "Private/TableTiles.cxx", "!tile.Inside[static_cast<std::size_t>(k)]", "false",
     "TableTiles.NoSeams")
 add("Integration.tiles-of-any-size", "Private/TableTiles.cxx", "std::ceil((others + LeastTileBytes) / BytesStep)", "std::ceil((others + LeastTileBytes) / BytesStep + 1.0)",
     "TableTiles.FillWhatIsAllowed")
@@ -285,9 +285,9 @@ add("Integration.beyond-the-pole-unturned", "Private/FieldSynthesis.cxx", "order
 add("Integration.products-miss-a-vector", "Private/MatrixProduct.cxx", "this->Second += left[0] * second;", "this->Second += left[0] * first;",
     "MatrixProduct.*")
 add("Integration.second-stage-unturned", "Private/RowTransform.cxx", "d.Turn(twice);", "", "RowTransform.*")
-add("Integration.odd-stage-left-out", "Private/RowTransform.cxx", "RunOneStage<Vector>(lines, size);", "", "RowTransform.*")
-add("Integration.lanes-begin-at-degree-zero", "Private/WignerLanes.cxx", "Scale{ factors, { out[0] + first, out[1] + first, out[2] + first } });",
-    "Scale{ factors, { out[0], out[1] + first, out[2] + first } });", "WignerLanes.*")
+add("Integration.odd-stage-left-out", "Private/RowTransform.cxx", "RunOneStage<Vector>(lines, size, length, turns);", "", "RowTransform.*")
+add("Integration.lanes-begin-at-degree-zero", "Private/WignerLanes.cxx", "Series series{ { out[0] + first, out[1] + first,",
+    "Series series{ { out[0], out[1] + first,", "WignerLanes.*")
 add("Integration.expanded-kernels-of-other-orders", "Private/MaterialPrecomputation.cxx", "static_cast<std::ptrdiff_t>(row) * (known.Degree + 1)",
     "static_cast<std::ptrdiff_t>(row) * (degree + 1)", "MaterialPrecomputation.KeepsExpandedKernels")
 add("Integration.degrees-left-out", "Private/TableSynthesis.cxx", "constexpr double LeastShare = 1e-4;", "constexpr double LeastShare = 1e9;",
@@ -630,8 +630,15 @@ add("Integration.maps-lack-nothing-but-rows", "Private/TableCandidates.cxx", "if
     "MapCandidates.AreLeftOutWhereFewerRowsHaveMore|MapCandidates.LearnFromTables")
 add("Integration.tables-teach-hybrids-nothing", "vtkHybridRadianceIntegrator.cxx", "return method == table->GetMethodName()", "return method.empty()",
     "MapCandidates.LearnFromTables")
-add("Integration.other-half-unmirrored", "Private/FieldSynthesis.cxx", "mirrored ? rows - 1 - row : row;", "row;",
+add("Integration.other-half-unmirrored", "Private/DegreeSum.cxx", "getOut(places.Mirror, -m) = sign * (even - odd);",
+    "getOut(places.Mirror, -m) = sign * (even + odd);", "FieldSynthesis.IsTheSumOverHarmonics")
+add("Integration.kinds-that-are-none-count", "Private/FieldSynthesis.cxx", "other.Real.tail(beyond) = other.Imaginary.tail(beyond) = 0.0f;", "",
     "FieldSynthesis.IsTheSumOverHarmonics")
+add("Integration.panels-miss-a-row", "Private/MatrixProduct.cxx", "this->D += left[3] * of;", "this->D += left[2] * of;",
+    "MatrixProduct.PanelsAgreeWithSumsInDouble")
+add("Integration.odd-parts-unturned", "Private/RowTransform.cxx", "turns[j * k % length * (size / length)]", "turns[j * k % length]", "RowTransform.*")
+add("Integration.tiles-without-the-lifted-rings", "Private/TableTiles.cxx", "LiftDarkRingsOfMap(patch.data(), Wide, Wide);", "",
+    "TableTiles.NeedTheNodesAboutThem")
 add("Integration.azimuths-turn-backwards", "Private/AzimuthSeries.cxx", "gain * std::sin(angle)", "-gain * std::sin(angle)",
     "AzimuthSeries.TurnsEachOrder")
 add("Planning.luck-is-merit", "Private/PlanSearch.cxx", "return !this->MayBeLuck(candidate) || this->Check(candidate);",

@@ -107,7 +107,7 @@ double SynthesizeAnisotropic(const EnvironmentHarmonics& environment, const Kern
   const int orders = std::min(table.Azimuths / 2, degree); // as many as the azimuths can tell apart
   const Expanded kernels = ExpandKernels(knots, degree, orders);
   std::vector<float> radiance(3 * table.GetMap(table.Angles, 0, 0));
-  const FieldSynthesis synthesis(environment, table.Rows, table.Columns, MapNodes::Poles);
+  FieldSynthesis synthesis(environment, table.Rows, table.Columns, MapNodes::Poles);
   for (int angle = 0; angle < table.Angles; ++angle)
   {
     const std::size_t first = static_cast<std::size_t>(angle * table.ViewAzimuths);

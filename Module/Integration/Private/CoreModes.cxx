@@ -11,9 +11,11 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 
 namespace measuredbrdf
@@ -209,11 +211,21 @@ std::vector<CoreMode> ChooseModes(
       static_cast<double>(kernels.Table.Azimuths), static_cast<double>(kernels.Degree),
       kernels.Smoothing },
     [&kernels]() { return ExpandKernels(kernels); });
-  std::vector<CoreMode> modes;
   const double least = LeastEnergy * std::pow(power[0], PowerExponent) * total;
-  for (int order = 0; order <= LargestOrder; ++order)
+  std::array<std::vector<CoreMode>, LargestOrder + 1> byOrder;
+  vtkSMPTools::For(0, LargestOrder + 1, 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (int order = static_cast<int>(begin); order < static_cast<int>(end); ++order)
+      {
+        const std::size_t at = static_cast<std::size_t>(order);
+        Decompose(order, expanded[at], power, weights, least, byOrder[at]);
+      }
+    });
+  std::vector<CoreMode> modes;
+  for (std::vector<CoreMode>& of : byOrder)
   {
-    Decompose(order, expanded[static_cast<std::size_t>(order)], power, weights, least, modes);
+    std::move(of.begin(), of.end(), std::back_inserter(modes));
   }
   std::stable_sort(modes.begin(), modes.end(),
     [](const CoreMode& a, const CoreMode& b) { return a.Energy > b.Energy; });

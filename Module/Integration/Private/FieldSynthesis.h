@@ -9,10 +9,9 @@
 #ifndef FieldSynthesis_h
 #define FieldSynthesis_h
 
+#include "DegreeSum.h"
 #include "EnvironmentHarmonics.h"
-#include "WignerLanes.h"
-
-#include <Eigen/Core>
+#include "MapPart.h"
 
 #include <array>
 #include <complex>
@@ -38,16 +37,18 @@ enum class MapNodes
 class FieldSynthesis
 {
 public:
-  using Matrix = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic>;
+  using Matrix = DegreeSum::Matrix;
   using Field = std::vector<std::complex<float>>;
 
-  /// chosen: of a map's rows only these, ascending, as if they were all of its rows (splines need
-  /// both neighbors; a row without has its own values). None: all of them.
-  FieldSynthesis(const EnvironmentHarmonics& environment, int rows, int columns, MapNodes nodes,
-    const std::vector<int>& chosen = {});
+  ///@{
+  /// Of a whole map, or of nodes of it: splines need both neighbors, a node without has its own
+  /// value.
+  FieldSynthesis(const EnvironmentHarmonics& environment, int rows, int columns, MapNodes nodes);
+  FieldSynthesis(const EnvironmentHarmonics& environment, const MapPart& part, MapNodes nodes);
+  ///@}
 
   /// Of each channel: degrees x kernels.
-  using Kernels = std::array<Matrix, 3>;
+  using Kernels = DegreeSum::Kernels;
 
   /// Light of its own for kernels of its own, added to the others.
   struct More
@@ -56,33 +57,25 @@ public:
     std::array<Matrix, 3> Kernels;
   };
 
-  /// result of each channel: [kernel][row][column]. more: as many kernels, or null.
-  void Run(int order, const Kernels& kernels, std::array<Field, 3>& result,
-    const More* more = nullptr) const;
+  /// result of each channel: [kernel][node]. more: as many kernels, or null.
+  void Run(
+    int order, const Kernels& kernels, std::array<Field, 3>& result, const More* more = nullptr);
 
 private:
-  struct Turns
-  {
-    int First;                 // degree
-    std::size_t Size;          // degrees
-    std::size_t Begin, End;    // rows that are not 0
-    std::vector<float> Values; // by row
-  };
-  Turns GetTurns(int m, int order, int degree) const;
-  /// Of order 0, which is real, of m >= 0 only.
-  std::vector<float> SumDegrees(int order, const Kernels& kernels, const More* more) const;
+  void FindNeighbors();
   void FitRows(int order, std::array<Field, 3>& result) const;
-  void SumOrders(
-    int order, const std::vector<float>& series, int degree, std::array<Field, 3>& result) const;
-  bool AreRowsSymmetric() const; // about the equator
+  void SumOrders(int order, std::array<Field, 3>& result) const;
 
   const EnvironmentHarmonics& Environment;
-  int AllRows;
-  std::vector<int> Chosen; // of these
-  std::vector<WignerLanes> Angles;
-  int Rows; // that are chosen
-  int Columns;
+  MapPart Part;
   MapNodes Nodes;
+  DegreeSum Degrees;
+  struct Neighbors
+  {
+    int Above, Below;
+    bool IsAbovePole, IsBelowPole; // on the meridian opposite
+  };
+  std::vector<Neighbors> NeighborsOf; // of each node
 };
 } // namespace measuredbrdf
 

@@ -5,6 +5,7 @@
 #include "HalfDifferenceFill.h"
 #include "HalfVector.h"
 #include "LobeViews.h"
+#include "ManyLights.h"
 #include "SharedExponent.h"
 #include "VolumeInterpolation.h"
 #include "vtkBRDFEnvironmentLampLobe.h"
@@ -15,6 +16,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
@@ -114,8 +116,10 @@ protected:
     tangent = length > 1e-6 ? tangent / length : glm::dvec3(light.z, 0.0, -light.x);
     tangent = glm::normalize(tangent);
     const glm::dvec3 side = glm::cross(light, tangent);
-    glm::dvec3 sum(0.0);
-    double weights = 0.0;
+    constexpr std::size_t most = PointsAlong * MostLampPoints;
+    std::array<glm::dvec3, most> lights, values;
+    std::array<double, most> shares;
+    std::size_t count = 0;
     const LampPoints& rows = this->Rules[static_cast<std::size_t>(along)];
     const LampPoints& columns = this->Rules[static_cast<std::size_t>(across)];
     for (std::size_t y = 0; y < rows.Places.size(); ++y)
@@ -126,13 +130,18 @@ protected:
           light + this->Deviation * (rows.Places[y] * tangent + columns.Places[x] * side));
         if (at.z > 0.0) // the rest of the lamp has set
         {
-          glm::dvec3 value;
-          this->Material->Evaluate(&at.x, o, &value.x);
-          const double weight = rows.Weights[y] * columns.Weights[x];
-          sum += weight * value;
-          weights += weight;
+          lights[count] = at;
+          shares[count++] = rows.Weights[y] * columns.Weights[x];
         }
       }
+    }
+    EvaluateManyLights(this->Material, count, lights.data(), view, values.data());
+    glm::dvec3 sum(0.0);
+    double weights = 0.0;
+    for (std::size_t k = 0; k < count; ++k)
+    {
+      sum += shares[k] * values[k];
+      weights += shares[k];
     }
     sum /= std::max(weights, 1e-12);
     std::copy_n(&sum.x, 3, f);

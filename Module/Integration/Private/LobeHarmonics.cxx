@@ -4,6 +4,7 @@
 
 #include "HalfVector.h" // for Pi
 #include "LobeQuadrature.h"
+#include "ManyLights.h"
 #include "MatrixProduct.h"
 #include "WignerD.h"
 #include "WignerLanes.h"
@@ -21,6 +22,10 @@ namespace
 {
 // Nodes that tell whether f is the same on both sides of the plane of incidence: one in so many.
 constexpr std::size_t ProbeStride = 37;
+
+// Lobes that are expanded together: they share functions, and take some megabytes each.
+constexpr std::size_t MostTogether = 16;
+constexpr int TurnedParts = 8; // of the turn to the axis, which threads share
 constexpr double LargestAsymmetry = 1e-9; // of the value: less is rounding
 
 glm::dvec3 Evaluate(vtkBRDF* brdf, const glm::dvec3& i, const glm::dvec3& o)
@@ -78,19 +83,26 @@ LobeHarmonics::LobeHarmonics(vtkBRDF* brdf, double theta, int resolution, int ce
   this->Azimuths = MakeLobeNodes(azimuths, Pi, resolution);
 
   const bool isMirrored = IsMirrored(brdf, this->Polar, this->Azimuths, o);
+  std::vector<glm::dvec3> lights(this->Azimuths.size()), mirrored(lights.size()),
+    values(lights.size()), others(lights.size());
   for (const LobeNode& p : this->Polar)
   {
-    for (const LobeNode& a : this->Azimuths)
+    for (std::size_t k = 0; k < lights.size(); ++k)
     {
-      const glm::dvec3 i = MakeDirection(p.Angle, a.Angle);
-      glm::dvec3 f = Evaluate(brdf, i, o);
-      if (!isMirrored)
-      {
-        f = 0.5 * (f + Evaluate(brdf, Mirror(i), o));
-      }
-      const glm::dvec3 rest = (f - this->Means.Floor) * i.z;
+      lights[k] = MakeDirection(p.Angle, this->Azimuths[k].Angle);
+    }
+    EvaluateManyLights(brdf, lights.size(), lights.data(), o, values.data());
+    if (!isMirrored)
+    {
+      std::transform(lights.begin(), lights.end(), mirrored.begin(), Mirror);
+      EvaluateManyLights(brdf, lights.size(), mirrored.data(), o, others.data());
+    }
+    for (std::size_t k = 0; k < lights.size(); ++k)
+    {
+      const glm::dvec3 f = isMirrored ? values[k] : 0.5 * (values[k] + others[k]);
+      const glm::dvec3 rest = (f - this->Means.Floor) * lights[k].z;
       this->Kernel.push_back(rest);
-      const double weight = 2.0 * p.Weight * a.Weight * std::sin(p.Angle);
+      const double weight = 2.0 * p.Weight * this->Azimuths[k].Weight * std::sin(p.Angle);
       this->Sum += rest * weight;
     }
   }
@@ -126,19 +138,31 @@ struct LobeHarmonics::Lanes
   static constexpr std::size_t Count = WignerLanes::Count;
   using Values = WignerLanes::Values;
 
+  /// The lobes and their azimuth series from the first on; the last ones again, if too few.
+  Lanes(const std::vector<std::pair<const LobeHarmonics*, double>>& lobes,
+    const std::vector<std::vector<float>>& series, std::size_t first, std::size_t size);
+
   std::array<const LobeHarmonics*, Count> Lobes;
+  std::array<const std::vector<float>*, Count> Series;
   Values Delta;
-  std::size_t Size; // degrees
+  WignerLanes Axes;                // by delta
+  std::vector<WignerLanes> Angles; // polar nodes
+  std::size_t Size;                // degrees
 
   /// About the normal, where the horizon is a circle of latitude: azimuth series at each polar
-  /// node, then over the polar angle. n_lk at (k * 3 + channel) * Size + l.
-  std::vector<Values> ExpandAboutNormal() const;
+  /// node, then over the polar angle. n_lk at (k * 3 + channel) * Size + l, of one k. functions:
+  /// of k and 0.
+  void ExpandAboutNormal(const WignerD& functions, int k, std::vector<Values>& about) const;
 
   /// Then about the axis: the function seen from a frame turned by -delta about y (z towards -x).
-  /// b_lk = sum over k' of d^l_k'k(-delta) n_lk'.
-  std::vector<Values> Turn(const std::vector<Values>& about, int orders) const;
+  /// b_lk = sum over k' of d^l_k'k(-delta) n_lk'. Adds one of these, from. functions: of k and
+  /// from, d_k'k(-delta) = d_kk'(delta).
+  void Turn(const WignerD& functions, int k, int from, const std::vector<Values>& about,
+    std::vector<Values>& turned) const;
 
 private:
+  std::vector<std::array<Values, 3>> GetFactors(int k) const;
+
   template <typename Pointer>
   std::array<Pointer, 3> GetChannels(Pointer values, int order) const
   {
@@ -147,76 +171,46 @@ private:
   }
 };
 
-std::vector<LobeHarmonics::Lanes::Values> LobeHarmonics::Lanes::ExpandAboutNormal() const
+void LobeHarmonics::Lanes::ExpandAboutNormal(
+  const WignerD& functions, int k, std::vector<Values>& about) const
 {
-  std::vector<Values> about(3 * this->Size * this->Size, Values{});
-  std::size_t nodes = 0;
-  std::array<std::vector<float>, Count> series;
-  for (std::size_t lane = 0; lane < Count; ++lane)
-  {
-    nodes = std::max(nodes, this->Lobes[lane]->Polar.size());
-    series[lane] = this->Lobes[lane]->SumAzimuths(this->Size);
-  }
-  std::vector<WignerLanes> angles;
-  for (std::size_t p = 0; p < nodes; ++p)
-  {
-    Values theta{};
-    for (std::size_t lane = 0; lane < Count; ++lane)
-    {
-      const std::vector<LobeNode>& polar = this->Lobes[lane]->Polar;
-      theta[lane] = p < polar.size() ? polar[p].Angle : 0.0;
-    }
-    angles.emplace_back(theta);
-  }
-  for (std::size_t k = 0; k < this->Size; ++k)
-  {
-    const WignerD functions(static_cast<int>(k), 0, static_cast<int>(this->Size) - 1);
-    const auto out = this->GetChannels(about.data(), static_cast<int>(k));
-    for (std::size_t p = 0; p < nodes; ++p)
-    {
-      Values factors[3] = {};
-      for (std::size_t lane = 0; lane < Count; ++lane)
-      {
-        const std::size_t count = this->Lobes[lane]->Polar.size();
-        for (std::size_t c = 0; p < count && c < 3; ++c)
-        {
-          factors[c][lane] = static_cast<double>(series[lane][k * GetSumsWidth(count) + 3 * p + c]);
-        }
-      }
-      angles[p].AddSeries(functions, factors, out);
-    }
-  }
-  return about;
+  WignerLanes::AddSeries(
+    functions, this->Angles, this->GetFactors(k), this->GetChannels(about.data(), k));
 }
 
-std::vector<LobeHarmonics::Lanes::Values> LobeHarmonics::Lanes::Turn(
-  const std::vector<Values>& about, int orders) const
+// Of each polar node: the channels' series, with the node's weight.
+std::vector<std::array<WignerLanes::Values, 3>> LobeHarmonics::Lanes::GetFactors(int k) const
 {
-  const int degree = static_cast<int>(this->Size) - 1;
-  std::vector<Values> turned(3 * static_cast<std::size_t>(orders + 1) * this->Size, Values{});
-  Values theta;
+  std::vector<std::array<Values, 3>> factors(this->Angles.size());
   for (std::size_t lane = 0; lane < Count; ++lane)
   {
-    theta[lane] = std::abs(this->Delta[lane]);
-  }
-  const WignerLanes angles(theta);
-  for (int k = 0; k <= orders; ++k)
-  {
-    for (int from = -degree; from <= degree; ++from)
+    const std::size_t nodes = this->Lobes[lane]->Polar.size();
+    const float* const series =
+      &(*this->Series[lane])[static_cast<std::size_t>(k) * GetSumsWidth(nodes)];
+    for (std::size_t p = 0; p < factors.size(); ++p)
     {
-      const WignerD functions(k, from, degree); // d_k'k(-delta) = d_kk'(delta)
-      // d_mk(-x) = (-1)^(m-k) d_mk(x); n_l,-k = (-1)^k n_lk.
-      Values sign;
-      for (std::size_t lane = 0; lane < Count; ++lane)
+      for (std::size_t c = 0; c < 3; ++c)
       {
-        const bool isTurned = (k - from) % 2 != 0 && this->Delta[lane] < 0.0;
-        sign[lane] = isTurned != (from < 0 && from % 2 != 0) ? -1.0 : 1.0;
+        factors[p][c][lane] = p < nodes ? static_cast<double>(series[3 * p + c]) : 0.0;
       }
-      angles.AddTurned(functions, sign, this->GetChannels(about.data(), std::abs(from)),
-        this->GetChannels(turned.data(), k));
     }
   }
-  return turned;
+  return factors;
+}
+
+void LobeHarmonics::Lanes::Turn(
+  const WignerD& functions, int k, int from, const std::vector<Values>& about,
+  std::vector<Values>& turned) const
+{
+  // d_mk(-x) = (-1)^(m-k) d_mk(x); n_l,-k = (-1)^k n_lk.
+  Values sign;
+  for (std::size_t lane = 0; lane < Count; ++lane)
+  {
+    const bool isTurned = (k - from) % 2 != 0 && this->Delta[lane] < 0.0;
+    sign[lane] = isTurned != (from < 0 && from % 2 != 0) ? -1.0 : 1.0;
+  }
+  this->Axes.AddTurned(functions, sign, this->GetChannels(about.data(), std::abs(from)),
+    this->GetChannels(turned.data(), k));
 }
 
 // The polar nodes' series over the azimuths, with their weights, over the integral of the rest.
@@ -259,41 +253,124 @@ std::vector<float> LobeHarmonics::SumAzimuths(std::size_t orders) const
   return series;
 }
 
+LobeHarmonics::Lanes::Lanes(const std::vector<std::pair<const LobeHarmonics*, double>>& lobes,
+  const std::vector<std::vector<float>>& series, std::size_t first, std::size_t size)
+  : Size(size)
+{
+  std::size_t nodes = 0;
+  Values theta;
+  for (std::size_t lane = 0; lane < Count; ++lane)
+  {
+    const std::size_t at = std::min(first + lane, lobes.size() - 1);
+    this->Lobes[lane] = lobes[at].first;
+    this->Series[lane] = &series[at];
+    this->Delta[lane] = lobes[at].second;
+    theta[lane] = std::abs(this->Delta[lane]);
+    nodes = std::max(nodes, this->Lobes[lane]->Polar.size());
+  }
+  this->Axes = WignerLanes(theta);
+  for (std::size_t p = 0; p < nodes; ++p)
+  {
+    for (std::size_t lane = 0; lane < Count; ++lane)
+    {
+      const std::vector<LobeNode>& polar = this->Lobes[lane]->Polar;
+      theta[lane] = p < polar.size() ? polar[p].Angle : 0.0;
+    }
+    this->Angles.emplace_back(theta);
+  }
+}
+
+std::vector<std::vector<float>> LobeHarmonics::ExpandLanes(
+  const std::vector<Lanes>& blocks, int degree, int orders, std::size_t count)
+{
+  const std::size_t size = static_cast<std::size_t>(degree) + 1;
+  const std::size_t kinds = 3 * static_cast<std::size_t>(orders + 1);
+  std::vector<std::vector<Lanes::Values>> about(
+    blocks.size(), std::vector<Lanes::Values>(3 * size * size));
+  vtkSMPTools::For(0, degree + 1, 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (int k = static_cast<int>(begin); k < static_cast<int>(end); ++k)
+      {
+        const WignerD functions(k, 0, degree);
+        for (std::size_t block = 0; block < blocks.size(); ++block)
+        {
+          blocks[block].ExpandAboutNormal(functions, k, about[block]);
+        }
+      }
+    });
+  // A part of the orders about the normal after the other, so that each is read once; sums of parts
+  // do not depend on the threads.
+  std::vector<std::vector<Lanes::Values>> turned(
+    TurnedParts * blocks.size(), std::vector<Lanes::Values>(kinds * size));
+  vtkSMPTools::For(0, TurnedParts, 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (int part = static_cast<int>(begin); part < static_cast<int>(end); ++part)
+      {
+        const std::size_t first = static_cast<std::size_t>(part) * blocks.size();
+        for (int from = part; from <= degree; from += TurnedParts)
+        {
+          for (int n = 0; n <= 2 * orders + 1; ++n)
+          {
+            const int k = n / 2;
+            const int signedFrom = n % 2 == 0 ? from : -from;
+            if (n % 2 == 0 || from > 0)
+            {
+              const WignerD functions(k, signedFrom, degree);
+              for (std::size_t block = 0; block < blocks.size(); ++block)
+              {
+                blocks[block].Turn(functions, k, signedFrom, about[block], turned[first + block]);
+              }
+            }
+          }
+        }
+      }
+    });
+  std::vector<std::vector<float>> results(count, std::vector<float>(kinds * size));
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    for (std::size_t n = 0; n < results[k].size(); ++n)
+    {
+      const double l = static_cast<double>(n % size);
+      double sum = 0.0;
+      for (std::size_t part = 0; part < turned.size(); part += blocks.size())
+      {
+        sum += turned[part + k / Lanes::Count][n][k % Lanes::Count];
+      }
+      results[k][n] = static_cast<float>(sum * std::sqrt((2.0 * l + 1.0) / (4.0 * Pi)));
+    }
+  }
+  return results;
+}
+
 std::vector<std::vector<float>> LobeHarmonics::Expand(
   const std::vector<std::pair<const LobeHarmonics*, double>>& lobes, int degree, int orders)
 {
-  std::vector<std::vector<float>> results(lobes.size());
-  const std::size_t blocks = (lobes.size() + Lanes::Count - 1) / Lanes::Count;
-  const auto expand = [&](std::size_t first)
-  {
-    Lanes lanes;
-    lanes.Size = static_cast<std::size_t>(degree) + 1;
-    for (std::size_t lane = 0; lane < Lanes::Count; ++lane) // the last ones again, if too few
-    {
-      const auto& lobe = lobes[std::min(first + lane, lobes.size() - 1)];
-      lanes.Lobes[lane] = lobe.first;
-      lanes.Delta[lane] = lobe.second;
-    }
-    const std::vector<Lanes::Values> turned = lanes.Turn(lanes.ExpandAboutNormal(), orders);
-    for (std::size_t k = first; k < std::min(first + Lanes::Count, lobes.size()); ++k)
-    {
-      results[k].reserve(turned.size());
-      for (std::size_t n = 0; n < turned.size(); ++n)
-      {
-        const double l = static_cast<double>(n % lanes.Size);
-        results[k].push_back(
-          static_cast<float>(turned[n][k - first] * std::sqrt((2.0 * l + 1.0) / (4.0 * Pi))));
-      }
-    }
-  };
-  vtkSMPTools::For(0, static_cast<vtkIdType>(blocks), 1,
+  const std::size_t size = static_cast<std::size_t>(degree) + 1;
+  std::vector<std::vector<float>> series(lobes.size());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(lobes.size()), 1,
     [&](vtkIdType begin, vtkIdType end)
     {
-      for (vtkIdType block = begin; block < end; ++block)
+      for (std::size_t k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k)
       {
-        expand(Lanes::Count * static_cast<std::size_t>(block));
+        series[k] = lobes[k].first->SumAzimuths(size);
       }
     });
+  std::vector<std::vector<float>> results;
+  for (std::size_t first = 0; first < lobes.size(); first += MostTogether)
+  {
+    const std::size_t count = std::min(MostTogether, lobes.size() - first);
+    std::vector<Lanes> blocks;
+    for (std::size_t k = 0; k < count; k += Lanes::Count)
+    {
+      blocks.emplace_back(lobes, series, first + k, size);
+    }
+    for (std::vector<float>& result : ExpandLanes(blocks, degree, orders, count))
+    {
+      results.push_back(std::move(result));
+    }
+  }
   return results;
 }
 } // namespace measuredbrdf

@@ -57,6 +57,8 @@ public:
 private:
   struct Lanes;
 
+  static std::vector<std::vector<float>> ExpandLanes(
+    const std::vector<Lanes>& blocks, int degree, int orders, std::size_t count);
   std::vector<float> SumAzimuths(std::size_t orders) const;
 
   LobeMeans Means;

@@ -3,6 +3,7 @@
 #include "LobeQuadrature.h"
 
 #include "LowDiscrepancy.h"
+#include "ManyLights.h"
 #include "RetroLobe.h"
 #include "vtkBRDF.h"
 
@@ -168,11 +169,13 @@ private:
     glm::dvec3 centroid(0.0);
     glm::dvec3 center(0.0);
     double cosine = 0.0;
-    Points room;
-    for (const glm::dvec3& i : GetPoints(a, b, side, level, room))
+    Points room, values;
+    const Points& points = GetPoints(a, b, side, level, room);
+    EvaluateManyLights(this->BRDF, points.size(), points.data(), this->View, values.data());
+    for (std::size_t k = 0; k < points.size(); ++k)
     {
-      glm::dvec3 f;
-      this->BRDF->Evaluate(&i.x, &this->View.x, &f.x);
+      const glm::dvec3& i = points[k];
+      const glm::dvec3& f = values[k];
       weight += f * (i.z * part);
       cosine += i.z * part;
       centroid += i * ((f.x + f.y + f.z) * i.z);

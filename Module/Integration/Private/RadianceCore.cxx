@@ -5,6 +5,7 @@
 #include "FieldSynthesis.h"
 #include "LobePlacement.h"
 #include "TableBytes.h"
+#include "vtkSMPTools.h"
 
 #include <glm/gtc/packing.hpp>
 
@@ -21,6 +22,7 @@ namespace
 {
 constexpr float LargestValue = 32768.0f; // of a 16-bit texture, with room to spare
 constexpr std::size_t MostModes = 32;
+constexpr vtkIdType PackedTexels = 4096; // by a thread at a time
 }
 
 int RadianceCore::GetNumberOfFields() const
@@ -42,27 +44,37 @@ double RadianceCore::AddFields(
   // 2 Re(e^(-i m psi) G) = 2 cos(m psi) Re G + 2 sin(m psi) Im G.
   const std::size_t first = this->Fields.size();
   this->Fields.resize(first + 3 * texels * static_cast<std::size_t>(CoreMode::CountFields(order)));
-  float* real = &this->Fields[first];
-  float peak = 0.0f;
-  for (std::size_t channel = 0; channel < 3; ++channel)
+  float peak = 0.0f; // squared
+  for (const FieldSynthesis::Field& field : fields)
   {
     for (std::size_t texel = 0; texel < texels; ++texel)
     {
-      const std::complex<float> value =
-        (order > 0 ? 2.0f : 1.0f) * fields[channel][mode * texels + texel];
-      real[3 * texel + channel] = value.real();
-      peak = std::max(peak, std::abs(value));
-      if (order > 0)
-      {
-        real[3 * (texels + texel) + channel] = value.imag();
-      }
+      peak = std::max(peak, std::norm(field[mode * texels + texel]));
     }
   }
+  const float share = order > 0 ? 2.0f : 1.0f;
+  peak = share * std::sqrt(peak);
   const float scale = peak > 0.0f ? LargestValue / peak : 1.0f;
-  for (std::size_t k = first; k < this->Fields.size(); ++k)
-  {
-    this->Fields[k] = glm::unpackHalf1x16(glm::packHalf1x16(scale * this->Fields[k]));
-  }
+  float* const real = &this->Fields[first];
+  const auto pack = [scale, share](float value)
+  { return glm::unpackHalf1x16(glm::packHalf1x16(scale * (share * value))); };
+  vtkSMPTools::For(0, static_cast<vtkIdType>(texels), PackedTexels,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (std::size_t texel = static_cast<std::size_t>(begin);
+           texel < static_cast<std::size_t>(end); ++texel)
+      {
+        for (std::size_t channel = 0; channel < 3; ++channel)
+        {
+          const std::complex<float> value = fields[channel][mode * texels + texel];
+          real[3 * texel + channel] = pack(value.real());
+          if (order > 0)
+          {
+            real[3 * (texels + texel) + channel] = pack(value.imag());
+          }
+        }
+      }
+    });
   this->Orders.push_back(order);
   return 1.0 / static_cast<double>(scale);
 }
@@ -71,7 +83,7 @@ bool RadianceCore::Make(const EnvironmentHarmonics& environment, const LobeViews
   const CoreKernels& kernels, int fields, const std::function<bool(double)>& goOn)
 {
   const std::vector<CoreMode> modes = ChooseModes(environment, kernels, fields);
-  const FieldSynthesis synthesis(environment, this->Rows, this->Columns, MapNodes::Centers);
+  FieldSynthesis synthesis(environment, this->Rows, this->Columns, MapNodes::Centers);
   constexpr int size = LobeViews::NumberOfViews;
   this->Profile.assign(3 * size * (1 + modes.size()), 0.0f);
   const auto put = [this](std::size_t row, int view, const glm::dvec3& value)

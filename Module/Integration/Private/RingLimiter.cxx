@@ -47,34 +47,38 @@ void CombineAcross(const Map& in, const Combine& combine, Map& out)
 }
 }
 
+void LiftDarkRingsOfMap(float* radiance, std::size_t rows, std::size_t columns)
+{
+  const auto blur = [](const auto& a, const auto& b, const auto& c)
+  { return 0.25f * (a + c) + 0.5f * b; };
+  const auto least = [](const auto& a, const auto& b, const auto& c)
+  { return a.min(b).min(c); };
+  Map first, second(static_cast<Eigen::Index>(3 * columns), static_cast<Eigen::Index>(rows));
+  Eigen::Map<Map> values(radiance, second.rows(), second.cols());
+  first = values.max(0.0f);
+  for (int pass = 0; pass < 2; ++pass)
+  {
+    CombineAlong(first, blur, second);
+    CombineAcross(second, blur, first);
+  }
+  for (int pass = 0; pass < 2; ++pass) // as far as the blur reaches: edges do not bleed
+  {
+    CombineAlong(first, least, second);
+    CombineAcross(second, least, first);
+  }
+  // Where that is 0 all around is negative: f is less than the Lambert part.
+  values = (first > 0.0f).select(values.max(LeastShare * first), values);
+}
+
 void LiftDarkRings(std::vector<float>& radiance, std::size_t rows, std::size_t columns)
 {
   const std::size_t size = 3 * rows * columns;
   vtkSMPTools::For(0, static_cast<vtkIdType>(radiance.size() / size), 1,
     [&](vtkIdType begin, vtkIdType end)
     {
-      const auto blur = [](const auto& a, const auto& b, const auto& c)
-      { return (0.25f * (a + c) + 0.5f * b).eval(); };
-      const auto least = [](const auto& a, const auto& b, const auto& c)
-      { return a.min(b).min(c).eval(); };
-      Map first, second(static_cast<Eigen::Index>(3 * columns), static_cast<Eigen::Index>(rows));
       for (vtkIdType k = begin; k < end; ++k)
       {
-        Eigen::Map<Map> values(
-          &radiance[static_cast<std::size_t>(k) * size], second.rows(), second.cols());
-        first = values.max(0.0f);
-        for (int pass = 0; pass < 2; ++pass)
-        {
-          CombineAlong(first, blur, second);
-          CombineAcross(second, blur, first);
-        }
-        for (int pass = 0; pass < 2; ++pass) // as far as the blur reaches: edges do not bleed
-        {
-          CombineAlong(first, least, second);
-          CombineAcross(second, least, first);
-        }
-        // Where that is 0 all around is negative: f is less than the Lambert part.
-        values = (first > 0.0f).select(values.max(LeastShare * first), values);
+        LiftDarkRingsOfMap(&radiance[static_cast<std::size_t>(k) * size], rows, columns);
       }
     });
 }

@@ -23,6 +23,10 @@ namespace measuredbrdf
  * radiance: RGB, maps of rows x columns behind each other, columns around.
  */
 void LiftDarkRings(std::vector<float>& radiance, std::size_t rows, std::size_t columns);
+
+/// The same of one map, on this thread. Four nodes away from the first and the last rows and
+/// columns it does not count what lies beyond these.
+void LiftDarkRingsOfMap(float* radiance, std::size_t rows, std::size_t columns);
 } // namespace measuredbrdf
 
 #endif

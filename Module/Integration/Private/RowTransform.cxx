@@ -16,6 +16,7 @@ namespace
 {
 constexpr std::size_t Lines = RowTransform::Lines;
 constexpr std::size_t Item = RowTransform::Item;
+constexpr std::size_t MostOdd = 25; // factor; larger ones are better left to Eigen
 
 // Some lanes of a complex number. Vector: of floats, or one.
 template <typename Vector>
@@ -51,19 +52,57 @@ MEASUREDBRDF_INLINE void Cross(Number<Vector>& first, Number<Vector>& second)
   first = sum;
 }
 
+// Parts of an odd length, each by its definition.
 template <typename Vector>
-MEASUREDBRDF_INLINE void RunOneStage(float* lines, std::size_t size)
+MEASUREDBRDF_INLINE void RunOddParts(
+  float* lines, std::size_t size, std::size_t length, const std::complex<float>* turns)
 {
-  for (std::size_t k = 0; k < size; k += 2)
+  for (std::size_t part = 0; length > 1 && part < size; part += length)
   {
     for (std::size_t lane = 0; lane < Lines; lane += sizeof(Vector) / sizeof(float))
     {
-      Number<Vector> a, b;
-      a.Load(lines + k * Item + lane);
-      b.Load(lines + (k + 1) * Item + lane);
-      Cross(a, b);
-      a.Store(lines + k * Item + lane);
-      b.Store(lines + (k + 1) * Item + lane);
+      float* const at = lines + part * Item + lane;
+      Number<Vector> in[MostOdd];
+      for (std::size_t k = 0; k < length; ++k)
+      {
+        in[k].Load(at + k * Item);
+      }
+      for (std::size_t j = 0; j < length; ++j)
+      {
+        Number<Vector> sum = in[0];
+        for (std::size_t k = 1; k < length; ++k)
+        {
+          const std::complex<float> turn = turns[j * k % length * (size / length)];
+          sum.Real += turn.real() * in[k].Real - turn.imag() * in[k].Imaginary;
+          sum.Imaginary += turn.real() * in[k].Imaginary + turn.imag() * in[k].Real;
+        }
+        sum.Store(at + j * Item);
+      }
+    }
+  }
+}
+
+// From parts of `length` numbers to ones of twice as many.
+template <typename Vector>
+MEASUREDBRDF_INLINE void RunOneStage(
+  float* lines, std::size_t size, std::size_t length, const std::complex<float>* turns)
+{
+  for (std::size_t part = 0; part < size; part += 2 * length)
+  {
+    for (std::size_t k = 0; k < length; ++k)
+    {
+      const std::complex<float> once = turns[k * (size / (2 * length))];
+      for (std::size_t lane = 0; lane < Lines; lane += sizeof(Vector) / sizeof(float))
+      {
+        float* const at = lines + (part + k) * Item + lane;
+        Number<Vector> a, b;
+        a.Load(at);
+        b.Load(at + length * Item);
+        b.Turn(once);
+        Cross(a, b);
+        a.Store(at);
+        b.Store(at + length * Item);
+      }
     }
   }
 }
@@ -106,15 +145,17 @@ MEASUREDBRDF_INLINE void RunTwoStages(
 }
 
 template <typename Vector>
-MEASUREDBRDF_INLINE void RunStages(float* lines, std::size_t size, const std::complex<float>* turns)
+MEASUREDBRDF_INLINE void RunStages(
+  float* lines, std::size_t size, std::size_t odd, const std::complex<float>* turns)
 {
-  std::size_t length = 1;
-  for (std::size_t k = size; k > 1; k /= 4)
+  RunOddParts<Vector>(lines, size, odd, turns);
+  std::size_t length = odd;
+  for (std::size_t k = size / odd; k > 1; k /= 4)
   {
     if (k == 2)
     {
-      RunOneStage<Vector>(lines, size);
-      length = 2;
+      RunOneStage<Vector>(lines, size, length, turns);
+      length *= 2;
     }
   }
   for (; length < size; length *= 4)
@@ -128,34 +169,41 @@ using Vector4 = float __attribute__((vector_size(16)));
 using Vector8 = float __attribute__((vector_size(32)));
 
 __attribute__((target("avx2,fma"))) void RunWide(
-  float* lines, std::size_t size, const std::complex<float>* turns)
+  float* lines, std::size_t size, std::size_t odd, const std::complex<float>* turns)
 {
-  RunStages<Vector8>(lines, size, turns);
+  RunStages<Vector8>(lines, size, odd, turns);
 }
 #endif
 
-void RunAnywhere(float* lines, std::size_t size, const std::complex<float>* turns)
+void RunAnywhere(
+  float* lines, std::size_t size, std::size_t odd, const std::complex<float>* turns)
 {
 #ifdef MEASUREDBRDF_HAS_VECTORS
-  RunStages<Vector4>(lines, size, turns);
+  RunStages<Vector4>(lines, size, odd, turns);
 #else
-  RunStages<float>(lines, size, turns);
+  RunStages<float>(lines, size, odd, turns);
 #endif
 }
 }
 
 RowTransform::RowTransform(std::size_t size)
 {
-  const bool isPowerOfTwo = (size & (size - 1)) == 0;
+  std::size_t power = 1; // of two
+  while (power < size && size / power % 2 == 0)
+  {
+    power *= 2;
+  }
+  const bool isLineByLine = size / power > MostOdd;
+  this->Odd = isLineByLine ? 1 : size / power;
   for (std::size_t k = 0; k < size; ++k)
   {
-    std::size_t place = isPowerOfTwo ? 0 : k;
-    for (std::size_t bit = 1; isPowerOfTwo && bit < size; bit *= 2) // the bits in reverse
+    std::size_t place = 0;
+    for (std::size_t bit = 1; bit < power; bit *= 2) // the bits in reverse
     {
       place = 2 * place + ((k & bit) != 0 ? 1 : 0);
     }
-    this->Places.push_back(place);
-    if (isPowerOfTwo)
+    this->Places.push_back(isLineByLine ? k : place * this->Odd + k / power);
+    if (!isLineByLine)
     {
       const double angle = -2.0 * Pi * static_cast<double>(k) / static_cast<double>(size);
       this->Turns.emplace_back(
@@ -173,10 +221,10 @@ void RowTransform::Run(float* lines) const
 #ifdef MEASUREDBRDF_HAS_VECTORS
   if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
   {
-    return RunWide(lines, this->GetSize(), this->Turns.data());
+    return RunWide(lines, this->GetSize(), this->Odd, this->Turns.data());
   }
 #endif
-  RunAnywhere(lines, this->GetSize(), this->Turns.data());
+  RunAnywhere(lines, this->GetSize(), this->Odd, this->Turns.data());
 }
 
 void RowTransform::RunLineByLine(float* lines) const

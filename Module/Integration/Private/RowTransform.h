@@ -16,8 +16,8 @@
 
 namespace measuredbrdf
 {
-/// Powers of two by decimation in time (Cooley, Tukey 1965), two stages in each pass over the
-/// lines, other sizes line by line with Eigen's.
+/// Powers of two, times a small odd number, by decimation in time (Cooley, Tukey 1965), two stages
+/// in each pass over the lines; other sizes line by line with Eigen's.
 class RowTransform
 {
 public:
@@ -38,7 +38,8 @@ private:
   void RunLineByLine(float* lines) const;
 
   std::vector<std::size_t> Places;
-  std::vector<std::complex<float>> Turns; // e^(-2 pi i k / size); none: not a power of two
+  std::size_t Odd = 1;                    // factor of the size
+  std::vector<std::complex<float>> Turns; // e^(-2 pi i k / size); none: line by line
 };
 } // namespace measuredbrdf
 

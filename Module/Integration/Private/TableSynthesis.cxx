@@ -55,28 +55,40 @@ std::array<std::vector<double>, 3> GetStrengths(const EnvironmentHarmonics& ligh
   return strengths;
 }
 
+// Kernels that see some light.
+struct SeenLight
+{
+  const std::vector<std::vector<float>>& Kernels;
+  std::array<std::vector<double>, 3> Strengths;
+};
+
 // The highest degree that one order needs: those above add next to nothing. Broad lobes have few.
-int GetNeededDegree(const std::vector<std::vector<float>>& kernels,
-  const std::array<std::vector<double>, 3>& strengths, int order, int degree)
+int GetNeededDegree(const std::vector<SeenLight>& seen, int order, int degree)
 {
   const std::size_t size = static_cast<std::size_t>(degree) + 1;
   int needed = order;
-  for (const std::vector<float>& kernel : kernels)
+  for (std::size_t k = 0; k < 3 * seen[0].Kernels.size(); ++k)
   {
-    for (std::size_t channel = 0; channel < 3; ++channel)
+    const std::size_t kernel = k / 3;
+    const std::size_t channel = k % 3;
+    const auto sum = [&](std::size_t ofOrder, std::size_t l)
     {
-      const float* of = &kernel[(3 * static_cast<std::size_t>(order) + channel) * size];
-      const double mean =
-        static_cast<double>(std::abs(kernel[channel * size])) * strengths[channel][0];
-      double rest = 0.0; // 2 Re(e^(-i k psi) G_k)
-      for (int l = degree; l > needed; --l)
+      double all = 0.0;
+      for (const SeenLight& light : seen)
       {
-        const std::size_t at = static_cast<std::size_t>(l);
-        rest += 2.0 * static_cast<double>(std::abs(of[at])) * strengths[channel][at];
-        if (rest > LeastShare * mean)
-        {
-          needed = l;
-        }
+        const float of = light.Kernels[kernel][(3 * ofOrder + channel) * size + l];
+        all += static_cast<double>(std::abs(of)) * light.Strengths[channel][l];
+      }
+      return all;
+    };
+    const double mean = sum(0, 0);
+    double rest = 0.0; // 2 Re(e^(-i k psi) G_k)
+    for (int l = degree; l > needed; --l)
+    {
+      rest += 2.0 * sum(static_cast<std::size_t>(order), static_cast<std::size_t>(l));
+      if (rest > LeastShare * mean)
+      {
+        needed = l;
       }
     }
   }
@@ -160,56 +172,49 @@ double PackRadiance(const std::vector<float>& radiance, RadianceTable::Texels& t
 
 namespace
 {
-// RGB of a table's slices over some rows of a map.
-struct SliceMaps
-{
-  int AllRows;
-  std::vector<int> Chosen; // none: all
-  int Degree;
-};
-
-// None where goOn said false.
+// RGB of a table's slices at nodes of a map of so many rows, with dark rings. None where goOn said
+// false.
 std::vector<float> SynthesizeMaps(MaterialPrecomputation& parts, const LobeViews& views,
   const TableLight& light, const MaterialPrecomputation::Kernels& knots, double smoothing,
-  const SliceMaps& maps, const std::function<bool(double)>& goOn, const RadianceTable& table)
+  const MapPart& part, int degree, const std::function<bool(double)>& goOn,
+  const RadianceTable& table)
 {
   const int orders = table.Azimuths / 2; // as many as the azimuths can tell apart
-  const int degree = maps.Degree;
+  const int rows = part.GetAllRows();
   std::vector<std::vector<float>> kernels =
-    ExpandTableKernels(parts, views, knots, degree, orders, smoothing, maps.AllRows);
+    ExpandTableKernels(parts, views, knots, degree, orders, smoothing, rows);
   // Lamps are what the one environment has more than the other: K rest + K_out (all - rest) =
   // (K - K_out) rest + K_out all. They are not smoothed: no maps add what they would lack.
   std::vector<std::vector<float>> outside;
   if (light.All)
   {
-    outside =
-      ExpandTableKernels(parts, views, knots, degree, orders, 0.0, maps.AllRows, &light.Window);
+    outside = ExpandTableKernels(parts, views, knots, degree, orders, 0.0, rows, &light.Window);
     for (std::size_t k = 0; k < kernels.size(); ++k)
     {
       std::transform(kernels[k].begin(), kernels[k].end(), outside[k].begin(), kernels[k].begin(),
         std::minus<float>());
     }
   }
-  const std::size_t rows =
-    maps.Chosen.empty() ? static_cast<std::size_t>(maps.AllRows) : maps.Chosen.size();
-  const int columns = 2 * (maps.AllRows - 1);
-  const std::size_t texels = rows * static_cast<std::size_t>(columns);
-  AzimuthSeries series(table.Angles, table.Azimuths, texels);
-  const FieldSynthesis synthesis(
-    light.Environment, maps.AllRows, columns, MapNodes::Poles, maps.Chosen);
+  AzimuthSeries series(table.Angles, table.Azimuths, part.GetNumberOfNodes());
+  FieldSynthesis synthesis(light.Environment, part, MapNodes::Poles);
   std::array<FieldSynthesis::Field, 3> fields;
-  const auto strengths = GetStrengths(light.Environment, degree);
+  std::vector<SeenLight> seen{ { kernels, GetStrengths(light.Environment, degree) } };
+  if (light.All)
+  {
+    seen.push_back({ outside, GetStrengths(*light.All, degree) });
+  }
   for (int order = 0; order <= orders; ++order)
   {
-    if (light.All) // lamps have all degrees
+    const int last = GetNeededDegree(seen, order, degree);
+    const FieldSynthesis::Kernels of = PickOrder(kernels, order, degree, last);
+    if (light.All)
     {
-      const FieldSynthesis::More more{ *light.All, PickOrder(outside, order, degree, degree) };
-      synthesis.Run(order, PickOrder(kernels, order, degree, degree), fields, &more);
+      const FieldSynthesis::More more{ *light.All, PickOrder(outside, order, degree, last) };
+      synthesis.Run(order, of, fields, &more);
     }
     else
     {
-      const int last = GetNeededDegree(kernels, strengths, order, degree);
-      synthesis.Run(order, PickOrder(kernels, order, degree, last), fields);
+      synthesis.Run(order, of, fields);
     }
     series.Set(order, fields);
     if (!goOn((order + 1.0) / (orders + 1)))
@@ -217,9 +222,7 @@ std::vector<float> SynthesizeMaps(MaterialPrecomputation& parts, const LobeViews
       return {};
     }
   }
-  std::vector<float> radiance = series.TakeRadiance();
-  LiftDarkRings(radiance, rows, static_cast<std::size_t>(columns));
-  return radiance;
+  return series.TakeRadiance();
 }
 
 // How much of a sphere's disc is seen at each slice's view angle.
@@ -244,28 +247,34 @@ double SynthesizeRadiance(MaterialPrecomputation& parts, const LobeViews& views,
   double smoothing, const std::function<bool(double)>& goOn, RadianceTable& table)
 {
   const int fineRows = table.Tiles.FineRows;
+  if (fineRows > 0) // the coarse map's kernels are a part of these
+  {
+    parts.GetExpanded(knots, degree, table.Azimuths / 2);
+  }
   std::vector<float> radiance = SynthesizeMaps(parts, views, light, knots, smoothing,
-    { table.Rows, {}, fineRows > 0 ? std::min(GetMapDegree(table.Rows), degree) : degree }, goOn,
-    table);
+    MapPart::OfAll(table.Rows, table.Columns),
+    fineRows > 0 ? std::min(GetMapDegree(table.Rows), degree) : degree, goOn, table);
   if (radiance.empty())
   {
     return 0.0;
   }
+  LiftDarkRings(
+    radiance, static_cast<std::size_t>(table.Rows), static_cast<std::size_t>(table.Columns));
   if (fineRows > 0)
   {
     table.Tiles.Choose(radiance, GetSliceWeights(table));
-    const std::vector<int> rows = table.Tiles.GetFineRowsOfTiles();
+    const MapPart nodes = table.Tiles.GetFineNodes();
     std::vector<float> fine;
-    if (!rows.empty())
+    if (nodes.GetNumberOfNodes() > 0)
     {
-      fine = SynthesizeMaps(
-        parts, views, light, knots, smoothing, { fineRows, rows, degree }, goOn, table);
+      fine =
+        SynthesizeMaps(parts, views, light, knots, smoothing, nodes, degree, goOn, table);
       if (fine.empty())
       {
         return 0.0;
       }
     }
-    radiance = table.Tiles.Join(radiance, fine);
+    radiance = table.Tiles.Join(radiance, nodes, fine);
   }
   return PackRadiance(radiance, table.Radiance);
 }
@@ -318,7 +327,7 @@ std::shared_ptr<const RadianceTable::Texels> MakeIrradiance(const EnvironmentHar
   constexpr int side = RadianceTable::IrradianceSide;
   const int rows = 2 * side - 1;
   const int columns = 2 * (rows - 1);
-  const FieldSynthesis synthesis(environment, rows, columns, MapNodes::Poles);
+  FieldSynthesis synthesis(environment, rows, columns, MapNodes::Poles);
   std::vector<float> map(3 * static_cast<std::size_t>(columns * rows));
   std::array<FieldSynthesis::Field, 3> fields;
   synthesis.Run(0, { cosine, cosine, cosine }, fields);

@@ -3,6 +3,7 @@
 #include "TableTiles.h"
 
 #include "HalfVector.h" // for Pi
+#include "RingLimiter.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -26,8 +27,9 @@ double GetTileBytes(double ofCoarseMap)
   return BytesStep * std::ceil((others + LeastTileBytes) / BytesStep) - others;
 }
 
-constexpr int Margin =
-  5; // fine rows beside tiles: four that RingLimiter reads, a spline's neighbor
+constexpr int RingMargin = 4; // fine nodes beside a tile's that RingLimiter reads
+constexpr int RowMargin = RingMargin + 1; // and a spline's neighbors
+constexpr int Wide = TableTiles::Texels + 2 * RingMargin;
 
 // A map of RGB, round along the rows.
 struct MapView
@@ -164,28 +166,45 @@ void TableTiles::Choose(const std::vector<float>& radiance, const std::vector<do
   this->Down = (count + this->Across - 1) / this->Across;
 }
 
-std::vector<int> TableTiles::GetFineRowsOfTiles() const
+MapPart TableTiles::GetFineNodes() const
 {
-  std::vector<char> wanted(static_cast<std::size_t>(this->FineRows), 0);
+  const int columns = this->GetFineColumns();
+  const auto getPlace = [columns](int row, int column)
+  { return static_cast<std::size_t>(row * columns + column); };
+  std::vector<char> wanted(getPlace(this->FineRows, 0), 0);
+  const int last = this->FineRows - 1;
   for (std::size_t tile = 0; tile < this->Places.size(); ++tile)
   {
     const int first = static_cast<int>(tile) / this->CountColumns() * Intervals;
-    const int begin = std::max(first - Margin, 0);
-    const int end = std::min(first + Intervals + Margin + 1, this->FineRows);
-    if (this->Places[tile] > 0.0f)
+    const int left = static_cast<int>(tile) % this->CountColumns() * Intervals;
+    for (int at = first - RowMargin;
+         this->Places[tile] > 0.0f && at <= first + Intervals + RowMargin; ++at)
     {
-      std::fill(wanted.begin() + begin, wanted.begin() + end, 1);
+      const bool isBeyond = at < 0 || at > last; // a pole: on the meridian opposite
+      const int row = at < 0 ? -at : at > last ? 2 * last - at : at;
+      for (int k = left - RingMargin; k <= left + Intervals + RingMargin; ++k)
+      {
+        wanted[getPlace(row, (k + columns + (isBeyond ? columns / 2 : 0)) % columns)] = 1;
+      }
     }
   }
-  std::vector<int> rows;
+  MapPart part(this->FineRows, columns);
   for (int row = 0; row < this->FineRows; ++row)
   {
-    if (wanted[static_cast<std::size_t>(row)])
+    std::vector<int> ofRow;
+    for (int column = 0; column < columns; ++column)
     {
-      rows.push_back(row);
+      if (wanted[getPlace(row, column)])
+      {
+        ofRow.push_back(column);
+      }
+    }
+    if (!ofRow.empty())
+    {
+      part.AddRow(row, ofRow);
     }
   }
-  return rows;
+  return part;
 }
 
 // Poles end no tile.
@@ -208,71 +227,103 @@ bool TableTiles::IsInside(int row, int column) const
 }
 
 std::vector<float> TableTiles::Join(
-  const std::vector<float>& coarse, const std::vector<float>& fine) const
+  const std::vector<float>& coarse, const MapPart& nodes, const std::vector<float>& fine) const
 {
   const int rows = GetRows(this->FineRows);
   const int columns = 2 * (rows - 1);
   const std::size_t texels = 3 * static_cast<std::size_t>(rows * columns);
   const std::size_t joined = texels + 3 * static_cast<std::size_t>(columns * Texels * this->Down);
   const std::size_t slices = coarse.size() / texels;
-  const std::vector<int> known = this->GetFineRowsOfTiles();
-  std::vector<int> placeOf(static_cast<std::size_t>(this->FineRows), 0);
-  for (std::size_t k = 0; k < known.size(); ++k)
-  {
-    placeOf[static_cast<std::size_t>(known[k])] = static_cast<int>(k);
-  }
   std::vector<float> all(slices * joined, 0.0f);
-  const auto fill = [&](std::size_t slice)
-  {
-    float* const out = &all[slice * joined];
-    std::copy_n(&coarse[slice * texels], texels, out);
-    const MapView map{ out, rows, columns };
-    const MapView finer{ fine.data() + 3 * slice * known.size() *
-                                         static_cast<std::size_t>(this->GetFineColumns()),
-      static_cast<int>(known.size()), this->GetFineColumns() };
-    // The coarse map rings about lamps: where it meets tiles it takes their values.
-    constexpr int side = Intervals / Ratio + 1;
-    for (std::size_t tile = 0; tile < this->Places.size(); ++tile)
-    {
-      const int first = static_cast<int>(tile) / this->CountColumns() * (side - 1);
-      const int left = static_cast<int>(tile) % this->CountColumns() * (side - 1);
-      for (int k = 0; this->Places[tile] > 0.0f && k < side * side; ++k)
-      {
-        const int row = first + k / side;
-        const int column = (left + k % side) % columns;
-        std::copy_n(finer.Get(placeOf[static_cast<std::size_t>(Ratio * row)], Ratio * column), 3,
-          out + 3 * (row * columns + column));
-      }
-    }
-    for (std::size_t tile = 0; tile < this->Places.size(); ++tile)
-    {
-      const int place = static_cast<int>(this->Places[tile]) - 1;
-      const int first = static_cast<int>(tile) / this->CountColumns() * Intervals;
-      const int left = static_cast<int>(tile) % this->CountColumns() * Intervals;
-      for (int k = 0; place >= 0 && k < Texels * Texels; ++k)
-      {
-        const int row = first + k / Texels;
-        const int column = left + k % Texels;
-        const int y = rows + place / this->Across * Texels + k / Texels;
-        const int x = place % this->Across * Texels + k % Texels;
-        for (int c = 0; c < 3; ++c)
-        {
-          out[3 * (y * columns + x) + c] =
-            this->IsInside(row, column % this->GetFineColumns())
-              ? finer.Get(placeOf[static_cast<std::size_t>(row)], column)[c]
-              : map.GetBetween(row, column, c);
-        }
-      }
-    }
-  };
+  const std::vector<Tile> tiles = this->MakeTiles(nodes);
   vtkSMPTools::For(0, static_cast<vtkIdType>(slices), 1,
     [&](vtkIdType begin, vtkIdType end)
     {
-      for (vtkIdType slice = begin; slice < end; ++slice)
+      for (vtkIdType k = begin; k < end; ++k)
       {
-        fill(static_cast<std::size_t>(slice));
+        const std::size_t slice = static_cast<std::size_t>(k);
+        std::copy_n(&coarse[slice * texels], texels, &all[slice * joined]);
+        this->AddTiles(
+          tiles, fine.data() + 3 * slice * nodes.GetNumberOfNodes(), &all[slice * joined]);
       }
     });
   return all;
+}
+
+std::vector<TableTiles::Tile> TableTiles::MakeTiles(const MapPart& nodes) const
+{
+  std::vector<Tile> tiles;
+  const int rows = GetRows(this->FineRows);
+  const int columns = 2 * (rows - 1);
+  for (std::size_t number = 0; number < this->Places.size(); ++number)
+  {
+    const int place = static_cast<int>(this->Places[number]) - 1;
+    if (place < 0)
+    {
+      continue;
+    }
+    Tile tile;
+    tile.Row = static_cast<int>(number) / this->CountColumns() * Intervals;
+    tile.Column = static_cast<int>(number) % this->CountColumns() * Intervals;
+    tile.Place = static_cast<std::size_t>((rows + place / this->Across * Texels) * columns +
+                                          place % this->Across * Texels);
+    for (int k = 0; k < Wide * Wide; ++k)
+    {
+      tile.Nodes.push_back(nodes.Find(
+        tile.Row + k / Wide - RingMargin, tile.Column + k % Wide - RingMargin));
+    }
+    for (int k = 0; k < Texels * Texels; ++k)
+    {
+      tile.Inside.push_back(this->IsInside(
+        tile.Row + k / Texels, (tile.Column + k % Texels) % this->GetFineColumns()));
+    }
+    tiles.push_back(std::move(tile));
+  }
+  return tiles;
+}
+
+// Of one slice.
+void TableTiles::AddTiles(const std::vector<Tile>& tiles, const float* fine, float* out) const
+{
+  const int rows = GetRows(this->FineRows);
+  const int columns = 2 * (rows - 1);
+  std::vector<float> patch(3 * Wide * Wide);
+  for (const Tile& tile : tiles)
+  {
+    for (std::size_t k = 0; k < tile.Nodes.size(); ++k)
+    {
+      std::copy_n(fine + 3 * static_cast<std::size_t>(tile.Nodes[k]), 3, &patch[3 * k]);
+    }
+    LiftDarkRingsOfMap(patch.data(), Wide, Wide); // what is off at the sides, the margin takes
+    for (int k = 0; k < Texels * Texels; ++k)
+    {
+      const int down = k / Texels;
+      const int across = k % Texels;
+      const float* const value =
+        &patch[3 * static_cast<std::size_t>((down + RingMargin) * Wide + across + RingMargin)];
+      std::copy_n(value, 3, out + 3 * (tile.Place + static_cast<std::size_t>(down * columns + across)));
+      // The coarse map rings about lamps: where it meets tiles it takes their values.
+      const int row = tile.Row + down;
+      const int column = (tile.Column + across) % this->GetFineColumns();
+      if (row % Ratio == 0 && column % Ratio == 0)
+      {
+        std::copy_n(value, 3, out + 3 * (row / Ratio * columns + column / Ratio));
+      }
+    }
+  }
+  const MapView map{ out, rows, columns };
+  for (const Tile& tile : tiles)
+  {
+    for (int k = 0; k < Texels * Texels; ++k)
+    {
+      const int down = k / Texels;
+      const int across = k % Texels;
+      float* const to = out + 3 * (tile.Place + static_cast<std::size_t>(down * columns + across));
+      for (int c = 0; c < 3 && !tile.Inside[static_cast<std::size_t>(k)]; ++c)
+      {
+        to[c] = map.GetBetween(tile.Row + down, tile.Column + across, c);
+      }
+    }
+  }
 }
 } // namespace measuredbrdf

@@ -10,6 +10,8 @@
 #ifndef TableTiles_h
 #define TableTiles_h
 
+#include "MapPart.h"
+
 #include <cstddef>
 #include <vector>
 
@@ -50,16 +52,28 @@ struct TableTiles
   /// weight: as many tiles as there are places, or fewer that hold nearly all.
   void Choose(const std::vector<float>& radiance, const std::vector<double>& weights);
 
-  /// The fine rows that FieldSynthesis must know for these tiles, with some beside them.
-  std::vector<int> GetFineRowsOfTiles() const;
+  /// The fine nodes that FieldSynthesis must know for these tiles, with some beside them.
+  MapPart GetFineNodes() const;
 
-  /// The coarse map and, below it, the tiles, of each slice; fine: of the rows above. Where a tile
-  /// borders on none it takes the coarse map's values, which are linear there: no seam shows.
-  std::vector<float> Join(const std::vector<float>& coarse, const std::vector<float>& fine) const;
+  /// The coarse map and, below it, the tiles, of each slice; fine: RGB of those nodes, whose dark
+  /// rings are lifted here. Where a tile borders on none it takes the coarse map's values, which
+  /// are linear there: no seam shows.
+  std::vector<float> Join(const std::vector<float>& coarse, const MapPart& nodes,
+    const std::vector<float>& fine) const;
 
 private:
   /// Whether all tiles that meet at a fine node have a place.
   bool IsInside(int row, int column) const;
+  /// What a tile is made of.
+  struct Tile
+  {
+    int Row, Column;         // of its first fine node
+    std::size_t Place;       // of its first texel in a slice
+    std::vector<int> Nodes;  // of it and a margin, by number
+    std::vector<char> Inside; // whether its nodes are
+  };
+  std::vector<Tile> MakeTiles(const MapPart& nodes) const;
+  void AddTiles(const std::vector<Tile>& tiles, const float* fine, float* map) const;
 };
 } // namespace measuredbrdf
 

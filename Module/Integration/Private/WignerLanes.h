@@ -13,6 +13,7 @@
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
 namespace measuredbrdf
 {
@@ -25,12 +26,14 @@ public:
   WignerLanes() = default;
   explicit WignerLanes(const Values& theta);
 
-  /// d[l - first] for the degrees of the functions, as WignerD::Evaluate.
-  void Evaluate(const WignerD& functions, Values* d) const;
+  /// In single precision d[4 (l - first) + angle] for the degrees of the functions. Returns how many
+  /// of the lowest degrees are left out: their numbers are all less than `least`.
+  std::size_t EvaluateFrom(const WignerD& functions, double least, float* d) const;
 
-  /// Adds factors[c] d^l to out[c][l], for each channel c and each l from the functions' first on.
-  void AddSeries(
-    const WignerD& functions, const Values factors[3], const std::array<Values*, 3>& out) const;
+  /// Adds sum over n of factors[n][c] d^l(angles[n]) to out[c][l], for each channel c and each l
+  /// from the functions' first on.
+  static void AddSeries(const WignerD& functions, const std::vector<WignerLanes>& angles,
+    const std::vector<std::array<Values, 3>>& factors, const std::array<Values*, 3>& out);
 
   /// Adds factor d^l in[c][l] to out[c][l].
   void AddTurned(const WignerD& functions, const Values& factor,

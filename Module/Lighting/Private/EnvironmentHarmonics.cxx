@@ -5,16 +5,17 @@
 #include "GaussLegendre.h"
 #include "TexelChanges.h"
 #include "TexelInterpolation.h"
+#include "WideVectors.h"
 #include "WignerD.h"
 #include "vtkEnvironment.h"
 #include "vtkSMPTools.h"
 
-#include <Eigen/Core>
 #include <unsupported/Eigen/FFT>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 
 namespace measuredbrdf
 {
@@ -202,9 +203,148 @@ std::vector<Ring> MakeRings(std::size_t height, int degree)
   }
   return rings;
 }
-// Of several rings at once.
+
+// Of several rings at once, one in each lane.
 constexpr std::size_t RingLanes = 4;
-using RingValues = Eigen::Array<double, RingLanes, 1>;
+using RingValues = std::array<double, RingLanes>;
+
+struct RingGroup
+{
+  RingValues Cosine{}, Start{};                   // of Wigner's functions
+  std::array<std::array<RingValues, 6>, 2> Values{}; // where l - m is even, and odd
+};
+
+constexpr double LeastFunction = 1e-16; // less adds nothing
+
+template <typename Vector>
+MEASUREDBRDF_INLINE void Load(const RingValues& values, std::size_t lane, Vector& vector)
+{
+  std::memcpy(&vector, values.data() + lane, sizeof(Vector));
+}
+
+template <typename Vector>
+MEASUREDBRDF_INLINE bool IsNothing(const Vector& value)
+{
+  RingValues values{};
+  std::memcpy(values.data(), &value, sizeof(Vector));
+  return std::all_of(
+    values.begin(), values.end(), [](double x) { return std::abs(x) < LeastFunction; });
+}
+
+template <typename Vector>
+MEASUREDBRDF_INLINE void AddPart(const Vector& first, const RingValues& ofFirst,
+  const Vector& second, const RingValues& ofSecond, std::size_t lane, RingValues& out)
+{
+  Vector sum, one, other;
+  Load(out, lane, sum);
+  Load(ofFirst, lane, one);
+  Load(ofSecond, lane, other);
+  sum += first * one + second * other;
+  std::memcpy(out.data() + lane, &sum, sizeof(Vector));
+}
+
+// Adds two groups' values times their functions to each degree's sums, by parts.
+template <typename Vector>
+MEASUREDBRDF_INLINE void AddGroups(const std::vector<WignerD::Step>& steps, const RingGroup& first,
+  const RingGroup& second, RingValues* sums)
+{
+  for (std::size_t lane = 0; lane < RingLanes; lane += sizeof(Vector) / sizeof(double))
+  {
+    Vector x[2], current[2];
+    Load(first.Cosine, lane, x[0]);
+    Load(second.Cosine, lane, x[1]);
+    Load(first.Start, lane, current[0]);
+    Load(second.Start, lane, current[1]);
+    Vector before[2] = { 0.0 * current[0], 0.0 * current[1] };
+    bool isNothing = true;
+    for (std::size_t k = 0;; ++k)
+    {
+      isNothing = isNothing && IsNothing(current[0]) && IsNothing(current[1]);
+      if (!isNothing)
+      {
+        const std::array<RingValues, 6>& a = first.Values[k % 2];
+        const std::array<RingValues, 6>& b = second.Values[k % 2];
+        RingValues* const out = sums + 6 * k;
+        AddPart(current[0], a[0], current[1], b[0], lane, out[0]);
+        AddPart(current[0], a[1], current[1], b[1], lane, out[1]);
+        AddPart(current[0], a[2], current[1], b[2], lane, out[2]);
+        AddPart(current[0], a[3], current[1], b[3], lane, out[3]);
+        AddPart(current[0], a[4], current[1], b[4], lane, out[4]);
+        AddPart(current[0], a[5], current[1], b[5], lane, out[5]);
+      }
+      if (k == steps.size())
+      {
+        break;
+      }
+      const WignerD::Step& step = steps[k];
+      const Vector next[2] = { step.A * (x[0] - step.B) * current[0] - step.C * before[0],
+        step.A * (x[1] - step.B) * current[1] - step.C * before[1] };
+      before[0] = current[0];
+      before[1] = current[1];
+      current[0] = next[0];
+      current[1] = next[1];
+    }
+  }
+}
+
+#ifdef MEASUREDBRDF_HAS_VECTORS
+using Vector2 = double __attribute__((vector_size(16)));
+using Vector4 = double __attribute__((vector_size(32)));
+
+__attribute__((target("avx2,fma"))) void AddGroupsWide(const std::vector<WignerD::Step>& steps,
+  const RingGroup& first, const RingGroup& second, RingValues* sums)
+{
+  AddGroups<Vector4>(steps, first, second, sums);
+}
+#endif
+
+void AddGroupsAsWideAsPossible(const std::vector<WignerD::Step>& steps, const RingGroup& first,
+  const RingGroup& second, RingValues* sums)
+{
+#ifdef MEASUREDBRDF_HAS_VECTORS
+  if (GetWidestForm() == VectorForm::Wide)
+  {
+    return AddGroupsWide(steps, first, second, sums);
+  }
+  AddGroups<Vector2>(steps, first, second, sums);
+#else
+  AddGroups<double>(steps, first, second, sums);
+#endif
+}
+
+// Of one order.
+RingGroup MakeGroup(const Series& rows, const std::vector<Ring>& rings, std::size_t begin,
+  std::size_t height, std::size_t orders, std::size_t m, const WignerD& functions)
+{
+  RingGroup group;
+  for (std::size_t lane = 0; lane < RingLanes && begin + lane < rings.size(); ++lane)
+  {
+    const Ring& ring = rings[begin + lane];
+    group.Cosine[lane] = std::cos(ring.Theta);
+    group.Start[lane] = functions.GetStart(WignerD::GetLog(std::cos(0.5 * ring.Theta)),
+      WignerD::GetLog(std::sin(0.5 * ring.Theta)));
+    for (std::size_t channel = 0; channel < 3; ++channel)
+    {
+      const auto get = [&](std::size_t y) { return rows[(channel * height + y) * orders + m]; };
+      const std::size_t top = height - 1;
+      const std::complex<double> north =
+        ring.Mix(get(top - ring.Rows.First), get(top - ring.Rows.Second));
+      const std::complex<double> south = ring.Mix(get(ring.Rows.First), get(ring.Rows.Second));
+      const std::complex<double> both[2] = { north + south, north - south };
+      for (std::size_t odd = 0; odd < 2; ++odd)
+      {
+        group.Values[odd][2 * channel][lane] = both[odd].real();
+        group.Values[odd][2 * channel + 1][lane] = both[odd].imag();
+      }
+    }
+  }
+  return group;
+}
+
+double Sum(const RingValues& values)
+{
+  return (values[0] + values[1]) + (values[2] + values[3]);
+}
 
 // One order's sums over the rings of both hemispheres, lane by lane: by degree and channel, real
 // and imaginary parts. Functions whose l - m is odd change sign across the equator.
@@ -212,43 +352,12 @@ void SumRings(const Series& rows, const std::vector<Ring>& rings, std::size_t he
   std::size_t orders, std::size_t m, std::vector<RingValues>& sums)
 {
   const WignerD functions(static_cast<int>(m), 0, static_cast<int>(orders) - 1);
-  std::vector<RingValues> d(orders);
-  sums.assign(6 * orders, RingValues::Zero());
-  for (std::size_t first = 0; first < rings.size(); first += RingLanes)
+  sums.assign(6 * orders, RingValues{});
+  for (std::size_t begin = 0; begin < rings.size(); begin += 2 * RingLanes)
   {
-    RingValues theta = RingValues::Zero();
-    std::array<std::array<RingValues, 6>, 2> values; // where l - m is even, and odd
-    values[0].fill(RingValues::Zero());
-    values[1].fill(RingValues::Zero());
-    for (std::size_t lane = 0; lane < RingLanes && first + lane < rings.size(); ++lane)
-    {
-      const Eigen::Index at = static_cast<Eigen::Index>(lane);
-      const Ring& ring = rings[first + lane];
-      theta[at] = ring.Theta;
-      for (std::size_t channel = 0; channel < 3; ++channel)
-      {
-        const auto get = [&](std::size_t y) { return rows[(channel * height + y) * orders + m]; };
-        const std::size_t top = height - 1;
-        const std::complex<double> north =
-          ring.Mix(get(top - ring.Rows.First), get(top - ring.Rows.Second));
-        const std::complex<double> south = ring.Mix(get(ring.Rows.First), get(ring.Rows.Second));
-        const std::complex<double> both[2] = { north + south, north - south };
-        for (std::size_t odd = 0; odd < 2; ++odd)
-        {
-          values[odd][2 * channel][at] = both[odd].real();
-          values[odd][2 * channel + 1][at] = both[odd].imag();
-        }
-      }
-    }
-    functions.Evaluate(theta, d.data());
-    for (std::size_t l = m; l < orders; ++l)
-    {
-      const std::array<RingValues, 6>& of = values[(l - m) % 2];
-      for (std::size_t part = 0; part < of.size(); ++part)
-      {
-        sums[6 * l + part] += d[l - m] * of[part];
-      }
-    }
+    AddGroupsAsWideAsPossible(functions.GetSteps(),
+      MakeGroup(rows, rings, begin, height, orders, m, functions),
+      MakeGroup(rows, rings, begin + RingLanes, height, orders, m, functions), &sums[6 * m]);
   }
 }
 }
@@ -280,7 +389,7 @@ EnvironmentHarmonics::EnvironmentHarmonics(
             const RingValues* of = &sums[6 * l + 2 * channel];
             this->Coefficients[(channel * orders + m) * orders + l] =
               std::sqrt((2.0 * static_cast<double>(l) + 1.0) / (4.0 * Pi)) *
-              std::complex<double>(of[0].sum(), of[1].sum());
+              std::complex<double>(Sum(of[0]), Sum(of[1]));
           }
         }
       }

@@ -16,7 +16,7 @@ namespace measuredbrdf
 namespace
 {
 // Harmonics come up to these degrees, so that tables of several sizes share them.
-constexpr int Degrees[] = { 129, 257, 513 };
+constexpr int Degrees[] = { 129, 257, 321, 513 };
 }
 
 EnvironmentPrecomputation::EnvironmentPrecomputation() = default;

@@ -3,6 +3,8 @@
 // Tables of many rows: a coarse map everywhere, and tiles of a fine one where radiance bends most.
 
 #include "HalfVector.h" // for Pi
+#include "MapPart.h"
+#include "RingLimiter.h"
 #include "SpherePairs.h"
 #include "TableCandidates.h"
 #include "TableTiles.h"
@@ -167,6 +169,62 @@ TEST(TableTiles, NoSeams)
   }
   std::printf("steps up to %.1e of the largest\n", step / largest);
   EXPECT_LT(step / largest, 4e-3); // the format has 9 bits
+}
+
+//------------------------------------------------------------------------------
+// Tiles at a pole, across the seam and elsewhere: of the fine map they need the nodes about them
+// alone, and show it with its dark rings lifted.
+TEST(TableTiles, NeedTheNodesAboutThem)
+{
+  constexpr int rows = 121;
+  TableTiles tiles(rows, 1);
+  const int coarseRows = TableTiles::GetRows(rows);
+  const int coarseColumns = 2 * (coarseRows - 1);
+  const int columns = tiles.GetFineColumns();
+  tiles.Down = 1;
+  for (const int tile : { 0, 3 * tiles.CountColumns(), 7 * tiles.CountColumns() + 5,
+         8 * tiles.CountColumns() + 5 })
+  {
+    tiles.Places[static_cast<std::size_t>(tile)] =
+      1.0f + static_cast<float>(std::count_if(tiles.Places.begin(), tiles.Places.end(),
+               [](float place) { return place > 0.0f; }));
+  }
+  std::vector<float> fine, coarse(3 * static_cast<std::size_t>(coarseRows * coarseColumns), 1.0f);
+  for (int k = 0; k < 3 * rows * columns; ++k) // dark dots
+  {
+    fine.push_back(k % 7 == 0 ? 0.1f : 2.0f + std::sin(0.3f * static_cast<float>(k)));
+  }
+  const measuredbrdf::MapPart nodes = tiles.GetFineNodes();
+  EXPECT_LT(nodes.GetNumberOfNodes(), fine.size() / 3 / 10);
+  std::vector<float> some;
+  for (std::size_t row = 0; row < nodes.GetRows().size(); ++row)
+  {
+    for (const int column : nodes.GetColumns(row))
+    {
+      const auto at = fine.begin() + 3 * (nodes.GetRows()[row] * columns + column);
+      some.insert(some.end(), at, at + 3);
+    }
+  }
+  const std::vector<float> joined = tiles.Join(coarse, nodes, some);
+  EXPECT_EQ(joined, tiles.Join(coarse, measuredbrdf::MapPart::OfAll(rows, columns), fine));
+  std::vector<float> lifted = fine;
+  measuredbrdf::LiftDarkRings(lifted, rows, static_cast<std::size_t>(columns));
+  // A node of the tile that lies in the eighth row of tiles, and the coarse map's there.
+  const int row = 7 * TableTiles::Intervals + 4;
+  const int column = 5 * TableTiles::Intervals + 4;
+  const int place = static_cast<int>(
+                      tiles.Places[static_cast<std::size_t>(7 * tiles.CountColumns() + 5)]) -
+    1;
+  const int inTile =
+    (coarseRows + 4) * coarseColumns + place % tiles.Across * TableTiles::Texels + 4;
+  const int inCoarse = row / TableTiles::Ratio * coarseColumns + column / TableTiles::Ratio;
+  for (int c = 0; c < 3; ++c)
+  {
+    const float expected = lifted[static_cast<std::size_t>(3 * (row * columns + column) + c)];
+    EXPECT_NEAR(joined[static_cast<std::size_t>(3 * inTile + c)], expected, 1e-6f);
+    EXPECT_NEAR(joined[static_cast<std::size_t>(3 * inCoarse + c)], expected, 1e-6f);
+  }
+  EXPECT_NE(lifted, fine);
 }
 
 //------------------------------------------------------------------------------
