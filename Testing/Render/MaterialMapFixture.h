@@ -195,11 +195,11 @@ protected:
     this->Mapper->SetMaterialMap(this->Map);
   }
 
-  /// Graphics cards, whose filter weights have steps, differ by up to 6e-5.
+  /// Graphics cards, whose filter weights have steps, differ by up to 1.1e-4.
   double GetLimit(double tolerance)
   {
     return std::max(
-      tolerance, measuredbrdf::MeasureFilterWeightBits(this->Window) > 0 ? 1e-4 : 0.0);
+      tolerance, measuredbrdf::MeasureFilterWeightBits(this->Window) > 0 ? 1.5e-4 : 0.0);
   }
 
   /// weight: of a material at a place; negative for all: the place is not looked at.

@@ -28,6 +28,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <ctime>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -74,6 +75,13 @@ protected:
     this->CameraPass->SetDelegatePass(this->Sequence);
     this->Framebuffer->SetDelegatePass(this->CameraPass);
     this->Framebuffer->SetColorFormat(vtkTextureObject::Float32);
+  }
+
+  /// VTK's windows that need no display (9.6): no interactor works there, and resources that are
+  /// released with another window leave that window's context current, of VTK's own mapper, too.
+  bool IsWithoutDisplay() const
+  {
+    return std::string(this->Window->GetClassName()) == "vtkEGLRenderWindow";
   }
 
   /// What the shader wrote, still encoded as x^(1/2.2).

@@ -157,6 +157,10 @@ TEST_F(OcclusionStability, LevelsOfDetailHaveTheirOwnArrays)
 // shows the surface itself keeps its arrays, whatever was drawn between.
 TEST_F(OcclusionStability, ActorsWithLevelsKeepTheSurfacesArrays)
 {
+  if (this->IsWithoutDisplay())
+  {
+    GTEST_SKIP() << "VTK's interactors need a display";
+  }
   const auto surface = MakeTraced(12);
   this->Mapper->SetInputData(surface);
   const FloatImage alone = this->RenderLinear();
