@@ -138,8 +138,7 @@ void DegreeSum::Run(int order, const std::vector<Part>& parts)
 }
 
 // Of m and -m.
-void DegreeSum::AddOrders(
-  int m, int order, const std::vector<Part>& parts, const Packed& packed)
+void DegreeSum::AddOrders(int m, int order, const std::vector<Part>& parts, const Packed& packed)
 {
   const WignerD functions(m, order, this->Degree);
   if (functions.IsEmpty())

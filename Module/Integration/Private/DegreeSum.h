@@ -77,8 +77,7 @@ private:
 
   static std::vector<Panel> MakePanels(
     const std::vector<double>& theta, const std::vector<Row>& rows, const std::vector<int>& at);
-  void AddOrders(
-    int m, int order, const std::vector<Part>& parts, const Packed& packed);
+  void AddOrders(int m, int order, const std::vector<Part>& parts, const Packed& packed);
   void Multiply(const Panel& panel, int m, int order, int first, std::size_t size,
     std::size_t begin, const std::vector<float>& turns, const std::vector<float>& lit);
 
@@ -87,8 +86,8 @@ private:
   std::size_t Wanted;
   int Degree = 0;
   std::size_t Orders = 0, Kinds = 0, Width = 0;
-  std::vector<float> Series; // [row][m][kind]
-  std::vector<char> Known;   // [row][m]
+  std::vector<float> Series;    // [row][m][kind]
+  std::vector<char> Known;      // [row][m]
   std::vector<float> Conjugate; // what makes a row's numbers those of conjugates
 };
 } // namespace measuredbrdf

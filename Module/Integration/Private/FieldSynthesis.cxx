@@ -171,8 +171,8 @@ void FieldSynthesis::FindNeighbors()
     const int at = this->Part.GetRows()[row];
     for (const int column : this->Part.GetColumns(row))
     {
-      this->NeighborsOf.push_back({ this->Part.Find(at - 1, column),
-        this->Part.Find(at + 1, column), at == 0, at == last });
+      this->NeighborsOf.push_back(
+        { this->Part.Find(at - 1, column), this->Part.Find(at + 1, column), at == 0, at == last });
     }
   }
 }
@@ -245,7 +245,8 @@ void FieldSynthesis::SumOrders(int order, std::array<Field, 3>& result) const
             const std::size_t line = kind - first;
             for (const int column : this->Part.GetColumns(row))
             {
-              const float* of = &lines[static_cast<std::size_t>(column) * RowTransform::Item + line];
+              const float* of =
+                &lines[static_cast<std::size_t>(column) * RowTransform::Item + line];
               *out++ = { of[0], order > 0 ? of[RowTransform::Lines] : 0.0f };
             }
           }

@@ -25,7 +25,7 @@ constexpr std::size_t ProbeStride = 37;
 
 // Lobes that are expanded together: they share functions, and take some megabytes each.
 constexpr std::size_t MostTogether = 16;
-constexpr int TurnedParts = 8; // of the turn to the axis, which threads share
+constexpr int TurnedParts = 8;            // of the turn to the axis, which threads share
 constexpr double LargestAsymmetry = 1e-9; // of the value: less is rounding
 
 glm::dvec3 Evaluate(vtkBRDF* brdf, const glm::dvec3& i, const glm::dvec3& o)
@@ -198,9 +198,8 @@ std::vector<std::array<WignerLanes::Values, 3>> LobeHarmonics::Lanes::GetFactors
   return factors;
 }
 
-void LobeHarmonics::Lanes::Turn(
-  const WignerD& functions, int k, int from, const std::vector<Values>& about,
-  std::vector<Values>& turned) const
+void LobeHarmonics::Lanes::Turn(const WignerD& functions, int k, int from,
+  const std::vector<Values>& about, std::vector<Values>& turned) const
 {
   // d_mk(-x) = (-1)^(m-k) d_mk(x); n_l,-k = (-1)^k n_lk.
   Values sign;

@@ -24,8 +24,8 @@ namespace measuredbrdf
 inline vtkAdaptiveWarpBRDF* GetManyLightsForm(vtkBRDF* brdf)
 {
   return brdf && typeid(*brdf) == typeid(vtkAdaptiveWarpBRDF)
-    ? static_cast<vtkAdaptiveWarpBRDF*>(brdf)
-    : nullptr;
+           ? static_cast<vtkAdaptiveWarpBRDF*>(brdf)
+           : nullptr;
 }
 
 /// Of a prepared material; lights: unit vectors above the horizon, like o.

@@ -51,8 +51,7 @@ void LiftDarkRingsOfMap(float* radiance, std::size_t rows, std::size_t columns)
 {
   const auto blur = [](const auto& a, const auto& b, const auto& c)
   { return 0.25f * (a + c) + 0.5f * b; };
-  const auto least = [](const auto& a, const auto& b, const auto& c)
-  { return a.min(b).min(c); };
+  const auto least = [](const auto& a, const auto& b, const auto& c) { return a.min(b).min(c); };
   Map first, second(static_cast<Eigen::Index>(3 * columns), static_cast<Eigen::Index>(rows));
   Eigen::Map<Map> values(radiance, second.rows(), second.cols());
   first = values.max(0.0f);

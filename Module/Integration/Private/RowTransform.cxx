@@ -175,8 +175,7 @@ __attribute__((target("avx2,fma"))) void RunWide(
 }
 #endif
 
-void RunAnywhere(
-  float* lines, std::size_t size, std::size_t odd, const std::complex<float>* turns)
+void RunAnywhere(float* lines, std::size_t size, std::size_t odd, const std::complex<float>* turns)
 {
 #ifdef MEASUREDBRDF_HAS_VECTORS
   RunStages<Vector4>(lines, size, odd, turns);

@@ -251,9 +251,9 @@ double SynthesizeRadiance(MaterialPrecomputation& parts, const LobeViews& views,
   {
     parts.GetExpanded(knots, degree, table.Azimuths / 2);
   }
-  std::vector<float> radiance = SynthesizeMaps(parts, views, light, knots, smoothing,
-    MapPart::OfAll(table.Rows, table.Columns),
-    fineRows > 0 ? std::min(GetMapDegree(table.Rows), degree) : degree, goOn, table);
+  std::vector<float> radiance =
+    SynthesizeMaps(parts, views, light, knots, smoothing, MapPart::OfAll(table.Rows, table.Columns),
+      fineRows > 0 ? std::min(GetMapDegree(table.Rows), degree) : degree, goOn, table);
   if (radiance.empty())
   {
     return 0.0;
@@ -267,8 +267,7 @@ double SynthesizeRadiance(MaterialPrecomputation& parts, const LobeViews& views,
     std::vector<float> fine;
     if (nodes.GetNumberOfNodes() > 0)
     {
-      fine =
-        SynthesizeMaps(parts, views, light, knots, smoothing, nodes, degree, goOn, table);
+      fine = SynthesizeMaps(parts, views, light, knots, smoothing, nodes, degree, goOn, table);
       if (fine.empty())
       {
         return 0.0;

@@ -27,7 +27,7 @@ double GetTileBytes(double ofCoarseMap)
   return BytesStep * std::ceil((others + LeastTileBytes) / BytesStep) - others;
 }
 
-constexpr int RingMargin = 4; // fine nodes beside a tile's that RingLimiter reads
+constexpr int RingMargin = 4;             // fine nodes beside a tile's that RingLimiter reads
 constexpr int RowMargin = RingMargin + 1; // and a spline's neighbors
 constexpr int Wide = TableTiles::Texels + 2 * RingMargin;
 
@@ -265,17 +265,17 @@ std::vector<TableTiles::Tile> TableTiles::MakeTiles(const MapPart& nodes) const
     Tile tile;
     tile.Row = static_cast<int>(number) / this->CountColumns() * Intervals;
     tile.Column = static_cast<int>(number) % this->CountColumns() * Intervals;
-    tile.Place = static_cast<std::size_t>((rows + place / this->Across * Texels) * columns +
-                                          place % this->Across * Texels);
+    tile.Place = static_cast<std::size_t>(
+      (rows + place / this->Across * Texels) * columns + place % this->Across * Texels);
     for (int k = 0; k < Wide * Wide; ++k)
     {
-      tile.Nodes.push_back(nodes.Find(
-        tile.Row + k / Wide - RingMargin, tile.Column + k % Wide - RingMargin));
+      tile.Nodes.push_back(
+        nodes.Find(tile.Row + k / Wide - RingMargin, tile.Column + k % Wide - RingMargin));
     }
     for (int k = 0; k < Texels * Texels; ++k)
     {
-      tile.Inside.push_back(this->IsInside(
-        tile.Row + k / Texels, (tile.Column + k % Texels) % this->GetFineColumns()));
+      tile.Inside.push_back(
+        this->IsInside(tile.Row + k / Texels, (tile.Column + k % Texels) % this->GetFineColumns()));
     }
     tiles.push_back(std::move(tile));
   }
@@ -301,7 +301,8 @@ void TableTiles::AddTiles(const std::vector<Tile>& tiles, const float* fine, flo
       const int across = k % Texels;
       const float* const value =
         &patch[3 * static_cast<std::size_t>((down + RingMargin) * Wide + across + RingMargin)];
-      std::copy_n(value, 3, out + 3 * (tile.Place + static_cast<std::size_t>(down * columns + across)));
+      std::copy_n(
+        value, 3, out + 3 * (tile.Place + static_cast<std::size_t>(down * columns + across)));
       // The coarse map rings about lamps: where it meets tiles it takes their values.
       const int row = tile.Row + down;
       const int column = (tile.Column + across) % this->GetFineColumns();

@@ -58,8 +58,8 @@ struct TableTiles
   /// The coarse map and, below it, the tiles, of each slice; fine: RGB of those nodes, whose dark
   /// rings are lifted here. Where a tile borders on none it takes the coarse map's values, which
   /// are linear there: no seam shows.
-  std::vector<float> Join(const std::vector<float>& coarse, const MapPart& nodes,
-    const std::vector<float>& fine) const;
+  std::vector<float> Join(
+    const std::vector<float>& coarse, const MapPart& nodes, const std::vector<float>& fine) const;
 
 private:
   /// Whether all tiles that meet at a fine node have a place.
@@ -67,9 +67,9 @@ private:
   /// What a tile is made of.
   struct Tile
   {
-    int Row, Column;         // of its first fine node
-    std::size_t Place;       // of its first texel in a slice
-    std::vector<int> Nodes;  // of it and a margin, by number
+    int Row, Column;          // of its first fine node
+    std::size_t Place;        // of its first texel in a slice
+    std::vector<int> Nodes;   // of it and a margin, by number
     std::vector<char> Inside; // whether its nodes are
   };
   std::vector<Tile> MakeTiles(const MapPart& nodes) const;

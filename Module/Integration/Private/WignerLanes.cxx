@@ -16,7 +16,7 @@ namespace
 using Values = WignerLanes::Values;
 using Steps = std::vector<WignerD::Step>;
 
-constexpr double Tiny = 1e-15;          // as a float it is 0: processors are slow with such
+constexpr double Tiny = 1e-15; // as a float it is 0: processors are slow with such
 // Some lanes' values. Vector: of doubles, or one.
 template <typename Vector>
 MEASUREDBRDF_INLINE void Load(const Values& values, std::size_t lane, Vector& vector)
@@ -305,8 +305,7 @@ WignerLanes::Values WignerLanes::GetStart(const WignerD& functions) const
   return start;
 }
 
-std::size_t WignerLanes::EvaluateFrom(
-  const WignerD& functions, double least, float* d) const
+std::size_t WignerLanes::EvaluateFrom(const WignerD& functions, double least, float* d) const
 {
   if (functions.IsEmpty())
   {
@@ -315,8 +314,8 @@ std::size_t WignerLanes::EvaluateFrom(
   const Values start = this->GetStart(functions);
 #ifdef MEASUREDBRDF_HAS_VECTORS
   return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")
-    ? RecurFromWide(functions.GetSteps(), start, this->Cosine, least, d)
-    : RecurFrom(functions.GetSteps(), start, this->Cosine, least, d);
+           ? RecurFromWide(functions.GetSteps(), start, this->Cosine, least, d)
+           : RecurFrom(functions.GetSteps(), start, this->Cosine, least, d);
 #else
   const Steps& steps = functions.GetSteps();
   std::size_t first = steps.size() + 1;

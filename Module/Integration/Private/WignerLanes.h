@@ -26,8 +26,8 @@ public:
   WignerLanes() = default;
   explicit WignerLanes(const Values& theta);
 
-  /// In single precision d[4 (l - first) + angle] for the degrees of the functions. Returns how many
-  /// of the lowest degrees are left out: their numbers are all less than `least`.
+  /// In single precision d[4 (l - first) + angle] for the degrees of the functions. Returns how
+  /// many of the lowest degrees are left out: their numbers are all less than `least`.
   std::size_t EvaluateFrom(const WignerD& functions, double least, float* d) const;
 
   /// Adds sum over n of factors[n][c] d^l(angles[n]) to out[c][l], for each channel c and each l

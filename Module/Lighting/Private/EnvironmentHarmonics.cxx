@@ -210,7 +210,7 @@ using RingValues = std::array<double, RingLanes>;
 
 struct RingGroup
 {
-  RingValues Cosine{}, Start{};                   // of Wigner's functions
+  RingValues Cosine{}, Start{};                      // of Wigner's functions
   std::array<std::array<RingValues, 6>, 2> Values{}; // where l - m is even, and odd
 };
 
@@ -321,8 +321,8 @@ RingGroup MakeGroup(const Series& rows, const std::vector<Ring>& rings, std::siz
   {
     const Ring& ring = rings[begin + lane];
     group.Cosine[lane] = std::cos(ring.Theta);
-    group.Start[lane] = functions.GetStart(WignerD::GetLog(std::cos(0.5 * ring.Theta)),
-      WignerD::GetLog(std::sin(0.5 * ring.Theta)));
+    group.Start[lane] = functions.GetStart(
+      WignerD::GetLog(std::cos(0.5 * ring.Theta)), WignerD::GetLog(std::sin(0.5 * ring.Theta)));
     for (std::size_t channel = 0; channel < 3; ++channel)
     {
       const auto get = [&](std::size_t y) { return rows[(channel * height + y) * orders + m]; };
@@ -341,10 +341,7 @@ RingGroup MakeGroup(const Series& rows, const std::vector<Ring>& rings, std::siz
   return group;
 }
 
-double Sum(const RingValues& values)
-{
-  return (values[0] + values[1]) + (values[2] + values[3]);
-}
+double Sum(const RingValues& values) { return (values[0] + values[1]) + (values[2] + values[3]); }
 
 // One order's sums over the rings of both hemispheres, lane by lane: by degree and channel, real
 // and imaginary parts. Functions whose l - m is odd change sign across the equator.

@@ -76,8 +76,8 @@ TEST(MatrixProduct, PanelsAgreeWithSumsInDouble)
       {
         right[k] = static_cast<float>(std::cos(1.3 * static_cast<double>(k)));
       }
-      MultiplyPanel({ left.data() + 1, leftStep }, { right.data() + 1, rightStep }, depth,
-        columns, result.data() + 1);
+      MultiplyPanel({ left.data() + 1, leftStep }, { right.data() + 1, rightStep }, depth, columns,
+        result.data() + 1);
       for (std::size_t row = 0; row < PanelRows; ++row)
       {
         for (std::size_t column = 0; column < columns; ++column)
