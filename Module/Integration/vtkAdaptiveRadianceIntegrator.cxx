@@ -52,6 +52,7 @@ void vtkAdaptiveRadianceIntegrator::IntegratePart(
   thread_local measuredbrdf::AdaptiveSum sum; // keeps its memory
   const glm::dvec3 result = sum.Run(
     this->Prepared->Texels, this->Prepared->Guide, this->BRDF, frame, view, this->Tolerance);
+  this->Evaluations += sum.GetNumberOfEvaluations();
   for (int c = 0; c < 3; ++c)
   {
     radiance[c] += result[c];
@@ -73,4 +74,5 @@ void vtkAdaptiveRadianceIntegrator::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "Evaluations: " << this->Evaluations << "\n";
 }

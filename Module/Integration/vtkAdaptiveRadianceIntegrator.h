@@ -24,6 +24,7 @@
 
 #include "vtkRadianceIntegrator.h"
 
+#include <atomic> // for Evaluations
 #include <memory> // for Prepared
 
 class VTKMEASUREDBRDF_EXPORT vtkAdaptiveRadianceIntegrator : public vtkRadianceIntegrator
@@ -41,6 +42,9 @@ public:
   vtkSetClampMacro(Tolerance, double, 1e-5, 0.5);
   vtkGetMacro(Tolerance, double);
   ///@}
+
+  /// How often this has evaluated f so far, about: what integrating costs, whatever the machine.
+  vtkTypeInt64 GetNumberOfEvaluations() { return this->Evaluations; }
 
   /// "reference": never a planner's choice, nothing that a mapper can draw.
   std::string GetMethodName() override { return "reference"; }
@@ -65,6 +69,7 @@ private:
   double Tolerance = 1e-3;
   struct Internals;
   std::unique_ptr<const Internals> Prepared; // null: nothing yet
+  std::atomic<vtkTypeInt64> Evaluations{ 0 };
 };
 
 #endif

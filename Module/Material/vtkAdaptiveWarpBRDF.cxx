@@ -9,6 +9,7 @@
 #include "RenderableTable.h"
 #include "WarpAngles.h"
 #include "WarpChecks.h"
+#include "WarpLanes.h"
 #include "vtkBRDFExchange.h"
 #include "vtkBRDFShaderInputs.h"
 #include "vtkObjectFactory.h"
@@ -238,22 +239,36 @@ void vtkAdaptiveWarpBRDF::EvaluateAbove(const double i[3], const double o[3], do
 }
 
 //------------------------------------------------------------------------------
-void vtkAdaptiveWarpBRDF::EvaluateLights(int count, const double* i, const double o[3], double* f)
+void vtkAdaptiveWarpBRDF::EvaluateLights(
+  int count, const float* const i[3], const double o[3], float* const f[3])
 {
   if (!this->Warp || !this->Warp->Round)
   {
     for (int k = 0; k < count; ++k)
     {
-      this->Evaluate(i + 3 * k, o, f + 3 * k);
+      const double light[3] = { i[0][k], i[1][k], i[2][k] };
+      double rgb[3];
+      this->Evaluate(light, o, rgb);
+      for (int c = 0; c < 3; ++c)
+      {
+        f[c][k] = static_cast<float>(rgb[c]);
+      }
     }
     return;
   }
-  for (int first = 0; first < count; first += WarpAngles::Most)
+  for (int first = 0; first < count; first += WarpLanes::Most)
   {
-    WarpAngles angles;
-    const int some = std::min(count - first, WarpAngles::Most);
-    FindWarpAngles(some, i + 3 * first, o, angles);
-    this->Warp->Packed->Evaluate(some, angles, o[2], f + 3 * first);
+    const int some = std::min(count - first, WarpLanes::Most);
+    const float* const lights[3] = { i[0] + first, i[1] + first, i[2] + first };
+    WarpLanes lanes;
+    FindWarpLanes(some, lights, o, lanes);
+    float rgb[3][WarpLanes::Most];
+    float* const to[3] = { rgb[0], rgb[1], rgb[2] };
+    this->Warp->Packed->Evaluate(some, lanes, o[2], to);
+    for (int c = 0; c < 3; ++c)
+    {
+      std::copy_n(rgb[c], some, f[c] + first);
+    }
   }
 }
 

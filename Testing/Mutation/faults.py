@@ -77,7 +77,13 @@ add("Core.warp-inverts-without-cells", "Private/BilinearWarp.h",
     "density = glm::mix(c0, c1, fraction.x) * this->GetCellsPerSquare();", "density = glm::mix(c0, c1, fraction.x);",
     "IOTensor.AgreesWithTheAuthorsCode|Sampling.FollowsItsPdf")
 add("Material.packed-rows-are-all-the-first", "Private/PackedWarp.cxx",
-    "Mix(totals[0], totals[2], y.Fraction)", "totals[0]",
+    "const Vector whole = total + down * (nextTotal - total);", "const Vector whole = total;",
+    "WarpForms.PackedTablesHoldTheSame|AdaptiveWarp.ManyLightsAreEvaluatedAsOneByOne")
+add("Material.lanes-half-turn-the-wrong-way", "Private/WarpLanes.cxx",
+    "const Vector across = fromX * hY - y * hX;", "const Vector across = y * hX - fromX * hY;",
+    "WarpForms.LanesAreTheAnglesInSinglePrecision|AdaptiveWarp.ManyLightsAreEvaluatedAsOneByOne")
+add("Material.packed-slices-are-not-mixed", "Private/PackedWarp.cxx",
+    "const std::size_t next = this->Thetas.size() > 1 ? slice : 0;", "const std::size_t next = 0;",
     "WarpForms.PackedTablesHoldTheSame|AdaptiveWarp.ManyLightsAreEvaluatedAsOneByOne")
 add("Material.many-lights-share-an-azimuth", "Private/WarpAngles.cxx",
     "const Vector fromX = size > 0.0 * size ? x : 0.0 * x + 1.0;", "const Vector fromX = 0.0 * x + 1.0;",
@@ -252,8 +258,16 @@ add("Integration.adaptive-stops-at-texels", "Private/AdaptiveSum.cxx",
 add("Integration.adaptive-takes-the-square-for-its-quarters", "Private/AdaptiveSum.cxx",
     "this->Total -= square.Value;", "", "AdaptiveIntegrator.ConvergesWithItsTolerance")
 add("Integration.adaptive-looks-nowhere-first", "Private/AdaptiveSum.cxx",
-    "if (reach > 0.0 &&", "if (reach > 1e9 &&",
+    "if (reach > 0.0f &&", "if (reach > 1e9f &&",
     "AdaptiveIntegrator.MissesNothingNarrow|AdaptiveIntegrator.IsNotMisledByChance")
+add("Integration.middles-that-do-not-count-stay", "Private/SquareMiddles.cxx",
+    "this->Lights[c][k] = this->Lights[c][this->Numbers[k]];", "this->Lights[c][k] = this->Lights[c][k];",
+    "SquareMiddles.TurnsAndWeighsInEachForm")
+add("Integration.queue-sorts-by-octaves", "Private/ErrorQueue.h", "bits >> 21", "bits >> 23",
+    "ErrorQueue.GivesTheLargestFirst")
+add("Lighting.quarters-of-a-part-are-the-other-way", "Private/TexelTree.cxx",
+    "radiances[c][2 + i] = top + down[1] * (bottom - top);",
+    "radiances[c][2 + i] = top + down[0] * (bottom - top);", "TexelTree.QuartersAreTheSquaresBelow")
 add("Integration.peaks-of-the-wrong-azimuth", "Private/ReflectionGuide.cxx",
     "peaks.Azimuth = s > 0.0 ? glm::dvec2(o.x, o.y) / s", "peaks.Azimuth = s > 0.0 ? glm::dvec2(o.x, -o.y) / s",
     "ReflectionGuide.KnowsPeaks")

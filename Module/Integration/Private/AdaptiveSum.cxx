@@ -16,22 +16,24 @@ constexpr int WidestBase = 16; // squares across the map to begin with
 // The radius that a square may keep: that of the solid angle in which a draw is alone, times this,
 // and this share of the distance to it.
 constexpr double AloneTimes = 2.0; // lobes are as much narrower as the view is lower
-constexpr double DistanceShare = 1.0;
+constexpr float DistanceShare = 1.0f;
 // What may be left where a square and its quarters agree by chance: this share of the change, of
 // the error of the square that it is a quarter of, and of tolerance times value.
-constexpr double LeastRest = 0.05;
-constexpr double InheritedShare = 0.03;
-constexpr double LeastShare = 3.0;
+constexpr float LeastRest = 0.05f;
+constexpr float InheritedShare = 0.03f;
+constexpr float LeastShare = 3.0f;
 // Within texels radiance is smooth: what the quarters leave is not left once it is extrapolated.
-constexpr double PartRest = 0.15;
+constexpr float PartRest = 0.15f;
 constexpr double PeakTimes = 2.0;   // of a square's mean f: less is no hidden peak
-constexpr double LargestRest = 1.0; // above, a square tells nothing
+constexpr float LargestRest = 1.0f; // above, a square tells nothing
 // Squares' errors of either sign cancel, but for the part that they have in common.
 constexpr double OwnShare = 2.0; // standard deviations
 constexpr double CommonShare = 0.1;
 constexpr int DividedAtOnce = 4;
+constexpr auto SmoothRest = static_cast<float>(TexelTree::SmoothRest);
 
 double Sum(const glm::dvec3& rgb) { return rgb.x + rgb.y + rgb.z; }
+float Sum(const glm::vec3& rgb) { return rgb.x + rgb.y + rgb.z; }
 }
 
 double AdaptiveSum::EstimateError() const
@@ -40,70 +42,71 @@ double AdaptiveSum::EstimateError() const
          CommonShare * std::max(this->Error, 0.0);
 }
 
-// Their values, by their middles.
-void AdaptiveSum::Evaluate(std::vector<Place>& places)
+// Values and cosines of so many middles.
+void AdaptiveSum::Evaluate(int count)
 {
-  if (this->Lights.size() < places.size())
-  {
-    this->Found.resize(places.size());
-    this->Lights.resize(places.size());
-    this->Irradiances.resize(places.size());
-    this->Values.resize(places.size());
-  }
-  // A loop of its own: processors wait where what was just written in parts is read at once.
-  for (std::size_t k = 0; k < places.size(); ++k)
-  {
-    this->Found[k] = this->Texels->Get(places[k].Level, places[k].X, places[k].Y);
-  }
-  std::size_t count = 0;
-  for (std::size_t k = 0; k < places.size(); ++k)
-  {
-    Place& place = places[k];
-    const TexelTree::Light& light = this->Found[k];
-    const glm::dvec3 i = this->Local * light.Direction;
-    place.Cosine = i.z;
-    place.Value = glm::dvec3(i.z > 0.0 && Sum(light.Irradiance) > 0.0 ? 1.0 : 0.0);
-    if (place.Value.x > 0.0)
-    {
-      this->Lights[count] = i;
-      this->Irradiances[count++] = i.z * light.Irradiance;
-    }
-  }
-  if (count == 0)
-  {
-    return;
-  }
+  SquareMiddles& step = this->Step;
+  step.Turn(count, this->Rows);
+  this->Evaluations += step.Counting;
+  float f[3][SquareMiddles::Most];
   if (this->Measured)
   {
-    this->Measured->EvaluateLights(
-      static_cast<int>(count), &this->Lights[0].x, &this->View.x, &this->Values[0].x);
+    const float* const lights[3] = { step.Lights[0], step.Lights[1], step.Lights[2] };
+    float* const to[3] = { f[0], f[1], f[2] };
+    this->Measured->EvaluateLights(step.Counting, lights, &this->View.x, to);
   }
   else
   {
-    for (std::size_t k = 0; k < count; ++k)
+    for (int k = 0; k < step.Counting; ++k)
     {
-      this->BRDF->Evaluate(&this->Lights[k].x, &this->View.x, &this->Values[k].x);
+      const glm::dvec3 i(step.Lights[0][k], step.Lights[1][k], step.Lights[2][k]);
+      glm::dvec3 value;
+      this->BRDF->Evaluate(&i.x, &this->View.x, &value.x);
+      for (int c = 0; c < 3; ++c)
+      {
+        f[c][k] = static_cast<float>(value[c]);
+      }
     }
   }
-  std::size_t next = 0;
-  for (Place& place : places)
+  step.Weigh(count, f);
+}
+
+// Values of all that is asked for, by their middles.
+void AdaptiveSum::EvaluatePlaces()
+{
+  SquareMiddles& step = this->Step;
+  for (std::size_t first = 0; first < this->Asked.size(); first += SquareMiddles::Most)
   {
-    if (place.Value.x > 0.0)
+    const int count =
+      static_cast<int>(std::min<std::size_t>(this->Asked.size() - first, SquareMiddles::Most));
+    for (int k = 0; k < count; ++k)
     {
-      place.Value = this->Values[next] * this->Irradiances[next];
-      ++next;
+      const Place& place = this->Asked[first + static_cast<std::size_t>(k)];
+      const TexelTree::Light light = this->Texels->Get(place.Level, place.X, place.Y);
+      for (int c = 0; c < 3; ++c)
+      {
+        step.Directions[c][k] = static_cast<float>(light.Direction[c]);
+        step.Irradiances[c][k] = static_cast<float>(light.Irradiance[c]);
+      }
+    }
+    this->Evaluate(count);
+    for (int k = 0; k < count; ++k)
+    {
+      Place& place = this->Asked[first + static_cast<std::size_t>(k)];
+      place.Cosine = step.Cosines[k];
+      place.Value = glm::vec3(step.Values[0][k], step.Values[1][k], step.Values[2][k]);
     }
   }
 }
 
 // What may rise above the horizon where the middle of a square does not: a quarter of its light, as
 // high as that quarter's middle can be.
-double AdaptiveSum::EstimateRising(const Place& place)
+float AdaptiveSum::EstimateRising(const Place& place)
 {
   const double radius = this->Texels->GetLargestRadius(place.Level);
   if (place.Cosine > 0.0 || place.Cosine + radius <= 0.0)
   {
-    return 0.0;
+    return 0.0f;
   }
   const TexelTree::Light light = this->Texels->Get(place.Level, place.X, place.Y);
   glm::dvec3 i = this->Local * light.Direction;
@@ -111,68 +114,69 @@ double AdaptiveSum::EstimateRising(const Place& place)
   i = glm::normalize(i);
   glm::dvec3 f;
   this->BRDF->Evaluate(&i.x, &this->View.x, &f.x);
-  return 0.25 * Sum(i.z * f * light.Irradiance);
+  return static_cast<float>(0.25 * Sum(i.z * f * light.Irradiance));
 }
 
 // What a peak of f adds that lies in the square, but not where its quarters look.
-double AdaptiveSum::EstimateHidden(const Square& square, const TexelTree::Light& light) const
+float AdaptiveSum::EstimateHidden(const Square& square) const
 {
   const Place& place = square.Whole;
-  const double irradiance = Sum(light.Irradiance) / 3.0;
-  if (!(irradiance > 0.0))
+  if (this->Texels->GetLargestRadius(place.Level) < ReflectionGuide::Peaks::GetResolution())
   {
-    return 0.0;
+    return 0.0f;
   }
+  const TexelTree::Light light = this->Texels->Get(place.Level, place.X, place.Y);
+  const double irradiance = Sum(light.Irradiance) / 3.0;
   double radius = 0.0;
   const glm::dvec3 i = this->Local * this->Texels->GetMiddle(place.Level, place.X, place.Y, radius);
-  if (!(i.z > 0.0) || radius < ReflectionGuide::Peaks::GetResolution())
+  if (!(irradiance > 0.0) || !(i.z > 0.0) || radius < ReflectionGuide::Peaks::GetResolution())
   {
-    return 0.0;
+    return 0.0f;
   }
   double solidAngle = 0.0;
   const double peak = i.z * irradiance * this->Peaks.Get(i, radius, solidAngle);
   const double hidden = peak - PeakTimes * Sum(square.Value);
-  return std::max(hidden, 0.0) * std::min(4.0 * solidAngle / (2.0 * radius * radius), 1.0);
+  return hidden > 0.0
+           ? static_cast<float>(hidden * std::min(2.0 * solidAngle / (radius * radius), 1.0))
+           : 0.0f;
 }
 
-// Squares of all that is asked for, and of their quarters where a square tells nothing.
+// Quarters of all squares that have none yet, which adds squares where one tells nothing.
 void AdaptiveSum::MakeAll()
 {
-  while (!this->Asked.empty())
+  while (this->Made < this->Count)
   {
-    const std::size_t first = this->All.size();
-    for (const Place& place : this->Asked)
+    const std::size_t first = this->Made;
+    this->Made = std::min<std::size_t>(first + SquareMiddles::Most / 4, this->Count);
+    this->Make(first, this->Made);
+  }
+}
+
+// The squares from first on, before last: at most SquareMiddles::Most / 4.
+void AdaptiveSum::Make(std::size_t first, std::size_t last)
+{
+  SquareMiddles& step = this->Step;
+  for (std::size_t k = first; k < last; ++k)
+  {
+    const std::size_t at = 4 * (k - first);
+    float* const directions[3] = { step.Directions[0] + at, step.Directions[1] + at,
+      step.Directions[2] + at };
+    float* const irradiances[3] = { step.Irradiances[0] + at, step.Irradiances[1] + at,
+      step.Irradiances[2] + at };
+    const Place& whole = this->All[k].Whole;
+    this->Texels->GetQuarters(whole.Level, whole.X, whole.Y, directions, irradiances);
+  }
+  this->Evaluate(static_cast<int>(4 * (last - first)));
+  for (std::size_t k = first; k < last; ++k)
+  {
+    Square& square = this->All[k];
+    const std::size_t at = 4 * (k - first);
+    for (int c = 0; c < 3; ++c)
     {
-      if (place.Level == this->Texels->GetLowestLevel())
-      {
-        this->Total += place.Value;
-        continue;
-      }
-      Square& square = this->All.emplace_back();
-      square.Whole = place;
-      square.Error = 0.0;
+      std::copy_n(step.Values[c] + at, 4, square.Quarters[c]);
     }
-    this->Asked.clear();
-    this->Quarters.resize(4 * (this->All.size() - first));
-    for (std::size_t k = 0; k < this->Quarters.size(); ++k)
-    {
-      const Place& whole = this->All[first + k / 4].Whole;
-      Place& quarter = this->Quarters[k];
-      quarter.Level = whole.Level - 1;
-      quarter.X = 2 * whole.X + static_cast<int>(k % 2);
-      quarter.Y = 2 * whole.Y + static_cast<int>(k / 2 % 2);
-    }
-    this->Evaluate(this->Quarters);
-    for (std::size_t k = 0; k < this->Quarters.size(); ++k)
-    {
-      Square& square = this->All[first + k / 4];
-      square.Quarters[k % 4] = this->Quarters[k].Value;
-      square.Cosines[k % 4] = this->Quarters[k].Cosine;
-    }
-    for (std::size_t k = first; k < this->All.size(); ++k)
-    {
-      this->Finish(k);
-    }
+    std::copy_n(step.Cosines + at, 4, square.Cosines);
+    this->Finish(k);
   }
 }
 
@@ -181,31 +185,38 @@ void AdaptiveSum::Finish(std::size_t index)
 {
   Square& square = this->All[index];
   const int level = square.Whole.Level;
-  square.Value = square.Quarters[0] + square.Quarters[1] + square.Quarters[2] + square.Quarters[3];
+  for (int c = 0; c < 3; ++c)
+  {
+    const float* quarters = square.Quarters[c];
+    square.Value[c] = (quarters[0] + quarters[1]) + (quarters[2] + quarters[3]);
+  }
+  square.Error = 0.0f;
+  const bool isLast = level - 1 == this->Texels->GetLowestLevel(); // as exact as can be
+  const glm::vec3 change = square.Value - square.Whole.Value;
+  const float changed = Sum(glm::abs(change));
   if (level <= 0)
   {
-    if (level - 1 > this->Texels->GetLowestLevel()) // else it is as exact as can be
+    if (!isLast)
     {
-      const glm::dvec3 change = square.Value - square.Whole.Value;
-      square.Value = glm::max(square.Value + TexelTree::SmoothRest * change, 0.0);
-      square.Error = PartRest * Sum(glm::abs(change)) + this->EstimateRising(square.Whole);
+      square.Value = glm::max(square.Value + SmoothRest * change, 0.0f);
+      square.Error = PartRest * changed + this->EstimateRising(square.Whole);
     }
     this->Keep(index);
     return;
   }
-  const TexelTree::Light light = this->Texels->Get(level, square.Whole.X, square.Whole.Y);
-  if (level - 1 > this->Texels->GetLowestLevel())
+  const float rest = this->Texels->GetRest(level, square.Whole.X, square.Whole.Y);
+  if (!isLast)
   {
-    const glm::dvec3 change = square.Value - square.Whole.Value;
-    square.Value = glm::max(square.Value + light.Rest * change, 0.0);
-    square.Error = std::max(light.Rest, LeastRest) * Sum(glm::abs(change)) +
-                   this->EstimateRising(square.Whole) + this->EstimateHidden(square, light);
-    square.Error = std::max(square.Error, LeastShare * this->Tolerance * Sum(square.Value));
+    square.Value = glm::max(square.Value + rest * change, 0.0f);
+    square.Error = std::max(rest, LeastRest) * changed + this->EstimateRising(square.Whole) +
+                   this->EstimateHidden(square);
+    square.Error =
+      std::max(square.Error, LeastShare * static_cast<float>(this->Tolerance) * Sum(square.Value));
   }
   // Where nearly all light is in one quarter, that agrees with the square whatever it hides.
-  if (light.Rest > LargestRest)
+  if (rest > LargestRest)
   {
-    this->AddQuarters(square);
+    this->AddQuarters(index);
     return;
   }
   this->Keep(index);
@@ -215,43 +226,53 @@ void AdaptiveSum::Keep(std::size_t index)
 {
   Square& square = this->All[index];
   this->Total += square.Value;
-  if (square.Error > 0.0 || Sum(square.Value) > 0.0)
+  if (square.Error > 0.0f || Sum(square.Value) > 0.0f)
   {
     square.Error = std::max(square.Error, square.Whole.LeastError);
   }
-  if (square.Error > 0.0)
+  if (square.Error > 0.0f)
   {
-    this->Error += square.Error;
-    this->Squares += square.Error * square.Error;
-    this->Heap.emplace_back(square.Error, index);
-    std::push_heap(this->Heap.begin(), this->Heap.end());
+    const double error = square.Error;
+    this->Error += error;
+    this->Squares += error * error;
+    this->Queue.Add(square.Error, static_cast<std::uint32_t>(index));
   }
 }
 
-// Unless it is beyond the map's edge.
-void AdaptiveSum::Ask(const Square& square, int quarter)
+// A square to be made; the smallest ones count as they are.
+void AdaptiveSum::Add(const Place& place)
 {
+  if (place.Level == this->Texels->GetLowestLevel())
+  {
+    this->Total += place.Value;
+    return;
+  }
+  if (this->Count == this->All.size())
+  {
+    this->All.resize(2 * this->Count + 1024);
+  }
+  this->Texels->Prefetch(place.Level, place.X, place.Y);
+  this->All[this->Count++].Whole = place;
+}
+
+// Unless they are beyond the map's edge.
+void AdaptiveSum::AddQuarters(std::size_t index)
+{
+  const Square square = this->All[index]; // more of them may move it
   const Place& whole = square.Whole;
   const int level = whole.Level - 1;
-  const int x = 2 * whole.X + quarter % 2;
-  const int y = 2 * whole.Y + quarter / 2;
-  if (x < this->Texels->GetWidth(level) && y < this->Texels->GetHeight(level))
-  {
-    Place& place = this->Asked.emplace_back();
-    place.Level = level;
-    place.X = x;
-    place.Y = y;
-    place.LeastError = InheritedShare * square.Error;
-    place.Value = square.Quarters[quarter];
-    place.Cosine = square.Cosines[quarter];
-  }
-}
-
-void AdaptiveSum::AddQuarters(const Square& square)
-{
+  const int width = this->Texels->GetWidth(level);
+  const int height = this->Texels->GetHeight(level);
   for (int k = 0; k < 4; ++k)
   {
-    this->Ask(square, k);
+    const int x = 2 * whole.X + k % 2;
+    const int y = 2 * whole.Y + k / 2;
+    if (x < width && y < height)
+    {
+      this->Add({ level, x, y, InheritedShare * square.Error,
+        glm::vec3(square.Quarters[0][k], square.Quarters[1][k], square.Quarters[2][k]),
+        square.Cosines[k] });
+    }
   }
 }
 
@@ -267,14 +288,15 @@ void AdaptiveSum::Force(int level, int x, int y, std::size_t first)
   if (level > this->Texels->GetLowestLevel())
   {
     double radius = 0.0;
-    const glm::dvec3 middle = this->Texels->GetMiddle(level, x, y, radius);
+    const glm::vec3 middle(this->Texels->GetMiddle(level, x, y, radius));
+    const auto r = static_cast<float>(radius);
     for (std::size_t k = first; k < last; ++k)
     {
       const Drawn drawn = this->Near[k];
-      const glm::dvec3 d = drawn.Direction - middle;
-      // The same as radius > drawn.Radius + DistanceShare * max(length(d) - radius, 0).
-      const double reach = (radius - drawn.Radius) / DistanceShare;
-      if (reach > 0.0 && glm::dot(d, d) < (reach + radius) * (reach + radius))
+      const glm::vec3 d = drawn.Direction - middle;
+      // The same as r > drawn.Radius + DistanceShare * max(length(d) - r, 0).
+      const float reach = (r - drawn.Radius) / DistanceShare;
+      if (reach > 0.0f && glm::dot(d, d) < (reach + r) * (reach + r))
       {
         this->Near.push_back(drawn);
       }
@@ -282,7 +304,7 @@ void AdaptiveSum::Force(int level, int x, int y, std::size_t first)
   }
   if (this->Near.size() == last)
   {
-    this->Asked.push_back({ level, x, y, 0.0, glm::dvec3(0.0), 0.0 });
+    this->Asked.push_back({ level, x, y, 0.0f, glm::vec3(0.0f), 0.0f });
     return;
   }
   for (int k = 0; k < 4; ++k)
@@ -299,8 +321,9 @@ void AdaptiveSum::Start(const ReflectionGuide& guide)
   this->Near.clear();
   for (const ReflectionGuide::Draw& draw : this->Draws)
   {
-    this->Near.push_back({ draw.Direction * this->Local, // transposed: the environment's frame
-      AloneTimes * std::sqrt(draw.SolidAngle * this->View.z / Pi) });
+    this->Near.push_back(
+      { glm::vec3(draw.Direction * this->Local), // transposed: the environment's frame
+        static_cast<float>(AloneTimes * std::sqrt(draw.SolidAngle * this->View.z / Pi)) });
   }
   int base = 0;
   while (this->Texels->GetWidth(base) > WidestBase)
@@ -315,7 +338,11 @@ void AdaptiveSum::Start(const ReflectionGuide& guide)
       this->Force(base, x, y, 0);
     }
   }
-  this->Evaluate(this->Asked);
+  this->EvaluatePlaces();
+  for (const Place& place : this->Asked)
+  {
+    this->Add(place);
+  }
   this->MakeAll();
 }
 
@@ -329,26 +356,32 @@ glm::dvec3 AdaptiveSum::Run(const TexelTree& texels, const ReflectionGuide& guid
                      ? static_cast<vtkAdaptiveWarpBRDF*>(brdf)
                      : nullptr;
   this->Local = glm::transpose(frame);
+  for (int k = 0; k < 9; ++k)
+  {
+    this->Rows[k] = static_cast<float>(frame[k / 3][k % 3]);
+  }
   this->View = view;
   this->Tolerance = tolerance;
   this->Peaks = guide.GetPeaks(view);
   this->Total = glm::dvec3(0.0);
   this->Error = 0.0;
   this->Squares = 0.0;
-  this->All.clear();
-  this->Heap.clear();
+  this->Count = 0;
+  this->Made = 0;
+  this->Evaluations = 0;
+  this->Queue.Clear();
   this->Start(guide);
-  while (!this->Heap.empty() && this->EstimateError() > tolerance * Sum(this->Total))
+  while (!this->Queue.IsEmpty() && this->EstimateError() > tolerance * Sum(this->Total))
   {
-    for (int k = 0; k < DividedAtOnce && !this->Heap.empty(); ++k)
+    for (int k = 0; k < DividedAtOnce && !this->Queue.IsEmpty(); ++k)
     {
-      std::pop_heap(this->Heap.begin(), this->Heap.end());
-      const Square& square = this->All[this->Heap.back().second];
-      this->Heap.pop_back();
+      const std::size_t index = this->Queue.Take();
+      const Square& square = this->All[index];
+      const double error = square.Error;
       this->Total -= square.Value;
-      this->Error -= square.Error;
-      this->Squares -= square.Error * square.Error;
-      this->AddQuarters(square);
+      this->Error -= error;
+      this->Squares -= error * error;
+      this->AddQuarters(index);
     }
     this->MakeAll();
   }

@@ -9,15 +9,16 @@
 #ifndef AdaptiveSum_h
 #define AdaptiveSum_h
 
+#include "ErrorQueue.h"
 #include "LocalFrame.h"
 #include "ReflectionGuide.h"
+#include "SquareMiddles.h"
 #include "TexelTree.h"
 
 #include <glm/glm.hpp>
 
-#include <cmath>
 #include <cstddef>
-#include <utility>
+#include <cstdint>
 #include <vector>
 
 class vtkAdaptiveWarpBRDF;
@@ -33,41 +34,45 @@ public:
   glm::dvec3 Run(const TexelTree& texels, const ReflectionGuide& guide, vtkBRDF* brdf,
     const Frame& frame, const glm::dvec3& view, double tolerance);
 
+  /// How often that evaluated f, about.
+  int GetNumberOfEvaluations() const { return this->Evaluations; }
+
 private:
-  /// A place in the tree, and what it sends by its own middle.
+  /// A place in the tree, and what it sends by its own middle. Single precision: sums of many are
+  /// not.
   struct Place
   {
     int Level;
     int X;
     int Y;
-    double LeastError; // a square where the larger one was wrong may agree with its quarters
-    glm::dvec3 Value;
-    double Cosine; // of theta_i of its middle
+    float LeastError; // a square where the larger one was wrong may agree with its quarters
+    glm::vec3 Value;
+    float Cosine; // of theta_i of its middle
   };
   struct Square
   {
     Place Whole;
-    double Error;
-    glm::dvec3 Value;       // by the quarters
-    glm::dvec3 Quarters[4]; // their own
-    double Cosines[4];
+    glm::vec3 Value; // by the quarters
+    float Error;
+    float Quarters[3][4]; // their own, by channel
+    float Cosines[4];
   };
   struct Drawn
   {
-    glm::dvec3 Direction; // in the environment's frame
-    double Radius;        // of a square that may stay whole about it
+    glm::vec3 Direction; // in the environment's frame
+    float Radius;        // of a square that may stay whole about it
   };
-  using Entry = std::pair<double, std::size_t>; // error, number of the square
-
   void Start(const ReflectionGuide& guide);
-  void Evaluate(std::vector<Place>& places);
+  void Evaluate(int count);
+  void EvaluatePlaces();
   void MakeAll();
+  void Make(std::size_t first, std::size_t last);
   void Finish(std::size_t index);
-  double EstimateRising(const Place& place);
-  double EstimateHidden(const Square& square, const TexelTree::Light& light) const;
+  float EstimateRising(const Place& place);
+  float EstimateHidden(const Square& square) const;
   void Keep(std::size_t index);
-  void Ask(const Square& square, int quarter);
-  void AddQuarters(const Square& square);
+  void Add(const Place& place);
+  void AddQuarters(std::size_t index);
   void Force(int level, int x, int y, std::size_t first);
 
   double EstimateError() const;
@@ -75,24 +80,24 @@ private:
   const TexelTree* Texels = nullptr;
   vtkBRDF* BRDF = nullptr;
   vtkAdaptiveWarpBRDF* Measured = nullptr; // the same, where it evaluates many lights at once
-  glm::dmat3 Local = glm::dmat3(1.0);
+  glm::dmat3 Local = glm::dmat3(1.0);      // from the environment's frame
+  float Rows[9] = {};                      // its rows
   glm::dvec3 View = glm::dvec3(0.0, 0.0, 1.0);
   double Tolerance = 0.0;
+  int Evaluations = 0;
   ReflectionGuide::Peaks Peaks;
   glm::dvec3 Total = glm::dvec3(0.0);
   double Error = 0.0;       // sum of the squares' errors
   double Squares = 0.0;     // of their squares
-  std::vector<Square> All;  // divided ones, too
-  std::vector<Entry> Heap;  // the largest error first
-  std::vector<Place> Asked; // to become squares
+  std::vector<Square> All;  // divided ones, too, and room for more
+  std::size_t Count = 0;    // of them
+  std::size_t Made = 0;     // that have quarters
+  ErrorQueue Queue;         // of those that are not divided
+  std::vector<Place> Asked; // where to begin
   // Within one step.
   std::vector<ReflectionGuide::Draw> Draws;
   std::vector<Drawn> Near; // those of a square behind those of the larger one
-  std::vector<Place> Quarters;
-  std::vector<TexelTree::Light> Found;
-  std::vector<glm::dvec3> Lights;
-  std::vector<glm::dvec3> Values;
-  std::vector<glm::dvec3> Irradiances;
+  SquareMiddles Step;
 };
 } // namespace measuredbrdf
 

@@ -31,6 +31,8 @@ constexpr int ViewsPerPeaks = 4;
 constexpr int PeakSize = 64;
 constexpr int PeakLevels = 6; // 64, 32, ..., 2
 constexpr int PeakCellsOfView = 5460;
+constexpr double PeakWidth =
+  0.039166; // of a cell of the first level, in rad: sqrt(2 Pi) / PeakSize
 
 int GetLevelOffset(int level)
 {
@@ -42,6 +44,13 @@ int GetLevelOffset(int level)
   return offset;
 }
 
+// Within 1e-5 for 0 <= t <= 1: Abramowitz, Stegun 1964, 4.4.49.
+double GetArcTangent(double t)
+{
+  const double s = t * t;
+  return t * (0.9998660 + s * (-0.3302995 + s * (0.1801410 + s * (-0.0851330 + s * 0.0208351))));
+}
+
 // The disc's concentric map (Shirley, Chiu 1997), the disc being the hemisphere by area.
 glm::dvec2 ToSquare(const glm::dvec3& d)
 {
@@ -49,7 +58,7 @@ glm::dvec2 ToSquare(const glm::dvec3& d)
   const double ax = std::abs(d.x);
   const double ay = std::abs(d.y);
   const double largest = std::max(ax, ay);
-  const double a = largest > 0.0 ? r * std::atan(std::min(ax, ay) / largest) * 4.0 / Pi : 0.0;
+  const double a = largest > 0.0 ? r * GetArcTangent(std::min(ax, ay) / largest) * 4.0 / Pi : 0.0;
   const glm::dvec2 p = ax > ay ? glm::dvec2(r, a) : glm::dvec2(a, r);
   return glm::dvec2(std::copysign(p.x, d.x), std::copysign(p.y, d.y)) * 0.5 + 0.5;
 }
@@ -159,7 +168,7 @@ double ReflectionGuide::Peaks::Get(const glm::dvec3& i, double radius, double& s
   }
   // Two cells by two of a level whose cells are as wide as the radius, the nearest ones.
   int level = 0;
-  while (level + 1 < PeakLevels && std::ldexp(std::sqrt(cell), level) < radius)
+  for (double width = PeakWidth; level + 1 < PeakLevels && width < radius; width *= 2.0)
   {
     ++level;
   }

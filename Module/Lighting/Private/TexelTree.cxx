@@ -26,7 +26,7 @@ double GetVariance(const glm::dvec4& moments)
 }
 
 // variance: of a square; rest: of its quarters together.
-double GetRest(double variance, double rest)
+double GetShareLeft(double variance, double rest)
 {
   const double removed = std::max(variance - rest, 0.0);
   return rest < MostRest * removed ? rest / removed : rest > 0.0 ? MostRest : 0.0;
@@ -130,8 +130,10 @@ void TexelTree::AddLevel(std::vector<glm::dvec4>& moments)
   const int fineHeight = this->GetHeight(below);
   Level level{ (fineWidth + 1) / 2, (fineHeight + 1) / 2, {} };
   const auto width = static_cast<std::size_t>(level.Width);
-  level.Sums.resize(width * static_cast<std::size_t>(level.Height));
-  std::vector<glm::dvec4> coarse(level.Sums.size());
+  std::vector<glm::dvec4> coarse(width * static_cast<std::size_t>(level.Height));
+  Block black = {};
+  std::fill_n(black.Directions[1], 4, 1.0f);
+  level.Blocks.assign((width + 1) / 2 * static_cast<std::size_t>((level.Height + 1) / 2), black);
   const auto sumRows = [&](vtkIdType first, vtkIdType last)
   {
     for (vtkIdType k = first * level.Width; k < last * level.Width; ++k)
@@ -157,10 +159,16 @@ void TexelTree::AddLevel(std::vector<glm::dvec4>& moments)
         }
       }
       const double variance = GetVariance(moment);
-      Sum& sum = level.Sums[static_cast<std::size_t>(k)];
-      sum.Irradiance = irradiance;
-      sum.Direction = GetMean(moment);
-      sum.Rest = static_cast<float>(GetRest(variance, rest));
+      const glm::dvec3 direction = GetMean(moment);
+      Block& block = level.Blocks[static_cast<std::size_t>(y / 2) * ((width + 1) / 2) +
+                                  static_cast<std::size_t>(x / 2)];
+      const int at = 2 * (y % 2) + x % 2;
+      for (int c = 0; c < 3; ++c)
+      {
+        block.Irradiances[c][at] = static_cast<float>(irradiance[c]);
+        block.Directions[c][at] = static_cast<float>(direction[c]);
+      }
+      block.Rests[at] = static_cast<float>(GetShareLeft(variance, rest));
       coarse[static_cast<std::size_t>(k)] = moment;
     }
   };
@@ -253,12 +261,127 @@ TexelTree::Light TexelTree::Get(int level, int x, int y) const
     static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
   if (level > 0)
   {
-    const Sum& sum = this->Levels[static_cast<std::size_t>(level)].Sums[texel];
-    return { sum.Irradiance, sum.Direction, sum.Rest };
+    const Block& block =
+      this->Levels[static_cast<std::size_t>(level)].Blocks[this->GetBlock(level, x, y)];
+    const int at = 2 * (y % 2) + x % 2;
+    return { glm::dvec3(
+               block.Irradiances[0][at], block.Irradiances[1][at], block.Irradiances[2][at]),
+      glm::dvec3(block.Directions[0][at], block.Directions[1][at], block.Directions[2][at]),
+      block.Rests[at] };
   }
   const glm::dvec3 radiance =
     level == 0 ? glm::dvec3(this->Texels[texel]) : this->GetPartRadiance(-level, x, y);
   return { radiance * this->GetSolidAngle(level, y),
     this->Parts[static_cast<std::size_t>(-level)].Get(x, y), SmoothRest };
+}
+
+// Of the quarters of a part, which lie between the same four centers of texels.
+void TexelTree::GetPartRadiances(int part, int x, int y, float radiances[3][4]) const
+{
+  const int width = this->GetWidth(0);
+  const int last = this->GetHeight(0) - 1;
+  const int halves = 2 << part; // of a texel
+  const int column = 4 * x + 1 - (1 << part);
+  const int rows[2] = { std::clamp(4 * y + 1 - (1 << part), 0, last * halves),
+    std::clamp(4 * y + 3 - (1 << part), 0, last * halves) };
+  const int left = column < 0 ? width - 1 : column >> (part + 1);
+  const int right = left + 1 < width ? left + 1 : 0;
+  const int upper = rows[0] >> (part + 1);
+  const int lower = std::min(upper + 1, last);
+  const auto scale = static_cast<float>(0.5 * this->GetScale(-part));
+  const float first = scale * static_cast<float>(column & (halves - 1));
+  const float across[2] = { first, first + 2.0f * scale };
+  const float down[2] = { scale * static_cast<float>(rows[0] & (halves - 1)),
+    scale * static_cast<float>(rows[1] & (halves - 1)) };
+  const float* pixels = this->Environment->GetPixels().data();
+  const float* above = pixels + 3 * static_cast<std::ptrdiff_t>(upper) * width;
+  const float* below = pixels + 3 * static_cast<std::ptrdiff_t>(lower) * width;
+  for (int c = 0; c < 3; ++c)
+  {
+    const float corners[4] = { above[3 * left + c], above[3 * right + c], below[3 * left + c],
+      below[3 * right + c] };
+    for (int i = 0; i < 2; ++i)
+    {
+      const float top = corners[0] + across[i] * (corners[1] - corners[0]);
+      const float bottom = corners[2] + across[i] * (corners[3] - corners[2]);
+      radiances[c][i] = top + down[0] * (bottom - top);
+      radiances[c][2 + i] = top + down[1] * (bottom - top);
+    }
+  }
+}
+
+void TexelTree::Prefetch(int level, int x, int y) const
+{
+#ifdef __GNUC__
+  if (level > 1)
+  {
+    const Block* block = &this->Levels[static_cast<std::size_t>(level - 1)]
+                            .Blocks[this->GetBlock(level - 1, 2 * x, 2 * y)];
+    __builtin_prefetch(block);
+    __builtin_prefetch(&block->Irradiances[1]);
+  }
+#else
+  static_cast<void>(level + x + y);
+#endif
+}
+
+void TexelTree::GetQuarters(
+  int level, int x, int y, float* const directions[3], float* const irradiances[3]) const
+{
+  const int below = level - 1;
+  if (below > 0)
+  {
+    const Block& block =
+      this->Levels[static_cast<std::size_t>(below)].Blocks[this->GetBlock(below, 2 * x, 2 * y)];
+    for (int c = 0; c < 3; ++c)
+    {
+      std::copy_n(block.Directions[c], 4, directions[c]);
+      std::copy_n(block.Irradiances[c], 4, irradiances[c]);
+    }
+    return;
+  }
+  const int width = this->GetWidth(below);
+  if (2 * x + 1 >= width || 2 * y + 1 >= this->GetHeight(below)) // some are beyond the map's edge
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      const Light light = this->Get(below, 2 * x + k % 2, 2 * y + k / 2);
+      for (int c = 0; c < 3; ++c)
+      {
+        directions[c][k] = static_cast<float>(light.Direction[c]);
+        irradiances[c][k] = static_cast<float>(light.Irradiance[c]);
+      }
+    }
+    return;
+  }
+  const std::size_t first = 2 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                                  static_cast<std::size_t>(x));
+  float radiances[3][4];
+  if (below < -1)
+  {
+    this->GetPartRadiances(-below, x, y, radiances);
+  }
+  for (int k = 0; k < 4; ++k)
+  {
+    const int column = 2 * x + k % 2;
+    const int row = 2 * y + k / 2;
+    const glm::vec3 direction(this->Parts[static_cast<std::size_t>(-below)].Get(column, row));
+    const auto solidAngle = static_cast<float>(this->GetSolidAngle(below, row));
+    if (below >= -1)
+    {
+      const glm::vec3 radiance =
+        below == 0 ? this->Texels[first + static_cast<std::size_t>(k / 2 * width + k % 2)]
+                   : glm::vec3(this->GetPartRadiance(1, column, row));
+      for (int c = 0; c < 3; ++c)
+      {
+        radiances[c][k] = radiance[c];
+      }
+    }
+    for (int c = 0; c < 3; ++c)
+    {
+      directions[c][k] = direction[c];
+      irradiances[c][k] = solidAngle * radiances[c][k];
+    }
+  }
 }
 } // namespace measuredbrdf

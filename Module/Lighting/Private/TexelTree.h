@@ -55,29 +55,56 @@ public:
   /// In the environment's frame. Black outside the map.
   Light Get(int level, int x, int y) const;
 
+  /// Directions and irradiances of a square's quarters, left to right, then down: x, y and z, red,
+  /// green and blue, of four each. Of a level above the lowest one.
+  void GetQuarters(
+    int level, int x, int y, float* const directions[3], float* const irradiances[3]) const;
+
+  /// Light::Rest of a square of a level above 0.
+  float GetRest(int level, int x, int y) const
+  {
+    return this->Levels[static_cast<std::size_t>(level)]
+      .Blocks[this->GetBlock(level, x, y)]
+      .Rests[2 * (y % 2) + x % 2];
+  }
+
+  /// Asks the processor for what GetQuarters will read soon.
+  void Prefetch(int level, int x, int y) const;
+
   /// Light::Rest of squares of level 0 and less.
   static constexpr double SmoothRest = 1.0 / 3.0; // of constant radiance
 
 private:
-  struct Sum // single precision is enough for what only says where to look
+  /// Two by two squares, left to right, then down, in two lines of a processor's cache: what
+  /// adaptive sums ask for at a time. Single precision is enough for what only says where to look.
+  /// Squares beyond the map's edge are black.
+  struct alignas(64) Block
   {
-    glm::vec3 Irradiance;
-    glm::vec3 Direction;
-    float Rest;
+    float Directions[3][4];
+    float Irradiances[3][4];
+    float Rests[4];
   };
   struct Level
   {
     int Width;
     int Height;
-    std::vector<Sum> Sums; // none on level 0
+    std::vector<Block> Blocks; // none on level 0
   };
 
   void AverageTexels();
+  /// That which holds a square of a level above 0.
+  std::size_t GetBlock(int level, int x, int y) const
+  {
+    const auto width = static_cast<std::size_t>((this->GetWidth(level) + 1) / 2);
+    return static_cast<std::size_t>(y / 2) * width + static_cast<std::size_t>(x / 2);
+  }
+
   void AddLevel(std::vector<glm::dvec4>& moments);
   void AddMiddles();
   glm::dvec4 GetTexelMoment(const Light& light, int y) const;
   double GetSolidAngle(int level, int y) const;
   glm::dvec3 GetPartRadiance(int part, int x, int y) const;
+  void GetPartRadiances(int part, int x, int y, float radiances[3][4]) const;
 
   /// 2 to the level.
   double GetScale(int level) const

@@ -2,81 +2,86 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PackedWarp.h"
 
-#include "WideVectors.h"
+#include "LaneVectors.h"
 
 #include <algorithm>
-#include <cstring>
+#include <cstddef>
 #include <limits>
 
 namespace measuredbrdf
 {
 namespace
 {
-#ifdef MEASUREDBRDF_HAS_VECTORS
-using Vector4 = float __attribute__((vector_size(16)));
-#endif
 
-// The same without vectors.
-struct FourFloats
+// Four and eight numbers of one light, without vectors.
+template <int Count>
+struct Some
 {
-  float Values[4];
+  float Values[Count];
   float operator[](int k) const { return this->Values[k]; }
 };
 
-template <typename Four>
-MEASUREDBRDF_INLINE void Load(const float* values, Four& four)
+template <int Count>
+MEASUREDBRDF_INLINE void MixIn(Some<Count>& a, const Some<Count>& b, float weight)
 {
-  std::memcpy(&four, values, sizeof(four));
+  for (int k = 0; k < Count; ++k)
+  {
+    a.Values[k] += weight * (b.Values[k] - a.Values[k]);
+  }
 }
-
-MEASUREDBRDF_INLINE float Mix(float a, float b, float weight) { return a + weight * (b - a); }
 
 #ifdef MEASUREDBRDF_HAS_VECTORS
-MEASUREDBRDF_INLINE void MixIn(Vector4& a, const Vector4& b, float weight)
-{
-  a += weight * (b - a);
-}
+MEASUREDBRDF_INLINE void MixIn(Float4& a, const Float4& b, float weight) { a += weight * (b - a); }
+MEASUREDBRDF_INLINE void MixIn(Float8& a, const Float8& b, float weight) { a += weight * (b - a); }
 #endif
 
-MEASUREDBRDF_INLINE void MixIn(FourFloats& a, const FourFloats& b, float weight)
-{
-  for (int k = 0; k < 4; ++k)
-  {
-    a.Values[k] = Mix(a.Values[k], b.Values[k], weight);
-  }
-}
-
 // Of two slices.
-template <typename Four>
-MEASUREDBRDF_INLINE void LoadMixed(const float* values, std::size_t next, float weight, Four& four)
+template <typename Vector>
+MEASUREDBRDF_INLINE void LoadMixed(
+  const float* values, std::size_t next, float weight, Vector& vector)
 {
-  Four other;
-  Load(values, four);
+  Vector other;
+  Load(values, vector);
   Load(values + next, other);
-  MixIn(four, other, weight);
+  MixIn(vector, other, weight);
 }
 
-MEASUREDBRDF_INLINE void SetChannel(float color, double scale, double& f)
+// Places between the nodes of an axis.
+template <typename Vector>
+MEASUREDBRDF_INLINE void StorePlaces(const Vector& unit, int nodes, int* first, float* fraction)
 {
-  const double value = color > 0.0f ? color * scale : 0.0; // not a number: 0
-  f = value <= std::numeric_limits<double>::max() ? value : 0.0;
+  using Integers = typename LaneIntegers<Vector>::Type;
+  const Vector zero = {};
+  const Vector one = zero + 1.0f;
+  const Integers last = Integers{} + (nodes - 2);
+  const Vector positive = unit > zero ? unit : zero; // not a number: 0
+  const Vector position = (positive < one ? positive : one) * static_cast<float>(nodes - 1);
+  Integers whole;
+  Convert(position, whole);
+  const Integers number = whole < last ? whole : last;
+  Vector begin;
+  Convert(number, begin);
+  const Vector rest = position - begin;
+  Store(number, first);
+  Store(rest, fraction);
+}
 }
 
-// A place between the nodes of an axis. Double precision: a fraction of a cell is left of it.
-struct Place
+// What each light needs on its way through the tables, one light beside the other.
+struct PackedWarp::Steps
 {
-  MEASUREDBRDF_INLINE Place(double unit, int nodes)
-  {
-    const double positive = unit > 0.0 ? unit : 0.0; // not std::max: no branches
-    const double position = (positive < 1.0 ? positive : 1.0) * (nodes - 1);
-    const int first = static_cast<int>(position);
-    this->First = first < nodes - 2 ? first : nodes - 2;
-    this->Fraction = static_cast<float>(position - this->First);
-  }
-  int First;
-  float Fraction;
+  int At[WarpLanes::Most]; // the slice
+  float Weight[WarpLanes::Most];
+  int Column[WarpLanes::Most], Row[WarpLanes::Most]; // in the warp, then in the colors
+  float Across[WarpLanes::Most], Down[WarpLanes::Most];
+  int NormalColumn[WarpLanes::Most], NormalRow[WarpLanes::Most], AreaColumn[WarpLanes::Most];
+  float NormalAcross[WarpLanes::Most], NormalDown[WarpLanes::Most], AreaAcross[WarpLanes::Most];
+  float Densities[2][WarpLanes::Most],
+    Along[WarpLanes::Most]; // of a row: beside each other, the integral before
+  float Totals[2][WarpLanes::Most], Before[WarpLanes::Most]; // of rows
+  float Normal[4][WarpLanes::Most], Area[2][WarpLanes::Most];
+  float Colors[3][WarpLanes::Most];
 };
-}
 
 PackedWarp::PackedWarp(const Tables& tables)
   : Jacobian(tables.Jacobian)
@@ -117,101 +122,211 @@ PackedWarp::PackedWarp(const Tables& tables)
   }
 }
 
+// Slices, and where to look in the warp, the normals' density and sigma.
+template <typename Vector>
+MEASUREDBRDF_INLINE void PackedWarp::Place(const WarpLanes& lanes, Steps& steps, int k) const
+{
+  using Integers = typename LaneIntegers<Vector>::Type;
+  Vector theta, unit;
+  Load(lanes.Theta + k, theta);
+  const Vector zero = {};
+  const Vector one = zero + 1.0f;
+  Vector begin = zero + this->Thetas[0];
+  Vector inverse = zero + (this->Inverses.empty() ? 0.0f : this->Inverses[0]);
+  Integers at = {};
+  for (std::size_t s = 1; s + 1 < this->Thetas.size(); ++s)
+  {
+    const Vector node = zero + this->Thetas[s];
+    const Integers number = Integers{} + static_cast<int>(s);
+    const Vector step = zero + this->Inverses[s];
+    at = theta >= node ? number : at;
+    inverse = theta >= node ? step : inverse;
+    begin = theta >= node ? node : begin;
+  }
+  Vector weight = (theta - begin) * inverse;
+  weight = weight > zero ? weight : zero;
+  weight = weight < one ? weight : one;
+  Store(at, steps.At + k);
+  Store(weight, steps.Weight + k);
+  Load(lanes.UnitThetaH + k, unit);
+  StorePlaces(unit, this->Warp.Width, steps.Column + k, steps.Across + k);
+  StorePlaces(unit, this->Normal.Width, steps.NormalColumn + k, steps.NormalAcross + k);
+  Load(lanes.UnitPhiH + k, unit);
+  StorePlaces(unit, this->Warp.Height, steps.Row + k, steps.Down + k);
+  StorePlaces(unit, this->Normal.Height, steps.NormalRow + k, steps.NormalDown + k);
+  Load(lanes.UnitTheta + k, unit);
+  StorePlaces(unit, this->SigmaWidth, steps.AreaColumn + k, steps.AreaAcross + k);
+}
+
+// What the warp and the normals' tables hold about one light.
 template <typename Four>
-MEASUREDBRDF_INLINE void PackedWarp::EvaluateAll(
-  int count, const WarpAngles& angles, double cosine, double* f) const
+MEASUREDBRDF_INLINE void PackedWarp::LookUpWarp(Steps& steps, int k) const
 {
   const std::size_t width = 2 * static_cast<std::size_t>(this->Warp.Width);
   const std::size_t slice = width * static_cast<std::size_t>(this->Warp.Height);
   const std::size_t rows = 2 * static_cast<std::size_t>(this->Warp.Height);
-  const std::size_t colorWidth = 4 * static_cast<std::size_t>(this->Color.Width);
-  const std::size_t colorSlice = colorWidth * static_cast<std::size_t>(this->Color.Height);
-  const std::size_t slices = this->Thetas.size();
-  for (int k = 0; k < count; ++k)
+  const std::size_t next = this->Thetas.size() > 1 ? 1 : 0;
+  const auto at = static_cast<std::size_t>(steps.At[k]);
+  const auto y = static_cast<std::size_t>(steps.Row[k]);
+  const float weight = steps.Weight[k];
+  const float* node =
+    &this->Nodes[at * slice + y * width + 2 * static_cast<std::size_t>(steps.Column[k])];
+  Four row, nextRow, totals; // no loop, no array: they stay in registers
+  LoadMixed(node, next * slice, weight, row);
+  LoadMixed(node + width, next * slice, weight, nextRow);
+  MixIn(row, nextRow, steps.Down[k]);
+  LoadMixed(&this->Rows[at * rows + 2 * y], next * rows, weight, totals);
+  steps.Densities[0][k] = row[0];
+  steps.Along[k] = row[1];
+  steps.Densities[1][k] = row[2];
+  steps.Totals[0][k] = totals[0];
+  steps.Before[k] = totals[1];
+  steps.Totals[1][k] = totals[2];
+  if (this->Jacobian)
   {
-    // Between two slices.
-    const auto theta = static_cast<float>(angles.Theta[k]);
-    std::size_t at = 0;
-    for (std::size_t s = 1; s + 1 < slices; ++s)
+    const auto normalWidth = static_cast<std::size_t>(this->Normal.Width);
+    const float* density = &this->Ndf[static_cast<std::size_t>(steps.NormalRow[k]) * normalWidth +
+                                      static_cast<std::size_t>(steps.NormalColumn[k])];
+    const float* area = &this->Sigma[static_cast<std::size_t>(steps.AreaColumn[k])];
+    steps.Normal[0][k] = density[0];
+    steps.Normal[1][k] = density[1];
+    steps.Normal[2][k] = density[normalWidth];
+    steps.Normal[3][k] = density[normalWidth + 1];
+    steps.Area[0][k] = area[0];
+    steps.Area[1][k] = area[1];
+  }
+}
+
+// The inverse of the warp, as BilinearWarp::Invert, and where that is among the colors.
+template <typename Vector>
+MEASUREDBRDF_INLINE void PackedWarp::Invert(Steps& steps, int k) const
+{
+  const Vector zero = {};
+  Vector first, second, along, across, down, total, nextTotal, before;
+  Load(steps.Densities[0] + k, first);
+  Load(steps.Densities[1] + k, second);
+  Load(steps.Along + k, along);
+  Load(steps.Across + k, across);
+  Load(steps.Down + k, down);
+  Load(steps.Totals[0] + k, total);
+  Load(steps.Totals[1] + k, nextTotal);
+  Load(steps.Before + k, before);
+  along += across * (first + 0.5f * across * (second - first));
+  before += down * (total + 0.5f * down * (nextTotal - total));
+  const Vector whole = total + down * (nextTotal - total);
+  const Vector unit = whole > zero ? along / whole : zero;
+  StorePlaces(unit, this->Color.Width, steps.Column + k, steps.Across + k);
+  StorePlaces(before, this->Color.Height, steps.Row + k, steps.Down + k);
+}
+
+template <typename Four, typename Eight>
+MEASUREDBRDF_INLINE void PackedWarp::LookUpColors(Steps& steps, int k) const
+{
+  const std::size_t width = 4 * static_cast<std::size_t>(this->Color.Width);
+  const std::size_t slice = width * static_cast<std::size_t>(this->Color.Height);
+  const std::size_t next = this->Thetas.size() > 1 ? slice : 0;
+  const float weight = steps.Weight[k];
+  const float* color = &this->Colors[static_cast<std::size_t>(steps.At[k]) * slice +
+                                     static_cast<std::size_t>(steps.Row[k]) * width +
+                                     4 * static_cast<std::size_t>(steps.Column[k])];
+  Eight upper, lower;
+  LoadMixed(color, next, weight, upper);
+  LoadMixed(color + width, next, weight, lower);
+  MixIn(upper, lower, steps.Down[k]);
+  Four halves[2];
+  Load(reinterpret_cast<const float*>(&upper), halves);
+  MixIn(halves[0], halves[1], steps.Across[k]);
+  for (int c = 0; c < 3; ++c)
+  {
+    steps.Colors[c][k] = halves[0][c];
+  }
+}
+
+template <typename Vector>
+MEASUREDBRDF_INLINE void PackedWarp::Scale(
+  Steps& steps, float cosine, float* const f[3], int k) const
+{
+  const Vector zero = {};
+  const Vector largest = zero + std::numeric_limits<float>::max();
+  Vector scale = zero + 1.0f / cosine;
+  if (this->Jacobian)
+  {
+    Vector across, down, areaAcross, corners[4], area, nextArea;
+    Load(steps.NormalAcross + k, across);
+    Load(steps.NormalDown + k, down);
+    Load(steps.AreaAcross + k, areaAcross);
+    for (int corner = 0; corner < 4; ++corner)
     {
-      at += theta >= this->Thetas[s] ? 1 : 0;
+      Load(steps.Normal[corner] + k, corners[corner]);
     }
-    const std::size_t next = slices > 1 ? 1 : 0;
-    const float weight =
-      slices > 1 ? std::min(std::max((theta - this->Thetas[at]) * this->Inverses[at], 0.0f), 1.0f)
-                 : 0.0f;
-    // The inverse of the warp, as BilinearWarp::Invert.
-    const Place x(angles.UnitThetaH[k], this->Warp.Width);
-    const Place y(angles.UnitPhiH[k], this->Warp.Height);
-    const float* node = &this->Nodes[at * slice + static_cast<std::size_t>(y.First) * width +
-                                     2 * static_cast<std::size_t>(x.First)];
-    Four row, nextRow, totals;
-    LoadMixed(node, next * slice, weight, row);
-    LoadMixed(node + width, next * slice, weight, nextRow);
-    MixIn(row, nextRow, y.Fraction);
-    LoadMixed(
-      &this->Rows[at * rows + 2 * static_cast<std::size_t>(y.First)], next * rows, weight, totals);
-    const float along = x.Fraction * (row[0] + 0.5f * x.Fraction * (row[2] - row[0])) + row[1];
-    const float whole = Mix(totals[0], totals[2], y.Fraction);
-    const float below =
-      y.Fraction * (totals[0] + 0.5f * y.Fraction * (totals[2] - totals[0])) + totals[1];
-    // The color there.
-    const Place s(whole > 0.0f ? along / whole : 0.0f, this->Color.Width);
-    const Place t(below, this->Color.Height);
-    const float* color =
-      &this->Colors[at * colorSlice + static_cast<std::size_t>(t.First) * colorWidth +
-                    4 * static_cast<std::size_t>(s.First)];
-    Four rgb, right, lower, lowerRight; // no loop, no array: they stay in registers
-    LoadMixed(color, next * colorSlice, weight, rgb);
-    LoadMixed(color + 4, next * colorSlice, weight, right);
-    LoadMixed(color + colorWidth, next * colorSlice, weight, lower);
-    LoadMixed(color + colorWidth + 4, next * colorSlice, weight, lowerRight);
-    MixIn(rgb, right, s.Fraction);
-    MixIn(lower, lowerRight, s.Fraction);
-    MixIn(rgb, lower, t.Fraction);
-    double scale = 1.0 / cosine;
-    if (this->Jacobian)
-    {
-      const Place h(angles.UnitThetaH[k], this->Normal.Width);
-      const Place v(angles.UnitPhiH[k], this->Normal.Height);
-      const float* d =
-        &this
-           ->Ndf[static_cast<std::size_t>(v.First) * static_cast<std::size_t>(this->Normal.Width) +
-                 static_cast<std::size_t>(h.First)];
-      const float density = Mix(Mix(d[0], d[1], h.Fraction),
-        Mix(d[this->Normal.Width], d[this->Normal.Width + 1], h.Fraction), v.Fraction);
-      const Place i(angles.UnitTheta[k], this->SigmaWidth);
-      const float* area = &this->Sigma[static_cast<std::size_t>(i.First)];
-      scale *= density / (4.0f * Mix(area[0], area[1], i.Fraction));
-    }
-    SetChannel(rgb[0], scale, f[3 * k]);
-    SetChannel(rgb[1], scale, f[3 * k + 1]);
-    SetChannel(rgb[2], scale, f[3 * k + 2]);
+    Load(steps.Area[0] + k, area);
+    Load(steps.Area[1] + k, nextArea);
+    const Vector above = corners[0] + across * (corners[1] - corners[0]);
+    const Vector below = corners[2] + across * (corners[3] - corners[2]);
+    scale *= (above + down * (below - above)) / (4.0f * (area + areaAcross * (nextArea - area)));
+  }
+  for (int c = 0; c < 3; ++c)
+  {
+    Vector color;
+    Load(steps.Colors[c] + k, color);
+    const Vector value = color > zero ? color * scale : zero; // not a number: 0
+    const Vector finite = value <= largest ? value : zero;
+    Store(finite, f[c] + k);
+  }
+}
+
+template <typename Vector, typename Four, typename Eight>
+MEASUREDBRDF_INLINE void PackedWarp::EvaluateAll(
+  int count, const WarpLanes& lanes, float cosine, float* const f[3]) const
+{
+  constexpr int width = static_cast<int>(sizeof(Vector) / sizeof(float));
+  const int whole = (count + width - 1) / width * width;
+  Steps steps;
+  for (int k = 0; k < whole; k += width)
+  {
+    this->Place<Vector>(lanes, steps, k);
+  }
+  for (int k = 0; k < whole; ++k)
+  {
+    this->LookUpWarp<Four>(steps, k);
+  }
+  for (int k = 0; k < whole; k += width)
+  {
+    this->Invert<Vector>(steps, k);
+  }
+  for (int k = 0; k < whole; ++k)
+  {
+    this->LookUpColors<Four, Eight>(steps, k);
+  }
+  for (int k = 0; k < whole; k += width)
+  {
+    this->Scale<Vector>(steps, cosine, f, k);
   }
 }
 
 #ifdef MEASUREDBRDF_HAS_VECTORS
-__attribute__((target("avx2,fma"))) void PackedWarp::EvaluateWide(
-  int count, const WarpAngles& angles, double cosine, double* f) const
+MEASUREDBRDF_WIDE void PackedWarp::EvaluateWide(
+  int count, const WarpLanes& lanes, float cosine, float* const f[3]) const
 {
-  this->EvaluateAll<Vector4>(count, angles, cosine, f);
+  this->EvaluateAll<Float8, Float4, Float8>(count, lanes, cosine, f);
 }
 #endif
 
 void PackedWarp::Evaluate(
-  int count, const WarpAngles& angles, double cosine, double* f, VectorForm form) const
+  int count, const WarpLanes& lanes, double cosine, float* const f[3], VectorForm form) const
 {
+  const auto c = static_cast<float>(cosine);
 #ifdef MEASUREDBRDF_HAS_VECTORS
   if (form == VectorForm::Wide)
   {
-    return this->EvaluateWide(count, angles, cosine, f);
+    return this->EvaluateWide(count, lanes, c, f);
   }
   if (form == VectorForm::Narrow)
   {
-    return this->EvaluateAll<Vector4>(count, angles, cosine, f);
+    return this->EvaluateAll<Float4, Float4, Float8>(count, lanes, c, f);
   }
 #endif
   static_cast<void>(form);
-  this->EvaluateAll<FourFloats>(count, angles, cosine, f);
+  this->EvaluateAll<float, Some<4>, Some<8>>(count, lanes, c, f);
 }
 } // namespace measuredbrdf

@@ -11,7 +11,7 @@
 #define PackedWarp_h
 
 #include "BilinearWarp.h"
-#include "WarpAngles.h"
+#include "WarpLanes.h"
 
 #include <cstddef>
 #include <vector>
@@ -33,9 +33,10 @@ public:
   };
   explicit PackedWarp(const Tables& tables);
 
-  /// f of count lights whose coordinates these are, 3 each; cosine: of theta_o. form: one that the
+  /// f of count lights whose coordinates these are: red, green and blue; cosine: of theta_o.
+  /// Numbers up to the next multiple of 8 behind them are written, too. form: one that the
   /// processor has.
-  void Evaluate(int count, const WarpAngles& angles, double cosine, double* f,
+  void Evaluate(int count, const WarpLanes& lanes, double cosine, float* const f[3],
     VectorForm form = GetWidestForm()) const;
 
 private:
@@ -44,9 +45,20 @@ private:
     int Width;
     int Height;
   };
+  struct Steps;
+  template <typename Vector>
+  void Place(const WarpLanes& lanes, Steps& steps, int k) const;
   template <typename Four>
-  void EvaluateAll(int count, const WarpAngles& angles, double cosine, double* f) const;
-  void EvaluateWide(int count, const WarpAngles& angles, double cosine, double* f) const;
+  void LookUpWarp(Steps& steps, int k) const;
+  template <typename Vector>
+  void Invert(Steps& steps, int k) const;
+  template <typename Four, typename Eight>
+  void LookUpColors(Steps& steps, int k) const;
+  template <typename Vector>
+  void Scale(Steps& steps, float cosine, float* const f[3], int k) const;
+  template <typename Vector, typename Four, typename Eight>
+  void EvaluateAll(int count, const WarpLanes& lanes, float cosine, float* const f[3]) const;
+  void EvaluateWide(int count, const WarpLanes& lanes, float cosine, float* const f[3]) const;
 
   bool Jacobian;
   Grid Warp;

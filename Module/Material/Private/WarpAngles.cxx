@@ -2,13 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "WarpAngles.h"
 
+#include "LaneVectors.h"
+
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-
-#ifdef MEASUREDBRDF_HAS_VECTORS
-#include <immintrin.h>
-#endif
 
 namespace measuredbrdf
 {
@@ -36,18 +33,6 @@ MEASUREDBRDF_INLINE void SumSeries(const double (&series)[Count], const Vector& 
   {
     sum = sum * x + series[k];
   }
-}
-
-template <typename Vector>
-MEASUREDBRDF_INLINE void Load(const double* values, Vector& vector)
-{
-  std::memcpy(&vector, values, sizeof(Vector));
-}
-
-template <typename Vector>
-MEASUREDBRDF_INLINE void Store(const Vector& vector, double* values)
-{
-  std::memcpy(values, &vector, sizeof(Vector));
 }
 
 // What stays between the square roots, which are taken of whole arrays.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The adaptive sum against the sum over the points of a fine grid.
 
+#include "AnisotropicWarp.h"
 #include "ErrorCatcher.h"
 #include "HalfVector.h" // for Pi
 #include "ReflectionGuide.h"
@@ -9,11 +10,18 @@
 #include "SpherePairs.h"
 #include "TexelTree.h"
 #include "vtkAdaptiveRadianceIntegrator.h"
+#include "vtkAdaptiveWarpBRDF.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBRDFReader.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
 #include "vtkEnvironmentReader.h"
 #include "vtkLambertBRDF.h"
+#include "vtkSMPTools.h"
 
+#include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <string>
@@ -320,6 +328,73 @@ TEST(ReflectionGuide, KnowsPeaks)
       }
     }
   }
+}
+
+//------------------------------------------------------------------------------
+// A material that evaluates many lights at once, and one that does not.
+TEST(AdaptiveIntegrator, ThreadsChangeNothing)
+{
+  vtkNew<vtkEnvironment> environment;
+  environment->SetToProceduralSky();
+  SpherePairs pairs;
+  pairs.AddRandom(100);
+  vtkNew<vtkAdaptiveWarpBRDF> warp;
+  ASSERT_EQ(warp->SetTables(MakeAnisotropicTables(NewGloss(300.0, 300.0), { 16, 1, 1, 65 })), "");
+  ASSERT_TRUE(warp->IsIsotropic());
+  const auto gloss = NewGloss(300.0, 300.0);
+  for (vtkBRDF* brdf : { static_cast<vtkBRDF*>(warp), static_cast<vtkBRDF*>(gloss) })
+  {
+    const auto adaptive = NewAdaptive(brdf, environment);
+    EXPECT_EQ(adaptive->GetNumberOfEvaluations(), 0);
+    const std::vector<glm::dvec3> several = pairs.Integrate(adaptive);
+    const vtkTypeInt64 evaluations = adaptive->GetNumberOfEvaluations();
+    EXPECT_GT(evaluations, 100 * 200);
+    EXPECT_LT(evaluations, 100 * 50000);
+    vtkSMPTools::Initialize(1);
+    EXPECT_EQ(pairs.Integrate(adaptive), several);
+    vtkSMPTools::Initialize();
+    EXPECT_EQ(adaptive->GetNumberOfEvaluations(), 2 * evaluations);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Its answer is asked for about every 50 ms.
+TEST(AdaptiveIntegrator, StopsWithinATenthOfASecond)
+{
+  vtkNew<vtkEnvironment> environment;
+  environment->SetToProceduralHall();
+  SpherePairs pairs;
+  pairs.AddRandom(20000);
+  const auto adaptive = NewAdaptive(NewGloss(3000.0, 3000.0), environment);
+  adaptive->SetTolerance(1e-4);
+  ASSERT_TRUE(adaptive->Prepare());
+  using Clock = std::chrono::steady_clock;
+  struct State
+  {
+    Clock::time_point Last = Clock::now();
+    double Longest = 0.0; // s between two questions
+    int Questions = 0;
+  } state;
+  vtkNew<vtkCallbackCommand> ask;
+  ask->SetClientData(&state);
+  ask->SetCallback(
+    [](vtkObject* caller, unsigned long, void* data, void*)
+    {
+      auto* s = static_cast<State*>(data);
+      const Clock::time_point now = Clock::now();
+      s->Longest = std::max(s->Longest, std::chrono::duration<double>(now - s->Last).count());
+      s->Last = now;
+      static_cast<vtkAdaptiveRadianceIntegrator*>(caller)->SetAbort(++s->Questions == 12);
+    });
+  adaptive->AddObserver(vtkCommand::ProgressEvent, ask);
+  ErrorCatcher errors(adaptive);
+  vtkNew<vtkDoubleArray> radiance;
+  state.Last = Clock::now();
+  EXPECT_FALSE(adaptive->Integrate(pairs.Normals, pairs.Views, radiance));
+  EXPECT_EQ(errors.Take(), 1);
+  EXPECT_EQ(state.Questions, 12); // it stops at once
+  std::printf("longest time between two questions: %.3f s\n", state.Longest);
+  EXPECT_LT(state.Longest, 1.0); // 0.1 s, on machines with other work to do
 }
 
 //------------------------------------------------------------------------------

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The middles of many squares of the sky in one step of an adaptive sum, one beside the other, in
+ * single precision: sums of many are not. Private to the module.
+ */
+
+#ifndef SquareMiddles_h
+#define SquareMiddles_h
+
+#include "WideVectors.h"
+
+namespace measuredbrdf
+{
+struct SquareMiddles
+{
+  static constexpr int Most = 64; // a multiple of every vector's width
+
+  // To be set: of each middle.
+  float Directions[3][Most]; // in the sky's frame
+  float Irradiances[3][Most];
+
+  // What Turn finds: of each middle, and of those that count, which are above the horizon and not
+  // black.
+  float Cosines[Most];    // of theta_i
+  float Lights[3][Most];  // their directions in the local frame
+  float Factors[3][Most]; // irradiance times cosine
+  int Numbers[Most];      // of those that count
+  int Counting;
+
+  // What Weigh finds: of each middle, f times its factor; 0 where it does not count.
+  float Values[3][Most];
+
+  /// rows: of the matrix from the sky's frame to the local one, 3 by 3. form: one that the
+  /// processor has.
+  void Turn(int count, const float rows[9], VectorForm form = GetWidestForm());
+
+  /// f: of those that count, by channel; room for Most each.
+  void Weigh(int count, float f[3][Most], VectorForm form = GetWidestForm());
+};
+} // namespace measuredbrdf
+
+#endif

@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "WarpLanes.h"
+
+#include "HalfVector.h" // for Pi
+#include "LaneVectors.h"
+
+#include <algorithm>
+
+namespace measuredbrdf
+{
+namespace
+{
+
+// Chebyshev interpolation of asin(x) / x in x^2, x^2 <= 1/2, and of atan(x) / x, x <= 1, rounded:
+// relative errors of 8e-8, with those of summing in single precision.
+constexpr float AsinLaneSeries[] = { 1.0f, 0.16666955f, 0.074881144f, 0.04648085f, 0.016731389f,
+  0.07553975f, -0.090086214f, 0.109673984f };
+constexpr float AtanLaneSeries[] = { 1.0f, -0.33333036f, 0.19991872f, -0.14197798f, 0.10618371f,
+  -0.07456855f, 0.042137623f, -0.015731249f, 0.0027662835f };
+
+template <typename Vector, int Count>
+MEASUREDBRDF_INLINE void SumLaneSeries(const float (&series)[Count], const Vector& x, Vector& sum)
+{
+  sum = 0.0f * x + series[Count - 1];
+  for (int k = Count - 2; k >= 0; --k)
+  {
+    sum = sum * x + series[k];
+  }
+}
+
+// What stays between the square roots, which are taken of whole arrays.
+struct LaneSteps
+{
+  float X[WarpLanes::Most], Y[WarpLanes::Most], Z[WarpLanes::Most]; // the light
+  float Length[WarpLanes::Most];  // of light plus view, or its square
+  float Sine[2][WarpLanes::Most]; // of half of theta_i, theta_h, or its square
+};
+
+template <typename Vector>
+MEASUREDBRDF_INLINE void AddViewToLanes(LaneSteps& steps, const float view[3], int k)
+{
+  Vector x, y, z;
+  Load(steps.X + k, x);
+  Load(steps.Y + k, y);
+  Load(steps.Z + k, z);
+  const Vector sumX = x + view[0];
+  const Vector sumY = y + view[1];
+  const Vector sumZ = z + view[2];
+  const Vector length = sumX * sumX + sumY * sumY + sumZ * sumZ;
+  const Vector sine = 0.25f * (x * x + y * y + (z - 1.0f) * (z - 1.0f));
+  Store(length, steps.Length + k);
+  Store(sine, steps.Sine[0] + k);
+}
+
+template <typename Vector>
+MEASUREDBRDF_INLINE void FindHalfOfLanes(
+  LaneSteps& steps, const float view[3], WarpLanes& lanes, int k)
+{
+  Vector x, y, z, length;
+  Load(steps.X + k, x);
+  Load(steps.Y + k, y);
+  Load(steps.Z + k, z);
+  Load(steps.Length + k, length);
+  const Vector zero = 0.0f * length;
+  const Vector least = zero + 1e-6f; // opposite directions: the normal
+  const Vector scale = 1.0f / (length > least ? length : least);
+  const Vector hX = length > least ? (x + view[0]) * scale : zero;
+  const Vector hY = length > least ? (y + view[1]) * scale : zero;
+  const Vector sumZ = (z + view[2]) * scale;
+  const Vector hZ = length > least ? sumZ : zero + 1.0f;
+  const Vector sine = 0.25f * (hX * hX + hY * hY + (hZ - 1.0f) * (hZ - 1.0f));
+  Store(sine, steps.Sine[1] + k);
+  // The azimuth of h from that of the light, which is 0 for an upright light.
+  const Vector size = x * x + y * y;
+  const Vector fromX = size > zero ? x : zero + 1.0f;
+  const Vector along = fromX * hX + y * hY;
+  const Vector across = fromX * hY - y * hX;
+  const Vector a = along < zero ? -along : along;
+  const Vector b = across < zero ? -across : across;
+  const Vector larger = a > b ? a : b;
+  const Vector smaller = a > b ? b : a;
+  const Vector t = smaller / (larger > zero ? larger : zero + 1.0f);
+  const Vector square = t * t;
+  Vector phi;
+  SumLaneSeries(AtanLaneSeries, square, phi);
+  phi *= t * static_cast<float>(0.5 / Pi); // in turns
+  phi = a > b ? phi : 0.25f - phi;
+  phi = along < zero ? 0.5f - phi : phi;
+  phi = across < zero ? 0.5f - phi : 0.5f + phi;
+  Store(phi, lanes.UnitPhiH + k);
+}
+
+template <typename Vector>
+MEASUREDBRDF_INLINE void FindThetaOfLanes(LaneSteps& steps, WarpLanes& lanes, int k)
+{
+  for (int i = 0; i < 2; ++i)
+  {
+    Vector sine, theta;
+    Load(steps.Sine[i] + k, sine);
+    const Vector square = sine * sine;
+    SumLaneSeries(AsinLaneSeries, square, theta);
+    theta *= 2.0f * sine;
+    const Vector unit = theta * static_cast<float>(2.0 / Pi);
+    const Vector one = 0.0f * unit + 1.0f;
+    const Vector inside = unit < one ? unit : one;
+    Store(inside, (i == 0 ? lanes.UnitTheta : lanes.UnitThetaH) + k);
+    if (i == 0)
+    {
+      Store(theta, lanes.Theta + k);
+    }
+  }
+}
+
+template <typename Vector>
+MEASUREDBRDF_INLINE void FindLanes(
+  LaneSteps& steps, int count, const float view[3], LaneRoots takeRoots, WarpLanes& lanes)
+{
+  constexpr int width = static_cast<int>(sizeof(Vector) / sizeof(float));
+  for (int k = 0; k < count; k += width)
+  {
+    AddViewToLanes<Vector>(steps, view, k);
+  }
+  takeRoots(steps.Length, count);
+  takeRoots(steps.Sine[0], count);
+  for (int k = 0; k < count; k += width)
+  {
+    FindHalfOfLanes<Vector>(steps, view, lanes, k);
+  }
+  takeRoots(steps.Sine[1], count);
+  for (int k = 0; k < count; k += width)
+  {
+    FindThetaOfLanes<Vector>(steps, lanes, k);
+  }
+  takeRoots(lanes.UnitTheta, count);
+  takeRoots(lanes.UnitThetaH, count);
+}
+
+#ifdef MEASUREDBRDF_HAS_VECTORS
+MEASUREDBRDF_WIDE void FindLanesWide(
+  LaneSteps& steps, int count, const float view[3], WarpLanes& lanes)
+{
+  FindLanes<Float8>(steps, count, view, TakeLaneRootsWide, lanes);
+}
+#endif
+}
+
+void FindWarpLanes(
+  int count, const float* const lights[3], const double view[3], WarpLanes& lanes, VectorForm form)
+{
+  LaneSteps steps;
+  const float v[3] = { static_cast<float>(view[0]), static_cast<float>(view[1]),
+    static_cast<float>(view[2]) };
+  const int whole = (count + 15) / 16 * 16; // the last one once more
+  float* const to[3] = { steps.X, steps.Y, steps.Z };
+  for (int c = 0; c < 3; ++c)
+  {
+    std::copy_n(lights[c], count, to[c]);
+    std::fill(to[c] + count, to[c] + whole, lights[c][count - 1]);
+  }
+#ifdef MEASUREDBRDF_HAS_VECTORS
+  if (form == VectorForm::Wide)
+  {
+    return FindLanesWide(steps, whole, v, lanes);
+  }
+  if (form == VectorForm::Narrow)
+  {
+    return FindLanes<Float4>(steps, whole, v, TakeLaneRootsNarrow, lanes);
+  }
+#endif
+  static_cast<void>(form);
+  FindLanes<float>(steps, whole, v, TakeLaneRootsOneByOne, lanes);
+}
+} // namespace measuredbrdf
