@@ -117,7 +117,8 @@ protected:
     tangent = glm::normalize(tangent);
     const glm::dvec3 side = glm::cross(light, tangent);
     constexpr std::size_t most = PointsAlong * MostLampPoints;
-    std::array<glm::dvec3, most> lights, values;
+    std::array<glm::dvec3, most> lights{};
+    std::array<glm::dvec3, most> values{};
     std::array<double, most> shares;
     std::size_t count = 0;
     const LampPoints& rows = this->Rules[static_cast<std::size_t>(along)];

@@ -14,6 +14,8 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <typeinfo>
 
@@ -32,14 +34,30 @@ inline vtkAdaptiveWarpBRDF* GetManyLightsForm(vtkBRDF* brdf)
 inline void EvaluateManyLights(
   vtkBRDF* brdf, std::size_t count, const glm::dvec3* lights, const glm::dvec3& o, glm::dvec3* f)
 {
-  if (vtkAdaptiveWarpBRDF* many = GetManyLightsForm(brdf))
-  {
-    many->EvaluateLights(static_cast<int>(count), &lights[0].x, &o.x, &f[0].x);
-    return;
-  }
-  for (std::size_t k = 0; k < count; ++k)
+  vtkAdaptiveWarpBRDF* many = GetManyLightsForm(brdf);
+  for (std::size_t k = 0; k < count && !many; ++k)
   {
     brdf->Evaluate(&lights[k].x, &o.x, &f[k].x);
+  }
+  constexpr std::size_t atOnce = 256;
+  std::array<std::array<float, atOnce>, 3> i, values;
+  const float* const from[3] = { i[0].data(), i[1].data(), i[2].data() };
+  float* const to[3] = { values[0].data(), values[1].data(), values[2].data() };
+  for (std::size_t first = 0; first < count && many; first += atOnce)
+  {
+    const std::size_t size = std::min(atOnce, count - first);
+    for (std::size_t k = 0; k < size; ++k)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        i[c][k] = static_cast<float>(lights[first + k][c]);
+      }
+    }
+    many->EvaluateLights(static_cast<int>(size), from, &o.x, to);
+    for (std::size_t k = 0; k < size; ++k)
+    {
+      f[first + k] = glm::dvec3(values[0][k], values[1][k], values[2][k]);
+    }
   }
 }
 } // namespace measuredbrdf
