@@ -5,8 +5,10 @@
 #include "Measuring.h"
 #include "Methods.h"
 #include "Progress.h"
+#include "ReferenceSample.h"
 
 #include "vtkAdaptiveRadianceIntegrator.h"
+#include "vtkAdaptiveWarpBRDF.h"
 #include "vtkBRDF.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
@@ -36,20 +38,17 @@ constexpr double EnoughBetween = 0.97;      // of its interpolated pixels
 constexpr std::size_t FewestBetween = 30;   // to tell
 constexpr std::size_t FewestChecked = 2000; // pixels: a sample would take as long as the picture
 constexpr double SampleShare = 0.1;         // of the time, about
-
-//------------------------------------------------------------------------------
-// Scattered among so many, by the golden ratio: no column.
-std::vector<int> Scatter(std::size_t some, std::size_t all)
+// Tolerances to which all pixels are integrated where that takes at most so many evaluations of f a
+// pixel, many at once; where a picture has more pixels than usual, that many in all. Counted, not
+// timed: pictures do not depend on the machine.
+struct Affordable
 {
-  std::vector<int> places;
-  double place = 0.5;
-  for (std::size_t k = 0; all > 0 && k < some; ++k)
-  {
-    place = std::fmod(place + 0.61803398874989485, 1.0);
-    places.push_back(static_cast<int>(place * static_cast<double>(all)));
-  }
-  return places;
-}
+  double Tolerance;
+  double Evaluations;
+};
+constexpr Affordable OfAllPixels[] = { { 0.001, 7500.0 }, { 0.0014, 7500.0 },
+  { FirstTolerance, 12500.0 } };
+constexpr double UsualPixels = 160000.0; // of a sphere in 500 x 500
 
 //------------------------------------------------------------------------------
 struct Cell
@@ -85,16 +84,42 @@ public:
     this->Reference->SetTolerance(FirstTolerance);
     this->Strict->SetTolerance(CheckTolerance);
     this->Guess.assign(surface.Normals.size(), 0.0);
-    if (brdf->IsIsotropic() && surface.Pixels.size() >= FewestPixels)
+    const auto* measured = vtkAdaptiveWarpBRDF::SafeDownCast(brdf);
+    this->EvaluatesMany = measured && brdf->IsIsotropic();
+  }
+
+  // What a table gives, so that what it lacks is interpolated.
+  void MakeGuess()
+  {
+    vtkBRDF* brdf = this->Reference->GetBRDF();
+    if (brdf->IsIsotropic() && this->Surface.Pixels.size() >= FewestPixels)
     {
       vtkNew<vtkTableRadianceIntegrator> table;
       table->SetBRDF(brdf);
-      table->SetEnvironment(environment);
+      table->SetEnvironment(this->Reference->GetEnvironment());
       table->SetSizes({ 65, 16, 16 });
-      this->Guess = tool::IntegrateSomePairs(
-        table, surface.Normals, surface.Views, [this](double) { this->Bar.Update(0.0); });
+      this->Guess = tool::IntegrateSomePairs(table, this->Surface.Normals, this->Surface.Views,
+        [this](double) { this->Bar.Update(this->Done); });
       this->HasGuess = true;
       this->ShowPicture(CoarsestStride);
+    }
+  }
+
+  // Every pixel, those of a coarse grid first, for those who look on.
+  void RunAll()
+  {
+    for (int stride = CoarsestStride; stride > 0; stride /= 2)
+    {
+      std::vector<int> wanted;
+      for (int y = 0; y < this->Size.Height; y += stride)
+      {
+        for (int x = 0; x < this->Size.Width; x += stride)
+        {
+          wanted.push_back(this->Find(x, y));
+        }
+      }
+      this->Integrate(wanted, this->Reference);
+      this->ShowPicture(stride);
     }
   }
 
@@ -136,30 +161,37 @@ public:
   }
 
   // Takes some of all pixels, scattered among them, for Check: they are not kept in the picture.
-  // Halves the tolerance until enough of them are within 0.3 % of what a smaller one gives.
-  void ChooseTolerance()
+  // Halves the tolerance until enough of them are within 0.3 % of what a smaller one gives. Returns
+  // whether all pixels are to be integrated. Of few pixels there is no sample.
+  bool ChooseTolerance()
   {
-    this->Sample = Scatter(SampleSize, this->IsKnown.size());
-    this->SampleRadiance = this->IntegrateAll(this->Sample, this->Strict, 0.0, SampleShare);
-    double sum = 0.0;
-    for (std::size_t k = 0; k < this->Sample.size(); ++k)
+    if (this->IsKnown.size() < FewestChecked)
     {
-      sum += GetSum(&this->SampleRadiance[3 * k]);
+      this->Reference->SetTolerance(GridTolerance);
+      return false;
     }
-    this->LeastSum =
-      LeastShare * sum / static_cast<double>(std::max<std::size_t>(this->Sample.size(), 1));
-    double worst = 0.0;
-    while (
-      this->Reference->GetTolerance() > LeastTolerance &&
-      this->GetWithin(this->IntegrateAll(this->Sample, this->Reference, SampleShare, SampleShare),
-        worst) < EnoughWithin)
+    this->Sample.Scatter(SampleSize, this->IsKnown.size());
+    this->Sample.SetExact(
+      this->IntegrateAll(this->Sample.GetPixels(), this->Strict, 0.0, SampleShare), LeastShare);
+    bool all = false;
+    Trial trial;
+    for (const Affordable& affordable : OfAllPixels)
+    {
+      if (!all && (this->EvaluatesMany || affordable.Tolerance == FirstTolerance))
+      {
+        this->Reference->SetTolerance(affordable.Tolerance);
+        trial = this->Try();
+        all = this->EvaluatesMany && trial.Evaluations <= affordable.Evaluations;
+      }
+    }
+    const double needed = this->Reference->GetTolerance() < FirstTolerance ? 1.0 : EnoughWithin;
+    while (needed > trial.Within && this->Reference->GetTolerance() > LeastTolerance)
     {
       this->Reference->SetTolerance(0.5 * this->Reference->GetTolerance());
+      trial.Within = this->Reference->GetTolerance() > LeastTolerance ? this->Try().Within : 1.0;
     }
+    return all;
   }
-
-  // Without a sample.
-  void SetFineTolerance() { this->Reference->SetTolerance(GridTolerance); }
 
   // Compares the sample with the picture.
   void Check(tool::ReferencePicture& picture) const
@@ -171,25 +203,46 @@ public:
     std::vector<double> drawn;
     std::size_t between = 0;
     std::size_t good = 0;
-    for (std::size_t k = 0; k < this->Sample.size(); ++k)
+    for (std::size_t k = 0; k < this->Sample.GetPixels().size(); ++k)
     {
-      const auto pixel = static_cast<std::size_t>(this->Sample[k]);
+      const auto pixel = static_cast<std::size_t>(this->Sample.GetPixels()[k]);
       const double* rgb = &this->Radiance[3 * pixel];
       drawn.insert(drawn.end(), rgb, rgb + 3);
       if (!this->IsKnown[pixel])
       {
-        const double error = this->GetError(rgb, &this->SampleRadiance[3 * k]);
+        const double error = this->Sample.GetError(rgb, this->Sample.GetExact(k));
         ++between;
         good += error <= tool::ReferencePicture::Tolerance ? 1 : 0;
       }
     }
-    picture.Within = this->GetWithin(drawn, picture.Worst);
+    picture.Within =
+      this->Sample.GetWithin(drawn, tool::ReferencePicture::Tolerance, picture.Worst);
     picture.WithinBetween =
       between < FewestBetween ? 1.0 : static_cast<double>(good) / static_cast<double>(between);
     picture.Radiance = this->Radiance;
   }
 
 private:
+  // Of the sample, to the present tolerance.
+  struct Trial
+  {
+    double Within = 1.0;
+    double Evaluations = 0.0; // of f a pixel, as if there were UsualPixels at least
+  };
+  Trial Try()
+  {
+    const auto before = static_cast<double>(this->Reference->GetNumberOfEvaluations());
+    const std::vector<double> rgb =
+      this->IntegrateAll(this->Sample.GetPixels(), this->Reference, SampleShare, SampleShare);
+    Trial trial;
+    double worst = 0.0;
+    trial.Within = this->Sample.GetWithin(rgb, tool::ReferencePicture::Tolerance, worst);
+    trial.Evaluations = (static_cast<double>(this->Reference->GetNumberOfEvaluations()) - before) /
+                        static_cast<double>(SampleSize) *
+                        std::max(static_cast<double>(this->IsKnown.size()) / UsualPixels, 1.0);
+    return trial;
+  }
+
   /// The surface's pixel at a place, or -1.
   int Find(int x, int y) const
   {
@@ -280,35 +333,6 @@ private:
     this->Show(radiance);
   }
 
-  // Of radiance for the sample: the share within the tolerance, and the largest error.
-  double GetWithin(const std::vector<double>& rgb, double& worst) const
-  {
-    worst = 0.0;
-    std::size_t within = 0;
-    for (std::size_t k = 0; k < this->Sample.size(); ++k)
-    {
-      const double error = this->GetError(&rgb[3 * k], &this->SampleRadiance[3 * k]);
-      within += error <= tool::ReferencePicture::Tolerance ? 1 : 0;
-      worst = std::max(worst, error);
-    }
-    return this->Sample.empty()
-             ? 1.0
-             : static_cast<double>(within) / static_cast<double>(this->Sample.size());
-  }
-
-  static double GetSum(const double* rgb) { return rgb[0] + rgb[1] + rgb[2]; }
-
-  double GetError(const double* rgb, const double* exact) const
-  {
-    double difference = 0.0;
-    for (int c = 0; c < 3; ++c)
-    {
-      difference += std::abs(rgb[c] - exact[c]);
-    }
-    const double scale = std::max(GetSum(exact), this->LeastSum);
-    return scale > 0.0 ? difference / scale : 0.0;
-  }
-
   // What the guess lacks, bilinear between the corners; u, v in [0, 1].
   void Interpolate(const int corners[4], double u, double v, int k, double rgb[3]) const
   {
@@ -340,10 +364,7 @@ private:
                             });
   }
 
-  const double* GetNormal(int k) const
-  {
-    return &this->Surface.Normals[3 * static_cast<std::size_t>(k)];
-  }
+  const double* GetNormal(int k) const { return &this->Surface.Normals[3 * std::size_t(k)]; }
 
   // Fills the cells whose middle is foretold by their corners; returns the quarters of the others.
   // flat: the share of the filled ones.
@@ -372,8 +393,8 @@ private:
       if (isFlat)
       {
         this->Interpolate(corners, 0.5, 0.5, middle, rgb);
-        isFlat = this->GetError(rgb, &this->Radiance[3 * static_cast<std::size_t>(middle)]) <=
-                 FlatTolerance;
+        isFlat = this->Sample.GetError(
+                   rgb, &this->Radiance[3 * static_cast<std::size_t>(middle)]) <= FlatTolerance;
       }
       if (isFlat)
       {
@@ -436,9 +457,8 @@ private:
   std::vector<char> IsGuessed; // in a cell that is interpolated
   tool::ProgressBar Bar{ "integrating" };
   double Done = 0.0; // share of all work
-  double LeastSum = 0.0;
-  std::vector<int> Sample; // pixels
-  std::vector<double> SampleRadiance;
+  tool::ReferenceSample Sample;
+  bool EvaluatesMany = false; // lights at once
 };
 }
 
@@ -456,14 +476,13 @@ ReferencePicture DrawReference(vtkBRDF* brdf, vtkEnvironment* environment, const
   }
   Refinement refinement(brdf, environment, surface, size, show);
   ReferencePicture picture;
-  if (surface.Pixels.size() >= FewestChecked)
+  if (refinement.ChooseTolerance())
   {
-    refinement.ChooseTolerance();
+    refinement.RunAll();
+    refinement.Check(picture);
+    return picture;
   }
-  else
-  {
-    refinement.SetFineTolerance();
-  }
+  refinement.MakeGuess();
   for (int stride = surface.Pixels.size() < FewestPixels ? 1 : CoarsestStride; stride > 0;
        stride /= 2)
   {

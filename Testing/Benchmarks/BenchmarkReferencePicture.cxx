@@ -9,9 +9,11 @@
 
 #include "vtkAdaptiveRadianceIntegrator.h"
 #include "vtkBRDFReader.h"
+#include "vtkEmbeddedMaterials.h"
 #include "vtkEnvironment.h"
 #include "vtkEnvironmentReader.h"
 #include "vtkNew.h"
+#include "vtkSmartPointer.h"
 
 #include <CLI/CLI.hpp>
 
@@ -19,6 +21,7 @@
 #include <cmath>
 #include <cstdio>
 #include <ctime>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -50,6 +53,21 @@ tool::Surface MakeDisc(int side)
   }
   surface.NumberOfCovered = static_cast<int>(surface.Pixels.size());
   return surface;
+}
+
+// Of the data folder, or an embedded one.
+vtkSmartPointer<vtkBRDF> FindBRDF(const std::string& name)
+{
+  for (const std::string& path : { "rgl/" + name + "_rgb.bsdf", "mbsdf/" + name + ".mbsdf" })
+  {
+    vtkNew<vtkBRDFReader> reader;
+    reader->SetFileName(Data + "/materials/" + path);
+    if (std::ifstream(reader->GetFileName()).good())
+    {
+      return reader->Read() ? reader->GetBRDF() : nullptr;
+    }
+  }
+  return vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF(name));
 }
 
 double GetSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
@@ -95,23 +113,22 @@ void PrintErrors(vtkAdaptiveRadianceIntegrator* strict, const tool::Surface& sur
 
 void Draw(const std::string& material, const std::string& light, int side, std::size_t checked)
 {
-  vtkNew<vtkBRDFReader> reader;
-  reader->SetFileName(Data + "/materials/rgl/" + material + "_rgb.bsdf");
+  const vtkSmartPointer<vtkBRDF> brdf = FindBRDF(material);
   vtkNew<vtkEnvironmentReader> environment;
   environment->SetFileName(Data + "/environments/" + light + ".exr");
-  if (!reader->Read() || !environment->Read())
+  if (!brdf || !environment->Read())
   {
     return;
   }
   const tool::Surface surface = MakeDisc(side);
   const double begin = GetSeconds();
   const tool::ReferencePicture picture =
-    tool::DrawReference(reader->GetBRDF(), environment->GetEnvironment(), surface, { side, side });
+    tool::DrawReference(brdf, environment->GetEnvironment(), surface, { side, side });
   const double seconds = GetSeconds() - begin;
   std::printf("%-18s %-9s %6.1f s CPU, %5.1f %% integrated; ", material.c_str(), light.c_str(),
     seconds, 100.0 * picture.Integrated);
   vtkNew<vtkAdaptiveRadianceIntegrator> strict;
-  strict->SetBRDF(reader->GetBRDF());
+  strict->SetBRDF(brdf);
   strict->SetEnvironment(environment->GetEnvironment());
   strict->SetTolerance(2e-5);
   PrintErrors(strict, surface, picture.Radiance, checked);

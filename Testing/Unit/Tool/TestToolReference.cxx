@@ -2,13 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The exact picture of a sphere against one that is integrated to a tenth of its tolerance.
 
+#include "AnisotropicWarp.h"
 #include "BackgroundWork.h"
 #include "Methods.h"
 #include "Progress.h"
 #include "ReferenceLimit.h"
 #include "ReferencePicture.h"
+#include "ReferenceSample.h"
 #include "Tool.h"
 #include "vtkAdaptiveRadianceIntegrator.h"
+#include "vtkAdaptiveWarpBRDF.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkEnvironment.h"
 #include "vtkLambertBRDF.h"
@@ -114,6 +117,49 @@ TEST(ReferencePicture, IsWithinItsToleranceMatteAndGlossy)
     // One percent of one sample may be more of another.
     EXPECT_LE(off, count / 25) << "of " << count;
   }
+}
+
+//------------------------------------------------------------------------------
+// Materials that evaluate many lights at once are cheap: no pixel is interpolated.
+TEST(ReferencePicture, IntegratesEveryPixelWherePixelsAreCheap)
+{
+  const tool::Interruptible interruptible;
+  const tool::Surface surface = MakeSphere();
+  vtkNew<vtkEnvironment> environment;
+  environment->SetToProceduralSky();
+  vtkNew<vtkAshikhminShirleyBRDF> gloss;
+  gloss->SetDiffuse(0.2, 0.1, 0.3);
+  gloss->SetExponents(50.0, 50.0);
+  vtkNew<vtkAdaptiveWarpBRDF> measured;
+  ASSERT_EQ(measured->SetTables(MakeAnisotropicTables(gloss, { 16, 1, 1, 65 })), "");
+  std::size_t shown = 0;
+  const tool::ReferencePicture picture = tool::DrawReference(measured, environment, surface,
+    { Side, Side }, [&](const std::vector<double>& radiance) { shown += radiance.size(); });
+  EXPECT_EQ(picture.Integrated, 1.0);
+  EXPECT_EQ(picture.Within, 1.0);
+  EXPECT_EQ(shown, 4 * surface.Normals.size()); // of grids of 8, 4, 2 and 1 pixels
+  vtkNew<vtkAdaptiveRadianceIntegrator> each;
+  each->SetBRDF(measured);
+  each->SetEnvironment(environment);
+  each->SetTolerance(0.001);
+  EXPECT_EQ(picture.Radiance, tool::IntegratePairs(each, surface.Normals, surface.Views));
+}
+
+//------------------------------------------------------------------------------
+TEST(ReferenceSample, TellsErrors)
+{
+  tool::ReferenceSample sample;
+  sample.Scatter(4, 100);
+  EXPECT_EQ(sample.GetPixels().size(), 4u);
+  for (const int pixel : sample.GetPixels())
+  {
+    EXPECT_TRUE(pixel >= 0 && pixel < 100) << pixel;
+  }
+  sample.SetExact({ 1, 2, 3, 1, 1, 1, 0, 0, 0, 2, 2, 2 }, 0.02); // a mean of 3.75
+  double worst = 0.0;
+  // 0.06 of 6, 0.006 of 3, 0.003 where 0.075 is the least, and none.
+  EXPECT_EQ(sample.GetWithin({ 1, 2.06, 3, 1, 1, 1.006, 0.003, 0, 0, 2, 2, 2 }, 0.005, worst), 0.5);
+  EXPECT_NEAR(worst, 0.04, 1e-12);
 }
 
 //------------------------------------------------------------------------------
