@@ -99,7 +99,7 @@ TEST(PlanMemory, BelongsToTheEnvironment)
   EXPECT_GT(shared, 100000);
   EXPECT_LT(shared, 8 * texels);
   environment = nullptr;
-  EXPECT_LT(heap::Bytes - before, 100000 + 3 * 1300000);
+  EXPECT_LT(heap::Bytes - before, 100000 + 3 * 1700000);
 }
 
 //------------------------------------------------------------------------------
