@@ -45,4 +45,10 @@ curved=("$data"/materials/rgl/{acrylic_felt_pink,satin_purple,irid_flake_paint2,
 "${display[@]}" build/bin/measured-brdf chart "${curved[@]}" "${published[@]}" --environments "$environments" \
   --methods planner --tolerances 0.02,0.05 --mesh output/torus.vtp --rounds 5 --reference-pixels 300 --slowest 120 \
   -o output/results-torus
+
+# Frames of a mesh of half a million triangles, for the conclusions.
+[ -e output/bumps.vtp ] || /usr/bin/python3 cmake/make-bumps.py output/bumps.vtp
+"${display[@]}" build/bin/measured-brdf chart "${materials[@]}" --environments "$(cut -d, -f1,2 <<<"$environments")" \
+  --methods planner --tolerances 0.02 --mesh output/bumps.vtp --rounds 5 --reference-pixels 300 --slowest 120 \
+  -o output/results-bumps
 python3 cmake/make-results.py output/results "${RESULTS_DOCS:-docs}" output/results-view output/results-torus

@@ -26,7 +26,8 @@ float brdfLampNearnessINSTANCE(vec3 direction, vec3 d)
 
 // Lamps are found once for a pixel, and by selections: software renderers (Mesa's llvmpipe) run both
 // sides of a condition, and a loop's first turn always. So the material is evaluated in one place,
-// once for each part of a lamp that was found, or once, by which nothing shows.
+// once for each part of a lamp that was found, or once, by which nothing shows (and so for each 31 of
+// more lamps than that).
 vec3 brdfAddLampsINSTANCE(mat3 frame, vec3 o, vec3 d, vec3 lambert)
 {
   vec3 sum = vec3(0.0);

@@ -187,7 +187,8 @@ public:
     const double needed = this->Reference->GetTolerance() < FirstTolerance ? 1.0 : EnoughWithin;
     while (needed > trial.Within && this->Reference->GetTolerance() > LeastTolerance)
     {
-      this->Reference->SetTolerance(0.5 * this->Reference->GetTolerance());
+      this->Reference->SetTolerance(
+        std::max(0.5 * this->Reference->GetTolerance(), LeastTolerance));
       trial.Within = this->Reference->GetTolerance() > LeastTolerance ? this->Try().Within : 1.0;
     }
     return all;

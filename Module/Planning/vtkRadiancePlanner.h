@@ -14,18 +14,20 @@
  * sphere shows them to all views, drawn by where two cheap candidates differ; two standard errors
  * of that sample are added, with the sum's own error, so that what is predicted holds. A choice
  * that may be luck, or one that may have missed the tolerance by chance, is checked on a second
- * sample. It is the mean over all views: one picture can have several times as much, when most of
- * the light is behind what it shows. GetPredictedPictureError estimates the largest; where that is
- * above the tolerance, candidates that take no longer a frame and at most 4 MB are tried, too, and
- * taken where they keep it, or leave two thirds of it at most. For one picture, plan for it
- * (SetPairs, vtkMeasuredBRDFMapper::SetPlanForView). Costs are those of a vtkRadianceCostModel:
- * Mesa's llvmpipe's unless another is set.
+ * sample. The error is the mean over all views. One picture can have several times as much, when
+ * most of the light is behind what it shows; GetPredictedPictureError estimates the largest. Where
+ * that is above the tolerance, candidates are tried, too, whose frames are no longer and which take
+ * at most 4 MB (less for fewer pixels than a sphere has). One of them is taken if it is within the
+ * tolerance in single pictures, or has at most two thirds of the error there. For one picture, plan
+ * for it (SetPairs, vtkMeasuredBRDFMapper::SetPlanForView). Costs are those of a
+ * vtkRadianceCostModel: Mesa's llvmpipe's unless another is set.
  *
  * The order of the candidates counts 3 % of a table's pixel (3 ns on llvmpipe), times 196350 /
  * NumberOfPixels, for every megabyte of texture on top: tables of radiance cost the same few
- * fetches at every size. Those that the ones before show to be hopeless are left out (EvaluateAll:
- * none). Where no candidate meets the tolerance, the most accurate one is chosen, the first of
- * those that differ by less than a tenth, and the reason says so. A plan is made again when the
+ * fetches at every size. Those that the ones before show to be hopeless are left out. Where no
+ * candidate meets the tolerance, the most accurate one is chosen, the first of those that differ by
+ * less than a tenth, and the reason says so. Frames of more than twice the shortest are not tried
+ * where another misses the tolerance by what stands for chance only. A plan is made again when the
  * material, the environment's pixels or the settings changed, not when the environment turned: one
  * for all views is the same at every rotation.
  *
@@ -105,8 +107,8 @@ public:
 
   ///@{
   /**
-   * Also try every candidate that cannot be chosen, for the table that GetPlan prints (default
-   * off): seconds instead of tenths.
+   * Also try the candidates that the search leaves out, for lists of them (default off): seconds
+   * instead of tenths. The choice is the same.
    */
   vtkSetMacro(EvaluateAll, bool);
   vtkGetMacro(EvaluateAll, bool);
@@ -201,7 +203,7 @@ public:
   std::string GetDescription(int index);      // sizes
   double GetPredictedError(int index);        // relative L1, that of the sample and what follows
   double GetErrorUncertainty(int index);      // two standard errors and the reference's
-  double GetPredictedPictureError(int index); // the largest of a sphere's pictures from 14 sides
+  double GetPredictedPictureError(int index); // estimated: the largest of a sphere from 14 sides
   double GetPredictedMilliseconds(int index); // of NumberOfPixels
   vtkIdType GetTextureBytes(int index);
   double GetSetUpMilliseconds(int index);

@@ -48,7 +48,7 @@ void AdaptiveSum::Evaluate(int count)
   SquareMiddles& step = this->Step;
   step.Turn(count, this->Rows);
   this->Evaluations += step.Counting;
-  float f[3][SquareMiddles::Most];
+  float f[3][SquareMiddles::Most] = {};
   if (this->Measured)
   {
     const float* const lights[3] = { step.Lights[0], step.Lights[1], step.Lights[2] };

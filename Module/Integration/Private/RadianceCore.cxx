@@ -44,16 +44,16 @@ double RadianceCore::AddFields(
   // 2 Re(e^(-i m psi) G) = 2 cos(m psi) Re G + 2 sin(m psi) Im G.
   const std::size_t first = this->Fields.size();
   this->Fields.resize(first + 3 * texels * static_cast<std::size_t>(CoreMode::CountFields(order)));
-  float peak = 0.0f; // squared
+  double squared = 0.0; // in double precision: squares of floats can be too large for floats
   for (const FieldSynthesis::Field& field : fields)
   {
     for (std::size_t texel = 0; texel < texels; ++texel)
     {
-      peak = std::max(peak, std::norm(field[mode * texels + texel]));
+      squared = std::max(squared, std::norm(std::complex<double>(field[mode * texels + texel])));
     }
   }
   const float share = order > 0 ? 2.0f : 1.0f;
-  peak = share * std::sqrt(peak);
+  const float peak = share * static_cast<float>(std::sqrt(squared));
   const float scale = peak > 0.0f ? LargestValue / peak : 1.0f;
   float* const real = &this->Fields[first];
   const auto pack = [scale, share](float value)

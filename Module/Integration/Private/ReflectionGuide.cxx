@@ -31,8 +31,7 @@ constexpr int ViewsPerPeaks = 4;
 constexpr int PeakSize = 64;
 constexpr int PeakLevels = 6; // 64, 32, ..., 2
 constexpr int PeakCellsOfView = 5460;
-constexpr double PeakWidth =
-  0.039166; // of a cell of the first level, in rad: sqrt(2 Pi) / PeakSize
+constexpr double PeakWidth = 2.50662827 / PeakSize; // of a first cell, in rad: of sqrt(2 Pi)
 
 int GetLevelOffset(int level)
 {

@@ -53,7 +53,8 @@ MEASUREDBRDF_INLINE void WeighMiddles(
       Load(middles.Factors[c] + k, factor);
       value *= factor;
       const Vector most = Vector{} + LargestValue;
-      const Vector inside = value < most ? value : most;
+      const Vector known = value == value ? value : Vector{}; // infinite, of a black channel
+      const Vector inside = known < most ? known : most;
       Store(inside, to[c] + k);
     }
   }

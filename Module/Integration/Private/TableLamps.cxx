@@ -20,7 +20,7 @@ namespace measuredbrdf
 {
 namespace
 {
-constexpr int AtOnce = 16; // lamps that a pixel finds together, as bits of a number
+constexpr int AtOnce = 31; // lamps that a pixel finds together, as bits of a number
 }
 
 TableLamps::TableLamps(vtkLightSet* lights, vtkBRDF* shaded)
@@ -126,10 +126,11 @@ void TableLamps::AddTo(vtkBRDFShaderInputs::Term& table) const
       constant.Value = "brdfAddLampsINSTANCE(frame, o, d, lambert)";
     }
   }
-  table.Evaluations += areas ? 0 : 1;
   const bool haveParts = !this->Parts.empty();
-  // The lamp and its light; a part's place, and how many there are. And lamps are looked for.
-  table.Fetches += (haveParts ? 4 : 2) + (areas ? 1 : 0) + (count > AtOnce ? count : 0);
+  const int turns = (count + AtOnce - 1) / AtOnce; // at least
+  table.Evaluations += areas ? 0 : turns;
+  // The lamp and its light; a part's place, and how many there are. And many lamps are looked for.
+  table.Fetches += turns * ((haveParts ? 4 : 2) + (areas ? 1 : 0)) + (turns > 1 ? count : 0);
   std::string uniforms;
   std::string find;
   if (count > AtOnce)

@@ -16,7 +16,9 @@ namespace
 using Values = WignerLanes::Values;
 using Steps = std::vector<WignerD::Step>;
 
-constexpr double Tiny = 1e-15; // as a float it is 0: processors are slow with such
+// Stored as 0: products of such numbers are denormal, and processors are slow with these.
+constexpr double Tiny = 1e-15;
+
 // Some lanes' values. Vector: of doubles, or one.
 template <typename Vector>
 MEASUREDBRDF_INLINE void Load(const Values& values, std::size_t lane, Vector& vector)

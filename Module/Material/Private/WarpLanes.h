@@ -23,7 +23,7 @@ struct WarpLanes
   float UnitPhiH[Most]; // in [0,1]
 };
 
-/// lights: x, y and z of unit vectors above the horizon, WarpLanes::Most at most. To 1e-6 rad;
+/// lights: x, y and z of unit vectors above the horizon, 1 to WarpLanes::Most. To 1e-6 rad;
 /// where the half vector is nearly the normal, its azimuth is less exact. Lanes behind the last
 /// light are filled up to a multiple of 16. form: one that the processor has.
 void FindWarpLanes(int count, const float* const lights[3], const double view[3], WarpLanes& lanes,

@@ -11,7 +11,6 @@ namespace measuredbrdf
 namespace
 {
 constexpr double MegabyteShare = 3.0 / 107.0; // of a table's pixel, that a megabyte counts as
-constexpr double SpherePixels = 196350.0;     // where it does
 }
 
 vtkSmartPointer<vtkRadianceIntegrator> MakeIntegrator(

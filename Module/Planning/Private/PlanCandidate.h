@@ -31,7 +31,8 @@ struct PlanCandidate
   double Order = 0.0;                                // the same with the price of its textures
   double Error = 0.0;                                // relative L1, with Uncertainty
   double Uncertainty = 0.0;                          // for what the pairs may miss
-  double Picture = 0.0;                              // the error of a single picture, at most
+  double Picture = 0.0;                              // estimated: the most of a single picture
+  bool OnBoth = false;                               // compared on a second sample, too
   vtkIdType Bytes = 0;                               // of textures
   double SetUp = 0.0;                                // ms
   vtkSmartPointer<vtkRadianceIntegrator> Integrator; // null: to be made again
@@ -42,6 +43,9 @@ inline int GetMainSize(const PlanCandidate& candidate)
 {
   return candidate.Sizes.empty() ? 0 : candidate.Sizes.front();
 }
+
+/// Pixels that a sphere covers in 500 x 500: textures are shared by so many.
+constexpr double SpherePixels = 196350.0;
 
 /// What to plan for.
 struct PlanTask

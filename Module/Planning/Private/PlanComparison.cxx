@@ -22,7 +22,7 @@ constexpr double OwnWidth = 20.0;      // PictureSums: fewer pairs than are draw
 double GetLargestRatio(const PictureSums& own, const std::vector<double>& cheap)
 {
   const std::vector<double> ratios = own.GetRatios();
-  double largest = ratios.empty() ? 1.0 : 0.0;
+  double largest = 1.0; // some picture has what all have in the mean
   for (std::size_t k = 0; k < ratios.size(); ++k)
   {
     largest = std::max(largest, cheap.empty() ? ratios[k] : std::sqrt(ratios[k] * cheap[k]));

@@ -46,19 +46,22 @@ std::string ExplainChoice(const Plan& plan, double tolerance)
   const std::size_t choice = static_cast<std::size_t>(plan.Choice);
   std::string reason;
   const PlanCandidate& chosen = plan.Candidates[choice];
-  if (plan.Meets)
+  if (plan.Meets && plan.First >= 0 && plan.First != plan.Choice)
+  {
+    const PlanCandidate& first = plan.Candidates[static_cast<std::size_t>(plan.First)];
+    reason = "the first candidate, by cost and size, within " + Percent(tolerance) +
+             " may have up to " + Percent(first.Picture) + " in a single picture; this one " +
+             (chosen.Picture <= tolerance ? "is within " + Percent(tolerance) + " there, too"
+                                          : "may have up to " + Percent(chosen.Picture) + " there");
+  }
+  else if (plan.Meets)
   {
     const PlanCandidate* before = choice > 0 ? &plan.Candidates[choice - 1] : nullptr;
-    const bool byPictures = before && before->Error <= tolerance;
-    reason =
-      "the first candidate, by cost and size, within " + Percent(tolerance) +
-      (byPictures && chosen.Picture <= tolerance ? " in single pictures, too" : "") +
-      (before ? ": the one before has " + Percent(byPictures ? before->Picture : before->Error) +
-                  (byPictures ? " in one" : "")
-              : std::string());
+    reason = "the first candidate, by cost and size, within " + Percent(tolerance) +
+             (before ? ": the one before has " + Percent(before->Error) : std::string());
     if (chosen.Picture > tolerance)
     {
-      reason += "; that is the mean over all views, a single picture may have up to " +
+      reason += "; that is the mean over all views: a single picture may have up to " +
                 Percent(chosen.Picture);
     }
   }

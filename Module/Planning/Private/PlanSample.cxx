@@ -155,9 +155,12 @@ PlanPairs ChoosePairs(
   chosen.Normals->SetNumberOfComponents(3);
   chosen.Views->SetNumberOfComponents(3);
   chosen.Cameras = all.Cameras;
-  PictureSums pictures(DrawnWidth);
-  pictures.Add(all, differences, radiances);
-  chosen.Ratios = pictures.GetRatios();
+  if (index == 0) // of all pairs, so the same for each sample
+  {
+    PictureSums pictures(DrawnWidth);
+    pictures.Add(all, differences, radiances);
+    chosen.Ratios = pictures.GetRatios();
+  }
   double at = std::fmod(Start + index * NextStart, 1.0);
   for (const std::size_t k : order)
   {

@@ -23,13 +23,14 @@ constexpr double FarAway = 3.0; // times the tolerance: where last resorts are t
 constexpr double WorthIt = 0.9; // of another's error, to be worth more cost
 constexpr int Few = 3;          // so many tried, and luck does not matter
 constexpr double Dearer = 1.05; // times another's cost, textures included
-// Times the frame of the cheapest: longer ones are not for what chance alone may have missed.
+// Times the shortest frame: longer ones are not for what chance alone may have missed.
 constexpr double LongFrame = 2.0;
 
 // To hold in single pictures, too, what meets the tolerance in the mean: without a longer frame, in
-// so many bytes, and where that does not suffice, for two thirds of what a picture has.
+// so many bytes of a sphere's pixels, and where that does not suffice, for two thirds of a
+// picture's error.
 constexpr double AsDear = 1.001;
-constexpr vtkIdType LittleMemory = 4000000;
+constexpr double LittleMemory = 4e6;
 constexpr double PictureWorthIt = 1.5;
 
 // Where the tolerance is missed, textures beyond so many bytes have to leave two thirds of the
@@ -109,23 +110,33 @@ PlanSearch::PlanSearch(const PlanTask& task, const PlanComparison& comparison, I
 
 bool PlanSearch::Run(const std::vector<PlanCandidate>& candidates)
 {
+  this->ShortestFrame = HUGE_VAL;
+  for (const PlanCandidate& candidate : candidates)
+  {
+    this->ShortestFrame = std::min(this->ShortestFrame, candidate.Cost);
+  }
+  return this->Search(candidates) && (!this->Task.All || this->TryOthers(candidates)) &&
+         !this->Aborted();
+}
+
+bool PlanSearch::Search(const std::vector<PlanCandidate>& candidates)
+{
   std::vector<PlanCandidate> skipped; // the largest of each method
-  bool isEnough = false;
-  for (std::size_t k = 0; k < candidates.size() && !isEnough && !this->Aborted(); ++k)
+  for (std::size_t k = 0; k < candidates.size() && !this->Aborted(); ++k)
   {
     const PlanCandidate& candidate = candidates[k];
     if (!this->IsWorthTrying(candidate))
     {
       continue;
     }
-    if (this->Found.Meets && !this->Task.All) // others cost more
+    if (this->Found.Meets) // others cost more
     {
       if (this->MayHoldPictures(candidate) && !this->Try(candidate))
       {
         return false;
       }
     }
-    else if (!this->Task.All && this->CanPrune(candidate, this->Task.Tolerance))
+    else if (this->CanPrune(candidate, this->Task.Tolerance))
     {
       const auto known = std::find_if(skipped.begin(), skipped.end(),
         [&candidate](const PlanCandidate& other) { return other.Method == candidate.Method; });
@@ -140,37 +151,73 @@ bool PlanSearch::Run(const std::vector<PlanCandidate>& candidates)
     }
     else
     {
-      const bool isNear = !this->Task.All && this->IsNearMiss();
-      if (isNear && candidate.Order > Dearer * this->GetChoice().Order && !this->CheckChoice())
+      const bool isDearer =
+        this->IsNearMiss() && candidate.Order > Dearer * this->GetChoice().Order;
+      if (isDearer && !this->CheckChoice())
       {
         return false;
       }
-      isEnough = isNear && this->IsNearMiss() && this->Found.Choice == this->Checked &&
-                 candidate.Cost > LongFrame * candidates[0].Cost;
-      const bool isOpen = this->Task.All || (!this->Found.Meets && !isEnough);
-      if (isOpen && !this->Try(candidate))
+      if (!this->Found.Meets && !this->IsTooLong(candidate) && !this->Try(candidate))
       {
         return false;
       }
     }
-    if (this->Progress)
-    {
-      this->Progress((static_cast<double>(k) + 1.0) / static_cast<double>(candidates.size()));
-    }
+    this->SayProgress(k + 1, candidates.size(), false);
   }
-  return (isEnough || this->TrySkipped(skipped)) && this->CheckChoice() && !this->Aborted();
+  return this->TrySkipped(skipped) && this->CheckChoice();
+}
+
+// Those that the search left out; the choice stays.
+bool PlanSearch::TryOthers(const std::vector<PlanCandidate>& candidates)
+{
+  std::vector<PlanCandidate> searched;
+  searched.swap(this->Found.Candidates);
+  const int choice = this->Found.Choice;
+  const int first = this->Found.First;
+  for (std::size_t k = 0; k < candidates.size() && !this->Aborted(); ++k)
+  {
+    const auto known = std::find_if(searched.begin(), searched.end(),
+      [&](const PlanCandidate& other)
+      { return other.Method == candidates[k].Method && other.Sizes == candidates[k].Sizes; });
+    const int number = static_cast<int>(this->Found.Candidates.size());
+    if (known != searched.end())
+    {
+      const int before = static_cast<int>(known - searched.begin());
+      this->Found.Choice = before == choice ? number : this->Found.Choice;
+      this->Found.First = before == first ? number : this->Found.First;
+      this->Found.Candidates.push_back(*known);
+    }
+    else if (!this->Try(candidates[k], false))
+    {
+      return false;
+    }
+    this->SayProgress(k + 1, candidates.size(), true);
+  }
+  return true;
+}
+
+// others: of the second half of the work, where all are tried.
+void PlanSearch::SayProgress(std::size_t done, std::size_t all, bool others) const
+{
+  if (this->Progress)
+  {
+    const double share = static_cast<double>(done) / static_cast<double>(all);
+    this->Progress(!this->Task.All ? share : 0.5 * (share + (others ? 1.0 : 0.0)));
+  }
 }
 
 bool PlanSearch::IsWorthTrying(const PlanCandidate& candidate) const
 {
-  return this->Task.All || this->Found.Choice < 0 || !candidate.Integrator->IsLastResort() ||
+  return this->Found.Choice < 0 || !candidate.Integrator->IsLastResort() ||
          this->GetChoice().Error >= FarAway * this->Task.Tolerance;
 }
 
 // Beside a choice that meets the tolerance.
 bool PlanSearch::IsAffordable(const PlanCandidate& candidate) const
 {
-  return candidate.Bytes <= LittleMemory && candidate.Cost <= AsDear * this->GetChoice().Cost;
+  const double bytes = LittleMemory * std::min(1.0, this->Task.Pixels / SpherePixels);
+  return static_cast<double>(candidate.Bytes) <= bytes &&
+         candidate.Cost <= AsDear * this->GetChoice().Cost;
 }
 
 bool PlanSearch::MayHoldPictures(const PlanCandidate& candidate) const
@@ -179,6 +226,15 @@ bool PlanSearch::MayHoldPictures(const PlanCandidate& candidate) const
   return choice.Picture > this->Task.Tolerance && this->IsAffordable(candidate) &&
          !this->CanPrune(candidate,
            choice.Error * std::max(this->Task.Tolerance / choice.Picture, 1.0 / PictureWorthIt));
+}
+
+// In single pictures, than a choice that meets the tolerance.
+bool PlanSearch::IsBetterInPictures(const PlanCandidate& candidate) const
+{
+  const PlanCandidate& choice = this->GetChoice();
+  return choice.Picture > this->Task.Tolerance && this->IsAffordable(candidate) &&
+         candidate.Error <= this->Task.Tolerance &&
+         candidate.Picture <= std::max(this->Task.Tolerance, choice.Picture / PictureWorthIt);
 }
 
 bool PlanSearch::CanPrune(const PlanCandidate& candidate, double error) const
@@ -206,7 +262,7 @@ bool PlanSearch::TrySkipped(const std::vector<PlanCandidate>& skipped)
     for (const PlanCandidate& candidate : skipped)
     {
       if (candidate.Method != method->GetMethodName() || this->Found.Meets || this->Aborted() ||
-          this->Found.Choice < 0)
+          this->Found.Choice < 0 || this->IsTooLong(candidate))
       {
         continue;
       }
@@ -224,13 +280,19 @@ bool PlanSearch::TrySkipped(const std::vector<PlanCandidate>& skipped)
   return true;
 }
 
-bool PlanSearch::Try(PlanCandidate candidate)
+bool PlanSearch::Try(PlanCandidate candidate, bool mayBeChosen)
 {
-  if (this->Prepare(candidate))
+  if (this->Prepare(candidate, mayBeChosen))
   {
-    if (candidate.Bytes <= this->Task.MaximumBytes) // which counts the material's textures, too
+    const bool fits = candidate.Bytes <= this->Task.MaximumBytes; // with the material's textures
+    if (fits && mayBeChosen)
     {
       this->Take(candidate);
+    }
+    else if (fits)
+    {
+      candidate.Integrator = nullptr;
+      this->Found.Candidates.push_back(candidate);
     }
     return true;
   }
@@ -245,7 +307,7 @@ bool PlanSearch::Try(PlanCandidate candidate)
 }
 
 // And see how far it is from the reference.
-bool PlanSearch::Prepare(PlanCandidate& candidate)
+bool PlanSearch::Prepare(PlanCandidate& candidate, bool mayBeChosen)
 {
   if (!PrepareCandidate(this->Task, this->Aborted, candidate, this->Problem))
   {
@@ -268,7 +330,7 @@ bool PlanSearch::Prepare(PlanCandidate& candidate)
   candidate.Uncertainty = found.Uncertainty;
   candidate.Picture = found.Picture;
   ++this->Tried;
-  return !this->MayBeLuck(candidate) || this->Check(candidate);
+  return !mayBeChosen || !this->MayBeLuck(candidate) || this->Check(candidate);
 }
 
 // As the renderer's texture units would.
@@ -285,9 +347,9 @@ bool PlanSearch::Integrate(
 // Within the tolerance, but no further than the sample's error again, after some that were not.
 bool PlanSearch::MayBeLuck(const PlanCandidate& candidate) const
 {
-  return !this->Task.All && !this->Found.Meets && this->Tried > Few &&
-         candidate.Error <= this->Task.Tolerance &&
-         candidate.Error + candidate.Uncertainty > this->Task.Tolerance;
+  return this->Tried > Few && candidate.Error <= this->Task.Tolerance &&
+         candidate.Error + candidate.Uncertainty > this->Task.Tolerance &&
+         (!this->Found.Meets || this->IsBetterInPictures(candidate));
 }
 
 // On both samples.
@@ -308,6 +370,7 @@ bool PlanSearch::Check(PlanCandidate& candidate)
   candidate.Error = found.Error;
   candidate.Uncertainty = found.Uncertainty;
   candidate.Picture = found.Picture;
+  candidate.OnBoth = true;
   return true;
 }
 
@@ -318,19 +381,26 @@ bool PlanSearch::IsNearMiss() const
          this->GetChoice().Error - this->GetChoice().Uncertainty <= this->Task.Tolerance;
 }
 
+// Where what misses the tolerance by chance only, on both samples, has a frame of half the length.
+bool PlanSearch::IsTooLong(const PlanCandidate& candidate) const
+{
+  return this->IsNearMiss() && this->GetChoice().OnBoth &&
+         candidate.Cost > LongFrame * this->ShortestFrame;
+}
+
 // The best of those that miss the tolerance, too: on both samples it may be within it.
 bool PlanSearch::CheckChoice()
 {
   Plan& plan = this->Found;
-  if (this->Task.All || plan.Meets || plan.Choice < 0 || plan.Choice == this->Checked ||
-      this->Tried <= Few || this->Aborted())
+  if (plan.Meets || plan.Choice < 0 || this->GetChoice().OnBoth || this->Tried <= Few ||
+      this->Aborted())
   {
     return true;
   }
   PlanCandidate& choice = plan.Candidates[static_cast<std::size_t>(plan.Choice)];
   const bool checked = this->Check(choice);
   plan.Meets = checked && choice.Error <= this->Task.Tolerance;
-  this->Checked = plan.Choice;
+  plan.First = plan.Meets ? plan.Choice : -1;
   return checked;
 }
 
@@ -350,11 +420,9 @@ void PlanSearch::Take(const PlanCandidate& candidate)
   {
     plan.Meets = true;
     plan.Choice = last;
+    plan.First = last;
   }
-  else if (plan.Meets && this->GetChoice().Picture > this->Task.Tolerance &&
-           this->IsAffordable(candidate) && candidate.Error <= this->Task.Tolerance &&
-           candidate.Picture <=
-             std::max(this->Task.Tolerance, this->GetChoice().Picture / PictureWorthIt))
+  else if (plan.Meets && this->IsBetterInPictures(candidate))
   {
     plan.Choice = last;
   }

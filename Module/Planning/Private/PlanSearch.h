@@ -23,6 +23,7 @@ struct Plan
 {
   std::vector<PlanCandidate> Candidates; // that were tried, in this order
   int Choice = -1;
+  int First = -1;     // that met the tolerance; the choice, or what that replaced for pictures
   bool Meets = false; // the tolerance
   std::string Reason;
 };
@@ -50,9 +51,11 @@ public:
 
   /// Try candidates in their order until one is within the tolerance, but for those that the others
   /// show not to help. One that misses it by no more than what stands for chance is compared on the
-  /// second pairs before any that costs clearly more is tried. Where single pictures may have more
-  /// than the tolerance, those after it that take no longer a frame and little memory are tried,
-  /// too. The largest of these are tried in the end where nothing is. Returns false where it was
+  /// second pairs before any that costs clearly more is tried; where chance may be all on both,
+  /// long frames are left out. Where nothing is within the tolerance, the largest that were left
+  /// out as no help are tried in the end. Where single pictures may have more than the tolerance,
+  /// those after the first within it that take no longer a frame and little memory are tried, too.
+  /// If all are wanted, the others come last, and the choice stays. Returns false where it was
   /// aborted, or a candidate of the module failed.
   bool Run(const std::vector<PlanCandidate>& candidates);
 
@@ -70,12 +73,17 @@ private:
   {
     return this->Found.Candidates[static_cast<std::size_t>(this->Found.Choice)];
   }
+  bool Search(const std::vector<PlanCandidate>& candidates);
+  bool TryOthers(const std::vector<PlanCandidate>& candidates);
+  void SayProgress(std::size_t done, std::size_t all, bool others) const;
   bool IsWorthTrying(const PlanCandidate& candidate) const;
   bool IsAffordable(const PlanCandidate& candidate) const;
   bool MayHoldPictures(const PlanCandidate& candidate) const;
   bool CanPrune(const PlanCandidate& candidate, double error) const;
-  bool Try(PlanCandidate candidate);
-  bool Prepare(PlanCandidate& candidate);
+  bool IsBetterInPictures(const PlanCandidate& candidate) const;
+  bool IsTooLong(const PlanCandidate& candidate) const;
+  bool Try(PlanCandidate candidate, bool mayBeChosen = true);
+  bool Prepare(PlanCandidate& candidate, bool mayBeChosen);
   bool Integrate(PlanCandidate& candidate, const PlanPairs& pairs, vtkDoubleArray* radiance);
   bool MayBeLuck(const PlanCandidate& candidate) const;
   bool Check(PlanCandidate& candidate);
@@ -91,7 +99,7 @@ private:
   std::string Problem;
   std::string Warnings;
   int Tried = 0;
-  int Checked = -1; // the last choice that was compared on both samples
+  double ShortestFrame = 0.0; // by cost
 };
 
 /// Hands an abort on to an integrator at work, whose errors it keeps.

@@ -359,7 +359,7 @@ TEST(AdaptiveIntegrator, ThreadsChangeNothing)
 
 //------------------------------------------------------------------------------
 // Its answer is asked for about every 50 ms.
-TEST(AdaptiveIntegrator, StopsWithinATenthOfASecond)
+TEST(AdaptiveIntegrator, StopsSoon)
 {
   vtkNew<vtkEnvironment> environment;
   environment->SetToProceduralHall();

@@ -275,6 +275,53 @@ TEST(PlanSearch, LooksTwiceAtNearMisses)
 }
 
 //------------------------------------------------------------------------------
+// Whoever wants to see all candidates gets the same choice: the others are only listed, each in its
+// place, whether the search left them out, had found enough, or keeps them for the end.
+TEST(PlanSearch, ChoosesTheSameWhereAllAreTried)
+{
+  measuredbrdf::PlanTask task;
+  task.BRDF = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("pink-felt"));
+  task.Costs = vtkSmartPointer<vtkRadianceCostModel>::New();
+  task.Tolerance = 0.02;
+  task.MaximumBytes = 1000;
+  PlanComparison first = MakeComparison(20, false);
+  first.ReferenceError = 1e-3;
+  PlanComparison second = MakeComparison(20, true);
+  const auto run = [&](bool all, double luck)
+  {
+    std::vector<PlanCandidate> candidates = { MakeCandidate(1, 0.5, 0.5),
+      MakeCandidate(2, 0.015, 0.015), MakeCandidate(3, 0.4, 0.4), MakeCandidate(4, 0.3, 0.3),
+      MakeCandidate(5, 0.2, 0.2), MakeCandidate(6, 0.0185, luck), MakeCandidate(7, 0.01, 0.01),
+      MakeCandidate(8, 0.001, 0.001) };
+    Wrong::SafeDownCast(candidates[1].Integrator)->Pruned = 1.0; // its rules take it for hopeless
+    task.All = all;
+    measuredbrdf::PlanSearch search(task, first, []() { return false; });
+    search.GetSecond = [&]() { return &second; };
+    double last = 0.0;
+    search.Progress = [&last](double share)
+    {
+      EXPECT_GE(share, last);
+      last = share;
+    };
+    EXPECT_TRUE(search.Run(candidates)) << search.GetProblem();
+    return search.GetPlan();
+  };
+  for (const double luck : { 0.017, 0.06 }) // is its error on the other sample
+  {
+    const measuredbrdf::Plan quick = run(false, luck);
+    const measuredbrdf::Plan whole = run(true, luck);
+    ASSERT_EQ(whole.Candidates.size(), 8u);
+    ASSERT_EQ(whole.Choice, luck < 0.02 ? 5 : 6);
+    EXPECT_EQ(whole.First, whole.Choice);
+    const PlanCandidate& chosen = whole.Candidates[static_cast<std::size_t>(whole.Choice)];
+    EXPECT_TRUE(chosen.Integrator);
+    EXPECT_EQ(chosen.Sizes, quick.Candidates[static_cast<std::size_t>(quick.Choice)].Sizes);
+    EXPECT_NEAR(whole.Candidates[1].Error - whole.Candidates[1].Uncertainty, 0.015, 5e-3);
+    EXPECT_FALSE(whole.Candidates[1].Integrator);
+  }
+}
+
+//------------------------------------------------------------------------------
 // One camera sees the pairs whose normal is z, another those where it is x. What meets the
 // tolerance in the mean of both gives way to what does so in each, if that costs little.
 TEST(PlanSearch, HoldsInSinglePictures)
@@ -284,6 +331,7 @@ TEST(PlanSearch, HoldsInSinglePictures)
   task.Costs = vtkSmartPointer<vtkRadianceCostModel>::New();
   task.Tolerance = 0.02;
   task.MaximumBytes = 96000000;
+  task.Pixels = measuredbrdf::SpherePixels;
   PlanComparison comparison = MakeComparison(40, false);
   for (vtkIdType k = 20; k < 40; ++k)
   {
@@ -307,7 +355,12 @@ TEST(PlanSearch, HoldsInSinglePictures)
   EXPECT_EQ(plan.Choice, 1);
   EXPECT_NEAR(plan.Candidates[0].Picture, 1.75 * plan.Candidates[0].Error, 1e-9);
   EXPECT_NEAR(plan.Candidates[1].Picture, plan.Candidates[1].Error, 1e-9);
+  EXPECT_EQ(plan.First, 0);
   EXPECT_EQ(run(0.012, 0.012, 4100000).Choice, 0);
+  task.Pixels /= 4.0; // so few pixels are worth a quarter of the memory
+  EXPECT_EQ(run(0.012, 0.012).Choice, 0);
+  EXPECT_EQ(run(0.012, 0.012, 900000).Choice, 1);
+  task.Pixels *= 4.0;
   EXPECT_EQ(run(0.012, 0.012, 2000000, 1.1).Choice, 0);
   EXPECT_EQ(run(0.004, 0.020).Choice, 0); // little is gained
   EXPECT_EQ(run(0.003, 0.018).Choice, 1); // two thirds of what a picture has

@@ -115,8 +115,9 @@ INSTANTIATE_TEST_SUITE_P(Embedded, PlannerPromise,
   });
 
 //------------------------------------------------------------------------------
-// Candidates that look hopeless are left out: trying them all chooses the same. What they share
-// while they are made does not show either.
+// Candidates that look hopeless are left out, and none of these that is cheaper than the choice
+// meets the tolerance in the mean and in single pictures. What they share while they are made does
+// not show either.
 TEST(Planner, LeavesOutOnlyWhatDoesNotHelp)
 {
   std::size_t tried = 0;
@@ -142,6 +143,12 @@ TEST(Planner, LeavesOutOnlyWhatDoesNotHelp)
     EXPECT_EQ(
       planner->GetPredictedError(choice), thorough->GetPredictedError(thorough->GetChoice()));
     EXPECT_LT(planner->GetNumberOfCandidates(), thorough->GetNumberOfCandidates()) << name;
+    for (int k = 0; k < thorough->GetChoice(); ++k)
+    {
+      EXPECT_GT(
+        std::max(thorough->GetPredictedError(k), thorough->GetPredictedPictureError(k)), 0.01)
+        << thorough->GetDescription(k);
+    }
     tried += static_cast<std::size_t>(planner->GetNumberOfCandidates());
     all += static_cast<std::size_t>(thorough->GetNumberOfCandidates());
   }
@@ -502,7 +509,7 @@ TEST(Planner, EvaluateAllListsEveryMethod)
     [](vtkObject*, unsigned long, void* count, void*) { ++*static_cast<int*>(count); });
   planner->AddObserver(vtkCommand::ProgressEvent, counter);
   ASSERT_TRUE(planner->Update());
-  EXPECT_EQ(events, planner->GetNumberOfCandidates());
+  EXPECT_GE(events, planner->GetNumberOfCandidates()); // and some while it searches
   std::map<std::string, int> methods;
   double lastOrder = 0.0;
   for (int k = 0; k < planner->GetNumberOfCandidates(); ++k)
