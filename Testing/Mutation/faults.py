@@ -655,16 +655,16 @@ add("Integration.tiles-without-the-lifted-rings", "Private/TableTiles.cxx", "Lif
     "TableTiles.NeedTheNodesAboutThem")
 add("Integration.azimuths-turn-backwards", "Private/AzimuthSeries.cxx", "gain * std::sin(angle)", "-gain * std::sin(angle)",
     "AzimuthSeries.TurnsEachOrder")
-add("Planning.luck-is-merit", "Private/PlanSearch.cxx", "return !this->MayBeLuck(candidate) || this->Check(candidate);",
-    "return true;", "PlanSearch.DoesNotTakeLuckForMerit")
+add("Planning.luck-is-merit", "Private/PlanSearch.cxx", "!this->MayBeLuck(candidate) || this->Check(candidate);",
+    "true;", "PlanSearch.DoesNotTakeLuckForMerit")
 add("Planning.near-misses-are-misses", "Private/PlanSearch.cxx", "constexpr double Dearer = 1.05;", "constexpr double Dearer = 1e9;",
     "PlanSearch.LooksTwiceAtNearMisses")
 add("Planning.long-frames-for-chance", "Private/PlanSearch.cxx", "constexpr double LongFrame = 2.0;", "constexpr double LongFrame = 1e9;",
     "PlanSearch.LooksTwiceAtNearMisses")
 add("Planning.pictures-have-the-mean", "Private/PlanComparison.cxx", "ratio * (error + uncertainty) };", "error + uncertainty };",
     "PlanSearch.HoldsInSinglePictures")
-add("Planning.pictures-at-any-price", "Private/PlanSearch.cxx", "constexpr vtkIdType LittleMemory = 4000000;",
-    "constexpr vtkIdType LittleMemory = 4000000000;", "PlanSearch.HoldsInSinglePictures")
+add("Planning.pictures-at-any-price", "Private/PlanSearch.cxx", "constexpr double LittleMemory = 4e6;",
+    "constexpr double LittleMemory = 4e9;", "PlanSearch.HoldsInSinglePictures")
 add("Planning.pictures-without-their-density", "Private/PlanPictures.cxx", "std::max(std::sin(turned), LeastSine);", "1.0;",
     "PlanPictures.AreWhatCamerasSee")
 add("Planning.memory-is-free", "Private/PlanSearch.cxx", "constexpr double MemoryWorthIt = 1.5;", "constexpr double MemoryWorthIt = 1.0;",
@@ -684,8 +684,12 @@ add("Planning.lights-for-mirrors", "Private/PlanReference.cxx", "std::min(SharpS
     "1.0", "PlanReference.IsNearlyExact")
 add("Planning.tolerance-twice", "Private/PlanSearch.cxx", "candidate.Error <= this->Task.Tolerance)",
     "candidate.Error <= 2.0 * this->Task.Tolerance)", "PlannerPromise.IsKept")
-add("Planning.stops-where-all-are-asked-for", "Private/PlanSearch.cxx", "if (this->Found.Meets && !this->Task.All)",
-    "if (this->Found.Meets)", "Planner.EvaluateAllListsEveryMethod")
+add("Planning.stops-where-all-are-asked-for", "Private/PlanSearch.cxx", "(!this->Task.All || this->TryOthers(candidates))",
+    "true", "Planner.EvaluateAllListsEveryMethod|PlanSearch.ChoosesTheSameWhereAllAreTried")
+add("Planning.others-are-chosen", "Private/PlanSearch.cxx", "this->Try(candidates[k], false)", "this->Try(candidates[k], true)",
+    "PlanSearch.ChoosesTheSameWhereAllAreTried")
+add("Planning.few-pixels-pay-for-much-memory", "Private/PlanSearch.cxx", "std::min(1.0, this->Task.Pixels / SpherePixels)", "1.0",
+    "PlanSearch.HoldsInSinglePictures")
 add("Planning.memory-without-the-material", "Private/PlanSearch.cxx",
     "candidate.Bytes += static_cast<vtkIdType>(form.GetTextureBytes());", "",
     "Planner.TextureMemoryOfTheMaterial|GoldenPlans.EmbeddedMaterials")
