@@ -287,13 +287,14 @@ TEST(PlanSearch, ChoosesTheSameWhereAllAreTried)
   PlanComparison first = MakeComparison(20, false);
   first.ReferenceError = 1e-3;
   PlanComparison second = MakeComparison(20, true);
-  const auto run = [&](bool all, double luck)
+  const auto run = [&](bool all, double luck, std::size_t count = 8)
   {
     std::vector<PlanCandidate> candidates = { MakeCandidate(1, 0.5, 0.5),
       MakeCandidate(2, 0.015, 0.015), MakeCandidate(3, 0.4, 0.4), MakeCandidate(4, 0.3, 0.3),
       MakeCandidate(5, 0.2, 0.2), MakeCandidate(6, 0.0185, luck), MakeCandidate(7, 0.01, 0.01),
       MakeCandidate(8, 0.001, 0.001) };
     Wrong::SafeDownCast(candidates[1].Integrator)->Pruned = 1.0; // its rules take it for hopeless
+    candidates.resize(count);
     task.All = all;
     measuredbrdf::PlanSearch search(task, first, []() { return false; });
     search.GetSecond = [&]() { return &second; };
@@ -318,6 +319,14 @@ TEST(PlanSearch, ChoosesTheSameWhereAllAreTried)
     EXPECT_EQ(chosen.Sizes, quick.Candidates[static_cast<std::size_t>(quick.Choice)].Sizes);
     EXPECT_NEAR(whole.Candidates[1].Error - whole.Candidates[1].Uncertainty, 0.015, 5e-3);
     EXPECT_FALSE(whole.Candidates[1].Integrator);
+  }
+  // Not even where what is hopeless by its rules is all that meets the tolerance.
+  for (const bool all : { false, true })
+  {
+    const measuredbrdf::Plan missed = run(all, 0.06, 5);
+    EXPECT_FALSE(missed.Meets);
+    EXPECT_EQ(missed.Candidates.size(), all ? 5u : 4u);
+    EXPECT_EQ(missed.Candidates[static_cast<std::size_t>(missed.Choice)].Sizes[0], 5);
   }
 }
 
