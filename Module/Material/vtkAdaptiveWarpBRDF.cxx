@@ -7,7 +7,6 @@
 #include "HalfVector.h"
 #include "PackedWarp.h"
 #include "RenderableTable.h"
-#include "WarpAngles.h"
 #include "WarpChecks.h"
 #include "WarpLanes.h"
 #include "vtkBRDFExchange.h"
@@ -87,22 +86,11 @@ double GetAzimuth(const glm::dvec3& incident, double middle)
   return phi + 2.0 * Pi * std::round((middle - phi) / (2.0 * Pi));
 }
 
-// round: the tables do not depend on the incident azimuth, which need not be known then.
 Coordinates ToCoordinates(
-  const glm::dvec3& incident, const glm::dvec3& outgoing, bool isotropic, bool round, double middle)
+  const glm::dvec3& incident, const glm::dvec3& outgoing, bool isotropic, double middle)
 {
   Coordinates c;
   c.H = HalfVector(incident, outgoing);
-  if (round)
-  {
-    WarpAngles angles;
-    FindWarpAngles(1, &incident.x, &outgoing.x, angles);
-    c.Incident[0] = middle;
-    c.Incident[1] = angles.Theta[0];
-    c.UnitIncident = glm::dvec2(angles.UnitTheta[0], 0.5);
-    c.UnitHalf = glm::dvec2(angles.UnitThetaH[0], angles.UnitPhiH[0]);
-    return c;
-  }
   const double theta = Elevation(incident);
   const double phi = GetAzimuth(incident, middle);
   const double phiH = std::atan2(c.H.y, c.H.x);
@@ -234,7 +222,7 @@ void vtkAdaptiveWarpBRDF::EvaluateAbove(const double i[3], const double o[3], do
   }
   const glm::dvec3 signs = this->Warp->GetFold(glm::make_vec3(i));
   const Coordinates c = ToCoordinates(signs * glm::make_vec3(i), signs * glm::make_vec3(o),
-    this->Data.PhiI.size() <= 2, this->Warp->Round, this->Warp->MiddlePhi);
+    this->Data.PhiI.size() <= 2, this->Warp->MiddlePhi);
   this->Warp->LookUp(c.Incident, c.UnitIncident, c.UnitHalf, o[2], f);
 }
 
@@ -330,8 +318,8 @@ double vtkAdaptiveWarpBRDF::PdfAbove(const double i[3], const double o[3])
   const glm::dvec3 signs = this->Warp->GetFold(glm::make_vec3(o));
   const glm::dvec3 incident =
     signs * glm::make_vec3(o); // the view plays the light, as in SampleAbove
-  const Coordinates c = ToCoordinates(incident, signs * glm::make_vec3(i),
-    this->Data.PhiI.size() <= 2, this->Warp->Round, this->Warp->MiddlePhi);
+  const Coordinates c = ToCoordinates(
+    incident, signs * glm::make_vec3(i), this->Data.PhiI.size() <= 2, this->Warp->MiddlePhi);
   const BilinearWarp::Slices slices = this->Warp->Vndf.FindSlices(c.Incident);
   double density = 0.0;
   const glm::dvec2 s = this->Warp->Vndf.Invert(c.UnitHalf, slices, density);

@@ -81,13 +81,13 @@ add("Material.packed-rows-are-all-the-first", "Private/PackedWarp.cxx",
     "WarpForms.PackedTablesHoldTheSame|AdaptiveWarp.ManyLightsAreEvaluatedAsOneByOne")
 add("Material.lanes-half-turn-the-wrong-way", "Private/WarpLanes.cxx",
     "const Vector across = fromX * hY - y * hX;", "const Vector across = y * hX - fromX * hY;",
-    "WarpForms.LanesAreTheAnglesInSinglePrecision|AdaptiveWarp.ManyLightsAreEvaluatedAsOneByOne")
+    "WarpForms.LanesAreTheAnglesOfTheMathematicsLibrary|AdaptiveWarp.ManyLightsAreEvaluatedAsOneByOne")
 add("Material.packed-slices-are-not-mixed", "Private/PackedWarp.cxx",
     "const std::size_t next = this->Thetas.size() > 1 ? slice : 0;", "const std::size_t next = 0;",
     "WarpForms.PackedTablesHoldTheSame|AdaptiveWarp.ManyLightsAreEvaluatedAsOneByOne")
-add("Material.many-lights-share-an-azimuth", "Private/WarpAngles.cxx",
-    "const Vector fromX = size > 0.0 * size ? x : 0.0 * x + 1.0;", "const Vector fromX = 0.0 * x + 1.0;",
-    "WarpForms.AnglesAreThoseOfTheMathematicsLibrary|IOTensor.AgreesWithTheAuthorsCode")
+add("Material.many-lights-share-an-azimuth", "Private/WarpLanes.cxx",
+    "const Vector fromX = size > zero ? x : zero + 1.0f;", "const Vector fromX = zero + 1.0f;",
+    "WarpForms.LanesAreTheAnglesOfTheMathematicsLibrary|AdaptiveWarp.ManyLightsAreEvaluatedAsOneByOne")
 add("Core.srgb-exponent", "Private/SRGB.h", "1.055, 2.4)", "1.055, 2.2)", "Environment.DecodesSRGB")
 add("Core.periodic-neighbors-do-not-wrap", "Private/Neighbors.h",
     "const int first = (static_cast<int>(base) + n) % n;", "const int first = std::max(static_cast<int>(base), 0);",

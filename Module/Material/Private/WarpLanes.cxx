@@ -11,7 +11,6 @@ namespace measuredbrdf
 {
 namespace
 {
-
 // Chebyshev interpolation of asin(x) / x in x^2, x^2 <= 1/2, and of atan(x) / x, x <= 1, rounded:
 // relative errors of 8e-8, with those of summing in single precision.
 constexpr float AsinLaneSeries[] = { 1.0f, 0.16666955f, 0.074881144f, 0.04648085f, 0.016731389f,

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Coordinates of many lights and one view as WarpAngles gives them, in single precision: one light
- * beside the other, so that vectors of any width take them. Private to the module.
+ * The coordinates in which vtkAdaptiveWarpBRDF's tables are looked up, of many lights and one view,
+ * where nothing depends on the light's azimuth. In single precision, one light beside the other, so
+ * that vectors of any width take them. Private to the module.
  */
 
 #ifndef WarpLanes_h

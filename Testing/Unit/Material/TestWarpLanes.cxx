@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Coordinates of many lights at once against those of one by the mathematics library, and what is
-// looked up there against the tables in double precision; in each form that the processor has.
-// WarpLanes and the packed tables are in single precision.
+// Coordinates of many lights at once, in single precision, against those of the mathematics
+// library, and what is looked up there against the tables in double precision; in each form that
+// the processor has.
 
+#include "HalfVector.h"
 #include "PackedWarp.h"
 #include "SharedData.h"
-#include "WarpAngles.h"
 #include "WarpLanes.h"
 #include "vtkAdaptiveWarpBRDF.h"
 #include "vtkBRDFReader.h"
@@ -89,41 +89,7 @@ class WarpForms : public testing::TestWithParam<VectorForm>
 INSTANTIATE_TEST_SUITE_P(All, WarpForms, testing::ValuesIn(ListForms()), GetFormName);
 
 //------------------------------------------------------------------------------
-TEST_P(WarpForms, AnglesAreThoseOfTheMathematicsLibrary)
-{
-  for (const double theta : { 0.0, 0.3, 1.0, 1.55 })
-  {
-    const glm::dvec3 view(std::sin(theta) * 0.6, std::sin(theta) * -0.8, std::cos(theta));
-    const std::vector<glm::dvec3> lights = MakeLights(view);
-    WarpAngles angles;
-    FindWarpAngles(
-      static_cast<int>(lights.size()), &lights[0].x, &view.x, angles, this->GetParam());
-    for (std::size_t k = 0; k < lights.size(); ++k)
-    {
-      const glm::dvec3& i = lights[k];
-      const glm::dvec3 h = HalfVector(i, view);
-      const double thetaI = std::atan2(std::hypot(i.x, i.y), i.z);
-      const double sine = std::hypot(h.x, h.y);
-      EXPECT_NEAR(angles.Theta[k], thetaI, 1e-9) << theta << " " << k;
-      EXPECT_NEAR(angles.UnitTheta[k] * angles.UnitTheta[k], thetaI / (0.5 * Pi), 1e-9);
-      EXPECT_NEAR(
-        angles.UnitThetaH[k] * angles.UnitThetaH[k], std::atan2(sine, h.z) / (0.5 * Pi), 1e-9)
-        << theta << " " << k;
-      EXPECT_GE(angles.UnitPhiH[k], 0.0);
-      EXPECT_LE(angles.UnitPhiH[k], 1.0);
-      if (sine > 1e-6) // else it has no azimuth
-      {
-        const double turn = std::atan2(h.y, h.x) -
-                            (i.x == 0.0 && i.y == 0.0 ? 0.0 : std::atan2(i.y, i.x)) -
-                            2.0 * Pi * (angles.UnitPhiH[k] - 0.5);
-        EXPECT_NEAR(std::remainder(turn, 2.0 * Pi), 0.0, 1e-9) << theta << " " << k;
-      }
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-TEST_P(WarpForms, LanesAreTheAnglesInSinglePrecision)
+TEST_P(WarpForms, LanesAreTheAnglesOfTheMathematicsLibrary)
 {
   for (const double theta : { 0.0, 0.3, 1.0, 1.55 })
   {
@@ -132,30 +98,30 @@ TEST_P(WarpForms, LanesAreTheAnglesInSinglePrecision)
     for (const std::size_t count : { std::size_t(1), std::size_t(9), all.size() })
     {
       const std::vector<glm::dvec3> lights(all.begin(), all.begin() + static_cast<long>(count));
-      WarpAngles angles;
-      FindWarpAngles(static_cast<int>(count), &lights[0].x, &view.x, angles);
       WarpLanes lanes;
       FindWarpLanes(
         static_cast<int>(count), Lights(lights).Pointers, &view.x, lanes, this->GetParam());
       for (std::size_t k = 0; k < count; ++k)
       {
-        const glm::dvec3 h = HalfVector(lights[k], view);
+        const glm::dvec3& i = lights[k];
+        const glm::dvec3 h = HalfVector(i, view);
+        const double round = std::hypot(i.x, i.y);
         const double sine = std::hypot(h.x, h.y);
-        EXPECT_NEAR(lanes.Theta[k], angles.Theta[k], 1e-6) << theta << " " << k;
-        EXPECT_NEAR(
-          lanes.UnitTheta[k] * lanes.UnitTheta[k], angles.UnitTheta[k] * angles.UnitTheta[k], 1e-6);
+        const double thetaI = std::atan2(round, i.z);
+        EXPECT_NEAR(lanes.Theta[k], thetaI, 1e-6) << theta << " " << k;
+        EXPECT_NEAR(lanes.UnitTheta[k] * lanes.UnitTheta[k], thetaI / (0.5 * Pi), 1e-6);
         // The half vector of a grazing pair is short: its error is larger.
-        const double length = glm::length(lights[k] + view);
-        EXPECT_NEAR(lanes.UnitThetaH[k] * lanes.UnitThetaH[k],
-          angles.UnitThetaH[k] * angles.UnitThetaH[k], 1e-6 + 3e-7 / length)
+        const double error = 1e-6 + 3e-7 / glm::length(i + view);
+        EXPECT_NEAR(
+          lanes.UnitThetaH[k] * lanes.UnitThetaH[k], std::atan2(sine, h.z) / (0.5 * Pi), error)
           << theta << " " << k;
         EXPECT_GE(lanes.UnitPhiH[k], 0.0f);
         EXPECT_LE(lanes.UnitPhiH[k], 1.0f);
-        const double round = std::hypot(lights[k].x, lights[k].y);
-        if (sine > 1e-3 && (round > 1e-3 || round == 0.0))
+        if (sine > 1e-3 && (round > 1e-3 || round == 0.0)) // else it has hardly an azimuth
         {
-          EXPECT_NEAR(std::remainder(lanes.UnitPhiH[k] - angles.UnitPhiH[k], 1.0), 0.0,
-            1e-6 + 3e-7 / length / std::min(sine, 1.0))
+          const double turn = std::atan2(h.y, h.x) - (round == 0.0 ? 0.0 : std::atan2(i.y, i.x));
+          EXPECT_NEAR(
+            std::remainder(lanes.UnitPhiH[k] - 0.5 - turn / (2.0 * Pi), 1.0), 0.0, error / sine)
             << theta << " " << k;
         }
       }
@@ -194,18 +160,9 @@ TEST_P(WarpForms, PackedTablesHoldTheSame)
       const PackedWarp packed({ ndf, sigma, vndf, rgb, thetas, jacobian });
       const glm::dvec3 view = glm::normalize(glm::dvec3(0.3, -0.2, 0.7));
       const std::vector<glm::dvec3> lights = MakeLights(view);
-      WarpAngles angles;
       const auto count = static_cast<int>(lights.size());
-      FindWarpAngles(count, &lights[0].x, &view.x, angles);
       WarpLanes lanes;
-      for (int k = 0; k < WarpLanes::Most; ++k)
-      {
-        const int from = std::min(k, count - 1);
-        lanes.Theta[k] = static_cast<float>(angles.Theta[from]);
-        lanes.UnitTheta[k] = static_cast<float>(angles.UnitTheta[from]);
-        lanes.UnitThetaH[k] = static_cast<float>(angles.UnitThetaH[from]);
-        lanes.UnitPhiH[k] = static_cast<float>(angles.UnitPhiH[from]);
-      }
+      FindWarpLanes(count, Lights(lights).Pointers, &view.x, lanes);
       float f[3][WarpLanes::Most];
       float* const to[3] = { f[0], f[1], f[2] };
       packed.Evaluate(count, lanes, view.z, to, this->GetParam());
