@@ -234,6 +234,15 @@ PlanPairs AddBetween(const PlanPairs& given, vtkIdType count)
         nearest[static_cast<std::size_t>(k)] = FindNearest(pairs, static_cast<std::size_t>(k));
       }
     });
+  std::vector<Pair> middles(number, Pair{ glm::dvec3(0.0), glm::dvec3(0.0) }); // of the neighbors
+  for (std::size_t k = 0; k < number; ++k)
+  {
+    for (const std::size_t neighbor : nearest[k])
+    {
+      middles[k][0] += pairs[neighbor][0] / static_cast<double>(Nearest);
+      middles[k][1] += pairs[neighbor][1] / static_cast<double>(Nearest);
+    }
+  }
   PlanPairs all;
   all.Normals = vtkSmartPointer<vtkDoubleArray>::New();
   all.Views = vtkSmartPointer<vtkDoubleArray>::New();
@@ -250,11 +259,17 @@ PlanPairs AddBetween(const PlanPairs& given, vtkIdType count)
       const Pair& other = pairs[nearest[k][engine() % Nearest]];
       const double s = draw();
       const double t = draw();
+      // About the point in the mean: on a silhouette all neighbors lie to one side.
       Pair between = pairs[k];
       for (std::size_t d = 0; d < 2; ++d)
       {
-        between[d] += s * (one[d] - pairs[k][d]) + t * (other[d] - pairs[k][d]);
+        between[d] += s * (one[d] - middles[k][d]) + t * (other[d] - middles[k][d]);
         between[d] = glm::normalize(between[d]);
+      }
+      if (glm::dot(between[0], between[1]) <
+          MinimumViewCosine) // beyond the horizon, as it is shaded
+      {
+        between = pairs[k];
       }
       all.Normals->InsertNextTuple(&between[0].x);
       all.Views->InsertNextTuple(&between[1].x);

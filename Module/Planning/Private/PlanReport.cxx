@@ -67,7 +67,7 @@ std::string ExplainChoice(const Plan& plan, double tolerance)
   }
   else
   {
-    reason = "nothing that was tried is within " + Percent(tolerance) +
+    reason = "nothing that the search tried is within " + Percent(tolerance) +
              "; this is the most accurate for its cost, with " + Percent(chosen.Error);
   }
   return reason + ExplainMemory(plan);

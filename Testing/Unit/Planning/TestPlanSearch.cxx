@@ -88,6 +88,18 @@ PlanCandidate MakeCandidate(int size, double first, double second)
   return candidate;
 }
 
+// At 2 %.
+measuredbrdf::PlanTask MakeTask(vtkIdType maximumBytes)
+{
+  measuredbrdf::PlanTask task;
+  task.BRDF = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("pink-felt"));
+  task.Costs = vtkSmartPointer<vtkRadianceCostModel>::New();
+  task.Tolerance = 0.02;
+  task.MaximumBytes = maximumBytes;
+  task.Pixels = measuredbrdf::SpherePixels;
+  return task;
+}
+
 vtkSmartPointer<vtkEnvironment> NewEnvironment(double share)
 {
   auto environment = vtkSmartPointer<vtkEnvironment>::New();
@@ -129,11 +141,7 @@ TEST(PlanComparison, PoolsSamplesAndAddsTheReferencesError)
 // less.
 TEST(PlanSearch, WeighsMemoryWhereNothingMeets)
 {
-  measuredbrdf::PlanTask task;
-  task.BRDF = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("pink-felt"));
-  task.Costs = vtkSmartPointer<vtkRadianceCostModel>::New();
-  task.Tolerance = 0.02;
-  task.MaximumBytes = 96000000;
+  measuredbrdf::PlanTask task = MakeTask(96000000);
   const PlanComparison comparison = MakeComparison(20, false);
   const auto make = [](double error, vtkIdType bytes, double pruned = 0.0)
   {
@@ -173,11 +181,7 @@ TEST(PlanSearch, WeighsMemoryWhereNothingMeets)
 // fewer tried before, or far below the tolerance, no other pairs are asked for.
 TEST(PlanSearch, DoesNotTakeLuckForMerit)
 {
-  measuredbrdf::PlanTask task;
-  task.BRDF = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("pink-felt"));
-  task.Costs = vtkSmartPointer<vtkRadianceCostModel>::New();
-  task.Tolerance = 0.02;
-  task.MaximumBytes = 1000;
+  measuredbrdf::PlanTask task = MakeTask(1000);
   PlanComparison first = MakeComparison(20, false);
   first.ReferenceError = 1e-3; // some uncertainty: here all pairs have the same error
   PlanComparison second = MakeComparison(20, true);
@@ -229,11 +233,7 @@ TEST(PlanSearch, DoesNotTakeLuckForMerit)
 // and it would take twice the frame of the cheapest.
 TEST(PlanSearch, LooksTwiceAtNearMisses)
 {
-  measuredbrdf::PlanTask task;
-  task.BRDF = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("pink-felt"));
-  task.Costs = vtkSmartPointer<vtkRadianceCostModel>::New();
-  task.Tolerance = 0.02;
-  task.MaximumBytes = 1000;
+  measuredbrdf::PlanTask task = MakeTask(1000);
   PlanComparison first = MakeComparison(20, false);
   first.ReferenceError = 1e-3;
   PlanComparison second = MakeComparison(20, true);
@@ -279,11 +279,7 @@ TEST(PlanSearch, LooksTwiceAtNearMisses)
 // place, whether the search left them out, had found enough, or keeps them for the end.
 TEST(PlanSearch, ChoosesTheSameWhereAllAreTried)
 {
-  measuredbrdf::PlanTask task;
-  task.BRDF = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("pink-felt"));
-  task.Costs = vtkSmartPointer<vtkRadianceCostModel>::New();
-  task.Tolerance = 0.02;
-  task.MaximumBytes = 1000;
+  measuredbrdf::PlanTask task = MakeTask(1000);
   PlanComparison first = MakeComparison(20, false);
   first.ReferenceError = 1e-3;
   PlanComparison second = MakeComparison(20, true);
@@ -335,12 +331,7 @@ TEST(PlanSearch, ChoosesTheSameWhereAllAreTried)
 // tolerance in the mean of both gives way to what does so in each, if that costs little.
 TEST(PlanSearch, HoldsInSinglePictures)
 {
-  measuredbrdf::PlanTask task;
-  task.BRDF = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("pink-felt"));
-  task.Costs = vtkSmartPointer<vtkRadianceCostModel>::New();
-  task.Tolerance = 0.02;
-  task.MaximumBytes = 96000000;
-  task.Pixels = measuredbrdf::SpherePixels;
+  measuredbrdf::PlanTask task = MakeTask(96000000);
   PlanComparison comparison = MakeComparison(40, false);
   for (vtkIdType k = 20; k < 40; ++k)
   {
