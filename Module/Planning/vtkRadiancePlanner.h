@@ -107,8 +107,8 @@ public:
 
   ///@{
   /**
-   * Also try the candidates that the search leaves out, for lists of them (default off): seconds
-   * instead of tenths. The choice is the same.
+   * Also try the candidates that the search leaves out, and those that are never chosen, for lists
+   * of them (default off): seconds instead of tenths. The choice is the same.
    */
   vtkSetMacro(EvaluateAll, bool);
   vtkGetMacro(EvaluateAll, bool);

@@ -686,6 +686,10 @@ add("Planning.tolerance-twice", "Private/PlanSearch.cxx", "candidate.Error <= th
     "candidate.Error <= 2.0 * this->Task.Tolerance)", "PlannerPromise.IsKept")
 add("Planning.stops-where-all-are-asked-for", "Private/PlanSearch.cxx", "(!this->Task.All || this->TryOthers(candidates))",
     "true", "Planner.EvaluateAllListsEveryMethod|PlanSearch.ChoosesTheSameWhereAllAreTried")
+add("Planning.what-is-only-listed-is-chosen", "Private/PlanSearch.cxx", "!candidate.MayBeChosen || !this->IsWorthTrying", "!this->IsWorthTrying",
+    "PlanSearch.ChoosesTheSameWhereAllAreTried")
+add("Planning.between-is-inside", "Private/PlanPairs.cxx", "s * (one[d] - middles[k][d]) + t * (other[d] - middles[k][d])",
+    "s * (one[d] - pairs[k][d]) + t * (other[d] - pairs[k][d])", "PlanPairs.HaveOthersBetween")
 add("Planning.others-are-chosen", "Private/PlanSearch.cxx", "this->Try(candidates[k], false)", "this->Try(candidates[k], true)",
     "PlanSearch.ChoosesTheSameWhereAllAreTried")
 add("Planning.few-pixels-pay-for-much-memory", "Private/PlanSearch.cxx", "std::min(1.0, this->Task.Pixels / SpherePixels)", "1.0",

@@ -42,9 +42,11 @@ std::vector<PlanCandidate> ListCandidates(const PlanTask& task)
       continue; // taken away by another thread
     }
     asked->SetPrecomputation(task.Shared);
-    for (const std::vector<int>& sizes : asked->GetCandidateSizes(task.All))
+    const std::vector<std::vector<int>> choices = asked->GetCandidateSizes(false);
+    for (const std::vector<int>& sizes : task.All ? asked->GetCandidateSizes(true) : choices)
     {
       candidate.Sizes = sizes;
+      candidate.MayBeChosen = std::find(choices.begin(), choices.end(), sizes) != choices.end();
       candidate.Integrator = MakeIntegrator(candidate, task.BRDF, task.Environment);
       if (!candidate.Integrator)
       {

@@ -33,6 +33,7 @@ struct PlanCandidate
   double Uncertainty = 0.0;                          // for what the pairs may miss
   double Picture = 0.0;                              // estimated: the most of a single picture
   bool OnBoth = false;                               // compared on a second sample, too
+  bool MayBeChosen = true;                           // else it is only listed
   vtkIdType Bytes = 0;                               // of textures
   double SetUp = 0.0;                                // ms
   vtkSmartPointer<vtkRadianceIntegrator> Integrator; // null: to be made again
@@ -54,7 +55,7 @@ struct PlanTask
   vtkSmartPointer<vtkEnvironment> Environment;
   vtkSmartPointer<vtkRadianceCostModel> Costs;
   double Tolerance = 0.0;
-  bool All = false;           // also what can't be chosen
+  bool All = false;           // also list what can't be chosen
   vtkIdType MaximumBytes = 0; // of textures
   double Pixels = 0.0;        // that share them
   std::shared_ptr<vtkRadianceIntegrator::Precomputation> Shared;

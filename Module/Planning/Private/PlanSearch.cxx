@@ -125,7 +125,7 @@ bool PlanSearch::Search(const std::vector<PlanCandidate>& candidates)
   for (std::size_t k = 0; k < candidates.size() && !this->Aborted(); ++k)
   {
     const PlanCandidate& candidate = candidates[k];
-    if (!this->IsWorthTrying(candidate))
+    if (!candidate.MayBeChosen || !this->IsWorthTrying(candidate))
     {
       continue;
     }

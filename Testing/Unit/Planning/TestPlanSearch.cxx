@@ -292,6 +292,12 @@ TEST(PlanSearch, ChoosesTheSameWhereAllAreTried)
     Wrong::SafeDownCast(candidates[1].Integrator)->Pruned = 1.0; // its rules take it for hopeless
     candidates.resize(count);
     task.All = all;
+    PlanCandidate listed = MakeCandidate(9, 0.001, 0.001); // only
+    listed.MayBeChosen = false;
+    if (all)
+    {
+      candidates.insert(candidates.begin(), listed);
+    }
     measuredbrdf::PlanSearch search(task, first, []() { return false; });
     search.GetSecond = [&]() { return &second; };
     double last = 0.0;
@@ -307,21 +313,21 @@ TEST(PlanSearch, ChoosesTheSameWhereAllAreTried)
   {
     const measuredbrdf::Plan quick = run(false, luck);
     const measuredbrdf::Plan whole = run(true, luck);
-    ASSERT_EQ(whole.Candidates.size(), 8u);
-    ASSERT_EQ(whole.Choice, luck < 0.02 ? 5 : 6);
+    ASSERT_EQ(whole.Candidates.size(), 9u);
+    ASSERT_EQ(whole.Choice, luck < 0.02 ? 6 : 7);
     EXPECT_EQ(whole.First, whole.Choice);
     const PlanCandidate& chosen = whole.Candidates[static_cast<std::size_t>(whole.Choice)];
     EXPECT_TRUE(chosen.Integrator);
     EXPECT_EQ(chosen.Sizes, quick.Candidates[static_cast<std::size_t>(quick.Choice)].Sizes);
-    EXPECT_NEAR(whole.Candidates[1].Error - whole.Candidates[1].Uncertainty, 0.015, 5e-3);
-    EXPECT_FALSE(whole.Candidates[1].Integrator);
+    EXPECT_NEAR(whole.Candidates[2].Error - whole.Candidates[2].Uncertainty, 0.015, 5e-3);
+    EXPECT_FALSE(whole.Candidates[2].Integrator);
   }
   // Not even where what is hopeless by its rules is all that meets the tolerance.
   for (const bool all : { false, true })
   {
     const measuredbrdf::Plan missed = run(all, 0.06, 5);
     EXPECT_FALSE(missed.Meets);
-    EXPECT_EQ(missed.Candidates.size(), all ? 5u : 4u);
+    EXPECT_EQ(missed.Candidates.size(), all ? 6u : 4u);
     EXPECT_EQ(missed.Candidates[static_cast<std::size_t>(missed.Choice)].Sizes[0], 5);
   }
 }
