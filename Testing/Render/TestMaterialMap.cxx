@@ -4,8 +4,11 @@
 
 #include "MaterialMapFixture.h"
 
+#include "vtkHybridRadianceIntegrator.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
+
+#include <glm/glm.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +17,23 @@
 
 namespace
 {
+// Whose direction is next to this one.
+int FindTexel(vtkEnvironment* environment, const glm::dvec3& direction)
+{
+  int next = 0;
+  double best = -1.0;
+  const int width = environment->GetWidth();
+  for (int texel = 0; texel < width * environment->GetHeight(); ++texel)
+  {
+    glm::dvec3 at;
+    environment->GetTexelDirection(texel % width, texel / width, &at.x);
+    const double cosine = glm::dot(at, direction);
+    next = cosine > best ? texel : next;
+    best = std::max(best, cosine);
+  }
+  return next;
+}
+
 // More materials than texture units could hold at once; exact up to the cells' borders.
 TEST_F(MaterialMapping, ClassesOfCells)
 {
@@ -186,5 +206,54 @@ TEST_F(MaterialMapping, SceneLights)
   this->ExpectMixture([&](const Place& place, int k)
     { return this->Map->GetWeight(k, place.Interpolate(valueOf)); },
     1e-4);
+}
+
+// Of lamps that lobes see as areas each material has a table of its own beside the hybrid's: where
+// pixels look for lamps near the lobe's axis, and where they evaluate all of them.
+TEST_F(MaterialMapping, LampsAsAreas)
+{
+  this->AddMaterials(3);
+  this->Map->SetModeToValues();
+  for (int k = 0; k < 3; ++k)
+  {
+    auto* gloss = vtkBlinnPhongBRDF::SafeDownCast(this->Materials[k]->GetTerm(1));
+    gloss->SetExponent(1500.0 * (k + 1));
+    gloss->SetSpecular(0.02 * (k + 1), 0.02, 0.01);
+  }
+  const auto valueOf = [](vtkIdType point) { return 0.2 * static_cast<double>(point % 11); };
+  this->SetPoints([&](vtkIdType point, int) { return valueOf(point); });
+  vtkNew<vtkHybridRadianceIntegrator> hybrid;
+  hybrid->SetSizes({ 17, 8, 8, 0, 16 });
+  this->Mapper->SetIntegrator(hybrid);
+  for (const int lamps : { 1, 5 })
+  {
+    constexpr int width = 128;
+    std::vector<float> rgb(3 * width * width / 2, 0.05f);
+    ASSERT_TRUE(this->Environment->SetPixels(width, width / 2, rgb));
+    for (int k = 0; k < lamps; ++k) // where the sheet mirrors
+    {
+      const glm::dvec3 n = glm::normalize(glm::dvec3(0.14 * k - 0.2, 0.1 * k - 0.3, 1.0));
+      const int texel = FindTexel(this->Environment, 2.0 * n.z * n - glm::dvec3(0.0, 0.0, 1.0));
+      std::fill_n(&rgb[3 * static_cast<std::size_t>(texel)], 3, 300.0f);
+    }
+    ASSERT_TRUE(this->Environment->SetPixels(width, width / 2, rgb));
+    hybrid->SetBRDF(this->Materials[0]);
+    hybrid->SetEnvironment(this->Environment);
+    ASSERT_TRUE(hybrid->Prepare());
+    ASSERT_EQ(hybrid->GetNumberOfLights(), lamps);
+    ASSERT_FALSE(hybrid->UsesBRDFOnGPU()); // but the table of means
+    this->Mapper->SetMaterialMap(nullptr);
+    this->Alone.clear();
+    this->RenderAlone();
+    this->ExpectMixture([&](const Place& place, int k)
+      { return this->Map->GetWeight(k, place.Interpolate(valueOf)); },
+      1e-4);
+    float brightest = 0.0f;
+    for (std::size_t p = 0; p < this->Alone[2].RGBA.size(); p += 4)
+    {
+      brightest = std::max(brightest, this->Alone[2].RGBA[p]);
+    }
+    EXPECT_GT(brightest, 1.0f); // a lamp is seen
+  }
 }
 }
