@@ -4,6 +4,7 @@
 
 #include "HalfVector.h" // for Pi
 #include "LowDiscrepancy.h"
+#include "ManyLights.h"
 #include "vtkBRDF.h"
 #include "vtkEnvironment.h"
 #include "vtkLightSet.h"
@@ -12,6 +13,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -26,6 +28,7 @@ constexpr int Probes = 16;                         // pairs that show by how muc
 constexpr double LittleError = 1e-3;               // relative L1 over those, or
 constexpr double OwnError = 2.5e-4;                // of all lights
 constexpr double LittleShare = 0.05;               // this share of the tolerance
+constexpr std::size_t AtOnce = 128;                // lights above the horizon
 }
 
 vtkStandardNewMacro(LightsReference);
@@ -46,7 +49,12 @@ bool LightsReference::Begin()
     vtkErrorMacro("Integrate: aborted.");
     return false;
   }
-  this->Suns = bright->Lights;
+  this->Suns = Lights();
+  for (const ExtractedEmitters::Light& sun : bright->Lights)
+  {
+    this->Suns.Directions.push_back(sun.Direction);
+    this->Suns.Irradiances.push_back(sun.Irradiance);
+  }
   this->Others = GetLights(lights);
   return this->ChooseLights(bright->Rest, goOn);
 }
@@ -110,12 +118,12 @@ bool LightsReference::ChooseLights(
 
 LightsReference::Lights LightsReference::GetLights(vtkLightSet* set)
 {
-  Lights lights(static_cast<std::size_t>(set->GetNumberOfLights()));
-  for (int k = 0; k < set->GetNumberOfLights(); ++k)
+  const std::size_t count = static_cast<std::size_t>(set->GetNumberOfLights());
+  Lights lights{ std::vector<glm::dvec3>(count), std::vector<glm::dvec3>(count) };
+  for (std::size_t k = 0; k < count; ++k)
   {
-    ExtractedEmitters::Light& light = lights[static_cast<std::size_t>(k)];
-    set->GetDirection(k, &light.Direction.x);
-    set->GetIrradiance(k, &light.Irradiance.x);
+    set->GetDirection(static_cast<int>(k), &lights.Directions[k].x);
+    set->GetIrradiance(static_cast<int>(k), &lights.Irradiances[k].x);
   }
   return lights;
 }
@@ -123,15 +131,23 @@ LightsReference::Lights LightsReference::GetLights(vtkLightSet* set)
 glm::dvec3 LightsReference::Sum(
   const Lights& lights, const Frame& frame, const glm::dvec3& view) const
 {
+  std::array<glm::dvec3, AtOnce> above, irradiances, values;
   glm::dvec3 sum(0.0);
-  for (const ExtractedEmitters::Light& light : lights)
+  const std::size_t count = lights.Directions.size();
+  std::size_t found = 0;
+  for (std::size_t k = 0; k < count; ++k)
   {
-    const glm::dvec3 i = ToLocal(frame, light.Direction);
-    if (i.z > 0.0)
+    above[found] = ToLocal(frame, lights.Directions[k]);
+    irradiances[found] = lights.Irradiances[k];
+    found += above[found].z > 0.0 ? 1 : 0;
+    if (found == AtOnce || k + 1 == count)
     {
-      glm::dvec3 f;
-      this->BRDF->Evaluate(&i.x, &view.x, &f.x);
-      sum += i.z * f * light.Irradiance;
+      EvaluateManyLights(this->BRDF, found, above.data(), view, values.data());
+      for (std::size_t n = 0; n < found; ++n)
+      {
+        sum += above[n].z * values[n] * irradiances[n];
+      }
+      found = 0;
     }
   }
   return sum;

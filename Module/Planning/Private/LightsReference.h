@@ -50,7 +50,12 @@ private:
   LightsReference(const LightsReference&) = delete;
   void operator=(const LightsReference&) = delete;
 
-  using Lights = std::vector<ExtractedEmitters::Light>;
+  /// Beside each other, so that many are turned and evaluated at a time.
+  struct Lights
+  {
+    std::vector<glm::dvec3> Directions;
+    std::vector<glm::dvec3> Irradiances;
+  };
   bool ChooseLights(const EnvironmentPrecomputation::Rest& rest, const std::function<bool()>& goOn);
   static Lights GetLights(vtkLightSet* set);
   glm::dvec3 Sum(const Lights& lights, const Frame& frame, const glm::dvec3& view) const;
