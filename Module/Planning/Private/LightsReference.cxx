@@ -22,13 +22,13 @@ namespace measuredbrdf
 {
 namespace
 {
-constexpr int NumberOfLights = 4096;
-constexpr int FewerLights[] = { 256, 1024, 2048 }; // where the material tells them by little
-constexpr int Probes = 16;                         // pairs that show by how much
-constexpr double LittleError = 1e-3;               // relative L1 over those, or
-constexpr double OwnError = 2.5e-4;                // of all lights
-constexpr double LittleShare = 0.05;               // this share of the tolerance
-constexpr std::size_t AtOnce = 128;                // lights above the horizon
+// All lights, and fewer where the material tells them by little.
+const std::vector<int> Counts = { 4096, 2048, 1024, 256 };
+constexpr int Probes = 16;           // pairs that show by how much
+constexpr double LittleError = 1e-3; // relative L1 over those, or
+constexpr double OwnError = 2.5e-4;  // of all lights
+constexpr double LittleShare = 0.05; // this share of the tolerance
+constexpr std::size_t AtOnce = 128;  // lights above the horizon
 }
 
 vtkStandardNewMacro(LightsReference);
@@ -42,9 +42,9 @@ bool LightsReference::Begin()
   EnvironmentPrecomputation& parts = this->Environment->GetParts();
   const auto bright = parts.GetExtractedEmitters(
     this->Environment, ExtractedEmitters::DefaultShare, MaximumSuns, goOn);
-  const auto lights =
-    bright ? parts.GetLightSet(this->Environment, bright->Rest, NumberOfLights, goOn) : nullptr;
-  if (!lights)
+  const auto sets = bright ? parts.GetLightSets(this->Environment, bright->Rest, Counts, goOn)
+                           : std::vector<vtkSmartPointer<vtkLightSet>>();
+  if (sets.empty())
   {
     vtkErrorMacro("Integrate: aborted.");
     return false;
@@ -55,14 +55,14 @@ bool LightsReference::Begin()
     this->Suns.Directions.push_back(sun.Direction);
     this->Suns.Irradiances.push_back(sun.Irradiance);
   }
-  this->Others = GetLights(lights);
-  return this->ChooseLights(bright->Rest, goOn);
+  this->Others = GetLights(sets.front());
+  this->ChooseLights(sets);
+  return true;
 }
 
 // Broad lobes do not tell a few hundred lights from all of them. Some pairs show whether this one
 // does.
-bool LightsReference::ChooseLights(
-  const EnvironmentPrecomputation::Rest& rest, const std::function<bool()>& goOn)
+void LightsReference::ChooseLights(const std::vector<vtkSmartPointer<vtkLightSet>>& sets)
 {
   const double least = std::min(LittleError, LittleShare * this->ErrorTolerance);
   struct Pair
@@ -90,16 +90,9 @@ bool LightsReference::ChooseLights(
     total += all.back().x + all.back().y + all.back().z;
   }
   this->Error = OwnError;
-  for (const int count : FewerLights)
+  for (std::size_t set = sets.size() - 1; set > 0; --set) // the fewest first
   {
-    const auto set =
-      this->Environment->GetParts().GetLightSet(this->Environment, rest, count, goOn);
-    if (!set)
-    {
-      vtkErrorMacro("Integrate: aborted.");
-      return false;
-    }
-    Lights lights = GetLights(set);
+    Lights lights = GetLights(sets[set]);
     double difference = 0.0;
     for (std::size_t k = 0; k < pairs.size(); ++k)
     {
@@ -113,7 +106,6 @@ bool LightsReference::ChooseLights(
       break;
     }
   }
-  return true;
 }
 
 LightsReference::Lights LightsReference::GetLights(vtkLightSet* set)

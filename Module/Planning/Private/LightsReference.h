@@ -18,7 +18,6 @@
 
 #include <glm/glm.hpp>
 
-#include <functional>
 #include <vector>
 
 namespace measuredbrdf
@@ -56,7 +55,7 @@ private:
     std::vector<glm::dvec3> Directions;
     std::vector<glm::dvec3> Irradiances;
   };
-  bool ChooseLights(const EnvironmentPrecomputation::Rest& rest, const std::function<bool()>& goOn);
+  void ChooseLights(const std::vector<vtkSmartPointer<vtkLightSet>>& sets);
   static Lights GetLights(vtkLightSet* set);
   glm::dvec3 Sum(const Lights& lights, const Frame& frame, const glm::dvec3& view) const;
 
