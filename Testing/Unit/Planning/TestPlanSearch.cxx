@@ -468,6 +468,39 @@ TEST(MapCandidates, AreLeftOutWhereFewerRowsHaveMore)
 }
 
 //------------------------------------------------------------------------------
+// Without lights they gain what a table's rows do, and that is known from tables of few view
+// angles, or these are hopeless. Beside lights no such table is tried.
+TEST(MapCandidates, AreLeftOutWhereRowsOfTablesGainLittle)
+{
+  using Attempts = std::vector<vtkRadianceIntegrator::Attempt>;
+  const auto areLeftOut = [](double coarse, double fine)
+  {
+    const Attempts tables = { { { 65, 8, 8 }, coarse }, { { 257, 8, 8 }, fine } };
+    return measuredbrdf::CanPruneMapsAlone(tables, 0.02);
+  };
+  EXPECT_FALSE(areLeftOut(0.1, 0.055));
+  EXPECT_TRUE(areLeftOut(0.1, 0.07));
+  EXPECT_FALSE(measuredbrdf::CanPruneMapsAlone({ { { 257, 8, 8 }, 0.1 } }, 0.02));
+  EXPECT_FALSE(measuredbrdf::CanPruneMapsAlone({}, 0.02));
+  const auto ofViews = [](double few) {
+    return Attempts{ { { 65, 8, 8, 0, 0, 12 }, few }, { { 49, 12, 16, 0, 0, 12 }, 0.035 } };
+  };
+  EXPECT_TRUE(measuredbrdf::CanPruneMapsAlone(ofViews(0.063), 0.02));
+  EXPECT_FALSE(measuredbrdf::CanPruneMapsAlone(ofViews(0.051), 0.02));
+  vtkNew<vtkHybridRadianceIntegrator> hybrid;
+  EXPECT_TRUE(hybrid->SetSizes({ 256, 12, 8, 4, 0, 12 }));
+  EXPECT_TRUE(hybrid->CanPrune(ofViews(0.063), 0.02));
+  EXPECT_FALSE(hybrid->CanPrune(ofViews(0.051), 0.02));
+  EXPECT_TRUE(hybrid->SetSizes({ 256, 12, 8, 4, 16, 12 }));
+  Attempts besideLights = ofViews(0.063);
+  for (vtkRadianceIntegrator::Attempt& attempt : besideLights)
+  {
+    attempt.Sizes[4] = 16;
+  }
+  EXPECT_FALSE(hybrid->CanPrune(besideLights, 0.02));
+}
+
+//------------------------------------------------------------------------------
 // A table alone is a hybrid without lights and maps.
 TEST(MapCandidates, LearnFromTables)
 {
