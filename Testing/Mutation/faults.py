@@ -302,7 +302,7 @@ add("Integration.maps-wherever-rows-gain-little", "Private/TableCandidates.cxx",
     "fine->Error > 1e9 * coarse->Error", "MapCandidates.AreLeftOutWhereRowsOfTablesGainLittle")
 add("Integration.rings-end-at-the-seam", "Private/RingLimiter.cxx", "first.FillEnds(row);", "", "RingLimiter.*")
 add("Lighting.sets-of-one-tree-are-one-set", "Private/EnvironmentPrecomputation.cxx", "tree.FillLightSet(count, sets->back());",
-    "tree.FillLightSet(counts.back(), sets->back());", "EnvironmentPrecomputation.SetsOfOneTreeAreThoseOfTheirOwn")
+    "tree.FillLightSet(count / 2 + 1, sets->back());", "EnvironmentPrecomputation.SetsOfOneTreeAreThoseOfTheirOwn")
 add("Integration.beyond-the-pole-unturned", "Private/FieldSynthesis.cxx", "order % 2 != 0 ? -1.0f : 1.0f", "order % 2 != 0 ? 1.0f : 1.0f",
     "AnisotropicTable.*|TableIntegrator.*|LinearSpline.*")
 add("Integration.products-miss-a-vector", "Private/MatrixProduct.cxx", "this->Second += left[0] * second;", "this->Second += left[0] * first;",
