@@ -45,11 +45,29 @@ void MaterialStore::PutBack(const std::string& key, Parts parts)
   const std::lock_guard<std::mutex> lock(this->Mutex);
   this->Entries.remove_if([&key](const Entry& entry) { return entry.Key == key; });
   this->Entries.push_front({ key, std::move(parts), bytes });
+  this->TrimOldOnes();
   std::size_t sum = 0;
   for (auto it = this->Entries.begin(); it != this->Entries.end();)
   {
     sum += it->Bytes;
     it = sum > this->Most ? this->Entries.erase(it) : std::next(it);
+  }
+}
+
+// Rather than to forget a material: what few plans need goes first, the oldest one's before.
+void MaterialStore::TrimOldOnes()
+{
+  std::size_t sum = 0;
+  for (const Entry& entry : this->Entries)
+  {
+    sum += entry.Bytes;
+  }
+  for (auto it = this->Entries.rbegin(); it != this->Entries.rend() && sum > this->Most; ++it)
+  {
+    sum -= it->Bytes;
+    it->Material->Trim(MostAngles, MostNodes, false);
+    it->Bytes = it->Material->GetBytes();
+    sum += it->Bytes;
   }
 }
 

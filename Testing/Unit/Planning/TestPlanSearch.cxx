@@ -413,6 +413,43 @@ TEST(MaterialStore, KeepsTheLastOnes)
 }
 
 //------------------------------------------------------------------------------
+// What large tables' kernels were expanded to goes before any material does, the oldest one's
+// first.
+TEST(MaterialStore, ForgetsWhatFewPlansNeedFirst)
+{
+  const auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("pink-felt"));
+  brdf->Prepare();
+  const std::atomic<bool> never{ false };
+  constexpr std::size_t expanded = 24 * 3 * 9 * 61 * sizeof(float);
+  const auto make = [&](MaterialStore& store, const std::string& key)
+  {
+    const std::size_t before = store.GetBytes();
+    MaterialStore::Parts parts = store.Take(key);
+    parts->GetViews(brdf, never);
+    parts->GetExpanded(parts->GetKernels(brdf, 24, 16, never), 60, 8);
+    store.PutBack(key, parts);
+    return store.GetBytes() - before;
+  };
+  MaterialStore roomy(100000000);
+  const std::size_t whole = make(roomy, "a");
+  EXPECT_GT(whole, expanded);
+  EXPECT_EQ(make(roomy, "b"), whole);
+  MaterialStore store(2 * whole + whole - expanded);
+  make(store, "a");
+  make(store, "b");
+  EXPECT_EQ(store.GetBytes(), 2 * whole);
+  EXPECT_LT(make(store, "c"), whole - expanded / 2); // the first one's is gone
+  const auto isExpanded = [&](const char* key)
+  {
+    const MaterialStore::Parts parts = store.Take(key);
+    return !parts->GetKernels(brdf, 24, 16, never, { false, 60, 8 })[0]->HasNodes();
+  };
+  EXPECT_FALSE(isExpanded("a"));
+  EXPECT_TRUE(isExpanded("b"));
+  EXPECT_TRUE(isExpanded("c"));
+}
+
+//------------------------------------------------------------------------------
 // A known material under another map: the same plan as if it were new.
 TEST(MaterialStore, ChangesNoPlan)
 {
