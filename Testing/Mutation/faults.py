@@ -601,6 +601,7 @@ add("IO.photograph-upside-down", "vtkPhotographSetReader.cxx", "for (int y = fil
 
 # Planning
 
+add("Planning.old-materials-go-whole", "Private/MaterialStore.cxx", "  this->TrimOldOnes();", "", "MaterialStore.ForgetsWhatFewPlansNeedFirst")
 add("Planning.key-without-tolerance", "vtkRadiancePlanner.cxx", "hash.AddValue(planner->GetErrorTolerance());", "",
     "PlanCache.WhatItDependsOnMakesAnother")
 add("Planning.key-without-view", "vtkRadiancePlanner.cxx",
