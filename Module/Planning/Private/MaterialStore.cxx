@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 #include <utility>
 
 namespace measuredbrdf
@@ -54,20 +55,25 @@ void MaterialStore::PutBack(const std::string& key, Parts parts)
   }
 }
 
-// Rather than to forget a material: what few plans need goes first, the oldest one's before.
+// Rather than to forget a material: what few plans need stays of the last ones, in half of the
+// room.
 void MaterialStore::TrimOldOnes()
 {
+  const auto add = [](std::size_t bytes, const Entry& entry) { return bytes + entry.Bytes; };
+  if (std::accumulate(this->Entries.begin(), this->Entries.end(), std::size_t(0), add) <=
+      this->Most)
+  {
+    return;
+  }
   std::size_t sum = 0;
-  for (const Entry& entry : this->Entries)
+  for (Entry& entry : this->Entries)
   {
     sum += entry.Bytes;
-  }
-  for (auto it = this->Entries.rbegin(); it != this->Entries.rend() && sum > this->Most; ++it)
-  {
-    sum -= it->Bytes;
-    it->Material->Trim(MostAngles, MostNodes, false);
-    it->Bytes = it->Material->GetBytes();
-    sum += it->Bytes;
+    if (sum > this->Most / 2)
+    {
+      entry.Material->Trim(MostAngles, MostNodes, false);
+      entry.Bytes = entry.Material->GetBytes();
+    }
   }
 }
 
