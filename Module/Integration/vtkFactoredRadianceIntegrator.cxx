@@ -135,10 +135,11 @@ bool vtkFactoredRadianceIntegrator::MakeCore(Precomputation& parts, int tableNod
     return false;
   }
   const LobeViews& views = parts.GetViews(this->BRDF, this->Abort);
+  const MaterialPrecomputation::Use use{ false, degree, CoreMode::LargestOrder };
   const MaterialPrecomputation::Kernels& tableKnots =
-    parts.GetKernels(this->BRDF, this->NumberOfViewAngles, tableNodes, this->Abort);
-  const MaterialPrecomputation::Kernels& knots = parts.GetKernels(
-    this->BRDF, KnotsPerViewAngle * (this->NumberOfViewAngles - 1) + 1, NumberOfNodes, this->Abort);
+    parts.GetKernels(this->BRDF, this->NumberOfViewAngles, tableNodes, this->Abort, use);
+  const MaterialPrecomputation::Kernels& knots = parts.GetKernels(this->BRDF,
+    KnotsPerViewAngle * (this->NumberOfViewAngles - 1) + 1, NumberOfNodes, this->Abort, use);
   if (this->Abort)
   {
     return false;

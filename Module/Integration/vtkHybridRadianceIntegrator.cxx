@@ -481,7 +481,8 @@ bool vtkHybridRadianceIntegrator::CanPrune(const std::vector<Attempt>& attempts,
   return CanPruneTable({ this->NumberOfRows, this->NumberOfViewAngles, this->NumberOfAzimuths },
            alike, error) ||
          (this->NumberOfMaps > 0 &&
-           CanPruneMaps(this->NumberOfRows, this->NumberOfMaps, mapped, tables, error));
+           (CanPruneMaps(this->NumberOfRows, this->NumberOfMaps, mapped, tables, error) ||
+             (this->MaximumNumberOfLights == 0 && CanPruneMapsAlone(tables, error))));
 }
 
 //------------------------------------------------------------------------------

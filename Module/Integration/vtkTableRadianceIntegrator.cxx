@@ -138,7 +138,8 @@ bool vtkTableRadianceIntegrator::MakeTable(Tables& table)
                       ? this->NumberOfNodes / 2
                       : (table.Tiles.FineRows > 0 ? NodesOfTiles : 1) * this->NumberOfNodes;
   const MaterialPrecomputation::Kernels& knots =
-    parts->GetKernels(this->BRDF, table.Angles, nodes, this->Abort);
+    parts->GetKernels(this->BRDF, table.Angles, nodes, this->Abort,
+      { this->Lamps != nullptr, degree, table.Azimuths / 2 }); // windows cut the kernels' nodes
   const double scale = this->Abort ? 0.0
                                    : SynthesizeRadiance(
                                        *parts, views, light, knots, degree, this->SmoothingDegree,

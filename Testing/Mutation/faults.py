@@ -292,8 +292,17 @@ add("Integration.tiles-of-any-size", "Private/TableTiles.cxx", "std::ceil((other
     "TableTiles.FillWhatIsAllowed")
 add("Integration.tiles-of-few-nodes", "vtkTableRadianceIntegrator.cxx", "constexpr int NodesOfTiles = 2; ", "constexpr int NodesOfTiles = 1; ",
     "TableTiles.KernelsHaveNodesEnough")
-add("Integration.fine-kernels-stay", "Private/MaterialPrecomputation.cxx", " || it->first.second > mostNodes", "",
+add("Integration.fine-kernels-stay", "Private/MaterialPrecomputation.cxx", " && it->first.second <= mostNodes", "",
     "MaterialPrecomputation.KeepsExpandedKernels")
+add("Integration.forgotten-nodes-stay-so", "Private/MaterialPrecomputation.cxx", "(areNodesWanted && !kernel->HasNodes())", "false",
+    "MaterialPrecomputation.MakesForgottenNodesAgain")
+add("Integration.nodes-made-again-for-nothing", "Private/MaterialPrecomputation.cxx", "use.Nodes || known", "true || known",
+    "MaterialPrecomputation.MakesForgottenNodesAgain")
+add("Integration.maps-wherever-rows-gain-little", "Private/TableCandidates.cxx", "fine->Error > MostOfMappedRows * coarse->Error",
+    "fine->Error > 1e9 * coarse->Error", "MapCandidates.AreLeftOutWhereRowsOfTablesGainLittle")
+add("Integration.rings-end-at-the-seam", "Private/RingLimiter.cxx", "first.FillEnds(row);", "", "RingLimiter.*")
+add("Lighting.sets-of-one-tree-are-one-set", "Private/EnvironmentPrecomputation.cxx", "tree.FillLightSet(count, sets->back());",
+    "tree.FillLightSet(count / 2 + 1, sets->back());", "EnvironmentPrecomputation.SetsOfOneTreeAreThoseOfTheirOwn")
 add("Integration.beyond-the-pole-unturned", "Private/FieldSynthesis.cxx", "order % 2 != 0 ? -1.0f : 1.0f", "order % 2 != 0 ? 1.0f : 1.0f",
     "AnisotropicTable.*|TableIntegrator.*|LinearSpline.*")
 add("Integration.products-miss-a-vector", "Private/MatrixProduct.cxx", "this->Second += left[0] * second;", "this->Second += left[0] * first;",
@@ -592,6 +601,7 @@ add("IO.photograph-upside-down", "vtkPhotographSetReader.cxx", "for (int y = fil
 
 # Planning
 
+add("Planning.old-materials-go-whole", "Private/MaterialStore.cxx", "  this->TrimOldOnes();", "", "MaterialStore.ForgetsWhatFewPlansNeedFirst")
 add("Planning.key-without-tolerance", "vtkRadiancePlanner.cxx", "hash.AddValue(planner->GetErrorTolerance());", "",
     "PlanCache.WhatItDependsOnMakesAnother")
 add("Planning.key-without-view", "vtkRadiancePlanner.cxx",

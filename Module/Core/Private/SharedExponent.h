@@ -12,31 +12,40 @@
 #include <glm/glm.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
+#include <cstring>
+#include <limits>
 
 namespace measuredbrdf
 {
 /// The largest component that the format has; the error of each is at most 2^-9 of the largest.
 constexpr float LargestSharedExponent = 65408.0f;
 
+/// exponent: of a normal number, -126 to 127.
+inline float GetPowerOfTwo(int exponent)
+{
+  const std::uint32_t bits = static_cast<std::uint32_t>(exponent + 127) << 23;
+  float power;
+  std::memcpy(&power, &bits, sizeof(power));
+  return power;
+}
+
 /// Negative components and NaN count as 0, larger ones as the largest. GLM's packF3x9_E1x5 ends at
 /// 32768.
 inline std::uint32_t PackSharedExponent(const glm::vec3& rgb)
 {
+  static_assert(std::numeric_limits<float>::is_iec559, "exponents are bits 23 to 30");
   glm::vec3 clamped(0.0f);
   for (int c = 0; c < 3; ++c)
   {
     clamped[c] = rgb[c] > 0.0f ? std::min(rgb[c], LargestSharedExponent) : 0.0f;
   }
   const float largest = std::max({ clamped.x, clamped.y, clamped.z });
-  int exponent = -15; // the largest is below 2^exponent
-  if (largest > 0.0f)
-  {
-    std::frexp(largest, &exponent);
-    exponent = std::max(exponent, -15);
-  }
-  float scale = std::ldexp(1.0f, 9 - exponent);
+  // The largest is below 2^exponent. By the bits: frexp and ldexp took most of the time.
+  std::uint32_t bits;
+  std::memcpy(&bits, &largest, sizeof(bits));
+  int exponent = std::max(static_cast<int>(bits >> 23) - 126, -15);
+  float scale = GetPowerOfTwo(9 - exponent);
   if (largest * scale + 0.5f >= 512.0f) // rounded up to the next power of two
   {
     ++exponent;
@@ -50,7 +59,7 @@ inline std::uint32_t PackSharedExponent(const glm::vec3& rgb)
 
 inline glm::vec3 UnpackSharedExponent(std::uint32_t texel)
 {
-  const float scale = std::ldexp(1.0f, static_cast<int>(texel >> 27) - 24);
+  const float scale = GetPowerOfTwo(static_cast<int>(texel >> 27) - 24);
   return scale * glm::vec3(texel & 511u, texel >> 9 & 511u, texel >> 18 & 511u);
 }
 } // namespace measuredbrdf

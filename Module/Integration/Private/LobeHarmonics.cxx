@@ -115,6 +115,13 @@ LobeHarmonics::LobeHarmonics(vtkBRDF* brdf, double theta, int resolution, int ce
   }
 }
 
+void LobeHarmonics::ForgetNodes()
+{
+  this->Polar = {};
+  this->Azimuths = {};
+  this->Kernel = {};
+}
+
 LobeHarmonics LobeHarmonics::GetOutside(const LampWindow& window, double delta) const
 {
   LobeHarmonics outside = *this;

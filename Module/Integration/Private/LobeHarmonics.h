@@ -33,6 +33,12 @@ public:
 
   const LobeMeans& GetMeans() const { return this->Means; }
 
+  ///@{
+  /// Nodes take most of the memory; what was expanded, and the means, stay without them.
+  bool HasNodes() const { return !this->Kernel.empty(); }
+  void ForgetNodes();
+  ///@}
+
   /// On the heap, about.
   std::size_t GetBytes() const
   {

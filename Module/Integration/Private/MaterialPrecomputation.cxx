@@ -29,14 +29,16 @@ MaterialPrecomputation::MaterialPrecomputation(bool quick)
 MaterialPrecomputation::~MaterialPrecomputation() = default;
 
 const MaterialPrecomputation::Kernels& MaterialPrecomputation::GetKernels(
-  vtkBRDF* brdf, int angles, int resolution, const std::atomic<bool>& abort)
+  vtkBRDF* brdf, int angles, int resolution, const std::atomic<bool>& abort, const Use& use)
 {
   Kernels& kernels = this->KernelsOf[{ angles, resolution }];
-  if (kernels.empty() ||
-      std::any_of(kernels.begin(), kernels.end(), [](const auto& kernel) { return !kernel; }))
+  const Expansion& known = this->Expansions[&kernels];
+  const bool areNodesWanted = use.Nodes || known.Degree < use.Degree || known.Orders < use.Orders;
+  if (kernels.empty() || std::any_of(kernels.begin(), kernels.end(),
+                           [areNodesWanted](const auto& kernel)
+                           { return !kernel || (areNodesWanted && !kernel->HasNodes()); }))
   {
     kernels.clear();
-    this->Expansions.erase(&kernels);
     kernels.resize(static_cast<std::size_t>(angles));
     vtkSMPTools::For(0, angles, 1,
       [&](vtkIdType begin, vtkIdType end)
@@ -126,13 +128,22 @@ vtkSmartPointer<vtkBRDF> MaterialPrecomputation::GetLampForm(
   return form;
 }
 
-void MaterialPrecomputation::Trim(int mostAngles, int mostNodes)
+void MaterialPrecomputation::Trim(int mostAngles, int mostNodes, bool keepsExpanded)
 {
   this->Remainders.clear();
   this->LampForms.clear();
   for (auto it = this->KernelsOf.begin(); it != this->KernelsOf.end();)
   {
-    if (it->first.first > mostAngles || it->first.second > mostNodes)
+    const bool isKept = it->first.first <= mostAngles && it->first.second <= mostNodes;
+    const bool isExpanded = keepsExpanded && !this->Expansions[&it->second].Harmonics.empty();
+    for (const auto& kernel : it->second)
+    {
+      if (kernel && !isKept && isExpanded)
+      {
+        kernel->ForgetNodes();
+      }
+    }
+    if (!isKept && !isExpanded)
     {
       this->Expansions.erase(&it->second);
       it = this->KernelsOf.erase(it);

@@ -40,10 +40,23 @@ public:
   explicit MaterialPrecomputation(bool quick = false);
   ~MaterialPrecomputation();
 
+  /// What is wanted of kernels: their nodes, or else no more than GetExpanded of these sizes.
+  struct Use
+  {
+    bool Nodes = true;
+    int Degree = 0;
+    int Orders = 0;
+  };
+
   /// Kernels at so many view angles (LobeViews::GetKnotAngle). Null ones where it was aborted.
   using Kernels = std::vector<std::unique_ptr<LobeHarmonics>>;
   const Kernels& GetKernels(
-    vtkBRDF* brdf, int angles, int resolution, const std::atomic<bool>& abort);
+    vtkBRDF* brdf, int angles, int resolution, const std::atomic<bool>& abort, const Use& use);
+  const Kernels& GetKernels(
+    vtkBRDF* brdf, int angles, int resolution, const std::atomic<bool>& abort)
+  {
+    return this->GetKernels(brdf, angles, resolution, abort, Use());
+  }
 
   /// Their harmonics about the axes of the views, as LobeHarmonics::Expand has them: of these
   /// sizes, taken from larger ones where these are known.
@@ -71,9 +84,9 @@ public:
   vtkSmartPointer<vtkBRDF> GetLampForm(
     vtkBRDF* brdf, double spread, const std::atomic<bool>& abort);
 
-  /// Without what few plans need: kernels at more than so many angles or of more than so many
-  /// nodes, and what a factored table lacks.
-  void Trim(int mostAngles, int mostNodes);
+  /// Without what few plans need: what a factored table lacks, and the nodes of kernels at more
+  /// than so many angles or of more than so many nodes. Of these what was expanded stays, if so.
+  void Trim(int mostAngles, int mostNodes, bool keepsExpanded = true);
 
   /// Of an isotropic material's data on the heap, about.
   std::size_t GetBytes() const;

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RingLimiter.h"
 
+#include "LaneVectors.h"
 #include "vtkSMPTools.h"
 
-#include <Eigen/Core>
+#include <algorithm>
+#include <cstddef>
 
 namespace measuredbrdf
 {
@@ -12,61 +14,153 @@ namespace
 {
 constexpr float LeastShare = 0.75f; // of the blur's least
 
-// A map, a row in each of its columns.
-using Map = Eigen::ArrayXXf;
-
-// Each value with its neighbors left and right.
-template <typename Combine>
-void CombineAlong(const Map& in, const Combine& combine, Map& out)
+// Of three neighbors.
+struct Blur
 {
-  const Eigen::Index width = in.rows();
-  const Eigen::Index inner = width - 6;
-  out.middleRows(3, inner) =
-    combine(in.topRows(inner), in.middleRows(3, inner), in.bottomRows(inner));
-  out.topRows(3) = combine(in.bottomRows(3), in.topRows(3), in.middleRows(3, 3));
-  out.bottomRows(3) = combine(in.middleRows(width - 6, 3), in.bottomRows(3), in.topRows(3));
-}
-
-// And above and below; beyond a pole the meridian opposite goes on.
-template <typename Combine>
-void CombineAcross(const Map& in, const Combine& combine, Map& out)
-{
-  const Eigen::Index inner = in.cols() - 2;
-  const Eigen::Index last = in.cols() - 1;
-  const Eigen::Index half = in.rows() / 6 * 3;
-  const auto beyond = [&in, half](Eigen::Index row)
+  template <typename Vector>
+  MEASUREDBRDF_INLINE void operator()(
+    const Vector& a, const Vector& b, const Vector& c, Vector& out) const
   {
-    Eigen::ArrayXf turned(in.rows());
-    turned << in.col(row).tail(in.rows() - half), in.col(row).head(half);
+    out = 0.25f * (a + c) + 0.5f * b;
+  }
+};
+struct Least
+{
+  template <typename Vector>
+  MEASUREDBRDF_INLINE void operator()(
+    const Vector& a, const Vector& b, const Vector& c, Vector& out) const
+  {
+    const Vector first = a < b ? a : b;
+    out = first < c ? first : c;
+  }
+};
+
+// A map whose rows have room for the neighbors left and right of their ends, and for what whole
+// vectors read and write beyond.
+class Grid
+{
+public:
+  Grid(std::size_t rows, std::size_t width)
+    : Rows(rows)
+    , Width(width)
+    , Stride(width + Before + Beyond)
+    , Values(rows * this->Stride, 0.0f)
+  {
+  }
+
+  float* GetRow(std::size_t row) { return &this->Values[row * this->Stride + Before]; }
+
+  // Rows go around.
+  void FillEnds(std::size_t row)
+  {
+    float* const of = this->GetRow(row);
+    std::copy_n(of + this->Width - 3, 3, of - 3);
+    std::copy_n(of, 3, of + this->Width);
+  }
+
+  // Beyond a pole the meridian opposite goes on.
+  std::vector<float> GetBeyondPole(std::size_t row)
+  {
+    const std::size_t half = this->Width / 6 * 3;
+    std::vector<float> turned(this->Width + Beyond, 0.0f);
+    const float* const of = this->GetRow(row);
+    std::rotate_copy(of, of + half, of + this->Width, turned.begin());
     return turned;
-  };
-  out.middleCols(1, inner) =
-    combine(in.leftCols(inner), in.middleCols(1, inner), in.rightCols(inner));
-  out.col(0) = combine(beyond(1), in.col(0), in.col(1));
-  out.col(last) = combine(in.col(last - 1), in.col(last), beyond(last - 1));
+  }
+
+  std::size_t Rows;
+  std::size_t Width; // numbers
+
+private:
+  static constexpr std::size_t Before = 8;
+  static constexpr std::size_t Beyond = 16;
+  std::size_t Stride;
+  std::vector<float> Values;
+};
+
+template <typename Vector, typename Combine>
+MEASUREDBRDF_INLINE void CombineRows(const float* a, const float* b, const float* c,
+  std::size_t width, const Combine& combine, float* out)
+{
+  for (std::size_t k = 0; k < width; k += sizeof(Vector) / sizeof(float))
+  {
+    Vector first, second, third, result;
+    Load(a + k, first);
+    Load(b + k, second);
+    Load(c + k, third);
+    combine(first, second, third, result);
+    Store(result, out + k);
+  }
 }
+
+// Each value with its neighbors left and right, then above and below. second: room.
+template <typename Vector, typename Combine>
+MEASUREDBRDF_INLINE void CombineAll(Grid& first, Grid& second, const Combine& combine)
+{
+  const std::size_t width = first.Width;
+  for (std::size_t row = 0; row < first.Rows; ++row)
+  {
+    first.FillEnds(row);
+    const float* const of = first.GetRow(row);
+    CombineRows<Vector>(of - 3, of, of + 3, width, combine, second.GetRow(row));
+  }
+  const std::size_t last = first.Rows - 1;
+  const std::vector<float> above = second.GetBeyondPole(1);
+  const std::vector<float> below = second.GetBeyondPole(last - 1);
+  for (std::size_t row = 0; row <= last; ++row)
+  {
+    CombineRows<Vector>(row > 0 ? second.GetRow(row - 1) : above.data(), second.GetRow(row),
+      row < last ? second.GetRow(row + 1) : below.data(), width, combine, first.GetRow(row));
+  }
+}
+
+template <typename Vector>
+MEASUREDBRDF_INLINE void Lift(float* radiance, std::size_t rows, std::size_t columns)
+{
+  Grid first(rows, 3 * columns), second(rows, 3 * columns);
+  for (std::size_t row = 0; row < rows; ++row)
+  {
+    const float* const of = radiance + row * first.Width;
+    std::transform(
+      of, of + first.Width, first.GetRow(row), [](float value) { return std::max(value, 0.0f); });
+  }
+  for (int pass = 0; pass < 2; ++pass)
+  {
+    CombineAll<Vector>(first, second, Blur());
+  }
+  for (int pass = 0; pass < 2; ++pass) // as far as the blur reaches: edges do not bleed
+  {
+    CombineAll<Vector>(first, second, Least());
+  }
+  for (std::size_t row = 0; row < rows; ++row)
+  {
+    // Where that is 0 all around is negative: f is less than the Lambert part.
+    std::transform(first.GetRow(row), first.GetRow(row) + first.Width, radiance + row * first.Width,
+      radiance + row * first.Width,
+      [](float least, float value)
+      { return least > 0.0f ? std::max(value, LeastShare * least) : value; });
+  }
+}
+
+#ifdef MEASUREDBRDF_HAS_VECTORS
+MEASUREDBRDF_WIDE void LiftWide(float* radiance, std::size_t rows, std::size_t columns)
+{
+  Lift<Float8>(radiance, rows, columns);
+}
+#endif
 }
 
 void LiftDarkRingsOfMap(float* radiance, std::size_t rows, std::size_t columns)
 {
-  const auto blur = [](const auto& a, const auto& b, const auto& c)
-  { return 0.25f * (a + c) + 0.5f * b; };
-  const auto least = [](const auto& a, const auto& b, const auto& c) { return a.min(b).min(c); };
-  Map first, second(static_cast<Eigen::Index>(3 * columns), static_cast<Eigen::Index>(rows));
-  Eigen::Map<Map> values(radiance, second.rows(), second.cols());
-  first = values.max(0.0f);
-  for (int pass = 0; pass < 2; ++pass)
+#ifdef MEASUREDBRDF_HAS_VECTORS
+  if (GetWidestForm() == VectorForm::Wide)
   {
-    CombineAlong(first, blur, second);
-    CombineAcross(second, blur, first);
+    return LiftWide(radiance, rows, columns);
   }
-  for (int pass = 0; pass < 2; ++pass) // as far as the blur reaches: edges do not bleed
-  {
-    CombineAlong(first, least, second);
-    CombineAcross(second, least, first);
-  }
-  // Where that is 0 all around is negative: f is less than the Lambert part.
-  values = (first > 0.0f).select(values.max(LeastShare * first), values);
+  Lift<Float4>(radiance, rows, columns);
+#else
+  Lift<float>(radiance, rows, columns);
+#endif
 }
 
 void LiftDarkRings(std::vector<float>& radiance, std::size_t rows, std::size_t columns)

@@ -38,6 +38,10 @@ bool CanPruneTable(const std::vector<int>& sizes,
 /// maps lack that is no matter of rows.
 bool CanPruneMaps(int rows, int maps, const std::vector<vtkRadianceIntegrator::Attempt>& attempts,
   const std::vector<vtkRadianceIntegrator::Attempt>& tables, double tolerance);
+
+/// The same for maps without lights, however many: where a table of many rows and few view angles
+/// can be left out, or gains too little by its rows.
+bool CanPruneMapsAlone(const std::vector<vtkRadianceIntegrator::Attempt>& tables, double tolerance);
 } // namespace measuredbrdf
 
 #endif

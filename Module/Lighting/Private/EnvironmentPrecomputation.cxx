@@ -110,24 +110,35 @@ std::shared_ptr<const EnvironmentPanels> EnvironmentPrecomputation::GetPanels(
 vtkSmartPointer<vtkLightSet> EnvironmentPrecomputation::GetLightSet(
   vtkEnvironment* environment, const Rest& rest, int count, const GoOn& goOn)
 {
-  const auto make = [&]() -> std::shared_ptr<LightSet>
+  const LightSets sets = this->GetLightSets(environment, rest, { count }, goOn);
+  return sets.empty() ? nullptr : sets.front();
+}
+
+std::vector<vtkSmartPointer<vtkLightSet>> EnvironmentPrecomputation::GetLightSets(
+  vtkEnvironment* environment, const Rest& rest, const std::vector<int>& counts, const GoOn& goOn)
+{
+  const auto make = [&]() -> std::shared_ptr<LightSets>
   {
-    if (count < 1 || count > vtkLightSetGenerator::MaximumNumberOfLights)
+    if (counts.back() < 1 || counts.front() > vtkLightSetGenerator::MaximumNumberOfLights)
     {
       return nullptr;
     }
     vtkEnvironment* subdivided = environment->GetSubdivided();
     LightTree tree(subdivided, LightTree::Rule::Greedy, false, rest);
-    if (!tree.Grow(subdivided, count, [&goOn](double) { return goOn(); }))
+    if (!tree.Grow(subdivided, counts.front(), [&goOn](double) { return goOn(); }))
     {
       return nullptr;
     }
-    auto set = std::make_shared<LightSet>(vtkSmartPointer<vtkLightSet>::New());
-    tree.FillLightSet(count, *set);
-    return set;
+    auto sets = std::make_shared<LightSets>();
+    for (const int count : counts)
+    {
+      sets->push_back(LightSet::New());
+      tree.FillLightSet(count, sets->back());
+    }
+    return sets;
   };
-  const auto set = this->LightSets.Get({ rest.get(), count }, goOn, make);
-  return set ? *set : nullptr;
+  const auto sets = this->SetsOf.Get({ rest.get(), counts }, goOn, make);
+  return sets ? *sets : LightSets();
 }
 
 vtkSmartPointer<vtkLightSet> EnvironmentPrecomputation::GetGeneratedSet(

@@ -82,6 +82,10 @@ public:
   vtkSmartPointer<vtkLightSet> GetLightSet(
     vtkEnvironment* environment, const Rest& rest, int count, const GoOn& goOn);
 
+  /// The same for several counts, descending, by one tree.
+  std::vector<vtkSmartPointer<vtkLightSet>> GetLightSets(vtkEnvironment* environment,
+    const Rest& rest, const std::vector<int>& counts, const GoOn& goOn);
+
   /// A generator's, as it is now; null, and it has said why, where it can't make so many.
   vtkSmartPointer<vtkLightSet> GetGeneratedSet(
     vtkEnvironment* environment, vtkLightSetGenerator* generator, int count, const GoOn& goOn);
@@ -105,7 +109,8 @@ private:
   MadeOnce<std::pair<const TexelChanges*, int>, EnvironmentHarmonics> Harmonics; // rest, degree
   MadeOnce<const TexelChanges*, EnvironmentPanels> Panels;
   MadeOnce<const TexelChanges*, EnvironmentPyramid> Pyramids;
-  MadeOnce<std::pair<const TexelChanges*, int>, LightSet> LightSets; // rest, count
+  using LightSets = std::vector<LightSet>;
+  MadeOnce<std::pair<const TexelChanges*, std::vector<int>>, LightSets> SetsOf; // rest, counts
   // Generator, its modification time (never used twice: a recycled address does no harm), count.
   MadeOnce<std::tuple<vtkLightSetGenerator*, vtkMTimeType, int>, LightSet> GeneratedSets;
   MadeOnce<const TexelChanges*, std::vector<std::uint32_t>> Irradiances;

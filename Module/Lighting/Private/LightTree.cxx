@@ -38,7 +38,7 @@ constexpr std::int64_t TexelsPerReport = 1 << 20;
 
 // Large cells are summed in so many parts, side by side.
 constexpr int Parts = 16;
-constexpr std::int64_t LargeCell = 1 << 16;
+constexpr std::int64_t LargeCell = 1 << 14;
 
 // Texels that become cells before anything is cut. Each costs the rest a light: with a share of 1 %
 // and 16 texels the sum of variances of 64 lights grows by up to 29 %, with these by up to 7 %.

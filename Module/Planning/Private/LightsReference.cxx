@@ -4,6 +4,7 @@
 
 #include "HalfVector.h" // for Pi
 #include "LowDiscrepancy.h"
+#include "ManyLights.h"
 #include "vtkBRDF.h"
 #include "vtkEnvironment.h"
 #include "vtkLightSet.h"
@@ -12,6 +13,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -20,12 +22,13 @@ namespace measuredbrdf
 {
 namespace
 {
-constexpr int NumberOfLights = 4096;
-constexpr int FewerLights[] = { 256, 1024, 2048 }; // where the material tells them by little
-constexpr int Probes = 16;                         // pairs that show by how much
-constexpr double LittleError = 1e-3;               // relative L1 over those, or
-constexpr double OwnError = 2.5e-4;                // of all lights
-constexpr double LittleShare = 0.05;               // this share of the tolerance
+// All lights, and fewer where the material tells them by little.
+const std::vector<int> Counts = { 4096, 2048, 1024, 256 };
+constexpr int Probes = 16;           // pairs that show by how much
+constexpr double LittleError = 1e-3; // relative L1 over those, or
+constexpr double OwnError = 2.5e-4;  // of all lights
+constexpr double LittleShare = 0.05; // this share of the tolerance
+constexpr std::size_t AtOnce = 128;  // lights above the horizon
 }
 
 vtkStandardNewMacro(LightsReference);
@@ -39,22 +42,27 @@ bool LightsReference::Begin()
   EnvironmentPrecomputation& parts = this->Environment->GetParts();
   const auto bright = parts.GetExtractedEmitters(
     this->Environment, ExtractedEmitters::DefaultShare, MaximumSuns, goOn);
-  const auto lights =
-    bright ? parts.GetLightSet(this->Environment, bright->Rest, NumberOfLights, goOn) : nullptr;
-  if (!lights)
+  const auto sets = bright ? parts.GetLightSets(this->Environment, bright->Rest, Counts, goOn)
+                           : std::vector<vtkSmartPointer<vtkLightSet>>();
+  if (sets.empty())
   {
     vtkErrorMacro("Integrate: aborted.");
     return false;
   }
-  this->Suns = bright->Lights;
-  this->Others = GetLights(lights);
-  return this->ChooseLights(bright->Rest, goOn);
+  this->Suns = Lights();
+  for (const ExtractedEmitters::Light& sun : bright->Lights)
+  {
+    this->Suns.Directions.push_back(sun.Direction);
+    this->Suns.Irradiances.push_back(sun.Irradiance);
+  }
+  this->Others = GetLights(sets.front());
+  this->ChooseLights(sets);
+  return true;
 }
 
 // Broad lobes do not tell a few hundred lights from all of them. Some pairs show whether this one
 // does.
-bool LightsReference::ChooseLights(
-  const EnvironmentPrecomputation::Rest& rest, const std::function<bool()>& goOn)
+void LightsReference::ChooseLights(const std::vector<vtkSmartPointer<vtkLightSet>>& sets)
 {
   const double least = std::min(LittleError, LittleShare * this->ErrorTolerance);
   struct Pair
@@ -82,16 +90,9 @@ bool LightsReference::ChooseLights(
     total += all.back().x + all.back().y + all.back().z;
   }
   this->Error = OwnError;
-  for (const int count : FewerLights)
+  for (std::size_t set = sets.size() - 1; set > 0; --set) // the fewest first
   {
-    const auto set =
-      this->Environment->GetParts().GetLightSet(this->Environment, rest, count, goOn);
-    if (!set)
-    {
-      vtkErrorMacro("Integrate: aborted.");
-      return false;
-    }
-    Lights lights = GetLights(set);
+    Lights lights = GetLights(sets[set]);
     double difference = 0.0;
     for (std::size_t k = 0; k < pairs.size(); ++k)
     {
@@ -105,17 +106,16 @@ bool LightsReference::ChooseLights(
       break;
     }
   }
-  return true;
 }
 
 LightsReference::Lights LightsReference::GetLights(vtkLightSet* set)
 {
-  Lights lights(static_cast<std::size_t>(set->GetNumberOfLights()));
-  for (int k = 0; k < set->GetNumberOfLights(); ++k)
+  const std::size_t count = static_cast<std::size_t>(set->GetNumberOfLights());
+  Lights lights{ std::vector<glm::dvec3>(count), std::vector<glm::dvec3>(count) };
+  for (std::size_t k = 0; k < count; ++k)
   {
-    ExtractedEmitters::Light& light = lights[static_cast<std::size_t>(k)];
-    set->GetDirection(k, &light.Direction.x);
-    set->GetIrradiance(k, &light.Irradiance.x);
+    set->GetDirection(static_cast<int>(k), &lights.Directions[k].x);
+    set->GetIrradiance(static_cast<int>(k), &lights.Irradiances[k].x);
   }
   return lights;
 }
@@ -123,15 +123,23 @@ LightsReference::Lights LightsReference::GetLights(vtkLightSet* set)
 glm::dvec3 LightsReference::Sum(
   const Lights& lights, const Frame& frame, const glm::dvec3& view) const
 {
+  std::array<glm::dvec3, AtOnce> above, irradiances, values;
   glm::dvec3 sum(0.0);
-  for (const ExtractedEmitters::Light& light : lights)
+  const std::size_t count = lights.Directions.size();
+  std::size_t found = 0;
+  for (std::size_t k = 0; k < count; ++k)
   {
-    const glm::dvec3 i = ToLocal(frame, light.Direction);
-    if (i.z > 0.0)
+    above[found] = ToLocal(frame, lights.Directions[k]);
+    irradiances[found] = lights.Irradiances[k];
+    found += above[found].z > 0.0 ? 1 : 0;
+    if (found == AtOnce || k + 1 == count)
     {
-      glm::dvec3 f;
-      this->BRDF->Evaluate(&i.x, &view.x, &f.x);
-      sum += i.z * f * light.Irradiance;
+      EvaluateManyLights(this->BRDF, found, above.data(), view, values.data());
+      for (std::size_t n = 0; n < found; ++n)
+      {
+        sum += above[n].z * values[n] * irradiances[n];
+      }
+      found = 0;
     }
   }
   return sum;

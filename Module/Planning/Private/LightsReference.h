@@ -18,7 +18,6 @@
 
 #include <glm/glm.hpp>
 
-#include <functional>
 #include <vector>
 
 namespace measuredbrdf
@@ -50,8 +49,13 @@ private:
   LightsReference(const LightsReference&) = delete;
   void operator=(const LightsReference&) = delete;
 
-  using Lights = std::vector<ExtractedEmitters::Light>;
-  bool ChooseLights(const EnvironmentPrecomputation::Rest& rest, const std::function<bool()>& goOn);
+  /// Beside each other, so that many are turned and evaluated at a time.
+  struct Lights
+  {
+    std::vector<glm::dvec3> Directions;
+    std::vector<glm::dvec3> Irradiances;
+  };
+  void ChooseLights(const std::vector<vtkSmartPointer<vtkLightSet>>& sets);
   static Lights GetLights(vtkLightSet* set);
   glm::dvec3 Sum(const Lights& lights, const Frame& frame, const glm::dvec3& view) const;
 

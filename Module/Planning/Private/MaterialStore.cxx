@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 #include <utility>
 
 namespace measuredbrdf
@@ -45,11 +46,34 @@ void MaterialStore::PutBack(const std::string& key, Parts parts)
   const std::lock_guard<std::mutex> lock(this->Mutex);
   this->Entries.remove_if([&key](const Entry& entry) { return entry.Key == key; });
   this->Entries.push_front({ key, std::move(parts), bytes });
+  this->TrimOldOnes();
   std::size_t sum = 0;
   for (auto it = this->Entries.begin(); it != this->Entries.end();)
   {
     sum += it->Bytes;
     it = sum > this->Most ? this->Entries.erase(it) : std::next(it);
+  }
+}
+
+// Rather than to forget a material: what few plans need stays of the last ones, in half of the
+// room.
+void MaterialStore::TrimOldOnes()
+{
+  const auto add = [](std::size_t bytes, const Entry& entry) { return bytes + entry.Bytes; };
+  if (std::accumulate(this->Entries.begin(), this->Entries.end(), std::size_t(0), add) <=
+      this->Most)
+  {
+    return;
+  }
+  std::size_t sum = 0;
+  for (Entry& entry : this->Entries)
+  {
+    sum += entry.Bytes;
+    if (sum > this->Most / 2)
+    {
+      entry.Material->Trim(MostAngles, MostNodes, false);
+      entry.Bytes = entry.Material->GetBytes();
+    }
   }
 }
 

@@ -51,6 +51,8 @@ private:
     Parts Material;
     std::size_t Bytes;
   };
+  void TrimOldOnes();
+
   std::mutex Mutex;
   std::list<Entry> Entries; // the last one first
   std::size_t Most;

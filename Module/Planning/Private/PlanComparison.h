@@ -10,6 +10,7 @@
 
 #include "PlanPairs.h"
 #include "vtkDoubleArray.h"
+#include "vtkRadianceIntegrator.h"
 #include "vtkSmartPointer.h"
 
 #include <vector>
@@ -22,6 +23,8 @@ struct PlanComparison
   PlanPairs Pairs;
   vtkSmartPointer<vtkDoubleArray> Reference; // 3 components a pair
   double ReferenceError = 0.0;               // relative
+  /// That knows it; null: none yet. What it prepared serves further pairs.
+  vtkSmartPointer<vtkRadianceIntegrator> By;
 };
 
 /// Relative L1 over the pairs of all comparisons, with Uncertainty: two standard errors of their

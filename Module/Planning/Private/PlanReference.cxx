@@ -53,8 +53,12 @@ bool MakeReference(const PlanTask& task, const IsAborted& isAborted, const std::
   {
     return comparison.Reference != nullptr;
   }
-  const auto integrator =
-    NewPlanReference(task.BRDF, task.Environment, task.Tolerance, task.Shared, abort);
+  if (!comparison.By)
+  {
+    comparison.By =
+      NewPlanReference(task.BRDF, task.Environment, task.Tolerance, task.Shared, abort);
+  }
+  const auto& integrator = comparison.By;
   const AbortForwarder supervision(isAborted, integrator, problem);
   comparison.Reference = vtkSmartPointer<vtkDoubleArray>::New();
   const bool made =

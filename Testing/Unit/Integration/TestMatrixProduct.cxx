@@ -134,10 +134,48 @@ TEST(MaterialPrecomputation, KeepsExpandedKernels)
     }
   }
   const std::size_t bytes = parts.GetBytes();
-  parts.Trim(3, 1024); // and what was expanded of them
-  EXPECT_LT(parts.GetBytes() + 4 * 3 * 5 * 31 * sizeof(float), bytes);
+  parts.Trim(3, 1024); // their nodes
+  EXPECT_LT(parts.GetBytes() + 4 * 32 * 32 * 3 * sizeof(double), bytes);
+  EXPECT_GT(parts.GetBytes(), 4 * 3 * 5 * 31 * sizeof(float)); // what was expanded stays
   const std::size_t without = parts.GetBytes();
   parts.GetKernels(brdf, 3, 64, never);
   parts.Trim(3, 32); // those of more nodes
   EXPECT_EQ(parts.GetBytes(), without);
+}
+
+//------------------------------------------------------------------------------
+// Without nodes, kernels serve what was expanded, and are made again for all else.
+TEST(MaterialPrecomputation, MakesForgottenNodesAgain)
+{
+  const auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("nickel"));
+  brdf->Prepare();
+  const std::atomic<bool> never{ false };
+  MaterialPrecomputation parts;
+  parts.GetViews(brdf, never);
+  const auto get = [&](const MaterialPrecomputation::Use& use) -> const auto&
+  {
+    return parts.GetKernels(brdf, 4, 32, never, use);
+  };
+  const auto expected = parts.GetExpanded(get({}), 20, 4);
+  const glm::dvec3 amplitude = get({})[1]->GetMeans().Amplitude;
+  const auto forget = [&]()
+  {
+    parts.Trim(3, 1024);
+    EXPECT_FALSE(get({ false, 20, 4 })[1]->HasNodes());
+    EXPECT_FALSE(get({ false, 12, 2 })[1]->HasNodes());
+  };
+  forget();
+  EXPECT_EQ(get({ false, 20, 4 })[1]->GetMeans().Amplitude, amplitude);
+  EXPECT_EQ(parts.GetExpanded(get({ false, 20, 4 }), 20, 4), expected);
+  EXPECT_TRUE(get({})[1]->HasNodes());
+  EXPECT_EQ(parts.GetExpanded(get({}), 20, 4), expected);
+  forget();
+  EXPECT_TRUE(get({ false, 21, 4 })[1]->HasNodes());
+  forget();
+  EXPECT_TRUE(get({ false, 20, 5 })[1]->HasNodes());
+  const auto more = parts.GetExpanded(get({ false, 20, 5 }), 20, 5);
+  for (std::size_t k = 0; k < expected[1].size(); ++k)
+  {
+    ASSERT_NEAR(more[1][k], expected[1][k], 1e-6f);
+  }
 }

@@ -9,6 +9,7 @@
 #include "HalfVector.h" // for Pi
 #include "WignerD.h"
 #include "vtkEnvironment.h"
+#include "vtkLightSet.h"
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
 
@@ -194,4 +195,34 @@ TEST(EnvironmentPanels, AreNotInSmoothSkies)
   vtkNew<vtkEnvironment> tiny;
   tiny->SetPixels(2, 1, { 1.0f, 1.0f, 1.0f, 0.5f, 0.5f, 0.5f });
   EXPECT_TRUE(FindPanels(tiny).empty());
+}
+
+//------------------------------------------------------------------------------
+// Several sets by one tree: each the same as by itself.
+TEST(EnvironmentPrecomputation, SetsOfOneTreeAreThoseOfTheirOwn)
+{
+  const vtkNew<vtkEnvironment> environment = NewNoise(64, 32);
+  const auto goOn = []() { return true; };
+  EnvironmentPrecomputation together, apart;
+  const std::vector<int> counts = { 300, 40, 7, 1 };
+  const auto sets = together.GetLightSets(environment, nullptr, counts, goOn);
+  ASSERT_EQ(sets.size(), counts.size());
+  for (std::size_t k = 0; k < counts.size(); ++k)
+  {
+    const auto own = apart.GetLightSet(environment, nullptr, counts[k], goOn);
+    ASSERT_EQ(own->GetNumberOfLights(), counts[k]);
+    ASSERT_EQ(sets[k]->GetNumberOfLights(), counts[k]);
+    for (int light = 0; light < counts[k]; ++light)
+    {
+      glm::dvec3 direction[2], irradiance[2];
+      sets[k]->GetDirection(light, &direction[0].x);
+      own->GetDirection(light, &direction[1].x);
+      sets[k]->GetIrradiance(light, &irradiance[0].x);
+      own->GetIrradiance(light, &irradiance[1].x);
+      EXPECT_LT(glm::distance(direction[0], direction[1]), 1e-9) << counts[k] << ": " << light;
+      EXPECT_LT(glm::distance(irradiance[0], irradiance[1]), 1e-12) << counts[k] << ": " << light;
+    }
+  }
+  EXPECT_TRUE(apart.GetLightSets(environment, nullptr, { 5, 0 }, goOn).empty());
+  EXPECT_TRUE(apart.GetLightSets(environment, nullptr, { 9, 5 }, []() { return false; }).empty());
 }

@@ -413,6 +413,45 @@ TEST(MaterialStore, KeepsTheLastOnes)
 }
 
 //------------------------------------------------------------------------------
+// What large tables' kernels were expanded to goes before any material does, the oldest one's
+// first.
+TEST(MaterialStore, ForgetsWhatFewPlansNeedFirst)
+{
+  const auto brdf = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("pink-felt"));
+  brdf->Prepare();
+  const std::atomic<bool> never{ false };
+  constexpr std::size_t expanded = 24 * 3 * 9 * 61 * sizeof(float);
+  const auto make = [&](MaterialStore& store, const std::string& key)
+  {
+    const std::size_t before = store.GetBytes();
+    MaterialStore::Parts parts = store.Take(key);
+    parts->GetViews(brdf, never);
+    parts->GetExpanded(parts->GetKernels(brdf, 24, 16, never), 60, 8);
+    store.PutBack(key, parts);
+    return store.GetBytes() - before;
+  };
+  MaterialStore roomy(100000000);
+  const std::size_t whole = make(roomy, "a");
+  EXPECT_GT(whole, expanded);
+  EXPECT_EQ(make(roomy, "b"), whole);
+  MaterialStore store(2 * whole + whole - expanded);
+  make(store, "a");
+  make(store, "b");
+  EXPECT_EQ(store.GetBytes(), 2 * whole);
+  make(store, "c");
+  EXPECT_LT(store.GetBytes(), 3 * whole - 2 * expanded + expanded / 2);
+  EXPECT_GT(store.GetBytes(), whole + (whole - expanded)); // all three
+  const auto isExpanded = [&](const char* key)
+  {
+    const MaterialStore::Parts parts = store.Take(key);
+    return !parts->GetKernels(brdf, 24, 16, never, { false, 60, 8 })[0]->HasNodes();
+  };
+  EXPECT_FALSE(isExpanded("a"));
+  EXPECT_FALSE(isExpanded("b"));
+  EXPECT_TRUE(isExpanded("c"));
+}
+
+//------------------------------------------------------------------------------
 // A known material under another map: the same plan as if it were new.
 TEST(MaterialStore, ChangesNoPlan)
 {
@@ -465,6 +504,39 @@ TEST(MapCandidates, AreLeftOutWhereFewerRowsHaveMore)
   EXPECT_FALSE(measuredbrdf::CanPruneMaps(256, 4, four, table(65, 0.11), 0.02));
   EXPECT_FALSE(measuredbrdf::CanPruneMaps(256, 4, four, table(129, 0.03), 0.02)); // not fewer
   EXPECT_FALSE(measuredbrdf::CanPruneMaps(256, 16, four, table(65, 0.08), 0.02)); // 0.6^2 of it
+}
+
+//------------------------------------------------------------------------------
+// Without lights they gain what a table's rows do, and that is known from tables of few view
+// angles, or these are hopeless. Beside lights no such table is tried.
+TEST(MapCandidates, AreLeftOutWhereRowsOfTablesGainLittle)
+{
+  using Attempts = std::vector<vtkRadianceIntegrator::Attempt>;
+  const auto areLeftOut = [](double coarse, double fine)
+  {
+    const Attempts tables = { { { 65, 8, 8 }, coarse }, { { 257, 8, 8 }, fine } };
+    return measuredbrdf::CanPruneMapsAlone(tables, 0.02);
+  };
+  EXPECT_FALSE(areLeftOut(0.1, 0.055));
+  EXPECT_TRUE(areLeftOut(0.1, 0.07));
+  EXPECT_FALSE(measuredbrdf::CanPruneMapsAlone({ { { 257, 8, 8 }, 0.1 } }, 0.02));
+  EXPECT_FALSE(measuredbrdf::CanPruneMapsAlone({}, 0.02));
+  const auto ofViews = [](double few) {
+    return Attempts{ { { 65, 8, 8, 0, 0, 12 }, few }, { { 49, 12, 16, 0, 0, 12 }, 0.035 } };
+  };
+  EXPECT_TRUE(measuredbrdf::CanPruneMapsAlone(ofViews(0.063), 0.02));
+  EXPECT_FALSE(measuredbrdf::CanPruneMapsAlone(ofViews(0.051), 0.02));
+  vtkNew<vtkHybridRadianceIntegrator> hybrid;
+  EXPECT_TRUE(hybrid->SetSizes({ 256, 12, 8, 4, 0, 12 }));
+  EXPECT_TRUE(hybrid->CanPrune(ofViews(0.063), 0.02));
+  EXPECT_FALSE(hybrid->CanPrune(ofViews(0.051), 0.02));
+  EXPECT_TRUE(hybrid->SetSizes({ 256, 12, 8, 4, 16, 12 }));
+  Attempts besideLights = ofViews(0.063);
+  for (vtkRadianceIntegrator::Attempt& attempt : besideLights)
+  {
+    attempt.Sizes[4] = 16;
+  }
+  EXPECT_FALSE(hybrid->CanPrune(besideLights, 0.02));
 }
 
 //------------------------------------------------------------------------------
