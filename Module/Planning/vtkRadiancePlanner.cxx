@@ -320,7 +320,7 @@ bool vtkRadiancePlanner::Search()
   measuredbrdf::PlanSearch search(impl.Task, first, isAborted);
   search.GetSecond = [&]()
   {
-    second.By = first.By;
+    second.Integrator = first.Integrator;
     return measuredbrdf::MakeReference(impl.Task, isAborted, this->Abort, second, impl.Problem)
              ? &second
              : nullptr;

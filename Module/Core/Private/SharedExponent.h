@@ -21,7 +21,7 @@ namespace measuredbrdf
 /// The largest component that the format has; the error of each is at most 2^-9 of the largest.
 constexpr float LargestSharedExponent = 65408.0f;
 
-/// exponent: of a normal number, -126 to 127.
+/// 2^exponent, of -126 to 127.
 inline float GetPowerOfTwo(int exponent)
 {
   const std::uint32_t bits = static_cast<std::uint32_t>(exponent + 127) << 23;
@@ -41,7 +41,7 @@ inline std::uint32_t PackSharedExponent(const glm::vec3& rgb)
     clamped[c] = rgb[c] > 0.0f ? std::min(rgb[c], LargestSharedExponent) : 0.0f;
   }
   const float largest = std::max({ clamped.x, clamped.y, clamped.z });
-  // The largest is below 2^exponent. By the bits: frexp and ldexp took most of the time.
+  // The largest is below 2^exponent, read from its bits: frexp and ldexp are slow.
   std::uint32_t bits;
   std::memcpy(&bits, &largest, sizeof(bits));
   int exponent = std::max(static_cast<int>(bits >> 23) - 126, -15);

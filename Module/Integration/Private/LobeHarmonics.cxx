@@ -117,9 +117,9 @@ LobeHarmonics::LobeHarmonics(vtkBRDF* brdf, double theta, int resolution, int ce
 
 void LobeHarmonics::ForgetNodes()
 {
-  this->Polar = {};
-  this->Azimuths = {};
-  this->Kernel = {};
+  std::vector<LobeNode>().swap(this->Polar); // clear() would keep the memory
+  std::vector<LobeNode>().swap(this->Azimuths);
+  std::vector<glm::dvec3>().swap(this->Kernel);
 }
 
 LobeHarmonics LobeHarmonics::GetOutside(const LampWindow& window, double delta) const

@@ -42,8 +42,8 @@ public:
   /// On the heap, about.
   std::size_t GetBytes() const
   {
-    return sizeof(*this) + this->Kernel.size() * sizeof(this->Kernel[0]) +
-           (this->Polar.size() + this->Azimuths.size()) * sizeof(LobeNode);
+    return sizeof(*this) + this->Kernel.capacity() * sizeof(glm::dvec3) +
+           (this->Polar.capacity() + this->Azimuths.capacity()) * sizeof(LobeNode);
   }
 
   /// The rest outside of a window about the axis at delta, in the same unit: Expand divides it by

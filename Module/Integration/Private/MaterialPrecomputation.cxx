@@ -8,6 +8,7 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
@@ -60,6 +61,8 @@ std::vector<std::vector<float>> MaterialPrecomputation::GetExpanded(
   Expansion& known = this->Expansions[&kernels];
   if (known.Degree < degree || known.Orders < orders)
   {
+    assert(std::all_of(kernels.begin(), kernels.end(),
+      [](const auto& kernel) { return kernel && kernel->HasNodes(); })); // Use was of less
     known.Degree = std::max(known.Degree, degree);
     known.Orders = std::max(known.Orders, orders);
     std::vector<std::pair<const LobeHarmonics*, double>> lobes;

@@ -150,17 +150,20 @@ MEASUREDBRDF_WIDE void LiftWide(float* radiance, std::size_t rows, std::size_t c
 #endif
 }
 
-void LiftDarkRingsOfMap(float* radiance, std::size_t rows, std::size_t columns)
+void LiftDarkRingsOfMap(
+  float* radiance, std::size_t rows, std::size_t columns, [[maybe_unused]] VectorForm form)
 {
 #ifdef MEASUREDBRDF_HAS_VECTORS
-  if (GetWidestForm() == VectorForm::Wide)
+  if (form == VectorForm::Wide)
   {
     return LiftWide(radiance, rows, columns);
   }
-  Lift<Float4>(radiance, rows, columns);
-#else
-  Lift<float>(radiance, rows, columns);
+  if (form == VectorForm::Narrow)
+  {
+    return Lift<Float4>(radiance, rows, columns);
+  }
 #endif
+  Lift<float>(radiance, rows, columns);
 }
 
 void LiftDarkRings(std::vector<float>& radiance, std::size_t rows, std::size_t columns)

@@ -8,6 +8,8 @@
 #ifndef RingLimiter_h
 #define RingLimiter_h
 
+#include "WideVectors.h" // for VectorForm
+
 #include <cstddef>
 #include <vector>
 
@@ -26,7 +28,8 @@ void LiftDarkRings(std::vector<float>& radiance, std::size_t rows, std::size_t c
 
 /// The same of one map, on this thread. Four nodes away from the first and the last rows and
 /// columns it does not count what lies beyond these.
-void LiftDarkRingsOfMap(float* radiance, std::size_t rows, std::size_t columns);
+void LiftDarkRingsOfMap(
+  float* radiance, std::size_t rows, std::size_t columns, VectorForm form = GetWidestForm());
 } // namespace measuredbrdf
 
 #endif

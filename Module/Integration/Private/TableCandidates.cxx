@@ -42,6 +42,7 @@ constexpr double LeastOfModes = 0.6;
 constexpr int FineTable[] = { 257, 8, 8 };
 constexpr int CoarseTable[] = { 65, 8, 8 };
 constexpr double MostOfMappedRows = 0.65;
+constexpr double NearTolerance = 1.5; // times it: maps, which have more view angles, may meet it
 
 constexpr vtkIdType MapBytes =
   4 * RadianceTable::IrradianceSide * RadianceTable::IrradianceSide + 16 * ShaderProfile::Size;
@@ -281,7 +282,8 @@ bool CanPruneMaps(int rows, int maps, const std::vector<vtkRadianceIntegrator::A
              attempt.Error * std::pow(gain, RowGainPower) > tolerance;
     });
 }
-// They gain what rows do.
+
+// Maps gain as much as a table's rows do.
 bool CanPruneMapsAlone(const std::vector<vtkRadianceIntegrator::Attempt>& tables, double tolerance)
 {
   const auto find = [&tables](const int(&sizes)[3])
@@ -296,6 +298,7 @@ bool CanPruneMapsAlone(const std::vector<vtkRadianceIntegrator::Attempt>& tables
   {
     return CanPruneTable({ std::begin(FineTable), std::end(FineTable) }, tables, tolerance);
   }
-  return coarse != tables.end() && fine->Error > MostOfMappedRows * coarse->Error;
+  return coarse != tables.end() && fine->Error > NearTolerance * tolerance &&
+         fine->Error > MostOfMappedRows * coarse->Error;
 }
 } // namespace measuredbrdf

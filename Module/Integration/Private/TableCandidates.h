@@ -39,8 +39,8 @@ bool CanPruneTable(const std::vector<int>& sizes,
 bool CanPruneMaps(int rows, int maps, const std::vector<vtkRadianceIntegrator::Attempt>& attempts,
   const std::vector<vtkRadianceIntegrator::Attempt>& tables, double tolerance);
 
-/// The same for maps without lights, however many: where a table of many rows and few view angles
-/// can be left out, or gains too little by its rows.
+/// The same for maps without lights, however many: true where a table of 257 x 8 x 8 can be pruned,
+/// or is far from the tolerance and leaves too much of the error of 65 x 8 x 8.
 bool CanPruneMapsAlone(const std::vector<vtkRadianceIntegrator::Attempt>& tables, double tolerance);
 } // namespace measuredbrdf
 

@@ -119,7 +119,8 @@ std::vector<vtkSmartPointer<vtkLightSet>> EnvironmentPrecomputation::GetLightSet
 {
   const auto make = [&]() -> std::shared_ptr<LightSets>
   {
-    if (counts.back() < 1 || counts.front() > vtkLightSetGenerator::MaximumNumberOfLights)
+    if (counts.empty() || !std::is_sorted(counts.rbegin(), counts.rend()) || counts.back() < 1 ||
+        counts.front() > vtkLightSetGenerator::MaximumNumberOfLights)
     {
       return nullptr;
     }

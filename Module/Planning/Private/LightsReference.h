@@ -49,7 +49,7 @@ private:
   LightsReference(const LightsReference&) = delete;
   void operator=(const LightsReference&) = delete;
 
-  /// Beside each other, so that many are turned and evaluated at a time.
+  /// By index: Sum evaluates the material for many at a time.
   struct Lights
   {
     std::vector<glm::dvec3> Directions;

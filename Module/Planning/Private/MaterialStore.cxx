@@ -55,8 +55,8 @@ void MaterialStore::PutBack(const std::string& key, Parts parts)
   }
 }
 
-// Rather than to forget a material: what few plans need stays of the last ones, in half of the
-// room.
+// Before any material is forgotten: only the last ones, as many as fit into half of the bytes, keep
+// what few plans need.
 void MaterialStore::TrimOldOnes()
 {
   const auto add = [](std::size_t bytes, const Entry& entry) { return bytes + entry.Bytes; };

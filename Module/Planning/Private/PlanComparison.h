@@ -23,8 +23,9 @@ struct PlanComparison
   PlanPairs Pairs;
   vtkSmartPointer<vtkDoubleArray> Reference; // 3 components a pair
   double ReferenceError = 0.0;               // relative
-  /// That knows it; null: none yet. What it prepared serves further pairs.
-  vtkSmartPointer<vtkRadianceIntegrator> By;
+  /// What computed Reference, null before. Another comparison may use it, too: what it prepared
+  /// does not depend on the pairs.
+  vtkSmartPointer<vtkRadianceIntegrator> Integrator;
 };
 
 /// Relative L1 over the pairs of all comparisons, with Uncertainty: two standard errors of their

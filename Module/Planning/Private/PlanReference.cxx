@@ -53,12 +53,12 @@ bool MakeReference(const PlanTask& task, const IsAborted& isAborted, const std::
   {
     return comparison.Reference != nullptr;
   }
-  if (!comparison.By)
+  if (!comparison.Integrator)
   {
-    comparison.By =
+    comparison.Integrator =
       NewPlanReference(task.BRDF, task.Environment, task.Tolerance, task.Shared, abort);
   }
-  const auto& integrator = comparison.By;
+  const auto& integrator = comparison.Integrator;
   const AbortForwarder supervision(isAborted, integrator, problem);
   comparison.Reference = vtkSmartPointer<vtkDoubleArray>::New();
   const bool made =
