@@ -124,12 +124,8 @@ struct vtkRadiancePlanner::Internals
   }
 
   // Those of a sphere: many of them see a sun or a lamp, which decide for mirror-like materials.
-  measuredbrdf::PlanPairs GetPairs(vtkRadiancePlanner* planner) const
+  measuredbrdf::PlanPairs GetSpherePairs(vtkRadiancePlanner* planner) const
   {
-    if (this->Given.Normals)
-    {
-      return measuredbrdf::AddBetween(this->Given, SpherePairs);
-    }
     const auto bright = this->Environment->GetParts().GetExtractedEmitters(this->Environment,
       measuredbrdf::ExtractedEmitters::DefaultShare, measuredbrdf::LightsReference::MaximumSuns,
       [planner]() { return !planner->GetAbort(); });
@@ -310,9 +306,10 @@ bool vtkRadiancePlanner::Search()
   }
   const measuredbrdf::IsAborted isAborted = [this]() { return this->GetAbort(); };
   measuredbrdf::PlanComparison first, second;
-  first.Pairs = impl.GetPairs(this);
+  const bool picture = impl.Given.Normals != nullptr;
+  first.Pairs = picture ? impl.Given : impl.GetSpherePairs(this);
   if (!measuredbrdf::SamplePairs(
-        impl.Task, isAborted, candidates, first.Pairs, second.Pairs, impl.Problem) ||
+        impl.Task, isAborted, candidates, picture, first.Pairs, second.Pairs, impl.Problem) ||
       !measuredbrdf::MakeReference(impl.Task, isAborted, this->Abort, first, impl.Problem))
   {
     return this->Fail();

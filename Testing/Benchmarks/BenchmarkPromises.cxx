@@ -122,7 +122,8 @@ vtkSmartPointer<vtkPolyData> MakeMesh(const std::string& name)
 }
 
 // About so many pixels of a picture in perspective, from an oblique direction, that show the mesh.
-void Look(vtkPolyData* mesh, int count, Pixels& pixels)
+// turn: the camera, in degrees, about the vertical axis.
+void Look(vtkPolyData* mesh, int count, double turn, Pixels& pixels)
 {
   vtkNew<vtkStaticCellLocator> locator;
   locator->SetDataSet(mesh);
@@ -130,7 +131,9 @@ void Look(vtkPolyData* mesh, int count, Pixels& pixels)
   double center[3];
   mesh->GetCenter(center);
   const double radius = 0.5 * mesh->GetLength();
-  double towards[3] = { 1.0, 0.8, 2.0 };
+  const double turned = vtkMath::RadiansFromDegrees(turn);
+  double towards[3] = { std::cos(turned) + 2.0 * std::sin(turned), 0.8,
+    2.0 * std::cos(turned) - std::sin(turned) };
   double right[3], up[3], eye[3];
   vtkMath::Normalize(towards);
   const double y[3] = { 0.0, 1.0, 0.0 };
@@ -173,8 +176,7 @@ void Look(vtkPolyData* mesh, int count, Pixels& pixels)
     }
     vtkMath::Normalize(n);
     vtkMath::Normalize(o);
-    const double turn = vtkMath::Dot(n, o) < 0.0 ? -1.0 : 1.0; // as VTK turns them
-    vtkMath::MultiplyScalar(n, turn);
+    vtkMath::MultiplyScalar(n, vtkMath::Dot(n, o) < 0.0 ? -1.0 : 1.0); // as VTK turns them
     pixels.Normals->InsertNextTuple(n);
     pixels.Views->InsertNextTuple(o);
   }
@@ -324,6 +326,7 @@ int main(int argc, char** argv)
   bool forView = false;
   std::string references;
   int refine = 1;
+  double turn = 0.0;
   CLI::App app("Whether plans keep what they say.");
   app.add_option("--materials", materials, "Files or embedded names")->required();
   app.add_option("--environments", environments, "Files or embedded names")->required();
@@ -336,6 +339,7 @@ int main(int argc, char** argv)
   app.add_option("--refine", refine,
     "Where an error plus two standard errors is above the promise, measure it again with so many "
     "times the pixels; and where it is still above, with the square of that");
+  app.add_option("--turn", turn, "Of the camera, in degrees: other pictures than usual");
   CLI11_PARSE(app, argc, argv);
 
   std::vector<Picture> pictures;
@@ -355,10 +359,10 @@ int main(int argc, char** argv)
     else
     {
       const vtkSmartPointer<vtkPolyData> mesh = MakeMesh(shape);
-      Look(mesh, pixels, picture.Compared);
-      Look(mesh, PlannedPixels, picture.Planned);
-      Look(mesh, refine * pixels, picture.Finer);
-      Look(mesh, refine * refine * pixels, picture.Finest);
+      Look(mesh, pixels, turn, picture.Compared);
+      Look(mesh, PlannedPixels, turn, picture.Planned);
+      Look(mesh, refine * pixels, turn, picture.Finer);
+      Look(mesh, refine * refine * pixels, turn, picture.Finest);
     }
   }
   std::printf(

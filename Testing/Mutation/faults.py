@@ -633,10 +633,20 @@ add("Planning.off-is-a-folder", "Private/PlanCache.cxx", 'std::string(own) == "o
     "PlanCache.DefaultFolderFollowsTheEnvironment")
 add("Planning.largest-cache", "Private/PlanCache.cxx", "if (total <= maximumBytes)", "if (total <= 2 * maximumBytes)",
     "PlanCache.StaysWithinItsBounds")
-add("Planning.nothing-between-pixels", "Private/PlanPairs.cxx", "constexpr double Reach = 0.5;", "constexpr double Reach = 0.0;",
-    "PlanPairs.HaveOthersBetween")
-add("Planning.pixels-far-apart-are-neighbors", "Private/PlanPairs.cxx", "constexpr double Apart = 0.3;", "constexpr double Apart = 3.0;",
-    "PlanPairs.HaveOthersBetween")
+add("Planning.nothing-between-pixels", "Private/PlanPoints.cxx", "constexpr double Reach = 0.5;", "constexpr double Reach = 0.0;",
+    "PlanPoints.HaveOthersBetween")
+add("Planning.pixels-are-centers-of-crowds", "Private/PlanPoints.cxx", "constexpr double Reach = 0.5;", "constexpr double Reach = 0.2;",
+    "PlanPoints.AreNoCentersOfCrowds")
+add("Planning.pixels-far-apart-are-neighbors", "Private/PlanPoints.cxx", "constexpr double Apart = 0.3;", "constexpr double Apart = 3.0;",
+    "PlanPoints.HaveOthersBetween")
+add("Planning.pixels-know-their-own-only", "Private/PlanPoints.cxx", "around.Add(about[neighbor]);", "(void)neighbor;",
+    "PlanPoints.CrowdWhereItVaries")
+add("Planning.crowds-count-as-many", "Private/PlanPoints.cxx", "pairs.Weights.push_back(1.0 / counts[owner]);", "pairs.Weights.push_back(1.0);",
+    "PlanPoints.CrowdWhereItVaries")
+add("Planning.samples-of-pictures-are-not-spread", "Private/PlanSample.cxx", "all.Points.empty() ? OrderByDifference", "true ? OrderByDifference",
+    "PlanSample.IsSpreadOverPictures")
+add("Planning.pairs-about-a-point-are-draws-of-their-own", "Private/PlanComparison.cxx", "if (points.empty())", "if (points.empty() || true)",
+    "PlanComparison.KnowsWhatLiesAboutTheSamePoint")
 add("Planning.error-without-deviation", "Private/PlanComparison.cxx", "return { error + uncertainty, uncertainty, ",
     "return { error, uncertainty, ", "PlanComparison.PoolsSamplesAndAddsTheReferencesError|GoldenPlans.EmbeddedMaterials|PlanSample.PredictionsHold")
 add("Planning.pairs-without-weights", "Private/PlanComparison.cxx",
@@ -698,8 +708,8 @@ add("Planning.stops-where-all-are-asked-for", "Private/PlanSearch.cxx", "(!this-
     "true", "Planner.EvaluateAllListsEveryMethod|PlanSearch.ChoosesTheSameWhereAllAreTried")
 add("Planning.what-is-only-listed-is-chosen", "Private/PlanSearch.cxx", "!candidate.MayBeChosen || !this->IsWorthTrying", "!this->IsWorthTrying",
     "PlanSearch.ChoosesTheSameWhereAllAreTried")
-add("Planning.between-is-inside", "Private/PlanPairs.cxx", "s * (one[d] - middles[k][d]) + t * (other[d] - middles[k][d])",
-    "s * (one[d] - pairs[k][d]) + t * (other[d] - pairs[k][d])", "PlanPairs.HaveOthersBetween")
+add("Planning.between-is-inside", "Private/PlanPoints.cxx", "const double share = Reach * (2.0 * this->Draw() - 1.0);",
+    "const double share = 0.5 * Reach * this->Draw();", "PlanPoints.HaveOthersBetween")
 add("Planning.others-are-chosen", "Private/PlanSearch.cxx", "this->Try(candidates[k], false)", "this->Try(candidates[k], true)",
     "PlanSearch.ChoosesTheSameWhereAllAreTried")
 add("Planning.few-pixels-pay-for-much-memory", "Private/PlanSearch.cxx", "std::min(1.0, this->Task.Pixels / SpherePixels)", "1.0",

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 
 namespace measuredbrdf
 {
@@ -28,6 +29,34 @@ double GetLargestRatio(const PictureSums& own, const std::vector<double>& cheap)
     largest = std::max(largest, cheap.empty() ? ratios[k] : std::sqrt(ratios[k] * cheap[k]));
   }
   return largest;
+}
+
+// Of residues. Pairs about the same point are no draws of their own: their residues are summed
+// first, as those of clusters (the same, 5.6 with 4.2).
+double SumSquares(const std::vector<const PlanComparison*>& comparisons,
+  const std::vector<double>& differences, const std::vector<double>& references, double error)
+{
+  std::vector<double> residues;
+  std::size_t before = 0;
+  double squares = 0.0;
+  for (const PlanComparison* comparison : comparisons)
+  {
+    const std::size_t count = static_cast<std::size_t>(comparison->Reference->GetNumberOfTuples());
+    const std::vector<std::size_t>& points = comparison->Pairs.Points;
+    for (std::size_t k = 0; k < count; ++k)
+    {
+      const double residue = differences[before + k] - error * references[before + k];
+      if (points.empty())
+      {
+        squares += residue * residue;
+        continue;
+      }
+      residues.resize(std::max(residues.size(), points[k] + 1), 0.0);
+      residues[points[k]] += residue;
+    }
+    before += count;
+  }
+  return std::inner_product(residues.begin(), residues.end(), residues.begin(), squares);
 }
 }
 
@@ -72,12 +101,7 @@ PlanError Compare(const std::vector<const PlanComparison*>& comparisons,
     return {};
   }
   const double error = difference / sum;
-  double squares = 0.0;
-  for (std::size_t k = 0; k < differences.size(); ++k)
-  {
-    const double residue = differences[k] - error * references[k];
-    squares += residue * residue;
-  }
+  const double squares = SumSquares(comparisons, differences, references, error);
   const double uncertainty = std::hypot(StandardErrors * std::sqrt(squares) / sum, ownError);
   const double ratio = GetLargestRatio(pictures, comparisons.front()->Pairs.Ratios);
   return { error + uncertainty, uncertainty, ratio * (error + uncertainty) };

@@ -6,17 +6,14 @@
 #include "LocalFrame.h"
 #include "LowDiscrepancy.h"
 #include "vtkEnvironment.h"
-#include "vtkSMPTools.h"
 
 #include <glm/glm.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
-#include <random>
 
 namespace measuredbrdf
 {
@@ -167,115 +164,6 @@ PlanPairs DrawSpherePairs(
     pairs.Views->InsertNextTuple(&view.x);
   }
   return pairs;
-}
-
-namespace
-{
-constexpr int Nearest = 8;    // of pixels in rows: around one
-constexpr double Apart = 0.3; // of both directions together: so far away are no neighbors
-constexpr double Reach = 0.5; // of the way to a neighbor
-
-using Pair = std::array<glm::dvec3, 2>; // normal and view
-
-double GetDistance(const Pair& a, const Pair& b)
-{
-  const glm::dvec3 n = a[0] - b[0];
-  const glm::dvec3 o = a[1] - b[1];
-  return glm::dot(n, n) + glm::dot(o, o);
-}
-
-// Of one, from the closest on: itself where there are not so many.
-std::array<std::size_t, Nearest> FindNearest(const std::vector<Pair>& pairs, std::size_t of)
-{
-  std::array<std::size_t, Nearest> nearest;
-  std::array<double, Nearest> distances;
-  nearest.fill(of);
-  distances.fill(Apart * Apart);
-  for (std::size_t k = 0; k < pairs.size(); ++k)
-  {
-    const double distance = GetDistance(pairs[k], pairs[of]);
-    if (k == of || distance >= distances.back())
-    {
-      continue;
-    }
-    std::size_t at = Nearest - 1;
-    for (; at > 0 && distances[at - 1] > distance; --at)
-    {
-      distances[at] = distances[at - 1];
-      nearest[at] = nearest[at - 1];
-    }
-    distances[at] = distance;
-    nearest[at] = k;
-  }
-  return nearest;
-}
-}
-
-PlanPairs AddBetween(const PlanPairs& given, vtkIdType count)
-{
-  if (given.Normals->GetNumberOfTuples() <= PairsToCompare ||
-      given.Normals->GetNumberOfTuples() >= count)
-  {
-    return given;
-  }
-  std::vector<Pair> pairs;
-  for (vtkIdType k = 0; k < given.Normals->GetNumberOfTuples(); ++k)
-  {
-    pairs.push_back(
-      { glm::make_vec3(given.Normals->GetTuple(k)), glm::make_vec3(given.Views->GetTuple(k)) });
-  }
-  const std::size_t number = pairs.size();
-  std::vector<std::array<std::size_t, Nearest>> nearest(number);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(number),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType k = begin; k < end; ++k)
-      {
-        nearest[static_cast<std::size_t>(k)] = FindNearest(pairs, static_cast<std::size_t>(k));
-      }
-    });
-  std::vector<Pair> middles(number, Pair{ glm::dvec3(0.0), glm::dvec3(0.0) }); // of the neighbors
-  for (std::size_t k = 0; k < number; ++k)
-  {
-    for (const std::size_t neighbor : nearest[k])
-    {
-      middles[k][0] += pairs[neighbor][0] / static_cast<double>(Nearest);
-      middles[k][1] += pairs[neighbor][1] / static_cast<double>(Nearest);
-    }
-  }
-  PlanPairs all;
-  all.Normals = vtkSmartPointer<vtkDoubleArray>::New();
-  all.Views = vtkSmartPointer<vtkDoubleArray>::New();
-  all.Normals->DeepCopy(given.Normals);
-  all.Views->DeepCopy(given.Views);
-  std::mt19937 engine;
-  const auto draw = [&engine]()
-  { return Reach * static_cast<double>(engine()) / static_cast<double>(std::mt19937::max()); };
-  while (all.Normals->GetNumberOfTuples() < count)
-  {
-    for (std::size_t k = 0; k < number; ++k)
-    {
-      const Pair& one = pairs[nearest[k][engine() % Nearest]]; // where they are the same: on a line
-      const Pair& other = pairs[nearest[k][engine() % Nearest]];
-      const double s = draw();
-      const double t = draw();
-      // About the point in the mean: on a silhouette all neighbors lie to one side.
-      Pair between = pairs[k];
-      for (std::size_t d = 0; d < 2; ++d)
-      {
-        between[d] += s * (one[d] - middles[k][d]) + t * (other[d] - middles[k][d]);
-        between[d] = glm::normalize(between[d]);
-      }
-      if (glm::dot(between[0], between[1]) <
-          MinimumViewCosine) // beyond the horizon, as it is shaded
-      {
-        between = pairs[k];
-      }
-      all.Normals->InsertNextTuple(&between[0].x);
-      all.Views->InsertNextTuple(&between[1].x);
-    }
-  }
-  return all;
 }
 
 void Turn(const double columns[9], PlanPairs& pairs)

@@ -13,6 +13,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace measuredbrdf
@@ -25,6 +26,7 @@ struct PlanPairs
   vtkSmartPointer<vtkDoubleArray> Normals; // unit vectors
   vtkSmartPointer<vtkDoubleArray> Views;   // as many unit vectors
   std::vector<double> Weights;             // of the pairs; none: 1 each
+  std::vector<std::size_t> Points;         // that they lie about; none: each its own
   std::vector<double> Cameras; // three components each, whose pictures count; none: all is one
   std::vector<double> Ratios;  // what they have of a cheap method's error (PictureSums::GetRatios)
 };
@@ -39,11 +41,6 @@ std::vector<double> GetPictureCameras();
 /// view: from the object to the camera; 0, 0, 0: from everywhere.
 PlanPairs DrawSpherePairs(
   int count, const double view[3], const std::vector<ExtractedEmitters::Light>& lamps = {});
-
-/// At least so many: those that are given, which are some of a picture's pixels, and others between
-/// each of them and the nearest ones, as the pixels between show them: a few of these may see a
-/// lamp. No more than a plan compares stay as they are. Repeatable.
-PlanPairs AddBetween(const PlanPairs& given, vtkIdType count);
 
 /// Turned by a rotation, whose columns follow each other.
 void Turn(const double columns[9], PlanPairs& pairs);

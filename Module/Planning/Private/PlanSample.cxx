@@ -3,6 +3,7 @@
 #include "PlanSample.h"
 
 #include "PlanPictures.h"
+#include "PlanPoints.h"
 #include "vtkNew.h"
 #include "vtkRadianceMethods.h"
 
@@ -10,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <optional>
 #include <random>
 #include <utility>
 
@@ -26,6 +28,12 @@ constexpr double ShareByWeight = 0.25;
 // every time.
 constexpr double Start = 0.414;
 constexpr double NextStart = 0.618;
+
+// Of a picture's pairs: at least so many around all points alike; and so many where it varies, in
+// rounds, each of which knows what those before it have found.
+constexpr vtkIdType PairsAlike = 4097;
+constexpr int PairsWhereItVaries = 4096;
+constexpr int Rounds = 2;
 
 constexpr double DrawnWidth = 12.0; // PictureSums
 
@@ -56,84 +64,89 @@ std::vector<double> LimitToOnce(std::vector<double> draws, int count)
   return draws;
 }
 
+void Append(vtkDoubleArray* from, vtkDoubleArray* to)
+{
+  for (vtkIdType k = 0; k < from->GetNumberOfTuples(); ++k)
+  {
+    to->InsertNextTuple(from->GetTuple(k));
+  }
+}
+
 double GetFinite(double value) { return std::isfinite(value) ? value : 0.0; }
 
-// What the candidate, prepared, says that the pairs reflect.
-bool Try(const PlanTask& task, const IsAborted& isAborted, const PlanPairs& pairs,
-  PlanCandidate& candidate, vtkDoubleArray* radiance, std::string& problem)
+// What two cheap candidates say that pairs reflect, more and more of them.
+class CheapPair
 {
-  if (!PrepareCandidate(task, isAborted, candidate, problem))
+public:
+  CheapPair(const PlanTask& task, const IsAborted& isAborted, PlanCandidate& coarse,
+    PlanCandidate& fine, std::string& problem)
+    : Candidates{ &coarse, &fine }
+    , Task(task)
+    , Aborted(isAborted)
+    , Problem(problem)
   {
-    return false;
+    for (const auto& radiance : this->Radiances)
+    {
+      radiance->SetNumberOfComponents(3);
+    }
   }
-  const AbortForwarder supervision(isAborted, candidate.Integrator, problem);
-  return candidate.Integrator->Integrate(pairs.Normals, pairs.Views, radiance);
-}
-}
 
-bool SamplePairs(const PlanTask& task, const IsAborted& isAborted,
-  std::vector<PlanCandidate>& candidates, PlanPairs& pairs, PlanPairs& second, std::string& problem)
-{
-  if (pairs.Normals->GetNumberOfTuples() <= PairsToCompare || isAborted())
+  // Further pairs.
+  bool Integrate(const PlanPairs& pairs)
   {
-    return !isAborted();
-  }
-  const PlanPairs all = pairs;
-  const auto first = std::find_if(candidates.begin(), candidates.end(),
-    [](const PlanCandidate& candidate) { return vtkRadianceMethods::IsBuiltIn(candidate.Method); });
-  const auto larger = std::find_if(first, candidates.end(),
-    [&first](const PlanCandidate& other)
-    { return other.Method == first->Method && GetMainSize(other) > GetMainSize(*first); });
-  if (larger == candidates.end())
-  {
-    pairs = ChoosePairs(all, nullptr, nullptr, PairsToCompare);
-    second = ChoosePairs(all, nullptr, nullptr, PairsToCompare, 1);
+    for (std::size_t which = 0; which < 2; ++which)
+    {
+      PlanCandidate& candidate = *this->Candidates[which];
+      if (!PrepareCandidate(this->Task, this->Aborted, candidate, this->Problem))
+      {
+        return false;
+      }
+      const AbortForwarder supervision(this->Aborted, candidate.Integrator, this->Problem);
+      vtkNew<vtkDoubleArray> radiance;
+      if (!candidate.Integrator->Integrate(pairs.Normals, pairs.Views, radiance))
+      {
+        return false;
+      }
+      Append(radiance, this->Radiances[which]);
+    }
     return true;
   }
-  vtkNew<vtkDoubleArray> coarse, fine;
-  if (!Try(task, isAborted, pairs, *first, coarse, problem) ||
-      !Try(task, isAborted, pairs, *larger, fine, problem))
-  {
-    return false;
-  }
-  pairs = ChoosePairs(all, coarse, fine, PairsToCompare);
-  second = ChoosePairs(all, coarse, fine, PairsToCompare, 1);
-  return true;
-}
 
-PlanPairs ChoosePairs(
-  const PlanPairs& all, vtkDoubleArray* coarse, vtkDoubleArray* fine, int count, unsigned int index)
+  vtkDoubleArray* GetCoarse() const { return this->Radiances[0]; }
+  vtkDoubleArray* GetFine() const { return this->Radiances[1]; }
+
+private:
+  PlanCandidate* Candidates[2];
+  vtkNew<vtkDoubleArray> Radiances[2];
+  const PlanTask& Task;
+  const IsAborted& Aborted;
+  std::string& Problem;
+};
+
+// Of each pair: by how much the two differ, and what the second says.
+void GetValues(vtkDoubleArray* coarse, vtkDoubleArray* fine, std::vector<double>& differences,
+  std::vector<double>& radiances)
 {
-  const std::size_t number = static_cast<std::size_t>(all.Normals->GetNumberOfTuples());
-  std::vector<double> weights = all.Weights;
-  weights.resize(number, all.Weights.empty() ? 1.0 : 0.0);
-  std::vector<double> differences(number), radiances(number);
-  double sums[3] = {};
+  const std::size_t number = static_cast<std::size_t>(fine->GetNumberOfTuples());
+  differences.assign(number, 0.0);
+  radiances.assign(number, 0.0);
   for (std::size_t k = 0; k < number; ++k)
   {
-    for (int c = 0; c < 3 && fine; ++c)
+    for (int c = 0; c < 3; ++c)
     {
       const double value = GetFinite(fine->GetComponent(static_cast<vtkIdType>(k), c));
       const double other = GetFinite(coarse->GetComponent(static_cast<vtkIdType>(k), c));
-      differences[k] += weights[k] * std::abs(other - value);
-      radiances[k] += weights[k] * std::abs(value);
+      differences[k] += std::abs(other - value);
+      radiances[k] += std::abs(value);
     }
-    sums[0] += differences[k];
-    sums[1] += radiances[k];
-    sums[2] += weights[k];
   }
-  std::vector<double> draws(number);
-  const double others =
-    (1.0 - ShareByDifference - ShareByRadiance - ShareByWeight) / static_cast<double>(number);
-  const double shares[3] = { sums[0] > 0.0 ? ShareByDifference / sums[0] : 0.0,
-    sums[1] > 0.0 ? ShareByRadiance / sums[1] : 0.0, ShareByWeight / sums[2] };
-  for (std::size_t k = 0; k < number; ++k)
-  {
-    draws[k] = count * (others + shares[0] * differences[k] + shares[1] * radiances[k] +
-                         shares[2] * weights[k]);
-  }
-  draws = LimitToOnce(draws, count);
-  // In equal steps through the draws of all, sorted by difference: some of every size of it.
+}
+
+// From the least on. Another index, another order of those that are the same.
+std::vector<std::size_t> OrderByDifference(
+  const std::vector<double>& differences, const std::vector<double>& weights, unsigned int index)
+{
+  const std::size_t number = differences.size();
   std::vector<double> keys(number);
   for (std::size_t k = 0; k < number; ++k)
   {
@@ -149,6 +162,94 @@ PlanPairs ChoosePairs(
   }
   std::stable_sort(order.begin(), order.end(),
     [&keys](std::size_t a, std::size_t b) { return keys[a] < keys[b]; });
+  return order;
+}
+}
+
+bool SamplePairs(const PlanTask& task, const IsAborted& isAborted,
+  std::vector<PlanCandidate>& candidates, bool picture, PlanPairs& pairs, PlanPairs& second,
+  std::string& problem)
+{
+  if (pairs.Normals->GetNumberOfTuples() <= PairsToCompare || isAborted())
+  {
+    return !isAborted();
+  }
+  std::optional<PlanPoints> points;
+  if (picture)
+  {
+    points.emplace(pairs);
+  }
+  PlanPairs all = points ? points->DrawAlike(PairsAlike) : pairs;
+  const auto first = std::find_if(candidates.begin(), candidates.end(),
+    [](const PlanCandidate& candidate) { return vtkRadianceMethods::IsBuiltIn(candidate.Method); });
+  const auto larger = std::find_if(first, candidates.end(),
+    [&first](const PlanCandidate& other)
+    { return other.Method == first->Method && GetMainSize(other) > GetMainSize(*first); });
+  if (larger == candidates.end())
+  {
+    pairs = ChoosePairs(all, nullptr, nullptr, PairsToCompare);
+    second = ChoosePairs(all, nullptr, nullptr, PairsToCompare, 1);
+    return true;
+  }
+  CheapPair cheap(task, isAborted, *first, *larger, problem);
+  if (!cheap.Integrate(all))
+  {
+    return false;
+  }
+  for (int round = 0; points && round < Rounds; ++round)
+  {
+    std::vector<double> differences, radiances;
+    GetValues(cheap.GetCoarse(), cheap.GetFine(), differences, radiances);
+    const PlanPairs more =
+      points->DrawWhereItVaries(differences, radiances, PairsWhereItVaries / Rounds);
+    if (more.Normals->GetNumberOfTuples() > 0 && !cheap.Integrate(more))
+    {
+      return false;
+    }
+    Append(more.Normals, all.Normals);
+    Append(more.Views, all.Views);
+    points->Weigh(all);
+  }
+  pairs = ChoosePairs(all, cheap.GetCoarse(), cheap.GetFine(), PairsToCompare);
+  second = ChoosePairs(all, cheap.GetCoarse(), cheap.GetFine(), PairsToCompare, 1);
+  return true;
+}
+
+PlanPairs ChoosePairs(
+  const PlanPairs& all, vtkDoubleArray* coarse, vtkDoubleArray* fine, int count, unsigned int index)
+{
+  const std::size_t number = static_cast<std::size_t>(all.Normals->GetNumberOfTuples());
+  std::vector<double> weights = all.Weights;
+  weights.resize(number, all.Weights.empty() ? 1.0 : 0.0);
+  std::vector<double> differences(number), radiances(number);
+  if (fine)
+  {
+    GetValues(coarse, fine, differences, radiances);
+  }
+  double sums[3] = {};
+  for (std::size_t k = 0; k < number; ++k)
+  {
+    differences[k] *= weights[k];
+    radiances[k] *= weights[k];
+    sums[0] += differences[k];
+    sums[1] += radiances[k];
+    sums[2] += weights[k];
+  }
+  std::vector<double> draws(number);
+  const double others =
+    (1.0 - ShareByDifference - ShareByRadiance - ShareByWeight) / static_cast<double>(number);
+  const double shares[3] = { sums[0] > 0.0 ? ShareByDifference / sums[0] : 0.0,
+    sums[1] > 0.0 ? ShareByRadiance / sums[1] : 0.0, ShareByWeight / sums[2] };
+  for (std::size_t k = 0; k < number; ++k)
+  {
+    draws[k] = count * (others + shares[0] * differences[k] + shares[1] * radiances[k] +
+                         shares[2] * weights[k]);
+  }
+  draws = LimitToOnce(draws, count);
+  // In equal steps through the draws of all: of a picture, some of everywhere; of all views, where
+  // two pairs are hardly ever close together, some of every difference.
+  const std::vector<std::size_t> order =
+    all.Points.empty() ? OrderByDifference(differences, weights, index) : OrderByPlace(all);
   PlanPairs chosen;
   chosen.Normals = vtkSmartPointer<vtkDoubleArray>::New();
   chosen.Views = vtkSmartPointer<vtkDoubleArray>::New();
@@ -171,6 +272,10 @@ PlanPairs ChoosePairs(
       chosen.Normals->InsertNextTuple(all.Normals->GetTuple(static_cast<vtkIdType>(k)));
       chosen.Views->InsertNextTuple(all.Views->GetTuple(static_cast<vtkIdType>(k)));
       chosen.Weights.push_back(weights[k] / draws[k]);
+      if (!all.Points.empty())
+      {
+        chosen.Points.push_back(all.Points[k]);
+      }
     }
   }
   return chosen;

@@ -24,10 +24,11 @@ namespace measuredbrdf
 /// make up for it: sums are unbiased (Horvitz, Thompson 1952, "A Generalization of Sampling Without
 /// Replacement from a Finite Universe"). The two candidates are the first of the module's own and
 /// the first of its method that is larger; they are prepared for it. Where there are no such two,
-/// all pairs are alike. Where there are no more pairs, second stays without any. Repeatable. False,
-/// with a problem in words, where that failed or was aborted.
+/// all pairs are alike. Where there are no more pairs, second stays without any. picture: they are
+/// some of a picture's pixels, between which others are drawn (PlanPoints). Repeatable. False, with
+/// a problem in words, where that failed or was aborted.
 bool SamplePairs(const PlanTask& task, const IsAborted& isAborted,
-  std::vector<PlanCandidate>& candidates, PlanPairs& pairs, PlanPairs& second,
+  std::vector<PlanCandidate>& candidates, bool picture, PlanPairs& pairs, PlanPairs& second,
   std::string& problem);
 
 /// Such a sample of about so many pairs, by what two methods say that they reflect (null: all pairs

@@ -137,6 +137,30 @@ TEST(PlanComparison, PoolsSamplesAndAddsTheReferencesError)
 }
 
 //------------------------------------------------------------------------------
+// Pairs about the same point, in both samples, are no draws of their own: residues are summed
+// first.
+TEST(PlanComparison, KnowsWhatLiesAboutTheSamePoint)
+{
+  PlanComparison first = MakeComparison(3, false);
+  first.Pairs.Points = { 4, 4, 0 };
+  first.Pairs.Weights = { 1.0, 2.0, 1.0 };
+  PlanComparison second = MakeComparison(1, false);
+  second.Pairs.Points = { 4 };
+  vtkNew<vtkDoubleArray> radiance, other;
+  radiance->SetNumberOfComponents(3);
+  other->SetNumberOfComponents(3);
+  radiance->InsertNextTuple3(1.1, 0.9, 1.1); // differences of 0.3, 0.3, 0, 0.12 of 3
+  radiance->InsertNextTuple3(1.1, 0.9, 1.1);
+  radiance->InsertNextTuple3(1.0, 1.0, 1.0);
+  other->InsertNextTuple3(1.04, 1.04, 0.96);
+  const auto found = measuredbrdf::Compare({ &first, &second }, { radiance, other });
+  const double error = 1.02 / 15.0;
+  const double squares = std::pow(1.02 - 12.0 * error, 2) + std::pow(3.0 * error, 2);
+  EXPECT_NEAR(found.Uncertainty, 2.0 * std::sqrt(squares) / 15.0, 1e-12);
+  EXPECT_NEAR(found.Error, error + found.Uncertainty, 1e-12);
+}
+
+//------------------------------------------------------------------------------
 // Where the tolerance is missed, more than 12 MB have to leave two thirds of the error, and a tenth
 // less.
 TEST(PlanSearch, WeighsMemoryWhereNothingMeets)
