@@ -643,6 +643,11 @@ add("Planning.pixels-know-their-own-only", "Private/PlanPoints.cxx", "around.Add
     "PlanPoints.CrowdWhereItVaries")
 add("Planning.crowds-count-as-many", "Private/PlanPoints.cxx", "pairs.Weights.push_back(1.0 / counts[owner]);", "pairs.Weights.push_back(1.0);",
     "PlanPoints.CrowdWhereItVaries")
+add("Planning.pictures-without-candidates-know-no-points", "Private/PlanSample.cxx", """    if (points)
+    {
+      points->Weigh(all);
+    }
+    pairs""", "    pairs", "PlanSample.OfPicturesKnowTheirPoints")
 add("Planning.samples-of-pictures-are-not-spread", "Private/PlanSample.cxx", "all.Points.empty() ? OrderByDifference", "true ? OrderByDifference",
     "PlanSample.IsSpreadOverPictures")
 add("Planning.pairs-about-a-point-are-draws-of-their-own", "Private/PlanComparison.cxx", "if (points.empty())", "if (points.empty() || true)",

@@ -31,8 +31,8 @@ double GetLargestRatio(const PictureSums& own, const std::vector<double>& cheap)
   return largest;
 }
 
-// Of residues. Pairs about the same point are no draws of their own: their residues are summed
-// first, as those of clusters (the same, 5.6 with 4.2).
+// The residues' squares. Pairs about the same point are no draws of their own: their residues are
+// summed first, as those of clusters (Sarndal, Swensson, Wretman 1992, 5.6 with 4.2).
 double SumSquares(const std::vector<const PlanComparison*>& comparisons,
   const std::vector<double>& differences, const std::vector<double>& references, double error)
 {

@@ -97,6 +97,16 @@ private:
 };
 }
 
+PlanPairs MakeEmptyPairs()
+{
+  PlanPairs pairs;
+  pairs.Normals = vtkSmartPointer<vtkDoubleArray>::New();
+  pairs.Views = vtkSmartPointer<vtkDoubleArray>::New();
+  pairs.Normals->SetNumberOfComponents(3);
+  pairs.Views->SetNumberOfComponents(3);
+  return pairs;
+}
+
 std::vector<double> GetPictureCameras()
 {
   std::vector<double> cameras;
@@ -122,11 +132,7 @@ PlanPairs DrawSpherePairs(
   const LampDirections lamps(sources);
   const glm::dvec3 given(wanted[0], wanted[1], wanted[2]);
   const bool any = !(glm::length(given) > 0.0);
-  PlanPairs pairs;
-  pairs.Normals = vtkSmartPointer<vtkDoubleArray>::New();
-  pairs.Views = vtkSmartPointer<vtkDoubleArray>::New();
-  pairs.Normals->SetNumberOfComponents(3);
-  pairs.Views->SetNumberOfComponents(3);
+  PlanPairs pairs = MakeEmptyPairs();
   pairs.Cameras = any ? GetPictureCameras() : std::vector<double>();
   for (int k = 0; k < count; ++k)
   {

@@ -31,6 +31,9 @@ struct PlanPairs
   std::vector<double> Ratios;  // what they have of a cheap method's error (PictureSums::GetRatios)
 };
 
+/// Arrays without tuples.
+PlanPairs MakeEmptyPairs();
+
 /// Cameras around a sphere, whose pictures count for plans for all views: the directions towards a
 /// cube's faces and corners, three components each.
 std::vector<double> GetPictureCameras();

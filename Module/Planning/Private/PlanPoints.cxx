@@ -23,23 +23,14 @@ constexpr double Apart = 0.3; // of both directions together: so far away are no
 // them is uniform within 0.02 % then, 4 exp(-2 pi^2 0.7^2).
 constexpr double Reach = 0.5;
 constexpr double Cells = 32767.0; // of each dimension in which pairs are ordered
-constexpr int MostAbout = 64;     // a point, of those that are drawn where it varies
+constexpr int MostAbout = 64; // a point, at most so many of those that are drawn where it varies
+constexpr double Rounding = 1e-12; // of a squared mean: variances below are none
 
 double GetDistance(const std::array<glm::dvec3, 2>& a, const std::array<glm::dvec3, 2>& b)
 {
   const glm::dvec3 n = a[0] - b[0];
   const glm::dvec3 o = a[1] - b[1];
   return glm::dot(n, n) + glm::dot(o, o);
-}
-
-PlanPairs MakeEmpty()
-{
-  PlanPairs pairs;
-  pairs.Normals = vtkSmartPointer<vtkDoubleArray>::New();
-  pairs.Views = vtkSmartPointer<vtkDoubleArray>::New();
-  pairs.Normals->SetNumberOfComponents(3);
-  pairs.Views->SetNumberOfComponents(3);
-  return pairs;
 }
 
 // Sums, for a variance.
@@ -64,7 +55,8 @@ struct Moments
   double GetVariance() const
   {
     const double mean = this->Sum / std::max(this->Count, 1.0);
-    return std::max(this->Squares / std::max(this->Count, 1.0) - mean * mean, 0.0);
+    const double variance = this->Squares / std::max(this->Count, 1.0) - mean * mean;
+    return variance > Rounding * mean * mean ? variance : 0.0;
   }
 };
 }
@@ -148,8 +140,8 @@ PlanPoints::Pair PlanPoints::DrawAbout(std::size_t point)
 
 PlanPairs PlanPoints::DrawAlike(vtkIdType count)
 {
-  PlanPairs pairs = MakeEmpty();
-  while (pairs.Normals->GetNumberOfTuples() < count)
+  PlanPairs pairs = MakeEmptyPairs();
+  while (pairs.Normals->GetNumberOfTuples() < count && !this->Points.empty())
   {
     const bool first = this->Owners.empty();
     for (std::size_t k = 0; k < this->Points.size(); ++k)
@@ -157,9 +149,6 @@ PlanPairs PlanPoints::DrawAlike(vtkIdType count)
       const Pair pair = first ? this->Points[k] : this->DrawAbout(k);
       pairs.Normals->InsertNextTuple(&pair[0].x);
       pairs.Views->InsertNextTuple(&pair[1].x);
-    }
-    for (std::size_t k = 0; k < this->Points.size(); ++k)
-    {
       this->Owners.push_back(k);
     }
   }
@@ -186,7 +175,8 @@ PlanPairs PlanPoints::DrawWhereItVaries(
     for (std::size_t k = 0; k < number && sum > 0.0; ++k)
     {
       Moments around = about[k];
-      for (const std::size_t neighbor : this->Neighbors[k]) // may have seen what it missed
+      // They may have seen what it missed. A crowd among them counts for more: so does its finding.
+      for (const std::size_t neighbor : this->Neighbors[k])
       {
         around.Add(about[neighbor]);
       }
@@ -214,7 +204,7 @@ PlanPairs PlanPoints::DrawWhereItVaries(
       sum += deviations[k];
     }
   }
-  PlanPairs pairs = MakeEmpty();
+  PlanPairs pairs = MakeEmptyPairs();
   double at = 0.5;
   for (std::size_t k = 0; k < number; ++k)
   {
@@ -270,7 +260,7 @@ std::vector<std::size_t> OrderByPlace(const PlanPairs& pairs)
     for (glm::length_t c = 0; c < 4; ++c)
     {
       const double place = scale * (places[k][c] - least[c]);
-      auto cell = static_cast<std::uint64_t>(place > 0.0 && place <= Cells ? place : 0.0);
+      auto cell = static_cast<std::uint64_t>(place > 0.0 ? std::min(place, Cells) : 0.0);
       for (unsigned int bit = 0; cell > 0; ++bit, cell >>= 1U)
       {
         key |= (cell & 1U) << (4U * bit + static_cast<unsigned int>(c));

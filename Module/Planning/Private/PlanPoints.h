@@ -28,7 +28,7 @@ class PlanPoints
 public:
   explicit PlanPoints(const PlanPairs& given);
 
-  /// The points, and as many about each until there are at least so many.
+  /// The points, and as many about each until there are at least so many. None without points.
   PlanPairs DrawAlike(vtkIdType count);
 
   /// So many more, about points around which two methods' difference or radiance varies most, by

@@ -29,7 +29,8 @@ constexpr double ShareByWeight = 0.25;
 constexpr double Start = 0.414;
 constexpr double NextStart = 0.618;
 
-// Of a picture's pairs: at least so many around all points alike; and so many where it varies, in
+// Of a picture's pairs: at least so many around all points alike, so that 4096 points have one each
+// beside themselves; and so many where it varies, in
 // rounds, each of which knows what those before it have found.
 constexpr vtkIdType PairsAlike = 4097;
 constexpr int PairsWhereItVaries = 4096;
@@ -187,6 +188,10 @@ bool SamplePairs(const PlanTask& task, const IsAborted& isAborted,
     { return other.Method == first->Method && GetMainSize(other) > GetMainSize(*first); });
   if (larger == candidates.end())
   {
+    if (points)
+    {
+      points->Weigh(all);
+    }
     pairs = ChoosePairs(all, nullptr, nullptr, PairsToCompare);
     second = ChoosePairs(all, nullptr, nullptr, PairsToCompare, 1);
     return true;
@@ -208,6 +213,9 @@ bool SamplePairs(const PlanTask& task, const IsAborted& isAborted,
     }
     Append(more.Normals, all.Normals);
     Append(more.Views, all.Views);
+  }
+  if (points)
+  {
     points->Weigh(all);
   }
   pairs = ChoosePairs(all, cheap.GetCoarse(), cheap.GetFine(), PairsToCompare);
@@ -250,11 +258,7 @@ PlanPairs ChoosePairs(
   // two pairs are hardly ever close together, some of every difference.
   const std::vector<std::size_t> order =
     all.Points.empty() ? OrderByDifference(differences, weights, index) : OrderByPlace(all);
-  PlanPairs chosen;
-  chosen.Normals = vtkSmartPointer<vtkDoubleArray>::New();
-  chosen.Views = vtkSmartPointer<vtkDoubleArray>::New();
-  chosen.Normals->SetNumberOfComponents(3);
-  chosen.Views->SetNumberOfComponents(3);
+  PlanPairs chosen = MakeEmptyPairs();
   chosen.Cameras = all.Cameras;
   if (index == 0) // of all pairs, so the same for each sample
   {

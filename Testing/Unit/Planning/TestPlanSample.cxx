@@ -15,6 +15,7 @@
 #include "vtkEmbeddedMaterials.h"
 #include "vtkEnvironment.h"
 #include "vtkNew.h"
+#include "vtkRadianceCostModel.h"
 #include "vtkRadiancePlanner.h"
 #include "vtkSmartPointer.h"
 
@@ -26,6 +27,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
+#include <memory>
 #include <numeric>
 #include <string>
 #include <vector>
@@ -381,4 +383,56 @@ TEST(PlanSample, StopsAndTakesAnything)
   EXPECT_EQ(pairs.Normals->GetNumberOfTuples(), Many);
   ASSERT_TRUE(measuredbrdf::SamplePairs(task, no, none, false, pairs, second, problem));
   EXPECT_NEAR(pairs.Normals->GetNumberOfTuples(), measuredbrdf::PairsToCompare, 1);
+}
+
+//------------------------------------------------------------------------------
+// Samples of a picture say which points their pairs lie about, and their weights are the points',
+// with cheap candidates and without any; and they are the same every time.
+TEST(PlanSample, OfPicturesKnowTheirPoints)
+{
+  constexpr int number = 600;
+  const double front[3] = { 0.0, 0.0, 1.0 };
+  const PlanPairs given = measuredbrdf::DrawSpherePairs(number, front);
+  measuredbrdf::PlanTask task;
+  task.BRDF = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("nickel"));
+  task.Environment =
+    vtkSmartPointer<vtkEnvironment>::Take(vtkEmbeddedEnvironments::NewEnvironment("sky"));
+  task.Costs = vtkSmartPointer<vtkRadianceCostModel>::New();
+  task.MaximumBytes = 1 << 22;
+  task.Pixels = 1e5;
+  task.Shared = std::make_shared<vtkRadianceIntegrator::Precomputation>();
+  const measuredbrdf::IsAborted no = []() { return false; };
+  for (const bool hasCandidates : { false, true })
+  {
+    PlanPairs first[2], second[2];
+    for (int k = 0; k < 2; ++k)
+    {
+      std::vector<measuredbrdf::PlanCandidate> candidates;
+      if (hasCandidates)
+      {
+        candidates = ListCandidates(task);
+      }
+      std::string problem;
+      first[k] = given;
+      ASSERT_TRUE(
+        measuredbrdf::SamplePairs(task, no, candidates, true, first[k], second[k], problem))
+        << problem;
+    }
+    for (const PlanPairs& sample : { first[0], second[0] })
+    {
+      const auto count = static_cast<std::size_t>(sample.Normals->GetNumberOfTuples());
+      EXPECT_NEAR(static_cast<double>(count), measuredbrdf::PairsToCompare, 1);
+      ASSERT_EQ(sample.Points.size(), count);
+      ASSERT_EQ(sample.Weights.size(), count);
+      EXPECT_NEAR(
+        std::accumulate(sample.Weights.begin(), sample.Weights.end(), 0.0), number, 0.05 * number);
+      for (const std::size_t point : sample.Points)
+      {
+        ASSERT_LT(point, static_cast<std::size_t>(number));
+      }
+    }
+    EXPECT_EQ(first[0].Points, first[1].Points);
+    EXPECT_EQ(first[0].Weights, first[1].Weights);
+    EXPECT_NE(first[0].Points, second[0].Points);
+  }
 }
