@@ -7,8 +7,10 @@
 #include "HalfVectorSampler.h"
 #include "ModuleShader.h"
 #include "Neighbors.h"
+#include "OneByOne.h"
 #include "Setters.h"
 #include "SharedExponent.h"
+#include "TabulatedLanes.h"
 #include "TabulatedLevels.h"
 #include "TabulatedStorage.h"
 #include "VolumeInterpolation.h"
@@ -245,6 +247,32 @@ void vtkTabulatedBRDF::EvaluateAbove(const double i[3], const double o[3], doubl
     FindCorners(u.y, this->Dimensions[1], false), FindCorners(u.z, this->Dimensions[2], false) };
   DivideByValid(
     GatherCorners(this->Volume, this->Dimensions, corners), this->CosineWeighted ? o[2] : 1.0, f);
+}
+
+//------------------------------------------------------------------------------
+void vtkTabulatedBRDF::EvaluateLights(
+  int count, const float* const i[3], const double o[3], float* const f[3])
+{
+  if (this->NumberOfInvalidCells > 0 || this->Volume.empty())
+  {
+    EvaluateLightsOneByOne(this, count, i, o, f);
+    return;
+  }
+  const TabulatedLanes lanes{ this->Volume, this->Dimensions,
+    this->Parameterization == HALF_DIFFERENCE, this->AzimuthRange == HALF_TURN,
+    this->CosineWeighted };
+  for (int first = 0; first < count; first += TabulatedLanes::Most)
+  {
+    const int some = std::min(count - first, TabulatedLanes::Most);
+    const float* const lights[3] = { i[0] + first, i[1] + first, i[2] + first };
+    float rgb[3][TabulatedLanes::Most];
+    float* const to[3] = { rgb[0], rgb[1], rgb[2] };
+    lanes.Evaluate(some, lights, o, to);
+    for (int c = 0; c < 3; ++c)
+    {
+      std::copy_n(rgb[c], some, f[c] + first);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

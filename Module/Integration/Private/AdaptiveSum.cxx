@@ -3,10 +3,9 @@
 #include "AdaptiveSum.h"
 
 #include "HalfVector.h" // for Pi
-#include "vtkAdaptiveWarpBRDF.h"
+#include "vtkBRDF.h"
 
 #include <algorithm>
-#include <typeinfo>
 
 namespace measuredbrdf
 {
@@ -49,25 +48,9 @@ void AdaptiveSum::Evaluate(int count)
   step.Turn(count, this->Rows);
   this->Evaluations += step.Counting;
   float f[3][SquareMiddles::Most] = {};
-  if (this->Measured)
-  {
-    const float* const lights[3] = { step.Lights[0], step.Lights[1], step.Lights[2] };
-    float* const to[3] = { f[0], f[1], f[2] };
-    this->Measured->EvaluateLights(step.Counting, lights, &this->View.x, to);
-  }
-  else
-  {
-    for (int k = 0; k < step.Counting; ++k)
-    {
-      const glm::dvec3 i(step.Lights[0][k], step.Lights[1][k], step.Lights[2][k]);
-      glm::dvec3 value;
-      this->BRDF->Evaluate(&i.x, &this->View.x, &value.x);
-      for (int c = 0; c < 3; ++c)
-      {
-        f[c][k] = static_cast<float>(value[c]);
-      }
-    }
-  }
+  const float* const lights[3] = { step.Lights[0], step.Lights[1], step.Lights[2] };
+  float* const to[3] = { f[0], f[1], f[2] };
+  this->Lights.Evaluate(step.Counting, lights, this->View, to);
   step.Weigh(count, f);
 }
 
@@ -351,10 +334,7 @@ glm::dvec3 AdaptiveSum::Run(const TexelTree& texels, const ReflectionGuide& guid
 {
   this->Texels = &texels;
   this->BRDF = brdf;
-  // Subclasses may evaluate another f.
-  this->Measured = typeid(*brdf) == typeid(vtkAdaptiveWarpBRDF)
-                     ? static_cast<vtkAdaptiveWarpBRDF*>(brdf)
-                     : nullptr;
+  this->Lights = LightLanes(brdf);
   this->Local = glm::transpose(frame);
   for (int k = 0; k < 9; ++k)
   {

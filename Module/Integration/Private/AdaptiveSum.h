@@ -11,6 +11,7 @@
 
 #include "ErrorQueue.h"
 #include "LocalFrame.h"
+#include "ManyLights.h"
 #include "ReflectionGuide.h"
 #include "SquareMiddles.h"
 #include "TexelTree.h"
@@ -21,7 +22,6 @@
 #include <cstdint>
 #include <vector>
 
-class vtkAdaptiveWarpBRDF;
 class vtkBRDF;
 
 namespace measuredbrdf
@@ -79,9 +79,9 @@ private:
 
   const TexelTree* Texels = nullptr;
   vtkBRDF* BRDF = nullptr;
-  vtkAdaptiveWarpBRDF* Measured = nullptr; // the same, where it evaluates many lights at once
-  glm::dmat3 Local = glm::dmat3(1.0);      // from the environment's frame
-  float Rows[9] = {};                      // its rows
+  LightLanes Lights;                  // of it
+  glm::dmat3 Local = glm::dmat3(1.0); // from the environment's frame
+  float Rows[9] = {};                 // its rows
   glm::dvec3 View = glm::dvec3(0.0, 0.0, 1.0);
   double Tolerance = 0.0;
   int Evaluations = 0;
