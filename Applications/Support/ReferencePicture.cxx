@@ -183,11 +183,10 @@ public:
         trial = this->Try(tolerance);
       }
     }
-    const double needed = this->InBlocks ? 1.0 : EnoughWithin;
-    const double factor = this->InBlocks ? tool::BlockTolerance::Factor : 0.5;
-    while (needed > trial.Within && tolerance > LeastTolerance)
+    while ((this->InBlocks ? 1.0 : EnoughWithin) > trial.Within && tolerance > LeastTolerance)
     {
-      tolerance = std::max(factor * tolerance, LeastTolerance);
+      tolerance =
+        std::max((this->InBlocks ? tool::BlockTolerance::Factor : 0.5) * tolerance, LeastTolerance);
       trial = this->Try(tolerance);
     }
     return this->InBlocks;
@@ -242,7 +241,9 @@ private:
     const std::vector<double> rgb =
       this->IntegrateAll(pixels, this->Reference, SampleShare, SampleShare);
     double worst = 0.0;
-    trial.Within = this->Sample.GetWithin(rgb, tool::ReferencePicture::Tolerance, worst);
+    trial.Within = this->Sample.GetWithin(rgb,
+      this->InBlocks ? tool::BlockTolerance::SampleError : tool::ReferencePicture::Tolerance,
+      worst);
     const std::size_t count =
       this->InBlocks ? tool::CountInBlocks(this->Surface, this->Size.Width, pixels) : pixels.size();
     trial.Evaluations = (static_cast<double>(this->Reference->GetNumberOfEvaluations()) - before) /

@@ -40,22 +40,38 @@ void AdaptiveGroup::Evaluate(int count)
   }
 }
 
-// As AdaptiveSum's, for the pairs whose middle does not rise.
+// As AdaptiveSum's, for the pairs whose middle does not rise: what the highest of these middles
+// may send.
 Fours AdaptiveGroup::EstimateRising(const Square& square)
 {
   Fours result(0.0f);
-  const double radius = this->Texels->GetLargestRadius(square.Level);
+  const auto radius = static_cast<float>(this->Texels->GetLargestRadius(square.Level));
+  int highest = -1;
   for (int pair = 0; pair < Size; ++pair)
   {
-    if (square.Cosine[pair] <= 0.0f && square.Cosine[pair] + radius > 0.0)
+    const float cosine = square.Cosine[pair];
+    if (cosine <= 0.0f && cosine + radius > 0.0f &&
+        (highest < 0 || cosine > square.Cosine[highest]))
     {
-      const TexelTree::Light light = this->Texels->Get(square.Level, square.X, square.Y);
-      glm::dvec3 i = this->Local[pair] * light.Direction;
-      i.z = 0.5 * (i.z + radius);
-      i = glm::normalize(i);
-      glm::dvec3 f;
-      this->BRDF->Evaluate(&i.x, &this->Pairs[pair].View.x, &f.x);
-      result.Set(pair, static_cast<float>(0.25 * i.z * glm::dot(f, light.Irradiance)));
+      highest = pair;
+    }
+  }
+  if (highest < 0)
+  {
+    return result;
+  }
+  const TexelTree::Light light = this->Texels->Get(square.Level, square.X, square.Y);
+  glm::dvec3 i = this->Local[highest] * light.Direction;
+  i.z = 0.5 * (i.z + radius);
+  i = glm::normalize(i);
+  glm::dvec3 f;
+  this->BRDF->Evaluate(&i.x, &this->Pairs[highest].View.x, &f.x);
+  const auto rising = static_cast<float>(0.25 * i.z * glm::dot(f, light.Irradiance));
+  for (int pair = 0; pair < Size; ++pair)
+  {
+    if (square.Cosine[pair] <= 0.0f && square.Cosine[pair] + radius > 0.0f)
+    {
+      result.Set(pair, rising);
     }
   }
   return result;

@@ -220,11 +220,11 @@ TEST(BlockTolerance, IsTheFinestAffordable)
   using tool::BlockTolerance;
   EXPECT_EQ(BlockTolerance::Choose(1000.0, 1e4), 0.0014);
   EXPECT_EQ(BlockTolerance::Choose(10500.0, 1e4), BlockTolerance::Coarsest);
-  EXPECT_EQ(BlockTolerance::Choose(8000.0, 1e4), 0.002);
+  EXPECT_EQ(BlockTolerance::Choose(7800.0, 1e4), 0.002);
   EXPECT_EQ(BlockTolerance::Choose(15000.0, 1e4), BlockTolerance::Coarsest);
   EXPECT_EQ(BlockTolerance::Choose(17000.0, 1e4), 0.0);
   // Of a picture of four times as many pixels as usual.
-  EXPECT_EQ(BlockTolerance::Choose(2000.0, 4.0 * BlockTolerance::UsualPixels), 0.002);
+  EXPECT_EQ(BlockTolerance::Choose(1900.0, 4.0 * BlockTolerance::UsualPixels), 0.002);
   EXPECT_EQ(BlockTolerance::Choose(5000.0, 4.0 * BlockTolerance::UsualPixels), 0.0);
 }
 
