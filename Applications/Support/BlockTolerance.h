@@ -18,7 +18,7 @@ struct BlockTolerance
   static constexpr double Coarsest = 0.0028;
   static constexpr double Factor = 0.8; // where pixels of the sample are off
   /// That no pixel of the sample may exceed, so that hardly any pixel of the picture exceeds 0.3 %.
-  static constexpr double SampleError = 0.0025;
+  static constexpr double SampleError = 0.0028;
   static constexpr double Affordable = 10500.0; // evaluations a pixel
   static constexpr double Most = 16000.0;       // with the coarsest tolerance, which may take more
   static constexpr double UsualPixels = 160000.0; // of a sphere in 500 x 500

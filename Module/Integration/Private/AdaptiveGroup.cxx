@@ -12,6 +12,7 @@ namespace measuredbrdf
 {
 namespace
 {
+constexpr std::size_t DrawStep = 2;
 constexpr int SquaresAtOnce = 8;
 constexpr float StaleShare = 0.7f; // of the error for which a square was queued
 constexpr float LeastKey = 1e-30f;
@@ -290,14 +291,15 @@ void AdaptiveGroup::AddQuarters(std::size_t index)
   }
 }
 
-// Squares that are small where the pairs' draws are, a fourth of each, and large elsewhere.
+// Squares that are small where the pairs' draws are, half of each, and large elsewhere. A fourth
+// would be too few where sharp lobes of low views hardly overlap.
 void AdaptiveGroup::Start(const ReflectionGuide& guide)
 {
   this->First.Clear();
   for (int pair = 0; pair < Size; ++pair)
   {
-    this->First.AddDraws(
-      guide, this->Local[pair], this->Pairs[pair].View, static_cast<std::size_t>(pair), Size);
+    this->First.AddDraws(guide, this->Local[pair], this->Pairs[pair].View,
+      static_cast<std::size_t>(pair) % DrawStep, DrawStep);
   }
   const std::vector<FirstSquares::Square>& squares = this->First.Find(*this->Texels);
   for (std::size_t first = 0; first < squares.size(); first += SquareMiddles::Most)
