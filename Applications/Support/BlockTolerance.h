@@ -16,7 +16,7 @@ namespace tool
 struct BlockTolerance
 {
   static constexpr double Coarsest = 0.0028;
-  static constexpr double Factor = 0.8; // where pixels of the sample are off
+  static constexpr double Factor = 0.9; // where pixels of the sample are off
   /// That no pixel of the sample may exceed, so that hardly any pixel of the picture exceeds 0.3 %.
   static constexpr double SampleError = 0.0028;
   static constexpr double Affordable = 10500.0; // evaluations a pixel

@@ -261,18 +261,7 @@ void vtkTabulatedBRDF::EvaluateLights(
   const TabulatedLanes lanes{ this->Volume, this->Dimensions,
     this->Parameterization == HALF_DIFFERENCE, this->AzimuthRange == HALF_TURN,
     this->CosineWeighted };
-  for (int first = 0; first < count; first += TabulatedLanes::Most)
-  {
-    const int some = std::min(count - first, TabulatedLanes::Most);
-    const float* const lights[3] = { i[0] + first, i[1] + first, i[2] + first };
-    float rgb[3][TabulatedLanes::Most];
-    float* const to[3] = { rgb[0], rgb[1], rgb[2] };
-    lanes.Evaluate(some, lights, o, to);
-    for (int c = 0; c < 3; ++c)
-    {
-      std::copy_n(rgb[c], some, f[c] + first);
-    }
-  }
+  lanes.EvaluateMany(count, i, o, f);
 }
 
 //------------------------------------------------------------------------------

@@ -316,4 +316,21 @@ void TabulatedLanes::Evaluate(int count, const float* const lights[3], const dou
   static_cast<void>(form);
   this->EvaluateAll<float, FourNumbers>(steps, count, v, TakeLaneRootsOneByOne, f);
 }
+
+void TabulatedLanes::EvaluateMany(
+  int count, const float* const lights[3], const double view[3], float* const f[3]) const
+{
+  for (int first = 0; first < count; first += Most)
+  {
+    const int some = std::min(count - first, Most);
+    const float* const from[3] = { lights[0] + first, lights[1] + first, lights[2] + first };
+    float rgb[3][Most];
+    float* const to[3] = { rgb[0], rgb[1], rgb[2] };
+    this->Evaluate(some, from, view, to);
+    for (int c = 0; c < 3; ++c)
+    {
+      std::copy_n(rgb[c], some, f[c] + first);
+    }
+  }
+}
 } // namespace measuredbrdf

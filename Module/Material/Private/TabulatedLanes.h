@@ -33,6 +33,10 @@ struct TabulatedLanes
   void Evaluate(int count, const float* const lights[3], const double view[3], float* const f[3],
     VectorForm form = GetWidestForm()) const;
 
+  /// The same of any number of lights; nothing is written behind the last one.
+  void EvaluateMany(
+    int count, const float* const lights[3], const double view[3], float* const f[3]) const;
+
 private:
   struct Steps;
   template <typename Vector>
