@@ -267,8 +267,8 @@ add("Integration.adaptive-looks-nowhere-first", "Private/FirstSquares.cxx",
     "AdaptiveIntegrator.MissesNothingNarrow|AdaptiveIntegrator.IsNotMisledByChance")
 add("Integration.group-has-one-frame", "Private/AdaptiveGroup.cxx",
     "step.Turn(count, this->Rows[pair]);", "step.Turn(count, this->Rows[0]);", "AdaptiveGroup.IsWithinItsTolerance")
-add("Integration.group-counts-divided-squares", "Private/AdaptiveGroup.cxx",
-    "      this->TakeOut(square);\n", "", "AdaptiveGroup.IsWithinItsTolerance")
+add("Integration.group-takes-quarters-for-pairs", "Private/AdaptiveGroup.cxx",
+    "      Transpose(square.Quarters[c]);\n", "", "AdaptiveGroup.IsWithinItsTolerance")
 add("Integration.middles-that-do-not-count-stay", "Private/SquareMiddles.cxx",
     "this->Lights[c][k] = this->Lights[c][this->Numbers[k]];", "this->Lights[c][k] = this->Lights[c][k];",
     "SquareMiddles.TurnsAndWeighsInEachForm")
