@@ -16,9 +16,8 @@ namespace tool
 struct BlockTolerance
 {
   static constexpr double Coarsest = 0.0028;
-  static constexpr double Factor = 0.9; // where pixels of the sample are off
-  /// That no pixel of the sample may exceed, so that hardly any pixel of the picture exceeds 0.3 %.
-  static constexpr double SampleError = 0.0028;
+  static constexpr double Finest = 0.0014;
+  static constexpr double Factor = 0.8;         // where pixels of the sample are off
   static constexpr double Affordable = 10500.0; // evaluations a pixel
   static constexpr double Most = 16000.0;       // with the coarsest tolerance, which may take more
   static constexpr double UsualPixels = 160000.0; // of a sphere in 500 x 500
@@ -35,7 +34,7 @@ struct BlockTolerance
       return 0.0;
     }
     double tolerance = Coarsest;
-    for (const double finer : { 0.0024, 0.002, 0.0014 })
+    for (const double finer : { 0.0024, 0.002, Finest })
     {
       if (usual * std::pow(Coarsest / finer, power) <= Affordable)
       {

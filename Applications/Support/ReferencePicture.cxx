@@ -183,10 +183,11 @@ public:
         trial = this->Try(tolerance);
       }
     }
-    while ((this->InBlocks ? 1.0 : EnoughWithin) > trial.Within && tolerance > LeastTolerance)
+    const double least = this->InBlocks ? tool::BlockTolerance::Finest : LeastTolerance;
+    while ((this->InBlocks ? 1.0 : EnoughWithin) > trial.Within && tolerance > least)
     {
       tolerance =
-        std::max((this->InBlocks ? tool::BlockTolerance::Factor : 0.5) * tolerance, LeastTolerance);
+        std::max((this->InBlocks ? tool::BlockTolerance::Factor : 0.5) * tolerance, least);
       trial = this->Try(tolerance);
     }
     return this->InBlocks;
@@ -241,9 +242,7 @@ private:
     const std::vector<double> rgb =
       this->IntegrateAll(pixels, this->Reference, SampleShare, SampleShare);
     double worst = 0.0;
-    trial.Within = this->Sample.GetWithin(rgb,
-      this->InBlocks ? tool::BlockTolerance::SampleError : tool::ReferencePicture::Tolerance,
-      worst);
+    trial.Within = this->Sample.GetWithin(rgb, tool::ReferencePicture::Tolerance, worst);
     const std::size_t count =
       this->InBlocks ? tool::CountInBlocks(this->Surface, this->Size.Width, pixels) : pixels.size();
     trial.Evaluations = (static_cast<double>(this->Reference->GetNumberOfEvaluations()) - before) /
