@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReferencePicture.h"
 
+#include "BlockTolerance.h"
 #include "Measuring.h"
 #include "Methods.h"
+#include "PixelBlocks.h"
 #include "Progress.h"
 #include "ReferenceSample.h"
 
@@ -13,6 +15,7 @@
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkTableRadianceIntegrator.h"
+#include "vtkTabulatedBRDF.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,17 +41,6 @@ constexpr double EnoughBetween = 0.97;      // of its interpolated pixels
 constexpr std::size_t FewestBetween = 30;   // to tell
 constexpr std::size_t FewestChecked = 2000; // pixels: a sample would take as long as the picture
 constexpr double SampleShare = 0.1;         // of the time, about
-// Tolerances to which all pixels are integrated where that takes at most so many evaluations of f a
-// pixel, many at once; where a picture has more pixels than usual, that many in all. Counted, not
-// timed: pictures do not depend on the machine.
-struct Affordable
-{
-  double Tolerance;
-  double Evaluations;
-};
-constexpr Affordable OfAllPixels[] = { { 0.001, 7500.0 }, { 0.0014, 7500.0 },
-  { FirstTolerance, 12500.0 } };
-constexpr double UsualPixels = 160000.0; // of a sphere in 500 x 500
 
 //------------------------------------------------------------------------------
 struct Cell
@@ -84,8 +76,8 @@ public:
     this->Reference->SetTolerance(FirstTolerance);
     this->Strict->SetTolerance(CheckTolerance);
     this->Guess.assign(surface.Normals.size(), 0.0);
-    const auto* measured = vtkAdaptiveWarpBRDF::SafeDownCast(brdf);
-    this->EvaluatesMany = measured && brdf->IsIsotropic();
+    this->EvaluatesMany = brdf->IsIsotropic() && (vtkAdaptiveWarpBRDF::SafeDownCast(brdf) ||
+                                                   vtkTabulatedBRDF::SafeDownCast(brdf));
   }
 
   // What a table gives, so that what it lacks is interpolated.
@@ -105,17 +97,20 @@ public:
     }
   }
 
-  // Every pixel, those of a coarse grid first, for those who look on.
+  // Every pixel, blocks of a coarse grid first, for those who look on.
   void RunAll()
   {
-    for (int stride = CoarsestStride; stride > 0; stride /= 2)
+    for (int stride = CoarsestStride; stride > 1; stride /= 2)
     {
       std::vector<int> wanted;
       for (int y = 0; y < this->Size.Height; y += stride)
       {
         for (int x = 0; x < this->Size.Width; x += stride)
         {
-          wanted.push_back(this->Find(x, y));
+          for (int k = 0; k < 4; ++k)
+          {
+            wanted.push_back(this->Find(x + k % 2, y + k / 2));
+          }
         }
       }
       this->Integrate(wanted, this->Reference);
@@ -161,8 +156,8 @@ public:
   }
 
   // Takes some of all pixels, scattered among them, for Check: they are not kept in the picture.
-  // Halves the tolerance until enough of them are within 0.3 % of what a smaller one gives. Returns
-  // whether all pixels are to be integrated. Of few pixels there is no sample.
+  // Lowers the tolerance until enough of them are within 0.3 % of what a smaller one gives. Returns
+  // whether all pixels are to be integrated, in blocks. Of few pixels there is no sample.
   bool ChooseTolerance()
   {
     if (this->IsKnown.size() < FewestChecked)
@@ -173,25 +168,29 @@ public:
     this->Sample.Scatter(SampleSize, this->IsKnown.size());
     this->Sample.SetExact(
       this->IntegrateAll(this->Sample.GetPixels(), this->Strict, 0.0, SampleShare), LeastShare);
-    bool all = false;
-    Trial trial;
-    for (const Affordable& affordable : OfAllPixels)
+    this->InBlocks = this->EvaluatesMany;
+    double tolerance = this->InBlocks ? tool::BlockTolerance::Coarsest : FirstTolerance;
+    Trial trial = this->Try(tolerance);
+    if (this->InBlocks)
     {
-      if (!all && (this->EvaluatesMany || affordable.Tolerance == FirstTolerance))
+      const double chosen =
+        tool::BlockTolerance::Choose(trial.Evaluations, static_cast<double>(this->IsKnown.size()));
+      this->InBlocks = chosen > 0.0;
+      const double next = this->InBlocks ? chosen : FirstTolerance;
+      if (next < tolerance)
       {
-        this->Reference->SetTolerance(affordable.Tolerance);
-        trial = this->Try();
-        all = this->EvaluatesMany && trial.Evaluations <= affordable.Evaluations;
+        tolerance = next;
+        trial = this->Try(tolerance);
       }
     }
-    const double needed = this->Reference->GetTolerance() < FirstTolerance ? 1.0 : EnoughWithin;
-    while (needed > trial.Within && this->Reference->GetTolerance() > LeastTolerance)
+    const double least = this->InBlocks ? tool::BlockTolerance::Finest : LeastTolerance;
+    while ((this->InBlocks ? 1.0 : EnoughWithin) > trial.Within && tolerance > least)
     {
-      this->Reference->SetTolerance(
-        std::max(0.5 * this->Reference->GetTolerance(), LeastTolerance));
-      trial.Within = this->Reference->GetTolerance() > LeastTolerance ? this->Try().Within : 1.0;
+      tolerance =
+        std::max((this->InBlocks ? tool::BlockTolerance::Factor : 0.5) * tolerance, least);
+      trial = this->Try(tolerance);
     }
-    return all;
+    return this->InBlocks;
   }
 
   // Compares the sample with the picture.
@@ -228,19 +227,26 @@ private:
   struct Trial
   {
     double Within = 1.0;
-    double Evaluations = 0.0; // of f a pixel, as if there were UsualPixels at least
+    double Evaluations = 0.0; // of f a pixel
   };
-  Trial Try()
+  Trial Try(double tolerance)
   {
+    this->Reference->SetTolerance(tolerance);
+    Trial trial;
+    if (tolerance <= LeastTolerance)
+    {
+      return trial; // there is no finer one
+    }
+    const std::vector<int>& pixels = this->Sample.GetPixels();
     const auto before = static_cast<double>(this->Reference->GetNumberOfEvaluations());
     const std::vector<double> rgb =
-      this->IntegrateAll(this->Sample.GetPixels(), this->Reference, SampleShare, SampleShare);
-    Trial trial;
+      this->IntegrateAll(pixels, this->Reference, SampleShare, SampleShare);
     double worst = 0.0;
     trial.Within = this->Sample.GetWithin(rgb, tool::ReferencePicture::Tolerance, worst);
+    const std::size_t count =
+      this->InBlocks ? tool::CountInBlocks(this->Surface, this->Size.Width, pixels) : pixels.size();
     trial.Evaluations = (static_cast<double>(this->Reference->GetNumberOfEvaluations()) - before) /
-                        static_cast<double>(SampleSize) *
-                        std::max(static_cast<double>(this->IsKnown.size()) / UsualPixels, 1.0);
+                        static_cast<double>(count);
     return trial;
   }
 
@@ -297,17 +303,10 @@ private:
       this->Done = std::max(this->Done, begin + share * (end - begin));
       this->Bar.Update(this->Done);
     };
-    std::vector<double> normals;
-    std::vector<double> views;
-    for (const int k : pixels)
-    {
-      for (std::size_t c = 0; c < 3; ++c)
-      {
-        normals.push_back(this->Surface.Normals[3 * static_cast<std::size_t>(k) + c]);
-        views.push_back(this->Surface.Views[3 * static_cast<std::size_t>(k) + c]);
-      }
-    }
-    return pixels.empty() ? normals : tool::IntegrateSomePairs(integrator, normals, views, update);
+    return this->InBlocks && integrator == this->Reference
+             ? tool::IntegrateInBlocks(
+                 integrator, this->Surface, this->Size.Width, this->Index, pixels, update)
+             : tool::IntegratePixels(integrator, this->Surface, pixels, update);
   }
 
   // What is known so far; elsewhere the guess or, without one, the nearest point of the grid.
@@ -460,6 +459,7 @@ private:
   double Done = 0.0; // share of all work
   tool::ReferenceSample Sample;
   bool EvaluatesMany = false; // lights at once
+  bool InBlocks = false;      // all pixels are integrated, each with its neighbors
 };
 }
 

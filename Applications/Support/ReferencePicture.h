@@ -37,12 +37,13 @@ using ShowReference = std::function<void(const std::vector<double>& radiance)>;
  * Of a surface with all covered pixels (stride 1). Of 2000 pixels or more, 400 are integrated to a
  * small tolerance first, apart from the picture. They decide to which tolerance pixels are
  * integrated. Where a material evaluates many lights at once and that takes few evaluations of f,
- * each pixel is integrated. Else it integrates on a grid, and more finely where interpolation does
- * not foretell the middle of a cell. What is interpolated is what a table of radiance lacks, which
- * is smoother than radiance. Where too many of the 400 are off, everything is interpolated again on
- * a finer grid. Of a surface with fewer pixels each is integrated to 0.001. show, where there is
- * one, gets the picture as it becomes better, on this thread. Under one progress bar. Throws Error.
- * Needs an Interruptible or a BackgroundWork.
+ * each pixel is integrated, in blocks of 2 x 2 over the same squares of the sky. Else it integrates
+ * on a grid, and more finely where interpolation does not foretell the middle of a cell. What is
+ * interpolated is what a table of radiance lacks, which is smoother than radiance. Where too many
+ * of the 400 are off, everything is interpolated again on a finer grid. Of a surface with fewer
+ * pixels each is integrated to 0.001. show, where there is one, gets the picture as it becomes
+ * better, on this thread. Under one progress bar. Throws Error. Needs an Interruptible or a
+ * BackgroundWork.
  */
 ReferencePicture DrawReference(vtkBRDF* brdf, vtkEnvironment* environment, const Surface& surface,
   const Size& size, const ShowReference& show = nullptr);

@@ -2,17 +2,40 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAdaptiveRadianceIntegrator.h"
 
+#include "AdaptiveGroup.h"
 #include "AdaptiveSum.h"
+#include "DirectionPairs.h"
 #include "LocalFrame.h"
 #include "ReflectionGuide.h"
 #include "TexelTree.h"
 #include "vtkBRDF.h"
+#include "vtkDataArray.h"
 #include "vtkEnvironment.h"
 #include "vtkObjectFactory.h"
+#include "vtkSMPTools.h"
 
 #include <glm/gtc/type_ptr.hpp>
 
+#include <algorithm>
+#include <array>
+#include <vector>
+
+using measuredbrdf::AdaptiveGroup;
+
 vtkStandardNewMacro(vtkAdaptiveRadianceIntegrator);
+
+namespace
+{
+constexpr double LeastCosine = 0.99939; // of the normals and views of a four: 2 degrees
+}
+
+//------------------------------------------------------------------------------
+struct vtkAdaptiveRadianceIntegrator::Pair
+{
+  glm::dvec3 Normal;
+  glm::dvec3 View;
+  glm::dvec3 Tangent;
+};
 
 //------------------------------------------------------------------------------
 struct vtkAdaptiveRadianceIntegrator::Internals
@@ -57,6 +80,108 @@ void vtkAdaptiveRadianceIntegrator::IntegratePart(
   {
     radiance[c] += result[c];
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkAdaptiveRadianceIntegrator::IntegrateFour(const Pair* pairs, double* radiance)
+{
+  const bool areNear = std::all_of(pairs, pairs + AdaptiveGroup::Size,
+    [pairs](const Pair& pair)
+    {
+      return glm::dot(pair.Normal, pairs->Normal) >= LeastCosine &&
+             glm::dot(pair.View, pairs->View) >= LeastCosine &&
+             glm::dot(pair.Normal, pair.View) > 0.0;
+    });
+  if (!areNear)
+  {
+    for (int k = 0; k < AdaptiveGroup::Size; ++k)
+    {
+      if (glm::dot(pairs[k].Normal, pairs[k].View) > 0.0)
+      {
+        this->IntegratePart(
+          0, &pairs[k].Normal.x, &pairs[k].View.x, &pairs[k].Tangent.x, radiance + 3 * k);
+      }
+    }
+    return;
+  }
+  std::array<AdaptiveGroup::Pair, AdaptiveGroup::Size> group;
+  for (std::size_t k = 0; k < group.size(); ++k)
+  {
+    const measuredbrdf::Frame frame = measuredbrdf::FrameAbout(pairs[k].Normal, pairs[k].Tangent);
+    group[k] = { frame, measuredbrdf::ToLocal(frame, pairs[k].View) };
+  }
+  std::array<glm::dvec3, AdaptiveGroup::Size> results;
+  thread_local AdaptiveGroup sum; // keeps its memory
+  sum.Run(this->Prepared->Texels, this->Prepared->Guide, this->BRDF, group.data(), this->Tolerance,
+    results.data());
+  this->Evaluations += sum.GetNumberOfEvaluations();
+  for (std::size_t k = 0; k < group.size(); ++k)
+  {
+    std::copy_n(&results[k].x, 3, radiance + 3 * k);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkAdaptiveRadianceIntegrator::IntegrateNeighbors(
+  vtkDataArray* normals, vtkDataArray* views, vtkDataArray* radiance)
+{
+  this->Abort = false;
+  if (!normals || !views || !radiance)
+  {
+    vtkErrorMacro("IntegrateNeighbors: normals, views and radiance are needed.");
+    return false;
+  }
+  const vtkIdType count = normals->GetNumberOfTuples();
+  if (count % AdaptiveGroup::Size != 0)
+  {
+    vtkErrorMacro("IntegrateNeighbors: found " << count << " pairs, expected a multiple of "
+                                               << AdaptiveGroup::Size << ".");
+    return false;
+  }
+  std::vector<Pair> pairs;
+  const std::string problem = measuredbrdf::TakePairs(normals, views, nullptr, pairs);
+  if (!problem.empty())
+  {
+    vtkErrorMacro("IntegrateNeighbors: " << problem);
+    return false;
+  }
+  if (!this->Prepare())
+  {
+    return false;
+  }
+  if (!this->BRDF->IsIsotropic())
+  {
+    vtkErrorMacro("IntegrateNeighbors: found an anisotropic BRDF, expected an isotropic one.");
+    return false;
+  }
+  measuredbrdf::TurnPairs(this->Environment.Get(), pairs);
+  std::vector<double> sums(3 * pairs.size(), 0.0);
+  const auto sumBatch = [&](vtkIdType first, vtkIdType size)
+  {
+    vtkSMPTools::For(first, first + size,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType four = begin; four < end && !this->Abort; ++four)
+        {
+          const auto at = static_cast<std::size_t>(four * AdaptiveGroup::Size);
+          this->IntegrateFour(&pairs[at], &sums[3 * at]);
+        }
+      });
+  };
+  if (!measuredbrdf::WorkInBatches(count / AdaptiveGroup::Size, sumBatch,
+        [this](double share) { return this->Report(share); }))
+  {
+    vtkErrorMacro("IntegrateNeighbors: aborted.");
+    return false;
+  }
+  radiance->SetNumberOfComponents(3);
+  radiance->SetNumberOfTuples(count);
+  for (vtkIdType k = 0; k < count; ++k)
+  {
+    radiance->SetTuple(k, &sums[3 * static_cast<std::size_t>(k)]);
+  }
+  radiance->Modified();
+  return true;
 }
 
 //------------------------------------------------------------------------------

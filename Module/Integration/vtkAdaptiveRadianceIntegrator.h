@@ -43,6 +43,14 @@ public:
   vtkGetMacro(Tolerance, double);
   ///@}
 
+  /**
+   * Integrate, where pairs 4 k to 4 k + 3 are neighbors in a picture: the four are summed over the
+   * same squares, which takes about half the time. Where normals or views of four are further from
+   * one another than 2 degrees, each is summed by itself. Of an isotropic BRDF. Equal pairs may
+   * fill a four up.
+   */
+  bool IntegrateNeighbors(vtkDataArray* normals, vtkDataArray* views, vtkDataArray* radiance);
+
   /// How often this has evaluated f so far, about: what integrating costs, whatever the machine.
   vtkTypeInt64 GetNumberOfEvaluations() { return this->Evaluations; }
 
@@ -67,6 +75,8 @@ private:
   void operator=(const vtkAdaptiveRadianceIntegrator&) = delete;
 
   double Tolerance = 1e-3;
+  struct Pair;
+  void IntegrateFour(const Pair* pairs, double* radiance);
   struct Internals;
   std::unique_ptr<const Internals> Prepared; // null: nothing yet
   std::atomic<vtkTypeInt64> Evaluations{ 0 };

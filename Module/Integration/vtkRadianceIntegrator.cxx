@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRadianceIntegrator.h"
 
-#include "LocalFrame.h"
+#include "DirectionPairs.h"
 #include "Neighbors.h" // for MostFilterBits
 #include "vtkBRDF.h"
 #include "vtkCallbackCommand.h"
@@ -16,37 +16,7 @@
 #include <glm/glm.hpp>
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
 #include <vector>
-
-namespace
-{
-// What the calling thread waits for between two looks at the abort flag and the progress.
-constexpr std::chrono::milliseconds BatchTime(50);
-
-glm::dvec3 GetDirection(vtkDataArray* array, vtkIdType index)
-{
-  glm::dvec3 d(0.0);
-  if (array)
-  {
-    array->GetTuple(index, &d.x);
-  }
-  return d;
-}
-
-// Unit vector; zero stays zero. Scaled first, so that no finite length over- or underflows.
-glm::dvec3 Normalize(const glm::dvec3& d)
-{
-  const double scale = std::max({ std::abs(d.x), std::abs(d.y), std::abs(d.z) });
-  return scale > 0.0 ? glm::normalize(d / scale) : d;
-}
-
-bool IsFinite(const glm::dvec3& d)
-{
-  return std::isfinite(d.x) && std::isfinite(d.y) && std::isfinite(d.z);
-}
-} // namespace
 
 // Unit vectors; the tangent may be zero.
 struct vtkRadianceIntegrator::Pair
@@ -54,47 +24,6 @@ struct vtkRadianceIntegrator::Pair
   glm::dvec3 Normal;
   glm::dvec3 View;
   glm::dvec3 Tangent;
-
-  // What is wrong with the arrays, or "".
-  static std::string Take(
-    vtkDataArray* normals, vtkDataArray* views, vtkDataArray* tangents, std::vector<Pair>& pairs)
-  {
-    const vtkIdType count = normals->GetNumberOfTuples();
-    for (vtkDataArray* array : { normals, views, tangents })
-    {
-      if (array && (array->GetNumberOfComponents() != 3 || array->GetNumberOfTuples() != count))
-      {
-        return "normals, views and tangents must have 3 components and equally many tuples.";
-      }
-    }
-    for (vtkIdType k = 0; k < count; ++k)
-    {
-      const glm::dvec3 n = GetDirection(normals, k);
-      const glm::dvec3 v = GetDirection(views, k);
-      const glm::dvec3 t = GetDirection(tangents, k);
-      if (!IsFinite(n) || !IsFinite(v) || !IsFinite(t) || n == glm::dvec3(0.0) ||
-          v == glm::dvec3(0.0))
-      {
-        return "pair " + std::to_string(k) + " holds a direction that is zero or not finite.";
-      }
-      const glm::dvec3 normal = Normalize(n);
-      pairs.push_back({ normal, measuredbrdf::LiftView(Normalize(v), normal), Normalize(t) });
-    }
-    return "";
-  }
-
-  // Into the environment's frame.
-  static void Turn(vtkEnvironment* environment, std::vector<Pair>& pairs)
-  {
-    double rows[9];
-    environment->GetWorldToEnvironment(rows);
-    const glm::dmat3 turn(rows[0], rows[3], rows[6], rows[1], rows[4], rows[7], rows[2], rows[5],
-      rows[8]); // glm takes columns
-    for (Pair& pair : pairs)
-    {
-      pair = { turn * pair.Normal, turn * pair.View, turn * pair.Tangent };
-    }
-  }
 };
 
 //------------------------------------------------------------------------------
@@ -263,7 +192,7 @@ bool vtkRadianceIntegrator::Integrate(
     return false;
   }
   std::vector<Pair> pairs;
-  const std::string problem = Pair::Take(normals, views, tangents, pairs);
+  const std::string problem = measuredbrdf::TakePairs(normals, views, tangents, pairs);
   if (!problem.empty())
   {
     vtkErrorMacro("Integrate: " << problem);
@@ -275,7 +204,7 @@ bool vtkRadianceIntegrator::Integrate(
   }
   if (this->Environment)
   {
-    Pair::Turn(this->Environment, pairs);
+    measuredbrdf::TurnPairs(this->Environment, pairs);
   }
   std::vector<double> result(3 * pairs.size(), 0.0);
   if (!this->SumPairs(pairs, result))
@@ -295,17 +224,13 @@ bool vtkRadianceIntegrator::Integrate(
 }
 
 //------------------------------------------------------------------------------
-// Batches of pairs, each pair in parts; a batch grows until it takes about BatchTime.
+// Batches of pairs, each pair in parts.
 bool vtkRadianceIntegrator::SumPairs(const std::vector<Pair>& pairs, std::vector<double>& result)
 {
-  const vtkIdType count = static_cast<vtkIdType>(pairs.size());
   const vtkIdType parts = std::max(this->GetNumberOfParts(), 1);
   std::vector<double> sums;
-  vtkIdType batch = 1;
-  for (vtkIdType first = 0; first < count;)
+  const auto sumBatch = [&](vtkIdType first, vtkIdType size)
   {
-    const vtkIdType size = std::min(batch, count - first);
-    const auto start = std::chrono::steady_clock::now();
     sums.assign(3 * static_cast<std::size_t>(size * parts), 0.0);
     vtkSMPTools::For(0, size * parts,
       [&](vtkIdType begin, vtkIdType end)
@@ -329,19 +254,9 @@ bool vtkRadianceIntegrator::SumPairs(const std::vector<Pair>& pairs, std::vector
         result[3 * pair + c] += sums[3 * item + c];
       }
     }
-    first += size;
-    if (std::chrono::steady_clock::now() - start < BatchTime / 2)
-    {
-      batch *= 2;
-    }
-    double progress = static_cast<double>(first) / static_cast<double>(count);
-    this->InvokeEvent(vtkCommand::ProgressEvent, &progress);
-    if (this->Abort)
-    {
-      return false;
-    }
-  }
-  return true;
+  };
+  return measuredbrdf::WorkInBatches(static_cast<vtkIdType>(pairs.size()), sumBatch,
+    [this](double progress) { return this->Report(progress); });
 }
 
 //------------------------------------------------------------------------------

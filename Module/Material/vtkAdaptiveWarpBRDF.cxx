@@ -5,6 +5,7 @@
 #include "BilinearWarp.h"
 #include "ContentHash.h"
 #include "HalfVector.h"
+#include "OneByOne.h"
 #include "PackedWarp.h"
 #include "RenderableTable.h"
 #include "WarpChecks.h"
@@ -232,16 +233,7 @@ void vtkAdaptiveWarpBRDF::EvaluateLights(
 {
   if (!this->Warp || !this->Warp->Round)
   {
-    for (int k = 0; k < count; ++k)
-    {
-      const double light[3] = { i[0][k], i[1][k], i[2][k] };
-      double rgb[3];
-      this->Evaluate(light, o, rgb);
-      for (int c = 0; c < 3; ++c)
-      {
-        f[c][k] = static_cast<float>(rgb[c]);
-      }
-    }
+    EvaluateLightsOneByOne(this, count, i, o, f);
     return;
   }
   for (int first = 0; first < count; first += WarpLanes::Most)

@@ -7,8 +7,10 @@
 #include "HalfVectorSampler.h"
 #include "ModuleShader.h"
 #include "Neighbors.h"
+#include "OneByOne.h"
 #include "Setters.h"
 #include "SharedExponent.h"
+#include "TabulatedLanes.h"
 #include "TabulatedLevels.h"
 #include "TabulatedStorage.h"
 #include "VolumeInterpolation.h"
@@ -245,6 +247,21 @@ void vtkTabulatedBRDF::EvaluateAbove(const double i[3], const double o[3], doubl
     FindCorners(u.y, this->Dimensions[1], false), FindCorners(u.z, this->Dimensions[2], false) };
   DivideByValid(
     GatherCorners(this->Volume, this->Dimensions, corners), this->CosineWeighted ? o[2] : 1.0, f);
+}
+
+//------------------------------------------------------------------------------
+void vtkTabulatedBRDF::EvaluateLights(
+  int count, const float* const i[3], const double o[3], float* const f[3])
+{
+  if (this->NumberOfInvalidCells > 0 || this->Volume.empty())
+  {
+    EvaluateLightsOneByOne(this, count, i, o, f);
+    return;
+  }
+  const TabulatedLanes lanes{ this->Volume, this->Dimensions,
+    this->Parameterization == HALF_DIFFERENCE, this->AzimuthRange == HALF_TURN,
+    this->CosineWeighted };
+  lanes.EvaluateMany(count, i, o, f);
 }
 
 //------------------------------------------------------------------------------

@@ -129,6 +129,14 @@ public:
   static bool GetCellDirections(int parameterization, int azimuthRange, const int dimensions[3],
     int x, int y, int z, double i[3], double o[3]);
 
+  /**
+   * Evaluate for one view and so many lights, all unit vectors above the horizon, in single
+   * precision: far faster than one by one where no cell is invalid. i: x, y and z of all lights; f:
+   * red, green and blue.
+   */
+  VTK_WRAPEXCLUDE void EvaluateLights(
+    int count, const float* const i[3], const double o[3], float* const f[3]);
+
   void GetBounds(double minimumCosine, double lower[3], double upper[3]) override;
   bool IsReciprocal() override
   {

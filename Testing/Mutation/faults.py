@@ -76,6 +76,11 @@ add("Core.warp-weights-of-slices", "Private/BilinearWarp.h", "result.Weight[k] *
 add("Core.warp-inverts-without-cells", "Private/BilinearWarp.h",
     "density = glm::mix(c0, c1, fraction.x) * this->GetCellsPerSquare();", "density = glm::mix(c0, c1, fraction.x);",
     "IOTensor.AgreesWithTheAuthorsCode|Sampling.FollowsItsPdf")
+add("Material.tabulated-lanes-have-no-sign", "Private/TabulatedLanes.cxx",
+    "const Vector signedTurns = across < zero ? -turns : turns;", "const Vector signedTurns = turns;",
+    "TabulatedLanes.AreTheTableInEachForm")
+add("Material.tabulated-lanes-divide-by-no-cosine", "Private/TabulatedLanes.cxx",
+    "this->CosineWeighted ? 1.0f / view[2] : 1.0f;", "1.0f;", "TabulatedLanes.AreTheTableInEachForm")
 add("Material.packed-rows-are-all-the-first", "Private/PackedWarp.cxx",
     "const Vector whole = total + down * (nextTotal - total);", "const Vector whole = total;",
     "WarpForms.PackedTablesHoldTheSame|AdaptiveWarp.ManyLightsAreEvaluatedAsOneByOne")
@@ -257,9 +262,13 @@ add("Integration.adaptive-stops-at-texels", "Private/AdaptiveSum.cxx",
     "AdaptiveIntegrator.KeepsItsToleranceAtEachPair|AdaptiveIntegrator.MissesNothingNarrow")
 add("Integration.adaptive-takes-the-square-for-its-quarters", "Private/AdaptiveSum.cxx",
     "this->Total -= square.Value;", "", "AdaptiveIntegrator.ConvergesWithItsTolerance")
-add("Integration.adaptive-looks-nowhere-first", "Private/AdaptiveSum.cxx",
+add("Integration.adaptive-looks-nowhere-first", "Private/FirstSquares.cxx",
     "if (reach > 0.0f &&", "if (reach > 1e9f &&",
     "AdaptiveIntegrator.MissesNothingNarrow|AdaptiveIntegrator.IsNotMisledByChance")
+add("Integration.group-has-one-frame", "Private/AdaptiveGroup.cxx",
+    "step.Turn(count, this->Rows[pair]);", "step.Turn(count, this->Rows[0]);", "AdaptiveGroup.IsWithinItsTolerance")
+add("Integration.group-takes-quarters-for-pairs", "Private/AdaptiveGroup.cxx",
+    "      Transpose(square.Quarters[c]);\n", "", "AdaptiveGroup.IsWithinItsTolerance")
 add("Integration.middles-that-do-not-count-stay", "Private/SquareMiddles.cxx",
     "this->Lights[c][k] = this->Lights[c][this->Numbers[k]];", "this->Lights[c][k] = this->Lights[c][k];",
     "SquareMiddles.TurnsAndWeighsInEachForm")
@@ -404,8 +413,8 @@ add("Integration.octahedron-folded-once", "Private/LobePlacement.h",
     "OctahedralMap.ThereAndBack|OctahedralMap.HasNoSeam")
 add("Integration.sharp-share-is-all", "Private/LobeViews.cxx", "cell.Energy - energy / solidAngle * cell.SolidAngle",
     "cell.Energy", "LobeViews.TellsSharpFromBroad")
-add("Integration.views-are-not-lifted", "vtkRadianceIntegrator.cxx", "measuredbrdf::LiftView(Normalize(v), normal)",
-    "Normalize(v)", "Integrators.LowViewsAreLifted")
+add("Integration.views-are-not-lifted", "Private/DirectionPairs.h", "LiftView(NormalizeAny(v), normal)",
+    "NormalizeAny(v)", "Integrators.LowViewsAreLifted")
 
 # Metrics
 

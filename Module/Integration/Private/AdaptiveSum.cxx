@@ -2,44 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AdaptiveSum.h"
 
-#include "HalfVector.h" // for Pi
-#include "vtkAdaptiveWarpBRDF.h"
+#include "AdaptiveRules.h"
+#include "vtkBRDF.h"
 
 #include <algorithm>
-#include <typeinfo>
 
 namespace measuredbrdf
 {
 namespace
 {
-constexpr int WidestBase = 16; // squares across the map to begin with
-// The radius that a square may keep: that of the solid angle in which a draw is alone, times this,
-// and this share of the distance to it.
-constexpr double AloneTimes = 2.0; // lobes are as much narrower as the view is lower
-constexpr float DistanceShare = 1.0f;
-// What may be left where a square and its quarters agree by chance: this share of the change, of
-// the error of the square that it is a quarter of, and of tolerance times value.
-constexpr float LeastRest = 0.05f;
-constexpr float InheritedShare = 0.03f;
-constexpr float LeastShare = 3.0f;
-// Within texels radiance is smooth: what the quarters leave is not left once it is extrapolated.
-constexpr float PartRest = 0.15f;
-constexpr double PeakTimes = 2.0;   // of a square's mean f: less is no hidden peak
-constexpr float LargestRest = 1.0f; // above, a square tells nothing
-// Squares' errors of either sign cancel, but for the part that they have in common.
-constexpr double OwnShare = 2.0; // standard deviations
-constexpr double CommonShare = 0.1;
 constexpr int DividedAtOnce = 4;
-constexpr auto SmoothRest = static_cast<float>(TexelTree::SmoothRest);
+using Rules = AdaptiveRules;
 
 double Sum(const glm::dvec3& rgb) { return rgb.x + rgb.y + rgb.z; }
 float Sum(const glm::vec3& rgb) { return rgb.x + rgb.y + rgb.z; }
-}
-
-double AdaptiveSum::EstimateError() const
-{
-  return OwnShare * std::sqrt(std::max(this->Squares, 0.0)) +
-         CommonShare * std::max(this->Error, 0.0);
 }
 
 // Values and cosines of so many middles.
@@ -49,25 +25,9 @@ void AdaptiveSum::Evaluate(int count)
   step.Turn(count, this->Rows);
   this->Evaluations += step.Counting;
   float f[3][SquareMiddles::Most] = {};
-  if (this->Measured)
-  {
-    const float* const lights[3] = { step.Lights[0], step.Lights[1], step.Lights[2] };
-    float* const to[3] = { f[0], f[1], f[2] };
-    this->Measured->EvaluateLights(step.Counting, lights, &this->View.x, to);
-  }
-  else
-  {
-    for (int k = 0; k < step.Counting; ++k)
-    {
-      const glm::dvec3 i(step.Lights[0][k], step.Lights[1][k], step.Lights[2][k]);
-      glm::dvec3 value;
-      this->BRDF->Evaluate(&i.x, &this->View.x, &value.x);
-      for (int c = 0; c < 3; ++c)
-      {
-        f[c][k] = static_cast<float>(value[c]);
-      }
-    }
-  }
+  const float* const lights[3] = { step.Lights[0], step.Lights[1], step.Lights[2] };
+  float* const to[3] = { f[0], f[1], f[2] };
+  this->Lights.Evaluate(step.Counting, lights, this->View, to);
   step.Weigh(count, f);
 }
 
@@ -135,7 +95,7 @@ float AdaptiveSum::EstimateHidden(const Square& square) const
   }
   double solidAngle = 0.0;
   const double peak = i.z * irradiance * this->Peaks.Get(i, radius, solidAngle);
-  const double hidden = peak - PeakTimes * Sum(square.Value);
+  const double hidden = peak - Rules::PeakTimes * Sum(square.Value);
   return hidden > 0.0
            ? static_cast<float>(hidden * std::min(2.0 * solidAngle / (radius * radius), 1.0))
            : 0.0f;
@@ -198,8 +158,8 @@ void AdaptiveSum::Finish(std::size_t index)
   {
     if (!isLast)
     {
-      square.Value = glm::max(square.Value + SmoothRest * change, 0.0f);
-      square.Error = PartRest * changed + this->EstimateRising(square.Whole);
+      square.Value = glm::max(square.Value + Rules::SmoothRest * change, 0.0f);
+      square.Error = Rules::PartRest * changed + this->EstimateRising(square.Whole);
     }
     this->Keep(index);
     return;
@@ -208,13 +168,13 @@ void AdaptiveSum::Finish(std::size_t index)
   if (!isLast)
   {
     square.Value = glm::max(square.Value + rest * change, 0.0f);
-    square.Error = std::max(rest, LeastRest) * changed + this->EstimateRising(square.Whole) +
+    square.Error = std::max(rest, Rules::LeastRest) * changed + this->EstimateRising(square.Whole) +
                    this->EstimateHidden(square);
-    square.Error =
-      std::max(square.Error, LeastShare * static_cast<float>(this->Tolerance) * Sum(square.Value));
+    square.Error = std::max(
+      square.Error, Rules::LeastShare * static_cast<float>(this->Tolerance) * Sum(square.Value));
   }
   // Where nearly all light is in one quarter, that agrees with the square whatever it hides.
-  if (rest > LargestRest)
+  if (rest > Rules::LargestRest)
   {
     this->AddQuarters(index);
     return;
@@ -269,74 +229,22 @@ void AdaptiveSum::AddQuarters(std::size_t index)
     const int y = 2 * whole.Y + k / 2;
     if (x < width && y < height)
     {
-      this->Add({ level, x, y, InheritedShare * square.Error,
+      this->Add({ level, x, y, Rules::InheritedShare * square.Error,
         glm::vec3(square.Quarters[0][k], square.Quarters[1][k], square.Quarters[2][k]),
         square.Cosines[k] });
     }
   }
 }
 
-// Divides where a draw wants smaller squares about it. The draws that the larger square was divided
-// for are in Near from the first one on.
-void AdaptiveSum::Force(int level, int x, int y, std::size_t first)
-{
-  if (x >= this->Texels->GetWidth(level) || y >= this->Texels->GetHeight(level))
-  {
-    return;
-  }
-  const std::size_t last = this->Near.size();
-  if (level > this->Texels->GetLowestLevel())
-  {
-    double radius = 0.0;
-    const glm::vec3 middle(this->Texels->GetMiddle(level, x, y, radius));
-    const auto r = static_cast<float>(radius);
-    for (std::size_t k = first; k < last; ++k)
-    {
-      const Drawn drawn = this->Near[k];
-      const glm::vec3 d = drawn.Direction - middle;
-      // The same as r > drawn.Radius + DistanceShare * max(length(d) - r, 0).
-      const float reach = (r - drawn.Radius) / DistanceShare;
-      if (reach > 0.0f && glm::dot(d, d) < (reach + r) * (reach + r))
-      {
-        this->Near.push_back(drawn);
-      }
-    }
-  }
-  if (this->Near.size() == last)
-  {
-    this->Asked.push_back({ level, x, y, 0.0f, glm::vec3(0.0f), 0.0f });
-    return;
-  }
-  for (int k = 0; k < 4; ++k)
-  {
-    this->Force(level - 1, 2 * x + k % 2, 2 * y + k / 2, last);
-  }
-  this->Near.resize(last);
-}
-
 // Squares that are small where the draws are, and large elsewhere.
 void AdaptiveSum::Start(const ReflectionGuide& guide)
 {
-  guide.Draws(this->View, this->Draws);
-  this->Near.clear();
-  for (const ReflectionGuide::Draw& draw : this->Draws)
-  {
-    this->Near.push_back(
-      { glm::vec3(draw.Direction * this->Local), // transposed: the environment's frame
-        static_cast<float>(AloneTimes * std::sqrt(draw.SolidAngle * this->View.z / Pi)) });
-  }
-  int base = 0;
-  while (this->Texels->GetWidth(base) > WidestBase)
-  {
-    ++base;
-  }
+  this->First.Clear();
+  this->First.AddDraws(guide, this->Local, this->View);
   this->Asked.clear();
-  for (int y = 0; y < this->Texels->GetHeight(base); ++y)
+  for (const FirstSquares::Square& square : this->First.Find(*this->Texels))
   {
-    for (int x = 0; x < this->Texels->GetWidth(base); ++x)
-    {
-      this->Force(base, x, y, 0);
-    }
+    this->Asked.push_back({ square.Level, square.X, square.Y, 0.0f, glm::vec3(0.0f), 0.0f });
   }
   this->EvaluatePlaces();
   for (const Place& place : this->Asked)
@@ -351,10 +259,7 @@ glm::dvec3 AdaptiveSum::Run(const TexelTree& texels, const ReflectionGuide& guid
 {
   this->Texels = &texels;
   this->BRDF = brdf;
-  // Subclasses may evaluate another f.
-  this->Measured = typeid(*brdf) == typeid(vtkAdaptiveWarpBRDF)
-                     ? static_cast<vtkAdaptiveWarpBRDF*>(brdf)
-                     : nullptr;
+  this->Lights = LightLanes(brdf);
   this->Local = glm::transpose(frame);
   for (int k = 0; k < 9; ++k)
   {
@@ -371,7 +276,8 @@ glm::dvec3 AdaptiveSum::Run(const TexelTree& texels, const ReflectionGuide& guid
   this->Evaluations = 0;
   this->Queue.Clear();
   this->Start(guide);
-  while (!this->Queue.IsEmpty() && this->EstimateError() > tolerance * Sum(this->Total))
+  while (!this->Queue.IsEmpty() &&
+         Rules::EstimateError(this->Error, this->Squares) > tolerance * Sum(this->Total))
   {
     for (int k = 0; k < DividedAtOnce && !this->Queue.IsEmpty(); ++k)
     {

@@ -10,7 +10,9 @@
 #define AdaptiveSum_h
 
 #include "ErrorQueue.h"
+#include "FirstSquares.h"
 #include "LocalFrame.h"
+#include "ManyLights.h"
 #include "ReflectionGuide.h"
 #include "SquareMiddles.h"
 #include "TexelTree.h"
@@ -21,7 +23,6 @@
 #include <cstdint>
 #include <vector>
 
-class vtkAdaptiveWarpBRDF;
 class vtkBRDF;
 
 namespace measuredbrdf
@@ -57,11 +58,6 @@ private:
     float Quarters[3][4]; // their own, by channel
     float Cosines[4];
   };
-  struct Drawn
-  {
-    glm::vec3 Direction; // in the environment's frame
-    float Radius;        // of a square that may stay whole about it
-  };
   void Start(const ReflectionGuide& guide);
   void Evaluate(int count);
   void EvaluatePlaces();
@@ -73,15 +69,12 @@ private:
   void Keep(std::size_t index);
   void Add(const Place& place);
   void AddQuarters(std::size_t index);
-  void Force(int level, int x, int y, std::size_t first);
-
-  double EstimateError() const;
 
   const TexelTree* Texels = nullptr;
   vtkBRDF* BRDF = nullptr;
-  vtkAdaptiveWarpBRDF* Measured = nullptr; // the same, where it evaluates many lights at once
-  glm::dmat3 Local = glm::dmat3(1.0);      // from the environment's frame
-  float Rows[9] = {};                      // its rows
+  LightLanes Lights;                  // of it
+  glm::dmat3 Local = glm::dmat3(1.0); // from the environment's frame
+  float Rows[9] = {};                 // its rows
   glm::dvec3 View = glm::dvec3(0.0, 0.0, 1.0);
   double Tolerance = 0.0;
   int Evaluations = 0;
@@ -95,8 +88,7 @@ private:
   ErrorQueue Queue;         // of those that are not divided
   std::vector<Place> Asked; // where to begin
   // Within one step.
-  std::vector<ReflectionGuide::Draw> Draws;
-  std::vector<Drawn> Near; // those of a square behind those of the larger one
+  FirstSquares First;
   SquareMiddles Step;
 };
 } // namespace measuredbrdf

@@ -9,8 +9,10 @@
 #ifndef ManyLights_h
 #define ManyLights_h
 
+#include "OneByOne.h"
 #include "vtkAdaptiveWarpBRDF.h"
 #include "vtkBRDF.h"
+#include "vtkTabulatedBRDF.h"
 
 #include <glm/glm.hpp>
 
@@ -29,6 +31,43 @@ inline vtkAdaptiveWarpBRDF* GetManyLightsForm(vtkBRDF* brdf)
            ? static_cast<vtkAdaptiveWarpBRDF*>(brdf)
            : nullptr;
 }
+
+/// f of many lights in single precision, by what the material can.
+class LightLanes
+{
+public:
+  LightLanes() = default;
+  explicit LightLanes(vtkBRDF* brdf)
+    : BRDF(brdf)
+    , Warp(GetManyLightsForm(brdf))
+    , Table(brdf && typeid(*brdf) == typeid(vtkTabulatedBRDF) ? static_cast<vtkTabulatedBRDF*>(brdf)
+                                                              : nullptr)
+  {
+  }
+
+  /// lights: x, y and z of unit vectors above the horizon; f: red, green and blue.
+  void Evaluate(
+    int count, const float* const lights[3], const glm::dvec3& view, float* const f[3]) const
+  {
+    if (this->Warp)
+    {
+      this->Warp->EvaluateLights(count, lights, &view.x, f);
+    }
+    else if (this->Table)
+    {
+      this->Table->EvaluateLights(count, lights, &view.x, f);
+    }
+    else
+    {
+      EvaluateLightsOneByOne(this->BRDF, count, lights, &view.x, f);
+    }
+  }
+
+private:
+  vtkBRDF* BRDF = nullptr;
+  vtkAdaptiveWarpBRDF* Warp = nullptr;
+  vtkTabulatedBRDF* Table = nullptr;
+};
 
 /// Of a prepared material; lights: unit vectors above the horizon, like o.
 inline void EvaluateManyLights(

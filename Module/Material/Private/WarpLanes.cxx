@@ -3,6 +3,7 @@
 #include "WarpLanes.h"
 
 #include "HalfVector.h" // for Pi
+#include "LaneAngles.h"
 #include "LaneVectors.h"
 
 #include <algorithm>
@@ -11,23 +12,6 @@ namespace measuredbrdf
 {
 namespace
 {
-// Chebyshev interpolation of asin(x) / x in x^2, x^2 <= 1/2, and of atan(x) / x, x <= 1, rounded:
-// relative errors of 8e-8, with those of summing in single precision.
-constexpr float AsinLaneSeries[] = { 1.0f, 0.16666955f, 0.074881144f, 0.04648085f, 0.016731389f,
-  0.07553975f, -0.090086214f, 0.109673984f };
-constexpr float AtanLaneSeries[] = { 1.0f, -0.33333036f, 0.19991872f, -0.14197798f, 0.10618371f,
-  -0.07456855f, 0.042137623f, -0.015731249f, 0.0027662835f };
-
-template <typename Vector, int Count>
-MEASUREDBRDF_INLINE void SumLaneSeries(const float (&series)[Count], const Vector& x, Vector& sum)
-{
-  sum = 0.0f * x + series[Count - 1];
-  for (int k = Count - 2; k >= 0; --k)
-  {
-    sum = sum * x + series[k];
-  }
-}
-
 // What stays between the square roots, which are taken of whole arrays.
 struct LaneSteps
 {
@@ -75,17 +59,8 @@ MEASUREDBRDF_INLINE void FindHalfOfLanes(
   const Vector fromX = size > zero ? x : zero + 1.0f;
   const Vector along = fromX * hX + y * hY;
   const Vector across = fromX * hY - y * hX;
-  const Vector a = along < zero ? -along : along;
-  const Vector b = across < zero ? -across : across;
-  const Vector larger = a > b ? a : b;
-  const Vector smaller = a > b ? b : a;
-  const Vector t = smaller / (larger > zero ? larger : zero + 1.0f);
-  const Vector square = t * t;
   Vector phi;
-  SumLaneSeries(AtanLaneSeries, square, phi);
-  phi *= t * static_cast<float>(0.5 / Pi); // in turns
-  phi = a > b ? phi : 0.25f - phi;
-  phi = along < zero ? 0.5f - phi : phi;
+  FindTurns(along, across, phi);
   phi = across < zero ? 0.5f - phi : 0.5f + phi;
   Store(phi, lanes.UnitPhiH + k);
 }

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What adaptive sums take for a square's error. Private to the module.
+ */
+
+#ifndef AdaptiveRules_h
+#define AdaptiveRules_h
+
+#include "TexelTree.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace measuredbrdf
+{
+struct AdaptiveRules
+{
+  ///@{
+  /// What may be left where a square and its quarters agree by chance: this share of the change, of
+  /// the error of the square that it is a quarter of, and of tolerance times value.
+  static constexpr float LeastRest = 0.05f;
+  static constexpr float InheritedShare = 0.03f;
+  static constexpr float LeastShare = 3.0f;
+  ///@}
+  /// Within texels radiance is smooth: what the quarters leave is not left once it is extrapolated.
+  static constexpr float PartRest = 0.15f;
+  static constexpr float PeakTimes = 2.0f;   // of a square's mean f: less is no hidden peak
+  static constexpr float LargestRest = 1.0f; // above, a square tells nothing
+  static constexpr auto SmoothRest = static_cast<float>(TexelTree::SmoothRest);
+
+  /// Of the sum of squares' errors, and of the sum of their squares: errors of either sign cancel,
+  /// but for the part that they have in common.
+  static double EstimateError(double errors, double squares)
+  {
+    constexpr double own = 2.0; // standard deviations
+    constexpr double common = 0.1;
+    return own * std::sqrt(std::max(squares, 0.0)) + common * std::max(errors, 0.0);
+  }
+};
+} // namespace measuredbrdf
+
+#endif
