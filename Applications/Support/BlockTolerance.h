@@ -18,8 +18,8 @@ struct BlockTolerance
   static constexpr double Coarsest = 0.0028;
   static constexpr double Finest = 0.0014;
   static constexpr double Factor = 0.8;         // where pixels of the sample are off
-  static constexpr double Affordable = 10500.0; // evaluations a pixel
-  static constexpr double Most = 16000.0;       // with the coarsest tolerance, which may take more
+  static constexpr double Affordable = 10500.0; // evaluations a pixel, by what is predicted
+  static constexpr double Most = 16000.0; // with the coarsest tolerance: beyond, no blocks at all
   static constexpr double UsualPixels = 160000.0; // of a sphere in 500 x 500
 
   /// The finest of some tolerances that is affordable; 0 where not even the coarsest is.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The reference radiance of pixels together with their neighbors, which takes about half the time.
+ * The reference radiance of pixels together with their neighbors, which takes less time.
  */
 
 #ifndef PixelBlocks_h

@@ -10,12 +10,10 @@
 #include "ReferenceSample.h"
 
 #include "vtkAdaptiveRadianceIntegrator.h"
-#include "vtkAdaptiveWarpBRDF.h"
 #include "vtkBRDF.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkTableRadianceIntegrator.h"
-#include "vtkTabulatedBRDF.h"
 
 #include <algorithm>
 #include <cmath>
@@ -76,8 +74,7 @@ public:
     this->Reference->SetTolerance(FirstTolerance);
     this->Strict->SetTolerance(CheckTolerance);
     this->Guess.assign(surface.Normals.size(), 0.0);
-    this->EvaluatesMany = brdf->IsIsotropic() && (vtkAdaptiveWarpBRDF::SafeDownCast(brdf) ||
-                                                   vtkTabulatedBRDF::SafeDownCast(brdf));
+    this->EvaluatesMany = this->Reference->EvaluatesManyLights();
   }
 
   // What a table gives, so that what it lacks is interpolated.
@@ -233,7 +230,7 @@ private:
   {
     this->Reference->SetTolerance(tolerance);
     Trial trial;
-    if (tolerance <= LeastTolerance)
+    if (tolerance <= (this->InBlocks ? tool::BlockTolerance::Finest : LeastTolerance))
     {
       return trial; // there is no finer one
     }

@@ -6,6 +6,7 @@
 #include "AdaptiveSum.h"
 #include "DirectionPairs.h"
 #include "LocalFrame.h"
+#include "ManyLights.h"
 #include "ReflectionGuide.h"
 #include "TexelTree.h"
 #include "vtkBRDF.h"
@@ -27,6 +28,7 @@ vtkStandardNewMacro(vtkAdaptiveRadianceIntegrator);
 namespace
 {
 constexpr double LeastCosine = 0.99939; // of the normals and views of a four: 2 degrees
+constexpr double SingleShare = 0.7; // of the tolerance: one pair is as exact then as four together
 }
 
 //------------------------------------------------------------------------------
@@ -41,12 +43,26 @@ struct vtkAdaptiveRadianceIntegrator::Pair
 struct vtkAdaptiveRadianceIntegrator::Internals
 {
   Internals(vtkEnvironment* environment, vtkBRDF* brdf)
-    : Texels(environment)
+    : Texels(environment->GetSubdivided())
     , Guide(brdf)
+    , Environment(environment)
+    , BRDF(brdf)
+    , Times{ environment->GetMTime(), brdf->GetMTime() }
   {
+  }
+  // The tolerance changes nothing here.
+  bool IsOf(vtkEnvironment* environment, vtkBRDF* brdf) const
+  {
+    return environment == this->Environment && brdf == this->BRDF &&
+           environment->GetMTime() == this->Times[0] && brdf->GetMTime() == this->Times[1];
   }
   measuredbrdf::TexelTree Texels;
   measuredbrdf::ReflectionGuide Guide;
+
+private:
+  const vtkEnvironment* Environment;
+  const vtkBRDF* BRDF;
+  vtkMTimeType Times[2];
 };
 
 //------------------------------------------------------------------------------
@@ -62,7 +78,10 @@ bool vtkAdaptiveRadianceIntegrator::Begin()
     vtkErrorMacro("Integrate: there is no environment, or it is empty.");
     return false;
   }
-  this->Prepared = std::make_unique<Internals>(environment->GetSubdivided(), this->BRDF);
+  if (!this->Prepared || !this->Prepared->IsOf(environment, this->BRDF))
+  {
+    this->Prepared = std::make_unique<Internals>(environment, this->BRDF);
+  }
   return true;
 }
 
@@ -70,11 +89,19 @@ bool vtkAdaptiveRadianceIntegrator::Begin()
 void vtkAdaptiveRadianceIntegrator::IntegratePart(
   int vtkNotUsed(part), const double n[3], const double o[3], const double t[3], double radiance[3])
 {
-  const measuredbrdf::Frame frame = measuredbrdf::FrameAbout(glm::make_vec3(n), glm::make_vec3(t));
-  const glm::dvec3 view = measuredbrdf::ToLocal(frame, glm::make_vec3(o));
+  this->SumPair(
+    { glm::make_vec3(n), glm::make_vec3(o), glm::make_vec3(t) }, this->Tolerance, radiance);
+}
+
+//------------------------------------------------------------------------------
+// Adds what it reflects.
+void vtkAdaptiveRadianceIntegrator::SumPair(const Pair& pair, double tolerance, double* radiance)
+{
+  const measuredbrdf::Frame frame = measuredbrdf::FrameAbout(pair.Normal, pair.Tangent);
+  const glm::dvec3 view = measuredbrdf::ToLocal(frame, pair.View);
   thread_local measuredbrdf::AdaptiveSum sum; // keeps its memory
-  const glm::dvec3 result = sum.Run(
-    this->Prepared->Texels, this->Prepared->Guide, this->BRDF, frame, view, this->Tolerance);
+  const glm::dvec3 result =
+    sum.Run(this->Prepared->Texels, this->Prepared->Guide, this->BRDF, frame, view, tolerance);
   this->Evaluations += sum.GetNumberOfEvaluations();
   for (int c = 0; c < 3; ++c)
   {
@@ -96,10 +123,17 @@ void vtkAdaptiveRadianceIntegrator::IntegrateFour(const Pair* pairs, double* rad
   {
     for (int k = 0; k < AdaptiveGroup::Size; ++k)
     {
-      if (glm::dot(pairs[k].Normal, pairs[k].View) > 0.0)
+      const Pair& pair = pairs[k];
+      const auto isSame = [&pair](const Pair& other)
+      { return other.Normal == pair.Normal && other.View == pair.View; };
+      const auto same = std::find_if(pairs, pairs + k, isSame);
+      if (same != pairs + k) // it fills the four up
       {
-        this->IntegratePart(
-          0, &pairs[k].Normal.x, &pairs[k].View.x, &pairs[k].Tangent.x, radiance + 3 * k);
+        std::copy_n(radiance + 3 * (same - pairs), 3, radiance + 3 * k);
+      }
+      else if (glm::dot(pair.Normal, pair.View) > 0.0)
+      {
+        this->SumPair(pair, SingleShare * this->Tolerance, radiance + 3 * k);
       }
     }
     return;
@@ -119,6 +153,13 @@ void vtkAdaptiveRadianceIntegrator::IntegrateFour(const Pair* pairs, double* rad
   {
     std::copy_n(&results[k].x, 3, radiance + 3 * k);
   }
+}
+
+//------------------------------------------------------------------------------
+bool vtkAdaptiveRadianceIntegrator::EvaluatesManyLights()
+{
+  return this->BRDF && this->BRDF->IsIsotropic() &&
+         measuredbrdf::LightLanes(this->BRDF).AreSideBySide();
 }
 
 //------------------------------------------------------------------------------

@@ -44,12 +44,18 @@ public:
   ///@}
 
   /**
-   * Integrate, where pairs 4 k to 4 k + 3 are neighbors in a picture: the four are summed over the
-   * same squares, which takes about half the time. Where normals or views of four are further from
-   * one another than 2 degrees, each is summed by itself. Of an isotropic BRDF. Equal pairs may
-   * fill a four up.
+   * Like Integrate, for an isotropic BRDF and pixels of a picture: pairs 4 k to 4 k + 3 are four
+   * neighbors, which are summed over the same squares. That takes 0.7 to 0.9 times as long at the
+   * same tolerance, and is more exact. A four whose normals or views are more than 2 degrees from
+   * those of its first pair is summed pair by pair, to 0.7 of the tolerance, which is as exact. To
+   * fill a four up, repeat a pair. Fails, with an error event, where Integrate does, where the
+   * number of pairs is no multiple of 4, and where the BRDF is anisotropic.
    */
   bool IntegrateNeighbors(vtkDataArray* normals, vtkDataArray* views, vtkDataArray* radiance);
+
+  /// Whether the BRDF evaluates many lights at a time, far faster than one by one: of isotropic RGL
+  /// files and of tables without invalid cells.
+  bool EvaluatesManyLights();
 
   /// How often this has evaluated f so far, about: what integrating costs, whatever the machine.
   vtkTypeInt64 GetNumberOfEvaluations() { return this->Evaluations; }
@@ -77,6 +83,7 @@ private:
   double Tolerance = 1e-3;
   struct Pair;
   void IntegrateFour(const Pair* pairs, double* radiance);
+  void SumPair(const Pair& pair, double tolerance, double* radiance);
   struct Internals;
   std::unique_ptr<const Internals> Prepared; // null: nothing yet
   std::atomic<vtkTypeInt64> Evaluations{ 0 };

@@ -67,7 +67,8 @@ Fours AdaptiveGroup::EstimateRising(const Square& square)
   i = glm::normalize(i);
   glm::dvec3 f;
   this->BRDF->Evaluate(&i.x, &this->Pairs[highest].View.x, &f.x);
-  const auto rising = static_cast<float>(0.25 * i.z * glm::dot(f, light.Irradiance));
+  const auto rising = static_cast<float>(
+    std::min(0.25 * i.z * glm::dot(f, light.Irradiance), AdaptiveRules::LargestEstimate));
   for (int pair = 0; pair < Size; ++pair)
   {
     if (square.Cosine[pair] <= 0.0f && square.Cosine[pair] + radius > 0.0f)
@@ -98,8 +99,8 @@ Fours AdaptiveGroup::EstimateHidden(const Square& square) const
   double solidAngle = 0.0;
   const double peak = i.z * irradiance * this->Peaks.Get(i, radius, solidAngle);
   const double share = std::min(2.0 * solidAngle / (radius * radius), 1.0);
-  const Fours hidden =
-    Fours(static_cast<float>(peak)) - Fours(AdaptiveRules::PeakTimes) * Sum(square.Value);
+  const Fours hidden = Fours(static_cast<float>(std::min(peak, AdaptiveRules::LargestEstimate))) -
+                       Fours(AdaptiveRules::PeakTimes) * Sum(square.Value);
   return Larger(hidden, Fours(0.0f)) * Fours(static_cast<float>(share));
 }
 
@@ -234,7 +235,8 @@ void AdaptiveGroup::TakeOut(const Square& square)
 
 float AdaptiveGroup::GetKey(const Square& square) const
 {
-  return std::max(Largest(square.Error * this->Weights), LeastKey);
+  const float key = Largest(square.Error * this->Weights);
+  return key >= LeastKey ? key : LeastKey; // not a number, too
 }
 
 AdaptiveGroup::Square& AdaptiveGroup::Add(int level, int x, int y)
@@ -398,7 +400,7 @@ void AdaptiveGroup::Run(const TexelTree& texels, const ReflectionGuide& guide, v
     this->Totals[0][pair] = this->Totals[1][pair] = this->Totals[2][pair] = 0.0;
   }
   this->Start(guide);
-  while (!this->Queue.IsEmpty() && this->FindWeights())
+  while (!this->Queue.IsEmpty() && this->Count < AdaptiveRules::MostSquares && this->FindWeights())
   {
     for (int k = 0; k < SquaresAtOnce && !this->Queue.IsEmpty();)
     {

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace measuredbrdf
 {
@@ -28,6 +29,9 @@ struct AdaptiveRules
   static constexpr float PartRest = 0.15f;
   static constexpr float PeakTimes = 2.0f;   // of a square's mean f: less is no hidden peak
   static constexpr float LargestRest = 1.0f; // above, a square tells nothing
+  /// Of one sum: hostile values never agree with those of their quarters.
+  static constexpr std::size_t MostSquares = 1 << 18;
+  static constexpr double LargestEstimate = 1e36; // which is finite in single precision
   static constexpr auto SmoothRest = static_cast<float>(TexelTree::SmoothRest);
 
   /// Of the sum of squares' errors, and of the sum of their squares: errors of either sign cancel,

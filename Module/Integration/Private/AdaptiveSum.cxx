@@ -74,7 +74,8 @@ float AdaptiveSum::EstimateRising(const Place& place)
   i = glm::normalize(i);
   glm::dvec3 f;
   this->BRDF->Evaluate(&i.x, &this->View.x, &f.x);
-  return static_cast<float>(0.25 * Sum(i.z * f * light.Irradiance));
+  return static_cast<float>(
+    std::min(0.25 * Sum(i.z * f * light.Irradiance), Rules::LargestEstimate));
 }
 
 // What a peak of f adds that lies in the square, but not where its quarters look.
@@ -96,9 +97,10 @@ float AdaptiveSum::EstimateHidden(const Square& square) const
   double solidAngle = 0.0;
   const double peak = i.z * irradiance * this->Peaks.Get(i, radius, solidAngle);
   const double hidden = peak - Rules::PeakTimes * Sum(square.Value);
-  return hidden > 0.0
-           ? static_cast<float>(hidden * std::min(2.0 * solidAngle / (radius * radius), 1.0))
-           : 0.0f;
+  return hidden > 0.0 ? static_cast<float>(
+                          std::min(hidden * std::min(2.0 * solidAngle / (radius * radius), 1.0),
+                            Rules::LargestEstimate))
+                      : 0.0f;
 }
 
 // Quarters of all squares that have none yet, which adds squares where one tells nothing.
@@ -276,7 +278,7 @@ glm::dvec3 AdaptiveSum::Run(const TexelTree& texels, const ReflectionGuide& guid
   this->Evaluations = 0;
   this->Queue.Clear();
   this->Start(guide);
-  while (!this->Queue.IsEmpty() &&
+  while (!this->Queue.IsEmpty() && this->Count < Rules::MostSquares &&
          Rules::EstimateError(this->Error, this->Squares) > tolerance * Sum(this->Total))
   {
     for (int k = 0; k < DividedAtOnce && !this->Queue.IsEmpty(); ++k)

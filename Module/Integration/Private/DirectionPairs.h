@@ -90,8 +90,9 @@ void TurnPairs(vtkEnvironment* environment, std::vector<Pair>& pairs)
 }
 
 /// Calls work(first, size) for one batch after the other of so many things, larger ones until one
-/// takes what a caller may wait for between two looks at the abort flag and the progress. Then
-/// report(share done), which returns whether to go on. Returns whether it went to the end.
+/// takes what a caller may wait for between two looks at the abort flag and the progress. After
+/// each batch it calls report(share done), which returns whether to go on. Returns whether it went
+/// to the end.
 template <typename Work, typename Report>
 bool WorkInBatches(vtkIdType count, const Work& work, const Report& report)
 {

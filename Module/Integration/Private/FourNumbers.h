@@ -15,7 +15,7 @@ namespace measuredbrdf
 struct Fours
 {
 #ifdef MEASUREDBRDF_HAS_VECTORS
-  Float4 Values; // which every such processor has
+  Float4 Values; // SSE, which every x86-64 processor has
 #else
   float Values[4];
 #endif

@@ -23,13 +23,20 @@
 
 namespace measuredbrdf
 {
-/// The material where it evaluates many lights at a time, else null: whoever derives from it may
-/// do more.
-inline vtkAdaptiveWarpBRDF* GetManyLightsForm(vtkBRDF* brdf)
+/// The material where it is one of RGL's files, else null: whoever derives from the class may do
+/// more.
+inline vtkAdaptiveWarpBRDF* GetWarp(vtkBRDF* brdf)
 {
   return brdf && typeid(*brdf) == typeid(vtkAdaptiveWarpBRDF)
            ? static_cast<vtkAdaptiveWarpBRDF*>(brdf)
            : nullptr;
+}
+
+/// The material where it is a table, else null.
+inline vtkTabulatedBRDF* GetTable(vtkBRDF* brdf)
+{
+  return brdf && typeid(*brdf) == typeid(vtkTabulatedBRDF) ? static_cast<vtkTabulatedBRDF*>(brdf)
+                                                           : nullptr;
 }
 
 /// f of many lights in single precision, by what the material can.
@@ -39,10 +46,15 @@ public:
   LightLanes() = default;
   explicit LightLanes(vtkBRDF* brdf)
     : BRDF(brdf)
-    , Warp(GetManyLightsForm(brdf))
-    , Table(brdf && typeid(*brdf) == typeid(vtkTabulatedBRDF) ? static_cast<vtkTabulatedBRDF*>(brdf)
-                                                              : nullptr)
+    , Warp(GetWarp(brdf))
+    , Table(GetTable(brdf))
   {
+  }
+
+  /// Whether the material evaluates them side by side.
+  bool AreSideBySide() const
+  {
+    return this->Warp || (this->Table && this->Table->GetNumberOfInvalidCells() == 0);
   }
 
   /// lights: x, y and z of unit vectors above the horizon; f: red, green and blue.
@@ -69,11 +81,12 @@ private:
   vtkTabulatedBRDF* Table = nullptr;
 };
 
-/// Of a prepared material; lights: unit vectors above the horizon, like o.
+/// Of a prepared material; lights: unit vectors above the horizon, like o. RGL's files in single
+/// precision; all others, tables too, one by one.
 inline void EvaluateManyLights(
   vtkBRDF* brdf, std::size_t count, const glm::dvec3* lights, const glm::dvec3& o, glm::dvec3* f)
 {
-  vtkAdaptiveWarpBRDF* many = GetManyLightsForm(brdf);
+  vtkAdaptiveWarpBRDF* many = GetWarp(brdf);
   for (std::size_t k = 0; k < count && !many; ++k)
   {
     brdf->Evaluate(&lights[k].x, &o.x, &f[k].x);

@@ -13,6 +13,7 @@
 #include "vtkEnvironmentReader.h"
 #include "vtkLambertBRDF.h"
 #include "vtkNew.h"
+#include "vtkTabulatedBRDF.h"
 
 #include <glm/glm.hpp>
 #include <gtest/gtest.h>
@@ -163,6 +164,7 @@ TEST(AdaptiveGroup, DistantPairsAreSummedOneByOne)
   integrator->SetEnvironment(environment);
   vtkNew<vtkDoubleArray> radiance, each;
   ASSERT_TRUE(integrator->IntegrateNeighbors(fours.Normals, fours.Views, radiance));
+  integrator->SetTolerance(0.7 * integrator->GetTolerance());
   ASSERT_TRUE(integrator->Integrate(fours.Normals, fours.Views, each));
   for (vtkIdType k = 0; k < 12; ++k)
   {
@@ -170,6 +172,48 @@ TEST(AdaptiveGroup, DistantPairsAreSummedOneByOne)
   }
   EXPECT_EQ(radiance->GetValue(9), 0.0); // it faces away
   EXPECT_GT(radiance->GetValue(0), 0.0);
+}
+
+//------------------------------------------------------------------------------
+// Neighbors share their squares: other evaluations than of each by itself. And values that
+// nothing can add up leave numbers.
+TEST(AdaptiveGroup, SharesSquaresAndTakesAnything)
+{
+  vtkNew<vtkEnvironment> environment;
+  environment->SetToProceduralSky();
+  vtkNew<vtkAshikhminShirleyBRDF> gloss;
+  gloss->SetExponents(300.0, 300.0);
+  Fours fours;
+  fours.AddOfSphere(6);
+  vtkNew<vtkAdaptiveRadianceIntegrator> integrator;
+  integrator->SetBRDF(gloss);
+  integrator->SetEnvironment(environment);
+  vtkNew<vtkDoubleArray> radiance, each;
+  ASSERT_TRUE(integrator->Integrate(fours.Normals, fours.Views, each));
+  const vtkTypeInt64 alone = integrator->GetNumberOfEvaluations();
+  ASSERT_TRUE(integrator->IntegrateNeighbors(fours.Normals, fours.Views, radiance));
+  EXPECT_NE(integrator->GetNumberOfEvaluations(), 2 * alone);
+  EXPECT_FALSE(integrator->EvaluatesManyLights()); // a closed form
+  std::vector<float> bright(3 * 64 * 32, 1e30f);
+  ASSERT_TRUE(environment->SetPixels(64, 32, bright));
+  vtkNew<vtkTabulatedBRDF> table;
+  const int dimensions[3] = { 4, 4, 4 };
+  std::vector<float> volume(3 * 64, 1e38f);
+  table->SetVolume(
+    vtkTabulatedBRDF::HALF_DIFFERENCE, vtkTabulatedBRDF::HALF_TURN, dimensions, volume);
+  integrator->SetBRDF(table);
+  EXPECT_TRUE(integrator->EvaluatesManyLights());
+  ASSERT_TRUE(integrator->IntegrateNeighbors(fours.Normals, fours.Views, radiance));
+  ASSERT_TRUE(integrator->Integrate(fours.Normals, fours.Views, each));
+  for (vtkIdType k = 0; k < radiance->GetNumberOfValues(); ++k)
+  {
+    EXPECT_GE(radiance->GetValue(k), 0.0); // a number
+    EXPECT_GE(each->GetValue(k), 0.0);
+  }
+  volume[3] = NAN;
+  table->SetVolume(
+    vtkTabulatedBRDF::HALF_DIFFERENCE, vtkTabulatedBRDF::HALF_TURN, dimensions, volume);
+  EXPECT_FALSE(integrator->EvaluatesManyLights());
 }
 
 //------------------------------------------------------------------------------

@@ -181,7 +181,7 @@ TEST(PixelBlocks, AreAlwaysTheSame)
   vtkNew<vtkAdaptiveRadianceIntegrator> integrator;
   integrator->SetBRDF(gloss);
   integrator->SetEnvironment(environment);
-  integrator->SetTolerance(0.01);
+  integrator->SetTolerance(0.003);
   const auto integrate = [&](const std::vector<int>& pixels)
   { return tool::IntegrateInBlocks(integrator, odd, width, places, pixels, [](double) {}); };
   std::vector<int> all, some;
