@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReferenceLimit.h"
 
-#include "BlockTolerance.h"
 #include "Methods.h"
 #include "Tool.h"
 
@@ -29,10 +28,6 @@ double EstimateReferenceSeconds(vtkBRDF* brdf, vtkEnvironment* environment, cons
   vtkNew<vtkAdaptiveRadianceIntegrator> reference;
   reference->SetBRDF(brdf);
   reference->SetEnvironment(environment);
-  if (reference->EvaluatesManyLights()) // at most: blocks, which take less, are not finer
-  {
-    reference->SetTolerance(BlockTolerance::Finest);
-  }
   reference->Prepare();
   const std::size_t count = surface.Pixels.size();
   std::vector<double> normals;

@@ -27,7 +27,8 @@ vtkStandardNewMacro(vtkAdaptiveRadianceIntegrator);
 
 namespace
 {
-constexpr double LeastCosine = 0.99939; // of the normals and views of a four: 2 degrees
+// How far the mirror directions of a four may be from the first one's, in radians.
+constexpr double MostApart = measuredbrdf::ReflectionGuide::Peaks::GetResolution();
 constexpr double SingleShare = 0.7; // of the tolerance: one pair is as exact then as four together
 }
 
@@ -115,9 +116,9 @@ void vtkAdaptiveRadianceIntegrator::IntegrateFour(const Pair* pairs, double* rad
   const bool areNear = std::all_of(pairs, pairs + AdaptiveGroup::Size,
     [pairs](const Pair& pair)
     {
-      return glm::dot(pair.Normal, pairs->Normal) >= LeastCosine &&
-             glm::dot(pair.View, pairs->View) >= LeastCosine &&
-             glm::dot(pair.Normal, pair.View) > 0.0;
+      const double apart =
+        2.0 * glm::distance(pair.Normal, pairs->Normal) + glm::distance(pair.View, pairs->View);
+      return apart <= MostApart && glm::dot(pair.Normal, pair.View) > 0.0;
     });
   if (!areNear)
   {

@@ -37,7 +37,8 @@ public:
   ///@{
   /**
    * Where to stop: the estimated error of the sum over the channels, relative to that sum; default
-   * 1e-3, clamped to [1e-5, 0.5].
+   * 1e-3, clamped to [1e-5, 0.5]. Values that no tolerance suits, as of hostile data, end at a
+   * million squares of the sky.
    */
   vtkSetClampMacro(Tolerance, double, 1e-5, 0.5);
   vtkGetMacro(Tolerance, double);
@@ -46,8 +47,8 @@ public:
   /**
    * Like Integrate, for an isotropic BRDF and pixels of a picture: pairs 4 k to 4 k + 3 are four
    * neighbors, which are summed over the same squares. That takes 0.7 to 0.9 times as long at the
-   * same tolerance, and is more exact. A four whose normals or views are more than 2 degrees from
-   * those of its first pair is summed pair by pair, to 0.7 of the tolerance, which is as exact. To
+   * same tolerance, and mostly is more exact. A four whose mirror directions are more than 2.3
+   * degrees from that of its first pair is summed pair by pair, to 0.7 of the tolerance. To
    * fill a four up, repeat a pair. Fails, with an error event, where Integrate does, where the
    * number of pairs is no multiple of 4, and where the BRDF is anisotropic.
    */

@@ -79,8 +79,8 @@ Fours AdaptiveGroup::EstimateRising(const Square& square)
   return result;
 }
 
-// As AdaptiveSum's. The first pair's peaks are the others', too: they are looked for within
-// radians that are far more than pairs differ by.
+// As AdaptiveSum's. The first pair's peaks are the others', too, whose mirror directions are within
+// the peaks' resolution.
 Fours AdaptiveGroup::EstimateHidden(const Square& square) const
 {
   if (this->Texels->GetLargestRadius(square.Level) < ReflectionGuide::Peaks::GetResolution())
@@ -400,7 +400,8 @@ void AdaptiveGroup::Run(const TexelTree& texels, const ReflectionGuide& guide, v
     this->Totals[0][pair] = this->Totals[1][pair] = this->Totals[2][pair] = 0.0;
   }
   this->Start(guide);
-  while (!this->Queue.IsEmpty() && this->Count < AdaptiveRules::MostSquares && this->FindWeights())
+  while (
+    !this->Queue.IsEmpty() && this->Count < AdaptiveRules::MostSquaresOfFour && this->FindWeights())
   {
     for (int k = 0; k < SquaresAtOnce && !this->Queue.IsEmpty();)
     {

@@ -29,8 +29,12 @@ struct AdaptiveRules
   static constexpr float PartRest = 0.15f;
   static constexpr float PeakTimes = 2.0f;   // of a square's mean f: less is no hidden peak
   static constexpr float LargestRest = 1.0f; // above, a square tells nothing
-  /// Of one sum: hostile values never agree with those of their quarters.
-  static constexpr std::size_t MostSquares = 1 << 18;
+  ///@{
+  /// Of one sum, and of four: hostile values never agree with those of their quarters. A tolerance
+  /// of 1e-5 may take some 300,000.
+  static constexpr std::size_t MostSquares = 1 << 20;
+  static constexpr std::size_t MostSquaresOfFour = 1 << 16;
+  ///@}
   static constexpr double LargestEstimate = 1e36; // which is finite in single precision
   static constexpr auto SmoothRest = static_cast<float>(TexelTree::SmoothRest);
 

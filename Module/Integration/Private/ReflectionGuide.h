@@ -41,7 +41,7 @@ public:
   {
   public:
     /// In rad: within less, it is not known whether a peak is inside or beside.
-    static double GetResolution() { return 0.04; }
+    static constexpr double GetResolution() { return 0.04; }
 
     /// Sum of the channels, about unit i within so many radians and somewhat beyond; and the solid
     /// angle that this peak fills at least. 0 where nothing is known.

@@ -30,8 +30,8 @@ constexpr double Start = 0.414;
 constexpr double NextStart = 0.618;
 
 // Of a picture's pairs: at least so many around all points alike, so that 4096 points have one each
-// beside themselves; and so many where it varies, in
-// rounds, each of which knows what those before it have found.
+// beside themselves; and so many where it varies, in rounds, each of which knows what those before
+// it have found.
 constexpr vtkIdType PairsAlike = 4097;
 constexpr int PairsWhereItVaries = 4096;
 constexpr int Rounds = 2;

@@ -164,8 +164,10 @@ TEST(AdaptiveGroup, DistantPairsAreSummedOneByOne)
   integrator->SetEnvironment(environment);
   vtkNew<vtkDoubleArray> radiance, each;
   ASSERT_TRUE(integrator->IntegrateNeighbors(fours.Normals, fours.Views, radiance));
+  const vtkTypeInt64 ofFour = integrator->GetNumberOfEvaluations();
   integrator->SetTolerance(0.7 * integrator->GetTolerance());
   ASSERT_TRUE(integrator->Integrate(fours.Normals, fours.Views, each));
+  EXPECT_GT(integrator->GetNumberOfEvaluations() - ofFour, ofFour); // it sums equal pairs twice
   for (vtkIdType k = 0; k < 12; ++k)
   {
     EXPECT_EQ(radiance->GetValue(k), each->GetValue(k)) << k;
@@ -189,8 +191,11 @@ TEST(AdaptiveGroup, SharesSquaresAndTakesAnything)
   integrator->SetBRDF(gloss);
   integrator->SetEnvironment(environment);
   vtkNew<vtkDoubleArray> radiance, each;
+  const double tolerance = integrator->GetTolerance();
+  integrator->SetTolerance(0.7 * tolerance); // as pairs that are far apart would be summed
   ASSERT_TRUE(integrator->Integrate(fours.Normals, fours.Views, each));
   const vtkTypeInt64 alone = integrator->GetNumberOfEvaluations();
+  integrator->SetTolerance(tolerance);
   ASSERT_TRUE(integrator->IntegrateNeighbors(fours.Normals, fours.Views, radiance));
   EXPECT_NE(integrator->GetNumberOfEvaluations(), 2 * alone);
   EXPECT_FALSE(integrator->EvaluatesManyLights()); // a closed form
@@ -209,6 +214,18 @@ TEST(AdaptiveGroup, SharesSquaresAndTakesAnything)
   {
     EXPECT_GE(radiance->GetValue(k), 0.0); // a number
     EXPECT_GE(each->GetValue(k), 0.0);
+  }
+  // What was prepared is of the material and the map that are set now.
+  vtkNew<vtkAdaptiveRadianceIntegrator> fresh;
+  fresh->SetBRDF(gloss);
+  fresh->SetEnvironment(environment);
+  environment->SetToProceduralSky();
+  integrator->SetBRDF(gloss);
+  ASSERT_TRUE(integrator->Integrate(fours.Normals, fours.Views, radiance));
+  ASSERT_TRUE(fresh->Integrate(fours.Normals, fours.Views, each));
+  for (vtkIdType k = 0; k < radiance->GetNumberOfValues(); ++k)
+  {
+    EXPECT_EQ(radiance->GetValue(k), each->GetValue(k));
   }
   volume[3] = NAN;
   table->SetVolume(

@@ -147,7 +147,8 @@ TEST(PlanPoints, AreNoCentersOfCrowds)
 
 //------------------------------------------------------------------------------
 // More are drawn where a lamp is, which few of the points see, and their weights make up for it:
-// its light's error is less than a third of what it is without, and in the mean of many lamps.
+// its light's error is less than a third of what it is without, and its mean over many lamps is
+// within 13 %.
 TEST(PlanPoints, CrowdWhereItVaries)
 {
   const double expected = measuredbrdf::Pi * Spot * Spot;

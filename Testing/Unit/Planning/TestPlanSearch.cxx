@@ -543,6 +543,7 @@ TEST(MapCandidates, AreLeftOutWhereRowsOfTablesGainLittle)
   };
   EXPECT_FALSE(areLeftOut(0.1, 0.055));
   EXPECT_TRUE(areLeftOut(0.1, 0.07));
+  EXPECT_FALSE(areLeftOut(0.04, 0.029)); // near the tolerance
   EXPECT_FALSE(measuredbrdf::CanPruneMapsAlone({ { { 257, 8, 8 }, 0.1 } }, 0.02));
   EXPECT_FALSE(measuredbrdf::CanPruneMapsAlone({}, 0.02));
   const auto ofViews = [](double few) {
