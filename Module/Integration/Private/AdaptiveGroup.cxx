@@ -62,13 +62,10 @@ Fours AdaptiveGroup::EstimateRising(const Square& square)
     return result;
   }
   const TexelTree::Light light = this->Texels->Get(square.Level, square.X, square.Y);
-  glm::dvec3 i = this->Local[highest] * light.Direction;
-  i.z = 0.5 * (i.z + radius);
-  i = glm::normalize(i);
+  const glm::dvec3 i = AdaptiveRules::Raise(this->Local[highest] * light.Direction, radius);
   glm::dvec3 f;
   this->BRDF->Evaluate(&i.x, &this->Pairs[highest].View.x, &f.x);
-  const auto rising = static_cast<float>(
-    std::min(0.25 * i.z * glm::dot(f, light.Irradiance), AdaptiveRules::LargestEstimate));
+  const float rising = AdaptiveRules::GetRising(i.z, glm::dot(f, light.Irradiance));
   for (int pair = 0; pair < Size; ++pair)
   {
     if (square.Cosine[pair] <= 0.0f && square.Cosine[pair] + radius > 0.0f)
@@ -98,7 +95,7 @@ Fours AdaptiveGroup::EstimateHidden(const Square& square) const
   }
   double solidAngle = 0.0;
   const double peak = i.z * irradiance * this->Peaks.Get(i, radius, solidAngle);
-  const double share = std::min(2.0 * solidAngle / (radius * radius), 1.0);
+  const double share = AdaptiveRules::GetHiddenShare(solidAngle, radius);
   const Fours hidden = Fours(static_cast<float>(std::min(peak, AdaptiveRules::LargestEstimate))) -
                        Fours(AdaptiveRules::PeakTimes) * Sum(square.Value);
   return Larger(hidden, Fours(0.0f)) * Fours(static_cast<float>(share));
@@ -121,13 +118,8 @@ void AdaptiveGroup::Make(std::size_t first, std::size_t last)
   SquareMiddles& step = this->Steps[0];
   for (std::size_t k = first; k < last; ++k)
   {
-    const std::size_t at = 4 * (k - first);
-    float* const directions[3] = { step.Directions[0] + at, step.Directions[1] + at,
-      step.Directions[2] + at };
-    float* const irradiances[3] = { step.Irradiances[0] + at, step.Irradiances[1] + at,
-      step.Irradiances[2] + at };
     const Square& square = this->All[k];
-    this->Texels->GetQuarters(square.Level, square.X, square.Y, directions, irradiances);
+    step.SetQuarters(4 * (k - first), *this->Texels, square.Level, square.X, square.Y);
   }
   this->Evaluate(static_cast<int>(4 * (last - first)));
   for (std::size_t k = first; k < last; ++k)

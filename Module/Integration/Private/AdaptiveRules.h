@@ -10,6 +10,8 @@
 
 #include "TexelTree.h"
 
+#include <glm/glm.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -37,6 +39,24 @@ struct AdaptiveRules
   ///@}
   static constexpr double LargestEstimate = 1e36; // which is finite in single precision
   static constexpr auto SmoothRest = static_cast<float>(TexelTree::SmoothRest);
+
+  /// What may rise above the horizon where a square's middle does not: a quarter of its light, from
+  /// as high as that quarter's middle can be. middle: in the local frame.
+  static glm::dvec3 Raise(glm::dvec3 middle, double radius)
+  {
+    middle.z = 0.5 * (middle.z + radius);
+    return glm::normalize(middle);
+  }
+  static float GetRising(double cosine, double light)
+  {
+    return static_cast<float>(std::min(0.25 * cosine * light, LargestEstimate));
+  }
+
+  /// The share of a square that a peak of this solid angle may fill unseen.
+  static double GetHiddenShare(double solidAngle, double radius)
+  {
+    return std::min(2.0 * solidAngle / (radius * radius), 1.0);
+  }
 
   /// Of the sum of squares' errors, and of the sum of their squares: errors of either sign cancel,
   /// but for the part that they have in common.

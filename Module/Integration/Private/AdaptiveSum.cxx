@@ -59,8 +59,7 @@ void AdaptiveSum::EvaluatePlaces()
   }
 }
 
-// What may rise above the horizon where the middle of a square does not: a quarter of its light, as
-// high as that quarter's middle can be.
+// What may rise above the horizon where the middle of a square does not.
 float AdaptiveSum::EstimateRising(const Place& place)
 {
   const double radius = this->Texels->GetLargestRadius(place.Level);
@@ -69,13 +68,10 @@ float AdaptiveSum::EstimateRising(const Place& place)
     return 0.0f;
   }
   const TexelTree::Light light = this->Texels->Get(place.Level, place.X, place.Y);
-  glm::dvec3 i = this->Local * light.Direction;
-  i.z = 0.5 * (i.z + radius);
-  i = glm::normalize(i);
+  const glm::dvec3 i = Rules::Raise(this->Local * light.Direction, radius);
   glm::dvec3 f;
   this->BRDF->Evaluate(&i.x, &this->View.x, &f.x);
-  return static_cast<float>(
-    std::min(0.25 * Sum(i.z * f * light.Irradiance), Rules::LargestEstimate));
+  return Rules::GetRising(i.z, glm::dot(f, light.Irradiance));
 }
 
 // What a peak of f adds that lies in the square, but not where its quarters look.
@@ -97,10 +93,10 @@ float AdaptiveSum::EstimateHidden(const Square& square) const
   double solidAngle = 0.0;
   const double peak = i.z * irradiance * this->Peaks.Get(i, radius, solidAngle);
   const double hidden = peak - Rules::PeakTimes * Sum(square.Value);
-  return hidden > 0.0 ? static_cast<float>(
-                          std::min(hidden * std::min(2.0 * solidAngle / (radius * radius), 1.0),
-                            Rules::LargestEstimate))
-                      : 0.0f;
+  return hidden > 0.0
+           ? static_cast<float>(
+               std::min(hidden * Rules::GetHiddenShare(solidAngle, radius), Rules::LargestEstimate))
+           : 0.0f;
 }
 
 // Quarters of all squares that have none yet, which adds squares where one tells nothing.
@@ -120,13 +116,8 @@ void AdaptiveSum::Make(std::size_t first, std::size_t last)
   SquareMiddles& step = this->Step;
   for (std::size_t k = first; k < last; ++k)
   {
-    const std::size_t at = 4 * (k - first);
-    float* const directions[3] = { step.Directions[0] + at, step.Directions[1] + at,
-      step.Directions[2] + at };
-    float* const irradiances[3] = { step.Irradiances[0] + at, step.Irradiances[1] + at,
-      step.Irradiances[2] + at };
     const Place& whole = this->All[k].Whole;
-    this->Texels->GetQuarters(whole.Level, whole.X, whole.Y, directions, irradiances);
+    step.SetQuarters(4 * (k - first), *this->Texels, whole.Level, whole.X, whole.Y);
   }
   this->Evaluate(static_cast<int>(4 * (last - first)));
   for (std::size_t k = first; k < last; ++k)

@@ -3,6 +3,7 @@
 #include "SquareMiddles.h"
 
 #include "LaneVectors.h"
+#include "TexelTree.h"
 
 #include <algorithm>
 
@@ -72,6 +73,15 @@ MEASUREDBRDF_WIDE void WeighMiddlesWide(
   WeighMiddles<Float8>(middles, f, to);
 }
 #endif
+}
+
+void SquareMiddles::SetQuarters(std::size_t at, const TexelTree& texels, int level, int x, int y)
+{
+  float* const directions[3] = { this->Directions[0] + at, this->Directions[1] + at,
+    this->Directions[2] + at };
+  float* const irradiances[3] = { this->Irradiances[0] + at, this->Irradiances[1] + at,
+    this->Irradiances[2] + at };
+  texels.GetQuarters(level, x, y, directions, irradiances);
 }
 
 void SquareMiddles::Turn(int count, const float rows[9], VectorForm form)

@@ -11,8 +11,12 @@
 
 #include "WideVectors.h"
 
+#include <cstddef>
+
 namespace measuredbrdf
 {
+class TexelTree;
+
 struct SquareMiddles
 {
   static constexpr int Most = 64; // a multiple of every vector's width
@@ -31,6 +35,9 @@ struct SquareMiddles
 
   // What Weigh finds: of each middle, f times its factor; 0 where it does not count.
   float Values[3][Most];
+
+  /// Sets those of a square's four quarters, from number at on.
+  void SetQuarters(std::size_t at, const TexelTree& texels, int level, int x, int y);
 
   /// rows: of the matrix from the sky's frame to the local one, 3 by 3. form: one that the
   /// processor has.

@@ -30,6 +30,33 @@ MEASUREDBRDF_INLINE void SumLaneSeries(const float (&series)[Count], const Vecto
   }
 }
 
+/// Of a light and the view: the square of their sum's length, and that of the sine of half of the
+/// light's polar angle.
+template <typename Vector>
+MEASUREDBRDF_INLINE void FindSquares(const Vector& x, const Vector& y, const Vector& z,
+  const float view[3], Vector& length, Vector& sine)
+{
+  const Vector sumX = x + view[0];
+  const Vector sumY = y + view[1];
+  const Vector sumZ = z + view[2];
+  length = sumX * sumX + sumY * sumY + sumZ * sumZ;
+  sine = 0.25f * (x * x + y * y + (z - 1.0f) * (z - 1.0f));
+}
+
+/// The half vector, from the length of light plus view: the normal where they are opposite.
+template <typename Vector>
+MEASUREDBRDF_INLINE void FindHalf(const Vector& x, const Vector& y, const Vector& z,
+  const float view[3], const Vector& length, Vector& hX, Vector& hY, Vector& hZ)
+{
+  const Vector zero = 0.0f * length;
+  const Vector least = zero + 1e-6f;
+  const Vector scale = 1.0f / (length > least ? length : least);
+  hX = length > least ? (x + view[0]) * scale : zero;
+  hY = length > least ? (y + view[1]) * scale : zero;
+  const Vector sumZ = (z + view[2]) * scale;
+  hZ = length > least ? sumZ : zero + 1.0f;
+}
+
 /// The angle of unit vectors with one another, in quarter turns, 1 at most, from half the length of
 /// their difference.
 template <typename Vector>

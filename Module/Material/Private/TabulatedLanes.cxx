@@ -131,12 +131,8 @@ MEASUREDBRDF_INLINE void TabulatedLanes::PlaceByHalf(
     Load(steps.Z + k, z);
     Load(steps.Length + k, length);
     const Vector zero = 0.0f * length;
-    const Vector least = zero + 1e-6f; // opposite directions: the normal
-    const Vector scale = 1.0f / (length > least ? length : least);
-    const Vector hX = length > least ? (x + view[0]) * scale : zero;
-    const Vector hY = length > least ? (y + view[1]) * scale : zero;
-    const Vector sumZ = (z + view[2]) * scale;
-    const Vector hZ = length > least ? sumZ : zero + 1.0f;
+    Vector hX, hY, hZ;
+    FindHalf(x, y, z, view, length, hX, hY, hZ);
     // The frame of h: along the plane of h and the normal, and across it. Times h's sine.
     const Vector square = hX * hX + hY * hY;
     const Vector tiny = zero + 1e-14f;
@@ -229,11 +225,8 @@ MEASUREDBRDF_INLINE void TabulatedLanes::EvaluateAll(
     Load(steps.X + k, x);
     Load(steps.Y + k, y);
     Load(steps.Z + k, z);
-    const Vector sumX = x + view[0];
-    const Vector sumY = y + view[1];
-    const Vector sumZ = z + view[2];
-    const Vector length = sumX * sumX + sumY * sumY + sumZ * sumZ;
-    const Vector sine = 0.25f * (x * x + y * y + (z - 1.0f) * (z - 1.0f));
+    Vector length, sine;
+    FindSquares(x, y, z, view, length, sine);
     Store(length, steps.Length + k);
     Store(sine, steps.Sine[0] + k);
   }

@@ -27,11 +27,8 @@ MEASUREDBRDF_INLINE void AddViewToLanes(LaneSteps& steps, const float view[3], i
   Load(steps.X + k, x);
   Load(steps.Y + k, y);
   Load(steps.Z + k, z);
-  const Vector sumX = x + view[0];
-  const Vector sumY = y + view[1];
-  const Vector sumZ = z + view[2];
-  const Vector length = sumX * sumX + sumY * sumY + sumZ * sumZ;
-  const Vector sine = 0.25f * (x * x + y * y + (z - 1.0f) * (z - 1.0f));
+  Vector length, sine;
+  FindSquares(x, y, z, view, length, sine);
   Store(length, steps.Length + k);
   Store(sine, steps.Sine[0] + k);
 }
@@ -46,12 +43,8 @@ MEASUREDBRDF_INLINE void FindHalfOfLanes(
   Load(steps.Z + k, z);
   Load(steps.Length + k, length);
   const Vector zero = 0.0f * length;
-  const Vector least = zero + 1e-6f; // opposite directions: the normal
-  const Vector scale = 1.0f / (length > least ? length : least);
-  const Vector hX = length > least ? (x + view[0]) * scale : zero;
-  const Vector hY = length > least ? (y + view[1]) * scale : zero;
-  const Vector sumZ = (z + view[2]) * scale;
-  const Vector hZ = length > least ? sumZ : zero + 1.0f;
+  Vector hX, hY, hZ;
+  FindHalf(x, y, z, view, length, hX, hY, hZ);
   const Vector sine = 0.25f * (hX * hX + hY * hY + (hZ - 1.0f) * (hZ - 1.0f));
   Store(sine, steps.Sine[1] + k);
   // The azimuth of h from that of the light, which is 0 for an upright light.

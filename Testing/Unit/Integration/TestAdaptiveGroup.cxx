@@ -3,6 +3,7 @@
 // Four neighboring pairs that are integrated over the same squares, against each by itself.
 
 #include "SharedData.h"
+#include "SpherePairs.h"
 #include "vtkAdaptiveRadianceIntegrator.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkBRDFReader.h"
@@ -27,17 +28,8 @@
 
 namespace
 {
-struct Fours
+struct Fours : SpherePairs
 {
-  vtkNew<vtkDoubleArray> Normals;
-  vtkNew<vtkDoubleArray> Views;
-
-  Fours()
-  {
-    this->Normals->SetNumberOfComponents(3);
-    this->Views->SetNumberOfComponents(3);
-  }
-
   // Blocks of 2 x 2 pixels of a sphere seen along z, 500 pixels wide, scattered over it and
   // its rim.
   void AddOfSphere(int count)
@@ -54,11 +46,7 @@ struct Fours
       }
     }
   }
-  void Add(const glm::dvec3& normal)
-  {
-    this->Normals->InsertNextTuple3(normal.x, normal.y, normal.z);
-    this->Views->InsertNextTuple3(0.0, 0.0, 1.0);
-  }
+  void Add(const glm::dvec3& normal) { this->SpherePairs::Add(normal, { 0.0, 0.0, 1.0 }); }
 };
 
 // Channels' absolute differences over their sum, or over 2 % of the mean sum.

@@ -30,11 +30,7 @@ glm::dvec3 GetNormal(double x, double y) { return glm::normalize(glm::dvec3(x, y
 // Slopes in rows, seen from one side.
 PlanPairs MakeRows()
 {
-  PlanPairs given;
-  given.Normals = vtkSmartPointer<vtkDoubleArray>::New();
-  given.Views = vtkSmartPointer<vtkDoubleArray>::New();
-  given.Normals->SetNumberOfComponents(3);
-  given.Views->SetNumberOfComponents(3);
+  PlanPairs given = measuredbrdf::MakeEmptyPairs();
   for (int k = 0; k < Side * Side; ++k)
   {
     const glm::dvec3 n = GetNormal(Step * (k % Side) - 0.7, Step * (k / Side) - 0.7);
