@@ -253,7 +253,7 @@ def main():
         "All figures are geometric means over the pairs. Where a size was too slow to measure in some pairs, its mean is "
         "over the other pairs only and cannot be compared with the rest. The numbers of a size are: `thesis`, lights and "
         "order; `table`, rows, view angles and azimuths; `hybrid`, the same and maps. Fetches are of textures for a pixel, "
-        "their mean; where more than two lamps are evaluated near the lobe's axis, of a pixel that has no more than one there; each further one, or part of one, takes up to five more.",
+        "their mean; where more than two lamps are evaluated near the lobe's axis, of a pixel that has no more than one there; each further one, or part of one, takes up to four more.",
         write_methods(pairs),
         "## The planner",
         "The front holds the measurements of a pair that no other beats in both frame time and error. These plans are made "

@@ -3,8 +3,8 @@
 // What vtkBRDFEnvironmentTable.glsl, which comes behind it, lacks near lamps: sum over j of
 // w(d, i_j) (f(i_j, o) - lambert) cos(theta_j) E_j, d the lobe's axis. C++ twins: TableLamps,
 // LampWindow.
-// Two texels for each lamp, then for each part of one: direction, irradiance. Their fourth
-// components: a lamp's first part, which may be itself, and how many it has.
+// Two texels for each lamp, then for each part of one: direction, irradiance. A lamp's fourth component:
+// COUNT_BASE times its first part, which may be itself, and how many it has.
 uniform sampler2D brdfLightsINSTANCE;
 uniform float brdfLampReachINSTANCE; // the window ends where reach (1 - cosine of the angle) is 1
 uniform float brdfPartsNearnessINSTANCE; // of lamps that are the sum of their parts, at least
@@ -48,10 +48,11 @@ vec3 brdfAddLampsINSTANCE(mat3 frame, vec3 o, vec3 d, vec3 lambert)
       if (HAVE_PARTS != 0)
       {
         bool isWhole = nearness < brdfPartsNearnessINSTANCE;
-        index = isWhole ? lamp : whole.a + part;
+        float firstPart = floor(whole.a / COUNT_BASE);
+        index = isWhole ? lamp : firstPart + part;
         direction = brdfLampTexelINSTANCE(index, 0.0).rgb;
         part += 1.0;
-        isLast = isWhole || part >= brdfLampTexelINSTANCE(lamp, 1.0).a;
+        isLast = isWhole || part >= whole.a - COUNT_BASE * firstPart;
         part = isLast ? 0.0 : part;
       }
       vec3 i = direction * frame;

@@ -7,7 +7,7 @@
 #include "Printable.h"
 #include "RadianceCore.h"
 #include "Setters.h"
-#include "ShaderProfile.h"
+#include "ShaderWeights.h"
 #include "TableCandidates.h" // for GetTableBytes
 #include "TableSynthesis.h"
 #include "vtkBRDF.h"
@@ -32,12 +32,6 @@ namespace
 {
 constexpr int KnotsPerViewAngle = 4; // of the kernels that the maps are made of
 constexpr int NumberOfNodes = 64;
-
-// Where the shader finds a weight: four in a row of the profile.
-std::string GetWeightName(int number)
-{
-  return "weights" + std::to_string(number / 4) + "." + "xyzw"[number % 4];
-}
 }
 
 struct vtkFactoredRadianceIntegrator::Core : RadianceCore
@@ -183,32 +177,32 @@ bool vtkFactoredRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
   vtkBRDFShaderInputs::Term& term = inputs.Terms.at(0);
   term.Source = std::string(vtkBRDFEnvironmentCore) + term.Source;
   term.Shader = "vtkBRDFEnvironmentCore";
-  std::string steps;
-  int order = 0;
-  int number = 0; // of weights
-  for (const int next : core.Orders)
+  const ShaderWeights weights(core);
+  std::string uniforms, steps;
+  for (int row = 0; row < weights.Rows; ++row)
   {
+    steps += ShaderWeights::GetUnpacking(row);
+  }
+  int order = 0;
+  for (std::size_t mode = 0; mode < core.Orders.size(); ++mode)
+  {
+    const int next = core.Orders[mode];
     for (; order < next; ++order)
     {
       steps += "brdfCoreTurnINSTANCE(at); ";
     }
+    const std::string step = "brdfCoreStep" + std::to_string(mode);
+    const float* const values = &core.Steps[3 * mode];
+    term.Uniforms.push_back({ step, { values, values + 3 } });
+    uniforms += "uniform vec3 " + step + "INSTANCE;\n";
+    const int number = 3 * static_cast<int>(mode);
     steps += std::string("sum += ") +
-             (next > 0 ? "brdfCoreTurnedINSTANCE" : "brdfCoreFieldINSTANCE") + "(at) * vec3(";
-    for (int c = 0; c < 3; ++c, ++number)
-    {
-      steps += (c > 0 ? ", " : "") + GetWeightName(number);
-    }
-    steps += "); ";
-  }
-  const int rows = (number + 3) / 4;
-  for (int row = rows - 1; row >= 0; --row)
-  {
-    const std::string index = std::to_string(row);
-    steps = "vec4 weights" + index + " = texelFetch(brdfCoreProfileINSTANCE, ivec2(view, " + index +
-            "), 0); " + steps;
+             (next > 0 ? "brdfCoreTurnedINSTANCE" : "brdfCoreFieldINSTANCE") + "(at) * (vec3(" +
+             ShaderWeights::GetName(number) + ", " + ShaderWeights::GetName(number + 1) + ", " +
+             ShaderWeights::GetName(number + 2) + ") * " + step + "INSTANCE); ";
   }
   const int fields = core.GetNumberOfFields();
-  term.Fetches += rows + fields;
+  term.Fetches += weights.Rows + fields;
   for (vtkBRDFShaderInputs::Constant& constant : term.Constants)
   {
     if (constant.Name == "SHARP_PART")
@@ -216,6 +210,7 @@ bool vtkFactoredRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
       constant.Value = "brdfCoreINSTANCE(view, position, turn)";
     }
   }
+  term.Constants.push_back({ "CORE_UNIFORMS", uniforms });
   term.Constants.push_back({ "CORE_STEPS", steps });
   term.Constants.push_back({ "CORE_FIELDS", std::to_string(fields) });
   const auto add =
@@ -230,8 +225,8 @@ bool vtkFactoredRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
     texture.Data = data;
     term.Textures.push_back(std::move(texture));
   };
-  add("brdfCoreProfile", static_cast<int>(ShaderProfile::Size), rows, false,
-    ShaderProfile::PackWeights(core, rows));
+  add(
+    "brdfCoreProfile", static_cast<int>(ShaderWeights::Size), weights.Rows, false, weights.Texels);
   add("brdfCoreFields", core.Columns, core.Rows * fields, true, core.Fields);
   inputs.Description += "; " + std::to_string(fields) + " maps of " + std::to_string(core.Columns) +
                         " x " + std::to_string(core.Rows) + " of its sharp part";
@@ -280,7 +275,8 @@ vtkIdType vtkFactoredRadianceIntegrator::EstimateTextureBytes()
   const vtkIdType texels = static_cast<vtkIdType>(2 * this->NumberOfRows) * this->NumberOfRows;
   return GetTableBytes(this->NumberOfTableRows, this->NumberOfViewAngles, this->NumberOfAzimuths) +
          6 * texels * this->NumberOfFields +
-         16 * static_cast<vtkIdType>(ShaderProfile::Size) * ((3 * this->NumberOfFields + 3) / 4);
+         16 * static_cast<vtkIdType>(ShaderWeights::Size) *
+           ShaderWeights::CountRows(this->NumberOfFields);
 }
 
 //------------------------------------------------------------------------------

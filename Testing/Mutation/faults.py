@@ -962,9 +962,15 @@ add("Shaders.table-azimuth-slices", "vtkBRDFEnvironmentTable.glsl", "fract(psi) 
     "fract(psi) * (slices - 2.0)", "Parity.TableIntegrator")
 add("Shaders.table-floor-of-another-part", "vtkBRDFEnvironmentTable.glsl", "(pairs.rgb - whole) * brdfTableLambertINSTANCE", "whole * brdfTableLambertINSTANCE",
     "Parity.TableIntegrator")
-add("Integration.shader-profile-of-the-view-before", "Private/ShaderProfile.cxx", "return static_cast<double>(texel) /",
+add("Integration.shader-profile-of-the-view-before", "Private/ShaderProfile.h", "return static_cast<double>(texel) /",
     "return (static_cast<double>(texel) - 0.5) /",
     "ShaderProfile.HoldsWhatIsInterpolated")
+add("Integration.shader-weights-all-in-the-integral-part", "Private/ShaderWeights.cxx", "1.0 : 1.0 / Fractions", "1.0 : 1.0",
+    "ShaderWeights.HoldsThoseOfModes")
+add("Integration.core-weights-of-another-channel", "Private/RadianceCore.cxx", "make_vec3(&this->Steps[3 * k])", "vec3(this->Steps[3 * k])",
+    "Parity.FactoredIntegrator")
+add("Integration.lamps-count-one-part-more", "Private/TableLamps.cxx", "CountBase * start + std::max", "CountBase * start + 1 + std::max",
+    "Parity.HybridOfWideLamps")
 add("Integration.lamps-window-with-an-edge", "Private/LampWindow.h", "x < 1.0 ? root * root : 0.0", "x < 1.0 ? 1.0 : 0.0",
     "LampWindow.EndsWithoutAnEdge|HybridLamps.NothingShowsWhereTheWindowEnds")
 add("Integration.lamps-in-the-table-again", "Private/LobeHarmonics.cxx", "1.0 - window.GetWeight(i, axis)", "1.0",

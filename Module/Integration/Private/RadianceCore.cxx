@@ -8,6 +8,7 @@
 #include "vtkSMPTools.h"
 
 #include <glm/gtc/packing.hpp>
+#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <array>
@@ -128,7 +129,31 @@ bool RadianceCore::Make(const EnvironmentHarmonics& environment, const LobeViews
       return false;
     }
   }
+  this->SetSteps();
   return true;
+}
+
+void RadianceCore::SetSteps()
+{
+  constexpr std::size_t size = 3 * static_cast<std::size_t>(LobeViews::NumberOfViews);
+  this->Steps.assign(3 * this->Orders.size(), 0.0f);
+  for (std::size_t k = size; k < this->Profile.size(); ++k) // behind the axis
+  {
+    float& step = this->Steps[3 * (k / size - 1) + k % 3];
+    step = std::max(step, std::abs(this->Profile[k]) / static_cast<float>(WeightSteps));
+  }
+}
+
+glm::dvec3 RadianceCore::GetWeightSteps(std::size_t mode, double u) const
+{
+  glm::dvec3 weights = GetProfileValue(this->Profile, static_cast<int>(1 + mode), u);
+  for (int c = 0; c < 3; ++c)
+  {
+    const double step = static_cast<double>(this->Steps[3 * mode + static_cast<std::size_t>(c)]);
+    weights[c] =
+      step > 0.0 ? std::clamp(std::round(weights[c] / step), -WeightSteps, WeightSteps) : 0.0;
+  }
+  return weights;
 }
 
 glm::dvec3 RadianceCore::Evaluate(
@@ -158,7 +183,7 @@ glm::dvec3 RadianceCore::Evaluate(
               turn.y * GetCenteredValue(this->Fields, this->Rows, this->Columns, first, at, filter);
       first += texels;
     }
-    sum += field * GetProfileValue(this->Profile, static_cast<int>(1 + k), u);
+    sum += field * this->GetWeightSteps(k, u) * glm::dvec3(glm::make_vec3(&this->Steps[3 * k]));
   }
   return sum;
 }
@@ -185,8 +210,13 @@ bool RadianceCore::TakeBytes(const std::string& bytes)
   this->Orders.assign(parts.Numbers.begin() + 1, parts.Numbers.end());
   this->Profile = std::move(parts.Arrays[0]);
   this->Fields = std::move(parts.Arrays[1]);
-  return this->Profile.size() == 3 * LobeViews::NumberOfViews * (1 + this->Orders.size()) &&
-         this->Fields.size() ==
-           3 * this->GetNumberOfTexels() * static_cast<std::size_t>(this->GetNumberOfFields());
+  if (this->Profile.size() != 3 * LobeViews::NumberOfViews * (1 + this->Orders.size()) ||
+      this->Fields.size() !=
+        3 * this->GetNumberOfTexels() * static_cast<std::size_t>(this->GetNumberOfFields()))
+  {
+    return false;
+  }
+  this->SetSteps();
+  return true;
 }
 } // namespace measuredbrdf

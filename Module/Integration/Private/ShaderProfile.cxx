@@ -3,7 +3,6 @@
 #include "ShaderProfile.h"
 
 #include "LobePlacement.h"
-#include "RadianceCore.h"
 #include "RadianceTable.h"
 
 #include <algorithm>
@@ -13,11 +12,6 @@ namespace measuredbrdf
 {
 namespace
 {
-double GetTexelPosition(std::size_t texel)
-{
-  return static_cast<double>(texel) / (ShaderProfile::Size - 1.0);
-}
-
 float Pack(double high, double low)
 {
   const double whole = std::round(std::clamp(high, 0.0, 1.0) * ShaderProfile::HighSteps);
@@ -57,21 +51,5 @@ ShaderProfile::ShaderProfile(const RadianceTable& table)
     this->Share[static_cast<std::size_t>(c)] = static_cast<float>(share[c] / HighSteps);
     this->Lambert[static_cast<std::size_t>(c)] = static_cast<float>(lambert[c]);
   }
-}
-
-std::vector<float> ShaderProfile::PackWeights(const RadianceCore& core, int rows)
-{
-  std::vector<float> packed(4 * Size * static_cast<std::size_t>(rows), 0.0f);
-  for (std::size_t number = 0; number < 3 * core.Orders.size(); ++number)
-  {
-    for (std::size_t k = 0; k < Size; ++k)
-    {
-      const glm::dvec3 weights =
-        GetProfileValue(core.Profile, 1 + static_cast<int>(number / 3), GetTexelPosition(k));
-      packed[4 * (number / 4 * Size + k) + number % 4] =
-        static_cast<float>(weights[static_cast<int>(number % 3)]);
-    }
-  }
-  return packed;
 }
 } // namespace measuredbrdf

@@ -17,7 +17,6 @@
 
 namespace measuredbrdf
 {
-struct RadianceCore;
 struct RadianceTable;
 
 /// Of a table: in three floats of a texel two numbers each, of 13 and 11 bits. An integral part, of
@@ -36,8 +35,11 @@ struct ShaderProfile
   std::array<float, 3> Share{};
   std::array<float, 3> Lambert{};
 
-  /// Weights of a core's modes, four in a texel, so many rows of texels.
-  static std::vector<float> PackWeights(const RadianceCore& core, int rows);
+  /// Where profiles are read for it.
+  static double GetTexelPosition(std::size_t texel)
+  {
+    return static_cast<double>(texel) / (Size - 1.0);
+  }
 };
 } // namespace measuredbrdf
 

@@ -21,6 +21,10 @@ namespace measuredbrdf
 namespace
 {
 constexpr int AtOnce = 31; // lamps that a pixel finds together, as bits of a number
+
+// A lamp's first part and how many it has are one number to this base.
+constexpr std::size_t CountBase = 16;
+static_assert(ExtractedEmitters::MostParts < CountBase, "a lamp's parts are fewer");
 }
 
 TableLamps::TableLamps(vtkLightSet* lights, vtkBRDF* shaded)
@@ -77,8 +81,8 @@ glm::dvec3 TableLamps::Sum(const Frame& frame, const glm::dvec3& view, const glm
   return sum;
 }
 
-// The lamps and, where they have some, their parts. The fourth components of a lamp: its first
-// part, and how many it has.
+// The lamps and, where they have some, their parts. The fourth component of a lamp: its first part
+// and how many it has, in one number.
 vtkBRDFShaderInputs::Texture TableLamps::MakeTexture() const
 {
   vtkNew<vtkLightSet> all;
@@ -101,8 +105,9 @@ vtkBRDFShaderInputs::Texture TableLamps::MakeTexture() const
   for (std::size_t k = 0; k < lamps; ++k)
   {
     const std::size_t count = this->Parts.empty() ? 0 : this->Parts[k].size();
-    texture.Data[8 * k + 3] = static_cast<float>(count > 0 ? first : k); // or itself
-    texture.Data[8 * k + 7] = static_cast<float>(std::max<std::size_t>(count, 1));
+    const std::size_t start = count > 0 ? first : k; // or itself
+    texture.Data[8 * k + 3] =
+      static_cast<float>(CountBase * start + std::max<std::size_t>(count, 1));
     first += count;
   }
   return texture;
@@ -129,8 +134,8 @@ void TableLamps::AddTo(vtkBRDFShaderInputs::Term& table) const
   const bool haveParts = !this->Parts.empty();
   const int turns = (count + AtOnce - 1) / AtOnce; // at least
   table.Evaluations += areas ? 0 : turns;
-  // The lamp and its light; a part's place, and how many there are. And many lamps are looked for.
-  table.Fetches += turns * ((haveParts ? 4 : 2) + (areas ? 1 : 0)) + (turns > 1 ? count : 0);
+  // The lamp and its light; a part's place. And many lamps are looked for.
+  table.Fetches += turns * ((haveParts ? 3 : 2) + (areas ? 1 : 0)) + (turns > 1 ? count : 0);
   std::string uniforms;
   std::string find;
   if (count > AtOnce)
@@ -154,6 +159,7 @@ void TableLamps::AddTo(vtkBRDFShaderInputs::Term& table) const
   table.Constants.push_back({ "FIND_LAMPS", find });
   table.Constants.push_back({ "LAMP_COUNT", std::to_string(count) });
   table.Constants.push_back({ "LAMPS_AT_ONCE", std::to_string(AtOnce) });
+  table.Constants.push_back({ "COUNT_BASE", std::to_string(CountBase) + ".0" });
   table.Constants.push_back({ "HAVE_PARTS", haveParts ? "1" : "0" });
   table.Uniforms.push_back(
     { "brdfPartsNearness", { static_cast<float>(LampWindow::PartsNearness) } });

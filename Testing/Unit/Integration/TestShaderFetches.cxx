@@ -109,7 +109,7 @@ TEST(ShaderFetches, Materials)
   }
 }
 
-// The tolerable number is 16 (docs/methods.md).
+// What inputs say is what their text does.
 TEST(ShaderFetches, Methods)
 {
   const auto metal = NewMaterial("nickel");

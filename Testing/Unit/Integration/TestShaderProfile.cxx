@@ -6,6 +6,7 @@
 #include "RadianceCore.h"
 #include "RadianceTable.h"
 #include "ShaderProfile.h"
+#include "ShaderWeights.h"
 
 #include <glm/glm.hpp>
 #include <gtest/gtest.h>
@@ -110,26 +111,43 @@ TEST(ShaderProfile, MirrorsExactly)
   }
 }
 
-TEST(ShaderProfile, HoldsWeightsOfModes)
+// Read as the shader reads them: of the weights half a step is lost, and nothing of the steps.
+TEST(ShaderWeights, HoldsThoseOfModes)
 {
   RadianceCore core(8);
-  core.Orders = { 0, 1 };
+  core.Orders = { 0, 1, 1 }; // nine numbers: two texels
   constexpr std::size_t size = LobeViews::NumberOfViews;
-  core.Profile.resize(3 * 3 * size);
+  core.Profile.resize(3 * 4 * size);
   for (std::size_t k = 0; k < core.Profile.size(); ++k)
   {
-    core.Profile[k] = static_cast<float>(std::sin(0.01 * static_cast<double>(k)));
+    const bool isNone = k >= 3 * 3 * size && k % 3 == 2; // the last mode's blue
+    const double amplitude = k % 3 == 1 ? 1e-5 : 3.0;
+    core.Profile[k] =
+      isNone ? 0.0f : static_cast<float>(amplitude * std::sin(0.1 * static_cast<double>(k)));
   }
-  const std::vector<float> packed = ShaderProfile::PackWeights(core, 2);
-  ASSERT_EQ(packed.size(), 2 * 4 * ShaderProfile::Size);
-  for (std::size_t k = 0; k < ShaderProfile::Size; k += 89)
+  core.SetSteps();
+  ASSERT_EQ(core.Steps.size(), 9u);
+  EXPECT_NEAR(core.Steps[0], 3.0 / 2047.0, 1e-6);
+  EXPECT_NEAR(core.Steps[1], 1e-5 / 2047.0, 1e-11);
+  EXPECT_EQ(core.Steps[8], 0.0f);
+  const ShaderWeights packed(core);
+  ASSERT_EQ(packed.Rows, 2);
+  ASSERT_EQ(packed.Texels.size(), 2 * 4 * ShaderWeights::Size);
+  EXPECT_EQ(ShaderWeights::GetName(2), "high0.z");
+  EXPECT_EQ(ShaderWeights::GetName(5), "low0.y");
+  EXPECT_EQ(ShaderWeights::GetName(8), "high1.x");
+  for (std::size_t k = 0; k < ShaderWeights::Size; k += 89)
   {
-    const double u = static_cast<double>(k) / (ShaderProfile::Size - 1.0);
-    for (std::size_t number = 0; number < 6; ++number)
+    const double u = static_cast<double>(k) / (ShaderWeights::Size - 1.0);
+    for (std::size_t number = 0; number < 9; ++number)
     {
+      const float both = packed.Texels[4 * (number / 8 * ShaderWeights::Size + k) + number % 4];
+      const float high = std::floor(both);
+      const float steps = (number % 8 < 4 ? high : (both - high) * 4096.0f) - 2047.0f;
+      const int channel = static_cast<int>(number % 3);
+      EXPECT_EQ(steps, core.GetWeightSteps(number / 3, u)[channel]);
       const glm::dvec3 wanted = GetProfileValue(core.Profile, 1 + static_cast<int>(number / 3), u);
-      EXPECT_NEAR(packed[4 * (number / 4 * ShaderProfile::Size + k) + number % 4],
-        wanted[static_cast<int>(number % 3)], 1e-6);
+      EXPECT_NEAR(steps * core.Steps[number], wanted[channel], 0.501 * core.Steps[number]);
     }
   }
 }
