@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the coarse weights of graphics cards' texture units cost each method (docs/methods.md).
+"""What the coarse weights of graphics cards' texture units cost each method (docs/methods/pixel-cost.md).
 
     filter-precision.py DATA    DATA: materials/rgl, materials/mbsdf and environments
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Brushed metals of three widths as materials, for the figures in docs/methods.md.
+"""Brushed metals of three widths as materials, for the figures in docs/methods/anisotropic.md.
 
     make-brushed.py FOLDER    writes brushed-broad.exr, brushed.exr and brushed-narrow.exr
 

@@ -1,7 +1,7 @@
 #!/bin/bash
 # SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 # SPDX-License-Identifier: BSD-3-Clause
-# Measures methods of occlusion and draws docs/occlusion-methods.png, the chart of docs/methods.md: error over frame time. It
+# Measures methods of occlusion and draws docs/occlusion-methods.png, the chart of docs/methods/self-occlusion.md: error over frame time. It
 # needs the benchmarks (MEASUREDBRDF_BUILD_BENCHMARKS) and the measured data beside the repository, and takes half an hour.
 # With a file of lines that were measured before it only draws.
 #

@@ -8,7 +8,7 @@
  * it "table" for a table of radiance, "light" per light, "sample" per sample, "function" per
  * pre-integrated function, "map" per map of a table's sharp part. Methods of a program's own may
  * have costs under other names (vtkRadianceIntegrator::GetCostName). Defaults are Mesa's llvmpipe
- * on 2 cores (docs/methods.md); vtkRadianceCostCalibrator measures a renderer's own.
+ * on 2 cores (docs/methods/planner.md); vtkRadianceCostCalibrator measures a renderer's own.
  */
 
 #ifndef vtkRadianceCostModel_h

@@ -3,7 +3,7 @@
 // Tables of many rows against maps of the sharp part, with lights for lamps in both (but for
 // chrome, which is narrower than a lamp): the time to prepare under a known map, the error of a
 // thousand pairs of a sphere seen from everywhere, against the reference, and the memory of the
-// textures. The table of docs/methods.md.
+// textures. The table of docs/methods/hybrids.md.
 #include "BenchmarkCase.h"
 #include "vtkHybridRadianceIntegrator.h"
 

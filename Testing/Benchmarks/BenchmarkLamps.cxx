@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the parts of a lamp's picture cost: one at a time is exact. Of 2000 pairs that are drawn
 // about the lamps and weighted to be even, relative L1 in percent of all radiance. The figures of
-// docs/methods.md.
+// docs/methods/lamps.md.
 //
 // usage: BenchmarkLamps MATERIAL ENVIRONMENT [DEGREES OF A LAMP]
 #include "BenchmarkCase.h"

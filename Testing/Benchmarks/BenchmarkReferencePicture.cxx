@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Reference pictures of a sphere, for docs/methods.md: CPU time, share of integrated pixels, and
-// how far some pixels, not those of the picture's own sample, are from sums of a tolerance of 2e-5.
+// Reference pictures of a sphere, for docs/methods/reference.md: CPU time, share of integrated
+// pixels, and how far some pixels, not those of the picture's own sample, are from sums of a
+// tolerance of 2e-5.
 #include "Methods.h"
 #include "Progress.h"
 #include "ReferencePicture.h"

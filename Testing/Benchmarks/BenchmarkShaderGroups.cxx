@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a pixel of a radiance table pays: frames with one group of the shader's instructions
 // replaced by next to nothing, beside the whole shader and VTK's PBR, drawn in turns. The tables of
-// docs/methods.md and docs/graphics-card.md.
+// docs/methods/pixel-cost.md and docs/graphics-card.md.
 //
 //   BenchmarkShaderGroups [ROUNDS [pixels]]
 //

@@ -17,7 +17,8 @@ import sys
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 MAIN = "README.md"
-ORDER = os.path.join("docs", "index.md")  # its links make the tree of pages
+# Its links make the tree of pages; those of docs/X.md do for the folder docs/X.
+ORDER = os.path.join("docs", "index.md")
 
 LINK = re.compile(r"(!?)\[((?:[^\[\]]|\[[^\]]*\])*)\]\(([^()\s]+)\)")
 HEADING = re.compile(r"^(#{1,6})\s+(.*?)\s*#*$")
@@ -26,10 +27,16 @@ FENCE = re.compile(r"^\s*(```|~~~)")
 
 def pages():
     """All pages, as paths from ROOT."""
-    found = [MAIN, "CONTRIBUTING.md", "CHANGELOG.md"]
-    found += sorted(os.path.join("docs", name) for name in os.listdir(os.path.join(ROOT, "docs"))
-                    if name.endswith(".md"))
-    return found
+    found = []
+    for folder, _, names in os.walk(os.path.join(ROOT, "docs")):
+        found += [os.path.relpath(os.path.join(folder, name), ROOT) for name in names if name.endswith(".md")]
+    return [MAIN, "CONTRIBUTING.md", "CHANGELOG.md"] + sorted(found)
+
+
+def parent(page):
+    """The page under which the site's tree has a page: docs/methods.md for those in docs/methods/."""
+    owner = os.path.dirname(page) + ".md"
+    return owner if os.path.exists(os.path.join(ROOT, owner)) else ORDER
 
 
 def slug(heading):
@@ -87,6 +94,7 @@ class Preparation:
         self.lines = {}
         self.anchors = {}
         self.problems = []
+        self.placed = set()  # pages that have their place in the tree
         for page in self.pages:
             with open(os.path.join(ROOT, page), encoding="utf-8") as file:
                 self.lines[page] = file.read().splitlines()
@@ -133,7 +141,8 @@ class Preparation:
         if not anchor or self.anchors[path].get(anchor) == 1:
             if path == MAIN:
                 return f"[{text}](@ref index)"
-            if page == ORDER and not anchor:
+            if page == parent(path) and not anchor and path not in self.placed:
+                self.placed.add(path)
                 return f'@subpage {label(path)} "{text}"'
             return f"[{text}](@ref {label(path)})"
         if anchor not in self.anchors[path]:

@@ -27,7 +27,7 @@ constexpr double LeastEnergy = 1e-12; // of the mean radiance's: less is roundin
 constexpr double LeastWeight = 1e-3;  // of views along the normal and the horizon
 
 // Exponent of the environment's power by degree. 1 makes the squared error least; more serves its
-// absolute value better (docs/methods.md).
+// absolute value better (docs/methods/factored.md).
 constexpr double PowerExponent = 1.5;
 
 // Mean square of the environment's harmonics of each degree, all channels.

@@ -20,7 +20,7 @@ namespace measuredbrdf
 /// as smooth as the window is wide.
 struct LampWindow
 {
-  /// Where it ends, in radians (docs/methods.md).
+  /// Where it ends, in radians (docs/methods/hybrids.md).
   static constexpr double Radius = 0.7;
 
   LampWindow()
@@ -45,7 +45,7 @@ struct LampWindow
   }
 
   /// A lamp nearer than this, 10 degrees, is the sum of its parts; else one light. In a lobe's tail
-  /// nobody tells, and frames under many lamps take a third less (docs/methods.md).
+  /// nobody tells, and frames under many lamps take a third less (docs/methods/lamps.md).
   static constexpr double PartsNearness = 0.935;
 
   /// How much of all directions the window covers: half of 1 - cos(radius).

@@ -34,8 +34,8 @@ public:
 
   ///@{
   /// Polar angles of the view that a table has kernels at, from 0 to the last, k < count. They
-  /// crowd towards the horizon a little, which measured best (docs/methods.md). And where between
-  /// them an angle lies: 0 <= result <= count - 1.
+  /// crowd towards the horizon a little, which measured best (docs/methods/tables.md). And where
+  /// between them an angle lies: 0 <= result <= count - 1.
   static double GetKnotAngle(int k, int count);
   static double GetKnotPosition(double angle, int count);
   ///@}

@@ -49,7 +49,7 @@ constexpr vtkIdType MapBytes =
 }
 
 // What linear interpolation in each size costs in error differs with the material's gloss
-// (docs/methods.md). Of more than 113 rows: with tiles (TableTiles.h).
+// (docs/methods/memory.md). Of more than 113 rows: with tiles (TableTiles.h).
 std::vector<std::vector<int>> GetTableCandidates()
 {
   return { { 17, 8, 8 }, { 33, 8, 8 }, { 33, 12, 16 }, { 33, 24, 16 }, { 49, 12, 16 }, { 65, 8, 8 },

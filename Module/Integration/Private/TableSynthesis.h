@@ -26,7 +26,7 @@ namespace measuredbrdf
 constexpr int IrradianceDegree = 128;
 
 /// Degree of the harmonics that make a map of so many rows, unless it is set. More than the rows
-/// resolve, which measured best (docs/methods.md).
+/// resolve, which measured best (docs/methods/tables.md).
 inline int GetMapDegree(int rows) { return rows + std::min(rows / 2, 64); }
 
 /// Harmonics that end at once make lamps ring: from three fifths of the rows on they fade out.

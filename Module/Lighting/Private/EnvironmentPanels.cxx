@@ -18,7 +18,7 @@ constexpr int Size = 32; // texels a side, of equal area
 constexpr int Rounds = 60;
 constexpr double LeastConcentration = 4.0;
 constexpr double MostConcentration = 150.0; // as sharp as the texels
-// Panels: docs/methods.md has the errors of others.
+// Panels: docs/methods/self-occlusion.md has the errors of others.
 constexpr double PanelConcentration = 40.0;
 constexpr double PanelShare = 0.01; // least, of all light
 constexpr std::size_t MostPanels = 12;

@@ -150,7 +150,7 @@ glm::dvec3 GetMeanAround(
 }
 
 // Variance along each axis of what one texel shows between its neighbors' centers: a triangle of
-// half width d has d^2 / 6 (docs/methods.md, "The sky between texels").
+// half width d has d^2 / 6 (docs/methods/lamps.md).
 double GetTexelSpread(vtkEnvironment* environment, const glm::dvec3& direction)
 {
   const double row = Pi / environment->GetHeight();

@@ -14,7 +14,7 @@
  *   each): their product with the light's harmonics is the hidden irradiance (Sloan, Kautz, Snyder
  *   2002), exact as far as the light's harmonics reach.
  *
- * Errors of this and of other forms: docs/methods.md.
+ * Errors of this and of other forms: docs/methods/self-occlusion.md.
  */
 
 #ifndef HiddenSky_h

@@ -413,7 +413,7 @@ TEST_P(EitherTracer, IsThreadSafe)
   EXPECT_EQ(alone, together);
 }
 
-// docs/methods.md quotes the bytes.
+// docs/methods/occlusion.md quotes the bytes.
 TEST_P(EitherTracer, IsSmall)
 {
   SurfaceTracer tracer(GetParam());
