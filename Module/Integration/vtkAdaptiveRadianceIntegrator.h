@@ -55,7 +55,8 @@ public:
   bool IntegrateNeighbors(vtkDataArray* normals, vtkDataArray* views, vtkDataArray* radiance);
 
   /// Whether the BRDF evaluates many lights at a time, far faster than one by one: of isotropic RGL
-  /// files and of tables without invalid cells.
+  /// files, tables without invalid cells, Ashikhmin-Shirley's and Lambert's models, and sums of
+  /// these.
   bool EvaluatesManyLights();
 
   /// How often this has evaluated f so far, about: what integrating costs, whatever the machine.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAshikhminShirleyBRDF.h"
 
+#include "AshikhminShirleyLanes.h"
 #include "ContentHash.h"
 #include "HalfVector.h"
 #include "ModuleShader.h"
@@ -35,6 +36,9 @@ double DiffuseFactor(double c)
 }
 
 constexpr double DiffuseScale = 28.0 / (23.0 * Pi);
+
+// Of the lobe, without Fresnel and the cosines.
+double GetPeak(double nu, double nv) { return std::sqrt((nu + 1.0) * (nv + 1.0)) / (8.0 * Pi); }
 }
 
 //------------------------------------------------------------------------------
@@ -80,8 +84,7 @@ void vtkAshikhminShirleyBRDF::EvaluateSoftAbove(
   const double variance = HalfVectorSpread(spread, hd);
   const double nu = WidenedExponent(this->ExponentU, variance);
   const double nv = WidenedExponent(this->ExponentV, variance);
-  const double specular = std::sqrt((nu + 1.0) * (nv + 1.0)) / (8.0 * Pi) * Lobe(nu, nv, h) /
-                          (hd * std::max(light.z, view.z));
+  const double specular = GetPeak(nu, nv) * Lobe(nu, nv, h) / (hd * std::max(light.z, view.z));
   const double diffuse = DiffuseScale * DiffuseFactor(light.z) * DiffuseFactor(view.z);
   for (int c = 0; c < 3; ++c)
   {
@@ -91,6 +94,25 @@ void vtkAshikhminShirleyBRDF::EvaluateSoftAbove(
     f[c] = this->SpecularScale[c] * specular * fresnel +
            diffuse * this->Diffuse[c] * (1.0 - this->Reflectance[c]);
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkAshikhminShirleyBRDF::EvaluateLights(
+  int count, const float* const i[3], const double o[3], float* const f[3])
+{
+  AshikhminShirleyLanes lanes;
+  lanes.Exponents[0] = static_cast<float>(this->ExponentU);
+  lanes.Exponents[1] = static_cast<float>(this->ExponentV);
+  lanes.Index = this->FresnelModel == SCHLICK ? 0.0f : static_cast<float>(this->IndexOfRefraction);
+  const double peak = GetPeak(this->ExponentU, this->ExponentV);
+  for (int c = 0; c < 3; ++c)
+  {
+    lanes.Specular[c] = static_cast<float>(this->SpecularScale[c] * peak);
+    lanes.Fresnel[c] = static_cast<float>(this->Reflectance[c]);
+    lanes.Diffuse[c] =
+      static_cast<float>(DiffuseScale * this->Diffuse[c] * (1.0 - this->Reflectance[c]));
+  }
+  lanes.EvaluateMany(count, i, o, f);
 }
 
 //------------------------------------------------------------------------------
@@ -152,8 +174,7 @@ void vtkAshikhminShirleyBRDF::GetBounds(double minimumCosine, double lower[3], d
 {
   // Both cosines >= m: then h.o >= m too (h halves the angle between i and o).
   const double m = std::clamp(minimumCosine, 1e-6, 1.0);
-  const double peak =
-    std::sqrt((this->ExponentU + 1.0) * (this->ExponentV + 1.0)) / (8.0 * Pi) / (m * m);
+  const double peak = GetPeak(this->ExponentU, this->ExponentV) / (m * m);
   for (int c = 0; c < 3; ++c)
   {
     const double fresnel =
@@ -172,7 +193,7 @@ void vtkAshikhminShirleyBRDF::GetShaderInputs(vtkBRDFShaderInputs& form)
 {
   vtkBRDFShaderInputs::Term term;
   measuredbrdf::SetModuleShader(term, "vtkBRDFAshikhminShirley", vtkBRDFAshikhminShirley);
-  const double peak = std::sqrt((this->ExponentU + 1.0) * (this->ExponentV + 1.0)) / (8.0 * Pi);
+  const double peak = GetPeak(this->ExponentU, this->ExponentV);
   vtkBRDFShaderInputs::Uniform scale{ "brdfScale", {} };
   vtkBRDFShaderInputs::Uniform reflectance{ "brdfReflectance", {} };
   vtkBRDFShaderInputs::Uniform diffuse{ "brdfDiffuse", {} };

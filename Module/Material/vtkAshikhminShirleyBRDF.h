@@ -93,6 +93,13 @@ public:
   vtkGetMacro(IndexOfRefraction, double);
   ///@}
 
+  /**
+   * Evaluate for one view and so many lights, all unit vectors above the horizon, in single
+   * precision: far faster than one by one. i: x, y and z of all lights; f: red, green and blue.
+   */
+  VTK_WRAPEXCLUDE void EvaluateLights(
+    int count, const float* const i[3], const double o[3], float* const f[3]);
+
   void GetBounds(double minimumCosine, double lower[3], double upper[3]) override;
   bool IsIsotropic() override { return this->ExponentU == this->ExponentV; }
   void GetShaderInputs(vtkBRDFShaderInputs& form) override;

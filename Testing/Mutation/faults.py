@@ -965,6 +965,14 @@ add("Shaders.table-floor-of-another-part", "vtkBRDFEnvironmentTable.glsl", "(pai
 add("Integration.shader-profile-of-the-view-before", "Private/ShaderProfile.h", "return static_cast<double>(texel) /",
     "return (static_cast<double>(texel) - 0.5) /",
     "ShaderProfile.HoldsWhatIsInterpolated")
+add("Material.shirley-lanes-of-one-exponent", "Private/AshikhminShirleyLanes.cxx", "this->Exponents[1] * ySquare", "this->Exponents[0] * ySquare",
+    "AshikhminShirleyLanes.AreTheModelInEachForm")
+add("Material.lane-logarithm-near-zero-everywhere", "Private/LanePowers.h", "ratio = s > few ? far : near;", "ratio = near;",
+    "LanePowers.AreThoseOfDoublePrecision")
+add("Integration.lanes-of-whoever-derives", "Private/LightLanes.cxx", "brdf && typeid(*brdf) == typeid(BRDF)", "dynamic_cast<BRDF*>(brdf)",
+    "LightLanes.AreTheMaterial")
+add("Integration.lanes-of-the-last-term", "Private/LightLanes.cxx", "term > 0 ? sum[k] : 0.0f", "0.0f",
+    "LightLanes.AreTheMaterial")
 add("Integration.shader-weights-all-in-the-integral-part", "Private/ShaderWeights.cxx", "1.0 : 1.0 / Fractions", "1.0 : 1.0",
     "ShaderWeights.HoldsThoseOfModes")
 add("Integration.core-weights-of-another-channel", "Private/RadianceCore.cxx", "make_vec3(&this->Steps[3 * k])", "vec3(this->Steps[3 * k])",

@@ -11,8 +11,8 @@
 
 #include "ErrorQueue.h"
 #include "FirstSquares.h"
+#include "LightLanes.h"
 #include "LocalFrame.h"
-#include "ManyLights.h"
 #include "ReflectionGuide.h"
 #include "SquareMiddles.h"
 #include "TexelTree.h"

@@ -9,84 +9,24 @@
 #ifndef ManyLights_h
 #define ManyLights_h
 
-#include "OneByOne.h"
-#include "vtkAdaptiveWarpBRDF.h"
+#include "LightLanes.h"
 #include "vtkBRDF.h"
-#include "vtkTabulatedBRDF.h"
 
 #include <glm/glm.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <typeinfo>
 
 namespace measuredbrdf
 {
-/// The material where it is one of RGL's files, else null: whoever derives from the class may do
-/// more.
-inline vtkAdaptiveWarpBRDF* GetWarp(vtkBRDF* brdf)
-{
-  return brdf && typeid(*brdf) == typeid(vtkAdaptiveWarpBRDF)
-           ? static_cast<vtkAdaptiveWarpBRDF*>(brdf)
-           : nullptr;
-}
-
-/// The material where it is a table, else null.
-inline vtkTabulatedBRDF* GetTable(vtkBRDF* brdf)
-{
-  return brdf && typeid(*brdf) == typeid(vtkTabulatedBRDF) ? static_cast<vtkTabulatedBRDF*>(brdf)
-                                                           : nullptr;
-}
-
-/// f of many lights in single precision, by what the material can.
-class LightLanes
-{
-public:
-  LightLanes() = default;
-  explicit LightLanes(vtkBRDF* brdf)
-    : BRDF(brdf)
-    , Warp(GetWarp(brdf))
-    , Table(GetTable(brdf))
-  {
-  }
-
-  /// Whether the material evaluates them side by side.
-  bool AreSideBySide() const
-  {
-    return this->Warp || (this->Table && this->Table->GetNumberOfInvalidCells() == 0);
-  }
-
-  /// lights: x, y and z of unit vectors above the horizon; f: red, green and blue.
-  void Evaluate(
-    int count, const float* const lights[3], const glm::dvec3& view, float* const f[3]) const
-  {
-    if (this->Warp)
-    {
-      this->Warp->EvaluateLights(count, lights, &view.x, f);
-    }
-    else if (this->Table)
-    {
-      this->Table->EvaluateLights(count, lights, &view.x, f);
-    }
-    else
-    {
-      EvaluateLightsOneByOne(this->BRDF, count, lights, &view.x, f);
-    }
-  }
-
-private:
-  vtkBRDF* BRDF = nullptr;
-  vtkAdaptiveWarpBRDF* Warp = nullptr;
-  vtkTabulatedBRDF* Table = nullptr;
-};
-
-/// Of a prepared material; lights: unit vectors above the horizon, like o. RGL's files in single
-/// precision; all others, tables too, one by one.
+/// Of a prepared material; lights: unit vectors above the horizon, like o. In single precision
+/// where the material evaluates them side by side.
 inline void EvaluateManyLights(
   vtkBRDF* brdf, std::size_t count, const glm::dvec3* lights, const glm::dvec3& o, glm::dvec3* f)
 {
-  vtkAdaptiveWarpBRDF* many = GetWarp(brdf);
+  const LightLanes lanes(brdf);
+  const bool many = lanes.AreSideBySide();
   for (std::size_t k = 0; k < count && !many; ++k)
   {
     brdf->Evaluate(&lights[k].x, &o.x, &f[k].x);
@@ -105,7 +45,7 @@ inline void EvaluateManyLights(
         i[c][k] = static_cast<float>(lights[first + k][c]);
       }
     }
-    many->EvaluateLights(static_cast<int>(size), from, &o.x, to);
+    lanes.Evaluate(static_cast<int>(size), from, o, to);
     for (std::size_t k = 0; k < size; ++k)
     {
       f[first + k] = glm::dvec3(values[0][k], values[1][k], values[2][k]);
