@@ -15,9 +15,11 @@
 #include "vtkAdaptiveRadianceIntegrator.h"
 #include "vtkAdaptiveWarpBRDF.h"
 #include "vtkAshikhminShirleyBRDF.h"
+#include "vtkBlinnPhongBRDF.h"
 #include "vtkEnvironment.h"
 #include "vtkLambertBRDF.h"
 #include "vtkNew.h"
+#include "vtkSumBRDF.h"
 
 #include <gtest/gtest.h>
 
@@ -70,10 +72,15 @@ TEST(ReferencePicture, IsWithinItsToleranceMatteAndGlossy)
   const tool::Surface surface = MakeSphere();
   vtkNew<vtkEnvironment> environment;
   environment->SetToProceduralSky();
-  vtkNew<vtkLambertBRDF> matte;
-  vtkNew<vtkAshikhminShirleyBRDF> glossy;
-  glossy->SetDiffuse(0.02, 0.01, 0.03);
-  glossy->SetExponents(3000.0, 3000.0);
+  vtkNew<vtkBlinnPhongBRDF> matte; // which evaluates one light at a time
+  matte->SetExponent(1.0);
+  vtkNew<vtkLambertBRDF> ground;
+  ground->SetAlbedo(0.02, 0.01, 0.03);
+  vtkNew<vtkBlinnPhongBRDF> coat;
+  coat->SetExponent(3000.0);
+  vtkNew<vtkSumBRDF> glossy;
+  glossy->AddTerm(ground);
+  glossy->AddTerm(coat);
   for (vtkBRDF* brdf : { static_cast<vtkBRDF*>(matte), static_cast<vtkBRDF*>(glossy) })
   {
     std::size_t shown = 0;
