@@ -54,9 +54,9 @@ public:
    */
   bool IntegrateNeighbors(vtkDataArray* normals, vtkDataArray* views, vtkDataArray* radiance);
 
-  /// Whether the BRDF evaluates many lights at a time, far faster than one by one: of isotropic RGL
-  /// files, tables without invalid cells, Ashikhmin-Shirley's and Lambert's models, and sums of
-  /// these.
+  /// Whether the BRDF evaluates many lights at a time, far faster than one by one: isotropic
+  /// materials that are RGL files, tables without invalid cells, Ashikhmin-Shirley's or Lambert's
+  /// models, or sums of these.
   bool EvaluatesManyLights();
 
   /// How often this has evaluated f so far, about: what integrating costs, whatever the machine.

@@ -191,15 +191,15 @@ bool vtkFactoredRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
     {
       steps += "brdfCoreTurnINSTANCE(at); ";
     }
-    const std::string step = "brdfCoreStep" + std::to_string(mode);
-    const float* const values = &core.Steps[3 * mode];
-    term.Uniforms.push_back({ step, { values, values + 3 } });
-    uniforms += "uniform vec3 " + step + "INSTANCE;\n";
+    const std::string unit = "brdfCoreUnit" + std::to_string(mode);
+    const float* const values = &core.Units[3 * mode];
+    term.Uniforms.push_back({ unit, { values, values + 3 } });
+    uniforms += "uniform vec3 " + unit + "INSTANCE;\n";
     const int number = 3 * static_cast<int>(mode);
     steps += std::string("sum += ") +
              (next > 0 ? "brdfCoreTurnedINSTANCE" : "brdfCoreFieldINSTANCE") + "(at) * (vec3(" +
              ShaderWeights::GetName(number) + ", " + ShaderWeights::GetName(number + 1) + ", " +
-             ShaderWeights::GetName(number + 2) + ") * " + step + "INSTANCE); ";
+             ShaderWeights::GetName(number + 2) + ") * " + unit + "INSTANCE); ";
   }
   const int fields = core.GetNumberOfFields();
   term.Fetches += weights.Rows + fields;

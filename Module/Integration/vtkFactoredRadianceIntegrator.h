@@ -18,8 +18,9 @@
  * B_k are fine maps, each the environment convolved with one function. This is the pair of textures
  * of O'Toole 2007, coefficients and functions, with the light in one of them.
  *
- * Cost: the table's fetches, and one bilinear fetch for each field and for each weight. Errors: the
- * table's, bilinear interpolation in the maps, and the modes that are left out.
+ * Cost: the table's fetches, a bilinear one for each field, and a texel for each eight weights, of
+ * which a mode has three. Errors: the table's, bilinear interpolation in the maps, and the modes
+ * that are left out.
  *
  * Isotropic BRDFs only, as for tables.
  */

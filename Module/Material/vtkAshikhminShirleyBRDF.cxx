@@ -4,6 +4,7 @@
 
 #include "AshikhminShirleyLanes.h"
 #include "ContentHash.h"
+#include "FiniteFloat.h"
 #include "HalfVector.h"
 #include "ModuleShader.h"
 #include "Setters.h"
@@ -101,16 +102,15 @@ void vtkAshikhminShirleyBRDF::EvaluateLights(
   int count, const float* const i[3], const double o[3], float* const f[3])
 {
   AshikhminShirleyLanes lanes;
-  lanes.Exponents[0] = static_cast<float>(this->ExponentU);
-  lanes.Exponents[1] = static_cast<float>(this->ExponentV);
-  lanes.Index = this->FresnelModel == SCHLICK ? 0.0f : static_cast<float>(this->IndexOfRefraction);
+  lanes.Exponents[0] = ToFloat(this->ExponentU);
+  lanes.Exponents[1] = ToFloat(this->ExponentV);
+  lanes.Index = this->FresnelModel == SCHLICK ? 0.0f : ToFloat(this->IndexOfRefraction);
   const double peak = GetPeak(this->ExponentU, this->ExponentV);
   for (int c = 0; c < 3; ++c)
   {
-    lanes.Specular[c] = static_cast<float>(this->SpecularScale[c] * peak);
-    lanes.Fresnel[c] = static_cast<float>(this->Reflectance[c]);
-    lanes.Diffuse[c] =
-      static_cast<float>(DiffuseScale * this->Diffuse[c] * (1.0 - this->Reflectance[c]));
+    lanes.Specular[c] = ToFloat(this->SpecularScale[c] * peak);
+    lanes.Fresnel[c] = ToFloat(this->Reflectance[c]);
+    lanes.Diffuse[c] = ToFloat(DiffuseScale * this->Diffuse[c] * (1.0 - this->Reflectance[c]));
   }
   lanes.EvaluateMany(count, i, o, f);
 }

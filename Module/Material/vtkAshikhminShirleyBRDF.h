@@ -94,8 +94,9 @@ public:
   ///@}
 
   /**
-   * Evaluate for one view and so many lights, all unit vectors above the horizon, in single
-   * precision: far faster than one by one. i: x, y and z of all lights; f: red, green and blue.
+   * Evaluate for so many lights and one view o, all unit vectors above the horizon, in single
+   * precision: far faster than one by one. i: x, y and z of all lights; f: red, green and blue, 0
+   * where the model is negative.
    */
   VTK_WRAPEXCLUDE void EvaluateLights(
     int count, const float* const i[3], const double o[3], float* const f[3]);

@@ -967,7 +967,7 @@ add("Integration.shader-profile-of-the-view-before", "Private/ShaderProfile.h", 
     "ShaderProfile.HoldsWhatIsInterpolated")
 add("Material.shirley-lanes-of-one-exponent", "Private/AshikhminShirleyLanes.cxx", "this->Exponents[1] * ySquare", "this->Exponents[0] * ySquare",
     "AshikhminShirleyLanes.AreTheModelInEachForm")
-add("Material.lane-logarithm-near-zero-everywhere", "Private/LanePowers.h", "ratio = s > few ? far : near;", "ratio = near;",
+add("Material.lane-logarithm-near-zero-everywhere", "Private/LanePowers.h", "ratio = s > few ? large : small;", "ratio = small;",
     "LanePowers.AreThoseOfDoublePrecision")
 add("Integration.lanes-of-whoever-derives", "Private/LightLanes.cxx", "brdf && typeid(*brdf) == typeid(BRDF)", "dynamic_cast<BRDF*>(brdf)",
     "LightLanes.AreTheMaterial")
@@ -975,8 +975,11 @@ add("Integration.lanes-of-the-last-term", "Private/LightLanes.cxx", "term > 0 ? 
     "LightLanes.AreTheMaterial")
 add("Integration.shader-weights-all-in-the-integral-part", "Private/ShaderWeights.cxx", "1.0 : 1.0 / Fractions", "1.0 : 1.0",
     "ShaderWeights.HoldsThoseOfModes")
-add("Integration.core-weights-of-another-channel", "Private/RadianceCore.cxx", "make_vec3(&this->Steps[3 * k])", "vec3(this->Steps[3 * k])",
+add("Integration.core-weights-of-another-channel", "Private/RadianceCore.cxx", "make_vec3(&this->Units[3 * k])", "vec3(this->Units[3 * k])",
     "Parity.FactoredIntegrator")
+add("Integration.core-weights-without-their-signs", "Private/ShaderWeights.cxx", '" *= abs(" + low', '" *= (" + low', "Parity.FactoredIntegrator")
+add("Shaders.lamps-parts-by-the-count", "vtkBRDFEnvironmentLamps.glsl", "floor(whole.a / COUNT_BASE)", "whole.a - COUNT_BASE * floor(whole.a / COUNT_BASE)",
+    "Parity.HybridOfWideLamps")
 add("Integration.lamps-count-one-part-more", "Private/TableLamps.cxx", "CountBase * start + std::max", "CountBase * start + 1 + std::max",
     "Parity.HybridOfWideLamps")
 add("Integration.lamps-window-with-an-edge", "Private/LampWindow.h", "x < 1.0 ? root * root : 0.0", "x < 1.0 ? 1.0 : 0.0",

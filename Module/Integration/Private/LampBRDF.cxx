@@ -4,8 +4,8 @@
 
 #include "HalfDifferenceFill.h"
 #include "HalfVector.h"
+#include "LightLanes.h"
 #include "LobeViews.h"
-#include "ManyLights.h"
 #include "SharedExponent.h"
 #include "VolumeInterpolation.h"
 #include "vtkBRDFEnvironmentLampLobe.h"
@@ -78,6 +78,7 @@ public:
   void Use(vtkBRDF* material, double spread)
   {
     this->Material = material;
+    this->Lights = LightLanes(material);
     this->Deviation = std::sqrt(spread);
     for (int count = 0; count <= MostLampPoints; ++count)
     {
@@ -136,7 +137,7 @@ protected:
         }
       }
     }
-    EvaluateManyLights(this->Material, count, lights.data(), view, values.data());
+    this->Lights.Evaluate(count, lights.data(), view, values.data());
     glm::dvec3 sum(0.0);
     double weights = 0.0;
     for (std::size_t k = 0; k < count; ++k)
@@ -150,6 +151,7 @@ protected:
 
 private:
   vtkSmartPointer<vtkBRDF> Material;
+  LightLanes Lights; // of it
   double Deviation = 0.0;
   std::vector<LampPoints> Rules; // by their numbers of points
 };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LightLanes.h"
 
+#include "FiniteFloat.h"
 #include "OneByOne.h"
 #include "vtkAdaptiveWarpBRDF.h"
 #include "vtkAshikhminShirleyBRDF.h"
@@ -10,6 +11,7 @@
 #include "vtkTabulatedBRDF.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <typeinfo>
@@ -34,6 +36,7 @@ LightLanes::LightLanes(vtkBRDF* brdf)
   , Lambert(GetJust<vtkLambertBRDF>(brdf))
 {
   auto* sum = GetJust<vtkSumBRDF>(brdf);
+  this->Terms.reserve(static_cast<std::size_t>(sum ? sum->GetNumberOfTerms() : 0));
   for (int k = 0; sum && k < sum->GetNumberOfTerms(); ++k)
   {
     this->Terms.emplace_back(sum->GetTerm(k));
@@ -47,7 +50,7 @@ bool LightLanes::AreSideBySide() const
     return std::all_of(this->Terms.begin(), this->Terms.end(),
       [](const LightLanes& term) { return term.AreSideBySide(); });
   }
-  return this->Warp || this->Fit || this->Lambert ||
+  return (this->Warp && this->Warp->IsIsotropic()) || this->Fit || this->Lambert ||
          (this->Table && this->Table->GetNumberOfInvalidCells() == 0);
 }
 
@@ -72,7 +75,7 @@ void LightLanes::Evaluate(
     this->Lambert->Evaluate(&view.x, &view.x, everywhere);
     for (int c = 0; c < 3; ++c)
     {
-      std::fill_n(f[c], count, static_cast<float>(everywhere[c]));
+      std::fill_n(f[c], count, ToFloat(everywhere[c]));
     }
   }
   else if (!this->Terms.empty())
@@ -82,6 +85,36 @@ void LightLanes::Evaluate(
   else
   {
     EvaluateLightsOneByOne(this->BRDF, count, lights, &view.x, f);
+  }
+}
+
+void LightLanes::Evaluate(
+  std::size_t count, const glm::dvec3* lights, const glm::dvec3& view, glm::dvec3* f) const
+{
+  const bool sideBySide = this->AreSideBySide();
+  for (std::size_t k = 0; k < count && !sideBySide; ++k)
+  {
+    this->BRDF->Evaluate(&lights[k].x, &view.x, &f[k].x);
+  }
+  constexpr std::size_t atOnce = 256;
+  std::array<std::array<float, atOnce>, 3> i, values;
+  const float* const from[3] = { i[0].data(), i[1].data(), i[2].data() };
+  float* const to[3] = { values[0].data(), values[1].data(), values[2].data() };
+  for (std::size_t first = 0; first < count && sideBySide; first += atOnce)
+  {
+    const std::size_t size = std::min(atOnce, count - first);
+    for (std::size_t k = 0; k < size; ++k)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        i[c][k] = static_cast<float>(lights[first + k][c]);
+      }
+    }
+    this->Evaluate(static_cast<int>(size), from, view, to);
+    for (std::size_t k = 0; k < size; ++k)
+    {
+      f[first + k] = glm::dvec3(values[0][k], values[1][k], values[2][k]);
+    }
   }
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * f of many lights for one view, in single precision, by what the material can. Private to the
+ * f of many lights for one view, in the fastest way that the material offers. Private to the
  * module.
  */
 
@@ -11,6 +11,7 @@
 
 #include <glm/glm.hpp>
 
+#include <cstddef>
 #include <vector>
 
 class vtkAdaptiveWarpBRDF;
@@ -21,6 +22,7 @@ class vtkTabulatedBRDF;
 
 namespace measuredbrdf
 {
+/// Valid until the material changes.
 class LightLanes
 {
 public:
@@ -30,10 +32,14 @@ public:
   /// Whether the material evaluates them side by side: far faster than one by one.
   bool AreSideBySide() const;
 
-  /// Of a prepared material; lights: x, y and z of unit vectors above the horizon; f: red, green
-  /// and blue.
+  /// In single precision. Of a prepared material; lights: x, y and z of unit vectors above the
+  /// horizon, like the view; f: red, green and blue.
   void Evaluate(
     int count, const float* const lights[3], const glm::dvec3& view, float* const f[3]) const;
+
+  /// The same. In double precision where the material evaluates them one by one.
+  void Evaluate(
+    std::size_t count, const glm::dvec3* lights, const glm::dvec3& view, glm::dvec3* f) const;
 
 private:
   void AddUp(

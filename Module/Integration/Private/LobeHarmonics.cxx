@@ -3,8 +3,8 @@
 #include "LobeHarmonics.h"
 
 #include "HalfVector.h" // for Pi
+#include "LightLanes.h"
 #include "LobeQuadrature.h"
-#include "ManyLights.h"
 #include "MatrixProduct.h"
 #include "WignerD.h"
 #include "WignerLanes.h"
@@ -82,6 +82,7 @@ LobeHarmonics::LobeHarmonics(vtkBRDF* brdf, double theta, int resolution, int ce
   this->Polar = MakeLobeNodes(polar, Pi / 2.0, resolution);
   this->Azimuths = MakeLobeNodes(azimuths, Pi, resolution);
 
+  const LightLanes lanes(brdf);
   const bool isMirrored = IsMirrored(brdf, this->Polar, this->Azimuths, o);
   std::vector<glm::dvec3> lights(this->Azimuths.size()), mirrored(lights.size()),
     values(lights.size()), others(lights.size());
@@ -91,11 +92,11 @@ LobeHarmonics::LobeHarmonics(vtkBRDF* brdf, double theta, int resolution, int ce
     {
       lights[k] = MakeDirection(p.Angle, this->Azimuths[k].Angle);
     }
-    EvaluateManyLights(brdf, lights.size(), lights.data(), o, values.data());
+    lanes.Evaluate(lights.size(), lights.data(), o, values.data());
     if (!isMirrored)
     {
       std::transform(lights.begin(), lights.end(), mirrored.begin(), Mirror);
-      EvaluateManyLights(brdf, lights.size(), mirrored.data(), o, others.data());
+      lanes.Evaluate(lights.size(), mirrored.data(), o, others.data());
     }
     for (std::size_t k = 0; k < lights.size(); ++k)
     {

@@ -13,7 +13,7 @@ namespace measuredbrdf
 namespace
 {
 constexpr double FloorCosine = 0.17; // 80 degrees: measured f drops or soars beyond
-constexpr double LeastShare = 1e-9;  // of the albedo: below, the rest is rounding
+constexpr double LeastShare = 1e-6;  // of the albedo: below, the rest is rounding of floats
 
 // The normal where there is no direction.
 glm::dvec3 ToUnit(const glm::dvec3& d)

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LobeQuadrature.h"
 
+#include "LightLanes.h"
 #include "LowDiscrepancy.h"
-#include "ManyLights.h"
 #include "RetroLobe.h"
 #include "vtkBRDF.h"
 
@@ -124,7 +124,7 @@ class Tree
 {
 public:
   Tree(vtkBRDF* brdf, const glm::dvec3& o)
-    : BRDF(brdf)
+    : Lights(brdf)
     , View(o)
   {
     this->Add(-1.0, -1.0, 0);
@@ -171,7 +171,7 @@ private:
     double cosine = 0.0;
     Points room, values;
     const Points& points = GetPoints(a, b, side, level, room);
-    EvaluateManyLights(this->BRDF, points.size(), points.data(), this->View, values.data());
+    this->Lights.Evaluate(points.size(), points.data(), this->View, values.data());
     for (std::size_t k = 0; k < points.size(); ++k)
     {
       const glm::dvec3& i = points[k];
@@ -188,7 +188,7 @@ private:
     this->Nodes.push_back(node);
   }
 
-  vtkBRDF* BRDF;
+  LightLanes Lights;
   glm::dvec3 View;
 };
 

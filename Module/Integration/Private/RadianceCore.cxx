@@ -129,31 +129,36 @@ bool RadianceCore::Make(const EnvironmentHarmonics& environment, const LobeViews
       return false;
     }
   }
-  this->SetSteps();
+  this->SetUnits();
   return true;
 }
 
-void RadianceCore::SetSteps()
+void RadianceCore::SetUnits()
 {
   constexpr std::size_t size = 3 * static_cast<std::size_t>(LobeViews::NumberOfViews);
-  this->Steps.assign(3 * this->Orders.size(), 0.0f);
-  for (std::size_t k = size; k < this->Profile.size(); ++k) // behind the axis
+  constexpr auto most = static_cast<float>(MostSteps * MostSteps);
+  this->Units.assign(3 * this->Orders.size(), 0.0f);
+  for (std::size_t k = size; k < this->Profile.size(); ++k) // after the row of the axis
   {
-    float& step = this->Steps[3 * (k / size - 1) + k % 3];
-    step = std::max(step, std::abs(this->Profile[k]) / static_cast<float>(WeightSteps));
+    float& unit = this->Units[3 * (k / size - 1) + k % 3];
+    unit = std::max(unit, std::abs(this->Profile[k]) / most);
   }
 }
 
-glm::dvec3 RadianceCore::GetWeightSteps(std::size_t mode, double u) const
+glm::dvec3 RadianceCore::GetSteps(std::size_t mode, double u) const
 {
-  glm::dvec3 weights = GetProfileValue(this->Profile, static_cast<int>(1 + mode), u);
+  const glm::dvec3 weights = GetProfileValue(this->Profile, static_cast<int>(1 + mode), u);
+  glm::dvec3 steps(0.0);
   for (int c = 0; c < 3; ++c)
   {
-    const double step = static_cast<double>(this->Steps[3 * mode + static_cast<std::size_t>(c)]);
-    weights[c] =
-      step > 0.0 ? std::clamp(std::round(weights[c] / step), -WeightSteps, WeightSteps) : 0.0;
+    const double unit = static_cast<double>(this->Units[3 * mode + static_cast<std::size_t>(c)]);
+    if (unit > 0.0)
+    {
+      const double root = std::round(std::sqrt(std::abs(weights[c]) / unit));
+      steps[c] = std::copysign(std::min(root, MostSteps), weights[c]);
+    }
   }
-  return weights;
+  return steps;
 }
 
 glm::dvec3 RadianceCore::Evaluate(
@@ -183,7 +188,8 @@ glm::dvec3 RadianceCore::Evaluate(
               turn.y * GetCenteredValue(this->Fields, this->Rows, this->Columns, first, at, filter);
       first += texels;
     }
-    sum += field * this->GetWeightSteps(k, u) * glm::dvec3(glm::make_vec3(&this->Steps[3 * k]));
+    const glm::dvec3 steps = this->GetSteps(k, u);
+    sum += field * steps * glm::abs(steps) * glm::dvec3(glm::make_vec3(&this->Units[3 * k]));
   }
   return sum;
 }
@@ -216,7 +222,7 @@ bool RadianceCore::TakeBytes(const std::string& bytes)
   {
     return false;
   }
-  this->SetSteps();
+  this->SetUnits();
   return true;
 }
 } // namespace measuredbrdf

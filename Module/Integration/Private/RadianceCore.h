@@ -46,10 +46,11 @@ struct RadianceCore
   std::vector<float> Profile; // RGB, ProfileSize x (1 + modes): (0, cos, sin delta); W_k
   std::vector<float> Fields;  // RGB, Columns x Rows x fields, of 16 bits: A_k and, for m > 0, B_k
 
-  /// What weights are counted in, from none to WeightSteps to either side: shares of what a mode's
-  /// channel has at most. So two of them have room in a float (ShaderWeights).
-  static constexpr double WeightSteps = 2047.0;
-  std::vector<float> Steps; // RGB of each mode
+  /// Weights are rounded to n |n| Unit, n a whole number of at most MostSteps to either side, so
+  /// that small weights keep more of their digits, and two have room in a float (ShaderWeights). A
+  /// channel's largest |W| takes MostSteps.
+  static constexpr double MostSteps = 2047.0;
+  std::vector<float> Units; // RGB of each mode
 
   int GetNumberOfFields() const;
   std::size_t GetNumberOfTexels() const
@@ -57,11 +58,11 @@ struct RadianceCore
     return static_cast<std::size_t>(this->Columns) * static_cast<std::size_t>(this->Rows);
   }
 
-  /// From Profile, which has all its values.
-  void SetSteps();
+  /// From Profile, when it has all its values.
+  void SetUnits();
 
-  /// W of a mode in steps, whole numbers. u: where profiles are read.
-  glm::dvec3 GetWeightSteps(std::size_t mode, double u) const;
+  /// n of a mode's weights where profiles are read, at u.
+  glm::dvec3 GetSteps(std::size_t mode, double u) const;
 
   /// Radiance, of either sign, towards o about the normal n, as the shader looks it up; t: a unit
   /// tangent or zero.

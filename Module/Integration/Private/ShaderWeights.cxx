@@ -11,7 +11,7 @@ namespace measuredbrdf
 {
 namespace
 {
-constexpr double Zero = RadianceCore::WeightSteps; // what stands for it
+constexpr double Zero = RadianceCore::MostSteps; // what is stored for none
 }
 
 ShaderWeights::ShaderWeights(const RadianceCore& core)
@@ -20,14 +20,18 @@ ShaderWeights::ShaderWeights(const RadianceCore& core)
   constexpr auto perTexel = static_cast<std::size_t>(PerTexel);
   this->Texels.assign(
     4 * Size * static_cast<std::size_t>(this->Rows), static_cast<float>(Zero + Zero / Fractions));
-  for (std::size_t number = 0; number < 3 * core.Orders.size(); ++number)
+  for (std::size_t mode = 0; mode < core.Orders.size(); ++mode)
   {
-    const double unit = number % perTexel < 4 ? 1.0 : 1.0 / Fractions;
     for (std::size_t k = 0; k < Size; ++k)
     {
-      const glm::dvec3 steps = core.GetWeightSteps(number / 3, ShaderProfile::GetTexelPosition(k));
-      this->Texels[4 * (number / perTexel * Size + k) + number % 4] +=
-        static_cast<float>(unit * steps[static_cast<int>(number % 3)]);
+      const glm::dvec3 steps = core.GetSteps(mode, ShaderProfile::GetTexelPosition(k));
+      for (std::size_t channel = 0; channel < 3; ++channel)
+      {
+        const std::size_t number = 3 * mode + channel;
+        const double unit = number % perTexel < 4 ? 1.0 : 1.0 / Fractions;
+        this->Texels[4 * (number / perTexel * Size + k) + number % 4] +=
+          static_cast<float>(unit * steps[static_cast<int>(channel)]);
+      }
     }
   }
 }
@@ -41,7 +45,7 @@ std::string ShaderWeights::GetUnpacking(int row)
   return "vec4 " + low + " = texelFetch(brdfCoreProfileINSTANCE, ivec2(view, " + index +
          "), 0); vec4 " + high + " = floor(" + low + "); " + low + " = (" + low + " - " + high +
          ") * " + std::to_string(static_cast<int>(Fractions)) + ".0 - " + zero + "; " + high +
-         " -= " + zero + "; ";
+         " -= " + zero + "; " + low + " *= abs(" + low + "); " + high + " *= abs(" + high + "); ";
 }
 
 std::string ShaderWeights::GetName(int number)

@@ -18,9 +18,9 @@ namespace measuredbrdf
 {
 struct RadianceCore;
 
-/// Eight numbers in a texel, two in each float: its integral part and its fraction, in units of
-/// 1 / Fractions. Each is WeightSteps of RadianceCore more than the weight in its steps, so that
-/// none is negative.
+/// Steps of RadianceCore, eight in a texel, two in each float: one is its integral part, and one
+/// its fraction in units of 1 / Fractions. Both are stored MostSteps higher, so that none is
+/// negative.
 struct ShaderWeights
 {
   static constexpr std::size_t Size = ProfileTexels;

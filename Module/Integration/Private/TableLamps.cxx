@@ -24,7 +24,7 @@ constexpr int AtOnce = 31; // lamps that a pixel finds together, as bits of a nu
 
 // A lamp's first part and how many it has are one number to this base.
 constexpr std::size_t CountBase = 16;
-static_assert(ExtractedEmitters::MostParts < CountBase, "a lamp's parts are fewer");
+static_assert(ExtractedEmitters::MostParts < CountBase, "the count must be less than the base");
 }
 
 TableLamps::TableLamps(vtkLightSet* lights, vtkBRDF* shaded)

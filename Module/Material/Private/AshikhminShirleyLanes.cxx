@@ -13,8 +13,6 @@ namespace measuredbrdf
 {
 namespace
 {
-constexpr float LeastLength = 1e-6f; // of light plus view (LaneAngles.h)
-
 // 1 - (1 - c/2)^5, without a difference that loses digits at the horizon.
 template <typename Number>
 MEASUREDBRDF_INLINE void FindDiffuseFactor(const Number& cosine, Number& factor)
@@ -45,7 +43,7 @@ MEASUREDBRDF_INLINE void AshikhminShirleyLanes::EvaluateAll(
     Load(steps.Y + k, y);
     Load(steps.Z + k, z);
     FindSquares(x, y, z, view, length, sine);
-    const Vector least = 0.0f * length + LeastLength * LeastLength;
+    const Vector least = 0.0f * length + LeastLaneSum * LeastLaneSum;
     const Vector zero = 0.0f * length;
     // The half vector's cosine with the view is half of that length.
     const Vector square = length > least ? 0.25f * length : zero + view[2] * view[2];
@@ -71,7 +69,7 @@ MEASUREDBRDF_INLINE void AshikhminShirleyLanes::EvaluateAll(
     FindHalf(x, y, z, view, length, hX, hY, hZ);
     const Vector zero = 0.0f * length;
     const Vector one = zero + 1.0f;
-    const Vector least = zero + LeastLength;
+    const Vector least = zero + LeastLaneSum;
     const Vector cosine = length > least ? 0.5f * length : zero + view[2];
     const Vector xSquare = hX * hX;
     const Vector ySquare = hY * hY;

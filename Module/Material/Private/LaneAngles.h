@@ -43,13 +43,16 @@ MEASUREDBRDF_INLINE void FindSquares(const Vector& x, const Vector& y, const Vec
   sine = 0.25f * (x * x + y * y + (z - 1.0f) * (z - 1.0f));
 }
 
+/// Light plus view, where it is longer, has a direction.
+constexpr float LeastLaneSum = 1e-6f;
+
 /// The half vector, from the length of light plus view: the normal where they are opposite.
 template <typename Vector>
 MEASUREDBRDF_INLINE void FindHalf(const Vector& x, const Vector& y, const Vector& z,
   const float view[3], const Vector& length, Vector& hX, Vector& hY, Vector& hZ)
 {
   const Vector zero = 0.0f * length;
-  const Vector least = zero + 1e-6f;
+  const Vector least = zero + LeastLaneSum;
   const Vector scale = 1.0f / (length > least ? length : least);
   hX = length > least ? (x + view[0]) * scale : zero;
   hY = length > least ? (y + view[1]) * scale : zero;

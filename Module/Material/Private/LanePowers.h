@@ -51,7 +51,7 @@ MEASUREDBRDF_INLINE void FindLog(const Vector& x, Vector& result)
   using Integers = typename LaneIntegers<Vector>::Type;
   Integers bits;
   Load(&x, bits);
-  Integers power = (bits >> 23) - 126;
+  const Integers power = (bits >> 23) - 126;
   bits = (bits & 0x007fffff) | 0x3f000000;
   Vector mantissa; // 1/2 to 1
   Load(&bits, mantissa);
@@ -72,16 +72,16 @@ MEASUREDBRDF_INLINE void FindLogCosineRatio(const Vector& cosine, const Vector& 
 {
   const Vector zero = 0.0f * s;
   const Vector t = s / (2.0f - s);
-  Vector near; // ln(1 - s) = -2 atanh(s / (2 - s))
-  SumLaneSeries(AtanhLaneSeries, t * t, near);
-  near *= -2.0f / (2.0f - s);
+  Vector small; // ln(1 - s) = -2 atanh(s / (2 - s))
+  SumLaneSeries(AtanhLaneSeries, t * t, small);
+  small *= -2.0f / (2.0f - s);
   const Vector square = cosine * cosine;
   const Vector least = zero + 1e-12f;
-  Vector far;
-  FindLog(square > least ? square : least, far);
+  Vector large;
+  FindLog(square > least ? square : least, large);
   const Vector few = zero + 0.25f;
-  far /= s > few ? s : few;
-  ratio = s > few ? far : near;
+  large /= s > few ? s : few;
+  ratio = s > few ? large : small;
 }
 } // namespace measuredbrdf
 

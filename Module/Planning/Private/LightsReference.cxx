@@ -4,7 +4,6 @@
 
 #include "HalfVector.h" // for Pi
 #include "LowDiscrepancy.h"
-#include "ManyLights.h"
 #include "vtkBRDF.h"
 #include "vtkEnvironment.h"
 #include "vtkLightSet.h"
@@ -49,6 +48,7 @@ bool LightsReference::Begin()
     vtkErrorMacro("Integrate: aborted.");
     return false;
   }
+  this->Lanes = LightLanes(this->BRDF);
   this->Suns = Lights();
   for (const ExtractedEmitters::Light& sun : bright->Lights)
   {
@@ -134,7 +134,7 @@ glm::dvec3 LightsReference::Sum(
     found += above[found].z > 0.0 ? 1 : 0;
     if (found == AtOnce || k + 1 == count)
     {
-      EvaluateManyLights(this->BRDF, found, above.data(), view, values.data());
+      this->Lanes.Evaluate(found, above.data(), view, values.data());
       for (std::size_t n = 0; n < found; ++n)
       {
         sum += above[n].z * values[n] * irradiances[n];

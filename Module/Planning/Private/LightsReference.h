@@ -13,6 +13,7 @@
 #define LightsReference_h
 
 #include "EnvironmentPrecomputation.h"
+#include "LightLanes.h"
 #include "LocalFrame.h"
 #include "vtkRadianceIntegrator.h"
 
@@ -61,6 +62,7 @@ private:
 
   double ErrorTolerance = 1e-3;
   double Error = 0.0;
+  LightLanes Lanes; // of the material
   Lights Suns;
   Lights Others;
 };

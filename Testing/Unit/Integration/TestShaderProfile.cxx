@@ -111,7 +111,8 @@ TEST(ShaderProfile, MirrorsExactly)
   }
 }
 
-// Read as the shader reads them: of the weights half a step is lost, and nothing of the steps.
+// Read as the shader reads them: weights are rounded by at most half a step of their roots, and
+// unpacking is exact.
 TEST(ShaderWeights, HoldsThoseOfModes)
 {
   RadianceCore core(8);
@@ -125,11 +126,11 @@ TEST(ShaderWeights, HoldsThoseOfModes)
     core.Profile[k] =
       isNone ? 0.0f : static_cast<float>(amplitude * std::sin(0.1 * static_cast<double>(k)));
   }
-  core.SetSteps();
-  ASSERT_EQ(core.Steps.size(), 9u);
-  EXPECT_NEAR(core.Steps[0], 3.0 / 2047.0, 1e-6);
-  EXPECT_NEAR(core.Steps[1], 1e-5 / 2047.0, 1e-11);
-  EXPECT_EQ(core.Steps[8], 0.0f);
+  core.SetUnits();
+  ASSERT_EQ(core.Units.size(), 9u);
+  EXPECT_NEAR(core.Units[0], 3.0 / 2047.0 / 2047.0, 1e-9);
+  EXPECT_NEAR(core.Units[1], 1e-5 / 2047.0 / 2047.0, 1e-14);
+  EXPECT_EQ(core.Units[8], 0.0f);
   const ShaderWeights packed(core);
   ASSERT_EQ(packed.Rows, 2);
   ASSERT_EQ(packed.Texels.size(), 2 * 4 * ShaderWeights::Size);
@@ -143,11 +144,13 @@ TEST(ShaderWeights, HoldsThoseOfModes)
     {
       const float both = packed.Texels[4 * (number / 8 * ShaderWeights::Size + k) + number % 4];
       const float high = std::floor(both);
-      const float steps = (number % 8 < 4 ? high : (both - high) * 4096.0f) - 2047.0f;
+      const double steps = (number % 8 < 4 ? high : (both - high) * 4096.0f) - 2047.0f;
       const int channel = static_cast<int>(number % 3);
-      EXPECT_EQ(steps, core.GetWeightSteps(number / 3, u)[channel]);
+      EXPECT_EQ(steps, core.GetSteps(number / 3, u)[channel]);
       const glm::dvec3 wanted = GetProfileValue(core.Profile, 1 + static_cast<int>(number / 3), u);
-      EXPECT_NEAR(steps * core.Steps[number], wanted[channel], 0.501 * core.Steps[number]);
+      const double unit = static_cast<double>(core.Units[number]);
+      EXPECT_NEAR(
+        steps * std::abs(steps) * unit, wanted[channel], (1.01 * std::abs(steps) + 0.26) * unit);
     }
   }
 }
