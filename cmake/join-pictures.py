@@ -8,7 +8,7 @@
 
 import sys
 
-from vtkmodules.vtkImagingCore import vtkImageAppend
+from vtkmodules.vtkFiltersCore import vtkImageAppend
 from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
 
 
