@@ -87,6 +87,10 @@ void TakeHeader(tool::HttpAnswer& answer, std::string name, const std::string& v
   {
     answer.Encoding = value;
   }
+  else if (name == "location")
+  {
+    answer.Location = value;
+  }
 }
 }
 
@@ -266,7 +270,9 @@ std::string RunOnce(const tool::HttpRequest& request, const std::string& url)
       url + " redirects (HTTP status " + std::to_string(exchange.Answer.Status) + ") to nowhere",
       false);
   }
-  return exchange.IsRedirect ? next : "";
+  // libcurl leaves a user's name out of that address from 8.23 on, or before.
+  const std::string& location = exchange.Answer.Location;
+  return !exchange.IsRedirect ? "" : tool::HasUserName(location) ? location : next;
 }
 }
 

@@ -39,6 +39,7 @@ struct HttpAnswer
   std::string Tag;                     // ETag
   std::string Modified;                // Last-Modified
   std::string Encoding;                // Content-Encoding
+  std::string Location;                // of a redirect, as it stands
 };
 
 /// What is asked for.

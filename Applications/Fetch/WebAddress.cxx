@@ -33,6 +33,13 @@ bool Split(const std::string& url, std::string& scheme, std::string& rest)
 }
 
 //------------------------------------------------------------------------------
+// Of what stands behind "//": up to the path.
+std::string GetAuthority(const std::string& rest)
+{
+  return rest.substr(0, rest.find_first_of("/?#\\"));
+}
+
+//------------------------------------------------------------------------------
 bool IsThisMachine(const std::string& host)
 {
   in_addr address;
@@ -61,9 +68,8 @@ bool IsAllowedUrl(const std::string& url)
   {
     return false;
   }
-  // A name and a password before the host ("user@host") are for nobody here.
-  const std::string authority = rest.substr(0, rest.find_first_of("/?#\\"));
-  if (authority.empty() || authority.find('@') != std::string::npos)
+  const std::string authority = GetAuthority(rest);
+  if (authority.empty() || HasUserName(url)) // names and passwords are for nobody here
   {
     return false;
   }
@@ -74,6 +80,15 @@ bool IsAllowedUrl(const std::string& url)
   const std::size_t bracket = authority.find(']');
   const std::size_t port = authority.find(':', bracket == std::string::npos ? 0 : bracket);
   return scheme == "http" && IsThisMachine(authority.substr(0, port));
+}
+
+//------------------------------------------------------------------------------
+bool HasUserName(const std::string& address)
+{
+  const std::size_t slashes = address.find("//");
+  const bool isWhole = // else they stand in a path
+    slashes == 0 || (slashes != std::string::npos && address.find_first_of(":/?#") == slashes - 1);
+  return isWhole && GetAuthority(address.substr(slashes + 2)).find('@') != std::string::npos;
 }
 
 //------------------------------------------------------------------------------

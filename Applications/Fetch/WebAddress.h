@@ -15,8 +15,12 @@
 namespace tool
 {
 /// Whether the address may be used: https, or http on this machine (127.0.0.0/8, [::1] and
-/// localhost), where nobody is in between.
+/// localhost), where nobody is in between; without a user's name.
 bool IsAllowedUrl(const std::string& url);
+
+/// Whether an address, or one without its scheme ("//user@host"), has a user's name before the
+/// host.
+bool HasUserName(const std::string& address);
 
 /// The address under another beginning: base/HOST/PATH for https://HOST/PATH, as `wget
 /// --force-directories` lays out a mirror.

@@ -294,7 +294,8 @@ class Faults(FetchTest):
         os.remove(self.file)
         self.serve(redirect=rgl(FREE))  # to itself
         self.check(self.fetch_free(), 1, "more than 5 redirects", rgl(FREE))
-        for bad in ("http://example.org/x", "ftp://127.0.0.1/x", "file:///etc/passwd", "http://user@127.0.0.1/x"):
+        for bad in ("http://example.org/x", "ftp://127.0.0.1/x", "file:///etc/passwd", "http://user@127.0.0.1/x",
+                    "//user@127.0.0.1/x"):
             self.serve(redirect=bad)
             self.check(self.fetch_free(), 1, f"redirects to {bad}", "expected https")
         self.check_nothing_kept()

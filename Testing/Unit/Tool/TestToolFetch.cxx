@@ -157,6 +157,20 @@ TEST(WebAddress, OnlyHttpsElsewhere)
 }
 
 //------------------------------------------------------------------------------
+TEST(WebAddress, UserNames)
+{
+  for (const char* address : { "http://me@host/x", "https://me:secret@host", "//me@host/x" })
+  {
+    EXPECT_TRUE(tool::HasUserName(address)) << address;
+  }
+  for (const char* address :
+    { "https://host/me@x", "/me@x", "there//me@x", "/a?b=//me@x", "//host/me@x", "me@host", "" })
+  {
+    EXPECT_FALSE(tool::HasUserName(address)) << address;
+  }
+}
+
+//------------------------------------------------------------------------------
 TEST(WebAddress, Mirrors)
 {
   EXPECT_EQ(tool::MoveToBase("https://a.org/b/c", ""), "https://a.org/b/c");
