@@ -1232,8 +1232,8 @@ add("Fetch.sum-without-a-waiting-block", "Sha256.cxx", "if (waiting + taken == B
     "if (waiting + taken > BlockSize)", "Sha256.PiecesDoNotMatter|Sha256.KnownSums")
 add("Fetch.http-from-anywhere", "WebAddress.cxx", "return scheme == \"http\" && IsThisMachine(",
     "return scheme == \"http\" || IsThisMachine(", "WebAddress.OnlyHttpsElsewhere")
-add("Fetch.name-and-password", "WebAddress.cxx", "authority.find('@') != std::string::npos", "authority.front() == '@'",
-    "WebAddress.OnlyHttpsElsewhere")
+add("Fetch.name-and-password", "WebAddress.cxx", ".find('@') != std::string::npos", ".find('@') == 0",
+    "WebAddress.OnlyHttpsElsewhere|WebAddress.UserNames")
 add("Fetch.range-beyond-the-end", "WebAddress.cxx", "range.Last >= range.Total", "range.Last > range.Total",
     "WebAddress.Ranges")
 add("Fetch.weak-tag-counts", "WebAddress.cxx", "tag.front() == '\"'", "tag.back() == '\"'", "WebAddress.Ranges")
