@@ -270,7 +270,7 @@ std::string RunOnce(const tool::HttpRequest& request, const std::string& url)
       url + " redirects (HTTP status " + std::to_string(exchange.Answer.Status) + ") to nowhere",
       false);
   }
-  // libcurl leaves a user's name out of that address from 8.23 on, or before.
+  // Newer versions of libcurl (8.23) leave a user's name out of that address. Run refuses names.
   const std::string& location = exchange.Answer.Location;
   return !exchange.IsRedirect ? "" : tool::HasUserName(location) ? location : next;
 }

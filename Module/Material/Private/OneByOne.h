@@ -8,6 +8,7 @@
 #ifndef OneByOne_h
 #define OneByOne_h
 
+#include "FiniteFloat.h"
 #include "vtkBRDF.h"
 
 namespace measuredbrdf
@@ -23,7 +24,7 @@ inline void EvaluateLightsOneByOne(
     brdf->Evaluate(light, view, rgb);
     for (int c = 0; c < 3; ++c)
     {
-      f[c][k] = static_cast<float>(rgb[c]);
+      f[c][k] = ToFloat(rgb[c]);
     }
   }
 }

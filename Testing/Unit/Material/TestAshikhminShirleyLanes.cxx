@@ -6,6 +6,7 @@
 #include "AshikhminShirleyLanes.h"
 #include "HalfVector.h"
 #include "LanePowers.h"
+#include "LightRows.h"
 #include "vtkAshikhminShirleyBRDF.h"
 #include "vtkNew.h"
 
@@ -24,7 +25,7 @@ using namespace measuredbrdf;
 namespace
 {
 // The mirror direction, near it, and anywhere; no multiple of what is calculated at once.
-struct SomeLights
+struct SomeLights : LightRows
 {
   explicit SomeLights(const glm::dvec3& view)
   {
@@ -45,23 +46,8 @@ struct SomeLights
       const glm::dvec3 light = glm::normalize(glm::mix(mirror, any, share));
       this->Add({ light.x, light.y, std::max(light.z, 1e-6) });
     }
-    for (int c = 0; c < 3; ++c)
-    {
-      this->Pointers[c] = this->Values[c].data();
-    }
+    this->SetPointers();
   }
-  void Add(const glm::dvec3& light)
-  {
-    const glm::vec3 rounded(light); // both see the same
-    this->Directions.emplace_back(rounded);
-    for (int c = 0; c < 3; ++c)
-    {
-      this->Values[c].push_back(rounded[c]);
-    }
-  }
-  std::vector<glm::dvec3> Directions;
-  std::vector<float> Values[3];
-  const float* Pointers[3];
 };
 
 struct Result

@@ -3,6 +3,7 @@
 // A tabulated volume looked up for many lights at once, in single precision, in each form that the
 // processor has, against vtkTabulatedBRDF's f of one light.
 
+#include "LightRows.h"
 #include "TabulatedLanes.h"
 #include "vtkNew.h"
 #include "vtkTabulatedBRDF.h"
@@ -34,7 +35,7 @@ std::vector<float> DrawVolume(const int dimensions[3], std::mt19937& engine)
 }
 
 // 61 lights: no multiple of the numbers that are calculated at once.
-struct ManyLights
+struct ManyLights : LightRows
 {
   explicit ManyLights(const glm::dvec3& view)
   {
@@ -50,24 +51,8 @@ struct ManyLights
       const double s = std::sqrt(1.0 - z * z);
       this->Add({ s * std::cos(phi), s * std::sin(phi), z });
     }
-    for (int c = 0; c < 3; ++c)
-    {
-      this->Pointers[c] = this->Values[c].data();
-    }
+    this->SetPointers();
   }
-  void Add(const glm::dvec3& light)
-  {
-    // What single precision makes of it, so that both see the same.
-    const glm::vec3 rounded(light);
-    this->Directions.emplace_back(rounded);
-    for (int c = 0; c < 3; ++c)
-    {
-      this->Values[c].push_back(rounded[c]);
-    }
-  }
-  std::vector<glm::dvec3> Directions;
-  std::vector<float> Values[3];
-  const float* Pointers[3];
 };
 }
 
