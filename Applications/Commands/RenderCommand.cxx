@@ -58,10 +58,6 @@ double Median(std::vector<double> values)
 }
 
 //------------------------------------------------------------------------------
-// Encoding of display light as the mapper writes it.
-double EncodeGamma(double linear) { return std::pow(linear, 1.0 / 2.2); }
-
-//------------------------------------------------------------------------------
 // With what the mesh hides.
 std::vector<double> TracePixels(vtkRadianceIntegrator* integrator, vtkPolyData* mesh,
   const tool::View& view, const tool::Size& size, const tool::Surface& surface,
@@ -134,7 +130,7 @@ void WritePicture(const RenderOptions& options, const tool::OffscreenScene& scen
   {
     value = std::min(value, 1.0f); // before averaging: smooth edges next to highlights
   }
-  tool::WritePNG(options.Output, tool::Downsample(picture, factor), EncodeGamma);
+  tool::WritePNG(options.Output, tool::Downsample(picture, factor), tool::EncodeGamma);
 }
 
 //------------------------------------------------------------------------------

@@ -91,6 +91,9 @@ double RollOff(double linear)
 }
 
 //------------------------------------------------------------------------------
+double EncodeGamma(double linear) { return std::pow(linear, 1.0 / 2.2); }
+
+//------------------------------------------------------------------------------
 double EncodeSRGB(double linear)
 {
   return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;

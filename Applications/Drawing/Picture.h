@@ -51,6 +51,9 @@ struct Picture
  */
 double RollOff(double linear);
 
+/// The display value in [0,1] of display light as the mapper writes it: linear^(1/2.2).
+double EncodeGamma(double linear);
+
 ///@{
 /// Display encoding: sRGB, or the power 1/2.2 that VTK's own shaders use.
 double EncodeSRGB(double linear);

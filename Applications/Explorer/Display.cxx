@@ -15,15 +15,9 @@
 
 namespace
 {
-// As tool::RollOff and tool::EncodeSRGB.
+// The mapper writes radiance^(1/2.2), so a factor of radiance is a power of that factor here.
 const char* const DisplayCode = R"(//VTK::Light::Impl
-  {
-    vec3 light = explorerExposure * pow(max(gl_FragData[0].rgb, vec3(0.0)), vec3(2.2));
-    vec3 over = max(light - vec3(0.7), vec3(0.0));
-    light = min(light, vec3(0.7)) + 0.3 * (vec3(1.0) - exp(-over / 0.3));
-    gl_FragData[0].rgb = mix(12.92 * light, 1.055 * pow(light, vec3(1.0 / 2.4)) - vec3(0.055),
-      step(vec3(0.0031308), light));
-  }
+  gl_FragData[0].rgb *= explorerExposure;
 )";
 
 constexpr int BackdropWidth = 512;
@@ -49,14 +43,13 @@ void ShowRadiance(vtkActor* actor)
 void SetExposure(vtkActor* actor, double factor)
 {
   actor->GetShaderProperty()->GetFragmentCustomUniforms()->SetUniformf(
-    "explorerExposure", static_cast<float>(factor));
+    "explorerExposure", static_cast<float>(tool::EncodeGamma(factor)));
 }
 
 //------------------------------------------------------------------------------
 double FindExposure(vtkEnvironment* environment, double stops)
 {
-  // A white diffuse surface that faces the light shows 0.7, as one in an environment does.
-  return (environment ? tool::ChooseExposure(environment) : 0.7 * vtkMath::Pi()) * std::exp2(stops);
+  return (environment ? 1.0 : 0.7 * vtkMath::Pi()) * std::exp2(stops);
 }
 
 //------------------------------------------------------------------------------
@@ -69,7 +62,7 @@ vtkSmartPointer<vtkImageData> MakeImage(const tool::Picture& radiance, double fa
   for (std::size_t k = 0; k < radiance.Pixels.size(); ++k)
   {
     const double value = radiance.Pixels[k];
-    bytes[k] = ToByte(k % 4 == 3 ? value : tool::EncodeSRGB(tool::RollOff(factor * value)));
+    bytes[k] = ToByte(k % 4 == 3 ? value : tool::EncodeGamma(std::max(0.0, factor * value)));
   }
   return image;
 }

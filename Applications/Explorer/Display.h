@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * From radiance to the screen: exposure, roll-off of highlights, sRGB; on the GPU and for pictures.
+ * From radiance to the screen as the mapper shows it, and exposure; on the GPU and for pictures.
  */
 
 #ifndef Display_h
@@ -20,16 +20,19 @@ class vtkEnvironment;
 
 namespace explorer
 {
-/// Let an actor's shader, which writes radiance^(1/2.2), write what the functions below give.
+/// Let SetExposure scale the radiance that an actor's shader writes as radiance^(1/2.2).
 void ShowRadiance(vtkActor* actor);
 
 /// The factor of radiance for an actor of ShowRadiance.
 void SetExposure(vtkActor* actor, double factor);
 
-/// The factor that suits an environment, or, of null, a light of irradiance 1; times 2^stops.
+/**
+ * The factor of radiance: 2^stops, so that 0 stops show what the mapper shows. Without an
+ * environment, 0 stops show a white diffuse surface that faces a light of irradiance 1 as 0.7.
+ */
 double FindExposure(vtkEnvironment* environment, double stops);
 
-/// tool::RollOff and tool::EncodeSRGB of radiance times a factor, RGBA of unsigned char.
+/// (radiance times a factor)^(1/2.2), RGBA of unsigned char.
 vtkSmartPointer<vtkImageData> MakeImage(const tool::Picture& radiance, double factor);
 
 /// 8-bit display values of a picture of display light, row 0 at the top.

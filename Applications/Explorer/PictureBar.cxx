@@ -2,19 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PictureBar.h"
 
+#include "ContactSheet.h"
+
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QSlider>
 #include <QToolButton>
 
 #include <cmath>
-
-namespace
-{
-constexpr int StepsPerStop = 4;
-constexpr int MostStops = 6;
-}
 
 namespace explorer
 {
@@ -24,7 +20,8 @@ PictureBar::PictureBar(Session* session, QWidget* parent)
   , Model(session)
   , Lights(new QComboBox)
   , Difference(new QToolButton)
-  , Exposure(new QSlider(Qt::Horizontal))
+  , Exposure(new QDoubleSpinBox)
+  , Fit(new QToolButton)
 {
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(6, 3, 6, 3);
@@ -63,33 +60,40 @@ PictureBar::PictureBar(Session* session, QWidget* parent)
   this->Difference->setText(tr("Difference"));
   this->Difference->setCheckable(true);
   this->Difference->setToolTip(tr("Show |A - B| instead of the pictures (Ctrl+D)"));
-  this->Exposure->setRange(-MostStops * StepsPerStop, MostStops * StepsPerStop);
-  this->Exposure->setPageStep(StepsPerStop);
-  this->Exposure->setMinimumWidth(70);
-  this->Exposure->setMaximumWidth(140);
-  this->Exposure->setToolTip(tr("Exposure in stops, of both sides"));
+  this->Exposure->setRange(-MostStops, MostStops);
+  this->Exposure->setDecimals(1);
+  this->Exposure->setSingleStep(0.5);
+  this->Exposure->setToolTip(
+    tr("Exposure of both sides in stops; at 0 the picture is that of the mapper"));
   this->Exposure->setAccessibleName(tr("Exposure"));
+  this->Fit->setText(tr("Fit"));
+  this->Fit->setToolTip(
+    tr("The exposure that shows a white matte surface as 70 % of white in this environment"));
   auto* exposure = new QLabel(tr("E&xposure"));
   exposure->setBuddy(this->Exposure);
   layout->addWidget(lights);
   layout->addWidget(this->Lights);
   layout->addWidget(this->Difference);
   layout->addWidget(exposure);
-  layout->addWidget(this->Exposure, 1);
+  layout->addWidget(this->Exposure);
+  layout->addWidget(this->Fit);
   layout->addStretch(1);
 
   connect(this->Lights, QOverload<int>::of(&QComboBox::activated), this,
     [this](int index) { this->Model->SetLights(this->Lights->itemData(index).toInt()); });
   connect(this->Difference, &QToolButton::clicked, this,
     [this](bool on) { this->Model->SetShown(on ? Shown::Difference : Shown::Split); });
-  connect(this->Exposure, &QSlider::valueChanged, this,
-    [this](int value)
+  connect(this->Exposure, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
+    [this](double stops)
     {
       if (!this->IsUpdating)
       {
-        this->Model->SetExposure(static_cast<double>(value) / StepsPerStop);
+        this->Model->SetExposure(stops);
       }
     });
+  connect(this->Fit, &QToolButton::clicked, this,
+    [this]()
+    { this->Model->SetExposure(std::log2(tool::ChooseExposure(this->Model->GetEnvironment()))); });
   connect(session, &Session::methodsChanged, this, &PictureBar::Update);
   connect(session, &Session::pictureChanged, this, &PictureBar::Update);
   connect(session, &Session::environmentChanged, this, &PictureBar::Update);
@@ -109,7 +113,8 @@ void PictureBar::Update()
   this->Lights->setCurrentIndex(this->Lights->findData(state.Lights));
   this->Lights->setEnabled(!this->Model->IsDirectional()); // there is one, whatever is chosen
   this->Difference->setChecked(state.Show == Shown::Difference);
-  this->Exposure->setValue(static_cast<int>(std::lround(state.Exposure * StepsPerStop)));
+  this->Exposure->setValue(state.Exposure);
+  this->Fit->setEnabled(this->Model->GetEnvironment() != nullptr);
   this->IsUpdating = false;
 }
 } // namespace explorer

@@ -16,7 +16,7 @@
 
 class QCheckBox;
 class QComboBox;
-class QSlider;
+class QDoubleSpinBox;
 class QToolButton;
 
 namespace explorer
@@ -37,7 +37,8 @@ private:
   std::array<QComboBox*, 2> Methods;
   QComboBox* Lights;
   QToolButton* Difference;
-  QSlider* Exposure;
+  QDoubleSpinBox* Exposure;
+  QToolButton* Fit;
   bool IsUpdating = false;
 };
 } // namespace explorer

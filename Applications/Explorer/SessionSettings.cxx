@@ -139,7 +139,7 @@ void Session::SetSplit(double share)
 //------------------------------------------------------------------------------
 void Session::SetExposure(double stops)
 {
-  this->Current.Exposure = std::clamp(stops, -10.0, 10.0);
+  this->Current.Exposure = std::clamp(stops, -MostStops, MostStops);
   emit this->pictureChanged();
 }
 

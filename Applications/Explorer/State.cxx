@@ -310,7 +310,7 @@ State ReadState(const std::string& text, const std::string& name)
   }
   state.Show = show == "split" ? Shown::Split : Shown::Difference;
   fields.Take("split", state.Split, 0.0, 1.0);
-  fields.Take("exposure", state.Exposure, -10.0, 10.0);
+  fields.Take("exposure", state.Exposure, -MostStops, MostStops);
   fields.Take("backdrop", state.Backdrop);
   fields.Take("reference_height", state.ReferenceHeight, 32, 2048);
   if (json.contains("camera"))

@@ -79,6 +79,9 @@ enum class Shown
 /// So many materials are drawn in one chart beside the one that is shown.
 constexpr std::size_t MostCompared = 8;
 
+/// Environments in any unit: 2^40 is 1e12.
+constexpr double MostStops = 40.0;
+
 struct State
 {
   std::vector<std::string> MaterialFiles; // opened, beside the built-in ones
@@ -96,7 +99,7 @@ struct State
   int Lights = 64; // of the methods that sum over lights: a power of two up to 4096
   Shown Show = Shown::Split;
   double Split = 0.5;    // where the line is, share of the width
-  double Exposure = 0.0; // stops beside what suits the environment, [-10, 10]
+  double Exposure = 0.0; // stops, [-MostStops, MostStops]; at 0 as the mapper shows it
   bool Backdrop = true;
   int ReferenceHeight = 256; // largest height of exact pictures in pixels, [32, 2048]
   CameraState Camera;

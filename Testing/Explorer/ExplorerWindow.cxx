@@ -277,13 +277,13 @@ void ExplorerWindow::sidesContinueEachOther()
 }
 
 //------------------------------------------------------------------------------
-// The shader's exposure, roll-off and encoding are those of the pictures.
+// Without exposure, the screen shows what the mapper shows in a program of one's own:
+// radiance^(1/2.2). A stop doubles the radiance. The shader and the exact pictures do the same.
 void ExplorerWindow::screenShowsRadiance()
 {
   State state = MakeState();
   state.Methods = { method::Planned, method::Planned };
   state.Split = 1.0;
-  state.Exposure = 1.0; // so that some of it is rolled off
   Window* window = this->Show(state);
   QTRY_VERIFY_WITH_TIMEOUT(window->IsSettled(), Patience);
   QTest::qWait(200);
@@ -292,7 +292,8 @@ void ExplorerWindow::screenShowsRadiance()
   double frame = 0.0;
   const tool::Picture radiance =
     window->GetSide(0)->Capture(view->GetCamera(), { shown.width(), shown.height() }, frame);
-  const auto expected =
+  const auto expected = MakeImage(radiance, 1.0);
+  const auto brighter =
     MakeImage(radiance, FindExposure(window->GetSession()->GetEnvironment(), 1.0));
   int brightest = 0;
   for (const int dx : { -60, -20, 0, 20, 60 })
@@ -311,6 +312,11 @@ void ExplorerWindow::screenShowsRadiance()
                    .arg(bytes[0])
                    .arg(bytes[1])
                    .arg(bytes[2])));
+    const double red = radiance.At(x, shown.height() - 1 - y)[0];
+    QVERIFY(std::abs(bytes[0] - 255.0 * std::min(1.0, std::pow(red, 1.0 / 2.2))) < 0.51);
+    QVERIFY(std::abs(*static_cast<unsigned char*>(
+                       brighter->GetScalarPointer(x, shown.height() - 1 - y, 0)) -
+                     255.0 * std::min(1.0, std::pow(2.0 * red, 1.0 / 2.2))) < 0.51);
     brightest = std::max(brightest, pixel.red());
   }
   QVERIFY(brightest > 100);
