@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Makes the pictures of docs/explorer.md: ExplorerScreenshots FOLDER [HEIGHT [editing|FILE.xml]]
+// Makes the pictures of docs/explorer.md: ExplorerScreenshots FOLDER [HEIGHT [editing|FILE.xml]],
+// or saves the picture of a state: ExplorerScreenshots STATE.json SIZE PICTURE.png
 #include "Application.h"
 #include "EnvironmentPanel.h"
 #include "Files.h"
@@ -11,6 +12,7 @@
 #include "SampleModel.h"
 #include "SamplePanel.h"
 #include "SlicePanel.h"
+#include "SplitView.h"
 #include "Window.h"
 
 #include "vtkBRDFResampler.h"
@@ -130,19 +132,34 @@ static void ShootTransmission(Window& window, const QString& folder, const QStri
   Shoot(window, folder, "transmission-findings");
 }
 
+//------------------------------------------------------------------------------
+// The picture as a user saves it, SIZE pixels wide and high.
+int SaveStatePicture(const char* file, int size, const QString& picture)
+{
+  Window window(LoadState(file));
+  window.GetView()->setFixedSize(size, size);
+  window.show();
+  Settle(window);
+  return window.SavePicture(picture) ? 0 : 1;
+}
+
 int main(int argc, char* argv[])
 {
   if (argc < 2)
   {
     std::puts(
       "usage: ExplorerScreenshots FOLDER [HEIGHT of exact pictures [editing: only what is set; or "
-      "FILE.xml: only its transmission]]");
+      "FILE.xml: only its transmission]]\n       ExplorerScreenshots STATE.json SIZE PICTURE.png");
     return 2;
   }
   const QString folder = argv[1];
   PrepareApplication();
   QApplication application(argc, argv);
   PrepareLocale();
+  if (folder.endsWith(".json") && argc == 4)
+  {
+    return SaveStatePicture(argv[1], std::atoi(argv[2]), argv[3]);
+  }
   State state;
   state.Material = "gold-paint";
   state.Environment = "hall";

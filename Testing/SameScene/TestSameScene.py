@@ -1,70 +1,138 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""One scene gives one picture, in C++, in Python and in PyVista.
+"""One scene gives one picture, in every host.
 
-    TestSameScene.py PROGRAM FOLDER            draw FOLDER/cxx.png, python.png, pyvista.png and compare them
-    TestSameScene.py --compare A.png B.png...  compare pictures that are there with the first one
+    TestSameScene.py FOLDER CXX TOOL [EXPLORER]  draw FOLDER/*.png by each program and in Python, and compare them
+    TestSameScene.py --write FOLDER              write the scene's files, for other hosts
+    TestSameScene.py --compare A.png B.png...    compare pictures that are there with the first one
 
 For each picture it prints how many pixels differ from the first one, and the largest difference of a channel in levels of
-255. Any difference is a failure.
+255. More than one level is a failure.
 """
 
 import importlib.util
+import json
 import os
 import subprocess
 import sys
 
+from scene_files import (
+    ANGLE,
+    AZIMUTH,
+    ELEVATION,
+    ENVIRONMENT,
+    MATERIAL,
+    MESH,
+    PLAIN_ENVIRONMENT,
+    SIZE,
+    get_camera_position,
+    write_scene,
+)
 from vtkmodules.vtkIOImage import vtkPNGReader
 
 SCRIPT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "same_scene.py")
-SIZE = 300
-BACKGROUND = (51, 51, 51)
 
 
 def read(path):
-    """The RGB pixels of a picture, row by row."""
-    reader = vtkPNGReader()
-    reader.SetFileName(path)
-    reader.Update()
-    scalars = reader.GetOutput().GetPointData().GetScalars()
-    assert reader.GetOutput().GetDimensions() == (SIZE, SIZE, 1), f"{path}: expected {SIZE} x {SIZE} pixels"
+    """The RGB pixels of a picture, row by row from the bottom, in levels of 255."""
+    if path.endswith(".exr"):  # radiance, shown as the mapper shows it
+        from vtkmeasuredbrdf import vtkPictureReader
+
+        reader = vtkPictureReader()
+        reader.SetFileName(path)
+        assert reader.Read(), path
+        image = reader.GetPicture()
+    else:
+        reader = vtkPNGReader()
+        reader.SetFileName(path)
+        reader.Update()
+        image = reader.GetOutput()
+    assert image.GetDimensions() == (SIZE, SIZE, 1), f"{path}: expected {SIZE} x {SIZE} pixels"
+    scalars = image.GetPointData().GetScalars()
     count = scalars.GetNumberOfComponents()
-    values = bytes(memoryview(scalars))
+    values = memoryview(scalars).cast("B").cast("f" if path.endswith(".exr") else "B")
+    if path.endswith(".exr"):
+        values = [round(255.0 * min(1.0, max(0.0, value)) ** (1.0 / 2.2)) for value in values]
     return [tuple(values[k:k + 3]) for k in range(0, len(values), count)]
 
 
 def compare(paths):
     """Whether all pictures are the first one."""
     first = read(paths[0])
-    center = first[(SIZE // 2) * (SIZE + 1)]
-    assert first[0] == BACKGROUND, f"{paths[0]}: found a background of {first[0]}, expected {BACKGROUND}"
-    assert center[0] > center[1] > center[2] > 0, f"{paths[0]}: found {center} in the middle, expected gold"
+    assert first[0] == (0, 0, 0), f"{paths[0]}: found a background of {first[0]}, expected black"
+    levels = [pixel[0] for pixel in first if pixel != (0, 0, 0)]
+    assert len(levels) > 10000 and min(levels) + 100 < max(levels), f"{paths[0]}: found no lit surface"
     same = True
     for path in paths[1:]:
-        differences = [max(abs(a - b) for a, b in zip(p, q)) for p, q in zip(first, read(path))]
+        # The explorer writes its labels over the background.
+        differences = [
+            max(abs(a - b) for a, b in zip(p, q))
+            for p, q in zip(first, read(path))
+            if "explorer" not in path or p != (0, 0, 0)
+        ]
         different = sum(difference > 0 for difference in differences)
-        print(f"{path}: {different} pixels of {len(first)} differ, by at most {max(differences)} of 255")
-        same = same and different == 0
+        print(f"{path}: {different} pixels of {len(differences)} differ, by at most {max(differences)} of 255")
+        same = same and max(differences) <= 1
     return same
+
+
+def write_explorer_state(path):
+    state = {
+        "format": "measured-brdf explorer state",
+        "version": 1,
+        "material_files": [MATERIAL],
+        "environment_files": [ENVIRONMENT],
+        "material": MATERIAL,
+        "environment": ENVIRONMENT,
+        "mesh": MESH,
+        "methods": ["planned", "planned"],
+        "split": 1.0,
+        "backdrop": False,
+        "camera": {
+            "position": get_camera_position(),
+            "focal_point": (0.0, 0.0, 0.0),
+            "view_up": (0.0, 1.0, 0.0),
+            "view_angle": ANGLE,
+        },
+    }
+    with open(path, "w") as file:
+        json.dump(state, file)
 
 
 def main():
     if sys.argv[1] == "--compare":
         return 0 if compare(sys.argv[2:]) else 1
-    program, folder = sys.argv[1:]
-    os.makedirs(folder, exist_ok=True)
+    if sys.argv[1] == "--write":
+        write_scene(sys.argv[2])
+        return 0
+    folder, cxx, tool, *explorer = sys.argv[1:]
+    write_scene(folder)
+    os.chdir(folder)
     python = [sys.executable, "-B", SCRIPT]
-    commands = {"cxx": [program], "python": [*python, "vtk"]}
+    scene = [MESH, MATERIAL, ENVIRONMENT]
+    commands = {
+        "cxx.png": [cxx, *scene, ",".join(map(str, get_camera_position()))],
+        "python.png": [*python, "vtk", *scene],
+        # The same light without the header's factor and order of pixels.
+        "plain.png": [*python, "vtk", MESH, MATERIAL, PLAIN_ENVIRONMENT],
+        "tool.exr": [
+            *[tool, "render", MATERIAL, "--environment", ENVIRONMENT, "--mesh", MESH],
+            *["--size", f"{SIZE}x{SIZE}", "--view", f"{AZIMUTH},{ELEVATION},{ANGLE}", "-o"],
+        ],
+    }
     if importlib.util.find_spec("pyvista"):
-        commands["pyvista"] = [*python, "pyvista"]
+        commands["pyvista.png"] = [*python, "pyvista", *scene]
     else:
         print("PyVista is not installed: not compared")
-    paths = []
+    if explorer:
+        write_explorer_state("state.json")
+        commands["explorer.png"] = [*explorer, "state.json", str(SIZE)]
+    else:
+        print("The explorer is not built: not compared")
     for name, command in commands.items():
-        paths.append(os.path.join(folder, f"{name}.png"))
         print(f"{name}: ", end="", flush=True)
-        subprocess.run([*command, paths[-1]], check=True)
-    return 0 if compare(paths) else 1
+        subprocess.run([*command, name], check=True)
+    return 0 if compare(list(commands)) else 1
 
 
 if __name__ == "__main__":

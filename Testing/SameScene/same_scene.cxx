@@ -1,59 +1,57 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The scene of same_scene.py in C++: same_scene PICTURE.png
+// The scene of same_scene.py in C++: same_scene MESH.vtp MATERIAL ENVIRONMENT X,Y,Z PICTURE.png
 
 #include "vtkActor.h"
 #include "vtkBRDF.h"
+#include "vtkBRDFReader.h"
 #include "vtkCamera.h"
-#include "vtkEmbeddedEnvironments.h"
-#include "vtkEmbeddedMaterials.h"
 #include "vtkEnvironment.h"
+#include "vtkEnvironmentReader.h"
 #include "vtkMeasuredBRDFMapper.h"
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
-#include "vtkSmartPointer.h"
-#include "vtkSphereSource.h"
 #include "vtkWindowToImageFilter.h"
+#include "vtkXMLPolyDataReader.h"
 
 #include <cstdlib>
 #include <iostream>
+#include <sstream>
 
 int main(int argc, char* argv[])
 {
-  if (argc != 2)
+  if (argc != 6)
   {
-    std::cerr << "usage: same_scene PICTURE.png\n";
+    std::cerr << "usage: same_scene MESH.vtp MATERIAL ENVIRONMENT X,Y,Z PICTURE.png\n";
     return EXIT_FAILURE;
   }
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetRadius(0.5);
-  sphere->SetThetaResolution(64);
-  sphere->SetPhiResolution(64);
+  double position[3];
+  char comma;
+  std::istringstream(argv[4]) >> position[0] >> comma >> position[1] >> comma >> position[2];
 
-  const auto gold = vtkSmartPointer<vtkBRDF>::Take(vtkEmbeddedMaterials::NewBRDF("gold-paint"));
-  const auto room =
-    vtkSmartPointer<vtkEnvironment>::Take(vtkEmbeddedEnvironments::NewEnvironment("room"));
-  if (!gold || !room)
+  vtkNew<vtkXMLPolyDataReader> surface;
+  surface->SetFileName(argv[1]);
+  vtkNew<vtkBRDFReader> material;
+  material->SetFileName(argv[2]);
+  vtkNew<vtkEnvironmentReader> environment;
+  environment->SetFileName(argv[3]);
+  if (!material->Read() || !environment->Read())
   {
-    std::cerr << "this build lacks gold-paint or room\n";
     return EXIT_FAILURE;
   }
   vtkNew<vtkMeasuredBRDFMapper> mapper;
-  mapper->SetInputConnection(sphere->GetOutputPort());
-  mapper->SetBRDF(gold);
-  mapper->SetEnvironment(room);
-  mapper->SetErrorTolerance(0.02);
-  mapper->UseSceneLightsOff();
+  mapper->SetInputConnection(surface->GetOutputPort());
+  mapper->SetBRDF(material->GetBRDF());
+  mapper->SetEnvironment(environment->GetEnvironment());
 
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   vtkNew<vtkRenderer> renderer;
   renderer->AddActor(actor);
-  renderer->SetBackground(0.2, 0.2, 0.2);
   vtkCamera* camera = renderer->GetActiveCamera();
-  camera->SetPosition(0.0, 0.0, 2.4);
+  camera->SetPosition(position);
   camera->SetFocalPoint(0.0, 0.0, 0.0);
   camera->SetViewUp(0.0, 1.0, 0.0);
   camera->SetViewAngle(30.0);
@@ -71,7 +69,7 @@ int main(int argc, char* argv[])
   grab->ShouldRerenderOff(); // it would change the last digit of the view angle
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputConnection(grab->GetOutputPort());
-  writer->SetFileName(argv[1]);
+  writer->SetFileName(argv[5]);
   writer->Write();
   std::cout << mapper->GetPlan() << "\n";
   return EXIT_SUCCESS;

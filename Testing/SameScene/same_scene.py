@@ -1,48 +1,45 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The scene of same_scene.cxx in Python: same_scene.py vtk|pyvista PICTURE.png"""
+"""The scene of same_scene.cxx in Python: same_scene.py vtk|pyvista MESH MATERIAL ENVIRONMENT PICTURE.png"""
 
 import sys
 
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 (the renderer)
-from vtkmodules.vtkFiltersSources import vtkSphereSource
+from scene_files import ANGLE, SIZE, get_camera_position
 from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
 
 
-def new_sphere():
-    sphere = vtkSphereSource()
-    sphere.SetRadius(0.5)
-    sphere.SetThetaResolution(64)
-    sphere.SetPhiResolution(64)
-    return sphere
+def draw_with_vtk(mesh, material, environment, path):
+    from vtkmeasuredbrdf import vtkBRDFReader, vtkEnvironmentReader, vtkMeasuredBRDFMapper
 
-
-def draw_with_vtk(path):
-    from vtkmeasuredbrdf import vtkEmbeddedEnvironments, vtkEmbeddedMaterials, vtkMeasuredBRDFMapper
-
-    sphere = new_sphere()
+    surface = vtkXMLPolyDataReader()
+    surface.SetFileName(mesh)
+    brdf = vtkBRDFReader()
+    brdf.SetFileName(material)
+    brdf.Read()
+    light = vtkEnvironmentReader()
+    light.SetFileName(environment)
+    light.Read()
     mapper = vtkMeasuredBRDFMapper()
-    mapper.SetInputConnection(sphere.GetOutputPort())
-    mapper.SetBRDF(vtkEmbeddedMaterials.NewBRDF("gold-paint"))
-    mapper.SetEnvironment(vtkEmbeddedEnvironments.NewEnvironment("room"))
-    mapper.SetErrorTolerance(0.02)
-    mapper.UseSceneLightsOff()
+    mapper.SetInputConnection(surface.GetOutputPort())
+    mapper.SetBRDF(brdf.GetBRDF())
+    mapper.SetEnvironment(light.GetEnvironment())
     actor = vtkActor()
     actor.SetMapper(mapper)
     renderer = vtkRenderer()
     renderer.AddActor(actor)
-    renderer.SetBackground(0.2, 0.2, 0.2)
     camera = renderer.GetActiveCamera()
-    camera.SetPosition(0.0, 0.0, 2.4)
+    camera.SetPosition(get_camera_position())
     camera.SetFocalPoint(0.0, 0.0, 0.0)
     camera.SetViewUp(0.0, 1.0, 0.0)
-    camera.SetViewAngle(30.0)
+    camera.SetViewAngle(ANGLE)
     renderer.ResetCameraClippingRange()
     window = vtkRenderWindow()
     window.SetOffScreenRendering(1)
     window.SetMultiSamples(0)
-    window.SetSize(300, 300)
+    window.SetSize(SIZE, SIZE)
     window.AddRenderer(renderer)
     window.Render()
     grab = vtkWindowToImageFilter()
@@ -56,22 +53,21 @@ def draw_with_vtk(path):
     return mapper.GetPlan()
 
 
-def draw_with_pyvista(path):
+def draw_with_pyvista(mesh, material, environment, path):
     import pyvista as pv
 
     import vtkmeasuredbrdf.pyvista  # noqa: F401 (plotter.measured)
 
     pv.global_theme.multi_samples = 0
-    plotter = pv.Plotter(off_screen=True, window_size=(300, 300))
-    actor = plotter.measured.add_mesh(new_sphere(), "gold-paint", tolerance=0.02)
-    actor.mapper.UseSceneLightsOff()
-    plotter.measured.set_environment("room", up=(0.0, 1.0, 0.0))
-    plotter.set_background((0.2, 0.2, 0.2))
-    plotter.camera_position = [(0.0, 0.0, 2.4), (0.0, 0.0, 0.0), (0.0, 1.0, 0.0)]
-    plotter.camera.view_angle = 30.0
+    plotter = pv.Plotter(off_screen=True, window_size=(SIZE, SIZE))
+    actor = plotter.measured.add_mesh(pv.read(mesh), material)
+    plotter.measured.set_environment(environment, up=(0.0, 1.0, 0.0))
+    plotter.set_background("black")
+    plotter.camera_position = [get_camera_position(), (0.0, 0.0, 0.0), (0.0, 1.0, 0.0)]
+    plotter.camera.view_angle = ANGLE
     plotter.screenshot(path)
     return actor.mapper.plan
 
 
 if __name__ == "__main__":
-    print({"vtk": draw_with_vtk, "pyvista": draw_with_pyvista}[sys.argv[1]](sys.argv[2]))
+    print({"vtk": draw_with_vtk, "pyvista": draw_with_pyvista}[sys.argv[1]](*sys.argv[2:]))

@@ -1,31 +1,39 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The scene that all hosts of the module draw, to be compared between them. Saved under the name in
-MEASUREDBRDF_PARAVIEW_PICTURE, by pvbatch or in ParaView's window."""
+"""The scene of Testing/SameScene, with ParaView's and the plugin's own defaults, to be compared with other hosts. Saved under
+the name in MEASUREDBRDF_PARAVIEW_PICTURE, by pvbatch or in ParaView's window."""
 import os
+import sys
 
 from paraview import simple
 
-from common import draw, get_plan, load_plugin, look, make_sphere, make_view, show
+from common import OUTPUT, draw, get_plan, load_plugin, make_view, show
 
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../../Testing/SameScene"))
+from scene_files import ANGLE, ENVIRONMENT, MATERIAL, MESH, get_camera_position, write_scene  # noqa: E402
+
+folder = os.path.join(OUTPUT, "same-scene")
+write_scene(folder)
 load_plugin()
 view = make_view()
 if simple.GetLayout(view) is None:
     simple.AssignViewToLayout(view)
-view.RemoteRenderThreshold = 0
-look(view, distance=2.4)
-sphere = make_sphere(Radius=0.5)
+view.Background = [0.0, 0.0, 0.0]
+view.CameraFocalPoint = [0, 0, 0]
+view.CameraPosition = get_camera_position()
+view.CameraViewUp = [0, 1, 0]
+view.CameraViewAngle = ANGLE
+balls = simple.OpenDataFile(os.path.join(folder, MESH))
 display = show(
-    sphere,
+    balls,
     view,
-    MeasuredMaterial="gold-paint",
-    MeasuredEnvironment="room",
-    UseViewLights=0,
-    ErrorTolerance=0.02,
-    PlanInBackground=0,
+    MeasuredMaterial="File",
+    MeasuredMaterialFile=os.path.join(folder, MATERIAL),
+    MeasuredEnvironment="File",
+    MeasuredEnvironmentFile=os.path.join(folder, ENVIRONMENT),
 )
 simple.SetActiveView(view)
-simple.SetActiveSource(sphere)
+simple.SetActiveSource(balls)
 simple.Render(view)
 picture = draw(view, os.environ["MEASUREDBRDF_PARAVIEW_PICTURE"])
 assert picture.std() > 10, picture.std()
