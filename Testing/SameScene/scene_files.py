@@ -45,8 +45,8 @@ def write_mesh(path):
 
 
 def get_radiance(x, y):
-    """A gray room with a bluish ceiling and a bright window; x from 0 to WIDTH, y from 0 at the top to HEIGHT."""
-    if 30 <= x < 42 and 18 <= y < 30:
+    """A gray room with a bluish ceiling and a bright window, which the balls mirror; x from 0 to WIDTH, y from 0 at the top to HEIGHT."""
+    if 86 <= x < 100 and 12 <= y < 24:
         return (8.0, 7.5, 6.5)
     return (0.35, 0.4, 0.5) if y < 20 else (0.25, 0.24, 0.22) if y < 44 else (0.12, 0.1, 0.08)
 
