@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkMeasuredBRDF authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The files of the scene that every host draws: two balls that hide the sky from each other, a mirror-like coat on a bright
+"""The files of the scene that every host draws: three balls that hide the sky from each other, a mirror-like coat on a bright
 base, and a map in large units whose header gives the exposure and the order of its pixels."""
 
 import math
@@ -11,7 +11,7 @@ from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 MESH, MATERIAL, ENVIRONMENT, PLAIN_ENVIRONMENT = "balls.vtp", "coat.fit", "window.hdr", "plain.hdr"
-RADIUS = 0.45
+RADIUS = 0.3
 # Where `measured-brdf render --view 30,20` looks from: the bounding sphere fills 0.9 of the picture.
 AZIMUTH, ELEVATION, ANGLE, FILL = 30.0, 20.0, 30.0, 0.9
 SIZE = 300
@@ -21,7 +21,7 @@ WIDTH, HEIGHT = 128, 64
 def get_camera_position():
     azimuth, elevation = math.radians(AZIMUTH), math.radians(ELEVATION)
     share = FILL * math.tan(math.radians(0.5 * ANGLE))
-    distance = 2.0 * RADIUS * math.sqrt(1.0 + 1.0 / share**2)
+    distance = 3.0 * RADIUS * math.sqrt(1.0 + 1.0 / share**2)
     return (
         distance * math.cos(elevation) * math.sin(azimuth),
         distance * math.sin(elevation),
@@ -31,7 +31,7 @@ def get_camera_position():
 
 def write_mesh(path):
     balls = vtkAppendPolyData()
-    for x in (-RADIUS, RADIUS):
+    for x in (-2.0 * RADIUS, 0.0, 2.0 * RADIUS):
         sphere = vtkSphereSource()
         sphere.SetCenter(x, 0.0, 0.0)
         sphere.SetRadius(RADIUS)
@@ -47,8 +47,8 @@ def write_mesh(path):
 def get_radiance(x, y):
     """A gray room with a bluish ceiling and a bright window, which the balls mirror; x from 0 to WIDTH, y from 0 at the top to HEIGHT."""
     if 86 <= x < 100 and 12 <= y < 24:
-        return (8.0, 7.5, 6.5)
-    return (0.35, 0.4, 0.5) if y < 20 else (0.25, 0.24, 0.22) if y < 44 else (0.12, 0.1, 0.08)
+        return (9.0, 8.0, 6.5)
+    return (0.15, 0.2, 0.3) if y < 20 else (0.3, 0.28, 0.25) if y < 44 else (0.05, 0.04, 0.03)
 
 
 def encode(rgb):
@@ -75,8 +75,8 @@ def write_scene(folder):
     write_mesh(os.path.join(folder, MESH))
     with open(os.path.join(folder, MATERIAL), "w") as file:
         file.write(
-            "coat = Aggregate(Lambertian(albedo = [0.8, 0.72, 0.6]), "
-            "LowAshikhminShirley(albedo = [0.1, 0.1, 0.1], sharpness = 20000.0, fresnelReflectance = 1.5))\n"
+            "coat = Aggregate(Lambertian(albedo = [0.6, 0.3, 0.12]), "
+            "LowAshikhminShirley(albedo = [0.3, 0.3, 0.3], sharpness = 20000.0, fresnelReflectance = 1.5))\n"
         )
     # A power of two: both files hold the same mantissas.
     write_environment(os.path.join(folder, ENVIRONMENT), 2**17, turned=True)
