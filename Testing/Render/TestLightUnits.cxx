@@ -30,7 +30,7 @@ namespace
 {
 // Of both decimal units and powers of two: the lights that stand for a map may be others where its
 // digits are rounded otherwise.
-constexpr double Units[] = { 1e-8, LightUnits[0], 1e5, LightUnits[2] };
+constexpr double Units[] = { LightUnits[0], 1e5, LightUnits[2] };
 
 class LightUnits8Bit : public RenderFixture
 {
