@@ -104,6 +104,7 @@ private slots:
   void toleranceGivesANewPlan();
   void lineIsDragged();
   void sidesContinueEachOther();
+  void screenShowsRadiance_data();
   void screenShowsRadiance();
   void sameMethodsDoNotDiffer();
   void badFilesChangeNothing();
@@ -277,11 +278,36 @@ void ExplorerWindow::sidesContinueEachOther()
 }
 
 //------------------------------------------------------------------------------
+void ExplorerWindow::screenShowsRadiance_data()
+{
+  QTest::addColumn<QString>("method");
+  QTest::addColumn<int>("power"); // of two, that a sky's radiance is times
+  QTest::newRow("planned") << method::Planned << 0;
+  QTest::newRow("planned, bright map") << method::Planned << 20;
+  QTest::newRow("stock, bright map") << method::PBR << 20;
+}
+
+//------------------------------------------------------------------------------
 // The shader's exposure, roll-off and encoding are those of the pictures.
 void ExplorerWindow::screenShowsRadiance()
 {
+  QFETCH(QString, method);
+  QFETCH(int, power);
   State state = MakeState();
-  state.Methods = { method::Planned, method::Planned };
+  const QTemporaryDir folder;
+  if (power > 0) // as Radiance RGBE: brighter above
+  {
+    constexpr int half = 64 * 16;
+    state.Environment = folder.filePath("bright.hdr").toStdString();
+    state.EnvironmentFiles = { state.Environment };
+    std::string bytes = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 32 +X 64\n";
+    for (int k = 0; k < 2 * half; ++k)
+    {
+      bytes += { char(128), char(128), char(160), char((k < half ? 129 : 127) + power) };
+    }
+    std::ofstream(state.Environment, std::ios::binary) << bytes;
+  }
+  state.Methods = { method.toStdString(), method.toStdString() };
   state.Split = 1.0;
   state.Exposure = 1.0; // so that some of it is rolled off
   Window* window = this->Show(state);
