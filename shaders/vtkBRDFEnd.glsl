@@ -5,10 +5,12 @@
   {
     brdfRadiance *= pow(max(diffuseColor, vec3(0.0)), vec3(2.2));
   }
-  // Nothing negative, infinite or NaN reaches a pixel (comparisons with NaN are false).
-  brdfRadiance.r = brdfRadiance.r > 0.0 ? min(brdfRadiance.r, 1e9) : 0.0;
-  brdfRadiance.g = brdfRadiance.g > 0.0 ? min(brdfRadiance.g, 1e9) : 0.0;
-  brdfRadiance.b = brdfRadiance.b > 0.0 ? min(brdfRadiance.b, 1e9) : 0.0;
+  // Nothing negative, infinite or NaN reaches a pixel (comparisons with NaN are false). The largest
+  // radiance is what framebuffers of half floats hold once it is encoded (65504^2.2 = 3.9e10): more
+  // than the sun's 1.6e9 cd/m2, for maps in that unit.
+  brdfRadiance.r = brdfRadiance.r > 0.0 ? min(brdfRadiance.r, 3e10) : 0.0;
+  brdfRadiance.g = brdfRadiance.g > 0.0 ? min(brdfRadiance.g, 3e10) : 0.0;
+  brdfRadiance.b = brdfRadiance.b > 0.0 ? min(brdfRadiance.b, 3e10) : 0.0;
   // VTK's PBR encodes here too, and its tone mapping pass expects that.
   vec3 color = pow(brdfRadiance, vec3(1.0 / 2.2));
   //VTK::MeasuredBRDF::Edges

@@ -6,6 +6,7 @@ uniform sampler3D brdfTableProfileINSTANCE; // theta_o; phi_o; (axis along and a
 // Azimuth of the axis; polar angle of the axis within phi_o; the tangent's azimuth within theta_o.
 uniform sampler3D brdfTableRadianceINSTANCE;
 uniform sampler2D brdfTableIrradianceINSTANCE; // octahedral, over the normal
+uniform float brdfTableIrradianceScaleINSTANCE; // of its values
 uniform float brdfTableLastViewINSTANCE; // the last theta_o, in quarter turns
 
 // Between two view angles at one of the view's azimuths. psi in turns.
@@ -69,7 +70,7 @@ vec3 brdfEnvironmentINSTANCE(mat3 frame, vec3 o)
     place.z = 2.5 / 3.0;
     float side = float(textureSize(brdfTableIrradianceINSTANCE, 0).x);
     vec2 normalAt = (brdfOctahedralPosition(frame[2]) * (side - 1.0) + 0.5) / side;
-    sum += texture(brdfTableIrradianceINSTANCE, normalAt).rgb *
+    sum += brdfTableIrradianceScaleINSTANCE * texture(brdfTableIrradianceINSTANCE, normalAt).rgb *
       texture(brdfTableProfileINSTANCE, place).rgb;
   }
   return max(sum, vec3(0.0));

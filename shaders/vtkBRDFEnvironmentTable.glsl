@@ -7,6 +7,7 @@ uniform vec3 brdfTableShareINSTANCE; // of a step of s's root
 uniform vec3 brdfTableLambertINSTANCE; // largest root of c
 uniform sampler3D brdfTableRadianceINSTANCE; // azimuth and polar angle of axis; psi within view angles
 uniform sampler2D brdfTableIrradianceINSTANCE; // octahedral, over the normal
+uniform float brdfTableIrradianceScaleINSTANCE; // of its values
 uniform float brdfTableRowsINSTANCE; // of the map that is everywhere; tiles lie below it
 uniform float brdfTableAnglesINSTANCE;
 uniform float brdfTableLastViewINSTANCE; // the profile's last theta_o, in quarter turns
@@ -50,7 +51,9 @@ vec3 brdfEnvironmentINSTANCE(mat3 frame, vec3 o)
   {
     float side = float(textureSize(brdfTableIrradianceINSTANCE, 0).x);
     vec2 normalAt = (brdfOctahedralPosition(frame[2]) * (side - 1.0) + 0.5) / side;
-    sum += BRDF_OPEN_IRRADIANCE(texture(brdfTableIrradianceINSTANCE, normalAt).rgb) * lambert;
+    vec3 irradiance = brdfTableIrradianceScaleINSTANCE *
+      texture(brdfTableIrradianceINSTANCE, normalAt).rgb;
+    sum += BRDF_OPEN_IRRADIANCE(irradiance) * lambert;
   }
   sum += LAMPS_PART;
   return max(max(sum, vec3(0.0)) + BRDF_OPEN_LOBE(core), vec3(0.0));

@@ -220,7 +220,7 @@ float brdfSkyLampInLobe(vec3 lamp, vec3 normal, vec3 slope, float kappa, float i
 // logarithm of base 2, within +-5.65: how much brighter than the rest the hidden sky is.
 vec3 brdfSkyContrast(vec3 hidden, vec3 irradiance, float cosine)
 {
-  vec3 part = clamp(hidden / max(irradiance, vec3(1e-12)), 0.0, 0.999);
+  vec3 part = clamp(hidden / max(irradiance, vec3(1e-30)), 0.0, 0.999);
   vec3 odds = part * (1.0 - cosine) / max((1.0 - part) * cosine, vec3(1e-6));
   return log2(clamp(odds, 1.0 / 50.0, 50.0));
 }

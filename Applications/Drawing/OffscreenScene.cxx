@@ -159,14 +159,15 @@ Picture OffscreenScene::Capture(int width, int height)
 }
 
 //------------------------------------------------------------------------------
-void OffscreenScene::Decode(Picture& picture)
+void OffscreenScene::Decode(Picture& picture) const
 {
+  const auto unit = static_cast<float>(this->Unit);
   for (std::size_t k = 0; k < picture.Pixels.size(); ++k)
   {
     if (k % 4 != 3)
     {
       picture.Pixels[k] =
-        std::pow(std::max(0.0f, picture.Pixels[k]), static_cast<float>(OutputGamma));
+        unit * std::pow(std::max(0.0f, picture.Pixels[k]), static_cast<float>(OutputGamma));
     }
   }
 }

@@ -76,9 +76,10 @@ protected:
   /// Render with the camera as it is; what the shader wrote, as it is. Throws Error.
   Picture Capture(int width, int height);
 
-  /// x^(1/2.2) -> x, of colors.
-  static void Decode(Picture& picture);
+  /// x^(1/2.2) -> x, of colors, in this scene's unit.
+  void Decode(Picture& picture) const;
 
+  double Unit = 1.0; // of what is drawn: radiance is so many times as much
   vtkSmartPointer<vtkOpenGLPolyDataMapper> StageMapper;
   vtkNew<vtkActor> Actor;
   vtkNew<vtkRenderer> Renderer;

@@ -5,13 +5,17 @@
 #include "Progress.h"
 
 #include "vtkActor.h"
+#include "vtkDataArrayRange.h"
 #include "vtkEnvironment.h"
+#include "vtkFloatArray.h"
 #include "vtkImageData.h"
+#include "vtkMath.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkOpenGLTexture.h"
 #include "vtkPBRIrradianceTexture.h"
 #include "vtkPBRLUTTexture.h"
 #include "vtkPBRPrefilterTexture.h"
+#include "vtkPointData.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkTexture.h"
@@ -61,6 +65,21 @@ double FitAlbedo(
 namespace tool
 {
 //------------------------------------------------------------------------------
+StockLight::StockLight(vtkEnvironment* environment)
+  : Image(vtkSmartPointer<vtkImageData>::Take(environment->NewImageData()))
+{
+  double total[3];
+  environment->GetTotal(total);
+  const double mean = vtkEnvironment::GetLuminance(total) / (4.0 * vtkMath::Pi());
+  this->Unit = mean > 0.0 ? std::exp2(std::round(std::log2(mean))) : 1.0;
+  auto* radiance = vtkFloatArray::SafeDownCast(this->Image->GetPointData()->GetScalars());
+  for (float& value : vtk::DataArrayValueRange(radiance))
+  {
+    value = static_cast<float>(static_cast<double>(value) / this->Unit);
+  }
+}
+
+//------------------------------------------------------------------------------
 StockScene::StockScene()
   : OffscreenScene(vtkSmartPointer<vtkOpenGLPolyDataMapper>::New())
 {
@@ -70,9 +89,10 @@ StockScene::StockScene()
 //------------------------------------------------------------------------------
 void StockScene::SetLight(vtkEnvironment* environment)
 {
-  const auto image = vtkSmartPointer<vtkImageData>::Take(environment->NewImageData());
+  const StockLight light(environment);
+  this->Unit = light.Unit;
   vtkNew<vtkTexture> texture;
-  texture->SetInputData(image);
+  texture->SetInputData(light.Image);
   texture->SetColorModeToDirectScalars();
   texture->MipmapOn();
   texture->InterpolateOn();

@@ -15,9 +15,20 @@
 #include <vector>
 
 class vtkEnvironment;
+class vtkImageData;
 
 namespace tool
 {
+/// Light for VTK's own shading, which keeps half floats of it: the map in units of about its mean
+/// radiance, a power of two, which changes no digit.
+struct StockLight
+{
+  explicit StockLight(vtkEnvironment* environment);
+
+  double Unit = 1.0;
+  vtkSmartPointer<vtkImageData> Image;
+};
+
 struct StockMaterial
 {
   double Roughness = 0.5;

@@ -259,12 +259,14 @@ void Side::DrawFitted(vtkProperty* fitted, double error)
   this->FitError = error;
   this->StockActor->GetProperty()->DeepCopy(fitted);
   this->IsDirectlyLit = this->Model->IsDirectional();
+  this->StockUnit = 1.0;
   if (!this->IsDirectlyLit)
   {
-    const auto image =
-      vtkSmartPointer<vtkImageData>::Take(this->Model->GetEnvironment()->NewImageData());
-    this->StockLight->SetInputData(image);
+    const tool::StockLight light(this->Model->GetEnvironment());
+    this->StockUnit = light.Unit;
+    this->StockLight->SetInputData(light.Image);
   }
+  this->SetExposure(this->Exposure);
   this->Light = this->Model->GetEnvironment();
   this->IsMade = true;
   this->IsPlanned = false;
@@ -344,8 +346,9 @@ void Side::SetVisible(bool visible)
 //------------------------------------------------------------------------------
 void Side::SetExposure(double factor)
 {
+  this->Exposure = factor;
   explorer::SetExposure(this->Actor, factor);
-  explorer::SetExposure(this->StockActor, factor);
+  explorer::SetExposure(this->StockActor, factor * this->StockUnit);
 }
 
 //------------------------------------------------------------------------------

@@ -112,6 +112,8 @@ private:
   vtkNew<vtkActor> StockActor;
   vtkNew<vtkOpenGLPolyDataMapper> StockMapper;
   vtkNew<vtkTexture> StockLight;
+  double StockUnit = 1.0; // of its radiance
+  double Exposure = 1.0;
   vtkNew<vtkLight> Lamp;                 // on where there is the directional light
   vtkSmartPointer<vtkEnvironment> Light; // of the actor's mapper
   tool::Method Made;

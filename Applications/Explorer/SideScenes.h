@@ -29,6 +29,7 @@ public:
 
   void SetLamp(vtkLight* lamp)
   {
+    this->Unit = 1.0;
     this->Renderer->UseImageBasedLightingOff();
     this->Renderer->SetEnvironmentTexture(nullptr);
     this->Renderer->RemoveAllLights();

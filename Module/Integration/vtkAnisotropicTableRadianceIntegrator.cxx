@@ -185,7 +185,8 @@ bool vtkAnisotropicTableRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs&
   if (table.HasFloor)
   {
     add("brdfTableIrradiance", RadianceTable::IrradianceSide, RadianceTable::IrradianceSide, 1)
-      .SharedExponents = *table.Irradiance;
+      .SharedExponents = table.Irradiance->Texels;
+    term.Uniforms.push_back({ "brdfTableIrradianceScale", { table.Irradiance->Scale } });
     term.Fetches += 2; // with its profile
   }
   form = vtkBRDFShaderInputs();

@@ -47,9 +47,10 @@ namespace
 {
 constexpr int MaximumNumberOfLights = 64; // that are taken out
 
-// Peaks that 16-bit floats suit: they overflow above, and lose digits below 6e-5.
-constexpr float LeastPeak = 0x1p-6f;
-constexpr float LargestPeak = 65504.0f;
+constexpr float LargestTexel = 32768.0f; // of 16-bit floats, with room to spare
+// A peak over the mean up to which 16-bit floats, which lose digits below 6e-5, hold the dark
+// parts.
+constexpr double MostContrast = 65536.0;
 
 // The pyramid's level at which one texel is the whole sphere, moved by the bias.
 float GetSphereLevel(const EnvironmentPyramid& pyramid, double bias)
@@ -68,16 +69,26 @@ vtkBRDFShaderInputs::Texture NewTexture(const char* name, int components, int wi
   return texture;
 }
 
-vtkBRDFShaderInputs::Texture NewPyramidTexture(const EnvironmentPyramid& pyramid)
+// Scaled to its peak, whatever the unit of the light is; scale: what undoes that.
+vtkBRDFShaderInputs::Texture NewPyramidTexture(const EnvironmentPyramid& pyramid, float& scale)
 {
   vtkBRDFShaderInputs::Texture texture =
     NewTexture("brdfPyramidMap", 3, pyramid.GetSize() + 2, pyramid.GetAtlasHeight());
+  float peak = 0.0f;
+  double sum = 0.0;
   for (const glm::vec4& texel : pyramid.GetAtlas())
   {
-    texture.Data.insert(texture.Data.end(), { texel.r, texel.g, texel.b });
+    const float value = std::max({ texel.r, texel.g, texel.b });
+    peak = std::max(peak, value);
+    sum += static_cast<double>(value);
   }
-  const float peak = *std::max_element(texture.Data.begin(), texture.Data.end());
-  texture.HalfFloat = peak >= LeastPeak && peak <= LargestPeak;
+  scale = peak > 0.0f ? peak / LargestTexel : 1.0f;
+  for (const glm::vec4& texel : pyramid.GetAtlas())
+  {
+    texture.Data.insert(texture.Data.end(), { texel.r / scale, texel.g / scale, texel.b / scale });
+  }
+  texture.HalfFloat = static_cast<double>(peak) * static_cast<double>(pyramid.GetAtlas().size()) <=
+                      MostContrast * sum;
   return texture;
 }
 }
@@ -196,6 +207,8 @@ bool vtkFilteredRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
   const EnvironmentPyramid& pyramid = *this->Impl->Pyramid;
   const ReflectionSamples& samples = *this->Impl->Samples;
   const int count = samples.GetNumberOfSamples();
+  float scale = 1.0f;
+  vtkBRDFShaderInputs::Texture map = NewPyramidTexture(pyramid, scale);
   vtkBRDFShaderInputs::Texture directions =
     NewTexture("brdfDirections", 4, count, ReflectionSamples::NumberOfViews);
   vtkBRDFShaderInputs::Texture weights =
@@ -207,16 +220,16 @@ bool vtkFilteredRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
       const ReflectionSamples::Sample& sample = samples.Get(view, k);
       const glm::vec3& d = sample.Direction;
       directions.Data.insert(directions.Data.end(), { d.x, d.y, d.z, sample.Level });
-      weights.Data.insert(
-        weights.Data.end(), { sample.Weight.r, sample.Weight.g, sample.Weight.b });
+      const glm::vec3 weight = scale * glm::vec3(sample.Weight);
+      weights.Data.insert(weights.Data.end(), { weight.r, weight.g, weight.b });
     }
   }
   vtkBRDFShaderInputs::Term term;
   measuredbrdf::SetModuleShader(term, "vtkBRDFEnvironmentFiltered", vtkBRDFEnvironmentFiltered);
   term.Uniforms.push_back({ "brdfLevel", { GetSphereLevel(pyramid, this->LevelBias) } });
   term.Fetches = 4 * count; // direction and level, weight, two levels of the map
-  term.Textures.push_back(NewPyramidTexture(pyramid));
-  const bool half = term.Textures.front().HalfFloat;
+  const bool half = map.HalfFloat;
+  term.Textures.push_back(std::move(map));
   term.Textures.push_back(std::move(directions));
   term.Textures.push_back(std::move(weights));
 

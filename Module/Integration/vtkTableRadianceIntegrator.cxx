@@ -243,7 +243,8 @@ bool vtkTableRadianceIntegrator::GetShaderInputs(vtkBRDFShaderInputs& form)
   if (table.HasFloor)
   {
     add("brdfTableIrradiance", RadianceTable::IrradianceSide, RadianceTable::IrradianceSide, 1)
-      .SharedExponents = *table.Irradiance;
+      .SharedExponents = table.Irradiance->Texels;
+    term.Uniforms.push_back({ "brdfTableIrradianceScale", { table.Irradiance->Scale } });
     ++term.Fetches;
   }
   form = vtkBRDFShaderInputs();

@@ -290,6 +290,9 @@ add("Integration.maps-half-a-column-off", "Private/FieldSynthesis.cxx", "std::po
     "std::polar(1.0f, static_cast<float>(Pi * frequency))", "FactoredIntegrator.MapsConverge|FactoredIntegrator.MirrorsInFewMegabytes")
 add("Integration.lamps-ring", "Private/TableSynthesis.h", "const double from = 0.6 * rows;", "const double from = degree;",
     "FactoredIntegrator.*|TableIntegrator.*|TableReference.*")
+add("Integration.irradiance-in-one-unit-only", "Private/TableSynthesis.cxx",
+    "irradiance->Scale = static_cast<float>(PackRadiance(values, irradiance->Texels));",
+    "PackRadiance(values, irradiance->Texels);", "LightUnits.ReachFromFaintToStrong")
 add("Integration.table-without-its-blur", "Private/TableSynthesis.cxx", "smoothed[b % size] * static_cast<float>(knot", "static_cast<float>(knot",
     "FactoredIntegrator.WhiteFurnaceIsTheDirectionalAlbedo|FactoredIntegrator.MirrorsInFewMegabytes")
 add("Integration.no-splines-along-rows", "Private/FieldSynthesis.cxx", "of.Above != MapPart::None && of.Below != MapPart::None", "false", "LinearSpline.*|TableReference.ErrorFallsWithSize*|AnisotropicTable.*")
@@ -946,8 +949,11 @@ add("Shaders.linear-attenuation-without-distance", "vtkBRDFPositionalLight.glsl"
     "lightAttenuationLIGHT.y * brdfDistanceLIGHT +", "lightAttenuationLIGHT.y +", "MapperShading.SpotOffItsAxis")
 add("Shaders.scalars-made-linear-by-two", "vtkBRDFEnd.glsl", "vec3(0.0)), vec3(2.2));", "vec3(0.0)), vec3(2.0));",
     "MapperShading.HalfGrayScalars")
-add("Shaders.green-without-guard", "vtkBRDFEnd.glsl", "brdfRadiance.g > 0.0 ? min(brdfRadiance.g, 1e9) : 0.0",
+add("Shaders.green-without-guard", "vtkBRDFEnd.glsl", "brdfRadiance.g > 0.0 ? min(brdfRadiance.g, 3e10) : 0.0",
     "min(brdfRadiance.g, 1e9)", "MapperShading.NegativeLightsEndAtZero")
+add("Shaders.irradiance-without-its-scale", "vtkBRDFEnvironmentTable.glsl",
+    "vec3 irradiance = brdfTableIrradianceScaleINSTANCE *", "vec3 irradiance = 1.0 *",
+    "LightUnits8Bit.OfMaterialMaps|Parity.TableIntegrator")
 add("Shaders.encoded-twice", "vtkBRDFEnd.glsl", "pow(brdfRadiance, vec3(1.0 / 2.2))",
     "pow(brdfRadiance, vec3(1.0 / 2.4))", "Mapper.SceneLights|MapperShading.HalfGrayScalars")
 add("Shaders.preintegrated-sine-part", "vtkBRDFEnvironmentBasis.glsl", "sine * angle.x - even * angle.y;",

@@ -1069,6 +1069,56 @@ class RenderMethods(RenderTest):
             self.assertGreater(exact[12][x], 20)
 
 
+class Units(RenderTest):
+    """A map in another unit: exact powers of two, so that no digit changes."""
+
+    def write_sky(self, power, width=64, height=32):
+        """A sky of radiance 2^power above, darker ground, and a lamp of 64 times as much."""
+        head = f"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y {height} +X {width}\n"
+        sky = bytearray(bytes([128, 128, 160, 129 + power]) * (width * height // 2))
+        lamp = 4 * (6 * width + 40)
+        sky[lamp : lamp + 8] = bytes([128, 128, 128, 135 + power]) * 2
+        ground = bytes([128, 100, 80, 127 + power]) * (width * height // 2)
+        return self.write(f"sky{power}.hdr", head.encode() + sky + ground)
+
+    def test_pictures(self):
+        pictures = []
+        for power in (0, 20, 27, -27):
+            sky = ["--environment", self.write_sky(power), "--exposure", -power, "--size", "48x48", "--no-cache"]
+            self.check(self.render("pink-felt", "felt.png", *sky), 0)
+            pictures.append(read_png(self.path("felt.png")))
+        self.assertGreater(pictures[0][24][3 * 24], 50)
+        for picture in pictures[1:]:
+            for row, expected in zip(picture, pictures[0]):
+                self.assertLessEqual(max(abs(a - b) for a, b in zip(row, expected)), 1)
+
+    def test_errors_of_both_shadings(self):
+        reports = []
+        for power in (0, 20, -20):
+            sky, report = self.write_sky(power), self.path("report.json")
+            result = run(
+                "compare", "blue-fabric", "--environment", sky, "--size", "48x48", "--reference-pixels", "64",
+                "--report", report)  # fmt: skip
+            if "needs an X server" in result.stderr:
+                self.skipTest("skipped: no X server, which this VTK needs")
+            self.check(result, 0)
+            with open(report, encoding="utf-8") as file:
+                reports.append(json.load(file))
+        for key in ("relative_l1", "flip", "hdr_flip", "pbr_relative_l1", "pbr_flip", "predicted_error", "texture_bytes"):
+            self.check_close([report[key] for report in reports], 3 * [reports[0][key]], 1e-3)
+
+    def test_exports(self):
+        models = []
+        for power in (0, 20, -20):
+            sky, report = self.write_sky(power), self.path("report.json")
+            light = ["--fit-under", sky, "--environment", "sky", "--size", "8", "--report", report]
+            self.check(run("export", "pink-felt", "--to", "gltf", "-o", self.path("felt.gltf"), *light), 0)
+            with open(report, encoding="utf-8") as file:
+                (model,) = json.load(file)["models"]
+            models.append([model["parts"], model["values"], [error["relative_l1"] for error in model["errors"]]])
+        self.assertEqual(models[1:], 2 * [models[0]])
+
+
 class Compare(ToolTest):
     COMMON = ["--environment", "hall", "--size", "64x64", "--reference-pixels", "64"]
 

@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <vector>
 
 namespace measuredbrdf
 {
@@ -62,6 +63,14 @@ inline glm::vec3 UnpackSharedExponent(std::uint32_t texel)
   const float scale = GetPowerOfTwo(static_cast<int>(texel >> 27) - 24);
   return scale * glm::vec3(texel & 511u, texel >> 9 & 511u, texel >> 18 & 511u);
 }
+
+/// Texels whose largest component is the format's, so that values may be of any size; each is to be
+/// multiplied by the scale.
+struct ScaledTexels
+{
+  std::vector<std::uint32_t> Texels;
+  float Scale = 1.0f;
+};
 } // namespace measuredbrdf
 
 #endif

@@ -75,7 +75,7 @@ glm::dvec3 AnisotropicTable::Evaluate(
   if (this->HasFloor)
   {
     sum += this->GetProfile(2, u, phi, filter) *
-           GetOctahedralValue(*this->Irradiance, RadianceTable::IrradianceSide, n, filter);
+           RadianceTable::GetIrradiance(*this->Irradiance, n, filter);
   }
   return glm::max(sum, glm::dvec3(0.0));
 }
@@ -89,11 +89,13 @@ std::vector<std::uint64_t> AnisotropicTable::GetSizes() const
 // Last of the numbers: the periods.
 std::string AnisotropicTable::GetBytes() const
 {
-  const RadianceTable::Texels none;
+  const ScaledTexels none;
+  const ScaledTexels& irradiance = this->HasFloor ? *this->Irradiance : none;
+  const std::vector<float> scale = RadianceTable::GetScale(irradiance);
   std::vector<std::uint64_t> numbers = this->GetSizes();
   numbers.push_back(static_cast<std::uint64_t>(this->Periods));
-  return WriteTableBytes(numbers, { &this->Profile },
-    { &this->Radiance, this->HasFloor ? this->Irradiance.get() : &none });
+  return WriteTableBytes(
+    numbers, { &this->Profile, &scale }, { &this->Radiance, &irradiance.Texels });
 }
 
 bool AnisotropicTable::TakeBytes(const std::string& bytes)
@@ -107,17 +109,22 @@ bool AnisotropicTable::TakeBytes(const std::string& bytes)
   const std::uint64_t periods = parts.Numbers.back();
   parts.Numbers.pop_back();
   if (parts.Numbers != this->GetSizes() || (periods != 1 && periods != 2) ||
-      parts.Arrays.size() != 1 || parts.Arrays[0].size() != profile || parts.Texels.size() != 2 ||
-      parts.Texels[0].size() != this->GetMap(this->Angles, 0, 0) ||
-      !RadianceTable::IsIrradiance(parts.Texels[1]))
+      parts.Arrays.size() != 2 || parts.Arrays[0].size() != profile || parts.Texels.size() != 2 ||
+      parts.Texels[0].size() != this->GetMap(this->Angles, 0, 0))
+  {
+    return false;
+  }
+  const auto irradiance =
+    RadianceTable::TakeIrradiance(std::move(parts.Texels[1]), parts.Arrays[1]);
+  if (!irradiance)
   {
     return false;
   }
   this->Periods = static_cast<int>(periods);
   this->Profile = std::move(parts.Arrays[0]);
   this->Radiance = std::move(parts.Texels[0]);
-  this->HasFloor = !parts.Texels[1].empty();
-  this->Irradiance = std::make_shared<RadianceTable::Texels>(std::move(parts.Texels[1]));
+  this->HasFloor = !irradiance->Texels.empty();
+  this->Irradiance = irradiance;
   return true;
 }
 } // namespace measuredbrdf

@@ -46,7 +46,7 @@ struct AnisotropicTable
   // Columns x (Rows ViewAzimuths) x (Angles (Azimuths + 1)): psi's first value comes again after
   // the last.
   RadianceTable::Texels Radiance;
-  std::shared_ptr<const RadianceTable::Texels> Irradiance; // as RadianceTable's
+  std::shared_ptr<const ScaledTexels> Irradiance; // as RadianceTable's
 
   std::size_t GetNumberOfTexels() const
   {

@@ -83,7 +83,7 @@ glm::dvec3 RadianceTable::Evaluate(const glm::dvec3& n, const glm::dvec3& o, con
     this->HasFloor ? GetProfileValue(this->Profile, 2, u) : glm::dvec3(0.0);
   if (this->HasFloor)
   {
-    sum += lambert * GetOctahedralValue(*this->Irradiance, IrradianceSide, n, filter);
+    sum += lambert * GetIrradiance(*this->Irradiance, n, filter);
   }
   if (lamps)
   {
@@ -100,11 +100,13 @@ std::vector<std::uint64_t> RadianceTable::GetSizes() const
 
 std::string RadianceTable::GetBytes() const
 {
-  const Texels none;
+  const ScaledTexels none;
+  const ScaledTexels& irradiance = this->HasFloor ? *this->Irradiance : none;
+  const std::vector<float> scale = GetScale(irradiance);
   std::vector<std::uint64_t> numbers = this->GetSizes();
   numbers.push_back(static_cast<std::uint64_t>(this->Tiles.Down));
-  return WriteTableBytes(numbers, { &this->Profile, &this->Tiles.Places },
-    { &this->Radiance, this->HasFloor ? this->Irradiance.get() : &none });
+  return WriteTableBytes(numbers, { &this->Profile, &this->Tiles.Places, &scale },
+    { &this->Radiance, &irradiance.Texels });
 }
 
 bool RadianceTable::TakeBytes(const std::string& bytes)
@@ -118,23 +120,37 @@ bool RadianceTable::TakeBytes(const std::string& bytes)
   }
   sizes.push_back(parts.Numbers.back());
   this->Tiles.Down = static_cast<int>(parts.Numbers.back());
-  if (parts.Numbers != sizes || parts.Arrays.size() != 2 ||
+  if (parts.Numbers != sizes || parts.Arrays.size() != 3 ||
       parts.Arrays[0].size() != 3 * 3 * ProfileSize || !this->Tiles.ArePlaces(parts.Arrays[1]) ||
-      parts.Texels.size() != 2 || parts.Texels[0].size() != this->GetMap(this->Angles, 0) ||
-      !IsIrradiance(parts.Texels[1]))
+      parts.Texels.size() != 2 || parts.Texels[0].size() != this->GetMap(this->Angles, 0))
+  {
+    return false;
+  }
+  const auto irradiance = TakeIrradiance(std::move(parts.Texels[1]), parts.Arrays[2]);
+  if (!irradiance)
   {
     return false;
   }
   this->Profile = std::move(parts.Arrays[0]);
   this->Tiles.Places = std::move(parts.Arrays[1]);
   this->Radiance = std::move(parts.Texels[0]);
-  this->HasFloor = !parts.Texels[1].empty();
-  this->Irradiance = std::make_shared<Texels>(std::move(parts.Texels[1]));
+  this->HasFloor = !irradiance->Texels.empty();
+  this->Irradiance = irradiance;
   return true;
 }
 
-bool RadianceTable::IsIrradiance(const Texels& values)
+glm::dvec3 RadianceTable::GetIrradiance(
+  const ScaledTexels& map, const glm::dvec3& n, const FilterWeights& filter)
 {
-  return values.empty() || values.size() == 1u * IrradianceSide * IrradianceSide;
+  return static_cast<double>(map.Scale) * GetOctahedralValue(map.Texels, IrradianceSide, n, filter);
+}
+
+std::shared_ptr<const ScaledTexels> RadianceTable::TakeIrradiance(
+  Texels&& texels, const std::vector<float>& scale)
+{
+  const bool fits = texels.empty() || texels.size() == 1u * IrradianceSide * IrradianceSide;
+  return fits && scale.size() == 1 && scale[0] > 0.0f
+           ? std::make_shared<ScaledTexels>(ScaledTexels{ std::move(texels), scale[0] })
+           : nullptr;
 }
 } // namespace measuredbrdf

@@ -10,6 +10,7 @@
 
 #include "LobeViews.h"
 #include "Neighbors.h"
+#include "SharedExponent.h"
 #include "TableTiles.h"
 
 #include <glm/glm.hpp>
@@ -53,7 +54,7 @@ struct RadianceTable
   Texels Radiance;
   // IrradianceSide x IrradianceSide (GetOctahedralPosition); null: there is no floor. Of all
   // materials.
-  std::shared_ptr<const Texels> Irradiance;
+  std::shared_ptr<const ScaledTexels> Irradiance;
 
   /// Of a slice: the map, and tiles below it.
   int GetHeight() const { return this->Rows + TableTiles::Texels * this->Tiles.Down; }
@@ -76,8 +77,15 @@ struct RadianceTable
   bool TakeBytes(const std::string& bytes);
   ///@}
 
-  /// Whether they are a map of irradiance, or none.
-  static bool IsIrradiance(const Texels& values);
+  ///@{
+  /// A map of irradiance at a normal; its scale as a table's bytes hold it; and back, null where
+  /// these are no such map. Without texels it stands for a table that has no floor.
+  static glm::dvec3 GetIrradiance(
+    const ScaledTexels& map, const glm::dvec3& n, const FilterWeights& filter);
+  static std::vector<float> GetScale(const ScaledTexels& map) { return { map.Scale }; }
+  static std::shared_ptr<const ScaledTexels> TakeIrradiance(
+    Texels&& texels, const std::vector<float>& scale);
+  ///@}
 
 private:
   std::vector<std::uint64_t> GetSizes() const;

@@ -29,7 +29,7 @@ namespace measuredbrdf
 {
 namespace
 {
-constexpr float LeastPeak = 1e-20f; // of radiance: less is black
+constexpr float LeastPeak = 1e-30f; // of radiance: less is black
 
 // What degrees may add at most, of the mean radiance, to be left out: a twentieth of the format's
 // rounding.
@@ -316,7 +316,7 @@ void MakeProfile(const LobeViews& views, const MaterialPrecomputation::Kernels& 
 }
 
 // On the octahedral map's texels, between those of a map of rows that is twice as fine.
-std::shared_ptr<const RadianceTable::Texels> MakeIrradiance(const EnvironmentHarmonics& environment)
+std::shared_ptr<const ScaledTexels> MakeIrradiance(const EnvironmentHarmonics& environment)
 {
   FieldSynthesis::Matrix cosine(IrradianceDegree + 1, 1);
   for (int l = 0; l <= IrradianceDegree; ++l)
@@ -337,13 +337,16 @@ std::shared_ptr<const RadianceTable::Texels> MakeIrradiance(const EnvironmentHar
       map[3 * texel + channel] = fields[channel][texel].real();
     }
   }
-  auto irradiance = std::make_shared<RadianceTable::Texels>();
+  std::vector<float> values;
   for (int k = 0; k < side * side; ++k)
   {
     const glm::dvec2 place(k % side, k / side);
     const MapPosition at(GetOctahedralDirection(place / (side - 1.0)));
-    irradiance->push_back(PackSharedExponent(glm::vec3(GetMapValue(map, rows, columns, 0, at))));
+    const glm::vec3 value(GetMapValue(map, rows, columns, 0, at));
+    values.insert(values.end(), { value.x, value.y, value.z });
   }
+  auto irradiance = std::make_shared<ScaledTexels>();
+  irradiance->Scale = static_cast<float>(PackRadiance(values, irradiance->Texels));
   return irradiance;
 }
 

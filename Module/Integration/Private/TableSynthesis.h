@@ -64,8 +64,8 @@ double SynthesizeRadiance(MaterialPrecomputation& parts, const LobeViews& views,
   const TableLight& light, const MaterialPrecomputation::Kernels& knots, int degree,
   double smoothing, const std::function<bool(double)>& goOn, RadianceTable& table);
 
-/// RGB scaled so that the peak is the format's largest value, since it has no small ones; negative
-/// values are 0. Returns what undoes the scaling.
+/// RGB scaled so that the peak is the format's largest value, whatever the unit of the light is;
+/// negative values are 0. Returns what undoes the scaling.
 double PackRadiance(const std::vector<float>& radiance, RadianceTable::Texels& texels);
 
 /// A table's profile over all view angles; scale: what undoes its radiance's scaling.
@@ -73,8 +73,7 @@ void MakeProfile(const LobeViews& views, const MaterialPrecomputation::Kernels& 
   RadianceTable& table);
 
 /// An octahedral map of irradiance.
-std::shared_ptr<const RadianceTable::Texels> MakeIrradiance(
-  const EnvironmentHarmonics& environment);
+std::shared_ptr<const ScaledTexels> MakeIrradiance(const EnvironmentHarmonics& environment);
 } // namespace measuredbrdf
 
 #endif

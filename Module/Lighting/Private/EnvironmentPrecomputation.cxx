@@ -156,9 +156,8 @@ vtkSmartPointer<vtkLightSet> EnvironmentPrecomputation::GetGeneratedSet(
   return set ? *set : nullptr;
 }
 
-std::shared_ptr<const std::vector<std::uint32_t>> EnvironmentPrecomputation::GetIrradiance(
-  const Rest& rest, const GoOn& goOn,
-  const std::function<std::shared_ptr<const std::vector<std::uint32_t>>()>& make)
+std::shared_ptr<const ScaledTexels> EnvironmentPrecomputation::GetIrradiance(const Rest& rest,
+  const GoOn& goOn, const std::function<std::shared_ptr<const ScaledTexels>()>& make)
 {
   return this->Irradiances.Get(rest.get(), goOn, make);
 }

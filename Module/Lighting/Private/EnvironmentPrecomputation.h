@@ -15,6 +15,7 @@
 #include "EnvironmentPyramid.h"
 #include "ExtractedEmitters.h"
 #include "MadeOnce.h"
+#include "SharedExponent.h"
 #include "TexelChanges.h"
 #include "vtkEnvironment.h"
 #include "vtkSmartPointer.h"
@@ -91,9 +92,8 @@ public:
     vtkEnvironment* environment, vtkLightSetGenerator* generator, int count, const GoOn& goOn);
 
   /// A map of irradiance, in the form that make() gives it.
-  std::shared_ptr<const std::vector<std::uint32_t>> GetIrradiance(const Rest& rest,
-    const GoOn& goOn,
-    const std::function<std::shared_ptr<const std::vector<std::uint32_t>>()>& make);
+  std::shared_ptr<const ScaledTexels> GetIrradiance(const Rest& rest, const GoOn& goOn,
+    const std::function<std::shared_ptr<const ScaledTexels>()>& make);
 
   /// What tells these pixels from others, as make() has it.
   std::string GetContentKey(const std::function<std::string()>& make);
@@ -113,7 +113,7 @@ private:
   MadeOnce<std::pair<const TexelChanges*, std::vector<int>>, LightSets> SetsOf; // rest, counts
   // Generator, its modification time (never used twice: a recycled address does no harm), count.
   MadeOnce<std::tuple<vtkLightSetGenerator*, vtkMTimeType, int>, LightSet> GeneratedSets;
-  MadeOnce<const TexelChanges*, std::vector<std::uint32_t>> Irradiances;
+  MadeOnce<const TexelChanges*, ScaledTexels> Irradiances;
   MadeOnce<int, std::string> ContentKey;
 };
 } // namespace measuredbrdf

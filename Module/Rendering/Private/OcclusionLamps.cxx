@@ -21,7 +21,7 @@ std::string MakeTableLampCode(const OcclusionMember& member)
 )";
   if (!member.HasPanels())
   {
-    text += R"(  vec3 brdfLobeAll#M = max(brdfRest#M, vec3(1e-12)) * 0.3183098861837907;
+    text += R"(  vec3 brdfLobeAll#M = max(brdfRest#M, vec3(1e-30)) * 0.3183098861837907;
   vec3 brdfLobeLost#M = brdfHiddenLobe#OUTVSOutput * brdfLobeAll#M;
 )";
   }

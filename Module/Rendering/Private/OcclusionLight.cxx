@@ -151,7 +151,7 @@ OcclusionLight::Hidden OcclusionLight::GetHidden(
   const glm::dvec3 share =
     sky.GetHiddenLight(sky.GetHiddenShare(slope), kappa, hidden.Irradiance, irradiance);
   // Radiance in the lobe: of the rest, then of panels, and of what the table has of lamps.
-  glm::dvec3 all = glm::max(irradiance, glm::dvec3(1e-12)) / Pi;
+  glm::dvec3 all = glm::max(irradiance, glm::dvec3(1e-30)) / Pi;
   glm::dvec3 lost = share * all;
   for (const EnvironmentPanels::Panel& panel : this->Panels)
   {

@@ -11,7 +11,7 @@ namespace
 {
 // All light in the lobe, and what is hidden of it: of the rest of the light, of panels, together.
 const char* const BeginShine =
-  R"(  vec3 brdfLobeAll#M = max(brdfRest#M, vec3(1e-12)) * 0.3183098861837907;
+  R"(  vec3 brdfLobeAll#M = max(brdfRest#M, vec3(1e-30)) * 0.3183098861837907;
   vec3 brdfLobeLost#M = brdfHiddenLobe#OUTVSOutput * brdfLobeAll#M;
   float brdfWhole#M = 1.0 / brdfLobe#M.z;
 )";

@@ -363,7 +363,7 @@ glm::dvec3 HiddenSky::GetHiddenLight(double hiddenShare, double kappa,
   for (int c = 0; c < 3; ++c)
   {
     const double share =
-      std::clamp(hiddenIrradiance[c] / std::max(irradiance[c], 1e-12), 0.0, 0.999);
+      std::clamp(hiddenIrradiance[c] / std::max(irradiance[c], 1e-30), 0.0, 0.999);
     const double odds = share * (1.0 - cosine) / std::max((1.0 - share) * cosine, 1e-6);
     const double factor = std::pow(std::clamp(odds, 1.0 / LargestOdds, LargestOdds), power);
     const double seen = std::max(1.0 - hiddenShare, 0.0);
