@@ -761,6 +761,8 @@ add("Planning.file-with-a-choice-too-many", "Private/PlanFile.cxx", "read.Choice
 
 # Rendering
 
+add("Rendering.texture-of-bytes-is-linear", "Private/TextureEnvironment.cxx",
+    "(texture->GetUseSRGBColorSpace() || hasHarmonics)", "texture->GetUseSRGBColorSpace()", "TextureEncoding.IsAsVtkTakesIt")
 add("Rendering.stand-in-of-the-other-kind", "Private/SharedIntegrators.cxx",
     "IsMirrorLike(brdf) ?", "!IsMirrorLike(brdf) ?", "Background.MoreRowsForMirrorLikeMaterialsUnderPanels")
 add("Rendering.stand-in-is-the-material", "Private/StandInBRDF.cxx",
