@@ -220,7 +220,7 @@ ImageLayer ChooseLayer(const ImageSource& source, OIIO::ImageInput& input, Image
     [](const ImageLayer& a, const ImageLayer& b) { return GetRank(a) < GetRank(b); });
   if (layers.size() > 1)
   {
-    image.Notes.push_back("Of the layers " + ListNames(layers) + " " +
+    image.Notes.push_back("Of the layers " + ListNames(layers) + ": " +
                           (best->Name.empty() ? "the one without a name" : Quote(best->Name)) +
                           " was taken.");
   }

@@ -344,7 +344,7 @@ TEST(IOImageHeaders, LayersAreChosenByName)
   WriteWithSpec(folder("blender.exr"), spec, { 1, 2, 3, 4, 5, 6, 7 });
   Found found = ReadTopFirst(folder("blender.exr"));
   EXPECT_EQ(found.Values, (std::vector<double>{ 4, 5, 6 }));
-  EXPECT_TRUE(Contains(found.Notes, "'View.AO', 'View.Combined' 'View.Combined' was taken"))
+  EXPECT_TRUE(Contains(found.Notes, "'View.AO', 'View.Combined': 'View.Combined' was taken"))
     << found.Notes;
   EXPECT_EQ(
     ReadTopFirst(folder("blender.exr"), "View.AO").Values, (std::vector<double>{ 1, 2, 3 }));
