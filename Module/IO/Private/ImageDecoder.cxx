@@ -376,6 +376,7 @@ DecodedImage DecodeImage(const ImageSource& source)
 
   DecodedImage image;
   const ImageLayer layer = ChooseLayer(source, *input, image);
+  static_cast<void>(input->geterror()); // of looking for another part
   if (!input->seek_subimage(layer.Part, 0))
   {
     throw FileError(source.Path + ": image header: " + ToLine(input->geterror()));

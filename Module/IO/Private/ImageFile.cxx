@@ -28,7 +28,10 @@ constexpr float LargestHalf = 65504.0f;
 constexpr std::int64_t FreeTexels = std::int64_t(1) << 24;
 
 //------------------------------------------------------------------------------
-std::size_t CountValues(ImageValues values) { return values == ImageValues::ColorAndAlpha ? 4 : 3; }
+std::size_t GetValuesPerTexel(ImageValues values)
+{
+  return values == ImageValues::ColorAndAlpha ? 4 : 3;
+}
 
 //------------------------------------------------------------------------------
 // The texels of the data window, in a display window that is black elsewhere.
@@ -50,7 +53,7 @@ void ShowWindow(const ImageSource& source, DecodedImage& image)
     std::min<std::int64_t>(std::int64_t(image.Left) + image.Width, image.DisplayWidth));
   const auto bottom = static_cast<int>(
     std::min<std::int64_t>(std::int64_t(image.Top) + image.Height, image.DisplayHeight));
-  const std::size_t values = CountValues(source.Values);
+  const std::size_t values = GetValuesPerTexel(source.Values);
   const std::size_t row = values * static_cast<std::size_t>(image.DisplayWidth);
   std::vector<float> shown(row * static_cast<std::size_t>(image.DisplayHeight), 0.0f);
   for (int y = top; y < bottom && left < right; ++y)
@@ -149,7 +152,7 @@ void ConvertColors(const ImageSource& source, const Chromaticities& from, Decode
   // Encoded integers are display values by another name: their readers take them as sRGB.
   if (image.Channels == 3 && !image.IsEncoded && !IsRec709(from))
   {
-    Transform(CountValues(source.Values), GetToRec709(from), image);
+    Transform(GetValuesPerTexel(source.Values), GetToRec709(from), image);
   }
 }
 
@@ -190,7 +193,7 @@ void Turn(std::size_t values, DecodedImage& image)
 
 //------------------------------------------------------------------------------
 // OpenImageIO gets the pixels behind a header that says their size alone.
-DecodedImage DecodeRadiance(ImageSource& source)
+DecodedImage ReadRadiancePicture(ImageSource& source)
 {
   const FileBytes file(source.Path);
   const RadianceHeader header = ParseRadianceHeader(file);
@@ -204,7 +207,7 @@ DecodedImage DecodeRadiance(ImageSource& source)
   const std::array<double, 3>& exposure = header.Exposure;
   if (exposure != std::array<double, 3>{ 1.0, 1.0, 1.0 })
   {
-    Transform(CountValues(source.Values),
+    Transform(GetValuesPerTexel(source.Values),
       glm::dmat3(1.0 / exposure[0], 0, 0, 0, 1.0 / exposure[1], 0, 0, 0, 1.0 / exposure[2]), image);
   }
   image.Chromaticities.clear();
@@ -229,16 +232,16 @@ ImageFile ReadImageFile(const std::string& path, ImageValues values, const std::
   CheckStoredSize(path, *source.Format, source.FileSize);
 
   DecodedImage image =
-    IsImageFormat(*source.Format, "hdr") ? DecodeRadiance(source) : DecodeImage(source);
+    IsImageFormat(*source.Format, "hdr") ? ReadRadiancePicture(source) : DecodeImage(source);
   ShowWindow(source, image);
-  LimitValues(CountValues(values), image);
+  LimitValues(GetValuesPerTexel(values), image);
   if (image.Chromaticities.size() == Rec709.size())
   {
     Chromaticities from = {};
     std::copy(image.Chromaticities.begin(), image.Chromaticities.end(), from.begin());
     ConvertColors(source, from, image);
   }
-  Turn(CountValues(values), image);
+  Turn(GetValuesPerTexel(values), image);
   return image;
 }
 } // namespace measuredbrdf
