@@ -359,9 +359,9 @@ DecodedImage DecodeImage(const ImageSource& source)
 {
   OIIO::ImageSpec config;
   config.attribute("oiio:UnassociatedAlpha", 1); // where alpha is dropped, it must not darken
+  OIIO::Filesystem::IOMemReader bytes(source.Bytes.data(), source.Bytes.size()); // outlives input
   // By the format's name: by the file's name, OpenImageIO tries all of its readers.
   auto input = OIIO::ImageInput::create(source.Format->Reader);
-  OIIO::Filesystem::IOMemReader bytes(source.Bytes.data(), source.Bytes.size());
   OIIO::ImageSpec first;
   if (input && !source.Bytes.empty())
   {
